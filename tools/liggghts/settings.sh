@@ -1,0 +1,27 @@
+# shellcheck shell=bash disable=SC2034
+# What is built and where it goes; read by build.sh and path.sh.
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/decalioc
+
+tarball=liggghts_3.8.0+repack1.orig.tar.xz
+tarballSha=c18721d9a870c5170f03b91e4f1ffe13335c66ed1f0ff2c64ebd3be91c37867a
+
+# No -ffast-math: a run that blew up must show its NaN. Fused multiply-add off:
+# it gains nothing here (measured), and without it the digits of a result depend
+# less on the processor.
+flags=${LIGGGHTS_CXXFLAGS:--O3 -march=native -ffp-contract=off}
+
+# Prints the folder that a build with these settings has, or would get.
+# The name changes with all that changes the program, also with the processor:
+# -march=native on another one would end in "illegal instruction".
+buildFolder () {
+  local target key
+  # shellcheck disable=SC2086  # the flags are several words
+  target=$(g++ $flags -Q --help=target 2>/dev/null) || return 1
+  key=$( { echo "$tarballSha $flags $target"
+           g++ -dumpfullversion
+           cat "$here"/{gcc12.patch,contact_models.whitelist,build.mk}
+         } | sha256sum | cut -c 1-12)
+  echo "$cache/liggghts-$key"
+}
