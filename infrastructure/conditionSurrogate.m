@@ -1,0 +1,117 @@
+% CONDITIONSURROGATE  Surrogate from an stk model with known parameters.
+%
+% CALL: surrogate = conditionSurrogate (model, base)
+%
+% model  stk prior model in the unit box and the standardised response, all
+%        parameters known
+% base   struct: name, X (n x d), z (n x 1), limits (2 x d), unit (n x d, X in
+%        the unit box), y (n x 1, standardised z), shift, scale
+% surrogate  struct of fitSurrogate
+%
+% The covariance is factored once; leave-one-out residuals in closed form
+% (Dubrule 1983): with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1 the residual is
+% (Q y)_i / Q_ii and its variance 1 / Q_ii. factor widens the prediction
+% variance where the standardised residuals are larger than chance allows.
+%
+% See also: fitSurrogate, predictSurrogate
+
+function surrogate = conditionSurrogate (model, base)
+  n = numel (base.y);
+  covariance = model.covariance_type;
+  K = feval (covariance, model.param, base.unit, base.unit, -1);
+  noise = exp (model.lognoisevariance(:));
+  K = K + diag (noise .* ones (n, 1)) ...
+      + 1e-12 * exp (model.param(1)) * eye (n);
+  H = feval (model.lm, base.unit);
+  L = chol (K, 'lower');
+  A = L \ H;
+  [~, R] = qr (A, 0);
+  b = L \ base.y;
+  beta = R \ (R' \ (A' * b));
+  alpha = L' \ (b - A * beta);
+  W = L' \ (L \ eye (n));
+  V = (L' \ A) / R;
+  q = max (diag (W) - sum (V .^ 2, 2), eps);
+  loo = alpha ./ q;
+  looStd = alpha ./ sqrt (q);
+
+  surrogate = struct ('name', base.name, 'model', model, 'posterior', []);
+  if n <= 400
+    surrogate.posterior = stk_model_gpposterior (model, base.unit, base.y);
+  end
+  surrogate.X = base.X;
+  surrogate.z = base.z;
+  surrogate.limits = base.limits;
+  surrogate.noiseVar = mean (noise) * base.scale ^ 2;
+  surrogate.looResidual = loo * base.scale;
+  surrogate.looStd = looStd;
+  surrogate.Q2 = 1 - sum (loo .^ 2) / sum ((base.y - mean (base.y)) .^ 2);
+  surrogate.trend = trendName (size (H, 2), size (base.X, 2));
+  surrogate.covariance = covarianceName (covariance);
+  surrogate.shift = base.shift;
+  surrogate.scale = base.scale;
+  surrogate.factor = max (1, mean (looStd .^ 2) - 2 * sqrt (2 / n));
+  surrogate.df = max (3, n - size (H, 2));
+  surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd .^ 2);
+  surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...
+                             'A', A, 'R', R, 'beta', beta, 'alpha', alpha);
+  surrogate.warning = qualityWarning (surrogate);
+end
+
+function text = trendName (nTerms, d)
+  if nTerms == 1
+    text = 'constant';
+  elseif nTerms == d + 1
+    text = 'affine';
+  else
+    text = 'quadratic';
+  end
+end
+
+function text = covarianceName (covariance)
+  if ~ ischar (covariance)
+    covariance = func2str (covariance);
+  end
+  text = regexprep (covariance, {'^stk_', '_aniso$', 'cov'}, '');
+end
+
+function text = qualityWarning (surrogate)
+  text = '';
+  if ~ (surrogate.Q2 > 0.5)
+    text = sprintf (['leave-one-out Q2 = %.2f: the plan says little about ' ...
+                     'this response'], surrogate.Q2);
+  end
+end
+
+%!shared X, z, lim
+%! pkg load stk
+%! rand ('twister', 3);
+%! randn ('twister', 3);
+%! lim = [0, 10; 2, 30];
+%! X = lim(1, :) + rand (14, 2) .* (lim(2, :) - lim(1, :));
+%! z = 3 + X(:, 1) + sin (X(:, 2) / 5) + 0.02 * randn (14, 1);
+
+%!test
+%! % closed form equals brute force with the same parameters
+%! s = fitSurrogate (X, z, lim);
+%! i = 5;
+%! k = true (14, 1);
+%! k(i) = false;
+%! base = struct ('name', '', 'X', X(k, :), 'z', z(k), 'limits', lim, ...
+%!                'unit', s.solver.unit(k, :), 'y', s.solver.y(k), ...
+%!                'shift', s.shift, 'scale', s.scale);
+%! r = conditionSurrogate (s.model, base);
+%! r.factor = 1;
+%! [m, v] = predictSurrogate (r, X(i, :));
+%! assert (s.looResidual(i), z(i) - m, 1e-6);
+%! assert (s.looStd(i), (z(i) - m) / sqrt (v + s.noiseVar), 1e-4);
+
+%!test
+%! % the same as the posterior of stk
+%! s = fitSurrogate (X, z, lim);
+%! s.factor = 1;
+%! P = lim(1, :) + rand (6, 2) .* (lim(2, :) - lim(1, :));
+%! [m, v] = predictSurrogate (s, P);
+%! y = stk_predict (s.posterior, (P - lim(1, :)) ./ diff (lim));
+%! assert (m, s.shift + s.scale * y.mean, 1e-7);
+%! assert (v, s.scale ^ 2 * y.var, 1e-7);

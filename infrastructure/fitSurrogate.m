@@ -1,0 +1,208 @@
+% FITSURROGATE  Kriging model of one response, noise estimated, choice checked.
+%
+% CALL: surrogate = fitSurrogate (X, z, limits)
+% CALL: surrogate = fitSurrogate (X, z, limits, options)
+%
+% X        n x d  inputs; rows may repeat (replicates carry pure error)
+% z        n x 1  responses; rows with NaN are left out
+% limits   2 x d  box of the inputs
+% options  struct, every field optional:
+%   name        char, name of the response ('')
+%   trend       'constant', 'affine', 'quadratic' or 'choose' ('choose')
+%   covariance  'matern32', 'matern52', 'gauss' or 'choose' ('choose')
+%   start       surrogate of an earlier fit: its choice is kept, its
+%               parameters are the start ([])
+%   maxFit      rows used at most to estimate the parameters (150)
+%   noise       n x 1 known variances of the single runs ([]: estimated)
+%
+% surrogate: name, model, posterior (stk, in the unit box and the standardised
+% response; [] above 400 rows), X, z, limits, noiseVar (of one run), looResidual
+% and looStd (n x 1), Q2, trend, covariance, and what predictSurrogate needs:
+% shift, scale, factor, df, score (leave-one-out log density), warning.
+%
+% Parameters: restricted likelihood with a weak prior (penalisedLikelihood).
+% Choice: largest leave-one-out log predictive density, trend first.
+%
+% Errors: DEcalioc:fitSurrogate:badShape, DEcalioc:fitSurrogate:runFailed
+%
+% See also: predictSurrogate, conditionSurrogate, penalisedLikelihood
+
+function surrogate = fitSurrogate (X, z, limits, options)
+  if nargin < 4
+    options = struct ();
+  end
+  if size (z, 1) ~= size (X, 1) || size (X, 2) ~= size (limits, 2)
+    error ('DEcalioc:fitSurrogate:badShape', ...
+           ['fitSurrogate: X must be n x d, z n x 1 and limits 2 x d, got ' ...
+            '%d x %d, %d x %d and %d x %d.'], size (X), size (z), ...
+           size (limits));
+  end
+  options = withDefaults (options);
+  ok = isfinite (z);
+  if sum (ok) < 2
+    error ('DEcalioc:fitSurrogate:runFailed', ...
+           ['fitSurrogate: response ''%s'' has %d finite values, needs 2 or ' ...
+            'more. Look at the failed runs.'], options.name, sum (ok));
+  end
+  base = standardise (X(ok, :), z(ok), limits, options);
+  if ~ isempty (options.start)
+    surrogate = refit (base, options);
+  elseif std (base.z) <= 100 * eps (max (abs (base.z)))
+    surrogate = conditionSurrogate (constantModel (base), base);
+    surrogate.warning = 'the response is constant';
+  else
+    surrogate = chooseModel (base, options);
+  end
+end
+
+function options = withDefaults (options)
+  default = struct ('name', '', 'trend', 'choose', 'covariance', 'choose', ...
+                    'start', [], 'maxFit', 150, 'noise', []);
+  given = fieldnames (options);
+  for i = 1:numel (given)
+    default.(given{i}) = options.(given{i});
+  end
+  options = default;
+end
+
+function base = standardise (X, z, limits, options)
+  base.name = options.name;
+  base.X = X;
+  base.z = z;
+  base.limits = limits;
+  base.unit = (X - limits(1, :)) ./ (limits(2, :) - limits(1, :));
+  base.shift = mean (z);
+  base.scale = std (z);
+  if ~ (base.scale > 100 * eps (max (abs (z))))
+    base.scale = max (abs (base.shift), 1);
+  end
+  base.y = (z - base.shift) / base.scale;
+  base.knownNoise = options.noise / base.scale ^ 2;
+end
+
+function model = constantModel (base)
+  prior = parameterPrior (size (base.X, 2));
+  model = emptyModel ('constant', 'matern52', size (base.X, 2));
+  model.param = prior.mean;
+  model.lognoisevariance = 2 * log (1e-6);
+end
+
+function surrogate = refit (base, options)
+  old = options.start;
+  model = old.model;
+  if std (base.y) > 0 && isscalar (model.lognoisevariance)
+    model = estimate (old.trend, old.covariance, base, options, old.model);
+  elseif std (base.y) > 0
+    model = estimate (old.trend, old.covariance, base, options, []);
+  end
+  surrogate = conditionSurrogate (model, base);
+end
+
+function best = chooseModel (base, options)
+  [n, d] = size (base.X);
+  trends = {options.trend};
+  if strcmp (options.trend, 'choose')
+    sizes = [1, d + 1, (d + 1) * (d + 2) / 2];
+    trends = {'constant', 'affine', 'quadratic'};
+    enough = n >= [3, d + 4, 3 * sizes(3)];
+    trends = trends(enough | [~ any(enough), false, false]);
+  end
+  covariances = {options.covariance};
+  if strcmp (options.covariance, 'choose')
+    covariances = {'matern52', 'matern32', 'gauss'};
+  end
+  small = options;
+  small.maxFit = min (options.maxFit, 60);
+  best = [];
+  for i = 1:numel (trends)
+    best = better (best, trends{i}, covariances{1}, base, small);
+  end
+  for i = 2:numel (covariances)
+    best = better (best, best.trend, covariances{i}, base, small);
+  end
+  if n > small.maxFit && options.maxFit > small.maxFit
+    options.start = best;
+    best = refit (base, options);
+  end
+end
+
+function best = better (best, trend, covariance, base, options)
+  model = estimate (trend, covariance, base, options, []);
+  new = conditionSurrogate (model, base);
+  if isempty (best) || new.score > best.score
+    best = new;
+  end
+end
+
+function model = estimate (trend, covariance, base, options, old)
+  [n, d] = size (base.X);
+  prior = parameterPrior (d);
+  model = emptyModel (trend, covariance, d);
+  param = prior.mean;
+  logNoise = prior.noiseMean;
+  if ~ isempty (old)
+    param = 0.9 * old.param(:) + 0.1 * prior.mean;
+    logNoise = 0.9 * old.lognoisevariance + 0.1 * prior.noiseMean;
+  end
+  rows = unique (round (linspace (1, n, min (n, options.maxFit))));
+  criterion = @(m, x, y) penalisedLikelihood (m, x, y, prior);
+  if isempty (base.knownNoise)
+    [model.param, model.lognoisevariance] = stk_param_estim ...
+      (model, base.unit(rows, :), base.y(rows), param, logNoise, criterion);
+  else
+    model.lognoisevariance = log (base.knownNoise(rows));
+    model.param = stk_param_estim (model, base.unit(rows, :), ...
+                                   base.y(rows), param, [], criterion);
+    model.lognoisevariance = log (base.knownNoise);
+  end
+end
+
+function model = emptyModel (trend, covariance, d)
+  kernel = regexprep (covariance, '^(matern|gauss)', '$1cov');
+  model = stk_model (['stk_' kernel '_aniso'], d);
+  model.lm = feval (['stk_lm_' trend]);
+  model.lognoisevariance = NaN;
+end
+
+function prior = parameterPrior (d)
+  % standardised response, unit box: part beyond the trend about half of the
+  % spread, ranges about 1.5 box sides, noise a tenth of the spread
+  prior.mean = [log(0.3); -log(1.5) * ones(d, 1)];
+  prior.sd = [1.5; ones(d, 1)];
+  prior.noiseMean = 2 * log (0.1);
+  prior.noiseSd = 2;
+end
+
+%!shared X, z, lim
+%! pkg load stk
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! lim = [0, 0, 0; 1, 1, 1];
+%! X = rand (20, 3);
+%! z = 5 + 3 * X(:, 1) - 2 * X(:, 2) + 0.1 * randn (20, 1);
+
+%!test
+%! % noise within a factor of 2 of the truth (chance of failing below 1 %)
+%! s = fitSurrogate (X, z, lim);
+%! assert (sqrt (s.noiseVar) > 0.05 && sqrt (s.noiseVar) < 0.2);
+%! assert (s.Q2 > 0.9 && s.Q2 < 1);
+%! assert (size (s.looResidual), [20, 1]);
+
+%!test
+%! % rows with NaN are left out, choices can be fixed
+%! y = z;
+%! y([3, 7]) = NaN;
+%! s = fitSurrogate (X, y, lim, struct ('trend', 'affine', ...
+%!                                      'covariance', 'matern32'));
+%! assert (size (s.X), [18, 3]);
+%! assert ({s.trend, s.covariance}, {'affine', 'matern32'});
+
+%!test
+%! % a constant response is no error
+%! s = fitSurrogate (X, 7 * ones (20, 1), lim);
+%! assert (predictSurrogate (s, [0.5, 0.5, 0.5]), 7, 1e-9);
+%! assert (~ isempty (s.warning));
+
+%!error id=DEcalioc:fitSurrogate:runFailed
+%! fitSurrogate (X, NaN (20, 1), lim);
+%!error id=DEcalioc:fitSurrogate:badShape fitSurrogate (X, z', lim);
