@@ -9,7 +9,7 @@ packagesOf () {
                 gnuplot-nox fonts-freefont-otf openmpi-bin ;;
     build) echo g++ make patch xz-utils libopenmpi-dev libjpeg-dev libpng-dev ;;
     test)  echo slurm-wlm munge ;;     # a small cluster on this machine
-    lint)  echo python3-venv ;;
+    lint)  echo python3-venv shellcheck ;;
     *)     echo "setup.sh: unknown task '$1' (run, build, test, lint)" >&2; exit 1 ;;
   esac
 }
@@ -51,7 +51,8 @@ for task in "$@"; do
   packages+=($(packagesOf "$task"))
 done
 if ! command -v dpkg-query > /dev/null; then
-  echo "setup.sh: this is not Debian, so nothing is installed. Needed are: ${packages[*]}" >&2
+  command -v octave-cli > /dev/null ||
+    echo "setup.sh: this is not Debian, nothing is installed. Needed are: ${packages[*]}" >&2
   exit
 fi
 mapfile -t missing < <(missingOf "${packages[@]}")

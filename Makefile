@@ -1,0 +1,60 @@
+# DEcalioc: all set-up, and the commands of the README. `make help` lists them.
+#
+# LIGGGHTS  which LIGGGHTS: nothing = build one, once (see tools/liggghts),
+#           'system' = the one on the PATH, or the path of a program
+# OCTAVE    which Octave (default: octave-cli)
+# CASE      which calibration: a folder with a loadInput.m (default: this folder)
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.NOTPARALLEL:          # apt, the build and the runs use all cores on their own
+
+LIGGGHTS ?=
+OCTAVE ?= octave-cli
+CASE ?= .
+export LIGGGHTS OCTAVE CASE
+
+.PHONY: help setup liggghts run gap test soak bench lint clean liggghts-clean
+
+help:                  ## this list
+	@echo 'make TARGET, with the targets'
+	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/  \1\t\2/p' Makefile | expand -t 18
+	@echo 'Variables: LIGGGHTS=/path/to/liggghts or LIGGGHTS=system, OCTAVE=..., CASE=folder'
+
+setup:                 ## install all Debian packages, also those for test and lint
+	@tools/setup.sh run build test lint
+
+liggghts:              ## build LIGGGHTS, once per machine
+	@tools/liggghts/build.sh
+
+run:                   ## calibrate: all set-up, then DEcalioc.m
+	@tools/setup.sh run
+	@tools/liggghts/build.sh
+	@tools/octave.sh DEcalioc.m
+
+gap:                   ## diagnose the gap: all set-up, then diagnoseGap.m
+	@tools/setup.sh run
+	@tools/liggghts/build.sh
+	@tools/octave.sh diagnoseGap.m
+
+test:                  ## all set-up, then all tests; ends in "N passed, N failed"
+	@tools/setup.sh run test
+	@tools/liggghts/build.sh
+	@CASE=. tools/octave.sh tests/runTests.m
+
+soak:                  ## the tests, with those that take long
+	@DECALIOC_SOAK=1 $(MAKE) --no-print-directory test
+
+bench:                 ## list the programs that measure
+	@tools/bench.sh
+
+lint:                  ## check the style of the Octave and the shell code
+	@tools/setup.sh lint
+	@tools/lint.sh
+
+clean:                 ## remove what tests and crashes leave, never a result
+	@rm -f fntests.log tests/fntests.log octave-workspace log.liggghts
+
+liggghts-clean:        ## remove the LIGGGHTS that was built, and its source
+	@tools/liggghts/remove.sh
