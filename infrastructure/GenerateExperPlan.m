@@ -1,0 +1,51 @@
+% GENERATEEXPERPLAN  Draws a maximin Latin hypercube plan with stk.
+%
+% CALL: PLAN = GenerateExperPlan (FACTORLIMITS, N, PATHEXPLAN, SEED)
+%
+%   FACTORLIMITS  2 x d, lower and upper limit of each factor
+%   N             number of samples
+%   PATHEXPLAN    folder in which ExperimentalPlan_DoE.csv is written, one row
+%                 a sample, at full precision; empty: no file
+%   SEED          seed of the draw (default 1): same seed, same plan
+%   PLAN          N x d
+%
+% The state of rand is put back, so the draw does not disturb the caller.
+%
+% Errors: DEcalioc:GenerateExperPlan:badShape
+%
+% See also: stk_sampling_maximinlhs, evaluatePlan
+
+function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
+  if nargin < 4
+    seed = 1;
+  end
+  if rows (factorLimits) ~= 2
+    error ('DEcalioc:GenerateExperPlan:badShape', ...
+           ['GenerateExperPlan: FACTORLIMITS must be 2 x d, ' ...
+            'got %d x %d.'], size (factorLimits));
+  end
+  before = rand ('twister');
+  restore = onCleanup (@() rand ('twister', before));
+  rand ('twister', seed);
+  d = columns (factorLimits);
+  plan = double (stk_sampling_maximinlhs (N, d, factorLimits, 1000));
+  if nargin > 2 && ~ isempty (pathExPlan)
+    writeMatrix (fullfile (pathExPlan, 'ExperimentalPlan_DoE.csv'), plan);
+  end
+end
+
+%!shared limits
+%! limits = [500, 0.3; 800, 0.7];
+%!test
+%! plan = GenerateExperPlan (limits, 12, '', 3);
+%! assert (size (plan), [12, 2]);
+%! strata = floor (12 * (plan - limits(1, :)) ./ diff (limits));
+%! assert (sort (strata), repmat ((0:11)', 1, 2));
+%! assert (plan, GenerateExperPlan (limits, 12, '', 3));
+%!test
+%! rand ('twister', 5);
+%! GenerateExperPlan (limits, 5);
+%! a = rand ();
+%! rand ('twister', 5);
+%! assert (rand (), a);
+%!error id=DEcalioc:GenerateExperPlan:badShape GenerateExperPlan ([1, 2], 5)

@@ -1,0 +1,48 @@
+% STARTTOOLBOX  Puts the toolbox on the path and loads its Octave packages.
+%
+% CALL: startToolbox (ROOT, FOLDER)
+%
+%   ROOT    folder of the toolbox (text)
+%   FOLDER  case folder, looked in before the toolbox (text, default pwd)
+%
+% optim is loaded without its dependencies: the statistics package would put
+% other functions in the place of mean, median, std and var.
+%
+% Errors: DEcalioc:startToolbox:missingPackage
+%
+% See also: loadCase, DEcalioc
+
+function startToolbox (root, folder)
+  if nargin < 2
+    folder = pwd ();
+  end
+  families = {'input', 'statistics', 'runs', 'executors', 'gap', ...
+              'effects', 'report', 'plots'};
+  inside = fullfile (root, 'infrastructure');
+  folders = [{root, inside}, fullfile(inside, families)];
+  folders = folders(cellfun (@isfolder, folders));
+  addpath (folders{:});
+  if ~ strcmp (folder, root)
+    addpath (folder);
+  end
+  loadPackages ({'struct', 'optim', 'parallel', 'stk'});
+end
+
+function loadPackages (names)
+  for k = 1:numel (names)
+    try
+      pkg ('load', '-nodeps', names{k});
+    catch err
+      error ('DEcalioc:startToolbox:missingPackage', ...
+             ['startToolbox: the Octave package %s must be installed, ' ...
+              'got: %s. On Debian: apt-get install octave-%s, or make ' ...
+              'setup in the toolbox folder.'], names{k}, err.message, names{k});
+    end
+  end
+end
+
+%!test
+%! startToolbox (fileparts (fileparts (which ('startToolbox'))));
+%! assert (! isempty (which ('nonlin_residmin')));
+%! assert (! isempty (which ('stk_predict')));
+%! assert (isempty (strfind (which ('median'), 'shadow')));
