@@ -1,0 +1,170 @@
+% NEWCASE  Makes a case of what the user gave, with all defaults filled in.
+%
+% CALL: CASE = newCase (RAW)
+%
+%   RAW   struct with the fields Input, optim, modelVars, assign, paramLims
+%         (as loadInput.m returns them), effects ([] or struct array),
+%         folder (case folder) and root (toolbox folder)
+%   CASE  scalar struct; its fields are described in docs/data.md
+%
+% checkCase looks at RAW first. Its problems are raised together, as one
+% error under the identifier of the first.
+%
+% Defaults: Input.seed 1, Input.executor 'local', Input.maxNewRuns Inf,
+% Input.replicates 5, Input.store (folder that holds optim/) the case folder,
+% Input.timeout none (a multiple
+% of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
+% 40, optim.WRL 0, optim.method 'robust', optim.confidence 0.95,
+% optim.targetStd 0, optim.role 'calibrate'.
+%
+% See also: loadCase, checkCase
+
+function Case = newCase (raw)
+  problems = checkCase (raw);
+  if ~ isempty (problems)
+    error (problems(1).id, '%s', listProblems (problems));
+  end
+  Input = raw.Input;
+  Case.root = raw.root;
+  Case.folder = raw.folder;
+  Case.store = given (Input, 'store', raw.folder);
+  Case.models = newModels (raw);
+  Case.names = raw.assign(:)';
+  Case.limits = double (raw.paramLims);
+  Case.modelVars = raw.modelVars;
+  Case.effects = raw.effects;
+  Case.effectVars = effectVariables (raw.effects);
+  Case.targets = newTargets (raw.optim, Case.models);
+  Case.options = newOptions (Input, raw.optim);
+  for k = 1:numel (Case.models)
+    Case.models(k).nTargets = sum ([Case.targets.model] == k);
+  end
+end
+
+function text = listProblems (problems)
+  lines = arrayfun (@(p) ['  - ', p.message], problems(:)', ...
+                    'UniformOutput', false);
+  text = sprintf ('%d problem(s) in the input, nothing has been run:\n%s', ...
+                  numel (problems), strjoin (lines, "\n"));
+end
+
+function value = given (s, field, default)
+  value = default;
+  if isfield (s, field) && ~ isempty (s.(field))
+    value = s.(field);
+  end
+end
+
+function models = newModels (raw)
+  names = cellstr (raw.Input.model);
+  timeout = given (raw.Input, 'timeout', NaN);
+  timeout(end+1:numel (names)) = NaN;
+  models = struct ('name', names(:)', 'folder', '', 'cpu', 1, ...
+                   'timeout', NaN, 'nTargets', 0);
+  for k = 1:numel (models)
+    models(k).folder = findModel (models(k).name, raw.folder, raw.root);
+    models(k).cpu = raw.Input.cpu(k);
+    models(k).timeout = timeout(k);
+  end
+end
+
+function names = effectVariables (effects)
+  names = {};
+  for k = 1:numel (effects)
+    names = [names, effects(k).variables(:)'];
+  end
+end
+
+function targets = newTargets (optim, models)
+  values = perModel (optim.targetVal, models);
+  counts = cellfun (@numel, values);
+  tols = perModel (optim.tolRes, models, counts);
+  sds = perModel (given (optim, 'targetStd', {}), models, counts);
+  names = given (optim, 'targetName', {});
+  roles = given (optim, 'role', {});
+  targets = struct ('model', {}, 'modelName', {}, 'index', {}, 'name', {}, ...
+                    'value', {}, 'sd', {}, 'tol', {}, 'role', {});
+  for k = 1:numel (models)
+    for i = 1:counts(k)
+      t = struct ('model', k, 'modelName', models(k).name, 'index', i);
+      t.name = textOf (names, k, i, sprintf ('%s_%d', models(k).name, i));
+      t.value = values{k}(i);
+      t.sd = sds{k}(i);
+      t.tol = tols{k}(i);
+      t.role = textOf (roles, k, i, 'calibrate');
+      targets(end+1) = t;
+    end
+  end
+end
+
+function text = textOf (nested, k, i, default)
+  text = default;
+  if numel (nested) >= k && numel (nested{k}) >= i && ~ isempty (nested{k}{i})
+    text = nested{k}{i};
+  end
+end
+
+% The published loadInput returns the values of all models as one column; how
+% many belong to each model is then known from its results alone.
+function parts = perModel (values, models, counts)
+  if iscell (values)
+    parts = cellfun (@(v) double (v(:)'), values(:)', 'UniformOutput', false);
+    parts(end+1:numel (models)) = {[]};
+  elseif nargin > 2 && isscalar (values)
+    parts = arrayfun (@(n) repmat (values, 1, n), counts, ...
+                      'UniformOutput', false);
+  else
+    n = numel (values);
+    if nargin > 2
+      sizes = counts;
+    elseif isscalar (models)
+      sizes = n;
+    else
+      sizes = arrayfun (@(m) checkDryRun (m.folder, m.name), models);
+    end
+    parts = mat2cell (double (values(:)'), 1, sizes);
+  end
+  if nargin > 2
+    for k = find (cellfun (@numel, parts) < counts)
+      parts{k}(end+1:counts(k)) = 0;
+    end
+  end
+end
+
+function o = newOptions (Input, optim)
+  o.maxCPU = Input.maxCPU;
+  o.numOfSam = Input.numOfSam;
+  o.seed = given (Input, 'seed', 1);
+  o.executor = given (Input, 'executor', 'local');
+  o.maxNewRuns = given (Input, 'maxNewRuns', Inf);
+  o.replicates = given (Input, 'replicates', 5);
+  o.slurm = given (Input, 'slurm', struct ());
+  o.tolfun = given (optim, 'tolfun', 0.002);
+  o.maxIter = given (optim, 'maxIter', 3);
+  o.maxFunEvals = given (optim, 'maxFunEvals', 40);
+  o.WRL = given (optim, 'WRL', 0);
+  o.method = given (optim, 'method', 'robust');
+  o.confidence = given (optim, 'confidence', 0.95);
+end
+
+%!shared raw
+%! root = fileparts (fileparts (which ('newCase')));
+%! raw = standInCase (tempname (), root);
+%!test
+%! Case = newCase (raw);
+%! assert (size (Case.limits), [2, 2]);
+%! assert ([Case.targets.value], [400, 0.025, 3]);
+%! assert ([Case.targets.model], [1, 1, 2]);
+%! assert ([Case.models.nTargets], [2, 1]);
+%! assert (Case.options.seed, 1);
+%!test
+%! % the published file returns the values of all models as one column
+%! published = raw;
+%! published.optim.targetVal = horzcat (raw.optim.targetVal{:})';
+%! published.optim.tolRes = horzcat (raw.optim.tolRes{:})';
+%! Case = newCase (published);
+%! assert ([Case.targets.model], [1, 1, 2]);
+%! assert ([Case.targets.tol], [0.01, 0.01, 0.02]);
+%!error id=DEcalioc:checkCase:badLimits
+%! raw.paramLims(:, 1) = [2; 1];
+%! newCase (raw);

@@ -1,0 +1,66 @@
+% RUNTESTS  Runs the tests of all functions and all flows.
+%
+% CALL: octave-cli tests/runTests.m [PATTERN]
+%
+%   PATTERN  run only the files whose path holds this text
+%
+% The last line reads: N passed, N failed. The exit status is 1 if any failed.
+% With DECALIOC_SOAK=1 in the environment the long tests run too.
+
+1;
+
+function files = testFiles (root, pattern)
+  [~, list] = system (['find ', shellQuote(fullfile (root, 'infrastructure')), ...
+                       ' ', shellQuote(fullfile (root, 'tests')), ' ', ...
+                       shellQuote(fullfile (root, 'DEMmodels')), ...
+                       ' \( -name "*.m" -o -name "*.tst" \) | sort']);
+  files = strsplit (strtrim (list), "\n");
+  hasTests = @(f) ~ isempty (regexp (fileread (f), '^%!', 'once', ...
+                                     'lineanchors'));
+  files = files(cellfun (hasTests, files));
+  if ~ isempty (pattern)
+    files = files(~ cellfun (@isempty, strfind (files, pattern)));
+  end
+end
+
+function [passed, failed, skipped] = runFile (file, root)
+  log = tempname ();
+  fid = fopen (log, 'w');
+  [passed, total, ~, skipped] = test (file, 'quiet', fid);
+  fclose (fid);
+  failed = total - passed;
+  printf ('%-60s %3d of %3d\n', strrep (file, [root, '/'], ''), passed, total);
+  if failed > 0 || skipped > 0
+    puts (fileread (log));
+  end
+  fflush (stdout ());
+  unlink (log);
+end
+
+history_save (false);
+root = fileparts (fileparts (mfilename ('fullpath')));
+addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'));
+startToolbox (root);
+args = argv ();
+pattern = '';
+if ~ isempty (args)
+  pattern = args{end};
+end
+scratch = tempname ();
+mkdir (scratch);
+home = cd (scratch);
+counts = zeros (1, 3);
+files = testFiles (root, pattern);
+for k = 1:numel (files)
+  [p, f, s] = runFile (files{k}, root);
+  counts = counts + [p, f, s];
+end
+cd (home);
+confirm_recursive_rmdir (false);
+rmdir (scratch, 's');
+if counts(3) > 0
+  printf ('%d passed, %d failed, %d skipped\n', counts);
+else
+  printf ('%d passed, %d failed\n', counts(1:2));
+end
+exit (double (counts(2) > 0));
