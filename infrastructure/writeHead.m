@@ -1,0 +1,39 @@
+% WRITEHEAD  Appends the variables of a run to its data.head.
+%
+% CALL: writeHead (MODEL, MODELVARS, FOLDERNAME, BASE)
+%
+%   MODEL       name of the model (text)
+%   MODELVARS   scalar struct of numbers, one field a variable
+%   FOLDERNAME  name of the run's folder (text)
+%   BASE        folder that holds optim/ (text, default pwd)
+%
+% Each line reads: variable NAME equal VALUE, with 17 significant digits, so
+% that no step of a parameter is too small to arrive.
+%
+% See also: runVariables, assignParams
+
+function writeHead (model, modelVars, folderName, base)
+  if nargin < 4
+    base = pwd ();
+  end
+  file = fullfile (base, 'optim', model, folderName, 'data.head');
+  names = fieldnames (modelVars);
+  lines = cell (1, numel (names));
+  for k = 1:numel (names)
+    lines{k} = sprintf ('variable %s equal %.17g\n', names{k}, ...
+                        modelVars.(names{k}));
+  end
+  writeAtomic (file, [fileread(file), "\n", lines{:}]);
+end
+
+%!test
+%! base = tempname ();
+%! mkdir (fullfile (base, 'optim', 'M', '0001'));
+%! file = fullfile (base, 'optim', 'M', '0001', 'data.head');
+%! writeAtomic (file, 'variable a equal 1');
+%! writeHead ('M', struct ('a', 0.1, 'b', 5e6), '0001', base);
+%! d = headDefaults (file);
+%! assert (d.a, 0.1);
+%! assert (d.b, 5e6);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (base, 's');
