@@ -1,0 +1,116 @@
+% COLLECTRUNS  Makes run records of simulations that have ended.
+%
+% CALL: RECORDS = collectRuns (JOBS, FOLDERS, CASE)
+%
+%   JOBS     1 x n struct array, see newJobs
+%   FOLDERS  1 x n cell of run folders, each with an end mark
+%   CASE     see newCase
+%   RECORDS  1 x n struct array, see newRecord; also in the folders
+%
+% An exit status of 0 does not prove that LIGGGHTS succeeded (lost particles,
+% a signal, a truncated input all give 0), so its output is looked at as well.
+% getResults is the user's: it runs in workers of parcellfun, which it may
+% bring down without harm to the calibration.
+%
+% See also: evaluateRun, readEndMark
+
+function records = collectRuns (jobs, folders, Case)
+  n = numel (jobs);
+  todo = cell (1, n);
+  places = cell (1, n);
+  for i = 1:n
+    k = find (strcmp (jobs(i).model, {Case.models.name}));
+    [~, name] = fileparts (folders{i});
+    funs = fullfile (Case.models(k).folder, 'OctaveFuns');
+    places{i} = struct ('base', Case.store, 'name', name, 'funs', funs, ...
+                        'count', Case.models(k).nTargets);
+    todo{i} = judgeEnd (newRecord (jobs(i), folders{i}));
+    todo{i}.funs = hashFolder (funs, {});
+  end
+  records = [evaluateAll(todo, places){:}];
+end
+
+function records = evaluateAll (todo, places)
+  try
+    records = inWorkers (todo, places);
+  catch
+    records = cellfun (@evaluateAlone, todo, places, 'UniformOutput', false);
+  end
+end
+
+function records = inWorkers (todo, places)
+  records = parcellfun (min (numel (todo), nproc ()), @evaluateRun, todo, ...
+                        places, 'UniformOutput', false, 'VerboseLevel', 0);
+end
+
+function record = evaluateAlone (todo, place)
+  try
+    record = inWorkers ({todo}, {place}){1};
+  catch
+    record = failedRecord (todo, todo.folder, 'invalid', ...
+                           ['getResults ended the Octave that ran it (or ' ...
+                            'the record could not be written)'], 'output');
+  end
+end
+
+function record = judgeEnd (record)
+  mark = readEndMark (record.folder);
+  record.seconds = mark.seconds;
+  said = tailOf (fullfile (record.folder, 'stdout.txt'));
+  wasStopped = ~ isempty (strfind (said, 'SIGINT/SIGTERM caught'));
+  if strcmp (mark.reason, 'timeout')
+    record = blame (record, 'timeout', 'time', ...
+                    sprintf ('ended at its time limit after %g s', ...
+                             mark.seconds));
+  elseif strcmp (mark.reason, 'killed') || wasStopped || mark.code > 128
+    record = blame (record, 'failed', 'killed', ...
+                    sprintf ('ended from outside (exit status %d)', ...
+                             mark.code));
+  elseif mark.code ~= 0
+    record = blame (record, 'failed', 'exit', ...
+                    sprintf ('exit status %d', mark.code));
+  elseif ~ hasEndLine (record.folder, said)
+    record = blame (record, 'failed', 'exit', ...
+                    'its input did not run to the last line');
+  else
+    record.status = 'ok';
+  end
+end
+
+function record = blame (record, status, cause, message)
+  record.status = status;
+  record.cause = cause;
+  said = [tailOf(fullfile (record.folder, 'stdout.txt')), ...
+          tailOf(fullfile (record.folder, 'stderr.txt'))];
+  complaint = regexp (said, '^.*(ERROR|rror:|not found).*$', 'match', ...
+                      'once', 'lineanchors', 'dotexceptnewline');
+  if isempty (complaint)
+    lines = strsplit (strtrim (said), "\n");
+    complaint = lines{end};
+  end
+  record.message = strtrim (sprintf ('%s; %s', message, complaint));
+end
+
+% Models of this toolbox print RUN COMPLETE in the last line of their input.
+function yes = hasEndLine (folder, said)
+  yes = true;
+  inputs = glob (fullfile (folder, 'in.*'));
+  promises = any (cellfun (@(f) ~ isempty (strfind (fileread (f), ...
+                                                    'RUN COMPLETE')), inputs));
+  if promises
+    said = [said, tailOf(fullfile (folder, 'log.liggghts'))];
+    yes = ~ isempty (regexp (said, '^RUN COMPLETE\s*$', 'once', ...
+                             'lineanchors'));
+  end
+end
+
+function text = tailOf (file)
+  text = '';
+  fid = fopen (file, 'r');
+  if fid >= 0
+    fseek (fid, 0, 'eof');
+    fseek (fid, max (0, ftell (fid) - 4000), 'bof');
+    text = fread (fid, Inf, 'uint8=>char')';
+    fclose (fid);
+  end
+end

@@ -1,0 +1,66 @@
+% EVALUATERUN  Evaluates a finished simulation with the model's getResults.
+%
+% CALL: RECORD = evaluateRun (RECORD, PLACE)
+%
+%   RECORD  see newRecord; status 'ok' where the simulation ended well
+%   PLACE   struct: base (folder that holds optim/), name (of the run folder),
+%           funs (folder of getResults.m), count (how many results)
+%   RECORD  with results and status; written to the run's folder
+%
+% Runs in a worker of parcellfun, catches everything and returns a record.
+% Published evaluation functions build file names from a global variable named
+% path: it is set here, around the call of getResults, and nowhere else.
+%
+% See also: collectRuns
+
+function record = evaluateRun (record, place)
+  if strcmp (record.status, 'ok')
+    record = evaluate (record, place);
+  end
+  writeRecord (fullfile (record.folder, 'record.json'), record);
+end
+
+function record = evaluate (record, place)
+  %| pragma Justify (metric, "globals", "published getResults read it");
+  global path;
+  path = [place.base, '/'];
+  addpath (place.funs);
+  tidy = onCleanup (@() rmpath (place.funs));
+  try
+    results = getResults (record.model, place.name);
+    [record.results, problem] = asRow (results, place.count);
+  catch err
+    problem = ['getResults gave an error: ', err.message];
+  end
+  path = [];
+  if ~ isempty (problem)
+    record.status = 'invalid';
+    record.cause = 'output';
+    record.message = problem;
+  end
+end
+
+function [row, problem] = asRow (results, count)
+  problem = '';
+  row = [];
+  if isnumeric (results) || islogical (results)
+    results = num2cell (results);
+  end
+  isNumber = iscell (results) && all (cellfun (@isScalarNumber, results(:)));
+  if ~ isNumber
+    problem = 'getResults must return a cell of real scalars';
+    return;
+  end
+  row = double ([results{:}]);
+  if numel (row) ~= count
+    problem = sprintf ('getResults returned %d results, %d are expected', ...
+                       numel (row), count);
+  elseif any (~ isfinite (row))
+    problem = sprintf ('result %d is %g: output is missing or not sane', ...
+                       find (~ isfinite (row), 1), row(~ isfinite (row))(1));
+  end
+end
+
+function yes = isScalarNumber (x)
+  yes = (isnumeric (x) || islogical (x)) && isscalar (x) && isreal (x);
+end

@@ -1,0 +1,35 @@
+% FAILEDRECORD  Record of a run that gave no result; also written to disk.
+%
+% CALL: RECORD = failedRecord (JOB, FOLDER, STATUS, MESSAGE, CAUSE)
+%
+%   JOB      see newJobs
+%   FOLDER   folder of the run (text)
+%   STATUS   'failed', 'timeout' or 'invalid'
+%   MESSAGE  what happened (text)
+%   CAUSE    'killed' (from outside: the same run may succeed), 'exit'
+%            (default), 'output' or 'time'
+%   RECORD   see newRecord
+%
+% See also: collectRuns, runJobs
+
+function record = failedRecord (job, folder, status, message, cause)
+  if nargin < 5
+    cause = 'exit';
+  end
+  record = newRecord (job, folder);
+  record.status = status;
+  record.message = message;
+  record.cause = cause;
+  writeRecord (fullfile (folder, 'record.json'), record);
+end
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! job = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
+%!               'effects', [], 'replicate', 1, 'seed', 10007, 'key', 'k');
+%! r = failedRecord (job, folder, 'timeout', 'too long', 'time');
+%! assert (readRecord (fullfile (folder, 'record.json')).message, r.message);
+%! assert (isempty (r.results));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');

@@ -1,0 +1,62 @@
+% FINDRUNS  Finds the runs of a list of jobs that are in the store already.
+%
+% CALL: RECORDS = findRuns (JOBS, CASE)
+%
+%   JOBS     1 x n struct array, see newJobs
+%   CASE     see newCase
+%   RECORDS  1 x n cell: the record of the run with the job's key, or a struct
+%            with the field folder alone where its simulation has ended but
+%            was not evaluated, or [] where it must be run
+%
+% A record that says 'ok' goes before one that says why a run failed.
+%
+% See also: runJobs, runKey
+
+function records = findRuns (jobs, Case)
+  records = cell (1, numel (jobs));
+  for model = unique ({jobs.model})
+    mine = find (strcmp ({jobs.model}, model{1}));
+    found = scan (Case.store, model{1});
+    if isempty (found.keys)
+      continue;
+    end
+    for i = mine
+      hits = find (strcmp (jobs(i).key, found.keys));
+      if ~ isempty (hits)
+        [~, best] = max (found.worth(hits));
+        records{i} = found.records{hits(best)};
+      end
+    end
+  end
+end
+
+function found = scan (store, model)
+  names = listRunFolders (store, model);
+  n = numel (names);
+  found = struct ('keys', {cell(1, n)}, 'records', {cell(1, n)}, ...
+                  'worth', zeros (1, n));
+  for i = 1:n
+    folder = fullfile (store, 'optim', model, names{i});
+    record = readRecord (fullfile (folder, 'record.json'));
+    if isempty (record)
+      [record, found.keys{i}] = unevaluated (folder);
+      found.worth(i) = 1 + ~ isempty (record);
+    else
+      record.folder = folder;
+      found.keys{i} = record.key;
+      found.worth(i) = 2 + strcmp (record.status, 'ok');
+    end
+    found.records{i} = record;
+  end
+end
+
+function [record, key] = unevaluated (folder)
+  record = [];
+  key = '';
+  job = readRecord (fullfile (folder, 'job.json'));
+  mark = readEndMark (folder);
+  if ~ isempty (job) && ~ isempty (mark) && strcmp (mark.reason, 'finished')
+    key = job.key;
+    record = struct ('folder', folder);
+  end
+end

@@ -1,0 +1,79 @@
+#!/bin/bash
+# guard.sh FOLDER [WATCH]
+#
+# Runs ./runscript in FOLDER and writes how it ended to FOLDER/end.mark, one
+# line "<exit code> <seconds> <finished|timeout|killed>", whole or not at all.
+#
+# The run gets a session of its own, so that everything it starts (mpirun and
+# its ranks too) can be ended together: when FOLDER/limit holds a number of
+# seconds and the run took longer, when the process WATCH is gone, or when this
+# script is told to end. Seconds are counted on the monotonic clock: setting
+# the wall clock harms nothing.
+set -u
+cd -- "$1" || exit 97
+watch=${2:-}
+why=finished
+
+# a single run needs no network: without these, OpenMPI looks for one for 0.3 s
+export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1
+export OMPI_MCA_btl=self,vader OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMP_NUM_THREADS=1
+
+uptime_ds () {                       # tenths of a second since boot
+  local up
+  read -r up _ < /proc/uptime
+  up=${up%?}
+  echo $((10#${up/./}))
+}
+
+end_session () {
+  pkill -TERM -s "$run"
+  for _ in 1 2 3 4 5 6 7 8 9 10; do
+    pgrep -s "$run" > /dev/null || return
+    sleep 0.2
+  done
+  pkill -KILL -s "$run"
+}
+
+over_limit () {
+  local limit
+  read -r limit 2> /dev/null < limit || return 1
+  (( $(uptime_ds) - start > limit * 10 ))
+}
+
+watcher () {                         # waits without starting a process a second
+  exec {quiet}<> <(:)
+  while ! read -r -t 1 -u "$quiet"; do
+    if over_limit; then
+      kill -USR1 $$
+    elif [ -n "$watch" ] && ! kill -0 "$watch" 2> /dev/null; then
+      kill -TERM $$
+    else
+      continue
+    fi
+    return
+  done
+}
+
+start=$(uptime_ds)
+setsid bash ./runscript > stdout.txt 2> stderr.txt < /dev/null &
+run=$!
+trap 'why=timeout; end_session' USR1
+trap 'why=killed; end_session' TERM INT HUP
+echo "$$ $run" > pid
+watcher &
+watching=$!
+
+wait "$run"
+code=$?
+while kill -0 "$run" 2> /dev/null; do # a trap ends the first wait too early
+  wait "$run"
+  code=$?
+done
+kill "$watching" 2> /dev/null
+pkill -KILL -s "$run"
+
+ds=$(($(uptime_ds) - start))
+printf '%d %d.%d %s\n' "$code" $((ds / 10)) $((ds % 10)) "$why" > end.mark.tmp &&
+  mv end.mark.tmp end.mark

@@ -1,0 +1,58 @@
+% NEWJOBS  Jobs of a list of parameter sets, one for each set and model.
+%
+% CALL: JOBS = newJobs (CASE, P, E, REPLICATE, STAGE)
+%
+%   CASE       see newCase
+%   P          n x d parameter sets
+%   E          n x v effect values, columns as CASE.effectVars; [] = neutral
+%   REPLICATE  n x 1 or scalar, number of the replicate (1, 2, ...)
+%   STAGE      what the runs are for (text): 'plan', 'infill', 'verify' ...
+%   JOBS       1 x (n M) struct array, the models of a row side by side:
+%              model, stage, planRow, params, effects, replicate, seed, key
+%
+% Errors: DEcalioc:newJobs:badShape
+%
+% See also: runJobs, runSeed, runKey
+
+function jobs = newJobs (Case, P, E, replicate, stage)
+  n = rows (P);
+  if isempty (E)
+    E = repmat (neutralEffects (Case), n, 1);
+  end
+  if columns (P) ~= numel (Case.names) || rows (E) ~= n
+    error ('DEcalioc:newJobs:badShape', ...
+           'newJobs: P must be n x %d and E n x %d, got %d x %d, %d x %d.', ...
+           numel (Case.names), numel (Case.effectVars), size (P), size (E));
+  end
+  replicate = replicate(:) .* ones (n, 1);
+  h = hashModels (Case);
+  M = numel (Case.models);
+  jobs = repmat (struct ('model', '', 'stage', stage, 'planRow', 0, ...
+                         'params', [], 'effects', [], 'replicate', 1, ...
+                         'seed', 0, 'key', ''), 1, n * M);
+  for i = 1:n
+    for k = 1:M
+      job = jobs((i - 1) * M + k);
+      job.model = Case.models(k).name;
+      job.planRow = i * strcmp (stage, 'plan');
+      job.params = P(i, :);
+      job.effects = E(i, :);
+      job.replicate = replicate(i);
+      job.seed = runSeed (job.params, job.replicate, Case.options.seed);
+      job.key = runKey (runVariables (job, Case), Case.effectVars, h(k));
+      jobs((i - 1) * M + k) = job;
+    end
+  end
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! jobs = newJobs (Case, [1, 2; 3, 4], [], [1; 2], 'plan');
+%! assert (numel (jobs), 4);
+%! assert ({jobs.model}, {'First', 'Second', 'First', 'Second'});
+%! assert ([jobs.planRow], [1, 1, 2, 2]);
+%! assert (numel (unique ({jobs.key})), 4);
+%! again = newJobs (Case, [3, 4], [], 2, 'verify');
+%! assert (again(2).key, jobs(4).key);
+%!error id=DEcalioc:newJobs:badShape
+%! newJobs (newCase (standInCase (tempname ())), [1, 2, 3], [], 1, 'plan');

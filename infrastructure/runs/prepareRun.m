@@ -1,0 +1,38 @@
+% PREPARERUN  Makes the folder of a run, ready to be started.
+%
+% CALL: FOLDER = prepareRun (JOB, CASE)
+%
+%   JOB     scalar struct, see newJobs
+%   CASE    see newCase
+%   FOLDER  path of the folder: the model's files, data.head with the run's
+%           variables, params.csv, ExPlan.txt; job.json is written last, so a
+%           folder without it is half-made and nobody's
+%
+% See also: startRun, createNewFolder
+
+function folder = prepareRun (job, Case)
+  k = find (strcmp (job.model, {Case.models.name}));
+  number = getLastFoldersNumber (Case.store, job.model) + 1;
+  while ~ createNewFolder (job.model, newFolderName (number), Case.store, ...
+                           Case.models(k).folder)
+    number = number + 1;
+  end
+  name = newFolderName (number);
+  folder = fullfile (Case.store, 'optim', job.model, name);
+  writeHead (job.model, runVariables (job, Case), name, Case.store);
+  writeParams (job.model, [job.params, job.planRow, k], name, Case.store);
+  if ~ isnan (Case.models(k).timeout)
+    writeAtomic (fullfile (folder, 'limit'), ...
+                 sprintf ("%d\n", ceil (Case.models(k).timeout)));
+  end
+  writeRecord (fullfile (folder, 'job.json'), job);
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
+%! folder = prepareRun (job, Case);
+%! d = headDefaults (fullfile (folder, 'data.head'));
+%! assert ([d.a, d.b, d.runSeed], [1, 2, job.seed]);
+%! assert (readRecord (fullfile (folder, 'job.json')).key, job.key);
+%! assert (! isequal (prepareRun (job, Case), folder));
