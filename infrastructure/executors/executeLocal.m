@@ -1,0 +1,146 @@
+% EXECUTELOCAL  Carries out runs on this machine.
+%
+% CALL: RECORDS = executeLocal (JOBS, CASE, REPORT)
+%
+%   JOBS     1 x n struct array, see newJobs
+%   CASE     see newCase; CASE.options.maxCPU is shared by all models
+%   REPORT   function handle, called with the state after each change
+%   RECORDS  1 x n struct array, see newRecord
+%
+% A run starts as soon as its CPUs are free, those that need many CPUs first,
+% so runs of uneven length keep all CPUs busy. Each simulation is a process of
+% its own under guard.sh. When this function is left early (Ctrl-C, an error)
+% the simulations under way are ended; when Octave is killed, the guards see
+% it and end them. Without Input.timeout the time limit of a run is 20 times
+% the median of the model's runs so far, and at least 60 s.
+%
+% parcellfun is not used to start simulations: it cannot mix runs of different
+% CPU counts, and when one worker dies it loses the runs of all.
+%
+% See also: runJobs, executeSlurm, startRun
+
+function records = executeLocal (jobs, Case, report)
+  n = numel (jobs);
+  cpus = arrayfun (@(j) cpuOf (j, Case), jobs);
+  [~, queue] = sort (-cpus);
+  folders = cell (1, n);
+  born = zeros (1, n);
+  records = repmat (newRecord (jobs(1), ''), 1, n);
+  isDone = false (1, n);
+  running = [];
+  live = containers.Map ();
+  tidy = onCleanup (@() cellfun (@endRun, live.keys ()));
+  clock = tic ();
+  while ~ all (isDone)
+    next = firstFitting (queue, cpus, Case.options.maxCPU - sum (cpus(running)));
+    if ~ isempty (next)
+      folders{next} = prepareRun (jobs(next), Case);
+      live(folders{next}) = next;
+      startRun (folders{next}, Case.root);
+      born(next) = toc (clock);
+      queue(queue == next) = [];
+      running(end+1) = next;
+      continue;
+    end
+    age = toc (clock) - born(running);
+    ended = running(cellfun (@hasEnded, folders(running), num2cell (age)));
+    if isempty (ended)
+      pause (0.05);
+      continue;
+    end
+    records(ended) = collectEnded (jobs(ended), folders(ended), Case);
+    isDone(ended) = true;
+    live.remove (folders(ended));
+    running = setdiff (running, ended);
+    setLimits (records(isDone), jobs(running), folders(running), Case);
+    report (stateOf (records, isDone, running, toc (clock)));
+  end
+end
+
+function n = cpuOf (job, Case)
+  n = Case.models(strcmp (job.model, {Case.models.name})).cpu;
+end
+
+function next = firstFitting (queue, cpus, free)
+  next = queue(find (cpus(queue) <= free, 1));
+end
+
+% A guard that is gone without an end mark was killed. One that has not shown
+% up after half a minute never will (a full disk, no shell).
+function yes = hasEnded (folder, age)
+  yes = isfile (fullfile (folder, 'end.mark'));
+  if ~ yes
+    pids = runPids (folder);
+    isGone = isempty (pids) && age > 30 || ...
+             numel (pids) == 2 && ~ isfolder (sprintf ('/proc/%d', pids(1)));
+    yes = isGone && ~ isfile (fullfile (folder, 'end.mark'));
+  end
+end
+
+function records = collectEnded (jobs, folders, Case)
+  isWhole = ~ cellfun (@(f) isempty (readEndMark (f)), folders);
+  records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
+  if any (isWhole)
+    records(isWhole) = collectRuns (jobs(isWhole), folders(isWhole), Case);
+  end
+  for i = find (~ isWhole)
+    pids = runPids (folders{i});
+    if numel (pids) == 2
+      system (sprintf ('pkill -KILL -s %d', pids(2)));
+    end
+    records(i) = failedRecord (jobs(i), folders{i}, 'failed', ...
+                               'the guard of the run was killed', 'killed');
+  end
+end
+
+% Runs under way get a limit once three runs of their model have ended well.
+function setLimits (done, jobs, folders, Case)
+  for i = 1:numel (jobs)
+    k = strcmp (jobs(i).model, {Case.models.name});
+    isSame = strcmp ({done.model}, jobs(i).model) & ...
+             strcmp ({done.status}, 'ok');
+    if isnan (Case.models(k).timeout) && sum (isSame) >= 3
+      limit = max (60, 20 * median ([done(isSame).seconds]));
+      writeAtomic (fullfile (folders{i}, 'limit'), ...
+                   sprintf ("%d\n", ceil (limit)));
+    end
+  end
+end
+
+function state = stateOf (records, isDone, running, seconds)
+  status = {records(isDone).status};
+  state = struct ('total', numel (isDone), 'done', sum (isDone), ...
+                  'failed', sum (~ strcmp (status, 'ok')), ...
+                  'running', numel (running), 'seconds', seconds);
+end
+
+%!function Case = quickCase ()
+%!  Case = newCase (standInCase (tempname ()));
+%!  Case.options.maxCPU = 4;
+%!endfunction
+%!test
+%! Case = quickCase ();
+%! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan');
+%! records = executeLocal (jobs, Case, @(s) []);
+%! assert ({records.status}, repmat ({'ok'}, 1, 4));
+%! assert (records(3).results, [3 + 4, 3 * 4], 1e-12);
+%! assert (records(4).results, 3 - 4, 1e-12);
+%!test
+%! % each way to fail is a record; nothing is thrown
+%! Case = quickCase ();
+%! run = fullfile (Case.models(2).folder, 'runscript');
+%! writeAtomic (run, "echo 'ERROR: too dense'; exit 3\n");
+%! r = executeLocal (newJobs (Case, [1, 2], [], 1, 'plan')(2), Case, @(s) []);
+%! assert ({r.status, r.cause}, {'failed', 'exit'});
+%! assert (! isempty (strfind (r.message, 'too dense')));
+%! writeAtomic (run, "sleep 100 & sleep 100\n");
+%! Case.models(2).timeout = 1;
+%! r = executeLocal (newJobs (Case, [1, 2], [], 2, 'plan')(2), Case, @(s) []);
+%! assert (r.status, 'timeout');
+%! writeAtomic (run, "echo nan > out\n");
+%! Case.models(2).timeout = NaN;
+%! r = executeLocal (newJobs (Case, [1, 2], [], 3, 'plan')(2), Case, @(s) []);
+%! assert (r.status, 'invalid');
+%! writeAtomic (run, "kill -9 $$\n");
+%! r = executeLocal (newJobs (Case, [1, 2], [], 4, 'plan')(2), Case, @(s) []);
+%! assert (r.cause, 'killed');
