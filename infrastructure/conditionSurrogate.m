@@ -21,7 +21,7 @@ function surrogate = conditionSurrogate (model, base)
   K = feval (covariance, model.param, base.unit, base.unit, -1);
   noise = exp (model.lognoisevariance(:));
   K = K + diag (noise .* ones (n, 1)) ...
-      + 1e-12 * exp (model.param(1)) * eye (n);
+      + 1e-12 * exp (model.param(1)) * full (eye (n));
   H = feval (model.lm, base.unit);
   L = chol (K, 'lower');
   A = L \ H;

@@ -1,0 +1,42 @@
+% ADDROWS  Appends evaluations to the table.
+%
+% CALL: data = addRows (data, X, Z, replicate, stage)
+% CALL: data = addRows (data, X, Z, replicate, stage, E)
+%
+% data       struct of newData
+% X          n x d parameters; Z  n x T responses (NaN: failed)
+% replicate  n x 1; stage  text; E  n x v effect values (default: zeros)
+%
+% Errors: DEcalioc:addRows:badShape
+%
+% See also: newData
+
+function data = addRows (data, X, Z, replicate, stage, E)
+  n = size (X, 1);
+  if nargin < 6
+    E = zeros (n, columns (data.E));
+    if ~ isempty (data.E)
+      E = repmat (data.E(1, :), n, 1);
+    end
+  end
+  if columns (X) ~= columns (data.X) || columns (Z) ~= columns (data.Z) ...
+     || rows (Z) ~= n || numel (replicate) ~= n
+    error ('DEcalioc:addRows:badShape', ...
+           ['addRows: X must be n x %d, Z n x %d and replicate n x 1, got ' ...
+            '%d x %d, %d x %d and %d x %d.'], columns (data.X), ...
+           columns (data.Z), size (X), size (Z), size (replicate));
+  end
+  data.X = [data.X; X];
+  data.E = [data.E; E];
+  data.Z = [data.Z; Z];
+  data.replicate = [data.replicate; replicate(:)];
+  data.stage = [data.stage; repmat({stage}, n, 1)];
+end
+
+%!test
+%! data = addRows (newData (2, 1), [1, 2; 3, 4], [5; NaN], [1; 1], 'plan');
+%! assert (data.X, [1, 2; 3, 4]);
+%! assert (data.stage, {'plan'; 'plan'});
+
+%!error id=DEcalioc:addRows:badShape
+%! addRows (newData (2, 1), [1, 2, 3], 1, 1, 'plan');

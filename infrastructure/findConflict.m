@@ -1,0 +1,56 @@
+% FINDCONFLICT  Targets that no set of the box meets together.
+%
+% CALL: names = findConflict (surrogates, problem)
+% CALL: [names, excess] = findConflict (surrogates, problem)
+%
+% names   cellstr: {} if all targets can be met within 3 standard deviations
+%         of the surrogates; else the smallest group found that conflicts (one
+%         name: that target lies outside what the box reaches)
+% excess  scalar: how far the best compromise stays outside the tolerances, in
+%         standard deviations of the surrogates there (0: met)
+%
+% Starting from all targets, each one is left out in turn; it is named when
+% the rest can be met without it no better.
+%
+% See also: calibrateOnKriging
+
+function [names, excess] = findConflict (surrogates, problem)
+  group = find (problem.calibrate);
+  excess = leastExcess (surrogates, problem, group);
+  if excess <= 3
+    names = {};
+    return
+  end
+  for t = group
+    rest = setdiff (group, t);
+    if ~ isempty (rest) && leastExcess (surrogates, problem, rest) > 3
+      group = rest;
+    end
+  end
+  names = {surrogates(group).name};
+end
+
+function excess = leastExcess (surrogates, problem, group)
+  % largest (|residual| - tolerance) / sd of the group, least over the box
+  limits = problem.limits;
+  d = columns (limits);
+  P = [mean(limits, 1); surrogates(1).X; ...
+       double(stk_sampling_halton_rr2 (1000, d, limits))];
+  unit = double (stk_sampling_halton_rr2 (100, d, [-ones(1, d); ones(1, d)]));
+  problem.calibrate(:) = false;
+  problem.calibrate(group) = true;
+  for radius = [0.3, 0.2, 0.1, 0.05, 0.03, 0.02, 0.01]
+    worst = worstExcess (surrogates, problem, P);
+    [excess, i] = min (worst);
+    around = P(i, :) + radius * unit .* (limits(2, :) - limits(1, :));
+    P = [P(i, :); min(max (around, limits(1, :)), limits(2, :))];
+  end
+end
+
+function worst = worstExcess (surrogates, problem, P)
+  [~, r, s] = meetProbability (surrogates, problem, P);
+  use = problem.calibrate;
+  s = max (s, 1e-3 * problem.tol);
+  worst = max ((abs (r(:, use)) - problem.tol(use)) ./ s(:, use), [], 2);
+  worst = max (worst, 0);
+end

@@ -1,0 +1,29 @@
+% LOADSURROGATE  Reads a surrogate that saveSurrogate wrote.
+%
+% CALL: surrogate = loadSurrogate (file)
+%
+% file       char, path; surrogate  scalar struct of fitSurrogate
+%
+% Errors: DEcalioc:loadSurrogate:missingFile
+%
+% See also: saveSurrogate, evaluateKriging
+
+function surrogate = loadSurrogate (file)
+  if ~ exist (file, 'file')
+    error ('DEcalioc:loadSurrogate:missingFile', ...
+           ['loadSurrogate: %s must be a file of createKrigingModels, it is ' ...
+            'missing.'], file);
+  end
+  kept = load (file, 'kept').kept;
+  kept.unit = (kept.X - kept.limits(1, :)) ...
+              ./ (kept.limits(2, :) - kept.limits(1, :));
+  kept.y = (kept.z - kept.shift) / kept.scale;
+  kernel = regexprep (kept.covariance, '^(matern|gauss)', '$1cov');
+  model = stk_model (['stk_' kernel '_aniso'], columns (kept.X));
+  model.lm = feval (['stk_lm_' kept.trend]);
+  model.param = kept.param;
+  model.lognoisevariance = kept.lognoisevariance;
+  surrogate = conditionSurrogate (model, kept);
+end
+
+%!error id=DEcalioc:loadSurrogate:missingFile loadSurrogate ('no such file');

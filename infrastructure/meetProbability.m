@@ -1,0 +1,38 @@
+% MEETPROBABILITY  Probability that a set truly meets all targets.
+%
+% CALL: [probability, r, s] = meetProbability (surrogates, problem, P)
+%
+% surrogates   1 x T struct array of fitSurrogate
+% problem      struct of newProblem
+% P            n x d  parameter sets
+% probability  n x 1  product over the targets that are calibrated of
+%                     Pr(|residual of the mean response| < tolerance)
+% r, s         n x T  residual of the surrogate mean, its standard deviation
+%
+% Student's distribution with the degrees of freedom of the fit, because the
+% noise is estimated from the same few runs.
+%
+% See also: calibrateOnKriging, chooseInfill, studentCdf
+
+function [probability, r, s] = meetProbability (surrogates, problem, P)
+  [m, v] = predictSurrogate (surrogates, P);
+  [r, slope] = targetResidual (problem, P, m);
+  s = abs (slope) .* sqrt (v);
+  probability = ones (size (P, 1), 1);
+  for t = find (problem.calibrate)
+    probability = probability .* insideProbability ...
+      (r(:, t), s(:, t), problem.tol(t), surrogates(t).df);
+  end
+end
+
+%!test
+%! % far from the target 0, at the target of a sure surrogate 1
+%! pkg load stk
+%! rand ('twister', 1);
+%! X = rand (12, 1);
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 1.5, 'tol', 0.05));
+%! s = fitSurrogate (X, 1 + X, [0; 1]);
+%! [p, r] = meetProbability (s, newProblem (C, []), [0.5; 0.1]);
+%! assert (p, [1; 0], 0.02);
+%! assert (r(2), -0.4 / 1.5, 0.01);

@@ -1,0 +1,24 @@
+% NEWDATA  Empty table of finished evaluations.
+%
+% CALL: data = newData (d, T)
+% CALL: data = newData (d, T, v)
+%
+% d, T, v  number of design variables, of responses, of effect variables (0)
+% data     struct: X 0 x d, E 0 x v, Z 0 x T, replicate 0 x 1, stage {} 0 x 1
+%
+% See also: addRows
+
+function data = newData (d, T, v)
+  if nargin < 3
+    v = 0;
+  end
+  data = struct ('X', zeros (0, d), 'E', zeros (0, v), ...
+                 'Z', zeros (0, T), 'replicate', zeros (0, 1));
+  data.stage = cell (0, 1);
+end
+
+%!test
+%! data = newData (3, 2);
+%! assert (size (data.X), [0, 3]);
+%! assert (size (data.Z), [0, 2]);
+%! assert (size (data.E), [0, 0]);

@@ -1,0 +1,33 @@
+% SAVESURROGATE  Keeps a surrogate as a text file of plain numbers.
+%
+% CALL: saveSurrogate (file, surrogate)
+%
+% file       char, path; surrogate  scalar struct of fitSurrogate
+%
+% Kept: name, runs, limits, trend, covariance, parameters. The factored
+% covariance is computed again by loadSurrogate.
+%
+% See also: loadSurrogate, createKrigingModels
+
+function saveSurrogate (file, surrogate)
+  kept = struct ('name', surrogate.name, 'X', surrogate.X, ...
+                 'z', surrogate.z, 'limits', surrogate.limits, ...
+                 'trend', surrogate.trend, ...
+                 'covariance', surrogate.covariance, ...
+                 'param', surrogate.model.param, ...
+                 'lognoisevariance', surrogate.model.lognoisevariance, ...
+                 'shift', surrogate.shift, 'scale', surrogate.scale);
+  save ('-text', file, 'kept');
+end
+
+%!test
+%! pkg load stk
+%! rand ('twister', 1);
+%! X = rand (10, 2);
+%! s = fitSurrogate (X, X * [1; 2], [0, 0; 1, 1]);
+%! file = tempname ();
+%! saveSurrogate (file, s);
+%! r = loadSurrogate (file);
+%! delete (file);
+%! assert (predictSurrogate (r, X), predictSurrogate (s, X), 1e-9);
+%! assert (r.Q2, s.Q2, 1e-9);

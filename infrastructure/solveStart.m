@@ -1,0 +1,72 @@
+% SOLVESTART  One Levenberg-Marquardt solution on the surrogates.
+%
+% CALL: [solved, path] = solveStart (surrogates, problem, start, maxIter,
+%                                    maxEvals)
+%
+% start     struct: start (name), params 1 x d
+% maxIter   most iterations; maxEvals  most evaluations, counted here because
+%           nonlin_residmin does not (a Jacobian counts 2 d)
+% solved    struct: start, params 1 x d, norm (largest residual in tolerances),
+%           within, probability, evaluations, iterations, reason
+% path      1 x k struct: iteration, params, residual (T x 1)
+%
+% Only the rows of the calibrated targets are minimised, in units of their
+% tolerance; preference rows never take part.
+%
+% See also: calibrateOnKriging, surrogateJacobian
+
+function [solved, path] = solveStart (surrogates, problem, start, ...
+                                      maxIter, maxEvals)
+  use = problem.calibrate;
+  lo = problem.limits(1, :);
+  width = problem.limits(2, :) - lo;
+  scaled = @(u) unitResidual (surrogates, problem, lo + u(:)' .* width);
+  jacobian = @(u, hook) surrogateJacobian (surrogates, problem, ...
+                                           lo + u(:)' .* width);
+  d = numel (lo);
+  limit = max (1, min (maxIter, floor (maxEvals / (2 * d + 2))));
+  settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
+                       'dfdp', jacobian, 'MaxIter', limit, 'TolFun', 1e-6);
+  u = (start.params(:) - lo(:)) ./ width(:);
+  u = min (max (u, 0), 1);
+  if sum (scaled (u) .^ 2) > eps
+    [u, ~, cvg, info] = nonlin_residmin (scaled, u, settings);
+  else
+    cvg = 3;
+    info.niter = 0;
+  end
+  p = lo + min (max (u(:)', 0), 1) .* width;
+  [probability, r] = meetProbability (surrogates, problem, p);
+  solved = start;
+  solved.params = p;
+  solved.norm = max (abs (r(use)) ./ problem.tol(use));
+  solved.within = solved.norm <= 1;
+  solved.probability = probability;
+  solved.evaluations = 1 + info.niter * (2 * d + 1);
+  solved.iterations = info.niter;
+  solved.reason = convergence (cvg);
+  path = struct ('iteration', {0, info.niter}, ...
+                 'params', {start.params, p}, 'residual', {[], r'});
+  path(1).residual = targetResidual (problem, start.params, ...
+                                     predictSurrogate (surrogates, ...
+                                                       start.params))';
+end
+
+function f = unitResidual (surrogates, problem, p)
+  r = targetResidual (problem, p, predictSurrogate (surrogates, p));
+  use = problem.calibrate;
+  f = (r(use) ./ problem.tol(use))';
+end
+
+function text = convergence (cvg)
+  switch cvg
+    case 3
+      text = 'the sum of squares no longer decreases';
+    case 2
+      text = 'the parameters no longer change';
+    case 0
+      text = 'limit of iterations or evaluations';
+    otherwise
+      text = 'stopped';
+  end
+end

@@ -1,0 +1,23 @@
+% STUDENTCDF  Student's distribution function.
+%
+% CALL: p = studentCdf (x, df)
+%
+% x   matrix; df  scalar, degrees of freedom (Inf: normal); p  size of x
+%
+% p = 1 - I(df / (df + x^2); df/2, 1/2) / 2 for x >= 0 (incomplete beta)
+%
+% See also: studentQuantile
+
+function p = studentCdf (x, df)
+  if df > 1e5
+    p = 0.5 * erfc (-x / sqrt (2));
+    return
+  end
+  tail = 0.5 * betainc (df ./ (df + x .^ 2), df / 2, 0.5);
+  p = tail;
+  p(x > 0) = 1 - tail(x > 0);
+end
+
+%!assert (studentCdf ([0, 2.015048, -2.015048], 5), [0.5, 0.95, 0.05], 1e-6)
+%!assert (studentCdf (1.644854, Inf), 0.95, 1e-6)
+%!assert (studentCdf (1, 1), 0.75, 1e-12)

@@ -1,0 +1,50 @@
+% SURROGATEJACOBIAN  Jacobian of the scaled residuals on the surrogates.
+%
+% CALL: J = surrogateJacobian (surrogates, problem, p)
+% CALL: [J, G] = surrogateJacobian (surrogates, problem, p)
+%
+% p  1 x d  parameter set
+% J  t x d  derivative of residual / tolerance of the t calibrated targets by
+%           the parameters in the unit box
+% G  t x d  the same of the standard deviation of the residual
+%
+% Central differences of 0.1 % of the box, all 2 d points in one call; at a
+% limit the step is one-sided.
+%
+% See also: solveStart, surestSet
+
+function [J, G] = surrogateJacobian (surrogates, problem, p)
+  d = numel (p);
+  lo = problem.limits(1, :);
+  width = problem.limits(2, :) - lo;
+  u = (p - lo) ./ width;
+  h = 1e-3;
+  up = min (u + h * full (eye (d)), 1);
+  dn = max (u - h * full (eye (d)), 0);
+  step = diag (up - dn);
+  P = lo + [up; dn] .* width;
+  use = problem.calibrate;
+  if nargout > 1
+    [m, v] = predictSurrogate (surrogates, P);
+  else
+    m = predictSurrogate (surrogates, P);
+  end
+  [r, slope] = targetResidual (problem, P, m);
+  f = r(:, use) ./ problem.tol(use);
+  J = ((f(1:d, :) - f(d+1:end, :)) ./ step)';
+  if nargout > 1
+    s = abs (slope) .* sqrt (v);
+    s = s(:, use) ./ problem.tol(use);
+    G = ((s(1:d, :) - s(d+1:end, :)) ./ step)';
+  end
+end
+
+%!test
+%! pkg load stk
+%! rand ('twister', 1);
+%! X = rand (15, 2) .* [1, 10];
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 10], ...
+%!             'targets', struct ('value', 2, 'tol', 0.5));
+%! s = fitSurrogate (X, 1 + X * [2; 0.3], C.limits);
+%! J = surrogateJacobian (s, newProblem (C, []), [0.5, 10]);
+%! assert (J, [2, 3], 0.02);

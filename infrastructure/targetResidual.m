@@ -1,0 +1,50 @@
+% TARGETRESIDUAL  Residuals of the targets, and how they follow the results.
+%
+% CALL: [r, slope] = targetResidual (problem, P, Z)
+%
+% problem  struct of newProblem
+% P        n x d  parameter sets
+% Z        n x T  results
+% r        n x T  residual rows of the cost function (NaN where Z is NaN)
+% slope    n x T  derivative of each residual by its own result
+%
+% The published residual is computed for all rows at once; any other cost
+% function is called row by row and differentiated by a relative step of 1e-4.
+%
+% See also: newProblem, preferenceOf
+
+function [r, slope] = targetResidual (problem, P, Z)
+  n = size (Z, 1);
+  if problem.standard
+    r = (Z - problem.value) ./ problem.value;
+    slope = repmat (1 ./ problem.value, n, 1);
+    return
+  end
+  r = zeros (n, size (Z, 2));
+  slope = zeros (n, size (Z, 2));
+  for i = 1:n
+    r(i, :) = rows (problem, P(i, :), Z(i, :));
+    if nargout > 1
+      step = 1e-4 * max (abs (problem.value), eps);
+      slope(i, :) = (rows (problem, P(i, :), Z(i, :) + step) - r(i, :)) ...
+                    ./ step;
+    end
+  end
+  r(isnan (Z)) = NaN;
+end
+
+function r = rows (problem, p, z)
+  r = problem.cost (p(:), @(varargin) z(:));
+  r = r(1:numel (z))(:)';
+end
+
+%!test
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', {4, 2}, 'tol', 0.01));
+%! P = [0.1; 0.2];
+%! Z = [4.4, 1; 2, NaN];
+%! [r, s] = targetResidual (newProblem (C, []), P, Z);
+%! assert (r, [0.1, -0.5; -0.5, NaN], 1e-12);
+%! [q, t] = targetResidual (newProblem (C, @(p, f) f (p) - [4; 2]), P, Z);
+%! assert (q, [0.4, -1; -2, NaN], 1e-12);
+%! assert (t(1, :), [1, 1], 1e-6);
