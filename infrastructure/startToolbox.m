@@ -25,6 +25,10 @@ function startToolbox (root, folder)
   if ~ strcmp (folder, root)
     addpath (folder);
   end
+  % an Octave that cannot write its history says so when it ends, and so does
+  % every worker
+  history_save (false);
+  setenv ('OCTAVE_HISTFILE', '/dev/null');
   loadPackages ({'struct', 'optim', 'parallel', 'stk'});
 end
 

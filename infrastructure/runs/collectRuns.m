@@ -1,10 +1,12 @@
 % COLLECTRUNS  Makes run records of simulations that have ended.
 %
-% CALL: RECORDS = collectRuns (JOBS, FOLDERS, CASE)
+% CALL: RECORDS = collectRuns (JOBS, FOLDERS, CASE, APART)
 %
 %   JOBS     1 x n struct array, see newJobs
 %   FOLDERS  1 x n cell of run folders, each with an end mark
 %   CASE     see newCase
+%   APART    evaluate in workers of parcellfun (default) or, where this is a
+%            worker already, right here (false)
 %   RECORDS  1 x n struct array, see newRecord; also in the folders
 %
 % An exit status of 0 does not prove that LIGGGHTS succeeded (lost particles,
@@ -14,7 +16,7 @@
 %
 % See also: evaluateRun, readEndMark
 
-function records = collectRuns (jobs, folders, Case)
+function records = collectRuns (jobs, folders, Case, apart)
   n = numel (jobs);
   todo = cell (1, n);
   places = cell (1, n);
@@ -27,7 +29,12 @@ function records = collectRuns (jobs, folders, Case)
     todo{i} = judgeEnd (newRecord (jobs(i), folders{i}));
     todo{i}.funs = hashFolder (funs, {});
   end
-  records = [evaluateAll(todo, places){:}];
+  if nargin > 3 && ~ apart
+    records = cellfun (@evaluateRun, todo, places, 'UniformOutput', false);
+  else
+    records = evaluateAll (todo, places);
+  end
+  records = [records{:}];
 end
 
 function records = evaluateAll (todo, places)

@@ -1,0 +1,58 @@
+% EVALUATEDEM  Evaluates the DEM models at parameter sets.
+%
+% CALL: RESULTS = evaluateDEM (PARAMS)
+%       [Z, RECORDS] = evaluateDEM (P, CASE, REPLICATE, STAGE, REPORT, E)
+%
+%   PARAMS     1 x d or d x 1, one set; the call handed to costFunction
+%   RESULTS    T x 1, one row a target; NaN where a run failed
+%   P          n x d parameter sets
+%   CASE       see newCase (default: the case of the current folder)
+%   REPLICATE  n x 1 or scalar, number of the replicate (default 1)
+%   STAGE      what the runs are for (text, default 'verify')
+%   REPORT     function handle for the progress (default: silent)
+%   E          n x v effect values (default: neutral)
+%   Z          n x T, one column a target of CASE.targets
+%   RECORDS    n x M struct array, see newRecord
+%
+% All runs go to the executor together. Finished runs are used again.
+%
+% See also: evaluateKriging, runJobs, costFunction
+
+function [Z, records] = evaluateDEM (P, varargin)
+  given = {[], 1, 'verify', @(state) [], []};
+  given(1:numel (varargin)) = varargin;
+  [Case, replicate, stage, report, E] = given{:};
+  isPublishedCall = ~ isstruct (Case);
+  if isPublishedCall
+    Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
+    P = P(:)';
+  end
+  jobs = newJobs (Case, P, E, replicate, stage);
+  records = runJobs (jobs, Case, report);
+  records = reshape (records, numel (Case.models), rows (P))';
+  Z = NaN (rows (P), numel (Case.targets));
+  for t = 1:numel (Case.targets)
+    target = Case.targets(t);
+    isOk = strcmp ({records(:, target.model).status}, 'ok');
+    for i = find (isOk)
+      Z(i, t) = records(i, target.model).results(target.index);
+    end
+  end
+  if isPublishedCall
+    Z = Z(:);
+  end
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! [Z, r] = evaluateDEM ([1, 2; 3, 4], Case);
+%! assert (Z, [3, 2, -1; 7, 12, -1], 1e-12);
+%! assert (size (r), [2, 2]);
+%!test
+%! % a model that fails gives NaN in its own columns only, and is tried with
+%! % another seed once
+%! Case = newCase (standInCase (tempname ()));
+%! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), "exit 1\n");
+%! Z = evaluateDEM ([1, 2], Case);
+%! assert (Z, [3, 2, NaN], 1e-12);
+%! assert (numel (listRunFolders (Case.store, 'Second')), 2);

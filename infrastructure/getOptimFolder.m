@@ -1,0 +1,39 @@
+% GETOPTIMFOLDER  Names of the run folders that hold a parameter set.
+%
+% CALL: NAMES = getOptimFolder (PARAMS, CASE)
+%
+%   PARAMS  1 x d or d x 1 parameter set
+%   CASE    see newCase (default: the case of the current folder)
+%   NAMES   1 x M cell, the first finished run of each model with exactly these
+%           parameters; NaN where there is none
+%
+% See also: evaluateDEM
+
+function names = getOptimFolder (params, Case)
+  if nargin < 2
+    Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
+  end
+  names = cell (1, numel (Case.models));
+  for k = 1:numel (Case.models)
+    names{k} = NaN;
+    candidates = listRunFolders (Case.store, Case.models(k).name);
+    for i = 1:numel (candidates)
+      record = readRecord (fullfile (Case.store, 'optim', ...
+                                     Case.models(k).name, candidates{i}, ...
+                                     'record.json'));
+      if ~ isempty (record) && strcmp (record.status, 'ok') && ...
+         isequal (record.params, params(:)')
+        names{k} = candidates{i};
+        break;
+      end
+    end
+  end
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! runScript ([1, 2, 0, 1], 'First', Case);
+%! runScript ([1, 3, 0, 1], 'First', Case);
+%! names = getOptimFolder ([1; 3], Case);
+%! assert (names{1}, '0002');
+%! assert (isnan (names{2}));

@@ -1,0 +1,45 @@
+% RUNSCRIPT  One DEM run: folder, data.head, params.csv, simulation, results.
+%
+% CALL: RESULTS = runScript (MATR, MODEL)
+%       [RESULTS, RECORD] = runScript (MATR, MODEL, CASE)
+%
+%   MATR     1 x (d + 2): parameters, row number of the plan (0: none), model
+%            number
+%   MODEL    name of the model (text)
+%   CASE     see newCase (default: the case of the current folder)
+%   RESULTS  cell of scalars, NaN where a result is missing
+%   RECORD   run record, see newRecord
+%
+% The simulation is waited for. A run that is in the store is not run again.
+%
+% See also: Start, startSimulation, prepareRun, collectRuns
+
+function [results, record] = runScript (matr, model, Case)
+  if nargin < 3
+    Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
+  end
+  jobs = newJobs (Case, matr(1:end-2), [], 1, 'plan');
+  job = jobs(strcmp ({jobs.model}, model));
+  job.planRow = matr(end-1);
+  record = findRuns (job, Case){1};
+  if isempty (record) || ~ isfield (record, 'status') || ...
+     ~ strcmp (record.status, 'ok')
+    folder = prepareRun (job, Case);
+    [~, name] = fileparts (folder);
+    startSimulation (model, name, Case.store);
+    record = collectRuns (job, {folder}, Case, false);
+  end
+  nTargets = Case.models(strcmp (model, {Case.models.name})).nTargets;
+  results = num2cell (NaN (1, nTargets));
+  if strcmp (record.status, 'ok')
+    results = num2cell (record.results);
+  end
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! [res, record] = runScript ([1, 2, 3, 1], 'First', Case);
+%! assert (res, {3, 2}, 1e-12);
+%! assert (record.planRow, 3);
+%! [~, again] = runScript ([1, 2, 3, 1], 'First', Case);
+%! assert (again.folder, record.folder);
