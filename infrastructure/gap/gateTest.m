@@ -1,0 +1,44 @@
+% GATETEST  Tests whether there is a gap at all, with weak listed effects in mind.
+%
+% CALL: GATE = gateTest (MODELS, SCREEN, NULL, I)
+%
+%   MODELS  struct of makeModels
+%   SCREEN  struct of screenEffects at the null fit
+%   NULL    null fit of fitLibrary;  I its row
+%   GATE    struct
+%     chi2, df, pFit   lack of fit of the null model
+%     top, pTop        largest drop of chi2 by one listed effect, its p-value
+%     p                of the smaller of the two, corrected for taking it
+%
+% The drop along a known direction has one degree of freedom and sees effects
+% that the whole chi2 does not. Reference: 1000 draws of rho ~ N (0, I).
+%
+% See also: lackOfFit, weighCase
+
+function gate = gateTest (models, screen, null, i)
+  rho = screen.parity.rho;
+  n = numel (rho);
+  gate.chi2 = null.chi2(i);
+  gate.df = max (n, 1);
+  gate.top = max ([screen.gain, 0]);
+  if n == 0
+    gate.pFit = 1;
+    gate.pTop = 1;
+    gate.p = 1;
+    return
+  end
+  draws = models.noise(:, 1:n);
+  along = draws * screen.directions;
+  negative = logical (screen.sided) & along < 0;
+  along(negative) = 0;
+  top = max ([along .^ 2, zeros(rows (draws), 1)], [], 2);
+  pFit = chiSquareTail (sum (draws .^ 2, 2), n);
+  B = rows (draws);
+  [~, order] = sort (-top);
+  pTop = zeros (B, 1);
+  pTop(order) = (1:B)' / B;
+  gate.pFit = chiSquareTail (gate.chi2, gate.df);
+  gate.pTop = (1 + sum (top >= gate.top)) / (B + 1);
+  least = min (gate.pFit, gate.pTop);
+  gate.p = (1 + sum (min (pFit, pTop) <= least)) / (B + 1);
+end

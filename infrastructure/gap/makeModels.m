@@ -1,0 +1,60 @@
+% MAKEMODELS  Prepares all hypotheses of a diagnosis for fast evaluation.
+%
+% CALL: MODELS = makeModels (PROBLEM, EM, OPTIONS, TARGETS)
+%
+%   PROBLEM  struct of newGapProblem
+%   EM       struct of fitEmulator; its effects are the library
+%   OPTIONS  struct of gapOptions
+%   TARGETS  1 x n, targets to use (default PROBLEM.used)
+%   MODELS   struct
+%     white     whitened emulator of the targets
+%     prior     mean, precision (1 x p), widen
+%     kinds     1 x m struct of the unlisted causes (unlistedKinds)
+%     weights   prior probabilities: null, single (all singles together), pair,
+%               unlisted
+%     base      points of integrationPoints, and noise (1000 x n)
+%     starts    s x p, starts of the null fit
+%     names, siblings, nameAt, level, temperature
+%
+% See also: fitLibrary, weighCase, judgeCase
+
+function models = makeModels (problem, em, options, targets)
+  if nargin < 4
+    targets = problem.used;
+  end
+  budget = noiseBudget (problem, em);
+  models.white = whitenEmulator (em, targets, budget.covariance);
+  models.prior = parameterPrior (problem);
+  models.kinds = unlistedKinds (problem, em, budget, models.white);
+  models.weights = struct ('null', 0.4, 'single', 0.4, 'pair', 0.1, ...
+                           'unlisted', 0.1);
+  d = em.p + 2;
+  models.base = integrationPoints (options.draws, d, options.seed);
+  models.noise = integrationPoints (1000, numel (targets), ...
+                                    options.seed).normal;
+  more = integrationPoints (11, em.p, options.seed);
+  models.starts = [zeros(1, em.p); 2 * more.uniform - 1];
+  models.names = {em.effect.name};
+  models.siblings = siblingsOf (problem, models.names);
+  models.nameAt = options.nameAt;
+  models.level = options.level;
+  models.temperature = options.temperature;
+end
+
+function prior = parameterPrior (problem)
+  half = diff (problem.limits) / 2;
+  prior.mean = (problem.paramMean - mean (problem.limits)) ./ half;
+  prior.precision = (half ./ problem.paramSd) .^ 2;
+  without = ~ isfinite (prior.mean) | ~ isfinite (prior.precision);
+  prior.mean(without) = 0;
+  prior.precision(without) = 0;
+  prior.widen = 1;
+end
+
+function siblings = siblingsOf (problem, names)
+  siblings = cell (1, numel (names));
+  for k = 1:numel (names)
+    at = find (strcmp ({problem.effects.name}, names{k}), 1);
+    siblings{k} = setdiff (problem.effects(at).siblings(:)', names);
+  end
+end

@@ -1,0 +1,40 @@
+% PARITYPROJECTION  Splits a residual into what parameters can make and the rest.
+%
+% CALL: PARITY = parityProjection (J, R)
+%
+%   J       T x p, slopes of the results, in units of their standard deviation
+%   R       T x 1, residual in the same units
+%   PARITY  struct
+%     rho (n x 1, n = T - rank): N (0, I) where there is no gap, whatever the
+%       parameters are (to first order)
+%     N (T x n): rho = N' * R
+%     unabsorbed, absorbed (scalars): rho' * rho and the rest of R' * R
+%     absorbability (T x 1): share of a target's own signal that the parameters
+%       can take up; above 0.9 the target is a blind spot
+%
+% Parity space of fault detection (Gertler 1998): the left null space of J.
+%
+% See also: screenEffects, locateGap
+
+function parity = parityProjection (J, R)
+  [U, S, ~] = svd (J);
+  s = diag (S(1:min (size (S)), 1:min (size (S))));
+  rank_ = sum (s > 1e-8 * max ([s; eps]));
+  parity.N = U(:, rank_ + 1:end);
+  parity.rho = parity.N' * R;
+  parity.unabsorbed = sum (parity.rho .^ 2);
+  parity.absorbed = sum (R .^ 2) - parity.unabsorbed;
+  parity.absorbability = sum (U(:, 1:rank_) .^ 2, 2);
+end
+
+%!test
+%! % one parameter that moves targets 1 and 2 alike
+%! parity = parityProjection ([1; 1; 0], [3; 1; 2]);
+%! assert (parity.unabsorbed, 2 + 4, 1e-12);
+%! assert (parity.absorbed, 8, 1e-12);
+%! assert (parity.absorbability, [0.5; 0.5; 0], 1e-12);
+%!test
+%! % as many parameters as targets: nothing is left
+%! parity = parityProjection (eye (2), [1; 2]);
+%! assert (isempty (parity.rho));
+%! assert (parity.unabsorbed, 0);
