@@ -1,0 +1,52 @@
+% CHECKDRYRUNWORKER  Calls a model's getResults on a folder without a run.
+%
+% CALL: checkDryRunWorker ()
+%
+% For the Octave that checkDryRun starts in a folder of its own. The
+% environment holds DECALIOC_DRY_MODEL (model folder) and DECALIOC_DRY_NAME
+% (its name). What was found goes to the file answer: the number of results
+% or NaN, and below it why getResults can never work.
+%
+% See also: checkDryRun
+
+function checkDryRunWorker ()
+  %| pragma Justify (metric, "globals", "getResults of users read it");
+  global path
+  path = [pwd(), '/'];
+  model = getenv ('DECALIOC_DRY_MODEL');
+  name = getenv ('DECALIOC_DRY_NAME');
+  addpath (fullfile (model, 'OctaveFuns'));
+  [~, ~] = mkdir (fullfile ('optim', name, 'empty'));
+  sample = fullfile (model, 'sample');
+  count = NaN;
+  text = '';
+  if isfolder (sample)
+    [~, ~] = copyfile (sample, fullfile ('optim', name, 'sample'));
+    count = callOnce (name, 'sample');
+  end
+  if isnan (count)
+    [count, text] = callOnce (name, 'empty');
+  end
+  fid = fopen ([path, 'answer'], 'w');
+  fprintf (fid, '%g\n%s\n', count, text);
+  fclose (fid);
+end
+
+function [count, text] = callOnce (name, folder)
+  text = '';
+  try
+    count = numel (getResults (name, folder));
+  catch err
+    count = NaN;
+    text = lasting (err.message);
+  end
+end
+
+% Only a fault that does not come from the missing files is worth telling.
+function text = lasting (message)
+  text = '';
+  marks = {'parse error', 'called with too many', 'invalid use of script'};
+  if any (cellfun (@(m) ~isempty (strfind (message, m)), marks))
+    text = strrep (message, "\n", ' ');
+  end
+end

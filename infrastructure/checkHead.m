@@ -1,0 +1,50 @@
+% CHECKHEAD  Lists the variables that the data.head of a model declares.
+%
+% CALL: HEAD = checkHead (FOLDER)
+%
+%   FOLDER  model folder (text)
+%   HEAD    1 x n struct array, in the order of the file: name, style ('equal',
+%           'string', ...), value (text). Files that data.head includes are
+%           read too.
+%
+% See also: checkFindModels, checkDeclared
+
+function head = checkHead (folder)
+  head = readHead (folder, 'data.head', 0);
+end
+
+function head = readHead (folder, name, depth)
+  head = struct ('name', cell (1, 0), 'style', '', 'value', '');
+  text = checkReadText (fullfile (folder, name));
+  found = regexp (text, ...
+                  ['^[ \t]*(variable|include)[ \t]+(\S+)' ...
+                   '(?:[ \t]+(\w+)[ \t]+([^#\r\n]*))?'], ...
+                  'tokens', 'lineanchors');
+  for k = 1:numel (found)
+    words = [found{k}, {'', ''}];
+    if strcmp (words{1}, 'variable')
+      head(end + 1) = struct ('name', words{2}, 'style', words{3}, ...
+                              'value', strtrim (words{4}));
+    elseif depth < 3
+      head = [head, readHead(folder, words{2}, depth + 1)];
+    end
+  end
+end
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! fid = fopen (fullfile (folder, 'data.head'), 'w');
+%! fputs (fid, ["variable a equal 5e6 # Pa\r\n# variable no equal 1\n", ...
+%!              "\tvariable  b string x\ninclude more.inc\nvariable c\n"]);
+%! fclose (fid);
+%! fid = fopen (fullfile (folder, 'more.inc'), 'w');
+%! fputs (fid, 'variable d equal 2*${a}');
+%! fclose (fid);
+%! head = checkHead (folder);
+%! assert ({head.name}, {'a', 'b', 'd', 'c'});
+%! assert ({head.style}, {'equal', 'string', 'equal', ''});
+%! assert (head(1).value, '5e6');
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%!assert (size (checkHead ('/nowhere')), [1, 0])

@@ -1,0 +1,103 @@
+% CHECKMODELS  Checks that every model folder is there and complete.
+%
+% CALL: P = checkModels (MODELS, FOLDER, ROOT, ONCLUSTER)
+%
+%   MODELS     1 x M struct array, see checkFindModels
+%   FOLDER     case folder (text)
+%   ROOT       folder of the toolbox (text)
+%   ONCLUSTER  true where runs start on another machine: which programs it
+%              has is not known here
+%   P          1 x n problems, see checkProblem
+%
+% Reasons: missingModel missingHead emptyHead missingRunscript
+% missingGetResults brokenGetResults, and those of checkRunscript
+%
+% See also: checkCase, findModel
+
+function p = checkModels (models, folder, root, onCluster)
+  p = checkProblem ();
+  for k = find (~cellfun (@isempty, {models.name}))
+    if isempty (models(k).folder)
+      p = [p, missing(models(k).name, k, folder, root)];
+    else
+      p = [p, checkHeadFile(models(k)), checkEvaluation(models(k)), ...
+           checkStart(models(k), onCluster)];
+    end
+  end
+end
+
+function p = missing (name, k, folder, root)
+  there = [folderNames(fullfile (folder, 'DEMmodels')), ...
+           folderNames(fullfile (root, 'DEMmodels'))];
+  cure = checkNearest (name, there);
+  if isempty (cure)
+    cure = 'Copy the model folder there, or correct the name.';
+  end
+  p = checkProblem ('missingModel', sprintf ('Input.model{%d}', k), ...
+                    sprintf ('a folder in %s or %s', ...
+                             fullfile (folder, 'DEMmodels'), ...
+                             fullfile (root, 'DEMmodels')), ...
+                    sprintf ('%s, which is in neither', name), cure);
+end
+
+function names = folderNames (folder)
+  names = cell (1, 0);
+  if isfolder (folder)
+    entries = dir (folder);
+    names = {entries([entries.isdir]).name};
+    names = names(~strncmp (names, '.', 1));
+  end
+end
+
+function p = checkHeadFile (model)
+  p = checkProblem ();
+  field = ['DEMmodels/', model.name, '/data.head'];
+  expected = 'lines such as: variable densityP equal 700';
+  cure = ['Declare every variable of the model there, and let in.Model ' ...
+          'include it.'];
+  if ~isfile (fullfile (model.folder, 'data.head'))
+    p = checkProblem ('missingHead', field, expected, 'no such file', cure);
+  elseif isempty (model.head)
+    p = checkProblem ('emptyHead', field, expected, ...
+                      'a file without any such line', cure);
+  end
+end
+
+function p = checkEvaluation (model)
+  p = checkProblem ();
+  field = ['DEMmodels/', model.name, '/OctaveFuns/getResults.m'];
+  expected = 'a function res = getResults (model, folderName)';
+  if ~isfile (fullfile (model.folder, 'OctaveFuns', 'getResults.m'))
+    p = checkProblem ('missingGetResults', field, expected, ...
+                      'no such file', ...
+                      ['Write it: it reads the files of a finished run and ' ...
+                       'returns a cell of numbers.']);
+  elseif ~isempty (model.message)
+    p = checkProblem ('brokenGetResults', field, expected, ...
+                      checkShow (model.message), ...
+                      'Call it at the Octave prompt until it runs.');
+  end
+end
+
+function p = checkStart (model, onCluster)
+  file = fullfile (model.folder, 'runscript');
+  if ~isfile (file)
+    p = checkProblem ('missingRunscript', ...
+                      ['DEMmodels/', model.name, '/runscript'], ...
+                      'a bash script that starts the DEM run', ...
+                      'no such file', ...
+                      'Write for example: liggghts < in.Model');
+    return
+  end
+  p = checkRunscript (model, onCluster);
+end
+
+%!test
+%! m = struct ('name', {'Lft', ''}, 'folder', '', 'head', [], 'message', '');
+%! p = checkModels (m, '/nowhere', '/nowhere', false);
+%! assert ({p.id}, {'DEcalioc:checkCase:missingModel'});
+%!test
+%! m = struct ('name', 'x', 'folder', '/nowhere', 'head', [], 'message', '');
+%! p = checkModels (m, '/nowhere', '/nowhere', false);
+%! assert ({p.id}, strcat ('DEcalioc:checkCase:', ...
+%!         {'missingHead', 'missingGetResults', 'missingRunscript'}));

@@ -1,0 +1,50 @@
+% CHECKNEAREST  Finds the known name that a misspelt one probably means.
+%
+% CALL: HINT = checkNearest (NAME, KNOWN)
+%
+%   NAME   what was written (text)
+%   KNOWN  cell of n known names
+%   HINT   'Did you mean <name>?', or '' where none is near
+%
+% Near means an edit distance (insert, delete, replace one character; upper
+% and lower case are the same) of at most a third of the name's length.
+%
+% See also: checkFields, checkDeclared
+
+function hint = checkNearest (name, known)
+  hint = '';
+  if isempty (known) || numel (name) > 63
+    return
+  end
+  distance = cellfun (@(k) editDistance (small (name), small (k)), known);
+  [least, at] = min (distance);
+  if least <= max (1, numel (name) / 3)
+    hint = sprintf ('Did you mean %s?', known{at});
+  end
+end
+
+function text = small (text)
+  capital = text >= 'A' & text <= 'Z';
+  text(capital) = text(capital) + 32;
+end
+
+% Row by row: d(j+1) is the distance of the first i characters of a to the
+% first j of b.
+function n = editDistance (a, b)
+  d = 0:numel (b);
+  for i = 1:numel (a)
+    above = d;
+    d(1) = i;
+    for j = 1:numel (b)
+      d(j + 1) = min ([above(j + 1) + 1, d(j) + 1, above(j) + (a(i) ~= b(j))]);
+    end
+  end
+  n = d(end);
+end
+
+%!assert (checkNearest ('timout', {'seed', 'timeout'}), ...
+%!        'Did you mean timeout?')
+%!assert (checkNearest ('DENSITYp', {'radiusP', 'densityP'}), ...
+%!        'Did you mean densityP?')
+%!assert (checkNearest ('colour', {'radiusP', 'densityP'}), '')
+%!assert (checkNearest ('a', {}), '')

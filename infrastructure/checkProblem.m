@@ -1,0 +1,44 @@
+% CHECKPROBLEM  Puts one problem of the input into words.
+%
+% CALL: P = checkProblem ()
+%       P = checkProblem (REASON, FIELD, EXPECTED, GOT, CURE)
+%
+%   REASON    last part of the identifier (text)
+%   FIELD     what is wrong, as the user writes it, e.g. Input.cpu (text); a
+%             path below DEMmodels/ names a file
+%   EXPECTED  what should stand there (text)
+%   GOT       what stands there (text, see checkShow)
+%   CURE      what to do (text, a sentence)
+%   P         struct array with the fields id and message: 1 x 1, or 1 x 0
+%             when called without arguments
+%
+% See also: checkCase, checkShow
+
+function p = checkProblem (reason, field, expected, got, cure)
+  if nargin == 0
+    p = struct ('id', cell (1, 0), 'message', cell (1, 0));
+    return
+  end
+  message = sprintf ('%s%s: expected %s, got %s. %s', field, ...
+                     fileOf (field), expected, got, cure);
+  p = struct ('id', ['DEcalioc:checkCase:', reason], 'message', message);
+end
+
+function text = fileOf (field)
+  if strncmp (field, 'effects', 7)
+    text = ' in loadEffects.m';
+  elseif any (field == '/')
+    text = '';
+  else
+    text = ' in loadInput.m';
+  end
+end
+
+%!assert (size (checkProblem ()), [1, 0])
+%!test
+%! p = checkProblem ('badCpu', 'Input.cpu', 'an integer', '0', 'Set 1.');
+%! assert (p.id, 'DEcalioc:checkCase:badCpu');
+%! assert (p.message, ...
+%!         'Input.cpu in loadInput.m: expected an integer, got 0. Set 1.');
+%!assert (checkProblem ('a', 'effects(1).name', 'b', 'c', 'd').message, ...
+%!        'effects(1).name in loadEffects.m: expected b, got c. d')

@@ -1,0 +1,72 @@
+% CHECKRAYLEIGH  Checks that the Rayleigh time can be worked out.
+%
+% CALL: P = checkRayleigh (OPTIM, MODELVARS, ASSIGN, MODELS)
+%
+%   OPTIM      scalar struct, the optim of loadInput
+%   MODELVARS  scalar struct of model variables
+%   ASSIGN     1 x d cell of names
+%   MODELS     1 x M struct array, see checkFindModels
+%   P          1 x n problems, see checkProblem
+%
+% Radius, density, Young's modulus and Poisson's ratio must be among the model
+% or the design variables where optim.WRL > 0. percentRayleigh too, where a
+% data.head sets SIMTS to 0 and has no percentRayleigh to go by.
+%
+% Reason: missingRayleigh
+%
+% See also: getRayleigh, assignParams
+
+function p = checkRayleigh (optim, modelVars, assign, models)
+  p = checkProblem ();
+  if ~isfield (optim, 'WRL') || ~checkIs ('number', optim.WRL) ...
+      || optim.WRL <= 0
+    return
+  end
+  needed = {'radiusP', 'densityP', 'youngsModulusP', 'poissonsRatioP'};
+  if any (arrayfun (@needsPercent, models))
+    needed{end + 1} = 'percentRayleigh';
+  end
+  given = [fieldnames(modelVars)', assign(cellfun (@ischar, assign))];
+  for k = find (~ismember (needed, given))
+    name = needed{k};
+    p(end + 1) = checkProblem ('missingRayleigh', ['modelVars.', name], ...
+                               'a number, or a design variable of that name', ...
+                               'neither', cure (name, models));
+  end
+end
+
+function yes = needsPercent (model)
+  yes = false;
+  if ~isempty (model.head)
+    names = {model.head.name};
+    at = find (strcmp (names, 'SIMTS'), 1, 'last');
+    yes = ~isempty (at) && str2double (model.head(at).value) == 0 ...
+          && ~any (strcmp (names, 'percentRayleigh'));
+  end
+end
+
+function text = cure (name, models)
+  text = sprintf ('Set modelVars.%s, or optim.WRL = 0.', name);
+  heads = [models.head];
+  if isempty (heads)
+    return
+  end
+  at = find (strcmp ({heads.name}, name), 1, 'last');
+  if ~isempty (at) && ~isnan (str2double (heads(at).value))
+    text = sprintf ('Set modelVars.%s = %s; as data.head does.', name, ...
+                    heads(at).value);
+  end
+end
+
+%!shared models
+%! head = struct ('name', {'radiusP', 'SIMTS'}, 'style', 'equal', ...
+%!                'value', {'2e-3', '0'});
+%! models = struct ('head', head);
+%!assert (isempty (checkRayleigh (struct ('WRL', 0), struct (), {}, models)))
+%!test
+%! vars = struct ('youngsModulusP', 5e6, 'poissonsRatioP', 0.3);
+%! p = checkRayleigh (struct ('WRL', 0.5), vars, {'densityP'}, models);
+%! assert (numel (p), 2);
+%! assert (p(1).id, 'DEcalioc:checkCase:missingRayleigh');
+%! assert (! isempty (strfind (p(1).message, 'modelVars.radiusP = 2e-3;')));
+%! assert (! isempty (strfind (p(2).message, 'percentRayleigh')));
