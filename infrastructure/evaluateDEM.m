@@ -1,7 +1,7 @@
 % EVALUATEDEM  Evaluates the DEM models at parameter sets.
 %
 % CALL: RESULTS = evaluateDEM (PARAMS)
-%       [Z, RECORDS] = evaluateDEM (P, CASE, REPLICATE, STAGE, REPORT, E)
+%       [Z, RECORDS, ISREUSED] = evaluateDEM (P, CASE, REPLICATE, STAGE, REPORT, E)
 %
 %   PARAMS     1 x d or d x 1, one set; the call handed to costFunction
 %   RESULTS    T x 1, one row a target; NaN where a run failed
@@ -13,12 +13,13 @@
 %   E          n x v effect values (default: neutral)
 %   Z          n x T, one column a target of CASE.targets
 %   RECORDS    n x M struct array, see newRecord
+%   ISREUSED   n x M logical: the run was in the store
 %
 % All runs go to the executor together. Finished runs are used again.
 %
 % See also: evaluateKriging, runJobs, costFunction
 
-function [Z, records] = evaluateDEM (P, varargin)
+function [Z, records, isReused] = evaluateDEM (P, varargin)
   given = {[], 1, 'verify', @(state) [], []};
   given(1:numel (varargin)) = varargin;
   [Case, replicate, stage, report, E] = given{:};
@@ -28,8 +29,9 @@ function [Z, records] = evaluateDEM (P, varargin)
     P = P(:)';
   end
   jobs = newJobs (Case, P, E, replicate, stage);
-  records = runJobs (jobs, Case, report);
-  records = reshape (records, numel (Case.models), rows (P))';
+  [records, isReused] = runJobs (jobs, Case, report);
+  records = reshape (records, numel (Case.models), rows (P)).';
+  isReused = reshape (isReused, numel (Case.models), rows (P)).';
   Z = NaN (rows (P), numel (Case.targets));
   for t = 1:numel (Case.targets)
     target = Case.targets(t);

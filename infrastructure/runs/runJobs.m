@@ -1,12 +1,16 @@
 % RUNJOBS  Carries out jobs; what is in the store is not run again.
 %
-% CALL: RECORDS = runJobs (JOBS, CASE, REPORT)
+% CALL: [RECORDS, ISREUSED] = runJobs (JOBS, CASE, REPORT)
 %
 %   JOBS     1 x n struct array, see newJobs
 %   CASE     see newCase; CASE.options.executor names the executor
 %   REPORT   function handle, called as REPORT (STATE) with the fields total,
 %            done, failed, running, reused, seconds
 %   RECORDS  1 x n struct array, see newRecord, in the order of JOBS
+%   ISREUSED  1 x n logical: the run was in the store
+%
+% At most CASE.options.maxNewRuns runs are new; a job beyond them is a failed
+% record with the cause 'budget'.
 %
 % A run that was killed from outside is tried again as it is, up to twice. A
 % run that failed by itself is tried once more with another seed, since an
@@ -15,17 +19,21 @@
 %
 % See also: findRuns, executeLocal, executeSlurm
 
-function records = runJobs (jobs, Case, report)
+function [records, isReused] = runJobs (jobs, Case, report)
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   [records, open] = fromStore (jobs, records, Case);
-  reused = numel (jobs) - sum (open);
+  isReused = ~ open;
   execute = str2func (['execute', upper(Case.options.executor(1)), ...
                        Case.options.executor(2:end)]);
-  tell = @(state) report (withReused (state, reused));
+  tell = @(state) report (setfield (state, 'reused', sum (isReused)));
+  if ~ any (open)
+    tell (struct ('total', 0, 'done', 0, 'failed', 0, 'running', 0));
+  end
+  overBudget = open & cumsum (open) > Case.options.maxNewRuns;
+  records(overBudget) = withoutRun (records(overBudget));
+  open = open & ~ overBudget;
   if any (open)
     records(open) = execute (jobs(open), Case, tell);
-  else
-    tell (struct ('total', 0, 'done', 0, 'failed', 0, 'running', 0));
   end
   for attempt = 1:2
     again = open & strcmp ({records.cause}, 'killed');
@@ -36,8 +44,11 @@ function records = runJobs (jobs, Case, report)
   records = withOtherSeed (jobs, records, Case, execute, tell);
 end
 
-function state = withReused (state, reused)
-  state.reused = reused;
+function records = withoutRun (records)
+  for i = 1:numel (records)
+    records(i).cause = 'budget';
+    records(i).message = 'not run: Input.maxNewRuns is reached';
+  end
 end
 
 function [records, open] = fromStore (jobs, records, Case)
@@ -77,7 +88,7 @@ end
 
 function records = withOtherSeed (jobs, records, Case, execute, tell)
   failed = find (~ strcmp ({records.status}, 'ok') & ...
-                 ~ strcmp ({records.cause}, 'killed'));
+                 ~ ismember ({records.cause}, {'killed', 'budget'}));
   if isempty (failed)
     return;
   end
@@ -98,3 +109,64 @@ function records = withOtherSeed (jobs, records, Case, execute, tell)
   cured = strcmp ({second.status}, 'ok');
   records(failed(cured)) = second(cured);
 end
+
+%!shared quiet
+%! quiet = @(state) [];
+%!test
+%! % a second call finds all runs, whatever the stage and the row
+%! Case = newCase (standInCase (tempname ()));
+%! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan');
+%! first = runJobs (jobs, Case, quiet);
+%! [second, isReused] = runJobs (newJobs (Case, [3, 4; 1, 2], [], 1, ...
+%!                                        'verify'), Case, quiet);
+%! assert (all (isReused));
+%! assert ({second.folder}, {first([3, 4, 1, 2]).folder});
+%! assert (second(1).results, first(3).results);
+%! assert (second(1).stage, 'verify');
+%!test
+%! % a change in getResults asks for a new evaluation, not for a new run
+%! Case = newCase (standInCase (tempname ()));
+%! jobs = newJobs (Case, [1, 2], [], 1, 'plan')(2);
+%! runJobs (jobs, Case, quiet);
+%! file = fullfile (Case.models(2).folder, 'OctaveFuns', 'getResults.m');
+%! text = fileread (file);
+%! pause (1.1);
+%! writeAtomic (file, strrep (text, '(load (file)'')', '(100 * load (file)'')'));
+%! r = runJobs (jobs, Case, quiet);
+%! assert (r.results, -100, 1e-12);
+%! assert (numel (listRunFolders (Case.store, 'Second')), 1);
+%!test
+%! % a run that was killed is run again as it is, and counts once
+%! Case = newCase (standInCase (tempname ()));
+%! run = fullfile (Case.models(2).folder, 'runscript');
+%! flag = tempname ();
+%! writeAtomic (run, ["[ -e ", flag, " ] || { touch ", flag, ...
+%!                    "; kill -9 $$; }\n", fileread(run)]);
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
+%! r = runJobs (job, Case, quiet);
+%! assert (r.status, 'ok');
+%! assert (r.key, job.key);
+%! unlink (flag);
+%!test
+%! % the second start finds the run with the other seed as well
+%! Case = newCase (standInCase (tempname ()));
+%! run = fullfile (Case.models(2).folder, 'runscript');
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
+%! writeAtomic (run, sprintf ('%s\ngrep -q %d data.head && echo nan > out\n:\n', ...
+%!                            strtrim (fileread (run)), job.seed));
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
+%! r = runJobs (job, Case, quiet);
+%! assert (r.status, 'ok');
+%! assert (r.seed != job.seed);
+%! again = runJobs (job, Case, quiet);
+%! assert (again.folder, r.folder);
+%! assert (numel (listRunFolders (Case.store, 'Second')), 2);
+%!test
+%! % a finished simulation whose record was lost is evaluated, not repeated
+%! Case = newCase (standInCase (tempname ()));
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
+%! r = runJobs (job, Case, quiet);
+%! writeAtomic (fullfile (r.folder, 'record.json'), 'torn');
+%! again = runJobs (job, Case, quiet);
+%! assert (again.folder, r.folder);
+%! assert (again.results, r.results);

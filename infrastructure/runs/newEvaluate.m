@@ -1,0 +1,53 @@
+% NEWEVALUATE  Makes the function that the calibration calls for DEM results.
+%
+% CALL: EVALUATE = newEvaluate (CASE, LEDGER, SAY)
+%
+%   CASE      see newCase
+%   LEDGER    see newLedger
+%   SAY       function handle that takes one line of text
+%   EVALUATE  Z = EVALUATE (P, REPLICATE) or EVALUATE (P, REPLICATE, STAGE, E):
+%             P n x d, REPLICATE n x 1, Z n x T, NaN where a run failed
+%
+% See also: evaluateDEM, calibrateOnDEM
+
+function evaluate = newEvaluate (Case, ledger, say)
+  evaluate = @(P, replicate, varargin) ...
+    bookedRuns (P, replicate, Case, ledger, say, varargin{:});
+end
+
+function Z = bookedRuns (P, replicate, Case, ledger, say, stage, E)
+  if nargin < 6
+    stage = 'calibration';
+  end
+  if nargin < 7
+    E = [];
+  end
+  % what is left of the budget of new runs
+  Case.options.maxNewRuns = Case.options.maxNewRuns - ledger('new');
+  [Z, records, isReused] = evaluateDEM (P, Case, replicate, stage, ...
+                                        newProgress (stage, say), E);
+  wasRun = ~ strcmp ({records.cause}, 'budget') & ~ isReused(:)';
+  failed = ~ strcmp ({records.status}, 'ok');
+  cpus = arrayfun (@(r) Case.models(strcmp (r.model, ...
+                                            {Case.models.name})).cpu, ...
+                   records(:)');
+  seconds = [records.seconds];
+  seconds(isnan (seconds)) = 0;
+  ledger('new') = ledger('new') + sum (wasRun);
+  ledger('reused') = ledger('reused') + sum (isReused(:));
+  ledger('failed') = ledger('failed') + sum (failed);
+  ledger('coreSeconds') = ledger('coreSeconds') + sum (seconds .* cpus);
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! ledger = newLedger ();
+%! Case.options.maxNewRuns = 5;
+%! evaluate = newEvaluate (Case, ledger, @(text) []);
+%! Z = evaluate ([1, 2; 3, 4], 1);
+%! assert (ledger('new'), 4);
+%! Z = evaluate ([1, 2; 5, 6; 7, 8], 1);
+%! assert (ledger('reused'), 2);
+%! assert (ledger('new'), 5);
+%! assert (Z, [3, 2, -1; 11, 30, NaN; NaN, NaN, NaN], 1e-12);
+%! assert (numel (listRunFolders (Case.store, 'First')), 3);
