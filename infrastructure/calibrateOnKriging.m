@@ -1,4 +1,4 @@
-% CALIBRATEONKRIGING  Levenberg-Marquardt on the surrogates, then the surest set.
+% CALIBRATEONKRIGING  LM on the surrogates, then the surest set.
 %
 % CALL: [found, history] = calibrateOnKriging (surrogates, problem)
 % CALL: [found, history] = calibrateOnKriging (surrogates, problem, options)
@@ -54,7 +54,7 @@ function [found, history] = calibrateOnKriging (surrogates, problem, options)
   found.iterations = solved(won).iterations;
   found.reason = solved(won).reason;
   found.conflict = {};
-  if ~ found.within
+  if ~found.within
     found.conflict = findConflict (surrogates, problem);
   end
 end
@@ -72,18 +72,18 @@ end
 function starts = startingPoints (surrogates, problem, options)
   starts = struct ('start', 'box centre', ...
                    'params', mean (problem.limits, 1));
-  if ~ isempty (options.incumbent)
-    starts(end+1) = struct ('start', 'set of the stage before', ...
-                            'params', options.incumbent);
+  if ~isempty (options.incumbent)
+    starts(end + 1) = struct ('start', 'set of the stage before', ...
+                              'params', options.incumbent);
   end
   X = surrogates(1).X;
   r = targetResidual (problem, X, predictSurrogate (surrogates, X));
-  worst = max (abs (r(:, problem.calibrate)) ...
-               ./ problem.tol(problem.calibrate), [], 2);
+  worst = max (abs (r(:, problem.calibrate)) ./ ...
+               problem.tol(problem.calibrate), [], 2);
   [~, order] = sort (worst);
   for i = order(1:min (end, options.nPlan))'
-    starts(end+1) = struct ('start', sprintf ('plan point %d', i), ...
-                            'params', X(i, :));
+    starts(end + 1) = struct ('start', sprintf ('plan point %d', i), ...
+                              'params', X(i, :));
   end
 end
 

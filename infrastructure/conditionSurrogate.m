@@ -20,8 +20,8 @@ function surrogate = conditionSurrogate (model, base)
   covariance = model.covariance_type;
   K = feval (covariance, model.param, base.unit, base.unit, -1);
   noise = exp (model.lognoisevariance(:));
-  K = K + diag (noise .* ones (n, 1)) ...
-      + 1e-12 * exp (model.param(1)) * full (eye (n));
+  K = K + diag (noise .* ones (n, 1)) + ...
+      1e-12 * exp (model.param(1)) * full (eye (n));
   H = feval (model.lm, base.unit);
   L = chol (K, 'lower');
   A = L \ H;
@@ -31,7 +31,7 @@ function surrogate = conditionSurrogate (model, base)
   alpha = L' \ (b - A * beta);
   W = L' \ (L \ eye (n));
   V = (L' \ A) / R;
-  q = max (diag (W) - sum (V .^ 2, 2), eps);
+  q = max (diag (W) - sum (V.^2, 2), eps);
   loo = alpha ./ q;
   looStd = alpha ./ sqrt (q);
 
@@ -42,19 +42,20 @@ function surrogate = conditionSurrogate (model, base)
   surrogate.X = base.X;
   surrogate.z = base.z;
   surrogate.limits = base.limits;
-  surrogate.noiseVar = mean (noise) * base.scale ^ 2;
+  surrogate.noiseVar = mean (noise) * base.scale^2;
   surrogate.looResidual = loo * base.scale;
   surrogate.looStd = looStd;
-  surrogate.Q2 = 1 - sum (loo .^ 2) / sum ((base.y - mean (base.y)) .^ 2);
+  surrogate.Q2 = 1 - sum (loo.^2) / sum ((base.y - mean (base.y)).^2);
   surrogate.trend = trendName (size (H, 2), size (base.X, 2));
   surrogate.covariance = covarianceName (covariance);
   surrogate.shift = base.shift;
   surrogate.scale = base.scale;
-  surrogate.factor = max (1, mean (looStd .^ 2) - 2 * sqrt (2 / n));
+  surrogate.factor = max (1, mean (looStd.^2) - 2 * sqrt (2 / n));
   surrogate.df = max (3, n - size (H, 2));
-  surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd .^ 2);
+  surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd.^2);
   surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...
                              'A', A, 'R', R, 'beta', beta, 'alpha', alpha);
+  surrogate.nChoice = n;
   surrogate.warning = qualityWarning (surrogate);
 end
 
@@ -69,7 +70,7 @@ function text = trendName (nTerms, d)
 end
 
 function text = covarianceName (covariance)
-  if ~ ischar (covariance)
+  if ~ischar (covariance)
     covariance = func2str (covariance);
   end
   text = regexprep (covariance, {'^stk_', '_aniso$', 'cov'}, '');
@@ -77,7 +78,7 @@ end
 
 function text = qualityWarning (surrogate)
   text = '';
-  if ~ (surrogate.Q2 > 0.5)
+  if ~(surrogate.Q2 > 0.5)
     text = sprintf (['leave-one-out Q2 = %.2f: the plan says little about ' ...
                      'this response'], surrogate.Q2);
   end

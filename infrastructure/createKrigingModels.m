@@ -25,29 +25,31 @@
 
 function [names, folder, surrogates] = createKrigingModels ...
   (ExPlanFiles, RespFiles, ParamLims, trend, covariance)
+  %| pragma Justify (metric, "parameters", "the call is published");
   options = struct ('trend', 'affine', 'covariance', 'matern52');
-  if nargin > 3 && ~ isempty (trend)
+  if nargin > 3 && ~isempty (trend)
     options.trend = trend;
   end
-  if nargin > 4 && ~ isempty (covariance)
+  if nargin > 4 && ~isempty (covariance)
     options.covariance = covariance;
   end
   plans = cellstr (ExPlanFiles);
   responses = unfold (RespFiles);
   folder = 'KrigingFuns';
-  if ~ isfolder (folder)
+  if ~isfolder (folder)
     mkdir (folder);
   end
   names = cell (1, numel (responses));
   for t = 1:numel (responses)
-    X = readTable (plans{min (t, numel (plans))});
+    which = min (t, numel (plans));
+    X = readTable (plans{which});
     z = readTable (responses{t});
     names{t} = sprintf ('KM_fun_%d', t);
     options.name = names{t};
     if rows (X) ~= rows (z)
       error ('DEcalioc:createKrigingModels:badShape', ...
-             ['createKrigingModels: %s must have one row a plan row, got %d ' ...
-              'for %d.'], responses{t}, rows (z), rows (X));
+             ['createKrigingModels: %s must have one row a plan row, got ' ...
+              '%d for %d.'], responses{t}, rows (z), rows (X));
     end
     surrogates(t) = fitSurrogate (X, z(:, 1), ParamLims, options);
     saveSurrogate (fullfile (folder, [names{t}, '.txt']), surrogates(t));
@@ -69,7 +71,7 @@ function list = unfold (files)
 end
 
 function M = readTable (file)
-  if ~ exist (file, 'file')
+  if ~exist (file, 'file')
     error ('DEcalioc:createKrigingModels:missingFile', ...
            'createKrigingModels: %s must be a CSV file, it is missing.', file);
   end

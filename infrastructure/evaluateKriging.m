@@ -17,17 +17,17 @@
 
 function result = evaluateKriging (params, varargin)
   models = varargin;
-  while iscell (models) && isscalar (models) && ~ ischar (models{1})
+  while iscell (models) && isscalar (models) && ~ischar (models{1})
     models = models{1};
   end
-  if iscellstr (models) && ~ isempty (models)
+  if iscellstr (models) && ~isempty (models)
     for t = numel (models):-1:1
       loaded(t) = loadSurrogate (fullfile ('KrigingFuns', ...
                                            [models{t}, '.txt']));
     end
     models = loaded;
   end
-  if ~ isstruct (models)
+  if ~isstruct (models)
     error ('DEcalioc:evaluateKriging:badType', ...
            ['evaluateKriging: the second argument must be surrogates or ' ...
             'their names, got %s.'], class (models));

@@ -23,7 +23,7 @@ function [names, excess] = findConflict (surrogates, problem)
   end
   for t = group
     rest = setdiff (group, t);
-    if ~ isempty (rest) && leastExcess (surrogates, problem, rest) > 3
+    if ~isempty (rest) && leastExcess (surrogates, problem, rest) > 3
       group = rest;
     end
   end

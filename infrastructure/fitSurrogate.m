@@ -18,7 +18,8 @@
 % surrogate: name, model, posterior (stk, in the unit box and the standardised
 % response; [] above 400 rows), X, z, limits, noiseVar (of one run), looResidual
 % and looStd (n x 1), Q2, trend, covariance, and what predictSurrogate needs:
-% shift, scale, factor, df, score (leave-one-out log density), warning.
+% shift, scale, factor, df, score (leave-one-out log density), nChoice (runs at
+% the choice of the model), warning.
 %
 % Parameters: restricted likelihood with a weak prior (penalisedLikelihood).
 % Choice: largest leave-one-out log predictive density, trend first.
@@ -41,11 +42,11 @@ function surrogate = fitSurrogate (X, z, limits, options)
   ok = isfinite (z);
   if sum (ok) < 2
     error ('DEcalioc:fitSurrogate:runFailed', ...
-           ['fitSurrogate: response ''%s'' has %d finite values, needs 2 or ' ...
-            'more. Look at the failed runs.'], options.name, sum (ok));
+           ['fitSurrogate: response ''%s'' has %d finite values, needs 2 ' ...
+            'or more. Look at the failed runs.'], options.name, sum (ok));
   end
   base = standardise (X(ok, :), z(ok), limits, options);
-  if ~ isempty (options.start)
+  if ~isempty (options.start)
     surrogate = refit (base, options);
   elseif std (base.z) <= 100 * eps (max (abs (base.z)))
     surrogate = conditionSurrogate (constantModel (base), base);
@@ -73,11 +74,11 @@ function base = standardise (X, z, limits, options)
   base.unit = (X - limits(1, :)) ./ (limits(2, :) - limits(1, :));
   base.shift = mean (z);
   base.scale = std (z);
-  if ~ (base.scale > 100 * eps (max (abs (z))))
+  if ~(base.scale > 100 * eps (max (abs (z))))
     base.scale = max (abs (base.shift), 1);
   end
   base.y = (z - base.shift) / base.scale;
-  base.knownNoise = options.noise / base.scale ^ 2;
+  base.knownNoise = options.noise / base.scale^2;
 end
 
 function model = constantModel (base)
@@ -96,6 +97,7 @@ function surrogate = refit (base, options)
     model = estimate (old.trend, old.covariance, base, options, []);
   end
   surrogate = conditionSurrogate (model, base);
+  surrogate.nChoice = old.nChoice;
 end
 
 function best = chooseModel (base, options)
@@ -105,7 +107,7 @@ function best = chooseModel (base, options)
     sizes = [1, d + 1, (d + 1) * (d + 2) / 2];
     trends = {'constant', 'affine', 'quadratic'};
     enough = n >= [3, d + 4, 3 * sizes(3)];
-    trends = trends(enough | [~ any(enough), false, false]);
+    trends = trends(enough | [~any(enough), false, false]);
   end
   covariances = {options.covariance};
   if strcmp (options.covariance, 'choose')
@@ -140,7 +142,7 @@ function model = estimate (trend, covariance, base, options, old)
   model = emptyModel (trend, covariance, d);
   param = prior.mean;
   logNoise = prior.noiseMean;
-  if ~ isempty (old)
+  if ~isempty (old)
     param = 0.9 * old.param(:) + 0.1 * prior.mean;
     logNoise = 0.9 * old.lognoisevariance + 0.1 * prior.noiseMean;
   end

@@ -21,22 +21,17 @@ function surrogates = fitSurrogates (data, problem, old)
   end
   X = data.X;
   Z = data.Z;
-  if isfield (data, 'E') && ~ isempty (data.E)
+  if isfield (data, 'E') && ~isempty (data.E)
     same = all (data.E == data.E(1, :), 2);
     X = X(same, :);
     Z = Z(same, :);
   end
   for t = 1:numel (problem.targets)
     options = struct ('name', targetName (problem, t));
-    if ~ isempty (old) && sum (isfinite (Z(:, t))) < 1.5 * old(t).nChoice
+    if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.5 * old(t).nChoice
       options.start = old(t);
     end
-    surrogate = fitSurrogate (X, Z(:, t), problem.limits, options);
-    surrogate.nChoice = numel (surrogate.z);
-    if isfield (options, 'start')
-      surrogate.nChoice = old(t).nChoice;
-    end
-    surrogates(t) = surrogate;
+    surrogates(t) = fitSurrogate (X, Z(:, t), problem.limits, options);
   end
 end
 

@@ -11,8 +11,8 @@
 
 function p = insideProbability (r, s, tolerance, df)
   s = max (s, 1e-9 * tolerance);
-  p = studentCdf ((tolerance - abs (r)) ./ s, df) ...
-      - studentCdf ((-tolerance - abs (r)) ./ s, df);
+  p = studentCdf ((tolerance - abs (r)) ./ s, df) - ...
+      studentCdf ((-tolerance - abs (r)) ./ s, df);
 end
 
 %!assert (insideProbability (0, 1, 2.228139, 10), 0.95, 1e-6)

@@ -9,14 +9,14 @@
 % See also: saveSurrogate, evaluateKriging
 
 function surrogate = loadSurrogate (file)
-  if ~ exist (file, 'file')
+  if ~exist (file, 'file')
     error ('DEcalioc:loadSurrogate:missingFile', ...
-           ['loadSurrogate: %s must be a file of createKrigingModels, it is ' ...
-            'missing.'], file);
+           ['loadSurrogate: %s must be a file of createKrigingModels, ' ...
+            'it is missing.'], file);
   end
   kept = load (file, 'kept').kept;
-  kept.unit = (kept.X - kept.limits(1, :)) ...
-              ./ (kept.limits(2, :) - kept.limits(1, :));
+  kept.unit = (kept.X - kept.limits(1, :)) ./ ...
+              (kept.limits(2, :) - kept.limits(1, :));
   kept.y = (kept.z - kept.shift) / kept.scale;
   kernel = regexprep (kept.covariance, '^(matern|gauss)', '$1cov');
   model = stk_model (['stk_' kernel '_aniso'], columns (kept.X));

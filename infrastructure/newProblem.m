@@ -29,7 +29,7 @@ function problem = newProblem (Case, cost)
   problem.sd = fieldRow (targets, 'sd', 0);
   problem.calibrate = true (1, numel (targets));
   if isfield (targets, 'role')
-    problem.calibrate = ~ strcmp ({targets.role}, 'holdout');
+    problem.calibrate = ~strcmp ({targets.role}, 'holdout');
   end
   problem.options = withDefaults (Case);
   if nargin < 2 || isempty (cost)
@@ -67,7 +67,7 @@ function [standard, nExtra] = probeCost (problem)
   p = mean (problem.limits, 1)';
   standard = true;
   for factor = [0.7, 1.1]
-    z = problem.value(:) .* factor .^ (1:T)';
+    z = problem.value(:) .* factor.^(1:T)';
     r = problem.cost (p, @(varargin) z);
     if numel (r) < T
       error ('DEcalioc:newProblem:badShape', ...

@@ -24,15 +24,15 @@ function [C, dParam, dNoise] = penalisedLikelihood (model, X, z, prior)
     [C, dParam, dNoise] = stk_param_relik (model, X, z);
   end
   u = (model.param(:) - prior.mean(:)) ./ prior.sd(:);
-  C = C + 0.5 * sum (u .^ 2);
-  noiseFree = ~ isscalar (model.lognoisevariance);
-  if ~ noiseFree
+  C = C + 0.5 * sum (u.^2);
+  noiseFree = ~isscalar (model.lognoisevariance);
+  if ~noiseFree
     w = (model.lognoisevariance - prior.noiseMean) / prior.noiseSd;
-    C = C + 0.5 * w ^ 2;
+    C = C + 0.5 * w^2;
   end
   if nargout > 1
     dParam = dParam + u ./ prior.sd(:);
-    if ~ noiseFree
+    if ~noiseFree
       dNoise = dNoise + w / prior.noiseSd;
     end
   end

@@ -15,7 +15,7 @@
 % See also: fitSurrogate, evaluateKriging
 
 function [m, v] = predictSurrogate (surrogates, P)
-  if ~ isempty (surrogates) && size (P, 2) ~= size (surrogates(1).limits, 2)
+  if ~isempty (surrogates) && size (P, 2) ~= size (surrogates(1).limits, 2)
     error ('DEcalioc:predictSurrogate:badShape', ...
            'predictSurrogate: P must be n x %d, got %d x %d.', ...
            size (surrogates(1).limits, 2), size (P));
@@ -40,16 +40,16 @@ end
 function [m, v] = predictOne (surrogate, P)
   s = surrogate.solver;
   model = surrogate.model;
-  U = (P - surrogate.limits(1, :)) ...
-      ./ (surrogate.limits(2, :) - surrogate.limits(1, :));
+  U = (P - surrogate.limits(1, :)) ./ ...
+      (surrogate.limits(2, :) - surrogate.limits(1, :));
   k = feval (model.covariance_type, model.param, U, s.unit, -1);
   h = feval (model.lm, U);
   m = surrogate.shift + surrogate.scale * (h * s.beta + k * s.alpha);
   if nargout > 1
     B = s.L \ k';
     C = s.R' \ (h' - s.A' * B);
-    v = exp (model.param(1)) - sum (B .^ 2, 1)' + sum (C .^ 2, 1)';
-    v = surrogate.factor * surrogate.scale ^ 2 * max (v, 0);
+    v = exp (model.param(1)) - sum (B.^2, 1)' + sum (C.^2, 1)';
+    v = surrogate.factor * surrogate.scale^2 * max (v, 0);
   end
 end
 

@@ -17,7 +17,7 @@ function value = preferenceOf (problem, P)
   T = numel (problem.value);
   for i = 1:size (P, 1)
     r = problem.cost (P(i, :)', @(varargin) problem.value(:));
-    value(i) = sum (r(T+1:end) .^ 2);
+    value(i) = sum (r(T + 1:end).^2);
   end
 end
 

@@ -24,12 +24,12 @@ function p = preferredSet (surrogates, problem, p, pool)
   for radius = [0.2, 0.1, 0.05, 0.05, 0.02, 0.02]
     P = p + radius * unit .* width;
     P = [min(max (P, lo), problem.limits(2, :)); pool];
-    sure = meetProbability (surrogates, problem, P) ...
-           >= max (0.5, best - 0.02);
+    sure = meetProbability (surrogates, problem, P) >= ...
+           max (0.5, best - 0.02);
     P = P(sure, :);
     values = preferenceOf (problem, P);
     [least, i] = min (values);
-    if ~ isempty (P) && least < value
+    if ~isempty (P) && least < value
       value = least;
       p = P(i, :);
     end

@@ -29,7 +29,7 @@ function [solved, path] = solveStart (surrogates, problem, start, ...
                        'dfdp', jacobian, 'MaxIter', limit, 'TolFun', 1e-6);
   u = (start.params(:) - lo(:)) ./ width(:);
   u = min (max (u, 0), 1);
-  if sum (scaled (u) .^ 2) > eps
+  if sum (scaled (u).^2) > eps
     [u, ~, cvg, info] = nonlin_residmin (scaled, u, settings);
   else
     cvg = 3;

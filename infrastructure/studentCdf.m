@@ -13,7 +13,7 @@ function p = studentCdf (x, df)
     p = 0.5 * erfc (-x / sqrt (2));
     return
   end
-  tail = 0.5 * betainc (df ./ (df + x .^ 2), df / 2, 0.5);
+  tail = 0.5 * betainc (df ./ (df + x.^2), df / 2, 0.5);
   p = tail;
   p(x > 0) = 1 - tail(x > 0);
 end

@@ -1,16 +1,16 @@
-% SURESTSET  The set with the least expected squared residual.
+% SURESTSET  The set that most probably meets all targets.
 %
 % CALL: [p, probability] = surestSet (surrogates, problem, pool)
 %
 % pool         k x d  sets to start from, best first (may be empty)
 % p            1 x d
-% probability  Pr(all targets truly met at p)
+% probability  Pr(all targets truly met at p), see meetProbability
 %
-% Minimises sum ((r^2 + s^2) / tolerance^2), the expected squared residual in
-% tolerances (r residual of the surrogate mean, s its standard deviation), by
-% nonlin_residmin from the best of the pool, the centroid of the runs and a
-% space-filling sample: of all sets that meet the targets this is the one of
-% which the surrogates know most.
+% Starts: the least sums of (r^2 + s^2) / tolerance^2 (r residual of the
+% surrogate mean, s its standard deviation) among the pool, the centroid of the
+% runs and a space-filling sample, each brought to its local least by
+% nonlin_residmin; then a shrinking search for the largest probability. Of all
+% sets that meet the targets this is the one of which the surrogates know most.
 %
 % See also: calibrateOnKriging, meetProbability
 
@@ -20,23 +20,40 @@ function [p, probability] = surestSet (surrogates, problem, pool)
   d = numel (lo);
   sample = double (stk_sampling_halton_rr2 (500, d, problem.limits));
   P = [pool; mean(surrogates(1).X, 1); sample];
-  [~, order] = sort (sum (loss (surrogates, problem, P) .^ 2, 2));
-  P = P(order(1:3), :);
-  f = @(u) loss (surrogates, problem, lo + u(:)' .* width)';
-  settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
-                       'dfdp', @(u, hook) slope (surrogates, problem, ...
-                                                 lo + u(:)' .* width), ...
-                       'MaxIter', 30, 'TolFun', 1e-3);
-  for k = 1:rows (P)
-    u = min (max ((P(k, :) - lo) ./ width, 0), 1)';
-    u = nonlin_residmin (f, u, settings);
-    P(k, :) = lo + min (max (u', 0), 1) .* width;
+  [~, order] = sort (sum (loss (surrogates, problem, P).^2, 2));
+  P = P(order(1:10), :);
+  for k = 1:3
+    P(k, :) = descend (surrogates, problem, P(k, :));
   end
-  [probability, r] = meetProbability (surrogates, problem, P);
-  key = sum (loss (surrogates, problem, P) .^ 2, 2);
-  [~, best] = sortrows ([-round(probability * 1e3), key]);
-  p = P(best(1), :);
-  probability = probability(best(1));
+  step = double (stk_sampling_halton_rr2 (40, d, [-ones(1, d); ones(1, d)]));
+  for radius = 0.3 * 0.75.^(0:15)
+    [~, order] = sort (meetProbability (surrogates, problem, P), 'descend');
+    best = P(order(1:3), :);
+    P = best;
+    for k = 1:3
+      around = best(k, :) + radius * circshift (step, k, 2) .* width;
+      P = [P; min(max (around, lo), lo + width)];
+    end
+    step = -circshift (step, 1, 2);
+  end
+  [probability, r] = meetProbability (surrogates, problem, best);
+  norm2 = sum ((r(:, problem.calibrate) ./ ...
+                problem.tol(problem.calibrate)).^2, 2);
+  [~, order] = sortrows ([-round(probability * 1e6), norm2]);
+  p = best(order(1), :);
+  probability = probability(order(1));
+end
+
+function p = descend (surrogates, problem, p)
+  lo = problem.limits(1, :);
+  width = problem.limits(2, :) - lo;
+  d = numel (lo);
+  f = @(u) loss (surrogates, problem, lo + u(:)' .* width)';
+  J = @(u, hook) slope (surrogates, problem, lo + u(:)' .* width);
+  settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
+                       'dfdp', J, 'MaxIter', 20, 'TolFun', 1e-2);
+  u = nonlin_residmin (f, min (max ((p - lo) ./ width, 0), 1)', settings);
+  p = lo + min (max (u', 0), 1) .* width;
 end
 
 function f = loss (surrogates, problem, P)

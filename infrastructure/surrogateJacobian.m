@@ -31,11 +31,11 @@ function [J, G] = surrogateJacobian (surrogates, problem, p)
   end
   [r, slope] = targetResidual (problem, P, m);
   f = r(:, use) ./ problem.tol(use);
-  J = ((f(1:d, :) - f(d+1:end, :)) ./ step)';
+  J = ((f(1:d, :) - f(d + 1:end, :)) ./ step)';
   if nargout > 1
     s = abs (slope) .* sqrt (v);
     s = s(:, use) ./ problem.tol(use);
-    G = ((s(1:d, :) - s(d+1:end, :)) ./ step)';
+    G = ((s(1:d, :) - s(d + 1:end, :)) ./ step)';
   end
 end
 

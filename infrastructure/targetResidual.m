@@ -26,8 +26,8 @@ function [r, slope] = targetResidual (problem, P, Z)
     r(i, :) = rows (problem, P(i, :), Z(i, :));
     if nargout > 1
       step = 1e-4 * max (abs (problem.value), eps);
-      slope(i, :) = (rows (problem, P(i, :), Z(i, :) + step) - r(i, :)) ...
-                    ./ step;
+      slope(i, :) = (rows (problem, P(i, :), Z(i, :) + step) - r(i, :)) ./ ...
+                    step;
     end
   end
   r(isnan (Z)) = NaN;

@@ -1,0 +1,43 @@
+% IMPROVEBYINFILL  Adds DEM runs where they help to find the set, and refits.
+%
+% CALL: state = improveByInfill (state, problem, evaluate, say)
+%
+% state     struct of newState
+% problem   struct of newProblem
+% evaluate  handle Z = evaluate (P, replicate)
+% say       handle, gets one line of text a round
+%
+% Each round places a batch of options.maxCPU runs (chooseInfill), refits the
+% surrogates and calibrates again, until the found set meets all targets with a
+% probability of 0.8 (the confirming runs of calibrateOnDEM bring the rest), or
+% it is clear in two rounds running that no set can meet them, or only the
+% runs for confirmation are left of the budget. state.reason says which.
+%
+% See also: chooseInfill, calibrateOnDEM
+
+function state = improveByInfill (state, problem, evaluate, say)
+  enough = 0.8;
+  conflicts = 0;
+  round = 0;
+  while true
+    conflicts = (conflicts + 1) * ~isempty (state.found.conflict);
+    free = budgetLeft (state, problem) - problem.options.replicates;
+    if state.found.probability >= enough
+      state.reason = 'the found set is likely';
+    elseif conflicts > 2
+      state.reason = ['no set meets: ', ...
+                      strjoin(state.found.conflict, ', ')];
+    elseif free < 1
+      state.reason = 'no runs left for infill';
+    else
+      round = round + 1;
+      n = min (free, max (1, floor (problem.options.maxCPU)));
+      P = chooseInfill (state.surrogates, problem, state.found, n, round);
+      state = runRows (state, problem, evaluate, P, 'infill');
+      state = recalibrate (state, problem, 'infill', round);
+      say (sayStep (state));
+      continue
+    end
+    break
+  end
+end

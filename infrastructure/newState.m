@@ -1,0 +1,24 @@
+% NEWSTATE  The state of a calibration between its stages.
+%
+% CALL: state = newState (data, surrogates, found)
+%
+% data        struct of newData
+% surrogates  1 x T struct array of fitSurrogates
+% found       struct of calibrateOnKriging
+% state       struct: data, surrogates, found, history (1 x 0 struct: stage,
+%             iteration, params, residual T x 1, runs, probability), spent
+%             (struct: infill, verify, failed; rows of evaluate), reason,
+%             final ([] until confirmSet)
+%
+% See also: improveByInfill, calibrateOnDEM
+
+function state = newState (data, surrogates, found)
+  state.data = data;
+  state.surrogates = surrogates;
+  state.found = found;
+  state.history = struct ('stage', {}, 'iteration', {}, 'params', {}, ...
+                          'residual', {}, 'runs', {}, 'probability', {});
+  state.spent = struct ('infill', 0, 'verify', 0, 'failed', 0);
+  state.reason = '';
+  state.final = [];
+end

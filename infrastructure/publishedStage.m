@@ -1,0 +1,121 @@
+% PUBLISHEDSTAGE  The published DEM stage: nonlin_residmin straight on the DEM.
+%
+% CALL: state = publishedStage (state, problem, evaluate, say)
+%
+% state, problem, evaluate, say  as for calibrateOnDEM
+%
+% Finite differences as published, with three changes: the step of each
+% parameter moves the responses by 4 times the scatter of one run (from the
+% surrogates; between 2 and 20 % of the box), the d runs of a Jacobian go as
+% one batch, and a set that was run is not run again. Stops at options.maxIter,
+% options.tolfun, all residuals within tolerance, or the budget; the best set
+% that was run becomes the found set. A failed run in a Jacobian is replaced by
+% the surrogate's derivative.
+%
+% See also: calibrateOnDEM, confirmSet
+
+function state = publishedStage (state, problem, evaluate, say)
+  lo = problem.limits(1, :);
+  width = diff (problem.limits);
+  d = numel (lo);
+  reserve = min (problem.options.replicates, ...
+                 floor (budgetLeft (state, problem) / 2));
+  memory = containers.Map ('KeyType', 'char', 'ValueType', 'any');
+  memory('X') = zeros (0, d);
+  memory('Z') = zeros (0, numel (problem.value));
+  memory('left') = budgetLeft (state, problem) - reserve;
+  run = @(P) remembered (P, memory, evaluate);
+  f = @(u) residualAt (lo + u(:)' .* width, run, problem);
+  J = @(u, hook) differences (u(:)', hook.f, run, state, problem);
+  stop = @(u, vals, phase) stopRule (vals, phase, problem, say);
+  settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
+                       'dfdp', J, 'MaxIter', problem.options.maxIter, ...
+                       'TolFun', problem.options.tolfun, ...
+                       'user_interaction', stop);
+  u = (state.found.params - lo) ./ width;
+  try
+    nonlin_residmin (f, min (max (u, 0), 1)', settings);
+  catch problemFound
+    say (['published stage ended early: ', problemFound.message]);
+  end
+  state = takeOver (state, problem, memory);
+  say (sayStep (state));
+end
+
+function Z = remembered (P, memory, evaluate)
+  X = memory('X');
+  known = memory('Z');
+  Z = NaN (rows (P), columns (known));
+  [seen, where] = ismember (P, X, 'rows');
+  Z(seen, :) = known(where(seen), :);
+  if sum (~seen) > memory('left')
+    error ('DEcalioc:publishedStage:noConvergence', ...
+           'the budget of DEM runs is spent');
+  end
+  if any (~seen)
+    Z(~seen, :) = evaluate (P(~seen, :), ones (sum (~seen), 1));
+    memory('X') = [X; P(~seen, :)];
+    memory('Z') = [known; Z(~seen, :)];
+    memory('left') = memory('left') - sum (~seen);
+  end
+end
+
+function f = residualAt (p, run, problem)
+  r = targetResidual (problem, p, run (p));
+  f = r(problem.calibrate)';
+end
+
+function J = differences (u, f, run, state, problem)
+  lo = problem.limits(1, :);
+  width = diff (problem.limits);
+  use = problem.calibrate;
+  p = lo + u .* width;
+  surrogate = surrogateJacobian (state.surrogates, problem, p);
+  noise = sqrt ([state.surrogates(use).noiseVar]);
+  [~, slope] = targetResidual (problem, p, ...
+                               predictSurrogate (state.surrogates, p));
+  noise = noise .* abs (slope(use)) ./ problem.tol(use);
+  step = 4 * min (noise' ./ max (abs (surrogate), 1e-6), [], 1);
+  step = min (max (step, 0.02), 0.2);
+  step(u + step > 1) = -step(u + step > 1);
+  P = lo + (u + full (diag (step))) .* width;
+  r = targetResidual (problem, P, run (P));
+  J = (r(:, use)' - f(:)) ./ step;
+  bad = any (~isfinite (J), 1);
+  J(:, bad) = surrogate(:, bad) .* problem.tol(use)';
+end
+
+function [stop, info] = stopRule (vals, phase, problem, say)
+  info = '';
+  tol = problem.tol(problem.calibrate)';
+  stop = all (abs (vals.residual(:)) <= tol);
+  if strcmp (phase, 'iter')
+    say (sprintf ('DEM %d: residuals%s %%', vals.iteration, ...
+                  sprintf (' %.2f', 100 * vals.residual)));
+  end
+end
+
+function state = takeOver (state, problem, memory)
+  X = memory('X');
+  Z = memory('Z');
+  n = rows (X);
+  state.data = addRows (state.data, X, Z, ones (n, 1), 'verify');
+  state.spent.verify = state.spent.verify + n;
+  state.spent.failed = state.spent.failed + sum (any (isnan (Z), 2));
+  r = targetResidual (problem, X, Z);
+  use = problem.calibrate;
+  worst = max (abs (r(:, use)) ./ problem.tol(use), [], 2);
+  worst(any (isnan (r(:, use)), 2)) = Inf;
+  [least, best] = min (worst);
+  state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
+  p = state.found.params;
+  if isfinite (least)
+    p = X(best, :);
+  end
+  here = describeSet (state.surrogates, problem, p);
+  kept = fieldnames (here);
+  for i = 1:numel (kept)
+    state.found.(kept{i}) = here.(kept{i});
+  end
+  state = bookStep (state, 'DEM', 1);
+end
