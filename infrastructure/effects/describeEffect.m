@@ -1,0 +1,74 @@
+% DESCRIBEEFFECT  Fills the description of a candidate effect of the library.
+%
+% CALL: EFFECT = describeEffect (GIVEN)
+%
+% GIVEN   scalar struct with at least name, neutral (1 x v), limits (2 x v:
+%         weakest, strongest plausible value) and, unless laboratory is true,
+%         variables (1 x v cell of names that data.head declares)
+% EFFECT  scalar struct with all fields:
+%           name          short name, the file is effect<Name>.m
+%           question      what a user would ask, in plain words
+%           variables     1 x v cell, {} for effects of the laboratory
+%           neutral       1 x v, values that switch it off (laboratory: 0)
+%           limits        2 x v (laboratory: 2 x 1)
+%           priorScale    1 x v, a usual distance from neutral
+%           unit, label   texts for axes and tables
+%           benches       cell of the benches that can see it, {} = not known
+%           confusedWith  cell of effects that look alike
+%           group         name of the family that observables can hardly split
+%           laboratory    true: acts on results, needs no DEM run
+%           kinds         cell of the kinds of results it acts on (laboratory)
+%           transform     [] or a handle: Z = transform (Z, strength, info), Z
+%                         n x T results, info 1 x T struct array of resultInfo;
+%                         affine in Z, linear in strength
+%           source        where range and sign come from
+%
+% Throws DEcalioc:describeEffect:missingField, DEcalioc:describeEffect:badShape.
+%
+% See also: getEffect, listEffects, resolveEffects
+function effect = describeEffect (given)
+  wanted = {'name', 'neutral', 'limits'};
+  missing = wanted(~isfield (given, wanted));
+  if ~isempty (missing)
+    error ('DEcalioc:describeEffect:missingField', ...
+           'describeEffect: GIVEN must have the field %s.', missing{1});
+  end
+  effect = struct ('name', given.name, 'question', '', 'variables', {{}}, ...
+                   'neutral', [], 'limits', [], 'priorScale', [], ...
+                   'unit', '', 'label', given.name, 'benches', {{}}, ...
+                   'confusedWith', {{}}, 'group', given.name, ...
+                   'laboratory', false, 'kinds', {{}}, 'transform', [], ...
+                   'source', '');
+  names = fieldnames (effect);
+  for k = find (isfield (given, names)).'
+    effect.(names{k}) = given.(names{k});
+  end
+  if isempty (effect.priorScale)
+    effect.priorScale = max (abs (effect.limits - effect.neutral), [], 1) / 2;
+  end
+  checkShapes (effect);
+end
+
+function checkShapes (effect)
+  v = numel (effect.variables);
+  if effect.laboratory
+    v = 1;
+  end
+  if ~isequal (size (effect.neutral), [1, v]) ...
+      || ~isequal (size (effect.limits), [2, v])
+    error ('DEcalioc:describeEffect:badShape', ...
+           ['describeEffect: effect %s must have neutral 1 x %d and ' ...
+            'limits 2 x %d, got %d x %d and %d x %d.'], effect.name, v, v, ...
+           size (effect.neutral), size (effect.limits));
+  end
+end
+
+%!test % defaults of a plain effect
+%! e = describeEffect (struct ('name', 'x', 'variables', {{'a', 'b'}}, ...
+%!                             'neutral', [0, 1], 'limits', [0, 0.5; 2, 4]));
+%! assert (e.priorScale, [1, 1.5]);
+%! assert (e.group, 'x');
+%! assert (e.laboratory, false);
+
+%!error id=DEcalioc:describeEffect:missingField describeEffect (struct ('name', 'x'))
+%!error id=DEcalioc:describeEffect:badShape describeEffect (struct ('name', 'x', 'neutral', 0, 'limits', [0; 1]))

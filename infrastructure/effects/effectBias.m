@@ -1,0 +1,34 @@
+% EFFECTBIAS  Candidate effect of the laboratory: offset of measured heights.
+%
+% CALL: EFFECT = effectBias ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Is the zero of the height gauge off?
+% Acts on results, needs no DEM run.
+%
+% See also: describeEffect, resultInfo
+function effect = effectBias ()
+  given.name = 'bias';
+  given.question = 'Is the zero of the height gauge off?';
+  given.neutral = 0;
+  given.limits = [-0.002; 0.002];
+  given.unit = 'm';
+  given.label = 'offset of measured heights';
+  given.confusedWith = {'fill', 'tilt'};
+  given.group = 'gauge';
+  given.laboratory = true;
+  given.kinds = {'height'};
+  given.transform = @showHigher;
+  given.source = 'zero of a ruler or a laser line';
+  effect = describeEffect (given);
+end
+
+% an offset on everything that is read as a height
+function Z = showHigher (Z, strength, info)
+  Z(:, strcmp ({info.kind}, 'height')) += strength;
+end
+
+%!test
+%! info = struct ('kind', {'height', 'angle'});
+%! assert (effectBias ().transform ([0.02, 30], 0.001, info), [0.021, 30], eps);

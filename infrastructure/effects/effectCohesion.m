@@ -1,0 +1,25 @@
+% EFFECTCOHESION  Candidate effect: cohesion energy density between grains.
+%
+% CALL: EFFECT = effectCohesion ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Do dry grains stick to each other?
+%
+% See also: describeEffect, listEffects
+function effect = effectCohesion ()
+  given.name = 'cohesion';
+  given.question = 'Do dry grains stick to each other?';
+  given.variables = {'cohesionPP'};
+  given.neutral = 0;
+  given.limits = [0; 1e5];
+  given.unit = 'J/m3';
+  given.label = 'cohesion energy density between grains';
+  given.confusedWith = {'liquidBridge', 'wallAdhesion'};
+  given.group = 'adhesion';
+  given.source = ['simplified JKR: attraction = energy density x ' ...
+                          'contact area'];
+  effect = describeEffect (given);
+end
+
+%!assert (effectCohesion ().limits, [0; 1e5])

@@ -1,0 +1,24 @@
+% EFFECTOPENING  Candidate effect: factor on the opening.
+%
+% CALL: EFFECT = effectOpening ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Is the opening as wide as the drawing says?
+%
+% See also: describeEffect, listEffects
+function effect = effectOpening ()
+  given.name = 'opening';
+  given.question = 'Is the opening as wide as the drawing says?';
+  given.variables = {'openingFactor'};
+  given.neutral = 1;
+  given.limits = [0.92; 1.08];
+  given.unit = '-';
+  given.label = 'factor on the opening';
+  given.confusedWith = {'meanSize', 'moistDensity', 'gain', 'timeOffset'};
+  given.group = 'geometry';
+  given.source = 'Beverloo 1961';
+  effect = describeEffect (given);
+end
+
+%!assert (effectOpening ().limits, [0.92; 1.08])

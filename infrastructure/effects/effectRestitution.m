@@ -1,0 +1,26 @@
+% EFFECTRESTITUTION  Candidate effect: factor on ln (restitution).
+%
+% CALL: EFFECT = effectRestitution ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Are impacts softer (more damped) or livelier than assumed?
+%
+% See also: describeEffect, listEffects
+function effect = effectRestitution ()
+  given.name = 'restitution';
+  given.question = ['Are impacts softer (more damped) or livelier ' ...
+                          'than assumed?'];
+  given.variables = {'dampingFactor'};
+  given.neutral = 1;
+  given.limits = [0.3; 4];
+  given.unit = '-';
+  given.label = 'factor on ln (restitution)';
+  given.confusedWith = {'drag'};
+  given.group = 'contact';
+  given.source = ['Yan et al. 2015: little influence on angle of ' ...
+                          'repose and discharge'];
+  effect = describeEffect (given);
+end
+
+%!assert (effectRestitution ().limits, [0.3; 4])

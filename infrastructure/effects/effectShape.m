@@ -1,0 +1,25 @@
+% EFFECTSHAPE  Candidate effect: length over width of the grains.
+%
+% CALL: EFFECT = effectShape ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Are the grains elongated instead of round?
+%
+% See also: describeEffect, listEffects
+function effect = effectShape ()
+  given.name = 'shape';
+  given.question = 'Are the grains elongated instead of round?';
+  given.variables = {'clumpAspect'};
+  given.neutral = 1;
+  given.limits = [1; 1.6];
+  given.unit = '-';
+  given.label = 'length over width of the grains';
+  given.confusedWith = {'rolling'};
+  given.group = 'grain shape';
+  given.source = ['two-sphere clumps of one volume with the ' ...
+                          'sphere; LIGGGHTS fix multisphere'];
+  effect = describeEffect (given);
+end
+
+%!assert (effectShape ().limits, [1; 1.6])

@@ -1,0 +1,25 @@
+% EFFECTSIZESPREAD  Candidate effect: standard deviation over mean of the grain size.
+%
+% CALL: EFFECT = effectSizeSpread ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Do the grains differ in size?
+%
+% See also: describeEffect, listEffects
+function effect = effectSizeSpread ()
+  given.name = 'sizeSpread';
+  given.question = 'Do the grains differ in size?';
+  given.variables = {'sizeSpread'};
+  given.neutral = 0;
+  given.limits = [0; 0.2];
+  given.unit = '-';
+  given.label = 'standard deviation over mean of the grain size';
+  given.confusedWith = {'meanSize'};
+  given.group = 'size';
+  given.source = ['three sizes by number 1:2:1, Sauter diameter ' ...
+                          'kept'];
+  effect = describeEffect (given);
+end
+
+%!assert (effectSizeSpread ().limits, [0; 0.2])

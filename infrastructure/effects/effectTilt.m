@@ -1,0 +1,25 @@
+% EFFECTTILT  Candidate effect: tilt of the rig.
+%
+% CALL: EFFECT = effectTilt ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Does the rig stand level?
+%
+% See also: describeEffect, listEffects
+function effect = effectTilt ()
+  given.name = 'tilt';
+  given.question = 'Does the rig stand level?';
+  given.variables = {'tiltAngle'};
+  given.neutral = 0;
+  given.limits = [-2; 2];
+  given.unit = 'deg';
+  given.label = 'tilt of the rig';
+  given.confusedWith = {'cameraRoll'};
+  given.group = 'alignment';
+  given.source = ['geometry; the levelling of a rig is good to a ' ...
+                          'degree or two'];
+  effect = describeEffect (given);
+end
+
+%!assert (effectTilt ().limits, [-2; 2])

@@ -1,0 +1,25 @@
+% EFFECTVIBRATION  Candidate effect: peak acceleration over gravity, 60 Hz.
+%
+% CALL: EFFECT = effectVibration ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Does the rig stand on a vibrating floor?
+%
+% See also: describeEffect, listEffects
+function effect = effectVibration ()
+  given.name = 'vibration';
+  given.question = 'Does the rig stand on a vibrating floor?';
+  given.variables = {'vibrationStrength'};
+  given.neutral = 0;
+  given.limits = [0; 0.8];
+  given.unit = '-';
+  given.label = 'peak acceleration over gravity, 60 Hz';
+  given.confusedWith = {'rolling', 'restitution'};
+  given.group = 'surroundings';
+  given.source = ['Janda et al. 2009: vibration below 1 g unclogs' ...
+                          ' and compacts'];
+  effect = describeEffect (given);
+end
+
+%!assert (effectVibration ().limits, [0; 0.8])

@@ -1,0 +1,24 @@
+% EFFECTWALLADHESION  Candidate effect: cohesion energy density at the walls.
+%
+% CALL: EFFECT = effectWallAdhesion ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Does the material stick to the walls?
+%
+% See also: describeEffect, listEffects
+function effect = effectWallAdhesion ()
+  given.name = 'wallAdhesion';
+  given.question = 'Does the material stick to the walls?';
+  given.variables = {'cohesionPW'};
+  given.neutral = 0;
+  given.limits = [0; 3e5];
+  given.unit = 'J/m3';
+  given.label = 'cohesion energy density at the walls';
+  given.confusedWith = {'cohesion', 'wallFriction'};
+  given.group = 'adhesion';
+  given.source = 'simplified JKR on wall contacts only';
+  effect = describeEffect (given);
+end
+
+%!assert (effectWallAdhesion ().limits, [0; 3e5])

@@ -1,0 +1,27 @@
+% EFFECTWALLFRICTION  Candidate effect: factor on wall friction.
+%
+% CALL: EFFECT = effectWallFriction ()
+%
+% EFFECT  scalar struct, see describeEffect
+%
+% Is the wall smoother or rougher than the one whose friction was
+% measured?
+%
+% See also: describeEffect, listEffects
+function effect = effectWallFriction ()
+  given.name = 'wallFriction';
+  given.question = ['Is the wall smoother or rougher than the one ' ...
+                          'whose friction was measured?'];
+  given.variables = {'wallFrictionFactor'};
+  given.neutral = 1;
+  given.limits = [0.3; 1.7];
+  given.unit = '-';
+  given.label = 'factor on wall friction';
+  given.confusedWith = {'wallAdhesion'};
+  given.group = 'wall';
+  given.source = ['friction of one plastic on polished and rough ' ...
+                          'steel differs by a factor of 2 to 3'];
+  effect = describeEffect (given);
+end
+
+%!assert (effectWallFriction ().limits, [0.3; 1.7])

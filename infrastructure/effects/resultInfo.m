@@ -1,0 +1,50 @@
+% RESULTINFO  What the results of a bench are.
+%
+% CALL: INFO = resultInfo (FOLDER)
+%
+% FOLDER  model folder that holds results.csv
+% INFO    1 x m struct array in the order of getResults, [] if there is no
+%         results.csv: name, kind (density, mass, length, angle, time, rate,
+%         number, curvature, stress, friction), unit, series (results of one
+%         series belong to one curve, '' for none), at (where on that curve:
+%         speed, time, position; NaN for none), text
+%
+% Throws DEcalioc:resultInfo:badShape.
+%
+% See also: effectsOfModel, describeEffect
+function info = resultInfo (folder)
+  info = [];
+  file = fullfile (folder, 'results.csv');
+  if exist (file, 'file') ~= 2
+    return
+  end
+  lines = strsplit (strtrim (fileread (file)), "\n")(2:end);
+  fields = {'name', 'kind', 'unit', 'series', 'at', 'text'};
+  for k = 1:numel (lines)
+    words = strsplit (strtrim (lines{k}), ',', 'CollapseDelimiters', false);
+    if numel (words) ~= 6
+      error ('DEcalioc:resultInfo:badShape', ...
+             'resultInfo: line %d of %s must have 6 columns, got %d.', ...
+             k + 1, file, numel (words));
+    end
+    row = cell2struct (words(:), fields(:));
+    row.at = str2double (row.at);
+    info = [info, row];
+  end
+end
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! file = fullfile (folder, 'results.csv');
+%! fid = fopen (file, 'w');
+%! fputs (fid, "name,kind,unit,series,at,text\nw,rate,kg/s,w,2,rate\nm,mass,kg,,,all\n");
+%! fclose (fid);
+%! info = resultInfo (folder);
+%! delete (file);
+%! rmdir (folder);
+%! assert ({info.name}, {'w', 'm'});
+%! assert ([info.at], [2, NaN]);
+%! assert (info(2).series, '');
+
+%!assert (isempty (resultInfo ('no such folder')))
