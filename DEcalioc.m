@@ -1,0 +1,55 @@
+% DECALIOC  Calibrates the parameters of DEM models: main script.
+%
+% CALL: octave-cli DEcalioc.m      in a shell; or at the prompt: DEcalioc
+%
+% Calibrates the case of the current folder: its loadInput.m and DEMmodels/
+% are looked for there first, then beside this script. What was run before is
+% found again, so a calibration that was interrupted goes on where it stopped.
+%
+% In a shell the exit status is 0 where all targets are met, 2 where the
+% calibration finished without meeting them, 1 where it could not be done.
+% At the prompt the result is left in the variable calibration.
+%
+% See also: loadInput, costFunction, diagnoseGap
+
+1;
+
+function calibration = calibrateCase (root, folder)
+  startToolbox (root, folder);
+  say = @(text) sayLine (text, fullfile (folder, 'Octave_logfile.txt'));
+
+  % input
+  lock = lockCase (folder);
+  Case = loadCase (root, folder);
+  problem = newProblem (Case, @costFunction);
+  ledger = newLedger ();
+  evaluate = newEvaluate (Case, ledger, say);
+  reportCase (Case, say);
+
+  % experimental plan and DEM simulation
+  plan = GenerateExperPlan (Case.limits, Case.options.numOfSam, folder, ...
+                            Case.options.seed);
+  data = runPlan (plan, Case, evaluate, say);
+
+  % Kriging models
+  surrogates = fitSurrogates (data, problem);
+  saveSurrogates (surrogates, folder);
+  reportSurrogateFit (surrogates, data, problem, say);
+
+  % optimisation on the Kriging models
+  [found, history] = calibrateOnKriging (surrogates, problem);
+  reportIterations (found, history, Case, say);
+
+  % optimisation on the DEM models
+  state = newState (data, surrogates, found);
+  state = improveByInfill (state, problem, evaluate, say);
+  state = calibrateOnDEM (state, problem, evaluate, say);
+
+  calibration = newCalibration (state, problem, Case, ledger);
+  writeCalibrationJson (calibration, Case);
+  reportCalibration (calibration, Case, say);
+end
+
+root = fileparts (mfilename ('fullpath'));
+addpath (fullfile (root, 'infrastructure'));
+calibration = startMain (@calibrateCase, root);

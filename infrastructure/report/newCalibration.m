@@ -1,0 +1,43 @@
+% NEWCALIBRATION  Sums a finished calibration up.
+%
+% CALL: C = newCalibration (STATE, PROBLEM, CASE, LEDGER)
+%
+%   STATE    see newState, with its field final
+%   PROBLEM  see newProblem
+%   CASE     see newCase
+%   LEDGER   see newLedger
+%   C        scalar struct: params 1 x d, results 1 x T, residual T x 1,
+%            runSd 1 x T, runs at the set, interval90 2 x d, converged, reason,
+%            demRuns, coreSeconds, atLimit, notIdentified, holdout, surrogates,
+%            history, data, exitStatus
+%
+% See also: writeCalibrationJson, reportCalibration
+
+function c = newCalibration (state, problem, Case, ledger)
+  final = state.final;
+  known = parameterPosterior (state.surrogates, problem);
+  weak = identifiability (state.surrogates, problem, known);
+  M = numel (Case.models);
+  stages = state.data.stage;
+  count = @(varargin) M * sum (ismember (stages, varargin));
+  c = struct ('params', final.params, 'results', final.result, ...
+              'residual', final.residual, 'runSd', final.runSd, ...
+              'runs', final.n, 'interval90', known.interval90, ...
+              'converged', final.converged, 'reason', final.reason);
+  c.demRuns = struct ('plan', count ('plan'), 'infill', count ('infill'), ...
+                      'verify', count ('verify', 'replicate'), ...
+                      'failed', ledger('failed'), ...
+                      'reused', ledger('reused'));
+  c.coreSeconds = ledger('coreSeconds');
+  c.atLimit = limitsTouched (final.params, problem);
+  c.notIdentified = weak.notIdentified;
+  c.identifiability = weak;
+  c.holdout = [];
+  if any (~ problem.calibrate)
+    c.holdout = predictHoldout (state, problem);
+  end
+  c.surrogates = state.surrogates;
+  c.history = state.history;
+  c.data = state.data;
+  c.exitStatus = 2 * ~ final.converged;
+end

@@ -1,0 +1,61 @@
+% NEWPROGRESS  Makes the function that reports how a stage goes.
+%
+% CALL: REPORT = newProgress (STAGE, SAY)
+%
+%   STAGE   what is going on (text)
+%   SAY     function handle that takes one line of text
+%   REPORT  function handle for runJobs: says how many runs are done, failed,
+%           running and reused, and the time left, at most once a second
+%
+% See also: runJobs, evaluateDEM
+
+function report = newProgress (stage, say)
+  last = containers.Map ('KeyType', 'char', 'ValueType', 'double');
+  last('said') = -Inf;
+  report = @(state) tell (state, stage, say, last);
+end
+
+function tell (state, stage, say, last)
+  now = time ();
+  isEnd = state.done == state.total;
+  if ~ isEnd && now - last('said') < 1
+    return;
+  end
+  last('said') = now;
+  text = sprintf ('  %s: %d of %d runs done', stage, state.done, state.total);
+  if state.failed > 0
+    text = sprintf ('%s, %d failed', text, state.failed);
+  end
+  if state.reused > 0
+    text = sprintf ('%s, %d taken from the store', text, state.reused);
+  end
+  if ~ isEnd && state.done > 0
+    left = state.seconds / state.done * (state.total - state.done);
+    text = sprintf ('%s, %d running, about %s left', text, state.running, ...
+                    inWords (left));
+  end
+  if state.total > 0 || state.reused > 0
+    say (text);
+  end
+end
+
+function text = inWords (seconds)
+  if seconds < 90
+    text = sprintf ('%.0f s', seconds);
+  elseif seconds < 5400
+    text = sprintf ('%.0f min', seconds / 60);
+  else
+    text = sprintf ('%.1f h', seconds / 3600);
+  end
+end
+
+%!test
+%! box = containers.Map ();
+%! box('text') = '';
+%! say = @(text) setfield (struct ('b', subsasgn (box, struct ('type', '()', ...
+%!       'subs', {{'text'}}), text)), 'x', 1);
+%! report = newProgress ('plan', say);
+%! report (struct ('done', 2, 'total', 10, 'failed', 1, 'running', 2, ...
+%!                 'reused', 0, 'seconds', 20));
+%! assert (box('text'), ['  plan: 2 of 10 runs done, 1 failed, 2 running, ', ...
+%!                       'about 80 s left']);

@@ -1,0 +1,22 @@
+% REPORTPLAN  Says which parameter sets the plan holds.
+%
+% CALL: reportPlan (PLAN, CASE, SAY)
+%
+%   PLAN  n x d
+%   CASE  see newCase
+%   SAY   function handle that takes one line of text
+%
+% See also: runPlan
+
+function reportPlan (plan, Case, say)
+  say (sprintf ('Experimental plan: %d samples', rows (plan)));
+  width = max (cellfun (@numel, Case.names), 9);
+  cells = arrayfun (@(w, j) sprintf ('%*s', w, Case.names{j}), width, ...
+                    1:numel (width), 'UniformOutput', false);
+  say (['   run  ', strjoin(cells, '  ')]);
+  for i = 1:rows (plan)
+    cells = arrayfun (@(w, x) sprintf ('%*.5g', w, x), width, plan(i, :), ...
+                      'UniformOutput', false);
+    say (sprintf ('  %4d  %s', i, strjoin (cells, '  ')));
+  end
+end

@@ -1,0 +1,87 @@
+% RUNPLAN  Runs the plan on all models and keeps the responses as CSV.
+%
+% CALL: DATA = runPlan (PLAN, CASE, EVALUATE, SAY)
+%
+%   PLAN      n x d
+%   CASE      see newCase
+%   EVALUATE  see newEvaluate
+%   SAY       function handle that takes one line of text
+%   DATA      see newData
+%
+% Rows that have no result for some model are left out of the files
+% ExperimentalPlan_DoE.csv and results/DoE_<model>_<i>/DoE_<model>_<i>.csv, as
+% published; DATA keeps them with NaN.
+%
+% Errors: DEcalioc:runPlan:tooManyFailures, with a table of what failed
+%
+% See also: GenerateExperPlan, fitSurrogates
+
+function data = runPlan (plan, Case, evaluate, say)
+  reportPlan (plan, Case, say);
+  Z = evaluate (plan, 1, 'plan');
+  data = newData (numel (Case.names), numel (Case.targets));
+  data = addRows (data, plan, Z, ones (rows (plan), 1), 'plan');
+  isWhole = all (isfinite (Z), 2);
+  checkFailures (isWhole, Case);
+  writeMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), ...
+               plan(isWhole, :));
+  for t = 1:numel (Case.targets)
+    name = sprintf ('DoE_%s_%d', Case.targets(t).modelName, ...
+                    Case.targets(t).index);
+    folder = fullfile (Case.folder, 'results', name);
+    [~, ~] = mkdir (folder);
+    writeMatrix (fullfile (folder, [name, '.csv']), Z(isWhole, t));
+  end
+end
+
+% Surrogates need more rows than parameters; and where a third of the plan
+% fails, the box or the model is at fault.
+function checkFailures (isWhole, Case)
+  n = numel (isWhole);
+  if sum (isWhole) >= max (2/3 * n, numel (Case.names) + 2)
+    return;
+  end
+  lines = {};
+  for k = 1:numel (Case.models)
+    lines = [lines, failuresOf(Case, Case.models(k).name)];
+  end
+  error ('DEcalioc:runPlan:tooManyFailures', ...
+         ['runPlan: at least two thirds of the plan and %d runs must ' ...
+          'succeed, got %d of %d. What failed:\n%s\nCorrect the model or ' ...
+          'the limits and start again; finished runs are kept.'], ...
+         numel (Case.names) + 2, sum (isWhole), n, ...
+         strjoin (unique (lines), "\n"));
+end
+
+function lines = failuresOf (Case, model)
+  lines = {};
+  names = listRunFolders (Case.store, model);
+  for i = 1:numel (names)
+    folder = fullfile (Case.store, 'optim', model, names{i});
+    record = readRecord (fullfile (folder, 'record.json'));
+    if ~ isempty (record) && ~ strcmp (record.status, 'ok')
+      lines{end+1} = sprintf ('  %s/%s  %-8s %s', model, names{i}, ...
+                              record.status, record.message);
+    end
+  end
+end
+
+%!test
+%! raw = standInCase (tempname ());
+%! Case = newCase (raw);
+%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
+%! data = runPlan ([1, 2; 3, 4; 5, 6; 7, 8], Case, evaluate, @(text) []);
+%! assert (data.Z(2, :), [7, 12, -1], 1e-12);
+%! file = fullfile (raw.folder, 'results', 'DoE_First_2', 'DoE_First_2.csv');
+%! assert (csvread (file), [2; 12; 30; 56], 1e-12);
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! writeAtomic (fullfile (Case.models(1).folder, 'runscript'), ...
+%!              "echo 'ERROR: no such box' ; exit 1\n");
+%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
+%! try
+%!   runPlan (magic (4)(:, 1:2), Case, evaluate, @(text) []);
+%! catch err
+%! end
+%! assert (err.identifier, 'DEcalioc:runPlan:tooManyFailures');
+%! assert (! isempty (strfind (err.message, 'no such box')));
