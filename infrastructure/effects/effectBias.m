@@ -26,7 +26,8 @@ end
 
 % an offset on everything that is read as a height
 function Z = showHigher (Z, strength, info)
-  Z(:, strcmp ({info.kind}, 'height')) += strength;
+  moved = strcmp ({info.kind}, 'height');
+  Z(:, moved) = Z(:, moved) + strength;
 end
 
 %!test

@@ -26,9 +26,10 @@ end
 
 % angles turn; heights turn about the origin of the bench's positions
 function Z = turnPicture (Z, strength, info)
-  Z(:, strcmp ({info.kind}, 'angle')) += strength;
+  moved = strcmp ({info.kind}, 'angle');
+  Z(:, moved) = Z(:, moved) + strength;
   known = strcmp ({info.kind}, 'height') & ~isnan ([info.at]);
-  Z(:, known) -= [info(known).at] * strength * pi / 180;
+  Z(:, known) = Z(:, known) - [info(known).at] * strength * pi / 180;
 end
 
 %!test % a slope, and a height read 0.1 m to the right of the origin

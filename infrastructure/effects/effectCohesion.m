@@ -18,7 +18,7 @@ function effect = effectCohesion ()
   given.confusedWith = {'liquidBridge', 'wallAdhesion'};
   given.group = 'adhesion';
   given.source = ['simplified JKR: attraction = energy density x ' ...
-                          'contact area'];
+                  'contact area'];
   effect = describeEffect (given);
 end
 

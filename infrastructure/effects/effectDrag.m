@@ -10,7 +10,7 @@
 function effect = effectDrag ()
   given.name = 'drag';
   given.question = ['Are the grains fine or light enough for air to' ...
-                          ' slow them?'];
+                    ' slow them?'];
   given.variables = {'dragRate'};
   given.neutral = 0;
   given.limits = [0; 10];
@@ -19,7 +19,7 @@ function effect = effectDrag ()
   given.confusedWith = {'restitution'};
   given.group = 'surroundings';
   given.source = ['Stokes: 18 eta / (rho d^2), 5 1/s for 0.2 mm ' ...
-                          'at 1500 kg/m3 in air'];
+                  'at 1500 kg/m3 in air'];
   effect = describeEffect (given);
 end
 

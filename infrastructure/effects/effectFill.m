@@ -10,7 +10,7 @@
 function effect = effectFill ()
   given.name = 'fill';
   given.question = ['Was as much material filled in as the protocol' ...
-                          ' says?'];
+                    ' says?'];
   given.variables = {'fillFactor'};
   given.neutral = 1;
   given.limits = [0.85; 1.15];

@@ -10,7 +10,7 @@
 function effect = effectLiquidBridge ()
   given.name = 'liquidBridge';
   given.question = ['Is the material moist, with liquid bridges ' ...
-                          'between the grains?'];
+                    'between the grains?'];
   given.variables = {'liquidContent'};
   given.neutral = 0;
   given.limits = [0; 0.02];
@@ -19,8 +19,8 @@ function effect = effectLiquidBridge ()
   given.confusedWith = {'cohesion', 'wallAdhesion'};
   given.group = 'adhesion';
   given.source = ['Soulie 2006 capillary force, Nase 2001 viscous' ...
-                          ' force; LIGGGHTS easo/capillary/viscous; walls' ...
-                          ' stay dry'];
+                  ' force; LIGGGHTS easo/capillary/viscous; walls' ...
+                  ' stay dry'];
   effect = describeEffect (given);
 end
 

@@ -10,7 +10,7 @@
 function effect = effectMoistDensity ()
   given.name = 'moistDensity';
   given.question = ['Have the grains taken up water and become ' ...
-                          'heavier?'];
+                    'heavier?'];
   given.variables = {'densityFactor'};
   given.neutral = 1;
   given.limits = [0.95; 1.2];
@@ -19,7 +19,7 @@ function effect = effectMoistDensity ()
   given.confusedWith = {'gain', 'fill'};
   given.group = 'mass';
   given.source = ['wood and grain take up 5 to 20 % of their mass' ...
-                          ' from moist air'];
+                  ' from moist air'];
   effect = describeEffect (given);
 end
 

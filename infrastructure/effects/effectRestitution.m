@@ -10,7 +10,7 @@
 function effect = effectRestitution ()
   given.name = 'restitution';
   given.question = ['Are impacts softer (more damped) or livelier ' ...
-                          'than assumed?'];
+                    'than assumed?'];
   given.variables = {'dampingFactor'};
   given.neutral = 1;
   given.limits = [0.3; 4];
@@ -19,7 +19,7 @@ function effect = effectRestitution ()
   given.confusedWith = {'drag'};
   given.group = 'contact';
   given.source = ['Yan et al. 2015: little influence on angle of ' ...
-                          'repose and discharge'];
+                  'repose and discharge'];
   effect = describeEffect (given);
 end
 

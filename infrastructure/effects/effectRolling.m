@@ -11,7 +11,7 @@
 function effect = effectRolling ()
   given.name = 'rolling';
   given.question = ['Do the grains resist rolling more than the ' ...
-                          'model says (flat faces, dents)?'];
+                    'model says (flat faces, dents)?'];
   given.variables = {'rollingAdded'};
   given.neutral = 0;
   given.limits = [0; 0.4];
@@ -20,7 +20,7 @@ function effect = effectRolling ()
   given.confusedWith = {'shape', 'cohesion'};
   given.group = 'grain shape';
   given.source = ['Wensrich and Katterfeld 2012 (rolling friction' ...
-                          ' as a stand-in for shape)'];
+                  ' as a stand-in for shape)'];
   effect = describeEffect (given);
 end
 

@@ -18,7 +18,7 @@ function effect = effectShape ()
   given.confusedWith = {'rolling'};
   given.group = 'grain shape';
   given.source = ['two-sphere clumps of one volume with the ' ...
-                          'sphere; LIGGGHTS fix multisphere'];
+                  'sphere; LIGGGHTS fix multisphere'];
   effect = describeEffect (given);
 end
 

@@ -1,4 +1,4 @@
-% EFFECTSIZESPREAD  Candidate effect: standard deviation over mean of the grain size.
+% EFFECTSIZESPREAD  Candidate effect: relative spread of the grain size.
 %
 % CALL: EFFECT = effectSizeSpread ()
 %
@@ -18,7 +18,7 @@ function effect = effectSizeSpread ()
   given.confusedWith = {'meanSize'};
   given.group = 'size';
   given.source = ['three sizes by number 1:2:1, Sauter diameter ' ...
-                          'kept'];
+                  'kept'];
   effect = describeEffect (given);
 end
 

@@ -1,4 +1,4 @@
-% EFFECTSPEEDERROR  Candidate effect of the laboratory: relative error of the speed.
+% EFFECTSPEEDERROR  Candidate effect of the laboratory: error of the speed.
 %
 % CALL: EFFECT = effectSpeedError ()
 %

@@ -10,7 +10,7 @@
 function effect = effectStiffness ()
   given.name = 'stiffness';
   given.question = ['Are the grains stiffer or softer than in the ' ...
-                          'model?'];
+                    'model?'];
   given.variables = {'stiffnessFactor'};
   given.neutral = 1;
   given.limits = [0.4; 4];
@@ -19,7 +19,7 @@ function effect = effectStiffness ()
   given.confusedWith = {'cohesion'};
   given.group = 'contact';
   given.source = ['Yan et al. 2015; moduli are lowered in DEM to ' ...
-                          'lengthen the time step'];
+                  'lengthen the time step'];
   effect = describeEffect (given);
 end
 

@@ -18,7 +18,7 @@ function effect = effectTilt ()
   given.confusedWith = {'cameraRoll'};
   given.group = 'alignment';
   given.source = ['geometry; the levelling of a rig is good to a ' ...
-                          'degree or two'];
+                  'degree or two'];
   effect = describeEffect (given);
 end
 

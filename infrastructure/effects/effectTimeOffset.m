@@ -27,7 +27,8 @@ end
 % durations grow by the offset; a curve over time is read earlier
 function Z = readLater (Z, strength, info)
   Z = shiftSeries (Z, strength, info, 'time');
-  Z(:, strcmp ({info.kind}, 'time')) += strength;
+  moved = strcmp ({info.kind}, 'time');
+  Z(:, moved) = Z(:, moved) + strength;
 end
 
 %!test % a duration; a curve that falls by 3 kg/s; an angle

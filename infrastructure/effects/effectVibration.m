@@ -18,7 +18,7 @@ function effect = effectVibration ()
   given.confusedWith = {'rolling', 'restitution'};
   given.group = 'surroundings';
   given.source = ['Janda et al. 2009: vibration below 1 g unclogs' ...
-                          ' and compacts'];
+                  ' and compacts'];
   effect = describeEffect (given);
 end
 

@@ -11,7 +11,7 @@
 function effect = effectWallFriction ()
   given.name = 'wallFriction';
   given.question = ['Is the wall smoother or rougher than the one ' ...
-                          'whose friction was measured?'];
+                    'whose friction was measured?'];
   given.variables = {'wallFrictionFactor'};
   given.neutral = 1;
   given.limits = [0.3; 1.7];
@@ -20,7 +20,7 @@ function effect = effectWallFriction ()
   given.confusedWith = {'wallAdhesion'};
   given.group = 'wall';
   given.source = ['friction of one plastic on polished and rough ' ...
-                          'steel differs by a factor of 2 to 3'];
+                  'steel differs by a factor of 2 to 3'];
   effect = describeEffect (given);
 end
 

@@ -24,7 +24,8 @@ function checks = readChecks (folder)
   for k = 1:numel (words)
     checks.(words{k}{1}) = str2double (words{k}{2});
   end
-  wanted = {'spheresStart', 'spheresOut', 'spheresEnd', 'settled', 'overlapMax'};
+  wanted = {'spheresStart', 'spheresOut', 'spheresEnd', 'settled', ...
+            'overlapMax'};
   missing = wanted(~isfield (checks, wanted));
   if ~isempty (missing)
     error ('DEcalioc:readChecks:missingField', ...

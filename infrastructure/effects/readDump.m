@@ -26,8 +26,8 @@ function frames = readDump (file)
     numbers = sscanf (body, '%f');
     if mod (numel (numbers), width) ~= 0
       error ('DEcalioc:readDump:badValue', ...
-             'readDump: FILE must hold whole rows, frame %d of %s breaks off.', ...
-             k, file);
+             ['readDump: FILE must hold whole rows, frame %d of %s ' ...
+              'breaks off.'], k, file);
     end
     rows = reshape (numbers, width, []).';
     frames{k} = rows(:, 2:5);

@@ -38,7 +38,8 @@ end
 %! mkdir (folder);
 %! file = fullfile (folder, 'results.csv');
 %! fid = fopen (file, 'w');
-%! fputs (fid, "name,kind,unit,series,at,text\nw,rate,kg/s,w,2,rate\nm,mass,kg,,,all\n");
+%! fputs (fid, ["name,kind,unit,series,at,text\nw,rate,kg/s,w,2,rate\n", ...
+%!              "m,mass,kg,,,all\n"]);
 %! fclose (fid);
 %! info = resultInfo (folder);
 %! delete (file);

@@ -23,8 +23,8 @@ function Z = shiftSeries (Z, shift, info, prefix)
       before = max ((1:m) - 1, 1);
       after = min ((1:m) + 1, m);
       values = Z(:, members);
-      slope = (values(:, after) - values(:, before)) ...
-              ./ (at(after) - at(before));
+      slope = (values(:, after) - values(:, before)) ./ ...
+              (at(after) - at(before));
       Z(:, members) = values + shift * slope;
     end
   end

@@ -1,4 +1,4 @@
-% SILHOUETTE  Free surface of a heap of grains as a camera sees it from the side.
+% SILHOUETTE  Free surface of grains as a camera sees it from the side.
 %
 % CALL: HEIGHT = silhouette (GRAINS, X)
 %
@@ -12,7 +12,7 @@
 %
 % See also: readDump, surfaceLine
 function height = silhouette (grains, X)
-  chord2 = grains(:, 4) .^ 2 - (X - grains(:, 1)) .^ 2;
+  chord2 = grains(:, 4).^2 - (X - grains(:, 1)).^2;
   top = grains(:, 3) + sqrt (max (chord2, 0));
   top(chord2 < 0) = -Inf;
   height = max (top, [], 1);

@@ -11,7 +11,7 @@
 %
 % See also: measureCollapse
 function res = getResults (model, folderName)
-  %| pragma Justify (metric, "globals", "the published way to hand the folder over");
+  %| pragma Justify (metric, "globals", "published way in");
   global path
   try
     folder = [path, 'optim/', model, '/', folderName, '/'];
