@@ -60,7 +60,8 @@ end
 function em = baseline (problem, data, isBase, options)
   p = columns (problem.limits);
   T = columns (data.Z);
-  settings = struct ('covariance', options.covariance);
+  settings = struct ('covariance', options.covariance, ...
+                     'trend', options.trend);
   for t = T:-1:1
     settings.name = problem.targetNames{t};
     fits(t) = fitSurrogate (data.X(isBase, :), data.Z(isBase, t), ...
@@ -162,25 +163,46 @@ function e = oneEffect (em, effect, Q, Z)
   e.coef = zeros (rows (e.powers), T);
   B = polyRows (e.powers, e.points) ./ e.points(:, end);
   for t = 1:T
-    [e.coef(:, t), e.looStd{t}, e.varOverPhi2(:, t)] = ...
-      oneResponse (em, t, e.powers, Q, Z(:, t), B);
+    fit = oneResponse (em, t, e.powers, Q, Z(:, t));
+    e.coef(:, t) = fit.coef;
+    e.looStd{t} = fit.looStd;
+    e.varOverPhi2(:, t) = max (sum ((B * fit.covariance) .* B, 2), eps);
   end
 end
 
-function [coef, looStd, variance] = oneResponse (em, t, powers, Q, z, B)
+function fit = oneResponse (em, t, powers, Q, z)
   ok = isfinite (z);
   Q = Q(ok, :);
   limits = em.surrogates(t).limits;
   X = limits(1, :) + (Q(:, 1:end - 1) + 1) / 2 .* diff (limits);
   if isempty (Q)
-    coef = zeros (rows (powers), 1);
-    looStd = zeros (0, 1);
-    variance = repmat (em.range(t) ^ 2, rows (B), 1);
+    q = rows (powers);
+    first = sum (powers, 2) == 1;
+    fit = struct ('coef', zeros (q, 1), 'looStd', zeros (0, 1), ...
+                  'covariance', em.range(t)^2 * diag (first));
     return
   end
   [m, v] = predictSurrogate (em.surrogates(t), X);
   fit = fitEffect (powers, Q, z(ok) - m, em.seedVar(t) + v);
-  coef = fit.coef;
-  looStd = fit.looStd;
-  variance = max (sum ((B * fit.covariance) .* B, 2), eps);
 end
+
+%!test
+%! % means of the emulator agree with the laboratory within its own variances
+%! % (mean of 24 x 50 squared errors over variances: 4 deviations allowed)
+%! rand ('twister', 1); randn ('twister', 1);
+%! lab = standInGap (0);
+%! problem = newGapProblem (setfield (lab.problem, 'y', ones (1, 24)));
+%! data = lab.plan (30, 10);
+%! em = fitEmulator (problem, data, gapOptions (struct ('trend', 'affine')));
+%! theta = rand (50, 4);
+%! phi = [zeros(50, 2), rand(50, 1), zeros(50, 7)];
+%! white = whitenEmulator (em, 1:24, diag (lab.seedSd .^ 2));
+%! [M, V] = predictGap (white, 3, [2 * theta - 1, phi(:, 3)]);
+%! Z = lab.means (theta, phi) + lab.seedSd .* randn (50, 24);
+%! ratio = mean (mean ((Z * white.W' - M) .^ 2 ./ V));
+%! assert (ratio > 0.6 && ratio < 1.6);
+%! assert (em.effect(9).laboratory && em.effect(9).runs == 0);
+%!error id=DEcalioc:fitEmulator:badValue
+%! lab = standInGap (0);
+%! problem = newGapProblem (setfield (lab.problem, 'y', ones (1, 24)));
+%! fitEmulator (problem, lab.plan (4, 2), gapOptions (struct ('trend', 'affine')));

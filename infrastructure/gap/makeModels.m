@@ -32,8 +32,8 @@ function models = makeModels (problem, em, options, targets)
   models.base = integrationPoints (options.draws, d, options.seed);
   models.noise = integrationPoints (1000, numel (targets), ...
                                     options.seed).normal;
-  more = integrationPoints (11, em.p, options.seed);
-  models.starts = [zeros(1, em.p); 2 * more.uniform - 1];
+  spread = integrationPoints (11, em.p, options.seed);
+  models.starts = [zeros(1, em.p); 2 * spread.uniform - 1];
   models.names = {em.effect.name};
   models.siblings = siblingsOf (problem, models.names);
   models.nameAt = options.nameAt;

@@ -19,16 +19,19 @@ function kinds = unlistedKinds (problem, em, budget, white)
   targets = white.columns;
   benches = unique (problem.bench(targets));
   R = diag (em.range(targets) .^ 2);
-  kinds = oneKind (em, targets, budget, white, R, 'anything', 0.2);
+  make = @(C, name, weight) ...
+    oneKind (em, white, budget.covariance, C, struct ('name', name, ...
+                                                      'weight', weight));
+  kinds = make (R, 'anything', 0.2);
   for b = benches
     mask = diag (problem.bench(targets) == b);
-    kinds(end + 1) = oneKind (em, targets, budget, white, R .* mask, ...
-                              problem.benchNames{b}, 0.3 / numel (benches));
+    kinds(end + 1) = make (R .* mask, problem.benchNames{b}, ...
+                           0.3 / numel (benches));
   end
   S = signatures (em, targets);
   if rows (S) > 0
     C = 0.7 * (S' * S) / rows (S) + 0.3 * diag (mean (S .^ 2, 1));
-    kinds(end + 1) = oneKind (em, targets, budget, white, C, 'effect', 0.5);
+    kinds(end + 1) = make (C, 'effect', 0.5);
     kinds(end).tau = [0.25, 0.5, 1, 2];
     kinds(end).white.extra = kinds(end).shape / 4;
   end
@@ -38,11 +41,10 @@ function kinds = unlistedKinds (problem, em, budget, white)
   end
 end
 
-function kind = oneKind (em, targets, budget, white, C, name, weight)
+function kind = oneKind (em, white, noise, C, kind)
   C = white.W * C * white.W';
   [U, L] = eig ((C + C') / 2);
-  kind = struct ('name', name, 'weight', weight);
-  kind.white = whitenEmulator (em, targets, budget.covariance, U');
+  kind.white = whitenEmulator (em, white.columns, noise, U');
   kind.shape = max (diag (L)', 0);
   kind.tau = [0.02, 0.04, 0.08, 0.16, 0.3];
   kind.white.extra = kind.shape * 0.08 ^ 2;

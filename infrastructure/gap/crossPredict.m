@@ -1,0 +1,53 @@
+% CROSSPREDICT  Calibrates on some targets and predicts others.
+%
+% CALL: CROSS = crossPredict (PROBLEM, EM, MODELS, FROM, TO)
+%
+%   PROBLEM   struct of newGapProblem
+%   EM        struct of fitEmulator
+%   MODELS    struct of makeModels (prior, starts)
+%   FROM, TO  rows of target numbers
+%   CROSS     struct
+%     theta (1 x p, in [-1, 1]), d2, df, p: misfit of TO, measured against noise,
+%     surrogate and what FROM leaves open of the parameters (chi-square)
+%     mean, sd (1 x numel (TO)): prediction of the measurements TO, raw units
+%
+% D2 = r' [S + J C J']^-1 r with C the posterior covariance of the parameters.
+%
+% See also: benchConflicts, locateGap
+
+function cross = crossPredict (problem, em, models, from, to)
+  noise = noiseBudget (problem, em).covariance;
+  white = whitenEmulator (em, from, noise);
+  box = hypothesisBox (white, [], models.prior);
+  starts = models.starts;
+  Z = repmat (problem.y(from) * white.W', rows (starts), 1);
+  fit = fitHypothesis (white, [], Z, starts, box);
+  [~, best] = min (fit.cost);
+  cross.theta = fit.Q(best, :);
+  A = reshape (fit.A(best, :, :), em.p, em.p) + diag (3 * (box.precision == 0));
+  other = whitenEmulator (em, to, noise);
+  [M, V, J] = predictGap (other, [], cross.theta);
+  J = reshape (vertcat (J{:})', numel (to), em.p);
+  S = diag (V) + J * (A \ J');
+  r = problem.y(to) * other.W' - M;
+  cross.d2 = r * (S \ r');
+  cross.df = numel (to);
+  cross.p = chiSquareTail (cross.d2, cross.df);
+  back = inv (other.W);
+  cross.mean = M * back';
+  cross.sd = sqrt (diag (back * S * back'))';
+end
+
+%!test
+%! % no gap: predictions hold the values within their deviations (4 allowed)
+%! rand ('twister', 2); randn ('twister', 2);
+%! lab = standInGap (0);
+%! given = lab.problem;
+%! given.y = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
+%!           + sqrt (2) * lab.seedSd .* randn (1, 24);
+%! problem = newGapProblem (given);
+%! em = fitEmulator (problem, lab.plan (30, 2), gapOptions (struct ('trend', 'affine')));
+%! models = makeModels (problem, em, gapOptions (struct ('trend', 'affine')));
+%! cross = crossPredict (problem, em, models, 1:18, 19:24);
+%! assert (all (abs (cross.mean - given.y(19:24)) < 4 * cross.sd));
+%! assert (cross.p > 0.001);

@@ -1,0 +1,70 @@
+% SIDESIGNALS  Looks for what else a misfit may mean: limits, beliefs, surrogate.
+%
+% CALL: SIDE = sideSignals (PROBLEM, EM, THETA)
+%
+%   PROBLEM, EM  of newGapProblem, fitEmulator
+%   THETA        1 x p, fitted null model, parameters in [-1, 1]
+%   SIDE         struct
+%     atLimit        cellstr, parameters driven to a limit of their box
+%     priorConflict  1 x p, deviation from an independently measured value, in
+%                    its standard deviations (NaN: none was given)
+%     share          1 x T, surrogate part of the variance at THETA
+%     poor           1 x T logical, leave-one-out errors larger than claimed:
+%                    mean square above 2 or one beyond 5
+%     poorEffects    cellstr, effects whose runs contradict their surrogate
+%     blameSurrogate logical, with reason (text): more than half of the variance
+%                    of the used targets is the surrogate's, or more than a fifth
+%                    of them are poor
+%
+% See also: locateGap, judgeCase
+
+function side = sideSignals (problem, em, theta)
+  half = diff (problem.limits) / 2;
+  side.atLimit = problem.names(abs (theta) > 0.98);
+  value = mean (problem.limits) + theta .* half;
+  side.priorConflict = (value - problem.paramMean) ./ problem.paramSd;
+  [~, v] = predictSurrogate (em.surrogates, value);
+  v = v + em.fitVar;
+  fixed = diag (noiseBudget (problem, em).covariance)';
+  side.share = v ./ (v + fixed);
+  side.poor = em.looMean > 2 | em.looMax > 5;
+  side.poorEffects = poorEffects (em);
+  share = mean (side.share(problem.used));
+  poor = mean (side.poor(problem.used));
+  side.reason = '';
+  if share > 0.5
+    side.reason = sprintf (['the surrogates cause %.0f %% of the variance; ' ...
+                            'more runs near the fitted set are needed'], ...
+                           100 * share);
+  elseif poor > 0.2
+    side.reason = sprintf (['the surrogates of %.0f %% of the targets ' ...
+                            'contradict their own runs'], 100 * poor);
+  end
+  side.blameSurrogate = ~ isempty (side.reason);
+end
+
+function names = poorEffects (em)
+  names = {};
+  for k = 1:numel (em.effect)
+    z = vertcat (em.effect(k).looStd{:});
+    if em.effect(k).runs >= 6 && mean (z.^2) > 2.5
+      names{end + 1} = em.effect(k).name;
+    end
+  end
+end
+
+%!test
+%! rand ('twister', 4); randn ('twister', 4);
+%! lab = standInGap (0);
+%! given = setfield (lab.problem, 'y', ones (1, 24));
+%! given.paramMean = [0.5, NaN, NaN, NaN];
+%! given.paramSd = [0.1, NaN, NaN, NaN];
+%! problem = newGapProblem (given);
+%! em = fitEmulator (problem, lab.plan (40, 2), gapOptions (struct ('trend', 'affine')));
+%! side = sideSignals (problem, em, [1, 0, 0, 0]);
+%! assert (side.atLimit, {'friction'});
+%! assert (side.priorConflict(1), 5, 1e-9);
+%! assert (side.blameSurrogate, false);
+%! problem.sd = 0.01 * problem.sd;
+%! problem.trials = Inf;
+%! assert (sideSignals (problem, em, [0, 0, 0, 0]).blameSurrogate, true);
