@@ -1,0 +1,80 @@
+% ESTIMATENOISE  Seed scatter of one run, from replicates alone.
+%
+% CALL: noise = estimateNoise (data, problem)
+%
+% data   struct of newData; problem  struct of newProblem
+% noise  struct: sd 1 x T (pooled over the groups of replicates), df 1 x T,
+%        relative 1 x T (pooled sd / mean), interval90 2 x T (of sd),
+%        power 1 x T (slope of log sd on log |mean| over the groups: 0 the
+%        scatter is constant, 1 it is proportional; NaN with fewer than 4
+%        groups), heteroscedastic 1 x T logical; sd is NaN where there are no
+%        replicates (the surrogates estimate it then)
+%
+% Chi-squared interval by the Wilson-Hilferty formula.
+%
+% See also: fitSurrogate, confirmSet
+
+function noise = estimateNoise (data, problem)
+  T = numel (problem.value);
+  [~, ~, group] = unique (data.X, 'rows');
+  noise = struct ('sd', NaN (1, T), 'df', zeros (1, T), ...
+                  'relative', NaN (1, T), 'interval90', NaN (2, T), ...
+                  'power', NaN (1, T), 'heteroscedastic', false (1, T));
+  for t = 1:T
+    ok = isfinite (data.Z(:, t));
+    z = data.Z(ok, t);
+    [~, ~, g] = unique (group(ok));
+    n = accumarray (g, 1);
+    m = accumarray (g, z) ./ n;
+    ss = accumarray (g, (z - m(g)).^2);
+    df = sum (n - 1);
+    noise.df(t) = df;
+    if df > 0
+      noise.sd(t) = sqrt (sum (ss) / df);
+      noise.relative(t) = noise.sd(t) / abs (mean (m(n > 1)));
+      q = 1 - 2 / (9 * df) + [1.645; -1.645] * sqrt (2 / (9 * df));
+      noise.interval90(:, t) = noise.sd(t) ./ max (q, 0.1).^1.5;
+      noise = scatterLaw (noise, t, m, ss, n);
+    end
+  end
+end
+
+function noise = scatterLaw (noise, t, m, ss, n)
+  use = n > 1 & ss > 0 & m ~= 0;
+  if sum (use) < 4
+    return
+  end
+  % var of log s is about 1 / (2 df); weights are the degrees of freedom
+  df = n(use) - 1;
+  w = sqrt (2 * df);
+  y = 0.5 * log (ss(use) ./ df);
+  A = [ones(sum (use), 1), log(abs (m(use)))];
+  if std (A(:, 2)) < 0.05
+    return
+  end
+  b = (w .* A) \ (w .* y);
+  S = inv (A' * (w.^2 .* A));
+  noise.power(t) = b(2);
+  noise.heteroscedastic(t) = abs (b(2)) > 2 * sqrt (S(2, 2));
+end
+
+%!test
+%! problem = struct ('value', [1, 2]);
+%! data = addRows (newData (1, 2), [1; 1; 2; 2; 3], ...
+%!                 [10, NaN; 12, 5; 20, 5; 22, 5; 9, 1], ones (5, 1), 'plan');
+%! noise = estimateNoise (data, problem);
+%! assert (noise.sd(1), sqrt (2), 1e-12);
+%! assert (noise.df, [2, 1]);
+%! assert (noise.sd(2), 0);
+%! lim = noise.interval90(:, 1);
+%! assert (lim(1) < sqrt (2) && lim(2) > sqrt (2));
+
+%!test
+%! % proportional scatter is seen (30 groups of 4: chance below 1 %)
+%! randn ('twister', 1);
+%! X = kron ((1:30)', ones (4, 1));
+%! data = addRows (newData (1, 1), X, X .* (1 + 0.1 * randn (120, 1)), ...
+%!                 ones (120, 1), 'plan');
+%! noise = estimateNoise (data, struct ('value', 1));
+%! assert (noise.power, 1, 0.4);
+%! assert (noise.heteroscedastic);
