@@ -98,6 +98,7 @@ slurmctld
 slurmd
 
 if [ -n "$owner" ]; then
+  # shellcheck disable=SC2016
   setsid bash -c 'while kill -0 "$1" 2> /dev/null; do sleep 3; done
     exec "$2/slurm-down.sh" "$3"' watch "$owner" "$here" "$dir" \
     < /dev/null > /dev/null 2>&1 &

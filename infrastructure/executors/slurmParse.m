@@ -1,0 +1,81 @@
+% SLURMPARSE  Reads what squeue says about job arrays.
+%
+% CALL: [STATES, REASONS] = slurmParse (TEXT, NAME, N)
+%
+%   TEXT     output of squeue, a line 'job name|task|state|reason' a task; a
+%            line may stand for several tasks ('7', '2-5,9', '2-8%3'), 'N/A'
+%            (cancelled before the array was split up) for all not listed
+%   NAME     job name of the array in question (text)
+%   N        number of its tasks
+%   STATES   1 x N cell of text, '' where squeue does not know the task
+%   REASONS  1 x N cell of text
+%
+% A task that is listed twice (submitted twice, see slurmTask.sh) has the
+% state of the one that has not ended.
+%
+% See also: slurmStates, slurmIsLive
+
+function [states, reasons] = slurmParse (text, name, n)
+  lines = regexp (text, '^([^|\n]+)\|([^|\n]*)\|([^|\n]*)\|([^\n]*)$', ...
+                  'tokens', 'lineanchors');
+  lines = vertcat (lines{:}, cell (0, 4));
+  lines = lines(strcmp (lines(:, 1), name), 2:4);
+
+  % what is written later counts: live tasks come last
+  isWhole = strcmp (lines(:, 1), 'N/A');
+  isLive = reshape (slurmIsLive (lines(:, 2)), [], 1);
+  [~, order] = sort (2 * isLive - isWhole);
+  lines = splitRanges (lines(order, :), n);
+  tasks = str2double (lines(:, 1));
+  isOurs = tasks >= 1 & tasks <= n;
+  states = repmat ({''}, 1, n);
+  reasons = states;
+  states(tasks(isOurs)) = lines(isOurs, 2);
+  reasons(tasks(isOurs)) = lines(isOurs, 3);
+end
+
+function lines = splitRanges (lines, n)
+  parts = mat2cell (lines, ones (1, rows (lines)), columns (lines));
+  for k = find (isnan (str2double (lines(:, 1)')))
+    tasks = taskNumbers (lines{k, 1}, n);
+    parts{k} = repmat (lines(k, :), numel (tasks), 1);
+    parts{k}(:, 1) = arrayfun (@num2str, tasks(:), 'UniformOutput', false);
+  end
+  lines = vertcat (cell (0, columns (lines)), parts{:});
+end
+
+function tasks = taskNumbers (text, n)
+  if strcmp (text, 'N/A')
+    tasks = 1:n;
+    return
+  end
+  text = regexprep (text, '%.*$|[\[\]]', '');
+  tasks = [];
+  parts = strsplit (text, ',');
+  for k = 1:numel (parts)
+    ends = sscanf (parts{k}, '%d-%d')';
+    if ~isempty (ends)
+      tasks = [tasks, ends(1):ends(end)];
+    end
+  end
+end
+
+%!test
+%! text = sprintf (["a|1|RUNNING|None\nb|1|FAILED|NonZeroExitCode\n", ...
+%!                  "a|3-4|CANCELLED|None\na|[6-8%%2]|PENDING|Priority\n"]);
+%! [s, r] = slurmParse (text, 'a', 8);
+%! assert (s, {'RUNNING', '', 'CANCELLED', 'CANCELLED', '', ...
+%!             'PENDING', 'PENDING', 'PENDING'});
+%! assert (r{6}, 'Priority');
+%! assert (slurmParse (text, 'b', 2), {'FAILED', ''});
+%! assert (slurmParse ('', 'b', 2), {'', ''});
+%!test
+%! % cancelled before it was split; one task had run before
+%! text = sprintf ("a|2|COMPLETED|None\na|N/A|CANCELLED|JobHeldUser\n");
+%! assert (slurmParse (text, 'a', 3), {'CANCELLED', 'COMPLETED', 'CANCELLED'});
+%!test
+%! % submitted twice: the one that goes on counts
+%! text = sprintf ("a|1|RUNNING|None\na|1|FAILED|NonZeroExitCode\n");
+%! assert (slurmParse (text, 'a', 1), {'RUNNING'});
+%! text = sprintf ("a|1|FAILED|NonZeroExitCode\na|1|RUNNING|None\n");
+%! assert (slurmParse (text, 'a', 1), {'RUNNING'});
