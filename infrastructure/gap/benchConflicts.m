@@ -21,7 +21,7 @@ function conflict = benchConflicts (problem, em, models)
   own = @(b) used(problem.bench(used) == conflict.bench(b));
   for b = 1:n
     rest = setdiff (used, own (b));
-    if ~ isempty (rest)
+    if ~isempty (rest)
       cross = crossPredict (problem, em, models, rest, own (b));
       conflict.leaveOut(b) = cross.p;
     end
@@ -47,7 +47,7 @@ function odd = oddBench (conflict, n)
   clash = min (conflict.pair, conflict.pair') < 0.01;
   for b = 1:n
     others = setdiff (1:n, b);
-    if n > 2 && all (clash(b, others)) && ~ any (any (clash(others, others)))
+    if n > 2 && all (clash(b, others)) && ~any (any (clash(others, others)))
       odd = conflict.bench(b);
     end
   end
@@ -62,7 +62,8 @@ end
 %!           + sqrt (2) * lab.seedSd .* randn (1, 24);
 %! given.y(7:12) = given.y(7:12) + 6;
 %! problem = newGapProblem (given);
-%! em = fitEmulator (problem, lab.plan (30, 2), gapOptions (struct ('trend', 'affine')));
+%! em = fitEmulator (problem, lab.plan (30, 2), ...
+%!                    gapOptions (struct ('trend', 'affine')));
 %! models = makeModels (problem, em, gapOptions (struct ('trend', 'affine')));
 %! conflict = benchConflicts (problem, em, models);
 %! assert (conflict.odd, 2);

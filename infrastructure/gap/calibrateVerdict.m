@@ -15,8 +15,8 @@
 % The twins come from the user's own surrogates and targets: 30 % no gap, 45 %
 % single effects, 25 % an effect that is then taken off the list. The
 % temperature maximises the mean log probability of the truth (one parameter,
-% Guo et al. 2017); nameAt is the smallest of 0.8, 0.85 ... 0.98 with at most 3 %
-% wrong names.
+% Guo et al. 2017); nameAt is the smallest of 0.8, 0.85 ... 0.98 with at most
+% 3 % wrong names.
 %
 % See also: judgeCase, drawTwins
 
@@ -105,7 +105,7 @@ function nameAt = bestThreshold (trials, models)
   for nameAt = [models.nameAt, 0.85:0.05:0.95, 0.98]
     models.nameAt = nameAt;
     s = verdicts (trials, models);
-    wrong = s.named & ~ s.right;
+    wrong = s.named & ~s.right;
     if nameAt >= models.nameAt && mean (wrong) <= 0.03
       return
     end

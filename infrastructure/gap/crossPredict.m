@@ -7,7 +7,7 @@
 %   MODELS    struct of makeModels (prior, starts)
 %   FROM, TO  rows of target numbers
 %   CROSS     struct
-%     theta (1 x p, in [-1, 1]), d2, df, p: misfit of TO, measured against noise,
+%     theta (1 x p, in [-1, 1]), d2, df, p: misfit of TO, against noise,
 %     surrogate and what FROM leaves open of the parameters (chi-square)
 %     mean, sd (1 x numel (TO)): prediction of the measurements TO, raw units
 %
@@ -46,7 +46,8 @@ end
 %! given.y = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
 %!           + sqrt (2) * lab.seedSd .* randn (1, 24);
 %! problem = newGapProblem (given);
-%! em = fitEmulator (problem, lab.plan (30, 2), gapOptions (struct ('trend', 'affine')));
+%! em = fitEmulator (problem, lab.plan (30, 2), ...
+%!                    gapOptions (struct ('trend', 'affine')));
 %! models = makeModels (problem, em, gapOptions (struct ('trend', 'affine')));
 %! cross = crossPredict (problem, em, models, 1:18, 19:24);
 %! assert (all (abs (cross.mean - given.y(19:24)) < 4 * cross.sd));

@@ -21,27 +21,31 @@ function twins = drawTwins (models, causes, d)
                   'phi', zeros (n, 2), 'd', zeros (n, 1));
   measured = find (models.prior.precision > 0);
   for j = measured
-    value = models.prior.mean(j) ...
-            + randn (n, 1) / sqrt (models.prior.precision(j));
+    value = models.prior.mean(j) + ...
+            randn (n, 1) / sqrt (models.prior.precision(j));
     twins.theta(:, j) = min (max (value, -1), 1);
   end
   for i = 1:n
     h = causes{i};
     theta = twins.theta(i, :);
-    if ~ isempty (h)
+    if ~isempty (h)
       screen = screenEffects (white, theta, zeros (1, T));
-      for j = 1:numel (h)
-        range = white.effect(h(j)).range;
-        phi = min (d(i) / max (screen.size(h(j)), eps), range(2));
-        if range(1) < 0 && rand () < 0.5
-          phi = phi / range(2) * range(1);
-        end
-        twins.phi(i, j) = phi;
-      end
+      twins.phi(i, 1:numel (h)) = strengths (white, h, d(i), screen.size);
       twins.d(i) = abs (twins.phi(i, 1)) * screen.size(h(1));
     end
     [M, V] = predictGap (white, h, [theta, twins.phi(i, 1:numel (h))]);
     twins.Y(i, :) = M + sqrt (V) .* randn (1, T);
   end
   twins.Y = twins.Y / white.W';
+end
+
+function phi = strengths (white, h, d, sizes)
+  phi = zeros (1, numel (h));
+  for j = 1:numel (h)
+    range = white.effect(h(j)).range;
+    phi(j) = min (d / max (sizes(h(j)), eps), range(2));
+    if range(1) < 0 && rand () < 0.5
+      phi(j) = phi(j) / range(2) * range(1);
+    end
+  end
 end

@@ -36,7 +36,7 @@ function phi = strengthOf (effect, values)
     other = -move ./ down;
     share(back) = other(back);
   end
-  share(~ isfinite (share)) = 0;
+  share(~isfinite (share)) = 0;
   [~, which] = max (abs (share), [], 2);
   phi = share(sub2ind (size (share), (1:rows (share))', which));
 end

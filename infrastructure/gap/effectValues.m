@@ -12,7 +12,7 @@ function E = effectValues (effects, phi)
   E = zeros (rows (phi), 0);
   for k = 1:numel (effects)
     e = effects(k);
-    if ~ isempty (e.variables)
+    if ~isempty (e.variables)
       E = [E, valuesOf(e, phi(:, k))];
     end
   end

@@ -31,24 +31,24 @@ function fit = fitEffect (powers, Q, r, noise)
   degree = sum (powers, 2) - 1;
   best.score = -Inf;
   for g = [0.03, 0.1, 0.3, 1]
-    best = better (best, B, y, sqrt (g .^ degree(:)'));
+    best = better (best, B, y, sqrt (g.^degree(:)'));
   end
   fit = posterior (best, B, y);
 end
 
 function best = better (best, B, y, weight)
   [U, S, V] = svd (B .* weight, 'econ');
-  s = diag (S)' .^ 2;
-  part = (U' * y)' .^ 2;
+  s = diag (S)'.^2;
+  part = (U' * y)'.^2;
   rest = max (y' * y - sum (part), 0);
   nRest = numel (y) - numel (s);
   top = max (max (s), eps);
   for factor = [1, 2, 4]
-    for scale = [0, 4 .^ (-8:8)] * max (y' * y / top, 1 / top)
+    for scale = [0, 4.^(-8:8)] * max (y' * y / top, 1 / top)
       spread = factor + scale * s;
-      score = -0.5 * (sum (log (spread) + part ./ spread) ...
-                      + nRest * log (factor) + rest / factor) ...
-              - log (factor) - 0.01 * log1p (scale) ^ 2;
+      score = -0.5 * (sum (log (spread) + part ./ spread) + ...
+                      nRest * log (factor) + rest / factor) - ...
+              log (factor) - 0.01 * log1p (scale)^2;
       if score > best.score
         best = struct ('score', score, 'scale', scale, 'factor', factor, ...
                        'V', V, 's', s, 'weight', weight);
@@ -61,8 +61,8 @@ function fit = posterior (best, B, y)
   n = numel (y);
   spread = best.factor + best.scale * best.s;
   half = best.V .* best.weight';
-  full = best.scale * diag (best.weight .^ 2);
-  shrink = best.scale ^ 2 * best.s ./ spread;
+  full = best.scale * diag (best.weight.^2);
+  shrink = best.scale^2 * best.s ./ spread;
   fit.covariance = full - (half .* shrink) * half';
   K = best.factor * eye (n) + B * full * B';
   inverse = inv (K);

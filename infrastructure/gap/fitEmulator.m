@@ -43,7 +43,7 @@ function em = fitEmulator (problem, data, options)
   measured(em.seedDf == 0) = 0;
   em.seedVar = weight .* measured + (1 - weight) .* nugget;
   known = isfinite (problem.seedSd);
-  em.seedVar(known) = problem.seedSd(known) .^ 2;
+  em.seedVar(known) = problem.seedSd(known).^2;
   em.correlation = errorCorrelation (em, residual, problem.bench);
   em.effect = repmat (emptyEffect (), 1, 0);
   for k = 1:numel (problem.effects)
@@ -69,7 +69,7 @@ function em = baseline (problem, data, isBase, options)
   end
   em = struct ('p', p, 'surrogates', fits, 'baseRuns', sum (isBase));
   em.Q2 = [fits.Q2];
-  em.looMean = arrayfun (@(s) mean (s.looStd .^ 2), fits);
+  em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
   em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
   em.range = arrayfun (@(s) max (s.z) - min (s.z), fits);
   em.range = max (em.range, eps);
@@ -80,8 +80,8 @@ function em = baseline (problem, data, isBase, options)
   for degree = 2:4
     em.powers = polyPowers (p, degree);
     [em.coef, em.fitVar] = leastSquares (em.points, average, em.powers);
-    if rows (em.powers) * 4 > rows (em.points) ...
-          || all (em.fitVar < 0.02 * noise)
+    if rows (em.powers) * 4 > rows (em.points) || ...
+          all (em.fitVar < 0.02 * noise)
       break
     end
   end
@@ -114,7 +114,7 @@ function [coef, errorVar] = leastSquares (points, values, powers)
   B = polyRows (powers, points);
   coef = B \ values;
   n = rows (B);
-  errorVar = sum ((values - B * coef) .^ 2) / max (n - columns (B), 1);
+  errorVar = sum ((values - B * coef).^2) / max (n - columns (B), 1);
 end
 
 function C = errorCorrelation (em, residual, bench)
@@ -128,7 +128,7 @@ function C = errorCorrelation (em, residual, bench)
   R = [R; residual ./ sqrt(em.seedVar)];
   R = R(all (isfinite (R), 2), :);
   n = rows (R);
-  scale = sqrt (sum (R .^ 2));
+  scale = sqrt (sum (R.^2));
   C = (R' * R) ./ max (scale' * scale, eps) * n / (n + 2 * T);
   C(bench' ~= bench) = 0;
   C(1:T + 1:end) = 1;
@@ -205,4 +205,5 @@ end
 %!error id=DEcalioc:fitEmulator:badValue
 %! lab = standInGap (0);
 %! problem = newGapProblem (setfield (lab.problem, 'y', ones (1, 24)));
-%! fitEmulator (problem, lab.plan (4, 2), gapOptions (struct ('trend', 'affine')));
+%! fitEmulator (problem, lab.plan (4, 2), ...
+%!              gapOptions (struct ('trend', 'affine')));

@@ -36,8 +36,8 @@ function fit = fitHypothesis (white, h, Z, Q, box)
     Q(at(better), :) = tried(better, :);
     cost(at(better)) = newCost(better);
     chi2(at(better)) = newChi2(better);
-    damping(at) = damping(at) .* (0.2 * better + 10 * ~ better);
-    active(at) = (~ better & damping(at) < 1e3) | gain > 0.005;
+    damping(at) = damping(at) .* (0.2 * better + 10 * ~better);
+    active(at) = (~better & damping(at) < 1e3) | gain > 0.005;
   end
   fit = struct ('Q', Q, 'cost', cost, 'chi2', chi2);
   fit.A = normalEquations (white, h, Z, Q, box);
@@ -45,9 +45,9 @@ end
 
 function [cost, chi2] = costOf (white, h, Z, Q, box)
   [M, V] = predictGap (white, h, Q);
-  chi2 = sum ((Z - M) .^ 2 ./ V, 2);
-  cost = 0.5 * (chi2 + sum (log (V), 2)) ...
-         + 0.5 * sum (box.precision .* (Q - box.mean) .^ 2, 2);
+  chi2 = sum ((Z - M).^2 ./ V, 2);
+  cost = 0.5 * (chi2 + sum (log (V), 2)) + ...
+         0.5 * sum (box.precision .* (Q - box.mean).^2, 2);
 end
 
 function [A, g] = normalEquations (white, h, Z, Q, box)
@@ -57,8 +57,8 @@ function [A, g] = normalEquations (white, h, Z, Q, box)
   A = zeros (rows (Q), d, d);
   g = zeros (rows (Q), d);
   for a = 1:d
-    g(:, a) = sum (J{a} .* R, 2) ...
-              - box.precision(a) * (Q(:, a) - box.mean(a));
+    g(:, a) = sum (J{a} .* R, 2) - ...
+              box.precision(a) * (Q(:, a) - box.mean(a));
     weighted = J{a} ./ V;
     for b = 1:a
       A(:, a, b) = sum (weighted .* J{b}, 2);
@@ -79,7 +79,7 @@ function Q = stepFrom (A, g, Q, damping, box)
   for a = 1:d
     for b = 1:d
       if a ~= b
-        A(:, a, b) = A(:, a, b) .* ~ (stuck(:, a) | stuck(:, b));
+        A(:, a, b) = A(:, a, b) .* ~(stuck(:, a) | stuck(:, b));
       end
     end
   end
@@ -87,7 +87,7 @@ function Q = stepFrom (A, g, Q, damping, box)
 end
 
 %!test
-%! % straight line with unit variance: the least-squares solution, cut to the box
+%! % straight line, unit variance: least squares, cut to the box
 %! white = struct ('p', 1, 'powers', [0; 1], 'coef', [0, 1; 2, 1], ...
 %!                 'varPowers', 0, 'varCoef', [0, 0], 'effect', []);
 %! prior = struct ('mean', 0, 'precision', 0, 'widen', 1);

@@ -1,4 +1,4 @@
-% GATETEST  Tests whether there is a gap at all, with weak listed effects in mind.
+% GATETEST  Tests whether there is a gap, with weak listed effects in mind.
 %
 % CALL: GATE = gateTest (MODELS, SCREEN, NULL, I)
 %
@@ -31,8 +31,8 @@ function gate = gateTest (models, screen, null, i)
   along = draws * screen.directions;
   negative = logical (screen.sided) & along < 0;
   along(negative) = 0;
-  top = max ([along .^ 2, zeros(rows (draws), 1)], [], 2);
-  pFit = chiSquareTail (sum (draws .^ 2, 2), n);
+  top = max ([along.^2, zeros(rows (draws), 1)], [], 2);
+  pFit = chiSquareTail (sum (draws.^2, 2), n);
   B = rows (draws);
   [~, order] = sort (-top);
   pTop = zeros (B, 1);

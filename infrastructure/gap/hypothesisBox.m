@@ -24,11 +24,11 @@ function box = hypothesisBox (white, h, prior)
     box.lo(end + 1) = white.effect(k).range(1);
     box.hi(end + 1) = white.effect(k).range(2);
     box.mean(end + 1) = 0;
-    box.precision(end + 1) = 1 / (prior.widen * white.effect(k).scale) ^ 2;
+    box.precision(end + 1) = 1 / (prior.widen * white.effect(k).scale)^2;
   end
   root = sqrt (box.precision);
-  mass = normalTail ((box.lo - box.mean) .* root) ...
-         - normalTail ((box.hi - box.mean) .* root);
+  mass = normalTail ((box.lo - box.mean) .* root) - ...
+         normalTail ((box.hi - box.mean) .* root);
   box.logConstant = 0.5 * log (box.precision / (2 * pi)) - log (mass);
   flat = box.precision == 0;
   box.logConstant(flat) = -log (box.hi(flat) - box.lo(flat));

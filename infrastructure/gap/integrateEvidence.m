@@ -22,15 +22,15 @@ function result = integrateEvidence (white, h, z, modes, box, base)
   points = proposalPoints (modes, box, base);
   Q = points.Q;
   [M, V] = predictGap (white, h, Q);
-  logLike = -0.5 * sum ((z - M) .^ 2 ./ V + log (2 * pi * V), 2);
-  logPrior = sum (box.logConstant) ...
-             - 0.5 * sum (box.precision .* (Q - box.mean) .^ 2, 2);
+  logLike = -0.5 * sum ((z - M).^2 ./ V + log (2 * pi * V), 2);
+  logPrior = sum (box.logConstant) - ...
+             0.5 * sum (box.precision .* (Q - box.mean).^2, 2);
   logW = logLike + logPrior - points.logP;
   N = rows (base.normal);
   total = logSumExp (logW');
   w = exp (logW - total);
-  result = struct ('logE', total - log (N), 'ess', 1 / sum (w .^ 2));
-  result.error = sqrt (max (sum (w .^ 2) - 1 / N, 0));
+  result = struct ('logE', total - log (N), 'ess', 1 / sum (w.^2));
+  result.error = sqrt (max (sum (w.^2) - 1 / N, 0));
   result.Q = Q;
   result.weight = w;
 end

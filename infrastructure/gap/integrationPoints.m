@@ -19,7 +19,7 @@ function base = integrationPoints (N, D, seed)
   base.normal = randn (N, D);
   base.normal(2:2:N, :) = -base.normal(1:2:N - 1, :);
   base.uniform = rand (N, D);
-  base.root = sqrt (sum (randn (N, 5) .^ 2, 2) / 5);
+  base.root = sqrt (sum (randn (N, 5).^2, 2) / 5);
 end
 
 function putBack (before)

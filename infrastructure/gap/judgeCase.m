@@ -58,8 +58,8 @@ end
 function yes = isUnlisted (w, verdict)
   listed = 1:numel (w.fitP) - 1;
   [~, best] = max (verdict.P(listed));
-  yes = verdict.unlisted >= 0.5 || max (w.fitP(listed)) < 0.01 ...
-        || (w.fitP(best) < 0.01 && verdict.unlisted > 0.2);
+  yes = verdict.unlisted >= 0.5 || max (w.fitP(listed)) < 0.01 || ...
+        (w.fitP(best) < 0.01 && verdict.unlisted > 0.2);
 end
 
 function verdict = nameCause (verdict, w, models)
@@ -78,8 +78,8 @@ function verdict = nameCause (verdict, w, models)
   looksLike = [models.siblings{named}];
   if isempty (w.members{best})
     verdict.reason = 'two effects are likely but not both together';
-  elseif max ([others, 0]) * 3 > min (verdict.include(named)) ...
-         && numel (w.members{best}) == numel (named)
+  elseif max ([others, 0]) * 3 > min (verdict.include(named)) && ...
+         numel (w.members{best}) == numel (named)
     verdict.reason = 'a second effect is nearly as likely';
   elseif w.fitP(best) < 0.05
     verdict.reason = sprintf (['%s explains most of the gap, but what it ' ...
@@ -88,7 +88,7 @@ function verdict = nameCause (verdict, w, models)
   elseif w.atLimit(best) > 0.5
     verdict.reason = sprintf (['%s would have to be stronger than its ' ...
                                'plausible range'], models.names{top});
-  elseif ~ isempty (looksLike)
+  elseif ~isempty (looksLike)
     verdict.kind = 'group';
     verdict.effects = named;
     verdict.reason = ['it cannot be told from ', strjoin(looksLike, ', '), ...
@@ -103,15 +103,15 @@ end
 % Effects whose signatures differ by less than the noise share the verdict.
 function verdict = nameGroup (verdict, w, models, top)
   d = abs (w.phi(1 + top, 1)) * w.screen.size(top);
-  alike = confusion (w.screen.cosine(top, :), d) > 0.1 ...
-          & verdict.include > 0.02;
+  alike = confusion (w.screen.cosine(top, :), d) > 0.1 & ...
+          verdict.include > 0.02;
   alike(top) = true;
   members = find (alike);
-  holding = cellfun (@(m) ~ isempty (intersect (members, m)), w.members);
+  holding = cellfun (@(m) ~isempty (intersect (members, m)), w.members);
   together = sum (verdict.P(holding));
   [~, best] = max (verdict.P .* holding);
-  if numel (members) > 1 && together >= models.nameAt ...
-     && w.fitP(best) >= 0.05 && w.atLimit(best) <= 0.5
+  if numel (members) > 1 && together >= models.nameAt && ...
+     w.fitP(best) >= 0.05 && w.atLimit(best) <= 0.5
     verdict.kind = 'group';
     verdict.effects = members;
     verdict.reason = sprintf (['one of them with probability %.2f; their ' ...

@@ -23,8 +23,8 @@ function where = locateGap (problem, em, models, fits, options)
   white = models.white;
   used = white.columns;
   where.theta = fits.null.Q(1, :);
-  where.params = mean (problem.limits) ...
-                 + where.theta .* diff (problem.limits) / 2;
+  where.params = mean (problem.limits) + ...
+                 where.theta .* diff (problem.limits) / 2;
   where.chi2 = fits.null.chi2(1);
   settings = struct ('prior', models.prior, 'repeats', options.bootstrap, ...
                      'seed', options.seed);
@@ -93,15 +93,15 @@ function benches = benchTests (groups, own, fakes)
   least = min (ranks, [], 2);
   benches = struct ('bench', {}, 'p', {});
   for b = 1:numel (groups)
-    single = (1 + sum (fakes(:, b) >= own(b))) / (B + 1);
-    p = (1 + sum (least <= single)) / (B + 1);
+    alone = (1 + sum (fakes(:, b) >= own(b))) / (B + 1);
+    p = (1 + sum (least <= alone)) / (B + 1);
     benches(b) = struct ('bench', groups(b), 'p', min (p, 1));
   end
 end
 
 function held = heldOut (problem, em, models)
   held = struct ('z', [], 'mean', [], 'sd', []);
-  if ~ isempty (problem.heldOut)
+  if ~isempty (problem.heldOut)
     cross = crossPredict (problem, em, models, problem.used, problem.heldOut);
     held.mean = cross.mean;
     held.sd = cross.sd;

@@ -9,7 +9,7 @@
 
 function s = logSumExp (A)
   top = max (A, [], 2);
-  top(~ isfinite (top)) = 0;
+  top(~isfinite (top)) = 0;
   s = top + log (sum (exp (A - top), 2));
 end
 

@@ -44,8 +44,8 @@ end
 function prior = parameterPrior (problem)
   half = diff (problem.limits) / 2;
   prior.mean = (problem.paramMean - mean (problem.limits)) ./ half;
-  prior.precision = (half ./ problem.paramSd) .^ 2;
-  without = ~ isfinite (prior.mean) | ~ isfinite (prior.precision);
+  prior.precision = (half ./ problem.paramSd).^2;
+  without = ~isfinite (prior.mean) | ~isfinite (prior.precision);
   prior.mean(without) = 0;
   prior.precision(without) = 0;
   prior.widen = 1;

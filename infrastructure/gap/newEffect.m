@@ -24,7 +24,7 @@
 % See also: effectStrength, effectValues
 
 function effect = newEffect (given, T)
-  if ~ isfield (given, 'name')
+  if ~isfield (given, 'name')
     error ('DEcalioc:newEffect:missingField', ...
            'newEffect: an effect must have the field name.');
   end
@@ -35,13 +35,13 @@ function effect = newEffect (given, T)
                    'matrix', zeros (T), 'range', [], 'scale', 0.5);
   fields = fieldnames (effect);
   for k = 1:numel (fields)
-    if isfield (given, fields{k}) && ~ isempty (given.(fields{k}))
+    if isfield (given, fields{k}) && ~isempty (given.(fields{k}))
       effect.(fields{k}) = given.(fields{k});
     end
   end
   v = numel (effect.variables);
-  if ~ effect.laboratory && (v == 0 || numel (effect.neutral) ~= v ...
-                             || ~ isequal (size (effect.limits), [2, v]))
+  if ~effect.laboratory && (v == 0 || numel (effect.neutral) ~= v || ...
+                            ~isequal (size (effect.limits), [2, v]))
     error ('DEcalioc:newEffect:badShape', ...
            ['newEffect: effect %s must have neutral 1 x %d and limits 2 x ' ...
             '%d for its %d variables.'], effect.name, v, v, v);
@@ -53,9 +53,9 @@ end
 
 function range = rangeOf (effect)
   range = [0, 1];
-  inside = effect.limits(1, :) < effect.neutral ...
-           & effect.neutral < effect.limits(2, :);
-  if effect.laboratory || (~ isempty (inside) && all (inside))
+  inside = effect.limits(1, :) < effect.neutral & ...
+           effect.neutral < effect.limits(2, :);
+  if effect.laboratory || (~isempty (inside) && all (inside))
     range = [-1, 1];
   end
 end

@@ -29,7 +29,7 @@
 function problem = newGapProblem (given)
   needed = {'y', 'sd', 'limits', 'bench'};
   for k = 1:numel (needed)
-    if ~ isfield (given, needed{k})
+    if ~isfield (given, needed{k})
       error ('DEcalioc:newGapProblem:missingField', ...
              'newGapProblem: GIVEN must have the field %s.', needed{k});
     end
@@ -39,13 +39,13 @@ function problem = newGapProblem (given)
   problem = withDefaults (given, T, p);
   problem.effects = arrayfun (@(e) newEffect (e, T), problem.effects(:)');
   checkShapes (problem, T, p);
-  problem.used = find (isfinite (problem.y) & ~ problem.held);
+  problem.used = find (isfinite (problem.y) & ~problem.held);
   problem.heldOut = find (isfinite (problem.y) & problem.held);
-  problem.possible = find (~ isfinite (problem.y));
+  problem.possible = find (~isfinite (problem.y));
   if isempty (problem.used)
     error ('DEcalioc:newGapProblem:badValue', ...
-           ['newGapProblem: Y must hold at least one measured value that is ' ...
-            'not held out, got none.']);
+           ['newGapProblem: Y must hold at least one measured value that ' ...
+            'is not held out, got none.']);
   end
 end
 
@@ -64,7 +64,7 @@ function problem = withDefaults (given, T, p)
   fields = fieldnames (given);
   for k = 1:numel (fields)
     value = given.(fields{k});
-    if isvector (value) && ~ isstruct (value)
+    if isvector (value) && ~isstruct (value)
       value = reshape (value, 1, []);
     end
     problem.(fields{k}) = value;
@@ -83,15 +83,15 @@ function checkShapes (problem, T, p)
              wide{k}, T, numel (problem.(wide{k})));
     end
   end
-  if numel (problem.names) ~= p || ~ all (diff (problem.limits) > 0)
+  if numel (problem.names) ~= p || ~all (diff (problem.limits) > 0)
     error ('DEcalioc:newGapProblem:badValue', ...
-           ['newGapProblem: LIMITS must be 2 x %d with the lower limit first ' ...
-            'in every column.'], numel (problem.names));
+           ['newGapProblem: LIMITS must be 2 x %d with the lower limit ' ...
+            'first in every column.'], numel (problem.names));
   end
-  if ~ all (problem.sd(isfinite (problem.y)) >= 0)
+  if ~all (problem.sd(isfinite (problem.y)) >= 0)
     error ('DEcalioc:newGapProblem:badValue', ...
-           ['newGapProblem: SD must be >= 0 for every measured target. Give ' ...
-            'the standard uncertainty of each measurement.']);
+           ['newGapProblem: SD must be >= 0 for every measured target. ' ...
+            'Give the standard uncertainty of each measurement.']);
   end
 end
 

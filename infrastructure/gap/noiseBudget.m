@@ -18,9 +18,9 @@
 
 function budget = noiseBudget (problem, em)
   sd = problem.sd;
-  sd(~ isfinite (sd)) = 0;
-  measured = diag (max (sd, 1e-4 * em.range) .^ 2);
-  if ~ isempty (problem.covariance)
+  sd(~isfinite (sd)) = 0;
+  measured = diag (max (sd, 1e-4 * em.range).^2);
+  if ~isempty (problem.covariance)
     measured = problem.covariance;
   end
   trial = sqrt (em.seedVar / problem.trials);

@@ -1,4 +1,4 @@
-% PARITYPROJECTION  Splits a residual into what parameters can make and the rest.
+% PARITYPROJECTION  Splits a residual into what parameters make and the rest.
 %
 % CALL: PARITY = parityProjection (J, R)
 %
@@ -22,9 +22,9 @@ function parity = parityProjection (J, R)
   rank_ = sum (s > 1e-8 * max ([s; eps]));
   parity.N = U(:, rank_ + 1:end);
   parity.rho = parity.N' * R;
-  parity.unabsorbed = sum (parity.rho .^ 2);
-  parity.absorbed = sum (R .^ 2) - parity.unabsorbed;
-  parity.absorbability = sum (U(:, 1:rank_) .^ 2, 2);
+  parity.unabsorbed = sum (parity.rho.^2);
+  parity.absorbed = sum (R.^2) - parity.unabsorbed;
+  parity.absorbability = sum (U(:, 1:rank_).^2, 2);
 end
 
 %!test

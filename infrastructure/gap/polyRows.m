@@ -13,7 +13,7 @@ function B = polyRows (powers, Q)
   for j = 1:columns (powers)
     top = max (powers(:, j));
     if top > 0
-      table = Q(:, j) .^ (0:top);
+      table = Q(:, j).^(0:top);
       B = B .* table(:, powers(:, j) + 1);
     end
   end

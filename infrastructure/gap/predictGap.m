@@ -33,8 +33,8 @@ function [M, V, J] = predictGap (white, h, Q)
     e = white.effect(h(i));
     q = [theta, Q(:, p + i)];
     M = M + polyRows (e.powers, q) * e.coef;
-    if nargout > 1 && ~ e.laboratory
-      V = V + q(:, end) .^ 2 .* exp (polyRows (e.varPowers, q) * e.varCoef);
+    if nargout > 1 && ~e.laboratory
+      V = V + q(:, end).^2 .* exp (polyRows (e.varPowers, q) * e.varCoef);
     end
     if nargout > 2
       for j = 1:p

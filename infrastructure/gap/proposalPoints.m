@@ -28,9 +28,9 @@ function points = proposalPoints (modes, box, base)
   parts(:, 1) = log (0.1) - sum (log (box.hi - box.lo));
   c = gammaln ((5 + d) / 2) - gammaln (2.5) - d / 2 * log (5 * pi);
   for m = 1:count
-    distance = sum (((points.Q - modes(m).Q) * L{m}) .^ 2, 2);
-    parts(:, m + 1) = log (0.9 / count) + c + sum (log (diag (L{m}))) ...
-                      - (5 + d) / 2 * log1p (distance / 5);
+    distance = sum (((points.Q - modes(m).Q) * L{m}).^2, 2);
+    parts(:, m + 1) = log (0.9 / count) + c + sum (log (diag (L{m}))) - ...
+                      (5 + d) / 2 * log1p (distance / 5);
   end
   points.logP = logSumExp (parts);
 end

@@ -16,7 +16,7 @@
 %                   alarms: ||u (phi)|| = 2.49; Inf: cannot be seen
 %     strength      1 x K, first estimate of phi;  gain 1 x K, drop of chi2
 %     cosine        K x K, isolability: cosines of the signatures
-%     directions    n x m, unit vectors of all signatures (gateTest), sided 1 x m
+%     directions    n x m, unit vectors of all signatures; sided 1 x m
 %
 % See also: parityProjection, gateTest, confusion
 
@@ -40,7 +40,7 @@ function screen = screenEffects (white, theta, z)
   for k = 1:K
     screen = oneEffect (screen, white, k, theta, sd);
   end
-  norms = max (sqrt (sum (screen.U .^ 2, 1)), eps);
+  norms = max (sqrt (sum (screen.U.^2, 1)), eps);
   screen.cosine = (screen.U' * screen.U) ./ (norms' * norms);
 end
 
@@ -51,32 +51,32 @@ function screen = oneEffect (screen, white, k, theta, sd)
   Q = [repmat(theta, 10, 1), phi];
   S = (predictGap (white, k, Q) - predictGap (white, [], theta)) ./ sd';
   extra = zeros (10, 1);
-  if ~ e.laboratory
+  if ~e.laboratory
     V = exp (polyRows (e.varPowers, Q) * e.varCoef);
-    extra = phi .^ 2 .* sum (V ./ sd' .^ 2, 2);
+    extra = phi.^2 .* sum (V ./ sd'.^2, 2);
   end
   N = screen.parity.N;
   U = S * N;
   kept = columns (N) / max (rows (N), 1);
-  energy = max (sum (U .^ 2, 2) - kept * extra, 0);
+  energy = max (sum (U.^2, 2) - kept * extra, 0);
   screen.U(:, k) = U(end, :)';
   screen.size(k) = sqrt (energy(end));
-  whole = sum (S(end, :) .^ 2);
-  screen.absorbedShare(k) = 1 - sum (U(end, :) .^ 2) / max (whole, eps);
+  whole = sum (S(end, :).^2);
+  screen.absorbedShare(k) = 1 - sum (U(end, :).^2) / max (whole, eps);
   seen = find (sqrt (energy) >= 2.49, 1);
   screen.smallest(k) = Inf;
-  if ~ isempty (seen)
+  if ~isempty (seen)
     screen.smallest(k) = phi(seen);
   end
   both = e.range(1) < 0;
-  units = U([5, 10], :)' ./ max (sqrt (sum (U([5, 10], :) .^ 2, 2)), eps)';
+  units = U([5, 10], :)' ./ max (sqrt (sum (U([5, 10], :).^2, 2)), eps)';
   screen.directions = [screen.directions, units];
-  screen.sided = [screen.sided, ~ [both, both]];
+  screen.sided = [screen.sided, ~[both, both]];
   along = units' * screen.parity.rho;
-  if ~ both
+  if ~both
     along = max (along, 0);
   end
-  [screen.gain(k), which] = max (along .^ 2);
+  [screen.gain(k), which] = max (along.^2);
   length_ = norm (U(5 * which, :));
   screen.strength(k) = along(which) * phi(5 * which) / max (length_, eps);
 end

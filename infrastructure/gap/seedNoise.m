@@ -21,7 +21,7 @@ function [variance, df, residual] = seedNoise (inputs, Z)
       ok = in(isfinite (Z(in, t)));
       if numel (ok) > 1
         residual(ok, t) = Z(ok, t) - mean (Z(ok, t));
-        total(t) = total(t) + sum (residual(ok, t) .^ 2);
+        total(t) = total(t) + sum (residual(ok, t).^2);
         df(t) = df(t) + numel (ok) - 1;
       end
     end

@@ -1,4 +1,4 @@
-% SIDESIGNALS  Looks for what else a misfit may mean: limits, beliefs, surrogate.
+% SIDESIGNALS  Looks for what else a misfit may mean: limits, surrogates.
 %
 % CALL: SIDE = sideSignals (PROBLEM, EM, THETA)
 %
@@ -12,9 +12,9 @@
 %     poor           1 x T logical, leave-one-out errors larger than claimed:
 %                    mean square above 2 or one beyond 5
 %     poorEffects    cellstr, effects whose runs contradict their surrogate
-%     blameSurrogate logical, with reason (text): more than half of the variance
-%                    of the used targets is the surrogate's, or more than a fifth
-%                    of them are poor
+%     blameSurrogate logical, with reason (text): more than half of the
+%                    variance of the used targets is the surrogate's, or more
+%                    than a fifth of them are poor
 %
 % See also: locateGap, judgeCase
 
@@ -40,7 +40,7 @@ function side = sideSignals (problem, em, theta)
     side.reason = sprintf (['the surrogates of %.0f %% of the targets ' ...
                             'contradict their own runs'], 100 * poor);
   end
-  side.blameSurrogate = ~ isempty (side.reason);
+  side.blameSurrogate = ~isempty (side.reason);
 end
 
 function names = poorEffects (em)
@@ -60,7 +60,8 @@ end
 %! given.paramMean = [0.5, NaN, NaN, NaN];
 %! given.paramSd = [0.1, NaN, NaN, NaN];
 %! problem = newGapProblem (given);
-%! em = fitEmulator (problem, lab.plan (40, 2), gapOptions (struct ('trend', 'affine')));
+%! em = fitEmulator (problem, lab.plan (40, 2), ...
+%!                    gapOptions (struct ('trend', 'affine')));
 %! side = sideSignals (problem, em, [1, 0, 0, 0]);
 %! assert (side.atLimit, {'friction'});
 %! assert (side.priorConflict(1), 5, 1e-9);

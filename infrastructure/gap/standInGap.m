@@ -5,7 +5,7 @@
 %   CURVATURE  scalar, 0 = all responses linear, 0.3 = mildly nonlinear (0.3)
 %   LAB        struct
 %     problem  as newGapProblem wants it, y still NaN; 24 targets on 4 benches,
-%              4 parameters, 8 effects that DEM would run and 2 of the laboratory
+%              4 parameters, 8 effects that DEM would run, 2 of the laboratory
 %     means    handle, Z = means (THETA, PHI): n x 24 results without noise;
 %              THETA n x 4 in [0, 1], PHI n x 10 strengths
 %     seedSd   1 x 24, scatter of one run
@@ -58,10 +58,10 @@ end
 function Z = results (law, theta, phi)
   x = 2 * theta - 1;
   pairs = nchoosek (1:4, 2);
-  Z = law.middle + x * law.slope + (x .^ 2 - 1 / 3) * law.bend ...
-      + (x(:, pairs(:, 1)) .* x(:, pairs(:, 2))) * law.cross;
+  Z = law.middle + x * law.slope + (x.^2 - 1 / 3) * law.bend + ...
+      (x(:, pairs(:, 1)) .* x(:, pairs(:, 2))) * law.cross;
   for k = 1:8
-    f = phi(:, k) + law.dead(k) * (phi(:, k) .^ 2 - phi(:, k));
+    f = phi(:, k) + law.dead(k) * (phi(:, k).^2 - phi(:, k));
     tilt = x * squeeze (law.mixed(k, :, :));
     Z = Z + f .* (law.effect(k, :) + tilt);
   end

@@ -18,7 +18,7 @@
 function kinds = unlistedKinds (problem, em, budget, white)
   targets = white.columns;
   benches = unique (problem.bench(targets));
-  R = diag (em.range(targets) .^ 2);
+  R = diag (em.range(targets).^2);
   make = @(C, name, weight) ...
     oneKind (em, white, budget.covariance, C, struct ('name', name, ...
                                                       'weight', weight));
@@ -30,7 +30,7 @@ function kinds = unlistedKinds (problem, em, budget, white)
   end
   S = signatures (em, targets);
   if rows (S) > 0
-    C = 0.7 * (S' * S) / rows (S) + 0.3 * diag (mean (S .^ 2, 1));
+    C = 0.7 * (S' * S) / rows (S) + 0.3 * diag (mean (S.^2, 1));
     kinds(end + 1) = make (C, 'effect', 0.5);
     kinds(end).tau = [0.25, 0.5, 1, 2];
     kinds(end).white.extra = kinds(end).shape / 4;
@@ -47,7 +47,7 @@ function kind = oneKind (em, white, noise, C, kind)
   kind.white = whitenEmulator (em, white.columns, noise, U');
   kind.shape = max (diag (L)', 0);
   kind.tau = [0.02, 0.04, 0.08, 0.16, 0.3];
-  kind.white.extra = kind.shape * 0.08 ^ 2;
+  kind.white.extra = kind.shape * 0.08^2;
 end
 
 function S = signatures (em, targets)

@@ -62,7 +62,7 @@ end
 function h = oneHypothesis (models, members, z, modes, kind)
   box = hypothesisBox (models.white, members, models.prior);
   d = numel (box.lo);
-  flat = diag (3 * (box.precision == 0) ./ ((box.hi - box.lo) / 2) .^ 2);
+  flat = diag (3 * (box.precision == 0) ./ ((box.hi - box.lo) / 2).^2);
   free = trace (modes(1).A \ (modes(1).A - diag (box.precision)));
   for m = 1:numel (modes)
     modes(m).A = modes(m).A + flat;
@@ -73,12 +73,12 @@ function h = oneHypothesis (models, members, z, modes, kind)
               'atLimit', 0);
   h.fitP = chiSquareTail (modes(1).chi2, max (numel (z) - free, 0.5));
   h.posterior = struct ('Q', r.Q, 'weight', r.weight);
-  if ~ isempty (members)
+  if ~isempty (members)
     at = models.white.p + 1;
     h.phi = weightedQuantile (r.Q(:, at), r.weight, [0.5, 0.05, 0.95]);
     margin = 0.02 * (box.hi(at) - box.lo(at));
-    ends = r.Q(:, at) > box.hi(at) - margin ...
-           | (box.lo(at) < 0 & r.Q(:, at) < box.lo(at) + margin);
+    ends = r.Q(:, at) > box.hi(at) - margin | ...
+           (box.lo(at) < 0 & r.Q(:, at) < box.lo(at) + margin);
     h.atLimit = sum (r.weight(ends));
   end
 end

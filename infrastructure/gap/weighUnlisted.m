@@ -40,15 +40,15 @@ function [logE, ess] = overSizes (kind, z, mode, box, base)
   points = proposalPoints (mode, box, few);
   white = rmfield (kind.white, 'extra');
   [M, V] = predictGap (white, [], points.Q);
-  R = (z - M) .^ 2;
+  R = (z - M).^2;
   logW = zeros (rows (R), numel (kind.tau));
   for s = 1:numel (kind.tau)
-    total = V + kind.tau(s) ^ 2 * kind.shape;
+    total = V + kind.tau(s)^2 * kind.shape;
     logW(:, s) = -0.5 * sum (R ./ total + log (2 * pi * total), 2);
   end
-  logW = logSumExp (logW) - log (numel (kind.tau)) + sum (box.logConstant) ...
-         - 0.5 * sum (box.precision .* (points.Q - box.mean) .^ 2, 2) ...
-         - points.logP;
+  logW = logSumExp (logW) - log (numel (kind.tau)) + sum (box.logConstant) - ...
+         0.5 * sum (box.precision .* (points.Q - box.mean).^2, 2) - ...
+         points.logP;
   total = logSumExp (logW');
   logE = total - log (n);
   ess = 1 / sum (exp (2 * (logW - total)));

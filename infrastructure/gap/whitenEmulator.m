@@ -22,7 +22,7 @@ function white = whitenEmulator (em, targets, noise, rotation)
   fixed = noise(targets, targets) + diag (em.fitVar(targets));
   D = sqrt (em.surrogateVar(:, targets));
   C = em.correlation(targets, targets);
-  meanD = sqrt (mean (D .^ 2, 1));
+  meanD = sqrt (mean (D.^2, 1));
   W = inv (chol (fixed + (meanD' * meanD) .* C, 'lower'));
   if nargin > 3
     W = rotation * W;
@@ -42,6 +42,6 @@ end
 
 function e = oneEffect (e, targets, W)
   e.coef = e.coef(:, targets) * W';
-  V = e.varOverPhi2(:, targets) * (W .^ 2)';
+  V = e.varOverPhi2(:, targets) * (W.^2)';
   e.varCoef = polyRows (e.varPowers, e.points) \ log (max (V, 1e-12));
 end

@@ -1,0 +1,114 @@
+% EXPORTRUNS  Writes finished runs as a table runs.csv for other programs.
+%
+% CALL: N = exportRuns (FILE, CASE, DATA)
+%
+%   FILE   path of the table; replaced at once when it is complete
+%   CASE   struct with names, effectVars, targets, models, options.seed
+%   DATA   struct X (n x d), E (n x v), Z (n x T), replicate (n x 1)
+%   N      scalar, rows written: one for each model and row of DATA that has a
+%          result; numbers have 17 digits, so that reading gives the same bits
+%
+% Columns: model, seed, design variables, effect variables, targets. importRuns
+% reads the file back.
+%
+% Errors: DEcalioc:exportRuns:runFailed
+%
+% See also: importRuns, runSeed
+
+function n = exportRuns (file, Case, data)
+  text = lineOf ([{'model', 'seed'}, Case.names, Case.effectVars, ...
+                  {Case.targets.name}]);
+  lines = {text};
+  for i = 1:rows (data.X)
+    seed = runSeed (data.X(i, :), data.replicate(i), Case.options.seed);
+    for k = 1:numel (Case.models)
+      z = data.Z(i, :);
+      z([Case.targets.model] ~= k) = NaN;
+      if any (isfinite (z))
+        fields = [{Case.models(k).name}, numberTexts([seed, data.X(i, :), ...
+                                                      data.E(i, :), z])];
+        lines{end + 1} = lineOf (fields);
+      end
+    end
+  end
+  n = numel (lines) - 1;
+  part = [file, '.part'];
+  [id, message] = fopen (part, 'w');
+  if id < 0
+    error ('DEcalioc:exportRuns:runFailed', ...
+           'exportRuns: FILE must be writable, got %s: %s.', file, message);
+  end
+  fprintf (id, '%s\n', lines{:});
+  fclose (id);
+  [err, message] = rename (part, file);
+  if err
+    error ('DEcalioc:exportRuns:runFailed', ...
+           'exportRuns: %s cannot be put in its place: %s.', file, message);
+  end
+end
+
+function texts = numberTexts (values)
+  texts = arrayfun (@(v) sprintf ('%.17g', v), values, ...
+                    'UniformOutput', false);
+  texts(isnan (values)) = {''};
+end
+
+function line = lineOf (fields)
+  special = cellfun (@(f) any (ismember (f, [',;"', "\n"])), fields);
+  fields(special) = cellfun (@(f) ['"', strrep(f, '"', '""'), '"'], ...
+                             fields(special), 'UniformOutput', false);
+  line = strjoin (fields, ',');
+end
+
+%!function Case = small ()
+%!  Case.names = {'mu', 'rho'};
+%!  Case.effectVars = {'coh'};
+%!  Case.effects = struct ('name', 'c', 'neutral', 0);
+%!  Case.models = struct ('name', {'Drum', 'Heap'});
+%!  Case.targets = struct ('name', {'slope', 'area', 'angle'}, ...
+%!                         'model', {1, 1, 2});
+%!  Case.options.seed = 1;
+%!endfunction
+%!function file = written (text)
+%!  file = tempname ();
+%!  id = fopen (file, 'w');
+%!  fwrite (id, text);
+%!  fclose (id);
+%!endfunction
+%!test
+%! % there and back: same bits, replicates and holes kept
+%! data.X = [0.1, 700; 0.1, 700; 1 / 3, pi];
+%! data.E = [0; 0; 1e4];
+%! data.Z = [1, 2, 3; 1.5, NaN, NaN; 4, 5, 6 + eps(6)];
+%! data.replicate = [1; 2; 1];
+%! file = tempname ();
+%! assert (exportRuns (file, small (), data), 5);
+%! back = importRuns (file, small ());
+%! delete (file);
+%! assert (back.X, data.X);
+%! assert (back.E, data.E);
+%! assert (isequaln (back.Z, data.Z));
+%! assert (back.replicate, data.replicate);
+%!test
+%! % other order, no effects, a comment column, an exact repeat
+%! file = written (["note,angle,mu,rho,slope,area,model,seed\n", ...
+%!                  "x,30,1,2,,,Heap,7\n", "x,30,1,2,,,Heap,7\n", ...
+%!                  ",31,1,2,,,Heap,8\n", "y,,1,2,5,6,Drum,9\n"]);
+%! [data, ignored] = importRuns (file, small ());
+%! delete (file);
+%! assert (ignored, {'note'});
+%! assert (data.X, [1, 2; 1, 2]);
+%! assert (data.E, [0; 0]);
+%! assert (isequaln (data.Z, [5, 6, 30; NaN, NaN, 31]));
+%!error id=DEcalioc:importRuns:missingField
+%! importRuns (written ("model,mu,slope,area,angle\n"), small ());
+%!error id=DEcalioc:importRuns:unknownName
+%! importRuns (written ("model,mu,rho,slope,area,angle\nX,1,2,,,3\n"), ...
+%!             small ());
+%!error id=DEcalioc:importRuns:badValue
+%! importRuns (written ("model,mu,rho,slope,area,angle\nHeap,a,2,,,3\n"), ...
+%!             small ());
+%!error id=DEcalioc:exportRuns:runFailed
+%! data = struct ('X', zeros (0, 2), 'E', zeros (0, 1), 'Z', zeros (0, 3));
+%! data.replicate = zeros (0, 1);
+%! exportRuns ('/no/such/folder/runs.csv', small (), data);
