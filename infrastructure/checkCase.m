@@ -1,7 +1,7 @@
 % CHECKCASE  Finds all problems of a user's input before anything is run.
 %
 % CALL: PROBLEMS = checkCase (RAW)
-%       PROBLEMS = checkCase (RAW, 'noDryRun')
+%       PROBLEMS = checkCase (RAW, 'noPrograms')
 %
 %   RAW       what the user gave: a struct with the fields Input, optim,
 %             modelVars, assign, paramLims (as loadInput returns them), effects
@@ -12,8 +12,10 @@
 %             is good
 %
 % Never throws, starts no DEM run, makes no folder of the case, evaluates no
-% text of the user. With 'noDryRun' getResults is not called and the number of
-% its results not known. docs/inputs.md has a table of the identifiers.
+% text of the user. With 'noPrograms' no other program is started either: the
+% results of getResults are not counted, bash does not read the runscript, and
+% the place for the runs is not looked at. docs/inputs.md has a table of the
+% identifiers.
 %
 % See also: newCase, checkProblem
 
@@ -25,6 +27,9 @@ function problems = checkCase (raw, mode)
   if ~isempty (raw)
     problems = [problems, attempt(@() checkAlone (raw)), ...
                 attempt(@() checkTogether (raw, mode))];
+  end
+  if isempty (problems)
+    problems = checkProblem ();
   end
 end
 
@@ -110,8 +115,9 @@ function p = checkTogether (raw, mode)
   if isstruct (raw.Input) && ischar (raw.folder) && ischar (raw.root)
     models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
     if needsModels (raw)
-      onCluster = isequal (fieldOr (raw.Input, 'executor', ''), 'slurm');
-      p = checkModels (models, raw.folder, raw.root, onCluster);
+      how = struct ('programs', strcmp (mode, 'full'), 'onCluster', ...
+                    isequal (fieldOr (raw.Input, 'executor', ''), 'slurm'));
+      p = checkModels (models, raw.folder, raw.root, how);
     end
   end
   [names, fields, kinds] = variablesOf (raw);
@@ -124,7 +130,9 @@ function p = checkTogether (raw, mode)
       p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign(:)', models)];
     end
   end
-  p = [p, checkPlace(raw, models)];
+  if strcmp (mode, 'full')
+    p = [p, checkPlace(raw, models)];
+  end
 end
 
 function value = fieldOr (s, name, default)
@@ -136,8 +144,8 @@ end
 
 % With a table of finished runs and no new ones the models need not be there.
 function yes = needsModels (raw)
-  yes = ~(isequal (fieldOr (raw.Input, 'maxNewRuns', Inf), 0) ...
-          && isfile (fullfile (raw.folder, 'runs.csv')));
+  yes = ~(isequal (fieldOr (raw.Input, 'maxNewRuns', Inf), 0) && ...
+          isfile (fullfile (raw.folder, 'runs.csv')));
 end
 
 function [names, fields, kinds] = variablesOf (raw)
@@ -163,9 +171,9 @@ function [names, fields, kinds] = variablesOf (raw)
       kinds = [kinds, repmat({'effect'}, 1, numel (own))];
     end
   end
-  good = cellfun (@(n) checkIs ('name', n), names) ...
-         & ~ismember (cellfun (@checkShow, names, 'UniformOutput', false), ...
-                      {'''RLTS''', '''SIMTS''', '''runSeed'''});
+  good = cellfun (@(n) checkIs ('name', n), names) & ...
+         ~ismember (cellfun (@checkShow, names, 'UniformOutput', false), ...
+                    {'''RLTS''', '''SIMTS''', '''runSeed'''});
   names = names(good);
   fields = fields(good);
   kinds = kinds(good);

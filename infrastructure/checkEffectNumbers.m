@@ -22,8 +22,8 @@ function p = checkNeutral (effect, field, v)
   cure = 'Set the values that switch the effect off.';
   if ~isfield (effect, 'neutral')
     p = checkProblem ('missingField', field, expected, 'nothing', cure);
-  elseif ~checkIs ('vector', effect.neutral) ...
-      || numel (effect.neutral) ~= v || ~all (isfinite (effect.neutral))
+  elseif ~checkIs ('vector', effect.neutral) || ...
+      numel (effect.neutral) ~= v || ~all (isfinite (effect.neutral))
     p = checkProblem ('neutralShape', field, expected, ...
                       checkShow (effect.neutral), cure);
   end
@@ -40,8 +40,8 @@ function p = checkBounds (effect, field, v)
     return
   end
   limits = effect.limits;
-  if ~isnumeric (limits) || ~isreal (limits) || issparse (limits) ...
-      || ~isequal (size (limits), [2, v]) || ~all (isfinite (limits(:)))
+  if ~isnumeric (limits) || ~isreal (limits) || issparse (limits) || ...
+      ~isequal (size (limits), [2, v]) || ~all (isfinite (limits(:)))
     p = checkProblem ('effectLimitsShape', field, expected, ...
                       checkShow (limits), cure);
   elseif all (limits(1, :) == limits(2, :))

@@ -22,8 +22,8 @@ function [values, fields, sizes] = checkElements (value, prefix)
     sizes = numel (value);
     return
   end
-  if ~iscell (value) || ~isvector (value) ...
-      || ~all (cellfun (@isPart, value(:)'))
+  if ~iscell (value) || ~isvector (value) || ...
+      ~all (cellfun (@isPart, value(:)'))
     return
   end
   for k = 1:numel (value)

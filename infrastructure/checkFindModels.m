@@ -5,7 +5,7 @@
 %   INPUT   scalar struct, the Input of loadInput
 %   FOLDER  case folder (text)
 %   ROOT    folder of the toolbox (text)
-%   MODE    'full', or 'noDryRun': getResults is not called
+%   MODE    'full', or 'noPrograms': getResults is not called
 %   MODELS  1 x M struct array: name; folder ('' where there is none, or the
 %           name is not usable); head (see checkHead); cpu (NaN where not
 %           usable); count (number of results, NaN where not known); message
@@ -28,8 +28,8 @@ function models = checkFindModels (Input, folder, root, mode)
           checkDryRun (models(k).folder, names{k});
       end
     end
-    if isfield (Input, 'cpu') && checkIs ('vector', Input.cpu) ...
-        && numel (Input.cpu) >= k
+    if isfield (Input, 'cpu') && checkIs ('vector', Input.cpu) && ...
+        numel (Input.cpu) >= k
       models(k).cpu = double (Input.cpu(k));
     end
   end

@@ -11,8 +11,8 @@
 
 function yes = checkFolderName (name)
   plain = ['A':'Z', 'a':'z', '0':'9', '_-+.'];
-  yes = numel (name) <= 100 && all (ismember (name, plain) | name > 127) ...
-        && ~any (name(1) == '.-') && isempty (strfind (name, '..'));
+  yes = numel (name) <= 100 && all (ismember (name, plain) | name > 127) && ...
+        ~any (name(1) == '.-') && isempty (strfind (name, '..'));
 end
 
 %!assert (checkFolderName ('Lift100'))

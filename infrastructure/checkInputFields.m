@@ -85,8 +85,8 @@ function p = checkCpu (Input)
     return
   end
   cpu = Input.cpu;
-  if ~checkIs ('vector', cpu) || ~all (cpu >= 1 & cpu <= 1e6) ...
-      || ~all (cpu == fix (cpu))
+  if ~checkIs ('vector', cpu) || ~all (cpu >= 1 & cpu <= 1e6) || ...
+      ~all (cpu == fix (cpu))
     p = checkProblem ('badCpu', 'Input.cpu', 'integers from 1', ...
                       checkShow (cpu), cure);
     return
@@ -102,8 +102,8 @@ end
 
 function p = checkEnough (Input, cpu)
   p = checkProblem ();
-  if ~isfield (Input, 'maxCPU') || ~checkIs ('integer', Input.maxCPU) ...
-      || Input.maxCPU < 1
+  if ~isfield (Input, 'maxCPU') || ~checkIs ('integer', Input.maxCPU) || ...
+      Input.maxCPU < 1
     return
   end
   [most, k] = max (double (cpu));
@@ -173,8 +173,8 @@ end
 
 function p = checkStoreName (Input)
   p = checkProblem ();
-  if isfield (Input, 'store') && ~checkIs ('nothing', Input.store) ...
-      && ~(checkIs ('text', Input.store) && numel (Input.store) < 1024)
+  if isfield (Input, 'store') && ~checkIs ('nothing', Input.store) && ...
+      ~(checkIs ('text', Input.store) && numel (Input.store) < 1024)
     p = checkProblem ('badStore', 'Input.store', 'the path of a folder', ...
                       checkShow (Input.store), ...
                       'Leave it out to keep the runs in the case folder.');

@@ -45,19 +45,19 @@ function yes = isNumeric (value)
 end
 
 function yes = isText (value)
-  yes = ischar (value) && isrow (value) && ~isempty (value) ...
-        && all (value >= 32 & value ~= 127);
+  yes = ischar (value) && isrow (value) && ~isempty (value) && ...
+        all (value >= 32 & value ~= 127);
 end
 
 function yes = isName (text)
   allowed = ['A':'Z', 'a':'z', '0':'9', '_'];
-  yes = numel (text) <= 63 && all (ismember (text, allowed)) ...
-        && ~any (text(1) == '0':'9');
+  yes = numel (text) <= 63 && all (ismember (text, allowed)) && ...
+        ~any (text(1) == '0':'9');
 end
 
 function yes = isNothing (value)
-  yes = (isnumeric (value) || ischar (value) || iscell (value)) ...
-        && isempty (value);
+  yes = (isnumeric (value) || ischar (value) || iscell (value)) && ...
+        isempty (value);
 end
 
 %!assert (checkIs ('number', 1.5))

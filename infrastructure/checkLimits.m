@@ -46,8 +46,8 @@ function p = checkLimits (paramLims, assign, numOfSam)
 end
 
 function yes = isTwoRows (value)
-  yes = isnumeric (value) && ~issparse (value) && isreal (value) ...
-        && ndims (value) == 2 && rows (value) == 2 && ~isempty (value);
+  yes = isnumeric (value) && ~issparse (value) && isreal (value) && ...
+        ndims (value) == 2 && rows (value) == 2 && ~isempty (value);
 end
 
 function p = checkColumn (limits, name, j)

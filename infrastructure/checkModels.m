@@ -1,27 +1,26 @@
 % CHECKMODELS  Checks that every model folder is there and complete.
 %
-% CALL: P = checkModels (MODELS, FOLDER, ROOT, ONCLUSTER)
+% CALL: P = checkModels (MODELS, FOLDER, ROOT, HOW)
 %
-%   MODELS     1 x M struct array, see checkFindModels
-%   FOLDER     case folder (text)
-%   ROOT       folder of the toolbox (text)
-%   ONCLUSTER  true where runs start on another machine: which programs it
-%              has is not known here
-%   P          1 x n problems, see checkProblem
+%   MODELS  1 x M struct array, see checkFindModels
+%   FOLDER  case folder (text)
+%   ROOT    folder of the toolbox (text)
+%   HOW     scalar struct, see checkRunscript
+%   P       1 x n problems, see checkProblem
 %
 % Reasons: missingModel missingHead emptyHead missingRunscript
 % missingGetResults brokenGetResults, and those of checkRunscript
 %
 % See also: checkCase, findModel
 
-function p = checkModels (models, folder, root, onCluster)
+function p = checkModels (models, folder, root, how)
   p = checkProblem ();
   for k = find (~cellfun (@isempty, {models.name}))
     if isempty (models(k).folder)
       p = [p, missing(models(k).name, k, folder, root)];
     else
       p = [p, checkHeadFile(models(k)), checkEvaluation(models(k)), ...
-           checkStart(models(k), onCluster)];
+           checkStart(models(k), how)];
     end
   end
 end
@@ -79,7 +78,7 @@ function p = checkEvaluation (model)
   end
 end
 
-function p = checkStart (model, onCluster)
+function p = checkStart (model, how)
   file = fullfile (model.folder, 'runscript');
   if ~isfile (file)
     p = checkProblem ('missingRunscript', ...
@@ -89,15 +88,15 @@ function p = checkStart (model, onCluster)
                       'Write for example: liggghts < in.Model');
     return
   end
-  p = checkRunscript (model, onCluster);
+  p = checkRunscript (model, how);
 end
 
 %!test
 %! m = struct ('name', {'Lft', ''}, 'folder', '', 'head', [], 'message', '');
-%! p = checkModels (m, '/nowhere', '/nowhere', false);
+%! p = checkModels (m, '/nowhere', '/nowhere', struct ());
 %! assert ({p.id}, {'DEcalioc:checkCase:missingModel'});
 %!test
 %! m = struct ('name', 'x', 'folder', '/nowhere', 'head', [], 'message', '');
-%! p = checkModels (m, '/nowhere', '/nowhere', false);
+%! p = checkModels (m, '/nowhere', '/nowhere', struct ());
 %! assert ({p.id}, strcat ('DEcalioc:checkCase:', ...
 %!         {'missingHead', 'missingGetResults', 'missingRunscript'}));

@@ -18,8 +18,8 @@
 
 function p = checkRayleigh (optim, modelVars, assign, models)
   p = checkProblem ();
-  if ~isfield (optim, 'WRL') || ~checkIs ('number', optim.WRL) ...
-      || optim.WRL <= 0
+  if ~isfield (optim, 'WRL') || ~checkIs ('number', optim.WRL) || ...
+      optim.WRL <= 0
     return
   end
   needed = {'radiusP', 'densityP', 'youngsModulusP', 'poissonsRatioP'};
@@ -30,7 +30,7 @@ function p = checkRayleigh (optim, modelVars, assign, models)
   for k = find (~ismember (needed, given))
     name = needed{k};
     p(end + 1) = checkProblem ('missingRayleigh', ['modelVars.', name], ...
-                               'a number, or a design variable of that name', ...
+                               'a number, or a design variable', ...
                                'neither', cure (name, models));
   end
 end
@@ -40,8 +40,8 @@ function yes = needsPercent (model)
   if ~isempty (model.head)
     names = {model.head.name};
     at = find (strcmp (names, 'SIMTS'), 1, 'last');
-    yes = ~isempty (at) && str2double (model.head(at).value) == 0 ...
-          && ~any (strcmp (names, 'percentRayleigh'));
+    yes = ~isempty (at) && str2double (model.head(at).value) == 0 && ...
+          ~any (strcmp (names, 'percentRayleigh'));
   end
 end
 

@@ -1,12 +1,12 @@
 % CHECKRUNSCRIPT  Checks that the runscript of a model can run.
 %
-% CALL: P = checkRunscript (MODEL, ONCLUSTER)
+% CALL: P = checkRunscript (MODEL, HOW)
 %
-%   MODEL      scalar struct with the fields name, folder and cpu, see
-%              checkFindModels
-%   ONCLUSTER  true where runs start on another machine: programs are then
-%              not looked for
-%   P          1 x n problems, see checkProblem
+%   MODEL  scalar struct with the fields name, folder and cpu, see
+%          checkFindModels
+%   HOW    scalar struct of booleans: onCluster (runs start on another machine:
+%          programs are not looked for), programs (bash may be started)
+%   P      1 x n problems, see checkProblem
 %
 % bash reads the script (bash -n), nothing in it is run. Of the programs,
 % liggghts, mpirun and mpiexec are looked for wherever they stand, any other
@@ -17,7 +17,7 @@
 %
 % See also: checkModels
 
-function p = checkRunscript (model, onCluster)
+function p = checkRunscript (model, how)
   field = ['DEMmodels/', model.name, '/runscript'];
   file = fullfile (model.folder, 'runscript');
   text = checkReadText (file);
@@ -39,7 +39,10 @@ function p = checkRunscript (model, onCluster)
                       'Write for example: liggghts < in.Model');
     return
   end
-  [status, out] = system (['LC_ALL=C bash -n ', shellQuote(file), ' 2>&1']);
+  status = 0;
+  if how.programs
+    [status, out] = system (['LC_ALL=C bash -n ', shellQuote(file), ' 2>&1']);
+  end
   if status ~= 0
     p = checkProblem ('badRunscript', field, ...
                       'a script that bash can read', ...
@@ -48,7 +51,7 @@ function p = checkRunscript (model, onCluster)
                       'Try it with: bash -n runscript');
     return
   end
-  p = [checkPrograms(field, lines, onCluster), ...
+  p = [checkPrograms(field, lines, how.onCluster), ...
        checkInputFile(field, lines, model), checkRanks(field, lines, model)];
 end
 
@@ -64,8 +67,8 @@ function p = checkPrograms (field, lines, onCluster)
   text = strjoin (lines, "\n");
   setsPath = {'PATH=', 'module ', 'source ', '. /', 'command -v', 'which ', ...
               'type ', 'hash ', 'conda', 'spack'};
-  if onCluster ...
-      || any (cellfun (@(w) ~isempty (strfind (text, w)), setsPath))
+  if onCluster || ...
+      any (cellfun (@(w) ~isempty (strfind (text, w)), setsPath))
     return
   end
   names = unique (programs (lines));
@@ -137,7 +140,7 @@ function p = checkRanks (field, lines, model)
     if ~isempty (n) && str2double (n{1}) > model.cpu
       p = checkProblem ('rankMismatch', field, ...
                         sprintf ('at most Input.cpu = %d rank(s)', ...
-                                 model.cpu), sprintf ('mpirun with %s', n{1}), ...
+                                 model.cpu), ['mpirun with ', n{1}], ...
                         sprintf ('Set Input.cpu of this model to %s.', n{1}));
       return
     end
@@ -145,13 +148,14 @@ function p = checkRanks (field, lines, model)
 end
 
 %!function p = tryScript (code, cpu, onCluster)
+%!  how = struct ('programs', true, 'onCluster', onCluster);
 %!  folder = tempname ();
 %!  mkdir (folder);
 %!  fid = fopen (fullfile (folder, 'runscript'), 'w');
 %!  fputs (fid, code);
 %!  fclose (fid);
 %!  model = struct ('name', 'Toy', 'folder', folder, 'cpu', cpu);
-%!  p = checkRunscript (model, onCluster);
+%!  p = checkRunscript (model, how);
 %!  confirm_recursive_rmdir (false, 'local');
 %!  rmdir (folder, 's');
 %!endfunction

@@ -26,8 +26,8 @@ function text = describe (value)
     text = sprintf ('an object of class %s', class (value));
   elseif isempty (value)
     text = sprintf ('an empty %s', kindOf (value));
-  elseif (isnumeric (value) || islogical (value)) && isvector (value) ...
-      && numel (value) <= 6
+  elseif (isnumeric (value) || islogical (value)) && isvector (value) && ...
+      numel (value) <= 6
     text = numbers (value);
   else
     text = sprintf ('a %s %s', sizeOf (value), kindOf (value));

@@ -16,46 +16,40 @@
 % See also: checkCase
 
 function p = checkStore (store, folder, models, nRuns)
-  p = checkFolder (folder, ['The case folder ', folder], ...
-                   'folderNotWritable', ...
-                   'Start in a folder of your own, or correct its permissions.');
-  q = checkFolder (store, 'Input.store', 'storeNotWritable', ...
-                   'Correct its permissions, or set another Input.store.');
-  if isempty (p)
-    p = [p, q];
-  end
+  there = existing (store);
+  above = existing (folder);
+  sizes = {models(~cellfun (@isempty, {models.folder})).folder};
+  [isOpen, free, used] = ask ({above, there}, sizes);
+  p = [checkFolder(above, isOpen(1), ['The case folder ', folder], ...
+                   'folderNotWritable', 'Start in a folder of your own.'), ...
+       checkFolder(there, isOpen(2), 'Input.store', 'storeNotWritable', ...
+                   'Correct its permissions, or set another Input.store.')];
   if ~isempty (p)
+    p = p(1);
     return
   end
-  free = freeSpace (existing (store));
-  need = 20 + nRuns * sum (folderSizes (models) + 0.1);
+  need = 20 + nRuns * (used + 0.1 * numel (models));
   if free < need
     p = checkProblem ('diskSpace', 'Input.store', ...
                       sprintf ('%.0f MB of free space in %s for %d runs', ...
-                               need, existing (store), nRuns), ...
+                               need, there, nRuns), ...
                       sprintf ('%.0f MB', free), ...
                       ['Free some space, set Input.store to another disk, ' ...
                        'or lower Input.numOfSam.']);
+  else
+    p = checkProblem ();
   end
 end
 
-function p = checkFolder (folder, field, reason, cure)
+function p = checkFolder (there, isOpen, field, reason, cure)
   p = checkProblem ();
-  there = existing (folder);
   if ~isfolder (there)
     p = checkProblem ('badStore', field, 'a folder', ...
                       sprintf ('the file %s', there), cure);
-  elseif ~isWritable (there)
+  elseif ~isOpen
     p = checkProblem (reason, field, 'a folder that can be written to', ...
                       sprintf ('no permission for %s', there), cure);
   end
-end
-
-% Only trying tells: root may write anywhere but on a read-only disk.
-function yes = isWritable (folder)
-  command = ['t=$(mktemp ', shellQuote(fullfile (folder, '.decalioc.XXXXXX')), ...
-             ' 2> /dev/null) && rm -f -- "$t"'];
-  yes = system (command) == 0;
 end
 
 % The folder itself, or the nearest one above that is there.
@@ -66,25 +60,30 @@ function folder = existing (folder)
   end
 end
 
-function free = freeSpace (folder)
+% Asks the shell once: which FOLDERS can be written to (only trying tells: root
+% may write anywhere but on a read-only disk), how much is free in the last one
+% and how much the folders MODELS hold (MB).
+function [isOpen, free, used] = ask (folders, models)
+  quoted = strjoin (cellfun (@shellQuote, folders, ...
+                             'UniformOutput', false), ' ');
+  command = ['LC_ALL=C; export LC_ALL; for d in ', quoted, '; do ' ...
+             't=$(mktemp "$d/.decalioc.XXXXXX") && rm -f -- "$t" && ' ...
+             'echo open || echo shut; done; df -Pk "$d" | tail -n 1; '];
+  for k = 1:numel (models)
+    command = [command, 'du -skL --apparent-size ', ...
+               shellQuote(models{k}), '; '];
+  end
+  [~, out] = system (['{ ', command, ' } 2> /dev/null']);
+  isOpen = strcmp (regexp (out, '^(open|shut)$', 'match', ...
+                           'lineanchors'), 'open');
+  isOpen(end + 1:2) = true;
   free = Inf;
-  [status, out] = system (['LC_ALL=C df -Pk ', shellQuote(folder), ...
-                           ' 2> /dev/null']);
-  found = regexp (out, '(\d+)\s+\d+%\s+/', 'tokens');
-  if status == 0 && ~isempty (found)
-    free = str2double (found{1}{1}) / 1024;
+  found = regexp (out, '(\d+)\s+\d+%\s+/', 'tokens', 'once');
+  if ~isempty (found)
+    free = str2double (found{1}) / 1024;
   end
-end
-
-function sizes = folderSizes (models)
-  sizes = zeros (1, numel (models));
-  for k = find (~cellfun (@isempty, {models.folder}))
-    [status, out] = system (['du -skL --apparent-size ', ...
-                             shellQuote(models(k).folder), ' 2> /dev/null']);
-    if status == 0
-      sizes(k) = str2double (strtok (out)) / 1024;
-    end
-  end
+  found = regexp (out, '^(\d+)\t', 'tokens', 'lineanchors');
+  used = sum (str2double ([found{:}])) / 1024;
 end
 
 %!shared none

@@ -1,0 +1,81 @@
+% Every bad input is found before anything is run, under its own identifier.
+
+%!function removeCase (folder)
+%!  confirm_recursive_rmdir (false, 'local');
+%!  [~, ~] = rmdir (folder, 's');
+%!endfunction
+
+%!function text = faultOf (row, k)
+%!  % '' where the bad input is found as it should be, else what is wrong
+%!  folder = tempname ();
+%!  raw = spoil (goodInput (folder), row{2}, row{3});
+%!  p = checkCase (raw, modeOf (row, k));
+%!  text = '';
+%!  mention = row{4};
+%!  if isempty (mention)
+%!    mention = row{2};
+%!  end
+%!  if isempty (p)
+%!    text = 'no problem found';
+%!  elseif ! strcmp (p(1).id, ['DEcalioc:checkCase:', row{1}])
+%!    text = [p(1).id, ' first'];
+%!  elseif ! all (cellfun (@(t) any (strfind (p(1).message, t)), ...
+%!                         {mention, 'expected ', ', got ', '. '}))
+%!    text = ['message does not say enough: ', p(1).message];
+%!  elseif isfolder (fullfile (folder, 'store')) ...
+%!      || isfolder (fullfile (folder, 'optim')) ...
+%!      || isfile (fullfile (folder, 'RAN'))
+%!    text = 'something was run';
+%!  elseif mod (k, 20) == 0 || strcmp (getenv ('DECALIOC_SOAK'), '1')
+%!    text = faultOfError (raw, p);
+%!  end
+%!  removeCase (folder);
+%!endfunction
+
+%!function mode = modeOf (row, k)
+%!  % most need no other program, and are faster without
+%!  mode = 'noPrograms';
+%!  inFull = [badFiles()(:, 1); {'targetCount'}];
+%!  if any (strcmp (row{1}, inFull)) || mod (k, 10) == 0 ...
+%!      || strcmp (getenv ('DECALIOC_SOAK'), '1')
+%!    mode = 'full';
+%!  end
+%!endfunction
+
+%!function text = faultOfError (raw, p)
+%!  % newCase throws all of them under the identifier of the first
+%!  text = 'newCase does not throw';
+%!  try
+%!    newCase (raw);
+%!  catch err
+%!    text = '';
+%!    if ! strcmp (err.identifier, p(1).id)
+%!      text = ['newCase throws ', err.identifier];
+%!    elseif ! all (cellfun (@(m) any (strfind (err.message, m)), ...
+%!                           {p.message}))
+%!      text = 'newCase does not list all';
+%!    end
+%!  end
+%!endfunction
+
+%!test
+%! bad = badInputs ();
+%! faults = '';
+%! for k = 1:rows (bad)
+%!   text = faultOf (bad(k, :), k);
+%!   if ! isempty (text)
+%!     faults = [faults, sprintf("%s %s: %s\n", bad{k, [1, 2]}, text)];
+%!   end
+%! end
+%! assert (faults, '');
+
+%!test
+%! for make = {@goodInput, @goodPublished}
+%!   folder = tempname ();
+%!   raw = make{1} (folder);
+%!   p = checkCase (raw);
+%!   assert (isempty (p), strjoin ([{p.message}, {''}], "\n"));
+%!   assert (! isfile (fullfile (folder, 'RAN')));
+%!   assert (! isfolder (fullfile (folder, 'optim')));
+%!   removeCase (folder);
+%! end

@@ -1,0 +1,19 @@
+% BADINPUTS  All bad inputs of the tests, one row each.
+%
+% CALL: ROWS = badInputs ()
+%
+%   ROWS  n x 4 cell: reason (last part of the identifier that must come
+%         first), path and value (see spoil), a text that the message must
+%         name ('': the path)
+%
+% Each row spoils one thing of goodInput.
+%
+% See also: badFields, badTargets, badVariables, badEffects, badFiles
+
+function rows = badInputs ()
+  rows = [badFields(); badTargets(); badVariables(); badEffects(); ...
+          badFiles()];
+end
+
+%!assert (rows (badInputs ()) >= 150)
+%!assert (columns (badInputs ()), 4)
