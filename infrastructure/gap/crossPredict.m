@@ -16,7 +16,8 @@
 % See also: benchConflicts, locateGap
 
 function cross = crossPredict (problem, em, models, from, to)
-  noise = noiseBudget (problem, em).covariance;
+  budget = noiseBudget (problem, em);
+  noise = budget.covariance;
   white = whitenEmulator (em, from, noise);
   box = hypothesisBox (white, [], models.prior);
   starts = models.starts;

@@ -1,10 +1,12 @@
 % FITEMULATOR  Makes fast polynomials of Kriging models and candidate effects.
 %
 % CALL: EM = fitEmulator (PROBLEM, DATA, OPTIONS)
+% CALL: EM = fitEmulator (PROBLEM, DATA, OPTIONS, OLD)
 %
 %   PROBLEM  struct of newGapProblem
 %   DATA     struct X (n x p), E (n x v), Z (n x T, NaN = none), replicate
 %   OPTIONS  struct of gapOptions
+%   OLD      EM of fewer runs: its baseline is kept if no neutral run is new
 %   EM       struct
 %     p, powers (q x p), coef (q x T): mean of the null model, polynomial of the
 %       baseline Kriging in parameters scaled to [-1, 1]
@@ -24,7 +26,7 @@
 %
 % See also: fitEffect, whitenEmulator, predictGap
 
-function em = fitEmulator (problem, data, options)
+function em = fitEmulator (problem, data, options, old)
   p = columns (problem.limits);
   phi = effectStrength (problem.effects, data.E);
   theta = scaled (data.X, problem.limits);
@@ -35,7 +37,11 @@ function em = fitEmulator (problem, data, options)
             'neutral, got %d. Run or import the plan first.'], p + 3, ...
            sum (isBase));
   end
-  em = baseline (problem, data, isBase, options);
+  if nargin > 3 && old.baseRuns == sum (isBase)
+    em = old;
+  else
+    em = baseline (problem, data, isBase, options);
+  end
   [em.seedVar, em.seedDf, residual] = seedNoise ([data.X, data.E], data.Z);
   nugget = max ([em.surrogates.noiseVar], eps);
   weight = em.seedDf ./ (em.seedDf + 5);

@@ -17,7 +17,8 @@
 % P ~ prior * exp (log evidence / temperature). An effect is named only if all
 % hold: a gap (W.gate.p < level), its probability reaches nameAt and is 3 times
 % any other's, its hypothesis fits (p >= 0.05), its strength is not glued to the
-% end of its range, and nothing unlisted is known to look alike.
+% end of its range, its surrogate is not vague, and nothing unlisted is known to
+% look alike.
 %
 % See also: weighCase, calibrateVerdict
 
@@ -88,6 +89,9 @@ function verdict = nameCause (verdict, w, models)
   elseif w.atLimit(best) > 0.5
     verdict.reason = sprintf (['%s would have to be stronger than its ' ...
                                'plausible range'], models.names{top});
+  elseif w.vague(best) > 0.4
+    verdict.reason = sprintf (['%s is likely, but too few runs show what ' ...
+                               'it does'], models.names{top});
   elseif ~isempty (looksLike)
     verdict.kind = 'group';
     verdict.effects = named;
@@ -134,6 +138,7 @@ end
 %!                    'size', [10, 10, 10]);
 %! w.phi = repmat ([0.5, 0.3, 0.7], 5, 1);
 %! w.atLimit = zeros (1, 5);
+%! w.vague = zeros (1, 5);
 %!test
 %! v = judgeCase (w, models);
 %! assert (v.kind, 'named');

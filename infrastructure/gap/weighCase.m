@@ -11,7 +11,8 @@
 %     kind (1 x H cell: 'null', 'single', 'pair', 'unlisted')
 %     fitP (1 x H, fit test at the mode), error, ess (1 x H)
 %     phi (H x 3: median and 90 % interval of the first strength), atLimit (1 x
-%     H, posterior mass glued to the end of the range)
+%     H, posterior mass glued to the end of the range), vague (1 x H, part of
+%     the variance at the mode that is the surrogate of the effects)
 %     gate (struct of gateTest), screen (struct of screenEffects)
 %     posterior  1 x H cell: Q, weight (samples of each hypothesis)
 %
@@ -35,7 +36,7 @@ function w = weighCase (models, fits, i, withPairs)
 end
 
 function w = collect (w, list, models, K)
-  fields = {'logE', 'fitP', 'error', 'ess', 'atLimit'};
+  fields = {'logE', 'fitP', 'error', 'ess', 'atLimit', 'vague'};
   for f = 1:numel (fields)
     w.(fields{f}) = [list.(fields{f})];
   end
@@ -70,7 +71,7 @@ function h = oneHypothesis (models, members, z, modes, kind)
   r = integrateEvidence (models.white, members, z, modes, box, models.base);
   h = struct ('kind', kind, 'members', members, 'logE', r.logE, ...
               'error', r.error, 'ess', r.ess, 'phi', NaN (1, 3), ...
-              'atLimit', 0);
+              'atLimit', 0, 'vague', vagueShare (models, members, modes(1).Q));
   h.fitP = chiSquareTail (modes(1).chi2, max (numel (z) - free, 0.5));
   h.posterior = struct ('Q', r.Q, 'weight', r.weight);
   if ~isempty (members)
@@ -81,6 +82,13 @@ function h = oneHypothesis (models, members, z, modes, kind)
            (box.lo(at) < 0 & r.Q(:, at) < box.lo(at) + margin);
     h.atLimit = sum (r.weight(ends));
   end
+end
+
+% Part of the variance that comes from not knowing the effects well enough.
+function share = vagueShare (models, members, Q)
+  [~, V] = predictGap (models.white, members, Q);
+  [~, V0] = predictGap (models.white, [], Q(1:models.white.p));
+  share = mean ((V - V0) ./ V);
 end
 
 function list = pairsOf (models, fits, i, singles)

@@ -3,8 +3,8 @@
 % CALL: [HEADER, CELLS, LINES] = readCsvTable (FILE)
 %
 %   FILE    path of the file: UTF-8 with or without BOM, lines ended by LF,
-%           CR LF or CR, fields separated by comma (or by semicolon, with decimal
-%           commas then), quoted fields with doubled quotes inside
+%           CR LF or CR, fields separated by comma (or by semicolon, with
+%           decimal commas then), quoted fields with doubled quotes inside
 %   HEADER  1 x c cellstr, column names without outer blanks
 %   CELLS   n x c cellstr, fields without outer blanks; empty lines are left out
 %   LINES   n x 1, line number of each row in the file

@@ -1,0 +1,93 @@
+% EXPLOREEFFECTS  Runs candidate effects: a few for all, a plan for survivors.
+%
+% CALL: [STATE, EM] = exploreEffects (PROBLEM, OPTIONS, STATE, EM)
+%
+%   PROBLEM, OPTIONS  of newGapProblem, gapOptions
+%   STATE             of spendRuns
+%   EM                of fitEmulator, fitted to STATE.data
+%
+% First OPTIONS.screenRuns for every effect that has fewer; then, if there is a
+% gap at all, OPTIONS.planRuns for the OPTIONS.survivors likeliest ones, in two
+% rounds, placed by the posterior. Runs that verify the cure are set aside
+% before. Nothing is run without STATE.evaluate.
+%
+% See also: planEffectRuns, diagnoseMatrices
+
+function [state, em] = exploreEffects (problem, options, state, em)
+  if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
+    return
+  end
+  reserve = min (4 * options.verifyRuns, floor (state.left / 3));
+  state.left = state.left - reserve;
+  models = makeModels (problem, withoutEffects (em, 1:numel (em.effect)), ...
+                       options);
+  fits = fitLibrary (models, problem.y(problem.used));
+  theta = fits.null.Q(1, :);
+  wanted = zeros (1, numel (em.effect));
+  wanted(~[em.effect.laboratory]) = options.screenRuns;
+  state = runEffects (problem, state, em, theta, wanted, []);
+  em = fitEmulator (problem, state.data, options, em);
+  full = options.planRuns;
+  if isempty (full)
+    full = 6 * (em.p + 1);
+  end
+  for share = [0.5, 1]
+    [wanted, posteriors] = survivors (problem, options, em, ceil (share * full));
+    if ~any (wanted)
+      break
+    end
+    state = runEffects (problem, state, em, theta, wanted, posteriors);
+    em = fitEmulator (problem, state.data, options, em);
+  end
+  state.left = state.left + reserve;
+end
+
+function state = runEffects (problem, state, em, theta, wanted, posteriors)
+  K = numel (em.effect);
+  all = effectStrength (problem.effects, state.data.E);
+  half = diff (problem.limits) / 2;
+  X = (state.data.X - mean (problem.limits)) ./ half;
+  Theta = zeros (0, em.p);
+  Phi = zeros (0, K);
+  for k = find (wanted > 0)
+    own = abs (all(:, k)) > 1e-9 & sum (abs (all) > 1e-9, 2) == 1;
+    posterior = [];
+    if ~isempty (posteriors)
+      posterior = posteriors{k};
+    end
+    n = max (wanted(k) - sum (own), 0);
+    Q = planEffectRuns (n, [X(own, :), all(own, k)], theta, posterior, ...
+                        problem.effects(k).range);
+    Theta = [Theta; Q(:, 1:end - 1)];
+    rows_ = zeros (n, K);
+    rows_(:, k) = Q(:, end);
+    Phi = [Phi; rows_];
+  end
+  if rows (Theta) > 0
+    state = spendRuns (state, problem, Theta, Phi, ones (rows (Theta), 1));
+  end
+end
+
+function [wanted, posteriors] = survivors (problem, options, em, runs)
+  K = numel (em.effect);
+  wanted = zeros (1, K);
+  posteriors = cell (1, K);
+  usable = find ([em.effect.laboratory] | [em.effect.runs] >= 2);
+  library = em;
+  library.effect = em.effect(usable);
+  models = makeModels (problem, library, options);
+  fits = fitLibrary (models, problem.y(problem.used));
+  w = weighCase (models, fits, 1, false);
+  if w.gate.p > 2 * options.level || isempty (usable)
+    return
+  end
+  logE = w.logE(2:1 + numel (usable));
+  logE([library.effect.laboratory]) = -Inf;
+  [~, order] = sort (-logE);
+  order = order(isfinite (logE(order)));
+  for i = order(1:min (options.survivors, numel (order)))
+    k = usable(i);
+    wanted(k) = runs;
+    posteriors{k} = w.posterior{1 + i};
+  end
+end

@@ -1,0 +1,104 @@
+% NEXTTEST  Ranks further measurements by what they would tell about the cause.
+%
+% CALL: TESTS = nextTest (PROBLEM, EM, W, P)
+%
+%   PROBLEM  struct of newGapProblem
+%   EM       struct of fitEmulator, the effects as in W
+%   W        struct of weighCase (members, posterior, kind)
+%   P        1 x H, probabilities of the hypotheses
+%   TESTS    1 x m struct, best first: test (text), targets, gain (bits about
+%            which hypothesis holds), cost, gainPerCost
+%
+% Candidates: every simulated but unmeasured setting (bench and coordinate), and
+% every bench measured once more. gain = H (sum_k P_k N_k) - sum_k P_k H (N_k)
+% with N_k the posterior predictive of hypothesis k (surrogate, packing and
+% measurement in it), by 1000 draws (Lindley 1956; Box and Hill 1967).
+%
+% See also: diagnoseMatrices
+
+function tests = nextTest (problem, em, w, P)
+  tests = candidates (problem);
+  keep = find (P > 0.005 & ~strcmp (w.kind, 'unlisted'));
+  P = P(keep) / sum (P(keep));
+  budget = noiseBudget (problem, em);
+  noise = budget.covariance;
+  for i = 1:numel (tests)
+    at = tests(i).targets;
+    parts = struct ('mean', {}, 'cov', {});
+    for k = 1:numel (keep)
+      parts(k) = predictive (em, w, keep(k), at, noise);
+    end
+    tests(i).gain = information (parts, P) / log (2);
+    tests(i).gainPerCost = tests(i).gain / tests(i).cost;
+  end
+  [~, order] = sort (-[tests.gainPerCost]);
+  tests = tests(order);
+end
+
+function tests = candidates (problem)
+  tests = struct ('test', {}, 'targets', {}, 'gain', {}, 'cost', {}, ...
+                  'gainPerCost', {});
+  settings = [problem.bench(:), problem.coordinate(:)];
+  settings = settings(problem.possible, :);
+  for row = unique (settings, 'rows')'
+    at = problem.possible(settings(:, 1) == row(1) & settings(:, 2) == row(2));
+    tests(end + 1) = struct ('test', sprintf ('%s: measure %s', ...
+                                              problem.benchNames{row(1)}, ...
+                                              strjoin (problem.targetNames(at), ', ')), ...
+                             'targets', at, 'gain', 0, ...
+                             'cost', problem.benchCost(row(1)), ...
+                             'gainPerCost', 0);
+  end
+  for b = unique (problem.bench(problem.used))
+    at = problem.used(problem.bench(problem.used) == b);
+    tests(end + 1) = struct ('test', ['measure ', problem.benchNames{b}, ...
+                                      ' once more'], 'targets', at, ...
+                             'gain', 0, 'cost', problem.benchCost(b), ...
+                             'gainPerCost', 0);
+  end
+end
+
+function part = predictive (em, w, h, at, noise)
+  posterior = w.posterior{h};
+  Q = posterior.Q;
+  M = predictGap (em, w.members{h}, Q);
+  M = M(:, at);
+  part.mean = posterior.weight' * M;
+  D = (M - part.mean) .* sqrt (posterior.weight);
+  known = diag (mean (em.surrogateVar(:, at), 1) + em.fitVar(at));
+  part.cov = D' * D + noise(at, at) + known;
+end
+
+% Mutual information of a Gaussian mixture: E [log N_k (x) - log sum P N (x)].
+function bits = information (parts, P)
+  draws = integrationPoints (1000, numel (parts(1).mean), 23).normal;
+  bits = 0;
+  for k = 1:numel (parts)
+    X = parts(k).mean + draws * chol (parts(k).cov);
+    L = zeros (rows (X), numel (parts));
+    for j = 1:numel (parts)
+      R = (X - parts(j).mean) / chol (parts(j).cov);
+      L(:, j) = -0.5 * sum (R.^2, 2) - sum (log (diag (chol (parts(j).cov))));
+    end
+    bits = bits + P(k) * mean (L(:, k) - logSumExp (L + log (P)));
+  end
+  bits = max (bits, 0);
+end
+
+%!test
+%! % two causes that only the unmeasured target tells apart: nearly one bit
+%! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], ...
+%!             'coef', {[5, 9, 1], [5, -9, 1]}, 'laboratory', true);
+%! em = struct ('p', 1, 'powers', [0; 1], 'coef', [0, 0, 0; 1, 0, 0], ...
+%!              'effect', e, 'surrogateVar', zeros (2, 3), ...
+%!              'fitVar', zeros (1, 3), 'seedVar', ones (1, 3), ...
+%!              'correlation', eye (3), 'range', ones (1, 3));
+%! problem = newGapProblem (struct ('y', [5, NaN, 1], 'sd', ones (1, 3), ...
+%!                                  'bench', [1, 2, 1], 'limits', [0; 1]));
+%! w.members = {1, 2};
+%! w.kind = {'single', 'single'};
+%! w.posterior = repmat ({struct('Q', [0, 1], 'weight', 1)}, 1, 2);
+%! tests = nextTest (problem, em, w, [0.5, 0.5]);
+%! assert (tests(1).targets, 2);
+%! assert (tests(1).gain, 1, 0.01);
+%! assert (tests(2).gain, 0, 1e-6);

@@ -1,0 +1,40 @@
+% SPENDRUNS  Makes DEM runs for the diagnosis, never more than the budget allows.
+%
+% CALL: STATE = spendRuns (STATE, PROBLEM, THETA, PHI, REPLICATE)
+%
+%   STATE      struct: data (X, E, Z, replicate), evaluate (handle, [] = none),
+%              left (runs that may still be made), spent, failed
+%   PROBLEM    struct of newGapProblem
+%   THETA      n x p, parameters in [-1, 1];  PHI  n x K, strengths
+%   REPLICATE  n x 1
+%   STATE      the same with the rows added; rows beyond the budget are left out
+%
+% See also: diagnoseMatrices, planEffectRuns
+
+function state = spendRuns (state, problem, theta, phi, replicate)
+  n = min (rows (theta), state.left);
+  if isempty (state.evaluate) || n < 1
+    return
+  end
+  half = diff (problem.limits) / 2;
+  X = mean (problem.limits) + theta(1:n, :) .* half;
+  E = effectValues (problem.effects, phi(1:n, :));
+  Z = state.evaluate (X, E, replicate(1:n));
+  state.data.X = [state.data.X; X];
+  state.data.E = [state.data.E; E];
+  state.data.Z = [state.data.Z; Z];
+  state.data.replicate = [state.data.replicate; reshape(replicate(1:n), n, 1)];
+  state.left = state.left - n;
+  state.spent = state.spent + n;
+  state.failed = state.failed + sum (any (isnan (Z), 2));
+end
+
+%!test
+%! lab = standInGap (0);
+%! problem = newGapProblem (setfield (lab.problem, 'y', ones (1, 24)));
+%! state = struct ('data', lab.plan (5, 0), 'left', 3, 'spent', 0, ...
+%!                 'failed', 0);
+%! state.evaluate = @(X, E, r) lab.means (X, [E, zeros(rows (E), 2)]);
+%! state = spendRuns (state, problem, zeros (5, 4), zeros (5, 10), ones (5, 1));
+%! assert ([state.spent, state.left, rows(state.data.Z)], [3, 0, 8]);
+%! assert (state.data.X(6, :), 0.5 * ones (1, 4));
