@@ -24,8 +24,8 @@ function [verdict, text] = slurmSend (batch, opt, root)
             '--nodes=1', sprintf('--ntasks=%d', batch.cpu), ...
             '--cpus-per-task=1', sprintf('--time=%d', batch.minutes), ...
             sprintf('--array=1-%d', batch.n), ['--chdir=', batch.path], ...
-            '--output=%a.out', fullfile(here, 'slurmTask.sh'), ...
-            batch.path, guard}];
+            ['--output=', logName(batch.path)], ...
+            fullfile(here, 'slurmTask.sh'), batch.path, guard}];
   words = cellfun (@shellQuote, words, 'UniformOutput', false);
   % a session of its own: Ctrl-C shall not interrupt sbatch half-way
   [status, text] = system (['setsid --wait bash ', strjoin(words, ' ')]);
@@ -45,6 +45,14 @@ function words = named (option, value)
   words = {};
   if ~isempty (value)
     words = {sprintf('--%s=%s', option, value)};
+  end
+end
+
+% Slurm takes % and \ in the whole path for patterns: no log then.
+function name = logName (folder)
+  name = '%a.out';
+  if any (ismember (folder, '%\'))
+    name = '/dev/null';
   end
 end
 

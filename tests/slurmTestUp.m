@@ -1,0 +1,24 @@
+% SLURMTESTUP  Starts a test cluster that goes down with this Octave.
+%
+% CALL: FOLDER = slurmTestUp (CPUS)
+%
+%   CPUS    processors that its only node pretends to have
+%   FOLDER  folder of the cluster (text); stop it with slurm-down.sh FOLDER
+%
+% Sets the environment variable SLURM_CONF.
+%
+% See also: slurmTestReady
+
+function folder = slurmTestUp (cpus)
+  folder = tempname (P_tmpdir (), 'slurm-');
+  script = fullfile (fileparts (mfilename ('fullpath')), 'slurm-up.sh');
+  [status, text] = system (sprintf ('SLURM_TEST_CPUS=%d %s %s %d 2>&1', ...
+                                    cpus, shellQuote (script), folder, ...
+                                    getpid ()));
+  if status ~= 0
+    error ('DEcalioc:slurmTestUp:runFailed', ...
+           'slurmTestUp: the test cluster must start, got: %s', text);
+  end
+  setenv ('SLURM_CONF', fullfile (folder, 'slurm.conf'));
+  setenv ('PATH', [getenv('PATH'), ':/usr/sbin:/sbin']);
+end
