@@ -4,6 +4,7 @@
 #           'system' = the one on the PATH, or the path of a program
 # OCTAVE    which Octave (default: octave-cli)
 # CASE      which calibration: a folder with a loadInput.m (default: this folder)
+# ONLY      which tests: those whose file's path holds this text (default: all)
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
@@ -13,14 +14,16 @@ SHELL := /bin/bash
 LIGGGHTS ?=
 OCTAVE ?= octave-cli
 CASE ?= .
-export LIGGGHTS OCTAVE CASE
+ONLY ?=
+export LIGGGHTS OCTAVE CASE ONLY
 
 .PHONY: help setup liggghts run gap test soak bench lint clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
 	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/  \1\t\2/p' Makefile | expand -t 18
-	@echo 'Variables: LIGGGHTS=/path/to/liggghts or LIGGGHTS=system, OCTAVE=..., CASE=folder'
+	@echo 'Variables: LIGGGHTS=/path/to/liggghts or LIGGGHTS=system, OCTAVE=program,'
+	@echo '  CASE=folder (for run and gap), ONLY=text (for test: files whose path holds it)'
 
 setup:                 ## install all Debian packages, also those for test and lint
 	@tools/setup.sh run build test lint
@@ -41,7 +44,7 @@ gap:                   ## diagnose the gap: all set-up, then diagnoseGap.m
 test:                  ## all set-up, then all tests; ends in "N passed, N failed"
 	@tools/setup.sh run test
 	@tools/liggghts/build.sh
-	@CASE=. tools/octave.sh tests/runTests.m
+	@CASE=. tools/octave.sh tests/runTests.m $${ONLY:+"$$ONLY"}
 
 soak:                  ## the tests, with those that take long
 	@DECALIOC_SOAK=1 $(MAKE) --no-print-directory test

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Runs a script of the toolbox in Octave, in the folder CASE, with the right
 # LIGGGHTS first in PATH. The exit status is Octave's.
-# CALL: tools/octave.sh SCRIPT       (a path below the toolbox folder)
+# CALL: tools/octave.sh SCRIPT [ARGUMENT...]   (SCRIPT: below the toolbox folder)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -18,4 +18,4 @@ cd "${CASE:-$root}" || {
   exit 1
 }
 # --norc: a start-up file of the user's must not change a calibration
-exec "${OCTAVE:-octave-cli}" --no-gui --no-history --norc "$root/$1"
+exec "${OCTAVE:-octave-cli}" --no-gui --no-history --norc "$root/$1" "${@:2}"
