@@ -16,20 +16,24 @@
 
 function calibration = calibrateCase (root, folder)
   startToolbox (root, folder);
+  useLiggghts (root);
   say = @(text) sayLine (text, fullfile (folder, 'Octave_logfile.txt'));
 
   % input
   lock = lockCase (folder);
   Case = loadCase (root, folder);
+  restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, @costFunction);
   ledger = newLedger ();
   evaluate = newEvaluate (Case, ledger, say);
   reportCase (Case, say);
 
   % experimental plan and DEM simulation
-  plan = GenerateExperPlan (Case.limits, Case.options.numOfSam, folder, ...
-                            Case.options.seed);
-  data = runPlan (plan, Case, evaluate, say);
+  data = importExisting (Case, say);
+  plan = GenerateExperPlan (Case.limits, samplesToPlan (data, Case), ...
+                            folder, Case.options.seed);
+  data = runPlan (plan, data, Case, evaluate, say);
+  problem = withinBudget (problem, ledger, Case);
 
   % Kriging models
   surrogates = fitSurrogates (data, problem);
