@@ -28,8 +28,11 @@ function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
   restore = onCleanup (@() rand ('twister', before));
   rand ('twister', seed);
   d = columns (factorLimits);
-  plan = double (stk_sampling_maximinlhs (N, d, factorLimits, 1000));
-  if nargin > 2 && ~ isempty (pathExPlan)
+  plan = zeros (0, d);
+  if N > 0
+    plan = double (stk_sampling_maximinlhs (N, d, factorLimits, 1000));
+  end
+  if nargin > 2 && ~ isempty (pathExPlan) && N > 0
     writeMatrix (fullfile (pathExPlan, 'ExperimentalPlan_DoE.csv'), plan);
   end
 end
@@ -42,6 +45,8 @@ end
 %! strata = floor (12 * (plan - limits(1, :)) ./ diff (limits));
 %! assert (sort (strata), repmat ((0:11)', 1, 2));
 %! assert (plan, GenerateExperPlan (limits, 12, '', 3));
+%!assert (size (GenerateExperPlan (limits, 0)), [0, 2])
+%!assert (size (GenerateExperPlan (limits, 1)), [1, 2])
 %!test
 %! rand ('twister', 5);
 %! GenerateExperPlan (limits, 5);

@@ -1,12 +1,12 @@
 % RUNPLAN  Runs the plan on all models and keeps the responses as CSV.
 %
-% CALL: DATA = runPlan (PLAN, CASE, EVALUATE, SAY)
+% CALL: DATA = runPlan (PLAN, DATA, CASE, EVALUATE, SAY)
 %
-%   PLAN      n x d
+%   PLAN      n x d; may have no rows
+%   DATA      see newData: what is known already, and with the plan's rows
 %   CASE      see newCase
 %   EVALUATE  see newEvaluate
 %   SAY       function handle that takes one line of text
-%   DATA      see newData
 %
 % Rows that have no result for some model are left out of the files
 % ExperimentalPlan_DoE.csv and results/DoE_<model>_<i>/DoE_<model>_<i>.csv, as
@@ -16,21 +16,22 @@
 %
 % See also: GenerateExperPlan, fitSurrogates
 
-function data = runPlan (plan, Case, evaluate, say)
-  reportPlan (plan, Case, say);
-  Z = evaluate (plan, 1, 'plan');
-  data = newData (numel (Case.names), numel (Case.targets));
-  data = addRows (data, plan, Z, ones (rows (plan), 1), 'plan');
-  isWhole = all (isfinite (Z), 2);
+function data = runPlan (plan, data, Case, evaluate, say)
+  if rows (plan) > 0
+    reportPlan (plan, Case, say);
+    Z = evaluate (plan, 1, 'plan');
+    data = addRows (data, plan, Z, ones (rows (plan), 1), 'plan');
+  end
+  isWhole = all (isfinite (data.Z), 2);
   checkFailures (isWhole, Case);
   writeMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), ...
-               plan(isWhole, :));
+               data.X(isWhole, :));
   for t = 1:numel (Case.targets)
     name = sprintf ('DoE_%s_%d', Case.targets(t).modelName, ...
                     Case.targets(t).index);
     folder = fullfile (Case.folder, 'results', name);
     [~, ~] = mkdir (folder);
-    writeMatrix (fullfile (folder, [name, '.csv']), Z(isWhole, t));
+    writeMatrix (fullfile (folder, [name, '.csv']), data.Z(isWhole, t));
   end
 end
 
@@ -70,7 +71,8 @@ end
 %! raw = standInCase (tempname ());
 %! Case = newCase (raw);
 %! evaluate = newEvaluate (Case, newLedger (), @(text) []);
-%! data = runPlan ([1, 2; 3, 4; 5, 6; 7, 8], Case, evaluate, @(text) []);
+%! data = runPlan ([1, 2; 3, 4; 5, 6; 7, 8], newData (2, 3), Case, ...
+%!                 evaluate, @(text) []);
 %! assert (data.Z(2, :), [7, 12, -1], 1e-12);
 %! file = fullfile (raw.folder, 'results', 'DoE_First_2', 'DoE_First_2.csv');
 %! assert (csvread (file), [2; 12; 30; 56], 1e-12);
@@ -80,7 +82,7 @@ end
 %!              "echo 'ERROR: no such box' ; exit 1\n");
 %! evaluate = newEvaluate (Case, newLedger (), @(text) []);
 %! try
-%!   runPlan (magic (4)(:, 1:2), Case, evaluate, @(text) []);
+%!   runPlan (magic (4)(:, 1:2), newData (2, 3), Case, evaluate, @(t) []);
 %! catch err
 %! end
 %! assert (err.identifier, 'DEcalioc:runPlan:tooManyFailures');

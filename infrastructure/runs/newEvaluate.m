@@ -8,6 +8,9 @@
 %   EVALUATE  Z = EVALUATE (P, REPLICATE) or EVALUATE (P, REPLICATE, STAGE, E):
 %             P n x d, REPLICATE n x 1, Z n x T, NaN where a run failed
 %
+% Where a model folder does not exist (a case of imported runs alone) nothing
+% can be run and all is NaN.
+%
 % See also: evaluateDEM, calibrateOnDEM
 
 function evaluate = newEvaluate (Case, ledger, say)
@@ -21,6 +24,10 @@ function Z = bookedRuns (P, replicate, Case, ledger, say, stage, E)
   end
   if nargin < 7
     E = [];
+  end
+  if any (cellfun (@isempty, {Case.models.folder}))
+    Z = NaN (rows (P), numel (Case.targets));
+    return;
   end
   % what is left of the budget of new runs
   Case.options.maxNewRuns = Case.options.maxNewRuns - ledger('new');

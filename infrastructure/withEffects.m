@@ -1,0 +1,30 @@
+% WITHEFFECTS  Adds the user's candidate effects to a case.
+%
+% CALL: CASE = withEffects (CASE)
+%
+%   CASE  see newCase
+%
+% The candidates are those of loadEffects.m, of the case or of the toolbox; an
+% empty list is allowed.
+%
+% Errors: DEcalioc:withEffects:brokenEffects, those of resolveEffects
+%
+% See also: loadEffects, resolveEffects
+
+function Case = withEffects (Case)
+  if isempty (which ('loadEffects'))
+    return;
+  end
+  try
+    list = loadEffects ();
+  catch err
+    error ('DEcalioc:withEffects:brokenEffects', ...
+           ['withEffects: %s must return a struct array of effects, but ' ...
+            'running it gave: %s'], which ('loadEffects'), err.message);
+  end
+  Case.effects = resolveEffects (list, {Case.folder, Case.root});
+  Case.effectVars = {};
+  for k = 1:numel (Case.effects)
+    Case.effectVars = [Case.effectVars, Case.effects(k).variables(:)'];
+  end
+end
