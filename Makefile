@@ -17,7 +17,7 @@ CASE ?= .
 ONLY ?=
 export LIGGGHTS OCTAVE CASE ONLY
 
-.PHONY: help setup liggghts run gap test soak bench lint clean liggghts-clean
+.PHONY: help setup liggghts run gap test soak bench lint format clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -55,6 +55,10 @@ bench:                 ## list the programs that measure
 lint:                  ## check the style of the Octave and the shell code
 	@tools/setup.sh lint
 	@tools/lint.sh
+
+format:                ## lay out the Octave code, then lint
+	@tools/setup.sh lint
+	@tools/lint.sh --fix
 
 clean:                 ## remove what tests and crashes leave, never a result
 	@rm -f fntests.log tests/fntests.log octave-workspace log.liggghts
