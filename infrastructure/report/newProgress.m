@@ -5,7 +5,8 @@
 %   STAGE   what is going on (text)
 %   SAY     function handle that takes one line of text
 %   REPORT  function handle for runJobs: says how many runs are done, failed,
-%           running and reused, and the time left, at most once a second
+%           running and reused, and the time left, at most once a second;
+%           a message of the executor (a cluster that does not answer) at once
 %
 % See also: runJobs, evaluateDEM
 
@@ -16,6 +17,9 @@ function report = newProgress (stage, say)
 end
 
 function tell (state, stage, say, last)
+  if isfield (state, 'message') && ~isempty (state.message)
+    say (['  ', state.message]);
+  end
   now = time ();
   isEnd = state.done == state.total;
   if ~ isEnd && now - last('said') < 1
@@ -59,3 +63,7 @@ end
 %!                 'reused', 0, 'seconds', 20));
 %! assert (box('text'), ['  plan: 2 of 10 runs done, 1 failed, 2 running, ', ...
 %!                       'about 80 s left']);
+%! state = struct ('done', 2, 'total', 10, 'failed', 1, 'running', 2, ...
+%!                 'reused', 0, 'seconds', 20, 'message', 'no answer');
+%! report (state);
+%! assert (box('text'), '  no answer');
