@@ -2,7 +2,8 @@
 %
 % CALL: OPT = slurmOptions (GIVEN)
 %
-%   GIVEN  struct Input.slurm as the user wrote it; every field is optional
+%   GIVEN  struct Input.slurm as the user wrote it; every field may be missing
+%          or empty
 %   OPT    struct with all fields:
 %     partition    text, '' = Slurm's default
 %     account      text, '' = Slurm's default
@@ -31,14 +32,13 @@ function opt = slurmOptions (given)
   for k = 1:numel (names)
     require (isfield (opt, names{k}), 'unknownName', 'slurm', ...
              ['a struct of ', strjoin(fieldnames (opt)', ', ')], names{k});
-    opt.(names{k}) = given.(names{k});
+    if ~isempty (given.(names{k}))
+      opt.(names{k}) = given.(names{k});
+    end
   end
   opt.partition = checkWord ('partition', opt.partition);
   opt.account = checkWord ('account', opt.account);
   opt.extra = checkExtra (opt.extra);
-  if isempty (opt.time)
-    opt.time = NaN;
-  end
   checkNumber ('time', opt.time, 1, true);
   checkNumber ('maxInFlight', opt.maxInFlight, 1, false);
   checkNumber ('poll', opt.poll, 0, false);
@@ -54,9 +54,6 @@ function require (ok, reason, name, wanted, got)
 end
 
 function word = checkWord (name, word)
-  if isempty (word)
-    word = '';
-  end
   require (ischar (word) && rows (word) <= 1, 'badType', ...
            ['slurm.', name], 'text', class (word));
   require (isempty (regexp (word, '[^\w.,:@+-]|^-', 'once')), 'badValue', ...
@@ -111,6 +108,7 @@ end
 %! o = slurmOptions (struct ('time', 90, 'extra', {{'--mem=2G'; '--qos=a b'}}));
 %! assert (o.extra, {'--mem=2G', '--qos=a b'});
 %! assert (o.time, 90);
+%!assert (slurmOptions (struct ('poll', [], 'account', '')).poll, 10)
 %!error id=DEcalioc:slurmOptions:unknownName slurmOptions (struct ('tiem', 1))
 %!error id=DEcalioc:slurmOptions:badType slurmOptions (3)
 %!error id=DEcalioc:slurmOptions:badType slurmOptions (struct ('poll', 'a'))
