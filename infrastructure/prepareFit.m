@@ -1,0 +1,44 @@
+% PREPAREFIT  Everything of a fit that does not depend on the parameters.
+%
+% CALL: fit = prepareFit (U, y, trend, kernel, noise)
+%
+% U       n x d  inputs in the unit box; y  n x 1 standardised response
+% trend   'constant', 'affine' or 'quadratic'; kernel  see correlationOf
+% noise   n x 1 known variances, or [] (estimated)
+% fit     struct of penalisedLikelihood, with the prior (mean, sd): the part
+%         beyond the trend, the ranges and the noise of a usual DEM response
+%
+% See also: penalisedLikelihood, fitSurrogate
+
+function fit = prepareFit (U, y, trend, kernel, noise)
+  [n, d] = size (U);
+  S = zeros (n * n, d);
+  for j = 1:d
+    S(:, j) = reshape ((U(:, j) - U(:, j)').^2, [], 1);
+  end
+  H = feval (feval (['stk_lm_' trend]), U);
+  [Q, ~] = qr (H);
+  fit.S = S;
+  fit.W = Q(:, columns (H) + 1:end);
+  fit.y = y;
+  fit.kernel = kernel;
+  fit.noise = noise;
+  beyond = 0.03;
+  if strcmp (trend, 'constant')
+    beyond = 1;
+  end
+  fit.mean = [log(beyond); -log(1.5) * ones(d, 1); 2 * log(0.1)];
+  fit.sd = [2; ones(d, 1); 1.2];
+  if ~isempty (noise)
+    fit.mean(end) = [];
+    fit.sd(end) = [];
+  end
+end
+
+%!test
+%! pkg load stk
+%! U = [0; 0.5; 1];
+%! fit = prepareFit (U, [1; 2; 4], 'affine', 'gauss', []);
+%! assert (fit.S, reshape ((U - U') .^ 2, 9, 1));
+%! assert (fit.W' * [ones(3, 1), U], [0, 0], 1e-12);
+%! assert (size (fit.W), [3, 1]);
