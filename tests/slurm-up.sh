@@ -76,8 +76,12 @@ MaxArraySize=2001
 MaxJobCount=20000
 # a new state folder shall not count from 1 again
 FirstJobId=$((1000 + $(date +%s) % 60000 * 1000))
+# jobs of the partition urgent end those of main
+PreemptType=preempt/partition_prio
+PreemptMode=CANCEL
 NodeName=$node NodeAddr=127.0.0.1 CPUs=$cpus RealMemory=$memory State=UNKNOWN
-PartitionName=main Nodes=$node Default=YES MaxTime=INFINITE State=UP
+PartitionName=main Nodes=$node Default=YES PriorityTier=1 State=UP
+PartitionName=urgent Nodes=$node PriorityTier=9 PreemptMode=OFF State=UP
 CONF
 }
 

@@ -7,21 +7,6 @@
 %! home = tempname ();
 %! mkdir (home);
 
-%!function n = startsOf (folder)
-%!  [~, text] = system (['cat ', shellQuote(fullfile (folder, 'optim', ...
-%!                       'First', 'starts')), ' 2> /dev/null | wc -l']);
-%!  n = str2double (text);
-%!endfunction
-
-% does the deed once, when enough runs are under way
-%!function meddle (state, enough, folder, deed)
-%!  mark = fullfile (folder, 'meddled');
-%!  if state.running >= enough && ! isfile (mark)
-%!    fclose (fopen (mark, 'w'));
-%!    deed ();
-%!  end
-%!endfunction
-
 % job number, guard and session of the run of a job
 %!function [id, pids] = partsOf (folder, k)
 %!  runs = glob (fullfile (folder, 'optim', 'First', '0*'));
@@ -75,7 +60,7 @@
 %! folder = fullfile (home, 'injured');
 %! [Case, jobs] = slurmTestCase (folder, 1:4, 3);
 %! r = executeSlurm (jobs, Case, ...
-%!                   @(s) meddle (s, 4, folder, @() injure (folder)));
+%!                   @(s) slurmTestOnce (s, 4, folder, @() injure (folder)));
 %! assert ({r.status}, {'failed', 'failed', 'failed', 'ok'});
 %! assert ({r(1:3).cause}, {'killed', 'killed', 'killed'});
 %! assert (! isempty (strfind (r(1).message, 'CANCELLED')));
@@ -87,12 +72,12 @@
 %!testif ; slurmTestReady ()
 %! folder = fullfile (home, 'daemons');
 %! [Case, jobs] = slurmTestCase (folder, 1 + (1:12) / 100, 1);
-%! Case.options.slurm.maxInFlight = 6;
 %! r = executeSlurm (jobs, Case, ...
-%!               @(s) meddle (s, 1, folder, @() restartDaemons (cluster)));
+%!                   @(s) slurmTestOnce (s, 1, folder, ...
+%!                                       @() restartDaemons (cluster)));
 %! assert (isfile (fullfile (folder, 'meddled')));
 %! assert ({r.status}, repmat ({'ok'}, 1, 12));
-%! assert (startsOf (folder), 12);
+%! assert (slurmTestStarts (folder), 12);
 %! sums = sum (vertcat (jobs.params), 2)';
 %! assert (cellfun (@(x) x(1), {r.results}), sums, 1e-12);
 
@@ -102,7 +87,7 @@
 %! for round = 1:2
 %!   pid = slurmTestStart (folder, 1:6, 3);
 %!   for wait = 1:100
-%!     if startsOf (folder) >= 2
+%!     if slurmTestStarts (folder) >= 2
 %!       break;
 %!     end
 %!     pause (0.1);
@@ -113,7 +98,7 @@
 %! [Case, jobs] = slurmTestCase (folder, 1:6, 3);
 %! r = executeSlurm (jobs, Case, @(s) []);
 %! assert ({r.status}, repmat ({'ok'}, 1, 6));
-%! assert (startsOf (folder), 6);
+%! assert (slurmTestStarts (folder), 6);
 %! assert (r(6).results, [8, 12], 1e-12);
 %! assert (numel (readdir (fullfile (folder, 'optim', '.slurm'))), 2);
 
@@ -129,14 +114,14 @@
 %! [~, ~] = mkdir (flight.batches.path);
 %! assert (slurmSend (flight.batches, opt, Case.root), 'sent');
 %! pause (2);
-%! assert (startsOf (folder), 2);
+%! assert (slurmTestStarts (folder), 2);
 
 % cancelled while nobody looked: the next start submits it again
 %!testif ; slurmTestReady ()
 %! folder = fullfile (home, 'cancelled');
 %! pid = slurmTestStart (folder, 1:2, 2);
 %! for wait = 1:100
-%!   if startsOf (folder) >= 1
+%!   if slurmTestStarts (folder) >= 1
 %!     break;
 %!   end
 %!   pause (0.1);
@@ -164,9 +149,7 @@
 %! assert ({r.status}, {'ok', 'ok'});
 
 %!testif ; slurmTestReady ()
-%! script = fullfile (fileparts (which ('slurmTestUp')), 'slurm-down.sh');
-%! system ([shellQuote(script), ' ', cluster]);
+%! slurmTestDown (cluster);
 %! confirm_recursive_rmdir (false, 'local');
-%! rmdir (cluster, 's');
 %! rmdir (home, 's');
 %! setenv ('SLURM_CONF', config);

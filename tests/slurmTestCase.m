@@ -31,7 +31,8 @@ function [Case, jobs] = slurmTestCase (folder, a, seconds)
     writeAtomic (file, [head, sprintf("sleep %g\n", seconds), formula]);
   end
   Case = newCase (raw);
-  Case.options.slurm = struct ('poll', 0.4, 'grace', 2);
+  Case.options.slurm = struct ('poll', 0.4, 'grace', 2, ...
+                               'maxInFlight', 6);
   P = [a(:), linspace(1, 2, numel (a))'];
   jobs = newJobs (Case, P, [], 1, 'plan');
 end

@@ -8,5 +8,6 @@
 
 function slurmTestPlan (folder, a, seconds)
   [Case, jobs] = slurmTestCase (folder, a, seconds);
-  executeSlurm (jobs, Case, @(state) []);
+  Case.options.executor = 'slurm';
+  runJobs (jobs, Case, @(state) []);
 end

@@ -1,0 +1,104 @@
+% What takes minutes: random kills of Octave, a node that is lost, a controller
+% that is away, Slurm's own time limit, preemption. Only with DECALIOC_SOAK=1.
+
+%!shared cluster, home, config
+%! cluster = '';
+%! config = getenv ('SLURM_CONF');
+%! home = tempname ();
+%! mkdir (home);
+
+%!function ready = soakReady ()
+%!  ready = strcmp (getenv ('DECALIOC_SOAK'), '1') && slurmTestReady ();
+%!endfunction
+
+% ends a daemon and starts it again after some seconds, without waiting
+%!function interrupt (cluster, daemon, seconds)
+%!  system (sprintf (['kill -9 $(cat %s/run/%s.pid); ', ...
+%!                    '(sleep %d; %s) > /dev/null 2>&1 &'], ...
+%!                   cluster, daemon, seconds, daemon));
+%!endfunction
+
+%!function liftLimits (folder)
+%!  files = glob (fullfile (folder, 'optim', 'First', '0*', 'limit'));
+%!  cellfun (@(f) writeAtomic (f, "9999\n"), files);
+%!endfunction
+
+%!testif ; soakReady ()
+%! setenv ('SLURM_TEST_NODE_TIMEOUT', '10');
+%! cluster = slurmTestUp (4);
+
+% Octave killed 40 times at random moments: every run was started once, and the
+% results are those of an undisturbed plan
+%!testif ; soakReady ()
+%! rand ('twister', 1);
+%! folder = fullfile (home, 'kills');
+%! a = 1 + (1:60) / 64;
+%! for k = 1:40
+%!   pid = slurmTestStart (folder, a, 2);
+%!   pause (1 + 4 * rand ());
+%!   kill (pid, 9);
+%! end
+%! [Case, jobs] = slurmTestCase (folder, a, 2);
+%! Case.options.executor = 'slurm';
+%! r = runJobs (jobs, Case, @(s) []);
+%! assert ({r.status}, repmat ({'ok'}, 1, 60));
+%! assert (slurmTestStarts (folder), 60);
+%! [Case, jobs] = slurmTestCase (fullfile (home, 'still'), a, 0);
+%! q = executeLocal (jobs, Case, @(s) []);
+%! assert ({r.results}, {q.results});
+
+% the node is lost while runs are under way: records, and runJobs cures them
+%!testif ; soakReady ()
+%! folder = fullfile (home, 'lost');
+%! [Case, jobs] = slurmTestCase (folder, 1:2, 50);
+%! r = executeSlurm (jobs, Case, @(s) slurmTestOnce (s, 2, folder, ...
+%!                        @() interrupt (cluster, 'slurmd', 45)));
+%! assert ({r.status}, {'failed', 'failed'});
+%! assert ({r.cause}, {'killed', 'killed'});
+%! assert (! isempty (strfind (r(1).message, 'NODE_FAIL')));
+%! Case.options.executor = 'slurm';
+%! r = runJobs (jobs, Case, @(s) []);
+%! assert ({r.status}, {'ok', 'ok'});
+
+% the controller is killed and away for a while: waited for, nothing is lost
+%!testif ; soakReady ()
+%! folder = fullfile (home, 'away');
+%! [Case, jobs] = slurmTestCase (folder, 1:6, 12);
+%! said = containers.Map ();
+%! note = @(s) subsasgn (said, struct ('type', '()', ...
+%!                                     'subs', {{[s.message, ' ']}}), 1);
+%! tell = @(s) {note(s), slurmTestOnce(s, 2, folder, ...
+%!              @() {pause(8), interrupt(cluster, 'slurmctld', 25)})};
+%! r = executeSlurm (jobs, Case, tell);
+%! assert ({r.status}, repmat ({'ok'}, 1, 6));
+%! assert (slurmTestStarts (folder), 6);
+%! assert (any (strncmp (said.keys (), 'The Slurm controller does not', 29)));
+
+% Slurm's own time limit, where the guard's was lifted
+%!testif ; soakReady ()
+%! folder = fullfile (home, 'limit');
+%! [Case, jobs] = slurmTestCase (folder, [8, 1], 0);
+%! Case.options.slurm.time = 1;
+%! r = executeSlurm (jobs, Case, @(s) slurmTestOnce (s, 1, folder, ...
+%!                                          @() liftLimits (folder)));
+%! assert ({r.status}, {'timeout', 'ok'});
+%! assert (! isempty (strfind (r(1).message, 'TIMEOUT')));
+
+% preempted by a job of a partition that goes first
+%!testif ; soakReady ()
+%! folder = fullfile (home, 'preempted');
+%! [Case, jobs] = slurmTestCase (folder, 1:2, 20);
+%! order = ['sbatch --partition=urgent --exclusive --time=5 ', ...
+%!          '--output=/dev/null --wrap="sleep 5" > /dev/null'];
+%! r = executeSlurm (jobs, Case, @(s) slurmTestOnce (s, 2, folder, ...
+%!                                              @() system (order)));
+%! assert ({r.status}, {'failed', 'failed'});
+%! assert ({r.cause}, {'killed', 'killed'});
+%! assert (! isempty (strfind (r(1).message, 'PREEMPTED')));
+
+%!testif ; soakReady ()
+%! slurmTestDown (cluster);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (home, 's');
+%! setenv ('SLURM_CONF', config);
+%! unsetenv ('SLURM_TEST_NODE_TIMEOUT');

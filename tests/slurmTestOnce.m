@@ -1,0 +1,18 @@
+% SLURMTESTONCE  Does something once, when enough runs are under way.
+%
+% CALL: slurmTestOnce (STATE, ENOUGH, FOLDER, DEED)
+%
+%   STATE   what executeSlurm reports
+%   ENOUGH  number of running runs
+%   FOLDER  of the test case: the file `meddled` there says that it is done
+%   DEED    function handle without arguments
+%
+% See also: slurmTestCase
+
+function slurmTestOnce (state, enough, folder, deed)
+  mark = fullfile (folder, 'meddled');
+  if state.running >= enough && ~isfile (mark)
+    fclose (fopen (mark, 'w'));
+    deed ();
+  end
+end
