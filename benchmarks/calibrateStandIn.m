@@ -1,0 +1,65 @@
+% CALIBRATESTANDIN  One calibration of a stand-in, as DEcalioc does it.
+%
+% CALL: result = calibrateStandIn (S, seed, fail, options)
+%
+% S        struct of standIn
+% seed     integer; fail  share of the runs that give NaN
+% options  struct of Case.options (what is missing has its default)
+% result   struct: runs (all, failed ones too), plan, infill, verify, failed,
+%          worst (largest true relative residual of the set handed back),
+%          firstObserved, firstTrue (run that first looked, was right; NaN),
+%          converged, probability, params, state, problem
+%
+% See also: standIn, peers, coverage
+
+function result = calibrateStandIn (S, seed, fail, options)
+  rand ('twister', seed);
+  randn ('twister', seed);
+  d = numel (S.names);
+  T = numel (S.value);
+  Case = struct ('names', {S.names}, 'limits', S.limits);
+  Case.targets = struct ('name', S.targetNames, 'value', num2cell (S.value), ...
+                         'tol', 0.01, 'sd', 0, 'role', 'calibrate');
+  Case.options = options;
+  problem = newProblem (Case, []);
+  evaluate = @(P, replicate) noisy (S, P, fail);
+  n = planSize (d);
+  X = double (stk_sampling_maximinlhs (n, d, S.limits, 500));
+  data = addRows (newData (d, T), X, evaluate (X, 1), ones (n, 1), 'plan');
+  surrogates = fitSurrogates (data, problem);
+  found = calibrateOnKriging (surrogates, problem);
+  state = newState (data, surrogates, found);
+  state = improveByInfill (state, problem, evaluate, @(text) []);
+  state = calibrateOnDEM (state, problem, evaluate, @(text) []);
+  result = score (S, state);
+  result.state = state;
+  result.problem = problem;
+end
+
+function Z = noisy (S, P, fail)
+  Z = S.response (P);
+  Z = Z .* (1 + S.noise * randn (size (Z)));
+  Z(rand (rows (Z), 1) < fail, :) = NaN;
+end
+
+function result = score (S, state)
+  off = @(Z) max (abs (Z ./ S.value - 1), [], 2);
+  result.runs = rows (state.data.X);
+  result.plan = sum (strcmp (state.data.stage, 'plan'));
+  result.infill = state.spent.infill;
+  result.verify = state.spent.verify;
+  result.failed = sum (any (isnan (state.data.Z), 2));
+  result.worst = off (S.response (state.final.params));
+  result.firstObserved = first (off (state.data.Z) < 0.01);
+  result.firstTrue = first (off (S.response (state.data.X)) < 0.01);
+  result.converged = state.final.converged;
+  result.probability = state.final.probability;
+  result.params = state.final.params;
+end
+
+function i = first (hits)
+  i = find (hits, 1);
+  if isempty (i)
+    i = NaN;
+  end
+end
