@@ -1,0 +1,24 @@
+% FAULTCASE  Makes a stand-in case of slow runs, one model under mpirun.
+%
+% CALL: faultCase (FOLDER)
+%
+%   FOLDER  folder to be made (text)
+%
+% The results hold the seed of the run, so a run that was replaced by another
+% packing would show.
+%
+% See also: faultTrial, standInCase
+
+function faultCase (folder)
+  standInCase (folder);
+  writeLoadInput (folder, 'Input.numOfSam = 8; Input.cpu = [1, 2];');
+  first = fullfile (folder, 'DEMmodels', 'First', 'runscript');
+  text = strrep (fileread (first), 'e = v["e"]', ...
+                 'e = v["e"] + 1e-9 * v["runSeed"]');
+  writeAtomic (first, ["sleep 0.2\n", text]);
+  second = fullfile (folder, 'DEMmodels', 'Second', 'runscript');
+  text = strrep (fileread (second), 'e = v["e"]', ...
+                 'e = v["e"] + 1e-9 * v["runSeed"]');
+  writeAtomic (second, ["mpirun --oversubscribe -np 2 sleep 0.2 || exit $?\n", ...
+                        text]);
+end
