@@ -97,10 +97,8 @@ end
 function setLimits (done, jobs, folders, Case)
   for i = 1:numel (jobs)
     k = strcmp (jobs(i).model, {Case.models.name});
-    isSame = strcmp ({done.model}, jobs(i).model) & ...
-             strcmp ({done.status}, 'ok');
-    if isnan (Case.models(k).timeout) && sum (isSame) >= 3
-      limit = max (60, 20 * median ([done(isSame).seconds]));
+    limit = defaultLimit (done, jobs(i).model);
+    if isnan (Case.models(k).timeout) && ~ isnan (limit)
       writeAtomic (fullfile (folders{i}, 'limit'), ...
                    sprintf ("%d\n", ceil (limit)));
     end

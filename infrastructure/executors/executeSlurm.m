@@ -55,8 +55,22 @@ function flight = collect (flight, jobs, Case)
     found = collectRuns (jobs(ended), flight.folder(ended), Case);
     flight.records(ended) = num2cell (found);
     flight.status(ended) = 's';
+    setLimits (flight, jobs, Case);
   end
   flight = slurmRetire (flight);
+end
+
+function setLimits (flight, jobs, Case)
+  done = [flight.records{:}];
+  for model = Case.models(isnan ([Case.models.timeout]))
+    limit = defaultLimit (done, model.name);
+    isOpen = flight.status == 'o' & strcmp ({jobs.model}, model.name);
+    for i = find (isOpen & ~isnan (limit))
+      most = 60 * flight.batches(flight.batch(i)).minutes - 10;
+      writeAtomic (fullfile (flight.folder{i}, 'limit'), ...
+                   sprintf ("%d\n", floor (min (limit, most))));
+    end
+  end
 end
 
 % Fills the queue up to maxInFlight, a quarter of it at least at a time.
