@@ -48,7 +48,7 @@ function excess = leastExcess (surrogates, problem, group)
 end
 
 function worst = worstExcess (surrogates, problem, P)
-  [~, r, s] = meetProbability (surrogates, problem, P);
+  [r, s] = residualSpread (surrogates, problem, P);
   use = problem.calibrate;
   s = max (s, 1e-3 * problem.tol);
   worst = max ((abs (r(:, use)) - problem.tol(use)) ./ s(:, use), [], 2);

@@ -15,9 +15,7 @@
 % See also: calibrateOnKriging, chooseInfill, studentCdf
 
 function [probability, r, s] = meetProbability (surrogates, problem, P)
-  [m, v] = predictSurrogate (surrogates, P);
-  [r, slope] = targetResidual (problem, P, m);
-  s = abs (slope) .* sqrt (v);
+  [r, s] = residualSpread (surrogates, problem, P);
   probability = ones (size (P, 1), 1);
   for t = find (problem.calibrate)
     probability = probability .* insideProbability ...

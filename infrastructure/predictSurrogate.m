@@ -42,7 +42,11 @@ function [m, v] = predictOne (surrogate, P)
   model = surrogate.model;
   U = (P - surrogate.limits(1, :)) ./ ...
       (surrogate.limits(2, :) - surrogate.limits(1, :));
-  k = feval (model.covariance_type, model.param, U, s.unit, -1);
+  w = exp (model.param(2:end))';
+  A = U .* w;
+  B = s.unit .* w;
+  r2 = max (sum (A.^2, 2) + sum (B.^2, 2)' - 2 * A * B', 0);
+  k = exp (model.param(1)) * correlationOf (surrogate.covariance, r2);
   h = feval (model.lm, U);
   m = surrogate.shift + surrogate.scale * (h * s.beta + k * s.alpha);
   if nargout > 1

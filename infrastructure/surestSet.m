@@ -57,7 +57,7 @@ function p = descend (surrogates, problem, p)
 end
 
 function f = loss (surrogates, problem, P)
-  [~, r, s] = meetProbability (surrogates, problem, P);
+  [r, s] = residualSpread (surrogates, problem, P);
   use = problem.calibrate;
   f = [r(:, use) ./ problem.tol(use), s(:, use) ./ problem.tol(use)];
 end
