@@ -123,3 +123,76 @@ function flight = noteWaiting (flight)
     flight.waitsFor = why;
   end
 end
+
+%!function [flight, jobs] = flightOf (n)
+%!  store = tempname ();
+%!  mkdir (store);
+%!  jobs = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
+%!                 'effects', [], 'replicate', 1, 'seed', 10007, ...
+%!                 'key', num2cell (sprintf ('%d', 1:n)));
+%!  flight = slurmAttach (jobs, store);
+%!  flight.status(:) = 'o';
+%!  flight.batch(:) = 1;
+%!  flight.task = 1:n;
+%!  flight.batches(1) = struct ('name', 'b', 'path', store, 'n', n, ...
+%!                              'left', n, 'cpu', 1, 'minutes', 5, ...
+%!                              'isSent', true);
+%!  for k = 1:n
+%!    flight.folder{k} = fullfile (store, num2str (k));
+%!    mkdir (flight.folder{k});
+%!  end
+%!endfunction
+%!function flight = lookAt (flight, jobs, text, now)
+%!  tidy = slurmFake ('false', text);
+%!  flight = slurmLook (flight, jobs, slurmOptions ([]), now);
+%!endfunction
+%!function remove (flight)
+%!  confirm_recursive_rmdir (false, 'local');
+%!  rmdir (flight.batches.path, 's');
+%!endfunction
+%!test
+%! % no answer is no evidence, however long; the user is told once
+%! [f, jobs] = flightOf (2);
+%! writeAtomic (fullfile (f.folder{2}, 'end.mark'), "0 1.0 finished\n");
+%! f = lookAt (f, jobs, 'echo "no contact"; exit 1', 0);
+%! assert (f.status, 'oe');
+%! assert (! isempty (strfind (f.message, 'no contact')));
+%! f.message = '';
+%! f = lookAt (f, jobs, 'exit 1', 1e6);
+%! assert ({f.status, f.message}, {'oe', ''});
+%! f = lookAt (f, jobs, 'echo "b|1|RUNNING|None"', 1e6 + 1);
+%! assert (f.status, 'oe');
+%! assert (! isempty (strfind (f.message, 'again')));
+%! remove (f);
+%!test
+%! % the grace time counts from the first word of the end
+%! [f, jobs] = flightOf (2);
+%! gone = 'echo "b|1|NODE_FAIL|NodeDown"; echo "b|2|TIMEOUT|TimeLimit"';
+%! f = lookAt (f, jobs, gone, 100);
+%! f = lookAt (f, jobs, gone, 129);
+%! assert (f.status, 'oo');
+%! f = lookAt (f, jobs, gone, 131);
+%! assert (f.status, 'ss');
+%! r = [f.records{:}];
+%! assert ({r.status; r.cause}, {'failed', 'timeout'; 'killed', 'time'});
+%! assert (! isempty (strfind (r(1).message, 'NODE_FAIL (NodeDown)')));
+%! assert (isfile (fullfile (f.folder{1}, 'slurm.claim', 'void')));
+%! assert (isfile (fullfile (f.folder{1}, 'record.json')));
+%! remove (f);
+%!test
+%! % cancelled while nobody looked: submitted again
+%! [f, jobs] = flightOf (1);
+%! f.isOld(:) = true;
+%! f = lookAt (f, jobs, 'true', 0);
+%! f = lookAt (f, jobs, 'true', 31);
+%! assert (f.status, 'q');
+%! remove (f);
+%!test
+%! % why nothing runs is said once
+%! [f, jobs] = flightOf (2);
+%! f = lookAt (f, jobs, 'printf "b|%d|PENDING|Resources\n" 1 2', 0);
+%! assert (! isempty (strfind (f.message, '2 run(s)')));
+%! f.message = '';
+%! f = lookAt (f, jobs, 'printf "b|%d|PENDING|Resources\n" 1 2', 0);
+%! assert (f.message, '');
+%! remove (f);

@@ -19,3 +19,14 @@ function [ok, text] = slurmQueue (names)
                             ' 2>&1']);
   ok = status == 0;
 end
+
+%!test
+%! tidy = slurmFake ('false', 'echo "$@"');
+%! [ok, text] = slurmQueue ({'a', 'b'});
+%! assert (ok);
+%! assert (! isempty (strfind (text, '--name=a,b')));
+%!test
+%! tidy = slurmFake ('false', 'echo "no contact" >&2; exit 1');
+%! [ok, text] = slurmQueue ({'a'});
+%! assert (! ok);
+%! assert (text, "no contact\n");

@@ -61,3 +61,39 @@ function yes = isPassing (text)
            'not connected|onnection|Zero Bytes|Unexpected message|uthentic'];
   yes = ~isempty (regexp (text, signs, 'once'));
 end
+
+%!function [verdict, text] = sendTo (sbatch, squeue)
+%!  tidy = slurmFake (sbatch, squeue);
+%!  batch = struct ('name', 'decalioc-1', 'path', tempname (), 'n', 3, ...
+%!                  'cpu', 2, 'minutes', 5);
+%!  mkdir (batch.path);
+%!  opt = slurmOptions (struct ('extra', {{'--comment=it''s; $(x) 100%'}}));
+%!  root = fileparts (fileparts (fileparts (which ('slurmSend'))));
+%!  [verdict, text] = slurmSend (batch, opt, root);
+%!  id = fullfile (batch.path, 'id');
+%!  if isfile (id)
+%!    text = fileread (id);
+%!  end
+%!  confirm_recursive_rmdir (false, 'local');
+%!  rmdir (batch.path, 's');
+%!endfunction
+%!test
+%! % every word arrives as it is; what a surrounding job has set does not
+%! setenv ('SLURM_NTASKS', '7');
+%! [verdict, text] = sendTo ('printf "%s\n" "$@" $SLURM_NTASKS', 'true');
+%! unsetenv ('SLURM_NTASKS');
+%! assert (verdict, 'sent');
+%! words = strsplit (strtrim (text), "\n");
+%! assert (words{2}, '--comment=it''s; $(x) 100%');
+%! assert (all (ismember ({'--array=1-3', '--ntasks=2', '--time=5', ...
+%!                         '--job-name=decalioc-1'}, words)));
+%! assert (! isempty (strfind (words{end}, 'guard.sh')));
+%!test
+%! [verdict, text] = sendTo ('echo "invalid partition" >&2; exit 1', 'true');
+%! assert ({verdict, text}, {'refused', 'invalid partition'});
+%!assert (sendTo ('echo "Socket timed out" >&2; exit 1', 'true'), 'later')
+%!assert (sendTo ('exit 1', 'echo "no contact"; exit 1'), 'later')
+%!test
+%! % sbatch gave up, but the controller has the job
+%! assert (sendTo ('echo "Socket timed out" >&2; exit 1', ...
+%!                 'echo "decalioc-1|1|PENDING|None"'), 'sent');

@@ -61,3 +61,25 @@ function name = newName (lines)
                   getpid ());
   name = ['decalioc-', hash('md5', text)(1:12)];
 end
+
+%!test
+%! [Case, jobs] = slurmTestCase (tempname (), 1:3, 0);
+%! Case.models.timeout = 7;
+%! flight = slurmAttach (jobs, Case.store);
+%! flight = slurmSubmit (flight, [1, 3], jobs, Case, slurmOptions ([]));
+%! assert (flight.status, 'oqo');
+%! assert (flight.task([1, 3]), [1, 2]);
+%! assert (fileread (fullfile (flight.folder{3}, 'limit')), "7\n");
+%! assert (flight.batches.isSent, false);
+%! % a new start knows of both
+%! again = slurmAttach (jobs, Case.store);
+%! assert (again.status, 'oqo');
+%! assert (again.folder, flight.folder);
+%! assert (again.isOld, [true, false, true]);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (Case.folder, 's');
+%!error id=DEcalioc:slurmSubmit:badValue
+%! [Case, jobs] = slurmTestCase (tempname (), 1, 0);
+%! Case.store = [Case.store, "\tx"];
+%! flight = slurmAttach (jobs, Case.store);
+%! slurmSubmit (flight, 1, jobs, Case, slurmOptions ([]));
