@@ -104,7 +104,7 @@ function p = checkAlone (raw)
   end
   p = [p, checkVariables(raw.modelVars, raw.assign), ...
        checkLimits(raw.paramLims, raw.assign, numOfSam), ...
-       checkEffects(raw.effects, libraryNames (raw), raw.modelVars, ...
+       checkEffects(raw.effects, effectFolders (raw), raw.modelVars, ...
                     raw.assign)];
 end
 
@@ -162,14 +162,12 @@ function [names, fields, kinds] = variablesOf (raw)
     fields = [fields, strcat('modelVars.', own)];
     kinds = [kinds, repmat({'fixed'}, size (own))];
   end
-  for k = 1:numel (raw.effects) * isstruct (raw.effects)
-    own = fieldOr (raw.effects(k), 'variables', {});
-    if iscell (own)
-      names = [names, own(:)'];
-      fields = [fields, ...
-                repmat({sprintf('effects(%d).variables', k)}, 1, numel (own))];
-      kinds = [kinds, repmat({'effect'}, 1, numel (own))];
-    end
+  [~, effects] = checkEffects (raw.effects, effectFolders (raw), [], {});
+  for k = 1:numel (effects)
+    own = effects(k).variables;
+    names = [names, own];
+    fields = [fields, repmat({effects(k).field}, 1, numel (own))];
+    kinds = [kinds, repmat({'effect'}, 1, numel (own))];
   end
   good = cellfun (@(n) checkIs ('name', n), names) & ...
          ~ismember (cellfun (@checkShow, names, 'UniformOutput', false), ...
@@ -214,12 +212,10 @@ function names = executorNames (root)
   end
 end
 
-function names = libraryNames (raw)
-  names = cell (1, 0);
-  if ischar (raw.root) && ischar (raw.folder)
-    names = [baseNames(fullfile (raw.root, 'infrastructure', 'effects'), ...
-                       'effect'), ...
-             baseNames(fullfile (raw.folder, 'effects'), 'effect')];
+function folders = effectFolders (raw)
+  folders = {};
+  if ischar (raw.folder)
+    folders = {fullfile(raw.folder, 'effects'), raw.folder};
   end
 end
 

@@ -1,29 +1,59 @@
-% CHECKEFFECTNUMBERS  Checks the neutral values and limits of one effect.
+% CHECKEFFECTNUMBERS  Checks variables, neutral values, limits of one effect.
 %
-% CALL: P = checkEffectNumbers (EFFECT, FIELD, V)
+% CALL: P = checkEffectNumbers (EFFECT, FIELD)
 %
 %   EFFECT  scalar struct, one effect of loadEffects
 %   FIELD   how the user writes it, e.g. 'effects(2).' (text)
-%   V       number of its variables
 %   P       1 x n problems, see checkProblem
 %
-% Reasons: missingField neutralShape effectLimitsShape effectLimits
+% Reasons: missingField effectVariables reservedName neutralShape
+% effectLimitsShape effectLimits
 %
 % See also: checkEffects
 
-function p = checkEffectNumbers (effect, field, v)
-  p = [checkNeutral(effect, field, v), checkBounds(effect, field, v)];
+function p = checkEffectNumbers (effect, field)
+  [p, v] = checkNames (effect, [field, 'variables']);
+  if isempty (p)
+    p = [checkNeutral(effect, [field, 'neutral'], v), ...
+         checkBounds(effect, [field, 'limits'], v)];
+  end
+end
+
+function [p, v] = checkNames (effect, field)
+  p = checkProblem ();
+  v = 1;
+  expected = 'a cell of names of variables of data.head';
+  cure = 'Write for example {''cohesionPP''}.';
+  if isfield (effect, 'laboratory') && isequal (effect.laboratory, true)
+    return
+  end
+  if ~isfield (effect, 'variables')
+    p = checkProblem ('missingField', field, expected, 'nothing', cure);
+    return
+  end
+  names = effect.variables;
+  if ~iscell (names) || ~isrow (names) || ...
+      ~all (cellfun (@(n) checkIs ('name', n), names))
+    p = checkProblem ('effectVariables', field, expected, ...
+                      checkShow (names), cure);
+    return
+  end
+  v = numel (names);
+  reserved = names(ismember (names, {'RLTS', 'SIMTS', 'runSeed'}));
+  if ~isempty (reserved)
+    p = checkProblem ('reservedName', field, ...
+                      'a variable that DEcalioc does not set itself', ...
+                      reserved{1}, 'Take it out.');
+  end
 end
 
 function p = checkNeutral (effect, field, v)
   p = checkProblem ();
-  field = [field, 'neutral'];
-  expected = sprintf ('%d finite number(s), one a variable', v);
+  expected = sprintf ('a row of %d finite number(s), one a variable', v);
   cure = 'Set the values that switch the effect off.';
   if ~isfield (effect, 'neutral')
     p = checkProblem ('missingField', field, expected, 'nothing', cure);
-  elseif ~checkIs ('vector', effect.neutral) || ...
-      numel (effect.neutral) ~= v || ~all (isfinite (effect.neutral))
+  elseif ~isMatrix (effect.neutral, [1, v])
     p = checkProblem ('neutralShape', field, expected, ...
                       checkShow (effect.neutral), cure);
   end
@@ -31,33 +61,36 @@ end
 
 function p = checkBounds (effect, field, v)
   p = checkProblem ();
-  field = [field, 'limits'];
   expected = sprintf (['a 2 x %d matrix of finite numbers: weakest and ' ...
                        'strongest plausible values'], v);
   cure = 'Set the two rows, one column a variable.';
   if ~isfield (effect, 'limits')
     p = checkProblem ('missingField', field, expected, 'nothing', cure);
-    return
-  end
-  limits = effect.limits;
-  if ~isnumeric (limits) || ~isreal (limits) || issparse (limits) || ...
-      ~isequal (size (limits), [2, v]) || ~all (isfinite (limits(:)))
+  elseif ~isMatrix (effect.limits, [2, v])
     p = checkProblem ('effectLimitsShape', field, expected, ...
-                      checkShow (limits), cure);
-  elseif all (limits(1, :) == limits(2, :))
+                      checkShow (effect.limits), cure);
+  elseif all (effect.limits(1, :) == effect.limits(2, :))
     p = checkProblem ('effectLimits', field, ...
                       'a weakest value that is not the strongest', ...
-                      checkShow (limits(:)), ...
+                      checkShow (effect.limits(:)), ...
                       'Set the strongest plausible value in row 2.');
   end
 end
 
+function yes = isMatrix (value, shape)
+  yes = isnumeric (value) && isreal (value) && ~issparse (value) && ...
+        isequal (size (value), shape) && all (isfinite (value(:)));
+end
+
 %!shared e
-%! e = struct ('neutral', [0, 1], 'limits', [0, 1; 5, 0.5]);
-%!assert (isempty (checkEffectNumbers (e, 'effects(1).', 2)))
-%!assert (checkEffectNumbers (e, 'effects(1).', 1)(1).id, ...
+%! e = struct ('variables', {{'a', 'b'}}, 'neutral', [0, 1], ...
+%!             'limits', [0, 1; 5, 0.5]);
+%!assert (isempty (checkEffectNumbers (e, 'effects(1).')))
+%!assert (checkEffectNumbers (setfield (e, 'neutral', 0), 'effects(1).').id, ...
 %!        'DEcalioc:checkCase:neutralShape')
 %!test
 %! bad = setfield (e, 'limits', [1, 2; 1, 2]);
-%! assert (checkEffectNumbers (bad, 'effects(1).', 2).id, ...
+%! assert (checkEffectNumbers (bad, 'effects(1).').id, ...
 %!         'DEcalioc:checkCase:effectLimits');
+%!assert (checkEffectNumbers (struct ('variables', 'a'), 'e.').id, ...
+%!        'DEcalioc:checkCase:effectVariables')

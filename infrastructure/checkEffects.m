@@ -1,166 +1,196 @@
 % CHECKEFFECTS  Checks the candidate effects of loadEffects.
 %
-% CALL: P = checkEffects (EFFECTS, LIBRARY, MODELVARS, ASSIGN)
+% CALL: [P, EFFECTS] = checkEffects (LIST, FOLDERS, MODELVARS, ASSIGN)
 %
-%   EFFECTS    anything; good are [] and a struct array, see loadEffects
-%   LIBRARY    cell of the names of effects that need nothing but their name
+%   LIST       anything; good is what loadEffects may give, see resolveEffects
+%   FOLDERS    cell of folders that are looked in before the effect library
 %   MODELVARS  [] (not usable) or the scalar struct of loadInput
 %   ASSIGN     anything; good is a cell of names
 %   P          1 x n problems, see checkProblem
+%   EFFECTS    1 x e struct array of the usable ones: field (how the user
+%              writes it), variables (1 x v cell), neutral (1 x v)
 %
 % An effect may share a variable with modelVars where its neutral value is the
 % same, never with assign or with another effect.
 %
 % Reasons: badEffects unknownField badEffectName duplicateEffect
-% unknownEffect effectVariables badVariableName reservedName neutralShape
-% neutralNotFinite effectLimitsShape effectLimits overwrittenVariable
-% duplicateEffectVariable
+% unknownEffect brokenEffect overwrittenVariable duplicateEffectVariable, and
+% those of checkEffectNumbers
 %
-% See also: checkCase, loadEffects
+% See also: checkCase, loadEffects, resolveEffects
 
-function p = checkEffects (effects, library, modelVars, assign)
-  p = checkProblem ();
-  if checkIs ('nothing', effects)
+function [p, effects] = checkEffects (list, folders, modelVars, assign)
+  effects = struct ('field', cell (1, 0), 'variables', [], 'neutral', []);
+  [p, entries] = asEntries (list);
+  if ~isempty (p) || isempty (entries)
     return
   end
-  if ~isstruct (effects) || ~isfield (effects, 'name')
-    p = checkProblem ('badEffects', 'effects', ...
-                      '[] or a struct array with at least the field name', ...
-                      checkShow (effects), ...
-                      'Take loadEffects.m of the toolbox as a pattern.');
-    return
-  end
-  names = {effects.name};
-  used = cell (1, 0);
-  for k = 1:numel (effects)
-    p = [p, checkEffectName(names, k)];
-    if isBare (effects(k))
-      p = [p, checkLibrary(names{k}, k, library)];
-    else
-      [q, own] = checkOwn (effects(k), k);
-      p = [p, q, checkShared(own, k, used, modelVars, assign)];
-      used = [used, own(:, 1)'];
+  library = listEffects (folders);
+  names = {};
+  for k = 1:numel (entries)
+    field = sprintf ('effects(%d)', k);
+    [q, entry] = checkEntry (entries{k}, field, names);
+    p = [p, q];
+    if isstruct (entry)
+      names{end + 1} = entry.name;
+      [q, entry] = complete (entry, field, library, folders);
+      p = [p, q];
+      if isempty (q)
+        p = [p, checkEffectNumbers(entry, [field, '.'])];
+        effects(end + 1) = usable (entry, field);
+      end
     end
+  end
+  p = [p, checkShared(effects, modelVars, assign)];
+end
+
+function [p, entries] = asEntries (list)
+  p = checkProblem ();
+  entries = {};
+  if checkIs ('nothing', list)
+    return
+  elseif checkIs ('text', list)
+    entries = {list};
+  elseif isstruct (list)
+    entries = num2cell (list(:)');
+  elseif iscell (list)
+    entries = list(:)';
+  else
+    p = checkProblem ('badEffects', 'effects', ...
+                      '[], or a struct array with at least the field name', ...
+                      checkShow (list), ...
+                      'Take loadEffects.m of the toolbox as a pattern.');
   end
 end
 
-function p = checkEffectName (names, k)
+% ENTRY comes back as a struct with a good name and without empty fields, or
+% as [].
+function [p, entry] = checkEntry (entry, field, names)
+  if ischar (entry)
+    entry = struct ('name', entry);
+  end
+  if ~checkIs ('struct', entry) || ~isfield (entry, 'name')
+    p = checkProblem ('badEffects', field, ...
+                      'a name, or a struct with at least the field name', ...
+                      checkShow (entry), ...
+                      'Take loadEffects.m of the toolbox as a pattern.');
+    entry = [];
+    return
+  end
+  known = {'name', 'variables', 'neutral', 'limits', 'label', 'unit', ...
+           'group', 'laboratory', 'question', 'priorScale', 'benches', ...
+           'confusedWith', 'kinds', 'transform', 'source'};
+  p = [checkFields(entry, field, known), ...
+       checkEffectName(entry.name, [field, '.name'], names)];
+  if ~checkIs ('name', entry.name)
+    entry = [];
+    return
+  end
+  fields = fieldnames (entry);
+  isGiven = ~cellfun (@(f) checkIs ('nothing', entry.(f)), fields);
+  entry = rmfield (entry, fields(~isGiven));
+end
+
+function p = checkEffectName (name, field, names)
   p = checkProblem ();
-  field = sprintf ('effects(%d).name', k);
-  if ~checkIs ('name', names{k})
+  if ~checkIs ('name', name)
     p = checkProblem ('badEffectName', field, ...
                       'a name of letters, digits and _', ...
-                      checkShow (names{k}), 'Write a short name.');
-  elseif any (strcmp (names{k}, names(1:k - 1)))
+                      checkShow (name), 'Write a short name.');
+  elseif any (strcmp (name, names))
     p = checkProblem ('duplicateEffect', field, 'names that differ', ...
-                      [names{k}, ' a second time'], ...
+                      [name, ' a second time'], ...
                       'Take one of the two out.');
   end
 end
 
-function yes = isBare (effect)
-  yes = true;
-  for name = {'variables', 'neutral', 'limits'}
-    yes = yes && (~isfield (effect, name{1}) || ...
-                  checkIs ('nothing', effect.(name{1})));
-  end
-  yes = yes && ~(isfield (effect, 'laboratory') && ...
-                 isequal (effect.laboratory, true));
-end
-
-function p = checkLibrary (name, k, library)
+% What a name of the library stands for is filled in.
+function [p, entry] = complete (entry, field, library, folders)
   p = checkProblem ();
-  if checkIs ('name', name) && ~any (strcmp (name, library))
-    cure = checkNearest (name, library);
+  given = isfield (entry, {'variables', 'neutral', 'limits'});
+  if any (strcmp (entry.name, library))
+    try
+      base = getEffect (entry.name, folders);
+    catch err
+      p = checkProblem ('brokenEffect', [field, '.name'], ...
+                        sprintf ('a library file of %s that runs', ...
+                                 entry.name), checkShow (err.message), ...
+                        'Call getEffect at the Octave prompt until it runs.');
+      return
+    end
+    for name = fieldnames (entry)'
+      base.(name{1}) = entry.(name{1});
+    end
+    entry = base;
+  elseif ~any (given)
+    cure = checkNearest (entry.name, library);
     if isempty (cure)
       cure = 'Give it variables, neutral and limits.';
     end
-    p = checkProblem ('unknownEffect', sprintf ('effects(%d).name', k), ...
+    p = checkProblem ('unknownEffect', [field, '.name'], ...
                       'an effect of the library, or one with variables', ...
-                      name, cure);
+                      entry.name, cure);
   end
 end
 
-% OWN is n x 2: the usable variables and their neutral values.
-function [p, own] = checkOwn (effect, k)
-  own = cell (0, 2);
-  field = sprintf ('effects(%d).', k);
-  isLaboratory = isfield (effect, 'laboratory') && ...
-                 isequal (effect.laboratory, true);
-  variables = {};
-  if isfield (effect, 'variables')
-    variables = effect.variables;
-  end
-  if ischar (variables)
-    variables = {variables};
-  end
-  if ~iscell (variables) || (isempty (variables) && ~isLaboratory) || ...
-      ~all (cellfun (@(v) checkIs ('name', v), variables(:)'))
-    p = checkProblem ('effectVariables', [field, 'variables'], ...
-                      'a cell of names of variables of data.head', ...
-                      checkShow (variables), ...
-                      'Write for example {''cohesionEnergy''}.');
-    return
-  end
-  v = numel (variables);
-  if isLaboratory
-    v = max (v, 1);
-  end
-  p = [checkReserved(variables, field), ...
-       checkEffectNumbers(effect, field, v)];
-  own = [variables(:), repmat({NaN}, numel (variables), 1)];
-  if isempty (p) && ~isempty (variables)
-    own(:, 2) = num2cell (double (effect.neutral(:)));
+function effect = usable (entry, field)
+  effect = struct ('field', [field, '.variables'], ...
+                   'variables', {cell(1, 0)}, 'neutral', zeros (1, 0));
+  if isfield (entry, 'variables') && iscell (entry.variables)
+    effect.variables = entry.variables(:)';
+    effect.neutral = NaN (1, numel (entry.variables));
+    if isfield (entry, 'neutral') && ...
+        isequal (size (entry.neutral), size (effect.neutral))
+      effect.neutral = entry.neutral;
+    end
   end
 end
 
-function p = checkReserved (variables, field)
+function p = checkShared (effects, modelVars, assign)
   p = checkProblem ();
-  reserved = variables(ismember (variables, {'RLTS', 'SIMTS', 'runSeed'}));
-  if ~isempty (reserved)
-    p = checkProblem ('reservedName', [field, 'variables'], ...
-                      'a variable that DEcalioc does not set itself', ...
-                      reserved{1}, 'Take it out.');
+  designs = {};
+  if iscell (assign)
+    designs = assign(cellfun (@(a) checkIs ('text', a), assign));
   end
-end
-
-function p = checkShared (own, k, used, modelVars, assign)
-  p = checkProblem ();
-  field = sprintf ('effects(%d).variables', k);
-  if ~iscell (assign)
-    assign = {};
-  end
-  for i = 1:rows (own)
-    name = own{i, 1};
-    if any (strcmp (name, used)) || any (strcmp (name, own(1:i - 1, 1)))
-      p(end + 1) = checkProblem ('duplicateEffectVariable', field, ...
+  names = [cell(1, 0), effects.variables];
+  fields = arrayfun (@(e) repmat ({e.field}, 1, numel (e.variables)), ...
+                     effects, 'UniformOutput', false);
+  fields = [cell(1, 0), fields{:}];
+  neutral = num2cell ([effects.neutral]);
+  for i = find (cellfun (@(n) checkIs ('name', n), names))
+    name = names{i};
+    if any (strcmp (name, names(1:i - 1)))
+      p(end + 1) = checkProblem ('duplicateEffectVariable', fields{i}, ...
                                  'variables of no other effect', name, ...
                                  'Give each effect a variable of its own.');
-    elseif any (cellfun (@(a) isequal (a, name), assign(:)'))
-      p(end + 1) = checkProblem ('overwrittenVariable', field, ...
+    elseif any (strcmp (name, designs))
+      p(end + 1) = checkProblem ('overwrittenVariable', fields{i}, ...
                                  'variables that are not calibrated', ...
                                  [name, ', which assign names too'], ...
-                                 'Take it out of assign, or drop the effect.');
+                                 'Take it out of assign or out of effects.');
     elseif isstruct (modelVars) && isfield (modelVars, name) && ...
-        ~isequal (modelVars.(name), own{i, 2})
-      p(end + 1) = checkProblem ('overwrittenVariable', field, ...
-                                 sprintf ('neutral %s as in modelVars', ...
-                                          checkShow (modelVars.(name))), ...
-                                 sprintf ('%s with neutral %s', name, ...
-                                          checkShow (own{i, 2})), ...
-                                 ['Take it out of modelVars, or make the ' ...
-                                  'neutral value the same.']);
+        ~isequal (modelVars.(name), neutral{i})
+      p(end + 1) = checkProblem ('overwrittenVariable', fields{i}, ...
+                                 ['neutral values as in modelVars: ', ...
+                                  checkShow(modelVars.(name))], ...
+                                 [name, ' with ', checkShow(neutral{i})], ...
+                                 'Take it out of modelVars.');
     end
   end
 end
 
 %!shared e
-%! e = struct ('name', 'cohesion', 'variables', {{'k'}}, 'neutral', 0, ...
+%! e = struct ('name', 'lid', 'variables', {{'k'}}, 'neutral', 0, ...
 %!             'limits', [0; 1e5]);
 %!assert (isempty (checkEffects (e, {}, struct ('k', 0), {'a'})))
 %!assert (isempty (checkEffects ([], {}, struct (), {'a'})))
-%!assert (isempty (checkEffects (struct ('name', 'tilt'), {'tilt'}, [], {})))
-%!assert (checkEffects (struct ('name', 'tlt'), {'tilt'}, [], {}).id, ...
+%!assert (isempty (checkEffects ({'tilt', e}, {}, [], {})))
+%!test
+%! [p, effects] = checkEffects (struct ('name', 'tilt', 'limits', [0; 1]), ...
+%!                              {}, [], {});
+%! assert (isempty (p));
+%! assert (effects.variables, {'tiltAngle'});
+%!assert (checkEffects ('tlt', {}, [], {}).id, ...
 %!        'DEcalioc:checkCase:unknownEffect')
 %!assert (checkEffects (e, {}, [], {'k'}).id, ...
 %!        'DEcalioc:checkCase:overwrittenVariable')

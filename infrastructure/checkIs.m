@@ -5,7 +5,7 @@
 %   KIND   'number'   real finite scalar that is not sparse
 %          'integer'  the same, and whole
 %          'vector'   row or column of real numbers, not sparse, not empty
-%          'text'     row of printable characters, not empty
+%          'text'     row of printable characters (UTF-8), not empty
 %          'name'     text of letters, digits and _ that does not start with
 %                     a digit, at most 63 long: a variable of LIGGGHTS
 %          'struct'   one struct
@@ -46,7 +46,19 @@ end
 
 function yes = isText (value)
   yes = ischar (value) && isrow (value) && ~isempty (value) && ...
-        all (value >= 32 & value ~= 127);
+        all (value >= 32 & value ~= 127) && isUtf8 (value);
+end
+
+% Octave's own functions for paths throw at any other encoding.
+function yes = isUtf8 (text)
+  yes = true;
+  if any (text > 127)
+    try
+      regexp (text, 'x', 'once');
+    catch
+      yes = false;
+    end
+  end
 end
 
 function yes = isName (text)
@@ -73,6 +85,8 @@ end
 %!assert (! checkIs ('vector', ones (2)))
 %!assert (checkIs ('text', 'a b'))
 %!assert (! checkIs ('text', "a\nb"))
+%!assert (checkIs ('text', char ([195, 164])))
+%!assert (! checkIs ('text', char (228)))
 %!assert (checkIs ('name', 'coefFrictionPP'))
 %!assert (! checkIs ('name', '1a'))
 %!assert (! checkIs ('name', 'a b'))

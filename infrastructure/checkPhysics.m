@@ -25,6 +25,9 @@ function expected = checkPhysics (name, value)
            'percentRayleigh', 'a number above 0, at most 1', ...
            @(v) v > 0 & v <= 1};
   expected = '';
+  if ~checkIs ('name', name)
+    return
+  end
   for k = 1:size (table, 1)
     isMeant = any (strcmp (name, {table{k, 1}, [table{k, 1}, 'P'], ...
                                   [table{k, 1}, 'W'], [table{k, 1}, 'PP'], ...

@@ -26,7 +26,8 @@ function p = checkRayleigh (optim, modelVars, assign, models)
   if any (arrayfun (@needsPercent, models))
     needed{end + 1} = 'percentRayleigh';
   end
-  given = [fieldnames(modelVars)', assign(cellfun (@ischar, assign))];
+  isText = cellfun (@(a) checkIs ('text', a), assign);
+  given = [fieldnames(modelVars)', assign(isText)];
   for k = find (~ismember (needed, given))
     name = needed{k};
     p(end + 1) = checkProblem ('missingRayleigh', ['modelVars.', name], ...

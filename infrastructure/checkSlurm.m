@@ -3,11 +3,12 @@
 % CALL: P = checkSlurm (SLURM)
 %
 %   SLURM  anything; [] or a scalar struct with the fields partition, account,
-%          time (min), extra and maxInFlight, each optional
+%          time (min), extra and maxInFlight, poll
+%          (s) and grace (s), each optional
 %   P      1 x n problems, see checkProblem
 %
 % Reasons: notStruct unknownField badSlurmName badSlurmTime badSlurmExtra
-% badSlurmLimit
+% badSlurmLimit badSlurmWait
 %
 % See also: checkInputFields, executeSlurm
 
@@ -22,14 +23,34 @@ function p = checkSlurm (slurm)
                       'Write Input.slurm.partition = ''name''; and so on.');
     return
   end
-  rules = {'time', 'badSlurmTime', 0, 1e7, 'open', false, ...
+  rules = {'time', 'badSlurmTime', 1, 1e7, 'number', false, ...
            'Set the minutes that one job may take.'; ...
+           'poll', 'badSlurmWait', 0, 1e5, 'number', false, ...
+           'Set the seconds between two looks at the queue.'; ...
+           'grace', 'badSlurmWait', 0, 1e5, 'number', false, ...
+           'Set the seconds that files may need to appear.'; ...
            'maxInFlight', 'badSlurmLimit', 1, 1e6, 'integer', false, ...
            'Set the number of jobs that may wait or run at a time.'};
-  known = {'partition', 'account', 'time', 'extra', 'maxInFlight'};
+  known = {'partition', 'account', 'time', 'extra', 'maxInFlight', ...
+           'poll', 'grace'};
   p = [checkFields(slurm, 'Input.slurm', known), ...
        checkWord(slurm, 'partition'), checkWord(slurm, 'account'), ...
        checkScalars(slurm, 'Input.slurm', rules), checkExtra(slurm)];
+  if isempty (p)
+    p = checkRest (slurm);
+  end
+end
+
+% The executor knows best which options it cannot pass on.
+function p = checkRest (slurm)
+  p = checkProblem ();
+  try
+    slurmOptions (slurm);
+  catch err
+    p = checkProblem ('badSlurmExtra', 'Input.slurm', ...
+                      'options that DEcalioc can pass on to sbatch', ...
+                      err.message, 'See docs/slurm.md.');
+  end
 end
 
 function p = checkWord (slurm, name)
@@ -69,6 +90,8 @@ end
 
 %!assert (isempty (checkSlurm (struct ('partition', 'main', 'time', 30))))
 %!assert (isempty (checkSlurm ([])))
+%!assert (checkSlurm (struct ('extra', '--array=1-3')).id, ...
+%!        'DEcalioc:checkCase:badSlurmExtra')
 %!assert (checkSlurm (3).id, 'DEcalioc:checkCase:notStruct')
 %!assert (checkSlurm (struct ('account', 'a;b')).id, ...
 %!        'DEcalioc:checkCase:badSlurmName')

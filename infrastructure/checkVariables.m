@@ -31,7 +31,7 @@ end
 
 function p = checkAssign (assign, fixed)
   p = checkProblem ();
-  isText = cellfun (@ischar, assign);
+  isText = cellfun (@(a) checkIs ('text', a), assign);
   for k = 1:numel (assign)
     field = sprintf ('assign{%d}', k);
     earlier = assign(find (isText(1:k - 1)));

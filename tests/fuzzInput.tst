@@ -1,0 +1,11 @@
+% Random damage to the input: every fault is one of DEcalioc, none is a crash.
+
+%!test
+%! [findings, counts] = fuzzInput (300, 1, 0.2);
+%! assert (isempty (findings), strjoin ([findings, {''}], "\n"));
+%! assert (counts(1) > 100);
+
+%!testif ; strcmp (getenv ('DECALIOC_SOAK'), '1')
+%! [findings, counts] = fuzzInput (10000, 2, 1);
+%! assert (isempty (findings), strjoin ([findings, {''}], "\n"));
+%! assert (sum (counts(1:2)), 10000);
