@@ -15,7 +15,9 @@
 % the median of the model's runs so far, and at least 60 s.
 %
 % parcellfun is not used to start simulations: it cannot mix runs of different
-% CPU counts, and when one worker dies it loses the runs of all.
+% CPU counts, and when one worker dies it loses the runs of all. The next run is
+% prepared while others are under way, and started before ended ones are
+% evaluated, so a CPU waits for little more than the look every 20 ms.
 %
 % See also: runJobs, executeSlurm, startRun
 
@@ -32,29 +34,57 @@ function records = executeLocal (jobs, Case, report)
   tidy = onCleanup (@() cellfun (@endRun, live.keys ()));
   clock = tic ();
   while ~ all (isDone)
+    age = toc (clock) - born(running);
+    ended = running(cellfun (@hasEnded, folders(running), num2cell (age)));
+    running = setdiff (running, ended);
     next = firstFitting (queue, cpus, Case.options.maxCPU - sum (cpus(running)));
-    if ~ isempty (next)
-      folders{next} = prepareRun (jobs(next), Case);
+    while ~ isempty (next)
+      folders = prepareOnce (next, folders, jobs, Case);
       live(folders{next}) = next;
       startRun (folders{next}, Case.root);
       born(next) = toc (clock);
       queue(queue == next) = [];
       running(end+1) = next;
-      continue;
+      next = firstFitting (queue, cpus, ...
+                           Case.options.maxCPU - sum (cpus(running)));
     end
-    age = toc (clock) - born(running);
-    ended = running(cellfun (@hasEnded, folders(running), num2cell (age)));
-    if isempty (ended)
-      pause (0.05);
-      continue;
+    if ~ isempty (ended)
+      records(ended) = collectEnded (jobs(ended), folders(ended), Case);
+      isDone(ended) = true;
+      live.remove (folders(ended));
+      setLimits (records(isDone), jobs(running), folders(running), Case);
+      queue = longestFirst (queue, cpus, jobs, records, isDone);
+      report (stateOf (records, isDone, running, toc (clock)));
+    elseif ~ isempty (queue) && isempty (folders{queue(1)})
+      folders = prepareOnce (queue(1), folders, jobs, Case);
+    else
+      pause (0.02);
     end
-    records(ended) = collectEnded (jobs(ended), folders(ended), Case);
-    isDone(ended) = true;
-    live.remove (folders(ended));
-    running = setdiff (running, ended);
-    setLimits (records(isDone), jobs(running), folders(running), Case);
-    report (stateOf (records, isDone, running, toc (clock)));
   end
+end
+
+function folders = prepareOnce (k, folders, jobs, Case)
+  if isempty (folders{k})
+    folders{k} = prepareRun (jobs(k), Case);
+  end
+end
+
+% Long runs that start last keep all others waiting. How long a run will take
+% is foreseen from the finished ones: log (seconds) linear in the parameters.
+function queue = longestFirst (queue, cpus, jobs, records, isDone)
+  foreseen = zeros (1, numel (queue));
+  for model = unique ({jobs(queue).model})
+    isSame = isDone & strcmp ({jobs.model}, model{1}) & ...
+             strcmp ({records.status}, 'ok') & [records.seconds] > 0;
+    mine = find (strcmp ({jobs(queue).model}, model{1}));
+    if sum (isSame) >= 4
+      A = [ones(sum (isSame), 1), vertcat(jobs(isSame).params)];
+      B = [ones(numel (mine), 1), vertcat(jobs(queue(mine)).params)];
+      foreseen(mine) = B * (pinv (A) * log ([records(isSame).seconds])');
+    end
+  end
+  [~, order] = sortrows ([-cpus(queue)', -foreseen', (1:numel (queue))']);
+  queue = queue(order);
 end
 
 function n = cpuOf (job, Case)

@@ -27,7 +27,7 @@ function records = collectRuns (jobs, folders, Case, apart)
     places{i} = struct ('base', Case.store, 'name', name, 'funs', funs, ...
                         'count', Case.models(k).nTargets);
     todo{i} = judgeEnd (newRecord (jobs(i), folders{i}));
-    todo{i}.funs = hashFolder (funs, {});
+    todo{i}.funs = hashOfFuns (Case.models(k), funs);
   end
   if nargin > 3 && ~ apart
     records = cellfun (@evaluateRun, todo, places, 'UniformOutput', false);
@@ -35,6 +35,14 @@ function records = collectRuns (jobs, folders, Case, apart)
     records = evaluateAll (todo, places);
   end
   records = [records{:}];
+end
+
+function key = hashOfFuns (model, funs)
+  if isfield (model, 'funs')
+    key = model.funs;
+  else
+    key = hashFolder (funs, {});
+  end
 end
 
 function records = evaluateAll (todo, places)

@@ -20,6 +20,10 @@
 % See also: findRuns, executeLocal, executeSlurm
 
 function [records, isReused] = runJobs (jobs, Case, report)
+  for k = 1:numel (Case.models)
+    Case.models(k).funs = ...
+      hashFolder (fullfile (Case.models(k).folder, 'OctaveFuns'), {});
+  end
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   [records, open] = fromStore (jobs, records, Case);
   isReused = ~ open;
@@ -54,17 +58,13 @@ end
 function [records, open] = fromStore (jobs, records, Case)
   found = findRuns (jobs, Case);
   open = cellfun (@isempty, found);
-  funs = struct ();
-  for k = 1:numel (Case.models)
-    funs.(Case.models(k).name) = ...
-      hashFolder (fullfile (Case.models(k).folder, 'OctaveFuns'), {});
-  end
   stale = false (size (open));
   for i = find (~ open)
     r = found{i};
     if isfield (r, 'status') && any (strcmp (r.status, {'failed', 'timeout'}))
       open(i) = true;
-    elseif ~ isfield (r, 'funs') || ~ strcmp (r.funs, funs.(jobs(i).model))
+    elseif ~ isfield (r, 'funs') || ...
+           ~ strcmp (r.funs, funsOf (jobs(i).model, Case))
       stale(i) = true;
     else
       records(i) = takeOver (records(i), r, jobs(i));
@@ -74,6 +74,10 @@ function [records, open] = fromStore (jobs, records, Case)
     folders = cellfun (@(r) r.folder, found(stale), 'UniformOutput', false);
     records(stale) = collectRuns (jobs(stale), folders, Case);
   end
+end
+
+function key = funsOf (model, Case)
+  key = Case.models(strcmp (model, {Case.models.name})).funs;
 end
 
 % A stored run may have been made for another stage or row of the plan.
