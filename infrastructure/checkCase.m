@@ -184,7 +184,7 @@ function p = checkPlace (raw, models)
   end
   store = fieldOr (raw.Input, 'store', '');
   if ~checkIs ('text', store)
-    store = fullfile (raw.folder, 'optim');
+    store = raw.folder;
   end
   nRuns = countOr (raw.Input, 'numOfSam', 20);
   if isstruct (raw.optim)

@@ -1,0 +1,51 @@
+% docs/inputs.md and the checks name the same problems and the same fields.
+
+%!function names = inTable ()
+%!  text = fileread (fullfile (rootOf (), 'docs', 'inputs.md'));
+%!  text = text(strfind (text, "| reason |"):end);
+%!  names = {};
+%!  for row = strsplit (text, "\n")
+%!    if strncmp (row{1}, '| `', 3)
+%!      cells = strsplit (row{1}, '|');
+%!      found = regexp (cells{2}, '`(\w+)`', 'tokens');
+%!      names = [names, found{:}];
+%!    end
+%!  end
+%!endfunction
+
+%!function folder = rootOf ()
+%!  folder = fileparts (fileparts (which ('checkCase')));
+%!endfunction
+
+%!test
+%! % every reason of the bad inputs stands in the table, and the other way round
+%! reasons = unique (badInputs ()(:, 1))';
+%! assert (isempty (setdiff (reasons, inTable ())));
+%! untested = setdiff (inTable (), [reasons, {'checkFailed'}]);
+%! assert (isempty (untested), strjoin ([untested, {''}], ' '));
+
+%!test
+%! % every reason that the code names stands in the table
+%! names = {};
+%! for file = glob (fullfile (rootOf (), 'infrastructure', 'check*.m'))'
+%!   found = regexp (fileread (file{1}), ...
+%!                   'checkProblem \(''(\w+)''', 'tokens');
+%!   names = [names, found{:}];
+%! end
+%! names = setdiff (names, {'badCpu', 'a'});
+%! assert (numel (names) > 40);
+%! assert (all (ismember (names, inTable ())), ...
+%!         strjoin (setdiff (names, inTable ()), ' '));
+
+%!test
+%! % every field of the good input is described
+%! text = fileread (fullfile (rootOf (), 'docs', 'inputs.md'));
+%! folder = tempname ();
+%! raw = goodInput (folder);
+%! fields = [fieldnames(raw.Input); fieldnames(raw.optim); ...
+%!           fieldnames(raw.effects)]';
+%! isThere = cellfun (@(f) ! isempty (regexp (text, ['`', f, '[`{(]'])), ...
+%!                    fields);
+%! assert (all (isThere), strjoin (fields(! isThere), ' '));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
