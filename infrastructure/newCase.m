@@ -32,8 +32,9 @@ function Case = newCase (raw)
   Case.names = raw.assign(:)';
   Case.limits = double (raw.paramLims);
   Case.modelVars = raw.modelVars;
-  Case.effects = raw.effects;
-  Case.effectVars = effectVariables (raw.effects);
+  Case.effects = resolveEffects (raw.effects, ...
+                                 {fullfile(raw.folder, 'effects'), raw.folder});
+  Case.effectVars = effectVariables (Case.effects);
   Case.targets = newTargets (raw.optim, Case.models);
   Case.options = newOptions (Input, raw.optim);
   for k = 1:numel (Case.models)

@@ -7,7 +7,7 @@
 % The candidates are those of loadEffects.m, of the case or of the toolbox; an
 % empty list is allowed.
 %
-% Errors: DEcalioc:withEffects:brokenEffects, those of resolveEffects
+% Errors: DEcalioc:withEffects:brokenEffects, those of checkEffects
 %
 % See also: loadEffects, resolveEffects
 
@@ -22,7 +22,13 @@ function Case = withEffects (Case)
            ['withEffects: %s must return a struct array of effects, but ' ...
             'running it gave: %s'], which ('loadEffects'), err.message);
   end
-  Case.effects = resolveEffects (list, {Case.folder, Case.root});
+  folders = {fullfile(Case.folder, 'effects'), Case.folder};
+  problems = checkEffects (list, folders, Case.modelVars, Case.names);
+  if ~isempty (problems)
+    error (problems(1).id, 'withEffects: %s', ...
+           strjoin ({problems.message}, "\n"));
+  end
+  Case.effects = resolveEffects (list, folders);
   Case.effectVars = {};
   for k = 1:numel (Case.effects)
     Case.effectVars = [Case.effectVars, Case.effects(k).variables(:)'];
