@@ -1,0 +1,47 @@
+% WRITESTL  Writes triangles as an ASCII STL file.
+%
+% CALL: writeStl (FILE, TRIANGLES)
+%
+% FILE       text, name of the file
+% TRIANGLES  3 x 3 x n, coordinates (m) x corners x triangles
+%
+% Throws DEcalioc:writeStl:badShape, DEcalioc:writeStl:missingFile (FILE cannot
+% be written).
+%
+% See also: makeDrum
+function writeStl (file, triangles)
+  if size (triangles, 1) ~= 3 || size (triangles, 2) ~= 3
+    error ('DEcalioc:writeStl:badShape', ...
+           'writeStl: TRIANGLES must be 3 x 3 x n, got %d x %d x %d.', ...
+           size (triangles, 1), size (triangles, 2), size (triangles, 3));
+  end
+  fid = fopen (file, 'w');
+  if fid < 0
+    error ('DEcalioc:writeStl:missingFile', ...
+           'writeStl: FILE must be writable, got %s.', file);
+  end
+  closer = onCleanup (@() fclose (fid));
+  fprintf (fid, "solid bench\n");
+  for k = 1:size (triangles, 3)
+    corners = triangles(:, :, k);
+    normal = cross (corners(:, 2) - corners(:, 1), ...
+                    corners(:, 3) - corners(:, 1));
+    normal = normal / norm (normal);
+    fprintf (fid, "  facet normal %.9g %.9g %.9g\n    outer loop\n", normal);
+    fprintf (fid, "      vertex %.9g %.9g %.9g\n", corners);
+    fprintf (fid, "    endloop\n  endfacet\n");
+  end
+  fprintf (fid, "endsolid bench\n");
+end
+
+%!test % one triangle in the plane z = 0 looks up
+%! file = tempname ();
+%! writeStl (file, [0, 1, 0; 0, 0, 1; 0, 0, 0]);
+%! text = fileread (file);
+%! delete (file);
+%! assert (numel (strfind (text, 'vertex')), 3);
+%! assert (~isempty (strfind (text, 'facet normal 0 0 1')));
+
+%!error id=DEcalioc:writeStl:badShape writeStl ('x.stl', zeros (2, 3))
+%!error id=DEcalioc:writeStl:missingFile ...
+%! writeStl ('/no/such/folder/x.stl', zeros (3, 3, 0))
