@@ -5,7 +5,7 @@
 %   stlFile   text: the file to write
 %
 % Floor (z = 0), back wall (x = 0) and two side walls of a bin that is 60 mm
-% long (x), 40 mm wide (y) and 120 mm high; front and top are open. Two
+% long (x), 60 mm wide (y) and 120 mm high; front and top are open. Two
 % triangles a face, corners in m.
 %
 % See also: in.SmallBin, getResults
@@ -13,7 +13,7 @@
 function makeBin (stlFile)
 
   long = 0.06;
-  wide = 0.04;
+  wide = 0.06;
   high = 0.12;
   floor4 = [0, 0, 0; long, 0, 0; long, wide, 0; 0, wide, 0];
   back4 = [0, 0, 0; 0, wide, 0; 0, wide, high; 0, 0, high];

@@ -1,0 +1,161 @@
+% LIFT100RESPONSE  Measure seed noise and response of a container model.
+%
+% CALL: lift100Response ()
+%       lift100Response (model)
+%       lift100Response (model, nParallel)
+%
+%   model       text: 'Lift100' (default) or 'SmallBin'
+%   nParallel   scalar: how many runs at once; default: processors
+%
+% Runs on LIGGGHTS: the centre of the document's box with 5 seeds; each of the
+% five design variables at its lower and upper limit with 3 seeds, the others
+% at the centre; and the two corners of the box where all friction is lowest or
+% highest with 2 seeds. Writes one row a run to benchmarks/results/<model>.csv
+% and prints the tables that stand in the model's README. Lift100: 39 runs,
+% about 20 minutes of one core.
+%
+% From the folder of the repository, liggghts on the PATH:
+%   octave-cli --eval "addpath ('benchmarks'); lift100Response ('Lift100')"
+%
+% See also: getResults
+
+function lift100Response (model, nParallel)
+
+  if nargin < 1
+    model = 'Lift100';
+  end
+  if nargin < 2
+    nParallel = nproc ();
+  end
+  root = fileparts (fileparts (mfilename ('fullpath')));
+  names = {'densityP', 'coefFrictionPP', 'coefFrictionPW', ...
+           'coefRollingFrictionPP', 'coefRollingFrictionPW'};
+  limits = [500, 0.3, 0.3, 0.025, 0.025; 800, 0.7, 0.7, 0.075, 0.075];
+  plan = makePlan (limits);
+
+  work = tempname ();
+  mkdir (work);
+  for k = 1:rows (plan)
+    prepare (fullfile (root, 'DEMmodels', model), ...
+             fullfile (work, sprintf ('run%03d', k)), names, plan(k, :));
+  end
+  system (sprintf (['cd ''%s'' && ls -d run* | xargs -P %d -I{} bash -c ' ...
+                    '''cd {} && TIMEFORMAT=%%U && { time bash runscript ' ...
+                    '> stdout.txt 2> stderr.txt; } 2> cpu.txt'''], ...
+                   work, nParallel));
+  runs = zeros (rows (plan), 10);
+  for k = 1:rows (plan)
+    runs(k, :) = collect (fullfile (work, sprintf ('run%03d', k)));
+  end
+  writeRuns (fullfile (root, 'benchmarks', 'results', [model, '.csv']), ...
+             names, [plan, runs]);
+  sayTables (names, plan, runs);
+  confirm_recursive_rmdir (false, 'local');
+  rmdir (work, 's');
+
+end
+
+
+% Rows of five design variables and a seed, n x 6.
+function plan = makePlan (limits)
+
+  seeds = [10007, 10009, 10037, 10039, 10061];
+  centre = mean (limits);
+  plan = [repmat(centre, 5, 1), seeds'];
+  for j = 1:columns (limits)
+    for side = 1:2
+      point = centre;
+      point(j) = limits(side, j);
+      plan = [plan; repmat(point, 3, 1), seeds(1:3)'];
+    end
+  end
+  for side = 1:2
+    corner = [centre(1), limits(side, 2:end)];
+    plan = [plan; repmat(corner, 2, 1), seeds(1:2)'];
+  end
+
+end
+
+
+function prepare (modelFolder, folder, names, row)
+
+  copyfile (modelFolder, folder);
+  fid = fopen (fullfile (folder, 'data.head'), 'a');
+  for j = 1:numel (names)
+    fprintf (fid, 'variable %s equal %.17g\n', names{j}, row(j));
+  end
+  fprintf (fid, 'variable runSeed equal %d\n', row(end));
+  fclose (fid);
+
+end
+
+
+% One row: density, mass, core seconds, spheres kept, their share of those
+% filled in, deepest overlap, seconds of settling and of discharge, whether
+% both ended at rest (0 to 2), time step.
+function row = collect (folder)
+
+  row = NaN (1, 10);
+  file = fullfile (folder, 'output_checks.csv');
+  if exist (file, 'file') ~= 2
+    return
+  end
+  text = fileread (file);
+  value = @(name) str2double (regexp (text, ['^', name, ',(\S+)$'], ...
+                                      'tokens', 'once', 'lineanchors'));
+  number = @(name) str2double (fileread (fullfile (folder, name)));
+  kept = value ('spheresKept');
+  row = [number('output_density'), number('output_mass'), ...
+         number('cpu.txt'), kept, kept / value('spheresFilled'), ...
+         value('overlapMax'), value('settleSeconds'), ...
+         value('dischargeSeconds'), ...
+         value('settleByRest') + value('dischargeByRest'), ...
+         value('timeStep')];
+
+end
+
+
+function writeRuns (file, names, data)
+
+  header = strjoin ([names, {'runSeed', 'density', 'mass', 'coreSeconds', ...
+                             'spheres', 'keptShare', 'overlapMax', ...
+                             'settleSeconds', 'dischargeSeconds', ...
+                             'endedAtRest', 'timeStep'}], ',');
+  fid = fopen (file, 'w');
+  fprintf (fid, '%s\n', header);
+  format = [strjoin(repmat ({'%.10g'}, 1, columns (data)), ','), '\n'];
+  fprintf (fid, format, data');
+  fclose (fid);
+
+end
+
+
+function sayTables (names, plan, runs)
+
+  z = runs(:, 1:2);
+  centre = z(1:5, :);
+  noise = 100 * std (centre) ./ mean (centre);
+  printf ('runs %d, failed %d; core seconds %.1f (%.1f to %.1f)\n', ...
+          rows (z), sum (any (isnan (z), 2)), mean (runs(:, 3)), ...
+          min (runs(:, 3)), max (runs(:, 3)));
+  printf ('spheres %d to %d, overlap at most %.2f %%\n', min (runs(:, 4)), ...
+          max (runs(:, 4)), 100 * max (runs(:, 6)));
+  printf ('centre: %.1f kg/m3 +- %.2f %%, %.5f kg +- %.2f %% (5 seeds)\n', ...
+          mean (centre(:, 1)), noise(1), mean (centre(:, 2)), noise(2));
+  printf ('\n| variable | from | to | density (kg/m3) | mass (kg) |\n');
+  printf ('|---|---|---|---|---|\n');
+  for j = 1:5
+    first = 5 + 6 * (j - 1);
+    low = mean (z(first + (1:3), :));
+    high = mean (z(first + (4:6), :));
+    printf ('| %s | %g | %g | %.1f to %.1f | %.4f to %.4f |\n', names{j}, ...
+            plan(first + 1, j), plan(first + 4, j), low(1), high(1), ...
+            low(2), high(2));
+  end
+  low = mean (z(end - 3:end - 2, :));
+  high = mean (z(end - 1:end, :));
+  printf ('| all friction | lowest | highest | %.1f to %.1f | ', low(1), ...
+          high(1));
+  printf ('%.4f to %.4f |\n', low(2), high(2));
+
+end
