@@ -8,7 +8,7 @@
 %
 % Reasons: unknownField missingField badModelList unsafeName duplicateModel
 % badCpu cpuCount badMaxCPU tooFewCPU badNumOfSam badSeed badMaxNewRuns
-% badReplicates badTimeout timeoutCount badExecutor badStore, and those of
+% badReplicates badTimeout timeoutCount badExecutor missingProgram badStore, and those of
 % checkSlurm
 %
 % See also: checkCase, checkModels
@@ -168,6 +168,12 @@ function p = checkExecutor (Input, executors)
                       ['one of ', strjoin(executors, ', ')], ...
                       checkShow (name), ...
                       'Leave it out to run on this machine.');
+  elseif strcmp (name, 'slurm') && ...
+      isempty (file_in_path (getenv ('PATH'), 'sbatch'))
+    p = checkProblem ('missingProgram', 'Input.executor', ...
+                      'a program sbatch on the PATH', 'none', ...
+                      ['Start on a machine of the cluster, or leave it out ' ...
+                       'to run here.']);
   end
 end
 
@@ -193,3 +199,9 @@ end
 %! bad = setfield (good, 'model', {'A', '../B'});
 %! assert (checkInputFields (bad, {'local'}).id, ...
 %!         'DEcalioc:checkCase:unsafeName');
+%!test
+%! home = getenv ('PATH');
+%! setenv ('PATH', '/nowhere');
+%! p = checkInputFields (setfield (good, 'executor', 'slurm'), {'slurm'});
+%! setenv ('PATH', home);
+%! assert (p.id, 'DEcalioc:checkCase:missingProgram');

@@ -40,8 +40,8 @@
 %!function mode = modeOf (row, k)
 %!  % most need no other program, and are faster without
 %!  mode = 'noPrograms';
-%!  inFull = [badFiles()(:, 1); {'targetCount'}];
-%!  if any (strcmp (row{1}, inFull)) || mod (k, 25) == 0 ...
+%!  if isempty (row{2}) || mod (k, 25) == 0 ...
+%!      || any (strcmp (row{1}, {'targetCount', 'storeNotWritable'})) ...
 %!      || strcmp (getenv ('DECALIOC_SOAK'), '1')
 %!    mode = 'full';
 %!  end

@@ -1,7 +1,7 @@
 % Random damage to the input: every fault is one of DEcalioc, none is a crash.
 
 %!test
-%! [findings, counts] = fuzzInput (300, 1, 0.2);
+%! [findings, counts] = fuzzInput (300, 1, 0.05);
 %! assert (isempty (findings), strjoin ([findings, {''}], "\n"));
 %! assert (counts(1) > 100);
 
