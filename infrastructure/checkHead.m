@@ -26,8 +26,8 @@ function head = readHead (folder, name, depth)
       head(end + 1) = struct ('name', words{2}, 'style', words{3}, ...
                               'value', strtrim (words{4}));
     elseif depth < 3
-      more = readHead (folder, words{2}, depth + 1);
-      head(end + 1:end + numel (more)) = more;
+      inside = readHead (folder, words{2}, depth + 1);
+      head(end + 1:end + numel (inside)) = inside;
     end
   end
 end

@@ -8,8 +8,8 @@
 %
 % Reasons: unknownField missingField badModelList unsafeName duplicateModel
 % badCpu cpuCount badMaxCPU tooFewCPU badNumOfSam badSeed badMaxNewRuns
-% badReplicates badTimeout timeoutCount badExecutor missingProgram badStore, and those of
-% checkSlurm
+% badReplicates badTimeout timeoutCount badExecutor missingProgram
+% badStore, and those of checkSlurm
 %
 % See also: checkCase, checkModels
 
