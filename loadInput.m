@@ -8,6 +8,7 @@
 % As it stands it calibrates the container example DEMmodels/Lift100.
 
 function [Input, optim, modelVars, assign, paramLims] = loadInput ()
+  %| pragma Justify (metric, "function_length", "a form, not a program");
   % ----------------------------------------------------------------------
   % 1  DISCRETE ELEMENT MODELS
   %

@@ -32,9 +32,9 @@ function records = executeLocal (jobs, Case, report)
   running = [];
   live = containers.Map ();
   tidy = onCleanup (@() cellfun (@endRun, live.keys ()));
-  clock = tic ();
+  start = tic ();
   while ~ all (isDone)
-    age = toc (clock) - born(running);
+    age = toc (start) - born(running);
     ended = running(cellfun (@hasEnded, folders(running), num2cell (age)));
     running = setdiff (running, ended);
     next = firstFitting (queue, cpus, Case.options.maxCPU - sum (cpus(running)));
@@ -42,7 +42,7 @@ function records = executeLocal (jobs, Case, report)
       folders = prepareOnce (next, folders, jobs, Case);
       live(folders{next}) = next;
       startRun (folders{next}, Case.root);
-      born(next) = toc (clock);
+      born(next) = toc (start);
       queue(queue == next) = [];
       running(end+1) = next;
       next = firstFitting (queue, cpus, ...
@@ -54,7 +54,7 @@ function records = executeLocal (jobs, Case, report)
       live.remove (folders(ended));
       setLimits (records(isDone), jobs(running), folders(running), Case);
       queue = longestFirst (queue, cpus, jobs, records, isDone);
-      report (stateOf (records, isDone, running, toc (clock)));
+      report (stateOf (records, isDone, running, toc (start)));
     elseif ~ isempty (queue) && isempty (folders{queue(1)})
       folders = prepareOnce (queue(1), folders, jobs, Case);
     else
@@ -72,6 +72,10 @@ end
 % Long runs that start last keep all others waiting. How long a run will take
 % is foreseen from the finished ones: log (seconds) linear in the parameters.
 function queue = longestFirst (queue, cpus, jobs, records, isDone)
+  enough = 200;
+  if isempty (queue) || sum (isDone) > enough
+    return;
+  end
   foreseen = zeros (1, numel (queue));
   for model = unique ({jobs(queue).model})
     isSame = isDone & strcmp ({jobs.model}, model{1}) & ...
@@ -128,9 +132,9 @@ function setLimits (done, jobs, folders, Case)
   for i = 1:numel (jobs)
     k = strcmp (jobs(i).model, {Case.models.name});
     limit = defaultLimit (done, jobs(i).model);
-    if isnan (Case.models(k).timeout) && ~ isnan (limit)
-      writeAtomic (fullfile (folders{i}, 'limit'), ...
-                   sprintf ("%d\n", ceil (limit)));
+    file = fullfile (folders{i}, 'limit');
+    if isnan (Case.models(k).timeout) && ~ isnan (limit) && ~ isfile (file)
+      writeAtomic (file, sprintf ("%d\n", ceil (limit)));
     end
   end
 end

@@ -14,15 +14,18 @@
 % See also: evaluateDEM, calibrateOnDEM
 
 function evaluate = newEvaluate (Case, ledger, say)
+  book = struct ('Case', Case, 'ledger', ledger, 'say', say);
   evaluate = @(P, replicate, varargin) ...
-    bookedRuns (P, replicate, Case, ledger, say, varargin{:});
+    bookedRuns (P, replicate, book, varargin{:});
 end
 
-function Z = bookedRuns (P, replicate, Case, ledger, say, stage, E)
-  if nargin < 6
+function Z = bookedRuns (P, replicate, book, stage, E)
+  Case = book.Case;
+  ledger = book.ledger;
+  if nargin < 4
     stage = 'calibration';
   end
-  if nargin < 7
+  if nargin < 5
     E = [];
   end
   if any (cellfun (@isempty, {Case.models.folder}))
@@ -32,7 +35,7 @@ function Z = bookedRuns (P, replicate, Case, ledger, say, stage, E)
   % what is left of the budget of new runs
   Case.options.maxNewRuns = Case.options.maxNewRuns - ledger('new');
   [Z, records, isReused] = evaluateDEM (P, Case, replicate, stage, ...
-                                        newProgress (stage, say), E);
+                                        newProgress (stage, book.say), E);
   wasRun = ~ strcmp ({records.cause}, 'budget') & ~ isReused(:)';
   failed = ~ strcmp ({records.status}, 'ok');
   cpus = arrayfun (@(r) Case.models(strcmp (r.model, ...

@@ -19,8 +19,7 @@ function writeRecord (file, record)
     end
   end
   body = jsonencode (record);
-  text = sprintf ("{\"sha256\":\"%s\",\"record\":%s}\n", ...
-                  hash ('sha256', body), body);
+  text = sprintf ('{"sha256":"%s","record":%s}\n', hash ('sha256', body), body);
   writeAtomic (file, text);
 end
 
