@@ -55,7 +55,6 @@ function lift100Response (model, nParallel)
 
 end
 
-
 % Rows of five design variables and a seed, n x 6.
 function plan = makePlan (limits)
 
@@ -76,7 +75,6 @@ function plan = makePlan (limits)
 
 end
 
-
 function prepare (modelFolder, folder, names, row)
 
   copyfile (modelFolder, folder);
@@ -88,7 +86,6 @@ function prepare (modelFolder, folder, names, row)
   fclose (fid);
 
 end
-
 
 % One row: density, mass, core seconds, spheres kept, their share of those
 % filled in, deepest overlap, seconds of settling and of discharge, whether
@@ -114,7 +111,6 @@ function row = collect (folder)
 
 end
 
-
 function writeRuns (file, names, data)
 
   header = strjoin ([names, {'runSeed', 'density', 'mass', 'coreSeconds', ...
@@ -128,7 +124,6 @@ function writeRuns (file, names, data)
   fclose (fid);
 
 end
-
 
 function sayTables (names, plan, runs)
 

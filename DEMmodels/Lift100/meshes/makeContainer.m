@@ -27,7 +27,6 @@ function makeContainer (stlFile)
 
 end
 
-
 % Triangles between two circles about the z axis, n x 9: three corners a row.
 function triangles = ring (radius1, z1, radius2, z2, nCorners)
 
@@ -41,7 +40,6 @@ function triangles = ring (radius1, z1, radius2, z2, nCorners)
                first(a, :), second(b, :), first(b, :)];
 
 end
-
 
 function writeStl (stlFile, triangles)
 

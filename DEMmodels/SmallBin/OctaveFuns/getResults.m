@@ -32,7 +32,6 @@ function res = getResults (model, folderName)
 
 end
 
-
 % One number in a file; NaN when there is none, or more than one.
 function value = readScalar (file)
 
@@ -42,7 +41,6 @@ function value = readScalar (file)
   end
 
 end
-
 
 % Lines "name,number" into a struct; a count that is not there is NaN.
 function checks = readChecks (file)

@@ -36,7 +36,6 @@ function makeBin (stlFile)
 
 end
 
-
 % One facet; corners 3 x 3, a corner a row, anticlockwise seen from inside.
 function writeTriangle (fid, corners)
 
