@@ -19,7 +19,7 @@ for daemon in slurmd slurmctld munged; do
   # the number may belong to somebody else by now
   grep -q "$daemon" "/proc/$pid/comm" 2> /dev/null || continue
   kill "$pid" 2> /dev/null
-  for ((i = 0; i < 50; i++)); do
+  for ((i = 0; i < 20; i++)); do
     running "$pid" || break
     sleep 0.1
   done

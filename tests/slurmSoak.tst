@@ -23,6 +23,16 @@
 %!  cellfun (@(f) writeAtomic (f, "9999\n"), files);
 %!endfunction
 
+%!function listen (state, said, folder, cluster)
+%!  said([state.message, ' ']) = true;
+%!  slurmTestOnce (state, 2, folder, @() strike (cluster));
+%!endfunction
+
+%!function strike (cluster)
+%!  pause (8);
+%!  interrupt (cluster, 'slurmctld', 25);
+%!endfunction
+
 %!testif ; soakReady ()
 %! setenv ('SLURM_TEST_NODE_TIMEOUT', '10');
 %! cluster = slurmTestUp (4);
@@ -34,11 +44,11 @@
 %! folder = fullfile (home, 'kills');
 %! a = 1 + (1:60) / 64;
 %! for k = 1:40
-%!   pid = slurmTestStart (folder, a, 2);
+%!   pid = slurmTestStart (folder, a, 5);
 %!   pause (1 + 4 * rand ());
 %!   kill (pid, 9);
 %! end
-%! [Case, jobs] = slurmTestCase (folder, a, 2);
+%! [Case, jobs] = slurmTestCase (folder, a, 5);
 %! Case.options.executor = 'slurm';
 %! r = runJobs (jobs, Case, @(s) []);
 %! assert ({r.status}, repmat ({'ok'}, 1, 60));
@@ -65,11 +75,7 @@
 %! folder = fullfile (home, 'away');
 %! [Case, jobs] = slurmTestCase (folder, 1:6, 12);
 %! said = containers.Map ();
-%! note = @(s) subsasgn (said, struct ('type', '()', ...
-%!                                     'subs', {{[s.message, ' ']}}), 1);
-%! tell = @(s) {note(s), slurmTestOnce(s, 2, folder, ...
-%!              @() {pause(8), interrupt(cluster, 'slurmctld', 25)})};
-%! r = executeSlurm (jobs, Case, tell);
+%! r = executeSlurm (jobs, Case, @(s) listen (s, said, folder, cluster));
 %! assert ({r.status}, repmat ({'ok'}, 1, 6));
 %! assert (slurmTestStarts (folder), 6);
 %! assert (any (strncmp (said.keys (), 'The Slurm controller does not', 29)));
