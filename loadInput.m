@@ -41,7 +41,9 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   % uncertainty of the measurement, same unit), optim.role{k}{i} ('calibrate',
   % or 'holdout': never used, only predicted)
   optim.targetVal{1} = [400, 0.025];
-  optim.tolRes{1} = [0.01, 0.01];
+  % (the mass left scatters by 2.4 % from packing to packing: a tolerance below
+  % that needs many runs at the same set before one can be sure)
+  optim.tolRes{1} = [0.01, 0.03];
   optim.targetName{1} = {'bulk density (kg/m3)', 'mass left (kg)'};
 
   % Stopping of the stage on DEM:
