@@ -17,7 +17,7 @@ function effect = effectDrag ()
   given.unit = '1/s';
   given.label = 'inverse relaxation time in the gas';
   given.confusedWith = {'restitution'};
-  given.group = 'surroundings';
+  given.group = 'drag';
   given.source = ['Stokes: 18 eta / (rho d^2), 5 1/s for 0.2 mm ' ...
                   'at 1500 kg/m3 in air'];
   effect = describeEffect (given);

@@ -17,7 +17,7 @@ function effect = effectFill ()
   given.unit = '-';
   given.label = 'factor on the filled mass';
   given.confusedWith = {'moistDensity'};
-  given.group = 'geometry';
+  given.group = 'fill';
   given.source = 'weighing and levelling errors of hand filling';
   effect = describeEffect (given);
 end

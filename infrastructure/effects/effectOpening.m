@@ -16,7 +16,7 @@ function effect = effectOpening ()
   given.unit = '-';
   given.label = 'factor on the opening';
   given.confusedWith = {'meanSize', 'moistDensity', 'gain', 'timeOffset'};
-  given.group = 'geometry';
+  given.group = 'opening';
   given.source = 'Beverloo 1961';
   effect = describeEffect (given);
 end

@@ -17,7 +17,7 @@ function effect = effectRestitution ()
   given.unit = '-';
   given.label = 'factor on ln (restitution)';
   given.confusedWith = {'drag'};
-  given.group = 'contact';
+  given.group = 'restitution';
   given.source = ['Yan et al. 2015: little influence on angle of ' ...
                   'repose and discharge'];
   effect = describeEffect (given);

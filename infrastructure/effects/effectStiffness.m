@@ -17,7 +17,7 @@ function effect = effectStiffness ()
   given.unit = '-';
   given.label = 'factor on Young''s modulus';
   given.confusedWith = {'cohesion'};
-  given.group = 'contact';
+  given.group = 'stiffness';
   given.source = ['Yan et al. 2015; moduli are lowered in DEM to ' ...
                   'lengthen the time step'];
   effect = describeEffect (given);

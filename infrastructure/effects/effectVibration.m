@@ -16,7 +16,7 @@ function effect = effectVibration ()
   given.unit = '-';
   given.label = 'peak acceleration over gravity, 60 Hz';
   given.confusedWith = {'rolling', 'restitution'};
-  given.group = 'surroundings';
+  given.group = 'vibration';
   given.source = ['Janda et al. 2009: vibration below 1 g unclogs' ...
                   ' and compacts'];
   effect = describeEffect (given);

@@ -41,9 +41,8 @@ function reason = whyNotLaboratory (effect, info, model)
   elseif isempty (effect.transform)
     reason = sprintf ('%s has no transform', effect.name);
   else
-    moved = effect.transform (ones (1, numel (info)), ...
-                              effect.limits(2), info);
-    if all (moved == 1)
+    trial = 1:numel (info);
+    if isequal (effect.transform (trial, effect.limits(2), info), trial)
       reason = sprintf (['%s cannot express %s: it acts on none of its ' ...
                          'results'], model, effect.name);
     end

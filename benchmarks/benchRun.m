@@ -1,0 +1,44 @@
+% BENCHRUN  Runs a bench once, outside any calibration, and measures it.
+%
+% CALL: [RESULTS, SECONDS] = benchRun (FOLDER, MODEL, VARIABLES, PREPARE)
+%
+% FOLDER     text, folder of the run; made, or taken as it is if a finished
+%            run lies in it
+% MODEL      text, name of a bench in DEMmodels
+% VARIABLES  scalar struct of what is appended to its data.head
+% PREPARE    optional shell command, carried out in the folder before the run
+% RESULTS    1 x m, see the bench's results.csv; NaN if the run is not sane
+% SECONDS    CPU time of the run (s)
+%
+% See also: effectSigns, benchResponse, benchLaws
+function [results, seconds] = benchRun (folder, model, variables, prepare)
+  root = fileparts (fileparts (mfilename ('fullpath')));
+  source = fullfile (root, 'DEMmodels', model);
+  if exist (fullfile (folder, 'seconds'), 'file') ~= 2
+    if nargin < 4
+      prepare = 'true';
+    end
+    system (sprintf ('rm -rf "%s"; mkdir -p "%s"', folder, folder));
+    system (sprintf ('cp -rL "%s"/. "%s"', source, folder));
+    fid = fopen (fullfile (folder, 'data.head'), 'a');
+    for name = fieldnames (variables).'
+      fprintf (fid, "variable %s equal %.17g\n", name{1}, ...
+               variables.(name{1}));
+    end
+    fclose (fid);
+    system (sprintf (['cd "%s" && %s && export ' ...
+                      'OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 ' ...
+                      'OMPI_MCA_btl=self,vader TIMEFORMAT=%%U && bash -c ' ...
+                      '"time bash runscript > out 2> err < /dev/null" 2> seconds'], ...
+                     folder, prepare));
+  end
+  seconds = str2double (fileread (fullfile (folder, 'seconds')));
+  funs = fullfile (source, 'OctaveFuns');
+  addpath (funs);
+  tidy = onCleanup (@() rmpath (funs));
+  try
+    results = feval (['measure', model], folder);
+  catch
+    results = NaN (1, numel (resultInfo (source)));
+  end
+end
