@@ -14,11 +14,11 @@
 %     closure   (before^2 - after^2) / (before^2 - floor^2); NaN where there is
 %               no gap to remove
 %     interval90  1 x 2, bootstrap over targets and seeds
-%     removable logical, before^2 > floor^2 in 95 % of the bootstrap, and more than
-%               noise makes (chi-square, 5 %)
+%     removable logical, before^2 > floor^2 in 95 % of the bootstrap, and more
+%               than noise makes (chi-square, 5 %)
 %
-% The seed scatter of the means is estimated from the runs and subtracted (and
-% once more where the bootstrap adds it), so that mere noise counts neither as gap nor as cure.
+% The seed scatter of the means is estimated from the runs and subtracted (once
+% more where the bootstrap adds it): mere noise is neither gap nor cure.
 %
 % See also: measureCure
 

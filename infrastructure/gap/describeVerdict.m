@@ -1,40 +1,42 @@
 % DESCRIBEVERDICT  Puts a verdict into names, probabilities and strengths.
 %
-% CALL: WHICH = describeVerdict (W, VERDICT, MODELS, PROBLEM)
+% CALL: NAMED = describeVerdict (W, VERDICT, MODELS, PROBLEM)
 %
 %   W, VERDICT, MODELS, PROBLEM   of weighCase, judgeCase, makeModels,
 %                                 newGapProblem
-%   WHICH   struct, see diagnoseMatrices
+%   NAMED   struct, see diagnoseMatrices
 %
 % See also: diagnoseMatrices, judgeCase
 
-function which_ = describeVerdict (w, verdict, models, problem)
+function named = describeVerdict (w, verdict, models, problem)
   names = models.names;
-  which_ = struct ('verdict', verdict.kind, 'reason', verdict.reason, ...
-                   'effects', {names(verdict.effects)}, ...
-                   'likely', {names(verdict.likely)}, 'gateP', w.gate.p);
-  which_.posterior.null = verdict.null;
+  named = struct ('verdict', verdict.kind, 'reason', verdict.reason, ...
+                  'effects', {names(verdict.effects)}, ...
+                  'likely', {names(verdict.likely)}, 'gateP', w.gate.p);
+  named.posterior.null = verdict.null;
   for k = 1:numel (names)
-    which_.posterior.(names{k}) = verdict.include(k);
+    named.posterior.(matlab.lang.makeValidName (names{k})) = verdict.include(k);
   end
-  which_.posterior.unlisted = verdict.unlisted;
-  which_.cannotSee = names(isinf (w.screen.smallest));
-  which_.siblings = [models.siblings{verdict.effects}];
-  which_.groups = confusedGroups (w.screen, models);
-  which_.strength = struct ('name', {}, 'value', {}, 'interval90', {}, ...
-                            'range', {}, 'variables', {}, 'values', {});
+  named.posterior.unlisted = verdict.unlisted;
+  named.cannotSee = names(isinf (w.screen.smallest));
+  named.siblings = [models.siblings{verdict.effects}];
+  named.groups = confusedGroups (w.screen, models);
+  named.strength = struct ('name', {}, 'value', {}, 'interval90', {}, ...
+                           'range', {}, 'variables', {}, 'values', {});
   for k = 1:numel (names)
     holding = find (cellfun (@(m) any (m == k), w.members));
     [~, at] = max (verdict.P(holding));
-    which_.strength(k) = strengthOf (w, holding(at), k, models, problem);
+    named.strength(k) = strengthOf (w, holding(at), k, models, problem);
   end
-  which_.priorSpread = priorSpread (w, verdict, models);
-  which_.numbers = struct ('error', max (w.error), 'ess', min (w.ess));
+  named.priorSpread = priorSpread (w, verdict, models);
+  matter = verdict.P > 0.01 & ~strcmp (w.kind, 'unlisted');
+  named.numbers = struct ('error', max ([w.error(matter), 0]), ...
+                          'ess', min ([w.ess(matter), Inf]));
   [~, order] = sort (-verdict.P);
-  which_.hypotheses = struct ('members', {}, 'kind', {}, 'probability', {}, ...
-                              'logEvidence', {}, 'fitP', {});
+  named.hypotheses = struct ('members', {}, 'kind', {}, 'probability', {}, ...
+                             'logEvidence', {}, 'fitP', {});
   for h = order
-    which_.hypotheses(end + 1) = ...
+    named.hypotheses(end + 1) = ...
       struct ('members', {names(w.members{h})}, 'kind', w.kind{h}, ...
               'probability', verdict.P(h), 'logEvidence', w.logE(h), ...
               'fitP', w.fitP(h));
@@ -76,8 +78,8 @@ function groups = confusedGroups (screen, models)
   end
 end
 
-% A wide prior kills any effect (Lindley), so its width is varied: the samples of
-% the top single are weighed anew with half and double the scale.
+% A wide prior kills any effect (Lindley), so its width is varied: the samples
+% of the top single are weighed anew with half and double the scale.
 function spread = priorSpread (w, verdict, models)
   spread = [NaN, NaN];
   h = find (cellfun (@(m) isequal (m, verdict.top), w.members), 1);

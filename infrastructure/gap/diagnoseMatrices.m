@@ -64,8 +64,9 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   diagnosis.howFar = [];
   if ~isempty (causes)
     state = pauseRuns (state, verdict.kind);
-    [diagnosis.howFar, state] = measureCure (problem, library, models, fits, ...
-                                             causes, state);
+    view = struct ('problem', problem, 'em', library, 'models', models, ...
+                   'fits', fits);
+    [diagnosis.howFar, state] = measureCure (view, causes, state);
   end
   diagnosis.next = nextTest (problem, library, w, verdict.P);
   diagnosis.problem = problem;

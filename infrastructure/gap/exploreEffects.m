@@ -32,7 +32,8 @@ function [state, em] = exploreEffects (problem, options, state, em)
     full = 6 * (em.p + 1);
   end
   for share = [0.5, 1]
-    [wanted, posteriors] = survivors (problem, options, em, ceil (share * full));
+    [wanted, posteriors] = survivors (problem, options, em, ...
+                                      ceil (share * full));
     if ~any (wanted)
       break
     end

@@ -15,10 +15,10 @@
 %     top       scalar, the likeliest effect
 %
 % P ~ prior * exp (log evidence / temperature). An effect is named only if all
-% hold: a gap (W.gate.p < level), its probability reaches nameAt and is 3 times
-% any other's, its hypothesis fits (p >= 0.05), its strength is not glued to the
-% end of its range, its surrogate is not vague, and nothing unlisted is known to
-% look alike.
+% hold: there is a gap (W.gate.p < level), its probability reaches nameAt and is 3
+% times any other's, no listed effect that noise takes for it is left over, its
+% hypothesis fits (p >= 0.05), its strength is not glued to the end of its range,
+% its surrogate is not vague, and nothing unlisted is known to look alike.
 %
 % See also: weighCase, calibrateVerdict
 
@@ -77,6 +77,7 @@ function verdict = nameCause (verdict, w, models)
   holding(end + 1) = 1;
   best = holding(at);
   looksLike = [models.siblings{named}];
+  mimics = mimicsOf (w, verdict, named);
   if isempty (w.members{best})
     verdict.reason = 'two effects are likely but not both together';
   elseif max ([others, 0]) * 3 > min (verdict.include(named)) && ...
@@ -92,6 +93,11 @@ function verdict = nameCause (verdict, w, models)
   elseif w.vague(best) > 0.4
     verdict.reason = sprintf (['%s is likely, but too few runs show what ' ...
                                'it does'], models.names{top});
+  elseif ~isempty (mimics)
+    verdict.kind = 'group';
+    verdict.effects = sort ([named, mimics]);
+    verdict.reason = ['the likeliest one looks too much like the others to ' ...
+                      'be named alone'];
   elseif ~isempty (looksLike)
     verdict.kind = 'group';
     verdict.effects = named;
@@ -101,6 +107,18 @@ function verdict = nameCause (verdict, w, models)
     verdict.kind = 'named';
     verdict.effects = named;
     verdict.reason = sprintf ('probability %.2f', min (verdict.include(named)));
+  end
+end
+
+% Listed effects that noise would take for a named one, and not yet ruled out.
+function mimics = mimicsOf (w, verdict, named)
+  mimics = [];
+  for k = named
+    d = abs (w.phi(1 + k, 1)) * w.screen.size(k);
+    alike = confusion (w.screen.cosine(k, :), d) > 0.1 & ...
+            verdict.include > 0.02;
+    alike(named) = false;
+    mimics = union (mimics, find (alike));
   end
 end
 

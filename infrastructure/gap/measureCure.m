@@ -1,9 +1,9 @@
 % MEASURECURE  Answers HOW FAR the gap shrinks once an effect is modelled.
 %
-% CALL: [CURE, STATE] = measureCure (PROBLEM, EM, MODELS, FITS, CAUSES, STATE)
+% CALL: [CURE, STATE] = measureCure (VIEW, CAUSES, STATE)
 %
-%   PROBLEM, EM, MODELS, FITS  of newGapProblem, fitEmulator, makeModels,
-%            fitLibrary (first row: the measured values)
+%   VIEW     struct problem, em, models, fits: of newGapProblem, fitEmulator,
+%            makeModels, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS: the cause first, then the
 %            placebos, each refitted alike on the used targets only
 %   STATE    struct of spendRuns, with repeats (seeds at each compared set)
@@ -21,10 +21,13 @@
 %
 % See also: closureOf, diagnoseMatrices
 
-function [cure, state] = measureCure (problem, em, models, fits, causes, state)
-  sets = {struct('h', [], 'Q', fits.null.Q(1, :))};
+function [cure, state] = measureCure (view, causes, state)
+  problem = view.problem;
+  em = view.em;
+  models = view.models;
+  sets = {struct('h', [], 'Q', view.fits.null.Q(1, :))};
   for i = 1:numel (causes)
-    sets{i + 1} = refit (models, fits, causes{i});
+    sets{i + 1} = refit (models, view.fits, causes{i});
   end
   needed = numel (sets) * state.repeats;
   verify = ~isempty (state.evaluate) && state.left >= needed;
@@ -33,7 +36,7 @@ function [cure, state] = measureCure (problem, em, models, fits, causes, state)
   worst = NaN (1, numel (sets));
   for i = 1:numel (sets)
     if verify
-      [Z{i}, worst(i), state] = runSet (problem, em, models, sets{i}, state);
+      [Z{i}, worst(i), state] = runSet (view, sets{i}, state);
     end
     if any (isnan (mean (Z{i}, 1)(:))) || rows (Z{i}) < 2
       Z{i} = drawSet (em, sets{i}, state.repeats);
@@ -88,12 +91,14 @@ function noise = noiseOf (problem, em)
 end
 
 % Effects of the laboratory act on the results of a neutral run.
-function [Z, worst, state] = runSet (problem, em, models, set, state)
+function [Z, worst, state] = runSet (view, set, state)
+  problem = view.problem;
+  em = view.em;
   n = state.repeats;
   phi = zeros (1, numel (problem.effects));
   number = zeros (1, numel (set.h));
   for i = 1:numel (set.h)
-    at = find (strcmp ({problem.effects.name}, models.names{set.h(i)}), 1);
+    at = find (strcmp ({problem.effects.name}, view.models.names{set.h(i)}), 1);
     number(i) = at;
     phi(at) = set.Q(em.p + i);
   end

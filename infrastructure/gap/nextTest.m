@@ -18,7 +18,9 @@
 
 function tests = nextTest (problem, em, w, P)
   tests = candidates (problem);
-  keep = find (P > 0.005 & ~strcmp (w.kind, 'unlisted'));
+  listed = find (~strcmp (w.kind, 'unlisted'));
+  P = P / max (sum (P(listed)), realmin);
+  keep = listed(P(listed) > 0.005);
   P = P(keep) / sum (P(keep));
   budget = noiseBudget (problem, em);
   noise = budget.covariance;
@@ -42,20 +44,20 @@ function tests = candidates (problem)
   settings = settings(problem.possible, :);
   for row = unique (settings, 'rows')'
     at = problem.possible(settings(:, 1) == row(1) & settings(:, 2) == row(2));
-    tests(end + 1) = struct ('test', sprintf ('%s: measure %s', ...
-                                              problem.benchNames{row(1)}, ...
-                                              strjoin (problem.targetNames(at), ', ')), ...
-                             'targets', at, 'gain', 0, ...
-                             'cost', problem.benchCost(row(1)), ...
-                             'gainPerCost', 0);
+    names = strjoin (problem.targetNames(at), ', ');
+    text = sprintf ('%s: measure %s', problem.benchNames{row(1)}, names);
+    tests(end + 1) = newTest (text, at, problem.benchCost(row(1)));
   end
   for b = unique (problem.bench(problem.used))
     at = problem.used(problem.bench(problem.used) == b);
-    tests(end + 1) = struct ('test', ['measure ', problem.benchNames{b}, ...
-                                      ' once more'], 'targets', at, ...
-                             'gain', 0, 'cost', problem.benchCost(b), ...
-                             'gainPerCost', 0);
+    text = ['measure ', problem.benchNames{b}, ' once more'];
+    tests(end + 1) = newTest (text, at, problem.benchCost(b));
   end
+end
+
+function test = newTest (text, targets, cost)
+  test = struct ('test', text, 'targets', targets, 'gain', 0, ...
+                 'cost', cost, 'gainPerCost', 0);
 end
 
 function part = predictive (em, w, h, at, noise)

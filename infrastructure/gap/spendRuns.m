@@ -1,4 +1,4 @@
-% SPENDRUNS  Makes DEM runs for the diagnosis, never more than the budget allows.
+% SPENDRUNS  Makes DEM runs for the diagnosis, within its budget.
 %
 % CALL: STATE = spendRuns (STATE, PROBLEM, THETA, PHI, REPLICATE)
 %

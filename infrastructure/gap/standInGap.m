@@ -1,8 +1,9 @@
 % STANDINGAP  A laboratory of formulas: benches, effects and truth known.
 %
-% CALL: LAB = standInGap (CURVATURE)
+% CALL: LAB = standInGap (CURVATURE, SEED)
 %
 %   CURVATURE  scalar, 0 = all responses linear, 0.3 = mildly nonlinear (0.3)
+%   SEED       scalar, number of the laboratory: each has laws of its own (11)
 %   LAB        struct
 %     problem  as newGapProblem wants it, y still NaN; 24 targets on 4 benches,
 %              4 parameters, 8 effects that DEM would run, 2 of the laboratory
@@ -17,14 +18,17 @@
 %
 % See also: diagnoseMatrices
 
-function lab = standInGap (curvature)
+function lab = standInGap (curvature, seed)
   if nargin < 1
     curvature = 0.3;
   end
+  if nargin < 2
+    seed = 11;
+  end
   before = {rand('twister'), randn('twister')};
   restore = onCleanup (@() putBack (before));
-  rand ('twister', 11);
-  randn ('twister', 11);
+  rand ('twister', seed);
+  randn ('twister', seed);
   law = drawLaw (curvature);
   lab.seedSd = 0.15 + 0.1 * rand (1, 24);
   lab.problem = describe (lab.seedSd, law);

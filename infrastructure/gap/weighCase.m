@@ -16,6 +16,9 @@
 %     gate (struct of gateTest), screen (struct of screenEffects)
 %     posterior  1 x H cell: Q, weight (samples of each hypothesis)
 %
+% A sample whose effective size is below 15 % is drawn again around its own mean
+% and covariance.
+%
 % See also: judgeCase, integrateEvidence
 
 function w = weighCase (models, fits, i, withPairs)
@@ -69,6 +72,7 @@ function h = oneHypothesis (models, members, z, modes, kind)
     modes(m).A = modes(m).A + flat;
   end
   r = integrateEvidence (models.white, members, z, modes, box, models.base);
+  r = integrateAgain (r, models, members, z, box);
   h = struct ('kind', kind, 'members', members, 'logE', r.logE, ...
               'error', r.error, 'ess', r.ess, 'phi', NaN (1, 3), ...
               'atLimit', 0, 'vague', vagueShare (models, members, modes(1).Q));
@@ -81,6 +85,23 @@ function h = oneHypothesis (models, members, z, modes, kind)
     ends = r.Q(:, at) > box.hi(at) - margin | ...
            (box.lo(at) < 0 & r.Q(:, at) < box.lo(at) + margin);
     h.atLimit = sum (r.weight(ends));
+  end
+end
+
+% A poor sample shows where the mass is: the next one is drawn there.
+function r = integrateAgain (r, models, members, z, box)
+  for again = 1:2
+    if r.ess > 0.15 * rows (models.base.normal) || r.ess < numel (box.lo) + 2
+      return
+    end
+    middle = r.weight' * r.Q;
+    D = (r.Q - middle) .* sqrt (r.weight);
+    C = 1.2 * (D' * D) + diag (1e-6 * (box.hi - box.lo).^2);
+    mode = struct ('Q', middle, 'A', inv ((C + C') / 2));
+    new = integrateEvidence (models.white, members, z, mode, box, models.base);
+    if new.ess > r.ess
+      r = new;
+    end
   end
 end
 

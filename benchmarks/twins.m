@@ -1,0 +1,50 @@
+% TWINS  Twin study: how often is the verdict of the diagnosis right?
+%
+% CALL: octave-cli benchmarks/twins.m [blind|develop] [cases per laboratory]
+%
+% Draws data sets with a known cause ("twins") from laboratories of formulas
+% that the diagnosis knows only through 200 noisy runs each, writes the truth
+% and its SHA-256, diagnoses every twin without it, scores all of them:
+%   results/twins-truth.csv, twins-truth.sha256   truth, written first
+%   results/twins-cases.csv                       what the diagnosis may see
+%   results/twins.csv                             every case: truth and verdict
+%   results/twins-scores.csv                      figures of merit
+% blind (default) and develop use other laboratories, seeds and parameters.
+% Where benchmarks/data/twins/ holds a data set of real DEM runs, its
+% laboratory joins the study.
+%
+% See also: twinsDraw, twinsDiagnose, twinsScore
+
+1;
+
+function runTwins (kind, perLab)
+  root = fileparts (fileparts (mfilename ('fullpath')));
+  addpath (fullfile (root, 'infrastructure'), fullfile (root, 'benchmarks'));
+  startToolbox (root);
+  results = fullfile (root, 'benchmarks', 'results');
+  [~, ~] = mkdir (results);
+  name = fullfile (results, 'twins');
+  if strcmp (kind, 'develop')
+    name = fullfile (results, 'develop-twins');
+  end
+  [~, version] = system (sprintf ('git -C "%s" rev-parse HEAD', root));
+  labs = twinsLaboratories (kind, root);
+  twins = twinsDraw (labs, perLab, kind);
+  digest = twinsFreeze (name, twins, labs);
+  printf ('twins: %d cases, %d laboratories, code %s\n', ...
+          numel (twins), numel (labs), strtrim (version));
+  printf ('truth frozen: SHA-256 %s\n', digest);
+  verdicts = twinsDiagnose (labs, twins);
+  twinsScore (name, twins, verdicts, labs);
+end
+
+args = argv ();
+kind = 'blind';
+perLab = 140;
+if numel (args) > 0
+  kind = args{1};
+end
+if numel (args) > 1
+  perLab = str2double (args{2});
+end
+runTwins (kind, perLab);

@@ -1,0 +1,152 @@
+% TWINSSCORE  Scores the verdicts of the twin study and writes every case.
+%
+% CALL: twinsScore (NAME, TWINS, VERDICTS, LABS)
+%
+%   NAME      path without ending: NAME.csv (cases), NAME-scores.csv (figures)
+%   TWINS, VERDICTS, LABS  of twinsDraw, twinsDiagnose, twinsLaboratories
+%
+% Prints the figures of merit with 95 % Clopper-Pearson intervals, and the same
+% over the signal to noise d.
+%
+% See also: twins, binomialInterval
+
+function twinsScore (name, twins, verdicts, labs)
+  s = flags (twins, verdicts);
+  writeCases ([name, '.csv'], twins, verdicts, labs, s);
+  id = fopen ([name, '-scores.csv'], 'w');
+  fprintf (id, 'figure,hits,cases,share,lo95,hi95,target\n');
+  strong = s.single & s.d >= 3.9;
+  listed = s.named & ~s.out;
+  lines = {'false naming on null', s.named, s.null, '<= 0.05'; ...
+           'top-1, d >= 4', s.top, strong, '>= 0.90'; ...
+           'top-1 or in the reported group, d >= 4', s.top | s.right, ...
+           strong, '>= 0.90'; ...
+           'named or grouped rightly, d >= 4', s.right, strong, ''; ...
+           'precision of names, listed causes', s.right, listed, '>= 0.95'; ...
+           'precision of names, all cases', s.right, s.named, ''; ...
+           'wrong name, out of library', s.named, s.out, '<= 0.05'; ...
+           'wrong name, out of library, d >= 4', s.named, ...
+           s.out & s.d >= 3.9, ''; ...
+           'none of the listed, out of library, d >= 4', s.unlisted, ...
+           s.out & s.d >= 3.9, ''; ...
+           'pair: names or groups only true effects', s.right, s.pair, ''; ...
+           'pair: both named', s.both, s.pair, ''; ...
+           '90 % interval of strength holds it', s.covered, s.single, ...
+           '0.85 - 0.95'; ...
+           'a gap was seen, d >= 4', ~s.noGap, strong, ''};
+  for i = 1:rows (lines)
+    report (id, lines{i, 1}, lines{i, 2}, lines{i, 3}, lines{i, 4});
+  end
+  for level = [1, 2, 3, 4, 6, 8]
+    at = s.single & s.level == level;
+    report (id, sprintf ('seen, d near %d', level), ~s.noGap, at, '');
+    report (id, sprintf ('top-1, d near %d', level), s.top, at, '');
+    report (id, sprintf ('named, d near %d', level), s.named, at, '');
+    report (id, sprintf ('right, d near %d', level), s.right, at, '');
+    report (id, sprintf ('interval, d near %d', level), s.covered, at, '');
+  end
+  reportScores (id, twins, verdicts);
+  fclose (id);
+  printf ('median %.2f s a diagnosis, longest %.2f s\n', ...
+          median ([verdicts.seconds]), max ([verdicts.seconds]));
+end
+
+function s = flags (twins, verdicts)
+  n = numel (twins);
+  s.null = strcmp ({twins.class}, 'null');
+  s.single = strcmp ({twins.class}, 'single');
+  s.pair = strcmp ({twins.class}, 'pair');
+  s.out = strcmp ({twins.class}, 'out');
+  s.d = [twins.d];
+  s.named = strcmp ({verdicts.kind}, 'named');
+  s.noGap = strcmp ({verdicts.kind}, 'no gap');
+  s.unlisted = strcmp ({verdicts.kind}, 'none of the listed');
+  for i = 1:n
+    s = oneFlag (s, i, twins(i), verdicts(i));
+  end
+end
+
+function s = oneFlag (s, i, twin, verdict)
+  cause = twin.cause(twin.cause > 0);
+  said = verdict.effects;
+  isGroup = strcmp (verdict.kind, 'group');
+  s.top(i) = ~s.out(i) && any (verdict.top == cause);
+  hit = ~s.out(i) && ~isempty (said) && ~isempty (cause);
+  s.right(i) = hit && ((s.named(i) && all (ismember (said, cause))) || ...
+                       (isGroup && any (ismember (cause, said))));
+  s.both(i) = s.right(i) && s.named(i) && numel (said) == 2;
+  levels = [1, 2, 3, 4, 6, 8];
+  [~, near] = min (abs (levels - twin.d));
+  s.level(i) = levels(near);
+  s.covered(i) = false;
+  if s.single(i)
+    q = verdict.interval(cause, :);
+    s.covered(i) = q(2) <= twin.phi(cause) && twin.phi(cause) <= q(3);
+  end
+end
+
+function report (id, name, hits, cases, target)
+  k = sum (hits & cases);
+  n = sum (cases);
+  [lo, hi] = binomialInterval (k, n);
+  fprintf (id, '%s,%d,%d,%.4f,%.4f,%.4f,%s\n', strrep (name, ',', ';'), ...
+           k, n, k / max (n, 1), lo, hi, target);
+  printf ('%-45s %3d / %3d = %5.1f %%  [%5.1f, %5.1f]  %s\n', name, k, n, ...
+          100 * k / max (n, 1), 100 * lo, 100 * hi, target);
+end
+
+% Log and Brier score of the truth among null, effects, pair and unlisted.
+function reportScores (id, twins, verdicts)
+  n = numel (twins);
+  score = zeros (n, 4);
+  for i = 1:n
+    P = verdicts(i).P;
+    K = numel (P) - 3;
+    prior = [0.4, 0.4 / K * ones(1, K), 0.1, 0.1];
+    switch twins(i).class
+      case 'null'
+        at = 1;
+      case 'single'
+        at = 1 + twins(i).cause;
+      case 'pair'
+        at = K + 2;
+      otherwise
+        at = K + 3;
+    end
+    truth = (1:K + 3) == at;
+    score(i, :) = [log(max (P(at), 1e-6)), sum((P - truth).^2), ...
+                   log(prior(at)), sum((prior - truth).^2)];
+  end
+  average = mean (score);
+  names = {'log score', 'Brier score', 'log score of the prior', ...
+           'Brier score of the prior'};
+  for k = 1:4
+    fprintf (id, '%s,,%d,%.4f,,,\n', names{k}, n, average(k));
+    printf ('%-45s %.3f\n', names{k}, average(k));
+  end
+end
+
+function writeCases (file, twins, verdicts, labs, s)
+  id = fopen (file, 'w');
+  fprintf (id, ['case,lab,class,cause,removed,d,phi,verdict,effects,top,', ...
+                'right,covered,gateP,fitP,pNull,pTop,pPair,pUnlisted,', ...
+                'seconds\n']);
+  for i = 1:numel (twins)
+    t = twins(i);
+    v = verdicts(i);
+    names = {labs(t.lab).problem.effects.name};
+    truth = 'alien';
+    if ~isequal (t.cause, 0)
+      truth = strjoin (names(t.cause), ' ');
+    end
+    cause = t.cause(t.cause > 0);
+    fprintf (id, '%d,%s,%s,%s,%d,%.3f,%s,%s,%s,%s,%d,%d,', i, ...
+             labs(t.lab).name, t.class, truth, t.removed, t.d, ...
+             strtrim (sprintf ('%.3f ', t.phi(cause))), v.kind, ...
+             strjoin (names(v.effects), ' '), names{v.top}, s.right(i), ...
+             s.covered(i));
+    fprintf (id, '%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.2f\n', v.gateP, v.fitP, ...
+             v.P(1), v.P(1 + v.top), v.P(end - 1), v.P(end), v.seconds);
+  end
+  fclose (id);
+end

@@ -1,0 +1,56 @@
+% DIAGNOSEGAP  Finds where a calibrated model misses and why: main script.
+%
+% CALL: octave-cli diagnoseGap.m    in a shell; or at the prompt: diagnoseGap
+%
+% For the case of the current folder (loadInput.m, loadEffects.m), after or
+% without DEcalioc: WHERE the measurements are missed, WHICH unmodelled effect
+% causes it, HOW FAR the gap shrinks once it is modelled, and the NEXT TEST.
+% Finished runs are taken from the run store and from runs.csv; further ones
+% are made within Input.maxNewRuns. Started again, it goes on where it stopped.
+%
+% Writes gap/gap.json and gap/*.csv. In a shell the exit status is 0 with a
+% verdict, 2 where the surrogates allow none, 1 where it could not be done.
+%
+% See also: DEcalioc, loadEffects, diagnoseMatrices
+
+1;
+
+function diagnosis = diagnoseCase (root, folder)
+  startToolbox (root, folder);
+  say = @(text) sayLine (text, fullfile (folder, 'Octave_logfile.txt'));
+  lock = lockCase (folder);
+  Case = caseEffects (loadCase (root, folder));
+  if Case.options.maxNewRuns > 0
+    useLiggghts (root);
+  end
+  ledger = newLedger ();
+  evaluate = newEvaluate (Case, ledger, say);
+
+  % the runs that there are
+  [data, count] = gatherRuns (Case);
+  [given, notes] = gapProblemOf (Case);
+  sayGapCase (Case, data, count, notes, say);
+  data = completePlan (data, Case, evaluate, say);
+
+  % where, which, how far, next test
+  options = gapBudget (Case, ledger, given);
+  further = @(X, E, replicate) evaluate (X, replicate, 'gap', E);
+  if options.maxNewRuns < 1
+    further = [];
+  end
+  diagnosis = diagnoseMatrices (given, data, options, further);
+  diagnosis.ledger = struct ('new', ledger('new'), ...
+                             'reused', ledger('reused'), ...
+                             'failed', ledger('failed'), ...
+                             'coreSeconds', ledger('coreSeconds'));
+
+  % what remains
+  writeGapJson (diagnosis, Case);
+  writeGapTables (diagnosis, Case);
+  sayDiagnosis (diagnosis, Case, say);
+  diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
+end
+
+root = fileparts (mfilename ('fullpath'));
+addpath (fullfile (root, 'infrastructure'));
+diagnosis = startMain (@diagnoseCase, root);

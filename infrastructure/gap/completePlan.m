@@ -1,0 +1,35 @@
+% COMPLETEPLAN  Runs the plan of a case where too few neutral runs are there.
+%
+% CALL: DATA = completePlan (DATA, CASE, EVALUATE, SAY)
+%
+%   DATA      of gatherRuns
+%   CASE      see newCase;  EVALUATE  see newEvaluate
+%   SAY       function handle that takes one line of text
+%
+% A diagnosis wants 10 neutral sets per parameter if it may run them; without
+% new runs it takes what is there.
+%
+% See also: gatherRuns, diagnoseGap
+
+function data = completePlan (data, Case, evaluate, say)
+  d = numel (Case.names);
+  phi = neutralEffects (Case);
+  neutral = all (data.E == phi, 2) & all (isfinite (data.Z), 2);
+  have = rows (unique (data.X(neutral, :), 'rows'));
+  wanted = max (Case.options.numOfSam, min (40, 8 * d + 8));
+  missing = min (wanted - have, ...
+                 floor (Case.options.maxNewRuns / numel (Case.models)));
+  if missing < 1
+    return
+  end
+  say (sprintf ('plan: %d neutral sets there, %d more', have, missing));
+  if have == 0
+    P = GenerateExperPlan (Case.limits, missing, Case.folder, ...
+                           Case.options.seed);
+  else
+    P = augmentPlan (data.X(neutral, :), missing, Case.limits);
+  end
+  Z = evaluate (P, ones (rows (P), 1), 'plan');
+  data = addRows (data, P, Z, ones (rows (P), 1), 'plan', ...
+                  repmat (phi, rows (P), 1));
+end

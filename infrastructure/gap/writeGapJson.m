@@ -1,0 +1,115 @@
+% WRITEGAPJSON  Writes the diagnosis for other programs: gap/gap.json.
+%
+% CALL: writeGapJson (DIAGNOSIS, CASE)
+%
+%   DIAGNOSIS  of diagnoseMatrices
+%   CASE       struct with the field folder (case folder); the file goes to its
+%              folder gap/, whole or not at all
+%
+% The fields are described in docs/gap.md.
+%
+% See also: diagnoseGap, writeGapTables
+
+function writeGapJson (diagnosis, Case)
+  folder = fullfile (Case.folder, 'gap');
+  [~, ~] = mkdir (folder);
+  out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
+  out.howFar = howFarOf (diagnosis.howFar, diagnosis.problem);
+  next = diagnosis.next;
+  out.next = arrayfun (@(t) struct ('test', t.test, 'gain', t.gain, ...
+                                    'cost', t.cost), next(:)', ...
+                       'UniformOutput', false);
+  out.demRuns = struct ('sets', diagnosis.runs.spent, ...
+                        'failedSets', diagnosis.runs.failed);
+  if isfield (diagnosis, 'ledger')
+    out.demRuns.new = diagnosis.ledger.new;
+    out.demRuns.reused = diagnosis.ledger.reused;
+    out.demRuns.failed = diagnosis.ledger.failed;
+    out.demRuns.coreSeconds = diagnosis.ledger.coreSeconds;
+  end
+  writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
+end
+
+function s = whereOf (diagnosis)
+  where = diagnosis.where;
+  problem = diagnosis.problem;
+  s = struct ('p', where.p, 'noiseFloor', []);
+  noise = sqrt (diag (where.budget.covariance))';
+  ok = isfinite (problem.y) & problem.y ~= 0;
+  s.noiseFloor = sqrt (mean ((noise(ok) ./ problem.y(ok)).^2));
+  s.targets = {};
+  for i = 1:numel (problem.used)
+    t = problem.used(i);
+    s.targets{end + 1} = target (problem, t, 'calibrate', where.t(i), ...
+                                 1 - where.absorbability(i), where.blind(i));
+    s.targets{end}.p = where.pTarget(i);
+  end
+  for i = 1:numel (problem.heldOut)
+    t = problem.heldOut(i);
+    s.targets{end + 1} = target (problem, t, 'holdout', where.held.z(i), ...
+                                 1, false);
+    s.targets{end}.p = 2 * normalTail (abs (where.held.z(i)));
+  end
+  s.models = arrayfun (@(b) struct ('model', problem.benchNames{b.bench}, ...
+                                    'p', b.p), where.benches, ...
+                       'UniformOutput', false);
+  s.params = cell2struct (num2cell (where.params(:)), problem.names(:), 1);
+  s.atLimit = where.side.atLimit;
+  s.surrogateShare = mean (where.side.share(problem.used));
+  s.absorbed = where.absorbed;
+  s.unabsorbed = where.unabsorbed;
+end
+
+function s = target (problem, t, role, z, unabsorbed, blind)
+  s = struct ('model', problem.benchNames{problem.bench(t)}, ...
+              'name', problem.targetNames{t}, 'role', role, 'z', z, ...
+              'unabsorbed', unabsorbed, 'blind', blind);
+end
+
+function s = whichOf (diagnosis)
+  w = diagnosis.which;
+  s = struct ('verdict', w.verdict, 'reason', w.reason, 'p', w.gateP);
+  s.effects = w.effects;
+  s.likely = w.likely;
+  s.posterior = w.posterior;
+  s.cannotSee = [w.cannotSee, diagnosis.screen.untested];
+  s.groups = w.groups;
+  s.siblings = w.siblings;
+  s.strength = struct ();
+  for k = 1:numel (w.strength)
+    name = matlab.lang.makeValidName (w.strength(k).name);
+    s.strength.(name) = struct ('value', w.strength(k).value, 'interval90', ...
+                                w.strength(k).interval90, 'smallestSeen', ...
+                                diagnosis.screen.smallest(k));
+    for j = 1:numel (w.strength(k).variables)
+      s.strength.(name).(w.strength(k).variables{j}) = ...
+        w.strength(k).values(:, j)';
+    end
+  end
+  s.priorSpread = w.priorSpread;
+  s.expected = w.expected;
+end
+
+function s = howFarOf (cure, problem)
+  s = struct ('before', NaN, 'after', NaN, 'floor', NaN, 'closure', NaN, ...
+              'interval90', [NaN, NaN], 'heldOut', [], 'placebos', {{}}, ...
+              'verifiedByDEM', false);
+  if isempty (cure)
+    return
+  end
+  for field = {'before', 'after', 'floor', 'closure', 'interval90', ...
+               'verifiedByDEM'}
+    s.(field{1}) = cure.(field{1});
+  end
+  if ~isempty (cure.heldOut)
+    h = cure.heldOut;
+    s.heldOut = struct ('before', h.before, 'after', h.after, ...
+                        'floor', h.floor, 'closure', h.closure, ...
+                        'interval90', h.interval90);
+  end
+  s.placebos = num2cell (cure.placebos);
+  s.params = struct ();
+  for j = 1:numel (problem.names)
+    s.params.(problem.names{j}) = cure.params(:, j)';
+  end
+end
