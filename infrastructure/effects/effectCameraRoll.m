@@ -18,21 +18,26 @@ function effect = effectCameraRoll ()
   given.confusedWith = {'tilt'};
   given.group = 'alignment';
   given.laboratory = true;
-  given.kinds = {'angle', 'height'};
+  given.kinds = {'angle', 'angleFalling', 'height'};
   given.transform = @turnPicture;
   given.source = 'geometry; an unlevelled tripod';
   effect = describeEffect (given);
 end
 
-% angles turn; heights turn about the origin of the bench's positions
+% surfaces that rise along x get steeper, those that fall get flatter; heights
+% turn about the origin of the bench's positions
 function Z = turnPicture (Z, strength, info)
-  moved = strcmp ({info.kind}, 'angle');
-  Z(:, moved) = Z(:, moved) + strength;
-  known = strcmp ({info.kind}, 'height') & ~isnan ([info.at]);
-  Z(:, known) = Z(:, known) - [info(known).at] * strength * pi / 180;
+  kinds = {info.kind};
+  rising = strcmp (kinds, 'angle');
+  falling = strcmp (kinds, 'angleFalling');
+  Z(:, rising) = Z(:, rising) + strength;
+  Z(:, falling) = Z(:, falling) - strength;
+  known = strcmp (kinds, 'height') & ~isnan ([info.at]);
+  Z(:, known) = Z(:, known) + [info(known).at] * strength * pi / 180;
 end
 
-%!test % a slope, and a height read 0.1 m to the right of the origin
-%! info = struct ('kind', {'angle', 'height'}, 'at', {NaN, 0.1});
-%! z = effectCameraRoll ().transform ([30, 0.02], 1, info);
-%! assert (z, [31, 0.02 - 0.1 * pi / 180], 1e-12);
+%!test % two slopes, and a height read 0.1 m to the right of the origin
+%! info = struct ('kind', {'angle', 'angleFalling', 'height'}, ...
+%!                'at', {NaN, NaN, 0.1});
+%! z = effectCameraRoll ().transform ([30, 30, 0.02], 1, info);
+%! assert (z, [31, 29, 0.02 + 0.1 * pi / 180], 1e-12);

@@ -4,10 +4,11 @@
 %
 % FOLDER  model folder that holds results.csv
 % INFO    1 x m struct array in the order of getResults, [] if there is no
-%         results.csv: name, kind (density, mass, length, angle, time, rate,
-%         number, curvature, stress, friction), unit, series (results of one
-%         series belong to one curve, '' for none), at (where on that curve:
-%         speed, time, position; NaN for none), text
+%         results.csv: name; kind (density, mass, rate, length, offset, height
+%         above the ground, level, angle of a surface that rises along x,
+%         angleFalling, coneAngle, curvature, time, stress, friction); unit;
+%         series (results of one series belong to one curve, '' for none); at
+%         (where on that curve: speed, time, position; NaN for none); text
 %
 % Throws DEcalioc:resultInfo:badShape.
 %
