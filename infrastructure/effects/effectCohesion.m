@@ -12,7 +12,7 @@ function effect = effectCohesion ()
   given.question = 'Do dry grains stick to each other?';
   given.variables = {'cohesionPP'};
   given.neutral = 0;
-  given.limits = [0; 1e5];
+  given.limits = [0; 6e4];
   given.unit = 'J/m3';
   given.label = 'cohesion energy density between grains';
   given.confusedWith = {'liquidBridge', 'wallAdhesion'};
@@ -22,4 +22,4 @@ function effect = effectCohesion ()
   effect = describeEffect (given);
 end
 
-%!assert (effectCohesion ().limits, [0; 1e5])
+%!assert (effectCohesion ().limits, [0; 6e4])
