@@ -4,7 +4,8 @@
 %
 % Calibrates the case of the current folder: its loadInput.m and DEMmodels/
 % are looked for there first, then beside this script. What was run before is
-% found again, so a calibration that was interrupted goes on where it stopped.
+% found again, so a calibration that was interrupted goes on where it stopped:
+% octave-cli DEcalioc.m afresh moves it aside and starts anew.
 %
 % In a shell the exit status is 0 where all targets are met, 2 where the
 % calibration finished without meeting them, 1 where it could not be done.
@@ -21,6 +22,9 @@ function calibration = calibrateCase (root, folder)
 
   % input
   lock = lockCase (folder);
+  if any (strcmp (argv (), 'afresh'))
+    moveAside (folder);
+  end
   Case = loadCase (root, folder);
   restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, @costFunction);

@@ -176,3 +176,16 @@ end
 %! writeAtomic (run, "kill -9 $$\n");
 %! r = executeLocal (newJobs (Case, [1, 2], [], 4, 'plan')(2), Case, @(s) []);
 %! assert (r.cause, 'killed');
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'mpirun'))
+%! % ranks of concurrent MPI runs may use all cores
+%! Case = quickCase ();
+%! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), ...
+%!   ["mpirun --oversubscribe -np 2 grep Cpus_allowed_list ", ...
+%!    "/proc/self/status\necho 1 > out\n"]);
+%! [~, all] = system ('grep Cpus_allowed_list /proc/self/status');
+%! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan')([2, 4]);
+%! records = executeLocal (jobs, Case, @(s) []);
+%! for k = 1:2
+%!   text = fileread (fullfile (records(k).folder, 'stdout.txt'));
+%!   assert (text, [all, all]);
+%! end

@@ -34,7 +34,9 @@ function tell (state, stage, say, last)
     text = sprintf ('%s, %d taken from the store', text, state.reused);
   end
   if ~ isEnd && state.done > 0
-    left = state.seconds / state.done * (state.total - state.done);
+    % on average the runs under way are half done
+    done = state.done + state.running / 2;
+    left = state.seconds / done * (state.total - done);
     text = sprintf ('%s, %d running, about %s left', text, state.running, ...
                     inWords (left));
   end
@@ -62,7 +64,7 @@ end
 %! report (struct ('done', 2, 'total', 10, 'failed', 1, 'running', 2, ...
 %!                 'reused', 0, 'seconds', 20));
 %! assert (box('text'), ['  plan: 2 of 10 runs done, 1 failed, 2 running, ', ...
-%!                       'about 80 s left']);
+%!                       'about 47 s left']);
 %! state = struct ('done', 2, 'total', 10, 'failed', 1, 'running', 2, ...
 %!                 'reused', 0, 'seconds', 20, 'message', 'no answer');
 %! report (state);

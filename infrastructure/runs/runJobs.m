@@ -174,3 +174,16 @@ end
 %! again = runJobs (job, Case, quiet);
 %! assert (again.folder, r.folder);
 %! assert (again.results, r.results);
+%!test
+%! % two cases that point at one store share its runs
+%! raw = standInCase (tempname ());
+%! Case = newCase (raw);
+%! jobs = newJobs (Case, [1, 2], [], 1, 'plan');
+%! first = runJobs (jobs, Case, quiet);
+%! other = standInCase (tempname ());
+%! other.Input.store = raw.folder;
+%! Case = newCase (other);
+%! [second, isReused] = runJobs (newJobs (Case, [1, 2], [], 1, 'plan'), ...
+%!                               Case, quiet);
+%! assert (all (isReused));
+%! assert ({second.folder}, {first.folder});
