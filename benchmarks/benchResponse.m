@@ -1,0 +1,86 @@
+% BENCHRESPONSE  Draws how the results of a bench respond to its parameters.
+%
+% CALL: benchResponse (WORK, BENCH, NNULL)
+%
+% WORK   text, folder of the runs; finished runs in it are reused
+% BENCH  text, name of a bench
+% NNULL  number of null runs (of effectSigns): their standard deviation is the
+%        band of seed noise
+%
+% Five levels of each of four friction coefficients, one run a level; one panel
+% a result, one line a parameter, scaled to its range. Writes
+% docs/figures/response<BENCH>.svg and benchmarks/results/response<BENCH>.csv.
+%
+% See also: effectSigns, benchRun
+function benchResponse (work, bench, nNull)
+  root = fileparts (fileparts (mfilename ('fullpath')));
+  names = {'coefFrictionPP', 'coefFrictionPW', 'coefRollingFrictionPP', ...
+           'coefRollingFrictionPW'};
+  levels = [0.2, 0.35, 0.5, 0.65, 0.8; 0.2, 0.35, 0.5, 0.65, 0.8; ...
+            0, 0.025, 0.05, 0.1, 0.2; 0, 0.025, 0.05, 0.1, 0.2];
+  info = resultInfo (fullfile (root, 'DEMmodels', bench));
+  fid = fopen (fullfile (root, 'benchmarks', 'results', ...
+                         ['response', bench, '.csv']), 'w');
+  fprintf (fid, ['parameter,value', repmat(',%s', 1, numel (info)), '\n'], ...
+           info.name);
+  curves = zeros (numel (names), 5, numel (info));
+  for j = 1:numel (names)
+    for k = 1:5
+      row = oneRun (work, bench, names{j}, levels(j, k));
+      curves(j, k, :) = row;
+      fprintf (fid, '%s,%g', names{j}, levels(j, k));
+      fprintf (fid, ',%.5g', row);
+      fprintf (fid, "\n");
+    end
+  end
+  fclose (fid);
+  null = [];
+  seeds = [10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079];
+  for seed = seeds(1:nNull)
+    null = [null; oneRun(work, bench, '', 0, seed)];
+  end
+  drawPanels (fullfile (root, 'docs', 'figures', ...
+                        ['response', bench, '.svg']), {curves, null}, ...
+              levels, {names, info});
+end
+
+function row = oneRun (work, bench, name, value, seed)
+  if nargin < 5
+    seed = 10007;
+  end
+  variables = struct ('runSeed', seed);
+  if ~isempty (name)
+    variables.(name) = value;
+  end
+  folder = fullfile (work, sprintf ('%s-%s-%g-%d', bench, name, value, seed));
+  row = benchRun (folder, bench, variables);
+end
+
+function drawPanels (file, data, levels, words)
+  [curves, null] = data{:};
+  [names, info] = words{:};
+  warning ('off', 'Octave:gnuplot-graphics', 'local');
+  f = figure ('visible', 'off');
+  nColumns = 3;
+  nRows = ceil (numel (info) / nColumns);
+  marks = {'o-', 's-', '^-', 'd-'};
+  for t = 1:numel (info)
+    subplot (nRows, nColumns, t);
+    hold ('on');
+    m = mean (null(:, t));
+    s = std (null(:, t));
+    fill ([0, 1, 1, 0], m + s * [-1, -1, 1, 1], [0.85, 0.85, 0.85], ...
+          'edgecolor', 'none');
+    for j = 1:numel (names)
+      x = levels(j, :) / levels(j, end);
+      plot (x, curves(j, :, t), marks{j}, 'linewidth', 1, 'markersize', 3);
+    end
+    title (sprintf ('%s (%s)', info(t).name, info(t).unit));
+    if t == numel (info)
+      h = legend ([{'noise'}, strrep(names, 'coef', '')], 'location', 'best');
+      set (h, 'fontsize', 6);
+    end
+  end
+  print (f, file, '-dsvg', sprintf ('-S%d,%d', 900, 260 * nRows));
+  close (f);
+end

@@ -1,0 +1,97 @@
+% EFFECTSIGNS  Measures what each effect does to each result of each bench.
+%
+% CALL: effectSigns (WORK, BENCHES, NNULL, NFULL)
+%
+% WORK     text, folder of the runs; finished runs in it are reused
+% BENCHES  cell of names of benches
+% NNULL    number of seeds without effects
+% NFULL    number of seeds at full strength (the limit farther from neutral,
+%          the upper one where both are as far)
+%
+% Writes benchmarks/results/effectSigns.csv (effect, strength, bench, target,
+% change, noiseSd, z = change / noiseSd, sign: 0 where the change is below two
+% standard errors) and benchNoise.csv (bench, target, unit, mean, sd of one run,
+% relative sd, spheres, CPU seconds). An effect of the laboratory acts on the
+% means of the null runs, no run is made for it.
+%
+% About an hour of one core with 8 and 2 seeds.
+%
+% See also: benchRun, effectTable
+function effectSigns (work, benches, nNull, nFull)
+  root = fileparts (fileparts (mfilename ('fullpath')));
+  folder = fullfile (root, 'benchmarks', 'results');
+  effects = resolveEffects (listEffects ());
+  signs = fopen (fullfile (folder, 'effectSigns.csv'), 'w');
+  noise = fopen (fullfile (folder, 'benchNoise.csv'), 'w');
+  fprintf (signs, "effect,strength,bench,target,change,noiseSd,z,sign\n");
+  fprintf (noise, "bench,target,unit,mean,sd,relativeSd,spheres,seconds\n");
+  for b = 1:numel (benches)
+    source = fullfile (root, 'DEMmodels', benches{b});
+    info = resultInfo (source);
+    [null, cost] = runsOf (work, benches{b}, '', 0, 1:nNull);
+    writeNoise (noise, benches{b}, info, null, cost);
+    can = effectsOfModel (source, effects);
+    for e = effects(can)
+      strength = fullStrength (e);
+      if e.laboratory
+        full = e.transform (mean (null), strength, info);
+        full = repmat (full, nNull, 1);
+      else
+        full = runsOf (work, benches{b}, e.variables{1}, strength, ...
+                       (1:nFull) + 4);
+      end
+      writeSigns (signs, {e.name, strength, benches{b}}, info, {null, full});
+    end
+  end
+  fclose (signs);
+  fclose (noise);
+end
+
+function strength = fullStrength (effect)
+  distance = abs (effect.limits(:, 1) - effect.neutral(1));
+  far = 2 - (distance(1) > 1.001 * distance(2));
+  strength = effect.limits(far, 1);
+end
+
+function [results, cost] = runsOf (work, bench, name, value, which)
+  primes10000 = [10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079];
+  results = [];
+  cost = [0, 0];
+  for seed = primes10000(which)
+    variables = struct ('runSeed', seed);
+    if ~isempty (name)
+      variables.(name) = value;
+    end
+    folder = fullfile (work, sprintf ('%s-%s-%g-%d', bench, name, value, seed));
+    [row, time] = benchRun (folder, bench, variables);
+    results = [results; row];
+    cost = cost + [readChecks(folder).spheresStart, time] / numel (which);
+  end
+  results = results(~any (isnan (results), 2), :);
+end
+
+function writeNoise (fid, bench, info, null, cost)
+  for t = 1:numel (info)
+    m = mean (null(:, t));
+    s = std (null(:, t));
+    fprintf (fid, "%s,%s,%s,%.5g,%.3g,%.3g,%d,%.1f\n", bench, ...
+             info(t).name, info(t).unit, m, s, s / abs (m), cost);
+  end
+end
+
+function writeSigns (fid, words, info, rows)
+  [null, full] = rows{:};
+  if isempty (full)
+    fprintf (fid, "%s,%g,%s,none,NaN,NaN,NaN,failed\n", words{:});
+    return
+  end
+  change = mean (full, 1) - mean (null, 1);
+  sd = std (null, 0, 1);
+  error1 = sd * sqrt (1 / size (full, 1) + 1 / size (null, 1));
+  marks = {'-', '0', '+'};
+  for t = 1:numel (info)
+    mark = marks{2 + sign(change(t)) * (abs (change(t)) > 2 * error1(t))};
+    fprintf (fid, "%s,%g,%s,%s,%.4g,%.3g,%.3g,%s\n", words{:}, ...
+             info(t).name, change(t), sd(t), change(t) / sd(t), mark);
+  end
+end
