@@ -11,7 +11,9 @@
 % The covariance is factored once; leave-one-out residuals in closed form
 % (Dubrule 1983): with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1 the residual is
 % (Q y)_i / Q_ii and its variance 1 / Q_ii. factor widens the prediction
-% variance where the standardised residuals are larger than chance allows.
+% variance where the standardised residuals are larger than chance allows. df is
+% what the smoother leaves to the noise, trace (noise Q) = n - trace (hat), and
+% at least a third of the rows beyond the trend.
 %
 % See also: fitSurrogate, predictSurrogate
 
@@ -29,7 +31,7 @@ function surrogate = conditionSurrogate (model, base)
   b = L \ base.y;
   beta = R \ (R' \ (A' * b));
   alpha = L' \ (b - A * beta);
-  W = L' \ (L \ eye (n));
+  W = chol2inv (L');
   V = (L' \ A) / R;
   q = max (diag (W) - sum (V.^2, 2), eps);
   loo = alpha ./ q;
@@ -51,7 +53,7 @@ function surrogate = conditionSurrogate (model, base)
   surrogate.shift = base.shift;
   surrogate.scale = base.scale;
   surrogate.factor = max (1, mean (looStd.^2) - 2 * sqrt (2 / n));
-  surrogate.df = max (3, n - size (H, 2));
+  surrogate.df = max ([3, sum(noise .* q), (n - size (H, 2)) / 3]);
   surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd.^2);
   surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...
                              'A', A, 'R', R, 'beta', beta, 'alpha', alpha);

@@ -104,32 +104,54 @@ function surrogate = refit (base, options)
 end
 
 function best = chooseModel (base, options)
+  small = options;
+  small.maxFit = min (options.maxFit, 60);
+  few = thinned (base, 200);
+  [trends, covariances, default] = candidateModels (few, options);
+  best = better ([], trends{default}, covariances{1}, few, small);
+  for i = setdiff (1:numel (trends), default)
+    best = better (best, trends{i}, covariances{1}, few, small);
+  end
+  for i = 2:numel (covariances)
+    best = better (best, best.trend, covariances{i}, few, small);
+  end
+  n = rows (base.X);
+  if n > small.maxFit
+    options.start = best;
+    best = refit (base, options);
+    best.nChoice = n;
+  end
+end
+
+function few = thinned (base, most)
+  % the choice of the model needs no more rows than this
+  n = rows (base.X);
+  few = base;
+  if n > most
+    use = unique (round (linspace (1, n, most)));
+    few.X = base.X(use, :);
+    few.z = base.z(use);
+    few.unit = base.unit(use, :);
+    few.y = base.y(use);
+    if ~isempty (base.knownNoise)
+      few.knownNoise = base.knownNoise(use);
+    end
+  end
+end
+
+function [trends, covariances, default] = candidateModels (base, options)
   [n, d] = size (base.X);
   trends = {options.trend};
   if strcmp (options.trend, 'choose')
-    sizes = [1, d + 1, (d + 1) * (d + 2) / 2];
     trends = {'constant', 'affine', 'quadratic'};
-    enough = n >= [3, d + 4, 3 * sizes(3)];
+    enough = n >= [3, d + 4, 1.5 * (d + 1) * (d + 2)];
     trends = trends(enough | [~any(enough), false, false]);
   end
   covariances = {options.covariance};
   if strcmp (options.covariance, 'choose')
     covariances = {'matern52', 'matern32', 'gauss'};
   end
-  small = options;
-  small.maxFit = min (options.maxFit, 60);
   default = min (2, numel (trends));
-  best = better ([], trends{default}, covariances{1}, base, small);
-  for i = setdiff (1:numel (trends), default)
-    best = better (best, trends{i}, covariances{1}, base, small);
-  end
-  for i = 2:numel (covariances)
-    best = better (best, best.trend, covariances{i}, base, small);
-  end
-  if n > small.maxFit && options.maxFit > small.maxFit
-    options.start = best;
-    best = refit (base, options);
-  end
 end
 
 function best = better (best, trend, covariance, base, options)

@@ -23,7 +23,7 @@ function fit = prepareFit (U, y, trend, kernel, noise)
   fit.y = y;
   fit.kernel = kernel;
   fit.noise = noise;
-  beyond = 0.03;
+  beyond = 0.01;
   if strcmp (trend, 'constant')
     beyond = 1;
   end

@@ -9,7 +9,7 @@
 % See also: improveByInfill, calibrateOnDEM
 
 function state = recalibrate (state, problem, stage, iteration)
-  options = struct ('incumbent', state.found.params);
+  options = struct ('incumbent', state.found.params, 'nPlan', 1);
   new = calibrateOnKriging (state.surrogates, problem, options);
   here = describeSet (state.surrogates, problem, state.found.params);
   stay = here.probability > new.probability - 0.1 && here.probability > 0.2;

@@ -18,14 +18,14 @@ function [p, probability] = surestSet (surrogates, problem, pool)
   lo = problem.limits(1, :);
   width = problem.limits(2, :) - lo;
   d = numel (lo);
-  sample = double (stk_sampling_halton_rr2 (500, d, problem.limits));
+  sample = double (stk_sampling_halton_rr2 (300, d, problem.limits));
   P = [pool; mean(surrogates(1).X, 1); sample];
   [~, order] = sort (sum (loss (surrogates, problem, P).^2, 2));
   P = P(order(1:10), :);
-  for k = 1:3
+  for k = 1:2
     P(k, :) = descend (surrogates, problem, P(k, :));
   end
-  step = double (stk_sampling_halton_rr2 (40, d, [-ones(1, d); ones(1, d)]));
+  step = double (stk_sampling_halton_rr2 (30, d, [-ones(1, d); ones(1, d)]));
   for radius = 0.3 * 0.75.^(0:15)
     [~, order] = sort (meetProbability (surrogates, problem, P), 'descend');
     best = P(order(1:3), :);
