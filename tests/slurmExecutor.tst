@@ -41,7 +41,7 @@
 %! cluster = slurmTestUp (8);
 
 % the same plan, locally and through Slurm; a path that needs quoting
-%!testif ; slurmTestReady ()
+%!testif ; slurmTestReady ('quiet')
 %! a = [1, 2, 9, 7, 8, 3.3];
 %! [Case, jobs] = slurmTestCase (fullfile (home, 'it''s %a $1'), a, 0);
 %! Case.models.timeout = 2;
@@ -56,7 +56,7 @@
 %! assert (! isempty (strfind (r(3).message, 'too dense')));
 
 % cancelled, guard killed, processes killed: records; the fourth run is ok
-%!testif ; slurmTestReady ()
+%!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'injured');
 %! [Case, jobs] = slurmTestCase (folder, 1:4, 3);
 %! r = executeSlurm (jobs, Case, ...
@@ -69,7 +69,7 @@
 %!                       {r.folder})));
 
 % slurmd killed and restarted, slurmctld restarted in mid-plan; few at a time
-%!testif ; slurmTestReady ()
+%!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'daemons');
 %! [Case, jobs] = slurmTestCase (folder, 1 + (1:12) / 100, 1);
 %! r = executeSlurm (jobs, Case, ...
@@ -82,7 +82,7 @@
 %! assert (cellfun (@(x) x(1), {r.results}), sums, 1e-12);
 
 % Octave killed in mid-plan, and again: reattached, each run started once
-%!testif ; slurmTestReady ()
+%!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'killed');
 %! for round = 1:2
 %!   pid = slurmTestStart (folder, 1:6, 3);
@@ -103,7 +103,7 @@
 %! assert (numel (readdir (fullfile (folder, 'optim', '.slurm'))), 2);
 
 % killed before sbatch: submitted again, and the first array is void for good
-%!testif ; slurmTestReady ()
+%!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'unsent');
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 0);
 %! flight = slurmAttach (jobs, Case.store);
@@ -117,7 +117,7 @@
 %! assert (slurmTestStarts (folder), 2);
 
 % cancelled while nobody looked: the next start submits it again
-%!testif ; slurmTestReady ()
+%!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'cancelled');
 %! pid = slurmTestStart (folder, 1:2, 2);
 %! for wait = 1:100
@@ -133,7 +133,7 @@
 %! assert ({r.status}, {'ok', 'ok'});
 
 % refused: an error that quotes Slurm, and nothing left in the ledger
-%!testif ; slurmTestReady ()
+%!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'refused');
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 0);
 %! Case.options.slurm.partition = 'nosuch';
@@ -148,7 +148,7 @@
 %! r = executeSlurm (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
 
-%!testif ; slurmTestReady ()
+%!testif ; slurmTestReady ('quiet')
 %! slurmTestDown (cluster);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (home, 's');

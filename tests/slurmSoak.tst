@@ -8,7 +8,7 @@
 %! mkdir (home);
 
 %!function ready = soakReady ()
-%!  ready = strcmp (getenv ('DECALIOC_SOAK'), '1') && slurmTestReady ();
+%!  ready = strcmp (getenv ('DECALIOC_SOAK'), '1') && slurmTestReady ('quiet');
 %!endfunction
 
 % ends a daemon and starts it again after some seconds, without waiting
