@@ -12,13 +12,10 @@ function name = getLastFoldersName (path, model)
   names = listRunFolders (path, model);
   name = '';
   if ~ isempty (names)
-    [~, last] = max (cellfun (@folderNumber, names));
+    numbers = str2double (regexp (names, '^\d+', 'match', 'once'));
+    [~, last] = max (numbers);
     name = names{last};
   end
-end
-
-function number = folderNumber (name)
-  number = str2double (regexp (name, '^\d+', 'match', 'once'));
 end
 
 %!test

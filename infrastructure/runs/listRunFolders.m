@@ -14,8 +14,7 @@ function names = listRunFolders (base, model)
     names = cell (0, 1);
     return;
   end
-  isRun = cellfun (@(n) n(1) >= '0' && n(1) <= '9', names);
-  names = names(isRun);
+  names = names(~ cellfun ('isempty', regexp (names, '^[0-9]', 'once')));
 end
 
 %!assert (size (listRunFolders ('/nowhere', 'M')), [0, 1])
