@@ -6,7 +6,7 @@ set -euo pipefail
 packagesOf () {
   case $1 in
     run)   echo octave octave-stk octave-optim octave-parallel octave-struct \
-                gnuplot-nox fonts-freefont-otf openmpi-bin ;;
+                gnuplot-nox fonts-freefont-otf openmpi-bin procps ;;
     build) echo g++ make patch xz-utils libopenmpi-dev libjpeg-dev libpng-dev ;;
     test)  echo slurm-wlm munge ;;     # a small cluster on this machine
     lint)  echo python3-venv shellcheck ;;
