@@ -23,12 +23,14 @@ function files = testFiles (root, pattern)
 end
 
 function [passed, failed, skipped] = runFile (file, root)
+  start = tic ();
   log = tempname ();
   fid = fopen (log, 'w');
   [passed, total, ~, skipped] = test (file, 'quiet', fid);
   fclose (fid);
   failed = total - passed;
-  printf ('%-60s %3d of %3d\n', strrep (file, [root, '/'], ''), passed, total);
+  printf ('%-56s %3d of %3d  %4.0f s\n', strrep (file, [root, '/'], ''), ...
+          passed, total, toc (start));
   if failed > 0 || skipped > 0
     puts (fileread (log));
   end
@@ -38,7 +40,8 @@ end
 
 history_save (false);
 root = fileparts (fileparts (mfilename ('fullpath')));
-addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'));
+addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'), ...
+         fullfile (root, 'benchmarks'));
 startToolbox (root);
 args = argv ();
 pattern = '';
