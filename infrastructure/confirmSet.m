@@ -79,7 +79,7 @@ end
 function text = explain (final, problem)
   sure = 100 * final.probability;
   if final.n == 0
-    text = 'no DEM run at the found set has finished';
+    text = 'no DEM run confirms the set found on the surrogates';
   elseif final.converged
     text = sprintf (['all targets met in the mean of %d runs, true with a ' ...
                      'probability of %.0f %%'], final.n, sure);

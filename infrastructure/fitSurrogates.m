@@ -13,7 +13,11 @@
 % Rows with effect values other than those of the first row belong to another
 % model and are left out.
 %
-% See also: fitSurrogate, createKrigingModels
+% The noise is estimated with each fit. Where 8 and more degrees of freedom of
+% replicates show that the scatter follows the response (estimateNoise), each
+% row has its own variance, and noiseVar is that at the target.
+%
+% See also: fitSurrogate, estimateNoise, createKrigingModels
 
 function surrogates = fitSurrogates (data, problem, old)
   if nargin < 3
@@ -26,12 +30,29 @@ function surrogates = fitSurrogates (data, problem, old)
     X = X(same, :);
     Z = Z(same, :);
   end
+  noise = estimateNoise (struct ('X', X, 'Z', Z), problem);
   for t = 1:numel (problem.targets)
     options = struct ('name', targetName (problem, t));
     if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.5 * old(t).nChoice
       options.start = old(t);
     end
+    law = scatterLaw (noise, t, Z(:, t));
+    options.noise = law.rows;
     surrogates(t) = fitSurrogate (X, Z(:, t), problem.limits, options);
+    if ~isempty (law.rows)
+      surrogates(t).noiseVar = law.at(problem.value(t));
+    end
+  end
+end
+
+function law = scatterLaw (noise, t, z)
+  law.rows = [];
+  if noise.heteroscedastic(t) && noise.df(t) >= 8
+    power = min (max (noise.power(t), 0), 2);
+    typical = abs (mean (z(isfinite (z))));
+    law.at = @(y) noise.sd(t)^2 * (max (abs (y), 0.01 * typical) / ...
+                                   typical).^(2 * power);
+    law.rows = law.at (z(isfinite (z)));
   end
 end
 
@@ -57,3 +78,16 @@ end
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
 %! s = fitSurrogates (data, problem, s);
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
+
+%!test
+%! % scatter in proportion to the response (12 sets of 4 runs)
+%! rand ('twister', 1);
+%! randn ('twister', 1);
+%! X = kron (rand (12, 1), ones (4, 1));
+%! Z = (1 + 9 * X) .* (1 + 0.05 * randn (48, 1));
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 2, 'tol', 0.01));
+%! data = addRows (newData (1, 1), X, Z, ones (48, 1), 'plan');
+%! s = fitSurrogates (data, newProblem (C, []));
+%! assert (sqrt (s.noiseVar), 0.1, 0.08);
+%! assert (numel (s.model.lognoisevariance), 48);

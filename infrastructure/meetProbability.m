@@ -9,6 +9,8 @@
 %                     Pr(|residual of the mean response| < tolerance)
 % r, s         n x T  residual of the surrogate mean, its standard deviation
 %
+% problem.avoid (k x d, optional) holds sets at which runs failed again and
+% again: the probability falls to 0 within a tenth of the box around them.
 % Student's distribution with the degrees of freedom of the fit, because the
 % noise is estimated from the same few runs.
 %
@@ -20,6 +22,12 @@ function [probability, r, s] = meetProbability (surrogates, problem, P)
   for t = find (problem.calibrate)
     probability = probability .* insideProbability ...
       (r(:, t), s(:, t), problem.tol(t), surrogates(t).df);
+  end
+  if isfield (problem, 'avoid')
+    for i = 1:rows (problem.avoid)
+      u = (P - problem.avoid(i, :)) ./ diff (problem.limits);
+      probability = probability .* (1 - exp (-100 * sum (u.^2, 2)));
+    end
   end
 end
 

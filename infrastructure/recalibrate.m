@@ -3,22 +3,31 @@
 % CALL: state = recalibrate (state, problem, stage, iteration)
 %
 % state      struct of newState; the found set stays where it is unless another
-%            one is clearly likelier (by 0.1), so that its runs add up
+%            one is clearly likelier (by 0.1), so that its runs add up; a set
+%            whose runs failed twice and never finished is left (failedSets)
 % stage      'infill' or 'DEM'; iteration  integer
 %
 % See also: improveByInfill, calibrateOnDEM
 
 function state = recalibrate (state, problem, stage, iteration)
-  options = struct ('incumbent', state.found.params, 'nPlan', 1);
-  new = calibrateOnKriging (state.surrogates, problem, options);
+  problem.avoid = failedSets (state.data);
   here = describeSet (state.surrogates, problem, state.found.params);
-  stay = here.probability > new.probability - 0.1 && here.probability > 0.2;
+  margin = 0.1;
+  found = state.found;
+  found.conflict = {};
+  if here.probability <= 1 - margin
+    options = struct ('incumbent', found.params, 'nPlan', 1);
+    found = calibrateOnKriging (state.surrogates, problem, options);
+  end
+  stay = here.probability > 1 - margin || ...
+         (here.probability > found.probability - margin && ...
+          here.probability > 0.2);
   if stay
     kept = fieldnames (here);
     for i = 1:numel (kept)
-      new.(kept{i}) = here.(kept{i});
+      found.(kept{i}) = here.(kept{i});
     end
   end
-  state.found = new;
+  state.found = found;
   state = bookStep (state, stage, iteration);
 end

@@ -1,0 +1,19 @@
+% FAILEDSETS  Sets whose runs failed twice or more and never finished.
+%
+% CALL: P = failedSets (data)
+%
+% data  struct of newData; P  k x d
+%
+% See also: recalibrate, meetProbability
+
+function P = failedSets (data)
+  [sets, ~, group] = unique (data.X, 'rows');
+  failed = any (isnan (data.Z), 2);
+  n = accumarray (group(:), 1, [rows(sets), 1]);
+  bad = accumarray (group(:), failed(:), [rows(sets), 1]);
+  P = sets(bad >= 2 & bad == n, :);
+end
+
+%!test
+%! data = struct ('X', [1; 1; 2; 2; 3], 'Z', [NaN; NaN; 1; NaN; NaN]);
+%! assert (failedSets (data), 1);
