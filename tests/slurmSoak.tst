@@ -102,6 +102,23 @@
 %! assert ({r.cause}, {'killed', 'killed'});
 %! assert (! isempty (strfind (r(1).message, 'PREEMPTED')));
 
+% the whole program gives the same calibration, to the last digit
+%!testif ; soakReady ()
+%! found = cell (1, 2);
+%! for k = 1:2
+%!   executor = {'local', 'slurm'}{k};
+%!   folder = fullfile (home, ['whole-', executor]);
+%!   standInCase (folder);
+%!   writeLoadInput (folder, ...
+%!     sprintf (['Input.executor = ''%s''; ', ...
+%!               'Input.slurm = struct (''poll'', 0.5);'], executor));
+%!   assert (startProgram (folder), 0);
+%!   file = fullfile (folder, 'results', 'calibration.json');
+%!   found{k} = jsondecode (fileread (file));
+%! end
+%! assert (found{1}.params, found{2}.params);
+%! assert (found{1}.targets, found{2}.targets);
+
 %!testif ; soakReady ()
 %! slurmTestDown (cluster);
 %! confirm_recursive_rmdir (false, 'local');
