@@ -41,3 +41,32 @@ function lines = checkSurrogates (state, problem)
                               failed, rows (state.data.Z));
   end
 end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! lines = checkSurrogates (state, problem);
+%! assert (isempty (lines));
+%! problem.value(2) = 9;
+%! problem.calibrate(1) = false;
+%! state.found.params = [1, 1];
+%! state.data.Z(3, 1) = NaN;
+%! lines = checkSurrogates (state, problem);
+%! assert (numel (lines), 4);
+%! assert (lines{1}, ['target y = 9 lies outside what the runs reached ', ...
+%!                    sprintf('(%g to %g)', min (s(2).z), max (s(2).z))]);
+%! assert (lines{2}, 'at a limit of the box: a');

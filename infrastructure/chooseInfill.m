@@ -77,3 +77,34 @@ function draw = drawPosterior (surrogate, P, n)
   draw = m + root * randn (rows (S), n);
   draw = surrogate.shift + surrogate.scale * draw;
 end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! % alone: the found set; likely: its replicates; else draws of their own
+%! found = state.found;
+%! assert (chooseInfill (s, problem, found, 1, 1), found.params);
+%! found.probability = 0.9;
+%! assert (chooseInfill (s, problem, found, 2, 1), ...
+%!         repmat (found.params, 2, 1));
+%! found.probability = 0.1;
+%! before = randn ('twister');
+%! P = chooseInfill (s, problem, found, 3, 1);
+%! assert (randn ('twister'), before);
+%! assert (size (P), [3, 2]);
+%! assert (P, chooseInfill (s, problem, found, 3, 1));
+%! assert (all (P(:) >= 0));

@@ -54,3 +54,31 @@ function worst = worstExcess (surrogates, problem, P)
   worst = max ((abs (r(:, use)) - problem.tol(use)) ./ s(:, use), [], 2);
   worst = max (worst, 0);
 end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! [names, excess] = findConflict (s, problem);
+%! assert (isempty (names));
+%! assert (excess, 0, 1);
+
+%!test
+%! % x = 3.2 wants little, y = 2.7 wants much: each can be met, not both
+%! problem.value = [3.2, 2.7];
+%! [names, excess] = findConflict (s, problem);
+%! assert (names, {'x', 'y'});
+%! assert (excess > 3);

@@ -41,3 +41,34 @@ function state = improveByInfill (state, problem, evaluate, say)
     break
   end
 end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! % nothing to spend: said; a set out of reach: said, with few runs
+%! problem.options.maxNewRuns = 0;
+%! state.found.probability = 0;
+%! out = improveByInfill (state, problem, @(P, r) error ('run'), @(x) []);
+%! assert (out.reason, 'no runs left for infill');
+%! assert (out.spent.infill, 0);
+%! problem.options.maxNewRuns = Inf;
+%! problem.value(2) = 9;
+%! state.found = calibrateOnKriging (s, problem);
+%! f = @(P, r) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
+%! out = improveByInfill (state, problem, f, @(x) []);
+%! assert (strncmp (out.reason, 'no set meets: y', 15));
+%! assert (out.spent.infill < 10);

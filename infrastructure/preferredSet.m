@@ -35,3 +35,30 @@ function p = preferredSet (surrogates, problem, p, pool)
     end
   end
 end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! % a third parameter that matters to nobody goes where it is preferred
+%! problem.calibrate(2) = false;
+%! problem.cost = @(p, f) [f(p) ./ [4; 2] - 1; 2 - p(2)];
+%! problem.nExtra = 1;
+%! p = surestSet (s, problem, zeros (0, 2));
+%! q = preferredSet (s, problem, p, zeros (0, 2));
+%! assert (q(2) >= p(2));
+%! assert (meetProbability (s, problem, q) >= ...
+%!         meetProbability (s, problem, p) - 0.021);

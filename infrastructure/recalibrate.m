@@ -31,3 +31,30 @@ function state = recalibrate (state, problem, stage, iteration)
   state.found = found;
   state = bookStep (state, stage, iteration);
 end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! % a sure set stays to the last digit, and the step is booked
+%! state.found.params = surestSet (s, problem, zeros (0, 2));
+%! out = recalibrate (state, problem, 'DEM', 3);
+%! assert (numel (out.history), 1);
+%! assert (out.history.iteration, 3);
+%! state.data.X(end + 1:end + 2, :) = repmat (out.found.params, 2, 1);
+%! state.data.Z(end + 1:end + 2, :) = NaN;
+%! away = recalibrate (state, problem, 'DEM', 4);
+%! assert (~isequal (away.found.params, out.found.params));

@@ -70,3 +70,34 @@ function text = convergence (cvg)
       text = 'stopped';
   end
 end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! % the solution of two equations: a + b/2 = 1, a + b/2.5 = 1 => a 1, b 0
+%! start = struct ('start', 'here', 'params', [0.2, 1.5]);
+%! [solved, path] = solveStart (s, problem, start, 100, 1000);
+%! assert (solved.norm < 0.1);
+%! assert (solved.within);
+%! assert (solved.evaluations <= 1000);
+%! assert (numel (path), 2);
+
+%!test
+%! % the limit of evaluations holds
+%! start = struct ('start', 'here', 'params', [0.2, 1.5]);
+%! solved = solveStart (s, problem, start, 100, 12);
+%! assert (solved.evaluations <= 12);

@@ -66,3 +66,26 @@ function J = slope (surrogates, problem, p)
   [J, G] = surrogateJacobian (surrogates, problem, p);
   J = [J; G];
 end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! [p, probability] = surestSet (s, problem, zeros (0, 2));
+%! r = targetResidual (problem, p, predictSurrogate (s, p));
+%! assert (all (abs (r) < 0.02));
+%! assert (probability, meetProbability (s, problem, p), 1e-12);
+%! assert (probability > 0.5);
