@@ -3,17 +3,23 @@
 % CALL: E = neutralEffects (CASE)
 %
 %   CASE  see newCase
-%   E     1 x v, columns as CASE.effectVars
+%   E     1 x v, columns as CASE.effectVars; effects of the laboratory act on
+%         results and have no variables
 %
 % See also: newJobs
 
 function E = neutralEffects (Case)
   E = zeros (1, 0);
   for k = 1:numel (Case.effects)
-    E = [E, Case.effects(k).neutral(:)'];
+    effect = Case.effects(k);
+    if ~ (isfield (effect, 'laboratory') && effect.laboratory)
+      E = [E, effect.neutral(:)'];
+    end
   end
 end
 
 %!assert (neutralEffects (struct ('effects', [])), zeros (1, 0))
 %!assert (neutralEffects (struct ('effects', struct ('neutral', {1, [2, 3]}))), ...
 %!        [1, 2, 3])
+%!assert (neutralEffects (struct ('effects', ...
+%!        resolveEffects ({'gain', 'shape', 'cameraRoll'}))), 1)
