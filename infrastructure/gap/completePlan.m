@@ -6,8 +6,8 @@
 %   CASE      see newCase;  EVALUATE  see newEvaluate
 %   SAY       function handle that takes one line of text
 %
-% A diagnosis wants 10 neutral sets per parameter if it may run them; without
-% new runs it takes what is there.
+% A diagnosis wants 6 (d + 1) neutral sets, 40 at most, if it may run them;
+% without new runs it takes what is there.
 %
 % See also: gatherRuns, diagnoseGap
 
@@ -16,7 +16,7 @@ function data = completePlan (data, Case, evaluate, say)
   phi = neutralEffects (Case);
   neutral = all (data.E == phi, 2) & all (isfinite (data.Z), 2);
   have = rows (unique (data.X(neutral, :), 'rows'));
-  wanted = max (Case.options.numOfSam, min (40, 8 * d + 8));
+  wanted = max (Case.options.numOfSam, min (40, 6 * d + 6));
   missing = min (wanted - have, ...
                  floor (Case.options.maxNewRuns / numel (Case.models)));
   if missing < 1

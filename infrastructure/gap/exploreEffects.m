@@ -29,7 +29,7 @@ function [state, em] = exploreEffects (problem, options, state, em)
   em = fitEmulator (problem, state.data, options, em);
   full = options.planRuns;
   if isempty (full)
-    full = 6 * (em.p + 1);
+    full = 5 * (em.p + 1);
   end
   for share = [0.5, 1]
     [wanted, posteriors] = survivors (problem, options, em, ...

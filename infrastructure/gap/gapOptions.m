@@ -17,8 +17,8 @@
 %     maxNewRuns   DEM runs that the diagnosis may spend in all (0)
 %     screenRuns   runs an effect gets for screening (4)
 %     survivors    effects that get a plan of their own (3)
-%     planRuns     runs a survivor has in the end ([]: 6 (p + 1))
-%     verifyRuns   seeds at each compared set when the cure is checked (6)
+%     planRuns     runs a survivor has in the end ([]: 5 (p + 1))
+%     verifyRuns   seeds at each compared set when the cure is checked (5)
 %
 % See also: diagnoseMatrices
 
@@ -28,7 +28,7 @@ function options = gapOptions (given)
                     'covariance', 'matern52', 'trend', 'choose', ...
                     'maxNewRuns', 0, ...
                     'screenRuns', 4, 'survivors', 3, 'planRuns', [], ...
-                    'verifyRuns', 6);
+                    'verifyRuns', 5);
   if isstruct (given)
     fields = fieldnames (given);
     for k = 1:numel (fields)

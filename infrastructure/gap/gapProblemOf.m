@@ -97,15 +97,62 @@ function e = oneEffect (effect, info, given, library)
   end
   if effect.laboratory
     top = effect.limits(2);
-    for b = unique (given.bench)
-      at = find (given.bench == b);
-      e.offset(at) = effect.transform (zeros (1, numel (at)), top, info(at));
-      unit = effect.transform (eye (numel (at)), top, info(at));
-      e.matrix(at, at) = unit - e.offset(at) - eye (numel (at));
-    end
+    [e.offset, e.matrix] = linearPart (effect, info, given.bench);
     e.range = [min(effect.limits(1) / top, 0), 1];
     e.limits = zeros (2, 0);
     e.variables = {};
     e.neutral = [];
   end
 end
+
+% A transform is affine in the results. One more result of every kind goes along
+% so that no kind is missing; curves of different benches stay apart.
+function [offset, matrix] = linearPart (effect, info, bench)
+  T = numel (info);
+  for t = 1:T
+    if ~isempty (info(t).series)
+      info(t).series = sprintf ('%s@%d', info(t).series, bench(t));
+    end
+  end
+  for k = 1:numel (effect.kinds)
+    extra = info(1);
+    extra.kind = effect.kinds{k};
+    extra.series = '';
+    extra.at = 0;
+    info = [info, extra];
+  end
+  n = numel (info);
+  offset = effect.transform (zeros (1, n), effect.limits(2), info);
+  unit = effect.transform (eye (n), effect.limits(2), info);
+  matrix = unit(1:T, 1:T) - offset(1:T) - eye (T);
+  offset = offset(1:T);
+end
+
+%!test
+%! % a camera roll turns angles, a gain scales weights, other benches untouched
+%! Case.targets = struct ('value', {1, 2}, 'sd', {0.1, 0}, 'tol', 0.1, ...
+%!                        'name', {'a', 'b'}, 'role', 'calibrate', ...
+%!                        'model', {1, 2}, 'index', 1);
+%! folder = tempname ();
+%! mkdir (folder);
+%! Case.models = struct ('name', {'A', 'B'}, 'folder', ...
+%!                       {fullfile(folder, 'A'), fullfile(folder, 'B')});
+%! kinds = {'angle', 'mass'};
+%! for k = 1:2
+%!   mkdir (Case.models(k).folder);
+%!   id = fopen (fullfile (Case.models(k).folder, 'results.csv'), 'w');
+%!   fprintf (id, 'name,kind,unit,series,at,text\nr,%s,,,,x\n', kinds{k});
+%!   fclose (id);
+%! end
+%! Case.folder = folder;
+%! Case.names = {'mu'};
+%! Case.limits = [0; 1];
+%! Case.effects = resolveEffects ({'cameraRoll', 'gain', 'cohesion'});
+%! [given, notes] = gapProblemOf (Case);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! assert (given.effects(1).offset, [2, 0]);
+%! assert (given.effects(2).matrix, [0, 0; 0, 0.05], 1e-12);
+%! assert (ismember ('liquidBridge', given.effects(3).siblings));
+%! assert (given.sd, [0.1, 0.1]);
+%! assert (numel (notes), 1);

@@ -15,9 +15,9 @@
 %     top       scalar, the likeliest effect
 %
 % P ~ prior * exp (log evidence / temperature). An effect is named only if all
-% hold: there is a gap (W.gate.p < level), its probability reaches nameAt and is 3
-% times any other's, no listed effect that noise takes for it is left over, its
-% hypothesis fits (p >= 0.05), its strength is not glued to the end of its range,
+% hold: there is a gap (W.gate.p < level), its probability reaches nameAt and is
+% 3 times any other, no listed effect that noise takes for it is left over, its
+% hypothesis fits (p >= 0.05), its strength is not at the end of its range,
 % its surrogate is not vague, and nothing unlisted is known to look alike.
 %
 % See also: weighCase, calibrateVerdict
