@@ -12,8 +12,7 @@ function name = getLastFoldersName (path, model)
   names = listRunFolders (path, model);
   name = '';
   if ~ isempty (names)
-    numbers = str2double (regexp (names, '^\d+', 'match', 'once'));
-    [~, last] = max (numbers);
+    [~, last] = max (str2double (regexp (names, '^\d+', 'match', 'once')));
     name = names{last};
   end
 end

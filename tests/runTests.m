@@ -50,6 +50,7 @@ if ~ isempty (args)
 end
 scratch = tempname ();
 mkdir (scratch);
+setenv ('TMPDIR', scratch);
 home = cd (scratch);
 counts = zeros (1, 3);
 files = testFiles (root, pattern);
