@@ -32,7 +32,7 @@ function Case = newCase (raw)
   Case.names = raw.assign(:)';
   Case.limits = double (raw.paramLims);
   Case.modelVars = raw.modelVars;
-  Case.effects = resolveEffects (raw.effects, ...
+  Case.effects = resolveEffects (given (raw, 'effects', []), ...
                                  {fullfile(raw.folder, 'effects'), raw.folder});
   Case.effectVars = effectVariables (Case.effects);
   Case.targets = newTargets (raw.optim, Case.models);
@@ -166,6 +166,7 @@ end
 %! Case = newCase (published);
 %! assert ([Case.targets.model], [1, 1, 2]);
 %! assert ([Case.targets.tol], [0.01, 0.01, 0.02]);
+%!assert (isempty (newCase (rmfield (raw, 'effects')).effects))
 %!error id=DEcalioc:checkCase:badLimits
 %! raw.paramLims(:, 1) = [2; 1];
 %! newCase (raw);
