@@ -6,71 +6,30 @@
 %                (the list is shorter then) and y are looked at
 %   VERDICTS     1 x n struct: kind, effects, top, named (cellstr), P (1 x (K +
 %                3): null, each effect, pairs, unlisted), interval (K x 3:
-%                strength of each effect, median and 90 %), gateP, fitP, seconds
+%                strength of each effect, median and 90 %), gateP, fitP,
+%                seconds, temperature, nameAt, expected
 %
-% One emulator and one calibration of the verdict a laboratory and list.
+% One emulator and one calibration of the verdict a laboratory; the laboratories
+% are shared out to the cores.
 %
 % See also: weighCase, judgeCase, twins
 
 function verdicts = twinsDiagnose (labs, twins)
-  blank = struct ('kind', '', 'effects', [], 'top', 0, 'P', [], ...
-                  'interval', [], 'gateP', 1, 'fitP', 1, 'seconds', 0);
-  verdicts = repmat (blank, 1, numel (twins));
-  options = gapOptions ([]);
-  for l = 1:numel (labs)
-    given = labs(l).problem;
-    given.y = labs(l).means (0.5 * ones (1, columns (given.limits)), ...
-                             zeros (1, numel (given.effects)));
-    problem = newGapProblem (given);
-    em = labs(l).em;
-    here = find ([twins.lab] == l);
-    lists = unique ([twins(here).removed]);
-    full = makeModels (problem, em, options);
-    [full, expected] = calibrateVerdict (problem, em, full, options);
+  n = numel (labs);
+  [jobs, own] = deal (cell (1, n));
+  for l = 1:n
+    at = find ([twins.lab] == l);
+    jobs{l} = struct ('name', labs(l).name, 'problem', labs(l).problem, ...
+                      'em', labs(l).em, 'middle', mean (labs(l).data.Z));
+    own{l} = struct ('index', at, 'removed', [twins(at).removed], ...
+                     'Y', vertcat (twins(at).y));
+  end
+  parts = parcellfun (min (n, nproc ()), @twinsOfLab, jobs, own, ...
+                      'UniformOutput', false, 'VerboseLevel', 0);
+  for l = 1:n
+    verdicts(own{l}.index) = parts{l};
+    first = parts{l}(1);
     printf ('%s: temperature %.1f, names at %.2f, expected right %.2f\n', ...
-            labs(l).name, full.temperature, full.nameAt, expected.right);
-    for removed = lists
-      models = full;
-      if removed > 0
-        shorter = withoutEffects (em, removed);
-        models = makeModels (problem, shorter, options);
-        models.temperature = full.temperature;
-        models.nameAt = full.nameAt;
-      end
-      for i = here([twins(here).removed] == removed)
-        verdicts(i) = oneVerdict (models, twins(i).y, removed, ...
-                                  numel (em.effect), blank);
-      end
-    end
+            labs(l).name, first.temperature, first.nameAt, first.expected);
   end
-end
-
-function v = oneVerdict (models, y, removed, K, v)
-  start = tic ();
-  fits = fitLibrary (models, y);
-  w = weighCase (models, fits, 1, true);
-  verdict = judgeCase (w, models);
-  numbers = setdiff (1:K, removed);
-  v.kind = verdict.kind;
-  v.effects = numbers(verdict.effects);
-  v.top = numbers(verdict.top);
-  v.P = zeros (1, K + 3);
-  v.interval = NaN (K, 3);
-  for h = 1:numel (verdict.P)
-    switch w.kind{h}
-      case 'null'
-        at = 1;
-      case 'single'
-        at = 1 + numbers(w.members{h});
-        v.interval(numbers(w.members{h}), :) = w.phi(h, :);
-      case 'pair'
-        at = K + 2;
-      otherwise
-        at = K + 3;
-    end
-    v.P(at) = v.P(at) + verdict.P(h);
-  end
-  v.gateP = w.gate.p;
-  v.fitP = max (w.fitP(1:end - 1));
-  v.seconds = toc (start);
 end

@@ -66,3 +66,11 @@ function part = pick (all, at)
   part = struct ('Q', all.Q(at, :), 'cost', all.cost(at), ...
                  'chi2', all.chi2(at), 'A', all.A(at, :, :));
 end
+
+%!test
+%! models = handMadeModels ();
+%! fits = fitLibrary (models, [1.5, 0.5, 2, 2; 0, 0, 0, -2]);
+%! assert (fits.null.Q, [0.5; 0], 1e-3);
+%! assert (fits.single{1}.Q(1, :), [0.5, 16 / 36], 0.02);
+%! assert (fits.single{2}.Q(2, :), [0, 8 / 20], 0.03);
+%! assert (size (fits.kind{1}.Q), [2, 1]);

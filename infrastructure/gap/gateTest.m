@@ -42,3 +42,15 @@ function gate = gateTest (models, screen, null, i)
   least = min (gate.pFit, gate.pTop);
   gate.p = (1 + sum (min (pFit, pTop) <= least)) / (B + 1);
 end
+
+%!test
+%! models = handMadeModels ();
+%! y = [1.5, 0.5, 0, 0; 1.5, 0.5, 2.6, 2.6];
+%! fits = fitLibrary (models, y);
+%! p = zeros (1, 2);
+%! for i = 1:2
+%!   screen = screenEffects (models.white, fits.null.Q(i, :), y(i, :));
+%!   p(i) = gateTest (models, screen, fits.null, i).p;
+%! end
+%! assert (p(1) > 0.5);
+%! assert (p(2) < 0.01);

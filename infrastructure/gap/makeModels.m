@@ -58,3 +58,23 @@ function siblings = siblingsOf (problem, names)
     siblings{k} = setdiff (problem.effects(at).siblings(:)', names);
   end
 end
+
+%!test
+%! % a measured parameter becomes a normal prior in scaled units
+%! lab = standInGap (0);
+%! keep = 1:6;
+%! given = struct ('y', ones (1, 6), 'sd', lab.seedSd(keep), ...
+%!                 'limits', lab.problem.limits, 'bench', ones (1, 6), ...
+%!                 'paramMean', [0.75, NaN, NaN, NaN], ...
+%!                 'paramSd', [0.05, NaN, NaN, NaN]);
+%! rand ('twister', 1); randn ('twister', 1);
+%! data = lab.plan (14, 0);
+%! data.Z = data.Z(:, keep);
+%! data.E = zeros (14, 0);
+%! problem = newGapProblem (given);
+%! options = gapOptions (struct ('trend', 'affine', 'draws', 100));
+%! em = fitEmulator (problem, data, options);
+%! models = makeModels (problem, em, options);
+%! assert (models.prior.mean, [0.5, 0, 0, 0], 1e-12);
+%! assert (models.prior.precision, [100, 0, 0, 0], 1e-9);
+%! assert (size (models.base.normal), [100, 6]);

@@ -32,3 +32,14 @@ function budget = noiseBudget (problem, em)
   budget.surrogate = sqrt (known);
   budget.share = known ./ (known + diag (budget.covariance)');
 end
+
+%!test
+%! problem = newGapProblem (struct ('y', [1, 2], 'sd', [3, 0], ...
+%!                                  'limits', [0; 1], 'bench', [1, 1]));
+%! em = struct ('seedVar', [16, 4], 'correlation', [1, 0.5; 0.5, 1], ...
+%!              'range', [1, 1], 'surrogateVar', [25, 8], 'fitVar', [0, 0]);
+%! budget = noiseBudget (problem, em);
+%! assert (budget.covariance, [25, 4; 4, 4], 1e-6);
+%! assert (budget.share, [0.5, 2 / 3], 1e-6);
+%! problem.trials = Inf;
+%! assert (noiseBudget (problem, em).covariance(1, 1), 9, 1e-12);

@@ -44,3 +44,14 @@ function [M, V, J] = predictGap (white, h, Q)
     end
   end
 end
+
+%!test
+%! white = handMadeModels ().white;
+%! [M, V, J] = predictGap (white, [1, 2], [0.5, 0.25, 1]);
+%! assert (M, [1.5, 0.5, 1, -3]);
+%! assert (V, ones (1, 4));
+%! assert (J{1}, [3, 1, 0, 0]);
+%! assert (J{3}, [0, 0, 0, -4]);
+%! white.extra = 2 * ones (1, 4);
+%! [~, V] = predictGap (white, [], 0);
+%! assert (V, 3 * ones (1, 4));

@@ -59,3 +59,22 @@ function S = signatures (em, targets)
     S(end + 1, :) = B * e.coef(:, targets);
   end
 end
+
+%!test
+%! % rotated coordinates: noise stays white, the discrepancy is diagonal
+%! em = struct ('p', 1, 'powers', [0; 1], 'coef', [1, 2, 3; 1, 0, 2], ...
+%!              'varPowers', [0; 1], 'points', [-1; 0; 1], ...
+%!              'surrogateVar', zeros (3, 3), 'fitVar', [0, 0, 0], ...
+%!              'correlation', eye (3), 'range', [1, 2, 3]);
+%! em.effect = repmat (struct ('name', ''), 1, 0);
+%! problem = newGapProblem (struct ('y', [1, 2, 3], 'sd', [1, 1, 1], ...
+%!                                  'limits', [0; 1], 'bench', [1, 1, 2]));
+%! budget = struct ('covariance', eye (3));
+%! white = whitenEmulator (em, 1:3, eye (3));
+%! kinds = unlistedKinds (problem, em, budget, white);
+%! assert (numel (kinds), 3);
+%! assert (sum ([kinds.weight]), 1, 1e-12);
+%! W = kinds(1).white.W;
+%! assert (W * W', eye (3), 1e-12);
+%! assert (W * diag ([1, 4, 9]) * W', diag (kinds(1).shape), 1e-9);
+%! assert (sum (kinds(3).shape > 1e-9), 1);

@@ -133,3 +133,22 @@ function list = pairsOf (models, fits, i, singles)
     list(end + 1) = oneHypothesis (models, [k, l], z, mode, 'pair');
   end
 end
+
+%!test
+%! % evidence of the null model against the closed form: three targets without
+%! % parameter, one direction integrated over the box
+%! models = handMadeModels ();
+%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1, false);
+%! exact = -2 * log (2 * pi) + 0.5 * log (2 * pi / 10) - log (2) ...
+%!         + log (normalTail (-1.5 * sqrt (10)) - normalTail (sqrt (10) / 2));
+%! assert (w.logE(1), exact, 0.1);
+%! assert (w.kind, {'null', 'single', 'single', 'unlisted'});
+%!test
+%! % a strong signal along effect a: it wins, its strength is found
+%! models = handMadeModels ();
+%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1, true);
+%! [~, best] = max (w.logPrior + w.logE);
+%! assert (w.members{best}, 1);
+%! assert (w.phi(best, 1), 0.7, 0.1);
+%! assert (w.phi(best, 2) < 0.75 && 0.75 < w.phi(best, 3));
+%! assert (any (strcmp (w.kind, 'pair')));

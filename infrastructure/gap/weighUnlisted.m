@@ -54,3 +54,9 @@ function [logE, ess] = overSizes (kind, z, mode, box, base)
   logE = total - log (n);
   ess = 1 / sum (exp (2 * (logW - total)));
 end
+
+%!test
+%! % a misfit along no effect: the unlisted cause wins over null and effects
+%! models = handMadeModels ();
+%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, -6, 5]), 1, true);
+%! assert (w.logE(end) > max (w.logE(1:end - 1)));

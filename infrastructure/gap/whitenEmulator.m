@@ -45,3 +45,17 @@ function e = oneEffect (e, targets, W)
   V = e.varOverPhi2(:, targets) * (W.^2)';
   e.varCoef = polyRows (e.varPowers, e.points) \ log (max (V, 1e-12));
 end
+
+%!test
+%! % two correlated targets become independent ones of unit variance
+%! em = struct ('p', 1, 'powers', [0; 1], 'coef', [1, 2; 1, 0], ...
+%!              'varPowers', [0; 1], 'points', [-1; 0; 1], ...
+%!              'surrogateVar', zeros (3, 2), 'fitVar', [0, 0], ...
+%!              'correlation', eye (2), 'effect', []);
+%! em.effect = repmat (struct ('name', ''), 1, 0);
+%! noise = [4, 1; 1, 1];
+%! white = whitenEmulator (em, 1:2, noise);
+%! assert (white.W * noise * white.W', eye (2), 1e-12);
+%! [M, V] = predictGap (white, [], 0.5);
+%! assert (M, [1.5, 2] * white.W', 1e-12);
+%! assert (V, [1, 1], 1e-9);
