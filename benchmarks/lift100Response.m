@@ -3,9 +3,12 @@
 % CALL: lift100Response ()
 %       lift100Response (model)
 %       lift100Response (model, nParallel)
+%       lift100Response (model, nParallel, work)
 %
 %   model       text: 'Lift100' (default) or 'SmallBin'
 %   nParallel   scalar: how many runs at once; default: processors
+%   work        text: folder of the runs, kept; finished runs in it are not run
+%               again. Default: a temporary folder, removed at the end
 %
 % Runs on LIGGGHTS: the centre of the document's box with 5 seeds, and a half
 % fraction of the two-level factorial plan of the five design variables (16
@@ -21,7 +24,7 @@
 %
 % See also: getResults
 
-function lift100Response (model, nParallel)
+function lift100Response (model, nParallel, work)
 
   if nargin < 1
     model = 'Lift100';
@@ -35,16 +38,19 @@ function lift100Response (model, nParallel)
   limits = [500, 0.3, 0.3, 0.025, 0.025; 800, 0.7, 0.7, 0.075, 0.075];
   plan = makePlan (limits);
 
-  work = tempname ();
-  mkdir (work);
+  keep = nargin > 2;
+  if ~keep
+    work = tempname ();
+  end
+  modelFolder = fullfile (root, 'DEMmodels', model);
   for k = 1:rows (plan)
-    prepare (fullfile (root, 'DEMmodels', model), ...
-             fullfile (work, sprintf ('run%03d', k)), names, plan(k, :));
+    prepare (modelFolder, fullfile (work, sprintf ('run%03d', k)), names, ...
+             plan(k, :));
   end
   system (sprintf (['cd ''%s'' && ls -d run* | xargs -P %d -I{} bash -c ' ...
-                    '''cd {} && TIMEFORMAT=%%U && { time bash runscript ' ...
-                    '> stdout.txt 2> stderr.txt; } 2> cpu.txt'''], ...
-                   work, nParallel));
+                    '''cd {} && { [ -e output_mass ] || { TIMEFORMAT=%%U; ' ...
+                    '{ time bash runscript > stdout.txt 2> stderr.txt; } ' ...
+                    '2> cpu.txt; }; }'''], work, nParallel));
   runs = zeros (rows (plan), 10);
   for k = 1:rows (plan)
     runs(k, :) = collect (fullfile (work, sprintf ('run%03d', k)));
@@ -52,8 +58,10 @@ function lift100Response (model, nParallel)
   writeRuns (fullfile (root, 'benchmarks', 'results', [model, '.csv']), ...
              names, [plan, runs]);
   sayTables (names, plan, runs);
-  confirm_recursive_rmdir (false, 'local');
-  rmdir (work, 's');
+  if ~keep
+    confirm_recursive_rmdir (false, 'local');
+    rmdir (work, 's');
+  end
 
 end
 
@@ -72,7 +80,11 @@ end
 
 function prepare (modelFolder, folder, names, row)
 
-  copyfile (modelFolder, folder);
+  if exist (folder, 'dir') == 7
+    return
+  end
+  mkdir (folder);
+  copyfile (fullfile (modelFolder, '*'), folder);
   fid = fopen (fullfile (folder, 'data.head'), 'a');
   for j = 1:numel (names)
     fprintf (fid, 'variable %s equal %.17g\n', names{j}, row(j));
