@@ -13,7 +13,7 @@
 %
 % Errors: DEcalioc:GenerateExperPlan:badShape
 %
-% See also: stk_sampling_maximinlhs, evaluatePlan
+% See also: stk_sampling_maximinlhs, runPlan
 
 function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
   if nargin < 4

@@ -6,15 +6,14 @@
 %   FOLDER  case folder, looked in before the toolbox (text)
 %   CASE    scalar struct, see newCase
 %
-% Calls the user's loadInput.m (five outputs, as published) and, where there
-% is one, loadEffects.m. An empty list of effects is allowed.
+% Calls the user's loadInput.m (five outputs, as published). The candidate
+% effects of the diagnosis are added by withEffects.
 %
 % Errors: DEcalioc:loadCase:missingFile    no loadInput.m
 %         DEcalioc:loadCase:brokenInput    loadInput.m cannot be run
-%         DEcalioc:loadCase:brokenEffects  loadEffects.m cannot be run
 %         those of checkCase
 %
-% See also: newCase, checkCase
+% See also: newCase, checkCase, withEffects
 
 function Case = loadCase (root, folder)
   raw = struct ('root', root, 'folder', folder, 'effects', []);

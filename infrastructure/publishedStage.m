@@ -21,13 +21,15 @@ function state = publishedStage (state, problem, evaluate, say)
   reserve = min (problem.options.replicates, ...
                  floor (budgetLeft (state, problem) / 2));
   memory = containers.Map ('KeyType', 'char', 'ValueType', 'any');
-  memory('X') = zeros (0, d);
-  memory('Z') = zeros (0, numel (problem.value));
+  memory('X') = state.data.X;
+  memory('Z') = state.data.Z;
   memory('left') = budgetLeft (state, problem) - reserve;
   run = @(P) remembered (P, memory, evaluate);
   f = @(u) residualAt (lo + u(:)' .* width, run, problem);
   J = @(u, hook) differences (u(:)', hook.f, run, state, problem);
-  stop = @(u, vals, phase) stopRule (vals, phase, problem, say);
+  limits = struct ('tolRes', problem.tol(problem.calibrate), ...
+                   'maxIter', problem.options.maxIter);
+  stop = @(u, vals, phase) userInt (u, vals, phase, true, limits);
   settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
                        'dfdp', J, 'MaxIter', problem.options.maxIter, ...
                        'TolFun', problem.options.tolfun, ...
@@ -85,19 +87,10 @@ function J = differences (u, f, run, state, problem)
   J(:, bad) = surrogate(:, bad) .* problem.tol(use)';
 end
 
-function [stop, info] = stopRule (vals, phase, problem, say)
-  info = '';
-  tol = problem.tol(problem.calibrate)';
-  stop = all (abs (vals.residual(:)) <= tol);
-  if strcmp (phase, 'iter')
-    say (sprintf ('DEM %d: residuals%s %%', vals.iteration, ...
-                  sprintf (' %.2f', 100 * vals.residual)));
-  end
-end
-
 function state = takeOver (state, problem, memory)
-  X = memory('X');
-  Z = memory('Z');
+  first = rows (state.data.X) + 1;
+  X = memory('X')(first:end, :);
+  Z = memory('Z')(first:end, :);
   n = rows (X);
   state.data = addRows (state.data, X, Z, ones (n, 1), 'verify');
   state.spent.verify = state.spent.verify + n;
@@ -106,7 +99,7 @@ function state = takeOver (state, problem, memory)
   use = problem.calibrate;
   worst = max (abs (r(:, use)) ./ problem.tol(use), [], 2);
   worst(any (isnan (r(:, use)), 2)) = Inf;
-  [least, best] = min (worst);
+  [least, best] = min ([worst; Inf]);
   state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
   p = state.found.params;
   if isfinite (least)

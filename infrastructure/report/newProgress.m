@@ -40,6 +40,9 @@ function tell (state, stage, say, last)
     text = sprintf ('%s, %d running, about %s left', text, state.running, ...
                     inWords (left));
   end
+  if state.total == 0
+    text = sprintf ('  %s: all %d runs are in the store', stage, state.reused);
+  end
   if state.total > 0 || state.reused > 0
     say (text);
   end

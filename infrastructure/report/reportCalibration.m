@@ -20,6 +20,12 @@ function reportCalibration (c, Case, say)
   say ('');
   sayParameters (c, Case, say);
   say ('');
+  saySensitivity (c, Case, say);
+  sayUnknown (c, Case, say);
+  for k = 1:numel (c.warnings)
+    say (['  WARNING: ', c.warnings{k}]);
+  end
+  say ('');
   d = c.demRuns;
   say (sprintf (['DEM runs: %d plan, %d infill, %d verification; %d failed, ' ...
                  '%d taken from the store; %.1f core-minutes'], d.plan, ...
@@ -47,7 +53,18 @@ function sayTargets (c, Case, say)
                                   strcmp (T.role, 'holdout'))], T.value, ...
                   c.results(t), 100 * c.residual(t), 100 * T.tol, c.runSd(t)));
   end
-  say (sprintf ('  DEM: mean of %d runs with different packings', c.runs));
+  if c.runs > 0
+    say (sprintf ('  DEM: mean of %d runs with different packings', c.runs));
+  else
+    say ('  No DEM run was made with this set: the values are the surrogate''s');
+  end
+  for k = 1:numel (c.holdout)
+    h = c.holdout(k);
+    outside = {', OUTSIDE', ''}{1 + h.inside};
+    say (sprintf (['  held out: %s measured %.5g, predicted %.5g, 90 %% ' ...
+                   'interval %.5g to %.5g%s'], h.name, h.target, h.result, ...
+                  h.interval90, outside));
+  end
 end
 
 function sayParameters (c, Case, say)
@@ -58,12 +75,29 @@ function sayParameters (c, Case, say)
                   Case.names{j}, c.params(j), Case.limits(1, j), ...
                   Case.limits(2, j), c.interval90(1, j), c.interval90(2, j)));
   end
-  if ~ isempty (c.atLimit)
-    say (sprintf ('  WARNING: at its limit: %s; is the limit right?', ...
-                  strjoin (c.atLimit(:)', ', ')));
+end
+
+function saySensitivity (c, Case, say)
+  say ('  share of each response''s variance over the box (total Sobol index)');
+  say (sprintf ('  %-24s%s', '', sprintf (' %20.20s', Case.targets.name)));
+  for j = 1:numel (Case.names)
+    say (sprintf ('  %-24s%s', Case.names{j}, ...
+                  sprintf (' %20.2f', c.sensitivity(j, :))));
   end
-  if ~ isempty (c.notIdentified)
-    say (sprintf ('  WARNING: not fixed by these targets: %s', ...
-                  strjoin (c.notIdentified(:)', ', ')));
+end
+
+function sayUnknown (c, Case, say)
+  for k = 1:numel (c.loose)
+    say (['  not fixed by these targets: ', c.loose{k}]);
+  end
+  [i, j] = find (triu (abs (c.correlation) > 0.7, 1));
+  for k = 1:numel (i)
+    say (sprintf ('  only together: %s and %s (correlation %.2f)', ...
+                  Case.names{i(k)}, Case.names{j(k)}, ...
+                  c.correlation(i(k), j(k))));
+  end
+  if ~ isempty (c.loose) && ~ isempty (c.next)
+    say (sprintf ('  what would fix most: %s, %s', c.next(1).kind, ...
+                  c.next(1).name));
   end
 end

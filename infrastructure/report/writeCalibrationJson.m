@@ -1,11 +1,13 @@
-% WRITECALIBRATIONJSON  Writes results/calibration.json for other programs.
+% WRITECALIBRATIONJSON  Writes results/calibration.json and tables beside it.
 %
 % CALL: writeCalibrationJson (C, CASE)
 %
 %   C     see newCalibration
 %   CASE  see newCase
 %
-% The fields are described in docs/data.md.
+% sensitivity.csv holds total Sobol indices (one row a parameter, one column a
+% target), correlation.csv the correlation of the parameters among the sets
+% that fit. The fields are described in docs/data.md.
 %
 % See also: newCalibration
 
@@ -33,8 +35,18 @@ function writeCalibrationJson (c, Case)
   out.atLimit = c.atLimit(:)';
   out.notIdentified = c.notIdentified(:)';
   out.surrogates = surrogates;
+  writeTables (c, Case);
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
   writeAtomic (fullfile (folder, 'calibration.json'), ...
                [jsonencode(out), "\n"]);
+end
+
+function writeTables (c, Case)
+  folder = fullfile (Case.folder, 'results');
+  [~, ~] = mkdir (folder);
+  targets = strrep ({Case.targets.name}, ',', ';');
+  writeMatrix (fullfile (folder, 'sensitivity.csv'), c.sensitivity, targets);
+  writeMatrix (fullfile (folder, 'correlation.csv'), c.correlation, ...
+               Case.names);
 end
