@@ -112,7 +112,8 @@
 %!   writeLoadInput (folder, ...
 %!     sprintf (['Input.executor = ''%s''; ', ...
 %!               'Input.slurm = struct (''poll'', 0.5);'], executor));
-%!   assert (startProgram (folder), 0);
+%!   [status, out, err] = startProgram (folder);
+%!   assert (status == 0, '%s', [out, err]);
 %!   file = fullfile (folder, 'results', 'calibration.json');
 %!   found{k} = jsondecode (fileread (file));
 %! end
