@@ -69,8 +69,7 @@ end
 here = fileparts (mfilename ('fullpath'));
 addpath (here);
 addpath (fullfile (here, '..', 'infrastructure'));
-pkg load stk;
-pkg load -nodeps struct optim;
+startToolbox (fileparts (here));
 given = argv ();
 number = str2double (given{1});
 names = {'plain', 'rough'};

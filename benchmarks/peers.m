@@ -32,8 +32,7 @@ end
 here = fileparts (mfilename ('fullpath'));
 addpath (here);
 addpath (fullfile (here, '..', 'infrastructure'));
-pkg load stk;
-pkg load -nodeps struct optim;
+startToolbox (fileparts (here));
 given = argv ();
 S = standIn (given{1});
 fail = str2double (given{2});

@@ -81,8 +81,7 @@ end
 
 here = fileparts (mfilename ('fullpath'));
 addpath (fullfile (here, '..', 'infrastructure'));
-pkg load stk;
-pkg load -nodeps struct optim;
+startToolbox (fileparts (here));
 printf ('| runs | targets | fit | one call | a point of a batch | memory |\n');
 printf ('|---|---|---|---|---|---|\n');
 R = zeros (0, 6);

@@ -27,7 +27,8 @@
 %!test
 %! % every reason that the code names stands in the table
 %! names = {};
-%! for file = glob (fullfile (rootOf (), 'infrastructure', 'check*.m'))'
+%! for file = glob (fullfile (rootOf (), 'infrastructure', 'input', ...
+%!                          'check*.m'))'
 %!   found = regexp (fileread (file{1}), ...
 %!                   'checkProblem \(''(\w+)''', 'tokens');
 %!   names = [names, found{:}];
