@@ -4,7 +4,7 @@
 %
 % NUMBER calibrations of stand-ins (half plain, half rough). The truth of each
 % is drawn from the inner 80 % of the box; the targets are one noisy run at the
-% truth (1 %). After the calibration with all defaults parameterPosterior gives
+% truth (1 %). After the calibration (as in peers.m) parameterPosterior gives
 % the intervals. What could be known at all is computed the same way from
 % surrogates of 400 runs without noise: a parameter is identifiable where that
 % reference interval is narrower than 40 % of the box, unidentifiable where it
@@ -34,7 +34,7 @@ function block = oneCase (S, reference, which, seed)
   truth = 0.1 + 0.8 * rand (1, d);
   z = S.response (S.limits(1, :) + truth .* width);
   S.value = z .* (1 + S.noise * randn (size (z)));
-  r = calibrateStandIn (S, seed, 0, struct ());
+  r = calibrateStandIn (S, seed, 0, struct ('replicates', 4));
   known = parameterPosterior (r.state.surrogates, r.problem);
   for t = 1:numel (reference)
     reference(t).noiseVar = (S.noise * S.value(t))^2;

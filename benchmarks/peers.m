@@ -5,7 +5,8 @@
 % STANDIN  plain or rough; FAIL  share of failing runs; SEEDS  e.g. 1:100
 %
 % One CSV row a seed: seed, runs, failed, infill, verify, first_obs,
-% first_true, worst, converged, probability, seconds. All settings are the
+% first_true, worst, converged, probability, seconds. Input.numOfSam is
+% planSize (d) = 2 d + 2, Input.replicates 4, one run at a time; all else are the
 % defaults of the toolbox. benchmarks/peers.py runs this beside the peers.
 %
 % See also: calibrateStandIn, standIn
@@ -14,7 +15,7 @@
 
 function row = onePeer (S, seed, fail)
   started = tic ();
-  r = calibrateStandIn (S, seed, fail, struct ());
+  r = calibrateStandIn (S, seed, fail, struct ('replicates', 4));
   row = [seed, r.runs, r.failed, r.infill, r.verify, r.firstObserved, ...
          r.firstTrue, r.worst, r.converged, r.probability, toc(started)];
   printf ('%4d  runs %3d  worst %.2f %%  probability %.3f  %4.1f s\n', ...

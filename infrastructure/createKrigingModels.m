@@ -36,9 +36,6 @@ function [names, folder, surrogates] = createKrigingModels ...
   plans = cellstr (ExPlanFiles);
   responses = unfold (RespFiles);
   folder = 'KrigingFuns';
-  if ~isfolder (folder)
-    mkdir (folder);
-  end
   names = cell (1, numel (responses));
   for t = 1:numel (responses)
     which = min (t, numel (plans));
@@ -52,6 +49,9 @@ function [names, folder, surrogates] = createKrigingModels ...
               '%d for %d.'], responses{t}, rows (z), rows (X));
     end
     surrogates(t) = fitSurrogate (X, z(:, 1), ParamLims, options);
+    if ~isfolder (folder)
+      mkdir (folder);
+    end
     saveSurrogate (fullfile (folder, [names{t}, '.txt']), surrogates(t));
   end
 end
