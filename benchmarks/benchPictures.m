@@ -33,4 +33,7 @@ function benchPictures (work)
   bins = [-0.07, 0, -0.07, 0.06; 0, 0, 0, 0.06; 0.07, 0, 0.07, 0.06; ...
           -0.07, 0, -0.02, 0; 0.03, 0, 0.07, 0];
   benchPicture (out ('SlotBin'), {last('SlotBin', 'rest.dump')}, {bins});
+
+  floor1 = [0, 0, 0.032, 0];
+  benchPicture (out ('Shear'), {last('Shear', 'bed.dump')}, {floor1});
 end

@@ -1,12 +1,14 @@
 % EFFECTSIGNS  Measures what each effect does to each result of each bench.
 %
 % CALL: effectSigns (WORK, BENCHES, NNULL, NFULL)
+%       effectSigns (WORK, BENCHES, NNULL, NFULL, ONLYFINISHED)
 %
 % WORK     text, folder of the runs; finished runs in it are reused
 % BENCHES  cell of names of benches
 % NNULL    number of seeds without effects
 % NFULL    number of seeds at full strength (the limit farther from neutral,
 %          the upper one where both are as far)
+% ONLYFINISHED  true: no run is made, the finished ones count (default false)
 %
 % Writes benchmarks/results/effectSigns.csv (effect, strength, bench, target,
 % change, noiseSd, z = change / noiseSd, sign: 0 where the change is below two
@@ -17,7 +19,11 @@
 % About an hour of one core with 8 and 2 seeds.
 %
 % See also: benchRun, effectTable
-function effectSigns (work, benches, nNull, nFull)
+function effectSigns (work, benches, nNull, nFull, onlyFinished)
+  if nargin < 5
+    onlyFinished = false;
+  end
+  place = struct ('work', work, 'onlyFinished', onlyFinished);
   root = fileparts (fileparts (mfilename ('fullpath')));
   folder = fullfile (root, 'benchmarks', 'results');
   effects = resolveEffects (listEffects ());
@@ -28,16 +34,16 @@ function effectSigns (work, benches, nNull, nFull)
   for b = 1:numel (benches)
     source = fullfile (root, 'DEMmodels', benches{b});
     info = resultInfo (source);
-    [null, cost] = runsOf (work, benches{b}, '', 0, 1:nNull);
+    [null, cost] = runsOf (place, benches{b}, '', 0, 1:nNull);
     writeNoise (noise, benches{b}, info, null, cost);
     can = effectsOfModel (source, effects);
     for e = effects(can)
       strength = fullStrength (e);
       if e.laboratory
         full = e.transform (mean (null), strength, info);
-        full = repmat (full, nNull, 1);
+        full = repmat (full, size (null, 1), 1);
       else
-        full = runsOf (work, benches{b}, e.variables{1}, strength, ...
+        full = runsOf (place, benches{b}, e.variables{1}, strength, ...
                        (1:nFull) + 4);
       end
       writeSigns (signs, {e.name, strength, benches{b}}, info, {null, full});
@@ -53,21 +59,26 @@ function strength = fullStrength (effect)
   strength = effect.limits(far, 1);
 end
 
-function [results, cost] = runsOf (work, bench, name, value, which)
+% COST: spheres and CPU seconds, means over the runs
+function [results, cost] = runsOf (place, bench, name, value, which)
   primes10000 = [10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079];
   results = [];
-  cost = [0, 0];
+  cost = zeros (0, 2);
   for seed = primes10000(which)
     variables = struct ('runSeed', seed);
     if ~isempty (name)
       variables.(name) = value;
     end
-    folder = fullfile (work, sprintf ('%s-%s-%g-%d', bench, name, value, seed));
-    [row, time] = benchRun (folder, bench, variables);
-    results = [results; row];
-    cost = cost + [readChecks(folder).spheresStart, time] / numel (which);
+    folder = fullfile (place.work, ...
+                       sprintf ('%s-%s-%g-%d', bench, name, value, seed));
+    if ~place.onlyFinished || isfile (fullfile (folder, 'output_checks.csv'))
+      [row, time] = benchRun (folder, bench, variables);
+      results = [results; row];
+      cost = [cost; readChecks(folder).spheresStart, time];
+    end
   end
   results = results(~any (isnan (results), 2), :);
+  cost = mean (cost, 1);
 end
 
 function writeNoise (fid, bench, info, null, cost)
@@ -82,7 +93,6 @@ end
 function writeSigns (fid, words, info, rows)
   [null, full] = rows{:};
   if isempty (full)
-    fprintf (fid, "%s,%g,%s,none,NaN,NaN,NaN,failed\n", words{:});
     return
   end
   change = mean (full, 1) - mean (null, 1);
