@@ -29,7 +29,7 @@
 %!      || isfolder (fullfile (folder, 'optim')) ...
 %!      || isfile (fullfile (folder, 'RAN'))
 %!    text = 'something was run';
-%!  elseif mod (k, 25) == 0 || strcmp (getenv ('DECALIOC_SOAK'), '1')
+%!  elseif mod (k, 40) == 0 || strcmp (getenv ('DECALIOC_SOAK'), '1')
 %!    text = faultOfError (raw, p);
 %!  end
 %!  if isempty (row{2})
@@ -40,8 +40,10 @@
 %!function mode = modeOf (row, k)
 %!  % most need no other program, and are faster without
 %!  mode = 'noPrograms';
-%!  if isempty (row{2}) || mod (k, 25) == 0 ...
-%!      || any (strcmp (row{1}, {'targetCount', 'storeNotWritable'})) ...
+%!  inFull = {'targetCount', 'ambiguousTargets', 'brokenGetResults', ...
+%!            'badRunscript', 'storeNotWritable', 'folderNotWritable', ...
+%!            'badStore', 'diskSpace'};
+%!  if any (strcmp (row{1}, inFull)) || mod (k, 40) == 0 ...
 %!      || strcmp (getenv ('DECALIOC_SOAK'), '1')
 %!    mode = 'full';
 %!  end

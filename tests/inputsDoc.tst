@@ -14,7 +14,7 @@
 %!endfunction
 
 %!function folder = rootOf ()
-%!  folder = fileparts (fileparts (which ('checkCase')));
+%!  folder = fileparts (fileparts (which ('newCase')));
 %!endfunction
 
 %!test

@@ -51,8 +51,9 @@ function p = checkModelList (Input)
                       checkShow (names), cure);
     return
   end
+  isText = cellfun (@(n) checkIs ('text', n), names);
   for k = 1:numel (names)
-    p = [p, checkModelName(names{k}, k, names(1:k - 1))];
+    p = [p, checkModelName(names{k}, k, names(find (isText(1:k - 1))))];
   end
 end
 
