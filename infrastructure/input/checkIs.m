@@ -62,9 +62,10 @@ function yes = isUtf8 (text)
 end
 
 function yes = isName (text)
-  allowed = ['A':'Z', 'a':'z', '0':'9', '_'];
-  yes = numel (text) <= 63 && all (ismember (text, allowed)) && ...
-        ~any (text(1) == '0':'9');
+  isDigit = text >= '0' & text <= '9';
+  isLetter = (text >= 'A' & text <= 'Z') | (text >= 'a' & text <= 'z');
+  yes = numel (text) <= 63 && all (isDigit | isLetter | text == '_') && ...
+        ~isDigit(1);
 end
 
 function yes = isNothing (value)

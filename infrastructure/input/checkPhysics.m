@@ -28,13 +28,10 @@ function expected = checkPhysics (name, value)
   if ~checkIs ('name', name)
     return
   end
-  for k = 1:size (table, 1)
-    isMeant = any (strcmp (name, {table{k, 1}, [table{k, 1}, 'P'], ...
-                                  [table{k, 1}, 'W'], [table{k, 1}, 'PP'], ...
-                                  [table{k, 1}, 'PW'], [table{k, 1}, 'WW']}));
-    if isMeant && ~table{k, 3}(value)
-      expected = table{k, 2};
-    end
+  base = regexprep (name, '(PP|PW|WW|P|W)$', '');
+  k = find (strcmp (table(:, 1), base));
+  if ~isempty (k) && ~table{k, 3}(value)
+    expected = table{k, 2};
   end
 end
 
