@@ -40,7 +40,7 @@ end
 
 args = argv ();
 kind = 'blind';
-perLab = 140;
+perLab = 105;
 if numel (args) > 0
   kind = args{1};
 end
