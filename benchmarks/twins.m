@@ -1,6 +1,6 @@
 % TWINS  Twin study: how often is the verdict of the diagnosis right?
 %
-% CALL: octave-cli benchmarks/twins.m [blind|develop] [cases per laboratory]
+% CALL: octave-cli benchmarks/twins.m [blind|develop|real] [cases a laboratory]
 %
 % Draws data sets with a known cause ("twins") from laboratories of formulas
 % that the diagnosis knows only through 200 noisy runs each, writes the truth
@@ -10,8 +10,7 @@
 %   results/twins.csv                             every case: truth and verdict
 %   results/twins-scores.csv                      figures of merit
 % blind (default) and develop use other laboratories, seeds and parameters.
-% Where benchmarks/data/twins/ holds a data set of real DEM runs, its
-% laboratory joins the study.
+% real uses the surrogates of LIGGGHTS runs, see twinsLaboratories.
 %
 % See also: twinsDraw, twinsDiagnose, twinsScore
 
@@ -24,8 +23,8 @@ function runTwins (kind, perLab)
   results = fullfile (root, 'benchmarks', 'results');
   [~, ~] = mkdir (results);
   name = fullfile (results, 'twins');
-  if strcmp (kind, 'develop')
-    name = fullfile (results, 'develop-twins');
+  if ~strcmp (kind, 'blind')
+    name = fullfile (results, [kind, '-twins']);
   end
   [~, version] = system (sprintf ('git -C "%s" rev-parse HEAD', root));
   labs = twinsLaboratories (kind, root);

@@ -21,7 +21,7 @@
 % See also: twins, twinsDiagnose
 
 function twins = twinsDraw (labs, perLab, kind)
-  seed = 7001 + 1000 * strcmp (kind, 'develop');
+  seed = 7001 + 1000 * strcmp (kind, 'develop') + 2000 * strcmp (kind, 'real');
   rand ('twister', seed);
   randn ('twister', seed);
   twins = struct ('lab', {}, 'class', {}, 'cause', {}, 'removed', {}, ...

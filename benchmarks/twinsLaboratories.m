@@ -2,7 +2,10 @@
 %
 % CALL: LABS = twinsLaboratories (KIND, ROOT)
 %
-%   KIND  'blind' or 'develop': disjoint sets of laws
+%   KIND  'blind' or 'develop': disjoint sets of laws; 'real': one laboratory,
+%         the surrogates of real LIGGGHTS runs (data/hiddenEffect.csv, of the
+%         benches Collapse, Shear and Heap). Its truth is drawn from the
+%         surrogates with their own errors as noise, for want of another
 %   ROOT  folder of the toolbox
 %   LABS  1 x L struct: name, problem (of newGapProblem, y still NaN), data
 %         (200 runs: 40 neutral, 20 for each of 8 effects), means (handle,
@@ -13,6 +16,10 @@
 % See also: standInGap, twinsDraw
 
 function labs = twinsLaboratories (kind, root)
+  if strcmp (kind, 'real')
+    labs = realLaboratory (root);
+    return
+  end
   seeds = [21, 22, 23, 24];
   if strcmp (kind, 'develop')
     seeds = [11, 12];
@@ -34,4 +41,36 @@ function labs = twinsLaboratories (kind, root)
     one.direction = [2 * randn(1, 24); 3 * randn(1, 24) .* (bench == 2)];
     labs(i) = one;
   end
+end
+
+function lab = realLaboratory (root)
+  folder = fullfile (root, 'examples', 'hiddenEffect');
+  addpath (folder);
+  Case = loadCase (root, folder);
+  data = importRuns (fullfile (root, 'benchmarks', 'data', ...
+                               'hiddenEffect.csv'), Case);
+  given = gapProblemOf (Case);
+  problem = newGapProblem (given);
+  em = fitEmulator (problem, data, gapOptions ([]));
+  few = ~[em.effect.laboratory] & [em.effect.runs] < 6;
+  full = em;
+  em = withoutEffects (em, find (few));
+  given.effects = given.effects(~few);
+  given.held(:) = false;
+  T = numel (given.y);
+  lab = struct ('name', 'realBenches', 'problem', given, 'data', data, ...
+                'means', @(theta, phi) surrogateMeans (em, theta, phi), ...
+                'seedSd', sqrt (full.seedVar + mean (full.surrogateVar, 1)), ...
+                'em', em);
+  noise = diag (noiseBudget (problem, em).covariance)';
+  lab.noise = sqrt (noise + mean (em.surrogateVar, 1));
+  rand ('twister', 131);
+  randn ('twister', 131);
+  lab.direction = [1; 1] .* lab.noise .* randn (2, T);
+  lab.direction(2, given.bench ~= 1) = 0;
+end
+
+function Z = surrogateMeans (em, theta, phi)
+  h = find (phi);
+  Z = predictGap (em, h, [2 * theta - 1, phi(h)]);
 end

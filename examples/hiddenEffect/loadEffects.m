@@ -6,5 +6,5 @@
 
 function effects = loadEffects ()
   effects = {'cohesion', 'liquidBridge', 'wallAdhesion', 'sizeSpread', ...
-             'shape', 'wallFriction', 'gain', 'cameraRoll'};
+             'shape', 'gain', 'cameraRoll'};
 end

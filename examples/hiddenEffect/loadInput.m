@@ -15,6 +15,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.maxCPU = 2;
   Input.numOfSam = 24;
   Input.seed = 1;
+  Input.maxNewRuns = 270;               % 90 sets on three benches
 
   optim.targetVal{1} = [671.4, 0.073938, 0.052518, 0.034793, 22.884, 0.2134];
   optim.targetStd{1} = [4, 3e-4, 4e-4, 4e-4, 0.3, 0.003];
@@ -39,5 +40,5 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
 
   assign = {'densityP', 'coefFrictionPP', 'coefRollingFrictionPP'};
   paramLims = [1000, 0.2, 0.01; ...
-               1600, 0.8, 0.15];
+               1600, 0.7, 0.1];
 end

@@ -17,7 +17,8 @@
 %     remaining 1 x n, deviation of each used target after the cure, in its
 %       standard deviations
 %
-% Without runs left, the surrogates stand in for DEM and verifiedByDEM is false.
+% With fewer runs left, fewer seeds; with less than two seeds a set the surrogates
+% stand in for DEM and verifiedByDEM is false.
 %
 % See also: closureOf, diagnoseMatrices
 
@@ -29,8 +30,10 @@ function [cure, state] = measureCure (view, causes, state)
   for i = 1:numel (causes)
     sets{i + 1} = refit (models, view.fits, causes{i});
   end
-  needed = numel (sets) * state.repeats;
-  verify = ~isempty (state.evaluate) && state.left >= needed;
+  verify = ~isempty (state.evaluate) && state.left >= 2 * numel (sets);
+  if verify
+    state.repeats = min (state.repeats, floor (state.left / numel (sets)));
+  end
   noise = noiseOf (problem, em);
   Z = cell (1, numel (sets));
   worst = NaN (1, numel (sets));
