@@ -1,14 +1,16 @@
 % COVERAGE  Do the 90 % intervals hold the truth, are weak parameters named?
 %
-% CALL: octave-cli benchmarks/coverage.m NUMBER [CSVFILE]
+% CALL: octave-cli benchmarks/coverage.m SEEDS STANDIN [CSVFILE]
+% CALL: octave-cli benchmarks/coverage.m report CSVFILE...
 %
-% NUMBER calibrations of stand-ins (half plain, half rough). The truth of each
-% is drawn from the inner 80 % of the box; the targets are one noisy run at the
-% truth (1 %). After the calibration (as in peers.m) parameterPosterior gives
-% the intervals. What could be known at all is computed the same way from
-% surrogates of 400 runs without noise: a parameter is identifiable where that
-% reference interval is narrower than 40 % of the box, unidentifiable where it
-% is wider than 60 %; between them nothing is asked.
+% SEEDS  e.g. 1:100, a calibration each; STANDIN  plain, rough or both
+%
+% The truth of each calibration is drawn from the inner 80 % of the box; the
+% targets are one noisy run at the truth (1 %). After the calibration (as in
+% peers.m) parameterPosterior gives the intervals. What could be known at all is
+% computed the same way from surrogates of 150 runs without noise: a parameter
+% is identifiable where that reference interval is narrower than 40 % of the
+% box, unidentifiable where it is wider than 60 %; between them nothing is asked.
 %
 % CSV: a row a parameter of a calibration: stand-in (1 plain, 2 rough), seed,
 % parameter, truth, low, high (box widths), flagged, reference width.
@@ -19,7 +21,7 @@
 
 function reference = referenceSurrogates (S)
   d = numel (S.names);
-  X = double (stk_sampling_halton_rr2 (400, d, S.limits));
+  X = double (stk_sampling_halton_rr2 (150, d, S.limits));
   Z = S.response (X);
   for t = 1:columns (Z)
     reference(t) = fitSurrogate (X, Z(:, t), S.limits);
@@ -39,7 +41,7 @@ function block = oneCase (S, reference, which, seed)
   for t = 1:numel (reference)
     reference(t).noiseVar = (S.noise * S.value(t))^2;
   end
-  best = parameterPosterior (reference, r.problem);
+  best = parameterPosterior (reference, r.problem, 500);
   unit = @(I) ((I - S.limits(1, :)) ./ width)';
   block = [repmat([which, seed], d, 1), (1:d)', truth', ...
            unit(known.interval90), ~known.identified', ...
@@ -71,17 +73,23 @@ addpath (here);
 addpath (fullfile (here, '..', 'infrastructure'));
 startToolbox (fileparts (here));
 given = argv ();
-number = str2double (given{1});
-names = {'plain', 'rough'};
 B = zeros (0, 8);
-for k = 1:2
-  S = standIn (names{k});
-  reference = referenceSurrogates (S);
-  for seed = 1:ceil (number / 2)
-    B = [B; oneCase(S, reference, k, seed)];
+if strcmp (given{1}, 'report')
+  for k = 2:numel (given)
+    B = [B; csvread(given{k})];
+  end
+else
+  seeds = sscanf (given{1}, '%d:%d');
+  names = {'plain', 'rough'};
+  for k = find (strcmp (names, given{2}) | strcmp ('both', given{2}))
+    S = standIn (names{k});
+    reference = referenceSurrogates (S);
+    for seed = seeds(1):seeds(end)
+      B = [B; oneCase(S, reference, k, seed)];
+    end
+  end
+  if numel (given) > 2
+    csvwrite (given{3}, B, 'precision', '%.10g');
   end
 end
 sayCoverage (B);
-if numel (given) > 1
-  csvwrite (given{2}, B, 'precision', '%.10g');
-end

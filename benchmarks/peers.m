@@ -6,8 +6,8 @@
 %
 % One CSV row a seed: seed, runs, failed, infill, verify, first_obs,
 % first_true, worst, converged, probability, seconds. Input.numOfSam is
-% planSize (d) = 2 d + 2, Input.replicates 4, one run at a time; all else are the
-% defaults of the toolbox. benchmarks/peers.py runs this beside the peers.
+% planSize (d) = 2 d + 2, Input.replicates 4, one run at a time; all else is as
+% the toolbox has it by default. benchmarks/peers.py runs this beside the peers.
 %
 % See also: calibrateStandIn, standIn
 

@@ -25,7 +25,7 @@ import tempfile
 import textwrap
 import time
 import warnings
-from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import Pool
 
 import numpy as np
 
@@ -301,8 +301,8 @@ def main():
                     continue
                 started = time.time()
                 jobs = [(name, standin, seed, a.noise, fail, a.cap) for seed in range(1, a.seeds + 1)]
-                with ProcessPoolExecutor(a.jobs) as pool:
-                    rows = list(pool.map(one, jobs))
+                with Pool(a.jobs, maxtasksperchild=1) as pool:       # GrainLearning keeps what it took
+                    rows = list(pool.imap(one, jobs))
                 report(rows)
                 print(f"{name}: {time.time() - started:.0f} s", file=sys.stderr)
                 everything += rows
