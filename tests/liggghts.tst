@@ -30,3 +30,23 @@
 %!                                'record.json'));
 %! assert (record.status, 'ok');
 %! assert (record.seed > 1e4 && isprime (record.seed));
+
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts')) && nproc () > 1
+%! % Input.cpu of 2: the runscript starts two ranks, and the result is a result
+%! root = fileparts (which ('DEcalioc'));
+%! raw = goodInput (tempname ());
+%! raw.root = root;
+%! raw.Input = struct ('model', {{'SmallBin'}}, 'cpu', 2, 'maxCPU', 2, ...
+%!                     'numOfSam', 8);
+%! raw.optim = struct ('targetVal', {{[375, 0.0215]}}, ...
+%!                     'tolRes', {{[0.01, 0.05]}}, 'WRL', 0);
+%! raw.modelVars = struct ('percentRayleigh', 0.4);
+%! raw.assign = {'densityP'};
+%! raw.paramLims = [600; 800];
+%! raw.effects = [];
+%! Case = newCase (raw);
+%! [Z, record] = evaluateDEM (700, Case);
+%! assert (record.status, 'ok', record.message);
+%! assert (Z(1), 370, 15);
+%! log = fileread (fullfile (record.folder, 'log.liggghts'));
+%! assert (! isempty (regexp (log, '1 by 1 by 2|1 by 2 by 1|2 by 1 by 1')));

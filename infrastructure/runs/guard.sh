@@ -12,6 +12,8 @@
 set -u
 cd -- "$1" || exit 97
 watch=${2:-}
+read -r DECALIOC_CPU 2> /dev/null < cpu || DECALIOC_CPU=1
+export DECALIOC_CPU                  # a runscript may hand it to mpirun
 why=finished
 
 # a single run needs no network: without these, OpenMPI looks for one for 0.3 s

@@ -5,7 +5,8 @@
 %   JOB     scalar struct, see newJobs
 %   CASE    see newCase
 %   FOLDER  path of the folder: the model's files, data.head with the run's
-%           variables, params.csv, ExPlan.txt; job.json is written last, so a
+%           variables, params.csv, ExPlan.txt, cpu (which guard.sh
+%           hands to the runscript as DECALIOC_CPU); job.json is written last, so a
 %           folder without it is half-made and nobody's
 %
 % See also: startRun, createNewFolder
@@ -21,6 +22,8 @@ function folder = prepareRun (job, Case)
   folder = fullfile (Case.store, 'optim', job.model, name);
   writeHead (job.model, runVariables (job, Case), name, Case.store);
   writeParams (job.model, [job.params, job.planRow, k], name, Case.store);
+  writeAtomic (fullfile (folder, 'cpu'), ...
+               sprintf ("%d\n", Case.models(k).cpu));
   if ~ isnan (Case.models(k).timeout)
     writeAtomic (fullfile (folder, 'limit'), ...
                  sprintf ("%d\n", ceil (Case.models(k).timeout)));
