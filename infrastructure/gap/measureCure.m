@@ -17,7 +17,7 @@
 %     remaining 1 x n, deviation of each used target after the cure, in its
 %       standard deviations
 %
-% With fewer runs left, fewer seeds; with less than two seeds a set the surrogates
+% With fewer runs left, fewer seeds; with less than two seeds a set surrogates
 % stand in for DEM and verifiedByDEM is false.
 %
 % See also: closureOf, diagnoseMatrices

@@ -7,6 +7,8 @@
 %             where it is a formula or a text
 %
 % Read are lines of the form: variable NAME equal|string VALUE  # comment
+% A line "include OTHER" stands for the file OTHER beside FILE, if it is there:
+% the shared file of the candidate effects declares their neutral values.
 %
 % Errors: DEcalioc:headDefaults:missingFile
 %
@@ -17,7 +19,7 @@ function defaults = headDefaults (file)
     error ('DEcalioc:headDefaults:missingFile', ...
            'headDefaults: %s must exist; it declares the variables.', file);
   end
-  found = regexp (fileread (file), ...
+  found = regexp (withIncludes (file), ...
                   '^\s*variable\s+(\w+)\s+\w+\s+([^#\n]*)', ...
                   'tokens', 'lineanchors');
   defaults = struct ();
@@ -25,6 +27,18 @@ function defaults = headDefaults (file)
     name = found{k}{1};
     if isvarname (name)
       defaults.(name) = str2double (strtrim (found{k}{2}));
+    end
+  end
+end
+
+function text = withIncludes (file)
+  text = fileread (file);
+  [names, first, last] = regexp (text, '^[ \t]*include[ \t]+(\S+)[^\n]*', ...
+                                 'tokens', 'start', 'end', 'lineanchors');
+  for k = numel (names):-1:1
+    other = fullfile (fileparts (file), names{k}{1});
+    if isfile (other)
+      text = [text(1:first(k) - 1), fileread(other), text(last(k) + 1:end)];
     end
   end
 end
@@ -38,4 +52,14 @@ end
 %! assert (isnan (d.b));
 %! assert (sort (fieldnames (d)), {'a'; 'b'});
 %! unlink (file);
+%!test
+%! file = tempname ();
+%! other = [file, '.effects'];
+%! [~, base, ending] = fileparts (other);
+%! writeAtomic (other, "variable glue equal 3\nvariable a equal 1\n");
+%! writeAtomic (file, ["include ", base, ending, "\nvariable a equal 2\n"]);
+%! d = headDefaults (file);
+%! unlink (file);
+%! unlink (other);
+%! assert ([d.glue, d.a], [3, 2]);
 %!error id=DEcalioc:headDefaults:missingFile headDefaults ('/nowhere')
