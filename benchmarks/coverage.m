@@ -10,7 +10,7 @@
 % peers.m) parameterPosterior gives the intervals. What could be known at all is
 % computed the same way from surrogates of 150 runs without noise: a parameter
 % is identifiable where that reference interval is narrower than 40 % of the
-% box, unidentifiable where it is wider than 60 %; between them nothing is asked.
+% box, unidentifiable where it is wider than 60 %; in between nothing is asked.
 %
 % CSV: a row a parameter of a calibration: stand-in (1 plain, 2 rough), seed,
 % parameter, truth, low, high (box widths), flagged, reference width.
