@@ -31,7 +31,8 @@ function [text, fault] = benchTrial (model, variables, law)
                     'bash runscript > out 2> err < /dev/null'], folder));
   [~, text] = system (sprintf (['cd "%s" && cat output_checks.csv ' ...
                                 '$(ls *.dump flow.csv spread.csv ' ...
-                                'shear?.csv 2> /dev/null | sort)'], folder));
+                                'shear?.csv 2> /dev/null | sort) ' ...
+                                '2> /dev/null'], folder));
   said = fileread (fullfile (folder, 'out'));
   fault = '';
   if isempty (strfind (said, 'RUN COMPLETE'))
