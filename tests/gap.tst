@@ -208,3 +208,25 @@
 %! assert (gap.which.effects, {'own3'});
 %! assert (gap.demRuns.sets, 0);
 %! assert (! isempty (strfind (text, 'NEXT TEST')));
+
+%!test
+%! % runs of the store count, with their effects, also after the list changes
+%! addpath (fileparts (which ('startToolbox')));
+%! raw = standInCase (tempname (), fileparts (fileparts (which ('newCase'))));
+%! raw.effects = struct ('name', 'own', 'variables', {{'e'}}, ...
+%!                       'neutral', 0, 'limits', [0; 5]);
+%! Case = caseEffects (newCase (raw));
+%! Z = evaluateDEM ([2, 3; 2, 3; 4, 5], Case, [1; 2; 1], 'gap', ...
+%!                  @(state) [], [0; 0; 2]);
+%! [data, count] = gatherRuns (Case);
+%! assert (count.store, 6);
+%! [~, order] = sortrows ([data.X, data.E, data.replicate]);
+%! assert (data.X(order, :), [2, 3; 2, 3; 4, 5]);
+%! assert (data.E(order), [0; 0; 2]);
+%! assert (data.Z(order, :), Z);
+%! raw.effects = [];
+%! [data, count] = gatherRuns (newCase (raw));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
+%! assert (count.store, 4);
+%! assert (data.X, [2, 3; 2, 3]);

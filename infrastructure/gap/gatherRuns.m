@@ -46,11 +46,12 @@ function [data, n] = fromStore (Case, data)
       record = readRecord (fullfile (Case.store, 'optim', ...
                                      Case.models(k).name, names{i}, ...
                                      'record.json'));
-      if ~counts (record, Case, h(k), sum (own))
+      effects = countsAs (record, Case, h(k), sum (own));
+      if isempty (effects)
         continue
       end
       n = n + 1;
-      row = [record.params(:)', effectsOf(record, Case), record.replicate];
+      row = [record.params(:)', effects{1}, record.replicate];
       at = find (all (inputs == row, 2), 1);
       if isempty (at)
         at = rows (inputs) + 1;
@@ -70,24 +71,27 @@ function [data, n] = fromStore (Case, data)
   data.stage = stages;
 end
 
-function values = effectsOf (record, Case)
-  values = neutralEffects (Case);
-  if numel (record.effects) == numel (values)
-    values = record.effects(:)';
+% The effect values {1 x v} under which a record is a run of today's case; {} if
+% it is none. A run of the plain model counts under any list of effects.
+function effects = countsAs (record, Case, h, n)
+  effects = {};
+  if isempty (record) || ~isfield (record, 'status') || ...
+     ~strcmp (record.status, 'ok') || numel (record.results) < n || ...
+     numel (record.params) ~= numel (Case.names)
+    return
   end
-end
-
-function yes = counts (record, Case, h, n)
-  yes = ~isempty (record) && isfield (record, 'status') && ...
-        strcmp (record.status, 'ok') && ...
-        numel (record.params) == numel (Case.names) && ...
-        numel (record.results) >= n && ...
-        any (numel (record.effects) == [0, numel(Case.effectVars)]);
-  if yes
+  trials = {neutralEffects(Case)};
+  if numel (record.effects) == numel (trials{1})
+    trials = [{reshape(record.effects, 1, [])}, trials];
+  end
+  for k = 1:numel (trials)
     job = record;
-    job.effects = effectsOf (record, Case);
+    job.effects = trials{k};
     key = runKey (runVariables (job, Case), Case.effectVars, h);
-    yes = strcmp (key, record.key);
+    if strcmp (key, record.key)
+      effects = trials(k);
+      return
+    end
   end
 end
 
