@@ -29,7 +29,7 @@ function residual = costFunction (params, evaluateFunc, varargin)
   if optim.WRL ~= 0 && isfield (modelVars, 'RLTS')
     RLTS = getMinMaxRayleigh (modelVars, assign, paramLims);
     span = max (RLTS.max - RLTS.min, eps (RLTS.max));
-    residual(end+1, 1) = optim.WRL * (RLTS.max - modelVars.RLTS) / span;
+    residual(end + 1, 1) = optim.WRL * (RLTS.max - modelVars.RLTS) / span;
   end
 end
 

@@ -18,8 +18,8 @@ function folder = unevenCase (lengths)
   model = fullfile (folder, 'DEMmodels', 'First');
   table = sprintf ('%.3f ', lengths);
   writeAtomic (fullfile (model, 'runscript'), ...
-    ["set -- ", table, "\nn=$(cat ExPlan.txt)\nsleep ${!n}\n", ...
-     "echo 1 > out\necho 2 >> out\n"]);
+               ["set -- ", table, "\nn=$(cat ExPlan.txt)\nsleep ${!n}\n", ...
+                "echo 1 > out\necho 2 >> out\n"]);
 end
 
 function [seconds, bound] = dynamicTime (lengths, workers)
@@ -64,7 +64,7 @@ root = fileparts (fileparts (mfilename ('fullpath')));
 addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'));
 startToolbox (root);
 repetitions = 5;
-if ~ isempty (argv ())
+if ~isempty (argv ())
   repetitions = str2double (argv (){end});
 end
 table = [];
@@ -73,22 +73,24 @@ printf ('%8s %6s %9s %9s %12s %12s\n', 'workers', 'seed', 'bound (s)', ...
 for workers = [2, 4, 8]
   for seed = 1:repetitions
     rand ('twister', seed);
-    lengths = 0.5 * 10 .^ rand (24, 1);
+    lengths = 0.5 * 10.^rand (24, 1);
     [seconds, bound] = dynamicTime (lengths, workers);
     split = staticTime (lengths, workers);
     splitBound = max (sum (lengths) / workers, max (lengths));
-    table(end+1, :) = [workers, seed, bound, seconds, seconds / bound, ...
-                       split / splitBound];
+    table(end + 1, :) = [workers, seed, bound, seconds, seconds / bound, ...
+                         split / splitBound];
     printf ('%8d %6d %9.2f %9.2f %12.3f %12.3f\n', table(end, :));
   end
 end
 [~, ~] = mkdir (fullfile (root, 'benchmarks', 'results'));
-writeMatrix (fullfile (root, 'benchmarks', 'results', 'makespan.csv'), table, ...
+writeMatrix (fullfile (root, 'benchmarks', 'results', 'makespan.csv'), ...
+             table, ...
              {'workers', 'seed', 'bound', 'ours', 'oursOverBound', ...
               'splitOverBound'});
 for workers = [2, 4, 8]
   mine = table(table(:, 1) == workers, :);
-  printf ('%d workers: ours/bound median %.3f, worst %.3f; split/bound median %.3f, worst %.3f\n', ...
+  printf (['%d workers: ours/bound median %.3f, worst %.3f; ' ...
+           'split/bound median %.3f, worst %.3f\n'], ...
           workers, median (mine(:, 5)), max (mine(:, 5)), ...
           median (mine(:, 6)), max (mine(:, 6)));
 end

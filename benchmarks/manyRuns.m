@@ -31,12 +31,12 @@ addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'));
 startToolbox (root);
 n = 5000;
 args = argv ();
-if ~ isempty (args) && ~ isnan (str2double (args{end}))
+if ~isempty (args) && ~isnan (str2double (args{end}))
   n = str2double (args{end});
 end
 folder = getenv ('DECALIOC_MANYRUNS');
-isResume = ~ isempty (folder);
-if ~ isResume
+isResume = ~isempty (folder);
+if ~isResume
   folder = tempname ();
   standInCase (folder);
   setenv ('DECALIOC_MANYRUNS', folder);

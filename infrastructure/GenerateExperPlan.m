@@ -32,7 +32,7 @@ function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
   if N > 0
     plan = double (stk_sampling_maximinlhs (N, d, factorLimits, 1000));
   end
-  if nargin > 2 && ~ isempty (pathExPlan) && N > 0
+  if nargin > 2 && ~isempty (pathExPlan) && N > 0
     writeMatrix (fullfile (pathExPlan, 'ExperimentalPlan_DoE.csv'), plan);
   end
 end

@@ -15,7 +15,7 @@ function [main, rest] = SplitExPlan (ExPlan, nProc, runsPerCPU, remainder)
   inMain = nProc * runsPerCPU;
   d = columns (numbered);
   main = mat2cell (numbered(1:inMain, :), repmat (runsPerCPU, 1, nProc), d)';
-  rest = num2cell (numbered(inMain+(1:remainder), :), 2)';
+  rest = num2cell (numbered(inMain + (1:remainder), :), 2)';
 end
 
 %!test

@@ -28,7 +28,7 @@ function done = createNewFolder (model, folderName, base, source)
   folder = fullfile (parent, folderName);
   [made, why] = mkdir (folder);
   done = made && isempty (why);
-  if ~ made && ~ isfolder (folder)
+  if ~made && ~isfolder (folder)
     refuse (folder, why);
   end
   if done

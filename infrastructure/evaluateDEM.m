@@ -1,7 +1,8 @@
 % EVALUATEDEM  Evaluates the DEM models at parameter sets.
 %
 % CALL: RESULTS = evaluateDEM (PARAMS)
-%       [Z, RECORDS, ISREUSED] = evaluateDEM (P, CASE, REPLICATE, STAGE, REPORT, E)
+%       [Z, RECORDS, ISREUSED] = evaluateDEM (P, CASE, REPLICATE, STAGE, ...
+%                                             REPORT, E)
 %
 %   PARAMS     1 x d or d x 1, one set; the call handed to costFunction
 %   RESULTS    T x 1, one row a target; NaN where a run failed
@@ -23,7 +24,7 @@ function [Z, records, isReused] = evaluateDEM (P, varargin)
   given = {[], 1, 'verify', @(state) [], []};
   given(1:numel (varargin)) = varargin;
   [Case, replicate, stage, report, E] = given{:};
-  isPublishedCall = ~ isstruct (Case);
+  isPublishedCall = ~isstruct (Case);
   if isPublishedCall
     Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
     P = P(:)';

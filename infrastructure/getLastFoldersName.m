@@ -11,7 +11,7 @@
 function name = getLastFoldersName (path, model)
   names = listRunFolders (path, model);
   name = '';
-  if ~ isempty (names)
+  if ~isempty (names)
     [~, last] = max (str2double (regexp (names, '^\d+', 'match', 'once')));
     name = names{last};
   end

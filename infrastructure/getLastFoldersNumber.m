@@ -11,7 +11,7 @@
 function number = getLastFoldersNumber (path, model)
   name = getLastFoldersName (path, model);
   number = 0;
-  if ~ isempty (name)
+  if ~isempty (name)
     number = str2double (regexp (name, '^\d+', 'match', 'once'));
   end
 end

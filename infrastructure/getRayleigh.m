@@ -19,6 +19,7 @@ function t = getRayleigh (r, rho, E, nu)
 end
 
 %!test
-%! % by hand: G = 5e6 / 2.6, sqrt (700 / G) = 0.0190788, 0.1631 nu + 0.8766 = 0.92553
+%! % by hand: G = 5e6 / 2.6, sqrt (700 / G) = 0.0190788,
+%! % 0.1631 nu + 0.8766 = 0.92553
 %! assert (getRayleigh (2e-3, 700, 5e6, 0.3), 1.29521e-4, 1e-9);
 %!assert (size (getRayleigh ([1; 2] * 1e-3, 700, 5e6, 0.3)), [2, 1])

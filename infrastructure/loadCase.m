@@ -36,7 +36,7 @@ end
 
 function text = whereAndWhat (err)
   text = err.message;
-  if ~ isempty (err.stack)
+  if ~isempty (err.stack)
     text = sprintf ('%s (%s, line %d)', text, err.stack(1).name, ...
                     err.stack(1).line);
   end

@@ -21,7 +21,7 @@
 
 function Case = newCase (raw)
   problems = checkCase (raw);
-  if ~ isempty (problems)
+  if ~isempty (problems)
     error (problems(1).id, '%s', listProblems (problems));
   end
   Input = raw.Input;
@@ -51,7 +51,7 @@ end
 
 function value = given (s, field, default)
   value = default;
-  if isfield (s, field) && ~ isempty (s.(field))
+  if isfield (s, field) && ~isempty (s.(field))
     value = s.(field);
   end
 end
@@ -59,7 +59,7 @@ end
 function models = newModels (raw)
   names = cellstr (raw.Input.model);
   timeout = given (raw.Input, 'timeout', NaN);
-  timeout(end+1:numel (names)) = NaN;
+  timeout(end + 1:numel (names)) = NaN;
   models = struct ('name', names(:)', 'folder', '', 'cpu', 1, ...
                    'timeout', NaN, 'nTargets', 0);
   for k = 1:numel (models)
@@ -93,14 +93,14 @@ function targets = newTargets (optim, models)
       t.sd = sds{k}(i);
       t.tol = tols{k}(i);
       t.role = textOf (roles, k, i, 'calibrate');
-      targets(end+1) = t;
+      targets(end + 1) = t;
     end
   end
 end
 
 function text = textOf (nested, k, i, default)
   text = default;
-  if numel (nested) >= k && numel (nested{k}) >= i && ~ isempty (nested{k}{i})
+  if numel (nested) >= k && numel (nested{k}) >= i && ~isempty (nested{k}{i})
     text = nested{k}{i};
   end
 end
@@ -110,7 +110,7 @@ end
 function parts = perModel (values, models, counts)
   if iscell (values)
     parts = cellfun (@(v) double (v(:)'), values(:)', 'UniformOutput', false);
-    parts(end+1:numel (models)) = {[]};
+    parts(end + 1:numel (models)) = {[]};
   elseif nargin > 2 && isscalar (values)
     parts = arrayfun (@(n) repmat (values, 1, n), counts, ...
                       'UniformOutput', false);
@@ -127,7 +127,7 @@ function parts = perModel (values, models, counts)
   end
   if nargin > 2
     for k = find (cellfun (@numel, parts) < counts)
-      parts{k}(end+1:counts(k)) = 0;
+      parts{k}(end + 1:counts(k)) = 0;
     end
   end
 end

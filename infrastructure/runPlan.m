@@ -39,8 +39,8 @@ end
 % fails, the box or the model is at fault.
 function checkFailures (isWhole, Case)
   n = numel (isWhole);
-  if sum (isWhole) >= max (2/3 * n, numel (Case.names) + 2)
-    return;
+  if sum (isWhole) >= max (2 / 3 * n, numel (Case.names) + 2)
+    return
   end
   lines = {};
   for k = 1:numel (Case.models)
@@ -60,9 +60,9 @@ function lines = failuresOf (Case, model)
   for i = 1:numel (names)
     folder = fullfile (Case.store, 'optim', model, names{i});
     record = readRecord (fullfile (folder, 'record.json'));
-    if ~ isempty (record) && ~ strcmp (record.status, 'ok')
-      lines{end+1} = sprintf ('  %s/%s  %-8s %s', model, names{i}, ...
-                              record.status, record.message);
+    if ~isempty (record) && ~strcmp (record.status, 'ok')
+      lines{end + 1} = sprintf ('  %s/%s  %-8s %s', model, names{i}, ...
+                                record.status, record.message);
     end
   end
 end

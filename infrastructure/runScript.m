@@ -18,12 +18,12 @@ function [results, record] = runScript (matr, model, Case)
   if nargin < 3
     Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
   end
-  jobs = newJobs (Case, matr(1:end-2), [], 1, 'plan');
+  jobs = newJobs (Case, matr(1:end - 2), [], 1, 'plan');
   job = jobs(strcmp ({jobs.model}, model));
-  job.planRow = matr(end-1);
+  job.planRow = matr(end - 1);
   record = findRuns (job, Case){1};
-  if isempty (record) || ~ isfield (record, 'status') || ...
-     ~ strcmp (record.status, 'ok')
+  if isempty (record) || ~isfield (record, 'status') || ...
+     ~strcmp (record.status, 'ok')
     folder = prepareRun (job, Case);
     [~, name] = fileparts (folder);
     startSimulation (model, name, Case.store);

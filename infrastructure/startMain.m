@@ -15,15 +15,15 @@
 function result = startMain (job, root)
   more ('off');
   folder = caseFolder (root);
-  if ~ strcmp (folder, pwd ())
+  if ~strcmp (folder, pwd ())
     cd (folder);
   end
   isProgram = numel (program_name ()) > 2 && ...
-              strcmp (program_name ()(end-1:end), '.m');
+              strcmp (program_name ()(end - 1:end), '.m');
   try
     result = job (root, folder);
   catch err
-    if ~ isProgram || ~ strncmp (err.identifier, 'DEcalioc:', 9)
+    if ~isProgram || ~strncmp (err.identifier, 'DEcalioc:', 9)
       rethrow (err);
     end
     fprintf (stderr (), '%s\n', err.message);

@@ -22,7 +22,7 @@ function startToolbox (root, folder)
   folders = [{root, inside}, fullfile(inside, families)];
   folders = folders(cellfun (@isfolder, folders));
   addpath (folders{:});
-  if ~ strcmp (folder, root)
+  if ~strcmp (folder, root)
     addpath (folder);
   end
   % an Octave that cannot write its history says so when it ends, and so does

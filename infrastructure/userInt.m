@@ -26,13 +26,13 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
           vals.iteration, sprintf (' %.2f', 100 * residual));
   stop = false;
   info = '';
-  if DEMflag && ~ strcmp (state, 'done')
+  if DEMflag && ~strcmp (state, 'done')
     if all (abs (residual) <= tol)
       info = 'the residuals of all targets are within their tolerances';
     elseif vals.iteration >= optim.maxIter
       info = 'the number of iterations is reached';
     end
-    stop = ~ isempty (info);
+    stop = ~isempty (info);
   end
 end
 

@@ -17,10 +17,10 @@ function writeParams (model, matr, folderName, base)
     base = pwd ();
   end
   folder = fullfile (base, 'optim', model, folderName);
-  writeMatrix (fullfile (folder, 'params.csv'), matr(1:end-2));
-  if matr(end-1) ~= 0
+  writeMatrix (fullfile (folder, 'params.csv'), matr(1:end - 2));
+  if matr(end - 1) ~= 0
     writeAtomic (fullfile (folder, 'ExPlan.txt'), ...
-                 sprintf ("%d\n", matr(end-1)));
+                 sprintf ("%d\n", matr(end - 1)));
   end
 end
 

@@ -21,7 +21,7 @@ function faultTrial (folder, target, delay, answer)
   finished = finishedRuns (folder);
   for attempt = 1:3
     if isfile (fullfile (folder, 'answer.csv'))
-      break;
+      break
     end
     [pid, log] = launch (folder);
     waitFor (pid);
@@ -46,7 +46,7 @@ function [pid, log] = launch (folder)
 end
 
 function waitFor (pid)
-  while isfolder (sprintf ('/proc/%d', pid)) && ~ isZombie (pid)
+  while isfolder (sprintf ('/proc/%d', pid)) && ~isZombie (pid)
     pause (0.1);
   end
 end
@@ -58,8 +58,7 @@ end
 
 % Processes of this trial only: those below its Octave or in its run folders.
 function killOne (target, pid, folder)
-  inside = sprintf ('for p in /proc/[0-9]*; do case $(readlink $p/cwd) in %s/*) echo ${p#/proc/};; esac; done', ...
-                    shellQuote (folder));
+  inside = insideOf (folder);
   switch target
     case 'octave'
       pids = pid;
@@ -73,7 +72,7 @@ function killOne (target, pid, folder)
     case 'mpirun'
       pids = intersect (listed (inside), listed ('pgrep -x mpirun'));
   end
-  if ~ isempty (pids)
+  if ~isempty (pids)
     system (sprintf ('kill -9 %d 2> /dev/null', pids(randi (numel (pids)))));
   end
 end
@@ -89,9 +88,9 @@ function [folders, keys] = finishedRuns (folder)
   keys = {};
   for i = 1:numel (files)
     record = readRecord (files{i});
-    if ~ isempty (record) && strcmp (record.status, 'ok')
-      folders{end+1} = files{i};
-      keys{end+1} = record.key;
+    if ~isempty (record) && strcmp (record.status, 'ok')
+      folders{end + 1} = files{i};
+      keys{end + 1} = record.key;
     end
   end
 end
@@ -99,13 +98,18 @@ end
 % Guards look once a second whether their Octave is alive.
 function none = noneRunning (folder)
   for i = 1:60
-    [~, text] = system (['for p in /proc/[0-9]*; do case $(readlink $p/cwd) ', ...
-                         'in ', shellQuote(folder), '/optim/*) echo $p;; ', ...
-                         'esac; done 2> /dev/null']);
+    [~, text] = system (insideOf ([folder, '/optim']));
     none = isempty (text);
     if none
-      return;
+      return
     end
     pause (0.1);
   end
+end
+
+% Shell text that prints the processes whose working folder is in a folder.
+function command = insideOf (folder)
+  command = ['for p in /proc/[0-9]*; do case $(readlink $p/cwd) in ', ...
+             shellQuote(folder), '/*) echo ${p#/proc/};; esac; done ', ...
+             '2> /dev/null'];
 end

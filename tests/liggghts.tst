@@ -31,7 +31,7 @@
 %! assert (record.status, 'ok');
 %! assert (record.seed > 1e4 && isprime (record.seed));
 
-%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts')) && nproc () > 1
+%!testif ; nproc () > 1 && system ('command -v liggghts > /dev/null') == 0
 %! % Input.cpu of 2: the runscript starts two ranks, and the result is a result
 %! root = fileparts (which ('DEcalioc'));
 %! raw = goodInput (tempname ());

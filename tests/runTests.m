@@ -14,11 +14,11 @@ function files = testFiles (root, pattern)
                        '\( -name optim -o -name .git \) -prune -o ', ...
                        '\( -name "*.m" -o -name "*.tst" \) -print | sort']);
   files = strsplit (strtrim (list), "\n");
-  hasTests = @(f) ~ isempty (regexp (fileread (f), '^%!', 'once', ...
-                                     'lineanchors'));
+  hasTests = @(f) ~isempty (regexp (fileread (f), '^%!', 'once', ...
+                                    'lineanchors'));
   files = files(cellfun (hasTests, files));
-  if ~ isempty (pattern)
-    files = files(~ cellfun (@isempty, strfind (files, pattern)));
+  if ~isempty (pattern)
+    files = files(~cellfun (@isempty, strfind (files, pattern)));
   end
 end
 
@@ -45,7 +45,7 @@ addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'), ...
 startToolbox (root);
 args = argv ();
 pattern = '';
-if ~ isempty (args)
+if ~isempty (args)
   pattern = args{end};
 end
 scratch = tempname ();

@@ -33,29 +33,30 @@ function records = executeLocal (jobs, Case, report)
   live = containers.Map ();
   tidy = onCleanup (@() cellfun (@endRun, live.keys ()));
   start = tic ();
-  while ~ all (isDone)
+  while ~all (isDone)
     age = toc (start) - born(running);
     ended = running(cellfun (@hasEnded, folders(running), num2cell (age)));
     running = setdiff (running, ended);
-    next = firstFitting (queue, cpus, Case.options.maxCPU - sum (cpus(running)));
-    while ~ isempty (next)
+    next = firstFitting (queue, cpus, ...
+                         Case.options.maxCPU - sum (cpus(running)));
+    while ~isempty (next)
       folders = prepareOnce (next, folders, jobs, Case);
       live(folders{next}) = next;
       startRun (folders{next}, Case.root);
       born(next) = toc (start);
       queue(queue == next) = [];
-      running(end+1) = next;
+      running(end + 1) = next;
       next = firstFitting (queue, cpus, ...
                            Case.options.maxCPU - sum (cpus(running)));
     end
-    if ~ isempty (ended)
+    if ~isempty (ended)
       records(ended) = collectEnded (jobs(ended), folders(ended), Case);
       isDone(ended) = true;
       live.remove (folders(ended));
       setLimits (records(isDone), jobs(running), folders(running), Case);
       queue = longestFirst (queue, cpus, jobs, records, isDone);
       report (stateOf (records, isDone, running, toc (start)));
-    elseif ~ isempty (queue) && isempty (folders{queue(1)})
+    elseif ~isempty (queue) && isempty (folders{queue(1)})
       folders = prepareOnce (queue(1), folders, jobs, Case);
     else
       pause (0.02);
@@ -74,7 +75,7 @@ end
 function queue = longestFirst (queue, cpus, jobs, records, isDone)
   enough = 200;
   if isempty (queue) || sum (isDone) > enough
-    return;
+    return
   end
   foreseen = zeros (1, numel (queue));
   for model = unique ({jobs(queue).model})
@@ -103,21 +104,21 @@ end
 % up after half a minute never will (a full disk, no shell).
 function yes = hasEnded (folder, age)
   yes = isfile (fullfile (folder, 'end.mark'));
-  if ~ yes
+  if ~yes
     pids = runPids (folder);
     isGone = isempty (pids) && age > 30 || ...
-             numel (pids) == 2 && ~ isfolder (sprintf ('/proc/%d', pids(1)));
-    yes = isGone && ~ isfile (fullfile (folder, 'end.mark'));
+             numel (pids) == 2 && ~isfolder (sprintf ('/proc/%d', pids(1)));
+    yes = isGone && ~isfile (fullfile (folder, 'end.mark'));
   end
 end
 
 function records = collectEnded (jobs, folders, Case)
-  isWhole = ~ cellfun (@(f) isempty (readEndMark (f)), folders);
+  isWhole = ~cellfun (@(f) isempty (readEndMark (f)), folders);
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   if any (isWhole)
     records(isWhole) = collectRuns (jobs(isWhole), folders(isWhole), Case);
   end
-  for i = find (~ isWhole)
+  for i = find (~isWhole)
     pids = runPids (folders{i});
     if numel (pids) == 2
       system (sprintf ('pkill -KILL -s %d', pids(2)));
@@ -133,7 +134,7 @@ function setLimits (done, jobs, folders, Case)
     k = strcmp (jobs(i).model, {Case.models.name});
     limit = defaultLimit (done, jobs(i).model);
     file = fullfile (folders{i}, 'limit');
-    if isnan (Case.models(k).timeout) && ~ isnan (limit) && ~ isfile (file)
+    if isnan (Case.models(k).timeout) && ~isnan (limit) && ~isfile (file)
       writeAtomic (file, sprintf ("%d\n", ceil (limit)));
     end
   end
@@ -142,7 +143,7 @@ end
 function state = stateOf (records, isDone, running, seconds)
   status = {records(isDone).status};
   state = struct ('total', numel (isDone), 'done', sum (isDone), ...
-                  'failed', sum (~ strcmp (status, 'ok')), ...
+                  'failed', sum (~strcmp (status, 'ok')), ...
                   'running', numel (running), 'seconds', seconds);
 end
 

@@ -14,12 +14,12 @@ function records = executeStatic (jobs, Case, report)
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   for k = 1:numel (Case.models)
     mine = find (strcmp ({jobs.model}, Case.models(k).name));
-    if ~ isempty (mine)
+    if ~isempty (mine)
       records(mine) = runStacks (jobs(mine), k, Case);
     end
   end
   report (struct ('total', numel (jobs), 'done', numel (jobs), 'running', 0, ...
-                  'failed', sum (~ strcmp ({records.status}, 'ok')), ...
+                  'failed', sum (~strcmp ({records.status}, 'ok')), ...
                   'seconds', sum ([records.seconds])));
 end
 

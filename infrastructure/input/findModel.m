@@ -16,7 +16,7 @@ function folder = findModel (name, caseFolder, root)
     candidate = fullfile (places{k}, 'DEMmodels', name);
     if isfolder (candidate)
       folder = candidate;
-      return;
+      return
     end
   end
 end

@@ -13,7 +13,7 @@
 
 function Case = withEffects (Case)
   if isempty (which ('loadEffects'))
-    return;
+    return
   end
   try
     list = loadEffects ();

@@ -39,11 +39,11 @@ function c = newCalibration (state, problem, Case, ledger)
   c.sensitivity = sobolIndices (state.surrogates, problem).total;
   c.warnings = checkSurrogates (state, problem);
   c.holdout = [];
-  if any (~ problem.calibrate)
+  if any (~problem.calibrate)
     c.holdout = predictHoldout (state, problem);
   end
   c.surrogates = state.surrogates;
   c.history = state.history;
   c.data = state.data;
-  c.exitStatus = 2 * ~ final.converged;
+  c.exitStatus = 2 * ~final.converged;
 end

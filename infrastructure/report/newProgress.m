@@ -22,8 +22,8 @@ function tell (state, stage, say, last)
   end
   now = time ();
   isEnd = state.done == state.total;
-  if ~ isEnd && now - last('said') < 1
-    return;
+  if ~isEnd && now - last('said') < 1
+    return
   end
   last('said') = now;
   text = sprintf ('  %s: %d of %d runs done', stage, state.done, state.total);
@@ -33,7 +33,7 @@ function tell (state, stage, say, last)
   if state.reused > 0
     text = sprintf ('%s, %d taken from the store', text, state.reused);
   end
-  if ~ isEnd && state.done > 0
+  if ~isEnd && state.done > 0
     % on average the runs under way are half done
     done = state.done + state.running / 2;
     left = state.seconds / done * (state.total - done);

@@ -29,7 +29,7 @@ function records = collectRuns (jobs, folders, Case, apart)
     todo{i} = judgeEnd (newRecord (jobs(i), folders{i}));
     todo{i}.funs = hashOfFuns (Case.models(k), funs);
   end
-  if nargin > 3 && ~ apart
+  if nargin > 3 && ~apart
     records = cellfun (@evaluateRun, todo, places, 'UniformOutput', false);
   else
     records = evaluateAll (todo, places);
@@ -72,7 +72,7 @@ function record = judgeEnd (record)
   mark = readEndMark (record.folder);
   record.seconds = mark.seconds;
   said = tailOf (fullfile (record.folder, 'stdout.txt'));
-  wasStopped = ~ isempty (strfind (said, 'SIGINT/SIGTERM caught'));
+  wasStopped = ~isempty (strfind (said, 'SIGINT/SIGTERM caught'));
   if strcmp (mark.reason, 'timeout')
     record = blame (record, 'timeout', 'time', ...
                     sprintf ('ended at its time limit after %g s', ...
@@ -84,7 +84,7 @@ function record = judgeEnd (record)
   elseif mark.code ~= 0
     record = blame (record, 'failed', 'exit', ...
                     sprintf ('exit status %d', mark.code));
-  elseif ~ hasEndLine (record.folder, said)
+  elseif ~hasEndLine (record.folder, said)
     record = blame (record, 'failed', 'exit', ...
                     'its input did not run to the last line');
   else
@@ -110,12 +110,12 @@ end
 function yes = hasEndLine (folder, said)
   yes = true;
   inputs = glob (fullfile (folder, 'in.*'));
-  promises = any (cellfun (@(f) ~ isempty (strfind (fileread (f), ...
-                                                    'RUN COMPLETE')), inputs));
+  promises = any (cellfun (@(f) ~isempty (strfind (fileread (f), ...
+                                                   'RUN COMPLETE')), inputs));
   if promises
     said = [said, tailOf(fullfile (folder, 'log.liggghts'))];
-    yes = ~ isempty (regexp (said, '^RUN COMPLETE\s*$', 'once', ...
-                             'lineanchors'));
+    yes = ~isempty (regexp (said, '^RUN COMPLETE\s*$', 'once', ...
+                            'lineanchors'));
   end
 end
 

@@ -22,7 +22,7 @@ end
 
 function record = evaluate (record, place)
   %| pragma Justify (metric, "globals", "published getResults read it");
-  global path;
+  global path
   path = [place.base, '/'];
   addpath (place.funs);
   tidy = onCleanup (@() rmpath (place.funs));
@@ -33,7 +33,7 @@ function record = evaluate (record, place)
     problem = ['getResults gave an error: ', err.message];
   end
   path = [];
-  if ~ isempty (problem)
+  if ~isempty (problem)
     record.status = 'invalid';
     record.cause = 'output';
     record.message = problem;
@@ -47,17 +47,17 @@ function [row, problem] = asRow (results, count)
     results = num2cell (results);
   end
   isNumber = iscell (results) && all (cellfun (@isScalarNumber, results(:)));
-  if ~ isNumber
+  if ~isNumber
     problem = 'getResults must return a cell of real scalars';
-    return;
+    return
   end
   row = double ([results{:}]);
   if numel (row) ~= count
     problem = sprintf ('getResults returned %d results, %d are expected', ...
                        numel (row), count);
-  elseif any (~ isfinite (row))
+  elseif any (~isfinite (row))
     problem = sprintf ('result %d is %g: output is missing or not sane', ...
-                       find (~ isfinite (row), 1), row(~ isfinite (row))(1));
+                       find (~isfinite (row), 1), row(~isfinite (row))(1));
   end
 end
 

@@ -18,11 +18,11 @@ function records = findRuns (jobs, Case)
     mine = find (strcmp ({jobs.model}, model{1}));
     found = scan (Case.store, model{1});
     if isempty (found.keys)
-      continue;
+      continue
     end
     for i = mine
       hits = find (strcmp (jobs(i).key, found.keys));
-      if ~ isempty (hits)
+      if ~isempty (hits)
         [~, best] = max (found.worth(hits));
         records{i} = found.records{hits(best)};
       end
@@ -40,7 +40,7 @@ function found = scan (store, model)
     record = readRecord (fullfile (folder, 'record.json'));
     if isempty (record)
       [record, found.keys{i}] = unevaluated (folder);
-      found.worth(i) = 1 + ~ isempty (record);
+      found.worth(i) = 1 + ~isempty (record);
     else
       record.folder = folder;
       found.keys{i} = record.key;
@@ -55,7 +55,7 @@ function [record, key] = unevaluated (folder)
   key = '';
   job = readRecord (fullfile (folder, 'job.json'));
   mark = readEndMark (folder);
-  if ~ isempty (job) && ~ isempty (mark) && strcmp (mark.reason, 'finished')
+  if ~isempty (job) && ~isempty (mark) && strcmp (mark.reason, 'finished')
     key = job.key;
     record = struct ('folder', folder);
   end

@@ -15,7 +15,7 @@
 % See also: writeHead, hashModels
 
 function defaults = headDefaults (file)
-  if ~ isfile (file)
+  if ~isfile (file)
     error ('DEcalioc:headDefaults:missingFile', ...
            'headDefaults: %s must exist; it declares the variables.', file);
   end

@@ -12,8 +12,8 @@
 function data = importExisting (Case, say)
   data = newData (numel (Case.names), numel (Case.targets));
   file = fullfile (Case.folder, 'runs.csv');
-  if ~ isfile (file)
-    return;
+  if ~isfile (file)
+    return
   end
   Case = withEffects (Case);
   [found, ignored] = importRuns (file, Case);
@@ -21,8 +21,8 @@ function data = importExisting (Case, say)
   data = addRows (data, found.X(isPlain, :), found.Z(isPlain, :), ...
                   found.replicate(isPlain), 'import');
   say (sprintf ('runs.csv: %d runs taken in, %d with an effect left aside', ...
-                sum (isPlain), sum (~ isPlain)));
-  if ~ isempty (ignored)
+                sum (isPlain), sum (~isPlain)));
+  if ~isempty (ignored)
     say (sprintf ('  WARNING: columns that the case does not know: %s', ...
                   strjoin (ignored(:)', ', ')));
   end

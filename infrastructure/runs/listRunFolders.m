@@ -12,9 +12,9 @@ function names = listRunFolders (base, model)
   names = readdir (fullfile (base, 'optim', model));
   if isempty (names)
     names = cell (0, 1);
-    return;
+    return
   end
-  names = names(~ cellfun ('isempty', regexp (names, '^[0-9]', 'once')));
+  names = names(~cellfun ('isempty', regexp (names, '^[0-9]', 'once')));
 end
 
 %!assert (size (listRunFolders ('/nowhere', 'M')), [0, 1])

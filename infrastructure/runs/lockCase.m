@@ -27,7 +27,7 @@ function lock = lockCase (folder)
   for attempt = 1:10
     if link (draft, file) == 0
       lock = onCleanup (@() release (file, getpid ()));
-      return;
+      return
     end
     takeOver (file, draft, folder);
   end
@@ -38,12 +38,12 @@ end
 function takeOver (file, draft, folder)
   holder = readLock (file);
   if isempty (holder)
-    return;
+    return
   end
   [host, rest] = strtok (holder);
   pid = sscanf (rest, '%d', 1);
   isHere = strcmp (host, gethostname ());
-  if ~ isHere || strcmp (identity (pid), holder)
+  if ~isHere || strcmp (identity (pid), holder)
     error ('DEcalioc:lockCase:inUse', ...
            ['lockCase: another DEcalioc works in %s (process %d on %s). ' ...
             'Wait for it or use a case folder of its own. If that process ' ...
@@ -52,7 +52,7 @@ function takeOver (file, draft, folder)
   % only one of two that see the same stale lock may take it away
   aside = [draft, '.stale'];
   if rename (file, aside) == 0
-    if ~ strcmp (readLock (aside), holder)
+    if ~strcmp (readLock (aside), holder)
       link (aside, file);
     end
     forget (aside);

@@ -23,7 +23,7 @@ function moved = moveAside (folder)
         error ('DEcalioc:moveAside:cannotWrite', ...
                'moveAside: %s must be movable, got: %s', old, why);
       end
-      moved{end+1} = [old, stamp];
+      moved{end + 1} = [old, stamp];
     end
   end
 end

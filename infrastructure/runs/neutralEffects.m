@@ -12,14 +12,15 @@ function E = neutralEffects (Case)
   E = zeros (1, 0);
   for k = 1:numel (Case.effects)
     effect = Case.effects(k);
-    if ~ (isfield (effect, 'laboratory') && effect.laboratory)
+    if ~(isfield (effect, 'laboratory') && effect.laboratory)
       E = [E, effect.neutral(:)'];
     end
   end
 end
 
 %!assert (neutralEffects (struct ('effects', [])), zeros (1, 0))
-%!assert (neutralEffects (struct ('effects', struct ('neutral', {1, [2, 3]}))), ...
-%!        [1, 2, 3])
+%!test
+%! effects = struct ('neutral', {1, [2, 3]});
+%! assert (neutralEffects (struct ('effects', effects)), [1, 2, 3]);
 %!assert (neutralEffects (struct ('effects', ...
 %!        resolveEffects ({'gain', 'shape', 'cameraRoll'}))), 1)

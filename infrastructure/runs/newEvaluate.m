@@ -30,15 +30,15 @@ function Z = bookedRuns (P, replicate, book, stage, E)
   end
   if any (cellfun (@isempty, {Case.models.folder}))
     Z = NaN (rows (P), numel (Case.targets));
-    return;
+    return
   end
   % what is left of the budget of new runs
   Case.options.maxNewRuns = Case.options.maxNewRuns - ledger('new');
   [Z, records, isReused] = evaluateDEM (P, Case, replicate, stage, ...
                                         newProgress (stage, book.say), E);
-  wasRun = ~ strcmp ({records.cause}, 'budget') & ~ isReused(:)';
-  failed = ~ strcmp ({records.status}, 'ok') & ...
-           ~ strcmp ({records.cause}, 'budget');
+  wasRun = ~strcmp ({records.cause}, 'budget') & ~isReused(:)';
+  failed = ~strcmp ({records.status}, 'ok') & ...
+           ~strcmp ({records.cause}, 'budget');
   cpus = arrayfun (@(r) Case.models(strcmp (r.model, ...
                                             {Case.models.name})).cpu, ...
                    records(:)');

@@ -5,17 +5,17 @@
 %   JOB     scalar struct, see newJobs
 %   CASE    see newCase
 %   FOLDER  path of the folder: the model's files, data.head with the run's
-%           variables, params.csv, ExPlan.txt, cpu (which guard.sh
-%           hands to the runscript as DECALIOC_CPU); job.json is written last, so a
-%           folder without it is half-made and nobody's
+%           variables, params.csv, ExPlan.txt, cpu (which guard.sh hands to the
+%           runscript as DECALIOC_CPU); job.json is written last, so a folder
+%           without it is half-made and nobody's
 %
 % See also: startRun, createNewFolder
 
 function folder = prepareRun (job, Case)
   k = find (strcmp (job.model, {Case.models.name}));
   number = getLastFoldersNumber (Case.store, job.model) + 1;
-  while ~ createNewFolder (job.model, newFolderName (number), Case.store, ...
-                           Case.models(k).folder)
+  while ~createNewFolder (job.model, newFolderName (number), Case.store, ...
+                          Case.models(k).folder)
     number = number + 1;
   end
   name = newFolderName (number);
@@ -24,7 +24,7 @@ function folder = prepareRun (job, Case)
   writeParams (job.model, [job.params, job.planRow, k], name, Case.store);
   writeAtomic (fullfile (folder, 'cpu'), ...
                sprintf ("%d\n", Case.models(k).cpu));
-  if ~ isnan (Case.models(k).timeout)
+  if ~isnan (Case.models(k).timeout)
     writeAtomic (fullfile (folder, 'limit'), ...
                  sprintf ("%d\n", ceil (Case.models(k).timeout)));
   end

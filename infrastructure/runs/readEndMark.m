@@ -13,13 +13,13 @@ function mark = readEndMark (folder)
   mark = [];
   fid = fopen (fullfile (folder, 'end.mark'), 'r');
   if fid < 0
-    return;
+    return
   end
   text = fread (fid, Inf, 'uint8=>char')';
   fclose (fid);
   t = regexp (text, '^(\d+) (\d+\.\d) (finished|timeout|killed)\n$', ...
               'tokens', 'once');
-  if ~ isempty (t)
+  if ~isempty (t)
     mark = struct ('code', str2double (t{1}), ...
                    'seconds', str2double (t{2}), 'reason', t{3});
   end

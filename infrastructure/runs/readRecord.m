@@ -12,14 +12,14 @@ function record = readRecord (file)
   record = [];
   fid = fopen (file, 'r');
   if fid < 0
-    return;
+    return
   end
   text = fread (fid, Inf, 'uint8=>char')';
   fclose (fid);
   parts = regexp (text, '^\{"sha256":"(\w{64})","record":(\{.*\})\}\n$', ...
                   'tokens', 'once');
-  if isempty (parts) || ~ strcmp (hash ('sha256', parts{2}), parts{1})
-    return;
+  if isempty (parts) || ~strcmp (hash ('sha256', parts{2}), parts{1})
+    return
   end
   record = jsondecode (parts{2});
   numbers = {'planRow', 'params', 'effects', 'replicate', 'seed', ...

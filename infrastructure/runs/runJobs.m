@@ -26,16 +26,16 @@ function [records, isReused] = runJobs (jobs, Case, report)
   end
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   [records, open] = fromStore (jobs, records, Case);
-  isReused = ~ open;
+  isReused = ~open;
   execute = str2func (['execute', upper(Case.options.executor(1)), ...
                        Case.options.executor(2:end)]);
   tell = @(state) report (setfield (state, 'reused', sum (isReused)));
-  if ~ any (open)
+  if ~any (open)
     tell (struct ('total', 0, 'done', 0, 'failed', 0, 'running', 0));
   end
   overBudget = open & cumsum (open) > Case.options.maxNewRuns;
   records(overBudget) = withoutRun (records(overBudget));
-  open = open & ~ overBudget;
+  open = open & ~overBudget;
   if any (open)
     records(open) = execute (jobs(open), Case, tell);
   end
@@ -59,12 +59,12 @@ function [records, open] = fromStore (jobs, records, Case)
   found = findRuns (jobs, Case);
   open = cellfun (@isempty, found);
   stale = false (size (open));
-  for i = find (~ open)
+  for i = find (~open)
     r = found{i};
     if isfield (r, 'status') && any (strcmp (r.status, {'failed', 'timeout'}))
       open(i) = true;
-    elseif ~ isfield (r, 'funs') || ...
-           ~ strcmp (r.funs, funsOf (jobs(i).model, Case))
+    elseif ~isfield (r, 'funs') || ...
+           ~strcmp (r.funs, funsOf (jobs(i).model, Case))
       stale(i) = true;
     else
       records(i) = takeOver (records(i), r, jobs(i));
@@ -91,10 +91,10 @@ function record = takeOver (record, stored, job)
 end
 
 function records = withOtherSeed (jobs, records, Case, execute, tell)
-  failed = find (~ strcmp ({records.status}, 'ok') & ...
-                 ~ ismember ({records.cause}, {'killed', 'budget'}));
+  failed = find (~strcmp ({records.status}, 'ok') & ...
+                 ~ismember ({records.cause}, {'killed', 'budget'}));
   if isempty (failed)
-    return;
+    return
   end
   other = jobs(failed);
   h = hashModels (Case);
@@ -135,7 +135,8 @@ end
 %! file = fullfile (Case.models(2).folder, 'OctaveFuns', 'getResults.m');
 %! text = fileread (file);
 %! pause (1.1);
-%! writeAtomic (file, strrep (text, '(load (file)'')', '(100 * load (file)'')'));
+%! writeAtomic (file, strrep (text, '(load (file)'')', ...
+%!                            '(100 * load (file)'')'));
 %! r = runJobs (jobs, Case, quiet);
 %! assert (r.results, -100, 1e-12);
 %! assert (numel (listRunFolders (Case.store, 'Second')), 1);
@@ -156,8 +157,8 @@ end
 %! Case = newCase (standInCase (tempname ()));
 %! run = fullfile (Case.models(2).folder, 'runscript');
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
-%! writeAtomic (run, sprintf ('%s\ngrep -q %d data.head && echo nan > out\n:\n', ...
-%!                            strtrim (fileread (run)), job.seed));
+%! spoil = sprintf ('grep -q %d data.head && echo nan > out', job.seed);
+%! writeAtomic (run, [strtrim(fileread (run)), "\n", spoil, "\n:\n"]);
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! r = runJobs (job, Case, quiet);
 %! assert (r.status, 'ok');

@@ -21,7 +21,7 @@ function key = runKey (variables, effectVars, h)
     value = variables.(name);
     isOff = any (strcmp (name, effectVars)) && ...
             isfield (h.defaults, name) && h.defaults.(name) == value;
-    if ~ isOff
+    if ~isOff
       text = [text, sprintf('|%s=%.17g', name, value)];
     end
   end

@@ -17,7 +17,7 @@ function seed = runSeed (params, replicate, base)
   text = sprintf ('%.17g ', params, replicate, base);
   digits = hash ('sha256', text);
   seed = 10007 + mod (hex2dec (digits(1:12)), 980000);
-  while ~ isprime (seed)
+  while ~isprime (seed)
     seed = seed + 1;
   end
 end

@@ -10,7 +10,7 @@
 % See also: prepareRun, executeLocal
 
 function word = shellQuote (text)
-  if ~ ischar (text) || any (text == 0)
+  if ~ischar (text) || any (text == 0)
     error ('DEcalioc:shellQuote:badType', ...
            'shellQuote: TEXT must be char without NUL, got %s.', class (text));
   end

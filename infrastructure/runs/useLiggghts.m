@@ -14,8 +14,8 @@ function useLiggghts (root)
   script = fullfile (root, 'tools', 'liggghts', 'path.sh');
   [status, folder] = system (['bash ', shellQuote(script), ' 2> /dev/null']);
   folder = strtrim (folder);
-  if status == 0 && ~ strncmp (getenv ('PATH'), [folder, ':'], ...
-                               numel (folder) + 1)
+  if status == 0 && ~strncmp (getenv ('PATH'), [folder, ':'], ...
+                              numel (folder) + 1)
     setenv ('PATH', [folder, ':', getenv('PATH')]);
   end
 end

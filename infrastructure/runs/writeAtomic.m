@@ -20,7 +20,7 @@ function writeAtomic (file, text)
   done = fwrite (fid, text) == numel (text);
   done = fflush (fid) == 0 && done;
   done = fclose (fid) == 0 && done;
-  if ~ done
+  if ~done
     [~, ~] = unlink (draft);
     refuse (file, 'the text could not be written; is the disk full?');
   end

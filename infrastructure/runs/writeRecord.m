@@ -14,7 +14,7 @@
 function writeRecord (file, record)
   names = fieldnames (record);
   for k = 1:numel (names)
-    if ~ ischar (record.(names{k}))
+    if ~ischar (record.(names{k}))
       record.(names{k}) = strtrim (sprintf ('%.17g ', record.(names{k})));
     end
   end
