@@ -13,9 +13,9 @@
 % Runs on LIGGGHTS: the centre of the document's box with 5 seeds, and a half
 % fraction of the two-level factorial plan of the five design variables (16
 % corners of the box: the product of all five signs is +1), each with a seed
-% of its own. The effect of a variable is the mean of the 8 runs at its upper
-% limit less that of the 8 at its lower: its standard error is half the seed
-% noise of a run. Writes one row a run to benchmarks/results/<model>.csv and
+% of its own. Effects from lower to upper limit by least squares on the finished
+% runs; with all 21 runs the standard error is half the seed noise of a run.
+% Writes one row a run to benchmarks/results/<model>.csv and
 % prints the tables that stand in the model's README. Lift100: 21 runs, about
 % 10 minutes of one core.
 %
@@ -137,23 +137,27 @@ function sayTables (names, plan, runs)
   z = runs(:, 1:2);
   centre = z(1:5, :);
   noise = 100 * std (centre) ./ mean (centre);
-  printf ('runs %d, failed %d; core seconds %.1f (%.1f to %.1f)\n', ...
-          rows (z), sum (any (isnan (z), 2)), mean (runs(:, 3)), ...
-          min (runs(:, 3)), max (runs(:, 3)));
+  printf ('runs %d, not finished %d; core seconds %.1f to %.1f\n', ...
+          rows (z), sum (any (isnan (z), 2)), min (runs(:, 3)), ...
+          max (runs(:, 3)));
   printf ('spheres %d to %d, overlap at most %.2f %%\n', min (runs(:, 4)), ...
           max (runs(:, 4)), 100 * max (runs(:, 6)));
   printf ('centre: %.1f kg/m3 +- %.2f %%, %.5f kg +- %.2f %% (5 seeds)\n', ...
           mean (centre(:, 1)), noise(1), mean (centre(:, 2)), noise(2));
-  error1 = std (centre) / 2;
+  done = all (isfinite (z), 2);
+  low = min (plan(:, 1:5));
+  high = max (plan(:, 1:5));
+  A = [ones(rows (plan), 1), (plan(:, 1:5) - low) ./ (high - low)];
+  A = A(done, :);
+  effect = A \ z(done, :);
+  spread = sqrt (diag (inv (A' * A))) * std (centre);
   printf ('\n| variable | from | to | density (kg/m3) | mass (g) |\n');
   printf ('|---|---|---|---|---|\n');
   for j = 1:5
-    [~, ~, level] = unique (plan(6:end, j));
-    effect = mean (z([false(5, 1); level == 2], :)) - ...
-             mean (z([false(5, 1); level == 1], :));
     printf ('| %s | %g | %g | %+.1f +- %.1f | %+.2f +- %.2f |\n', ...
-            names{j}, min (plan(:, j)), max (plan(:, j)), effect(1), ...
-            error1(1), 1e3 * effect(2), 1e3 * error1(2));
+            names{j}, low(j), high(j), effect(j + 1, 1), ...
+            spread(j + 1, 1), 1e3 * effect(j + 1, 2), ...
+            1e3 * spread(j + 1, 2));
   end
   volume = 1e6 * z(:, 2) ./ z(:, 1);
   printf ('\nresponses: %.0f to %.0f kg/m3, %.4f to %.4f kg, ', ...
