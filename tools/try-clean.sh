@@ -73,6 +73,7 @@ inside () {
     try=$1; shift
     mount -t proc proc "$try/proc"
     mount --rbind /dev "$try/dev"
+    mount -t sysfs -o ro sysfs "$try/sys"
     mount -t tmpfs tmpfs "$try/tmp"
     exec chroot "$try" "$@"' bash "$try" \
     env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \

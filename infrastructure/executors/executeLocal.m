@@ -107,7 +107,7 @@ function yes = hasEnded (folder, age)
   if ~yes
     pids = runPids (folder);
     isGone = isempty (pids) && age > 30 || ...
-             numel (pids) == 2 && ~isfolder (sprintf ('/proc/%d', pids(1)));
+             numel (pids) == 2 && isempty (processStart (pids(1)));
     yes = isGone && ~isfile (fullfile (folder, 'end.mark'));
   end
 end

@@ -44,12 +44,19 @@ over_limit () {
   (( $(uptime_ds) - start > limit * 10 ))
 }
 
+is_alive () {                        # a process that ended may still be listed
+  local stat
+  read -r stat 2> /dev/null < "/proc/$1/stat" || return
+  stat=${stat##*) }
+  [[ $stat != [ZX]* ]]
+}
+
 watcher () {                         # waits without starting a process a second
   exec {quiet}<> <(:)
   while ! read -r -t 1 -u "$quiet"; do
     if over_limit; then
       kill -USR1 $$
-    elif [ -n "$watch" ] && ! kill -0 "$watch" 2> /dev/null; then
+    elif [ -n "$watch" ] && ! is_alive "$watch"; then
       kill -TERM $$
     else
       continue

@@ -60,15 +60,11 @@ function takeOver (file, draft, folder)
 end
 
 function text = identity (pid)
-  text = sprintf ('%s %d gone', gethostname (), pid);
-  fid = fopen (sprintf ('/proc/%d/stat', pid), 'r');
-  if fid >= 0
-    stat = fgetl (fid);
-    fclose (fid);
-    % field 22, the start of the process, counted after the name in brackets
-    fields = strsplit (strtrim (regexprep (stat, '^.*\)', '')), ' ');
-    text = sprintf ('%s %d %s', gethostname (), pid, fields{20});
+  start = processStart (pid);
+  if isempty (start)
+    start = 'gone';
   end
+  text = sprintf ('%s %d %s', gethostname (), pid, start);
 end
 
 function text = readLock (file)
