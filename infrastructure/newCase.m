@@ -11,7 +11,7 @@
 % error under the identifier of the first.
 %
 % Defaults: Input.seed 1, Input.executor 'local', Input.maxNewRuns Inf,
-% Input.replicates 5, Input.store (folder that holds optim/) the case folder,
+% Input.replicates 4, Input.store (folder that holds optim/) the case folder,
 % Input.timeout none (a multiple
 % of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
 % 40, optim.WRL 0, optim.method 'robust', optim.confidence 0.95,
@@ -138,7 +138,7 @@ function o = newOptions (Input, optim)
   o.seed = given (Input, 'seed', 1);
   o.executor = given (Input, 'executor', 'local');
   o.maxNewRuns = given (Input, 'maxNewRuns', Inf);
-  o.replicates = given (Input, 'replicates', 5);
+  o.replicates = given (Input, 'replicates', 4);
   o.slurm = given (Input, 'slurm', struct ());
   o.tolfun = given (optim, 'tolfun', 0.002);
   o.maxIter = given (optim, 'maxIter', 3);

@@ -13,7 +13,7 @@
 % cost, standard (logical: the residuals are the published ones), nExtra
 % (preference rows), options with all defaults:
 %   maxCPU 1, seed 1, maxFunEvals 40, maxNewRuns Inf, maxIter 3,
-%   tolfun 0.002, replicates 5, WRL 0, method 'robust', confidence 0.95
+%   tolfun 0.002, replicates 4, WRL 0, method 'robust', confidence 0.95
 %
 % Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets
 %
@@ -52,7 +52,7 @@ end
 function options = withDefaults (Case)
   options = struct ('maxCPU', 1, 'seed', 1, 'maxFunEvals', 40, ...
                     'maxNewRuns', Inf, 'maxIter', 3, 'tolfun', 0.002, ...
-                    'replicates', 5, 'WRL', 0, 'method', 'robust', ...
+                    'replicates', 4, 'WRL', 0, 'method', 'robust', ...
                     'confidence', 0.95);
   if isfield (Case, 'options')
     given = fieldnames (Case.options);
