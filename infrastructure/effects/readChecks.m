@@ -7,7 +7,9 @@
 %         spheresOut, spheresEnd, settled, overlapMax (of a diameter),
 %         timeStep (s), secondsRun (s)) and
 %           sane    true if no grain is lost or gained, the rest criterion was
-%                   met and no overlap exceeded 5 % of a diameter
+%                   met and no overlap exceeded 8 % of a diameter (soft grains
+%                   deep in a force chain; the benches stay below 5 % as
+%                   they stand)
 %           reason  why not, '' if sane
 %
 % Throws DEcalioc:readChecks:missingFile, DEcalioc:readChecks:missingField.
@@ -44,7 +46,7 @@ function reason = judge (checks)
     reason = sprintf ('%g grains are missing', balance);
   elseif ~(checks.settled == 1)
     reason = 'the grains did not come to rest in time';
-  elseif ~(checks.overlapMax < 0.05)
+  elseif ~(checks.overlapMax < 0.08)
     reason = sprintf ('overlap of %.3g diameters', checks.overlapMax);
   end
 end
@@ -59,7 +61,7 @@ end
 %!endfunction
 
 %!test % a sane run, a lost grain, a deep overlap, no number
-%! for c = {8, 0.01, true; 7, 0.01, false; 8, 0.06, false; 8, NaN, false}.'
+%! for c = {8, 0.01, true; 7, 0.01, false; 8, 0.09, false; 8, NaN, false}.'
 %!   folder = sampleRun (c{1}, c{2});
 %!   checks = readChecks (folder);
 %!   confirm_recursive_rmdir (false, 'local');
