@@ -5,7 +5,7 @@
 %
 % surrogates  1 x T struct array of fitSurrogates
 % problem     struct of newProblem; seed of the sampler: options.seed
-% nSample     size of the sample (1000)
+% nSample     size of the sample (1000; 400 for many targets and runs)
 % known       struct: names 1 x d, mean, sd 1 x d, interval90 2 x d (5 and 95 %
 %             quantiles), correlation d x d, sample nSample x d, shrink 1 x d
 %             (sd over that of the flat prior), identified 1 x d logical (the
@@ -22,7 +22,7 @@
 
 function known = parameterPosterior (surrogates, problem, nSample)
   if nargin < 3
-    nSample = 1000;
+    nSample = 1000 - 600 * isLarge (surrogates);
   end
   keep = {rand('twister'), randn('twister')};
   restore = onCleanup (@() restoreGenerators (keep));
@@ -31,15 +31,21 @@ function known = parameterPosterior (surrogates, problem, nSample)
   d = columns (problem.limits);
   U = rand (nSample, d);
   fit = logLikelihood (surrogates, problem, U);
+  nMoves = 8 - 4 * isLarge (surrogates);
   heat = 0;
   while heat < 1
     [heat, w] = nextHeat (heat, fit);
     U = U(resample (w), :);
     fit = logLikelihood (surrogates, problem, U);
-    [U, fit] = moveParticles (U, fit, heat, @(V) ...
+    [U, fit] = moveParticles (U, fit, heat, nMoves, @(V) ...
                               logLikelihood (surrogates, problem, V));
   end
   known = summarise (U, problem);
+end
+
+function yes = isLarge (surrogates)
+  % a prediction costs the square of the runs for each target
+  yes = sum (arrayfun (@(s) numel (s.z)^2, surrogates)) > 5e5;
 end
 
 function restoreGenerators (keep)
@@ -93,12 +99,12 @@ function rowsKept = resample (w)
   rowsKept = lookup (edges, ((0:n - 1)' + rand ()) / n);
 end
 
-function [U, fit] = moveParticles (U, fit, heat, likelihood)
+function [U, fit] = moveParticles (U, fit, heat, nMoves, likelihood)
   [n, d] = size (U);
   S = cov (U) + 1e-8 * full (eye (d));
   root = chol (S);
   scale = 2.38 / sqrt (d);
-  for k = 1:8
+  for k = 1:nMoves
     V = U + scale * randn (n, d) * root;
     inside = all (V >= 0 & V <= 1, 2);
     new = -Inf (n, 1);
