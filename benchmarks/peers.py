@@ -310,7 +310,7 @@ def main():
                 rows = ours(standin, fail, a.ours)
                 report(rows)
                 everything += rows
-    os.makedirs(os.path.dirname(a.csv), exist_ok=True)
+    os.makedirs(os.path.dirname(os.path.abspath(a.csv)), exist_ok=True)
     with open(a.csv, "w", newline="", encoding="utf-8") as f:
         w = csv.DictWriter(f, fieldnames=list(everything[0]))
         w.writeheader()
