@@ -29,6 +29,7 @@ function diagnosis = diagnoseCase (root, folder)
   % the runs that there are
   [data, count] = gatherRuns (Case);
   [given, notes] = gapProblemOf (Case);
+  notes = [notes(:)', unexpressedEffects(Case)];
   sayGapCase (Case, data, count, notes, say);
   data = completePlan (data, Case, evaluate, say);
 
