@@ -54,7 +54,7 @@ makeBase () {
   echo "Making a bare Debian 12 in $base"
   # git and make are the two things that the README asks for
   debootstrap --variant=minbase --include=git,make,ca-certificates bookworm "$base.new" \
-    "${mirror:-http://deb.debian.org/debian}" > "$place/debootstrap.log" 2>&1 || {
+    ${mirror:+"$mirror"} > "$place/debootstrap.log" 2>&1 || {
     tail -n 5 "$place/debootstrap.log" >&2
     echo "try-clean.sh: debootstrap failed, see $place/debootstrap.log" >&2
     exit 1
