@@ -4,7 +4,11 @@
 %       READY = slurmTestReady ('quiet')
 %
 %   READY  logical; false, and a line on stdout that says why, where Slurm or
-%          munge are not installed or this is not root
+%          munge are not installed, this is not root, or the daemons do not
+%          start (as in a bare chroot). With CI=true in the environment the
+%          last is not tried: there it is a failure of the tests
+%
+% The trial is made once; its outcome stays in DECALIOC_SLURM_TRIAL.
 %
 % See also: slurmTestUp
 
@@ -19,9 +23,31 @@ function ready = slurmTestReady (varargin)
                    strjoin (programs(isAbsent), ', '));
   elseif getuid () ~= 0
     why = 'a test cluster can be started by root only';
+  elseif ~startsOnce ()
+    why = 'its daemons do not come up on this machine';
   end
   ready = isempty (why);
   if ~ready && nargin == 0
     printf ('tests with Slurm are skipped: %s\n', why);
   end
+end
+
+function yes = startsOnce ()
+  if isempty (getenv ('DECALIOC_SLURM_TRIAL')) && isempty (getenv ('CI'))
+    setenv ('DECALIOC_SLURM_TRIAL', trial ());
+  end
+  yes = ~strcmp (getenv ('DECALIOC_SLURM_TRIAL'), 'failed');
+end
+
+function outcome = trial ()
+  config = getenv ('SLURM_CONF');
+  down = fullfile (fileparts (mfilename ('fullpath')), 'slurm-down.sh');
+  try
+    folder = slurmTestUp (2);
+    [~, ~] = system ([shellQuote(down), ' ', shellQuote(folder), ' 2>&1']);
+    outcome = 'passed';
+  catch
+    outcome = 'failed';
+  end
+  setenv ('SLURM_CONF', config);
 end
