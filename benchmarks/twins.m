@@ -9,10 +9,11 @@
 %   results/twins-cases.csv                       what the diagnosis may see
 %   results/twins.csv                             every case: truth and verdict
 %   results/twins-scores.csv                      figures of merit
+%   results/twins-curves.csv, docs/figures/twins.svg  the same over d
 % blind (default) and develop use other laboratories, seeds and parameters.
 % real uses the surrogates of LIGGGHTS runs, see twinsLaboratories.
 %
-% See also: twinsDraw, twinsDiagnose, twinsScore
+% See also: twinsDraw, twinsDiagnose, twinsScore, twinsCurves
 
 1;
 
@@ -22,10 +23,11 @@ function runTwins (kind, perLab)
   startToolbox (root);
   results = fullfile (root, 'benchmarks', 'results');
   [~, ~] = mkdir (results);
-  name = fullfile (results, 'twins');
+  stem = 'twins';
   if ~strcmp (kind, 'blind')
-    name = fullfile (results, [kind, '-twins']);
+    stem = [kind, '-twins'];
   end
+  name = fullfile (results, stem);
   [~, version] = system (sprintf ('git -C "%s" rev-parse HEAD', root));
   labs = twinsLaboratories (kind, root);
   twins = twinsDraw (labs, perLab, kind);
@@ -35,6 +37,7 @@ function runTwins (kind, perLab)
   printf ('truth frozen: SHA-256 %s\n', digest);
   verdicts = twinsDiagnose (labs, twins);
   twinsScore (name, twins, verdicts, labs);
+  twinsCurves (name, fullfile (root, 'docs', 'figures', [stem, '.svg']));
 end
 
 args = argv ();

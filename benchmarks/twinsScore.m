@@ -5,13 +5,14 @@
 %   NAME      path without ending: NAME.csv (cases), NAME-scores.csv (figures)
 %   TWINS, VERDICTS, LABS  of twinsDraw, twinsDiagnose, twinsLaboratories
 %
-% Prints the figures of merit with 95 % Clopper-Pearson intervals, and the same
-% over the signal to noise d.
+% Prints the figures of merit with 95 % Clopper-Pearson intervals; twinsCurves
+% gives them over the signal to noise d.
 %
 % See also: twins, binomialInterval
 
 function twinsScore (name, twins, verdicts, labs)
   s = flags (twins, verdicts);
+  s.score = scoresOf (twins, verdicts);
   writeCases ([name, '.csv'], twins, verdicts, labs, s);
   id = fopen ([name, '-scores.csv'], 'w');
   fprintf (id, 'figure,hits,cases,share,lo95,hi95,target\n');
@@ -37,15 +38,7 @@ function twinsScore (name, twins, verdicts, labs)
   for i = 1:rows (lines)
     report (id, lines{i, 1}, lines{i, 2}, lines{i, 3}, lines{i, 4});
   end
-  for level = [1, 2, 3, 4, 6, 8]
-    at = s.single & s.level == level;
-    report (id, sprintf ('seen, d near %d', level), ~s.noGap, at, '');
-    report (id, sprintf ('top-1, d near %d', level), s.top, at, '');
-    report (id, sprintf ('named, d near %d', level), s.named, at, '');
-    report (id, sprintf ('right, d near %d', level), s.right, at, '');
-    report (id, sprintf ('interval, d near %d', level), s.covered, at, '');
-  end
-  reportScores (id, twins, verdicts);
+  reportScores (id, s.score);
   fclose (id);
   printf ('median %.2f s a diagnosis, longest %.2f s\n', ...
           median ([verdicts.seconds]), max ([verdicts.seconds]));
@@ -75,9 +68,6 @@ function s = oneFlag (s, i, twin, verdict)
   s.right(i) = hit && ((s.named(i) && all (ismember (said, cause))) || ...
                        (isGroup && any (ismember (cause, said))));
   s.both(i) = s.right(i) && s.named(i) && numel (said) == 2;
-  levels = [1, 2, 3, 4, 6, 8];
-  [~, near] = min (abs (levels - twin.d));
-  s.level(i) = levels(near);
   s.covered(i) = false;
   if s.single(i)
     q = verdict.interval(cause, :);
@@ -95,8 +85,9 @@ function report (id, name, hits, cases, target)
           100 * k / max (n, 1), 100 * lo, 100 * hi, target);
 end
 
-% Log and Brier score of the truth among null, effects, pair and unlisted.
-function reportScores (id, twins, verdicts)
+% Log and Brier score of the truth among null, effects, pair and unlisted, and
+% those of the prior: n x 4.
+function score = scoresOf (twins, verdicts)
   n = numel (twins);
   score = zeros (n, 4);
   for i = 1:n
@@ -117,11 +108,14 @@ function reportScores (id, twins, verdicts)
     score(i, :) = [log(max (P(at), 1e-6)), sum((P - truth).^2), ...
                    log(prior(at)), sum((prior - truth).^2)];
   end
-  average = mean (score);
+end
+
+function reportScores (id, score)
+  average = mean (score, 1);
   names = {'log score', 'Brier score', 'log score of the prior', ...
            'Brier score of the prior'};
   for k = 1:4
-    fprintf (id, '%s,,%d,%.4f,,,\n', names{k}, n, average(k));
+    fprintf (id, '%s,,%d,%.4f,,,\n', names{k}, rows (score), average(k));
     printf ('%-45s %.3f\n', names{k}, average(k));
   end
 end
@@ -130,7 +124,7 @@ function writeCases (file, twins, verdicts, labs, s)
   id = fopen (file, 'w');
   fprintf (id, ['case,lab,class,cause,removed,d,phi,verdict,effects,top,', ...
                 'right,covered,gateP,fitP,pNull,pTop,pPair,pUnlisted,', ...
-                'seconds\n']);
+                'logScore,brier,seconds\n']);
   for i = 1:numel (twins)
     t = twins(i);
     v = verdicts(i);
@@ -145,8 +139,9 @@ function writeCases (file, twins, verdicts, labs, s)
              strtrim (sprintf ('%.3f ', t.phi(cause))), v.kind, ...
              strjoin (names(v.effects), ' '), names{v.top}, s.right(i), ...
              s.covered(i));
-    fprintf (id, '%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.2f\n', v.gateP, v.fitP, ...
-             v.P(1), v.P(1 + v.top), v.P(end - 1), v.P(end), v.seconds);
+    fprintf (id, '%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.3f,%.3f,%.2f\n', v.gateP, ...
+             v.fitP, v.P(1), v.P(1 + v.top), v.P(end - 1), v.P(end), ...
+             s.score(i, 1:2), v.seconds);
   end
   fclose (id);
 end

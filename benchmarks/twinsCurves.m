@@ -1,0 +1,130 @@
+% TWINSCURVES  Figures of merit of the twin study over the signal to noise d.
+%
+% CALL: twinsCurves (NAME, PICTURE)
+%
+%   NAME     path without ending: NAME.csv (of twinsScore) is read,
+%            NAME-curves.csv written (figure, d, hits, cases, share, lo95, hi95)
+%   PICTURE  path of an SVG file; empty or missing: none
+%
+% Cases are gathered around d = 1, 2, 3, 4, 6, 8, whichever is nearest; the
+% intervals are Clopper and Pearson's. Log and Brier score are means over the
+% cases with one cause on the list, with 95 % intervals of the mean.
+%
+% See also: twins, twinsScore, binomialInterval
+
+function twinsCurves (name, picture)
+  cases = readCases ([name, '.csv']);
+  levels = [1, 2, 3, 4, 6, 8];
+  [~, near] = min (abs (levels - cases.d), [], 2);
+  single = strcmp (cases.class, 'single');
+  out = strcmp (cases.class, 'out');
+  named = strcmp (cases.verdict, 'named');
+  figures = {'a gap was seen', ~strcmp(cases.verdict, 'no gap'), single; ...
+             'likeliest one is the true one', cases.isTop, single; ...
+             'named or grouped rightly', cases.right, single; ...
+             'named', named, single; ...
+             'names that are right', cases.right, single & named; ...
+             'strength in its 90 % interval', cases.covered, single; ...
+             'not listed: none of the listed', ...
+             strcmp(cases.verdict, 'none of the listed'), out; ...
+             'not listed: wrong name', named, out};
+  table = zeros (rows (figures), numel (levels), 5);
+  for f = 1:rows (figures)
+    for l = 1:numel (levels)
+      at = figures{f, 3} & near == l;
+      k = sum (figures{f, 2} & at);
+      [lo, hi] = binomialInterval (k, sum (at));
+      table(f, l, :) = [k, sum(at), k / max(sum (at), 1), lo, hi];
+    end
+  end
+  names = figures(:, 1);
+  for kind = {'logScore', 'brier'}
+    f = rows (table) + 1;
+    names{f} = struct ('logScore', 'log score (prior -3.2)', ...
+                       'brier', 'Brier score (prior 1.1)').(kind{1});
+    for l = 1:numel (levels)
+      table(f, l, :) = meanOf (cases.(kind{1})(single & near == l));
+    end
+  end
+  writeTable ([name, '-curves.csv'], names, levels, table);
+  if nargin > 1 && ~isempty (picture)
+    draw (picture, names, levels, table);
+  end
+end
+
+function cases = readCases (file)
+  lines = strsplit (strtrim (fileread (file)), "\n");
+  words = cellfun (@(line) strsplit (line, ',', 'CollapseDelimiters', ...
+                                     false), lines(:), 'UniformOutput', false);
+  words = vertcat (words{:});
+  column = @(title) words(2:end, strcmp (words(1, :), title));
+  number = @(title) str2double (column (title));
+  cases = struct ('class', {column('class')}, 'verdict', {column('verdict')});
+  cases.d = number ('d');
+  cases.right = number ('right') > 0;
+  cases.covered = number ('covered') > 0;
+  cases.logScore = number ('logScore');
+  cases.brier = number ('brier');
+  cases.isTop = strcmp (column ('top'), column ('cause'));
+end
+
+% Mean with its 95 % interval, in the shape of a share: cases, cases, mean, lo,
+% hi.
+function row = meanOf (x)
+  n = numel (x);
+  half = 1.96 * std (x) / sqrt (max (n, 1));
+  row = [n, n, mean(x), mean(x) - half, mean(x) + half];
+end
+
+function writeTable (file, names, levels, table)
+  fid = fopen (file, 'w');
+  fprintf (fid, "figure,d,hits,cases,share,lo95,hi95\n");
+  for f = 1:numel (names)
+    for l = 1:numel (levels)
+      fprintf (fid, "%s,%d,%d,%d,%.4f,%.4f,%.4f\n", names{f}, levels(l), ...
+               table(f, l, :));
+    end
+  end
+  fclose (fid);
+end
+
+function draw (file, names, levels, table)
+  warning ('off', 'Octave:gnuplot-graphics', 'local');
+  graphics_toolkit ('gnuplot');
+  f = figure ('visible', 'off');
+  for k = 1:numel (names)
+    subplot (2, 5, k);
+    has = squeeze (table(k, :, 2)) > 0;
+    unit = 1 + 99 * (k <= 8);
+    middle = unit * squeeze (table(k, has, 3));
+    low = middle - unit * squeeze (table(k, has, 4));
+    high = unit * squeeze (table(k, has, 5)) - middle;
+    h = errorbar (levels(has), middle, low, high);
+    set (h, 'marker', 'o', 'markersize', 4, 'linewidth', 1.5);
+    grid ('on');
+    title (names{k}, 'fontsize', 8, 'fontweight', 'normal');
+    xlabel ('d');
+    xlim ([0, 9]);
+    if k <= 8
+      ylim ([0, 100]);
+      ylabel ('%');
+    end
+  end
+  print (f, file, '-dsvg', '-S1300,520');
+  close (f);
+end
+
+%!test % two single cases near d = 4, one of them named rightly
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! addpath (fullfile (root, 'benchmarks'));
+%! name = tempname ();
+%! fid = fopen ([name, '.csv'], 'w');
+%! fputs (fid, ["class,cause,d,verdict,top,right,covered,logScore,brier\n", ...
+%!              "single,a,4.1,named,a,1,1,-0.1,0.1\n", ...
+%!              "single,b,3.9,no gap,a,0,1,-3,0.9\n"]);
+%! fclose (fid);
+%! twinsCurves (name);
+%! text = fileread ([name, '-curves.csv']);
+%! delete ([name, '.csv'], [name, '-curves.csv']);
+%! assert (~isempty (strfind (text, 'named or grouped rightly,4,1,2,0.5000')));
+%! assert (~isempty (strfind (text, 'names that are right,4,1,1,1.0000')));
