@@ -1,0 +1,58 @@
+% MWECASE  Writes the case folder of one attempt of the benchmark mwe.
+%
+% CALL: mweCase (FOLDER, METHOD, SETTING, SEED)
+%
+% FOLDER   text, made if it is not there
+% METHOD   'ours' or 'published', see mwe
+% SETTING  struct: root (toolbox), scale ('default' or 'full'), cpus
+% SEED     integer, Input.seed
+%
+% The case is the toolbox's own loadInput.m with the lines that differ appended
+% to it, and a copy of the model Lift100 that leaves its user time in cpu.txt.
+%
+% See also: mwe, mweAttempt
+
+function mweCase (folder, method, setting, seed)
+  model = fullfile (folder, 'DEMmodels', 'Lift100');
+  [~, ~] = mkdir (model);
+  copyfile (fullfile (setting.root, 'DEMmodels', 'Lift100', '*'), model);
+  writeText (fullfile (model, 'runscript'), ...
+             ["TIMEFORMAT=%U\n", ...
+              "{ time liggghts -in in.Lift100 >&3 2>&4; } ", ...
+              "3>&1 4>&2 2> cpu.txt\n"]);
+  lines = {sprintf('Input.seed = %d;', seed), ...
+           sprintf('Input.maxCPU = %d;', setting.cpus), ...
+           'optim.tolRes{1} = [0.01, 0.01];'};
+  if strcmp (setting.scale, 'full')
+    lines = [lines, {'modelVars.scaleP = 1;', ...
+                     'modelVars.dischargeTime = 10;'}];
+  end
+  if strcmp (method, 'published')
+    lines = [lines, {'Input.numOfSam = 21;', 'optim.WRL = 0;', ...
+                     'modelVars.useCriteria = 0;', ...
+                     'modelVars.fillMethod = 1;', 'modelVars.skin = 4e-3;'}];
+  end
+  form = strtrim (fileread (fullfile (setting.root, 'loadInput.m')));
+  form = regexprep (form, 'end$', [strjoin(lines, "\n"), "\nend\n"]);
+  writeText (fullfile (folder, 'loadInput.m'), form);
+end
+
+function writeText (file, text)
+  fid = fopen (file, 'w');
+  fputs (fid, text);
+  fclose (fid);
+end
+
+%!test % both cases load, and differ in what the benchmark says
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! addpath (fullfile (root, 'benchmarks'));
+%! setting = struct ('root', root, 'scale', 'default', 'cpus', 1);
+%! folder = tempname ();
+%! mweCase (folder, 'published', setting, 7);
+%! here = cd (folder);
+%! [Input, optim, modelVars] = loadInput ();
+%! cd (here);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! assert ([Input.seed, Input.numOfSam, optim.WRL], [7, 21, 0]);
+%! assert (modelVars.useCriteria, 0);
