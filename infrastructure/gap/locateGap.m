@@ -62,9 +62,11 @@ function where = localise (where, view, r, simulated, bench)
   total = diag (view.Sigma)';
   where.absorbability = 1 - max (variance, 0) ./ total;
   where.blind = where.absorbability > 0.9;
-  where.sd = sqrt (max (variance, 1e-3 * total));
+  % what is left after a fit in a bounded box scatters more than the slopes say
+  fake = simulated * view.back';
+  where.sd = sqrt (max ([variance; mean(fake.^2, 1); 1e-3 * total], [], 1));
   where.t = where.residual ./ where.sd;
-  fake = (simulated * view.back') ./ where.sd;
+  fake = fake ./ where.sd;
   top = max (abs (fake), [], 2);
   for i = 1:numel (where.t)
     where.pTarget(i) = (1 + sum (top >= abs (where.t(i)))) / (numel (top) + 1);
