@@ -7,7 +7,8 @@
 %
 % Calibrates, runs the set that is handed back with 5 further packings, and
 % writes attempt.csv: runs, failed runs, core minutes, mean residual of each
-% target, confirmed (1 or 0). Without a set the residuals are NaN.
+% target, confirmed (1 or 0). Without a set the residuals are NaN. All finished
+% runs are left in all-runs.csv.
 %
 % See also: mwe, mweCase, publishedMethod
 
@@ -29,6 +30,7 @@ function attempt (root, method, limit)
                      @(varargin) []);
     residual = mean (Z, 1) ./ [Case.targets.value] - 1;
   end
+  exportRuns (fullfile (folder, 'all-runs.csv'), Case, gatherRuns (Case));
   [minutes, runs, failed] = coreMinutes (folder);
   confirmed = all (abs (residual) <= 0.01);
   dlmwrite ('attempt.csv', [runs, failed, minutes, residual, confirmed], ...
