@@ -21,10 +21,13 @@ function benchChecks (work, benches, nulls, nSeeds)
   fprintf (fid, ['bench,check,target,null,changed,noiseSd,z,' ...
                  'belowTwoSd\n']);
   for bench = benches
-    info = resultInfo (fullfile (root, 'DEMmodels', bench{1}));
+    source = fullfile (root, 'DEMmodels', bench{1});
+    info = resultInfo (source);
+    head = headDefaults (fullfile (source, 'data.head'));
     null = runsOf (work, bench{1}, 'null', struct (), nulls);
     half = runsOf (work, bench{1}, 'halfStep', ...
-                   struct ('percentRayleigh', 0.175), nSeeds);
+                   struct ('percentRayleigh', head.percentRayleigh / 2), ...
+                   nSeeds);
     [variables, prepare, unit] = largerOf (bench{1});
     large = runsOf (work, bench{1}, 'largerSystem', variables, nSeeds, ...
                     prepare) ./ unit;

@@ -73,8 +73,10 @@ function [results, cost] = runsOf (place, bench, name, value, which)
                        sprintf ('%s-%s-%g-%d', bench, name, value, seed));
     if ~place.onlyFinished || isfile (fullfile (folder, 'output_checks.csv'))
       [row, time] = benchRun (folder, bench, variables);
-      results = [results; row];
-      cost = [cost; readChecks(folder).spheresStart, time];
+      if isfile (fullfile (folder, 'output_checks.csv'))
+        results = [results; row];
+        cost = [cost; readChecks(folder).spheresStart, time];
+      end
     end
   end
   results = results(~any (isnan (results), 2), :);
