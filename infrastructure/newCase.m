@@ -69,13 +69,6 @@ function models = newModels (raw)
   end
 end
 
-function names = effectVariables (effects)
-  names = {};
-  for k = 1:numel (effects)
-    names = [names, effects(k).variables(:)'];
-  end
-end
-
 function targets = newTargets (optim, models)
   values = perModel (optim.targetVal, models);
   counts = cellfun (@numel, values);

@@ -29,8 +29,5 @@ function Case = withEffects (Case)
            strjoin ({problems.message}, "\n"));
   end
   Case.effects = resolveEffects (list, folders);
-  Case.effectVars = {};
-  for k = 1:numel (Case.effects)
-    Case.effectVars = [Case.effectVars, Case.effects(k).variables(:)'];
-  end
+  Case.effectVars = effectVariables (Case.effects);
 end
