@@ -36,8 +36,8 @@ end
 % that is not a stray one; the bench's own runOut leaves out the last 3 % of the
 % grains, which scatters less and is shorter.
 function collapseLaw (fid, work, n)
-  solids = [0.011, 0.022, 0.033, 0.044, 0.066, 0.088];
-  length1 = [0.04, 0.04, 0.04, 0.02, 0.02, 0.02];
+  solids = [0.011, 0.022, 0.033, 0.066, 0.088, 0.132];
+  length1 = 0.04 * ones (1, 6);
   aspect = zeros (1, 6);
   runOut = zeros (n, 6);
   for k = 1:6
@@ -61,15 +61,16 @@ function collapseLaw (fid, work, n)
   fprintf (fid, "collapse factor of a, a < 1.8,,%.3g,,1.2 to 1.8\n", factor);
 end
 
-% The first stretch of one grain without grains ends the deposit.
-function x = frontOf (grains)
-  x = sort (grains(:, 1));
+% The deposit ends where, over a length of two grains, less than half of the
+% floor is covered: single grains that rolled on do not count.
+function front = frontOf (grains)
   d = 2 * median (grains(:, 4));
-  last = find (diff (x) > d, 1);
-  if isempty (last)
-    last = numel (x);
-  end
-  x = x(last) + d / 2;
+  edges = 0:d / 2:max (grains(:, 1)) + 4 * d;
+  width = 0.016;
+  full = 2 * width / (pi / 4 * d);
+  count = arrayfun (@(x) sum (grains(:, 1) >= x & grains(:, 1) < x + 2 * d), ...
+                    edges);
+  front = edges(find (count < full / 2, 1)) + d;
 end
 
 % Slope of the logarithms, and its standard error over the seeds.
@@ -93,6 +94,9 @@ function slotLaw (fid, work, n)
   writeCurve (fid, 'slot discharge (kg/s) at opening (m)', opening, rate);
   all1 = true (1, 4);
   writeExponent (fid, 'slot exponent of B - 1.4 d', opening - 1.4 * 0.004, ...
+                 rate, all1, '1.5');
+  % one edge of these slots is a vertical wall: half of the empty margin
+  writeExponent (fid, 'slot exponent of B - 0.7 d', opening - 0.7 * 0.004, ...
                  rate, all1, '1.5');
   % W^(2/3) is a straight line over B; where it meets zero is k d
   k = zeros (n, 1);

@@ -7,17 +7,19 @@
 % NNULL  number of null runs (of effectSigns): their standard deviation is the
 %        band of seed noise
 %
-% Five levels of each of four friction coefficients, one run a level; one panel
-% a result, one line a parameter, scaled to its range. Writes
+% Five levels of each of four friction coefficients and of the grain density,
+% one run a level; one panel a result, one line a parameter, from its lowest (0)
+% to its highest level (1). Writes
 % docs/figures/response<BENCH>.svg and benchmarks/results/response<BENCH>.csv.
 %
 % See also: effectSigns, benchRun
 function benchResponse (work, bench, nNull)
   root = fileparts (fileparts (mfilename ('fullpath')));
   names = {'coefFrictionPP', 'coefFrictionPW', 'coefRollingFrictionPP', ...
-           'coefRollingFrictionPW'};
+           'coefRollingFrictionPW', 'densityP'};
   levels = [0.2, 0.35, 0.5, 0.65, 0.8; 0.2, 0.35, 0.5, 0.65, 0.8; ...
-            0, 0.025, 0.05, 0.1, 0.2; 0, 0.025, 0.05, 0.1, 0.2];
+            0, 0.025, 0.05, 0.1, 0.2; 0, 0.025, 0.05, 0.1, 0.2; ...
+            800, 1000, 1200, 1400, 1600];
   info = resultInfo (fullfile (root, 'DEMmodels', bench));
   fid = fopen (fullfile (root, 'benchmarks', 'results', ...
                          ['response', bench, '.csv']), 'w');
@@ -60,10 +62,11 @@ function drawPanels (file, data, levels, words)
   [curves, null] = data{:};
   [names, info] = words{:};
   warning ('off', 'Octave:gnuplot-graphics', 'local');
+  graphics_toolkit ('gnuplot');
   f = figure ('visible', 'off');
   nColumns = 3;
   nRows = ceil (numel (info) / nColumns);
-  marks = {'o-', 's-', '^-', 'd-'};
+  marks = {'o-', 's-', '^-', 'd-', 'x-'};
   for t = 1:numel (info)
     subplot (nRows, nColumns, t);
     hold ('on');
@@ -72,7 +75,7 @@ function drawPanels (file, data, levels, words)
     fill ([0, 1, 1, 0], m + s * [-1, -1, 1, 1], [0.85, 0.85, 0.85], ...
           'edgecolor', 'none');
     for j = 1:numel (names)
-      x = levels(j, :) / levels(j, end);
+      x = (levels(j, :) - levels(j, 1)) / (levels(j, end) - levels(j, 1));
       plot (x, curves(j, :, t), marks{j}, 'linewidth', 1, 'markersize', 3);
     end
     title (sprintf ('%s (%s)', info(t).name, info(t).unit));

@@ -12,7 +12,7 @@ function effect = effectWallAdhesion ()
   given.question = 'Does the material stick to the walls?';
   given.variables = {'cohesionPW'};
   given.neutral = 0;
-  given.limits = [0; 3e5];
+  given.limits = [0; 6e4];
   given.unit = 'J/m3';
   given.label = 'cohesion energy density at the walls';
   given.confusedWith = {'cohesion', 'wallFriction'};
@@ -21,4 +21,4 @@ function effect = effectWallAdhesion ()
   effect = describeEffect (given);
 end
 
-%!assert (effectWallAdhesion ().limits, [0; 3e5])
+%!assert (effectWallAdhesion ().limits, [0; 6e4])

@@ -14,7 +14,7 @@ function effect = effectWallFriction ()
                     'whose friction was measured?'];
   given.variables = {'wallFrictionFactor'};
   given.neutral = 1;
-  given.limits = [0.3; 1.7];
+  given.limits = [0.1; 1.7];
   given.unit = '-';
   given.label = 'factor on wall friction';
   given.confusedWith = {'wallAdhesion'};
@@ -24,4 +24,4 @@ function effect = effectWallFriction ()
   effect = describeEffect (given);
 end
 
-%!assert (effectWallFriction ().limits, [0.3; 1.7])
+%!assert (effectWallFriction ().limits, [0.1; 1.7])
