@@ -34,7 +34,7 @@ function Case = newCase (raw)
   Case.modelVars = raw.modelVars;
   Case.effects = resolveEffects (given (raw, 'effects', []), ...
                                  {fullfile(raw.folder, 'effects'), raw.folder});
-  Case.effectVars = effectVariables (Case.effects);
+  Case.effectVars = variablesOfEffects (Case.effects);
   Case.targets = newTargets (raw.optim, Case.models);
   Case.options = newOptions (Input, raw.optim);
   for k = 1:numel (Case.models)

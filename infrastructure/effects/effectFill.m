@@ -19,6 +19,7 @@ function effect = effectFill ()
   given.confusedWith = {'moistDensity'};
   given.group = 'fill';
   given.source = 'weighing and levelling errors of hand filling';
+  given.benches = {'Collapse', 'Drum', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -20,6 +20,7 @@ function effect = effectMoistDensity ()
   given.group = 'mass';
   given.source = ['wood and grain take up 5 to 20 % of their mass' ...
                   ' from moist air'];
+  given.benches = {'Collapse', 'Heap', 'Shear', 'SlotBin'};
   effect = describeEffect (given);
 end
 

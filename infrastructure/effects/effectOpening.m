@@ -18,6 +18,7 @@ function effect = effectOpening ()
   given.confusedWith = {'meanSize', 'moistDensity', 'gain', 'timeOffset'};
   given.group = 'opening';
   given.source = 'Beverloo 1961';
+  given.benches = {'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -19,6 +19,7 @@ function effect = effectSizeSpread ()
   given.group = 'size';
   given.source = ['three sizes by number 1:2:1, Sauter diameter ' ...
                   'kept'];
+  given.benches = {'Collapse', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

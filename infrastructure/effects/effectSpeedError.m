@@ -21,6 +21,7 @@ function effect = effectSpeedError ()
   given.kinds = {'speed'};
   given.transform = @turnFaster;
   given.source = 'uncalibrated drive';
+  given.benches = {'Drum'};
   effect = describeEffect (given);
 end
 

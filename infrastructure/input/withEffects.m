@@ -29,5 +29,5 @@ function Case = withEffects (Case)
            strjoin ({problems.message}, "\n"));
   end
   Case.effects = resolveEffects (list, folders);
-  Case.effectVars = effectVariables (Case.effects);
+  Case.effectVars = variablesOfEffects (Case.effects);
 end

@@ -14,7 +14,7 @@
 
 function h = hashModels (Case)
   aside = {'OctaveFuns', 'sample', 'README.md', 'README', 'picture.png', ...
-           'log.liggghts', '.git'};
+           'picture.svg', 'log.liggghts', '.git'};
   build = hashBuild ();
   h = struct ('input', cell (1, numel (Case.models)), 'funs', '', ...
               'defaults', []);

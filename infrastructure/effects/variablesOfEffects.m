@@ -1,6 +1,6 @@
-% EFFECTVARIABLES  Names of the LIGGGHTS variables of all effects of a list.
+% VARIABLESOFEFFECTS  Names of the LIGGGHTS variables of all effects of a list.
 %
-% CALL: NAMES = effectVariables (EFFECTS)
+% CALL: NAMES = variablesOfEffects (EFFECTS)
 %
 %   EFFECTS  struct array of resolveEffects; may be empty
 %   NAMES    1 x v cellstr, in the order of the effects; an effect of the
@@ -8,14 +8,14 @@
 %
 % See also: resolveEffects, newCase, withEffects
 
-function names = effectVariables (effects)
+function names = variablesOfEffects (effects)
   names = {};
   for k = 1:numel (effects)
     names = [names, effects(k).variables(:)'];
   end
 end
 
-%!assert (effectVariables ([]), {})
+%!assert (variablesOfEffects ([]), {})
 %!test
 %! effects = resolveEffects ({'tilt', 'gain', 'cohesion'});
-%! assert (effectVariables (effects), {'tiltAngle', 'cohesionPP'});
+%! assert (variablesOfEffects (effects), {'tiltAngle', 'cohesionPP'});
