@@ -6,5 +6,6 @@
 
 function effects = loadEffects ()
   effects = {'cohesion', 'liquidBridge', 'wallAdhesion', 'sizeSpread', ...
-             'shape', 'gain', 'cameraRoll'};
+             'meanSize', 'shape', 'restitution', 'tilt', 'vibration', ...
+             'drag', 'gain', 'cameraRoll'};
 end
