@@ -5,7 +5,7 @@
 %
 % SEEDS  e.g. 1:100, a calibration each; STANDIN  plain, rough or both
 %
-% The truth of each calibration is drawn from the inner 80 % of the box; the
+% The truth of each calibration is drawn from the box, flat as the prior; the
 % targets are one noisy run at the truth (1 %). After the calibration (as in
 % peers.m) parameterPosterior gives the intervals. What could be known at all is
 % computed the same way from surrogates of 150 runs without noise: a parameter
@@ -33,7 +33,7 @@ function block = oneCase (S, reference, which, seed)
   randn ('twister', 1e6 + seed);
   d = numel (S.names);
   width = diff (S.limits);
-  truth = 0.1 + 0.8 * rand (1, d);
+  truth = rand (1, d);
   z = S.response (S.limits(1, :) + truth .* width);
   S.value = z .* (1 + S.noise * randn (size (z)));
   r = calibrateStandIn (S, seed, 0, struct ('replicates', 4));

@@ -17,15 +17,15 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.seed = 1;
 
   % Heap: slope (deg), height (m), mass on the plate (kg), offset (m)
-  optim.targetVal{1} = [31.102, 0.017341, 0.0099888, 6.754e-05];
+  optim.targetVal{1} = [31.013, 0.01702, 0.0095786, -7.3218e-05];
   optim.targetStd{1} = [0.4, 0.00021, 0.00015, 5.2e-05];
   optim.targetName{1} = {'heapSlope', 'heapHeight', 'heapMass', 'heapOffset'};
   optim.role{1} = {'calibrate', 'holdout', 'calibrate', 'holdout'};
   optim.tolRes{1} = [0.06, 0.06, 0.08, 0.9];
 
   % Shear: intercept (Pa), friction (-), densities (kg/m3)
-  optim.targetVal{2} = [22.286, 0.41914, 570.34, 588.48];
-  optim.targetStd{2} = [12, 0.018, 1.9, 3];
+  optim.targetVal{2} = [18.522, 0.41152, 573.71, 588.72];
+  optim.targetStd{2} = [5, 0.01, 1.1, 2.1];
   optim.targetName{2} = {'shearIntercept', 'shearFriction', ...
                          'shearDensityLow', 'shearDensityHigh'};
   optim.role{2} = {'holdout', 'calibrate', 'calibrate', 'holdout'};
@@ -55,7 +55,6 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   optim.maxFunEvals = 16;
   optim.WRL = 0;
 
-  modelVars.percentRayleigh = 0.35;
   modelVars.radiusP = 2e-3;             % m
   modelVars.youngsModulusP = 5e6;       % Pa
   modelVars.poissonsRatioP = 0.3;

@@ -1,0 +1,117 @@
+% BENCHTABLES  Puts measured numbers of the benches into their documentation.
+%
+% CALL: benchTables (NSEEDS)
+%
+% NSEEDS  number of packings of effectSigns, for the text
+%
+% From benchmarks/results/benchNoise.csv: the tables of results in
+% DEMmodels/<bench>/README.md and the table of benches in docs/benches.md; from
+% effectSigns.csv: the measured signs in docs/effects.md (effectTable); from
+% benchChecks.csv and benchLaws.csv: their tables in docs/benches.md. What stands
+% between two marks "<!-- made by benchTables: NAME -->" is replaced.
+%
+% See also: effectSigns, benchChecks, benchLaws, effectTable
+function benchTables (nSeeds)
+  root = fileparts (fileparts (mfilename ('fullpath')));
+  noise = words (root, 'benchNoise.csv');
+  for bench = unique (noise(:, 1))'
+    own = noise(strcmp (noise(:, 1), bench{1}), :);
+    file = fullfile (root, 'DEMmodels', bench{1}, 'README.md');
+    save1 (file, benchText (fileread (file), own, nSeeds));
+  end
+  file = fullfile (root, 'docs', 'benches.md');
+  text = fileread (file);
+  text = between (text, 'benches', noiseTable (root, noise));
+  text = between (text, 'checks', ...
+                  checksTable (words (root, 'benchChecks.csv')));
+  save1 (file, between (text, 'laws', ...
+                        lawsTable (words (root, 'benchLaws.csv'))));
+  file = fullfile (root, 'docs', 'effects.md');
+  signs = effectTable (fullfile (root, 'benchmarks', 'results', ...
+                                 'effectSigns.csv'));
+  save1 (file, between (fileread (file), 'signs', signs));
+end
+
+function text = benchText (text, own, nSeeds)
+  text = regexprep (text, '\d+ grains, [\d.]+ s of CPU\.', ...
+                    sprintf ('%s grains, %s s of CPU.', own{1, 7:8}));
+  text = regexprep (text, 'over \d+\npackings', ...
+                    sprintf ("over %d\npackings", nSeeds));
+  for k = 1:rows (own)
+    text = regexprep (text, ['(\| ', own{k, 2}, ' \| [^|]* \| [^|]* \|)[^\n]*'], ...
+                      sprintf ('$1 %s | %s | %.2g %% |', own{k, [4, 5]}, ...
+                               100 * str2double (own{k, 6})));
+  end
+end
+
+function text = noiseTable (root, noise)
+  text = ["| bench | sees | grains | CPU seconds | seed noise of its ", ...
+          "results (relative, one run) |\n|---|---|---|---|---|\n"];
+  sees = struct ('Collapse', 'packing, run-out, profile, time of spreading', ...
+                 'Drum', ['dynamic slope, curvature and level at three ', ...
+                          'speeds'], ...
+                 'Heap', 'static slope, height, mass on a plate', ...
+                 'Shear', ['friction and cohesion apart, density under ', ...
+                           'load'], ...
+                 'SlotBin', ['discharge, remaining mass and slope at two ', ...
+                             'openings']);
+  total = 0;
+  for bench = unique (noise(:, 1))'
+    own = noise(strcmp (noise(:, 1), bench{1}), :);
+    parts = cellfun (@(n, r) sprintf ('%s %.2g %%', n, 100 * str2double (r)), ...
+                     own(:, 2), own(:, 6), 'UniformOutput', false);
+    text = [text, sprintf('| [%s](../DEMmodels/%s/README.md) | %s | %s | %s | %s |\n', ...
+                          bench{1}, bench{1}, sees.(bench{1}), own{1, 7:8}, ...
+                          strjoin (parts', ', '))];
+    total = total + str2double (own{1, 8});
+  end
+  text = [text, sprintf("\nAll %d together: %.0f s of one core.\n", ...
+                        numel (unique (noise(:, 1))), total)];
+end
+
+function text = checksTable (table)
+  n = rows (table);
+  off = table(strcmp (table(:, 8), 'no'), :);
+  text = sprintf (['%d of %d results change by less than 2 standard ', ...
+                   'deviations of one run. The others:\n\n| bench | check ', ...
+                   '| result | before | after | standard deviations |\n', ...
+                   '|---|---|---|---|---|---|\n'], n - rows (off), n);
+  for k = 1:rows (off)
+    text = [text, sprintf('| %s | %s | %s | %s | %s | %s |\n', ...
+                          off{k, [1:5, 7]})];
+  end
+end
+
+function text = lawsTable (table)
+  text = ["| law | at | measured | standard error | published |\n", ...
+          "|---|---|---|---|---|\n"];
+  for k = 1:rows (table)
+    text = [text, sprintf('| %s | %s | %s | %s | %s |\n', table{k, :})];
+  end
+end
+
+function text = between (text, name, new)
+  mark = sprintf ('<!-- made by benchTables: %s -->', name);
+  at = strfind (text, mark);
+  if numel (at) ~= 2
+    error ('DEcalioc:benchTables:missingMark', ...
+           'benchTables: the text must hold "%s" twice, got %d.', mark, ...
+           numel (at));
+  end
+  text = [text(1:at(1) + numel(mark) - 1), "\n\n", strtrim(new), "\n\n", ...
+          text(at(2):end)];
+end
+
+function table = words (root, name)
+  file = fullfile (root, 'benchmarks', 'results', name);
+  lines = strsplit (strtrim (fileread (file)), "\n")(2:end);
+  table = cellfun (@(l) strsplit (l, ',', 'CollapseDelimiters', false), ...
+                   lines(:), 'UniformOutput', false);
+  table = vertcat (table{:});
+end
+
+function save1 (file, text)
+  fid = fopen (file, 'w');
+  fputs (fid, text);
+  fclose (fid);
+end
