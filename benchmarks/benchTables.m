@@ -7,8 +7,8 @@
 % From benchmarks/results/benchNoise.csv: the tables of results in
 % DEMmodels/<bench>/README.md and the table of benches in docs/benches.md; from
 % effectSigns.csv: the measured signs in docs/effects.md (effectTable); from
-% benchChecks.csv and benchLaws.csv: their tables in docs/benches.md. What stands
-% between two marks "<!-- made by benchTables: NAME -->" is replaced.
+% benchChecks.csv and benchLaws.csv: their tables in docs/benches.md. What
+% stands between two marks "<!-- made by benchTables: NAME -->" is replaced.
 %
 % See also: effectSigns, benchChecks, benchLaws, effectTable
 function benchTables (nSeeds)
@@ -38,9 +38,10 @@ function text = benchText (text, own, nSeeds)
   text = regexprep (text, 'over \d+\npackings', ...
                     sprintf ("over %d\npackings", nSeeds));
   for k = 1:rows (own)
-    text = regexprep (text, ['(\| ', own{k, 2}, ' \| [^|]* \| [^|]* \|)[^\n]*'], ...
-                      sprintf ('$1 %s | %s | %.2g %% |', own{k, [4, 5]}, ...
-                               100 * str2double (own{k, 6})));
+    line = ['(\| ', own{k, 2}, ' \| [^|]* \| [^|]* \|)[^\n]*'];
+    text = regexprep (text, line, sprintf ('$1 %s | %s | %.2g %% |', ...
+                                           own{k, [4, 5]}, ...
+                                           100 * str2double (own{k, 6})));
   end
 end
 
@@ -58,10 +59,11 @@ function text = noiseTable (root, noise)
   total = 0;
   for bench = unique (noise(:, 1))'
     own = noise(strcmp (noise(:, 1), bench{1}), :);
-    parts = cellfun (@(n, r) sprintf ('%s %.2g %%', n, 100 * str2double (r)), ...
-                     own(:, 2), own(:, 6), 'UniformOutput', false);
-    text = [text, sprintf('| [%s](../DEMmodels/%s/README.md) | %s | %s | %s | %s |\n', ...
-                          bench{1}, bench{1}, sees.(bench{1}), own{1, 7:8}, ...
+    share = @(name, r) sprintf ('%s %.2g %%', name, 100 * str2double (r));
+    parts = cellfun (share, own(:, 2), own(:, 6), 'UniformOutput', false);
+    text = [text, sprintf(['| [%s](../DEMmodels/%s/README.md) | %s | %s ', ...
+                           "| %s | %s |\n"], bench{1}, bench{1}, ...
+                          sees.(bench{1}), own{1, 7:8}, ...
                           strjoin (parts', ', '))];
     total = total + str2double (own{1, 8});
   end

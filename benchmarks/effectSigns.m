@@ -13,9 +13,9 @@
 % Writes benchmarks/results/effectSigns.csv (effect, strength, bench, target,
 % change, noiseSd, z = change / noiseSd, sign: 0 where the change is below two
 % standard errors; target none and sign failed where no run came to its end) and
-% benchNoise.csv (bench, target, unit, mean, sd of one run, relative sd, spheres,
-% CPU seconds). An effect of the laboratory acts on the means of the null runs,
-% no run is made for it.
+% benchNoise.csv (bench, target, unit, mean, sd of one run, relative sd,
+% spheres, CPU seconds). An effect of the laboratory acts on the means of the
+% null runs, no run is made for it.
 %
 % About an hour of one core with 8 and 2 seeds.
 %

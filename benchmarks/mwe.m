@@ -19,9 +19,9 @@
 %              is not confirmed, it begins again with another seed
 % Two kindnesses to the published tool: Rayleigh weight 0 (with its 0.5 it is
 % pulled off the targets), and at the default scale the discharge is waited for
-% 4 s, not 10 s (mweWaits measures what its own 10 s would cost). It is given up
-% in a repetition when it has spent 4.5 times what ours needed there: its cost is
-% then a lower bound (confirmed 0).
+% 4 s, not 10 s (mweWaits measures what its own 10 s would cost). It is given
+% up in a repetition when it has spent 4.5 times what ours needed there: its
+% cost is then a lower bound (confirmed 0).
 %
 % One row an attempt in benchmarks/results/mwe.csv; rows that are there are not
 % run again, and neither is a finished run in WORK. Core time is the user time
@@ -90,8 +90,8 @@ function row = knownRow (setting, method, attempt)
   end
   start = sprintf ('%s,%d,%s,%d,', setting.scale, setting.repetition, ...
                    method, attempt);
-  line = regexp (fileread (setting.file), ['^', start, '([^\n]*)$'], 'tokens', ...
-                 'once', 'lineanchors');
+  line = regexp (fileread (setting.file), ['^', start, '([^\n]*)$'], ...
+                 'tokens', 'once', 'lineanchors');
   if ~isempty (line)
     row = str2double (strsplit (line{1}, ','));
   end
@@ -121,21 +121,26 @@ function sayTable (file, scale)
   repetition = number (2);
   minutes = number (7);
   confirmed = number (10);
-  printf ('| repetition | ours: runs, core-minutes (starts) | published | ratio |\n');
+  printf ('| repetition | ours: runs, core-minutes (starts) | published | ');
+  printf ("ratio |\n");
   printf ('|---|---|---|---|\n');
   runs = number (5);
   for r = unique (repetition)'
     a = isOurs & repetition == r;
     b = ~isOurs & repetition == r;
-    more = {'> ', ''}{1 + any(confirmed(b))};
+    bound = '> ';
+    if any (confirmed(b))
+      bound = '';
+    end
     printf ('| %d | %d, %.1f (%d) | %s%d, %.1f (%d) | %s%.1f |\n', r, ...
-            sum (runs(a)), sum (minutes(a)), sum (a), more, sum (runs(b)), ...
-            sum (minutes(b)), sum (b), more, sum (minutes(b)) / ...
+            sum (runs(a)), sum (minutes(a)), sum (a), bound, sum (runs(b)), ...
+            sum (minutes(b)), sum (b), bound, sum (minutes(b)) / ...
             sum (minutes(a)));
   end
 end
 
-args = [argv()(:)', cell(1, 4)](1:4);
+args = [argv()(:)', cell(1, 4)];
+args = args(1:4);
 defaults = {'', 'default', '5', sprintf('%d', nproc ())};
 unset = cellfun (@isempty, args);
 args(unset) = defaults(unset);

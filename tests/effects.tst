@@ -1,8 +1,8 @@
 % Effects x benches: neutral is the null model to the last digit; at full
 % strength every effect runs; a bench says beforehand what it cannot express.
 % At full strength each effect moves a result by more than 3 noise standard
-% deviations of one run. With DECALIOC_SOAK=1 every effect is also set to neutral
-% alone on every bench.
+% deviations of one run. With DECALIOC_SOAK=1 every effect is also set to
+% neutral alone on every bench.
 
 %!shared benches, root
 %! root = fileparts (fileparts (which ('benchTrial')));
@@ -157,8 +157,8 @@
 %! % each effect at full strength, on the bench where the table has it largest:
 %! % the result moves by more than 3 standard deviations of the seed noise, to
 %! % the side that the table says. One run where the table has 6 and more, else
-%! % the mean of 4; no seed is one of the table's. A change of truly z fails with
-%! % a chance of Phi ((3 - z) sqrt (n)): 7 % at 3.7, nothing from 5 on
+%! % the mean of 4; no seed is one of the table's. A change of truly z fails
+%! % with a chance of Phi ((3 - z) sqrt (n)): 7 % at 3.7, nothing from 5 on
 %! addpath (fullfile (root, 'benchmarks'));
 %! table = signTable (root);
 %! for e = ofDem ()

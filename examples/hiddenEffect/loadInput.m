@@ -2,11 +2,11 @@
 %
 % CALL: [Input, optim, modelVars, assign, paramLims] = loadInput ()
 %
-% The measured values below were made by the same benches with cohesion switched
-% on (README.md says how strong), another packing and measurement noise. They are
-% simulated, not measured. The model that is calibrated here knows friction,
-% rolling friction and density only. diagnoseGap.m has to find out. The heap is
-% held out: it is never fitted.
+% The "measured" values below were made by the same benches with cohesion
+% switched on (README.md says how strong), another packing and measurement
+% noise. They are simulated, not measured. The model that is calibrated here
+% knows friction, rolling friction and density only. diagnoseGap.m has to find
+% out. The heap is held out: it is never fitted.
 %
 % See also: diagnoseGap, loadEffects
 
