@@ -12,7 +12,7 @@
 % to its highest level (1). Writes
 % docs/figures/response<BENCH>.svg and benchmarks/results/response<BENCH>.csv.
 %
-% See also: effectSigns, benchRun
+% See also: effectSigns, benchRun, drawPanels
 function benchResponse (work, bench, nNull)
   root = fileparts (fileparts (mfilename ('fullpath')));
   names = {'coefFrictionPP', 'coefFrictionPW', 'coefRollingFrictionPP', ...
@@ -41,9 +41,9 @@ function benchResponse (work, bench, nNull)
   for seed = seeds(1:nNull)
     null = [null; oneRun(work, bench, '', 0, seed)];
   end
-  drawPanels (fullfile (root, 'docs', 'figures', ...
-                        ['response', bench, '.svg']), {curves, null}, ...
-              levels, {names, info});
+  drawResponse (fullfile (root, 'docs', 'figures', ...
+                          ['response', bench, '.svg']), {curves, null}, ...
+                levels, {names, info});
 end
 
 function row = oneRun (work, bench, name, value, seed)
@@ -58,32 +58,23 @@ function row = oneRun (work, bench, name, value, seed)
   row = benchRun (folder, bench, variables);
 end
 
-function drawPanels (file, data, levels, words)
+function drawResponse (file, data, levels, words)
   [curves, null] = data{:};
   [names, info] = words{:};
-  warning ('off', 'Octave:gnuplot-graphics', 'local');
-  graphics_toolkit ('gnuplot');
-  f = figure ('visible', 'off');
-  nColumns = 3;
-  nRows = ceil (numel (info) / nColumns);
-  marks = {'o-', 's-', '^-', 'd-', 'x-'};
+  low = levels(:, 1);
+  part = (levels - low) ./ (levels(:, end) - low);
   for t = 1:numel (info)
-    subplot (nRows, nColumns, t);
-    hold ('on');
+    for j = 1:numel (names)
+      lines(j) = struct ('x', part(j, :), 'y', curves(j, :, t), 'lo', [], ...
+                         'hi', []);
+    end
     m = mean (null(:, t));
     s = std (null(:, t));
-    fill ([0, 1, 1, 0], m + s * [-1, -1, 1, 1], [0.85, 0.85, 0.85], ...
-          'edgecolor', 'none');
-    for j = 1:numel (names)
-      x = (levels(j, :) - levels(j, 1)) / (levels(j, end) - levels(j, 1));
-      plot (x, curves(j, :, t), marks{j}, 'linewidth', 1, 'markersize', 3);
-    end
-    title (sprintf ('%s (%s)', info(t).name, info(t).unit));
-    if t == numel (info)
-      h = legend ([{'noise'}, strrep(names, 'coef', '')], 'location', 'best');
-      set (h, 'fontsize', 6);
-    end
+    panels(t) = struct ('title', sprintf ('%s (%s)', info(t).name, ...
+                                          info(t).unit), ...
+                        'xlabel', '', 'ylabel', '', ...
+                        'range', [0, 1, NaN, NaN], 'band', m + [-s, s], ...
+                        'curves', lines);
   end
-  print (f, file, '-dsvg', sprintf ('-S%d,%d', 900, 260 * nRows));
-  close (f);
+  drawPanels (file, panels, 3, strrep (names, 'coef', ''));
 end

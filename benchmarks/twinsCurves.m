@@ -89,29 +89,20 @@ function writeTable (file, names, levels, table)
 end
 
 function draw (file, names, levels, table)
-  warning ('off', 'Octave:gnuplot-graphics', 'local');
-  graphics_toolkit ('gnuplot');
-  f = figure ('visible', 'off');
   for k = 1:numel (names)
-    subplot (2, 5, k);
     has = squeeze (table(k, :, 2)) > 0;
     unit = 1 + 99 * (k <= 8);
-    middle = unit * squeeze (table(k, has, 3));
-    low = middle - unit * squeeze (table(k, has, 4));
-    high = unit * squeeze (table(k, has, 5)) - middle;
-    h = errorbar (levels(has), middle, low, high);
-    set (h, 'marker', 'o', 'markersize', 4, 'linewidth', 1.5);
-    grid ('on');
-    title (names{k}, 'fontsize', 8, 'fontweight', 'normal');
-    xlabel ('d');
-    xlim ([0, 9]);
-    if k <= 8
-      ylim ([0, 100]);
-      ylabel ('%');
+    part = unit * squeeze (table(k, has, 3:5))';
+    curve = struct ('x', levels(has), 'y', part(1, :), 'lo', part(2, :), ...
+                    'hi', part(3, :));
+    panels(k) = struct ('title', names{k}, 'xlabel', 'd', 'ylabel', '%', ...
+                        'range', [0, 9, 0, 100], 'band', [], 'curves', curve);
+    if k > 8
+      panels(k).ylabel = '';
+      panels(k).range(3:4) = NaN;
     end
   end
-  print (f, file, '-dsvg', '-S1300,520');
-  close (f);
+  drawPanels (file, panels, 5, {});
 end
 
 %!test % two single cases near d = 4, one of them named rightly
