@@ -18,6 +18,7 @@ import csv
 import io
 import math
 import os
+import resource
 import statistics
 import subprocess
 import sys
@@ -207,6 +208,8 @@ PEERS = {
 
 def one(job):
     name, standin, seed, noise, fail, cap = job
+    # GrainLearning wants all memory at some seeds; a killed worker would be waited for forever
+    resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
     model = StandIn(standin)
     dem = Dem(model, seed, noise, fail, cap)
     error = ""
