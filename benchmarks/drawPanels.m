@@ -1,26 +1,26 @@
 % DRAWPANELS  Draws panels of curves as an SVG, with gnuplot.
 %
-% CALL: drawPanels (FILE, PANELS, COLUMNS, KEY)
+% CALL: drawPanels (FILE, PANELS, NCOLUMNS, KEY)
 %
 % FILE     path of the SVG
 % PANELS   1 x n struct: title, xlabel, ylabel (text), range (1 x 4: x and y,
 %          NaN: as the data want), band (1 x 2: grey from y to y; empty: none),
 %          curves (1 x c struct: x, y 1 x k; lo, hi 1 x k, empty: no bars)
-% COLUMNS  panels side by side
+% NCOLUMNS panels side by side
 % KEY      1 x c cellstr, names of the curves, written once below; may be empty
 %
 % Errors: DEcalioc:drawPanels:runFailed
 %
 % See also: benchResponse, twinsCurves
-function drawPanels (file, panels, columns_, key)
-  nRows = ceil (numel (panels) / columns_);
+function drawPanels (file, panels, nColumns, key)
+  nRows = ceil (numel (panels) / nColumns);
   foot = 30 * ~isempty (key);
   high = 230 * nRows + foot;
-  script = {sprintf("set terminal svg noenhanced size %d,%d font 'FreeSans,11'", ...
-                    290 * columns_, high), ...
+  script = {sprintf(["set terminal svg noenhanced size %d,%d ", ...
+                     "font 'FreeSans,11'"], 290 * nColumns, high), ...
             sprintf("set output '%s'", file), ...
             sprintf(['set multiplot layout %d,%d margins 0.07,0.98,%g,%g ', ...
-                     'spacing 0.07,%g'], nRows, columns_, ...
+                     'spacing 0.07,%g'], nRows, nColumns, ...
                     (50 + foot) / high, 1 - 28 / high, 75 / high), ...
             "set tics nomirror", "set border 3", "set key off", ...
             "set grid lc rgb '#e0e0e0'"};
