@@ -17,19 +17,19 @@ function benchTables (nSeeds)
   for bench = unique (noise(:, 1))'
     own = noise(strcmp (noise(:, 1), bench{1}), :);
     file = fullfile (root, 'DEMmodels', bench{1}, 'README.md');
-    save1 (file, benchText (fileread (file), own, nSeeds));
+    writeAtomic (file, benchText (fileread (file), own, nSeeds));
   end
   file = fullfile (root, 'docs', 'benches.md');
   text = fileread (file);
   text = between (text, 'benches', noiseTable (root, noise));
   text = between (text, 'checks', ...
                   checksTable (words (root, 'benchChecks.csv')));
-  save1 (file, between (text, 'laws', ...
-                        lawsTable (words (root, 'benchLaws.csv'))));
+  text = between (text, 'laws', lawsTable (words (root, 'benchLaws.csv')));
+  writeAtomic (file, text);
   file = fullfile (root, 'docs', 'effects.md');
   signs = effectTable (fullfile (root, 'benchmarks', 'results', ...
                                  'effectSigns.csv'));
-  save1 (file, between (fileread (file), 'signs', signs));
+  writeAtomic (file, between (fileread (file), 'signs', signs));
 end
 
 function text = benchText (text, own, nSeeds)
@@ -105,15 +105,5 @@ function text = between (text, name, new)
 end
 
 function table = words (root, name)
-  file = fullfile (root, 'benchmarks', 'results', name);
-  lines = strsplit (strtrim (fileread (file)), "\n")(2:end);
-  table = cellfun (@(l) strsplit (l, ',', 'CollapseDelimiters', false), ...
-                   lines(:), 'UniformOutput', false);
-  table = vertcat (table{:});
-end
-
-function save1 (file, text)
-  fid = fopen (file, 'w');
-  fputs (fid, text);
-  fclose (fid);
+  [~, table] = readCsvTable (fullfile (root, 'benchmarks', 'results', name));
 end

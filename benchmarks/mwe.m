@@ -112,9 +112,7 @@ function appendRow (setting, method, attempt, row)
 end
 
 function sayTable (file, scale)
-  lines = strsplit (strtrim (fileread (file)), "\n")(2:end);
-  words = cellfun (@(l) strsplit (l, ','), lines, 'UniformOutput', false);
-  words = vertcat (words{:});
+  [~, words] = readCsvTable (file);
   words = words(strcmp (words(:, 1), scale), :);
   number = @(k) cellfun (@str2double, words(:, k));
   isOurs = strcmp (words(:, 3), 'ours');

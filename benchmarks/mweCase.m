@@ -16,10 +16,10 @@ function mweCase (folder, method, setting, seed)
   model = fullfile (folder, 'DEMmodels', 'Lift100');
   [~, ~] = mkdir (model);
   copyfile (fullfile (setting.root, 'DEMmodels', 'Lift100', '*'), model);
-  writeText (fullfile (model, 'runscript'), ...
-             ["TIMEFORMAT=%U\n", ...
-              "{ time liggghts -in in.Lift100 >&3 2>&4; } ", ...
-              "3>&1 4>&2 2> cpu.txt\n"]);
+  writeAtomic (fullfile (model, 'runscript'), ...
+               ["TIMEFORMAT=%U\n", ...
+                "{ time liggghts -in in.Lift100 >&3 2>&4; } ", ...
+                "3>&1 4>&2 2> cpu.txt\n"]);
   lines = {sprintf('Input.seed = %d;', seed), ...
            sprintf('Input.maxCPU = %d;', setting.cpus), ...
            'optim.tolRes{1} = [0.01, 0.01];'};
@@ -37,13 +37,7 @@ function mweCase (folder, method, setting, seed)
   end
   form = strtrim (fileread (fullfile (setting.root, 'loadInput.m')));
   form = regexprep (form, 'end$', [strjoin(lines, "\n"), "\nend\n"]);
-  writeText (fullfile (folder, 'loadInput.m'), form);
-end
-
-function writeText (file, text)
-  fid = fopen (file, 'w');
-  fputs (fid, text);
-  fclose (fid);
+  writeAtomic (fullfile (folder, 'loadInput.m'), form);
 end
 
 %!test % both cases load, and differ in what the benchmark says

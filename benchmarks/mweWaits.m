@@ -42,23 +42,11 @@ function mweWaits (work, nSeeds)
 end
 
 function row = timedRun (folder, root, variables, program)
-  if ~isfile (fullfile (folder, 'output_mass'))
-    [~, ~] = mkdir (folder);
-    copyfile (fullfile (root, 'DEMmodels', 'Lift100', '*'), folder);
-    fid = fopen (fullfile (folder, 'data.head'), 'a');
-    for name = fieldnames (variables)'
-      fprintf (fid, "variable %s equal %.17g\n", name{1}, variables.(name{1}));
-    end
-    fclose (fid);
-    [~, path] = system (sprintf ('LIGGGHTS=%s bash "%s"', program, ...
-                                 fullfile (root, 'tools', 'liggghts', ...
-                                           'path.sh')));
-    system (sprintf (['cd "%s" && export PATH="%s:$PATH" TIMEFORMAT=%%U ', ...
-                      'OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 ', ...
-                      'OMPI_MCA_btl=self,vader && bash -c "{ time bash ', ...
-                      'runscript > out 2> err; } 2> seconds"'], folder, ...
-                     strtrim (path)));
-  end
+  [~, path] = system (sprintf ('LIGGGHTS=%s bash "%s"', program, ...
+                               fullfile (root, 'tools', 'liggghts', ...
+                                         'path.sh')));
+  [~, seconds] = benchRun (folder, 'Lift100', variables, ...
+                           sprintf ('export PATH="%s:$PATH"', strtrim (path)));
   number = @(file) str2double (fileread (fullfile (folder, file)));
-  row = [number('seconds'), number('output_density'), number('output_mass')];
+  row = [seconds, number('output_density'), number('output_mass')];
 end

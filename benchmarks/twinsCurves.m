@@ -53,11 +53,8 @@ function twinsCurves (name, picture)
 end
 
 function cases = readCases (file)
-  lines = strsplit (strtrim (fileread (file)), "\n");
-  words = cellfun (@(line) strsplit (line, ',', 'CollapseDelimiters', ...
-                                     false), lines(:), 'UniformOutput', false);
-  words = vertcat (words{:});
-  column = @(title) words(2:end, strcmp (words(1, :), title));
+  [header, words] = readCsvTable (file);
+  column = @(title) words(:, strcmp (header, title));
   number = @(title) str2double (column (title));
   cases = struct ('class', {column('class')}, 'verdict', {column('verdict')});
   cases.d = number ('d');
