@@ -31,10 +31,7 @@
 %!endfunction
 
 %!function words = csvWords (root, name)
-%!  file = fullfile (root, 'benchmarks', 'results', name);
-%!  lines = strsplit (strtrim (fileread (file)), "\n")(2:end);
-%!  words = cellfun (@(l) strsplit (l, ','), lines(:), 'UniformOutput', false);
-%!  words = vertcat (words{:});
+%!  [~, words] = readCsvTable (fullfile (root, 'benchmarks', 'results', name));
 %!endfunction
 
 %!test % at least 14 effects of the DEM and 5 of the laboratory
