@@ -2,30 +2,34 @@
 %
 % CALL: octave-cli benchmarks/mwe.m WORK [default|full] [repetitions] [CPUs]
 %
+% WORK is a folder for the runs; repetitions is a range (1:5), so that two
+% benchmarks can share a machine or a campaign.
+%
 % How many core-minutes of DEM until a set is confirmed: the mean of 5 packings
 % that the calibration has not seen is within 1 % on both targets? Both tools
 % calibrate the same two results with a tolerance of 1 %: bulk density, and the
-% mass that is left 4 s after opening (10 s at full size). The runs that confirm
-% count as well.
+% mass that is left 4 s after opening. The runs that confirm count as well.
 %   ours       DEcalioc.m, its own build of LIGGGHTS, default plan and method;
 %              6 runs after the plan, then the set is handed over (the benchmark
 %              confirms it). If it is not confirmed, all finished runs are given
 %              back as runs.csv and the calibration goes on from them
 %   published  plan of 21, affine trend, Levenberg-Marquardt on Kriging from the
 %              box centre, then on DEM with 0.1 % differences, maxIter 3, and a
-%              stop as soon as one run is within 1 %; fills by a rain of 2 s and
-%              settles 3 s, waited out; neighbour skin 4 mm; Debian's binary
-%              (package liggghts). A new start deletes what was run: if the set
-%              is not confirmed, it begins again with another seed
+%              stop as soon as one run is within 1 %; one seed in its script;
+%              fills by a rain of 2 s and settles 3 s, waited out; neighbour
+%              skin 4 mm; Debian's binary (package liggghts). A new start
+%              deletes what was run: if the set is not confirmed, it begins
+%              again with another seed
 % Two kindnesses to the published tool: Rayleigh weight 0 (with its 0.5 it is
-% pulled off the targets), and at the default scale the discharge is waited for
-% 4 s, not 10 s (mweWaits measures what its own 10 s would cost). It is given
-% up in a repetition when it has spent 4.5 times what ours needed there: its
-% cost is then a lower bound (confirmed 0).
+% pulled off the targets), and the discharge is waited for 4 s, not 10 s
+% (mweWaits measures what its own 10 s would cost). It is given up in a
+% repetition when it has spent 4.5 times what ours needed there: its cost is
+% then a lower bound (confirmed 0).
 %
-% One row an attempt in benchmarks/results/mwe.csv; rows that are there are not
-% run again, and neither is a finished run in WORK. Core time is the user time
-% of the runs.
+% One row an attempt in benchmarks/results/mwe.csv, one a run in mweRuns.csv;
+% attempts and runs that are there are not run again, so a campaign can be
+% stopped at any time and go on elsewhere. Core time is the user time of the
+% runs.
 %
 % See also: mweCase, mweAttempt, mweWaits, publishedMethod
 
@@ -36,8 +40,9 @@ function measure (work, scale, repetitions, cpus)
   addpath (fullfile (root, 'infrastructure'), fullfile (root, 'benchmarks'));
   startToolbox (root);
   file = fullfile (root, 'benchmarks', 'results', 'mwe.csv');
-  for r = 1:repetitions
+  for r = repetitions
     setting = struct ('root', root, 'work', work, 'file', file, ...
+                      'ledger', fullfile (fileparts (file), 'mweRuns.csv'), ...
                       'scale', scale, 'repetition', r, 'cpus', cpus);
     spent = untilConfirmed (setting, 'ours', Inf);
     untilConfirmed (setting, 'published', 4.5 * spent);
@@ -66,10 +71,8 @@ function row = oneAttempt (setting, method, attempt, limit)
   folder = fullfile (setting.work, sprintf ('%s-%s-%d', setting.scale, ...
                                             method, seed));
   mweCase (folder, method, setting, seed);
-  before = fullfile (setting.work, sprintf ('%s-ours-%d', setting.scale, ...
-                                            seed - 1), 'all-runs.csv');
   if strcmp (method, 'ours') && attempt > 1
-    copyfile (before, fullfile (folder, 'runs.csv'));
+    giveBack (setting, attempt, folder);
   end
   here = cd (folder);
   back = onCleanup (@() cd (here));
@@ -77,10 +80,30 @@ function row = oneAttempt (setting, method, attempt, limit)
   if strcmp (method, 'published')
     program = 'export LIGGGHTS=/usr/bin/liggghts';
   end
-  system (sprintf ('%s; octave-cli --no-history "%s" %s %g > log 2>&1', ...
+  system (sprintf ('%s; octave-cli --no-history "%s" %s %s %g > log 2>&1', ...
                    program, fullfile (setting.root, 'benchmarks', ...
-                                      'mweAttempt.m'), method, limit));
+                                      'mweAttempt.m'), method, ...
+                   keyOf (setting, method, attempt), limit));
   row = dlmread (fullfile (folder, 'attempt.csv'));
+end
+
+function key = keyOf (setting, method, attempt)
+  key = sprintf ('%s,%d,%s,%d', setting.scale, setting.repetition, method, ...
+                 attempt);
+end
+
+% All runs of the attempts before, as the case's runs.csv.
+function giveBack (setting, attempt, folder)
+  runs = [];
+  for k = 1:attempt - 1
+    runs = [runs; mweLedger(setting.ledger, keyOf (setting, 'ours', k))];
+  end
+  Case = loadCase (setting.root, folder);
+  d = numel (Case.names);
+  data = struct ('X', runs(:, 1 + (1:d)), 'E', zeros (rows (runs), 0), ...
+                 'Z', runs(:, 1 + d + (1:numel (Case.targets))), ...
+                 'replicate', runs(:, 1));
+  exportRuns (fullfile (folder, 'runs.csv'), Case, data);
 end
 
 function row = knownRow (setting, method, attempt)
@@ -139,7 +162,7 @@ end
 
 args = [argv()(:)', cell(1, 4)];
 args = args(1:4);
-defaults = {'', 'default', '5', sprintf('%d', nproc ())};
+defaults = {'', 'default', '1:5', sprintf('%d', nproc ())};
 unset = cellfun (@isempty, args);
 args(unset) = defaults(unset);
 if isempty (args{1})
@@ -147,5 +170,5 @@ if isempty (args{1})
          'mwe: give a folder for the runs: octave-cli benchmarks/mwe.m WORK');
 end
 [~, ~] = mkdir (args{1});
-measure (make_absolute_filename (args{1}), args{2}, str2double (args{3}), ...
+measure (make_absolute_filename (args{1}), args{2}, str2num (args{3}), ...
          str2double (args{4}));

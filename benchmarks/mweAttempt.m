@@ -1,40 +1,45 @@
 % MWEATTEMPT  One attempt of the benchmark mwe, in the folder of its case.
 %
-% CALL: octave-cli mweAttempt.m METHOD LIMIT      in the folder of mweCase
+% CALL: octave-cli mweAttempt.m METHOD KEY LIMIT   in the folder of mweCase
 %
 % METHOD  'ours' or 'published'
-% LIMIT   core minutes that the published tool may spend
+% KEY     scale,repetition,method,attempt: the attempt's name in the ledger
+% LIMIT   core minutes that the published tool may spend before it confirms
 %
 % Calibrates, runs the set that is handed back with 5 further packings, and
 % writes attempt.csv: runs, failed runs, core minutes, mean residual of each
-% target, confirmed (1 or 0). Without a set the residuals are NaN. All finished
-% runs are left in all-runs.csv.
+% target, confirmed (1 or 0). Without a set the residuals are NaN. Every run
+% goes into the ledger.
 %
-% See also: mwe, mweCase, publishedMethod
+% See also: mwe, mweCase, mweLedger, publishedMethod
 
 1;
 
-function attempt (root, method, limit)
+function attempt (root, method, key, limit)
   folder = pwd ();
   startToolbox (root, folder);
   useLiggghts (root);
   Case = loadCase (root, folder);
+  ledger = struct ('key', key, 'limit', limit, 'file', ...
+                   fullfile (root, 'benchmarks', 'results', 'mweRuns.csv'));
   if strcmp (method, 'ours')
     params = oursHandsBack (root, Case);
+    noteStore (Case, ledger);
   else
-    params = publishedMethod (Case, @() coreMinutes (folder) >= limit);
+    params = publishedMethod (Case, @(P) evaluated (P, 1, 'published', ...
+                                                    Case, ledger));
+    Case.modelVars.ownSeed = 0;
   end
   residual = NaN (1, 2);
   if ~isempty (params)
-    Z = evaluateDEM (repmat (params, 5, 1), Case, (101:105)', 'confirm', ...
-                     @(varargin) []);
+    ledger.limit = Inf;
+    Z = evaluated (repmat (params, 5, 1), 101:105, 'confirm', Case, ledger);
     residual = mean (Z, 1) ./ [Case.targets.value] - 1;
   end
-  exportRuns (fullfile (folder, 'all-runs.csv'), Case, gatherRuns (Case));
-  [minutes, runs, failed] = coreMinutes (folder);
-  confirmed = all (abs (residual) <= 0.01);
-  dlmwrite ('attempt.csv', [runs, failed, minutes, residual, confirmed], ...
-            'precision', '%.8g');
+  runs = mweLedger (ledger.file, key);
+  dlmwrite ('attempt.csv', ...
+            [rows(runs), sum(any (isnan (runs), 2)), sum(runs(:, end)) / 60, ...
+             residual, all(abs (residual) <= 0.01)], 'precision', '%.8g');
 end
 
 % What a user does: the main script, in a process of its own.
@@ -46,24 +51,75 @@ function params = oursHandsBack (root, Case)
   params = cellfun (@(name) result.params.(name), Case.names);
 end
 
-function [minutes, runs, failed] = coreMinutes (folder)
-  names = listRunFolders (folder, 'Lift100');
-  seconds = zeros (1, numel (names));
-  isOk = false (1, numel (names));
-  for i = 1:numel (names)
-    run = fullfile (folder, 'optim', 'Lift100', names{i});
-    if isfile (fullfile (run, 'cpu.txt'))
-      seconds(i) = str2double (fileread (fullfile (run, 'cpu.txt')));
+% Results from the ledger, or from a run that then goes into it.
+function Z = evaluated (P, replicate, stage, Case, ledger)
+  replicate = replicate(:) .* ones (rows (P), 1);
+  Z = zeros (rows (P), numel (Case.targets));
+  batch = Case.options.maxCPU;
+  for first = 1:batch:rows (P)
+    at = first:min (first + batch - 1, rows (P));
+    at = at(~isNoted ([replicate(at), P(at, :)], Case, ledger));
+    if isempty (at)
+      continue
     end
-    record = readRecord (fullfile (run, 'record.json'));
-    isOk(i) = ~isempty (record) && strcmp (record.status, 'ok');
+    minutes = sum (mweLedger (ledger.file, ledger.key)(:, end)) / 60;
+    if minutes >= ledger.limit
+      error ('DEcalioc:mweAttempt:spent', ...
+             'mweAttempt: %.1f core minutes are spent', minutes);
+    end
+    [z, records] = evaluateDEM (P(at, :), Case, replicate(at), stage, ...
+                                @(varargin) []);
+    for i = 1:numel (at)
+      note (records(i), z(i, :), ledger);
+    end
   end
-  minutes = sum (seconds(isfinite (seconds))) / 60;
-  runs = numel (names);
-  failed = sum (~isOk);
+  runs = mweLedger (ledger.file, ledger.key);
+  [~, k] = isNoted ([replicate, P], Case, ledger);
+  Z = runs(k, end - columns (Z):end - 1);
+end
+
+% Another machine's arithmetic may differ in the last digits.
+function [is, at] = isNoted (inputs, Case, ledger)
+  runs = mweLedger (ledger.file, ledger.key);
+  at = zeros (rows (inputs), 1);
+  scale = [1, diff(Case.limits)];
+  for i = 1:rows (inputs)
+    for j = rows (runs):-1:1
+      apart = (runs(j, 1:columns (inputs)) - inputs(i, :)) ./ scale;
+      if max (abs (apart)) < 1e-9
+        at(i) = j;
+      end
+    end
+  end
+  is = at > 0;
+end
+
+function noteStore (Case, ledger)
+  T = numel (Case.targets);
+  names = listRunFolders (Case.folder, 'Lift100');
+  for i = 1:numel (names)
+    record = readRecord (fullfile (Case.folder, 'optim', 'Lift100', ...
+                                   names{i}, 'record.json'));
+    if isempty (record) || isNoted ([record.replicate, record.params(:)'], ...
+                                    Case, ledger)
+      continue
+    end
+    z = NaN (1, T);
+    if strcmp (record.status, 'ok')
+      z = record.results(1:T)(:)';
+    end
+    record.folder = fullfile (Case.folder, 'optim', 'Lift100', names{i});
+    note (record, z, ledger);
+  end
+end
+
+function note (record, z, ledger)
+  seconds = str2double (fileread (fullfile (record.folder, 'cpu.txt')));
+  mweLedger (ledger.file, ledger.key, ...
+             [record.replicate, record.params(:)', z, seconds]);
 end
 
 args = argv ();
 root = fileparts (fileparts (mfilename ('fullpath')));
 addpath (fullfile (root, 'infrastructure'), fullfile (root, 'benchmarks'));
-attempt (root, args{1}, str2double (args{2}));
+attempt (root, args{1}, args{2}, str2double (args{3}));

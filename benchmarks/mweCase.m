@@ -8,7 +8,9 @@
 % SEED     integer, Input.seed
 %
 % The case is the toolbox's own loadInput.m with the lines that differ appended
-% to it, and a copy of the model Lift100 that leaves its user time in cpu.txt.
+% to it, and a copy of the model Lift100 that leaves its user time in cpu.txt
+% and takes its insertion seed from modelVars.ownSeed where that is not 0: the
+% published model has one seed written in its script.
 %
 % See also: mwe, mweAttempt
 
@@ -20,24 +22,36 @@ function mweCase (folder, method, setting, seed)
                ["TIMEFORMAT=%U\n", ...
                 "{ time liggghts -in in.Lift100 >&3 2>&4; } ", ...
                 "3>&1 4>&2 2> cpu.txt\n"]);
+  withOwnSeed (model);
   lines = {sprintf('Input.seed = %d;', seed), ...
            sprintf('Input.maxCPU = %d;', setting.cpus), ...
            'optim.tolRes{1} = [0.01, 0.01];'};
   if strcmp (setting.scale, 'full')
-    lines = [lines, {'modelVars.scaleP = 1;', ...
-                     'modelVars.dischargeTime = 10;'}];
+    lines = [lines, {'modelVars.scaleP = 1;'}];
   end
   if strcmp (method, 'ours')
     lines = [lines, {'Input.replicates = 2;', 'optim.confidence = 0.7;', ...
                      'optim.maxFunEvals = 6;'}];
   else
     lines = [lines, {'Input.numOfSam = 21;', 'optim.WRL = 0;', ...
+                     sprintf('modelVars.ownSeed = %d;', ...
+                             runSeed (0, 1, seed)), ...
                      'modelVars.useCriteria = 0;', ...
                      'modelVars.fillMethod = 1;', 'modelVars.skin = 4e-3;'}];
   end
   form = strtrim (fileread (fullfile (setting.root, 'loadInput.m')));
   form = regexprep (form, 'end$', [strjoin(lines, "\n"), "\nend\n"]);
   writeAtomic (fullfile (folder, 'loadInput.m'), form);
+end
+
+function withOwnSeed (model)
+  head = fullfile (model, 'data.head');
+  writeAtomic (head, [fileread(head), "variable ownSeed equal 0\n", ...
+                      'variable insertSeed equal ', ...
+                      "v_ownSeed+v_runSeed*(v_ownSeed==0)\n"]);
+  script = fullfile (model, 'in.Lift100');
+  writeAtomic (script, strrep (fileread (script), '${runSeed}', ...
+                               '${insertSeed}'));
 end
 
 %!test % both cases load, and differ in what the benchmark says
@@ -53,3 +67,4 @@ end
 %! rmdir (folder, 's');
 %! assert ([Input.seed, Input.numOfSam, optim.WRL], [7, 21, 0]);
 %! assert (modelVars.useCriteria, 0);
+%! assert (isprime (modelVars.ownSeed));

@@ -1,11 +1,12 @@
 % PUBLISHEDMETHOD  The published algorithm on DEM, for comparison.
 %
-% CALL: PARAMS = publishedMethod (CASE, ISSPENT)
+% CALL: PARAMS = publishedMethod (CASE, EVALUATE)
 %
-% CASE     see newCase
-% ISSPENT  handle without arguments: true when no further run may be started
-% PARAMS   1 x d: the set that is handed back; empty where the algorithm was
-%          stopped or ended with an error
+% CASE      see newCase
+% EVALUATE  handle: n x d sets -> n x T results of DEM runs, NaN where a run
+%           failed; its errors end the algorithm
+% PARAMS    1 x d: the set that is handed back; empty where the algorithm ended
+%           with an error
 %
 % Plan of Case.options.numOfSam rows; one Kriging model a target, affine trend,
 % matern52; nonlin_residmin on them from the box centre; nonlin_residmin on the
@@ -15,20 +16,20 @@
 %
 % See also: mwe, publishedStage
 
-function params = publishedMethod (Case, isSpent)
+function params = publishedMethod (Case, evaluate)
   params = [];
   try
-    params = calibrated (Case, isSpent);
+    params = calibrated (Case, evaluate);
   catch problemFound
     printf ('published algorithm ended: %s\n', problemFound.message);
   end
 end
 
-function params = calibrated (Case, isSpent)
+function params = calibrated (Case, evaluate)
   problem = newProblem (Case, []);
   plan = GenerateExperPlan (Case.limits, Case.options.numOfSam, Case.folder, ...
                             Case.options.seed);
-  Z = runOnce (plan, Case, isSpent);
+  Z = evaluate (plan);
   whole = all (isfinite (Z), 2);
   options = struct ('trend', 'affine', 'covariance', 'matern52');
   for t = 1:columns (Z)
@@ -36,7 +37,7 @@ function params = calibrated (Case, isSpent)
                                   Case.limits, options);
   end
   onKriging = @(p) problem.cost (p, @(p) evaluateKriging (p, surrogates));
-  onDEM = @(p) problem.cost (p, @(p) runOnce (p', Case, isSpent)');
+  onDEM = @(p) problem.cost (p, @(p) oneRun (p, evaluate));
   limits = struct ('tolRes', problem.tol, 'maxIter', Case.options.maxIter);
   stop = @(p, vals, state) userInt (p, vals, state, true, limits);
   box = {'lbound', Case.limits(1, :)', 'ubound', Case.limits(2, :)'};
@@ -47,32 +48,27 @@ function params = calibrated (Case, isSpent)
   params = nonlin_residmin (onDEM, first, settings)';
 end
 
-function Z = runOnce (P, Case, isSpent)
-  Z = zeros (rows (P), numel (Case.targets));
-  batch = Case.options.maxCPU;
-  for first = 1:batch:rows (P)
-    if isSpent ()
-      error ('DEcalioc:publishedMethod:spent', 'the limit is reached');
-    end
-    at = first:min (first + batch - 1, rows (P));
-    Z(at, :) = evaluateDEM (P(at, :), Case, ones (numel (at), 1), ...
-                            'published', @(varargin) []);
-  end
-  if rows (P) == 1 && any (isnan (Z))
+function z = oneRun (p, evaluate)
+  z = evaluate (p')';
+  if any (isnan (z))
     error ('DEcalioc:publishedMethod:failedRun', 'a run failed');
   end
 end
 
 %!test
-%! % a stand-in for evaluateDEM is not needed: a spent limit stops it at once
-%! Case = struct ('names', {{'a'}}, 'limits', [0; 1], 'folder', tempname ());
-%! Case.targets = struct ('name', 'x', 'value', 1, 'tol', 0.01, 'model', 1);
-%! Case.options = struct ('numOfSam', 3, 'seed', 1, 'maxCPU', 1);
+%! % stand-in of one result: the set meets it, and a failed run ends the search
 %! root = fileparts (fileparts (which ('startToolbox')));
 %! addpath (fullfile (root, 'benchmarks'));
 %! startToolbox (root);
+%! Case = struct ('names', {{'a'}}, 'limits', [0; 1], 'folder', tempname ());
+%! Case.targets = struct ('name', 'x', 'value', 1.6, 'tol', 0.01, 'model', 1);
+%! Case.options = struct ('numOfSam', 6, 'seed', 1, 'maxIter', 3, ...
+%!                        'tolfun', 1e-4, 'WRL', 0);
 %! mkdir (Case.folder);
-%! params = publishedMethod (Case, @() true);
+%! params = publishedMethod (Case, @(P) 1 + P);
+%! none = publishedMethod (Case, @(P) (1 + P) ./ (rows (P) > 1) - 0 ./ ...
+%!                                    (rows (P) > 1));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.folder, 's');
-%! assert (isempty (params));
+%! assert (params, 0.6, 0.017);
+%! assert (isempty (none));
