@@ -68,10 +68,8 @@ function sayLine (name, kind, hit, flagged, use)
           100 * mean (hit(use)), 100 * mean (flagged(use)));
 end
 
-here = fileparts (mfilename ('fullpath'));
-addpath (here);
-addpath (fullfile (here, '..', 'infrastructure'));
-startToolbox (fileparts (here));
+addpath (fileparts (mfilename ('fullpath')));
+startBenchmarks ();
 given = argv ();
 B = zeros (0, 8);
 if strcmp (given{1}, 'report')

@@ -88,8 +88,6 @@ function text = rangeText (limits)
 end
 
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'gnuplot'))
-%! root = fileparts (fileparts (which ('startToolbox')));
-%! addpath (fullfile (root, 'benchmarks'));
 %! file = [tempname(), '.svg'];
 %! curve = struct ('x', [0, 1], 'y', [1, NaN], 'lo', [], 'hi', []);
 %! panel = struct ('title', 'slope (deg)', 'xlabel', 'x', 'ylabel', '', ...

@@ -60,9 +60,8 @@ function raw = rawOf (folder, workers)
 end
 
 history_save (false);
-root = fileparts (fileparts (mfilename ('fullpath')));
-addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'));
-startToolbox (root);
+addpath (fileparts (mfilename ('fullpath')));
+root = startBenchmarks ();
 repetitions = 5;
 if ~isempty (argv ())
   repetitions = str2double (argv (){end});

@@ -26,9 +26,8 @@ function note (state, box)
 end
 
 history_save (false);
-root = fileparts (fileparts (mfilename ('fullpath')));
-addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'));
-startToolbox (root);
+addpath (fileparts (mfilename ('fullpath')));
+root = startBenchmarks ();
 n = 5000;
 args = argv ();
 if ~isempty (args) && ~isnan (str2double (args{end}))

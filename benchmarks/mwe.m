@@ -36,9 +36,8 @@
 1;
 
 function measure (work, scale, repetitions, cpus)
-  root = fileparts (fileparts (mfilename ('fullpath')));
-  addpath (fullfile (root, 'infrastructure'), fullfile (root, 'benchmarks'));
-  startToolbox (root);
+  addpath (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   file = fullfile (root, 'benchmarks', 'results', 'mwe.csv');
   for r = repetitions
     setting = struct ('root', root, 'work', work, 'file', file, ...
@@ -82,7 +81,7 @@ function row = oneAttempt (setting, method, attempt, limit)
   end
   system (sprintf ('%s; octave-cli --no-history "%s" %s %s %g > log 2>&1', ...
                    program, fullfile (setting.root, 'benchmarks', ...
-                                      'mweAttempt.m'), method, ...
+                                      'container', 'mweAttempt.m'), method, ...
                    keyOf (setting, method, attempt), limit));
   row = dlmread (fullfile (folder, 'attempt.csv'));
 end

@@ -30,10 +30,8 @@ function sayPeerSummary (R, name, fail)
           max (R(:, 2)), 100 * max (R(:, 8)), sum (R(:, 9)));
 end
 
-here = fileparts (mfilename ('fullpath'));
-addpath (here);
-addpath (fullfile (here, '..', 'infrastructure'));
-startToolbox (fileparts (here));
+addpath (fileparts (mfilename ('fullpath')));
+startBenchmarks ();
 given = argv ();
 S = standIn (given{1});
 fail = str2double (given{2});

@@ -79,9 +79,8 @@ function total = measureAll ()
   printf ('| all | %.1f |\n', total);
 end
 
-here = fileparts (mfilename ('fullpath'));
-addpath (fullfile (here, '..', 'infrastructure'));
-startToolbox (fileparts (here));
+addpath (fileparts (mfilename ('fullpath')));
+startBenchmarks ();
 printf ('| runs | targets | fit | one call | a point of a batch | memory |\n');
 printf ('|---|---|---|---|---|---|\n');
 R = zeros (0, 6);

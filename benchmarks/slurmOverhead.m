@@ -77,9 +77,8 @@ function text = describeMachine ()
 end
 
 history_save (false);
-root = fileparts (fileparts (mfilename ('fullpath')));
-addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'));
-startToolbox (root);
+addpath (fileparts (mfilename ('fullpath')));
+root = startBenchmarks ();
 sizes = cellfun (@str2double, argv ()');
 if isempty (sizes)
   sizes = [10, 100, 1000, 5000];

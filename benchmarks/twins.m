@@ -18,9 +18,8 @@
 1;
 
 function runTwins (kind, perLab)
-  root = fileparts (fileparts (mfilename ('fullpath')));
-  addpath (fullfile (root, 'infrastructure'), fullfile (root, 'benchmarks'));
-  startToolbox (root);
+  addpath (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   results = fullfile (root, 'benchmarks', 'results');
   [~, ~] = mkdir (results);
   stem = 'twins';

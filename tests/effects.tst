@@ -146,7 +146,6 @@
 %! % true 6 fails with a chance of 0.1 %. Else the mean of 4 runs, which fails
 %! % where it contradicts 3 by two of its standard errors: a true 3 with a
 %! % chance of 2.3 %, a true 3.5 of 0.1 %. No seed is one of the table's
-%! addpath (fullfile (root, 'benchmarks'));
 %! table = signTable (root);
 %! [bench, set, folder, best, effect] = deal ({});
 %! for e = ofDem ()

@@ -39,10 +39,9 @@ function [passed, failed, skipped] = runFile (file, root)
 end
 
 history_save (false);
-root = fileparts (fileparts (mfilename ('fullpath')));
-addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'), ...
-         fullfile (root, 'benchmarks'));
-startToolbox (root);
+addpath (fullfile (fileparts (fileparts (mfilename ('fullpath'))), ...
+                   'benchmarks'));
+root = startBenchmarks ();
 args = argv ();
 pattern = '';
 if ~isempty (args)

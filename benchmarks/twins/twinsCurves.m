@@ -103,8 +103,6 @@ function draw (file, names, levels, table)
 end
 
 %!test % two single cases near d = 4, one of them named rightly
-%! root = fileparts (fileparts (which ('startToolbox')));
-%! addpath (fullfile (root, 'benchmarks'));
 %! name = tempname ();
 %! fid = fopen ([name, '.csv'], 'w');
 %! fputs (fid, ["class,cause,d,verdict,top,right,covered,logScore,brier\n", ...

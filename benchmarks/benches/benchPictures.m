@@ -7,7 +7,7 @@
 %
 % See also: benchPicture, effectSigns
 function benchPictures (work)
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   run = @(bench) fullfile (work, [bench, '--0-10007']);
   out = @(bench) fullfile (root, 'DEMmodels', bench, 'picture.svg');
   last = @(bench, file) readDump (fullfile (run (bench), file)){end};

@@ -19,8 +19,8 @@
 % prints the tables that stand in the model's README. Lift100: 21 runs, about
 % 10 minutes of one core.
 %
-% From the folder of the repository, liggghts on the PATH:
-%   octave-cli --eval "addpath ('benchmarks'); lift100Response ('Lift100')"
+% In Octave, in the folder of the repository:
+%   addpath benchmarks; startBenchmarks (); lift100Response ('Lift100')
 %
 % See also: getResults
 
@@ -32,7 +32,7 @@ function lift100Response (model, nParallel, work)
   if nargin < 2
     nParallel = nproc ();
   end
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   names = {'densityP', 'coefFrictionPP', 'coefFrictionPW', ...
            'coefRollingFrictionPP', 'coefRollingFrictionPW'};
   limits = [500, 0.3, 0.3, 0.025, 0.025; 800, 0.7, 0.7, 0.075, 0.075];

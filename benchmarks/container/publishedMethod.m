@@ -57,9 +57,6 @@ end
 
 %!test
 %! % stand-in of one result: the set meets it, and a failed run ends the search
-%! root = fileparts (fileparts (which ('startToolbox')));
-%! addpath (fullfile (root, 'benchmarks'));
-%! startToolbox (root);
 %! Case = struct ('names', {{'a'}}, 'limits', [0; 1], 'folder', tempname ());
 %! Case.targets = struct ('name', 'x', 'value', 1.6, 'tol', 0.01, 'model', 1);
 %! Case.options = struct ('numOfSam', 6, 'seed', 1, 'maxIter', 3, ...

@@ -55,8 +55,7 @@ function withOwnSeed (model)
 end
 
 %!test % both cases load, and differ in what the benchmark says
-%! root = fileparts (fileparts (which ('startToolbox')));
-%! addpath (fullfile (root, 'benchmarks'));
+%! root = startBenchmarks ();
 %! setting = struct ('root', root, 'scale', 'default', 'cpus', 1);
 %! folder = tempname ();
 %! mweCase (folder, 'published', setting, 7);

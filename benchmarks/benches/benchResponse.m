@@ -14,7 +14,7 @@
 %
 % See also: effectSigns, benchRun, drawPanels
 function benchResponse (work, bench, nNull)
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   names = {'coefFrictionPP', 'coefFrictionPW', 'coefRollingFrictionPP', ...
            'coefRollingFrictionPW', 'densityP'};
   levels = [0.2, 0.35, 0.5, 0.65, 0.8; 0.2, 0.35, 0.5, 0.65, 0.8; ...
@@ -37,8 +37,7 @@ function benchResponse (work, bench, nNull)
   end
   fclose (fid);
   null = [];
-  seeds = [10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079];
-  for seed = seeds(1:nNull)
+  for seed = benchSeeds (1:nNull)
     null = [null; oneRun(work, bench, '', 0, seed)];
   end
   drawResponse (fullfile (root, 'docs', 'figures', ...

@@ -16,7 +16,7 @@
 %
 % See also: effectSigns, benchRun
 function benchLaws (work, nSeeds)
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   fid = fopen (fullfile (root, 'benchmarks', 'results', 'benchLaws.csv'), 'w');
   fprintf (fid, "law,at,value,standardError,published\n");
   drumLaw (fid, work, nSeeds);
@@ -26,7 +26,7 @@ function benchLaws (work, nSeeds)
 end
 
 function drumLaw (fid, work, n)
-  rows = runsOf (work, 'Drum', '-0', struct (), n);
+  rows = benchRuns (fullfile (work, 'Drum--0'), 'Drum', struct (), n);
   writeCurve (fid, 'drum slope (deg) at rad/s', [2, 4, 8], rows(:, [1, 4, 7]));
   rise = mean (rows(:, 7)) - mean (rows(:, 1));
   fprintf (fid, "drum slope rise (deg),,%.3g,,positive\n", rise);
@@ -44,7 +44,8 @@ function collapseLaw (fid, work, n)
   for k = 1:6
     set.columnSolid = 0.55 * aspects(k) * length1;
     tag = sprintf ('fine-%g-%g', length1, aspects(k));
-    [~, folders] = runsOf (work, 'Collapse', tag, set, n);
+    [~, folders] = benchRuns (fullfile (work, ['Collapse-', tag]), ...
+                              'Collapse', set, n);
     for i = 1:n
       grains = readDump (fullfile (folders{i}, 'deposit.dump')){end};
       runOut(i, k) = frontOf (grains, set.columnWidth) / length1 - 1;
@@ -88,9 +89,9 @@ end
 
 % Two slots a run: the narrow and the wide one of the bench, and two between.
 function slotLaw (fid, work, n)
-  narrow = runsOf (work, 'SlotBin', '-0', struct (), n);
-  other = runsOf (work, 'SlotBin', 'slots-25-36', ...
-                  struct ('slot1', 0.025, 'slot2', 0.036), n);
+  narrow = benchRuns (fullfile (work, 'SlotBin--0'), 'SlotBin', struct (), n);
+  other = benchRuns (fullfile (work, 'SlotBin-slots-25-36'), 'SlotBin', ...
+                     struct ('slot1', 0.025, 'slot2', 0.036), n);
   opening = [0.02, 0.025, 0.03, 0.036];
   rate = [narrow(:, 1), other(:, 1), narrow(:, 4), other(:, 4)];
   writeCurve (fid, 'slot discharge (kg/s) at opening (m)', opening, rate);
@@ -114,17 +115,5 @@ function writeCurve (fid, name, at, rows)
   for k = 1:numel (at)
     fprintf (fid, "%s,%.3g,%.4g,%.2g,\n", name, at(k), mean (rows(:, k)), ...
              std (rows(:, k)) / sqrt (size (rows, 1)));
-  end
-end
-
-function [results, folders] = runsOf (work, bench, tag, variables, n)
-  seeds = [10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079];
-  results = [];
-  folders = {};
-  for seed = seeds(1:n)
-    variables.runSeed = seed;
-    folder = fullfile (work, sprintf ('%s-%s-%d', bench, tag, seed));
-    results = [results; benchRun(folder, bench, variables)];
-    folders{end + 1} = folder;
   end
 end

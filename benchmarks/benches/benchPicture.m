@@ -63,8 +63,6 @@ function text = lines (wall, toX, toY)
 end
 
 %!test % one grain, one wall
-%! root = fileparts (fileparts (which ('startToolbox')));
-%! addpath (fullfile (root, 'benchmarks'));
 %! file = [tempname(), '.svg'];
 %! benchPicture (file, {[0, 0, 1, 0.5]}, {[0, 0, 1, 0]});
 %! text = fileread (file);

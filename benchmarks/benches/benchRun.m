@@ -12,7 +12,7 @@
 %
 % See also: effectSigns, benchResponse, benchLaws
 function [results, seconds] = benchRun (folder, model, variables, prepare)
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = fileparts (fileparts (which ('startToolbox')));
   source = fullfile (root, 'DEMmodels', model);
   if exist (fullfile (folder, 'seconds'), 'file') ~= 2
     if nargin < 4

@@ -9,9 +9,7 @@
 %
 % See also: effectSigns
 function text = effectTable (file)
-  lines = strsplit (strtrim (fileread (file)), "\n")(2:end);
-  words = cellfun (@(l) strsplit (l, ','), lines, 'UniformOutput', false);
-  words = vertcat (words{:});
+  [~, words] = readCsvTable (file);
   text = '';
   for bench = unique (words(:, 3), 'stable').'
     own = words(strcmp (words(:, 3), bench{1}), :);
@@ -43,11 +41,10 @@ function text = tableRow (rows, targets)
 end
 
 %!test % two targets, one moved, one not
-%! root = fileparts (fileparts (which ('startToolbox')));
-%! addpath (fullfile (root, 'benchmarks'));
 %! file = tempname ();
 %! fid = fopen (file, 'w');
-%! fputs (fid, ["h\ntilt,2,Drum,slope,1,0.2,5,+\ntilt,2,Drum,size,0,1,0,0\n"]);
+%! fputs (fid, ["e,s,b,t,c,n,z,g\ntilt,2,Drum,slope,1,0.2,5,+\n", ...
+%!              "tilt,2,Drum,size,0,1,0,0\n"]);
 %! fclose (fid);
 %! text = effectTable (file);
 %! delete (file);

@@ -33,8 +33,8 @@ function runs = mweLedger (file, key, row)
   end
   runs = zeros (0, 1);
   if isfile (file)
-    lines = regexp (fileread (file), ['^', key, ',([^\n]*),[^,\n]*$'], 'tokens', ...
-                    'lineanchors');
+    lines = regexp (fileread (file), ['^', key, ',([^\n]*),[^,\n]*$'], ...
+                    'tokens', 'lineanchors');
     numbers = cellfun (@(l) str2double (strsplit (l{1}, ',')), lines(:), ...
                        'UniformOutput', false);
     runs = vertcat (zeros (0, 1), numbers{:});
@@ -47,8 +47,6 @@ function name = processor ()
 end
 
 %!test
-%! root = fileparts (fileparts (which ('startToolbox')));
-%! addpath (fullfile (root, 'benchmarks'));
 %! file = tempname ();
 %! assert (rows (mweLedger (file, 'default,1,published,1')), 0);
 %! mweLedger (file, 'default,1,published,1', [1, 1 / 3, 2, 5]);

@@ -16,7 +16,7 @@
 %
 % See also: mwe
 function mweWaits (work, nSeeds)
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   rain = struct ('fillMethod', 1, 'useCriteria', 0, 'skin', 4e-3);
   long = setfield (rain, 'dischargeTime', 10);
   thin = setfield (rain, 'skin', 2e-3);
@@ -25,11 +25,10 @@ function mweWaits (work, nSeeds)
               'own waits', long, '/usr/bin/liggghts'; ...
               'own build', rain, ''; ...
               'skin', thin, ''};
-  seeds = [10007, 10009, 10037, 10039, 10061];
   fid = fopen (fullfile (root, 'benchmarks', 'results', 'mweWaits.csv'), 'w');
   fprintf (fid, "setting,seed,seconds,density,mass\n");
   % packings outside: a machine that gets busier then slows all settings alike
-  for seed = seeds(1:nSeeds)
+  for seed = benchSeeds (1:nSeeds)
     for i = 1:rows (settings)
       name = sprintf ('%s-%d', strrep (settings{i, 1}, ' ', '-'), seed);
       variables = setfield (settings{i, 2}, 'runSeed', seed);

@@ -15,7 +15,7 @@
 %
 % See also: effectSigns, benchRun
 function benchChecks (work, benches, nulls, nSeeds)
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   fid = fopen (fullfile (root, 'benchmarks', 'results', ...
                          'benchChecks.csv'), 'w');
   fprintf (fid, ['bench,check,target,null,changed,noiseSd,z,' ...
@@ -24,13 +24,14 @@ function benchChecks (work, benches, nulls, nSeeds)
     source = fullfile (root, 'DEMmodels', bench{1});
     info = resultInfo (source);
     head = headDefaults (fullfile (source, 'data.head'));
-    null = runsOf (work, bench{1}, 'null', struct (), nulls);
-    half = runsOf (work, bench{1}, 'halfStep', ...
-                   struct ('percentRayleigh', head.percentRayleigh / 2), ...
-                   nSeeds);
+    stem = @(check) fullfile (work, [bench{1}, '-', check]);
+    null = benchRuns (stem ('-0'), bench{1}, struct (), nulls);
+    half = benchRuns (stem ('halfStep'), bench{1}, ...
+                      struct ('percentRayleigh', head.percentRayleigh / 2), ...
+                      nSeeds);
     [variables, prepare, unit] = largerOf (bench{1});
-    large = runsOf (work, bench{1}, 'largerSystem', variables, nSeeds, ...
-                    prepare) ./ unit;
+    large = benchRuns (stem ('largerSystem'), bench{1}, variables, nSeeds, ...
+                       prepare) ./ unit;
     writeRows (fid, {bench{1}, 'halfStep'}, info, null, half);
     writeRows (fid, {bench{1}, 'largerSystem'}, info, null, large);
   end
@@ -59,23 +60,6 @@ function [variables, prepare, unit] = largerOf (bench)
       variables = struct ('binWidth', 0.018, 'glueColumns', 3);
       prepare = deeper;
       unit = [1.5, 1.5, 1, 1.5, 1.5, 1];
-  end
-end
-
-function results = runsOf (work, bench, check, variables, n, prepare)
-  if nargin < 6
-    prepare = 'true';
-  end
-  seeds = [10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079];
-  results = [];
-  for seed = seeds(1:n)
-    variables.runSeed = seed;
-    name = sprintf ('%s-%s-%d', bench, check, seed);
-    if strcmp (check, 'null')
-      name = sprintf ('%s--0-%d', bench, seed);
-    end
-    results = [results; benchRun(fullfile (work, name), bench, variables, ...
-                                 prepare)];
   end
 end
 

@@ -12,7 +12,7 @@
 %
 % See also: effectSigns, benchChecks, benchLaws, effectTable
 function benchTables (nSeeds)
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   noise = words (root, 'benchNoise.csv');
   for bench = unique (noise(:, 1))'
     own = noise(strcmp (noise(:, 1), bench{1}), :);

@@ -120,6 +120,5 @@ function note (record, z, ledger)
 end
 
 args = argv ();
-root = fileparts (fileparts (mfilename ('fullpath')));
-addpath (fullfile (root, 'infrastructure'), fullfile (root, 'benchmarks'));
-attempt (root, args{1}, args{2}, str2double (args{3}));
+addpath (fileparts (fileparts (mfilename ('fullpath'))));
+attempt (startBenchmarks (), args{1}, args{2}, str2double (args{3}));

@@ -25,7 +25,7 @@ function effectSigns (work, benches, nNull, nFull, onlyFinished)
     onlyFinished = false;
   end
   place = struct ('work', work, 'onlyFinished', onlyFinished);
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   folder = fullfile (root, 'benchmarks', 'results');
   effects = resolveEffects (listEffects ());
   signs = fopen (fullfile (folder, 'effectSigns.csv'), 'w');
@@ -62,10 +62,9 @@ end
 
 % COST: spheres and CPU seconds, means over the runs
 function [results, cost] = runsOf (place, bench, name, value, which)
-  primes10000 = [10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079];
   results = [];
   cost = zeros (0, 2);
-  for seed = primes10000(which)
+  for seed = benchSeeds (which)
     variables = struct ('runSeed', seed);
     if ~isempty (name)
       variables.(name) = value;

@@ -16,7 +16,7 @@
 %
 % See also: benchRun
 function values = plantTargets (work, benches, variables, seeds, sd)
-  root = fileparts (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
   rand ('twister', seeds(1));
   randn ('twister', seeds(1));
   values = cell (1, numel (benches));
