@@ -9,7 +9,6 @@
 % The container Lift100 and the drum, each with the same number of steps for all
 % programs (the container waits 0.3 s and 0.7 s instead of for its criteria):
 %   debian    /usr/bin/liggghts of Debian's package, if it is there
-%   O2        this toolbox's build, -O2 as Debian's packages have it
 %   ours      this toolbox's build with its own flags
 %   linkTime  the same with -flto
 %   profile   the same, with the profile of one run of each bench
@@ -52,7 +51,7 @@ function programs = builtPrograms (work, root)
   plain = '-O3 -march=native -ffp-contract=off';
   % build.sh compiles in a folder of a new name each time: make puts it in here
   place = [fullfile(work, 'profile'), ' -fprofile-prefix-path=$(CURDIR)'];
-  programs = {'O2', build(root, '-O2'); 'ours', build(root, plain); ...
+  programs = {'ours', build(root, plain); ...
               'linkTime', build(root, [plain, ' -flto=auto'])};
   trainer = build (root, [plain, ' -fprofile-generate=', place]);
   train (work, root, trainer);
