@@ -12,7 +12,9 @@
 % An exit status of 0 does not prove that LIGGGHTS succeeded (lost particles,
 % a signal, a truncated input all give 0), so its output is looked at as well.
 % getResults is the user's: it runs in workers of parcellfun, which it may
-% bring down without harm to the calibration.
+% bring down without harm to the calibration. It may take as long as its model's
+% Input.timeout; without it 20 times as long as the simulation, at least 10
+% minutes.
 %
 % See also: evaluateRun, readEndMark
 
@@ -25,8 +27,11 @@ function records = collectRuns (jobs, folders, Case, apart)
     [~, name] = fileparts (folders{i});
     funs = fullfile (Case.models(k).folder, 'OctaveFuns');
     places{i} = struct ('base', Case.store, 'name', name, 'funs', funs, ...
-                        'count', Case.models(k).nTargets);
+                        'count', Case.models(k).nTargets, 'limit', Inf);
     todo{i} = judgeEnd (newRecord (jobs(i), folders{i}));
+    if nargin < 4 || apart
+      places{i}.limit = evaluationLimit (Case.models(k), todo{i});
+    end
     todo{i}.funs = hashOfFuns (Case.models(k), funs);
   end
   if nargin > 3 && ~apart
@@ -45,6 +50,13 @@ function key = hashOfFuns (model, funs)
   end
 end
 
+function seconds = evaluationLimit (model, record)
+  seconds = model.timeout;
+  if isnan (seconds)
+    seconds = max (600, 20 * record.seconds);
+  end
+end
+
 function records = evaluateAll (todo, places)
   try
     records = inWorkers (todo, places);
@@ -58,14 +70,28 @@ function records = inWorkers (todo, places)
                         places, 'UniformOutput', false, 'VerboseLevel', 0);
 end
 
+% After its worker has gone down: once more, unless its time was up.
 function record = evaluateAlone (todo, place)
-  try
-    record = inWorkers ({todo}, {place}){1};
-  catch
-    record = failedRecord (todo, todo.folder, 'invalid', ...
-                           ['getResults ended the Octave that ran it (or ' ...
-                            'the record could not be written)'], 'output');
+  reason = '';
+  if ~wasLate (todo)
+    try
+      record = inWorkers ({todo}, {place}){1};
+      return
+    catch
+      reason = ['getResults ended the Octave that ran it (or the record ' ...
+                'could not be written)'];
+    end
   end
+  if wasLate (todo)
+    reason = sprintf (['getResults had not ended after %g s, its limit ' ...
+                       '(Input.timeout, or 20 times the simulation)'], ...
+                      place.limit);
+  end
+  record = failedRecord (todo, todo.folder, 'invalid', reason, 'output');
+end
+
+function yes = wasLate (record)
+  yes = isfile (fullfile (record.folder, 'getResults.late'));
 end
 
 function record = judgeEnd (record)
@@ -129,3 +155,15 @@ function text = tailOf (file)
     fclose (fid);
   end
 end
+
+%!test
+%! % a getResults that hangs is ended at the model's limit, the others count
+%! Case = newCase (standInCase (tempname ()));
+%! funs = fullfile (Case.models(2).folder, 'OctaveFuns', 'getResults.m');
+%! writeAtomic (funs, ["function res = getResults (model, name)\n", ...
+%!                     "pause (100)\nres = {1};\nend\n"]);
+%! Case.models(2).timeout = 2;
+%! [Z, records] = evaluateDEM ([1, 2], Case);
+%! assert (Z, [3, 2, NaN], 1e-12);
+%! assert (records(2).status, 'invalid');
+%! assert (~isempty (strfind (records(2).message, 'not ended after 2 s')));

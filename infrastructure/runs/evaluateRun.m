@@ -4,7 +4,9 @@
 %
 %   RECORD  see newRecord; status 'ok' where the simulation ended well
 %   PLACE   struct: base (folder that holds optim/), name (of the run folder),
-%           funs (folder of getResults.m), count (how many results)
+%           funs (folder of getResults.m), count (how many results), limit
+%           (s; then this Octave is killed and getResults.late lies in the
+%           run's folder; Inf: no limit)
 %   RECORD  with results and status; written to the run's folder
 %
 % Runs in a worker of parcellfun, catches everything and returns a record.
@@ -20,12 +22,32 @@ function record = evaluateRun (record, place)
   writeRecord (fullfile (record.folder, 'record.json'), record);
 end
 
+% Octave cannot interrupt its own call: a shell kills the process when the time
+% is up. It has a session of its own, so that it is ended together with its
+% sleep when WATCH goes.
+function watch = startWatch (late, limit)
+  [~] = unlink (late);
+  watch = onCleanup (@() []);
+  if isfinite (limit)
+    % another process may have got this one's number by then
+    act = sprintf (['sleep %g; grep -qF " %s " /proc/%d/stat && ', ...
+                    '{ : > %s; kill -KILL %d; }'], limit, ...
+                   processStart (getpid ()), getpid (), shellQuote (late), ...
+                   getpid ());
+    [~, pid] = system (['setsid sh -c ', shellQuote(act), ...
+                        ' > /dev/null 2>&1 & echo $!']);
+    watch = onCleanup (@() system (['kill -s KILL -- -', strtrim(pid), ...
+                                    ' 2> /dev/null']));
+  end
+end
+
 function record = evaluate (record, place)
   %| pragma Justify (metric, "globals", "published getResults read it");
   global path
   path = [place.base, '/'];
   addpath (place.funs);
   tidy = onCleanup (@() rmpath (place.funs));
+  watch = startWatch (fullfile (record.folder, 'getResults.late'), place.limit);
   try
     results = getResults (record.model, place.name);
     [record.results, problem] = asRow (results, place.count);
