@@ -133,30 +133,36 @@ function appendRow (setting, method, attempt, row)
   fclose (fid);
 end
 
+% Repetitions that both tools have begun, and their sums in the last row.
 function sayTable (file, scale)
   [~, words] = readCsvTable (file);
   words = words(strcmp (words(:, 1), scale), :);
   number = @(k) cellfun (@str2double, words(:, k));
-  isOurs = strcmp (words(:, 3), 'ours');
-  repetition = number (2);
-  minutes = number (7);
-  confirmed = number (10);
-  printf ('| repetition | ours: runs, core-minutes (starts) | published | ');
-  printf ("ratio |\n");
-  printf ('|---|---|---|---|\n');
-  runs = number (5);
-  for r = unique (repetition)'
-    a = isOurs & repetition == r;
-    b = ~isOurs & repetition == r;
-    bound = '> ';
-    if any (confirmed(b))
-      bound = '';
-    end
-    printf ('| %d | %d, %.1f (%d) | %s%d, %.1f (%d) | %s%.1f |\n', r, ...
-            sum (runs(a)), sum (minutes(a)), sum (a), bound, sum (runs(b)), ...
-            sum (minutes(b)), sum (b), bound, sum (minutes(b)) / ...
-            sum (minutes(a)));
+  T = [number(2), strcmp(words(:, 3), 'ours'), number(5), number(7), ...
+       number(10)];
+  both = intersect (T(T(:, 2) == 1, 1), T(T(:, 2) == 0, 1))';
+  printf (['| repetition | ours: runs, core-minutes (starts) | ', ...
+           'published | ratio |\n|---|---|---|---|\n']);
+  whole = true;
+  for r = both
+    whole = whole && sayRow (sprintf ('%d', r), T(T(:, 1) == r, :), true);
   end
+  sayRow ('all', T(ismember (T(:, 1), both), :), whole);
+end
+
+% ATTEMPTS  n x 5: repetition, is ours, runs, core-minutes, confirmed
+function isWhole = sayRow (name, attempts, isWhole)
+  ours = attempts(attempts(:, 2) == 1, :);
+  other = attempts(attempts(:, 2) == 0, :);
+  isWhole = isWhole && any (other(:, 5));
+  bound = '> ';
+  if isWhole
+    bound = '';
+  end
+  printf ('| %s | %d, %.1f (%d) | %s%d, %.1f (%d) | %s%.1f |\n', name, ...
+          sum (ours(:, 3)), sum (ours(:, 4)), rows (ours), ...
+          bound, sum (other(:, 3)), sum (other(:, 4)), rows (other), ...
+          bound, sum (other(:, 4)) / sum (ours(:, 4)));
 end
 
 args = [argv()(:)', cell(1, 4)];

@@ -13,7 +13,7 @@
 %   linkTime  the same with -flto
 %   profile   the same, with the profile of one run of each bench
 % The programs are built by tools/liggghts/build.sh, five minutes each on two
-% cores, and stay in its cache. Packings are outside and programs inside the
+% cores, and stay in its cache, where LIGGGHTS=<path> chooses one. Packings are outside and programs inside the
 % loop, so a machine that gets busier slows all alike. Prints the user time of
 % the programs over that of ours, mean and 95 % interval over the packings, and
 % writes benchmarks/results/liggghtsBuilds.csv.
@@ -24,6 +24,7 @@ function liggghtsBuilds (work, nSeeds)
   root = startBenchmarks ();
   [~, ~] = mkdir (work);
   programs = builtPrograms (make_absolute_filename (work), root);
+  printf ('%s: %s/liggghts\n', programs'{:});
   benches = {'Lift100', struct('useCriteria', 0, 'settleTime', 0.3, ...
                                'dischargeTime', 0.7); 'Drum', struct()};
   seeds = benchSeeds (1:nSeeds);
