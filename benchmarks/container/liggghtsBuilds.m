@@ -24,7 +24,8 @@ function liggghtsBuilds (work, nSeeds)
   root = startBenchmarks ();
   [~, ~] = mkdir (work);
   programs = builtPrograms (make_absolute_filename (work), root);
-  printf ('%s: %s/liggghts\n', programs'{:});
+  list = programs';
+  printf ('%s: %s/liggghts\n', list{:});
   benches = {'Lift100', struct('useCriteria', 0, 'settleTime', 0.3, ...
                                'dischargeTime', 0.7); 'Drum', struct()};
   seeds = benchSeeds (1:nSeeds);
