@@ -44,7 +44,8 @@ function liggghtsBuilds (work, nSeeds)
         fflush (fid);
       end
     end
-    sayRatios (benches{b, 1}, programs(:, 1), seconds);
+    printf ('%s\n', benches{b, 1});
+    sayRatios (programs(:, 1), seconds, 'ours');
   end
   fclose (fid);
 end
@@ -92,16 +93,4 @@ function seconds = secondsOf (work, bench, seed, program)
   [~, seconds] = benchRun (folder, bench{1}, ...
                            setfield (bench{2}, 'runSeed', seed), ...
                            sprintf ('export PATH="%s:$PATH"', program{2}));
-end
-
-function sayRatios (bench, names, seconds)
-  ours = seconds(:, strcmp (names, 'ours'));
-  n = rows (seconds);
-  for p = 1:numel (names)
-    ratio = log (seconds(:, p) ./ ours);
-    half = studentQuantile (0.975, n - 1) * std (ratio) / sqrt (n);
-    printf ('| %s | %s | %.1f s | %.3f (%.3f to %.3f) |\n', bench, ...
-            names{p}, mean (seconds(:, p)), exp (mean (ratio) + ...
-                                                 [0, -half, half]));
-  end
 end
