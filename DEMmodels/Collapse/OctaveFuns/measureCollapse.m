@@ -5,7 +5,8 @@
 % FOLDER   folder of a finished run
 % RESULTS  1 x 6: bulkDensity (kg/m3), runOut (m), heightBack (m),
 %          heightFoot (m), slope (deg), spreadTime (s), see results.csv;
-%          all NaN if the run is not sane
+%          all NaN if the run is not sane, or if more than single grains
+%          have reached the stop at the end of the floor
 %
 % Throws what readChecks and readDump throw for a missing file.
 %
@@ -24,6 +25,9 @@ function results = measureCollapse (folder)
   inside = linspace (d, L0 - d, 60);
   columnTop = mean (silhouette (column, inside));
   front = frontOf (deposit(:, 1));
+  if front > checks.runway - 2 * d
+    return
+  end
   stations = linspace (0.2 * front, 0.8 * front, 60);
   profile = silhouette (deposit, stations);
   known = ~isnan (profile);
