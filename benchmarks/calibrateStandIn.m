@@ -38,7 +38,7 @@ end
 
 function Z = noisy (S, P, fail)
   Z = S.response (P);
-  Z = Z .* (1 + S.noise * randn (size (Z)));
+  Z = Z .* (1 + S.noise .* randn (size (Z)));
   Z(rand (rows (Z), 1) < fail, :) = NaN;
 end
 

@@ -2,7 +2,7 @@
 %
 % CALL: octave-cli benchmarks/peers.m STANDIN FAIL SEEDS [CSVFILE]
 %
-% STANDIN  plain or rough; FAIL  share of failing runs; SEEDS  e.g. 1:100
+% STANDIN  plain, noisy or rough; FAIL  share of failing runs; SEEDS  e.g. 1:100
 %
 % One CSV row a seed: seed, runs, failed, infill, verify, first_obs,
 % first_true, worst, converged, probability, seconds. Input.numOfSam is
@@ -25,9 +25,10 @@ end
 function sayPeerSummary (R, name, fail)
   good = sum (R(:, 8) < 0.01);
   printf (['%s, %g %% failing: %d of %d sets truly within 1 %%, runs ' ...
-           'median %g (%d to %d), worst set %.2f %%, converged %d\n'], name, ...
+           'median %g (%d to %d), worst set %.2f %%, converged %d, stated ' ...
+           'probability %.2f in the mean\n'], name, ...
           100 * fail, good, rows (R), median (R(:, 2)), min (R(:, 2)), ...
-          max (R(:, 2)), 100 * max (R(:, 8)), sum (R(:, 9)));
+          max (R(:, 2)), 100 * max (R(:, 8)), sum (R(:, 9)), mean (R(:, 10)));
 end
 
 addpath (fileparts (mfilename ('fullpath')));
@@ -42,5 +43,7 @@ for seed = seeds(1):seeds(end)
 end
 sayPeerSummary (R, S.name, fail);
 if numel (given) > 3
-  csvwrite (given{4}, R, 'precision', '%.10g');
+  writeMatrix (given{4}, R, {'seed', 'runs', 'failed', 'infill', 'verify', ...
+                             'first_obs', 'first_true', 'worst', ...
+                             'converged', 'probability', 'seconds'});
 end

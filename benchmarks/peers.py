@@ -233,7 +233,7 @@ def ours(standin, fail, seeds):
         out = os.path.join(folder, "ours.csv")
         subprocess.run(["octave-cli", "--no-gui", "--no-history", os.path.join(HERE, "peers.m"), standin, str(fail),
                         f"1:{seeds}", out], check=True, stdout=subprocess.DEVNULL)
-        table = np.loadtxt(out, delimiter=",", ndmin=2)
+        table = np.loadtxt(out, delimiter=",", ndmin=2, skiprows=1)
     return [dict(tool="DEcalioc", standin=standin, fail=fail, seed=int(r[0]), runs=int(r[1]), first_observed=r[5],
                  first_true=r[6], worst=float(r[7]), error="") for r in table]
 
