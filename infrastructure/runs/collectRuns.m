@@ -58,6 +58,8 @@ function seconds = evaluationLimit (model, record)
 end
 
 function records = evaluateAll (todo, places)
+  % of an earlier evaluation: it says nothing of this one
+  [~] = cellfun (@(r) unlink (lateMark (r)), todo);
   try
     records = inWorkers (todo, places);
   catch
@@ -91,7 +93,11 @@ function record = evaluateAlone (todo, place)
 end
 
 function yes = wasLate (record)
-  yes = isfile (fullfile (record.folder, 'getResults.late'));
+  yes = isfile (lateMark (record));
+end
+
+function file = lateMark (record)
+  file = fullfile (record.folder, 'getResults.late');
 end
 
 function record = judgeEnd (record)

@@ -26,7 +26,6 @@ end
 % is up. It has a session of its own, so that it is ended together with its
 % sleep when WATCH goes.
 function watch = startWatch (late, limit)
-  [~] = unlink (late);
   watch = onCleanup (@() []);
   if isfinite (limit)
     % another process may have got this one's number by then
