@@ -145,7 +145,8 @@ function sayTable (file, scale)
            'published | ratio |\n|---|---|---|---|\n']);
   whole = true;
   for r = both
-    whole = whole && sayRow (sprintf ('%d', r), T(T(:, 1) == r, :), true);
+    isWhole = sayRow (sprintf ('%d', r), T(T(:, 1) == r, :), true);
+    whole = whole && isWhole;
   end
   sayRow ('all', T(ismember (T(:, 1), both), :), whole);
 end

@@ -18,7 +18,6 @@
 function attempt (root, method, key, limit)
   folder = pwd ();
   startToolbox (root, folder);
-  useLiggghts (root);
   Case = loadCase (root, folder);
   ledger = struct ('key', key, 'limit', limit, 'file', ...
                    fullfile (root, 'benchmarks', 'results', 'mweRuns.csv'));
@@ -54,7 +53,6 @@ end
 % Results from the ledger, or from a run that then goes into it.
 function Z = evaluated (P, replicate, stage, Case, ledger)
   replicate = replicate(:) .* ones (rows (P), 1);
-  Z = zeros (rows (P), numel (Case.targets));
   batch = Case.options.maxCPU;
   for first = 1:batch:rows (P)
     at = first:min (first + batch - 1, rows (P));
@@ -75,7 +73,7 @@ function Z = evaluated (P, replicate, stage, Case, ledger)
   end
   runs = mweLedger (ledger.file, ledger.key);
   [~, k] = isNoted ([replicate, P], Case, ledger);
-  Z = runs(k, end - columns (Z):end - 1);
+  Z = runs(k, end - numel (Case.targets):end - 1);
 end
 
 % Another machine differs in the last digits, and an optimum in some more; the
