@@ -1,8 +1,10 @@
 % MWEATTEMPT  One attempt of the benchmark mwe, in the folder of its case.
 %
-% CALL: octave-cli mweAttempt.m METHOD KEY LIMIT   in the folder of mweCase
+% CALL: octave-cli mweAttempt.m METHOD LEDGER KEY LIMIT
+% in the folder of mweCase
 %
 % METHOD  'ours' or 'published'
+% LEDGER  text, the file of all runs, see mweLedger
 % KEY     scale,repetition,method,attempt: the attempt's name in the ledger
 % LIMIT   core minutes that the published tool may spend before it confirms
 %
@@ -15,12 +17,11 @@
 
 1;
 
-function attempt (root, method, key, limit)
+function attempt (root, method, ledger, limit)
   folder = pwd ();
   startToolbox (root, folder);
   Case = loadCase (root, folder);
-  ledger = struct ('key', key, 'limit', limit, 'file', ...
-                   fullfile (root, 'benchmarks', 'results', 'mweRuns.csv'));
+  ledger.limit = limit;
   if strcmp (method, 'ours')
     params = oursHandsBack (root, Case);
     noteStore (Case, ledger);
@@ -35,7 +36,7 @@ function attempt (root, method, key, limit)
     Z = evaluated (repmat (params, 5, 1), 101:105, 'confirm', Case, ledger);
     residual = mean (Z, 1) ./ [Case.targets.value] - 1;
   end
-  runs = mweLedger (ledger.file, key);
+  runs = mweLedger (ledger.file, ledger.key);
   dlmwrite ('attempt.csv', ...
             [rows(runs), sum(any (isnan (runs), 2)), sum(runs(:, end)) / 60, ...
              residual, all(abs (residual) <= 0.01)], 'precision', '%.8g');
@@ -120,4 +121,5 @@ end
 
 args = argv ();
 addpath (fileparts (fileparts (mfilename ('fullpath'))));
-attempt (startBenchmarks (), args{1}, args{2}, str2double (args{3}));
+attempt (startBenchmarks (), args{1}, ...
+         struct ('file', args{2}, 'key', args{3}), str2double (args{4}));
