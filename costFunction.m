@@ -18,7 +18,8 @@ function residual = costFunction (params, evaluateFunc, varargin)
   [~, optim, modelVars, assign, paramLims] = loadInput ();
   targetVal = optim.targetVal;
   if iscell (targetVal)
-    targetVal = horzcat (targetVal{:})';
+    targetVal = cellfun (@(v) v(:), targetVal(:), 'UniformOutput', false);
+    targetVal = vertcat (targetVal{:});
   end
 
   % first part: relative difference of results and measured values
@@ -26,7 +27,8 @@ function residual = costFunction (params, evaluateFunc, varargin)
 
   % second part: a preference for a large time step
   modelVars = assignParams (modelVars, params, assign);
-  if optim.WRL ~= 0 && isfield (modelVars, 'RLTS')
+  wish = isfield (optim, 'WRL') && any (optim.WRL);
+  if wish && isfield (modelVars, 'RLTS')
     RLTS = getMinMaxRayleigh (modelVars, assign, paramLims);
     span = max (RLTS.max - RLTS.min, eps (RLTS.max));
     residual(end + 1, 1) = optim.WRL * (RLTS.max - modelVars.RLTS) / span;
@@ -38,3 +40,20 @@ end
 %!                          @(p, varargin) [404; 0.024]);
 %! assert (residual(1:2), [0.01; -0.04], 1e-12);
 %! assert (residual(3) > 0 && residual(3) < 0.5);
+%!test
+%! % columns, model by model, and no wish for a large time step
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'loadInput.m'), ...
+%!   ["function [Input, optim, modelVars, assign, paramLims] = ", ...
+%!    "loadInput ()\n", ...
+%!    "Input = struct ();\noptim.targetVal = {[1; 2], [4; 8]};\n", ...
+%!    "modelVars = struct ();\nassign = {'a'};\nparamLims = [0; 1];\nend\n"]);
+%! here = cd (folder);
+%! clear loadInput
+%! residual = costFunction (0.5, @(p, varargin) [1; 2; 4; 10]);
+%! cd (here);
+%! clear loadInput
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! assert (residual, [0; 0; 0; 0.25], 1e-12);

@@ -15,7 +15,9 @@
 %   maxCPU 1, seed 1, maxFunEvals 40, maxNewRuns Inf, maxIter 3,
 %   tolfun 0.002, replicates 4, WRL 0, method 'robust', confidence 0.95
 %
-% Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets
+% Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets,
+% DEcalioc:newProblem:otherTargets when a row is not 0 where all results are
+% the measured values: the cost function then aims at something else
 %
 % See also: targetResidual, calibrateOnKriging
 
@@ -65,6 +67,7 @@ end
 function [standard, nExtra] = probeCost (problem)
   T = numel (problem.value);
   p = mean (problem.limits, 1)';
+  met = problem.cost (p, @(varargin) problem.value(:));
   standard = true;
   for factor = [0.7, 1.1]
     z = problem.value(:) .* factor.^(1:T)';
@@ -78,6 +81,13 @@ function [standard, nExtra] = probeCost (problem)
     published = (z - problem.value(:)) ./ problem.value(:);
     gap = abs (abs (r(1:T)(:)) - abs (published));
     standard = standard && all (gap <= 1e-9 * abs (published));
+  end
+  off = find (~(abs (met(1:T)) <= 1e-6), 1);
+  if ~isempty (off)
+    error ('DEcalioc:newProblem:otherTargets', ...
+           ['newProblem: row %d of costFunction must be 0 where every ' ...
+            'result equals its target, got %g. Let it take the targets in ' ...
+            'the order of optim.targetVal, model by model.'], off, met(off));
   end
 end
 
@@ -104,3 +114,5 @@ end
 %! assert (~ p.standard);
 
 %!error id=DEcalioc:newProblem:badShape newProblem (C, @(p, f) 1);
+%!error id=DEcalioc:newProblem:otherTargets
+%! newProblem (C, @(p, f) f (p) ./ [0.03; 400] - 1);

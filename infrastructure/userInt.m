@@ -38,7 +38,8 @@ end
 
 function c = asColumn (values)
   if iscell (values)
-    values = horzcat (values{:});
+    values = cellfun (@(v) v(:), values(:), 'UniformOutput', false);
+    values = vertcat (values{:});
   end
   c = values(:);
 end
@@ -53,6 +54,11 @@ end
 %!test
 %! evalc ('stop = userInt (1, vals, ''iter'', false, optim);');
 %! assert (! stop);
+%!test
+%! % columns of several models, in the order of the models
+%! columns = struct ('tolRes', {{[0.006; 0.02], 0.5}}, 'maxIter', 3);
+%! evalc ('stop = userInt (1, vals, ''iter'', true, columns);');
+%! assert (stop);
 %!test
 %! vals.residual(1) = NaN;
 %! evalc ('stop = userInt (1, vals, ''iter'', true, optim);');
