@@ -109,7 +109,7 @@ function record = judgeEnd (record)
     record = blame (record, 'timeout', 'time', ...
                     sprintf ('ended at its time limit after %g s', ...
                              mark.seconds));
-  elseif strcmp (mark.reason, 'killed') || wasStopped || mark.code > 128
+  elseif strcmp (mark.reason, 'killed') || wasStopped || fromOutside (mark)
     record = blame (record, 'failed', 'killed', ...
                     sprintf ('ended from outside (exit status %d)', ...
                              mark.code));
@@ -122,6 +122,12 @@ function record = judgeEnd (record)
   else
     record.status = 'ok';
   end
+end
+
+% Ended by HUP, INT, KILL or TERM. A crash (SEGV, ABRT, FPE) is the program's
+% own and would come again with the same seed.
+function yes = fromOutside (mark)
+  yes = ismember (mark.code, 128 + [1, 2, 9, 15]);
 end
 
 function record = blame (record, status, cause, message)
@@ -173,3 +179,14 @@ end
 %! assert (Z, [3, 2, NaN], 1e-12);
 %! assert (records(2).status, 'invalid');
 %! assert (~isempty (strfind (records(2).message, 'not ended after 2 s')));
+%!test
+%! % a crash is a failure of the run itself, a kill is not
+%! Case = newCase (standInCase (tempname ()));
+%! run = fullfile (Case.models(2).folder, 'runscript');
+%! causes = {};
+%! for sign = {'SEGV', 'ABRT', 'KILL', 'TERM'}
+%!   writeAtomic (run, ["kill -", sign{1}, " $$\nsleep 5\n"]);
+%!   job = newJobs (Case, [1, 2], [], numel (causes) + 1, 'plan')(2);
+%!   causes{end + 1} = executeLocal (job, Case, @(s) []).cause;
+%! end
+%! assert (causes, {'exit', 'exit', 'killed', 'killed'});

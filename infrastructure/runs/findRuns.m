@@ -8,7 +8,8 @@
 %            with the field folder alone where its simulation has ended but
 %            was not evaluated, or [] where it must be run
 %
-% A record that says 'ok' goes before one that says why a run failed.
+% Of several runs with one key the first of these: ok, ended without a valid
+% result, ended but not evaluated, failed.
 %
 % See also: runJobs, runKey
 
@@ -40,11 +41,12 @@ function found = scan (store, model)
     record = readRecord (fullfile (folder, 'record.json'));
     if isempty (record)
       [record, found.keys{i}] = unevaluated (folder);
-      found.worth(i) = 1 + ~isempty (record);
+      found.worth(i) = 2 * ~isempty (record);
     else
       record.folder = folder;
       found.keys{i} = record.key;
-      found.worth(i) = 2 + strcmp (record.status, 'ok');
+      found.worth(i) = 1 + 3 * strcmp (record.status, 'ok') + ...
+                       2 * strcmp (record.status, 'invalid');
     end
     found.records{i} = record;
   end
@@ -60,3 +62,17 @@ function [record, key] = unevaluated (folder)
     record = struct ('folder', folder);
   end
 end
+
+%!test
+%! % a simulation that ended but was not evaluated goes before one that failed
+%! Case = newCase (standInCase (tempname ()));
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
+%! for status = {'timeout', ''}
+%!   folder = prepareRun (job, Case);
+%!   if isempty (status{1})
+%!     writeAtomic (fullfile (folder, 'end.mark'), "0 1.0 finished\n");
+%!   else
+%!     failedRecord (job, folder, status{1}, 'too slow', 'time');
+%!   end
+%! end
+%! assert (findRuns (job, Case){1}, struct ('folder', folder));
