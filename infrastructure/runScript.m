@@ -1,12 +1,13 @@
 % RUNSCRIPT  One DEM run: folder, data.head, params.csv, simulation, results.
 %
 % CALL: RESULTS = runScript (MATR, MODEL)
-%       [RESULTS, RECORD] = runScript (MATR, MODEL, CASE)
+%       [RESULTS, RECORD] = runScript (MATR, MODEL, CASE, JOB)
 %
 %   MATR     1 x (d + 2): parameters, row number of the plan (0: none), model
 %            number
 %   MODEL    name of the model (text)
 %   CASE     see newCase (default: the case of the current folder)
+%   JOB      see newJobs (default: first replicate without effects)
 %   RESULTS  cell of scalars, NaN where a result is missing
 %   RECORD   run record, see newRecord
 %
@@ -14,13 +15,15 @@
 %
 % See also: Start, startSimulation, prepareRun, collectRuns
 
-function [results, record] = runScript (matr, model, Case)
+function [results, record] = runScript (matr, model, Case, job)
   if nargin < 3
     Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
   end
-  jobs = newJobs (Case, matr(1:end - 2), [], 1, 'plan');
-  job = jobs(strcmp ({jobs.model}, model));
-  job.planRow = matr(end - 1);
+  if nargin < 4
+    jobs = newJobs (Case, matr(1:end - 2), [], 1, 'plan');
+    job = jobs(strcmp ({jobs.model}, model));
+    job.planRow = matr(end - 1);
+  end
   record = findRuns (job, Case){1};
   if isempty (record) || ~isfield (record, 'status') || ...
      ~strcmp (record.status, 'ok')

@@ -31,7 +31,7 @@ function records = runStacks (jobs, k, Case)
   stacks = cellfun (@(s) [s, repmat(k, rows (s), 1)], [main, rest], ...
                     'UniformOutput', false);
   names = {Case.models.name};
-  [~, kept] = parcellfun (nProc, @(s) Start (s, names, Case), stacks, ...
+  [~, kept] = parcellfun (nProc, @(s) Start (s, names, Case, jobs), stacks, ...
                           'UniformOutput', false, 'VerboseLevel', 0);
   records = [kept{:}];
 end
@@ -42,3 +42,11 @@ end
 %! records = executeStatic (jobs, Case, @(s) []);
 %! assert ({records.key}, {jobs.key});
 %! assert (vertcat (records([1, 3, 5]).results), [3, 2; 7, 12; 11, 30], 1e-12);
+%!test
+%! % replicates of one set are runs with seeds of their own
+%! Case = newCase (standInCase (tempname ()));
+%! jobs = newJobs (Case, [1, 2; 1, 2; 1, 2], [], [1; 2; 3], 'verify');
+%! records = executeStatic (jobs, Case, @(s) []);
+%! assert ({records.key}, {jobs.key});
+%! assert ([records.seed], [jobs.seed]);
+%! assert (numel (unique ({records.folder})), 6);
