@@ -61,7 +61,7 @@ function models = newModels (raw)
   timeout = given (raw.Input, 'timeout', NaN);
   timeout(end + 1:numel (names)) = NaN;
   models = struct ('name', names(:)', 'folder', '', 'cpu', 1, ...
-                   'timeout', NaN, 'nTargets', 0);
+                   'timeout', NaN, 'nTargets', 0, 'seconds', []);
   for k = 1:numel (models)
     models(k).folder = findModel (models(k).name, raw.folder, raw.root);
     models(k).cpu = raw.Input.cpu(k);

@@ -12,7 +12,7 @@
 % its own under guard.sh. When this function is left early (Ctrl-C, an error)
 % the simulations under way are ended; when Octave is killed, the guards see
 % it and end them. Without Input.timeout the time limit of a run is 20 times
-% the median of the model's runs so far, and at least 60 s.
+% the median of the model's runs in this calibration, and at least 60 s.
 %
 % parcellfun is not used to start simulations: it cannot mix runs of different
 % CPU counts, and when one worker dies it loses the runs of all. The next run is
@@ -132,9 +132,9 @@ end
 function setLimits (done, jobs, folders, Case)
   for i = 1:numel (jobs)
     k = strcmp (jobs(i).model, {Case.models.name});
-    limit = defaultLimit (done, jobs(i).model);
+    limit = defaultLimit (Case.models(k), done);
     file = fullfile (folders{i}, 'limit');
-    if isnan (Case.models(k).timeout) && ~isnan (limit) && ~isfile (file)
+    if ~isnan (limit) && ~isfile (file)
       writeAtomic (file, sprintf ("%d\n", ceil (limit)));
     end
   end

@@ -62,8 +62,8 @@ end
 
 function setLimits (flight, jobs, Case)
   done = [flight.records{:}];
-  for model = Case.models(isnan ([Case.models.timeout]))
-    limit = defaultLimit (done, model.name);
+  for model = Case.models
+    limit = defaultLimit (model, done);
     isOpen = flight.status == 'o' & strcmp ({jobs.model}, model.name);
     for i = find (isOpen & ~isnan (limit))
       most = 60 * flight.batches(flight.batch(i)).minutes - 10;

@@ -5,21 +5,24 @@
 %   CASE      see newCase
 %   LEDGER    see newLedger
 %   SAY       function handle that takes one line of text
-%   EVALUATE  Z = EVALUATE (P, REPLICATE) or EVALUATE (P, REPLICATE, STAGE, E):
-%             P n x d, REPLICATE n x 1, Z n x T, NaN where a run failed
+%   EVALUATE  [Z, ISTRIED] = EVALUATE (P, REPLICATE), or with two arguments
+%             more, STAGE and E: P n x d, REPLICATE n x 1, Z n x T, NaN where a
+%             run failed, ISTRIED n x 1 logical: false where a run of the set
+%             was not made because Input.maxNewRuns is reached
 %
 % Where a model folder does not exist (a case of imported runs alone) nothing
-% can be run and all is NaN.
+% can be run: all is NaN, and nothing tried.
 %
 % See also: evaluateDEM, calibrateOnDEM
 
 function evaluate = newEvaluate (Case, ledger, say)
+  ledger('models') = Case.models;
   book = struct ('Case', Case, 'ledger', ledger, 'say', say);
   evaluate = @(P, replicate, varargin) ...
     bookedRuns (P, replicate, book, varargin{:});
 end
 
-function Z = bookedRuns (P, replicate, book, stage, E)
+function [Z, isTried] = bookedRuns (P, replicate, book, stage, E)
   Case = book.Case;
   ledger = book.ledger;
   if nargin < 4
@@ -30,24 +33,28 @@ function Z = bookedRuns (P, replicate, book, stage, E)
   end
   if any (cellfun (@isempty, {Case.models.folder}))
     Z = NaN (rows (P), numel (Case.targets));
+    isTried = false (rows (P), 1);
     return
   end
-  % what is left of the budget of new runs
   Case.options.maxNewRuns = Case.options.maxNewRuns - ledger('new');
-  [Z, records, isReused] = evaluateDEM (P, Case, replicate, stage, ...
-                                        newProgress (stage, book.say), E);
-  wasRun = ~strcmp ({records.cause}, 'budget') & ~isReused(:)';
-  failed = ~strcmp ({records.status}, 'ok') & ...
-           ~strcmp ({records.cause}, 'budget');
-  cpus = arrayfun (@(r) Case.models(strcmp (r.model, ...
-                                            {Case.models.name})).cpu, ...
-                   records(:)');
-  seconds = [records.seconds];
-  seconds(isnan (seconds)) = 0;
-  ledger('new') = ledger('new') + sum (wasRun);
+  Case.models = ledger('models');
+  [Z, records, isReused, nNew] = evaluateDEM (P, Case, replicate, stage, ...
+                                              newProgress (stage, book.say), E);
+  isLeftOut = strcmp ({records.cause}, 'budget');
+  isTried = ~any (reshape (isLeftOut, size (records)), 2);
+  failed = ~strcmp ({records.status}, 'ok') & ~isLeftOut;
+  ledger('models') = addSeconds (Case.models, records(:)');
+  ledger('new') = ledger('new') + nNew;
   ledger('reused') = ledger('reused') + sum (isReused(:));
   ledger('failed') = ledger('failed') + sum (failed);
-  ledger('coreSeconds') = ledger('coreSeconds') + sum (seconds .* cpus);
+  ledger('coreSeconds') = ledger('coreSeconds') + ...
+                          coreSeconds (records(:)', Case.models);
+end
+
+function seconds = coreSeconds (records, models)
+  [~, k] = ismember ({records.model}, {models.name});
+  each = [records.seconds] .* [models(k).cpu];
+  seconds = sum (each(isfinite (each)));
 end
 
 %!test
@@ -62,3 +69,20 @@ end
 %! assert (ledger('new'), 5);
 %! assert (Z, [3, 2, -1; 11, 30, NaN; NaN, NaN, NaN], 1e-12);
 %! assert (numel (listRunFolders (Case.store, 'First')), 3);
+%!test
+%! % one of two runs is not in the budget: the set was not tried
+%! Case = newCase (standInCase (tempname ()));
+%! Case.options.maxNewRuns = 3;
+%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
+%! [~, isTried] = evaluate ([1, 2; 3, 4], 1);
+%! assert (isTried, [true; false]);
+%!test
+%! % runs of later calls have the limit that the earlier ones gave
+%! Case = newCase (standInCase (tempname ()));
+%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
+%! evaluate ([1, 2; 3, 4; 5, 6], 1);
+%! evaluate ([7, 8], 1);
+%! runs = listRunFolders (Case.store, 'First');
+%! limit = @(name) isfile (fullfile (Case.store, 'optim', 'First', name, ...
+%!                                   'limit'));
+%! assert (limit (runs{4}));

@@ -24,9 +24,9 @@ function folder = prepareRun (job, Case)
   writeParams (job.model, [job.params, job.planRow, k], name, Case.store);
   writeAtomic (fullfile (folder, 'cpu'), ...
                sprintf ("%d\n", Case.models(k).cpu));
-  if ~isnan (Case.models(k).timeout)
-    writeAtomic (fullfile (folder, 'limit'), ...
-                 sprintf ("%d\n", ceil (Case.models(k).timeout)));
+  limit = max (Case.models(k).timeout, defaultLimit (Case.models(k)));
+  if ~isnan (limit)
+    writeAtomic (fullfile (folder, 'limit'), sprintf ("%d\n", ceil (limit)));
   end
   writeRecord (fullfile (folder, 'job.json'), job);
 end
