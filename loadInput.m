@@ -28,7 +28,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   % Input.seed        seed of plan and packings; same seed, same calibration
   % Input.timeout(k)  time limit of a run of model k (s)
   % Input.executor    'local' (default) or 'slurm'
-  % Input.maxNewRuns  at most so many DEM runs in all
+  % Input.maxNewRuns  at most so many DEM runs in this start
   Input.seed = 1;
 
   % ----------------------------------------------------------------------

@@ -1,8 +1,8 @@
 % EVALUATEDEM  Evaluates the DEM models at parameter sets.
 %
 % CALL: RESULTS = evaluateDEM (PARAMS)
-%       [Z, RECORDS, ISREUSED] = evaluateDEM (P, CASE, REPLICATE, STAGE, ...
-%                                             REPORT, E)
+%       [Z, RECORDS, ISREUSED, NNEW] = evaluateDEM (P, CASE, REPLICATE, ...
+%                                                   STAGE, REPORT, E)
 %
 %   PARAMS     1 x d or d x 1, one set; the call handed to costFunction
 %   RESULTS    T x 1, one row a target; NaN where a run failed
@@ -15,12 +15,13 @@
 %   Z          n x T, one column a target of CASE.targets
 %   RECORDS    n x M struct array, see newRecord
 %   ISREUSED   n x M logical: the run was in the store
+%   NNEW       runs that were made
 %
 % All runs go to the executor together. Finished runs are used again.
 %
 % See also: evaluateKriging, runJobs, costFunction
 
-function [Z, records, isReused] = evaluateDEM (P, varargin)
+function [Z, records, isReused, nNew] = evaluateDEM (P, varargin)
   given = {[], 1, 'verify', @(state) [], []};
   given(1:numel (varargin)) = varargin;
   [Case, replicate, stage, report, E] = given{:};
@@ -30,7 +31,7 @@ function [Z, records, isReused] = evaluateDEM (P, varargin)
     P = P(:)';
   end
   jobs = newJobs (Case, P, E, replicate, stage);
-  [records, isReused] = runJobs (jobs, Case, report);
+  [records, isReused, nNew] = runJobs (jobs, Case, report);
   records = reshape (records, numel (Case.models), rows (P)).';
   isReused = reshape (isReused, numel (Case.models), rows (P)).';
   Z = NaN (rows (P), numel (Case.targets));

@@ -10,20 +10,25 @@
 %
 % Rows that have no result for some model are left out of the files
 % ExperimentalPlan_DoE.csv and results/DoE_<model>_<i>/DoE_<model>_<i>.csv, as
-% published; DATA keeps them with NaN.
+% published; DATA keeps them with NaN. Rows that Input.maxNewRuns does not allow
+% are left out of DATA.
 %
-% Errors: DEcalioc:runPlan:tooManyFailures, with a table of what failed
+% Errors: DEcalioc:runPlan:tooManyFailures, with a table of what failed;
+% DEcalioc:runPlan:tooFewRuns where Input.maxNewRuns leaves too few
 %
 % See also: GenerateExperPlan, fitSurrogates
 
 function data = runPlan (plan, data, Case, evaluate, say)
+  isTried = true (rows (plan), 1);
   if rows (plan) > 0
     reportPlan (plan, Case, say);
-    Z = evaluate (plan, 1, 'plan');
-    data = addRows (data, plan, Z, ones (rows (plan), 1), 'plan');
+    [Z, isTried] = evaluate (plan, 1, 'plan');
+    data = addRows (data, plan(isTried, :), Z(isTried, :), ...
+                    ones (sum (isTried), 1), 'plan');
   end
   isWhole = all (isfinite (data.Z), 2);
-  checkFailures (isWhole, Case);
+  checkBudget (sum (isWhole), isTried, Case);
+  checkFailures (isWhole(isWhole | isOwn (data)), Case);
   writeMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), ...
                data.X(isWhole, :));
   for t = 1:numel (Case.targets)
@@ -32,6 +37,18 @@ function data = runPlan (plan, data, Case, evaluate, say)
     folder = fullfile (Case.folder, 'results', name);
     [~, ~] = mkdir (folder);
     writeMatrix (fullfile (folder, [name, '.csv']), data.Z(isWhole, t));
+  end
+end
+
+function checkBudget (nWhole, isTried, Case)
+  least = numel (Case.names) + 2;
+  if nWhole < least && ~all (isTried)
+    error ('DEcalioc:runPlan:tooFewRuns', ...
+           ['runPlan: the surrogates need %d finished sets, got %d: ' ...
+            'Input.maxNewRuns = %g left %d of the plan''s %d sets without ' ...
+            'a run. Raise it and start again; finished runs are kept.'], ...
+           least, nWhole, Case.options.maxNewRuns, sum (~isTried), ...
+           numel (isTried));
   end
 end
 
@@ -87,3 +104,28 @@ end
 %! end
 %! assert (err.identifier, 'DEcalioc:runPlan:tooManyFailures');
 %! assert (! isempty (strfind (err.message, 'no such box')));
+%!test
+%! % a budget below the plan: what was run is used, or too little is said
+%! raw = standInCase (tempname ());
+%! raw.Input.maxNewRuns = 8;
+%! Case = newCase (raw);
+%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
+%! data = runPlan (magic (6)(:, 1:2), newData (2, 3), Case, evaluate, @(t) []);
+%! assert (rows (data.Z), 4);
+%! Case.options.maxNewRuns = 2;
+%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
+%! try
+%!   runPlan (10 * magic (6)(:, 1:2), newData (2, 3), Case, evaluate, @(t) []);
+%! catch err
+%! end
+%! assert (err.identifier, 'DEcalioc:runPlan:tooFewRuns');
+%!test
+%! % rows of runs.csv that have one model only are no failures
+%! Case = newCase (standInCase (tempname ()));
+%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
+%! data = addRows (newData (2, 3), rand (20, 2), [ones(20, 2), NaN(20, 1)], ...
+%!                 ones (20, 1), 'import');
+%! data = runPlan (magic (4)(:, 1:2), data, Case, evaluate, @(text) []);
+%! assert (rows (data.Z), 24);
+%! assert (isempty (failedSets (addRows (data, data.X(1, :), data.Z(1, :), ...
+%!                                       2, 'import'))));

@@ -4,22 +4,23 @@
 %
 %   DATA  see newData: the runs that were taken in
 %   CASE  see newCase
-%   N     CASE.options.numOfSam less the finished rows; 0 where no new run is
-%         allowed
+%   N     CASE.options.numOfSam less the finished rows; 0 where there is no
+%         model to run
 %
 % See also: GenerateExperPlan, importExisting
 
 function n = samplesToPlan (data, Case)
   atHand = sum (all (isfinite (data.Z), 2));
   n = max (0, Case.options.numOfSam - atHand);
-  if Case.options.maxNewRuns == 0
+  if any (cellfun (@isempty, {Case.models.folder}))
     n = 0;
   end
 end
 
 %!test
-%! Case.options = struct ('numOfSam', 5, 'maxNewRuns', Inf);
+%! Case.options.numOfSam = 5;
+%! Case.models = struct ('folder', {'a', 'b'});
 %! data.Z = [1, 2; NaN, 3; 4, 5];
 %! assert (samplesToPlan (data, Case), 3);
-%! Case.options.maxNewRuns = 0;
+%! Case.models(2).folder = '';
 %! assert (samplesToPlan (data, Case), 0);

@@ -10,7 +10,7 @@
 
 function problem = withinBudget (problem, ledger, Case)
   left = Case.options.maxNewRuns - ledger('new');
-  problem.options.maxNewRuns = floor (left / numel (Case.models));
+  problem.options.maxNewRuns = max (0, floor (left / numel (Case.models)));
 end
 
 %!test

@@ -1,6 +1,6 @@
 % RUNJOBS  Carries out jobs; what is in the store is not run again.
 %
-% CALL: [RECORDS, ISREUSED] = runJobs (JOBS, CASE, REPORT)
+% CALL: [RECORDS, ISREUSED, NNEW] = runJobs (JOBS, CASE, REPORT)
 %
 %   JOBS     1 x n struct array, see newJobs
 %   CASE     see newCase; CASE.options.executor names the executor
@@ -8,18 +8,19 @@
 %            done, failed, running, reused, seconds
 %   RECORDS  1 x n struct array, see newRecord, in the order of JOBS
 %   ISREUSED  1 x n logical: the run was in the store
+%   NNEW     runs that were made
 %
-% At most CASE.options.maxNewRuns runs are new; a job beyond them is a failed
-% record with the cause 'budget'.
+% A run that was killed from outside is tried again as it is, up to twice, and
+% counts once. A run that failed by itself is tried once more with another seed,
+% since an unlucky packing may be the cause. What then still fails is a record
+% that says so.
 %
-% A run that was killed from outside is tried again as it is, up to twice. A
-% run that failed by itself is tried once more with another seed, since an
-% unlucky packing may be the cause. What then still fails is a record that
-% says so.
+% At most CASE.options.maxNewRuns runs are made, those with another seed among
+% them; a job beyond them is a failed record with the cause 'budget'.
 %
 % See also: findRuns, executeLocal, executeSlurm
 
-function [records, isReused] = runJobs (jobs, Case, report)
+function [records, isReused, nNew] = runJobs (jobs, Case, report)
   for k = 1:numel (Case.models)
     Case.models(k).funs = ...
       hashFolder (fullfile (Case.models(k).folder, 'OctaveFuns'), {});
@@ -36,6 +37,7 @@ function [records, isReused] = runJobs (jobs, Case, report)
   overBudget = open & cumsum (open) > Case.options.maxNewRuns;
   records(overBudget) = withoutRun (records(overBudget));
   open = open & ~overBudget;
+  nNew = sum (open);
   if any (open)
     records(open) = execute (jobs(open), Case, tell);
   end
@@ -45,7 +47,10 @@ function [records, isReused] = runJobs (jobs, Case, report)
       records(again) = execute (jobs(again), Case, tell);
     end
   end
-  records = withOtherSeed (jobs, records, Case, execute, tell);
+  Case.models = addSeconds (Case.models, records(open));
+  Case.options.maxNewRuns = Case.options.maxNewRuns - nNew;
+  [records, nSecond] = withOtherSeed (jobs, records, Case, execute, tell);
+  nNew = nNew + nSecond;
 end
 
 function records = withoutRun (records)
@@ -90,9 +95,10 @@ function record = takeOver (record, stored, job)
   record.planRow = job.planRow;
 end
 
-function records = withOtherSeed (jobs, records, Case, execute, tell)
+function [records, nNew] = withOtherSeed (jobs, records, Case, execute, tell)
   failed = find (~strcmp ({records.status}, 'ok') & ...
                  ~ismember ({records.cause}, {'killed', 'budget'}));
+  nNew = 0;
   if isempty (failed)
     return
   end
@@ -107,6 +113,8 @@ function records = withOtherSeed (jobs, records, Case, execute, tell)
   end
   second = repmat (records(1), 1, numel (other));
   [second, open] = fromStore (other, second, Case);
+  open = open & cumsum (open) <= Case.options.maxNewRuns;
+  nNew = sum (open);
   if any (open)
     second(open) = execute (other(open), Case, tell);
   end
@@ -188,3 +196,13 @@ end
 %!                               Case, quiet);
 %! assert (all (isReused));
 %! assert ({second.folder}, {first.folder});
+%!test
+%! % tries with another seed are runs too
+%! Case = newCase (standInCase (tempname ()));
+%! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), "exit 1\n");
+%! Case.options.maxNewRuns = 3;
+%! [r, ~, nNew] = runJobs (newJobs (Case, [1, 2; 3, 4], [], 1, 'plan')([2, 4]), ...
+%!                         Case, quiet);
+%! assert ({r.status}, {'failed', 'failed'});
+%! assert (nNew, 3);
+%! assert (numel (listRunFolders (Case.store, 'Second')), 3);

@@ -35,10 +35,11 @@ function lines = checkSurrogates (state, problem)
     lines{end + 1} = sprintf (['%d targets cannot fix %d parameters: other ' ...
                                'sets meet them as well'], nTargets, d);
   end
-  failed = sum (any (isnan (state.data.Z), 2));
+  own = isOwn (state.data);
+  failed = sum (any (isnan (state.data.Z(own, :)), 2));
   if failed > 0
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
-                              failed, rows (state.data.Z));
+                              failed, sum (own));
   end
 end
 

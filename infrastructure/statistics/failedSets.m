@@ -7,13 +7,17 @@
 % See also: recalibrate, meetProbability
 
 function P = failedSets (data)
-  [sets, ~, group] = unique (data.X, 'rows');
-  failed = any (isnan (data.Z), 2);
+  own = isOwn (data);
+  [sets, ~, group] = unique (data.X(own, :), 'rows');
+  failed = any (isnan (data.Z(own, :)), 2);
   n = accumarray (group(:), 1, [rows(sets), 1]);
   bad = accumarray (group(:), failed(:), [rows(sets), 1]);
   P = sets(bad >= 2 & bad == n, :);
 end
 
 %!test
-%! data = struct ('X', [1; 1; 2; 2; 3], 'Z', [NaN; NaN; 1; NaN; NaN]);
+%! data = struct ('X', [1; 1; 2; 2; 3], 'Z', [NaN; NaN; 1; NaN; NaN], ...
+%!                'stage', {repmat({'plan'}, 5, 1)});
 %! assert (failedSets (data), 1);
+%! data.stage(2) = {'import'};
+%! assert (isempty (failedSets (data)));

@@ -54,7 +54,7 @@ end
 %! out = recalibrate (state, problem, 'DEM', 3);
 %! assert (numel (out.history), 1);
 %! assert (out.history.iteration, 3);
-%! state.data.X(end + 1:end + 2, :) = repmat (out.found.params, 2, 1);
-%! state.data.Z(end + 1:end + 2, :) = NaN;
+%! state.data = addRows (state.data, repmat (out.found.params, 2, 1), ...
+%!                       NaN (2, columns (state.data.Z)), [1; 2], 'verify');
 %! away = recalibrate (state, problem, 'DEM', 4);
 %! assert (~isequal (away.found.params, out.found.params));
