@@ -111,8 +111,7 @@ function [records, nNew] = withOtherSeed (jobs, records, Case, execute, tell)
     other(i).key = runKey (runVariables (other(i), Case), ...
                            Case.effectVars, h(k));
   end
-  second = repmat (records(1), 1, numel (other));
-  [second, open] = fromStore (other, second, Case);
+  [second, open] = fromStore (other, records(failed), Case);
   open = open & cumsum (open) <= Case.options.maxNewRuns;
   nNew = sum (open);
   if any (open)
@@ -197,12 +196,12 @@ end
 %! assert (all (isReused));
 %! assert ({second.folder}, {first.folder});
 %!test
-%! % tries with another seed are runs too
+%! % tries with another seed are runs too; a job that has none left stays failed
 %! Case = newCase (standInCase (tempname ()));
 %! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), "exit 1\n");
-%! Case.options.maxNewRuns = 3;
-%! [r, ~, nNew] = runJobs (newJobs (Case, [1, 2; 3, 4], [], 1, 'plan')([2, 4]), ...
+%! Case.options.maxNewRuns = 5;
+%! [r, ~, nNew] = runJobs (newJobs (Case, [1, 2; 3, 4], [], 1, 'plan'), ...
 %!                         Case, quiet);
-%! assert ({r.status}, {'failed', 'failed'});
-%! assert (nNew, 3);
+%! assert ({r.status}, {'ok', 'failed', 'ok', 'failed'});
+%! assert (nNew, 5);
 %! assert (numel (listRunFolders (Case.store, 'Second')), 3);
