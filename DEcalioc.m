@@ -34,8 +34,7 @@ function calibration = calibrateCase (root, folder)
 
   % experimental plan and DEM simulation
   data = importExisting (Case, say);
-  plan = GenerateExperPlan (Case.limits, samplesToPlan (data, Case), ...
-                            folder, Case.options.seed);
+  plan = newPlan (data, Case);
   data = runPlan (plan, data, Case, evaluate, say);
   problem = withinBudget (problem, ledger, Case);
 

@@ -44,7 +44,7 @@ function [found, history] = calibrateOnKriging (surrogates, problem, options)
   if probability < solved(won).probability
     p = solved(won).params;
   end
-  if problem.nExtra > 0 && problem.options.WRL ~= 0
+  if problem.nExtra > 0
     p = preferredSet (surrogates, problem, p, pool);
   end
   found = describeSet (surrogates, problem, p);
@@ -76,7 +76,7 @@ function starts = startingPoints (surrogates, problem, options)
     starts(end + 1) = struct ('start', 'set of the stage before', ...
                               'params', options.incumbent);
   end
-  X = surrogates(1).X;
+  X = insideLimits (surrogates(1).X, problem.limits);
   r = targetResidual (problem, X, predictSurrogate (surrogates, X));
   worst = max (abs (r(:, problem.calibrate)) ./ ...
                problem.tol(problem.calibrate), [], 2);

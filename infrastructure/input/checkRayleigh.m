@@ -9,8 +9,10 @@
 %   P          1 x n problems, see checkProblem
 %
 % Radius, density, Young's modulus and Poisson's ratio must be among the model
-% or the design variables where optim.WRL > 0. percentRayleigh too, where a
-% data.head sets SIMTS to 0 and has no percentRayleigh to go by.
+% or the design variables where optim.WRL > 0, or where percentRayleigh is one
+% and a data.head would keep its own time step otherwise. With optim.WRL > 0
+% percentRayleigh too, where a data.head sets SIMTS to 0 and has no
+% percentRayleigh to go by.
 %
 % Reason: missingRayleigh
 %
@@ -18,16 +20,19 @@
 
 function p = checkRayleigh (optim, modelVars, assign, models)
   p = checkProblem ();
-  if ~isfield (optim, 'WRL') || ~checkIs ('number', optim.WRL) || ...
-      optim.WRL <= 0
+  isText = cellfun (@(a) checkIs ('text', a), assign);
+  given = [fieldnames(modelVars)', assign(isText)];
+  isWished = isfield (optim, 'WRL') && checkIs ('number', optim.WRL) && ...
+             optim.WRL > 0;
+  isLost = any (strcmp (given, 'percentRayleigh')) && ...
+           any (arrayfun (@hasOwnStep, models));
+  if ~isWished && ~isLost
     return
   end
   needed = {'radiusP', 'densityP', 'youngsModulusP', 'poissonsRatioP'};
-  if any (arrayfun (@needsPercent, models))
+  if isWished && any (arrayfun (@needsPercent, models))
     needed{end + 1} = 'percentRayleigh';
   end
-  isText = cellfun (@(a) checkIs ('text', a), assign);
-  given = [fieldnames(modelVars)', assign(isText)];
   for k = find (~ismember (needed, given))
     name = needed{k};
     p(end + 1) = checkProblem ('missingRayleigh', ['modelVars.', name], ...
@@ -39,15 +44,27 @@ end
 function yes = needsPercent (model)
   yes = false;
   if ~isempty (model.head)
-    names = {model.head.name};
-    at = find (strcmp (names, 'SIMTS'), 1, 'last');
-    yes = ~isempty (at) && str2double (model.head(at).value) == 0 && ...
-          ~any (strcmp (names, 'percentRayleigh'));
+    yes = ownStep (model) == 0 && ...
+          ~any (strcmp ({model.head.name}, 'percentRayleigh'));
+  end
+end
+
+function yes = hasOwnStep (model)
+  yes = ~isempty (model.head) && ownStep (model) > 0;
+end
+
+% SIMTS of data.head (s); NaN where it has none.
+function step = ownStep (model)
+  step = NaN;
+  at = find (strcmp ({model.head.name}, 'SIMTS'), 1, 'last');
+  if ~isempty (at)
+    step = str2double (model.head(at).value);
   end
 end
 
 function text = cure (name, models)
-  text = sprintf ('Set modelVars.%s, or optim.WRL = 0.', name);
+  text = sprintf (['Set modelVars.%s; without it optim.WRL must be 0 and ' ...
+                   'percentRayleigh not set.'], name);
   heads = [models.head];
   if isempty (heads)
     return
@@ -71,3 +88,13 @@ end
 %! assert (p(1).id, 'DEcalioc:checkCase:missingRayleigh');
 %! assert (! isempty (strfind (p(1).message, 'modelVars.radiusP = 2e-3;')));
 %! assert (! isempty (strfind (p(2).message, 'percentRayleigh')));
+%!test
+%! % a share of the Rayleigh time would be lost beside a fixed time step
+%! own = models;
+%! own.head(2).value = '1e-5';
+%! vars = struct ('percentRayleigh', 0.2, 'radiusP', 2e-3, ...
+%!                'youngsModulusP', 5e6, 'poissonsRatioP', 0.3);
+%! p = checkRayleigh (struct ('WRL', 0), vars, {}, own);
+%! assert (numel (p), 1);
+%! assert (! isempty (strfind (p.message, 'densityP')));
+%! assert (isempty (checkRayleigh (struct ('WRL', 0), vars, {'densityP'}, own)));

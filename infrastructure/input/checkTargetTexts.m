@@ -81,11 +81,12 @@ end
 
 function p = checkNames (names, taken)
   p = checkProblem ();
+  earlier = {};
   for k = 1:numel (names)
     here = names{k}(~cellfun (@isempty, names{k}));
     for i = 1:numel (here)
       field = sprintf ('optim.targetName{%d}', k);
-      if any (strcmp (here{i}, here(1:i - 1)))
+      if any (strcmp (here{i}, [earlier, here(1:i - 1)(:)']))
         p(end + 1) = checkProblem ('duplicateTargetName', field, ...
                                    'names that differ', ...
                                    [checkShow(here{i}), ' twice'], ...
@@ -97,6 +98,7 @@ function p = checkNames (names, taken)
                                    'Rename the target: both are columns.');
       end
     end
+    earlier = [earlier, here(:)'];
   end
 end
 
@@ -120,6 +122,9 @@ end
 %! p = checkTargetTexts (optim, [2, 1], {'densityP'});
 %! assert ({p.id}, strcat ('DEcalioc:checkCase:', ...
 %!         {'duplicateTargetName', 'takenTargetName'}));
+%! optim.targetName = {{'slope'}, {'mass', 'slope'}};
+%! assert (checkTargetTexts (optim, [1, 2], {}).id, ...
+%!         'DEcalioc:checkCase:duplicateTargetName');
 %!test
 %! p = checkTargetTexts (struct ('role', {{{'holdout'}}}), 1, {});
 %! assert (p.id, 'DEcalioc:checkCase:noCalibrateTarget');

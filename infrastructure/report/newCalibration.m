@@ -8,9 +8,8 @@
 %   LEDGER   see newLedger
 %   C        scalar struct: params 1 x d, results 1 x T, residual T x 1,
 %            runSd 1 x T, runs at the set, interval90 2 x d, converged, reason,
-%            demRuns, coreSeconds, atLimit, notIdentified, loose (what the
-%            targets cannot fix, in words), next (what would fix it best),
-%            correlation d x d, sensitivity d x T (total Sobol indices),
+%            demRuns, coreSeconds, atLimit, notIdentified, identifiability (see
+%            there), correlation d x d, sensitivity d x T (total Sobol indices),
 %            warnings, holdout, surrogates, history, data, exitStatus
 %
 % See also: writeCalibrationJson, reportCalibration
@@ -33,8 +32,7 @@ function c = newCalibration (state, problem, Case, ledger)
   c.coreSeconds = ledger('coreSeconds');
   c.atLimit = limitsTouched (final.params, problem);
   c.notIdentified = weak.notIdentified;
-  c.loose = weak.text;
-  c.next = weak.next;
+  c.identifiability = weak;
   c.correlation = known.correlation;
   c.sensitivity = sobolIndices (state.surrogates, problem).total;
   c.warnings = checkSurrogates (state, problem);

@@ -89,8 +89,9 @@ function saySensitivity (c, Case, say)
 end
 
 function sayUnknown (c, Case, say)
-  for k = 1:numel (c.loose)
-    say (['  not fixed by these targets: ', c.loose{k}]);
+  weak = c.identifiability;
+  for k = 1:numel (weak.text)
+    say (['  not fixed by these targets: ', weak.text{k}]);
   end
   [i, j] = find (triu (abs (c.correlation) > 0.7, 1));
   for k = 1:numel (i)
@@ -98,8 +99,8 @@ function sayUnknown (c, Case, say)
                   Case.names{i(k)}, Case.names{j(k)}, ...
                   c.correlation(i(k), j(k))));
   end
-  if ~isempty (c.loose) && ~isempty (c.next)
-    say (sprintf ('  what would fix most: %s, %s', c.next(1).kind, ...
-                  c.next(1).name));
+  if ~isempty (weak.text) && ~isempty (weak.next)
+    say (sprintf ('  what would fix most: %s, %s', weak.next(1).kind, ...
+                  weak.next(1).name));
   end
 end

@@ -34,7 +34,7 @@ function excess = leastExcess (surrogates, problem, group)
   % largest (|residual| - tolerance) / sd of the group, least over the box
   limits = problem.limits;
   d = columns (limits);
-  P = [mean(limits, 1); surrogates(1).X; ...
+  P = [mean(limits, 1); insideLimits(surrogates(1).X, limits); ...
        double(stk_sampling_halton_rr2 (1000, d, limits))];
   unit = double (stk_sampling_halton_rr2 (100, d, [-ones(1, d); ones(1, d)]));
   problem.calibrate(:) = false;
@@ -55,7 +55,7 @@ function worst = worstExcess (surrogates, problem, P)
   worst = max (worst, 0);
 end
 
-%!shared problem, state, s
+%!shared problem, state, s, data
 %! pkg load stk
 %! pkg load -nodeps struct optim
 %! rand ('twister', 2);
@@ -82,3 +82,11 @@ end
 %! [names, excess] = findConflict (s, problem);
 %! assert (names, {'x', 'y'});
 %! assert (excess > 3);
+
+%!test
+%! % runs outside the box, taken in from another case, reach nothing in it
+%! far = addRows (data, [3, 2; 4, 2], [7, 4.8; 8, 5.8], ones (2, 1), 'import');
+%! outside = problem;
+%! outside.value(1) = 7;
+%! outside.calibrate(2) = false;
+%! assert (findConflict (fitSurrogates (far, outside), outside), {'x'});

@@ -1,0 +1,49 @@
+% NEWPLAN  The plan of a case, besides the runs that were taken in.
+%
+% CALL: PLAN = newPlan (DATA, CASE)
+%
+%   DATA  see newData: the runs that were taken in
+%   CASE  see newCase
+%   PLAN  n x d: CASE.options.numOfSam rows less the finished ones of DATA; none
+%         where there is no model to run
+%
+% A Latin hypercube plan; beside runs that were taken in, rows far from them.
+%
+% See also: GenerateExperPlan, augmentPlan, importExisting
+
+function plan = newPlan (data, Case)
+  atHand = sum (all (isfinite (data.Z), 2));
+  n = max (0, Case.options.numOfSam - atHand);
+  if any (cellfun (@isempty, {Case.models.folder}))
+    n = 0;
+  end
+  if isempty (data.X)
+    plan = GenerateExperPlan (Case.limits, n, Case.folder, Case.options.seed);
+  else
+    plan = augmentPlan (insideLimits (data.X, Case.limits), n, Case.limits);
+  end
+end
+
+%!shared data, Case
+%! pkg load stk
+%! Case = struct ('limits', [0; 1], 'folder', '');
+%! Case.options = struct ('numOfSam', 5, 'seed', 1);
+%! Case.models = struct ('folder', {'a', 'b'});
+%! data = newData (1, 2);
+%!test
+%! assert (rows (newPlan (data, Case)), 5);
+%! data = addRows (data, [0.1; 0.2; 3], [1, 2; NaN, 3; 4, 5], ones (3, 1), ...
+%!                 'import');
+%! plan = newPlan (data, Case);
+%! assert (rows (plan), 3);
+%! assert (all (abs (plan - 0.15) > 0.1));
+%! Case.models(2).folder = '';
+%! assert (size (newPlan (data, Case)), [0, 1]);
+%!test
+%! % the plan of a larger case beside runs of a smaller one draws no row twice
+%! other = struct ('limits', [0; 1], 'folder', '');
+%! other.options = struct ('numOfSam', 8, 'seed', 1);
+%! other.models = struct ('folder', {'a'});
+%! old = GenerateExperPlan ([0; 1], 4, '', 1);
+%! data = addRows (newData (1, 1), old, old, ones (4, 1), 'import');
+%! assert (isempty (intersect (newPlan (data, other), old)));
