@@ -12,7 +12,8 @@
 % The scatter of one run is the pooled one of the surrogates. The truth at the
 % set is known from its runs and from the surrogate, which holds them; where
 % the two disagree by more than 3 standard errors the surrogate is not trusted
-% and the runs stand alone. converged: mean within the tolerances, at least
+% and the runs stand alone (with their own scatter where that is the larger one,
+% and n - 1 degrees of freedom then). converged: mean within the tolerances, at least
 % options.replicates runs, probability at least options.confidence. A set
 % without a finished run is never converged.
 %
@@ -35,6 +36,8 @@ function final = confirmSet (state, problem)
     s = max (own, runSd) / sqrt (n);
     m(alone) = final.result(alone);
     v(alone) = s(alone).^2;
+    few = alone & own > runSd;
+    df(few) = min (df(few), max (n - 1, 1));
   end
   final = judge (final, m, v, df, problem);
   final.conflict = {};
@@ -127,3 +130,12 @@ end
 %! assert (~ confirmSet (s, problem).converged);
 %! s = runRows (state, problem, @(P, r) 2 + 0 * P, [0.5; 0.5], 'verify');
 %! assert (~ confirmSet (s, problem).within);
+
+%!test
+%! % runs that stand alone against the surrogate, with a scatter of their own
+%! z = [2; 2.2; 1.8; 2.1];
+%! s = state;
+%! s.data = addRows (s.data, 0.5 * ones (4, 1), z, (1:4)', 'verify');
+%! final = confirmSet (s, problem);
+%! half = studentQuantile (0.95, 3) * std (z) / 2;
+%! assert (final.interval90, mean (z) + [-half; half], 1e-9);

@@ -7,8 +7,12 @@
 %        relative 1 x T (pooled sd / mean), interval90 2 x T (of sd),
 %        power 1 x T (slope of log sd on log |mean| over the groups: 0 the
 %        scatter is constant, 1 it is proportional; NaN with fewer than 4
-%        groups), heteroscedastic 1 x T logical; sd is NaN where there are no
-%        replicates (the surrogates estimate it then)
+%        groups), heteroscedastic 1 x T logical, varianceAt 1 x T cell: where
+%        power is known a handle, response -> variance of one run there; sd is
+%        NaN where there are no replicates (the surrogates estimate it then)
+%
+% varianceAt is c |response|^(2 power), power limited to 0 to 2, with the c for
+% which it gives the sum of squares that the groups have.
 %
 % Chi-squared interval by the Wilson-Hilferty formula.
 %
@@ -19,7 +23,8 @@ function noise = estimateNoise (data, problem)
   [~, ~, group] = unique (data.X, 'rows');
   noise = struct ('sd', NaN (1, T), 'df', zeros (1, T), ...
                   'relative', NaN (1, T), 'interval90', NaN (2, T), ...
-                  'power', NaN (1, T), 'heteroscedastic', false (1, T));
+                  'power', NaN (1, T), 'heteroscedastic', false (1, T), ...
+                  'varianceAt', {cell(1, T)});
   for t = 1:T
     ok = isfinite (data.Z(:, t));
     z = data.Z(ok, t);
@@ -56,6 +61,16 @@ function noise = scatterLaw (noise, t, m, ss, n)
   S = inv (A' * (w.^2 .* A));
   noise.power(t) = b(2);
   noise.heteroscedastic(t) = abs (b(2)) > 2 * sqrt (S(2, 2));
+  noise.varianceAt{t} = varianceLaw (b(2), abs (m), ss, n);
+end
+
+% The law is held at 1 % of the usual response: it would be 0 at a response of 0.
+function at = varianceLaw (power, level, ss, n)
+  power = min (max (power, 0), 2);
+  least = 0.01 * median (level);
+  shape = @(y) max (abs (y), least).^(2 * power);
+  c = sum (ss) / sum ((n - 1) .* shape (level));
+  at = @(y) c * shape (y);
 end
 
 %!test
@@ -78,3 +93,14 @@ end
 %! noise = estimateNoise (data, struct ('value', 1));
 %! assert (noise.power, 1, 0.4);
 %! assert (noise.heteroscedastic);
+%! assert (sqrt (noise.varianceAt{1}(20)), 2, 0.7);
+
+%!test
+%! % replicates at small responses, single runs at large ones: the law holds
+%! % the scatter where it was seen (chance of failing below 1 %)
+%! randn ('twister', 3);
+%! X = [kron(linspace (1, 3, 10)', ones (5, 1)); (10:40)'];
+%! data = addRows (newData (1, 1), X, X .* (1 + 0.1 * randn (81, 1)), ...
+%!                 ones (81, 1), 'plan');
+%! noise = estimateNoise (data, struct ('value', 1));
+%! assert (sqrt (noise.varianceAt{1}(2)), 0.2, 0.06);
