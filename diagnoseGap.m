@@ -19,10 +19,9 @@ function diagnosis = diagnoseCase (root, folder)
   startToolbox (root, folder);
   say = @(text) sayLine (text, fullfile (folder, 'Octave_logfile.txt'));
   lock = lockCase (folder);
-  Case = caseEffects (loadCase (root, folder));
-  if Case.options.maxNewRuns > 0
-    useLiggghts (root);
-  end
+  Case = withEffects (loadCase (root, folder));
+  % the program belongs to the key of a run, also where none is made
+  useLiggghts (root);
   ledger = newLedger ();
   evaluate = newEvaluate (Case, ledger, say);
 

@@ -27,7 +27,7 @@ end
 
 % durations grow by the offset; a curve over time is read earlier
 function Z = readLater (Z, strength, info)
-  Z = shiftSeries (Z, strength, info, 'time');
+  Z = shiftSeries (Z, -strength, info, 'time');
   moved = strcmp ({info.kind}, 'time');
   Z(:, moved) = Z(:, moved) + strength;
 end
@@ -36,4 +36,4 @@ end
 %! info = struct ('kind', {'time', 'mass', 'mass', 'angle'}, 'at', ...
 %!                {NaN, 1, 2, NaN}, 'series', {'', 'time', 'time', ''});
 %! z = effectTimeOffset ().transform ([5, 9, 6, 30], 0.1, info);
-%! assert (z, [5.1, 8.7, 5.7, 30], 1e-12);
+%! assert (z, [5.1, 9.3, 6.3, 30], 1e-12);

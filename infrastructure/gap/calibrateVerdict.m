@@ -139,10 +139,15 @@ function expected = summarise (expected, trials, models)
   strong = cause > 0 & [trials.d] >= 4;
   expected.temperature = models.temperature;
   expected.nameAt = models.nameAt;
-  expected.falseName = mean (s.named(cause == 0));
-  expected.right = mean (s.right(strong));
-  expected.top1 = mean (s.top(strong));
   listed = s.named & cause >= 0;
-  expected.precision = mean (s.right(listed));
-  expected.wrongUnlisted = mean (s.named(cause < 0));
+  expected.falseName = share (s.named(cause == 0));
+  expected.right = share (s.right(strong));
+  expected.top1 = share (s.top(strong));
+  expected.precision = share (s.right(listed));
+  expected.wrongUnlisted = share (s.named(cause < 0));
+end
+
+% NaN where there is nothing to count.
+function part = share (isSo)
+  part = sum (isSo) / numel (isSo);
 end

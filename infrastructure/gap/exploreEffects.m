@@ -74,12 +74,15 @@ function [wanted, posteriors] = survivors (problem, options, em, runs)
   wanted = zeros (1, K);
   posteriors = cell (1, K);
   usable = find ([em.effect.laboratory] | [em.effect.runs] >= 2);
+  if isempty (usable)
+    return
+  end
   library = em;
   library.effect = em.effect(usable);
   models = makeModels (problem, library, options);
   fits = fitLibrary (models, problem.y(problem.used));
   w = weighCase (models, fits, 1, false);
-  if w.gate.p > 2 * options.level || isempty (usable)
+  if w.gate.p > 2 * options.level
     return
   end
   logE = w.logE(2:1 + numel (usable));

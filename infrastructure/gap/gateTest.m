@@ -10,6 +10,9 @@
 %     top, pTop        largest drop of chi2 by one listed effect, its p-value
 %     p                of the smaller of the two, corrected for taking it
 %
+% With as many parameters as targets nothing is left to test but the limits of
+% the parameters: what they keep out of reach counts, with one degree of freedom.
+%
 % The drop along a known direction has one degree of freedom and sees effects
 % that the whole chi2 does not. Reference: 1000 draws of rho ~ N (0, I).
 %
@@ -22,9 +25,9 @@ function gate = gateTest (models, screen, null, i)
   gate.df = max (n, 1);
   gate.top = max ([screen.gain, 0]);
   if n == 0
-    gate.pFit = 1;
+    gate.pFit = chiSquareTail (gate.chi2, 1);
     gate.pTop = 1;
-    gate.p = 1;
+    gate.p = gate.pFit;
     return
   end
   draws = models.noise(:, 1:n);
@@ -54,3 +57,12 @@ end
 %! end
 %! assert (p(1) > 0.5);
 %! assert (p(2) < 0.01);
+%!test
+%! % one target, one parameter: out of reach of the box, or within
+%! models.noise = zeros (10, 1);
+%! screen = struct ('gain', zeros (1, 0), 'sided', zeros (1, 0));
+%! screen.parity.rho = zeros (0, 1);
+%! gate = gateTest (models, screen, struct ('chi2', [100, 0.5]), 1);
+%! assert (gate.p < 1e-6);
+%! gate = gateTest (models, screen, struct ('chi2', [100, 0.5]), 2);
+%! assert (gate.p > 0.4);

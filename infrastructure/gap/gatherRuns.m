@@ -9,8 +9,9 @@
 %          runs.csv), ignored (cellstr, columns of runs.csv not understood)
 %
 % A run counts if it ended well and its key is what the models, the model
-% variables and its own parameters give today. Rows of runs.csv that repeat a
-% run of the store bit by bit are left out.
+% variables and its own parameters give today. Where OctaveFuns has changed since
+% it is evaluated again. Rows of runs.csv that repeat a run of the store bit by
+% bit are left out.
 %
 % See also: importRuns, runKey, diagnoseGap
 
@@ -41,17 +42,11 @@ function [data, n] = fromStore (Case, data)
   n = 0;
   for k = 1:numel (Case.models)
     own = [Case.targets.model] == k;
-    names = listRunFolders (Case.store, Case.models(k).name);
-    for i = 1:numel (names)
-      record = readRecord (fullfile (Case.store, 'optim', ...
-                                     Case.models(k).name, names{i}, ...
-                                     'record.json'));
-      effects = countsAs (record, Case, h(k), sum (own));
-      if isempty (effects)
-        continue
-      end
+    [records, effects] = runsOf (Case, k, h(k));
+    for i = 1:numel (records)
+      record = records{i};
       n = n + 1;
-      row = [record.params(:)', effects{1}, record.replicate];
+      row = [record.params(:)', effects{i}, record.replicate];
       at = find (all (inputs == row, 2), 1);
       if isempty (at)
         at = rows (inputs) + 1;
@@ -71,26 +66,81 @@ function [data, n] = fromStore (Case, data)
   data.stage = stages;
 end
 
-% The effect values {1 x v} under which a record is a run of today's case; {} if
-% it is none. A run of the plain model counts under any list of effects.
-function effects = countsAs (record, Case, h, n)
-  effects = {};
-  if isempty (record) || ~isfield (record, 'status') || ...
-     ~strcmp (record.status, 'ok') || numel (record.results) < n || ...
-     numel (record.params) ~= numel (Case.names)
+% Runs of model K that count, and the effect values (1 x v) of each. What was
+% evaluated by another getResults, or not at all, is evaluated first.
+function [records, effects] = runsOf (Case, k, h)
+  names = listRunFolders (Case.store, Case.models(k).name);
+  records = cell (1, numel (names));
+  effects = cell (1, numel (names));
+  stale = false (1, numel (names));
+  for i = 1:numel (names)
+    folder = fullfile (Case.store, 'optim', Case.models(k).name, names{i});
+    records{i} = endedRun (folder);
+    effects{i} = countsAs (records{i}, folder, Case, h);
+    stale(i) = ~isempty (effects{i}) && ~strcmp (records{i}.funs, h.funs);
+  end
+  if any (stale)
+    jobs = [records{stale}];
+    records(stale) = num2cell (collectRuns (jobs, {jobs.folder}, Case));
+  end
+  least = Case.models(k).nTargets;
+  counts = ~cellfun (@isempty, effects);
+  counts(counts) = cellfun (@(r) strcmp (r.status, 'ok') && ...
+                                 numel (r.results) >= least, records(counts));
+  records = records(counts);
+  effects = cellfun (@(e) e{1}, effects(counts), 'UniformOutput', false);
+end
+
+% Record of a run whose simulation has ended well, [] for all others.
+function record = endedRun (folder)
+  record = readRecord (fullfile (folder, 'record.json'));
+  if isempty (record)
+    job = readRecord (fullfile (folder, 'job.json'));
+    mark = readEndMark (folder);
+    if ~isempty (job) && ~isempty (mark) && strcmp (mark.reason, 'finished')
+      record = newRecord (job, folder);
+      record.status = 'ok';
+    end
+  end
+  if ~isfield (record, 'status') || ...
+     ~any (strcmp (record.status, {'ok', 'invalid'}))
+    record = [];
     return
   end
-  trials = {neutralEffects(Case)};
-  if numel (record.effects) == numel (trials{1})
-    trials = [{reshape(record.effects, 1, [])}, trials];
+  record.folder = folder;
+  record = orderfields (record, newRecord (record, folder));
+end
+
+% The effect values {1 x v} under which a record is a run of today's case; {} if
+% it is none. A run of the plain model counts under any list of effects, a run
+% with an effect under any list that holds it: its data.head says which it was.
+function effects = countsAs (record, folder, Case, h)
+  effects = {};
+  if isempty (record) || numel (record.params) ~= numel (Case.names)
+    return
   end
+  neutral = neutralEffects (Case);
+  trials = {@() neutral, @() effectsInHead(folder, Case, neutral)};
   for k = 1:numel (trials)
     job = record;
-    job.effects = trials{k};
+    job.effects = trials{k}();
     key = runKey (runVariables (job, Case), Case.effectVars, h);
     if strcmp (key, record.key)
-      effects = trials(k);
+      effects = {job.effects};
       return
+    end
+  end
+end
+
+function values = effectsInHead (folder, Case, values)
+  file = fullfile (folder, 'data.head');
+  if ~isfile (file)
+    return
+  end
+  head = headDefaults (file);
+  for j = 1:numel (values)
+    if isfield (head, Case.effectVars{j})
+      values(j) = head.(Case.effectVars{j});
     end
   end
 end

@@ -46,6 +46,9 @@ function verdict = judgeCase (w, models)
                                'effect explains'], w.gate.p);
   elseif K > 0
     verdict = nameCause (verdict, w, models);
+  else
+    verdict.reason = sprintf (['there is a gap (p = %.3f), and no effect ' ...
+                               'that has runs could explain it'], w.gate.p);
   end
 end
 
@@ -102,7 +105,7 @@ function verdict = nameCause (verdict, w, models)
     verdict.kind = 'group';
     verdict.effects = named;
     verdict.reason = ['it cannot be told from ', strjoin(looksLike, ', '), ...
-                      ', which the list does not hold'];
+                      ', which is not listed or has no runs'];
   else
     verdict.kind = 'named';
     verdict.effects = named;

@@ -18,10 +18,7 @@
 
 function tests = nextTest (problem, em, w, P)
   tests = candidates (problem);
-  listed = find (~strcmp (w.kind, 'unlisted'));
-  P = P / max (sum (P(listed)), realmin);
-  keep = listed(P(listed) > 0.005);
-  P = P(keep) / sum (P(keep));
+  [keep, P] = likelyOnes (w, P);
   budget = noiseBudget (problem, em);
   noise = budget.covariance;
   for i = 1:numel (tests)
@@ -35,6 +32,20 @@ function tests = nextTest (problem, em, w, P)
   end
   [~, order] = sort (-[tests.gainPerCost]);
   tests = tests(order);
+end
+
+% The listed hypotheses among which a test could tell. Where an unlisted cause
+% is certain, the likeliest of them stays: nothing is left to tell.
+function [keep, P] = likelyOnes (w, P)
+  listed = find (~strcmp (w.kind, 'unlisted'));
+  P = P / max (sum (P(listed)), realmin);
+  keep = listed(P(listed) > 0.005);
+  if isempty (keep)
+    [~, best] = max (P(listed));
+    keep = listed(best);
+    P(keep) = 1;
+  end
+  P = P(keep) / sum (P(keep));
 end
 
 function tests = candidates (problem)
@@ -104,3 +115,6 @@ end
 %! assert (tests(1).targets, 2);
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
+%! w.kind{3} = 'unlisted';
+%! tests = nextTest (problem, em, w, [0, 0, 1]);
+%! assert ([tests.gain], zeros (1, numel (tests)), 1e-12);

@@ -32,8 +32,8 @@ function sayWhere (diagnosis, say)
   where = diagnosis.where;
   problem = diagnosis.problem;
   say ('');
-  say (sprintf (['WHERE: the calibrated model misses %d measurements by ' ...
-                 'more than noise explains with p = %.3g'], ...
+  say (sprintf (['WHERE: noise alone would make the calibrated model miss ' ...
+                 'the %d measurements by as much with p = %.3g'], ...
                 numel (problem.used), where.p));
   say (sprintf ('  %-28s %11s %11s %7s %7s  %s', 'target', 'measured', ...
                 'model', 'z', 'p', ''));
@@ -74,7 +74,11 @@ function sayWhich (diagnosis, say)
   say ('');
   say (['WHICH: ', upper(w.verdict), '. ', w.reason]);
   if ~isempty (w.effects)
-    say (['  cause: ', strjoin([w.effects, w.siblings], ' or ')]);
+    joint = ' or ';
+    if strcmp (w.verdict, 'named')
+      joint = ' and ';
+    end
+    say (['  cause: ', strjoin([w.effects, w.siblings], joint)]);
   end
   [~, order] = sort (-diagnosis.screen.gain);
   say (sprintf ('  %-20s %11s %9s %22s %s', 'effect', 'probability', ...
@@ -95,13 +99,19 @@ function sayWhich (diagnosis, say)
   end
   e = w.expected;
   if isfinite (e.top1)
-    say (sprintf (['  On %d data sets of the same design with a known ' ...
-                   'cause: the likeliest effect is right in %.0f %%, a ' ...
-                   'name is right in %.0f %%;'], e.n, 100 * e.top1, ...
-                  100 * e.precision));
-    say (sprintf (['  without a gap a name was given in %.0f %%, with the ' ...
-                   'cause missing from the list in %.0f %%.'], ...
-                  100 * e.falseName, 100 * e.wrongUnlisted));
+    say (sprintf ('  On %d data sets of the same design with a known cause:', ...
+                  e.n));
+    sayShare ('the likeliest effect is right', e.top1, say);
+    sayShare ('a name is right', e.precision, say);
+    sayShare ('without a gap a name is given', e.falseName, say);
+    sayShare ('with the cause missing from the list one is given', ...
+              e.wrongUnlisted, say);
+  end
+end
+
+function sayShare (what, share, say)
+  if isfinite (share)
+    say (sprintf ('    %s in %.0f %%', what, 100 * share));
   end
 end
 

@@ -36,7 +36,7 @@ function screen = screenEffects (white, theta, z)
   screen.strength = blank;
   screen.gain = blank;
   screen.directions = zeros (columns (N), 0);
-  screen.sided = [];
+  screen.sided = zeros (1, 0);
   for k = 1:K
     screen = oneEffect (screen, white, k, theta, sd);
   end

@@ -97,4 +97,5 @@ end
 %! p = checkRayleigh (struct ('WRL', 0), vars, {}, own);
 %! assert (numel (p), 1);
 %! assert (! isempty (strfind (p.message, 'densityP')));
-%! assert (isempty (checkRayleigh (struct ('WRL', 0), vars, {'densityP'}, own)));
+%! p = checkRayleigh (struct ('WRL', 0), vars, {'densityP'}, own);
+%! assert (isempty (p));

@@ -13,8 +13,9 @@
 % set is known from its runs and from the surrogate, which holds them; where
 % the two disagree by more than 3 standard errors the surrogate is not trusted
 % and the runs stand alone (with their own scatter where that is the larger one,
-% and n - 1 degrees of freedom then). converged: mean within the tolerances, at least
-% options.replicates runs, probability at least options.confidence. A set
+% and n - 1 degrees of freedom then).
+%
+% converged: mean within the tolerances, at least options.replicates runs, probability at least options.confidence. A set
 % without a finished run is never converged.
 %
 % See also: calibrateOnDEM, meetProbability

@@ -64,7 +64,7 @@ function noise = scatterLaw (noise, t, m, ss, n)
   noise.varianceAt{t} = varianceLaw (b(2), abs (m), ss, n);
 end
 
-% The law is held at 1 % of the usual response: it would be 0 at a response of 0.
+% Held at 1 % of the usual response: at a response of 0 the law would be 0.
 function at = varianceLaw (power, level, ss, n)
   power = min (max (power, 0), 2);
   least = 0.01 * median (level);
