@@ -34,7 +34,7 @@ function diagnosis = diagnoseCase (root, folder)
 
   % where, which, how far, next test
   options = gapBudget (Case, ledger, given);
-  further = @(X, E, replicate) evaluate (X, replicate, 'gap', E);
+  further = @(X, E, replicate, stage) evaluate (X, replicate, stage, E);
   if options.maxNewRuns < 1
     further = [];
   end

@@ -7,7 +7,10 @@
 %             runs), Z (n x T, NaN = none), replicate (n x 1): all finished runs
 %   OPTIONS   struct of gapOptions, [] = defaults
 %   EVALUATE  handle Z = EVALUATE (X, E, REPLICATE) for further runs, [] = none
-%             allowed; OPTIONS.maxNewRuns rows at most
+%             allowed; OPTIONS.maxNewRuns rows at most. One with a fourth
+%             argument is told the stage: 'gap', or 'cure' for runs that verify
+%             the cure. Those are no DATA of a later start, or it would verify
+%             another set
 %   DIAGNOSIS struct
 %     where    of locateGap
 %     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)

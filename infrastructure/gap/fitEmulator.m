@@ -28,6 +28,7 @@
 
 function em = fitEmulator (problem, data, options, old)
   p = columns (problem.limits);
+  data = inOrder (data);
   phi = effectStrength (problem.effects, data.E);
   theta = scaled (data.X, problem.limits);
   isBase = all (abs (phi) < 1e-9, 2);
@@ -57,6 +58,14 @@ function em = fitEmulator (problem, data, options, old)
     em.effect(k) = oneEffect (em, problem.effects(k), ...
                               [theta(own, :), phi(own, k)], data.Z(own, :));
   end
+end
+
+% The same runs in another order give other last digits, and then other sets to
+% verify: a second start finds its runs in the order in which they ended.
+function data = inOrder (data)
+  [~, order] = sortrows ([data.X, data.E, data.replicate]);
+  data = struct ('X', data.X(order, :), 'E', data.E(order, :), ...
+                 'Z', data.Z(order, :));
 end
 
 function theta = scaled (X, limits)

@@ -10,7 +10,8 @@
 %
 % A run counts if it ended well and its key is what the models, the model
 % variables and its own parameters give today. Where OctaveFuns has changed since
-% it is evaluated again. Rows of runs.csv that repeat a run of the store bit by
+% it is evaluated again. Runs that only verified a cure are left out, see
+% diagnoseMatrices. Rows of runs.csv that repeat a run of the store bit by
 % bit are left out.
 %
 % See also: importRuns, runKey, diagnoseGap
@@ -102,7 +103,7 @@ function record = endedRun (folder)
       record.status = 'ok';
     end
   end
-  if ~isfield (record, 'status') || ...
+  if ~isfield (record, 'status') || strcmp (record.stage, 'cure') || ...
      ~any (strcmp (record.status, {'ok', 'invalid'}))
     record = [];
     return

@@ -106,7 +106,7 @@ function [Z, worst, state] = runSet (view, set, state)
     phi(at) = set.Q(em.p + i);
   end
   state = spendRuns (state, problem, repmat (set.Q(1:em.p), n, 1), ...
-                     repmat (phi, n, 1), (1:n)');
+                     repmat (phi, n, 1), (1:n)', 'cure');
   Z = state.data.Z(end - n + 1:end, :);
   for at = number
     effect = problem.effects(at);

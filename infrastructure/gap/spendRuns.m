@@ -1,17 +1,21 @@
 % SPENDRUNS  Makes DEM runs for the diagnosis, within its budget.
 %
-% CALL: STATE = spendRuns (STATE, PROBLEM, THETA, PHI, REPLICATE)
+% CALL: STATE = spendRuns (STATE, PROBLEM, THETA, PHI, REPLICATE, STAGE)
 %
 %   STATE      struct: data (X, E, Z, replicate), evaluate (handle, [] = none),
 %              left (runs that may still be made), spent, failed
 %   PROBLEM    struct of newGapProblem
 %   THETA      n x p, parameters in [-1, 1];  PHI  n x K, strengths
 %   REPLICATE  n x 1
+%   STAGE      'gap' (default) or 'cure', see diagnoseMatrices
 %   STATE      the same with the rows added; rows beyond the budget are left out
 %
 % See also: diagnoseMatrices, planEffectRuns
 
-function state = spendRuns (state, problem, theta, phi, replicate)
+function state = spendRuns (state, problem, theta, phi, replicate, stage)
+  if nargin < 6
+    stage = 'gap';
+  end
   n = min (rows (theta), state.left);
   if isempty (state.evaluate) || n < 1
     return
@@ -19,7 +23,11 @@ function state = spendRuns (state, problem, theta, phi, replicate)
   half = diff (problem.limits) / 2;
   X = mean (problem.limits) + theta(1:n, :) .* half;
   E = effectValues (problem.effects, phi(1:n, :));
-  Z = state.evaluate (X, E, replicate(1:n));
+  told = {};
+  if nargin (state.evaluate) < 0 || nargin (state.evaluate) > 3
+    told = {stage};
+  end
+  Z = state.evaluate (X, E, replicate(1:n), told{:});
   state.data.X = [state.data.X; X];
   state.data.E = [state.data.E; E];
   state.data.Z = [state.data.Z; Z];
@@ -38,3 +46,7 @@ end
 %! state = spendRuns (state, problem, zeros (5, 4), zeros (5, 10), ones (5, 1));
 %! assert ([state.spent, state.left, rows(state.data.Z)], [3, 0, 8]);
 %! assert (state.data.X(6, :), 0.5 * ones (1, 4));
+%! state.left = 1;
+%! state.evaluate = @(X, E, r, stage) strcmp (stage, 'cure') * ones (1, 24);
+%! state = spendRuns (state, problem, zeros (1, 4), zeros (1, 10), 1, 'cure');
+%! assert (state.data.Z(end, :), ones (1, 24));
