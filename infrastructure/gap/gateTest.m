@@ -10,8 +10,8 @@
 %     top, pTop        largest drop of chi2 by one listed effect, its p-value
 %     p                of the smaller of the two, corrected for taking it
 %
-% With as many parameters as targets nothing is left to test but the limits of
-% the parameters: what they keep out of reach counts, with one degree of freedom.
+% With as many parameters as targets only the limits of the parameters can be
+% tested: what they keep out of reach counts, with one degree of freedom.
 %
 % The drop along a known direction has one degree of freedom and sees effects
 % that the whole chi2 does not. Reference: 1000 draws of rho ~ N (0, I).

@@ -9,8 +9,8 @@
 %          runs.csv), ignored (cellstr, columns of runs.csv not understood)
 %
 % A run counts if it ended well and its key is what the models, the model
-% variables and its own parameters give today. Where OctaveFuns has changed since
-% it is evaluated again. Runs that only verified a cure are left out, see
+% variables and its own parameters give today. After a change in OctaveFuns it
+% is evaluated again. Runs that only verified a cure are left out, see
 % diagnoseMatrices. Rows of runs.csv that repeat a run of the store bit by
 % bit are left out.
 %
@@ -86,8 +86,8 @@ function [records, effects] = runsOf (Case, k, h)
   end
   least = Case.models(k).nTargets;
   counts = ~cellfun (@isempty, effects);
-  counts(counts) = cellfun (@(r) strcmp (r.status, 'ok') && ...
-                                 numel (r.results) >= least, records(counts));
+  isWhole = @(r) strcmp (r.status, 'ok') && numel (r.results) >= least;
+  counts(counts) = cellfun (isWhole, records(counts));
   records = records(counts);
   effects = cellfun (@(e) e{1}, effects(counts), 'UniformOutput', false);
 end

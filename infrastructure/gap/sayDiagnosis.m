@@ -99,8 +99,8 @@ function sayWhich (diagnosis, say)
   end
   e = w.expected;
   if isfinite (e.top1)
-    say (sprintf ('  On %d data sets of the same design with a known cause:', ...
-                  e.n));
+    say (sprintf (['  On %d data sets of the same design with a known ' ...
+                   'cause:'], e.n));
     sayShare ('the likeliest effect is right', e.top1, say);
     sayShare ('a name is right', e.precision, say);
     sayShare ('without a gap a name is given', e.falseName, say);

@@ -15,8 +15,9 @@
 % and the runs stand alone (with their own scatter where that is the larger one,
 % and n - 1 degrees of freedom then).
 %
-% converged: mean within the tolerances, at least options.replicates runs, probability at least options.confidence. A set
-% without a finished run is never converged.
+% converged: mean within the tolerances, at least options.replicates runs,
+% probability at least options.confidence. A set without a finished run is never
+% converged.
 %
 % See also: calibrateOnDEM, meetProbability
 
