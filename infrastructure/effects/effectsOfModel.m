@@ -42,7 +42,9 @@ function reason = whyNotLaboratory (effect, info, model)
     reason = sprintf ('%s has no transform', effect.name);
   else
     trial = 1:numel (info);
-    if isequal (effect.transform (trial, effect.limits(2), info), trial)
+    acts = @(strength) ~isequal (effect.transform (trial, strength, info), ...
+                                 trial);
+    if ~any (arrayfun (acts, effect.limits))
       reason = sprintf (['%s cannot express %s: it acts on none of its ' ...
                          'results'], model, effect.name);
     end

@@ -9,8 +9,9 @@
 %
 % A target without targetStd gets half of its tolerance as uncertainty. An
 % effect of the laboratory becomes offset and matrix on the results, phi = 1 at
-% its upper limit. Members of an effect's group that the library knows but the
-% case does not list are its siblings.
+% the limit further from 0, the upper one of two that are as far. Members of an
+% effect's group that the library knows but the case does not list are its
+% siblings.
 %
 % See also: diagnoseGap, newGapProblem
 
@@ -96,18 +97,26 @@ function e = oneEffect (effect, info, given, library)
     e.scale = min (max (max (ratio), 0.1), 2);
   end
   if effect.laboratory
-    top = effect.limits(2);
-    [e.offset, e.matrix] = linearPart (effect, info, given.bench);
-    e.range = [min(effect.limits(1) / top, 0), 1];
+    [top, other] = furtherLimit (effect.limits);
+    [e.offset, e.matrix] = linearPart (effect, top, info, given.bench);
+    e.range = [min(other / top, 0), 1];
     e.limits = zeros (2, 0);
     e.variables = {};
     e.neutral = [];
   end
 end
 
+function [top, other] = furtherLimit (limits)
+  top = limits(2);
+  other = limits(1);
+  if abs (other) > abs (top)
+    [top, other] = deal (other, top);
+  end
+end
+
 % A transform is affine in the results. One more result of every kind goes along
 % so that no kind is missing; curves of different benches stay apart.
-function [offset, matrix] = linearPart (effect, info, bench)
+function [offset, matrix] = linearPart (effect, top, info, bench)
   T = numel (info);
   for t = 1:T
     if ~isempty (info(t).series)
@@ -122,8 +131,8 @@ function [offset, matrix] = linearPart (effect, info, bench)
     info = [info, extra];
   end
   n = numel (info);
-  offset = effect.transform (zeros (1, n), effect.limits(2), info);
-  unit = effect.transform (eye (n), effect.limits(2), info);
+  offset = effect.transform (zeros (1, n), top, info);
+  unit = effect.transform (eye (n), top, info);
   matrix = unit(1:T, 1:T) - offset(1:T) - eye (T);
   offset = offset(1:T);
 end
@@ -149,10 +158,20 @@ end
 %! Case.limits = [0; 1];
 %! Case.effects = resolveEffects ({'cameraRoll', 'gain', 'cohesion'});
 %! [given, notes] = gapProblemOf (Case);
+%! % limits of the user's own: only too little, and mostly too little
+%! Case.effects(2).limits = [-0.05; 0];
+%! little = gapProblemOf (Case).effects(2);
+%! Case.effects(2).limits = [-0.05; 0.01];
+%! mostly = gapProblemOf (Case).effects(2);
+%! Case.effects(2).limits = [-0.05; 0];
+%! can = effectsOfModel (Case.models(2).folder, Case.effects(2));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
 %! assert (given.effects(1).offset, [2, 0]);
 %! assert (given.effects(2).matrix, [0, 0; 0, 0.05], 1e-12);
+%! assert (little.matrix(2, 2), -0.05, 1e-12);
+%! assert ([little.range, mostly.range], [0, 1, -0.2, 1], 1e-12);
+%! assert (can);
 %! assert (ismember ('liquidBridge', given.effects(3).siblings));
 %! assert (given.sd, [0.1, 0.1]);
 %! assert (numel (notes), 1);

@@ -121,11 +121,12 @@ function [Z, worst, state] = runSet (view, set, state)
   worst = max (abs (mean (Z(:, used), 1) - M(used)) ./ sd(used));
 end
 
+% N draws whose mean is as uncertain as the surrogate.
 function Z = drawSet (em, set, n)
   M = predictGap (em, set.h, set.Q);
   draws = integrationPoints (2 * n, columns (M), 31).normal(1:n, :);
   draws = draws - mean (draws, 1);
-  Z = M + sqrt (mean (em.surrogateVar, 1)) .* draws;
+  Z = M + sqrt (n * mean (em.surrogateVar, 1)) .* draws;
 end
 
 function c = closureAt (problem, em, noise, before, after, at)

@@ -52,7 +52,8 @@ end
 function [table, lines] = splitFields (text)
   text = strrep (strrep (text, "\r\n", "\n"), "\r", "\n");
   quoted = mod (cumsum (text == '"'), 2) == 1;
-  first = text(1:find ([text == "\n" & ~quoted, true], 1) - 1);
+  first = 1:find ([text == "\n" & ~quoted, true], 1) - 1;
+  first = text(first(~quoted(first)));
   delimiter = ',';
   if any (first == ';') && ~any (first == ',')
     delimiter = ';';
@@ -80,11 +81,16 @@ function fields = fieldsOf (line, quoted, delimiter)
     field = strtrim (line(cuts(k) + 1:cuts(k + 1) - 1));
     if numel (field) >= 2 && field(1) == '"' && field(end) == '"'
       field = strtrim (strrep (field(2:end - 1), '""', '"'));
-    elseif delimiter == ';'
+    end
+    if delimiter == ';' && isNumber (field)
       field = strrep (field, ',', '.');
     end
     fields{k} = field;
   end
+end
+
+function yes = isNumber (field)
+  yes = ~isempty (regexp (field, '^[-+]?\d*,\d*([eE][-+]?\d+)?$', 'once'));
 end
 
 %!function file = written (text)
@@ -107,6 +113,11 @@ end
 %! [header, cells] = readCsvTable (file);
 %! delete (file);
 %! assert (cells, {'1.5', '2'});
+%! file = written ("\"a\";\"b, c\"\n\"-1,5e-3\";\"x, y\"\n");
+%! [header, cells] = readCsvTable (file);
+%! delete (file);
+%! assert (header, {'a', 'b, c'});
+%! assert (cells, {'-1.5e-3', 'x, y'});
 %!error id=DEcalioc:readCsvTable:missingFile readCsvTable ('/no/such/file')
 %!error id=DEcalioc:readCsvTable:badShape
 %! readCsvTable (written ("a,b\n1\n"));
