@@ -10,9 +10,9 @@
 %
 % Plan of Case.options.numOfSam rows; one Kriging model a target, affine trend,
 % matern52; nonlin_residmin on them from the box centre; nonlin_residmin on the
-% DEM with its own forward differences (0.1 % of a parameter), at most
-% Case.options.maxIter iterations, stopped by userInt as soon as one run meets
-% the tolerances. A failed run ends it.
+% DEM with the central differences that are its default (0.1 % of a parameter,
+% two runs each), at most Case.options.maxIter iterations, stopped by userInt as
+% soon as one run meets the tolerances. A failed run ends it.
 %
 % See also: mwe, publishedStage
 
