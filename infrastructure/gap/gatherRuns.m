@@ -94,22 +94,24 @@ end
 
 % Record of a run whose simulation has ended well, [] for all others.
 function record = endedRun (folder)
-  record = readRecord (fullfile (folder, 'record.json'));
-  if isempty (record)
-    job = readRecord (fullfile (folder, 'job.json'));
+  found = readRecord (fullfile (folder, 'record.json'));
+  if isempty (found)
+    found = readRecord (fullfile (folder, 'job.json'));
     mark = readEndMark (folder);
-    if ~isempty (job) && ~isempty (mark) && strcmp (mark.reason, 'finished')
-      record = newRecord (job, folder);
-      record.status = 'ok';
+    if ~isempty (found) && ~isempty (mark) && strcmp (mark.reason, 'finished')
+      found.status = 'ok';
     end
   end
-  if ~isfield (record, 'status') || strcmp (record.stage, 'cure') || ...
-     ~any (strcmp (record.status, {'ok', 'invalid'}))
-    record = [];
+  record = [];
+  if ~isfield (found, 'status') || strcmp (found.stage, 'cure') || ...
+     ~any (strcmp (found.status, {'ok', 'invalid'}))
     return
   end
+  record = newRecord (found, folder);
+  for name = intersect (fieldnames (record), fieldnames (found))'
+    record.(name{1}) = found.(name{1});
+  end
   record.folder = folder;
-  record = orderfields (record, newRecord (record, folder));
 end
 
 % The effect values {1 x v} under which a record is a run of today's case; {} if
