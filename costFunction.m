@@ -16,14 +16,10 @@
 function residual = costFunction (params, evaluateFunc, varargin)
   result = evaluateFunc (params, varargin);
   [~, optim, modelVars, assign, paramLims] = loadInput ();
-  targetVal = optim.targetVal;
-  if iscell (targetVal)
-    targetVal = cellfun (@(v) v(:), targetVal(:), 'UniformOutput', false);
-    targetVal = vertcat (targetVal{:});
-  end
+  targetVal = asColumn (optim.targetVal);
 
   % first part: relative difference of results and measured values
-  residual = (result(:, 1) - targetVal(:)) ./ targetVal(:);
+  residual = (result(:, 1) - targetVal) ./ targetVal;
 
   % second part: a preference for a large time step
   modelVars = assignParams (modelVars, params, assign);

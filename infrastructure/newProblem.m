@@ -67,7 +67,6 @@ end
 function [standard, nExtra] = probeCost (problem)
   T = numel (problem.value);
   p = mean (problem.limits, 1)';
-  met = problem.cost (p, @(varargin) problem.value(:));
   standard = true;
   for factor = [0.7, 1.1]
     z = problem.value(:) .* factor.^(1:T)';
@@ -82,6 +81,7 @@ function [standard, nExtra] = probeCost (problem)
     gap = abs (abs (r(1:T)(:)) - abs (published));
     standard = standard && all (gap <= 1e-9 * abs (published));
   end
+  met = problem.cost (p, @(varargin) problem.value(:));
   off = find (~(abs (met(1:T)) <= 1e-6), 1);
   if ~isempty (off)
     error ('DEcalioc:newProblem:otherTargets', ...

@@ -41,7 +41,7 @@ function data = runPlan (plan, data, Case, evaluate, say)
 end
 
 function checkBudget (nWhole, isTried, Case)
-  least = numel (Case.names) + 2;
+  least = fewestSets (Case);
   if nWhole < least && ~all (isTried)
     error ('DEcalioc:runPlan:tooFewRuns', ...
            ['runPlan: the surrogates need %d finished sets, got %d: ' ...
@@ -52,11 +52,15 @@ function checkBudget (nWhole, isTried, Case)
   end
 end
 
-% Surrogates need more rows than parameters; and where a third of the plan
-% fails, the box or the model is at fault.
+% Surrogates need more rows than parameters.
+function n = fewestSets (Case)
+  n = numel (Case.names) + 2;
+end
+
+% Where a third of the plan fails, the box or the model is at fault.
 function checkFailures (isWhole, Case)
   n = numel (isWhole);
-  if sum (isWhole) >= max (2 / 3 * n, numel (Case.names) + 2)
+  if sum (isWhole) >= max (2 / 3 * n, fewestSets (Case))
     return
   end
   lines = {};
@@ -67,7 +71,7 @@ function checkFailures (isWhole, Case)
          ['runPlan: at least two thirds of the plan and %d runs must ' ...
           'succeed, got %d of %d. What failed:\n%s\nCorrect the model or ' ...
           'the limits and start again; finished runs are kept.'], ...
-         numel (Case.names) + 2, sum (isWhole), n, ...
+         fewestSets (Case), sum (isWhole), n, ...
          strjoin (unique (lines), "\n"));
 end
 

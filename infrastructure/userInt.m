@@ -36,14 +36,6 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
   end
 end
 
-function c = asColumn (values)
-  if iscell (values)
-    values = cellfun (@(v) v(:), values(:), 'UniformOutput', false);
-    values = vertcat (values{:});
-  end
-  c = values(:);
-end
-
 %!shared optim, vals
 %! optim = struct ('tolRes', {{[0.01, 0.02]}}, 'maxIter', 3);
 %! vals = struct ('iteration', 1, 'residual', [0.005; -0.015; 0.4]);

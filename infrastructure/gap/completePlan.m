@@ -23,12 +23,7 @@ function data = completePlan (data, Case, evaluate, say)
     return
   end
   say (sprintf ('plan: %d neutral sets there, %d more', have, missing));
-  if have == 0
-    P = GenerateExperPlan (Case.limits, missing, Case.folder, ...
-                           Case.options.seed);
-  else
-    P = augmentPlan (data.X(neutral, :), missing, Case.limits);
-  end
+  P = planBeside (data.X(neutral, :), missing, Case);
   Z = evaluate (P, ones (rows (P), 1), 'plan');
   data = addRows (data, P, Z, ones (rows (P), 1), 'plan', ...
                   repmat (phi, rows (P), 1));

@@ -96,9 +96,8 @@ end
 function record = endedRun (folder)
   found = readRecord (fullfile (folder, 'record.json'));
   if isempty (found)
-    found = readRecord (fullfile (folder, 'job.json'));
-    mark = readEndMark (folder);
-    if ~isempty (found) && ~isempty (mark) && strcmp (mark.reason, 'finished')
+    found = unevaluatedJob (folder);
+    if ~isempty (found)
       found.status = 'ok';
     end
   end

@@ -25,7 +25,7 @@ function p = checkRayleigh (optim, modelVars, assign, models)
   isWished = isfield (optim, 'WRL') && checkIs ('number', optim.WRL) && ...
              optim.WRL > 0;
   isLost = any (strcmp (given, 'percentRayleigh')) && ...
-           any (arrayfun (@hasOwnStep, models));
+           any (arrayfun (@ownStep, models) > 0);
   if ~isWished && ~isLost
     return
   end
@@ -42,20 +42,16 @@ function p = checkRayleigh (optim, modelVars, assign, models)
 end
 
 function yes = needsPercent (model)
-  yes = false;
-  if ~isempty (model.head)
-    yes = ownStep (model) == 0 && ...
-          ~any (strcmp ({model.head.name}, 'percentRayleigh'));
-  end
-end
-
-function yes = hasOwnStep (model)
-  yes = ~isempty (model.head) && ownStep (model) > 0;
+  yes = ownStep (model) == 0 && ...
+        ~any (strcmp ({model.head.name}, 'percentRayleigh'));
 end
 
 % SIMTS of data.head (s); NaN where it has none.
 function step = ownStep (model)
   step = NaN;
+  if isempty (model.head)
+    return
+  end
   at = find (strcmp ({model.head.name}, 'SIMTS'), 1, 'last');
   if ~isempty (at)
     step = str2double (model.head(at).value);

@@ -9,7 +9,7 @@
 %
 % A Latin hypercube plan; beside runs that were taken in, rows far from them.
 %
-% See also: GenerateExperPlan, augmentPlan, importExisting
+% See also: planBeside, importExisting
 
 function plan = newPlan (data, Case)
   atHand = sum (all (isfinite (data.Z), 2));
@@ -17,11 +17,7 @@ function plan = newPlan (data, Case)
   if any (cellfun (@isempty, {Case.models.folder}))
     n = 0;
   end
-  if isempty (data.X)
-    plan = GenerateExperPlan (Case.limits, n, Case.folder, Case.options.seed);
-  else
-    plan = augmentPlan (insideLimits (data.X, Case.limits), n, Case.limits);
-  end
+  plan = planBeside (insideLimits (data.X, Case.limits), n, Case);
 end
 
 %!shared data, Case

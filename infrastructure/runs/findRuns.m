@@ -55,9 +55,8 @@ end
 function [record, key] = unevaluated (folder)
   record = [];
   key = '';
-  job = readRecord (fullfile (folder, 'job.json'));
-  mark = readEndMark (folder);
-  if ~isempty (job) && ~isempty (mark) && strcmp (mark.reason, 'finished')
+  job = unevaluatedJob (folder);
+  if ~isempty (job)
     key = job.key;
     record = struct ('folder', folder);
   end

@@ -24,7 +24,10 @@ function folder = prepareRun (job, Case)
   writeParams (job.model, [job.params, job.planRow, k], name, Case.store);
   writeAtomic (fullfile (folder, 'cpu'), ...
                sprintf ("%d\n", Case.models(k).cpu));
-  limit = max (Case.models(k).timeout, defaultLimit (Case.models(k)));
+  limit = Case.models(k).timeout;
+  if isnan (limit)
+    limit = defaultLimit (Case.models(k));
+  end
   if ~isnan (limit)
     writeAtomic (fullfile (folder, 'limit'), sprintf ("%d\n", ceil (limit)));
   end
