@@ -17,9 +17,9 @@
 % parcellfun is not used to start simulations: it cannot mix runs of different
 % CPU counts, and when one worker dies it loses the runs of all. The next run is
 % prepared while others are under way, and started before ended ones are
-% evaluated, so a CPU waits for little more than the look every 20 ms.
+% evaluated, so a CPU waits for little more than the next look (lookAfter).
 %
-% See also: runJobs, executeSlurm, startRun
+% See also: runJobs, executeSlurm, lookAfter, startRun
 
 function records = executeLocal (jobs, Case, report)
   n = numel (jobs);
@@ -59,7 +59,7 @@ function records = executeLocal (jobs, Case, report)
     elseif ~isempty (queue) && isempty (folders{queue(1)})
       folders = prepareOnce (queue(1), folders, jobs, Case);
     else
-      pause (0.02);
+      pause (lookAfter (age));
     end
   end
 end
