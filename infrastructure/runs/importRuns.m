@@ -100,11 +100,14 @@ function values = numbers (table, at, names)
   blank = cellfun (@isempty, texts);
   wrong = isnan (values) & ~blank & ~strcmpi (texts, 'nan') & ...
           ~strcmpi (texts, 'na');
+  % str2double takes a comma for a separator of thousands: 0,45 would be 45
+  wrong = wrong | ~cellfun (@isempty, strfind (texts, ','));
   values(isinf (values)) = NaN;
   if any (wrong(:))
     [row, col] = find (wrong, 1);
     error ('DEcalioc:importRuns:badValue', ...
-           'importRuns: %s in line %d of %s must be a number, got ''%s''.', ...
+           ['importRuns: %s in line %d of %s must be a number with a ' ...
+            'decimal point, got ''%s''.'], ...
            names{col}, table.lines(row), table.file, texts{row, col});
   end
 end
@@ -139,3 +142,18 @@ function data = mergeModels (inputs, model, seed, Z, Case)
   data.replicate = replicate(first(order));
   data.stage = repmat ({'import'}, numel (first), 1);
 end
+
+%!function data = imported (text)
+%!  Case = newCase (standInCase (tempname ()));
+%!  file = fullfile (Case.folder, 'runs.csv');
+%!  writeAtomic (file, ["model;a;b;First_1;First_2;Second_1\n", text]);
+%!  data = importRuns (file, Case);
+%!endfunction
+%!assert (imported ("First;0,5;2;3;4;\n").X, [0.5, 2])
+%!error id=DEcalioc:importRuns:badValue imported ("First;1.234,5;2;3;4;\n")
+%!error id=DEcalioc:importRuns:badValue
+%! Case = newCase (standInCase (tempname ()));
+%! file = fullfile (Case.folder, 'runs.csv');
+%! writeAtomic (file, ["model,a,b,First_1,First_2,Second_1\n", ...
+%!                     "First,\"0,5\",2,3,4,\n"]);
+%! importRuns (file, Case);
