@@ -80,7 +80,9 @@ end
 
 function text = qualityWarning (surrogate)
   text = '';
-  if ~(surrogate.Q2 > 0.5)
+  if isConstant (surrogate.z)
+    text = 'the response is constant';
+  elseif ~(surrogate.Q2 > 0.5)
     text = sprintf (['leave-one-out Q2 = %.2f: the plan says little about ' ...
                      'this response'], surrogate.Q2);
   end

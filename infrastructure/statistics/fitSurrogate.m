@@ -51,9 +51,8 @@ function surrogate = fitSurrogate (X, z, limits, options)
   base = standardise (X(ok, :), z(ok), limits, options);
   if ~isempty (options.start)
     surrogate = refit (base, options);
-  elseif std (base.z) <= 100 * eps (max (abs (base.z)))
+  elseif isConstant (base.z)
     surrogate = conditionSurrogate (constantModel (base), base);
-    surrogate.warning = 'the response is constant';
   else
     surrogate = chooseModel (base, options);
   end
@@ -77,27 +76,31 @@ function base = standardise (X, z, limits, options)
   base.unit = (X - limits(1, :)) ./ (limits(2, :) - limits(1, :));
   base.shift = mean (z);
   base.scale = std (z);
-  if ~(base.scale > 100 * eps (max (abs (z))))
+  if isConstant (z)
     base.scale = max (abs (base.shift), 1);
   end
   base.y = (z - base.shift) / base.scale;
   base.knownNoise = options.noise / base.scale^2;
 end
 
+% A response that no run has moved is expected to stay where it is.
 function model = constantModel (base)
   d = size (base.X, 2);
   model = emptyModel ('constant', 'matern52', d);
   model.param = zeros (d + 1, 1);
+  model.param(1) = 2 * log (1e-6);
   model.lognoisevariance = 2 * log (1e-6);
 end
 
 function surrogate = refit (base, options)
   old = options.start;
   model = old.model;
-  if std (base.y) > 0 && isscalar (model.lognoisevariance)
-    model = estimate (old.trend, old.covariance, base, options, old.model);
-  elseif std (base.y) > 0
-    model = estimate (old.trend, old.covariance, base, options, []);
+  if ~isConstant (base.z)
+    start = model;
+    if isConstant (old.z) || ~isscalar (model.lognoisevariance)
+      start = [];
+    end
+    model = estimate (old.trend, old.covariance, base, options, start);
   end
   surrogate = conditionSurrogate (model, base);
   surrogate.nChoice = old.nChoice;
@@ -218,10 +221,16 @@ end
 %! assert ({s.trend, s.covariance}, {'affine', 'matern32'});
 
 %!test
-%! % a constant response is no error
+%! % a constant response is no error, and stays what it is
 %! s = fitSurrogate (X, 7 * ones (20, 1), lim);
-%! assert (predictSurrogate (s, [0.5, 0.5, 0.5]), 7, 1e-9);
-%! assert (~ isempty (s.warning));
+%! [m, v] = predictSurrogate (s, [0.5, 0.5, 0.5]);
+%! assert (m, 7, 1e-9);
+%! assert (v < 1e-8);
+%! assert (s.warning, 'the response is constant');
+%! s = fitSurrogate ([X; X], 7 * ones (40, 1), lim, struct ('start', s));
+%! assert (s.warning, 'the response is constant');
+%! s = fitSurrogate ([X; X], [z; z], lim, struct ('start', s));
+%! assert (s.Q2 > 0.9);
 
 %!error id=DEcalioc:fitSurrogate:runFailed
 %! fitSurrogate (X, NaN (20, 1), lim);
