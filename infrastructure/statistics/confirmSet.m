@@ -88,7 +88,7 @@ function text = explain (final, problem)
   elseif final.converged
     text = sprintf (['all targets met in the mean of %d runs, true with a ' ...
                      'probability of %.0f %%'], final.n, sure);
-  elseif ~isempty (final.conflict)
+  elseif ~final.within && ~isempty (final.conflict)
     text = sprintf ('no set of the box meets: %s', ...
                     strjoin (final.conflict, ', '));
   elseif ~final.within

@@ -21,8 +21,11 @@ function state = publishedStage (state, problem, evaluate, say)
   reserve = min (problem.options.replicates, ...
                  floor (budgetLeft (state, problem) / 2));
   memory = containers.Map ('KeyType', 'char', 'ValueType', 'any');
-  memory('X') = state.data.X;
-  memory('Z') = state.data.Z;
+  [X, Z] = knownSets (state.data);
+  memory('X') = X;
+  memory('Z') = Z;
+  memory('width') = width;
+  memory('new') = newData (d, columns (state.data.Z));
   memory('left') = budgetLeft (state, problem) - reserve;
   run = @(P) remembered (P, memory, evaluate);
   f = @(u) residualAt (lo + u(:)' .* width, run, problem);
@@ -44,11 +47,26 @@ function state = publishedStage (state, problem, evaluate, say)
   say (sayStep (state));
 end
 
+% One row a set: the mean of its finished runs.
+function [X, Z] = knownSets (data)
+  isWhole = all (isfinite (data.Z), 2);
+  [X, ~, group] = unique (data.X(isWhole, :), 'rows');
+  Z = zeros (rows (X), columns (data.Z));
+  for t = 1:columns (Z)
+    Z(:, t) = accumarray (group(:), data.Z(isWhole, t), [rows(X), 1], @mean);
+  end
+end
+
 function Z = remembered (P, memory, evaluate)
   X = memory('X');
   known = memory('Z');
   Z = NaN (rows (P), columns (known));
-  [seen, where] = ismember (P, X, 'rows');
+  where = zeros (rows (P), 1);
+  for i = 1:rows (P)
+    same = all (abs (X - P(i, :)) <= 1e-12 * memory('width'), 2);
+    where(i) = max ([0; find(same)]);
+  end
+  seen = where > 0;
   Z(seen, :) = known(where(seen), :);
   if sum (~seen) > memory('left')
     error ('DEcalioc:publishedStage:noConvergence', ...
@@ -58,6 +76,9 @@ function Z = remembered (P, memory, evaluate)
     Z(~seen, :) = evaluate (P(~seen, :), ones (sum (~seen), 1));
     memory('X') = [X; P(~seen, :)];
     memory('Z') = [known; Z(~seen, :)];
+    made = ~seen & ~any (isna (Z), 2);
+    memory('new') = addRows (memory('new'), P(made, :), Z(made, :), ...
+                             ones (sum (made), 1), 'verify');
     memory('left') = memory('left') - sum (~seen);
   end
 end
@@ -88,17 +109,16 @@ function J = differences (u, f, run, state, problem)
 end
 
 function state = takeOver (state, problem, memory)
-  first = rows (state.data.X) + 1;
-  X = memory('X')(first:end, :);
-  Z = memory('Z')(first:end, :);
-  n = rows (X);
-  state.data = addRows (state.data, X, Z, ones (n, 1), 'verify');
-  state.spent.verify = state.spent.verify + n;
-  state.spent.failed = state.spent.failed + sum (any (isnan (Z), 2));
-  r = targetResidual (problem, X, Z);
+  new = memory('new');
+  state.data = addRows (state.data, new.X, new.Z, new.replicate, 'verify');
+  state.spent.verify = state.spent.verify + rows (new.X);
+  state.spent.failed = state.spent.failed + sum (any (isnan (new.Z), 2));
+  [X, Z] = knownSets (state.data);
+  mine = ismember (X, [new.X; state.found.params], 'rows');
+  X = X(mine, :);
+  r = targetResidual (problem, X, Z(mine, :));
   use = problem.calibrate;
   worst = max (abs (r(:, use)) ./ problem.tol(use), [], 2);
-  worst(any (isnan (r(:, use)), 2)) = Inf;
   [least, best] = min ([worst; Inf]);
   state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
   p = state.found.params;
@@ -110,6 +130,7 @@ function state = takeOver (state, problem, memory)
   for i = 1:numel (kept)
     state.found.(kept{i}) = here.(kept{i});
   end
+  state.found.conflict = {};
   state = bookStep (state, 'DEM', 1);
 end
 
@@ -139,3 +160,15 @@ end
 %! X = out.data.X(13:end, :);
 %! assert (rows (unique (X, 'rows')), rows (X));
 %! assert (numel (out.history), 1);
+%!test
+%! % the start is known: it is not run again, a failed repeat does not hide it,
+%! % and what is worse does not take its place
+%! problem.options.maxFunEvals = 5;
+%! p = [0.5, 1];
+%! f = @(P, r) [4.05 + 4 * sum(abs (P - p), 2), 2 + 0 * P(:, 1)];
+%! state.data = addRows (state.data, [p; p], [f(p); NaN, NaN], [1; 2], ...
+%!                       'infill');
+%! out = publishedStage (state, problem, f, @(x) []);
+%! assert (out.found.params, p);
+%! assert (out.spent.failed, 0);
+%! assert (~ismember (p, out.data.X(15:end, :), 'rows'));
