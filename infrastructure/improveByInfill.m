@@ -60,12 +60,12 @@ end
 
 %!test
 %! % nothing to spend: said; a set out of reach: said, with few runs
-%! problem.options.maxNewRuns = 0;
+%! problem.newSets = @() 0;
 %! state.found.probability = 0;
 %! out = improveByInfill (state, problem, @(P, r) error ('run'), @(x) []);
 %! assert (out.reason, 'no runs left for infill');
 %! assert (out.spent.infill, 0);
-%! problem.options.maxNewRuns = Inf;
+%! problem.newSets = @() Inf;
 %! problem.value(2) = 9;
 %! state.found = calibrateOnKriging (s, problem);
 %! f = @(P, r) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];

@@ -12,8 +12,9 @@
 % sd 1 x T, calibrate 1 x T logical (false: held out, never used in a fit),
 % cost, standard (logical: the residuals are the published ones), nExtra
 % (preference rows), options with all defaults:
-%   maxCPU 1, seed 1, maxFunEvals 40, maxNewRuns Inf, maxIter 3,
-%   tolfun 0.002, replicates 4, WRL 0, method 'robust', confidence 0.95
+%   maxCPU 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 4,
+%   WRL 0, method 'robust', confidence 0.95
+% newSets (handle, parameter sets that may still be run: Inf, see withinBudget)
 %
 % Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets,
 % DEcalioc:newProblem:otherTargets when a row is not 0 where all results are
@@ -34,6 +35,7 @@ function problem = newProblem (Case, cost)
     problem.calibrate = ~strcmp ({targets.role}, 'holdout');
   end
   problem.options = withDefaults (Case);
+  problem.newSets = @() Inf;
   if nargin < 2 || isempty (cost)
     value = problem.value(:);
     cost = @(p, evaluateFunc) (evaluateFunc (p) - value) ./ value;
@@ -53,9 +55,8 @@ end
 
 function options = withDefaults (Case)
   options = struct ('maxCPU', 1, 'seed', 1, 'maxFunEvals', 40, ...
-                    'maxNewRuns', Inf, 'maxIter', 3, 'tolfun', 0.002, ...
-                    'replicates', 4, 'WRL', 0, 'method', 'robust', ...
-                    'confidence', 0.95);
+                    'maxIter', 3, 'tolfun', 0.002, 'replicates', 4, ...
+                    'WRL', 0, 'method', 'robust', 'confidence', 0.95);
   if isfield (Case, 'options')
     given = fieldnames (Case.options);
     for i = 1:numel (given)

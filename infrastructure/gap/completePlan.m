@@ -25,6 +25,8 @@ function data = completePlan (data, Case, evaluate, say)
   say (sprintf ('plan: %d neutral sets there, %d more', have, missing));
   P = planBeside (data.X(neutral, :), missing, Case);
   Z = evaluate (P, ones (rows (P), 1), 'plan');
-  data = addRows (data, P, Z, ones (rows (P), 1), 'plan', ...
-                  repmat (phi, rows (P), 1));
+  isTried = ~any (isna (Z), 2);
+  n = sum (isTried);
+  data = addRows (data, P(isTried, :), Z(isTried, :), ones (n, 1), 'plan', ...
+                  repmat (phi, n, 1));
 end

@@ -8,7 +8,8 @@
 %   THETA      n x p, parameters in [-1, 1];  PHI  n x K, strengths
 %   REPLICATE  n x 1
 %   STAGE      'gap' (default) or 'cure', see diagnoseMatrices
-%   STATE      the same with the rows added; rows beyond the budget are left out
+%   STATE      the same with the rows added; rows beyond the budget, or that
+%              evaluate gives as NA, are left out
 %
 % See also: diagnoseMatrices, planEffectRuns
 
@@ -28,13 +29,14 @@ function state = spendRuns (state, problem, theta, phi, replicate, stage)
     told = {stage};
   end
   Z = state.evaluate (X, E, replicate(1:n), told{:});
-  state.data.X = [state.data.X; X];
-  state.data.E = [state.data.E; E];
-  state.data.Z = [state.data.Z; Z];
-  state.data.replicate = [state.data.replicate; reshape(replicate(1:n), n, 1)];
+  isTried = ~any (isna (Z), 2);
+  state.data.X = [state.data.X; X(isTried, :)];
+  state.data.E = [state.data.E; E(isTried, :)];
+  state.data.Z = [state.data.Z; Z(isTried, :)];
+  state.data.replicate = [state.data.replicate; replicate(isTried)(:)];
   state.left = state.left - n;
-  state.spent = state.spent + n;
-  state.failed = state.failed + sum (any (isnan (Z), 2));
+  state.spent = state.spent + sum (isTried);
+  state.failed = state.failed + sum (any (isnan (Z(isTried, :)), 2));
 end
 
 %!test

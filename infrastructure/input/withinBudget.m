@@ -1,21 +1,32 @@
-% WITHINBUDGET  Takes the runs made so far off the budget of a problem.
+% WITHINBUDGET  Lets a problem know how many runs this start may still make.
 %
 % CALL: PROBLEM = withinBudget (PROBLEM, LEDGER, CASE)
 %
-%   PROBLEM  see newProblem; its options.maxNewRuns counts parameter sets
+%   PROBLEM  see newProblem; its newSets then gives the number of parameter
+%            sets, runs taken from the store not counted
 %   LEDGER   see newLedger
-%   CASE     see newCase; Input.maxNewRuns counts runs, one a model and set
+%   CASE     see newCase; Input.maxNewRuns counts runs, one a model and set;
+%            where a model folder is not there, none can be made
 %
-% See also: calibrateOnDEM
+% See also: budgetLeft, calibrateOnDEM
 
 function problem = withinBudget (problem, ledger, Case)
-  left = Case.options.maxNewRuns - ledger('new');
-  problem.options.maxNewRuns = max (0, floor (left / numel (Case.models)));
+  most = Case.options.maxNewRuns;
+  if any (cellfun (@isempty, {Case.models.folder}))
+    most = 0;
+  end
+  problem.newSets = @() floor ((most - ledger('new')) / numel (Case.models));
 end
 
 %!test
 %! ledger = newLedger ();
 %! ledger('new') = 9;
-%! Case = struct ('options', struct ('maxNewRuns', 16), 'models', [1, 2]);
-%! p = withinBudget (struct ('options', struct ()), ledger, Case);
-%! assert (p.options.maxNewRuns, 3);
+%! Case = struct ('options', struct ('maxNewRuns', 16));
+%! Case.models = struct ('folder', {'a', 'b'});
+%! p = withinBudget (struct (), ledger, Case);
+%! assert (p.newSets (), 3);
+%! ledger('new') = 16;
+%! assert (p.newSets (), 0);
+%! ledger('new') = 0;
+%! Case.models(2).folder = '';
+%! assert (withinBudget (struct (), ledger, Case).newSets (), 0);

@@ -5,13 +5,13 @@
 %   CASE      see newCase
 %   LEDGER    see newLedger
 %   SAY       function handle that takes one line of text
-%   EVALUATE  [Z, ISTRIED] = EVALUATE (P, REPLICATE), or with two arguments
-%             more, STAGE and E: P n x d, REPLICATE n x 1, Z n x T, NaN where a
-%             run failed, ISTRIED n x 1 logical: false where a run of the set
-%             was not made because Input.maxNewRuns is reached
+%   EVALUATE  Z = EVALUATE (P, REPLICATE), or with two arguments more, STAGE and
+%             E: P n x d, REPLICATE n x 1, Z n x T, NaN where a run failed, NA
+%             (isna) where a run of the set was not made because
+%             Input.maxNewRuns is reached
 %
 % Where a model folder does not exist (a case of imported runs alone) nothing
-% can be run: all is NaN, and nothing tried.
+% can be run: all is NA.
 %
 % See also: evaluateDEM, calibrateOnDEM
 
@@ -22,7 +22,7 @@ function evaluate = newEvaluate (Case, ledger, say)
     bookedRuns (P, replicate, book, varargin{:});
 end
 
-function [Z, isTried] = bookedRuns (P, replicate, book, stage, E)
+function Z = bookedRuns (P, replicate, book, stage, E)
   Case = book.Case;
   ledger = book.ledger;
   if nargin < 4
@@ -32,8 +32,7 @@ function [Z, isTried] = bookedRuns (P, replicate, book, stage, E)
     E = [];
   end
   if any (cellfun (@isempty, {Case.models.folder}))
-    Z = NaN (rows (P), numel (Case.targets));
-    isTried = false (rows (P), 1);
+    Z = NA (rows (P), numel (Case.targets));
     return
   end
   Case.options.maxNewRuns = Case.options.maxNewRuns - ledger('new');
@@ -41,7 +40,7 @@ function [Z, isTried] = bookedRuns (P, replicate, book, stage, E)
   [Z, records, isReused, nNew] = evaluateDEM (P, Case, replicate, stage, ...
                                               newProgress (stage, book.say), E);
   isLeftOut = strcmp ({records.cause}, 'budget');
-  isTried = ~any (reshape (isLeftOut, size (records)), 2);
+  Z(isnan (Z) & any (reshape (isLeftOut, size (records)), 2)) = NA;
   failed = ~strcmp ({records.status}, 'ok') & ~isLeftOut;
   ledger('models') = addSeconds (Case.models, records(:)');
   ledger('new') = ledger('new') + nNew;
@@ -67,15 +66,15 @@ end
 %! Z = evaluate ([1, 2; 5, 6; 7, 8], 1);
 %! assert (ledger('reused'), 2);
 %! assert (ledger('new'), 5);
-%! assert (Z, [3, 2, -1; 11, 30, NaN; NaN, NaN, NaN], 1e-12);
+%! assert (Z, [3, 2, -1; 11, 30, NA; NA, NA, NA], 1e-12);
 %! assert (numel (listRunFolders (Case.store, 'First')), 3);
 %!test
 %! % one of two runs is not in the budget: the set was not tried
 %! Case = newCase (standInCase (tempname ()));
 %! Case.options.maxNewRuns = 3;
 %! evaluate = newEvaluate (Case, newLedger (), @(text) []);
-%! [~, isTried] = evaluate ([1, 2; 3, 4], 1);
-%! assert (isTried, [true; false]);
+%! Z = evaluate ([1, 2; 3, 4], 1);
+%! assert (any (isna (Z), 2), [false; true]);
 %!test
 %! % runs of later calls have the limit that the earlier ones gave
 %! Case = newCase (standInCase (tempname ()));

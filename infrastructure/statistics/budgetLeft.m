@@ -3,13 +3,12 @@
 % CALL: n = budgetLeft (state, problem)
 %
 % state    struct of newState; problem  struct of newProblem
-% n        scalar: the lesser of options.maxFunEvals and options.maxNewRuns,
-%          less what was spent (failed rows count)
+% n        scalar: options.maxFunEvals less what was spent (failed rows count),
+%          and no more than problem.newSets () says can be made in this start
 %
-% See also: runRows
+% See also: runRows, withinBudget
 
 function n = budgetLeft (state, problem)
-  n = min (problem.options.maxFunEvals, problem.options.maxNewRuns) - ...
-      state.spent.infill - state.spent.verify;
-  n = max (0, floor (n));
+  n = problem.options.maxFunEvals - state.spent.infill - state.spent.verify;
+  n = max (0, floor (min (n, problem.newSets ())));
 end

@@ -4,7 +4,8 @@
 %
 % P         n x d  sets; a set that stands in the data already (or twice in P)
 %           gets the next replicate number, so another packing
-% evaluate  handle Z = evaluate (P, replicate), n x T, NaN = failed
+% evaluate  handle Z = evaluate (P, replicate), n x T, NaN = failed; a row with
+%           NA was not run (no budget) and leaves no trace
 % stage     'infill', 'verify' or 'replicate'
 %
 % Never more rows than the budget has: what is over is left out.
@@ -25,12 +26,15 @@ function state = runRows (state, problem, evaluate, P, stage)
     replicate(i) = max ([0; numbers(same)]) + 1;
   end
   Z = evaluate (P, replicate);
-  state.data = addRows (state.data, P, Z, replicate, stage);
+  isTried = ~any (isna (Z), 2);
+  Z = Z(isTried, :);
+  state.data = addRows (state.data, P(isTried, :), Z, replicate(isTried), ...
+                        stage);
   kind = 'verify';
   if strcmp (stage, 'infill')
     kind = 'infill';
   end
-  state.spent.(kind) = state.spent.(kind) + rows (P);
+  state.spent.(kind) = state.spent.(kind) + rows (Z);
   state.spent.failed = state.spent.failed + sum (any (isnan (Z), 2));
   state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
 end
@@ -51,3 +55,16 @@ end
 %! assert (budgetLeft (state, problem), 0);
 %! assert (state.spent.failed, 1);
 %! assert (isnan (state.data.Z), [false(10, 1); true]);
+%!test
+%! % a set that the budget leaves out is no failure
+%! pkg load stk
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 1.5, 'tol', 0.05));
+%! problem = newProblem (C, []);
+%! X = (0:7)' / 7;
+%! data = addRows (newData (1, 1), X, 1 + X, ones (8, 1), 'plan');
+%! state = newState (data, fitSurrogates (data, problem), []);
+%! f = @(P, r) merge (r > 1, NA (size (P)), 1 + P);
+%! state = runRows (state, problem, f, [0.5; 0.5], 'infill');
+%! assert (rows (state.data.Z), 9);
+%! assert ([state.spent.infill, state.spent.failed], [1, 0]);
