@@ -14,7 +14,8 @@
 % are left out of DATA.
 %
 % Errors: DEcalioc:runPlan:tooManyFailures, with a table of what failed;
-% DEcalioc:runPlan:tooFewRuns where Input.maxNewRuns leaves too few
+% DEcalioc:runPlan:tooFewRuns where Input.maxNewRuns, or a runs.csv without
+% models to run, leaves too few
 %
 % See also: GenerateExperPlan, fitSurrogates
 
@@ -22,13 +23,13 @@ function data = runPlan (plan, data, Case, evaluate, say)
   isTried = true (rows (plan), 1);
   if rows (plan) > 0
     reportPlan (plan, Case, say);
-    [Z, isTried] = evaluate (plan, 1, 'plan');
+    Z = evaluate (plan, 1, 'plan');
+    isTried = ~any (isna (Z), 2);
     data = addRows (data, plan(isTried, :), Z(isTried, :), ...
                     ones (sum (isTried), 1), 'plan');
   end
   isWhole = all (isfinite (data.Z), 2);
-  checkBudget (sum (isWhole), isTried, Case);
-  checkFailures (isWhole(isWhole | isOwn (data)), Case);
+  checkEnough (data, isWhole, sum (~isTried), Case);
   writeMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), ...
                data.X(isWhole, :));
   for t = 1:numel (Case.targets)
@@ -40,39 +41,36 @@ function data = runPlan (plan, data, Case, evaluate, say)
   end
 end
 
-function checkBudget (nWhole, isTried, Case)
-  least = fewestSets (Case);
-  if nWhole < least && ~all (isTried)
+% Surrogates need more sets than parameters; where a third of the plan fails,
+% the box or the model is at fault.
+function checkEnough (data, isWhole, nLeftOut, Case)
+  anywhere = [-Inf; Inf] .* ones (1, columns (data.X));
+  have = finishedSets (data, anywhere);
+  least = numel (Case.names) + 2;
+  own = isOwn (data);
+  n = sum (own | isWhole);
+  if have < least && nLeftOut > 0
     error ('DEcalioc:runPlan:tooFewRuns', ...
            ['runPlan: the surrogates need %d finished sets, got %d: ' ...
-            'Input.maxNewRuns = %g left %d of the plan''s %d sets without ' ...
+            'Input.maxNewRuns = %g left %d of the plan''s sets without ' ...
             'a run. Raise it and start again; finished runs are kept.'], ...
-           least, nWhole, Case.options.maxNewRuns, sum (~isTried), ...
-           numel (isTried));
+           least, have, Case.options.maxNewRuns, nLeftOut);
+  elseif have < least && all (isWhole(own))
+    error ('DEcalioc:runPlan:tooFewRuns', ...
+           ['runPlan: the surrogates need %d different sets with a ' ...
+            'result for every target, got %d. Give more rows in runs.csv, ' ...
+            'or raise Input.numOfSam.'], least, have);
+  elseif have < least || sum (isWhole) < 2 / 3 * n
+    lines = {};
+    for k = 1:numel (Case.models)
+      lines = [lines, failuresOf(Case, Case.models(k).name)];
+    end
+    error ('DEcalioc:runPlan:tooManyFailures', ...
+           ['runPlan: at least two thirds of the plan and %d sets must ' ...
+            'succeed, got %d of %d. What failed:\n%s\nCorrect the model or ' ...
+            'the limits and start again; finished runs are kept.'], ...
+           least, sum (isWhole), n, strjoin (unique (lines), "\n"));
   end
-end
-
-% Surrogates need more rows than parameters.
-function n = fewestSets (Case)
-  n = numel (Case.names) + 2;
-end
-
-% Where a third of the plan fails, the box or the model is at fault.
-function checkFailures (isWhole, Case)
-  n = numel (isWhole);
-  if sum (isWhole) >= max (2 / 3 * n, fewestSets (Case))
-    return
-  end
-  lines = {};
-  for k = 1:numel (Case.models)
-    lines = [lines, failuresOf(Case, Case.models(k).name)];
-  end
-  error ('DEcalioc:runPlan:tooManyFailures', ...
-         ['runPlan: at least two thirds of the plan and %d runs must ' ...
-          'succeed, got %d of %d. What failed:\n%s\nCorrect the model or ' ...
-          'the limits and start again; finished runs are kept.'], ...
-         fewestSets (Case), sum (isWhole), n, ...
-         strjoin (unique (lines), "\n"));
 end
 
 function lines = failuresOf (Case, model)
@@ -133,3 +131,20 @@ end
 %! assert (rows (data.Z), 24);
 %! assert (isempty (failedSets (addRows (data, data.X(1, :), data.Z(1, :), ...
 %!                                       2, 'import'))));
+%!test
+%! % runs.csv alone, two models at different sets; then too few of them
+%! raw = standInCase (tempname ());
+%! raw.Input.maxNewRuns = 0;
+%! Case = newCase (raw);
+%! X = 10 * rand (10, 2);
+%! Z = [ones(5, 2), NaN(5, 1); NaN(5, 2), ones(5, 1)];
+%! data = addRows (newData (2, 3), X, Z, ones (10, 1), 'import');
+%! none = zeros (0, 2);
+%! assert (rows (runPlan (none, data, Case, [], @(t) []).Z), 10);
+%! data.X(6:10, :) = repmat (data.X(6, :), 5, 1);
+%! try
+%!   runPlan (none, data, Case, [], @(t) []);
+%! catch err
+%! end
+%! assert (err.identifier, 'DEcalioc:runPlan:tooFewRuns');
+%! assert (! isempty (strfind (err.message, 'got 1.')));

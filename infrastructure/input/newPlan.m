@@ -4,16 +4,15 @@
 %
 %   DATA  see newData: the runs that were taken in
 %   CASE  see newCase
-%   PLAN  n x d: CASE.options.numOfSam rows less the finished ones of DATA; none
+%   PLAN  n x d: CASE.options.numOfSam rows less the finished sets of DATA; none
 %         where there is no model to run
 %
 % A Latin hypercube plan; beside runs that were taken in, rows far from them.
 %
-% See also: planBeside, importExisting
+% See also: finishedSets, planBeside, importExisting
 
 function plan = newPlan (data, Case)
-  atHand = sum (all (isfinite (data.Z), 2));
-  n = max (0, Case.options.numOfSam - atHand);
+  n = max (0, Case.options.numOfSam - finishedSets (data, Case.limits));
   if any (cellfun (@isempty, {Case.models.folder}))
     n = 0;
   end
@@ -31,7 +30,9 @@ end
 %! data = addRows (data, [0.1; 0.2; 3], [1, 2; NaN, 3; 4, 5], ones (3, 1), ...
 %!                 'import');
 %! plan = newPlan (data, Case);
-%! assert (rows (plan), 3);
+%! assert (rows (plan), 4);
+%! data = addRows (data, 0.1 * ones (9, 1), ones (9, 2), (2:10)', 'import');
+%! assert (rows (newPlan (data, Case)), 4);
 %! assert (all (abs (plan - 0.15) > 0.1));
 %! Case.models(2).folder = '';
 %! assert (size (newPlan (data, Case)), [0, 1]);
