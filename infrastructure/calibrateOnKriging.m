@@ -6,7 +6,7 @@
 % surrogates  1 x T struct array of fitSurrogate
 % problem     struct of newProblem
 % options     struct, optional: maxIter (1000), maxFunEvals (3000, all starts
-%             together), nPlan (best plan points to start from, 3),
+%             together), nPlan (best of the sets that were run, 3),
 %             incumbent (1 x d, one more start, [])
 % found       params 1 x d, result, sd 1 x T (of the mean response), residual
 %             (T + extra) x 1, probability that all targets are truly met,
@@ -81,9 +81,10 @@ function starts = startingPoints (surrogates, problem, options)
   worst = max (abs (r(:, problem.calibrate)) ./ ...
                problem.tol(problem.calibrate), [], 2);
   [~, order] = sort (worst);
-  for i = order(1:min (end, options.nPlan))'
-    starts(end + 1) = struct ('start', sprintf ('plan point %d', i), ...
-                              'params', X(i, :));
+  for i = 1:min (numel (order), options.nPlan)
+    starts(end + 1) = struct ('start', sprintf ('run that comes close, %d', ...
+                                                i), ...
+                              'params', X(order(i), :));
   end
 end
 
