@@ -32,20 +32,22 @@ function defaults = headDefaults (file)
 end
 
 function text = withIncludes (file)
-  text = fileread (file);
+  text = checkReadText (file);
   [names, first, last] = regexp (text, '^[ \t]*include[ \t]+(\S+)[^\n]*', ...
                                  'tokens', 'start', 'end', 'lineanchors');
   for k = numel (names):-1:1
     other = fullfile (fileparts (file), names{k}{1});
     if isfile (other)
-      text = [text(1:first(k) - 1), fileread(other), text(last(k) + 1:end)];
+      text = [text(1:first(k) - 1), checkReadText(other), ...
+              text(last(k) + 1:end)];
     end
   end
 end
 
 %!test
 %! file = tempname ();
-%! writeAtomic (file, ["variable a equal 5e6 # Pa\n# variable no equal 1\n", ...
+%! writeAtomic (file, ["variable a equal 5e6 # ", 252, ...
+%!                     "\n# variable no equal 1\n", ...
 %!                     "variable b equal 2*${a}\n  variable a equal 7\n"]);
 %! d = headDefaults (file);
 %! assert (d.a, 7);
