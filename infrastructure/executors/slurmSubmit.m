@@ -23,7 +23,9 @@ function flight = slurmSubmit (flight, picks, jobs, Case, opt)
   limits = [models(k).timeout];
   minutes = slurmMinutes (opt.time, limits);
   % the guard ends a run before Slurm does: it is exact and leaves an end mark
-  seconds = floor (min (limits, 60 * minutes - 10));
+  unset = isnan (limits);
+  limits(unset) = arrayfun (@defaultLimit, models(k(unset)));
+  seconds = max (1, floor (min (limits, 60 * minutes - 10)));
   lines = cell (1, numel (picks));
   for i = 1:numel (picks)
     job = jobs(picks(i));
@@ -71,11 +73,16 @@ end
 %! assert (flight.task([1, 3]), [1, 2]);
 %! assert (fileread (fullfile (flight.folder{3}, 'limit')), "7\n");
 %! assert (flight.batches.isSent, false);
-%! % a new start knows of both
+%! % without a limit of the user's, the one that earlier runs teach
+%! Case.models.timeout = NaN;
+%! Case.models.seconds = [10, 10, 10];
+%! later = slurmSubmit (flight, 2, jobs, Case, slurmOptions ([]));
+%! assert (fileread (fullfile (later.folder{2}, 'limit')), "200\n");
+%! % a new start knows of all
 %! again = slurmAttach (jobs, Case.store);
-%! assert (again.status, 'oqo');
-%! assert (again.folder, flight.folder);
-%! assert (again.isOld, [true, false, true]);
+%! assert (again.status, 'ooo');
+%! assert (again.folder, later.folder);
+%! assert (again.isOld, [true, true, true]);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.folder, 's');
 %!error id=DEcalioc:slurmSubmit:badValue
