@@ -27,7 +27,9 @@ function Case = newCase (raw)
   Input = raw.Input;
   Case.root = raw.root;
   Case.folder = raw.folder;
-  Case.store = given (Input, 'store', raw.folder);
+  % the shell and the batch system know neither ~ nor this folder
+  Case.store = make_absolute_filename (tilde_expand ...
+    (given (Input, 'store', raw.folder)));
   Case.models = newModels (raw);
   Case.names = raw.assign(:)';
   Case.limits = double (raw.paramLims);

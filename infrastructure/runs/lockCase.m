@@ -8,7 +8,8 @@
 % The lock is the file decalioc.lock in FOLDER, which names host, process and
 % the start of that process. A lock whose process is gone is taken over.
 %
-% Errors: DEcalioc:lockCase:inUse, DEcalioc:lockCase:cannotWrite
+% Errors: DEcalioc:lockCase:inUse, DEcalioc:lockCase:cannotWrite,
+% DEcalioc:lockCase:noLinks
 %
 % See also: DEcalioc
 
@@ -24,12 +25,23 @@ function lock = lockCase (folder)
            folder);
   end
   tidy = onCleanup (@() forget (draft));
+  cause = '';
   for attempt = 1:10
-    if link (draft, file) == 0
+    [status, why] = link (draft, file);
+    if status == 0
       lock = onCleanup (@() release (file, getpid ()));
       return
     end
+    if isempty (readLock (file)) && ~isfile (file)
+      cause = why;
+    end
     takeOver (file, draft, folder);
+  end
+  if ~isempty (cause)
+    error ('DEcalioc:lockCase:noLinks', ...
+           ['lockCase: the case folder %s must be on a file system with ' ...
+            'hard links, which keep a second start out; making one gave: ' ...
+            '%s. Move the case to another disk.'], folder, cause);
   end
   error ('DEcalioc:lockCase:inUse', ...
          'lockCase: %s changes all the time; try again.', file);
