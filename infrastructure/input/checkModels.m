@@ -8,8 +8,9 @@
 %   HOW     scalar struct, see checkRunscript
 %   P       1 x n problems, see checkProblem
 %
-% Reasons: missingModel missingHead emptyHead missingRunscript
-% missingGetResults brokenGetResults, and those of checkRunscript
+% Reasons: missingModel modelWithRun missingInputFile missingHead emptyHead
+% missingRunscript missingGetResults brokenGetResults, and those of
+% checkRunscript
 %
 % See also: checkCase, findModel
 
@@ -19,8 +20,8 @@ function p = checkModels (models, folder, root, how)
     if isempty (models(k).folder)
       p = [p, missing(models(k).name, k, folder, root)];
     else
-      p = [p, checkHeadFile(models(k)), checkEvaluation(models(k)), ...
-           checkStart(models(k), how)];
+      p = [p, checkFolder(models(k)), checkHeadFile(models(k)), ...
+           checkEvaluation(models(k)), checkStart(models(k), how)];
     end
   end
 end
@@ -45,6 +46,32 @@ function names = folderNames (folder)
     entries = dir (folder);
     names = {entries([entries.isdir]).name};
     names = names(~strncmp (names, '.', 1));
+  end
+end
+
+% What a run leaves behind would be taken for the result of the next one. A
+% link that leads nowhere is what cp -r makes of a relative one.
+function p = checkFolder (model)
+  p = checkProblem ();
+  field = ['DEMmodels/', model.name];
+  traces = {'end.mark', 'record.json', 'job.json'};
+  left = traces(isfile (fullfile (model.folder, traces)));
+  if ~isempty (left)
+    p = checkProblem ('modelWithRun', field, 'a model, without a run in it', ...
+                      ['the folder of a run (', strjoin(left, ', '), ')'], ...
+                      ['Delete these files and the output of that run, or ' ...
+                       'copy the model anew.']);
+  end
+  names = readdir (model.folder);
+  for k = 1:numel (names)
+    path = fullfile (model.folder, names{k});
+    if ~isempty (lstat (path)) && isempty (stat (path))
+      p(end + 1) = checkProblem ('missingInputFile', ...
+                                 [field, '/', names{k}], ...
+                                 'files that can be read', ...
+                                 'a link that leads nowhere', ...
+                                 'Copy the model with cp -rL.');
+    end
   end
 end
 
