@@ -11,12 +11,12 @@
 %     P         1 x H, probability of each hypothesis of W
 %     include   1 x K, probability that the effect takes part
 %     null, unlisted   probabilities;  likely  1 x m, smallest set of effects
-%     (by P) that holds the cause with 95 %
+%     (by P) that holds 95 % of what all listed ones have together
 %     top       scalar, the likeliest effect
 %
 % P ~ prior * exp (log evidence / temperature). An effect is named only if all
 % hold: there is a gap (W.gate.p < level), its probability reaches nameAt and is
-% 3 times any other, no listed effect that noise takes for it is left over, its
+% 3 times any other (save one that joins it in the likeliest hypothesis), no listed effect that noise takes for it is left over, its
 % hypothesis fits (p >= 0.05), its strength is not at the end of its range,
 % its surrogate is not vague, and nothing unlisted is known to look alike.
 %
@@ -110,6 +110,12 @@ function verdict = nameCause (verdict, w, models)
     verdict.kind = 'named';
     verdict.effects = named;
     verdict.reason = sprintf ('probability %.2f', min (verdict.include(named)));
+    joins = setdiff (w.members{best}, named);
+    if ~isempty (joins)
+      verdict.reason = sprintf ('%s; fits best together with %s (%.2f)', ...
+                                verdict.reason, models.names{joins(1)}, ...
+                                verdict.include(joins(1)));
+    end
   end
 end
 

@@ -11,7 +11,7 @@
 %     kind (1 x H cell: 'null', 'single', 'pair', 'unlisted')
 %     fitP (1 x H, fit test at the mode), error, ess (1 x H)
 %     phi (H x 3: median and 90 % interval of the first strength), atLimit (1 x
-%     H, posterior mass glued to the end of the range), vague (1 x H, part of
+%     H, posterior mass glued to the end of the range of one of the strengths), vague (1 x H, part of
 %     the variance at the mode that is the surrogate of the effects)
 %     gate (struct of gateTest), screen (struct of screenEffects)
 %     posterior  1 x H cell: Q, weight (samples of each hypothesis)
@@ -67,7 +67,8 @@ function h = oneHypothesis (models, members, z, modes, kind)
   box = hypothesisBox (models.white, members, models.prior);
   d = numel (box.lo);
   flat = diag (3 * (box.precision == 0) ./ ((box.hi - box.lo) / 2).^2);
-  free = trace (modes(1).A \ (modes(1).A - diag (box.precision)));
+  % targets fewer than parameters leave directions without any curvature
+  free = trace (pinv (modes(1).A) * (modes(1).A - diag (box.precision)));
   for m = 1:numel (modes)
     modes(m).A = modes(m).A + flat;
   end
@@ -79,12 +80,13 @@ function h = oneHypothesis (models, members, z, modes, kind)
   h.fitP = chiSquareTail (modes(1).chi2, max (numel (z) - free, 0.5));
   h.posterior = struct ('Q', r.Q, 'weight', r.weight);
   if ~isempty (members)
-    at = models.white.p + 1;
-    h.phi = weightedQuantile (r.Q(:, at), r.weight, [0.5, 0.05, 0.95]);
-    margin = 0.02 * (box.hi(at) - box.lo(at));
-    ends = r.Q(:, at) > box.hi(at) - margin | ...
-           (box.lo(at) < 0 & r.Q(:, at) < box.lo(at) + margin);
-    h.atLimit = sum (r.weight(ends));
+    at = models.white.p + (1:numel (members));
+    h.phi = weightedQuantile (r.Q(:, at(1)), r.weight, [0.5, 0.05, 0.95]);
+    lo = box.lo(at)(:)';
+    hi = box.hi(at)(:)';
+    margin = 0.02 * (hi - lo);
+    ends = r.Q(:, at) > hi - margin | (lo < 0 & r.Q(:, at) < lo + margin);
+    h.atLimit = max (r.weight(:)' * ends);
   end
 end
 
