@@ -86,8 +86,7 @@ function em = baseline (problem, data, isBase, options)
   em.Q2 = [fits.Q2];
   em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
   em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
-  em.range = arrayfun (@(s) max (s.z) - min (s.z), fits);
-  em.range = max (em.range, eps);
+  em.range = rangesOf (problem, data.Z, isBase);
   em.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
   X = problem.limits(1, :) + (em.points + 1) / 2 .* diff (problem.limits);
   [average, em.surrogateVar] = predictSurrogate (fits, X);
@@ -101,6 +100,16 @@ function em = baseline (problem, data, isBase, options)
     end
   end
   em.varPowers = polyPowers (p, 2);
+end
+
+% What the parameters move; of a response that they do not move, what effects or
+% the measurement do.
+function range = rangesOf (problem, Z, isBase)
+  span = @(A) max (A, [], 1) - min (A, [], 1);
+  range = span (Z(isBase, :));
+  for t = find (range <= 100 * eps (max (abs (Z), [], 1)))
+    range(t) = max ([span([Z(:, t); problem.y(t)]), problem.sd(t), eps]);
+  end
 end
 
 % The corners matter for a polynomial: a third of the points is drawn outwards.
@@ -217,6 +226,17 @@ end
 %! ratio = mean (mean ((Z * white.W' - M) .^ 2 ./ V));
 %! assert (ratio > 0.6 && ratio < 1.6);
 %! assert (em.effect(9).laboratory && em.effect(9).runs == 0);
+%!test
+%! % a response that only an effect moves has the range of that
+%! lab = standInGap (0);
+%! problem = newGapProblem (setfield (lab.problem, 'y', 8 * ones (1, 24)));
+%! data = lab.plan (30, 10);
+%! off = all (data.E == 0, 2);
+%! data.Z(:, 2) = 5 * ~off;
+%! em = fitEmulator (problem, data, gapOptions (struct ('trend', 'affine')));
+%! assert (em.range(2), 8);
+%! z = data.Z(off, 1);
+%! assert (em.range(1), max (z) - min (z));
 %!error id=DEcalioc:fitEmulator:badValue
 %! lab = standInGap (0);
 %! problem = newGapProblem (setfield (lab.problem, 'y', ones (1, 24)));
