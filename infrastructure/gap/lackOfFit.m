@@ -22,7 +22,8 @@ function test = lackOfFit (white, h, Q, chi2, options)
   box = hypothesisBox (white, h, options.prior);
   fit = fitHypothesis (white, h, Z, repmat (Q, options.repeats, 1), box);
   test.chi2 = fit.chi2;
-  test.p = (1 + sum (fit.chi2 >= chi2)) / (options.repeats + 1);
+  test.p = (1 + sum (fit.chi2 >= chi2 - fitTolerance ())) / ...
+           (options.repeats + 1);
   test.residual = Z - predictGap (white, h, fit.Q);
 end
 

@@ -68,8 +68,11 @@ function where = localise (where, view, r, simulated, bench)
   where.t = where.residual ./ where.sd;
   fake = fake ./ where.sd;
   top = max (abs (fake), [], 2);
+  % less than what the fit may leave by ending early
+  sure = sqrt (max (where.residual.^2 - fitTolerance () * total, 0)) ./ ...
+         where.sd;
   for i = 1:numel (where.t)
-    where.pTarget(i) = (1 + sum (top >= abs (where.t(i)))) / (numel (top) + 1);
+    where.pTarget(i) = (1 + sum (top >= sure(i))) / (numel (top) + 1);
   end
   groups = unique (bench);
   own = zeros (1, numel (groups));
@@ -80,6 +83,11 @@ function where = localise (where, view, r, simulated, bench)
     own(b) = where.residual(at) * inner * where.residual(at)';
     F = fake(:, at) .* where.sd(at);
     fakes(:, b) = sum ((F * inner) .* F, 2);
+    if ~any (inner(:))
+      % the parameters can move these targets anywhere, but for their limits
+      own(b) = max (sure(at));
+      fakes(:, b) = max (abs (fake(:, at)), [], 2);
+    end
   end
   where.benches = benchTests (groups, own, fakes);
 end
@@ -131,3 +139,24 @@ end
 %! assert (where.pTarget(9) < 0.02);
 %! assert (where.benches(2).p < 0.05);
 %! assert (isempty (where.held.z));
+%!test
+%! % as many parameters as targets: an error that they can hide is no gap, one
+%! % out of their reach is, and its bench is named
+%! problem = newGapProblem (struct ('y', [0, 0], 'sd', [1, 1], ...
+%!                                  'limits', [0, 0; 1, 1], 'bench', [1, 2]));
+%! rand ('twister', 3);
+%! X = rand (40, 2);
+%! data = struct ('X', X, 'E', zeros (40, 0), 'replicate', ones (40, 1), ...
+%!                'Z', 20 * X + 0.01 * randn (40, 2));
+%! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
+%! p = zeros (2, 3);
+%! for k = 1:2
+%!   problem.y = [7, 12 + 30 * (k - 1)];
+%!   em = fitEmulator (problem, data, options);
+%!   models = makeModels (problem, em, options);
+%!   where = locateGap (problem, em, models, fitLibrary (models, problem.y), ...
+%!                      options);
+%!   p(k, :) = [where.p, where.pTarget(2), where.benches(2).p];
+%! end
+%! assert (p(1, :) > 0.9);
+%! assert (p(2, :) < 0.05);

@@ -40,10 +40,10 @@ function sayWhere (diagnosis, say)
   for i = 1:numel (problem.used)
     t = problem.used(i);
     mark = '';
-    if where.blind(i)
-      mark = 'blind: parameters can hide an error here';
-    elseif where.pTarget(i) < 0.05
+    if where.pTarget(i) < 0.05
       mark = '<-- off';
+    elseif where.blind(i)
+      mark = 'blind: parameters can hide an error here';
     end
     say (sprintf ('  %-28s %11.5g %11.5g %7.1f %7.3f  %s', ...
                   problem.targetNames{t}, problem.y(t), ...
@@ -125,9 +125,9 @@ function sayHowFar (diagnosis, say)
     how = 'by DEM';
   end
   say ('');
-  say (sprintf (['HOW FAR (%s): deviation %.1f %% -> %.1f %% of the range, ' ...
-                 'noise makes %.1f %%'], how, 100 * cure.before, ...
-                100 * cure.after, 100 * cure.floor));
+  say (sprintf (['HOW FAR with %s (%s): deviation %.1f %% -> %.1f %% of the ' ...
+                 'range, noise makes %.1f %%'], cure.effect, how, ...
+                100 * cure.before, 100 * cure.after, 100 * cure.floor));
   sayClosure ('calibrated targets', cure, say);
   if ~isempty (cure.heldOut)
     sayClosure ('held-out targets', cure.heldOut, say);

@@ -1,0 +1,13 @@
+% FITTOLERANCE  Misfit that a fit may leave because it ends early.
+%
+% CALL: CHI2 = fitTolerance ()
+%
+% fitHypothesis ends where its cost, half of chi2 and more, falls by less than
+% 0.005. Where parameters can meet all targets the misfit is 0 but for this, and
+% means nothing.
+%
+% See also: fitHypothesis, lackOfFit, locateGap
+
+function chi2 = fitTolerance ()
+  chi2 = 0.02;
+end
