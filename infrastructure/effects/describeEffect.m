@@ -47,6 +47,7 @@ function effect = describeEffect (given)
     effect.priorScale = max (abs (effect.limits - effect.neutral), [], 1) / 2;
   end
   checkShapes (effect);
+  effect.limits = orderedLimits (effect.limits, effect.neutral);
 end
 
 function checkShapes (effect)
