@@ -50,9 +50,14 @@ function s = strengthOf (w, h, k, models, problem)
                         [0.5, 0.05, 0.95]);
   at = find (strcmp ({problem.effects.name}, models.names{k}), 1);
   effect = problem.effects(at);
+  variables = effect.variables;
   values = effectValues (effect, q');
+  if effect.laboratory
+    variables = {effect.name};
+    values = effect.strongest * q';
+  end
   s = struct ('name', models.names{k}, 'value', q(1), 'interval90', q(2:3), ...
-              'range', effect.range, 'variables', {effect.variables}, ...
+              'range', effect.range, 'variables', {variables}, ...
               'values', values);
 end
 

@@ -87,7 +87,8 @@ function e = oneEffect (effect, info, given, library)
               'variables', {effect.variables}, 'neutral', effect.neutral, ...
               'limits', effect.limits, 'laboratory', effect.laboratory, ...
               'siblings', {{}}, 'offset', zeros (1, T), ...
-              'matrix', zeros (T), 'range', [], 'scale', 0.5);
+              'matrix', zeros (T), 'strongest', 1, 'range', [], ...
+              'scale', 0.5);
   same = strcmp ({library.group}, effect.group) & ...
          ~strcmp ({library.name}, effect.name);
   e.siblings = {library(same).name};
@@ -100,6 +101,7 @@ function e = oneEffect (effect, info, given, library)
     [top, other] = furtherLimit (effect.limits);
     [e.offset, e.matrix] = linearPart (effect, top, info, given.bench);
     e.range = [min(other / top, 0), 1];
+    e.strongest = top;
     e.limits = zeros (2, 0);
     e.variables = {};
     e.neutral = [];
@@ -171,6 +173,7 @@ end
 %! assert (given.effects(2).matrix, [0, 0; 0, 0.05], 1e-12);
 %! assert (little.matrix(2, 2), -0.05, 1e-12);
 %! assert ([little.range, mostly.range], [0, 1, -0.2, 1], 1e-12);
+%! assert ([little.strongest, mostly.strongest], [-0.05, -0.05]);
 %! assert (can);
 %! assert (ismember ('liquidBridge', given.effects(3).siblings));
 %! assert (given.sd, [0.1, 0.1]);

@@ -11,6 +11,7 @@
 %     siblings  cellstr, effects that look alike (may be absent from the list)
 %     offset    1 x T, matrix T x T: the result m becomes
 %               m + phi * (offset + m * matrix)      (laboratory only)
+%     strongest  scalar, value of the effect at phi = 1 (laboratory only; 1)
 %     range     1 x 2, strength phi: [0, 1], or [-1, 1] where neutral lies
 %               inside the limits or the laboratory may err both ways
 %     scale     prior scale of |phi| (0.5): phi is half-normal (normal, where
@@ -32,7 +33,8 @@ function effect = newEffect (given, T)
                    'group', '', 'variables', {{}}, 'neutral', [], ...
                    'limits', zeros (2, 0), 'laboratory', false, ...
                    'siblings', {{}}, 'offset', zeros (1, T), ...
-                   'matrix', zeros (T), 'range', [], 'scale', 0.5);
+                   'matrix', zeros (T), 'strongest', 1, 'range', [], ...
+                   'scale', 0.5);
   fields = fieldnames (effect);
   for k = 1:numel (fields)
     if isfield (given, fields{k}) && ~isempty (given.(fields{k}))
@@ -45,6 +47,9 @@ function effect = newEffect (given, T)
     error ('DEcalioc:newEffect:badShape', ...
            ['newEffect: effect %s must have neutral 1 x %d and limits 2 x ' ...
             '%d for its %d variables.'], effect.name, v, v, v);
+  end
+  if ~effect.laboratory
+    effect.limits = orderedLimits (effect.limits, effect.neutral);
   end
   if isempty (effect.range)
     effect.range = rangeOf (effect);
@@ -66,6 +71,10 @@ end
 %! assert (e.range, [0, 1]);
 %! e = newEffect (struct ('name', 'size', 'variables', {{'factor'}}, ...
 %!                        'neutral', 1, 'limits', [0.8; 1.25]), 3);
+%! assert (e.range, [-1, 1]);
+%! e = newEffect (struct ('name', 'size', 'variables', {{'factor'}}, ...
+%!                        'neutral', 1, 'limits', [1.25; 0.8]), 3);
+%! assert (e.limits, [0.8; 1.25]);
 %! assert (e.range, [-1, 1]);
 %! e = newEffect (struct ('name', 'gain', 'laboratory', true, ...
 %!                        'matrix', 0.1 * eye (3)), 3);
