@@ -8,6 +8,7 @@
 %            placebos, each refitted alike on the used targets only
 %   STATE    struct of spendRuns, with repeats (seeds at each compared set)
 %   CURE     struct
+%     effect   text, names of the effects that were added
 %     before, after, floor, closure, interval90   on the used targets
 %     heldOut  the same on the held-out targets ([] if there are none)
 %     placebos 1 x (m - 1) struct effect, closure, heldOut
@@ -47,6 +48,7 @@ function [cure, state] = measureCure (view, causes, state)
     end
   end
   cure = closureAt (problem, em, noise, Z{1}, Z{2}, problem.used);
+  cure.effect = strjoin (models.names(causes{1}), ' + ');
   cure.heldOut = [];
   if ~isempty (problem.heldOut)
     cure.heldOut = closureAt (problem, em, noise, Z{1}, Z{2}, problem.heldOut);
@@ -105,9 +107,10 @@ function [Z, worst, state] = runSet (view, set, state)
     number(i) = at;
     phi(at) = set.Q(em.p + i);
   end
+  known = rows (state.data.Z);
   state = spendRuns (state, problem, repmat (set.Q(1:em.p), n, 1), ...
                      repmat (phi, n, 1), (1:n)', 'cure');
-  Z = state.data.Z(end - n + 1:end, :);
+  Z = state.data.Z(known + 1:end, :);
   for at = number
     effect = problem.effects(at);
     if effect.laboratory
