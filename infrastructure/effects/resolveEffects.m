@@ -6,7 +6,8 @@
 % LIST     what loadEffects gives: [] or {}; a name; a cell of names and
 %          structs; a struct array. A struct needs a name; what it does not
 %          give (or gives empty) comes from the library's file of that name. A
-%          name that the library lacks needs variables, neutral and limits.
+%          name that the library lacks needs neutral, limits, and variables
+%          or, with laboratory = true, transform.
 % FOLDERS  text or cell of folders that are looked in before the library
 % EFFECTS  1 x e struct array with the fields of describeEffect, [] if LIST is
 %          empty
@@ -64,11 +65,12 @@ function effect = complete (entry, known, folders)
       base.(name{1}) = entry.(name{1});
     end
     entry = base;
-  elseif ~all (isfield (entry, {'variables', 'neutral', 'limits'}))
+  elseif ~all (isfield (entry, {'neutral', 'limits'})) || ...
+         ~any (isfield (entry, {'variables', 'transform'}))
     error ('DEcalioc:resolveEffects:unknownName', ...
            ['resolveEffects: %s is not in the library (%s), so it must ' ...
-            'have variables, neutral and limits.'], entry.name, ...
-           strjoin (known, ', '));
+            'have neutral, limits, and variables or (of the laboratory) ' ...
+            'transform.'], entry.name, strjoin (known, ', '));
   end
   effect = describeEffect (entry);
 end
@@ -101,6 +103,11 @@ end
 %! assert (e(2).priorScale, 0.5);
 %! assert (e(2).variables, {'tiltAngle'});
 %! assert (e(3).group, 'lid');
+
+%!test % an effect of the laboratory of one's own
+%! own = struct ('name', 'zero', 'laboratory', true, 'neutral', 0, ...
+%!               'limits', [-1; 1], 'transform', @(Z, s, info) Z + s);
+%! assert (resolveEffects (own).transform (1, 2, []), 3);
 
 %!test % a struct array with empty fields
 %! list = struct ('name', {'tilt', 'drag'}, 'limits', {[], [0; 5]});

@@ -6,8 +6,8 @@
 %   FIELD   how the user writes it, e.g. 'effects(2).' (text)
 %   P       1 x n problems, see checkProblem
 %
-% Reasons: missingField effectVariables reservedName neutralShape
-% effectLimitsShape effectLimits
+% Reasons: missingField effectVariables effectTransform reservedName
+% neutralShape effectLimitsShape effectLimits
 %
 % See also: checkEffects
 
@@ -25,6 +25,7 @@ function [p, v] = checkNames (effect, field)
   expected = 'a cell of names of variables of data.head';
   cure = 'Write for example {''cohesionPP''}.';
   if isfield (effect, 'laboratory') && isequal (effect.laboratory, true)
+    p = checkTransform (effect, strrep (field, 'variables', 'transform'));
     return
   end
   if ~isfield (effect, 'variables')
@@ -44,6 +45,16 @@ function [p, v] = checkNames (effect, field)
     p = checkProblem ('reservedName', field, ...
                       'a variable that DEcalioc does not set itself', ...
                       reserved{1}, 'Take it out.');
+  end
+end
+
+function p = checkTransform (effect, field)
+  p = checkProblem ();
+  if ~isfield (effect, 'transform') || ~is_function_handle (effect.transform)
+    p = checkProblem ('effectTransform', field, ...
+                      ['a function handle Z = f (Z, strength, info), for ' ...
+                       'the effect acts on results'], 'none', ...
+                      'Take effectGain.m of the toolbox as a pattern.');
   end
 end
 
@@ -92,5 +103,11 @@ end
 %! bad = setfield (e, 'limits', [1, 2; 1, 2]);
 %! assert (checkEffectNumbers (bad, 'effects(1).').id, ...
 %!         'DEcalioc:checkCase:effectLimits');
+%!test
+%! own = struct ('laboratory', true, 'neutral', 0, 'limits', [-1; 1]);
+%! assert (checkEffectNumbers (own, 'effects(1).').id, ...
+%!         'DEcalioc:checkCase:effectTransform');
+%! own.transform = @(Z, s, info) Z + s;
+%! assert (isempty (checkEffectNumbers (own, 'effects(1).')));
 %!assert (checkEffectNumbers (struct ('variables', 'a'), 'e.').id, ...
 %!        'DEcalioc:checkCase:effectVariables')
