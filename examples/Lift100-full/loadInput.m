@@ -17,7 +17,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   % the document uses 8 processors; never more than there are
   Input.maxCPU = min (8, nproc ());
   Input.numOfSam = 21;
-  % s; a run takes about 4 minutes of an idle core
+  % s; a run takes about 2 minutes of an idle core
   Input.timeout(1) = 3600;
 
   % --- 2  targets and stopping ---------------------------------------------
