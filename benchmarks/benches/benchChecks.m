@@ -29,25 +29,23 @@ function benchChecks (work, benches, nulls, nSeeds)
     half = benchRuns (stem ('halfStep'), bench{1}, ...
                       struct ('percentRayleigh', head.percentRayleigh / 2), ...
                       nSeeds);
-    [variables, prepare, unit] = largerOf (bench{1});
-    large = benchRuns (stem ('largerSystem'), bench{1}, variables, nSeeds, ...
-                       prepare) ./ unit;
+    [variables, unit] = largerOf (bench{1});
+    large = benchRuns (stem ('largerSystem'), bench{1}, variables, nSeeds) ...
+            ./ unit;
     writeRows (fid, {bench{1}, 'halfStep'}, info, null, half);
     writeRows (fid, {bench{1}, 'largerSystem'}, info, null, large);
   end
   fclose (fid);
 end
 
-function [variables, prepare, unit] = largerOf (bench)
+function [variables, unit] = largerOf (bench)
   prepare = 'true';
   unit = 1;
-  deeper = 'sed -i "s/ 0\.012 / 0.018 /" meshes/*.stl';
   switch bench
     case 'Collapse'
       variables = struct ('columnWidth', 0.08 / 3, 'glueColumns', 5);
     case 'Drum'
       variables = struct ('drumWidth', 0.018);
-      prepare = deeper;
     case 'Heap'
       k = 1.5^(1 / 3);
       variables = struct ('tubeRadius', 0.015 * k, 'plateRadius', ...
@@ -58,7 +56,6 @@ function [variables, prepare, unit] = largerOf (bench)
       variables = struct ('cellLength', 0.048);
     case 'SlotBin'
       variables = struct ('binWidth', 0.018, 'glueColumns', 3);
-      prepare = deeper;
       unit = [1.5, 1.5, 1, 1.5, 1.5, 1];
   end
 end

@@ -1,6 +1,6 @@
 % BENCHRUNS  Runs a bench with the first packings of the bench programs.
 %
-% CALL: [RESULTS, FOLDERS] = benchRuns (STEM, BENCH, VARIABLES, N, PREPARE)
+% CALL: [RESULTS, FOLDERS] = benchRuns (STEM, BENCH, VARIABLES, N)
 %
 % STEM       text, path of the runs up to their seeds: <work>/<bench>--0 for
 %            runs without effects, which all programs share; finished runs are
@@ -8,22 +8,18 @@
 % BENCH      text, name of a bench
 % VARIABLES  scalar struct, see benchRun
 % N          number of packings, at most 8
-% PREPARE    optional shell command, see benchRun
 % RESULTS    N x m
 % FOLDERS    1 x N cell of text
 %
 % See also: benchRun, benchSeeds
 
-function [results, folders] = benchRuns (stem, bench, variables, n, prepare)
-  if nargin < 5
-    prepare = 'true';
-  end
+function [results, folders] = benchRuns (stem, bench, variables, n)
   results = [];
   folders = {};
   for seed = benchSeeds (1:n)
     variables.runSeed = seed;
     folder = sprintf ('%s-%d', stem, seed);
-    results = [results; benchRun(folder, bench, variables, prepare)];
+    results = [results; benchRun(folder, bench, variables)];
     folders{end + 1} = folder;
   end
 end
