@@ -89,8 +89,8 @@
 %! end
 
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
-%! % each effect at full strength runs on the small shear cell or slot bin, and
-%! % the grains end elsewhere
+%! % each effect at both ends of its limits runs on the small shear cell or slot
+%! % bin, and the grains end elsewhere
 %! null.Shear = benchTrial ('Shear', benchScale ('Shear'));
 %! null.SlotBin = benchTrial ('SlotBin', benchScale ('SlotBin'));
 %! for e = ofDem ()
@@ -98,10 +98,12 @@
 %!   if ~effectsOfModel (fullfile (root, 'DEMmodels', bench), e)
 %!     bench = 'SlotBin';
 %!   end
-%!   set = withEffect (benchScale (bench), e, e.limits(2, :));
-%!   [text, fault] = benchTrial (bench, set);
-%!   assert (fault, '');
-%!   assert (~isequal (text, null.(bench)), e.name);
+%!   for end_ = find (any (e.limits ~= e.neutral, 2))'
+%!     set = withEffect (benchScale (bench), e, e.limits(end_, :));
+%!     [text, fault] = benchTrial (bench, set);
+%!     assert (fault, '');
+%!     assert (~isequal (text, null.(bench)), e.name);
+%!   end
 %! end
 
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
