@@ -33,9 +33,16 @@ function records = executeLocal (jobs, Case, report)
   live = containers.Map ();
   tidy = onCleanup (@() cellfun (@endRun, live.keys ()));
   start = tic ();
+  guardsSeen = 0;
   while ~all (isDone)
     age = toc (start) - born(running);
-    ended = running(cellfun (@hasEnded, folders(running), num2cell (age)));
+    hasEnded = cellfun (@hasMark, folders(running));
+    if toc (start) - guardsSeen > 1
+      guardsSeen = toc (start);
+      hasEnded = hasEnded | cellfun (@isLost, folders(running), ...
+                                     num2cell (age));
+    end
+    ended = running(hasEnded);
     running = setdiff (running, ended);
     next = firstFitting (queue, cpus, ...
                          Case.options.maxCPU - sum (cpus(running)));
@@ -100,16 +107,17 @@ function next = firstFitting (queue, cpus, free)
   next = queue(find (cpus(queue) <= free, 1));
 end
 
+function yes = hasMark (folder)
+  yes = isfile (fullfile (folder, 'end.mark'));
+end
+
 % A guard that is gone without an end mark was killed. One that has not shown
 % up after half a minute never will (a full disk, no shell).
-function yes = hasEnded (folder, age)
-  yes = isfile (fullfile (folder, 'end.mark'));
-  if ~yes
-    pids = runPids (folder);
-    isGone = isempty (pids) && age > 30 || ...
-             numel (pids) == 2 && isempty (processStart (pids(1)));
-    yes = isGone && ~isfile (fullfile (folder, 'end.mark'));
-  end
+function yes = isLost (folder, age)
+  pids = runPids (folder);
+  isGone = isempty (pids) && age > 30 || ...
+           numel (pids) == 2 && isempty (processStart (pids(1)));
+  yes = isGone && ~hasMark (folder);
 end
 
 function records = collectEnded (jobs, folders, Case)
