@@ -1,4 +1,4 @@
-% FINISHEDSETS  Number of parameter sets in the box that surrogates can learn of.
+% FINISHEDSETS  Number of sets in the box that surrogates can learn of.
 %
 % CALL: N = finishedSets (DATA, LIMITS)
 %

@@ -28,8 +28,8 @@ function Case = newCase (raw)
   Case.root = raw.root;
   Case.folder = raw.folder;
   % the shell and the batch system know neither ~ nor this folder
-  Case.store = make_absolute_filename (tilde_expand ...
-    (given (Input, 'store', raw.folder)));
+  store = tilde_expand (given (Input, 'store', raw.folder));
+  Case.store = make_absolute_filename (store);
   Case.models = newModels (raw);
   Case.names = raw.assign(:)';
   Case.limits = double (raw.paramLims);

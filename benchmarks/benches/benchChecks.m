@@ -30,8 +30,8 @@ function benchChecks (work, benches, nulls, nSeeds)
                       struct ('percentRayleigh', head.percentRayleigh / 2), ...
                       nSeeds);
     [variables, unit] = largerOf (bench{1});
-    large = benchRuns (stem ('largerSystem'), bench{1}, variables, nSeeds) ...
-            ./ unit;
+    large = benchRuns (stem ('largerSystem'), bench{1}, variables, nSeeds);
+    large = large ./ unit;
     writeRows (fid, {bench{1}, 'halfStep'}, info, null, half);
     writeRows (fid, {bench{1}, 'largerSystem'}, info, null, large);
   end

@@ -5,8 +5,8 @@
 %   AGES     1 x n, how long each run has been under way (s); may be empty
 %   SECONDS  scalar
 %
-% A look costs part of a millisecond of processor time a run. Looking every 20 ms took
-% a tenth of a core from the simulations. An ended run is seen late by a
+% A look costs part of a millisecond of processor time a run. Looking every 20
+% ms took a tenth of a core from the simulations. An ended run is seen late by a
 % hundredth of its length at most, and by a second at most.
 %
 % See also: executeLocal

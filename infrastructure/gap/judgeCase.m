@@ -16,9 +16,10 @@
 %
 % P ~ prior * exp (log evidence / temperature). An effect is named only if all
 % hold: there is a gap (W.gate.p < level), its probability reaches nameAt and is
-% 3 times any other (save one that joins it in the likeliest hypothesis), no listed effect that noise takes for it is left over, its
-% hypothesis fits (p >= 0.05), its strength is not at the end of its range,
-% its surrogate is not vague, and nothing unlisted is known to look alike.
+% 3 times any other (save one that joins it in the likeliest hypothesis), no
+% listed effect that noise takes for it is left over, its hypothesis fits (p >=
+% 0.05), its strength is not at the end of its range, its surrogate is not
+% vague, and nothing unlisted is known to look alike.
 %
 % See also: weighCase, calibrateVerdict
 

@@ -11,8 +11,9 @@
 %     kind (1 x H cell: 'null', 'single', 'pair', 'unlisted')
 %     fitP (1 x H, fit test at the mode), error, ess (1 x H)
 %     phi (H x 3: median and 90 % interval of the first strength), atLimit (1 x
-%     H, posterior mass glued to the end of the range of one of the strengths), vague (1 x H, part of
-%     the variance at the mode that is the surrogate of the effects)
+%     H, posterior mass glued to the end of the range of one of the strengths),
+%     vague (1 x H, part of the variance at the mode that is the surrogate of
+%     the effects)
 %     gate (struct of gateTest), screen (struct of screenEffects)
 %     posterior  1 x H cell: Q, weight (samples of each hypothesis)
 %

@@ -92,8 +92,8 @@ end
 
 function s = howFarOf (cure, problem)
   s = struct ('effect', '', 'before', NaN, 'after', NaN, 'floor', NaN, ...
-              'closure', NaN, 'interval90', [NaN, NaN], 'heldOut', [], 'placebos', {{}}, ...
-              'verifiedByDEM', false);
+              'closure', NaN, 'interval90', [NaN, NaN], 'heldOut', [], ...
+              'placebos', {{}}, 'verifiedByDEM', false);
   if isempty (cure)
     return
   end

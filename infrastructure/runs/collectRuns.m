@@ -149,8 +149,9 @@ function yes = hasEndLine (folder, said)
   yes = true;
   names = readdir (folder);
   inputs = names(strncmp (names, 'in.', 3));
-  promises = any (cellfun (@(f) ~isempty (strfind ...
-    (fileread (fullfile (folder, f)), 'RUN COMPLETE')), inputs));
+  texts = cellfun (@(f) fileread (fullfile (folder, f)), inputs, ...
+                   'UniformOutput', false);
+  promises = ~all (cellfun (@isempty, strfind (texts, 'RUN COMPLETE')));
   if promises
     said = [said, tailOf(fullfile (folder, 'log.liggghts'))];
     yes = ~isempty (regexp (said, '^RUN COMPLETE\s*$', 'once', ...

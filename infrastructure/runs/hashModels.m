@@ -5,8 +5,8 @@
 %   CASE  see newCase
 %   H     1 x M struct array: input (files of the model that the simulation
 %         reads, number of CPUs, LIGGGHTS build), funs (files of OctaveFuns,
-%         which only evaluate), defaults (values declared in data.head; of effect
-%         variables that it does not declare the neutral ones)
+%         which only evaluate), defaults (values declared in data.head; of
+%         effect variables that it does not declare the neutral ones)
 %
 % A change in OctaveFuns asks for a new evaluation of finished runs, not for
 % new simulations. README, sample and pictures decide nothing.
