@@ -48,7 +48,7 @@ function p = checkModelsHave (Case)
     fields = repmat ({['effects, ', effect.name, ',']}, 1, numel (names));
     kinds = repmat ({'effect'}, 1, numel (names));
     found = checkDeclared (names, fields, kinds, models);
-    if any (strcmp (effect.name, listEffects ()))
+    if ~isempty (found) && any (strcmp (effect.name, listEffects ()))
       found = found(~strcmp ({found.id}, 'DEcalioc:checkCase:unknownVariable'));
     end
     p = [p, found];
@@ -68,6 +68,7 @@ end
 %! own = ["struct('name', 'own', 'variables', {{'e'}}, 'neutral', 0, ", ...
 %!        "'limits', [0; 1])"];
 %! assert (withOwn (['{''tilt'', ', own, '}']).effectVars, {'tiltAngle', 'e'});
+%!assert (numel (withOwn ("{'gain', 'tilt'}").effects), 2)
 %!error id=DEcalioc:checkCase:unknownVariable
 %! withOwn (["struct ('name', 'own', 'variables', {{'ee'}}, 'neutral', 0, ", ...
 %!           "'limits', [0; 1])"]);
