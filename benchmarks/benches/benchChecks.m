@@ -39,7 +39,6 @@ function benchChecks (work, benches, nulls, nSeeds)
 end
 
 function [variables, unit] = largerOf (bench)
-  prepare = 'true';
   unit = 1;
   switch bench
     case 'Collapse'
