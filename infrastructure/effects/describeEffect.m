@@ -44,7 +44,7 @@ function effect = describeEffect (given)
     effect.(names{k}) = given.(names{k});
   end
   if isempty (effect.priorScale)
-    effect.priorScale = max (abs (effect.limits - effect.neutral), [], 1) / 2;
+    effect.priorScale = 2 * max (abs (effect.limits - effect.neutral), [], 1);
   end
   checkShapes (effect);
   effect.limits = orderedLimits (effect.limits, effect.neutral);
@@ -68,7 +68,7 @@ end
 %!test % defaults of a plain effect
 %! e = describeEffect (struct ('name', 'x', 'variables', {{'a', 'b'}}, ...
 %!                             'neutral', [0, 1], 'limits', [0, 0.5; 2, 4]));
-%! assert (e.priorScale, [1, 1.5]);
+%! assert (e.priorScale, [4, 6]);
 %! assert (e.group, 'x');
 %! assert (e.laboratory, false);
 

@@ -51,6 +51,6 @@ end
 %! e = getEffect ('trialOfGetEffect', folder);
 %! delete (file);
 %! rmdir (folder);
-%! assert (e.priorScale, 1);
+%! assert (e.priorScale, 4);
 
 %!error id=DEcalioc:getEffect:unknownName getEffect ('noSuchEffect')

@@ -1,66 +1,117 @@
-% READDUMP  Reads the grains that a bench has dumped.
+% READDUMP  Reads columns of a LIGGGHTS dump, by the names in its header.
 %
 % CALL: FRAMES = readDump (FILE)
+%       [FRAMES, STEPS] = readDump (FILE, NAMES)
 %
-% FILE    text file written by "dump custom ... id x y z radius"
-% FRAMES  1 x k cell, one a dumped step: n x 4, columns x y z radius (m)
+% FILE    text file written by "dump custom" or "dump local"
+% NAMES   1 x c cell of column names as the header has them, in any order:
+%         {'x', 'y', 'z', 'vx'}; default {'x', 'y', 'z', 'radius'}, which
+%         silhouette and the other reading functions take
+% FRAMES  1 x k cell, one a dumped step: n x c, columns as NAMES
+% STEPS   1 x k, number of the time step of each frame
+%
+% The header is the line "ITEM: ATOMS id type x y z ..." (of a local dump
+% "ITEM: ENTRIES c_f[1] ..."). Where a name stands there twice, as "type" of
+% LIGGGHTS does, its first column counts. Dumps of text (the element of a
+% particle) are not read.
 %
 % Throws DEcalioc:readDump:missingFile, DEcalioc:readDump:badValue (a frame
-% that breaks off).
+% that breaks off), DEcalioc:readDump:unknownName (no such column).
 %
-% See also: silhouette, readChecks
-function frames = readDump (file)
+% See also: silhouette, surfaceAt, surfaceAngle, heightProfile, massInRegion
+function [frames, steps] = readDump (file, names)
+  if nargin < 2
+    names = {'x', 'y', 'z', 'radius'};
+  end
   if exist (file, 'file') ~= 2
     error ('DEcalioc:readDump:missingFile', ...
            'readDump: FILE must exist, got %s. Did the run end early?', file);
   end
   text = fileread (file);
-  mark = 'ITEM: ATOMS';
-  starts = strfind (text, mark);
-  stops = [strfind(text, 'ITEM: TIMESTEP')(2:end) - 1, numel(text)];
+  [heads, starts] = regexp (text, ...
+                            '^ITEM: (?:ATOMS|ENTRIES)[ \t]*([^\r\n]*)', ...
+                            'tokens', 'end', 'lineanchors');
+  begins = strfind (text, 'ITEM: TIMESTEP');
+  stops = [begins(2:end) - 1, numel(text)];
   frames = cell (1, numel (starts));
+  steps = NaN (1, numel (starts));
   for k = 1:numel (starts)
-    block = text(starts(k):stops(k));
-    [names, body] = strtok (block(numel (mark) + 1:end), "\n");
-    width = numel (strsplit (strtrim (names), ' '));
-    numbers = sscanf (body, '%f');
+    columns = columnsOf (names, heads{k}{1}, file);
+    width = numel (strsplit (strtrim (heads{k}{1})));
+    numbers = sscanf (text(starts(k) + 1:stops(k)), '%f');
     if mod (numel (numbers), width) ~= 0
       error ('DEcalioc:readDump:badValue', ...
              ['readDump: FILE must hold whole rows, frame %d of %s ' ...
               'breaks off.'], k, file);
     end
-    rows = reshape (numbers, width, []).';
-    frames{k} = rows(:, 2:5);
+    table = reshape (numbers, width, []).';
+    frames{k} = table(:, columns);
+    steps(k) = sscanf (text(begins(k) + 14:starts(k)), '%f', 1);
   end
 end
 
-%!function file = sampleDump (rows)
+function columns = columnsOf (names, head, file)
+  there = strsplit (strtrim (head));
+  columns = zeros (1, numel (names));
+  for j = 1:numel (names)
+    at = find (strcmp (names{j}, there), 1);
+    if isempty (at)
+      error ('DEcalioc:readDump:unknownName', ...
+             ['readDump: NAMES must stand in the header of %s, got %s. The ' ...
+              'header has: %s. Add the name to the dump command.'], ...
+             file, names{j}, strjoin (there, ' '));
+    end
+    columns(j) = at;
+  end
+end
+
+%!function file = sampleDump (names, rows)
 %!  file = tempname ();
 %!  fid = fopen (file, 'w');
 %!  for k = 1:2
-%!    fprintf (fid, 'ITEM: TIMESTEP\n%d\nITEM: NUMBER OF ATOMS\n2\n', k);
+%!    fprintf (fid, 'ITEM: TIMESTEP\n%d\nITEM: NUMBER OF ATOMS\n2\n', 50 * k);
 %!    fprintf (fid, 'ITEM: BOX BOUNDS ff pp ff\n0 1\n0 1\n0 1\n');
-%!    fprintf (fid, 'ITEM: ATOMS id x y z radius\n%s', rows);
+%!    fprintf (fid, 'ITEM: %s\n%s', names, rows);
 %!  end
 %!  fclose (fid);
 %!endfunction
 
+%!function caught = idOf (file, varargin)
+%!  caught = '';
+%!  try
+%!    readDump (file, varargin{:});
+%!  catch err
+%!    caught = err.identifier;
+%!  end
+%!endfunction
+
 %!test % two frames of two grains
-%! file = sampleDump (sprintf ('7 1 2 3 0.5\n3 4 5 6 0.25\n'));
-%! frames = readDump (file);
+%! file = sampleDump ('ATOMS id x y z radius ', ...
+%!                    sprintf ('7 1 2 3 0.5\n3 4 5 6 0.25\n'));
+%! [frames, steps] = readDump (file);
 %! delete (file);
 %! assert (numel (frames), 2);
 %! assert (frames{2}, [1, 2, 3, 0.5; 4, 5, 6, 0.25]);
+%! assert (steps, [50, 100]);
+
+%!test % columns by their names, wherever they stand and however many there are
+%! file = sampleDump ('ATOMS id type type radius vx x z y', ...
+%!                    sprintf ('7 1 2 0.5 9 1 3 2\n3 1 1 0.25 8 4 6 5\n'));
+%! assert (readDump (file){1}, [1, 2, 3, 0.5; 4, 5, 6, 0.25]);
+%! assert (readDump (file, {'vx', 'type'}){2}, [9, 1; 8, 1]);
+%! assert (idOf (file, {'x', 'fx'}), 'DEcalioc:readDump:unknownName');
+%! delete (file);
+
+%!test % a dump of contacts; a step without any
+%! file = sampleDump ('ENTRIES c_f[1] c_f[2]', '');
+%! assert (size (readDump (file, {'c_f[2]'}){1}), [0, 1]);
+%! delete (file);
 
 %!error id=DEcalioc:readDump:missingFile readDump ('no such file')
 
 %!test % a frame that breaks off
-%! file = sampleDump (sprintf ('7 1 2 3 0.5\n3 4 5\n'));
-%! caught = '';
-%! try
-%!   readDump (file);
-%! catch err
-%!   caught = err.identifier;
-%! end
+%! file = sampleDump ('ATOMS id x y z radius', ...
+%!                    sprintf ('7 1 2 3 0.5\n3 4 5\n'));
+%! caught = idOf (file);
 %! delete (file);
 %! assert (caught, 'DEcalioc:readDump:badValue');

@@ -100,7 +100,7 @@ end
 %! e = resolveEffects ({'cohesion', near, own});
 %! assert ({e.name}, {'cohesion', 'tilt', 'lid'});
 %! assert (e(2).limits, [0; 1]);
-%! assert (e(2).priorScale, 0.5);
+%! assert (e(2).priorScale, 2);
 %! assert (e(2).variables, {'tiltAngle'});
 %! assert (e(3).group, 'lid');
 

@@ -10,7 +10,7 @@
 % A grain with its centre at (x_i, z_i) reaches
 %   z_i + sqrt (r_i^2 - (X - x_i)^2)   for |X - x_i| < r_i.
 %
-% See also: readDump, surfaceLine
+% See also: surfaceLine, readDump
 function height = silhouette (grains, X)
   chord2 = grains(:, 4).^2 - (X - grains(:, 1)).^2;
   top = grains(:, 3) + sqrt (max (chord2, 0));

@@ -7,7 +7,7 @@
 % HEIGHT  1 x m, top of the highest grain above each point (m); 0 where there
 %         is none
 %
-% See also: silhouette, readDump
+% See also: silhouette, radialProfile, readDump
 function height = surfaceAt (grains, X, Y)
   chord2 = grains(:, 4).^2 - (X - grains(:, 1)).^2 - (Y - grains(:, 2)).^2;
   top = grains(:, 3) + sqrt (max (chord2, 0));

@@ -17,17 +17,18 @@
 
 function cross = crossPredict (problem, em, models, from, to)
   budget = noiseBudget (problem, em);
-  noise = budget.covariance;
-  white = whitenEmulator (em, from, noise);
-  box = hypothesisBox (white, [], models.prior);
-  starts = models.starts;
+  null = newHypothesis ('null');
+  white = whitenEmulator (em, from, budget);
+  view = viewHypothesis (white, null, models.prior);
+  starts = toNormal (view.unknowns, models.starts);
   Z = repmat (problem.y(from) * white.W', rows (starts), 1);
-  fit = fitHypothesis (white, [], Z, starts, box);
-  [~, best] = min (fit.cost);
+  fit = fitHypothesis (white, null, Z, starts, models.prior);
+  [~, best] = max (fit.logPeak);
   cross.theta = fit.Q(best, :);
-  A = reshape (fit.A(best, :, :), em.p, em.p) + diag (3 * (box.precision == 0));
-  other = whitenEmulator (em, to, noise);
-  [M, V, J] = predictGap (other, [], cross.theta);
+  A = reshape (fit.A(best, :, :), em.p, em.p);
+  other = whitenEmulator (em, to, budget);
+  view.white = other;
+  [M, V, J] = predictHypothesis (view, fit.U(best, :));
   J = reshape (vertcat (J{:})', numel (to), em.p);
   S = diag (V) + J * (A \ J');
   r = problem.y(to) * other.W' - M;

@@ -4,18 +4,37 @@
 %
 %   W, VERDICT, MODELS, PROBLEM   of weighCase, judgeCase, makeModels,
 %                                 newGapProblem
-%   NAMED   struct, see diagnoseMatrices
+%   NAMED   struct
+%     verdict, reason, guard, lookAlike, effects, partners, likely (cellstr)
+%     gateP, exclude (odds against a look-alike of cosine 0.9)
+%     posterior   struct null, each effect, unlisted
+%     resembles   struct of each effect: something like it, but not it
+%     cannotSee, siblings (cellstr), groups (cell of cellstr: effects that the
+%       noise takes for one another, each pair of them)
+%     strength    1 x K struct name, value, interval90 (NaN where the integral
+%                 failed), range, variables, values
+%     priorSpread probability of the likeliest single effect with its prior
+%                 scale halved, doubled
+%     numbers     struct error (largest, of the logarithms of the evidences that
+%                 matter), ess (least effective number of points)
+%     hypotheses  struct array, likeliest first
 %
 % See also: diagnoseMatrices, judgeCase
 
 function named = describeVerdict (w, verdict, models, problem)
   names = models.names;
   named = struct ('verdict', verdict.kind, 'reason', verdict.reason, ...
+                  'guard', verdict.guard, 'lookAlike', verdict.lookAlike, ...
                   'effects', {names(verdict.effects)}, ...
-                  'likely', {names(verdict.likely)}, 'gateP', w.gate.p);
+                  'partners', {names(verdict.partners)}, ...
+                  'likely', {names(verdict.likely)}, 'gateP', w.gate.p, ...
+                  'exclude', exp (min (w.exclude, 50)));
   named.posterior.null = verdict.null;
+  named.resembles = struct ();
   for k = 1:numel (names)
-    named.posterior.(matlab.lang.makeValidName (names{k})) = verdict.include(k);
+    field = matlab.lang.makeValidName (names{k});
+    named.posterior.(field) = verdict.include(k);
+    named.resembles.(field) = verdict.resemble(k);
   end
   named.posterior.unlisted = verdict.unlisted;
   named.cannotSee = names(isinf (w.screen.smallest));
@@ -24,30 +43,48 @@ function named = describeVerdict (w, verdict, models, problem)
   named.strength = struct ('name', {}, 'value', {}, 'interval90', {}, ...
                            'range', {}, 'variables', {}, 'values', {});
   for k = 1:numel (names)
-    holding = find (cellfun (@(m) any (m == k), w.members));
-    [~, at] = max (verdict.P(holding));
-    named.strength(k) = strengthOf (w, holding(at), k, models, problem);
+    named.strength(k) = strengthOf (w, verdict, k, models, problem);
   end
   named.priorSpread = priorSpread (w, verdict, models);
-  matter = verdict.P > 0.01 & ~strcmp (w.kind, 'unlisted');
-  named.numbers = struct ('error', max ([w.error(matter), 0]), ...
-                          'ess', min ([w.ess(matter), Inf]));
+  named.numbers = numbersOf (w, verdict);
+  named.hypotheses = hypothesesOf (w, verdict, names);
+end
+
+function numbers = numbersOf (w, verdict)
+  matter = verdict.P > 0.01 & isfinite (w.ess);
+  numbers = struct ('error', max ([w.error(matter), 0]), ...
+                    'ess', min ([w.ess(matter), Inf]));
+end
+
+function list = hypothesesOf (w, verdict, names)
   [~, order] = sort (-verdict.P);
-  named.hypotheses = struct ('members', {}, 'kind', {}, 'probability', {}, ...
-                             'logEvidence', {}, 'fitP', {});
+  list = struct ('members', {}, 'kind', {}, 'probability', {}, ...
+                 'logEvidence', {}, 'error', {}, 'ess', {});
   for h = order
-    named.hypotheses(end + 1) = ...
-      struct ('members', {names(w.members{h})}, 'kind', w.kind{h}, ...
-              'probability', verdict.P(h), 'logEvidence', w.logE(h), ...
-              'fitP', w.fitP(h));
+    list(end + 1) = struct ('members', {names(w.members{h})}, ...
+                            'kind', w.kind{h}, ...
+                            'probability', verdict.P(h), ...
+                            'logEvidence', w.logE(h), 'error', w.error(h), ...
+                            'ess', w.ess(h));
   end
 end
 
-function s = strengthOf (w, h, k, models, problem)
+% From the likeliest hypothesis that holds the effect and was integrated.
+function s = strengthOf (w, verdict, k, models, problem)
+  holding = find (cellfun (@(m) any (m == k), w.members) & ...
+                  ~cellfun (@(p) isempty (p.Q), w.posterior) & ...
+                  ~strcmp (w.kind, 'sibling'));
+  [~, at] = max (verdict.P(holding));
+  h = holding(at);
   posterior = w.posterior{h};
   column = models.white.p + find (w.members{h} == k);
-  q = weightedQuantile (posterior.Q(:, column), posterior.weight, ...
-                        [0.5, 0.05, 0.95]);
+  phi = posterior.Q(:, column);
+  q = shortestInterval (phi, posterior.cautious, 0.9, ...
+                        models.white.effect(k).range);
+  q(1) = weightedQuantile (phi, posterior.weight, 0.5);
+  if w.ess(h) < models.options.leastPoints
+    q = NaN (1, 3);
+  end
   at = find (strcmp ({problem.effects.name}, models.names{k}), 1);
   effect = problem.effects(at);
   variables = effect.variables;
@@ -61,24 +98,28 @@ function s = strengthOf (w, h, k, models, problem)
               'values', values);
 end
 
-% Single linkage of effects that are mistaken for each other at prior strength.
+% Complete linkage: in a group each is mistaken for each at half strength.
 function groups = confusedGroups (screen, models)
   K = numel (models.names);
-  linked = eye (K) > 0;
+  linked = false (K);
   for k = 1:K
-    d = screen.size(k) * min (models.white.effect(k).scale, 1);
-    mistaken = confusion (screen.cosine(k, :), d) > 0.1;
-    linked(k, :) = linked(k, :) | (mistaken & screen.size > 0 & d > 0);
+    d = screen.size(k) / 2;
+    linked(k, :) = d > 0 & screen.size > 0 & ...
+                   confusion (screen.cosine(k, :), d) > 0.1;
   end
-  linked = linked | linked';
-  for step = 1:K
-    linked = (double (linked) * double (linked)) > 0;
-  end
+  linked = linked & linked';
   groups = {};
+  free = true (1, K);
   for k = 1:K
-    members = find (linked(k, :));
-    if numel (members) > 1 && members(1) == k
+    members = k * free(k);
+    for l = find (free & linked(k, :) & (1:K) > k) .* free(k)
+      if l > 0 && all (linked(l, members))
+        members(end + 1) = l;
+      end
+    end
+    if numel (members) > 1
       groups{end + 1} = models.names(members);
+      free(members) = false;
     end
   end
 end
@@ -88,18 +129,18 @@ end
 function spread = priorSpread (w, verdict, models)
   spread = [NaN, NaN];
   h = find (cellfun (@(m) isequal (m, verdict.top), w.members), 1);
-  if isempty (h)
+  if isempty (h) || isempty (w.posterior{h}.Q)
     return
   end
   posterior = w.posterior{h};
-  phi = posterior.Q(:, end);
+  phi = posterior.Q(:, models.white.p + 1);
   e = models.white.effect(verdict.top);
   shrink = [0.5, 2];
   P = verdict.P;
   for i = 1:2
     ratio = density (phi, shrink(i) * e.scale, e.range) ./ ...
             density (phi, e.scale, e.range);
-    factor = sum (posterior.weight .* ratio)^(1 / models.temperature);
+    factor = sum (posterior.weight .* ratio);
     spread(i) = P(h) * factor / (1 - P(h) + P(h) * factor);
   end
 end
@@ -108,3 +149,19 @@ function f = density (phi, scale, range)
   mass = normalTail (range(1) / scale) - normalTail (range(2) / scale);
   f = exp (-0.5 * (phi / scale).^2) / (scale * mass);
 end
+
+%!test
+%! % linkage is complete: a chain is no group
+%! models = handMadeModels ();
+%! models.reference = (-4:0.1:2)';
+%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! problem = struct ('effects', newEffect (struct ('name', 'a', ...
+%!                   'laboratory', true), 4));
+%! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
+%!                                         true), 4);
+%! named = describeVerdict (w, judgeCase (w, models), models, problem);
+%! assert (named.groups, {});
+%! assert (named.strength(1).value, 0.7, 0.1);
+%! assert (named.numbers.ess >= 200);
+%! assert (named.hypotheses(1).members, {'a'});
+%! assert (isfield (named.posterior, 'unlisted'));

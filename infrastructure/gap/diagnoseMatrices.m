@@ -14,11 +14,7 @@
 %   DIAGNOSIS struct
 %     where    of locateGap
 %     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)
-%     which    verdict, reason, effects (cellstr), posterior (struct null, each
-%              effect, unlisted), likely, cannotSee, groups, strength (1 x m
-%              struct name, value, interval90, range), priorSpread (change of
-%              the first probability when prior scales are halved or doubled),
-%              expected (calibrateVerdict), numbers (error, ess: of integrals)
+%     which    of describeVerdict, and expected (calibrateVerdict)
 %     howFar   of measureCure ([] where nothing can be compared)
 %     next     of nextTest
 %     runs     struct spent, failed, left;  data: DATA with the new runs
@@ -28,7 +24,8 @@
 %
 % Errors: those of newGapProblem, effectStrength and fitEmulator
 %
-% See also: diagnoseGap, locateGap, weighCase, judgeCase, measureCure, nextTest
+% See also: diagnoseGap, locateGap, weighCase, judgeCase, weighCures,
+% measureCure, nextTest
 
 function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   if nargin < 3
@@ -43,34 +40,39 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
                   'failed', 0, 'left', options.maxNewRuns, ...
                   'repeats', options.verifyRuns);
   [state, em] = improveSurrogates (problem, options, state);
+  problem = correlateSeries (problem, em, options);
   [state, em] = exploreEffects (problem, options, state, em);
   kept = tested (em);
   library = em;
   library.effect = em.effect(kept);
-  models = makeModels (problem, library, options);
-  fits = fitLibrary (models, problem.y(problem.used));
-  diagnosis.where = locateGap (problem, em, models, fits, options);
-  [models, expected] = calibrateVerdict (problem, library, models, options);
-  w = weighCase (models, fits, 1, true);
-  verdict = judgeCase (w, models);
-  if diagnosis.where.side.blameSurrogate
-    verdict.kind = 'surrogate';
-    verdict.effects = [];
-    verdict.reason = diagnosis.where.side.reason;
-  end
+  view = viewOf (problem, library, options);
+  diagnosis.where = locateGap (problem, em, view.models, view.fits, options);
+  w = weighCase (view.models, view.fits, 1);
+  verdict = judgeCase (w, view.models);
+  verdict = blameSurrogates (verdict, view, diagnosis.where.side);
   diagnosis.screen = w.screen;
-  diagnosis.screen.names = models.names;
+  diagnosis.screen.names = view.models.names;
   diagnosis.screen.untested = {em.effect(~kept).name};
-  diagnosis.which = describeVerdict (w, verdict, models, problem);
-  diagnosis.which.expected = expected;
-  causes = comparedCauses (w, verdict);
   diagnosis.howFar = [];
+  causes = comparedCauses (verdict);
   if ~isempty (causes)
     state = pauseRuns (state, verdict.kind);
-    view = struct ('problem', problem, 'em', library, 'models', models, ...
-                   'fits', fits);
-    [diagnosis.howFar, state] = measureCure (view, causes, state);
+    group = [causes{1}, verdict.effects];
+    [sets, state] = runCures (view, causes, state);
+    if all ([sets.verified])
+      [verdict, w] = weighCures (verdict, w, view, state.data);
+    end
+    first = causes{1};
+    if ~isempty (verdict.effects) && ~isequal (verdict.effects, first)
+      first = verdict.top;
+    end
+    if ~any (cellfun (@(h) isequal (h, first), causes))
+      first = causes{1};
+    end
+    diagnosis.howFar = measureCure (view, sets, first, group);
   end
+  diagnosis.which = describeVerdict (w, verdict, view.models, problem);
+  diagnosis.which.expected = calibrateVerdict (view.models, library, problem);
   diagnosis.next = nextTest (problem, library, w, verdict.P);
   diagnosis.problem = problem;
   diagnosis.runs = struct ('spent', state.spent, 'failed', state.failed, ...
@@ -82,6 +84,50 @@ function kept = tested (em)
   kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
 end
 
+function view = viewOf (problem, em, options)
+  models = gateReference (makeModels (problem, em, options));
+  view = struct ('problem', problem, 'em', em, 'models', models, ...
+                 'fits', fitLibrary (models, problem.y(problem.used)));
+end
+
+% Surrogates are to blame where they contradict their own runs, or where there
+% is no name and surer ones, all else equal, would give another verdict.
+function verdict = blameSurrogates (verdict, view, side)
+  said = any (strcmp (verdict.kind, {'named', 'group'}));
+  reason = '';
+  if side.blameSurrogate
+    reason = side.reason;
+  elseif side.vague && ~said
+    other = judgeSurer (view);
+    if ~strcmp (other.kind, verdict.kind)
+      n = rows (view.em.base.X);
+      share = mean (side.share(view.problem.used));
+      reason = sprintf (['%s. With surer ones it would be: %s. About %d ' ...
+                         'more sets near the calibrated one halve their ' ...
+                         'part'], ...
+                        side.reason, other.kind, ceil (n * share));
+    end
+  end
+  if ~isempty (reason)
+    verdict.kind = 'surrogate';
+    verdict.guard = 'surrogate';
+    verdict.effects = zeros (1, 0);
+    verdict.reason = reason;
+  end
+end
+
+% The same data, with a twentieth of the surrogates' variance.
+function verdict = judgeSurer (view)
+  em = view.em;
+  em.surrogateVar = em.surrogateVar / 20;
+  em.fitVar = em.fitVar / 20;
+  for k = 1:numel (em.effect)
+    em.effect(k).varOverPsi2 = em.effect(k).varOverPsi2 / 20;
+  end
+  sure = viewOf (view.problem, em, view.models.options);
+  verdict = judgeCase (weighCase (sure.models, sure.fits, 1), sure.models);
+end
+
 % Only a cause that is named is worth DEM runs.
 function state = pauseRuns (state, kind)
   if ~any (strcmp (kind, {'named', 'group'}))
@@ -89,18 +135,24 @@ function state = pauseRuns (state, kind)
   end
 end
 
-function causes = comparedCauses (w, verdict)
+% The cause, or each of the three likeliest of a group; then two placebos.
+function causes = comparedCauses (verdict)
   causes = {};
   if isempty (verdict.include) || strcmp (verdict.kind, 'surrogate')
     return
   end
-  [~, order] = sort (-verdict.include);
-  first = verdict.top;
-  if strcmp (verdict.kind, 'named')
-    first = verdict.effects;
+  [~, order] = sort (-verdict.total);
+  members = verdict.top;
+  if strcmp (verdict.kind, 'group')
+    members = order(ismember (order, verdict.effects));
+    members = members(1:min (3, numel (members)));
   end
-  others = order(~ismember (order, first));
-  causes = [{first}, num2cell(others(1:min (2, numel (others))))];
+  causes = num2cell (members);
+  if strcmp (verdict.kind, 'named')
+    causes = {verdict.effects};
+  end
+  others = order(~ismember (order, [causes{:}, verdict.effects]));
+  causes = [causes, num2cell(others(1:min (2, numel (others))))];
 end
 
 % Where the surrogates are to blame, runs near the fitted set come first.
@@ -110,10 +162,11 @@ function [state, em] = improveSurrogates (problem, options, state)
     models = makeModels (problem, withoutEffects (em, 1:numel (em.effect)), ...
                          options);
     fits = fitLibrary (models, problem.y(problem.used));
-    theta = fits.null.Q(1, :);
+    theta = fits.calibrated.Q(1, :);
     side = sideSignals (problem, em, theta);
     n = min (2 * em.p + 2, floor (state.left / 2));
-    if ~side.blameSurrogate || round_ == 3 || n < 1 || isempty (state.evaluate)
+    isGood = ~side.blameSurrogate && ~side.vague;
+    if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)
       return
     end
     spread = integrationPoints (n, em.p, options.seed + round_).uniform - 0.5;

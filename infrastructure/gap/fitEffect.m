@@ -1,74 +1,113 @@
-% FITEFFECT  Learns what one effect adds to one response, zero at neutral.
+% FITEFFECT  Learns what effects add to one response, zero at neutral.
 %
-% CALL: FIT = fitEffect (POWERS, Q, R, NOISE)
+% CALL: FIT = fitEffect (POWERS, Q, R, NOISE, GRID)
 %
-%   POWERS  q x (p+1), monomials in (theta, phi), phi in each of them
-%   Q       n x (p+1), runs: parameters in [-1, 1] and strength phi
-%   R       n x 1, result minus the mean of the baseline surrogate
-%   NOISE   n x 1, variance of R: seed and baseline surrogate
+%   POWERS  q x c, monomials; the strength in each of them
+%   Q       n x c, runs: parameters in [-1, 1], then bent strengths
+%   R       n x 2, result minus the mean of the surrogates without the effect,
+%           and the strength (of a pair: the product of both)
+%   NOISE   n x 1, variances of R, or n x n, their covariance: seed, and errors
+%           of the surrogates without the effect
+%   GRID    struct decay (1 x a), misfit (1 x b), tried values ([]: defaults)
 %   FIT     struct: coef (q x 1), covariance (q x q, of the coefficients),
-%           looStd (n x 1, standardised leave-one-out residuals)
+%           misfit (variance per strength squared that no polynomial makes),
+%           score (log of the mean marginal likelihood), looStd (n x 1,
+%           standardised leave-one-out residuals at the likeliest values)
 %
-% Kriging with a polynomial covariance: R = B coef + noise, coef ~ N (0, s
-% diag (g .^ (degree - 1))). Every monomial holds phi, so the effect is exactly
-% zero at neutral and the null model stays nested in the model with the effect.
-% s, g and a factor on NOISE maximise the marginal likelihood; a singular value
-% decomposition makes each trial cheap (Rasmussen and Williams 2006, 2.7, 5.4).
+% Kriging with a polynomial covariance: R = B coef + misfit + noise,
+%   coef ~ N (0, s diag (g .^ (degree - 1))), misfit ~ N (0, m strength^2).
+% Every monomial holds the strength, so the effect is exactly zero at neutral
+% and the null model stays nested in the model with the effect. What the
+% polynomial cannot follow is part of the prediction's variance, not of the
+% noise. Mean and covariance are averages over s, g and m with their marginal
+% likelihoods: few runs do not tell these values, and the likeliest ones alone
+% often say that an effect is exactly nothing. A singular value decomposition
+% makes each trial cheap (Rasmussen and Williams 2006, 2.7, 5.4).
 %
 % Errors: DEcalioc:fitEffect:badShape
 %
-% See also: fitEmulator
+% See also: learnEffect
 
-function fit = fitEffect (powers, Q, r, noise)
-  if rows (Q) ~= numel (r) || numel (noise) ~= numel (r)
+function fit = fitEffect (powers, Q, r, noise, grid)
+  if rows (Q) ~= rows (r) || rows (noise) ~= rows (r) || columns (r) ~= 2
     error ('DEcalioc:fitEffect:badShape', ...
-           ['fitEffect: Q, R and NOISE must have equal numbers of rows, ' ...
-            'got %d, %d and %d.'], rows (Q), numel (r), numel (noise));
+           ['fitEffect: Q, R (two columns) and NOISE must have equal ' ...
+            'numbers of rows, got %d, %d x %d and %d.'], rows (Q), size (r), ...
+           rows (noise));
   end
-  root = 1 ./ sqrt (noise(:));
-  B = polyRows (powers, Q) .* root;
-  y = r(:) .* root;
-  degree = sum (powers, 2) - 1;
-  best.score = -Inf;
-  for g = [0.03, 0.1, 0.3, 1]
-    best = better (best, B, y, sqrt (g.^degree(:)'));
+  if nargin < 5 || isempty (grid)
+    grid = struct ('decay', [0.03, 0.1, 0.3, 1], 'misfit', [0, 1, 4, 16, 64]);
   end
-  fit = posterior (best, B, y);
-end
-
-function best = better (best, B, y, weight)
-  [U, S, V] = svd (B .* weight, 'econ');
-  s = diag (S)'.^2;
-  part = (U' * y)'.^2;
-  rest = max (y' * y - sum (part), 0);
-  nRest = numel (y) - numel (s);
-  top = max (max (s), eps);
-  for factor = [1, 2, 4]
-    for scale = [0, 4.^(-8:8)] * max (y' * y / top, 1 / top)
-      spread = factor + scale * s;
-      score = -0.5 * (sum (log (spread) + part ./ spread) + ...
-                      nRest * log (factor) + rest / factor) - ...
-              log (factor) - 0.01 * log1p (scale)^2;
-      if score > best.score
-        best = struct ('score', score, 'scale', scale, 'factor', factor, ...
-                       'V', V, 's', s, 'weight', weight);
-      end
+  if isvector (noise)
+    noise = diag (noise);
+  end
+  strength2 = max (r(:, 2).^2, eps);
+  unit = mean (diag (noise)) / mean (strength2);
+  B = polyRows (powers, Q);
+  degree = sum (powers, 2)' - min (sum (powers, 2));
+  scales = mean (diag (noise)) * 4.^(-2:9)';
+  trials = [];
+  for m = grid.misfit
+    L = chol (noise + m * unit * diag (strength2), 'lower');
+    penalty = sum (log (diag (L))) + 0.5 * log1p (m);
+    for g = grid.decay
+      trial = tryScales (L \ B, L \ r(:, 1), sqrt (g.^degree), scales);
+      trial.score = trial.score - penalty;
+      trial.L = L;
+      trial.misfit = m * unit;
+      trials = [trials, trial];
     end
   end
+  fit = average (trials, scales, B, r(:, 1));
 end
 
-function fit = posterior (best, B, y)
-  n = numel (y);
-  spread = best.factor + best.scale * best.s;
-  half = best.V .* best.weight';
-  full = best.scale * diag (best.weight.^2);
-  shrink = best.scale^2 * best.s ./ spread;
-  fit.covariance = full - (half .* shrink) * half';
-  K = best.factor * eye (n) + B * full * B';
-  inverse = inv (K);
-  alpha = inverse * y;
-  fit.coef = full * B' * alpha;
-  fit.looStd = alpha ./ sqrt (diag (inverse));
+% Log marginal likelihood of every scale of the coefficients.
+function trial = tryScales (B, y, weight, scales)
+  [U, S, V] = svd (B .* weight, 'econ');
+  s = diag (S)';
+  part = (U' * y)';
+  rest = max (y' * y - sum (part.^2), 0);
+  spread = 1 + scales * s.^2;
+  trial.score = -0.5 * (sum (log (spread) + part.^2 ./ spread, 2) + rest);
+  trial.half = V .* weight';
+  trial.weight = weight;
+  trial.s = s;
+  trial.part = part;
+end
+
+function fit = average (trials, scales, B, r)
+  scores = [trials.score];
+  top = max (scores(:));
+  w = exp (scores - top);
+  fit.score = top + log (mean (w(:)));
+  w(w < 0.01) = 0;
+  w = w / sum (w(:));
+  q = columns (B);
+  fit.coef = zeros (q, 1);
+  second = zeros (q);
+  fit.misfit = 0;
+  [i, j] = find (w);
+  for k = 1:numel (i)
+    one = trials(j(k));
+    c = scales(i(k));
+    spread = 1 + c * one.s.^2;
+    coef = one.half * (c * one.s .* one.part ./ spread)';
+    C = c * (diag (one.weight.^2) - ...
+             (one.half .* (c * one.s.^2 ./ spread)) * one.half');
+    fit.coef = fit.coef + w(i(k), j(k)) * coef;
+    second = second + w(i(k), j(k)) * (C + coef * coef');
+    fit.misfit = fit.misfit + w(i(k), j(k)) * one.misfit;
+  end
+  fit.covariance = second - fit.coef * fit.coef';
+  [~, best] = max (w(:));
+  [i, j] = ind2sub (size (w), best);
+  fit.looStd = leaveOut (trials(j), scales(i), B, r);
+end
+
+function z = leaveOut (trial, scale, B, r)
+  B = B .* trial.weight;
+  inverse = inv (trial.L * trial.L' + scale * (B * B'));
+  z = (inverse * r) ./ sqrt (diag (inverse));
 end
 
 %!test
@@ -77,7 +116,7 @@ end
 %! powers = polyPowers (2, 3);
 %! powers = powers(powers(:, 2) > 0, :);
 %! Q = [2 * rand(25, 1) - 1, rand(25, 1)];
-%! r = 2 * Q(:, 2) + Q(:, 1) .* Q(:, 2);
+%! r = [2 * Q(:, 2) + Q(:, 1) .* Q(:, 2), Q(:, 2)];
 %! fit = fitEffect (powers, Q, r, 1e-6 * ones (25, 1));
 %! assert (polyRows (powers, [0.5, 1]) * fit.coef, 2.5, 0.01);
 %! assert (polyRows (powers, [0.5, 0]) * fit.coef, 0);
@@ -85,12 +124,22 @@ end
 %! % pure noise: the strength stays within four of its own deviations (seeded)
 %! rand ('twister', 1); randn ('twister', 1);
 %! Q = [2 * rand(30, 1) - 1, rand(30, 1)];
-%! fit = fitEffect ([0, 1; 1, 1], Q, randn (30, 1), ones (30, 1));
+%! fit = fitEffect ([0, 1; 1, 1], Q, [randn(30, 1), Q(:, 2)], ones (30, 1));
 %! b = polyRows ([0, 1; 1, 1], [0, 1]);
 %! assert (abs (b * fit.coef) < 4 * sqrt (b * fit.covariance * b') + 0.1);
 %!test
-%! % posterior equals the textbook ridge formula
-%! B = [1; 2]; noise = [1; 1];
-%! fit = fitEffect ([0, 1], [0, 1; 0, 2], [10; 20], noise);
-%! assert (fit.coef, 10, 0.2);
-%!error id=DEcalioc:fitEffect:badShape fitEffect ([0, 1], [0, 1], [1; 2], 1)
+%! % a kink that no quadratic follows is kept as misfit (seeded)
+%! rand ('twister', 2); randn ('twister', 2);
+%! powers = [0, 1; 1, 1; 0, 2];
+%! Q = [2 * rand(40, 1) - 1, rand(40, 1)];
+%! kink = 5 * Q(:, 2) .* (rand (40, 1) > 0.5);
+%! noise = 0.01 * ones (40, 1);
+%! fit = fitEffect (powers, Q, [kink, Q(:, 2)], noise);
+%! assert (fit.misfit > 1 && fit.misfit < 30);
+%! straight = fitEffect (powers, Q, [2 * Q(:, 2) + 0.1 * randn(40, 1), ...
+%!                                   Q(:, 2)], noise);
+%! assert (straight.misfit < 0.1);
+%! % what looks like nothing stays uncertain
+%! assert (straight.covariance(1) > 1e-6);
+%!error id=DEcalioc:fitEffect:badShape
+%! fitEffect ([0, 1], [0, 1], [1, 1; 2, 1], [1; 1])

@@ -6,25 +6,27 @@
 %   PROBLEM  struct of newGapProblem
 %   DATA     struct X (n x p), E (n x v), Z (n x T, NaN = none), replicate
 %   OPTIONS  struct of gapOptions
-%   OLD      EM of fewer runs: its baseline is kept if no neutral run is new
+%   OLD      EM of other runs: what its runs have in common with DATA is kept
 %   EM       struct
-%     p, powers (q x p), coef (q x T): mean of the null model, polynomial of the
-%       baseline Kriging in parameters scaled to [-1, 1]
+%     p, limits, powers (q x p), coef (q x T): mean of the null model,
+%       polynomial of the baseline Kriging in parameters scaled to [-1, 1]
 %     points (M x p), surrogateVar (M x T): where and how well it is known
 %     varPowers (r x p): quadratic that the logarithm of variances follows
-%     effect (1 x K): powers, coef (q x T; phi in each term), points, looStd
-%       (cell), varOverPhi2 (M x T), varPowers, range, scale, name, runs,
-%       laboratory
-%     seedVar, seedDf, fitVar (error of the polynomial), looMean, looMax, Q2,
-%       range (all 1 x T), correlation (T x T, of errors within a bench)
-%     surrogates (1 x T struct of fitSurrogate), baseRuns (scalar)
+%     effect (1 x K)  see learnEffect;  joint (1 x J)  see learnJoint
+%     seedVar, seedFreedom (variance of one run and degrees of freedom of that
+%       estimate, pooledNoise), fitVar (error of the polynomial), looMean,
+%       looMax, Q2, range (all 1 x T), correlation (T x T, of errors within a
+%       bench)
+%     surrogates (1 x T struct of fitSurrogate), base (struct X, Z: its runs)
+%     success, effect.success   of learnSuccess: where a bench gives a result
 %
 % The baseline Kriging uses every run with all effects neutral, and serves
-% every effect: only the difference an effect makes is learned from its runs.
+% every effect: only the difference an effect makes is learned from its runs,
+% and what two do together from runs with both.
 %
 % Errors: DEcalioc:fitEmulator:badValue
 %
-% See also: fitEffect, whitenEmulator, predictGap
+% See also: learnEffect, learnJoint, whitenEmulator, predictGap
 
 function em = fitEmulator (problem, data, options, old)
   p = columns (problem.limits);
@@ -38,26 +40,88 @@ function em = fitEmulator (problem, data, options, old)
             'neutral, got %d. Run or import the plan first.'], p + 3, ...
            sum (isBase));
   end
-  if nargin > 3 && old.baseRuns == sum (isBase)
-    em = old;
-  else
-    em = baseline (problem, data, isBase, options);
+  base = struct ('X', data.X(isBase, :), 'Z', data.Z(isBase, :));
+  if nargin < 4
+    old = struct ('base', [], 'effect', [], 'noiseRuns', -1);
   end
-  [em.seedVar, em.seedDf, residual] = seedNoise ([data.X, data.E], data.Z);
-  nugget = max ([em.surrogates.noiseVar], eps);
-  weight = em.seedDf ./ (em.seedDf + 5);
-  measured = em.seedVar;
-  measured(em.seedDf == 0) = 0;
-  em.seedVar = weight .* measured + (1 - weight) .* nugget;
-  known = isfinite (problem.seedSd);
-  em.seedVar(known) = problem.seedSd(known).^2;
-  em.correlation = errorCorrelation (em, residual, problem.bench);
-  em.effect = repmat (emptyEffect (), 1, 0);
+  em = old;
+  if ~isequaln (old.base, base)
+    em = baseline (problem, data, isBase, options, old);
+    em.base = base;
+  end
+  others = sum (~isBase);
+  if ~isOneRunOff (old, base) || abs (others - old.noiseRuns) > 0.1 * others
+    % the noise follows from the effects' runs, and they from the noise
+    em = seedScatter (em, problem, data);
+    em.effect = learnAll (em, problem, theta, phi, data.Z, []);
+    [em.seedVar, em.seedFreedom] = pooledNoise (em, em.effect);
+    em.noiseRuns = others;
+    old.effect = [];
+  end
+  em.effect = learnAll (em, problem, theta, phi, data.Z, old.effect);
+  em.joint = jointEffects (em, theta, phi, data.Z);
+  [em.success, own] = learnSuccess (problem.bench, theta, phi, data.Z);
+  for k = 1:numel (own)
+    em.effect(k).success = own{k};
+  end
+  em.bench = problem.bench;
+end
+
+% One run more or less changes neither the noise nor the other effects.
+function yes = isOneRunOff (old, base)
+  yes = ~isempty (old.base) && abs (rows (old.base.X) - rows (base.X)) <= 2;
+end
+
+% What has the same runs as before is kept.
+function effects = learnAll (em, problem, theta, phi, Z, old)
+  effects = [];
   for k = 1:numel (problem.effects)
     own = abs (phi(:, k)) >= 1e-9 & sum (abs (phi) >= 1e-9, 2) == 1;
-    em.effect(k) = oneEffect (em, problem.effects(k), ...
-                              [theta(own, :), phi(own, k)], data.Z(own, :));
+    Q = [theta(own, :), phi(own, k)];
+    known = [];
+    if ~isempty (old)
+      known = find (strcmp ({old.name}, problem.effects(k).name));
+    end
+    if ~isempty (known) && isequaln (old(known).Q, Q) && ...
+       isequaln (old(known).Z, Z(own, :))
+      effects = [effects, old(known)];
+    else
+      effects = [effects, learnEffect(em, problem.effects(k), Q, Z(own, :))];
+    end
   end
+  if isempty (effects)
+    effects = repmat (struct ('name', '', 'range', [], 'runs', 0, ...
+                              'laboratory', false), 1, 0);
+  end
+end
+
+function joint = jointEffects (em, theta, phi, Z)
+  joint = [];
+  simulated = find (~[em.effect.laboratory] & [em.effect.runs] > 0);
+  for pair = nchoosek (simulated, 2)' .* (numel (simulated) > 1)
+    if numel (simulated) < 2
+      break
+    end
+    both = all (abs (phi(:, pair)) >= 1e-9, 2) & ...
+           sum (abs (phi) >= 1e-9, 2) == 2;
+    joint = [joint, learnJoint(em, pair', [theta(both, :), phi(both, pair)], ...
+                               Z(both, :))];
+  end
+end
+
+% Runs that were repeated tell the scatter of one run; where they are few, the
+% nugget of the Kriging model does.
+function em = seedScatter (em, problem, data)
+  [measured, df, residual] = seedNoise ([data.X, data.E], data.Z);
+  nugget = max ([em.surrogates.noiseVar], eps);
+  weight = df ./ (df + 5);
+  measured(df == 0) = 0;
+  em.seedVar = weight .* measured + (1 - weight) .* nugget;
+  em.seedFreedom = df + [em.surrogates.df];
+  known = isfinite (problem.seedSd);
+  em.seedVar(known) = problem.seedSd(known).^2;
+  em.seedFreedom(known) = Inf;
+  em.correlation = errorCorrelation (em, residual, problem.bench);
 end
 
 % The same runs in another order give other last digits, and then other sets to
@@ -72,24 +136,29 @@ function theta = scaled (X, limits)
   theta = 2 * (X - limits(1, :)) ./ (limits(2, :) - limits(1, :)) - 1;
 end
 
-function em = baseline (problem, data, isBase, options)
+function em = baseline (problem, data, isBase, options, old)
   p = columns (problem.limits);
   T = columns (data.Z);
   settings = struct ('covariance', options.covariance, ...
                      'trend', options.trend);
+  em = old;
   for t = T:-1:1
     settings.name = problem.targetNames{t};
+    if isOneRunOff (old, struct ('X', data.X(isBase, :)))
+      settings.start = old.surrogates(t);
+    end
     fits(t) = fitSurrogate (data.X(isBase, :), data.Z(isBase, t), ...
                             problem.limits, settings);
   end
-  em = struct ('p', p, 'surrogates', fits, 'baseRuns', sum (isBase));
+  em.p = p;
+  em.limits = problem.limits;
+  em.surrogates = fits;
   em.Q2 = [fits.Q2];
   em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
   em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
   em.range = rangesOf (problem, data.Z, isBase);
   em.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
-  X = problem.limits(1, :) + (em.points + 1) / 2 .* diff (problem.limits);
-  [average, em.surrogateVar] = predictSurrogate (fits, X);
+  [average, em.surrogateVar] = predictBaseline (em, em.points);
   noise = [fits.noiseVar] + mean (em.surrogateVar);
   for degree = 2:4
     em.powers = polyPowers (p, degree);
@@ -109,28 +178,6 @@ function range = rangesOf (problem, Z, isBase)
   range = span (Z(isBase, :));
   for t = find (range <= 100 * eps (max (abs (Z), [], 1)))
     range(t) = max ([span([Z(:, t); problem.y(t)]), problem.sd(t), eps]);
-  end
-end
-
-% The corners matter for a polynomial: a third of the points is drawn outwards.
-function points = boxPoints (d, n)
-  primes_ = primes (60);
-  points = zeros (n, d);
-  for j = 1:d
-    points(:, j) = 2 * vanDerCorput (n, primes_(j)) - 1;
-  end
-  outer = 1:3:n;
-  points(outer, :) = sin (pi / 2 * points(outer, :));
-end
-
-function x = vanDerCorput (n, base)
-  x = zeros (n, 1);
-  left = (1:n)' + 20;
-  scale = 1 / base;
-  while any (left > 0)
-    x = x + scale * mod (left, base);
-    left = floor (left / base);
-    scale = scale / base;
   end
 end
 
@@ -158,58 +205,6 @@ function C = errorCorrelation (em, residual, bench)
   C(1:T + 1:end) = 1;
 end
 
-function e = emptyEffect ()
-  e = struct ('name', '', 'powers', [], 'coef', [], 'points', [], ...
-              'varOverPhi2', [], 'looStd', {{}}, 'varPowers', [], ...
-              'range', [], 'scale', [], 'runs', 0, 'laboratory', false);
-end
-
-function e = oneEffect (em, effect, Q, Z)
-  T = columns (em.coef);
-  e = emptyEffect ();
-  e.name = effect.name;
-  e.range = effect.range;
-  e.scale = effect.scale;
-  e.laboratory = effect.laboratory;
-  e.runs = sum (any (isfinite (Z), 2));
-  e.varPowers = polyPowers (em.p + 1, 2);
-  e.points = boxPoints (em.p + 1, 6 * rows (e.varPowers));
-  e.points(:, end) = e.range(1) + (e.points(:, end) + 1) / 2 * diff (e.range);
-  if effect.laboratory
-    e.powers = [em.powers, ones(rows (em.powers), 1)];
-    e.coef = em.coef * effect.matrix;
-    e.coef(1, :) = e.coef(1, :) + effect.offset;
-    e.varOverPhi2 = zeros (rows (e.points), T);
-    return
-  end
-  e.powers = polyPowers (em.p + 1, 3);
-  e.powers = e.powers(e.powers(:, end) > 0, :);
-  e.coef = zeros (rows (e.powers), T);
-  B = polyRows (e.powers, e.points) ./ e.points(:, end);
-  for t = 1:T
-    fit = oneResponse (em, t, e.powers, Q, Z(:, t));
-    e.coef(:, t) = fit.coef;
-    e.looStd{t} = fit.looStd;
-    e.varOverPhi2(:, t) = max (sum ((B * fit.covariance) .* B, 2), eps);
-  end
-end
-
-function fit = oneResponse (em, t, powers, Q, z)
-  ok = isfinite (z);
-  Q = Q(ok, :);
-  limits = em.surrogates(t).limits;
-  X = limits(1, :) + (Q(:, 1:end - 1) + 1) / 2 .* diff (limits);
-  if isempty (Q)
-    q = rows (powers);
-    first = sum (powers, 2) == 1;
-    fit = struct ('coef', zeros (q, 1), 'looStd', zeros (0, 1), ...
-                  'covariance', em.range(t)^2 * diag (first));
-    return
-  end
-  [m, v] = predictSurrogate (em.surrogates(t), X);
-  fit = fitEffect (powers, Q, z(ok) - m, em.seedVar(t) + v);
-end
-
 %!test
 %! % means of the emulator agree with the laboratory within its own variances
 %! % (mean of 24 x 50 squared errors over variances: 4 deviations allowed)
@@ -220,7 +215,10 @@ end
 %! em = fitEmulator (problem, data, gapOptions (struct ('trend', 'affine')));
 %! theta = rand (50, 4);
 %! phi = [zeros(50, 2), rand(50, 1), zeros(50, 7)];
-%! white = whitenEmulator (em, 1:24, diag (lab.seedSd .^ 2));
+%! budget = struct ('covariance', diag (lab.seedSd .^ 2), ...
+%!                  'estimated', zeros (1, 24), ...
+%!                  'unknown', zeros (1, 24));
+%! white = whitenEmulator (em, 1:24, budget);
 %! [M, V] = predictGap (white, 3, [2 * theta - 1, phi(:, 3)]);
 %! Z = lab.means (theta, phi) + lab.seedSd .* randn (50, 24);
 %! ratio = mean (mean ((Z * white.W' - M) .^ 2 ./ V));

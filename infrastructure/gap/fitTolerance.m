@@ -2,8 +2,8 @@
 %
 % CALL: CHI2 = fitTolerance ()
 %
-% fitHypothesis ends where its cost, half of chi2 and more, falls by less than
-% 0.005. Where parameters can meet all targets the misfit is 0 but for this, and
+% fitHypothesis ends where the log posterior density rises by less than
+% 0.002. Where parameters can meet all targets the misfit is 0 but for this, and
 % means nothing.
 %
 % See also: fitHypothesis, lackOfFit, locateGap

@@ -7,13 +7,19 @@
 %          benches; results.csv of a model gives series and coordinates
 %   NOTES  cellstr, what had to be assumed
 %
-% A target without targetStd gets half of its tolerance as uncertainty. An
+% Errors that are alike along a series of results.csv (optim.correlation) make
+% GIVEN.covariance; where their length is to be estimated, GIVEN.estimateSeries
+% says so (1 x T logical).
+%
+% A target without targetStd has an uncertainty of unknown size: GIVEN.sdKnown
+% (1 x T logical) is false there, and half of its tolerance stands in GIVEN.sd
+% as a first guess of the size. An
 % effect of the laboratory becomes offset and matrix on the results, phi = 1 at
 % the limit further from 0, the upper one of two that are as far. Members of an
 % effect's group that the library knows but the case does not list are its
 % siblings.
 %
-% See also: diagnoseGap, newGapProblem
+% See also: diagnoseGap, newGapProblem, addCorrelation
 
 function [given, notes] = gapProblemOf (Case)
   notes = {};
@@ -21,19 +27,25 @@ function [given, notes] = gapProblemOf (Case)
   given.y = [Case.targets.value];
   given.sd = [Case.targets.sd];
   bare = given.sd == 0;
+  given.sdKnown = ~bare;
   if any (bare)
     assumed = abs (given.y) .* [Case.targets.tol] / 2;
     given.sd(bare) = assumed(bare);
-    notes{end + 1} = sprintf (['no measurement uncertainty (targetStd) for ' ...
-                               '%s: half of the tolerance is taken'], ...
+    notes{end + 1} = sprintf (['no measurement uncertainty given for %s: ' ...
+                               'its size is estimated, starting from half ' ...
+                               'of the tolerance (optim.targetStd)'], ...
                               strjoin ({Case.targets(bare).name}, ', '));
   end
   given.targetNames = {Case.targets.name};
+  given.trials = [Case.targets.trials];
   given.held = strcmp ({Case.targets.role}, 'holdout');
   given.bench = [Case.targets.model];
   given.benchNames = {Case.models.name};
+  given.benchCost = [Case.models.cost];
   given.names = Case.names;
   given.limits = Case.limits;
+  given.paramMean = Case.paramMean;
+  given.paramSd = Case.paramSd;
   info = infoOf (Case);
   series = {info.series};
   labels = arrayfun (@(t) sprintf ('%d/%s', given.bench(t), series{t}), 1:T, ...
@@ -44,6 +56,8 @@ function [given, notes] = gapProblemOf (Case)
   given.coordinate = at;
   given.coordinate(isnan (at)) = 0;
   given.series(isnan (at)) = 0;
+  [given, note] = addCorrelation (given, Case.targets);
+  notes = [notes, note];
   library = struct ('name', {}, 'group', {});
   if ~isempty (Case.effects)
     library = libraryGroups (Case);
@@ -88,7 +102,7 @@ function e = oneEffect (effect, info, given, library)
               'limits', effect.limits, 'laboratory', effect.laboratory, ...
               'siblings', {{}}, 'offset', zeros (1, T), ...
               'matrix', zeros (T), 'strongest', 1, 'range', [], ...
-              'scale', 0.5);
+              'scale', 2);
   same = strcmp ({library.group}, effect.group) & ...
          ~strcmp ({library.name}, effect.name);
   e.siblings = {library(same).name};
@@ -143,11 +157,13 @@ end
 %! % a camera roll turns angles, a gain scales weights, other benches untouched
 %! Case.targets = struct ('value', {1, 2}, 'sd', {0.1, 0}, 'tol', 0.1, ...
 %!                        'name', {'a', 'b'}, 'role', 'calibrate', ...
-%!                        'model', {1, 2}, 'index', 1);
+%!                        'model', {1, 2}, 'index', 1, 'trials', {3, Inf}, ...
+%!                        'correlation', 0);
 %! folder = tempname ();
 %! mkdir (folder);
 %! Case.models = struct ('name', {'A', 'B'}, 'folder', ...
-%!                       {fullfile(folder, 'A'), fullfile(folder, 'B')});
+%!                       {fullfile(folder, 'A'), fullfile(folder, 'B')}, ...
+%!                       'cost', {1, 7});
 %! kinds = {'angle', 'mass'};
 %! for k = 1:2
 %!   mkdir (Case.models(k).folder);
@@ -158,6 +174,7 @@ end
 %! Case.folder = folder;
 %! Case.names = {'mu'};
 %! Case.limits = [0; 1];
+%! [Case.paramMean, Case.paramSd] = deal (0.4, 0.1);
 %! Case.effects = resolveEffects ({'cameraRoll', 'gain', 'cohesion'});
 %! [given, notes] = gapProblemOf (Case);
 %! % limits of the user's own: only too little, and mostly too little
@@ -177,4 +194,33 @@ end
 %! assert (can);
 %! assert (ismember ('liquidBridge', given.effects(3).siblings));
 %! assert (given.sd, [0.1, 0.1]);
+%! assert (given.sdKnown, [true, false]);
+%! assert (newGapProblem (given).sdKnown, [true, false]);
+%! assert (given.trials, [3, Inf]);
+%! assert (given.benchCost, [1, 7]);
+%! assert ([given.paramMean, given.paramSd], [0.4, 0.1]);
 %! assert (numel (notes), 1);
+%! assert (! isempty (strfind (notes{1}, ['no measurement uncertainty ', ...
+%!                             'given for b: its size is estimated'])));
+%!test
+%! % errors along a series of results.csv
+%! Case.targets = struct ('value', 1, 'sd', {1, 2, 2}, 'tol', 0.1, ...
+%!                        'name', {'a', 'b', 'c'}, 'role', 'calibrate', ...
+%!                        'model', 1, 'index', {1, 2, 3}, 'trials', 1, ...
+%!                        'correlation', 5);
+%! folder = tempname ();
+%! mkdir (folder);
+%! Case.models = struct ('name', 'A', 'folder', folder, 'cost', 1);
+%! writeAtomic (fullfile (folder, 'results.csv'), ...
+%!              ["name,kind,unit,series,at,text\na,rate,kg/s,w,10,x\n", ...
+%!               "b,rate,kg/s,w,15,x\nc,mass,kg,,,x\n"]);
+%! Case.names = {'mu'};
+%! Case.limits = [0; 1];
+%! [Case.paramMean, Case.paramSd] = deal (NaN);
+%! Case.effects = [];
+%! given = gapProblemOf (Case);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! C = diag ([1, 4, 4]);
+%! C(1, 2) = C(2, 1) = 2 / e;
+%! assert (given.covariance, C, 1e-5);

@@ -3,16 +3,22 @@
 % CALL: [DATA, COUNT] = gatherRuns (CASE)
 %
 %   CASE   see newCase
-%   DATA   struct X (n x d), E (n x v), Z (n x T, NaN = none), replicate
+%   DATA   struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
+%   run), replicate
 %          (n x 1), stage (n x 1 cell)
-%   COUNT  struct store (runs from the store), imported (rows of DATA from
-%          runs.csv), ignored (cellstr, columns of runs.csv not understood)
+%   COUNT  struct store (runs from the store), noResult (runs of the store
+%          without one), imported (rows of DATA from runs.csv), ignored
+%          (cellstr, columns of runs.csv not understood), seconds (core time of
+%          one set of all models so far; NaN: not known)
 %
 % A run counts if it ended well and its key is what the models, the model
 % variables and its own parameters give today. After a change in OctaveFuns it
-% is evaluated again. Runs that only verified a cure are left out, see
-% diagnoseMatrices. Rows of runs.csv that repeat a run of the store bit by
-% bit are left out.
+% is evaluated again. One that ended well but gave a result that is not finite
+% has NaN for all results of its model, as evaluateDEM does it, unless another
+% packing of the same set gave some: that a slot jams is evidence, too. Failed
+% runs tell nothing and are left out. So are runs that only verified a cure, see
+% diagnoseMatrices, and rows of runs.csv that repeat a run of the store bit by
+% bit.
 %
 % See also: importRuns, runKey, diagnoseGap
 
@@ -21,9 +27,10 @@ function [data, count] = gatherRuns (Case)
   T = numel (Case.targets);
   v = numel (Case.effectVars);
   data = newData (d, T, v);
-  count = struct ('store', 0, 'imported', 0, 'ignored', {{}});
+  count = struct ('store', 0, 'noResult', 0, 'imported', 0, ...
+                  'ignored', {{}}, 'seconds', NaN);
   if all (cellfun (@(f) isfolder (f), {Case.models.folder}))
-    [data, count.store] = fromStore (Case, data);
+    [data, count] = fromStore (Case, data, count);
   end
   file = fullfile (Case.folder, 'runs.csv');
   if isfile (file)
@@ -35,30 +42,36 @@ function [data, count] = gatherRuns (Case)
   end
 end
 
-function [data, n] = fromStore (Case, data)
+function [data, count] = fromStore (Case, data, count)
   h = hashModels (Case);
   inputs = zeros (0, columns (data.X) + columns (data.E) + 1);
   Z = data.Z;
   stages = {};
-  n = 0;
+  seconds = NaN (1, numel (Case.models));
   for k = 1:numel (Case.models)
     own = [Case.targets.model] == k;
     [records, effects] = runsOf (Case, k, h(k));
+    spent = cellfun (@(r) r.seconds, records);
+    seconds(k) = mean (spent(isfinite (spent))) * Case.models(k).cpu;
     for i = 1:numel (records)
       record = records{i};
-      n = n + 1;
       row = [record.params(:)', effects{i}, record.replicate];
       at = find (all (inputs == row, 2), 1);
       if isempty (at)
         at = rows (inputs) + 1;
         inputs(at, :) = row;
-        Z(at, :) = NaN (1, columns (Z));
+        Z(at, :) = NA (1, columns (Z));
         stages{at, 1} = record.stage;
       end
-      index = [Case.targets(own).index];
-      Z(at, own) = record.results(index);
+      if strcmp (record.status, 'ok')
+        count.store = count.store + 1;
+        Z(at, own) = record.results([Case.targets(own).index]);
+      else
+        count.noResult = count.noResult + 1;
+      end
     end
   end
+  count.seconds = sum (seconds);
   d = columns (data.X);
   data.X = inputs(:, 1:d);
   data.E = inputs(:, d + 1:end - 1);
@@ -86,7 +99,10 @@ function [records, effects] = runsOf (Case, k, h)
   end
   least = Case.models(k).nTargets;
   counts = ~cellfun (@isempty, effects);
-  isWhole = @(r) strcmp (r.status, 'ok') && numel (r.results) >= least;
+  isWhole = @(r) numel (r.results) >= least && ...
+                 (strcmp (r.status, 'ok') || ...
+                  (strcmp (r.status, 'invalid') && ...
+                   ~all (isfinite (r.results))));
   counts(counts) = cellfun (isWhole, records(counts));
   records = records(counts);
   effects = cellfun (@(e) e{1}, effects(counts), 'UniformOutput', false);

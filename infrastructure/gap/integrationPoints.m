@@ -7,7 +7,7 @@
 %   SEED   scalar; the same points serve every hypothesis, so that their
 %          evidences err alike. The random state is left as it was.
 %   BASE   struct normal (N x D), uniform (N x D), root (N x 1: sqrt of a
-%          chi-square with 5 degrees of freedom over 5)
+%          chi-square with 7 degrees of freedom over 7)
 %
 % See also: integrateEvidence
 
@@ -19,7 +19,7 @@ function base = integrationPoints (N, D, seed)
   base.normal = randn (N, D);
   base.normal(2:2:N, :) = -base.normal(1:2:N - 1, :);
   base.uniform = rand (N, D);
-  base.root = sqrt (sum (randn (N, 5).^2, 2) / 5);
+  base.root = sqrt (sum (randn (N, 7).^2, 2) / 7);
 end
 
 function putBack (before)

@@ -3,202 +3,248 @@
 % CALL: VERDICT = judgeCase (W, MODELS)
 %
 %   W        struct of weighCase
-%   MODELS   struct of makeModels: nameAt, level, temperature, names, siblings
+%   MODELS   struct of makeModels: names, siblings, options (level, nameAt,
+%            exclude, leastPoints)
 %   VERDICT  struct
 %     kind      'no gap', 'named', 'group', 'none of the listed' or 'undecided'
 %     effects   numbers of the effects it names (one or two, or a group)
+%     lookAlike logical: it may also be something that resembles them
+%     partners  numbers of effects one of which acts together with a named one
+%     guard     what withheld a name: '', 'range', 'integral', 'look-alike',
+%               'group', 'gate'
 %     reason    text, one sentence
 %     P         1 x H, probability of each hypothesis of W
 %     include   1 x K, probability that the effect takes part
-%     null, unlisted   probabilities;  likely  1 x m, smallest set of effects
-%     (by P) that holds 95 % of what all listed ones have together
-%     top       scalar, the likeliest effect
+%     resemble  1 x K, that something not listed which resembles it does
+%     null, unlisted (siblings and discrepancies) probabilities
+%     likely    1 x m, smallest set of effects (by include + resemble) that
+%     holds
+%               95 % of what all have together;  top  scalar, the likeliest one
 %
-% P ~ prior * exp (log evidence / temperature). An effect is named only if all
-% hold: there is a gap (W.gate.p < level), its probability reaches nameAt and is
-% 3 times any other (save one that joins it in the likeliest hypothesis), no
-% listed effect that noise takes for it is left over, its hypothesis fits (p >=
-% 0.05), its strength is not at the end of its range, its surrogate is not
-% vague, and nothing unlisted is known to look alike.
+% P ~ prior * exp (log evidence). What is a gap is W.gate's matter; then:
+% 'none of the listed' where misfits that resemble no effect, or that resemble
+% one without being it, are likelier than not; a name where one effect (or pair)
+% has probability nameAt, all others less than a tenth of its, and the data
+% exclude a look-alike of cosine 0.9; a group where that is not so but the
+% effects left, or what resembles them, have nameAt together.
 %
 % See also: weighCase, calibrateVerdict
 
 function verdict = judgeCase (w, models)
-  logP = w.logPrior + w.logE / models.temperature;
-  verdict = struct ('kind', 'undecided', 'effects', [], 'reason', '');
-  verdict.P = exp (logP - logSumExp (logP));
-  K = numel (models.names);
-  verdict.include = zeros (1, K);
-  for h = 1:numel (verdict.P)
-    at = w.members{h};
-    verdict.include(at) = verdict.include(at) + verdict.P(h);
-  end
-  verdict.null = verdict.P(1);
-  verdict.unlisted = verdict.P(end);
-  [~, verdict.top] = max ([verdict.include, 0]);
-  verdict.likely = smallestSet (verdict.include);
-  if w.gate.p >= models.level
+  verdict = openVerdict (w, numel (models.names));
+  weak = w.ess < models.options.leastPoints & verdict.P > 0.01;
+  if w.gate.p >= models.options.level
     verdict.kind = 'no gap';
-    verdict.reason = sprintf (['the misfit is what noise alone would make ' ...
-                               '(p = %.2f)'], w.gate.p);
-  elseif isUnlisted (w, verdict)
+    verdict.guard = 'gate';
+    verdict.reason = sprintf (['data without a gap give as much evidence ' ...
+                               'for a cause with p = %.2f'], w.gate.p);
+  elseif any (weak)
+    verdict.guard = 'integral';
+    verdict.reason = sprintf (['an integral rests on %.0f effective ' ...
+                               'points; raise options.most'], ...
+                              min (w.ess(weak)));
+  elseif verdict.misfit >= 0.5
     verdict.kind = 'none of the listed';
     verdict.reason = sprintf (['there is a gap (p = %.3f) that no listed ' ...
                                'effect explains'], w.gate.p);
-  elseif K > 0
-    verdict = nameCause (verdict, w, models);
-  else
+  elseif isempty (models.names)
     verdict.reason = sprintf (['there is a gap (p = %.3f), and no effect ' ...
                                'that has runs could explain it'], w.gate.p);
+  else
+    verdict = nameCause (verdict, w, models);
   end
-end
-
-function set = smallestSet (include)
-  [sorted, order] = sort (-include);
-  whole = cumsum (-sorted);
-  last = find (whole >= 0.95 * max ([whole, eps]), 1);
-  set = order(1:last);
-end
-
-function yes = isUnlisted (w, verdict)
-  listed = 1:numel (w.fitP) - 1;
-  [~, best] = max (verdict.P(listed));
-  yes = verdict.unlisted >= 0.5 || max (w.fitP(listed)) < 0.01 || ...
-        (w.fitP(best) < 0.01 && verdict.unlisted > 0.2);
 end
 
 function verdict = nameCause (verdict, w, models)
-  named = find (verdict.include >= models.nameAt);
+  options = models.options;
+  strong = find (verdict.total >= options.nameAt);
   top = verdict.top;
-  if isempty (named)
-    verdict = nameGroup (verdict, w, models, top);
+  if verdict.resemble(top) > max (0.5, 2 * verdict.include(top))
+    verdict.kind = 'none of the listed';
+    verdict.reason = sprintf (['something resembles %s, but the data say ' ...
+                               'it is not that'], models.names{top});
     return
   end
-  others = verdict.include;
-  others(named) = 0;
-  holding = find (cellfun (@(m) all (ismember (named, m)), w.members));
-  [~, at] = max ([verdict.P(holding), 0]);
-  holding(end + 1) = 1;
-  best = holding(at);
-  looksLike = [models.siblings{named}];
-  mimics = mimicsOf (w, verdict, named);
-  if isempty (w.members{best})
-    verdict.reason = 'two effects are likely but not both together';
-  elseif max ([others, 0]) * 3 > min (verdict.include(named)) && ...
-         numel (w.members{best}) == numel (named)
-    verdict.reason = 'a second effect is nearly as likely';
-  elseif w.fitP(best) < 0.05
-    verdict.reason = sprintf (['%s explains most of the gap, but what it ' ...
-                               'leaves does not fit (p = %.3f)'], ...
-                              models.names{top}, w.fitP(best));
-  elseif w.atLimit(best) > 0.5
+  if isempty (strong)
+    verdict = nameGroup (verdict, w, models);
+    return
+  end
+  others = verdict.total > min (verdict.total(strong)) / 10;
+  others(strong) = false;
+  joining = partnersOf (w, verdict, strong);
+  others(joining) = false;
+  best = bestWith (w, verdict, strong);
+  if w.atLimit(best) > 0.5
+    verdict.guard = 'range';
     verdict.reason = sprintf (['%s would have to be stronger than its ' ...
                                'plausible range'], models.names{top});
-  elseif w.vague(best) > 0.4
-    verdict.reason = sprintf (['%s is likely, but too few runs show what ' ...
-                               'it does'], models.names{top});
-  elseif ~isempty (mimics)
+  elseif any (others)
     verdict.kind = 'group';
-    verdict.effects = sort ([named, mimics]);
+    verdict.guard = 'group';
+    verdict.effects = sort ([strong, find(others)]);
     verdict.reason = ['the likeliest one looks too much like the others to ' ...
                       'be named alone'];
-  elseif ~isempty (looksLike)
-    verdict.kind = 'group';
-    verdict.effects = named;
-    verdict.reason = ['it cannot be told from ', strjoin(looksLike, ', '), ...
-                      ', which is not listed or has no runs'];
   else
-    verdict.kind = 'named';
-    verdict.effects = named;
-    verdict.reason = sprintf ('probability %.2f', min (verdict.include(named)));
-    joins = setdiff (w.members{best}, named);
-    if ~isempty (joins)
-      verdict.reason = sprintf ('%s; fits best together with %s (%.2f)', ...
-                                verdict.reason, models.names{joins(1)}, ...
-                                verdict.include(joins(1)));
+    verdict = nameOrResemble (verdict, w, models, strong);
+    verdict.partners = joining;
+  end
+end
+
+function verdict = nameOrResemble (verdict, w, models, strong)
+  verdict.kind = 'named';
+  verdict.effects = strong;
+  missing = [models.siblings{strong}];
+  excluded = all (ismember (strong, w.top)) && ...
+             w.exclude >= log (models.options.exclude);
+  verdict.reason = sprintf ('probability %.2f', ...
+                            min (verdict.include(strong)));
+  if ~isempty (missing)
+    verdict.kind = 'group';
+    verdict.guard = 'look-alike';
+    verdict.lookAlike = true;
+    verdict.reason = ['it cannot be told from ', strjoin(missing, ', '), ...
+                      ', which is not listed or has no runs'];
+  elseif ~excluded
+    verdict.kind = 'group';
+    verdict.guard = 'look-alike';
+    verdict.lookAlike = true;
+    verdict.reason = sprintf (['%s, or something that looks like it: the ' ...
+                               'data do not exclude a cause nine tenths ' ...
+                               'alike (odds %.1f to 1)'], ...
+                              strjoin (models.names(strong), ' and '), ...
+                              exp (min (w.exclude, 9)));
+  end
+end
+
+% Effects that act together with a strong one, none of them sure.
+function joining = partnersOf (w, verdict, strong)
+  joining = zeros (1, 0);
+  pairs = find (strcmp (w.kind, 'pair'));
+  holds = pairs(cellfun (@(m) any (ismember (strong, m)), w.members(pairs)));
+  if numel (strong) > 1 || sum (verdict.P(holds)) < 0.8 * verdict.total(strong)
+    return
+  end
+  for h = holds(verdict.P(holds) > 0.05)
+    joining = [joining, setdiff(w.members{h}, strong)];
+  end
+  joining = unique (joining);
+end
+
+function best = bestWith (w, verdict, strong)
+  holding = cellfun (@(m) all (ismember (strong, m)), w.members) & ...
+            ~strcmp (w.kind, 'sibling');
+  if ~any (holding)
+    holding = cellfun (@(m) any (ismember (strong, m)), w.members);
+  end
+  P = verdict.P;
+  P(~holding) = -1;
+  [~, best] = max (P);
+end
+
+% The fewest likely effects that have nameAt together: three, or more where the
+% noise takes each of them for the likeliest one.
+function verdict = nameGroup (verdict, w, models)
+  [~, order] = sort (-verdict.total);
+  top = verdict.top;
+  d = abs (w.phi(1 + top, 1)) * w.screen.size(top);
+  alike = confusion (w.screen.cosine(top, :), d) > 0.1;
+  for n = 2:numel (order)
+    set = order(1:n);
+    if n > 3 && ~all (alike(setdiff (set, top)))
+      return
+    end
+    holding = cellfun (@(m) ~isempty (intersect (set, m)), w.members);
+    together = sum (verdict.P(holding));
+    if together >= models.options.nameAt
+      verdict.kind = 'group';
+      verdict.guard = 'group';
+      verdict.effects = sort (set);
+      verdict.lookAlike = sum (verdict.resemble(set)) > 0.1;
+      verdict.reason = sprintf ('one of them with probability %.2f', together);
+      return
     end
   end
 end
 
-% Listed effects that noise would take for a named one, and not yet ruled out.
-function mimics = mimicsOf (w, verdict, named)
-  mimics = [];
-  for k = named
-    d = abs (w.phi(1 + k, 1)) * w.screen.size(k);
-    alike = confusion (w.screen.cosine(k, :), d) > 0.1 & ...
-            verdict.include > 0.02;
-    alike(named) = false;
-    mimics = union (mimics, find (alike));
-  end
-end
-
-% Effects whose signatures differ by less than the noise share the verdict.
-function verdict = nameGroup (verdict, w, models, top)
-  d = abs (w.phi(1 + top, 1)) * w.screen.size(top);
-  alike = confusion (w.screen.cosine(top, :), d) > 0.1 & ...
-          verdict.include > 0.02;
-  alike(top) = true;
-  members = find (alike);
-  holding = cellfun (@(m) ~isempty (intersect (members, m)), w.members);
-  together = sum (verdict.P(holding));
-  [~, best] = max (verdict.P .* holding);
-  if numel (members) > 1 && together >= models.nameAt && ...
-     w.fitP(best) >= 0.05 && w.atLimit(best) <= 0.5
-    verdict.kind = 'group';
-    verdict.effects = members;
-    verdict.reason = sprintf (['one of them with probability %.2f; their ' ...
-                               'signatures differ by less than the noise'], ...
-                              together);
-  else
-    verdict.reason = 'no single cause is likely enough';
-  end
-end
-
 %!shared w, models
-%! models = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}}, ...
-%!                  'nameAt', 0.8, 'level', 0.05, 'temperature', 1);
-%! w = struct ('logE', [0, 9, 0, 0, 0], 'fitP', [0.001, 0.4, 0.3, 0.3, 1]);
-%! w.logPrior = log ([0.4, 0.13, 0.13, 0.13, 0.1]);
-%! w.members = {[], 1, 2, 3, []};
-%! w.kind = {'null', 'single', 'single', 'single', 'unlisted'};
+%! models = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}});
+%! models.options = gapOptions ([]);
+%! w = struct ('logE', [0, 9, 0, 0, 0, 0, 0, 0, 0]);
+%! w.logPrior = log ([0.4, 0.13, 0.13, 0.13, 0.03, 0.02, 0.02, 0.02, 0.06]);
+%! w.members = {[], 1, 2, 3, [1, 2], 1, 2, 3, []};
+%! w.kind = {'null', 'single', 'single', 'single', 'pair', 'sibling', ...
+%!           'sibling', 'sibling', 'discrepancy'};
 %! w.gate = struct ('p', 0.001);
 %! w.screen = struct ('cosine', [1, 0.99, 0; 0.99, 1, 0; 0, 0, 1], ...
 %!                    'size', [10, 10, 10]);
-%! w.phi = repmat ([0.5, 0.3, 0.7], 5, 1);
-%! w.atLimit = zeros (1, 5);
-%! w.vague = zeros (1, 5);
+%! w.phi = repmat ([0.5, 0.3, 0.7], 9, 1);
+%! w.atLimit = zeros (1, 9);
+%! w.ess = 400 * ones (1, 9);
+%! w.top = 1;
+%! w.exclude = log (20);
 %!test
 %! v = judgeCase (w, models);
-%! assert (v.kind, 'named');
-%! assert (v.effects, 1);
+%! assert (isequal (v.kind, 'named') && isequal (v.effects, 1));
 %! assert (sum (v.P), 1, 1e-12);
 %!test
 %! x = w;
 %! x.gate.p = 0.2;
 %! assert (judgeCase (x, models).kind, 'no gap');
 %!test
+%! % as likely as another one: a group
 %! x = w;
 %! x.logE(3) = 9;
 %! v = judgeCase (x, models);
 %! assert (v.kind, 'group');
 %! assert (v.effects, [1, 2]);
 %!test
+%! % three that look alike, which stopped the judgement of an older version
 %! x = w;
-%! x.logE(4) = 9;
-%! assert (judgeCase (x, models).kind, 'undecided');
+%! x.logE(2:4) = [9, 8, 8];
+%! x.screen.cosine = 0.99 + 0.01 * eye (3);
+%! v = judgeCase (x, models);
+%! assert (v.kind, 'group');
+%! assert (v.effects, [1, 2, 3]);
 %!test
 %! x = w;
-%! x.logE(5) = 12;
+%! x.logE(9) = 12;
 %! assert (judgeCase (x, models).kind, 'none of the listed');
 %!test
+%! % it resembles a listed one and is not that
 %! x = w;
-%! x.fitP(2) = 0.03;
-%! assert (judgeCase (x, models).kind, 'undecided');
+%! x.logE(6) = 14;
+%! v = judgeCase (x, models);
+%! assert (v.kind, 'none of the listed');
+%! assert (~isempty (strfind (v.reason, 'resembles a')));
 %!test
+%! % data that a look-alike explains as well
 %! x = w;
-%! x.atLimit(2) = 0.9;
+%! x.exclude = 0.5;
+%! v = judgeCase (x, models);
+%! assert (v.kind, 'group');
+%! assert (v.lookAlike && isequal (v.effects, 1));
+%!test
+%! x = setfield (w, 'atLimit', 0.9 * ones (1, 9));
 %! assert (judgeCase (x, models).kind, 'undecided');
 %!test
 %! m = models;
 %! m.siblings{1} = {'d'};
 %! assert (judgeCase (w, m).kind, 'group');
+%!test
+%! % no verdict from a collapsed integral
+%! x = w;
+%! x.ess(2) = 30;
+%! v = judgeCase (x, models);
+%! assert (v.kind, 'undecided');
+%! assert (v.guard, 'integral');
+%!test
+%! % one effect is sure, and one of the two others acts with it
+%! x = w;
+%! x.members(4:6) = {[1, 2], [1, 3], 1};
+%! x.kind(4:6) = {'pair', 'pair', 'sibling'};
+%! x.logE(4:5) = [15, 15.5];
+%! x.logE(2) = 5;
+%! v = judgeCase (x, models);
+%! assert (v.kind, 'named');
+%! assert (v.effects, 1);
+%! assert (v.partners, [2, 3]);

@@ -1,11 +1,10 @@
 % LACKOFFIT  Tests a fitted hypothesis by simulated data that are fitted again.
 %
-% CALL: TEST = lackOfFit (WHITE, H, Q, CHI2, OPTIONS)
+% CALL: TEST = lackOfFit (MODELS, FIT, OPTIONS)
 %
-%   WHITE    struct of whitenEmulator
-%   H        1 x h, numbers of the active effects
-%   Q        1 x (p + h), fitted point;  CHI2 its misfit
-%   OPTIONS  struct: prior (as in makeModels), repeats (scalar), seed (scalar)
+%   MODELS   struct of makeModels
+%   FIT      calibrated null model of fitLibrary, one row
+%   OPTIONS  struct: repeats, seed (scalars)
 %   TEST     struct p (scalar), chi2 (repeats x 1), residual (repeats x T, after
 %            the new fit, whitened)
 %
@@ -14,25 +13,29 @@
 %
 % See also: fitHypothesis, locateGap
 
-function test = lackOfFit (white, h, Q, chi2, options)
-  T = columns (white.coef);
-  noise = integrationPoints (options.repeats, T, options.seed).normal;
-  [M, V] = predictGap (white, h, Q);
+function test = lackOfFit (models, fit, options)
+  white = models.white;
+  null = newHypothesis ('null');
+  noise = integrationPoints (options.repeats, columns (white.coef), ...
+                             options.seed).normal;
+  [M, V] = predictGap (white, [], fit.Q);
   Z = M + sqrt (V) .* noise;
-  box = hypothesisBox (white, h, options.prior);
-  fit = fitHypothesis (white, h, Z, repmat (Q, options.repeats, 1), box);
-  test.chi2 = fit.chi2;
-  test.p = (1 + sum (fit.chi2 >= chi2 - fitTolerance ())) / ...
+  flat = setfield (models.prior, 'flat', true);
+  again = fitHypothesis (white, null, Z, repmat (fit.U, options.repeats, 1), ...
+                         flat);
+  test.chi2 = again.chi2;
+  test.p = (1 + sum (again.chi2 >= fit.chi2 - fitTolerance ())) / ...
            (options.repeats + 1);
-  test.residual = Z - predictGap (white, h, fit.Q);
+  test.residual = Z - predictGap (white, [], again.Q);
 end
 
 %!test
 %! % a straight line through 12 points: chi2 with 11 degrees of freedom
-%! white = struct ('p', 1, 'powers', [0; 1], 'coef', [0; 1] * (1:12), ...
-%!                 'varPowers', 0, 'varCoef', zeros (1, 12), 'effect', []);
-%! prior = struct ('mean', 0, 'precision', 0, 'widen', 1);
-%! options = struct ('prior', prior, 'repeats', 999, 'seed', 1);
-%! test = lackOfFit (white, [], 0, 19.675, options);
+%! models.white = struct ('p', 1, 'powers', [0; 1], 'coef', [0; 1] * (1:12), ...
+%!                        'varPowers', 0, 'varCoef', zeros (1, 12), ...
+%!                        'nu', Inf (1, 12), 'effect', []);
+%! models.prior = struct ('mean', 0, 'sd', Inf);
+%! fit = struct ('Q', 0, 'U', 0, 'chi2', 19.675);
+%! test = lackOfFit (models, fit, struct ('repeats', 999, 'seed', 1));
 %! assert (test.p, 0.05, 0.03);
 %! assert (mean (test.chi2), 11, 0.6);

@@ -22,13 +22,14 @@
 function where = locateGap (problem, em, models, fits, options)
   white = models.white;
   used = white.columns;
-  where.theta = fits.null.Q(1, :);
+  fit = struct ('Q', fits.calibrated.Q(1, :), 'U', fits.calibrated.U(1, :), ...
+                'chi2', fits.calibrated.chi2(1));
+  where.theta = fit.Q;
   where.params = mean (problem.limits) + ...
                  where.theta .* diff (problem.limits) / 2;
-  where.chi2 = fits.null.chi2(1);
-  settings = struct ('prior', models.prior, 'repeats', options.bootstrap, ...
-                     'seed', options.seed);
-  test = lackOfFit (white, [], where.theta, where.chi2, settings);
+  where.chi2 = fit.chi2;
+  test = lackOfFit (models, fit, struct ('repeats', options.bootstrap, ...
+                                         'seed', options.seed));
   where.p = test.p;
   [M, V, J] = predictGap (white, [], where.theta);
   sd = sqrt (V');

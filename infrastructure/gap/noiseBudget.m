@@ -6,25 +6,32 @@
 %   EM       struct of fitEmulator
 %   BUDGET   struct
 %     covariance  T x T, measurement plus the packing of the real trials
+%     estimated   1 x T, part of its diagonal that was estimated from runs
+%     unknown     1 x T, part of it whose size nobody has stated
 %     measurement, trial   1 x T, their standard deviations
 %     seed        1 x T, scatter of one DEM run
 %     surrogate   1 x T, root mean square over the box
 %     share       1 x T, surrogate part of the whole variance (box average)
 %
 % One trial in the laboratory is one packing: its scatter is taken from the DEM
-% seeds and divided by PROBLEM.trials (Inf where sd already holds it).
+% seeds. The covariance of the means of n_i and n_j trials is that of one trial
+% over sqrt (n_i n_j), n = PROBLEM.trials (Inf where sd already holds it).
 %
 % See also: whitenEmulator, locateGap
 
 function budget = noiseBudget (problem, em)
   sd = problem.sd;
   sd(~isfinite (sd)) = 0;
-  measured = diag (max (sd, 1e-4 * em.range).^2);
+  least = (1e-4 * em.range).^2;
+  measured = diag (sd.^2);
   if ~isempty (problem.covariance)
     measured = problem.covariance;
   end
-  trial = sqrt (em.seedVar / problem.trials);
+  measured = measured + diag (max (least - diag (measured)', 0));
+  trial = sqrt (em.seedVar ./ problem.trials);
   budget.covariance = measured + (trial' * trial) .* em.correlation;
+  budget.estimated = trial.^2;
+  budget.unknown = diag (measured)' .* ~problem.sdKnown;
   budget.measurement = sqrt (diag (measured))';
   budget.trial = trial;
   budget.seed = sqrt (em.seedVar);
@@ -41,5 +48,14 @@ end
 %! budget = noiseBudget (problem, em);
 %! assert (budget.covariance, [25, 4; 4, 4], 1e-6);
 %! assert (budget.share, [0.5, 2 / 3], 1e-6);
+%! problem.covariance = [9, 3; 3, 4];
+%! budget = noiseBudget (problem, em);
+%! assert (budget.covariance, [25, 7; 7, 8], 1e-6);
+%! assert (budget.measurement, [3, 2], 1e-6);
+%! problem.covariance = [];
+%! problem.trials = [4, 1];
+%! assert (noiseBudget (problem, em).covariance, [13, 2; 2, 4], 1e-6);
+%! problem.trials = [Inf, 1];
+%! assert (noiseBudget (problem, em).covariance, [9, 0; 0, 4], 1e-6);
 %! problem.trials = Inf;
 %! assert (noiseBudget (problem, em).covariance(1, 1), 9, 1e-12);

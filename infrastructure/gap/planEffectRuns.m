@@ -31,7 +31,7 @@ function Q = planEffectRuns (n, have, theta, posterior, range)
     fixed = fixed(rows (have) + 1:end, :);
   else
     at = lookUp (posterior.weight, u(1:200, end));
-    pool = [wide(1:200, :); posterior.Q(at, :)];
+    pool = [wide(1:200, :); posterior.Q(at, 1:p + 1)];
     fixed = zeros (0, p + 1);
   end
   Q = fixed(1:min (n, rows (fixed)), :);

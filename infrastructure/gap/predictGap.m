@@ -1,27 +1,29 @@
 % PREDICTGAP  Predicts results and variances under a hypothesis, with slopes.
 %
-% CALL: [M, V, J] = predictGap (WHITE, H, Q)
+% CALL: [M, V, J, S] = predictGap (WHITE, H, Q)
 %
 %   WHITE  struct of whitenEmulator, or of fitEmulator if only M is asked for
 %   H      1 x h, numbers of the active effects ([]: null model)
 %   Q      n x (p + h), parameters in [-1, 1] and strengths of the effects
-%   M      n x T, mean; effects add up
+%   M      n x T, mean: the null model, what each effect adds, and what pairs of
+%          them do together
 %   V      n x T, variance: noise, baseline surrogate and effect surrogates
-%   J      1 x (p + h) cell of n x T, slopes of M
+%   J      1 x (p + h) cell of n x T, slopes of M along Q
+%   S      n x T, what the effects add to the null model
 %
-% A field extra (1 x T) of WHITE is added to V: a discrepancy without a name.
+% Effects are polynomials in the bent strength psi = sign (phi) |phi|^bend, see
+% fitEffect.
 %
-% See also: whitenEmulator, fitHypothesis
+% See also: whitenEmulator, predictHypothesis
 
-function [M, V, J] = predictGap (white, h, Q)
+function [M, V, J, S] = predictGap (white, h, Q)
   p = white.p;
   theta = Q(:, 1:p);
-  M = polyRows (white.powers, theta) * white.coef;
+  base = polyRows (white.powers, theta) * white.coef;
   if nargout > 1
     V = exp (polyRows (white.varPowers, theta) * white.varCoef);
-  end
-  if nargout > 1 && isfield (white, 'extra')
-    V = V + white.extra;
+  else
+    V = [];
   end
   J = cell (1, p + numel (h));
   if nargout > 2
@@ -29,29 +31,99 @@ function [M, V, J] = predictGap (white, h, Q)
       J{j} = polySlope (white.powers, white.coef, theta, j);
     end
   end
+  added = struct ('S', zeros (size (base)), 'V', V, 'J', {J});
+  [psi, slope] = bentStrengths (white, h, Q(:, p + 1:end));
   for i = 1:numel (h)
-    e = white.effect(h(i));
-    q = [theta, Q(:, p + i)];
-    M = M + polyRows (e.powers, q) * e.coef;
-    if nargout > 1 && ~e.laboratory
-      V = V + q(:, end).^2 .* exp (polyRows (e.varPowers, q) * e.varCoef);
+    part = struct ('at', [1:p, p + i], 'e', white.effect(h(i)));
+    added = addPart (part, [theta, psi], added);
+  end
+  for part = jointParts (white, h)
+    added = addPart (part, [theta, psi], added);
+  end
+  S = added.S;
+  V = added.V;
+  J = added.J;
+  if nargout > 2
+    for i = 1:numel (h)
+      J{p + i} = J{p + i} .* slope(:, i);
     end
-    if nargout > 2
-      for j = 1:p
-        J{j} = J{j} + polySlope (e.powers, e.coef, q, j);
-      end
-      J{p + i} = polySlope (e.powers, e.coef, q, p + 1);
+  end
+  M = base + S;
+end
+
+% Where the strength is 0 a bend below 1 has no slope; a hundredth stands in.
+function [psi, slope] = bentStrengths (white, h, phi)
+  bend = ones (1, numel (h));
+  for i = 1:numel (h)
+    bend(i) = white.effect(h(i)).bend;
+  end
+  psi = bentStrength (phi, bend);
+  slope = bend .* max (abs (phi), 0.01).^(bend - 1);
+end
+
+function parts = jointParts (white, h)
+  parts = struct ('at', {}, 'e', {});
+  if numel (h) ~= 2 || ~isfield (white, 'joint') || isempty (white.joint)
+    return
+  end
+  pairs = vertcat (white.joint.members);
+  for order = [1, 2; 2, 1]'
+    at = find (pairs(:, 1) == h(order(1)) & pairs(:, 2) == h(order(2)));
+    if ~isempty (at)
+      parts = struct ('at', [1:white.p, white.p + order'], ...
+                      'e', white.joint(at));
+    end
+  end
+end
+
+function added = addPart (part, all, added)
+  e = part.e;
+  q = all(:, part.at);
+  added.S = added.S + polyRows (e.powers, q) * e.coef;
+  if ~isempty (added.V) && ~e.laboratory
+    strength = prod (q(:, end - numel (e.bend) + 1:end).^2, 2);
+    added.V = added.V + ...
+             strength .* exp (polyRows (e.varPowers, q) * e.varCoef);
+  end
+  if isempty (added.J{1})
+    return
+  end
+  for j = 1:numel (part.at)
+    slope = polySlope (e.powers, e.coef, q, j);
+    if isempty (added.J{part.at(j)})
+      added.J{part.at(j)} = slope;
+    else
+      added.J{part.at(j)} = added.J{part.at(j)} + slope;
     end
   end
 end
 
 %!test
 %! white = handMadeModels ().white;
-%! [M, V, J] = predictGap (white, [1, 2], [0.5, 0.25, 1]);
+%! [M, V, J, S] = predictGap (white, [1, 2], [0.5, 0.25, 1]);
 %! assert (M, [1.5, 0.5, 1, -3]);
 %! assert (V, ones (1, 4));
 %! assert (J{1}, [3, 1, 0, 0]);
 %! assert (J{3}, [0, 0, 0, -4]);
-%! white.extra = 2 * ones (1, 4);
-%! [~, V] = predictGap (white, [], 0);
-%! assert (V, 3 * ones (1, 4));
+%! assert (S, [0, 0, 1, -3]);
+%!test
+%! % an effect that bends, and what a pair does together: slopes against
+%! % differences
+%! white = handMadeModels ().white;
+%! white.effect(1).bend = 0.5;
+%! white.joint = struct ('members', [1, 2], 'powers', [0, 1, 1; 1, 1, 1], ...
+%!                       'coef', [1, 0, 2, 0; 0, 3, 0, 0], 'bend', [1, 1], ...
+%!                       'varPowers', [0, 0, 0], 'varCoef', log (4) * ...
+%!                       ones (1, 4), 'laboratory', false);
+%! q = [0.5, 0.25, 0.7];
+%! [M, V, J] = predictGap (white, [1, 2], q);
+%! assert (M, [1.5 + 0.35, 0.5 + 1.5 * 0.35, 2 + 0.7, 2 - 2.8], 1e-12);
+%! assert (V, 1 + 4 * 0.35^2 * ones (1, 4), 1e-12);
+%! for j = 1:3
+%!   step = 1e-6 * ((1:3) == j);
+%!   change = predictGap (white, [1, 2], q + step) - ...
+%!            predictGap (white, [1, 2], q - step);
+%!   assert (J{j}, change / 2e-6, 1e-7);
+%! end
+%! % the other order of the members is the same pair
+%! assert (predictGap (white, [2, 1], q([1, 3, 2])), M, 1e-12);

@@ -78,7 +78,15 @@ function sayWhich (diagnosis, say)
     if strcmp (w.verdict, 'named')
       joint = ' and ';
     end
-    say (['  cause: ', strjoin([w.effects, w.siblings], joint)]);
+    names = [w.effects, w.siblings];
+    if w.lookAlike
+      names{end + 1} = 'something that looks like it';
+      joint = ' or ';
+    end
+    say (['  cause: ', strjoin(names, joint)]);
+  end
+  if ~isempty (w.partners)
+    say (['  together with one of: ', strjoin(w.partners, ', ')]);
   end
   [~, order] = sort (-diagnosis.screen.gain);
   say (sprintf ('  %-20s %11s %9s %22s %s', 'effect', 'probability', ...
@@ -92,6 +100,9 @@ function sayWhich (diagnosis, say)
   end
   say (sprintf ('  %-20s %11.3f', 'none of the listed', ...
                 w.posterior.unlisted));
+  sayResembling (w, say);
+  say (sprintf (['  integrals: error of a log evidence %.3f at most, %.0f ' ...
+                 'effective points at least'], w.numbers.error, w.numbers.ess));
   blind = [w.cannotSee, diagnosis.screen.untested];
   if ~isempty (blind)
     say (['  cannot be seen with these targets and runs: ', ...
@@ -106,6 +117,17 @@ function sayWhich (diagnosis, say)
     sayShare ('without a gap a name is given', e.falseName, say);
     sayShare ('with the cause missing from the list one is given', ...
               e.wrongUnlisted, say);
+  end
+end
+
+% Of what is not listed, the part that resembles a listed effect.
+function sayResembling (w, say)
+  names = fieldnames (w.resembles);
+  for k = 1:numel (names)
+    if w.resembles.(names{k}) > 0.02
+      say (sprintf ('    resembling %-9s %9.3f', names{k}, ...
+                    w.resembles.(names{k})));
+    end
   end
 end
 

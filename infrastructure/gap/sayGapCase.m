@@ -5,6 +5,8 @@
 %   CASE   see newCase;  DATA, COUNT  of gatherRuns;  NOTES  of gapProblemOf
 %   SAY    function handle that takes one line of text
 %
+% What was taken into account beyond values and uncertainties has a line each.
+%
 % See also: diagnoseGap
 
 function sayGapCase (Case, data, count, notes, say)
@@ -18,11 +20,95 @@ function sayGapCase (Case, data, count, notes, say)
   say (sprintf ('  candidate effects: %s', strjoin (names, ', ')));
   say (sprintf (['  runs: %d from the store, %d rows from runs.csv, %d ' ...
                  'sets in all'], count.store, count.imported, rows (data.X)));
+  if count.noResult > 0
+    say (sprintf ('  runs of the store that gave no result: %d', ...
+                  count.noResult));
+  end
   if ~isempty (count.ignored)
     say (['  columns of runs.csv that are not understood: ', ...
           strjoin(count.ignored, ', ')]);
+  end
+  sayTrials (Case.targets, say);
+  sayCorrelation (Case.targets, {Case.models.name}, say);
+  measured = measuredParams (Case);
+  if ~isempty (measured)
+    say (['  measured parameters: ', measured]);
   end
   for k = 1:numel (notes)
     say (['  note: ', notes{k}]);
   end
 end
+
+function sayTrials (targets, say)
+  trials = [targets.trials];
+  words = {};
+  for n = unique (trials(trials ~= 1))
+    word = sprintf ('%g', n);
+    if isinf (n)
+      word = 'scatter of the trials is in targetStd';
+    end
+    words{end + 1} = sprintf ('%s (%s)', word, ...
+                              strjoin ({targets(trials == n).name}, ', '));
+  end
+  if ~isempty (words)
+    say (['  trials behind a value: ', strjoin(words, '; ')]);
+  end
+end
+
+function sayCorrelation (targets, names, say)
+  lengths = [targets.correlation];
+  words = {};
+  for k = unique ([targets(lengths ~= 0).model])
+    own = unique (lengths([targets.model] == k & lengths ~= 0));
+    word = sprintf ('length %s', strjoin (cellstr (num2str (own(:))), ', '));
+    if any (isnan (own))
+      word = 'length to be estimated';
+    end
+    words{end + 1} = sprintf ('%s (%s)', names{k}, word);
+  end
+  if ~isempty (words)
+    say (['  errors alike along a series: ', strjoin(words, ', ')]);
+  end
+end
+
+%!function lines = said (Case)
+%!  box = containers.Map ('lines', '');
+%!  Case.folder = 'here';
+%!  Case.effects = [];
+%!  count = struct ('store', 1, 'noResult', 7, 'imported', 2, 'ignored', {{}});
+%!  sayGapCase (Case, struct ('X', [1; 2]), count, {'so'}, ...
+%!              @(text) keep (box, text));
+%!  lines = box('lines');
+%!endfunction
+%!function keep (box, text)
+%!  box('lines') = [box('lines'), text, "\n"];
+%!endfunction
+%!function Case = plainCase ()
+%!  Case.models = struct ('name', {'A', 'B'});
+%!  Case.names = {'mu', 'rho'};
+%!  [Case.paramMean, Case.paramSd] = deal (NaN (1, 2));
+%!  Case.targets = struct ('name', {'x', 'y', 'z'}, 'model', {1, 1, 2}, ...
+%!                         'trials', 1, 'correlation', 0);
+%!endfunction
+%!test
+%! Case = plainCase ();
+%! text = said (Case);
+%! assert (isempty (regexp (text, 'trials|series|measured')));
+%! assert (! isempty (strfind (text, 'note: so')));
+%! assert (! isempty (strfind (text, 'that gave no result: 7')));
+%! Case.targets(1).trials = 5;
+%! Case.targets(3).trials = Inf;
+%! assert (! isempty (strfind (said (Case), ['trials behind a value: 5 ', ...
+%!         '(x); scatter of the trials is in targetStd (z)'])));
+%!test
+%! Case = plainCase ();
+%! [Case.targets(1:2).correlation] = deal (2.5);
+%! [Case.targets(3).correlation] = NaN;
+%! assert (! isempty (strfind (said (Case), ['errors alike along a ', ...
+%!         'series: A (length 2.5), B (length to be estimated)'])));
+%!test
+%! Case = plainCase ();
+%! Case.paramMean(2) = 650;
+%! Case.paramSd(2) = 5;
+%! assert (! isempty (strfind (said (Case), ...
+%!                             'measured parameters: rho 650 +- 5')));

@@ -3,22 +3,25 @@
 % CALL: SCREEN = screenEffects (WHITE, THETA, Z)
 %
 %   WHITE   struct of whitenEmulator
-%   THETA   1 x p, fitted null model, parameters in [-1, 1]
+%   THETA   1 x p, calibrated null model, parameters in [-1, 1]
 %   Z       1 x T, whitened data
 %   SCREEN  struct
 %     parity        struct of parityProjection at THETA
-%     U             n x K, signature of each effect at its largest strength,
-%                   what parameters can absorb taken out
-%     size          1 x K, ||u||: signal to noise at full strength, the noise of
-%                   the signature itself taken out
+%     U             n x K, signature of each effect at full strength, what
+%                   parameters can absorb taken out
+%     size          1 x K, ||u||: signal to noise at full strength (of an effect
+%                   that acts both ways: on the side that is seen better), the
+%                   noise of the signature itself taken out
 %     absorbedShare 1 x K, part of the signature that parameters absorb
-%     smallest      1 x K, smallest strength seen in 80 % of cases at 5 % false
+%     smallest      1 x K, smallest |strength| seen in 80 % of cases at 5 %
+%     false
 %                   alarms: ||u (phi)|| = 2.49; Inf: cannot be seen
 %     strength      1 x K, first estimate of phi;  gain 1 x K, drop of chi2
-%     cosine        K x K, isolability: cosines of the signatures
-%     directions    n x m, unit vectors of all signatures; sided 1 x m
+%     cosine        K x K, isolability: cosines of the signatures, their
+%     absolute
+%                   values where one of the two acts both ways
 %
-% See also: parityProjection, gateTest, confusion
+% See also: parityProjection, confusion
 
 function screen = screenEffects (white, theta, z)
   [M, V, J] = predictGap (white, [], theta);
@@ -26,71 +29,75 @@ function screen = screenEffects (white, theta, z)
   slopes = reshape (vertcat (J{:})', numel (z), white.p) ./ sd;
   screen.parity = parityProjection (slopes, (z - M)' ./ sd);
   K = numel (white.effect);
-  T = numel (z);
-  N = screen.parity.N;
-  screen.U = zeros (columns (N), K);
   blank = zeros (1, K);
-  screen.size = blank;
-  screen.absorbedShare = blank;
-  screen.smallest = blank;
-  screen.strength = blank;
-  screen.gain = blank;
-  screen.directions = zeros (columns (N), 0);
-  screen.sided = zeros (1, 0);
+  screen.U = zeros (columns (screen.parity.N), K);
+  for field = {'size', 'absorbedShare', 'strength', 'gain'}
+    screen.(field{1}) = blank;
+  end
+  screen.smallest = blank + Inf;
+  both = false (1, K);
   for k = 1:K
-    screen = oneEffect (screen, white, k, theta, sd);
+    range = white.effect(k).range;
+    both(k) = range(1) < 0;
+    screen = oneSide (screen, white, k, range(2), theta, sd);
+    if both(k)
+      screen = oneSide (screen, white, k, range(1), theta, sd);
+    end
   end
   norms = max (sqrt (sum (screen.U.^2, 1)), eps);
   screen.cosine = (screen.U' * screen.U) ./ (norms' * norms);
+  either = both | both';
+  screen.cosine(either) = abs (screen.cosine(either));
 end
 
-function screen = oneEffect (screen, white, k, theta, sd)
-  e = white.effect(k);
-  top = e.range(2);
-  phi = top * (0.1:0.1:1)';
-  Q = [repmat(theta, 10, 1), phi];
-  S = (predictGap (white, k, Q) - predictGap (white, [], theta)) ./ sd';
-  extra = zeros (10, 1);
-  if ~e.laboratory
-    V = exp (polyRows (e.varPowers, Q) * e.varCoef);
-    extra = phi.^2 .* sum (V ./ sd'.^2, 2);
-  end
+% Up to the end of the range TOP; what the other side showed better stays.
+function screen = oneSide (screen, white, k, top, theta, sd)
+  phi = top * (0.05:0.05:1)';
+  n = numel (phi);
+  [~, V0] = predictGap (white, [], theta);
+  [~, V, ~, S] = predictGap (white, k, [repmat(theta, n, 1), phi]);
+  S = S ./ sd';
+  extra = sum ((V - V0) ./ sd'.^2, 2);
   N = screen.parity.N;
   U = S * N;
   kept = columns (N) / max (rows (N), 1);
   energy = max (sum (U.^2, 2) - kept * extra, 0);
-  screen.U(:, k) = U(end, :)';
-  screen.size(k) = sqrt (energy(end));
-  whole = sum (S(end, :).^2);
-  screen.absorbedShare(k) = 1 - sum (U(end, :).^2) / max (whole, eps);
   seen = find (sqrt (energy) >= 2.49, 1);
-  screen.smallest(k) = Inf;
   if ~isempty (seen)
-    screen.smallest(k) = phi(seen);
+    screen.smallest(k) = min (screen.smallest(k), abs (phi(seen)));
   end
-  both = e.range(1) < 0;
-  units = U([5, 10], :)' ./ max (sqrt (sum (U([5, 10], :).^2, 2)), eps)';
-  screen.directions = [screen.directions, units];
-  screen.sided = [screen.sided, ~[both, both]];
-  along = units' * screen.parity.rho;
-  if ~both
-    along = max (along, 0);
+  if sqrt (energy(end)) >= screen.size(k)
+    screen.U(:, k) = U(end, :)';
+    screen.size(k) = sqrt (energy(end));
+    whole = sum (S(end, :).^2);
+    screen.absorbedShare(k) = 1 - sum (U(end, :).^2) / max (whole, eps);
   end
-  [screen.gain(k), which] = max (along.^2);
-  length_ = norm (U(5 * which, :));
-  screen.strength(k) = along(which) * phi(5 * which) / max (length_, eps);
+  length_ = max (sqrt (sum (U.^2, 2)), eps);
+  along = max (U * screen.parity.rho ./ length_, 0);
+  gain = along.^2 - max (along - length_, 0).^2;
+  [most, at] = max (gain);
+  if most > screen.gain(k)
+    screen.gain(k) = most;
+    screen.strength(k) = phi(at);
+  end
 end
 
 %!test
-%! % one parameter, one effect on the third target alone
-%! e = struct ('name', 'x', 'powers', [0, 1], 'coef', [0, 0, 5], ...
-%!             'range', [0, 1], 'laboratory', true, 'varPowers', [], ...
-%!             'varCoef', []);
-%! white = struct ('p', 1, 'powers', [0; 1], 'coef', [0, 0, 0; 2, 1, 0], ...
-%!                 'varPowers', 0, 'varCoef', [0, 0, 0], 'effect', e);
-%! screen = screenEffects (white, 0, [0, 0, 2.5]);
-%! assert (screen.size, 5, 1e-12);
-%! assert (screen.strength, 0.5, 1e-12);
-%! assert (screen.gain, 2.5 ^ 2, 1e-12);
-%! assert (screen.smallest, 0.5, 1e-12);
-%! assert (screen.absorbedShare, 0, 1e-12);
+%! white = handMadeModels ().white;
+%! screen = screenEffects (white, 0.5, [1.5, 0.5, 3, 3]);
+%! assert (screen.size, [4 * sqrt(2), 4], 1e-9);
+%! assert (screen.cosine(1, 2), -1 / sqrt (2), 1e-9);
+%! assert (screen.strength(1), 0.75, 1e-9);
+%! assert (screen.gain(1), 18, 1e-9);
+%! assert (screen.gain(2), 0);
+%! assert (screen.smallest(1), 0.45, 1e-9);
+%!test
+%! % an effect that acts both ways: its sign does not matter for likeness, and
+%! % one that is plain on the negative side only is seen
+%! white = handMadeModels ().white;
+%! white.effect(2).range = [-1, 0.1];
+%! screen = screenEffects (white, 0.5, [1.5, 0.5, 0, 3.6]);
+%! assert (screen.cosine(1, 2), 1 / sqrt (2), 1e-9);
+%! assert (screen.size(2), 4, 1e-9);
+%! assert (screen.strength(2), -0.9, 1e-9);
+%! assert (isfinite (screen.smallest(2)));

@@ -12,9 +12,10 @@
 %     poor           1 x T logical, leave-one-out errors larger than claimed:
 %                    mean square above 2 or one beyond 5
 %     poorEffects    cellstr, effects whose runs contradict their surrogate
-%     blameSurrogate logical, with reason (text): more than half of the
-%                    variance of the used targets is the surrogate's, or more
-%                    than a fifth of them are poor
+%     vague          logical, more than half of the variance of the used targets
+%                    is the surrogates'
+%     blameSurrogate logical, more than a fifth of the used targets are poor
+%     reason         text, '' where neither
 %
 % See also: locateGap, judgeCase
 
@@ -31,16 +32,17 @@ function side = sideSignals (problem, em, theta)
   side.poorEffects = poorEffects (em);
   share = mean (side.share(problem.used));
   poor = mean (side.poor(problem.used));
+  side.vague = share > 0.5;
+  side.blameSurrogate = poor > 0.2;
   side.reason = '';
-  if share > 0.5
+  if side.blameSurrogate
+    side.reason = sprintf (['the surrogates of %.0f %% of the targets ' ...
+                            'contradict their own runs'], 100 * poor);
+  elseif side.vague
     side.reason = sprintf (['the surrogates cause %.0f %% of the variance; ' ...
                             'more runs near the fitted set are needed'], ...
                            100 * share);
-  elseif poor > 0.2
-    side.reason = sprintf (['the surrogates of %.0f %% of the targets ' ...
-                            'contradict their own runs'], 100 * poor);
   end
-  side.blameSurrogate = ~isempty (side.reason);
 end
 
 function names = poorEffects (em)
@@ -65,7 +67,7 @@ end
 %! side = sideSignals (problem, em, [1, 0, 0, 0]);
 %! assert (side.atLimit, {'friction'});
 %! assert (side.priorConflict(1), 5, 1e-9);
-%! assert (side.blameSurrogate, false);
+%! assert (side.blameSurrogate || side.vague, false);
 %! problem.sd = 0.01 * problem.sd;
 %! problem.trials = Inf;
-%! assert (sideSignals (problem, em, [0, 0, 0, 0]).blameSurrogate, true);
+%! assert (sideSignals (problem, em, [0, 0, 0, 0]).vague, true);

@@ -1,18 +1,21 @@
 % SOLVEMANY  Solves many small positive definite systems at once.
 %
-% CALL: X = solveMany (A, G)
+% CALL: [X, LOGDET] = solveMany (A, G)
 %
-%   A   n x d x d, one symmetric positive definite matrix a row
-%   G   n x d, right-hand sides
-%   X   n x d, the i-th row solves A(i,:,:) * X(i,:)' = G(i,:)'
+%   A       n x d x d, one symmetric positive definite matrix a row
+%   G       n x d, right-hand sides
+%   X       n x d, the i-th row solves A(i,:,:) * X(i,:)' = G(i,:)'
+%   LOGDET  n x 1, logarithm of the determinant of each
 %
 % Gaussian elimination without pivoting, vectorised over the systems.
 %
 % See also: fitHypothesis
 
-function X = solveMany (A, G)
+function [X, logDet] = solveMany (A, G)
   d = columns (G);
+  logDet = zeros (rows (G), 1);
   for k = 1:d
+    logDet = logDet + log (A(:, k, k));
     for i = k + 1:d
       factor = A(:, i, k) ./ A(:, k, k);
       A(:, i, k:d) = A(:, i, k:d) - factor .* A(:, k, k:d);
@@ -30,7 +33,15 @@ function X = solveMany (A, G)
 end
 
 %!test
-%! B = [4, 1, 0; 1, 3, 1; 0, 1, 2];
-%! A = permute (cat (3, B, 2 * B), [3, 1, 2]);
-%! X = solveMany (A, [1, 2, 3; 1, 2, 3]);
-%! assert (X, [(B \ [1; 2; 3])'; (B \ [1; 2; 3])' / 2], 1e-14);
+%! rand ('twister', 1);
+%! A = zeros (5, 3, 3);
+%! G = rand (5, 3);
+%! for i = 1:5
+%!   B = rand (3);
+%!   A(i, :, :) = B * B' + eye (3);
+%! end
+%! [X, logDet] = solveMany (A, G);
+%! for i = 1:5
+%!   assert (squeeze (A(i, :, :)) * X(i, :)', G(i, :)', 1e-12);
+%!   assert (logDet(i), log (det (squeeze (A(i, :, :)))), 1e-12);
+%! end

@@ -4,12 +4,15 @@
 %
 %   EM        struct of fitEmulator
 %   COLUMNS   1 x n, targets to look at
-%   NOISE     T x T, covariance of what a surrogate does not cause: measurement
-%             and seed (noiseBudget)
+%   NOISE     struct of noiseBudget: covariance (T x T, of what a surrogate does
+%             not cause), estimated and unknown (1 x T, parts of its diagonal
+%             that runs have told, or nobody)
 %   ROTATION  n x n orthogonal, applied after whitening (default: none)
 %   WHITE     struct like EM, results replaced by z = (y(COLUMNS)) * W', plus
-%     W (n x n), columns, varCoef (log variance of z), effect.varCoef
-%     (log of the extra variance / phi^2)
+%     W (n x n), columns, varCoef (log variance of z), effect.varCoef and
+%     joint.varCoef (log of the extra variance / psi^2), nu (1 x n: degrees of
+%     freedom of the variances, Welch and Satterthwaite), parity (n x m: the
+%     directions that parameters cannot absorb, at the middle of the box)
 %
 % W whitens NOISE plus the mean surrogate variance, so a variance of z is near 1
 % and only its change over the box is modelled (quadratic in the logarithm,
@@ -19,7 +22,7 @@
 
 function white = whitenEmulator (em, targets, noise, rotation)
   n = numel (targets);
-  fixed = noise(targets, targets) + diag (em.fitVar(targets));
+  fixed = noise.covariance(targets, targets) + diag (em.fitVar(targets));
   D = sqrt (em.surrogateVar(:, targets));
   C = em.correlation(targets, targets);
   meanD = sqrt (mean (D.^2, 1));
@@ -28,7 +31,10 @@ function white = whitenEmulator (em, targets, noise, rotation)
     W = rotation * W;
   end
   white = struct ('p', em.p, 'powers', em.powers, 'W', W, ...
-                  'columns', targets, 'varPowers', em.varPowers);
+                  'columns', targets, 'varPowers', em.varPowers, ...
+                  'success', em.success);
+  other = setdiff (1:columns (em.success), em.bench(targets));
+  white.success(:, other) = 0;
   white.coef = em.coef(:, targets) * W';
   V = zeros (rows (D), n);
   base = sum ((W * fixed) .* W, 2)';
@@ -38,12 +44,35 @@ function white = whitenEmulator (em, targets, noise, rotation)
   end
   white.varCoef = polyRows (em.varPowers, em.points) \ log (V);
   white.effect = arrayfun (@(e) oneEffect (e, targets, W), em.effect);
+  white.joint = arrayfun (@(e) oneEffect (e, targets, W), em.joint);
+  total = diag (fixed)' + meanD.^2;
+  estimated = noise.estimated(targets) + meanD.^2;
+  doubt = estimated.^2 ./ em.seedFreedom(targets) + ...
+          noise.unknown(targets).^2 / 3;
+  white.nu = freedom (W, total, doubt);
+  white.parity = parityAt (white, zeros (1, em.p));
 end
 
 function e = oneEffect (e, targets, W)
   e.coef = e.coef(:, targets) * W';
-  V = e.varOverPhi2(:, targets) * (W.^2)';
-  e.varCoef = polyRows (e.varPowers, e.points) \ log (max (V, 1e-12));
+  if ~e.laboratory
+    V = e.varOverPsi2(:, targets) * (W.^2)';
+    e.varCoef = polyRows (e.varPowers, e.points) \ log (max (V, 1e-12));
+  else
+    e.varCoef = zeros (rows (e.varPowers), columns (e.coef));
+  end
+end
+
+% A noise of which only a guess is known counts as estimated from four trials.
+function nu = freedom (W, total, doubt)
+  part = (W.^2) * total';
+  nu = max (part.^2 ./ max ((W.^4) * doubt', eps), 3)';
+end
+
+function N = parityAt (white, theta)
+  [~, V, J] = predictGap (white, [], theta);
+  slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
+  N = parityProjection (slopes, zeros (numel (V), 1)).N;
 end
 
 %!test
@@ -51,11 +80,25 @@ end
 %! em = struct ('p', 1, 'powers', [0; 1], 'coef', [1, 2; 1, 0], ...
 %!              'varPowers', [0; 1], 'points', [-1; 0; 1], ...
 %!              'surrogateVar', zeros (3, 2), 'fitVar', [0, 0], ...
-%!              'correlation', eye (2), 'effect', []);
+%!              'correlation', eye (2), 'effect', [], 'joint', [], ...
+%!              'seedFreedom', [8, 8], 'success', zeros (2, 1), ...
+%!              'bench', [1, 1]);
 %! em.effect = repmat (struct ('name', ''), 1, 0);
-%! noise = [4, 1; 1, 1];
+%! em.joint = em.effect;
+%! noise = struct ('covariance', [4, 1; 1, 1], 'estimated', [0, 0], ...
+%!                'unknown', [0, 0]);
 %! white = whitenEmulator (em, 1:2, noise);
-%! assert (white.W * noise * white.W', eye (2), 1e-12);
+%! assert (white.W * noise.covariance * white.W', eye (2), 1e-12);
 %! [M, V] = predictGap (white, [], 0.5);
 %! assert (M, [1.5, 2] * white.W', 1e-12);
 %! assert (V, [1, 1], 1e-9);
+%! assert (all (white.nu > 1e4));
+%! assert (size (white.parity), [2, 1]);
+%! % a variance of which all, or half, was estimated with 8 degrees of freedom
+%! noise = struct ('covariance', diag ([4, 4]), 'estimated', [4, 2], ...
+%!                'unknown', [0, 0]);
+%! white = whitenEmulator (em, 1:2, noise);
+%! assert (white.nu, [8, 32], 1e-9);
+%! % a measurement uncertainty that nobody has stated
+%! noise.unknown = [0, 4];
+%! assert (whitenEmulator (em, 1:2, noise).nu(2) < 3.01);

@@ -69,9 +69,15 @@ end
 function s = whichOf (diagnosis)
   w = diagnosis.which;
   s = struct ('verdict', w.verdict, 'reason', w.reason, 'p', w.gateP);
+  s.guard = w.guard;
   s.effects = w.effects;
+  s.lookAlike = w.lookAlike;
+  s.oddsAgainstLookAlike = w.exclude;
+  s.partners = w.partners;
   s.likely = w.likely;
   s.posterior = w.posterior;
+  s.resembles = w.resembles;
+  s.integration = w.numbers;
   s.cannotSee = [w.cannotSee, diagnosis.screen.untested];
   s.groups = w.groups;
   s.siblings = w.siblings;
@@ -98,7 +104,7 @@ function s = howFarOf (cure, problem)
     return
   end
   for field = {'effect', 'before', 'after', 'floor', 'closure', ...
-               'interval90', 'verifiedByDEM'}
+               'interval90', 'verifiedByDEM', 'worstZ'}
     s.(field{1}) = cure.(field{1});
   end
   if ~isempty (cure.heldOut)

@@ -1,0 +1,50 @@
+% READRESULTS  Reads the numbers that a run has printed into a file.
+%
+% CALL: VALUES = readResults (FILE, NAMES)
+%
+%   FILE    text file: as many numbers as there are NAMES, separated by blanks,
+%           commas or new lines, in their order; or lines NAME VALUE, in any
+%           order, with blanks, a comma, = or : between
+%   NAMES   1 x m cell of names of results
+%   VALUES  1 x m, NaN where a result is missing; all NaN where the file is, or
+%           where it holds another count of plain numbers
+%
+% See also: readDump, readCsvTable, resultInfo
+function values = readResults (file, names)
+  values = NaN (1, numel (names));
+  fid = fopen (file, 'r');
+  if fid < 0
+    return
+  end
+  text = fread (fid, Inf, 'uint8=>char').';
+  fclose (fid);
+  plain = sscanf (strrep (text, ',', ' '), '%f').';
+  isPlain = isempty (regexp (text, '[^\s,\d.eE+-]', 'once')) || ...
+            all (isnan (plain));
+  if isPlain && numel (plain) == numel (names)
+    values = plain;
+    return
+  end
+  for k = 1:numel (names)
+    word = regexptranslate ('escape', names{k});
+    found = regexp (text, ['^[ \t]*', word, '[ \t]*[ \t,=:][ \t]*(\S+)'], ...
+                    'tokens', 'once', 'lineanchors');
+    if ~isempty (found)
+      values(k) = str2double (found{1});
+    end
+  end
+end
+
+%!function values = tryText (text, names)
+%!  file = tempname ();
+%!  writeAtomic (file, text);
+%!  values = readResults (file, names);
+%!  unlink (file);
+%!endfunction
+%!assert (tryText ("1.5 -2e-3\n", {'a', 'b'}), [1.5, -2e-3])
+%!assert (tryText ("1,2\n3", {'a', 'b', 'c'}), [1, 2, 3])
+%!assert (tryText ("run-out = 3\na (m),1\nab 7\n", ...
+%!                 {'a (m)', 'run-out', 'c'}), [1, 3, NaN])
+%!assert (tryText ("1 2 3\n", {'a', 'b'}), [NaN, NaN])
+%!assert (tryText ("nan 1\n", {'a', 'b'}), [NaN, NaN])
+%!assert (readResults ('/nowhere', {'a'}), NaN)

@@ -1,0 +1,82 @@
+% DISCREPANCYKINDS  Describes misfits that resemble no listed effect.
+%
+% CALL: KINDS = discrepancyKinds (PROBLEM, EM, BUDGET, WHITE)
+%
+%   PROBLEM, EM, BUDGET   of newGapProblem, fitEmulator, noiseBudget
+%   WHITE                 struct of whitenEmulator for the same targets
+%   KINDS                 1 x m struct: name, weight (sum 1), h (newHypothesis),
+%                         white (whitened so that the misfit has independent
+%                         coordinates, with shape: 1 x n, its variances at size
+%                         1)
+%
+% y = m (theta) + delta + noise, delta ~ N (0, size^2 C), size log-normal. C is
+% (half of the weight) shaped like the listed effects, since an unknown cause
+% moves the targets that causes move: 0.7 mean (s s') + 0.3 diag, s their
+% signatures; or independent errors on all targets; or on one bench alone. After
+% Kennedy and O'Hagan (2001).
+%
+% See also: makeModels, newHypothesis
+
+function kinds = discrepancyKinds (problem, em, budget, white)
+  targets = white.columns;
+  benches = unique (problem.bench(targets));
+  R = diag (em.range(targets).^2);
+  make = @(C, extent, name, weight) ...
+    oneKind (em, white, budget, C, ...
+             struct ('name', name, 'weight', weight, ...
+                     'h', newHypothesis ('discrepancy', zeros (1, 0), extent)));
+  kinds = make (R, [0.08, 1], 'anything', 0.2);
+  for b = benches
+    mask = diag (problem.bench(targets) == b);
+    kinds(end + 1) = make (R .* mask, [0.08, 1], problem.benchNames{b}, ...
+                           0.3 / numel (benches));
+  end
+  S = signatures (em, targets);
+  if rows (S) > 0
+    C = 0.7 * (S' * S) / rows (S) + 0.3 * diag (mean (S.^2, 1));
+    kinds(end + 1) = make (C, [0.7, 0.8], 'effect', 0.5);
+  end
+  total = sum ([kinds.weight]);
+  for k = 1:numel (kinds)
+    kinds(k).weight = kinds(k).weight / total;
+  end
+end
+
+function kind = oneKind (em, white, budget, C, kind)
+  C = white.W * C * white.W';
+  [U, L] = eig ((C + C') / 2);
+  kind.white = whitenEmulator (em, white.columns, budget, U');
+  kind.white.shape = max (diag (L)', 0);
+end
+
+function S = signatures (em, targets)
+  S = zeros (0, numel (targets));
+  for e = em.effect
+    psi = min (e.scale, e.range(2))^e.bend;
+    B = polyRows (e.powers, [zeros(1, em.p), psi]);
+    S(end + 1, :) = B * e.coef(:, targets);
+  end
+end
+
+%!test
+%! % rotated coordinates: noise stays white, the discrepancy is diagonal
+%! em = struct ('p', 1, 'powers', [0; 1], 'coef', [1, 2, 3; 1, 0, 2], ...
+%!              'varPowers', [0; 1], 'points', [-1; 0; 1], ...
+%!              'surrogateVar', zeros (3, 3), 'fitVar', [0, 0, 0], ...
+%!              'correlation', eye (3), 'range', [1, 2, 3], ...
+%!              'seedFreedom', [9, 9, 9], 'success', zeros (2, 2), ...
+%!              'bench', [1, 1, 2]);
+%! em.effect = repmat (struct ('name', ''), 1, 0);
+%! em.joint = em.effect;
+%! problem = newGapProblem (struct ('y', [1, 2, 3], 'sd', [1, 1, 1], ...
+%!                                  'limits', [0; 1], 'bench', [1, 1, 2]));
+%! budget = struct ('covariance', eye (3), 'estimated', [0, 0, 0], ...
+%!                 'unknown', [0, 0, 0]);
+%! white = whitenEmulator (em, 1:3, budget);
+%! kinds = discrepancyKinds (problem, em, budget, white);
+%! assert (numel (kinds), 3);
+%! assert (sum ([kinds.weight]), 1, 1e-12);
+%! W = kinds(1).white.W;
+%! assert (W * W', eye (3), 1e-12);
+%! assert (W * diag ([1, 4, 9]) * W', diag (kinds(1).white.shape), 1e-9);
+%! assert (sum (kinds(3).white.shape > 1e-9), 1);

@@ -1,0 +1,46 @@
+% MEASUREMENTCOVARIANCE  Covariance of errors that are alike along a series.
+%
+% CALL: C = measurementCovariance (SD, SERIES, COORDINATE, LENGTHS)
+%
+%   SD          1 x T, standard uncertainties
+%   SERIES      1 x T, targets with one number > 0 belong to one series
+%   COORDINATE  1 x T, place on the series
+%   LENGTHS     1 x T, correlation length in its unit; 0: independent
+%   C           T x T, positive definite where all SD are above 0
+%
+% C_ij = sd_i sd_j exp (-|at_i - at_j| / L) within a series, 0 elsewhere.
+% Targets of one series with lengths L_i and L_j of their own: L is the root
+% mean square of the two, and C_ij has the factor sqrt (2 L_i L_j / (L_i^2 +
+% L_j^2)), without which C would be no covariance (Paciorek and Schervish
+% 2006). A millionth of the variance is added on the diagonal: two values at
+% one place are never quite the same.
+%
+% See also: gapProblemOf, newGapProblem, noiseBudget, estimateCorrelation
+
+function C = measurementCovariance (sd, series, coordinate, lengths)
+  squares = (lengths'.^2 + lengths.^2) / 2;
+  factor = sqrt (lengths' * lengths ./ squares);
+  R = factor .* exp (-abs (coordinate' - coordinate) ./ sqrt (squares));
+  together = series' == series & series > 0 & (lengths' > 0 & lengths > 0);
+  R(~together) = 0;
+  R(1:numel (sd) + 1:end) = 1 + 1e-6;
+  C = (sd' * sd) .* R;
+end
+
+%!test
+%! C = measurementCovariance ([1, 2, 3], [1, 1, 0], [0, 5, 5], [5, 5, 5]);
+%! assert (C, [1, 2 / e, 0; 2 / e, 4, 0; 0, 0, 9], 1e-5);
+%!test
+%! % two values at one place, other series, targets without a length
+%! C = measurementCovariance (ones (1, 5), [1, 1, 1, 2, 2], ...
+%!                            [3, 3, 3, 3, 3], [1, 1, 0, 1, 1]);
+%! assert (C, blkdiag ([1, 1; 1, 1], 1, [1, 1; 1, 1]), 1e-5);
+%! assert (min (eig (C)) > 5e-7);
+%!test
+%! % lengths that differ within a series still give a covariance
+%! at = 0:0.1:3;
+%! C = measurementCovariance (ones (size (at)), ones (size (at)), at, ...
+%!                            0.05 + 4 * mod (1:numel (at), 2));
+%! assert (C, C');
+%! assert (min (eig (C)) > 0);
+%! assert (C(1, 1), 1 + 1e-6, 1e-12);
