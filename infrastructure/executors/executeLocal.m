@@ -14,10 +14,10 @@
 % it and end them. Without Input.timeout the time limit of a run is 20 times
 % the median of the model's runs in this calibration, and at least 60 s.
 %
-% parcellfun is not used to start simulations: it cannot mix runs of different
-% CPU counts, and when one worker dies it loses the runs of all. The next run is
-% prepared while others are under way, and started before ended ones are
-% evaluated, so a CPU waits for little more than the next look (lookAfter).
+% parcellfun is not used to start simulations: docs/method.md says why, with
+% figures. The next run is prepared while others are under way, and started
+% before ended ones are evaluated, so a CPU waits for little more than the next
+% look (lookAfter). A look is one stat a run: isfile costs twenty times as much.
 %
 % See also: runJobs, executeSlurm, lookAfter, startRun
 
@@ -26,6 +26,7 @@ function records = executeLocal (jobs, Case, report)
   cpus = arrayfun (@(j) cpuOf (j, Case), jobs);
   [~, queue] = sort (-cpus);
   folders = cell (1, n);
+  marksOf = cell (1, n);
   born = zeros (1, n);
   records = repmat (newRecord (jobs(1), ''), 1, n);
   isDone = false (1, n);
@@ -35,20 +36,23 @@ function records = executeLocal (jobs, Case, report)
   start = tic ();
   guardsSeen = 0;
   while ~all (isDone)
-    age = toc (start) - born(running);
-    hasEnded = cellfun (@hasMark, folders(running));
-    if toc (start) - guardsSeen > 1
-      guardsSeen = toc (start);
+    now = toc (start);
+    age = now - born(running);
+    marks = cellfun (@stat, marksOf(running), 'UniformOutput', false);
+    hasEnded = ~cellfun ('isempty', marks);
+    if now - guardsSeen > 2
+      guardsSeen = now;
       hasEnded = hasEnded | cellfun (@isLost, folders(running), ...
                                      num2cell (age));
     end
     ended = running(hasEnded);
-    running = setdiff (running, ended);
+    running(hasEnded) = [];
     next = firstFitting (queue, cpus, ...
                          Case.options.maxCPU - sum (cpus(running)));
     while ~isempty (next)
       folders = prepareOnce (next, folders, jobs, Case);
       live(folders{next}) = next;
+      marksOf{next} = fullfile (folders{next}, 'end.mark');
       startRun (folders{next}, Case.root);
       born(next) = toc (start);
       queue(queue == next) = [];

@@ -1,21 +1,23 @@
 % SLURMPARSE  Reads what squeue says about job arrays.
 %
-% CALL: [STATES, REASONS] = slurmParse (TEXT, NAME, N)
+% CALL: [STATES, WORDS] = slurmParse (TEXT, NAME, N)
 %
 %   TEXT     output of squeue, a line 'job name|task|state|reason' a task; a
 %            line may stand for several tasks ('7', '2-5,9', '2-8%3'), 'N/A'
 %            (cancelled before the array was split up) for all not listed
 %   NAME     job name of the array in question (text)
 %   N        number of its tasks
-%   STATES   1 x N cell of text, '' where squeue does not know the task
-%   REASONS  1 x N cell of text
+%   STATES   1 x N char: 'p' pending, 'r' running (or anything else that may
+%            still do something, also what a future Slurm invents), 't' ended at
+%            Slurm's time limit, 'e' ended, '-' unknown to squeue
+%   WORDS    1 x N cell of text, what Slurm calls it: STATE (reason)
 %
-% A task that is listed twice (submitted twice, see slurmTask.sh) has the
+% A task that is listed twice (submitted twice, see batchTask.sh) has the
 % state of the one that has not ended.
 %
-% See also: slurmStates, slurmIsLive
+% See also: slurmLook, batchJudge
 
-function [states, reasons] = slurmParse (text, name, n)
+function [states, words] = slurmParse (text, name, n)
   lines = regexp (text, '^([^|\n]+)\|([^|\n]*)\|([^|\n]*)\|([^\n]*)$', ...
                   'tokens', 'lineanchors');
   lines = vertcat (lines{:}, cell (0, 4));
@@ -23,15 +25,38 @@ function [states, reasons] = slurmParse (text, name, n)
 
   % what is written later counts: live tasks come last
   isWhole = strcmp (lines(:, 1), 'N/A');
-  isLive = reshape (slurmIsLive (lines(:, 2)), [], 1);
+  letters = cellfun (@letterOf, lines(:, 2));
+  isLive = reshape (letters == 'p' | letters == 'r', [], 1);
   [~, order] = sort (2 * isLive - isWhole);
   lines = splitRanges (lines(order, :), n);
   tasks = str2double (lines(:, 1));
   isOurs = tasks >= 1 & tasks <= n;
-  states = repmat ({''}, 1, n);
-  reasons = states;
-  states(tasks(isOurs)) = lines(isOurs, 2);
-  reasons(tasks(isOurs)) = lines(isOurs, 3);
+  states = repmat ('-', 1, n);
+  words = repmat ({''}, 1, n);
+  states(tasks(isOurs)) = cellfun (@letterOf, lines(isOurs, 2));
+  words(tasks(isOurs)) = cellfun (@inWords, lines(isOurs, 2), ...
+                                  lines(isOurs, 3), 'UniformOutput', false);
+end
+
+function letter = letterOf (state)
+  ended = {'BOOT_FAIL', 'CANCELLED', 'COMPLETED', 'FAILED', 'NODE_FAIL', ...
+           'OUT_OF_MEMORY', 'PREEMPTED', 'REVOKED'};
+  if any (strcmp (state, {'TIMEOUT', 'DEADLINE'}))
+    letter = 't';
+  elseif any (strcmp (state, ended))
+    letter = 'e';
+  elseif strcmp (state, 'PENDING')
+    letter = 'p';
+  else
+    letter = 'r';
+  end
+end
+
+function text = inWords (state, reason)
+  text = state;
+  if ~any (strcmp (reason, {'', 'None'}))
+    text = sprintf ('%s (%s)', state, reason);
+  end
 end
 
 function lines = splitRanges (lines, n)
@@ -63,19 +88,19 @@ end
 %!test
 %! text = sprintf (["a|1|RUNNING|None\nb|1|FAILED|NonZeroExitCode\n", ...
 %!                  "a|3-4|CANCELLED|None\na|[6-8%%2]|PENDING|Priority\n"]);
-%! [s, r] = slurmParse (text, 'a', 8);
-%! assert (s, {'RUNNING', '', 'CANCELLED', 'CANCELLED', '', ...
-%!             'PENDING', 'PENDING', 'PENDING'});
-%! assert (r{6}, 'Priority');
-%! assert (slurmParse (text, 'b', 2), {'FAILED', ''});
-%! assert (slurmParse ('', 'b', 2), {'', ''});
+%! [s, w] = slurmParse (text, 'a', 8);
+%! assert (s, 'r-ee-ppp');
+%! assert (w([1, 2, 6]), {'RUNNING', '', 'PENDING (Priority)'});
+%! assert (slurmParse (text, 'b', 2), 'e-');
+%! assert (slurmParse ('', 'b', 2), '--');
 %!test
 %! % cancelled before it was split; one task had run before
-%! text = sprintf ("a|2|COMPLETED|None\na|N/A|CANCELLED|JobHeldUser\n");
-%! assert (slurmParse (text, 'a', 3), {'CANCELLED', 'COMPLETED', 'CANCELLED'});
+%! text = sprintf ("a|2|TIMEOUT|None\na|N/A|CANCELLED|JobHeldUser\n");
+%! assert (slurmParse (text, 'a', 3), 'ete');
 %!test
 %! % submitted twice: the one that goes on counts
 %! text = sprintf ("a|1|RUNNING|None\na|1|FAILED|NonZeroExitCode\n");
-%! assert (slurmParse (text, 'a', 1), {'RUNNING'});
-%! text = sprintf ("a|1|FAILED|NonZeroExitCode\na|1|RUNNING|None\n");
-%! assert (slurmParse (text, 'a', 1), {'RUNNING'});
+%! assert (slurmParse (text, 'a', 1), 'r');
+%! text = sprintf ("a|1|FAILED|NonZeroExitCode\na|1|PENDING|None\n");
+%! assert (slurmParse (text, 'a', 1), 'p');
+%!assert (slurmParse ("a|1|COMPLETING|None\n", 'a', 1), 'r')

@@ -1,10 +1,10 @@
 % SLURMSEND  Hands a batch over to Slurm as one job array.
 %
-% CALL: [VERDICT, TEXT] = slurmSend (BATCH, OPT, ROOT)
+% CALL: [VERDICT, TEXT] = slurmSend (BATCH, OPT, TASK)
 %
-%   BATCH    one element of FLIGHT.batches, see slurmSubmit
-%   OPT      see slurmOptions
-%   ROOT     folder of the toolbox (text)
+%   BATCH    one element of FLIGHT.batches, see batchAttach
+%   OPT      see batchOptions
+%   TASK     1 x n cell, the program that a task runs, and its arguments
 %   VERDICT  'sent'; 'later' (the controller cannot be reached: try again);
 %            'refused' (partition, account, limits ...)
 %   TEXT     what sbatch said
@@ -12,27 +12,25 @@
 % sbatch may give up on a job that the controller did accept. So the queue is
 % asked before a batch is called not sent.
 %
-% See also: slurmSubmit, slurmSubmit.sh
+% See also: slurmExecutor, slurmSend.sh
 
-function [verdict, text] = slurmSend (batch, opt, root)
-  here = fullfile (root, 'infrastructure', 'executors');
-  guard = fullfile (root, 'infrastructure', 'runs', 'guard.sh');
-  words = [{fullfile(here, 'slurmSubmit.sh'), batch.path}, opt.extra, ...
+function [verdict, text] = slurmSend (batch, opt, task)
+  program = [mfilename('fullpath'), '.sh'];
+  words = [{program, batch.path}, opt.extra, ...
            named('partition', opt.partition), ...
            named('account', opt.account), ...
            {['--job-name=', batch.name], '--no-requeue', '--export=ALL', ...
             '--nodes=1', sprintf('--ntasks=%d', batch.cpu), ...
             '--cpus-per-task=1', sprintf('--time=%d', batch.minutes), ...
             sprintf('--array=1-%d', batch.n), ['--chdir=', batch.path], ...
-            ['--output=', logName(batch.path)], ...
-            fullfile(here, 'slurmTask.sh'), batch.path, guard}];
+            ['--output=', logName(batch.path)]}, task];
   words = cellfun (@shellQuote, words, 'UniformOutput', false);
   % a session of its own: Ctrl-C shall not interrupt sbatch half-way
   [status, text] = system (['setsid --wait bash ', strjoin(words, ' ')]);
   text = strtrim (text);
   verdict = 'sent';
   if status ~= 0
-    [ok, queue] = slurmQueue ({batch.name});
+    [ok, queue] = slurmLook ({batch.name}, batch.n);
     if ~ok || (isempty (strfind (queue, batch.name)) && isPassing (text))
       verdict = 'later';
     elseif isempty (strfind (queue, batch.name))
@@ -67,9 +65,9 @@ end
 %!  batch = struct ('name', 'decalioc-1', 'path', tempname (), 'n', 3, ...
 %!                  'cpu', 2, 'minutes', 5);
 %!  mkdir (batch.path);
-%!  opt = slurmOptions (struct ('extra', {{'--comment=it''s; $(x) 100%'}}));
-%!  root = fileparts (fileparts (fileparts (which ('slurmSend'))));
-%!  [verdict, text] = slurmSend (batch, opt, root);
+%!  opt = batchOptions (struct ('extra', {{'--comment=it''s; $(x) 100%'}}), ...
+%!                      {'partition', 'account'});
+%!  [verdict, text] = slurmSend (batch, opt, {'job.sh', 'it''s'});
 %!  id = fullfile (batch.path, 'id');
 %!  if isfile (id)
 %!    text = fileread (id);
@@ -87,7 +85,7 @@ end
 %! assert (words{2}, '--comment=it''s; $(x) 100%');
 %! assert (all (ismember ({'--array=1-3', '--ntasks=2', '--time=5', ...
 %!                         '--job-name=decalioc-1'}, words)));
-%! assert (! isempty (strfind (words{end}, 'guard.sh')));
+%! assert (words(end - 1:end), {'job.sh', 'it''s'});
 %!test
 %! [verdict, text] = sendTo ('echo "invalid partition" >&2; exit 1', 'true');
 %! assert ({verdict, text}, {'refused', 'invalid partition'});

@@ -96,7 +96,7 @@ function p = checkAlone (raw)
   p = checkProblem ();
   numOfSam = [];
   if isstruct (raw.Input)
-    p = [p, checkInputFields(raw.Input, executorNames (raw.root))];
+    p = [p, checkInputFields(raw.Input)];
     numOfSam = fieldOr (raw.Input, 'numOfSam', []);
   end
   if isstruct (raw.optim)
@@ -115,8 +115,10 @@ function p = checkTogether (raw, mode)
   if isstruct (raw.Input) && ischar (raw.folder) && ischar (raw.root)
     models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
     if needsModels (raw)
+      executor = fieldOr (raw.Input, 'executor', 'local');
       how = struct ('programs', strcmp (mode, 'full'), 'onCluster', ...
-                    isequal (fieldOr (raw.Input, 'executor', ''), 'slurm'));
+                    checkIs ('text', executor) && ...
+                    ~describeExecutor (executor).isHere);
       p = checkModels (models, raw.folder, raw.root, how);
     end
   end
@@ -125,10 +127,13 @@ function p = checkTogether (raw, mode)
   if isstruct (raw.optim)
     [q, sizes] = checkTargets (raw.optim, models);
     p = [p, q, checkTargetNumbers(raw.optim, sizes), ...
+         checkCorrelation(raw.optim, sizes), ...
+         checkBenchCost(raw.optim, numel (models)), ...
          checkTargetTexts(raw.optim, sizes, names)];
     if isstruct (raw.modelVars) && iscell (raw.assign)
       p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign(:)', models)];
     end
+    p = [p, checkMeasured(raw.optim, raw.assign, raw.paramLims)];
   end
   if strcmp (mode, 'full')
     p = [p, checkPlace(raw, models)];
@@ -201,37 +206,10 @@ function n = countOr (s, name, default)
   end
 end
 
-function names = executorNames (root)
-  names = cell (1, 0);
-  if ischar (root)
-    names = baseNames (fullfile (root, 'infrastructure', 'executors'), ...
-                       'execute');
-  end
-  if isempty (names)
-    names = {'local', 'slurm'};
-  end
-end
-
 function folders = effectFolders (raw)
   folders = {};
   if ischar (raw.folder)
     folders = {fullfile(raw.folder, 'effects'), raw.folder};
-  end
-end
-
-% executeLocal.m -> local
-function names = baseNames (folder, prefix)
-  names = cell (1, 0);
-  if ~isfolder (folder)
-    return
-  end
-  files = dir (folder);
-  for k = find (~[files.isdir])
-    name = regexp (files(k).name, ['^', prefix, '([A-Z]\w*)\.m$'], ...
-                   'tokens', 'once');
-    if ~isempty (name)
-      names{end + 1} = [lower(name{1}(1)), name{1}(2:end)];
-    end
   end
 end
 

@@ -1,21 +1,20 @@
 % CHECKINPUTFIELDS  Checks the first part of the input: models and CPUs.
 %
-% CALL: P = checkInputFields (INPUT, EXECUTORS)
+% CALL: P = checkInputFields (INPUT)
 %
-%   INPUT      scalar struct, the Input of loadInput
-%   EXECUTORS  cell of the names that Input.executor may have
-%   P          1 x n problems, see checkProblem
+%   INPUT  scalar struct, the Input of loadInput
+%   P      1 x n problems, see checkProblem
 %
 % Reasons: unknownField missingField badModelList unsafeName duplicateModel
 % badCpu cpuCount badMaxCPU tooFewCPU badNumOfSam badSeed badMaxNewRuns
 % badReplicates badTimeout timeoutCount badExecutor missingProgram
-% badStore, and those of checkSlurm
+% badStore, and those of each executor for Input.<its name>
 %
-% See also: checkCase, checkModels
+% See also: checkCase, checkModels, describeExecutor
 
-function p = checkInputFields (Input, executors)
+function p = checkInputFields (Input)
   known = {'model', 'cpu', 'maxCPU', 'numOfSam', 'seed', 'timeout', ...
-           'executor', 'maxNewRuns', 'replicates', 'store', 'slurm'};
+           'executor', 'maxNewRuns', 'replicates', 'store'};
   rules = {'maxCPU', 'badMaxCPU', 1, 1e6, 'integer', true, ...
            'Set the number of CPUs that all runs together may use.'; ...
            'numOfSam', 'badNumOfSam', 1, 1e6, 'integer', true, ...
@@ -24,13 +23,12 @@ function p = checkInputFields (Input, executors)
            'Set Input.seed = 1, or leave it out.'; ...
            'replicates', 'badReplicates', 0, 1e4, 'integer', false, ...
            'Set Input.replicates = 4, or leave it out.'};
+  [own, q] = checkExecutorFields (Input);
+  known = [known, own];
   p = [checkFields(Input, 'Input', known), checkModelList(Input), ...
        checkCpu(Input), checkScalars(Input, 'Input', rules), ...
        checkTimeout(Input), checkBudget(Input), ...
-       checkExecutor(Input, executors), checkStoreName(Input)];
-  if isfield (Input, 'slurm')
-    p = [p, checkSlurm(Input.slurm)];
-  end
+       checkExecutor(Input), checkStoreName(Input), q];
 end
 
 function p = checkModelList (Input)
@@ -158,8 +156,24 @@ function p = checkBudget (Input)
   end
 end
 
-function p = checkExecutor (Input, executors)
+% An executor may have fields in Input.<its name>, which it checks itself.
+function [names, p] = checkExecutorFields (Input)
   p = checkProblem ();
+  names = cell (1, 0);
+  for name = executorNames ()
+    check = describeExecutor (name{1}).check;
+    if ~isempty (check)
+      names = [names, name];
+      if isfield (Input, name{1})
+        p = [p, check(Input.(name{1}))];
+      end
+    end
+  end
+end
+
+function p = checkExecutor (Input)
+  p = checkProblem ();
+  executors = executorNames ();
   if ~isfield (Input, 'executor') || checkIs ('nothing', Input.executor)
     return
   end
@@ -169,10 +183,12 @@ function p = checkExecutor (Input, executors)
                       ['one of ', strjoin(executors, ', ')], ...
                       checkShow (name), ...
                       'Leave it out to run on this machine.');
-  elseif strcmp (name, 'slurm') && ...
-      isempty (file_in_path (getenv ('PATH'), 'sbatch'))
+    return
+  end
+  program = describeExecutor (name).program;
+  if ~isempty (program) && isempty (file_in_path (getenv ('PATH'), program))
     p = checkProblem ('missingProgram', 'Input.executor', ...
-                      'a program sbatch on the PATH', 'none', ...
+                      sprintf ('a program %s on the PATH', program), 'none', ...
                       ['Start on a machine of the cluster, or leave it out ' ...
                        'to run here.']);
   end
@@ -191,18 +207,18 @@ end
 %!shared good
 %! good = struct ('model', {{'A', 'B'}}, 'cpu', [1; 2], 'maxCPU', 2, ...
 %!                'numOfSam', 21);
-%!assert (isempty (checkInputFields (good, {'local'})))
+%!assert (isempty (checkInputFields (good)))
 %!test
 %! bad = setfield (good, 'maxCPU', 1);
-%! assert (checkInputFields (bad, {'local'}).id, ...
+%! assert (checkInputFields (bad).id, ...
 %!         'DEcalioc:checkCase:tooFewCPU');
 %!test
 %! bad = setfield (good, 'model', {'A', '../B'});
-%! assert (checkInputFields (bad, {'local'}).id, ...
+%! assert (checkInputFields (bad).id, ...
 %!         'DEcalioc:checkCase:unsafeName');
 %!test
 %! home = getenv ('PATH');
 %! setenv ('PATH', '/nowhere');
-%! p = checkInputFields (setfield (good, 'executor', 'slurm'), {'slurm'});
+%! p = checkInputFields (setfield (good, 'executor', 'slurm'));
 %! setenv ('PATH', home);
 %! assert (p.id, 'DEcalioc:checkCase:missingProgram');

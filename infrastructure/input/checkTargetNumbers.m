@@ -1,4 +1,4 @@
-% CHECKTARGETNUMBERS  Checks the tolerances and uncertainties of the targets.
+% CHECKTARGETNUMBERS  Checks tolerances, uncertainties, trials of the targets.
 %
 % CALL: P = checkTargetNumbers (OPTIM, SIZES)
 %
@@ -8,11 +8,13 @@
 %
 % optim.tolRes (relative) is needed: {k}(i), a column of all, or one number
 % for all. optim.targetStd (unit of the target) may be missing, also for some
-% models.
+% models; so may optim.trials, which may also be one number for a model or for
+% all.
 %
 % Reasons: missingField badTolRes tolResCount badTargetStd targetStdCount
+% badTrials trialsCount
 %
-% See also: checkTargets
+% See also: checkTargets, perTarget
 
 function p = checkTargetNumbers (optim, sizes)
   cure = 'Write optim.tolRes{1}(1) = 0.01; and so on (0.01 is one percent).';
@@ -22,16 +24,26 @@ function p = checkTargetNumbers (optim, sizes)
   else
     rule = struct ('name', 'tolRes', 'reason', 'badTolRes', ...
                    'expected', 'a number between 0 and 1', 'cure', cure, ...
-                   'isGood', @(v) v > 0 & v < 1, 'optional', false);
+                   'isGood', @(v) v > 0 & v < 1, 'optional', false, ...
+                   'forAll', true, 'forModel', false);
     p = checkOne (optim.tolRes, rule, sizes);
   end
-  if isfield (optim, 'targetStd') && ~checkIs ('nothing', optim.targetStd)
-    rule = struct ('name', 'targetStd', 'reason', 'badTargetStd', ...
-                   'expected', 'a finite number from 0', ...
-                   'cure', ['Set the standard uncertainty of the measured ' ...
-                            'value, in its unit.'], ...
-                   'isGood', @(v) v >= 0 & isfinite (v), 'optional', true);
-    p = [p, checkOne(optim.targetStd, rule, sizes)];
+  rules = struct ('name', {'targetStd', 'trials'}, ...
+                  'reason', {'badTargetStd', 'badTrials'}, ...
+                  'expected', {'a finite number from 0', ...
+                               'a number above 0 or Inf'}, ...
+                  'cure', {['Set the standard uncertainty of the ' ...
+                            'measured value, in its unit.'], ...
+                           ['Write optim.trials{1}(1) = 5; where value 1 ' ...
+                            'is the mean of 5 trials.']}, ...
+                  'isGood', {@(v) v >= 0 & isfinite (v), @(v) v > 0}, ...
+                  'optional', true, 'forAll', {false, true}, ...
+                  'forModel', {false, true});
+  for rule = rules
+    if isfield (optim, rule.name) && ...
+        ~checkIs ('nothing', optim.(rule.name))
+      p = [p, checkOne(optim.(rule.name), rule, sizes)];
+    end
   end
 end
 
@@ -60,10 +72,13 @@ function p = checkCount (isCell, given, rule, sizes)
     given(end + 1:numel (sizes)) = 0;
     sizes(given(1:numel (sizes)) == 0) = 0;
   end
+  if isCell && rule.forModel && numel (given) == numel (sizes)
+    given(given == 1) = sizes(given == 1);
+  end
   if isCell
     fits = isequal (given, sizes);
   else
-    fits = given == sum (sizes) || (given == 1 && ~rule.optional);
+    fits = given == sum (sizes) || (given == 1 && rule.forAll);
   end
   if ~fits
     p = checkProblem ([rule.name, 'Count'], ['optim.', rule.name], ...
@@ -87,3 +102,13 @@ end
 %!test
 %! p = checkTargetNumbers (struct ('tolRes', 0.1, 'targetStd', -1), []);
 %! assert (p.id, 'DEcalioc:checkCase:badTargetStd');
+%!assert (isempty (checkTargetNumbers (struct ('tolRes', 0.1, 'trials', ...
+%!                                             {{3, [1, Inf]}}), [2, 2])))
+%!assert (isempty (checkTargetNumbers (struct ('tolRes', 0.1, 'trials', 5), ...
+%!                                     [2, 2])))
+%!assert (checkTargetNumbers (struct ('tolRes', 0.1, 'trials', ...
+%!                                    {{3, [1, NaN]}}), [2, 2]).id, ...
+%!        'DEcalioc:checkCase:badTrials')
+%!assert (checkTargetNumbers (struct ('tolRes', 0.1, 'trials', ...
+%!                                    {{3, [1, 2, 3]}}), [2, 2]).id, ...
+%!        'DEcalioc:checkCase:trialsCount')

@@ -1,21 +1,22 @@
-% SLURMLEDGER  Reads which runs of a store were submitted to Slurm.
+% BATCHLEDGER  Reads which runs of a store were submitted to a queue.
 %
-% CALL: BATCHES = slurmLedger (STORE)
+% CALL: BATCHES = batchLedger (STORE, NAME)
 %
 %   STORE    folder of the run store (text)
+%   NAME     name of the executor (text)
 %   BATCHES  1 x b struct array, one element a job array:
 %     name     job name of the array, unique (text)
-%     path     its folder, STORE/optim/.slurm/<name> (text)
+%     path     its folder, STORE/optim/.NAME/<name> (text)
 %     keys     n x 1 cell, keys of the runs; task k is the k-th
 %     folders  n x 1 cell, run folders
 %
-% The ledger is written before sbatch is called, so no job can be in the queue
+% The ledger is written before anything is sent, so no job can be in the queue
 % of which it does not know.
 %
-% See also: slurmSubmit, slurmAttach
+% See also: batchSubmit, batchAttach
 
-function batches = slurmLedger (store)
-  place = fullfile (store, 'optim', '.slurm');
+function batches = batchLedger (store, name)
+  place = fullfile (store, 'optim', ['.', name]);
   batches = struct ('name', {}, 'path', {}, 'keys', {}, 'folders', {});
   found = dir (place);
   for k = 1:numel (found)
@@ -34,16 +35,16 @@ end
 
 %!test
 %! store = tempname ();
-%! mkdir (fullfile (store, 'optim', '.slurm', 'decalioc-1'));
-%! mkdir (fullfile (store, 'optim', '.slurm', 'decalioc-2'));
-%! place = fullfile (store, 'optim', '.slurm', 'decalioc-1');
+%! mkdir (fullfile (store, 'optim', '.q', 'decalioc-1'));
+%! mkdir (fullfile (store, 'optim', '.q', 'decalioc-2'));
+%! place = fullfile (store, 'optim', '.q', 'decalioc-1');
 %! fid = fopen (fullfile (place, 'tasks'), 'w');
 %! fprintf (fid, "k1\t/a b/it's\nk2\t/c\n");
 %! fclose (fid);
-%! b = slurmLedger (store);
+%! b = batchLedger (store, 'q');
 %! assert (numel (b), 1);
 %! assert (b.keys, {'k1'; 'k2'});
 %! assert (b.folders, {'/a b/it''s'; '/c'});
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (store, 's');
-%! assert (isempty (slurmLedger (store)));
+%! assert (isempty (batchLedger (store, 'q')));

@@ -1,15 +1,15 @@
-% SLURMDISCARD  Removes the folder of a batch.
+% BATCHDISCARD  Removes the folder of a batch.
 %
-% CALL: slurmDiscard (FOLDER)
+% CALL: batchDiscard (FOLDER)
 %
-%   FOLDER  folder <store>/optim/.slurm/<name> (text)
+%   FOLDER  folder <store>/optim/.<queue>/<name> (text)
 %
 % It is renamed first: at no moment is a half of it taken for the whole.
-% Without its folder an array can start nothing: slurmTask.sh finds no run.
+% Without its folder an array can start nothing: batchTask.sh finds no run.
 %
-% See also: slurmRetire, slurmAttach
+% See also: batchRetire, batchAttach
 
-function slurmDiscard (folder)
+function batchDiscard (folder)
   confirm_recursive_rmdir (false, 'local');
   aside = fullfile (fileparts (folder), '.ended');
   [~, ~] = rename (folder, aside);
@@ -21,7 +21,7 @@ end
 %! folder = fullfile (store, 'decalioc-1');
 %! mkdir (folder);
 %! writeAtomic (fullfile (folder, 'tasks'), 'x');
-%! slurmDiscard (folder);
+%! batchDiscard (folder);
 %! assert (readdir (store), {'.'; '..'});
-%! slurmDiscard (folder);
+%! batchDiscard (folder);
 %! rmdir (store);

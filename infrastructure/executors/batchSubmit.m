@@ -1,28 +1,29 @@
-% SLURMSUBMIT  Prepares runs and writes down that they go to Slurm together.
+% BATCHSUBMIT  Prepares runs and writes down that they go to a queue together.
 %
-% CALL: FLIGHT = slurmSubmit (FLIGHT, PICKS, JOBS, CASE, OPT)
+% CALL: FLIGHT = batchSubmit (FLIGHT, PICKS, JOBS, CASE, QUEUE, OPT)
 %
-%   FLIGHT  see slurmAttach
+%   FLIGHT  see batchAttach
 %   PICKS   1 x k indices into JOBS, models with the same number of CPUs
 %   JOBS    1 x n struct array, see newJobs
 %   CASE    see newCase
-%   OPT     see slurmOptions
+%   QUEUE   see batchExecutor
+%   OPT     see batchOptions
 %
-% Makes the run folders and a batch folder <store>/optim/.slurm/<name> whose
+% Makes the run folders and a batch folder <store>/optim/.<queue>/<name> whose
 % file tasks tells which task of the array is which run. The name is unique and
 % becomes the job name: the array is found by it even when its number was never
-% heard of. Nothing is sent yet, see slurmSend.
+% heard of. The file before holds OPT.before. Nothing is sent yet.
 %
-% Errors: DEcalioc:slurmSubmit:badValue, those of prepareRun
+% Errors: DEcalioc:batchSubmit:badValue, those of prepareRun
 %
-% See also: slurmSend, slurmLedger
+% See also: batchExecute, batchLedger, batchTask.sh
 
-function flight = slurmSubmit (flight, picks, jobs, Case, opt)
+function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
   models = Case.models;
   [~, k] = ismember ({jobs(picks).model}, {models.name});
   limits = [models(k).timeout];
-  minutes = slurmMinutes (opt.time, limits);
-  % the guard ends a run before Slurm does: it is exact and leaves an end mark
+  minutes = batchMinutes (opt.time, limits);
+  % the guard ends a run before the queue does: exactly, with an end mark
   unset = isnan (limits);
   limits(unset) = arrayfun (@defaultLimit, models(k(unset)));
   seconds = max (1, floor (min (limits, 60 * minutes - 10)));
@@ -39,8 +40,11 @@ function flight = slurmSubmit (flight, picks, jobs, Case, opt)
                   'n', numel (picks), 'left', numel (picks), ...
                   'cpu', models(k(1)).cpu, 'minutes', minutes, ...
                   'isSent', false);
-  batch.path = fullfile (Case.store, 'optim', '.slurm', batch.name);
+  batch.path = fullfile (Case.store, 'optim', ['.', queue.name], batch.name);
   [~, ~] = mkdir (batch.path);
+  before = cellfun (@(line) sprintf ("%s\n[ $? = 0 ] || return\n", line), ...
+                    opt.before, 'UniformOutput', false);
+  writeAtomic (fullfile (batch.path, 'before'), [before{:}]);
   writeAtomic (fullfile (batch.path, 'tasks'), [lines{:}]);
   flight.batches(end + 1) = batch;
   flight.batch(picks) = numel (flight.batches);
@@ -52,8 +56,8 @@ end
 
 function checkPath (folder)
   if any (ismember (folder, "\t\n\r"))
-    error ('DEcalioc:slurmSubmit:badValue', ...
-           ['slurmSubmit: the path of the run store must be free of tabs ' ...
+    error ('DEcalioc:batchSubmit:badValue', ...
+           ['batchSubmit: the path of the run store must be free of tabs ' ...
             'and line breaks, got %s. Rename the folder.'], folder);
   end
 end
@@ -67,26 +71,32 @@ end
 %!test
 %! [Case, jobs] = slurmTestCase (tempname (), 1:3, 0);
 %! Case.models.timeout = 7;
-%! flight = slurmAttach (jobs, Case.store);
-%! flight = slurmSubmit (flight, [1, 3], jobs, Case, slurmOptions ([]));
+%! queue = struct ('name', 'q', 'title', 'Queue');
+%! opt = batchOptions (struct ('before', {{'module load a', 'b=1'}}), {});
+%! flight = batchAttach (jobs, Case.store, queue);
+%! flight = batchSubmit (flight, [1, 3], jobs, Case, queue, opt);
 %! assert (flight.status, 'oqo');
 %! assert (flight.task([1, 3]), [1, 2]);
 %! assert (fileread (fullfile (flight.folder{3}, 'limit')), "7\n");
 %! assert (flight.batches.isSent, false);
+%! assert (fileread (fullfile (flight.batches.path, 'before')), ...
+%!         ["module load a\n[ $? = 0 ] || return\n", ...
+%!          "b=1\n[ $? = 0 ] || return\n"]);
 %! % without a limit of the user's, the one that earlier runs teach
 %! Case.models.timeout = NaN;
 %! Case.models.seconds = [10, 10, 10];
-%! later = slurmSubmit (flight, 2, jobs, Case, slurmOptions ([]));
+%! later = batchSubmit (flight, 2, jobs, Case, queue, opt);
 %! assert (fileread (fullfile (later.folder{2}, 'limit')), "200\n");
 %! % a new start knows of all
-%! again = slurmAttach (jobs, Case.store);
+%! again = batchAttach (jobs, Case.store, queue);
 %! assert (again.status, 'ooo');
 %! assert (again.folder, later.folder);
 %! assert (again.isOld, [true, true, true]);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.folder, 's');
-%!error id=DEcalioc:slurmSubmit:badValue
+%!error id=DEcalioc:batchSubmit:badValue
 %! [Case, jobs] = slurmTestCase (tempname (), 1, 0);
 %! Case.store = [Case.store, "\tx"];
-%! flight = slurmAttach (jobs, Case.store);
-%! slurmSubmit (flight, 1, jobs, Case, slurmOptions ([]));
+%! queue = struct ('name', 'q', 'title', 'Queue');
+%! flight = batchAttach (jobs, Case.store, queue);
+%! batchSubmit (flight, 1, jobs, Case, queue, batchOptions ([], {}));

@@ -1,9 +1,10 @@
-% SLURMATTACH  Starts the book of a plan: which runs are in the queue already.
+% BATCHATTACH  Starts the book of a plan: which runs are in the queue already.
 %
-% CALL: FLIGHT = slurmAttach (JOBS, STORE)
+% CALL: FLIGHT = batchAttach (JOBS, STORE, QUEUE)
 %
 %   JOBS    1 x n struct array, see newJobs
 %   STORE   folder of the run store (text)
+%   QUEUE   see batchExecutor
 %   FLIGHT  scalar struct
 %     status   1 x n char: 'q' to be submitted, 'o' submitted and open,
 %              'e' ended and to be evaluated, 's' settled (has a record)
@@ -11,11 +12,11 @@
 %     folder   1 x n cell of run folders, '' if there is none yet
 %     batch    1 x n index into batches, 0 = none
 %     task     1 x n number of the task in the array
-%     since    1 x n time (s, clock of toc) at which Slurm first said that the
-%              run has ended, NaN = it has not
+%     since    1 x n time (s, clock of toc) at which the queue first said that
+%              the run has ended, NaN = it has not
 %     records  1 x n cell of run records
-%     state    1 x n cell, what Slurm last said of the job
-%     why      1 x n cell, its reason
+%     state    1 x n char, what the queue last said of the job, see batchJudge
+%     word     1 x n cell, the same in its own words
 %     batches  1 x b struct array: name, path, n (tasks), left (runs without a
 %              record at the start), cpu, minutes, isSent
 %     silent   logical, the controller did not answer the last time
@@ -23,27 +24,28 @@
 %     message  text for the user, '' = nothing new
 %
 % A run whose record is written, whose folder is gone, or which was given up
-% (slurmVoid) is not attached.
+% (batchVoid) is not attached.
 %
-% See also: executeSlurm, slurmLedger
+% See also: batchExecute, batchLedger
 
-function flight = slurmAttach (jobs, store)
+function flight = batchAttach (jobs, store, queue)
   n = numel (jobs);
   none = repmat ({''}, 1, n);
   flight = struct ('status', repmat ('q', 1, n), 'isOld', false (1, n), ...
-                   'folder', {none}, 'state', {none}, 'why', {none}, ...
+                   'folder', {none}, 'state', repmat ('-', 1, n), ...
+                   'word', {none}, ...
                    'batch', zeros (1, n), 'task', zeros (1, n), ...
                    'since', NaN (1, n), 'records', {cell(1, n)}, ...
                    'silent', false, 'waitsFor', '', 'message', '');
   flight.batches = struct ('name', {}, 'path', {}, 'n', {}, 'left', {}, ...
                            'cpu', {}, 'minutes', {}, 'isSent', {});
-  ledger = slurmLedger (store);
+  ledger = batchLedger (store, queue.name);
   for b = 1:numel (ledger)
     isOpen = cellfun (@isAttachable, ledger(b).folders);
     [isOurs, task] = ismember ({jobs.key}, ledger(b).keys(isOpen));
     isOurs = isOurs & flight.status == 'q';
     if ~any (isOpen)
-      slurmDiscard (ledger(b).path);
+      batchDiscard (ledger(b).path);
     end
     if ~any (isOurs)
       continue
@@ -62,20 +64,21 @@ function flight = slurmAttach (jobs, store)
     flight.isOld(isOurs) = true;
   end
   if any (flight.isOld)
-    flight.message = sprintf (['%d run(s) submitted to Slurm earlier are ' ...
-                               'taken up again.'], sum (flight.isOld));
+    flight.message = sprintf (['%d run(s) submitted to %s earlier are ' ...
+                               'taken up again.'], sum (flight.isOld), ...
+                              queue.title);
   end
 end
 
 function yes = isAttachable (folder)
   yes = exist (fullfile (folder, 'job.json'), 'file') == 2 && ...
         ~exist (fullfile (folder, 'record.json'), 'file') && ...
-        ~exist (fullfile (folder, 'slurm.claim', 'void'), 'file');
+        ~exist (fullfile (folder, 'batch.claim', 'void'), 'file');
 end
 
 %!function store = ledgerWith (lines, folders, files)
 %!  store = tempname ();
-%!  mkdir (fullfile (store, 'optim', '.slurm', 'decalioc-1'));
+%!  mkdir (fullfile (store, 'optim', '.q', 'decalioc-1'));
 %!  for k = 1:numel (folders)
 %!    mkdir (store, folders{k});
 %!    fclose (fopen (fullfile (store, folders{k}, 'job.json'), 'w'));
@@ -83,7 +86,7 @@ end
 %!      fclose (fopen (fullfile (store, folders{k}, files{k}), 'w'));
 %!    end
 %!  end
-%!  place = fullfile (store, 'optim', '.slurm', 'decalioc-1');
+%!  place = fullfile (store, 'optim', '.q', 'decalioc-1');
 %!  fid = fopen (fullfile (place, 'tasks'), 'w');
 %!  fprintf (fid, strrep (lines, 'STORE', store));
 %!  fclose (fid);
@@ -92,7 +95,8 @@ end
 %! store = ledgerWith ("k1\tSTORE/1\nk2\tSTORE/2\nk3\tSTORE/3\n", ...
 %!                     {'1', '2'}, {'', 'record.json'});
 %! jobs = struct ('key', {'k0', 'k1', 'k2', 'k3'});
-%! f = slurmAttach (jobs, store);
+%! queue = struct ('name', 'q', 'title', 'Queue');
+%! f = batchAttach (jobs, store, queue);
 %! assert (f.status, 'qoqq');
 %! assert (f.task, [0, 1, 0, 0]);
 %! assert (f.folder{2}, [store, '/1']);
@@ -100,6 +104,6 @@ end
 %! assert (! isempty (f.message));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (store, 's');
-%! f = slurmAttach (jobs, store);
+%! f = batchAttach (jobs, store, queue);
 %! assert (f.status, 'qqqq');
 %! assert (isempty (f.batches) && isempty (f.message));

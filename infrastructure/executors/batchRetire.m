@@ -1,18 +1,18 @@
-% SLURMRETIRE  Removes the batch folders that nobody needs any more.
+% BATCHRETIRE  Removes the batch folders that nobody needs any more.
 %
-% CALL: FLIGHT = slurmRetire (FLIGHT)
-%       FLIGHT = slurmRetire (FLIGHT, B)
+% CALL: FLIGHT = batchRetire (FLIGHT)
+%       FLIGHT = batchRetire (FLIGHT, B)
 %
-%   FLIGHT  see slurmAttach; a batch goes when none of its runs is open
-%   B       index of a batch that Slurm refused: its runs are given up
+%   FLIGHT  see batchAttach; a batch goes when none of its runs is open
+%   B       index of a batch that the queue refused: its runs are given up
 %
-% See also: slurmDiscard, slurmAttach, slurmVoid
+% See also: batchDiscard, batchAttach, batchVoid
 
-function flight = slurmRetire (flight, b)
+function flight = batchRetire (flight, b)
   if nargin > 1
     isOurs = flight.batch == b & flight.status == 'o';
-    cellfun (@slurmVoid, flight.folder(isOurs));
-    slurmDiscard (flight.batches(b).path);
+    cellfun (@batchVoid, flight.folder(isOurs));
+    batchDiscard (flight.batches(b).path);
     return
   end
   isHeld = flight.status == 'o' | flight.status == 'e';
@@ -20,7 +20,7 @@ function flight = slurmRetire (flight, b)
   for b = setdiff (unique (flight.batch(flight.batch > 0)), held)
     isGone = flight.batch == b;
     if flight.batches(b).left == sum (isGone)
-      slurmDiscard (flight.batches(b).path);
+      batchDiscard (flight.batches(b).path);
     end
     flight.batch(isGone) = 0;
   end
@@ -32,12 +32,12 @@ end
 %! mkdir (fullfile (store, 'b'));
 %! f = struct ('status', 'sso', 'batch', [1, 1, 2]);
 %! f.batches = struct ('path', {[store, '/a'], [store, '/b']}, 'left', {2, 2});
-%! f = slurmRetire (f);
+%! f = batchRetire (f);
 %! assert (f.batch, [0, 0, 2]);
 %! assert (readdir (store), {'.'; '..'; 'b'});
 %! % one more run of b belongs to nobody here: its folder stays
 %! f.status = 'sss';
-%! f = slurmRetire (f);
+%! f = batchRetire (f);
 %! assert (readdir (store), {'.'; '..'; 'b'});
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (store, 's');

@@ -1,5 +1,5 @@
 #!/bin/bash
-# slurmSubmit.sh BATCH WORD...
+# slurmSend.sh BATCH WORD...
 #
 # Runs sbatch WORD... and keeps the job number in BATCH/id, so that it is known
 # even if Octave is killed while sbatch is at work. What sbatch says goes to

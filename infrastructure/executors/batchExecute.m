@@ -1,0 +1,146 @@
+% BATCHEXECUTE  Carries out runs on a cluster, as job arrays of its queue.
+%
+% CALL: RECORDS = batchExecute (QUEUE, JOBS, CASE, REPORT)
+%
+%   QUEUE    scalar struct, see batchExecutor, and the queue's own commands:
+%     task     {name of the environment variable that holds the number of the
+%              task, of the one that holds the job's number}
+%     start    [N, PROBLEM] = start (): tasks that an array may have at most;
+%              why the queue cannot be used here, '' = it can
+%     send     [VERDICT, TEXT] = send (BATCH, OPT, WORDS), see slurmSend
+%     look     [OK, TEXT, TASKS] = look (NAMES, SIZES), see slurmLook
+%     cancel   [OK, TEXT] = cancel (NAMES): empties the queue of these arrays
+%   JOBS     1 x n struct array, see newJobs
+%   CASE     see newCase. The cluster decides how much runs at a time, not
+%            CASE.options.maxCPU
+%   REPORT   function handle, called with the state when it has changed: total,
+%            done, failed, running, pending, seconds, message ('' or a text for
+%            the user)
+%   RECORDS  1 x n struct array, see newRecord
+%
+% Each run is done by guard.sh on a node of the cluster and leaves an end mark
+% in its folder; the queue is asked only for what left none. When this is
+% left early (Ctrl-C, an error, kill -9), what is in the queue stays there. The
+% next call with the same jobs takes it up again: nothing is submitted twice,
+% nothing that has ended is repeated. batchCancel empties the queue.
+%
+% Errors: DEcalioc:batchExecute:missingFile    no such queue on this machine
+%         DEcalioc:batchExecute:submitRefused  partition, account, limits ...
+%         those of prepareRun
+%
+% See also: runJobs, executeSlurm, batchCancel, batchAttach
+
+function records = batchExecute (queue, jobs, Case, report)
+  opt = queue.options (Case.options);
+  opt.arraySize = startQueue (queue);
+  watch = tic ();
+  flight = batchAttach (jobs, Case.store, queue);
+  told = struct ();
+  while true
+    flight = batchLook (flight, jobs, queue, opt.grace, toc (watch));
+    flight = collect (flight, jobs, Case);
+    flight = launch (flight, jobs, Case, queue, opt);
+    state = stateOf (flight);
+    state.message = flight.message;
+    if ~isequal (state, told)
+      told = state;
+      told.message = '';
+      state.seconds = toc (watch);
+      report (state);
+      flight.message = '';
+    end
+    if all (flight.status == 's')
+      break
+    end
+    pause (opt.poll);
+  end
+  records = [flight.records{:}];
+end
+
+function flight = collect (flight, jobs, Case)
+  ended = find (flight.status == 'e');
+  if ~isempty (ended)
+    found = collectRuns (jobs(ended), flight.folder(ended), Case);
+    flight.records(ended) = num2cell (found);
+    flight.status(ended) = 's';
+    setLimits (flight, jobs, Case);
+  end
+  flight = batchRetire (flight);
+end
+
+function setLimits (flight, jobs, Case)
+  done = [flight.records{:}];
+  for model = Case.models
+    limit = defaultLimit (model, done);
+    isOpen = flight.status == 'o' & strcmp ({jobs.model}, model.name);
+    for i = find (isOpen & ~isnan (limit))
+      most = 60 * flight.batches(flight.batch(i)).minutes - 10;
+      writeAtomic (fullfile (flight.folder{i}, 'limit'), ...
+                   sprintf ("%d\n", floor (min (limit, most))));
+    end
+  end
+end
+
+% Fills the queue up to maxInFlight, a quarter of it at least at a time.
+function flight = launch (flight, jobs, Case, queue, opt)
+  flight = send (flight, queue, opt, Case.root);
+  waiting = find (flight.status == 'q');
+  free = opt.maxInFlight - sum (flight.status == 'o');
+  isWorth = free >= min (numel (waiting), ceil (opt.maxInFlight / 4));
+  if isempty (waiting) || ~isWorth || ~all ([flight.batches.isSent])
+    return
+  end
+  picks = waiting(1:min (numel (waiting), floor (free)));
+  [~, k] = ismember ({jobs(picks).model}, {Case.models.name});
+  cpus = [Case.models(k).cpu];
+  for cpu = unique (cpus)
+    same = picks(cpus == cpu);
+    for first = 1:opt.arraySize:numel (same)
+      part = same(first:min (numel (same), first + opt.arraySize - 1));
+      flight = batchSubmit (flight, part, jobs, Case, queue, opt);
+      flight = send (flight, queue, opt, Case.root);
+    end
+  end
+end
+
+function flight = send (flight, queue, opt, root)
+  task = {fullfile(root, 'infrastructure', 'executors', 'batchTask.sh'), '', ...
+          fullfile(root, 'infrastructure', 'runs', 'guard.sh'), queue.task{:}};
+  for b = find (~[flight.batches.isSent])
+    task{2} = flight.batches(b).path;
+    [verdict, text] = queue.send (flight.batches(b), opt, task);
+    isAlone = ~any (flight.status == 'o' & flight.batch ~= b);
+    flight.batches(b).isSent = strcmp (verdict, 'sent');
+    if strcmp (verdict, 'refused') && isAlone
+      flight = batchRetire (flight, b);
+      error ('DEcalioc:batchExecute:submitRefused', ...
+             ['batchExecute: %s must accept %d job(s), got: %s. Correct ' ...
+              'Input.%s (where there is a limit on the number of jobs: ' ...
+              'maxInFlight) and start again.'], queue.title, ...
+             flight.batches(b).n, text, queue.name);
+    elseif ~strcmp (verdict, 'sent') && ~strcmp (text, flight.waitsFor)
+      flight.waitsFor = text;
+      flight.message = [queue.title, ' takes no jobs now, trying on: ', text];
+    end
+  end
+end
+
+function n = startQueue (queue)
+  [n, problem] = queue.start ();
+  if ~isempty (problem)
+    error ('DEcalioc:batchExecute:missingFile', ...
+           ['batchExecute: this machine must be one of a cluster with %s, ' ...
+            'got: %s. Start on a machine where jobs can be submitted, or ' ...
+            'set Input.executor = ''local''.'], queue.title, problem);
+  end
+end
+
+function state = stateOf (flight)
+  isOpen = flight.status == 'o';
+  status = cellfun (@(r) r.status, flight.records(flight.status == 's'), ...
+                    'UniformOutput', false);
+  running = sum (isOpen & flight.state == 'r');
+  state = struct ('total', numel (isOpen), 'done', numel (status), ...
+                  'failed', sum (~strcmp (status, 'ok')), ...
+                  'running', running, 'pending', sum (isOpen) - running);
+end

@@ -1,0 +1,189 @@
+% BATCHLOOK  Looks once at the queue and at the end marks of all open runs.
+%
+% CALL: FLIGHT = batchLook (FLIGHT, JOBS, QUEUE, GRACE, NOW)
+%
+%   FLIGHT  see batchAttach; runs that have ended become 'e' (to be evaluated),
+%           's' (record made here: killed, cancelled, node lost, the queue's
+%           time limit) or 'q' (to be submitted again)
+%   JOBS    1 x n struct array, see newJobs
+%   QUEUE   see batchExecute
+%   GRACE   how long files may take to appear (s)
+%   NOW     time (s)
+%
+% See also: batchJudge, batchExecute
+
+function flight = batchLook (flight, jobs, queue, grace, now)
+  used = unique (flight.batch(flight.status == 'o'));
+  used = used([flight.batches(used).isSent]);
+  if isempty (used)
+    return
+  end
+  [ok, text, tasks] = queue.look ({flight.batches(used).name}, ...
+                                  [flight.batches(used).n]);
+  flight = noteSilence (flight, ok, text, queue.title);
+  for k = 1:numel (used)
+    for i = find (flight.status == 'o' & flight.batch == used(k))
+      flight.state(i) = '?';
+      flight.word{i} = '';
+      if ok
+        flight.state(i) = tasks(k).state(flight.task(i));
+        flight.word{i} = tasks(k).word{flight.task(i)};
+      end
+      flight = lookAtRun (flight, i, jobs(i), grace, now, queue.title);
+    end
+  end
+  flight = noteWaiting (flight, queue.title);
+end
+
+function flight = lookAtRun (flight, i, job, grace, now, title)
+  folder = flight.folder{i};
+  mark = readEndMark (folder);
+  reason = '';
+  if ~isempty (mark)
+    reason = mark.reason;
+  end
+  state = flight.state(i);
+  hasEnded = ~any (state == 'pr?') || strcmp (reason, 'killed');
+  if ~hasEnded || state == '?'
+    flight.since(i) = NaN;
+  elseif isnan (flight.since(i))
+    flight.since(i) = now;
+  end
+  age = max ([0, now - flight.since(i)]);
+  verdict = batchJudge (reason, state, age, grace, flight.isOld(i));
+  switch verdict
+    case 'collect'
+      flight.status(i) = 'e';
+    case 'again'
+      batchVoid (folder);
+      flight.status(i) = 'q';
+    case {'failed', 'timeout'}
+      batchVoid (folder);
+      causes = struct ('failed', 'killed', 'timeout', 'time');
+      flight.records{i} = failedRecord (job, folder, verdict, ...
+                                        describe (flight, i, title), ...
+                                        causes.(verdict));
+      flight.status(i) = 's';
+  end
+end
+
+function text = describe (flight, i, title)
+  word = flight.word{i};
+  if isempty (word)
+    word = 'the job is no longer known';
+  end
+  who = contentOf (fullfile (flight.folder{i}, 'batch.claim', 'who'));
+  if isempty (who)
+    who = [flight.batches(flight.batch(i)).name, ', never started'];
+  end
+  said = contentOf (fullfile (flight.batches(flight.batch(i)).path, ...
+                              sprintf ('%d.out', flight.task(i))));
+  text = strtrim (sprintf ('%s: %s, job %s; %s', title, word, who, said));
+end
+
+function text = contentOf (file)
+  text = '';
+  fid = fopen (file, 'r');
+  if fid >= 0
+    text = strtrim (fread (fid, [1, 500], 'uint8=>char'));
+    fclose (fid);
+  end
+end
+
+function flight = noteSilence (flight, ok, text, title)
+  if ~ok && ~flight.silent
+    flight.message = sprintf (['%s does not answer (%s). Waiting; the runs ' ...
+                               'go on.'], title, strtrim (text));
+  elseif ok && flight.silent
+    flight.message = [title, ' answers again.'];
+  end
+  flight.silent = ~ok;
+end
+
+% Tells, once for each reason, why nothing runs.
+function flight = noteWaiting (flight, title)
+  isOpen = flight.status == 'o';
+  isWaiting = isOpen & flight.state == 'p';
+  why = '';
+  if any (isWaiting) && ~any (isOpen & flight.state == 'r')
+    why = flight.word(isWaiting){1};
+  end
+  if ~any (strcmp (why, {'', flight.waitsFor}))
+    flight.message = sprintf ('%d run(s) wait in the queue of %s: %s', ...
+                              sum (isWaiting), title, why);
+    flight.waitsFor = why;
+  end
+end
+
+%!function [flight, jobs] = flightOf (n)
+%!  store = tempname ();
+%!  mkdir (store);
+%!  jobs = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
+%!                 'effects', [], 'replicate', 1, 'seed', 10007, ...
+%!                 'key', num2cell (sprintf ('%d', 1:n)));
+%!  flight = batchAttach (jobs, store, slurmExecutor ());
+%!  flight.status(:) = 'o';
+%!  flight.batch(:) = 1;
+%!  flight.task = 1:n;
+%!  flight.batches(1) = struct ('name', 'b', 'path', store, 'n', n, ...
+%!                              'left', n, 'cpu', 1, 'minutes', 5, ...
+%!                              'isSent', true);
+%!  for k = 1:n
+%!    flight.folder{k} = fullfile (store, num2str (k));
+%!    mkdir (flight.folder{k});
+%!  end
+%!endfunction
+%!function flight = lookAt (flight, jobs, text, now)
+%!  tidy = slurmFake ('false', text);
+%!  flight = batchLook (flight, jobs, slurmExecutor (), 30, now);
+%!endfunction
+%!function remove (flight)
+%!  confirm_recursive_rmdir (false, 'local');
+%!  rmdir (flight.batches.path, 's');
+%!endfunction
+%!test
+%! % no answer is no evidence, however long; the user is told once
+%! [f, jobs] = flightOf (2);
+%! writeAtomic (fullfile (f.folder{2}, 'end.mark'), "0 1.0 finished\n");
+%! f = lookAt (f, jobs, 'echo "no contact"; exit 1', 0);
+%! assert (f.status, 'oe');
+%! assert (! isempty (strfind (f.message, 'no contact')));
+%! f.message = '';
+%! f = lookAt (f, jobs, 'exit 1', 1e6);
+%! assert ({f.status, f.message}, {'oe', ''});
+%! f = lookAt (f, jobs, 'echo "b|1|RUNNING|None"', 1e6 + 1);
+%! assert (f.status, 'oe');
+%! assert (! isempty (strfind (f.message, 'again')));
+%! remove (f);
+%!test
+%! % the grace time counts from the first word of the end
+%! [f, jobs] = flightOf (2);
+%! gone = 'echo "b|1|NODE_FAIL|NodeDown"; echo "b|2|TIMEOUT|TimeLimit"';
+%! f = lookAt (f, jobs, gone, 100);
+%! f = lookAt (f, jobs, gone, 129);
+%! assert (f.status, 'oo');
+%! f = lookAt (f, jobs, gone, 131);
+%! assert (f.status, 'ss');
+%! r = [f.records{:}];
+%! assert ({r.status; r.cause}, {'failed', 'timeout'; 'killed', 'time'});
+%! assert (! isempty (strfind (r(1).message, 'NODE_FAIL (NodeDown)')));
+%! assert (isfile (fullfile (f.folder{1}, 'batch.claim', 'void')));
+%! assert (isfile (fullfile (f.folder{1}, 'record.json')));
+%! remove (f);
+%!test
+%! % cancelled while nobody looked: submitted again
+%! [f, jobs] = flightOf (1);
+%! f.isOld(:) = true;
+%! f = lookAt (f, jobs, 'true', 0);
+%! f = lookAt (f, jobs, 'true', 31);
+%! assert (f.status, 'q');
+%! remove (f);
+%!test
+%! % why nothing runs is said once
+%! [f, jobs] = flightOf (2);
+%! f = lookAt (f, jobs, 'printf "b|%d|PENDING|Resources\n" 1 2', 0);
+%! assert (! isempty (strfind (f.message, '2 run(s)')));
+%! f.message = '';
+%! f = lookAt (f, jobs, 'printf "b|%d|PENDING|Resources\n" 1 2', 0);
+%! assert (f.message, '');
+%! remove (f);

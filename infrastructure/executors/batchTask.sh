@@ -1,0 +1,41 @@
+#!/bin/bash
+# batchTask.sh BATCH GUARD TASK JOB
+#
+# One task of a job array: looks up its run in BATCH/tasks, claims it, carries
+# out BATCH/before and hands over to GUARD, which carries out the run and leaves
+# end.mark. TASK and JOB name the environment variables in which the queue gives
+# the number of the task and that of the job.
+#
+# A line of BATCH/tasks:  key TAB run folder
+# Claiming is making the folder batch.claim: only one can. So a run that was
+# submitted twice, requeued, or given up by Octave is not run (again).
+#
+# Exit status: 94 run claimed already, 95 no such line, 96 no such folder,
+# 98 a line of BATCH/before failed, otherwise that of the guard.
+batch=$1 guard=$2 task=${!3:?} job=${!4:-}
+line=$(sed -n "${task}p" "$batch/tasks") || exit 95
+IFS=$'\t' read -r _ folder <<< "$line"
+[ -n "$folder" ] || exit 95
+cd "$folder" || exit 96
+mkdir batch.claim 2> /dev/null || exit 94
+echo "${job}_$task on $HOSTNAME" > batch.claim/who
+set --                                # sourced lines would see the parameters
+# shellcheck source=/dev/null
+if [ -s "$batch/before" ] && ! . "$batch/before" > stdout.txt 2> stderr.txt; then
+  echo "ERROR: a line of Input.<executor>.before failed" >> stdout.txt
+  echo '98 0.0 finished' > end.mark.tmp && mv end.mark.tmp end.mark
+  exit 98
+fi
+cd "$folder" || exit 96
+# A queue may kill this shell alone, and at once: the guard has a session of its
+# own, and watches this process.
+setsid --wait bash "$guard" "$folder" $$ &
+guard=$!
+trap 'kill -TERM "$guard" 2> /dev/null' TERM INT HUP
+wait "$guard"
+status=$?
+while kill -0 "$guard" 2> /dev/null; do # a trap ends the first wait too early
+  wait "$guard"
+  status=$?
+done
+exit $status

@@ -1,0 +1,56 @@
+% BATCHVOID  Gives a run up: no job of any array can start it any more.
+%
+% CALL: batchVoid (FOLDER)
+%
+%   FOLDER  run folder (text)
+%
+% Takes the claim that batchTask.sh needs, or marks the one there as void.
+%
+% See also: batchAttach, batchExecute
+
+function batchVoid (folder)
+  claim = fullfile (folder, 'batch.claim');
+  [~, ~] = mkdir (claim);
+  fid = fopen (fullfile (claim, 'void'), 'w');
+  if fid >= 0
+    fclose (fid);
+  end
+end
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! batchVoid (folder);
+%! batchVoid (folder);
+%! assert (exist (fullfile (folder, 'batch.claim', 'void'), 'file'), 2);
+%! script = fullfile (fileparts (which ('batchVoid')), 'batchTask.sh');
+%! fid = fopen (fullfile (folder, 'tasks'), 'w');
+%! fprintf (fid, "key\t%s\n", folder);
+%! fclose (fid);
+%! line = 'T=%d J=1 bash %s %s true T J 2> /dev/null';
+%! run = @(k) system (sprintf (line, k, shellQuote (script), folder));
+%! assert (run (1), 94);
+%! assert (run (2), 95);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (fullfile (folder, 'batch.claim'), 's');
+%! fid = fopen (fullfile (folder, 'true'), 'w');
+%! fclose (fid);
+%! assert (run (1), 0);
+%! who = fileread (fullfile (folder, 'batch.claim', 'who'));
+%! assert (strncmp (who, '1_1 on ', 7));
+%! assert (run (1), 94);
+%! % what goes before a run sets its environment; where a line fails, the run
+%! % is not started and says why
+%! writeAtomic (fullfile (folder, 'true'), "echo $X >> said\n");
+%! before = {"export X=5\n", "ls /nowhere # gone\n[ $? = 0 ] || return\n"};
+%! for k = 1:2
+%!   rmdir (fullfile (folder, 'batch.claim'), 's');
+%!   writeAtomic (fullfile (folder, 'before'), before{k});
+%!   status(k) = run (1);
+%! end
+%! assert (status, [0, 98]);
+%! assert (fileread (fullfile (folder, 'said')), "5\n");
+%! assert (readEndMark (folder).code, 98);
+%! assert (~ isempty (strfind (fileread (fullfile (folder, 'stderr.txt')), ...
+%!                             '/nowhere')));
+%! rmdir (folder, 's');

@@ -1,0 +1,13 @@
+% EXECUTEGRIDENGINE  Carries out runs on a cluster, as jobs of Grid Engine.
+%
+% CALL: RECORDS = executeGridengine (JOBS, CASE, REPORT)
+%
+%   JOBS, CASE, REPORT, RECORDS  see batchExecute; CASE.options.gridengine holds
+%                                the fields of batchOptions, queue, project and
+%                                environment
+%
+% See also: gridengineExecutor, batchExecute, batchCancel
+
+function records = executeGridengine (jobs, Case, report)
+  records = batchExecute (gridengineExecutor (), jobs, Case, report);
+end
