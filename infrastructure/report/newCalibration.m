@@ -10,7 +10,9 @@
 %            runSd 1 x T, runs at the set, interval90 2 x d, converged, reason,
 %            demRuns, coreSeconds, atLimit, notIdentified, identifiability (see
 %            there), correlation d x d, sensitivity d x T (total Sobol indices),
-%            warnings, holdout, surrogates, history, data, exitStatus
+%            warnings, holdout, surrogates, history, data, exitStatus;
+%            resultInterval90 2 x T (of the mean response at the set),
+%            probability (that all targets are met), posterior (n x d, sample)
 %
 % See also: writeCalibrationJson, reportCalibration
 
@@ -25,6 +27,9 @@ function c = newCalibration (state, problem, Case, ledger)
               'residual', final.residual, 'runSd', final.runSd, ...
               'runs', final.n, 'interval90', known.interval90, ...
               'converged', final.converged, 'reason', final.reason);
+  c.resultInterval90 = final.interval90;
+  c.probability = final.probability;
+  c.posterior = known.sample;
   c.demRuns = struct ('plan', count ('plan'), 'infill', count ('infill'), ...
                       'verify', count ('verify', 'replicate'), ...
                       'failed', ledger('failed'), ...

@@ -24,6 +24,10 @@ function reportCase (Case, say)
                  'method %s'], numel (Case.names), numel (Case.targets), ...
                 Case.options.maxCPU, Case.options.executor, ...
                 Case.options.seed, Case.options.method));
+  measured = measuredParams (Case);
+  if ~isempty (measured)
+    say (sprintf ('  measured parameters: %s', measured));
+  end
   used = sum (~strcmp ({Case.targets.role}, 'holdout'));
   if used < numel (Case.names)
     say (sprintf (['  WARNING: %d targets cannot fix %d parameters: many ' ...

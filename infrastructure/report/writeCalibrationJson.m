@@ -7,46 +7,109 @@
 %
 % sensitivity.csv holds total Sobol indices (one row a parameter, one column a
 % target), correlation.csv the correlation of the parameters among the sets
-% that fit. The fields are described in docs/data.md.
+% that fit, posterior.csv a sample of these sets, calibrated.head the lines of
+% a data.head with the calibrated parameters, surrogates/ the last surrogates.
+% The fields are described in docs/data.md. results/progress.json is removed.
 %
-% See also: newCalibration
+% See also: newCalibration, writeProgress
 
 function writeCalibrationJson (c, Case)
-  targets = cell (1, numel (Case.targets));
-  surrogates = cell (1, numel (Case.targets));
-  for t = 1:numel (Case.targets)
-    T = Case.targets(t);
-    targets{t} = struct ('model', T.modelName, 'name', T.name, ...
-                         'role', T.role, 'target', T.value, 'sd', T.sd, ...
-                         'result', c.results(t), ...
-                         'residual', c.residual(t), 'noiseSd', c.runSd(t));
-    s = c.surrogates(t);
-    surrogates{t} = struct ('model', T.modelName, 'target', T.name, ...
-                            'Q2', s.Q2, 'noiseSd', sqrt (s.noiseVar));
-  end
-  intervals = cell2struct (num2cell (c.interval90', 2), Case.names, 1);
-  out = struct ('params', cell2struct (num2cell (c.params(:)), Case.names, 1));
-  out.interval90 = intervals;
-  out.targets = targets;
+  named = @(values) cell2struct (num2cell (values), Case.names, 1);
+  out = struct ('params', named (c.params(:)));
+  out.interval90 = named (num2rows (c.interval90'));
+  out.limits = named (num2rows (Case.limits'));
+  out.targets = targetsOf (c, Case);
   out.converged = c.converged;
   out.reason = c.reason;
+  out.runs = c.runs;
+  out.probability = c.probability;
   out.demRuns = c.demRuns;
   out.coreSeconds = c.coreSeconds;
   out.atLimit = c.atLimit(:)';
   out.notIdentified = c.notIdentified(:)';
-  out.surrogates = surrogates;
-  writeTables (c, Case);
+  out.unfixed = c.identifiability.text(:)';
+  out.next = num2cell (c.identifiability.next(:)');
+  out.sensitivity = named (num2rows (c.sensitivity));
+  out.correlation = c.correlation;
+  out.surrogates = surrogatesOf (c, Case);
+  out.holdout = num2cell (c.holdout(:)');
+  out.warnings = c.warnings(:)';
+  out.history = num2cell (c.history(:)');
+  out.input = inputOf (Case);
+  out.version = toolboxVersion (Case.root);
+  out.date = strftime ('%Y-%m-%d %H:%M', localtime (time ()));
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
+  writeTables (c, Case, folder);
   writeAtomic (fullfile (folder, 'calibration.json'), ...
                [jsonencode(out), "\n"]);
+  [~, ~] = unlink (fullfile (folder, 'progress.json'));
 end
 
-function writeTables (c, Case)
-  folder = fullfile (Case.folder, 'results');
-  [~, ~] = mkdir (folder);
+% Rows of a matrix as a cell, each an array of the JSON file.
+function parts = num2rows (M)
+  parts = cell (rows (M), 1);
+  for k = 1:rows (M)
+    parts{k} = num2cell (M(k, :));
+  end
+end
+
+function targets = targetsOf (c, Case)
+  targets = cell (1, numel (Case.targets));
+  units = targetUnits (Case);
+  for t = 1:numel (Case.targets)
+    T = Case.targets(t);
+    targets{t} = struct ('model', T.modelName, 'name', T.name, ...
+                         'role', T.role, 'target', T.value, 'sd', T.sd, ...
+                         'tol', T.tol, 'unit', units{t}, ...
+                         'result', c.results(t), ...
+                         'residual', c.residual(t), ...
+                         'noiseSd', c.runSd(t), ...
+                         'interval90', {num2cell(c.resultInterval90(:, t)')});
+  end
+end
+
+function surrogates = surrogatesOf (c, Case)
+  surrogates = cell (1, numel (Case.targets));
+  for t = 1:numel (Case.targets)
+    s = c.surrogates(t);
+    surrogates{t} = struct ('model', Case.targets(t).modelName, ...
+                            'target', Case.targets(t).name, ...
+                            'Q2', s.Q2, 'noiseSd', sqrt (s.noiseVar));
+  end
+end
+
+% What decides the result, so that it can be repeated.
+function input = inputOf (Case)
+  models = cell (1, numel (Case.models));
+  keys = keysOf (Case);
+  for k = 1:numel (models)
+    models{k} = struct ('name', Case.models(k).name, ...
+                        'cpu', Case.models(k).cpu, 'key', keys{k});
+  end
+  input = struct ('models', {models}, 'modelVars', Case.modelVars, ...
+                  'options', Case.options);
+end
+
+function keys = keysOf (Case)
+  keys = repmat ({''}, 1, numel (Case.models));
+  if all (cellfun (@isfolder, {Case.models.folder}))
+    keys = {hashModels(Case).input};
+  end
+end
+
+function writeTables (c, Case, folder)
   targets = strrep ({Case.targets.name}, ',', ';');
   writeMatrix (fullfile (folder, 'sensitivity.csv'), c.sensitivity, targets);
   writeMatrix (fullfile (folder, 'correlation.csv'), c.correlation, ...
                Case.names);
+  writeMatrix (fullfile (folder, 'posterior.csv'), c.posterior, Case.names);
+  v = assignParams (Case.modelVars, c.params, Case.names);
+  writeAtomic (fullfile (folder, 'calibrated.head'), headLines (v));
+  place = fullfile (folder, 'surrogates');
+  [~, ~] = mkdir (place);
+  for t = 1:numel (c.surrogates)
+    saveSurrogate (fullfile (place, sprintf ('KM_fun_%d.txt', t)), ...
+                   c.surrogates(t));
+  end
 end

@@ -1,0 +1,171 @@
+% CASESTATUS  How far a calibration is, from the files of its case folder.
+%
+% CALL: S = caseStatus (CASE, COST)
+%
+%   CASE  see newCase
+%   COST  cost function, see newProblem; []: the published residual
+%   S     scalar struct:
+%     holder   see lockHolder
+%     state    'running', 'unknown' (the lock names another machine), 'stopped',
+%              'finished' (a result is newer than all runs), 'new'
+%     stage    'plan', 'calibration', 'gap', or '' where there is no run
+%     models   1 x M struct array: name, done, failed, running, waiting, old
+%              (runs that no longer count), seconds (median, NaN: not known)
+%     plan     1 x 2, runs of the plan that are done, and all of them
+%     sets     1 x 2, sets run after the plan, and optim.maxFunEvals
+%     failures 1 x n cell of texts, what failed and why, each once, with the
+%              number of runs
+%     left     seconds until the plan (in the stage of the plan) or at most
+%              until the end (later) of the calibration; NaN: not known
+%     best     see bestSet
+%
+% See also: sayStatus, runsOfCase, foresee
+
+function s = caseStatus (Case, cost)
+  runs = runsOfCase (Case);
+  s.holder = lockHolder (Case.folder);
+  s.stage = lastStage (runs);
+  s.state = stateOf (Case, s.holder, runs);
+  s.models = countsOf (Case, runs);
+  current = runs([runs.isCurrent]);
+  f = foresee (Case, current);
+  s.plan = [sum(f.isDone), numel(f.isDone)];
+  later = current(strcmp (stagesOf (current), 'calibration'));
+  isPlanned = @(r) any (all (abs (r.job.params(:)' - f.plan) < ...
+                             1e-12 * max (1, abs (f.plan)), 2));
+  later = later(~arrayfun (isPlanned, later));
+  s.sets = [numberOfSets(later), Case.options.maxFunEvals];
+  s.failures = failuresOf (current, Case);
+  s.left = secondsLeft (s, f, Case);
+  s.best = bestSet (Case, runs, cost);
+end
+
+function stages = stagesOf (runs)
+  stages = cellfun (@(j) j.stage, {runs.job}, 'UniformOutput', false);
+end
+
+function n = numberOfSets (runs)
+  n = 0;
+  if ~isempty (runs)
+    sets = cellfun (@(j) j.params(:)', {runs.job}, 'UniformOutput', false);
+    n = rows (unique (vertcat (sets{:}), 'rows'));
+  end
+end
+
+% A run that was asked for twice bears the first stage: the latest counts.
+function stage = lastStage (runs)
+  stage = '';
+  order = {'plan', 'verify', 'calibration', 'cure', 'gap'};
+  if ~isempty (runs)
+    [~, at] = ismember (stagesOf (runs), order);
+    last = max ([1, at]);
+    stage = order{last};
+    stage = strrep (strrep (stage, 'cure', 'gap'), 'verify', 'calibration');
+  end
+end
+
+function state = stateOf (Case, holder, runs)
+  states = struct ('alive', 'running', 'unknown', 'unknown', ...
+                   'gone', 'stopped', 'none', 'stopped');
+  state = states.(holder.state);
+  if strcmp (state, 'stopped')
+    results = {fullfile(Case.folder, 'results', 'calibration.json'), ...
+               fullfile(Case.folder, 'gap', 'gap.json')};
+    newest = max ([0, cellfun(@timeOf, results)]);
+    records = cellfun (@(f) timeOf (fullfile (f, 'job.json')), {runs.folder});
+    if newest > 0 && newest >= max ([0, records])
+      state = 'finished';
+    elseif isempty (runs)
+      state = 'new';
+    end
+  end
+end
+
+function seconds = timeOf (file)
+  info = stat (file);
+  seconds = 0;
+  if ~isempty (info)
+    seconds = info.mtime;
+  end
+end
+
+function models = countsOf (Case, runs)
+  models = struct ('name', {Case.models.name}, 'done', 0, 'failed', 0, ...
+                   'running', 0, 'waiting', 0, 'old', 0, 'seconds', NaN);
+  for k = 1:numel (models)
+    own = runs([runs.model] == k);
+    states = {own([own.isCurrent]).state};
+    isOk = strcmp (states, 'ok');
+    models(k).done = sum (isOk) + sum (strcmp (states, 'ended'));
+    models(k).failed = sum (ismember (states, {'failed', 'timeout', ...
+                                               'invalid', 'lost'}));
+    models(k).running = sum (strcmp (states, 'running'));
+    models(k).waiting = sum (strcmp (states, 'waiting'));
+    models(k).old = sum (~[own.isCurrent]);
+    seconds = [own([own.isCurrent]).seconds];
+    models(k).seconds = median ([seconds(isOk), NaN(1, ~any (isOk))]);
+  end
+end
+
+function lines = failuresOf (runs, Case)
+  isBad = ismember ({runs.state}, {'failed', 'timeout', 'invalid', 'lost'});
+  bad = runs(isBad);
+  words = arrayfun (@(r) sprintf ('%s: %s %s', Case.models(r.model).name, ...
+                                  r.state, r.message), bad, ...
+                    'UniformOutput', false);
+  [lines, first, which] = unique (words);
+  for i = 1:numel (lines)
+    lines{i} = sprintf ('%d x %s (%s)', sum (which == i), ...
+                        strtrim (lines{i}), bad(first(i)).folder);
+  end
+  lines = lines(:)';
+end
+
+% As many runs at a time as there are now or, on one machine, as CPUs allow.
+function seconds = secondsLeft (s, f, Case)
+  hours = f.mostHours;
+  if strcmp (s.stage, 'plan') || isempty (s.stage)
+    hours = f.planHours;
+  elseif all (f.isDone)
+    left = max (0, s.sets(2) - s.sets(1));
+    hours = sum (f.seconds .* [Case.models.cpu]) / 3600 * left;
+  end
+  atATime = Case.options.maxCPU;
+  if ~strcmp (Case.options.executor, 'local')
+    atATime = max (1, sum ([s.models.running] .* [Case.models.cpu]));
+  end
+  seconds = hours * 3600 / atATime;
+end
+
+%!test
+%! % new; in the middle of the plan, with a failure; finished
+%! raw = standInCase (tempname ());
+%! Case = newCase (raw);
+%! s = caseStatus (Case, []);
+%! assert ({s.state, s.stage}, {'new', ''});
+%! assert (s.plan, [0, 16]);
+%! f = foresee (Case, runsOfCase (Case));
+%! lock = lockCase (Case.folder);
+%! runJobs (f.jobs(1:6), Case, @(state) []);
+%! failedRecord (f.jobs(7), prepareRun (f.jobs(7), Case), 'timeout', ...
+%!               'too slow', 'time');
+%! s = caseStatus (Case, []);
+%! assert ({s.state, s.stage}, {'running', 'plan'});
+%! assert (s.plan, [6, 16]);
+%! assert ([s.models.done], [3, 3]);
+%! assert ([s.models.failed], [1, 0]);
+%! assert (numel (s.failures), 1);
+%! assert (~isempty (strfind (s.failures{1}, 'too slow')));
+%! seconds = [s.models.seconds];
+%! assert (s.left, sum ([5, 5] .* seconds) / 2, 1e-9);
+%! assert (s.best.runs, 1);
+%! clear lock
+%! assert (caseStatus (Case, []).state, 'stopped');
+%! runJobs ([f.jobs(7:end), newJobs(Case, [1, 2], [], 1, 'calibration')], ...
+%!          Case, @(state) []);
+%! mkdir (fullfile (Case.folder, 'results'));
+%! writeAtomic (fullfile (Case.folder, 'results', 'calibration.json'), '{}');
+%! s = caseStatus (Case, []);
+%! assert ({s.state, s.stage}, {'finished', 'calibration'});
+%! assert (s.plan, [16, 16]);
+%! assert (s.sets, [1, 40]);

@@ -1,0 +1,108 @@
+% CHOSENLIGGGHTS  Which LIGGGHTS runs are made with, and why.
+%
+% CALL: CHOICE = chosenLiggghts (ROOT)
+%
+%   ROOT    folder of the toolbox (text)
+%   CHOICE  scalar struct of texts: program (path, '' where there is none),
+%           version ('' where it does not say), why, how (to choose another)
+%
+% Puts the choice first in PATH, as useLiggghts does.
+%
+% See also: useLiggghts, sayCheck, sayDoctor
+
+function choice = chosenLiggghts (root)
+  before = onPath ();
+  useLiggghts (root);
+  choice.program = onPath ();
+  choice.version = versionOf (choice.program);
+  wish = getenv ('LIGGGHTS');
+  choice.how = ['another one: LIGGGHTS=/path/to/liggghts, or ' ...
+                'LIGGGHTS=system for the one on the PATH, before the command'];
+  if ~isempty (wish)
+    choice.why = ['the environment says LIGGGHTS=', wish];
+    choice.how = 'the toolbox''s own: unset LIGGGHTS';
+  elseif isempty (choice.program)
+    choice.why = 'none is on the PATH, and the toolbox has built none';
+    choice.how = sprintf (['build one, once: make -C %s setup liggghts; ' ...
+                           'or set LIGGGHTS=/path/to/liggghts'], ...
+                          shellQuote (root));
+  elseif strcmp (choice.program, before)
+    choice.why = ['it is the first on the PATH, and the toolbox has built ' ...
+                  'none'];
+    choice.how = sprintf ('build the toolbox''s own: make -C %s liggghts', ...
+                          shellQuote (root));
+  else
+    choice.why = 'built by this toolbox';
+    if ~isempty (before)
+      choice.why = [choice.why, '; it goes before ', before, ' on the PATH'];
+    end
+  end
+end
+
+function program = onPath ()
+  program = '';
+  [status, text] = system ('readlink -f "$(command -v liggghts)" 2> /dev/null');
+  if status == 0
+    program = strtrim (text);
+  end
+end
+
+function text = versionOf (program)
+  text = '';
+  if ~isempty (program)
+    [~, said] = system (['cd "${TMPDIR:-/tmp}" && timeout 20 ', ...
+                         shellQuote(program), ...
+                         ' -log none < /dev/null 2> /dev/null']);
+    text = regexp (said, 'LIGGGHTS[^\n()]*\(Version ([^),]*)', 'tokens', ...
+                   'once');
+    if isempty (text)
+      text = {''};
+    end
+    text = text{1};
+  end
+end
+
+%!function choice = withEnvironment (root, path, wish, cache)
+%!  before = {getenv('PATH'), getenv('LIGGGHTS'), getenv('XDG_CACHE_HOME')};
+%!  names = {'PATH', 'LIGGGHTS', 'XDG_CACHE_HOME'};
+%!  cellfun (@setenv, names, {[path, getenv('PATH')], wish, cache});
+%!  choice = chosenLiggghts (root);
+%!  cellfun (@setenv, names, before);
+%!endfunction
+%!function place = fakeProgram ()
+%!  place = tempname ();
+%!  mkdir (place);
+%!  file = fullfile (place, 'liggghts');
+%!  writeAtomic (file, ["#!/bin/sh\necho 'LIGGGHTS (Version FAKE-1.2, ", ...
+%!                      "compiled now)'\n"]);
+%!  system (['chmod +x ', shellQuote(file)]);
+%!endfunction
+%!test
+%! % nothing built: the first on the PATH; then the one that LIGGGHTS names
+%! root = fileparts (fileparts (which ('newCase')));
+%! place = fakeProgram ();
+%! none = tempname ();
+%! choice = withEnvironment (root, [place, ':'], '', none);
+%! assert (choice.program, fullfile (place, 'liggghts'));
+%! assert (choice.version, 'FAKE-1.2');
+%! assert (~isempty (strfind (choice.why, 'the first on the PATH')));
+%! choice = withEnvironment (root, '', fullfile (place, 'liggghts'), none);
+%! assert (choice.program, fullfile (place, 'liggghts'));
+%! assert (~isempty (strfind (choice.why, 'LIGGGHTS=')));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (place, 's');
+%! [~, ~] = rmdir (none, 's');
+%!testif ; isfolder (fullfile (getenv ('HOME'), '.cache', 'decalioc'))
+%! % the toolbox's own goes before the one on the PATH, and says so
+%! root = fileparts (fileparts (which ('newCase')));
+%! [status, own] = system (['LIGGGHTS= bash ', shellQuote(fullfile (root, ...
+%!                          'tools', 'liggghts', 'path.sh')), ' 2> /dev/null']);
+%! if status == 0
+%!   place = fakeProgram ();
+%!   choice = withEnvironment (root, [place, ':'], '', ...
+%!                             getenv ('XDG_CACHE_HOME'));
+%!   assert (choice.program, fullfile (strtrim (own), 'liggghts'));
+%!   assert (~isempty (strfind (choice.why, place)));
+%!   confirm_recursive_rmdir (false, 'local');
+%!   rmdir (place, 's');
+%! end

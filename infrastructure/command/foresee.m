@@ -1,0 +1,68 @@
+% FORESEE  The runs of the plan of a case, and what they will cost.
+%
+% CALL: F = foresee (CASE, RUNS)
+%
+%   CASE  see newCase
+%   RUNS  see runsOfCase
+%   F     scalar struct:
+%     plan      n x d, parameter sets of the plan
+%     imported  finished sets of runs.csv
+%     jobs      1 x n M struct array, runs of the plan
+%     isDone    1 x n M logical: finished in the store, or ended there
+%     seconds   1 x M, median of the model's finished runs (s); NaN: none
+%     planHours core-hours of the runs of the plan that are missing; NaN where
+%               a model has no finished run yet
+%     mostHours the same with all that may follow: optim.maxFunEvals sets
+%
+% Nothing is run or written. What fails is run again, so failed runs count as
+% missing.
+%
+% See also: sayCheck, caseStatus, newPlan
+
+function f = foresee (Case, runs)
+  data = importExisting (Case, @(text) []);
+  f.imported = rows (data.X);
+  here = Case;
+  here.folder = '';                     % so that no plan is written
+  f.plan = newPlan (data, here);
+  f.jobs = struct ('model', {}, 'key', {});
+  f.isDone = false (1, 0);
+  if rows (f.plan) > 0
+    f.jobs = newJobs (Case, f.plan, [], 1, 'plan');
+    isEnded = ismember ({runs.state}, {'ok', 'invalid', 'ended'});
+    keys = cellfun (@(r) r.key, {runs(isEnded).job}, 'UniformOutput', false);
+    f.isDone = ismember ({f.jobs.key}, keys);
+  end
+  M = numel (Case.models);
+  f.seconds = NaN (1, M);
+  for k = 1:M
+    own = [runs.model] == k & strcmp ({runs.state}, 'ok');
+    f.seconds(k) = median ([runs(own).seconds, NaN(1, ~any (own))]);
+  end
+  hours = f.seconds .* [Case.models.cpu] / 3600;
+  missing = zeros (1, M);
+  for k = 1:M
+    missing(k) = sum (~f.isDone & strcmp ({f.jobs.model}, ...
+                                          Case.models(k).name));
+  end
+  least = min (missing, Case.options.maxNewRuns);
+  most = min (missing + Case.options.maxFunEvals, Case.options.maxNewRuns);
+  f.planHours = sum (least .* hours);
+  f.mostHours = sum (most .* hours);
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! f = foresee (Case, runsOfCase (Case));
+%! assert (size (f.plan), [8, 2]);
+%! assert (f.isDone, false (1, 16));
+%! assert (isnan (f.planHours));
+%! runJobs (f.jobs(1:4), Case, @(state) []);
+%! runs = runsOfCase (Case);
+%! f = foresee (Case, runs);
+%! assert (f.isDone, [true(1, 4), false(1, 12)]);
+%! each = [median([runs([runs.model] == 1).seconds]), ...
+%!         median([runs([runs.model] == 2).seconds])];
+%! assert (f.planHours, 6 * sum (each) / 3600, 1e-12);
+%! assert (f.mostHours, 46 * sum (each) / 3600, 1e-12);
+%! assert (~isfile (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv')));

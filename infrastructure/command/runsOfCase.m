@@ -1,0 +1,141 @@
+% RUNSOFCASE  All runs of a case that the store holds, whatever their state.
+%
+% CALL: RUNS = runsOfCase (CASE)
+%
+%   CASE  see newCase
+%   RUNS  1 x n struct array: model (number), folder, job (see newJobs), state,
+%         seconds (NaN: not known), message, results, isCurrent (its key is
+%         what the case gives today). States: 'ok', 'failed', 'timeout',
+%         'invalid' (as in its record), 'ended' (not evaluated yet), 'running',
+%         'waiting' (prepared, or in a queue), 'lost' (its guard is
+%         gone; it will be run again)
+%
+% Reads files alone; works beside a running Octave and on a machine that is not
+% the one of the runs, of which it then takes their word.
+%
+% See also: caseStatus, findRuns, gatherRuns
+
+function runs = runsOfCase (Case)
+  runs = struct ('model', {}, 'folder', {}, 'job', {}, 'state', {}, ...
+                 'seconds', {}, 'message', {}, 'results', {}, ...
+                 'isCurrent', {});
+  isThere = cellfun (@isfolder, {Case.models.folder});
+  if ~all (isThere)
+    return
+  end
+  h = hashModels (Case);
+  sent = cell (0, 1);
+  for name = executorNames ()
+    batches = batchLedger (Case.store, name{1});
+    sent = vertcat (sent, batches.folders);
+  end
+  holder = lockHolder (Case.folder);
+  isHere = strcmp (holder.host, {'', gethostname()});
+  for k = 1:numel (Case.models)
+    place = fullfile (Case.store, 'optim', Case.models(k).name);
+    names = listRunFolders (Case.store, Case.models(k).name);
+    for i = 1:numel (names)
+      run = oneRun (fullfile (place, names{i}), sent, any (isHere));
+      if ~isempty (run)
+        run.model = k;
+        run.isCurrent = countsToday (run.job, Case, h(k));
+        runs(end + 1) = orderfields (run, runs);
+      end
+    end
+  end
+end
+
+% [] where the folder is half made.
+function run = oneRun (folder, sent, isHere)
+  record = readRecord (fullfile (folder, 'record.json'));
+  run = struct ('model', 0, 'folder', folder, 'job', record, 'state', '', ...
+                'seconds', NaN, 'message', '', 'results', [], ...
+                'isCurrent', false);
+  if ~isempty (record)
+    run.state = record.status;
+    run.seconds = record.seconds;
+    run.message = record.message;
+    run.results = record.results;
+    return
+  end
+  run.job = readRecord (fullfile (folder, 'job.json'));
+  if isempty (run.job)
+    run = [];
+    return
+  end
+  mark = readEndMark (folder);
+  if ~isempty (mark)
+    run.state = 'ended';
+    run.seconds = mark.seconds;
+  else
+    run.state = stateOf (folder, any (strcmp (folder, sent)), isHere);
+  end
+end
+
+function state = stateOf (folder, isSent, isHere)
+  pids = runPids (folder);
+  if isSent
+    claimed = exist (fullfile (folder, 'batch.claim'), 'file');
+    states = {'waiting', 'running'};
+    state = states{1 + (claimed > 0)};
+  elseif isempty (pids)
+    state = 'waiting';
+  elseif isHere && isempty (processStart (pids(1)))
+    state = 'lost';
+  else
+    state = 'running';
+  end
+end
+
+% A run without effects counts under any list of effects.
+function yes = countsToday (job, Case, h)
+  yes = false;
+  if numel (job.params) ~= numel (Case.names)
+    return
+  end
+  given = reshape (job.effects, 1, []);
+  neutral = neutralEffects (Case);
+  trials = {neutral};
+  if numel (given) == numel (neutral)
+    trials = {given, neutral};
+  end
+  for k = 1:numel (trials)
+    job.effects = trials{k};
+    key = runKey (runVariables (job, Case), Case.effectVars, h);
+    yes = yes || strcmp (key, job.key);
+  end
+end
+
+%!test
+%! % one run in each state that a single machine knows
+%! Case = newCase (standInCase (tempname ()));
+%! jobs = newJobs (Case, [1, 2; 3, 4; 5, 6; 7, 8], [], 1, 'plan')(1:2:end);
+%! folders = arrayfun (@(j) prepareRun (j, Case), jobs, 'UniformOutput', false);
+%! startRun (folders{1}, Case.root);
+%! while isempty (readEndMark (folders{1}))
+%!   pause (0.1);
+%! end
+%! writeAtomic (fullfile (folders{2}, 'pid'), sprintf ("%d 1\n", getpid ()));
+%! writeAtomic (fullfile (folders{3}, 'pid'), "999999999 999999999\n");
+%! assert ({runsOfCase(Case).state}, {'ended', 'running', 'lost', 'waiting'});
+%! collectRuns (jobs(1), folders(1), Case);
+%! failedRecord (jobs(3), folders{3}, 'timeout', 'too slow', 'time');
+%! runs = runsOfCase (Case);
+%! assert ({runs.state}, {'ok', 'running', 'timeout', 'waiting'});
+%! assert (runs(1).results, [3, 2]);
+%! assert (runs(3).message, 'too slow');
+%! assert ([runs.isCurrent], true (1, 4));
+%! % an edited model makes other runs of them
+%! writeAtomic (fullfile (Case.models(1).folder, 'extra'), 'x');
+%! assert ([runsOfCase(Case).isCurrent], false (1, 4));
+%!test
+%! % jobs in the queue of a cluster, one of them begun
+%! Case = newCase (standInCase (tempname ()));
+%! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan')(1:2:end);
+%! folders = arrayfun (@(j) prepareRun (j, Case), jobs, 'UniformOutput', false);
+%! batch = fullfile (Case.store, 'optim', '.slurm', 'decalioc-1');
+%! mkdir (batch);
+%! writeAtomic (fullfile (batch, 'tasks'), ...
+%!              sprintf ("k1\t%s\nk2\t%s\n", folders{:}));
+%! mkdir (fullfile (folders{2}, 'batch.claim'));
+%! assert ({runsOfCase(Case).state}, {'waiting', 'running'});

@@ -1,0 +1,106 @@
+% SAYCHECK  Checks a case and says what its calibration will cost.
+%
+% CALL: STATUS = sayCheck (ROOT, FOLDER, ARGS)
+%
+%   ROOT    folder of the toolbox (text)
+%   FOLDER  case folder (text)
+%   ARGS    cell of texts: '--try' makes one run of each model
+%   STATUS  0; 2 where a trial run has failed
+%
+% Errors: those of loadCase and withEffects, which list all mistakes
+%
+% See also: commandMain, checkCase, foresee, tryModels
+
+function status = sayCheck (root, folder, args)
+  options = commandOptions (args, struct ('try', 'flag'));
+  choice = chosenLiggghts (root);
+  Case = withEffects (loadCase (root, folder));
+  say = @(text) printf ('%s\n', text);
+  printf ('case      %s: no mistake found\n', folder);
+  sayModels (Case);
+  sayChoice (choice);
+  sayEffects (Case);
+  status = 0;
+  if options.try
+    % before the costs: the trial tells how long a run takes
+    lock = lockCase (folder);
+    status = 2 * ~sayTrial (tryModels (Case, say), Case);
+  end
+  sayCosts (Case);
+end
+
+function sayModels (Case)
+  for k = 1:numel (Case.models)
+    m = Case.models(k);
+    place = m.folder;
+    if isempty (place)
+      place = 'no folder; its runs are those of runs.csv';
+    end
+    printf ('model     %s: %d targets, %d CPU a run (%s)\n', m.name, ...
+            m.nTargets, m.cpu, place);
+  end
+end
+
+function sayChoice (choice)
+  program = choice.program;
+  if isempty (program)
+    program = 'none';
+  end
+  printf ('LIGGGHTS  %s %s\n          why: %s\n          %s\n', program, ...
+          choice.version, choice.why, choice.how);
+end
+
+function sayEffects (Case)
+  if ~isempty (Case.effects)
+    printf ('effects   %s\n', strjoin ({Case.effects.name}, ', '));
+    cellfun (@(text) printf ('          %s\n', text), ...
+             unexpressedEffects (Case), 'UniformOutput', false);
+  end
+end
+
+function isGood = sayTrial (records, Case)
+  isGood = all (strcmp ({records.status}, 'ok'));
+  for k = 1:numel (records)
+    r = records(k);
+    printf ('trial     %s: %s, %.1f s (%s)\n', r.model, r.status, r.seconds, ...
+            r.folder);
+    if ~strcmp (r.status, 'ok')
+      printf ('          %s\n', r.message);
+      continue
+    end
+    for T = Case.targets([Case.targets.model] == k)
+      printf ('          %-24s %.5g, measured %.5g\n', T.name, ...
+              r.results(T.index), T.value);
+    end
+  end
+end
+
+function sayCosts (Case)
+  f = foresee (Case, runsOfCase (Case));
+  n = numel (f.isDone);
+  o = Case.options;
+  if f.imported > 0
+    printf ('runs.csv  %d sets taken in\n', f.imported);
+  end
+  printf ('runs      plan: %d new, %d taken from the store\n', ...
+          n - sum (f.isDone), sum (f.isDone));
+  printf ('          then at most %d sets (optim.maxFunEvals), each a run', ...
+          o.maxFunEvals);
+  printf (' of %d model(s)\n', numel (Case.models));
+  if isfinite (o.maxNewRuns)
+    printf ('          at most %d new runs in a start (Input.maxNewRuns)\n', ...
+            o.maxNewRuns);
+  end
+  if isnan (f.planHours)
+    printf (['cost      not known: no run has finished yet. decalioc check ' ...
+             '--try makes one of each model\n']);
+  else
+    printf ('cost      plan %.2g core-hours, at most %.2g in all\n', ...
+            f.planHours, f.mostHours);
+    if strcmp (o.executor, 'local')
+      printf ('          on %d CPUs (Input.maxCPU): plan %s, at most %s\n', ...
+              o.maxCPU, inWords (f.planHours * 3600 / o.maxCPU), ...
+              inWords (f.mostHours * 3600 / o.maxCPU));
+    end
+  end
+end

@@ -1,0 +1,182 @@
+% SAYNEW  Makes a case, or a model of one's own, and says how to go on.
+%
+% CALL: STATUS = sayNew (ROOT, FOLDER, ARGS)
+%
+%   ROOT    folder of the toolbox (text)
+%   FOLDER  folder in which it was called (text)
+%   ARGS    cell of texts, see decalioc new --help
+%   STATUS  0
+%
+% Nothing that is there is overwritten; what a killed call has left out is made
+% by the next one.
+%
+% Errors: DEcalioc:sayNew:missingField, :badValue, :exists; those of
+% commandOptions, fillTemplate and newScriptModel
+%
+% See also: commandMain, fillTemplate, newScriptModel
+
+function status = sayNew (root, folder, args)
+  status = 0;
+  spec = struct ('model', 'one', 'script', 'one', 'vary', 'many', ...
+                 'set', 'many', 'target', 'many', 'output', 'one', ...
+                 'seed', 'one');
+  [given, words] = commandOptions (args, spec);
+  target = placeOf (given, words, folder);
+  isCase = isfile (fullfile (target, 'loadInput.m'));
+  if isempty (given.model)
+    refuseIf (isCase, target, 'is a case already');
+    [~, ~] = mkdir (target);
+    copyNew (root, target, {'loadEffects.m', 'loadInput.m'});
+  else
+    model = fullfile (target, 'DEMmodels', given.model);
+    refuseIf (isCase && isfolder (model), model, 'is there already');
+    makeModel (root, target, model, given);
+  end
+  sayMade (target, given, isCase);
+end
+
+function target = placeOf (given, words, folder)
+  if ~isempty (given.model) && ~checkFolderName (given.model)
+    error ('DEcalioc:sayNew:badValue', ...
+           ['--model must be a plain name (letters, digits, _ - + .), got ' ...
+            '%s.'], given.model);
+  elseif ~isempty (given.script) && isempty (given.model)
+    error ('DEcalioc:sayNew:missingField', ...
+           '--script needs a name for the model: --model NAME.');
+  elseif isempty (words) && isempty (given.model) || numel (words) > 1
+    error ('DEcalioc:sayNew:missingField', ...
+           ['one FOLDER for the case is needed, got %d. decalioc new ' ...
+            '--help shows the call.'], numel (words));
+  end
+  words{end + 1} = given.model;
+  target = make_absolute_filename (words{1});
+end
+
+function refuseIf (isBad, path, why)
+  if isBad
+    error ('DEcalioc:sayNew:exists', ...
+           '%s %s. Nothing is overwritten; take another name.', path, why);
+  end
+end
+
+function copyNew (root, target, names)
+  for name = names
+    file = fullfile (target, name{1});
+    if ~isfile (file)
+      writeAtomic (file, fileread (fullfile (root, name{1})));
+    end
+  end
+end
+
+function makeModel (root, target, model, given)
+  isThere = isfolder (model);
+  template = fullfile (root, 'templates', 'case');
+  notes = {};
+  if ~isempty (given.script)
+    if isThere
+      % of a call that was killed: the script's words are needed all the same
+      model = tempname ();
+    end
+    [words, notes] = newScriptModel (root, model, given);
+    template = fullfile (root, 'templates', 'scriptCase');
+  elseif ~isThere
+    words = struct ('MODEL', given.model);
+    newTemplateModel (root, model, words);
+  end
+  if isThere && ~isempty (given.script)
+    system (['rm -rf ', shellQuote(model)]);
+  end
+  words.MODEL = given.model;
+  makeForm (template, target, words);
+  for k = 1:numel (notes)
+    printf ('NOTE: %s\n', notes{k});
+  end
+end
+
+function newTemplateModel (root, model, words)
+  draft = tempname ();
+  tidy = onCleanup (@() system (['rm -rf ', shellQuote(draft)]));
+  fillTemplate (fullfile (root, 'templates', 'model'), draft, words);
+  fillTemplate (fullfile (root, 'infrastructure', 'effects', 'liggghts'), ...
+                fullfile (draft, 'effects'), struct ());
+  fillTemplate (draft, model, struct ());
+end
+
+% The form comes last: with it the folder is a case.
+function makeForm (template, target, words)
+  draft = tempname ();
+  tidy = onCleanup (@() system (['rm -rf ', shellQuote(draft)]));
+  fillTemplate (template, draft, words);
+  names = sort (readdir (draft))';
+  for name = names(3:end)
+    file = fullfile (target, name{1});
+    if ~isfile (file)
+      writeAtomic (file, fileread (fullfile (draft, name{1})));
+    end
+  end
+end
+
+function sayMade (target, given, wasCase)
+  if ~isempty (given.model)
+    printf ('model  %s\n', fullfile (target, 'DEMmodels', given.model));
+  end
+  if wasCase
+    printf (['The case has its loadInput.m already: name the model there, ' ...
+             'Input.model{k} = ''%s''.\n'], given.model);
+  else
+    printf ('case   %s\n', target);
+  end
+  place = shellQuote (target);
+  if isempty (regexp (target, '[^\w./+-]', 'once'))
+    place = target;
+  end
+  printf (['\nNext:  decalioc check --try %s\n       decalioc run %s\n' ...
+           '       decalioc report %s\n'], place, place, place);
+end
+
+%!shared root, base
+%! root = fileparts (fileparts (which ('newCase')));
+%! base = tempname ();
+%! mkdir (base);
+%!function text = quietly (varargin)
+%!  text = evalc ('sayNew (varargin{:})');
+%!endfunction
+%!test
+%! % a form; a second call changes nothing
+%! text = quietly (root, base, {'plain case'});
+%! there = make_absolute_filename ('plain case');
+%! assert (~isempty (strfind (text, ['check --try ''', there, ''''])));
+%! assert (isfile (fullfile (there, 'loadInput.m')));
+%! caught = '';
+%! try
+%!   sayNew (root, base, {'plain case'});
+%! catch err
+%!   caught = err.identifier;
+%! end
+%! assert (caught, 'DEcalioc:sayNew:exists');
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (there, 's');
+%!test
+%! % a model: its name is in the files; what a killed call left out comes later
+%! place = fullfile (base, 'my case');
+%! quietly (root, base, {'--model', 'Mine', place});
+%! model = fullfile (place, 'DEMmodels', 'Mine');
+%! assert (~isempty (strfind (fileread (fullfile (model, 'in.Mine')), 'Mine')));
+%! assert (isfile (fullfile (model, 'effects', 'material.inc')));
+%! [~, left] = system (['grep -rl "@MODEL@" ', shellQuote(place)]);
+%! assert (left, '');
+%! unlink (fullfile (place, 'loadInput.m'));
+%! writeAtomic (fullfile (model, 'mark'), 'edited');
+%! quietly (root, base, {'--model', 'Mine', place});
+%! assert (isfile (fullfile (place, 'loadInput.m')));
+%! assert (isfile (fullfile (model, 'mark')));
+%! % a second model in the same case
+%! text = quietly (root, base, {'--model', 'Other', place});
+%! assert (~isempty (strfind (text, 'has its loadInput.m already')));
+%!error id=DEcalioc:sayNew:missingField sayNew (root, base, {});
+%!error id=DEcalioc:sayNew:missingField sayNew (root, base, {'a', 'b'});
+%!error id=DEcalioc:sayNew:missingField sayNew (root, base, {'--script', 'x'});
+%!error id=DEcalioc:sayNew:badValue sayNew (root, base, {'--model', '../x'});
+%!test
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (base, 's');

@@ -1,0 +1,94 @@
+% SAYSTATUS  Says how far a calibration is.
+%
+% CALL: STATUS = sayStatus (ROOT, FOLDER, ARGS)
+%
+%   ROOT    folder of the toolbox (text)
+%   FOLDER  case folder (text)
+%   ARGS    cell of texts; no option is known
+%   STATUS  0
+%
+% Writes nothing, so it can look on beside a running Octave.
+%
+% See also: caseStatus, commandMain
+
+function status = sayStatus (root, folder, args)
+  commandOptions (args, struct ());
+  useLiggghts (root);
+  Case = withEffects (loadCase (root, folder));
+  s = caseStatus (Case, @costFunction);
+  printf ('case    %s\n', folder);
+  printf ('state   %s\n', stateText (s));
+  sayRuns (s);
+  for k = 1:numel (s.failures)
+    printf ('        %s\n', s.failures{k});
+  end
+  if any (strcmp (s.state, {'running', 'unknown', 'stopped'}))
+    printf ('left    %s\n', leftText (s));
+  end
+  sayBest (s.best, Case);
+  status = 0;
+end
+
+function text = stateText (s)
+  h = s.holder;
+  switch s.state
+    case 'running'
+      text = sprintf ('running (process %d), stage: %s', h.pid, s.stage);
+    case 'unknown'
+      text = sprintf (['process %d on %s works in it, if it is still ' ...
+                       'there; stage: %s'], h.pid, h.host, s.stage);
+    case 'stopped'
+      text = sprintf ('stopped in the stage: %s. Go on with decalioc run', ...
+                      s.stage);
+    case 'finished'
+      text = 'finished; decalioc report shows the result';
+    otherwise
+      text = 'nothing has been run yet. Start with decalioc run';
+  end
+end
+
+function sayRuns (s)
+  printf ('plan    %d of %d runs done; afterwards %d of at most %d sets\n', ...
+          s.plan, s.sets);
+  for k = 1:numel (s.models)
+    m = s.models(k);
+    printf ('runs    %-12s %d done, %d running, %d waiting, %d failed', ...
+            m.name, m.done, m.running, m.waiting, m.failed);
+    if ~isnan (m.seconds)
+      printf ('; %s a run', inWords (m.seconds));
+    end
+    if m.old > 0
+      printf ('; %d of an earlier model or input, left aside', m.old);
+    end
+    printf ('\n');
+  end
+end
+
+function text = leftText (s)
+  text = inWords (s.left);
+  if strcmp (s.stage, 'plan') || isempty (s.stage)
+    text = [text, ' until the plan is done'];
+  else
+    text = [text, ' at most'];
+  end
+end
+
+function sayBest (best, Case)
+  if isempty (best)
+    printf ('best    no set has all results yet\n');
+    return
+  end
+  words = {'not all targets met', 'all targets met'};
+  printf ('best    %s; mean of %d run(s)\n', words{1 + best.isMet}, best.runs);
+  for j = 1:numel (Case.names)
+    printf ('        %-24s %.5g\n', Case.names{j}, best.params(j));
+  end
+  for t = 1:numel (Case.targets)
+    T = Case.targets(t);
+    isHeld = strcmp (T.role, 'holdout');
+    printf (['        %-24s %.5g, measured %.5g: %+.1f %% ' ...
+             '(tolerance %.3g)%s\n'], T.name, best.results(t), T.value, ...
+            100 * best.residual(t), 100 * T.tol, ...
+            repmat (', held out', 1, isHeld));
+  end
+end

@@ -1,0 +1,99 @@
+% CURVEFIGURES  Measured against simulated, a figure a bench or a curve.
+%
+% CALL: FIGURES = curveFigures (PAGE, WHERE)
+%
+%   PAGE     see pageData; its gapTargets give values and noise
+%   WHERE    where of gap.json
+%   FIGURES  1 x n struct array, see newFigure; [] without gap/targets.csv
+%
+% Results of one series (results.csv of the model) are a curve over where they
+% were measured. All other targets have a bullet each, in their own unit.
+%
+% See also: sectionWhere, resultInfo
+
+function figures = curveFigures (page, where)
+  figures = [];
+  table = page.sources.gapTargets;
+  if ~isfield (table, {'model', 'target', 'measured', 'predicted'})
+    return
+  end
+  benches = unique ({table.model}, 'stable');
+  for b = 1:numel (benches)
+    mine = table(strcmp ({table.model}, benches{b}));
+    [series, at, unit] = seriesOf (page.Case, benches{b}, mine);
+    inCurve = false (1, numel (mine));
+    for name = unique (series(~cellfun (@isempty, series)))
+      points = find (strcmp (series, name{1}) & isfinite (at));
+      if numel (points) > 2
+        figures = [figures, curve(mine(points), at(points), ...
+                                  sprintf ('%s: %s', benches{b}, name{1}), ...
+                                  unit{points(1)})];
+        inCurve(points) = true;
+      end
+    end
+    if any (~inCurve)
+      figures = [figures, bullets(mine(~inCurve), benches{b}, ...
+                                  unit(~inCurve))];
+    end
+  end
+end
+
+function [series, at, unit] = seriesOf (Case, bench, mine)
+  series = repmat ({''}, 1, numel (mine));
+  at = NaN (1, numel (mine));
+  unit = series;
+  k = find (strcmp (bench, {Case.models.name}), 1);
+  if isempty (k)
+    return
+  end
+  info = resultInfo (Case.models(k).folder);
+  own = Case.targets([Case.targets.model] == k);
+  for i = 1:numel (mine)
+    t = find (strcmp (mine(i).target, {own.name}), 1);
+    if ~isempty (t) && numel (info) >= own(t).index
+      r = info(own(t).index);
+      series{i} = r.series;
+      at(i) = r.at;
+      unit{i} = strrep (r.unit, '-', '');
+    end
+  end
+end
+
+function f = curve (points, at, title, unit)
+  [at, order] = sort (at);
+  points = points(order);
+  measured = [points.measured]';
+  simulated = [points.predicted]';
+  sd = [points.sd_measured]';
+  noise = 1.64 * hypot ([points.sd_trial]', [points.sd_surrogate]');
+  alt = sprintf ('%s: measured and simulated at %d points', title, ...
+                 numel (at));
+  f = newFigure (title, 'where it was measured', unit, alt);
+  at = at(:);
+  f = addLayer (f, 'area', [at, simulated - noise, simulated + noise], ...
+                'paleblue');
+  f = addLayer (f, 'line', [at, simulated], 'blue');
+  f = addLayer (f, 'ybar', [at, measured, measured - sd, measured + sd], ...
+                'ink');
+end
+
+function figures = bullets (points, bench, unit)
+  figures = [];
+  for k = 1:numel (points)
+    p = points(k);
+    noise = 1.64 * hypot (p.sd_trial, p.sd_surrogate);
+    alt = sprintf ('%s, %s: measured %.4g, simulated %.4g', bench, ...
+                   p.target, p.measured, p.predicted);
+    f = newFigure (sprintf ('%s: %s', bench, ...
+                            withUnit (p.target, unit{k})), '', '', alt);
+    f.size = [340, 70];
+    f.ylim = [0, 1];
+    f.ynames = {' '};
+    f = addLayer (f, 'box', [p.predicted, 0.5, p.predicted - noise, ...
+                             p.predicted + noise, 0.08, 0.92], 'paleblue');
+    f = addLayer (f, 'line', [p.predicted, 0.02; p.predicted, 0.98], 'blue');
+    f = addLayer (f, 'xbar', [p.measured, 0.5, p.measured - p.sd_measured, ...
+                              p.measured + p.sd_measured], 'ink');
+    figures = [figures, f];
+  end
+end

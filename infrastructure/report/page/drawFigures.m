@@ -1,0 +1,163 @@
+% DRAWFIGURES  Draws figures as SVG in the one style of the house.
+%
+% CALL: SVGS = drawFigures (FIGURES)
+%
+%   FIGURES  1 x n struct array, see newFigure
+%   SVGS     1 x n cell of SVG elements for an HTML page
+%
+% One start of gnuplot draws all. Texts stay texts. The colours become
+% variables of page.css, so that the figures follow the colours of the page; the
+% symbols are defined once a page (houseSymbols).
+%
+% Errors: DEcalioc:drawFigures:runFailed
+%
+% See also: newFigure, addLayer, htmlFigures
+
+function svgs = drawFigures (figures)
+  folder = tempname ();
+  mkdir (folder);
+  tidy = onCleanup (@() removeFolder (folder));
+  script = {'set encoding utf8'};
+  files = cell (1, numel (figures));
+  for k = 1:numel (figures)
+    files{k} = fullfile (folder, sprintf ('%d.svg', k));
+    script = [script, figureLines(figures(k), files{k})];
+  end
+  program = fullfile (folder, 'all.gp');
+  writeAtomic (program, [strjoin(script, "\n"), "\nunset output\n"]);
+  [status, text] = system (['gnuplot ', shellQuote(program), ...
+                            ' 2>&1 < /dev/null']);
+  if status ~= 0
+    error ('DEcalioc:drawFigures:runFailed', ...
+           ['drawFigures: gnuplot must draw the figures, got: %s. On ', ...
+            'Debian: apt-get install gnuplot-nox.'], strtrim (text));
+  end
+  svgs = cell (1, numel (figures));
+  for k = 1:numel (figures)
+    svgs{k} = cleanSvg (fileread (files{k}), figures(k));
+  end
+end
+
+function removeFolder (folder)
+  confirm_recursive_rmdir (false, 'local');
+  rmdir (folder, 's');
+end
+
+function lines = figureLines (f, file)
+  c = houseColours ();
+  lines = {'reset', ...
+           sprintf(['set terminal svg noenhanced size %d,%d ', ...
+                    'font ''sans-serif,12'''], f.size), ...
+           ['set output ''', strrep(file, '''', ''''''), ''''], ...
+           ['set border 3 lc rgb ''', c.axis, ''''], ...
+           ['set grid lc rgb ''', c.grid, ''' lt 1 lw 1'], ...
+           'set key off', 'set style fill solid 1 noborder', ...
+           ['set bmargin ', sprintf('%g', 1.9 + 1.4 * ~isempty (f.xlabel))], ...
+           'set tmargin 0.5', 'set rmargin 2.8', ...
+           ['set xlabel ', quoted(f.xlabel, 40), ' offset 0,0.5'], ...
+           ['set ylabel ', quoted(f.ylabel, 34), ' offset 0.8,0']};
+  if f.xlog
+    lines{end + 1} = 'set logscale x';
+  end
+  if f.equal
+    lines{end + 1} = 'set size ratio -1';
+  end
+  [x, y] = extent (f);
+  lines = [lines, axisLines('x', x, f.xnames, f), ...
+           axisLines('y', y, f.ynames, f), layerLines(f, c)];
+end
+
+% Ranges of both axes: those asked for, else those of the data and a bit more.
+function [x, y] = extent (f)
+  x = f.xlim;
+  y = f.ylim;
+  for layer = f.layers
+    M = layer.data;
+    xs = M(:, 1);
+    ys = M(:, 2);
+    switch layer.kind
+      case 'area'
+        ys = M(:, 2:3)(:);
+      case 'xbar'
+        xs = M(:, [1, 3, 4])(:);
+      case 'ybar'
+        ys = M(:, 2:4)(:);
+      case 'box'
+        xs = M(:, [1, 3, 4])(:);
+        ys = M(:, [2, 5, 6])(:);
+    end
+    x = wider (x, xs, f.xlim);
+    y = wider (y, ys, f.ylim);
+  end
+  x = padded (x, f.xlim, f.xlog);
+  y = padded (y, f.ylim, false);
+end
+
+function range = wider (range, values, asked)
+  free = isnan (asked);
+  both = [min([range(1), values']), max([range(2), values'])];
+  range(free) = both(free);
+end
+
+function range = padded (range, asked, isLog)
+  if any (isnan (range))
+    range = [0, 1];
+  elseif isLog
+    range = range .* [0.7, 1.4].^isnan (asked);
+  else
+    pad = 0.04 * diff (range);
+    if pad <= 0
+      pad = max (abs (range(1)) * 0.05, 1e-12);
+    end
+    range = range + isnan (asked) .* [-pad, pad];
+  end
+end
+
+function lines = axisLines (name, range, names, f)
+  lines = {sprintf('set %srange [%.10g:%.10g]', name, range)};
+  if ~isempty (names)
+    spots = cell (1, numel (names));
+    for k = 1:numel (names)
+      spots{k} = sprintf ('%s %d', quoted (names{k}, 26), k);
+    end
+    lines{end + 1} = sprintf ('set %stics nomirror scale 0 (%s)', name, ...
+                              strjoin (spots, ', '));
+  elseif name == 'x' && f.xlog
+    lines{end + 1} = 'set xtics nomirror scale 0.5';
+  else
+    px = f.size(1 + (name == 'y'));
+    at = niceTicks (range, max (2, round (px / (60 + 20 * (name == 'x')))));
+    spots = arrayfun (@(v) sprintf ('''%.6g'' %.10g', v, v), at, ...
+                      'UniformOutput', false);
+    lines{end + 1} = sprintf ('set %stics nomirror scale 0.5 (%s)', name, ...
+                              strjoin (spots, ', '));
+  end
+end
+
+function text = quoted (text, most)
+  text = text(:)';
+  text(text < 32 | text == '`') = ' ';
+  if numel (text) > most && all (text < 128)
+    text = [text(1:most - 2), '..'];
+  end
+  text = ['''', strrep(text, '''', ''''''), ''''];
+end
+
+function lines = layerLines (f, c)
+  styles = houseStyles ();
+  lines = {};
+  parts = {};
+  for k = 1:numel (f.layers)
+    layer = f.layers(k);
+    form = [strtrim(repmat ('%.6g ', 1, columns (layer.data))), '\n'];
+    lines{end + 1} = sprintf ("$D%d << EOD\n%sEOD", k, ...
+                              sprintf (form, layer.data'));
+    parts{end + 1} = sprintf ('$D%d with %s', k, ...
+                              strrep (styles.(layer.kind), 'COLOUR', ...
+                                      c.(layer.colour)));
+  end
+  if isempty (parts)
+    parts = {'NaN notitle'};
+  end
+  lines{end + 1} = ['plot ', strjoin(parts, ', ')];
+end

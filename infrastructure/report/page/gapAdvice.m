@@ -1,0 +1,108 @@
+% GAPADVICE  What a diagnosis means, and what to do, in words.
+%
+% CALL: [WORD, SENTENCE, ADVICE, CLASS] = gapAdvice (PAGE)
+%
+%   PAGE      see pageData, with sources.gap
+%   WORD      the verdict in a few words (text)
+%   SENTENCE  what was found (HTML)
+%   ADVICE    what to do now (cell of HTML)
+%   CLASS     'good', 'bad' or 'open'
+%
+% See also: pageVerdict, sectionWhich
+
+function [word, sentence, advice, class] = gapAdvice (page)
+  which = page.sources.gap.which;
+  effects = namesOf (which, 'effects');
+  likely = namesOf (which, 'likely');
+  class = 'open';
+  sentence = [upper(which.reason(1)), htmlText(which.reason(2:end)), '. ', ...
+              howSure(page, effects)];
+  test = nextOf (page);
+  switch which.verdict
+    case 'no gap'
+      word = 'No gap beyond noise';
+      class = 'good';
+      advice = {['Use the model. An effect weaker than what can be seen (', ...
+                 'table below) may still be there.']};
+    case 'named'
+      word = ['Cause found: ', strjoin(effects, ' and ')];
+      class = 'good';
+      advice = {['Model ', htmlText(strjoin (effects, ' and ')), ': ', ...
+                 '<code>gap/calibrated.head</code> holds the lines. ', ...
+                 'Look at the held-out targets before you trust it.']};
+    case 'group'
+      word = ['One of these: ', strjoin(effects, ', ')];
+      advice = {['The causes named look alike with these targets. ', test]};
+    case 'none of the listed'
+      word = 'None of the listed causes';
+      class = 'bad';
+      advice = {['Do not model any of the listed effects: none fits. The ', ...
+                 'map below shows where the gap is; add causes that act ', ...
+                 'there to <code>loadEffects.m</code>.']};
+    case 'undecided'
+      word = 'A gap, its cause undecided';
+      advice = {['The most likely causes are ', ...
+                 htmlText(strjoin (likely, ', ')), '. ', test]};
+    case 'surrogate'
+      word = 'No verdict: too few runs';
+      class = 'bad';
+      advice = {['The surrogates are to blame, not the model. Allow more ', ...
+                 'runs (<code>Input.maxNewRuns</code>) and start again.']};
+    otherwise
+      word = which.verdict;
+      advice = {test};
+  end
+  advice = advice(~cellfun (@isempty, advice));
+end
+
+function names = namesOf (which, field)
+  names = {};
+  if isfield (which, field) && ~isempty (which.(field))
+    names = cellstr (which.(field))(:)';
+  end
+end
+
+function text = howSure (page, effects)
+  text = '';
+  if isempty (effects) || ~isempty (strfind (page.sources.gap.which.reason, ...
+                                             'probability'))
+    return
+  end
+  parts = cell (1, numel (effects));
+  for k = 1:numel (effects)
+    name = matlab.lang.makeValidName (effects{k});
+    parts{k} = [htmlText(effects{k}), ' ', ...
+                pageNumber(page, 'probability', 'gap', 'which', ...
+                           'posterior', name)];
+  end
+  text = ['Probability: ', strjoin(parts, ', '), '.'];
+end
+
+function text = nextOf (page)
+  text = '';
+  test = jsonAt (page.sources.gap, {'next', 1, 'test'});
+  if ischar (test)
+    text = ['Do the test that would tell most: <strong>', htmlText(test), ...
+            '</strong>.'];
+  end
+end
+
+%!function page = told (verdict)
+%!  page.sources.gap = jsondecode (sprintf (['{"which": {"verdict": "%s", ', ...
+%!    '"reason": "because", "effects": ["tilt"], "likely": ["tilt"], ', ...
+%!    '"posterior": {"tilt": 0.75}}, "next": [{"test": "drum", ', ...
+%!    '"gain": 1}]}'], verdict));
+%!endfunction
+%!test
+%! % every verdict of docs/gap.md leads to an advice of its own
+%! kinds = {'no gap', 'named', 'group', 'none of the listed', 'undecided', ...
+%!          'surrogate'};
+%! words = cell (size (kinds));
+%! for k = 1:numel (kinds)
+%!   [words{k}, sentence, advice, class] = gapAdvice (told (kinds{k}));
+%!   assert (numel (advice), 1);
+%!   assert (! isempty (strfind (sentence, '0.75')));
+%! end
+%! assert (numel (unique (words)), 6);
+%! [~, ~, advice] = gapAdvice (told ('group'));
+%! assert (! isempty (strfind (advice{1}, '<strong>drum</strong>')));

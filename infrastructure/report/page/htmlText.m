@@ -1,0 +1,34 @@
+% HTMLTEXT  Text for HTML: its special characters are masked.
+%
+% CALL: HTML = htmlText (TEXT)
+%
+%   TEXT  row of char, UTF-8 (other bytes are taken as Latin-1)
+%   HTML  the same, safe between tags and in double quotes
+%
+% See also: htmlTable
+
+function html = htmlText (text)
+  html = text(:)';
+  bytes = uint8 (html);
+  if any (bytes > 127)
+    try
+      unicode2native (native2unicode (bytes, 'UTF-8'), 'UTF-8');
+      valid = isequal (unicode2native (native2unicode (bytes, 'UTF-8'), ...
+                                       'UTF-8')(:)', bytes);
+    catch
+      valid = false;
+    end
+    if ~valid
+      html(bytes > 127) = '?';
+    end
+  end
+  html(html < 32) = ' ';
+  html = strrep (html, '&', '&amp;');
+  html = strrep (html, '<', '&lt;');
+  html = strrep (html, '>', '&gt;');
+  html = strrep (html, '"', '&quot;');
+end
+
+%!assert (htmlText ('a < "b" & c'), 'a &lt; &quot;b&quot; &amp; c')
+%!assert (htmlText (char ([195, 188])), char ([195, 188]))
+%!assert (htmlText (["a\nb", char(252)]), 'a b?')

@@ -1,0 +1,41 @@
+% JSONAT  A value deep inside decoded JSON; empty where it is not there.
+%
+% CALL: VALUE = jsonAt (ROOT, PATH)
+%
+%   ROOT   what jsondecode returned
+%   PATH   cell of field names and indices, from outside in
+%   VALUE  [] where a name or an index is missing (an older file, a null)
+%
+% Objects with equal fields are a struct array after decoding, others a cell:
+% an index serves for both, and for arrays of numbers.
+%
+% See also: pageNumber
+
+function value = jsonAt (root, path)
+  value = root;
+  for k = 1:numel (path)
+    step = path{k};
+    if ischar (step)
+      if ~isstruct (value) || ~isscalar (value) || ~isfield (value, step)
+        value = [];
+        return
+      end
+      value = value.(step);
+    elseif step > numel (value)
+      value = [];
+      return
+    elseif iscell (value)
+      value = value{step};
+    else
+      value = value(step);
+    end
+  end
+end
+
+%!test
+%! root = jsondecode ('{"a": [{"b": 1}, {"b": 2, "c": 3}], "d": [4, 5]}');
+%! assert (jsonAt (root, {'a', 2, 'c'}), 3);
+%! assert (jsonAt (root, {'d', 2}), 5);
+%! assert (isempty (jsonAt (root, {'a', 1, 'c'})));
+%! assert (isempty (jsonAt (root, {'d', 3})));
+%! assert (isempty (jsonAt ([], {'a'})));

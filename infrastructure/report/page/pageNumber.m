@@ -1,0 +1,40 @@
+% PAGENUMBER  A number of one of the case's files, as HTML.
+%
+% CALL: HTML = pageNumber (PAGE, KIND, SOURCE, STEP, ...)
+%
+%   PAGE    see pageData
+%   KIND    see numberText
+%   SOURCE  field of PAGE.sources (text): 'calibration', 'gap', ...
+%   STEP    field names and indices that lead to the number
+%   HTML    a data element that holds the full value and where it is from:
+%           all numbers of the report are shown through this function
+%
+% See also: numberText, jsonAt
+
+function html = pageNumber (page, kind, source, varargin)
+  x = jsonAt (page.sources, [{source}, varargin]);
+  if isempty (x) || ~isnumeric (x) || ~isfinite (x(1))
+    html = '<span class="none">&ndash;</span>';
+    return
+  end
+  steps = cellfun (@textOf, varargin, 'UniformOutput', false);
+  html = sprintf (['<data value="%.17g" data-kind="%s" ', ...
+                   'data-from="%s">%s</data>'], x(1), kind, ...
+                  htmlText (strjoin ([{source}, steps], '/')), ...
+                  numberText (x(1), kind));
+end
+
+function text = textOf (step)
+  text = step;
+  if ~ischar (step)
+    text = sprintf ('%d', step);
+  end
+end
+
+%!test
+%! page.sources.calibration = struct ('a', struct ('b', [1, 0.25]));
+%! html = pageNumber (page, 'percent', 'calibration', 'a', 'b', 2);
+%! assert (html, ['<data value="0.25" data-kind="percent" ', ...
+%!                'data-from="calibration/a/b/2">25&thinsp;%</data>']);
+%! assert (pageNumber (page, 'plain', 'gap', 'x'), ...
+%!         '<span class="none">&ndash;</span>');

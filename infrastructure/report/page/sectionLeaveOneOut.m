@@ -1,0 +1,60 @@
+% SECTIONLEAVEONEOUT  Part of the report: how far the surrogates can be trusted.
+%
+% CALL: [TITLE, HTML] = sectionLeaveOneOut (PAGE)
+%
+%   PAGE  see pageData; TITLE, HTML  see pageSections
+%
+% See also: pageSections, fitSurrogate
+
+function [title, html] = sectionLeaveOneOut (page)
+  title = 'Leave-one-out';
+  html = '';
+  if isempty (page.surrogates)
+    return
+  end
+  figures = [];
+  for t = 1:numel (page.surrogates)
+    figures = [figures, crossFigure(page, t)];
+  end
+  key = htmlKey ({'ybar', 'blue', ...
+                  'a run, and its prediction from all others (1 sd)'; ...
+                  'dash', 'ink', 'where both are equal'});
+  html = ['<p>Each run is predicted from all the others. Q2 is the share ', ...
+          'of the variance that is predicted: 1 is perfect, 0 no better ', ...
+          'than the mean; below 0.5 do not trust the surrogate.</p>', ...
+          htmlFigures(figures, key), qualityTable(page)];
+end
+
+function f = crossFigure (page, t)
+  s = page.surrogates(t);
+  predicted = s.z - s.looResidual;
+  sd = abs (s.looResidual ./ s.looStd);
+  sd(~isfinite (sd)) = 0;
+  alt = sprintf ('%s: predicted against simulated for %d runs, Q2 %.2f', ...
+                 page.Case.targets(t).name, numel (s.z), s.Q2);
+  f = newFigure (page.Case.targets(t).name, 'simulated', 'predicted', alt);
+  both = [min([s.z; predicted - sd]); max([s.z; predicted + sd])];
+  f = addLayer (f, 'dash', [both, both], 'ink');
+  f = addLayer (f, 'ybar', [s.z, predicted, predicted - sd, ...
+                            predicted + sd], 'blue');
+end
+
+function html = qualityTable (page)
+  n = numel (page.surrogates);
+  cells = cell (n, 4);
+  for t = 1:n
+    s = page.surrogates(t);
+    if isempty (page.sources.calibration)
+      Q2 = numberText (s.Q2, 'plain');
+      noise = numberText (sqrt (s.noiseVar), 'plain');
+    else
+      Q2 = pageNumber (page, 'plain', 'calibration', 'surrogates', t, 'Q2');
+      noise = pageNumber (page, 'plain', 'calibration', 'surrogates', t, ...
+                          'noiseSd');
+    end
+    cells(t, :) = {htmlText(page.Case.targets(t).name), Q2, noise, ...
+                   sprintf('%d', numel (s.z))};
+  end
+  html = htmlTable ('Surrogates', {'target', 'Q2', ...
+                                   'scatter of one run (sd)', 'runs'}, cells);
+end

@@ -1,0 +1,32 @@
+% SECTIONNEXTTEST  Part of the report: which further test would tell most.
+%
+% CALL: [TITLE, HTML] = sectionNextTest (PAGE)
+%
+%   PAGE  see pageData; TITLE, HTML  see pageSections
+%
+% See also: pageSections, nextTest
+
+function [title, html] = sectionNextTest (page)
+  title = 'Next test';
+  html = '';
+  tests = jsonAt (page.sources.gap, {'next'});
+  n = min (numel (tests), 10);
+  if n < 1
+    return
+  end
+  cells = cell (n, 3);
+  for k = 1:n
+    cells(k, :) = {htmlText(jsonAt (tests, {k, 'test'})), ...
+                   pageNumber(page, 'plain', 'gap', 'next', k, 'gain'), ...
+                   pageNumber(page, 'plain', 'gap', 'next', k, 'cost')};
+  end
+  gain = jsonAt (tests, {1, 'gain'});
+  word = 'would tell most about the cause';
+  if isnumeric (gain) && gain < 0.2
+    word = ['would tell most, though little: a test of another kind ', ...
+            '(another speed, opening or bench) may tell more'];
+  end
+  html = ['<p>Of what can be measured next, the first ', word, '.</p>', ...
+          htmlTable('Further measurements, the best first', ...
+                    {'test', 'information (bit)', 'cost'}, cells)];
+end

@@ -1,0 +1,64 @@
+% SECTIONPLAN  Part of the report: which parameter sets were run.
+%
+% CALL: [TITLE, HTML] = sectionPlan (PAGE)
+%
+%   PAGE  see pageData; TITLE, HTML  see pageSections
+%
+% Every pair of parameters: the plan, the sets run later, the sets that fit, the
+% set that was found.
+%
+% See also: pageSections
+
+function [title, html] = sectionPlan (page)
+  title = 'Plan and sets that fit';
+  html = '';
+  X = page.plan;
+  later = zeros (0, columns (X));
+  if ~isempty (page.surrogates)
+    ran = vertcat (page.surrogates.X);
+    later = unique (ran(~ismember (ran, X, 'rows'), :), 'rows');
+  end
+  if (isempty (X) && isempty (later)) || columns (X) < 2
+    return
+  end
+  sample = page.posterior(1:min (end, 200), :);
+  found = foundSet (page);
+  figures = [];
+  d = numel (page.Case.names);
+  for i = 2:d
+    for j = 1:i - 1
+      f = pairFigure (page, j, i, size (X, 1));
+      f = addLayer (f, 'dots', sample(:, [j, i]), 'sky');
+      f = addLayer (f, 'ring', X(:, [j, i]), 'grey');
+      f = addLayer (f, 'triangle', later(:, [j, i]), 'amber');
+      f = addLayer (f, 'diamond', found(:, [j, i]), 'red');
+      figures = [figures, f];
+    end
+  end
+  key = {'ring', 'grey', sprintf('plan (%d sets)', rows (X))};
+  if ~isempty (later)
+    key(end + 1, :) = {'triangle', 'amber', ...
+                       sprintf('run later or imported (%d sets)', ...
+                               rows (later))};
+  end
+  if ~isempty (sample)
+    key(end + 1, :) = {'dots', 'sky', ...
+                       'sets that fit (<code>results/posterior.csv</code>)'};
+  end
+  if ~isempty (found)
+    key(end + 1, :) = {'diamond', 'red', 'the set that was found'};
+  end
+  html = htmlFigures (figures, htmlKey (key), 'pairs');
+end
+
+function f = pairFigure (page, j, i, n)
+  names = page.Case.names;
+  alt = sprintf (['%s against %s: %d sets of the plan, the sets that fit ', ...
+                  'and the set found'], names{i}, names{j}, n);
+  f = newFigure ('', names{j}, names{i}, alt);
+  f.title = sprintf ('%s, %s', names{i}, names{j});
+  f.size = [260, 210];
+  f.caption = false;
+  f.xlim = page.Case.limits(:, j)';
+  f.ylim = page.Case.limits(:, i)';
+end

@@ -1,0 +1,80 @@
+% SECTIONSLICES  Part of the report: each response along each parameter.
+%
+% CALL: [TITLE, HTML] = sectionSlices (PAGE)
+%
+%   PAGE  see pageData; TITLE, HTML  see pageSections
+%
+% Cuts through the found set (before there is one: through the box centre).
+%
+% See also: pageSections
+
+function [title, html] = sectionSlices (page)
+  title = 'Responses through the set';
+  html = '';
+  if isempty (page.surrogates)
+    return
+  end
+  centre = foundSet (page);
+  what = 'the set that was found';
+  if isempty (centre)
+    centre = mean (page.Case.limits, 1);
+    what = 'the centre of the box (no set has been found yet)';
+  end
+  for t = 1:numel (page.surrogates)
+    T = page.Case.targets(t);
+    figures = [];
+    for j = 1:numel (page.Case.names)
+      figures = [figures, slice(page, t, j, centre)];
+    end
+    % many targets make a long page: the first ones are unfolded
+    html = [html, '<details', repmat(' open', 1, t <= 4), '><summary>', ...
+            htmlText(T.name), '</summary>', htmlFigures(figures, ''), ...
+            '</details>'];
+  end
+  key = htmlKey ({'line', 'blue', 'mean response (Kriging)'; ...
+                  'area', 'midblue', 'its 90 % interval'; ...
+                  'area', 'paleblue', '90 % of single runs'; ...
+                  'area', 'palegreen', 'tolerance about the measured value'; ...
+                  'disc', 'red', ...
+                  'runs near the set (within a quarter of the box)'; ...
+                  'ring', 'grey', 'other runs'; ...
+                  'dash', 'ink', 'measured, and where the set lies'});
+  html = ['<p>One parameter moves, the others stay at ', what, '.</p>', ...
+          key, html];
+end
+
+function f = slice (page, t, j, centre)
+  s = page.surrogates(t);
+  T = page.Case.targets(t);
+  limits = page.Case.limits;
+  name = page.Case.names{j};
+  x = linspace (limits(1, j), limits(2, j), 31)';
+  P = repmat (centre, 31, 1);
+  P(:, j) = x;
+  [m, v] = predictSurrogate (s, P);
+  inner = studentQuantile (0.95, s.df) * sqrt (v);
+  outer = studentQuantile (0.95, s.df) * sqrt (v + s.noiseVar);
+  alt = sprintf ('%s along %s: mean response from %.4g to %.4g', T.name, ...
+                 name, m(1), m(end));
+  f = newFigure ([T.name, ', ', name], name, ...
+                 withUnit (T.name, page.units{t}), alt);
+  f.caption = false;
+  f.xlim = limits(:, j)';
+  half = abs (T.value) * T.tol;
+  f = addLayer (f, 'area', [x, m - outer, m + outer], 'paleblue');
+  f = addLayer (f, 'area', [f.xlim', T.value + half * [-1, 1; -1, 1]], ...
+                'palegreen');
+  f = addLayer (f, 'area', [x, m - inner, m + inner], 'midblue');
+  others = (s.X - centre) ./ diff (limits);
+  others(:, j) = 0;
+  isNear = all (abs (others) <= 0.25, 2);
+  f = addLayer (f, 'ring', [s.X(~isNear, j), s.z(~isNear)], 'grey');
+  f = addLayer (f, 'dash', [f.xlim', [T.value; T.value]], 'ink');
+  f = addLayer (f, 'line', [x, m], 'blue');
+  f = addLayer (f, 'disc', [s.X(isNear, j), s.z(isNear)], 'red');
+  everything = [m - outer; m + outer; s.z(:); T.value];
+  f.ylim = [min(everything), max(everything)];
+  f.ylim = f.ylim + 0.04 * max (diff (f.ylim), 1e-12) * [-1, 1];
+  f = addLayer (f, 'dash', [centre(j), f.ylim(1); centre(j), f.ylim(2)], ...
+                'ink');
+end

@@ -1,0 +1,86 @@
+% SECTIONSTEPS  Part of the report: how the residuals came down.
+%
+% CALL: [TITLE, HTML] = sectionSteps (PAGE)
+%
+%   PAGE  see pageData; TITLE, HTML  see pageSections
+%
+% See also: pageSections, bookStep
+
+function [title, html] = sectionSteps (page)
+  title = 'Steps after the plan';
+  html = '';
+  source = 'calibration';
+  if isempty (page.sources.calibration)
+    source = 'progress';
+  end
+  history = jsonAt (page.sources, {source, 'history'});
+  if isempty (history)
+    return
+  end
+  n = numel (history);
+  steps = arrayfun (@(k) jsonAt (history, {k}), 1:n, 'UniformOutput', false);
+  R = cellfun (@(s) s.residual(:), steps, 'UniformOutput', false);
+  R = [R{:}];
+  runs = cellfun (@(s) s.runs, steps);
+  figures = [];
+  for t = 1:rows (R)
+    figures = [figures, stepFigure(page, t, runs, R(t, :))];
+  end
+  key = htmlKey ({'area', 'palegreen', 'tolerance'; ...
+                  'area', 'palegrey', 'scatter of one run (1 sd)'; ...
+                  'disc', 'blue', ['residual of the set in hand ', ...
+                                   '(surrogates, corrected by the runs)']});
+  html = [htmlFigures(figures, key), ...
+          '<details', repmat(' open', 1, n < 13), ...
+          '><summary>All steps as a table</summary>', ...
+          stepTable(page, source, n), '</details>'];
+end
+
+function f = stepFigure (page, t, runs, r)
+  T = page.Case.targets(t);
+  f = newFigure (T.name, 'parameter sets run after the plan', ...
+                 'residual (%)', '');
+  f.alt = sprintf ('%s: residual %.3g %% after the first step, %.3g %% now', ...
+                   T.name, 100 * r(1), 100 * r(end));
+  width = [min(runs) - 0.5; max(runs) + 0.5];
+  noise = 0;
+  if ~isempty (page.surrogates) && T.value ~= 0
+    noise = 100 * sqrt (page.surrogates(t).noiseVar) / abs (T.value);
+  end
+  bands = [noise, 100 * T.tol];
+  colours = {'palegrey', 'palegreen'};
+  for k = 1 + [bands(2) > bands(1), bands(2) <= bands(1)]
+    f = addLayer (f, 'area', [width, bands(k) * [-1, 1; -1, 1]], colours{k});
+  end
+  f = addLayer (f, 'dash', [width, [0; 0]], 'grey');
+  f = addLayer (f, 'line', [runs(:), 100 * r(:)], 'blue');
+  f = addLayer (f, 'disc', [runs(:), 100 * r(:)], 'blue');
+  f.xlim = width';
+end
+
+function html = stepTable (page, source, n)
+  cells = cell (n, 4);
+  words = struct ('infill', 'infill', 'DEM', 'stage on DEM');
+  for k = 1:n
+    s = jsonAt (page.sources, {source, 'history', k});
+    stage = s.stage;
+    if isfield (words, stage)
+      stage = words.(stage);
+    end
+    cells(k, :) = {sprintf('%s %d', htmlText (stage), s.iteration), ...
+                   pageNumber(page, 'count', source, 'history', k, 'runs'), ...
+                   pageNumber(page, 'probability', source, 'history', k, ...
+                              'probability'), ...
+                   residuals(page, source, k, numel (s.residual))};
+  end
+  html = htmlTable ('Steps', {'step', 'sets run so far', ...
+                              'chance that all targets are met', ...
+                              'residuals, in the order of the targets'}, cells);
+end
+
+function html = residuals (page, source, k, T)
+  parts = arrayfun (@(t) pageNumber (page, 'percent', source, 'history', k, ...
+                                     'residual', t), 1:T, ...
+                    'UniformOutput', false);
+  html = strjoin (parts, ', ');
+end

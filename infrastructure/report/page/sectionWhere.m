@@ -1,0 +1,162 @@
+% SECTIONWHERE  Part of the report: where the measurements are missed.
+%
+% CALL: [TITLE, HTML] = sectionWhere (PAGE)
+%
+%   PAGE  see pageData; TITLE, HTML  see pageSections
+%
+% See also: pageSections, curveFigures, writeGapJson
+
+function [title, html] = sectionWhere (page)
+  title = 'Where the model misses';
+  html = '';
+  where = jsonAt (page.sources.gap, {'where'});
+  if isempty (where) || isempty (jsonAt (where, {'targets'}))
+    return
+  end
+  html = [leadIn(page, where), mapTable(page, where), curves(page, where), ...
+          targetTable(page, where), hidden(page, where)];
+end
+
+function html = leadIn (page, where)
+  html = ['<p>Noise alone would make the calibrated model miss these ', ...
+          'measurements by as much with p&nbsp;=&nbsp;', ...
+          pageNumber(page, 'plain', 'gap', 'where', 'p'), '.'];
+  limits = jsonAt (where, {'atLimit'});
+  if ~isempty (limits)
+    html = [html, ' To come this close the parameters go to their limit: ', ...
+            htmlText(strjoin (cellstr (limits)(:)', ', ')), '.'];
+  end
+  if isfield (where, 'surrogateShare')
+    html = [html, ' Of the noise, ', ...
+            pageNumber(page, 'percent', 'gap', 'where', 'surrogateShare'), ...
+            ' is the uncertainty of the surrogates.'];
+  end
+  html = [html, '</p>'];
+end
+
+% One row a bench, one cell a target: deviation in units of its noise.
+function html = mapTable (page, where)
+  n = numel (where.targets);
+  models = cell (1, n);
+  for t = 1:n
+    models{t} = jsonAt (where.targets, {t, 'model'});
+  end
+  benches = unique (models, 'stable');
+  width = max (cellfun (@(b) sum (strcmp (b, models)), benches));
+  lines = '';
+  for b = 1:numel (benches)
+    mine = find (strcmp (benches{b}, models));
+    cells = '';
+    for t = mine
+      cells = [cells, mapCell(page, where, t)];
+    end
+    cells = [cells, repmat('<td></td>', 1, width - numel (mine))];
+    lines = [lines, '<tr><th scope="row">', htmlText(benches{b}), '</th>', ...
+             cells, "</tr>\n"];
+  end
+  html = ['<h3>Map of benches and targets</h3><div class="scroll" ', ...
+          'role="region" tabindex="0" aria-label="Map of benches and ', ...
+          'targets"><table class="map"><caption><span>Measured less ', ...
+          'simulated, in units of the noise; beyond 2 coloured, beyond 3 ', ...
+          'strongly.', ...
+          '</span></caption><thead><tr><th scope="col">bench</th>', ...
+          sprintf(['<th scope="col" class="text" colspan="%d">', ...
+                   'targets</th>'], width), ...
+          '</tr></thead><tbody>', lines, "</tbody></table></div>\n"];
+end
+
+function html = mapCell (page, where, t)
+  z = abs (jsonAt (where.targets, {t, 'z'}));
+  class = '';
+  if z >= 3
+    class = ' class="z3"';
+  elseif z >= 2
+    class = ' class="z2"';
+  elseif z >= 1
+    class = ' class="z1"';
+  end
+  held = '';
+  if strcmp (jsonAt (where.targets, {t, 'role'}), 'holdout')
+    held = ', held out';
+  end
+  html = ['<td', class, '>', htmlText(jsonAt (where.targets, {t, 'name'})), ...
+          held, '<br>', pageNumber(page, 'z', 'gap', 'where', 'targets', ...
+                                   t, 'z'), '</td>'];
+end
+
+function html = curves (page, where)
+  html = '';
+  figures = curveFigures (page, where);
+  if ~isempty (figures)
+    key = htmlKey ({'ybar', 'ink', 'measured &plusmn; 1 sd'; ...
+                    'line', 'blue', 'simulated with the fitted parameters'; ...
+                    'area', 'paleblue', ...
+                    'its noise (90 %: packing and surrogate)'});
+    html = ['<h3>Measured against simulated</h3>', ...
+            htmlFigures(figures, key)];
+  end
+end
+
+function html = targetTable (page, where)
+  table = page.sources.gapTargets;
+  n = numel (where.targets);
+  cells = cell (n, 9);
+  for t = 1:n
+    target = jsonAt (where.targets, {t});
+    at = @(kind, field) pageNumber (page, kind, 'gap', 'where', 'targets', ...
+                                    t, field);
+    row = 0;
+    if isfield (table, 'target')
+      row = find (strcmp ({table.target}, target.name) & ...
+                  strcmp ({table.model}, target.model), 1);
+    end
+    numbers = repmat ({'&ndash;'}, 1, 3);
+    if ~isempty (row) && row > 0
+      numbers = {pageNumber(page, 'plain', 'gapTargets', row, 'measured'), ...
+                 pageNumber(page, 'plain', 'gapTargets', row, ...
+                            'sd_measured'), ...
+                 pageNumber(page, 'plain', 'gapTargets', row, 'predicted')};
+    end
+    cells(t, :) = {[htmlText(target.model), ': ', htmlText(target.name)], ...
+                   htmlText(target.role), numbers{:}, at('z', 'z'), ...
+                   at('plain', 'p'), at('percent', 'unabsorbed'), ...
+                   remark(target)};
+  end
+  html = htmlTable ('All targets of the diagnosis', ...
+                    {'target', 'role', 'measured', '&plusmn; (sd)', ...
+                     'simulated', 'z', 'p', 'parameters cannot hide', ...
+                     'remark'}, cells);
+end
+
+function text = remark (target)
+  text = '';
+  if isfield (target, 'p') && ~isempty (target.p) && target.p < 0.05
+    text = '<span class="off">off</span>';
+  elseif isfield (target, 'blind') && isequal (target.blind, true)
+    text = '<span class="unsure">blind: parameters can hide an error</span>';
+  end
+end
+
+function html = hidden (page, where)
+  html = '';
+  params = jsonAt (where, {'params'});
+  if ~isstruct (params)
+    return
+  end
+  names = fieldnames (params);
+  limits = page.Case.limits;
+  cells = cell (numel (names), 4);
+  for j = 1:numel (names)
+    known = find (strcmp (names{j}, page.Case.names), 1);
+    box = {'', ''};
+    if ~isempty (known)
+      box = {numberText(limits(1, known)), numberText(limits(2, known))};
+    end
+    cells(j, :) = {htmlText(names{j}), ...
+                   pageNumber(page, 'plain', 'gap', 'where', 'params', ...
+                              names{j}), box{:}};
+  end
+  html = htmlTable ('Parameters of the best fit without any effect', ...
+                    {'parameter', 'value', 'lower limit', 'upper limit'}, ...
+                    cells);
+end

@@ -1,0 +1,104 @@
+% WRITEPAGE  Writes the report of a case: results/report.html, one file.
+%
+% CALL: FILE = writePage (CASE)
+%
+%   CASE  see newCase; finished, under way, or not begun
+%   FILE  path of the page (text)
+%
+% Made of the files in the case folder alone: nothing is run or evaluated. The
+% page needs no network and no other file. results/runTable.csv is written too,
+% and after a diagnosis gap/calibrated.head. A part that cannot be drawn says so
+% and leaves the others alone.
+%
+% See also: reportPage, pageSections, pageData
+
+function file = writePage (Case)
+  page = pageData (Case);
+  folder = fullfile (Case.folder, 'results');
+  [~, ~] = mkdir (folder);
+  writeRunTable (page);
+  writeGapHead (page);
+  [links, parts] = sectionsOf (page);
+  verdict = pageVerdict (page);
+  style = fullfile (fileparts (mfilename ('fullpath')), 'page.css');
+  html = {"<!DOCTYPE html>\n", '<html lang="en"><head>', ...
+          '<meta charset="utf-8">', ...
+          '<meta name="viewport" content="width=device-width, ', ...
+          'initial-scale=1">', ...
+          '<meta name="generator" content="DEcalioc">', ...
+          '<title>', htmlText([verdict.word, ': ', caseName(Case)]), ...
+          "</title>\n<style>\n", fileread(style), "</style>\n</head>\n", ...
+          '<body><a class="skip" href="#main">To the content</a>', "\n", ...
+          houseSymbols(), headerOf(page, verdict), ...
+          '<nav aria-label="Contents"><ul>', links, "</ul></nav>\n", ...
+          '<main id="main">', "\n", parts, "</main>\n", footerOf(page), ...
+          "</body>\n</html>\n"};
+  file = fullfile (folder, 'report.html');
+  writeAtomic (file, [html{:}]);
+end
+
+function [links, parts] = sectionsOf (page)
+  links = '';
+  parts = '';
+  names = pageSections ();
+  for k = 1:numel (names)
+    try
+      [title, html] = feval (names{k}, page);
+    catch err
+      title = regexprep (names{k}, '^section', '');
+      html = ['<p class="off">This part could not be made: ', ...
+              htmlText(err.message), '</p>'];
+    end
+    if ~isempty (html)
+      id = lower (names{k});
+      links = [links, '<li><a href="#', id, '">', title, '</a></li>'];
+      parts = [parts, '<section id="', id, '" aria-labelledby="h-', id, ...
+               '"><h2 id="h-', id, '">', title, "</h2>\n", html, ...
+               "</section>\n"];
+    end
+  end
+end
+
+function html = headerOf (page, verdict)
+  Case = page.Case;
+  html = ['<header><h1>', htmlText(caseName (Case)), '</h1>', ...
+          '<p class="where">', ...
+          htmlText(strjoin ({Case.models.name}, ', ')), ' &middot; ', ...
+          htmlText(pageDate (page)), "</p>\n", ...
+          '<div class="verdict ', verdict.class, '">', ...
+          '<p><span class="word">', htmlText(verdict.word), '</span>. ', ...
+          verdict.sentence, '</p>'];
+  if ~isempty (verdict.gap)
+    html = [html, '<p>', verdict.gap, '</p>'];
+  end
+  html = [html, '<h2>What to do now</h2><ul>', ...
+          sprintf('<li>%s</li>', verdict.todo{:}), "</ul></div>\n", ...
+          verdict.facts, "</header>\n"];
+end
+
+function name = caseName (Case)
+  [~, base, ending] = fileparts (Case.folder);
+  name = ['Case ', base, ending];
+end
+
+function html = footerOf (page)
+  html = ['<footer><p>DEcalioc ', ...
+          htmlText(toolboxVersion (page.Case.root)), ...
+          '. Page made on ', htmlText(strftime ('%Y-%m-%d %H:%M', ...
+                                                localtime (time ()))), ...
+          ' from the files in <code>', htmlText(page.Case.folder), ...
+          "</code>.</p></footer>\n"];
+end
+
+%!test
+%! % before anything has been run; a text of the user that means something in
+%! % HTML
+%! raw = standInCase (tempname ());
+%! raw.optim.targetName = {{'a <b> & c'}};
+%! file = writePage (newCase (raw));
+%! html = fileread (file);
+%! assert (! isempty (strfind (html, 'a &lt;b&gt; &amp; c')));
+%! assert (isempty (strfind (html, '<b>')));
+%! assert (isempty (strfind (html, 'could not be made')));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');

@@ -1,0 +1,37 @@
+% REPORTPAGE  Brings the report page up to date; never breaks what calls it.
+%
+% CALL: reportPage (CASE, SAY, STATE)
+%
+%   CASE   see newCase
+%   SAY    function handle that takes one line of text
+%   STATE  see newState; given while a calibration is under way
+%
+% An error is said in one line.
+%
+% See also: writePage, DEcalioc, diagnoseGap
+
+function reportPage (Case, say, state)
+  try
+    if nargin > 2
+      writeProgress (Case, state);
+    end
+    file = writePage (Case);
+    say (['Report: ', file]);
+  catch err
+    say (['  The report page could not be written: ', ...
+          strtok(err.message, "\n")]);
+  end
+end
+
+%!test
+%! raw = standInCase (tempname ());
+%! Case = newCase (raw);
+%! text = evalc ('reportPage (Case, @(t) printf ("%s\n", t))');
+%! assert (text, ['Report: ', raw.folder, "/results/report.html\n"]);
+%! % a folder that cannot be written to
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (fullfile (raw.folder, 'results'), 's');
+%! writeAtomic (fullfile (raw.folder, 'results'), 'a file');
+%! text = evalc ('reportPage (Case, @(t) printf ("%s\n", t))');
+%! assert (! isempty (strfind (text, 'could not be written')));
+%! rmdir (raw.folder, 's');

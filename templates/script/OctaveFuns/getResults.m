@@ -1,0 +1,19 @@
+% GETRESULTS  Results of a run of the model @MODEL@.
+%
+% CALL: RES = getResults (MODEL, FOLDERNAME)
+%
+%   MODEL       name of the model's folder below optim/ (text)
+%   FOLDERNAME  name of the run's folder (text)
+%   RES         cell of scalars, one a line of results.csv of the model, read
+%               from the file @OUTPUT@ of the run; NaN where it is missing
+%
+% See also: readResults, resultInfo, readDump
+
+function res = getResults (model, folderName)
+  %| pragma Justify (metric, "globals", "the way in that runs have");
+  global path
+  here = fileparts (fileparts (mfilename ('fullpath')));
+  names = {resultInfo(here).name};
+  folder = [path, 'optim/', model, '/', folderName, '/'];
+  res = num2cell (readResults ([folder, '@OUTPUT@'], names));
+end
