@@ -13,7 +13,9 @@
 function root = startBenchmarks ()
   here = fileparts (mfilename ('fullpath'));
   root = fileparts (here);
-  inside = fullfile (here, {'benches', 'container', 'twins'});
+  inside = fullfile (here, {'benches', 'container', 'leftOut', 'pool', ...
+                            'twins', ...
+                            fullfile('twins', 'foreign')});
   addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'), ...
            here, inside{:});
   startToolbox (root);

@@ -29,7 +29,7 @@ function runTwins (kind, perLab)
   name = fullfile (results, stem);
   [~, version] = system (sprintf ('git -C "%s" rev-parse HEAD', root));
   labs = twinsLaboratories (kind, root);
-  twins = twinsDraw (labs, perLab, kind);
+  twins = twinsDraw (labs, perLab, twinsMix (kind));
   digest = twinsFreeze (name, twins, labs);
   printf ('twins: %d cases, %d laboratories, code %s\n', ...
           numel (twins), numel (labs), strtrim (version));

@@ -1,33 +1,26 @@
 % TWINSCURVES  Figures of merit of the twin study over the signal to noise d.
 %
-% CALL: twinsCurves (NAME, PICTURE)
+% CALL: twinsCurves (NAME, PICTURE, LEVELS)
 %
 %   NAME     path without ending: NAME.csv (of twinsScore) is read,
 %            NAME-curves.csv written (figure, d, hits, cases, share, lo95, hi95)
 %   PICTURE  path of an SVG file; empty or missing: none
+%   LEVELS   1 x m, signals to noise; cases are gathered around the nearest one
+%            (1, 2, 3, 4, 6, 8)
 %
-% Cases are gathered around d = 1, 2, 3, 4, 6, 8, whichever is nearest; the
-% intervals are Clopper and Pearson's. Log and Brier score are means over the
-% cases with one cause on the list, with 95 % intervals of the mean.
+% The intervals are Clopper and Pearson's. Log and Brier score are means over
+% the cases with one cause on the list, with 95 % intervals of the mean.
 %
 % See also: twins, twinsScore, binomialInterval
 
-function twinsCurves (name, picture)
+function twinsCurves (name, picture, levels)
+  if nargin < 3
+    levels = [1, 2, 3, 4, 6, 8];
+  end
   cases = readCases ([name, '.csv']);
-  levels = [1, 2, 3, 4, 6, 8];
   [~, near] = min (abs (levels - cases.d), [], 2);
   isSingle = strcmp (cases.class, 'single');
-  out = strcmp (cases.class, 'out');
-  named = strcmp (cases.verdict, 'named');
-  figures = {'a gap was seen', ~strcmp(cases.verdict, 'no gap'), isSingle; ...
-             'likeliest one is the true one', cases.isTop, isSingle; ...
-             'named or grouped rightly', cases.right, isSingle; ...
-             'named', named, isSingle; ...
-             'names that are right', cases.right, isSingle & named; ...
-             'strength in its 90 % interval', cases.covered, isSingle; ...
-             'not listed: none of the listed', ...
-             strcmp(cases.verdict, 'none of the listed'), out; ...
-             'not listed: wrong name', named, out};
+  figures = figuresOf (cases, isSingle);
   table = zeros (rows (figures), numel (levels), 5);
   for f = 1:rows (figures)
     for l = 1:numel (levels)
@@ -38,6 +31,7 @@ function twinsCurves (name, picture)
     end
   end
   names = figures(:, 1);
+  nShares = numel (names);
   for kind = {'logScore', 'brier'}
     f = rows (table) + 1;
     names{f} = struct ('logScore', 'log score (prior -3.2)', ...
@@ -48,8 +42,28 @@ function twinsCurves (name, picture)
   end
   writeTable ([name, '-curves.csv'], names, levels, table);
   if nargin > 1 && ~isempty (picture)
-    draw (picture, names, levels, table);
+    draw (picture, names, levels, table, nShares);
   end
+end
+
+function figures = figuresOf (cases, isSingle)
+  out = ismember (cases.class, {'out', 'off', 'look'});
+  named = strcmp (cases.verdict, 'named');
+  said = named | strcmp (cases.verdict, 'group');
+  noGap = strcmp (cases.verdict, 'no gap');
+  figures = {'a gap was seen', ~strcmp(cases.verdict, 'no gap'), isSingle; ...
+             'likeliest one is the true one', cases.isTop, isSingle; ...
+             'named or grouped rightly', cases.right, isSingle; ...
+             'named', named, isSingle; ...
+             'names that are right', cases.right, isSingle & named; ...
+             'strength in its 90 % interval', cases.covered, isSingle; ...
+             'not listed: none of the listed', ...
+             strcmp(cases.verdict, 'none of the listed'), out; ...
+             'not listed: wrong name', named, out; ...
+             'grouped', said & ~named, isSingle; ...
+             'abstained', ~(said | noGap), isSingle; ...
+             'odds of the right one > 20', cases.odds20, isSingle; ...
+             'odds > 20: named or grouped', said, isSingle & cases.odds20};
 end
 
 function cases = readCases (file)
@@ -60,6 +74,7 @@ function cases = readCases (file)
   cases.d = number ('d');
   cases.right = number ('right') > 0;
   cases.covered = number ('covered') > 0;
+  cases.odds20 = number ('odds20') > 0;
   cases.logScore = number ('logScore');
   cases.brier = number ('brier');
   cases.isTop = strcmp (column ('top'), column ('cause'));
@@ -85,16 +100,17 @@ function writeTable (file, names, levels, table)
   fclose (fid);
 end
 
-function draw (file, names, levels, table)
+function draw (file, names, levels, table, nShares)
   for k = 1:numel (names)
     has = squeeze (table(k, :, 2)) > 0;
-    unit = 1 + 99 * (k <= 8);
+    unit = 1 + 99 * (k <= nShares);
     part = unit * squeeze (table(k, has, 3:5))';
     curve = struct ('x', levels(has), 'y', part(1, :), 'lo', part(2, :), ...
                     'hi', part(3, :));
     panels(k) = struct ('title', names{k}, 'xlabel', 'd', 'ylabel', '%', ...
-                        'range', [0, 9, 0, 100], 'band', [], 'curves', curve);
-    if k > 8
+                        'range', [0, max(levels) + 1, 0, 100], ...
+                        'band', [], 'curves', curve);
+    if k > nShares
       panels(k).ylabel = '';
       panels(k).range(3:4) = NaN;
     end
@@ -105,12 +121,14 @@ end
 %!test % two single cases near d = 4, one of them named rightly
 %! name = tempname ();
 %! fid = fopen ([name, '.csv'], 'w');
-%! fputs (fid, ["class,cause,d,verdict,top,right,covered,logScore,brier\n", ...
-%!              "single,a,4.1,named,a,1,1,-0.1,0.1\n", ...
-%!              "single,b,3.9,no gap,a,0,1,-3,0.9\n"]);
+%! fputs (fid, ["class,cause,d,verdict,top,right,covered,odds20,", ...
+%!              "logScore,brier\nsingle,a,4.1,named,a,1,1,1,-0.1,0.1\n", ...
+%!              "single,b,3.9,no gap,a,0,1,0,-3,0.9\n"]);
 %! fclose (fid);
 %! twinsCurves (name);
 %! text = fileread ([name, '-curves.csv']);
 %! delete ([name, '.csv'], [name, '-curves.csv']);
 %! assert (~isempty (strfind (text, 'named or grouped rightly,4,1,2,0.5000')));
 %! assert (~isempty (strfind (text, 'names that are right,4,1,1,1.0000')));
+%! assert (~isempty (strfind (text, 'odds of the right one > 20,4,1,2,0.5')));
+%! assert (~isempty (strfind (text, 'abstained,4,0,2,0.0000')));

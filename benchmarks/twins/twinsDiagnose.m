@@ -6,11 +6,14 @@
 %                (the list is shorter then) and y are looked at
 %   VERDICTS     1 x n struct: kind, effects, top, named (cellstr), P (1 x (K +
 %                3): null, each effect, pairs, unlisted), interval (K x 3:
-%                strength of each effect, median and 90 %), gateP, fitP,
-%                seconds, temperature, nameAt, expected
+%                strength of each effect, median and 90 %), gateP, exclude,
+%                seconds, total (1 x K, effect or sibling), lookAlike (the
+%                verdict says: or something that looks like it)
 %
 % One emulator and one calibration of the verdict a laboratory; the laboratories
-% are shared out to the cores.
+% are shared out to the cores. Only twinsOfLab knows the diagnosis.
+%
+% Errors: DEcalioc:twinsDiagnose:runFailed
 %
 % See also: weighCase, judgeCase, twins
 
@@ -20,16 +23,34 @@ function verdicts = twinsDiagnose (labs, twins)
   for l = 1:n
     at = find ([twins.lab] == l);
     jobs{l} = struct ('name', labs(l).name, 'problem', labs(l).problem, ...
-                      'em', labs(l).em, 'middle', mean (labs(l).data.Z));
+                      'data', labs(l).data, 'em', emulatorOf (labs(l)), ...
+                      'middle', mean (labs(l).data.Z));
     own{l} = struct ('index', at, 'removed', [twins(at).removed], ...
                      'Y', vertcat (twins(at).y));
   end
   parts = parcellfun (min (n, nproc ()), @twinsOfLab, jobs, own, ...
-                      'UniformOutput', false, 'VerboseLevel', 0);
+                      'UniformOutput', false, 'VerboseLevel', 0, ...
+                      'ErrorHandler', @(err, varargin) err);
   for l = 1:n
+    if isfield (parts{l}, 'message')
+      error ('DEcalioc:twinsDiagnose:runFailed', ...
+             'twinsDiagnose: laboratory %s could not be diagnosed: %s', ...
+             labs(l).name, parts{l}.message);
+    end
     verdicts(own{l}.index) = parts{l};
-    first = parts{l}(1);
-    printf ('%s: temperature %.1f, names at %.2f, expected right %.2f\n', ...
-            labs(l).name, first.temperature, first.nameAt, first.expected);
+    printf ('%s: done\n', labs(l).name);
   end
 end
+
+function em = emulatorOf (lab)
+  em = [];
+  if isfield (lab, 'em')
+    em = lab.em;
+  end
+end
+
+%!error <laboratory here could not be diagnosed>
+%! labs = struct ('name', 'here', 'problem', 5, 'em', [], ...
+%!                'data', struct ('Z', [1, 2]));
+%! twins = struct ('lab', 1, 'removed', 0, 'y', [1, 2]);
+%! twinsDiagnose (labs, twins);

@@ -1,67 +1,102 @@
-% TWINSDRAW  Draws the cases of the twin study with their truth.
+% TWINSDRAW  Draws the cases of a twin study with their truth.
 %
-% CALL: TWINS = twinsDraw (LABS, PERLAB, KIND)
+% CALL: TWINS = twinsDraw (LABS, PERLAB, MIX)
 %
-%   LABS    of twinsLaboratories
+%   LABS    of twinsLaboratories or foreignLaboratories
 %   PERLAB  scalar, cases of each laboratory
-%   KIND    'blind' or 'develop': other random numbers
-%   TWINS   1 x n struct: lab (number), class ('null', 'single', 'pair', 'out'),
-%           cause (1 x c, effect numbers; 0 = a cause that no list holds),
-%           removed (effect taken off the list, 0 = none), phi (1 x K), theta (1
-%           x p, in [0, 1]), d (signal to noise of the cause), y (1 x T)
+%   MIX     of twinsMix: which cases, and their random numbers
+%   TWINS   1 x n struct: lab (number), class, cause (1 x c, effect numbers; 0 =
+%           a cause that no list holds), removed (effect taken off the list, 0 =
+%           none), phi (1 x K), theta (1 x p, in [0, 1]), d (signal to noise of
+%           the cause), dEach (1 x c, of each cause alone), like (effect that a
+%           look-alike resembles, 0 = none), cosine (of the two, NaN), alien (1
+%           x T, signature that no list holds), y (1 x T)
 %
 % d: norm of the signature that the parameters cannot absorb, in units of the
 % whole noise of the diagnosis: measurement, packing, surrogate.
-% Mix: 40 % without a gap, 35 % one effect at d = 1, 2, 3, 4, 6, 8, 10 % pairs,
-% 15 % out of library: half of them a listed effect that is then taken off the
-% list, half a signature that no effect has. Parameters anywhere in the box, in
-% every fifth case one of them within 5 % of a limit. Measurement and packing
-% noise are drawn from the laboratory, correlated by 0.2 within a bench.
+% Classes: null; single; pair; off, a listed effect that is then taken off the
+% list; look, an undeclared look-alike: the signature of a listed effect in the
+% whitened space without what parameters absorb, turned into a random direction
+% until the cosine is MIX.cosines; out: half of them off, half a signature that
+% no effect has. Parameters anywhere in the box, in every fifth case one of them
+% within 5 % of a limit. Noise as the laboratory measures.
 %
-% See also: twins, twinsDiagnose
+% See also: twins, foreignTwins, twinsDiagnose
 
-function twins = twinsDraw (labs, perLab, kind)
-  seed = 7001 + 1000 * strcmp (kind, 'develop') + 2000 * strcmp (kind, 'real');
-  rand ('twister', seed);
-  randn ('twister', seed);
+function twins = twinsDraw (labs, perLab, mix)
+  rand ('twister', mix.seed);
+  randn ('twister', mix.seed);
   twins = struct ('lab', {}, 'class', {}, 'cause', {}, 'removed', {}, ...
-                  'phi', {}, 'theta', {}, 'd', {}, 'y', {});
-  levels = [1, 2, 3, 4, 6, 8];
+                  'phi', {}, 'theta', {}, 'd', {}, 'dEach', {}, ...
+                  'like', {}, 'cosine', {}, 'alien', {}, 'y', {});
   for l = 1:numel (labs)
-    classes = classesOf (perLab);
+    classes = classesOf (perLab, mix);
     for i = 1:perLab
-      level = levels(1 + mod (i, numel (levels)));
-      twins(end + 1) = oneTwin (labs(l), l, classes{i}, level);
+      twins(end + 1) = oneTwin (labs(l), l, classes{i}, i, mix);
     end
   end
 end
 
-function classes = classesOf (n)
-  counts = round (n * [0.4, 0.35, 0.1]);
-  counts(4) = n - sum (counts);
-  names = {'null', 'single', 'pair', 'out'};
+function classes = classesOf (n, mix)
+  counts = round (n * mix.shares);
+  counts(end + 1) = n - sum (counts);
   classes = {};
-  for k = 1:4
-    classes = [classes, repmat(names(k), 1, counts(k))];
+  for k = 1:numel (counts)
+    classes = [classes, repmat(mix.classes(k), 1, counts(k))];
   end
 end
 
-function twin = oneTwin (lab, number, kind, level)
+function twin = oneTwin (lab, number, class, i, mix)
   K = numel (lab.problem.effects);
-  p = columns (lab.problem.limits);
+  twin = struct ('lab', number, 'class', class, 'cause', [], ...
+                 'removed', 0, 'phi', zeros (1, K), 'theta', [], 'd', 0, ...
+                 'dEach', [], 'like', 0, 'cosine', NaN, ...
+                 'alien', zeros (size (lab.seedSd)));
+  twin.theta = parametersOf (columns (lab.problem.limits));
+  order = randperm (K);
+  space = twinsSpace (lab, twin.theta);
+  levels = mix.levels.(class);
+  level = levels(1 + mod (i, numel (levels)));
+  if mix.isReachable && any (strcmp (class, {'pair', 'off', 'look'}))
+    order = reachableFirst (lab, space, order, level);
+  end
+  twin = giveCause (twin, lab, order, space, level);
+  if strcmp (class, 'look')
+    twin.like = order(1);
+    twin.cosine = mix.cosines(1 + mod (i, numel (mix.cosines)));
+    twin = lookAlike (twin, lab, space, level, mix.step);
+  end
+  for k = twin.cause(twin.cause > 0)
+    if mix.pairsDiffer && strcmp (class, 'pair')
+      level = levels(randi (numel (levels)));
+    end
+    twin.phi(k) = twinsStrength (lab, space, k, level, mix.step);
+    alone = lab.means (twin.theta, twin.phi .* ((1:K) == k)) - space.base;
+    twin.dEach(end + 1) = space.visible (alone);
+  end
+  shape = lab.means (twin.theta, twin.phi) - space.base + twin.alien;
+  twin.d = space.visible (shape);
+  twin.y = lab.measure (twin.theta, twin.phi) + twin.alien;
+end
+
+function theta = parametersOf (p)
   theta = rand (1, p);
   if rand () < 0.2
     theta(randi (p)) = 0.05 * rand ();
   end
-  twin = struct ('lab', number, 'class', kind, 'cause', [], ...
-                 'removed', 0, 'phi', zeros (1, K), 'theta', theta, 'd', 0);
-  order = randperm (K);
-  alien = zeros (size (lab.seedSd));
-  switch kind
+end
+
+function twin = giveCause (twin, lab, order, space, level)
+  switch twin.class
     case 'single'
       twin.cause = order(1);
     case 'pair'
       twin.cause = sort (order(1:2));
+    case 'off'
+      twin.cause = order(1);
+      twin.removed = order(1);
+    case 'look'
+      twin.cause = 0;
     case 'out'
       if rand () < 0.5
         twin.cause = order(1);
@@ -69,52 +104,71 @@ function twin = oneTwin (lab, number, kind, level)
       else
         twin.cause = 0;
         alien = lab.direction(randi (2), :);
+        twin.alien = alien * level / space.visible (alien);
       end
   end
-  noise = sqrt (lab.problem.sd.^2 + lab.seedSd.^2);
-  for k = twin.cause(twin.cause > 0)
-    twin.phi(k) = strengthFor (lab, theta, k, level, lab.noise);
-  end
-  shape = lab.means (theta, twin.phi) - lab.means (theta, zeros (1, K));
-  if any (alien)
-    alien = alien * level / visible (lab, theta, alien, lab.noise);
-    shape = shape + alien;
-  end
-  twin.d = visible (lab, theta, shape, lab.noise);
-  bench = lab.problem.bench;
-  same = 0.2 * (bench' == bench) + 0.8 * eye (numel (bench));
-  twin.y = lab.means (theta, zeros (1, K)) + shape + ...
-           noise .* (randn (1, numel (noise)) * chol (same));
 end
 
-% Signal to noise of what the parameters cannot absorb.
-function d = visible (lab, theta, shape, noise)
-  p = numel (theta);
-  J = zeros (numel (noise), p);
-  K = numel (lab.problem.effects);
-  for j = 1:p
-    step = 0.02 * ((1:p) == j);
-    J(:, j) = (lab.means (theta + step, zeros (1, K)) - ...
-               lab.means (theta - step, zeros (1, K)))' / 0.04;
-  end
-  parity = parityProjection (J ./ noise', (shape ./ noise)');
-  d = sqrt (parity.unabsorbed);
+% Effects that reach the level at full strength, whichever way, come first.
+function order = reachableFirst (lab, space, order, level)
+  K = numel (order);
+  here = ones (K, 1) * space.theta;
+  reach = space.visible (lab.means (here, eye (K)) - space.base);
+  back = space.visible (lab.means (here, -diag(lab.isSigned)) - space.base);
+  reach(lab.isSigned) = min (reach, back)(lab.isSigned);
+  [~, first] = sort (reach(order) < level);
+  order = order(first);
 end
 
-function phi = strengthFor (lab, theta, k, level, noise)
+% A cause whose visible signature has the cosine with that of the effect.
+function twin = lookAlike (twin, lab, space, level, step)
   K = numel (lab.problem.effects);
-  base = lab.means (theta, zeros (1, K));
-  side = 1;
-  if lab.problem.effects(k).laboratory && rand () < 0.5
-    side = -1;
-  end
-  grid = 0.02:0.02:1;
-  phi = side;
-  for g = grid
-    shape = lab.means (theta, side * g * ((1:K) == k)) - base;
-    if visible (lab, theta, shape, noise) >= level
-      phi = side * g;
-      return
-    end
-  end
+  phi = twinsStrength (lab, space, twin.like, level, step) * ...
+        ((1:K) == twin.like);
+  shape = lab.means (twin.theta, phi) - space.base;
+  u = space.free' * (space.factor \ shape');
+  u = u / norm (u);
+  v = randn (size (u));
+  v = v - u * (u' * v);
+  v = twin.cosine * u + sqrt (1 - twin.cosine^2) * v / norm (v);
+  twin.alien = level * (space.factor * space.free * v)';
 end
+
+%!shared lab
+%! lab = foreignLab ('develop', 2);
+%! lab.noise = sqrt (lab.seedSd.^2 + lab.problem.sd.^2);
+%!test % shares, seeds, levels that are reached or full strength
+%! mix = twinsMix ('foreign develop');
+%! twins = twinsDraw (lab, 40, mix);
+%! assert (twinsDraw (lab, 40, mix), twins);
+%! number = cellfun (@(c) sum (strcmp ({twins.class}, c)), mix.classes);
+%! assert (number, [14, 12, 5, 3, 6]);
+%! for t = twins(strcmp ({twins.class}, 'null'))
+%!   assert ({t.cause, t.d, any(t.phi)}, {[], 0, false});
+%! end
+%! for t = twins(strcmp ({twins.class}, 'single'))
+%!   assert (t.d, t.dEach, 1e-12);
+%!   assert (sum (t.phi ~= 0), 1);
+%! end
+%! for t = twins(strcmp ({twins.class}, 'off'))
+%!   assert (t.removed, t.cause);
+%! end
+%!test % look-alikes: cosine and signal to noise are as ordered
+%! twins = twinsDraw (lab, 40, twinsMix ('foreign develop'));
+%! for t = twins(strcmp ({twins.class}, 'look'))
+%!   space = twinsSpace (lab, t.theta);
+%!   K = numel (t.phi);
+%!   w = @(s) space.free' * (space.factor \ s');
+%!   cosines = zeros (2, 1);
+%!   for side = 1:2
+%!     full = lab.means (t.theta, (3 - 2 * side) * ((1:K) == t.like));
+%!     near = w (full - space.base);
+%!     cosines(side) = near' * w(t.alien) / norm (near) / norm (w (t.alien));
+%!   end
+%!   assert (min (abs (cosines - t.cosine)) < 0.1);
+%!   assert (min (abs (t.d - [3, 5, 8, 12])) < 1e-9);
+%!   assert (~any (t.phi));
+%! end
+%!test % nulls alone
+%! twins = twinsDraw (lab, 7, twinsMix ('foreign develop nulls'));
+%! assert (all (strcmp ({twins.class}, 'null')) && numel (twins) == 7);

@@ -11,7 +11,9 @@
 %         (200 runs: 40 neutral, 20 for each of 8 effects), means (handle,
 %         noiseless results of theta in [0, 1] and strengths), seedSd, em (of
 %         fitEmulator), noise (1 x T: measurement, packing and surrogate),
-%         direction (2 x T: signatures of causes that no list holds)
+%         direction (2 x T: signatures of causes that no list holds), isSigned
+%         (1 x K, effects that act both ways), measure (handle, y = measure
+%         (theta, phi): with noise, correlated by 0.2 within a bench)
 %
 % See also: standInGap, twinsDraw
 
@@ -39,17 +41,12 @@ function labs = twinsLaboratories (kind, root)
     one.noise = sqrt (given.sd.^2 + lab.seedSd.^2 + ...
                       mean (one.em.surrogateVar, 1));
     one.direction = [2 * randn(1, 24); 3 * randn(1, 24) .* (bench == 2)];
-    labs(i) = one;
+    labs(i) = measuring (one);
   end
 end
 
 function lab = realLaboratory (root)
-  folder = fullfile (root, 'examples', 'hiddenEffect');
-  addpath (folder);
-  Case = loadCase (root, folder);
-  data = importRuns (fullfile (root, 'benchmarks', 'data', ...
-                               'hiddenEffect.csv'), Case);
-  given = gapProblemOf (Case);
+  [given, data] = storedCampaign ('hiddenEffect', root);
   problem = newGapProblem (given);
   em = fitEmulator (problem, data, gapOptions ([]));
   few = ~[em.effect.laboratory] & [em.effect.runs] < 6;
@@ -68,6 +65,16 @@ function lab = realLaboratory (root)
   randn ('twister', 131);
   lab.direction = [1; 1] .* lab.noise .* randn (2, T);
   lab.direction(2, given.bench ~= 1) = 0;
+  lab = measuring (lab);
+end
+
+function lab = measuring (lab)
+  bench = lab.problem.bench;
+  noise = sqrt (lab.problem.sd.^2 + lab.seedSd.^2);
+  factor = chol (0.2 * (bench' == bench) + 0.8 * eye (numel (bench)));
+  lab.isSigned = [lab.problem.effects.laboratory];
+  lab.measure = @(theta, phi) lab.means (theta, phi) + ...
+                noise .* (randn (1, numel (noise)) * factor);
 end
 
 function Z = surrogateMeans (em, theta, phi)

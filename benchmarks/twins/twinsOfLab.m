@@ -2,10 +2,12 @@
 %
 % CALL: VERDICTS = twinsOfLab (LAB, CASES)
 %
-%   LAB       struct name, problem, em, middle (1 x T, any finite values)
+%   LAB       struct name, problem, data (its runs), em ([]: is fitted to them),
+%             middle (1 x T, any finite values)
 %   CASES     struct Y (n x T), removed (1 x n, effect off the list or 0)
-%   VERDICTS  1 x n struct, see twinsDiagnose; temperature, nameAt, expected are
-%             those of the laboratory
+%   VERDICTS  1 x n struct, see twinsDiagnose
+%
+% The only place where the twin studies call the diagnosis.
 %
 % See also: twinsDiagnose
 
@@ -14,35 +16,38 @@ function verdicts = twinsOfLab (lab, cases)
   given = lab.problem;
   given.y = lab.middle;
   problem = newGapProblem (given);
+  if isempty (lab.em)
+    lab.em = fitEmulator (problem, lab.data, options);
+  end
   K = numel (lab.em.effect);
-  full = makeModels (problem, lab.em, options);
-  [full, expected] = calibrateVerdict (problem, lab.em, full, options);
+  full = gateReference (makeModels (problem, lab.em, options));
   for removed = unique (cases.removed)
     models = full;
     if removed > 0
       models = makeModels (problem, withoutEffects (lab.em, removed), options);
-      models.temperature = full.temperature;
-      models.nameAt = full.nameAt;
+      models = gateReference (models);
     end
-    for i = find (cases.removed == removed)
-      v = oneVerdict (models, cases.Y(i, :), removed, K);
-      v.expected = expected.right;
-      verdicts(i) = v;
+    at = find (cases.removed == removed);
+    fits = fitLibrary (models, cases.Y(at, :));
+    for i = 1:numel (at)
+      verdicts(at(i)) = oneVerdict (models, fits, i, removed, K);
     end
   end
 end
 
-function v = oneVerdict (models, y, removed, K)
+function v = oneVerdict (models, fits, i, removed, K)
   start = tic ();
-  fits = fitLibrary (models, y);
-  w = weighCase (models, fits, 1, true);
+  w = weighCase (models, fits, i);
   verdict = judgeCase (w, models);
   numbers = setdiff (1:K, removed);
   v = struct ('kind', verdict.kind, 'effects', numbers(verdict.effects), ...
+              'lookAlike', verdict.lookAlike, 'guard', verdict.guard, ...
+              'partners', numbers(verdict.partners), ...
               'top', numbers(verdict.top), 'P', zeros (1, K + 3), ...
-              'interval', NaN (K, 3), 'gateP', w.gate.p, ...
-              'fitP', max (w.fitP(1:end - 1)), 'seconds', 0, ...
-              'temperature', models.temperature, 'nameAt', models.nameAt);
+              'total', zeros (1, K), 'interval', NaN (K, 3), ...
+              'gateP', w.gate.p, 'exclude', w.exclude, ...
+              'ess', min (w.ess), 'seconds', 0);
+  v.total(numbers) = verdict.total;
   for h = 1:numel (verdict.P)
     switch w.kind{h}
       case 'null'

@@ -1,21 +1,37 @@
 % TWINSSCORE  Scores the verdicts of the twin study and writes every case.
 %
-% CALL: twinsScore (NAME, TWINS, VERDICTS, LABS)
+% CALL: twinsScore (NAME, TWINS, VERDICTS, LABS, LINESOF)
 %
 %   NAME      path without ending: NAME.csv (cases), NAME-scores.csv (figures)
 %   TWINS, VERDICTS, LABS  of twinsDraw, twinsDiagnose, twinsLaboratories
+%   LINESOF   handle, LINES = linesOf (S): the figures of a study from the flags
+%             of twinsFlags, see foreignLines (those of twins)
 %
 % Prints the figures of merit with 95 % Clopper-Pearson intervals; twinsCurves
 % gives them over the signal to noise d.
 %
 % See also: twins, binomialInterval
 
-function twinsScore (name, twins, verdicts, labs)
-  s = flags (twins, verdicts);
+function twinsScore (name, twins, verdicts, labs, linesOf)
+  if nargin < 5
+    linesOf = @standInLines;
+  end
+  s = twinsFlags (twins, verdicts);
   s.score = scoresOf (twins, verdicts);
   writeCases ([name, '.csv'], twins, verdicts, labs, s);
   id = fopen ([name, '-scores.csv'], 'w');
   fprintf (id, 'figure,hits,cases,share,lo95,hi95,target\n');
+  lines = linesOf (s);
+  for i = 1:rows (lines)
+    report (id, lines{i, 1}, lines{i, 2}, lines{i, 3}, lines{i, 4});
+  end
+  reportScores (id, s.score);
+  fclose (id);
+  printf ('median %.2f s a diagnosis, longest %.2f s\n', ...
+          median ([verdicts.seconds]), max ([verdicts.seconds]));
+end
+
+function lines = standInLines (s)
   strong = s.single & s.d >= 3.9;
   listed = s.named & ~s.out;
   lines = {'false naming on null', s.named, s.null, '<= 0.05'; ...
@@ -35,44 +51,6 @@ function twinsScore (name, twins, verdicts, labs)
            '90 % interval of strength holds it', s.covered, s.single, ...
            '0.85 - 0.95'; ...
            'a gap was seen, d >= 4', ~s.noGap, strong, ''};
-  for i = 1:rows (lines)
-    report (id, lines{i, 1}, lines{i, 2}, lines{i, 3}, lines{i, 4});
-  end
-  reportScores (id, s.score);
-  fclose (id);
-  printf ('median %.2f s a diagnosis, longest %.2f s\n', ...
-          median ([verdicts.seconds]), max ([verdicts.seconds]));
-end
-
-function s = flags (twins, verdicts)
-  n = numel (twins);
-  s.null = strcmp ({twins.class}, 'null');
-  s.single = strcmp ({twins.class}, 'single');
-  s.pair = strcmp ({twins.class}, 'pair');
-  s.out = strcmp ({twins.class}, 'out');
-  s.d = [twins.d];
-  s.named = strcmp ({verdicts.kind}, 'named');
-  s.noGap = strcmp ({verdicts.kind}, 'no gap');
-  s.unlisted = strcmp ({verdicts.kind}, 'none of the listed');
-  for i = 1:n
-    s = oneFlag (s, i, twins(i), verdicts(i));
-  end
-end
-
-function s = oneFlag (s, i, twin, verdict)
-  cause = twin.cause(twin.cause > 0);
-  said = verdict.effects;
-  isGroup = strcmp (verdict.kind, 'group');
-  s.top(i) = ~s.out(i) && any (verdict.top == cause);
-  hit = ~s.out(i) && ~isempty (said) && ~isempty (cause);
-  s.right(i) = hit && ((s.named(i) && all (ismember (said, cause))) || ...
-                       (isGroup && any (ismember (cause, said))));
-  s.both(i) = s.right(i) && s.named(i) && numel (said) == 2;
-  s.covered(i) = false;
-  if s.single(i)
-    q = verdict.interval(cause, :);
-    s.covered(i) = q(2) <= twin.phi(cause) && twin.phi(cause) <= q(3);
-  end
 end
 
 function report (id, name, hits, cases, target)
@@ -123,8 +101,9 @@ end
 function writeCases (file, twins, verdicts, labs, s)
   id = fopen (file, 'w');
   fprintf (id, ['case,lab,class,cause,removed,d,phi,verdict,effects,top,', ...
-                'right,covered,gateP,fitP,pNull,pTop,pPair,pUnlisted,', ...
-                'logScore,brier,seconds\n']);
+                'right,covered,odds20,lookAlike,like,cosine,gateP,', ...
+                'excludeOdds,', ...
+                'pNull,pTop,pPair,pUnlisted,logScore,brier,seconds\n']);
   for i = 1:numel (twins)
     t = twins(i);
     v = verdicts(i);
@@ -134,14 +113,36 @@ function writeCases (file, twins, verdicts, labs, s)
       truth = strjoin (names(t.cause), ' ');
     end
     cause = t.cause(t.cause > 0);
-    fprintf (id, '%d,%s,%s,%s,%d,%.3f,%s,%s,%s,%s,%d,%d,', i, ...
+    fprintf (id, '%d,%s,%s,%s,%d,%.3f,%s,%s,%s,%s,%d,%d,%d,%d,', i, ...
              labs(t.lab).name, t.class, truth, t.removed, t.d, ...
              strtrim (sprintf ('%.3f ', t.phi(cause))), v.kind, ...
              strjoin (names(v.effects), ' '), names{v.top}, s.right(i), ...
-             s.covered(i));
+             s.covered(i), s.odds(i), v.lookAlike);
+    fprintf (id, '%s,%.2f,', strjoin (names(t.like(t.like > 0)), ' '), ...
+             t.cosine);
     fprintf (id, '%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.3f,%.3f,%.2f\n', v.gateP, ...
-             v.fitP, v.P(1), v.P(1 + v.top), v.P(end - 1), v.P(end), ...
-             s.score(i, 1:2), v.seconds);
+             exp (min (v.exclude, 20)), v.P(1), v.P(1 + v.top), ...
+             v.P(end - 1), v.P(end), s.score(i, 1:2), v.seconds);
   end
   fclose (id);
 end
+
+%!test % one null that is named, by the table of the stand-ins and by another
+%! name = tempname ();
+%! labs = struct ('name', 'here', 'problem', ...
+%!                struct ('effects', struct ('name', {'a', 'b'})));
+%! twin = struct ('lab', 1, 'class', 'null', 'cause', [], 'removed', 0, ...
+%!                'phi', [0, 0], 'd', 0, 'dEach', [], 'like', 0, 'cosine', NaN);
+%! verdict = struct ('kind', 'named', 'effects', 2, 'top', 2, 'P', ...
+%!                   [0.1, 0, 0.9, 0, 0], 'interval', zeros (2, 3), 'gateP', ...
+%!                   0.01, 'exclude', 0.5, 'seconds', 1, 'lookAlike', true);
+%! evalc ('twinsScore (name, twin, verdict, labs);');
+%! scores = fileread ([name, '-scores.csv']);
+%! cases = fileread ([name, '.csv']);
+%! other = @(s) {'seen', s.gate, s.null, '<= 1'};
+%! evalc ('twinsScore (name, twin, verdict, labs, other);');
+%! own = fileread ([name, '-scores.csv']);
+%! delete ([name, '-scores.csv'], [name, '.csv']);
+%! assert (~isempty (strfind (scores, 'false naming on null,1,1,1.0000')));
+%! assert (~isempty (strfind (own, 'seen,1,1,1.0000,0.0250,1.0000,<= 1')));
+%! assert (~isempty (strfind (cases, '1,here,null,,0,0.000,,named,b,b,0,0')));

@@ -1,0 +1,52 @@
+% LEFTOUT  Diagnoses real runs that were left out of their own campaign.
+%
+% CALL: octave-cli benchmarks/leftOut.m [hiddenEffect|drumAndBins ...] [every]
+%
+% Each run of a stored campaign on LIGGGHTS (benchmarks/data/<name>.csv) is left
+% out once with all its repeats and, with measurement noise added, taken for the
+% measurement: rows with one effect tell whether it is named and whether its
+% strength is found, rows with two the same for pairs, neutral rows how often
+% there is a false alarm. The truth is a run of the DEM program, not of the
+% surrogates that diagnose it. With a number as last argument only every n-th
+% row is taken.
+%
+% Writes results/leftOut-<name>.csv (every case) and leftOut.csv (figures), and
+% prints the latter: shares with 95 % Clopper-Pearson intervals.
+%
+% See also: twins, leftOutCase, leftOutScore
+
+1;
+
+function runLeftOut (names, every)
+  addpath (fileparts (mfilename ('fullpath')));
+  root = startBenchmarks ();
+  results = fullfile (root, 'benchmarks', 'results');
+  cases = [];
+  for name = names
+    campaign = leftOutCampaign (name{1}, root);
+    rows_ = 1:every:rows (campaign.data.Z);
+    jobs = num2cell (rows_(campaign.isWhole(rows_)));
+    printf ('%s: %d runs are left out, one after the other\n', name{1}, ...
+            numel (jobs));
+    edges = round (linspace (0, numel (jobs), nproc () + 1));
+    shares = mat2cell ([jobs{:}], 1, diff (edges));
+    parts = parcellfun (nproc (), @leftOutCase, ...
+                        repmat ({campaign}, 1, numel (shares)), shares, ...
+                        'UniformOutput', false, 'VerboseLevel', 0);
+    own = [parts{:}];
+    leftOutWrite (fullfile (results, ['leftOut-', name{1}, '.csv']), own);
+    cases = [cases, own];
+  end
+  leftOutScore (fullfile (results, 'leftOut.csv'), cases);
+end
+
+args = argv ();
+every = 1;
+if ~isempty (args) && isfinite (str2double (args{end}))
+  every = str2double (args{end});
+  args(end) = [];
+end
+if isempty (args)
+  args = {'hiddenEffect', 'drumAndBins'};
+end
+runLeftOut (args(:)', every);

@@ -1,0 +1,23 @@
+% LEFTOUTCAMPAIGN  Loads a stored campaign for the study of left-out runs.
+%
+% CALL: CAMPAIGN = leftOutCampaign (NAME, ROOT)
+%
+%   NAME      'hiddenEffect' (examples/) or 'drumAndBins' (benchmarks/)
+%   ROOT      folder of the toolbox
+%   CAMPAIGN  struct name, given (for newGapProblem; nothing is held out), data
+%             (all runs), em (fitEmulator on all), reference (of gateReference),
+%             isWhole (1 x n logical: every result is there)
+%
+% See also: leftOut
+
+function campaign = leftOutCampaign (name, root)
+  [given, data] = storedCampaign (name, root);
+  given.held(:) = false;
+  problem = newGapProblem (given);
+  options = gapOptions ([]);
+  em = fitEmulator (problem, data, options);
+  models = gateReference (makeModels (problem, em, options));
+  campaign = struct ('name', name, 'given', given, 'data', data, 'em', em, ...
+                     'reference', models.reference, ...
+                     'isWhole', all (isfinite (data.Z), 2)');
+end

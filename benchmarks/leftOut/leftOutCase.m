@@ -1,0 +1,88 @@
+% LEFTOUTCASE  Leaves runs out of a campaign, each once, and diagnoses them.
+%
+% CALL: CASES = leftOutCase (CAMPAIGN, NUMBERS)
+%
+%   CAMPAIGN  struct of leftOutCampaign
+%   NUMBERS   1 x n, rows of CAMPAIGN.data
+%   CASES     1 x n struct: campaign, row, class ('null', 'single', 'pair'),
+%             cause (cellstr), phi (strengths), d (signal to noise), verdict,
+%             effects (cellstr), lookAlike, guard, top (name), pTop, pTrue,
+%             pNull (probabilities: of top, of the cause or what resembles it,
+%             of no gap), interval (1 x 3, of the first cause), gateP, exclude,
+%             ess, seconds
+%
+% The measurement is the row plus normal noise of the stated uncertainty (seeded
+% by the row). All rows with the same inputs are taken out of the runs.
+%
+% See also: leftOut
+
+function cases = leftOutCase (campaign, numbers)
+  options = gapOptions ([]);
+  data = campaign.data;
+  inputs = [data.X, data.E];
+  for j = 1:numel (numbers)
+    start = tic ();
+    i = numbers(j);
+    same = all (inputs == inputs(i, :), 2);
+    noise = integrationPoints (1, columns (data.Z), 4000 + i).normal;
+    given = campaign.given;
+    given.y = data.Z(i, :) + given.sd .* noise;
+    problem = newGapProblem (given);
+    em = fitEmulator (problem, without (data, same), options, campaign.em);
+    kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
+    em.effect = em.effect(kept);
+    models = makeModels (problem, em, options);
+    models.reference = campaign.reference;
+    fits = fitLibrary (models, given.y);
+    w = weighCase (models, fits, 1);
+    verdict = judgeCase (w, models);
+    truth = truthOf (problem, models, data, i);
+    one = describe (w, verdict, models, truth);
+    one.campaign = campaign.name;
+    one.row = i;
+    one.seconds = toc (start);
+    cases(j) = one;
+  end
+end
+
+function data = without (data, same)
+  for field = {'X', 'E', 'Z', 'replicate'}
+    data.(field{1}) = data.(field{1})(~same, :);
+  end
+end
+
+function truth = truthOf (problem, models, data, i)
+  phi = effectStrength (problem.effects, data.E(i, :));
+  theta = 2 * (data.X(i, :) - problem.limits(1, :)) ./ ...
+          diff (problem.limits) - 1;
+  names = {problem.effects(abs (phi) > 1e-9).name};
+  [has, at] = ismember (names, models.names);
+  truth = struct ('names', {names}, 'phi', phi(abs (phi) > 1e-9), 'd', 0);
+  truth.at = at;
+  if ~isempty (names) && all (has)
+    [~, ~, ~, S] = predictGap (models.white, at, [theta, truth.phi]);
+    white = models.white;
+    [~, V, J] = predictGap (white, [], theta);
+    slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
+    N = parityProjection (slopes, zeros (numel (V), 1)).N;
+    truth.d = norm (N' * (S ./ sqrt (V))');
+  end
+end
+
+function one = describe (w, verdict, models, truth)
+  classes = {'null', 'single', 'pair'};
+  one = struct ('class', classes{numel(truth.names) + 1}, ...
+                'cause', {truth.names}, 'phi', truth.phi, 'd', truth.d, ...
+                'verdict', verdict.kind, ...
+                'effects', {models.names(verdict.effects)}, ...
+                'lookAlike', verdict.lookAlike, 'guard', verdict.guard, ...
+                'top', models.names{verdict.top}, ...
+                'pTop', verdict.total(verdict.top), 'pTrue', 0, ...
+                'pNull', verdict.null, 'interval', NaN (1, 3), ...
+                'gateP', w.gate.p, 'exclude', w.exclude, 'ess', min (w.ess));
+  at = truth.at(truth.at > 0);
+  if ~isempty (at)
+    one.pTrue = max (verdict.total(at));
+    one.interval = w.phi(1 + at(1), :);
+  end
+end

@@ -1,0 +1,31 @@
+% STOREDCAMPAIGN  Loads the stored runs of a campaign and what they mean.
+%
+% CALL: [GIVEN, DATA] = storedCampaign (NAME, ROOT)
+%
+%   NAME   case in examples/ or benchmarks/; its runs are data/NAME.csv
+%   ROOT   folder of the toolbox
+%   GIVEN  struct for newGapProblem;  DATA  all runs, see importRuns
+%
+% See also: leftOutCampaign, integrationSeeds, twinsLaboratories
+
+function [given, data] = storedCampaign (name, root)
+  folder = fullfile (root, 'examples', name);
+  if ~isfolder (folder)
+    folder = fullfile (root, 'benchmarks', name);
+  end
+  % Octave looks for loadInput.m in the working folder first
+  before = cd (folder);
+  back = onCleanup (@() cd (before));
+  Case = withEffects (loadCase (root, folder));
+  data = importRuns (fullfile (root, 'benchmarks', 'data', [name, '.csv']), ...
+                     Case);
+  given = gapProblemOf (Case);
+end
+
+%!test
+%! root = startBenchmarks ();
+%! here = pwd ();
+%! [given, data] = storedCampaign ('hiddenEffect', root);
+%! assert (pwd (), here);
+%! assert (size (data.Z), [153, 14]);
+%! assert (numel (given.effects), 12);
