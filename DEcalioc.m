@@ -49,12 +49,15 @@ function calibration = calibrateCase (root, folder)
 
   % optimisation on the DEM models
   state = newState (data, surrogates, found);
+  reportPage (Case, say, state);
   state = improveByInfill (state, problem, evaluate, say);
+  reportPage (Case, say, state);
   state = calibrateOnDEM (state, problem, evaluate, say);
 
   calibration = newCalibration (state, problem, Case, ledger);
   writeCalibrationJson (calibration, Case);
   reportCalibration (calibration, Case, say);
+  reportPage (Case, say);
 end
 
 root = fileparts (mfilename ('fullpath'));

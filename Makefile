@@ -17,7 +17,7 @@ CASE ?= .
 ONLY ?=
 export LIGGGHTS OCTAVE CASE ONLY
 
-.PHONY: help setup liggghts run gap test soak bench lint format clean liggghts-clean
+.PHONY: help setup liggghts run gap test soak bench lint format dist clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -59,6 +59,9 @@ lint:                  ## check the style of the Octave and the shell code
 format:                ## lay out the Octave code, then lint
 	@tools/setup.sh lint
 	@tools/lint.sh --fix
+
+dist:                  ## make the Octave package dist/decalioc-VERSION.tar.gz
+	@tools/dist.sh
 
 clean:                 ## remove what tests and crashes leave, never a result
 	@rm -f fntests.log tests/fntests.log octave-workspace log.liggghts

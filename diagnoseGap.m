@@ -29,11 +29,12 @@ function diagnosis = diagnoseCase (root, folder)
   [data, count] = gatherRuns (Case);
   [given, notes] = gapProblemOf (Case);
   notes = [notes(:)', unexpressedEffects(Case)];
-  sayGapCase (Case, data, count, notes, say);
+  [~, foreseen] = gapBudget (Case, ledger, given, count.seconds);
+  sayGapCase (Case, data, count, [notes, foreseen], say);
   data = completePlan (data, Case, evaluate, say);
 
   % where, which, how far, next test
-  options = gapBudget (Case, ledger, given);
+  options = gapBudget (Case, ledger, given, count.seconds);
   further = @(X, E, replicate, stage) evaluate (X, replicate, stage, E);
   if options.maxNewRuns < 1
     further = [];
@@ -48,6 +49,7 @@ function diagnosis = diagnoseCase (root, folder)
   writeGapJson (diagnosis, Case);
   writeGapTables (diagnosis, Case);
   sayDiagnosis (diagnosis, Case, say);
+  reportPage (Case, say);
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
 end
 

@@ -27,7 +27,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   % Optional:
   % Input.seed        seed of plan and packings; same seed, same calibration
   % Input.timeout(k)  time limit of a run of model k (s)
-  % Input.executor    'local' (default) or 'slurm'
+  % Input.executor    'local' (default), 'slurm' or 'gridengine'
   % Input.maxNewRuns  at most so many DEM runs in this start
   Input.seed = 1;
 

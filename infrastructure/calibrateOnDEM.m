@@ -4,11 +4,11 @@
 %
 % state     struct of newState
 % problem   struct of newProblem; options used: maxIter (sets tried),
-%           maxFunEvals, replicates, confidence, tolfun, maxCPU, method
+%           maxFunEvals, replicates, confidence, tolfun, sets, method
 % evaluate  handle Z = evaluate (P, replicate)
 % say       handle, gets one line of text a step
 %
-% 'robust': the found set is run with other seeds, at most maxCPU at once; the
+% 'robust': the found set is run with other seeds, at most sets at once; the
 % runs correct the surrogates, whose Levenberg-Marquardt gives the next set when
 % the present one turns out wrong. Ends when confirmSet is satisfied, or the
 % budget is spent, or maxIter sets were tried. 'published': nonlin_residmin with
@@ -42,7 +42,7 @@ end
 
 function state = confirmingRuns (state, problem, evaluate)
   missing = max (1, problem.options.replicates - state.final.n);
-  n = min (missing, max (1, floor (problem.options.maxCPU)));
+  n = min (missing, max (1, floor (problem.options.sets)));
   stage = 'verify';
   if state.final.n > 0
     stage = 'replicate';
@@ -74,7 +74,7 @@ end
 %! C.names = {'a', 'b', 'c'};
 %! C.limits = [0, 0, 0; 1, 1, 1];
 %! C.targets = struct ('value', {4, 2}, 'tol', 0.02);
-%! C.options = struct ('maxFunEvals', 12, 'replicates', 3, 'maxCPU', 2);
+%! C.options = struct ('maxFunEvals', 12, 'replicates', 3, 'sets', 2);
 %! problem = newProblem (C, []);
 %! f = @(P, r) [3 + 2 * P(:, 1) - P(:, 3), 1 + P(:, 1) + P(:, 2)] .* ...
 %!             (1 + 0.005 * randn (rows (P), 2));

@@ -19,7 +19,8 @@
 % Each start is solved by nonlin_residmin with the Jacobian of the surrogate.
 % Then, among all sets that meet the targets, the surest one is looked for:
 % least sum of (residual^2 + variance) / tolerance^2; preference rows of the
-% cost function only break ties (preferredSet).
+% cost function, and parameters measured by themselves, only break ties
+% (preferredSet).
 %
 % See also: surestSet, solveStart, preferredSet, findConflict
 
@@ -44,7 +45,7 @@ function [found, history] = calibrateOnKriging (surrogates, problem, options)
   if probability < solved(won).probability
     p = solved(won).params;
   end
-  if problem.nExtra > 0
+  if problem.nExtra > 0 || any (isfinite (problem.paramSd))
     p = preferredSet (surrogates, problem, p, pool);
   end
   found = describeSet (surrogates, problem, p);
@@ -121,6 +122,15 @@ end
 %! assert (all (abs (g.residual(1:2)) < 0.02));
 %! assert (g.params(3) >= found.params(3));
 %! assert (numel (g.residual), 3);
+
+%!test
+%! % so does a parameter that was measured by itself
+%! C.paramMean = [NaN, NaN, 0.2];
+%! C.paramSd = [NaN, NaN, 0.05];
+%! g = calibrateOnKriging (s, newProblem (C, []));
+%! assert (all (abs (g.residual(1:2)) < 0.02));
+%! assert (abs (found.params(3) - 0.2) > 0.2);
+%! assert (g.params(3), 0.2, 0.1);
 
 %!test
 %! % out of reach: said, and named

@@ -7,7 +7,7 @@
 % evaluate  handle Z = evaluate (P, replicate)
 % say       handle, gets one line of text a round
 %
-% Each round places a batch of options.maxCPU runs (chooseInfill), refits the
+% Each round places a batch of options.sets runs (chooseInfill), refits the
 % surrogates and calibrates again, until the found set meets all targets with a
 % probability of 0.8 (the confirming runs of calibrateOnDEM bring the rest), or
 % it is clear in two rounds running that no set can meet them, or only the
@@ -31,7 +31,7 @@ function state = improveByInfill (state, problem, evaluate, say)
       state.reason = 'no runs left for infill';
     else
       round = round + 1;
-      n = min (free, max (1, floor (problem.options.maxCPU)));
+      n = min (free, max (1, floor (problem.options.sets)));
       P = chooseInfill (state.surrogates, problem, state.found, n, round);
       state = runRows (state, problem, evaluate, P, 'infill');
       state = recalibrate (state, problem, 'infill', round);

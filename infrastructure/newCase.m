@@ -15,7 +15,9 @@
 % Input.timeout none (a multiple
 % of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
 % 40, optim.WRL 0, optim.method 'robust', optim.confidence 0.95,
-% optim.targetStd 0, optim.role 'calibrate'.
+% optim.targetStd 0, optim.trials 1, optim.correlation 0 (independent),
+% optim.role 'calibrate', optim.paramMean and paramSd NaN (not measured),
+% optim.cost 1.
 %
 % See also: loadCase, checkCase
 
@@ -33,6 +35,8 @@ function Case = newCase (raw)
   Case.models = newModels (raw);
   Case.names = raw.assign(:)';
   Case.limits = double (raw.paramLims);
+  Case.paramMean = rowByName (given (raw.optim, 'paramMean', []), Case.names);
+  Case.paramSd = rowByName (given (raw.optim, 'paramSd', []), Case.names);
   Case.modelVars = raw.modelVars;
   Case.effects = resolveEffects (given (raw, 'effects', []), ...
                                  {fullfile(raw.folder, 'effects'), raw.folder});
@@ -62,24 +66,30 @@ function models = newModels (raw)
   names = cellstr (raw.Input.model);
   timeout = given (raw.Input, 'timeout', NaN);
   timeout(end + 1:numel (names)) = NaN;
+  cost = given (raw.optim, 'cost', 1);
+  cost(end + 1:numel (names)) = 1;
   models = struct ('name', names(:)', 'folder', '', 'cpu', 1, ...
-                   'timeout', NaN, 'nTargets', 0, 'seconds', []);
+                   'timeout', NaN, 'nTargets', 0, 'seconds', [], 'cost', 1);
   for k = 1:numel (models)
     models(k).folder = findModel (models(k).name, raw.folder, raw.root);
     models(k).cpu = raw.Input.cpu(k);
     models(k).timeout = timeout(k);
+    models(k).cost = double (cost(k));
   end
 end
 
 function targets = newTargets (optim, models)
   values = perModel (optim.targetVal, models);
   counts = cellfun (@numel, values);
-  tols = perModel (optim.tolRes, models, counts);
-  sds = perModel (given (optim, 'targetStd', {}), models, counts);
+  tols = perTarget (optim.tolRes, counts, 0);
+  sds = perTarget (given (optim, 'targetStd', []), counts, 0);
+  trials = perTarget (given (optim, 'trials', []), counts, 1);
+  lengths = perTarget (asLengths (given (optim, 'correlation', {})), counts, 0);
   names = given (optim, 'targetName', {});
   roles = given (optim, 'role', {});
   targets = struct ('model', {}, 'modelName', {}, 'index', {}, 'name', {}, ...
-                    'value', {}, 'sd', {}, 'tol', {}, 'role', {});
+                    'value', {}, 'sd', {}, 'tol', {}, 'role', {}, ...
+                    'trials', {}, 'correlation', {});
   for k = 1:numel (models)
     for i = 1:counts(k)
       t = struct ('model', k, 'modelName', models(k).name, 'index', i);
@@ -88,7 +98,20 @@ function targets = newTargets (optim, models)
       t.sd = sds{k}(i);
       t.tol = tols{k}(i);
       t.role = textOf (roles, k, i, 'calibrate');
+      t.trials = trials{k}(i);
+      t.correlation = lengths{k}(i);
       targets(end + 1) = t;
+    end
+  end
+end
+
+% NaN stands for a length that is to be estimated, 0 for independent errors.
+function lengths = asLengths (lengths)
+  for k = 1:numel (lengths)
+    if ischar (lengths{k})
+      lengths{k} = NaN;
+    else
+      lengths{k}(isnan (lengths{k})) = 0;
     end
   end
 end
@@ -102,28 +125,15 @@ end
 
 % The published loadInput returns the values of all models as one column; how
 % many belong to each model is then known from its results alone.
-function parts = perModel (values, models, counts)
+function parts = perModel (values, models)
   if iscell (values)
     parts = cellfun (@(v) double (v(:)'), values(:)', 'UniformOutput', false);
     parts(end + 1:numel (models)) = {[]};
-  elseif nargin > 2 && isscalar (values)
-    parts = arrayfun (@(n) repmat (values, 1, n), counts, ...
-                      'UniformOutput', false);
+  elseif isscalar (models)
+    parts = {double(values(:)')};
   else
-    n = numel (values);
-    if nargin > 2
-      sizes = counts;
-    elseif isscalar (models)
-      sizes = n;
-    else
-      sizes = arrayfun (@(m) checkDryRun (m.folder, m.name), models);
-    end
+    sizes = arrayfun (@(m) checkDryRun (m.folder, m.name), models);
     parts = mat2cell (double (values(:)'), 1, sizes);
-  end
-  if nargin > 2
-    for k = find (cellfun (@numel, parts) < counts)
-      parts{k}(end + 1:counts(k)) = 0;
-    end
   end
 end
 
@@ -134,7 +144,12 @@ function o = newOptions (Input, optim)
   o.executor = given (Input, 'executor', 'local');
   o.maxNewRuns = given (Input, 'maxNewRuns', Inf);
   o.replicates = given (Input, 'replicates', 4);
-  o.slurm = given (Input, 'slurm', struct ());
+  for name = executorNames ()
+    if isfield (Input, name{1})
+      o.(name{1}) = Input.(name{1});
+    end
+  end
+  o.sets = describeExecutor (o.executor).sets (o);
   o.tolfun = given (optim, 'tolfun', 0.002);
   o.maxIter = given (optim, 'maxIter', 3);
   o.maxFunEvals = given (optim, 'maxFunEvals', 40);
@@ -152,7 +167,27 @@ end
 %! assert ([Case.targets.value], [400, 0.025, 3]);
 %! assert ([Case.targets.model], [1, 1, 2]);
 %! assert ([Case.models.nTargets], [2, 1]);
+%! assert ([Case.models.cost], [1, 1]);
+%! assert ([Case.targets.trials], [1, 1, 1]);
 %! assert (Case.options.seed, 1);
+%!test
+%! % trials: one number for a model, or one a target
+%! repeated = raw;
+%! repeated.optim.trials = {[], Inf};
+%! assert ([newCase(repeated).targets.trials], [1, 1, Inf]);
+%! repeated.optim.trials = {5, 2};
+%! assert ([newCase(repeated).targets.trials], [5, 5, 2]);
+%! repeated.optim.correlation = {[3, NaN], 'estimate'};
+%! assert ([newCase(repeated).targets.correlation], [3, 0, NaN]);
+%!test
+%! measured = raw;
+%! measured.optim.cost = 4;
+%! assert ([newCase(measured).models.cost], [4, 1]);
+%! assert (newCase (raw).paramSd, [NaN, NaN]);
+%! measured.optim.paramMean = struct ('b', 2);
+%! measured.optim.paramSd = [NaN; 0.5];
+%! Case = newCase (measured);
+%! assert ([Case.paramMean; Case.paramSd], [NaN, 2; NaN, 0.5]);
 %!test
 %! % the published file returns the values of all models as one column
 %! published = raw;

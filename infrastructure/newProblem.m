@@ -9,10 +9,11 @@
 %       residual (result - target) / target
 %
 % problem: names 1 x d cellstr, limits 2 x d, targets 1 x T struct, value, tol,
-% sd 1 x T, calibrate 1 x T logical (false: held out, never used in a fit),
+% sd 1 x T, paramMean, paramSd 1 x d (measured by themselves; NaN: not),
+% calibrate 1 x T logical (false: held out, never used in a fit),
 % cost, standard (logical: the residuals are the published ones), nExtra
 % (preference rows), options with all defaults:
-%   maxCPU 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 4,
+%   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 4,
 %   WRL 0, method 'robust', confidence 0.95
 % newSets (handle, parameter sets that may still be run: Inf, see withinBudget)
 %
@@ -30,6 +31,11 @@ function problem = newProblem (Case, cost)
   problem.value = fieldRow (targets, 'value', NaN);
   problem.tol = fieldRow (targets, 'tol', 0.01);
   problem.sd = fieldRow (targets, 'sd', 0);
+  [problem.paramMean, problem.paramSd] = deal (NaN (1, numel (Case.names)));
+  if isfield (Case, 'paramMean')
+    problem.paramMean = Case.paramMean;
+    problem.paramSd = Case.paramSd;
+  end
   problem.calibrate = true (1, numel (targets));
   if isfield (targets, 'role')
     problem.calibrate = ~strcmp ({targets.role}, 'holdout');
@@ -54,7 +60,7 @@ function row = fieldRow (targets, name, default)
 end
 
 function options = withDefaults (Case)
-  options = struct ('maxCPU', 1, 'seed', 1, 'maxFunEvals', 40, ...
+  options = struct ('sets', 1, 'seed', 1, 'maxFunEvals', 40, ...
                     'maxIter', 3, 'tolfun', 0.002, 'replicates', 4, ...
                     'WRL', 0, 'method', 'robust', 'confidence', 0.95);
   if isfield (Case, 'options')

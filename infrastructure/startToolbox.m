@@ -17,7 +17,7 @@ function startToolbox (root, folder)
     folder = pwd ();
   end
   families = {'input', 'statistics', 'runs', 'executors', 'gap', ...
-              'effects', 'report', 'plots'};
+              'effects', 'report', 'report/page', 'command'};
   inside = fullfile (root, 'infrastructure');
   folders = [{root, inside}, fullfile(inside, families)];
   folders = folders(cellfun (@isfolder, folders));

@@ -2,7 +2,7 @@
 %
 % CALL: [TEXT, FAULT] = benchTrial (MODEL, VARIABLES, LAW)
 %
-% MODEL      text, name of a bench
+% MODEL      text, name of a bench, or the path of another model's folder
 % VARIABLES  scalar struct appended to its data.head
 % LAW        optional folder whose files replace those of its effects/
 % TEXT       what the run wrote about its grains: dumps, curves, and a
@@ -14,6 +14,9 @@ function [text, fault] = benchTrial (model, variables, law)
   root = fileparts (fileparts (mfilename ('fullpath')));
   folder = tempname ();
   source = fullfile (root, 'DEMmodels', model);
+  if ~isfolder (source)
+    source = model;
+  end
   system (sprintf ('cp -rL "%s" "%s"', source, folder));
   tidy = onCleanup (@() system (sprintf ('rm -rf "%s"', folder)));
   if nargin > 2

@@ -54,3 +54,55 @@
 %! rmdir (raw.folder, 's');
 %! assert (count.store, 2);
 %! assert (data.X, [2, 3]);
+
+%!test
+%! % a run that ended well without a result is a row of NaN: where the slot
+%! % jams tells something. A crashed one tells nothing, and another packing that
+%! % did give results stands for its set
+%! addpath (fileparts (which ('startToolbox')));
+%! raw = standInCase (tempname (), fileparts (fileparts (which ('newCase'))));
+%! Case = newCase (raw);
+%! run = fullfile (raw.folder, 'DEMmodels', 'Second', 'runscript');
+%! text = fileread (run);
+%! jams = ['awk ''$2 == "a" && $4 > 5 { exit 1 }'' data.head || ', ...
+%!         "{ echo NaN > out; exit 0; }\n"];
+%! unlucky = ['awk ''$2 == "runSeed" && $4 % 2 { exit 1 }'' data.head || ', ...
+%!            'awk ''$2 == "a" && $4 < 1 { exit 1 }'' data.head || ', ...
+%!            'grep -q . ../used 2> /dev/null || ', ...
+%!            "{ echo x > ../used; echo NaN > out; exit 0; }\n"];
+%! dies = "awk '$2 == \"b\" && $4 > 7 { exit 1 }' data.head || exit 3\n";
+%! writeAtomic (run, [dies, jams, unlucky, text]);
+%! P = [2, 3; 6, 3; 2, 8; 0.5, 3];
+%! Z = evaluateDEM (P, Case, 1, 'gap');
+%! assert (isnan (Z(:, 3)), logical ([0; 1; 1; 0]));
+%! [data, count] = gatherRuns (Case);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
+%! [~, order] = sortrows (data.X);
+%! assert (data.X(order, :), sortrows (P));
+%! [~, same] = sortrows (P);
+%! assert (data.Z(order, :), Z(same, :));
+%! assert (data.stage, repmat ({'gap'}, 4, 1));
+%! % 4 runs of First, 2 of Second; the jam with both seeds, the unlucky packing
+%! assert ([count.store, count.noResult], [6, 3]);
+
+%!test
+%! % rows of runs.csv with two effects on, or without a result, are kept
+%! raw = standInCase (tempname ());
+%! for model = {'First', 'Second'}
+%!   head = fullfile (raw.folder, 'DEMmodels', model{1}, 'data.head');
+%!   writeAtomic (head, [fileread(head), "variable b2 equal 1\n"]);
+%! end
+%! raw.effects = struct ('name', {'own', 'new'}, ...
+%!                       'variables', {{'e'}, {'b2'}}, ...
+%!                       'neutral', {0, 1}, 'limits', [0.5; 5]);
+%! Case = newCase (raw);
+%! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
+%!   ["model,a,b,e,b2,First_1,First_2,Second_1\n", ...
+%!    "First,1,2,,,3,2,\nFirst,1,2,3,4,6,5,\nFirst,2,2,,3,,NaN,\n"]);
+%! [data, count] = gatherRuns (Case);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (Case.folder, 's');
+%! assert (count.imported, 3);
+%! assert ([data.X, data.E], [1, 2, 0, 1; 1, 2, 3, 4; 2, 2, 0, 3]);
+%! assert (data.Z, [3, 2, NaN; 6, 5, NaN; NaN, NaN, NaN]);

@@ -14,8 +14,10 @@ for ((i = 0; i < 20; i++)); do
   [ -z "$(timeout 5 squeue -h -o %i 2> /dev/null)" ] && break
   sleep 0.25
 done
-for daemon in slurmd slurmctld munged; do
-  pid=$(cat "$dir/run/$daemon.pid" 2> /dev/null) || continue
+for file in "$dir"/run/slurmd-*.pid "$dir"/run/{slurmctld,munged}.pid; do
+  daemon=$(basename "${file%.pid}")
+  daemon=${daemon%-*}
+  pid=$(cat "$file" 2> /dev/null) || continue
   # the number may belong to somebody else by now
   grep -q "$daemon" "/proc/$pid/comm" 2> /dev/null || continue
   kill "$pid" 2> /dev/null

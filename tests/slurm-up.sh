@@ -1,13 +1,14 @@
 #!/bin/bash
 # slurm-up.sh DIR [PID]
 #
-# Starts a Slurm cluster of one node on this machine, for tests: munged,
+# Starts a Slurm cluster of one or more nodes on this machine, for tests: munged,
 # slurmctld and slurmd, all under DIR (a short path without spaces), reachable
 # through the loopback only, with a munge key and ports of their own; neither
 # systemd nor cgroups are needed, but the caller has to be root.
 # With PID the cluster goes down by itself when that process is gone.
 #
-# SLURM_TEST_CPUS   processors that the node pretends to have (default: real)
+# SLURM_TEST_NODES  number of nodes, n1 n2 ... (default 1), each a slurmd
+# SLURM_TEST_CPUS   processors that a node pretends to have (default: real)
 # SLURM_TEST_WAIT   seconds to wait for the node (default 60)
 #
 # Clients need   export SLURM_CONF=DIR/slurm.conf   ; stop: slurm-down.sh DIR
@@ -19,6 +20,7 @@ dir=$(cd "$1" && pwd)
 owner=${2:-}
 node=$(hostname -s)
 cpus=${SLURM_TEST_CPUS:-$(nproc)}
+nodes=${SLURM_TEST_NODES:-1}
 memory=$(awk '/MemTotal/ {print int ($2 / 1024 * 0.9)}' /proc/meminfo)
 
 # a port of the loopback on which nobody listens
@@ -36,7 +38,6 @@ configure () {
 ClusterName=decalioc
 SlurmctldHost=$node(127.0.0.1)
 SlurmctldPort=$(freePort)
-SlurmdPort=$(freePort)
 CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
 AuthType=auth/munge
 AuthInfo=socket=$dir/run/munge.socket
@@ -44,11 +45,11 @@ CredType=cred/munge
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
 StateSaveLocation=$dir/state
-SlurmdSpoolDir=$dir/spool
+SlurmdSpoolDir=$dir/spool/%n
 SlurmctldPidFile=$dir/run/slurmctld.pid
-SlurmdPidFile=$dir/run/slurmd.pid
+SlurmdPidFile=$dir/run/slurmd-%n.pid
 SlurmctldLogFile=$dir/log/slurmctld.log
-SlurmdLogFile=$dir/log/slurmd.log
+SlurmdLogFile=$dir/log/slurmd-%n.log
 # no cgroups, no accounting data base
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
@@ -79,13 +80,17 @@ FirstJobId=$((1000 + $(date +%s) % 60000 * 1000))
 # jobs of the partition urgent end those of main
 PreemptType=preempt/partition_prio
 PreemptMode=CANCEL
-NodeName=$node NodeAddr=127.0.0.1 CPUs=$cpus RealMemory=$memory State=UNKNOWN
-PartitionName=main Nodes=$node Default=YES PriorityTier=1 State=UP
-PartitionName=urgent Nodes=$node PriorityTier=9 PreemptMode=OFF State=UP
+$(for ((i = 1; i <= nodes; i++)); do
+  echo "NodeName=n$i NodeHostname=$node NodeAddr=127.0.0.1 Port=$(freePort)" \
+    "CPUs=$cpus RealMemory=$((memory / nodes)) State=UNKNOWN"
+done)
+PartitionName=main Nodes=n[1-$nodes] Default=YES PriorityTier=1 State=UP
+PartitionName=urgent Nodes=n[1-$nodes] PriorityTier=9 PreemptMode=OFF State=UP
 CONF
 }
 
 mkdir -p "$dir"/{state,spool,log,run,munge}
+for ((i = 1; i <= nodes; i++)); do mkdir -p "$dir/spool/n$i"; done
 chmod 0755 "$dir" "$dir/run"
 chmod 0700 "$dir/munge"
 if [ ! -s "$dir/munge/munge.key" ]; then
@@ -99,7 +104,7 @@ munged --force --key-file="$dir/munge/munge.key" \
   --log-file="$dir/log/munged.log" --seed-file="$dir/munge/munge.seed" \
   2> "$dir/log/munged.start"
 slurmctld
-slurmd
+for ((i = 1; i <= nodes; i++)); do slurmd -N "n$i"; done
 
 if [ -n "$owner" ]; then
   # shellcheck disable=SC2016
@@ -109,12 +114,12 @@ if [ -n "$owner" ]; then
 fi
 
 for ((i = 0; i < 2 * ${SLURM_TEST_WAIT:-60}; i++)); do
-  state=$(sinfo -h -o %T 2> /dev/null || true)
+  state=$(sinfo -h -p main -o %T 2> /dev/null | sort -u || true)
   case $state in
-    idle* | mixed* | allocated*) exit 0 ;;
+    idle | mixed | allocated) exit 0 ;;
   esac
   sleep 0.5
 done
-echo "slurm-up.sh: the node did not come up (state '$state')" >&2
+echo "slurm-up.sh: not all nodes came up (state '$state')" >&2
 tail -n 20 "$dir"/log/*.log >&2
 exit 1

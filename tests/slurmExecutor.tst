@@ -11,7 +11,7 @@
 %!function [id, pids] = partsOf (folder, k)
 %!  runs = glob (fullfile (folder, 'optim', 'First', '0*'));
 %!  for i = 1:numel (runs)
-%!    who = fileread (fullfile (runs{i}, 'slurm.claim', 'who'));
+%!    who = fileread (fullfile (runs{i}, 'batch.claim', 'who'));
 %!    id = strtok (who);
 %!    pids = runPids (runs{i});
 %!    if strcmp (regexp (id, '\d+$', 'match', 'once'), num2str (k))
@@ -31,9 +31,9 @@
 %!endfunction
 
 %!function restartDaemons (cluster)
-%!  stop = ['p=$(cat %s/run/%s.pid); kill -%s $p; ', ...
+%!  stop = ['p=$(cat %s/run/%s*.pid); kill -%s $p; ', ...
 %!          'while kill -0 $p 2> /dev/null; do sleep 0.1; done; '];
-%!  system ([sprintf(stop, cluster, 'slurmd', '9'), 'sleep 1; slurmd']);
+%!  system ([sprintf(stop, cluster, 'slurmd', '9'), 'sleep 1; slurmd -N n1']);
 %!  system ([sprintf(stop, cluster, 'slurmctld', 'TERM'), 'slurmctld']);
 %!endfunction
 
@@ -106,13 +106,17 @@
 %!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'unsent');
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 0);
-%! flight = slurmAttach (jobs, Case.store);
-%! opt = slurmOptions (Case.options.slurm);
-%! flight = slurmSubmit (flight, 1:2, jobs, Case, opt);
+%! queue = slurmExecutor ();
+%! flight = batchAttach (jobs, Case.store, queue);
+%! opt = queue.options (Case.options);
+%! flight = batchSubmit (flight, 1:2, jobs, Case, queue, opt);
 %! r = executeSlurm (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
 %! [~, ~] = mkdir (flight.batches.path);
-%! assert (slurmSend (flight.batches, opt, Case.root), 'sent');
+%! here = fullfile (Case.root, 'infrastructure', 'executors');
+%! task = [{fullfile(here, 'batchTask.sh'), flight.batches.path, 'none'}, ...
+%!         queue.task];
+%! assert (slurmSend (flight.batches, opt, task), 'sent');
 %! pause (2);
 %! assert (slurmTestStarts (folder), 2);
 
@@ -127,7 +131,7 @@
 %!   pause (0.1);
 %! end
 %! kill (pid, 9);
-%! assert (slurmCancel (folder), 1);
+%! assert (batchCancel (folder, 'slurm'), 1);
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 2);
 %! r = executeSlurm (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
@@ -141,9 +145,9 @@
 %!   executeSlurm (jobs, Case, @(s) []);
 %! catch err
 %! end
-%! assert (err.identifier, 'DEcalioc:executeSlurm:submitRefused');
+%! assert (err.identifier, 'DEcalioc:batchExecute:submitRefused');
 %! assert (! isempty (strfind (err.message, 'partition')));
-%! assert (isempty (slurmLedger (folder)));
+%! assert (isempty (batchLedger (folder, 'slurm')));
 %! Case.options.slurm.partition = 'main';
 %! r = executeSlurm (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});

@@ -1,16 +1,21 @@
-% SLURMFAKE  Puts a false sbatch and a false squeue in front of the real ones.
+% SLURMFAKE  Puts false programs of a queue in front of the real ones.
 %
-% CALL: TIDY = slurmFake (SBATCH, SQUEUE)
+% CALL: TIDY = slurmFake (SEND, LOOK)
+%       TIDY = slurmFake (SEND, LOOK, NAMES)
 %
-%   SBATCH, SQUEUE  lines of shell that they consist of (text)
-%   TIDY            object that puts the PATH back when it is cleared
+%   SEND, LOOK  lines of shell that the programs consist of (text)
+%   NAMES       their names (default {'sbatch', 'squeue'})
+%   TIDY        object that puts the PATH back when it is cleared
 %
 % See also: slurmSend, slurmLook
 
-function tidy = slurmFake (sbatch, squeue)
+function tidy = slurmFake (send, look, names)
+  if nargin < 3
+    names = {'sbatch', 'squeue'};
+  end
   folder = tempname ();
   mkdir (folder);
-  programs = {'sbatch', sbatch; 'squeue', squeue};
+  programs = {names{1}, send; names{2}, look};
   for k = 1:2
     file = fullfile (folder, programs{k, 1});
     writeAtomic (file, sprintf ("#!/bin/bash\n%s\n", programs{k, 2}));

@@ -9,7 +9,8 @@
 %   CASE     see newCase
 %   JOBS     1 x n struct array, see newJobs
 %
-% Every start of a run writes a line to <store>/optim/First/starts.
+% Every start of a run writes a line to <store>/optim/First/starts: its folder
+% and the node.
 %
 % See also: standInCase, slurmTestPlan
 
@@ -23,7 +24,7 @@ function [Case, jobs] = slurmTestCase (folder, a, seconds)
   file = fullfile (folder, 'DEMmodels', 'First', 'runscript');
   formula = fileread (file);
   if isempty (strfind (formula, 'starts'))
-    head = {'echo "$PWD" >> ../starts', ...
+    head = {'echo "$PWD ${SLURMD_NODENAME:-}" >> ../starts', ...
             'a=$(awk ''$2 == "a" { a = $4 } END { print a }'' data.head)', ...
             'case $a in', '  7) printf "nan\nnan\n" > out; exit ;;', ...
             '  8) sleep 300 ;;', ...

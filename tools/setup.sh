@@ -8,7 +8,8 @@ packagesOf () {
     run)   echo octave octave-stk octave-optim octave-parallel octave-struct \
                 gnuplot-nox fonts-freefont-otf openmpi-bin procps ;;
     build) echo g++ make patch xz-utils libopenmpi-dev libjpeg-dev libpng-dev ;;
-    test)  echo slurm-wlm munge ;;     # a small cluster on this machine
+    test)  echo slurm-wlm munge gridengine-master gridengine-exec \
+                gridengine-client chromium ;;    # small clusters, a browser
     lint)  echo python3-venv shellcheck ;;
     *)     echo "setup.sh: unknown task '$1' (run, build, test, lint)" >&2; exit 1 ;;
   esac
@@ -22,7 +23,7 @@ missingOf () {
   done
 }
 
-# Slurm's and munge's packages would start their services. The tests start their
+# Packages of queues would start their services. The tests start their
 # own, so keep these from starting, unless the machine has its own rule.
 withoutServices () {
   if [ ! -e /usr/sbin/policy-rc.d ]; then

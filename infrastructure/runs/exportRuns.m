@@ -4,9 +4,13 @@
 %
 %   FILE   path of the table; replaced at once when it is complete
 %   CASE   struct with names, effectVars, targets, models, options.seed
-%   DATA   struct X (n x d), E (n x v), Z (n x T), replicate (n x 1)
+%   DATA   struct X (n x d), E (n x v), Z (n x T), replicate (n x 1); optional
+%          ended (n x M logical, the simulation of that model ran to its end)
+%          and seed (n x M, of the runs, where one was tried with another seed)
 %   N      scalar, rows written: one for each model and row of DATA that has a
-%          result; numbers have 17 digits, so that reading gives the same bits
+%          result, or has ended without one (a bin that jams): its fields are
+%          empty then; numbers have 17 digits, so that reading gives the same
+%          bits
 %
 % Columns: model, seed, design variables, effect variables, targets. importRuns
 % reads the file back.
@@ -19,14 +23,15 @@ function n = exportRuns (file, Case, data)
   text = lineOf ([{'model', 'seed'}, Case.names, Case.effectVars, ...
                   {Case.targets.name}]);
   lines = {text};
+  data = completed (data, Case);
   for i = 1:rows (data.X)
-    seed = runSeed (data.X(i, :), data.replicate(i), Case.options.seed);
     for k = 1:numel (Case.models)
       z = data.Z(i, :);
       z([Case.targets.model] ~= k) = NaN;
-      if any (isfinite (z))
-        fields = [{Case.models(k).name}, numberTexts([seed, data.X(i, :), ...
-                                                      data.E(i, :), z])];
+      if data.ended(i, k) || any (isfinite (z))
+        fields = [{Case.models(k).name}, ...
+                  numberTexts([data.seed(i, k), data.X(i, :), ...
+                               data.E(i, :), z])];
         lines{end + 1} = lineOf (fields);
       end
     end
@@ -44,6 +49,20 @@ function n = exportRuns (file, Case, data)
   if err
     error ('DEcalioc:exportRuns:runFailed', ...
            'exportRuns: %s cannot be put in its place: %s.', file, message);
+  end
+end
+
+function data = completed (data, Case)
+  shape = [rows(data.X), numel(Case.models)];
+  if ~isfield (data, 'ended')
+    data.ended = false (shape);
+  end
+  if ~isfield (data, 'seed')
+    data.seed = zeros (shape);
+    for i = 1:shape(1)
+      data.seed(i, :) = runSeed (data.X(i, :), data.replicate(i), ...
+                                 Case.options.seed);
+    end
   end
 end
 
@@ -85,6 +104,26 @@ end
 %! assert (exportRuns (file, small (), data), 5);
 %! back = importRuns (file, small ());
 %! delete (file);
+%! assert (back.X, data.X);
+%! assert (back.E, data.E);
+%! assert (isequaln (back.Z, data.Z));
+%! assert (back.replicate, data.replicate);
+%!test
+%! % a run that ended without results is a row of empty fields, one that broke
+%! % off is none; partly empty rows and seeds of second tries are kept
+%! data.X = [1, 2; 1, 2; 3, 4];
+%! data.E = [0; 0; 5];
+%! data.Z = [1, NaN, 3; 1, 2, NaN; NaN, NaN, NaN];
+%! data.replicate = [1; 2; 1];
+%! data.ended = [true, true; true, false; true, true];
+%! data.seed = [10007, 10007; 10009, 10009; 10037, 10039];
+%! file = tempname ();
+%! assert (exportRuns (file, small (), data), 5);
+%! [~, cells] = readCsvTable (file);
+%! back = importRuns (file, small ());
+%! unlink (file);
+%! assert (cells(4, :), {'Drum', '10037', '3', '4', '5', '', '', ''});
+%! assert (cells{5, 2}, '10039');
 %! assert (back.X, data.X);
 %! assert (back.E, data.E);
 %! assert (isequaln (back.Z, data.Z));

@@ -7,7 +7,8 @@
 %            a field is empty where the column does not belong to the row's
 %            model; one row a run (see readCsvTable for the accepted forms)
 %   CASE     struct with names, effectVars, effects, targets, models
-%   DATA     struct X (n x d), E (n x v), Z (n x T, NaN = none), replicate
+%   DATA     struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
+%   run), replicate
 %            (n x 1), stage (n x 1 cell, 'import')
 %   IGNORED  cellstr, columns that the case does not know
 %
@@ -134,7 +135,7 @@ function data = mergeModels (inputs, model, seed, Z, Case)
   d = numel (Case.names);
   data.X = inputs(first(order), 1:d);
   data.E = inputs(first(order), d + 1:end);
-  data.Z = NaN (numel (first), columns (Z));
+  data.Z = NA (numel (first), columns (Z));
   for i = 1:n
     own = [Case.targets.model] == model(i);
     data.Z(row(i), own) = Z(i, own);

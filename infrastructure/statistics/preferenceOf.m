@@ -1,23 +1,26 @@
-% PREFERENCEOF  The preference rows of the cost function, as one number a set.
+% PREFERENCEOF  What speaks against a set beside its targets, as one number.
 %
 % CALL: value = preferenceOf (problem, P)
 %
 % problem  struct of newProblem
 % P        n x d  parameter sets
 % value    n x 1  sum of squares of the rows below the targets (the Rayleigh
-%                 term); 0 where the cost function has none
+%                 term) and of the distances to parameters that were measured
+%                 by themselves, in their standard deviations; 0 where there
+%                 is neither
 %
 % See also: targetResidual, calibrateOnKriging
 
 function value = preferenceOf (problem, P)
-  value = zeros (size (P, 1), 1);
+  z = (P - problem.paramMean) ./ problem.paramSd;
+  value = sumsq (z(:, isfinite (problem.paramSd)), 2);
   if problem.nExtra == 0
     return
   end
   T = numel (problem.value);
   for i = 1:size (P, 1)
     r = problem.cost (P(i, :)', @(varargin) problem.value(:));
-    value(i) = sum (r(T + 1:end).^2);
+    value(i) = value(i) + sum (r(T + 1:end).^2);
   end
 end
 
@@ -27,3 +30,6 @@ end
 %! problem = newProblem (C, @(p, f) [f(p) / 4 - 1; 2 * p]);
 %! assert (preferenceOf (problem, [1; 3]), [4; 36]);
 %! assert (preferenceOf (newProblem (C, []), [1; 3]), [0; 0]);
+%! C.paramMean = 2;
+%! C.paramSd = 0.5;
+%! assert (preferenceOf (newProblem (C, []), [1; 3; 2]), [4; 4; 0]);

@@ -1,0 +1,212 @@
+% The command decalioc, as a user calls it: from any folder, through a link, in
+% paths with blanks and quotes; killed, interrupted and started again.
+
+%!shared root, base
+%! root = fileparts (fileparts (which ('startProgram')));
+%! base = fullfile (tempname (), 'it''s here');
+%! mkdir (base);
+
+%!function folder = standIn (base, name)
+%!  % a case of two formulas; no run ends while there is a file hold
+%!  folder = fullfile (base, name);
+%!  standInCase (folder);
+%!  writeLoadInput (folder, ['optim.tolRes = {[0.05, 0.05], 0.1}; ', ...
+%!                           'optim.maxFunEvals = 8; Input.replicates = 1;']);
+%!  for model = {'First', 'Second'}
+%!    file = fullfile (folder, 'DEMmodels', model{1}, 'runscript');
+%!    hold = shellQuote (fullfile (folder, 'hold'));
+%!    writeAtomic (file, ['while [ -e ', hold, " ]; do sleep 0.1; done\n", ...
+%!                        fileread(file)]);
+%!  end
+%!endfunction
+
+%!function pid = background (folder, words)
+%!  % a command that goes on; PID is that of its Octave
+%!  root = fileparts (fileparts (which ('startProgram')));
+%!  log = fullfile (folder, 'said');
+%!  program = shellQuote (fullfile (root, 'bin', 'decalioc'));
+%!  [~, text] = system (sprintf (['setsid %s %s > %s 2>&1 < /dev/null & ' ...
+%!                                'echo $!'], program, words, ...
+%!                               shellQuote (log)));
+%!  pid = str2double (text);
+%!endfunction
+
+%!function waitFor (condition)
+%!  for look = 1:1800
+%!    if condition ()
+%!      return
+%!    end
+%!    pause (0.1);
+%!  end
+%!  error ('waitFor: nothing has happened');
+%!endfunction
+
+%!function n = finishedRuns (folder)
+%!  n = numel (glob (fullfile (strrep (folder, '''', '?'), 'optim', '*', ...
+%!                             '*', 'record.json')));
+%!endfunction
+
+%!function yes = says (text, part)
+%!  yes = ~isempty (strfind (text, part));
+%!endfunction
+
+% --- help, and calls that are not understood
+%!test
+%! [status, out] = startCommand (base, '--help');
+%! assert (status, 0);
+%! commands = regexp (out, '^  (\w+) ', 'tokens', 'lineanchors');
+%! assert (numel (commands), 9);
+%! for name = [commands{:}]
+%!   [status, text] = startCommand (base, [name{1}, ' --help']);
+%!   assert (status, 0);
+%!   assert (says (text, ['decalioc ', name{1}]));
+%! end
+%! [status, out] = startCommand (base, '--version');
+%! assert (strtrim (out), ['decalioc ', ...
+%!                         strtrim(fileread (fullfile (root, 'VERSION')))]);
+%!test
+%! for words = {'nonsense', 'check /nowhere', 'check', 'run --quickly', ...
+%!              'status a b', 'new', 'doctor --nonsense'}
+%!   [status, out] = startCommand (base, words{1});
+%!   assert (status, 1, words{1});
+%!   assert (numel (strtrim (out)) > 20, words{1});
+%! end
+%! [status, out] = startCommand (base, 'check');
+%! assert (says (out, 'holds no loadInput.m'));
+
+% --- mistakes in the input; another LIGGGHTS that is not there
+%!test
+%! folder = standIn (base, 'bad');
+%! setenv ('LIGGGHTS', '/nowhere/liggghts');
+%! [status, out] = startCommand (base, 'check bad');
+%! setenv ('LIGGGHTS', '');
+%! assert (status, 1);
+%! assert (says (out, '/nowhere/liggghts is not a program'));
+%! file = fullfile (folder, 'loadInput.m');
+%! writeAtomic (file, [strtrim(fileread (file))(1:end - 3), ...
+%!                     "\nInput.maxCPU = 0;\nInput.nonsense = 1;\nend\n"]);
+%! [status, out] = startCommand (base, 'check bad');
+%! assert (status, 1);
+%! assert (says (out, 'problem(s) in the input'));
+%! assert (says (out, 'Input.maxCPU') && says (out, 'Input.nonsense'));
+
+% --- check, check --try twice, run, status, export; a trial that fails
+%!test
+%! folder = standIn (base, 'my case');
+%! [status, out] = startCommand (folder, 'check');
+%! assert (status, 0);
+%! assert (says (out, 'plan: 16 new, 0 taken from the store'));
+%! assert (says (out, 'not known'));
+%! [status, out] = startCommand (base, 'check --try ''my case''');
+%! assert (status, 0);
+%! assert (says (out, 'trial     Second: ok'));
+%! assert (says (out, 'plan: 14 new, 2 taken from the store'));
+%! [~, out] = startCommand (base, 'status ''my case''');
+%! assert (says (out, 'stopped in the stage: plan'));
+%! [status, out] = startCommand (base, 'run ''my case''');
+%! assert (status, 0);
+%! [status, out] = startCommand (folder, 'status');
+%! assert (says (out, 'finished'));
+%! assert (says (out, 'all targets met'));
+%! [status, out] = startCommand (base, 'export ''my case'' table.csv');
+%! assert (status, 0);
+%! table = strsplit (strtrim (fileread (fullfile (base, 'table.csv'))), "\n");
+%! assert (numel (table) - 1, finishedRuns (folder));
+%! % the table is a case of its own
+%! other = standIn (base, 'other');
+%! copyfile (fullfile (base, 'table.csv'), fullfile (other, 'runs.csv'));
+%! [status, out] = startCommand (base, 'check other');
+%! assert (says (out, 'sets taken in'));
+%! [status, out] = startCommand (base, 'export other other/runs.csv');
+%! assert (status, 1);
+%! % afresh moves the runs aside
+%! [status, out] = startCommand (base, 'run --afresh ''my case''');
+%! assert (status, 0);
+%! assert (numel (glob (fullfile (strrep (folder, '''', '?'), ...
+%!                                'optim-*'))), 1);
+%!test
+%! folder = standIn (base, 'broken');
+%! writeAtomic (fullfile (folder, 'DEMmodels', 'First', 'runscript'), ...
+%!              "echo 'ERROR: no such box'\nexit 1\n");
+%! [status, out] = startCommand (base, 'check --try broken');
+%! assert (status, 2);
+%! assert (says (out, 'no such box'));
+%! [~, out] = startCommand (base, 'status broken');
+%! assert (says (out, 'First: failed exit status 1; ERROR: no such box'));
+
+% --- killed, interrupted and cancelled in the middle, then started again
+%!test
+%! folder = standIn (base, 'killed');
+%! place = shellQuote (folder);
+%! hold = fullfile (folder, 'hold');
+%! state = @() nthargout (2, @startCommand, base, ['status ', place]);
+%! writeAtomic (hold, '');
+%! pid = background (folder, ['check --try ', place]);
+%! waitFor (@() says (state (), '1 running'));
+%! system (sprintf ('kill -KILL %d', pid));
+%! waitFor (@() says (state (), ' 0 running'));
+%! unlink (hold);
+%! [status, out] = startCommand (base, ['check --try ', place]);
+%! assert (status, 0, out);
+%! writeAtomic (hold, '');
+%! least = 2;
+%! for sign = {'KILL', 'INT', ''}
+%!   pid = background (folder, ['run ', place]);
+%!   waitFor (@() says (state (), '1 running'));
+%!   out = state ();
+%!   assert (says (out, sprintf ('running (process %d), stage: plan', pid)));
+%!   % what was finished stays, whatever ended the one before
+%!   done = str2double (regexp (out, 'plan +(\d+) of 16', 'tokens', 'once'){1});
+%!   assert (done >= least && done < 16, out);
+%!   least = done;
+%!   if isempty (sign{1})
+%!     [status, out] = startCommand (base, ['cancel ', place]);
+%!     assert (status, 0);
+%!     assert (says (out, 'its Octave was ended'));
+%!   else
+%!     system (sprintf ('kill -s %s -- -%d', sign{1}, pid));
+%!   end
+%!   waitFor (@() isempty (processStart (pid)));
+%!   waitFor (@() says (state (), ' 0 running'));
+%!   assert (says (state (), 'stopped in the stage: plan'));
+%! end
+%! unlink (hold);
+%! [status, out] = startCommand (base, ['run ', place]);
+%! assert (status, 0, out);
+%! [status, out] = startCommand (base, ['cancel ', place]);
+%! assert (status, 0);
+%! assert (says (out, 'no Octave worked in it; 0 run(s)'));
+
+% --- the report: of writePage, or what is missing
+%!test
+%! folder = standIn (base, 'page');
+%! [status, out] = startCommand (base, 'report page');
+%! if isempty (which ('writePage'))
+%!   assert (status, 1);
+%!   assert (says (out, 'writePage'));
+%!   writeAtomic (fullfile (folder, 'writePage.m'), ...
+%!                ["function writePage (Case)\nmkdir (fullfile (", ...
+%!                 "Case.folder, 'results'));\nwriteAtomic (fullfile (", ...
+%!                 "Case.folder, 'results', 'report.html'), 'x');\nend\n"]);
+%! end
+%! [status, out] = startCommand (base, 'report page');
+%! assert (status, 0, out);
+%! assert (isfile (fullfile (folder, 'results', 'report.html')));
+
+% --- completion in bash
+%!function out = reply (words, k)
+%!  root = fileparts (fileparts (which ('startProgram')));
+%!  file = fullfile (root, 'share', 'bash-completion', 'completions', ...
+%!                   'decalioc');
+%!  text = sprintf (['. %s; COMP_WORDS=(%s); COMP_CWORD=%d; _decalioc; ' ...
+%!                   'echo "${COMPREPLY[*]}"'], shellQuote (file), words, k);
+%!  [~, out] = system (['bash -c ', shellQuote(text)]);
+%!  out = strtrim (out);
+%!endfunction
+%!assert (reply ('decalioc s', 1), 'status')
+%!assert (reply ('decalioc check --', 2), '--try --help')
+%!assert (reply ('decalioc new --mo', 2), '--model')
+
+%!test
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (fileparts (base), 's');

@@ -1,0 +1,148 @@
+% The report page: what it shows, and how a browser takes it.
+
+%!function list = numbersOf (html)
+%!  list = regexp (html, ['<data value="([^"]*)" data-kind="([^"]*)" ', ...
+%!                        'data-from="([^"]*)">(.*?)</data>'], 'tokens');
+%!endfunction
+%!function check (html, sources)
+%!  % each number is that of the file, and what is read is that number
+%!  for item = numbersOf (html)
+%!    [value, kind, from, text] = item{1}{:};
+%!    steps = strsplit (from, '/');
+%!    isIndex = ~isnan (str2double (steps));
+%!    steps(isIndex) = num2cell (str2double (steps(isIndex)));
+%!    x = jsonAt (sources, steps)(1);
+%!    assert (str2double (value), x);
+%!    assert (text, numberText (x, kind), from);
+%!    plain = regexprep (text, '&thinsp;.*', '');
+%!    plain = strrep (strrep (plain, '&minus;', '-'), '&middot;10<sup>', 'e');
+%!    shown = str2double (strrep (plain, '</sup>', ''));
+%!    scale = 1 + 99 * strcmp (kind, 'percent');
+%!    if any (strcmp (kind, {'plain', 'percent'}))
+%!      assert (shown, scale * x, 5.01e-3 * abs (scale * x));
+%!    end
+%!  end
+%!endfunction
+
+%!shared first, second, pages
+%! first = pageCase (tempname ());
+%! second = pageGapCase (tempname ());
+%! pages = {writePage(first), writePage(second)};
+
+%!test
+%! % whole, in one file, no request to a network, below 3 MB
+%! for file = pages
+%!   html = fileread (file{1});
+%!   assert (isempty (regexp (html, 'https?:|@import|src=|url\(', 'once')));
+%!   assert (isempty (strfind (html, 'could not be made')));
+%!   assert (isempty (regexp (html, '(NaN|Inf)\W', 'once')));
+%!   assert (numel (html) < 3e6);
+%! end
+
+%!test
+%! % the numbers of a calibration
+%! html = fileread (pages{1});
+%! json = fullfile (first.folder, 'results', 'calibration.json');
+%! c = jsondecode (fileread (json));
+%! assert (numel (numbersOf (html)) > 40);
+%! check (html, struct ('calibration', c));
+%! assert (! isempty (strfind (html, c.reason(2:end))));
+%! assert (! isempty (strfind (html, 'product &lt;b&gt; &amp; c')));
+%! assert (! isempty (strfind (html, 'ERROR: &lt;grains&gt; lost')));
+%! assert (! isempty (strfind (html, 'results/posterior.csv')));
+%! for name = {'targets', 'parameters', 'plan', 'slices', 'leaveoneout', ...
+%!             'steps', 'sensitivity', 'runs', 'settings'}
+%!   assert (! isempty (strfind (html, ['id="section', name{1}, '"'])));
+%! end
+
+%!test
+%! % the numbers of a diagnosis, and what to do
+%! html = fileread (pages{2});
+%! json = fullfile (second.folder, 'gap', 'gap.json');
+%! sources = struct ('gap', jsondecode (fileread (json)));
+%! sources.gapTargets = pageData (second).sources.gapTargets;
+%! assert (numel (numbersOf (html)) > 100);
+%! check (html, sources);
+%! for text = {'One of these: cohesion, liquidBridge', ...
+%!             'measure Shear once more', 'Cannot be seen', 'placebo tilt'}
+%!   assert (! isempty (strfind (html, text{1})), text{1});
+%! end
+
+%!test
+%! % files beside the page
+%! results = fullfile (first.folder, 'results');
+%! sample = dlmread (fullfile (results, 'posterior.csv'), ',', 1, 0);
+%! assert (size (sample), [1000, 2]);
+%! assert (all (all (sample >= 0 & sample <= 10)));
+%! c = jsondecode (fileread (fullfile (results, 'calibration.json')));
+%! head = headDefaults (fullfile (results, 'calibrated.head'));
+%! assert (head.a, c.params.a, 1e-12);
+%! assert (numel (c.holdout), 1);
+%! assert (numel (c.holdout.interval90), 2);
+%! assert (c.limits.b', [0, 10]);
+%! assert (numel (c.targets(1).interval90), 2);
+%! assert (! isempty (c.date) && ! isempty (c.version));
+%! assert (c.input.options.numOfSam, 8);
+
+%!test
+%! % under way: the old result is not shown as if it were today's
+%! state = newState ([], [], struct ('params', [1, 2], 'probability', 0.5));
+%! writeProgress (first, state);
+%! html = fileread (writePage (first));
+%! assert (! isempty (strfind (html, 'Not finished')));
+%! assert (isempty (strfind (html, 'Calibrated</span>')));
+%! unlink (fullfile (first.folder, 'results', 'progress.json'));
+%! html = fileread (writePage (first));
+%! assert (isempty (strfind (html, 'Not finished')));
+
+%!test
+%! % an older file without the later fields
+%! json = fullfile (first.folder, 'results', 'calibration.json');
+%! kept = fileread (json);
+%! c = jsondecode (kept);
+%! c = rmfield (c, {'interval90', 'limits', 'probability', 'sensitivity', ...
+%!                  'correlation', 'history', 'warnings', 'unfixed', 'next', ...
+%!                  'input', 'version', 'date', 'holdout', 'runs'});
+%! c.targets = rmfield (c.targets, {'tol', 'unit', 'interval90'});
+%! c.interval90 = struct ('a', [1; 2], 'b', [1; 2]);
+%! writeAtomic (json, jsonencode (c));
+%! html = fileread (writePage (first));
+%! writeAtomic (json, kept);
+%! assert (isempty (strfind (html, 'could not be made')));
+%! assert (! isempty (strfind (html, 'id="sectiontargets"')));
+
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'chromium'))
+%! % in a browser: phone and desk, light and dark
+%! for file = pages
+%!   for width = [400, 1280]
+%!     for isDark = [false, true]
+%!       [found, log] = browserFindings (file{1}, width, isDark);
+%!       assert (log, '');
+%!       assert (strjoin (found.findings(:)', "\n"), '');
+%!       assert (found.dark, isDark);
+%!       assert (found.width, width);
+%!       assert (found.figures > 3);
+%!     end
+%!   end
+%! end
+
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'chromium'))
+%! % the browser test can fail: a page with faults of each kind
+%! bad = [tempname(), '.html'];
+%! html = fileread (pages{2});
+%! html = strrep (html, '<h2 id="h-sectionwhere">', ...
+%!                '<p style="width:2000px;color:#ccc">x</p><h4>y</h4><h2>');
+%! writeAtomic (bad, strrep (html, '</body>', ...
+%!                           '<script>nope ();</script></body>'));
+%! [found, log] = browserFindings (bad, 400, false);
+%! unlink (bad);
+%! all = strjoin (found.findings(:)', "\n");
+%! for rule = {'overflow', 'heading', 'contrast'}
+%!   assert (! isempty (strfind (all, rule{1})), rule{1});
+%! end
+%! assert (! isempty (strfind (log, 'nope')));
+
+%!test
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (first.folder, 's');
+%! rmdir (second.folder, 's');
