@@ -14,8 +14,8 @@
 % See also: newCalibration, writeProgress
 
 function writeCalibrationJson (c, Case)
-  named = @(values) cell2struct (num2cell (values), Case.names, 1);
-  out = struct ('params', named (c.params(:)));
+  named = @(values) cell2struct (values, Case.names, 1);
+  out = struct ('params', named (num2cell (c.params(:))));
   out.interval90 = named (num2rows (c.interval90'));
   out.limits = named (num2rows (Case.limits'));
   out.targets = targetsOf (c, Case);
