@@ -13,8 +13,10 @@ function [given, data] = storedCampaign (name, root)
   if ~isfolder (folder)
     folder = fullfile (root, 'benchmarks', name);
   end
-  % Octave looks for loadInput.m in the working folder first
+  % Octave looks for loadInput.m in the working folder first, and keeps the one
+  % of a campaign that was loaded before
   before = cd (folder);
+  clear -f loadInput loadEffects
   back = onCleanup (@() cd (before));
   Case = withEffects (loadCase (root, folder));
   data = importRuns (fullfile (root, 'benchmarks', 'data', [name, '.csv']), ...
@@ -29,3 +31,10 @@ end
 %! assert (pwd (), here);
 %! assert (size (data.Z), [153, 14]);
 %! assert (numel (given.effects), 12);
+
+%!test
+%! % one campaign after another
+%! root = startBenchmarks ();
+%! storedCampaign ('hiddenEffect', root);
+%! [given, data] = storedCampaign ('drumAndBins', root);
+%! assert (numel (given.sd), columns (data.Z));

@@ -79,8 +79,8 @@ function s = strengthOf (w, verdict, k, models, problem)
   posterior = w.posterior{h};
   column = models.white.p + find (w.members{h} == k);
   phi = posterior.Q(:, column);
-  q = shortestInterval (phi, posterior.cautious, 0.9, ...
-                        models.white.effect(k).range);
+  own = models.white.effect(k);
+  q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
   q(1) = weightedQuantile (phi, posterior.weight, 0.5);
   if w.ess(h) < models.options.leastPoints
     q = NaN (1, 3);

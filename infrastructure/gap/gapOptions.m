@@ -23,9 +23,9 @@
 %     level        chance of a false alarm (0.05)
 %     surplus      variance of data without a gap over what the budget says
 %                  (1.15; at 1 laboratories of formulas alarm in 9 %)
-%     caution      power of the likelihood in intervals of strengths (0.45: at 1
-%                  they hold the strength of left-out LIGGGHTS runs in 75 to
-%                  82 % where they should in 90 %)
+%     caution      power of the likelihood in intervals of strengths (0.6: at 1
+%                  they hold the strength of left-out LIGGGHTS runs of
+%                  hiddenEffect in 76 % where they should in 90 %)
 %     nameAt       probability at which a cause is named or a group given (0.8):
 %                  two wrong ones in ten would be too many, and the calibrated
 %                  precision at 0.8 is above 0.95 (docs/gap.md)
@@ -43,7 +43,7 @@ function options = gapOptions (given)
                     'trend', 'choose', 'maxNewRuns', 0, 'screenRuns', 4, ...
                     'survivors', 3, 'planRuns', [], 'verifyRuns', 5, ...
                     'level', 0.05, 'nameAt', 0.8, 'exclude', 3, ...
-                    'leastPoints', 200, 'surplus', 1.15, 'caution', 0.45);
+                    'leastPoints', 200, 'surplus', 1.15, 'caution', 0.6);
   if isstruct (given)
     fields = fieldnames (given);
     for k = 1:numel (fields)
