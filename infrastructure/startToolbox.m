@@ -16,8 +16,9 @@ function startToolbox (root, folder)
   if nargin < 2
     folder = pwd ();
   end
-  families = {'input', 'statistics', 'runs', 'executors', 'gap', ...
-              'effects', 'report', 'report/page', 'command'};
+  families = {'input', 'statistics', 'surrogates', 'runs', 'executors', ...
+              'gap', 'gap/where', 'gap/which', 'gap/howFar', 'gap/next', ...
+              'effects', 'report', 'report/gap', 'report/page', 'command'};
   inside = fullfile (root, 'infrastructure');
   folders = [{root, inside}, fullfile(inside, families)];
   folders = folders(cellfun (@isfolder, folders));

@@ -87,7 +87,7 @@ function [top, exclude] = againstLookAlike (models, w, list, z)
     return
   end
   alike = list(at);
-  alike.h = newHypothesis ('sibling', top, lookAlikeExtent ());
+  alike.h = newHypothesis ('sibling', top, models.options.lookAlike);
   U = [alike.modes(1).U, 0];
   fit = fitHypothesis (models.white, alike.h, z, U, models.prior);
   alike.modes = struct ('U', fit.U, 'A', squeeze (fit.A));

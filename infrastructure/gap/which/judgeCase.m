@@ -3,8 +3,7 @@
 % CALL: VERDICT = judgeCase (W, MODELS)
 %
 %   W        struct of weighCase
-%   MODELS   struct of makeModels: names, siblings, options (level, nameAt,
-%            exclude, leastPoints)
+%   MODELS   struct of makeModels: names, siblings, options (of gapOptions)
 %   VERDICT  struct
 %     kind      'no gap', 'named', 'group', 'none of the listed' or 'undecided'
 %     effects   numbers of the effects it names (one or two, or a group)
@@ -17,9 +16,8 @@
 %     include   1 x K, probability that the effect takes part
 %     resemble  1 x K, that something not listed which resembles it does
 %     null, unlisted (siblings and discrepancies) probabilities
-%     likely    1 x m, smallest set of effects (by include + resemble) that
-%     holds
-%               95 % of what all have together;  top  scalar, the likeliest one
+%     likely    1 x m, fewest effects (by include + resemble) that hold 95 % of
+%               what all have together;  top  scalar, the likeliest one
 %
 % P ~ prior * exp (log evidence). What is a gap is W.gate's matter; then:
 % 'none of the listed' where misfits that resemble no effect, or that resemble
@@ -43,7 +41,7 @@ function verdict = judgeCase (w, models)
     verdict.reason = sprintf (['an integral rests on %.0f effective ' ...
                                'points; raise options.most'], ...
                               min (w.ess(weak)));
-  elseif verdict.misfit >= 0.5
+  elseif verdict.misfit >= models.options.misfitAt
     verdict.kind = 'none of the listed';
     verdict.reason = sprintf (['there is a gap (p = %.3f) that no listed ' ...
                                'effect explains'], w.gate.p);
@@ -59,7 +57,8 @@ function verdict = nameCause (verdict, w, models)
   options = models.options;
   strong = find (verdict.total >= options.nameAt);
   top = verdict.top;
-  if verdict.resemble(top) > max (0.5, 2 * verdict.include(top))
+  if verdict.resemble(top) > max (options.misfitAt, ...
+                                  2 * verdict.include(top))
     verdict.kind = 'none of the listed';
     verdict.reason = sprintf (['something resembles %s, but the data say ' ...
                                'it is not that'], models.names{top});
@@ -69,12 +68,12 @@ function verdict = nameCause (verdict, w, models)
     verdict = nameGroup (verdict, w, models);
     return
   end
-  others = verdict.total > min (verdict.total(strong)) / 10;
+  others = verdict.total > options.othersAt * min (verdict.total(strong));
   others(strong) = false;
-  joining = partnersOf (w, verdict, strong);
+  joining = partnersOf (w, verdict, strong, options);
   others(joining) = false;
   best = bestWith (w, verdict, strong);
-  if w.atLimit(best) > 0.5
+  if w.atLimit(best) > options.gluedAt
     verdict.guard = 'range';
     verdict.reason = sprintf (['%s would have to be stronger than its ' ...
                                'plausible range'], models.names{top});
@@ -117,14 +116,15 @@ function verdict = nameOrResemble (verdict, w, models, strong)
 end
 
 % Effects that act together with a strong one, none of them sure.
-function joining = partnersOf (w, verdict, strong)
+function joining = partnersOf (w, verdict, strong, options)
   joining = zeros (1, 0);
   pairs = find (strcmp (w.kind, 'pair'));
   holds = pairs(cellfun (@(m) any (ismember (strong, m)), w.members(pairs)));
-  if numel (strong) > 1 || sum (verdict.P(holds)) < 0.8 * verdict.total(strong)
+  if numel (strong) > 1 || ...
+     sum (verdict.P(holds)) < options.nameAt * verdict.total(strong)
     return
   end
-  for h = holds(verdict.P(holds) > 0.05)
+  for h = holds(verdict.P(holds) > options.partnerAt)
     joining = [joining, setdiff(w.members{h}, strong)];
   end
   joining = unique (joining);
@@ -147,7 +147,7 @@ function verdict = nameGroup (verdict, w, models)
   [~, order] = sort (-verdict.total);
   top = verdict.top;
   d = abs (w.phi(1 + top, 1)) * w.screen.size(top);
-  alike = confusion (w.screen.cosine(top, :), d) > 0.1;
+  alike = confusion (w.screen.cosine(top, :), d) > models.options.confusedAt;
   for n = 2:numel (order)
     set = order(1:n);
     if n > 3 && ~all (alike(setdiff (set, top)))
@@ -159,7 +159,7 @@ function verdict = nameGroup (verdict, w, models)
       verdict.kind = 'group';
       verdict.guard = 'group';
       verdict.effects = sort (set);
-      verdict.lookAlike = sum (verdict.resemble(set)) > 0.1;
+      verdict.lookAlike = sum (verdict.resemble(set)) > models.options.caveatAt;
       verdict.reason = sprintf ('one of them with probability %.2f', together);
       return
     end
