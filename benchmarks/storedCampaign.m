@@ -25,7 +25,7 @@ end
 % What was loaded in another folder would stay: Octave does not look again.
 function before = enter (folder)
   before = cd (folder);
-  clear -f loadInput loadEffects
+  clear ('-f', 'loadInput', 'loadEffects');
 end
 
 %!test

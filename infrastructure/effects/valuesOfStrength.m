@@ -36,5 +36,6 @@ end
 %!             'limits', [0.5, -1; 2, 1]);
 %! effects = [newEffect(a, 1), newEffect(b, 1)];
 %! phi = [0, 0; 0.3, 0; 0, 0.7; 0, -0.2];
-%! assert (strengthOfValues (effects, valuesOfStrength (effects, phi)), phi, 1e-14);
+%! again = strengthOfValues (effects, valuesOfStrength (effects, phi));
+%! assert (again, phi, 1e-14);
 %!assert (size (valuesOfStrength ([], zeros (3, 0))), [3, 0])

@@ -36,8 +36,8 @@
 %     leastPoints  effective points below which no number is believed (200: an
 %                  error of 0.07 in the logarithm of the evidence)
 %     misfitAt     probability of discrepancies, or of a sibling that has twice
-%                  its effect's, at which the cause is off the list (0.5: likelier
-%                  than not)
+%                  its effect's, at which the cause is off the list (0.5:
+%                  likelier than not)
 %     othersAt     share of a named effect's probability that no other may have
 %                  (0.1)
 %     partnerAt    probability of a pair at which its other member is a partner
