@@ -51,7 +51,7 @@ function [data, count] = fromStore (Case, data, count)
   for k = 1:numel (Case.models)
     own = [Case.targets.model] == k;
     [records, effects] = runsOf (Case, k, h(k));
-    spent = cellfun (@(r) r.seconds, records);
+    spent = cellfun (@(r) r.seconds, records(:));    % the mean of none is NaN
     seconds(k) = mean (spent(isfinite (spent))) * Case.models(k).cpu;
     for i = 1:numel (records)
       record = records{i};
