@@ -1,6 +1,21 @@
 % Flow of the gap diagnosis: which runs of the store count.
 
 %!test
+%! % models that are there and a store that is empty: only runs.csv counts
+%! addpath (fileparts (which ('startToolbox')));
+%! raw = standInCase (tempname (), fileparts (fileparts (which ('newCase'))));
+%! Case = newCase (raw);
+%! writeAtomic (fullfile (raw.folder, 'runs.csv'), ...
+%!              ["model,a,b,First_1,First_2,Second_1\n", ...
+%!               "First,2,3,7,1,\nFirst,4,5,8,2,\n"]);
+%! [data, count] = gatherRuns (Case);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
+%! assert (data.X, [2, 3; 4, 5]);
+%! assert ([count.store, count.imported], [0, 2]);
+%! assert (isnan (count.seconds));
+
+%!test
 %! % runs of the store count, with their effects, also after the list changes
 %! addpath (fileparts (which ('startToolbox')));
 %! raw = standInCase (tempname (), fileparts (fileparts (which ('newCase'))));
