@@ -38,8 +38,8 @@
 %     misfitAt     probability of discrepancies, or of a sibling that has twice
 %                  its effect's, at which the cause is off the list (0.5:
 %                  likelier than not)
-%     othersAt     share of a named effect's probability that no other may have
-%                  (0.1)
+%     othersAt     share of a named effect's probability that none may have that
+%                  explains the data without it (0.1)
 %     partnerAt    probability of a pair at which its other member is a partner
 %                  (0.05: what 0.95 would not leave out)
 %     gluedAt      posterior mass at the end of the range of a strength that

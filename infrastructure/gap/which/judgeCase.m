@@ -3,11 +3,11 @@
 % CALL: VERDICT = judgeCase (W, MODELS)
 %
 %   W        struct of weighCase
-%   MODELS   struct of makeModels: names, siblings, options (of gapOptions)
+%   MODELS   struct of makeModels
 %   VERDICT  struct
 %     kind      'no gap', 'named', 'group', 'none of the listed' or 'undecided'
 %     effects   numbers of the effects it names (one or two, or a group)
-%     lookAlike logical: it may also be something that resembles them
+%     lookAlike logical: or something that resembles them
 %     partners  numbers of effects one of which acts together with a named one
 %     guard     what withheld a name: '', 'range', 'integral', 'look-alike',
 %               'group', 'gate'
@@ -22,11 +22,11 @@
 % P ~ prior * exp (log evidence). What is a gap is W.gate's matter; then:
 % 'none of the listed' where misfits that resemble no effect, or that resemble
 % one without being it, are likelier than not; a name where one effect (or pair)
-% has probability nameAt, all others less than a tenth of its, and the data
-% exclude a look-alike of cosine 0.9; a group where that is not so but the
-% effects left, or what resembles them, have nameAt together.
+% has probability nameAt, no other explains the data without it with a tenth of
+% that, and the data exclude a look-alike of cosine 0.9; a group where that is
+% not so but the effects left, or what resembles them, have nameAt together.
 %
-% See also: weighCase, calibrateVerdict
+% See also: weighCase, rivalsOf, calibrateVerdict
 
 function verdict = judgeCase (w, models)
   verdict = openVerdict (w, numel (models.names));
@@ -68,10 +68,12 @@ function verdict = nameCause (verdict, w, models)
     verdict = nameGroup (verdict, w, models);
     return
   end
-  others = verdict.total > options.othersAt * min (verdict.total(strong));
-  others(strong) = false;
-  joining = partnersOf (w, verdict, strong, options);
-  others(joining) = false;
+  others = rivalsOf (w, verdict, strong, options.othersAt);
+  if any (others) && numel (strong) > 1
+    % of a pair the surer half, where the other half has rivals
+    strong = top;
+    others = rivalsOf (w, verdict, strong, options.othersAt);
+  end
   best = bestWith (w, verdict, strong);
   if w.atLimit(best) > options.gluedAt
     verdict.guard = 'range';
@@ -85,7 +87,7 @@ function verdict = nameCause (verdict, w, models)
                       'be named alone'];
   else
     verdict = nameOrResemble (verdict, w, models, strong);
-    verdict.partners = joining;
+    verdict.partners = partnersOf (w, verdict, strong, options);
   end
 end
 
@@ -115,13 +117,12 @@ function verdict = nameOrResemble (verdict, w, models, strong)
   end
 end
 
-% Effects that act together with a strong one, none of them sure.
+% Effects one of which acts together with the strong one, likelier than not.
 function joining = partnersOf (w, verdict, strong, options)
   joining = zeros (1, 0);
   pairs = find (strcmp (w.kind, 'pair'));
   holds = pairs(cellfun (@(m) any (ismember (strong, m)), w.members(pairs)));
-  if numel (strong) > 1 || ...
-     sum (verdict.P(holds)) < options.nameAt * verdict.total(strong)
+  if numel (strong) > 1 || sum (verdict.P(holds)) < 0.5 * verdict.total(strong)
     return
   end
   for h = holds(verdict.P(holds) > options.partnerAt)
@@ -187,8 +188,7 @@ end
 %! assert (isequal (v.kind, 'named') && isequal (v.effects, 1));
 %! assert (sum (v.P), 1, 1e-12);
 %!test
-%! x = w;
-%! x.gate.p = 0.2;
+%! x = setfield (w, 'gate', struct ('p', 0.2));
 %! assert (judgeCase (x, models).kind, 'no gap');
 %!test
 %! % as likely as another one: a group
