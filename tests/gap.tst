@@ -78,6 +78,21 @@
 %! assert (d.howFar.verifiedByDEM, false);
 %! assert (d.runs.spent, 0);
 %! assert (d.where.p < 0.05);
+
+%!test
+%! % named, until DEM runs with the effect miss a target that surrogates meet
+%! g = given;
+%! g.y = measured (means, [0, 0, 0.6, 0, 0], 1);
+%! options = setfield (quick (), 'maxNewRuns', 10);
+%! options.survivors = 0;
+%! options.screenRuns = 0;
+%! bent = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
+%!        1.5 * (E(:, 3) > 0) .* ((1:12) == 7) + 0.1 * randn (rows (X), 12);
+%! d = diagnoseMatrices (g, data, options, bent);
+%! assert (d.which.verdict, 'group');
+%! assert (d.which.guard, 'cure');
+%! assert (d.which.effects, {'spread'});
+%! assert (d.which.lookAlike);
 %! assert (numel (d.next) == 3 && d.next(1).gain >= d.next(3).gain);
 
 %!test
