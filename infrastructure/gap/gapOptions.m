@@ -47,8 +47,8 @@
 %     confusedAt   chance to mistake one effect for another at which they form a
 %                  group (0.1, see confusion)
 %     caveatAt     probability of siblings at which a group says so (0.1)
-%     leftAt       standard deviations by which DEM runs with the named effect may
-%                  miss a target (4: by chance 1 of 1000 with 16 targets)
+%     leftAt       standard deviations by which DEM runs with the named effect
+%                  may miss a target (4: by chance 1 of 1000 with 16 targets)
 %     blindAt      share of a target's variance that parameters absorb at which
 %                  it is a blind spot (0.9)
 %     fitMargin    misfit that a fit may leave because it ends early (0.02: ten
