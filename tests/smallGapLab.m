@@ -34,10 +34,10 @@ function [given, data, means] = smallGapLab ()
   data.X = [(1:14)' / 14 - 0.03, mod((1:14)' * 5, 14) / 14 + 0.02];
   phi = zeros (14, 5);
   for k = 1:4
-    more = zeros (10, 5);
-    more(:, k) = (1:10) / 10;
+    own = zeros (10, 5);
+    own(:, k) = (1:10) / 10;
     data.X = [data.X; mod((1:10)' * 0.618, 1), mod((1:10)' * 0.755, 1)];
-    phi = [phi; more];
+    phi = [phi; own];
   end
   data.E = phi(:, 1:4);
   data.Z = means (data.X, phi) + 0.2 * randn (rows (phi), 12);
