@@ -68,11 +68,11 @@ function verdict = nameCause (verdict, w, models)
     verdict = nameGroup (verdict, w, models);
     return
   end
-  others = rivalsOf (w, verdict, strong, options.othersAt);
+  others = rivalsOf (w, verdict, strong, options);
   if any (others) && numel (strong) > 1
     % of a pair the surer half, where the other half has rivals
     strong = top;
-    others = rivalsOf (w, verdict, strong, options.othersAt);
+    others = rivalsOf (w, verdict, strong, options);
   end
   best = bestWith (w, verdict, strong);
   if w.atLimit(best) > options.gluedAt
@@ -243,7 +243,7 @@ end
 %! x.members(4:6) = {[1, 2], [1, 3], 1};
 %! x.kind(4:6) = {'pair', 'pair', 'sibling'};
 %! x.logE(4:5) = [15, 15.5];
-%! x.logE(2) = 5;
+%! [x.logE(2), x.screen.cosine] = deal (5, eye (3));
 %! v = judgeCase (x, models);
 %! assert (v.kind, 'named');
 %! assert (v.effects, 1);
