@@ -6,6 +6,7 @@
 %        NaN where the file is missing
 
 function res = getResults (model, folderName)
+  %| pragma Justify (metric, "globals", "the published call of getResults");
   global path
   file = [path, 'optim/', model, '/', folderName, '/output_centre'];
   res = {NaN, NaN};
