@@ -40,8 +40,8 @@
 %                  likelier than not)
 %     othersAt     share of a named effect's probability that none may have that
 %                  explains the data without it (0.1)
-%     alikeAt      cosine from which a partner counts as such another one (0.7: half
-%                  of a signature is the other)
+%     alikeAt      cosine from which a partner counts as such another one (0.7:
+%                  half of a signature is the other)
 %     partnerAt    probability of a pair at which its other member is a partner
 %                  (0.05: what 0.95 would not leave out)
 %     gluedAt      posterior mass at the end of the range of a strength that
