@@ -5,8 +5,9 @@
 % Case  struct of newCase (fields names, limits, targets, options are used)
 % cost  handle residual = cost (p, evaluateFunc): p d x 1, evaluateFunc
 %       (p, varargin) -> T x 1 results; rows 1..T of residual belong to the
-%       targets, further rows are preferences. Empty: the published relative
-%       residual (result - target) / target
+%       targets, further rows are preferences. One that takes more arguments
+%       (costFunction) is handed the case as the third. Empty: the published
+%       relative residual (result - target) / target
 %
 % problem: names 1 x d cellstr, limits 2 x d, targets 1 x T struct, value, tol,
 % sd 1 x T, paramMean, paramSd 1 x d (measured by themselves; NaN: not),
@@ -45,6 +46,8 @@ function problem = newProblem (Case, cost)
   if nargin < 2 || isempty (cost)
     value = problem.value(:);
     cost = @(p, evaluateFunc) (evaluateFunc (p) - value) ./ value;
+  elseif abs (nargin (cost)) > 2
+    cost = @(p, evaluateFunc) cost (p, evaluateFunc, Case);
   end
   problem.cost = cost;
   [problem.standard, problem.nExtra] = probeCost (problem);

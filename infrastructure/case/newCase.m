@@ -3,9 +3,10 @@
 % CALL: CASE = newCase (RAW)
 %
 %   RAW   struct with the fields Input, optim, modelVars, assign, paramLims
-%         (as loadInput.m returns them), effects ([] or struct array),
-%         folder (case folder) and root (toolbox folder)
-%   CASE  scalar struct; its fields are described in docs/data.md
+%         (as loadInput.m returns them), folder (case folder) and root (toolbox
+%         folder), see readInput
+%   CASE  scalar struct; its fields are described in docs/data.md. It has no
+%         effects yet: withEffects adds them
 %
 % checkCase looks at RAW first. Its problems are raised together, as one
 % error under the identifier of the first.
@@ -19,7 +20,7 @@
 % optim.role 'calibrate', optim.paramMean and paramSd NaN (not measured),
 % optim.cost 1.
 %
-% See also: loadCase, checkCase
+% See also: loadCase, checkCase, withEffects
 
 function Case = newCase (raw)
   problems = checkCase (raw);
@@ -38,9 +39,8 @@ function Case = newCase (raw)
   Case.paramMean = rowByName (given (raw.optim, 'paramMean', []), Case.names);
   Case.paramSd = rowByName (given (raw.optim, 'paramSd', []), Case.names);
   Case.modelVars = raw.modelVars;
-  Case.effects = resolveEffects (given (raw, 'effects', []), ...
-                                 {fullfile(raw.folder, 'effects'), raw.folder});
-  Case.effectVars = variablesOfEffects (Case.effects);
+  Case.effects = [];
+  Case.effectVars = {};
   Case.targets = newTargets (raw.optim, Case.models);
   Case.options = newOptions (Input, raw.optim);
   for k = 1:numel (Case.models)
@@ -159,8 +159,7 @@ function o = newOptions (Input, optim)
 end
 
 %!shared raw
-%! root = fileparts (fileparts (which ('newCase')));
-%! raw = standInCase (tempname (), root);
+%! raw = standInCase (tempname ());
 %!test
 %! Case = newCase (raw);
 %! assert (size (Case.limits), [2, 2]);
@@ -196,7 +195,7 @@ end
 %! Case = newCase (published);
 %! assert ([Case.targets.model], [1, 1, 2]);
 %! assert ([Case.targets.tol], [0.01, 0.01, 0.02]);
-%!assert (isempty (newCase (rmfield (raw, 'effects')).effects))
+%!assert (isempty (newCase (raw).effects))
 %!error id=DEcalioc:checkCase:badLimits
 %! raw.paramLims(:, 1) = [2; 1];
 %! newCase (raw);

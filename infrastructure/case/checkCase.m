@@ -4,9 +4,9 @@
 %       PROBLEMS = checkCase (RAW, 'noPrograms')
 %
 %   RAW       what the user gave: a struct with the fields Input, optim,
-%             modelVars, assign, paramLims (as loadInput returns them), effects
-%             ([] or struct array), folder (case folder) and root (toolbox
-%             folder); anything else is a problem too
+%             modelVars, assign, paramLims (as loadInput returns them), folder
+%             (case folder) and root (toolbox folder); anything else is a
+%             problem too
 %   PROBLEMS  1 x n struct array with the fields id ('DEcalioc:checkCase:...')
 %             and message (what, where, expected, got, cure); empty where all
 %             is good
@@ -73,9 +73,6 @@ function [p, raw] = checkRaw (raw)
                           'the path of a folder');
     p = [p, q];
   end
-  if ~isfield (raw, 'effects')
-    raw.effects = [];
-  end
 end
 
 function [p, raw] = checkPart (raw, name, isGood, expected)
@@ -103,9 +100,7 @@ function p = checkAlone (raw)
     p = [p, checkOptim(raw.optim)];
   end
   p = [p, checkVariables(raw.modelVars, raw.assign), ...
-       checkLimits(raw.paramLims, raw.assign, numOfSam), ...
-       checkEffects(raw.effects, effectFolders (raw), raw.modelVars, ...
-                    raw.assign)];
+       checkLimits(raw.paramLims, raw.assign, numOfSam)];
 end
 
 % Checks that compare the values with files and with each other.
@@ -167,13 +162,6 @@ function [names, fields, kinds] = variablesOf (raw)
     fields = [fields, strcat('modelVars.', own)];
     kinds = [kinds, repmat({'fixed'}, size (own))];
   end
-  [~, effects] = checkEffects (raw.effects, effectFolders (raw), [], {});
-  for k = 1:numel (effects)
-    own = effects(k).variables;
-    names = [names, own];
-    fields = [fields, repmat({effects(k).field}, 1, numel (own))];
-    kinds = [kinds, repmat({'effect'}, 1, numel (own))];
-  end
   good = cellfun (@(n) checkIs ('name', n), names) & ...
          ~ismember (cellfun (@checkShow, names, 'UniformOutput', false), ...
                     {'''RLTS''', '''SIMTS''', '''runSeed'''});
@@ -203,13 +191,6 @@ function n = countOr (s, name, default)
   n = default;
   if isfield (s, name) && checkIs ('integer', s.(name)) && s.(name) >= 0
     n = double (s.(name));
-  end
-end
-
-function folders = effectFolders (raw)
-  folders = {};
-  if ischar (raw.folder)
-    folders = {fullfile(raw.folder, 'effects'), raw.folder};
   end
 end
 

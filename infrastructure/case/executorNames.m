@@ -2,12 +2,13 @@
 %
 % CALL: NAMES = executorNames ()
 %
-%   NAMES  1 x n cell: 'local' for the file executeLocal.m beside this one
+%   NAMES  1 x n cell: 'local' for the file executeLocal.m of executors/
 %
 % See also: describeExecutor, runJobs
 
 function names = executorNames ()
-  files = readdir (fileparts (mfilename ('fullpath')));
+  inside = fileparts (fileparts (mfilename ('fullpath')));
+  files = readdir (fullfile (inside, 'executors'));
   found = regexp (files, '^execute([A-Z]\w*)\.m$', 'tokens', 'once');
   found = [found{:}];
   names = cellfun (@(n) [lower(n(1)), n(2:end)], found, ...

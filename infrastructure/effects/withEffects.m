@@ -1,34 +1,41 @@
 % WITHEFFECTS  Adds the user's candidate effects to a case.
 %
 % CALL: CASE = withEffects (CASE)
+%       CASE = withEffects (CASE, LIST)
 %
 %   CASE  see newCase
-%
-% The candidates are those of loadEffects.m, of the case or of the toolbox; an
-% empty list is allowed.
+%   LIST  the candidates, as loadEffects gives them (default: those of
+%         loadEffects.m of the case or of the toolbox); may be empty
 %
 % Errors: DEcalioc:withEffects:brokenEffects, those of checkEffects and
-% checkDeclared. An effect of the library may be one that no model of the case
-% has; of the user's own ones that is a mistake.
+% checkDeclared (DEcalioc:checkCase:...). An effect of the library may be one
+% that no model of the case has; of the user's own ones that is a mistake.
 %
 % See also: loadEffects, resolveEffects, unexpressedEffects
 
-function Case = withEffects (Case)
-  if isempty (which ('loadEffects'))
-    return
-  end
-  try
-    list = loadEffects ();
-  catch err
-    error ('DEcalioc:withEffects:brokenEffects', ...
-           ['withEffects: %s must return a struct array of effects, but ' ...
-            'running it gave: %s'], which ('loadEffects'), err.message);
+function Case = withEffects (Case, list)
+  if nargin < 2
+    list = ownList ();
   end
   folders = {fullfile(Case.folder, 'effects'), Case.folder};
   stopAt (checkEffects (list, folders, Case.modelVars, Case.names));
   Case.effects = resolveEffects (list, folders);
   Case.effectVars = variablesOfEffects (Case.effects);
   stopAt (checkModelsHave (Case));
+end
+
+function list = ownList ()
+  list = [];
+  if isempty (which ('loadEffects'))
+    return
+  end
+  try
+    list = feval ('loadEffects');
+  catch err
+    error ('DEcalioc:withEffects:brokenEffects', ...
+           ['withEffects: %s must return a struct array of effects, but ' ...
+            'running it gave: %s'], which ('loadEffects'), err.message);
+  end
 end
 
 function stopAt (problems)
