@@ -28,7 +28,8 @@ function [found, history] = calibrateOnKriging (surrogates, problem, options)
   if nargin < 3
     options = struct ();
   end
-  options = withDefaults (options);
+  options = mergeFields (struct ('maxIter', 1000, 'maxFunEvals', 3000, ...
+                                 'nPlan', 3, 'incumbent', []), options);
   starts = startingPoints (surrogates, problem, options);
   left = options.maxFunEvals;
   for k = 1:numel (starts)
@@ -58,16 +59,6 @@ function [found, history] = calibrateOnKriging (surrogates, problem, options)
   if ~found.within
     found.conflict = findConflict (surrogates, problem);
   end
-end
-
-function options = withDefaults (options)
-  default = struct ('maxIter', 1000, 'maxFunEvals', 3000, 'nPlan', 3, ...
-                    'incumbent', []);
-  given = fieldnames (options);
-  for i = 1:numel (given)
-    default.(given{i}) = options.(given{i});
-  end
-  options = default;
 end
 
 function starts = startingPoints (surrogates, problem, options)

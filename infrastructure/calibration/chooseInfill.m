@@ -25,11 +25,9 @@ function P = chooseInfill (surrogates, problem, found, n, round)
   candidates = candidateSets (surrogates, problem, found);
   use = problem.calibrate;
   loss = zeros (rows (candidates), n - 1);
-  state = randn ('twister');
-  restore = onCleanup (@() randn ('twister', state));
-  randn ('twister', problem.options.seed + 7919 * round);
+  restore = seedRandom (problem.options.seed + 7919 * round);
   for t = find (use)
-    draw = drawPosterior (surrogates(t), candidates, n - 1);
+    draw = drawSurrogate (surrogates(t), candidates, n - 1);
     for k = 1:n - 1
       Z = repmat (problem.value, rows (candidates), 1);
       Z(:, t) = draw(:, k);
@@ -46,36 +44,14 @@ end
 
 function C = candidateSets (surrogates, problem, found)
   d = columns (problem.limits);
-  width = diff (problem.limits);
   sample = double (stk_sampling_halton_rr2 (1000, d, problem.limits));
   near = double (stk_sampling_halton_rr2 (100, d, [-ones(1, d); ones(1, d)]));
-  near = found.params + 0.15 * near .* width;
-  near = min (max (near, problem.limits(1, :)), problem.limits(2, :));
-  P = [sample; near];
+  P = [sample; setsAround(found.params, 0.15 * near, problem.limits)];
   [r, s] = residualSpread (surrogates, problem, P);
   use = problem.calibrate;
   optimist = max (abs (r(:, use)) - 2 * s(:, use), 0) ./ problem.tol(use);
   [~, order] = sort (sum (optimist.^2, 2));
   C = P(order(1:200), :);
-end
-
-function draw = drawPosterior (surrogate, P, n)
-  s = surrogate.solver;
-  model = surrogate.model;
-  lo = surrogate.limits(1, :);
-  U = (P - lo) ./ (surrogate.limits(2, :) - lo);
-  k = feval (model.covariance_type, model.param, U, s.unit, -1);
-  K = feval (model.covariance_type, model.param, U, U, -1);
-  h = feval (model.lm, U);
-  B = s.L \ k';
-  C = s.R' \ (h' - s.A' * B);
-  S = K - B' * B + C' * C;
-  S = (S + S') / 2 + 1e-8 * mean (diag (S)) * full (eye (rows (S)));
-  [Q, D] = eig (S);
-  root = Q .* sqrt (max (diag (D), 0))';
-  m = h * s.beta + k * s.alpha;
-  draw = m + root * randn (rows (S), n);
-  draw = surrogate.shift + surrogate.scale * draw;
 end
 
 %!shared problem, state, s

@@ -50,7 +50,7 @@ function final = confirmSet (state, problem)
 end
 
 function Z = runsAt (data, p, problem)
-  same = all (abs (data.X - p) <= 1e-12 * diff (problem.limits), 2);
+  same = sameSet (data.X, p, problem.limits);
   Z = data.Z(same, :);
   Z = Z(all (isfinite (Z), 2), :);
 end

@@ -36,15 +36,12 @@ function excess = leastExcess (surrogates, problem, group)
   d = columns (limits);
   P = [mean(limits, 1); insideLimits(surrogates(1).X, limits); ...
        double(stk_sampling_halton_rr2 (1000, d, limits))];
-  unit = double (stk_sampling_halton_rr2 (100, d, [-ones(1, d); ones(1, d)]));
   problem.calibrate(:) = false;
   problem.calibrate(group) = true;
-  for radius = [0.3, 0.2, 0.1, 0.05, 0.03, 0.02, 0.01]
-    worst = worstExcess (surrogates, problem, P);
-    [excess, i] = min (worst);
-    around = P(i, :) + radius * unit .* (limits(2, :) - limits(1, :));
-    P = [P(i, :); min(max (around, limits(1, :)), limits(2, :))];
-  end
+  loss = @(P) worstExcess (surrogates, problem, P);
+  [~, i] = min (loss (P));
+  radii = [0.3, 0.2, 0.1, 0.05, 0.03, 0.02];
+  excess = loss (shrinkingSearch (loss, P(i, :), radii, 100, limits));
 end
 
 function worst = worstExcess (surrogates, problem, P)

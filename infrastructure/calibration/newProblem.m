@@ -67,10 +67,7 @@ function options = withDefaults (Case)
                     'maxIter', 3, 'tolfun', 0.002, 'replicates', 4, ...
                     'WRL', 0, 'method', 'robust', 'confidence', 0.95);
   if isfield (Case, 'options')
-    given = fieldnames (Case.options);
-    for i = 1:numel (given)
-      options.(given{i}) = Case.options.(given{i});
-    end
+    options = mergeFields (options, Case.options);
   end
 end
 

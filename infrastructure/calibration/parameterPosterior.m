@@ -25,10 +25,7 @@ function known = parameterPosterior (surrogates, problem, nSample)
   if nargin < 3
     nSample = 1000 - 600 * isLarge (surrogates);
   end
-  keep = {rand('twister'), randn('twister')};
-  restore = onCleanup (@() restoreGenerators (keep));
-  rand ('twister', problem.options.seed);
-  randn ('twister', problem.options.seed);
+  restore = seedRandom (problem.options.seed);
   d = columns (problem.limits);
   U = rand (nSample, d);
   fit = logLikelihood (surrogates, problem, U);
@@ -47,11 +44,6 @@ end
 function yes = isLarge (surrogates)
   % a prediction costs the square of the runs for each target
   yes = sum (arrayfun (@(s) numel (s.z)^2, surrogates)) > 5e5;
-end
-
-function restoreGenerators (keep)
-  rand ('twister', keep{1});
-  randn ('twister', keep{2});
 end
 
 function fit = logLikelihood (surrogates, problem, U)

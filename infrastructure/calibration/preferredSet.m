@@ -16,23 +16,17 @@ function p = preferredSet (surrogates, problem, p, pool)
   if best < 0.5
     return
   end
-  lo = problem.limits(1, :);
-  width = problem.limits(2, :) - lo;
-  d = numel (lo);
-  unit = double (stk_sampling_halton_rr2 (200, d, [-ones(1, d); ones(1, d)]));
-  value = preferenceOf (problem, p);
-  for radius = [0.2, 0.1, 0.05, 0.05, 0.02, 0.02]
-    P = p + radius * unit .* width;
-    P = [min(max (P, lo), problem.limits(2, :)); pool];
-    sure = meetProbability (surrogates, problem, P) >= ...
-           max (0.5, best - 0.02);
-    P = P(sure, :);
-    values = preferenceOf (problem, P);
-    [least, i] = min (values);
-    if ~isempty (P) && least < value
-      value = least;
-      p = P(i, :);
-    end
+  loss = @(P) preferenceIfSure (P, surrogates, problem, best);
+  p = shrinkingSearch (loss, p, [0.2, 0.1, 0.05, 0.05, 0.02, 0.02], 200, ...
+                       problem.limits, pool);
+end
+
+% Inf for a set that is less sure than the best one.
+function value = preferenceIfSure (P, surrogates, problem, best)
+  value = Inf (rows (P), 1);
+  sure = meetProbability (surrogates, problem, P) >= max (0.5, best - 0.02);
+  if any (sure)
+    value(sure) = preferenceOf (problem, P(sure, :));
   end
 end
 

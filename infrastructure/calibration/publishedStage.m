@@ -24,7 +24,7 @@ function state = publishedStage (state, problem, evaluate, say)
   [X, Z] = knownSets (state.data);
   memory('X') = X;
   memory('Z') = Z;
-  memory('width') = width;
+  memory('limits') = problem.limits;
   memory('new') = newData (d, columns (state.data.Z));
   memory('left') = budgetLeft (state, problem) - reserve;
   run = @(P) remembered (P, memory, evaluate);
@@ -63,7 +63,7 @@ function Z = remembered (P, memory, evaluate)
   Z = NaN (rows (P), columns (known));
   where = zeros (rows (P), 1);
   for i = 1:rows (P)
-    same = all (abs (X - P(i, :)) <= 1e-12 * memory('width'), 2);
+    same = sameSet (X, P(i, :), memory('limits'));
     where(i) = max ([0; find(same)]);
   end
   seen = where > 0;
@@ -125,11 +125,8 @@ function state = takeOver (state, problem, memory)
   if isfinite (least)
     p = X(best, :);
   end
-  here = describeSet (state.surrogates, problem, p);
-  kept = fieldnames (here);
-  for i = 1:numel (kept)
-    state.found.(kept{i}) = here.(kept{i});
-  end
+  state.found = mergeFields (state.found, ...
+                             describeSet (state.surrogates, problem, p));
   state.found.conflict = {};
   state = bookStep (state, 'DEM', 1);
 end

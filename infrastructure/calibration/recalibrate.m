@@ -26,10 +26,7 @@ function state = recalibrate (state, problem, stage, iteration, mayMove)
          (here.probability > found.probability - margin && ...
           here.probability > 0.2);
   if stay
-    kept = fieldnames (here);
-    for i = 1:numel (kept)
-      found.(kept{i}) = here.(kept{i});
-    end
+    found = mergeFields (found, here);
   end
   state.found = found;
   state = bookStep (state, stage, iteration);

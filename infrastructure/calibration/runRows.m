@@ -21,8 +21,7 @@ function state = runRows (state, problem, evaluate, P, stage)
   for i = 1:rows (P)
     earlier = [state.data.X; P(1:i - 1, :)];
     numbers = [state.data.replicate; replicate(1:i - 1)];
-    same = all (abs (earlier - P(i, :)) <= ...
-                1e-12 * diff (problem.limits), 2);
+    same = sameSet (earlier, P(i, :), problem.limits);
     replicate(i) = max ([0; numbers(same)]) + 1;
   end
   Z = evaluate (P, replicate);

@@ -15,9 +15,7 @@
 % See also: calibrateOnKriging, meetProbability
 
 function [p, probability] = surestSet (surrogates, problem, pool)
-  lo = problem.limits(1, :);
-  width = problem.limits(2, :) - lo;
-  d = numel (lo);
+  d = columns (problem.limits);
   sample = double (stk_sampling_halton_rr2 (300, d, problem.limits));
   centroid = insideLimits (mean (surrogates(1).X, 1), problem.limits);
   P = [pool; centroid; sample];
@@ -32,8 +30,8 @@ function [p, probability] = surestSet (surrogates, problem, pool)
     best = P(order(1:3), :);
     P = best;
     for k = 1:3
-      around = best(k, :) + radius * circshift (step, k, 2) .* width;
-      P = [P; min(max (around, lo), lo + width)];
+      P = [P; setsAround(best(k, :), radius * circshift (step, k, 2), ...
+                         problem.limits)];
     end
     step = -circshift (step, 1, 2);
   end

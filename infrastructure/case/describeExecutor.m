@@ -22,10 +22,7 @@ function what = describeExecutor (name)
                  'sets', @(options) max (1, floor (options.maxCPU)));
   own = [name, 'Executor'];
   if isvarname (own) && exist (own, 'file') == 2
-    given = feval (own);
-    for field = fieldnames (given)'
-      what.(field{1}) = given.(field{1});
-    end
+    what = mergeFields (what, feval (own));
   end
 end
 

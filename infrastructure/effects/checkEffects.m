@@ -118,10 +118,7 @@ function [p, entry] = complete (entry, field, library, folders)
                         'Call getEffect at the Octave prompt until it runs.');
       return
     end
-    for name = fieldnames (entry)'
-      base.(name{1}) = entry.(name{1});
-    end
-    entry = base;
+    entry = mergeFields (base, entry);
   elseif ~any (given)
     cure = checkNearest (entry.name, library);
     if isempty (cure)

@@ -41,7 +41,9 @@ function surrogate = fitSurrogate (X, z, limits, options)
             '%d x %d, %d x %d and %d x %d.'], size (X), size (z), ...
            size (limits));
   end
-  options = withDefaults (options);
+  options = mergeFields (struct ('name', '', 'trend', 'choose', ...
+                                 'covariance', 'choose', 'start', [], ...
+                                 'maxFit', 150, 'noise', []), options);
   ok = isfinite (z);
   if sum (ok) < 2
     error ('DEcalioc:fitSurrogate:runFailed', ...
@@ -56,16 +58,6 @@ function surrogate = fitSurrogate (X, z, limits, options)
   else
     surrogate = chooseModel (base, options);
   end
-end
-
-function options = withDefaults (options)
-  default = struct ('name', '', 'trend', 'choose', 'covariance', 'choose', ...
-                    'start', [], 'maxFit', 150, 'noise', []);
-  given = fieldnames (options);
-  for i = 1:numel (given)
-    default.(given{i}) = options.(given{i});
-  end
-  options = default;
 end
 
 function base = standardise (X, z, limits, options)

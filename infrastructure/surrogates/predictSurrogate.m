@@ -38,23 +38,15 @@ function [m, v] = predictSurrogate (surrogates, P)
 end
 
 function [m, v] = predictOne (surrogate, P)
-  s = surrogate.solver;
-  model = surrogate.model;
-  U = (P - surrogate.limits(1, :)) ./ ...
-      (surrogate.limits(2, :) - surrogate.limits(1, :));
-  w = exp (model.param(2:end))';
-  A = U .* w;
-  B = s.unit .* w;
-  r2 = max (sum (A.^2, 2) + sum (B.^2, 2)' - 2 * A * B', 0);
-  k = exp (model.param(1)) * correlationOf (surrogate.covariance, r2);
-  h = feval (model.lm, U);
-  m = surrogate.shift + surrogate.scale * (h * s.beta + k * s.alpha);
   if nargout > 1
-    B = s.L \ k';
-    C = s.R' \ (h' - s.A' * B);
-    v = exp (model.param(1)) - sum (B.^2, 1)' + sum (C.^2, 1)';
+    [m, B, C] = krigingTerms (surrogate, P);
+    prior = exp (surrogate.model.param(1));
+    v = prior - sum (B.^2, 1)' + sum (C.^2, 1)';
     v = surrogate.factor * surrogate.scale^2 * max (v, 0);
+  else
+    m = krigingTerms (surrogate, P);
   end
+  m = surrogate.shift + surrogate.scale * m;
 end
 
 %!test
