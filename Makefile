@@ -17,7 +17,7 @@ CASE ?= .
 ONLY ?=
 export LIGGGHTS OCTAVE CASE ONLY
 
-.PHONY: help setup liggghts run gap test soak bench lint graph format dist clean liggghts-clean
+.PHONY: help setup liggghts run gap test soak bench lint graph format dist demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -40,6 +40,10 @@ gap:                   ## diagnose the gap: all set-up, then diagnoseGap.m
 	@tools/setup.sh run
 	@tools/liggghts/build.sh
 	@tools/octave.sh diagnoseGap.m
+
+demo:                  ## calibrate and diagnose stored runs in ./decalioc-demo, without LIGGGHTS
+	@tools/setup.sh run
+	@tools/demo.sh decalioc-demo
 
 test:                  ## all set-up, then all tests; ends in "N passed, N failed"
 	@tools/setup.sh run test

@@ -22,7 +22,7 @@
 % Order: WHERE, WHICH, HOW FAR, NEXT TEST. Random numbers come from
 % OPTIONS.seed; the caller's random state is left as it was.
 %
-% Errors: those of newGapProblem, effectStrength and fitEmulator
+% Errors: those of newGapProblem, strengthOfValues and fitEmulator
 %
 % See also: diagnoseGap, locateGap, weighCase, judgeCase, weighCures,
 % measureCure, nextTest

@@ -43,14 +43,11 @@ end
 function Q = refit (models, fits, h)
   flat = setfield (models.prior, 'flat', true);
   p = models.white.p;
-  a = fits.single{h(1)}.U(1, :);
-  U = a;
+  U = fits.single{h(1)}.U(1, :);
   kind = 'single';
   if numel (h) > 1
     kind = 'pair';
-    b = fits.single{h(2)}.U(1, :);
-    U = [a(1:p + 1), b(p + 1), 0; a(1:p + 1), -0.5, 0; ...
-         b(1:p), -0.5, b(p + 1), 0];
+    U = pairStarts (p, U, fits.single{h(2)}.U(1, :));
   end
   fit = fitHypothesis (models.white, newHypothesis (kind, h), ...
                        repmat (fits.Z(1, :), rows (U), 1), U, flat);

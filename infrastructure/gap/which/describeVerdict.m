@@ -79,8 +79,8 @@ function s = strengthOf (w, verdict, k, models, problem)
   posterior = w.posterior{h};
   column = models.white.p + find (w.members{h} == k);
   phi = posterior.Q(:, column);
-  q = shortestInterval (phi, posterior.cautious, 0.9, ...
-                        models.white.effect(k).range);
+  own = models.white.effect(k);
+  q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
   q(1) = weightedQuantile (phi, posterior.weight, 0.5);
   if w.ess(h) < models.options.leastPoints
     q = NaN (1, 3);
@@ -88,7 +88,7 @@ function s = strengthOf (w, verdict, k, models, problem)
   at = find (strcmp ({problem.effects.name}, models.names{k}), 1);
   effect = problem.effects(at);
   variables = effect.variables;
-  values = effectValues (effect, q');
+  values = valuesOfStrength (effect, q');
   if effect.laboratory
     variables = {effect.name};
     values = effect.strongest * q';
@@ -105,7 +105,8 @@ function groups = confusedGroups (screen, models)
   for k = 1:K
     d = screen.size(k) / 2;
     linked(k, :) = d > 0 & screen.size > 0 & ...
-                   confusion (screen.cosine(k, :), d) > 0.1;
+                   confusion (screen.cosine(k, :), d) > ...
+                   models.options.confusedAt;
   end
   linked = linked & linked';
   groups = {};

@@ -1,14 +1,14 @@
-% EFFECTVALUES  Turns strengths phi into values of the effect variables.
+% VALUESOFSTRENGTH  Turns strengths phi into values of the effect variables.
 %
-% CALL: E = effectValues (EFFECTS, PHI)
+% CALL: E = valuesOfStrength (EFFECTS, PHI)
 %
 %   EFFECTS  1 x K struct of newEffect
 %   PHI      n x K, strengths (0 = neutral)
 %   E        n x v, values of the variables of all effects that DEM runs
 %
-% See also: effectStrength, newEffect
+% See also: strengthOfValues, newEffect
 
-function E = effectValues (effects, phi)
+function E = valuesOfStrength (effects, phi)
   E = zeros (rows (phi), 0);
   for k = 1:numel (effects)
     e = effects(k);
@@ -36,5 +36,6 @@ end
 %!             'limits', [0.5, -1; 2, 1]);
 %! effects = [newEffect(a, 1), newEffect(b, 1)];
 %! phi = [0, 0; 0.3, 0; 0, 0.7; 0, -0.2];
-%! assert (effectStrength (effects, effectValues (effects, phi)), phi, 1e-14);
-%!assert (size (effectValues ([], zeros (3, 0))), [3, 0])
+%! again = strengthOfValues (effects, valuesOfStrength (effects, phi));
+%! assert (again, phi, 1e-14);
+%!assert (size (valuesOfStrength ([], zeros (3, 0))), [3, 0])

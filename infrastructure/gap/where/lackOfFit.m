@@ -24,7 +24,8 @@ function test = lackOfFit (models, fit, options)
   again = fitHypothesis (white, null, Z, repmat (fit.U, options.repeats, 1), ...
                          flat);
   test.chi2 = again.chi2;
-  test.p = (1 + sum (again.chi2 >= fit.chi2 - fitTolerance ())) / ...
+  margin = models.options.fitMargin;
+  test.p = (1 + sum (again.chi2 >= fit.chi2 - margin)) / ...
            (options.repeats + 1);
   test.residual = Z - predictGap (white, [], again.Q);
 end
@@ -35,6 +36,7 @@ end
 %!                        'varPowers', 0, 'varCoef', zeros (1, 12), ...
 %!                        'nu', Inf (1, 12), 'effect', []);
 %! models.prior = struct ('mean', 0, 'sd', Inf);
+%! models.options = gapOptions ([]);
 %! fit = struct ('Q', 0, 'U', 0, 'chi2', 19.675);
 %! test = lackOfFit (models, fit, struct ('repeats', 999, 'seed', 1));
 %! assert (test.p, 0.05, 0.03);

@@ -94,7 +94,7 @@ end
 
 function state = runEffects (problem, state, em, theta, wanted, posteriors)
   K = numel (em.effect);
-  all = effectStrength (problem.effects, state.data.E);
+  all = strengthOfValues (problem.effects, state.data.E);
   half = diff (problem.limits) / 2;
   X = (state.data.X - mean (problem.limits)) ./ half;
   Theta = zeros (0, em.p);

@@ -31,7 +31,7 @@
 function em = fitEmulator (problem, data, options, old)
   p = columns (problem.limits);
   data = inOrder (data);
-  phi = effectStrength (problem.effects, data.E);
+  phi = strengthOfValues (problem.effects, data.E);
   theta = scaled (data.X, problem.limits);
   isBase = all (abs (phi) < 1e-9, 2);
   if sum (isBase) < p + 3

@@ -9,7 +9,7 @@
 %              siblings, discrepancies
 %     kind (1 x H cell), members (1 x H cell: effects), logPrior, logE, error,
 %     ess (1 x H; NaN where Laplace's formula was enough, see below)
-%     phi (H x 3: median and shortest 90 % interval of the first strength)
+%     phi (H x 3: median and 90 % interval of the first strength)
 %     atLimit (1 x H, posterior mass glued to the end of the range of a
 %     strength) posterior  1 x H cell: Q, weight (samples of each hypothesis)
 %     top (members of the likeliest listed hypothesis), exclude (log Bayes
@@ -64,7 +64,8 @@ function one = integrate (models, one)
   end
   p = one.white.p;
   range = vertcat (one.white.effect(members).range);
-  one.phi = shortestInterval (r.Q(:, p + 1), r.cautious, 0.9, range(1, :));
+  one.phi = strengthInterval (r.Q(:, p + 1), r.cautious, range(1, :), ...
+                              one.white.effect(members(1)).scale);
   one.phi(1) = weightedQuantile (r.Q(:, p + 1), r.weight, 0.5);
   lo = range(:, 1)';
   hi = range(:, 2)';
@@ -86,7 +87,7 @@ function [top, exclude] = againstLookAlike (models, w, list, z)
     return
   end
   alike = list(at);
-  alike.h = newHypothesis ('sibling', top, lookAlikeExtent ());
+  alike.h = newHypothesis ('sibling', top, models.options.lookAlike);
   U = [alike.modes(1).U, 0];
   fit = fitHypothesis (models.white, alike.h, z, U, models.prior);
   alike.modes = struct ('U', fit.U, 'A', squeeze (fit.A));

@@ -84,7 +84,7 @@ function exclude = excludeMany (models, fits)
   K = numel (models.white.effect);
   exclude = zeros (n, K);
   for k = 1:K
-    h = newHypothesis ('sibling', k, lookAlikeExtent ());
+    h = newHypothesis ('sibling', k, models.options.lookAlike);
     alike = fitHypothesis (models.white, h, fits.Z, ...
                            [fits.single{k}.U, zeros(n, 1)], models.prior);
     exclude(:, k) = fits.single{k}.logE - alike.logE;

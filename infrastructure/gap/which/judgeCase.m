@@ -3,12 +3,11 @@
 % CALL: VERDICT = judgeCase (W, MODELS)
 %
 %   W        struct of weighCase
-%   MODELS   struct of makeModels: names, siblings, options (level, nameAt,
-%            exclude, leastPoints)
+%   MODELS   struct of makeModels
 %   VERDICT  struct
 %     kind      'no gap', 'named', 'group', 'none of the listed' or 'undecided'
 %     effects   numbers of the effects it names (one or two, or a group)
-%     lookAlike logical: it may also be something that resembles them
+%     lookAlike logical: or something that resembles them
 %     partners  numbers of effects one of which acts together with a named one
 %     guard     what withheld a name: '', 'range', 'integral', 'look-alike',
 %               'group', 'gate'
@@ -17,18 +16,17 @@
 %     include   1 x K, probability that the effect takes part
 %     resemble  1 x K, that something not listed which resembles it does
 %     null, unlisted (siblings and discrepancies) probabilities
-%     likely    1 x m, smallest set of effects (by include + resemble) that
-%     holds
-%               95 % of what all have together;  top  scalar, the likeliest one
+%     likely    1 x m, fewest effects (by include + resemble) that hold 95 % of
+%               what all have together;  top  scalar, the likeliest one
 %
 % P ~ prior * exp (log evidence). What is a gap is W.gate's matter; then:
 % 'none of the listed' where misfits that resemble no effect, or that resemble
 % one without being it, are likelier than not; a name where one effect (or pair)
-% has probability nameAt, all others less than a tenth of its, and the data
-% exclude a look-alike of cosine 0.9; a group where that is not so but the
-% effects left, or what resembles them, have nameAt together.
+% has probability nameAt, no other explains the data without it with a tenth of
+% that, and the data exclude a look-alike of cosine 0.9; a group where that is
+% not so but the effects left, or what resembles them, have nameAt together.
 %
-% See also: weighCase, calibrateVerdict
+% See also: weighCase, rivalsOf, calibrateVerdict
 
 function verdict = judgeCase (w, models)
   verdict = openVerdict (w, numel (models.names));
@@ -43,7 +41,7 @@ function verdict = judgeCase (w, models)
     verdict.reason = sprintf (['an integral rests on %.0f effective ' ...
                                'points; raise options.most'], ...
                               min (w.ess(weak)));
-  elseif verdict.misfit >= 0.5
+  elseif verdict.misfit >= models.options.misfitAt
     verdict.kind = 'none of the listed';
     verdict.reason = sprintf (['there is a gap (p = %.3f) that no listed ' ...
                                'effect explains'], w.gate.p);
@@ -59,7 +57,8 @@ function verdict = nameCause (verdict, w, models)
   options = models.options;
   strong = find (verdict.total >= options.nameAt);
   top = verdict.top;
-  if verdict.resemble(top) > max (0.5, 2 * verdict.include(top))
+  if verdict.resemble(top) > max (options.misfitAt, ...
+                                  2 * verdict.include(top))
     verdict.kind = 'none of the listed';
     verdict.reason = sprintf (['something resembles %s, but the data say ' ...
                                'it is not that'], models.names{top});
@@ -69,12 +68,14 @@ function verdict = nameCause (verdict, w, models)
     verdict = nameGroup (verdict, w, models);
     return
   end
-  others = verdict.total > min (verdict.total(strong)) / 10;
-  others(strong) = false;
-  joining = partnersOf (w, verdict, strong);
-  others(joining) = false;
+  others = rivalsOf (w, verdict, strong, options.othersAt);
+  if any (others) && numel (strong) > 1
+    % of a pair the surer half, where the other half has rivals
+    strong = top;
+    others = rivalsOf (w, verdict, strong, options.othersAt);
+  end
   best = bestWith (w, verdict, strong);
-  if w.atLimit(best) > 0.5
+  if w.atLimit(best) > options.gluedAt
     verdict.guard = 'range';
     verdict.reason = sprintf (['%s would have to be stronger than its ' ...
                                'plausible range'], models.names{top});
@@ -86,7 +87,7 @@ function verdict = nameCause (verdict, w, models)
                       'be named alone'];
   else
     verdict = nameOrResemble (verdict, w, models, strong);
-    verdict.partners = joining;
+    verdict.partners = partnersOf (w, verdict, strong, options);
   end
 end
 
@@ -116,15 +117,15 @@ function verdict = nameOrResemble (verdict, w, models, strong)
   end
 end
 
-% Effects that act together with a strong one, none of them sure.
-function joining = partnersOf (w, verdict, strong)
+% Effects one of which acts together with the strong one, likelier than not.
+function joining = partnersOf (w, verdict, strong, options)
   joining = zeros (1, 0);
   pairs = find (strcmp (w.kind, 'pair'));
   holds = pairs(cellfun (@(m) any (ismember (strong, m)), w.members(pairs)));
-  if numel (strong) > 1 || sum (verdict.P(holds)) < 0.8 * verdict.total(strong)
+  if numel (strong) > 1 || sum (verdict.P(holds)) < 0.5 * verdict.total(strong)
     return
   end
-  for h = holds(verdict.P(holds) > 0.05)
+  for h = holds(verdict.P(holds) > options.partnerAt)
     joining = [joining, setdiff(w.members{h}, strong)];
   end
   joining = unique (joining);
@@ -147,7 +148,7 @@ function verdict = nameGroup (verdict, w, models)
   [~, order] = sort (-verdict.total);
   top = verdict.top;
   d = abs (w.phi(1 + top, 1)) * w.screen.size(top);
-  alike = confusion (w.screen.cosine(top, :), d) > 0.1;
+  alike = confusion (w.screen.cosine(top, :), d) > models.options.confusedAt;
   for n = 2:numel (order)
     set = order(1:n);
     if n > 3 && ~all (alike(setdiff (set, top)))
@@ -159,7 +160,7 @@ function verdict = nameGroup (verdict, w, models)
       verdict.kind = 'group';
       verdict.guard = 'group';
       verdict.effects = sort (set);
-      verdict.lookAlike = sum (verdict.resemble(set)) > 0.1;
+      verdict.lookAlike = sum (verdict.resemble(set)) > models.options.caveatAt;
       verdict.reason = sprintf ('one of them with probability %.2f', together);
       return
     end
@@ -187,8 +188,7 @@ end
 %! assert (isequal (v.kind, 'named') && isequal (v.effects, 1));
 %! assert (sum (v.P), 1, 1e-12);
 %!test
-%! x = w;
-%! x.gate.p = 0.2;
+%! x = setfield (w, 'gate', struct ('p', 0.2));
 %! assert (judgeCase (x, models).kind, 'no gap');
 %!test
 %! % as likely as another one: a group

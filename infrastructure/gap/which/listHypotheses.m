@@ -86,12 +86,8 @@ function others = partnersOf (white, fits, i, k, screen)
 end
 
 function fit = fitPair (models, fits, i, pair)
-  p = models.white.p;
-  a = fits.single{pair(1)}.U(i, :);
-  b = fits.single{pair(2)}.U(i, :);
-  % a little of the other one, or half of both
-  U = [a(1:p + 1), -0.5, 0; b(1:p), -0.5, b(p + 1), 0; ...
-       (a(1:p) + b(1:p)) / 2, a(p + 1) - 0.3, b(p + 1) - 0.3, 0];
+  U = pairStarts (models.white.p, fits.single{pair(1)}.U(i, :), ...
+                  fits.single{pair(2)}.U(i, :));
   h = newHypothesis ('pair', pair);
   all = fitHypothesis (models.white, h, repmat (fits.Z(i, :), 3, 1), U, ...
                        models.prior);

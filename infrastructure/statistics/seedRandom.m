@@ -1,10 +1,10 @@
-% SEEDRANDOM  Starts Octave's random numbers at the seed of a case.
+% SEEDRANDOM  Starts Octave's random numbers at a seed.
 %
 % CALL: RESTORE = seedRandom (SEED)
 %
 %   SEED     integer
-%   RESTORE  onCleanup object: when it is cleared, rand and randn go on from
-%            where they were
+%   RESTORE  onCleanup object: when it is cleared, rand, randn and randg go on
+%            from where they were
 %
 % The same case then gives the same calibration to the last digit, whatever
 % was done before in the same Octave.
@@ -12,15 +12,17 @@
 % See also: DEcalioc
 
 function restore = seedRandom (seed)
-  before = {rand('twister'), randn('twister')};
+  before = {rand('twister'), randn('twister'), randg('twister')};
   restore = onCleanup (@() putBack (before));
   rand ('twister', seed);
   randn ('twister', seed);
+  randg ('twister', seed);
 end
 
 function putBack (before)
   rand ('twister', before{1});
   randn ('twister', before{2});
+  randg ('twister', before{3});
 end
 
 %!test

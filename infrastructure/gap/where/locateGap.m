@@ -40,7 +40,8 @@ function where = locateGap (problem, em, models, fits, options)
   where.absorbed = parity.absorbed;
   where.unabsorbed = parity.unabsorbed;
   view = rawView (white, V, J);
-  where = localise (where, view, r, test.residual, problem.bench(used));
+  where = localise (where, view, r, test.residual, problem.bench(used), ...
+                    options);
   where.conflict = benchConflicts (problem, em, models);
   where.trends = trendContrasts (problem, used, where.residual', view.Omega);
   where.side = sideSignals (problem, em, where.theta);
@@ -57,12 +58,12 @@ function view = rawView (white, V, J)
   view.Omega = view.Sigma - Jraw * C * Jraw';
 end
 
-function where = localise (where, view, r, simulated, bench)
+function where = localise (where, view, r, simulated, bench, limits)
   where.residual = (view.back * r)';
   variance = diag (view.Omega)';
   total = diag (view.Sigma)';
   where.absorbability = 1 - max (variance, 0) ./ total;
-  where.blind = where.absorbability > 0.9;
+  where.blind = where.absorbability > limits.blindAt;
   % what is left after a fit in a bounded box scatters more than the slopes say
   fake = simulated * view.back';
   where.sd = sqrt (max ([variance; mean(fake.^2, 1); 1e-3 * total], [], 1));
@@ -70,7 +71,7 @@ function where = localise (where, view, r, simulated, bench)
   fake = fake ./ where.sd;
   top = max (abs (fake), [], 2);
   % less than what the fit may leave by ending early
-  sure = sqrt (max (where.residual.^2 - fitTolerance () * total, 0)) ./ ...
+  sure = sqrt (max (where.residual.^2 - limits.fitMargin * total, 0)) ./ ...
          where.sd;
   for i = 1:numel (where.t)
     where.pTarget(i) = (1 + sum (top >= sure(i))) / (numel (top) + 1);

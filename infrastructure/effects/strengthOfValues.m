@@ -1,6 +1,6 @@
-% EFFECTSTRENGTH  Turns effect variables of runs into strengths phi.
+% STRENGTHOFVALUES  Turns effect variables of runs into strengths phi.
 %
-% CALL: PHI = effectStrength (EFFECTS, E)
+% CALL: PHI = strengthOfValues (EFFECTS, E)
 %
 %   EFFECTS  1 x K struct of newEffect
 %   E        n x v, values of the variables of all effects that DEM runs, in
@@ -9,15 +9,15 @@
 %
 % Of an effect with several variables the one that moved most counts.
 %
-% Errors: DEcalioc:effectStrength:badShape
+% Errors: DEcalioc:strengthOfValues:badShape
 %
-% See also: effectValues, newEffect
+% See also: valuesOfStrength, newEffect
 
-function phi = effectStrength (effects, E)
+function phi = strengthOfValues (effects, E)
   counts = arrayfun (@(e) numel (e.variables), effects);
   if columns (E) ~= sum (counts)
-    error ('DEcalioc:effectStrength:badShape', ...
-           'effectStrength: E must have %d columns, got %d.', ...
+    error ('DEcalioc:strengthOfValues:badShape', ...
+           'strengthOfValues: E must have %d columns, got %d.', ...
            sum (counts), columns (E));
   end
   phi = zeros (rows (E), numel (effects));
@@ -57,7 +57,7 @@ end
 %! b = struct ('name', 'b', 'variables', {{'u', 'w'}}, 'neutral', [1, 0], ...
 %!             'limits', [0.5, -1; 2, 1]);
 %! effects = [newEffect(a, 1), newEffect(b, 1)];
-%!assert (effectStrength (effects, [2, 1, 0]), [0.5, 0])
-%!assert (effectStrength (effects, [0, 2, 1]), [0, 1])
-%!assert (effectStrength (effects, [0, 0.75, -0.5]), [0, -0.5])
-%!error id=DEcalioc:effectStrength:badShape effectStrength (effects, 1)
+%!assert (strengthOfValues (effects, [2, 1, 0]), [0.5, 0])
+%!assert (strengthOfValues (effects, [0, 2, 1]), [0, 1])
+%!assert (strengthOfValues (effects, [0, 0.75, -0.5]), [0, -0.5])
+%!error id=DEcalioc:strengthOfValues:badShape strengthOfValues (effects, 1)
