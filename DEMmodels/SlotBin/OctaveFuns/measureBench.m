@@ -1,19 +1,18 @@
-% MEASURESLOTBIN  Reads discharge and residual slope of the two slot bins.
+% MEASUREBENCH  Reads discharge and residual slope of the two slot bins.
 %
-% CALL: RESULTS = measureSlotBin (FOLDER)
+% CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  1 x 6: for the narrow and the wide slot discharge rate (kg/s),
-%          remaining mass (kg) and slope of what remains (deg), see
-%          results.csv; all NaN if the run is not sane
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
+%          is not sane
 %
 % The rate is taken between 20 and 70 % of what leaves; 0 where nothing does.
 %
 % Throws what readChecks and readDump throw for a missing file.
 %
 % See also: readDump, silhouette, readChecks
-function results = measureSlotBin (folder)
-  results = NaN (1, 6);
+function results = measureBench (folder)
+  results = struct ();
   checks = readChecks (folder);
   if ~checks.sane
     return
@@ -23,12 +22,12 @@ function results = measureSlotBin (folder)
   left = grains(grains(:, 1) < 0, :);
   left(:, 1) = -left(:, 1);
   right = grains(grains(:, 1) > 0, :);
-  results(1) = rateOf (flow(:, 1), flow(:, 2));
-  results(2) = flow(end, 2);
-  results(3) = slopeOf (left, -checks.plateL, checks.binLength);
-  results(4) = rateOf (flow(:, 1), flow(:, 3));
-  results(5) = flow(end, 3);
-  results(6) = slopeOf (right, checks.plateR, checks.binLength);
+  results.rate1 = rateOf (flow(:, 1), flow(:, 2));
+  results.remaining1 = flow(end, 2);
+  results.slope1 = slopeOf (left, -checks.plateL, checks.binLength);
+  results.rate2 = rateOf (flow(:, 1), flow(:, 3));
+  results.remaining2 = flow(end, 3);
+  results.slope2 = slopeOf (right, checks.plateR, checks.binLength);
 end
 
 function rate = rateOf (time, mass)

@@ -1,18 +1,17 @@
-% MEASURECOLLAPSE  Reads packing, profile and spreading of a collapsed column.
+% MEASUREBENCH  Reads packing, profile and spreading of a collapsed column.
 %
-% CALL: RESULTS = measureCollapse (FOLDER)
+% CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  1 x 6: bulkDensity (kg/m3), runOut (m), heightBack (m),
-%          heightFoot (m), slope (deg), spreadTime (s), see results.csv;
-%          all NaN if the run is not sane, or if more than single grains
-%          have reached the stop at the end of the floor
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
+%          is not sane, or if more than single grains have reached the stop at
+%          the end of the floor
 %
 % Throws what readChecks and readDump throw for a missing file.
 %
 % See also: readDump, silhouette, readChecks
-function results = measureCollapse (folder)
-  results = NaN (1, 6);
+function results = measureBench (folder)
+  results = struct ();
   checks = readChecks (folder);
   if ~checks.sane
     return
@@ -33,12 +32,12 @@ function results = measureCollapse (folder)
   known = ~isnan (profile);
   line = polyfit (stations(known), profile(known), 1);
 
-  results(1) = checks.massStart / (L0 * checks.columnWidth * columnTop);
-  results(2) = front - L0;
-  results(3) = meanTop (deposit, d / 2, L0 / 2);
-  results(4) = meanTop (deposit, L0, 1.5 * L0);
-  results(5) = atand (-line(1));
-  results(6) = spreadTime (fullfile (folder, 'spread.csv'));
+  results.bulkDensity = checks.massStart / (L0 * checks.columnWidth * columnTop);
+  results.runOut = front - L0;
+  results.heightBack = meanTop (deposit, d / 2, L0 / 2);
+  results.heightFoot = meanTop (deposit, L0, 1.5 * L0);
+  results.slope = atand (-line(1));
+  results.spreadTime = spreadTime (fullfile (folder, 'spread.csv'));
 end
 
 % 97 % of the grains lie behind the front: single rollers do not count

@@ -1,19 +1,18 @@
-% MEASURESHEAR  Reads the yield line and the density of the sheared bed.
+% MEASUREBENCH  Reads the yield line and the density of the sheared bed.
 %
-% CALL: RESULTS = measureShear (FOLDER)
+% CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  1 x 4: intercept (Pa) and slope (-) of shear stress over load,
-%          density of the bed (kg/m3) at the lowest and the highest load, see
-%          results.csv; all NaN if the run is not sane
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
+%          is not sane
 %
 % Three loads, a straight line through their mean stresses by least squares.
 %
 % Throws what readChecks throws for a missing file.
 %
 % See also: readChecks
-function results = measureShear (folder)
-  results = NaN (1, 4);
+function results = measureBench (folder)
+  results = struct ();
   checks = readChecks (folder);
   if ~checks.sane
     return
@@ -28,5 +27,6 @@ function results = measureShear (folder)
     density(k) = mean (rows(:, 3));
   end
   line = polyfit (load, stress, 1);
-  results = [line(2), line(1), density(1), density(3)];
+  results = struct ('intercept', line(2), 'friction', line(1), ...
+                    'densityLow', density(1), 'densityHigh', density(3));
 end

@@ -1,11 +1,10 @@
-% MEASUREDRUM  Reads the free surface of a turning drum at three speeds.
+% MEASUREBENCH  Reads the free surface of a turning drum at three speeds.
 %
-% CALL: RESULTS = measureDrum (FOLDER)
+% CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  1 x 9: for each of the three speeds slope (deg), curvature (1/m,
-%          positive = hollow) and height at the axis (m), see
-%          results.csv; all NaN if the run is not sane
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
+%          is not sane
 %
 % The silhouette of the bed, averaged over the frames of a stage, is fitted
 % for |x| < 0.6 R by z = a + b x + c x^2: height a, slope atan (|b|), curvature
@@ -14,15 +13,18 @@
 % Throws what readChecks and readDump throw for a missing file.
 %
 % See also: readDump, silhouette, readChecks
-function results = measureDrum (folder)
-  results = NaN (1, 9);
+function results = measureBench (folder)
+  results = struct ();
   checks = readChecks (folder);
   if ~checks.sane
     return
   end
   for k = 1:3
     frames = readDump (fullfile (folder, sprintf ('surface%d.dump', k)));
-    results(3 * k + (-2:0)) = surfaceOf (frames, checks.drumRadius);
+    row = surfaceOf (frames, checks.drumRadius);
+    results.(sprintf ('slope%d', k)) = row(1);
+    results.(sprintf ('curvature%d', k)) = row(2);
+    results.(sprintf ('height%d', k)) = row(3);
   end
 end
 

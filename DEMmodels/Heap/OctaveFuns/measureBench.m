@@ -1,11 +1,10 @@
-% MEASUREHEAP  Reads slope, height, mass and offset of the heap on the plate.
+% MEASUREBENCH  Reads slope, height, mass and offset of the heap on the plate.
 %
-% CALL: RESULTS = measureHeap (FOLDER)
+% CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  1 x 4: slope (deg), height of the apex (m), mass on the plate (kg),
-%          offset of the centre along x (m), see results.csv; all NaN if the
-%          run is not sane
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
+%          is not sane
 %
 % The surface is averaged over circles; slope and apex come from a straight
 % line between 0.2 and 0.8 of the plate's radius.
@@ -13,8 +12,8 @@
 % Throws what readChecks and readDump throw for a missing file.
 %
 % See also: readDump, surfaceAt, readChecks
-function results = measureHeap (folder)
-  results = NaN (1, 4);
+function results = measureBench (folder)
+  results = struct ();
   checks = readChecks (folder);
   if ~checks.sane
     return
@@ -30,8 +29,8 @@ function results = measureHeap (folder)
   end
   line = polyfit (radii, height, 1);
   share = rows (grains) / checks.spheresStart;
-  results(1) = atand (-line(1));
-  results(2) = line(2);
-  results(3) = checks.massStart * share;
-  results(4) = mean (grains(:, 1));
+  results.slope = atand (-line(1));
+  results.height = line(2);
+  results.massOnPlate = checks.massStart * share;
+  results.offset = mean (grains(:, 1));
 end
