@@ -49,7 +49,7 @@
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (folder), 's');
 
-% --- extend.md: the model Slump by hand, then its table of runs
+% --- extend.md: the model of four files, then its table of runs
 %!function text = blockAfter (text, mark)
 %!  from = strfind (text, mark);
 %!  text = regexp (text(from(1):end), '```\w*\n(.*?)```', 'tokens', 'once'){1};
@@ -59,17 +59,15 @@
 %! root = fileparts (fileparts (which ('startProgram')));
 %! text = fileread (fullfile (root, 'docs', 'extend.md'));
 %! folder = tempname ();
-%! model = fullfile (folder, 'DEMmodels', 'Slump');
-%! mkdir (fullfile (model, 'OctaveFuns'));
-%! files = {'**1. `data.head`', 'data.head'; '**2. `in.Slump`', 'in.Slump'; ...
-%!          '**3. `runscript`', 'runscript'; ...
-%!          '**4. `OctaveFuns', 'OctaveFuns/getResults.m'; ...
-%!          '**6. Name it', '../../loadInput.m'; ...
-%!          '**In four fields', '../../loadEffects.m'};
-%! for k = 1:rows (files)
-%!   writeAtomic (fullfile (model, files{k, 2}), ...
-%!                blockAfter (text, files{k, 1}));
-%! end
+%! copyfile (fullfile (root, 'examples', 'slump'), folder);
+%! alone = [folder, '-alone'];
+%! copyfile (fullfile (folder, 'DEMmodels', 'Slump'), alone);
+%! [status, out] = follow (alone, 'bash runscript && cat output_centre');
+%! assert (status, 0, out);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (alone, 's');
+%! writeAtomic (fullfile (folder, 'loadEffects.m'), ...
+%!              blockAfter (text, '**In four fields'));
 %! [status, out] = follow (folder, 'decalioc check --try');
 %! assert (status, 0, out);
 %! assert (~isempty (strfind (out, 'trial     Slump: ok')), out);
@@ -78,7 +76,6 @@
 %!              blockAfter (text, '## Runs that exist already'));
 %! [status, out] = follow (folder, 'decalioc check');
 %! assert (~isempty (strfind (out, 'runs.csv  2 sets taken in')), out);
-%! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
 
 % --- the reading functions of extend.md are there and have the call shown

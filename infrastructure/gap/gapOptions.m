@@ -47,6 +47,8 @@
 %     confusedAt   chance to mistake one effect for another at which they form a
 %                  group (0.1, see confusion)
 %     caveatAt     probability of siblings at which a group says so (0.1)
+%     leftAt       standard deviations by which DEM runs with the named effect
+%                  may miss a target (4: by chance 1 of 1000 with 16 targets)
 %     blindAt      share of a target's variance that parameters absorb at which
 %                  it is a blind spot (0.9)
 %     fitMargin    misfit that a fit may leave because it ends early (0.02: ten
@@ -64,8 +66,8 @@ function options = gapOptions (given)
                     'leastPoints', 200, 'surplus', 1.15, 'caution', 0.6, ...
                     'lookAlike', [tan(acos (0.9)), 1e-6], ...
                     'misfitAt', 0.5, 'othersAt', 0.1, 'partnerAt', 0.05, ...
-                    'gluedAt', 0.5, 'confusedAt', 0.1, 'caveatAt', 0.1, ...
-                    'blindAt', 0.9, 'fitMargin', 0.02);
+                    'gluedAt', 0.5, 'leftAt', 4, 'confusedAt', 0.1, ...
+                    'caveatAt', 0.1, 'blindAt', 0.9, 'fitMargin', 0.02);
   if isstruct (given)
     fields = fieldnames (given);
     for k = 1:numel (fields)
