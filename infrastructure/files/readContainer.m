@@ -3,8 +3,8 @@
 % CALL: RES = readContainer (FOLDER)
 %
 %   FOLDER  folder of a finished run of Lift100 or SmallBin (text)
-%   RES     1 x 2 cell of scalars: bulk density of the filling (kg/m3), mass that
-%           stays after the discharge (kg)
+%   RES     1 x 2 cell of scalars: bulk density of the filling (kg/m3), mass
+%           that stays after the discharge (kg)
 %
 % A result is NaN when its file is missing or holds no number, and when the
 % counts of spheres do not agree: fewer than 2 % above the filling height

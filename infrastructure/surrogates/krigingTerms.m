@@ -32,7 +32,8 @@ end
 %! % at a run without noise the mean is the run, and nothing is open
 %! pkg load stk
 %! X = [0; 0.4; 0.7; 1];
-%! s = fitSurrogate (X, sin (3 * X), [0; 1], struct ('noise', 1e-12 * ones (4, 1)));
+%! s = fitSurrogate (X, sin (3 * X), [0; 1], ...
+%!                   struct ('noise', 1e-12 * ones (4, 1)));
 %! [m, B, C, U] = krigingTerms (s, 0.4);
 %! assert (s.shift + s.scale * m, sin (1.2), 1e-5);
 %! assert (covarianceOf (s, U, U) - B' * B + C' * C, 0, 1e-6);

@@ -3,8 +3,8 @@
 % CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
-%          is not sane, or if more than single grains have reached the stop at
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the
+%          run is not sane, or if more than single grains have reached the stop at
 %          the end of the floor
 %
 % Throws what readChecks and readDump throw for a missing file.
@@ -32,7 +32,8 @@ function results = measureBench (folder)
   known = ~isnan (profile);
   line = polyfit (stations(known), profile(known), 1);
 
-  results.bulkDensity = checks.massStart / (L0 * checks.columnWidth * columnTop);
+  results.bulkDensity = checks.massStart / ...
+                        (L0 * checks.columnWidth * columnTop);
   results.runOut = front - L0;
   results.heightBack = meanTop (deposit, d / 2, L0 / 2);
   results.heightFoot = meanTop (deposit, L0, 1.5 * L0);

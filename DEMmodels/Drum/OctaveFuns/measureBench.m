@@ -3,8 +3,8 @@
 % CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
-%          is not sane
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the
+%          run is not sane
 %
 % The silhouette of the bed, averaged over the frames of a stage, is fitted
 % for |x| < 0.6 R by z = a + b x + c x^2: height a, slope atan (|b|), curvature

@@ -3,8 +3,8 @@
 % CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
-%          is not sane
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the
+%          run is not sane
 %
 % The surface is averaged over circles; slope and apex come from a straight
 % line between 0.2 and 0.8 of the plate's radius.

@@ -3,8 +3,8 @@
 % CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
-%          is not sane
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the
+%          run is not sane
 %
 % Three loads, a straight line through their mean stresses by least squares.
 %

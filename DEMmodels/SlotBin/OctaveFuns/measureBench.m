@@ -3,8 +3,8 @@
 % CALL: RESULTS = measureBench (FOLDER)
 %
 % FOLDER   folder of a finished run
-% RESULTS  scalar struct, a field per result of results.csv; no fields if the run
-%          is not sane
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the
+%          run is not sane
 %
 % The rate is taken between 20 and 70 % of what leaves; 0 where nothing does.
 %
