@@ -17,7 +17,7 @@ CASE ?= .
 ONLY ?=
 export LIGGGHTS OCTAVE CASE ONLY
 
-.PHONY: help setup liggghts run gap test soak bench lint format dist demo clean liggghts-clean
+.PHONY: help setup liggghts run gap test soak bench lint graph format dist demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -59,6 +59,9 @@ bench:                 ## list the programs that measure
 lint:                  ## check the style of the Octave and the shell code
 	@tools/setup.sh lint
 	@tools/lint.sh
+
+graph:                 ## the calls between the folders; fails where one goes up
+	@OCTAVE=$${OCTAVE:-octave-cli} tools/graph/graph.sh
 
 format:                ## lay out the Octave code, then lint
 	@tools/setup.sh lint

@@ -175,7 +175,7 @@
 
 %!test
 %! % from a table of old runs alone: no model folder, no new run, exit status 0
-%! root = fileparts (fileparts (which ('loadCase')));
+%! root = fileparts (fileparts (which ('startToolbox')));
 %! folder = tempname ();
 %! mkdir (folder);
 %! tidy = onCleanup (@() confirm_recursive_rmdir (false));

@@ -12,19 +12,11 @@
 % See also: integrateEvidence
 
 function base = integrationPoints (N, D, seed)
-  before = {rand('twister'), randn('twister')};
-  restore = onCleanup (@() putBack (before));
-  rand ('twister', seed);
-  randn ('twister', seed);
+  restore = seedRandom (seed);
   base.normal = randn (N, D);
   base.normal(2:2:N, :) = -base.normal(1:2:N - 1, :);
   base.uniform = rand (N, D);
   base.root = sqrt (sum (randn (N, 7).^2, 2) / 7);
-end
-
-function putBack (before)
-  rand ('twister', before{1});
-  randn ('twister', before{2});
 end
 
 %!test

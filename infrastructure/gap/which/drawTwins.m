@@ -17,11 +17,7 @@ function twins = drawTwins (models, causes, d, seed, surplus)
   if nargin < 5
     surplus = 1;
   end
-  before = {rand('twister'), randn('twister'), randg('twister')};
-  restore = onCleanup (@() putBack (before));
-  rand ('twister', seed);
-  randn ('twister', seed);
-  randg ('twister', seed);
+  restore = seedRandom (seed);
   white = models.white;
   n = numel (causes);
   T = columns (white.coef);
@@ -51,12 +47,6 @@ function twins = drawTwins (models, causes, d, seed, surplus)
   chi2 = 2 * randg (repmat (min (white.nu, 1e4) / 2, n, 1));
   noise = randn (n, T) ./ sqrt (chi2 ./ min (white.nu, 1e4));
   twins.Y = (M + sqrt (surplus * V) .* noise) / white.W';
-end
-
-function putBack (before)
-  rand ('twister', before{1});
-  randn ('twister', before{2});
-  randg ('twister', before{3});
 end
 
 function phi = strengths (white, h, d, screen)
