@@ -4,8 +4,8 @@
 %
 % FOLDER   folder of a finished run
 % RESULTS  scalar struct, a field per result of results.csv; no fields if the
-%          run is not sane, or if more than single grains have reached the stop at
-%          the end of the floor
+%          run is not sane, or if more than single grains have reached the stop
+%          at the end of the floor
 %
 % Throws what readChecks and readDump throw for a missing file.
 %
