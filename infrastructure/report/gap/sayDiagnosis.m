@@ -155,8 +155,12 @@ function sayHowFar (diagnosis, say)
     sayClosure ('held-out targets', cure.heldOut, say);
   end
   for p = cure.placebos
-    say (sprintf ('  placebo %-18s closes %.0f %% (held out %.0f %%)', ...
-                  p.effect, 100 * p.closure, 100 * p.heldOut));
+    held = '';
+    if isfinite (p.heldOut)
+      held = sprintf (' (held out %.0f %%)', 100 * p.heldOut);
+    end
+    say (sprintf ('  placebo %-18s closes %.0f %%%s', p.effect, ...
+                  100 * p.closure, held));
   end
 end
 
