@@ -52,12 +52,12 @@ function line = trySeeds (name, lab, seeds)
   options = gapOptions ([]);
   em = fitEmulator (problem, lab.data, options);
   em.effect = em.effect([em.effect.laboratory] | [em.effect.runs] >= 3);
-  models = gateReference (makeModels (problem, em, options));
+  models = omnibusReference (makeHypotheses (problem, em, options));
   fits = fitLibrary (models, problem.y(problem.used));
   verdicts = {};
   for s = 1:seeds
     models.options.seed = s;
-    w = weighCase (models, fits, 1);
+    w = caseEvidence (models, fits, 1);
     verdict = judgeCase (w, models);
     logE(s, :) = w.logE;
     done(s, :) = isfinite (w.ess);

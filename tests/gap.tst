@@ -97,9 +97,9 @@
 %!   options = gapOptions (quick ());
 %!   if seed == 5
 %!     em = fitEmulator (problem, data, options);
-%!     models = gateReference (makeModels (problem, em, options));
+%!     models = omnibusReference (makeHypotheses (problem, em, options));
 %!   end
-%!   w = weighCase (models, fitLibrary (models, g.y), 1);
+%!   w = caseEvidence (models, fitLibrary (models, g.y), 1);
 %!   found{end + 1} = judgeCase (w, models).kind;
 %! end
 %! assert (any (strcmp (found, 'undecided')));

@@ -5,8 +5,8 @@
 %   NAME      'hiddenEffect' (examples/) or 'drumAndBins' (benchmarks/)
 %   ROOT      folder of the toolbox
 %   CAMPAIGN  struct name, given (for newGapProblem; nothing is held out), data
-%             (all runs), em (fitEmulator on all), reference (of gateReference),
-%             isWhole (1 x n logical: every result is there)
+%             (all runs), em (fitEmulator on all), reference (of
+%             omnibusReference), isWhole (1 x n logical: every result is there)
 %
 % See also: leftOut
 
@@ -16,7 +16,7 @@ function campaign = leftOutCampaign (name, root)
   problem = newGapProblem (given);
   options = gapOptions ([]);
   em = fitEmulator (problem, data, options);
-  models = gateReference (makeModels (problem, em, options));
+  models = omnibusReference (makeHypotheses (problem, em, options));
   campaign = struct ('name', name, 'given', given, 'data', data, 'em', em, ...
                      'reference', models.reference, ...
                      'isWhole', all (isfinite (data.Z), 2)');

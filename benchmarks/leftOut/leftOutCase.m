@@ -31,10 +31,10 @@ function cases = leftOutCase (campaign, numbers)
     em = fitEmulator (problem, without (data, same), options, campaign.em);
     kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
     em.effect = em.effect(kept);
-    models = makeModels (problem, em, options);
+    models = makeHypotheses (problem, em, options);
     models.reference = campaign.reference;
     fits = fitLibrary (models, given.y);
-    w = weighCase (models, fits, 1);
+    w = caseEvidence (models, fits, 1);
     verdict = judgeCase (w, models);
     truth = truthOf (problem, models, data, i);
     one = describe (w, verdict, models, truth);

@@ -15,7 +15,7 @@
 %
 % Errors: DEcalioc:twinsDiagnose:runFailed
 %
-% See also: weighCase, judgeCase, twins
+% See also: caseEvidence, judgeCase, twins
 
 function verdicts = twinsDiagnose (labs, twins)
   n = numel (labs);

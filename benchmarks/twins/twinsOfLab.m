@@ -20,12 +20,13 @@ function verdicts = twinsOfLab (lab, cases)
     lab.em = fitEmulator (problem, lab.data, options);
   end
   K = numel (lab.em.effect);
-  full = gateReference (makeModels (problem, lab.em, options));
+  full = omnibusReference (makeHypotheses (problem, lab.em, options));
   for removed = unique (cases.removed)
     models = full;
     if removed > 0
-      models = makeModels (problem, withoutEffects (lab.em, removed), options);
-      models = gateReference (models);
+      models = makeHypotheses (problem, withoutEffects (lab.em, removed), ...
+                               options);
+      models = omnibusReference (models);
     end
     at = find (cases.removed == removed);
     fits = fitLibrary (models, cases.Y(at, :));
@@ -37,7 +38,7 @@ end
 
 function v = oneVerdict (models, fits, i, removed, K)
   start = tic ();
-  w = weighCase (models, fits, i);
+  w = caseEvidence (models, fits, i);
   verdict = judgeCase (w, models);
   numbers = setdiff (1:K, removed);
   v = struct ('kind', verdict.kind, 'effects', numbers(verdict.effects), ...

@@ -22,7 +22,7 @@
 % cost function, and parameters measured by themselves, only break ties
 % (preferredSet).
 %
-% See also: surestSet, solveStart, preferredSet, findConflict
+% See also: mostProbableSet, solveStart, preferredSet, findConflict
 
 function [found, history] = calibrateOnKriging (surrogates, problem, options)
   if nargin < 3
@@ -42,7 +42,7 @@ function [found, history] = calibrateOnKriging (surrogates, problem, options)
   won = order(1);
   history = paths{won};
   pool = vertcat (solved(order).params);
-  [p, probability] = surestSet (surrogates, problem, pool);
+  [p, probability] = mostProbableSet (surrogates, problem, pool);
   if probability < solved(won).probability
     p = solved(won).params;
   end

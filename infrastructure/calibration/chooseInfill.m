@@ -15,7 +15,7 @@
 % residuals in tolerances), as the first may be wrong; when the found set is
 % likely (one half and more) they are its replicates.
 %
-% See also: improveByInfill, surestSet
+% See also: improveByInfill, mostProbableSet
 
 function P = chooseInfill (surrogates, problem, found, n, round)
   P = repmat (found.params, n, 1);

@@ -5,7 +5,7 @@
 % X       n x d  sets; runs that were taken in may lie outside
 % limits  2 x d  box
 %
-% See also: findConflict, surestSet, newPlan
+% See also: findConflict, mostProbableSet, newPlan
 
 function X = insideLimits (X, limits)
   X = X(all (X >= limits(1, :) & X <= limits(2, :), 2), :);

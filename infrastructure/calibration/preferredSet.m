@@ -51,7 +51,7 @@ end
 %! problem.calibrate(2) = false;
 %! problem.cost = @(p, f) [f(p) ./ [4; 2] - 1; 2 - p(2)];
 %! problem.nExtra = 1;
-%! p = surestSet (s, problem, zeros (0, 2));
+%! p = mostProbableSet (s, problem, zeros (0, 2));
 %! q = preferredSet (s, problem, p, zeros (0, 2));
 %! assert (q(2) >= p(2));
 %! assert (meetProbability (s, problem, q) >= ...

@@ -50,7 +50,7 @@ end
 
 %!test
 %! % a sure set stays to the last digit, and the step is booked
-%! state.found.params = surestSet (s, problem, zeros (0, 2));
+%! state.found.params = mostProbableSet (s, problem, zeros (0, 2));
 %! out = recalibrate (state, problem, 'DEM', 3);
 %! assert (numel (out.history), 1);
 %! assert (out.history.iteration, 3);

@@ -7,7 +7,7 @@
 % limits  2 x d, the box
 % P       n x d; what would lie outside lies on the limit
 %
-% See also: shrinkingSearch, surestSet, chooseInfill
+% See also: shrinkingSearch, mostProbableSet, chooseInfill
 
 function P = setsAround (p, step, limits)
   P = p + step .* diff (limits);

@@ -17,8 +17,7 @@ function [problem, lengths] = correlateSeries (problem, em, options)
   if isempty (at)
     return
   end
-  models = makeModels (problem, withoutEffects (em, 1:numel (em.effect)), ...
-                       options);
+  models = makeHypotheses (problem, withoutEffects (em), options);
   fits = fitLibrary (models, problem.y(problem.used));
   residual = NaN (size (problem.y));
   M = predictGap (em, [], fits.calibrated.Q);

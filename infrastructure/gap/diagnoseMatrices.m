@@ -15,7 +15,7 @@
 %     where    of locateGap
 %     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)
 %     which    of describeVerdict, and expected (calibrateVerdict)
-%     howFar   of measureCure ([] where nothing can be compared)
+%     howFar   of measureCorrection ([] where nothing can be compared)
 %     next     of nextTest
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %
@@ -24,8 +24,8 @@
 %
 % Errors: those of newGapProblem, strengthOfValues and fitEmulator
 %
-% See also: diagnoseGap, locateGap, weighCase, judgeCase, weighCures,
-% measureCure, nextTest
+% See also: diagnoseGap, locateGap, caseEvidence, judgeCase, correctionEvidence,
+% measureCorrection, nextTest
 
 function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   if nargin < 3
@@ -47,7 +47,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   library.effect = em.effect(kept);
   view = viewOf (problem, library, options);
   diagnosis.where = locateGap (problem, em, view.models, view.fits, options);
-  w = weighCase (view.models, view.fits, 1);
+  w = caseEvidence (view.models, view.fits, 1);
   verdict = judgeCase (w, view.models);
   verdict = blameSurrogates (verdict, view, diagnosis.where.side);
   diagnosis.screen = w.screen;
@@ -58,9 +58,9 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   if ~isempty (causes)
     state = pauseRuns (state, verdict.kind);
     group = [causes{1}, verdict.effects];
-    [sets, state] = runCures (view, causes, state);
+    [sets, state] = runCorrections (view, causes, state);
     if all ([sets.verified])
-      [verdict, w] = weighCures (verdict, w, view, state.data);
+      [verdict, w] = correctionEvidence (verdict, w, view, state.data);
     end
     first = causes{1};
     if ~isempty (verdict.effects) && ~isequal (verdict.effects, first)
@@ -69,7 +69,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
     if ~any (cellfun (@(h) isequal (h, first), causes))
       first = causes{1};
     end
-    diagnosis.howFar = measureCure (view, sets, first, group);
+    diagnosis.howFar = measureCorrection (view, sets, first, group);
   end
   verdict = doubtName (verdict, diagnosis, view.models);
   diagnosis.which = describeVerdict (w, verdict, view.models, problem);
@@ -86,7 +86,7 @@ function kept = tested (em)
 end
 
 function view = viewOf (problem, em, options)
-  models = gateReference (makeModels (problem, em, options));
+  models = omnibusReference (makeHypotheses (problem, em, options));
   view = struct ('problem', problem, 'em', em, 'models', models, ...
                  'fits', fitLibrary (models, problem.y(problem.used)));
 end
@@ -152,7 +152,7 @@ function verdict = judgeSurer (view)
     em.effect(k).varOverPsi2 = em.effect(k).varOverPsi2 / 20;
   end
   sure = viewOf (view.problem, em, view.models.options);
-  verdict = judgeCase (weighCase (sure.models, sure.fits, 1), sure.models);
+  verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);
 end
 
 % Only a cause that is named is worth DEM runs.
@@ -186,8 +186,7 @@ end
 function [state, em] = improveSurrogates (problem, options, state)
   for round_ = 1:3
     em = fitEmulator (problem, state.data, options);
-    models = makeModels (problem, withoutEffects (em, 1:numel (em.effect)), ...
-                         options);
+    models = makeHypotheses (problem, withoutEffects (em), options);
     fits = fitLibrary (models, problem.y(problem.used));
     theta = fits.calibrated.Q(1, :);
     side = sideSignals (problem, em, theta);

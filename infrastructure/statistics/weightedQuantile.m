@@ -7,7 +7,7 @@
 %   P        1 x m, probabilities
 %   Q        1 x m
 %
-% See also: weighCase
+% See also: caseEvidence
 
 function q = weightedQuantile (x, weight, p)
   [x, order] = sort (x(:));

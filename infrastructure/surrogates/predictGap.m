@@ -99,7 +99,7 @@ function added = addPart (part, all, added)
 end
 
 %!test
-%! white = handMadeModels ().white;
+%! white = handMadeHypotheses ().white;
 %! [M, V, J, S] = predictGap (white, [1, 2], [0.5, 0.25, 1]);
 %! assert (M, [1.5, 0.5, 1, -3]);
 %! assert (V, ones (1, 4));
@@ -109,7 +109,7 @@ end
 %!test
 %! % an effect that bends, and what a pair does together: slopes against
 %! % differences
-%! white = handMadeModels ().white;
+%! white = handMadeHypotheses ().white;
 %! white.effect(1).bend = 0.5;
 %! white.joint = struct ('members', [1, 2], 'powers', [0, 1, 1; 1, 1, 1], ...
 %!                       'coef', [1, 0, 2, 0; 0, 3, 0, 0], 'bend', [1, 1], ...

@@ -20,7 +20,7 @@
 % The seed scatter of the means is estimated from the runs and subtracted (once
 % more where the bootstrap adds it): mere noise is neither gap nor cure.
 %
-% See also: measureCure
+% See also: measureCorrection
 
 function c = closureOf (y, noise, before, after, scale)
   n = numel (y);

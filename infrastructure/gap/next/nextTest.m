@@ -4,7 +4,7 @@
 %
 %   PROBLEM  struct of newGapProblem
 %   EM       struct of fitEmulator, the effects as in W
-%   W        struct of weighCase (members, posterior, kind)
+%   W        struct of caseEvidence (members, posterior, kind)
 %   P        1 x H, probabilities of the hypotheses
 %   TESTS    1 x m struct, best first: test (text), targets, gain (bits about
 %            which hypothesis holds), cost, gainPerCost

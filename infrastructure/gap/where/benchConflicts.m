@@ -2,7 +2,7 @@
 %
 % CALL: CONFLICT = benchConflicts (PROBLEM, EM, MODELS)
 %
-%   PROBLEM, EM, MODELS   of newGapProblem, fitEmulator, makeModels
+%   PROBLEM, EM, MODELS   of newGapProblem, fitEmulator, makeHypotheses
 %   CONFLICT  struct
 %     bench (1 x B'), numbers of the benches that have used targets
 %     leaveOut (1 x B'): p-value of a bench predicted from all others
@@ -64,7 +64,8 @@ end
 %! problem = newGapProblem (given);
 %! em = fitEmulator (problem, lab.plan (30, 2), ...
 %!                    gapOptions (struct ('trend', 'affine')));
-%! models = makeModels (problem, em, gapOptions (struct ('trend', 'affine')));
+%! options = gapOptions (struct ('trend', 'affine'));
+%! models = makeHypotheses (problem, em, options);
 %! conflict = benchConflicts (problem, em, models);
 %! assert (conflict.odd, 2);
 %! assert (conflict.holm(2) < 0.01);

@@ -4,7 +4,7 @@
 %
 %   PROBLEM   struct of newGapProblem
 %   EM        struct of fitEmulator
-%   MODELS    struct of makeModels (prior, starts)
+%   MODELS    struct of makeHypotheses (prior, starts)
 %   FROM, TO  rows of target numbers
 %   CROSS     struct
 %     theta (1 x p, in [-1, 1]), d2, df, p: misfit of TO, against noise,
@@ -50,7 +50,8 @@ end
 %! problem = newGapProblem (given);
 %! em = fitEmulator (problem, lab.plan (30, 2), ...
 %!                    gapOptions (struct ('trend', 'affine')));
-%! models = makeModels (problem, em, gapOptions (struct ('trend', 'affine')));
+%! options = gapOptions (struct ('trend', 'affine'));
+%! models = makeHypotheses (problem, em, options);
 %! cross = crossPredict (problem, em, models, 1:18, 19:24);
 %! assert (all (abs (cross.mean - given.y(19:24)) < 4 * cross.sd));
 %! assert (cross.p > 0.001);

@@ -2,7 +2,7 @@
 %
 % CALL: TEST = lackOfFit (MODELS, FIT, OPTIONS)
 %
-%   MODELS   struct of makeModels
+%   MODELS   struct of makeHypotheses
 %   FIT      calibrated null model of fitLibrary, one row
 %   OPTIONS  struct: repeats, seed (scalars)
 %   TEST     struct p (scalar), chi2 (repeats x 1), residual (repeats x T, after

@@ -2,7 +2,7 @@
 %
 % CALL: WHERE = locateGap (PROBLEM, EM, MODELS, FITS, OPTIONS)
 %
-%   PROBLEM, EM, MODELS  of newGapProblem, fitEmulator, makeModels
+%   PROBLEM, EM, MODELS  of newGapProblem, fitEmulator, makeHypotheses
 %   FITS                 of fitLibrary for the measured values (first row)
 %   OPTIONS              of gapOptions
 %   WHERE    struct
@@ -17,7 +17,7 @@
 %     conflict (benchConflicts), trends (trendContrasts), side (sideSignals)
 %     budget (noiseBudget), held (struct z, mean, sd of the held-out targets)
 %
-% See also: screenEffects, weighCase, diagnoseMatrices
+% See also: screenEffects, caseEvidence, diagnoseMatrices
 
 function where = locateGap (problem, em, models, fits, options)
   white = models.white;
@@ -132,7 +132,7 @@ end
 %! problem = newGapProblem (given);
 %! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
 %! em = fitEmulator (problem, lab.plan (40, 2), options);
-%! models = makeModels (problem, em, options);
+%! models = makeHypotheses (problem, em, options);
 %! fits = fitLibrary (models, given.y);
 %! where = locateGap (problem, em, models, fits, options);
 %! assert (where.p < 0.02);
@@ -155,7 +155,7 @@ end
 %! for k = 1:2
 %!   problem.y = [7, 12 + 30 * (k - 1)];
 %!   em = fitEmulator (problem, data, options);
-%!   models = makeModels (problem, em, options);
+%!   models = makeHypotheses (problem, em, options);
 %!   where = locateGap (problem, em, models, fitLibrary (models, problem.y), ...
 %!                      options);
 %!   p(k, :) = [where.p, where.pTarget(2), where.benches(2).p];

@@ -2,7 +2,7 @@
 %
 % CALL: EXPECTED = calibrateVerdict (MODELS, EM, PROBLEM)
 %
-%   MODELS    struct of makeModels with its reference (gateReference)
+%   MODELS    struct of makeHypotheses with its reference (omnibusReference)
 %   EM, PROBLEM  of fitEmulator, newGapProblem, as MODELS was made from
 %   EXPECTED  struct: n (data sets, MODELS.options.trials), falseName (share of
 %             those without a gap that are named), right (share of single
@@ -39,7 +39,8 @@ function expected = calibrateVerdict (models, em, problem)
     own = models;
     cause = plan.cause(at);
     if removed > 0
-      own = makeModels (problem, withoutEffects (em, removed), models.options);
+      own = makeHypotheses (problem, withoutEffects (em, removed), ...
+                            models.options);
       own.reference = models.reference;
       cause(:) = -1;
     end
@@ -91,7 +92,7 @@ function exclude = excludeMany (models, fits)
   end
 end
 
-% What weighCase gives, without pairs and without integration.
+% What caseEvidence gives, without pairs and without integration.
 function w = laplaceCase (models, fits, i)
   K = numel (models.white.effect);
   none = zeros (1, 0);
@@ -105,7 +106,7 @@ function w = laplaceCase (models, fits, i)
   w.kind = [{'null'}, repmat({'single'}, 1, K), ...
             repmat({'sibling'}, 1, K), repmat({'discrepancy'}, 1, m)];
   w.members = [{none}, numbers, numbers, repmat({none}, 1, m)];
-  w.gate = gateTest (models, fits, i);
+  w.gate = omnibusTest (models, fits, i);
   w.screen = screenEffects (models.white, fits.calibrated.Q(i, :), ...
                             fits.Z(i, :));
   w.atLimit = zeros (size (w.logE));
@@ -131,7 +132,7 @@ end
 %! options = gapOptions (struct ('trend', 'affine', 'trials', 60, 'twins', 99));
 %! em = withoutEffects (fitEmulator (problem, lab.plan (40, 15), options), ...
 %!                      [1, 2, 3, 6, 8, 9, 10]);
-%! models = gateReference (makeModels (problem, em, options));
+%! models = omnibusReference (makeHypotheses (problem, em, options));
 %! expected = calibrateVerdict (models, em, problem);
 %! assert (expected.top1 > 0.8);
 %! assert (expected.falseName < 0.1);

@@ -2,7 +2,7 @@
 %
 % CALL: NAMED = describeVerdict (W, VERDICT, MODELS, PROBLEM)
 %
-%   W, VERDICT, MODELS, PROBLEM   of weighCase, judgeCase, makeModels,
+%   W, VERDICT, MODELS, PROBLEM   of caseEvidence, judgeCase, makeHypotheses,
 %                                 newGapProblem
 %   NAMED   struct
 %     verdict, reason, guard, lookAlike, effects, partners, likely (cellstr)
@@ -153,9 +153,9 @@ end
 
 %!test
 %! % linkage is complete: a chain is no group
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! models.reference = (-4:0.1:2)';
-%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
 %! problem = struct ('effects', newEffect (struct ('name', 'a', ...
 %!                   'laboratory', true), 4));
 %! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...

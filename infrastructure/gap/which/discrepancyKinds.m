@@ -15,7 +15,7 @@
 % signatures; or independent errors on all targets; or on one bench alone. After
 % Kennedy and O'Hagan (2001).
 %
-% See also: makeModels, newHypothesis
+% See also: makeHypotheses, newHypothesis
 
 function kinds = discrepancyKinds (problem, em, budget, white)
   targets = white.columns;

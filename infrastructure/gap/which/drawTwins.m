@@ -2,7 +2,7 @@
 %
 % CALL: TWINS = drawTwins (MODELS, CAUSES, D, SEED, SURPLUS)
 %
-%   MODELS  struct of makeModels
+%   MODELS  struct of makeHypotheses
 %   CAUSES  1 x n cell of effect numbers ([]: no gap)
 %   D       n x 1, signal to noise wanted for each effect of the cause; limited
 %           by the strongest plausible effect
@@ -11,7 +11,7 @@
 %   TWINS   struct Y (n x T', values of the targets), theta (n x p, in [-1, 1]),
 %           phi (n x 2, strengths), d (n x 1, signal to noise of the first)
 %
-% See also: calibrateVerdict, gateReference
+% See also: calibrateVerdict, omnibusReference
 
 function twins = drawTwins (models, causes, d, seed, surplus)
   if nargin < 5
@@ -61,7 +61,7 @@ function phi = strengths (white, h, d, screen)
 end
 
 %!test
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! twins = drawTwins (models, {[], 1, [1, 2]}, [0; 2; 4], 1);
 %! assert (size (twins.Y), [3, 4]);
 %! assert (twins.phi(1, :), [0, 0]);

@@ -20,8 +20,7 @@ function [state, em] = exploreEffects (problem, options, state, em)
   end
   reserve = min (4 * options.verifyRuns, floor (state.left / 3));
   state.left = state.left - reserve;
-  models = makeModels (problem, withoutEffects (em, 1:numel (em.effect)), ...
-                       options);
+  models = makeHypotheses (problem, withoutEffects (em), options);
   fits = fitLibrary (models, problem.y(problem.used));
   theta = fits.calibrated.Q(1, :);
   wanted = zeros (1, numel (em.effect));
@@ -83,9 +82,9 @@ function [w, verdict, usable] = weighNow (problem, options, em)
   library.effect = em.effect(usable);
   quick = options;
   quick.twins = min (options.twins, 99);
-  models = gateReference (makeModels (problem, library, quick));
+  models = omnibusReference (makeHypotheses (problem, library, quick));
   fits = fitLibrary (models, problem.y(problem.used));
-  w = weighCase (models, fits, 1);
+  w = caseEvidence (models, fits, 1);
   verdict = judgeCase (w, models);
   if w.gate.p > 2 * options.level
     w = [];

@@ -111,7 +111,7 @@ function step = cutStep (step)
 end
 
 %!shared white, prior
-%! white = handMadeModels ().white;
+%! white = handMadeHypotheses ().white;
 %! prior = struct ('mean', 0, 'sd', Inf);
 %!test
 %! % the parameter is found, the evidence is close to the closed form: one
@@ -144,7 +144,7 @@ end
 %! assert (isfinite (fit.logE));
 %!test
 %! % the size of a discrepancy grows with the misfit
-%! kind = handMadeModels ().kinds;
+%! kind = handMadeHypotheses ().kinds;
 %! for misfit = [1, 10]
 %!   fit = fitHypothesis (kind.white, kind.h, [0, 0, misfit, -misfit], ...
 %!                        [0, 0], prior);

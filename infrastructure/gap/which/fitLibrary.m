@@ -2,7 +2,7 @@
 %
 % CALL: FITS = fitLibrary (MODELS, Y)
 %
-%   MODELS  struct of makeModels
+%   MODELS  struct of makeHypotheses
 %   Y       n x T', data sets: values of the targets MODELS.white.columns
 %   FITS    struct of fits as of fitHypothesis, best start of each row
 %     Z        n x T', whitened Y
@@ -16,7 +16,7 @@
 %     kind     1 x m cell, each discrepancy;  rotated 1 x m cell, Y for it
 %     logE     n x (1 + 2 K + m), Laplace evidences in this order
 %
-% See also: weighCase, fitHypothesis, gateReference
+% See also: caseEvidence, fitHypothesis, omnibusReference
 
 function fits = fitLibrary (models, Y)
   white = models.white;
@@ -91,7 +91,7 @@ function part = pick (all, at)
 end
 
 %!test
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! fits = fitLibrary (models, [1.5, 0.5, 2, 2; 0, 0, 0, -2]);
 %! assert (fits.calibrated.Q, [0.5; 0], 1e-3);
 %! assert (fits.null.Q, [0.5; 0], 0.1);

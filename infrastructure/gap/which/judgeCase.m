@@ -2,8 +2,8 @@
 %
 % CALL: VERDICT = judgeCase (W, MODELS)
 %
-%   W        struct of weighCase
-%   MODELS   struct of makeModels
+%   W        struct of caseEvidence
+%   MODELS   struct of makeHypotheses
 %   VERDICT  struct
 %     kind      'no gap', 'named', 'group', 'none of the listed' or 'undecided'
 %     effects   numbers of the effects it names (one or two, or a group)
@@ -26,7 +26,7 @@
 % that, and the data exclude a look-alike of cosine 0.9; a group where that is
 % not so but the effects left, or what resembles them, have nameAt together.
 %
-% See also: weighCase, rivalsOf, calibrateVerdict
+% See also: caseEvidence, rivalsOf, calibrateVerdict
 
 function verdict = judgeCase (w, models)
   verdict = openVerdict (w, numel (models.names));

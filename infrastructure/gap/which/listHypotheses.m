@@ -2,18 +2,18 @@
 %
 % CALL: LIST = listHypotheses (MODELS, FITS, I, W)
 %
-%   MODELS, FITS  of makeModels, fitLibrary;  I  row of the data set
-%   W             struct gate, screen: of gateTest, screenEffects
+%   MODELS, FITS  of makeHypotheses, fitLibrary;  I  row of the data set
+%   W             struct gate, screen: of omnibusTest, screenEffects
 %   LIST          1 x H struct h (newHypothesis), white, z (the data in its
 %                 coordinates), modes (struct U, A), logPrior, logE (Laplace),
-%                 and blank fields for what weighCase finds: error, ess, phi,
+%                 and blank fields for what caseEvidence finds: error, ess, phi,
 %                 atLimit, posterior
 %
 % Pairs, where there may be a gap: each of the two likeliest effects with the
 % four whose signatures take most out of what it leaves. All pairs share the
 % prior probability of pairs, also those that are not tried.
 %
-% See also: weighCase, fitLibrary
+% See also: caseEvidence, fitLibrary
 
 function list = listHypotheses (models, fits, i, w)
   white = models.white;
@@ -97,7 +97,7 @@ function fit = fitPair (models, fits, i, pair)
 end
 
 %!test
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! fits = fitLibrary (models, [1.5, 0.5, 2, 2]);
 %! w.gate.p = 0.01;
 %! w.screen = screenEffects (models.white, fits.calibrated.Q, fits.Z);

@@ -2,7 +2,7 @@
 %
 % CALL: VERDICT = openVerdict (W, K)
 %
-%   W        struct of weighCase;  K  number of effects
+%   W        struct of caseEvidence;  K  number of effects
 %   VERDICT  struct of judgeCase, kind 'undecided'; also misfit (probability of
 %            the discrepancies) and total (1 x K: include + resemble)
 %

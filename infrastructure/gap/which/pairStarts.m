@@ -7,7 +7,7 @@
 %         parameters, strength, amplitude
 %   U     3 x (p + 3): either effect with a little of the other, half of both
 %
-% See also: listHypotheses, runCures
+% See also: listHypotheses, runCorrections
 
 function U = pairStarts (p, a, b)
   U = [a(1:p + 1), -0.5, 0; b(1:p), -0.5, b(p + 1), 0; ...

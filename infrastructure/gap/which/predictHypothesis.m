@@ -63,7 +63,7 @@ function g = amplitudeSd (effects, phi)
 end
 
 %!shared white, prior
-%! white = handMadeModels ().white;
+%! white = handMadeHypotheses ().white;
 %! prior = struct ('mean', 0, 'sd', Inf);
 %!test
 %! % slopes against differences

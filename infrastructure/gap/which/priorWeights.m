@@ -11,7 +11,7 @@
 % a listed one: a list of 2 is believed to be incomplete, one of 40 to hold the
 % cause.
 %
-% See also: makeModels
+% See also: makeHypotheses
 
 function weights = priorWeights (K)
   pair = 0.1 * (K > 1);

@@ -2,7 +2,7 @@
 %
 % CALL: RIVAL = rivalsOf (W, VERDICT, STRONG, OPTIONS)
 %
-%   W        struct of weighCase;  VERDICT  struct of openVerdict
+%   W        struct of caseEvidence;  VERDICT  struct of openVerdict
 %   STRONG   1 x m, numbers of the effects that seem sure
 %   OPTIONS  struct: othersAt, alikeAt (see gapOptions)
 %   RIVAL    1 x K logical

@@ -83,7 +83,7 @@ function screen = oneSide (screen, white, k, top, theta, sd)
 end
 
 %!test
-%! white = handMadeModels ().white;
+%! white = handMadeHypotheses ().white;
 %! screen = screenEffects (white, 0.5, [1.5, 0.5, 3, 3]);
 %! assert (screen.size, [4 * sqrt(2), 4], 1e-9);
 %! assert (screen.cosine(1, 2), -1 / sqrt (2), 1e-9);
@@ -94,7 +94,7 @@ end
 %!test
 %! % an effect that acts both ways: its sign does not matter for likeness, and
 %! % one that is plain on the negative side only is seen
-%! white = handMadeModels ().white;
+%! white = handMadeHypotheses ().white;
 %! white.effect(2).range = [-1, 0.1];
 %! screen = screenEffects (white, 0.5, [1.5, 0.5, 0, 3.6]);
 %! assert (screen.cosine(1, 2), 1 / sqrt (2), 1e-9);

@@ -17,7 +17,7 @@
 % left-out LIGGGHTS runs it held 82 % where this one holds 89 % at equal width
 % (benchmarks/leftOut).
 %
-% See also: weightedQuantile, weighCase
+% See also: weightedQuantile, caseEvidence
 
 function q = strengthInterval (phi, weight, range, scale)
   grid = linspace (range(1), range(2), 201)';

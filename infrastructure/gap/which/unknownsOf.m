@@ -50,7 +50,7 @@ function unknowns = unknownsOf (white, h, prior)
 end
 
 %!test
-%! white = handMadeModels ().white;
+%! white = handMadeHypotheses ().white;
 %! prior = struct ('mean', 0, 'sd', Inf);
 %! u = unknownsOf (white, newHypothesis ('sibling', 2), prior);
 %! assert (u.lo, [-1, 0, -Inf, 0]);

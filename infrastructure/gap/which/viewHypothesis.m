@@ -14,6 +14,6 @@ function view = viewHypothesis (white, h, prior)
 end
 
 %!test
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! view = viewHypothesis (models.white, newHypothesis ('null'), models.prior);
 %! assert (numel (view.unknowns.lo), 1);

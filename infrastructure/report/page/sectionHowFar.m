@@ -4,7 +4,7 @@
 %
 %   PAGE  see pageData; TITLE, HTML  see pageSections
 %
-% See also: pageSections, measureCure
+% See also: pageSections, measureCorrection
 
 function [title, html] = sectionHowFar (page)
   title = 'How far the gap shrinks';

@@ -1,8 +1,8 @@
-% WEIGHCASE  Computes the evidence of every hypothesis for one data set.
+% CASEEVIDENCE  Computes the evidence of every hypothesis for one data set.
 %
-% CALL: W = weighCase (MODELS, FITS, I)
+% CALL: W = caseEvidence (MODELS, FITS, I)
 %
-%   MODELS     struct of makeModels
+%   MODELS     struct of makeHypotheses
 %   FITS       struct of fitLibrary
 %   I          scalar, row of the data set
 %   W          struct; H hypotheses: null, singles, pairs of the likeliest,
@@ -15,17 +15,17 @@
 %     top (members of the likeliest listed hypothesis), exclude (log Bayes
 %     factor
 %       of top against a look-alike of cosine 0.9)
-%     gate (struct of gateTest), screen (struct of screenEffects)
+%     gate (struct of omnibusTest), screen (struct of screenEffects)
 %
 % Integrated are the null model, every single effect, and all others that
 % Laplace's formula gives more than a ten-thousandth of the probability.
 %
 % See also: judgeCase, integrateEvidence, pairFits
 
-function w = weighCase (models, fits, i)
+function w = caseEvidence (models, fits, i)
   z = fits.Z(i, :);
   w.screen = screenEffects (models.white, fits.calibrated.Q(i, :), z);
-  w.gate = gateTest (models, fits, i);
+  w.gate = omnibusTest (models, fits, i);
   list = listHypotheses (models, fits, i, w);
   logP = [list.logPrior] + [list.logE];
   logP = logP - logSumExp (logP);
@@ -98,8 +98,8 @@ end
 %!test
 %! % evidence of the null model against the closed form: three targets without
 %! % parameter, one direction integrated over the box
-%! models = handMadeModels ();
-%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
+%! models = handMadeHypotheses ();
+%! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
 %! exact = -2 * log (2 * pi) + 0.5 * log (2 * pi / 10) - log (2) ...
 %!         + log (normalTail (-1.5 * sqrt (10)) - normalTail (sqrt (10) / 2));
 %! assert (w.logE(1), exact, 5 * w.error(1));
@@ -107,9 +107,9 @@ end
 %! assert (sum (strcmp (w.kind, 'sibling')), 2);
 %!test
 %! % a strong signal along effect a: it wins, its strength is found
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! models.reference = zeros (99, 1);
-%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
 %! [~, best] = max (w.logPrior + w.logE);
 %! assert (w.members{best}, 1);
 %! assert (w.top, 1);
@@ -118,16 +118,16 @@ end
 %! assert (any (strcmp (w.kind, 'pair')));
 %!test
 %! % a misfit along no effect: a discrepancy wins over null and effects
-%! models = handMadeModels ();
-%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, -6, 5]), 1);
+%! models = handMadeHypotheses ();
+%! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, -6, 5]), 1);
 %! [~, best] = max (w.logPrior + w.logE);
 %! assert (w.kind{best}, 'discrepancy');
 %!test
 %! % reproducible, and hardly moved by the seed of the integration
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! fits = fitLibrary (models, [1.5, 0.5, 3, 3]);
-%! w = weighCase (models, fits, 1);
-%! assert (weighCase (models, fits, 1).logE, w.logE);
+%! w = caseEvidence (models, fits, 1);
+%! assert (caseEvidence (models, fits, 1).logE, w.logE);
 %! models.options.seed = 2;
-%! other = weighCase (models, fits, 1);
+%! other = caseEvidence (models, fits, 1);
 %! assert (other.logE(1:3), w.logE(1:3), 0.25);

@@ -1,9 +1,9 @@
-% RUNCURES  Refits the model without and with effects and runs both in DEM.
+% RUNCORRECTIONS  Refits the model without and with effects, and runs both.
 %
-% CALL: [SETS, STATE] = runCures (VIEW, CAUSES, STATE)
+% CALL: [SETS, STATE] = runCorrections (VIEW, CAUSES, STATE)
 %
 %   VIEW     struct problem, em, models, fits: of newGapProblem, fitEmulator,
-%            makeModels, fitLibrary (first row: the measured values)
+%            makeHypotheses, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
 %            targets only
 %   STATE    struct of spendRuns, with repeats (seeds at each compared set)
@@ -15,9 +15,9 @@
 % With fewer runs left, fewer seeds; with less than two seeds a set surrogates
 % stand in for DEM.
 %
-% See also: measureCure, spendRuns, weighCures
+% See also: measureCorrection, spendRuns, correctionEvidence
 
-function [sets, state] = runCures (view, causes, state)
+function [sets, state] = runCorrections (view, causes, state)
   sets = struct ('h', zeros (1, 0), 'Q', view.fits.calibrated.Q(1, :), ...
                  'Z', [], 'worstZ', NaN, 'verified', false);
   for i = 1:numel (causes)

@@ -1,8 +1,8 @@
-% GATEREFERENCE  Draws what the gate's statistic is where there is no gap.
+% OMNIBUSREFERENCE  Draws what the gate's statistic is where there is no gap.
 %
-% CALL: MODELS = gateReference (MODELS)
+% CALL: MODELS = omnibusReference (MODELS)
 %
-%   MODELS  struct of makeModels; options.twins data sets are drawn from the
+%   MODELS  struct of makeHypotheses; options.twins data sets are drawn from the
 %   null
 %           model, parameters by their prior, and fitted like the measurement
 %   MODELS  the same with reference, a column
@@ -10,23 +10,23 @@
 % Surrogates err in ways that they do not know: the drawn data scatter with
 % options.surplus times the variance, see gapOptions.
 %
-% See also: gateTest, drawTwins
+% See also: omnibusTest, drawTwins
 
-function models = gateReference (models)
+function models = omnibusReference (models)
   n = models.options.twins;
   twins = drawTwins (models, cell (1, n), zeros (n, 1), ...
                      models.options.seed + 500, models.options.surplus);
   fits = fitLibrary (models, twins.Y);
-  models.reference = gateStatistic (models, fits.logE);
+  models.reference = omnibusStatistic (models, fits.logE);
 end
 
 %!test
 %! % the level is held: data sets without a gap of another seed alarm in 5 %
 %! % (binomial, 200 draws and a reference of 400: chance of failing below 1 %)
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! models.options.surplus = 1;
-%! models = gateReference (models);
+%! models = omnibusReference (models);
 %! twins = drawTwins (models, cell (1, 200), zeros (200, 1), 77);
-%! s = gateStatistic (models, fitLibrary (models, twins.Y).logE);
+%! s = omnibusStatistic (models, fitLibrary (models, twins.Y).logE);
 %! p = (1 + sum (models.reference' >= s, 2)) / 401;
 %! assert (mean (p < 0.05) > 0.005 && mean (p < 0.05) < 0.11);

@@ -1,6 +1,6 @@
-% MAKEMODELS  Prepares all hypotheses of a diagnosis for fast evaluation.
+% MAKEHYPOTHESES  Prepares all hypotheses of a diagnosis for fast evaluation.
 %
-% CALL: MODELS = makeModels (PROBLEM, EM, OPTIONS, TARGETS)
+% CALL: MODELS = makeHypotheses (PROBLEM, EM, OPTIONS, TARGETS)
 %
 %   PROBLEM  struct of newGapProblem
 %   EM       struct of fitEmulator; its effects are the library
@@ -13,11 +13,11 @@
 %     weights    struct of priorWeights
 %     starts     s x p, starts of the null fit, parameters in [-1, 1]
 %     names, siblings (1 x K cells), options
-%     reference  what the gate compares with (gateReference; []: not yet)
+%     reference  what the gate compares with (omnibusReference; []: not yet)
 %
-% See also: fitLibrary, weighCase, judgeCase
+% See also: fitLibrary, caseEvidence, judgeCase
 
-function models = makeModels (problem, em, options, targets)
+function models = makeHypotheses (problem, em, options, targets)
   if nargin < 4
     targets = problem.used;
   end
@@ -59,7 +59,7 @@ end
 %! problem = newGapProblem (given);
 %! options = gapOptions (struct ('trend', 'affine'));
 %! em = fitEmulator (problem, lab.plan (30, 10), options);
-%! models = makeModels (problem, em, options);
+%! models = makeHypotheses (problem, em, options);
 %! assert (models.prior.sd, [0.2, Inf, Inf, Inf], 1e-12);
 %! assert (numel (models.kinds), 6);
 %! assert (models.siblings{1}, cell (1, 0));

@@ -1,14 +1,14 @@
-% HANDMADEMODELS  A tiny set of hypotheses with known answers, for tests.
+% HANDMADEHYPOTHESES  A tiny set of hypotheses with known answers, for tests.
 %
-% CALL: MODELS = handMadeModels ()
+% CALL: MODELS = handMadeHypotheses ()
 %
-%   MODELS  struct as of makeModels: 1 parameter, 4 targets of unit variance,
+%   MODELS  struct as of makeHypotheses: 1 parameter, 4 targets of variance 1,
 %           two effects: 'a' moves targets 3 and 4 by 4, 'b' target 4 by -4;
 %           the parameter moves targets 1 and 2 by 3 and 1
 %
-% See also: makeModels, fitLibrary, weighCase
+% See also: makeHypotheses, fitLibrary, caseEvidence
 
-function models = handMadeModels ()
+function models = handMadeHypotheses ()
   e = struct ('name', {'a', 'b'}, 'powers', [0, 1], 'bend', 1, ...
               'unbent', 0, 'strongest', 1, ...
               'coef', {[0, 0, 4, 4], [0, 0, 0, -4]}, 'range', [0, 1], ...
@@ -31,4 +31,4 @@ function models = handMadeModels ()
   models.reference = [];
 end
 
-%!assert (handMadeModels ().white.p, 1)
+%!assert (handMadeHypotheses ().white.p, 1)

@@ -1,6 +1,6 @@
-% SURESTSET  The set that most probably meets all targets.
+% MOSTPROBABLESET  The set that most probably meets all targets.
 %
-% CALL: [p, probability] = surestSet (surrogates, problem, pool)
+% CALL: [p, probability] = mostProbableSet (surrogates, problem, pool)
 %
 % pool         k x d  sets to start from, best first (may be empty)
 % p            1 x d
@@ -14,7 +14,7 @@
 %
 % See also: calibrateOnKriging, meetProbability
 
-function [p, probability] = surestSet (surrogates, problem, pool)
+function [p, probability] = mostProbableSet (surrogates, problem, pool)
   d = columns (problem.limits);
   sample = double (stk_sampling_halton_rr2 (300, d, problem.limits));
   centroid = insideLimits (mean (surrogates(1).X, 1), problem.limits);
@@ -83,7 +83,7 @@ end
 %! state.found.conflict = {};
 
 %!test
-%! [p, probability] = surestSet (s, problem, zeros (0, 2));
+%! [p, probability] = mostProbableSet (s, problem, zeros (0, 2));
 %! r = targetResidual (problem, p, predictSurrogate (s, p));
 %! assert (all (abs (r) < 0.02));
 %! assert (probability, meetProbability (s, problem, p), 1e-12);

@@ -1,9 +1,10 @@
-% MEASURECURE  Answers HOW FAR the gap shrinks once an effect is modelled.
+% MEASURECORRECTION  Answers HOW FAR the gap shrinks once an effect is modelled.
 %
-% CALL: CURE = measureCure (VIEW, SETS, FIRST, GROUP)
+% CALL: CURE = measureCorrection (VIEW, SETS, FIRST, GROUP)
 %
 %   VIEW     struct problem, em, models
-%   SETS     struct array of runCures: the null model first, then each effect
+%   SETS     struct array of runCorrections: the null model first, then each
+%            effect
 %   FIRST    effect numbers of the cause, one of SETS
 %   GROUP    numbers of effects that are no placebos
 %   CURE     struct
@@ -18,9 +19,9 @@
 %     remaining 1 x n, deviation of each used target after the cure, in its
 %       standard deviations
 %
-% See also: runCures, closureOf, diagnoseMatrices
+% See also: runCorrections, closureOf, diagnoseMatrices
 
-function cure = measureCure (view, sets, first, group)
+function cure = measureCorrection (view, sets, first, group)
   problem = view.problem;
   em = view.em;
   names = view.models.names;

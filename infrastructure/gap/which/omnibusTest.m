@@ -1,8 +1,8 @@
-% GATETEST  Tests whether there is a gap, by the evidence for any cause.
+% OMNIBUSTEST  Tests whether there is a gap, by the evidence for any cause.
 %
-% CALL: GATE = gateTest (MODELS, FITS, I)
+% CALL: GATE = omnibusTest (MODELS, FITS, I)
 %
-%   MODELS  struct of makeModels; reference as of gateReference
+%   MODELS  struct of makeHypotheses; reference as of omnibusReference
 %   FITS    struct of fitLibrary;  I  row of the data set
 %   GATE    struct
 %     statistic  log evidence of all causes together (listed ones, what
@@ -16,10 +16,10 @@
 % 0.05 by Markov's inequality: gate and probabilities cannot contradict each
 % other but by the error of the surrogates.
 %
-% See also: gateReference, judgeCase
+% See also: omnibusReference, judgeCase
 
-function gate = gateTest (models, fits, i)
-  gate.statistic = gateStatistic (models, fits.logE(i, :));
+function gate = omnibusTest (models, fits, i)
+  gate.statistic = omnibusStatistic (models, fits.logE(i, :));
   gate.chi2 = fits.calibrated.chi2(i);
   gate.pFit = chiSquareTail (gate.chi2, ...
                              max (columns (models.white.parity), 1));
@@ -31,10 +31,10 @@ function gate = gateTest (models, fits, i)
 end
 
 %!test
-%! models = handMadeModels ();
+%! models = handMadeHypotheses ();
 %! models.reference = (-2:0.5:2)';
-%! quiet = gateTest (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
-%! loud = gateTest (models, fitLibrary (models, [1.5, 0.5, 4, 4]), 1);
+%! quiet = omnibusTest (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
+%! loud = omnibusTest (models, fitLibrary (models, [1.5, 0.5, 4, 4]), 1);
 %! assert (quiet.p > 0.5);
 %! assert (loud.p, 0.1, 1e-12);
 %! assert (loud.statistic > 5);
