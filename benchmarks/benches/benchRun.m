@@ -37,9 +37,5 @@ function [results, seconds] = benchRun (folder, model, variables, prepare)
   funs = fullfile (source, 'OctaveFuns');
   addpath (funs);
   tidy = onCleanup (@() rmpath (funs));
-  try
-    results = feval (['measure', model], folder);
-  catch
-    results = NaN (1, numel (resultInfo (source)));
-  end
+  results = cell2mat (namedResults (@measureBench, folder, source));
 end
