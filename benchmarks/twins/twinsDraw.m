@@ -64,13 +64,13 @@ function twin = oneTwin (lab, number, class, i, mix)
   if strcmp (class, 'look')
     twin.like = order(1);
     twin.cosine = mix.cosines(1 + mod (i, numel (mix.cosines)));
-    twin = lookAlike (twin, lab, space, level, mix.step);
+    twin = lookAlike (twin, lab, space, level, mix);
   end
   for k = twin.cause(twin.cause > 0)
     if mix.pairsDiffer && strcmp (class, 'pair')
       level = levels(randi (numel (levels)));
     end
-    twin.phi(k) = twinsStrength (lab, space, k, level, mix.step);
+    twin.phi(k) = twinsStrength (lab, space, k, level, mix);
     alone = lab.means (twin.theta, twin.phi .* ((1:K) == k)) - space.base;
     twin.dEach(end + 1) = space.visible (alone);
   end
@@ -121,9 +121,9 @@ function order = reachableFirst (lab, space, order, level)
 end
 
 % A cause whose visible signature has the cosine with that of the effect.
-function twin = lookAlike (twin, lab, space, level, step)
+function twin = lookAlike (twin, lab, space, level, mix)
   K = numel (lab.problem.effects);
-  phi = twinsStrength (lab, space, twin.like, level, step) * ...
+  phi = twinsStrength (lab, space, twin.like, level, mix) * ...
         ((1:K) == twin.like);
   shape = lab.means (twin.theta, phi) - space.base;
   u = space.free' * (space.factor \ shape');

@@ -8,7 +8,8 @@
 %   MIX   struct: seed, classes (cellstr) and shares (of all cases; the last
 %         class takes what is left), levels (struct: signal to noise of each
 %         class in turn), cosines (of look-alikes in turn), step (of strengths),
-%         isReachable (prefer effects that can reach the level), pairsDiffer
+%         isReachable (prefer effects that can reach the level), isPinned (where
+%         none of them can: full strength; else any strength), pairsDiffer
 %         (members of a pair at levels of their own)
 %
 % Errors: DEcalioc:twinsMix:unknownName
@@ -30,6 +31,7 @@ function mix = twinsMix (kind)
     mix = standInMix ();
   elseif strcmp (kind, 'curve')
     mix = foreignMix ({'null', 'single'}, 0.5);
+    mix.isPinned = false;
   elseif strcmp (kind(max (1, end - 4):end), 'nulls')
     mix = foreignMix ({'null'}, []);
   else
@@ -48,13 +50,14 @@ function mix = standInMix ()
   mix.cosines = [];
   mix.step = 0.02;
   mix.isReachable = false;
+  mix.isPinned = true;
   mix.pairsDiffer = false;
 end
 
 function mix = foreignMix (classes, shares)
   mix = struct ('classes', {classes}, 'shares', shares, 'step', 0.01, ...
                 'cosines', [0.5, 0.7, 0.85, 0.9, 0.95], ...
-                'isReachable', true, 'pairsDiffer', true);
+                'isReachable', true, 'isPinned', true, 'pairsDiffer', true);
   mix.levels = struct ('null', 0, 'single', 1:12, ...
                        'pair', [4, 4, 5, 6, 8, 3], ...
                        'off', [3, 5, 8, 12], 'look', [3, 5, 8, 12]);

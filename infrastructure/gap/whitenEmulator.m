@@ -22,7 +22,9 @@
 
 function white = whitenEmulator (em, targets, noise, rotation)
   n = numel (targets);
-  fixed = noise.covariance(targets, targets) + diag (em.fitVar(targets));
+  along = em.alongCurve(targets, targets);
+  misfit = sqrt (em.fitVar(targets));
+  fixed = noise.covariance(targets, targets) + (misfit' * misfit) .* along;
   D = sqrt (em.surrogateVar(:, targets));
   C = em.correlation(targets, targets);
   meanD = sqrt (mean (D.^2, 1));
@@ -39,12 +41,11 @@ function white = whitenEmulator (em, targets, noise, rotation)
   V = zeros (rows (D), n);
   base = sum ((W * fixed) .* W, 2)';
   for i = 1:n
-    weighted = D .* W(i, :);
-    V(:, i) = base(i) + sum ((weighted * C) .* weighted, 2);
+    V(:, i) = base(i) + alongRow (D, W(i, :), C);
   end
   white.varCoef = polyRows (em.varPowers, em.points) \ log (V);
-  white.effect = arrayfun (@(e) oneEffect (e, targets, W), em.effect);
-  white.joint = arrayfun (@(e) oneEffect (e, targets, W), em.joint);
+  white.effect = arrayfun (@(e) oneEffect (e, targets, W, along), em.effect);
+  white.joint = arrayfun (@(e) oneEffect (e, targets, W, along), em.joint);
   total = diag (fixed)' + meanD.^2;
   estimated = noise.estimated(targets) + meanD.^2;
   doubt = estimated.^2 ./ em.seedFreedom(targets) + ...
@@ -53,10 +54,21 @@ function white = whitenEmulator (em, targets, noise, rotation)
   white.parity = parityAt (white, zeros (1, em.p));
 end
 
-function e = oneEffect (e, targets, W)
+% Variance of each row of deviations D along W(i, :), correlated by C.
+function v = alongRow (D, w, C)
+  weighted = D .* w;
+  v = sum ((weighted * C) .* weighted, 2);
+end
+
+% Errors of an effect's signature are alike along a curve.
+function e = oneEffect (e, targets, W, C)
   e.coef = e.coef(:, targets) * W';
   if ~e.laboratory
-    V = e.varOverPsi2(:, targets) * (W.^2)';
+    D = sqrt (e.varOverPsi2(:, targets));
+    V = zeros (size (D));
+    for i = 1:rows (W)
+      V(:, i) = alongRow (D, W(i, :), C);
+    end
     e.varCoef = polyRows (e.varPowers, e.points) \ log (max (V, 1e-12));
   else
     e.varCoef = zeros (rows (e.varPowers), columns (e.coef));
@@ -80,7 +92,7 @@ end
 %! em = struct ('p', 1, 'powers', [0; 1], 'coef', [1, 2; 1, 0], ...
 %!              'varPowers', [0; 1], 'points', [-1; 0; 1], ...
 %!              'surrogateVar', zeros (3, 2), 'fitVar', [0, 0], ...
-%!              'correlation', eye (2), 'effect', [], 'joint', [], ...
+%!              'correlation', eye (2), 'alongCurve', eye (2), 'effect', [], 'joint', [], ...
 %!              'seedFreedom', [8, 8], 'success', zeros (2, 1), ...
 %!              'bench', [1, 1]);
 %! em.effect = repmat (struct ('name', ''), 1, 0);

@@ -121,7 +121,10 @@ function em = seedScatter (em, problem, data)
   known = isfinite (problem.seedSd);
   em.seedVar(known) = problem.seedSd(known).^2;
   em.seedFreedom(known) = Inf;
-  em.correlation = errorCorrelation (em, residual, problem.bench);
+  residual = residual(all (isfinite (residual), 2), :);
+  R = [looRows(em.surrogates); residual ./ sqrt(em.seedVar)];
+  R = R(all (isfinite (R), 2), :);
+  [em.correlation, em.alongCurve] = errorCorrelation (R, problem);
 end
 
 % The same runs in another order give other last digits, and then other sets to
@@ -188,21 +191,13 @@ function [coef, errorVar] = leastSquares (points, values, powers)
   errorVar = sum ((values - B * coef).^2) / max (n - columns (B), 1);
 end
 
-function C = errorCorrelation (em, residual, bench)
-  T = numel (bench);
-  lengths = arrayfun (@(s) numel (s.looStd), em.surrogates);
-  R = zeros (0, T);
+% Leave-one-out residuals, where all targets have the same runs.
+function R = looRows (surrogates)
+  lengths = arrayfun (@(s) numel (s.looStd), surrogates);
+  R = zeros (0, numel (surrogates));
   if all (lengths == lengths(1))
-    R = [em.surrogates.looStd];
+    R = [surrogates.looStd];
   end
-  residual = residual(all (isfinite (residual), 2), :);
-  R = [R; residual ./ sqrt(em.seedVar)];
-  R = R(all (isfinite (R), 2), :);
-  n = rows (R);
-  scale = sqrt (sum (R.^2));
-  C = (R' * R) ./ max (scale' * scale, eps) * n / (n + 2 * T);
-  C(bench' ~= bench) = 0;
-  C(1:T + 1:end) = 1;
 end
 
 %!test
