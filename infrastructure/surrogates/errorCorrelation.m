@@ -8,8 +8,8 @@
 %   ALONG    T x T, that of neighbours on a curve of eight points or more:
 %            exp (-distance / length), 1 on the diagonal, else 0
 %
-% The sample's correlations are shrunk towards ALONG by n / (n + 2 T): 40 runs do
-% not tell those of 60 points. Shrunk towards none, the error of a smooth
+% The sample's correlations are shrunk towards ALONG by n / (n + 2 T): 40 runs
+% do not tell those of 60 points. Shrunk towards none, the error of a smooth
 % surrogate along a curve, which has few degrees of freedom, would be taken for
 % 60 errors that average out. The length makes ALONG nearest to the sample
 % (least squares).
