@@ -5,21 +5,22 @@
 %   PARAMS        d x 1 parameter set, in the order of assign
 %   EVALUATEFUNC  function handle: results of the models, one row a target
 %   VARARGIN      handed on to EVALUATEFUNC
-%   RESIDUAL      one row a target, in the order of optim.targetVal, then any
-%                 number of rows of preferences
+%   RESIDUAL      one row a target, model by model in the order of
+%                 optim.targetVal or measured.csv, then any number of rows of
+%                 preferences
 %
 % The rows of the targets are brought to zero. The rows below them (here: the
 % Rayleigh time step) only choose among the sets that meet the targets.
 %
-% See also: loadInput, evaluateKriging, evaluateDEM
+% See also: loadInput, targetColumns, evaluateKriging, evaluateDEM
 
 function residual = costFunction (params, evaluateFunc, varargin)
   result = evaluateFunc (params, varargin);
-  [~, optim, modelVars, assign, paramLims] = loadInput ();
-  targetVal = asColumn (optim.targetVal);
+  [Input, optim, modelVars, assign, paramLims] = loadInput ();
+  [targetVal, scale] = targetColumns (Input, optim);
 
   % first part: relative difference of results and measured values
-  residual = (result(:, 1) - targetVal) ./ targetVal;
+  residual = (result(:, 1) - targetVal) ./ scale;
 
   % second part: a preference for a large time step
   modelVars = assignParams (modelVars, params, assign);

@@ -34,7 +34,7 @@ function P = chooseInfill (surrogates, problem, found, n, round)
       Z = repmat (problem.value, rows (candidates), 1);
       Z(:, t) = draw(:, k);
       r = targetResidual (problem, candidates, Z);
-      loss(:, k) = loss(:, k) + (r(:, t) / problem.tol(t)).^2;
+      loss(:, k) = loss(:, k) + (r(:, t) / problem.part(t)).^2;
     end
   end
   for k = 1:n - 1
@@ -53,8 +53,8 @@ function C = candidateSets (surrogates, problem, found)
   near = min (max (near, problem.limits(1, :)), problem.limits(2, :));
   P = [sample; near];
   [r, s] = residualSpread (surrogates, problem, P);
-  use = problem.calibrate;
-  optimist = max (abs (r(:, use)) - 2 * s(:, use), 0) ./ problem.tol(use);
+  [share, spread] = toleranceShare (problem, r, s);
+  optimist = max (share - 2 * spread, 0);
   [~, order] = sort (sum (optimist.^2, 2));
   C = P(order(1:200), :);
 end
