@@ -9,9 +9,9 @@
 % Three parameters are calibrated on a discharge curve of 50 points whose errors
 % are correlated over a fifth of it, on one repeated scalar and on one of target
 % near 0. The truth is drawn from the box, flat as the prior. One packing of the
-% measurement scatters along the curve as the runs do. Surrogates: 30 runs, a new
-% plan for every ten measurements. Ways: 1 the length of the correlation given,
-% 2 estimated, 3 neither length nor size of the errors known, 4 the points
+% measurement scatters along the curve as the runs do. Surrogates: 30 runs, a
+% new plan for every ten measurements. Ways: 1 the length of the correlation
+% given, 2 estimated, 3 neither length nor size of the errors known, 4 the points
 % treated as independent.
 %
 % See also: coverage, parameterPosterior, curveErrors

@@ -15,7 +15,7 @@
 % curve, at, correlation 1 x T (number of the curve, 0: none; place on it;
 % length over which errors are alike), part 1 x T (what a residual is divided by
 % in a sum of squares in which a curve counts once),
-% calibrate 1 x T logical (false: held out or not measured, never used in a fit),
+% calibrate 1 x T logical (false: held out or not measured, never fitted),
 % cost, standard (logical: the residuals are the published ones), nExtra
 % (preference rows), options with all defaults:
 %   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 4,

@@ -10,9 +10,10 @@
 %            which hypothesis holds), cost, gainPerCost
 %
 % Candidates: every simulated but unmeasured setting (bench and coordinate; a
-% curve as a whole), and every bench measured once more. gain = H (sum_k P_k N_k) - sum_k P_k H (N_k)
-% with N_k the posterior predictive of hypothesis k (surrogate, packing and
-% measurement in it), by 1000 draws (Lindley 1956; Box and Hill 1967).
+% curve as a whole), and every bench measured once more.
+% gain = H (sum_k P_k N_k) - sum_k P_k H (N_k) with N_k the posterior predictive
+% of hypothesis k (surrogate, packing and measurement in it), by 1000 draws
+% (Lindley 1956; Box and Hill 1967).
 %
 % See also: diagnoseMatrices
 

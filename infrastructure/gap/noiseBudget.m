@@ -16,8 +16,8 @@
 % One trial in the laboratory is one packing: its scatter is taken from the DEM
 % seeds. The covariance of the means of n_i and n_j trials is that of one trial
 % over sqrt (n_i n_j), n = PROBLEM.trials (Inf where sd already holds it). Where
-% sd comes from the scatter of few trials (PROBLEM.scatter) the larger of the two
-% counts.
+% sd comes from the scatter of few trials (PROBLEM.scatter) the larger of the
+% two counts.
 %
 % See also: whitenEmulator, locateGap
 

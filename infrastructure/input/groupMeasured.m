@@ -1,8 +1,8 @@
 % GROUPMEASURED  Makes targets of the lines of measured.csv.
 %
-% CALL: [GROUPS, PROBLEMS] = groupMeasured (ROWS)
+% CALL: [GROUPS, PROBLEMS] = groupMeasured (LIST)
 %
-%   ROWS      struct array of readMeasured
+%   LIST      struct array of readMeasured
 %   GROUPS    1 x T struct, sorted by model, else in the order of the table:
 %             line (first one), model, name (of the target), result (name of
 %             the result or curve), series, at, unit, value, sd, trials,
@@ -22,19 +22,19 @@
 %
 % See also: readMeasured, newTargets
 
-function [groups, p] = groupMeasured (rows_)
+function [groups, p] = groupMeasured (list)
   p = checkProblem ();
-  keys = cell (1, numel (rows_));
-  for k = 1:numel (rows_)
-    keys{k} = sprintf ('%d|%s|%s|%.12g', rows_(k).model, rows_(k).name, ...
-                       rows_(k).series, rows_(k).at);
+  keys = cell (1, numel (list));
+  for k = 1:numel (list)
+    keys{k} = sprintf ('%d|%s|%s|%.12g', list(k).model, list(k).name, ...
+                       list(k).series, list(k).at);
   end
   [first, which] = inOrder (keys);
   groups = [];
   for g = 1:numel (first)
-    own = rows_(which == g);
+    own = list(which == g);
     p = [p, checkAlike(own)];
-    groups = [groups, oneTarget(own, rows_)];
+    groups = [groups, oneTarget(own, list)];
   end
   [~, order] = sort ([groups.model]);
   groups = groups(order);
@@ -71,9 +71,9 @@ function p = checkAlike (own)
   end
 end
 
-function g = oneTarget (own, all_)
+function g = oneTarget (own, list)
   g = struct ('line', own(1).line, 'model', own(1).model, ...
-              'name', targetName (own(1), all_), 'result', own(1).name, ...
+              'name', targetName (own(1), list), 'result', own(1).name, ...
               'series', own(1).series, 'at', own(1).at, ...
               'unit', own(1).unit, 'value', NaN, 'sd', max ([own.sd]), ...
               'trials', 1, 'scatter', false, 'role', own(1).role, ...
@@ -108,13 +108,13 @@ function t = student84 (df)
   t = sqrt (df * (1 / y - 1));
 end
 
-function name = targetName (row, all_)
+function name = targetName (row, list)
   name = row.name;
   if isempty (row.series)
     return
   end
-  isSame = strcmp ({all_.name}, name) & [all_.model] == row.model;
-  places = unique ([all_(isSame).at]);
+  isSame = strcmp ({list.name}, name) & [list.model] == row.model;
+  places = unique ([list(isSame).at]);
   if isempty (name)
     name = row.series;
   elseif numel (places) == 1
@@ -130,43 +130,43 @@ end
 %!                'isAbsolute', false);
 %!test
 %! % three trials: t = 1.32 for two degrees of freedom
-%! rows_ = repmat (line, 1, 3);
-%! [rows_.value] = deal (1, 2, 3);
-%! [g, p] = groupMeasured (rows_);
+%! list = repmat (line, 1, 3);
+%! [list.value] = deal (1, 2, 3);
+%! [g, p] = groupMeasured (list);
 %! assert (isempty (p));
 %! assert ([g.value, g.trials], [2, 3]);
 %! assert (g.sd, 1.32 / sqrt (3), 2e-3);
 %! assert (g.scatter);
-%! [rows_.sd] = deal (0.5);
-%! assert (groupMeasured (rows_).sd, hypot (1.32 / sqrt (3), 0.5), 2e-3);
+%! [list.sd] = deal (0.5);
+%! assert (groupMeasured (list).sd, hypot (1.32 / sqrt (3), 0.5), 2e-3);
 %!test
 %! % a mean that was typed in, and one that is not measured yet
-%! rows_ = [line, line];
-%! rows_(1).repeats = 5;
-%! rows_(2).name = 'b';
-%! rows_(2).value = NaN;
-%! g = groupMeasured (rows_);
+%! list = [line, line];
+%! list(1).repeats = 5;
+%! list(2).name = 'b';
+%! list(2).value = NaN;
+%! g = groupMeasured (list);
 %! assert ([g.trials], [5, 1]);
 %! assert ([g.scatter], [false, false]);
 %! assert ({g.role}, {'calibrate', 'unmeasured'});
 %! assert ({g.name}, {'a', 'b'});
 %!test
 %! % points of a curve, and named results that form a series
-%! rows_ = repmat (line, 1, 4);
-%! [rows_.series] = deal ('w');
-%! [rows_.at] = deal (1, 2, 1, 2);
-%! [rows_.name] = deal ('', '', 'r1', 'r2');
-%! g = groupMeasured (rows_);
+%! list = repmat (line, 1, 4);
+%! [list.series] = deal ('w');
+%! [list.at] = deal (1, 2, 1, 2);
+%! [list.name] = deal ('', '', 'r1', 'r2');
+%! g = groupMeasured (list);
 %! assert ({g.name}, {'w@1', 'w@2', 'r1', 'r2'});
 %! assert ({g.result}, {'w', 'w', 'r1', 'r2'});
 %! assert ([g.curve], [1, 1, 1, 1]);
 %!test
-%! rows_ = [line, line];
-%! rows_(2).tol = 0.2;
-%! [~, p] = groupMeasured (rows_);
+%! list = [line, line];
+%! list(2).tol = 0.2;
+%! [~, p] = groupMeasured (list);
 %! assert (p.id, 'DEcalioc:checkCase:measuredRepeats');
-%! rows_(2).tol = NaN;
-%! rows_(2).model = 0;
-%! [g, p] = groupMeasured (rows_);
+%! list(2).tol = NaN;
+%! list(2).model = 0;
+%! [g, p] = groupMeasured (list);
 %! assert (isempty (p));
 %! assert ([g.model], [0, 1]);

@@ -1,10 +1,10 @@
 % READMEASURED  Reads the table of measured values, measured.csv.
 %
-% CALL: [ROWS, PROBLEMS] = readMeasured (FILE, MODELS)
+% CALL: [LIST, PROBLEMS] = readMeasured (FILE, MODELS)
 %
 %   FILE      path of the table, in any form that readCsvTable takes
 %   MODELS    1 x M cell, names of the models; '' where a name is not usable
-%   ROWS      1 x n struct, one element a line: line (number in the file),
+%   LIST      1 x n struct, one element a line: line (number in the file),
 %             model (number), name, series, unit (texts), at (NaN: none), value
 %             (NaN: not measured yet), sd (0: not given), repeats (trials that
 %             the value is the mean of; Inf: sd holds their scatter; NaN: not
@@ -22,8 +22,8 @@
 %
 % See also: groupMeasured, checkMeasuredTable, readCsvTable
 
-function [rows_, p] = readMeasured (file, models)
-  rows_ = [];
+function [list, p] = readMeasured (file, models)
+  list = [];
   try
     [header, cells, lines] = readCsvTable (file);
   catch err
@@ -39,14 +39,14 @@ function [rows_, p] = readMeasured (file, models)
     return
   end
   [~, at] = ismember (known, header);
-  rows_ = struct ('line', num2cell (lines(:)'));
-  for k = 1:numel (rows_)
+  list = struct ('line', num2cell (lines(:)'));
+  for k = 1:numel (list)
     text = repmat ({''}, 1, numel (known));
     text(at > 0) = cells(k, at(at > 0));
     [row, q] = readRow (cell2struct (text(:), known(:)), lines(k), models);
     p = [p, q];
     for name = fieldnames (row)'
-      rows_(k).(name{1}) = row.(name{1});
+      list(k).(name{1}) = row.(name{1});
     end
   end
 end

@@ -6,14 +6,12 @@
 %   RESIDUAL  T x 1 or 1 x T, residuals of the targets
 %   CURVES    1 x C struct: name (of the series), model, own (numbers of its
 %             calibrated targets), share (root mean square of residual over
-%             tolerance: the curve is met up to 1), relative (root mean square of
-%             the relative residuals; NaN where a tolerance is absolute)
+%             tolerance: the curve is met up to 1)
 %
 % See also: toleranceShare, reportCalibration, sectionTargets
 
 function curves = curveSummary (Case, residual)
-  curves = struct ('name', {}, 'model', {}, 'own', {}, 'share', {}, ...
-                   'relative', {});
+  curves = struct ('name', {}, 'model', {}, 'own', {}, 'share', {});
   if ~isfield (Case.targets, 'curve')
     return
   end
@@ -22,14 +20,9 @@ function curves = curveSummary (Case, residual)
     own = find (number == c);
     T = Case.targets(own);
     r = reshape (residual(own), 1, []);
-    relative = sqrt (mean (r.^2));
-    if any ([T.isAbsolute])
-      relative = NaN;
-    end
     curves(end + 1) = struct ('name', T(1).series, 'model', T(1).modelName, ...
                               'own', own, 'share', ...
-                              sqrt (mean ((r ./ [T.tol]).^2)), ...
-                              'relative', relative);
+                              sqrt (mean ((r ./ [T.tol]).^2)));
   end
 end
 
@@ -42,6 +35,5 @@ end
 %! c = curveSummary (Case, [9; 0.2; -0.1; NaN]);
 %! assert (c.own, [2, 3]);
 %! assert (c.share, 1, 1e-12);
-%! assert (c.relative, sqrt (0.025), 1e-12);
 %! Case.targets = rmfield (Case.targets, 'curve');
 %! assert (isempty (curveSummary (Case, zeros (4, 1))));

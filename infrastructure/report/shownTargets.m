@@ -1,15 +1,15 @@
 % SHOWNTARGETS  Targets that the report draws one by one.
 %
-% CALL: WHICH = shownTargets (CASE)
+% CALL: SHOWN = shownTargets (CASE)
 %
 %   CASE   see newCase
-%   WHICH  1 x n, numbers of targets: all but the points of curves, and of each
+%   SHOWN  1 x n, numbers of targets: all but the points of curves, and of each
 %          curve the first one, the middle one and the last one
 %
 % See also: sectionTargets, sectionSlices
 
-function which_ = shownTargets (Case)
-  which_ = 1:numel (Case.targets);
+function shown = shownTargets (Case)
+  shown = 1:numel (Case.targets);
   if ~isfield (Case.targets, 'curve')
     return
   end
@@ -21,10 +21,10 @@ function which_ = shownTargets (Case)
     few = round (linspace (1, numel (own), min (3, numel (own))));
     keep(own(order(few))) = true;
   end
-  which_ = which_(keep);
+  shown = shown(keep);
 end
 
-%!assert (shownTargets (struct ('targets', struct ('name', {'a', 'b'}))), [1, 2])
+%!assert (shownTargets (struct ('targets', struct ('name', {'a'}))), 1)
 %!test
 %! Case.targets = struct ('curve', {0, 1, 1, 1, 1, 1, 2}, ...
 %!                        'at', {NaN, 5, 4, 3, 2, 1, 7});

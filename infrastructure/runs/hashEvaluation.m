@@ -14,7 +14,8 @@ function key = hashEvaluation (model)
   key = hashFolder (fullfile (model.folder, 'OctaveFuns'), {});
   if isfield (model, 'readings') && ~isempty (model.readings)
     r = model.readings;
-    text = sprintf ('|%s|%s', [{r.result}; {r.series}]{:});
+    words = [{r.result}; {r.series}];
+    text = sprintf ('|%s|%s', words{:});
     key = hash ('sha256', [key, text, sprintf('|%.12g', r.at)]);
   end
 end

@@ -23,64 +23,72 @@ function [row, problem] = takeReadings (results, readings, info)
   row = NaN (1, numel (readings));
   [items, problem] = itemsOf (results, readings, info);
   for k = 1:numel (readings) * isempty (problem)
-    r = readings(k);
-    value = [];
-    for name = {r.result, r.series}
-      if isempty (value) && isfield (items, name{1})
-        value = items.(name{1});
-      end
-    end
-    if isempty (value)
-      value = seriesOf (items, r.series, info);
-    end
-    if isempty (value)
-      problem = sprintf (['getResults must return %s, named by a field of ' ...
-                          'its struct or by results.csv'], r.result);
-    elseif isscalar (value)
-      row(k) = value;
-    else
-      [row(k), problem] = pointOf (value, r);
-    end
+    [row(k), problem] = readOne (items, readings(k), info);
     if ~isempty (problem)
       return
     end
   end
 end
 
+function [value, problem] = readOne (items, r, info)
+  problem = '';
+  found = [];
+  for name = {r.result, r.series}
+    if isempty (found) && isfield (items, name{1})
+      found = items.(name{1});
+    end
+  end
+  if isempty (found)
+    found = seriesOf (items, r.series, info);
+  end
+  value = found;
+  if isempty (found)
+    value = NaN;
+    problem = sprintf (['getResults must return %s, named by a field of ' ...
+                        'its struct or by results.csv'], r.result);
+  elseif ~isscalar (found)
+    [value, problem] = pointOf (found, r);
+  end
+end
+
 % One struct, whatever the form. Names of results need not be identifiers.
 function [items, problem] = itemsOf (results, readings, info)
-  items = struct ();
   problem = '';
-  if isstruct (results) && isscalar (results)
-    items = results;
-  else
-    curves = unique ({readings.series});
-    curves = curves(~cellfun (@isempty, curves));
-    names = {};
-    if isnumeric (results) && columns (results) == 2 && rows (results) > 1
-      results = {results};
-      names = curves;
-    elseif ~iscell (results)
-      results = num2cell (results);
-    end
-    if isempty (names) && ~isempty (info)
-      names = {info.name};
-    end
-    if numel (names) ~= numel (results)
-      problem = sprintf (['getResults returned %d results, results.csv ' ...
-                          'names %d'], numel (results), numel (names));
-      return
-    end
-    for k = 1:numel (names)
-      items.(names{k}) = results{k};
-    end
+  items = results;
+  if ~isstruct (results) || ~isscalar (results)
+    [items, problem] = byOrder (results, readings, info);
   end
   isGood = @(x) (isnumeric (x) || islogical (x)) && isreal (x) && ...
                 (isscalar (x) || columns (x) == 2);
   bad = find (~structfun (isGood, items), 1);
   if ~isempty (bad)
-    problem = sprintf (['%s must be a real number or a curve (n x 2: place, ' ...
-                        'value)'], fieldnames (items){bad});
+    problem = sprintf (['%s must be a real number or a curve (n x 2: ' ...
+                        'place, value)'], fieldnames (items){bad});
+  end
+end
+
+% One curve alone, or all results in the order of results.csv.
+function [items, problem] = byOrder (results, readings, info)
+  items = struct ();
+  problem = '';
+  names = {};
+  if ~isempty (info)
+    names = {info.name};
+  end
+  if isnumeric (results) && columns (results) == 2 && rows (results) > 1
+    results = {results};
+    names = unique ({readings.series});
+    names = names(~cellfun (@isempty, names));
+  elseif ~iscell (results)
+    results = num2cell (results);
+  end
+  if numel (names) ~= numel (results)
+    problem = sprintf (['getResults returned %d results, results.csv ' ...
+                        'names %d'], numel (results), numel (names));
+    return
+  end
+  for k = 1:numel (names)
+    items.(names{k}) = results{k};
   end
 end
 

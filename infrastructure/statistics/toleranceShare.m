@@ -5,9 +5,10 @@
 %   PROBLEM  struct of newProblem
 %   R        n x T, residuals
 %   S        n x T, their standard deviations; needed for SPREAD only
-%   SHARE    n x G, one column a requirement of the targets that are calibrated,
-%            see requirementsOf: abs (residual) / tolerance of a target, the root
-%            mean square of these over the points of a curve. It is met up to 1
+%   SHARE    n x G, one column a requirement of the targets that are
+%            calibrated, see requirementsOf: abs (residual) / tolerance of a
+%            target, the root mean square of these over the points of a curve.
+%            It is met up to 1
 %   SPREAD   n x G, the same of S
 %
 % See also: requirementsOf, meetProbability

@@ -4,10 +4,10 @@
 %
 % MODEL       name of the model's folder below optim/
 % FOLDERNAME  name of the run's folder
-% RES         scalar struct: timeDischarge (n x 2: time since the slot opened (s),
-%             share of the filled mass that has left (%), held at its last value
-%             once the grains rest) and remaining (%); NaN where a file is
-%             missing or the run is not sane
+% RES         scalar struct: timeDischarge (n x 2: time since the slot opened
+%             in s, share of the filled mass that has left in %, held at its
+%             last value once the grains rest) and remaining (%); NaN where a
+%             file is missing or the run is not sane
 %
 % Finds the files from the global variable path, as all DEcalioc models do.
 %
