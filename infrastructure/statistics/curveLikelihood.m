@@ -27,26 +27,29 @@ function fit = curveLikelihood (c, m, v, free)
   else
     v = v + c.noiseVar;
   end
+  w = sqrt (v + eps (max (c.value.^2)));
+  isFree = columns (free) > 0;
   for i = 1:n
-    sd = c.sd;
-    k = 1;
-    if isnan (c.length)
-      R = correlation (c, exp (log (c.lengths(1)) + ...
-                               free(i, 1) * diff (log (c.lengths))));
-      k = 2;
+    if isFree
+      S = covariance (c, R, free(i, :));
     end
-    if ~c.sdKnown
-      sd = c.half * 0.02 * 100^free(i, k);
-    end
-    if columns (free) > 0
-      S = (sd' * sd) .* R;
-    end
-    w = sqrt (v(i, :));
-    root = chol (S + (w' * w) .* c.root + 1e-12 * mean (v(i, :)) * eye (p));
+    root = chol (S + (w(i, :)' * w(i, :)) .* c.root);
     z = (c.value - m(i, :)) / root;
     fit(i) = -sum (log (diag (root))) - ...
              (c.df + p) / 2 * log1p ((z * z') / c.df);
   end
+end
+
+% The unknowns: first the length, then the size, where they are not known.
+function S = covariance (c, R, free)
+  if isnan (c.length)
+    R = correlation (c, c.lengths(1) * (c.lengths(2) / c.lengths(1))^free(1));
+  end
+  sd = c.sd;
+  if ~c.sdKnown
+    sd = c.half * 0.02 * 100^free(end);
+  end
+  S = (sd' * sd) .* R;
 end
 
 function R = correlation (c, length)
