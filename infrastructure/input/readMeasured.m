@@ -9,7 +9,8 @@
 %             (NaN: not measured yet), sd (0: not given), repeats (trials that
 %             the value is the mean of; Inf: sd holds their scatter; NaN: not
 %             given), role, tol (NaN: not given), isAbsolute (logical: tol has
-%             the unit of the value); [] where the table as a whole is no use
+%             the unit of the value), saysTol (logical: there is one, good or
+%             bad); [] where the table as a whole is no use
 %   PROBLEMS  1 x p problems, see checkProblem
 %
 % Columns, in any order: name or series, and value, are needed; model, where
@@ -107,6 +108,7 @@ function [row, p] = readRow (text, line, models)
                                'Leave it empty for calibrate.');
   end
   [row.tol, row.isAbsolute, q] = toleranceOf (text.tol, row.value, where);
+  row.saysTol = ~isempty (text.tol);
   p = [p, q, checkPlace(text, where)];
 end
 
