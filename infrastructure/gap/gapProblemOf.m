@@ -33,8 +33,8 @@ function [given, notes] = gapProblemOf (Case)
   given.sdKnown = ~bare;
   if any (bare)
     scale = given.y;
-    if isfield (Case.targets, 'scale')
-      scale = [Case.targets.scale];
+    if isfield (Case.targets, 'isAbsolute')
+      scale([Case.targets.isAbsolute]) = 1;
     end
     assumed = abs (scale) .* [Case.targets.tol] / 2;
     assumed(isnan (given.y)) = 0;

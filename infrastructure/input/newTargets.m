@@ -40,11 +40,6 @@ function targets = fromTable (file, optim, models)
     if isnan (t.tol)
       t.tol = given (optim, 'tolRes', 0.01);
     end
-    if t.isAbsolute
-      t.scale = 1;
-    else
-      t.scale = t.value;
-    end
     if t.correlation < 0
       t.correlation = ifElse (t.curve > 0, NaN, 0);
     end
@@ -83,7 +78,6 @@ function targets = fromCells (optim, models)
       [t.unit, t.result, t.series] = deal ('');
       t.at = NaN;
       t.curve = 0;
-      t.scale = t.value;
       targets = [targets, t];
     end
   end
@@ -144,7 +138,7 @@ end
 %! assert ([t.index], [1, 2, 3, 1]);
 %! assert ([t.value], [4, NaN, 6, 0]);
 %! assert ([t.tol], [0.1, 0.1, 1, 0.5]);
-%! assert ([t.scale], [4, NaN, 1, 1]);
+%! assert ([t.isAbsolute], [false, false, true, true]);
 %! assert ([t.trials], [1, 1, 2, 1]);
 %! assert ({t.role}, {'calibrate', 'unmeasured', 'calibrate', 'calibrate'});
 %! assert ([t.correlation], [NaN, NaN, 0, 0]);
@@ -153,6 +147,6 @@ end
 %! t = newTargets (struct ('targetVal', {{[1, 2], 3}}, 'tolRes', 0.1), ...
 %!                 models, '/nowhere');
 %! assert ([t.value], [1, 2, 3]);
-%! assert ([t.scale], [1, 2, 3]);
+%! assert (any ([t.isAbsolute]), false);
 %! assert ({t.name}, {'A_1', 'A_2', 'B_1'});
 %! assert ([t.curve], [0, 0, 0]);

@@ -21,7 +21,8 @@ function [value, scale] = targetColumns (Input, optim)
     models = struct ('name', cellstr (Input.model)(:)');
     targets = newTargets (optim, models, folder);
     value = [targets.value]';
-    scale = [targets.scale]';
+    scale = value;
+    scale([targets.isAbsolute]) = 1;
   else
     value = asColumn (optim.targetVal);
     scale = value;
