@@ -1,18 +1,19 @@
 % CURVECOVERAGE  Do intervals hold the truth where a curve is the target?
 %
-% CALL: octave-cli benchmarks/curveCoverage.m [SEEDS] [CSVFILE]
+% CALL: octave-cli benchmarks/curveCoverage.m [SEEDS] [CSVFILE] [POINTS]
 % CALL: octave-cli benchmarks/curveCoverage.m report CSVFILE...
 %
 % SEEDS    e.g. 1:50 (default), one synthetic measurement each
 % CSVFILE  a row a parameter, after every measurement: seed, way, parameter,
 %          truth, low, high (box widths); 'report CSVFILE...' sums such files up
+% POINTS   of the curve (50)
 %
-% Three parameters are calibrated on a discharge curve of 50 points whose errors
-% are correlated over a fifth of it, on one repeated scalar and on one of target
-% near 0. The truth is drawn from the box, flat as the prior. One packing of the
-% measurement scatters along the curve as the runs do. Surrogates: 30 runs, a
-% new plan for every ten measurements. Ways: 1 the length of the correlation
-% given, 2 estimated, 3 the points treated as independent.
+% Three parameters are calibrated on a discharge curve whose errors are
+% correlated over a fifth of it, and on two scalars. The truth is drawn from the
+% box, flat as the prior. One packing of the measurement scatters along the
+% curve as the runs do. Surrogates: one plan of 30 runs in a call. Ways: 1 the
+% length of the correlation given, 2 estimated, 3 the points treated as
+% independent.
 %
 % See also: coverage, parameterPosterior, curveErrors
 
@@ -26,24 +27,25 @@ end
 
 % Scatter of one packing: alike along the curve.
 function E = scatter (n, lab)
-  E = [0.3 * randn(n, 50) * lab.packing, 0.03 * randn(n, 2)];
+  E = [0.3 * randn(n, lab.n) * lab.packing, 0.03 * randn(n, 2)];
 end
 
-function lab = newLab ()
-  lab.t = (1:50) / 50 * 3;
-  smooth = @(L) chol (exp (-abs (lab.t - lab.t') / L) + 1e-9 * eye (50));
+function lab = newLab (n)
+  lab.n = n;
+  lab.t = (1:n) / n * 3;
+  smooth = @(L) chol (exp (-abs (lab.t - lab.t') / L) + 1e-9 * eye (n));
   lab.length = 0.6;
   lab.packing = smooth (1);
   lab.error = smooth (lab.length);
-  lab.sd = [ones(1, 50), 0.1, 0.05];
+  lab.sd = [ones(1, n), 0.1, 0.05];
 end
 
 function problem = problemOf (lab, value, way)
-  T = struct ('name', cellstr (num2str ((1:52)'))', 'value', ...
+  T = struct ('name', cellstr (num2str ((1:lab.n + 2)'))', 'value', ...
               num2cell (value), 'tol', 2, 'sd', num2cell (lab.sd), ...
               'isAbsolute', true, 'role', 'calibrate', 'trials', 1, ...
               'series', 'w', 'at', num2cell ([lab.t, NaN, NaN]), ...
-              'curve', num2cell ([ones(1, 50), 0, 0]), 'correlation', NaN);
+              'curve', num2cell ([ones(1, lab.n), 0, 0]), 'correlation', NaN);
   if way == 1
     [T.correlation] = deal (lab.length);
   elseif way == 3
@@ -59,19 +61,19 @@ function surrogates = newSurrogates (lab, seed)
   randn ('twister', 1e6 + seed);
   X = double (stk_sampling_maximinlhs (30, 3, [0, 0, 0; 1, 1, 1], 200));
   Z = response (X, lab.t) + scatter (30, lab);
-  data = addRows (newData (3, 52), X, Z, ones (30, 1), 'plan');
-  surrogates = fitSurrogates (data, problemOf (lab, ones (1, 52), 1));
+  data = addRows (newData (3, lab.n + 2), X, Z, ones (30, 1), 'plan');
+  surrogates = fitSurrogates (data, problemOf (lab, ones (1, lab.n + 2), 1));
 end
 
 function block = oneCase (surrogates, lab, seed)
   rand ('twister', seed);
   randn ('twister', seed);
   truth = rand (1, 3);
-  noise = [randn(1, 50) * lab.error, randn(1, 2)] .* lab.sd;
+  noise = [randn(1, lab.n) * lab.error, randn(1, 2)] .* lab.sd;
   value = response (truth, lab.t) + scatter (1, lab) + noise;
   block = zeros (0, 6);
   for way = 1:3
-    known = parameterPosterior (surrogates, problemOf (lab, value, way), 400);
+    known = parameterPosterior (surrogates, problemOf (lab, value, way), 200);
     block = [block; repmat([seed, way], 3, 1), (1:3)', truth', ...
              known.interval90'];
   end
@@ -105,11 +107,13 @@ else
   if numel (given) > 0
     seeds = sscanf (given{1}, '%d:%d');
   end
-  lab = newLab ();
+  points = 50;
+  if numel (given) > 2
+    points = str2double (given{3});
+  end
+  lab = newLab (points);
+  surrogates = newSurrogates (lab, seeds(1));
   for seed = seeds(1):seeds(end)
-    if seed == seeds(1) || mod (seed, 10) == 1
-      surrogates = newSurrogates (lab, floor ((seed - 1) / 10));
-    end
     B = [B; oneCase(surrogates, lab, seed)];
     if numel (given) > 1
       csvwrite (given{2}, B, 'precision', '%.10g');
