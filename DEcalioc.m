@@ -39,8 +39,7 @@ function calibration = calibrateCase (root, folder)
   problem = withinBudget (problem, ledger, Case);
 
   % Kriging models
-  surrogates = fitSurrogates (data, problem);
-  saveSurrogates (surrogates, folder);
+  [~, ~, surrogates] = createKrigingModels (data, problem);
   reportSurrogateFit (surrogates, data, problem, say);
 
   % optimisation on the Kriging models
@@ -61,5 +60,6 @@ function calibration = calibrateCase (root, folder)
 end
 
 root = fileparts (mfilename ('fullpath'));
-addpath (fullfile (root, 'infrastructure'));
+addpath (fullfile (root, 'infrastructure'), ...
+         fullfile (root, 'infrastructure', 'case'));
 calibration = startMain (@calibrateCase, root);

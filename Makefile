@@ -17,7 +17,7 @@ CASE ?= .
 ONLY ?=
 export LIGGGHTS OCTAVE CASE ONLY
 
-.PHONY: help setup liggghts run gap test soak bench lint format dist clean liggghts-clean
+.PHONY: help setup liggghts run gap test soak bench lint graph format dist demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -41,6 +41,10 @@ gap:                   ## diagnose the gap: all set-up, then diagnoseGap.m
 	@tools/liggghts/build.sh
 	@tools/octave.sh diagnoseGap.m
 
+demo:                  ## calibrate and diagnose stored runs in ./decalioc-demo, without LIGGGHTS
+	@tools/setup.sh run
+	@tools/demo.sh decalioc-demo
+
 test:                  ## all set-up, then all tests; ends in "N passed, N failed"
 	@tools/setup.sh run test
 	@tools/liggghts/build.sh
@@ -55,6 +59,9 @@ bench:                 ## list the programs that measure
 lint:                  ## check the style of the Octave and the shell code
 	@tools/setup.sh lint
 	@tools/lint.sh
+
+graph:                 ## the calls between the folders; fails where one goes up
+	@OCTAVE=$${OCTAVE:-octave-cli} tools/graph/graph.sh
 
 format:                ## lay out the Octave code, then lint
 	@tools/setup.sh lint

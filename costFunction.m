@@ -4,7 +4,7 @@
 %
 %   PARAMS        d x 1 parameter set, in the order of assign
 %   EVALUATEFUNC  function handle: results of the models, one row a target
-%   VARARGIN      handed on to EVALUATEFUNC
+%   VARARGIN      handed on to EVALUATEFUNC; DEcalioc gives its case here
 %   RESIDUAL      one row a target, model by model in the order of
 %                 optim.targetVal or measured.csv, then any number of rows of
 %                 preferences
@@ -12,23 +12,21 @@
 % The rows of the targets are brought to zero. The rows below them (here: the
 % Rayleigh time step) only choose among the sets that meet the targets.
 %
-% See also: loadInput, targetColumns, evaluateKriging, evaluateDEM
+% See also: loadInput, costInput, evaluateKriging, evaluateDEM
 
 function residual = costFunction (params, evaluateFunc, varargin)
   result = evaluateFunc (params, varargin);
-  [Input, optim, modelVars, assign, paramLims] = loadInput ();
-  [targetVal, scale] = targetColumns (Input, optim);
+  given = costInput (varargin);
 
   % first part: relative difference of results and measured values
-  residual = (result(:, 1) - targetVal) ./ scale;
+  residual = (result(:, 1) - given.value) ./ given.scale;
 
   % second part: a preference for a large time step
-  modelVars = assignParams (modelVars, params, assign);
-  wish = isfield (optim, 'WRL') && any (optim.WRL);
-  if wish && isfield (modelVars, 'RLTS')
-    RLTS = getMinMaxRayleigh (modelVars, assign, paramLims);
+  modelVars = assignParams (given.modelVars, params, given.names);
+  if given.WRL ~= 0 && isfield (modelVars, 'RLTS')
+    RLTS = getMinMaxRayleigh (modelVars, given.names, given.limits);
     span = max (RLTS.max - RLTS.min, eps (RLTS.max));
-    residual(end + 1, 1) = optim.WRL * (RLTS.max - modelVars.RLTS) / span;
+    residual(end + 1, 1) = given.WRL * (RLTS.max - modelVars.RLTS) / span;
   end
 end
 
@@ -37,6 +35,13 @@ end
 %!                          @(p, varargin) [404; 0.024]);
 %! assert (residual(1:2), [0.01; -0.04], 1e-12);
 %! assert (residual(3) > 0 && residual(3) < 0.5);
+%!test
+%! % the case that is handed on counts, not the file
+%! Case = newCase (standInCase (tempname ()));
+%! residual = costFunction ([1; 2], @(p, varargin) [404; 0.025; 3], Case);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (Case.folder, 's');
+%! assert (residual, [0.01; 0; 0], 1e-12);
 %!test
 %! % columns, model by model, and no wish for a large time step
 %! folder = tempname ();

@@ -54,5 +54,6 @@ function diagnosis = diagnoseCase (root, folder)
 end
 
 root = fileparts (mfilename ('fullpath'));
-addpath (fullfile (root, 'infrastructure'));
+addpath (fullfile (root, 'infrastructure'), ...
+         fullfile (root, 'infrastructure', 'case'));
 diagnosis = startMain (@diagnoseCase, root);

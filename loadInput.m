@@ -47,9 +47,10 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   optim.targetName{1} = {'bulk density (kg/m3)', 'mass left (kg)'};
 
   % Stopping of the stage on DEM:
-  % optim.tolfun       relative decrease of the sum of squares
   % optim.maxIter      iterations
   % optim.maxFunEvals  parameter sets run after the first plan, never more
+  % optim.tolfun       relative decrease of the sum of squares; read only with
+  %                    optim.method = 'published'
   optim.tolfun = 0.002;
   optim.maxIter = 3;
   optim.maxFunEvals = 40;

@@ -19,7 +19,7 @@
 %
 % Errors: DEcalioc:campaignPlan:unknownName
 %
-% See also: campaign, GenerateExperPlan, effectValues
+% See also: campaign, GenerateExperPlan, valuesOfStrength
 
 function plan = campaignPlan (Case, effects, count)
   K = numel (effects);
@@ -47,7 +47,7 @@ function plan = campaignPlan (Case, effects, count)
     parts{end + 1} = part;
   end
   plan = alternate (plan, parts);
-  plan.E = effectValues (effects, plan.phi);
+  plan.E = valuesOfStrength (effects, plan.phi);
 end
 
 function which = numbersOf (names, effects)

@@ -16,7 +16,7 @@
 
 function [change, count, lines] = campaignTable (problem, data)
   em = fitEmulator (problem, data, gapOptions ([]));
-  phi = effectStrength (problem.effects, data.E);
+  phi = strengthOfValues (problem.effects, data.E);
   K = numel (em.effect);
   middle = zeros (1, em.p);
   noise = sqrt (em.seedVar);

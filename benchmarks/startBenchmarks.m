@@ -17,7 +17,7 @@ function root = startBenchmarks ()
                             'twins', ...
                             fullfile('twins', 'foreign')});
   addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'), ...
-           here, inside{:});
+           fullfile (root, 'tools', 'graph'), here, inside{:});
   startToolbox (root);
   useLiggghts (root);
 end

@@ -14,18 +14,34 @@ function [given, data] = storedCampaign (name, root)
     folder = fullfile (root, 'benchmarks', name);
   end
   % Octave looks for loadInput.m in the working folder first
-  before = cd (folder);
-  back = onCleanup (@() cd (before));
+  before = enter (folder);
+  back = onCleanup (@() enter (before));
   Case = withEffects (loadCase (root, folder));
   data = importRuns (fullfile (root, 'benchmarks', 'data', [name, '.csv']), ...
                      Case);
   given = gapProblemOf (Case);
 end
 
+% What was loaded in another folder would stay: Octave does not look again.
+function before = enter (folder)
+  before = cd (folder);
+  clear ('-f', 'loadInput', 'loadEffects');
+end
+
 %!test
 %! root = startBenchmarks ();
 %! here = pwd ();
+%! [~, own] = loadInput ();
 %! [given, data] = storedCampaign ('hiddenEffect', root);
+%! [~, after] = loadInput ();
+%! assert (isequal (after.targetVal, own.targetVal));
 %! assert (pwd (), here);
 %! assert (size (data.Z), [153, 14]);
 %! assert (numel (given.effects), 12);
+
+%!test
+%! % one campaign after another
+%! root = startBenchmarks ();
+%! storedCampaign ('hiddenEffect', root);
+%! [given, data] = storedCampaign ('drumAndBins', root);
+%! assert (numel (given.sd), columns (data.Z));

@@ -1,6 +1,6 @@
 % TWINS  Twin study: how often is the verdict of the diagnosis right?
 %
-% CALL: octave-cli benchmarks/twins.m [blind|develop|real] [cases a laboratory]
+% CALL: octave-cli benchmarks/twins.m [blind|develop] [cases a laboratory]
 %
 % Draws data sets with a known cause ("twins") from laboratories of formulas
 % that the diagnosis knows only through 200 noisy runs each, writes the truth
@@ -11,7 +11,7 @@
 %   results/twins-scores.csv                      figures of merit
 %   results/twins-curves.csv, docs/figures/twins.svg  the same over d
 % blind (default) and develop use other laboratories, seeds and parameters.
-% real uses the surrogates of LIGGGHTS runs, see twinsLaboratories.
+% Formulas of the kind the surrogates are: see foreignTwins and leftOut, too.
 %
 % See also: twinsDraw, twinsDiagnose, twinsScore, twinsCurves
 
@@ -28,7 +28,7 @@ function runTwins (kind, perLab)
   end
   name = fullfile (results, stem);
   [~, version] = system (sprintf ('git -C "%s" rev-parse HEAD', root));
-  labs = twinsLaboratories (kind, root);
+  labs = twinsLaboratories (kind);
   twins = twinsDraw (labs, perLab, twinsMix (kind));
   digest = twinsFreeze (name, twins, labs);
   printf ('twins: %d cases, %d laboratories, code %s\n', ...

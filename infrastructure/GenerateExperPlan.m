@@ -24,9 +24,7 @@ function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
            ['GenerateExperPlan: FACTORLIMITS must be 2 x d, ' ...
             'got %d x %d.'], size (factorLimits));
   end
-  before = rand ('twister');
-  restore = onCleanup (@() rand ('twister', before));
-  rand ('twister', seed);
+  restore = seedRandom (seed);
   d = columns (factorLimits);
   plan = zeros (0, d);
   if N > 0

@@ -15,7 +15,7 @@
 
 function [results, records] = Start (matr, model, Case, jobs)
   if nargin < 3
-    Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
+    Case = loadCase ();
   end
   columnsOf = cell (1, rows (matr));
   kept = cell (1, rows (matr));

@@ -6,15 +6,11 @@
 %   FOLDERNAME  name of the run's folder (text)
 %   BASE        folder that holds optim/ (text, default pwd)
 %   SOURCE      model folder (text, default BASE/DEMmodels/MODEL)
-%   DONE        false where the folder is there already: another worker or
-%               another Octave took the number, try the next one
+%   DONE        false where the folder is there already
 %
-% Links inside the model folder are followed, so that a run folder holds all
-% it needs.
+% Errors: those of makeRunFolder
 %
-% Errors: DEcalioc:createNewFolder:cannotWrite
-%
-% See also: prepareRun, newFolderName
+% See also: makeRunFolder, newFolderName
 
 function done = createNewFolder (model, folderName, base, source)
   if nargin < 3
@@ -23,28 +19,7 @@ function done = createNewFolder (model, folderName, base, source)
   if nargin < 4
     source = findModel (model, base, base);
   end
-  parent = fullfile (base, 'optim', model);
-  [~, ~] = mkdir (parent);
-  folder = fullfile (parent, folderName);
-  [made, why] = mkdir (folder);
-  done = made && isempty (why);
-  if ~made && ~isfolder (folder)
-    refuse (folder, why);
-  end
-  if done
-    [status, why] = system (['cp -rL ', shellQuote([source, '/.']), ' ', ...
-                             shellQuote([folder, '/']), ' 2>&1']);
-    if status ~= 0
-      refuse (folder, strtrim (why));
-    end
-  end
-end
-
-function refuse (folder, why)
-  error ('DEcalioc:createNewFolder:cannotWrite', ...
-         ['createNewFolder: %s must be writable, got: %s. Free some space ' ...
-          'or correct the permissions and start again; finished runs are ' ...
-          'kept.'], folder, why);
+  done = makeRunFolder (fullfile (base, 'optim', model, folderName), source);
 end
 
 %!test
@@ -56,5 +31,5 @@ end
 %! assert (fileread (fullfile (base, 'optim', 'M', '0001', 'data.head')), 'x');
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (base, 's');
-%!error id=DEcalioc:createNewFolder:cannotWrite
+%!error id=DEcalioc:makeRunFolder:cannotWrite
 %! createNewFolder ('M', '0001', '/proc/nowhere', '/tmp');

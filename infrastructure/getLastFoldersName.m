@@ -6,15 +6,10 @@
 %   MODEL  name of the model (text)
 %   NAME   text, '' where there is none yet
 %
-% See also: getLastFoldersNumber
+% See also: lastRunFolder, getLastFoldersNumber
 
 function name = getLastFoldersName (path, model)
-  names = listRunFolders (path, model);
-  name = '';
-  if ~isempty (names)
-    [~, last] = max (str2double (regexp (names, '^\d+', 'match', 'once')));
-    name = names{last};
-  end
+  [~, name] = lastRunFolder (path, model);
 end
 
 %!test

@@ -6,14 +6,10 @@
 %   MODEL   name of the model (text)
 %   NUMBER  integer, 0 where there is none yet
 %
-% See also: getLastFoldersName, newFolderName
+% See also: lastRunFolder, getLastFoldersName, newFolderName
 
 function number = getLastFoldersNumber (path, model)
-  name = getLastFoldersName (path, model);
-  number = 0;
-  if ~isempty (name)
-    number = str2double (regexp (name, '^\d+', 'match', 'once'));
-  end
+  number = lastRunFolder (path, model);
 end
 
 %!assert (getLastFoldersNumber ('/nowhere', 'M'), 0)

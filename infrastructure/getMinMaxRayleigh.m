@@ -15,7 +15,10 @@
 
 function RLTS = getMinMaxRayleigh (modelVars, assign, paramLims)
   if nargin < 3
-    [~, ~, modelVars, assign, paramLims] = loadInput ();
+    raw = readInput ();
+    modelVars = raw.modelVars;
+    assign = raw.assign;
+    paramLims = raw.paramLims;
   end
   r = ends ('radiusP', modelVars, assign, paramLims);
   rho = ends ('densityP', modelVars, assign, paramLims);

@@ -11,7 +11,7 @@
 
 function names = getOptimFolder (params, Case)
   if nargin < 2
-    Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
+    Case = loadCase ();
   end
   names = cell (1, numel (Case.models));
   for k = 1:numel (Case.models)

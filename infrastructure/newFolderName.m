@@ -5,10 +5,10 @@
 %   NUM   number of the run (1, 2, ...)
 %   NAME  text, at least four digits
 %
-% See also: createNewFolder, getLastFoldersNumber
+% See also: runFolderName, createNewFolder, getLastFoldersNumber
 
 function name = newFolderName (num)
-  name = sprintf ('%04d', num);
+  name = runFolderName (num);
 end
 
 %!assert (newFolderName (7), '0007')

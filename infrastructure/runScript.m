@@ -17,7 +17,7 @@
 
 function [results, record] = runScript (matr, model, Case, job)
   if nargin < 3
-    Case = loadCase (fileparts (fileparts (mfilename ('fullpath'))), pwd ());
+    Case = loadCase ();
   end
   if nargin < 4
     jobs = newJobs (Case, matr(1:end - 2), [], 1, 'plan');

@@ -16,12 +16,10 @@ function startToolbox (root, folder)
   if nargin < 2
     folder = pwd ();
   end
-  families = {'input', 'statistics', 'runs', 'executors', 'gap', ...
-              'effects', 'report', 'report/page', 'command'};
-  inside = fullfile (root, 'infrastructure');
-  folders = [{root, inside}, fullfile(inside, families)];
-  folders = folders(cellfun (@isfolder, folders));
-  addpath (folders{:});
+  % a new folder of functions is found by itself
+  inside = strsplit (genpath (fullfile (root, 'infrastructure')), pathsep ());
+  hasCode = cellfun (@(f) ~isempty (glob (fullfile (f, '*.m'))), inside);
+  addpath (root, inside{hasCode});
   if ~strcmp (folder, root)
     addpath (folder);
   end

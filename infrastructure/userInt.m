@@ -17,7 +17,7 @@
 
 function [stop, info] = userInt (p, vals, state, DEMflag, optim)
   if nargin < 5
-    [~, optim] = loadInput ();
+    optim = readInput ().optim;
   end
   tol = asColumn (optim.tolRes);
   residual = vals.residual(1:numel (tol));

@@ -3,27 +3,17 @@
 % CALL: writeHead (MODEL, MODELVARS, FOLDERNAME, BASE)
 %
 %   MODEL       name of the model (text)
-%   MODELVARS   scalar struct of numbers, one field a variable
+%   MODELVARS   scalar struct of numbers, one field per variable
 %   FOLDERNAME  name of the run's folder (text)
 %   BASE        folder that holds optim/ (text, default pwd)
 %
-% Each line reads: variable NAME equal VALUE, with 17 significant digits, so
-% that no step of a parameter is too small to arrive.
-%
-% See also: runVariables, assignParams
+% See also: appendVariables, assignParams
 
 function writeHead (model, modelVars, folderName, base)
   if nargin < 4
     base = pwd ();
   end
-  file = fullfile (base, 'optim', model, folderName, 'data.head');
-  names = fieldnames (modelVars);
-  lines = cell (1, numel (names));
-  for k = 1:numel (names)
-    lines{k} = sprintf ('variable %s equal %.17g\n', names{k}, ...
-                        modelVars.(names{k}));
-  end
-  writeAtomic (file, [fileread(file), "\n", lines{:}]);
+  appendVariables (fullfile (base, 'optim', model, folderName), modelVars);
 end
 
 %!test

@@ -10,18 +10,14 @@
 %
 % Makes params.csv (full precision) and, for a run of the plan, ExPlan.txt.
 %
-% See also: writeHead, Start
+% See also: writeSet, writeHead, Start
 
 function writeParams (model, matr, folderName, base)
   if nargin < 4
     base = pwd ();
   end
-  folder = fullfile (base, 'optim', model, folderName);
-  writeMatrix (fullfile (folder, 'params.csv'), matr(1:end - 2));
-  if matr(end - 1) ~= 0
-    writeAtomic (fullfile (folder, 'ExPlan.txt'), ...
-                 sprintf ("%d\n", matr(end - 1)));
-  end
+  writeSet (fullfile (base, 'optim', model, folderName), ...
+            matr(1:end - 2), matr(end - 1));
 end
 
 %!test

@@ -79,6 +79,28 @@
 %! assert (faults, '');
 
 %!test
+%! % candidate effects: found by withEffects
+%! bad = badEffects ();
+%! faults = '';
+%! for k = 1:rows (bad)
+%!   raw = spoil (goodInput (tempname ()), bad{k, 2}, bad{k, 3});
+%!   mention = bad{k, 4 - 2 * isempty (bad{k, 4})};
+%!   said = '';
+%!   try
+%!     withEffects (newCase (raw), raw.effects);
+%!   catch err
+%!     said = [err.identifier, ' ', err.message];
+%!   end
+%!   wanted = {['DEcalioc:checkCase:', bad{k, 1}, ' '], mention, ...
+%!             'expected ', ', got ', '. '};
+%!   if ! all (cellfun (@(t) any (strfind (said, t)), wanted))
+%!     faults = [faults, sprintf("%s %s: %s\n", bad{k, [1, 2]}, said)];
+%!   end
+%!   removeCase (raw.folder);
+%! end
+%! assert (faults, '');
+
+%!test
 %! for make = {@goodInput, @goodPublished}
 %!   folder = tempname ();
 %!   raw = make{1} (folder);

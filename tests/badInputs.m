@@ -1,4 +1,4 @@
-% BADINPUTS  All bad inputs of the tests, one row each.
+% BADINPUTS  All bad loadInputs of the tests, one row each.
 %
 % CALL: ROWS = badInputs ()
 %
@@ -6,13 +6,12 @@
 %         first), path and value (see spoil), a text that the message must
 %         name ('': the path)
 %
-% Each row spoils one thing of goodInput.
+% Each row spoils one thing of goodInput. Those of loadEffects: badEffects.
 %
 % See also: badFields, badTargets, badVariables, badEffects, badFiles
 
 function rows = badInputs ()
-  rows = [badFields(); badTargets(); badVariables(); badEffects(); ...
-          badFiles()];
+  rows = [badFields(); badTargets(); badVariables(); badFiles()];
 end
 
 %!assert (rows (badInputs ()) >= 150)

@@ -90,7 +90,6 @@ end
 
 function raw = otherDesign (raw)
   raw.assign{1} = 'cohesionPP';
-  raw.effects = [];
 end
 
 function rows = measured ()

@@ -12,7 +12,7 @@
 %! [~, cells] = readCsvTable (file);
 %! count = rows (cells);
 %! problem = newGapProblem (gapProblemOf (Case));
-%! phi = effectStrength (problem.effects, data.E);
+%! phi = strengthOfValues (problem.effects, data.E);
 
 %!test
 %! assert ({Case.models.name}, {'Drum', 'SlotBin'});

@@ -6,8 +6,9 @@
 %!  % commands in the blocks of a page; those of a list are indented
 %!  root = fileparts (fileparts (which ('startProgram')));
 %!  text = fileread (fullfile (root, 'docs', page));
-%!  found = regexp (text, '^ *```\n(.*?)\n *```', 'tokens', 'lineanchors');
-%!  blocks = cellfun (@(t) t{1}, found, 'UniformOutput', false);
+%!  found = regexp (text, '^ *```(\w*)\n(.*?)\n *```', 'tokens', 'lineanchors');
+%!  found = vertcat (found{:});
+%!  blocks = found(cellfun (@isempty, found(:, 1)), 2)';
 %!endfunction
 
 %!function [status, out] = follow (folder, block)
@@ -48,7 +49,7 @@
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (folder), 's');
 
-% --- extend.md: the model Slump by hand, then its table of runs
+% --- extend.md: the model of four files, then its table of runs
 %!function text = blockAfter (text, mark)
 %!  from = strfind (text, mark);
 %!  text = regexp (text(from(1):end), '```\w*\n(.*?)```', 'tokens', 'once'){1};
@@ -58,17 +59,15 @@
 %! root = fileparts (fileparts (which ('startProgram')));
 %! text = fileread (fullfile (root, 'docs', 'extend.md'));
 %! folder = tempname ();
-%! model = fullfile (folder, 'DEMmodels', 'Slump');
-%! mkdir (fullfile (model, 'OctaveFuns'));
-%! files = {'**1. `data.head`', 'data.head'; '**2. `in.Slump`', 'in.Slump'; ...
-%!          '**3. `runscript`', 'runscript'; ...
-%!          '**4. `OctaveFuns', 'OctaveFuns/getResults.m'; ...
-%!          '**6. Name it', '../../loadInput.m'; ...
-%!          '**In four fields', '../../loadEffects.m'};
-%! for k = 1:rows (files)
-%!   writeAtomic (fullfile (model, files{k, 2}), ...
-%!                blockAfter (text, files{k, 1}));
-%! end
+%! copyfile (fullfile (root, 'examples', 'slump'), folder);
+%! alone = [folder, '-alone'];
+%! copyfile (fullfile (folder, 'DEMmodels', 'Slump'), alone);
+%! [status, out] = follow (alone, 'bash runscript && cat output_centre');
+%! assert (status, 0, out);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (alone, 's');
+%! writeAtomic (fullfile (folder, 'loadEffects.m'), ...
+%!              blockAfter (text, '**In four fields'));
 %! [status, out] = follow (folder, 'decalioc check --try');
 %! assert (status, 0, out);
 %! assert (~isempty (strfind (out, 'trial     Slump: ok')), out);
@@ -77,7 +76,6 @@
 %!              blockAfter (text, '## Runs that exist already'));
 %! [status, out] = follow (folder, 'decalioc check');
 %! assert (~isempty (strfind (out, 'runs.csv  2 sets taken in')), out);
-%! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
 
 % --- the reading functions of extend.md are there and have the call shown
@@ -103,3 +101,122 @@
 %! assert (inBox > 0 && angle > 20 && angle < 40);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% --- worked-example.md: its one command, without LIGGGHTS, says what it quotes
+%!function text = withoutNumbers (text)
+%!  text = regexprep (text, '[-+]?\d[\d.]*(e[-+]?\d+)?', '#');
+%!  text = regexprep (text, '[ \t]+', ' ');
+%!endfunction
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! root = fileparts (fileparts (which ('startProgram')));
+%! text = fileread (fullfile (root, 'docs', 'worked-example.md'));
+%! command = commandsOf ('worked-example.md');
+%! assert (numel (command), 1);
+%! hidden = ['export XDG_CACHE_HOME=$PWD LIGGGHTS= PATH=$(IFS=:; ', ...
+%!           'for d in $PATH; do [ -x "$d/liggghts" ] || ', ...
+%!           'printf "%s:" "$d"; done)', "\n"];
+%! [status, out] = follow (folder, [hidden, command{1}]);
+%! assert (status, 0, out);
+%! assert (~isempty (strfind (out, 'LIGGGHTS: none found')), out);
+%! assert (isfile (fullfile (folder, 'sticky', 'results', 'report.html')));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! quoted = regexp (text, '```text\n(.*?)```', 'tokens');
+%! lines = strsplit (strtrim ([[quoted{:}]{:}]), "\n");
+%! assert (numel (lines) > 30);
+%! said = cellfun (@strtrim, strsplit (withoutNumbers (out), "\n"), ...
+%!                 'UniformOutput', false);
+%! shown = cellfun (@(line) strtrim (withoutNumbers (line)), lines, ...
+%!                  'UniformOutput', false);
+%! missing = lines(~ismember (shown, said));
+%! assert (isempty (missing), strjoin ([missing, {''}], "\n"));
+
+% --- troubleshooting.md knows every error, and no error that is not there
+%!function names = inCode (root)
+%!  [~, list] = system (['find ', shellQuote(fullfile (root, ...
+%!                       'infrastructure')), ' -name "*.m"']);
+%!  names = {};
+%!  for file = [strsplit(strtrim (list), "\n"), ...
+%!              {which('DEcalioc'), which('diagnoseGap')}]
+%!    lines = regexp (fileread (file{1}), '^(?!\s*%).*$', 'match', ...
+%!                    'lineanchors', 'dotexceptnewline');
+%!    found = regexp (lines, '''(DEcalioc:\w+:\w+)''', 'tokens');
+%!    found = [found{:}];
+%!    names = [names, found{:}];
+%!  end
+%!  names = unique (names);
+%!endfunction
+
+%!test
+%! root = fileparts (fileparts (which ('startProgram')));
+%! text = fileread (fullfile (root, 'docs', 'troubleshooting.md'));
+%! onPage = unique (regexp (text, '(?<=`)DEcalioc:\w+:\w+(?=`)', 'match'));
+%! raised = inCode (root);
+%! raised(strncmp (raised, 'DEcalioc:checkCase:', 19)) = [];   % inputs.md
+%! assert (numel (raised) > 60);
+%! missing = setdiff (raised, onPage);
+%! assert (isempty (missing), strjoin ([missing, {''}], ' '));
+%! dead = setdiff (onPage, raised);
+%! assert (isempty (dead), strjoin ([dead, {''}], ' '));
+
+% --- links of all pages lead to files and headings that are there
+%!function name = anchorOf (heading)
+%!  name = lower (regexprep (heading, '[^\w\s-]', ''));
+%!  name = strrep (strtrim (name), ' ', '-');
+%!endfunction
+
+%!function bad = badLinks (page)
+%!  bad = {};
+%!  text = regexprep (fileread (page), '```.*?```', '');
+%!  for link = regexp (text, '\]\(([^)\s]+)\)', 'tokens')
+%!    parts = strsplit ([link{1}{1}, '#'], '#');
+%!    if any (strncmp (parts{1}, {'http:', 'https:', 'mailto'}, 5))
+%!      continue
+%!    end
+%!    file = page;
+%!    if ~isempty (parts{1})
+%!      file = fullfile (fileparts (page), parts{1});
+%!    end
+%!    isGood = isfile (file) || isfolder (file);
+%!    if isGood && ~isempty (parts{2})
+%!      heads = regexp (fileread (file), '^#+ (.*)$', 'tokens', ...
+%!                      'lineanchors', 'dotexceptnewline');
+%!      heads = cellfun (@(t) anchorOf (t{1}), heads, 'UniformOutput', false);
+%!      isGood = any (strcmp (parts{2}, heads));
+%!    end
+%!    if ~isGood
+%!      bad{end + 1} = [page, ': ', link{1}{1}];
+%!    end
+%!  end
+%!endfunction
+
+%!test
+%! root = fileparts (fileparts (which ('startProgram')));
+%! pages = [{fullfile(root, 'README.md')}; glob(fullfile (root, 'docs', ...
+%!          '*.md')); glob(fullfile (root, '*', '*', 'README.md'))];
+%! assert (numel (pages) > 20);
+%! bad = cellfun (@badLinks, pages', 'UniformOutput', false);
+%! bad = [bad{:}];
+%! assert (isempty (bad), strjoin ([bad, {''}], "\n"));
+
+%!test
+%! % a link to nowhere is found
+%! page = [tempname(), '.md'];
+%! writeAtomic (page, "# A b\n[x](#a-b) [y](#c) [z](no.md) [w](http://a)\n");
+%! bad = badLinks (page);
+%! unlink (page);
+%! assert (bad, {[page, ': #c'], [page, ': no.md']});
+
+%!test
+%! % every page of docs/ is in the list of pages; lines are short but for tables
+%! root = fileparts (fileparts (which ('startProgram')));
+%! list = fileread (fullfile (root, 'docs', 'README.md'));
+%! for page = glob (fullfile (root, 'docs', '*.md'))'
+%!   [~, name] = fileparts (page{1});
+%!   assert (strcmp (name, 'README') || ...
+%!           ~isempty (strfind (list, ['(', name, '.md)'])), name);
+%! end
+%! assert (numel (strsplit (fileread (fullfile (root, 'README.md')))) < 950);

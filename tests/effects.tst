@@ -6,7 +6,7 @@
 
 %!shared benches, root
 %! root = fileparts (fileparts (which ('benchTrial')));
-%! benches = {'Collapse', 'Drum', 'Heap', 'Shear', 'SlotBin'};
+%! benches = benchNames ();
 
 %!function effects = ofDem ()
 %!  effects = resolveEffects (listEffects ());

@@ -3,18 +3,19 @@
 
 %!shared root, benches
 %! root = fileparts (fileparts (which ('benchTrial')));
-%! benches = {'Collapse', 'Drum', 'Heap', 'Shear', 'SlotBin'};
+%! benches = benchNames ();
 
 %!test % the sample
 %! for bench = benches
 %!   folder = fullfile (root, 'DEMmodels', bench{1});
 %!   addpath (fullfile (folder, 'OctaveFuns'));
-%!   results = feval (['measure', bench{1}], fullfile (folder, 'sample'));
+%!   results = namedResults (@measureBench, fullfile (folder, 'sample'), ...
+%!                           folder);
 %!   rmpath (fullfile (folder, 'OctaveFuns'));
 %!   text = fileread (fullfile (folder, 'sample', 'expected.csv'));
 %!   words = regexp (text, '(\w+),(\S+)', 'tokens');
 %!   expected = cellfun (@(w) str2double (w{2}), words);
-%!   assert (results, expected, -1e-6);
+%!   assert ([results{:}], expected, -1e-6);
 %!   names = cellfun (@(w) w{1}, words, 'UniformOutput', false);
 %!   assert ({resultInfo(folder).name}, names);
 %! end

@@ -70,7 +70,10 @@ function text = caseFault (raw, alsoCase)
     return
   end
   try
-    newCase (raw);
+    Case = newCase (raw);
+    if isfield (raw, 'effects')
+      withEffects (Case, raw.effects);
+    end
   catch err
     if ~strncmp (err.identifier, 'DEcalioc:', 9)
       text = sprintf ('newCase throws %s: %s (%s, line %d)', ...

@@ -1,39 +1,5 @@
 % Flows of the gap diagnosis: every verdict kind, the budget, the import path.
 
-%!function [given, data, means] = smallLab ()
-%!  % 3 benches with 4 targets each, 2 parameters, 4 effects of DEM (the first
-%!  % two look alike), 1 of the laboratory; all linear
-%!  rand ('twister', 9); randn ('twister', 9);
-%!  S = 3 * randn (2, 12);
-%!  F = 4 * randn (4, 12);
-%!  F(2, :) = F(1, :) + 0.25 * randn (1, 12);
-%!  G = 2 * [ones(1, 4), zeros(1, 8)];
-%!  means = @(X, phi) 20 + (2 * X - 1) * S + phi(:, 1:4) * F + phi(:, 5) * G;
-%!  names = {'cohesion', 'bridge', 'spread', 'size'};
-%!  for k = 1:4
-%!    effects(k) = struct ('name', names{k}, 'variables', {names(k)}, ...
-%!                         'neutral', 0, 'limits', [0.1; 1], ...
-%!                         'laboratory', false, 'offset', []);
-%!  end
-%!  effects(5) = struct ('name', 'bias', 'variables', {{}}, 'neutral', [], ...
-%!                       'limits', zeros (2, 0), 'laboratory', true, ...
-%!                       'offset', G);
-%!  given = struct ('y', NaN (1, 12), 'sd', 0.2 * ones (1, 12), ...
-%!                  'limits', [0, 0; 1, 1], 'bench', kron (1:3, ones (1, 4)));
-%!  given.names = {'mu', 'rho'};
-%!  given.effects = effects;
-%!  data.X = [(1:14)' / 14 - 0.03, mod((1:14)' * 5, 14) / 14 + 0.02];
-%!  phi = zeros (14, 5);
-%!  for k = 1:4
-%!    more = zeros (10, 5);
-%!    more(:, k) = (1:10) / 10;
-%!    data.X = [data.X; mod((1:10)' * 0.618, 1), mod((1:10)' * 0.755, 1)];
-%!    phi = [phi; more];
-%!  end
-%!  data.E = phi(:, 1:4);
-%!  data.Z = means (data.X, phi) + 0.2 * randn (rows (phi), 12);
-%!  data.replicate = ones (rows (phi), 1);
-%!endfunction
 %!function y = measured (means, phi, seed)
 %!  randn ('twister', seed);
 %!  y = means ([0.4, 0.6], phi) + 0.2 * sqrt (2) * randn (1, 12);
@@ -62,7 +28,7 @@
 
 %!shared given, data, means
 %! pkg load stk
-%! [given, data, means] = smallLab ();
+%! [given, data, means] = smallGapLab ();
 
 %!test
 %! % named: the cause, its strength and the closure (all seeded; a fresh seed
@@ -78,6 +44,21 @@
 %! assert (d.howFar.verifiedByDEM, false);
 %! assert (d.runs.spent, 0);
 %! assert (d.where.p < 0.05);
+
+%!test
+%! % named, until DEM runs with the effect miss a target that surrogates meet
+%! g = given;
+%! g.y = measured (means, [0, 0, 0.6, 0, 0], 1);
+%! options = setfield (quick (), 'maxNewRuns', 10);
+%! options.survivors = 0;
+%! options.screenRuns = 0;
+%! bent = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
+%!        1.5 * (E(:, 3) > 0) .* ((1:12) == 7) + 0.1 * randn (rows (X), 12);
+%! d = diagnoseMatrices (g, data, options, bent);
+%! assert (d.which.verdict, 'group');
+%! assert (d.which.guard, 'cure');
+%! assert (d.which.effects, {'spread'});
+%! assert (d.which.lookAlike);
 %! assert (numel (d.next) == 3 && d.next(1).gain >= d.next(3).gain);
 
 %!test
@@ -194,7 +175,7 @@
 
 %!test
 %! % from a table of old runs alone: no model folder, no new run, exit status 0
-%! root = fileparts (fileparts (which ('loadCase')));
+%! root = fileparts (fileparts (which ('startToolbox')));
 %! folder = tempname ();
 %! mkdir (folder);
 %! tidy = onCleanup (@() confirm_recursive_rmdir (false));

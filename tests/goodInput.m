@@ -3,7 +3,8 @@
 % CALL: RAW = goodInput (FOLDER)
 %
 %   FOLDER  folder to be made (text)
-%   RAW     input of checkCase: two models, all fields, one effect
+%   RAW     input of checkCase: two models, all fields; and effects, input of
+%           withEffects: one
 %
 % The runscript would leave a file RAN in FOLDER.
 %
@@ -34,11 +35,10 @@ function raw = goodInput (folder)
   effects = struct ('name', 'stick', 'variables', {{'cohesionPP'}}, ...
                     'neutral', 0, 'limits', [0; 1e5], 'label', 'cohesion', ...
                     'unit', 'J/m3', 'group', 'sticky');
-  here = fileparts (which ('checkCase'));
   raw = struct ('Input', Input, 'optim', optim, 'modelVars', modelVars, ...
                 'paramLims', [500, 0.3; 800, 0.7], 'effects', effects, ...
                 'folder', folder, ...
-                'root', fileparts (fileparts (here)));
+                'root', fileparts (fileparts (which ('startToolbox'))));
   raw.assign = {'densityP', 'coefFrictionPP'};
 end
 

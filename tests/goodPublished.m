@@ -28,5 +28,4 @@ function raw = goodPublished (folder)
   optim.tolRes = horzcat (optim.tolRes{:})';
   raw.Input = Input;
   raw.optim = optim;
-  raw.effects = [];
 end

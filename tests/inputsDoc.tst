@@ -14,12 +14,12 @@
 %!endfunction
 
 %!function folder = rootOf ()
-%!  folder = fileparts (fileparts (which ('newCase')));
+%!  folder = fileparts (fileparts (which ('startToolbox')));
 %!endfunction
 
 %!test
 %! % every reason of the bad inputs stands in the table, and the other way round
-%! reasons = unique (badInputs ()(:, 1))';
+%! reasons = unique ([badInputs()(:, 1); badEffects()(:, 1)])';
 %! assert (isempty (setdiff (reasons, inTable ())));
 %! untested = setdiff (inTable (), [reasons, {'checkFailed'}]);
 %! assert (isempty (untested), strjoin ([untested, {''}], ' '));
@@ -27,8 +27,8 @@
 %!test
 %! % every reason that the code names stands in the table
 %! names = {};
-%! for file = glob (fullfile (rootOf (), 'infrastructure', 'input', ...
-%!                          'check*.m'))'
+%! for file = glob (fullfile (rootOf (), 'infrastructure', ...
+%!                            {'case', 'effects'}, 'check*.m'))'
 %!   found = regexp (fileread (file{1}), ...
 %!                   'checkProblem \(''(\w+)''', 'tokens');
 %!   names = [names, found{:}];

@@ -43,7 +43,6 @@
 %! raw.modelVars = struct ('percentRayleigh', 0.4);
 %! raw.assign = {'densityP'};
 %! raw.paramLims = [600; 800];
-%! raw.effects = [];
 %! Case = newCase (raw);
 %! [Z, record] = evaluateDEM (700, Case);
 %! assert (record.status, 'ok', record.message);

@@ -92,7 +92,7 @@
 %! for name = needed
 %!   assert (~any (strcmp (left, ['/', name{1}])));
 %! end
-%! assert (all (cellfun (@(l) any (l(1) == './'), left)));
+%! assert (all (cellfun (@(l) any (l(1) == './!'), left)));
 
 %!test
 %! confirm_recursive_rmdir (false, 'local');

@@ -33,7 +33,7 @@ function Case = pageCase (folder)
   writeMatrix (fullfile (folder, 'ExperimentalPlan_DoE.csv'), X);
   data = addRows (newData (2, 3), X, formulas (X, 1), ones (10, 1), 'plan');
   surrogates = fitSurrogates (data, problem);
-  saveSurrogates (surrogates, folder);
+  saveSurrogates (surrogates, fullfile (folder, 'KrigingFuns'));
   state = newState (data, surrogates, calibrateOnKriging (surrogates, ...
                                                           problem));
   state = improveByInfill (state, problem, formulas, @(text) []);

@@ -20,7 +20,7 @@ function Case = pageGapCase (folder)
             fullfile (folder, 'runs.csv'));
   addpath (folder);
   tidy = onCleanup (@() rmpath (folder));
-  raw = struct ('root', root, 'folder', folder, 'effects', []);
+  raw = struct ('root', root, 'folder', folder);
   [raw.Input, raw.optim, raw.modelVars, raw.assign, raw.paramLims] = ...
     loadInput ();
   raw.Input.maxNewRuns = 0;

@@ -3,7 +3,7 @@
 % other.
 
 %!function names = inTable ()
-%!  root = fileparts (fileparts (which ('newCase')));
+%!  root = fileparts (fileparts (which ('startToolbox')));
 %!  text = fileread (fullfile (root, 'docs', 'inputs.md'));
 %!  from = strfind (text, '## A published case');
 %!  text = text(from:from + strfind (text(from + 5:end), "\n## ")(1));

@@ -11,7 +11,7 @@
 %
 % See also: newCase
 
-function raw = standInCase (folder, ~)
+function raw = standInCase (folder)
   addModel (folder, 'First', {'a + b + e', 'a * b + e'});
   addModel (folder, 'Second', {'a - b + e'});
   Input = struct ('model', {{'First', 'Second'}}, 'cpu', [1, 1], ...
@@ -20,9 +20,8 @@ function raw = standInCase (folder, ~)
                   'tolRes', {{[0.01, 0.01], 0.02}}, 'tolfun', 0.002, ...
                   'maxIter', 3, 'maxFunEvals', 40, 'WRL', 0);
   raw = struct ('Input', Input, 'optim', optim, 'modelVars', struct (), ...
-                'paramLims', [0, 0; 10, 10], 'effects', [], ...
-                'folder', folder, ...
-                'root', fileparts (fileparts (which ('newCase'))));
+                'paramLims', [0, 0; 10, 10], 'folder', folder, ...
+                'root', fileparts (fileparts (which ('startToolbox'))));
   raw.assign = {'a', 'b'};
 end
 

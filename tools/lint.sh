@@ -1,5 +1,6 @@
 #!/bin/bash
-# Checks the style (miss_hit.cfg) of all Octave code, and the shell code.
+# Checks the style (miss_hit.cfg) of all Octave code, the shell code, and which
+# folder calls which (tools/graph).
 # CALL: tools/lint.sh          (or: make lint); exit status 1 for any finding
 #       tools/lint.sh --fix    (or: make format); lays out the Octave code first
 set -euo pipefail
@@ -43,4 +44,5 @@ check mh_style || findings=1
 check mh_lint || findings=1
 check mh_metric --ci || findings=1
 shellcheck -x --severity=warning .ci/run "${shell[@]}" || findings=1
+tools/graph/graph.sh || findings=1
 exit $findings

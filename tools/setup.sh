@@ -10,7 +10,7 @@ packagesOf () {
     build) echo g++ make patch xz-utils libopenmpi-dev libjpeg-dev libpng-dev ;;
     test)  echo slurm-wlm munge gridengine-master gridengine-exec \
                 gridengine-client chromium ;;    # small clusters, a browser
-    lint)  echo python3-venv shellcheck ;;
+    lint)  echo octave python3-venv shellcheck ;;
     *)     echo "setup.sh: unknown task '$1' (run, build, test, lint)" >&2; exit 1 ;;
   esac
 }

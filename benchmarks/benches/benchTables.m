@@ -6,7 +6,7 @@
 %
 % From benchmarks/results/benchNoise.csv: the tables of results in
 % DEMmodels/<bench>/README.md and the table of benches in docs/benches.md; from
-% effectSigns.csv: the measured signs in docs/effects.md (effectTable); from
+% effectSigns.csv: the signs in benchmarks/results/effectSigns.md; from
 % benchChecks.csv and benchLaws.csv: their tables in docs/benches.md. What
 % stands between two marks "<!-- made by benchTables: NAME -->" is replaced.
 %
@@ -26,9 +26,9 @@ function benchTables (nSeeds)
                   checksTable (words (root, 'benchChecks.csv')));
   text = between (text, 'laws', lawsTable (words (root, 'benchLaws.csv')));
   writeAtomic (file, text);
-  file = fullfile (root, 'docs', 'effects.md');
-  signs = effectTable (fullfile (root, 'benchmarks', 'results', ...
-                                 'effectSigns.csv'));
+  results = fullfile (root, 'benchmarks', 'results');
+  file = fullfile (results, 'effectSigns.md');
+  signs = effectTable (fullfile (results, 'effectSigns.csv'));
   writeAtomic (file, between (fileread (file), 'signs', signs));
 end
 

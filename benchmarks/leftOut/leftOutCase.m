@@ -52,7 +52,7 @@ function data = without (data, same)
 end
 
 function truth = truthOf (problem, models, data, i)
-  phi = effectStrength (problem.effects, data.E(i, :));
+  phi = strengthOfValues (problem.effects, data.E(i, :));
   theta = 2 * (data.X(i, :) - problem.limits(1, :)) ./ ...
           diff (problem.limits) - 1;
   names = {problem.effects(abs (phi) > 1e-9).name};

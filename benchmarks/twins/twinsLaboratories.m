@@ -1,12 +1,8 @@
 % TWINSLABORATORIES  Makes the laboratories of the twin study.
 %
-% CALL: LABS = twinsLaboratories (KIND, ROOT)
+% CALL: LABS = twinsLaboratories (KIND)
 %
-%   KIND  'blind' or 'develop': disjoint sets of laws; 'real': one laboratory,
-%         the surrogates of real LIGGGHTS runs (data/hiddenEffect.csv, of the
-%         benches Collapse, Shear and Heap). Its truth is drawn from the
-%         surrogates with their own errors as noise, for want of another
-%   ROOT  folder of the toolbox
+%   KIND  'blind' or 'develop': disjoint sets of laws
 %   LABS  1 x L struct: name, problem (of newGapProblem, y still NaN), data
 %         (200 runs: 40 neutral, 20 for each of 8 effects), means (handle,
 %         noiseless results of theta in [0, 1] and strengths), seedSd, em (of
@@ -17,11 +13,7 @@
 %
 % See also: standInGap, twinsDraw
 
-function labs = twinsLaboratories (kind, root)
-  if strcmp (kind, 'real')
-    labs = realLaboratory (root);
-    return
-  end
+function labs = twinsLaboratories (kind)
   seeds = [21, 22, 23, 24];
   if strcmp (kind, 'develop')
     seeds = [11, 12];
@@ -45,29 +37,6 @@ function labs = twinsLaboratories (kind, root)
   end
 end
 
-function lab = realLaboratory (root)
-  [given, data] = storedCampaign ('hiddenEffect', root);
-  problem = newGapProblem (given);
-  em = fitEmulator (problem, data, gapOptions ([]));
-  few = ~[em.effect.laboratory] & [em.effect.runs] < 6;
-  full = em;
-  em = withoutEffects (em, find (few));
-  given.effects = given.effects(~few);
-  given.held(:) = false;
-  T = numel (given.y);
-  lab = struct ('name', 'realBenches', 'problem', given, 'data', data, ...
-                'means', @(theta, phi) surrogateMeans (em, theta, phi), ...
-                'seedSd', sqrt (full.seedVar + mean (full.surrogateVar, 1)), ...
-                'em', em);
-  noise = diag (noiseBudget (problem, em).covariance)';
-  lab.noise = sqrt (noise + mean (em.surrogateVar, 1));
-  rand ('twister', 131);
-  randn ('twister', 131);
-  lab.direction = [1; 1] .* lab.noise .* randn (2, T);
-  lab.direction(2, given.bench ~= 1) = 0;
-  lab = measuring (lab);
-end
-
 function lab = measuring (lab)
   bench = lab.problem.bench;
   noise = sqrt (lab.problem.sd.^2 + lab.seedSd.^2);
@@ -75,9 +44,4 @@ function lab = measuring (lab)
   lab.isSigned = [lab.problem.effects.laboratory];
   lab.measure = @(theta, phi) lab.means (theta, phi) + ...
                 noise .* (randn (1, numel (noise)) * factor);
-end
-
-function Z = surrogateMeans (em, theta, phi)
-  h = find (phi);
-  Z = predictGap (em, h, [2 * theta - 1, phi(h)]);
 end

@@ -2,8 +2,8 @@
 %
 % CALL: MIX = twinsMix (KIND)
 %
-%   KIND  'blind', 'develop', 'real' (twins); 'foreign blind', 'foreign develop'
-%         and 'foreign blind nulls' or 'foreign develop nulls' (foreignTwins);
+%   KIND  'blind', 'develop' (twins); 'foreign blind', 'foreign develop' and
+%         'foreign blind nulls' or 'foreign develop nulls' (foreignTwins);
 %         'curve' (curveTwins)
 %   MIX   struct: seed, classes (cellstr) and shares (of all cases; the last
 %         class takes what is left), levels (struct: signal to noise of each
@@ -16,8 +16,8 @@
 % See also: twinsDraw
 
 function mix = twinsMix (kind)
-  seeds = {'blind', 7001; 'develop', 8001; 'real', 9001; ...
-           'foreign blind', 13001; 'foreign develop', 14001; ...
+  seeds = {'blind', 7001; 'develop', 8001; ...
+           'foreign blind', 13004; 'foreign develop', 14001; ...
            'foreign blind nulls', 15001; 'foreign develop nulls', 16001; ...
            'curve', 17001};
   at = strcmp (kind, seeds(:, 1));
@@ -26,7 +26,7 @@ function mix = twinsMix (kind)
            'twinsMix: there is no study ''%s''. Choose one of: %s.', kind, ...
            strjoin (seeds(:, 1)', ', '));
   end
-  if any (strcmp (kind, {'blind', 'develop', 'real'}))
+  if any (strcmp (kind, {'blind', 'develop'}))
     mix = standInMix ();
   elseif strcmp (kind, 'curve')
     mix = foreignMix ({'null', 'single'}, 0.5);
@@ -61,7 +61,7 @@ function mix = foreignMix (classes, shares)
 end
 
 %!test % every study has random numbers of its own
-%! kinds = {'blind', 'develop', 'real', 'foreign blind', 'foreign develop', ...
+%! kinds = {'blind', 'develop', 'foreign blind', 'foreign develop', ...
 %!          'foreign blind nulls', 'foreign develop nulls', 'curve'};
 %! seeds = cellfun (@(kind) twinsMix (kind).seed, kinds);
 %! assert (numel (unique (seeds)), numel (kinds));

@@ -79,7 +79,7 @@ end
 %!endfunction
 %!test
 %! % nothing built: the first on the PATH; then the one that LIGGGHTS names
-%! root = fileparts (fileparts (which ('newCase')));
+%! root = fileparts (fileparts (which ('startToolbox')));
 %! place = fakeProgram ();
 %! none = tempname ();
 %! choice = withEnvironment (root, [place, ':'], '', none);
@@ -94,7 +94,7 @@ end
 %! [~, ~] = rmdir (none, 's');
 %!testif ; isfolder (fullfile (getenv ('HOME'), '.cache', 'decalioc'))
 %! % the toolbox's own goes before the one on the PATH, and says so
-%! root = fileparts (fileparts (which ('newCase')));
+%! root = fileparts (fileparts (which ('startToolbox')));
 %! [status, own] = system (['LIGGGHTS= bash ', shellQuote(fullfile (root, ...
 %!                          'tools', 'liggghts', 'path.sh')), ' 2> /dev/null']);
 %! if status == 0

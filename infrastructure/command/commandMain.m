@@ -20,5 +20,6 @@ function result = carryOut (root, folder, words)
 end
 
 root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
-addpath (fullfile (root, 'infrastructure'));
+addpath (fullfile (root, 'infrastructure'), ...
+         fullfile (root, 'infrastructure', 'case'));
 startMain (@(root, folder) carryOut (root, folder, argv ()), root);

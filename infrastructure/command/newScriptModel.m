@@ -126,7 +126,7 @@ function notes = notesOn (text, words, variables)
 end
 
 %!shared folder, given, root
-%! root = fileparts (fileparts (which ('newCase')));
+%! root = fileparts (fileparts (which ('startToolbox')));
 %! folder = tempname ();
 %! mkdir (folder);
 %! writeAtomic (fullfile (folder, 'in.mine'), ...

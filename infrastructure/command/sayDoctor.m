@@ -62,7 +62,7 @@ function [isGood, text] = trialRun (root)
   fid = fopen (fullfile (model, 'data.head'), 'a');
   fputs (fid, "variable filledSolid equal 4e-6\n");
   fclose (fid);
-  raw = struct ('root', root, 'folder', place, 'effects', []);
+  raw = struct ('root', root, 'folder', place);
   raw.Input = struct ('model', {{'Trial'}}, 'cpu', 1, 'maxCPU', 1, ...
                       'numOfSam', 4, 'timeout', 120);
   raw.optim = struct ('targetVal', {{[30, 0.01, 0.02]}}, ...

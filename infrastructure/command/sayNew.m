@@ -135,7 +135,7 @@ function sayMade (target, given, wasCase)
 end
 
 %!shared root, base
-%! root = fileparts (fileparts (which ('newCase')));
+%! root = fileparts (fileparts (which ('startToolbox')));
 %! base = tempname ();
 %! mkdir (base);
 %!function text = quietly (varargin)

@@ -61,10 +61,7 @@ function effect = complete (entry, known, folders)
     if isfield (entry, 'limits') && ~isfield (entry, 'priorScale')
       base = rmfield (base, 'priorScale');
     end
-    for name = fieldnames (entry).'
-      base.(name{1}) = entry.(name{1});
-    end
-    entry = base;
+    entry = mergeFields (base, entry);
   elseif ~all (isfield (entry, {'neutral', 'limits'})) || ...
          ~any (isfield (entry, {'variables', 'transform'}))
     error ('DEcalioc:resolveEffects:unknownName', ...

@@ -35,6 +35,7 @@ function records = executeLocal (jobs, Case, report)
   tidy = onCleanup (@() cellfun (@endRun, live.keys ()));
   start = tic ();
   guardsSeen = 0;
+  usual = NaN (1, n);
   while ~all (isDone)
     now = toc (start);
     age = now - born(running);
@@ -66,11 +67,12 @@ function records = executeLocal (jobs, Case, report)
       live.remove (folders(ended));
       setLimits (records(isDone), jobs(running), folders(running), Case);
       queue = longestFirst (queue, cpus, jobs, records, isDone);
+      usual = shortestOf (records(isDone), jobs);
       report (stateOf (records, isDone, running, toc (start)));
     elseif ~isempty (queue) && isempty (folders{queue(1)})
       folders = prepareOnce (queue(1), folders, jobs, Case);
     else
-      pause (lookAfter (age));
+      pause (lookAfter (now - born(running), usual(running)));
     end
   end
 end
@@ -101,6 +103,16 @@ function queue = longestFirst (queue, cpus, jobs, records, isDone)
   end
   [~, order] = sortrows ([-cpus(queue)', -foreseen', (1:numel (queue))']);
   queue = queue(order);
+end
+
+% Length of the shortest run so far of each job's model, NaN where none ended.
+function seconds = shortestOf (done, jobs)
+  seconds = NaN (1, numel (jobs));
+  done = done(strcmp ({done.status}, 'ok'));
+  for model = unique ({done.model})
+    own = strcmp ({done.model}, model{1});
+    seconds(strcmp ({jobs.model}, model{1})) = min ([done(own).seconds]);
+  end
 end
 
 function n = cpuOf (job, Case)

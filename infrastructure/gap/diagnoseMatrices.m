@@ -22,7 +22,7 @@
 % Order: WHERE, WHICH, HOW FAR, NEXT TEST. Random numbers come from
 % OPTIONS.seed; the caller's random state is left as it was.
 %
-% Errors: those of newGapProblem, effectStrength and fitEmulator
+% Errors: those of newGapProblem, strengthOfValues and fitEmulator
 %
 % See also: diagnoseGap, locateGap, weighCase, judgeCase, weighCures,
 % measureCure, nextTest
@@ -71,6 +71,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
     end
     diagnosis.howFar = measureCure (view, sets, first, group);
   end
+  verdict = doubtName (verdict, diagnosis, view.models);
   diagnosis.which = describeVerdict (w, verdict, view.models, problem);
   diagnosis.which.expected = calibrateVerdict (view.models, library, problem);
   diagnosis.next = nextTest (problem, library, w, verdict.P);
@@ -114,6 +115,32 @@ function verdict = blameSurrogates (verdict, view, side)
     verdict.effects = zeros (1, 0);
     verdict.reason = reason;
   end
+end
+
+% A name does not stand where the effect's runs contradict their surrogate, or
+% where DEM runs with it still miss a target.
+function verdict = doubtName (verdict, diagnosis, models)
+  if ~strcmp (verdict.kind, 'named')
+    return
+  end
+  names = models.names(verdict.effects);
+  far = diagnosis.howFar;
+  if any (ismember (names, diagnosis.where.side.poorEffects))
+    verdict.guard = 'surrogate';
+    verdict.reason = sprintf ('the runs of %s contradict their surrogate', ...
+                              strjoin (names, ' and '));
+  elseif ~isempty (far) && far.verifiedByDEM && ...
+         max (abs (far.remaining)) > models.options.leftAt
+    verdict.guard = 'cure';
+    verdict.reason = sprintf (['DEM runs with %s still miss a target by ' ...
+                               '%.1f standard deviations'], ...
+                              strjoin (names, ' and '), ...
+                              max (abs (far.remaining)));
+  else
+    return
+  end
+  verdict.kind = 'group';
+  verdict.lookAlike = true;
 end
 
 % The same data, with a twentieth of the surrogates' variance.

@@ -19,22 +19,44 @@
 %     survivors    effects that get a plan of their own (3)
 %     planRuns     runs a survivor has in the end ([]: 5 (p + 1))
 %     verifyRuns   seeds at each compared set when the cure is checked (5)
-%   and what a verdict needs, see judgeCase:
+%   the thresholds of the verdict, all of them here (docs/gap-method.md):
 %     level        chance of a false alarm (0.05)
 %     surplus      variance of data without a gap over what the budget says
 %                  (1.15; at 1 laboratories of formulas alarm in 9 %)
-%     caution      power of the likelihood in intervals of strengths (0.45: at 1
-%                  they hold the strength of left-out LIGGGHTS runs in 75 to
-%                  82 % where they should in 90 %)
-%     nameAt       probability at which a cause is named or a group given (0.8):
-%                  two wrong ones in ten would be too many, and the calibrated
-%                  precision at 0.8 is above 0.95 (docs/gap.md)
-%     exclude      Bayes factor against a look-alike of cosine 0.9 that a name
-%                  alone needs (3: "positive" of Kass and Raftery 1995)
+%     caution      power of the likelihood in intervals of strengths (0.6: at 1
+%                  they hold the strength of left-out LIGGGHTS runs of
+%                  hiddenEffect in 76 % where they should in 90 %)
+%     nameAt       probability at which a cause is named, a group or partners
+%                  given (0.8): two wrong ones in ten would be too many, and the
+%                  calibrated precision at 0.8 is above 0.95
+%     exclude      Bayes factor against a look-alike that a name alone needs (3:
+%                  "positive" of Kass and Raftery 1995)
+%     lookAlike    extent (newHypothesis) of that look-alike: cosine 0.9, fixed.
+%                  A cause that differs less is, for calibration, that cause
 %     leastPoints  effective points below which no number is believed (200: an
 %                  error of 0.07 in the logarithm of the evidence)
+%     misfitAt     probability of discrepancies, or of a sibling that has twice
+%                  its effect's, at which the cause is off the list (0.5:
+%                  likelier than not)
+%     othersAt     share of a named effect's probability that none may have that
+%                  explains the data without it (0.1)
+%     alikeAt      cosine from which a partner counts as such another one (0.7:
+%                  half of a signature is the other)
+%     partnerAt    probability of a pair at which its other member is a partner
+%                  (0.05: what 0.95 would not leave out)
+%     gluedAt      posterior mass at the end of the range of a strength that
+%                  withholds a name (0.5: likelier outside than inside)
+%     confusedAt   chance to mistake one effect for another at which they form a
+%                  group (0.1, see confusion)
+%     caveatAt     probability of siblings at which a group says so (0.1)
+%     leftAt       standard deviations by which DEM runs with the named effect
+%                  may miss a target (4: by chance 1 of 1000 with 16 targets)
+%     blindAt      share of a target's variance that parameters absorb at which
+%                  it is a blind spot (0.9)
+%     fitMargin    misfit that a fit may leave because it ends early (0.02: ten
+%                  times the step in log density at which fitHypothesis ends)
 %
-% See also: diagnoseMatrices
+% See also: diagnoseMatrices, judgeCase
 
 function options = gapOptions (given)
   options = struct ('seed', 1, 'points', 400, 'effective', 400, ...
@@ -43,7 +65,12 @@ function options = gapOptions (given)
                     'trend', 'choose', 'maxNewRuns', 0, 'screenRuns', 4, ...
                     'survivors', 3, 'planRuns', [], 'verifyRuns', 5, ...
                     'level', 0.05, 'nameAt', 0.8, 'exclude', 3, ...
-                    'leastPoints', 200, 'surplus', 1.15, 'caution', 0.45);
+                    'leastPoints', 200, 'surplus', 1.15, 'caution', 0.6, ...
+                    'lookAlike', [tan(acos (0.9)), 1e-6], ...
+                    'misfitAt', 0.5, 'othersAt', 0.1, 'alikeAt', 0.7, ...
+                    'partnerAt', 0.05, 'gluedAt', 0.5, 'leftAt', 4, ...
+                    'confusedAt', 0.1, 'caveatAt', 0.1, ...
+                    'blindAt', 0.9, 'fitMargin', 0.02);
   if isstruct (given)
     fields = fieldnames (given);
     for k = 1:numel (fields)

@@ -52,7 +52,8 @@ function [data, count] = fromStore (Case, data, count)
     own = [Case.targets.model] == k;
     [records, effects] = runsOf (Case, k, h(k));
     spent = cellfun (@(r) r.seconds, records);
-    seconds(k) = mean (spent(isfinite (spent))) * Case.models(k).cpu;
+    spent = spent(isfinite (spent));
+    seconds(k) = sum (spent) / numel (spent) * Case.models(k).cpu;
     for i = 1:numel (records)
       record = records{i};
       row = [record.params(:)', effects{i}, record.replicate];
@@ -68,6 +69,8 @@ function [data, count] = fromStore (Case, data, count)
         Z(at, own) = record.results([Case.targets(own).index]);
       else
         count.noResult = count.noResult + 1;
+        missing = own & isna (Z(at, :));
+        Z(at, missing) = NaN;
       end
     end
   end

@@ -23,7 +23,7 @@
 %
 % Errors: DEcalioc:newEffect:missingField, DEcalioc:newEffect:badShape
 %
-% See also: effectStrength, effectValues
+% See also: strengthOfValues, valuesOfStrength
 
 function effect = newEffect (given, T)
   if ~isfield (given, 'name')

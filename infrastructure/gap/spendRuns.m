@@ -23,7 +23,7 @@ function state = spendRuns (state, problem, theta, phi, replicate, stage)
   end
   half = diff (problem.limits) / 2;
   X = mean (problem.limits) + theta(1:n, :) .* half;
-  E = effectValues (problem.effects, phi(1:n, :));
+  E = valuesOfStrength (problem.effects, phi(1:n, :));
   told = {};
   if nargin (state.evaluate) < 0 || nargin (state.evaluate) > 3
     told = {stage};

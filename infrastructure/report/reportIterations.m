@@ -17,9 +17,12 @@ function reportIterations (found, history, Case, say)
                   history(k).iteration, ...
                   residualText (history(k).residual(1:T), ' %.3f')));
   end
-  say (sprintf (['  %d starts, the best from: %s; chance that all targets ' ...
+  say (sprintf ('  %d starts, these iterations from: %s', ...
+                numel (found.starts), found.start));
+  say (sprintf (['  surest set: residuals (%%)%s; chance that all targets ' ...
                  'are met: %.0f %%'], ...
-                numel (found.starts), found.start, 100 * found.probability));
+                sprintf (' %.3f', 100 * found.residual(1:T)), ...
+                100 * found.probability));
   if ~isempty (found.conflict)
     say (sprintf ('  WARNING: no set of the box meets together: %s', ...
                   strjoin (found.conflict, ', ')));
@@ -27,3 +30,22 @@ function reportIterations (found, history, Case, say)
   say ('');
   say ('Optimisation on the DEM models');
 end
+
+%!test
+%! % the chance belongs to the set it is said of, not to the last iteration
+%! folder = tempname ();
+%! mkdir (folder);
+%! say = @(text) writeAtomic (fullfile (folder, sprintf ('%d', ...
+%!                            numel (readdir (folder)))), text);
+%! history = struct ('iteration', 3, 'residual', -0.02);
+%! found = struct ('residual', 0.001, 'probability', 0.83, 'start', 'here', ...
+%!                 'starts', {{1, 2}}, 'conflict', {{}});
+%! reportIterations (found, history, struct ('targets', 1), say);
+%! lines = cellfun (@(n) fileread (fullfile (folder, n)), ...
+%!                  setdiff (readdir (folder), {'.', '..'}), ...
+%!                  'UniformOutput', false);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! chance = lines{find (~cellfun (@isempty, strfind (lines, '83 %')))};
+%! assert (! isempty (strfind (chance, ' 0.100;')));
+%! assert (isempty (strfind (chance, '-2.000')));

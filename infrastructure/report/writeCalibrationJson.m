@@ -104,7 +104,7 @@ function writeTables (c, Case, folder)
   writeMatrix (fullfile (folder, 'correlation.csv'), c.correlation, ...
                Case.names);
   writeMatrix (fullfile (folder, 'posterior.csv'), c.posterior, Case.names);
-  v = assignParams (Case.modelVars, c.params, Case.names);
+  v = designVariables (Case.modelVars, c.params, Case.names);
   writeAtomic (fullfile (folder, 'calibrated.head'), headLines (v));
   place = fullfile (folder, 'surrogates');
   [~, ~] = mkdir (place);

@@ -9,19 +9,19 @@
 %           runscript as DECALIOC_CPU); job.json is written last, so a folder
 %           without it is half-made and nobody's
 %
-% See also: startRun, createNewFolder
+% See also: startRun, makeRunFolder
 
 function folder = prepareRun (job, Case)
   k = find (strcmp (job.model, {Case.models.name}));
-  number = getLastFoldersNumber (Case.store, job.model) + 1;
-  while ~createNewFolder (job.model, newFolderName (number), Case.store, ...
-                          Case.models(k).folder)
+  place = fullfile (Case.store, 'optim', job.model);
+  number = lastRunFolder (Case.store, job.model) + 1;
+  folder = fullfile (place, runFolderName (number));
+  while ~makeRunFolder (folder, Case.models(k).folder)
     number = number + 1;
+    folder = fullfile (place, runFolderName (number));
   end
-  name = newFolderName (number);
-  folder = fullfile (Case.store, 'optim', job.model, name);
-  writeHead (job.model, runVariables (job, Case), name, Case.store);
-  writeParams (job.model, [job.params, job.planRow, k], name, Case.store);
+  appendVariables (folder, runVariables (job, Case));
+  writeSet (folder, job.params, job.planRow);
   writeAtomic (fullfile (folder, 'cpu'), ...
                sprintf ("%d\n", Case.models(k).cpu));
   limit = Case.models(k).timeout;

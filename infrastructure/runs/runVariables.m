@@ -7,14 +7,14 @@
 %   V     scalar struct: model variables, design variables, effect variables,
 %         RLTS, SIMTS, runSeed
 %
-% See also: assignParams, writeHead, runKey
+% See also: designVariables, writeHead, runKey
 
 function v = runVariables (job, Case)
   v = Case.modelVars;
   for k = 1:numel (Case.effectVars)
     v.(Case.effectVars{k}) = job.effects(k);
   end
-  v = assignParams (v, job.params, Case.names);
+  v = designVariables (v, job.params, Case.names);
   v.runSeed = job.seed;
 end
 

@@ -3,9 +3,9 @@
 % CALL: [ROW, PROBLEM] = takeReadings (RESULTS, READINGS, INFO)
 %
 %   RESULTS   what getResults returned: a scalar struct whose fields are numbers
-%             or curves; or a cell of numbers and curves, or a row of numbers,
-%             in the order of results.csv; or one curve. A curve is n x 2: place
-%             and value, on a grid of the run's own
+%             or curves; or a cell of numbers and curves (namedResults), or a
+%             row of numbers, in the order of results.csv; or one curve. A curve
+%             is n x 2: place and value, on a grid of the run's own
 %   READINGS  1 x m struct with result (name), series (name of the curve, '':
 %             none) and at (place on it)
 %   INFO      see resultInfo; [] without results.csv
@@ -17,7 +17,7 @@
 % of its series, else a point between the single results that results.csv puts
 % on that series.
 %
-% See also: evaluateRun, resultInfo
+% See also: evaluateRun, resultInfo, namedResults
 
 function [row, problem] = takeReadings (results, readings, info)
   row = NaN (1, numel (readings));

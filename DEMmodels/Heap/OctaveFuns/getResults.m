@@ -4,19 +4,15 @@
 %
 % MODEL       name of the model's folder below optim/
 % FOLDERNAME  name of the run's folder
-% RES         1 x 4 cell of scalars, in the order of results.csv; NaN where a
-%             file is missing or the run is not sane
+% RES         cell of scalars, in the order of results.csv; NaN where a file is
+%             missing or the run is not sane
 %
-% Finds the files from the global variable path, as all DEcalioc models do.
-%
-% See also: measureHeap
+% See also: measureBench, namedResults
+
 function res = getResults (model, folderName)
   %| pragma Justify (metric, "globals", "published way in");
   global path
-  try
-    folder = [path, 'optim/', model, '/', folderName, '/'];
-    res = num2cell (measureHeap (folder));
-  catch
-    res = num2cell (NaN (1, 4));
-  end
+  here = fileparts (fileparts (mfilename ('fullpath')));
+  res = namedResults (@measureBench, ...
+                      [path, 'optim/', model, '/', folderName, '/'], here);
 end

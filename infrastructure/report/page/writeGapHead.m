@@ -26,7 +26,7 @@ function writeGapHead (page)
     end
     values(j) = both(2);
   end
-  v = assignParams (v, values, page.Case.names);
+  v = designVariables (v, values, page.Case.names);
   strength = jsonAt (gap, {'which', 'strength', effect});
   for k = 1:numel (page.Case.effectVars)
     median = jsonAt (strength, page.Case.effectVars(k));

@@ -1,0 +1,131 @@
+% CALIBRATEONKRIGING  LM on the surrogates, then the surest set.
+%
+% CALL: [found, history] = calibrateOnKriging (surrogates, problem)
+% CALL: [found, history] = calibrateOnKriging (surrogates, problem, options)
+%
+% surrogates  1 x T struct array of fitSurrogate
+% problem     struct of newProblem
+% options     struct, optional: maxIter (1000), maxFunEvals (3000, all starts
+%             together), nPlan (best of the sets that were run, 3),
+%             incumbent (1 x d, one more start, [])
+% found       params 1 x d, result, sd 1 x T (of the mean response), residual
+%             (T + extra) x 1, probability that all targets are truly met,
+%             within (logical), start (name of the start that won), starts
+%             (struct array: start, params, norm, within, probability),
+%             evaluations, iterations, reason, conflict (names of the targets
+%             that no set meets together, {} if none)
+% history     1 x k struct: iteration, params, residual of the winning start
+%
+% Each start is solved by nonlin_residmin with the Jacobian of the surrogate.
+% Then, among all sets that meet the targets, the surest one is looked for:
+% least sum of (residual^2 + variance) / tolerance^2; preference rows of the
+% cost function, and parameters measured by themselves, only break ties
+% (preferredSet).
+%
+% See also: surestSet, solveStart, preferredSet, findConflict
+
+function [found, history] = calibrateOnKriging (surrogates, problem, options)
+  if nargin < 3
+    options = struct ();
+  end
+  options = mergeFields (struct ('maxIter', 1000, 'maxFunEvals', 3000, ...
+                                 'nPlan', 3, 'incumbent', []), options);
+  starts = startingPoints (surrogates, problem, options);
+  left = options.maxFunEvals;
+  for k = 1:numel (starts)
+    [solved(k), paths{k}] = solveStart (surrogates, problem, ...
+                                        starts(k), options.maxIter, left);
+    left = max (0, left - solved(k).evaluations);
+  end
+  [~, order] = sortrows ([~[solved.within]', -[solved.probability]', ...
+                          [solved.norm]']);
+  won = order(1);
+  history = paths{won};
+  pool = vertcat (solved(order).params);
+  [p, probability] = surestSet (surrogates, problem, pool);
+  if probability < solved(won).probability
+    p = solved(won).params;
+  end
+  if problem.nExtra > 0 || any (isfinite (problem.paramSd))
+    p = preferredSet (surrogates, problem, p, pool);
+  end
+  found = describeSet (surrogates, problem, p);
+  found.start = solved(won).start;
+  found.starts = solved;
+  found.evaluations = sum ([solved.evaluations]);
+  found.iterations = solved(won).iterations;
+  found.reason = solved(won).reason;
+  found.conflict = {};
+  if ~found.within
+    found.conflict = findConflict (surrogates, problem);
+  end
+end
+
+function starts = startingPoints (surrogates, problem, options)
+  starts = struct ('start', 'box centre', ...
+                   'params', mean (problem.limits, 1));
+  if ~isempty (options.incumbent)
+    starts(end + 1) = struct ('start', 'set of the stage before', ...
+                              'params', options.incumbent);
+  end
+  X = insideLimits (surrogates(1).X, problem.limits);
+  r = targetResidual (problem, X, predictSurrogate (surrogates, X));
+  worst = max (toleranceShare (problem, r), [], 2);
+  [~, order] = sort (worst);
+  for i = 1:min (numel (order), options.nPlan)
+    starts(end + 1) = struct ('start', sprintf ('run that comes close, %d', ...
+                                                i), ...
+                              'params', X(order(i), :));
+  end
+end
+
+%!shared C, X, Z, problem, s, found
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 4);
+%! randn ('twister', 4);
+%! C.names = {'a', 'b', 'c'};
+%! C.limits = [0, 0, 0; 1, 1, 1];
+%! C.targets = struct ('value', {4, 2}, 'tol', 0.02);
+%! X = rand (18, 3);
+%! Z = [3 + 2 * X(:, 1) - X(:, 3), 1 + X(:, 1) + X(:, 2)];
+%! Z = Z .* (1 + 0.005 * randn (18, 2));
+%! problem = newProblem (C, []);
+%! s = [fitSurrogate(X, Z(:, 1), C.limits), ...
+%!      fitSurrogate(X, Z(:, 2), C.limits)];
+%! found = calibrateOnKriging (s, problem);
+
+%!test
+%! % truth at the found set (18 runs, 0.5 % noise: chance below 1 %)
+%! p = found.params;
+%! assert (3 + 2 * p(1) - p(3), 4, 0.04);
+%! assert (1 + p(1) + p(2), 2, 0.02);
+%! assert (found.within && found.probability > 0.9);
+%! assert (found.evaluations < 3000);
+%! assert (isempty (found.conflict));
+
+%!test
+%! % defect 3: a preference chooses among sets that meet, never pulls off
+%! C.options.WRL = 0.5;
+%! q = newProblem (C, @(p, f) [f(p) ./ [4; 2] - 1; 5 * (1 - p(3))]);
+%! g = calibrateOnKriging (s, q);
+%! assert (all (abs (g.residual(1:2)) < 0.02));
+%! assert (g.params(3) >= found.params(3));
+%! assert (numel (g.residual), 3);
+
+%!test
+%! % so does a parameter that was measured by itself
+%! C.paramMean = [NaN, NaN, 0.2];
+%! C.paramSd = [NaN, NaN, 0.05];
+%! g = calibrateOnKriging (s, newProblem (C, []));
+%! assert (all (abs (g.residual(1:2)) < 0.02));
+%! assert (abs (found.params(3) - 0.2) > 0.2);
+%! assert (g.params(3), 0.2, 0.1);
+
+%!test
+%! % out of reach: said, and named
+%! C.targets = struct ('value', {4, 9}, 'tol', 0.02, 'name', {'x', 'y'});
+%! s(2).name = 'y';
+%! g = calibrateOnKriging (s, newProblem (C, []));
+%! assert (~ g.within);
+%! assert (g.conflict, {'y'});

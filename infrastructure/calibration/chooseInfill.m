@@ -1,0 +1,86 @@
+% CHOOSEINFILL  Where the next DEM runs help most.
+%
+% CALL: P = chooseInfill (surrogates, problem, found, n, round)
+%
+% surrogates  1 x T struct array of fitSurrogates
+% problem     struct of newProblem
+% found       struct of calibrateOnKriging
+% n           number of runs that can go at once
+% round       integer, makes the draws of each round their own
+% P           n x d
+%
+% Criterion: the first run goes to the set that most probably meets all
+% targets (found). Each further one goes where one draw of the posterior says
+% that the targets are met best (Thompson sampling, least sum of squared
+% residuals in tolerances), as the first may be wrong; when the found set is
+% likely (one half and more) they are its replicates.
+%
+% See also: improveByInfill, surestSet
+
+function P = chooseInfill (surrogates, problem, found, n, round)
+  P = repmat (found.params, n, 1);
+  if n < 2 || found.probability >= 0.5
+    return
+  end
+  candidates = candidateSets (surrogates, problem, found);
+  use = problem.calibrate;
+  loss = zeros (rows (candidates), n - 1);
+  restore = seedRandom (problem.options.seed + 7919 * round);
+  for t = find (use)
+    draw = drawSurrogate (surrogates(t), candidates, n - 1);
+    for k = 1:n - 1
+      Z = repmat (problem.value, rows (candidates), 1);
+      Z(:, t) = draw(:, k);
+      r = targetResidual (problem, candidates, Z);
+      loss(:, k) = loss(:, k) + (r(:, t) / problem.part(t)).^2;
+    end
+  end
+  for k = 1:n - 1
+    [~, best] = min (loss(:, k));
+    P(k + 1, :) = candidates(best, :);
+    loss(best, :) = Inf;
+  end
+end
+
+function C = candidateSets (surrogates, problem, found)
+  d = columns (problem.limits);
+  sample = double (stk_sampling_halton_rr2 (1000, d, problem.limits));
+  near = double (stk_sampling_halton_rr2 (100, d, [-ones(1, d); ones(1, d)]));
+  P = [sample; setsAround(found.params, 0.15 * near, problem.limits)];
+  [r, s] = residualSpread (surrogates, problem, P);
+  [share, spread] = toleranceShare (problem, r, s);
+  optimist = max (share - 2 * spread, 0);
+  [~, order] = sort (sum (optimist.^2, 2));
+  C = P(order(1:200), :);
+end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! % alone: the found set; likely: its replicates; else draws of their own
+%! found = state.found;
+%! assert (chooseInfill (s, problem, found, 1, 1), found.params);
+%! found.probability = 0.9;
+%! assert (chooseInfill (s, problem, found, 2, 1), ...
+%!         repmat (found.params, 2, 1));
+%! found.probability = 0.1;
+%! before = randn ('twister');
+%! P = chooseInfill (s, problem, found, 3, 1);
+%! assert (randn ('twister'), before);
+%! assert (size (P), [3, 2]);
+%! assert (P, chooseInfill (s, problem, found, 3, 1));
+%! assert (all (P(:) >= 0));

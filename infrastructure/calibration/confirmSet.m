@@ -1,0 +1,142 @@
+% CONFIRMSET  Judges the found set by the DEM runs made there.
+%
+% CALL: final = confirmSet (state, problem)
+%
+% state  struct of newState
+% final  params 1 x d, n (successful runs there), result 1 x T (their mean; the
+%        surrogate mean if n = 0), sd 1 x T (standard error of that mean),
+%        runSd 1 x T (scatter of one run), residual T x 1 (of the mean),
+%        residualSd T x 1, extra (preference rows), interval90 2 x T (of the
+%        true response), probability, within, converged, reason, conflict
+%
+% The scatter of one run is the pooled one of the surrogates. The truth at the
+% set is known from its runs and from the surrogate, which holds them; where
+% the two disagree by more than 3 standard errors the surrogate is not trusted
+% and the runs stand alone (with their own scatter where that is the larger one,
+% and n - 1 degrees of freedom then).
+%
+% converged: mean within the tolerances, at least options.replicates runs,
+% probability at least options.confidence. A set without a finished run is never
+% converged.
+%
+% See also: calibrateOnDEM, meetProbability
+
+function final = confirmSet (state, problem)
+  p = state.found.params;
+  Z = runsAt (state.data, p, problem);
+  n = rows (Z);
+  runSd = sqrt ([state.surrogates.noiseVar]);
+  [m, v] = predictSurrogate (state.surrogates, p);
+  df = [state.surrogates.df];
+  final = struct ('params', p, 'result', m, 'sd', sqrt (v + runSd.^2), ...
+                  'runSd', runSd, 'n', n);
+  if n > 0
+    final.result = mean (Z, 1);
+    final.sd = runSd / sqrt (n);
+    alone = abs (final.result - m) > 3 * final.sd;
+    own = sqrt (sum ((Z - final.result).^2, 1) / max (n - 1, 1));
+    s = max (own, runSd) / sqrt (n);
+    m(alone) = final.result(alone);
+    v(alone) = s(alone).^2;
+    few = alone & own > runSd;
+    df(few) = min (df(few), max (n - 1, 1));
+  end
+  final = judge (final, m, v, df, problem);
+  final.conflict = {};
+  if isfield (state.found, 'conflict')
+    final.conflict = state.found.conflict;
+  end
+  final.reason = explain (final, problem);
+end
+
+function Z = runsAt (data, p, problem)
+  same = sameSet (data.X, p, problem.limits);
+  Z = data.Z(same, :);
+  Z = Z(all (isfinite (Z), 2), :);
+end
+
+function final = judge (final, m, v, df, problem)
+  full = problem.cost (final.params(:), @(varargin) final.result(:));
+  T = numel (problem.value);
+  final.residual = full(1:T)(:);
+  final.extra = full(T + 1:end)(:);
+  [r, slope] = targetResidual (problem, final.params, m);
+  final.residualSd = (abs (slope) .* final.sd)';
+  s = abs (slope) .* sqrt (v);
+  final.probability = 1;
+  final.interval90 = zeros (2, T);
+  for t = 1:T
+    half = studentQuantile (0.95, df(t)) * sqrt (v(t));
+    final.interval90(:, t) = [m(t) - half; m(t) + half];
+  end
+  for own = requirementsOf (problem)
+    final.probability = final.probability * ...
+                        requirementProbability (r, s, own{1}, problem, df);
+  end
+  share = toleranceShare (problem, final.residual');
+  final.within = final.n > 0 && all (share <= 1);
+  final.converged = final.within && ...
+                    final.n >= problem.options.replicates && ...
+                    final.probability >= problem.options.confidence;
+end
+
+function text = explain (final, problem)
+  sure = 100 * final.probability;
+  if final.n == 0
+    text = 'no DEM run confirms the set found on the surrogates';
+  elseif final.converged
+    text = sprintf (['all targets met in the mean of %d runs, true with a ' ...
+                     'probability of %.0f %%'], final.n, sure);
+  elseif ~final.within && ~isempty (final.conflict)
+    text = sprintf ('no set of the box meets: %s', ...
+                    strjoin (final.conflict, ', '));
+  elseif ~final.within
+    text = sprintf ('the mean of %d runs is outside a tolerance', final.n);
+  elseif final.n < problem.options.replicates
+    text = sprintf ('only %d of %d replicates were made', final.n, ...
+                    problem.options.replicates);
+  else
+    text = sprintf (['met in the mean of %d runs, but the scatter leaves ' ...
+                     'only %.0f %% probability'], final.n, sure);
+  end
+end
+
+%!shared problem, state
+%! pkg load stk
+%! rand ('twister', 1);
+%! randn ('twister', 1);
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 1.5, 'tol', 0.05));
+%! C.options.replicates = 2;
+%! problem = newProblem (C, []);
+%! X = rand (10, 1);
+%! data = addRows (newData (1, 1), X, 1 + X + 0.01 * randn (10, 1), ...
+%!                 ones (10, 1), 'plan');
+%! state = newState (data, fitSurrogates (data, problem), ...
+%!                   struct ('params', 0.5));
+
+%!test
+%! final = confirmSet (state, problem);
+%! assert (~ final.converged && final.n == 0);
+%! f = @(P, r) 1 + P + 0.01 * (r - 1.5);
+%! s = runRows (state, problem, f, [0.5; 0.5], 'verify');
+%! final = confirmSet (s, problem);
+%! assert (final.converged && final.n == 2);
+%! assert (final.residual, 0, 1e-9);
+%! assert (final.interval90(1) < 1.5 && final.interval90(2) > 1.5);
+
+%!test
+%! % NaN is never a success; a run outside the tolerance neither
+%! s = runRows (state, problem, @(P, r) NaN (rows (P), 1), 0.5, 'verify');
+%! assert (~ confirmSet (s, problem).converged);
+%! s = runRows (state, problem, @(P, r) 2 + 0 * P, [0.5; 0.5], 'verify');
+%! assert (~ confirmSet (s, problem).within);
+
+%!test
+%! % runs that stand alone against the surrogate, with a scatter of their own
+%! z = [2; 2.2; 1.8; 2.1];
+%! s = state;
+%! s.data = addRows (s.data, 0.5 * ones (4, 1), z, (1:4)', 'verify');
+%! final = confirmSet (s, problem);
+%! half = studentQuantile (0.95, 3) * std (z) / 2;
+%! assert (final.interval90, mean (z) + [-half; half], 1e-9);

@@ -1,0 +1,42 @@
+% DESCRIBESET  What the surrogates say about one parameter set.
+%
+% CALL: found = describeSet (surrogates, problem, p)
+%
+% p      1 x d
+% found  struct: params, result 1 x T, sd 1 x T (of the mean response),
+%        residual (T + extra) x 1, residualSd T x 1, probability, within
+%
+% See also: calibrateOnKriging, meetProbability
+
+function found = describeSet (surrogates, problem, p)
+  [m, v] = predictSurrogate (surrogates, p);
+  [probability, r, s] = meetProbability (surrogates, problem, p);
+  full = problem.cost (p(:), @(q, varargin) evaluateKriging (q, surrogates));
+  found = struct ('params', p, 'result', m, 'sd', sqrt (v), ...
+                  'residual', full(:), 'residualSd', s', ...
+                  'probability', probability, ...
+                  'within', all (toleranceShare (problem, r) <= 1));
+end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! found = describeSet (s, problem, [0.5, 1]);
+%! assert (found.result, [4, 1.9], 0.04);
+%! assert (found.residual, found.result' ./ [4; 2] - 1, 1e-12);
+%! assert (found.residualSd, found.sd' ./ [4; 2], 1e-12);
+%! assert (size (found.probability), [1, 1]);

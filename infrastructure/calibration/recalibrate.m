@@ -1,0 +1,60 @@
+% RECALIBRATE  Calibrates on the refitted surrogates and books the step.
+%
+% CALL: state = recalibrate (state, problem, stage, iteration)
+% CALL: state = recalibrate (state, problem, stage, iteration, mayMove)
+%
+% state      struct of newState; the found set stays where it is unless another
+%            one is clearly likelier (by 0.1), so that its runs add up; a set
+%            whose runs failed twice and never finished is left (failedSets)
+% stage      'infill' or 'DEM'; iteration  integer
+% mayMove    logical (true); false: the found set stays in any case
+%
+% See also: improveByInfill, calibrateOnDEM
+
+function state = recalibrate (state, problem, stage, iteration, mayMove)
+  mayMove = nargin < 5 || mayMove;
+  problem.avoid = failedSets (state.data);
+  here = describeSet (state.surrogates, problem, state.found.params);
+  margin = 0.1;
+  found = state.found;
+  found.conflict = {};
+  if mayMove && here.probability <= 1 - margin
+    options = struct ('incumbent', found.params, 'nPlan', 1);
+    found = calibrateOnKriging (state.surrogates, problem, options);
+  end
+  stay = ~mayMove || here.probability > 1 - margin || ...
+         (here.probability > found.probability - margin && ...
+          here.probability > 0.2);
+  if stay
+    found = mergeFields (found, here);
+  end
+  state.found = found;
+  state = bookStep (state, stage, iteration);
+end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! % a sure set stays to the last digit, and the step is booked
+%! state.found.params = surestSet (s, problem, zeros (0, 2));
+%! out = recalibrate (state, problem, 'DEM', 3);
+%! assert (numel (out.history), 1);
+%! assert (out.history.iteration, 3);
+%! state.data = addRows (state.data, repmat (out.found.params, 2, 1), ...
+%!                       NaN (2, columns (state.data.Z)), [1; 2], 'verify');
+%! away = recalibrate (state, problem, 'DEM', 4);
+%! assert (~isequal (away.found.params, out.found.params));

@@ -1,0 +1,17 @@
+% SAMESET  Rows of a table that are one and the same parameter set.
+%
+% CALL: yes = sameSet (X, p, limits)
+%
+% X       n x d, parameter sets
+% p       1 x d
+% limits  2 x d, the box; what differs by less than 1e-12 of it is rounding
+% yes     n x 1 logical
+%
+% See also: runRows, confirmSet
+
+function yes = sameSet (X, p, limits)
+  yes = all (abs (X - p) <= 1e-12 * diff (limits), 2);
+end
+
+%!assert (sameSet ([1, 2; 1, 2 + 1e-14; 1, 2.1], [1, 2], [0, 0; 1, 9]), ...
+%!        [true; true; false])

@@ -1,0 +1,42 @@
+% SHRINKINGSEARCH  Looks for a better set around a set, ever nearer.
+%
+% CALL: p = shrinkingSearch (loss, p, radii, n, limits)
+% CALL: p = shrinkingSearch (loss, p, radii, n, limits, beside)
+%
+% loss    handle: P m x d -> m x 1, Inf where a set is out of the question
+% p       1 x d, the start; comes back as the best set that was seen
+% radii   1 x k, half widths of the neighbourhoods, as parts of the box
+% n       sets per neighbourhood (a low-discrepancy sequence)
+% limits  2 x d, the box
+% beside  m x d, sets that are looked at beside each neighbourhood (none)
+%
+% See also: preferredSet, findConflict, setsAround
+
+function p = shrinkingSearch (loss, p, radii, n, limits, beside)
+  if nargin < 6
+    beside = zeros (0, columns (limits));
+  end
+  d = columns (limits);
+  unit = double (stk_sampling_halton_rr2 (n, d, [-ones(1, d); ones(1, d)]));
+  value = loss (p);
+  for radius = radii
+    P = [setsAround(p, radius * unit, limits); beside];
+    [least, i] = min (loss (P));
+    if least < value
+      value = least;
+      p = P(i, :);
+    end
+  end
+end
+
+%!shared loss, limits
+%! pkg load stk
+%! loss = @(P) sumsq (P - [3, 9], 2);
+%! limits = [0, 0; 10, 10];
+%!test
+%! p = shrinkingSearch (loss, [5, 5], [0.3, 0.2, 0.1, 0.05], 100, limits);
+%! assert (p, [3, 9], 0.3);
+%!assert (shrinkingSearch (loss, [5, 5], 0.01, 9, limits, [3, 9]), [3, 9])
+%!test
+%! never = @(P) Inf (rows (P), 1);
+%! assert (shrinkingSearch (never, [5, 5], 0.1, 9, limits), [5, 5]);

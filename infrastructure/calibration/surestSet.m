@@ -1,0 +1,89 @@
+% SURESTSET  The set that most probably meets all targets.
+%
+% CALL: [p, probability] = surestSet (surrogates, problem, pool)
+%
+% pool         k x d  sets to start from, best first (may be empty)
+% p            1 x d
+% probability  Pr(all targets truly met at p), see meetProbability
+%
+% Starts: the least sums of (r^2 + s^2) / tolerance^2 (r residual of the
+% surrogate mean, s its standard deviation) among the pool, the centroid of the
+% runs and a space-filling sample, each brought to its local least by
+% nonlin_residmin; then a shrinking search for the largest probability. Of all
+% sets that meet the targets this is the one of which the surrogates know most.
+%
+% See also: calibrateOnKriging, meetProbability
+
+function [p, probability] = surestSet (surrogates, problem, pool)
+  d = columns (problem.limits);
+  sample = double (stk_sampling_halton_rr2 (300, d, problem.limits));
+  centroid = insideLimits (mean (surrogates(1).X, 1), problem.limits);
+  P = [pool; centroid; sample];
+  [~, order] = sort (sum (loss (surrogates, problem, P).^2, 2));
+  P = P(order(1:10), :);
+  for k = 1:2
+    P(k, :) = descend (surrogates, problem, P(k, :));
+  end
+  step = double (stk_sampling_halton_rr2 (30, d, [-ones(1, d); ones(1, d)]));
+  for radius = 0.3 * 0.75.^(0:15)
+    [~, order] = sort (meetProbability (surrogates, problem, P), 'descend');
+    best = P(order(1:3), :);
+    P = best;
+    for k = 1:3
+      P = [P; setsAround(best(k, :), radius * circshift (step, k, 2), ...
+                         problem.limits)];
+    end
+    step = -circshift (step, 1, 2);
+  end
+  [probability, r] = meetProbability (surrogates, problem, best);
+  norm2 = sum (toleranceShare (problem, r).^2, 2);
+  [~, order] = sortrows ([-round(probability * 1e6), norm2]);
+  p = best(order(1), :);
+  probability = probability(order(1));
+end
+
+function p = descend (surrogates, problem, p)
+  lo = problem.limits(1, :);
+  width = problem.limits(2, :) - lo;
+  d = numel (lo);
+  f = @(u) loss (surrogates, problem, lo + u(:)' .* width)';
+  J = @(u, hook) slope (surrogates, problem, lo + u(:)' .* width);
+  settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
+                       'dfdp', J, 'MaxIter', 20, 'TolFun', 1e-2);
+  u = nonlin_residmin (f, min (max ((p - lo) ./ width, 0), 1)', settings);
+  p = lo + min (max (u', 0), 1) .* width;
+end
+
+function f = loss (surrogates, problem, P)
+  [r, s] = residualSpread (surrogates, problem, P);
+  use = problem.calibrate;
+  f = [r(:, use) ./ problem.part(use), s(:, use) ./ problem.part(use)];
+end
+
+function J = slope (surrogates, problem, p)
+  [J, G] = surrogateJacobian (surrogates, problem, p);
+  J = [J; G];
+end
+
+%!shared problem, state, s
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
+%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
+%! problem = newProblem (C, []);
+%! X = rand (12, 2) .* [1, 2];
+%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
+%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
+%!                 ones (12, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
+%! state.found.conflict = {};
+
+%!test
+%! [p, probability] = surestSet (s, problem, zeros (0, 2));
+%! r = targetResidual (problem, p, predictSurrogate (s, p));
+%! assert (all (abs (r) < 0.02));
+%! assert (probability, meetProbability (s, problem, p), 1e-12);
+%! assert (probability > 0.5);

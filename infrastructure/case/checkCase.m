@@ -1,0 +1,213 @@
+% CHECKCASE  Finds all problems of a user's input before anything is run.
+%
+% CALL: PROBLEMS = checkCase (RAW)
+%       PROBLEMS = checkCase (RAW, 'noPrograms')
+%
+%   RAW       what the user gave: a struct with the fields Input, optim,
+%             modelVars, assign, paramLims (as loadInput returns them), folder
+%             (case folder) and root (toolbox folder); anything else is a
+%             problem too
+%   PROBLEMS  1 x n struct array with the fields id ('DEcalioc:checkCase:...')
+%             and message (what, where, expected, got, cure); empty where all
+%             is good
+%
+% Never throws, starts no DEM run, makes no folder of the case, evaluates no
+% text of the user. With 'noPrograms' no other program is started either: the
+% results of getResults are not counted, bash does not read the runscript, and
+% the place for the runs is not looked at. docs/inputs.md has a table of the
+% identifiers.
+%
+% See also: newCase, checkProblem
+
+function problems = checkCase (raw, mode)
+  if nargin < 2
+    mode = 'full';
+  end
+  [problems, raw] = checkRaw (raw);
+  if ~isempty (raw)
+    problems = [problems, attempt(@() checkAlone (raw)), ...
+                attempt(@() checkTogether (raw, mode))];
+  end
+  if isempty (problems)
+    problems = checkProblem ();
+  end
+end
+
+% A fault of the checks themselves is a problem as well, not an exception.
+function p = attempt (check)
+  try
+    p = check ();
+  catch err
+    where = '';
+    if ~isempty (err.stack)
+      where = sprintf (' (%s, line %d)', err.stack(1).name, ...
+                       err.stack(1).line);
+    end
+    p = checkProblem ('checkFailed', 'The input', ...
+                      'values that the checks understand', ...
+                      [err.message, where], ...
+                      'Compare loadInput.m with the one of the toolbox.');
+  end
+end
+
+% Parts that are not usable at all become [].
+function [p, raw] = checkRaw (raw)
+  p = checkProblem ();
+  if ~checkIs ('struct', raw)
+    p = checkProblem ('badRaw', 'The input', 'one struct', checkShow (raw), ...
+                      'Call loadCase, or newCase as its help says.');
+    raw = [];
+    return
+  end
+  for name = {'Input', 'optim', 'modelVars'}
+    [q, raw] = checkPart (raw, name{1}, @(v) checkIs ('struct', v), ...
+                          'one struct');
+    p = [p, q];
+  end
+  for name = {'assign', 'paramLims'}
+    [q, raw] = checkPart (raw, name{1}, @(v) true, 'a value');
+    p = [p, q];
+  end
+  for name = {'folder', 'root'}
+    [q, raw] = checkPart (raw, name{1}, @(v) checkIs ('text', v), ...
+                          'the path of a folder');
+    p = [p, q];
+  end
+end
+
+function [p, raw] = checkPart (raw, name, isGood, expected)
+  p = checkProblem ();
+  cure = 'Compare loadInput.m with the one of the toolbox.';
+  if ~isfield (raw, name)
+    p = checkProblem ('missingOutput', name, expected, 'nothing', cure);
+    raw.(name) = [];
+  elseif ~isGood (raw.(name))
+    p = checkProblem ('notStruct', name, expected, ...
+                      checkShow (raw.(name)), cure);
+    raw.(name) = [];
+  end
+end
+
+% Checks that look at the values alone.
+function p = checkAlone (raw)
+  p = checkProblem ();
+  numOfSam = [];
+  if isstruct (raw.Input)
+    p = [p, checkInputFields(raw.Input)];
+    numOfSam = fieldOr (raw.Input, 'numOfSam', []);
+  end
+  if isstruct (raw.optim)
+    p = [p, checkOptim(raw.optim)];
+  end
+  p = [p, checkVariables(raw.modelVars, raw.assign), ...
+       checkLimits(raw.paramLims, raw.assign, numOfSam)];
+end
+
+% Checks that compare the values with files and with each other.
+function p = checkTogether (raw, mode)
+  p = checkProblem ();
+  models = checkFindModels (struct (), '', '', mode);
+  if isstruct (raw.Input) && ischar (raw.folder) && ischar (raw.root)
+    models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
+    if needsModels (raw)
+      executor = fieldOr (raw.Input, 'executor', 'local');
+      how = struct ('programs', strcmp (mode, 'full'), 'onCluster', ...
+                    checkIs ('text', executor) && ...
+                    ~describeExecutor (executor).isHere);
+      p = checkModels (models, raw.folder, raw.root, how);
+    end
+  end
+  [names, fields, kinds] = variablesOf (raw);
+  p = [p, checkDeclared(names, fields, kinds, models)];
+  if isstruct (raw.optim)
+    [q, sizes] = checkAllTargets (raw, models, names);
+    p = [p, q, checkCorrelation(raw.optim, sizes), ...
+         checkBenchCost(raw.optim, numel (models))];
+    if isstruct (raw.modelVars) && iscell (raw.assign)
+      p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign(:)', models)];
+    end
+    p = [p, checkMeasured(raw.optim, raw.assign, raw.paramLims)];
+  end
+  if strcmp (mode, 'full')
+    p = [p, checkPlace(raw, models)];
+  end
+end
+
+% measured.csv goes before what optim says of the targets.
+function [p, sizes] = checkAllTargets (raw, models, names)
+  file = '';
+  if ischar (raw.folder)
+    file = fullfile (raw.folder, 'measured.csv');
+  end
+  if isfile (file)
+    [p, sizes] = checkMeasuredTable (raw.optim, models, file, names);
+    return
+  end
+  [p, sizes] = checkTargets (raw.optim, models);
+  p = [p, checkTargetNumbers(raw.optim, sizes), ...
+       checkTargetTexts(raw.optim, sizes, names)];
+end
+
+function value = fieldOr (s, name, default)
+  value = default;
+  if isfield (s, name)
+    value = s.(name);
+  end
+end
+
+% With a table of finished runs and no new ones the models need not be there.
+function yes = needsModels (raw)
+  yes = ~(isequal (fieldOr (raw.Input, 'maxNewRuns', Inf), 0) && ...
+          isfile (fullfile (raw.folder, 'runs.csv')));
+end
+
+function [names, fields, kinds] = variablesOf (raw)
+  [names, fields, kinds] = deal (cell (1, 0));
+  if iscell (raw.assign)
+    names = raw.assign(:)';
+    fields = arrayfun (@(k) sprintf ('assign{%d}', k), ...
+                       1:numel (names), 'UniformOutput', false);
+    kinds = repmat ({'design'}, size (names));
+  end
+  if isstruct (raw.modelVars)
+    own = fieldnames (raw.modelVars)';
+    names = [names, own];
+    fields = [fields, strcat('modelVars.', own)];
+    kinds = [kinds, repmat({'fixed'}, size (own))];
+  end
+  good = cellfun (@(n) checkIs ('name', n), names) & ...
+         ~ismember (cellfun (@checkShow, names, 'UniformOutput', false), ...
+                    {'''RLTS''', '''SIMTS''', '''runSeed'''});
+  names = names(good);
+  fields = fields(good);
+  kinds = kinds(good);
+end
+
+function p = checkPlace (raw, models)
+  p = checkProblem ();
+  if ~ischar (raw.folder) || ~isstruct (raw.Input)
+    return
+  end
+  store = fieldOr (raw.Input, 'store', '');
+  if ~checkIs ('text', store)
+    store = raw.folder;
+  end
+  nRuns = countOr (raw.Input, 'numOfSam', 20);
+  if isstruct (raw.optim)
+    nRuns = nRuns + countOr (raw.optim, 'maxFunEvals', 40);
+  end
+  nRuns = min (nRuns, countOr (raw.Input, 'maxNewRuns', Inf));
+  p = checkStore (store, raw.folder, models, nRuns);
+end
+
+function n = countOr (s, name, default)
+  n = default;
+  if isfield (s, name) && checkIs ('integer', s.(name)) && s.(name) >= 0
+    n = double (s.(name));
+  end
+end
+
+%!assert (checkCase (3).id, 'DEcalioc:checkCase:badRaw')
+%!test
+%! p = checkCase (struct ('Input', 1));
+%! assert (all (strncmp ({p.id}, 'DEcalioc:checkCase:', 19)));

@@ -1,0 +1,36 @@
+% DESCRIBEEXECUTOR  What the rest of the toolbox has to know of an executor.
+%
+% CALL: WHAT = describeExecutor (NAME)
+%
+%   NAME  name of the executor: Input.executor, and the file execute<Name>.m
+%         (text)
+%   WHAT  scalar struct:
+%     check    handle P = check (GIVEN): problems of Input.<name>, see
+%              checkProblem; [] where the executor has no fields of its own
+%     program  program that must be on the PATH, '' = none
+%     isHere   logical: the runs are made on this machine
+%     sets     handle N = sets (OPTIONS): parameter sets that the calibration
+%              tries at a time after the plan; OPTIONS is Case.options
+%
+% An executor that differs from these defaults has a function <name>Executor
+% that returns its own, as slurmExecutor does. Other fields are its own matter.
+%
+% See also: executorNames, runJobs
+
+function what = describeExecutor (name)
+  what = struct ('check', [], 'program', '', 'isHere', true, ...
+                 'sets', @(options) max (1, floor (options.maxCPU)));
+  own = [name, 'Executor'];
+  if isvarname (own) && exist (own, 'file') == 2
+    what = mergeFields (what, feval (own));
+  end
+end
+
+%!test
+%! what = describeExecutor ('local');
+%! assert (what.isHere && isempty (what.check));
+%! assert (what.sets (struct ('maxCPU', 5)), 5);
+%! assert (describeExecutor ('slurm').program, 'sbatch');
+%!test
+%! % of whatever name
+%! assert (describeExecutor ('a b').program, '');

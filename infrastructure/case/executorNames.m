@@ -1,0 +1,20 @@
+% EXECUTORNAMES  Names of all executors, found by their files.
+%
+% CALL: NAMES = executorNames ()
+%
+%   NAMES  1 x n cell: 'local' for the file executeLocal.m of executors/
+%
+% See also: describeExecutor, runJobs
+
+function names = executorNames ()
+  inside = fileparts (fileparts (mfilename ('fullpath')));
+  files = readdir (fullfile (inside, 'executors'));
+  found = regexp (files, '^execute([A-Z]\w*)\.m$', 'tokens', 'once');
+  found = [found{:}];
+  names = cellfun (@(n) [lower(n(1)), n(2:end)], found, ...
+                   'UniformOutput', false);
+end
+
+%!assert (all (ismember ({'local', 'static', 'slurm'}, executorNames ())))
+%!assert (iscellstr (cellfun (@(n) describeExecutor (n).program, ...
+%!                            executorNames (), 'UniformOutput', false)))

@@ -1,0 +1,34 @@
+% LOADCASE  Loads the user's case from a folder.
+%
+% CALL: CASE = loadCase ()
+%       CASE = loadCase (ROOT, FOLDER)
+%
+%   ROOT    folder of the toolbox (text, default: the one of this file)
+%   FOLDER  case folder, looked in before the toolbox (text, default pwd)
+%   CASE    scalar struct, see newCase
+%
+% A program loads its case once and hands it on. Without arguments it is the
+% case of the current folder, for published functions that users call with no
+% case at hand. The candidate effects of the diagnosis are added by withEffects.
+%
+% Errors: those of readInput and checkCase
+%
+% See also: readInput, newCase, checkCase, withEffects
+
+function Case = loadCase (varargin)
+  Case = newCase (readInput (varargin{:}));
+end
+
+%!test
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder);
+%! here = cd (raw.folder);
+%! clear loadInput
+%! Case = loadCase ();
+%! cd (here);
+%! clear loadInput
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
+%! assert (Case.names, {'a', 'b'});
+%! assert (Case.folder, raw.folder);
+%! assert (isempty (Case.effects));

@@ -1,0 +1,43 @@
+% NAMEDRESULTS  Results of a run in the order in which its model names them.
+%
+% CALL: RES = namedResults (MEASURE, FOLDER, MODEL)
+%
+%   MEASURE  function handle: scalar struct = MEASURE (FOLDER), a field per
+%            result by its name in results.csv; what a run does not tell, or
+%            all of a run that is not sane, may be left out
+%   FOLDER   folder of the run (text)
+%   MODEL    model folder with results.csv (text)
+%   RES      1 x m cell of scalars (of curves n x 2, where measured.csv reads
+%            points of them), in the order of results.csv; NaN where the run does
+%            not tell, all NaN where MEASURE throws: a file is missing
+%
+% What a getResults.m may return.
+%
+% See also: resultInfo, readDump, readResults, takeReadings
+
+function res = namedResults (measure, folder, model)
+  names = {resultInfo(model).name};
+  res = num2cell (NaN (1, numel (names)));
+  try
+    found = measure (folder);
+  catch
+    return
+  end
+  for k = find (isfield (found, names))
+    res{k} = found.(names{k});
+  end
+end
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'results.csv'), ...
+%!   "name,kind,unit,series,at,text\nmass,mass,kg,,,m\nslope,angle,deg,,,s\n");
+%! part = namedResults (@(f) struct ('slope', 30, 'more', 1), '', folder);
+%! curve = namedResults (@(f) struct ('mass', [0, 1; 2, 3]), '', folder);
+%! none = namedResults (@(f) error ('no file'), '', folder);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! assert (part, {NaN, 30});
+%! assert (curve, {[0, 1; 2, 3], NaN});
+%! assert (none, {NaN, NaN});

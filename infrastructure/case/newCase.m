@@ -1,0 +1,150 @@
+% NEWCASE  Makes a case of what the user gave, with all defaults filled in.
+%
+% CALL: CASE = newCase (RAW)
+%
+%   RAW   struct with the fields Input, optim, modelVars, assign, paramLims
+%         (as loadInput.m returns them), folder (case folder) and root (toolbox
+%         folder), see readInput
+%   CASE  scalar struct; its fields are described in docs/data.md. It has no
+%         effects yet: withEffects adds them
+%
+% checkCase looks at RAW first. Its problems are raised together, as one
+% error under the identifier of the first.
+%
+% Defaults: Input.seed 1, Input.executor 'local', Input.maxNewRuns Inf,
+% Input.replicates 4, Input.store (folder that holds optim/) the case folder,
+% Input.timeout none (a multiple
+% of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
+% 40, optim.WRL 0, optim.method 'robust', optim.confidence 0.95,
+% optim.targetStd 0, optim.trials 1, optim.correlation 0 (independent),
+% optim.role 'calibrate', optim.paramMean and paramSd NaN (not measured),
+% optim.cost 1. A measured.csv in the case folder takes the place of the fields
+% of optim that are given target by target.
+%
+% See also: loadCase, checkCase, newTargets, withEffects
+
+function Case = newCase (raw)
+  problems = checkCase (raw);
+  if ~isempty (problems)
+    error (problems(1).id, '%s', listProblems (problems));
+  end
+  Input = raw.Input;
+  Case.root = raw.root;
+  Case.folder = raw.folder;
+  % the shell and the batch system know neither ~ nor this folder
+  store = tilde_expand (given (Input, 'store', raw.folder));
+  Case.store = make_absolute_filename (store);
+  Case.models = newModels (raw);
+  Case.names = raw.assign(:)';
+  Case.limits = double (raw.paramLims);
+  Case.paramMean = rowByName (given (raw.optim, 'paramMean', []), Case.names);
+  Case.paramSd = rowByName (given (raw.optim, 'paramSd', []), Case.names);
+  Case.modelVars = raw.modelVars;
+  Case.effects = [];
+  Case.effectVars = {};
+  Case.targets = newTargets (raw.optim, Case.models, raw.folder);
+  Case.options = newOptions (Input, raw.optim);
+  for k = 1:numel (Case.models)
+    own = Case.targets([Case.targets.model] == k);
+    Case.models(k).nTargets = numel (own);
+    if ~isempty (own(1).result)
+      Case.models(k).readings = struct ('result', {own.result}, ...
+                                        'series', {own.series}, ...
+                                        'at', {own.at});
+    end
+  end
+end
+
+function text = listProblems (problems)
+  lines = arrayfun (@(p) ['  - ', p.message], problems(:)', ...
+                    'UniformOutput', false);
+  text = sprintf ('%d problem(s) in the input, nothing has been run:\n%s', ...
+                  numel (problems), strjoin (lines, "\n"));
+end
+
+function value = given (s, field, default)
+  value = default;
+  if isfield (s, field) && ~isempty (s.(field))
+    value = s.(field);
+  end
+end
+
+function models = newModels (raw)
+  names = cellstr (raw.Input.model);
+  timeout = given (raw.Input, 'timeout', NaN);
+  timeout(end + 1:numel (names)) = NaN;
+  cost = given (raw.optim, 'cost', 1);
+  cost(end + 1:numel (names)) = 1;
+  models = struct ('name', names(:)', 'folder', '', 'cpu', 1, ...
+                   'timeout', NaN, 'nTargets', 0, 'seconds', [], 'cost', 1, ...
+                   'readings', []);
+  for k = 1:numel (models)
+    models(k).folder = findModel (models(k).name, raw.folder, raw.root);
+    models(k).cpu = raw.Input.cpu(k);
+    models(k).timeout = timeout(k);
+    models(k).cost = double (cost(k));
+  end
+end
+
+function o = newOptions (Input, optim)
+  o.maxCPU = Input.maxCPU;
+  o.numOfSam = Input.numOfSam;
+  o.seed = given (Input, 'seed', 1);
+  o.executor = given (Input, 'executor', 'local');
+  o.maxNewRuns = given (Input, 'maxNewRuns', Inf);
+  o.replicates = given (Input, 'replicates', 4);
+  for name = executorNames ()
+    if isfield (Input, name{1})
+      o.(name{1}) = Input.(name{1});
+    end
+  end
+  o.sets = describeExecutor (o.executor).sets (o);
+  o.tolfun = given (optim, 'tolfun', 0.002);
+  o.maxIter = given (optim, 'maxIter', 3);
+  o.maxFunEvals = given (optim, 'maxFunEvals', 40);
+  o.WRL = given (optim, 'WRL', 0);
+  o.method = given (optim, 'method', 'robust');
+  o.confidence = given (optim, 'confidence', 0.95);
+end
+
+%!shared raw
+%! raw = standInCase (tempname ());
+%!test
+%! Case = newCase (raw);
+%! assert (size (Case.limits), [2, 2]);
+%! assert ([Case.targets.value], [400, 0.025, 3]);
+%! assert ([Case.targets.model], [1, 1, 2]);
+%! assert ([Case.models.nTargets], [2, 1]);
+%! assert ([Case.models.cost], [1, 1]);
+%! assert ([Case.targets.trials], [1, 1, 1]);
+%! assert (Case.options.seed, 1);
+%!test
+%! % trials: one number for a model, or one a target
+%! repeated = raw;
+%! repeated.optim.trials = {[], Inf};
+%! assert ([newCase(repeated).targets.trials], [1, 1, Inf]);
+%! repeated.optim.trials = {5, 2};
+%! assert ([newCase(repeated).targets.trials], [5, 5, 2]);
+%! repeated.optim.correlation = {[3, NaN], 'estimate'};
+%! assert ([newCase(repeated).targets.correlation], [3, 0, NaN]);
+%!test
+%! measured = raw;
+%! measured.optim.cost = 4;
+%! assert ([newCase(measured).models.cost], [4, 1]);
+%! assert (newCase (raw).paramSd, [NaN, NaN]);
+%! measured.optim.paramMean = struct ('b', 2);
+%! measured.optim.paramSd = [NaN; 0.5];
+%! Case = newCase (measured);
+%! assert ([Case.paramMean; Case.paramSd], [NaN, 2; NaN, 0.5]);
+%!test
+%! % the published file returns the values of all models as one column
+%! published = raw;
+%! published.optim.targetVal = horzcat (raw.optim.targetVal{:})';
+%! published.optim.tolRes = horzcat (raw.optim.tolRes{:})';
+%! Case = newCase (published);
+%! assert ([Case.targets.model], [1, 1, 2]);
+%! assert ([Case.targets.tol], [0.01, 0.01, 0.02]);
+%!assert (isempty (newCase (raw).effects))
+%!error id=DEcalioc:checkCase:badLimits
+%! raw.paramLims(:, 1) = [2; 1];
+%! newCase (raw);

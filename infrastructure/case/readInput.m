@@ -1,0 +1,70 @@
+% READINPUT  Reads the user's loadInput.m.
+%
+% CALL: raw = readInput ()
+% CALL: raw = readInput (root, folder)
+%
+% root    folder of the toolbox (text, default: the one of this file)
+% folder  case folder (text, default pwd)
+% raw     struct: Input, optim, modelVars, assign, paramLims (the five outputs,
+%         as published), root, folder
+%
+% Nothing else calls loadInput, which is the file of the case folder or else of
+% the toolbox.
+%
+% Errors: DEcalioc:readInput:missingFile    no loadInput.m
+%         DEcalioc:readInput:brokenInput    loadInput.m cannot be run
+%
+% See also: loadCase, loadInput
+
+function raw = readInput (root, folder)
+  if nargin < 2
+    root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
+    folder = pwd ();
+  end
+  raw = struct ('root', root, 'folder', folder);
+  if isempty (which ('loadInput'))
+    error ('DEcalioc:readInput:missingFile', ...
+           ['readInput: a file loadInput.m is expected in %s or %s. Copy ' ...
+            'the one of the toolbox and edit it.'], folder, root);
+  end
+  try
+    [raw.Input, raw.optim, raw.modelVars, raw.assign, raw.paramLims] = ...
+      feval ('loadInput');
+  catch err
+    error ('DEcalioc:readInput:brokenInput', ...
+           ['readInput: %s must return [Input, optim, modelVars, assign, ' ...
+            'paramLims], but running it gave: %s'], ...
+           which ('loadInput'), whereAndWhat (err));
+  end
+end
+
+function text = whereAndWhat (err)
+  text = err.message;
+  if ~isempty (err.stack)
+    text = sprintf ('%s (%s, line %d)', text, err.stack(1).name, ...
+                    err.stack(1).line);
+  end
+end
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'loadInput.m'), ...
+%!              'function [a, b, c, d, e] = loadInput (), a = nope; end');
+%! addpath (folder);
+%! unwind_protect
+%!   try
+%!     loadCase (folder, folder);
+%!   catch err
+%!   end
+%!   assert (err.identifier, 'DEcalioc:readInput:brokenInput');
+%!   assert (! isempty (strfind (err.message, 'nope')));
+%! unwind_protect_cleanup
+%!   rmpath (folder);
+%!   confirm_recursive_rmdir (false, 'local');
+%!   rmdir (folder, 's');
+%! end_unwind_protect
+%!test
+%! raw = readInput ();
+%! assert (raw.root, fileparts (fileparts (which ('startToolbox'))));
+%! assert (numel (raw.assign), columns (raw.paramLims));

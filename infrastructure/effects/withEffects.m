@@ -1,0 +1,81 @@
+% WITHEFFECTS  Adds the user's candidate effects to a case.
+%
+% CALL: CASE = withEffects (CASE)
+%       CASE = withEffects (CASE, LIST)
+%
+%   CASE  see newCase
+%   LIST  the candidates, as loadEffects gives them (default: those of
+%         loadEffects.m of the case or of the toolbox); may be empty
+%
+% Errors: DEcalioc:withEffects:brokenEffects, those of checkEffects and
+% checkDeclared (DEcalioc:checkCase:...). An effect of the library may be one
+% that no model of the case has; of the user's own ones that is a mistake.
+%
+% See also: loadEffects, resolveEffects, unexpressedEffects
+
+function Case = withEffects (Case, list)
+  if nargin < 2
+    list = ownList ();
+  end
+  folders = {fullfile(Case.folder, 'effects'), Case.folder};
+  stopAt (checkEffects (list, folders, Case.modelVars, Case.names));
+  Case.effects = resolveEffects (list, folders);
+  Case.effectVars = variablesOfEffects (Case.effects);
+  stopAt (checkModelsHave (Case));
+end
+
+function list = ownList ()
+  list = [];
+  if isempty (which ('loadEffects'))
+    return
+  end
+  try
+    list = feval ('loadEffects');
+  catch err
+    error ('DEcalioc:withEffects:brokenEffects', ...
+           ['withEffects: %s must return a struct array of effects, but ' ...
+            'running it gave: %s'], which ('loadEffects'), err.message);
+  end
+end
+
+function stopAt (problems)
+  if ~isempty (problems)
+    error (problems(1).id, 'withEffects: %s', ...
+           strjoin ({problems.message}, "\n"));
+  end
+end
+
+function p = checkModelsHave (Case)
+  p = checkProblem ();
+  models = Case.models(isfolder ({Case.models.folder}));
+  heads = cellfun (@checkHead, {models.folder}, 'UniformOutput', false);
+  [models.head] = heads{:};
+  for effect = Case.effects
+    names = effect.variables;
+    fields = repmat ({['effects, ', effect.name, ',']}, 1, numel (names));
+    kinds = repmat ({'effect'}, 1, numel (names));
+    found = checkDeclared (names, fields, kinds, models);
+    if ~isempty (found) && any (strcmp (effect.name, listEffects ()))
+      found = found(~strcmp ({found.id}, 'DEcalioc:checkCase:unknownVariable'));
+    end
+    p = [p, found];
+  end
+end
+
+%!function Case = withOwn (effect)
+%!  Case = newCase (standInCase (tempname ()));
+%!  writeAtomic (fullfile (Case.folder, 'loadEffects.m'), ...
+%!               ["function e = loadEffects ()\ne = ", effect, ";\nend\n"]);
+%!  here = cd (Case.folder);
+%!  clear loadEffects
+%!  tidy = onCleanup (@() cd (here));
+%!  Case = withEffects (Case);
+%!endfunction
+%!test
+%! own = ["struct('name', 'own', 'variables', {{'e'}}, 'neutral', 0, ", ...
+%!        "'limits', [0; 1])"];
+%! assert (withOwn (['{''tilt'', ', own, '}']).effectVars, {'tiltAngle', 'e'});
+%!assert (numel (withOwn ("{'gain', 'tilt'}").effects), 2)
+%!error id=DEcalioc:checkCase:unknownVariable
+%! withOwn (["struct ('name', 'own', 'variables', {{'ee'}}, 'neutral', 0, ", ...
+%!           "'limits', [0; 1])"]);

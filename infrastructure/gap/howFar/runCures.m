@@ -1,0 +1,94 @@
+% RUNCURES  Refits the model without and with effects and runs both in DEM.
+%
+% CALL: [SETS, STATE] = runCures (VIEW, CAUSES, STATE)
+%
+%   VIEW     struct problem, em, models, fits: of newGapProblem, fitEmulator,
+%            makeModels, fitLibrary (first row: the measured values)
+%   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
+%            targets only
+%   STATE    struct of spendRuns, with repeats (seeds at each compared set)
+%   SETS     1 x (m + 1) struct h (effects; [] first: the calibrated model), Q
+%            (fitted parameters and strengths), Z (repeats x T), worstZ (largest
+%            deviation of the DEM mean from the surrogate in standard
+%            deviations; NaN: not run), verified (logical: Z is of DEM)
+%
+% With fewer runs left, fewer seeds; with less than two seeds a set surrogates
+% stand in for DEM.
+%
+% See also: measureCure, spendRuns, weighCures
+
+function [sets, state] = runCures (view, causes, state)
+  sets = struct ('h', zeros (1, 0), 'Q', view.fits.calibrated.Q(1, :), ...
+                 'Z', [], 'worstZ', NaN, 'verified', false);
+  for i = 1:numel (causes)
+    sets(i + 1) = sets(1);
+    sets(i + 1).h = causes{i};
+    sets(i + 1).Q = refit (view.models, view.fits, causes{i});
+  end
+  verify = ~isempty (state.evaluate) && state.left >= 2 * numel (sets);
+  if verify
+    state.repeats = min (state.repeats, floor (state.left / numel (sets)));
+  end
+  for i = 1:numel (sets)
+    if verify
+      [sets(i), state] = runSet (view, sets(i), state);
+    end
+    if rows (sets(i).Z) < 2
+      sets(i).Z = drawSet (view.em, sets(i), state.repeats);
+      sets(i).verified = false;
+    end
+  end
+end
+
+function Q = refit (models, fits, h)
+  flat = setfield (models.prior, 'flat', true);
+  p = models.white.p;
+  U = fits.single{h(1)}.U(1, :);
+  kind = 'single';
+  if numel (h) > 1
+    kind = 'pair';
+    U = pairStarts (p, U, fits.single{h(2)}.U(1, :));
+  end
+  fit = fitHypothesis (models.white, newHypothesis (kind, h), ...
+                       repmat (fits.Z(1, :), rows (U), 1), U, flat);
+  [~, best] = max (fit.logPeak);
+  Q = fit.Q(best, 1:p + numel (h));
+end
+
+% Effects of the laboratory act on the results of a neutral run.
+function [set, state] = runSet (view, set, state)
+  problem = view.problem;
+  em = view.em;
+  n = state.repeats;
+  phi = zeros (1, numel (problem.effects));
+  number = zeros (1, numel (set.h));
+  for i = 1:numel (set.h)
+    number(i) = find (strcmp ({problem.effects.name}, ...
+                              view.models.names{set.h(i)}), 1);
+    phi(number(i)) = set.Q(em.p + i);
+  end
+  known = rows (state.data.Z);
+  state = spendRuns (state, problem, repmat (set.Q(1:em.p), n, 1), ...
+                     repmat (phi, n, 1), (1:n)', 'cure');
+  Z = state.data.Z(known + 1:end, :);
+  for at = number
+    effect = problem.effects(at);
+    if effect.laboratory
+      Z = Z + phi(at) * (effect.offset + Z * effect.matrix);
+    end
+  end
+  set.Z = Z(all (isfinite (Z), 2), :);
+  set.verified = true;
+  M = predictGap (em, set.h, set.Q);
+  sd = sqrt (mean (em.surrogateVar, 1) + em.seedVar / max (rows (set.Z), 1));
+  used = problem.used;
+  set.worstZ = max (abs (mean (set.Z(:, used), 1) - M(used)) ./ sd(used));
+end
+
+% N draws whose mean is as uncertain as the surrogate.
+function Z = drawSet (em, set, n)
+  M = predictGap (em, set.h, set.Q);
+  draws = integrationPoints (2 * n, columns (M), 31).normal(1:n, :);
+  draws = draws - mean (draws, 1);
+  Z = M + sqrt (n * mean (em.surrogateVar, 1)) .* draws;
+end

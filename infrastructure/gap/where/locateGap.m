@@ -1,0 +1,164 @@
+% LOCATEGAP  Answers WHERE the calibrated null model misses the measurements.
+%
+% CALL: WHERE = locateGap (PROBLEM, EM, MODELS, FITS, OPTIONS)
+%
+%   PROBLEM, EM, MODELS  of newGapProblem, fitEmulator, makeModels
+%   FITS                 of fitLibrary for the measured values (first row)
+%   OPTIONS              of gapOptions
+%   WHERE    struct
+%     theta (1 x p in [-1, 1]), params (1 x p), chi2, p (lack of fit, bootstrap
+%       with refit), pChi2 (the same from the chi-square table)
+%     absorbed, unabsorbed   parts of the misfit, by parityProjection
+%     residual, sd, t, pTarget, absorbability, blind   1 x n of PROBLEM.used:
+%       y - m, its standard deviation after fitting, their ratio, p-value
+%       corrected for looking at n targets (max-T bootstrap), share of a
+%       target's own error that parameters hide, and absorbability > 0.9
+%     benches (1 x B' struct: bench, p corrected for B' benches)
+%     conflict (benchConflicts), trends (trendContrasts), side (sideSignals)
+%     budget (noiseBudget), held (struct z, mean, sd of the held-out targets)
+%
+% See also: screenEffects, weighCase, diagnoseMatrices
+
+function where = locateGap (problem, em, models, fits, options)
+  white = models.white;
+  used = white.columns;
+  fit = struct ('Q', fits.calibrated.Q(1, :), 'U', fits.calibrated.U(1, :), ...
+                'chi2', fits.calibrated.chi2(1));
+  where.theta = fit.Q;
+  where.params = mean (problem.limits) + ...
+                 where.theta .* diff (problem.limits) / 2;
+  where.chi2 = fit.chi2;
+  test = lackOfFit (models, fit, struct ('repeats', options.bootstrap, ...
+                                         'seed', options.seed));
+  where.p = test.p;
+  [M, V, J] = predictGap (white, [], where.theta);
+  sd = sqrt (V');
+  r = (fits.Z(1, :) - M)';
+  J = reshape (vertcat (J{:})', numel (used), em.p);
+  parity = parityProjection (J ./ sd, r ./ sd);
+  where.pChi2 = chiSquareTail (where.chi2, max (numel (parity.rho), 1));
+  where.absorbed = parity.absorbed;
+  where.unabsorbed = parity.unabsorbed;
+  view = rawView (white, V, J);
+  where = localise (where, view, r, test.residual, problem.bench(used), ...
+                    options);
+  where.conflict = benchConflicts (problem, em, models);
+  where.trends = trendContrasts (problem, used, where.residual', view.Omega);
+  where.side = sideSignals (problem, em, where.theta);
+  where.budget = noiseBudget (problem, em);
+  where.held = heldOut (problem, em, models);
+end
+
+% Covariances in the units of the targets: Sigma, and Omega after the fit.
+function view = rawView (white, V, J)
+  view.back = inv (white.W);
+  view.Sigma = view.back * diag (V) * view.back';
+  Jraw = view.back * J;
+  C = pinv (J' * diag (1 ./ V) * J);
+  view.Omega = view.Sigma - Jraw * C * Jraw';
+end
+
+function where = localise (where, view, r, simulated, bench, limits)
+  where.residual = (view.back * r)';
+  variance = diag (view.Omega)';
+  total = diag (view.Sigma)';
+  where.absorbability = 1 - max (variance, 0) ./ total;
+  where.blind = where.absorbability > limits.blindAt;
+  % what is left after a fit in a bounded box scatters more than the slopes say
+  fake = simulated * view.back';
+  where.sd = sqrt (max ([variance; mean(fake.^2, 1); 1e-3 * total], [], 1));
+  where.t = where.residual ./ where.sd;
+  fake = fake ./ where.sd;
+  top = max (abs (fake), [], 2);
+  % less than what the fit may leave by ending early
+  sure = sqrt (max (where.residual.^2 - limits.fitMargin * total, 0)) ./ ...
+         where.sd;
+  for i = 1:numel (where.t)
+    where.pTarget(i) = (1 + sum (top >= sure(i))) / (numel (top) + 1);
+  end
+  groups = unique (bench);
+  own = zeros (1, numel (groups));
+  fakes = zeros (rows (fake), numel (groups));
+  for b = 1:numel (groups)
+    at = bench == groups(b);
+    inner = pinv (view.Omega(at, at), 1e-3 * max (total(at)));
+    own(b) = where.residual(at) * inner * where.residual(at)';
+    F = fake(:, at) .* where.sd(at);
+    fakes(:, b) = sum ((F * inner) .* F, 2);
+    if ~any (inner(:))
+      % the parameters can move these targets anywhere, but for their limits
+      own(b) = max (sure(at));
+      fakes(:, b) = max (abs (fake(:, at)), [], 2);
+    end
+  end
+  where.benches = benchTests (groups, own, fakes);
+end
+
+% Benches of different size are compared by their rank among the simulations.
+function benches = benchTests (groups, own, fakes)
+  B = rows (fakes);
+  [~, order] = sort (-fakes, 1);
+  ranks = zeros (size (fakes));
+  for b = 1:numel (groups)
+    ranks(order(:, b), b) = (1:B)' / B;
+  end
+  least = min (ranks, [], 2);
+  benches = struct ('bench', {}, 'p', {});
+  for b = 1:numel (groups)
+    alone = (1 + sum (fakes(:, b) >= own(b))) / (B + 1);
+    p = (1 + sum (least <= alone)) / (B + 1);
+    benches(b) = struct ('bench', groups(b), 'p', min (p, 1));
+  end
+end
+
+function held = heldOut (problem, em, models)
+  held = struct ('z', [], 'mean', [], 'sd', []);
+  if ~isempty (problem.heldOut)
+    cross = crossPredict (problem, em, models, problem.used, problem.heldOut);
+    held.mean = cross.mean;
+    held.sd = cross.sd;
+    held.z = (problem.y(problem.heldOut) - cross.mean) ./ cross.sd;
+  end
+end
+
+%!test
+%! % an error of one bench is found there and nowhere else
+%! rand ('twister', 5); randn ('twister', 5);
+%! lab = standInGap (0);
+%! given = lab.problem;
+%! given.y = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
+%!           + sqrt (2) * lab.seedSd .* randn (1, 24);
+%! given.y(9) = given.y(9) + 5;
+%! problem = newGapProblem (given);
+%! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
+%! em = fitEmulator (problem, lab.plan (40, 2), options);
+%! models = makeModels (problem, em, options);
+%! fits = fitLibrary (models, given.y);
+%! where = locateGap (problem, em, models, fits, options);
+%! assert (where.p < 0.02);
+%! [~, worst] = max (abs (where.t));
+%! assert (worst, 9);
+%! assert (where.pTarget(9) < 0.02);
+%! assert (where.benches(2).p < 0.05);
+%! assert (isempty (where.held.z));
+%!test
+%! % as many parameters as targets: an error that they can hide is no gap, one
+%! % out of their reach is, and its bench is named
+%! problem = newGapProblem (struct ('y', [0, 0], 'sd', [1, 1], ...
+%!                                  'limits', [0, 0; 1, 1], 'bench', [1, 2]));
+%! rand ('twister', 3);
+%! X = rand (40, 2);
+%! data = struct ('X', X, 'E', zeros (40, 0), 'replicate', ones (40, 1), ...
+%!                'Z', 20 * X + 0.01 * randn (40, 2));
+%! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
+%! p = zeros (2, 3);
+%! for k = 1:2
+%!   problem.y = [7, 12 + 30 * (k - 1)];
+%!   em = fitEmulator (problem, data, options);
+%!   models = makeModels (problem, em, options);
+%!   where = locateGap (problem, em, models, fitLibrary (models, problem.y), ...
+%!                      options);
+%!   p(k, :) = [where.p, where.pTarget(2), where.benches(2).p];
+%! end
+%! assert (p(1, :) > 0.9);
+%! assert (p(2, :) < 0.05);

@@ -1,0 +1,168 @@
+% DESCRIBEVERDICT  Puts a verdict into names, probabilities and strengths.
+%
+% CALL: NAMED = describeVerdict (W, VERDICT, MODELS, PROBLEM)
+%
+%   W, VERDICT, MODELS, PROBLEM   of weighCase, judgeCase, makeModels,
+%                                 newGapProblem
+%   NAMED   struct
+%     verdict, reason, guard, lookAlike, effects, partners, likely (cellstr)
+%     gateP, exclude (odds against a look-alike of cosine 0.9)
+%     posterior   struct null, each effect, unlisted
+%     resembles   struct of each effect: something like it, but not it
+%     cannotSee, siblings (cellstr), groups (cell of cellstr: effects that the
+%       noise takes for one another, each pair of them)
+%     strength    1 x K struct name, value, interval90 (NaN where the integral
+%                 failed), range, variables, values
+%     priorSpread probability of the likeliest single effect with its prior
+%                 scale halved, doubled
+%     numbers     struct error (largest, of the logarithms of the evidences that
+%                 matter), ess (least effective number of points)
+%     hypotheses  struct array, likeliest first
+%
+% See also: diagnoseMatrices, judgeCase
+
+function named = describeVerdict (w, verdict, models, problem)
+  names = models.names;
+  named = struct ('verdict', verdict.kind, 'reason', verdict.reason, ...
+                  'guard', verdict.guard, 'lookAlike', verdict.lookAlike, ...
+                  'effects', {names(verdict.effects)}, ...
+                  'partners', {names(verdict.partners)}, ...
+                  'likely', {names(verdict.likely)}, 'gateP', w.gate.p, ...
+                  'exclude', exp (min (w.exclude, 50)));
+  named.posterior.null = verdict.null;
+  named.resembles = struct ();
+  for k = 1:numel (names)
+    field = matlab.lang.makeValidName (names{k});
+    named.posterior.(field) = verdict.include(k);
+    named.resembles.(field) = verdict.resemble(k);
+  end
+  named.posterior.unlisted = verdict.unlisted;
+  named.cannotSee = names(isinf (w.screen.smallest));
+  named.siblings = [models.siblings{verdict.effects}];
+  named.groups = confusedGroups (w.screen, models);
+  named.strength = struct ('name', {}, 'value', {}, 'interval90', {}, ...
+                           'range', {}, 'variables', {}, 'values', {});
+  for k = 1:numel (names)
+    named.strength(k) = strengthOf (w, verdict, k, models, problem);
+  end
+  named.priorSpread = priorSpread (w, verdict, models);
+  named.numbers = numbersOf (w, verdict);
+  named.hypotheses = hypothesesOf (w, verdict, names);
+end
+
+function numbers = numbersOf (w, verdict)
+  matter = verdict.P > 0.01 & isfinite (w.ess);
+  numbers = struct ('error', max ([w.error(matter), 0]), ...
+                    'ess', min ([w.ess(matter), Inf]));
+end
+
+function list = hypothesesOf (w, verdict, names)
+  [~, order] = sort (-verdict.P);
+  list = struct ('members', {}, 'kind', {}, 'probability', {}, ...
+                 'logEvidence', {}, 'error', {}, 'ess', {});
+  for h = order
+    list(end + 1) = struct ('members', {names(w.members{h})}, ...
+                            'kind', w.kind{h}, ...
+                            'probability', verdict.P(h), ...
+                            'logEvidence', w.logE(h), 'error', w.error(h), ...
+                            'ess', w.ess(h));
+  end
+end
+
+% From the likeliest hypothesis that holds the effect and was integrated.
+function s = strengthOf (w, verdict, k, models, problem)
+  holding = find (cellfun (@(m) any (m == k), w.members) & ...
+                  ~cellfun (@(p) isempty (p.Q), w.posterior) & ...
+                  ~strcmp (w.kind, 'sibling'));
+  [~, at] = max (verdict.P(holding));
+  h = holding(at);
+  posterior = w.posterior{h};
+  column = models.white.p + find (w.members{h} == k);
+  phi = posterior.Q(:, column);
+  own = models.white.effect(k);
+  q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
+  q(1) = weightedQuantile (phi, posterior.weight, 0.5);
+  if w.ess(h) < models.options.leastPoints
+    q = NaN (1, 3);
+  end
+  at = find (strcmp ({problem.effects.name}, models.names{k}), 1);
+  effect = problem.effects(at);
+  variables = effect.variables;
+  values = valuesOfStrength (effect, q');
+  if effect.laboratory
+    variables = {effect.name};
+    values = effect.strongest * q';
+  end
+  s = struct ('name', models.names{k}, 'value', q(1), 'interval90', q(2:3), ...
+              'range', effect.range, 'variables', {variables}, ...
+              'values', values);
+end
+
+% Complete linkage: in a group each is mistaken for each at half strength.
+function groups = confusedGroups (screen, models)
+  K = numel (models.names);
+  linked = false (K);
+  for k = 1:K
+    d = screen.size(k) / 2;
+    linked(k, :) = d > 0 & screen.size > 0 & ...
+                   confusion (screen.cosine(k, :), d) > ...
+                   models.options.confusedAt;
+  end
+  linked = linked & linked';
+  groups = {};
+  free = true (1, K);
+  for k = 1:K
+    members = k * free(k);
+    for l = find (free & linked(k, :) & (1:K) > k) .* free(k)
+      if l > 0 && all (linked(l, members))
+        members(end + 1) = l;
+      end
+    end
+    if numel (members) > 1
+      groups{end + 1} = models.names(members);
+      free(members) = false;
+    end
+  end
+end
+
+% A wide prior kills any effect (Lindley), so its width is varied: the samples
+% of the top single are weighed anew with half and double the scale.
+function spread = priorSpread (w, verdict, models)
+  spread = [NaN, NaN];
+  h = find (cellfun (@(m) isequal (m, verdict.top), w.members), 1);
+  if isempty (h) || isempty (w.posterior{h}.Q)
+    return
+  end
+  posterior = w.posterior{h};
+  phi = posterior.Q(:, models.white.p + 1);
+  e = models.white.effect(verdict.top);
+  shrink = [0.5, 2];
+  P = verdict.P;
+  for i = 1:2
+    ratio = density (phi, shrink(i) * e.scale, e.range) ./ ...
+            density (phi, e.scale, e.range);
+    factor = sum (posterior.weight .* ratio);
+    spread(i) = P(h) * factor / (1 - P(h) + P(h) * factor);
+  end
+end
+
+function f = density (phi, scale, range)
+  mass = normalTail (range(1) / scale) - normalTail (range(2) / scale);
+  f = exp (-0.5 * (phi / scale).^2) / (scale * mass);
+end
+
+%!test
+%! % linkage is complete: a chain is no group
+%! models = handMadeModels ();
+%! models.reference = (-4:0.1:2)';
+%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! problem = struct ('effects', newEffect (struct ('name', 'a', ...
+%!                   'laboratory', true), 4));
+%! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
+%!                                         true), 4);
+%! named = describeVerdict (w, judgeCase (w, models), models, problem);
+%! assert (named.groups, {});
+%! assert (named.strength(1).value, 0.7, 0.1);
+%! assert (named.numbers.ess >= 200);
+%! assert (named.hypotheses(1).members, {'a'});
+%! assert (isfield (named.posterior, 'unlisted'));

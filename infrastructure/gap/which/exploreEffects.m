@@ -1,0 +1,138 @@
+% EXPLOREEFFECTS  Runs candidate effects: a few for all, a plan for survivors.
+%
+% CALL: [STATE, EM] = exploreEffects (PROBLEM, OPTIONS, STATE, EM)
+%
+%   PROBLEM, OPTIONS  of newGapProblem, gapOptions
+%   STATE             of spendRuns
+%   EM                of fitEmulator, fitted to STATE.data
+%
+% First OPTIONS.screenRuns for every effect that has fewer; then, if there is a
+% gap at all, OPTIONS.planRuns for the OPTIONS.survivors likeliest ones, in two
+% rounds, placed by the posterior. Runs that verify the cure are set aside
+% before, and four runs of the likeliest pair made. Nothing is run without
+% STATE.evaluate.
+%
+% See also: planEffectRuns, diagnoseMatrices
+
+function [state, em] = exploreEffects (problem, options, state, em)
+  if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
+    return
+  end
+  reserve = min (4 * options.verifyRuns, floor (state.left / 3));
+  state.left = state.left - reserve;
+  models = makeModels (problem, withoutEffects (em, 1:numel (em.effect)), ...
+                       options);
+  fits = fitLibrary (models, problem.y(problem.used));
+  theta = fits.calibrated.Q(1, :);
+  wanted = zeros (1, numel (em.effect));
+  wanted(~[em.effect.laboratory]) = options.screenRuns;
+  state = runEffects (problem, state, em, theta, wanted, []);
+  em = fitEmulator (problem, state.data, options, em);
+  full = options.planRuns;
+  if isempty (full)
+    full = 5 * (em.p + 1);
+  end
+  for share = [0.5, 1]
+    [wanted, posteriors] = survivors (problem, options, em, ...
+                                      ceil (share * full));
+    if ~any (wanted)
+      break
+    end
+    state = runEffects (problem, state, em, theta, wanted, posteriors);
+    em = fitEmulator (problem, state.data, options, em);
+  end
+  [state, em] = runBestPair (problem, options, state, em);
+  state.left = state.left + reserve;
+end
+
+% Pairs are not merely added: where one is likely, four runs of both effects
+% show what they do together.
+function [state, em] = runBestPair (problem, options, state, em)
+  [w, verdict, usable] = weighNow (problem, options, em);
+  if isempty (w) || state.left < 4
+    return
+  end
+  pairs = find (strcmp (w.kind, 'pair'));
+  [most, at] = max ([verdict.P(pairs), 0]);
+  if most < 0.2 || isempty (w.posterior{pairs(at)}.Q)
+    return
+  end
+  members = usable(w.members{pairs(at)});
+  if any ([em.effect(members).laboratory])
+    return
+  end
+  posterior = w.posterior{pairs(at)};
+  middle = posterior.weight' * posterior.Q;
+  top = vertcat (problem.effects(members).range)(:, 2)';
+  phi = zeros (4, numel (em.effect));
+  phi(:, members) = [middle(em.p + (1:2)); top; top .* [1, 0.5]; ...
+                     top .* [0.5, 1]];
+  theta = repmat (middle(1:em.p), 4, 1);
+  state = spendRuns (state, problem, theta, phi, ones (4, 1));
+  em = fitEmulator (problem, state.data, options, em);
+end
+
+function [w, verdict, usable] = weighNow (problem, options, em)
+  w = [];
+  verdict = [];
+  usable = find ([em.effect.laboratory] | [em.effect.runs] >= 2);
+  if isempty (usable)
+    return
+  end
+  library = em;
+  library.effect = em.effect(usable);
+  quick = options;
+  quick.twins = min (options.twins, 99);
+  models = gateReference (makeModels (problem, library, quick));
+  fits = fitLibrary (models, problem.y(problem.used));
+  w = weighCase (models, fits, 1);
+  verdict = judgeCase (w, models);
+  if w.gate.p > 2 * options.level
+    w = [];
+  end
+end
+
+function state = runEffects (problem, state, em, theta, wanted, posteriors)
+  K = numel (em.effect);
+  all = strengthOfValues (problem.effects, state.data.E);
+  half = diff (problem.limits) / 2;
+  X = (state.data.X - mean (problem.limits)) ./ half;
+  Theta = zeros (0, em.p);
+  Phi = zeros (0, K);
+  for k = find (wanted > 0)
+    own = abs (all(:, k)) > 1e-9 & sum (abs (all) > 1e-9, 2) == 1;
+    posterior = [];
+    if ~isempty (posteriors)
+      posterior = posteriors{k};
+    end
+    n = max (wanted(k) - sum (own), 0);
+    Q = planEffectRuns (n, [X(own, :), all(own, k)], theta, posterior, ...
+                        problem.effects(k).range);
+    Theta = [Theta; Q(:, 1:end - 1)];
+    rows_ = zeros (n, K);
+    rows_(:, k) = Q(:, end);
+    Phi = [Phi; rows_];
+  end
+  if rows (Theta) > 0
+    state = spendRuns (state, problem, Theta, Phi, ones (rows (Theta), 1));
+  end
+end
+
+function [wanted, posteriors] = survivors (problem, options, em, runs)
+  K = numel (em.effect);
+  wanted = zeros (1, K);
+  posteriors = cell (1, K);
+  [w, verdict, usable] = weighNow (problem, options, em);
+  if isempty (w)
+    return
+  end
+  likely = verdict.total;
+  likely([em.effect(usable).laboratory]) = -Inf;
+  [~, order] = sort (-likely);
+  order = order(isfinite (likely(order)));
+  for i = order(1:min (options.survivors, numel (order)))
+    k = usable(i);
+    wanted(k) = runs;
+    posteriors{k} = w.posterior{1 + i};
+  end
+end

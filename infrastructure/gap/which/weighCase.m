@@ -1,0 +1,133 @@
+% WEIGHCASE  Computes the evidence of every hypothesis for one data set.
+%
+% CALL: W = weighCase (MODELS, FITS, I)
+%
+%   MODELS     struct of makeModels
+%   FITS       struct of fitLibrary
+%   I          scalar, row of the data set
+%   W          struct; H hypotheses: null, singles, pairs of the likeliest,
+%              siblings, discrepancies
+%     kind (1 x H cell), members (1 x H cell: effects), logPrior, logE, error,
+%     ess (1 x H; NaN where Laplace's formula was enough, see below)
+%     phi (H x 3: median and 90 % interval of the first strength)
+%     atLimit (1 x H, posterior mass glued to the end of the range of a
+%     strength) posterior  1 x H cell: Q, weight (samples of each hypothesis)
+%     top (members of the likeliest listed hypothesis), exclude (log Bayes
+%     factor
+%       of top against a look-alike of cosine 0.9)
+%     gate (struct of gateTest), screen (struct of screenEffects)
+%
+% Integrated are the null model, every single effect, and all others that
+% Laplace's formula gives more than a ten-thousandth of the probability.
+%
+% See also: judgeCase, integrateEvidence, pairFits
+
+function w = weighCase (models, fits, i)
+  z = fits.Z(i, :);
+  w.screen = screenEffects (models.white, fits.calibrated.Q(i, :), z);
+  w.gate = gateTest (models, fits, i);
+  list = listHypotheses (models, fits, i, w);
+  logP = [list.logPrior] + [list.logE];
+  logP = logP - logSumExp (logP);
+  for j = 1:numel (list)
+    if any (strcmp (list(j).h.kind, {'null', 'single'})) || logP(j) > -9.2
+      list(j) = integrate (models, list(j));
+    end
+  end
+  w = collect (w, list);
+  [w.top, w.exclude] = againstLookAlike (models, w, list, z);
+end
+
+function w = collect (w, list)
+  hypotheses = [list.h];
+  w.kind = {hypotheses.kind};
+  w.members = {hypotheses.members};
+  for field = {'logPrior', 'logE', 'error', 'ess', 'atLimit'}
+    w.(field{1}) = [list.(field{1})];
+  end
+  w.phi = vertcat (list.phi);
+  w.posterior = {list.posterior};
+end
+
+function one = integrate (models, one)
+  settings = models.options;
+  settings.prior = models.prior;
+  r = integrateEvidence (one.white, one.h, one.z, one.modes, settings);
+  one.logE = r.logE;
+  one.error = r.error;
+  one.ess = r.ess;
+  one.posterior = struct ('Q', r.Q, 'weight', r.weight, ...
+                          'cautious', r.cautious);
+  members = one.h.members;
+  if isempty (members)
+    return
+  end
+  p = one.white.p;
+  range = vertcat (one.white.effect(members).range);
+  one.phi = strengthInterval (r.Q(:, p + 1), r.cautious, range(1, :), ...
+                              one.white.effect(members(1)).scale);
+  one.phi(1) = weightedQuantile (r.Q(:, p + 1), r.weight, 0.5);
+  lo = range(:, 1)';
+  hi = range(:, 2)';
+  margin = 0.02 * (hi - lo);
+  phi = r.Q(:, p + (1:numel (members)));
+  ends = phi > hi - margin | (lo < 0 & phi < lo + margin);
+  one.atLimit = max (r.weight' * ends);
+end
+
+% A name alone needs data that a look-alike does not explain as well.
+function [top, exclude] = againstLookAlike (models, w, list, z)
+  listed = strcmp (w.kind, 'single') | strcmp (w.kind, 'pair');
+  logP = w.logPrior + w.logE;
+  logP(~listed) = -Inf;
+  [best, at] = max (logP);
+  top = w.members{at};
+  exclude = 0;
+  if ~isfinite (best)
+    return
+  end
+  alike = list(at);
+  alike.h = newHypothesis ('sibling', top, models.options.lookAlike);
+  U = [alike.modes(1).U, 0];
+  fit = fitHypothesis (models.white, alike.h, z, U, models.prior);
+  alike.modes = struct ('U', fit.U, 'A', squeeze (fit.A));
+  alike = integrate (models, alike);
+  exclude = w.logE(at) - alike.logE;
+end
+
+%!test
+%! % evidence of the null model against the closed form: three targets without
+%! % parameter, one direction integrated over the box
+%! models = handMadeModels ();
+%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
+%! exact = -2 * log (2 * pi) + 0.5 * log (2 * pi / 10) - log (2) ...
+%!         + log (normalTail (-1.5 * sqrt (10)) - normalTail (sqrt (10) / 2));
+%! assert (w.logE(1), exact, 5 * w.error(1));
+%! assert (w.kind([1, 2, 3]), {'null', 'single', 'single'});
+%! assert (sum (strcmp (w.kind, 'sibling')), 2);
+%!test
+%! % a strong signal along effect a: it wins, its strength is found
+%! models = handMadeModels ();
+%! models.reference = zeros (99, 1);
+%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! [~, best] = max (w.logPrior + w.logE);
+%! assert (w.members{best}, 1);
+%! assert (w.top, 1);
+%! assert (w.phi(best, 1), 0.7, 0.1);
+%! assert (w.phi(best, 2) < 0.75 && 0.75 < w.phi(best, 3));
+%! assert (any (strcmp (w.kind, 'pair')));
+%!test
+%! % a misfit along no effect: a discrepancy wins over null and effects
+%! models = handMadeModels ();
+%! w = weighCase (models, fitLibrary (models, [1.5, 0.5, -6, 5]), 1);
+%! [~, best] = max (w.logPrior + w.logE);
+%! assert (w.kind{best}, 'discrepancy');
+%!test
+%! % reproducible, and hardly moved by the seed of the integration
+%! models = handMadeModels ();
+%! fits = fitLibrary (models, [1.5, 0.5, 3, 3]);
+%! w = weighCase (models, fits, 1);
+%! assert (weighCase (models, fits, 1).logE, w.logE);
+%! models.options.seed = 2;
+%! other = weighCase (models, fits, 1);
+%! assert (other.logE(1:3), w.logE(1:3), 0.25);

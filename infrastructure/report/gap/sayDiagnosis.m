@@ -1,0 +1,174 @@
+% SAYDIAGNOSIS  Tells a plant engineer what the diagnosis has found.
+%
+% CALL: sayDiagnosis (DIAGNOSIS, CASE, SAY)
+%
+%   DIAGNOSIS  of diagnoseMatrices
+%   CASE       struct with the field folder
+%   SAY        function handle that takes one line of text
+%
+% See also: diagnoseGap
+
+function sayDiagnosis (diagnosis, Case, say)
+  sayWhere (diagnosis, say);
+  sayWhich (diagnosis, say);
+  sayHowFar (diagnosis, say);
+  say ('');
+  say ('NEXT TEST: what would tell most about the cause');
+  for k = 1:min (3, numel (diagnosis.next))
+    t = diagnosis.next(k);
+    say (sprintf ('  %-50s %.2f bit', t.test, t.gain));
+  end
+  say ('');
+  if isfield (diagnosis, 'ledger')
+    say (sprintf ('DEM runs: %d new, %d failed, %.1f core-minutes', ...
+                  diagnosis.ledger.new, diagnosis.ledger.failed, ...
+                  diagnosis.ledger.coreSeconds / 60));
+  end
+  say (['Details: ', fullfile(Case.folder, 'gap', 'gap.json'), ...
+        ' and the tables beside it']);
+end
+
+function sayWhere (diagnosis, say)
+  where = diagnosis.where;
+  problem = diagnosis.problem;
+  say ('');
+  say (sprintf (['WHERE: noise alone would make the calibrated model miss ' ...
+                 'the %d measurements by as much with p = %.3g'], ...
+                numel (problem.used), where.p));
+  say (sprintf ('  %-28s %11s %11s %7s %7s  %s', 'target', 'measured', ...
+                'model', 'z', 'p', ''));
+  for i = 1:numel (problem.used)
+    t = problem.used(i);
+    mark = '';
+    if where.pTarget(i) < 0.05
+      mark = '<-- off';
+    elseif where.blind(i)
+      mark = 'blind: parameters can hide an error here';
+    end
+    say (sprintf ('  %-28s %11.5g %11.5g %7.1f %7.3f  %s', ...
+                  problem.targetNames{t}, problem.y(t), ...
+                  problem.y(t) - where.residual(i), where.t(i), ...
+                  where.pTarget(i), mark));
+  end
+  for i = 1:numel (problem.heldOut)
+    t = problem.heldOut(i);
+    say (sprintf ('  %-28s %11.5g %11.5g %7.1f          held out', ...
+                  problem.targetNames{t}, problem.y(t), ...
+                  where.held.mean(i), where.held.z(i)));
+  end
+  for b = where.benches
+    say (sprintf ('  bench %-22s p = %.3f', problem.benchNames{b.bench}, b.p));
+  end
+  if ~isempty (where.conflict.odd)
+    say (sprintf ('  %s disagrees with all other benches', ...
+                  problem.benchNames{where.conflict.odd}));
+  end
+  if ~isempty (where.side.atLimit)
+    say (['  at the limit of their range: ', ...
+          strjoin(where.side.atLimit, ', ')]);
+  end
+end
+
+function sayWhich (diagnosis, say)
+  w = diagnosis.which;
+  say ('');
+  say (['WHICH: ', upper(w.verdict), '. ', w.reason]);
+  if ~isempty (w.effects)
+    joint = ' or ';
+    if strcmp (w.verdict, 'named')
+      joint = ' and ';
+    end
+    names = [w.effects, w.siblings];
+    if w.lookAlike
+      names{end + 1} = 'something that looks like it';
+      joint = ' or ';
+    end
+    say (['  cause: ', strjoin(names, joint)]);
+  end
+  if ~isempty (w.partners)
+    say (['  together with one of: ', strjoin(w.partners, ', ')]);
+  end
+  [~, order] = sort (-diagnosis.screen.gain);
+  say (sprintf ('  %-20s %11s %9s %22s %s', 'effect', 'probability', ...
+                'strength', '90 % interval', 'seen from'));
+  say (sprintf ('  %-20s %11.3f', 'no gap', w.posterior.null));
+  for k = order
+    s = w.strength(k);
+    p = w.posterior.(matlab.lang.makeValidName (s.name));
+    say (sprintf ('  %-20s %11.3f %9.2f %10.2f to %8.2f %9.2g', s.name, p, ...
+                  s.value, s.interval90, diagnosis.screen.smallest(k)));
+  end
+  say (sprintf ('  %-20s %11.3f', 'none of the listed', ...
+                w.posterior.unlisted));
+  sayResembling (w, say);
+  say (sprintf (['  integrals: error of a log evidence %.3f at most, %.0f ' ...
+                 'effective points at least'], w.numbers.error, w.numbers.ess));
+  blind = [w.cannotSee, diagnosis.screen.untested];
+  if ~isempty (blind)
+    say (['  cannot be seen with these targets and runs: ', ...
+          strjoin(blind, ', ')]);
+  end
+  e = w.expected;
+  if isfinite (e.top1)
+    say (sprintf (['  On %d data sets of the same design with a known ' ...
+                   'cause:'], e.n));
+    sayShare ('the likeliest effect is right', e.top1, say);
+    sayShare ('a name is right', e.precision, say);
+    sayShare ('without a gap a name is given', e.falseName, say);
+    sayShare ('with the cause missing from the list one is given', ...
+              e.wrongUnlisted, say);
+  end
+end
+
+% Of what is not listed, the part that resembles a listed effect.
+function sayResembling (w, say)
+  names = fieldnames (w.resembles);
+  for k = 1:numel (names)
+    if w.resembles.(names{k}) > 0.02
+      say (sprintf ('    resembling %-9s %9.3f', names{k}, ...
+                    w.resembles.(names{k})));
+    end
+  end
+end
+
+function sayShare (what, share, say)
+  if isfinite (share)
+    say (sprintf ('    %s in %.0f %%', what, 100 * share));
+  end
+end
+
+function sayHowFar (diagnosis, say)
+  cure = diagnosis.howFar;
+  if isempty (cure)
+    return
+  end
+  how = 'on the surrogates, not yet by DEM';
+  if cure.verifiedByDEM
+    how = 'by DEM';
+  end
+  say ('');
+  say (sprintf (['HOW FAR with %s (%s): deviation %.1f %% -> %.1f %% of ' ...
+                 'the range, noise makes %.1f %%'], cure.effect, how, ...
+                100 * cure.before, 100 * cure.after, 100 * cure.floor));
+  sayClosure ('calibrated targets', cure, say);
+  if ~isempty (cure.heldOut)
+    sayClosure ('held-out targets', cure.heldOut, say);
+  end
+  for p = cure.placebos
+    held = '';
+    if isfinite (p.heldOut)
+      held = sprintf (' (held out %.0f %%)', 100 * p.heldOut);
+    end
+    say (sprintf ('  placebo %-18s closes %.0f %%%s', p.effect, ...
+                  100 * p.closure, held));
+  end
+end
+
+function sayClosure (name, c, say)
+  if c.removable
+    say (sprintf ('  %-26s %.0f %% of the gap closed (90 %%: %.0f to %.0f)', ...
+                  name, 100 * c.closure, 100 * c.interval90));
+  else
+    say (sprintf ('  %-26s no gap beyond noise to close', name));
+  end
+end

@@ -1,0 +1,26 @@
+% WRITESET  Writes the parameter set of a run into its folder.
+%
+% CALL: writeSet (folder, params, planRow)
+%
+% folder   folder of the run (text)
+% params   1 x d, written to params.csv at full precision
+% planRow  row of the plan, written to ExPlan.txt; 0 = no run of the plan, no
+%          such file
+%
+% See also: writeParams, prepareRun
+
+function writeSet (folder, params, planRow)
+  writeMatrix (fullfile (folder, 'params.csv'), params);
+  if planRow ~= 0
+    writeAtomic (fullfile (folder, 'ExPlan.txt'), sprintf ("%d\n", planRow));
+  end
+end
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeSet (folder, [0.1, 1/3], 0);
+%! assert (csvread (fullfile (folder, 'params.csv')), [0.1, 1/3]);
+%! assert (! isfile (fullfile (folder, 'ExPlan.txt')));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');

@@ -1,0 +1,242 @@
+% FITEMULATOR  Makes fast polynomials of Kriging models and candidate effects.
+%
+% CALL: EM = fitEmulator (PROBLEM, DATA, OPTIONS)
+% CALL: EM = fitEmulator (PROBLEM, DATA, OPTIONS, OLD)
+%
+%   PROBLEM  struct of newGapProblem
+%   DATA     struct X (n x p), E (n x v), Z (n x T, NaN = none), replicate
+%   OPTIONS  struct of gapOptions
+%   OLD      EM of other runs: what its runs have in common with DATA is kept
+%   EM       struct
+%     p, limits, powers (q x p), coef (q x T): mean of the null model,
+%       polynomial of the baseline Kriging in parameters scaled to [-1, 1]
+%     points (M x p), surrogateVar (M x T): where and how well it is known
+%     varPowers (r x p): quadratic that the logarithm of variances follows
+%     effect (1 x K)  see learnEffect;  joint (1 x J)  see learnJoint
+%     seedVar, seedFreedom (variance of one run and degrees of freedom of that
+%       estimate, pooledNoise), fitVar (error of the polynomial), looMean,
+%       looMax, Q2, range (all 1 x T), correlation (T x T, of errors within a
+%       bench)
+%     surrogates (1 x T struct of fitSurrogate), base (struct X, Z: its runs)
+%     success, effect.success   of learnSuccess: where a bench gives a result
+%
+% The baseline Kriging uses every run with all effects neutral, and serves
+% every effect: only the difference an effect makes is learned from its runs,
+% and what two do together from runs with both.
+%
+% Errors: DEcalioc:fitEmulator:badValue
+%
+% See also: learnEffect, learnJoint, whitenEmulator, predictGap
+
+function em = fitEmulator (problem, data, options, old)
+  p = columns (problem.limits);
+  data = inOrder (data);
+  phi = strengthOfValues (problem.effects, data.E);
+  theta = scaled (data.X, problem.limits);
+  isBase = all (abs (phi) < 1e-9, 2);
+  if sum (isBase) < p + 3
+    error ('DEcalioc:fitEmulator:badValue', ...
+           ['fitEmulator: DATA must hold at least %d runs with all effects ' ...
+            'neutral, got %d. Run or import the plan first.'], p + 3, ...
+           sum (isBase));
+  end
+  base = struct ('X', data.X(isBase, :), 'Z', data.Z(isBase, :));
+  if nargin < 4
+    old = struct ('base', [], 'effect', [], 'noiseRuns', -1);
+  end
+  em = old;
+  if ~isequaln (old.base, base)
+    em = baseline (problem, data, isBase, options, old);
+    em.base = base;
+  end
+  others = sum (~isBase);
+  if ~isOneRunOff (old, base) || abs (others - old.noiseRuns) > 0.1 * others
+    % the noise follows from the effects' runs, and they from the noise
+    em = seedScatter (em, problem, data);
+    em.effect = learnAll (em, problem, theta, phi, data.Z, []);
+    [em.seedVar, em.seedFreedom] = pooledNoise (em, em.effect);
+    em.noiseRuns = others;
+    old.effect = [];
+  end
+  em.effect = learnAll (em, problem, theta, phi, data.Z, old.effect);
+  em.joint = jointEffects (em, theta, phi, data.Z);
+  [em.success, own] = learnSuccess (problem.bench, theta, phi, data.Z);
+  for k = 1:numel (own)
+    em.effect(k).success = own{k};
+  end
+  em.bench = problem.bench;
+end
+
+% One run more or less changes neither the noise nor the other effects.
+function yes = isOneRunOff (old, base)
+  yes = ~isempty (old.base) && abs (rows (old.base.X) - rows (base.X)) <= 2;
+end
+
+% What has the same runs as before is kept.
+function effects = learnAll (em, problem, theta, phi, Z, old)
+  effects = [];
+  for k = 1:numel (problem.effects)
+    own = abs (phi(:, k)) >= 1e-9 & sum (abs (phi) >= 1e-9, 2) == 1;
+    Q = [theta(own, :), phi(own, k)];
+    known = [];
+    if ~isempty (old)
+      known = find (strcmp ({old.name}, problem.effects(k).name));
+    end
+    if ~isempty (known) && isequaln (old(known).Q, Q) && ...
+       isequaln (old(known).Z, Z(own, :))
+      effects = [effects, old(known)];
+    else
+      effects = [effects, learnEffect(em, problem.effects(k), Q, Z(own, :))];
+    end
+  end
+  if isempty (effects)
+    effects = repmat (struct ('name', '', 'range', [], 'runs', 0, ...
+                              'laboratory', false), 1, 0);
+  end
+end
+
+function joint = jointEffects (em, theta, phi, Z)
+  joint = [];
+  simulated = find (~[em.effect.laboratory] & [em.effect.runs] > 0);
+  for pair = nchoosek (simulated, 2)' .* (numel (simulated) > 1)
+    if numel (simulated) < 2
+      break
+    end
+    both = all (abs (phi(:, pair)) >= 1e-9, 2) & ...
+           sum (abs (phi) >= 1e-9, 2) == 2;
+    joint = [joint, learnJoint(em, pair', [theta(both, :), phi(both, pair)], ...
+                               Z(both, :))];
+  end
+end
+
+% Runs that were repeated tell the scatter of one run; where they are few, the
+% nugget of the Kriging model does.
+function em = seedScatter (em, problem, data)
+  [measured, df, residual] = seedNoise ([data.X, data.E], data.Z);
+  nugget = max ([em.surrogates.noiseVar], eps);
+  weight = df ./ (df + 5);
+  measured(df == 0) = 0;
+  em.seedVar = weight .* measured + (1 - weight) .* nugget;
+  em.seedFreedom = df + [em.surrogates.df];
+  known = isfinite (problem.seedSd);
+  em.seedVar(known) = problem.seedSd(known).^2;
+  em.seedFreedom(known) = Inf;
+  em.correlation = errorCorrelation (em, residual, problem.bench);
+end
+
+% The same runs in another order give other last digits, and then other sets to
+% verify: a second start finds its runs in the order in which they ended.
+function data = inOrder (data)
+  [~, order] = sortrows ([data.X, data.E, data.replicate]);
+  data = struct ('X', data.X(order, :), 'E', data.E(order, :), ...
+                 'Z', data.Z(order, :));
+end
+
+function theta = scaled (X, limits)
+  theta = 2 * (X - limits(1, :)) ./ (limits(2, :) - limits(1, :)) - 1;
+end
+
+function em = baseline (problem, data, isBase, options, old)
+  p = columns (problem.limits);
+  T = columns (data.Z);
+  settings = struct ('covariance', options.covariance, ...
+                     'trend', options.trend);
+  em = old;
+  for t = T:-1:1
+    settings.name = problem.targetNames{t};
+    if isOneRunOff (old, struct ('X', data.X(isBase, :)))
+      settings.start = old.surrogates(t);
+    end
+    fits(t) = fitSurrogate (data.X(isBase, :), data.Z(isBase, t), ...
+                            problem.limits, settings);
+  end
+  em.p = p;
+  em.limits = problem.limits;
+  em.surrogates = fits;
+  em.Q2 = [fits.Q2];
+  em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
+  em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
+  em.range = rangesOf (problem, data.Z, isBase);
+  em.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
+  [average, em.surrogateVar] = predictBaseline (em, em.points);
+  noise = [fits.noiseVar] + mean (em.surrogateVar);
+  for degree = 2:4
+    em.powers = polyPowers (p, degree);
+    [em.coef, em.fitVar] = leastSquares (em.points, average, em.powers);
+    if rows (em.powers) * 4 > rows (em.points) || ...
+          all (em.fitVar < 0.02 * noise)
+      break
+    end
+  end
+  em.varPowers = polyPowers (p, 2);
+end
+
+% What the parameters move; of a response that they do not move, what effects or
+% the measurement do.
+function range = rangesOf (problem, Z, isBase)
+  span = @(A) max (A, [], 1) - min (A, [], 1);
+  range = span (Z(isBase, :));
+  for t = find (range <= 100 * eps (max (abs (Z), [], 1)))
+    range(t) = max ([span([Z(:, t); problem.y(t)]), problem.sd(t), eps]);
+  end
+end
+
+function [coef, errorVar] = leastSquares (points, values, powers)
+  B = polyRows (powers, points);
+  coef = B \ values;
+  n = rows (B);
+  errorVar = sum ((values - B * coef).^2) / max (n - columns (B), 1);
+end
+
+function C = errorCorrelation (em, residual, bench)
+  T = numel (bench);
+  lengths = arrayfun (@(s) numel (s.looStd), em.surrogates);
+  R = zeros (0, T);
+  if all (lengths == lengths(1))
+    R = [em.surrogates.looStd];
+  end
+  residual = residual(all (isfinite (residual), 2), :);
+  R = [R; residual ./ sqrt(em.seedVar)];
+  R = R(all (isfinite (R), 2), :);
+  n = rows (R);
+  scale = sqrt (sum (R.^2));
+  C = (R' * R) ./ max (scale' * scale, eps) * n / (n + 2 * T);
+  C(bench' ~= bench) = 0;
+  C(1:T + 1:end) = 1;
+end
+
+%!test
+%! % means of the emulator agree with the laboratory within its own variances
+%! % (mean of 24 x 50 squared errors over variances: 4 deviations allowed)
+%! rand ('twister', 1); randn ('twister', 1);
+%! lab = standInGap (0);
+%! problem = newGapProblem (setfield (lab.problem, 'y', ones (1, 24)));
+%! data = lab.plan (30, 10);
+%! em = fitEmulator (problem, data, gapOptions (struct ('trend', 'affine')));
+%! theta = rand (50, 4);
+%! phi = [zeros(50, 2), rand(50, 1), zeros(50, 7)];
+%! budget = struct ('covariance', diag (lab.seedSd .^ 2), ...
+%!                  'estimated', zeros (1, 24), ...
+%!                  'unknown', zeros (1, 24));
+%! white = whitenEmulator (em, 1:24, budget);
+%! [M, V] = predictGap (white, 3, [2 * theta - 1, phi(:, 3)]);
+%! Z = lab.means (theta, phi) + lab.seedSd .* randn (50, 24);
+%! ratio = mean (mean ((Z * white.W' - M) .^ 2 ./ V));
+%! assert (ratio > 0.6 && ratio < 1.6);
+%! assert (em.effect(9).laboratory && em.effect(9).runs == 0);
+%!test
+%! % a response that only an effect moves has the range of that
+%! lab = standInGap (0);
+%! problem = newGapProblem (setfield (lab.problem, 'y', 8 * ones (1, 24)));
+%! data = lab.plan (30, 10);
+%! off = all (data.E == 0, 2);
+%! data.Z(:, 2) = 5 * ~off;
+%! em = fitEmulator (problem, data, gapOptions (struct ('trend', 'affine')));
+%! assert (em.range(2), 8);
+%! z = data.Z(off, 1);
+%! assert (em.range(1), max (z) - min (z));
+%!error id=DEcalioc:fitEmulator:badValue
+%! lab = standInGap (0);
+%! problem = newGapProblem (setfield (lab.problem, 'y', ones (1, 24)));
+%! fitEmulator (problem, lab.plan (4, 2), ...
+%!              gapOptions (struct ('trend', 'affine')));

@@ -1,0 +1,229 @@
+% FITSURROGATE  Kriging model of one response, noise estimated, choice checked.
+%
+% CALL: surrogate = fitSurrogate (X, z, limits)
+% CALL: surrogate = fitSurrogate (X, z, limits, options)
+%
+% X        n x d  inputs; rows may repeat (replicates carry pure error)
+% z        n x 1  responses; rows with NaN are left out
+% limits   2 x d  box of the inputs
+% options  struct, every field optional:
+%   name        char, name of the response ('')
+%   trend       'constant', 'affine', 'quadratic' or 'choose' ('choose')
+%   covariance  'matern32', 'matern52', 'gauss' or 'choose' ('choose')
+%   start       surrogate of an earlier fit: its choice is kept, its
+%               parameters are the start ([])
+%   maxFit      rows used at most to estimate the parameters (150)
+%   noise       n x 1 known variances of the single runs ([]: estimated)
+%
+% surrogate: name, model, posterior (stk, in the unit box and the standardised
+% response; [] above 400 rows), X, z, limits, noiseVar (of one run), looResidual
+% and looStd (n x 1), Q2, trend, covariance, and what predictSurrogate needs:
+% shift, scale, factor, df, score (leave-one-out log density), nChoice (runs at
+% the choice of the model), warning.
+%
+% Parameters: restricted likelihood with a weak prior (penalisedLikelihood),
+% minimised by fminunc.
+% Choice: leave-one-out log predictive density, trend first; an affine trend
+% and matern52 are left only for a gain above 1.5, as the best of several scores
+% is partly luck.
+%
+% Errors: DEcalioc:fitSurrogate:badShape, DEcalioc:fitSurrogate:runFailed
+%
+% See also: predictSurrogate, conditionSurrogate, penalisedLikelihood
+
+function surrogate = fitSurrogate (X, z, limits, options)
+  if nargin < 4
+    options = struct ();
+  end
+  if size (z, 1) ~= size (X, 1) || size (X, 2) ~= size (limits, 2)
+    error ('DEcalioc:fitSurrogate:badShape', ...
+           ['fitSurrogate: X must be n x d, z n x 1 and limits 2 x d, got ' ...
+            '%d x %d, %d x %d and %d x %d.'], size (X), size (z), ...
+           size (limits));
+  end
+  options = mergeFields (struct ('name', '', 'trend', 'choose', ...
+                                 'covariance', 'choose', 'start', [], ...
+                                 'maxFit', 150, 'noise', []), options);
+  ok = isfinite (z);
+  if sum (ok) < 2
+    error ('DEcalioc:fitSurrogate:runFailed', ...
+           ['fitSurrogate: response ''%s'' has %d finite values, needs 2 ' ...
+            'or more. Look at the failed runs.'], options.name, sum (ok));
+  end
+  base = standardise (X(ok, :), z(ok), limits, options);
+  if ~isempty (options.start)
+    surrogate = refit (base, options);
+  elseif isConstant (base.z)
+    surrogate = conditionSurrogate (constantModel (base), base);
+  else
+    surrogate = chooseModel (base, options);
+  end
+end
+
+function base = standardise (X, z, limits, options)
+  base.name = options.name;
+  base.X = X;
+  base.z = z;
+  base.limits = limits;
+  base.unit = (X - limits(1, :)) ./ (limits(2, :) - limits(1, :));
+  base.shift = mean (z);
+  base.scale = std (z);
+  if isConstant (z)
+    base.scale = max (abs (base.shift), 1);
+  end
+  base.y = (z - base.shift) / base.scale;
+  base.knownNoise = options.noise / base.scale^2;
+end
+
+% A response that no run has moved is expected to stay where it is.
+function model = constantModel (base)
+  d = size (base.X, 2);
+  model = emptyModel ('constant', 'matern52', d);
+  model.param = zeros (d + 1, 1);
+  model.param(1) = 2 * log (1e-6);
+  model.lognoisevariance = 2 * log (1e-6);
+end
+
+function surrogate = refit (base, options)
+  old = options.start;
+  model = old.model;
+  if ~isConstant (base.z)
+    start = model;
+    if isConstant (old.z) || ~isscalar (model.lognoisevariance)
+      start = [];
+    end
+    model = estimate (old.trend, old.covariance, base, options, start);
+  end
+  surrogate = conditionSurrogate (model, base);
+  surrogate.nChoice = old.nChoice;
+end
+
+function best = chooseModel (base, options)
+  small = options;
+  small.maxFit = min (options.maxFit, 60);
+  few = thinned (base, 200);
+  [trends, covariances, default] = candidateModels (few, options);
+  best = better ([], trends{default}, covariances{1}, few, small);
+  for i = setdiff (1:numel (trends), default)
+    best = better (best, trends{i}, covariances{1}, few, small);
+  end
+  for i = 2:numel (covariances)
+    best = better (best, best.trend, covariances{i}, few, small);
+  end
+  n = rows (base.X);
+  if n > small.maxFit
+    options.start = best;
+    best = refit (base, options);
+    best.nChoice = n;
+  end
+end
+
+function few = thinned (base, most)
+  % the choice of the model needs no more rows than this
+  n = rows (base.X);
+  few = base;
+  if n > most
+    use = unique (round (linspace (1, n, most)));
+    few.X = base.X(use, :);
+    few.z = base.z(use);
+    few.unit = base.unit(use, :);
+    few.y = base.y(use);
+    if ~isempty (base.knownNoise)
+      few.knownNoise = base.knownNoise(use);
+    end
+  end
+end
+
+function [trends, covariances, default] = candidateModels (base, options)
+  [n, d] = size (base.X);
+  trends = {options.trend};
+  if strcmp (options.trend, 'choose')
+    trends = {'constant', 'affine', 'quadratic'};
+    enough = n >= [3, d + 4, 1.5 * (d + 1) * (d + 2)];
+    trends = trends(enough | [~any(enough), false, false]);
+  end
+  covariances = {options.covariance};
+  if strcmp (options.covariance, 'choose')
+    covariances = {'matern52', 'matern32', 'gauss'};
+  end
+  default = min (2, numel (trends));
+end
+
+function best = better (best, trend, covariance, base, options)
+  model = estimate (trend, covariance, base, options, []);
+  new = conditionSurrogate (model, base);
+  if isempty (best) || new.score > best.score + 1.5
+    best = new;
+  end
+end
+
+function model = estimate (trend, covariance, base, options, old)
+  n = rows (base.unit);
+  use = unique (round (linspace (1, n, min (n, options.maxFit))));
+  noise = base.knownNoise;
+  if ~isempty (noise)
+    noise = noise(use);
+  end
+  fit = prepareFit (base.unit(use, :), base.y(use), trend, covariance, noise);
+  theta = fit.mean;
+  if ~isempty (old)
+    theta = [old.param(:); old.lognoisevariance(ones (isempty (noise), 1))];
+  end
+  settings = optimset ('GradObj', 'on', 'TolFun', 1e-5, 'TolX', 1e-4, ...
+                       'MaxIter', 100);
+  theta = fminunc (@(t) penalisedLikelihood (t, fit), theta, settings);
+  d = columns (base.X);
+  model = emptyModel (trend, covariance, d);
+  model.param = theta(1:d + 1);
+  model.lognoisevariance = log (base.knownNoise);
+  if isempty (noise)
+    model.lognoisevariance = theta(end);
+  end
+end
+
+function model = emptyModel (trend, covariance, d)
+  kernel = regexprep (covariance, '^(matern|gauss)', '$1cov');
+  model = stk_model (['stk_' kernel '_aniso'], d);
+  model.lm = feval (['stk_lm_' trend]);
+  model.lognoisevariance = NaN;
+end
+
+%!shared X, z, lim
+%! pkg load stk
+%! rand ('twister', 2);
+%! randn ('twister', 2);
+%! lim = [0, 0, 0; 1, 1, 1];
+%! X = rand (20, 3);
+%! z = 5 + 3 * X(:, 1) - 2 * X(:, 2) + 0.1 * randn (20, 1);
+
+%!test
+%! % noise within a factor of 2 of the truth (chance of failing below 1 %)
+%! s = fitSurrogate (X, z, lim);
+%! assert (sqrt (s.noiseVar) > 0.05 && sqrt (s.noiseVar) < 0.2);
+%! assert (s.Q2 > 0.9 && s.Q2 < 1);
+%! assert (size (s.looResidual), [20, 1]);
+
+%!test
+%! % rows with NaN are left out, choices can be fixed
+%! y = z;
+%! y([3, 7]) = NaN;
+%! s = fitSurrogate (X, y, lim, struct ('trend', 'affine', ...
+%!                                      'covariance', 'matern32'));
+%! assert (size (s.X), [18, 3]);
+%! assert ({s.trend, s.covariance}, {'affine', 'matern32'});
+
+%!test
+%! % a constant response is no error, and stays what it is
+%! s = fitSurrogate (X, 7 * ones (20, 1), lim);
+%! [m, v] = predictSurrogate (s, [0.5, 0.5, 0.5]);
+%! assert (m, 7, 1e-9);
+%! assert (v < 1e-8);
+%! assert (s.warning, 'the response is constant');
+%! s = fitSurrogate ([X; X], 7 * ones (40, 1), lim, struct ('start', s));
+%! assert (s.warning, 'the response is constant');
+%! s = fitSurrogate ([X; X], [z; z], lim, struct ('start', s));
+%! assert (s.Q2 > 0.9);
+
+%!error id=DEcalioc:fitSurrogate:runFailed
+%! fitSurrogate (X, NaN (20, 1), lim);
+%!error id=DEcalioc:fitSurrogate:badShape fitSurrogate (X, z', lim);

@@ -1,0 +1,39 @@
+% KRIGINGTERMS  What a surrogate's posterior at some sets is made of.
+%
+% CALL: [m, B, C, U] = krigingTerms (surrogate, P)
+%
+% surrogate  scalar struct of fitSurrogate
+% P          n x d, parameter sets
+% m          n x 1, posterior mean of the standardised response
+% B, C       its posterior covariance is K - B' B + C' C, with K the prior
+%            covariance of the sets: B stands for what the runs tell, C for the
+%            trend that they leave open
+% U          n x d, P in the unit box
+%
+% The covariance of the runs was factored by conditionSurrogate.
+%
+% See also: predictSurrogate, drawSurrogate, conditionSurrogate
+
+function [m, B, C, U] = krigingTerms (surrogate, P)
+  s = surrogate.solver;
+  model = surrogate.model;
+  U = (P - surrogate.limits(1, :)) ./ ...
+      (surrogate.limits(2, :) - surrogate.limits(1, :));
+  k = covarianceOf (surrogate, U, s.unit);
+  h = feval (model.lm, U);
+  m = h * s.beta + k * s.alpha;
+  if nargout > 1
+    B = s.L \ k';
+    C = s.R' \ (h' - s.A' * B);
+  end
+end
+
+%!test
+%! % at a run without noise the mean is the run, and nothing is open
+%! pkg load stk
+%! X = [0; 0.4; 0.7; 1];
+%! s = fitSurrogate (X, sin (3 * X), [0; 1], ...
+%!                   struct ('noise', 1e-12 * ones (4, 1)));
+%! [m, B, C, U] = krigingTerms (s, 0.4);
+%! assert (s.shift + s.scale * m, sin (1.2), 1e-5);
+%! assert (covarianceOf (s, U, U) - B' * B + C' * C, 0, 1e-6);

@@ -1,0 +1,17 @@
+#!/bin/bash
+# A calibration that misses its measurements, and the diagnosis of why: the
+# stored runs of examples/hiddenEffect, without LIGGGHTS, in a minute or two.
+# CALL: tools/demo.sh [FOLDER]      (default: decalioc-demo; must not exist yet)
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+folder=${1:-decalioc-demo}
+mkdir -- "$folder" || {
+  echo "demo.sh: a folder that does not exist yet is needed, got $folder. Name another one." >&2
+  exit 1
+}
+cp "$root"/examples/hiddenEffect/load*.m "$folder"
+cp -L "$root/examples/hiddenEffect/storedRuns.csv" "$folder/runs.csv"
+sed -i 's/\(Input.maxNewRuns = \)[^;]*;.*/\10;                 % runs.csv alone/' "$folder/loadInput.m"
+
+"$root/bin/decalioc" run "$folder" || [ $? -eq 2 ]      # 2: targets not met
+"$root/bin/decalioc" diagnose "$folder"

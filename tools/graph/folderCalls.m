@@ -1,0 +1,114 @@
+% FOLDERCALLS  Which functions of the toolbox call which.
+%
+% CALL: [names, places, calls] = folderCalls (root)
+%
+% root    folder of the toolbox (text)
+% names   n x 1 cellstr, the product's functions and scripts: the .m files of
+%         ROOT itself and of infrastructure/
+% places  n x 1 cellstr, where each belongs: 'main' (main scripts, forms, the
+%         commands of bin/), 'published' (infrastructure/ itself), or the name
+%         of its folder there
+% calls   n x n logical, row calls column
+%
+% A call is the name of another file as a word of the code, or a handle of it.
+% Comments, texts, tests, fields and local variables do not count, and neither
+% do calls of a function whose name is put together from texts.
+%
+% See also: showGraph
+
+function [names, places, calls] = folderCalls (root)
+  inside = fullfile (root, 'infrastructure');
+  folders = [{root}, strsplit(genpath (inside), pathsep ())];
+  files = cell (0, 1);
+  for k = find (~cellfun (@isempty, folders))
+    files = [files; glob(fullfile (folders{k}, '*.m'))];
+  end
+  [~, names] = cellfun (@fileparts, files, 'UniformOutput', false);
+  places = cellfun (@(f) placeOf (f, root, inside), files, ...
+                    'UniformOutput', false);
+  calls = false (numel (files));
+  for k = 1:numel (files)
+    calls(k, :) = ismember (names, wordsOf (fileread (files{k})));
+    calls(k, k) = false;
+  end
+end
+
+function place = placeOf (file, root, inside)
+  place = 'main';
+  if strncmp (file, [inside, filesep], numel (inside) + 1)
+    rest = strsplit (file(numel (inside) + 2:end), filesep ());
+    place = 'published';
+    if numel (rest) > 1
+      place = rest{1};
+    end
+  end
+  if strcmp (place, 'command')
+    place = 'main';
+  end
+end
+
+% Words of a file that are neither variables nor local functions.
+function words = wordsOf (text)
+  words = {};
+  code = codeOf (text);
+  local = regexp (code, '^\s*function\s(?:[^=\n]*=)?\s*(\w+)', 'tokens', ...
+                  'lineanchors');
+  parts = regexp (code, '^\s*function\s', 'split', 'lineanchors');
+  for k = 1:numel (parts)
+    own = [localsOf(parts{k}, k > 1), local{:}];
+    used = regexp (parts{k}, '(?<![\w.])[A-Za-z]\w*', 'match');
+    words = [words, setdiff(used, own)];
+  end
+end
+
+% A quote after a name, a bracket or a dot transposes; elsewhere it begins a
+% text.
+function code = codeOf (text)
+  code = regexprep (text, ['(?<![\w)\]}''.])''(?:[^''\n]|'''')*''|', ...
+                           '"(?:[^"\\\n]|\\.)*"|[%#][^\n]*'], ' ');
+  code = regexprep (code, '\.\.\.\s*\n', ' ');
+end
+
+function own = localsOf (code, isFunction)
+  own = {};
+  if isFunction
+    [head, code] = strtok (code, "\n");
+    own = regexp (head, '[A-Za-z]\w*', 'match');
+  end
+  one = regexp (code, ['(?:^|[;,]|\sfor)\s*\(?([A-Za-z]\w*)\s*', ...
+                       '(?:[({.][^=\n]*)?(?<![=~<>!])=(?!=)'], ...
+                'tokens', 'lineanchors');
+  some = regexp (code, '\[([^\]=]*)\]\s*=(?!=)|@\s*\(([^)]*)\)', 'tokens');
+  some = regexp (strjoin ([{' '}, some{:}], ' '), '(?<![\w.])[A-Za-z]\w*', ...
+                 'match');
+  own = [own, [one{:}], some];
+end
+
+%!test
+%! root = tempname ();
+%! inside = fullfile (root, 'infrastructure');
+%! write = @(path, text) writeAtomic (fullfile (root, path), text);
+%! [~] = cellfun (@(f) mkdir (fullfile (inside, f)), {'upper', 'lower/deep'});
+%! write ('start.m', "1;\nshared = top (@base);\n");
+%! write ('infrastructure/top.m', ["function y = top (f)\n", ...
+%!   "  y = f (side)';\n  x.alone = 'alone'; % alone\n", ...
+%!   "  [deepest, z] = size (y);\n  deepest (1);\nend\n%! alone ()\n"]);
+%! write ('infrastructure/upper/side.m', ...
+%!        "function y = side ()\n  y = [1, 2]' + deepest (...\n 3);\nend\n");
+%! write ('infrastructure/lower/base.m', ["function y = base (side)\n", ...
+%!   "  y = side;\nend\nfunction z = other ()\n", ...
+%!   "  z = side () + alone ();\nend\nfunction y = alone ()\n  y = 1;\nend\n"]);
+%! write ('infrastructure/lower/deep/deepest.m', ...
+%!        "function y = deepest (x)\n  y = @(top) top;\nend\n");
+%! write ('infrastructure/lower/alone.m', "function alone ()\nend\n");
+%! [names, places, calls] = folderCalls (root);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (root, 's');
+%! assert (sort (names), {'alone'; 'base'; 'deepest'; 'side'; 'start'; 'top'});
+%! at = @(name) find (strcmp (names, name));
+%! assert (places(at ('deepest')), {'lower'});
+%! assert (places([at('start'), at('top')]), {'main'; 'published'});
+%! [from, to] = find (calls);
+%! made = sort (strcat (names(from), {' '}, names(to)));
+%! assert (made, {'base side'; 'side deepest'; 'start base'; 'start top'; ...
+%!                'top side'});
