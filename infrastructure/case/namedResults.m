@@ -7,8 +7,8 @@
 %            all of a run that is not sane, may be left out
 %   FOLDER   folder of the run (text)
 %   MODEL    model folder with results.csv (text)
-%   RES      1 x m cell of scalars (of curves n x 2, where measured.csv reads
-%            points of them), in the order of results.csv; NaN where the run does
+%   RES      1 x m cell of scalars, or of curves (n x 2) of which measured.csv
+%            reads points, in the order of results.csv; NaN where the run does
 %            not tell, all NaN where MEASURE throws: a file is missing
 %
 % What a getResults.m may return.
