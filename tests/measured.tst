@@ -52,12 +52,9 @@
 %! file = fullfile (folder, 'measured.csv');
 %! good = fileread (file);
 %! n = numel (listRunFolders (folder, 'Bin'));
-%! raw = struct ('folder', folder, 'effects', []);
-%! raw.root = fileparts (fileparts (which ('newCase')));
 %! here = cd (folder);
 %! clear loadInput
-%! [raw.Input, raw.optim, raw.modelVars, raw.assign, raw.paramLims] = ...
-%!   loadInput ();
+%! raw = readInput (fileparts (which ('DEcalioc')), folder);
 %! cd (here);
 %! clear loadInput
 %! writeAtomic (file, strrep (good, ';0,055;', ';0,057;'));
