@@ -5,20 +5,21 @@
 %   PARAMS        d x 1 parameter set, in the order of assign
 %   EVALUATEFUNC  function handle: results of the models, one row a target
 %   VARARGIN      handed on to EVALUATEFUNC; DEcalioc gives its case here
-%   RESIDUAL      one row a target, in the order of optim.targetVal, then any
-%                 number of rows of preferences
+%   RESIDUAL      one row a target, model by model in the order of
+%                 optim.targetVal or measured.csv, then any number of rows of
+%                 preferences
 %
 % The rows of the targets are brought to zero. The rows below them (here: the
 % Rayleigh time step) only choose among the sets that meet the targets.
 %
-% See also: loadInput, evaluateKriging, evaluateDEM
+% See also: loadInput, costInput, evaluateKriging, evaluateDEM
 
 function residual = costFunction (params, evaluateFunc, varargin)
   result = evaluateFunc (params, varargin);
   given = costInput (varargin);
 
   % first part: relative difference of results and measured values
-  residual = (result(:, 1) - given.value) ./ given.value;
+  residual = (result(:, 1) - given.value) ./ given.scale;
 
   % second part: a preference for a large time step
   modelVars = assignParams (given.modelVars, params, given.names);

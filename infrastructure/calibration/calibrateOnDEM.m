@@ -55,9 +55,9 @@ end
 % fails, and there is no other set to go to.
 function yes = isHopeless (state, problem, mayMove)
   final = state.final;
-  use = problem.calibrate;
-  beyond = (abs (final.residual(use)') - problem.tol(use)) ./ ...
-           max (final.residualSd(use)', eps);
+  [share, spread] = toleranceShare (problem, final.residual', ...
+                                    final.residualSd');
+  beyond = (share - 1) ./ max (spread, eps);
   isOut = final.n >= problem.options.replicates && any (beyond > 3);
   if mayMove
     yes = isOut && ~isempty (state.found.conflict);

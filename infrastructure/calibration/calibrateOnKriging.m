@@ -70,8 +70,7 @@ function starts = startingPoints (surrogates, problem, options)
   end
   X = insideLimits (surrogates(1).X, problem.limits);
   r = targetResidual (problem, X, predictSurrogate (surrogates, X));
-  worst = max (abs (r(:, problem.calibrate)) ./ ...
-               problem.tol(problem.calibrate), [], 2);
+  worst = max (toleranceShare (problem, r), [], 2);
   [~, order] = sort (worst);
   for i = 1:min (numel (order), options.nPlan)
     starts(end + 1) = struct ('start', sprintf ('run that comes close, %d', ...

@@ -12,18 +12,11 @@
 
 function lines = checkSurrogates (state, problem)
   lines = {};
-  for t = 1:numel (state.surrogates)
-    s = state.surrogates(t);
-    low = min (s.z);
-    high = max (s.z);
-    if problem.value(t) < low || problem.value(t) > high
-      lines{end + 1} = sprintf (['target %s = %g lies outside what the ' ...
-                                 'runs reached (%g to %g)'], s.name, ...
-                                problem.value(t), low, high);
-    end
-    if ~isempty (s.warning)
-      lines{end + 1} = sprintf ('%s: %s', s.name, s.warning);
-    end
+  for t = find (problem.curve == 0)
+    lines = [lines, warningsOf(state.surrogates(t), problem.value(t))];
+  end
+  for number = unique (problem.curve(problem.curve > 0))
+    lines = [lines, curveWarnings(state, problem, number)];
   end
   touched = limitsTouched (state.found.params, problem);
   if ~isempty (touched)
@@ -40,6 +33,33 @@ function lines = checkSurrogates (state, problem)
   if failed > 0
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
                               failed, sum (own));
+  end
+end
+
+function lines = warningsOf (s, value)
+  lines = {};
+  low = min (s.z);
+  high = max (s.z);
+  if value < low || value > high
+    lines{end + 1} = sprintf (['target %s = %g lies outside what the runs ' ...
+                               'reached (%g to %g)'], s.name, value, low, high);
+  end
+  if ~isempty (s.warning)
+    lines{end + 1} = sprintf ('%s: %s', s.name, s.warning);
+  end
+end
+
+% One sentence for all points that have something: the first one's.
+function lines = curveWarnings (state, problem, number)
+  lines = {};
+  own = find (problem.curve == number);
+  for t = own
+    lines = [lines, warningsOf(state.surrogates(t), problem.value(t))];
+  end
+  if numel (lines) > 1
+    lines = {sprintf('%s (and %d more warnings of the %d points of %s)', ...
+                     lines{1}, numel (lines) - 1, numel (own), ...
+                     problem.targets(own(1)).series)};
   end
 end
 
@@ -71,3 +91,16 @@ end
 %! assert (lines{1}, ['target y = 9 lies outside what the runs reached ', ...
 %!                    sprintf('(%g to %g)', min (s(2).z), max (s(2).z))]);
 %! assert (lines{2}, 'at a limit of the box: a');
+
+%!test
+%! % the points of a curve have one sentence together
+%! curve = problem;
+%! curve.curve = [1, 1];
+%! curve.calibrate = [true, true];
+%! [curve.targets.series] = deal ('w');
+%! curve.value = [99, 99];
+%! state.found.params = [0.5, 1];
+%! state.data.Z(3, 1) = 4;
+%! lines = checkSurrogates (state, curve);
+%! assert (numel (lines), 1);
+%! assert (! isempty (strfind (lines{1}, 'and 1 more warnings of the 2')));

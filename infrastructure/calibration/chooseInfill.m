@@ -32,7 +32,7 @@ function P = chooseInfill (surrogates, problem, found, n, round)
       Z = repmat (problem.value, rows (candidates), 1);
       Z(:, t) = draw(:, k);
       r = targetResidual (problem, candidates, Z);
-      loss(:, k) = loss(:, k) + (r(:, t) / problem.tol(t)).^2;
+      loss(:, k) = loss(:, k) + (r(:, t) / problem.part(t)).^2;
     end
   end
   for k = 1:n - 1
@@ -48,8 +48,8 @@ function C = candidateSets (surrogates, problem, found)
   near = double (stk_sampling_halton_rr2 (100, d, [-ones(1, d); ones(1, d)]));
   P = [sample; setsAround(found.params, 0.15 * near, problem.limits)];
   [r, s] = residualSpread (surrogates, problem, P);
-  use = problem.calibrate;
-  optimist = max (abs (r(:, use)) - 2 * s(:, use), 0) ./ problem.tol(use);
+  [share, spread] = toleranceShare (problem, r, s);
+  optimist = max (share - 2 * spread, 0);
   [~, order] = sort (sum (optimist.^2, 2));
   C = P(order(1:200), :);
 end

@@ -56,7 +56,6 @@ function Z = runsAt (data, p, problem)
 end
 
 function final = judge (final, m, v, df, problem)
-  use = find (problem.calibrate);
   full = problem.cost (final.params(:), @(varargin) final.result(:));
   T = numel (problem.value);
   final.residual = full(1:T)(:);
@@ -69,13 +68,13 @@ function final = judge (final, m, v, df, problem)
   for t = 1:T
     half = studentQuantile (0.95, df(t)) * sqrt (v(t));
     final.interval90(:, t) = [m(t) - half; m(t) + half];
-    if problem.calibrate(t)
-      final.probability = final.probability * insideProbability ...
-        (r(t), s(t), problem.tol(t), df(t));
-    end
   end
-  final.within = final.n > 0 && all (abs (final.residual(use)) <= ...
-                                     problem.tol(use)');
+  for own = requirementsOf (problem)
+    final.probability = final.probability * ...
+                        requirementProbability (r, s, own{1}, problem, df);
+  end
+  share = toleranceShare (problem, final.residual');
+  final.within = final.n > 0 && all (share <= 1);
   final.converged = final.within && ...
                     final.n >= problem.options.replicates && ...
                     final.probability >= problem.options.confidence;

@@ -11,12 +11,11 @@
 function found = describeSet (surrogates, problem, p)
   [m, v] = predictSurrogate (surrogates, p);
   [probability, r, s] = meetProbability (surrogates, problem, p);
-  use = problem.calibrate;
   full = problem.cost (p(:), @(q, varargin) evaluateKriging (q, surrogates));
   found = struct ('params', p, 'result', m, 'sd', sqrt (v), ...
                   'residual', full(:), 'residualSd', s', ...
                   'probability', probability, ...
-                  'within', all (abs (r(use)) <= problem.tol(use)));
+                  'within', all (toleranceShare (problem, r) <= 1));
 end
 
 %!shared problem, state, s

@@ -10,24 +10,24 @@
 %         standard deviations of the surrogates there (0: met)
 %
 % Starting from all targets, each one is left out in turn; it is named when
-% the rest can be met without it no better.
+% the rest can be met without it no better. A curve is one target.
 %
 % See also: calibrateOnKriging
 
 function [names, excess] = findConflict (surrogates, problem)
-  group = find (problem.calibrate);
-  excess = leastExcess (surrogates, problem, group);
+  [group, known] = requirementsOf (problem);
+  excess = leastExcess (surrogates, problem, [group{:}]);
   if excess <= 3
     names = {};
     return
   end
-  for t = group
-    rest = setdiff (group, t);
-    if ~isempty (rest) && leastExcess (surrogates, problem, rest) > 3
-      group = rest;
-    end
+  left = true (1, numel (group));
+  for k = 1:numel (group)
+    left(k) = false;
+    left(k) = ~any (left) || ...
+              leastExcess (surrogates, problem, [group{left}]) <= 3;
   end
-  names = {surrogates(group).name};
+  names = known(left);
 end
 
 function excess = leastExcess (surrogates, problem, group)
@@ -46,9 +46,8 @@ end
 
 function worst = worstExcess (surrogates, problem, P)
   [r, s] = residualSpread (surrogates, problem, P);
-  use = problem.calibrate;
-  s = max (s, 1e-3 * problem.tol);
-  worst = max ((abs (r(:, use)) - problem.tol(use)) ./ s(:, use), [], 2);
+  [share, spread] = toleranceShare (problem, r, s);
+  worst = max ((share - 1) ./ max (spread, 1e-3), [], 2);
   worst = max (worst, 0);
 end
 

@@ -9,7 +9,8 @@
 %             is wider than half of the box), directions d x k (unit vectors in
 %             the unit box along which the posterior keeps more than half of
 %             the prior's standard deviation), text (cellstr, the directions in
-%             words), next (struct array, best first: kind 'held-out target' or
+%             words), next (struct array, best first: kind 'held-out target',
+%             'measure' (a target that is not measured yet) or
 %             'measure directly', name, gain (share of the total relative
 %             variance of the parameters that it is expected to take away))
 %
@@ -49,7 +50,11 @@ function next = furtherTargets (surrogates, problem, sample, U)
   for t = find (~problem.calibrate)
     [m, v] = predictSurrogate (surrogates(t), sample);
     s2 = mean (v) + surrogates(t).noiseVar + problem.sd(t)^2;
-    next(end + 1) = struct ('kind', 'held-out target', ...
+    kind = 'held-out target';
+    if isnan (problem.value(t))
+      kind = 'measure';
+    end
+    next(end + 1) = struct ('kind', kind, ...
                             'name', surrogates(t).name, ...
                             'gain', gainOf (U, m, s2));
   end

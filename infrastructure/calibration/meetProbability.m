@@ -6,7 +6,8 @@
 % problem      struct of newProblem
 % P            n x d  parameter sets
 % probability  n x 1  product over the targets that are calibrated of
-%                     Pr(|residual of the mean response| < tolerance)
+%                     Pr(|residual of the mean response| < tolerance); a curve
+%                     is one of them (curveProbability)
 % r, s         n x T  residual of the surrogate mean, its standard deviation
 %
 % problem.avoid (k x d, optional) holds sets at which runs failed again and
@@ -19,9 +20,10 @@
 function [probability, r, s] = meetProbability (surrogates, problem, P)
   [r, s] = residualSpread (surrogates, problem, P);
   probability = ones (size (P, 1), 1);
-  for t = find (problem.calibrate)
-    probability = probability .* insideProbability ...
-      (r(:, t), s(:, t), problem.tol(t), surrogates(t).df);
+  for own = requirementsOf (problem)
+    probability = probability .* ...
+                  requirementProbability (r, s, own{1}, problem, ...
+                                          [surrogates.df]);
   end
   if isfield (problem, 'avoid')
     for i = 1:rows (problem.avoid)

@@ -36,8 +36,7 @@ function [p, probability] = mostProbableSet (surrogates, problem, pool)
     step = -circshift (step, 1, 2);
   end
   [probability, r] = meetProbability (surrogates, problem, best);
-  norm2 = sum ((r(:, problem.calibrate) ./ ...
-                problem.tol(problem.calibrate)).^2, 2);
+  norm2 = sum (toleranceShare (problem, r).^2, 2);
   [~, order] = sortrows ([-round(probability * 1e6), norm2]);
   p = best(order(1), :);
   probability = probability(order(1));
@@ -58,7 +57,7 @@ end
 function f = loss (surrogates, problem, P)
   [r, s] = residualSpread (surrogates, problem, P);
   use = problem.calibrate;
-  f = [r(:, use) ./ problem.tol(use), s(:, use) ./ problem.tol(use)];
+  f = [r(:, use) ./ problem.part(use), s(:, use) ./ problem.part(use)];
 end
 
 function J = slope (surrogates, problem, p)

@@ -9,9 +9,14 @@
 %       (costFunction) is handed the case as the third. Empty: the published
 %       relative residual (result - target) / target
 %
-% problem: names 1 x d cellstr, limits 2 x d, targets 1 x T struct, value, tol,
-% sd 1 x T, paramMean, paramSd 1 x d (measured by themselves; NaN: not),
-% calibrate 1 x T logical (false: held out, never used in a fit),
+% problem: names 1 x d cellstr, limits 2 x d, targets 1 x T struct, value (NaN:
+% not measured yet), tol, sd 1 x T, paramMean, paramSd 1 x d (measured by
+% themselves; NaN: not), scale 1 x T (what residual and tol are parts of: the
+% value, 1 where they are absolute), trials, scatter 1 x T (see docs/data.md),
+% curve, at, correlation 1 x T (number of the curve, 0: none; place on it;
+% length over which errors are alike), part 1 x T (what a residual is divided by
+% in a sum of squares in which a curve counts once),
+% calibrate 1 x T logical (false: held out or not measured, never fitted),
 % cost, standard (logical: the residuals are the published ones), nExtra
 % (preference rows), options with all defaults:
 %   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 4,
@@ -32,6 +37,13 @@ function problem = newProblem (Case, cost)
   problem.value = fieldRow (targets, 'value', NaN);
   problem.tol = fieldRow (targets, 'tol', 0.01);
   problem.sd = fieldRow (targets, 'sd', 0);
+  problem.scale = problem.value;
+  problem.scale(fieldRow (targets, 'isAbsolute', 0) > 0) = 1;
+  problem.trials = fieldRow (targets, 'trials', 1);
+  problem.scatter = logical (fieldRow (targets, 'scatter', false));
+  problem.curve = fieldRow (targets, 'curve', 0);
+  problem.at = fieldRow (targets, 'at', NaN);
+  problem.correlation = fieldRow (targets, 'correlation', 0);
   [problem.paramMean, problem.paramSd] = deal (NaN (1, numel (Case.names)));
   if isfield (Case, 'paramMean')
     problem.paramMean = Case.paramMean;
@@ -39,13 +51,18 @@ function problem = newProblem (Case, cost)
   end
   problem.calibrate = true (1, numel (targets));
   if isfield (targets, 'role')
-    problem.calibrate = ~strcmp ({targets.role}, 'holdout');
+    problem.calibrate = strcmp ({targets.role}, 'calibrate');
+  end
+  problem.part = problem.tol;
+  for own = requirementsOf (problem)
+    problem.part(own{1}) = problem.tol(own{1}) * sqrt (numel (own{1}));
   end
   problem.options = withDefaults (Case);
   problem.newSets = @() Inf;
   if nargin < 2 || isempty (cost)
     value = problem.value(:);
-    cost = @(p, evaluateFunc) (evaluateFunc (p) - value) ./ value;
+    scale = problem.scale(:);
+    cost = @(p, evaluateFunc) (evaluateFunc (p) - value) ./ scale;
   elseif abs (nargin (cost)) > 2
     cost = @(p, evaluateFunc) cost (p, evaluateFunc, Case);
   end
@@ -75,8 +92,9 @@ function [standard, nExtra] = probeCost (problem)
   T = numel (problem.value);
   p = mean (problem.limits, 1)';
   standard = true;
+  isKnown = isfinite (problem.value(:));
   for factor = [0.7, 1.1]
-    z = problem.value(:) .* factor.^(1:T)';
+    z = problem.value(:) + problem.scale(:) .* (factor.^(1:T)' - 1);
     r = problem.cost (p, @(varargin) z);
     if numel (r) < T
       error ('DEcalioc:newProblem:badShape', ...
@@ -84,17 +102,19 @@ function [standard, nExtra] = probeCost (problem)
               '(%d), got %d.'], T, numel (r));
     end
     nExtra = numel (r) - T;
-    published = (z - problem.value(:)) ./ problem.value(:);
+    published = (z - problem.value(:)) ./ problem.scale(:);
     gap = abs (abs (r(1:T)(:)) - abs (published));
-    standard = standard && all (gap <= 1e-9 * abs (published));
+    standard = standard && all (gap(isKnown) <= ...
+                                1e-9 * abs (published(isKnown)));
   end
   met = problem.cost (p, @(varargin) problem.value(:));
-  off = find (~(abs (met(1:T)) <= 1e-6), 1);
+  off = find (~(abs (met(1:T)(:)) <= 1e-6) & isKnown, 1);
   if ~isempty (off)
     error ('DEcalioc:newProblem:otherTargets', ...
            ['newProblem: row %d of costFunction must be 0 where every ' ...
             'result equals its target, got %g. Let it take the targets in ' ...
-            'the order of optim.targetVal, model by model.'], off, met(off));
+            'the order of optim.targetVal or measured.csv; costInput gives ' ...
+            'them to costFunction.m.'], off, met(off));
   end
 end
 
@@ -119,6 +139,24 @@ end
 %!test
 %! p = newProblem (C, @(p, f) f (p) - [400; 0.03]);
 %! assert (~ p.standard);
+
+%!test
+%! % a target of 0 with an absolute tolerance, one that is not measured yet, a
+%! % curve of two points
+%! D = C;
+%! D.targets = struct ('name', {'a', 'b', 'w@1', 'w@2'}, ...
+%!                     'value', {0, NaN, 2, 4}, 'tol', 0.1, ...
+%!                     'isAbsolute', {true, false, false, false}, ...
+%!                     'curve', {0, 0, 1, 1}, ...
+%!                     'series', {'', '', 'w', 'w'}, ...
+%!                     'role', {'calibrate', 'unmeasured', 'calibrate', ...
+%!                              'calibrate'});
+%! p = newProblem (D, []);
+%! assert (p.standard);
+%! assert (p.calibrate, [true, false, true, true]);
+%! assert (p.part([1, 3, 4]), 0.1 * [1, sqrt(2), sqrt(2)], 1e-12);
+%! assert (targetResidual (p, [0.5, 1], [0.3, 7, 3, 3]), ...
+%!         [0.3, NaN, 0.5, -0.25], 1e-12);
 
 %!error id=DEcalioc:newProblem:badShape newProblem (C, @(p, f) 1);
 %!error id=DEcalioc:newProblem:otherTargets

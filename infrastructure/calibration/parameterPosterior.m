@@ -14,12 +14,15 @@
 % Flat prior on the box, times a normal one for parameters that were measured
 % by themselves (problem.paramMean, paramSd). Each calibrated target is Student
 % distributed about the surrogate mean with the variance of the surrogate there,
-% plus the scatter of one run (the experiment is one packing), plus the
-% uncertainty of the measurement. Sampled by tempering: particles of the prior
-% are reweighted, resampled and moved by Metropolis steps until the full
-% likelihood is reached (Del Moral, Doucet and Jasra 2006).
+% plus the scatter of one run (the experiment is one packing, or the mean of
+% problem.trials), plus the uncertainty of the measurement. The points of a
+% curve are one observation with a covariance, see curveErrors; where the length
+% of their errors or their size is not known, it is sampled together with the
+% parameters. Sampled by tempering: particles of the prior are reweighted,
+% resampled and moved by Metropolis steps until the full likelihood is reached
+% (Del Moral, Doucet and Jasra 2006).
 %
-% See also: identifiability, confirmSet
+% See also: identifiability, confirmSet, curveErrors
 
 function known = parameterPosterior (surrogates, problem, nSample)
   if nargin < 3
@@ -27,18 +30,19 @@ function known = parameterPosterior (surrogates, problem, nSample)
   end
   restore = seedRandom (problem.options.seed);
   d = columns (problem.limits);
-  U = rand (nSample, d);
-  fit = logLikelihood (surrogates, problem, U);
+  [curves, nFree] = curveErrors (surrogates, problem);
+  U = rand (nSample, d + nFree);
+  fit = logLikelihood (surrogates, problem, U, curves);
   nMoves = 8 - 4 * isLarge (surrogates);
   heat = 0;
   while heat < 1
     [heat, w] = nextHeat (heat, fit);
     U = U(resample (w), :);
-    fit = logLikelihood (surrogates, problem, U);
+    fit = logLikelihood (surrogates, problem, U, curves);
     [U, fit] = moveParticles (U, fit, heat, nMoves, @(V) ...
-                              logLikelihood (surrogates, problem, V));
+                              logLikelihood (surrogates, problem, V, curves));
   end
-  known = summarise (U, problem);
+  known = summarise (U(:, 1:d), problem);
 end
 
 function yes = isLarge (surrogates)
@@ -46,16 +50,21 @@ function yes = isLarge (surrogates)
   yes = sum (arrayfun (@(s) numel (s.z)^2, surrogates)) > 5e5;
 end
 
-function fit = logLikelihood (surrogates, problem, U)
-  P = problem.limits(1, :) + U .* diff (problem.limits);
+function fit = logLikelihood (surrogates, problem, U, curves)
+  d = columns (problem.limits);
+  P = problem.limits(1, :) + U(:, 1:d) .* diff (problem.limits);
   [m, v] = predictSurrogate (surrogates, P);
   z = (P - problem.paramMean) ./ problem.paramSd;
   fit = -0.5 * sumsq (z(:, isfinite (problem.paramSd)), 2);
-  for t = find (problem.calibrate)
+  for t = find (problem.calibrate & problem.curve == 0)
     s = surrogates(t);
-    total = v(:, t) + s.noiseVar + problem.sd(t)^2;
+    total = v(:, t) + errorVariance (s.noiseVar, problem, t);
     z2 = (problem.value(t) - m(:, t)).^2 ./ total;
     fit = fit - 0.5 * log (total) - (s.df + 1) / 2 * log1p (z2 / s.df);
+  end
+  for c = curves
+    fit = fit + curveLikelihood (c, m(:, c.own), v(:, c.own), ...
+                                 U(:, d + c.free));
   end
 end
 

@@ -5,11 +5,11 @@
 % state  struct of newState; problem  struct of newProblem
 % hold   1 x h struct array: name, target, result (prediction of the mean
 %        response), sd (of the prediction error), interval90 2 x 1 (where a
-%        measurement should lie), inside (logical)
+%        measurement should lie), inside (logical; NaN: not measured yet)
 %
 % The prediction error holds the variance of the surrogate at the set, the
-% scatter of one run (the experiment is one packing, too) and the measurement
-% uncertainty of the target.
+% scatter of one run (the experiment is one packing, too, or the mean of so many
+% trials) and the measurement uncertainty of the target.
 %
 % See also: confirmSet, newProblem
 
@@ -19,12 +19,15 @@ function hold = predictHoldout (state, problem)
   [m, v] = predictSurrogate (state.surrogates, state.found.params);
   for t = find (~problem.calibrate)
     s = state.surrogates(t);
-    sd = sqrt (v(t) + s.noiseVar + problem.sd(t)^2);
+    sd = sqrt (v(t) + s.noiseVar / problem.trials(t) + problem.sd(t)^2);
     half = studentQuantile (0.95, s.df) * sd;
     hold(end + 1) = struct ('name', s.name, 'target', problem.value(t), ...
                             'result', m(t), 'sd', sd, ...
                             'interval90', [m(t) - half; m(t) + half], ...
                             'inside', abs (problem.value(t) - m(t)) <= half);
+    if isnan (problem.value(t))
+      hold(end).inside = NaN;
+    end
   end
 end
 

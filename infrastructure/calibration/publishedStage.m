@@ -97,7 +97,7 @@ function J = differences (u, f, run, state, problem)
   noise = sqrt ([state.surrogates(use).noiseVar]);
   [~, slope] = targetResidual (problem, p, ...
                                predictSurrogate (state.surrogates, p));
-  noise = noise .* abs (slope(use)) ./ problem.tol(use);
+  noise = noise .* abs (slope(use)) ./ problem.part(use);
   step = 4 * min (noise' ./ max (abs (surrogate), 1e-6), [], 1);
   step = min (max (step, 0.02), 0.2);
   step(u + step > 1) = -step(u + step > 1);
@@ -105,7 +105,7 @@ function J = differences (u, f, run, state, problem)
   r = targetResidual (problem, P, run (P));
   J = (r(:, use)' - f(:)) ./ step;
   bad = any (~isfinite (J), 1);
-  J(:, bad) = surrogate(:, bad) .* problem.tol(use)';
+  J(:, bad) = surrogate(:, bad) .* problem.part(use)';
 end
 
 function state = takeOver (state, problem, memory)
@@ -117,8 +117,7 @@ function state = takeOver (state, problem, memory)
   mine = ismember (X, [new.X; state.found.params], 'rows');
   X = X(mine, :);
   r = targetResidual (problem, X, Z(mine, :));
-  use = problem.calibrate;
-  worst = max (abs (r(:, use)) ./ problem.tol(use), [], 2);
+  worst = max (toleranceShare (problem, r), [], 2);
   [least, best] = min ([worst; Inf]);
   state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
   p = state.found.params;

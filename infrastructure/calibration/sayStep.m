@@ -8,7 +8,7 @@ function text = sayStep (state)
   step = state.history(end);
   text = sprintf ('%s %d: %d runs, residuals%s %%, probability %.2f', ...
                   step.stage, step.iteration, step.runs, ...
-                  sprintf (' %.2f', 100 * step.residual), step.probability);
+                  residualText (step.residual, ' %.2f'), step.probability);
 end
 
 %!shared problem, state, s

@@ -11,13 +11,12 @@
 % path      1 x k struct: iteration, params, residual (T x 1)
 %
 % Only the rows of the calibrated targets are minimised, in units of their
-% tolerance; preference rows never take part.
+% tolerance, a curve as one target; preference rows never take part.
 %
 % See also: calibrateOnKriging, surrogateJacobian
 
 function [solved, path] = solveStart (surrogates, problem, start, ...
                                       maxIter, maxEvals)
-  use = problem.calibrate;
   lo = problem.limits(1, :);
   width = problem.limits(2, :) - lo;
   scaled = @(u) unitResidual (surrogates, problem, lo + u(:)' .* width);
@@ -39,7 +38,7 @@ function [solved, path] = solveStart (surrogates, problem, start, ...
   [probability, r] = meetProbability (surrogates, problem, p);
   solved = start;
   solved.params = p;
-  solved.norm = max (abs (r(use)) ./ problem.tol(use));
+  solved.norm = max (toleranceShare (problem, r));
   solved.within = solved.norm <= 1;
   solved.probability = probability;
   solved.evaluations = 1 + info.niter * (2 * d + 1);
@@ -55,7 +54,7 @@ end
 function f = unitResidual (surrogates, problem, p)
   r = targetResidual (problem, p, predictSurrogate (surrogates, p));
   use = problem.calibrate;
-  f = (r(use) ./ problem.tol(use))';
+  f = (r(use) ./ problem.part(use))';
 end
 
 function text = convergence (cvg)

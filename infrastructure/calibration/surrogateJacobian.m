@@ -4,7 +4,8 @@
 % CALL: [J, G] = surrogateJacobian (surrogates, problem, p)
 %
 % p  1 x d  parameter set
-% J  t x d  derivative of residual / tolerance of the t calibrated targets by
+% J  t x d  derivative of residual / tolerance (problem.part, in which a curve
+%           counts as one target) of the t calibrated targets by
 %           the parameters in the unit box
 % G  t x d  the same of the standard deviation of the residual
 %
@@ -30,11 +31,11 @@ function [J, G] = surrogateJacobian (surrogates, problem, p)
     m = predictSurrogate (surrogates, P);
   end
   [r, slope] = targetResidual (problem, P, m);
-  f = r(:, use) ./ problem.tol(use);
+  f = r(:, use) ./ problem.part(use);
   J = ((f(1:d, :) - f(d + 1:end, :)) ./ step)';
   if nargout > 1
     s = abs (slope) .* sqrt (v);
-    s = s(:, use) ./ problem.tol(use);
+    s = s(:, use) ./ problem.part(use);
     G = ((s(1:d, :) - s(d + 1:end, :)) ./ step)';
   end
 end

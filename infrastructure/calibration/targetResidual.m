@@ -5,7 +5,8 @@
 % problem  struct of newProblem
 % P        n x d  parameter sets
 % Z        n x T  results
-% r        n x T  residual rows of the cost function (NaN where Z is NaN)
+% r        n x T  residual rows of the cost function (NaN where Z is NaN, or
+%                 the target is not measured yet)
 % slope    n x T  derivative of each residual by its own result
 %
 % The published residual is computed for all rows at once; any other cost
@@ -16,8 +17,8 @@
 function [r, slope] = targetResidual (problem, P, Z)
   n = size (Z, 1);
   if problem.standard
-    r = (Z - problem.value) ./ problem.value;
-    slope = repmat (1 ./ problem.value, n, 1);
+    r = (Z - problem.value) ./ problem.scale;
+    slope = repmat (1 ./ problem.scale, n, 1);
     return
   end
   r = zeros (n, size (Z, 2));
@@ -25,7 +26,7 @@ function [r, slope] = targetResidual (problem, P, Z)
   for i = 1:n
     r(i, :) = rows (problem, P(i, :), Z(i, :));
     if nargout > 1
-      step = 1e-4 * max (abs (problem.value), eps);
+      step = 1e-4 * max (abs (problem.scale), eps);
       slope(i, :) = (rows (problem, P(i, :), Z(i, :) + step) - r(i, :)) ./ ...
                     step;
     end

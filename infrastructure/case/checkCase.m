@@ -120,11 +120,9 @@ function p = checkTogether (raw, mode)
   [names, fields, kinds] = variablesOf (raw);
   p = [p, checkDeclared(names, fields, kinds, models)];
   if isstruct (raw.optim)
-    [q, sizes] = checkTargets (raw.optim, models);
-    p = [p, q, checkTargetNumbers(raw.optim, sizes), ...
-         checkCorrelation(raw.optim, sizes), ...
-         checkBenchCost(raw.optim, numel (models)), ...
-         checkTargetTexts(raw.optim, sizes, names)];
+    [q, sizes] = checkAllTargets (raw, models, names);
+    p = [p, q, checkCorrelation(raw.optim, sizes), ...
+         checkBenchCost(raw.optim, numel (models))];
     if isstruct (raw.modelVars) && iscell (raw.assign)
       p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign(:)', models)];
     end
@@ -133,6 +131,21 @@ function p = checkTogether (raw, mode)
   if strcmp (mode, 'full')
     p = [p, checkPlace(raw, models)];
   end
+end
+
+% measured.csv goes before what optim says of the targets.
+function [p, sizes] = checkAllTargets (raw, models, names)
+  file = '';
+  if ischar (raw.folder)
+    file = fullfile (raw.folder, 'measured.csv');
+  end
+  if isfile (file)
+    [p, sizes] = checkMeasuredTable (raw.optim, models, file, names);
+    return
+  end
+  [p, sizes] = checkTargets (raw.optim, models);
+  p = [p, checkTargetNumbers(raw.optim, sizes), ...
+       checkTargetTexts(raw.optim, sizes, names)];
 end
 
 function value = fieldOr (s, name, default)

@@ -1,12 +1,13 @@
 % CHECKDRYRUN  Counts the results of a model without running it.
 %
-% CALL: [COUNT, MESSAGE] = checkDryRun (FOLDER, NAME)
+% CALL: [COUNT, MESSAGE, FIELDS] = checkDryRun (FOLDER, NAME)
 %
 %   FOLDER   model folder (text)
 %   NAME     name of the model (text)
 %   COUNT    number of results that its getResults returns, NaN where that
 %            cannot be told
 %   MESSAGE  '' or why getResults can never work (a syntax error)
+%   FIELDS   1 x n cell, names of the results where getResults returns a struct
 %
 % getResults is called by another Octave, which a crash or a loop in it does
 % not carry away (limit 20 s), on a run folder that holds only the files of
@@ -15,9 +16,10 @@
 %
 % See also: checkCase, checkDryRunWorker
 
-function [count, message] = checkDryRun (folder, name)
+function [count, message, fields] = checkDryRun (folder, name)
   count = NaN;
   message = '';
+  fields = {};
   if ~isfile (fullfile (folder, 'OctaveFuns', 'getResults.m'))
     return
   end
@@ -41,7 +43,7 @@ function [count, message] = checkDryRun (folder, name)
                      shellQuote (octave), shellQuote (here), ...
                      shellQuote (fullfile (fileparts (here), 'files')));
   [~, ~] = system (command);
-  [count, message] = readAnswer (fullfile (work, 'answer'));
+  [count, message, fields] = readAnswer (fullfile (work, 'answer'));
 end
 
 function removeFolder (folder)
@@ -53,16 +55,17 @@ function folder = absolute (folder)
   folder = make_absolute_filename (folder);
 end
 
-function [count, message] = readAnswer (file)
+function [count, message, fields] = readAnswer (file)
   count = NaN;
-  message = '';
-  text = checkReadText (file);
-  [number, rest] = strtok (text, "\n");
-  number = str2double (number);
+  lines = strsplit (checkReadText (file), "\n", 'CollapseDelimiters', false);
+  lines(end + 1:3) = {''};
+  number = str2double (lines{1});
   if number >= 1
     count = number;
   end
-  message = strtrim (rest);
+  message = strtrim (lines{2});
+  fields = strsplit (strtrim (lines{3}), ' ');
+  fields = fields(~cellfun (@isempty, fields));
 end
 
 %!function folder = makeModel (code)
@@ -89,4 +92,13 @@ end
 %! assert (isnan (count) && ! isempty (strfind (message, 'parse error')));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+%!test
+%! folder = makeModel (["function res = getResults (model, folderName)\n", ...
+%!                      "res = struct ('w', [NaN, NaN], 'mass', NaN);\nend\n"]);
+%! [count, message, fields] = checkDryRun (folder, 'Toy');
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! assert (count, 2);
+%! assert (message, '');
+%! assert (fields, {'w', 'mass'});
 %!assert (checkDryRun ('/nowhere', 'Toy'), NaN)

@@ -22,20 +22,26 @@ function checkDryRunWorker ()
   text = '';
   if isfolder (sample)
     [~, ~] = copyfile (sample, fullfile ('optim', name, 'sample'));
-    count = callOnce (name, 'sample');
+    [count, ~, fields] = callOnce (name, 'sample');
   end
   if isnan (count)
-    [count, text] = callOnce (name, 'empty');
+    [count, text, fields] = callOnce (name, 'empty');
   end
   fid = fopen ([path, 'answer'], 'w');
-  fprintf (fid, '%g\n%s\n', count, text);
+  fprintf (fid, '%g\n%s\n%s\n', count, text, strjoin ([fields, {''}], ' '));
   fclose (fid);
 end
 
-function [count, text] = callOnce (name, folder)
+function [count, text, fields] = callOnce (name, folder)
   text = '';
+  fields = {};
   try
-    count = numel (getResults (name, folder));
+    results = getResults (name, folder);
+    count = numel (results);
+    if isstruct (results)
+      fields = fieldnames (results)';
+      count = numel (fields);
+    end
   catch err
     count = NaN;
     text = lasting (err.message);

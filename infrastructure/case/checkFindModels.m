@@ -9,14 +9,15 @@
 %   MODELS  1 x M struct array: name; folder ('' where there is none, or the
 %           name is not usable); head (see checkHead); cpu (NaN where not
 %           usable); count (number of results, NaN where not known); message
-%           (why getResults cannot be used, or '')
+%           (why getResults cannot be used, or ''); fields (names of the results
+%           where it returns a struct)
 %
 % See also: checkModels, checkDryRun
 
 function models = checkFindModels (Input, folder, root, mode)
   names = modelNames (Input);
   models = struct ('name', names, 'folder', '', 'head', [], 'cpu', NaN, ...
-                   'count', NaN, 'message', '');
+                   'count', NaN, 'message', '', 'fields', {{}});
   for k = 1:numel (models)
     if ~isempty (names{k})
       models(k).folder = findModel (names{k}, folder, root);
@@ -24,7 +25,7 @@ function models = checkFindModels (Input, folder, root, mode)
     if ~isempty (models(k).folder)
       models(k).head = checkHead (models(k).folder);
       if strcmp (mode, 'full')
-        [models(k).count, models(k).message] = ...
+        [models(k).count, models(k).message, models(k).fields] = ...
           checkDryRun (models(k).folder, names{k});
       end
     end

@@ -27,7 +27,7 @@ end
 function text = fileOf (field)
   if strncmp (field, 'effects', 7)
     text = ' in loadEffects.m';
-  elseif any (field == '/')
+  elseif any (field == '/') || strncmp (field, 'measured.csv', 12)
     text = '';
   else
     text = ' in loadInput.m';

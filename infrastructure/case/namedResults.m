@@ -7,12 +7,13 @@
 %            all of a run that is not sane, may be left out
 %   FOLDER   folder of the run (text)
 %   MODEL    model folder with results.csv (text)
-%   RES      1 x m cell of scalars, in the order of results.csv; NaN where the
-%            run does not tell, all NaN where MEASURE throws: a file is missing
+%   RES      1 x m cell of scalars, or of curves (n x 2) of which measured.csv
+%            reads points, in the order of results.csv; NaN where the run does
+%            not tell, all NaN where MEASURE throws: a file is missing
 %
 % What a getResults.m may return.
 %
-% See also: resultInfo, readDump, readResults
+% See also: resultInfo, readDump, readResults, takeReadings
 
 function res = namedResults (measure, folder, model)
   names = {resultInfo(model).name};
@@ -33,8 +34,10 @@ end
 %! writeAtomic (fullfile (folder, 'results.csv'), ...
 %!   "name,kind,unit,series,at,text\nmass,mass,kg,,,m\nslope,angle,deg,,,s\n");
 %! part = namedResults (@(f) struct ('slope', 30, 'more', 1), '', folder);
+%! curve = namedResults (@(f) struct ('mass', [0, 1; 2, 3]), '', folder);
 %! none = namedResults (@(f) error ('no file'), '', folder);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
 %! assert (part, {NaN, 30});
+%! assert (curve, {[0, 1; 2, 3], NaN});
 %! assert (none, {NaN, NaN});

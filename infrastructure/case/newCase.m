@@ -18,9 +18,10 @@
 % 40, optim.WRL 0, optim.method 'robust', optim.confidence 0.95,
 % optim.targetStd 0, optim.trials 1, optim.correlation 0 (independent),
 % optim.role 'calibrate', optim.paramMean and paramSd NaN (not measured),
-% optim.cost 1.
+% optim.cost 1. A measured.csv in the case folder takes the place of the fields
+% of optim that are given target by target.
 %
-% See also: loadCase, checkCase, withEffects
+% See also: loadCase, checkCase, newTargets, withEffects
 
 function Case = newCase (raw)
   problems = checkCase (raw);
@@ -41,10 +42,16 @@ function Case = newCase (raw)
   Case.modelVars = raw.modelVars;
   Case.effects = [];
   Case.effectVars = {};
-  Case.targets = newTargets (raw.optim, Case.models);
+  Case.targets = newTargets (raw.optim, Case.models, raw.folder);
   Case.options = newOptions (Input, raw.optim);
   for k = 1:numel (Case.models)
-    Case.models(k).nTargets = sum ([Case.targets.model] == k);
+    own = Case.targets([Case.targets.model] == k);
+    Case.models(k).nTargets = numel (own);
+    if ~isempty (own(1).result)
+      Case.models(k).readings = struct ('result', {own.result}, ...
+                                        'series', {own.series}, ...
+                                        'at', {own.at});
+    end
   end
 end
 
@@ -69,71 +76,13 @@ function models = newModels (raw)
   cost = given (raw.optim, 'cost', 1);
   cost(end + 1:numel (names)) = 1;
   models = struct ('name', names(:)', 'folder', '', 'cpu', 1, ...
-                   'timeout', NaN, 'nTargets', 0, 'seconds', [], 'cost', 1);
+                   'timeout', NaN, 'nTargets', 0, 'seconds', [], 'cost', 1, ...
+                   'readings', []);
   for k = 1:numel (models)
     models(k).folder = findModel (models(k).name, raw.folder, raw.root);
     models(k).cpu = raw.Input.cpu(k);
     models(k).timeout = timeout(k);
     models(k).cost = double (cost(k));
-  end
-end
-
-function targets = newTargets (optim, models)
-  values = perModel (optim.targetVal, models);
-  counts = cellfun (@numel, values);
-  tols = perTarget (optim.tolRes, counts, 0);
-  sds = perTarget (given (optim, 'targetStd', []), counts, 0);
-  trials = perTarget (given (optim, 'trials', []), counts, 1);
-  lengths = perTarget (asLengths (given (optim, 'correlation', {})), counts, 0);
-  names = given (optim, 'targetName', {});
-  roles = given (optim, 'role', {});
-  targets = struct ('model', {}, 'modelName', {}, 'index', {}, 'name', {}, ...
-                    'value', {}, 'sd', {}, 'tol', {}, 'role', {}, ...
-                    'trials', {}, 'correlation', {});
-  for k = 1:numel (models)
-    for i = 1:counts(k)
-      t = struct ('model', k, 'modelName', models(k).name, 'index', i);
-      t.name = textOf (names, k, i, sprintf ('%s_%d', models(k).name, i));
-      t.value = values{k}(i);
-      t.sd = sds{k}(i);
-      t.tol = tols{k}(i);
-      t.role = textOf (roles, k, i, 'calibrate');
-      t.trials = trials{k}(i);
-      t.correlation = lengths{k}(i);
-      targets(end + 1) = t;
-    end
-  end
-end
-
-% NaN stands for a length that is to be estimated, 0 for independent errors.
-function lengths = asLengths (lengths)
-  for k = 1:numel (lengths)
-    if ischar (lengths{k})
-      lengths{k} = NaN;
-    else
-      lengths{k}(isnan (lengths{k})) = 0;
-    end
-  end
-end
-
-function text = textOf (nested, k, i, default)
-  text = default;
-  if numel (nested) >= k && numel (nested{k}) >= i && ~isempty (nested{k}{i})
-    text = nested{k}{i};
-  end
-end
-
-% The published loadInput returns the values of all models as one column; how
-% many belong to each model is then known from its results alone.
-function parts = perModel (values, models)
-  if iscell (values)
-    parts = cellfun (@(v) double (v(:)'), values(:)', 'UniformOutput', false);
-    parts(end + 1:numel (models)) = {[]};
-  elseif isscalar (models)
-    parts = {double(values(:)')};
-  else
-    sizes = arrayfun (@(m) checkDryRun (m.folder, m.name), models);
-    parts = mat2cell (double (values(:)'), 1, sizes);
   end
 end
 

@@ -28,7 +28,7 @@ function best = bestSet (Case, runs, cost)
   problem = newProblem (Case, cost);
   residual = targetResidual (problem, X, Z);
   used = problem.calibrate;
-  share = abs (residual(:, used)) ./ problem.tol(used);
+  share = toleranceShare (problem, residual);
   share(isnan (share)) = Inf;
   [worst, k] = min (max (share, [], 2));
   if isfinite (worst)

@@ -38,6 +38,27 @@ function sayModels (Case)
     end
     printf ('model     %s: %d targets, %d CPU a run (%s)\n', m.name, ...
             m.nTargets, m.cpu, place);
+    sayMeasured (Case.targets([Case.targets.model] == k));
+  end
+end
+
+% What measured.csv makes of the targets of a model.
+function sayMeasured (targets)
+  curve = [targets.curve];
+  for c = unique (curve(curve > 0))
+    own = targets(curve == c);
+    printf ('          curve %s: %d points, one requirement\n', ...
+            own(1).series, numel (own));
+  end
+  repeated = targets([targets.scatter]);
+  if ~isempty (repeated)
+    printf ('          mean of repeated trials: %s\n', ...
+            strjoin ({repeated.name}, ', '));
+  end
+  unknown = targets(isnan ([targets.value]));
+  if ~isempty (unknown)
+    printf ('          not measured yet, predicted only: %s\n', ...
+            strjoin ({unknown.name}, ', '));
   end
 end
 
@@ -69,8 +90,12 @@ function isGood = sayTrial (records, Case)
       continue
     end
     for T = Case.targets([Case.targets.model] == k)
-      printf ('          %-24s %.5g, measured %.5g\n', T.name, ...
-              r.results(T.index), T.value);
+      measured = sprintf ('measured %.5g', T.value);
+      if isnan (T.value)
+        measured = 'not measured yet';
+      end
+      printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), ...
+              measured);
     end
   end
 end

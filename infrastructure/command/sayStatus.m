@@ -83,7 +83,12 @@ function sayBest (best, Case)
   for j = 1:numel (Case.names)
     printf ('        %-24s %.5g\n', Case.names{j}, best.params(j));
   end
-  for t = 1:numel (Case.targets)
+  curves = curveSummary (Case, best.residual);
+  for k = 1:numel (curves)
+    printf ('        %-24s %d points: %.2f of the tolerance\n', ...
+            curves(k).name, numel (curves(k).own), curves(k).share);
+  end
+  for t = setdiff (1:numel (Case.targets), [curves.own])
     T = Case.targets(t);
     isHeld = strcmp (T.role, 'holdout');
     printf (['        %-24s %.5g, measured %.5g: %+.1f %% ' ...

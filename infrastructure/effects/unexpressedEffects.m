@@ -16,7 +16,8 @@ function texts = unexpressedEffects (Case)
   names = {Case.effects.name};
   can = false (numel (models), numel (names));
   for k = 1:numel (models)
-    can(k, :) = effectsOfModel (models(k).folder, Case.effects);
+    can(k, :) = effectsOfModel (models(k).folder, Case.effects) | ...
+                onCurves (models(k), Case);
   end
   nowhere = ~any (can, 1);
   if any (nowhere)
@@ -26,6 +27,22 @@ function texts = unexpressedEffects (Case)
   for k = find (any (~can & ~nowhere, 2)).'
     texts{end + 1} = sprintf ('%s cannot express %s', models(k).name, ...
                               strjoin (names(~can(k, :) & ~nowhere), ', '));
+  end
+end
+
+% measured.csv may read a curve at places that results.csv does not list.
+function can = onCurves (model, Case)
+  can = false (1, numel (Case.effects));
+  if ~isfield (model, 'readings') || isempty (model.readings)
+    return
+  end
+  info = targetInfo (Case)(strcmp ({Case.targets.modelName}, model.name));
+  trial = 1:numel (info);
+  for j = find ([Case.effects.laboratory])
+    act = Case.effects(j).transform;
+    can(j) = ~isempty (act) && ...
+             any (arrayfun (@(x) ~isequal (act (trial, x, info), trial), ...
+                            Case.effects(j).limits(:)));
   end
 end
 
@@ -42,3 +59,22 @@ end
 
 %!assert (unexpressedEffects (struct ('models', struct ('folder', {}), ...
 %!                                    'effects', [])), {})
+%!test
+%! % a curve of measured.csv that results.csv has in one line
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'data.head'), "variable a equal 1\n");
+%! writeAtomic (fullfile (folder, 'results.csv'), ...
+%!              "name,kind,unit,series,at,text\ntimeMass,mass,kg,,,x\n");
+%! Case.effects = resolveEffects ({'timeOffset'});
+%! Case.models = struct ('name', 'A', 'folder', folder, 'readings', []);
+%! Case.targets = struct ('model', 1, 'modelName', 'A', 'index', {1, 2}, ...
+%!                        'name', {'m@1', 'm@2'}, 'result', 'timeMass', ...
+%!                        'series', 'timeMass', 'at', {1, 2}, 'unit', '');
+%! bare = unexpressedEffects (Case);
+%! Case.models.readings = struct ('result', {'timeMass', 'timeMass'});
+%! texts = unexpressedEffects (Case);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! assert (bare, {'no bench can express timeOffset'});
+%! assert (isempty (texts));

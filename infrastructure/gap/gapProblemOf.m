@@ -11,6 +11,9 @@
 % GIVEN.covariance; where their length is to be estimated, GIVEN.estimateSeries
 % says so (1 x T logical).
 %
+% Points of a curve of measured.csv are marked by GIVEN.curve. A setting that is
+% not measured yet has y NaN; its sd is what its measurement would be good to.
+%
 % A target without targetStd has an uncertainty of unknown size: GIVEN.sdKnown
 % (1 x T logical) is false there, and half of its tolerance stands in GIVEN.sd
 % as a first guess of the size. An
@@ -29,12 +32,20 @@ function [given, notes] = gapProblemOf (Case)
   bare = given.sd == 0;
   given.sdKnown = ~bare;
   if any (bare)
-    assumed = abs (given.y) .* [Case.targets.tol] / 2;
+    scale = given.y;
+    if isfield (Case.targets, 'isAbsolute')
+      scale([Case.targets.isAbsolute]) = 1;
+    end
+    assumed = abs (scale) .* [Case.targets.tol] / 2;
+    assumed(isnan (given.y)) = 0;
     given.sd(bare) = assumed(bare);
+  end
+  bare = bare & isfinite (given.y);
+  if any (bare)
     notes{end + 1} = sprintf (['no measurement uncertainty given for %s: ' ...
                                'its size is estimated, starting from half ' ...
                                'of the tolerance (optim.targetStd)'], ...
-                              strjoin ({Case.targets(bare).name}, ', '));
+                              strjoin (shortList (Case.targets(bare)), ', '));
   end
   given.targetNames = {Case.targets.name};
   given.trials = [Case.targets.trials];
@@ -46,7 +57,7 @@ function [given, notes] = gapProblemOf (Case)
   given.limits = Case.limits;
   given.paramMean = Case.paramMean;
   given.paramSd = Case.paramSd;
-  info = infoOf (Case);
+  info = targetInfo (Case);
   series = {info.series};
   labels = arrayfun (@(t) sprintf ('%d/%s', given.bench(t), series{t}), 1:T, ...
                      'UniformOutput', false);
@@ -56,6 +67,10 @@ function [given, notes] = gapProblemOf (Case)
   given.coordinate = at;
   given.coordinate(isnan (at)) = 0;
   given.series(isnan (at)) = 0;
+  if isfield (Case.targets, 'curve')
+    given.curve = [Case.targets.curve];
+    given.scatter = [Case.targets.scatter];
+  end
   [given, note] = addCorrelation (given, Case.targets);
   notes = [notes, note];
   library = struct ('name', {}, 'group', {});
@@ -69,18 +84,13 @@ function [given, notes] = gapProblemOf (Case)
   given.effects = effects;
 end
 
-% What each target is; models without results.csv say nothing.
-function info = infoOf (Case)
-  blank = struct ('name', '', 'kind', '', 'unit', '', 'series', '', ...
-                  'at', NaN, 'text', '');
-  info = repmat (blank, 1, numel (Case.targets));
-  for k = 1:numel (Case.models)
-    own = resultInfo (Case.models(k).folder);
-    for t = find ([Case.targets.model] == k)
-      if numel (own) >= Case.targets(t).index
-        info(t) = own(Case.targets(t).index);
-      end
-    end
+% A curve is one name.
+function names = shortList (targets)
+  names = {targets.name};
+  if isfield (targets, 'curve')
+    inCurve = [targets.curve] > 0;
+    names(inCurve) = {targets(inCurve).series};
+    names = unique (names, 'stable');
   end
 end
 

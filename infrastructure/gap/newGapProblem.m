@@ -21,6 +21,10 @@
 %     trials      1 x T or scalar, how many trials y is the mean of: the real
 %                 material has a packing of its own too, Inf if sd holds that
 %                 scatter (1)
+%     scatter     1 x T logical, sd was found from the scatter of the trials and
+%                 holds their packings: the larger of the two counts (false)
+%     curve       1 x T, targets with one number > 0 are measured together, as
+%                 one curve (0)
 %     seedSd      1 x T, known scatter of one run over seeds (NaN: from data)
 %     paramMean, paramSd   1 x p, values measured independently (NaN: none)
 %     benchCost   1 x B, cost of one measurement on each bench (1)
@@ -63,6 +67,7 @@ function problem = withDefaults (given, T, p)
                     'series', zeros (1, T), ...
                     'coordinate', zeros (1, T), 'covariance', [], ...
                     'estimateSeries', false (1, T), 'trials', 1, ...
+                    'scatter', false (1, T), 'curve', zeros (1, T), ...
                     'seedSd', NaN (1, T), ...
                     'paramMean', NaN (1, p), 'paramSd', NaN (1, p), ...
                     'benchCost', ones (1, B), 'effects', []);
@@ -81,6 +86,7 @@ function problem = withDefaults (given, T, p)
   problem.held = logical (problem.held);
   problem.sdKnown = logical (problem.sdKnown);
   problem.estimateSeries = logical (problem.estimateSeries);
+  problem.scatter = logical (problem.scatter);
   if isscalar (problem.trials)
     problem.trials = repmat (problem.trials, 1, T);
   end
@@ -89,7 +95,7 @@ end
 function checkShapes (problem, T, p)
   wide = {'y', 'sd', 'bench', 'held', 'series', 'coordinate', ...
           'seedSd', 'targetNames', 'trials', 'estimateSeries', ...
-          'sdKnown'};
+          'sdKnown', 'scatter', 'curve'};
   for k = 1:numel (wide)
     if numel (problem.(wide{k})) ~= T
       error ('DEcalioc:newGapProblem:badShape', ...

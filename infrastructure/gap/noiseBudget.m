@@ -15,7 +15,9 @@
 %
 % One trial in the laboratory is one packing: its scatter is taken from the DEM
 % seeds. The covariance of the means of n_i and n_j trials is that of one trial
-% over sqrt (n_i n_j), n = PROBLEM.trials (Inf where sd already holds it).
+% over sqrt (n_i n_j), n = PROBLEM.trials (Inf where sd already holds it). Where
+% sd comes from the scatter of few trials (PROBLEM.scatter) the larger of the
+% two counts.
 %
 % See also: whitenEmulator, locateGap
 
@@ -28,7 +30,8 @@ function budget = noiseBudget (problem, em)
     measured = problem.covariance;
   end
   measured = measured + diag (max (least - diag (measured)', 0));
-  trial = sqrt (em.seedVar ./ problem.trials);
+  trial = sqrt (max (em.seedVar ./ problem.trials - ...
+                     problem.scatter .* diag (measured)', 0));
   budget.covariance = measured + (trial' * trial) .* em.correlation;
   budget.estimated = trial.^2;
   budget.unknown = diag (measured)' .* ~problem.sdKnown;
@@ -59,3 +62,6 @@ end
 %! assert (noiseBudget (problem, em).covariance, [9, 0; 0, 4], 1e-6);
 %! problem.trials = Inf;
 %! assert (noiseBudget (problem, em).covariance(1, 1), 9, 1e-12);
+%! problem.trials = [1, 4];
+%! problem.scatter = [true, true];
+%! assert (diag (noiseBudget (problem, em).covariance), [16; 1], 1e-6);

@@ -47,12 +47,14 @@ end
 function sayTargets (c, Case, say)
   say (sprintf ('  %-28s %11s %11s %9s %9s %11s', 'target', 'measured', ...
                 'DEM', 'resid (%)', 'tol (%)', 'one run +-'));
-  for t = 1:numel (Case.targets)
-    T = Case.targets(t);
-    say (sprintf ('  %-28s %11.5g %11.5g %9.2f %9.2f %11.2g', ...
-                  [T.name, repmat(' (held out)', 1, ...
-                                  strcmp (T.role, 'holdout'))], T.value, ...
-                  c.results(t), 100 * c.residual(t), 100 * T.tol, c.runSd(t)));
+  curves = curveSummary (Case, c.residual);
+  for t = setdiff (1:numel (Case.targets), [curves.own])
+    sayTarget (Case.targets(t), c.results(t), c.residual(t), c.runSd(t), say);
+  end
+  for k = 1:numel (curves)
+    say (sprintf (['  %-28s %d points, root mean square deviation %.2f of ' ...
+                   'the tolerance'], curves(k).name, ...
+                  numel (curves(k).own), curves(k).share));
   end
   if c.runs > 0
     say (sprintf ('  DEM: mean of %d runs with different packings', c.runs));
@@ -62,11 +64,32 @@ function sayTargets (c, Case, say)
   end
   for k = 1:numel (c.holdout)
     h = c.holdout(k);
+    if isnan (h.inside)
+      say (sprintf (['  not measured: %s predicted %.5g, 90 %% interval ' ...
+                     '%.5g to %.5g'], h.name, h.result, h.interval90));
+      continue
+    end
     outside = repmat (', OUTSIDE', 1, ~h.inside);
     say (sprintf (['  held out: %s measured %.5g, predicted %.5g, 90 %% ' ...
                    'interval %.5g to %.5g%s'], h.name, h.target, h.result, ...
                   h.interval90, outside));
   end
+end
+
+function sayTarget (T, result, residual, runSd, say)
+  name = T.name;
+  if ~strcmp (T.role, 'calibrate')
+    words = struct ('holdout', ' (held out)', 'unmeasured', ' (not measured)');
+    name = [name, words.(T.role)];
+  end
+  factor = 100;
+  note = '';
+  if isfield (T, 'isAbsolute') && T.isAbsolute
+    factor = 1;
+    note = ' (absolute)';
+  end
+  say (sprintf ('  %-28s %11.5g %11.5g %9.2f %9.2f %11.2g%s', name, T.value, ...
+                result, factor * residual, factor * T.tol, runSd, note));
 end
 
 function sayParameters (c, Case, say)
@@ -81,10 +104,12 @@ end
 
 function saySensitivity (c, Case, say)
   say ('  share of each response''s variance over the box (total Sobol index)');
-  say (sprintf ('  %-24s%s', '', sprintf (' %20.20s', Case.targets.name)));
+  shown = shownTargets (Case);
+  say (sprintf ('  %-24s%s', '', sprintf (' %20.20s', ...
+                                          Case.targets(shown).name)));
   for j = 1:numel (Case.names)
     say (sprintf ('  %-24s%s', Case.names{j}, ...
-                  sprintf (' %20.2f', c.sensitivity(j, :))));
+                  sprintf (' %20.2f', c.sensitivity(j, shown))));
   end
 end
 

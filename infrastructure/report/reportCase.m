@@ -28,7 +28,7 @@ function reportCase (Case, say)
   if ~isempty (measured)
     say (sprintf ('  measured parameters: %s', measured));
   end
-  used = sum (~strcmp ({Case.targets.role}, 'holdout'));
+  used = sum (strcmp ({Case.targets.role}, 'calibrate'));
   if used < numel (Case.names)
     say (sprintf (['  WARNING: %d targets cannot fix %d parameters: many ' ...
                    'sets will meet them, and one is chosen'], used, ...

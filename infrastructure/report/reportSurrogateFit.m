@@ -17,18 +17,23 @@ function reportSurrogateFit (surrogates, data, problem, say)
   say ('Kriging models (each run left out in turn)');
   say (sprintf ('  %-28s %6s %9s   %s', 'target', 'Q2', 'noise (%)', ...
                 'range of the responses'));
-  for t = 1:numel (surrogates)
+  shown = shownTargets (problem);
+  for t = shown
     s = surrogates(t);
     say (sprintf ('  %-28s %6.2f %9.2f   %.4g to %.4g', ...
                   problem.targets(t).name, s.Q2, ...
                   100 * sqrt (s.noiseVar) / abs (mean (s.z)), ...
                   min (s.z), max (s.z)));
   end
-  warnOf (surrogates, data, problem, say);
+  if numel (shown) < numel (surrogates)
+    say (sprintf ('  (of %d points on curves three each)', ...
+                  sum (problem.curve > 0)));
+  end
+  warnOf (surrogates, data, problem, shown, say);
 end
 
-function warnOf (surrogates, data, problem, say)
-  for t = 1:numel (surrogates)
+function warnOf (surrogates, data, problem, shown, say)
+  for t = shown
     name = problem.targets(t).name;
     z = data.Z(:, t);
     if problem.value(t) < min (z) || problem.value(t) > max (z)

@@ -10,23 +10,13 @@
 % See also: resultInfo
 
 function units = targetUnits (Case)
-  units = repmat ({''}, 1, numel (Case.targets));
+  units = {targetInfo(Case).unit};
+  units(strcmp (units, '-')) = {''};
   for t = 1:numel (Case.targets)
     T = Case.targets(t);
-    if isfield (T, 'unit') && ischar (T.unit)
+    if isfield (T, 'unit') && ischar (T.unit) && ~isempty (T.unit)
       units{t} = T.unit;
     end
-    if isempty (units{t})
-      units{t} = unitOfModel (Case.models(T.model).folder, T.index);
-    end
-  end
-end
-
-function unit = unitOfModel (folder, index)
-  unit = '';
-  info = resultInfo (folder);
-  if numel (info) >= index && ~strcmp (info(index).unit, '-')
-    unit = info(index).unit;
   end
 end
 

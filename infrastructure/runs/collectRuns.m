@@ -28,11 +28,15 @@ function records = collectRuns (jobs, folders, Case, apart)
     funs = fullfile (Case.models(k).folder, 'OctaveFuns');
     places{i} = struct ('base', Case.store, 'name', name, 'funs', funs, ...
                         'count', Case.models(k).nTargets, 'limit', Inf);
+    if isfield (Case.models, 'readings') && ~isempty (Case.models(k).readings)
+      places{i}.readings = Case.models(k).readings;
+      places{i}.info = resultInfo (Case.models(k).folder);
+    end
     todo{i} = judgeEnd (newRecord (jobs(i), folders{i}));
     if nargin < 4 || apart
       places{i}.limit = evaluationLimit (Case.models(k), todo{i});
     end
-    todo{i}.funs = hashOfFuns (Case.models(k), funs);
+    todo{i}.funs = hashOfFuns (Case.models(k));
   end
   if nargin > 3 && ~apart
     records = cellfun (@evaluateRun, todo, places, 'UniformOutput', false);
@@ -42,11 +46,11 @@ function records = collectRuns (jobs, folders, Case, apart)
   records = [records{:}];
 end
 
-function key = hashOfFuns (model, funs)
+function key = hashOfFuns (model)
   if isfield (model, 'funs')
     key = model.funs;
   else
-    key = hashFolder (funs, {});
+    key = hashEvaluation (model);
   end
 end
 

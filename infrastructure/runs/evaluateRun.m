@@ -6,7 +6,8 @@
 %   PLACE   struct: base (folder that holds optim/), name (of the run folder),
 %           funs (folder of getResults.m), count (how many results), limit
 %           (s; then this Octave is killed and getResults.late lies in the
-%           run's folder; Inf: no limit)
+%           run's folder; Inf: no limit); of a case with measured.csv also
+%           readings and info, see takeReadings
 %   RECORD  with results and status; written to the run's folder
 %
 % Runs in a worker of parcellfun, catches everything and returns a record.
@@ -49,7 +50,7 @@ function record = evaluate (record, place)
   watch = startWatch (fullfile (record.folder, 'getResults.late'), place.limit);
   try
     results = getResults (record.model, place.name);
-    [record.results, problem] = asRow (results, place.count);
+    [record.results, problem] = asRow (results, place);
   catch err
     problem = ['getResults gave an error: ', err.message];
   end
@@ -61,9 +62,16 @@ function record = evaluate (record, place)
   end
 end
 
-function [row, problem] = asRow (results, count)
+function [row, problem] = asRow (results, place)
   problem = '';
   row = [];
+  count = place.count;
+  if isfield (place, 'readings')
+    [results, problem] = takeReadings (results, place.readings, place.info);
+    if ~isempty (problem)
+      return
+    end
+  end
   if isnumeric (results) || islogical (results)
     results = num2cell (results);
   end

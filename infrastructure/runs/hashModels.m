@@ -11,7 +11,7 @@
 % A change in OctaveFuns asks for a new evaluation of finished runs, not for
 % new simulations. README, sample and pictures decide nothing.
 %
-% See also: runKey, collectRuns
+% See also: runKey, hashEvaluation, collectRuns
 
 function h = hashModels (Case)
   aside = {'OctaveFuns', 'sample', 'README.md', 'README', 'picture.png', ...
@@ -25,7 +25,7 @@ function h = hashModels (Case)
     text = sprintf ('%s|%d|%s', hashFolder (folder, aside), ...
                     Case.models(k).cpu, build);
     h(k).input = hash ('sha256', text);
-    h(k).funs = hashFolder (fullfile (folder, 'OctaveFuns'), {});
+    h(k).funs = hashEvaluation (Case.models(k));
     h(k).defaults = headDefaults (fullfile (folder, 'data.head'));
     % a model without the effect has it off: its runs stay the same ones
     for v = find (~isfield (h(k).defaults, Case.effectVars))

@@ -22,8 +22,7 @@
 
 function [records, isReused, nNew] = runJobs (jobs, Case, report)
   for k = 1:numel (Case.models)
-    Case.models(k).funs = ...
-      hashFolder (fullfile (Case.models(k).folder, 'OctaveFuns'), {});
+    Case.models(k).funs = hashEvaluation (Case.models(k));
   end
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   [records, open] = fromStore (jobs, records, Case);

@@ -42,7 +42,12 @@ function surrogates = fitSurrogates (data, problem, old)
     end
     surrogates(t) = fitSurrogate (X, Z(:, t), problem.limits, options);
     if follows
-      surrogates(t).noiseVar = noise.varianceAt{t}(problem.value(t));
+      level = problem.value(t);
+      if isnan (level)
+        % not measured yet: where the runs are
+        level = median (Z(isfinite (Z(:, t)), t));
+      end
+      surrogates(t).noiseVar = noise.varianceAt{t}(level);
     end
   end
 end

@@ -17,6 +17,8 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.seed = 1;                   % same seed, same calibration
 
   % --- 2  targets, in the order of getResults ---------------------------
+  % Or as a table: rename measured-example.csv to measured.csv (three trials of
+  % the angle are in it) and take the first four of these lines out.
   optim.targetName{1} = {'angle of repose', 'mass on plate', 'apex height'};
   optim.targetVal{1} = [30.5, 0.0120, 0.0173];    % deg, kg, m
   optim.tolRes{1} = [0.06, 0.04, 0.08];     % relative

@@ -9,10 +9,11 @@
 %   TESTS    1 x m struct, best first: test (text), targets, gain (bits about
 %            which hypothesis holds), cost, gainPerCost
 %
-% Candidates: every simulated but unmeasured setting (bench and coordinate), and
-% every bench measured once more. gain = H (sum_k P_k N_k) - sum_k P_k H (N_k)
-% with N_k the posterior predictive of hypothesis k (surrogate, packing and
-% measurement in it), by 1000 draws (Lindley 1956; Box and Hill 1967).
+% Candidates: every simulated but unmeasured setting (bench and coordinate; a
+% curve as a whole), and every bench measured once more.
+% gain = H (sum_k P_k N_k) - sum_k P_k H (N_k) with N_k the posterior predictive
+% of hypothesis k (surrogate, packing and measurement in it), by 1000 draws
+% (Lindley 1956; Box and Hill 1967).
 %
 % See also: diagnoseMatrices
 
@@ -52,11 +53,15 @@ end
 function tests = candidates (problem)
   tests = struct ('test', {}, 'targets', {}, 'gain', {}, 'cost', {}, ...
                   'gainPerCost', {});
-  settings = [problem.bench(:), problem.coordinate(:)];
+  settings = [problem.bench(:), problem.coordinate(:), problem.curve(:)];
+  settings(problem.curve > 0, 2) = 0;
   settings = settings(problem.possible, :);
   for row = unique (settings, 'rows')'
-    at = problem.possible(settings(:, 1) == row(1) & settings(:, 2) == row(2));
+    at = problem.possible(all (settings == row', 2));
     names = strjoin (problem.targetNames(at), ', ');
+    if numel (at) > 3 && row(3) > 0
+      names = sprintf ('%s to %s', problem.targetNames{at([1, end])});
+    end
     text = sprintf ('%s: measure %s', problem.benchNames{row(1)}, names);
     tests(end + 1) = newTest (text, at, problem.benchCost(row(1)));
   end
@@ -116,6 +121,17 @@ end
 %! assert (tests(1).targets, 2);
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
+%! % points of one curve are measured together
+%! two = problem;
+%! [two.y(3), two.coordinate] = deal (NaN, [0, 1, 2]);
+%! two.bench = [1, 2, 2];
+%! two.possible = [2, 3];
+%! two.used = 1;
+%! assert (numel (nextTest (two, em, w, [0.5, 0.5])), 3);
+%! two.curve = [0, 1, 1];
+%! tests = nextTest (two, em, w, [0.5, 0.5]);
+%! assert ({tests.targets}, {[2, 3], 1});
+%! tests = nextTest (problem, em, w, [0.5, 0.5]);
 %! w.kind{3} = 'discrepancy';
 %! w.posterior{3} = struct ('Q', [], 'weight', []);
 %! tests = nextTest (problem, em, w, [0, 0, 1]);

@@ -9,7 +9,7 @@
 % Results of one series (results.csv of the model) are a curve over where they
 % were measured. All other targets have a bullet each, in their own unit.
 %
-% See also: sectionWhere, resultInfo
+% See also: sectionWhere, targetInfo
 
 function figures = curveFigures (page, where)
   figures = [];
@@ -46,12 +46,13 @@ function [series, at, unit] = seriesOf (Case, bench, mine)
   if isempty (k)
     return
   end
-  info = resultInfo (Case.models(k).folder);
-  own = Case.targets([Case.targets.model] == k);
+  isOwn = [Case.targets.model] == k;
+  info = targetInfo (Case)(isOwn);
+  own = Case.targets(isOwn);
   for i = 1:numel (mine)
     t = find (strcmp (mine(i).target, {own.name}), 1);
-    if ~isempty (t) && numel (info) >= own(t).index
-      r = info(own(t).index);
+    if ~isempty (t)
+      r = info(t);
       series{i} = r.series;
       at(i) = r.at;
       unit{i} = strrep (r.unit, '-', '');

@@ -16,7 +16,7 @@
 % The line of a cone has two sides and its apex at the measured height, where
 % that is a target.
 %
-% See also: sectionParticles, resultInfo
+% See also: sectionParticles, targetInfo
 
 function lines = measuredLines (Case, k, file, left, grains)
   lines = {};
@@ -43,16 +43,14 @@ function [kinds, values, apex] = anglesOf (Case, k)
   kinds = {};
   values = [];
   apex = NaN;
-  info = resultInfo (Case.models(k).folder);
-  for T = Case.targets([Case.targets.model] == k)
-    kind = '';
-    if numel (info) >= T.index
-      kind = info(T.index).kind;
-    end
+  info = targetInfo (Case);
+  for t = find ([Case.targets.model] == k)
+    T = Case.targets(t);
+    kind = info(t).kind;
     if any (strcmp (kind, {'angle', 'angleFalling', 'coneAngle'}))
       kinds{end + 1} = kind;
       values(end + 1) = T.value;
-    elseif strcmp (kind, 'height') && info(T.index).at == 0
+    elseif strcmp (kind, 'height') && info(t).at == 0
       apex = T.value;
     end
   end

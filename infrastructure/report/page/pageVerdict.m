@@ -115,8 +115,8 @@ function html = factsOf (page)
     if iscell (used)
       used = [used{:}];
     end
-    used = used(strcmp ({used.role}, 'calibrate'));
-    items{end + 1} = fact ('targets met', metCount (used));
+    isUsed = strcmp ({used.role}, 'calibrate');
+    items{end + 1} = fact ('targets met', metCount (used, isUsed, page.Case));
     items{end + 1} = fact ('chance that all are met', ...
                            pageNumber (page, 'probability', 'calibration', ...
                                        'probability'));
@@ -138,11 +138,20 @@ function html = factsOf (page)
   end
 end
 
-function text = metCount (used)
+% A curve is one target.
+function text = metCount (used, isUsed, Case)
   text = '&ndash;';
   if isfield (used, 'tol')
-    met = sum (abs ([used.residual]) <= [used.tol]);
-    text = sprintf ('%d of %d', met, numel (used));
+    residual = NaN (1, numel (used));
+    residual(isUsed) = [used(isUsed).residual];
+    curves = struct ('own', {}, 'share', {});
+    if numel (used) == numel (Case.targets)
+      curves = curveSummary (Case, residual);
+    end
+    isUsed([curves.own]) = false;
+    met = sum (abs (residual(isUsed)) <= [used(isUsed).tol]) + ...
+          sum ([curves.share] <= 1);
+    text = sprintf ('%d of %d', met, sum (isUsed) + numel (curves));
   end
 end
 

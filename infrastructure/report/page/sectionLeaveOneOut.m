@@ -13,7 +13,7 @@ function [title, html] = sectionLeaveOneOut (page)
     return
   end
   figures = [];
-  for t = 1:numel (page.surrogates)
+  for t = shownTargets (page.Case)
     figures = [figures, crossFigure(page, t)];
   end
   key = htmlKey ({'ybar', 'blue', ...

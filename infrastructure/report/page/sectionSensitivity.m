@@ -17,18 +17,20 @@ function [title, html] = sectionSensitivity (page)
   S = cellfun (@(n) share.(n)(:)', names(:), 'UniformOutput', false);
   S = vertcat (S{:});
   figures = [];
-  cells = cell (numel (names), columns (S) + 1);
-  for t = 1:columns (S)
+  shown = shownTargets (page.Case);
+  for t = shown
     figures = [figures, bars(names, S(:, t), page.Case.targets(t).name)];
   end
+  cells = cell (numel (names), numel (shown) + 1);
   for j = 1:numel (names)
     cells{j, 1} = htmlText (names{j});
-    for t = 1:columns (S)
-      cells{j, t + 1} = pageNumber (page, 'plain', 'calibration', ...
+    for i = 1:numel (shown)
+      t = shown(i);
+      cells{j, i + 1} = pageNumber (page, 'plain', 'calibration', ...
                                     'sensitivity', names{j}, t);
     end
   end
-  targets = cellfun (@htmlText, {page.Case.targets.name}, ...
+  targets = cellfun (@htmlText, {page.Case.targets(shown).name}, ...
                      'UniformOutput', false);
   html = ['<p>Share of the variance of each response over the box that a ', ...
           'parameter makes, alone and with others (total Sobol index).</p>', ...

@@ -20,7 +20,7 @@ function [title, html] = sectionSlices (page)
     centre = mean (page.Case.limits, 1);
     what = 'the centre of the box (no set has been found yet)';
   end
-  for t = 1:numel (page.surrogates)
+  for t = shownTargets (page.Case)
     T = page.Case.targets(t);
     figures = [];
     for j = 1:numel (page.Case.names)
@@ -60,7 +60,7 @@ function f = slice (page, t, j, centre)
                  withUnit (T.name, page.units{t}), alt);
   f.caption = false;
   f.xlim = limits(:, j)';
-  half = abs (T.value) * T.tol;
+  half = halfWidth (T);
   f = addLayer (f, 'area', [x, m - outer, m + outer], 'paleblue');
   f = addLayer (f, 'area', [f.xlim', T.value + half * [-1, 1; -1, 1]], ...
                 'palegreen');

@@ -19,11 +19,11 @@ function [title, html] = sectionSteps (page)
   end
   n = numel (history);
   steps = arrayfun (@(k) jsonAt (history, {k}), 1:n, 'UniformOutput', false);
-  R = cellfun (@(s) s.residual(:), steps, 'UniformOutput', false);
+  R = cellfun (@(s) asNumbers (s.residual), steps, 'UniformOutput', false);
   R = [R{:}];
   runs = cellfun (@(s) s.runs, steps);
   figures = [];
-  for t = 1:rows (R)
+  for t = shownTargets (page.Case)
     figures = [figures, stepFigure(page, t, runs, R(t, :))];
   end
   key = htmlKey ({'area', 'palegreen', 'tolerance'; ...
@@ -36,6 +36,15 @@ function [title, html] = sectionSteps (page)
           stepTable(page, source, n), '</details>'];
 end
 
+% null stands for a target that is not measured yet.
+function r = asNumbers (r)
+  if iscell (r)
+    r(cellfun (@isempty, r)) = {NaN};
+    r = [r{:}];
+  end
+  r = r(:);
+end
+
 function f = stepFigure (page, t, runs, r)
   T = page.Case.targets(t);
   f = newFigure (T.name, 'parameter sets run after the plan', ...
@@ -44,8 +53,8 @@ function f = stepFigure (page, t, runs, r)
                    T.name, 100 * r(1), 100 * r(end));
   width = [min(runs) - 0.5; max(runs) + 0.5];
   noise = 0;
-  if ~isempty (page.surrogates) && T.value ~= 0
-    noise = 100 * sqrt (page.surrogates(t).noiseVar) / abs (T.value);
+  if ~isempty (page.surrogates)
+    noise = 100 * sqrt (page.surrogates(t).noiseVar) * T.tol / halfWidth (T);
   end
   bands = [noise, 100 * T.tol];
   colours = {'palegrey', 'palegreen'};
@@ -71,16 +80,16 @@ function html = stepTable (page, source, n)
                    pageNumber(page, 'count', source, 'history', k, 'runs'), ...
                    pageNumber(page, 'probability', source, 'history', k, ...
                               'probability'), ...
-                   residuals(page, source, k, numel (s.residual))};
+                   residuals(page, source, k, shownTargets (page.Case))};
   end
   html = htmlTable ('Steps', {'step', 'sets run so far', ...
                               'chance that all targets are met', ...
                               'residuals, in the order of the targets'}, cells);
 end
 
-function html = residuals (page, source, k, T)
+function html = residuals (page, source, k, shown)
   parts = arrayfun (@(t) pageNumber (page, 'percent', source, 'history', k, ...
-                                     'residual', t), 1:T, ...
+                                     'residual', t), shown, ...
                     'UniformOutput', false);
   html = strjoin (parts, ', ');
 end

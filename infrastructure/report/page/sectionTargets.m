@@ -9,14 +9,19 @@
 function [title, html] = sectionTargets (page)
   title = 'Targets';
   targets = page.Case.targets;
-  isHeld = strcmp ({targets.role}, 'holdout');
+  isHeld = ~strcmp ({targets.role}, 'calibrate');
   if isempty (page.sources.calibration)
     html = askedFor (page);
     return
   end
   figures = [];
-  for t = 1:numel (targets)
+  curves = curveSummary (page.Case, zeros (1, numel (targets)));
+  inCurve = ismember (1:numel (targets), [curves.own]);
+  for t = find (~isHeld & ~inCurve)
     figures = [figures, bullet(page, t)];
+  end
+  for c = curves
+    figures = [figures, targetCurve(page, c.own)];
   end
   key = htmlKey ({'box', 'palegreen', 'tolerance'; ...
                   'line', 'ink', 'measured'; ...
@@ -24,8 +29,8 @@ function [title, html] = sectionTargets (page)
                   '90 % interval of the mean response at the set'; ...
                   'xbar', 'grey', 'scatter of one run (1 sd)'; ...
                   'diamond', 'blue', resultWord(page)});
-  html = [htmlFigures(figures(~isHeld), key), ...
-          resultTable(page, find (~isHeld))];
+  html = [htmlFigures(figures, key), curveTable(page), ...
+          resultTable(page, find (~isHeld & ~inCurve))];
   if any (isHeld)
     html = [html, heldOut(page)];
   end
@@ -50,6 +55,9 @@ function html = askedFor (page)
     cells(t, :) = {nameOf(page, t), htmlText(T.modelName), ...
                    numberText(T.value), numberText(T.sd), ...
                    numberText(T.tol, 'percent')};
+    if isAbsolute (T)
+      cells{t, 5} = numberText (T.tol, 'plain');
+    end
   end
   html = htmlTable ('What is to be met; there is no result yet', ...
                     {'target', 'model', 'measured', 'uncertainty (sd)', ...
@@ -58,21 +66,24 @@ end
 
 function text = nameOf (page, t)
   text = htmlText (withUnit (page.Case.targets(t).name, page.units{t}));
-  if strcmp (page.Case.targets(t).role, 'holdout')
+  role = page.Case.targets(t).role;
+  if strcmp (role, 'holdout')
     text = [text, ', held out'];
+  elseif strcmp (role, 'unmeasured')
+    text = [text, ', not measured yet'];
   end
 end
 
 function f = bullet (page, t)
   T = page.Case.targets(t);
   r = jsonAt (page.sources.calibration, {'targets', t});
-  alt = sprintf ('%s: measured %.4g, result %.4g, tolerance %.3g %%', ...
-                 T.name, r.target, r.result, 100 * T.tol);
+  alt = sprintf ('%s: measured %.4g, result %.4g, tolerance %.3g', ...
+                 T.name, r.target, r.result, halfWidth (T));
   f = newFigure (withUnit (T.name, page.units{t}), '', '', alt);
   f.size = [340, 70];
   f.ylim = [0, 1];
   f.ynames = {' '};
-  half = abs (r.target) * T.tol;
+  half = halfWidth (T);
   f = addLayer (f, 'box', [r.target, 0.5, r.target + [-half, half], ...
                            0.08, 0.92], 'palegreen');
   if isfield (r, 'interval90')
@@ -85,7 +96,39 @@ function f = bullet (page, t)
   f = addLayer (f, 'diamond', [r.result, 0.5], 'blue');
 end
 
+% A curve is met as a whole, see toleranceShare.
+function html = curveTable (page)
+  html = '';
+  R = arrayfun (@(t) jsonAt (page.sources.calibration, ...
+                             {'targets', t, 'residual'}), ...
+                1:numel (page.Case.targets), 'UniformOutput', false);
+  R(cellfun (@isempty, R)) = {NaN};
+  curves = curveSummary (page.Case, [R{:}]);
+  if isempty (curves)
+    return
+  end
+  cells = cell (numel (curves), 5);
+  for k = 1:numel (curves)
+    c = curves(k);
+    verdict = '<span class="ok">met</span>';
+    if ~(c.share <= 1)
+      verdict = '<span class="off">not met</span>';
+    end
+    cells(k, :) = {htmlText(c.name), htmlText(c.model), ...
+                   sprintf('%d', numel (c.own)), ...
+                   numberText(c.share, 'plain'), verdict};
+  end
+  html = htmlTable (['Curves: root mean square of the deviations, each ' ...
+                     'over its tolerance; met up to 1'], ...
+                    {'curve', 'model', 'points', ...
+                     'deviation over tolerance', 'verdict'}, cells);
+end
+
 function html = resultTable (page, which)
+  html = '';
+  if isempty (which)
+    return
+  end
   cells = cell (numel (which), 8);
   for k = 1:numel (which)
     t = which(k);
@@ -96,9 +139,13 @@ function html = resultTable (page, which)
     if ~(abs (r.residual) <= page.Case.targets(t).tol)
       verdict = '<span class="off">not met</span>';
     end
+    kind = 'percent';
+    if isAbsolute (page.Case.targets(t))
+      kind = 'plain';
+    end
     cells(k, :) = {nameOf(page, t), at('plain', 'target'), ...
-                   at('plain', 'result'), at('percent', 'residual'), ...
-                   at('percent', 'tol'), verdict, at('plain', 'noiseSd'), ...
+                   at('plain', 'result'), at(kind, 'residual'), ...
+                   at(kind, 'tol'), verdict, at('plain', 'noiseSd'), ...
                    pageInterval(page, 'plain', 'calibration', ...
                                 'targets', t, 'interval90')};
   end
@@ -116,7 +163,9 @@ function html = heldOut (page)
     at = @(field) pageNumber (page, 'plain', 'calibration', 'holdout', k, ...
                               field);
     verdict = '<span class="ok">inside</span>';
-    if ~h.inside
+    if isempty (h.inside)
+      verdict = 'not measured yet';
+    elseif ~h.inside
       verdict = '<span class="off">outside</span>';
     end
     cells(k, :) = {htmlText(h.name), at('target'), at('result'), ...

@@ -1,0 +1,98 @@
+% CURVEERRORS  What is known of the errors along each curve that is fitted.
+%
+% CALL: [curves, nFree] = curveErrors (surrogates, problem)
+%
+% surrogates  1 x T struct array of fitSurrogates
+% problem     struct of newProblem
+% curves      1 x C struct, one element a curve of which points are calibrated:
+%             own (1 x n, target numbers), value, sd (1 x n), distance (n x n,
+%             between the points), root (n x n, correlation of the scatter of
+%             the runs and of the errors of the surrogates along the curve),
+%             noiseVar (1 x n, of the mean of the trials), scatter (logical: sd
+%             holds the packings), length (of the measurement's errors; NaN:
+%             unknown), lengths (1 x 2, the range in question then), sdKnown,
+%             half (1 x n, half widths of the tolerance), df, free (columns of
+%             unknowns: of the length, of the size)
+% nFree       how many unknowns there are in all
+%
+% A run's own curve scatters as one, since it is one packing: how far that is
+% correlated follows from the leave-one-out residuals of the surrogates, as an
+% exponential in the distance with the length of the largest likelihood.
+%
+% See also: curveLikelihood, parameterPosterior, measurementCovariance
+
+function [curves, nFree] = curveErrors (surrogates, problem)
+  curves = [];
+  nFree = 0;
+  for number = unique (problem.curve(problem.calibrate & problem.curve > 0))
+    own = find (problem.calibrate & problem.curve == number);
+    at = problem.at(own);
+    c = struct ('own', own, 'value', problem.value(own), ...
+                'sd', problem.sd(own), 'distance', abs (at' - at));
+    c.noiseVar = [surrogates(own).noiseVar] ./ problem.trials(own);
+    c.scatter = any (problem.scatter(own));
+    c.root = scatterCorrelation (surrogates(own), c.distance);
+    c.length = problem.correlation(own(1));
+    steps = diff (unique (at));
+    c.lengths = [min([steps, Inf]) / 3, max(at) - min(at)];
+    if isempty (steps)
+      c.length = 0;
+    end
+    c.sdKnown = all (c.sd > 0);
+    c.half = problem.tol(own) .* abs (problem.scale(own));
+    c.df = min ([surrogates(own).df]);
+    nNew = isnan (c.length) + ~c.sdKnown;
+    c.free = nFree + (1:nNew);
+    nFree = nFree + nNew;
+    curves = [curves, c];
+  end
+end
+
+function R = scatterCorrelation (surrogates, D)
+  n = arrayfun (@(s) numel (s.looStd), surrogates);
+  R = ones (size (D));
+  if all (n == n(1)) && any (D(:) > 0)
+    E = [surrogates.looStd];
+    E = E(all (isfinite (E), 2), :);
+    E = E ./ max (sqrt (mean (E.^2, 1)), eps);
+    span = max (D(:));
+    grid_ = logspace (log10 (min (D(D > 0)) / 3), log10 (30 * span), 40);
+    fit = arrayfun (@(l) profiled (E, exp (-D / l)), grid_);
+    [~, best] = max (fit);
+    R = exp (-D / grid_(best));
+  end
+  R(1:rows (D) + 1:end) = 1 + 1e-6;
+end
+
+function fit = profiled (E, R)
+  [n, m] = size (E);
+  R(1:m + 1:end) = 1 + 1e-6;
+  root = chol (R, 'lower');
+  W = root \ E';
+  fit = -n * m / 2 * log (sumsq (W(:)) / (n * m)) - ...
+        n * sum (log (diag (root)));
+end
+
+%!test
+%! % scatter that is alike over a third of the curve (seeded)
+%! randn ('twister', 3);
+%! at = linspace (0, 1, 20);
+%! E = randn (30, 20) * chol (exp (-abs (at' - at) / 0.3) + 1e-9 * eye (20));
+%! s = struct ('looStd', mat2cell (E, 30, ones (1, 20)), 'noiseVar', 4, ...
+%!             'df', 9);
+%! problem = struct ('calibrate', true (1, 20), 'curve', ones (1, 20), ...
+%!                   'value', at, 'sd', zeros (1, 20), 'at', at, ...
+%!                   'trials', 2 * ones (1, 20), 'scatter', false (1, 20), ...
+%!                   'correlation', NaN (1, 20), 'tol', 0.1 * ones (1, 20), ...
+%!                   'scale', ones (1, 20));
+%! [c, nFree] = curveErrors (s, problem);
+%! assert (nFree, 2);
+%! assert (c.free, [1, 2]);
+%! assert (c.noiseVar, 2 * ones (1, 20));
+%! assert (c.root(1, 8), exp (-7 / 19 / 0.3), 0.2);
+%! problem.correlation(:) = 0.5;
+%! problem.sd(:) = 0.1;
+%! [c, nFree] = curveErrors (s, problem);
+%! assert (nFree, 0);
+%! problem.curve(:) = 0;
+%! assert (isempty (curveErrors (s, problem)));

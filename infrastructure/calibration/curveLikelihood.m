@@ -1,0 +1,91 @@
+% CURVELIKELIHOOD  Log likelihood of a measured curve at parameter sets.
+%
+% CALL: fit = curveLikelihood (c, m, v, free)
+%
+% c     element of curveErrors
+% m, v  n x p  mean and variance of the surrogates at the p points
+% free  n x f  unknowns in [0, 1], c.free: the length over which the errors of
+%       the measurement are alike (c.lengths, logarithmic), then their size (2 %
+%       to twice the tolerance, logarithmic)
+% fit   n x 1  log density of a Student distribution with c.df degrees of
+%       freedom
+%
+% Covariance: sd_i sd_j exp (-distance / length) of the measurement, plus that
+% of one packing and of the surrogates, sqrt (v_i v_j) times c.root.
+%
+% See also: curveErrors, parameterPosterior
+
+function fit = curveLikelihood (c, m, v, free)
+  n = rows (m);
+  p = columns (m);
+  fit = zeros (n, 1);
+  R = correlation (c, c.length);
+  S = (c.sd' * c.sd) .* R;
+  if c.scatter
+    % the scatter of the trials holds their packings
+    v = v + max (c.noiseVar - c.sd.^2, 0);
+  else
+    v = v + c.noiseVar;
+  end
+  w = sqrt (v + eps (max (c.value.^2)));
+  isFree = columns (free) > 0;
+  for i = 1:n
+    if isFree
+      S = covariance (c, R, free(i, :));
+    end
+    root = chol (S + (w(i, :)' * w(i, :)) .* c.root);
+    z = (c.value - m(i, :)) / root;
+    fit(i) = -sum (log (diag (root))) - ...
+             (c.df + p) / 2 * log1p ((z * z') / c.df);
+  end
+end
+
+% The unknowns: first the length, then the size, where they are not known.
+function S = covariance (c, R, free)
+  if isnan (c.length)
+    R = correlation (c, c.lengths(1) * (c.lengths(2) / c.lengths(1))^free(1));
+  end
+  sd = c.sd;
+  if ~c.sdKnown
+    sd = c.half * 0.02 * 100^free(end);
+  end
+  S = (sd' * sd) .* R;
+end
+
+function R = correlation (c, length)
+  R = full (eye (rows (c.distance)));
+  if length > 0
+    R = exp (-c.distance / length);
+  end
+  R(1:rows (R) + 1:end) = 1 + 1e-6;
+end
+
+%!shared c
+%! c = struct ('own', 1, 'value', 2, 'sd', 3, 'distance', 0, 'root', 1, ...
+%!             'noiseVar', 4, 'scatter', false, 'length', 0, ...
+%!             'lengths', [1, 9], 'sdKnown', true, 'half', 5, 'df', 7, ...
+%!             'free', []);
+%!test
+%! % of one point: the density of a single target
+%! f = @(v) -0.5 * log (v) - 4 * log1p ((2 - 0.5)^2 / v / 7);
+%! assert (curveLikelihood (c, 0.5, 3, zeros (1, 0)), f (16), 1e-5);
+%! c.scatter = true;
+%! assert (curveLikelihood (c, 0.5, 3, zeros (1, 0)), f (12), 1e-5);
+%! % size unknown: half way between 0.1 and 10
+%! c.scatter = false;
+%! c.sdKnown = false;
+%! assert (curveLikelihood (c, 0.5, 3, 0.5), f (8), 1e-5);
+%!test
+%! % two points that move together weigh as one
+%! two = c;
+%! two.sdKnown = true;
+%! two.scatter = false;
+%! [two.value, two.sd, two.noiseVar] = deal ([2, 2], [3, 3], [0, 0]);
+%! [two.distance, two.root] = deal (zeros (2), eye (2));
+%! two.length = 1;
+%! two.df = 1e6;
+%! g = @(m) curveLikelihood (two, [m, m], [0, 0], zeros (1, 0));
+%! assert (g (2) - g (5), 0.5, 1e-3);
+%! two.length = 0;
+%! g = @(m) curveLikelihood (two, [m, m], [0, 0], zeros (1, 0));
+%! assert (g (2) - g (5), 1, 1e-3);

@@ -1,0 +1,172 @@
+% GROUPMEASURED  Makes targets of the lines of measured.csv.
+%
+% CALL: [GROUPS, PROBLEMS] = groupMeasured (LIST)
+%
+%   LIST      struct array of readMeasured
+%   GROUPS    1 x T struct, sorted by model, else in the order of the table:
+%             line (first one), model, name (of the target), result (name of
+%             the result or curve), series, at, unit, value, sd, trials,
+%             scatter (logical: sd holds the scatter of the trials), role, tol,
+%             isAbsolute, curve (number of its series, 0: none)
+%   PROBLEMS  1 x p problems, see checkProblem
+%
+% Lines with the same model, name, series and at are repeated trials. Their
+% value is the mean; its standard uncertainty is t s / sqrt (n), s the standard
+% deviation of the n lines and t the 84 % quantile of Student's distribution
+% with n - 1 degrees of freedom (GUM, type A; few trials know their own scatter
+% badly), joined with the sd of the lines, which is what they have in common.
+% The value of a point of a curve is named <name or series>@<at>, unless the
+% name stands in one place only.
+%
+% Reasons: measuredRepeats
+%
+% See also: readMeasured, newTargets
+
+function [groups, p] = groupMeasured (list)
+  p = checkProblem ();
+  keys = cell (1, numel (list));
+  for k = 1:numel (list)
+    keys{k} = sprintf ('%d|%s|%s|%.12g', list(k).model, list(k).name, ...
+                       list(k).series, list(k).at);
+  end
+  [first, which] = inOrder (keys);
+  groups = [];
+  for g = 1:numel (first)
+    own = list(which == g);
+    p = [p, checkAlike(own)];
+    groups = [groups, oneTarget(own, list)];
+  end
+  [~, order] = sort ([groups.model]);
+  groups = groups(order);
+  series = arrayfun (@(g) sprintf ('%d|%s', g.model, g.series), groups, ...
+                     'UniformOutput', false);
+  [~, number] = inOrder (series);
+  number = num2cell (number(:)' .* ~cellfun (@isempty, {groups.series}));
+  [groups.curve] = number{:};
+end
+
+% First place of each text, and which of them every one is.
+function [first, which] = inOrder (texts)
+  [~, first, which] = unique (texts, 'first');
+  [first, order] = sort (first(:)');
+  rank(order) = 1:numel (order);
+  which = rank(which);
+end
+
+function p = checkAlike (own)
+  p = checkProblem ();
+  for field = {'role', 'tol', 'isAbsolute', 'unit'}
+    for k = 2:numel (own)
+      value = own(k).(field{1});
+      isFree = isempty (value) || (isnumeric (value) && isnan (value));
+      if ~isFree && ~isequaln (value, own(1).(field{1}))
+        where = sprintf ('measured.csv, line %d, %s', own(k).line, field{1});
+        p(end + 1) = checkProblem ('measuredRepeats', where, ...
+                                   sprintf (['what line %d has: it is the ' ...
+                                             'same quantity'], own(1).line), ...
+                                   checkShow (value), ...
+                                   'Give it once, or alike in every trial.');
+      end
+    end
+  end
+end
+
+function g = oneTarget (own, list)
+  g = struct ('line', own(1).line, 'model', own(1).model, ...
+              'name', targetName (own(1), list), 'result', own(1).name, ...
+              'series', own(1).series, 'at', own(1).at, ...
+              'unit', own(1).unit, 'value', NaN, 'sd', max ([own.sd]), ...
+              'trials', 1, 'scatter', false, 'role', own(1).role, ...
+              'tol', own(1).tol, 'isAbsolute', own(1).isAbsolute, 'curve', 0);
+  if isempty (g.result)
+    g.result = g.series;
+  end
+  own = own(isfinite ([own.value]));
+  if isempty (own)
+    g.role = 'unmeasured';
+    return
+  end
+  weight = [own.repeats];
+  weight(isnan (weight)) = 1;
+  finite = min (weight, 1e6);
+  value = [own.value];
+  g.value = value * finite' / sum (finite);
+  g.trials = sum (weight);
+  g.sd = mean ([own.sd]);
+  n = numel (own);
+  if n > 1
+    s = sqrt (finite / mean (finite) * (value - g.value)'.^2 / (n - 1));
+    g.sd = hypot (student84 (n - 1) * s / sqrt (n), g.sd);
+    g.scatter = s > 0;
+    g.isAbsolute = g.isAbsolute || g.value == 0;
+  end
+end
+
+% 84.13 % quantile of Student's distribution: 1 for many degrees of freedom.
+function t = student84 (df)
+  y = betaincinv (2 * 0.1587, df / 2, 0.5);
+  t = sqrt (df * (1 / y - 1));
+end
+
+function name = targetName (row, list)
+  name = row.name;
+  if isempty (row.series)
+    return
+  end
+  isSame = strcmp ({list.name}, name) & [list.model] == row.model;
+  places = unique ([list(isSame).at]);
+  if isempty (name)
+    name = row.series;
+  elseif numel (places) == 1
+    return
+  end
+  name = sprintf ('%s@%.6g', name, row.at);
+end
+
+%!shared line
+%! line = struct ('line', 2, 'model', 1, 'name', 'a', 'series', '', ...
+%!                'unit', 'kg', 'at', NaN, 'value', 1, 'sd', 0, ...
+%!                'repeats', NaN, 'role', 'calibrate', 'tol', 0.1, ...
+%!                'isAbsolute', false);
+%!test
+%! % three trials: t = 1.32 for two degrees of freedom
+%! list = repmat (line, 1, 3);
+%! [list.value] = deal (1, 2, 3);
+%! [g, p] = groupMeasured (list);
+%! assert (isempty (p));
+%! assert ([g.value, g.trials], [2, 3]);
+%! assert (g.sd, 1.32 / sqrt (3), 2e-3);
+%! assert (g.scatter);
+%! [list.sd] = deal (0.5);
+%! assert (groupMeasured (list).sd, hypot (1.32 / sqrt (3), 0.5), 2e-3);
+%!test
+%! % a mean that was typed in, and one that is not measured yet
+%! list = [line, line];
+%! list(1).repeats = 5;
+%! list(2).name = 'b';
+%! list(2).value = NaN;
+%! g = groupMeasured (list);
+%! assert ([g.trials], [5, 1]);
+%! assert ([g.scatter], [false, false]);
+%! assert ({g.role}, {'calibrate', 'unmeasured'});
+%! assert ({g.name}, {'a', 'b'});
+%!test
+%! % points of a curve, and named results that form a series
+%! list = repmat (line, 1, 4);
+%! [list.series] = deal ('w');
+%! [list.at] = deal (1, 2, 1, 2);
+%! [list.name] = deal ('', '', 'r1', 'r2');
+%! g = groupMeasured (list);
+%! assert ({g.name}, {'w@1', 'w@2', 'r1', 'r2'});
+%! assert ({g.result}, {'w', 'w', 'r1', 'r2'});
+%! assert ([g.curve], [1, 1, 1, 1]);
+%!test
+%! list = [line, line];
+%! list(2).tol = 0.2;
+%! [~, p] = groupMeasured (list);
+%! assert (p.id, 'DEcalioc:checkCase:measuredRepeats');
+%! list(2).tol = NaN;
+%! list(2).model = 0;
+%! [g, p] = groupMeasured (list);
+%! assert (isempty (p));
+%! assert ([g.model], [0, 1]);

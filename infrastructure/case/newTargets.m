@@ -1,0 +1,152 @@
+% NEWTARGETS  The targets of a case, from measured.csv or from optim.
+%
+% CALL: TARGETS = newTargets (OPTIM, MODELS, FOLDER)
+%
+%   OPTIM    scalar struct, the optim of loadInput, checked
+%   MODELS   1 x M struct with name and folder
+%   FOLDER   case folder; its measured.csv goes before optim.targetVal
+%   TARGETS  1 x T struct in the order of the models, see docs/data.md
+%
+% See also: newCase, groupMeasured, checkMeasuredTable
+
+function targets = newTargets (optim, models, folder)
+  file = fullfile (folder, 'measured.csv');
+  if isfile (file)
+    targets = fromTable (file, optim, models);
+  else
+    targets = fromCells (optim, models);
+  end
+end
+
+function targets = fromTable (file, optim, models)
+  groups = groupMeasured (readMeasured (file, {models.name}));
+  counts = arrayfun (@(k) sum ([groups.model] == k), 1:numel (models));
+  lengths = asLengths (given (optim, 'correlation', {}));
+  lengths = perTarget (lengths, counts, -1);
+  targets = [];
+  for g = groups
+    index = 1;
+    if ~isempty (targets)
+      index = 1 + sum ([targets.model] == g.model);
+    end
+    t = struct ('model', g.model, 'modelName', models(g.model).name, ...
+                'index', index, 'name', g.name, 'value', g.value, ...
+                'sd', g.sd, 'tol', g.tol, 'role', g.role, ...
+                'trials', g.trials, 'correlation', lengths{g.model}(index));
+    for field = {'isAbsolute', 'scatter', 'unit', 'result', 'series', ...
+                 'at', 'curve'}
+      t.(field{1}) = g.(field{1});
+    end
+    if isnan (t.tol)
+      t.tol = given (optim, 'tolRes', 0.01);
+    end
+    if t.correlation < 0
+      t.correlation = ifElse (t.curve > 0, NaN, 0);
+    end
+    targets = [targets, t];
+  end
+end
+
+function value = ifElse (test, value, other)
+  if ~test
+    value = other;
+  end
+end
+
+function targets = fromCells (optim, models)
+  values = perModel (optim.targetVal, models);
+  counts = cellfun (@numel, values);
+  tols = perTarget (optim.tolRes, counts, 0);
+  sds = perTarget (given (optim, 'targetStd', []), counts, 0);
+  trials = perTarget (given (optim, 'trials', []), counts, 1);
+  lengths = perTarget (asLengths (given (optim, 'correlation', {})), counts, 0);
+  names = given (optim, 'targetName', {});
+  roles = given (optim, 'role', {});
+  targets = [];
+  for k = 1:numel (models)
+    for i = 1:counts(k)
+      t = struct ('model', k, 'modelName', models(k).name, 'index', i);
+      t.name = textOf (names, k, i, sprintf ('%s_%d', models(k).name, i));
+      t.value = values{k}(i);
+      t.sd = sds{k}(i);
+      t.tol = tols{k}(i);
+      t.role = textOf (roles, k, i, 'calibrate');
+      t.trials = trials{k}(i);
+      t.correlation = lengths{k}(i);
+      t.isAbsolute = false;
+      t.scatter = false;
+      [t.unit, t.result, t.series] = deal ('');
+      t.at = NaN;
+      t.curve = 0;
+      targets = [targets, t];
+    end
+  end
+end
+
+function value = given (s, field, default)
+  value = default;
+  if isfield (s, field) && ~isempty (s.(field))
+    value = s.(field);
+  end
+end
+
+% NaN stands for a length that is to be estimated, 0 for independent errors.
+function lengths = asLengths (lengths)
+  for k = 1:numel (lengths)
+    if ischar (lengths{k})
+      lengths{k} = NaN;
+    else
+      lengths{k}(isnan (lengths{k})) = 0;
+    end
+  end
+end
+
+function text = textOf (nested, k, i, default)
+  text = default;
+  if numel (nested) >= k && numel (nested{k}) >= i && ~isempty (nested{k}{i})
+    text = nested{k}{i};
+  end
+end
+
+% The published loadInput returns the values of all models as one column; how
+% many belong to each model is then known from its results alone.
+function parts = perModel (values, models)
+  if iscell (values)
+    parts = cellfun (@(v) double (v(:)'), values(:)', 'UniformOutput', false);
+    parts(end + 1:numel (models)) = {[]};
+  elseif isscalar (models)
+    parts = {double(values(:)')};
+  else
+    sizes = arrayfun (@(m) checkDryRun (m.folder, m.name), models);
+    parts = mat2cell (double (values(:)'), 1, sizes);
+  end
+end
+
+%!shared folder, models
+%! folder = tempname ();
+%! models = struct ('name', {'A', 'B'}, 'folder', '');
+%!test
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'measured.csv'), ...
+%!              ["model,name,series,at,value,sd,tol\nB,b,,,0,,0.5\n", ...
+%!               "A,,w,1,4,0.2,\nA,,w,2,,,\nA,a,,,5,,1 abs\nA,a,,,7,,\n"]);
+%! t = newTargets (struct ('tolRes', 0.1), models, folder);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! assert ({t.name}, {'w@1', 'w@2', 'a', 'b'});
+%! assert ([t.model], [1, 1, 1, 2]);
+%! assert ([t.index], [1, 2, 3, 1]);
+%! assert ([t.value], [4, NaN, 6, 0]);
+%! assert ([t.tol], [0.1, 0.1, 1, 0.5]);
+%! assert ([t.isAbsolute], [false, false, true, true]);
+%! assert ([t.trials], [1, 1, 2, 1]);
+%! assert ({t.role}, {'calibrate', 'unmeasured', 'calibrate', 'calibrate'});
+%! assert ([t.correlation], [NaN, NaN, 0, 0]);
+%!test
+%! % the cells of optim give the same fields
+%! t = newTargets (struct ('targetVal', {{[1, 2], 3}}, 'tolRes', 0.1), ...
+%!                 models, '/nowhere');
+%! assert ([t.value], [1, 2, 3]);
+%! assert (any ([t.isAbsolute]), false);
+%! assert ({t.name}, {'A_1', 'A_2', 'B_1'});
+%! assert ([t.curve], [0, 0, 0]);

@@ -1,0 +1,21 @@
+% RESIDUALTEXT  Residuals in percent as text, as long as they are few.
+%
+% CALL: text = residualText (residual, form)
+%
+% residual  T x 1; NaN: not measured yet
+% form      of sprintf, for one number
+% text      all of them up to ten, else how many there are
+%
+% See also: sayStep, reportIterations
+
+function text = residualText (residual, form)
+  residual = 100 * residual(isfinite (residual));
+  if numel (residual) <= 10
+    text = sprintf (form, residual);
+  else
+    text = sprintf (' of %d targets', numel (residual));
+  end
+end
+
+%!assert (residualText ([0.01; NaN; -0.2], ' %.1f'), ' 1.0 -20.0')
+%!assert (residualText (-0.01 * (1:12)', ' %.0f'), ' of 12 targets')

@@ -1,0 +1,157 @@
+% TAKEREADINGS  Takes from the results of a run what was measured.
+%
+% CALL: [ROW, PROBLEM] = takeReadings (RESULTS, READINGS, INFO)
+%
+%   RESULTS   what getResults returned: a scalar struct whose fields are numbers
+%             or curves; or a cell of numbers and curves (namedResults), or a
+%             row of numbers, in the order of results.csv; or one curve. A curve
+%             is n x 2: place and value, on a grid of the run's own
+%   READINGS  1 x m struct with result (name), series (name of the curve, '':
+%             none) and at (place on it)
+%   INFO      see resultInfo; [] without results.csv
+%   ROW       1 x m; a curve is interpolated to the place linearly, NaN beyond
+%             its ends
+%   PROBLEM   '' or what is wrong with RESULTS
+%
+% A reading is the result of its name, else a point of the curve with the name
+% of its series, else a point between the single results that results.csv puts
+% on that series.
+%
+% See also: evaluateRun, resultInfo, namedResults
+
+function [row, problem] = takeReadings (results, readings, info)
+  row = NaN (1, numel (readings));
+  [items, problem] = itemsOf (results, readings, info);
+  for k = 1:numel (readings) * isempty (problem)
+    [row(k), problem] = readOne (items, readings(k), info);
+    if ~isempty (problem)
+      return
+    end
+  end
+end
+
+function [value, problem] = readOne (items, r, info)
+  problem = '';
+  found = [];
+  for name = {r.result, r.series}
+    if isempty (found) && isfield (items, name{1})
+      found = items.(name{1});
+    end
+  end
+  if isempty (found)
+    found = seriesOf (items, r.series, info);
+  end
+  value = found;
+  if isempty (found)
+    value = NaN;
+    problem = sprintf (['getResults must return %s, named by a field of ' ...
+                        'its struct or by results.csv'], r.result);
+  elseif ~isscalar (found)
+    [value, problem] = pointOf (found, r);
+  end
+end
+
+% One struct, whatever the form. Names of results need not be identifiers.
+function [items, problem] = itemsOf (results, readings, info)
+  problem = '';
+  items = results;
+  if ~isstruct (results) || ~isscalar (results)
+    [items, problem] = byOrder (results, readings, info);
+  end
+  isGood = @(x) (isnumeric (x) || islogical (x)) && isreal (x) && ...
+                (isscalar (x) || columns (x) == 2);
+  bad = find (~structfun (isGood, items), 1);
+  if ~isempty (bad)
+    problem = sprintf (['%s must be a real number or a curve (n x 2: ' ...
+                        'place, value)'], fieldnames (items){bad});
+  end
+end
+
+% One curve alone, or all results in the order of results.csv.
+function [items, problem] = byOrder (results, readings, info)
+  items = struct ();
+  problem = '';
+  names = {};
+  if ~isempty (info)
+    names = {info.name};
+  end
+  if isnumeric (results) && columns (results) == 2 && rows (results) > 1
+    results = {results};
+    names = unique ({readings.series});
+    names = names(~cellfun (@isempty, names));
+  elseif ~iscell (results)
+    results = num2cell (results);
+  end
+  if numel (names) ~= numel (results)
+    problem = sprintf (['getResults returned %d results, results.csv ' ...
+                        'names %d'], numel (results), numel (names));
+    return
+  end
+  for k = 1:numel (names)
+    items.(names{k}) = results{k};
+  end
+end
+
+function curve = seriesOf (items, series, info)
+  curve = [];
+  if isempty (series) || isempty (info)
+    return
+  end
+  for r = info(strcmp ({info.series}, series))
+    if isfield (items, r.name) && isscalar (items.(r.name))
+      curve(end + 1, :) = [r.at, items.(r.name)];
+    end
+  end
+end
+
+function [value, problem] = pointOf (curve, r)
+  problem = '';
+  value = NaN;
+  if isnan (r.at)
+    problem = sprintf (['%s is a curve: measured.csv must say where on it ' ...
+                        '(series, at)'], r.result);
+    return
+  end
+  curve = double (curve(all (isfinite (curve), 2), :));
+  [x, last] = unique (curve(:, 1), 'last');
+  y = curve(last, 2);
+  near = find (abs (x - r.at) <= 1e-9 * max (abs ([x; r.at])), 1);
+  if ~isempty (near)
+    value = y(near);
+  elseif numel (x) > 1
+    value = interp1 (x, y, r.at);
+  end
+  value(isna (value)) = NaN;
+end
+
+%!shared r
+%! r = struct ('result', {'w', 'w', 'mass'}, 'series', {'w', 'w', ''}, ...
+%!             'at', {1.5, 3, NaN});
+%!test
+%! s = struct ('mass', 7, 'w', [3, 9; 1, 1; 2, 4]);
+%! [row, problem] = takeReadings (s, r, []);
+%! assert (row, [2.5, 9, 7]);
+%! assert (problem, '');
+%! % beyond the end of the curve there is nothing
+%! s.w(1, :) = [];
+%! assert (takeReadings (s, r, []), [2.5, NaN, 7]);
+%!test
+%! % a cell in the order of results.csv, and single results on a series
+%! info = struct ('name', {'mass', 'run 1', 'run 2'}, ...
+%!                'series', {'', 'w', 'w'}, 'at', {NaN, 1, 3});
+%! assert (takeReadings ({7, 2, 4}, r, info), [2.5, 4, 7]);
+%! assert (takeReadings ([7, 2, 4], r, info), [2.5, 4, 7]);
+%! byName = struct ('result', 'run 2', 'series', 'w', 'at', 3);
+%! assert (takeReadings ([7, 2, 4], byName, info), 4);
+%! [~, problem] = takeReadings ({7, 2}, r, info);
+%! assert (problem, 'getResults returned 2 results, results.csv names 3');
+%!test
+%! % one curve alone
+%! assert (takeReadings ([1, 1; 2, 4; 3, 9], r(1:2), []), [2.5, 9]);
+%!test
+%! [~, problem] = takeReadings (struct ('mass', 7), r, []);
+%! assert (! isempty (strfind (problem, 'must return w')));
+%! [~, problem] = takeReadings (struct ('mass', 'x', 'w', 1), r, []);
+%! assert (! isempty (strfind (problem, 'mass must be a real number')));
+%! [~, problem] = takeReadings (struct ('mass', [1, 2; 2, 3], 'w', 1), r, []);
+%! assert (! isempty (strfind (problem, 'must say where')));
