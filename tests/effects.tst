@@ -126,7 +126,7 @@
 %! table = signTable (root);
 %! z = abs (str2double (table(:, 7)));
 %! effects = resolveEffects (listEffects ());
-%! for bench = benches
+%! for bench = unique (table(:, 3))'   % a new bench is not measured yet
 %!   folder = fullfile (root, 'DEMmodels', bench{1});
 %!   for e = effects(effectsOfModel (folder, effects))
 %!     at = strcmp (table(:, 1), e.name) & strcmp (table(:, 3), bench{1});
