@@ -33,20 +33,7 @@ function state = recalibrate (state, problem, stage, iteration, mayMove)
 end
 
 %!shared problem, state, s
-%! pkg load stk
-%! pkg load -nodeps struct optim
-%! rand ('twister', 2);
-%! randn ('twister', 2);
-%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 2]);
-%! C.targets = struct ('name', {'x', 'y'}, 'value', {4, 2}, 'tol', 0.02);
-%! problem = newProblem (C, []);
-%! X = rand (12, 2) .* [1, 2];
-%! Z = [3 + X(:, 1) + X(:, 2) / 2, 1 + X(:, 1) + X(:, 2) / 2.5];
-%! data = addRows (newData (2, 2), X, Z .* (1 + 0.003 * randn (12, 2)), ...
-%!                 ones (12, 1), 'plan');
-%! s = fitSurrogates (data, problem);
-%! state = newState (data, s, describeSet (s, problem, [0.5, 1]));
-%! state.found.conflict = {};
+%! [problem, state, s] = smallCalibration ();
 
 %!test
 %! % a sure set stays to the last digit, and the step is booked
