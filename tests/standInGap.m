@@ -100,10 +100,10 @@ function problem = describe (seedSd, law)
 end
 
 function data = planOf (lab, n0, nk)
-  data.X = lattice (n0, 4);
+  data.X = randomLattice (n0, 4);
   phi = zeros (n0, 10);
   for k = 1:8
-    points = lattice (nk, 5);
+    points = randomLattice (nk, 5);
     data.X = [data.X; points(:, 1:4)];
     extra = zeros (nk, 10);
     extra(:, k) = 0.1 + 0.9 * points(:, 5);
@@ -113,13 +113,6 @@ function data = planOf (lab, n0, nk)
   data.Z = lab.means (data.X, phi);
   data.Z = data.Z + lab.seedSd .* randn (size (data.Z));
   data.replicate = ones (rows (data.X), 1);
-end
-
-function points = lattice (n, d)
-  points = zeros (n, d);
-  for j = 1:d
-    points(:, j) = (randperm (n)' - rand (n, 1)) / max (n, 1);
-  end
 end
 
 %!test

@@ -32,13 +32,14 @@ function Case = newCase (raw)
   Case.root = raw.root;
   Case.folder = raw.folder;
   % the shell and the batch system know neither ~ nor this folder
-  store = tilde_expand (given (Input, 'store', raw.folder));
+  store = tilde_expand (givenField (Input, 'store', raw.folder));
   Case.store = make_absolute_filename (store);
   Case.models = newModels (raw);
   Case.names = raw.assign(:)';
   Case.limits = double (raw.paramLims);
-  Case.paramMean = rowByName (given (raw.optim, 'paramMean', []), Case.names);
-  Case.paramSd = rowByName (given (raw.optim, 'paramSd', []), Case.names);
+  Case.paramMean = rowByName (givenField (raw.optim, 'paramMean', []), ...
+                              Case.names);
+  Case.paramSd = rowByName (givenField (raw.optim, 'paramSd', []), Case.names);
   Case.modelVars = raw.modelVars;
   Case.effects = [];
   Case.effectVars = {};
@@ -62,18 +63,11 @@ function text = listProblems (problems)
                   numel (problems), strjoin (lines, "\n"));
 end
 
-function value = given (s, field, default)
-  value = default;
-  if isfield (s, field) && ~isempty (s.(field))
-    value = s.(field);
-  end
-end
-
 function models = newModels (raw)
   names = cellstr (raw.Input.model);
-  timeout = given (raw.Input, 'timeout', NaN);
+  timeout = givenField (raw.Input, 'timeout', NaN);
   timeout(end + 1:numel (names)) = NaN;
-  cost = given (raw.optim, 'cost', 1);
+  cost = givenField (raw.optim, 'cost', 1);
   cost(end + 1:numel (names)) = 1;
   models = struct ('name', names(:)', 'folder', '', 'cpu', 1, ...
                    'timeout', NaN, 'nTargets', 0, 'seconds', [], 'cost', 1, ...
@@ -89,22 +83,22 @@ end
 function o = newOptions (Input, optim)
   o.maxCPU = Input.maxCPU;
   o.numOfSam = Input.numOfSam;
-  o.seed = given (Input, 'seed', 1);
-  o.executor = given (Input, 'executor', 'local');
-  o.maxNewRuns = given (Input, 'maxNewRuns', Inf);
-  o.replicates = given (Input, 'replicates', 4);
+  o.seed = givenField (Input, 'seed', 1);
+  o.executor = givenField (Input, 'executor', 'local');
+  o.maxNewRuns = givenField (Input, 'maxNewRuns', Inf);
+  o.replicates = givenField (Input, 'replicates', 4);
   for name = executorNames ()
     if isfield (Input, name{1})
       o.(name{1}) = Input.(name{1});
     end
   end
   o.sets = describeExecutor (o.executor).sets (o);
-  o.tolfun = given (optim, 'tolfun', 0.002);
-  o.maxIter = given (optim, 'maxIter', 3);
-  o.maxFunEvals = given (optim, 'maxFunEvals', 40);
-  o.WRL = given (optim, 'WRL', 0);
-  o.method = given (optim, 'method', 'robust');
-  o.confidence = given (optim, 'confidence', 0.95);
+  o.tolfun = givenField (optim, 'tolfun', 0.002);
+  o.maxIter = givenField (optim, 'maxIter', 3);
+  o.maxFunEvals = givenField (optim, 'maxFunEvals', 40);
+  o.WRL = givenField (optim, 'WRL', 0);
+  o.method = givenField (optim, 'method', 'robust');
+  o.confidence = givenField (optim, 'confidence', 0.95);
 end
 
 %!shared raw

@@ -21,7 +21,7 @@ end
 function targets = fromTable (file, optim, models)
   groups = groupMeasured (readMeasured (file, {models.name}));
   counts = arrayfun (@(k) sum ([groups.model] == k), 1:numel (models));
-  lengths = asLengths (given (optim, 'correlation', {}));
+  lengths = asLengths (givenField (optim, 'correlation', {}));
   lengths = perTarget (lengths, counts, -1);
   targets = [];
   for g = groups
@@ -38,7 +38,7 @@ function targets = fromTable (file, optim, models)
       t.(field{1}) = g.(field{1});
     end
     if isnan (t.tol)
-      t.tol = given (optim, 'tolRes', 0.01);
+      t.tol = givenField (optim, 'tolRes', 0.01);
     end
     if t.correlation < 0
       t.correlation = ifElse (t.curve > 0, NaN, 0);
@@ -57,11 +57,12 @@ function targets = fromCells (optim, models)
   values = perModel (optim.targetVal, models);
   counts = cellfun (@numel, values);
   tols = perTarget (optim.tolRes, counts, 0);
-  sds = perTarget (given (optim, 'targetStd', []), counts, 0);
-  trials = perTarget (given (optim, 'trials', []), counts, 1);
-  lengths = perTarget (asLengths (given (optim, 'correlation', {})), counts, 0);
-  names = given (optim, 'targetName', {});
-  roles = given (optim, 'role', {});
+  sds = perTarget (givenField (optim, 'targetStd', []), counts, 0);
+  trials = perTarget (givenField (optim, 'trials', []), counts, 1);
+  lengths = perTarget (asLengths (givenField (optim, 'correlation', {})), ...
+                       counts, 0);
+  names = givenField (optim, 'targetName', {});
+  roles = givenField (optim, 'role', {});
   targets = [];
   for k = 1:numel (models)
     for i = 1:counts(k)
@@ -80,13 +81,6 @@ function targets = fromCells (optim, models)
       t.curve = 0;
       targets = [targets, t];
     end
-  end
-end
-
-function value = given (s, field, default)
-  value = default;
-  if isfield (s, field) && ~isempty (s.(field))
-    value = s.(field);
   end
 end
 

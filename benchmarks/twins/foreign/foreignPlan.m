@@ -21,16 +21,16 @@ function data = foreignPlan (lab, n0, nk, nPair)
   p = columns (limits);
   dem = find (~[lab.problem.effects.laboratory]);
   K = numel (lab.problem.effects);
-  theta = lattice (n0, p);
+  theta = randomLattice (n0, p);
   phi = zeros (n0, K);
   for k = dem
-    points = lattice (nk, p + 1);
+    points = randomLattice (nk, p + 1);
     theta = [theta; points(:, 1:p)];
     extra = zeros (nk, K);
     extra(:, k) = strengths (points(:, p + 1), lab.isSigned(k));
     phi = [phi; extra];
   end
-  points = lattice (nPair, p + 2);
+  points = randomLattice (nPair, p + 2);
   theta = [theta; points(:, 1:p)];
   extra = zeros (nPair, K);
   for i = 1:nPair
@@ -51,13 +51,6 @@ function phi = strengths (u, isSigned)
   phi = 0.1 + 0.9 * u;
   if isSigned
     phi(1:2:end) = -phi(1:2:end);
-  end
-end
-
-function points = lattice (n, d)
-  points = zeros (n, d);
-  for j = 1:d
-    points(:, j) = (randperm (n)' - rand (n, 1)) / max (n, 1);
   end
 end
 
