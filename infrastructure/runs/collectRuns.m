@@ -188,6 +188,23 @@ end
 %! assert (records(2).status, 'invalid');
 %! assert (~isempty (strfind (records(2).message, 'not ended after 2 s')));
 %!test
+%! % a worker that is killed in getResults: evaluated again, at once; the watch
+%! % over its time limit once held the caller for all of it, then said it had
+%! % been late
+%! Case = newCase (standInCase (tempname ()));
+%! funs = fullfile (Case.models(2).folder, 'OctaveFuns', 'getResults.m');
+%! writeAtomic (funs, ["function res = getResults (model, name)\n", ...
+%!                     "global path\n", ...
+%!                     "mark = [path, 'optim/', model, '/', name, ", ...
+%!                     "'/seen'];\n", ...
+%!                     "if ~isfile (mark)\n", ...
+%!                     "  fclose (fopen (mark, 'w'));\n", ...
+%!                     "  kill (getpid (), 9);\nend\nres = {7};\nend\n"]);
+%! Case.models(2).timeout = 20;
+%! [Z, records] = evaluateDEM ([1, 2], Case);
+%! assert (Z, [3, 2, 7], 1e-12);
+%! assert (records(2).status, 'ok');
+%!test
 %! % a crash is a failure of the run itself, a kill is not
 %! Case = newCase (standInCase (tempname ()));
 %! run = fullfile (Case.models(2).folder, 'runscript');

@@ -29,13 +29,11 @@ end
 function watch = startWatch (late, limit)
   watch = onCleanup (@() []);
   if isfinite (limit)
-    % another process may have got this one's number by then
-    act = sprintf (['sleep %g; grep -qF " %s " /proc/%d/stat && ', ...
-                    '{ : > %s; kill -KILL %d; }'], limit, ...
-                   processStart (getpid ()), getpid (), shellQuote (late), ...
-                   getpid ());
-    [~, pid] = system (['setsid sh -c ', shellQuote(act), ...
-                        ' > /dev/null 2>&1 & echo $!']);
+    script = fullfile (fileparts (mfilename ('fullpath')), 'watch.sh');
+    act = sprintf ('setsid bash %s %d %s %g %s', shellQuote (script), ...
+                   getpid (), processStart (getpid ()), limit, ...
+                   shellQuote (late));
+    [~, pid] = system ([act, ' > /dev/null 2>&1 < /dev/null & echo $!']);
     watch = onCleanup (@() system (['kill -s KILL -- -', strtrim(pid), ...
                                     ' 2> /dev/null']));
   end
@@ -50,25 +48,25 @@ function record = evaluate (record, place)
   watch = startWatch (fullfile (record.folder, 'getResults.late'), place.limit);
   try
     results = getResults (record.model, place.name);
-    [record.results, problem] = asRow (results, place);
+    [record.results, fault] = asRow (results, place);
   catch err
-    problem = ['getResults gave an error: ', err.message];
+    fault = ['getResults gave an error: ', err.message];
   end
   path = [];
-  if ~isempty (problem)
+  if ~isempty (fault)
     record.status = 'invalid';
     record.cause = 'output';
-    record.message = problem;
+    record.message = fault;
   end
 end
 
-function [row, problem] = asRow (results, place)
-  problem = '';
+function [row, fault] = asRow (results, place)
+  fault = '';
   row = [];
   count = place.count;
   if isfield (place, 'readings')
-    [results, problem] = takeReadings (results, place.readings, place.info);
-    if ~isempty (problem)
+    [results, fault] = takeReadings (results, place.readings, place.info);
+    if ~isempty (fault)
       return
     end
   end
@@ -77,16 +75,16 @@ function [row, problem] = asRow (results, place)
   end
   isNumber = iscell (results) && all (cellfun (@isScalarNumber, results(:)));
   if ~isNumber
-    problem = 'getResults must return a cell of real scalars';
+    fault = 'getResults must return a cell of real scalars';
     return
   end
   row = double ([results{:}]);
   if numel (row) ~= count
-    problem = sprintf ('getResults returned %d results, %d are expected', ...
-                       numel (row), count);
+    fault = sprintf ('getResults returned %d results, %d are expected', ...
+                     numel (row), count);
   elseif any (~isfinite (row))
-    problem = sprintf ('result %d is %g: output is missing or not sane', ...
-                       find (~isfinite (row), 1), row(~isfinite (row))(1));
+    fault = sprintf ('result %d is %g: output is missing or not sane', ...
+                     find (~isfinite (row), 1), row(~isfinite (row))(1));
   end
 end
 
