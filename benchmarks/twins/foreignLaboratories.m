@@ -4,8 +4,8 @@
 %
 %   KIND  'blind' (4 laboratories), 'develop' (2 others) or 'curve' (3, see
 %         foreignLab)
-%   LABS  1 x L struct: name, problem (of newGapProblem, y still NaN), data
-%         (40 neutral runs, 20 for each effect of DEM), means, measure, seedSd,
+%   LABS  1 x L struct: name, gapProblem (value still NaN), data
+%         (40 neutral runs, 20 for each effect of DEM), means, measure, noiseSd,
 %         isSigned, em (of fitEmulator), noise (1 x T, or T x T where the
 %         measurement has a covariance: measurement, packing and surrogate)
 %
@@ -19,19 +19,19 @@ function labs = foreignLaboratories (kind)
     lab = foreignLab (kind, i);
     rand ('twister', firstSeed.(kind) + i);
     randn ('twister', firstSeed.(kind) + i);
-    one = struct ('name', lab.name, 'problem', lab.problem, ...
+    one = struct ('name', lab.name, 'gapProblem', lab.gapProblem, ...
                   'data', lab.plan (runs, 20), 'means', lab.means, ...
-                  'measure', lab.measure, 'seedSd', lab.seedSd, ...
+                  'measure', lab.measure, 'noiseSd', lab.noiseSd, ...
                   'isSigned', lab.isSigned);
-    given = lab.problem;
-    given.y = mean (one.data.Z);
+    given = lab.gapProblem;
+    given.value = mean (one.data.Z);
     one.em = fitEmulator (newGapProblem (given), one.data, gapOptions ([]));
     surrogate = mean (one.em.surrogateVar, 1);
-    one.noise = sqrt (lab.problem.sd.^2 + lab.seedSd.^2 + surrogate);
-    if isfield (lab.problem, 'covariance')
-      sd = lab.problem.sd;
-      correlation = lab.problem.covariance ./ (sd' * sd);
-      one.noise = correlation .* (sd' * sd + lab.seedSd' * lab.seedSd) + ...
+    one.noise = sqrt (lab.gapProblem.sd.^2 + lab.noiseSd.^2 + surrogate);
+    if isfield (lab.gapProblem, 'covariance')
+      sd = lab.gapProblem.sd;
+      correlation = lab.gapProblem.covariance ./ (sd' * sd);
+      one.noise = correlation .* (sd' * sd + lab.noiseSd' * lab.noiseSd) + ...
                   diag (surrogate);
     end
     labs(i) = one;
@@ -42,7 +42,7 @@ end
 %! labs = foreignLaboratories ('develop');
 %! assert ({labs.name}, {'chute1', 'taps2'});
 %! assert (size (labs(2).data.Z), [40 + 5 * 20, 12]);
-%! assert (all (labs(1).noise > labs(1).seedSd));
+%! assert (all (labs(1).noise > labs(1).noiseSd));
 %!test % noise of the curve: neighbours as correlated as declared, but for the
 %! % share of the surrogate
 %! labs = foreignLaboratories ('curve');

@@ -2,9 +2,9 @@
 %
 % CALL: MIX = twinsMix (KIND)
 %
-%   KIND  'blind', 'develop' (twins); 'foreign blind', 'foreign develop' and
-%         'foreign blind nulls' or 'foreign develop nulls' (foreignTwins);
-%         'curve' (curveTwins)
+%   KIND  'blind', 'develop' (twins); 'foreign blind', 'foreign develop', the
+%         same with ' nulls' or ' pairs' behind (foreignTwins); 'curve'
+%         (curveTwins)
 %   MIX   struct: seed, classes (cellstr) and shares (of all cases; the last
 %         class takes what is left), levels (struct: signal to noise of each
 %         class in turn), cosines (of look-alikes in turn), step (of strengths),
@@ -20,6 +20,7 @@ function mix = twinsMix (kind)
   seeds = {'blind', 7001; 'develop', 8001; ...
            'foreign blind', 13004; 'foreign develop', 14001; ...
            'foreign blind nulls', 15001; 'foreign develop nulls', 16001; ...
+           'foreign blind pairs', 18001; 'foreign develop pairs', 19001; ...
            'curve', 17001};
   at = strcmp (kind, seeds(:, 1));
   if ~any (at)
@@ -32,8 +33,8 @@ function mix = twinsMix (kind)
   elseif strcmp (kind, 'curve')
     mix = foreignMix ({'null', 'single'}, 0.5);
     mix.isPinned = false;
-  elseif strcmp (kind(max (1, end - 4):end), 'nulls')
-    mix = foreignMix ({'null'}, []);
+  elseif any (strcmp (kind(max (1, end - 4):end), {'nulls', 'pairs'}))
+    mix = foreignMix ({kind(end - 4:end - 1)}, []);
   else
     mix = foreignMix ({'null', 'single', 'pair', 'off', 'look'}, ...
                       [0.35, 0.3, 0.12, 0.08]);
@@ -65,9 +66,11 @@ end
 
 %!test % every study has random numbers of its own
 %! kinds = {'blind', 'develop', 'foreign blind', 'foreign develop', ...
-%!          'foreign blind nulls', 'foreign develop nulls', 'curve'};
+%!          'foreign blind nulls', 'foreign develop nulls', ...
+%!          'foreign blind pairs', 'foreign develop pairs', 'curve'};
 %! seeds = cellfun (@(kind) twinsMix (kind).seed, kinds);
 %! assert (numel (unique (seeds)), numel (kinds));
 %! assert (twinsMix ('foreign blind nulls').classes, {'null'});
+%! assert (twinsMix ('foreign develop pairs').classes, {'pair'});
 %! assert (numel (twinsMix ('foreign develop').classes), 5);
 %!error id=DEcalioc:twinsMix:unknownName twinsMix ('dark')

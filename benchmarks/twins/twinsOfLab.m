@@ -2,8 +2,8 @@
 %
 % CALL: VERDICTS = twinsOfLab (LAB, CASES)
 %
-%   LAB       struct name, problem, data (its runs), em ([]: is fitted to them),
-%             middle (1 x T, any finite values)
+%   LAB       struct name, gapProblem, data (its runs), em ([]: is fitted to
+%             them), middle (1 x T, any finite values)
 %   CASES     struct Y (n x T), removed (1 x n, effect off the list or 0)
 %   VERDICTS  1 x n struct, see twinsDiagnose
 %
@@ -13,18 +13,18 @@
 
 function verdicts = twinsOfLab (lab, cases)
   options = gapOptions ([]);
-  given = lab.problem;
-  given.y = lab.middle;
-  problem = newGapProblem (given);
+  given = lab.gapProblem;
+  given.value = lab.middle;
+  gapProblem = newGapProblem (given);
   if isempty (lab.em)
-    lab.em = fitEmulator (problem, lab.data, options);
+    lab.em = fitEmulator (gapProblem, lab.data, options);
   end
   K = numel (lab.em.effect);
-  full = omnibusReference (makeHypotheses (problem, lab.em, options));
+  full = omnibusReference (makeHypotheses (gapProblem, lab.em, options));
   for removed = unique (cases.removed)
     models = full;
     if removed > 0
-      models = makeHypotheses (problem, withoutEffects (lab.em, removed), ...
+      models = makeHypotheses (gapProblem, withoutEffects (lab.em, removed), ...
                                options);
       models = omnibusReference (models);
     end

@@ -9,14 +9,14 @@
 %           curve are correlated by 0, 0.5, 0.9 (of the same laws)
 %   LAB     struct
 %     name      text
-%     problem   as newGapProblem wants it, y still NaN
+%     gapProblem   as newGapProblem wants it, value still NaN
 %     means     handle, Z = means (THETA, PHI): n x T results without noise;
 %               THETA n x p in [0, 1], PHI n x K strengths
 %     bare      handle, Z = bare (THETA): the laws, told nothing of effects
 %     run       handle, Z = run (THETA, PHI): results of runs, noise included
 %     measure   handle, y = measure (THETA, PHI): measured, with an error of the
 %               measurement and a packing of its own
-%     seedSd    1 x T, typical scatter of one run
+%     noiseSd   1 x T, typical noise of one run
 %     isSigned  1 x K, effects that act both ways
 %     plan      handle, data = plan (N0, NK), see foreignPlan
 %
@@ -79,9 +79,9 @@ function lab = build (spec, name)
   scatter = scatterOf (spec, spec.law (valuesOf (spec, rand (200, p)), ...
                                        struct ()));
   lab.name = name;
-  lab.seedSd = scatter.typical;
-  lab.problem = foreignProblem (spec, spec.precision .* lab.seedSd);
-  lab.isSigned = signsOf (lab.problem.effects);
+  lab.noiseSd = scatter.typical;
+  lab.gapProblem = foreignProblem (spec, spec.precision .* lab.noiseSd);
+  lab.isSigned = signsOf (lab.gapProblem.effects);
   lab.means = @(theta, phi) meansOf (spec, theta, phi);
   lab.bare = @(theta) spec.law (valuesOf (spec, theta), struct ());
   same = bench' == bench;
@@ -94,7 +94,7 @@ function lab = build (spec, name)
   lab.run = @(theta, phi) noisy (lab.means (theta, phi), scatter, packing, ...
                                  spec);
   lab.measure = @(theta, phi) lab.run (theta, phi) + ...
-                foreignNoise (ones (rows (theta), 1) * lab.problem.sd, ...
+                foreignNoise (ones (rows (theta), 1) * lab.gapProblem.sd, ...
                               reading, bench, spec.df);
   lab.plan = @(n0, nk) foreignPlan (lab, n0, nk);
 end
@@ -174,17 +174,17 @@ end
 %!   rand ('twister', 1);
 %!   randn ('twister', 1);
 %!   lab = foreignLab ('blind', number);
-%!   p = columns (lab.problem.limits);
-%!   K = numel (lab.problem.effects);
+%!   p = columns (lab.gapProblem.limits);
+%!   K = numel (lab.gapProblem.effects);
 %!   Z = lab.run (0.5 * ones (4000, p), zeros (4000, K));
 %!   spread = 1.4826 * median (abs (Z - median (Z)));
-%!   assert (all (spread > 0.3 * lab.seedSd & spread < 2.5 * lab.seedSd));
+%!   assert (all (spread > 0.3 * lab.noiseSd & spread < 2.5 * lab.noiseSd));
 %! end
 %!test % a measurement: packing and error, here as large
 %! randn ('twister', 1);
 %! lab = foreignLab ('blind', 2);
 %! y = lab.measure (0.5 * ones (4000, 3), zeros (4000, 8));
-%! whole = sqrt (lab.seedSd.^2 + lab.problem.sd.^2);
+%! whole = sqrt (lab.noiseSd.^2 + lab.gapProblem.sd.^2);
 %! assert (std (y) ./ whole, ones (size (whole)), 0.06);
 %!error id=DEcalioc:foreignLab:unknownName foreignLab ('dark', 1)
 %!error id=DEcalioc:foreignLab:badValue foreignLab ('blind', 0)

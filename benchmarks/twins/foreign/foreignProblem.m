@@ -1,14 +1,14 @@
 % FOREIGNPROBLEM  Describes a laboratory the way newGapProblem wants it.
 %
-% CALL: PROBLEM = foreignProblem (SPEC, SD)
+% CALL: GAPPROBLEM = foreignProblem (SPEC, SD)
 %
-%   SPEC     struct of a laboratory, see foreignLab
-%   SD       1 x T, standard uncertainty of the measurement
-%   PROBLEM  struct, y still NaN
+%   SPEC        struct of a laboratory, see foreignLab
+%   SD          1 x T, standard uncertainty of the measurement
+%   GAPPROBLEM  struct, value still NaN
 %
 % See also: foreignLab, newGapProblem
 
-function problem = foreignProblem (spec, sd)
+function gapProblem = foreignProblem (spec, sd)
   T = numel (spec.bench);
   limits = cell2mat (spec.parameters(:, 2:3))';
   effects = struct ('name', {}, 'variables', {}, 'neutral', {}, 'limits', ...
@@ -28,14 +28,14 @@ function problem = foreignProblem (spec, sd)
                                'siblings', {{}}, 'laboratory', true, ...
                                'offset', offset, 'matrix', matrix);
   end
-  problem = struct ('y', NaN (1, T), 'sd', sd, 'bench', spec.bench, ...
-                    'limits', limits, 'effects', effects);
-  problem.benchNames = spec.benchNames;
-  problem.names = spec.parameters(:, 1)';
-  problem.series = spec.series;
-  problem.coordinate = spec.coordinate;
+  gapProblem = struct ('value', NaN (1, T), 'sd', sd, 'bench', spec.bench, ...
+                       'limits', limits, 'effects', effects);
+  gapProblem.benchNames = spec.benchNames;
+  gapProblem.names = spec.parameters(:, 1)';
+  gapProblem.series = spec.series;
+  gapProblem.coordinate = spec.coordinate;
   if isfield (spec, 'correlation')
-    problem.covariance = sd' * sd .* spec.correlation;
+    gapProblem.covariance = sd' * sd .* spec.correlation;
   end
 end
 
@@ -43,9 +43,9 @@ end
 %! kinds = {'blind', 'develop', 'curve'};
 %! for k = 1:3
 %!   lab = foreignLab (kinds{k}, 1);
-%!   given = lab.problem;
-%!   given.y = lab.means (0.5 * ones (1, columns (given.limits)), ...
-%!                        zeros (1, numel (given.effects)));
-%!   problem = newGapProblem (given);
-%!   assert (numel (problem.effects), numel (given.effects));
+%!   given = lab.gapProblem;
+%!   given.value = lab.means (0.5 * ones (1, columns (given.limits)), ...
+%!                            zeros (1, numel (given.effects)));
+%!   gapProblem = newGapProblem (given);
+%!   assert (numel (gapProblem.effects), numel (given.effects));
 %! end

@@ -7,7 +7,7 @@
 %   SPEC  struct, see foreignLab
 %
 % The mass that has left the bin at 60 times; its errors, of the measurement (as
-% declared in problem.covariance) and of the packing, fade along the curve as
+% declared in gapProblem.covariance) and of the packing, fade along the curve as
 % RHO^|i - j|. Scatter is normal and the same along the curve.
 %
 % See also: foreignLab, emptyingCurve, curveTwins
@@ -94,7 +94,7 @@ end
 %! assert (all (diff (none(1:60)) > 0));
 %! assert (none, foreignLab ('curve', 1).bare (0.5 * ones (1, 3)));
 %!test % declared covariance: 0.9 between neighbours, 0.81 the one after
-%! C = lab.problem.covariance;
+%! C = lab.gapProblem.covariance;
 %! assert ([C(1, 2), C(1, 3)] / C(1, 1), [0.9, 0.81], 1e-12);
 %! assert (C(60, 61), 0);
 %!test % errors of 4000 measurements: correlation of neighbours within 4
@@ -104,5 +104,5 @@ end
 %! assert (corr (y(:, 20), y(:, 21)), 0.9, 0.012);
 %!test % a clock that starts late shows less mass, by its matrix
 %! change = at (7, 0.1) - at (7, 0);
-%! linear = 0.1 * at (7, 0) * lab.problem.effects(7).matrix;
+%! linear = 0.1 * at (7, 0) * lab.gapProblem.effects(7).matrix;
 %! assert (change(5:40), linear(5:40), 0.05 * max (abs (linear)));

@@ -1,0 +1,66 @@
+% TWINSWHOLE  Diagnoses twins the whole way: with new runs of their laboratory.
+%
+% CALL: VERDICTS = twinsWhole (KIND, LABS, TWINS, SEEDS, SETS)
+%
+%   KIND      'blind' or 'develop', of foreignLab
+%   LABS      of foreignLaboratories; gapProblem and data (runs that there are
+%             already) are used
+%   TWINS     1 x n struct of twinsDraw; lab and y are looked at
+%   SEEDS     1 x n, of the new runs
+%   SETS      new parameter sets that a diagnosis may run, those of its cures
+%             among them
+%   VERDICTS  1 x n struct, see twinsDiagnose; P holds no pairs (NaN)
+%
+% A job of foreignTwins. As in the product, new runs go to the likely effects,
+% to the likeliest pair and to the cures, whose runs enter the verdict.
+%
+% See also: twinsOfLab, diagnoseMatrices
+
+function verdicts = twinsWhole (kind, labs, twins, seeds, sets)
+  pkg ('load', 'stk');
+  options = struct ('maxNewRuns', sets, 'trials', 0, 'bootstrap', 99);
+  for i = 1:numel (twins)
+    start = tic ();
+    rand ('twister', 90000 + seeds(i));
+    randn ('twister', 90000 + seeds(i));
+    lab = labs(twins(i).lab);
+    given = setfield (lab.gapProblem, 'value', twins(i).y);
+    effects = newGapProblem (given).effects;
+    runs = runsOf (foreignLab (kind, twins(i).lab), lab.gapProblem, effects);
+    d = diagnoseMatrices (given, lab.data, options, runs);
+    verdicts(i) = verdictOf (d.which, {effects.name}, toc (start));
+  end
+end
+
+function runs = runsOf (source, gapProblem, effects)
+  low = gapProblem.limits(1, :);
+  width = diff (gapProblem.limits);
+  runs = @(X, E, varargin) source.run ((X - low) ./ width, ...
+                                       strengthOfValues (effects, E));
+end
+
+function v = verdictOf (said, names, seconds)
+  K = numel (names);
+  [~, effects] = ismember (said.effects, names);
+  [~, partners] = ismember (said.partners, names);
+  v = struct ('kind', said.verdict, 'effects', effects, ...
+              'lookAlike', said.lookAlike, 'guard', said.guard, ...
+              'partners', partners, 'top', 1, ...
+              'P', [said.posterior.null, zeros(1, K), NaN, ...
+                    said.posterior.unlisted], ...
+              'total', zeros (1, K), 'interval', NaN (K, 3), ...
+              'gateP', said.gateP, 'exclude', log (max (said.exclude, eps)), ...
+              'ess', said.numbers.ess, 'seconds', seconds);
+  for k = 1:K
+    if isfield (said.posterior, names{k})
+      v.P(1 + k) = said.posterior.(names{k});
+      v.total(k) = v.P(1 + k) + said.resembles.(names{k});
+    end
+    at = find (strcmp ({said.strength.name}, names{k}), 1);
+    if ~isempty (at)
+      own = said.strength(at);
+      v.interval(k, :) = [own.value, own.interval90];
+    end
+  end
+  [~, v.top] = max (v.total);
+end
