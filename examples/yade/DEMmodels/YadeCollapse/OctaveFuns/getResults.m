@@ -1,0 +1,1 @@
+../../../../../DEMmodels/Collapse/OctaveFuns/getResults.m

@@ -1,0 +1,1 @@
+../../../../../DEMmodels/Collapse/OctaveFuns/measureBench.m
