@@ -1,0 +1,19 @@
+% GETRESULTS  Results of a run of the bench GranuDrum.
+%
+% CALL: RES = getResults (MODEL, FOLDERNAME)
+%
+% MODEL       name of the model's folder below optim/
+% FOLDERNAME  name of the run's folder
+% RES         cell in the order of results.csv: two curves (n x 2: x and z in
+%             mm) and two slopes (deg); NaN where a file is missing or the run
+%             is not sane
+%
+% See also: measureBench, namedResults
+
+function res = getResults (model, folderName)
+  %| pragma Justify (metric, "globals", "published way in");
+  global path
+  here = fileparts (fileparts (mfilename ('fullpath')));
+  res = namedResults (@measureBench, ...
+                      [path, 'optim/', model, '/', folderName, '/'], here);
+end

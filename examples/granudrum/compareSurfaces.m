@@ -1,0 +1,67 @@
+% COMPARESURFACES  Prints how far simulated surfaces are from the measured ones.
+%
+% CALL: octave-cli compareSurfaces.m
+%
+% Root mean square of z over the 27 places of measured.csv, |x| <= 26 mm, at 15
+% and 45 rpm: the best trial of ACCES (acces.csv), and of runs.csv the set
+% without effects that was run most often (mean of its packings), the set that
+% is nearest at 15 rpm, at 45 rpm and over both.
+%
+% See also: predictSurfaces, measureBench
+
+1;
+
+function rms = missOf (Z, y)
+  n = columns (Z) / 2;
+  D2 = (Z - y).^2;
+  rms = sqrt ([mean(D2(:, 1:n), 2), mean(D2(:, n + 1:end), 2)]);
+end
+
+function sayRow (text, n, rms, params)
+  printf ('| %s | %d | %.2f | %.2f | %s |\n', text, n, rms, ...
+          strjoin (arrayfun (@(p) sprintf ('%.3f', p), params, ...
+                             'UniformOutput', false), ', '));
+end
+
+function result = compareCase (root, folder)
+  startToolbox (root, folder);
+  useLiggghts (root);
+  Case = withEffects (loadCase (root, folder));
+  y = [Case.targets.value];
+  [~, cells] = readCsvTable (fullfile (folder, 'acces.csv'));
+  printf ('| set | runs | rms at 15 rpm | at 45 rpm | %s |\n', ...
+          strjoin (Case.names, ', '));
+  puts ("|---|---|---|---|---|\n");
+  sayRow ('best trial of ACCES', 1, missOf (str2double (cells(:, 3))', y), ...
+          [0.561, 0.293]);
+  data = gatherRuns (Case);
+  plain = all (data.E == neutralEffects (Case), 2) & ...
+          all (isfinite (data.Z), 2);
+  [X, ~, which] = unique (data.X(plain, :), 'rows');
+  Z = data.Z(plain, :);
+  count = accumarray (which, 1);
+  mean_ = zeros (rows (X), columns (Z));
+  for k = 1:rows (X)
+    mean_(k, :) = mean (Z(which == k, :), 1);
+  end
+  rms = missOf (mean_, y);
+  [~, most] = max (count);
+  [~, slow] = min (rms(:, 1));
+  [~, fast] = min (rms(:, 2));
+  [~, both] = min (sumsq (rms, 2));
+  texts = {'most packings', 'nearest at 15 rpm', 'nearest at 45 rpm', ...
+           'nearest over both'};
+  at = [most, slow, fast, both];
+  for i = 1:4
+    sayRow (texts{i}, count(at(i)), rms(at(i), :), X(at(i), :));
+  end
+  printf ('%d runs without effects, %d with\n', sum (plain), ...
+          rows (data.X) - sum (all (data.E == neutralEffects (Case), 2)));
+  result.exitStatus = 0;
+end
+
+here = fileparts (mfilename ('fullpath'));
+root = fileparts (fileparts (here));
+addpath (fullfile (root, 'infrastructure'), ...
+         fullfile (root, 'infrastructure', 'case'));
+startMain (@compareCase, root);
