@@ -6,7 +6,8 @@
 %   WIDTH   width of the window (px)
 %   ISDARK  logical: the dark colours
 %   FOUND   struct: findings (cell of texts, see pageProbe.js), width, dark,
-%           figures
+%           figures, axe (cell of texts, the violations that axe-core sees;
+%           {'not installed'} where tools/axe.sh could not get it)
 %   LOG     lines of the console of the page (text)
 %
 % See also: page.tst
@@ -17,13 +18,15 @@ function [found, log] = browserFindings (file, width, isDark)
   probe = fullfile (fileparts (mfilename ('fullpath')), 'pageProbe.js');
   copy = fullfile (folder, 'page.html');
   html = strrep (fileread (file), '</body>', ...
-                 ['<script>', fileread(probe), '</script></body>']);
+                 ['<script>', axeScript(), '</script><script>', ...
+                  fileread(probe), '</script></body>']);
   writeAtomic (copy, inFrame (html, width));
   scheme = num2str (1 - isDark);
   command = sprintf (['chromium --headless --no-sandbox --disable-gpu ', ...
                       '--user-data-dir=%s/profile --enable-logging=stderr ', ...
                       '--blink-settings=preferredColorScheme=%s ', ...
-                      '--window-size=%d,1000 --dump-dom file://%s ', ...
+                      '--window-size=%d,1000 --virtual-time-budget=60000 ', ...
+                      '--dump-dom file://%s ', ...
                       '2> %s/log'], folder, scheme, width + 200, copy, folder);
   [~, dom] = system (command);
   said = regexp (dom, '<pre id="findings">(.*?)</pre>', 'tokens', 'once');
@@ -44,8 +47,19 @@ function [found, log] = browserFindings (file, width, isDark)
     text = strrep (text, names{k}, signs{k});
   end
   found = jsondecode (text);
+  found.axe = cellstr (found.axe);
   found.findings = cellstr (found.findings);
   found.findings = found.findings(~cellfun (@isempty, found.findings));
+end
+
+function text = axeScript ()
+  root = fileparts (fileparts (mfilename ('fullpath')));
+  [~, file] = system (sprintf ('"%s" 2> /dev/null', ...
+                               fullfile (root, 'tools', 'axe.sh')));
+  text = '';
+  if exist (strtrim (file), 'file') == 2
+    text = fileread (strtrim (file));
+  end
 end
 
 % A window of Chromium is never narrower than 500 px, a frame may be.

@@ -119,6 +119,9 @@
 %!       [found, log] = browserFindings (file{1}, width, isDark);
 %!       assert (log, '');
 %!       assert (strjoin (found.findings(:)', "\n"), '');
+%!       grave = regexp (found.axe, '^(serious|critical) ', 'once');
+%!       grave = found.axe(~cellfun (@isempty, grave));
+%!       assert (strjoin (grave(:)', "\n"), '');
 %!       assert (found.dark, isDark);
 %!       assert (found.width, width);
 %!       assert (found.figures > 3);
@@ -131,12 +134,17 @@
 %! bad = [tempname(), '.html'];
 %! html = fileread (pages{2});
 %! html = strrep (html, '<h2 id="h-sectionwhere">', ...
-%!                '<p style="width:2000px;color:#ccc">x</p><h4>y</h4><h2>');
+%!                ['<p style="width:2000px;color:#ccc">x</p><h4>y</h4>', ...
+%!                 '<button></button><h2>']);
 %! writeAtomic (bad, strrep (html, '</body>', ...
 %!                           '<script>nope ();</script></body>'));
 %! [found, log] = browserFindings (bad, 400, false);
 %! unlink (bad);
 %! all = strjoin (found.findings(:)', "\n");
+%! if ~isequal (found.axe, {'not installed'})
+%!   rules = strjoin (found.axe(:)');
+%!   assert (~isempty (strfind (rules, 'critical button-name')));
+%! end
 %! for rule = {'overflow', 'heading', 'contrast'}
 %!   assert (! isempty (strfind (all, rule{1})), rule{1});
 %! end

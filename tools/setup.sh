@@ -9,7 +9,7 @@ packagesOf () {
                 gnuplot-nox fonts-freefont-otf openmpi-bin procps ;;
     build) echo g++ make patch xz-utils libopenmpi-dev libjpeg-dev libpng-dev ;;
     test)  echo slurm-wlm munge gridengine-master gridengine-exec \
-                gridengine-client chromium ;;    # small clusters, a browser
+                gridengine-client chromium python3-venv ;;    # small clusters, a browser
     lint)  echo octave python3-venv shellcheck ;;
     *)     echo "setup.sh: unknown task '$1' (run, build, test, lint)" >&2; exit 1 ;;
   esac

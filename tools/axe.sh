@@ -1,0 +1,22 @@
+#!/bin/bash
+# Installs axe-core, the checker of accessible pages that tests/page.tst uses,
+# for this user and prints the path of its script. Nothing where it cannot.
+# CALL: tools/axe.sh
+set -euo pipefail
+version=0.1.8            # of the Python package that carries axe.min.js
+place=${XDG_CACHE_HOME:-$HOME/.cache}/decalioc/axe-$version
+
+# The file `complete` is made last, so a broken installation is done again.
+if [ ! -e "$place/complete" ]; then
+  rm -rf "$place"
+  mkdir -p "$place"
+  { python3 -m venv "$place/venv" &&
+      "$place/venv/bin/pip" install --no-deps "axe-playwright-python==$version" &&
+      cp "$place"/venv/lib/python3*/site-packages/axe_playwright_python/axe.min.js "$place" &&
+      rm -rf "$place/venv" && touch "$place/complete"; } > "$place.log" 2>&1 || {
+    tail -n 5 "$place.log" >&2
+    echo "axe.sh: axe-core could not be installed from PyPI; the page is tested without it." >&2
+    exit
+  }
+fi
+echo "$place/axe.min.js"
