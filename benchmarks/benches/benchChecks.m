@@ -13,7 +13,7 @@
 % system is 1.5 times as deep or long (Collapse 5/3 times, a whole number of
 % glued grains; Heap 1.5 times the volume, its lengths and mass scaled back).
 %
-% See also: effectSigns, benchRun
+% See also: effectSigns, benchRun, benchLarger
 function benchChecks (work, benches, nulls, nSeeds)
   root = startBenchmarks ();
   fid = fopen (fullfile (root, 'benchmarks', 'results', ...
@@ -29,34 +29,13 @@ function benchChecks (work, benches, nulls, nSeeds)
     half = benchRuns (stem ('halfStep'), bench{1}, ...
                       struct ('percentRayleigh', head.percentRayleigh / 2), ...
                       nSeeds);
-    [variables, unit] = largerOf (bench{1});
+    [variables, growth] = benchLarger (bench{1});
     large = benchRuns (stem ('largerSystem'), bench{1}, variables, nSeeds);
-    large = large ./ unit;
+    large = large ./ growth;
     writeRows (fid, {bench{1}, 'halfStep'}, info, null, half);
     writeRows (fid, {bench{1}, 'largerSystem'}, info, null, large);
   end
   fclose (fid);
-end
-
-function [variables, unit] = largerOf (bench)
-  unit = 1;
-  switch bench
-    case 'Collapse'
-      variables = struct ('columnWidth', 0.08 / 3, 'glueColumns', 5);
-    case 'Drum'
-      variables = struct ('drumWidth', 0.018);
-    case 'Heap'
-      k = 1.5^(1 / 3);
-      variables = struct ('tubeRadius', 0.015 * k, 'plateRadius', ...
-                          0.032 * k, 'heapSolid', 1.5 * 1.9e-5, ...
-                          'liftHeight', 0.06 * k, 'liftSpeed', 0.12 * sqrt (k));
-      unit = [1, k, 1.5, k];
-    case 'Shear'
-      variables = struct ('cellLength', 0.048);
-    case 'SlotBin'
-      variables = struct ('binWidth', 0.018, 'glueColumns', 3);
-      unit = [1.5, 1.5, 1, 1.5, 1.5, 1];
-  end
 end
 
 function writeRows (fid, words, info, null, changed)

@@ -26,9 +26,11 @@ function benchLaws (work, nSeeds)
 end
 
 function drumLaw (fid, work, n)
-  rows = benchRuns (fullfile (work, 'Drum--0'), 'Drum', struct (), n);
-  writeCurve (fid, 'drum slope (deg) at rad/s', [2, 4, 8], rows(:, [1, 4, 7]));
-  rise = mean (rows(:, 7)) - mean (rows(:, 1));
+  slope = named (benchRuns (fullfile (work, 'Drum--0'), 'Drum', ...
+                            struct (), n), 'Drum', ...
+                 {'slope1', 'slope2', 'slope3'});
+  writeCurve (fid, 'drum slope (deg) at rad/s', [2, 4, 8], slope);
+  rise = mean (slope(:, 3)) - mean (slope(:, 1));
   fprintf (fid, "drum slope rise (deg),,%.3g,,positive\n", rise);
 end
 
@@ -93,7 +95,9 @@ function slotLaw (fid, work, n)
   other = benchRuns (fullfile (work, 'SlotBin-slots-25-36'), 'SlotBin', ...
                      struct ('slot1', 0.025, 'slot2', 0.036), n);
   opening = [0.02, 0.025, 0.03, 0.036];
-  rate = [narrow(:, 1), other(:, 1), narrow(:, 4), other(:, 4)];
+  two = {'rate1', 'rate2'};
+  rate = [named(narrow, 'SlotBin', two), named(other, 'SlotBin', two)];
+  rate = rate(:, [1, 3, 2, 4]);
   writeCurve (fid, 'slot discharge (kg/s) at opening (m)', opening, rate);
   all1 = true (1, 4);
   writeExponent (fid, 'slot exponent of B - 1.4 d', opening - 1.4 * 0.004, ...
@@ -109,6 +113,13 @@ function slotLaw (fid, work, n)
   end
   fprintf (fid, "slot k of (B - k d)^1.5,,%.3g,%.2g,1.4 to 1.5\n", ...
            mean (k), std (k) / sqrt (n));
+end
+
+% The columns of results of a bench that have these names.
+function results = named (results, bench, names)
+  folder = fullfile (startBenchmarks (), 'DEMmodels', bench);
+  [~, at] = ismember (names, {resultInfo(folder).name});
+  results = results(:, at);
 end
 
 function writeCurve (fid, name, at, rows)

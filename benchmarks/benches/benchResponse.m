@@ -5,7 +5,7 @@
 % WORK   text, folder of the runs; finished runs in it are reused
 % BENCH  text, name of a bench
 % NNULL  number of null runs (of effectSigns): their standard deviation is the
-%        band of seed noise
+%        band of the noise of a run
 %
 % Five levels of each of four friction coefficients and of the grain density,
 % one run a level; one panel a result, one line a parameter, from its lowest (0)

@@ -4,7 +4,8 @@
 %
 % FOLDER     text, folder of the run; made, or taken as it is if a finished
 %            run lies in it
-% MODEL      text, name of a bench in DEMmodels
+% MODEL      text, name of a bench in DEMmodels, or the path of another model's
+%            folder
 % VARIABLES  scalar struct of what is appended to its data.head
 % PREPARE    optional shell command, carried out in the folder before the run
 % RESULTS    1 x m, see the bench's results.csv; NaN if the run is not sane
@@ -14,6 +15,9 @@
 function [results, seconds] = benchRun (folder, model, variables, prepare)
   root = fileparts (fileparts (which ('startToolbox')));
   source = fullfile (root, 'DEMmodels', model);
+  if ~isfolder (source)
+    source = model;
+  end
   if exist (fullfile (folder, 'seconds'), 'file') ~= 2
     if nargin < 4
       prepare = 'true';

@@ -5,7 +5,8 @@
 % NSEEDS  number of packings of effectSigns, for the text
 %
 % From benchmarks/results/benchNoise.csv: the tables of results in
-% DEMmodels/<bench>/README.md and the table of benches in docs/benches.md; from
+% DEMmodels/<bench>/README.md and the table of benches in docs/benches.md, where
+% the line "Sees:" of that README tells what a bench sees; from
 % effectSigns.csv: the signs in benchmarks/results/effectSigns.md; from
 % benchChecks.csv and benchLaws.csv: their tables in docs/benches.md. What
 % stands between two marks "<!-- made by benchTables: NAME -->" is replaced.
@@ -46,16 +47,8 @@ function text = benchText (text, own, nSeeds)
 end
 
 function text = noiseTable (root, noise)
-  text = ["| bench | sees | grains | CPU seconds | seed noise of its ", ...
-          "results (relative, one run) |\n|---|---|---|---|---|\n"];
-  sees = struct ('Collapse', 'packing, run-out, profile, time of spreading', ...
-                 'Drum', ['dynamic slope, curvature and level at three ', ...
-                          'speeds'], ...
-                 'Heap', 'static slope, height, mass on a plate', ...
-                 'Shear', ['friction and cohesion apart, density under ', ...
-                           'load'], ...
-                 'SlotBin', ['discharge, remaining mass and slope at two ', ...
-                             'openings']);
+  text = ["| bench | sees | grains | CPU seconds | noise of a run in its ", ...
+          "results (relative) |\n|---|---|---|---|---|\n"];
   total = 0;
   for bench = unique (noise(:, 1))'
     own = noise(strcmp (noise(:, 1), bench{1}), :);
@@ -63,12 +56,20 @@ function text = noiseTable (root, noise)
     parts = cellfun (share, own(:, 2), own(:, 6), 'UniformOutput', false);
     text = [text, sprintf(['| [%s](../DEMmodels/%s/README.md) | %s | %s ', ...
                            "| %s | %s |\n"], bench{1}, bench{1}, ...
-                          sees.(bench{1}), own{1, 7:8}, ...
+                          seenBy(root, bench{1}), own{1, 7:8}, ...
                           strjoin (parts', ', '))];
     total = total + str2double (own{1, 8});
   end
   text = [text, sprintf("\nAll %d together: %.0f s of one core.\n", ...
                         numel (unique (noise(:, 1))), total)];
+end
+
+% The line "Sees: ..." of the bench's README.
+function text = seenBy (root, bench)
+  file = fullfile (root, 'DEMmodels', bench, 'README.md');
+  found = regexp (fileread (file), '^Sees: (.*?)\.?$', 'tokens', 'once', ...
+                  'lineanchors', 'dotexceptnewline');
+  text = [found{:}];
 end
 
 function text = checksTable (table)

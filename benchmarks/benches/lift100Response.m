@@ -1,4 +1,4 @@
-% LIFT100RESPONSE  Measure seed noise and response of a container model.
+% LIFT100RESPONSE  Measures noise of a run and response of a container model.
 %
 % CALL: lift100Response ()
 %       lift100Response (model)
@@ -14,7 +14,7 @@
 % fraction of the two-level factorial plan of the five design variables (16
 % corners of the box: the product of all five signs is +1), each with a seed
 % of its own. Effects from lower to upper limit by least squares on the finished
-% runs; with all 21 runs the standard error is half the seed noise of a run.
+% runs; with all 21 runs the standard error is half the noise of a run.
 % Writes one row a run to benchmarks/results/<model>.csv and
 % prints the tables that stand in the model's README. Lift100: 21 runs, about
 % 10 minutes of one core.
