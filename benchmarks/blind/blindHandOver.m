@@ -1,0 +1,68 @@
+% BLINDHANDOVER  Writes what the laboratory hands over, and seals the truth.
+%
+% CALL: blindHandOver (STEM, SEALED, LAB, TRUTHS, Z)
+%
+%   STEM    path without ending: STEM-cases.csv gets the measured values and
+%           their standard uncertainty, STEM-lists.csv the effects to ask for,
+%           STEM-truth.sha256 the digest of the truth
+%   SEALED  path of the truth, outside of the repository
+%   LAB     struct of blindLab;  TRUTHS  1 x N struct of blindDraw
+%   Z       1 x N cell of trials x T, results of the truth (blindRun)
+%
+% A value is the mean of the trials, each with a reading error; empty where a
+% trial gave none.
+%
+% See also: blind, blindCases
+
+function blindHandOver (stem, sealed, lab, truths, Z)
+  writeAtomic (sealed, truthText (lab, truths, Z));
+  [~, digest] = system (sprintf ('sha256sum < "%s"', sealed));
+  writeAtomic ([stem, '-truth.sha256'], [strtok(digest), "\n"]);
+  cases = {'case,model,name,value,sd,repeats,role'};
+  lists = {'case,effects'};
+  gapProblem = lab.gapProblem;
+  names = {gapProblem.effects.name};
+  for i = 1:numel (truths)
+    y = mean (Z{i} + truths(i).noise .* lab.sd, 1);
+    for t = 1:numel (y)
+      value = '';
+      if isfinite (y(t))
+        value = sprintf ('%.6g', y(t));
+      end
+      role = 'calibrate';
+      if gapProblem.held(t)
+        role = 'holdout';
+      end
+      cases{end + 1} = sprintf ...
+        ('%d,%s,%s,%s,%.6g,%d,%s', truths(i).number, ...
+         gapProblem.benchNames{gapProblem.bench(t)}, ...
+         gapProblem.targetNames{t}, ...
+         value, lab.sd(t) / sqrt (lab.trials), lab.trials, role);
+    end
+    list = names(~strcmp (names, truths(i).removed));
+    lists{end + 1} = sprintf ('%d,%s', truths(i).number, strjoin (list, ' '));
+  end
+  writeAtomic ([stem, '-cases.csv'], [strjoin(cases, "\n"), "\n"]);
+  writeAtomic ([stem, '-lists.csv'], [strjoin(lists, "\n"), "\n"]);
+end
+
+function text = truthText (lab, truths, Z)
+  gapProblem = lab.gapProblem;
+  lines = {['case,class,cause,forms,removed,phi,level,halfStep,', ...
+            strjoin(gapProblem.names, ','), ',seeds,', ...
+            strjoin(gapProblem.targetNames, ',')]};
+  for i = 1:numel (truths)
+    t = truths(i);
+    X = gapProblem.limits(1, :) + t.theta .* diff (gapProblem.limits);
+    lines{end + 1} = sprintf ...
+      ('%d,%s,%s,%s,%s,%s,%g,%d,%s,%s,%s', t.number, t.class, ...
+       strjoin (t.cause, ' '), strjoin (t.forms, ' '), t.removed, ...
+       strtrim (sprintf ('%.4g ', t.phi)), t.level, t.halfStep, ...
+       strjoin (arrayfun (@(x) sprintf ('%.6g', x), X, ...
+                          'UniformOutput', false), ','), ...
+       strtrim (sprintf ('%d ', t.seeds)), ...
+       strjoin (arrayfun (@(z) sprintf ('%.6g', z), mean (Z{i}, 1), ...
+                          'UniformOutput', false), ','));
+  end
+  text = [strjoin(lines, "\n"), "\n"];
+end

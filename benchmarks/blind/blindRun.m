@@ -1,0 +1,94 @@
+% BLINDRUN  Runs the truth of a sealed case: one trial of its material.
+%
+% CALL: Z = blindRun (LAB, TRUTH, TRIAL, WORK)
+%
+%   LAB    struct with gapProblem (of newGapProblem)
+%   TRUTH  one of blindDraw;  TRIAL  number of the trial
+%   WORK   folder of the runs; finished runs in it are used again
+%   Z      1 x T, results without reading errors, laboratory effects included;
+%          NaN where a bench gave none
+%
+% See also: blindDraw, benchRun, blindForms
+
+function Z = blindRun (lab, truth, trial, work)
+  addpath (fileparts (fileparts (mfilename ('fullpath'))));
+  root = startBenchmarks ();
+  gapProblem = lab.gapProblem;
+  set = struct ('runSeed', truth.seeds(trial));
+  X = gapProblem.limits(1, :) + truth.theta .* diff (gapProblem.limits);
+  for j = 1:numel (X)
+    set.(gapProblem.names{j}) = X(j);
+  end
+  if truth.halfStep
+    set.percentRayleigh = 0.175;
+  end
+  [set, lines] = causesOf (truth, gapProblem.effects, set);
+  Z = NaN (1, columns (gapProblem.sd));
+  for b = 1:numel (gapProblem.benchNames)
+    bench = gapProblem.benchNames{b};
+    model = modelOf (root, bench, truth);
+    if isempty (model)
+      continue
+    end
+    folder = fullfile (work, sprintf ('%s-%d-%d', bench, truth.number, trial));
+    [~, ~] = mkdir (work);
+    script = [folder, '.sh'];
+    writeAtomic (script, strjoin ([{'set -e'}, lines, {''}], "\n"));
+    head = headDefaults (fullfile (model, 'data.head'));
+    own = set;
+    own.readTime = 0.4;
+    unknown = setdiff (fieldnames (own)', fieldnames (head)');
+    own = rmfield (own, unknown);
+    at = gapProblem.bench == b;
+    results = benchRun (folder, model, own, sprintf ('bash "%s"', script));
+    Z(at) = results(1:sum (at));
+  end
+  Z = laboratoryEffects (Z, truth, gapProblem.effects);
+end
+
+% The folder of the bench in the laboratory's code; '' where it has none.
+function model = modelOf (root, bench, truth)
+  model = fullfile (root, 'DEMmodels', bench);
+  if isfield (truth, 'code') && strcmp (truth.code, 'yade')
+    models = struct ('Shear', '', ...
+                     'Collapse', fullfile (root, 'examples', 'yade', ...
+                                           'DEMmodels', 'YadeCollapse'), ...
+                     'Heap', fullfile (root, 'benchmarks', 'blind', 'yade', ...
+                                       'DEMmodels', 'YadeHeap'));
+    model = models.(bench);
+  end
+end
+
+function [set, lines] = causesOf (truth, effects, set)
+  lines = {};
+  forms = blindForms ();
+  for i = 1:numel (truth.forms)
+    form = forms(strcmp ({forms.name}, truth.forms{i}));
+    if isempty (form)
+      effect = effects(strcmp ({effects.name}, truth.cause{i}));
+      values = valuesOfStrength (effect, truth.phi(i));
+      for v = 1:numel (effect.variables)
+        set.(effect.variables{v}) = values(v);
+      end
+      continue
+    end
+    value = truth.phi(i);
+    if ~isempty (form.effect)
+      effect = effects(strcmp ({effects.name}, form.effect));
+      value = form.factor * valuesOfStrength (effect, value);
+    end
+    if ~isempty (form.variable)
+      set.(form.variable) = value(1);
+    end
+    lines = [lines, form.patch(value(1))];
+  end
+end
+
+function Z = laboratoryEffects (Z, truth, effects)
+  for i = 1:numel (truth.cause)
+    effect = effects(strcmp ({effects.name}, truth.cause{i}));
+    if effect.laboratory && strcmp (truth.forms{i}, 'library')
+      Z = Z + truth.phi(i) * (effect.offset + Z * effect.matrix);
+    end
+  end
+end

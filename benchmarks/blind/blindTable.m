@@ -1,0 +1,97 @@
+% BLINDTABLE  Writes the answers to a sealed study as two small tables.
+%
+% CALL: blindTable (STEM, NUMBERS, ANSWERS, CODE)
+%
+%   STEM     path without ending: STEM-answers.csv gets a line per case,
+%            STEM-strengths.csv a line per case and effect
+%   NUMBERS  1 x n, cases;  ANSWERS  1 x n cell of blindAnswer
+%   CODE     text, commit of the code that answered
+%
+% See also: blindAnswer, blindScore
+
+function blindTable (stem, numbers, answers, code)
+  lines = {['case,verdict,effects,lookAlike,guard,gateP,pNull,pUnlisted,' ...
+            'top,pTop,benches,targets,cure,closure,closureLo,closureHi,' ...
+            'held,heldLo,heldHi,placebo,sets,code']};
+  strengths = {'case,effect,p,resembles,value,lo90,hi90'};
+  for i = 1:numel (answers)
+    if isempty (answers{i})
+      lines{end + 1} = sprintf ('%d,no answer%s', numbers(i), ...
+                                repmat (',', 1, 20));
+      continue
+    end
+    d = jsondecode (answers{i});
+    lines{end + 1} = [sprintf('%d,', numbers(i)), ofVerdict(d.which), ',', ...
+                      ofPlaces(d.where), ',', ofClosure(d.howFar), ...
+                      sprintf(',%d,%s', d.demRuns.sets, code)];
+    strengths = [strengths, ofStrengths(numbers(i), d.which)];
+  end
+  writeAtomic ([stem, '-answers.csv'], [strjoin(lines, "\n"), "\n"]);
+  writeAtomic ([stem, '-strengths.csv'], [strjoin(strengths, "\n"), "\n"]);
+end
+
+function text = ofVerdict (said)
+  names = fieldnames (said.resembles)';
+  total = cellfun (@(n) said.posterior.(n) + said.resembles.(n), names);
+  [p, at] = max (total);
+  text = sprintf ('%s,%s,%d,%s,%.4g,%.4g,%.4g,%s,%.4g', said.verdict, ...
+                  strjoin (cellstr (said.effects)(:)', ' '), ...
+                  said.lookAlike, said.guard, said.p, said.posterior.null, ...
+                  said.posterior.unlisted, names{at}, p);
+end
+
+% Benches by their p, targets by their z, worst first; names as in the campaign.
+function text = ofPlaces (place)
+  benches = place.models;
+  [~, order] = sort ([benches.p]);
+  worst = {benches(order).model};
+  used = place.targets(strcmp ({place.targets.role}, 'calibrate'));
+  [~, order] = sort (-abs ([used.z]));
+  names = strrep ({used(order).name}, 'Collapse_slope', 'collapseSlope');
+  names = strrep (names, 'Heap_slope', 'heapSlope');
+  text = [strjoin(worst, ' '), ',', strjoin(names(1:min (end, 4)), ' ')];
+end
+
+function text = ofClosure (far)
+  if isempty (far) || ~isfield (far, 'closure')
+    text = repmat (',', 1, 7);
+    return
+  end
+  placebo = NaN;
+  for one = far.placebos(:)'
+    placebo = max ([placebo, orNaN(one.closure)]);
+  end
+  held = far.heldOut;
+  if isempty (held)
+    held = struct ('closure', NaN, 'interval90', []);
+  end
+  text = strjoin ([{far.effect}, ...
+                   arrayfun(@(v) sprintf ('%.3g', v), ...
+                            [orNaN(far.closure), ends(far.interval90), ...
+                             orNaN(held.closure), ends(held.interval90), ...
+                             placebo], 'UniformOutput', false)], ',');
+end
+
+function value = orNaN (value)
+  if isempty (value)
+    value = NaN;
+  end
+end
+
+function two = ends (interval)
+  two = interval(:)';
+  if iscell (two) || numel (two) ~= 2
+    two = [NaN, NaN];
+  end
+end
+
+function lines = ofStrengths (number, said)
+  lines = {};
+  for name = fieldnames (said.strength)'
+    one = said.strength.(name{1});
+    lines{end + 1} = sprintf ('%d,%s,%.4g,%.4g,%.4g,%.4g,%.4g', number, ...
+                              name{1}, said.posterior.(name{1}), ...
+                              said.resembles.(name{1}), orNaN (one.value), ...
+                              ends (one.interval90));
+  end
+end

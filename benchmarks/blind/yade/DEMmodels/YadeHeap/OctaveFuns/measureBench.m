@@ -1,0 +1,1 @@
+../../../../../../DEMmodels/Heap/OctaveFuns/measureBench.m

@@ -1,0 +1,1 @@
+../../../../../examples/yade/DEMmodels/YadeCollapse/grains.py
