@@ -1,22 +1,22 @@
 % CREATEKRIGINGMODELS  One Kriging model per response, kept as data.
 %
-% CALL: [names, folder, surrogates] = createKrigingModels (ExPlanFiles,
-%         RespFiles, ParamLims, trend, covariance)
-%       [names, folder, surrogates] = createKrigingModels (data, problem)
+% CALL: [NAMES, FOLDER, SURROGATES] = createKrigingModels (EXPLANFILES,
+%         RESPFILES, PARAMLIMS, TREND, COVARIANCE)
+%       [NAMES, FOLDER, SURROGATES] = createKrigingModels (DATA, PROBLEM)
 %
-% ExPlanFiles  text or cellstr: CSV of the plan (n x d), one for all responses
+% EXPLANFILES  text or cellstr: CSV of the plan (n x d), one for all responses
 %              or one per response
-% RespFiles    cellstr: CSV of one response each (n rows, NaN: failed); a cell
+% RESPFILES    cellstr: CSV of one response each (n rows, NaN: failed); a cell
 %              of cells (one per model) is unfolded
-% ParamLims    2 x d  limits of the design variables
-% trend        'constant', 'affine', 'quadratic' or 'choose' ('affine')
-% covariance   'matern32', 'matern52', 'gauss' or 'choose' ('matern52');
+% PARAMLIMS    2 x d  limits of the design variables
+% TREND        'constant', 'affine', 'quadratic' or 'choose' ('affine')
+% COVARIANCE   'matern32', 'matern52', 'gauss' or 'choose' ('matern52');
 %              anisotropic, noise estimated
-% data         struct of newData: the finished runs, replicates among them
-% problem      struct of newProblem; trend and covariance are chosen
-% names        1 x T cellstr 'KM_fun_1' ...
-% folder       text, the folder KrigingFuns in the current folder
-% surrogates   1 x T struct array of fitSurrogate
+% DATA         struct of newData: the finished runs, replicates among them
+% PROBLEM      struct of newProblem; trend and covariance are chosen
+% NAMES        1 x T cellstr 'KM_fun_1' ...
+% FOLDER       text, the folder KrigingFuns in the current folder
+% SURROGATES   1 x T struct array of fitSurrogate
 %
 % Each model is kept as <folder>/<name>.txt (text): the runs and the estimated
 % parameters, no program. evaluateKriging takes the names or, much faster, the

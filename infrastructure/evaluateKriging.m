@@ -1,15 +1,15 @@
 % EVALUATEKRIGING  The responses of one parameter set on the Kriging models.
 %
-% CALL: result = evaluateKriging (params, surrogates)
-% CALL: result = evaluateKriging (params, names)
+% CALL: RESULT = evaluateKriging (PARAMS, SURROGATES)
+% CALL: RESULT = evaluateKriging (PARAMS, NAMES)
 %
-% params      d x 1 or 1 x d  parameter set
-% surrogates  1 x T struct array of createKrigingModels (fast)
-% names       cellstr of createKrigingModels: the models are read from the
+% PARAMS      d x 1 or 1 x d  parameter set
+% SURROGATES  1 x T struct array of createKrigingModels (fast)
+% NAMES       cellstr of createKrigingModels: the models are read from the
 %             folder KrigingFuns in the current folder (slow)
 %             Either may stand in a cell, as the published costFunction passes
 %             its varargin on
-% result      T x 1  means of the responses
+% RESULT      T x 1  means of the responses
 %
 % Errors: DEcalioc:evaluateKriging:badType
 %

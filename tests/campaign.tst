@@ -11,8 +11,8 @@
 %! [data, ignored] = importRuns (file, Case);
 %! [~, cells] = readCsvTable (file);
 %! count = rows (cells);
-%! problem = newGapProblem (gapProblemOf (Case));
-%! phi = strengthOfValues (problem.effects, data.E);
+%! gapProblem = newGapProblem (gapProblemOf (Case));
+%! phi = strengthOfValues (gapProblem.effects, data.E);
 
 %!test
 %! assert ({Case.models.name}, {'Drum', 'SlotBin'});

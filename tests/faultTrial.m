@@ -27,7 +27,11 @@ function faultTrial (folder, target, delay, answer)
     waitFor (pid);
   end
   assert (isfile (fullfile (folder, 'answer.csv')), fileread (log));
-  assert (fileread (fullfile (folder, 'answer.csv')), answer);
+  if ~strcmp (fileread (fullfile (folder, 'answer.csv')), answer)
+    error ('DEcalioc:faultTrial:otherAnswer', ...
+           'faultTrial: after the death of %s the answer differs.\n%s', ...
+           target, allRecords (folder));
+  end
   assert (noneRunning (folder));
   [~, keys] = finishedRuns (folder);
   assert (numel (unique (keys)), numel (keys));
@@ -93,6 +97,13 @@ function [folders, keys] = finishedRuns (folder)
       keys{end + 1} = record.key;
     end
   end
+end
+
+% What each run became, and what it left behind where it failed.
+function text = allRecords (folder)
+  [~, text] = system (sprintf (['cd %s/optim && tail -n +1 ', ...
+                                '*/*/record.json */*/end.mark */*/std*'], ...
+                               shellQuote (folder)));
 end
 
 % Guards look once a second whether their Octave is alive.

@@ -7,7 +7,7 @@
 %   SHARE     part of the inputs found good that is also given to newCase
 %   FINDINGS  1 x m cell of texts: an error that checkCase or newCase did not
 %             turn into one of DEcalioc, or a text of the input that was run
-%   COUNTS    1 x 3: tries with problems, without, given to newCase
+%   COUNTS    1 x 3: tries with faults, without, given to newCase
 %
 % See also: fuzzValue, goodInput, checkCase
 

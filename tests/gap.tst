@@ -34,7 +34,7 @@
 %! % named: the cause, its strength and the closure (all seeded; a fresh seed
 %! % would fail in less than 2 %)
 %! g = given;
-%! g.y = measured (means, [0, 0, 0.6, 0, 0], 1);
+%! g.value = measured (means, [0, 0, 0.6, 0, 0], 1);
 %! d = diagnoseMatrices (g, data, quick ());
 %! assert (d.which.verdict, 'named');
 %! assert (d.which.effects, {'spread'});
@@ -48,7 +48,7 @@
 %!test
 %! % named, until DEM runs with the effect miss a target that surrogates meet
 %! g = given;
-%! g.y = measured (means, [0, 0, 0.6, 0, 0], 1);
+%! g.value = measured (means, [0, 0, 0.6, 0, 0], 1);
 %! options = setfield (quick (), 'maxNewRuns', 10);
 %! options.survivors = 0;
 %! options.screenRuns = 0;
@@ -64,7 +64,7 @@
 %!test
 %! % no gap
 %! g = given;
-%! g.y = measured (means, zeros (1, 5), 1);
+%! g.value = measured (means, zeros (1, 5), 1);
 %! d = diagnoseMatrices (g, data, quick ());
 %! assert (d.which.verdict, 'no gap');
 %! assert (isempty (d.which.effects));
@@ -72,7 +72,7 @@
 %!test
 %! % two effects that look alike are given as a group
 %! g = given;
-%! g.y = measured (means, [0.35, 0, 0, 0, 0], 2);
+%! g.value = measured (means, [0.35, 0, 0, 0, 0], 2);
 %! d = diagnoseMatrices (g, data, quick ());
 %! assert (d.which.verdict, 'group');
 %! assert (d.which.effects, {'cohesion', 'bridge'});
@@ -82,8 +82,8 @@
 %!test
 %! % a cause that no effect makes
 %! g = given;
-%! g.y = measured (means, zeros (1, 5), 4);
-%! g.y([2, 6, 11]) = g.y([2, 6, 11]) + [3, -4, 3];
+%! g.value = measured (means, zeros (1, 5), 4);
+%! g.value([2, 6, 11]) = g.value([2, 6, 11]) + [3, -4, 3];
 %! d = diagnoseMatrices (g, data, quick ());
 %! assert (d.which.verdict, 'none of the listed');
 
@@ -92,14 +92,14 @@
 %! g = given;
 %! found = {};
 %! for seed = [5, 7, 11, 12]
-%!   g.y = measured (means, [0, 0, 0, 0.08, 0], seed);
-%!   problem = newGapProblem (g);
+%!   g.value = measured (means, [0, 0, 0, 0.08, 0], seed);
+%!   gapProblem = newGapProblem (g);
 %!   options = gapOptions (quick ());
 %!   if seed == 5
-%!     em = fitEmulator (problem, data, options);
-%!     models = omnibusReference (makeHypotheses (problem, em, options));
+%!     em = fitEmulator (gapProblem, data, options);
+%!     models = omnibusReference (makeHypotheses (gapProblem, em, options));
 %!   end
-%!   w = caseEvidence (models, fitLibrary (models, g.y), 1);
+%!   w = caseEvidence (models, fitLibrary (models, g.value), 1);
 %!   found{end + 1} = judgeCase (w, models).kind;
 %! end
 %! assert (any (strcmp (found, 'undecided')));
@@ -108,7 +108,7 @@
 %! % the surrogates are to blame: a clear effect, few neutral runs far from it,
 %! % measurements far better than they are; surer ones would name it
 %! g = given;
-%! g.y = means ([0.4, 0.6], [0, 0, 0.25, 0, 0]);
+%! g.value = means ([0.4, 0.6], [0, 0, 0.25, 0, 0]);
 %! g.sd = 0.01 * ones (1, 12);
 %! g.trials = Inf;
 %! few = data;
@@ -125,7 +125,7 @@
 %!test
 %! % effects that were never run cannot be seen, and are not called excluded
 %! g = given;
-%! g.y = measured (means, [0, 0, 0.6, 0, 0], 1);
+%! g.value = measured (means, [0, 0, 0.6, 0, 0], 1);
 %! few = data;
 %! keep = few.E(:, 4) == 0;
 %! for field = {'X', 'E', 'Z', 'replicate'}
@@ -138,7 +138,7 @@
 %! % further runs: the budget is kept, the cure is verified, held-out targets
 %! % are never fitted
 %! g = given;
-%! g.y = measured (means, [0, 0, 0.6, 0, 0], 1);
+%! g.value = measured (means, [0, 0, 0.6, 0, 0], 1);
 %! g.held = [false(1, 8), true(1, 4)];
 %! bare = data;
 %! neutral = all (bare.E == 0, 2);
@@ -157,7 +157,7 @@
 %! assert (d.howFar.verifiedByDEM, true);
 %! assert (size (d.howFar.placebos), [1, 2]);
 %! assert (isstruct (d.howFar.heldOut));
-%! assert (d.problem.used, 1:8);
+%! assert (d.gapProblem.used, 1:8);
 %! % a second start finds these runs in another order, and asks for no other
 %! store = containers.Map ('KeyType', 'char', 'ValueType', 'any');
 %! evaluate = @(X, E, r, stage) storedRuns (X, E, r, stage, means, store);

@@ -1,4 +1,4 @@
-% GOODINPUT  A case without problems in a new folder, to be spoilt by tests.
+% GOODINPUT  A case without faults in a new folder, to be spoilt by tests.
 %
 % CALL: RAW = goodInput (FOLDER)
 %

@@ -1,4 +1,4 @@
-% docs/inputs.md and the checks name the same problems and the same fields.
+% docs/inputs.md and the checks name the same faults and the same fields.
 
 %!function names = inTable ()
 %!  text = fileread (fullfile (rootOf (), 'docs', 'inputs.md'));
@@ -30,7 +30,7 @@
 %! for file = glob (fullfile (rootOf (), 'infrastructure', ...
 %!                            {'case', 'effects'}, 'check*.m'))'
 %!   found = regexp (fileread (file{1}), ...
-%!                   'checkProblem \(''(\w+)''', 'tokens');
+%!                   'checkFault \(''(\w+)''', 'tokens');
 %!   names = [names, found{:}];
 %! end
 %! names = setdiff (names, {'badCpu', 'a'});

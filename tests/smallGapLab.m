@@ -2,7 +2,7 @@
 %
 % CALL: [GIVEN, DATA, MEANS] = smallGapLab ()
 %
-%   GIVEN   struct for newGapProblem, y still NaN: 3 benches with 4 targets
+%   GIVEN   struct for newGapProblem, value still NaN: 3 benches with 4 targets
 %           each, 2 parameters, 4 effects of DEM (the first two look alike), 1
 %           of the laboratory
 %   DATA    struct X, E, Z, replicate: 14 neutral runs, 10 of each effect
@@ -27,7 +27,7 @@ function [given, data, means] = smallGapLab ()
   effects(5) = struct ('name', 'bias', 'variables', {{}}, 'neutral', [], ...
                        'limits', zeros (2, 0), 'laboratory', true, ...
                        'offset', G);
-  given = struct ('y', NaN (1, 12), 'sd', 0.2 * ones (1, 12), ...
+  given = struct ('value', NaN (1, 12), 'sd', 0.2 * ones (1, 12), ...
                   'limits', [0, 0; 1, 1], 'bench', kron (1:3, ones (1, 4)));
   given.names = {'mu', 'rho'};
   given.effects = effects;

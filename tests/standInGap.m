@@ -5,11 +5,12 @@
 %   CURVATURE  scalar, 0 = all responses linear, 0.3 = mildly nonlinear (0.3)
 %   SEED       scalar, number of the laboratory: each has laws of its own (11)
 %   LAB        struct
-%     problem  as newGapProblem wants it, y still NaN; 24 targets on 4 benches,
-%              4 parameters, 8 effects that DEM would run, 2 of the laboratory
+%     gapProblem  as newGapProblem wants it, value still NaN; 24 targets on 4
+%              benches, 4 parameters, 8 effects that DEM would run, 2 of the
+%              laboratory
 %     means    handle, Z = means (THETA, PHI): n x 24 results without noise;
 %              THETA n x 4 in [0, 1], PHI n x 10 strengths
-%     seedSd   1 x 24, scatter of one run
+%     noiseSd  1 x 24, noise of one run
 %     plan     handle, data = plan (N0, NK): runs with N0 neutral rows and NK
 %              rows for each of the 8 effects, from the current random state
 %
@@ -31,8 +32,8 @@ function lab = standInGap (curvature, seed)
   rand ('twister', seed);
   randn ('twister', seed);
   law = drawLaw (curvature);
-  lab.seedSd = 0.15 + 0.1 * rand (1, 24);
-  lab.problem = describe (lab.seedSd, law);
+  lab.noiseSd = 0.15 + 0.1 * rand (1, 24);
+  lab.gapProblem = describe (lab.noiseSd, law);
   lab.means = @(theta, phi) results (law, theta, phi);
   lab.plan = @(n0, nk) planOf (lab, n0, nk);
 end
@@ -73,7 +74,7 @@ function Z = results (law, theta, phi)
   Z = Z + phi(:, 9) .* (Z .* law.gain) + phi(:, 10) .* law.bias;
 end
 
-function problem = describe (seedSd, law)
+function gapProblem = describe (noiseSd, law)
   names = {'cohesion', 'liquid', 'wallAdhesion', 'spread', 'size', ...
            'stiffness', 'drag', 'tilt'};
   siblings = [{{'liquid'}, {'cohesion'}}, repmat({{}}, 1, 6)];
@@ -91,12 +92,13 @@ function problem = describe (seedSd, law)
                         'neutral', [], 'limits', zeros (2, 0), ...
                         'siblings', {{}}, 'laboratory', true, ...
                         'offset', law.bias, 'matrix', []);
-  problem = struct ('y', NaN (1, 24), 'sd', seedSd, 'bench', law.bench, ...
-                    'limits', [zeros(1, 4); ones(1, 4)], 'effects', effects);
-  problem.benchNames = {'drum', 'collapse', 'discharge', 'shear'};
-  problem.names = {'friction', 'wallFriction', 'rolling', 'restitution'};
-  problem.series = kron (1:8, ones (1, 3));
-  problem.coordinate = repmat ([10, 30, 50], 1, 8);
+  gapProblem = struct ('value', NaN (1, 24), 'sd', noiseSd, ...
+                       'bench', law.bench, ...
+                       'limits', [zeros(1, 4); ones(1, 4)], 'effects', effects);
+  gapProblem.benchNames = {'drum', 'collapse', 'discharge', 'shear'};
+  gapProblem.names = {'friction', 'wallFriction', 'rolling', 'restitution'};
+  gapProblem.series = kron (1:8, ones (1, 3));
+  gapProblem.coordinate = repmat ([10, 30, 50], 1, 8);
 end
 
 function data = planOf (lab, n0, nk)
@@ -111,7 +113,7 @@ function data = planOf (lab, n0, nk)
   end
   data.E = phi(:, 1:8);
   data.Z = lab.means (data.X, phi);
-  data.Z = data.Z + lab.seedSd .* randn (size (data.Z));
+  data.Z = data.Z + lab.noiseSd .* randn (size (data.Z));
   data.replicate = ones (rows (data.X), 1);
 end
 

@@ -1,10 +1,10 @@
 % AUGMENTPLAN  Further plan rows, as far as possible from the ones there are.
 %
-% CALL: P = augmentPlan (X, n, limits)
+% CALL: P = augmentPlan (X, N, LIMITS)
 %
 % X       m x d  rows of the plan (m may be 0)
-% n       number of rows to add
-% limits  2 x d  box
+% N       number of rows to add
+% LIMITS  2 x d  box
 % P       n x d
 %
 % Greedy maximin in the unit box over a space-filling sample (the distance to

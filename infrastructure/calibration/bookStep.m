@@ -1,6 +1,9 @@
 % BOOKSTEP  Appends the present set to the history of a calibration.
 %
-% CALL: state = bookStep (state, stage, iteration)
+% CALL: STATE = bookStep (STATE, STAGE, ITERATION)
+%
+% STATE      struct of newState
+% STAGE      'infill' or 'DEM'; ITERATION  integer
 %
 % See also: newState, sayStep
 

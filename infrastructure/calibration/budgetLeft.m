@@ -1,10 +1,10 @@
 % BUDGETLEFT  DEM runs that may still be made after the plan.
 %
-% CALL: n = budgetLeft (state, problem)
+% CALL: N = budgetLeft (STATE, PROBLEM)
 %
-% state    struct of newState; problem  struct of newProblem
-% n        scalar: options.maxFunEvals less what was spent (failed rows count),
-%          and no more than problem.newSets () says can be made in this start
+% STATE    struct of newState; PROBLEM  struct of newProblem
+% N        scalar: options.maxFunEvals less what was spent (failed rows count),
+%          and no more than PROBLEM.newSets () says can be made in this start
 %
 % See also: runRows, withinBudget
 

@@ -1,19 +1,19 @@
 % CALIBRATEONDEM  Calibration on DEM runs: corrects the set and confirms it.
 %
-% CALL: state = calibrateOnDEM (state, problem, evaluate, say)
+% CALL: STATE = calibrateOnDEM (STATE, PROBLEM, EVALUATE, SAY)
 %
-% state     struct of newState
-% problem   struct of newProblem; options used: maxIter (sets tried),
+% STATE     struct of newState
+% PROBLEM   struct of newProblem; options used: maxIter (sets tried),
 %           maxFunEvals, replicates, confidence, tolfun, sets, method
-% evaluate  handle Z = evaluate (P, replicate)
-% say       handle, gets one line of text a step
+% EVALUATE  handle Z = evaluate (P, replicate)
+% SAY       handle, gets one line of text a step
 %
 % 'robust': the found set is run with other seeds, at most sets at once; the
 % runs correct the surrogates, whose Levenberg-Marquardt gives the next set when
 % the present one turns out wrong. Ends when confirmSet is satisfied, or the
 % budget is spent, or maxIter sets were tried. 'published': nonlin_residmin with
 % finite differences on DEM (see publishedStage), then the same confirmation.
-% state.final is the judgement of confirmSet.
+% STATE.final is the judgement of confirmSet.
 %
 % See also: improveByInfill, confirmSet, publishedStage
 

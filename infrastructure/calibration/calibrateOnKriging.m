@@ -1,20 +1,20 @@
 % CALIBRATEONKRIGING  LM on the surrogates, then the surest set.
 %
-% CALL: [found, history] = calibrateOnKriging (surrogates, problem)
-% CALL: [found, history] = calibrateOnKriging (surrogates, problem, options)
+% CALL: [FOUND, HISTORY] = calibrateOnKriging (SURROGATES, PROBLEM)
+% CALL: [FOUND, HISTORY] = calibrateOnKriging (SURROGATES, PROBLEM, OPTIONS)
 %
-% surrogates  1 x T struct array of fitSurrogate
-% problem     struct of newProblem
-% options     struct, optional: maxIter (1000), maxFunEvals (3000, all starts
+% SURROGATES  1 x T struct array of fitSurrogate
+% PROBLEM     struct of newProblem
+% OPTIONS     struct, optional: maxIter (1000), maxFunEvals (3000, all starts
 %             together), nPlan (best of the sets that were run, 3),
 %             incumbent (1 x d, one more start, [])
-% found       params 1 x d, result, sd 1 x T (of the mean response), residual
+% FOUND       params 1 x d, result, sd 1 x T (of the mean response), residual
 %             (T + extra) x 1, probability that all targets are truly met,
 %             within (logical), start (name of the start that won), starts
 %             (struct array: start, params, norm, within, probability),
 %             evaluations, iterations, reason, conflict (names of the targets
 %             that no set meets together, {} if none)
-% history     1 x k struct: iteration, params, residual of the winning start
+% HISTORY     1 x k struct: iteration, params, residual of the winning start
 %
 % Each start is solved by nonlin_residmin with the Jacobian of the surrogate.
 % Then, among all sets that meet the targets, the surest one is looked for:

@@ -1,10 +1,10 @@
 % CHECKSURROGATES  Plain warnings about a calibration, one sentence each.
 %
-% CALL: lines = checkSurrogates (state, problem)
+% CALL: LINES = checkSurrogates (STATE, PROBLEM)
 %
-% state    struct of newState
-% problem  struct of newProblem
-% lines    cellstr: a target outside the range of the responses, a surrogate
+% STATE    struct of newState
+% PROBLEM  struct of newProblem
+% LINES    cellstr: a target outside the range of the responses, a surrogate
 %          with poor Q2, a parameter at its limit, fewer targets than
 %          parameters, runs that failed
 %

@@ -1,12 +1,12 @@
 % CHOOSEINFILL  Where the next DEM runs help most.
 %
-% CALL: P = chooseInfill (surrogates, problem, found, n, round)
+% CALL: P = chooseInfill (SURROGATES, PROBLEM, FOUND, N, ROUND)
 %
-% surrogates  1 x T struct array of fitSurrogates
-% problem     struct of newProblem
-% found       struct of calibrateOnKriging
-% n           number of runs that can go at once
-% round       integer, makes the draws of each round their own
+% SURROGATES  1 x T struct array of fitSurrogates
+% PROBLEM     struct of newProblem
+% FOUND       struct of calibrateOnKriging
+% N           number of runs that can go at once
+% ROUND       integer, makes the draws of each round their own
 % P           n x d
 %
 % Criterion: the first run goes to the set that most probably meets all

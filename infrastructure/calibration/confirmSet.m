@@ -1,11 +1,11 @@
 % CONFIRMSET  Judges the found set by the DEM runs made there.
 %
-% CALL: final = confirmSet (state, problem)
+% CALL: FINAL = confirmSet (STATE, PROBLEM)
 %
-% state  struct of newState
-% final  params 1 x d, n (successful runs there), result 1 x T (their mean; the
+% STATE  struct of newState
+% FINAL  params 1 x d, n (successful runs there), result 1 x T (their mean; the
 %        surrogate mean if n = 0), sd 1 x T (standard error of that mean),
-%        runSd 1 x T (scatter of one run), residual T x 1 (of the mean),
+%        noiseSd 1 x T (noise of one run), residual T x 1 (of the mean),
 %        residualSd T x 1, extra (preference rows), interval90 2 x T (of the
 %        true response), probability, within, converged, reason, conflict
 %
@@ -25,20 +25,20 @@ function final = confirmSet (state, problem)
   p = state.found.params;
   Z = runsAt (state.data, p, problem);
   n = rows (Z);
-  runSd = sqrt ([state.surrogates.noiseVar]);
+  noiseSd = sqrt ([state.surrogates.noiseVar]);
   [m, v] = predictSurrogate (state.surrogates, p);
   df = [state.surrogates.df];
-  final = struct ('params', p, 'result', m, 'sd', sqrt (v + runSd.^2), ...
-                  'runSd', runSd, 'n', n);
+  final = struct ('params', p, 'result', m, 'sd', sqrt (v + noiseSd.^2), ...
+                  'noiseSd', noiseSd, 'n', n);
   if n > 0
     final.result = mean (Z, 1);
-    final.sd = runSd / sqrt (n);
+    final.sd = noiseSd / sqrt (n);
     alone = abs (final.result - m) > 3 * final.sd;
     own = sqrt (sum ((Z - final.result).^2, 1) / max (n - 1, 1));
-    s = max (own, runSd) / sqrt (n);
+    s = max (own, noiseSd) / sqrt (n);
     m(alone) = final.result(alone);
     v(alone) = s(alone).^2;
-    few = alone & own > runSd;
+    few = alone & own > noiseSd;
     df(few) = min (df(few), max (n - 1, 1));
   end
   final = judge (final, m, v, df, problem);

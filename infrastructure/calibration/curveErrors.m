@@ -1,19 +1,19 @@
 % CURVEERRORS  What is known of the errors along each curve that is fitted.
 %
-% CALL: [curves, nFree] = curveErrors (surrogates, problem)
+% CALL: [CURVES, NFREE] = curveErrors (SURROGATES, PROBLEM)
 %
-% surrogates  1 x T struct array of fitSurrogates
-% problem     struct of newProblem
-% curves      1 x C struct, one element a curve of which points are calibrated:
+% SURROGATES  1 x T struct array of fitSurrogates
+% PROBLEM     struct of newProblem
+% CURVES      1 x C struct, one element a curve of which points are calibrated:
 %             own (1 x n, target numbers), value, sd (1 x n), distance (n x n,
 %             between the points), root (n x n, correlation of the scatter of
 %             the runs and of the errors of the surrogates along the curve),
-%             noiseVar (1 x n, of the mean of the trials), scatter (logical: sd
-%             holds the packings), length (of the measurement's errors; NaN:
-%             unknown), lengths (1 x 2, the range in question then), sdKnown,
-%             half (1 x n, half widths of the tolerance), df, free (columns of
-%             unknowns: of the length, of the size)
-% nFree       how many unknowns there are in all
+%             packingVar (1 x n, noise of the mean of the trials), scatter
+%             (logical: sd holds the packings), length (of the measurement's
+%             errors; NaN: unknown), lengths (1 x 2, the range in question
+%             then), sdKnown, half (1 x n, half widths of the tolerance), df,
+%             free (columns of unknowns: of the length, of the size)
+% NFREE       how many unknowns there are in all
 %
 % A run's own curve scatters as one, since it is one packing: how far that is
 % correlated follows from the leave-one-out residuals of the surrogates, as an
@@ -29,7 +29,7 @@ function [curves, nFree] = curveErrors (surrogates, problem)
     at = problem.at(own);
     c = struct ('own', own, 'value', problem.value(own), ...
                 'sd', problem.sd(own), 'distance', abs (at' - at));
-    c.noiseVar = [surrogates(own).noiseVar] ./ problem.trials(own);
+    c.packingVar = [surrogates(own).noiseVar] ./ problem.trials(own);
     c.scatter = any (problem.scatter(own));
     c.root = scatterCorrelation (surrogates(own), c.distance);
     c.length = problem.correlation(own(1));
@@ -88,7 +88,7 @@ end
 %! [c, nFree] = curveErrors (s, problem);
 %! assert (nFree, 2);
 %! assert (c.free, [1, 2]);
-%! assert (c.noiseVar, 2 * ones (1, 20));
+%! assert (c.packingVar, 2 * ones (1, 20));
 %! assert (c.root(1, 8), exp (-7 / 19 / 0.3), 0.2);
 %! problem.correlation(:) = 0.5;
 %! problem.sd(:) = 0.1;

@@ -1,17 +1,17 @@
 % CURVELIKELIHOOD  Log likelihood of a measured curve at parameter sets.
 %
-% CALL: fit = curveLikelihood (c, m, v, free)
+% CALL: FIT = curveLikelihood (C, M, V, FREE)
 %
-% c     element of curveErrors
-% m, v  n x p  mean and variance of the surrogates at the p points
-% free  n x f  unknowns in [0, 1], c.free: the length over which the errors of
-%       the measurement are alike (c.lengths, logarithmic), then their size (2 %
+% C     element of curveErrors
+% M, V  n x p  mean and variance of the surrogates at the p points
+% FREE  n x f  unknowns in [0, 1], C.free: the length over which the errors of
+%       the measurement are alike (C.lengths, logarithmic), then their size (2 %
 %       to twice the tolerance, logarithmic)
-% fit   n x 1  log density of a Student distribution with c.df degrees of
+% FIT   n x 1  log density of a Student distribution with C.df degrees of
 %       freedom
 %
 % Covariance: sd_i sd_j exp (-distance / length) of the measurement, plus that
-% of one packing and of the surrogates, sqrt (v_i v_j) times c.root.
+% of one packing and of the surrogates, sqrt (v_i v_j) times C.root.
 %
 % See also: curveErrors, parameterPosterior
 
@@ -23,9 +23,9 @@ function fit = curveLikelihood (c, m, v, free)
   S = (c.sd' * c.sd) .* R;
   if c.scatter
     % the scatter of the trials holds their packings
-    v = v + max (c.noiseVar - c.sd.^2, 0);
+    v = v + max (c.packingVar - c.sd.^2, 0);
   else
-    v = v + c.noiseVar;
+    v = v + c.packingVar;
   end
   w = sqrt (v + eps (max (c.value.^2)));
   isFree = columns (free) > 0;
@@ -62,7 +62,7 @@ end
 
 %!shared c
 %! c = struct ('own', 1, 'value', 2, 'sd', 3, 'distance', 0, 'root', 1, ...
-%!             'noiseVar', 4, 'scatter', false, 'length', 0, ...
+%!             'packingVar', 4, 'scatter', false, 'length', 0, ...
 %!             'lengths', [1, 9], 'sdKnown', true, 'half', 5, 'df', 7, ...
 %!             'free', []);
 %!test
@@ -80,7 +80,7 @@ end
 %! two = c;
 %! two.sdKnown = true;
 %! two.scatter = false;
-%! [two.value, two.sd, two.noiseVar] = deal ([2, 2], [3, 3], [0, 0]);
+%! [two.value, two.sd, two.packingVar] = deal ([2, 2], [3, 3], [0, 0]);
 %! [two.distance, two.root] = deal (zeros (2), eye (2));
 %! two.length = 1;
 %! two.df = 1e6;

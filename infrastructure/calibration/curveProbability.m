@@ -1,11 +1,11 @@
 % CURVEPROBABILITY  Pr(root mean square of r + s t < 1), one t for all points.
 %
-% CALL: p = curveProbability (r, s, df)
+% CALL: P = curveProbability (R, S, DF)
 %
-% r, s  n x m  residuals of the points of a curve and their standard
+% R, S  n x m  residuals of the points of a curve and their standard
 %              deviations, in tolerances
-% df    scalar, degrees of freedom
-% p     n x 1
+% DF    scalar, degrees of freedom
+% P     n x 1
 %
 % The surrogates of the points of a curve stand on the same runs: their errors
 % are taken as one error, t Student distributed. Of a single point this is

@@ -1,9 +1,9 @@
 % DESCRIBESET  What the surrogates say about one parameter set.
 %
-% CALL: found = describeSet (surrogates, problem, p)
+% CALL: FOUND = describeSet (SURROGATES, PROBLEM, P)
 %
-% p      1 x d
-% found  struct: params, result 1 x T, sd 1 x T (of the mean response),
+% P      1 x d
+% FOUND  struct: params, result 1 x T, sd 1 x T (of the mean response),
 %        residual (T + extra) x 1, residualSd T x 1, probability, within
 %
 % See also: calibrateOnKriging, meetProbability

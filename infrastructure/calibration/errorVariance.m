@@ -1,11 +1,11 @@
 % ERRORVARIANCE  Variance of a measured value about the mean response.
 %
-% CALL: v = errorVariance (noiseVar, problem, t)
+% CALL: V = errorVariance (NOISEVAR, PROBLEM, T)
 %
-% noiseVar  variance of one run over seeds
-% problem   struct of newProblem
-% t         number of the target
-% v         scalar: the packing of the trials that were averaged, and the
+% NOISEVAR  variance of one run
+% PROBLEM   struct of newProblem
+% T         number of the target
+% V         scalar: the packing of the trials that were averaged, and the
 %           uncertainty of the measurement; where that comes from the scatter of
 %           the trials it holds their packings already, and the larger counts
 %

@@ -1,8 +1,8 @@
 % FAILEDSETS  Sets whose runs failed twice or more and never finished.
 %
-% CALL: P = failedSets (data)
+% CALL: P = failedSets (DATA)
 %
-% data  struct of newData; P  k x d
+% DATA  struct of newData; P  k x d
 %
 % See also: recalibrate, meetProbability
 

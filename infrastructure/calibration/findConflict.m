@@ -1,12 +1,12 @@
 % FINDCONFLICT  Targets that no set of the box meets together.
 %
-% CALL: names = findConflict (surrogates, problem)
-% CALL: [names, excess] = findConflict (surrogates, problem)
+% CALL: NAMES = findConflict (SURROGATES, PROBLEM)
+% CALL: [NAMES, EXCESS] = findConflict (SURROGATES, PROBLEM)
 %
-% names   cellstr: {} if all targets can be met within 3 standard deviations
+% NAMES   cellstr: {} if all targets can be met within 3 standard deviations
 %         of the surrogates; else the smallest group found that conflicts (one
 %         name: that target lies outside what the box reaches)
-% excess  scalar: how far the best compromise stays outside the tolerances, in
+% EXCESS  scalar: how far the best compromise stays outside the tolerances, in
 %         standard deviations of the surrogates there (0: met)
 %
 % Starting from all targets, each one is left out in turn; it is named when

@@ -1,11 +1,11 @@
 % IDENTIFIABILITY  What the targets cannot fix, and what would fix it best.
 %
-% CALL: weak = identifiability (surrogates, problem, known)
+% CALL: WEAK = identifiability (SURROGATES, PROBLEM, KNOWN)
 %
-% surrogates  1 x T struct array of fitSurrogates
-% problem     struct of newProblem
-% known       struct of parameterPosterior
-% weak        struct: notIdentified (cellstr of parameters whose 90 % interval
+% SURROGATES  1 x T struct array of fitSurrogates
+% PROBLEM     struct of newProblem
+% KNOWN       struct of parameterPosterior
+% WEAK        struct: notIdentified (cellstr of parameters whose 90 % interval
 %             is wider than half of the box), directions d x k (unit vectors in
 %             the unit box along which the posterior keeps more than half of
 %             the prior's standard deviation), text (cellstr, the directions in

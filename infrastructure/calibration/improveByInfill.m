@@ -1,17 +1,17 @@
 % IMPROVEBYINFILL  Adds DEM runs where they help to find the set, and refits.
 %
-% CALL: state = improveByInfill (state, problem, evaluate, say)
+% CALL: STATE = improveByInfill (STATE, PROBLEM, EVALUATE, SAY)
 %
-% state     struct of newState
-% problem   struct of newProblem
-% evaluate  handle Z = evaluate (P, replicate)
-% say       handle, gets one line of text a round
+% STATE     struct of newState
+% PROBLEM   struct of newProblem
+% EVALUATE  handle Z = evaluate (P, replicate)
+% SAY       handle, gets one line of text a round
 %
 % Each round places a batch of options.sets runs (chooseInfill), refits the
 % surrogates and calibrates again, until the found set meets all targets with a
 % probability of 0.8 (the confirming runs of calibrateOnDEM bring the rest), or
 % it is clear in two rounds running that no set can meet them, or only the
-% runs for confirmation are left of the budget. state.reason says which.
+% runs for confirmation are left of the budget. STATE.reason says which.
 %
 % See also: chooseInfill, calibrateOnDEM
 

@@ -1,9 +1,9 @@
 % INSIDELIMITS  Rows of a table of sets that lie within the box.
 %
-% CALL: X = insideLimits (X, limits)
+% CALL: X = insideLimits (X, LIMITS)
 %
 % X       n x d  sets; runs that were taken in may lie outside
-% limits  2 x d  box
+% LIMITS  2 x d  box
 %
 % See also: findConflict, mostProbableSet, newPlan
 

@@ -1,11 +1,11 @@
 % INSIDEPROBABILITY  Pr(|r + s t| < tolerance), t Student distributed.
 %
-% CALL: p = insideProbability (r, s, tolerance, df)
+% CALL: P = insideProbability (R, S, TOLERANCE, DF)
 %
-% r, s       n x 1  centre and scale
-% tolerance  scalar > 0
-% df         scalar, degrees of freedom
-% p          n x 1
+% R, S       n x 1  centre and scale
+% TOLERANCE  scalar > 0
+% DF         scalar, degrees of freedom
+% P          n x 1
 %
 % See also: studentCdf, meetProbability
 

@@ -1,8 +1,8 @@
 % LIMITSTOUCHED  Names of the parameters that stand at a limit.
 %
-% CALL: names = limitsTouched (params, problem)
+% CALL: NAMES = limitsTouched (PARAMS, PROBLEM)
 %
-% params  1 x d; problem  struct of newProblem; names  cellstr
+% PARAMS  1 x d; PROBLEM  struct of newProblem; NAMES  cellstr
 %
 % Touched: within 0.5 % of the width of the box.
 %

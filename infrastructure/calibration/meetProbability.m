@@ -1,16 +1,16 @@
 % MEETPROBABILITY  Probability that a set truly meets all targets.
 %
-% CALL: [probability, r, s] = meetProbability (surrogates, problem, P)
+% CALL: [PROBABILITY, R, S] = meetProbability (SURROGATES, PROBLEM, P)
 %
-% surrogates   1 x T struct array of fitSurrogate
-% problem      struct of newProblem
+% SURROGATES   1 x T struct array of fitSurrogate
+% PROBLEM      struct of newProblem
 % P            n x d  parameter sets
-% probability  n x 1  product over the targets that are calibrated of
+% PROBABILITY  n x 1  product over the targets that are calibrated of
 %                     Pr(|residual of the mean response| < tolerance); a curve
 %                     is one of them (curveProbability)
-% r, s         n x T  residual of the surrogate mean, its standard deviation
+% R, S         n x T  residual of the surrogate mean, its standard deviation
 %
-% problem.avoid (k x d, optional) holds sets at which runs failed again and
+% PROBLEM.avoid (k x d, optional) holds sets at which runs failed again and
 % again: the probability falls to 0 within a tenth of the box around them.
 % Student's distribution with the degrees of freedom of the fit, because the
 % noise is estimated from the same few runs.

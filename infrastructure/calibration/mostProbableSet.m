@@ -1,10 +1,10 @@
 % MOSTPROBABLESET  The set that most probably meets all targets.
 %
-% CALL: [p, probability] = mostProbableSet (surrogates, problem, pool)
+% CALL: [P, PROBABILITY] = mostProbableSet (SURROGATES, PROBLEM, POOL)
 %
-% pool         k x d  sets to start from, best first (may be empty)
-% p            1 x d
-% probability  Pr(all targets truly met at p), see meetProbability
+% POOL         k x d  sets to start from, best first (may be empty)
+% P            1 x d
+% PROBABILITY  Pr(all targets truly met at p), see meetProbability
 %
 % Starts: the least sums of (r^2 + s^2) / tolerance^2 (r residual of the
 % surrogate mean, s its standard deviation) among the pool, the centroid of the

@@ -7,10 +7,11 @@
 %   CASE     see newCase
 %   LEDGER   see newLedger
 %   C        scalar struct: params 1 x d, results 1 x T, residual T x 1,
-%            runSd 1 x T, runs at the set, interval90 2 x d, converged, reason,
-%            demRuns, coreSeconds, atLimit, notIdentified, identifiability (see
-%            there), correlation d x d, sensitivity d x T (total Sobol indices),
-%            warnings, holdout, surrogates, history, data, exitStatus;
+%            noiseSd 1 x T (noise of one run), runs at the set, interval90
+%            2 x d, converged, reason, demRuns, coreSeconds, atLimit,
+%            notIdentified, identifiability (see there), correlation d x d,
+%            sensitivity d x T (total Sobol indices), warnings,
+%            holdout, surrogates, history, data, exitStatus;
 %            resultInterval90 2 x T (of the mean response at the set),
 %            probability (that all targets are met), posterior (n x d, sample)
 %
@@ -24,7 +25,7 @@ function c = newCalibration (state, problem, Case, ledger)
   stages = state.data.stage;
   count = @(varargin) M * sum (ismember (stages, varargin));
   c = struct ('params', final.params, 'results', final.result, ...
-              'residual', final.residual, 'runSd', final.runSd, ...
+              'residual', final.residual, 'noiseSd', final.noiseSd, ...
               'runs', final.n, 'interval90', known.interval90, ...
               'converged', final.converged, 'reason', final.reason);
   c.resultInterval90 = final.interval90;

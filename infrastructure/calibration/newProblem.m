@@ -1,15 +1,15 @@
 % NEWPROBLEM  What the statistics need of a case: limits, targets, cost.
 %
-% CALL: problem = newProblem (Case, cost)
+% CALL: PROBLEM = newProblem (CASE, COST)
 %
-% Case  struct of newCase (fields names, limits, targets, options are used)
-% cost  handle residual = cost (p, evaluateFunc): p d x 1, evaluateFunc
+% CASE  struct of newCase (fields names, limits, targets, options are used)
+% COST  handle residual = cost (p, evaluateFunc): p d x 1, evaluateFunc
 %       (p, varargin) -> T x 1 results; rows 1..T of residual belong to the
 %       targets, further rows are preferences. One that takes more arguments
 %       (costFunction) is handed the case as the third. Empty: the published
 %       relative residual (result - target) / target
 %
-% problem: names 1 x d cellstr, limits 2 x d, targets 1 x T struct, value (NaN:
+% PROBLEM: names 1 x d cellstr, limits 2 x d, targets 1 x T struct, value (NaN:
 % not measured yet), tol, sd 1 x T, paramMean, paramSd 1 x d (measured by
 % themselves; NaN: not), scale 1 x T (what residual and tol are parts of: the
 % value, 1 where they are absolute), trials, scatter 1 x T (see docs/data.md),

@@ -1,11 +1,11 @@
 % NEWSTATE  The state of a calibration between its stages.
 %
-% CALL: state = newState (data, surrogates, found)
+% CALL: STATE = newState (DATA, SURROGATES, FOUND)
 %
-% data        struct of newData
-% surrogates  1 x T struct array of fitSurrogates
-% found       struct of calibrateOnKriging
-% state       struct: data, surrogates, found, history (1 x 0 struct: stage,
+% DATA        struct of newData
+% SURROGATES  1 x T struct array of fitSurrogates
+% FOUND       struct of calibrateOnKriging
+% STATE       struct: data, surrogates, found, history (1 x 0 struct: stage,
 %             iteration, params, residual T x 1, runs, probability), spent
 %             (struct: infill, verify, failed; rows of evaluate), reason,
 %             final ([] until confirmSet)

@@ -1,21 +1,21 @@
 % PARAMETERPOSTERIOR  What the targets say about the parameters.
 %
-% CALL: known = parameterPosterior (surrogates, problem)
-% CALL: known = parameterPosterior (surrogates, problem, nSample)
+% CALL: KNOWN = parameterPosterior (SURROGATES, PROBLEM)
+% CALL: KNOWN = parameterPosterior (SURROGATES, PROBLEM, NSAMPLE)
 %
-% surrogates  1 x T struct array of fitSurrogates
-% problem     struct of newProblem; seed of the sampler: options.seed
-% nSample     size of the sample (1000; 400 for many targets and runs)
-% known       struct: names 1 x d, mean, sd 1 x d, interval90 2 x d (5 and 95 %
-%             quantiles), correlation d x d, sample nSample x d, shrink 1 x d
+% SURROGATES  1 x T struct array of fitSurrogates
+% PROBLEM     struct of newProblem; seed of the sampler: options.seed
+% NSAMPLE     size of the sample (1000; 400 for many targets and runs)
+% KNOWN       struct: names 1 x d, mean, sd 1 x d, interval90 2 x d (5 and 95 %
+%             quantiles), correlation d x d, sample NSAMPLE x d, shrink 1 x d
 %             (sd over that of the flat prior), identified 1 x d logical (the
 %             interval is narrower than half of the box)
 %
 % Flat prior on the box, times a normal one for parameters that were measured
-% by themselves (problem.paramMean, paramSd). Each calibrated target is Student
+% by themselves (PROBLEM.paramMean, paramSd). Each calibrated target is Student
 % distributed about the surrogate mean with the variance of the surrogate there,
 % plus the scatter of one run (the experiment is one packing, or the mean of
-% problem.trials), plus the uncertainty of the measurement. The points of a
+% PROBLEM.trials), plus the uncertainty of the measurement. The points of a
 % curve are one observation with a covariance, see curveErrors; where the length
 % of their errors or their size is not known, it is sampled together with the
 % parameters. Sampled by tempering: particles of the prior are reweighted,

@@ -1,9 +1,9 @@
 % PREDICTHOLDOUT  Held-out targets against what the found set predicts.
 %
-% CALL: hold = predictHoldout (state, problem)
+% CALL: HOLD = predictHoldout (STATE, PROBLEM)
 %
-% state  struct of newState; problem  struct of newProblem
-% hold   1 x h struct array: name, target, result (prediction of the mean
+% STATE  struct of newState; PROBLEM  struct of newProblem
+% HOLD   1 x h struct array: name, target, result (prediction of the mean
 %        response), sd (of the prediction error), interval90 2 x 1 (where a
 %        measurement should lie), inside (logical; NaN: not measured yet)
 %

@@ -1,10 +1,10 @@
 % PREFERENCEOF  What speaks against a set beside its targets, as one number.
 %
-% CALL: value = preferenceOf (problem, P)
+% CALL: VALUE = preferenceOf (PROBLEM, P)
 %
-% problem  struct of newProblem
+% PROBLEM  struct of newProblem
 % P        n x d  parameter sets
-% value    n x 1  sum of squares of the rows below the targets (the Rayleigh
+% VALUE    n x 1  sum of squares of the rows below the targets (the Rayleigh
 %                 term) and of the distances to parameters that were measured
 %                 by themselves, in their standard deviations; 0 where there
 %                 is neither

@@ -1,9 +1,9 @@
 % PREFERREDSET  Breaks ties among sure sets by the preference of the user.
 %
-% CALL: p = preferredSet (surrogates, problem, p, pool)
+% CALL: P = preferredSet (SURROGATES, PROBLEM, P, POOL)
 %
-% p     1 x d  surest set
-% pool  k x d  other sets that were found
+% P     1 x d  surest set
+% POOL  k x d  other sets that were found
 %
 % Looks, around p and the pool, for the least preference value among sets whose
 % probability of meeting all targets is at most 0.02 below that of p and at

@@ -1,8 +1,8 @@
 % PUBLISHEDSTAGE  The published DEM stage: nonlin_residmin straight on the DEM.
 %
-% CALL: state = publishedStage (state, problem, evaluate, say)
+% CALL: STATE = publishedStage (STATE, PROBLEM, EVALUATE, SAY)
 %
-% state, problem, evaluate, say  as for calibrateOnDEM
+% STATE, PROBLEM, EVALUATE, SAY  as for calibrateOnDEM
 %
 % Finite differences as published, with three changes: the step of each
 % parameter moves the responses by 4 times the scatter of one run (from the
@@ -40,8 +40,8 @@ function state = publishedStage (state, problem, evaluate, say)
   u = (state.found.params - lo) ./ width;
   try
     nonlin_residmin (f, min (max (u, 0), 1)', settings);
-  catch problemFound
-    say (['published stage ended early: ', problemFound.message]);
+  catch err
+    say (['published stage ended early: ', err.message]);
   end
   state = takeOver (state, problem, memory);
   say (sayStep (state));

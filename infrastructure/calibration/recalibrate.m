@@ -1,13 +1,13 @@
 % RECALIBRATE  Calibrates on the refitted surrogates and books the step.
 %
-% CALL: state = recalibrate (state, problem, stage, iteration)
-% CALL: state = recalibrate (state, problem, stage, iteration, mayMove)
+% CALL: STATE = recalibrate (STATE, PROBLEM, STAGE, ITERATION)
+% CALL: STATE = recalibrate (STATE, PROBLEM, STAGE, ITERATION, MAYMOVE)
 %
-% state      struct of newState; the found set stays where it is unless another
+% STATE      struct of newState; the found set stays where it is unless another
 %            one is clearly likelier (by 0.1), so that its runs add up; a set
 %            whose runs failed twice and never finished is left (failedSets)
-% stage      'infill' or 'DEM'; iteration  integer
-% mayMove    logical (true); false: the found set stays in any case
+% STAGE      'infill' or 'DEM'; ITERATION  integer
+% MAYMOVE    logical (true); false: the found set stays in any case
 %
 % See also: improveByInfill, calibrateOnDEM
 

@@ -1,12 +1,12 @@
 % REQUIREMENTPROBABILITY  Probability that one requirement is truly met.
 %
-% CALL: p = requirementProbability (r, s, own, problem, df)
+% CALL: P = requirementProbability (R, S, OWN, PROBLEM, DF)
 %
-% r, s     n x T  residuals of the mean response, their standard deviations
-% own      target numbers of the requirement, see requirementsOf
-% problem  struct of newProblem
-% df       1 x T  degrees of freedom of the noise estimates
-% p        n x 1
+% R, S     n x T  residuals of the mean response, their standard deviations
+% OWN      target numbers of the requirement, see requirementsOf
+% PROBLEM  struct of newProblem
+% DF       1 x T  degrees of freedom of the noise estimates
+% P        n x 1
 %
 % See also: meetProbability, confirmSet
 

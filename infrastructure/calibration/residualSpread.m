@@ -1,9 +1,9 @@
 % RESIDUALSPREAD  Residual of the surrogate mean and its standard deviation.
 %
-% CALL: [r, s] = residualSpread (surrogates, problem, P)
+% CALL: [R, S] = residualSpread (SURROGATES, PROBLEM, P)
 %
 % P     n x d  parameter sets
-% r, s  n x T  (the noise of a run is not in s)
+% R, S  n x T  (the noise of a run is not in s)
 %
 % See also: meetProbability, targetResidual
 

@@ -1,12 +1,12 @@
 % RUNROWS  Makes DEM runs, adds them to the data and refits the surrogates.
 %
-% CALL: state = runRows (state, problem, evaluate, P, stage)
+% CALL: STATE = runRows (STATE, PROBLEM, EVALUATE, P, STAGE)
 %
 % P         n x d  sets; a set that stands in the data already (or twice in P)
 %           gets the next replicate number, so another packing
-% evaluate  handle Z = evaluate (P, replicate), n x T, NaN = failed; a row with
+% EVALUATE  handle Z = evaluate (P, replicate), n x T, NaN = failed; a row with
 %           NA was not run (no budget) and leaves no trace
-% stage     'infill', 'verify' or 'replicate'
+% STAGE     'infill', 'verify' or 'replicate'
 %
 % Never more rows than the budget has: what is over is left out.
 %

@@ -1,11 +1,11 @@
 % SAMESET  Rows of a table that are one and the same parameter set.
 %
-% CALL: yes = sameSet (X, p, limits)
+% CALL: YES = sameSet (X, P, LIMITS)
 %
 % X       n x d, parameter sets
-% p       1 x d
-% limits  2 x d, the box; what differs by less than 1e-12 of it is rounding
-% yes     n x 1 logical
+% P       1 x d
+% LIMITS  2 x d, the box; what differs by less than 1e-12 of it is rounding
+% YES     n x 1 logical
 %
 % See also: runRows, confirmSet
 

@@ -1,6 +1,9 @@
 % SAYSTEP  One line of text about the last step of a calibration.
 %
-% CALL: text = sayStep (state)
+% CALL: TEXT = sayStep (STATE)
+%
+% STATE  struct of newState
+% TEXT   stage, sets since the plan, residuals and probability
 %
 % See also: bookStep
 

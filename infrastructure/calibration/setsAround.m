@@ -1,10 +1,10 @@
 % SETSAROUND  Sets around a set, within the box.
 %
-% CALL: P = setsAround (p, step, limits)
+% CALL: P = setsAround (P, STEP, LIMITS)
 %
-% p       1 x d
-% step    n x d, as parts of the box
-% limits  2 x d, the box
+% P       1 x d
+% STEP    n x d, as parts of the box
+% LIMITS  2 x d, the box
 % P       n x d; what would lie outside lies on the limit
 %
 % See also: shrinkingSearch, mostProbableSet, chooseInfill

@@ -1,14 +1,14 @@
 % SHRINKINGSEARCH  Looks for a better set around a set, ever nearer.
 %
-% CALL: p = shrinkingSearch (loss, p, radii, n, limits)
-% CALL: p = shrinkingSearch (loss, p, radii, n, limits, beside)
+% CALL: P = shrinkingSearch (LOSS, P, RADII, N, LIMITS)
+% CALL: P = shrinkingSearch (LOSS, P, RADII, N, LIMITS, BESIDE)
 %
-% loss    handle: P m x d -> m x 1, Inf where a set is out of the question
-% p       1 x d, the start; comes back as the best set that was seen
-% radii   1 x k, half widths of the neighbourhoods, as parts of the box
-% n       sets per neighbourhood (a low-discrepancy sequence)
-% limits  2 x d, the box
-% beside  m x d, sets that are looked at beside each neighbourhood (none)
+% LOSS    handle: P m x d -> m x 1, Inf where a set is out of the question
+% P       1 x d, the start; comes back as the best set that was seen
+% RADII   1 x k, half widths of the neighbourhoods, as parts of the box
+% N       sets per neighbourhood (a low-discrepancy sequence)
+% LIMITS  2 x d, the box
+% BESIDE  m x d, sets that are looked at beside each neighbourhood (none)
 %
 % See also: preferredSet, findConflict, setsAround
 

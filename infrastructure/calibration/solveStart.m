@@ -1,14 +1,14 @@
 % SOLVESTART  One Levenberg-Marquardt solution on the surrogates.
 %
-% CALL: [solved, path] = solveStart (surrogates, problem, start, maxIter,
-%                                    maxEvals)
+% CALL: [SOLVED, PATH] = solveStart (SURROGATES, PROBLEM, START, MAXITER,
+%                                    MAXEVALS)
 %
-% start     struct: start (name), params 1 x d
-% maxIter   most iterations; maxEvals  most evaluations, counted here because
+% START     struct: start (name), params 1 x d
+% MAXITER   most iterations; MAXEVALS  most evaluations, counted here because
 %           nonlin_residmin does not (a Jacobian counts 2 d)
-% solved    struct: start, params 1 x d, norm (largest residual in tolerances),
+% SOLVED    struct: start, params 1 x d, norm (largest residual in tolerances),
 %           within, probability, evaluations, iterations, reason
-% path      1 x k struct: iteration, params, residual (T x 1)
+% PATH      1 x k struct: iteration, params, residual (T x 1)
 %
 % Only the rows of the calibrated targets are minimised, in units of their
 % tolerance, a curve as one target; preference rows never take part.

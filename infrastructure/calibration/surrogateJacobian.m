@@ -1,10 +1,10 @@
 % SURROGATEJACOBIAN  Jacobian of the scaled residuals on the surrogates.
 %
-% CALL: J = surrogateJacobian (surrogates, problem, p)
-% CALL: [J, G] = surrogateJacobian (surrogates, problem, p)
+% CALL: J = surrogateJacobian (SURROGATES, PROBLEM, P)
+% CALL: [J, G] = surrogateJacobian (SURROGATES, PROBLEM, P)
 %
-% p  1 x d  parameter set
-% J  t x d  derivative of residual / tolerance (problem.part, in which a curve
+% P  1 x d  parameter set
+% J  t x d  derivative of residual / tolerance (PROBLEM.part, in which a curve
 %           counts as one target) of the t calibrated targets by
 %           the parameters in the unit box
 % G  t x d  the same of the standard deviation of the residual

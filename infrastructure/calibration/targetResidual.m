@@ -1,13 +1,13 @@
 % TARGETRESIDUAL  Residuals of the targets, and how they follow the results.
 %
-% CALL: [r, slope] = targetResidual (problem, P, Z)
+% CALL: [R, SLOPE] = targetResidual (PROBLEM, P, Z)
 %
-% problem  struct of newProblem
+% PROBLEM  struct of newProblem
 % P        n x d  parameter sets
 % Z        n x T  results
-% r        n x T  residual rows of the cost function (NaN where Z is NaN, or
+% R        n x T  residual rows of the cost function (NaN where Z is NaN, or
 %                 the target is not measured yet)
-% slope    n x T  derivative of each residual by its own result
+% SLOPE    n x T  derivative of each residual by its own result
 %
 % The published residual is computed for all rows at once; any other cost
 % function is called row by row and differentiated by a relative step of 1e-4.

@@ -4,14 +4,14 @@
 %
 %   OPTIM  scalar struct, the optim of loadInput
 %   N      number of models
-%   P      1 x n problems, see checkProblem
+%   P      1 x n faults, see checkFault
 %
 % Reasons: badCost costCount
 %
 % See also: checkOptim, nextTest
 
 function p = checkBenchCost (optim, n)
-  p = checkProblem ();
+  p = checkFault ();
   if ~isfield (optim, 'cost') || checkIs ('nothing', optim.cost)
     return
   end
@@ -20,12 +20,12 @@ function p = checkBenchCost (optim, n)
           'five times the usual.'];
   isGood = checkIs ('vector', cost) && all (cost > 0 & isfinite (cost));
   if ~isGood
-    p = checkProblem ('badCost', 'optim.cost', ...
-                      'numbers above 0, one a model', checkShow (cost), cure);
+    p = checkFault ('badCost', 'optim.cost', ...
+                    'numbers above 0, one a model', checkShow (cost), cure);
   elseif n > 0 && numel (cost) > n
-    p = checkProblem ('costCount', 'optim.cost', ...
-                      sprintf ('at most %d value(s), one a model', n), ...
-                      sprintf ('%d values', numel (cost)), cure);
+    p = checkFault ('costCount', 'optim.cost', ...
+                    sprintf ('at most %d value(s), one a model', n), ...
+                    sprintf ('%d values', numel (cost)), cure);
   end
 end
 

@@ -1,13 +1,13 @@
-% CHECKCASE  Finds all problems of a user's input before anything is run.
+% CHECKCASE  Finds all faults of a user's input before anything is run.
 %
-% CALL: PROBLEMS = checkCase (RAW)
-%       PROBLEMS = checkCase (RAW, 'noPrograms')
+% CALL: FAULTS = checkCase (RAW)
+%       FAULTS = checkCase (RAW, 'noPrograms')
 %
 %   RAW       what the user gave: a struct with the fields Input, optim,
 %             modelVars, assign, paramLims (as loadInput returns them), folder
 %             (case folder) and root (toolbox folder); anything else is a
-%             problem too
-%   PROBLEMS  1 x n struct array with the fields id ('DEcalioc:checkCase:...')
+%             fault too
+%   FAULTS    1 x n struct array with the fields id ('DEcalioc:checkCase:...')
 %             and message (what, where, expected, got, cure); empty where all
 %             is good
 %
@@ -17,23 +17,23 @@
 % the place for the runs is not looked at. docs/inputs.md has a table of the
 % identifiers.
 %
-% See also: newCase, checkProblem
+% See also: newCase, checkFault
 
-function problems = checkCase (raw, mode)
+function faults = checkCase (raw, mode)
   if nargin < 2
     mode = 'full';
   end
-  [problems, raw] = checkRaw (raw);
+  [faults, raw] = checkRaw (raw);
   if ~isempty (raw)
-    problems = [problems, attempt(@() checkAlone (raw)), ...
-                attempt(@() checkTogether (raw, mode))];
+    faults = [faults, attempt(@() checkAlone (raw)), ...
+              attempt(@() checkTogether (raw, mode))];
   end
-  if isempty (problems)
-    problems = checkProblem ();
+  if isempty (faults)
+    faults = checkFault ();
   end
 end
 
-% A fault of the checks themselves is a problem as well, not an exception.
+% An error in the checks themselves is a fault as well, not an exception.
 function p = attempt (check)
   try
     p = check ();
@@ -43,19 +43,19 @@ function p = attempt (check)
       where = sprintf (' (%s, line %d)', err.stack(1).name, ...
                        err.stack(1).line);
     end
-    p = checkProblem ('checkFailed', 'The input', ...
-                      'values that the checks understand', ...
-                      [err.message, where], ...
-                      'Compare loadInput.m with the one of the toolbox.');
+    p = checkFault ('checkFailed', 'The input', ...
+                    'values that the checks understand', ...
+                    [err.message, where], ...
+                    'Compare loadInput.m with the one of the toolbox.');
   end
 end
 
 % Parts that are not usable at all become [].
 function [p, raw] = checkRaw (raw)
-  p = checkProblem ();
+  p = checkFault ();
   if ~checkIs ('struct', raw)
-    p = checkProblem ('badRaw', 'The input', 'one struct', checkShow (raw), ...
-                      'Call loadCase, or newCase as its help says.');
+    p = checkFault ('badRaw', 'The input', 'one struct', checkShow (raw), ...
+                    'Call loadCase, or newCase as its help says.');
     raw = [];
     return
   end
@@ -76,21 +76,21 @@ function [p, raw] = checkRaw (raw)
 end
 
 function [p, raw] = checkPart (raw, name, isGood, expected)
-  p = checkProblem ();
+  p = checkFault ();
   cure = 'Compare loadInput.m with the one of the toolbox.';
   if ~isfield (raw, name)
-    p = checkProblem ('missingOutput', name, expected, 'nothing', cure);
+    p = checkFault ('missingOutput', name, expected, 'nothing', cure);
     raw.(name) = [];
   elseif ~isGood (raw.(name))
-    p = checkProblem ('notStruct', name, expected, ...
-                      checkShow (raw.(name)), cure);
+    p = checkFault ('notStruct', name, expected, ...
+                    checkShow (raw.(name)), cure);
     raw.(name) = [];
   end
 end
 
 % Checks that look at the values alone.
 function p = checkAlone (raw)
-  p = checkProblem ();
+  p = checkFault ();
   numOfSam = [];
   if isstruct (raw.Input)
     p = [p, checkInputFields(raw.Input)];
@@ -105,7 +105,7 @@ end
 
 % Checks that compare the values with files and with each other.
 function p = checkTogether (raw, mode)
-  p = checkProblem ();
+  p = checkFault ();
   models = checkFindModels (struct (), '', '', mode);
   if isstruct (raw.Input) && ischar (raw.folder) && ischar (raw.root)
     models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
@@ -184,7 +184,7 @@ function [names, fields, kinds] = variablesOf (raw)
 end
 
 function p = checkPlace (raw, models)
-  p = checkProblem ();
+  p = checkFault ();
   if ~ischar (raw.folder) || ~isstruct (raw.Input)
     return
   end

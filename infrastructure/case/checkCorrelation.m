@@ -4,7 +4,7 @@
 %
 %   OPTIM  scalar struct, the optim of loadInput
 %   SIZES  1 x M, targets of each model; [] where they make no sense
-%   P      1 x n problems, see checkProblem
+%   P      1 x n faults, see checkFault
 %
 % optim.correlation{k}: a length in the unit of `at` (results.csv), one number
 % or one a target (0 or NaN: independent), or 'estimate'; [] for none.
@@ -14,7 +14,7 @@
 % See also: checkTargetNumbers, measurementCovariance
 
 function p = checkCorrelation (optim, sizes)
-  p = checkProblem ();
+  p = checkFault ();
   if ~isfield (optim, 'correlation') || ...
       checkIs ('nothing', optim.correlation)
     return
@@ -24,16 +24,16 @@ function p = checkCorrelation (optim, sizes)
   cure = ['Write optim.correlation{1} = 2; (errors of model 1 are alike ' ...
           'over 2 units of at), or = ''estimate'';'];
   if ~iscell (value) || ~isvector (value)
-    p = checkProblem ('badCorrelation', field, 'a cell, one length a model', ...
-                      checkShow (value), cure);
+    p = checkFault ('badCorrelation', field, 'a cell, one length a model', ...
+                    checkShow (value), cure);
     return
   end
   for k = find (~cellfun (@isLength, value(:)'))
-    p(end + 1) = checkProblem ('badCorrelation', ...
-                               sprintf ('%s{%d}', field, k), ...
-                               ['finite numbers from 0 (NaN: ' ...
-                                'independent), or ''estimate'''], ...
-                               checkShow (value{k}), cure);
+    p(end + 1) = checkFault ('badCorrelation', ...
+                             sprintf ('%s{%d}', field, k), ...
+                             ['finite numbers from 0 (NaN: ' ...
+                              'independent), or ''estimate'''], ...
+                             checkShow (value{k}), cure);
   end
   if isempty (p) && ~isempty (sizes)
     p = checkCount (value(:)', sizes, field, cure);
@@ -46,15 +46,15 @@ function yes = isLength (v)
 end
 
 function p = checkCount (value, sizes, field, cure)
-  p = checkProblem ();
+  p = checkFault ();
   given = cellfun (@numel, value);
   given(cellfun (@ischar, value)) = 1;
   n = numel (given);
   if n > numel (sizes) || any (given > 1 & given ~= sizes(1:n))
-    p = checkProblem ('correlationCount', field, ...
-                      sprintf (['at most %d cell(s), in each one length or ' ...
-                                'as many as targets: %s'], numel (sizes), ...
-                               checkShow (sizes)), checkShow (given), cure);
+    p = checkFault ('correlationCount', field, ...
+                    sprintf (['at most %d cell(s), in each one length or ' ...
+                              'as many as targets: %s'], numel (sizes), ...
+                             checkShow (sizes)), checkShow (given), cure);
   end
 end
 

@@ -5,12 +5,12 @@
 %   S       scalar struct
 %   PREFIX  how the user writes it, e.g. 'Input' (text)
 %   KNOWN   cell of the names of all fields that are read
-%   P       1 x n problems, see checkProblem
+%   P       1 x n faults, see checkFault
 %
 % See also: checkCase, checkNearest
 
 function p = checkFields (s, prefix, known)
-  p = checkProblem ();
+  p = checkFault ();
   unknown = fieldnames (s)';
   unknown = unknown(~ismember (unknown, known));
   for k = 1:numel (unknown)
@@ -18,10 +18,10 @@ function p = checkFields (s, prefix, known)
     if isempty (cure)
       cure = 'Take it out; docs/inputs.md lists all fields.';
     end
-    p(end + 1) = checkProblem ('unknownField', ...
-                               [prefix, '.', unknown{k}], ...
-                               sprintf ('one of the fields of %s', prefix), ...
-                               'a field that nothing reads', cure);
+    p(end + 1) = checkFault ('unknownField', ...
+                             [prefix, '.', unknown{k}], ...
+                             sprintf ('one of the fields of %s', prefix), ...
+                             'a field that nothing reads', cure);
   end
 end
 

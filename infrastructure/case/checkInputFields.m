@@ -3,7 +3,7 @@
 % CALL: P = checkInputFields (INPUT)
 %
 %   INPUT  scalar struct, the Input of loadInput
-%   P      1 x n problems, see checkProblem
+%   P      1 x n faults, see checkFault
 %
 % Reasons: unknownField missingField badModelList unsafeName duplicateModel
 % badCpu cpuCount badMaxCPU tooFewCPU badNumOfSam badSeed badMaxNewRuns
@@ -32,12 +32,12 @@ function p = checkInputFields (Input)
 end
 
 function p = checkModelList (Input)
-  p = checkProblem ();
+  p = checkFault ();
   cure = 'Write Input.model{1} = ''Lift100''; with the name of your model.';
   expected = 'a cell of names of folders in DEMmodels';
   if ~isfield (Input, 'model')
-    p = checkProblem ('missingField', 'Input.model', expected, 'nothing', ...
-                      cure);
+    p = checkFault ('missingField', 'Input.model', expected, 'nothing', ...
+                    cure);
     return
   end
   names = Input.model;
@@ -45,8 +45,8 @@ function p = checkModelList (Input)
     names = {names};
   end
   if ~iscell (names) || isempty (names) || ~isvector (names)
-    p = checkProblem ('badModelList', 'Input.model', expected, ...
-                      checkShow (names), cure);
+    p = checkFault ('badModelList', 'Input.model', expected, ...
+                    checkShow (names), cure);
     return
   end
   isText = cellfun (@(n) checkIs ('text', n), names);
@@ -56,61 +56,61 @@ function p = checkModelList (Input)
 end
 
 function p = checkModelName (name, k, earlier)
-  p = checkProblem ();
+  p = checkFault ();
   field = sprintf ('Input.model{%d}', k);
   if ~checkIs ('text', name)
-    p = checkProblem ('badModelList', field, 'the name of a folder', ...
-                      checkShow (name), ...
-                      'Write the name of a folder in DEMmodels.');
+    p = checkFault ('badModelList', field, 'the name of a folder', ...
+                    checkShow (name), ...
+                    'Write the name of a folder in DEMmodels.');
   elseif ~checkFolderName (name)
-    p = checkProblem ('unsafeName', field, ...
-                      ['a plain folder name (letters, digits, _ - + . and ' ...
-                       'no dot or minus first)'], checkShow (name), ...
-                      'Rename the folder in DEMmodels and write that name.');
+    p = checkFault ('unsafeName', field, ...
+                    ['a plain folder name (letters, digits, _ - + . and ' ...
+                     'no dot or minus first)'], checkShow (name), ...
+                    'Rename the folder in DEMmodels and write that name.');
   elseif any (strcmp (name, earlier))
-    p = checkProblem ('duplicateModel', field, 'another model', ...
-                      sprintf ('%s a second time', checkShow (name)), ...
-                      ['Name each model once; a second use needs a copy of ' ...
-                       'its folder.']);
+    p = checkFault ('duplicateModel', field, 'another model', ...
+                    sprintf ('%s a second time', checkShow (name)), ...
+                    ['Name each model once; a second use needs a copy of ' ...
+                     'its folder.']);
   end
 end
 
 function p = checkCpu (Input)
-  p = checkProblem ();
+  p = checkFault ();
   cure = 'Set Input.cpu(k) to the CPUs that one run of model k takes.';
   if ~isfield (Input, 'cpu')
-    p = checkProblem ('missingField', 'Input.cpu', 'one integer a model', ...
-                      'nothing', cure);
+    p = checkFault ('missingField', 'Input.cpu', 'one integer a model', ...
+                    'nothing', cure);
     return
   end
   cpu = Input.cpu;
   if ~checkIs ('vector', cpu) || ~all (cpu >= 1 & cpu <= 1e6) || ...
       ~all (cpu == fix (cpu))
-    p = checkProblem ('badCpu', 'Input.cpu', 'integers from 1', ...
-                      checkShow (cpu), cure);
+    p = checkFault ('badCpu', 'Input.cpu', 'integers from 1', ...
+                    checkShow (cpu), cure);
     return
   end
   nModels = countModels (Input);
   if nModels > 0 && numel (cpu) ~= nModels
-    p = checkProblem ('cpuCount', 'Input.cpu', ...
-                      sprintf ('%d value(s), one a model', nModels), ...
-                      sprintf ('%d value(s)', numel (cpu)), cure);
+    p = checkFault ('cpuCount', 'Input.cpu', ...
+                    sprintf ('%d value(s), one a model', nModels), ...
+                    sprintf ('%d value(s)', numel (cpu)), cure);
   end
   p = [p, checkEnough(Input, cpu)];
 end
 
 function p = checkEnough (Input, cpu)
-  p = checkProblem ();
+  p = checkFault ();
   if ~isfield (Input, 'maxCPU') || ~checkIs ('integer', Input.maxCPU) || ...
       Input.maxCPU < 1
     return
   end
   [most, k] = max (double (cpu));
   if Input.maxCPU < most
-    p = checkProblem ('tooFewCPU', 'Input.maxCPU', ...
-                      sprintf ('at least Input.cpu(%d) = %d', k, most), ...
-                      checkShow (Input.maxCPU), ...
-                      'Raise Input.maxCPU or lower Input.cpu.');
+    p = checkFault ('tooFewCPU', 'Input.maxCPU', ...
+                    sprintf ('at least Input.cpu(%d) = %d', k, most), ...
+                    checkShow (Input.maxCPU), ...
+                    'Raise Input.maxCPU or lower Input.cpu.');
   end
 end
 
@@ -124,7 +124,7 @@ function n = countModels (Input)
 end
 
 function p = checkTimeout (Input)
-  p = checkProblem ();
+  p = checkFault ();
   if ~isfield (Input, 'timeout') || checkIs ('nothing', Input.timeout)
     return
   end
@@ -132,33 +132,33 @@ function p = checkTimeout (Input)
   cure = ['Set Input.timeout(k) to the seconds after which a run of model ' ...
           'k is ended, or leave it out.'];
   if ~checkIs ('vector', t) || any (isinf (t)) || any (t <= 0)
-    p = checkProblem ('badTimeout', 'Input.timeout', ...
-                      'seconds above 0 (NaN: the default rule)', ...
-                      checkShow (t), cure);
+    p = checkFault ('badTimeout', 'Input.timeout', ...
+                    'seconds above 0 (NaN: the default rule)', ...
+                    checkShow (t), cure);
   elseif countModels (Input) > 0 && numel (t) > countModels (Input)
-    p = checkProblem ('timeoutCount', 'Input.timeout', ...
-                      sprintf ('at most %d value(s), one a model', ...
-                               countModels (Input)), ...
-                      sprintf ('%d values', numel (t)), cure);
+    p = checkFault ('timeoutCount', 'Input.timeout', ...
+                    sprintf ('at most %d value(s), one a model', ...
+                             countModels (Input)), ...
+                    sprintf ('%d values', numel (t)), cure);
   end
 end
 
 function p = checkBudget (Input)
-  p = checkProblem ();
+  p = checkFault ();
   if ~isfield (Input, 'maxNewRuns') || checkIs ('nothing', Input.maxNewRuns)
     return
   end
   n = Input.maxNewRuns;
   if ~isequal (n, Inf) && (~checkIs ('integer', n) || n < 0)
-    p = checkProblem ('badMaxNewRuns', 'Input.maxNewRuns', ...
-                      'an integer from 0, or Inf', checkShow (n), ...
-                      'Leave it out where the number of runs has no limit.');
+    p = checkFault ('badMaxNewRuns', 'Input.maxNewRuns', ...
+                    'an integer from 0, or Inf', checkShow (n), ...
+                    'Leave it out where the number of runs has no limit.');
   end
 end
 
 % An executor may have fields in Input.<its name>, which it checks itself.
 function [names, p] = checkExecutorFields (Input)
-  p = checkProblem ();
+  p = checkFault ();
   names = cell (1, 0);
   for name = executorNames ()
     check = describeExecutor (name{1}).check;
@@ -172,35 +172,35 @@ function [names, p] = checkExecutorFields (Input)
 end
 
 function p = checkExecutor (Input)
-  p = checkProblem ();
+  p = checkFault ();
   executors = executorNames ();
   if ~isfield (Input, 'executor') || checkIs ('nothing', Input.executor)
     return
   end
   name = Input.executor;
   if ~checkIs ('text', name) || ~any (strcmp (name, executors))
-    p = checkProblem ('badExecutor', 'Input.executor', ...
-                      ['one of ', strjoin(executors, ', ')], ...
-                      checkShow (name), ...
-                      'Leave it out to run on this machine.');
+    p = checkFault ('badExecutor', 'Input.executor', ...
+                    ['one of ', strjoin(executors, ', ')], ...
+                    checkShow (name), ...
+                    'Leave it out to run on this machine.');
     return
   end
   program = describeExecutor (name).program;
   if ~isempty (program) && isempty (file_in_path (getenv ('PATH'), program))
-    p = checkProblem ('missingProgram', 'Input.executor', ...
-                      sprintf ('a program %s on the PATH', program), 'none', ...
-                      ['Start on a machine of the cluster, or leave it out ' ...
-                       'to run here.']);
+    p = checkFault ('missingProgram', 'Input.executor', ...
+                    sprintf ('a program %s on the PATH', program), 'none', ...
+                    ['Start on a machine of the cluster, or leave it out ' ...
+                     'to run here.']);
   end
 end
 
 function p = checkStoreName (Input)
-  p = checkProblem ();
+  p = checkFault ();
   if isfield (Input, 'store') && ~checkIs ('nothing', Input.store) && ...
       ~(checkIs ('text', Input.store) && numel (Input.store) < 1024)
-    p = checkProblem ('badStore', 'Input.store', 'the path of a folder', ...
-                      checkShow (Input.store), ...
-                      'Leave it out to keep the runs in the case folder.');
+    p = checkFault ('badStore', 'Input.store', 'the path of a folder', ...
+                    checkShow (Input.store), ...
+                    'Leave it out to keep the runs in the case folder.');
   end
 end
 

@@ -3,7 +3,7 @@
 % CALL: P = checkOptim (OPTIM)
 %
 %   OPTIM  scalar struct, the optim of loadInput
-%   P      1 x n problems, see checkProblem
+%   P      1 x n faults, see checkFault
 %
 % Reasons: unknownField badTolfun badMaxIter badMaxFunEvals badWRL
 % badConfidence badMethod
@@ -30,14 +30,14 @@ function p = checkOptim (optim)
 end
 
 function p = checkMethod (optim)
-  p = checkProblem ();
+  p = checkFault ();
   if isfield (optim, 'method') && ~checkIs ('nothing', optim.method) && ...
       ~(checkIs ('text', optim.method) && ...
         any (strcmp (optim.method, {'robust', 'published'})))
-    p = checkProblem ('badMethod', 'optim.method', ...
-                      '''robust'' or ''published''', ...
-                      checkShow (optim.method), ...
-                      'Leave it out for ''robust''.');
+    p = checkFault ('badMethod', 'optim.method', ...
+                    '''robust'' or ''published''', ...
+                    checkShow (optim.method), ...
+                    'Leave it out for ''robust''.');
   end
 end
 

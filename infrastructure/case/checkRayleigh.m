@@ -6,7 +6,7 @@
 %   MODELVARS  scalar struct of model variables
 %   ASSIGN     1 x d cell of names
 %   MODELS     1 x M struct array, see checkFindModels
-%   P          1 x n problems, see checkProblem
+%   P          1 x n faults, see checkFault
 %
 % Radius, density, Young's modulus and Poisson's ratio must be among the model
 % or the design variables where optim.WRL > 0, or where percentRayleigh is one
@@ -19,7 +19,7 @@
 % See also: getRayleigh, assignParams
 
 function p = checkRayleigh (optim, modelVars, assign, models)
-  p = checkProblem ();
+  p = checkFault ();
   isText = cellfun (@(a) checkIs ('text', a), assign);
   given = [fieldnames(modelVars)', assign(isText)];
   isWished = isfield (optim, 'WRL') && checkIs ('number', optim.WRL) && ...
@@ -35,9 +35,9 @@ function p = checkRayleigh (optim, modelVars, assign, models)
   end
   for k = find (~ismember (needed, given))
     name = needed{k};
-    p(end + 1) = checkProblem ('missingRayleigh', ['modelVars.', name], ...
-                               'a number, or a design variable', ...
-                               'neither', cure (name, models));
+    p(end + 1) = checkFault ('missingRayleigh', ['modelVars.', name], ...
+                             'a number, or a design variable', ...
+                             'neither', cure (name, models));
   end
 end
 

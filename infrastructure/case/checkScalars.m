@@ -7,27 +7,27 @@
 %   RULES   n x 7 cell, one row a field: name, reason, low, high, kind
 %           ('integer', 'number' or 'open': between the limits, limits
 %           excluded), needed (true or false), cure (text)
-%   P       1 x m problems, see checkProblem
+%   P       1 x m faults, see checkFault
 %
 % A field that is not needed may be missing or empty.
 %
 % See also: checkInputFields, checkOptim
 
 function p = checkScalars (s, prefix, rules)
-  p = checkProblem ();
+  p = checkFault ();
   for k = 1:size (rules, 1)
     p = [p, checkOne(s, prefix, rules(k, :))];
   end
 end
 
 function p = checkOne (s, prefix, rule)
-  p = checkProblem ();
+  p = checkFault ();
   [name, reason, low, high, kind, needed, cure] = rule{:};
   field = [prefix, '.', name];
   if ~isfield (s, name)
     if needed
-      p = checkProblem ('missingField', field, expected (low, high, kind), ...
-                        'nothing', cure);
+      p = checkFault ('missingField', field, expected (low, high, kind), ...
+                      'nothing', cure);
     end
     return
   end
@@ -36,8 +36,8 @@ function p = checkOne (s, prefix, rule)
     return
   end
   if ~isInside (value, low, high, kind)
-    p = checkProblem (reason, field, expected (low, high, kind), ...
-                      checkShow (value), cure);
+    p = checkFault (reason, field, expected (low, high, kind), ...
+                    checkShow (value), cure);
   end
 end
 

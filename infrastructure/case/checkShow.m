@@ -7,7 +7,7 @@
 %
 % Never throws.
 %
-% See also: checkProblem
+% See also: checkFault
 
 function text = checkShow (value)
   try

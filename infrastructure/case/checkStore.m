@@ -6,7 +6,7 @@
 %   FOLDER  case folder (text)
 %   MODELS  1 x M struct array, see checkFindModels
 %   NRUNS   number of runs of each model that may be made
-%   P       1 x n problems, see checkProblem
+%   P       1 x n faults, see checkFault
 %
 % Space needed: 20 MB, and for each run the size of the model's folder and
 % 0.1 MB of output.
@@ -30,25 +30,25 @@ function p = checkStore (store, folder, models, nRuns)
   end
   need = 20 + nRuns * (used + 0.1 * numel (models));
   if free < need
-    p = checkProblem ('diskSpace', 'Input.store', ...
-                      sprintf ('%.0f MB of free space in %s for %d runs', ...
-                               need, there, nRuns), ...
-                      sprintf ('%.0f MB', free), ...
-                      ['Free some space, set Input.store to another disk, ' ...
-                       'or lower Input.numOfSam.']);
+    p = checkFault ('diskSpace', 'Input.store', ...
+                    sprintf ('%.0f MB of free space in %s for %d runs', ...
+                             need, there, nRuns), ...
+                    sprintf ('%.0f MB', free), ...
+                    ['Free some space, set Input.store to another disk, ' ...
+                     'or lower Input.numOfSam.']);
   else
-    p = checkProblem ();
+    p = checkFault ();
   end
 end
 
 function p = checkFolder (there, isOpen, field, reason, cure)
-  p = checkProblem ();
+  p = checkFault ();
   if ~isfolder (there)
-    p = checkProblem ('badStore', field, 'a folder', ...
-                      sprintf ('the file %s', there), cure);
+    p = checkFault ('badStore', field, 'a folder', ...
+                    sprintf ('the file %s', there), cure);
   elseif ~isOpen
-    p = checkProblem (reason, field, 'a folder that can be written to', ...
-                      sprintf ('no permission for %s', there), cure);
+    p = checkFault (reason, field, 'a folder that can be written to', ...
+                    sprintf ('no permission for %s', there), cure);
   end
 end
 

@@ -4,7 +4,7 @@
 %
 %   OPTIM  scalar struct, the optim of loadInput
 %   SIZES  1 x M, targets of each model; [] where they make no sense
-%   P      1 x n problems, see checkProblem
+%   P      1 x n faults, see checkFault
 %
 % optim.tolRes (relative) is needed: {k}(i), a column of all, or one number
 % for all. optim.targetStd (unit of the target) may be missing, also for some
@@ -19,8 +19,8 @@
 function p = checkTargetNumbers (optim, sizes)
   cure = 'Write optim.tolRes{1}(1) = 0.01; and so on (0.01 is one percent).';
   if ~isfield (optim, 'tolRes')
-    p = checkProblem ('missingField', 'optim.tolRes', ...
-                      'one tolerance a target', 'nothing', cure);
+    p = checkFault ('missingField', 'optim.tolRes', ...
+                    'one tolerance a target', 'nothing', cure);
   else
     rule = struct ('name', 'tolRes', 'reason', 'badTolRes', ...
                    'expected', 'a number between 0 and 1', 'cure', cure, ...
@@ -51,15 +51,15 @@ function p = checkOne (value, rule, sizes)
   field = ['optim.', rule.name];
   [values, fields, given] = checkElements (value, field);
   if isempty (given)
-    p = checkProblem (rule.reason, field, ...
-                      'a cell of numbers, {k}(i) for target i of model k', ...
-                      checkShow (value), rule.cure);
+    p = checkFault (rule.reason, field, ...
+                    'a cell of numbers, {k}(i) for target i of model k', ...
+                    checkShow (value), rule.cure);
     return
   end
-  p = checkProblem ();
+  p = checkFault ();
   for i = find (~rule.isGood (values))
-    p(end + 1) = checkProblem (rule.reason, fields{i}, rule.expected, ...
-                               checkShow (values(i)), rule.cure);
+    p(end + 1) = checkFault (rule.reason, fields{i}, rule.expected, ...
+                             checkShow (values(i)), rule.cure);
   end
   if ~isempty (sizes)
     p = [p, checkCount(iscell (value), given, rule, sizes)];
@@ -67,7 +67,7 @@ function p = checkOne (value, rule, sizes)
 end
 
 function p = checkCount (isCell, given, rule, sizes)
-  p = checkProblem ();
+  p = checkFault ();
   if isCell && rule.optional
     given(end + 1:numel (sizes)) = 0;
     sizes(given(1:numel (sizes)) == 0) = 0;
@@ -81,10 +81,10 @@ function p = checkCount (isCell, given, rule, sizes)
     fits = given == sum (sizes) || (given == 1 && rule.forAll);
   end
   if ~fits
-    p = checkProblem ([rule.name, 'Count'], ['optim.', rule.name], ...
-                      sprintf ('as many values as targets: %s', ...
-                               checkShow (sizes)), ...
-                      checkShow (given), rule.cure);
+    p = checkFault ([rule.name, 'Count'], ['optim.', rule.name], ...
+                    sprintf ('as many values as targets: %s', ...
+                             checkShow (sizes)), ...
+                    checkShow (given), rule.cure);
   end
 end
 

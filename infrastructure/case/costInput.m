@@ -1,11 +1,11 @@
 % COSTINPUT  What a cost function needs of the case.
 %
-% CALL: given = costInput (handedOn)
+% CALL: GIVEN = costInput (HANDEDON)
 %
-% handedOn  cell: what costFunction was handed besides the set and the
+% HANDEDON  cell: what costFunction was handed besides the set and the
 %           evaluate function. DEcalioc hands on its case (see newCase); where
 %           no cell is one, loadInput.m of the current folder is read
-% given     struct: value T x 1 (measured, in the order of the results that a
+% GIVEN     struct: value T x 1 (measured, in the order of the results that a
 %           cost function gets; NaN: not measured yet), scale T x 1 (what a
 %           residual is divided by: the value, or 1 where the tolerance is
 %           absolute), modelVars, names 1 x d cell, limits 2 x d, WRL (scalar,

@@ -5,8 +5,8 @@
 %   NAME  name of the executor: Input.executor, and the file execute<Name>.m
 %         (text)
 %   WHAT  scalar struct:
-%     check    handle P = check (GIVEN): problems of Input.<name>, see
-%              checkProblem; [] where the executor has no fields of its own
+%     check    handle P = check (GIVEN): faults of Input.<name>, see
+%              checkFault; [] where the executor has no fields of its own
 %     program  program that must be on the PATH, '' = none
 %     isHere   logical: the runs are made on this machine
 %     sets     handle N = sets (OPTIONS): parameter sets that the calibration

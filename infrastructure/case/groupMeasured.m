@@ -1,14 +1,15 @@
 % GROUPMEASURED  Makes targets of the lines of measured.csv.
 %
-% CALL: [GROUPS, PROBLEMS] = groupMeasured (LIST)
+% CALL: [GROUPS, FAULTS] = groupMeasured (LIST, MODELS)
 %
 %   LIST      struct array of readMeasured
+%   MODELS    cell of the names of the models
 %   GROUPS    1 x T struct, sorted by model, else in the order of the table:
 %             line (first one), model, name (of the target), result (name of
 %             the result or curve), series, at, unit, value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
 %             isAbsolute, curve (number of its series, 0: none)
-%   PROBLEMS  1 x p problems, see checkProblem
+%   FAULTS    1 x p faults, see checkFault
 %
 % Lines with the same model, name, series and at are repeated trials. Their
 % value is the mean; its standard uncertainty is t s / sqrt (n), s the standard
@@ -16,14 +17,15 @@
 % with n - 1 degrees of freedom (GUM, type A; few trials know their own scatter
 % badly), joined with the sd of the lines, which is what they have in common.
 % The value of a point of a curve is named <name or series>@<at>, unless the
-% name stands in one place only.
+% name stands in one place only. Where several models have a target of one name,
+% it is <model>_<name>: a name is a column of runs.csv.
 %
 % Reasons: measuredRepeats
 %
 % See also: readMeasured, newTargets
 
-function [groups, p] = groupMeasured (list)
-  p = checkProblem ();
+function [groups, p] = groupMeasured (list, models)
+  p = checkFault ();
   keys = cell (1, numel (list));
   for k = 1:numel (list)
     keys{k} = sprintf ('%d|%s|%s|%.12g', list(k).model, list(k).name, ...
@@ -37,12 +39,22 @@ function [groups, p] = groupMeasured (list)
     groups = [groups, oneTarget(own, list)];
   end
   [~, order] = sort ([groups.model]);
-  groups = groups(order);
+  groups = distinctNames (groups(order), models);
   series = arrayfun (@(g) sprintf ('%d|%s', g.model, g.series), groups, ...
                      'UniformOutput', false);
   [~, number] = inOrder (series);
   number = num2cell (number(:)' .* ~cellfun (@isempty, {groups.series}));
   [groups.curve] = number{:};
+end
+
+function groups = distinctNames (groups, models)
+  names = {groups.name};
+  of = [groups.model];
+  for k = 1:numel (groups)
+    if of(k) > 0 && any (strcmp (names, names{k}) & of ~= of(k))
+      groups(k).name = [models{of(k)}, '_', names{k}];
+    end
+  end
 end
 
 % First place of each text, and which of them every one is.
@@ -54,18 +66,18 @@ function [first, which] = inOrder (texts)
 end
 
 function p = checkAlike (own)
-  p = checkProblem ();
+  p = checkFault ();
   for field = {'role', 'tol', 'isAbsolute', 'unit'}
     for k = 2:numel (own)
       value = own(k).(field{1});
       isFree = isempty (value) || (isnumeric (value) && isnan (value));
       if ~isFree && ~isequaln (value, own(1).(field{1}))
         where = sprintf ('measured.csv, line %d, %s', own(k).line, field{1});
-        p(end + 1) = checkProblem ('measuredRepeats', where, ...
-                                   sprintf (['what line %d has: it is the ' ...
-                                             'same quantity'], own(1).line), ...
-                                   checkShow (value), ...
-                                   'Give it once, or alike in every trial.');
+        p(end + 1) = checkFault ('measuredRepeats', where, ...
+                                 sprintf (['what line %d has: it is the ' ...
+                                           'same quantity'], own(1).line), ...
+                                 checkShow (value), ...
+                                 'Give it once, or alike in every trial.');
       end
     end
   end
@@ -132,20 +144,21 @@ end
 %! % three trials: t = 1.32 for two degrees of freedom
 %! list = repmat (line, 1, 3);
 %! [list.value] = deal (1, 2, 3);
-%! [g, p] = groupMeasured (list);
+%! [g, p] = groupMeasured (list, {'A', 'B'});
 %! assert (isempty (p));
 %! assert ([g.value, g.trials], [2, 3]);
 %! assert (g.sd, 1.32 / sqrt (3), 2e-3);
 %! assert (g.scatter);
 %! [list.sd] = deal (0.5);
-%! assert (groupMeasured (list).sd, hypot (1.32 / sqrt (3), 0.5), 2e-3);
+%! g = groupMeasured (list, {'A', 'B'});
+%! assert (g.sd, hypot (1.32 / sqrt (3), 0.5), 2e-3);
 %!test
 %! % a mean that was typed in, and one that is not measured yet
 %! list = [line, line];
 %! list(1).repeats = 5;
 %! list(2).name = 'b';
 %! list(2).value = NaN;
-%! g = groupMeasured (list);
+%! g = groupMeasured (list, {'A', 'B'});
 %! assert ([g.trials], [5, 1]);
 %! assert ([g.scatter], [false, false]);
 %! assert ({g.role}, {'calibrate', 'unmeasured'});
@@ -156,17 +169,17 @@ end
 %! [list.series] = deal ('w');
 %! [list.at] = deal (1, 2, 1, 2);
 %! [list.name] = deal ('', '', 'r1', 'r2');
-%! g = groupMeasured (list);
+%! g = groupMeasured (list, {'A', 'B'});
 %! assert ({g.name}, {'w@1', 'w@2', 'r1', 'r2'});
 %! assert ({g.result}, {'w', 'w', 'r1', 'r2'});
 %! assert ([g.curve], [1, 1, 1, 1]);
 %!test
 %! list = [line, line];
 %! list(2).tol = 0.2;
-%! [~, p] = groupMeasured (list);
+%! [~, p] = groupMeasured (list, {'A', 'B'});
 %! assert (p.id, 'DEcalioc:checkCase:measuredRepeats');
 %! list(2).tol = NaN;
 %! list(2).model = 0;
-%! [g, p] = groupMeasured (list);
+%! [g, p] = groupMeasured (list, {'A', 'B'});
 %! assert (isempty (p));
 %! assert ([g.model], [0, 1]);

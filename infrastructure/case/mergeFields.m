@@ -1,9 +1,9 @@
 % MERGEFIELDS  Fields of one struct put over those of another.
 %
-% CALL: s = mergeFields (s, given)
+% CALL: S = mergeFields (S, GIVEN)
 %
-% s      scalar struct: the defaults, or what there is
-% given  scalar struct; each of its fields takes the place of that of s
+% S      scalar struct: the defaults, or what there is
+% GIVEN  scalar struct; each of its fields takes the place of that of s
 %
 % See also: newProblem, fitSurrogate
 

@@ -8,7 +8,7 @@
 %   CASE  scalar struct; its fields are described in docs/data.md. It has no
 %         effects yet: withEffects adds them
 %
-% checkCase looks at RAW first. Its problems are raised together, as one
+% checkCase looks at RAW first. Its faults are raised together, as one
 % error under the identifier of the first.
 %
 % Defaults: Input.seed 1, Input.executor 'local', Input.maxNewRuns Inf,
@@ -24,9 +24,9 @@
 % See also: loadCase, checkCase, newTargets, withEffects
 
 function Case = newCase (raw)
-  problems = checkCase (raw);
-  if ~isempty (problems)
-    error (problems(1).id, '%s', listProblems (problems));
+  faults = checkCase (raw);
+  if ~isempty (faults)
+    error (faults(1).id, '%s', listFaults (faults));
   end
   Input = raw.Input;
   Case.root = raw.root;
@@ -56,11 +56,11 @@ function Case = newCase (raw)
   end
 end
 
-function text = listProblems (problems)
-  lines = arrayfun (@(p) ['  - ', p.message], problems(:)', ...
+function text = listFaults (faults)
+  lines = arrayfun (@(p) ['  - ', p.message], faults(:)', ...
                     'UniformOutput', false);
   text = sprintf ('%d problem(s) in the input, nothing has been run:\n%s', ...
-                  numel (problems), strjoin (lines, "\n"));
+                  numel (faults), strjoin (lines, "\n"));
 end
 
 function models = newModels (raw)

@@ -19,7 +19,8 @@ function targets = newTargets (optim, models, folder)
 end
 
 function targets = fromTable (file, optim, models)
-  groups = groupMeasured (readMeasured (file, {models.name}));
+  names = {models.name};
+  groups = groupMeasured (readMeasured (file, names), names);
   counts = arrayfun (@(k) sum ([groups.model] == k), 1:numel (models));
   lengths = asLengths (givenField (optim, 'correlation', {}));
   lengths = perTarget (lengths, counts, -1);
@@ -136,6 +137,16 @@ end
 %! assert ([t.trials], [1, 1, 2, 1]);
 %! assert ({t.role}, {'calibrate', 'unmeasured', 'calibrate', 'calibrate'});
 %! assert ([t.correlation], [NaN, NaN, 0, 0]);
+%!test
+%! % a name that both models have is told apart, the result is not
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'measured.csv'), ...
+%!              "model,name,value,tol\nA,slope,3,0.1\nB,slope,4,0.1\n");
+%! t = newTargets (struct (), models, folder);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! assert ({t.name}, {'A_slope', 'B_slope'});
+%! assert ({t.result}, {'slope', 'slope'});
 %!test
 %! % the cells of optim give the same fields
 %! t = newTargets (struct ('targetVal', {{[1, 2], 3}}, 'tolRes', 0.1), ...

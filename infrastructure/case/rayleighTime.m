@@ -1,12 +1,12 @@
 % RAYLEIGHTIME  Rayleigh time of spheres.
 %
-% CALL: t = rayleighTime (r, rho, E, nu)
+% CALL: T = rayleighTime (R, RHO, E, NU)
 %
-% r    radius (m)                 all four: scalars or arrays of one size
-% rho  density (kg/m3)
+% R    radius (m)                 all four: scalars or arrays of one size
+% RHO  density (kg/m3)
 % E    Young's modulus (Pa)
-% nu   Poisson's ratio (-)
-% t    Rayleigh time (s) = pi r sqrt (rho / G) / (0.1631 nu + 0.8766), with the
+% NU   Poisson's ratio (-)
+% T    Rayleigh time (s) = pi r sqrt (rho / G) / (0.1631 nu + 0.8766), with the
 %      shear modulus G = E / (2 (1 + nu))
 %
 % Source: the user document of DEcalioc (2017), section 4.3.

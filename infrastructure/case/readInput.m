@@ -1,11 +1,11 @@
 % READINPUT  Reads the user's loadInput.m.
 %
-% CALL: raw = readInput ()
-% CALL: raw = readInput (root, folder)
+% CALL: RAW = readInput ()
+% CALL: RAW = readInput (ROOT, FOLDER)
 %
-% root    folder of the toolbox (text, default: the one of this file)
-% folder  case folder (text, default pwd)
-% raw     struct: Input, optim, modelVars, assign, paramLims (the five outputs,
+% ROOT    folder of the toolbox (text, default: the one of this file)
+% FOLDER  case folder (text, default pwd)
+% RAW     struct: Input, optim, modelVars, assign, paramLims (the five outputs,
 %         as published), root, folder
 %
 % Nothing else calls loadInput, which is the file of the case folder or else of

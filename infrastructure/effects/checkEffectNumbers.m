@@ -4,7 +4,7 @@
 %
 %   EFFECT  scalar struct, one effect of loadEffects
 %   FIELD   how the user writes it, e.g. 'effects(2).' (text)
-%   P       1 x n problems, see checkProblem
+%   P       1 x n faults, see checkFault
 %
 % Reasons: missingField effectVariables effectTransform reservedName
 % neutralShape effectLimitsShape effectLimits
@@ -20,7 +20,7 @@ function p = checkEffectNumbers (effect, field)
 end
 
 function [p, v] = checkNames (effect, field)
-  p = checkProblem ();
+  p = checkFault ();
   v = 1;
   expected = 'a cell of names of variables of data.head';
   cure = 'Write for example {''cohesionPP''}.';
@@ -29,62 +29,62 @@ function [p, v] = checkNames (effect, field)
     return
   end
   if ~isfield (effect, 'variables')
-    p = checkProblem ('missingField', field, expected, 'nothing', cure);
+    p = checkFault ('missingField', field, expected, 'nothing', cure);
     return
   end
   names = effect.variables;
   if ~iscell (names) || ~isrow (names) || ...
       ~all (cellfun (@(n) checkIs ('name', n), names))
-    p = checkProblem ('effectVariables', field, expected, ...
-                      checkShow (names), cure);
+    p = checkFault ('effectVariables', field, expected, ...
+                    checkShow (names), cure);
     return
   end
   v = numel (names);
   reserved = names(ismember (names, {'RLTS', 'SIMTS', 'runSeed'}));
   if ~isempty (reserved)
-    p = checkProblem ('reservedName', field, ...
-                      'a variable that DEcalioc does not set itself', ...
-                      reserved{1}, 'Take it out.');
+    p = checkFault ('reservedName', field, ...
+                    'a variable that DEcalioc does not set itself', ...
+                    reserved{1}, 'Take it out.');
   end
 end
 
 function p = checkTransform (effect, field)
-  p = checkProblem ();
+  p = checkFault ();
   if ~isfield (effect, 'transform') || ~is_function_handle (effect.transform)
-    p = checkProblem ('effectTransform', field, ...
-                      ['a function handle Z = f (Z, strength, info), for ' ...
-                       'the effect acts on results'], 'none', ...
-                      'Take effectGain.m of the toolbox as a pattern.');
+    p = checkFault ('effectTransform', field, ...
+                    ['a function handle Z = f (Z, strength, info), for ' ...
+                     'the effect acts on results'], 'none', ...
+                    'Take effectGain.m of the toolbox as a pattern.');
   end
 end
 
 function p = checkNeutral (effect, field, v)
-  p = checkProblem ();
+  p = checkFault ();
   expected = sprintf ('a row of %d finite number(s), one a variable', v);
   cure = 'Set the values that switch the effect off.';
   if ~isfield (effect, 'neutral')
-    p = checkProblem ('missingField', field, expected, 'nothing', cure);
+    p = checkFault ('missingField', field, expected, 'nothing', cure);
   elseif ~isMatrix (effect.neutral, [1, v])
-    p = checkProblem ('neutralShape', field, expected, ...
-                      checkShow (effect.neutral), cure);
+    p = checkFault ('neutralShape', field, expected, ...
+                    checkShow (effect.neutral), cure);
   end
 end
 
 function p = checkBounds (effect, field, v)
-  p = checkProblem ();
+  p = checkFault ();
   expected = sprintf (['a 2 x %d matrix of finite numbers: weakest and ' ...
                        'strongest plausible values'], v);
   cure = 'Set the two rows, one column a variable.';
   if ~isfield (effect, 'limits')
-    p = checkProblem ('missingField', field, expected, 'nothing', cure);
+    p = checkFault ('missingField', field, expected, 'nothing', cure);
   elseif ~isMatrix (effect.limits, [2, v])
-    p = checkProblem ('effectLimitsShape', field, expected, ...
-                      checkShow (effect.limits), cure);
+    p = checkFault ('effectLimitsShape', field, expected, ...
+                    checkShow (effect.limits), cure);
   elseif all (effect.limits(1, :) == effect.limits(2, :))
-    p = checkProblem ('effectLimits', field, ...
-                      'a weakest value that is not the strongest', ...
-                      checkShow (effect.limits(:)), ...
-                      'Set the strongest plausible value in row 2.');
+    p = checkFault ('effectLimits', field, ...
+                    'a weakest value that is not the strongest', ...
+                    checkShow (effect.limits(:)), ...
+                    'Set the strongest plausible value in row 2.');
   end
 end
 

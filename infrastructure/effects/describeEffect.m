@@ -13,7 +13,6 @@
 %           limits        2 x v (laboratory: 2 x 1)
 %           priorScale    1 x v, a usual distance from neutral
 %           unit, label   texts for axes and tables
-%           benches       cell of the benches that can see it, {} = not known
 %           confusedWith  cell of effects that look alike
 %           group         name of the family that observables can hardly split
 %           laboratory    true: acts on results, needs no DEM run
@@ -22,6 +21,8 @@
 %                         n x T results, info 1 x T struct array of resultInfo;
 %                         affine in Z, linear in strength
 %           source        where range and sign come from
+%
+% Which benches see it is measured: benchmarks/results/effectSigns.csv.
 %
 % Throws DEcalioc:describeEffect:missingField, DEcalioc:describeEffect:badShape.
 %
@@ -35,7 +36,7 @@ function effect = describeEffect (given)
   end
   effect = struct ('name', given.name, 'question', '', 'variables', {{}}, ...
                    'neutral', [], 'limits', [], 'priorScale', [], ...
-                   'unit', '', 'label', given.name, 'benches', {{}}, ...
+                   'unit', '', 'label', given.name, ...
                    'confusedWith', {{}}, 'group', given.name, ...
                    'laboratory', false, 'kinds', {{}}, 'transform', [], ...
                    'source', '');

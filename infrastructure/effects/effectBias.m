@@ -21,7 +21,6 @@ function effect = effectBias ()
   given.kinds = {'height'};
   given.transform = @showHigher;
   given.source = 'zero of a ruler or a laser line';
-  given.benches = {'Collapse', 'Heap'};
   effect = describeEffect (given);
 end
 

@@ -21,7 +21,6 @@ function effect = effectCameraRoll ()
   given.kinds = {'angle', 'angleFalling', 'height'};
   given.transform = @turnPicture;
   given.source = 'geometry; an unlevelled tripod';
-  given.benches = {'Collapse', 'Drum'};
   effect = describeEffect (given);
 end
 

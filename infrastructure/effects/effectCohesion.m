@@ -19,7 +19,6 @@ function effect = effectCohesion ()
   given.group = 'adhesion';
   given.source = ['simplified JKR: attraction = energy density x ' ...
                   'contact area'];
-  given.benches = {'Collapse', 'Drum', 'Heap', 'Shear', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -20,7 +20,6 @@ function effect = effectDrag ()
   given.group = 'drag';
   given.source = ['Stokes: 18 eta / (rho d^2), 5 1/s for 0.2 mm ' ...
                   'at 1500 kg/m3 in air'];
-  given.benches = {'Collapse', 'Drum', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

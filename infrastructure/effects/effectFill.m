@@ -19,7 +19,6 @@ function effect = effectFill ()
   given.confusedWith = {'moistDensity'};
   given.group = 'fill';
   given.source = 'weighing and levelling errors of hand filling';
-  given.benches = {'Collapse', 'Drum', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -21,7 +21,6 @@ function effect = effectGain ()
   given.kinds = {'density', 'mass', 'rate'};
   given.transform = @showMore;
   given.source = 'calibration of a balance';
-  given.benches = {'Collapse', 'Shear'};
   effect = describeEffect (given);
 end
 

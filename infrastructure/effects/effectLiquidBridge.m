@@ -21,7 +21,6 @@ function effect = effectLiquidBridge ()
   given.source = ['Soulie 2006 capillary force, Nase 2001 viscous' ...
                   ' force; LIGGGHTS easo/capillary/viscous; walls' ...
                   ' stay dry'];
-  given.benches = {'Collapse', 'Drum', 'Heap', 'Shear', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -18,7 +18,6 @@ function effect = effectMeanSize ()
   given.confusedWith = {'opening', 'sizeSpread'};
   given.group = 'size';
   given.source = 'Beverloo 1961: the discharge feels (D - k d)';
-  given.benches = {'Collapse', 'Drum', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -20,7 +20,6 @@ function effect = effectMoistDensity ()
   given.group = 'mass';
   given.source = ['wood and grain take up 5 to 20 % of their mass' ...
                   ' from moist air'];
-  given.benches = {'Collapse', 'Heap', 'Shear', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -18,7 +18,6 @@ function effect = effectOpening ()
   given.confusedWith = {'meanSize', 'moistDensity', 'gain', 'timeOffset'};
   given.group = 'opening';
   given.source = 'Beverloo 1961';
-  given.benches = {'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -20,7 +20,6 @@ function effect = effectRestitution ()
   given.group = 'restitution';
   given.source = ['Yan et al. 2015: little influence on angle of ' ...
                   'repose and discharge'];
-  given.benches = {'Heap'};
   effect = describeEffect (given);
 end
 

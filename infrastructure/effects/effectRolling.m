@@ -21,7 +21,6 @@ function effect = effectRolling ()
   given.group = 'grain shape';
   given.source = ['Wensrich and Katterfeld 2012 (rolling friction' ...
                   ' as a stand-in for shape)'];
-  given.benches = {'Collapse', 'Drum', 'Heap', 'Shear', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -19,7 +19,6 @@ function effect = effectShape ()
   given.group = 'grain shape';
   given.source = ['two-sphere clumps of one volume with the ' ...
                   'sphere; LIGGGHTS fix multisphere'];
-  given.benches = {'Collapse', 'Drum', 'Heap', 'Shear'};
   effect = describeEffect (given);
 end
 

@@ -19,7 +19,6 @@ function effect = effectSizeSpread ()
   given.group = 'size';
   given.source = ['three sizes by number 1:2:1, Sauter diameter ' ...
                   'kept'];
-  given.benches = {'Collapse', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

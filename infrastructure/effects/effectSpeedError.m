@@ -21,7 +21,6 @@ function effect = effectSpeedError ()
   given.kinds = {'speed'};
   given.transform = @turnFaster;
   given.source = 'uncalibrated drive';
-  given.benches = {'Drum'};
   effect = describeEffect (given);
 end
 

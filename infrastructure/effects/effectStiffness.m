@@ -20,7 +20,6 @@ function effect = effectStiffness ()
   given.group = 'stiffness';
   given.source = ['Yan et al. 2015; moduli are lowered in DEM to ' ...
                   'lengthen the time step'];
-  given.benches = {'Shear'};
   effect = describeEffect (given);
 end
 

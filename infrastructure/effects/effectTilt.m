@@ -19,7 +19,6 @@ function effect = effectTilt ()
   given.group = 'alignment';
   given.source = ['geometry; the levelling of a rig is good to a ' ...
                   'degree or two'];
-  given.benches = {'Collapse', 'Drum'};
   effect = describeEffect (given);
 end
 

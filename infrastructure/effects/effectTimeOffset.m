@@ -21,7 +21,6 @@ function effect = effectTimeOffset ()
   given.kinds = {'time'};
   given.transform = @readLater;
   given.source = 'reaction time of a hand, trigger of a camera';
-  given.benches = {'Collapse'};
   effect = describeEffect (given);
 end
 

@@ -19,7 +19,6 @@ function effect = effectVibration ()
   given.group = 'vibration';
   given.source = ['Janda et al. 2009: vibration below 1 g unclogs' ...
                   ' and compacts'];
-  given.benches = {'Collapse', 'Drum', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

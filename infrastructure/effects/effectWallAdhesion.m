@@ -18,7 +18,6 @@ function effect = effectWallAdhesion ()
   given.confusedWith = {'cohesion', 'wallFriction'};
   given.group = 'adhesion';
   given.source = 'simplified JKR on wall contacts only';
-  given.benches = {'Drum', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -21,7 +21,6 @@ function effect = effectWallFriction ()
   given.group = 'wall';
   given.source = ['friction of one plastic on polished and rough ' ...
                   'steel differs by a factor of 2 to 3'];
-  given.benches = {'Collapse', 'Heap', 'SlotBin'};
   effect = describeEffect (given);
 end
 

@@ -38,15 +38,15 @@ function list = ownList ()
   end
 end
 
-function stopAt (problems)
-  if ~isempty (problems)
-    error (problems(1).id, 'withEffects: %s', ...
-           strjoin ({problems.message}, "\n"));
+function stopAt (faults)
+  if ~isempty (faults)
+    error (faults(1).id, 'withEffects: %s', ...
+           strjoin ({faults.message}, "\n"));
   end
 end
 
 function p = checkModelsHave (Case)
-  p = checkProblem ();
+  p = checkFault ();
   models = Case.models(isfolder ({Case.models.folder}));
   heads = cellfun (@checkHead, {models.folder}, 'UniformOutput', false);
   [models.head] = heads{:};

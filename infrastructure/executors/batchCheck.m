@@ -11,7 +11,7 @@
 %          (one such element), reserved (1 x m cell of names that DEcalioc sets
 %          itself), isShort (logical: the program completes options that are
 %          not written in full)
-%   P      1 x n problems, see checkProblem
+%   P      1 x n faults, see checkFault
 %
 % Reasons: notStruct unknownField badQueueName badQueueTime badQueueExtra
 % badQueueBefore badQueueLimit badQueueWait
@@ -19,15 +19,15 @@
 % See also: describeExecutor, batchOptions
 
 function p = batchCheck (given, name, own)
-  p = checkProblem ();
+  p = checkFault ();
   field = ['Input.', name];
   if checkIs ('nothing', given)
     return
   end
   if ~checkIs ('struct', given)
-    p = checkProblem ('notStruct', field, 'one struct', checkShow (given), ...
-                      sprintf ('Write %s.%s = ''name''; and so on.', field, ...
-                               own.words{1}));
+    p = checkFault ('notStruct', field, 'one struct', checkShow (given), ...
+                    sprintf ('Write %s.%s = ''name''; and so on.', field, ...
+                             own.words{1}));
     return
   end
   rules = {'time', 'badQueueTime', 1, 1e7, 'number', false, ...
@@ -49,7 +49,7 @@ function p = batchCheck (given, name, own)
 end
 
 function p = checkWord (given, prefix, name)
-  p = checkProblem ();
+  p = checkFault ();
   if ~isfield (given, name) || checkIs ('nothing', given.(name))
     return
   end
@@ -57,14 +57,14 @@ function p = checkWord (given, prefix, name)
   plain = ['A':'Z', 'a':'z', '0':'9', '_-+.,:@/'];
   if ~checkIs ('text', word) || ~all (ismember (word, plain)) || ...
       word(1) == '-'
-    p = checkProblem ('badQueueName', [prefix, '.', name], ...
-                      'a name as the queue shows it', checkShow (word), ...
-                      'Write it without blanks, or leave it out.');
+    p = checkFault ('badQueueName', [prefix, '.', name], ...
+                    'a name as the queue shows it', checkShow (word), ...
+                    'Write it without blanks, or leave it out.');
   end
 end
 
 function [p, texts] = checkTexts (given, prefix, name, reason, cure)
-  p = checkProblem ();
+  p = checkFault ();
   texts = cell (1, 0);
   if ~isfield (given, name) || checkIs ('nothing', given.(name))
     return
@@ -74,9 +74,9 @@ function [p, texts] = checkTexts (given, prefix, name, reason, cure)
     texts = {texts};
   end
   if ~iscell (texts) || ~all (cellfun (@(w) checkIs ('text', w), texts(:)'))
-    p = checkProblem (reason, [prefix, '.', name], ...
-                      'a text or a cell of texts', ...
-                      checkShow (given.(name)), cure);
+    p = checkFault (reason, [prefix, '.', name], ...
+                    'a text or a cell of texts', ...
+                    checkShow (given.(name)), cure);
     texts = cell (1, 0);
   end
   texts = texts(:)';
@@ -95,10 +95,10 @@ function p = checkExtra (given, prefix, own)
       isBad = any (strcmp (name{1}, own.reserved));
     end
     if isBad
-      p(end + 1) = checkProblem ('badQueueExtra', ...
-                                 sprintf ('%s.extra{%d}', prefix, k), ...
-                                 ['one option, which DEcalioc does not set ' ...
-                                  'itself'], checkShow (words{k}), cure);
+      p(end + 1) = checkFault ('badQueueExtra', ...
+                               sprintf ('%s.extra{%d}', prefix, k), ...
+                               ['one option, which DEcalioc does not set ' ...
+                                'itself'], checkShow (words{k}), cure);
     end
   end
 end

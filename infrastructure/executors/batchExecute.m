@@ -5,7 +5,7 @@
 %   QUEUE    scalar struct, see batchExecutor, and the queue's own commands:
 %     task     {name of the environment variable that holds the number of the
 %              task, of the one that holds the job's number}
-%     start    [N, PROBLEM] = start (): tasks that an array may have at most;
+%     start    [N, FAULT] = start (): tasks that an array may have at most;
 %              why the queue cannot be used here, '' = it can
 %     send     [VERDICT, TEXT] = send (BATCH, OPT, WORDS), see slurmSend
 %     look     [OK, TEXT, TASKS] = look (NAMES, SIZES), see slurmLook
@@ -126,12 +126,12 @@ function flight = send (flight, queue, opt, root)
 end
 
 function n = startQueue (queue)
-  [n, problem] = queue.start ();
-  if ~isempty (problem)
+  [n, fault] = queue.start ();
+  if ~isempty (fault)
     error ('DEcalioc:batchExecute:missingFile', ...
            ['batchExecute: this machine must be one of a cluster with %s, ' ...
             'got: %s. Start on a machine where jobs can be submitted, or ' ...
-            'set Input.executor = ''local''.'], queue.title, problem);
+            'set Input.executor = ''local''.'], queue.title, fault);
   end
 end
 

@@ -25,15 +25,15 @@ end
 
 % Tasks that one array may have: max_aj_tasks of the global configuration. A
 % master that does not answer is waited for later.
-function [n, problem] = askCluster ()
+function [n, fault] = askCluster ()
   n = 1000;
-  problem = '';
+  fault = '';
   [status, text] = system (['command -v qsub && command -v qstat && ' ...
                             'timeout 60 qconf -sconf 2>&1']);
   if isempty (regexp (text, '/qstat\s', 'once'))
-    problem = 'no qsub and qstat on the PATH';
+    fault = 'no qsub and qstat on the PATH';
   elseif ~isempty (strfind (text, 'SGE_ROOT'))
-    problem = strtrim (text);
+    fault = strtrim (text);
   end
   found = regexp (text, 'max_aj_tasks\s+(\d+)', 'tokens', 'once');
   if status == 0 && ~isempty (found) && ~strcmp (found{1}, '0')

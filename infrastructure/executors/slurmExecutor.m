@@ -27,16 +27,16 @@ end
 
 % Tasks that one array may have: the highest index is one less than Slurm's
 % MaxArraySize. A controller that does not answer is waited for later.
-function [n, problem] = askCluster ()
+function [n, fault] = askCluster ()
   n = 1000;
-  problem = '';
+  fault = '';
   [status, text] = system (['command -v sbatch && command -v squeue && ' ...
                             'timeout 60 scontrol show config 2>&1']);
   isAbsent = isempty (regexp (text, '/squeue\s', 'once'));
   if isAbsent
-    problem = 'no sbatch and squeue on the PATH';
+    fault = 'no sbatch and squeue on the PATH';
   elseif ~isempty (strfind (text, 'configuration source'))
-    problem = strtrim (text);
+    fault = strtrim (text);
   end
   found = regexp (text, 'MaxArraySize\s*=\s*(\d+)', 'tokens', 'once');
   if status == 0 && ~isempty (found)

@@ -1,4 +1,4 @@
-% ADDCORRELATION  Adds to a problem that errors are alike along a series.
+% ADDCORRELATION  Adds to a gapProblem that errors are alike along a series.
 %
 % CALL: [GIVEN, NOTES] = addCorrelation (GIVEN, TARGETS)
 %

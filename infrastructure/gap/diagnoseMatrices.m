@@ -34,19 +34,19 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   if nargin < 4
     evaluate = [];
   end
-  problem = newGapProblem (given);
+  gapProblem = newGapProblem (given);
   options = gapOptions (options);
   state = struct ('data', data, 'evaluate', evaluate, 'spent', 0, ...
                   'failed', 0, 'left', options.maxNewRuns, ...
                   'repeats', options.verifyRuns);
-  [state, em] = improveSurrogates (problem, options, state);
-  problem = correlateSeries (problem, em, options);
-  [state, em] = exploreEffects (problem, options, state, em);
+  [state, em] = improveSurrogates (gapProblem, options, state);
+  gapProblem = correlateSeries (gapProblem, em, options);
+  [state, em] = exploreEffects (gapProblem, options, state, em);
   kept = tested (em);
   library = em;
   library.effect = em.effect(kept);
-  view = viewOf (problem, library, options);
-  diagnosis.where = locateGap (problem, em, view.models, view.fits, options);
+  view = viewOf (gapProblem, library, options);
+  diagnosis.where = locateGap (gapProblem, em, view.models, view.fits, options);
   w = caseEvidence (view.models, view.fits, 1);
   verdict = judgeCase (w, view.models);
   verdict = blameSurrogates (verdict, view, diagnosis.where.side);
@@ -72,10 +72,11 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
     diagnosis.howFar = measureCorrection (view, sets, first, group);
   end
   verdict = doubtName (verdict, diagnosis, view.models);
-  diagnosis.which = describeVerdict (w, verdict, view.models, problem);
-  diagnosis.which.expected = calibrateVerdict (view.models, library, problem);
-  diagnosis.next = nextTest (problem, library, w, verdict.P);
-  diagnosis.problem = problem;
+  diagnosis.which = describeVerdict (w, verdict, view.models, gapProblem);
+  diagnosis.which.expected = ...
+    calibrateVerdict (view.models, library, gapProblem);
+  diagnosis.next = nextTest (gapProblem, library, w, verdict.P);
+  diagnosis.gapProblem = gapProblem;
   diagnosis.runs = struct ('spent', state.spent, 'failed', state.failed, ...
                            'left', state.left);
   diagnosis.data = state.data;
@@ -85,10 +86,11 @@ function kept = tested (em)
   kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
 end
 
-function view = viewOf (problem, em, options)
-  models = omnibusReference (makeHypotheses (problem, em, options));
-  view = struct ('problem', problem, 'em', em, 'models', models, ...
-                 'fits', fitLibrary (models, problem.y(problem.used)));
+function view = viewOf (gapProblem, em, options)
+  models = omnibusReference (makeHypotheses (gapProblem, em, options));
+  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+  view = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
+                 'fits', fits);
 end
 
 % Surrogates are to blame where they contradict their own runs, or where there
@@ -102,7 +104,7 @@ function verdict = blameSurrogates (verdict, view, side)
     other = judgeSurer (view);
     if ~strcmp (other.kind, verdict.kind)
       n = rows (view.em.base.X);
-      share = mean (side.share(view.problem.used));
+      share = mean (side.share(view.gapProblem.used));
       reason = sprintf (['%s. With surer ones it would be: %s. About %d ' ...
                          'more sets near the calibrated one halve their ' ...
                          'part'], ...
@@ -151,7 +153,7 @@ function verdict = judgeSurer (view)
   for k = 1:numel (em.effect)
     em.effect(k).varOverPsi2 = em.effect(k).varOverPsi2 / 20;
   end
-  sure = viewOf (view.problem, em, view.models.options);
+  sure = viewOf (view.gapProblem, em, view.models.options);
   verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);
 end
 
@@ -183,13 +185,13 @@ function causes = comparedCauses (verdict)
 end
 
 % Where the surrogates are to blame, runs near the fitted set come first.
-function [state, em] = improveSurrogates (problem, options, state)
+function [state, em] = improveSurrogates (gapProblem, options, state)
   for round_ = 1:3
-    em = fitEmulator (problem, state.data, options);
-    models = makeHypotheses (problem, withoutEffects (em), options);
-    fits = fitLibrary (models, problem.y(problem.used));
+    em = fitEmulator (gapProblem, state.data, options);
+    models = makeHypotheses (gapProblem, withoutEffects (em), options);
+    fits = fitLibrary (models, gapProblem.value(gapProblem.used));
     theta = fits.calibrated.Q(1, :);
-    side = sideSignals (problem, em, theta);
+    side = sideSignals (gapProblem, em, theta);
     n = min (2 * em.p + 2, floor (state.left / 2));
     isGood = ~side.blameSurrogate && ~side.vague;
     if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)
@@ -197,7 +199,16 @@ function [state, em] = improveSurrogates (problem, options, state)
     end
     spread = integrationPoints (n, em.p, options.seed + round_).uniform - 0.5;
     near = min (max (theta + 0.8 / round_ * spread, -1), 1);
-    state = spendRuns (state, problem, near, ...
-                       zeros (n, numel (problem.effects)), ones (n, 1));
+    state = spendRuns (state, gapProblem, near, ...
+                       zeros (n, numel (gapProblem.effects)), ones (n, 1));
   end
 end
+
+%!test
+%! % no more measured values than parameters: a verdict, not an error
+%! [given, data] = smallGapLab ();
+%! given.value = NaN (1, 12);
+%! given.value([2, 7]) = mean (data.Z)([2, 7]) + 1;
+%! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'trials', 0, ...
+%!                                            'twins', 60));
+%! assert (any (strcmp (d.which.verdict, {'no gap', 'undecided'})));

@@ -12,7 +12,8 @@
 % says so (1 x T logical).
 %
 % Points of a curve of measured.csv are marked by GIVEN.curve. A setting that is
-% not measured yet has y NaN; its sd is what its measurement would be good to.
+% not measured yet has the value NaN; its sd is what its measurement would be
+% good to.
 %
 % A target without targetStd has an uncertainty of unknown size: GIVEN.sdKnown
 % (1 x T logical) is false there, and half of its tolerance stands in GIVEN.sd
@@ -27,20 +28,20 @@
 function [given, notes] = gapProblemOf (Case)
   notes = {};
   T = numel (Case.targets);
-  given.y = [Case.targets.value];
+  given.value = [Case.targets.value];
   given.sd = [Case.targets.sd];
   bare = given.sd == 0;
   given.sdKnown = ~bare;
   if any (bare)
-    scale = given.y;
+    scale = given.value;
     if isfield (Case.targets, 'isAbsolute')
       scale([Case.targets.isAbsolute]) = 1;
     end
     assumed = abs (scale) .* [Case.targets.tol] / 2;
-    assumed(isnan (given.y)) = 0;
+    assumed(isnan (given.value)) = 0;
     given.sd(bare) = assumed(bare);
   end
-  bare = bare & isfinite (given.y);
+  bare = bare & isfinite (given.value);
   if any (bare)
     notes{end + 1} = sprintf (['no measurement uncertainty given for %s: ' ...
                                'its size is estimated, starting from half ' ...

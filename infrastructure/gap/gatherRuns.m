@@ -4,8 +4,7 @@
 %
 %   CASE   see newCase
 %   DATA   struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
-%   run), replicate
-%          (n x 1), stage (n x 1 cell)
+%          run), replicate (n x 1), stage (n x 1 cell)
 %   COUNT  struct store (runs from the store), noResult (runs of the store
 %          without one), imported (rows of DATA from runs.csv), ignored
 %          (cellstr, columns of runs.csv not understood), seconds (core time of

@@ -1,10 +1,10 @@
 % NEWGAPPROBLEM  Fills and checks the description of a diagnosis on matrices.
 %
-% CALL: PROBLEM = newGapProblem (GIVEN)
+% CALL: GAPPROBLEM = newGapProblem (GIVEN)
 %
-%   GIVEN    struct; required fields
-%     y        1 x T, measured values; NaN = simulated but not (yet) measured
-%     sd       1 x T, standard uncertainty of y
+%   GIVEN       struct; required fields
+%     value    1 x T, measured values; NaN = simulated but not (yet) measured
+%     sd       1 x T, standard uncertainty of value
 %     limits   2 x p, box of the calibrated parameters
 %     bench    1 x T, number of the bench that each target belongs to
 %   optional fields (default)
@@ -18,105 +18,105 @@
 %     covariance  T x T of the measurement, instead of sd ([])
 %     estimateSeries  1 x T logical, the length over which the errors of its
 %                 series are alike is to be estimated (false)
-%     trials      1 x T or scalar, how many trials y is the mean of: the real
-%                 material has a packing of its own too, Inf if sd holds that
-%                 scatter (1)
+%     trials      1 x T or scalar, how many trials value is the mean of: the
+%                 real material has a packing of its own too, Inf if sd holds
+%                 that scatter (1)
 %     scatter     1 x T logical, sd was found from the scatter of the trials and
 %                 holds their packings: the larger of the two counts (false)
 %     curve       1 x T, targets with one number > 0 are measured together, as
 %                 one curve (0)
-%     seedSd      1 x T, known scatter of one run over seeds (NaN: from data)
+%     noiseSd     1 x T, known noise of one run (NaN: from data)
 %     paramMean, paramSd   1 x p, values measured independently (NaN: none)
 %     benchCost   1 x B, cost of one measurement on each bench (1)
 %     effects     1 x K struct, see newEffect ([])
-%   PROBLEM  the same with every field present, rows as rows
+%   GAPPROBLEM  the same with every field present, rows as rows
 %
 % Errors: DEcalioc:newGapProblem:missingField, :badShape, :badValue
 %
 % See also: diagnoseMatrices, newEffect
 
-function problem = newGapProblem (given)
-  needed = {'y', 'sd', 'limits', 'bench'};
+function gapProblem = newGapProblem (given)
+  needed = {'value', 'sd', 'limits', 'bench'};
   for k = 1:numel (needed)
     if ~isfield (given, needed{k})
       error ('DEcalioc:newGapProblem:missingField', ...
              'newGapProblem: GIVEN must have the field %s.', needed{k});
     end
   end
-  T = numel (given.y);
+  T = numel (given.value);
   p = columns (given.limits);
-  problem = withDefaults (given, T, p);
-  problem.effects = arrayfun (@(e) newEffect (e, T), problem.effects(:)');
-  checkShapes (problem, T, p);
-  checkValues (problem);
-  problem.used = find (isfinite (problem.y) & ~problem.held);
-  problem.heldOut = find (isfinite (problem.y) & problem.held);
-  problem.possible = find (~isfinite (problem.y));
-  if isempty (problem.used)
+  gapProblem = withDefaults (given, T, p);
+  gapProblem.effects = arrayfun (@(e) newEffect (e, T), gapProblem.effects(:)');
+  checkShapes (gapProblem, T, p);
+  checkValues (gapProblem);
+  gapProblem.used = find (isfinite (gapProblem.value) & ~gapProblem.held);
+  gapProblem.heldOut = find (isfinite (gapProblem.value) & gapProblem.held);
+  gapProblem.possible = find (~isfinite (gapProblem.value));
+  if isempty (gapProblem.used)
     error ('DEcalioc:newGapProblem:badValue', ...
-           ['newGapProblem: Y must hold at least one measured value that ' ...
-            'is not held out, got none.']);
+           ['newGapProblem: VALUE must hold at least one measured value ' ...
+            'that is not held out, got none.']);
   end
 end
 
-function problem = withDefaults (given, T, p)
+function gapProblem = withDefaults (given, T, p)
   B = max (given.bench);
   numbered = @(word, n) arrayfun (@(k) sprintf ('%s%d', word, k), 1:n, ...
                                   'UniformOutput', false);
-  problem = struct ('sdKnown', true (1, T), 'held', false (1, T), ...
-                    'series', zeros (1, T), ...
-                    'coordinate', zeros (1, T), 'covariance', [], ...
-                    'estimateSeries', false (1, T), 'trials', 1, ...
-                    'scatter', false (1, T), 'curve', zeros (1, T), ...
-                    'seedSd', NaN (1, T), ...
-                    'paramMean', NaN (1, p), 'paramSd', NaN (1, p), ...
-                    'benchCost', ones (1, B), 'effects', []);
-  problem.targetNames = numbered ('t', T);
-  problem.benchNames = numbered ('bench', B);
-  problem.names = numbered ('p', p);
+  gapProblem = struct ('sdKnown', true (1, T), 'held', false (1, T), ...
+                       'series', zeros (1, T), ...
+                       'coordinate', zeros (1, T), 'covariance', [], ...
+                       'estimateSeries', false (1, T), 'trials', 1, ...
+                       'scatter', false (1, T), 'curve', zeros (1, T), ...
+                       'noiseSd', NaN (1, T), ...
+                       'paramMean', NaN (1, p), 'paramSd', NaN (1, p), ...
+                       'benchCost', ones (1, B), 'effects', []);
+  gapProblem.targetNames = numbered ('t', T);
+  gapProblem.benchNames = numbered ('bench', B);
+  gapProblem.names = numbered ('p', p);
   fields = fieldnames (given);
   for k = 1:numel (fields)
     value = given.(fields{k});
     if isvector (value) && ~isstruct (value)
       value = reshape (value, 1, []);
     end
-    problem.(fields{k}) = value;
+    gapProblem.(fields{k}) = value;
   end
-  problem.limits = reshape (problem.limits, 2, p);
-  problem.held = logical (problem.held);
-  problem.sdKnown = logical (problem.sdKnown);
-  problem.estimateSeries = logical (problem.estimateSeries);
-  problem.scatter = logical (problem.scatter);
-  if isscalar (problem.trials)
-    problem.trials = repmat (problem.trials, 1, T);
+  gapProblem.limits = reshape (gapProblem.limits, 2, p);
+  gapProblem.held = logical (gapProblem.held);
+  gapProblem.sdKnown = logical (gapProblem.sdKnown);
+  gapProblem.estimateSeries = logical (gapProblem.estimateSeries);
+  gapProblem.scatter = logical (gapProblem.scatter);
+  if isscalar (gapProblem.trials)
+    gapProblem.trials = repmat (gapProblem.trials, 1, T);
   end
 end
 
-function checkShapes (problem, T, p)
-  wide = {'y', 'sd', 'bench', 'held', 'series', 'coordinate', ...
-          'seedSd', 'targetNames', 'trials', 'estimateSeries', ...
+function checkShapes (gapProblem, T, p)
+  wide = {'value', 'sd', 'bench', 'held', 'series', 'coordinate', ...
+          'noiseSd', 'targetNames', 'trials', 'estimateSeries', ...
           'sdKnown', 'scatter', 'curve'};
   for k = 1:numel (wide)
-    if numel (problem.(wide{k})) ~= T
+    if numel (gapProblem.(wide{k})) ~= T
       error ('DEcalioc:newGapProblem:badShape', ...
-             'newGapProblem: %s must be 1 x %d like Y, got %d values.', ...
-             wide{k}, T, numel (problem.(wide{k})));
+             'newGapProblem: %s must be 1 x %d like VALUE, got %d values.', ...
+             wide{k}, T, numel (gapProblem.(wide{k})));
     end
   end
   for name = {'paramMean', 'paramSd'}
-    if numel (problem.(name{1})) ~= p
+    if numel (gapProblem.(name{1})) ~= p
       error ('DEcalioc:newGapProblem:badShape', ...
              ['newGapProblem: %s must be 1 x %d, one a parameter with NaN ' ...
               'for none, got %d values.'], name{1}, p, ...
-             numel (problem.(name{1})));
+             numel (gapProblem.(name{1})));
     end
   end
-  if numel (problem.names) ~= p || ~all (diff (problem.limits) > 0)
+  if numel (gapProblem.names) ~= p || ~all (diff (gapProblem.limits) > 0)
     error ('DEcalioc:newGapProblem:badValue', ...
            ['newGapProblem: LIMITS must be 2 x %d with the lower limit ' ...
-            'first in every column.'], numel (problem.names));
+            'first in every column.'], numel (gapProblem.names));
   end
-  C = problem.covariance;
+  C = gapProblem.covariance;
   if ~isempty (C) && ~(isequal (size (C), [T, T]) && issymmetric (C, 1e-9))
     error ('DEcalioc:newGapProblem:badShape', ...
            ['newGapProblem: COVARIANCE must be %d x %d and symmetric, got ' ...
@@ -124,21 +124,21 @@ function checkShapes (problem, T, p)
   end
 end
 
-function checkValues (problem)
-  cost = problem.benchCost;
-  if numel (cost) < max (problem.bench) || ~all (cost > 0)
+function checkValues (gapProblem)
+  cost = gapProblem.benchCost;
+  if numel (cost) < max (gapProblem.bench) || ~all (cost > 0)
     error ('DEcalioc:newGapProblem:badValue', ...
            ['newGapProblem: BENCHCOST must hold %d numbers above 0, one a ' ...
-            'bench, got %s.'], max (problem.bench), mat2str (cost, 4));
+            'bench, got %s.'], max (gapProblem.bench), mat2str (cost, 4));
   end
-  bad = problem.trials(~(problem.trials > 0));
+  bad = gapProblem.trials(~(gapProblem.trials > 0));
   if ~isempty (bad)
     error ('DEcalioc:newGapProblem:badValue', ...
            ['newGapProblem: TRIALS must be above 0, got %g. Give the ' ...
             'number of trials that each value is the mean of, Inf where SD ' ...
             'holds their scatter.'], bad(1));
   end
-  if ~all (problem.sd(isfinite (problem.y)) >= 0)
+  if ~all (gapProblem.sd(isfinite (gapProblem.value)) >= 0)
     error ('DEcalioc:newGapProblem:badValue', ...
            ['newGapProblem: SD must be >= 0 for every measured target. ' ...
             'Give the standard uncertainty of each measurement.']);
@@ -146,43 +146,45 @@ function checkValues (problem)
 end
 
 %!test
-%! given = struct ('y', [1, 2, NaN], 'sd', [1, 1, 1], 'limits', [0; 1], ...
+%! given = struct ('value', [1, 2, NaN], 'sd', [1, 1, 1], 'limits', [0; 1], ...
 %!                 'bench', [1, 1, 2]);
-%! problem = newGapProblem (given);
-%! assert (problem.used, [1, 2]);
-%! assert (problem.possible, 3);
-%! assert (problem.benchNames, {'bench1', 'bench2'});
-%! assert (problem.trials, [1, 1, 1]);
-%! assert (problem.sdKnown, true (1, 3));
+%! gapProblem = newGapProblem (given);
+%! assert (gapProblem.used, [1, 2]);
+%! assert (gapProblem.possible, 3);
+%! assert (gapProblem.benchNames, {'bench1', 'bench2'});
+%! assert (gapProblem.trials, [1, 1, 1]);
+%! assert (gapProblem.sdKnown, true (1, 3));
 %! given.trials = 4;
 %! assert (newGapProblem (given).trials, [4, 4, 4]);
 %! given.trials = [1; 2; Inf];
 %! assert (newGapProblem (given).trials, [1, 2, Inf]);
 %! given.held = [false, true, false];
-%! problem = newGapProblem (given);
-%! assert (problem.used, 1);
-%! assert (problem.heldOut, 2);
-%!error id=DEcalioc:newGapProblem:missingField newGapProblem (struct ('y', 1))
+%! gapProblem = newGapProblem (given);
+%! assert (gapProblem.used, 1);
+%! assert (gapProblem.heldOut, 2);
+%!error id=DEcalioc:newGapProblem:missingField
+%! newGapProblem (struct ('value', 1))
 %!error id=DEcalioc:newGapProblem:badShape
-%! newGapProblem (struct ('y', [1, 2], 'sd', [1, 1], 'limits', [0; 1], ...
+%! newGapProblem (struct ('value', [1, 2], 'sd', [1, 1], 'limits', [0; 1], ...
 %!                        'bench', [1, 1], 'sdKnown', true));
 %!error id=DEcalioc:newGapProblem:badShape
-%! newGapProblem (struct ('y', 1, 'sd', 1, 'limits', [0; 1], 'bench', 1, ...
+%! newGapProblem (struct ('value', 1, 'sd', 1, 'limits', [0; 1], 'bench', 1, ...
 %!                        'paramMean', [1, 2], 'paramSd', [1, 1]));
 %!error id=DEcalioc:newGapProblem:badShape
-%! newGapProblem (struct ('y', [1, 2], 'sd', [1, 1], 'limits', [0; 1], ...
+%! newGapProblem (struct ('value', [1, 2], 'sd', [1, 1], 'limits', [0; 1], ...
 %!                        'bench', [1, 1], 'covariance', eye (3)));
 %!error id=DEcalioc:newGapProblem:badShape
-%! newGapProblem (struct ('y', [1, 2], 'sd', 1, 'limits', [0; 1], ...
+%! newGapProblem (struct ('value', [1, 2], 'sd', 1, 'limits', [0; 1], ...
 %!                        'bench', [1, 1]));
 %!error id=DEcalioc:newGapProblem:badValue
-%! newGapProblem (struct ('y', 1, 'sd', 1, 'limits', [1; 0], 'bench', 1));
+%! newGapProblem (struct ('value', 1, 'sd', 1, 'limits', [1; 0], 'bench', 1));
 %!error id=DEcalioc:newGapProblem:badValue
-%! newGapProblem (struct ('y', 1, 'sd', 1, 'limits', [0; 1], 'bench', 1, ...
+%! newGapProblem (struct ('value', 1, 'sd', 1, 'limits', [0; 1], 'bench', 1, ...
 %!                        'trials', 0));
 %!error id=DEcalioc:newGapProblem:badShape
-%! newGapProblem (struct ('y', [1, 2, 3], 'sd', [1, 1, 1], 'limits', [0; 1], ...
-%!                        'bench', [1, 1, 1], 'trials', [1, 2]));
+%! newGapProblem (struct ('value', [1, 2, 3], 'sd', [1, 1, 1], ...
+%!                        'limits', [0; 1], 'bench', [1, 1, 1], ...
+%!                        'trials', [1, 2]));
 %!error id=DEcalioc:newGapProblem:badValue
-%! newGapProblem (struct ('y', [1, 2], 'sd', [1, 1], 'limits', [0; 1], ...
+%! newGapProblem (struct ('value', [1, 2], 'sd', [1, 1], 'limits', [0; 1], ...
 %!                        'bench', [1, 2], 'benchCost', 1));

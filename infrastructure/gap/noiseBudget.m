@@ -1,67 +1,67 @@
 % NOISEBUDGET  Adds up what makes a result uncertain, cause by cause.
 %
-% CALL: BUDGET = noiseBudget (PROBLEM, EM)
+% CALL: BUDGET = noiseBudget (GAPPROBLEM, EM)
 %
-%   PROBLEM  struct of newGapProblem
-%   EM       struct of fitEmulator
-%   BUDGET   struct
+%   GAPPROBLEM  struct of newGapProblem
+%   EM          struct of fitEmulator
+%   BUDGET      struct
 %     covariance  T x T, measurement plus the packing of the real trials
 %     estimated   1 x T, part of its diagonal that was estimated from runs
 %     unknown     1 x T, part of it whose size nobody has stated
 %     measurement, trial   1 x T, their standard deviations
-%     seed        1 x T, scatter of one DEM run
+%     noiseSd     1 x T, noise of one DEM run
 %     surrogate   1 x T, root mean square over the box
 %     share       1 x T, surrogate part of the whole variance (box average)
 %
 % One trial in the laboratory is one packing: its scatter is taken from the DEM
 % seeds. The covariance of the means of n_i and n_j trials is that of one trial
-% over sqrt (n_i n_j), n = PROBLEM.trials (Inf where sd already holds it). Where
-% sd comes from the scatter of few trials (PROBLEM.scatter) the larger of the
-% two counts.
+% over sqrt (n_i n_j), n = GAPPROBLEM.trials (Inf where sd already holds it).
+% Where sd comes from the scatter of few trials (GAPPROBLEM.scatter) the larger
+% of the two counts.
 %
 % See also: whitenEmulator, locateGap
 
-function budget = noiseBudget (problem, em)
-  sd = problem.sd;
+function budget = noiseBudget (gapProblem, em)
+  sd = gapProblem.sd;
   sd(~isfinite (sd)) = 0;
   least = (1e-4 * em.range).^2;
   measured = diag (sd.^2);
-  if ~isempty (problem.covariance)
-    measured = problem.covariance;
+  if ~isempty (gapProblem.covariance)
+    measured = gapProblem.covariance;
   end
   measured = measured + diag (max (least - diag (measured)', 0));
-  trial = sqrt (max (em.seedVar ./ problem.trials - ...
-                     problem.scatter .* diag (measured)', 0));
+  trial = sqrt (max (em.noiseVar ./ gapProblem.trials - ...
+                     gapProblem.scatter .* diag (measured)', 0));
   budget.covariance = measured + (trial' * trial) .* em.correlation;
   budget.estimated = trial.^2;
-  budget.unknown = diag (measured)' .* ~problem.sdKnown;
+  budget.unknown = diag (measured)' .* ~gapProblem.sdKnown;
   budget.measurement = sqrt (diag (measured))';
   budget.trial = trial;
-  budget.seed = sqrt (em.seedVar);
+  budget.noiseSd = sqrt (em.noiseVar);
   known = mean (em.surrogateVar, 1) + em.fitVar;
   budget.surrogate = sqrt (known);
   budget.share = known ./ (known + diag (budget.covariance)');
 end
 
 %!test
-%! problem = newGapProblem (struct ('y', [1, 2], 'sd', [3, 0], ...
-%!                                  'limits', [0; 1], 'bench', [1, 1]));
-%! em = struct ('seedVar', [16, 4], 'correlation', [1, 0.5; 0.5, 1], ...
+%! gapProblem = newGapProblem (struct ('value', [1, 2], 'sd', [3, 0], ...
+%!                                     'limits', [0; 1], 'bench', [1, 1]));
+%! em = struct ('noiseVar', [16, 4], 'correlation', [1, 0.5; 0.5, 1], ...
 %!              'range', [1, 1], 'surrogateVar', [25, 8], 'fitVar', [0, 0]);
-%! budget = noiseBudget (problem, em);
+%! budget = noiseBudget (gapProblem, em);
 %! assert (budget.covariance, [25, 4; 4, 4], 1e-6);
 %! assert (budget.share, [0.5, 2 / 3], 1e-6);
-%! problem.covariance = [9, 3; 3, 4];
-%! budget = noiseBudget (problem, em);
+%! gapProblem.covariance = [9, 3; 3, 4];
+%! budget = noiseBudget (gapProblem, em);
 %! assert (budget.covariance, [25, 7; 7, 8], 1e-6);
 %! assert (budget.measurement, [3, 2], 1e-6);
-%! problem.covariance = [];
-%! problem.trials = [4, 1];
-%! assert (noiseBudget (problem, em).covariance, [13, 2; 2, 4], 1e-6);
-%! problem.trials = [Inf, 1];
-%! assert (noiseBudget (problem, em).covariance, [9, 0; 0, 4], 1e-6);
-%! problem.trials = Inf;
-%! assert (noiseBudget (problem, em).covariance(1, 1), 9, 1e-12);
-%! problem.trials = [1, 4];
-%! problem.scatter = [true, true];
-%! assert (diag (noiseBudget (problem, em).covariance), [16; 1], 1e-6);
+%! gapProblem.covariance = [];
+%! gapProblem.trials = [4, 1];
+%! assert (noiseBudget (gapProblem, em).covariance, [13, 2; 2, 4], 1e-6);
+%! gapProblem.trials = [Inf, 1];
+%! assert (noiseBudget (gapProblem, em).covariance, [9, 0; 0, 4], 1e-6);
+%! gapProblem.trials = Inf;
+%! assert (noiseBudget (gapProblem, em).covariance(1, 1), 9, 1e-12);
+%! gapProblem.trials = [1, 4];
+%! gapProblem.scatter = [true, true];
+%! assert (diag (noiseBudget (gapProblem, em).covariance), [16; 1], 1e-6);

@@ -49,7 +49,7 @@ function sayTargets (c, Case, say)
                 'DEM', 'resid (%)', 'tol (%)', 'one run +-'));
   curves = curveSummary (Case, c.residual);
   for t = setdiff (1:numel (Case.targets), [curves.own])
-    sayTarget (Case.targets(t), c.results(t), c.residual(t), c.runSd(t), say);
+    sayTarget (Case.targets(t), c.results(t), c.residual(t), c.noiseSd(t), say);
   end
   for k = 1:numel (curves)
     say (sprintf (['  %-28s %d points, root mean square deviation %.2f of ' ...
@@ -76,7 +76,7 @@ function sayTargets (c, Case, say)
   end
 end
 
-function sayTarget (T, result, residual, runSd, say)
+function sayTarget (T, result, residual, noiseSd, say)
   name = T.name;
   if ~strcmp (T.role, 'calibrate')
     words = struct ('holdout', ' (held out)', 'unmeasured', ' (not measured)');
@@ -89,7 +89,7 @@ function sayTarget (T, result, residual, runSd, say)
     note = ' (absolute)';
   end
   say (sprintf ('  %-28s %11.5g %11.5g %9.2f %9.2f %11.2g%s', name, T.value, ...
-                result, factor * residual, factor * T.tol, runSd, note));
+                result, factor * residual, factor * T.tol, noiseSd, note));
 end
 
 function sayParameters (c, Case, say)

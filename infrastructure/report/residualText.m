@@ -1,10 +1,10 @@
 % RESIDUALTEXT  Residuals in percent as text, as long as they are few.
 %
-% CALL: text = residualText (residual, form)
+% CALL: TEXT = residualText (RESIDUAL, FORM)
 %
-% residual  T x 1; NaN: not measured yet
-% form      of sprintf, for one number
-% text      all of them up to ten, else how many there are
+% RESIDUAL  T x 1; NaN: not measured yet
+% FORM      of sprintf, for one number
+% TEXT      all of them up to ten, else how many there are
 %
 % See also: sayStep, reportIterations
 

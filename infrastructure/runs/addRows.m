@@ -1,11 +1,11 @@
 % ADDROWS  Appends evaluations to the table.
 %
-% CALL: data = addRows (data, X, Z, replicate, stage)
-% CALL: data = addRows (data, X, Z, replicate, stage, E)
+% CALL: DATA = addRows (DATA, X, Z, REPLICATE, STAGE)
+% CALL: DATA = addRows (DATA, X, Z, REPLICATE, STAGE, E)
 %
-% data       struct of newData
+% DATA       struct of newData
 % X          n x d parameters; Z  n x T responses (NaN: failed)
-% replicate  n x 1; stage  text; E  n x v effect values (default: zeros)
+% REPLICATE  n x 1; STAGE  text; E  n x v effect values (default: zeros)
 %
 % Errors: DEcalioc:addRows:badShape
 %

@@ -1,9 +1,9 @@
 % APPENDVARIABLES  Appends the variables of a run to its data.head.
 %
-% CALL: appendVariables (folder, variables)
+% CALL: appendVariables (FOLDER, VARIABLES)
 %
-% folder     folder of the run (text), with a data.head
-% variables  scalar struct of numbers, one field per variable
+% FOLDER     folder of the run (text), with a data.head
+% VARIABLES  scalar struct of numbers, one field per variable
 %
 % Each line reads: variable NAME equal VALUE, with 17 significant digits, so
 % that no step of a parameter is too small to arrive.

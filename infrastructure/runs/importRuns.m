@@ -8,8 +8,7 @@
 %            model; one row a run (see readCsvTable for the accepted forms)
 %   CASE     struct with names, effectVars, effects, targets, models
 %   DATA     struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
-%   run), replicate
-%            (n x 1), stage (n x 1 cell, 'import')
+%            run), replicate (n x 1), stage (n x 1 cell, 'import')
 %   IGNORED  cellstr, columns that the case does not know
 %
 % Rows of different models with the same variables become one row of DATA; a

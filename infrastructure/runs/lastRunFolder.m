@@ -1,11 +1,11 @@
 % LASTRUNFOLDER  The run folder of a model with the highest number.
 %
-% CALL: [number, name] = lastRunFolder (base, model)
+% CALL: [NUMBER, NAME] = lastRunFolder (BASE, MODEL)
 %
-% base    folder that holds optim/ (text)
-% model   name of the model (text)
-% number  its number, 0 where there is none yet
-% name    its name (text), '' where there is none yet
+% BASE    folder that holds optim/ (text)
+% MODEL   name of the model (text)
+% NUMBER  its number, 0 where there is none yet
+% NAME    its name (text), '' where there is none yet
 %
 % See also: runFolderName, listRunFolders, prepareRun
 

@@ -7,6 +7,8 @@
 %
 % The lock is the file decalioc.lock in FOLDER, which names host, process and
 % the start of that process. A lock whose process is gone is taken over.
+% Not flock, as in tools/lint.sh: Octave would need a helper to hold it, whose
+% pipe the runs inherit; those outlive a kill -9 and would keep the case locked.
 %
 % Errors: DEcalioc:lockCase:inUse, DEcalioc:lockCase:cannotWrite,
 % DEcalioc:lockCase:noLinks

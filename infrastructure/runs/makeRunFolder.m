@@ -1,10 +1,10 @@
 % MAKERUNFOLDER  Makes the folder of a run and copies the model into it.
 %
-% CALL: done = makeRunFolder (folder, source)
+% CALL: DONE = makeRunFolder (FOLDER, SOURCE)
 %
-% folder  folder of the run (text)
-% source  model folder (text)
-% done    false where the folder is there already: another worker or another
+% FOLDER  folder of the run (text)
+% SOURCE  model folder (text)
+% DONE    false where the folder is there already: another worker or another
 %         Octave took its number, try the next one
 %
 % Links inside the model folder are followed, so that a run folder holds all

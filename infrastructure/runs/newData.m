@@ -1,10 +1,10 @@
 % NEWDATA  Empty table of finished evaluations.
 %
-% CALL: data = newData (d, T)
-% CALL: data = newData (d, T, v)
+% CALL: DATA = newData (D, T)
+% CALL: DATA = newData (D, T, V)
 %
-% d, T, v  number of design variables, of responses, of effect variables (0)
-% data     struct: X 0 x d, E 0 x v, Z 0 x T, replicate 0 x 1, stage {} 0 x 1
+% D, T, V  number of design variables, of responses, of effect variables (0)
+% DATA     struct: X 0 x d, E 0 x v, Z 0 x T, replicate 0 x 1, stage {} 0 x 1
 %
 % See also: addRows
 

@@ -1,9 +1,9 @@
 % RUNFOLDERNAME  Name of the folder of a run.
 %
-% CALL: name = runFolderName (number)
+% CALL: NAME = runFolderName (NUMBER)
 %
-% number  number of the run (1, 2, ...)
-% name    text, at least four digits
+% NUMBER  number of the run (1, 2, ...)
+% NAME    text, at least four digits
 %
 % See also: lastRunFolder, prepareRun, newFolderName
 

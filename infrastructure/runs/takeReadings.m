@@ -1,6 +1,6 @@
 % TAKEREADINGS  Takes from the results of a run what was measured.
 %
-% CALL: [ROW, PROBLEM] = takeReadings (RESULTS, READINGS, INFO)
+% CALL: [ROW, FAULT] = takeReadings (RESULTS, READINGS, INFO)
 %
 %   RESULTS   what getResults returned: a scalar struct whose fields are numbers
 %             or curves; or a cell of numbers and curves (namedResults), or a
@@ -11,7 +11,7 @@
 %   INFO      see resultInfo; [] without results.csv
 %   ROW       1 x m; a curve is interpolated to the place linearly, NaN beyond
 %             its ends
-%   PROBLEM   '' or what is wrong with RESULTS
+%   FAULT     '' or what is wrong with RESULTS
 %
 % A reading is the result of its name, else a point of the curve with the name
 % of its series, else a point between the single results that results.csv puts
@@ -19,19 +19,19 @@
 %
 % See also: evaluateRun, resultInfo, namedResults
 
-function [row, problem] = takeReadings (results, readings, info)
+function [row, fault] = takeReadings (results, readings, info)
   row = NaN (1, numel (readings));
-  [items, problem] = itemsOf (results, readings, info);
-  for k = 1:numel (readings) * isempty (problem)
-    [row(k), problem] = readOne (items, readings(k), info);
-    if ~isempty (problem)
+  [items, fault] = itemsOf (results, readings, info);
+  for k = 1:numel (readings) * isempty (fault)
+    [row(k), fault] = readOne (items, readings(k), info);
+    if ~isempty (fault)
       return
     end
   end
 end
 
-function [value, problem] = readOne (items, r, info)
-  problem = '';
+function [value, fault] = readOne (items, r, info)
+  fault = '';
   found = [];
   for name = {r.result, r.series}
     if isempty (found) && isfield (items, name{1})
@@ -44,33 +44,33 @@ function [value, problem] = readOne (items, r, info)
   value = found;
   if isempty (found)
     value = NaN;
-    problem = sprintf (['getResults must return %s, named by a field of ' ...
-                        'its struct or by results.csv'], r.result);
+    fault = sprintf (['getResults must return %s, named by a field of ' ...
+                      'its struct or by results.csv'], r.result);
   elseif ~isscalar (found)
-    [value, problem] = pointOf (found, r);
+    [value, fault] = pointOf (found, r);
   end
 end
 
 % One struct, whatever the form. Names of results need not be identifiers.
-function [items, problem] = itemsOf (results, readings, info)
-  problem = '';
+function [items, fault] = itemsOf (results, readings, info)
+  fault = '';
   items = results;
   if ~isstruct (results) || ~isscalar (results)
-    [items, problem] = byOrder (results, readings, info);
+    [items, fault] = byOrder (results, readings, info);
   end
   isGood = @(x) (isnumeric (x) || islogical (x)) && isreal (x) && ...
                 (isscalar (x) || columns (x) == 2);
   bad = find (~structfun (isGood, items), 1);
   if ~isempty (bad)
-    problem = sprintf (['%s must be a real number or a curve (n x 2: ' ...
-                        'place, value)'], fieldnames (items){bad});
+    fault = sprintf (['%s must be a real number or a curve (n x 2: ' ...
+                      'place, value)'], fieldnames (items){bad});
   end
 end
 
 % One curve alone, or all results in the order of results.csv.
-function [items, problem] = byOrder (results, readings, info)
+function [items, fault] = byOrder (results, readings, info)
   items = struct ();
-  problem = '';
+  fault = '';
   names = {};
   if ~isempty (info)
     names = {info.name};
@@ -83,8 +83,8 @@ function [items, problem] = byOrder (results, readings, info)
     results = num2cell (results);
   end
   if numel (names) ~= numel (results)
-    problem = sprintf (['getResults returned %d results, results.csv ' ...
-                        'names %d'], numel (results), numel (names));
+    fault = sprintf (['getResults returned %d results, results.csv ' ...
+                      'names %d'], numel (results), numel (names));
     return
   end
   for k = 1:numel (names)
@@ -104,12 +104,12 @@ function curve = seriesOf (items, series, info)
   end
 end
 
-function [value, problem] = pointOf (curve, r)
-  problem = '';
+function [value, fault] = pointOf (curve, r)
+  fault = '';
   value = NaN;
   if isnan (r.at)
-    problem = sprintf (['%s is a curve: measured.csv must say where on it ' ...
-                        '(series, at)'], r.result);
+    fault = sprintf (['%s is a curve: measured.csv must say where on it ' ...
+                      '(series, at)'], r.result);
     return
   end
   curve = double (curve(all (isfinite (curve), 2), :));
@@ -129,9 +129,9 @@ end
 %!             'at', {1.5, 3, NaN});
 %!test
 %! s = struct ('mass', 7, 'w', [3, 9; 1, 1; 2, 4]);
-%! [row, problem] = takeReadings (s, r, []);
+%! [row, fault] = takeReadings (s, r, []);
 %! assert (row, [2.5, 9, 7]);
-%! assert (problem, '');
+%! assert (fault, '');
 %! % beyond the end of the curve there is nothing
 %! s.w(1, :) = [];
 %! assert (takeReadings (s, r, []), [2.5, NaN, 7]);
@@ -143,15 +143,15 @@ end
 %! assert (takeReadings ([7, 2, 4], r, info), [2.5, 4, 7]);
 %! byName = struct ('result', 'run 2', 'series', 'w', 'at', 3);
 %! assert (takeReadings ([7, 2, 4], byName, info), 4);
-%! [~, problem] = takeReadings ({7, 2}, r, info);
-%! assert (problem, 'getResults returned 2 results, results.csv names 3');
+%! [~, fault] = takeReadings ({7, 2}, r, info);
+%! assert (fault, 'getResults returned 2 results, results.csv names 3');
 %!test
 %! % one curve alone
 %! assert (takeReadings ([1, 1; 2, 4; 3, 9], r(1:2), []), [2.5, 9]);
 %!test
-%! [~, problem] = takeReadings (struct ('mass', 7), r, []);
-%! assert (! isempty (strfind (problem, 'must return w')));
-%! [~, problem] = takeReadings (struct ('mass', 'x', 'w', 1), r, []);
-%! assert (! isempty (strfind (problem, 'mass must be a real number')));
-%! [~, problem] = takeReadings (struct ('mass', [1, 2; 2, 3], 'w', 1), r, []);
-%! assert (! isempty (strfind (problem, 'must say where')));
+%! [~, fault] = takeReadings (struct ('mass', 7), r, []);
+%! assert (! isempty (strfind (fault, 'must return w')));
+%! [~, fault] = takeReadings (struct ('mass', 'x', 'w', 1), r, []);
+%! assert (! isempty (strfind (fault, 'mass must be a real number')));
+%! [~, fault] = takeReadings (struct ('mass', [1, 2; 2, 3], 'w', 1), r, []);
+%! assert (! isempty (strfind (fault, 'must say where')));

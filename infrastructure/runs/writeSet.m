@@ -1,10 +1,10 @@
 % WRITESET  Writes the parameter set of a run into its folder.
 %
-% CALL: writeSet (folder, params, planRow)
+% CALL: writeSet (FOLDER, PARAMS, PLANROW)
 %
-% folder   folder of the run (text)
-% params   1 x d, written to params.csv at full precision
-% planRow  row of the plan, written to ExPlan.txt; 0 = no run of the plan, no
+% FOLDER   folder of the run (text)
+% PARAMS   1 x d, written to params.csv at full precision
+% PLANROW  row of the plan, written to ExPlan.txt; 0 = no run of the plan, no
 %          such file
 %
 % See also: writeParams, prepareRun

@@ -1,8 +1,8 @@
 % STUDENTCDF  Student's distribution function.
 %
-% CALL: p = studentCdf (x, df)
+% CALL: P = studentCdf (X, DF)
 %
-% x   matrix; df  scalar, degrees of freedom (Inf: normal); p  size of x
+% X   matrix; DF  scalar, degrees of freedom (Inf: normal); P  size of x
 %
 % p = 1 - I(df / (df + x^2); df/2, 1/2) / 2 for x >= 0 (incomplete beta)
 %

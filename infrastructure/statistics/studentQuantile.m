@@ -1,8 +1,8 @@
 % STUDENTQUANTILE  Quantile of Student's distribution.
 %
-% CALL: x = studentQuantile (p, df)
+% CALL: X = studentQuantile (P, DF)
 %
-% p   scalar in (0, 1); df  scalar, degrees of freedom (Inf: normal)
+% P   scalar in (0, 1); DF  scalar, degrees of freedom (Inf: normal)
 %
 % See also: studentCdf
 

@@ -1,12 +1,12 @@
 % CONDITIONSURROGATE  Surrogate from an stk model with known parameters.
 %
-% CALL: surrogate = conditionSurrogate (model, base)
+% CALL: SURROGATE = conditionSurrogate (MODEL, BASE)
 %
-% model  stk prior model in the unit box and the standardised response, all
+% MODEL  stk prior model in the unit box and the standardised response, all
 %        parameters known
-% base   struct: name, X (n x d), z (n x 1), limits (2 x d), unit (n x d, X in
+% BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), unit (n x d, X in
 %        the unit box), y (n x 1, standardised z), shift, scale
-% surrogate  struct of fitSurrogate
+% SURROGATE  struct of fitSurrogate
 %
 % The covariance is factored once; leave-one-out residuals in closed form
 % (Dubrule 1983): with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1 the residual is

@@ -1,10 +1,10 @@
 % CORRELATIONOF  Correlation functions of the surrogates, and their slope.
 %
-% CALL: [k, slope] = correlationOf (kernel, r2)
+% CALL: [K, SLOPE] = correlationOf (KERNEL, R2)
 %
-% kernel  'matern32', 'matern52' or 'gauss'
-% r2      squared scaled distances, any size
-% k       correlation; slope its derivative by r2 (both as r2)
+% KERNEL  'matern32', 'matern52' or 'gauss'
+% R2      squared scaled distances, any size
+% K       correlation; SLOPE  its derivative by r2 (both as r2)
 %
 % The same scaling of the distance as stk: t = 2 sqrt (nu) r.
 %

@@ -1,8 +1,8 @@
 % COVARIANCEOF  Prior covariance of a surrogate between two lists of sets.
 %
-% CALL: K = covarianceOf (surrogate, U, V)
+% CALL: K = covarianceOf (SURROGATE, U, V)
 %
-% surrogate  scalar struct of fitSurrogate
+% SURROGATE  scalar struct of fitSurrogate
 % U, V       n x d and m x d, sets in the unit box
 % K          n x m, of the standardised response
 %

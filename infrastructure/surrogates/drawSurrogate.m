@@ -1,11 +1,11 @@
 % DRAWSURROGATE  Draws responses at some sets from a surrogate's posterior.
 %
-% CALL: draw = drawSurrogate (surrogate, P, n)
+% CALL: DRAW = drawSurrogate (SURROGATE, P, N)
 %
-% surrogate  scalar struct of fitSurrogate
+% SURROGATE  scalar struct of fitSurrogate
 % P          m x d, parameter sets
-% n          number of draws
-% draw       m x n, responses without the noise of a run; the sets of one draw
+% N          number of draws
+% DRAW       m x n, responses without the noise of a run; the sets of one draw
 %            vary together. Taken from randn, which the caller seeds
 %
 % See also: krigingTerms, chooseInfill

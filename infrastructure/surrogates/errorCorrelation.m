@@ -1,12 +1,12 @@
 % ERRORCORRELATION  How alike the errors of a run's results are.
 %
-% CALL: [C, ALONG] = errorCorrelation (R, PROBLEM)
+% CALL: [C, ALONG] = errorCorrelation (R, GAPPROBLEM)
 %
-%   R        n x T, standardised residuals of runs
-%   PROBLEM  struct bench, series, coordinate (1 x T, see newGapProblem)
-%   C        T x T, correlation within a bench, 0 between benches
-%   ALONG    T x T, that of neighbours on a curve of eight points or more:
-%            exp (-distance / length), 1 on the diagonal, else 0
+%   R           n x T, standardised residuals of runs
+%   GAPPROBLEM  struct bench, series, coordinate (1 x T, see newGapProblem)
+%   C           T x T, correlation within a bench, 0 between benches
+%   ALONG       T x T, that of neighbours on a curve of eight points or more:
+%               exp (-distance / length), 1 on the diagonal, else 0
 %
 % The sample's correlations are shrunk towards ALONG by n / (n + 2 T): 40 runs
 % do not tell those of 60 points. Shrunk towards none, the error of a smooth
@@ -16,21 +16,21 @@
 %
 % See also: fitEmulator, whitenEmulator
 
-function [C, along] = errorCorrelation (R, problem)
+function [C, along] = errorCorrelation (R, gapProblem)
   [n, T] = size (R);
   scale = sqrt (sum (R.^2, 1));
   S = (R' * R) ./ max (scale' * scale, eps);
   along = eye (T);
-  for s = setdiff (problem.series, 0)
-    own = find (problem.series == s);
-    apart = abs (problem.coordinate(own)' - problem.coordinate(own));
+  for s = setdiff (gapProblem.series, 0)
+    own = find (gapProblem.series == s);
+    apart = abs (gapProblem.coordinate(own)' - gapProblem.coordinate(own));
     if numel (own) >= 8 && n > 0
       along(own, own) = exp (-apart / fittedLength (S(own, own), apart));
     end
   end
   share = n / (n + 2 * T);
   C = share * S + (1 - share) * along;
-  C(problem.bench' ~= problem.bench) = 0;
+  C(gapProblem.bench' ~= gapProblem.bench) = 0;
   C(1:T + 1:end) = 1;
 end
 
@@ -40,13 +40,13 @@ function len = fittedLength (S, apart)
   len = exp (fminbnd (misfit, log (least / 3), log (max (apart(:)))));
 end
 
-%!shared problem
-%! problem = struct ('bench', [1, 1, 2], 'series', zeros (1, 3), ...
-%!                   'coordinate', zeros (1, 3));
+%!shared gapProblem
+%! gapProblem = struct ('bench', [1, 1, 2], 'series', zeros (1, 3), ...
+%!                      'coordinate', zeros (1, 3));
 %!test
 %! % no curve: shrunk towards independence, nothing between benches
 %! R = [1, 1, 0; -1, -1, 0; 1, 1, 1; -1, -1, -1];
-%! [C, along] = errorCorrelation (R, problem);
+%! [C, along] = errorCorrelation (R, gapProblem);
 %! assert (along, eye (3));
 %! assert (C, [1, 0.4, 0; 0.4, 1, 0; 0, 0, 1], 1e-12);
 %!test

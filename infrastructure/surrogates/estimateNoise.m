@@ -1,9 +1,9 @@
-% ESTIMATENOISE  Seed scatter of one run, from replicates alone.
+% ESTIMATENOISE  Noise of one run, from replicates alone.
 %
-% CALL: noise = estimateNoise (data, problem)
+% CALL: NOISE = estimateNoise (DATA, PROBLEM)
 %
-% data   struct of newData; problem  struct of newProblem
-% noise  struct: sd 1 x T (pooled over the groups of replicates), df 1 x T,
+% DATA   struct of newData; PROBLEM  struct of newProblem
+% NOISE  struct: sd 1 x T (pooled over the groups of replicates), df 1 x T,
 %        relative 1 x T (pooled sd / mean), interval90 2 x T (of sd),
 %        power 1 x T (slope of log sd on log |mean| over the groups: 0 the
 %        scatter is constant, 1 it is proportional; NaN with fewer than 4

@@ -1,12 +1,12 @@
 % FITSURROGATE  Kriging model of one response, noise estimated, choice checked.
 %
-% CALL: surrogate = fitSurrogate (X, z, limits)
-% CALL: surrogate = fitSurrogate (X, z, limits, options)
+% CALL: SURROGATE = fitSurrogate (X, Z, LIMITS)
+% CALL: SURROGATE = fitSurrogate (X, Z, LIMITS, OPTIONS)
 %
 % X        n x d  inputs; rows may repeat (replicates carry pure error)
-% z        n x 1  responses; rows with NaN are left out
-% limits   2 x d  box of the inputs
-% options  struct, every field optional:
+% Z        n x 1  responses; rows with NaN are left out
+% LIMITS   2 x d  box of the inputs
+% OPTIONS  struct, every field optional:
 %   name        char, name of the response ('')
 %   trend       'constant', 'affine', 'quadratic' or 'choose' ('choose')
 %   covariance  'matern32', 'matern52', 'gauss' or 'choose' ('choose')
@@ -15,7 +15,7 @@
 %   maxFit      rows used at most to estimate the parameters (150)
 %   noise       n x 1 known variances of the single runs ([]: estimated)
 %
-% surrogate: name, model, posterior (stk, in the unit box and the standardised
+% SURROGATE: name, model, posterior (stk, in the unit box and the standardised
 % response; [] above 400 rows), X, z, limits, noiseVar (of one run), looResidual
 % and looStd (n x 1), Q2, trend, covariance, and what predictSurrogate needs:
 % shift, scale, factor, df, score (leave-one-out log density), nChoice (runs at

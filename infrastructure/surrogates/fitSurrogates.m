@@ -1,14 +1,14 @@
 % FITSURROGATES  One surrogate a target from all finished runs.
 %
-% CALL: surrogates = fitSurrogates (data, problem)
-% CALL: surrogates = fitSurrogates (data, problem, old)
+% CALL: SURROGATES = fitSurrogates (DATA, PROBLEM)
+% CALL: SURROGATES = fitSurrogates (DATA, PROBLEM, OLD)
 %
-% data        struct of newData: X n x d, Z n x T (NaN: failed)
-% problem     struct of newProblem
-% old         1 x T surrogates of an earlier fit: choice of trend and
+% DATA        struct of newData: X n x d, Z n x T (NaN: failed)
+% PROBLEM     struct of newProblem
+% OLD         1 x T surrogates of an earlier fit: choice of trend and
 %             covariance kept, only parameters estimated again (much faster);
 %             chosen anew when the runs have grown by half
-% surrogates  1 x T struct array of fitSurrogate
+% SURROGATES  1 x T struct array of fitSurrogate
 %
 % Rows with effect values other than those of the first row belong to another
 % model and are left out.

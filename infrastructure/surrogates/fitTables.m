@@ -1,14 +1,14 @@
 % FITTABLES  One surrogate per response file.
 %
-% CALL: surrogates = fitTables (plans, responses, limits, options)
+% CALL: SURROGATES = fitTables (PLANS, RESPONSES, LIMITS, OPTIONS)
 %
-% plans       text or cellstr: CSV of the plan (n x d), one for all responses
+% PLANS       text or cellstr: CSV of the plan (n x d), one for all responses
 %             or one per response
-% responses   cellstr: CSV of one response each (n rows, NaN: failed); a cell
+% RESPONSES   cellstr: CSV of one response each (n rows, NaN: failed); a cell
 %             of cells (one per model) is unfolded
-% limits      2 x d, limits of the design variables
-% options     struct of fitSurrogate (trend, covariance)
-% surrogates  1 x T struct array of fitSurrogate, named KM_fun_1 ...
+% LIMITS      2 x d, limits of the design variables
+% OPTIONS     struct of fitSurrogate (trend, covariance)
+% SURROGATES  1 x T struct array of fitSurrogate, named KM_fun_1 ...
 %
 % Errors: DEcalioc:fitTables:missingFile, :badShape
 %

@@ -1,8 +1,8 @@
 % ISCONSTANT  True where a response is the same in all runs, but for rounding.
 %
-% CALL: yes = isConstant (z)
+% CALL: YES = isConstant (Z)
 %
-% z  n x 1
+% Z  n x 1
 %
 % See also: fitSurrogate, conditionSurrogate
 

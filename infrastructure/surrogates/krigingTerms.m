@@ -1,10 +1,10 @@
 % KRIGINGTERMS  What a surrogate's posterior at some sets is made of.
 %
-% CALL: [m, B, C, U] = krigingTerms (surrogate, P)
+% CALL: [M, B, C, U] = krigingTerms (SURROGATE, P)
 %
-% surrogate  scalar struct of fitSurrogate
+% SURROGATE  scalar struct of fitSurrogate
 % P          n x d, parameter sets
-% m          n x 1, posterior mean of the standardised response
+% M          n x 1, posterior mean of the standardised response
 % B, C       its posterior covariance is K - B' B + C' C, with K the prior
 %            covariance of the sets: B stands for what the runs tell, C for the
 %            trend that they leave open

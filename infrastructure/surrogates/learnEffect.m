@@ -2,7 +2,7 @@
 %
 % CALL: E = learnEffect (EM, EFFECT, Q, Z)
 %
-%   EM      struct of fitEmulator: baseline and seed noise
+%   EM      struct of fitEmulator: baseline and noise
 %   EFFECT  struct of newEffect
 %   Q       n x (p + 1), runs: parameters in [-1, 1], strength phi
 %   Z       n x T, results, NaN = none
@@ -49,7 +49,7 @@ function e = learnEffect (em, effect, Q, Z)
   e.powers = e.powers(e.powers(:, end) > 0, :);
   [m, v] = predictBaseline (em, Q(:, 1:em.p));
   R = Z - m;
-  noise = @(t, ok) runCovariance (e.Q(ok, 1:em.p), v(ok, t), em.seedVar(t));
+  noise = @(t, ok) runCovariance (e.Q(ok, 1:em.p), v(ok, t), em.noiseVar(t));
   e.unbent = e.runs < 8;
   if ~e.unbent
     e.bend = bestBend (e, R, noise);
@@ -102,7 +102,7 @@ end
 %! % saturation and dead zone are told from straight effects (seeded)
 %! rand ('twister', 5); randn ('twister', 5);
 %! em = struct ('p', 1, 'coef', zeros (3, 6), 'powers', [0; 1; 2], ...
-%!              'seedVar', 0.01 * ones (1, 6), 'range', ones (1, 6));
+%!              'noiseVar', 0.01 * ones (1, 6), 'range', ones (1, 6));
 %! em.surrogates = @(X) deal (zeros (rows (X), 6), zeros (rows (X), 6));
 %! em.correlation = eye (6);
 %! effect = struct ('name', 'e', 'range', [0, 1], 'scale', 0.5, ...

@@ -47,7 +47,7 @@ function joint = learnJoint (em, pair, Q, Z)
     if any (ok)
       fit = fitEffect (joint.powers, [Q(ok, 1:p), psi(ok, :)], ...
                        [Z(ok, t) - m(ok, t), product(ok)], ...
-                       em.seedVar(t) + v(ok, t));
+                       em.noiseVar(t) + v(ok, t));
       joint.coef(:, t) = fit.coef;
       joint.varOverPsi2(t) = min (fit.covariance(1) + fit.misfit + eps, ...
                                   guess(t));
@@ -58,7 +58,7 @@ end
 %!test
 %! % two effects that double each other: seen from a few runs (seeded)
 %! rand ('twister', 3); randn ('twister', 3);
-%! em = struct ('p', 1, 'coef', zeros (1, 2), 'seedVar', [0.01, 0.01]);
+%! em = struct ('p', 1, 'coef', zeros (1, 2), 'noiseVar', [0.01, 0.01]);
 %! em.surrogates = @(theta) deal (zeros (rows (theta), 2), ...
 %!                                zeros (rows (theta), 2));
 %! em.effect = struct ('powers', [0, 1], 'coef', {[4, 0], [4, 1]}, ...

@@ -1,8 +1,8 @@
 % LOADSURROGATE  Reads a surrogate that saveSurrogate wrote.
 %
-% CALL: surrogate = loadSurrogate (file)
+% CALL: SURROGATE = loadSurrogate (FILE)
 %
-% file       char, path; surrogate  scalar struct of fitSurrogate
+% FILE       char, path; SURROGATE  scalar struct of fitSurrogate
 %
 % Errors: DEcalioc:loadSurrogate:missingFile
 %

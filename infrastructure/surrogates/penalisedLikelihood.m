@@ -1,13 +1,13 @@
 % PENALISEDLIKELIHOOD  Restricted likelihood of Kriging with a weak prior.
 %
-% CALL: [C, g] = penalisedLikelihood (theta, fit)
+% CALL: [C, G] = penalisedLikelihood (THETA, FIT)
 %
-% theta  (d + 2) x 1: log variance, log 1/range (d), log noise variance;
-%        (d + 1) x 1 when fit.noise is given
-% fit    struct of prepareFit: S n^2 x d (squared differences), W n x (n - q)
+% THETA  (d + 2) x 1: log variance, log 1/range (d), log noise variance;
+%        (d + 1) x 1 when FIT.noise is given
+% FIT    struct of prepareFit: S n^2 x d (squared differences), W n x (n - q)
 %        (basis orthogonal to the trend), y n x 1, kernel (name), noise n x 1 or
 %        [], prior mean and sd (as theta)
-% C      scalar, negative log density; g  gradient, as theta
+% C      scalar, negative log density; G  gradient, as theta
 %
 % The value equals stk_param_relik up to the prior; written for few runs, where
 % the calls around the algebra cost more than the algebra. With few runs per

@@ -1,10 +1,9 @@
-% POOLEDNOISE  Improves the seed noise of each response by the runs of effects.
+% POOLEDNOISE  Improves the noise of each response by the runs of effects.
 %
 % CALL: [VARIANCE, FREEDOM] = pooledNoise (EM, EFFECTS)
 %
-%   EM        struct of fitEmulator: baseline, seedVar and seedFreedom (1 x T,
-%   as
-%             repeats and the nugget tell; Inf: known)
+%   EM        struct of fitEmulator: baseline, noiseVar and noiseFreedom (1 x T,
+%             as repeats and the nugget tell; Inf: known)
 %   EFFECTS   1 x K struct array of learnEffect
 %   VARIANCE, FREEDOM   1 x T, both with what the scatter of the effects' runs
 %             around their own surrogates says
@@ -21,7 +20,7 @@
 function [variance, freedom] = pooledNoise (em, effects)
   factors = 2.^(-2:0.5:2.5);
   x = log (factors);
-  score = -em.seedFreedom' / 16 .* x.^2;
+  score = -em.noiseFreedom' / 16 .* x.^2;
   for e = effects(~[effects.laboratory] & [effects.runs] >= 6)
     score = score + scoresOf (em, e, factors);
   end
@@ -29,10 +28,10 @@ function [variance, freedom] = pooledNoise (em, effects)
   w = w ./ sum (w, 2);
   middle = sum (w .* x, 2)';
   spread = sum (w .* (x - middle').^2, 2)' + diff (x)(1)^2 / 12;
-  variance = em.seedVar .* exp (middle + spread / 2);
+  variance = em.noiseVar .* exp (middle + spread / 2);
   freedom = 2 ./ spread;
-  known = isinf (em.seedFreedom);
-  variance(known) = em.seedVar(known);
+  known = isinf (em.noiseFreedom);
+  variance(known) = em.noiseVar(known);
   freedom(known) = Inf;
 end
 
@@ -50,7 +49,7 @@ function score = scoresOf (em, e, factors)
     for f = 1:numel (factors)
       fit = fitEffect (e.powers, Q(ok, :), r, ...
                        runCovariance (Q(ok, 1:em.p), v(ok, t), ...
-                                      factors(f) * em.seedVar(t)), coarse);
+                                      factors(f) * em.noiseVar(t)), coarse);
       score(t, f) = fit.score;
     end
   end
@@ -60,7 +59,7 @@ end
 %! % a nugget four times too small is put right by 60 runs (seeded)
 %! rand ('twister', 5); randn ('twister', 5);
 %! em = struct ('p', 1, 'coef', zeros (3, 2), 'powers', [0; 1; 2], ...
-%!              'seedVar', [0.0025, 0.01], 'seedFreedom', [6, Inf]);
+%!              'noiseVar', [0.0025, 0.01], 'noiseFreedom', [6, Inf]);
 %! em.range = [1, 1];
 %! em.correlation = eye (2);
 %! em.surrogates = @(X) deal (zeros (rows (X), 2), zeros (rows (X), 2));

@@ -1,10 +1,10 @@
 % PREDICTSURROGATE  Mean and variance of the responses from their surrogates.
 %
-% CALL: [m, v] = predictSurrogate (surrogates, P)
+% CALL: [M, V] = predictSurrogate (SURROGATES, P)
 %
-% surrogates  1 x T struct array of fitSurrogate
+% SURROGATES  1 x T struct array of fitSurrogate
 % P           n x d  parameter sets
-% m, v        n x T  mean of the response and its variance (the noise of a run
+% M, V        n x T  mean of the response and its variance (the noise of a run
 %             is not in it: add surrogates(t).noiseVar to predict a run)
 %
 % Closed form from the factored covariance (equal to stk_predict, which costs

@@ -1,11 +1,11 @@
 % PREPAREFIT  Everything of a fit that does not depend on the parameters.
 %
-% CALL: fit = prepareFit (U, y, trend, kernel, noise)
+% CALL: FIT = prepareFit (U, Y, TREND, KERNEL, NOISE)
 %
-% U       n x d  inputs in the unit box; y  n x 1 standardised response
-% trend   'constant', 'affine' or 'quadratic'; kernel  see correlationOf
-% noise   n x 1 known variances, or [] (estimated)
-% fit     struct of penalisedLikelihood, with the prior (mean, sd): the part
+% U       n x d  inputs in the unit box; Y  n x 1 standardised response
+% TREND   'constant', 'affine' or 'quadratic'; KERNEL  see correlationOf
+% NOISE   n x 1 known variances, or [] (estimated)
+% FIT     struct of penalisedLikelihood, with the prior (mean, sd): the part
 %         beyond the trend, the ranges and the noise of a usual DEM response
 %
 % See also: penalisedLikelihood, fitSurrogate

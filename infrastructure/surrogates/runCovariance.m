@@ -1,22 +1,22 @@
 % RUNCOVARIANCE  Covariance of runs around the baseline surrogate.
 %
-% CALL: C = runCovariance (THETA, V, SEEDVAR)
+% CALL: C = runCovariance (THETA, V, NOISEVAR)
 %
-%   THETA    n x p, parameters of the runs in [-1, 1]
-%   V        n x 1, variance of the baseline surrogate there
-%   SEEDVAR  scalar, scatter of one run
-%   C        n x n: seed noise, and the error of the baseline: a plane through
-%   the
-%            box carries seven tenths of its variance, the rest is independent
+%   THETA     n x p, parameters of the runs in [-1, 1]
+%   V         n x 1, variance of the baseline surrogate there
+%   NOISEVAR  scalar, variance of one run
+%   C         n x n: noise of the runs, and the error of the baseline: a plane
+%             through the box carries seven tenths of its variance, the rest is
+%             independent
 %
 % See also: learnEffect, pooledNoise
 
-function C = runCovariance (theta, v, seedVar)
+function C = runCovariance (theta, v, noiseVar)
   [n, p] = size (theta);
   root = sqrt (v);
   plane = [ones(n, 1), theta];
   shared = (plane .* [0.4, 0.9 / p * ones(1, p)]) * plane';
-  C = (root * root') .* shared + diag (seedVar + 0.3 * v);
+  C = (root * root') .* shared + diag (noiseVar + 0.3 * v);
 end
 
 %!test

@@ -1,8 +1,8 @@
 % SAVESURROGATE  Keeps a surrogate as a text file of plain numbers.
 %
-% CALL: saveSurrogate (file, surrogate)
+% CALL: saveSurrogate (FILE, SURROGATE)
 %
-% file       char, path; surrogate  scalar struct of fitSurrogate
+% FILE       char, path; SURROGATE  scalar struct of fitSurrogate
 %
 % Kept: name, runs, limits, trend, covariance, parameters. The factored
 % covariance is computed again by loadSurrogate.

@@ -1,10 +1,10 @@
 % SAVESURROGATES  Keeps surrogates as text files in a folder.
 %
-% CALL: names = saveSurrogates (surrogates, folder)
+% CALL: NAMES = saveSurrogates (SURROGATES, FOLDER)
 %
-% surrogates  1 x T struct array, see fitSurrogate
-% folder      folder that holds them, made where it is missing (text)
-% names       1 x T cellstr, KM_fun_<i>: the file <name>.txt holds runs and
+% SURROGATES  1 x T struct array, see fitSurrogate
+% FOLDER      folder that holds them, made where it is missing (text)
+% NAMES       1 x T cellstr, KM_fun_<i>: the file <name>.txt holds runs and
 %             parameters as text, no program
 %
 % See also: saveSurrogate, createKrigingModels

@@ -1,10 +1,10 @@
 % SOBOLINDICES  Global sensitivity of each response, on the surrogates.
 %
-% CALL: S = sobolIndices (surrogates, problem)
-% CALL: S = sobolIndices (surrogates, problem, N)
+% CALL: S = sobolIndices (SURROGATES, PROBLEM)
+% CALL: S = sobolIndices (SURROGATES, PROBLEM, N)
 %
-% surrogates  1 x T struct array of fitSurrogates
-% problem     struct of newProblem (limits and names are used)
+% SURROGATES  1 x T struct array of fitSurrogates
+% PROBLEM     struct of newProblem (limits and names are used)
 % N           base sample (1024); N (d + 2) predictions are made
 % S           struct: first, total d x T (shares of the variance of the
 %             response over the box), names, targets

@@ -17,7 +17,7 @@
 %     removable logical, before^2 > floor^2 in 95 % of the bootstrap, and more
 %               than noise makes (chi-square, 5 %)
 %
-% The seed scatter of the means is estimated from the runs and subtracted (once
+% The noise of the means is estimated from the runs and subtracted (once
 % more where the bootstrap adds it): mere noise is neither gap nor cure.
 %
 % See also: measureCorrection

@@ -3,7 +3,7 @@
 % CALL: [VERDICT, W] = correctionEvidence (VERDICT, W, VIEW, DATA)
 %
 %   VERDICT, W  of judgeCase, caseEvidence before the cures were run
-%   VIEW        struct problem, em, models, as of runCorrections
+%   VIEW        struct gapProblem, em, models, as of runCorrections
 %   DATA        all runs, those of the cures among them
 %   VERDICT, W  the same with these runs known and the held-out targets in the
 %               evidence; VERDICT.before: probability of each effect before
@@ -17,14 +17,14 @@
 % See also: runCorrections, judgeCase
 
 function [verdict, w] = correctionEvidence (verdict, w, view, data)
-  problem = view.problem;
+  gapProblem = view.gapProblem;
   options = view.models.options;
-  em = fitEmulator (problem, data, options, view.em);
+  em = fitEmulator (gapProblem, data, options, view.em);
   em.effect = em.effect(ismember ({em.effect.name}, view.models.names));
-  targets = sort ([problem.used, problem.heldOut]);
-  models = makeHypotheses (problem, em, options, targets);
+  targets = sort ([gapProblem.used, gapProblem.heldOut]);
+  models = makeHypotheses (gapProblem, em, options, targets);
   models.reference = view.models.reference;
-  fits = fitLibrary (models, problem.y(targets));
+  fits = fitLibrary (models, gapProblem.value(targets));
   before = verdict.total;
   gate = w.gate;
   w = caseEvidence (models, fits, 1);

@@ -2,7 +2,7 @@
 %
 % CALL: CURE = measureCorrection (VIEW, SETS, FIRST, GROUP)
 %
-%   VIEW     struct problem, em, models
+%   VIEW     struct gapProblem, em, models
 %   SETS     struct array of runCorrections: the null model first, then each
 %            effect
 %   FIRST    effect numbers of the cause, one of SETS
@@ -22,28 +22,28 @@
 % See also: runCorrections, closureOf, diagnoseMatrices
 
 function cure = measureCorrection (view, sets, first, group)
-  problem = view.problem;
+  gapProblem = view.gapProblem;
   em = view.em;
   names = view.models.names;
   at = find (cellfun (@(h) isequal (h, first), {sets.h}), 1);
-  noise = diag (noiseBudget (problem, em).covariance)';
-  cure = closureAt (view, noise, sets(1).Z, sets(at).Z, problem.used);
+  noise = diag (noiseBudget (gapProblem, em).covariance)';
+  cure = closureAt (view, noise, sets(1).Z, sets(at).Z, gapProblem.used);
   cure.effect = strjoin (names(first), ' + ');
   cure.heldOut = [];
-  if ~isempty (problem.heldOut)
+  if ~isempty (gapProblem.heldOut)
     cure.heldOut = closureAt (view, noise, sets(1).Z, sets(at).Z, ...
-                              problem.heldOut);
+                              gapProblem.heldOut);
   end
   cure.placebos = struct ('effect', {}, 'closure', {}, 'heldOut', {});
   for i = setdiff (2:numel (sets), at)
     if any (ismember (sets(i).h, group))
       continue
     end
-    own = closureAt (view, noise, sets(1).Z, sets(i).Z, problem.used);
+    own = closureAt (view, noise, sets(1).Z, sets(i).Z, gapProblem.used);
     held = NaN;
-    if ~isempty (problem.heldOut)
+    if ~isempty (gapProblem.heldOut)
       held = closureAt (view, noise, sets(1).Z, sets(i).Z, ...
-                        problem.heldOut).closure;
+                        gapProblem.heldOut).closure;
     end
     cure.placebos(end + 1) = struct ('effect', ...
                                      strjoin (names(sets(i).h), ' + '), ...
@@ -51,15 +51,16 @@ function cure = measureCorrection (view, sets, first, group)
   end
   cure.verifiedByDEM = all ([sets.verified]);
   cure.worstZ = max ([sets([1, at]).worstZ]);
-  half = diff (problem.limits) / 2;
-  cure.params = mean (problem.limits) + ...
+  half = diff (gapProblem.limits) / 2;
+  cure.params = mean (gapProblem.limits) + ...
                 [sets(1).Q; sets(at).Q(1:em.p)] .* half;
   cure.phi = sets(at).Q(em.p + 1:end);
-  left = problem.y(problem.used) - mean (sets(at).Z(:, problem.used), 1);
-  cure.remaining = left ./ sqrt (noise(problem.used));
+  used = gapProblem.used;
+  left = gapProblem.value(used) - mean (sets(at).Z(:, used), 1);
+  cure.remaining = left ./ sqrt (noise(used));
 end
 
 function c = closureAt (view, noise, before, after, at)
-  c = closureOf (view.problem.y(at), noise(at), before(:, at), ...
+  c = closureOf (view.gapProblem.value(at), noise(at), before(:, at), ...
                  after(:, at), view.em.range(at));
 end

@@ -2,7 +2,7 @@
 %
 % CALL: [SETS, STATE] = runCorrections (VIEW, CAUSES, STATE)
 %
-%   VIEW     struct problem, em, models, fits: of newGapProblem, fitEmulator,
+%   VIEW     struct gapProblem, em, models, fits: of newGapProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
 %            targets only
@@ -57,22 +57,22 @@ end
 
 % Effects of the laboratory act on the results of a neutral run.
 function [set, state] = runSet (view, set, state)
-  problem = view.problem;
+  gapProblem = view.gapProblem;
   em = view.em;
   n = state.repeats;
-  phi = zeros (1, numel (problem.effects));
+  phi = zeros (1, numel (gapProblem.effects));
   number = zeros (1, numel (set.h));
   for i = 1:numel (set.h)
-    number(i) = find (strcmp ({problem.effects.name}, ...
+    number(i) = find (strcmp ({gapProblem.effects.name}, ...
                               view.models.names{set.h(i)}), 1);
     phi(number(i)) = set.Q(em.p + i);
   end
   known = rows (state.data.Z);
-  state = spendRuns (state, problem, repmat (set.Q(1:em.p), n, 1), ...
+  state = spendRuns (state, gapProblem, repmat (set.Q(1:em.p), n, 1), ...
                      repmat (phi, n, 1), (1:n)', 'cure');
   Z = state.data.Z(known + 1:end, :);
   for at = number
-    effect = problem.effects(at);
+    effect = gapProblem.effects(at);
     if effect.laboratory
       Z = Z + phi(at) * (effect.offset + Z * effect.matrix);
     end
@@ -80,8 +80,8 @@ function [set, state] = runSet (view, set, state)
   set.Z = Z(all (isfinite (Z), 2), :);
   set.verified = true;
   M = predictGap (em, set.h, set.Q);
-  sd = sqrt (mean (em.surrogateVar, 1) + em.seedVar / max (rows (set.Z), 1));
-  used = problem.used;
+  sd = sqrt (mean (em.surrogateVar, 1) + em.noiseVar / max (rows (set.Z), 1));
+  used = gapProblem.used;
   set.worstZ = max (abs (mean (set.Z(:, used), 1) - M(used)) ./ sd(used));
 end
 

@@ -1,13 +1,13 @@
 % NEXTTEST  Ranks further measurements by what they would tell about the cause.
 %
-% CALL: TESTS = nextTest (PROBLEM, EM, W, P)
+% CALL: TESTS = nextTest (GAPPROBLEM, EM, W, P)
 %
-%   PROBLEM  struct of newGapProblem
-%   EM       struct of fitEmulator, the effects as in W
-%   W        struct of caseEvidence (members, posterior, kind)
-%   P        1 x H, probabilities of the hypotheses
-%   TESTS    1 x m struct, best first: test (text), targets, gain (bits about
-%            which hypothesis holds), cost, gainPerCost
+%   GAPPROBLEM  struct of newGapProblem
+%   EM          struct of fitEmulator, the effects as in W
+%   W           struct of caseEvidence (members, posterior, kind)
+%   P           1 x H, probabilities of the hypotheses
+%   TESTS       1 x m struct, best first: test (text), targets, gain (bits about
+%               which hypothesis holds), cost, gainPerCost
 %
 % Candidates: every simulated but unmeasured setting (bench and coordinate; a
 % curve as a whole), and every bench measured once more.
@@ -17,10 +17,10 @@
 %
 % See also: diagnoseMatrices
 
-function tests = nextTest (problem, em, w, P)
-  tests = candidates (problem);
+function tests = nextTest (gapProblem, em, w, P)
+  tests = candidates (gapProblem);
   [keep, P] = likelyOnes (w, P);
-  budget = noiseBudget (problem, em);
+  budget = noiseBudget (gapProblem, em);
   noise = budget.covariance;
   for i = 1:numel (tests)
     at = tests(i).targets;
@@ -50,25 +50,26 @@ function [keep, P] = likelyOnes (w, P)
   P = P(keep) / sum (P(keep));
 end
 
-function tests = candidates (problem)
+function tests = candidates (gapProblem)
   tests = struct ('test', {}, 'targets', {}, 'gain', {}, 'cost', {}, ...
                   'gainPerCost', {});
-  settings = [problem.bench(:), problem.coordinate(:), problem.curve(:)];
-  settings(problem.curve > 0, 2) = 0;
-  settings = settings(problem.possible, :);
+  settings = [gapProblem.bench(:), gapProblem.coordinate(:), ...
+              gapProblem.curve(:)];
+  settings(gapProblem.curve > 0, 2) = 0;
+  settings = settings(gapProblem.possible, :);
   for row = unique (settings, 'rows')'
-    at = problem.possible(all (settings == row', 2));
-    names = strjoin (problem.targetNames(at), ', ');
+    at = gapProblem.possible(all (settings == row', 2));
+    names = strjoin (gapProblem.targetNames(at), ', ');
     if numel (at) > 3 && row(3) > 0
-      names = sprintf ('%s to %s', problem.targetNames{at([1, end])});
+      names = sprintf ('%s to %s', gapProblem.targetNames{at([1, end])});
     end
-    text = sprintf ('%s: measure %s', problem.benchNames{row(1)}, names);
-    tests(end + 1) = newTest (text, at, problem.benchCost(row(1)));
+    text = sprintf ('%s: measure %s', gapProblem.benchNames{row(1)}, names);
+    tests(end + 1) = newTest (text, at, gapProblem.benchCost(row(1)));
   end
-  for b = unique (problem.bench(problem.used))
-    at = problem.used(problem.bench(problem.used) == b);
-    text = ['measure ', problem.benchNames{b}, ' once more'];
-    tests(end + 1) = newTest (text, at, problem.benchCost(b));
+  for b = unique (gapProblem.bench(gapProblem.used))
+    at = gapProblem.used(gapProblem.bench(gapProblem.used) == b);
+    text = ['measure ', gapProblem.benchNames{b}, ' once more'];
+    tests(end + 1) = newTest (text, at, gapProblem.benchCost(b));
   end
 end
 
@@ -110,20 +111,21 @@ end
 %!             'coef', {[5, 9, 1], [5, -9, 1]}, 'laboratory', true, 'bend', 1);
 %! em = struct ('p', 1, 'powers', [0; 1], 'coef', [0, 0, 0; 1, 0, 0], ...
 %!              'effect', e, 'surrogateVar', zeros (2, 3), ...
-%!              'fitVar', zeros (1, 3), 'seedVar', ones (1, 3), ...
+%!              'fitVar', zeros (1, 3), 'noiseVar', ones (1, 3), ...
 %!              'correlation', eye (3), 'range', ones (1, 3));
-%! problem = newGapProblem (struct ('y', [5, NaN, 1], 'sd', ones (1, 3), ...
-%!                                  'bench', [1, 2, 1], 'limits', [0; 1]));
+%! gapProblem = newGapProblem (struct ('value', [5, NaN, 1], ...
+%!                                     'sd', ones (1, 3), ...
+%!                                     'bench', [1, 2, 1], 'limits', [0; 1]));
 %! w.members = {1, 2};
 %! w.kind = {'single', 'single'};
 %! w.posterior = repmat ({struct('Q', [0, 1], 'weight', 1)}, 1, 2);
-%! tests = nextTest (problem, em, w, [0.5, 0.5]);
+%! tests = nextTest (gapProblem, em, w, [0.5, 0.5]);
 %! assert (tests(1).targets, 2);
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
 %! % points of one curve are measured together
-%! two = problem;
-%! [two.y(3), two.coordinate] = deal (NaN, [0, 1, 2]);
+%! two = gapProblem;
+%! [two.value(3), two.coordinate] = deal (NaN, [0, 1, 2]);
 %! two.bench = [1, 2, 2];
 %! two.possible = [2, 3];
 %! two.used = 1;
@@ -131,8 +133,8 @@ end
 %! two.curve = [0, 1, 1];
 %! tests = nextTest (two, em, w, [0.5, 0.5]);
 %! assert ({tests.targets}, {[2, 3], 1});
-%! tests = nextTest (problem, em, w, [0.5, 0.5]);
+%! tests = nextTest (gapProblem, em, w, [0.5, 0.5]);
 %! w.kind{3} = 'discrepancy';
 %! w.posterior{3} = struct ('Q', [], 'weight', []);
-%! tests = nextTest (problem, em, w, [0, 0, 1]);
+%! tests = nextTest (gapProblem, em, w, [0, 0, 1]);
 %! assert ([tests.gain], zeros (1, numel (tests)), 1e-12);

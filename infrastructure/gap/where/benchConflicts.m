@@ -1,8 +1,8 @@
 % BENCHCONFLICTS  Asks each bench whether it agrees with the others.
 %
-% CALL: CONFLICT = benchConflicts (PROBLEM, EM, MODELS)
+% CALL: CONFLICT = benchConflicts (GAPPROBLEM, EM, MODELS)
 %
-%   PROBLEM, EM, MODELS   of newGapProblem, fitEmulator, makeHypotheses
+%   GAPPROBLEM, EM, MODELS  of newGapProblem, fitEmulator, makeHypotheses
 %   CONFLICT  struct
 %     bench (1 x B'), numbers of the benches that have used targets
 %     leaveOut (1 x B'): p-value of a bench predicted from all others
@@ -12,21 +12,21 @@
 %
 % See also: crossPredict, locateGap
 
-function conflict = benchConflicts (problem, em, models)
-  used = problem.used;
-  conflict.bench = unique (problem.bench(used));
+function conflict = benchConflicts (gapProblem, em, models)
+  used = gapProblem.used;
+  conflict.bench = unique (gapProblem.bench(used));
   n = numel (conflict.bench);
   conflict.leaveOut = ones (1, n);
   conflict.pair = NaN (n);
-  own = @(b) used(problem.bench(used) == conflict.bench(b));
+  own = @(b) used(gapProblem.bench(used) == conflict.bench(b));
   for b = 1:n
     rest = setdiff (used, own (b));
     if ~isempty (rest)
-      cross = crossPredict (problem, em, models, rest, own (b));
+      cross = crossPredict (gapProblem, em, models, rest, own (b));
       conflict.leaveOut(b) = cross.p;
     end
     for a = setdiff (1:n, b)
-      cross = crossPredict (problem, em, models, own (a), own (b));
+      cross = crossPredict (gapProblem, em, models, own (a), own (b));
       conflict.pair(a, b) = cross.p;
     end
   end
@@ -57,15 +57,15 @@ end
 %! % one bench reads wrongly: it is the odd one
 %! rand ('twister', 3); randn ('twister', 3);
 %! lab = standInGap (0);
-%! given = lab.problem;
-%! given.y = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
-%!           + sqrt (2) * lab.seedSd .* randn (1, 24);
-%! given.y(7:12) = given.y(7:12) + 6;
-%! problem = newGapProblem (given);
-%! em = fitEmulator (problem, lab.plan (30, 2), ...
+%! given = lab.gapProblem;
+%! given.value = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
+%!           + sqrt (2) * lab.noiseSd .* randn (1, 24);
+%! given.value(7:12) = given.value(7:12) + 6;
+%! gapProblem = newGapProblem (given);
+%! em = fitEmulator (gapProblem, lab.plan (30, 2), ...
 %!                    gapOptions (struct ('trend', 'affine')));
 %! options = gapOptions (struct ('trend', 'affine'));
-%! models = makeHypotheses (problem, em, options);
-%! conflict = benchConflicts (problem, em, models);
+%! models = makeHypotheses (gapProblem, em, options);
+%! conflict = benchConflicts (gapProblem, em, models);
 %! assert (conflict.odd, 2);
 %! assert (conflict.holm(2) < 0.01);

@@ -1,12 +1,12 @@
 % CROSSPREDICT  Calibrates on some targets and predicts others.
 %
-% CALL: CROSS = crossPredict (PROBLEM, EM, MODELS, FROM, TO)
+% CALL: CROSS = crossPredict (GAPPROBLEM, EM, MODELS, FROM, TO)
 %
-%   PROBLEM   struct of newGapProblem
-%   EM        struct of fitEmulator
-%   MODELS    struct of makeHypotheses (prior, starts)
-%   FROM, TO  rows of target numbers
-%   CROSS     struct
+%   GAPPROBLEM  struct of newGapProblem
+%   EM          struct of fitEmulator
+%   MODELS      struct of makeHypotheses (prior, starts)
+%   FROM, TO    rows of target numbers
+%   CROSS       struct
 %     theta (1 x p, in [-1, 1]), d2, df, p: misfit of TO, against noise,
 %     surrogate and what FROM leaves open of the parameters (chi-square)
 %     mean, sd (1 x numel (TO)): prediction of the measurements TO, raw units
@@ -15,13 +15,13 @@
 %
 % See also: benchConflicts, locateGap
 
-function cross = crossPredict (problem, em, models, from, to)
-  budget = noiseBudget (problem, em);
+function cross = crossPredict (gapProblem, em, models, from, to)
+  budget = noiseBudget (gapProblem, em);
   null = newHypothesis ('null');
   white = whitenEmulator (em, from, budget);
   view = viewHypothesis (white, null, models.prior);
   starts = toNormal (view.unknowns, models.starts);
-  Z = repmat (problem.y(from) * white.W', rows (starts), 1);
+  Z = repmat (gapProblem.value(from) * white.W', rows (starts), 1);
   fit = fitHypothesis (white, null, Z, starts, models.prior);
   [~, best] = max (fit.logPeak);
   cross.theta = fit.Q(best, :);
@@ -31,7 +31,7 @@ function cross = crossPredict (problem, em, models, from, to)
   [M, V, J] = predictHypothesis (view, fit.U(best, :));
   J = reshape (vertcat (J{:})', numel (to), em.p);
   S = diag (V) + J * (A \ J');
-  r = problem.y(to) * other.W' - M;
+  r = gapProblem.value(to) * other.W' - M;
   cross.d2 = r * (S \ r');
   cross.df = numel (to);
   cross.p = chiSquareTail (cross.d2, cross.df);
@@ -44,14 +44,14 @@ end
 %! % no gap: predictions hold the values within their deviations (4 allowed)
 %! rand ('twister', 2); randn ('twister', 2);
 %! lab = standInGap (0);
-%! given = lab.problem;
-%! given.y = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
-%!           + sqrt (2) * lab.seedSd .* randn (1, 24);
-%! problem = newGapProblem (given);
-%! em = fitEmulator (problem, lab.plan (30, 2), ...
+%! given = lab.gapProblem;
+%! given.value = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
+%!           + sqrt (2) * lab.noiseSd .* randn (1, 24);
+%! gapProblem = newGapProblem (given);
+%! em = fitEmulator (gapProblem, lab.plan (30, 2), ...
 %!                    gapOptions (struct ('trend', 'affine')));
 %! options = gapOptions (struct ('trend', 'affine'));
-%! models = makeHypotheses (problem, em, options);
-%! cross = crossPredict (problem, em, models, 1:18, 19:24);
-%! assert (all (abs (cross.mean - given.y(19:24)) < 4 * cross.sd));
+%! models = makeHypotheses (gapProblem, em, options);
+%! cross = crossPredict (gapProblem, em, models, 1:18, 19:24);
+%! assert (all (abs (cross.mean - given.value(19:24)) < 4 * cross.sd));
 %! assert (cross.p > 0.001);

@@ -1,15 +1,15 @@
 % LOCATEGAP  Answers WHERE the calibrated null model misses the measurements.
 %
-% CALL: WHERE = locateGap (PROBLEM, EM, MODELS, FITS, OPTIONS)
+% CALL: WHERE = locateGap (GAPPROBLEM, EM, MODELS, FITS, OPTIONS)
 %
-%   PROBLEM, EM, MODELS  of newGapProblem, fitEmulator, makeHypotheses
-%   FITS                 of fitLibrary for the measured values (first row)
-%   OPTIONS              of gapOptions
+%   GAPPROBLEM, EM, MODELS  of newGapProblem, fitEmulator, makeHypotheses
+%   FITS                    of fitLibrary for the measured values (first row)
+%   OPTIONS                 of gapOptions
 %   WHERE    struct
 %     theta (1 x p in [-1, 1]), params (1 x p), chi2, p (lack of fit, bootstrap
 %       with refit), pChi2 (the same from the chi-square table)
 %     absorbed, unabsorbed   parts of the misfit, by parityProjection
-%     residual, sd, t, pTarget, absorbability, blind   1 x n of PROBLEM.used:
+%     residual, sd, t, pTarget, absorbability, blind   1 x n of GAPPROBLEM.used:
 %       y - m, its standard deviation after fitting, their ratio, p-value
 %       corrected for looking at n targets (max-T bootstrap), share of a
 %       target's own error that parameters hide, and absorbability > 0.9
@@ -19,14 +19,14 @@
 %
 % See also: screenEffects, caseEvidence, diagnoseMatrices
 
-function where = locateGap (problem, em, models, fits, options)
+function where = locateGap (gapProblem, em, models, fits, options)
   white = models.white;
   used = white.columns;
   fit = struct ('Q', fits.calibrated.Q(1, :), 'U', fits.calibrated.U(1, :), ...
                 'chi2', fits.calibrated.chi2(1));
   where.theta = fit.Q;
-  where.params = mean (problem.limits) + ...
-                 where.theta .* diff (problem.limits) / 2;
+  where.params = mean (gapProblem.limits) + ...
+                 where.theta .* diff (gapProblem.limits) / 2;
   where.chi2 = fit.chi2;
   test = lackOfFit (models, fit, struct ('repeats', options.bootstrap, ...
                                          'seed', options.seed));
@@ -40,13 +40,13 @@ function where = locateGap (problem, em, models, fits, options)
   where.absorbed = parity.absorbed;
   where.unabsorbed = parity.unabsorbed;
   view = rawView (white, V, J);
-  where = localise (where, view, r, test.residual, problem.bench(used), ...
+  where = localise (where, view, r, test.residual, gapProblem.bench(used), ...
                     options);
-  where.conflict = benchConflicts (problem, em, models);
-  where.trends = trendContrasts (problem, used, where.residual', view.Omega);
-  where.side = sideSignals (problem, em, where.theta);
-  where.budget = noiseBudget (problem, em);
-  where.held = heldOut (problem, em, models);
+  where.conflict = benchConflicts (gapProblem, em, models);
+  where.trends = trendContrasts (gapProblem, used, where.residual', view.Omega);
+  where.side = sideSignals (gapProblem, em, where.theta);
+  where.budget = noiseBudget (gapProblem, em);
+  where.held = heldOut (gapProblem, em, models);
 end
 
 % Covariances in the units of the targets: Sigma, and Omega after the fit.
@@ -111,13 +111,14 @@ function benches = benchTests (groups, own, fakes)
   end
 end
 
-function held = heldOut (problem, em, models)
+function held = heldOut (gapProblem, em, models)
   held = struct ('z', [], 'mean', [], 'sd', []);
-  if ~isempty (problem.heldOut)
-    cross = crossPredict (problem, em, models, problem.used, problem.heldOut);
+  if ~isempty (gapProblem.heldOut)
+    cross = crossPredict (gapProblem, em, models, gapProblem.used, ...
+                          gapProblem.heldOut);
     held.mean = cross.mean;
     held.sd = cross.sd;
-    held.z = (problem.y(problem.heldOut) - cross.mean) ./ cross.sd;
+    held.z = (gapProblem.value(gapProblem.heldOut) - cross.mean) ./ cross.sd;
   end
 end
 
@@ -125,16 +126,16 @@ end
 %! % an error of one bench is found there and nowhere else
 %! rand ('twister', 5); randn ('twister', 5);
 %! lab = standInGap (0);
-%! given = lab.problem;
-%! given.y = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
-%!           + sqrt (2) * lab.seedSd .* randn (1, 24);
-%! given.y(9) = given.y(9) + 5;
-%! problem = newGapProblem (given);
+%! given = lab.gapProblem;
+%! given.value = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
+%!           + sqrt (2) * lab.noiseSd .* randn (1, 24);
+%! given.value(9) = given.value(9) + 5;
+%! gapProblem = newGapProblem (given);
 %! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
-%! em = fitEmulator (problem, lab.plan (40, 2), options);
-%! models = makeHypotheses (problem, em, options);
-%! fits = fitLibrary (models, given.y);
-%! where = locateGap (problem, em, models, fits, options);
+%! em = fitEmulator (gapProblem, lab.plan (40, 2), options);
+%! models = makeHypotheses (gapProblem, em, options);
+%! fits = fitLibrary (models, given.value);
+%! where = locateGap (gapProblem, em, models, fits, options);
 %! assert (where.p < 0.02);
 %! [~, worst] = max (abs (where.t));
 %! assert (worst, 9);
@@ -144,8 +145,9 @@ end
 %!test
 %! % as many parameters as targets: an error that they can hide is no gap, one
 %! % out of their reach is, and its bench is named
-%! problem = newGapProblem (struct ('y', [0, 0], 'sd', [1, 1], ...
-%!                                  'limits', [0, 0; 1, 1], 'bench', [1, 2]));
+%! gapProblem = newGapProblem (struct ('value', [0, 0], 'sd', [1, 1], ...
+%!                                     'limits', [0, 0; 1, 1], ...
+%!                                     'bench', [1, 2]));
 %! rand ('twister', 3);
 %! X = rand (40, 2);
 %! data = struct ('X', X, 'E', zeros (40, 0), 'replicate', ones (40, 1), ...
@@ -153,11 +155,11 @@ end
 %! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
 %! p = zeros (2, 3);
 %! for k = 1:2
-%!   problem.y = [7, 12 + 30 * (k - 1)];
-%!   em = fitEmulator (problem, data, options);
-%!   models = makeHypotheses (problem, em, options);
-%!   where = locateGap (problem, em, models, fitLibrary (models, problem.y), ...
-%!                      options);
+%!   gapProblem.value = [7, 12 + 30 * (k - 1)];
+%!   em = fitEmulator (gapProblem, data, options);
+%!   models = makeHypotheses (gapProblem, em, options);
+%!   fits = fitLibrary (models, gapProblem.value);
+%!   where = locateGap (gapProblem, em, models, fits, options);
 %!   p(k, :) = [where.p, where.pTarget(2), where.benches(2).p];
 %! end
 %! assert (p(1, :) > 0.9);

@@ -1,10 +1,10 @@
 % SIDESIGNALS  Looks for what else a misfit may mean: limits, surrogates.
 %
-% CALL: SIDE = sideSignals (PROBLEM, EM, THETA)
+% CALL: SIDE = sideSignals (GAPPROBLEM, EM, THETA)
 %
-%   PROBLEM, EM  of newGapProblem, fitEmulator
-%   THETA        1 x p, fitted null model, parameters in [-1, 1]
-%   SIDE         struct
+%   GAPPROBLEM, EM  of newGapProblem, fitEmulator
+%   THETA           1 x p, fitted null model, parameters in [-1, 1]
+%   SIDE            struct
 %     atLimit        cellstr, parameters driven to a limit of their box
 %     priorConflict  1 x p, deviation from an independently measured value, in
 %                    its standard deviations (NaN: none was given)
@@ -19,19 +19,19 @@
 %
 % See also: locateGap, judgeCase
 
-function side = sideSignals (problem, em, theta)
-  half = diff (problem.limits) / 2;
-  side.atLimit = problem.names(abs (theta) > 0.98);
-  value = mean (problem.limits) + theta .* half;
-  side.priorConflict = (value - problem.paramMean) ./ problem.paramSd;
+function side = sideSignals (gapProblem, em, theta)
+  half = diff (gapProblem.limits) / 2;
+  side.atLimit = gapProblem.names(abs (theta) > 0.98);
+  value = mean (gapProblem.limits) + theta .* half;
+  side.priorConflict = (value - gapProblem.paramMean) ./ gapProblem.paramSd;
   [~, v] = predictSurrogate (em.surrogates, value);
   v = v + em.fitVar;
-  fixed = diag (noiseBudget (problem, em).covariance)';
+  fixed = diag (noiseBudget (gapProblem, em).covariance)';
   side.share = v ./ (v + fixed);
   side.poor = em.looMean > 2 | em.looMax > 5;
   side.poorEffects = poorEffects (em);
-  share = mean (side.share(problem.used));
-  poor = mean (side.poor(problem.used));
+  share = mean (side.share(gapProblem.used));
+  poor = mean (side.poor(gapProblem.used));
   side.vague = share > 0.5;
   side.blameSurrogate = poor > 0.2;
   side.reason = '';
@@ -58,16 +58,16 @@ end
 %!test
 %! rand ('twister', 4); randn ('twister', 4);
 %! lab = standInGap (0);
-%! given = setfield (lab.problem, 'y', ones (1, 24));
+%! given = setfield (lab.gapProblem, 'value', ones (1, 24));
 %! given.paramMean = [0.5, NaN, NaN, NaN];
 %! given.paramSd = [0.1, NaN, NaN, NaN];
-%! problem = newGapProblem (given);
-%! em = fitEmulator (problem, lab.plan (40, 2), ...
+%! gapProblem = newGapProblem (given);
+%! em = fitEmulator (gapProblem, lab.plan (40, 2), ...
 %!                    gapOptions (struct ('trend', 'affine')));
-%! side = sideSignals (problem, em, [1, 0, 0, 0]);
+%! side = sideSignals (gapProblem, em, [1, 0, 0, 0]);
 %! assert (side.atLimit, {'friction'});
 %! assert (side.priorConflict(1), 5, 1e-9);
 %! assert (side.blameSurrogate || side.vague, false);
-%! problem.sd = 0.01 * problem.sd;
-%! problem.trials = Inf;
-%! assert (sideSignals (problem, em, [0, 0, 0, 0]).vague, true);
+%! gapProblem.sd = 0.01 * gapProblem.sd;
+%! gapProblem.trials = Inf;
+%! assert (sideSignals (gapProblem, em, [0, 0, 0, 0]).vague, true);

@@ -1,16 +1,15 @@
 % CALIBRATEVERDICT  Tries the verdict on data sets whose cause is known.
 %
-% CALL: EXPECTED = calibrateVerdict (MODELS, EM, PROBLEM)
+% CALL: EXPECTED = calibrateVerdict (MODELS, EM, GAPPROBLEM)
 %
 %   MODELS    struct of makeHypotheses with its reference (omnibusReference)
-%   EM, PROBLEM  of fitEmulator, newGapProblem, as MODELS was made from
+%   EM, GAPPROBLEM  of fitEmulator, newGapProblem, as MODELS was made from
 %   EXPECTED  struct: n (data sets, MODELS.options.trials), falseName (share of
 %             those without a gap that are named), right (share of single
 %             effects at signal to noise above 4 that are named or grouped
-%             rightly), top1
-%             (the likeliest effect is the true one, same data sets), precision
-%             (share of names that are right), wrongUnlisted (share named
-%             although the true cause was taken off the list)
+%             rightly), top1 (the likeliest effect is the true one, same data
+%             sets), precision (share of names that are right), wrongUnlisted
+%             (share named although the true cause was taken off the list)
 %
 % 30 % no gap, 45 % single effects, 25 % an effect that is then taken off the
 % list, drawn from the user's own surrogates and targets and judged by Laplace's
@@ -20,7 +19,7 @@
 %
 % See also: judgeCase, drawTwins
 
-function expected = calibrateVerdict (models, em, problem)
+function expected = calibrateVerdict (models, em, gapProblem)
   n = models.options.trials;
   expected = struct ('n', n, 'falseName', NaN, 'right', NaN, 'top1', NaN, ...
                      'precision', NaN, 'wrongUnlisted', NaN);
@@ -39,7 +38,7 @@ function expected = calibrateVerdict (models, em, problem)
     own = models;
     cause = plan.cause(at);
     if removed > 0
-      own = makeHypotheses (problem, withoutEffects (em, removed), ...
+      own = makeHypotheses (gapProblem, withoutEffects (em, removed), ...
                             models.options);
       own.reference = models.reference;
       cause(:) = -1;
@@ -127,13 +126,13 @@ end
 %! % a library of two clear effects: mostly right (seeded)
 %! rand ('twister', 4); randn ('twister', 4);
 %! lab = standInGap (0);
-%! given = setfield (lab.problem, 'y', ones (1, 24));
-%! problem = newGapProblem (given);
+%! given = setfield (lab.gapProblem, 'value', ones (1, 24));
+%! gapProblem = newGapProblem (given);
 %! options = gapOptions (struct ('trend', 'affine', 'trials', 60, 'twins', 99));
-%! em = withoutEffects (fitEmulator (problem, lab.plan (40, 15), options), ...
-%!                      [1, 2, 3, 6, 8, 9, 10]);
-%! models = omnibusReference (makeHypotheses (problem, em, options));
-%! expected = calibrateVerdict (models, em, problem);
+%! em = fitEmulator (gapProblem, lab.plan (40, 15), options);
+%! em = withoutEffects (em, [1, 2, 3, 6, 8, 9, 10]);
+%! models = omnibusReference (makeHypotheses (gapProblem, em, options));
+%! expected = calibrateVerdict (models, em, gapProblem);
 %! assert (expected.top1 > 0.8);
 %! assert (expected.falseName < 0.1);
-%! assert (calibrateVerdict (models, em, problem).right, expected.right);
+%! assert (calibrateVerdict (models, em, gapProblem).right, expected.right);

@@ -11,10 +11,10 @@
 %     ess (1 x H; NaN where Laplace's formula was enough, see below)
 %     phi (H x 3: median and 90 % interval of the first strength)
 %     atLimit (1 x H, posterior mass glued to the end of the range of a
-%     strength) posterior  1 x H cell: Q, weight (samples of each hypothesis)
+%       strength)
+%     posterior (1 x H cell: Q, weight: samples of each hypothesis)
 %     top (members of the likeliest listed hypothesis), exclude (log Bayes
-%     factor
-%       of top against a look-alike of cosine 0.9)
+%       factor of top against a look-alike of cosine 0.9)
 %     gate (struct of omnibusTest), screen (struct of screenEffects)
 %
 % Integrated are the null model, every single effect, and all others that
@@ -53,6 +53,13 @@ function one = integrate (models, one)
   settings = models.options;
   settings.prior = models.prior;
   r = integrateEvidence (one.white, one.h, one.z, one.modes, settings);
+  % with fewer measured values than parameters a sample may say nothing; then
+  % the first estimate stays, and an effective size of 0 says what it is worth
+  isEmpty = ~(sum (r.weight) > 0) || ~isfinite (r.logE);
+  if isEmpty
+    one.ess = 0;
+    return
+  end
   one.logE = r.logE;
   one.error = r.error;
   one.ess = r.ess;
@@ -92,7 +99,9 @@ function [top, exclude] = againstLookAlike (models, w, list, z)
   fit = fitHypothesis (models.white, alike.h, z, U, models.prior);
   alike.modes = struct ('U', fit.U, 'A', squeeze (fit.A));
   alike = integrate (models, alike);
-  exclude = w.logE(at) - alike.logE;
+  if isfinite (alike.logE)
+    exclude = w.logE(at) - alike.logE;
+  end
 end
 
 %!test

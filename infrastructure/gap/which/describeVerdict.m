@@ -1,9 +1,9 @@
 % DESCRIBEVERDICT  Puts a verdict into names, probabilities and strengths.
 %
-% CALL: NAMED = describeVerdict (W, VERDICT, MODELS, PROBLEM)
+% CALL: NAMED = describeVerdict (W, VERDICT, MODELS, GAPPROBLEM)
 %
-%   W, VERDICT, MODELS, PROBLEM   of caseEvidence, judgeCase, makeHypotheses,
-%                                 newGapProblem
+%   W, VERDICT, MODELS, GAPPROBLEM  of caseEvidence, judgeCase, makeHypotheses,
+%                                   newGapProblem
 %   NAMED   struct
 %     verdict, reason, guard, lookAlike, effects, partners, likely (cellstr)
 %     gateP, exclude (odds against a look-alike of cosine 0.9)
@@ -21,7 +21,7 @@
 %
 % See also: diagnoseMatrices, judgeCase
 
-function named = describeVerdict (w, verdict, models, problem)
+function named = describeVerdict (w, verdict, models, gapProblem)
   names = models.names;
   named = struct ('verdict', verdict.kind, 'reason', verdict.reason, ...
                   'guard', verdict.guard, 'lookAlike', verdict.lookAlike, ...
@@ -43,7 +43,7 @@ function named = describeVerdict (w, verdict, models, problem)
   named.strength = struct ('name', {}, 'value', {}, 'interval90', {}, ...
                            'range', {}, 'variables', {}, 'values', {});
   for k = 1:numel (names)
-    named.strength(k) = strengthOf (w, verdict, k, models, problem);
+    named.strength(k) = strengthOf (w, verdict, k, models, gapProblem);
   end
   named.priorSpread = priorSpread (w, verdict, models);
   named.numbers = numbersOf (w, verdict);
@@ -70,7 +70,7 @@ function list = hypothesesOf (w, verdict, names)
 end
 
 % From the likeliest hypothesis that holds the effect and was integrated.
-function s = strengthOf (w, verdict, k, models, problem)
+function s = strengthOf (w, verdict, k, models, gapProblem)
   holding = find (cellfun (@(m) any (m == k), w.members) & ...
                   ~cellfun (@(p) isempty (p.Q), w.posterior) & ...
                   ~strcmp (w.kind, 'sibling'));
@@ -85,8 +85,8 @@ function s = strengthOf (w, verdict, k, models, problem)
   if w.ess(h) < models.options.leastPoints
     q = NaN (1, 3);
   end
-  at = find (strcmp ({problem.effects.name}, models.names{k}), 1);
-  effect = problem.effects(at);
+  at = find (strcmp ({gapProblem.effects.name}, models.names{k}), 1);
+  effect = gapProblem.effects(at);
   variables = effect.variables;
   values = valuesOfStrength (effect, q');
   if effect.laboratory
@@ -156,11 +156,11 @@ end
 %! models = handMadeHypotheses ();
 %! models.reference = (-4:0.1:2)';
 %! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
-%! problem = struct ('effects', newEffect (struct ('name', 'a', ...
+%! gapProblem = struct ('effects', newEffect (struct ('name', 'a', ...
 %!                   'laboratory', true), 4));
-%! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
-%!                                         true), 4);
-%! named = describeVerdict (w, judgeCase (w, models), models, problem);
+%! gapProblem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
+%!                                            true), 4);
+%! named = describeVerdict (w, judgeCase (w, models), models, gapProblem);
 %! assert (named.groups, {});
 %! assert (named.strength(1).value, 0.7, 0.1);
 %! assert (named.numbers.ess >= 200);

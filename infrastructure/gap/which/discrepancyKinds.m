@@ -1,13 +1,12 @@
 % DISCREPANCYKINDS  Describes misfits that resemble no listed effect.
 %
-% CALL: KINDS = discrepancyKinds (PROBLEM, EM, BUDGET, WHITE)
+% CALL: KINDS = discrepancyKinds (GAPPROBLEM, EM, BUDGET, WHITE)
 %
-%   PROBLEM, EM, BUDGET   of newGapProblem, fitEmulator, noiseBudget
-%   WHITE                 struct of whitenEmulator for the same targets
-%   KINDS                 1 x m struct: name, weight (sum 1), h (newHypothesis),
-%                         white (whitened so that the misfit has independent
-%                         coordinates, with shape: 1 x n, its variances at size
-%                         1)
+%   GAPPROBLEM, EM, BUDGET  of newGapProblem, fitEmulator, noiseBudget
+%   WHITE  struct of whitenEmulator for the same targets
+%   KINDS  1 x m struct: name, weight (sum 1), h (newHypothesis), white
+%          (whitened so that the misfit has independent coordinates, with shape:
+%          1 x n, its variances at size 1)
 %
 % y = m (theta) + delta + noise, delta ~ N (0, size^2 C), size log-normal. C is
 % (half of the weight) shaped like the listed effects, since an unknown cause
@@ -17,9 +16,9 @@
 %
 % See also: makeHypotheses, newHypothesis
 
-function kinds = discrepancyKinds (problem, em, budget, white)
+function kinds = discrepancyKinds (gapProblem, em, budget, white)
   targets = white.columns;
-  benches = unique (problem.bench(targets));
+  benches = unique (gapProblem.bench(targets));
   R = diag (em.range(targets).^2);
   make = @(C, extent, name, weight) ...
     oneKind (em, white, budget, C, ...
@@ -27,8 +26,8 @@ function kinds = discrepancyKinds (problem, em, budget, white)
                      'h', newHypothesis ('discrepancy', zeros (1, 0), extent)));
   kinds = make (R, [0.08, 1], 'anything', 0.2);
   for b = benches
-    mask = diag (problem.bench(targets) == b);
-    kinds(end + 1) = make (R .* mask, [0.08, 1], problem.benchNames{b}, ...
+    mask = diag (gapProblem.bench(targets) == b);
+    kinds(end + 1) = make (R .* mask, [0.08, 1], gapProblem.benchNames{b}, ...
                            0.3 / numel (benches));
   end
   S = signatures (em, targets);
@@ -65,16 +64,16 @@ end
 %!              'surrogateVar', zeros (3, 3), 'fitVar', [0, 0, 0], ...
 %!              'correlation', eye (3), 'alongCurve', eye (3), ...
 %!              'range', [1, 2, 3], ...
-%!              'seedFreedom', [9, 9, 9], 'success', zeros (2, 2), ...
+%!              'noiseFreedom', [9, 9, 9], 'success', zeros (2, 2), ...
 %!              'bench', [1, 1, 2]);
 %! em.effect = repmat (struct ('name', ''), 1, 0);
 %! em.joint = em.effect;
-%! problem = newGapProblem (struct ('y', [1, 2, 3], 'sd', [1, 1, 1], ...
-%!                                  'limits', [0; 1], 'bench', [1, 1, 2]));
+%! gapProblem = newGapProblem (struct ('value', [1, 2, 3], 'sd', [1, 1, 1], ...
+%!                                     'limits', [0; 1], 'bench', [1, 1, 2]));
 %! budget = struct ('covariance', eye (3), 'estimated', [0, 0, 0], ...
 %!                 'unknown', [0, 0, 0]);
 %! white = whitenEmulator (em, 1:3, budget);
-%! kinds = discrepancyKinds (problem, em, budget, white);
+%! kinds = discrepancyKinds (gapProblem, em, budget, white);
 %! assert (numel (kinds), 3);
 %! assert (sum ([kinds.weight]), 1, 1e-12);
 %! W = kinds(1).white.W;

@@ -1,10 +1,10 @@
 % EXPLOREEFFECTS  Runs candidate effects: a few for all, a plan for survivors.
 %
-% CALL: [STATE, EM] = exploreEffects (PROBLEM, OPTIONS, STATE, EM)
+% CALL: [STATE, EM] = exploreEffects (GAPPROBLEM, OPTIONS, STATE, EM)
 %
-%   PROBLEM, OPTIONS  of newGapProblem, gapOptions
-%   STATE             of spendRuns
-%   EM                of fitEmulator, fitted to STATE.data
+%   GAPPROBLEM, OPTIONS  of newGapProblem, gapOptions
+%   STATE                of spendRuns
+%   EM                   of fitEmulator, fitted to STATE.data
 %
 % First OPTIONS.screenRuns for every effect that has fewer; then, if there is a
 % gap at all, OPTIONS.planRuns for the OPTIONS.survivors likeliest ones, in two
@@ -14,40 +14,40 @@
 %
 % See also: planEffectRuns, diagnoseMatrices
 
-function [state, em] = exploreEffects (problem, options, state, em)
+function [state, em] = exploreEffects (gapProblem, options, state, em)
   if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
     return
   end
   reserve = min (4 * options.verifyRuns, floor (state.left / 3));
   state.left = state.left - reserve;
-  models = makeHypotheses (problem, withoutEffects (em), options);
-  fits = fitLibrary (models, problem.y(problem.used));
+  models = makeHypotheses (gapProblem, withoutEffects (em), options);
+  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
   theta = fits.calibrated.Q(1, :);
   wanted = zeros (1, numel (em.effect));
   wanted(~[em.effect.laboratory]) = options.screenRuns;
-  state = runEffects (problem, state, em, theta, wanted, []);
-  em = fitEmulator (problem, state.data, options, em);
+  state = runEffects (gapProblem, state, em, theta, wanted, []);
+  em = fitEmulator (gapProblem, state.data, options, em);
   full = options.planRuns;
   if isempty (full)
     full = 5 * (em.p + 1);
   end
   for share = [0.5, 1]
-    [wanted, posteriors] = survivors (problem, options, em, ...
+    [wanted, posteriors] = survivors (gapProblem, options, em, ...
                                       ceil (share * full));
     if ~any (wanted)
       break
     end
-    state = runEffects (problem, state, em, theta, wanted, posteriors);
-    em = fitEmulator (problem, state.data, options, em);
+    state = runEffects (gapProblem, state, em, theta, wanted, posteriors);
+    em = fitEmulator (gapProblem, state.data, options, em);
   end
-  [state, em] = runBestPair (problem, options, state, em);
+  [state, em] = runBestPair (gapProblem, options, state, em);
   state.left = state.left + reserve;
 end
 
 % Pairs are not merely added: where one is likely, four runs of both effects
 % show what they do together.
-function [state, em] = runBestPair (problem, options, state, em)
-  [w, verdict, usable] = weighNow (problem, options, em);
+function [state, em] = runBestPair (gapProblem, options, state, em)
+  [w, verdict, usable] = weighNow (gapProblem, options, em);
   if isempty (w) || state.left < 4
     return
   end
@@ -62,16 +62,16 @@ function [state, em] = runBestPair (problem, options, state, em)
   end
   posterior = w.posterior{pairs(at)};
   middle = posterior.weight' * posterior.Q;
-  top = vertcat (problem.effects(members).range)(:, 2)';
+  top = vertcat (gapProblem.effects(members).range)(:, 2)';
   phi = zeros (4, numel (em.effect));
   phi(:, members) = [middle(em.p + (1:2)); top; top .* [1, 0.5]; ...
                      top .* [0.5, 1]];
   theta = repmat (middle(1:em.p), 4, 1);
-  state = spendRuns (state, problem, theta, phi, ones (4, 1));
-  em = fitEmulator (problem, state.data, options, em);
+  state = spendRuns (state, gapProblem, theta, phi, ones (4, 1));
+  em = fitEmulator (gapProblem, state.data, options, em);
 end
 
-function [w, verdict, usable] = weighNow (problem, options, em)
+function [w, verdict, usable] = weighNow (gapProblem, options, em)
   w = [];
   verdict = [];
   usable = find ([em.effect.laboratory] | [em.effect.runs] >= 2);
@@ -82,8 +82,8 @@ function [w, verdict, usable] = weighNow (problem, options, em)
   library.effect = em.effect(usable);
   quick = options;
   quick.twins = min (options.twins, 99);
-  models = omnibusReference (makeHypotheses (problem, library, quick));
-  fits = fitLibrary (models, problem.y(problem.used));
+  models = omnibusReference (makeHypotheses (gapProblem, library, quick));
+  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
   w = caseEvidence (models, fits, 1);
   verdict = judgeCase (w, models);
   if w.gate.p > 2 * options.level
@@ -91,11 +91,11 @@ function [w, verdict, usable] = weighNow (problem, options, em)
   end
 end
 
-function state = runEffects (problem, state, em, theta, wanted, posteriors)
+function state = runEffects (gapProblem, state, em, theta, wanted, posteriors)
   K = numel (em.effect);
-  all = strengthOfValues (problem.effects, state.data.E);
-  half = diff (problem.limits) / 2;
-  X = (state.data.X - mean (problem.limits)) ./ half;
+  all = strengthOfValues (gapProblem.effects, state.data.E);
+  half = diff (gapProblem.limits) / 2;
+  X = (state.data.X - mean (gapProblem.limits)) ./ half;
   Theta = zeros (0, em.p);
   Phi = zeros (0, K);
   for k = find (wanted > 0)
@@ -106,22 +106,22 @@ function state = runEffects (problem, state, em, theta, wanted, posteriors)
     end
     n = max (wanted(k) - sum (own), 0);
     Q = planEffectRuns (n, [X(own, :), all(own, k)], theta, posterior, ...
-                        problem.effects(k).range);
+                        gapProblem.effects(k).range);
     Theta = [Theta; Q(:, 1:end - 1)];
     rows_ = zeros (n, K);
     rows_(:, k) = Q(:, end);
     Phi = [Phi; rows_];
   end
   if rows (Theta) > 0
-    state = spendRuns (state, problem, Theta, Phi, ones (rows (Theta), 1));
+    state = spendRuns (state, gapProblem, Theta, Phi, ones (rows (Theta), 1));
   end
 end
 
-function [wanted, posteriors] = survivors (problem, options, em, runs)
+function [wanted, posteriors] = survivors (gapProblem, options, em, runs)
   K = numel (em.effect);
   wanted = zeros (1, K);
   posteriors = cell (1, K);
-  [w, verdict, usable] = weighNow (problem, options, em);
+  [w, verdict, usable] = weighNow (gapProblem, options, em);
   if isempty (w)
     return
   end

@@ -25,38 +25,38 @@
 % See also: predictHypothesis, logLikelihood, integrateEvidence
 
 function fit = fitHypothesis (white, h, Z, U, prior)
-  problem = viewHypothesis (white, h, prior);
-  unknowns = problem.unknowns;
-  problem.pull = ones (1, columns (U));
+  gapProblem = viewHypothesis (white, h, prior);
+  unknowns = gapProblem.unknowns;
+  gapProblem.pull = ones (1, columns (U));
   if isfield (prior, 'flat')
-    problem.pull(isinf (unknowns.sd)) = 1e-4;
+    gapProblem.pull(isinf (unknowns.sd)) = 1e-4;
   end
   % far from the data Student's likelihood is flat: the normal one comes first
-  problem.nu = Inf (1, columns (Z));
-  U = climb (problem, Z, U);
-  problem.nu = white.nu;
-  [U, score] = climb (problem, Z, U);
+  gapProblem.nu = Inf (1, columns (Z));
+  U = climb (gapProblem, Z, U);
+  gapProblem.nu = white.nu;
+  [U, score] = climb (gapProblem, Z, U);
   fit = struct ('U', U, 'Q', fromNormal (unknowns, U));
-  [A, g, fit.chi2] = normalEquations (problem, Z, U);
+  [A, g, fit.chi2] = normalEquations (gapProblem, Z, U);
   [~, logDet] = solveMany (A, g);
   fit.A = A;
   fit.logPeak = score;
   fit.logE = score - 0.5 * logDet;
 end
 
-function [U, score] = climb (problem, Z, U)
+function [U, score] = climb (gapProblem, Z, U)
   n = rows (U);
   damping = 0.01 * ones (n, 1);
-  score = scoreOf (problem, Z, U);
+  score = scoreOf (gapProblem, Z, U);
   active = true (n, 1);
   for iteration = 1:15
     at = find (active);
     if isempty (at)
       break
     end
-    [A, g] = normalEquations (problem, Z(at, :), U(at, :));
+    [A, g] = normalEquations (gapProblem, Z(at, :), U(at, :));
     tried = U(at, :) + cutStep (damped (A, g, damping(at)));
-    new = scoreOf (problem, Z(at, :), tried);
+    new = scoreOf (gapProblem, Z(at, :), tried);
     gain = new - score(at);
     better = gain > 0;
     U(at(better), :) = tried(better, :);
@@ -66,22 +66,22 @@ function [U, score] = climb (problem, Z, U)
   end
 end
 
-function score = scoreOf (problem, Z, U)
-  [M, V] = predictHypothesis (problem, U);
-  Q = fromNormal (problem.unknowns, U);
-  score = logLikelihood (Z - M, V, problem.nu) - ...
-          0.5 * sum (problem.pull .* U.^2, 2) + ...
-          logSuccess (problem.white, problem.h.members, Q);
+function score = scoreOf (gapProblem, Z, U)
+  [M, V] = predictHypothesis (gapProblem, U);
+  Q = fromNormal (gapProblem.unknowns, U);
+  score = logLikelihood (Z - M, V, gapProblem.nu) - ...
+          0.5 * sum (gapProblem.pull .* U.^2, 2) + ...
+          logSuccess (gapProblem.white, gapProblem.h.members, Q);
 end
 
-function [A, g, chi2] = normalEquations (problem, Z, U)
-  [M, V, J, G] = predictHypothesis (problem, U);
-  [~, chi2, weight] = logLikelihood (Z - M, V, problem.nu);
+function [A, g, chi2] = normalEquations (gapProblem, Z, U)
+  [M, V, J, G] = predictHypothesis (gapProblem, U);
+  [~, chi2, weight] = logLikelihood (Z - M, V, gapProblem.nu);
   d = columns (U);
   slope = weight .* (Z - M) ./ V;
   A = zeros (rows (U), d, d);
-  g = -problem.pull .* U;
-  nu = min (problem.nu, 1e4);
+  g = -gapProblem.pull .* U;
+  nu = min (gapProblem.nu, 1e4);
   shrink = (nu + 1) ./ (nu + 3);
   for a = 1:d
     g(:, a) = g(:, a) + sum (J{a} .* slope, 2);
@@ -90,9 +90,9 @@ function [A, g, chi2] = normalEquations (problem, Z, U)
       A(:, a, b) = sum (weighted .* J{b}, 2);
       A(:, b, a) = A(:, a, b);
     end
-    A(:, a, a) = A(:, a, a) + problem.pull(a);
+    A(:, a, a) = A(:, a, a) + gapProblem.pull(a);
   end
-  if ~isempty (problem.h.spread)
+  if ~isempty (gapProblem.h.spread)
     x = (Z - M).^2 ./ V;
     g(:, d) = g(:, d) + 0.5 * sum ((weight .* x - 1) .* G, 2);
     A(:, d, d) = A(:, d, d) + 0.5 * sum (nu ./ (nu + 3) .* G.^2, 2);

@@ -9,8 +9,7 @@
 %     null     with other (the second best distinct mode, same fields) and
 %              hasOther (n x 1 logical)
 %     calibrated  the null model with a flat prior in the box: what a
-%     calibration
-%              finds
+%              calibration finds
 %     single   1 x K cell, the same for each effect
 %     sibling  1 x K cell, something that resembles it
 %     kind     1 x m cell, each discrepancy;  rotated 1 x m cell, Y for it
@@ -45,6 +44,8 @@ function fits = fitLibrary (models, Y)
   for k = 1:K
     fits.sibling{k} = bestOf (white, newHypothesis ('sibling', k), fits.Z, ...
                               [fits.single{k}.U, zeros(n, 1)], prior);
+    % with no more measured values than parameters nothing is left to resemble
+    fits.sibling{k}.logSum(isnan (fits.sibling{k}.logSum)) = -Inf;
     fits.logE(:, end + 1) = fits.sibling{k}.logSum;
   end
   for m = 1:numel (models.kinds)

@@ -1,12 +1,12 @@
 % MAKEHYPOTHESES  Prepares all hypotheses of a diagnosis for fast evaluation.
 %
-% CALL: MODELS = makeHypotheses (PROBLEM, EM, OPTIONS, TARGETS)
+% CALL: MODELS = makeHypotheses (GAPPROBLEM, EM, OPTIONS, TARGETS)
 %
-%   PROBLEM  struct of newGapProblem
-%   EM       struct of fitEmulator; its effects are the library
-%   OPTIONS  struct of gapOptions
-%   TARGETS  1 x n, targets to use (default PROBLEM.used)
-%   MODELS   struct
+%   GAPPROBLEM  struct of newGapProblem
+%   EM          struct of fitEmulator; its effects are the library
+%   OPTIONS     struct of gapOptions
+%   TARGETS     1 x n, targets to use (default GAPPROBLEM.used)
+%   MODELS      struct
 %     white      whitened emulator of the targets
 %     prior      mean, sd (1 x p, parameters in [-1, 1]; sd Inf: uniform)
 %     kinds      1 x m struct of discrepancyKinds
@@ -17,49 +17,49 @@
 %
 % See also: fitLibrary, caseEvidence, judgeCase
 
-function models = makeHypotheses (problem, em, options, targets)
+function models = makeHypotheses (gapProblem, em, options, targets)
   if nargin < 4
-    targets = problem.used;
+    targets = gapProblem.used;
   end
-  budget = noiseBudget (problem, em);
+  budget = noiseBudget (gapProblem, em);
   models.white = whitenEmulator (em, targets, budget);
-  models.prior = parameterPrior (problem);
-  models.kinds = discrepancyKinds (problem, em, budget, models.white);
+  models.prior = parameterPrior (gapProblem);
+  models.kinds = discrepancyKinds (gapProblem, em, budget, models.white);
   models.weights = priorWeights (numel (em.effect));
   models.starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
   models.names = {em.effect.name};
-  models.siblings = siblingsOf (problem, models.names);
+  models.siblings = siblingsOf (gapProblem, models.names);
   models.options = options;
   models.reference = [];
 end
 
-function prior = parameterPrior (problem)
-  half = diff (problem.limits) / 2;
-  prior.mean = (problem.paramMean - mean (problem.limits)) ./ half;
-  prior.sd = problem.paramSd ./ half;
+function prior = parameterPrior (gapProblem)
+  half = diff (gapProblem.limits) / 2;
+  prior.mean = (gapProblem.paramMean - mean (gapProblem.limits)) ./ half;
+  prior.sd = gapProblem.paramSd ./ half;
   without = ~isfinite (prior.mean) | ~isfinite (prior.sd);
   prior.mean(without) = 0;
   prior.sd(without) = Inf;
 end
 
-function siblings = siblingsOf (problem, names)
+function siblings = siblingsOf (gapProblem, names)
   siblings = cell (1, numel (names));
   for k = 1:numel (names)
-    at = find (strcmp ({problem.effects.name}, names{k}), 1);
-    siblings{k} = setdiff (problem.effects(at).siblings(:)', names);
+    at = find (strcmp ({gapProblem.effects.name}, names{k}), 1);
+    siblings{k} = setdiff (gapProblem.effects(at).siblings(:)', names);
   end
 end
 
 %!test
 %! rand ('twister', 4); randn ('twister', 4);
 %! lab = standInGap (0);
-%! given = setfield (lab.problem, 'y', ones (1, 24));
+%! given = setfield (lab.gapProblem, 'value', ones (1, 24));
 %! given.paramMean = [0.5, NaN, NaN, NaN];
 %! given.paramSd = [0.1, NaN, NaN, NaN];
-%! problem = newGapProblem (given);
+%! gapProblem = newGapProblem (given);
 %! options = gapOptions (struct ('trend', 'affine'));
-%! em = fitEmulator (problem, lab.plan (30, 10), options);
-%! models = makeHypotheses (problem, em, options);
+%! em = fitEmulator (gapProblem, lab.plan (30, 10), options);
+%! models = makeHypotheses (gapProblem, em, options);
 %! assert (models.prior.sd, [0.2, Inf, Inf, Inf], 1e-12);
 %! assert (any (strcmp ('effect', {models.kinds.name})));
 %! assert (models.siblings{1}, cell (1, 0));

@@ -8,8 +8,7 @@
 %            'discrepancy': the model plus an unknown misfit, see
 %            discrepancyKinds
 %   MEMBERS  1 x h, numbers of effects (default: none)
-%   EXTENT     1 x 2, median and logarithmic deviation of the size of the
-%   unknown
+%   EXTENT   1 x 2, median and logarithmic deviation of the size of the unknown
 %            part: of a sibling the tangent of the angle between its signature
 %            and that of MEMBERS (default 0.6, 0.7: the middle 90 % have cosines
 %            from 0.98 to 0.47), of a discrepancy its scale

@@ -3,8 +3,8 @@
 % CALL: MODELS = omnibusReference (MODELS)
 %
 %   MODELS  struct of makeHypotheses; options.twins data sets are drawn from the
-%   null
-%           model, parameters by their prior, and fitted like the measurement
+%           null model, parameters by their prior, and fitted like the
+%           measurement
 %   MODELS  the same with reference, a column
 %
 % Surrogates err in ways that they do not know: the drawn data scatter with

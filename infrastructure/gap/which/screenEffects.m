@@ -14,12 +14,10 @@
 %                   noise of the signature itself taken out
 %     absorbedShare 1 x K, part of the signature that parameters absorb
 %     smallest      1 x K, smallest |strength| seen in 80 % of cases at 5 %
-%     false
-%                   alarms: ||u (phi)|| = 2.49; Inf: cannot be seen
+%                   false alarms: ||u (phi)|| = 2.49; Inf: cannot be seen
 %     strength      1 x K, first estimate of phi;  gain 1 x K, drop of chi2
 %     cosine        K x K, isolability: cosines of the signatures, their
-%     absolute
-%                   values where one of the two acts both ways
+%                   absolute values where one of the two acts both ways
 %
 % See also: parityProjection, confusion
 

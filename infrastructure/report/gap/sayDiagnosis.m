@@ -30,15 +30,15 @@ end
 
 function sayWhere (diagnosis, say)
   where = diagnosis.where;
-  problem = diagnosis.problem;
+  gapProblem = diagnosis.gapProblem;
   say ('');
   say (sprintf (['WHERE: noise alone would make the calibrated model miss ' ...
                  'the %d measurements by as much with p = %.3g'], ...
-                numel (problem.used), where.p));
+                numel (gapProblem.used), where.p));
   say (sprintf ('  %-28s %11s %11s %7s %7s  %s', 'target', 'measured', ...
                 'model', 'z', 'p', ''));
-  for i = 1:numel (problem.used)
-    t = problem.used(i);
+  for i = 1:numel (gapProblem.used)
+    t = gapProblem.used(i);
     mark = '';
     if where.pTarget(i) < 0.05
       mark = '<-- off';
@@ -46,22 +46,23 @@ function sayWhere (diagnosis, say)
       mark = 'blind: parameters can hide an error here';
     end
     say (sprintf ('  %-28s %11.5g %11.5g %7.1f %7.3f  %s', ...
-                  problem.targetNames{t}, problem.y(t), ...
-                  problem.y(t) - where.residual(i), where.t(i), ...
+                  gapProblem.targetNames{t}, gapProblem.value(t), ...
+                  gapProblem.value(t) - where.residual(i), where.t(i), ...
                   where.pTarget(i), mark));
   end
-  for i = 1:numel (problem.heldOut)
-    t = problem.heldOut(i);
+  for i = 1:numel (gapProblem.heldOut)
+    t = gapProblem.heldOut(i);
     say (sprintf ('  %-28s %11.5g %11.5g %7.1f          held out', ...
-                  problem.targetNames{t}, problem.y(t), ...
+                  gapProblem.targetNames{t}, gapProblem.value(t), ...
                   where.held.mean(i), where.held.z(i)));
   end
   for b = where.benches
-    say (sprintf ('  bench %-22s p = %.3f', problem.benchNames{b.bench}, b.p));
+    say (sprintf ('  bench %-22s p = %.3f', ...
+                  gapProblem.benchNames{b.bench}, b.p));
   end
   if ~isempty (where.conflict.odd)
     say (sprintf ('  %s disagrees with all other benches', ...
-                  problem.benchNames{where.conflict.odd}));
+                  gapProblem.benchNames{where.conflict.odd}));
   end
   if ~isempty (where.side.atLimit)
     say (['  at the limit of their range: ', ...

@@ -14,7 +14,7 @@ function writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
   [~, ~] = mkdir (folder);
   out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
-  out.howFar = howFarOf (diagnosis.howFar, diagnosis.problem);
+  out.howFar = howFarOf (diagnosis.howFar, diagnosis.gapProblem);
   next = diagnosis.next;
   out.next = arrayfun (@(t) struct ('test', t.test, 'gain', t.gain, ...
                                     'cost', t.cost), next(:)', ...
@@ -32,37 +32,37 @@ end
 
 function s = whereOf (diagnosis)
   where = diagnosis.where;
-  problem = diagnosis.problem;
+  gapProblem = diagnosis.gapProblem;
   s = struct ('p', where.p, 'noiseFloor', []);
   noise = sqrt (diag (where.budget.covariance))';
-  ok = isfinite (problem.y) & problem.y ~= 0;
-  s.noiseFloor = sqrt (mean ((noise(ok) ./ problem.y(ok)).^2));
+  ok = isfinite (gapProblem.value) & gapProblem.value ~= 0;
+  s.noiseFloor = sqrt (mean ((noise(ok) ./ gapProblem.value(ok)).^2));
   s.targets = {};
-  for i = 1:numel (problem.used)
-    t = problem.used(i);
-    s.targets{end + 1} = target (problem, t, 'calibrate', where.t(i), ...
+  for i = 1:numel (gapProblem.used)
+    t = gapProblem.used(i);
+    s.targets{end + 1} = target (gapProblem, t, 'calibrate', where.t(i), ...
                                  1 - where.absorbability(i), where.blind(i));
     s.targets{end}.p = where.pTarget(i);
   end
-  for i = 1:numel (problem.heldOut)
-    t = problem.heldOut(i);
-    s.targets{end + 1} = target (problem, t, 'holdout', where.held.z(i), ...
+  for i = 1:numel (gapProblem.heldOut)
+    t = gapProblem.heldOut(i);
+    s.targets{end + 1} = target (gapProblem, t, 'holdout', where.held.z(i), ...
                                  1, false);
     s.targets{end}.p = 2 * normalTail (abs (where.held.z(i)));
   end
-  s.models = arrayfun (@(b) struct ('model', problem.benchNames{b.bench}, ...
+  s.models = arrayfun (@(b) struct ('model', gapProblem.benchNames{b.bench}, ...
                                     'p', b.p), where.benches, ...
                        'UniformOutput', false);
-  s.params = cell2struct (num2cell (where.params(:)), problem.names(:), 1);
+  s.params = cell2struct (num2cell (where.params(:)), gapProblem.names(:), 1);
   s.atLimit = where.side.atLimit;
-  s.surrogateShare = mean (where.side.share(problem.used));
+  s.surrogateShare = mean (where.side.share(gapProblem.used));
   s.absorbed = where.absorbed;
   s.unabsorbed = where.unabsorbed;
 end
 
-function s = target (problem, t, role, z, unabsorbed, blind)
-  s = struct ('model', problem.benchNames{problem.bench(t)}, ...
-              'name', problem.targetNames{t}, 'role', role, 'z', z, ...
+function s = target (gapProblem, t, role, z, unabsorbed, blind)
+  s = struct ('model', gapProblem.benchNames{gapProblem.bench(t)}, ...
+              'name', gapProblem.targetNames{t}, 'role', role, 'z', z, ...
               'unabsorbed', unabsorbed, 'blind', blind);
 end
 
@@ -96,7 +96,7 @@ function s = whichOf (diagnosis)
   s.expected = w.expected;
 end
 
-function s = howFarOf (cure, problem)
+function s = howFarOf (cure, gapProblem)
   s = struct ('effect', '', 'before', NaN, 'after', NaN, 'floor', NaN, ...
               'closure', NaN, 'interval90', [NaN, NaN], 'heldOut', [], ...
               'placebos', {{}}, 'verifiedByDEM', false);
@@ -115,7 +115,7 @@ function s = howFarOf (cure, problem)
   end
   s.placebos = num2cell (cure.placebos);
   s.params = struct ();
-  for j = 1:numel (problem.names)
-    s.params.(problem.names{j}) = cure.params(:, j)';
+  for j = 1:numel (gapProblem.names)
+    s.params.(gapProblem.names{j}) = cure.params(:, j)';
   end
 end

@@ -1,7 +1,7 @@
-% CHECKPROBLEM  Puts one problem of the input into words.
+% CHECKFAULT  Puts one fault of the input into words.
 %
-% CALL: P = checkProblem ()
-%       P = checkProblem (REASON, FIELD, EXPECTED, GOT, CURE)
+% CALL: P = checkFault ()
+%       P = checkFault (REASON, FIELD, EXPECTED, GOT, CURE)
 %
 %   REASON    last part of the identifier (text)
 %   FIELD     what is wrong, as the user writes it, e.g. Input.cpu (text); a
@@ -14,7 +14,7 @@
 %
 % See also: checkCase, checkShow
 
-function p = checkProblem (reason, field, expected, got, cure)
+function p = checkFault (reason, field, expected, got, cure)
   if nargin == 0
     p = struct ('id', cell (1, 0), 'message', cell (1, 0));
     return
@@ -34,11 +34,11 @@ function text = fileOf (field)
   end
 end
 
-%!assert (size (checkProblem ()), [1, 0])
+%!assert (size (checkFault ()), [1, 0])
 %!test
-%! p = checkProblem ('badCpu', 'Input.cpu', 'an integer', '0', 'Set 1.');
+%! p = checkFault ('badCpu', 'Input.cpu', 'an integer', '0', 'Set 1.');
 %! assert (p.id, 'DEcalioc:checkCase:badCpu');
 %! assert (p.message, ...
 %!         'Input.cpu in loadInput.m: expected an integer, got 0. Set 1.');
-%!assert (checkProblem ('a', 'effects(1).name', 'b', 'c', 'd').message, ...
+%!assert (checkFault ('a', 'effects(1).name', 'b', 'c', 'd').message, ...
 %!        'effects(1).name in loadEffects.m: expected b, got c. d')

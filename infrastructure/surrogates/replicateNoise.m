@@ -1,6 +1,6 @@
-% SEEDNOISE  Estimates the scatter of one run over seeds from repeated rows.
+% REPLICATENOISE  Estimates the noise of one run from repeated rows.
 %
-% CALL: [VARIANCE, DF, RESIDUAL] = seedNoise (INPUTS, Z)
+% CALL: [VARIANCE, DF, RESIDUAL] = replicateNoise (INPUTS, Z)
 %
 %   INPUTS    n x d, parameters and effects of each run
 %   Z         n x T, results, NaN = none
@@ -10,7 +10,7 @@
 %
 % See also: fitEmulator, noiseBudget
 
-function [variance, df, residual] = seedNoise (inputs, Z)
+function [variance, df, residual] = replicateNoise (inputs, Z)
   [~, ~, group] = unique (inputs, 'rows');
   residual = NaN (size (Z));
   df = zeros (1, columns (Z));
@@ -30,8 +30,9 @@ function [variance, df, residual] = seedNoise (inputs, Z)
 end
 
 %!test
-%! [v, df, r] = seedNoise ([1; 1; 2; 3; 3], [1, 5; 3, NaN; 9, 9; 4, 1; 4, 3]);
+%! Z = [1, 5; 3, NaN; 9, 9; 4, 1; 4, 3];
+%! [v, df, r] = replicateNoise ([1; 1; 2; 3; 3], Z);
 %! assert (df, [2, 1]);
 %! assert (v, [1, 2]);
 %! assert (r(3, :), [NaN, NaN]);
-%!assert (seedNoise ([1; 2], [1; 2]), NaN)
+%!assert (replicateNoise ([1; 2], [1; 2]), NaN)
