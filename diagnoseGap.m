@@ -19,9 +19,9 @@ function diagnosis = diagnoseCase (root, folder)
   startToolbox (root, folder);
   say = @(text) sayLine (text, fullfile (folder, 'Octave_logfile.txt'));
   lock = lockCase (folder);
-  Case = withEffects (loadCase (root, folder));
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
+  Case = withEffects (loadCase (root, folder));
   ledger = newLedger ();
   evaluate = newEvaluate (Case, ledger, say);
 

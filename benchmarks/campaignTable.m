@@ -1,25 +1,25 @@
-% CAMPAIGNTABLE  What each effect does to each target, in units of seed noise.
+% CAMPAIGNTABLE  What each effect does to each target, in noise of a run.
 %
-% CALL: [CHANGE, COUNT, LINES] = campaignTable (PROBLEM, DATA)
+% CALL: [CHANGE, COUNT, LINES] = campaignTable (GAPPROBLEM, DATA)
 %
-%   PROBLEM  struct of newGapProblem
-%   DATA     struct X, E, Z, replicate, see importRuns
-%   CHANGE   K x T: change of the mean from strength 0 to 1 in the middle of
-%            the box, over the standard deviation of one run; NaN where fewer
-%            than three runs with this effect alone have the result
-%   COUNT    K x T, these runs; of the laboratory, which needs none, all runs
-%   LINES    1 x n cell of text, the same as a table: a row a target
+%   GAPPROBLEM  struct of newGapProblem
+%   DATA        struct X, E, Z, replicate, see importRuns
+%   CHANGE      K x T: change of the mean from strength 0 to 1 in the middle of
+%               the box, over the standard deviation of one run; NaN where fewer
+%               than three runs with this effect alone have the result
+%   COUNT       K x T, these runs; of the laboratory, which needs none, all runs
+%   LINES       1 x n cell of text, the same as a table: a row a target
 %
 % The means are those of the emulator of the diagnosis.
 %
 % See also: campaign, fitEmulator
 
-function [change, count, lines] = campaignTable (problem, data)
-  em = fitEmulator (problem, data, gapOptions ([]));
-  phi = strengthOfValues (problem.effects, data.E);
+function [change, count, lines] = campaignTable (gapProblem, data)
+  em = fitEmulator (gapProblem, data, gapOptions ([]));
+  phi = strengthOfValues (gapProblem.effects, data.E);
   K = numel (em.effect);
   middle = zeros (1, em.p);
-  noise = sqrt (em.seedVar);
+  noise = sqrt (em.noiseVar);
   change = zeros (K, numel (noise));
   count = zeros (K, numel (noise));
   for k = 1:K
@@ -30,14 +30,15 @@ function [change, count, lines] = campaignTable (problem, data)
                     predictGap (em, [], middle)) ./ noise;
   end
   change(count < 3) = NaN;
-  lines = {['| target | seed noise | ', ...
-            strjoin({problem.effects.name}, ' | '), ' |'], ...
+  lines = {['| target | noise of a run | ', ...
+            strjoin({gapProblem.effects.name}, ' | '), ' |'], ...
            repmat('|---', 1, K + 2)};
   lines{2}(end + 1) = '|';
   for t = 1:numel (noise)
     texts = arrayfun (@textOf, change(:, t)', 'UniformOutput', false);
-    lines{end + 1} = sprintf ('| %s | %.2g | %s |', problem.targetNames{t}, ...
-                              noise(t), strjoin (texts, ' | '));
+    lines{end + 1} = sprintf ('| %s | %.2g | %s |', ...
+                              gapProblem.targetNames{t}, noise(t), ...
+                              strjoin (texts, ' | '));
   end
 end
 
@@ -61,9 +62,9 @@ end
 %!   effects(k) = struct ('name', names{k}, 'variables', {names(k)}, ...
 %!                        'neutral', 0, 'limits', [0; 1]);
 %! end
-%! problem = newGapProblem (struct ('y', [1, 1], 'sd', [0.2, 0.2], ...
-%!                                  'limits', [0, 0; 1, 1], 'bench', [1, 1], ...
-%!                                  'effects', effects));
+%! gapProblem = newGapProblem (struct ('value', [1, 1], 'sd', [0.2, 0.2], ...
+%!                                     'limits', [0, 0; 1, 1], ...
+%!                                     'bench', [1, 1], 'effects', effects));
 %! X = rand (20, 2);
 %! data.X = [X; X(1:12, :); rand(12, 2)];
 %! E = zeros (44, 2);
@@ -74,7 +75,7 @@ end
 %!          0.2 * randn (44, 2);
 %! data.Z(41:44, 2) = NaN;
 %! data.replicate = [ones(20, 1); 2 * ones(12, 1); ones(12, 1)];
-%! [change, count, lines] = campaignTable (problem, data);
+%! [change, count, lines] = campaignTable (gapProblem, data);
 %! assert (count, [8, 8; 4, 0]);
 %! assert (change(1, 1) > 8 && change(1, 1) < 30);
 %! assert (abs (change(1, 2)) < 5);

@@ -38,7 +38,8 @@ function lab = formulaLab (p)
                          'limits', [0.1; 1]);
   end
   y = means (0.2 + 0.6 * rand (1, p), [0, 0.6, 0, 0, 0]);
-  lab.given = struct ('y', y + 0.3 * randn (1, T), 'sd', 0.2 * ones (1, T), ...
+  lab.given = struct ('value', y + 0.3 * randn (1, T), ...
+                      'sd', 0.2 * ones (1, T), ...
                       'limits', [zeros(1, p); ones(1, p)], ...
                       'bench', kron (1:3, ones (1, 6)), 'effects', effects);
 end
@@ -48,12 +49,12 @@ function lab = hiddenEffectLab (root)
 end
 
 function line = trySeeds (name, lab, seeds)
-  problem = newGapProblem (lab.given);
+  gapProblem = newGapProblem (lab.given);
   options = gapOptions ([]);
-  em = fitEmulator (problem, lab.data, options);
+  em = fitEmulator (gapProblem, lab.data, options);
   em.effect = em.effect([em.effect.laboratory] | [em.effect.runs] >= 3);
-  models = omnibusReference (makeHypotheses (problem, em, options));
-  fits = fitLibrary (models, problem.y(problem.used));
+  models = omnibusReference (makeHypotheses (gapProblem, em, options));
+  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
   verdicts = {};
   for s = 1:seeds
     models.options.seed = s;

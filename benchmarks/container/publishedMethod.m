@@ -20,8 +20,8 @@ function params = publishedMethod (Case, evaluate)
   params = [];
   try
     params = calibrated (Case, evaluate);
-  catch problemFound
-    printf ('published algorithm ended: %s\n', problemFound.message);
+  catch err
+    printf ('published algorithm ended: %s\n', err.message);
   end
 end
 

@@ -26,17 +26,17 @@ function cases = leftOutCase (campaign, numbers)
     same = all (inputs == inputs(i, :), 2);
     noise = integrationPoints (1, columns (data.Z), 4000 + i).normal;
     given = campaign.given;
-    given.y = data.Z(i, :) + given.sd .* noise;
-    problem = newGapProblem (given);
-    em = fitEmulator (problem, without (data, same), options, campaign.em);
+    given.value = data.Z(i, :) + given.sd .* noise;
+    gapProblem = newGapProblem (given);
+    em = fitEmulator (gapProblem, without (data, same), options, campaign.em);
     kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
     em.effect = em.effect(kept);
-    models = makeHypotheses (problem, em, options);
+    models = makeHypotheses (gapProblem, em, options);
     models.reference = campaign.reference;
-    fits = fitLibrary (models, given.y);
+    fits = fitLibrary (models, given.value);
     w = caseEvidence (models, fits, 1);
     verdict = judgeCase (w, models);
-    truth = truthOf (problem, models, data, i);
+    truth = truthOf (gapProblem, models, data, i);
     one = describe (w, verdict, models, truth);
     one.campaign = campaign.name;
     one.row = i;
@@ -51,11 +51,11 @@ function data = without (data, same)
   end
 end
 
-function truth = truthOf (problem, models, data, i)
-  phi = strengthOfValues (problem.effects, data.E(i, :));
-  theta = 2 * (data.X(i, :) - problem.limits(1, :)) ./ ...
-          diff (problem.limits) - 1;
-  names = {problem.effects(abs (phi) > 1e-9).name};
+function truth = truthOf (gapProblem, models, data, i)
+  phi = strengthOfValues (gapProblem.effects, data.E(i, :));
+  theta = 2 * (data.X(i, :) - gapProblem.limits(1, :)) ./ ...
+          diff (gapProblem.limits) - 1;
+  names = {gapProblem.effects(abs (phi) > 1e-9).name};
   [has, at] = ismember (names, models.names);
   truth = struct ('names', {names}, 'phi', phi(abs (phi) > 1e-9), 'd', 0);
   truth.at = at;

@@ -6,8 +6,8 @@
 % The targets are SYNTHETIC, not measured: means of three simulations with
 % densityP 1080 kg/m3, coefFrictionPP 0.36, coefRollingFrictionPP 0.09 and seeds
 % that the calibration does not use. So one can see whether it finds them.
-% targetStd is the standard error of such a mean (seed noise / sqrt (3)); the
-% tolerances are about three times the seed noise of one run.
+% targetStd is the standard error of such a mean (noise of a run / sqrt (3));
+% the tolerances are about three times the noise of a run.
 
 function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.model = {'Heap', 'Shear', 'Collapse', 'SlotBin'};
