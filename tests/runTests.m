@@ -52,14 +52,21 @@ mkdir (scratch);
 setenv ('TMPDIR', scratch);
 home = cd (scratch);
 counts = zeros (1, 3);
+failing = {};
 files = testFiles (root, pattern);
 for k = 1:numel (files)
   [p, f, s] = runFile (files{k}, root);
   counts = counts + [p, f, s];
+  if f > 0
+    failing{end + 1} = strrep (files{k}, [root, '/'], '');
+  end
 end
 cd (home);
 confirm_recursive_rmdir (false);
 rmdir (scratch, 's');
+if ~isempty (failing)
+  printf ('Failed, see above: %s\n', strjoin (failing, ', '));
+end
 if counts(3) > 0
   printf ('%d passed, %d failed, %d skipped\n', counts);
 else

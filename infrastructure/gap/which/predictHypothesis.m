@@ -44,7 +44,9 @@ function [M, V, J, G] = predictHypothesis (view, U)
     return
   end
   if strcmp (h.spread, 'sibling')
-    part = Q(:, end).^2 .* mean ((S * white.parity).^2, 2);
+    % no direction is left where there are no more results than parameters
+    part = Q(:, end).^2 .* sum ((S * white.parity).^2, 2) / ...
+           max (1, columns (white.parity));
   else
     part = Q(:, end).^2 .* white.shape;
   end
@@ -86,3 +88,10 @@ end
 %! [~, V, ~, G] = predictHypothesis (view, U);
 %! assert (V, 1 + 4 * 8 / 3 * ones (1, 4), 1e-6);
 %! assert (max (abs (G)) < 1e-8);
+%!test
+%! % as many parameters as results: there is no direction for it, no NaN
+%! white.parity = zeros (4, 0);
+%! view = viewHypothesis (white, newHypothesis ('sibling', 1), prior);
+%! [M, V, ~, G] = predictHypothesis (view, [0.2, -0.3, 0, 0.1]);
+%! assert (V, ones (1, 4), 1e-12);
+%! assert (G, zeros (1, 4));
