@@ -25,6 +25,18 @@
 %!  Case = newCase (raw);
 %!endfunction
 
+%!function back = nameOfYade ()
+%!  % the checks look for a program of that name; these tests do not start it
+%!  before = getenv ('PATH');
+%!  back = onCleanup (@() setenv ('PATH', before));
+%!  if isempty (file_in_path (before, 'yade'))
+%!    folder = tempname ();
+%!    mkdir (folder);
+%!    writeAtomic (fullfile (folder, 'yade'), "exit 1\n");
+%!    setenv ('PATH', [before, ':', folder]);
+%!  end
+%!endfunction
+
 %!function replaceIn (file, old, new)
 %!  text = fileread (file);
 %!  assert (~isempty (strfind (text, old)));
@@ -39,6 +51,7 @@
 %!endfunction
 
 %!test % the form of the example has no mistake but that YADE may be missing
+%! back = nameOfYade ();
 %! Case = smallCase (root, @(model) []);
 %! names = {resultInfo(Case.models(1).folder).name};
 %! assert (numel (Case.targets), numel (names));
@@ -61,6 +74,7 @@
 %! end
 
 %!test % a folder of old simulations becomes a table: one that is whole, one not
+%! back = nameOfYade ();
 %! old = tempname ();
 %! head = fileread (fullfile (root, 'examples', 'yade', 'DEMmodels', ...
 %!                            'YadeCollapse', 'data.head'));

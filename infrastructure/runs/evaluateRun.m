@@ -46,6 +46,8 @@ function record = evaluate (record, place)
   addpath (place.funs);
   tidy = onCleanup (@() rmpath (place.funs));
   watch = startWatch (fullfile (record.folder, 'getResults.late'), place.limit);
+  % a file that was corrected within the second would not be read again
+  clear ('-functions', 'getResults');
   try
     results = getResults (record.model, place.name);
     [record.results, fault] = asRow (results, place);
