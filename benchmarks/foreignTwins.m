@@ -1,13 +1,14 @@
 % FOREIGNTWINS  Twin study on published laws that the diagnosis does not know.
 %
 % CALL: octave-cli benchmarks/foreignTwins.m [blind|develop] [CASES] [ONLY]
-%       octave-cli benchmarks/foreignTwins.m blind CASES pairs SETS
+%       octave-cli benchmarks/foreignTwins.m blind CASES pairs SETS [STEP]
 %
 % CASES  per laboratory (105): 4 laboratories of 105 are 420
 % ONLY   nulls: cases without a gap, for the level of the test; pairs: cases of
 %        two causes
 % SETS   diagnose the pairs both of whose causes have a d of 4 the whole way: so
 %        many new parameter sets of the laboratory for each (twinsWhole)
+% STEP   of these cases every so-manyth (1)
 %
 % As twins.m, but the truth follows laws of bulk solids with thresholds, kinks
 % and saturation (foreignLab), scatter follows the results with heavy tails, and
@@ -23,7 +24,7 @@
 
 1;
 
-function runForeign (kind, perLab, only, sets)
+function runForeign (kind, perLab, only, sets, step)
   addpath (fileparts (mfilename ('fullpath')));
   root = startBenchmarks ();
   results = fullfile (root, 'benchmarks', 'results');
@@ -41,6 +42,7 @@ function runForeign (kind, perLab, only, sets)
   printf ('truth frozen: SHA-256 %s\n', digest);
   if sets > 0
     twins = twins(cellfun (@min, {twins.dEach}) >= 3.9 & [twins.d] >= 3.9);
+    twins = twins(1:step:end);
     name = [name, '-whole'];
     verdicts = diagnoseWhole (kind, labs, twins, sets);
   else
@@ -85,4 +87,8 @@ sets = 0;
 if numel (args) > 2
   sets = str2double (args{3});
 end
-runForeign (kind, perLab, only, sets);
+step = 1;
+if numel (args) > 3
+  step = str2double (args{4});
+end
+runForeign (kind, perLab, only, sets, step);
