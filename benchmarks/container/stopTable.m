@@ -4,14 +4,16 @@
 %
 % FILE  text, what lift100Stop writes
 % T     struct array, one a criterion and set: criterion, set, seconds (when it
-%       ends, mean), bias and rms (of its mass against that at the end of the
-%       curve, over the scatter of the latter from packing to packing), saved
-%       (share of the core time of the run)
+%       ends, mean), relative (its mass over that at the end of the curve,
+%       less one, mean), bias and rms (of the difference, over the scatter of
+%       the latter from packing to packing), saved (share of the core time of
+%       the run)
 %
 % Criteria, each judged at every stored time: so many seconds; fewer than n
-% spheres gone in the last 0.2 s; energy below so many m g r; and an
-% extrapolation, mass times a ratio that is learned on the other set: what a
-% correction does to the results of a set that it has not seen. Where one is
+% spheres gone in the last 0.2 s; energy below so many m g r; and so many
+% seconds with two corrections: by a ratio that is learned on the other set
+% (what it does to a set that it has not seen), and by the run's own flow, which
+% goes on to fall as it did in the last two half seconds. Where a criterion is
 % not met the run goes to the end of its curve. Without output prints a table.
 %
 % See also: lift100Stop
@@ -34,21 +36,23 @@ function T = stopTable (file)
   end
 end
 
-% n x 3 cell: name, handle (curve -> first index), whether it is corrected
+% n x 3 cell: name, handle (curve -> first index), correction
 function list = rules ()
   list = cell (0, 3);
   for seconds = [2, 2.5, 3, 3.5, 3.8]
     is = @(c) atTime (c, seconds);
-    list(end + 1, :) = {sprintf('%g s', seconds), is, false};
-    list(end + 1, :) = {sprintf('%g s, extrapolated', seconds), is, true};
+    for correction = {'', ', by ratio', ', by flow'}
+      list(end + 1, :) = {[sprintf('%g s', seconds), correction{1}], is, ...
+                          correction{1}};
+    end
   end
   for n = [1, 2, 5, 10]
     is = @(c) fewGone (c, n);
-    list(end + 1, :) = {sprintf('fewer than %d gone in 0.2 s', n), is, false};
+    list(end + 1, :) = {sprintf('fewer than %d gone in 0.2 s', n), is, ''};
   end
   for energy = [1e-3, 1e-2, 0.1]
     is = @(c) find (c(:, 4) < energy, 1);
-    list(end + 1, :) = {sprintf('energy below %g', energy), is, false};
+    list(end + 1, :) = {sprintf('energy below %g', energy), is, ''};
   end
 end
 
@@ -76,14 +80,20 @@ end
 function row = judge (rule, curves, set)
   isOwn = strcmp ({curves.set}, set);
   [mass, final, seconds, saved] = stopped (rule{2}, curves(isOwn));
-  if rule{3}
-    [other, otherFinal] = stopped (rule{2}, curves(~isOwn));
-    mass = mass * mean (otherFinal) / mean (other);
+  switch rule{3}
+    case ', by ratio'
+      [other, otherFinal] = stopped (rule{2}, curves(~isOwn));
+      mass = mass * mean (otherFinal) / mean (other);
+    case ', by flow'
+      mass = arrayfun (@(c) byFlow (c.values, rule{2}(c.values)), ...
+                       curves(isOwn)(:));
   end
   off = (mass - final) / std (final);
   row = struct ('criterion', rule{1}, 'set', set, ...
-                'seconds', mean (seconds), 'bias', mean (off), ...
-                'rms', sqrt (mean (off.^2)), 'saved', mean (saved));
+                'seconds', mean (seconds), ...
+                'relative', mean (mass) / mean (final) - 1, ...
+                'bias', mean (off), 'rms', sqrt (mean (off.^2)), ...
+                'saved', mean (saved));
 end
 
 function [mass, final, seconds, saved] = stopped (find1, curves)
@@ -100,12 +110,24 @@ function [mass, final, seconds, saved] = stopped (find1, curves)
   end
 end
 
+% The flow of a half second, times the ratio of the last two for each to come.
+function mass = byFlow (c, i)
+  flow = -diff (c([i - 10, i - 5, i], 2));
+  ratio = min (flow(2) / flow(1), 1);
+  halves = (c(end, 1) - c(i, 1)) / 0.5;
+  mass = c(i, 2) - flow(2) * sum (ratio.^(1:floor (halves))) - ...
+         flow(2) * ratio^ceil (halves) * mod (halves, 1);
+end
+
 function sayTable (T)
-  printf (['| criterion | set | ends at | bias / scatter | ', ...
-           'rms / scatter | core time saved |\n|---|---|---|---|---|---|\n']);
+  heads = {'criterion', 'set', 'ends at', 'mass off by', 'bias / scatter', ...
+           'rms / scatter', 'core time saved'};
+  printf ("|%s\n|%s\n", sprintf (' %s |', heads{:}), ...
+          repmat ('---|', 1, numel (heads)));
   for t = T
-    printf ('| %s | %s | %.2f s | %+.2f | %.2f | %.0f %% |\n', t.criterion, ...
-            t.set, t.seconds, t.bias, t.rms, 100 * t.saved);
+    printf ("| %s | %s | %.2f s | %+.1f %% | %+.2f | %.2f | %.0f %% |\n", ...
+            t.criterion, t.set, t.seconds, 100 * t.relative, t.bias, ...
+            t.rms, 100 * t.saved);
   end
 end
 
