@@ -12,7 +12,7 @@
 % taken so far. A criterion is then tried on the stored curves (stopTable).
 % Writes benchmarks/results/lift100Stop.csv: set, seed, time (s), mass (kg),
 % spheres, energy, coreSeconds, a row every 0.1 s; and prints the table. A run
-% takes about half a core-minute.
+% takes about a core-minute on a busy machine.
 %
 % See also: stopTable, mweWaits
 
