@@ -12,7 +12,7 @@
 %   ours      this toolbox's build with its own flags
 %   linkTime  the same with -flto
 %   profile   the same, with the profile of one run of each bench
-% The programs are built by tools/liggghts/build.sh, five minutes each on two
+% The programs are built by tools/liggghts/build.sh, some minutes each on two
 % cores, and stay in its cache: LIGGGHTS=<printed path> chooses one. Packings
 % are outside and programs inside the loop, so a machine that gets busier slows
 % all alike. Prints the user time of the programs over that of ours, mean and

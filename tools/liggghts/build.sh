@@ -48,7 +48,7 @@ unpackAndMend () {
   cd "$work/source"
   patch -p1 < "$here/gcc12.patch"
   rm src/dump_mesh_vtk.{cpp,h}      # includes VTK also where VTK is not wanted
-  cp "$here/build.mk" src/
+  cp "$here"/{build.mk,precompiled.h} src/
   cp "$here/contact_models.whitelist" src/style_contact_model.whitelist
   cd src
   LC_ALL=C sh Make.sh style
@@ -58,10 +58,20 @@ unpackAndMend () {
 compile () {
   local number
   number=$(make -s -f build.mk count)
-  say "compiling $number files with $(nproc) processes: about 5 minutes on 2 cores, only this once"
-  make -f build.mk -j "$(nproc)" "FLAGS=$flags" liggghts 2>&1 | tee -a "$log" |
-    awk -v n="$number" '/^CXX / && ++i * 4 >= n * (q + 1) && q < 3 {
-      printf "LIGGGHTS: %d%% compiled\n", 25 * ++q; fflush () }'
+  say "compiling $number files with $(nproc) processes: 2 to 3 minutes on 2 cores, only this once"
+  make -f build.mk -j "$(nproc)" "FLAGS=$flags" liggghts 2>&1 | tee -a "$log" | sayQuarters "$number"
+}
+
+# In bash, as Debian's awk would keep lines back until it has 4,096 bytes of them.
+sayQuarters () {
+  local line files=0 quarter=1
+  while read -r line; do
+    if [[ $line == CXX* ]]; then files=$((files + 1)); fi
+    if [ $((4 * files)) -ge $(($1 * quarter)) ] && [ $quarter -lt 4 ]; then
+      say "$((25 * quarter))% compiled"
+      quarter=$((quarter + 1))
+    fi
+  done
 }
 
 # The finished folder appears in one step: what is there is complete.

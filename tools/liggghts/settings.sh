@@ -21,7 +21,7 @@ buildFolder () {
   target=$(g++ $flags -Q --help=target 2>/dev/null) || return 1
   key=$( { echo "$tarballSha $flags $target"
            g++ -dumpfullversion
-           cat "$here"/{gcc12.patch,contact_models.whitelist,build.mk}
+           cat "$here"/{gcc12.patch,contact_models.whitelist,build.mk,precompiled.h}
          } | sha256sum | cut -c 1-12)
   echo "$cache/liggghts-$key"
 }
