@@ -40,9 +40,12 @@ function result = drawCase (root, folder)
   lines = [{['packing,', strjoin(Case.names, ',')]}, lines];
   writeAtomic (fullfile (folder, 'predictionSets.csv'), ...
                sprintf ('%s\n', lines{:}));
-  quantiles = sort (sample)(round ([0.05; 0.95] * rows (sample)), :);
-  printf ('%s: nearest %.3f, 90 %% of the sets that fit %.3f to %.3f\n', ...
-          [Case.names; num2cell([centre; quantiles])]{:});
+  sorted = sort (sample);
+  ends = sorted(round ([0.05; 0.95] * rows (sample)), :);
+  for j = 1:numel (Case.names)
+    printf ('%s: nearest %.3f, 90 %% of the sets that fit %.3f to %.3f\n', ...
+            Case.names{j}, centre(j), ends(:, j));
+  end
   result.exitStatus = 0;
 end
 

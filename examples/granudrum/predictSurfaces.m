@@ -34,8 +34,8 @@ function lines = rowsOf (rpm, model, x, z, half)
 end
 
 function [lines, w] = predictOne (rpm, sim, at, own, x)
-  w = sum (sum ((sim - at.M{1}) .* (at.M{2} - at.M{1}))) / ...
-      sumsq ((at.M{2} - at.M{1})(:));
+  step = at.M{2} - at.M{1};
+  w = sum (sum ((sim - at.M{1}) .* step)) / sumsq (step(:));
   moved = norm (mean (at.R{2} - at.R{1}, 1)) / sqrt (numel (x));
   surrogate = (1 - w)^2 * mean (at.V{1}) + w^2 * mean (at.V{2});
   change = sqrt ((0.35 * moved)^2 + surrogate);
