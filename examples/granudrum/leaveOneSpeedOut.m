@@ -32,7 +32,7 @@ function checkOne (Case, from, to)
   for part = [0.5, 0.7]
     change = sqrt ((part * moved)^2 + packing(is (to)) + packing(is (from)));
     [best, half] = carryResidual (sim, {r}, 1, change, 0.71);
-    wide = sqrt ((1.645 * (best - null)).^2 + half.^2);
+    wide = halfAbout (best - null, half / 1.645);
     text = sprintf ('%s to %s | %.1f', from, to, part);
     sayRow (text, 'null', y(is (to)) - null, wide);
     sayRow (text, 'best', y(is (to)) - best, half);

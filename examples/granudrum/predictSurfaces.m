@@ -17,11 +17,10 @@
 % as known to 0.35; 0.25 was the choice, and leaveOneSpeedOut.m with a choice of
 % the same kind held too few places.
 %
-% The interval of null is about its own z and holds what best says it is off by:
-% the square root of (best - null)^2 and the variance of best. Nothing is fitted
-% to any measurement at 10 or 30 rpm.
+% The interval of null is about its own z and so wide that it holds 90 % of what
+% best says. Nothing is fitted to any measurement at 10 or 30 rpm.
 %
-% See also: drawPredictionSets, runPredictions, leaveOneSpeedOut
+% See also: drawPredictionSets, runPredictions, leaveOneSpeedOut, halfAbout
 
 1;
 
@@ -41,7 +40,7 @@ function [lines, w] = predictOne (rpm, sim, at, own, x)
   change = sqrt ((0.35 * moved)^2 + surrogate);
   [best, half] = carryResidual (sim, at.R, [1 - w, w], change, 0.71);
   null = mean (sim(own, :), 1);
-  wide = sqrt ((1.645 * (best - null)).^2 + half.^2);
+  wide = halfAbout (best - null, half / 1.645);
   lines = [rowsOf(rpm, 'null', x, null, wide), ...
            rowsOf(rpm, 'best', x, best, half)];
   printf (['%d rpm: W %.2f, null and best differ by %.2f mm rms, half ' ...
