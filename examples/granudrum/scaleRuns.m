@@ -47,10 +47,19 @@ function sayAlike (Case, data, X, base, change)
                 sumsq ((data.X - X) ./ half, 2) < 0.01);
     for i = own'
       d = data.Z(i, :) - base;
-      printf ('%s %g: cosine %.2f\n', Case.effectVars{j}, data.E(i, j), ...
-              d * change' / norm (d) / norm (change));
+      sayCosine (sprintf ('%s %g', Case.effectVars{j}, data.E(i, j)), ...
+                 d, change);
     end
   end
+  info = targetInfo (Case);
+  for e = Case.effects([Case.effects.laboratory])
+    d = e.transform (base, e.limits(2), info) - base;
+    sayCosine (sprintf ('%s %g', e.name, e.limits(2)), d, change);
+  end
+end
+
+function sayCosine (text, d, change)
+  printf ('%s: cosine %.2f\n', text, d * change' / norm (d) / norm (change));
 end
 
 function result = compareScales (root, folder)
