@@ -2,100 +2,51 @@
 %
 % CALL: octave-cli drawPredictionSets.m
 %
-% After DEcalioc.m and diagnoseGap.m. Writes predictionSets.csv, for the null
-% model and for the one with the effect of the diagnosis: the calibrated set (4
-% packings) and 8 of the sample of sets that fit (results/posterior.csv; with
-% the effect the same deviations about its own calibrated set, and strengths
-% drawn evenly over their 90 % interval). The model with the effect is called
-% after it where the diagnosis names it, else best. predictionMiss.csv: rms of
-% z at 15 and 45 rpm in mm that each of the two sets leaves, mean of its DEM
-% runs (with the effect: those of the cure), where there are none NaN.
+% From the runs without effects that there are: predictionSets.csv, with the set
+% nearest to the measured surfaces over both speeds (mean of its packings, four
+% packings wanted) and 8 sets of the posterior of the parameters. Packing 0: a
+% set of the posterior, run once. The rows stand in the order in which they are
+% worth their run.
 %
-% See also: predictSurfaces
+% See also: predictSurfaces, parameterPosterior
 
 1;
 
-function lines = setLines (model, centre, sample)
-  lines = {};
-  text = @(values) sprintf (',%.6g', values);
-  for packing = 1:4
-    lines{end + 1} = sprintf ('%s,%d%s', model, packing, text (centre));
+function centre = nearestSet (data, y)
+  [X, ~, which] = unique (data.X, 'rows');
+  miss = zeros (rows (X), 1);
+  for k = 1:rows (X)
+    miss(k) = sumsq (mean (data.Z(which == k, :), 1) - y);
   end
-  for i = 1:rows (sample)
-    lines{end + 1} = sprintf ('%s,0%s', model, text (sample(i, :)));
-  end
-end
-
-% 8 sets about the calibrated one, inside the limits.
-function P = sampleSets (folder, Case, centre)
-  table = dlmread (fullfile (folder, 'results', 'posterior.csv'), ',', 1, 0);
-  pick = round (linspace (1, rows (table), 8));
-  P = table(pick, :) - mean (table, 1) + centre;
-  P = min (max (P, Case.limits(1, :)), Case.limits(2, :));
-end
-
-function rms = missOf (Z, y)
-  D2 = (mean (Z, 1) - y).^2;
-  n = numel (y) / 2;
-  rms = sqrt ([mean(D2(1:n)), mean(D2(n + 1:end))]);
-end
-
-% Results of the runs that verified the cure with this variable switched on.
-function Z = cureRuns (Case, variable)
-  Z = zeros (0, numel (Case.targets));
-  model = Case.models(1).name;
-  at = strcmp (Case.effectVars, variable);
-  neutral = neutralEffects (Case);
-  for name = listRunFolders (Case.store, model)
-    record = readRecord (fullfile (Case.store, 'optim', model, name{1}, ...
-                                   'record.json'));
-    if isfield (record, 'stage') && strcmp (record.stage, 'cure') && ...
-       strcmp (record.status, 'ok') && record.effects(at) ~= neutral(at)
-      Z(end + 1, :) = record.results([Case.targets.index]);
-    end
-  end
+  [~, best] = min (miss);
+  centre = X(best, :);
 end
 
 function result = drawCase (root, folder)
   startToolbox (root, folder);
   useLiggghts (root);
+  addpath (folder);
   Case = withEffects (loadCase (root, folder));
-  y = [Case.targets.value];
-  found = jsondecode (fileread (fullfile (folder, 'results', ...
-                                          'calibration.json')));
-  centre = cellfun (@(name) found.params.(name), Case.names);
-  lines = {['model,packing', sprintf(',%s', Case.names{:})]};
-  missed = {'model,missedSlow,missedFast', ...
-            sprintf('null,%.3f,%.3f', missOf ([found.targets.result], y))};
-  null = sampleSets (folder, Case, centre);
-  result.exitStatus = 0;
-  gap = jsondecode (fileread (fullfile (folder, 'gap', 'gap.json')));
-  effect = gap.howFar.effect;
-  at = find (strcmp ({Case.effects.name}, effect));
-  if isempty (at) || Case.effects(at).laboratory
-    lines = [lines, setLines('null', centre, null)];
-  else
-    variable = Case.effects(at).variables{1};
-    neutral = Case.effects(at).neutral(1);
-    lines{1} = [lines{1}, ',', variable];
-    lines = [lines, setLines('null', [centre, neutral], ...
-                             [null, neutral * ones(rows (null), 1)])];
-    name = 'best';
-    if strcmp (gap.which.verdict, 'named')
-      name = effect;
-    end
-    own = cellfun (@(name) gap.howFar.params.(name)(2), Case.names);
-    strength = gap.which.strength.(effect).(variable);
-    part = linspace (strength(2), strength(3), 8)';
-    lines = [lines, setLines(name, [own, strength(1)], ...
-                             [sampleSets(folder, Case, own), part])];
-    missed{end + 1} = sprintf ('%s,%.3f,%.3f', name, ...
-                               missOf (cureRuns (Case, variable), y));
+  all_ = true (1, numel (Case.targets));
+  [surrogates, problem, data] = neutralSurrogates (Case, all_);
+  centre = nearestSet (data, [Case.targets.value]);
+  sample = parameterPosterior (surrogates, problem, 400).sample;
+  P = sample(round (linspace (1, rows (sample), 8)), :);
+  table = [1, centre; 2, centre; zeros(8, 1), P; 3, centre; 4, centre];
+  lines = cell (1, rows (table));
+  for i = 1:rows (table)
+    lines{i} = sprintf ('%.10g,%.10g,%.10g,%.10g', table(i, :));
   end
+  lines = [{['packing,', strjoin(Case.names, ',')]}, lines];
   writeAtomic (fullfile (folder, 'predictionSets.csv'), ...
                sprintf ('%s\n', lines{:}));
-  writeAtomic (fullfile (folder, 'predictionMiss.csv'), ...
-               sprintf ('%s\n', missed{:}));
+  sorted = sort (sample);
+  ends = sorted(round ([0.05; 0.95] * rows (sample)), :);
+  for j = 1:numel (Case.names)
+    printf ('%s: nearest %.3f, 90 %% of the sets that fit %.3f to %.3f\n', ...
+            Case.names{j}, centre(j), ends(:, j));
+  end
+  result.exitStatus = 0;
 end
 
 here = fileparts (mfilename ('fullpath'));

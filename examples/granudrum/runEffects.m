@@ -1,10 +1,11 @@
 % RUNEFFECTS  Runs every candidate effect a few times, one after another.
 %
-% CALL: octave-cli runEffects.m [EACH]
+% CALL: octave-cli runEffects.m [EACH [NAME]]
 %
-% EACH  runs an effect gets (4)
+% EACH  runs an effect gets, with those that there are (4)
+% NAME  the only effect to run
 %
-% After DEcalioc.m: the first two runs of an effect stand at the calibrated set
+% The first two runs of an effect stand at the first set of predictionSets.csv
 % with full and half strength (other sign where it acts both ways), the rest
 % around it. First one run of each effect, then the next of each, so that the
 % program can be stopped at any time. diagnoseGap.m takes what is there, and
@@ -17,44 +18,54 @@
 
 function [P, E] = effectPlan (Case, effects, theta, each)
   K = numel (effects);
-  Q = cell (1, K);
-  for k = 1:K
-    Q{k} = planEffectRuns (each, zeros (0, numel (theta) + 1), theta, [], ...
-                           effects(k).range);
-  end
+  data = gatherRuns (Case);
+  half = diff (Case.limits) / 2;
+  strengths = strengthOfValues (effects, data.E);
+  known = (data.X - mean (Case.limits)) ./ half;
   Theta = zeros (0, numel (theta));
   Phi = zeros (0, K);
-  for i = 1:each
-    for k = 1:K
-      Theta(end + 1, :) = Q{k}(i, 1:end - 1);
-      Phi(end + 1, k) = Q{k}(i, end);
-    end
+  order = [];
+  for k = 1:K
+    own = abs (strengths(:, k)) > 1e-9;
+    n = max (each(k) - sum (own), 0);
+    Q = planEffectRuns (n, [known(own, :), strengths(own, k)], theta, [], ...
+                        effects(k).range);
+    Theta = [Theta; Q(:, 1:end - 1)];
+    Phi = [Phi; zeros(n, K)];
+    Phi(end - n + 1:end, k) = Q(:, end);
+    order = [order, 1:n];
   end
-  P = mean (Case.limits) + Theta .* diff (Case.limits) / 2;
-  E = valuesOfStrength (effects, Phi);
+  [~, order] = sort (order);
+  P = mean (Case.limits) + Theta(order, :) .* half;
+  E = valuesOfStrength (effects, Phi(order, :));
 end
 
 function result = runCase (root, folder)
   startToolbox (root, folder);
   useLiggghts (root);
+  words = argv ();
   each = 4;
-  if ~isempty (argv ()) && isfinite (str2double (argv (){end}))
-    each = str2double (argv (){end});
+  at = find (isfinite (str2double (words)), 1);
+  if ~isempty (at)
+    each = str2double (words{at});
   end
   lock = lockCase (folder);
   Case = withEffects (loadCase (root, folder));
   Case.options.maxNewRuns = Inf;
-  found = jsondecode (fileread (fullfile (folder, 'results', ...
-                                          'calibration.json')));
-  centre = cellfun (@(name) found.params.(name), Case.names);
+  [~, cells] = readCsvTable (fullfile (folder, 'predictionSets.csv'));
+  centre = str2double (cells(1, 2:end));
   theta = (centre - mean (Case.limits)) ./ (diff (Case.limits) / 2);
   effects = [];
-  for e = Case.effects(~[Case.effects.laboratory])
+  wanted = ismember ({Case.effects.name}, words);
+  wanted = wanted | ~any (wanted);
+  laboratory = [Case.effects.laboratory];
+  wanted(laboratory) = [];
+  for e = Case.effects(~laboratory)
     given = struct ('name', e.name, 'variables', {e.variables}, ...
                     'neutral', e.neutral, 'limits', e.limits);
     effects = [effects, newEffect(given, numel (Case.targets))];
   end
-  [P, E] = effectPlan (Case, effects, theta, each);
+  [P, E] = effectPlan (Case, effects, theta, each * wanted);
   evaluate = newEvaluate (Case, newLedger (), @(text) disp (text));
   Z = evaluate (P, ones (rows (P), 1), 'gap', E);
   printf ('%d of %d runs gave results\n', sum (all (isfinite (Z), 2)), ...
