@@ -20,9 +20,9 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
 
   % Input.maxCPU      CPUs that all runs together may use
   % Input.numOfSam    samples of the first plan. DEcalioc adds runs where they
-  %                   help most, so two for each parameter and a few are enough
+  %                   help most, so one for each parameter and three are enough
   Input.maxCPU = 2;
-  Input.numOfSam = 12;
+  Input.numOfSam = 8;
 
   % Optional:
   % Input.seed        seed of plan and packings; same seed, same calibration

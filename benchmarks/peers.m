@@ -6,8 +6,8 @@
 %
 % One CSV row a seed: seed, runs, failed, infill, verify, first_obs,
 % first_true, worst, converged, probability, seconds. Input.numOfSam is
-% planSize (d) = 2 d + 2, Input.replicates 4, one run at a time; all else is as
-% the toolbox has it by default. benchmarks/peers.py runs this beside the peers.
+% planSize (d) = d + 3, one run at a time; all else is as the toolbox has it by
+% default. benchmarks/peers.py runs this beside the peers.
 %
 % See also: calibrateStandIn, standIn
 
@@ -15,7 +15,7 @@
 
 function row = onePeer (S, seed, fail)
   started = tic ();
-  r = calibrateStandIn (S, seed, fail, struct ('replicates', 4));
+  r = calibrateStandIn (S, seed, fail, struct ());
   row = [seed, r.runs, r.failed, r.infill, r.verify, r.firstObserved, ...
          r.firstTrue, r.worst, r.converged, r.probability, toc(started)];
   printf ('%4d  runs %3d  worst %.2f %%  probability %.3f  %4.1f s\n', ...

@@ -11,7 +11,8 @@
 % 'robust': the found set is run with other seeds, at most sets at once; the
 % runs correct the surrogates, whose Levenberg-Marquardt gives the next set when
 % the present one turns out wrong. Ends when confirmSet is satisfied, or the
-% budget is spent, or maxIter sets were tried. 'published': nonlin_residmin with
+% budget is spent, or maxIter sets turned out wrong (a small step along slopes
+% that the surrogates know does not count). 'published': nonlin_residmin with
 % finite differences on DEM (see publishedStage), then the same confirmation.
 % STATE.final is the judgement of confirmSet.
 %
@@ -34,21 +35,33 @@ function state = calibrateOnDEM (state, problem, evaluate, say)
     before = state.found.params;
     state = confirmingRuns (state, problem, evaluate);
     state = recalibrate (state, problem, 'DEM', iteration, mayMove);
-    moves = moves + ~isequal (before, state.found.params);
+    moves = moves + turnedOutWrong (state, problem, before);
     say (sayStep (state));
   end
   state.reason = state.final.reason;
 end
 
 function state = confirmingRuns (state, problem, evaluate)
-  missing = max (1, problem.options.replicates - state.final.n);
-  n = min (missing, max (1, floor (problem.options.sets)));
+  % where more than one run is likely to be missing no CPU is left idle
+  n = max (1, problem.options.replicates - state.final.n);
+  if state.final.probability < 0.9
+    n = Inf;
+  end
+  n = min ([n, max(1, floor (problem.options.sets)), ...
+            budgetLeft(state, problem)]);
   stage = 'verify';
   if state.final.n > 0
     stage = 'replicate';
   end
   state = runRows (state, problem, evaluate, ...
                    repmat (state.found.params, n, 1), stage);
+end
+
+% A small step along a slope that the surrogates know is no new set.
+function yes = turnedOutWrong (state, problem, before)
+  problem.avoid = failedSets (state.data);
+  yes = ~isequal (before, state.found.params) && ...
+        meetProbability (state.surrogates, problem, before) < 0.2;
 end
 
 % More replicates cannot help where the mean is clearly outside, or every run

@@ -15,9 +15,11 @@
 % and the runs stand alone (with their own scatter where that is the larger one,
 % and n - 1 degrees of freedom then).
 %
-% converged: mean within the tolerances, at least options.replicates runs,
-% probability at least options.confidence. A set without a finished run is never
-% converged.
+% converged: the truth's estimate within the tolerances, at least
+% options.replicates runs, probability at least options.confidence. A set
+% without a finished run is never converged. How many runs that takes beyond the
+% asked ones is for the probability to say: runs of other sets, along slopes
+% that the surrogate knows, tell as much as those at the set.
 %
 % See also: calibrateOnDEM, meetProbability
 
@@ -73,7 +75,7 @@ function final = judge (final, m, v, df, problem)
     final.probability = final.probability * ...
                         requirementProbability (r, s, own{1}, problem, df);
   end
-  share = toleranceShare (problem, final.residual');
+  share = toleranceShare (problem, r);
   final.within = final.n > 0 && all (share <= 1);
   final.converged = final.within && ...
                     final.n >= problem.options.replicates && ...
@@ -85,19 +87,21 @@ function text = explain (final, problem)
   if final.n == 0
     text = 'no DEM run confirms the set found on the surrogates';
   elseif final.converged
-    text = sprintf (['all targets met in the mean of %d runs, true with a ' ...
-                     'probability of %.0f %%'], final.n, sure);
+    text = sprintf (['all targets met with a probability of %.0f %%; runs ' ...
+                     'at this set: %d'], sure, final.n);
   elseif ~final.within && ~isempty (final.conflict)
     text = sprintf ('no set of the box meets: %s', ...
                     strjoin (final.conflict, ', '));
   elseif ~final.within
-    text = sprintf ('the mean of %d runs is outside a tolerance', final.n);
+    text = sprintf (['the mean response at the best set is outside a ' ...
+                     'tolerance; runs there: %d'], final.n);
   elseif final.n < problem.options.replicates
-    text = sprintf ('only %d of %d replicates were made', final.n, ...
+    text = sprintf ('only %d of %d runs were made at the set', final.n, ...
                     problem.options.replicates);
   else
-    text = sprintf (['met in the mean of %d runs, but the scatter leaves ' ...
-                     'only %.0f %% probability'], final.n, sure);
+    text = sprintf (['met by the mean response, but the scatter leaves ' ...
+                     'only %.0f %% probability; runs at this set: %d'], ...
+                    sure, final.n);
   end
 end
 

@@ -19,7 +19,7 @@
 % calibrate 1 x T logical (false: held out or not measured, never fitted),
 % cost, standard (logical: the residuals are the published ones), nExtra
 % (preference rows), options with all defaults:
-%   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 4,
+%   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 1,
 %   WRL 0, method 'robust', confidence 0.95
 % newSets (handle, parameter sets that may still be run: Inf, see withinBudget)
 %
@@ -81,7 +81,7 @@ end
 
 function options = withDefaults (Case)
   options = struct ('sets', 1, 'seed', 1, 'maxFunEvals', 40, ...
-                    'maxIter', 3, 'tolfun', 0.002, 'replicates', 4, ...
+                    'maxIter', 3, 'tolfun', 0.002, 'replicates', 1, ...
                     'WRL', 0, 'method', 'robust', 'confidence', 0.95);
   if isfield (Case, 'options')
     options = mergeFields (options, Case.options);

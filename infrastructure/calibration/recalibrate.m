@@ -3,9 +3,11 @@
 % CALL: STATE = recalibrate (STATE, PROBLEM, STAGE, ITERATION)
 % CALL: STATE = recalibrate (STATE, PROBLEM, STAGE, ITERATION, MAYMOVE)
 %
-% STATE      struct of newState; the found set stays where it is unless another
-%            one is clearly likelier (by 0.1), so that its runs add up; a set
-%            whose runs failed twice and never finished is left (failedSets)
+% STATE      struct of newState; the found set stays where it is once it is
+%            sure enough (options.confidence), and unless another one is likelier
+%            by 0.02: what the runs at the old one told the surrogates go on
+%            telling; a set whose runs failed twice and never finished is left
+%            (failedSets)
 % STAGE      'infill' or 'DEM'; ITERATION  integer
 % MAYMOVE    logical (true); false: the found set stays in any case
 %
@@ -15,14 +17,15 @@ function state = recalibrate (state, problem, stage, iteration, mayMove)
   mayMove = nargin < 5 || mayMove;
   problem.avoid = failedSets (state.data);
   here = describeSet (state.surrogates, problem, state.found.params);
-  margin = 0.1;
+  isSure = here.probability >= problem.options.confidence;
+  margin = 0.02;
   found = state.found;
   found.conflict = {};
-  if mayMove && here.probability <= 1 - margin
+  if mayMove && ~isSure
     options = struct ('incumbent', found.params, 'nPlan', 1);
     found = calibrateOnKriging (state.surrogates, problem, options);
   end
-  stay = ~mayMove || here.probability > 1 - margin || ...
+  stay = ~mayMove || isSure || ...
          (here.probability > found.probability - margin && ...
           here.probability > 0.2);
   if stay

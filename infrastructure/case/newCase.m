@@ -12,7 +12,7 @@
 % error under the identifier of the first.
 %
 % Defaults: Input.seed 1, Input.executor 'local', Input.maxNewRuns Inf,
-% Input.replicates 4, Input.store (folder that holds optim/) the case folder,
+% Input.replicates 1, Input.store (folder that holds optim/) the case folder,
 % Input.timeout none (a multiple
 % of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
 % 40, optim.WRL 0, optim.method 'robust', optim.confidence 0.95,
@@ -86,7 +86,7 @@ function o = newOptions (Input, optim)
   o.seed = givenField (Input, 'seed', 1);
   o.executor = givenField (Input, 'executor', 'local');
   o.maxNewRuns = givenField (Input, 'maxNewRuns', Inf);
-  o.replicates = givenField (Input, 'replicates', 4);
+  o.replicates = givenField (Input, 'replicates', 1);
   for name = executorNames ()
     if isfield (Input, name{1})
       o.(name{1}) = Input.(name{1});

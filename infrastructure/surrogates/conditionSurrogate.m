@@ -13,7 +13,9 @@
 % (Q y)_i / Q_ii and its variance 1 / Q_ii. factor widens the prediction
 % variance where the standardised residuals are larger than chance allows. df is
 % what the smoother leaves to the noise, trace (noise Q) = n - trace (hat), and
-% at least a third of the rows beyond the trend.
+% what the prior of the fit knows of the noise (prepareFit: log variance normal
+% with deviation 1.2, as much as 2 / 1.2^2 freedoms tell), at least a third of the
+% rows beyond the trend.
 %
 % See also: fitSurrogate, predictSurrogate
 
@@ -53,7 +55,8 @@ function surrogate = conditionSurrogate (model, base)
   surrogate.shift = base.shift;
   surrogate.scale = base.scale;
   surrogate.factor = max (1, mean (looStd.^2) - 2 * sqrt (2 / n));
-  surrogate.df = max ([3, sum(noise .* q), (n - size (H, 2)) / 3]);
+  surrogate.df = max ([3, sum(noise .* q) + 2 / 1.2^2, ...
+                       (n - size (H, 2)) / 3]);
   surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd.^2);
   surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...
                              'A', A, 'R', R, 'beta', beta, 'alpha', alpha);

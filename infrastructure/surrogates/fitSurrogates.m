@@ -7,7 +7,7 @@
 % PROBLEM     struct of newProblem
 % OLD         1 x T surrogates of an earlier fit: choice of trend and
 %             covariance kept, only parameters estimated again (much faster);
-%             chosen anew when the runs have grown by half
+%             chosen anew when the runs have grown by a fifth
 % SURROGATES  1 x T struct array of fitSurrogate
 %
 % Rows with effect values other than those of the first row belong to another
@@ -33,7 +33,7 @@ function surrogates = fitSurrogates (data, problem, old)
   noise = estimateNoise (struct ('X', X, 'Z', Z), problem);
   for t = 1:numel (problem.targets)
     options = struct ('name', targetName (problem, t));
-    if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.5 * old(t).nChoice
+    if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.2 * old(t).nChoice
       options.start = old(t);
     end
     follows = noise.heteroscedastic(t) && noise.df(t) >= 8;
