@@ -2,7 +2,8 @@
 %
 % CALL: result = calibrateStandIn (S, seed, fail, options)
 %
-% S        struct of standIn
+% S        struct of standIn; S.wrong (optional): share of the runs that are
+%          wrong without failing, every response off by 10 to 40 % either way
 % seed     integer; fail  share of the runs that give NaN
 % options  struct of Case.options (what is missing has its default)
 % result   struct: runs (all, failed ones too), plan, infill, verify, failed,
@@ -39,6 +40,11 @@ end
 function Z = noisy (S, P, fail)
   Z = S.response (P);
   Z = Z .* (1 + S.noise .* randn (size (Z)));
+  if isfield (S, 'wrong')
+    isWrong = rand (rows (Z), 1) < S.wrong;
+    off = sign (randn (size (Z))) .* (0.1 + 0.3 * rand (size (Z)));
+    Z(isWrong, :) = Z(isWrong, :) .* (1 + off(isWrong, :));
+  end
   Z(rand (rows (Z), 1) < fail, :) = NaN;
 end
 

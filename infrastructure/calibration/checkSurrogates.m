@@ -6,7 +6,7 @@
 % PROBLEM  struct of newProblem
 % LINES    cellstr: a target outside the range of the responses, a surrogate
 %          with poor Q2, a parameter at its limit, fewer targets than
-%          parameters, runs that failed
+%          parameters, runs that failed, runs that were left out
 %
 % See also: limitsTouched, findConflict
 
@@ -33,6 +33,27 @@ function lines = checkSurrogates (state, problem)
   if failed > 0
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
                               failed, sum (own));
+  end
+  lines = [lines, badRuns(state, problem)];
+end
+
+% Which runs the surrogates leave out, and by which result one sees it best.
+function lines = badRuns (state, problem)
+  lines = {};
+  bad = horzcat (state.surrogates.leftOut);
+  for i = find (any (bad, 2))'
+    own = find (bad(i, :));
+    s = state.surrogates(own);
+    m = predictSurrogate (s, state.data.X(i, :));
+    off = (state.data.Z(i, own) - m) ./ sqrt ([s.noiseVar]);
+    [~, k] = max (abs (off));
+    words = [problem.names; num2cell(state.data.X(i, :))];
+    where = regexprep (sprintf ('%s = %.4g, ', words{:}), ', $', '');
+    lines{end + 1} = sprintf (['the run at %s is left out: %s is %.4g ' ...
+                               'where the other runs say %.4g, %.0f times ' ...
+                               'the scatter of a run. Look at it'], ...
+                              where, s(k).name, state.data.Z(i, own(k)), ...
+                              m(k), abs (off(k)));
   end
 end
 
@@ -91,3 +112,14 @@ end
 %! lines = checkSurrogates (state, curve);
 %! assert (numel (lines), 1);
 %! assert (! isempty (strfind (lines{1}, 'and 1 more warnings of the 2')));
+
+%!test
+%! % a run that ended well but is wrong is named, with what the others say
+%! [problem, state] = smallCalibration ();
+%! state.data.Z(3, :) = 1.5 * state.data.Z(3, :);
+%! state.surrogates = fitSurrogates (state.data, problem);
+%! lines = checkSurrogates (state, problem);
+%! hit = lines(~cellfun (@isempty, strfind (lines, 'is left out')));
+%! assert (numel (hit), 1);
+%! at = sprintf ('%s = %.4g', problem.names{1}, state.data.X(3, 1));
+%! assert (~isempty (strfind (hit{1}, at)));

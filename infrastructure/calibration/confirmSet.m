@@ -25,7 +25,7 @@
 
 function final = confirmSet (state, problem)
   p = state.found.params;
-  Z = runsAt (state.data, p, problem);
+  Z = runsAt (state, p, problem);
   n = rows (Z);
   noiseSd = sqrt ([state.surrogates.noiseVar]);
   [m, v] = predictSurrogate (state.surrogates, p);
@@ -51,9 +51,12 @@ function final = confirmSet (state, problem)
   final.reason = explain (final, problem);
 end
 
-function Z = runsAt (data, p, problem)
-  same = sameSet (data.X, p, problem.limits);
-  Z = data.Z(same, :);
+function Z = runsAt (state, p, problem)
+  Z = state.data.Z;
+  if ~isempty (state.surrogates(1).leftOut)
+    Z(horzcat (state.surrogates.leftOut)) = NaN;
+  end
+  Z = Z(sameSet (state.data.X, p, problem.limits), :);
   Z = Z(all (isfinite (Z), 2), :);
 end
 

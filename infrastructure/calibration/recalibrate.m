@@ -4,10 +4,10 @@
 % CALL: STATE = recalibrate (STATE, PROBLEM, STAGE, ITERATION, MAYMOVE)
 %
 % STATE      struct of newState; the found set stays where it is once it is
-%            sure enough (options.confidence), and unless another one is likelier
-%            by 0.02: what the runs at the old one told the surrogates go on
-%            telling; a set whose runs failed twice and never finished is left
-%            (failedSets)
+%            sure enough (options.confidence), and unless another one is
+%            likelier by 0.02: what the runs at the old one told the surrogates
+%            they go on telling; a set whose runs failed twice and never
+%            finished is left (failedSets)
 % STAGE      'infill' or 'DEM'; ITERATION  integer
 % MAYMOVE    logical (true); false: the found set stays in any case
 %

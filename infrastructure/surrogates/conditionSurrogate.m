@@ -14,8 +14,8 @@
 % variance where the standardised residuals are larger than chance allows. df is
 % what the smoother leaves to the noise, trace (noise Q) = n - trace (hat), and
 % what the prior of the fit knows of the noise (prepareFit: log variance normal
-% with deviation 1.2, as much as 2 / 1.2^2 freedoms tell), at least a third of the
-% rows beyond the trend.
+% with deviation 1.2, as much as 2 / 1.2^2 freedoms tell), at least a third of
+% the rows beyond the trend.
 %
 % See also: fitSurrogate, predictSurrogate
 
@@ -61,6 +61,7 @@ function surrogate = conditionSurrogate (model, base)
   surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...
                              'A', A, 'R', R, 'beta', beta, 'alpha', alpha);
   surrogate.nChoice = n;
+  surrogate.leftOut = [];
   surrogate.warning = qualityWarning (surrogate);
 end
 

@@ -19,7 +19,7 @@
 % response; [] above 400 rows), X, z, limits, noiseVar (of one run), looResidual
 % and looStd (n x 1), Q2, trend, covariance, and what predictSurrogate needs:
 % shift, scale, factor, df, score (leave-one-out log density), nChoice (runs at
-% the choice of the model), warning.
+% the choice of the model), leftOut ([], see fitSurrogates), warning.
 %
 % Parameters: restricted likelihood with a weak prior (penalisedLikelihood),
 % minimised by fminunc.

@@ -13,11 +13,15 @@
 % Rows with effect values other than those of the first row belong to another
 % model and are left out.
 %
+% Runs that are off by far more than runs scatter are left out (findBadRuns);
+% leftOut (n x 1 logical, rows of DATA) says which. Not judged where the scatter
+% is known to follow the response, for there a wide run may be a good one.
+%
 % The noise is estimated with each fit. Where 8 and more degrees of freedom of
 % replicates show that the scatter follows the response (estimateNoise), each
 % row has its own variance, and noiseVar is that at the target.
 %
-% See also: fitSurrogate, estimateNoise, createKrigingModels
+% See also: fitSurrogate, findBadRuns, estimateNoise, createKrigingModels
 
 function surrogates = fitSurrogates (data, problem, old)
   if nargin < 3
@@ -30,7 +34,28 @@ function surrogates = fitSurrogates (data, problem, old)
     X = X(same, :);
     Z = Z(same, :);
   end
+  bad = false (size (Z));
+  if ~isempty (old) && ~isempty (old(1).leftOut)
+    known = horzcat (old.leftOut);
+    bad(1:rows (known), :) = known;
+  end
+  [surrogates, follows] = fitGood (X, Z, bad, problem, old);
+  if ~follows
+    now = findBadRuns (X, Z, modelOfTarget (problem), surrogates, bad);
+    if ~isequal (now, bad)
+      surrogates = fitGood (X, Z, now, problem, []);
+      bad = now;
+    end
+  end
+  for t = 1:numel (surrogates)
+    surrogates(t).leftOut = bad(:, t);
+  end
+end
+
+function [surrogates, anyFollows] = fitGood (X, Z, bad, problem, old)
+  Z(bad) = NaN;
   noise = estimateNoise (struct ('X', X, 'Z', Z), problem);
+  anyFollows = false;
   for t = 1:numel (problem.targets)
     options = struct ('name', targetName (problem, t));
     if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.2 * old(t).nChoice
@@ -39,6 +64,7 @@ function surrogates = fitSurrogates (data, problem, old)
     follows = noise.heteroscedastic(t) && noise.df(t) >= 8;
     if follows
       options.noise = noise.varianceAt{t}(Z(isfinite (Z(:, t)), t));
+      anyFollows = true;
     end
     surrogates(t) = fitSurrogate (X, Z(:, t), problem.limits, options);
     if follows
@@ -49,6 +75,13 @@ function surrogates = fitSurrogates (data, problem, old)
       end
       surrogates(t).noiseVar = noise.varianceAt{t}(level);
     end
+  end
+end
+
+function model = modelOfTarget (problem)
+  model = ones (1, numel (problem.targets));
+  if isfield (problem.targets, 'model')
+    model = [problem.targets.model];
   end
 end
 
