@@ -14,7 +14,6 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.maxCPU = 1;
   Input.numOfSam = 8;
   Input.seed = 1;
-  Input.replicates = 2;
 
   % the tolerance of each point is in measured.csv: 2 % of the filled mass
   optim.maxFunEvals = 6;
