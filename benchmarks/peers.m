@@ -7,17 +7,23 @@
 % One CSV row a seed: seed, runs, failed, infill, verify, first_obs,
 % first_true, worst, converged, probability, seconds. Input.numOfSam is
 % planSize (d) = d + 3, one run at a time; all else is as the toolbox has it by
-% default. benchmarks/peers.py runs this beside the peers.
+% default. The last line says how far the stated probability holds.
+% benchmarks/peers.py runs this beside the peers.
 %
 % See also: calibrateStandIn, standIn
 
 1;
 
-function row = onePeer (S, seed, fail)
+function [row, steps] = onePeer (S, seed, fail)
   started = tic ();
   r = calibrateStandIn (S, seed, fail, struct ());
   row = [seed, r.runs, r.failed, r.infill, r.verify, r.firstObserved, ...
          r.firstTrue, r.worst, r.converged, r.probability, toc(started)];
+  steps = zeros (0, 2);
+  for step = r.state.history
+    off = max (abs (S.response (step.params) ./ S.value - 1));
+    steps(end + 1, :) = [step.probability, off < 0.01];
+  end
   printf ('%4d  runs %3d  worst %.2f %%  probability %.3f  %4.1f s\n', ...
           seed, r.runs, 100 * r.worst, r.probability, row(end));
 end
@@ -31,6 +37,18 @@ function sayPeerSummary (R, name, fail)
           max (R(:, 2)), 100 * max (R(:, 8)), sum (R(:, 9)), mean (R(:, 10)));
 end
 
+% Probability stated after a run, and the share of sets that were right then.
+function sayReliability (steps)
+  edges = [0, 0.4, 0.6, 0.7, 0.8, 0.9, 0.95, 1];
+  printf ('stated: right (steps) ');
+  for k = 1:numel (edges) - 1
+    in = steps(:, 1) >= edges(k) & steps(:, 1) < edges(k + 1);
+    printf ('  %.2f: %.2f (%d)', mean (steps(in, 1)), mean (steps(in, 2)), ...
+            sum (in));
+  end
+  printf ('\n');
+end
+
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 given = argv ();
@@ -38,10 +56,13 @@ S = standIn (given{1});
 fail = str2double (given{2});
 seeds = sscanf (given{3}, '%d:%d')';
 R = [];
+steps = zeros (0, 2);
 for seed = seeds(1):seeds(end)
-  R(end + 1, :) = onePeer (S, seed, fail);
+  [R(end + 1, :), own] = onePeer (S, seed, fail);
+  steps = [steps; own];
 end
 sayPeerSummary (R, S.name, fail);
+sayReliability (steps);
 if numel (given) > 3
   writeMatrix (given{4}, R, {'seed', 'runs', 'failed', 'infill', 'verify', ...
                              'first_obs', 'first_true', 'worst', ...

@@ -25,9 +25,12 @@ end
 function [passed, failed, skipped] = runFile (file, root)
   start = tic ();
   log = tempname ();
+  % a function of an example or a model is found by its own test only
+  before = addpath (fileparts (file), '-end');
   fid = fopen (log, 'w');
   [passed, total, ~, skipped] = test (file, 'quiet', fid);
   fclose (fid);
+  path (before);
   failed = total - passed;
   printf ('%-56s %3d of %3d  %4.0f s\n', strrep (file, [root, '/'], ''), ...
           passed, total, toc (start));

@@ -38,10 +38,6 @@ function Z = moveOut (Z, strength, info)
 end
 
 %!test
-%! root = fileparts (fileparts (which ('startToolbox')));
-%! folder = fullfile (root, 'examples', 'granudrum', 'effects');
-%! before = addpath (folder);
-%! back = onCleanup (@() path (before));
 %! info = struct ('series', {'surfaceSlow', 'surfaceFast', ''});
 %! assert (effectOptics ().transform ([1, 2, 3], 1, info), ...
 %!         [1 + 1 / cosd(41), 2 + 1 / cosd(55), 3], 1e-12);
