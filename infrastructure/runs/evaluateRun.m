@@ -58,7 +58,7 @@ function record = evaluate (record, place)
   if ~isempty (fault)
     record.status = 'invalid';
     record.cause = 'output';
-    record.message = fault;
+    record.message = [fault, checksReason(record.folder)];
   end
 end
 
