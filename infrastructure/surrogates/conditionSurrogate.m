@@ -5,7 +5,9 @@
 % MODEL  stk prior model in the unit box and the standardised response, all
 %        parameters known
 % BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), unit (n x d, X in
-%        the unit box), y (n x 1, standardised z), shift, scale
+%        the unit box; level as one more column), y (n x 1, standardised z),
+%        shift, scale; optional level (n x 1) and noiseLaw (1 x 2: log variance
+%        at level 0, its slope)
 % SURROGATE  struct of fitSurrogate
 %
 % The covariance is factored once; leave-one-out residuals in closed form
@@ -20,6 +22,7 @@
 % See also: fitSurrogate, predictSurrogate
 
 function surrogate = conditionSurrogate (model, base)
+  base = mergeFields (struct ('level', [], 'noiseLaw', []), base);
   n = numel (base.y);
   covariance = model.covariance_type;
   K = feval (covariance, model.param, base.unit, base.unit, -1);
@@ -46,11 +49,16 @@ function surrogate = conditionSurrogate (model, base)
   surrogate.X = base.X;
   surrogate.z = base.z;
   surrogate.limits = base.limits;
+  surrogate.level = base.level;
+  surrogate.noiseLaw = base.noiseLaw;
   surrogate.noiseVar = mean (noise) * base.scale^2;
+  if ~isempty (base.noiseLaw)
+    surrogate.noiseVar = exp (base.noiseLaw(1)) * base.scale^2;
+  end
   surrogate.looResidual = loo * base.scale;
   surrogate.looStd = looStd;
   surrogate.Q2 = 1 - sum (loo.^2) / sum ((base.y - mean (base.y)).^2);
-  surrogate.trend = trendName (size (H, 2), size (base.X, 2));
+  surrogate.trend = trendName (columns (H), columns (base.unit));
   surrogate.covariance = covarianceName (covariance);
   surrogate.shift = base.shift;
   surrogate.scale = base.scale;
@@ -61,7 +69,7 @@ function surrogate = conditionSurrogate (model, base)
   surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...
                              'A', A, 'R', R, 'beta', beta, 'alpha', alpha);
   surrogate.nChoice = n;
-  surrogate.leftOut = [];
+  [surrogate.leftOut, surrogate.dropped] = deal ([]);
   surrogate.warning = qualityWarning (surrogate);
 end
 

@@ -1,12 +1,14 @@
 % FINDBADRUNS  Finds runs that are off by far more than runs scatter.
 %
 % CALL: BAD = findBadRuns (X, Z, MODEL, SURROGATES, OLD)
+% CALL: BAD = findBadRuns (X, Z, MODEL, SURROGATES, OLD, LEVEL)
 %
 %   X           n x d, parameter sets
 %   Z           n x T, responses (NaN: none)
 %   MODEL       1 x T, number of the model that each response belongs to
 %   SURROGATES  1 x T struct of fitSurrogate, fitted to all rows but OLD
 %   OLD         n x T logical, runs found bad before
+%   LEVEL       1 x T cell, n x 1 how coarse the runs are, or [] (see unitLevel)
 %   BAD         n x T logical: all responses of a run share one judgement
 %
 % A wrong start state, a lost wall: such a run is neither failed nor scatter. It
@@ -23,13 +25,20 @@
 %
 % See also: fitSurrogates, penalisedLikelihood, confirmSet
 
-function bad = findBadRuns (X, Z, model, surrogates, old)
+function bad = findBadRuns (X, Z, model, surrogates, old, level)
   bad = old;
+  if nargin < 6
+    level = cell (size (model));
+  end
   for m = unique (model)
     own = model == m;
     rowsOf = all (isfinite (Z(:, own)), 2);
     task = struct ('X', X(rowsOf, :), 'Z', Z(rowsOf, own), ...
-                   'surrogates', {surrogates(own)});
+                   'surrogates', {surrogates(own)}, 'level', []);
+    coarse = [level{own}];   % of one model: the same for all its responses
+    if ~isempty (coarse)
+      task.level = coarse(rowsOf, 1);
+    end
     out = judge (task, any (old(rowsOf, own), 2));
     bad(:, own) = false;
     bad(rowsOf, own) = repmat (out, 1, sum (own));
@@ -37,78 +46,79 @@ function bad = findBadRuns (X, Z, model, surrogates, old)
 end
 
 function out = judge (task, out)
+  if ~any (out) && all (abs (vertcat (task.surrogates.looStd)) < 2)
+    return
+  end
+  odds = log (0.9 / 0.1);
+  now = leaveOut (task, out);
   % a run that was bad before may fit now that more is known
-  out = takeBack (task, out);
-  d = columns (task.X);
-  most = min (floor (rows (task.X) / 4), rows (task.X) - d - 3);
-  odds = log (0.9 / 0.1);
-  while sum (out) < most
-    [order, worst] = suspects (task, out);
-    if worst < 2
-      return
-    end
-    best = odds;
-    with = [];
-    now = evidence (task, out);
-    for pick = {order(1), order(2), order(1:2)}
-      if sum (out) + numel (pick{1}) > most
-        continue
-      end
-      tried = out;
-      tried(pick{1}) = true;
-      gain = evidence (task, tried) - now - (numel (pick{1}) - 1) * odds;
-      if gain > best
-        best = gain;
-        with = tried;
-      end
-    end
-    if isempty (with)
-      return
-    end
-    out = with;
-  end
-end
-
-function out = takeBack (task, out)
-  odds = log (0.9 / 0.1);
   for i = find (out)'
-    tried = out;
-    tried(i) = false;
-    if evidence (task, out) - evidence (task, tried) < odds
-      out = tried;
+    tried = leaveOut (task, setfield (now.out, {i}, false));
+    if now.evidence - tried.evidence < odds
+      now = tried;
+    end
+  end
+  n = rows (task.X);
+  most = min (floor (n / 4), n - columns (task.X) - 3);
+  isMore = true;
+  while isMore
+    [now, isMore] = leaveMoreOut (task, now, most, odds);
+  end
+  out = now.out;
+end
+
+% The worst run, the second worst, or both, whichever gains most.
+function [now, isMore] = leaveMoreOut (task, now, most, odds)
+  before = now;
+  best = odds;
+  isMore = false;
+  if now.worst < 2
+    return
+  end
+  for pick = {now.order(1), now.order(2), now.order(1:2)}
+    n = numel (pick{1});
+    if sum (before.out) + n > most
+      continue
+    end
+    tried = leaveOut (task, setfield (before.out, {pick{1}}, true));
+    gain = tried.evidence - before.evidence - (n - 1) * odds;
+    if gain > best
+      best = gain;
+      now = tried;
+      isMore = true;
     end
   end
 end
 
-% Runs by how far they lie from what the others predict, in its deviations.
-function [order, worst] = suspects (task, out)
+% What the fits to all runs but OUT say: the log density of all runs, the good
+% ones by the surrogates, the bad ones wide; and the good ones by how far they
+% lie from what the others predict, in its deviations.
+function said = leaveOut (task, out)
+  said = struct ('out', out, 'evidence', 0);
   far = zeros (rows (task.X), 1);
   for t = 1:columns (task.Z)
     s = fitted (task, t, out);
-    z = zeros (rows (far), 1);
-    z(~out) = abs (s.looStd);
-    far = max (far, z);
+    fit = prepareFit (s.solver.unit, s.solver.y, s.trend, s.covariance, ...
+                      [], s.level);
+    theta = [s.model.param; s.model.lognoisevariance(1)];
+    if ~isempty (s.noiseLaw)
+      theta(end:end + 1) = s.noiseLaw;
+    end
+    said.evidence = said.evidence - penalisedLikelihood (theta, fit) - ...
+                    columns (fit.W) * log (s.scale) - ...
+                    sum (out) * log (6 * std (task.Z(~out, t)));
+    far(~out) = max (far(~out), abs (s.looStd));
   end
-  [far, order] = sort (far, 'descend');
-  worst = far(1);
-end
-
-% Log density of all runs: the good ones by the surrogates, the bad ones wide.
-function total = evidence (task, out)
-  total = 0;
-  for t = 1:columns (task.Z)
-    s = fitted (task, t, out);
-    fit = prepareFit (s.solver.unit, s.solver.y, s.trend, s.covariance, []);
-    theta = [s.model.param(:); s.model.lognoisevariance(1)];
-    total = total - penalisedLikelihood (theta, fit) - ...
-            columns (fit.W) * log (s.scale) - ...
-            sum (out) * log (6 * std (task.Z(~out, t)));
-  end
+  [far, said.order] = sort (far, 'descend');
+  said.worst = far(1);
 end
 
 function s = fitted (task, t, out)
   old = task.surrogates(t);
   options = struct ('trend', old.trend, 'covariance', old.covariance);
+  if ~isempty (task.level)
+    options = levelOptions (options, task.level(~out), columns (task.X));
+  end
   s = fitSurrogate (task.X(~out, :), task.Z(~out, t), old.limits, options);
 end
 

@@ -102,10 +102,10 @@ end
 function joint = jointEffects (em, theta, phi, Z)
   joint = [];
   simulated = find (~[em.effect.laboratory] & [em.effect.runs] > 0);
-  for pair = nchoosek (simulated, 2)' .* (numel (simulated) > 1)
-    if numel (simulated) < 2
-      break
-    end
+  if numel (simulated) < 2
+    return
+  end
+  for pair = nchoosek (simulated, 2)'
     both = all (abs (phi(:, pair)) >= 1e-9, 2) & ...
            sum (abs (phi) >= 1e-9, 2) == 2;
     joint = [joint, learnJoint(em, pair', [theta(both, :), phi(both, pair)], ...

@@ -14,18 +14,21 @@
 %               parameters are the start ([])
 %   maxFit      rows used at most to estimate the parameters (150)
 %   noise       n x 1 known variances of the single runs ([]: estimated)
+%   level       n x 1, how coarse each run is: a further input, 0 where runs
+%               count (unitLevel); the noise may change along it ([])
 %
 % SURROGATE: name, model, posterior (stk, in the unit box and the standardised
-% response; [] above 400 rows), X, z, limits, noiseVar (of one run), looResidual
+% response; [] above 400 rows), X, z, level, limits, noiseVar (of one run, at
+% level 0), noiseLaw (see conditionSurrogate), looResidual
 % and looStd (n x 1), Q2, trend, covariance, and what predictSurrogate needs:
 % shift, scale, factor, df, score (leave-one-out log density), nChoice (runs at
-% the choice of the model), leftOut ([], see fitSurrogates), warning.
+% the choice of the model), leftOut ([], see fitSurrogates), dropped ([], see
+% fitLevels), warning.
 %
 % Parameters: restricted likelihood with a weak prior (penalisedLikelihood),
 % minimised by fminunc.
-% Choice: leave-one-out log predictive density, trend first; an affine trend
-% and matern52 are left only for a gain above 1.5, as the best of several scores
-% is partly luck.
+% Choice: leave-one-out log predictive density, trend first; an affine trend and
+% matern52 are left only for a gain above 1.5: the best score is partly luck.
 %
 % Errors: DEcalioc:fitSurrogate:badShape, DEcalioc:fitSurrogate:runFailed
 %
@@ -43,8 +46,10 @@ function surrogate = fitSurrogate (X, z, limits, options)
   end
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...
-                                 'maxFit', 150, 'noise', []), options);
+                                 'maxFit', 150, 'noise', [], 'level', []), ...
+                         options);
   ok = isfinite (z);
+  options.level = ofRows (options.level, ok);
   if sum (ok) < 2
     error ('DEcalioc:fitSurrogate:runFailed', ...
            ['fitSurrogate: response ''%s'' has %d finite values, needs 2 ' ...
@@ -65,7 +70,9 @@ function base = standardise (X, z, limits, options)
   base.X = X;
   base.z = z;
   base.limits = limits;
-  base.unit = (X - limits(1, :)) ./ (limits(2, :) - limits(1, :));
+  base.level = options.level;
+  base.noiseLaw = [];
+  base.unit = [(X - limits(1, :)) ./ diff(limits), options.level];
   base.shift = mean (z);
   base.scale = std (z);
   if isConstant (z)
@@ -77,7 +84,7 @@ end
 
 % A response that no run has moved is expected to stay where it is.
 function model = constantModel (base)
-  d = size (base.X, 2);
+  d = columns (base.unit);
   model = emptyModel ('constant', 'matern52', d);
   model.param = zeros (d + 1, 1);
   model.param(1) = 2 * log (1e-6);
@@ -88,19 +95,27 @@ function surrogate = refit (base, options)
   old = options.start;
   model = old.model;
   if ~isConstant (base.z)
-    start = model;
-    if isConstant (old.z) || ~isscalar (model.lognoisevariance)
-      start = [];
-    end
-    model = estimate (old.trend, old.covariance, base, options, start);
+    [model, base.noiseLaw] = estimate (old.trend, old.covariance, base, ...
+                                       options, startOf (old, base));
   end
   surrogate = conditionSurrogate (model, base);
   surrogate.nChoice = old.nChoice;
 end
 
+% Parameters of an earlier fit; [] where they do not fit this one.
+function theta = startOf (old, base)
+  theta = [];
+  noise = old.model.lognoisevariance;
+  if ~isempty (old.noiseLaw)
+    noise = old.noiseLaw;
+  end
+  if ~isConstant (old.z) && numel (noise) == 1 + ~isempty (base.level)
+    theta = [old.model.param(:); noise(:)];
+  end
+end
+
 function best = chooseModel (base, options)
-  small = options;
-  small.maxFit = min (options.maxFit, 60);
+  small = setfield (options, 'maxFit', min (options.maxFit, 60));
   few = thinned (base, 200);
   [trends, covariances, default] = candidateModels (few, options);
   best = better ([], trends{default}, covariances{1}, few, small);
@@ -127,19 +142,20 @@ function few = thinned (base, most)
     few.X = base.X(use, :);
     few.z = base.z(use);
     few.unit = base.unit(use, :);
+    few.level = ofRows (base.level, use);
     few.y = base.y(use);
-    if ~isempty (base.knownNoise)
-      few.knownNoise = base.knownNoise(use);
-    end
+    few.knownNoise = ofRows (base.knownNoise, use);
   end
 end
 
 function [trends, covariances, default] = candidateModels (base, options)
-  [n, d] = size (base.X);
+  [n, d] = size (base.unit);
   trends = {options.trend};
   if strcmp (options.trend, 'choose')
     trends = {'constant', 'affine', 'quadratic'};
     enough = n >= [3, d + 4, 1.5 * (d + 1) * (d + 2)];
+    % two levels have a straight line between them, and no square
+    enough(3) = enough(3) && ~(numel (unique (base.level)) == 2);
     trends = trends(enough | [~any(enough), false, false]);
   end
   covariances = {options.covariance};
@@ -150,34 +166,41 @@ function [trends, covariances, default] = candidateModels (base, options)
 end
 
 function best = better (best, trend, covariance, base, options)
-  model = estimate (trend, covariance, base, options, []);
+  [model, base.noiseLaw] = estimate (trend, covariance, base, options, []);
   new = conditionSurrogate (model, base);
   if isempty (best) || new.score > best.score + 1.5
     best = new;
   end
 end
 
-function model = estimate (trend, covariance, base, options, old)
-  n = rows (base.unit);
+function [model, noiseLaw] = estimate (trend, covariance, base, options, theta)
+  [n, d] = size (base.unit);
   use = unique (round (linspace (1, n, min (n, options.maxFit))));
-  noise = base.knownNoise;
-  if ~isempty (noise)
-    noise = noise(use);
+  noise = ofRows (base.knownNoise, use);
+  fit = prepareFit (base.unit(use, :), base.y(use), trend, covariance, ...
+                    noise, ofRows (base.level, use));
+  if isempty (theta)
+    theta = fit.mean;
   end
-  fit = prepareFit (base.unit(use, :), base.y(use), trend, covariance, noise);
-  theta = fit.mean;
-  if ~isempty (old)
-    theta = [old.param(:); old.lognoisevariance(ones (isempty (noise), 1))];
-  end
+  theta = theta(1:numel (fit.mean));   % known noise is no parameter
   settings = optimset ('GradObj', 'on', 'TolFun', 1e-5, 'TolX', 1e-4, ...
                        'MaxIter', 100);
   theta = fminunc (@(t) penalisedLikelihood (t, fit), theta, settings);
-  d = columns (base.X);
   model = emptyModel (trend, covariance, d);
   model.param = theta(1:d + 1);
   model.lognoisevariance = log (base.knownNoise);
-  if isempty (noise)
+  noiseLaw = [];
+  if ~isempty (fit.level)
+    noiseLaw = theta(d + 2:end)';
+    model.lognoisevariance = noiseLaw(1) + noiseLaw(2) * base.level;
+  elseif isempty (noise)
     model.lognoisevariance = theta(end);
+  end
+end
+
+function list = ofRows (list, rowsOf)
+  if ~isempty (list)
+    list = list(rowsOf);
   end
 end
 

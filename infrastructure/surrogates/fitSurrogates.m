@@ -3,7 +3,7 @@
 % CALL: SURROGATES = fitSurrogates (DATA, PROBLEM)
 % CALL: SURROGATES = fitSurrogates (DATA, PROBLEM, OLD)
 %
-% DATA        struct of newData: X n x d, Z n x T (NaN: failed)
+% DATA        struct of newData: X n x d, Z n x T (NaN: failed), E n x v
 % PROBLEM     struct of newProblem
 % OLD         1 x T surrogates of an earlier fit: choice of trend and
 %             covariance kept, only parameters estimated again (much faster);
@@ -11,7 +11,10 @@
 % SURROGATES  1 x T struct array of fitSurrogate
 %
 % Rows with effect values other than those of the first row belong to another
-% model and are left out.
+% model and are left out. Not so where E holds the levels of PROBLEM.coarse:
+% then the level is one more input of the surrogate, which predicts at the level
+% that counts. A level whose runs make the others harder to foretell is dropped
+% (fitLevels).
 %
 % Runs that are off by far more than runs scatter are left out (findBadRuns);
 % leftOut (n x 1 logical, rows of DATA) says which. Not judged where the scatter
@@ -27,32 +30,58 @@ function surrogates = fitSurrogates (data, problem, old)
   if nargin < 3
     old = [];
   end
-  X = data.X;
-  Z = data.Z;
-  if isfield (data, 'E') && ~isempty (data.E)
+  same = true (rows (data.X), 1);
+  isLevelled = isfield (problem, 'coarse') && ~isempty (problem.coarse);
+  if ~isLevelled && isfield (data, 'E') && ~isempty (data.E)
     same = all (data.E == data.E(1, :), 2);
-    X = X(same, :);
-    Z = Z(same, :);
   end
-  bad = false (size (Z));
+  level = cell (1, columns (data.Z));
+  if isLevelled
+    level = levelsOf (data, problem);
+  end
+  leftOut = false (size (data.Z));
   if ~isempty (old) && ~isempty (old(1).leftOut)
     known = horzcat (old.leftOut);
-    bad(1:rows (known), :) = known;
+    leftOut(1:rows (known), :) = known;
   end
-  [surrogates, follows] = fitGood (X, Z, bad, problem, old);
+  runs = struct ('X', data.X(same, :), 'Z', data.Z(same, :), 'level', {level});
+  bad = leftOut(same, :);
+  [surrogates, follows] = fitGood (runs, bad, problem, old);
   if ~follows
-    now = findBadRuns (X, Z, modelOfTarget (problem), surrogates, bad);
+    now = findBadRuns (runs.X, withoutDropped (runs, surrogates), ...
+                       modelOfTarget (problem), surrogates, bad, level);
     if ~isequal (now, bad)
-      surrogates = fitGood (X, Z, now, problem, []);
+      surrogates = fitGood (runs, now, problem, []);
       bad = now;
     end
   end
+  leftOut(same, :) = bad;
   for t = 1:numel (surrogates)
-    surrogates(t).leftOut = bad(:, t);
+    surrogates(t).leftOut = leftOut(:, t);
   end
 end
 
-function [surrogates, anyFollows] = fitGood (X, Z, bad, problem, old)
+% How coarse the runs are, for each target; [] where it makes no difference.
+function level = levelsOf (data, problem)
+  level = cell (1, columns (data.Z));
+  for t = 1:numel (level)
+    own = unitLevel (problem.coarse, data.E, t);
+    if any (own)
+      level{t} = own;
+    end
+  end
+end
+
+function Z = withoutDropped (runs, surrogates)
+  Z = runs.Z;
+  for t = find (~cellfun (@isempty, {surrogates.dropped}))
+    Z(ismember (runs.level{t}, surrogates(t).dropped), t) = NaN;
+  end
+end
+
+function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
+  X = runs.X;
+  Z = runs.Z;
   Z(bad) = NaN;
   noise = estimateNoise (struct ('X', X, 'Z', Z), problem);
   anyFollows = false;
@@ -60,6 +89,11 @@ function [surrogates, anyFollows] = fitGood (X, Z, bad, problem, old)
     options = struct ('name', targetName (problem, t));
     if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.2 * old(t).nChoice
       options.start = old(t);
+    end
+    if ~isempty (runs.level{t})
+      surrogates(t) = fitLevels (X, Z(:, t), runs.level{t}, problem.limits, ...
+                                 options);
+      continue
     end
     follows = noise.heteroscedastic(t) && noise.df(t) >= 8;
     if follows
@@ -107,6 +141,22 @@ end
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
 %! s = fitSurrogates (data, problem, s);
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
+
+%!test
+%! % rows of another model keep their place in what is left out
+%! pkg load stk
+%! rand ('twister', 1);
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 1, 'tol', 0.01));
+%! X = rand (14, 1);
+%! Z = 1 + X + 0.01 * sin (40 * X);
+%! Z([2, 9]) = [7, 5];
+%! data = addRows (newData (1, 1), X, Z, ones (14, 1), 'plan');
+%! data.E = zeros (14, 1);
+%! data.E(2) = 1;
+%! s = fitSurrogates (data, newProblem (C, []));
+%! assert (find (s.leftOut)', 9);
+%! assert (find (fitSurrogates (data, newProblem (C, []), s).leftOut)', 9);
 
 %!test
 %! % scatter in proportion to the response (12 sets of 4 runs)

@@ -3,12 +3,13 @@
 % CALL: [M, B, C, U] = krigingTerms (SURROGATE, P)
 %
 % SURROGATE  scalar struct of fitSurrogate
-% P          n x d, parameter sets
+% P          n x d, parameter sets; of a surrogate with levels n x (d + 1) for
+%            another level than that which counts (unitLevel)
 % M          n x 1, posterior mean of the standardised response
 % B, C       its posterior covariance is K - B' B + C' C, with K the prior
 %            covariance of the sets: B stands for what the runs tell, C for the
 %            trend that they leave open
-% U          n x d, P in the unit box
+% U          P in the unit box, with the level where the surrogate has one
 %
 % The covariance of the runs was factored by conditionSurrogate.
 %
@@ -17,8 +18,13 @@
 function [m, B, C, U] = krigingTerms (surrogate, P)
   s = surrogate.solver;
   model = surrogate.model;
-  U = (P - surrogate.limits(1, :)) ./ ...
+  d = columns (surrogate.limits);
+  U = (P(:, 1:d) - surrogate.limits(1, :)) ./ ...
       (surrogate.limits(2, :) - surrogate.limits(1, :));
+  if ~isempty (surrogate.level)
+    U(:, d + 1) = 0;
+    U(:, d + 1:columns (P)) = P(:, d + 1:end);
+  end
   k = covarianceOf (surrogate, U, s.unit);
   h = feval (model.lm, U);
   m = h * s.beta + k * s.alpha;

@@ -15,11 +15,13 @@ function surrogate = loadSurrogate (file)
             'it is missing.'], file);
   end
   kept = load (file, 'kept').kept;
-  kept.unit = (kept.X - kept.limits(1, :)) ./ ...
-              (kept.limits(2, :) - kept.limits(1, :));
+  kept.unit = (kept.X - kept.limits(1, :)) ./ diff (kept.limits);
+  if isfield (kept, 'level')
+    kept.unit = [kept.unit, kept.level];
+  end
   kept.y = (kept.z - kept.shift) / kept.scale;
   kernel = regexprep (kept.covariance, '^(matern|gauss)', '$1cov');
-  model = stk_model (['stk_' kernel '_aniso'], columns (kept.X));
+  model = stk_model (['stk_' kernel '_aniso'], columns (kept.unit));
   model.lm = feval (['stk_lm_' kept.trend]);
   model.param = kept.param;
   model.lognoisevariance = kept.lognoisevariance;

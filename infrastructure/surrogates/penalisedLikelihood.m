@@ -3,7 +3,8 @@
 % CALL: [C, G] = penalisedLikelihood (THETA, FIT)
 %
 % THETA  (d + 2) x 1: log variance, log 1/range (d), log noise variance;
-%        (d + 1) x 1 when FIT.noise is given
+%        (d + 1) x 1 when FIT.noise is given, (d + 3) x 1 with FIT.level: its
+%        slope by the level
 % FIT    struct of prepareFit: S n^2 x d (squared differences), W n x (n - q)
 %        (basis orthogonal to the trend), y n x 1, kernel (name), noise n x 1 or
 %        [], prior mean and sd (as theta)
@@ -23,7 +24,9 @@ function [C, g] = penalisedLikelihood (theta, fit)
   weight = exp (2 * theta(2:d + 1));
   [k, slope] = correlationOf (fit.kernel, fit.S * weight);
   K = variance * reshape (k, n, n);
-  if isempty (fit.noise)
+  if ~isempty (fit.level)
+    noise = exp (theta(end - 1) + theta(end) * fit.level);
+  elseif isempty (fit.noise)
     noise = exp (theta(end)) * ones (n, 1);
   else
     noise = fit.noise;
@@ -46,8 +49,11 @@ function [C, g] = penalisedLikelihood (theta, fit)
     g = zeros (size (theta));
     g(1) = 0.5 * sum (M(:) .* K(:));
     g(2:d + 1) = variance * ((M(:) .* slope)' * fit.S)' .* weight;
-    if isempty (fit.noise)
-      g(end) = 0.5 * noise(1) * trace (M);
+    own = 0.5 * noise .* diag (M);
+    if ~isempty (fit.level)
+      g(end - 1:end) = [sum(own); own' * fit.level];
+    elseif isempty (fit.noise)
+      g(end) = sum (own);
     end
     g = g + u ./ fit.sd;
   end

@@ -3,7 +3,7 @@
 % CALL: [M, V] = predictSurrogate (SURROGATES, P)
 %
 % SURROGATES  1 x T struct array of fitSurrogate
-% P           n x d  parameter sets
+% P           n x d  parameter sets; n x (d + 1) with a level, see krigingTerms
 % M, V        n x T  mean of the response and its variance (the noise of a run
 %             is not in it: add surrogates(t).noiseVar to predict a run)
 %
@@ -15,7 +15,7 @@
 % See also: fitSurrogate, evaluateKriging
 
 function [m, v] = predictSurrogate (surrogates, P)
-  if ~isempty (surrogates) && size (P, 2) ~= size (surrogates(1).limits, 2)
+  if ~isempty (surrogates) && ~any (columns (P) == widths (surrogates))
     error ('DEcalioc:predictSurrogate:badShape', ...
            'predictSurrogate: P must be n x %d, got %d x %d.', ...
            size (surrogates(1).limits, 2), size (P));
@@ -35,6 +35,11 @@ function [m, v] = predictSurrogate (surrogates, P)
       end
     end
   end
+end
+
+function n = widths (surrogates)
+  d = columns (surrogates(1).limits);
+  n = d:d + any (~cellfun (@isempty, {surrogates.level}));
 end
 
 function [m, v] = predictOne (surrogate, P)
@@ -62,4 +67,4 @@ end
 %! assert (all (v(:) >= 0));
 
 %!error id=DEcalioc:predictSurrogate:badShape
-%! predictSurrogate (struct ('limits', [0; 1]), [1, 2]);
+%! predictSurrogate (struct ('limits', [0; 1], 'level', []), [1, 2]);

@@ -1,16 +1,19 @@
 % PREPAREFIT  Everything of a fit that does not depend on the parameters.
 %
 % CALL: FIT = prepareFit (U, Y, TREND, KERNEL, NOISE)
+% CALL: FIT = prepareFit (U, Y, TREND, KERNEL, [], LEVEL)
 %
 % U       n x d  inputs in the unit box; Y  n x 1 standardised response
 % TREND   'constant', 'affine' or 'quadratic'; KERNEL  see correlationOf
 % NOISE   n x 1 known variances, or [] (estimated)
+% LEVEL   n x 1, how coarse a run is (0: as fine as the runs that count); the
+%         logarithm of the estimated noise is affine in it
 % FIT     struct of penalisedLikelihood, with the prior (mean, sd): the part
 %         beyond the trend, the ranges and the noise of a usual DEM response
 %
 % See also: penalisedLikelihood, fitSurrogate
 
-function fit = prepareFit (U, y, trend, kernel, noise)
+function fit = prepareFit (U, y, trend, kernel, noise, level)
   [n, d] = size (U);
   S = zeros (n * n, d);
   for j = 1:d
@@ -23,6 +26,7 @@ function fit = prepareFit (U, y, trend, kernel, noise)
   fit.y = y;
   fit.kernel = kernel;
   fit.noise = noise;
+  fit.level = [];
   beyond = 0.01;
   if strcmp (trend, 'constant')
     beyond = 1;
@@ -32,6 +36,10 @@ function fit = prepareFit (U, y, trend, kernel, noise)
   if ~isempty (noise)
     fit.mean(end) = [];
     fit.sd(end) = [];
+  elseif nargin > 5 && ~isempty (level)
+    fit.level = level;
+    fit.mean(end + 1) = 0;
+    fit.sd(end + 1) = 1.5;
   end
 end
 
