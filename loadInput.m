@@ -29,6 +29,8 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   % Input.timeout(k)  time limit of a run of model k (s)
   % Input.executor    'local' (default), 'slurm' or 'gridengine'
   % Input.maxNewRuns  at most so many DEM runs in this start
+  % Input.coarse{k}   cheaper levels of model k, such as larger grains, that
+  %                   tell where to look (docs/inputs.md)
   Input.seed = 1;
 
   % ----------------------------------------------------------------------

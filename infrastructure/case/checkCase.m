@@ -128,6 +128,7 @@ function p = checkTogether (raw, mode)
     end
     p = [p, checkMeasured(raw.optim, raw.assign, raw.paramLims)];
   end
+  p = [p, checkLevels(raw)];
   if strcmp (mode, 'full')
     p = [p, checkPlace(raw, models)];
   end
@@ -174,6 +175,14 @@ function [names, fields, kinds] = variablesOf (raw)
     names = [names, own];
     fields = [fields, strcat('modelVars.', own)];
     kinds = [kinds, repmat({'fixed'}, size (own))];
+  end
+  if isstruct (raw.Input) && isempty (checkCoarse (raw.Input, 0))
+    levels = fieldOr (raw.Input, 'coarse', {});
+    for k = find (~cellfun (@isempty, levels(:)'))
+      names{end + 1} = levels{k}.variable;
+      fields{end + 1} = sprintf ('Input.coarse{%d}.variable', k);
+      kinds{end + 1} = 'level';
+    end
   end
   good = cellfun (@(n) checkIs ('name', n), names) & ...
          ~ismember (cellfun (@checkShow, names, 'UniformOutput', false), ...

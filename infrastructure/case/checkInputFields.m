@@ -8,13 +8,14 @@
 % Reasons: unknownField missingField badModelList unsafeName duplicateModel
 % badCpu cpuCount badMaxCPU tooFewCPU badNumOfSam badSeed badMaxNewRuns
 % badReplicates badTimeout timeoutCount badExecutor missingProgram
-% badStore, and those of each executor for Input.<its name>
+% badStore, those of checkCoarse, and those of each executor for
+% Input.<its name>
 %
 % See also: checkCase, checkModels, describeExecutor
 
 function p = checkInputFields (Input)
   known = {'model', 'cpu', 'maxCPU', 'numOfSam', 'seed', 'timeout', ...
-           'executor', 'maxNewRuns', 'replicates', 'store'};
+           'executor', 'maxNewRuns', 'replicates', 'store', 'coarse'};
   rules = {'maxCPU', 'badMaxCPU', 1, 1e6, 'integer', true, ...
            'Set the number of CPUs that all runs together may use.'; ...
            'numOfSam', 'badNumOfSam', 1, 1e6, 'integer', true, ...
@@ -28,7 +29,8 @@ function p = checkInputFields (Input)
   p = [checkFields(Input, 'Input', known), checkModelList(Input), ...
        checkCpu(Input), checkScalars(Input, 'Input', rules), ...
        checkTimeout(Input), checkBudget(Input), ...
-       checkExecutor(Input), checkStoreName(Input), q];
+       checkExecutor(Input), checkStoreName(Input), ...
+       checkCoarse(Input, countModels (Input)), q];
 end
 
 function p = checkModelList (Input)

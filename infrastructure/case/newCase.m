@@ -12,7 +12,8 @@
 % error under the identifier of the first.
 %
 % Defaults: Input.seed 1, Input.executor 'local', Input.maxNewRuns Inf,
-% Input.replicates 1, Input.store (folder that holds optim/) the case folder,
+% Input.replicates 1, Input.coarse none (see newCoarse), Input.store (folder
+% that holds optim/) the case folder,
 % Input.timeout none (a multiple
 % of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
 % 40, optim.WRL 0, optim.method 'robust', optim.confidence 0.95,
@@ -43,6 +44,7 @@ function Case = newCase (raw)
   Case.modelVars = raw.modelVars;
   Case.effects = [];
   Case.effectVars = {};
+  Case.coarse = newCoarse (givenField (Input, 'coarse', {}));
   Case.targets = newTargets (raw.optim, Case.models, raw.folder);
   Case.options = newOptions (Input, raw.optim);
   for k = 1:numel (Case.models)

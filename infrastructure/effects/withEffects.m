@@ -3,7 +3,7 @@
 % CALL: CASE = withEffects (CASE)
 %       CASE = withEffects (CASE, LIST)
 %
-%   CASE  see newCase
+%   CASE  see newCase; what its levels need stays first in the list of effects
 %   LIST  the candidates, as loadEffects gives them (default: those of
 %         loadEffects.m of the case or of the toolbox); may be empty
 %
@@ -19,7 +19,8 @@ function Case = withEffects (Case, list)
   end
   folders = {fullfile(Case.folder, 'effects'), Case.folder};
   stopAt (checkEffects (list, folders, Case.modelVars, Case.names));
-  Case.effects = resolveEffects (list, folders);
+  Case = withLevels (Case);
+  Case.effects = [Case.effects, resolveEffects(list, folders)];
   Case.effectVars = variablesOfEffects (Case.effects);
   stopAt (checkModelsHave (Case));
 end

@@ -3,7 +3,9 @@
 % CALL: MODELS = addSeconds (MODELS, RECORDS)
 %
 %   MODELS   1 x M struct array, Case.models; to its field seconds the seconds
-%            of the model's records that ended well are appended
+%            of the model's records that ended well are appended; where the
+%            case has levels (its field coarse), of those at the last one: coarse
+%            runs say nothing of how long a fine one may take
 %   RECORDS  1 x n struct array, see newRecord
 %
 % See also: defaultLimit, newEvaluate
@@ -12,6 +14,10 @@ function models = addSeconds (models, records)
   isOk = strcmp ({records.status}, 'ok');
   for k = 1:numel (models)
     mine = isOk & strcmp ({records.model}, models(k).name);
+    if isfield (models, 'coarse')
+      mine(mine) = arrayfun (@(r) atLastLevel (r.effects, models(k).coarse), ...
+                             records(mine));
+    end
     models(k).seconds = [models(k).seconds, records(mine).seconds];
   end
 end
@@ -22,3 +28,12 @@ end
 %!                   'status', {'ok', 'timeout', 'ok'});
 %! models = addSeconds (models, records);
 %! assert ({models.seconds}, {1, [7, 3]});
+
+%!test
+%! % of a case with levels only the runs at the last one count
+%! model = struct ('name', 'a', 'seconds', 5);
+%! model.coarse = struct ('levels', [3, 1]);
+%! run = @(e, s) struct ('model', 'a', 'status', 'ok', 'effects', e, ...
+%!                       'seconds', s);
+%! known = addSeconds (model, [run(3, 1), run(1, 7), run([], 9)]);
+%! assert (known.seconds, [5, 7, 9]);

@@ -4,22 +4,25 @@
 %
 %   CASE  see newCase
 %   SAY   function handle that takes one line of text
-%   DATA  see newData; empty where there is no runs.csv. Rows with an effect
-%         switched on are left out: they belong to the diagnosis
+%   DATA  see newData, E the levels of CASE.coarse; empty where there is no
+%         runs.csv. Rows with an effect switched on are left out: they belong to
+%         the diagnosis
 %
 % See also: importRuns, diagnoseGap
 
 function data = importExisting (Case, say)
-  data = newData (numel (Case.names), numel (Case.targets));
+  v = numel (Case.coarse);
+  data = newData (numel (Case.names), numel (Case.targets), v);
   file = fullfile (Case.folder, 'runs.csv');
   if ~isfile (file)
     return
   end
   Case = withEffects (Case);
   [found, ignored] = importRuns (file, Case);
-  isPlain = all (found.E == neutralEffects (Case), 2);
+  isOn = found.E ~= neutralEffects (Case);
+  isPlain = ~any (isOn(:, v + 1:end), 2);
   data = addRows (data, found.X(isPlain, :), found.Z(isPlain, :), ...
-                  found.replicate(isPlain), 'import');
+                  found.replicate(isPlain), 'import', found.E(isPlain, 1:v));
   say (sprintf ('runs.csv: %d runs taken in, %d with an effect left aside', ...
                 sum (isPlain), sum (~isPlain)));
   if ~isempty (ignored)
