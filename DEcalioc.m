@@ -25,7 +25,7 @@ function calibration = calibrateCase (root, folder)
   if any (strcmp (argv (), 'afresh'))
     moveAside (folder);
   end
-  Case = loadCase (root, folder);
+  Case = withLevels (loadCase (root, folder));
   restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, @costFunction);
   ledger = newLedger ();
@@ -34,8 +34,8 @@ function calibration = calibrateCase (root, folder)
 
   % experimental plan and DEM simulation
   data = importExisting (Case, say);
-  plan = newPlan (data, Case);
-  data = runPlan (plan, data, Case, evaluate, say);
+  [plan, levels] = newPlan (data, Case);
+  data = runPlan (plan, data, Case, evaluate, say, levels);
   problem = withinBudget (problem, ledger, Case);
 
   % Kriging models

@@ -27,7 +27,7 @@ function [Z, records, isReused, nNew] = evaluateDEM (P, varargin)
   [Case, replicate, stage, report, E] = given{:};
   isPublishedCall = ~isstruct (Case);
   if isPublishedCall
-    Case = loadCase ();
+    Case = withLevels (loadCase ());
     P = P(:)';
   end
   jobs = newJobs (Case, P, E, replicate, stage);

@@ -22,7 +22,8 @@ function names = getOptimFolder (params, Case)
                                      Case.models(k).name, candidates{i}, ...
                                      'record.json'));
       if ~isempty (record) && strcmp (record.status, 'ok') && ...
-         isequal (record.params, params(:)')
+         isequal (record.params, params(:)') && ...
+         atLastLevel (record.effects, Case.coarse)
         names{k} = candidates{i};
         break
       end

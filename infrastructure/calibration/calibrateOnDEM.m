@@ -47,8 +47,7 @@ function state = confirmingRuns (state, problem, evaluate)
   if state.final.probability < 0.9
     n = Inf;
   end
-  n = min ([n, max(1, floor (problem.options.sets)), ...
-            budgetLeft(state, problem)]);
+  n = min (n, max (1, floor (problem.options.sets)));   % runRows: the budget
   stage = 'verify';
   if state.final.n > 0
     stage = 'replicate';
@@ -59,7 +58,7 @@ end
 
 % A small step along a slope that the surrogates know is no new set.
 function yes = turnedOutWrong (state, problem, before)
-  problem.avoid = failedSets (state.data);
+  problem.avoid = failedSets (state.data, problem);
   yes = ~isequal (before, state.found.params) && ...
         meetProbability (state.surrogates, problem, before) < 0.2;
 end
@@ -75,7 +74,8 @@ function yes = isHopeless (state, problem, mayMove)
   if mayMove
     yes = isOut && ~isempty (state.found.conflict);
   else
-    yes = isOut || ismember (final.params, failedSets (state.data), 'rows');
+    failed = failedSets (state.data, problem);
+    yes = isOut || ismember (final.params, failed, 'rows');
   end
 end
 

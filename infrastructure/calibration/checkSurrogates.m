@@ -6,7 +6,8 @@
 % PROBLEM  struct of newProblem
 % LINES    cellstr: a target outside the range of the responses, a surrogate
 %          with poor Q2, a parameter at its limit, fewer targets than
-%          parameters, runs that failed, runs that were left out
+%          parameters, runs that failed, runs that were left out, a level
+%          that was dropped
 %
 % See also: limitsTouched, findConflict
 
@@ -34,7 +35,30 @@ function lines = checkSurrogates (state, problem)
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
                               failed, sum (own));
   end
-  lines = [lines, badRuns(state, problem)];
+  lines = [lines, badRuns(state, problem), droppedLevels(state, problem)];
+end
+
+function lines = droppedLevels (state, problem)
+  lines = {};
+  if isempty (problem.coarse)
+    return
+  end
+  values = problem.coarse.levels;
+  for k = 1:rows (values) - 1
+    isDropped = arrayfun (@(t) any (state.surrogates(t).dropped == ...
+                                    unitLevel (problem.coarse, ...
+                                               values(k, :), t)), ...
+                          1:numel (state.surrogates));
+    if any (isDropped)
+      words = [problem.coarse.variables; num2cell(values(k, :))];
+      where = regexprep (sprintf ('%s = %g, ', words{:}), ', $', '');
+      lines{end + 1} = sprintf (['the runs at %s tell nothing of %d of %d ' ...
+                                 'targets at the last level (%s, ...): they ' ...
+                                 'are not used there'], where, ...
+                                sum (isDropped), numel (isDropped), ...
+                                state.surrogates(find (isDropped, 1)).name);
+    end
+  end
 end
 
 % Which runs the surrogates leave out, and by which result one sees it best.
@@ -123,3 +147,13 @@ end
 %! assert (numel (hit), 1);
 %! at = sprintf ('%s = %.4g', problem.names{1}, state.data.X(3, 1));
 %! assert (~isempty (strfind (hit{1}, at)));
+
+%!test
+%! % a level that was dropped is told with a word
+%! [problem, state] = smallCalibration ();
+%! problem.coarse = struct ('variables', {{'scaleP'}}, 'levels', [3; 2; 1], ...
+%!                          'column', [1, 1]);
+%! state.surrogates(2).dropped = 1;
+%! lines = checkSurrogates (state, problem);
+%! assert (sum (! cellfun (@isempty, strfind (lines, 'scaleP = 3'))), 1);
+%! assert (isempty ([strfind(lines, 'scaleP = 2'){:}]));

@@ -16,7 +16,8 @@
 % and n - 1 degrees of freedom then).
 %
 % converged: the truth's estimate within the tolerances, at least
-% options.replicates runs, probability at least options.confidence. A set
+% options.replicates runs (at the level that counts), probability at least
+% options.confidence. A set
 % without a finished run is never converged. How many runs that takes beyond the
 % asked ones is for the probability to say: runs of other sets, along slopes
 % that the surrogate knows, tell as much as those at the set.
@@ -52,11 +53,10 @@ function final = confirmSet (state, problem)
 end
 
 function Z = runsAt (state, p, problem)
-  Z = state.data.Z;
-  if ~isempty (state.surrogates(1).leftOut)
-    Z(horzcat (state.surrogates.leftOut)) = NaN;
-  end
-  Z = Z(sameSet (state.data.X, p, problem.limits), :);
+  data = state.data;
+  data.Z(horzcat (state.surrogates.leftOut)) = NaN;
+  data = lastLevel (data, problem);
+  Z = data.Z(sameSet (data.X, p, problem.limits), :);
   Z = Z(all (isfinite (Z), 2), :);
 end
 

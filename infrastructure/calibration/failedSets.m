@@ -1,12 +1,15 @@
 % FAILEDSETS  Sets whose runs failed twice or more and never finished.
 %
-% CALL: P = failedSets (DATA)
+% CALL: P = failedSets (DATA, PROBLEM)
 %
-% DATA  struct of newData; P  k x d
+% DATA     struct of newData
+% PROBLEM  struct of newProblem: runs at coarser levels do not count
+% P        k x d
 %
 % See also: recalibrate, meetProbability
 
-function P = failedSets (data)
+function P = failedSets (data, problem)
+  data = lastLevel (data, problem);
   own = isOwn (data);
   [sets, ~, group] = unique (data.X(own, :), 'rows');
   failed = any (isnan (data.Z(own, :)), 2);
@@ -16,8 +19,9 @@ function P = failedSets (data)
 end
 
 %!test
+%! problem.coarse = [];
 %! data = struct ('X', [1; 1; 2; 2; 3], 'Z', [NaN; NaN; 1; NaN; NaN], ...
 %!                'stage', {repmat({'plan'}, 5, 1)});
-%! assert (failedSets (data), 1);
+%! assert (failedSets (data, problem), 1);
 %! data.stage(2) = {'import'};
-%! assert (isempty (failedSets (data)));
+%! assert (isempty (failedSets (data, problem)));

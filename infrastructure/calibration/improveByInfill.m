@@ -13,6 +13,10 @@
 % it is clear in two rounds running that no set can meet them, or only the
 % runs for confirmation are left of the budget. STATE.reason says which.
 %
+% Coarse runs cost at most as much as the runs at the level that counts have
+% cost: however sure the coarse ones make the surrogates, they are held against
+% fine ones in time, and a level that misleads costs no more than it would save.
+%
 % See also: chooseInfill, calibrateOnDEM
 
 function state = improveByInfill (state, problem, evaluate, say)
@@ -32,13 +36,28 @@ function state = improveByInfill (state, problem, evaluate, say)
     else
       round = round + 1;
       n = min (free, max (1, floor (problem.options.sets)));
-      P = chooseInfill (state.surrogates, problem, state.found, n, round);
-      state = runRows (state, problem, evaluate, P, 'infill');
+      [P, E] = chooseInfill (state.surrogates, withPrices (problem, state), ...
+                             state.found, n, round);
+      state = runRows (state, problem, evaluate, P, 'infill', E);
       state = recalibrate (state, problem, 'infill', round);
       say (sayStep (state));
       continue
     end
     break
+  end
+end
+
+% Coarse runs are out of reach where enough has been spent on them.
+function problem = withPrices (problem, state)
+  seconds = problem.levelSeconds ();
+  if isempty (problem.coarse) || isempty (seconds)
+    return
+  end
+  [~, level] = ismember (state.data.E, problem.coarse.levels, 'rows');
+  spent = accumarray (level(level > 0), 1, [numel(seconds), 1])' .* seconds;
+  if sum (spent(1:end - 1)) >= spent(end)
+    seconds(1:end - 1) = Inf;
+    problem.levelSeconds = @() seconds;
   end
 end
 

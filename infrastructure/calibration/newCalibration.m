@@ -11,7 +11,7 @@
 %            2 x d, converged, reason, demRuns, coreSeconds, atLimit,
 %            notIdentified, identifiability (see there), correlation d x d,
 %            sensitivity d x T (total Sobol indices), warnings,
-%            holdout, surrogates, history, data, exitStatus;
+%            holdout, levels (see describeLevels), surrogates, history, data, exitStatus;
 %            resultInterval90 2 x T (of the mean response at the set),
 %            probability (that all targets are met), posterior (n x d, sample)
 %
@@ -46,6 +46,7 @@ function c = newCalibration (state, problem, Case, ledger)
   if any (~problem.calibrate)
     c.holdout = predictHoldout (state, problem);
   end
+  c.levels = describeLevels (state, problem);
   c.surrogates = state.surrogates;
   c.history = state.history;
   c.data = state.data;

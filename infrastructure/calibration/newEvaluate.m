@@ -46,14 +46,16 @@ function Z = bookedRuns (P, replicate, book, stage, E)
   ledger('new') = ledger('new') + nNew;
   ledger('reused') = ledger('reused') + sum (isReused(:));
   ledger('failed') = ledger('failed') + sum (failed);
+  seconds = reshape ([records.seconds], size (records)) .* [Case.models.cpu];
   ledger('coreSeconds') = ledger('coreSeconds') + ...
-                          coreSeconds (records(:)', Case.models);
-end
-
-function seconds = coreSeconds (records, models)
-  [~, k] = ismember ({records.model}, {models.name});
-  each = [records.seconds] .* [models(k).cpu];
-  seconds = sum (each(isfinite (each)));
+                          sum (seconds(isfinite (seconds)));
+  v = numel (Case.coarse);
+  if v > 0 && columns (E) == v && isequal (Case.effectVars, ...
+                                           {Case.coarse.variable})
+    whole = all (strcmp (reshape ({records.status}, size (records)), 'ok'), 2);
+    ledger('levels') = [ledger('levels'); ...
+                        E(whole, 1:v), sum(seconds(whole, :), 2)];
+  end
 end
 
 %!test

@@ -21,7 +21,11 @@
 % (preference rows), options with all defaults:
 %   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 1,
 %   WRL 0, method 'robust', confidence 0.95
-% newSets (handle, parameter sets that may still be run: Inf, see withinBudget)
+% newSets (handle, parameter sets that may still be run: Inf, see withinBudget),
+% coarse ([], or where CASE.coarse has levels a struct: variables 1 x v cellstr,
+% levels L x v, the last row counts; column 1 x T, of each target's level, 0:
+% none), levelSeconds (handle, 1 x L: what a run costs, [] where
+% nothing is known; see withinBudget)
 %
 % Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets,
 % DEcalioc:newProblem:otherTargets when a row is not 0 where all results are
@@ -59,6 +63,8 @@ function problem = newProblem (Case, cost)
   end
   problem.options = withDefaults (Case);
   problem.newSets = @() Inf;
+  problem.coarse = coarseOf (Case);
+  problem.levelSeconds = @() [];
   if nargin < 2 || isempty (cost)
     value = problem.value(:);
     scale = problem.scale(:);
@@ -68,6 +74,20 @@ function problem = newProblem (Case, cost)
   end
   problem.cost = cost;
   [problem.standard, problem.nExtra] = probeCost (problem);
+end
+
+function coarse = coarseOf (Case)
+  coarse = [];
+  if ~isfield (Case, 'coarse') || isempty (Case.coarse)
+    return
+  end
+  coarse.variables = {Case.coarse.variable};
+  coarse.levels = vertcat (Case.coarse.levels)';
+  coarse.column = zeros (1, numel (Case.targets));
+  for k = 1:numel (Case.coarse)
+    own = ismember ([Case.targets.model], Case.coarse(k).models);
+    coarse.column(own) = k;
+  end
 end
 
 function row = fieldRow (targets, name, default)

@@ -15,7 +15,7 @@
 
 function state = recalibrate (state, problem, stage, iteration, mayMove)
   mayMove = nargin < 5 || mayMove;
-  problem.avoid = failedSets (state.data);
+  problem.avoid = failedSets (state.data, problem);
   here = describeSet (state.surrogates, problem, state.found.params);
   isSure = here.probability >= problem.options.confidence;
   margin = 0.02;

@@ -1,8 +1,10 @@
 % RUNPLAN  Runs the plan on all models and keeps the responses as CSV.
 %
 % CALL: DATA = runPlan (PLAN, DATA, CASE, EVALUATE, SAY)
+% CALL: DATA = runPlan (PLAN, DATA, CASE, EVALUATE, SAY, E)
 %
 %   PLAN      n x d; may have no rows
+%   E         n x v, levels of the rows (see newPlan)
 %   DATA      see newData: what is known already, and with the plan's rows
 %   CASE      see newCase
 %   EVALUATE  see newEvaluate
@@ -10,8 +12,8 @@
 %
 % Rows that have no result for some model are left out of the files
 % ExperimentalPlan_DoE.csv and results/DoE_<model>_<i>/DoE_<model>_<i>.csv, as
-% published; DATA keeps them with NaN. Rows that Input.maxNewRuns does not allow
-% are left out of DATA.
+% published (with levels these are further columns of the first one); DATA keeps
+% them with NaN. Rows that Input.maxNewRuns does not allow are left out of DATA.
 %
 % Errors: DEcalioc:runPlan:tooManyFailures, with a table of what failed;
 % DEcalioc:runPlan:tooFewRuns where Input.maxNewRuns, or a runs.csv without
@@ -19,19 +21,23 @@
 %
 % See also: GenerateExperPlan, fitSurrogates
 
-function data = runPlan (plan, data, Case, evaluate, say)
+function data = runPlan (plan, data, Case, evaluate, say, E)
+  if nargin < 6
+    E = zeros (rows (plan), 0);
+  end
   isTried = true (rows (plan), 1);
   if rows (plan) > 0
-    reportPlan (plan, Case, say);
-    Z = evaluate (plan, 1, 'plan');
+    reportPlan (plan, Case, say, E);
+    number = replicateNumbers (data, plan, Case.limits);
+    Z = evaluate (plan, number, 'plan', E);
     isTried = ~any (isna (Z), 2);
     data = addRows (data, plan(isTried, :), Z(isTried, :), ...
-                    ones (sum (isTried), 1), 'plan');
+                    number(isTried), 'plan', E(isTried, :));
   end
   isWhole = all (isfinite (data.Z), 2);
   checkEnough (data, isWhole, sum (~isTried), Case);
   writeMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), ...
-               data.X(isWhole, :));
+               [data.X(isWhole, :), data.E(isWhole, :)]);
   for t = 1:numel (Case.targets)
     name = sprintf ('DoE_%s_%d', Case.targets(t).modelName, ...
                     Case.targets(t).index);
@@ -129,8 +135,8 @@ end
 %!                 ones (20, 1), 'import');
 %! data = runPlan (magic (4)(:, 1:2), data, Case, evaluate, @(text) []);
 %! assert (rows (data.Z), 24);
-%! assert (isempty (failedSets (addRows (data, data.X(1, :), data.Z(1, :), ...
-%!                                       2, 'import'))));
+%! data = addRows (data, data.X(1, :), data.Z(1, :), 2, 'import');
+%! assert (isempty (failedSets (data, struct ('coarse', []))));
 %!test
 %! % runs.csv alone, two models at different sets; then too few of them
 %! raw = standInCase (tempname ());

@@ -1,34 +1,41 @@
 % RUNROWS  Makes DEM runs, adds them to the data and refits the surrogates.
 %
 % CALL: STATE = runRows (STATE, PROBLEM, EVALUATE, P, STAGE)
+% CALL: STATE = runRows (STATE, PROBLEM, EVALUATE, P, STAGE, E)
 %
-% P         n x d  sets; a set that stands in the data already (or twice in P)
-%           gets the next replicate number, so another packing
+% P         n x d  sets; one that stands in the data already (or twice in P) is
+%           another packing (replicateNumbers)
 % EVALUATE  handle Z = evaluate (P, replicate), n x T, NaN = failed; a row with
 %           NA was not run (no budget) and leaves no trace
 % STAGE     'infill', 'verify' or 'replicate'
+% E         n x v, levels of the runs (where PROBLEM.coarse has some: the last)
 %
 % Never more rows than the budget has: what is over is left out.
 %
 % See also: budgetLeft, improveByInfill, calibrateOnDEM
 
-function state = runRows (state, problem, evaluate, P, stage)
+function state = runRows (state, problem, evaluate, P, stage, E)
   P = P(1:min (rows (P), budgetLeft (state, problem)), :);
   if isempty (P)
     return
   end
-  replicate = ones (rows (P), 1);
-  for i = 1:rows (P)
-    earlier = [state.data.X; P(1:i - 1, :)];
-    numbers = [state.data.replicate; replicate(1:i - 1)];
-    same = sameSet (earlier, P(i, :), problem.limits);
-    replicate(i) = max ([0; numbers(same)]) + 1;
+  told = {};
+  if ~isempty (problem.coarse)
+    if nargin < 6
+      E = repmat (problem.coarse.levels(end, :), rows (P), 1);
+    end
+    E = E(1:rows (P), :);
+    told = {stage, E};
   end
-  Z = evaluate (P, replicate);
+  replicate = replicateNumbers (state.data, P, problem.limits);
+  Z = evaluate (P, replicate, told{:});
   isTried = ~any (isna (Z), 2);
   Z = Z(isTried, :);
+  if ~isempty (told)
+    told = {E(isTried, :)};
+  end
   state.data = addRows (state.data, P(isTried, :), Z, replicate(isTried), ...
-                        stage);
+                        stage, told{:});
   kind = 'verify';
   if strcmp (stage, 'infill')
     kind = 'infill';
@@ -67,3 +74,20 @@ end
 %! state = runRows (state, problem, f, [0.5; 0.5], 'infill');
 %! assert (rows (state.data.Z), 9);
 %! assert ([state.spent.infill, state.spent.failed], [1, 0]);
+%!test
+%! % with levels: the given ones, else the one that counts
+%! pkg load stk
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 1.5, 'tol', 0.05, 'model', 1));
+%! C.coarse = struct ('variable', 'scaleP', 'levels', [2, 1], 'models', 1);
+%! problem = newProblem (C, []);
+%! X = (0:7)' / 7;
+%! E = 2 - mod (0:7, 2)';
+%! data = addRows (newData (1, 1, 1), X, X + E, ones (8, 1), 'plan', E);
+%! state = newState (data, fitSurrogates (data, problem), []);
+%! f = @(P, r, stage, E) P + E;
+%! state = runRows (state, problem, f, [0.5; 0.6], 'infill', [2; 1]);
+%! state = runRows (state, problem, f, 0.5, 'verify');
+%! assert (state.data.E(9:end), [2; 1; 1]);
+%! assert (state.data.Z(9:end), [2.5; 1.6; 1.5], 1e-12);
+%! assert (state.data.replicate(9:end), [1; 1; 2]);

@@ -1,9 +1,10 @@
-% WITHINBUDGET  Lets a problem know how many runs this start may still make.
+% WITHINBUDGET  Lets a problem know what runs cost and how many may be made.
 %
 % CALL: PROBLEM = withinBudget (PROBLEM, LEDGER, CASE)
 %
 %   PROBLEM  see newProblem; its newSets then gives the number of parameter
-%            sets, runs taken from the store not counted
+%            sets, runs taken from the store not counted; its levelSeconds the
+%            core-seconds of a set at each level (levelSeconds)
 %   LEDGER   see newLedger
 %   CASE     see newCase; Input.maxNewRuns counts runs, one a model and set;
 %            where a model folder is not there, none can be made
@@ -15,6 +16,10 @@ function problem = withinBudget (problem, ledger, Case)
   if any (cellfun (@isempty, {Case.models.folder}))
     most = 0;
   end
+  if ~isempty (problem.coarse)
+    levels = problem.coarse.levels;
+    problem.levelSeconds = @() levelSeconds (ledger('levels'), levels);
+  end
   problem.newSets = @() floor ((most - ledger('new')) / numel (Case.models));
 end
 
@@ -23,10 +28,11 @@ end
 %! ledger('new') = 9;
 %! Case = struct ('options', struct ('maxNewRuns', 16));
 %! Case.models = struct ('folder', {'a', 'b'});
-%! p = withinBudget (struct (), ledger, Case);
+%! bare = struct ('coarse', []);
+%! p = withinBudget (bare, ledger, Case);
 %! assert (p.newSets (), 3);
 %! ledger('new') = 16;
 %! assert (p.newSets (), 0);
 %! ledger('new') = 0;
 %! Case.models(2).folder = '';
-%! assert (withinBudget (struct (), ledger, Case).newSets (), 0);
+%! assert (withinBudget (bare, ledger, Case).newSets (), 0);
