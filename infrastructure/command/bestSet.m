@@ -43,7 +43,8 @@ function yes = isPlain (job, Case)
   neutral = neutralEffects (Case);
   given = reshape (job.effects, 1, []);
   yes = isempty (given) || isequal (given, neutral) || ...
-        ~any (strcmp (job.stage, {'gap', 'cure'}));
+        (atLastLevel (given, Case.coarse) && ...
+         ~any (strcmp (job.stage, {'gap', 'cure'})));
 end
 
 % Mean result of each set and target, and over how many runs.

@@ -24,11 +24,14 @@ function f = foresee (Case, runs)
   f.imported = rows (data.X);
   here = Case;
   here.folder = '';                     % so that no plan is written
-  f.plan = newPlan (data, here);
+  [f.plan, E] = newPlan (data, here);
   f.jobs = struct ('model', {}, 'key', {});
   f.isDone = false (1, 0);
   if rows (f.plan) > 0
-    f.jobs = newJobs (Case, f.plan, [], 1, 'plan');
+    E(:, end + 1:numel (Case.effectVars)) = ...
+      repmat (neutralEffects (Case)(columns (E) + 1:end), rows (E), 1);
+    number = replicateNumbers (data, f.plan, Case.limits);
+    f.jobs = newJobs (Case, f.plan, E, number, 'plan');
     isEnded = ismember ({runs.state}, {'ok', 'invalid', 'ended'});
     keys = cellfun (@(r) r.key, {runs(isEnded).job}, 'UniformOutput', false);
     f.isDone = ismember ({f.jobs.key}, keys);

@@ -96,8 +96,12 @@ function yes = countsToday (job, Case, h)
   given = reshape (job.effects, 1, []);
   neutral = neutralEffects (Case);
   trials = {neutral};
+  levels = numel (Case.coarse);
+  if levels > 0 && numel (given) == levels
+    trials{2} = [given, neutral(levels + 1:end)];   % a run of a calibration
+  end
   if numel (given) == numel (neutral)
-    trials = {given, neutral};
+    trials{end + 1} = given;
   end
   for k = 1:numel (trials)
     job.effects = trials{k};

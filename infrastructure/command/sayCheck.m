@@ -72,6 +72,12 @@ function sayChoice (choice)
 end
 
 function sayEffects (Case)
+  for own = Case.coarse
+    printf ('levels    %s: %s; the last one counts\n', own.variable, ...
+            strjoin (cellfun (@num2str, num2cell (own.levels), ...
+                              'UniformOutput', false), ', '));
+  end
+  Case = withoutLevels (Case);
   if ~isempty (Case.effects)
     printf ('effects   %s\n', strjoin ({Case.effects.name}, ', '));
     cellfun (@(text) printf ('          %s\n', text), ...

@@ -26,6 +26,7 @@ function reportCalibration (c, Case, say)
     say (['  WARNING: ', c.warnings{k}]);
   end
   say ('');
+  sayLevels (c, Case, say);
   d = c.demRuns;
   say (sprintf (['DEM runs: %d plan, %d infill, %d verification; ' ...
                  '%d failed, %d taken from the store; %.1f core-minutes'], ...

@@ -1,17 +1,20 @@
 % REPORTPLAN  Says which parameter sets the plan holds.
 %
-% CALL: reportPlan (PLAN, CASE, SAY)
+% CALL: reportPlan (PLAN, CASE, SAY, E)
 %
 %   PLAN  n x d
+%   E     n x v, levels of the rows, columns as CASE.effectVars
 %   CASE  see newCase
 %   SAY   function handle that takes one line of text
 %
 % See also: runPlan
 
-function reportPlan (plan, Case, say)
+function reportPlan (plan, Case, say, E)
   say (sprintf ('Experimental plan: %d samples', rows (plan)));
-  width = max (cellfun (@numel, Case.names), 9);
-  cells = arrayfun (@(w, j) sprintf ('%*s', w, Case.names{j}), width, ...
+  names = [Case.names, Case.effectVars(1:columns (E))];
+  plan = [plan, E];
+  width = max (cellfun (@numel, names), 9);
+  cells = arrayfun (@(w, j) sprintf ('%*s', w, names{j}), width, ...
                     1:numel (width), 'UniformOutput', false);
   say (['   run  ', strjoin(cells, '  ')]);
   for i = 1:rows (plan)

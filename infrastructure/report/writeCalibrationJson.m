@@ -33,6 +33,7 @@ function writeCalibrationJson (c, Case)
   out.correlation = c.correlation;
   out.surrogates = surrogatesOf (c, Case);
   out.holdout = num2cell (c.holdout(:)');
+  out.levels = num2cell (c.levels(:)');
   out.warnings = c.warnings(:)';
   out.history = num2cell (c.history(:)');
   out.input = inputOf (Case);
@@ -104,7 +105,11 @@ function writeTables (c, Case, folder)
   writeMatrix (fullfile (folder, 'correlation.csv'), c.correlation, ...
                Case.names);
   writeMatrix (fullfile (folder, 'posterior.csv'), c.posterior, Case.names);
-  v = designVariables (Case.modelVars, c.params, Case.names);
+  v = Case.modelVars;
+  for own = Case.coarse
+    v.(own.variable) = own.levels(end);
+  end
+  v = designVariables (v, c.params, Case.names);
   writeAtomic (fullfile (folder, 'calibrated.head'), headLines (v));
   place = fullfile (folder, 'surrogates');
   [~, ~] = mkdir (place);

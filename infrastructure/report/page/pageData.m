@@ -50,7 +50,7 @@ end
 
 function Case = candidates (Case)
   try
-    if isempty (Case.effects)
+    if numel (Case.effects) == numel (Case.coarse)
       Case = withEffects (Case);
     end
   catch
@@ -94,9 +94,10 @@ function M = readMatrix (file, nHead, Case)
   catch
     M = zeros (0, numel (Case.names));
   end
-  if columns (M) ~= numel (Case.names)
+  if columns (M) < numel (Case.names)
     M = zeros (0, numel (Case.names));
   end
+  M = M(:, 1:numel (Case.names));       % levels stand behind
 end
 
 function surrogates = readSurrogates (Case, isRunning)

@@ -44,6 +44,9 @@ function html = picturesOf (page, k, params)
   name = Case.models(k).name;
   runs = page.runs(strcmp ({page.runs.model}, name) & ...
                    strcmp ({page.runs.status}, 'ok'));
+  counts = arrayfun (@(r) any (strcmp (r.stage, {'gap', 'cure'})) || ...
+                          atLastLevel (r.effects, Case.coarse), runs);
+  runs = runs(counts);
   if isempty (runs)
     return
   end
@@ -80,14 +83,15 @@ end
 %! root = fileparts (which ('DEcalioc'));
 %! heap = fullfile (root, 'DEMmodels', 'Heap');
 %! Case = struct ('models', struct ('name', 'Heap', 'folder', heap), ...
-%!                'names', {{'a'}}, 'limits', [0; 1], 'store', tempname ());
+%!                'names', {{'a'}}, 'limits', [0; 1], 'store', tempname (), ...
+%!                'coarse', []);
 %! Case.targets = struct ('model', 1, 'index', {1, 2}, 'value', {30, 0.02});
 %! folder = fullfile (Case.store, 'optim', 'Heap', '0001');
 %! mkdir (folder);
 %! copyfile (fullfile (heap, 'sample', 'heap.dump'), folder);
 %! page.Case = Case;
 %! page.runs = struct ('model', 'Heap', 'status', 'ok', 'params', 0.5, ...
-%!                     'name', '0001');
+%!                     'name', '0001', 'stage', 'plan', 'effects', []);
 %! page.sources = struct ('calibration', struct ('params', struct ('a', ...
 %!                        0.5)), 'progress', [], 'gap', []);
 %! [~, html] = sectionParticles (page);

@@ -16,7 +16,34 @@ function [title, html] = sectionRuns (page)
                   'box', 'red', 'failed, too long, or no valid result'; ...
                   'box', 'grey', 'not ended'});
   html = [htmlFigures(timeline (page.runs), key, 'wide'), counts(page), ...
-          failures(page.runs)];
+          levels(page), failures(page.runs)];
+end
+
+% What each level of Input.coarse has told and cost.
+function html = levels (page)
+  html = '';
+  known = jsonAt (page, {'sources', 'calibration', 'levels'});
+  if isempty (known)
+    return
+  end
+  names = {page.Case.coarse.variable};
+  cells = cell (numel (known), 4);
+  for k = 1:numel (known)
+    own = known(k);
+    words = [names; num2cell(own.value(:)')];
+    text = regexprep (sprintf ('%s = %g, ', words{:}), ', $', '');
+    what = 'the level that counts';
+    if k < numel (known)
+      what = levelLine (own, page.Case.targets);
+    end
+    cells(k, :) = {htmlText(text), sprintf('%d', own.runs), ...
+                   numberText(own.seconds, 'plain'), ...
+                   ['<span class="words">', htmlText(what), '</span>']};
+  end
+  html = ['<h3>Levels</h3>', ...
+          htmlTable(['Runs at each level, and what it does to the ', ...
+                     'responses at the set that was found'], ...
+                    {'level', 'runs', 'core-seconds a run', 'shift'}, cells)];
 end
 
 function f = timeline (runs)

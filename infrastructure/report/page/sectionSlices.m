@@ -39,8 +39,21 @@ function [title, html] = sectionSlices (page)
                   'runs near the set (within a quarter of the box)'; ...
                   'ring', 'grey', 'other runs'; ...
                   'dash', 'ink', 'measured, and where the set lies'});
-  html = ['<p>One parameter moves, the others stay at ', what, '.</p>', ...
-          key, html];
+  coarse = '';
+  if ~isempty (page.Case.coarse)
+    coarse = [' Runs at coarser levels are shown where the surrogate ', ...
+              'carries them over to the last one.'];
+  end
+  html = ['<p>One parameter moves, the others stay at ', what, '.', coarse, ...
+          '</p>', key, html];
+end
+
+% What a run at another level would be at the one that counts.
+function z = carriedOver (s)
+  z = s.z(:);
+  if ~isempty (s.level)
+    z = z - predictSurrogate (s, [s.X, s.level]) + predictSurrogate (s, s.X);
+  end
 end
 
 function f = slice (page, t, j, centre)
@@ -65,14 +78,15 @@ function f = slice (page, t, j, centre)
   f = addLayer (f, 'area', [f.xlim', T.value + half * [-1, 1; -1, 1]], ...
                 'palegreen');
   f = addLayer (f, 'area', [x, m - inner, m + inner], 'midblue');
+  z = carriedOver (s);
   others = (s.X - centre) ./ diff (limits);
   others(:, j) = 0;
   isNear = all (abs (others) <= 0.25, 2);
-  f = addLayer (f, 'ring', [s.X(~isNear, j), s.z(~isNear)], 'grey');
+  f = addLayer (f, 'ring', [s.X(~isNear, j), z(~isNear)], 'grey');
   f = addLayer (f, 'dash', [f.xlim', [T.value; T.value]], 'ink');
   f = addLayer (f, 'line', [x, m], 'blue');
-  f = addLayer (f, 'disc', [s.X(isNear, j), s.z(isNear)], 'red');
-  everything = [m - outer; m + outer; s.z(:); T.value];
+  f = addLayer (f, 'disc', [s.X(isNear, j), z(isNear)], 'red');
+  everything = [m - outer; m + outer; z; T.value];
   f.ylim = [min(everything), max(everything)];
   f.ylim = f.ylim + 0.04 * max (diff (f.ylim), 1e-12) * [-1, 1];
   f = addLayer (f, 'dash', [centre(j), f.ylim(1); centre(j), f.ylim(2)], ...

@@ -17,7 +17,16 @@ function [title, html] = sectionWhich (page)
   [word, sentence] = gapAdvice (page);
   html = ['<p><strong>', htmlText(word), '</strong>. ', sentence, '</p>', ...
           htmlFigures(bars (posterior), ''), ...
-          effectTable(page, which), remarks(which), expected(page, which)];
+          effectTable(page, which), remarks(which), ...
+          levelRemark(page), expected(page, which)];
+end
+
+function html = levelRemark (page)
+  html = '';
+  level = jsonAt (page.sources.gap, {'level'});
+  if isstruct (level)
+    html = ['<p>The verdict was ', htmlText(levelText (level)), '</p>'];
+  end
 end
 
 function f = bars (posterior)

@@ -19,8 +19,9 @@ function writeRunTable (page)
   lines = {strjoin(cellfun (@masked, head, 'UniformOutput', false), ',')};
   for run = page.runs
     effects = NaN (1, nEffects);
-    if numel (run.effects) == nEffects
-      effects = reshape (run.effects, 1, nEffects);
+    n = numel (run.effects);
+    if n == nEffects || n == numel (Case.coarse)
+      effects(1:n) = run.effects;
     end
     numbers = [run.replicate, run.seed, run.seconds, run.started, ...
                run.params, effects, resultsOf(run, Case)];

@@ -1,0 +1,48 @@
+% LEVELLINE  One line on what a level does to the responses.
+%
+% CALL: TEXT = levelLine (LEVEL, TARGETS)
+%
+%   LEVEL    element of describeLevels
+%   TARGETS  1 x T, Case.targets
+%   TEXT     the shift of each target with its standard deviation, of a curve
+%            the root mean square; at most four targets, the most shifted first
+%
+% See also: sayLevels, describeLevels
+
+function text = levelLine (level, targets)
+  known = find (~level.dropped(:)');
+  curve = zeros (1, numel (targets));
+  if isfield (targets, 'curve')
+    curve = [targets.curve];
+  end
+  parts = {};
+  single = known(curve(known) == 0);
+  share = abs (level.shift(single)) ./ [targets(single).tol];
+  [~, order] = sort (share, 'descend');
+  for t = single(order(1:min (end, 4)))
+    parts{end + 1} = sprintf ('%s %+.3g +- %.2g', targets(t).name, ...
+                              level.shift(t), level.shiftSd(t));
+  end
+  for k = setdiff (curve(known), 0)
+    own = known(curve(known) == k);
+    parts{end + 1} = sprintf ('%s rms %.3g', targets(own(1)).series, ...
+                              norm (level.shift(own)) / sqrt (numel (own)));
+  end
+  n = sum (level.dropped);
+  if n > 0
+    parts{end + 1} = sprintf ('dropped for %d of %d targets', n, ...
+                              numel (targets));
+  end
+  text = strjoin (parts, '; ');
+end
+
+%!test
+%! targets = struct ('name', {'a', 'b', 'c1', 'c2'}, 'tol', 1, ...
+%!                   'curve', {0, 0, 1, 1}, 'series', {'', '', 'c', 'c'});
+%! level = struct ('shift', [0.1, -2, 3, 4], 'shiftSd', [1, 1, 1, 1] / 4, ...
+%!                 'dropped', false (1, 4));
+%! assert (levelLine (level, targets), ...
+%!         'b -2 +- 0.25; a +0.1 +- 0.25; c rms 3.54');
+%! level.dropped(1) = true;
+%! assert (levelLine (level, targets), ...
+%!         'b -2 +- 0.25; c rms 3.54; dropped for 1 of 4 targets');
