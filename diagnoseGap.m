@@ -21,7 +21,8 @@ function diagnosis = diagnoseCase (root, folder)
   lock = lockCase (folder);
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
-  Case = withEffects (loadCase (root, folder));
+  whole = withEffects (loadCase (root, folder));
+  Case = withoutLevels (whole);
   ledger = newLedger ();
   evaluate = newEvaluate (Case, ledger, say);
 
@@ -40,6 +41,7 @@ function diagnosis = diagnoseCase (root, folder)
     further = [];
   end
   diagnosis = diagnoseMatrices (given, data, options, further);
+  diagnosis.level = finerVerdict (whole, given, options, diagnosis);
   diagnosis.ledger = struct ('new', ledger('new'), ...
                              'reused', ledger('reused'), ...
                              'failed', ledger('failed'), ...

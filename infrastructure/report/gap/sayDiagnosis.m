@@ -12,6 +12,10 @@ function sayDiagnosis (diagnosis, Case, say)
   sayWhere (diagnosis, say);
   sayWhich (diagnosis, say);
   sayHowFar (diagnosis, say);
+  if isfield (diagnosis, 'level') && ~isempty (diagnosis.level)
+    say ('');
+    say (['LEVEL: ', levelText(diagnosis.level)]);
+  end
   say ('');
   say ('NEXT TEST: what would tell most about the cause');
   for k = 1:min (3, numel (diagnosis.next))

@@ -19,6 +19,10 @@ function writeGapJson (diagnosis, Case)
   out.next = arrayfun (@(t) struct ('test', t.test, 'gain', t.gain, ...
                                     'cost', t.cost), next(:)', ...
                        'UniformOutput', false);
+  out.level = [];
+  if isfield (diagnosis, 'level')
+    out.level = diagnosis.level;
+  end
   out.demRuns = struct ('sets', diagnosis.runs.spent, ...
                         'failedSets', diagnosis.runs.failed);
   if isfield (diagnosis, 'ledger')

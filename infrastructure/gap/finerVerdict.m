@@ -1,0 +1,70 @@
+% FINERVERDICT  Whether a verdict would hold at the next finer level.
+%
+% CALL: LEVEL = finerVerdict (CASE, GIVEN, OPTIONS, DIAGNOSIS)
+%
+%   CASE       see newCase, with the levels and effects of withEffects
+%   GIVEN      of gapProblemOf
+%   OPTIONS    of gapBudget
+%   DIAGNOSIS  of diagnoseMatrices, reached at the last level
+%   LEVEL      [] where the case has no levels; else struct: variables (1 x v
+%              cell), value and finer (1 x v: the last level, and one that is
+%              finer by as much as the last is finer than the one before), shift
+%              and shiftSd (1 x T: what going there is expected to do to the
+%              responses at the calibrated set), verdict and effects (of a
+%              diagnosis in which the model is moved by the shift and the
+%              measurement is less sure by its deviation; '' where the levels
+%              tell nothing of the finer one), holds (logical)
+%
+% How coarse the model is, is a gap of known cause. The runs of all levels say
+% how it goes on; no run is made.
+%
+% See also: levelShift, diagnoseGap
+
+function level = finerVerdict (Case, given, options, diagnosis)
+  level = [];
+  v = numel (Case.coarse);
+  if v == 0
+    return
+  end
+  data = gatherRuns (Case);
+  neutral = neutralEffects (Case);
+  isPlain = all (data.E(:, v + 1:end) == neutral(v + 1:end), 2);
+  for name = fieldnames (data)'
+    data.(name{1}) = data.(name{1})(isPlain, :);
+  end
+  data.E = data.E(:, 1:v);
+  problem = newProblem (Case, []);
+  values = problem.coarse.levels;
+  level = struct ('variables', {{Case.coarse.variable}}, ...
+                  'value', values(end, :), 'finer', nextFiner (values), ...
+                  'shift', [], 'shiftSd', [], 'verdict', '', ...
+                  'effects', {{}}, 'holds', false);
+  surrogates = fitSurrogates (data, problem);
+  for t = 1:numel (surrogates)
+    [level.shift(t), level.shiftSd(t)] = ...
+      levelShift (surrogates(t), diagnosis.where.params, ...
+                  unitLevel (problem.coarse, level.finer, t));
+  end
+  if any (isnan (level.shift))
+    return
+  end
+  given.value = given.value - level.shift;
+  given.sd = sqrt (given.sd.^2 + level.shiftSd.^2);
+  if isfield (given, 'covariance') && ~isempty (given.covariance)
+    given.covariance = given.covariance + diag (level.shiftSd.^2);
+  end
+  options.maxNewRuns = 0;
+  there = diagnoseMatrices (given, diagnosis.data, options, []);
+  level.verdict = there.which.verdict;
+  level.effects = there.which.effects;
+  level.holds = strcmp (level.verdict, diagnosis.which.verdict) && ...
+                isequal (level.effects, diagnosis.which.effects);
+end
+
+% By the same ratio, of sizes; by the same step where a level is not above 0.
+function finer = nextFiner (values)
+  finer = 2 * values(end, :) - values(end - 1, :);
+  isSize = all (values > 0, 1);
+  ratio = values(end, isSize) ./ values(end - 1, isSize);
+  finer(isSize) = values(end, isSize) .* ratio;
+end

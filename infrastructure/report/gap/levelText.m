@@ -1,0 +1,49 @@
+% LEVELTEXT  At which level a verdict was reached, and whether it would hold.
+%
+% CALL: TEXT = levelText (LEVEL)
+%
+%   LEVEL  of finerVerdict, or what gap.json says of it
+%   TEXT   one sentence
+%
+% See also: sayDiagnosis, gapAdvice
+
+function text = levelText (level)
+  text = ['reached at ', listOf(level.variables, level.value), '. At '];
+  finer = listOf (level.variables, level.finer);
+  rms = @(x) norm (x) / sqrt (numel (x));
+  if isempty (level.verdict)
+    text = [text, finer, ' it is open: the runs at the coarser levels tell ', ...
+            'nothing of it.'];
+    return
+  end
+  text = sprintf (['%s%s, where the runs of all levels foretell a shift of ' ...
+                   'the responses by %.3g +- %.2g (root mean square), '], ...
+                  text, finer, rms (level.shift), rms (level.shiftSd));
+  if level.holds
+    text = [text, 'it would be the same.'];
+  else
+    effects = strjoin (cellstr (level.effects)(:)', ', ');
+    text = regexprep (sprintf ('%sit would be: %s (%s).', text, ...
+                               level.verdict, effects), ' \(\)', '');
+  end
+end
+
+function text = listOf (names, values)
+  words = [cellstr(names)(:)'; num2cell(values(:)')];
+  text = regexprep (sprintf ('%s = %.3g, ', words{:}), ', $', '');
+end
+
+%!test
+%! level = struct ('variables', {{'scaleP'}}, 'value', 2, 'finer', 4 / 3, ...
+%!                 'shift', [3, -4], 'shiftSd', [1, 1], 'verdict', 'named', ...
+%!                 'effects', {{'tilt'}}, 'holds', true);
+%! assert (levelText (level), ...
+%!         ['reached at scaleP = 2. At scaleP = 1.33, where the runs of all ', ...
+%!          'levels foretell a shift of the responses by 3.54 +- 1 (root ', ...
+%!          'mean square), it would be the same.']);
+%! level.holds = false;
+%! assert (! isempty (strfind (levelText (level), 'be: named (tilt).')));
+%! level.effects = {};
+%! assert (! isempty (strfind (levelText (level), 'be: named.')));
+%! level.verdict = '';
+%! assert (! isempty (strfind (levelText (level), 'it is open')));
