@@ -3,13 +3,16 @@
 % CALL: result = calibrateStandIn (S, seed, fail, options)
 %
 % S        struct of standIn; S.wrong (optional): share of the runs that are
-%          wrong without failing, every response off by 10 to 40 % either way
+%          wrong without failing, every response off by 10 to 40 % either way;
+%          S.levels (optional): L x 1, the last one counts, with S.atLevel
+%          (handle (P, level) -> n x T) and S.seconds (1 x L, cost of a run)
 % seed     integer; fail  share of the runs that give NaN
 % options  struct of Case.options (what is missing has its default)
 % result   struct: runs (all, failed ones too), plan, infill, verify, failed,
 %          worst (largest true relative residual of the set handed back),
 %          firstObserved, firstTrue (run that first looked, was right; NaN),
-%          converged, probability, params, state, problem
+%          converged, probability, params, state, problem, cost (in runs at the
+%          level that counts)
 %
 % See also: standIn, peers, coverage
 
@@ -22,11 +25,15 @@ function result = calibrateStandIn (S, seed, fail, options)
   Case.targets = struct ('name', S.targetNames, 'value', num2cell (S.value), ...
                          'tol', 0.01, 'sd', 0, 'role', 'calibrate');
   Case.options = options;
-  problem = newProblem (Case, []);
-  evaluate = @(P, replicate) noisy (S, P, fail);
+  evaluate = @(P, replicate, varargin) noisy (S, P, fail, varargin{2:end});
   n = planSize (d);
   X = double (stk_sampling_maximinlhs (n, d, S.limits, 500));
-  data = addRows (newData (d, T), X, evaluate (X, 1), ones (n, 1), 'plan');
+  if isfield (S, 'levels')
+    [problem, data] = levelledPlan (S, Case, X, evaluate);
+  else
+    problem = newProblem (Case, []);
+    data = addRows (newData (d, T), X, evaluate (X, 1), ones (n, 1), 'plan');
+  end
   surrogates = fitSurrogates (data, problem);
   found = calibrateOnKriging (surrogates, problem);
   state = newState (data, surrogates, found);
@@ -37,8 +44,32 @@ function result = calibrateStandIn (S, seed, fail, options)
   result.problem = problem;
 end
 
-function Z = noisy (S, P, fail)
-  Z = S.response (P);
+% As newPlan has it: all rows at the cheapest level, the middle one at all.
+function [problem, data] = levelledPlan (S, Case, X, evaluate)
+  [Case.targets.model] = deal (1);
+  Case.coarse = struct ('variable', 'scale', 'levels', S.levels(:)', ...
+                        'models', 1);
+  Case.models = struct ('folder', {'here'});
+  Case.folder = '';
+  problem = newProblem (Case, []);
+  problem.levelSeconds = @() S.seconds;
+  [d, T] = deal (columns (X), numel (S.value));
+  known = addRows (newData (d, T, 1), X, NaN (rows (X), T), ...
+                   ones (rows (X), 1), 'plan', S.levels(ones (rows (X), 1)));
+  Case.options.numOfSam = 0;
+  [beside, E] = newPlan (known, Case);
+  X = [X; beside];
+  E = [known.E; E];
+  Z = evaluate (X, 1, 'plan', E);
+  data = addRows (newData (d, T, 1), X, Z, ones (rows (X), 1), 'plan', E);
+end
+
+function Z = noisy (S, P, fail, E)
+  if nargin > 3
+    Z = S.atLevel (P, E);
+  else
+    Z = S.response (P);
+  end
   Z = Z .* (1 + S.noise .* randn (size (Z)));
   if isfield (S, 'wrong')
     isWrong = rand (rows (Z), 1) < S.wrong;
@@ -61,6 +92,11 @@ function result = score (S, state)
   result.converged = state.final.converged;
   result.probability = state.final.probability;
   result.params = state.final.params;
+  result.cost = result.runs;
+  if isfield (S, 'levels')
+    [~, at] = ismember (state.data.E, S.levels(:));
+    result.cost = sum (S.seconds(at)) / S.seconds(end);
+  end
 end
 
 function i = first (hits)

@@ -47,24 +47,6 @@ function records = runAll (plan, Case, say)
   records = reshape (records, numel (Case.models), rows (plan.X)).';
 end
 
-% A run that ended may have all of its results, some or none of them.
-function data = tableOf (plan, records, Case)
-  data = struct ('X', plan.X, 'E', plan.E, 'replicate', plan.replicate);
-  data.Z = NaN (rows (plan.X), numel (Case.targets));
-  data.ended = ismember (reshape ({records.status}, size (records)), ...
-                         {'ok', 'invalid'});
-  data.seed = reshape ([records.seed], size (records));
-  for t = 1:numel (Case.targets)
-    target = Case.targets(t);
-    for i = find (data.ended(:, target.model))'
-      results = records(i, target.model).results;
-      if numel (results) >= target.index
-        data.Z(i, t) = results(target.index);
-      end
-    end
-  end
-end
-
 function sayCounts (plan, records, Case)
   seeds = arrayfun (@(i) runSeed (plan.X(i, :), plan.replicate(i), ...
                                   Case.options.seed), (1:rows (plan.X))');
@@ -128,7 +110,7 @@ plan = campaignPlan (Case, gapProblem.effects, wanted (sets));
 say = @(text) sayLine (text, fullfile (work, 'campaign.log'));
 lock = lockCase (work);
 records = runAll (plan, Case, say);
-data = tableOf (plan, records, Case);
+data = recordTable (plan, records, Case);
 file = fullfile (root, 'benchmarks', 'data', 'drumAndBins.csv');
 printf ('%d rows in %s\n', exportRuns (file, Case, data), file);
 sayCounts (plan, records, Case);

@@ -1,14 +1,17 @@
 % FOREIGNTWINS  Twin study on published laws that the diagnosis does not know.
 %
 % CALL: octave-cli benchmarks/foreignTwins.m [blind|develop] [CASES] [ONLY]
-%       octave-cli benchmarks/foreignTwins.m blind CASES pairs SETS [STEP]
+%       octave-cli benchmarks/foreignTwins.m blind CASES pairs SETS [STEP] [MOST]
 %
 % CASES  per laboratory (105): 4 laboratories of 105 are 420
 % ONLY   nulls: cases without a gap, for the level of the test; pairs: cases of
 %        two causes
 % SETS   diagnose the pairs both of whose causes have a d of 4 the whole way: so
-%        many new parameter sets of the laboratory for each (twinsWhole)
-% STEP   of these cases every so-manyth (1)
+%        many new parameter sets of the laboratory for each (twinsWhole). Each
+%        verdict is kept in results/S-whole: started again it goes on, with
+%        another STEP too
+% STEP   of these cases every so-manyth (1), MOST  and of those the first (all):
+%        one case takes 2 minutes
 %
 % As twins.m, but the truth follows laws of bulk solids with thresholds, kinks
 % and saturation (foreignLab), scatter follows the results with heavy tails, and
@@ -24,7 +27,7 @@
 
 1;
 
-function runForeign (kind, perLab, only, sets, step)
+function runForeign (kind, perLab, only, whole)
   addpath (fileparts (mfilename ('fullpath')));
   root = startBenchmarks ();
   results = fullfile (root, 'benchmarks', 'results');
@@ -40,11 +43,14 @@ function runForeign (kind, perLab, only, sets, step)
   printf ('%s: %d cases, %d laboratories, code %s\n', study, numel (twins), ...
           numel (labs), strtrim (version));
   printf ('truth frozen: SHA-256 %s\n', digest);
-  if sets > 0
-    twins = twins(cellfun (@min, {twins.dEach}) >= 3.9 & [twins.d] >= 3.9);
-    twins = twins(1:step:end);
+  if whole.sets > 0
+    numbers = find (cellfun (@min, {twins.dEach}) >= 3.9 & [twins.d] >= 3.9);
+    numbers = numbers(1:whole.step:end);
+    numbers = numbers(1:min (end, whole.most));
+    twins = twins(numbers);
     name = [name, '-whole'];
-    verdicts = diagnoseWhole (kind, labs, twins, sets);
+    verdicts = diagnoseWhole (kind, labs, twins, numbers, whole.sets, ...
+                              name);
   else
     verdicts = twinsDiagnose (labs, twins);
   end
@@ -56,16 +62,16 @@ function runForeign (kind, perLab, only, sets, step)
 end
 
 % Shared out to the cores in turn: a laboratory may be quicker than the others.
-function verdicts = diagnoseWhole (kind, labs, twins, sets)
+function verdicts = diagnoseWhole (kind, labs, twins, numbers, sets, place)
+  [~, ~] = mkdir (place);
   n = nproc ();
   share = 1 + mod (0:numel (twins) - 1, n);
   slim = rmfield (labs, {'means', 'measure', 'em'});
-  own = arrayfun (@(i) twins(share == i), 1:n, 'UniformOutput', false);
-  seeds = arrayfun (@(i) find (share == i), 1:n, 'UniformOutput', false);
+  split = @(list) arrayfun (@(i) list(share == i), 1:n, 'UniformOutput', false);
   all_ = @(value) repmat ({value}, 1, n);
-  parts = parcellfun (n, @twinsWhole, all_ (kind), all_ (slim), own, seeds, ...
-                      all_ (sets), 'UniformOutput', false, ...
-                      'VerboseLevel', 0);
+  parts = parcellfun (n, @twinsWhole, all_ (kind), all_ (slim), ...
+                      split (twins), split (numbers), all_ (sets), ...
+                      all_ (place), 'UniformOutput', false, 'VerboseLevel', 0);
   for i = 1:n
     verdicts(share == i) = parts{i};
   end
@@ -83,12 +89,9 @@ end
 if numel (args) > 1
   perLab = str2double (args{2});
 end
-sets = 0;
-if numel (args) > 2
-  sets = str2double (args{3});
+whole = struct ('sets', 0, 'step', 1, 'most', Inf);
+names = fieldnames (whole);
+for k = 3:numel (args)
+  whole.(names{k - 2}) = str2double (args{k});
 end
-step = 1;
-if numel (args) > 3
-  step = str2double (args{4});
-end
-runForeign (kind, perLab, only, sets, step);
+runForeign (kind, perLab, only, whole);

@@ -36,7 +36,7 @@ function blindCampaign (root, work)
   end
   records = reshape (records, numel (Case.models), rows (plan.X)).';
   file = fullfile (data, 'blind.csv');
-  exportRuns (file, Case, tableOf (plan, records, Case));
+  exportRuns (file, Case, recordTable (plan, records, Case));
   lines = strsplit (strtrim (fileread (file)), "\n");
   old = strtrim (fileread (fullfile (data, 'hiddenEffect.csv')));
   writeAtomic (file, [strjoin([{old}, lines(2:end)], "\n"), "\n"]);
@@ -61,21 +61,4 @@ function names = mostRun ()
   phi = strengthOfValues (newGapProblem (given).effects, data.E);
   many = sum (abs (phi) > 1e-9, 1) >= 12;
   names = {given.effects(many).name};
-end
-
-function data = tableOf (plan, records, Case)
-  data = struct ('X', plan.X, 'E', plan.E, 'replicate', plan.replicate);
-  data.Z = NaN (rows (plan.X), numel (Case.targets));
-  data.ended = ismember (reshape ({records.status}, size (records)), ...
-                         {'ok', 'invalid'});
-  data.seed = reshape ([records.seed], size (records));
-  for t = 1:numel (Case.targets)
-    target = Case.targets(t);
-    for i = find (data.ended(:, target.model))'
-      results = records(i, target.model).results;
-      if numel (results) >= target.index
-        data.Z(i, t) = results(target.index);
-      end
-    end
-  end
 end

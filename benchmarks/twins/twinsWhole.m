@@ -1,14 +1,16 @@
 % TWINSWHOLE  Diagnoses twins the whole way: with new runs of their laboratory.
 %
-% CALL: VERDICTS = twinsWhole (KIND, LABS, TWINS, SEEDS, SETS)
+% CALL: VERDICTS = twinsWhole (KIND, LABS, TWINS, NUMBERS, SETS, PLACE)
 %
 %   KIND      'blind' or 'develop', of foreignLab
 %   LABS      of foreignLaboratories; gapProblem and data (runs that there are
 %             already) are used
 %   TWINS     1 x n struct of twinsDraw; lab and y are looked at
-%   SEEDS     1 x n, of the new runs
+%   NUMBERS   1 x n, of the cases: seeds of the new runs, names of the records
 %   SETS      new parameter sets that a diagnosis may run, those of its cures
 %             among them
+%   PLACE     char, existing folder of the verdicts made so far: one that is
+%             there is not made again
 %   VERDICTS  1 x n struct, see twinsDiagnose; P holds no pairs (NaN)
 %
 % A job of foreignTwins. As in the product, new runs go to the likely effects,
@@ -16,20 +18,31 @@
 %
 % See also: twinsOfLab, diagnoseMatrices
 
-function verdicts = twinsWhole (kind, labs, twins, seeds, sets)
+function verdicts = twinsWhole (kind, labs, twins, numbers, sets, place)
   pkg ('load', 'stk');
-  options = struct ('maxNewRuns', sets, 'trials', 0, 'bootstrap', 99);
   for i = 1:numel (twins)
-    start = tic ();
-    rand ('twister', 90000 + seeds(i));
-    randn ('twister', 90000 + seeds(i));
-    lab = labs(twins(i).lab);
-    given = setfield (lab.gapProblem, 'value', twins(i).y);
-    effects = newGapProblem (given).effects;
-    runs = runsOf (foreignLab (kind, twins(i).lab), lab.gapProblem, effects);
-    d = diagnoseMatrices (given, lab.data, options, runs);
-    verdicts(i) = verdictOf (d.which, {effects.name}, toc (start));
+    record = fullfile (place, sprintf ('%d.txt', numbers(i)));
+    if ~exist (record, 'file')
+      lab = labs(twins(i).lab);
+      verdict = diagnoseOne (foreignLab (kind, twins(i).lab), lab, ...
+                             twins(i), numbers(i), sets);
+      save ('-text', [record, '.part'], 'verdict');
+      rename ([record, '.part'], record);
+    end
+    verdicts(i) = load (record).verdict;
   end
+end
+
+function verdict = diagnoseOne (source, lab, twin, number, sets)
+  start = tic ();
+  rand ('twister', 90000 + number);
+  randn ('twister', 90000 + number);
+  options = struct ('maxNewRuns', sets, 'trials', 0, 'bootstrap', 99);
+  given = setfield (lab.gapProblem, 'value', twin.y);
+  effects = newGapProblem (given).effects;
+  runs = runsOf (source, lab.gapProblem, effects);
+  d = diagnoseMatrices (given, lab.data, options, runs);
+  verdict = verdictOf (d.which, {effects.name}, toc (start));
 end
 
 function runs = runsOf (source, gapProblem, effects)
