@@ -83,8 +83,9 @@ end
 % Seconds and level of each finished run.
 function [seconds, level] = runsOf (place)
   [seconds, level] = deal ([]);
-  for name = listRunFolders (place, 'GranuDrum')(:)'
-    folder = fullfile (place, 'optim', 'GranuDrum', name{1});
+  names = listRunFolders (place, 'GranuDrum');
+  for k = 1:numel (names)
+    folder = fullfile (place, 'optim', 'GranuDrum', names{k});
     r = readRecord (fullfile (folder, 'record.json'));
     seconds(end + 1) = r.seconds;
     level(end + 1) = headDefaults (fullfile (folder, 'data.head')).grainScale;
@@ -113,9 +114,10 @@ function sayBeyond (place, root, c)
     sd(t) = sqrt (v + s.noiseVar);
     inside(t) = abs (z(t) - m(t)) <= studentQuantile (0.95, s.df) * sd(t);
   end
-  printf (['grainScale 1.5: %d of %d points in their 90 %% intervals, rms of ' ...
-           'run less prediction %.2f mm, mean half width %.2f mm, change from ' ...
-           'grainScale 2 %.2f mm rms\n'], sum (inside), numel (z), ...
+  printf (['grainScale 1.5: %d of %d points in their 90 %% intervals, rms ' ...
+           'of run less prediction %.2f mm, mean half width %.2f mm, ' ...
+           'change from grainScale 2 %.2f mm rms\n'], ...
+          sum (inside), numel (z), ...
           norm (z - m) / sqrt (numel (z)), mean (1.645 * sd), ...
           norm (z - [c.targets.result]) / sqrt (numel (z)));
 end
@@ -136,16 +138,16 @@ function compareWays (work, seed)
   [s2, l2] = runsOf (fine);
   known = [4, 3, 2];
   each = arrayfun (@(l) mean ([s1(l1 == l), s2(l2 == l)]), known);
-  cost = cellfun (@(l) sum (each .* sum (l(:) == known, 1)), {l1, l2});
+  counts = [sum(l1(:) == known, 1); sum(l2(:) == known, 1)];
+  cost = counts * each';
   names = fieldnames (both{1}.params)';
   R = [];
   for k = 1:2
     c = both{k};
     p = struct2cell (c.params);
     w = struct2cell (c.interval90);
-    runs = sum ({l1, l2}{k}(:) == known, 1);
-    R(k, :) = [seed, runs, cost(k), c.converged, c.probability, p{:}, ...
-               reshape([w{:}]', 1, [])];
+    R(k, :) = [seed, counts(k, :), cost(k), c.converged, c.probability, ...
+               p{:}, reshape([w{:}]', 1, [])];
   end
   head = [{'seed', 'runs4', 'runs3', 'runs2', 'coreSeconds', 'converged', ...
            'probability'}, names, strcat(names, '_lo90'), ...

@@ -1,7 +1,7 @@
 % FOREIGNTWINS  Twin study on published laws that the diagnosis does not know.
 %
 % CALL: octave-cli benchmarks/foreignTwins.m [blind|develop] [CASES] [ONLY]
-%       octave-cli benchmarks/foreignTwins.m blind CASES pairs SETS [STEP] [MOST]
+%       octave-cli benchmarks/foreignTwins.m ... pairs SETS [STEP] [MOST]
 %
 % CASES  per laboratory (105): 4 laboratories of 105 are 420
 % ONLY   nulls: cases without a gap, for the level of the test; pairs: cases of

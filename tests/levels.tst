@@ -12,6 +12,18 @@
 %!          'Input.coarse = {own, own};'];
 %! writeLoadInput (folder, lines);
 
+%!function writeRuns (place, X, e, noise)
+%!  % runs made elsewhere, as the case folder holds them
+%!  Z = [sum(X, 2), prod(X, 2), X(:, 1) - X(:, 2)] + e + noise;
+%!  text = {'model,e,a,b,First_1,First_2,Second_1'};
+%!  for i = 1:rows (X)
+%!    set = sprintf ('%.17g,%.17g,%.17g', e(i), X(i, :));
+%!    text{end + 1} = sprintf ('First,%s,%.17g,%.17g,', set, Z(i, 1:2));
+%!    text{end + 1} = sprintf ('Second,%s,,,%.17g', set, Z(i, 3));
+%!  end
+%!  writeAtomic (fullfile (place, 'runs.csv'), [strjoin(text, "\n"), "\n"]);
+%!endfunction
+
 %!test
 %! % the set is that of the last level, and confirmed there; each level is told
 %! [status, out, err] = startProgram (folder);
@@ -64,13 +76,7 @@
 %! X = 10 * rand (12, 2);
 %! X(11:12, :) = [4, 3; 4.02, 2.99];
 %! e = [0.4 * ones(10, 1); 0; 0];
-%! M = [e, X, sum(X, 2) + e, prod(X, 2) + e, X(:, 1) - X(:, 2) + e];
-%! text = {'model,e,a,b,First_1,First_2,Second_1'};
-%! for i = 1:12
-%!   text{end + 1} = sprintf ('First,%.17g,%.17g,%.17g,%.17g,%.17g,', M(i, 1:5));
-%!   text{end + 1} = sprintf ('Second,%.17g,%.17g,%.17g,,,%.17g', M(i, [1:3, 6]));
-%! end
-%! writeAtomic (fullfile (other, 'runs.csv'), [strjoin(text, "\n"), "\n"]);
+%! writeRuns (other, X, e, zeros (12, 3));
 %! [status, out, err] = startProgram (other);
 %! assert (err, '');
 %! c = calibrationOf (other);
@@ -103,20 +109,13 @@
 %! standInCase (other);
 %! writeLoadInput (other, [lines, ' Input.maxNewRuns = 0; ', ...
 %!                         'optim.targetStd = {[0.02, 0.05], 0.02};']);
-%! writeAtomic (fullfile (other, 'loadEffects.m'), ...
-%!              "function effects = loadEffects ()\neffects = {'gain'};\nend\n");
+%! text = "function effects = loadEffects ()\neffects = {'gain'};\nend\n";
+%! writeAtomic (fullfile (other, 'loadEffects.m'), text);
 %! rand ('twister', 3);
 %! randn ('twister', 3);
 %! X = 10 * rand (40, 2);
 %! e = [0.4 * ones(10, 1); 0.2 * ones(5, 1); zeros(25, 1)];
-%! M = [e, X, sum(X, 2) + e, prod(X, 2) + e, X(:, 1) - X(:, 2) + e];
-%! M(:, 4:6) = M(:, 4:6) + 0.01 * randn (40, 3);
-%! text = {'model,e,a,b,First_1,First_2,Second_1'};
-%! for i = 1:40
-%!   text{end + 1} = sprintf ('First,%.17g,%.17g,%.17g,%.17g,%.17g,', M(i, 1:5));
-%!   text{end + 1} = sprintf ('Second,%.17g,%.17g,%.17g,,,%.17g', M(i, [1:3, 6]));
-%! end
-%! writeAtomic (fullfile (other, 'runs.csv'), [strjoin(text, "\n"), "\n"]);
+%! writeRuns (other, X, e, 0.01 * randn (40, 3));
 %! root = fileparts (which ('DEcalioc'));
 %! [status, out, err] = startProgram (other, shellQuote ( ...
 %!                                      fullfile (root, 'diagnoseGap.m')));

@@ -56,15 +56,12 @@ function part = covariances (s, problem, t, Q, X, E)
   if ~isempty (s.level)
     at(:, end + 1) = [zeros(k, 1); level];
   end
-  [m, B, C, U] = krigingTerms (s, at);
-  S = s.factor * (covarianceOf (s, U, U) - B' * B + C' * C);
+  [S, m] = posteriorCovariance (s, at);
+  S = s.factor * S;
   lost = k + find (ismember (level, s.dropped));
   S(lost, :) = 0;
   S(:, lost) = 0;
-  noise = s.noiseVar / s.scale^2 * ones (rows (X), 1);
-  if ~isempty (s.noiseLaw)
-    noise = exp (s.noiseLaw(1) + s.noiseLaw(2) * level);
-  end
+  noise = noiseAt (s, level) / s.scale^2;
   Z = repmat (problem.value, k, 1);
   Z(:, t) = s.shift + s.scale * m(1:k);
   [~, slope] = targetResidual (problem, Q, Z);

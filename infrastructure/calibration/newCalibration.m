@@ -11,7 +11,8 @@
 %            2 x d, converged, reason, demRuns, coreSeconds, atLimit,
 %            notIdentified, identifiability (see there), correlation d x d,
 %            sensitivity d x T (total Sobol indices), warnings,
-%            holdout, levels (see describeLevels), surrogates, history, data, exitStatus;
+%            holdout, levels (see describeLevels), surrogates, history, data,
+%            exitStatus;
 %            resultInterval90 2 x T (of the mean response at the set),
 %            probability (that all targets are met), posterior (n x d, sample)
 %

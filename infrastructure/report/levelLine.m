@@ -10,21 +10,21 @@
 % See also: sayLevels, describeLevels
 
 function text = levelLine (level, targets)
-  known = find (~level.dropped(:)');
+  kept = find (~level.dropped(:)');
   curve = zeros (1, numel (targets));
   if isfield (targets, 'curve')
     curve = [targets.curve];
   end
   parts = {};
-  single = known(curve(known) == 0);
-  share = abs (level.shift(single)) ./ [targets(single).tol];
+  scalars = kept(curve(kept) == 0);
+  share = abs (level.shift(scalars)) ./ [targets(scalars).tol];
   [~, order] = sort (share, 'descend');
-  for t = single(order(1:min (end, 4)))
+  for t = scalars(order(1:min (end, 4)))
     parts{end + 1} = sprintf ('%s %+.3g +- %.2g', targets(t).name, ...
                               level.shift(t), level.shiftSd(t));
   end
-  for k = setdiff (curve(known), 0)
-    own = known(curve(known) == k);
+  for k = setdiff (curve(kept), 0)
+    own = kept(curve(kept) == k);
     parts{end + 1} = sprintf ('%s rms %.3g', targets(own(1)).series, ...
                               norm (level.shift(own)) / sqrt (numel (own)));
   end

@@ -17,8 +17,7 @@ function sayLevels (c, Case, say)
   names = {Case.coarse.variable};
   for k = 1:numel (c.levels)
     own = c.levels(k);
-    words = [names; num2cell(own.value)];
-    text = regexprep (sprintf ('%s = %g, ', words{:}), ', $', '');
+    text = namedValues (names, own.value);
     what = 'counts';
     if k < numel (c.levels)
       what = levelLine (own, Case.targets);

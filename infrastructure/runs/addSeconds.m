@@ -4,8 +4,8 @@
 %
 %   MODELS   1 x M struct array, Case.models; to its field seconds the seconds
 %            of the model's records that ended well are appended; where the
-%            case has levels (its field coarse), of those at the last one: coarse
-%            runs say nothing of how long a fine one may take
+%            case has levels (its field coarse), of those at the last one:
+%            coarse runs say nothing of how long a fine one may take
 %   RECORDS  1 x n struct array, see newRecord
 %
 % See also: defaultLimit, newEvaluate

@@ -8,11 +8,10 @@
 % DRAW       m x n, responses without the noise of a run; the sets of one draw
 %            vary together. Taken from randn, which the caller seeds
 %
-% See also: krigingTerms, chooseInfill
+% See also: posteriorCovariance, chooseInfill
 
 function draw = drawSurrogate (surrogate, P, n)
-  [m, B, C, U] = krigingTerms (surrogate, P);
-  S = covarianceOf (surrogate, U, U) - B' * B + C' * C;
+  [S, m] = posteriorCovariance (surrogate, P);
   S = (S + S') / 2 + 1e-8 * mean (diag (S)) * full (eye (rows (S)));
   [Q, D] = eig (S);
   root = Q .* sqrt (max (diag (D), 0))';

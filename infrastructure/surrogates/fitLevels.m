@@ -62,14 +62,12 @@ function L = likelihoodOf (s, X, z, level, whole)
     own = whole;
   end
   U = (X - s.limits(1, :)) ./ diff (s.limits);
-  noise = own.noiseVar * ones (n, 1);
   if ~isempty (own.level)
-    noise = exp (own.noiseLaw(1) + own.noiseLaw(2) * level) * own.scale^2;
     U(:, d + 1) = level;
   end
   H = feval (own.model.lm, U);
   K = own.scale^2 * covarianceOf (own, U, U) + (3 * whole.scale)^2 * (H * H');
-  R = chol (K + diag (noise + 1e-9 * whole.scale^2));
+  R = chol (K + diag (noiseAt (own, level) + 1e-9 * whole.scale^2));
   v = R' \ (z - whole.shift);
   L = -0.5 * (v' * v) - sum (log (diag (R))) - n / 2 * log (2 * pi);
 end

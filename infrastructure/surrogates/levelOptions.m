@@ -5,9 +5,9 @@
 %   OPTIONS  of fitSurrogate
 %   LEVEL    n x 1, how coarse the runs of the fit are (unitLevel); may be empty
 %   D        number of parameters
-%   OPTIONS  with level ([] where the runs are all of one level) and a trend that
-%            so many runs and levels can carry: two levels have a straight line
-%            between them and no square
+%   OPTIONS  with level ([] where the runs are all of one level) and a trend
+%            that so many runs and levels can carry: two levels have a straight
+%            line between them and no square
 %
 % See also: fitLevels, findBadRuns, fitSurrogate
 

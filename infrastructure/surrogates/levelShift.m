@@ -17,14 +17,10 @@ function [shift, sd, noiseSd] = levelShift (s, p, level)
   if level == 0
     [shift, sd, noiseSd] = deal (0, 0, sqrt (s.noiseVar));
   elseif ~isempty (s.level) && ~any (s.dropped == level)
-    [m, B, C, U] = krigingTerms (s, [p, level; p, 0]);
-    S = covarianceOf (s, U, U) - B' * B + C' * C;
+    [S, m] = posteriorCovariance (s, [p, level; p, 0]);
     shift = s.scale * (m(1) - m(2));
     sd = s.scale * sqrt (s.factor * max (0, [1, -1] * S * [1; -1]));
-    noiseSd = sqrt (s.noiseVar);
-    if ~isempty (s.noiseLaw)
-      noiseSd = s.scale * exp ((s.noiseLaw(1) + s.noiseLaw(2) * level) / 2);
-    end
+    noiseSd = sqrt (noiseAt (s, level));
   end
 end
 

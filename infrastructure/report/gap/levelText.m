@@ -8,12 +8,13 @@
 % See also: sayDiagnosis, gapAdvice
 
 function text = levelText (level)
-  text = ['reached at ', listOf(level.variables, level.value), '. At '];
-  finer = listOf (level.variables, level.finer);
+  names = cellstr (level.variables);
+  text = ['reached at ', namedValues(names, level.value, '%.3g'), '. At '];
+  finer = namedValues (names, level.finer, '%.3g');
   rms = @(x) norm (x) / sqrt (numel (x));
   if isempty (level.verdict)
-    text = [text, finer, ' it is open: the runs at the coarser levels tell ', ...
-            'nothing of it.'];
+    text = [text, finer, ' it is open: the runs at the coarser levels ', ...
+            'tell nothing of it.'];
     return
   end
   text = sprintf (['%s%s, where the runs of all levels foretell a shift of ' ...
@@ -22,15 +23,11 @@ function text = levelText (level)
   if level.holds
     text = [text, 'it would be the same.'];
   else
-    effects = strjoin (cellstr (level.effects)(:)', ', ');
-    text = regexprep (sprintf ('%sit would be: %s (%s).', text, ...
-                               level.verdict, effects), ' \(\)', '');
+    effects = cellstr (level.effects);
+    text = sprintf ('%sit would be: %s (%s).', text, level.verdict, ...
+                    strjoin (effects(:)', ', '));
+    text = strrep (text, ' ()', '');
   end
-end
-
-function text = listOf (names, values)
-  words = [cellstr(names)(:)'; num2cell(values(:)')];
-  text = regexprep (sprintf ('%s = %.3g, ', words{:}), ', $', '');
 end
 
 %!test
@@ -38,9 +35,9 @@ end
 %!                 'shift', [3, -4], 'shiftSd', [1, 1], 'verdict', 'named', ...
 %!                 'effects', {{'tilt'}}, 'holds', true);
 %! assert (levelText (level), ...
-%!         ['reached at scaleP = 2. At scaleP = 1.33, where the runs of all ', ...
-%!          'levels foretell a shift of the responses by 3.54 +- 1 (root ', ...
-%!          'mean square), it would be the same.']);
+%!         ['reached at scaleP = 2. At scaleP = 1.33, where the runs of ', ...
+%!          'all levels foretell a shift of the responses by 3.54 +- 1 ', ...
+%!          '(root mean square), it would be the same.']);
 %! level.holds = false;
 %! assert (! isempty (strfind (levelText (level), 'be: named (tilt).')));
 %! level.effects = {};

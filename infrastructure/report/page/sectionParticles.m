@@ -45,7 +45,7 @@ function html = picturesOf (page, k, params)
   runs = page.runs(strcmp ({page.runs.model}, name) & ...
                    strcmp ({page.runs.status}, 'ok'));
   counts = arrayfun (@(r) any (strcmp (r.stage, {'gap', 'cure'})) || ...
-                          atLastLevel (r.effects, Case.coarse), runs);
+                     atLastLevel (r.effects, Case.coarse), runs);
   runs = runs(counts);
   if isempty (runs)
     return

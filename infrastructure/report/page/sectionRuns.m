@@ -30,8 +30,7 @@ function html = levels (page)
   cells = cell (numel (known), 4);
   for k = 1:numel (known)
     own = known(k);
-    words = [names; num2cell(own.value(:)')];
-    text = regexprep (sprintf ('%s = %g, ', words{:}), ', $', '');
+    text = namedValues (names, own.value);
     what = 'the level that counts';
     if k < numel (known)
       what = levelLine (own, page.Case.targets);
