@@ -8,12 +8,8 @@
 % See also: confirmSet, failedSets
 
 function data = lastLevel (data, problem)
-  if isempty (problem.coarse)
-    return
-  end
-  isLast = all (data.E == problem.coarse.levels(end, :), 2);
-  for name = fieldnames (data)'
-    data.(name{1}) = data.(name{1})(isLast, :);
+  if ~isempty (problem.coarse)
+    data = keepRows (data, all (data.E == problem.coarse.levels(end, :), 2));
   end
 end
 

@@ -50,12 +50,8 @@ function p = descend (surrogates, problem, p)
   J = @(u, hook) slope (surrogates, problem, lo + u(:)' .* width);
   settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
                        'dfdp', J, 'MaxIter', 20, 'TolFun', 1e-2);
-  try
-    u = nonlin_residmin (f, min (max ((p - lo) ./ width, 0), 1)', settings);
-    p = lo + min (max (u', 0), 1) .* width;
-  catch
-    % a flat response at a limit stops it: the set stays as it is
-  end
+  u = nonlin_residmin (f, min (max ((p - lo) ./ width, 0), 1)', settings);
+  p = lo + min (max (u', 0), 1) .* width;
 end
 
 function f = loss (surrogates, problem, P)

@@ -28,14 +28,11 @@ function [solved, path] = solveStart (surrogates, problem, start, ...
                        'dfdp', jacobian, 'MaxIter', limit, 'TolFun', 1e-6);
   u = (start.params(:) - lo(:)) ./ width(:);
   u = min (max (u, 0), 1);
-  cvg = 3;
-  info.niter = 0;
   if sum (scaled (u).^2) > eps
-    try
-      [u, ~, cvg, info] = nonlin_residmin (scaled, u, settings);
-    catch
-      cvg = -1;       % a flat response at a limit: other starts may do better
-    end
+    [u, ~, cvg, info] = nonlin_residmin (scaled, u, settings);
+  else
+    cvg = 3;
+    info.niter = 0;
   end
   p = lo + min (max (u(:)', 0), 1) .* width;
   [probability, r] = meetProbability (surrogates, problem, p);

@@ -29,9 +29,7 @@ function level = finerVerdict (Case, given, options, diagnosis)
   data = gatherRuns (Case);
   neutral = neutralEffects (Case);
   isPlain = all (data.E(:, v + 1:end) == neutral(v + 1:end), 2);
-  for name = fieldnames (data)'
-    data.(name{1}) = data.(name{1})(isPlain, :);
-  end
+  data = keepRows (data, isPlain);
   data.E = data.E(:, 1:v);
   problem = newProblem (Case, []);
   values = problem.coarse.levels;
