@@ -45,13 +45,11 @@ end
 function p = descend (surrogates, problem, p)
   lo = problem.limits(1, :);
   width = problem.limits(2, :) - lo;
-  d = numel (lo);
   f = @(u) loss (surrogates, problem, lo + u(:)' .* width)';
   J = @(u, hook) slope (surrogates, problem, lo + u(:)' .* width);
-  settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
-                       'dfdp', J, 'MaxIter', 20, 'TolFun', 1e-2);
-  u = nonlin_residmin (f, min (max ((p - lo) ./ width, 0), 1)', settings);
-  p = lo + min (max (u', 0), 1) .* width;
+  u = leastSquaresInBox (f, J, min (max ((p - lo) ./ width, 0), 1)', ...
+                         optimset ('MaxIter', 20, 'TolFun', 1e-2));
+  p = lo + u' .* width;
 end
 
 function f = loss (surrogates, problem, P)

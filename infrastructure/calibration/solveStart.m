@@ -24,27 +24,26 @@ function [solved, path] = solveStart (surrogates, problem, start, ...
                                            lo + u(:)' .* width);
   d = numel (lo);
   limit = max (1, min (maxIter, floor (maxEvals / (2 * d + 2))));
-  settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
-                       'dfdp', jacobian, 'MaxIter', limit, 'TolFun', 1e-6);
+  settings = optimset ('MaxIter', limit, 'TolFun', 1e-6);
   u = (start.params(:) - lo(:)) ./ width(:);
   u = min (max (u, 0), 1);
   if sum (scaled (u).^2) > eps
-    [u, ~, cvg, info] = nonlin_residmin (scaled, u, settings);
+    [u, cvg, niter] = leastSquaresInBox (scaled, jacobian, u, settings);
   else
     cvg = 3;
-    info.niter = 0;
+    niter = 0;
   end
-  p = lo + min (max (u(:)', 0), 1) .* width;
+  p = lo + u(:)' .* width;
   [probability, r] = meetProbability (surrogates, problem, p);
   solved = start;
   solved.params = p;
   solved.norm = max (toleranceShare (problem, r));
   solved.within = solved.norm <= 1;
   solved.probability = probability;
-  solved.evaluations = 1 + info.niter * (2 * d + 1);
-  solved.iterations = info.niter;
+  solved.evaluations = 1 + niter * (2 * d + 1);
+  solved.iterations = niter;
   solved.reason = convergence (cvg);
-  path = struct ('iteration', {0, info.niter}, ...
+  path = struct ('iteration', {0, niter}, ...
                  'params', {start.params, p}, 'residual', {[], r'});
   path(1).residual = targetResidual (problem, start.params, ...
                                      predictSurrogate (surrogates, ...
