@@ -44,22 +44,15 @@ function result = calibrateStandIn (S, seed, fail, options)
   result.problem = problem;
 end
 
-% As newPlan has it: all rows at the cheapest level, the middle one at all.
+% As newPlan has it: all rows at the cheapest level.
 function [problem, data] = levelledPlan (S, Case, X, evaluate)
   [Case.targets.model] = deal (1);
   Case.coarse = struct ('variable', 'scale', 'levels', S.levels(:)', ...
                         'models', 1);
-  Case.models = struct ('folder', {'here'});
-  Case.folder = '';
   problem = newProblem (Case, []);
   problem.levelSeconds = @() S.seconds;
   [d, T] = deal (columns (X), numel (S.value));
-  known = addRows (newData (d, T, 1), X, NaN (rows (X), T), ...
-                   ones (rows (X), 1), 'plan', S.levels(ones (rows (X), 1)));
-  Case.options.numOfSam = 0;
-  [beside, E] = newPlan (known, Case);
-  X = [X; beside];
-  E = [known.E; E];
+  E = S.levels(ones (rows (X), 1));
   Z = evaluate (X, 1, 'plan', E);
   data = addRows (newData (d, T, 1), X, Z, ones (rows (X), 1), 'plan', E);
 end

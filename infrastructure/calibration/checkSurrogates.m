@@ -44,6 +44,13 @@ function lines = droppedLevels (state, problem)
     return
   end
   values = problem.coarse.levels;
+  fine = lastLevel (state.data, problem);
+  if ~any (all (isfinite (fine.Z), 2))
+    lines{1} = sprintf (['no run at the level that counts (%s): the set is ' ...
+                         'that of coarser runs'], ...
+                        namedValues (problem.coarse.variables, ...
+                                     values(end, :)));
+  end
   for k = 1:rows (values) - 1
     isDropped = arrayfun (@(t) any (state.surrogates(t).dropped == ...
                                     unitLevel (problem.coarse, ...
@@ -155,3 +162,12 @@ end
 %! lines = checkSurrogates (state, problem);
 %! assert (sum (! cellfun (@isempty, strfind (lines, 'scaleP = 3'))), 1);
 %! assert (isempty ([strfind(lines, 'scaleP = 2'){:}]));
+
+%!test
+%! % without a run at the level that counts the set is that of coarser runs
+%! [problem, state] = smallCalibration ();
+%! problem.coarse = struct ('variables', {{'scaleP'}}, 'levels', [2; 1], ...
+%!                          'column', [1, 1]);
+%! state.data.E = 2 * ones (rows (state.data.X), 1);
+%! lines = checkSurrogates (state, problem);
+%! assert (any (! cellfun (@isempty, strfind (lines, 'coarser runs'))));

@@ -12,17 +12,19 @@
 % probability of 0.8 (the confirming runs of calibrateOnDEM bring the rest), or
 % it is clear in two rounds running that no set can meet them, or only the
 % runs for confirmation are left of the budget. STATE.reason says which.
+% Where there are levels, the first round is that of nestLevels.
 %
 % Coarse runs cost at most as much as the runs at the level that counts have
 % cost: however sure the coarse ones make the surrogates, they are held against
 % fine ones in time, and a level that misleads costs no more than it would save.
 %
-% See also: chooseInfill, calibrateOnDEM
+% See also: nestLevels, chooseInfill, calibrateOnDEM
 
 function state = improveByInfill (state, problem, evaluate, say)
   enough = 0.8;
   conflicts = 0;
   round = 0;
+  state = nestLevels (state, problem, evaluate, say);
   while true
     conflicts = (conflicts + 1) * ~isempty (state.found.conflict);
     free = budgetLeft (state, problem) - problem.options.replicates;

@@ -14,7 +14,7 @@
 % model and are left out. Not so where E holds the levels of PROBLEM.coarse:
 % then the level is one more input of the surrogate, which predicts at the level
 % that counts. A level whose runs make the others harder to foretell is dropped
-% (fitLevels).
+% (fitLevels). Runs that are all of one level are taken as they are.
 %
 % Runs that are off by far more than runs scatter are left out (findBadRuns);
 % leftOut (n x 1 logical, rows of DATA) says which. Not judged where the scatter
@@ -61,12 +61,13 @@ function surrogates = fitSurrogates (data, problem, old)
   end
 end
 
-% How coarse the runs are, for each target; [] where it makes no difference.
+% How coarse the runs are, for each target; [] where it makes no difference, or
+% none can be seen as all finished runs are of one level.
 function level = levelsOf (data, problem)
   level = cell (1, columns (data.Z));
   for t = 1:numel (level)
     own = unitLevel (problem.coarse, data.E, t);
-    if any (own)
+    if any (own) && numel (unique (own(isfinite (data.Z(:, t))))) > 1
       level{t} = own;
     end
   end
