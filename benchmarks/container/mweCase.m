@@ -3,7 +3,7 @@
 % CALL: mweCase (FOLDER, METHOD, SETTING, SEED)
 %
 % FOLDER   text, made if it is not there
-% METHOD   'ours' or 'published', see mwe
+% METHOD   'ours' or 'published', see mwe; 'levels', see containerLevels
 % SETTING  struct: root (toolbox), scale ('default' or 'full'), cpus
 % SEED     integer, Input.seed
 %
@@ -26,10 +26,13 @@ function mweCase (folder, method, setting, seed)
   lines = {sprintf('Input.seed = %d;', seed), ...
            sprintf('Input.maxCPU = %d;', setting.cpus), ...
            'optim.tolRes{1} = [0.01, 0.01];'};
-  if strcmp (setting.scale, 'full')
-    lines = [lines, {'modelVars.scaleP = 1;'}];
+  if strcmp (method, 'levels')
+    lines{end + 1} = ['Input.coarse = {struct(''variable'', ''scaleP'', ', ...
+                      '''levels'', [1.6, 1.25, 1])};'];
+  elseif strcmp (setting.scale, 'full')
+    lines{end + 1} = 'modelVars.scaleP = 1;';
   end
-  if strcmp (method, 'ours')
+  if any (strcmp (method, {'ours', 'levels'}))
     lines = [lines, {'Input.replicates = 2;', 'optim.confidence = 0.7;', ...
                      'optim.maxFunEvals = 6;'}];
   else

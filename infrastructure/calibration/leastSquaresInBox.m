@@ -9,11 +9,12 @@
 %   CVG       how it ended, as nonlin_residmin says it
 %   NITER     iterations
 %
-% nonlin_residmin of optim. With fewer residuals than parameters its search for
-% the active bounds (cpiv_bard) hangs on rounding errors: from a corner of the
-% box it stays there, or gives up with 'not successful'. There a pull of 1e-4 to
-% the start, in residuals for a side of the box, makes the problem regular; a
-% constant residual of 0.01 ends the search where only the pull is left to gain.
+% nonlin_residmin of optim. From a corner of the box, with fewer residuals than
+% parameters, its search for the active bounds (cpiv_bard) can go round in
+% circles on rounding errors; it gives up with 'not successful'. Then a pull of
+% 1e-4 to the start, in residuals for a side of the box, makes the problem
+% regular; a constant residual of 0.01 ends the search where only the pull is
+% left to gain.
 %
 % Errors: those of F and of nonlin_residmin
 %
@@ -21,18 +22,20 @@
 
 function [u, cvg, niter] = leastSquaresInBox (f, J, u, settings)
   d = numel (u);
-  start = u;
-  pull = [1e-4 * eye(d); zeros(1, d)];
-  rest = [zeros(d, 1); 0.01];
-  if numel (f (u)) >= d
-    pull = zeros (0, d);
-    rest = zeros (0, 1);
-  end
   settings = optimset (settings, 'lbound', zeros (d, 1), ...
-                       'ubound', ones (d, 1), ...
-                       'dfdp', @(u, hook) [J(u, hook); pull]);
-  whole = @(u) [f(u); pull * (u - start) + rest];
-  [u, ~, cvg, info] = nonlin_residmin (whole, start, settings);
+                       'ubound', ones (d, 1), 'dfdp', J);
+  start = u;
+  try
+    [u, ~, cvg, info] = nonlin_residmin (f, start, settings);
+  catch err
+    if ~strcmp (err.message, 'not successful')
+      rethrow (err);
+    end
+    pull = [1e-4 * eye(d); zeros(1, d)];
+    settings = optimset (settings, 'dfdp', @(u, hook) [J(u, hook); pull]);
+    pulled = @(u) [f(u); pull * (u - start) + [zeros(d, 1); 0.01]];
+    [u, ~, cvg, info] = nonlin_residmin (pulled, start, settings);
+  end
   u = min (max (u, 0), 1);
   niter = info.niter;
 end
