@@ -1,0 +1,70 @@
+% Every command that writes, killed at several moments and started again: it
+% leaves what it would have left undisturbed.
+
+%!function result = afterKills (base, words, delays)
+%!  % killed after each of the delays (s), with all that it has started
+%!  root = fileparts (fileparts (which ('startProgram')));
+%!  program = shellQuote (fullfile (root, 'bin', 'decalioc'));
+%!  for delay = delays
+%!    system (sprintf (['cd %s && timeout -s KILL %g %s %s > /dev/null 2>&1 ' ...
+%!                      '< /dev/null; true'], shellQuote (base), delay, ...
+%!                     program, words));
+%!  end
+%!  [result.status, result.out] = startCommand (base, words);
+%!endfunction
+
+%!function n = finishedRuns (folder)
+%!  n = numel (glob (fullfile (folder, 'optim', '*', '*', 'record.json')));
+%!endfunction
+
+%!shared base, delays
+%! base = tempname ();
+%! mkdir (base);
+%! delays = [0.3, 0.5, 0.7, 0.9, 1.2, 1.6, 2.2];
+
+%!test
+%! % new: the same files as from a call that nobody killed
+%! [status, out] = startCommand (base, 'new --model Repose whole');
+%! assert (status, 0, out);
+%! again = afterKills (base, 'new --model Repose killed', delays);
+%! if again.status ~= 0     % the last of them had time to finish
+%!   assert (! isempty (strfind (again.out, 'is there already')), again.out);
+%! end
+%! [status, out] = system (sprintf ('diff -r %s/whole %s/killed', base, base));
+%! assert (status, 0, out);
+
+%!test
+%! % run, diagnose, report, export: no finished run is lost, the result is that
+%! % of a case that nobody killed
+%! both = {'calm', 'hunted'};
+%! for k = 1:2
+%!   folder = fullfile (base, both{k});
+%!   standInCase (folder);
+%!   writeLoadInput (folder, 'optim.targetStd = {[0.02, 0.05], 0.02};');
+%!   text = "function effects = loadEffects ()\neffects = {'gain'};\nend\n";
+%!   writeAtomic (fullfile (folder, 'loadEffects.m'), text);
+%!   for words = {'run', 'diagnose', 'report', 'export'}
+%!     call = [words{1}, ' ', both{k}];
+%!     before = finishedRuns (folder);
+%!     if k == 1
+%!       [status, out] = startCommand (base, call);
+%!     else
+%!       done = afterKills (base, call, delays);
+%!       [status, out] = deal (done.status, done.out);
+%!     end
+%!     assert (any (status == [0, 2]), out);
+%!     assert (finishedRuns (folder) >= before);
+%!   end
+%! end
+%! assert (finishedRuns (fullfile (base, 'calm')), ...
+%!         finishedRuns (fullfile (base, 'hunted')));
+%! html = fileread (fullfile (base, 'hunted', 'results', 'report.html'));
+%! assert (! isempty (strfind (html, '</html>')));
+%! known = @(name, file) jsondecode (fileread (fullfile (base, name, file)));
+%! file = fullfile ('results', 'calibration.json');
+%! assert (known ('hunted', file).params, known ('calm', file).params);
+%! file = fullfile ('gap', 'gap.json');
+%! assert (known ('hunted', file).verdict, known ('calm', file).verdict);
+%! sorted = @(name) sort (strsplit (fileread (fullfile (base, name, ...
+%!                                             'results', 'runs.csv')), "\n"));
+%! assert (sorted ('hunted'), sorted ('calm'));
