@@ -6,9 +6,9 @@
 %!  root = fileparts (fileparts (which ('startProgram')));
 %!  program = shellQuote (fullfile (root, 'bin', 'decalioc'));
 %!  for delay = delays
-%!    system (sprintf (['cd %s && timeout -s KILL %g %s %s > /dev/null 2>&1 ' ...
-%!                      '< /dev/null; true'], shellQuote (base), delay, ...
-%!                     program, words));
+%!    system (sprintf (['cd %s && timeout -s KILL %g %s %s > /dev/null ' ...
+%!                      '2>&1 < /dev/null; true'], shellQuote (base), ...
+%!                     delay, program, words));
 %!  end
 %!  [result.status, result.out] = startCommand (base, words);
 %!endfunction
@@ -64,7 +64,8 @@
 %! file = fullfile ('results', 'calibration.json');
 %! assert (known ('hunted', file).params, known ('calm', file).params);
 %! file = fullfile ('gap', 'gap.json');
-%! assert (known ('hunted', file).verdict, known ('calm', file).verdict);
+%! assert (known ('hunted', file).which.verdict, ...
+%!         known ('calm', file).which.verdict);
 %! sorted = @(name) sort (strsplit (fileread (fullfile (base, name, ...
 %!                                             'results', 'runs.csv')), "\n"));
 %! assert (sorted ('hunted'), sorted ('calm'));

@@ -11,10 +11,10 @@
 %
 % Covariance: sd_i sd_j exp (-distance / length) of the measurement, plus that
 % of one packing and of the surrogates, sqrt (v_i v_j) times C.root, times the
-% variance of a Student variable with C.df degrees of freedom. No Student density
-% of the whole curve: its one unknown scale would be learned from the curve
-% itself, whose residuals are smoother than C.root has them, so that few runs
-% gave intervals that were too narrow (benchmarks/curveFewRuns.m).
+% variance of a Student variable with C.df degrees of freedom. No Student
+% density of the whole curve: its one unknown scale would be learned from the
+% curve itself, whose residuals are smoother than C.root has them, so that few
+% runs gave intervals that were too narrow (benchmarks/curveFewRuns.m).
 %
 % See also: curveErrors, parameterPosterior
 
