@@ -1,11 +1,14 @@
 % FINDBADRUNS  Finds runs that are off by far more than runs scatter.
 %
-% CALL: BAD = findBadRuns (X, Z, MODEL, SURROGATES, OLD)
-% CALL: BAD = findBadRuns (X, Z, MODEL, SURROGATES, OLD, LEVEL)
+% CALL: BAD = findBadRuns (X, Z, KIND, SURROGATES, OLD)
+% CALL: BAD = findBadRuns (X, Z, KIND, SURROGATES, OLD, LEVEL)
 %
 %   X           n x d, parameter sets
 %   Z           n x T, responses (NaN: none)
-%   MODEL       1 x T, number of the model that each response belongs to
+%   KIND        scalar struct of 1 x T: model (number of the model that each
+%               response belongs to), weight (1; 1 / n for the n points of a
+%               curve, which are one response), least (deviation that is too
+%               small to be wrong, say the tolerance, in units of the response)
 %   SURROGATES  1 x T struct of fitSurrogate, fitted to all rows but OLD
 %   OLD         n x T logical, runs found bad before
 %   LEVEL       1 x T cell, n x 1 how coarse the runs are, or [] (see unitLevel)
@@ -14,27 +17,30 @@
 % A wrong start state, a lost wall: such a run is neither failed nor scatter. It
 % is left out where the responses of its model are likelier so: with the
 % restricted likelihoods l of all runs and of all but run i, each at its own
-% parameters, run i is bad where the sum over the responses of
+% parameters, run i is bad where the weighted sum over the responses of
 %
 %   l(all but i) - log (6 s) - l(all)    exceeds    log (0.9 / 0.1)
 %
 % that is against a run that may lie anywhere within 6 standard deviations s of
 % the others (Box and Tiao 1968: a small share of runs of another, wide
 % distribution). Added and taken back one by one, two at once where one hides
-% the other. At most a quarter of the runs; at least d + 3 stay.
+% the other. A run that is nowhere off by more than KIND.least is never bad: it
+% does no harm, and may be the one that shows a bend. At most a quarter of the
+% runs; at least d + 3 stay.
 %
 % See also: fitSurrogates, penalisedLikelihood, confirmSet
 
-function bad = findBadRuns (X, Z, model, surrogates, old, level)
+function bad = findBadRuns (X, Z, kind, surrogates, old, level)
   bad = old;
   if nargin < 6
-    level = cell (size (model));
+    level = cell (size (kind.model));
   end
-  for m = unique (model)
-    own = model == m;
+  for m = unique (kind.model)
+    own = kind.model == m;
     rowsOf = all (isfinite (Z(:, own)), 2);
     task = struct ('X', X(rowsOf, :), 'Z', Z(rowsOf, own), ...
-                   'surrogates', {surrogates(own)}, 'level', []);
+                   'surrogates', {surrogates(own)}, 'level', [], ...
+                   'weight', kind.weight(own), 'least', kind.least(own));
     coarse = [level{own}];   % of one model: the same for all its responses
     if ~isempty (coarse)
       task.level = coarse(rowsOf, 1);
@@ -46,7 +52,9 @@ function bad = findBadRuns (X, Z, model, surrogates, old, level)
 end
 
 function out = judge (task, out)
-  if ~any (out) && all (abs (vertcat (task.surrogates.looStd)) < 2)
+  T = numel (task.surrogates);
+  far = arrayfun (@(t) max (farOff (task.surrogates(t), task.least(t))), 1:T);
+  if ~any (out) && all (far < 2)
     return
   end
   odds = log (0.9 / 0.1);
@@ -104,13 +112,19 @@ function said = leaveOut (task, out)
     if ~isempty (s.noiseLaw)
       theta(end:end + 1) = s.noiseLaw;
     end
-    said.evidence = said.evidence - penalisedLikelihood (theta, fit) - ...
-                    columns (fit.W) * log (s.scale) - ...
-                    sum (out) * log (6 * std (task.Z(~out, t)));
-    far(~out) = max (far(~out), abs (s.looStd));
+    gain = -penalisedLikelihood (theta, fit) - ...
+           columns (fit.W) * log (s.scale) - ...
+           sum (out) * log (6 * std (task.Z(~out, t)));
+    said.evidence = said.evidence + task.weight(t) * gain;
+    far(~out) = max (far(~out), farOff (s, task.least(t)));
   end
   [far, said.order] = sort (far, 'descend');
   said.worst = far(1);
+end
+
+% How far each run lies from what the others predict, in its deviations.
+function far = farOff (s, least)
+  far = abs (s.looStd) .* (abs (s.looResidual) > least);
 end
 
 function s = fitted (task, t, out)
@@ -122,7 +136,7 @@ function s = fitted (task, t, out)
   s = fitSurrogate (task.X(~out, :), task.Z(~out, t), old.limits, options);
 end
 
-%!shared X, Z, limits, fit
+%!shared X, Z, limits, fit, kind
 %! pkg load stk
 %! rand ('twister', 3);
 %! randn ('twister', 3);
@@ -132,22 +146,23 @@ end
 %!     (1 + 0.01 * randn (16, 2));
 %! fit = @(Z) [fitSurrogate(X, Z(:, 1), limits), ...
 %!             fitSurrogate(X, Z(:, 2), limits)];
+%! kind = struct ('model', [1, 1], 'weight', [1, 1], 'least', [0, 0]);
 
 %!test
 %! % nothing is wrong
-%! bad = findBadRuns (X, Z, [1, 1], fit (Z), false (16, 2));
+%! bad = findBadRuns (X, Z, kind, fit (Z), false (16, 2));
 %! assert (~ any (bad(:)));
 
 %!test
 %! % two wrong runs; what is found stays found, a run that is good comes back
 %! W = Z;
 %! W([4, 9], :) = W([4, 9], :) .* [1.3, 0.7; 0.75, 1.25];
-%! bad = findBadRuns (X, W, [1, 1], fit (W), false (16, 2));
+%! bad = findBadRuns (X, W, kind, fit (W), false (16, 2));
 %! assert (find (bad(:, 1))', [4, 9]);
 %! assert (bad(:, 1), bad(:, 2));
 %! wrong = false (16, 2);
 %! wrong(2, :) = true;
-%! again = findBadRuns (X, W, [1, 1], fit (W), bad | wrong);
+%! again = findBadRuns (X, W, kind, fit (W), bad | wrong);
 %! assert (again, bad);
 
 %!test
@@ -155,5 +170,28 @@ end
 %! W = Z;
 %! W(5, 1) = 2 * W(5, 1);
 %! W(7, 2) = NaN;
-%! bad = findBadRuns (X, W, [1, 2], fit (W), false (16, 2));
+%! kind.model = [1, 2];
+%! bad = findBadRuns (X, W, kind, fit (W), false (16, 2));
 %! assert (find (bad)', 5);
+%!test
+%! % what is off by less than matters is not wrong
+%! kind.model = [1, 1];
+%! W = Z;
+%! W(4, :) = 1.08 * W(4, :);
+%! bad = findBadRuns (X, W, kind, fit (W), false (16, 2));
+%! assert (find (bad(:, 1)), 4);
+%! kind.least = [1, 1];
+%! bad = findBadRuns (X, W, kind, fit (W), false (16, 2));
+%! assert (! any (bad(:)));
+%!test
+%! % many points of a curve are one response: off by 3 deviations is no proof
+%! kind.least = zeros (1, 20);
+%! kind.model = ones (1, 20);
+%! kind.weight = ones (1, 20) / 20;
+%! randn ('twister', 5);
+%! curve = repmat (Z(:, 1) + 0.05 * (1:16 == 4)', 1, 20);
+%! s = fitSurrogate (X, curve(:, 1), limits);
+%! bad = findBadRuns (X, curve, kind, repmat (s, 1, 20), false (16, 20));
+%! kind.weight = ones (1, 20);
+%! alone = findBadRuns (X, curve, kind, repmat (s, 1, 20), false (16, 20));
+%! assert ([any(bad(:)), any(alone(:))], [false, true]);

@@ -49,7 +49,7 @@ function surrogates = fitSurrogates (data, problem, old)
   [surrogates, follows] = fitGood (runs, bad, problem, old);
   if ~follows
     now = findBadRuns (runs.X, withoutDropped (runs, surrogates), ...
-                       modelOfTarget (problem), surrogates, bad, level);
+                       kindOfTarget (problem), surrogates, bad, level);
     if ~isequal (now, bad)
       surrogates = fitGood (runs, now, problem, []);
       bad = now;
@@ -113,11 +113,21 @@ function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
   end
 end
 
-function model = modelOfTarget (problem)
-  model = ones (1, numel (problem.targets));
+% Of which model each response is, and what findBadRuns needs beside: a curve
+% counts as one response, and what is within the tolerance is not wrong.
+function kind = kindOfTarget (problem)
+  T = numel (problem.targets);
+  kind.model = ones (1, T);
   if isfield (problem.targets, 'model')
-    model = [problem.targets.model];
+    kind.model = [problem.targets.model];
   end
+  kind.weight = ones (1, T);
+  for number = unique (problem.curve(problem.curve > 0))
+    own = problem.curve == number;
+    kind.weight(own) = 1 / sum (own);
+  end
+  kind.least = problem.tol .* abs (problem.scale);
+  kind.least(isnan (kind.least)) = 0;      % not measured yet
 end
 
 function name = targetName (problem, t)
