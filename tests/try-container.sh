@@ -1,0 +1,17 @@
+#!/bin/bash
+# Builds the image of Containerfile with podman and runs `decalioc doctor` in it.
+# Control groups are not needed. Needs podman, buildah, and root or a user with
+# sub-ids. Not part of `make test`: it takes ten minutes and 4 GB.
+# CALL: tests/try-container.sh [BASE]
+#   BASE  the image to begin with (debian:12). Where no registry can be reached,
+#         make one: debootstrap bookworm DIR && tar -C DIR -c . | podman import - NAME
+# STORAGE_DRIVER=vfs where overlay file systems are not allowed.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+base=${1:-debian:12}
+
+podman build --isolation chroot --build-arg "BASE=$base" --tag decalioc "$root"
+container=$(buildah from localhost/decalioc)
+place=$(mktemp -d)
+trap 'buildah rm "$container" > /dev/null; rm -rf "$place"' EXIT
+buildah run --isolation chroot --volume "$place:/case" "$container" -- decalioc doctor
