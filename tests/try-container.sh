@@ -10,8 +10,11 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 base=${1:-debian:12}
 
-podman build --isolation chroot --build-arg "BASE=$base" --tag decalioc "$root"
-container=$(buildah from localhost/decalioc)
+driver=(${STORAGE_DRIVER:+--storage-driver "$STORAGE_DRIVER"})
+inImage () { buildah "${driver[@]}" "$@"; }
+
+podman "${driver[@]}" build --isolation chroot --build-arg "BASE=$base" --tag decalioc "$root"
+container=$(inImage from --pull-never localhost/decalioc)
 place=$(mktemp -d)
-trap 'buildah rm "$container" > /dev/null; rm -rf "$place"' EXIT
-buildah run --isolation chroot --volume "$place:/case" "$container" -- decalioc doctor
+trap 'inImage rm "$container" > /dev/null; rm -rf "$place"' EXIT
+inImage run --isolation chroot --volume "$place:/case" "$container" -- decalioc doctor
