@@ -1,6 +1,6 @@
 % CURVEFEWRUNS  Do parameter intervals hold after few runs on a curve?
 %
-% CALL: octave-cli benchmarks/curveFewRuns.m SEEDS [CSVFILE]
+% CALL: octave-cli benchmarks/curveFewRuns.m SEEDS [CSVFILE] [PLAN]
 %
 % SEEDS    e.g. 1:30
 % CSVFILE  one row a seed: seed, runs, converged, probability, worst (largest
@@ -8,10 +8,10 @@
 %          three parameters truth, low, high (90 % interval) in box widths
 %
 % Each seed draws a set from the box, takes its curve of 18 points as measured,
-% to a tolerance of 2 % of its range, and calibrates three parameters on it as
-% DEcalioc does: plan of d + 3 rows, infill, confirmation, all by default. The
-% curve is a rising profile whose height, slope and foot depend on the
-% parameters by a product, a saturation and a kink. A run scatters along the
+% to a tolerance of 2 of its range, and calibrates three parameters on it as
+% DEcalioc does: plan of d + 3 or PLAN rows, infill, confirmation, all by
+% default. The curve is a rising profile whose height, slope and foot depend on
+% the parameters by a product, a saturation and a kink. A run scatters along the
 % curve as one, by a fifth of the tolerance. Reported: how many of the intervals
 % hold the drawn set, and how wide they are.
 %
@@ -46,12 +46,12 @@ function [problem, evaluate, truth] = newCalibrationOf (seed)
   evaluate = @(P, varargin) response (P, x) + noise (rows (P));
 end
 
-function row = oneSeed (seed)
+function row = oneSeed (seed, nPlan)
   [problem, evaluate, truth] = newCalibrationOf (seed);
   restore = seedRandom (seed);
-  X = double (stk_sampling_maximinlhs (6, 3, problem.limits, 500));
+  X = double (stk_sampling_maximinlhs (nPlan, 3, problem.limits, 500));
   Z = evaluate (X);
-  data = addRows (newData (3, columns (Z)), X, Z, ones (6, 1), 'plan');
+  data = addRows (newData (3, columns (Z)), X, Z, ones (nPlan, 1), 'plan');
   surrogates = fitSurrogates (data, problem);
   state = newState (data, surrogates, ...
                     calibrateOnKriging (surrogates, problem));
@@ -83,9 +83,13 @@ addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 given = argv ();
 seeds = sscanf (given{1}, '%d:%d')';
+nPlan = 6;
+if numel (given) > 2
+  nPlan = str2double (given{3});
+end
 R = zeros (0, 14);
 for seed = seeds(1):seeds(end)
-  R(end + 1, :) = oneSeed (seed);
+  R(end + 1, :) = oneSeed (seed, nPlan);
   printf ('%4d runs %3d worst %.2f hits %d\n', R(end, [1, 2, 5]), ...
           sum (R(end, 6:3:14) >= R(end, 7:3:14) & ...
                R(end, 6:3:14) <= R(end, 8:3:14)));
