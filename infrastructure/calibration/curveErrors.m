@@ -6,8 +6,8 @@
 % PROBLEM     struct of newProblem
 % CURVES      1 x C struct, one element a curve of which points are calibrated:
 %             own (1 x n, target numbers), value, sd (1 x n), distance (n x n,
-%             between the points), root (n x n, correlation of the scatter of
-%             the runs and of the errors of the surrogates along the curve),
+%             between the points), rough, smooth (n x n, correlation of the
+%             scatter of a run and of the errors of the surrogates),
 %             packingVar (1 x n, noise of the mean of the trials), scatter
 %             (logical: sd holds the packings), length (of the measurement's
 %             errors; NaN: unknown), lengths (1 x 2, the range in question
@@ -15,11 +15,11 @@
 %             free (columns of unknowns: of the length, of the size)
 % NFREE       how many unknowns there are in all
 %
-% A run's own curve scatters as one, since it is one packing: how far that is
-% correlated follows from the leave-one-out residuals of the surrogates, as an
-% exponential in the distance with the length of the largest likelihood.
+% A run's own curve scatters as one, since it is one packing; the errors of the
+% surrogates are smooth. How far each is alike follows from the leave-one-out
+% residuals (curveCorrelation).
 %
-% See also: curveLikelihood, parameterPosterior, measurementCovariance
+% See also: curveLikelihood, curveCorrelation, parameterPosterior, measurementCovariance
 
 function [curves, nFree] = curveErrors (surrogates, problem)
   curves = [];
@@ -31,7 +31,8 @@ function [curves, nFree] = curveErrors (surrogates, problem)
                 'sd', problem.sd(own), 'distance', abs (at' - at));
     c.packingVar = [surrogates(own).noiseVar] ./ problem.trials(own);
     c.scatter = any (problem.scatter(own));
-    c.root = scatterCorrelation (surrogates(own), c.distance);
+    [c.rough, c.smooth] = curveCorrelation (residuals (surrogates(own)), ...
+                                            c.distance);
     c.length = problem.correlation(own(1));
     steps = diff (unique (at));
     c.lengths = [min([steps, Inf]) / 3, max(at) - min(at)];
@@ -48,29 +49,13 @@ function [curves, nFree] = curveErrors (surrogates, problem)
   end
 end
 
-function R = scatterCorrelation (surrogates, D)
+% Where the surrogates stand on different runs they cannot be laid side by side.
+function E = residuals (surrogates)
   n = arrayfun (@(s) numel (s.looStd), surrogates);
-  R = ones (size (D));
-  if all (n == n(1)) && any (D(:) > 0)
+  E = zeros (0, numel (n));
+  if all (n == n(1))
     E = [surrogates.looStd];
-    E = E(all (isfinite (E), 2), :);
-    E = E ./ max (sqrt (mean (E.^2, 1)), eps);
-    span = max (D(:));
-    grid_ = logspace (log10 (min (D(D > 0)) / 3), log10 (30 * span), 40);
-    fit = arrayfun (@(l) profiled (E, exp (-D / l)), grid_);
-    [~, best] = max (fit);
-    R = exp (-D / grid_(best));
   end
-  R(1:rows (D) + 1:end) = 1 + 1e-6;
-end
-
-function fit = profiled (E, R)
-  [n, m] = size (E);
-  R(1:m + 1:end) = 1 + 1e-6;
-  root = chol (R, 'lower');
-  W = root \ E';
-  fit = -n * m / 2 * log (sumsq (W(:)) / (n * m)) - ...
-        n * sum (log (diag (root)));
 end
 
 %!test
@@ -89,7 +74,7 @@ end
 %! assert (nFree, 2);
 %! assert (c.free, [1, 2]);
 %! assert (c.packingVar, 2 * ones (1, 20));
-%! assert (c.root(1, 8), exp (-7 / 19 / 0.3), 0.2);
+%! assert (c.rough(1, 8), exp (-7 / 19 / 0.3), 0.35);
 %! problem.correlation(:) = 0.5;
 %! problem.sd(:) = 0.1;
 %! [c, nFree] = curveErrors (s, problem);

@@ -9,12 +9,12 @@
 %       to twice the tolerance, logarithmic)
 % FIT   n x 1  log density, normal
 %
-% Covariance: sd_i sd_j exp (-distance / length) of the measurement, plus that
-% of one packing and of the surrogates, sqrt (v_i v_j) times C.root, times the
-% variance of a Student variable with C.df degrees of freedom. No Student
-% density of the whole curve: its one unknown scale would be learned from the
-% curve itself, whose residuals are smoother than C.root has them, so that few
-% runs gave intervals that were too narrow (benchmarks/curveFewRuns.m).
+% Covariance: sd_i sd_j exp (-distance / length) of the measurement; one packing,
+% its standard deviations times C.rough; the surrogates, sqrt (v_i v_j) times
+% C.smooth. The last two are widened to the variance of a Student variable with
+% C.df degrees of freedom. No Student density of the whole curve: its one
+% unknown scale would be learned from the curve itself, which few runs fit well
+% where the surrogates are wrong (benchmarks/curveFewRuns.m).
 %
 % See also: curveErrors, parameterPosterior
 
@@ -23,20 +23,22 @@ function fit = curveLikelihood (c, m, v, free)
   fit = zeros (n, 1);
   R = correlation (c, c.length);
   S = (c.sd' * c.sd) .* R;
+  packing = c.packingVar;
   if c.scatter
     % the scatter of the trials holds their packings
-    v = v + max (c.packingVar - c.sd.^2, 0);
-  else
-    v = v + c.packingVar;
+    packing = max (packing - c.sd.^2, 0);
   end
   df = max (c.df, 3);
-  w = sqrt (v * df / (df - 2) + eps (max (c.value.^2)));
+  wider = df / (df - 2);
+  own = sqrt (wider * packing);
+  fixed = (own' * own) .* c.rough;
+  w = sqrt (wider * v + eps (max (c.value.^2)));
   isFree = columns (free) > 0;
   for i = 1:n
     if isFree
       S = covariance (c, R, free(i, :));
     end
-    root = chol (S + (w(i, :)' * w(i, :)) .* c.root);
+    root = chol (S + fixed + (w(i, :)' * w(i, :)) .* c.smooth);
     z = (c.value - m(i, :)) / root;
     fit(i) = -sum (log (diag (root))) - 0.5 * (z * z');
   end
@@ -63,8 +65,8 @@ function R = correlation (c, length)
 end
 
 %!shared c
-%! c = struct ('own', 1, 'value', 2, 'sd', 3, 'distance', 0, 'root', 1, ...
-%!             'packingVar', 4, 'scatter', false, 'length', 0, ...
+%! c = struct ('own', 1, 'value', 2, 'sd', 3, 'distance', 0, 'rough', 1, ...
+%!             'smooth', 1, 'packingVar', 4, 'scatter', false, 'length', 0, ...
 %!             'lengths', [1, 9], 'sdKnown', true, 'half', 5, 'df', 7, ...
 %!             'free', []);
 %!test
@@ -83,7 +85,7 @@ end
 %! two.sdKnown = true;
 %! two.scatter = false;
 %! [two.value, two.sd, two.packingVar] = deal ([2, 2], [3, 3], [0, 0]);
-%! [two.distance, two.root] = deal (zeros (2), eye (2));
+%! [two.distance, two.rough, two.smooth] = deal (zeros (2), eye (2), eye (2));
 %! two.length = 1;
 %! two.df = 1e6;
 %! g = @(m) curveLikelihood (two, [m, m], [0, 0], zeros (1, 0));
