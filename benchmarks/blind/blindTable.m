@@ -40,10 +40,10 @@ function text = ofVerdict (said)
                   said.posterior.unlisted, names{at}, p);
 end
 
-% Benches by their p, targets by their z, worst first; names as in the campaign.
+% Benches by their size, targets by their z, worst first; names as in the campaign.
 function text = ofPlaces (place)
   benches = place.models;
-  [~, order] = sort ([benches.p]);
+  [~, order] = sort (-[benches.size]);
   worst = {benches(order).model};
   used = place.targets(strcmp ({place.targets.role}, 'calibrate'));
   [~, order] = sort (-abs ([used.z]));

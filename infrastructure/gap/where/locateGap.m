@@ -13,7 +13,8 @@
 %       y - m, its standard deviation after fitting, their ratio, p-value
 %       corrected for looking at n targets (max-T bootstrap), share of a
 %       target's own error that parameters hide, and absorbability > 0.9
-%     benches (1 x B' struct: bench, p corrected for B' benches)
+%     benches (1 x B' struct: bench, p corrected for B' benches, size: root of
+%       the sum of squares of its residuals in standard deviations of the noise)
 %     conflict (benchConflicts), trends (trendContrasts), side (sideSignals)
 %     budget (noiseBudget), held (struct z, mean, sd of the held-out targets)
 %
@@ -71,27 +72,37 @@ function where = localise (where, view, r, simulated, bench, limits)
   fake = fake ./ where.sd;
   top = max (abs (fake), [], 2);
   % less than what the fit may leave by ending early
-  sure = sqrt (max (where.residual.^2 - limits.fitMargin * total, 0)) ./ ...
-         where.sd;
+  sure = sqrt (max (where.residual.^2 - limits.fitMargin * total, 0));
   for i = 1:numel (where.t)
-    where.pTarget(i) = (1 + sum (top >= sure(i))) / (numel (top) + 1);
+    where.pTarget(i) = (1 + sum (top >= sure(i) / where.sd(i))) / ...
+                       (numel (top) + 1);
   end
+  unit = sqrt (total);
+  where.benches = misfitOfBenches (view.Omega ./ (unit' * unit), ...
+                                   where.residual ./ unit, sure ./ unit, ...
+                                   fake .* where.sd ./ unit, bench);
+end
+
+% All in standard deviations of each target, whose units differ.
+function benches = misfitOfBenches (Omega, residual, sure, fake, bench)
   groups = unique (bench);
   own = zeros (1, numel (groups));
   fakes = zeros (rows (fake), numel (groups));
   for b = 1:numel (groups)
     at = bench == groups(b);
-    inner = pinv (view.Omega(at, at), 1e-3 * max (total(at)));
-    own(b) = where.residual(at) * inner * where.residual(at)';
-    F = fake(:, at) .* where.sd(at);
-    fakes(:, b) = sum ((F * inner) .* F, 2);
+    inner = pinv (Omega(at, at), 1e-3);
+    own(b) = residual(at) * inner * residual(at)';
+    fakes(:, b) = sum ((fake(:, at) * inner) .* fake(:, at), 2);
     if ~any (inner(:))
       % the parameters can move these targets anywhere, but for their limits
-      own(b) = max (sure(at));
-      fakes(:, b) = max (abs (fake(:, at)), [], 2);
+      own(b) = sumsq (sure(at));
+      fakes(:, b) = sumsq (fake(:, at), 2);
     end
   end
-  where.benches = benchTests (groups, own, fakes);
+  benches = benchTests (groups, own, fakes);
+  for b = 1:numel (groups)
+    benches(b).size = norm (residual(bench == groups(b)));
+  end
 end
 
 % Benches of different size are compared by their rank among the simulations.
@@ -132,7 +143,8 @@ end
 %! given.value(9) = given.value(9) + 5;
 %! gapProblem = newGapProblem (given);
 %! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
-%! em = fitEmulator (gapProblem, lab.plan (40, 2), options);
+%! data = lab.plan (40, 2);
+%! em = fitEmulator (gapProblem, data, options);
 %! models = makeHypotheses (gapProblem, em, options);
 %! fits = fitLibrary (models, given.value);
 %! where = locateGap (gapProblem, em, models, fits, options);
@@ -141,7 +153,20 @@ end
 %! assert (worst, 9);
 %! assert (where.pTarget(9) < 0.02);
 %! assert (where.benches(2).p < 0.05);
+%! [~, worst] = max ([where.benches.size]);
+%! assert (worst, 2);
 %! assert (isempty (where.held.z));
+%! % in another unit it is there too
+%! given.value(9) = 1e-4 * given.value(9);
+%! given.sd(9) = 1e-4 * gapProblem.sd(9);
+%! data.Z(:, 9) = 1e-4 * data.Z(:, 9);
+%! gapProblem = newGapProblem (given);
+%! em = fitEmulator (gapProblem, data, options);
+%! models = makeHypotheses (gapProblem, em, options);
+%! fits = fitLibrary (models, given.value);
+%! other = locateGap (gapProblem, em, models, fits, options);
+%! assert ([other.benches.p], [where.benches.p], 0.03);
+%! assert ([other.benches.size], [where.benches.size], 0.1);
 %!test
 %! % as many parameters as targets: an error that they can hide is no gap, one
 %! % out of their reach is, and its bench is named

@@ -60,9 +60,10 @@ function sayWhere (diagnosis, say)
                   gapProblem.targetNames{t}, gapProblem.value(t), ...
                   where.held.mean(i), where.held.z(i)));
   end
-  for b = where.benches
-    say (sprintf ('  bench %-22s p = %.3f', ...
-                  gapProblem.benchNames{b.bench}, b.p));
+  [~, order] = sort (-[where.benches.size]);
+  for b = where.benches(order)
+    say (sprintf ('  bench %-22s p = %.3f, off by %.1f sd', ...
+                  gapProblem.benchNames{b.bench}, b.p, b.size));
   end
   if ~isempty (where.conflict.odd)
     say (sprintf ('  %s disagrees with all other benches', ...
