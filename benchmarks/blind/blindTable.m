@@ -40,7 +40,7 @@ function text = ofVerdict (said)
                   said.posterior.unlisted, names{at}, p);
 end
 
-% Benches by their size, targets by their z, worst first; names as in the campaign.
+% Benches by size, targets by z, worst first; names as in the campaign.
 function text = ofPlaces (place)
   benches = place.models;
   [~, order] = sort (-[benches.size]);

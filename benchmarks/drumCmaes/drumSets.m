@@ -1,4 +1,4 @@
-% DRUMSETS  Runs sets of examples/granudrum and says how far each surface is off.
+% DRUMSETS  Runs sets of examples/granudrum, says how far each surface is off.
 %
 % CALL: octave-cli benchmarks/drumCmaes/drumSets.m WORK SETS OUT
 %

@@ -19,7 +19,7 @@
 % surrogates are smooth. How far each is alike follows from the leave-one-out
 % residuals (curveCorrelation).
 %
-% See also: curveLikelihood, curveCorrelation, parameterPosterior, measurementCovariance
+% See also: curveLikelihood, curveCorrelation, parameterPosterior
 
 function [curves, nFree] = curveErrors (surrogates, problem)
   curves = [];

@@ -9,12 +9,12 @@
 %       to twice the tolerance, logarithmic)
 % FIT   n x 1  log density, normal
 %
-% Covariance: sd_i sd_j exp (-distance / length) of the measurement; one packing,
-% its standard deviations times C.rough; the surrogates, sqrt (v_i v_j) times
-% C.smooth. The last two are widened to the variance of a Student variable with
-% C.df degrees of freedom. No Student density of the whole curve: its one
-% unknown scale would be learned from the curve itself, which few runs fit well
-% where the surrogates are wrong (benchmarks/curveFewRuns.m).
+% Covariance: sd_i sd_j exp (-distance / length) of the measurement; of one
+% packing, its standard deviations times C.rough; of the surrogates, sqrt (v_i
+% v_j) times C.smooth. The last two are widened to the variance of a Student
+% variable with C.df degrees of freedom. No Student density of the whole curve:
+% its one unknown scale would be learned from the curve itself, which few runs
+% fit well where the surrogates are wrong (benchmarks/curveFewRuns.m).
 %
 % See also: curveErrors, parameterPosterior
 

@@ -17,7 +17,7 @@
 % See also: curveErrors, curveLikelihood, errorCorrelation
 
 function [rough, smooth] = curveCorrelation (E, distance)
-  rough = smooth = ones (size (distance));
+  [rough, smooth] = deal (ones (size (distance)));
   E = E(all (isfinite (E), 2), :);
   if ~isempty (E) && any (distance(:) > 0)
     E = E ./ max (sqrt (mean (E.^2, 1)), eps);
@@ -44,7 +44,7 @@ function fit = likelihood (E, part, w, i)
   [root, flaw] = chol (R, 'lower');
   fit = -Inf;
   if ~flaw
-    fit = -n * m / 2 * log (sumsq ((root \ E')(:)) / (n * m)) - ...
+    fit = -n * m / 2 * log (sum (sumsq (root \ E')) / (n * m)) - ...
           n * sum (log (diag (root)));
   end
 end
