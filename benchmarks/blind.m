@@ -5,6 +5,7 @@
 %       octave-cli benchmarks/blind.m answer NAME PLACE [SECRET]
 %       octave-cli benchmarks/blind.m whole NAME PLACE SECRET
 %       octave-cli benchmarks/blind.m score NAME SECRET
+%       octave-cli benchmarks/blind.m where NAME
 %
 % campaign  runs what all cases share into benchmarks/data/blind.csv (WORK keeps
 %           the runs)
@@ -21,9 +22,11 @@
 % score     checks the digest, copies the truth, writes NAME-cases-scored.csv
 %           and NAME-scores.csv; NAME-whole is
 %           scored with the truth of NAME
+% where     orders benches and targets anew and scores that: NAME-where-...;
+%           no sealed answer, see blindWhere
 %
-% All tables lie in benchmarks/results. Each of the last three steps is
-% committed before the next begins. What is finished in a folder is used again.
+% All tables lie in benchmarks/results. Draw, answer and score are each committed
+% before the next begins. What is finished in a folder is used again.
 %
 % See also: blindDraw, blindForms, blindAnswer, blindScore
 
@@ -150,8 +153,12 @@ switch args{1}
     answerCases (root, stem, args{3}, args{4}, strcmp (args{1}, 'whole'));
   case 'score'
     scoreCases (root, stem, make_absolute_filename (args{3}));
+  case 'where'
+    lab = labOf (root, stem);
+    blindWhere (stem, lab);
+    blindScore ([stem, '-where'], [stem, '-truth.csv'], lab);
   otherwise
     error ('DEcalioc:blind:unknownName', ...
-           ['blind: campaign, draw, answer or score is wanted, got ''%s''. ' ...
-            'See the head of benchmarks/blind.m.'], args{1});
+           ['blind: campaign, draw, answer, whole, score or where is ' ...
+            'wanted, got "%s". See the head of benchmarks/blind.m.'], args{1});
 end

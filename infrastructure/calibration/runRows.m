@@ -25,7 +25,7 @@ function state = runRows (state, problem, evaluate, P, stage, E)
       E = repmat (problem.coarse.levels(end, :), rows (P), 1);
     end
     E = E(1:rows (P), :);
-    told = {stage, E};
+    told = {'calibration', E};
   end
   replicate = replicateNumbers (state.data, P, problem.limits);
   Z = evaluate (P, replicate, told{:});
@@ -85,7 +85,8 @@ end
 %! E = 2 - mod (0:7, 2)';
 %! data = addRows (newData (1, 1, 1), X, X + E, ones (8, 1), 'plan', E);
 %! state = newState (data, fitSurrogates (data, problem), []);
-%! f = @(P, r, stage, E) P + E;
+%! % for the records both are runs of the calibration
+%! f = @(P, r, stage, E) P + E + merge (strcmp (stage, 'calibration'), 0, NaN);
 %! state = runRows (state, problem, f, [0.5; 0.6], 'infill', [2; 1]);
 %! state = runRows (state, problem, f, 0.5, 'verify');
 %! assert (state.data.E(9:end), [2; 1; 1]);

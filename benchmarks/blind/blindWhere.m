@@ -1,0 +1,48 @@
+% BLINDWHERE  Says anew where the gap of each sealed case lies, its truth open.
+%
+% CALL: blindWhere (STEM, LAB)
+%
+%   STEM  path without ending: STEM-cases.csv, STEM-answers.csv and
+%         STEM-strengths.csv are read; STEM-where-answers.csv and
+%         STEM-where-strengths.csv written: the sealed answers with benches and
+%         targets in the order of today's code
+%   LAB   struct of blindLab; its surrogates stand in for those of the sealed
+%         diagnosis, which had a campaign of its own
+%
+% After a mistake in locateGap was mended. No sealed answer: nothing but the
+% order of benches and targets is new, and the truth was known.
+%
+% See also: blind, blindTable, locateGap
+
+function blindWhere (stem, lab)
+  [header, cells] = readCsvTable ([stem, '-cases.csv']);
+  rowsOf = cell2struct (cells, header, 2)';
+  [header, answers] = readCsvTable ([stem, '-answers.csv']);
+  for i = 1:rows (answers)
+    own = rowsOf(strcmp ({rowsOf.case}, answers{i, strcmp(header, 'case')}));
+    where = whereOf (own, lab);
+    [~, order] = sort (-[where.benches.size]);
+    worst = [where.benches(order).bench];
+    answers{i, strcmp(header, 'benches')} = ...
+      strjoin (lab.gapProblem.benchNames(worst), ' ');
+    [~, order] = sort (-abs (where.t));
+    worst = lab.gapProblem.used(order(1:4));
+    answers{i, strcmp(header, 'targets')} = ...
+      strjoin (lab.gapProblem.targetNames(worst), ' ');
+  end
+  lines = cellfun (@(k) strjoin (answers(k, :), ','), ...
+                   num2cell (1:rows (answers)), 'UniformOutput', false);
+  writeAtomic ([stem, '-where-answers.csv'], ...
+               strjoin ([{strjoin(header, ',')}, lines, {''}], "\n"));
+  copyfile ([stem, '-strengths.csv'], [stem, '-where-strengths.csv']);
+end
+
+function where = whereOf (own, lab)
+  gapProblem = lab.gapProblem;
+  [~, at] = ismember ({own.name}, gapProblem.targetNames);
+  gapProblem.value(at(at > 0)) = str2double ({own(at > 0).value});
+  options = setfield (lab.models.options, 'bootstrap', 199);
+  models = makeHypotheses (gapProblem, withoutEffects (lab.em), options);
+  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+  where = locateGap (gapProblem, lab.em, models, fits, options);
+end
