@@ -25,8 +25,8 @@
 % where     orders benches and targets anew and scores that: NAME-where-...;
 %           no sealed answer, see blindWhere
 %
-% All tables lie in benchmarks/results. Draw, answer and score are committed each
-% before the next one begins. What is finished in a folder is used again.
+% All tables lie in benchmarks/results. Draw, answer and score are committed
+% each before the next one begins. What is finished in a folder is used again.
 %
 % See also: blindDraw, blindForms, blindAnswer, blindScore
 
