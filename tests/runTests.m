@@ -22,38 +22,23 @@ function files = testFiles (root, pattern)
   end
 end
 
-% Those that kill programs or start a service of the machine have it to
-% themselves.
-function yes = needsQuiet (file)
-  [~, name] = fileparts (file);
-  yes = ~isempty (regexp (name, '^(slurm|faults|executors|commandKilled)'));
-end
-
-% The other ones by as many workers as there are processors, one file after the
-% other for each.
-function counts = runAll (files, root)
-  isQuiet = cellfun (@needsQuiet, files);
-  beside = files(~isQuiet);
-  alone = files(isQuiet);
-  n = min (nproc (), numel (beside));
-  if n < 2
-    alone = files;
-    beside = {};
+function [passed, failed, skipped] = runFile (file, root)
+  start = tic ();
+  log = tempname ();
+  % a function of an example or a model is found by its own test only
+  before = addpath (fileparts (file), '-end');
+  fid = fopen (log, 'w');
+  [passed, total, ~, skipped] = test (file, 'quiet', fid);
+  fclose (fid);
+  path (before);
+  failed = total - passed;
+  printf ('%-56s %3d of %3d  %4.0f s\n', strrep (file, [root, '/'], ''), ...
+          passed, total, toc (start));
+  if failed > 0 || skipped > 0
+    puts (fileread (log));
   end
-  counts = zeros (0, 3);
-  if ~isempty (beside)
-    lines = parcellfun (n, @(f) runTestFile (f, root), beside, ...
-                        'UniformOutput', false, 'VerboseLevel', 0);
-    counts = vertcat (lines{:});
-  end
-  for k = 1:numel (alone)
-    counts(end + 1, :) = runTestFile (alone{k}, root);
-  end
-  names = [beside, alone];
-  failing = strrep (names(counts(:, 2) > 0), [root, '/'], '');
-  if ~isempty (failing)
-    printf ('Failed, see above: %s\n', strjoin (failing, ', '));
-  end
+  fflush (stdout ());
+  unlink (log);
 end
 
 history_save (false);
@@ -67,12 +52,24 @@ if ~isempty (args)
 end
 scratch = tempname ();
 mkdir (scratch);
-setenv ('DECALIOC_SCRATCH', scratch);
+setenv ('TMPDIR', scratch);
 home = cd (scratch);
-counts = sum (runAll (testFiles (root, pattern), root), 1);
+counts = zeros (1, 3);
+failing = {};
+files = testFiles (root, pattern);
+for k = 1:numel (files)
+  [p, f, s] = runFile (files{k}, root);
+  counts = counts + [p, f, s];
+  if f > 0
+    failing{end + 1} = strrep (files{k}, [root, '/'], '');
+  end
+end
 cd (home);
 confirm_recursive_rmdir (false);
 rmdir (scratch, 's');
+if ~isempty (failing)
+  printf ('Failed, see above: %s\n', strjoin (failing, ', '));
+end
 if counts(3) > 0
   printf ('%d passed, %d failed, %d skipped\n', counts);
 else
