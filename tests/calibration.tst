@@ -37,6 +37,19 @@
 %!         again.demRuns.plan + again.demRuns.infill + again.demRuns.verify);
 
 %!test
+%! % a start that may run nothing takes the runs after the plan from the store
+%! % too, and gives the same set
+%! writeLoadInput (folder, 'Input.maxNewRuns = 0;');
+%! [status, ~, err] = startProgram (folder);
+%! writeLoadInput (folder);
+%! assert (err, '');
+%! assert (status, 0);
+%! again = calibrationOf (folder);
+%! assert (again.params, first.params);
+%! assert (again.demRuns, setfield (first.demRuns, 'reused', ...
+%!                                  again.demRuns.reused));
+
+%!test
 %! % the other ways to start: at the prompt, twice; by run, from elsewhere
 %! root = fileparts (which ('DEcalioc'));
 %! words = sprintf ('--eval %s', shellQuote (sprintf ( ...

@@ -43,6 +43,7 @@ function Z = bookedRuns (P, replicate, book, stage, E)
   Z(isnan (Z) & any (reshape (isLeftOut, size (records)), 2)) = NA;
   failed = ~strcmp ({records.status}, 'ok') & ~isLeftOut;
   ledger('models') = addSeconds (Case.models, records(:)');
+  ledger('isUsedUp') = ledger('isUsedUp') || any (isLeftOut);
   ledger('new') = ledger('new') + nNew;
   ledger('reused') = ledger('reused') + sum (isReused(:));
   ledger('failed') = ledger('failed') + sum (failed);
@@ -65,7 +66,9 @@ end
 %! evaluate = newEvaluate (Case, ledger, @(text) []);
 %! Z = evaluate ([1, 2; 3, 4], 1);
 %! assert (ledger('new'), 4);
+%! assert (ledger('isUsedUp'), false);
 %! Z = evaluate ([1, 2; 5, 6; 7, 8], 1);
+%! assert (ledger('isUsedUp'), true);
 %! assert (ledger('reused'), 2);
 %! assert (ledger('new'), 5);
 %! assert (Z, [3, 2, -1; 11, 30, NA; NA, NA, NA], 1e-12);
