@@ -24,11 +24,16 @@ function [rough, smooth] = curveCorrelation (E, distance)
     steps = [min(distance(distance > 0)), 3 * max(distance(:))];
     short = logspace (log10 (steps(1) / 3), log10 (steps(2)), 12);
     long = logspace (log10 (steps(1)), log10 (steps(2)), 12);
-    [a, b, w] = ndgrid (short, long, [0.01, 0.03, 0.1, 0.3, 0.6, 1]);
-    part = @(i) deal (exp (-distance / a(i)), exp (-(distance / b(i)).^2));
-    [~, best] = max (arrayfun (@(i) likelihood (E, part, w(i), i), ...
-                               1:numel (w)));
-    [rough, smooth] = part (best);
+    roughs = arrayfun (@(a) exp (-distance / a), short, ...
+                       'UniformOutput', false);
+    smooths = arrayfun (@(b) exp (-(distance / b).^2), long, ...
+                        'UniformOutput', false);
+    [a, b, w] = ndgrid (1:12, 1:12, [0.01, 0.03, 0.1, 0.3, 0.6, 1]);
+    [~, best] = max (arrayfun (@(a, b, w) likelihood ...
+                               (E, w * roughs{a} + (1 - w) * smooths{b}), ...
+                               a(:), b(:), w(:)));
+    rough = roughs{a(best)};
+    smooth = smooths{b(best)};
   end
   onDiagonal = 1:rows (distance) + 1:numel (distance);
   rough(onDiagonal) = 1 + 1e-6;
@@ -36,10 +41,8 @@ function [rough, smooth] = curveCorrelation (E, distance)
 end
 
 % Logarithmic, with the variance of the largest likelihood.
-function fit = likelihood (E, part, w, i)
-  [rough, smooth] = part (i);
+function fit = likelihood (E, R)
   [n, m] = size (E);
-  R = w * rough + (1 - w) * smooth;
   R(1:m + 1:end) = 1 + 1e-6;
   [root, flaw] = chol (R, 'lower');
   fit = -Inf;
