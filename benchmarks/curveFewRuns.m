@@ -9,7 +9,7 @@
 %          three parameters truth, low, high (90 % interval) in box widths
 %
 % Each seed draws a set from the box, takes its curve of 18 points as measured,
-% to a tolerance of 2 of its range, and calibrates three parameters on it as
+% to a tolerance of 2 % of its range, and calibrates three parameters on it as
 % DEcalioc does: plan of d + 3 or PLAN rows, infill, confirmation, all by
 % default. The curve is a rising profile whose height, slope and foot depend on
 % the parameters by a product, a saturation and a kink. A run scatters along the
