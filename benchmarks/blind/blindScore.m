@@ -2,7 +2,8 @@
 %
 % CALL: CASES = blindScore (STEM, TRUTH, LAB)
 %
-%   STEM   path without ending: STEM-answers.csv, STEM-strengths.csv are read;
+%   STEM   path without ending: STEM-answers.csv, STEM-strengths.csv are read
+%          (of blindWhere's answers those of the sealed study);
 %          STEM-cases-scored.csv and STEM-scores.csv written
 %   TRUTH  path of the truth of blindHandOver
 %   LAB    struct of blindLab
@@ -17,7 +18,7 @@
 function cases = blindScore (stem, truth, lab)
   truths = tableOf (truth);
   answers = tableOf ([stem, '-answers.csv']);
-  strengths = tableOf ([stem, '-strengths.csv']);
+  strengths = tableOf ([regexprep(stem, '-where$', ''), '-strengths.csv']);
   truths = truths(ismember ({truths.case}, {answers.case}));
   for i = 1:numel (truths)
     at = find (strcmp ({answers.case}, truths(i).case), 1);

@@ -40,16 +40,14 @@ function text = ofVerdict (said)
                   said.posterior.unlisted, names{at}, p);
 end
 
-% Benches by size, targets by z, worst first; names as in the campaign.
+% Benches and targets, worst first; names as in the campaign.
 function text = ofPlaces (place)
-  benches = place.models;
-  [~, order] = sort (-[benches.size]);
-  worst = {benches(order).model};
   used = place.targets(strcmp ({place.targets.role}, 'calibrate'));
-  [~, order] = sort (-abs ([used.z]));
-  names = strrep ({used(order).name}, 'Collapse_slope', 'collapseSlope');
+  names = strrep ({used.name}, 'Collapse_slope', 'collapseSlope');
   names = strrep (names, 'Heap_slope', 'heapSlope');
-  text = [strjoin(worst, ' '), ',', strjoin(names(1:min (end, 4)), ' ')];
+  [benches, targets] = blindPlaces ({place.models.model}, ...
+                                    [place.models.size], names, [used.z]);
+  text = [benches, ',', targets];
 end
 
 function text = ofClosure (far)

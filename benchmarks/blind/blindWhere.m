@@ -2,9 +2,8 @@
 %
 % CALL: blindWhere (STEM, LAB)
 %
-%   STEM  path without ending: STEM-cases.csv, STEM-answers.csv and
-%         STEM-strengths.csv are read; STEM-where-answers.csv and
-%         STEM-where-strengths.csv written: the sealed answers with benches and
+%   STEM  path without ending: STEM-cases.csv and STEM-answers.csv are read,
+%         STEM-where-answers.csv written: the sealed answers with benches and
 %         targets in the order of today's code
 %   LAB   struct of blindLab; its surrogates stand in for those of the sealed
 %         diagnosis, which had a campaign of its own
@@ -18,31 +17,27 @@ function blindWhere (stem, lab)
   [header, cells] = readCsvTable ([stem, '-cases.csv']);
   rowsOf = cell2struct (cells, header, 2)';
   [header, answers] = readCsvTable ([stem, '-answers.csv']);
+  options = setfield (lab.models.options, 'bootstrap', 199);
+  models = makeHypotheses (lab.gapProblem, withoutEffects (lab.em), options);
   for i = 1:rows (answers)
     own = rowsOf(strcmp ({rowsOf.case}, answers{i, strcmp(header, 'case')}));
-    where = whereOf (own, lab);
-    [~, order] = sort (-[where.benches.size]);
-    worst = [where.benches(order).bench];
-    answers{i, strcmp(header, 'benches')} = ...
-      strjoin (lab.gapProblem.benchNames(worst), ' ');
-    [~, order] = sort (-abs (where.t));
-    worst = lab.gapProblem.used(order(1:4));
-    answers{i, strcmp(header, 'targets')} = ...
-      strjoin (lab.gapProblem.targetNames(worst), ' ');
+    where = whereOf (own, lab, models, options);
+    benches = lab.gapProblem.benchNames([where.benches.bench]);
+    targets = lab.gapProblem.targetNames(lab.gapProblem.used);
+    [answers{i, strcmp(header, 'benches')}, ...
+     answers{i, strcmp(header, 'targets')}] = ...
+      blindPlaces (benches, [where.benches.size], targets, where.t);
   end
   lines = cellfun (@(k) strjoin (answers(k, :), ','), ...
                    num2cell (1:rows (answers)), 'UniformOutput', false);
   writeAtomic ([stem, '-where-answers.csv'], ...
                strjoin ([{strjoin(header, ',')}, lines, {''}], "\n"));
-  copyfile ([stem, '-strengths.csv'], [stem, '-where-strengths.csv']);
 end
 
-function where = whereOf (own, lab)
+function where = whereOf (own, lab, models, options)
   gapProblem = lab.gapProblem;
   [~, at] = ismember ({own.name}, gapProblem.targetNames);
   gapProblem.value(at(at > 0)) = str2double ({own(at > 0).value});
-  options = setfield (lab.models.options, 'bootstrap', 199);
-  models = makeHypotheses (gapProblem, withoutEffects (lab.em), options);
   fits = fitLibrary (models, gapProblem.value(gapProblem.used));
   where = locateGap (gapProblem, lab.em, models, fits, options);
 end
