@@ -32,15 +32,13 @@ function result = runSets (root, work)
   evaluate = newEvaluate (Case, newLedger (), @(text) disp (text));
   X = csvread (given{end - 1});
   Z = evaluate (X, ones (rows (X), 1), 'peer');
-  n = columns (Z) / 2;
-  D2 = (Z - [Case.targets.value]).^2;
-  csvwrite (given{end}, [X, sqrt(mean (D2(:, 1:n), 2)), ...
-                         sqrt(mean (D2(:, n + 1:end), 2))], ...
+  csvwrite (given{end}, [X, surfaceMiss(Z, [Case.targets.value])], ...
             'precision', '%.10g');
   result.exitStatus = 0;
 end
 
 root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
 addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+         fullfile (root, 'infrastructure', 'case'), ...
+         fullfile (root, 'examples', 'granudrum'));
 startMain (@(root, folder) runSets (root, argv (){end - 2}), root);

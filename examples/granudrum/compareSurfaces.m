@@ -7,15 +7,9 @@
 % without effects that was run most often (mean of its packings), the set that
 % is nearest at 15 rpm, at 45 rpm and over both.
 %
-% See also: predictSurfaces, measureBench
+% See also: surfaceMiss, predictSurfaces, measureBench
 
 1;
-
-function rms = missOf (Z, y)
-  n = columns (Z) / 2;
-  D2 = (Z - y).^2;
-  rms = sqrt ([mean(D2(:, 1:n), 2), mean(D2(:, n + 1:end), 2)]);
-end
 
 function sayRow (text, n, rms, params)
   printf ('| %s | %d | %.2f | %.2f | %s |\n', text, n, rms, ...
@@ -32,7 +26,7 @@ function result = compareCase (root, folder)
   printf ('| set | runs | rms at 15 rpm | at 45 rpm | %s |\n', ...
           strjoin (Case.names, ', '));
   puts ("|---|---|---|---|---|\n");
-  sayRow ('best trial of ACCES', 1, missOf (str2double (cells(:, 3))', y), ...
+  sayRow ('best trial of ACCES', 1, surfaceMiss (str2double (cells(:, 3))', y), ...
           [0.561, 0.293]);
   data = gatherRuns (Case);
   plain = all (data.E == neutralEffects (Case), 2) & ...
@@ -44,7 +38,7 @@ function result = compareCase (root, folder)
   for k = 1:rows (X)
     mean_(k, :) = mean (Z(which == k, :), 1);
   end
-  rms = missOf (mean_, y);
+  rms = surfaceMiss (mean_, y);
   [~, most] = max (count);
   [~, slow] = min (rms(:, 1));
   [~, fast] = min (rms(:, 2));
