@@ -26,8 +26,8 @@ function result = compareCase (root, folder)
   printf ('| set | runs | rms at 15 rpm | at 45 rpm | %s |\n', ...
           strjoin (Case.names, ', '));
   puts ("|---|---|---|---|---|\n");
-  sayRow ('best trial of ACCES', 1, surfaceMiss (str2double (cells(:, 3))', y), ...
-          [0.561, 0.293]);
+  acces = str2double (cells(:, 3))';
+  sayRow ('best trial of ACCES', 1, surfaceMiss (acces, y), [0.561, 0.293]);
   data = gatherRuns (Case);
   plain = all (data.E == neutralEffects (Case), 2) & ...
           all (isfinite (data.Z), 2);
