@@ -27,6 +27,7 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 LOW = np.array([0.2, 0.02, 0.21])
 HIGH = np.array([1.0, 0.90, 0.29])
+HEAD = ["generation", "sliding", "rolling", "solidShare", "rms15", "rms45"]
 
 
 def run_sets(work, sets):
@@ -59,7 +60,7 @@ def main():
               f"{best[1]:.3f}, {best[2]:.3f}, {best[3]:.3f}", flush=True)
         if given[3]:
             with open(given[3], "w", newline="") as f:
-                csv.writer(f).writerows([[f"{v:.6g}" for v in row] for row in table])
+                csv.writer(f).writerows([HEAD] + [[f"{v:.6g}" for v in row] for row in table])
 
 
 if __name__ == "__main__":
