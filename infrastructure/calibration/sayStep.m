@@ -9,7 +9,7 @@
 
 function text = sayStep (state)
   step = state.history(end);
-  text = sprintf ('%s %d: %d runs, residuals%s %%, probability %.2f', ...
+  text = sprintf ('%s %d: %d runs, residuals (%%)%s, probability %.2f', ...
                   step.stage, step.iteration, step.runs, ...
                   residualText (step.residual, ' %.2f'), step.probability);
 end
@@ -22,4 +22,4 @@ end
 %! state.found.probability = 0.5;
 %! state = bookStep (state, 'DEM', 2);
 %! assert (sayStep (state), ...
-%!         'DEM 2: 0 runs, residuals 1.00 -2.00 %, probability 0.50');
+%!         'DEM 2: 0 runs, residuals (%) 1.00 -2.00, probability 0.50');

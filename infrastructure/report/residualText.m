@@ -4,7 +4,7 @@
 %
 % RESIDUAL  T x 1; NaN: not measured yet
 % FORM      of sprintf, for one number
-% TEXT      all of them up to ten, else how many there are
+% TEXT      all of them up to ten, else the largest and how many there are
 %
 % See also: sayStep, reportIterations
 
@@ -13,9 +13,10 @@ function text = residualText (residual, form)
   if numel (residual) <= 10
     text = sprintf (form, residual);
   else
-    text = sprintf (' of %d targets', numel (residual));
+    text = sprintf ([' up to', form, ' in %d targets'], ...
+                    max (abs (residual)), numel (residual));
   end
 end
 
 %!assert (residualText ([0.01; NaN; -0.2], ' %.1f'), ' 1.0 -20.0')
-%!assert (residualText (-0.01 * (1:12)', ' %.0f'), ' of 12 targets')
+%!assert (residualText (-0.01 * (1:12)', ' %.0f'), ' up to 12 in 12 targets')
