@@ -46,7 +46,7 @@ function text = ofPlaces (place)
   names = strrep ({used.name}, 'Collapse_slope', 'collapseSlope');
   names = strrep (names, 'Heap_slope', 'heapSlope');
   [benches, targets] = blindPlaces ({place.models.model}, ...
-                                    [place.models.size], names, [used.z]);
+                                    [place.models.size], names, [used.size]);
   text = [benches, ',', targets];
 end
 

@@ -13,6 +13,9 @@
 %       y - m, its standard deviation after fitting, their ratio, p-value
 %       corrected for looking at n targets (max-T bootstrap), share of a
 %       target's own error that parameters hide, and absorbability > 0.9
+%     size   1 x n, |residual| in standard deviations of the noise of a target;
+%       z divides by what the fit leaves of it, which says how sure a residual
+%       is, not how large
 %     benches (1 x B' struct: bench, p corrected for B' benches, size: root of
 %       the sum of squares of its residuals in standard deviations of the noise)
 %     conflict (benchConflicts), trends (trendContrasts), side (sideSignals)
@@ -78,6 +81,7 @@ function where = localise (where, view, r, simulated, bench, limits)
                        (numel (top) + 1);
   end
   unit = sqrt (total);
+  where.size = abs (where.residual) ./ unit;
   where.benches = misfitOfBenches (view.Omega ./ (unit' * unit), ...
                                    where.residual ./ unit, sure ./ unit, ...
                                    fake .* where.sd ./ unit, bench);
@@ -151,6 +155,8 @@ end
 %! assert (where.p < 0.02);
 %! [~, worst] = max (abs (where.t));
 %! assert (worst, 9);
+%! [~, worst] = max (where.size);
+%! assert (worst, 9);
 %! assert (where.pTarget(9) < 0.02);
 %! assert (where.benches(2).p < 0.05);
 %! [~, worst] = max ([where.benches.size]);
@@ -167,6 +173,7 @@ end
 %! other = locateGap (gapProblem, em, models, fits, options);
 %! assert ([other.benches.p], [where.benches.p], 0.03);
 %! assert ([other.benches.size], [where.benches.size], 0.1);
+%! assert (other.size, where.size, 0.1);
 %!test
 %! % as many parameters as targets: an error that they can hide is no gap, one
 %! % out of their reach is, and its bench is named

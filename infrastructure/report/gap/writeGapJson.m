@@ -47,12 +47,14 @@ function s = whereOf (diagnosis)
     s.targets{end + 1} = target (gapProblem, t, 'calibrate', where.t(i), ...
                                  1 - where.absorbability(i), where.blind(i));
     s.targets{end}.p = where.pTarget(i);
+    s.targets{end}.size = where.size(i);
   end
   for i = 1:numel (gapProblem.heldOut)
     t = gapProblem.heldOut(i);
     s.targets{end + 1} = target (gapProblem, t, 'holdout', where.held.z(i), ...
                                  1, false);
     s.targets{end}.p = 2 * normalTail (abs (where.held.z(i)));
+    s.targets{end}.size = abs (where.held.z(i));
   end
   s.models = arrayfun (@(b) struct ('model', gapProblem.benchNames{b.bench}, ...
                                     'p', b.p, 'size', b.size), ...
