@@ -63,6 +63,7 @@ function c = flagsOf (truth, answer, strengths, lab)
   c.covered = c.hasStrength && holds (strengths, cause, truth.phi);
   c.closure = str2double (answer.closure);
   c.held = str2double (answer.held);
+  c.heldHi = str2double (answer.heldHi);
   c.placebo = str2double (answer.placebo);
   c.cureRight = any (ismember (strsplit (answer.cure, '+'), cause));
   c.known = ismember (cause, names);

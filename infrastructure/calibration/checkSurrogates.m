@@ -58,11 +58,13 @@ function lines = droppedLevels (state, problem)
                           1:numel (state.surrogates));
     if any (isDropped)
       where = namedValues (problem.coarse.variables, values(k, :));
-      lines{end + 1} = sprintf (['the runs at %s tell nothing of %d of %d ' ...
-                                 'targets at the last level (%s, ...): ' ...
-                                 'they are not used there'], where, ...
-                                sum (isDropped), numel (isDropped), ...
-                                state.surrogates(find (isDropped, 1)).name);
+      names = {state.surrogates(isDropped).name};
+      if numel (names) > 3
+        names = [names(1:3), sprintf('and %d more', numel (names) - 3)];
+      end
+      lines{end + 1} = sprintf (['the runs at %s tell nothing of %s at the ' ...
+                                 'last level: they are not used there'], ...
+                                where, strjoin (names, ', '));
     end
   end
 end
@@ -160,7 +162,9 @@ end
 %!                          'column', [1, 1]);
 %! state.surrogates(2).dropped = 1;
 %! lines = checkSurrogates (state, problem);
-%! assert (sum (! cellfun (@isempty, strfind (lines, 'scaleP = 3'))), 1);
+%! hit = lines(! cellfun (@isempty, strfind (lines, 'scaleP = 3')));
+%! assert (hit, {['the runs at scaleP = 3 tell nothing of ', s(2).name, ...
+%!                ' at the last level: they are not used there']});
 %! assert (isempty ([strfind(lines, 'scaleP = 2'){:}]));
 
 %!test

@@ -37,7 +37,8 @@ function s = fitLevels (X, z, level, limits, options)
                           level(ok & ~keep), s) + ...
             likelihoodOf (fine, X(keep, :), z(keep), level(keep), s);
     if apart > together + 3
-      s = fitPart (X, z, level, keep, limits, struct ());
+      s = fitPart (X, z, level, keep, limits, ...
+                   struct ('name', s.name));
       s.dropped = unique (level(ok & ~keep))';
       return
     end
@@ -100,6 +101,7 @@ end
 %! s = fitLevels (X, z, level, lim, struct ());
 %! assert (isempty (s.dropped));
 %! z(1:8) = 1 + 3 * rand (8, 1);
-%! s = fitLevels (X, z, level, lim, struct ());
+%! s = fitLevels (X, z, level, lim, struct ('name', 'mass'));
 %! assert (s.dropped, 1);
+%! assert (s.name, 'mass');
 %! assert (predictSurrogate (s, [0.4, 0.6]), truth ([0.4, 0.6]), 0.05);
