@@ -3,7 +3,7 @@
 % CALL: octave-cli benchmarks/blind.m campaign WORK
 %       octave-cli benchmarks/blind.m draw NAME SECRET [CASES] [yade]
 %       octave-cli benchmarks/blind.m answer NAME PLACE [SECRET]
-%       octave-cli benchmarks/blind.m whole NAME PLACE SECRET
+%       octave-cli benchmarks/blind.m whole NAME PLACE SECRET [STEP]
 %       octave-cli benchmarks/blind.m score NAME SECRET
 %       octave-cli benchmarks/blind.m where NAME
 %
@@ -17,8 +17,9 @@
 % answer    makes a case folder for each in PLACE, diagnoses it with
 %           diagnoseGap.m, without new runs, the folder SECRET hidden; writes
 %           NAME-answers.csv and NAME-strengths.csv
-% whole     the same for every seventh case with 105 new runs of LIGGGHTS, cures
-%           among them; writes NAME-whole-answers.csv, NAME-whole-strengths.csv
+% whole     the same for every STEP-th case (7) with 75 new runs of LIGGGHTS, a
+%           bench each, cures among them; writes NAME-whole-answers.csv,
+%           NAME-whole-strengths.csv
 % score     checks the digest, copies the truth, writes NAME-cases-scored.csv
 %           and NAME-scores.csv; NAME-whole is
 %           scored with the truth of NAME
@@ -89,12 +90,12 @@ function [truths, isNew] = drawnBefore (secret, lab, n, draw)
   truths = load (file).truths;
 end
 
-function answerCases (root, stem, place, secret, isWhole)
+function answerCases (root, stem, place, secret, step)
   runs = fullfile (root, 'benchmarks', 'data', 'blind.csv');
   folders = blindCases (stem, runs, make_absolute_filename (place));
   numbers = 1:numel (folders);
-  if isWhole
-    numbers = 1:7:numel (folders);
+  if ~isempty (step)
+    numbers = 1:step:numel (folders);
     folders = folders(numbers);
     cellfun (@allowRuns, folders);
     stem = [stem, '-whole'];
@@ -117,7 +118,7 @@ end
 
 function allowRuns (folder)
   file = fullfile (folder, 'loadInput.m');
-  text = strrep (fileread (file), 'maxNewRuns = 0', 'maxNewRuns = 105');
+  text = strrep (fileread (file), 'maxNewRuns = 0', 'maxNewRuns = 75');
   writeAtomic (file, strrep (text, 'maxCPU = 2', 'maxCPU = 1'));
 end
 
@@ -138,7 +139,7 @@ end
 history_save (false);
 addpath (fileparts (mfilename ('fullpath')));
 root = startBenchmarks ();
-args = [argv()', {'', '', ''}];
+args = [argv()', {'', '', '', ''}];
 stem = fullfile (root, 'benchmarks', 'results', args{2});
 switch args{1}
   case 'campaign'
@@ -149,8 +150,14 @@ switch args{1}
       n = 60;
     end
     drawCases (root, stem, make_absolute_filename (args{3}), n);
-  case {'answer', 'whole'}
-    answerCases (root, stem, args{3}, args{4}, strcmp (args{1}, 'whole'));
+  case 'answer'
+    answerCases (root, stem, args{3}, args{4}, []);
+  case 'whole'
+    step = str2double (args{5});
+    if isnan (step)
+      step = 7;
+    end
+    answerCases (root, stem, args{3}, args{4}, step);
   case 'score'
     scoreCases (root, stem, make_absolute_filename (args{3}));
   case 'where'

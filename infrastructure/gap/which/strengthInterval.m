@@ -13,9 +13,9 @@
 % prior, by a kernel estimate that reflects at the limits) is above exp (-1.353)
 % of the largest: half the 90 % point of chi2 with one degree. On a normal
 % likelihood that is the 90 % interval. An interval of a given posterior mass
-% never holds a strength at the end of its range where the data say little; on
-% left-out LIGGGHTS runs it held 82 % where this one holds 89 % at equal width
-% (benchmarks/leftOut).
+% never holds a strength at the end of its range where the data say little; when
+% this one was chosen, it held 89 % of the strengths of left-out LIGGGHTS runs and
+% that one 82 %, at equal width (docs/gap-figures.md has today's share).
 %
 % See also: weightedQuantile, caseEvidence
 
