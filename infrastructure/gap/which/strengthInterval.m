@@ -14,8 +14,8 @@
 % of the largest: half the 90 % point of chi2 with one degree. On a normal
 % likelihood that is the 90 % interval. An interval of a given posterior mass
 % never holds a strength at the end of its range where the data say little; when
-% this one was chosen, it held 89 % of the strengths of left-out LIGGGHTS runs and
-% that one 82 %, at equal width (docs/gap-figures.md has today's share).
+% this one was chosen, it held 89 % of the strengths of left-out LIGGGHTS runs
+% and that one 82 %, at equal width (docs/gap-figures.md has today's share).
 %
 % See also: weightedQuantile, caseEvidence
 
