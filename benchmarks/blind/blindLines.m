@@ -6,7 +6,7 @@
 %
 % Prints and writes each share with its 95 % Clopper-Pearson interval.
 %
-% See also: blindScore, binomialInterval
+% See also: blindScore, writeShares
 
 function blindLines (file, cases)
   s = struct ('d', [cases.d], 'null', [cases.null], 'own', [cases.own], ...
@@ -53,7 +53,7 @@ function blindLines (file, cases)
             'held-out closure >= 0.8 where named right', closed, cured, ...
             ''; ...
             'the same: its 90 % interval reaches 0.8', reaches, cured, ''}];
-  report (file, lines);
+  writeShares (file, lines);
 end
 
 function lines = overLevels (s)
@@ -64,20 +64,4 @@ function lines = overLevels (s)
     lines(i, :) = {sprintf('right effect or its group, d %g to %g', ...
                            edges(i), edges(i + 1)), s.right, here, ''};
   end
-end
-
-function report (file, lines)
-  out = {'figure,hits,cases,share,lo95,hi95,target'};
-  for i = 1:rows (lines)
-    k = sum (lines{i, 2} & lines{i, 3});
-    n = sum (lines{i, 3});
-    [lo, hi] = binomialInterval (k, n);
-    printf ('%-52s %3d / %3d = %5.1f %%  [%5.1f, %5.1f]  %s\n', ...
-            lines{i, 1}, k, n, 100 * k / max (n, 1), 100 * lo, 100 * hi, ...
-            lines{i, 4});
-    out{end + 1} = sprintf ('%s,%d,%d,%.4f,%.4f,%.4f,%s', ...
-                            strrep (lines{i, 1}, ',', ';'), k, n, ...
-                            k / max (n, 1), lo, hi, lines{i, 4});
-  end
-  writeAtomic (file, [strjoin(out, "\n"), "\n"]);
 end

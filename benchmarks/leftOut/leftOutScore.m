@@ -4,7 +4,7 @@
 %
 %   FILE   path of the CSV file of figures;  CASES  1 x n struct of leftOutCase
 %
-% See also: leftOut, binomialInterval
+% See also: leftOut, writeShares
 
 function leftOutScore (file, cases)
   s = flags (cases);
@@ -26,19 +26,7 @@ function leftOutScore (file, cases)
     lines(end + 1, :) = {['  withheld or wrong: ', guard{1}], ...
                          strcmp(s.guard, guard{1}) & ~s.right, sure, ''};
   end
-  out = {'figure,hits,cases,share,lo95,hi95,target'};
-  for i = 1:rows (lines)
-    k = sum (lines{i, 2} & lines{i, 3});
-    n = sum (lines{i, 3});
-    [lo, hi] = binomialInterval (k, n);
-    printf ('%-42s %3d / %3d = %5.1f %%  [%5.1f, %5.1f]  %s\n', ...
-            lines{i, 1}, k, n, 100 * k / max (n, 1), 100 * lo, 100 * hi, ...
-            lines{i, 4});
-    out{end + 1} = sprintf ('%s,%d,%d,%.4f,%.4f,%.4f,%s', ...
-                            strrep (lines{i, 1}, ',', ';'), k, n, ...
-                            k / max (n, 1), lo, hi, lines{i, 4});
-  end
-  writeAtomic (file, [strjoin(out, "\n"), "\n"]);
+  writeShares (file, lines);
 end
 
 function s = flags (cases)

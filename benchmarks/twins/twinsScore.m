@@ -10,7 +10,7 @@
 % Prints the figures of merit with 95 % Clopper-Pearson intervals; twinsCurves
 % gives them over the signal to noise d.
 %
-% See also: twins, binomialInterval
+% See also: twins, writeShares
 
 function twinsScore (name, twins, verdicts, labs, linesOf)
   if nargin < 5
@@ -19,14 +19,8 @@ function twinsScore (name, twins, verdicts, labs, linesOf)
   s = twinsFlags (twins, verdicts);
   s.score = scoresOf (twins, verdicts);
   writeCases ([name, '.csv'], twins, verdicts, labs, s);
-  id = fopen ([name, '-scores.csv'], 'w');
-  fprintf (id, 'figure,hits,cases,share,lo95,hi95,target\n');
-  lines = linesOf (s);
-  for i = 1:rows (lines)
-    report (id, lines{i, 1}, lines{i, 2}, lines{i, 3}, lines{i, 4});
-  end
-  reportScores (id, s.score);
-  fclose (id);
+  writeShares ([name, '-scores.csv'], linesOf (s));
+  addScores ([name, '-scores.csv'], s.score);
   printf ('median %.2f s a diagnosis, longest %.2f s\n', ...
           median ([verdicts.seconds]), max ([verdicts.seconds]));
 end
@@ -51,16 +45,6 @@ function lines = standInLines (s)
            '90 % interval of strength holds it', s.covered, s.single, ...
            '0.85 - 0.95'; ...
            'a gap was seen, d >= 4', ~s.noGap, strong, ''};
-end
-
-function report (id, name, hits, cases, target)
-  k = sum (hits & cases);
-  n = sum (cases);
-  [lo, hi] = binomialInterval (k, n);
-  fprintf (id, '%s,%d,%d,%.4f,%.4f,%.4f,%s\n', strrep (name, ',', ';'), ...
-           k, n, k / max (n, 1), lo, hi, target);
-  printf ('%-45s %3d / %3d = %5.1f %%  [%5.1f, %5.1f]  %s\n', name, k, n, ...
-          100 * k / max (n, 1), 100 * lo, 100 * hi, target);
 end
 
 % Log and Brier score of the truth among null, effects, pair and unlisted, and
@@ -88,14 +72,16 @@ function score = scoresOf (twins, verdicts)
   end
 end
 
-function reportScores (id, score)
+function addScores (file, score)
   average = mean (score, 1);
   names = {'log score', 'Brier score', 'log score of the prior', ...
            'Brier score of the prior'};
+  id = fopen (file, 'a');
   for k = 1:4
     fprintf (id, '%s,,%d,%.4f,,,\n', names{k}, rows (score), average(k));
-    printf ('%-45s %.3f\n', names{k}, average(k));
+    printf ('%-55s %.3f\n', names{k}, average(k));
   end
+  fclose (id);
 end
 
 function writeCases (file, twins, verdicts, labs, s)
