@@ -104,7 +104,7 @@ function draw (file, names, levels, table, nShares)
   for k = 1:numel (names)
     has = squeeze (table(k, :, 2)) > 0;
     unit = 1 + 99 * (k <= nShares);
-    part = unit * squeeze (table(k, has, 3:5))';
+    part = unit * reshape (table(k, has, 3:5), [], 3)';
     curve = struct ('x', levels(has), 'y', part(1, :), 'lo', part(2, :), ...
                     'hi', part(3, :));
     panels(k) = struct ('title', names{k}, 'xlabel', 'd', 'ylabel', '%', ...
