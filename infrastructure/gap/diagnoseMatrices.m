@@ -59,7 +59,8 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
     state = pauseRuns (state, verdict.kind);
     group = [causes{1}, verdict.effects];
     [sets, state] = runCorrections (view, causes, state);
-    if all ([sets.verified])
+    isPlacebo = cellfun (@(h) ~any (ismember (h, group)), causes);
+    if all ([sets([true, ~isPlacebo]).verified])
       [verdict, w] = correctionEvidence (verdict, w, view, state.data);
     end
     first = causes{1};

@@ -3,8 +3,9 @@
 % CALL: STATE = spendRuns (STATE, GAPPROBLEM, THETA, PHI, REPLICATE, STAGE)
 %
 %   STATE       struct: data (X, E, Z, replicate, and stage where it has one),
-%               evaluate (handle, [] = none), left (runs that may still be
-%               made), spent, failed
+%               evaluate (handle, [] = none), left (sets that may still be
+%               run: one that fails was run twice, see runJobs), spent,
+%               failed
 %   GAPPROBLEM  struct of newGapProblem
 %   THETA       n x p, parameters in [-1, 1];  PHI  n x K, strengths
 %   REPLICATE   n x 1
@@ -38,9 +39,10 @@ function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
   if isfield (state.data, 'stage')
     state.data.stage = [state.data.stage; repmat({stage}, sum (isTried), 1)];
   end
-  state.left = state.left - n;
+  nFailed = sum (any (isnan (Z(isTried, :)), 2));
+  state.left = max (state.left - n - nFailed, 0);
   state.spent = state.spent + sum (isTried);
-  state.failed = state.failed + sum (any (isnan (Z(isTried, :)), 2));
+  state.failed = state.failed + nFailed;
 end
 
 %!test
@@ -59,6 +61,16 @@ end
 %! state = spendRuns (state, gapProblem, zeros (1, 4), zeros (1, 10), 1, ...
 %!                    'cure');
 %! assert (state.data.Z(end, :), ones (1, 24));
+%!test % a failed set has taken the runs of two
+%! lab = standInGap (0);
+%! given = setfield (lab.gapProblem, 'value', ones (1, 24));
+%! gapProblem = newGapProblem (given);
+%! state = struct ('data', lab.plan (5, 0), 'left', 9, 'spent', 0, ...
+%!                 'failed', 0);
+%! state.evaluate = @(X, E, r) [NaN; 1; NaN] * ones (1, 24);
+%! state = spendRuns (state, gapProblem, zeros (3, 4), zeros (3, 10), ...
+%!                    ones (3, 1));
+%! assert ([state.spent, state.failed, state.left], [3, 2, 4]);
 %!test % a table of runs that tells the stage of each goes on telling it
 %! lab = standInGap (0);
 %! given = setfield (lab.gapProblem, 'value', ones (1, 24));

@@ -165,6 +165,9 @@ function sayHowFar (diagnosis, say)
     if isfinite (p.heldOut)
       held = sprintf (' (held out %.0f %%)', 100 * p.heldOut);
     end
+    if cure.verifiedByDEM && ~p.verifiedByDEM
+      held = [held, ', on the surrogates'];
+    end
     say (sprintf ('  placebo %-18s closes %.0f %%%s', p.effect, ...
                   100 * p.closure, held));
   end

@@ -112,6 +112,10 @@ function html = closureTable (page, cure)
   placebos = jsonAt (cure, {'placebos'});
   for k = 1:numel (placebos)
     name = ['placebo ', htmlText(jsonAt (placebos, {k, 'effect'}))];
+    if isequal (jsonAt (cure, {'verifiedByDEM'}), true) && ...
+       isequal (jsonAt (placebos, {k, 'verifiedByDEM'}), false)
+      name = [name, ' (on the surrogates)'];
+    end
     at = @(field) pageNumber (page, 'percent', 'gap', 'howFar', ...
                               'placebos', k, field);
     cells(end + 1, :) = {[name, ', calibrated'], '', '', '', ...
