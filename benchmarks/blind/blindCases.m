@@ -4,7 +4,8 @@
 %
 %   STEM     path without ending, as of blindHandOver
 %   RUNS     path of the campaign that all cases share; PLACE gets a copy, its
-%            results named as in results.csv of the benches
+%            results named as in results.csv of the benches, so that new runs
+%            can follow (blind.m whole)
 %   PLACE    folder for the case folders; those that are there stay
 %   FOLDERS  1 x N cell of paths: loadInput.m, loadEffects.m, measured.csv and
 %            runs.csv, nothing else
@@ -44,10 +45,12 @@ function folders = blindCases (stem, runs, place)
   end
 end
 
-% The campaign tells the slopes of two benches apart by names of its own.
+% The campaign tells the slopes of two benches apart by names of its own, and
+% has the height of the heap under an old one.
 function text = renamed (text, collapse, heap)
   text = strrep (text, 'collapseSlope', collapse);
   text = strrep (text, 'heapSlope', heap);
+  text = strrep (text, 'heapHeight', 'height');
 end
 
 function lines = textOf (file)
@@ -77,11 +80,11 @@ end
 %! cases = fileread ([stem, '-cases.csv']);
 %! assert (strfind (cases, '1,Heap,slope,4,1.41421,2,calibrate') > 0);
 %! assert (strfind (cases, '2,Heap,height,,2.82843,2,holdout') > 0);
-%! writeAtomic (fullfile (folder, 'runs'), "model,heapSlope\n");
+%! writeAtomic (fullfile (folder, 'runs'), "model,heapSlope,heapHeight\n");
 %! folders = blindCases (stem, fullfile (folder, 'runs'), ...
 %!                       fullfile (folder, 'cases'));
 %! assert (fileread (fullfile (folders{1}, 'runs.csv')), ...
-%!         "model,Heap_slope\n");
+%!         "model,Heap_slope,height\n");
 %! found = setdiff (readdir (folders{2})', {'.', '..'});
 %! assert (found, {'loadEffects.m', 'loadInput.m', 'measured.csv', 'runs.csv'});
 %! list = fileread (fullfile (folders{2}, 'loadEffects.m'));

@@ -1,11 +1,13 @@
 % COMPARESURFACES  Prints how far simulated surfaces are from the measured ones.
 %
-% CALL: octave-cli compareSurfaces.m
+% CALL: octave-cli compareSurfaces.m [OFFSET]
 %
 % Root mean square of z over the 27 places of measured.csv, |x| <= 26 mm, at 15
 % and 45 rpm: the best trial of ACCES (acces.csv), and of runs.csv the set
 % without effects that was run most often (mean of its packings), the set that
-% is nearest at 15 rpm, at 45 rpm and over both.
+% is nearest at 15 rpm, at 45 rpm and over both. Then the sets that
+% diagnoseGap.m compared (cureRuns.csv), those of optics by a surface that is
+% read OFFSET mm (0) further out.
 %
 % See also: surfaceMiss, predictSurfaces, measureBench
 
@@ -15,6 +17,28 @@ function sayRow (text, n, rms, params)
   printf ('| %s | %d | %.2f | %.2f | %s |\n', text, n, rms, ...
           strjoin (arrayfun (@(p) sprintf ('%.3f', p), params, ...
                              'UniformOutput', false), ', '));
+end
+
+function compareCures (Case, file, offset)
+  runs = importRuns (file, Case);
+  y = [Case.targets.value];
+  n = numel (y) / 2;
+  out = offset ./ [repmat(cosd (41), 1, n), repmat(cosd (55), 1, n)];
+  [sets, ~, which] = unique ([runs.X, runs.E], 'rows');
+  for k = 1:rows (sets)
+    z = mean (runs.Z(which == k, :), 1);
+    x = sets(k, 1:numel (Case.names));
+    isPlain = isequal (sets(k, numel (x) + 1:end), neutralEffects (Case));
+    text = 'compared';
+    if ~isPlain
+      text = 'compared, with an effect';
+    end
+    sayRow (text, sum (which == k), surfaceMiss (z, y), x);
+    if isPlain && offset ~= 0
+      sayRow (sprintf ('the same, read %.2f mm out', offset), ...
+              sum (which == k), surfaceMiss (z + out, y), x);
+    end
+  end
 end
 
 function result = compareCase (root, folder)
@@ -49,6 +73,8 @@ function result = compareCase (root, folder)
   for i = 1:4
     sayRow (texts{i}, count(at(i)), rms(at(i), :), X(at(i), :));
   end
+  given = [argv()', {'0'}];
+  compareCures (Case, fullfile (folder, 'cureRuns.csv'), str2double (given{1}));
   printf ('%d runs without effects, %d with\n', sum (plain), ...
           rows (data.X) - sum (all (data.E == neutralEffects (Case), 2)));
   result.exitStatus = 0;

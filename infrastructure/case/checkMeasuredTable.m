@@ -105,12 +105,16 @@ function p = checkNames (groups, taken)
 end
 
 % What is known of the results: results.csv, and the fields that getResults
-% returned without a run.
+% returned without a run. A series of results.csv is measured as a series only.
 function p = checkResults (groups, models)
   p = checkFault ();
   for g = groups
     m = models(g.model);
-    known = unique ([namesOf(m.folder), m.fields]);
+    [names, series] = namesOf (m.folder);
+    known = unique ([names, m.fields]);
+    if ~isempty (g.series)
+      known = unique ([known, series]);
+    end
     if isempty (m.folder) || (isempty (known) && isnan (m.count)) || ...
        any (ismember ({g.result, g.series}, known))
       continue
@@ -127,16 +131,17 @@ function p = checkResults (groups, models)
   end
 end
 
-function names = namesOf (folder)
-  names = {};
+function [names, series] = namesOf (folder)
+  [names, series] = deal ({});
   try
     info = resultInfo (folder);
   catch
     return
   end
   if ~isempty (info)
-    names = unique ([{info.name}, {info.series}]);
-    names = names(~cellfun (@isempty, names));
+    names = {info.name};
+    series = unique ({info.series});
+    series = series(~cellfun (@isempty, series));
   end
 end
 
@@ -180,3 +185,18 @@ end
 %! assert (isempty (check ([text, "Drum,a,1,0.1\n"], struct (), models)));
 %! same (check ([text, "Drum,densityP,1,0.1\n"], struct (), models), ...
 %!       'measuredName');
+%!test
+%! % what results.csv names as a series is no result of its own
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'results.csv'), ...
+%!              "name,kind,unit,series,at,text\ntop,height,m,w,1,t\n");
+%! model = struct ('name', 'Toy', 'folder', folder, 'count', 1, ...
+%!                 'fields', {{}});
+%! assert (isempty (check ("name,value,tol\ntop,1,0.1\n", struct (), model)));
+%! assert (isempty (check ("name,series,at,value\n,w,1,3\n,w,2,4\n", ...
+%!                         struct ('tolRes', 0.1), model)));
+%! faults = check ("name,value,tol\nw,1,0.1\n", struct (), model);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+%! same (faults, 'measuredResult');

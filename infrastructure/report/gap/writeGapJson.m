@@ -121,6 +121,8 @@ function s = howFarOf (cure, gapProblem)
                         'interval90', h.interval90);
   end
   s.placebos = num2cell (cure.placebos);
+  names = strsplit (cure.effect, ' + ');
+  s.strength = cell2struct (num2cell (cure.phi(:)), names(:), 1);
   s.params = struct ();
   for j = 1:numel (gapProblem.names)
     s.params.(gapProblem.names{j}) = cure.params(:, j)';
