@@ -17,13 +17,11 @@ function blindWhere (stem, lab)
   [header, cells] = readCsvTable ([stem, '-cases.csv']);
   rowsOf = cell2struct (cells, header, 2)';
   [header, answers] = readCsvTable ([stem, '-answers.csv']);
-  options = setfield (lab.models.options, 'bootstrap', 199);
-  models = makeHypotheses (lab.gapProblem, withoutEffects (lab.em), options);
   for i = 1:rows (answers)
     own = rowsOf(strcmp ({rowsOf.case}, answers{i, strcmp(header, 'case')}));
-    where = whereOf (own, lab, models, options);
+    [where, used] = whereOf (own, lab);
     benches = lab.gapProblem.benchNames([where.benches.bench]);
-    targets = lab.gapProblem.targetNames(lab.gapProblem.used);
+    targets = lab.gapProblem.targetNames(used);
     [answers{i, strcmp(header, 'benches')}, ...
      answers{i, strcmp(header, 'targets')}] = ...
       blindPlaces (benches, [where.benches.size], targets, where.size);
@@ -34,10 +32,16 @@ function blindWhere (stem, lab)
                strjoin ([{strjoin(header, ',')}, lines, {''}], "\n"));
 end
 
-function where = whereOf (own, lab, models, options)
+% USED  targets of the case that are calibrated on and were measured
+function [where, used] = whereOf (own, lab)
   gapProblem = lab.gapProblem;
-  [~, at] = ismember ({own.name}, gapProblem.targetNames);
-  gapProblem.value(at(at > 0)) = str2double ({own(at > 0).value});
-  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+  [isThere, at] = ismember (gapProblem.targetNames, {own.name});
+  gapProblem.value(:) = NaN;
+  gapProblem.value(isThere) = str2double ({own(at(isThere)).value});
+  used = gapProblem.used(isfinite (gapProblem.value(gapProblem.used)));
+  gapProblem.used = used;
+  options = setfield (lab.models.options, 'bootstrap', 199);
+  models = makeHypotheses (gapProblem, withoutEffects (lab.em), options);
+  fits = fitLibrary (models, gapProblem.value(used));
   where = locateGap (gapProblem, lab.em, models, fits, options);
 end
