@@ -93,8 +93,8 @@ function [d, parts] = detectable (truth, lab)
 end
 
 % The bench and the target with the largest true discrepancy: are they among the
-% first two that the answer tells? The laboratory has the height of the heap under
-% an old name, see blindCases.
+% first two that the answer tells? The laboratory has the height of the heap
+% under an old name, see blindCases.
 function [bench, target] = isPlaced (parts, answer, lab)
   gapProblem = lab.gapProblem;
   [~, worst] = max (parts);

@@ -15,7 +15,7 @@
 %     where    of locateGap
 %     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)
 %     which    of describeVerdict, and expected (calibrateVerdict)
-%     howFar   of measureCorrection ([] where nothing can be compared)
+%     howFar   of proveCause ([] where nothing can be compared)
 %     next     of nextTest
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %
@@ -24,8 +24,8 @@
 %
 % Errors: those of newGapProblem, strengthOfValues and fitEmulator
 %
-% See also: diagnoseGap, locateGap, caseEvidence, judgeCase, correctionEvidence,
-% measureCorrection, nextTest
+% See also: diagnoseGap, locateGap, caseEvidence, judgeCase, proveCause,
+% nextTest
 
 function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   if nargin < 3
@@ -53,25 +53,8 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   diagnosis.screen = w.screen;
   diagnosis.screen.names = view.models.names;
   diagnosis.screen.untested = {em.effect(~kept).name};
-  diagnosis.howFar = [];
-  causes = comparedCauses (verdict);
-  if ~isempty (causes)
-    state = pauseRuns (state, verdict.kind);
-    group = [causes{1}, verdict.effects];
-    [sets, state] = runCorrections (view, causes, state);
-    isPlacebo = cellfun (@(h) ~any (ismember (h, group)), causes);
-    if all ([sets([true, ~isPlacebo]).verified])
-      [verdict, w] = correctionEvidence (verdict, w, view, state.data);
-    end
-    first = causes{1};
-    if ~isempty (verdict.effects) && ~isequal (verdict.effects, first)
-      first = verdict.top;
-    end
-    if ~any (cellfun (@(h) isequal (h, first), causes))
-      first = causes{1};
-    end
-    diagnosis.howFar = measureCorrection (view, sets, first, group);
-  end
+  view.w = w;
+  [verdict, w, diagnosis.howFar, state] = proveCause (verdict, view, state);
   verdict = doubtName (verdict, diagnosis, view.models);
   diagnosis.which = describeVerdict (w, verdict, view.models, gapProblem);
   diagnosis.which.expected = ...
@@ -156,33 +139,6 @@ function verdict = judgeSurer (view)
   end
   sure = viewOf (view.gapProblem, em, view.models.options);
   verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);
-end
-
-% Only a cause that is named is worth DEM runs.
-function state = pauseRuns (state, kind)
-  if ~any (strcmp (kind, {'named', 'group'}))
-    state.evaluate = [];
-  end
-end
-
-% The cause, or each of the three likeliest of a group; then two placebos.
-function causes = comparedCauses (verdict)
-  causes = {};
-  if isempty (verdict.include) || strcmp (verdict.kind, 'surrogate')
-    return
-  end
-  [~, order] = sort (-verdict.total);
-  members = verdict.top;
-  if strcmp (verdict.kind, 'group')
-    members = order(ismember (order, verdict.effects));
-    members = members(1:min (3, numel (members)));
-  end
-  causes = num2cell (members);
-  if strcmp (verdict.kind, 'named')
-    causes = {verdict.effects};
-  end
-  others = order(~ismember (order, [causes{:}, verdict.effects]));
-  causes = [causes, num2cell(others(1:min (2, numel (others))))];
 end
 
 % Where the surrogates are to blame, runs near the fitted set come first.

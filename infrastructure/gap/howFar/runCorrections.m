@@ -1,13 +1,14 @@
 % RUNCORRECTIONS  Refits the model without and with effects, and runs both.
 %
-% CALL: [SETS, STATE] = runCorrections (VIEW, CAUSES, STATE)
+% CALL: [SETS, STATE] = runCorrections (VIEW, CAUSES, STATE, SETS)
 %
 %   VIEW     struct gapProblem, em, models, fits: of newGapProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
 %            targets only
 %   STATE    struct of spendRuns, with repeats (seeds at each compared set)
-%   SETS     1 x (m + 1) struct h (effects; [] first: the calibrated model), Q
+%   SETS     given: what has been compared before; CAUSES are added to it. Got:
+%            1 x (m + 1) struct h (effects; [] first: the calibrated model), Q
 %            (fitted parameters and strengths), Z (repeats x T), worstZ (largest
 %            deviation of the DEM mean from the surrogate in standard
 %            deviations; NaN: not run), verified (logical: Z is of DEM)
@@ -17,19 +18,26 @@
 %
 % See also: measureCorrection, spendRuns, correctionEvidence
 
-function [sets, state] = runCorrections (view, causes, state)
-  sets = struct ('h', zeros (1, 0), 'Q', view.fits.calibrated.Q(1, :), ...
-                 'Z', [], 'worstZ', NaN, 'verified', false);
-  for i = 1:numel (causes)
-    sets(i + 1) = sets(1);
-    sets(i + 1).h = causes{i};
-    sets(i + 1).Q = refit (view.models, view.fits, causes{i});
+function [sets, state] = runCorrections (view, causes, state, sets)
+  blank = struct ('h', zeros (1, 0), 'Q', view.fits.calibrated.Q(1, :), ...
+                  'Z', [], 'worstZ', NaN, 'verified', false);
+  known = 0;
+  if nargin > 3
+    known = numel (sets);
+  else
+    sets = blank;
   end
-  verify = ~isempty (state.evaluate) && state.left >= 2 * numel (sets);
+  for h = causes
+    blank.h = h{1};
+    blank.Q = refit (view.models, view.fits, h{1});
+    sets(end + 1) = blank;
+  end
+  new = known + 1:numel (sets);
+  verify = ~isempty (state.evaluate) && state.left >= 2 * numel (new);
   if verify
-    state.repeats = min (state.repeats, floor (state.left / numel (sets)));
+    state.repeats = min (state.repeats, floor (state.left / numel (new)));
   end
-  for i = 1:numel (sets)
+  for i = new
     if verify
       [sets(i), state] = runSet (view, sets(i), state);
     end

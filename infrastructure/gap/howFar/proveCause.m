@@ -1,0 +1,110 @@
+% PROVECAUSE  Runs the model with its cause, which may change the verdict.
+%
+% CALL: [VERDICT, W, CURE, STATE] = proveCause (VERDICT, VIEW, STATE)
+%
+%   VERDICT     of judgeCase
+%   VIEW        struct gapProblem, em, models, fits, as of runCorrections, and w
+%               of caseEvidence
+%   STATE       struct of spendRuns, with repeats (seeds at each compared set)
+%   VERDICT, W  where DEM has run the cause: with these runs known, see
+%               correctionEvidence
+%   CURE        of measureCorrection, for the cause that VERDICT tells then; []
+%               where there is nothing to compare
+%
+% Compared are the named cause, or each of the three likeliest of a group, and
+% two placebos. Where these runs turn up another cause, a pair say, it is
+% compared too: a name must not be judged by the cure of another one. DEM runs
+% are spent on a name or a group only.
+%
+% See also: runCorrections, correctionEvidence, measureCorrection
+
+function [verdict, w, cure, state] = proveCause (verdict, view, state)
+  cure = [];
+  w = view.w;
+  causes = comparedCauses (verdict);
+  if isempty (causes)
+    return
+  end
+  if ~isSaid (verdict)
+    state.evaluate = [];
+  end
+  group = [causes{1}, verdict.effects];
+  [sets, state] = runCorrections (view, causes, state);
+  isPlacebo = cellfun (@(h) ~any (ismember (h, group)), causes);
+  if all ([sets([true, ~isPlacebo]).verified])
+    [verdict, w] = correctionEvidence (verdict, w, view, state.data);
+  end
+  cause = causeOf (verdict, causes);
+  if ~isCompared (cause, sets)
+    [sets, state] = runCorrections (view, {cause}, state, sets);
+    group = [group, cause];
+  end
+  cure = measureCorrection (view, sets, cause, group);
+end
+
+function is = isSaid (verdict)
+  is = any (strcmp (verdict.kind, {'named', 'group'}));
+end
+
+function is = isCompared (h, sets)
+  is = any (cellfun (@(own) isequal (own, h), {sets.h}));
+end
+
+% The cause, or each of the three likeliest of a group; then two placebos.
+function causes = comparedCauses (verdict)
+  causes = {};
+  if isempty (verdict.include) || strcmp (verdict.kind, 'surrogate')
+    return
+  end
+  [~, order] = sort (-verdict.total);
+  members = verdict.top;
+  if strcmp (verdict.kind, 'group')
+    members = order(ismember (order, verdict.effects));
+    members = members(1:min (3, numel (members)));
+  end
+  causes = num2cell (members);
+  if strcmp (verdict.kind, 'named')
+    causes = {verdict.effects};
+  end
+  others = order(~ismember (order, [causes{:}, verdict.effects]));
+  causes = [causes, num2cell(others(1:min (2, numel (others))))];
+end
+
+% What is said in the end; of a group its likeliest member that was run.
+function cause = causeOf (verdict, causes)
+  cause = causes{1};
+  if strcmp (verdict.kind, 'named')
+    cause = verdict.effects;
+  elseif any (cellfun (@(h) isequal (h, verdict.top), causes)) && ...
+         ~isempty (verdict.effects) && ~isequal (verdict.effects, cause)
+    cause = verdict.top;
+  end
+end
+
+%!test
+%! % two causes of which only one was said: the runs turn up both, and what is
+%! % compared in the end is both
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0.6, 0]);
+%! gapProblem = newGapProblem (given);
+%! options = gapOptions (struct ('twins', 99, 'trend', 'affine'));
+%! em = fitEmulator (gapProblem, data, options);
+%! models = omnibusReference (makeHypotheses (gapProblem, em, options));
+%! view = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
+%!                'fits', fitLibrary (models, given.value));
+%! view.w = caseEvidence (models, view.fits, 1);
+%! verdict = judgeCase (view.w, models);
+%! verdict.kind = 'group';
+%! [verdict.effects, verdict.top] = deal (3);
+%! runs = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
+%!        0.05 * randn (rows (X), 12);
+%! state = struct ('data', data, 'evaluate', runs, 'left', 16, 'spent', 0, ...
+%!                 'failed', 0, 'repeats', 3);
+%! [verdict, ~, cure, state] = proveCause (verdict, view, state);
+%! assert (verdict.kind, 'named');
+%! assert (verdict.effects, [3, 4]);
+%! assert (cure.effect, 'spread + size');
+%! assert (cure.verifiedByDEM);
+%! assert (cure.closure > 0.9);
+%! assert (~any (strcmp ({cure.placebos.effect}, 'size')));
+%! assert (state.left, 16 - 5 * 3);
