@@ -8,7 +8,8 @@
 %            folder
 % VARIABLES  scalar struct of what is appended to its data.head
 % PREPARE    optional shell command, carried out in the folder before the run
-% RESULTS    1 x m, see the bench's results.csv; NaN if the run is not sane
+% RESULTS    1 x m, see the bench's results.csv; NaN if the run is not sane; 1 x
+%            0 of a model without measureBench.m
 % SECONDS    CPU time of the run (s)
 %
 % See also: effectSigns, benchResponse, benchLaws
@@ -38,7 +39,11 @@ function [results, seconds] = benchRun (folder, model, variables, prepare)
                      folder, prepare));
   end
   seconds = str2double (fileread (fullfile (folder, 'seconds')));
+  results = zeros (1, 0);
   funs = fullfile (source, 'OctaveFuns');
+  if exist (fullfile (funs, 'measureBench.m'), 'file') ~= 2
+    return
+  end
   addpath (funs);
   tidy = onCleanup (@() rmpath (funs));
   results = cell2mat (namedResults (@measureBench, folder, source));

@@ -11,12 +11,21 @@
 %            reads points, in the order of results.csv; NaN where the run does
 %            not tell, all NaN where MEASURE throws: a file is missing
 %
-% What a getResults.m may return.
+% What a getResults.m may return. Throws DEcalioc:namedResults:noNames where the
+% model has no results.csv.
 %
 % See also: resultInfo, readDump, readResults, takeReadings
 
 function res = namedResults (measure, folder, model)
-  names = {resultInfo(model).name};
+  info = resultInfo (model);
+  if isempty (info)
+    error ('DEcalioc:namedResults:noNames', ...
+           ['namedResults: %s must name the results of the model, got no ' ...
+            'such file. Write one (name,kind,unit,series,at,text), or ' ...
+            'return a row of numbers from getResults.'], ...
+           fullfile (model, 'results.csv'));
+  end
+  names = {info.name};
   res = num2cell (NaN (1, numel (names)));
   try
     found = measure (folder);
@@ -41,3 +50,5 @@ end
 %! assert (part, {NaN, 30});
 %! assert (curve, {[0, 1; 2, 3], NaN});
 %! assert (none, {NaN, NaN});
+%!error <results.csv must name the results>
+%! namedResults (@(f) struct ('a', 1), '', tempname ())
