@@ -6,6 +6,8 @@
 %                                   newGapProblem
 %   NAMED   struct
 %     verdict, reason, guard, lookAlike, effects, partners, likely (cellstr)
+%     together    logical: the effects act together (a pair, also one whose name
+%                 was withheld), else it is one of them
 %     gateP, exclude (odds against a look-alike of cosine 0.9)
 %     posterior   struct null, each effect, unlisted
 %     resembles   struct of each effect: something like it, but not it
@@ -29,6 +31,9 @@ function named = describeVerdict (w, verdict, models, gapProblem)
                   'partners', {names(verdict.partners)}, ...
                   'likely', {names(verdict.likely)}, 'gateP', w.gate.p, ...
                   'exclude', exp (min (w.exclude, 50)));
+  named.together = numel (verdict.effects) > 1 && ...
+                   any (strcmp (verdict.guard, {'', 'look-alike', ...
+                                                'surrogate', 'cure'}));
   named.posterior.null = verdict.null;
   named.resembles = struct ();
   for k = 1:numel (names)

@@ -80,16 +80,7 @@ function sayWhich (diagnosis, say)
   say ('');
   say (['WHICH: ', upper(w.verdict), '. ', w.reason]);
   if ~isempty (w.effects)
-    joint = ' or ';
-    if strcmp (w.verdict, 'named')
-      joint = ' and ';
-    end
-    names = [w.effects, w.siblings];
-    if w.lookAlike
-      names{end + 1} = 'something that looks like it';
-      joint = ' or ';
-    end
-    say (['  cause: ', strjoin(names, joint)]);
+    say (['  cause: ', causeText(w)]);
   end
   if ~isempty (w.partners)
     say (['  together with one of: ', strjoin(w.partners, ', ')]);

@@ -78,6 +78,7 @@ function s = whichOf (diagnosis)
   s = struct ('verdict', w.verdict, 'reason', w.reason, 'p', w.gateP);
   s.guard = w.guard;
   s.effects = w.effects;
+  s.together = w.together;
   s.lookAlike = w.lookAlike;
   s.oddsAgainstLookAlike = w.exclude;
   s.partners = w.partners;
@@ -123,6 +124,14 @@ function s = howFarOf (cure, gapProblem)
   s.placebos = num2cell (cure.placebos);
   names = strsplit (cure.effect, ' + ');
   s.strength = cell2struct (num2cell (cure.phi(:)), names(:), 1);
+  s.values = struct ();
+  for k = 1:numel (names)
+    e = gapProblem.effects(strcmp ({gapProblem.effects.name}, names{k}));
+    E = valuesOfStrength (e, cure.phi(k));
+    for j = 1:numel (E)
+      s.values.(e.variables{j}) = E(j);
+    end
+  end
   s.params = struct ();
   for j = 1:numel (gapProblem.names)
     s.params.(gapProblem.names{j}) = cure.params(:, j)';

@@ -31,8 +31,7 @@ function [word, sentence, advice, class] = gapAdvice (page)
                  '<code>gap/calibrated.head</code> holds the lines. ', ...
                  'Look at the held-out targets before you trust it.']};
     case 'group'
-      word = ['One of these: ', strjoin(effects, ', ')];
-      advice = {['The causes named look alike with these targets. ', test]};
+      [word, advice] = ofGroup (which, effects, test);
     case 'none of the listed'
       word = 'None of the listed causes';
       class = 'bad';
@@ -53,6 +52,18 @@ function [word, sentence, advice, class] = gapAdvice (page)
       advice = {test};
   end
   advice = advice(~cellfun (@isempty, advice));
+end
+
+% One of several, or one cause (a pair, too) whose name was withheld.
+function [word, advice] = ofGroup (which, effects, test)
+  if numel (effects) > 1 && ~isequal (jsonAt (which, {'together'}), true)
+    word = ['One of these: ', strjoin(effects, ', ')];
+    advice = {['The causes named look alike with these targets. ', test]};
+  else
+    word = ['Likely: ', causeText(which)];
+    advice = {['Model it, but do not call it proved: a cause that you did ', ...
+               'not list may do the same. ', test]};
+  end
 end
 
 function names = namesOf (which, field)
@@ -104,5 +115,16 @@ end
 %!   assert (! isempty (strfind (sentence, '0.75')));
 %! end
 %! assert (numel (unique (words)), 6);
-%! [~, ~, advice] = gapAdvice (told ('group'));
+%! [word, ~, advice] = gapAdvice (told ('group'));
+%! assert (word, 'Likely: tilt');
 %! assert (! isempty (strfind (advice{1}, '<strong>drum</strong>')));
+%!test
+%! % several: one of them, or all of them together
+%! page = told ('group');
+%! page.sources.gap.which.effects = {'tilt'; 'drag'};
+%! page.sources.gap.which.posterior.drag = 0.5;
+%! page.sources.gap.which.lookAlike = true;
+%! assert (gapAdvice (page), 'One of these: tilt, drag');
+%! page.sources.gap.which.together = true;
+%! assert (gapAdvice (page), ...
+%!         'Likely: tilt and drag, or something that looks like them');

@@ -4,9 +4,9 @@
 %
 %   PAGE  see pageData
 %
-% gap/calibrated.head: the model variables, the parameters as they were fitted
-% together with the effect (howFar), and the effect's variables at the median of
-% their posterior. Not written where no cure was tried.
+% gap/calibrated.head: the model variables, and the parameters and variables of
+% the effect (or pair) as they were fitted together (howFar). Not written where
+% no cure was tried.
 %
 % See also: writePage, writeGapJson
 
@@ -14,42 +14,39 @@ function writeGapHead (page)
   gap = page.sources.gap;
   effect = jsonAt (gap, {'howFar', 'effect'});
   params = jsonAt (gap, {'howFar', 'params'});
-  if ~ischar (effect) || isempty (effect) || ~isstruct (params)
+  values = jsonAt (gap, {'howFar', 'values'});
+  if ~ischar (effect) || isempty (effect) || ~isstruct (params) || ...
+     ~isstruct (values)
     return
   end
   v = page.Case.modelVars;
-  values = zeros (1, numel (page.Case.names));
-  for j = 1:numel (values)
+  set = zeros (1, numel (page.Case.names));
+  for j = 1:numel (set)
     both = jsonAt (params, {page.Case.names{j}});
     if numel (both) < 2
       return
     end
-    values(j) = both(2);
+    set(j) = both(2);
   end
-  v = designVariables (v, values, page.Case.names);
-  strength = jsonAt (gap, {'which', 'strength', effect});
-  for k = 1:numel (page.Case.effectVars)
-    median = jsonAt (strength, page.Case.effectVars(k));
-    if ~isempty (median)
-      v.(page.Case.effectVars{k}) = median(1);
-    end
+  v = designVariables (v, set, page.Case.names);
+  for name = fieldnames (values)'
+    v.(name{1}) = values.(name{1});
   end
-  text = sprintf (['# parameters fitted with %s, which is at the median ', ...
-                   'of its posterior\n'], effect);
+  text = sprintf ("# parameters fitted together with %s\n", effect);
   writeAtomic (fullfile (page.Case.folder, 'gap', 'calibrated.head'), ...
                [text, headLines(v)]);
 end
 
-%!test
+%!test % a pair: the variables of both, at the strength of the cure
 %! page.Case = struct ('modelVars', struct (), 'names', {{'a'}}, ...
-%!                     'effectVars', {{'cohesionPP'}}, 'folder', tempname ());
+%!                     'folder', tempname ());
 %! mkdir (page.Case.folder);
 %! mkdir (fullfile (page.Case.folder, 'gap'));
-%! page.sources.gap = jsondecode (['{"which": {"strength": {"cohesion": ', ...
-%!   '{"cohesionPP": [5, 4, 6]}}}, "howFar": {"effect": "cohesion", ', ...
-%!   '"params": {"a": [1, 2]}}}']);
+%! page.sources.gap = jsondecode (['{"howFar": {"params": {"a": [1, 2]}, ', ...
+%!   '"effect": "cohesion + drag", ', ...
+%!   '"values": {"cohesionPP": 5, "dragRate": 2}}}']);
 %! writeGapHead (page);
 %! v = headDefaults (fullfile (page.Case.folder, 'gap', 'calibrated.head'));
-%! assert (v, struct ('a', 2, 'cohesionPP', 5));
+%! assert (v, struct ('a', 2, 'cohesionPP', 5, 'dragRate', 2));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (page.Case.folder, 's');
