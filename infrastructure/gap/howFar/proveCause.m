@@ -35,7 +35,7 @@ function [verdict, w, cure, state] = proveCause (verdict, view, state)
     [verdict, w] = correctionEvidence (verdict, w, view, state.data);
   end
   cause = causeOf (verdict, causes);
-  if ~isCompared (cause, sets)
+  if ~isAmong (cause, {sets.h})
     [sets, state] = runCorrections (view, {cause}, state, sets);
     group = [group, cause];
   end
@@ -46,8 +46,8 @@ function is = isSaid (verdict)
   is = any (strcmp (verdict.kind, {'named', 'group'}));
 end
 
-function is = isCompared (h, sets)
-  is = any (cellfun (@(own) isequal (own, h), {sets.h}));
+function is = isAmong (h, list)
+  is = any (cellfun (@(own) isequal (own, h), list));
 end
 
 % The cause, or each of the three likeliest of a group; then two placebos.
@@ -75,7 +75,7 @@ function cause = causeOf (verdict, causes)
   cause = causes{1};
   if strcmp (verdict.kind, 'named')
     cause = verdict.effects;
-  elseif any (cellfun (@(h) isequal (h, verdict.top), causes)) && ...
+  elseif isAmong (verdict.top, causes) && ...
          ~isempty (verdict.effects) && ~isequal (verdict.effects, cause)
     cause = verdict.top;
   end

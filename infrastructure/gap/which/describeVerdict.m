@@ -32,8 +32,7 @@ function named = describeVerdict (w, verdict, models, gapProblem)
                   'likely', {names(verdict.likely)}, 'gateP', w.gate.p, ...
                   'exclude', exp (min (w.exclude, 50)));
   named.together = numel (verdict.effects) > 1 && ...
-                   any (strcmp (verdict.guard, {'', 'look-alike', ...
-                                                'surrogate', 'cure'}));
+                   ~strcmp (verdict.guard, 'group');
   named.posterior.null = verdict.null;
   named.resembles = struct ();
   for k = 1:numel (names)
