@@ -11,7 +11,7 @@
 
 function text = causeText (which)
   text = '';
-  effects = listOf (which, 'effects');
+  effects = namesIn (which, 'effects');
   if isempty (effects)
     return
   end
@@ -21,7 +21,7 @@ function text = causeText (which)
     joint = ' and ';
     it = 'them';
   end
-  text = strjoin ([{strjoin(effects, joint)}, listOf(which, 'siblings')], ...
+  text = strjoin ([{strjoin(effects, joint)}, namesIn(which, 'siblings')], ...
                   ' or ');
   if isTrue (which, 'lookAlike')
     text = [text, ', or something that looks like ', it];
@@ -30,13 +30,6 @@ end
 
 function is = isTrue (which, field)
   is = isfield (which, field) && isequal (which.(field), true);
-end
-
-function list = listOf (which, field)
-  list = cell (1, 0);
-  if isfield (which, field) && ~isempty (which.(field))
-    list = cellstr (which.(field))(:)';
-  end
 end
 
 %!test

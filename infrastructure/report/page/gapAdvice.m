@@ -12,8 +12,8 @@
 
 function [word, sentence, advice, class] = gapAdvice (page)
   which = page.sources.gap.which;
-  effects = namesOf (which, 'effects');
-  likely = namesOf (which, 'likely');
+  effects = namesIn (which, 'effects');
+  likely = namesIn (which, 'likely');
   class = 'open';
   sentence = [upper(which.reason(1)), htmlText(which.reason(2:end)), '. ', ...
               howSure(page, effects)];
@@ -63,13 +63,6 @@ function [word, advice] = ofGroup (which, effects, test)
     word = ['Likely: ', causeText(which)];
     advice = {['Model it, but do not call it proved: a cause that you did ', ...
                'not list may do the same. ', test]};
-  end
-end
-
-function names = namesOf (which, field)
-  names = {};
-  if isfield (which, field) && ~isempty (which.(field))
-    names = cellstr (which.(field))(:)';
   end
 end
 
