@@ -59,8 +59,8 @@ function stopProcess (holder, folder)
 end
 
 function yes = hasEnded (folder)
-  pids = runPids (folder);
-  yes = numel (pids) ~= 2 || isempty (processStart (pids(1)));
+  [~, isAlive] = runPids (folder);
+  yes = ~isAlive;
 end
 
 function n = cancelArrays (Case, runs)
@@ -96,6 +96,17 @@ end
 %! end
 %! assert (cancelCase (Case).runs, 1);
 %! assert (readEndMark (folder).reason, 'killed');
+%!test
+%! % after a restart the number of a guard is the one of another program
+%! Case = newCase (standInCase (tempname ()));
+%! folder = prepareRun (newJobs (Case, [1, 2], [], 1, 'plan')(1), Case);
+%! system (sprintf ('setsid sleep 1000 & echo $! > %s/other', folder));
+%! other = str2double (fileread (fullfile (folder, 'other')));
+%! writeAtomic (fullfile (folder, 'pid'), sprintf ("%d %d\n", other, other));
+%! assert (cancelCase (Case).runs, 0);
+%! pause (0.3);
+%! assert (~isempty (processStart (other)));
+%! kill (other, 9);
 %!test
 %! % another machine works there
 %! Case = newCase (standInCase (tempname ()));

@@ -73,14 +73,14 @@ function run = oneRun (folder, sent, isHere)
 end
 
 function state = stateOf (folder, isSent, isHere)
-  pids = runPids (folder);
+  [pids, isAlive] = runPids (folder);
   if isSent
     claimed = exist (fullfile (folder, 'batch.claim'), 'file');
     states = {'waiting', 'running'};
     state = states{1 + (claimed > 0)};
   elseif isempty (pids)
     state = 'waiting';
-  elseif isHere && isempty (processStart (pids(1)))
+  elseif isHere && ~isAlive
     state = 'lost';
   else
     state = 'running';
@@ -119,8 +119,12 @@ end
 %! while isempty (readEndMark (folders{1}))
 %!   pause (0.1);
 %! end
-%! writeAtomic (fullfile (folders{2}, 'pid'), sprintf ("%d 1\n", getpid ()));
-%! writeAtomic (fullfile (folders{3}, 'pid'), "999999999 999999999\n");
+%! [~, mark] = processStart (getpid ());
+%! writeAtomic (fullfile (folders{2}, 'pid'), ...
+%!              sprintf ("%d 1 %s\n", getpid (), mark));
+%! % of a boot before this one: another process has the number now
+%! writeAtomic (fullfile (folders{3}, 'pid'), ...
+%!              sprintf ("%d 1 1%s\n", getpid (), mark));
 %! assert ({runsOfCase(Case).state}, {'ended', 'running', 'lost', 'waiting'});
 %! collectRuns (jobs(1), folders(1), Case);
 %! failedRecord (jobs(3), folders{3}, 'timeout', 'too slow', 'time');

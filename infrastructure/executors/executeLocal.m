@@ -130,9 +130,8 @@ end
 % A guard that is gone without an end mark was killed. One that has not shown
 % up after half a minute never will (a full disk, no shell).
 function yes = isLost (folder, age)
-  pids = runPids (folder);
-  isGone = isempty (pids) && age > 30 || ...
-           numel (pids) == 2 && isempty (processStart (pids(1)));
+  [pids, isAlive] = runPids (folder);
+  isGone = isempty (pids) && age > 30 || numel (pids) == 2 && ~isAlive;
   yes = isGone && ~hasMark (folder);
 end
 
@@ -143,10 +142,7 @@ function records = collectEnded (jobs, folders, Case)
     records(isWhole) = collectRuns (jobs(isWhole), folders(isWhole), Case);
   end
   for i = find (~isWhole)
-    pids = runPids (folders{i});
-    if numel (pids) == 2
-      system (sprintf ('pkill -KILL -s %d', pids(2)));
-    end
+    endRun (folders{i});
     records(i) = failedRecord (jobs(i), folders{i}, 'failed', ...
                                'the guard of the run was killed', 'killed');
   end

@@ -51,6 +51,16 @@ is_alive () {                        # a process that ended may still be listed
   [[ $stat != [ZX]* ]]
 }
 
+mark () {                            # start, boot and command: processStart.m
+  local stat name boot fields
+  read -r stat < "/proc/$$/stat"
+  name=${stat#*(}
+  name=${name%)*}
+  read -r boot 2> /dev/null < /proc/sys/kernel/random/boot_id || boot=-
+  read -r -a fields <<< "${stat##*) }"
+  echo "${fields[19]} $boot ${name// /_}"
+}
+
 watcher () {                         # waits without starting a process a second
   exec {quiet}<> <(:)
   while ! read -r -t 1 -u "$quiet"; do
@@ -70,7 +80,7 @@ setsid bash ./runscript > stdout.txt 2> stderr.txt < /dev/null &
 run=$!
 trap 'why=timeout; end_session' USR1
 trap 'why=killed; end_session' TERM INT HUP
-echo "$$ $run" > pid
+echo "$$ $run $(mark)" > pid
 watcher &
 watching=$!
 

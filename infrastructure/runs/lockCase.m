@@ -5,21 +5,24 @@
 %   FOLDER  case folder (text)
 %   LOCK    onCleanup object; the folder is free again when it is cleared
 %
-% The lock is the file decalioc.lock in FOLDER, which names host, process and
-% the start of that process. A lock whose process is gone is taken over.
+% The lock is the file decalioc.lock in FOLDER, which names host, process, its
+% start, boot and command. A lock whose process is gone is taken over, and so is
+% an empty one.
 % Not flock, as in tools/lint.sh: Octave would need a helper to hold it, whose
 % pipe the runs inherit; those outlive a kill -9 and would keep the case locked.
 %
 % Errors: DEcalioc:lockCase:inUse, DEcalioc:lockCase:cannotWrite,
 % DEcalioc:lockCase:noLinks
 %
-% See also: DEcalioc
+% See also: DEcalioc, lockHolder
 
 function lock = lockCase (folder)
   file = fullfile (folder, 'decalioc.lock');
   draft = sprintf ('%s.%d', file, getpid ());
+  [~, mark] = processStart (getpid ());
+  text = sprintf ('%s %d %s', gethostname (), getpid (), mark);
   try
-    writeAtomic (draft, [identity(getpid ()), "\n"]);
+    writeAtomic (draft, [text, "\n"]);
   catch
     error ('DEcalioc:lockCase:cannotWrite', ...
            ['lockCase: the case folder %s must be writable: runs and ' ...
@@ -31,13 +34,15 @@ function lock = lockCase (folder)
   for attempt = 1:10
     [status, why] = link (draft, file);
     if status == 0
-      lock = onCleanup (@() release (file, getpid ()));
+      lock = onCleanup (@() release (folder, text));
       return
     end
-    if isempty (readLock (file)) && ~isfile (file)
+    holder = lockHolder (folder);
+    if strcmp (holder.state, 'none')
       cause = why;
+    else
+      takeOver (folder, draft, holder);
     end
-    takeOver (file, draft, folder);
   end
   if ~isempty (cause)
     error ('DEcalioc:lockCase:noLinks', ...
@@ -46,53 +51,33 @@ function lock = lockCase (folder)
             '%s. Move the case to another disk.'], folder, cause);
   end
   error ('DEcalioc:lockCase:inUse', ...
-         'lockCase: %s changes all the time; try again.', file);
+         ['lockCase: %s changes all the time; try again, and delete it if ' ...
+          'no DEcalioc works in that folder for sure.'], file);
 end
 
-function takeOver (file, draft, folder)
-  holder = readLock (file);
-  if isempty (holder)
-    return
-  end
-  [host, rest] = strtok (holder);
-  pid = sscanf (rest, '%d', 1);
-  isHere = strcmp (host, gethostname ());
-  if ~isHere || strcmp (identity (pid), holder)
+function takeOver (folder, draft, holder)
+  file = fullfile (folder, 'decalioc.lock');
+  if ~strcmp (holder.state, 'gone')
     error ('DEcalioc:lockCase:inUse', ...
            ['lockCase: another DEcalioc works in %s (process %d on %s). ' ...
             'Wait for it or use a case folder of its own. If that process ' ...
-            'is gone for sure, delete %s.'], folder, pid, host, file);
+            'is gone for sure, delete %s.'], folder, holder.pid, ...
+           holder.host, file);
   end
   % only one of two that see the same stale lock may take it away
   aside = [draft, '.stale'];
   if rename (file, aside) == 0
-    if ~strcmp (readLock (aside), holder)
+    [~, name, number] = fileparts (aside);
+    if ~strcmp (lockHolder (folder, [name, number]).text, holder.text)
       link (aside, file);
     end
     forget (aside);
   end
 end
 
-function text = identity (pid)
-  start = processStart (pid);
-  if isempty (start)
-    start = 'gone';
-  end
-  text = sprintf ('%s %d %s', gethostname (), pid, start);
-end
-
-function text = readLock (file)
-  text = '';
-  fid = fopen (file, 'r');
-  if fid >= 0
-    text = strtrim (fread (fid, Inf, 'uint8=>char')');
-    fclose (fid);
-  end
-end
-
-function release (file, pid)
-  if strcmp (readLock (file), identity (pid))
-    forget (file);
+function release (folder, text)
+  if strcmp (lockHolder (folder).text, text)
+    forget (fullfile (folder, 'decalioc.lock'));
   end
 end
 
@@ -117,6 +102,11 @@ end
 %! writeAtomic (file, sprintf ("%s 1 12345678901\n", gethostname ()));
 %! lock = lockCase (folder);
 %! assert (isempty (strfind (fileread (file), '12345678901')));
+%! clear lock
+%! % what a power cut has left shut the case for ever
+%! writeAtomic (file, '');
+%! lock = lockCase (folder);
+%! assert (~isempty (strfind (fileread (file), gethostname ())));
 %! clear lock
 %! assert (numel (glob (fullfile (folder, '*'))), 0);
 %! confirm_recursive_rmdir (false, 'local');

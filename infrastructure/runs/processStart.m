@@ -1,19 +1,23 @@
 % PROCESSSTART  When a process started, as a mark that tells it from others.
 %
-% CALL: START = processStart (PID)
+% CALL: [START, MARK] = processStart (PID)
 %
 %   PID    process number
 %   START  start of the process in ticks since boot (text); '' where there is
 %          no such process, or where it has ended and is only not yet cleared
 %          away (a zombie)
+%   MARK   START, the boot and the command in one text, as guard.sh writes
+%          them: after a restart of the machine or of a container the same
+%          number and even the same ticks may be those of another process
 %
-% Source: proc(5), fields 3 and 22 of /proc/PID/stat, counted after the name in
-% brackets.
+% Source: proc(5), fields 2, 3 and 22 of /proc/PID/stat, and
+% /proc/sys/kernel/random/boot_id.
 %
-% See also: lockCase, executeLocal
+% See also: lockCase, runPids
 
-function start = processStart (pid)
+function [start, mark] = processStart (pid)
   start = '';
+  mark = '';
   fid = fopen (sprintf ('/proc/%d/stat', pid), 'r');
   if fid < 0
     return
@@ -26,6 +30,17 @@ function start = processStart (pid)
   fields = strsplit (strtrim (regexprep (stat, '^.*\)', '')), ' ');
   if ~any (strcmp (fields{1}, {'Z', 'X'}))
     start = fields{20};
+    name = regexprep (stat, {'^\d+ \(', '\)[^)]*$', '\s'}, {'', '', '_'});
+    mark = strjoin ({start, bootId(), name}, ' ');
+  end
+end
+
+function id = bootId ()
+  id = '-';
+  fid = fopen ('/proc/sys/kernel/random/boot_id', 'r');
+  if fid >= 0
+    id = fgetl (fid);
+    fclose (fid);
   end
 end
 
@@ -40,3 +55,9 @@ end
 %! assert (isfolder (sprintf ('/proc/%d', pid)));
 %! assert (processStart (pid), '');
 %! unlink (file);
+%!test
+%! [start, mark] = processStart (getpid ());
+%! words = strsplit (mark, ' ');
+%! assert (words{1}, start);
+%! assert (numel (words{2}), 36);
+%! assert (strncmp (words{3}, 'octave', 6));
