@@ -27,9 +27,9 @@ function checkDryRunWorker ()
   if isnan (count)
     [count, text, fields] = callOnce (name, 'empty');
   end
-  fid = fopen ([path, 'answer'], 'w');
-  fprintf (fid, '%g\n%s\n%s\n', count, text, strjoin ([fields, {''}], ' '));
-  fclose (fid);
+  writeAtomic ([path, 'answer'], ...
+               sprintf ("%g\n%s\n%s\n", count, text, ...
+                        strjoin ([fields, {''}], ' ')));
 end
 
 function [count, text, fields] = callOnce (name, folder)

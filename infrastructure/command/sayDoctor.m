@@ -59,9 +59,7 @@ function [isGood, text] = trialRun (root)
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(place)]));
   model = fullfile (place, 'DEMmodels', 'Trial');
   evalc ('sayNew (root, place, {''--model'', ''Trial'', place})');
-  fid = fopen (fullfile (model, 'data.head'), 'a');
-  fputs (fid, "variable filledSolid equal 4e-6\n");
-  fclose (fid);
+  appendVariables (model, struct ('filledSolid', 4e-6));
   raw = struct ('root', root, 'folder', place);
   raw.Input = struct ('model', {{'Trial'}}, 'cpu', 1, 'maxCPU', 1, ...
                       'numOfSam', 4, 'timeout', 120);

@@ -32,7 +32,8 @@ function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
     job = jobs(picks(i));
     folder = prepareRun (job, Case);
     checkPath (folder);
-    writeAtomic (fullfile (folder, 'limit'), sprintf ("%d\n", seconds(i)));
+    writeAtomic (fullfile (folder, 'limit'), ...
+                 sprintf ("%d\n", seconds(i)), false);
     flight.folder{picks(i)} = folder;
     lines{i} = sprintf ("%s\t%s\n", job.key, folder);
   end

@@ -6,15 +6,14 @@
 %
 % Takes the claim that batchTask.sh needs, or marks the one there as void.
 %
+% Errors: DEcalioc:writeAtomic:cannotWrite
+%
 % See also: batchAttach, batchExecute
 
 function batchVoid (folder)
   claim = fullfile (folder, 'batch.claim');
   [~, ~] = mkdir (claim);
-  fid = fopen (fullfile (claim, 'void'), 'w');
-  if fid >= 0
-    fclose (fid);
-  end
+  writeAtomic (fullfile (claim, 'void'), '');
 end
 
 %!test

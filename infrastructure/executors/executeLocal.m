@@ -155,7 +155,7 @@ function setLimits (done, jobs, folders, Case)
     limit = defaultLimit (Case.models(k), done);
     file = fullfile (folders{i}, 'limit');
     if ~isnan (limit) && ~isfile (file)
-      writeAtomic (file, sprintf ("%d\n", ceil (limit)));
+      writeAtomic (file, sprintf ("%d\n", ceil (limit)), false);
     end
   end
 end

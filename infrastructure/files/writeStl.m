@@ -5,8 +5,7 @@
 % FILE       text, name of the file
 % TRIANGLES  3 x 3 x n, coordinates (m) x corners x triangles
 %
-% Throws DEcalioc:writeStl:badShape, DEcalioc:writeStl:missingFile (FILE cannot
-% be written).
+% Throws DEcalioc:writeStl:badShape, DEcalioc:writeAtomic:cannotWrite.
 %
 % See also: makeDrum
 function writeStl (file, triangles)
@@ -15,23 +14,19 @@ function writeStl (file, triangles)
            'writeStl: TRIANGLES must be 3 x 3 x n, got %d x %d x %d.', ...
            size (triangles, 1), size (triangles, 2), size (triangles, 3));
   end
-  fid = fopen (file, 'w');
-  if fid < 0
-    error ('DEcalioc:writeStl:missingFile', ...
-           'writeStl: FILE must be writable, got %s.', file);
-  end
-  closer = onCleanup (@() fclose (fid));
-  fprintf (fid, "solid bench\n");
-  for k = 1:size (triangles, 3)
+  count = size (triangles, 3);
+  parts = cell (1, count);
+  for k = 1:count
     corners = triangles(:, :, k);
     normal = cross (corners(:, 2) - corners(:, 1), ...
                     corners(:, 3) - corners(:, 1));
     normal = normal / norm (normal);
-    fprintf (fid, "  facet normal %.9g %.9g %.9g\n    outer loop\n", normal);
-    fprintf (fid, "      vertex %.9g %.9g %.9g\n", corners);
-    fprintf (fid, "    endloop\n  endfacet\n");
+    parts{k} = [sprintf("  facet normal %.9g %.9g %.9g\n", normal), ...
+                "    outer loop\n", ...
+                sprintf("      vertex %.9g %.9g %.9g\n", corners), ...
+                "    endloop\n  endfacet\n"];
   end
-  fprintf (fid, "endsolid bench\n");
+  writeAtomic (file, ["solid bench\n", parts{:}, "endsolid bench\n"]);
 end
 
 %!test % one triangle in the plane z = 0 looks up
@@ -43,5 +38,5 @@ end
 %! assert (~isempty (strfind (text, 'facet normal 0 0 1')));
 
 %!error id=DEcalioc:writeStl:badShape writeStl ('x.stl', zeros (2, 3))
-%!error id=DEcalioc:writeStl:missingFile ...
+%!error id=DEcalioc:writeAtomic:cannotWrite ...
 %! writeStl ('/no/such/folder/x.stl', zeros (3, 3, 0))

@@ -18,7 +18,7 @@ function appendVariables (folder, variables)
     lines{k} = sprintf ('variable %s equal %.17g\n', names{k}, ...
                         variables.(names{k}));
   end
-  writeAtomic (file, [fileread(file), "\n", lines{:}]);
+  writeAtomic (file, [fileread(file), "\n", lines{:}], false);
 end
 
 %!test

@@ -15,7 +15,7 @@
 % Columns: model, seed, design variables, effect variables, targets. importRuns
 % reads the file back.
 %
-% Errors: DEcalioc:exportRuns:runFailed
+% Errors: DEcalioc:writeAtomic:cannotWrite
 %
 % See also: importRuns, runSeed
 
@@ -37,19 +37,7 @@ function n = exportRuns (file, Case, data)
     end
   end
   n = numel (lines) - 1;
-  part = [file, '.part'];
-  [id, message] = fopen (part, 'w');
-  if id < 0
-    error ('DEcalioc:exportRuns:runFailed', ...
-           'exportRuns: FILE must be writable, got %s: %s.', file, message);
-  end
-  fprintf (id, '%s\n', lines{:});
-  fclose (id);
-  [err, message] = rename (part, file);
-  if err
-    error ('DEcalioc:exportRuns:runFailed', ...
-           'exportRuns: %s cannot be put in its place: %s.', file, message);
-  end
+  writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
 end
 
 function data = completed (data, Case)
@@ -147,7 +135,7 @@ end
 %!error id=DEcalioc:importRuns:badValue
 %! importRuns (written ("model,mu,rho,slope,area,angle\nHeap,a,2,,,3\n"), ...
 %!             small ());
-%!error id=DEcalioc:exportRuns:runFailed
+%!error id=DEcalioc:writeAtomic:cannotWrite
 %! data = struct ('X', zeros (0, 2), 'E', zeros (0, 1), 'Z', zeros (0, 3));
 %! data.replicate = zeros (0, 1);
 %! exportRuns ('/no/such/folder/runs.csv', small (), data);

@@ -80,7 +80,7 @@ setsid bash ./runscript > stdout.txt 2> stderr.txt < /dev/null &
 run=$!
 trap 'why=timeout; end_session' USR1
 trap 'why=killed; end_session' TERM INT HUP
-echo "$$ $run $(mark)" > pid
+echo "$$ $run $(mark)" > pid || end_session    # a full disk: without a mark, too
 watcher &
 watching=$!
 
@@ -94,5 +94,9 @@ kill "$watching" 2> /dev/null
 pkill -KILL -s "$run"
 
 ds=$(($(uptime_ds) - start))
-printf '%d %d.%d %s\n' "$code" $((ds / 10)) $((ds % 10)) "$why" > end.mark.tmp &&
-  mv end.mark.tmp end.mark
+printf '%d %d.%d %s\n' "$code" $((ds / 10)) $((ds % 10)) "$why" > end.mark.tmp ||
+  exit 98
+# The mark says that the files of the run are whole, after a power cut, too.
+find . -type f -size +0 \( -newer job.json -o -name job.json -o \
+  -name data.head -o -name params.csv \) -exec sync -- {} + 2> /dev/null
+mv end.mark.tmp end.mark

@@ -22,7 +22,7 @@ function lock = lockCase (folder)
   [~, mark] = processStart (getpid ());
   text = sprintf ('%s %d %s', gethostname (), getpid (), mark);
   try
-    writeAtomic (draft, [text, "\n"]);
+    writeAtomic (draft, [text, "\n"], false);
   catch
     error ('DEcalioc:lockCase:cannotWrite', ...
            ['lockCase: the case folder %s must be writable: runs and ' ...

@@ -23,13 +23,14 @@ function folder = prepareRun (job, Case)
   appendVariables (folder, runVariables (job, Case));
   writeSet (folder, job.params, job.planRow);
   writeAtomic (fullfile (folder, 'cpu'), ...
-               sprintf ("%d\n", Case.models(k).cpu));
+               sprintf ("%d\n", Case.models(k).cpu), false);
   limit = Case.models(k).timeout;
   if isnan (limit)
     limit = defaultLimit (Case.models(k));
   end
   if ~isnan (limit)
-    writeAtomic (fullfile (folder, 'limit'), sprintf ("%d\n", ceil (limit)));
+    writeAtomic (fullfile (folder, 'limit'), sprintf ("%d\n", ceil (limit)), ...
+                 false);
   end
   writeRecord (fullfile (folder, 'job.json'), job);
 end

@@ -7,7 +7,9 @@
 %
 % {"sha256": checksum of what follows, "record": {...}}. Numbers are written
 % as text with 17 significant digits, separated by spaces, because neither
-% jsonencode nor jsondecode keeps the last digits.
+% jsonencode nor jsondecode keeps the last digits. The disk is not waited for: a
+% record that a power cut tears fails its checksum, and is made again of the
+% run's files, which are on the disk (guard.sh).
 %
 % See also: readRecord
 
@@ -20,7 +22,7 @@ function writeRecord (file, record)
   end
   body = jsonencode (record);
   text = sprintf ('{"sha256":"%s","record":%s}\n', hash ('sha256', body), body);
-  writeAtomic (file, text);
+  writeAtomic (file, text, false);
 end
 
 %!test

@@ -10,9 +10,11 @@
 % See also: writeParams, prepareRun
 
 function writeSet (folder, params, planRow)
-  writeMatrix (fullfile (folder, 'params.csv'), params);
+  writeAtomic (fullfile (folder, 'params.csv'), ...
+               [sprintf('%.17g,', params)(1:end - 1), "\n"], false);
   if planRow ~= 0
-    writeAtomic (fullfile (folder, 'ExPlan.txt'), sprintf ("%d\n", planRow));
+    writeAtomic (fullfile (folder, 'ExPlan.txt'), sprintf ("%d\n", planRow), ...
+                 false);
   end
 end
 

@@ -7,6 +7,8 @@
 % Kept: name, runs, levels, limits, trend, covariance, parameters. The factored
 % covariance is computed again by loadSurrogate.
 %
+% Errors: DEcalioc:writeAtomic:cannotWrite
+%
 % See also: loadSurrogate, createKrigingModels
 
 function saveSurrogate (file, surrogate)
@@ -19,7 +21,26 @@ function saveSurrogate (file, surrogate)
                  'param', surrogate.model.param, ...
                  'lognoisevariance', surrogate.model.lognoisevariance, ...
                  'shift', surrogate.shift, 'scale', surrogate.scale);
-  save ('-text', file, 'kept');
+  draft = [file, '.save'];
+  tidy = onCleanup (@() unlink (draft));
+  save ('-text', draft, 'kept');
+  writeAtomic (file, wholeText (draft, kept));
+end
+
+% save says nothing of a full disk.
+function text = wholeText (draft, kept)
+  try
+    isWhole = isequaln (load (draft).kept, kept);
+  catch
+    isWhole = false;
+  end
+  if ~isWhole
+    error ('DEcalioc:writeAtomic:cannotWrite', ...
+           ['saveSurrogate: %s must hold what was written to it. The disk ' ...
+            'may be full: free some space and start again; finished runs ' ...
+            'are kept.'], draft);
+  end
+  text = fileread (draft);
 end
 
 %!test
