@@ -22,7 +22,7 @@
 %              again with another seed
 % Two kindnesses to the published tool: Rayleigh weight 0 (with its 0.5 it is
 % pulled off the targets), and the discharge is waited for 4 s, not 10 s
-% (mweWaits measures what its own 10 s would cost). It is given up in a
+% (docs/benchmarks.md says what its own 10 s cost). It is given up in a
 % repetition when it has spent 4.5 times what ours needed there: its cost is
 % then a lower bound (confirmed 0).
 %
@@ -31,7 +31,7 @@
 % stopped at any time and go on elsewhere. Core time is the user time of the
 % runs.
 %
-% See also: mweCase, mweAttempt, mweWaits, publishedMethod
+% See also: mweCase, mweAttempt, publishedMethod
 
 1;
 
