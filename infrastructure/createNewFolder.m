@@ -8,9 +8,9 @@
 %   SOURCE      model folder (text, default BASE/DEMmodels/MODEL)
 %   DONE        false where the folder is there already
 %
-% Errors: those of makeRunFolder
+% Errors: those of makeRunFolder and copyModel
 %
-% See also: makeRunFolder, newFolderName
+% See also: makeRunFolder, copyModel, newFolderName
 
 function done = createNewFolder (model, folderName, base, source)
   if nargin < 3
@@ -19,7 +19,11 @@ function done = createNewFolder (model, folderName, base, source)
   if nargin < 4
     source = findModel (model, base, base);
   end
-  done = makeRunFolder (fullfile (base, 'optim', model, folderName), source);
+  folder = fullfile (base, 'optim', model, folderName);
+  done = makeRunFolder (folder);
+  if done
+    copyModel (folder, source);
+  end
 end
 
 %!test

@@ -13,7 +13,7 @@
 %
 % The simulation is waited for. A run that is in the store is not run again.
 %
-% See also: Start, startSimulation, prepareRun, collectRuns
+% See also: Start, startSimulation, prepareRun, judgeRun, evaluateRun
 
 function [results, record] = runScript (matr, model, Case, job)
   if nargin < 3
@@ -30,7 +30,9 @@ function [results, record] = runScript (matr, model, Case, job)
     folder = prepareRun (job, Case);
     [~, name] = fileparts (folder);
     startSimulation (model, name, Case.store);
-    record = collectRuns (job, {folder}, Case, false);
+    [record, place] = judgeRun (job, folder, Case);
+    place.limit = Inf;         % this may be the user's own Octave
+    record = evaluateRun (record, place);
   end
   nTargets = Case.models(strcmp (model, {Case.models.name})).nTargets;
   results = num2cell (NaN (1, nTargets));

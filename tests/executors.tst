@@ -51,3 +51,68 @@
 %! tidy = gridengineTestUp (8);
 %! [~, text] = commonPlan ('gridengine', quick);
 %! assert (text, expected);
+
+%!function [Case, jobs] = localPlan (cpu, maxCPU, n)
+%!  raw = standInCase (tempname ());
+%!  raw.Input.cpu = cpu;
+%!  raw.Input.maxCPU = maxCPU;
+%!  Case = newCase (raw);
+%!  jobs = newJobs (Case, (1:n)' * [1, 2], [], 1, 'plan');
+%!endfunction
+
+%!test
+%! % every run is prepared, started and evaluated in workers of parcellfun
+%! [Case, jobs] = localPlan ([1, 2], 4, 6);
+%! profile ('on');
+%! records = runJobs (jobs, Case, @(s) []);
+%! profile ('off');
+%! here = {profile('info').FunctionTable.FunctionName};
+%! assert (all (ismember ({'executeLocal', 'parcellfun'}, here)));
+%! away = {'carryRun', 'prepareRun', 'startRun', 'judgeRun', 'evaluateRun'};
+%! assert (! any (ismember (away, here)));
+%! assert ({records.status}, repmat ({'ok'}, 1, 12));
+%! assert (numel (unique ({records.folder})), 12);
+
+%!test
+%! % CPUs of all runs under way are at most maxCPU, and as many as fit are taken
+%! Case = localPlan ([2, 3], 7, 6);
+%! for k = 1:2
+%!   file = fullfile (Case.models(k).folder, 'runscript');
+%!   writeAtomic (file, ["touch ../../on.$DECALIOC_CPU.$$\n", ...
+%!     "ls ../.. | awk -F. '/^on/ { n += $2 } END { print n }' ", ...
+%!     ">> ../../sum\nsleep 0.7\n", fileread(file), ...
+%!     "rm ../../on.$DECALIOC_CPU.$$\n"]);
+%! end
+%! records = runJobs (newJobs (Case, (1:6)' * [1, 2], [], 1, 'plan'), Case, ...
+%!                    @(s) []);
+%! assert ({records.status}, repmat ({'ok'}, 1, 12));
+%! assert (max (load (fullfile (Case.store, 'optim', 'sum'))) <= 7);
+%! assert (max (load (fullfile (Case.store, 'optim', 'sum'))) >= 5);
+
+%!test
+%! % a getResults that ends its Octave or throws costs nobody else a record
+%! [Case, jobs] = localPlan ([1, 1], 4, 4);
+%! funs = fullfile (Case.models(2).folder, 'OctaveFuns', 'getResults.m');
+%! writeAtomic (funs, ["function res = getResults (model, name)\n", ...
+%!   "global path\nn = str2double (name(1:4));\n", ...
+%!   "if n == 2\n  exit (3);\nelseif n == 3\n  error ('mine');\nend\n", ...
+%!   "cd ('/');\nres = {n};\nend\n"]);
+%! records = executeLocal (jobs, Case, @(s) []);
+%! assert ({records.status}, {'ok', 'ok', 'ok', 'invalid', 'ok', 'invalid', ...
+%!                            'ok', 'ok'});
+%! assert (! isempty (strfind (records(4).message, 'ended the Octave')));
+%! assert (! isempty (strfind (records(6).message, 'mine')));
+
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'mpirun'))
+%! % ranks of concurrent MPI runs may use all cores
+%! Case = localPlan ([1, 1], 4, 1);
+%! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), ...
+%!   ["mpirun --oversubscribe -np 2 grep Cpus_allowed_list ", ...
+%!    "/proc/self/status\necho 1 > out\n"]);
+%! [~, all] = system ('grep Cpus_allowed_list /proc/self/status');
+%! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan')([2, 4]);
+%! records = executeLocal (jobs, Case, @(s) []);
+%! for k = 1:2
+%!   text = fileread (fullfile (records(k).folder, 'stdout.txt'));
+%!   assert (text, [all, all]);
+%! end

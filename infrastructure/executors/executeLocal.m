@@ -1,4 +1,4 @@
-% EXECUTELOCAL  Carries out runs on this machine.
+% EXECUTELOCAL  Carries out runs on this machine, in workers of parcellfun.
 %
 % CALL: RECORDS = executeLocal (JOBS, CASE, REPORT)
 %
@@ -7,124 +7,149 @@
 %   REPORT   function handle, called with the state after each change
 %   RECORDS  1 x n struct array, see newRecord
 %
-% A run starts as soon as its CPUs are free, those that need many CPUs first,
-% so runs of uneven length keep all CPUs busy. Each simulation is a process of
-% its own under guard.sh. When this function is left early (Ctrl-C, an error)
-% the simulations under way are ended; when Octave is killed, the guards see
-% it and end them. Without Input.timeout the time limit of a run is 20 times
-% the median of the model's runs in this calibration, and at least 60 s.
+% One call of parcellfun carries the plan. A worker that has nothing to do comes
+% back (CumFunc) and is kept here until a run can be started or evaluated: that
+% is its next turn (carryRun). A run starts as soon as its CPUs are free, those
+% that need many CPUs first, so runs of uneven length keep all CPUs busy. No
+% worker waits for a run, so more can be under way than there are workers.
 %
-% parcellfun is not used to start simulations: docs/method.md says why, with
-% figures. The next run is prepared while others are under way, and started
-% before ended ones are evaluated, so a CPU waits for little more than the next
-% look (lookAfter). A look is one stat a run: isfile costs twenty times as much.
+% Each simulation is a process of its own under guard.sh. When this function is
+% left early (Ctrl-C, an error) the simulations under way are ended; when Octave
+% is killed, the guards see it and end them. A killed worker loses the call; the
+% next one goes on with what the folders say. Without Input.timeout the time
+% limit of a run is 20 times the median of the model's runs in this calibration,
+% and at least 60 s.
 %
-% See also: runJobs, executeSlurm, lookAfter, startRun
+% Errors: DEcalioc:executeLocal:runFailed, those of prepareRun and startRun
+%
+% See also: runJobs, carryRun, bookRun, lookAfter, executeSlurm
 
 function records = executeLocal (jobs, Case, report)
+  book = containers.Map ({'plan'}, {newPlan(jobs, Case)}, ...
+                         'UniformValues', false);
+  place = book('plan').place;
+  owner = getpid ();
+  slim = struct ('root', Case.root, 'store', Case.store, 'models', ...
+                 Case.models, 'modelVars', Case.modelVars, 'names', ...
+                 {Case.names}, 'effectVars', {Case.effectVars});
+  turn = @(k) carryRun (place, slim, owner);
+  hand = @(a, b) handOut (book, [a, b], Case, report);
+  tidy = onCleanup (@() leave (book));
+  while ~all (book('plan').status == 'd')
+    try
+      % two turns a run, and those that find nothing to do
+      turns = num2cell (1:100 + 6 * sum (book('plan').status ~= 'd'));
+      [~] = parcellfun (book('plan').workers, turn, turns, 'CumFunc', hand, ...
+                        'UniformOutput', false, 'VerboseLevel', 0);
+    catch err
+      book('plan') = afterLoss (book('plan'), err, Case, report);
+    end
+  end
+  records = book('plan').records;
+end
+
+% STATUS of a run: q waits, b is being begun, r under way, e ended, j is being
+% evaluated, d done. More than 8 workers would have nothing to do.
+function plan = newPlan (jobs, Case)
   n = numel (jobs);
-  cpus = arrayfun (@(j) cpuOf (j, Case), jobs);
+  [~, model] = ismember ({jobs.model}, {Case.models.name});
+  cpus = [Case.models(model).cpu];
   [~, queue] = sort (-cpus);
-  folders = cell (1, n);
-  marksOf = cell (1, n);
-  born = zeros (1, n);
-  records = repmat (newRecord (jobs(1), ''), 1, n);
-  isDone = false (1, n);
-  running = [];
-  live = containers.Map ();
-  tidy = onCleanup (@() cellfun (@endRun, live.keys ()));
-  start = tic ();
-  guardsSeen = 0;
-  usual = NaN (1, n);
-  while ~all (isDone)
-    now = toc (start);
-    age = now - born(running);
-    marks = cellfun (@stat, marksOf(running), 'UniformOutput', false);
-    hasEnded = ~cellfun ('isempty', marks);
-    if now - guardsSeen > 2
-      guardsSeen = now;
-      hasEnded = hasEnded | cellfun (@isLost, folders(running), ...
-                                     num2cell (age));
-    end
-    ended = running(hasEnded);
-    running(hasEnded) = [];
-    next = firstFitting (queue, cpus, ...
-                         Case.options.maxCPU - sum (cpus(running)));
-    while ~isempty (next)
-      folders = prepareOnce (next, folders, jobs, Case);
-      live(folders{next}) = next;
-      marksOf{next} = fullfile (folders{next}, 'end.mark');
-      startRun (folders{next}, Case.root);
-      born(next) = toc (start);
-      queue(queue == next) = [];
-      running(end + 1) = next;
-      next = firstFitting (queue, cpus, ...
-                           Case.options.maxCPU - sum (cpus(running)));
-    end
-    if ~isempty (ended)
-      records(ended) = collectEnded (jobs(ended), folders(ended), Case);
-      isDone(ended) = true;
-      live.remove (folders(ended));
-      setLimits (records(isDone), jobs(running), folders(running), Case);
-      queue = longestFirst (queue, cpus, jobs, records, isDone);
-      usual = shortestOf (records(isDone), jobs);
-      report (stateOf (records, isDone, running, toc (start)));
-    elseif ~isempty (queue) && isempty (folders{queue(1)})
-      folders = prepareOnce (queue(1), folders, jobs, Case);
+  last = cellfun (@(name) lastRunFolder (Case.store, name), {Case.models.name});
+  plan = struct ('jobs', jobs, 'cpus', cpus, 'model', model, 'queue', queue, ...
+                 'status', repmat ('q', 1, n), 'folders', {cell(1, n)}, ...
+                 'born', zeros (1, n), 'usual', NaN (1, n), 'last', last, ...
+                 'records', repmat (newRecord (jobs(1), ''), 1, n), ...
+                 'place', tempname (), 'workers', min ([8, nproc(), n]), ...
+                 'start', tic (), 'guardsSeen', 0, 'losses', 0);
+  mkdir (plan.place);
+end
+
+% A worker is free. It is kept until there is something for it to do; while
+% another one is at work, only until the next look, to hear that one's answer.
+function none = handOut (book, answers, Case, report)
+  none = [];
+  plan = book('plan');
+  for answer = answers
+    plan = bookAnswer (plan, answer, Case, report);
+  end
+  isKept = true;
+  while isKept && ~all (plan.status == 'd')
+    plan = lookAtRuns (plan, Case, report);
+    [plan, k] = nextStep (plan, Case);
+    book('plan') = plan;
+    if isempty (k)
+      isStep = plan.status == 'b' | plan.status == 'j';
+      isOn = isStep | plan.status == 'r';
+      usual = plan.usual;
+      usual(isStep) = NaN;
+      pause (lookAfter (toc (plan.start) - plan.born(isOn), usual(isOn)));
+      isKept = ~any (isStep);
     else
-      pause (lookAfter (now - born(running), usual(running)));
+      order (plan, k);
+      isKept = false;
     end
   end
+  book('plan') = plan;
 end
 
-function folders = prepareOnce (k, folders, jobs, Case)
-  if isempty (folders{k})
-    folders{k} = prepareRun (jobs(k), Case);
+function order (plan, k)
+  task = struct ('k', k, 'job', plan.jobs(k), 'folder', plan.folders{k}, ...
+                 'hasEnded', plan.status(k) == 'j');
+  draft = fullfile (plan.place, 'draft');
+  save ('-binary', draft, '-struct', 'task');
+  rename (draft, fullfile (plan.place, sprintf ('%d.order', k)));
+end
+
+function [plan, k] = nextStep (plan, Case)
+  isOn = plan.status == 'b' | plan.status == 'r';
+  free = Case.options.maxCPU - sum (plan.cpus(isOn));
+  k = plan.queue(find (plan.cpus(plan.queue) <= free, 1));
+  % while runs are under way one worker is kept from getResults, to start the
+  % next run, and for this Octave to act on Ctrl-C
+  most = plan.workers - (any (isOn) && plan.workers > 1);
+  if ~isempty (k)
+    plan.queue(plan.queue == k) = [];
+    m = plan.model(k);
+    [plan.folders{k}, plan.last(m)] = ...
+      takeRunFolder (Case.store, plan.jobs(k).model, plan.last(m) + 1);
+    plan.status(k) = 'b';
+  elseif sum (plan.status == 'j') < most
+    k = find (plan.status == 'e', 1);
+    plan.status(k) = 'j';
+  end
+  plan.born(k) = toc (plan.start);
+end
+
+function plan = bookAnswer (plan, answer, Case, report)
+  plan.losses = 0;
+  if ~isempty (answer.fault)
+    error (answer.fault);
+  elseif isempty (answer.record)
+    plan.status(answer.k) = 'r';
+  else
+    plan = bookRun (plan, answer.k, answer.record, Case, report);
   end
 end
 
-% Long runs that start last keep all others waiting. How long a run will take
-% is foreseen from the finished ones: log (seconds) linear in the parameters.
-function queue = longestFirst (queue, cpus, jobs, records, isDone)
-  enough = 200;
-  if isempty (queue) || sum (isDone) > enough
-    return
+% A look is one stat a run: isfile costs twenty times as much.
+function plan = lookAtRuns (plan, Case, report)
+  running = find (plan.status == 'r');
+  marks = cellfun (@(f) stat ([f, '/end.mark']), plan.folders(running), ...
+                   'UniformOutput', false);
+  ended = running(~cellfun ('isempty', marks));
+  plan.status(ended) = 'e';
+  lost = ended(cellfun (@(f) isempty (readEndMark (f)), plan.folders(ended)));
+  now = toc (plan.start);
+  if now - plan.guardsSeen > 2
+    plan.guardsSeen = now;
+    running = find (plan.status == 'r');
+    lost = [lost, running(cellfun (@isLost, plan.folders(running), ...
+                                   num2cell (now - plan.born(running))))];
   end
-  foreseen = zeros (1, numel (queue));
-  for model = unique ({jobs(queue).model})
-    isSame = isDone & strcmp ({jobs.model}, model{1}) & ...
-             strcmp ({records.status}, 'ok') & [records.seconds] > 0;
-    mine = find (strcmp ({jobs(queue).model}, model{1}));
-    if sum (isSame) >= 4
-      A = [ones(sum (isSame), 1), vertcat(jobs(isSame).params)];
-      B = [ones(numel (mine), 1), vertcat(jobs(queue(mine)).params)];
-      foreseen(mine) = B * (pinv (A) * log ([records(isSame).seconds])');
-    end
+  for k = lost
+    plan = bookLost (plan, k, Case, report);
   end
-  [~, order] = sortrows ([-cpus(queue)', -foreseen', (1:numel (queue))']);
-  queue = queue(order);
-end
-
-% Length of the shortest run so far of each job's model, NaN where none ended.
-function seconds = shortestOf (done, jobs)
-  seconds = NaN (1, numel (jobs));
-  done = done(strcmp ({done.status}, 'ok'));
-  for model = unique ({done.model})
-    own = strcmp ({done.model}, model{1});
-    seconds(strcmp ({jobs.model}, model{1})) = min ([done(own).seconds]);
-  end
-end
-
-function n = cpuOf (job, Case)
-  n = Case.models(strcmp (job.model, {Case.models.name})).cpu;
-end
-
-function next = firstFitting (queue, cpus, free)
-  next = queue(find (cpus(queue) <= free, 1));
-end
-
-function yes = hasMark (folder)
-  yes = isfile (fullfile (folder, 'end.mark'));
 end
 
 % A guard that is gone without an end mark was killed. One that has not shown
@@ -132,39 +157,56 @@ end
 function yes = isLost (folder, age)
   [pids, isAlive] = runPids (folder);
   isGone = isempty (pids) && age > 30 || numel (pids) == 2 && ~isAlive;
-  yes = isGone && ~hasMark (folder);
+  yes = isGone && ~isfile (fullfile (folder, 'end.mark'));
 end
 
-function records = collectEnded (jobs, folders, Case)
-  isWhole = ~cellfun (@(f) isempty (readEndMark (f)), folders);
-  records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
-  if any (isWhole)
-    records(isWhole) = collectRuns (jobs(isWhole), folders(isWhole), Case);
-  end
-  for i = find (~isWhole)
-    endRun (folders{i});
-    records(i) = failedRecord (jobs(i), folders{i}, 'failed', ...
-                               'the guard of the run was killed', 'killed');
-  end
+function plan = bookLost (plan, k, Case, report)
+  endRun (plan.folders{k});
+  record = failedRecord (plan.jobs(k), plan.folders{k}, 'failed', ...
+                         'the guard of the run was killed', 'killed');
+  plan = bookRun (plan, k, record, Case, report);
 end
 
-% Runs under way get a limit once three runs of their model have ended well.
-function setLimits (done, jobs, folders, Case)
-  for i = 1:numel (jobs)
-    k = strcmp (jobs(i).model, {Case.models.name});
-    limit = defaultLimit (Case.models(k), done);
-    file = fullfile (folders{i}, 'limit');
-    if ~isnan (limit) && ~isfile (file)
-      writeAtomic (file, sprintf ("%d\n", ceil (limit)), false);
+% A worker was killed, or getResults has ended it.
+function plan = afterLoss (plan, err, Case, report)
+  plan.losses = plan.losses + 1;
+  if strncmp (err.identifier, 'DEcalioc:', 9)
+    rethrow (err);
+  elseif plan.losses > 3
+    error ('DEcalioc:executeLocal:runFailed', ...
+           ['executeLocal: workers of parcellfun must stay alive, four ' ...
+            'calls in a row have lost one, got: %s. Is the memory full? ' ...
+            'Finished runs are kept.'], err.message);
+  end
+  parcellfun_set_nproc (0);                % the other workers end here, too
+  [~] = cellfun (@(f) unlink (fullfile (plan.place, f)), readdir (plan.place));
+  for k = find (plan.status == 'b')
+    plan.status(k) = 'r';
+    if ~isfile (fullfile (plan.folders{k}, 'job.json'))   % half-made
+      plan.status(k) = 'q';
+      plan.queue = [k, plan.queue];
     end
   end
+  for k = find (plan.status == 'j')
+    plan = bookRun (plan, k, collectRuns (plan.jobs(k), plan.folders(k), ...
+                                          Case, true), Case, report);
+  end
 end
 
-function state = stateOf (records, isDone, running, seconds)
-  status = {records(isDone).status};
-  state = struct ('total', numel (isDone), 'done', sum (isDone), ...
-                  'failed', sum (~strcmp (status, 'ok')), ...
-                  'running', numel (running), 'seconds', seconds);
+function leave (book)
+  plan = book('plan');
+  if any (plan.status ~= 'd')
+    parcellfun_set_nproc (0);              % nothing more is to be started
+    for folder = plan.folders(plan.status == 'b' | plan.status == 'r')
+      endRun (folder{1});
+      if isempty (runPids (folder{1}))     % its guard is on the way perhaps
+        system (['echo 0 2> /dev/null > ', ...
+                 shellQuote(fullfile (folder{1}, 'limit'))]);
+      end
+    end
+  end
+  confirm_recursive_rmdir (false, 'local');
+  rmdir (plan.place, 's');
 end
 
 %!function Case = quickCase ()
@@ -197,16 +239,3 @@ end
 %! writeAtomic (run, "kill -9 $$\n");
 %! r = executeLocal (newJobs (Case, [1, 2], [], 4, 'plan')(2), Case, @(s) []);
 %! assert (r.cause, 'killed');
-%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'mpirun'))
-%! % ranks of concurrent MPI runs may use all cores
-%! Case = quickCase ();
-%! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), ...
-%!   ["mpirun --oversubscribe -np 2 grep Cpus_allowed_list ", ...
-%!    "/proc/self/status\necho 1 > out\n"]);
-%! [~, all] = system ('grep Cpus_allowed_list /proc/self/status');
-%! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan')([2, 4]);
-%! records = executeLocal (jobs, Case, @(s) []);
-%! for k = 1:2
-%!   text = fileread (fullfile (records(k).folder, 'stdout.txt'));
-%!   assert (text, [all, all]);
-%! end

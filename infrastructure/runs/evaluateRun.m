@@ -18,9 +18,21 @@
 
 function record = evaluateRun (record, place)
   if strcmp (record.status, 'ok')
+    before = {path(), pwd()};
     record = evaluate (record, place);
+    putBack (before{:});
   end
   writeRecord (fullfile (record.folder, 'record.json'), record);
+end
+
+% The worker goes on with other runs, whatever getResults did to its path.
+function putBack (folders, here)
+  if ~strcmp (path (), folders)
+    path (folders);
+  end
+  if ~strcmp (pwd (), here)
+    cd (here);
+  end
 end
 
 % Octave cannot interrupt its own call: a shell kills the process when the time

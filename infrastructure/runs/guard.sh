@@ -10,6 +10,14 @@
 # script is told to end. Seconds are counted on the monotonic clock: setting
 # the wall clock harms nothing.
 set -u
+
+# A pipe of the Octave that started this, open here too, would hide its death
+# from who reads the other end; 255 is this script.
+for path in "/proc/$$/fd"/*; do
+  fd=${path##*/}
+  [ "$fd" -gt 2 ] && [ "$fd" -ne 255 ] && eval "exec $fd>&-"
+done
+
 cd -- "$1" || exit 97
 watch=${2:-}
 read -r DECALIOC_CPU 2> /dev/null < cpu || DECALIOC_CPU=1

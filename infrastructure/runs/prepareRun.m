@@ -1,6 +1,7 @@
 % PREPARERUN  Makes the folder of a run, ready to be started.
 %
 % CALL: FOLDER = prepareRun (JOB, CASE)
+%       prepareRun (JOB, CASE, FOLDER)     in a folder that is taken already
 %
 %   JOB     scalar struct, see newJobs
 %   CASE    see newCase
@@ -9,17 +10,14 @@
 %           runscript as DECALIOC_CPU); job.json is written last, so a folder
 %           without it is half-made and nobody's
 %
-% See also: startRun, makeRunFolder
+% See also: startRun, takeRunFolder, copyModel
 
-function folder = prepareRun (job, Case)
+function folder = prepareRun (job, Case, folder)
   k = find (strcmp (job.model, {Case.models.name}));
-  place = fullfile (Case.store, 'optim', job.model);
-  number = lastRunFolder (Case.store, job.model) + 1;
-  folder = fullfile (place, runFolderName (number));
-  while ~makeRunFolder (folder, Case.models(k).folder)
-    number = number + 1;
-    folder = fullfile (place, runFolderName (number));
+  if nargin < 3
+    folder = takeRunFolder (Case.store, job.model);
   end
+  copyModel (folder, Case.models(k).folder);
   appendVariables (folder, runVariables (job, Case));
   writeSet (folder, job.params, job.planRow);
   writeAtomic (fullfile (folder, 'cpu'), ...

@@ -1,0 +1,37 @@
+% TAKERUNFOLDER  Takes the next free folder for a run of a model.
+%
+% CALL: [FOLDER, NUMBER] = takeRunFolder (STORE, MODEL, NUMBER)
+%
+%   STORE   folder that holds optim/ (text)
+%   MODEL   name of the model (text)
+%   NUMBER  number that is tried first (default: one above the last); NUMBER
+%           returned is the one that was free
+%   FOLDER  path of the folder, which is there now and empty
+%
+% Errors: those of makeRunFolder
+%
+% See also: makeRunFolder, prepareRun, lastRunFolder
+
+function [folder, number] = takeRunFolder (store, model, number)
+  if nargin < 3
+    number = lastRunFolder (store, model) + 1;
+  end
+  folder = '';
+  while isempty (folder)
+    folder = fullfile (store, 'optim', model, runFolderName (number));
+    if ~makeRunFolder (folder)
+      folder = '';
+      number = number + 1;
+    end
+  end
+end
+
+%!test
+%! store = tempname ();
+%! [folder, number] = takeRunFolder (store, 'M');
+%! assert (folder, fullfile (store, 'optim', 'M', runFolderName (1)));
+%! assert (isfolder (folder));
+%! [~, number] = takeRunFolder (store, 'M', number);
+%! assert (number, 2);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (store, 's');
