@@ -44,5 +44,12 @@ check mh_style || findings=1
 check mh_lint || findings=1
 check mh_metric --ci || findings=1
 shellcheck -x --severity=warning .ci/run "${shell[@]}" || findings=1
+# What is small depends on the unit: eps (x) is relative, eps alone is not.
+noEps=(infrastructure/{gap,surrogates,calibration})
+if grep -rnwE --include='*.m' 'eps' "${noEps[@]}" |
+    grep -vE ':[0-9]+:%|eps \('; then
+  echo 'Absolute eps where values have units: write eps (x), or a share of x' >&2
+  findings=1
+fi
 tools/graph/graph.sh || findings=1
 exit $findings

@@ -69,7 +69,7 @@ function yes = isHopeless (state, problem, mayMove)
   final = state.final;
   [share, spread] = toleranceShare (problem, final.residual', ...
                                     final.residualSd');
-  beyond = (share - 1) ./ max (spread, eps);
+  beyond = (share - 1) ./ max (spread, realmin);
   isOut = final.n >= problem.options.replicates && any (beyond > 3);
   if mayMove
     yes = isOut && ~isempty (state.found.conflict);

@@ -98,7 +98,7 @@ end
 function rowsKept = resample (w)
   n = numel (w);
   edges = [0; cumsum(w)];
-  edges(end) = 1 + eps;
+  edges(end) = 1 + eps (1);
   rowsKept = lookup (edges, ((0:n - 1)' + rand ()) / n);
 end
 

@@ -27,7 +27,7 @@ function [solved, path] = solveStart (surrogates, problem, start, ...
   settings = optimset ('MaxIter', limit, 'TolFun', 1e-6);
   u = (start.params(:) - lo(:)) ./ width(:);
   u = min (max (u, 0), 1);
-  if sum (scaled (u).^2) > eps
+  if sum (scaled (u).^2) > eps (1)
     [u, cvg, niter] = leastSquaresInBox (scaled, jacobian, u, settings);
   else
     cvg = 3;

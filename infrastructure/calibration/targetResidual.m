@@ -10,7 +10,7 @@
 % SLOPE    n x T  derivative of each residual by its own result
 %
 % The published residual is computed for all rows at once; any other cost
-% function is called row by row and differentiated by a relative step of 1e-4.
+% function is called row by row and differentiated by a step of 1 % of the tolerance.
 %
 % See also: newProblem, preferenceOf
 
@@ -26,7 +26,7 @@ function [r, slope] = targetResidual (problem, P, Z)
   for i = 1:n
     r(i, :) = rows (problem, P(i, :), Z(i, :));
     if nargout > 1
-      step = 1e-4 * max (abs (problem.scale), eps);
+      step = max (0.01 * problem.tol .* abs (problem.scale), realmin);
       slope(i, :) = (rows (problem, P(i, :), Z(i, :) + step) - r(i, :)) ./ ...
                     step;
     end

@@ -2,8 +2,8 @@
 %
 % CALL: [GIVEN, NOTES] = addCorrelation (GIVEN, TARGETS)
 %
-%   GIVEN    struct of gapProblemOf with sd, series, coordinate, bench and
-%            benchNames; gets estimateSeries (1 x T logical: the length is to be
+%   GIVEN    struct of gapProblemOf with value, sd, held, series, coordinate,
+%            bench and benchNames; gets estimateSeries (1 x T logical: the length is to be
 %            estimated) and, where lengths are known, covariance (T x T)
 %   TARGETS  1 x T struct of a case; its field correlation is the length, 0:
 %            independent, NaN: to be estimated
@@ -17,8 +17,10 @@ function [given, notes] = addCorrelation (given, targets)
   notes = {};
   lengths = [targets.correlation];
   isAsked = lengths ~= 0;
+  % a length is learned from what is measured and fitted
+  counts = isAsked & ~(isnan (lengths) & (isnan (given.value) | given.held));
   together = given.series' == given.series & given.series > 0 & ...
-             isAsked' & isAsked;
+             counts' & isAsked;
   hasNeighbour = sum (together) > 1;
   given.estimateSeries = hasNeighbour & isnan (lengths);
   lengths(~hasNeighbour | isnan (lengths)) = 0;
@@ -28,14 +30,15 @@ function [given, notes] = addCorrelation (given, targets)
   end
   lost = setdiff (given.bench(isAsked), given.bench(hasNeighbour));
   if ~isempty (lost)
-    notes = {['optim.correlation has no effect, for results.csv puts no ' ...
-              'two results on one series (series, at), of ', ...
-              strjoin(given.benchNames(lost), ', ')]};
+    notes = {['optim.correlation has no effect, for no two results are ' ...
+              'measured, fitted and on one series (results.csv: series, ' ...
+              'at), of ', strjoin(given.benchNames(lost), ', ')]};
   end
 end
 
 %!shared given, targets
-%! given = struct ('sd', [1, 2, 2, 1], 'series', [1, 1, 0, 0], ...
+%! given = struct ('value', [1, 1, 1, 1], 'held', false (1, 4), ...
+%!                 'sd', [1, 2, 2, 1], 'series', [1, 1, 0, 0], ...
 %!                 'coordinate', [10, 15, 0, 0], 'bench', [1, 1, 1, 2], ...
 %!                 'benchNames', {{'A', 'B'}});
 %! targets = struct ('correlation', {5, 5, 5, NaN});
@@ -55,5 +58,14 @@ end
 %! assert (isfield (out, 'covariance'), false);
 %! assert (out.estimateSeries, [true, true, false, false]);
 %! assert (isempty (notes));
+%!test
+%! % a neighbour that is not measured, or held out, tells no length
+%! [targets(1:3).correlation] = deal (NaN);
+%! given.value(2) = NaN;
+%! assert (addCorrelation (given, targets).estimateSeries, false (1, 4));
+%! [given.value(2), given.held(2)] = deal (1, true);
+%! [out, notes] = addCorrelation (given, targets);
+%! assert (out.estimateSeries, false (1, 4));
+%! assert (numel (notes), 1);
 %!assert (isfield (addCorrelation (given, struct ('correlation', {0, 0, ...
 %!                                                0, 0})), 'covariance'), false)

@@ -7,7 +7,8 @@
 %   GAPPROBLEM   the same with covariance;  LENGTHS  1 x T, 0: independent
 %
 % From what the calibrated model leaves of each series, less a quadratic in the
-% coordinate: a gap is mostly smoother than that, the errors are not.
+% coordinate: a gap is mostly smoother than that, the errors are not. Of less
+% than four points nothing can be learned.
 %
 % See also: estimateCorrelation, measurementCovariance
 
@@ -25,9 +26,13 @@ function [gapProblem, lengths] = correlateSeries (gapProblem, em, options)
   residual(used) = gapProblem.value(used) - M(used);
   for s = unique (gapProblem.series(at))
     own = at(gapProblem.series(at) == s);
+    if numel (own) < 4
+      continue
+    end
     x = gapProblem.coordinate(own);
-    r = residual(own) - polyval (polyfit (x, residual(own), ...
-                                          min (2, numel (own) - 2)), x);
+    u = (x - mean (x)) / max (std (x), realmin);
+    degree = min (2, numel (unique (x)) - 1);
+    r = residual(own) - polyval (polyfit (u, residual(own), degree), u);
     L = estimateCorrelation (r, gapProblem.sd(own), x);
     lengths(gapProblem.series == s & gapProblem.estimateSeries) = L;
   end
@@ -64,3 +69,22 @@ end
 %! assert (lengths(31), 0);
 %! assert (gapProblem.covariance(1, 2) > 0.004);
 %! assert (gapProblem.covariance(31, 32), 0);
+%!test
+%! % of a curve one point is measured, of the other one is calibrated to
+%! x = linspace (0, 1, 6);
+%! data.X = (1:8)' / 9;
+%! data.E = zeros (8, 0);
+%! data.Z = data.X * [x, x] + 1e-3 * sin (17 * (1:8)' * (1:12));
+%! data.replicate = ones (8, 1);
+%! given = struct ('value', 0.5 * [x, x], 'sd', 0.1 * ones (1, 12), ...
+%!                 'limits', [0; 1], 'bench', kron ([1, 2], ones (1, 6)));
+%! given.value([1, 3:6]) = NaN;
+%! given.held = [false(1, 6), true, true, false, true, true, true];
+%! given.series = given.bench;
+%! given.coordinate = [x, x];
+%! given.estimateSeries = true (1, 12);
+%! gapProblem = newGapProblem (given);
+%! options = gapOptions (struct ('trend', 'affine'));
+%! em = fitEmulator (gapProblem, data, options);
+%! [~, lengths] = correlateSeries (gapProblem, em, options);
+%! assert (lengths, zeros (1, 12));

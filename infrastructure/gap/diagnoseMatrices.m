@@ -22,7 +22,7 @@
 % Order: WHERE, WHICH, HOW FAR, NEXT TEST. Random numbers come from
 % OPTIONS.seed; the caller's random state is left as it was.
 %
-% Errors: those of newGapProblem, strengthOfValues and fitEmulator
+% Errors: those of newGapProblem, enterRuns, strengthOfValues and fitEmulator
 %
 % See also: diagnoseGap, locateGap, caseEvidence, judgeCase, proveCause,
 % nextTest
@@ -34,9 +34,9 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   if nargin < 4
     evaluate = [];
   end
-  gapProblem = newGapProblem (given);
   options = gapOptions (options);
-  state = struct ('data', data, 'evaluate', evaluate, 'spent', 0, ...
+  [gapProblem, known] = enterRuns (newGapProblem (given), data, options);
+  state = struct ('data', known, 'evaluate', evaluate, 'spent', 0, ...
                   'failed', 0, 'left', options.maxNewRuns, ...
                   'repeats', options.verifyRuns);
   [state, em] = improveSurrogates (gapProblem, options, state);
@@ -60,10 +60,41 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   diagnosis.which.expected = ...
     calibrateVerdict (view.models, library, gapProblem);
   diagnosis.next = nextTest (gapProblem, library, w, verdict.P);
-  diagnosis.gapProblem = gapProblem;
+  diagnosis = inGivenUnits (diagnosis, gapProblem);
   diagnosis.runs = struct ('spent', state.spent, 'failed', state.failed, ...
                            'left', state.left);
-  diagnosis.data = state.data;
+  diagnosis.data = withNewRuns (data, state.data, gapProblem);
+end
+
+% Back through the door of enterRuns.
+function diagnosis = inGivenUnits (diagnosis, gapProblem)
+  unit = gapProblem.unit;
+  own = unit(gapProblem.used);
+  where = diagnosis.where;
+  where.residual = where.residual .* own;
+  where.sd = where.sd .* own;
+  where.held.mean = where.held.mean .* unit(gapProblem.heldOut);
+  where.held.sd = where.held.sd .* unit(gapProblem.heldOut);
+  for name = {'measurement', 'trial', 'noiseSd', 'surrogate'}
+    where.budget.(name{1}) = where.budget.(name{1}) .* unit;
+  end
+  for name = {'estimated', 'unknown'}
+    where.budget.(name{1}) = where.budget.(name{1}) .* unit.^2;
+  end
+  where.budget.covariance = where.budget.covariance .* (unit' * unit);
+  where.out = gapProblem.out;
+  diagnosis.where = where;
+  diagnosis.gapProblem = inUnits (gapProblem, 1 ./ unit);
+end
+
+function data = withNewRuns (data, all, gapProblem)
+  known = rows (data.Z);
+  new = known + 1:rows (all.Z);
+  data.Z(new, :) = NaN;
+  data.Z(new, gapProblem.kept) = all.Z(new, :) .* gapProblem.unit;
+  for name = setdiff (fieldnames (all)', {'Z'})
+    data.(name{1}) = all.(name{1});
+  end
 end
 
 function kept = tested (em)

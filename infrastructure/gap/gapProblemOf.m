@@ -118,7 +118,7 @@ function e = oneEffect (effect, info, given, library)
          ~strcmp ({library.name}, effect.name);
   e.siblings = {library(same).name};
   far = max (abs (effect.limits - effect.neutral), [], 1);
-  ratio = effect.priorScale ./ max (far, eps);
+  ratio = effect.priorScale ./ far;
   if ~isempty (ratio) && all (isfinite (ratio)) && max (ratio) > 0
     e.scale = min (max (max (ratio), 0.1), 2);
   end

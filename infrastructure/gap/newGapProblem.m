@@ -29,7 +29,8 @@
 %     paramMean, paramSd   1 x p, values measured independently (NaN: none)
 %     benchCost   1 x B, cost of one measurement on each bench (1)
 %     effects     1 x K struct, see newEffect ([])
-%   GAPPROBLEM  the same with every field present, rows as rows
+%   GAPPROBLEM  the same with every field present, rows as rows, and used,
+%     heldOut, possible (numbers of targets), kept, unit (see enterRuns)
 %
 % Errors: DEcalioc:newGapProblem:missingField, :badShape, :badValue
 %
@@ -52,6 +53,8 @@ function gapProblem = newGapProblem (given)
   gapProblem.used = find (isfinite (gapProblem.value) & ~gapProblem.held);
   gapProblem.heldOut = find (isfinite (gapProblem.value) & gapProblem.held);
   gapProblem.possible = find (~isfinite (gapProblem.value));
+  gapProblem.kept = 1:T;
+  gapProblem.unit = ones (1, T);
   if isempty (gapProblem.used)
     error ('DEcalioc:newGapProblem:badValue', ...
            ['newGapProblem: VALUE must hold at least one measured value ' ...

@@ -32,6 +32,7 @@ function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
   end
   Z = state.evaluate (X, E, replicate(1:n), told{:});
   isTried = ~any (isna (Z), 2);
+  Z = Z(:, gapProblem.kept) ./ gapProblem.unit;
   state.data.X = [state.data.X; X(isTried, :)];
   state.data.E = [state.data.E; E(isTried, :)];
   state.data.Z = [state.data.Z; Z(isTried, :)];

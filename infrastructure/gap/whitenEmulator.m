@@ -9,7 +9,7 @@
 %             that runs have told, or nobody)
 %   ROTATION  n x n orthogonal, applied after whitening (default: none)
 %   WHITE     struct like EM, results replaced by z = (y(COLUMNS)) * W', plus
-%     W (n x n), columns, varCoef (log variance of z), effect.varCoef and
+%     W (n x n), back (its inverse), columns, varCoef (log variance of z), effect.varCoef and
 %     joint.varCoef (log of the extra variance / psi^2), nu (1 x n: degrees of
 %     freedom of the variances, Welch and Satterthwaite), parity (n x m: the
 %     directions that parameters cannot absorb, at the middle of the box)
@@ -28,12 +28,13 @@ function white = whitenEmulator (em, targets, noise, rotation)
   D = sqrt (em.surrogateVar(:, targets));
   C = em.correlation(targets, targets);
   meanD = sqrt (mean (D.^2, 1));
-  W = inv (chol (fixed + (meanD' * meanD) .* C, 'lower'));
+  [W, back] = whitener (fixed + (meanD' * meanD) .* C);
   if nargin > 3
     W = rotation * W;
+    back = back * rotation';
   end
   white = struct ('p', em.p, 'powers', em.powers, 'W', W, ...
-                  'columns', targets, 'varPowers', em.varPowers, ...
+                  'back', back, 'columns', targets, 'varPowers', em.varPowers, ...
                   'success', em.success);
   other = setdiff (1:columns (em.success), em.bench(targets));
   white.success(:, other) = 0;
@@ -52,6 +53,14 @@ function white = whitenEmulator (em, targets, noise, rotation)
           noise.unknown(targets).^2 / 3;
   white.nu = freedom (W, total, doubt);
   white.parity = parityAt (white, zeros (1, em.p));
+end
+
+% By the correlations: variances may differ by more than rounding allows.
+function [W, back] = whitener (S)
+  sd = sqrt (diag (S))';
+  root = chol (S ./ (sd' * sd), 'lower');
+  W = inv (root) ./ sd;
+  back = sd' .* root;
 end
 
 % Variance of each row of deviations D along W(i, :), correlated by C.
@@ -78,7 +87,7 @@ end
 % A noise of which only a guess is known counts as estimated from four trials.
 function nu = freedom (W, total, doubt)
   part = (W.^2) * total';
-  nu = max (part.^2 ./ max ((W.^4) * doubt', eps), 3)';
+  nu = max (part.^2 ./ max ((W.^4) * doubt', realmin), 3)';
 end
 
 function N = parityAt (white, theta)

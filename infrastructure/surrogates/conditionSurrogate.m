@@ -38,7 +38,7 @@ function surrogate = conditionSurrogate (model, base)
   alpha = L' \ (b - A * beta);
   W = chol2inv (L');
   V = (L' \ A) / R;
-  q = max (diag (W) - sum (V.^2, 2), eps);
+  q = max (diag (W) - sum (V.^2, 2), eps (diag (W)));
   loo = alpha ./ q;
   looStd = alpha ./ sqrt (q);
 

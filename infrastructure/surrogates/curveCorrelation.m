@@ -20,7 +20,7 @@ function [rough, smooth] = curveCorrelation (E, distance)
   [rough, smooth] = deal (ones (size (distance)));
   E = E(all (isfinite (E), 2), :);
   if ~isempty (E) && any (distance(:) > 0)
-    E = E ./ max (sqrt (mean (E.^2, 1)), eps);
+    E = E ./ max (sqrt (mean (E.^2, 1)), realmin);
     steps = [min(distance(distance > 0)), 3 * max(distance(:))];
     short = logspace (log10 (steps(1) / 3), log10 (steps(2)), 12);
     long = logspace (log10 (steps(1)), log10 (steps(2)), 12);

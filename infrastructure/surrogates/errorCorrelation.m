@@ -19,7 +19,7 @@
 function [C, along] = errorCorrelation (R, gapProblem)
   [n, T] = size (R);
   scale = sqrt (sum (R.^2, 1));
-  S = (R' * R) ./ max (scale' * scale, eps);
+  S = (R' * R) ./ max (scale' * scale, realmin);
   along = eye (T);
   for s = setdiff (gapProblem.series, 0)
     own = find (gapProblem.series == s);

@@ -41,7 +41,7 @@ function fit = fitEffect (powers, Q, r, noise, grid)
   if isvector (noise)
     noise = diag (noise);
   end
-  strength2 = max (r(:, 2).^2, eps);
+  strength2 = max (r(:, 2).^2, 1e-16 * max (r(:, 2).^2));
   unit = mean (diag (noise)) / mean (strength2);
   B = polyRows (powers, Q);
   degree = sum (powers, 2)' - min (sum (powers, 2));

@@ -117,7 +117,7 @@ end
 % nugget of the Kriging model does.
 function em = noiseOfRuns (em, gapProblem, data)
   [measured, df, residual] = replicateNoise ([data.X, data.E], data.Z);
-  nugget = max ([em.surrogates.noiseVar], eps);
+  nugget = max ([em.surrogates.noiseVar], (1e-8 * em.range).^2);
   weight = df ./ (df + 5);
   measured(df == 0) = 0;
   em.noiseVar = weight .* measured + (1 - weight) .* nugget;
@@ -184,8 +184,10 @@ function range = rangesOf (gapProblem, Z, isBase)
   span = @(A) max (A, [], 1) - min (A, [], 1);
   range = span (Z(isBase, :));
   for t = find (range <= 100 * eps (max (abs (Z), [], 1)))
-    range(t) = max ([span([Z(:, t); gapProblem.value(t)]), ...
-                     gapProblem.sd(t), eps]);
+    range(t) = max (span ([Z(:, t); gapProblem.value(t)]), gapProblem.sd(t));
+    if ~(range(t) > 0)
+      range(t) = gapProblem.unit(t);
+    end
   end
 end
 

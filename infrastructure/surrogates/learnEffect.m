@@ -70,8 +70,8 @@ function e = learnEffect (em, effect, Q, Z)
     end
     e.coef(:, t) = fit.coef;
     e.looStd{t} = fit.looStd;
-    e.varOverPsi2(:, t) = max (sum ((B * fit.covariance) .* B, 2), eps) + ...
-                          fit.misfit;
+    e.varOverPsi2(:, t) = max (sum ((B * fit.covariance) .* B, 2), ...
+                               (1e-8 * em.range(t))^2) + fit.misfit;
   end
 end
 

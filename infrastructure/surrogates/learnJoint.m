@@ -22,7 +22,8 @@ function joint = learnJoint (em, pair, Q, Z)
   one = em.effect(pair(1));
   two = em.effect(pair(2));
   alone = @(e) abs (polyRows (e.powers, [zeros(1, p), 1]) * e.coef);
-  guess = 0.3^2 * alone (one) .* alone (two) + eps;
+  least = (1e-8 * em.range).^2;
+  guess = 0.3^2 * alone (one) .* alone (two) + least;
   joint = struct ('members', pair, 'powers', zeros (0, p + 2), ...
                   'coef', zeros (0, T), 'bend', [1, 1], 'laboratory', false, ...
                   'runs', rows (Q), 'points', zeros (1, p + 2), ...
@@ -49,8 +50,8 @@ function joint = learnJoint (em, pair, Q, Z)
                        [Z(ok, t) - m(ok, t), product(ok)], ...
                        em.noiseVar(t) + v(ok, t));
       joint.coef(:, t) = fit.coef;
-      joint.varOverPsi2(t) = min (fit.covariance(1) + fit.misfit + eps, ...
-                                  guess(t));
+      own = fit.covariance(1) + fit.misfit + least(t);
+      joint.varOverPsi2(t) = min (own, guess(t));
     end
   end
 end
@@ -58,7 +59,8 @@ end
 %!test
 %! % two effects that double each other: seen from a few runs (seeded)
 %! rand ('twister', 3); randn ('twister', 3);
-%! em = struct ('p', 1, 'coef', zeros (1, 2), 'noiseVar', [0.01, 0.01]);
+%! em = struct ('p', 1, 'coef', zeros (1, 2), 'noiseVar', [0.01, 0.01], ...
+%!              'range', [4, 1]);
 %! em.surrogates = @(theta) deal (zeros (rows (theta), 2), ...
 %!                                zeros (rows (theta), 2));
 %! em.effect = struct ('powers', [0, 1], 'coef', {[4, 0], [4, 1]}, ...

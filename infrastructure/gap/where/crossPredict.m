@@ -35,7 +35,7 @@ function cross = crossPredict (gapProblem, em, models, from, to)
   cross.d2 = r * (S \ r');
   cross.df = numel (to);
   cross.p = chiSquareTail (cross.d2, cross.df);
-  back = inv (other.W);
+  back = other.back;
   cross.mean = M * back';
   cross.sd = sqrt (diag (back * S * back'))';
 end

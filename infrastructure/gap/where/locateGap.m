@@ -47,7 +47,7 @@ function where = locateGap (gapProblem, em, models, fits, options)
   where = localise (where, view, r, test.residual, gapProblem.bench(used), ...
                     options);
   where.conflict = benchConflicts (gapProblem, em, models);
-  where.trends = trendContrasts (gapProblem, used, where.residual', view.Omega);
+  where.trends = trendContrasts (gapProblem, used, where.residual', view);
   where.side = sideSignals (gapProblem, em, where.theta);
   where.budget = noiseBudget (gapProblem, em);
   where.held = heldOut (gapProblem, em, models);
@@ -55,7 +55,7 @@ end
 
 % Covariances in the units of the targets: Sigma, and Omega after the fit.
 function view = rawView (white, V, J)
-  view.back = inv (white.W);
+  view.back = white.back;
   view.Sigma = view.back * diag (V) * view.back';
   Jraw = view.back * J;
   C = pinv (J' * diag (1 ./ V) * J);

@@ -19,7 +19,7 @@
 function parity = parityProjection (J, R)
   [U, S, ~] = svd (J);
   s = diag (S(1:min (size (S)), 1:min (size (S))));
-  rank_ = sum (s > 1e-8 * max ([s; eps]));
+  rank_ = sum (s > 1e-8 * max ([s; realmin]));
   parity.N = U(:, rank_ + 1:end);
   parity.rho = parity.N' * R;
   parity.unabsorbed = sum (parity.rho.^2);

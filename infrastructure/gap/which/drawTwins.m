@@ -46,14 +46,14 @@ function twins = drawTwins (models, causes, d, seed, surplus)
   end
   chi2 = 2 * randg (repmat (min (white.nu, 1e4) / 2, n, 1));
   noise = randn (n, T) ./ sqrt (chi2 ./ min (white.nu, 1e4));
-  twins.Y = (M + sqrt (surplus * V) .* noise) / white.W';
+  twins.Y = (M + sqrt (surplus * V) .* noise) * white.back';
 end
 
 function phi = strengths (white, h, d, screen)
   phi = zeros (1, numel (h));
   for j = 1:numel (h)
     range = white.effect(h(j)).range;
-    phi(j) = min (d / max (screen.size(h(j)), eps), 1) * range(2);
+    phi(j) = min (d / max (screen.size(h(j)), realmin), 1) * range(2);
     if range(1) < 0 && rand () < 0.5
       phi(j) = phi(j) / range(2) * range(1);
     end

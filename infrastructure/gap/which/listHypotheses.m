@@ -77,9 +77,11 @@ end
 function others = partnersOf (white, fits, i, k, screen)
   M = predictGap (white, k, fits.single{k}.Q(i, :));
   rho = screen.parity.N' * (fits.Z(i, :) - M)';
-  own = screen.U(:, k) / max (norm (screen.U(:, k)), eps);
+  own = screen.U(:, k) / max (norm (screen.U(:, k)), realmin);
   rest = screen.U - own * (own' * screen.U);
-  gain = (rest' * rho).^2 ./ max (sum (rest.^2, 1)', eps);
+  % what is left of a signature that is the same but for rounding says nothing
+  least = max (1e-16 * sum (screen.U.^2, 1), realmin);
+  gain = (rest' * rho).^2 ./ max (sum (rest.^2, 1), least)';
   gain(k) = -Inf;
   [~, order] = sort (-gain);
   others = order(1:min (4, numel (gain) - 1));

@@ -31,7 +31,7 @@ function verdict = openVerdict (w, K)
   [~, verdict.top] = max ([verdict.total, 0]);
   [sorted, order] = sort (-verdict.total);
   whole = cumsum (-sorted);
-  verdict.likely = order(1:find (whole >= 0.95 * max ([whole, eps]), 1));
+  verdict.likely = order(1:find (whole >= 0.95 * max ([whole, realmin]), 1));
 end
 
 %!test

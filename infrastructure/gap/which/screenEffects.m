@@ -42,7 +42,7 @@ function screen = screenEffects (white, theta, z)
       screen = oneSide (screen, white, k, range(1), theta, sd);
     end
   end
-  norms = max (sqrt (sum (screen.U.^2, 1)), eps);
+  norms = max (sqrt (sum (screen.U.^2, 1)), realmin);
   screen.cosine = (screen.U' * screen.U) ./ (norms' * norms);
   either = both | both';
   screen.cosine(either) = abs (screen.cosine(either));
@@ -68,9 +68,9 @@ function screen = oneSide (screen, white, k, top, theta, sd)
     screen.U(:, k) = U(end, :)';
     screen.size(k) = sqrt (energy(end));
     whole = sum (S(end, :).^2);
-    screen.absorbedShare(k) = 1 - sum (U(end, :).^2) / max (whole, eps);
+    screen.absorbedShare(k) = 1 - sum (U(end, :).^2) / max (whole, realmin);
   end
-  length_ = max (sqrt (sum (U.^2, 2)), eps);
+  length_ = max (sqrt (sum (U.^2, 2)), realmin);
   along = max (U * screen.parity.rho ./ length_, 0);
   gain = along.^2 - max (along - length_, 0).^2;
   [most, at] = max (gain);

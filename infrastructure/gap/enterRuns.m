@@ -1,0 +1,173 @@
+% ENTERRUNS  Lets runs and measurements in: checked, and in units of their own.
+%
+% CALL: [GAPPROBLEM, DATA] = enterRuns (GAPPROBLEM, DATA, OPTIONS)
+%
+%   GAPPROBLEM  struct of newGapProblem, in the units of the user
+%   DATA        struct X, E, Z (NaN: no result, NA: not run), replicate
+%   OPTIONS     struct of gapOptions
+%   GAPPROBLEM  the same in standard units, less the targets of benches none of
+%               whose runs gave a result; also
+%     kept (1 x T'): numbers of the targets that are left
+%     unit (1 x T'): what one unit is in that of the user, a power of two
+%     out  (cellstr): names of the benches that are out
+%   DATA        the same, Z in standard units, columns as the targets left
+%
+% A target's unit is near the uncertainty of its measurement: it must not change
+% with further runs, or a second start would come to other last digits and ask
+% for other sets. A power of two leaves every digit as it is. Beyond this door
+% all limits of rounding are relative (tools/lint.sh); parameters and strengths
+% are in shares of their ranges anyway.
+%
+% Errors: DEcalioc:enterRuns:badShape, :badValue, :runFailed
+%
+% See also: inUnits, diagnoseMatrices, spendRuns
+
+function [gapProblem, data] = enterRuns (gapProblem, data, options)
+  checkRuns (gapProblem, data);
+  [gapProblem, kept, out] = withoutDeadBenches (gapProblem, data);
+  data.Z = data.Z(:, kept);
+  checkEnough (gapProblem, data, options);
+  unit = unitsOf (gapProblem, data.Z);
+  gapProblem = inUnits (gapProblem, unit);
+  gapProblem.kept = kept;
+  gapProblem.unit = unit;
+  gapProblem.out = out;
+  data.Z = data.Z ./ unit;
+end
+
+function checkRuns (gapProblem, data)
+  n = rows (data.X);
+  sizes = {'X', [n, columns(gapProblem.limits)]; ...
+           'E', [n, columns(data.E)]; ...
+           'Z', [n, numel(gapProblem.value)]; 'replicate', [n, 1]};
+  for i = 1:rows (sizes)
+    value = data.(sizes{i, 1});
+    if ~isequal (size (value), sizes{i, 2})
+      error ('DEcalioc:enterRuns:badShape', ...
+             'enterRuns: DATA.%s must be %d x %d, got %d x %d.', ...
+             sizes{i, 1}, sizes{i, 2}, size (value));
+    end
+    if ~isreal (value)
+      error ('DEcalioc:enterRuns:badValue', ...
+             'enterRuns: DATA.%s must hold real numbers, got complex ones.', ...
+             sizes{i, 1});
+    end
+  end
+  bad = find (~all (isfinite ([data.X, data.E]), 2), 1);
+  if ~isempty (bad)
+    error ('DEcalioc:enterRuns:badValue', ...
+           ['enterRuns: run %d has a parameter or an effect variable that ' ...
+            'is not finite. Give the value it was run with, or leave the ' ...
+            'run out.'], bad);
+  end
+  [run, t] = find (isinf (data.Z), 1);
+  if ~isempty (run)
+    error ('DEcalioc:enterRuns:badValue', ...
+           ['enterRuns: run %d gives %g for %s. A run without a result has ' ...
+            'NaN there (in runs.csv: nothing).'], run, data.Z(run, t), ...
+           gapProblem.targetNames{t});
+  end
+end
+
+function [gapProblem, kept, out] = withoutDeadBenches (gapProblem, data)
+  isThere = any (isfinite (data.Z), 1);
+  benches = unique (gapProblem.bench);
+  dead = setdiff (benches, gapProblem.bench(isThere));
+  out = gapProblem.benchNames(dead);
+  kept = find (~ismember (gapProblem.bench, dead));
+  left = intersect (gapProblem.used, kept);
+  if isempty (left)
+    error ('DEcalioc:enterRuns:runFailed', ...
+           ['enterRuns: no run of %s gave a result, and no measured target ' ...
+            'is left. Look at the failed runs.'], strjoin (out, ', '));
+  end
+  if ~isempty (dead)
+    gapProblem = newGapProblem (ofTargets (gapProblem, kept));
+  end
+end
+
+function gapProblem = ofTargets (gapProblem, kept)
+  T = numel (gapProblem.value);
+  for name = fieldnames (gapProblem)'
+    isPerTarget = isequal (size (gapProblem.(name{1})), [1, T]) && ...
+                  ~any (strcmp (name{1}, {'benchNames', 'benchCost', 'names', ...
+                                          'paramMean', 'paramSd', ...
+                                          'effects', 'used', 'heldOut', ...
+                                          'possible'}));
+    if isPerTarget
+      gapProblem.(name{1}) = gapProblem.(name{1})(kept);
+    end
+  end
+  if ~isempty (gapProblem.covariance)
+    gapProblem.covariance = gapProblem.covariance(kept, kept);
+  end
+  for k = 1:numel (gapProblem.effects)
+    e = gapProblem.effects(k);
+    gapProblem.effects(k).offset = e.offset(kept);
+    gapProblem.effects(k).matrix = e.matrix(kept, kept);
+  end
+end
+
+% What the trend of the surrogates needs, and one run more.
+function checkEnough (gapProblem, data, options)
+  p = columns (gapProblem.limits);
+  terms = struct ('choose', 1, 'constant', 1, 'affine', p + 1, ...
+                  'quadratic', (p + 1) * (p + 2) / 2);
+  needed = terms.(options.trend) + 1;
+  phi = strengthOfValues (gapProblem.effects, data.E);
+  isBase = all (abs (phi) < 1e-9, 2);
+  there = sum (isfinite (data.Z(isBase, :)), 1);
+  few = find (there < needed, 1);
+  if ~isempty (few)
+    error ('DEcalioc:enterRuns:runFailed', ...
+           ['enterRuns: %s has %d finite results of runs with all effects ' ...
+            'neutral, needs %d or more. Run or import more of them, or take ' ...
+            'the target out.'], gapProblem.targetNames{few}, there(few), needed);
+  end
+end
+
+function unit = unitsOf (gapProblem, Z)
+  span = max (Z, [], 1) - min (Z, [], 1);
+  sizes = [gapProblem.sd; abs(gapProblem.value); span; max(abs (Z), [], 1)];
+  sizes(end + 1, :) = 1;
+  sizes(~(sizes > 0 & isfinite (sizes))) = 0;
+  [~, first] = max (sizes > 0, [], 1);
+  size_ = sizes(sub2ind (size (sizes), first, 1:columns (sizes)));
+  unit = 2.^round (log2 (size_));
+end
+
+%!shared given, data
+%! given = struct ('value', [1e-9, 2, 3e12], 'sd', [3e-11, 0, 1e11], ...
+%!                 'limits', [0; 1], 'bench', [1, 1, 2]);
+%! X = (1:6)' / 6;
+%! data = struct ('X', X, 'E', zeros (6, 0), 'replicate', ones (6, 1), ...
+%!                'Z', X .* [1e-9, 1, 1e12]);
+%!test
+%! [p, d] = enterRuns (newGapProblem (given), data, gapOptions ([]));
+%! assert (p.sd(1) > 0.7 && p.sd(1) < 1.42);
+%! assert (p.value, given.value ./ p.unit);
+%! assert (d.Z .* p.unit, data.Z);
+%! assert (p.out, cell (1, 0));
+%!test
+%! % no run of a bench gave a result: the other is diagnosed
+%! data.Z(:, 3) = NaN;
+%! [p, d] = enterRuns (newGapProblem (given), data, gapOptions ([]));
+%! assert (p.out, {'bench2'});
+%! assert (p.kept, [1, 2]);
+%! assert (p.used, [1, 2]);
+%! assert (columns (d.Z), 2);
+%!error id=DEcalioc:enterRuns:runFailed
+%! data.Z(:) = NaN;
+%! enterRuns (newGapProblem (given), data, gapOptions ([]));
+%!error id=DEcalioc:enterRuns:runFailed
+%! data.Z(2:end, 2) = NaN;
+%! enterRuns (newGapProblem (given), data, gapOptions ([]));
+%!error id=DEcalioc:enterRuns:badValue
+%! data.Z(2, 2) = Inf;
+%! enterRuns (newGapProblem (given), data, gapOptions ([]));
+%!error id=DEcalioc:enterRuns:badValue
+%! data.X(2) = NaN;
+%! enterRuns (newGapProblem (given), data, gapOptions ([]));
+%!error id=DEcalioc:enterRuns:badShape
+%! data.Z = data.Z';
+%! enterRuns (newGapProblem (given), data, gapOptions ([]));

@@ -1,0 +1,40 @@
+% INUNITS  Expresses the measurements of a diagnosis in other units.
+%
+% CALL: GAPPROBLEM = inUnits (GAPPROBLEM, UNIT)
+%
+%   GAPPROBLEM  struct of newGapProblem
+%   UNIT        1 x T, what one new unit of each target is in the old one
+%   GAPPROBLEM  the same in the new units
+%
+% See also: enterRuns, newGapProblem
+
+function gapProblem = inUnits (gapProblem, unit)
+  for name = {'value', 'sd', 'noiseSd'}
+    gapProblem.(name{1}) = gapProblem.(name{1}) ./ unit;
+  end
+  if ~isempty (gapProblem.covariance)
+    gapProblem.covariance = gapProblem.covariance ./ (unit' * unit);
+  end
+  for k = 1:numel (gapProblem.effects)
+    e = gapProblem.effects(k);
+    gapProblem.effects(k).offset = e.offset ./ unit;
+    gapProblem.effects(k).matrix = (unit' .* e.matrix) ./ unit;
+  end
+end
+
+%!test
+%! % an effect of the laboratory does the same in the other units
+%! effect = struct ('name', 'e', 'laboratory', true, 'offset', [1, 2], ...
+%!                  'matrix', [0.1, 2; 0, 0.3]);
+%! given = struct ('value', [8, 9], 'sd', [1, 1], 'limits', [0; 1], ...
+%!                 'bench', [1, 1], 'covariance', [4, 1; 1, 4]);
+%! given.effects = effect;
+%! old = newGapProblem (given);
+%! unit = [1e-3, 50];
+%! new = inUnits (old, unit);
+%! m = [5, 7];
+%! e = new.effects;
+%! moved = m ./ unit + e.offset + (m ./ unit) * e.matrix;
+%! assert (moved .* unit, m + effect.offset + m * effect.matrix, 1e-12);
+%! assert (new.covariance .* (unit' * unit), given.covariance, 1e-12);
+%! assert (inUnits (new, 1 ./ unit).value, old.value, 1e-12);
