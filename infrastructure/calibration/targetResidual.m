@@ -10,7 +10,7 @@
 % SLOPE    n x T  derivative of each residual by its own result
 %
 % The published residual is computed for all rows at once; any other cost
-% function is called row by row and differentiated by a step of 1 % of the tolerance.
+% function is called row by row, differentiated by 1 % of the tolerance.
 %
 % See also: newProblem, preferenceOf
 

@@ -41,10 +41,15 @@ function [p, v] = checkNames (effect, field)
   end
   v = numel (names);
   reserved = names(ismember (names, {'RLTS', 'SIMTS', 'runSeed'}));
+  own = names(ismember (names, {'value', 'interval90', 'smallestSeen'}));
   if ~isempty (reserved)
     p = checkFault ('reservedName', field, ...
                     'a variable that DEcalioc does not set itself', ...
                     reserved{1}, 'Take it out.');
+  elseif ~isempty (own)
+    p = checkFault ('reservedName', field, ...
+                    'a name that is none of gap.json''s own', own{1}, ...
+                    'Call it something else, in data.head too.');
   end
 end
 
@@ -109,5 +114,7 @@ end
 %!         'DEcalioc:checkCase:effectTransform');
 %! own.transform = @(Z, s, info) Z + s;
 %! assert (isempty (checkEffectNumbers (own, 'effects(1).')));
+%!assert (checkEffectNumbers (setfield (e, 'variables', {'a', 'value'}), ...
+%!                             'e.').id, 'DEcalioc:checkCase:reservedName')
 %!assert (checkEffectNumbers (struct ('variables', 'a'), 'e.').id, ...
 %!        'DEcalioc:checkCase:effectVariables')

@@ -3,8 +3,9 @@
 % CALL: [GIVEN, NOTES] = addCorrelation (GIVEN, TARGETS)
 %
 %   GIVEN    struct of gapProblemOf with value, sd, held, series, coordinate,
-%            bench and benchNames; gets estimateSeries (1 x T logical: the length is to be
-%            estimated) and, where lengths are known, covariance (T x T)
+%            bench and benchNames; gets estimateSeries (1 x T logical: the
+%            length is to be estimated) and, where lengths are known,
+%            covariance (T x T)
 %   TARGETS  1 x T struct of a case; its field correlation is the length, 0:
 %            independent, NaN: to be estimated
 %   NOTES    cellstr, benches of which a length was given in vain

@@ -63,7 +63,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   diagnosis = inGivenUnits (diagnosis, gapProblem);
   diagnosis.runs = struct ('spent', state.spent, 'failed', state.failed, ...
                            'left', state.left);
-  diagnosis.data = withNewRuns (data, state.data, gapProblem);
+  diagnosis.data = withNewRuns (data, state, known, gapProblem);
 end
 
 % Back through the door of enterRuns.
@@ -87,13 +87,15 @@ function diagnosis = inGivenUnits (diagnosis, gapProblem)
   diagnosis.gapProblem = inUnits (gapProblem, 1 ./ unit);
 end
 
-function data = withNewRuns (data, all, gapProblem)
-  known = rows (data.Z);
-  new = known + 1:rows (all.Z);
-  data.Z(new, :) = NaN;
-  data.Z(new, gapProblem.kept) = all.Z(new, :) .* gapProblem.unit;
-  for name = setdiff (fieldnames (all)', {'Z'})
-    data.(name{1}) = all.(name{1});
+function data = withNewRuns (data, state, known, gapProblem)
+  new = rows (known.X) + 1:rows (state.data.X);
+  for name = fieldnames (data)'
+    own = state.data.(name{1})(new, :);
+    if strcmp (name{1}, 'Z')
+      own = NaN (numel (new), columns (data.Z));
+      own(:, gapProblem.kept) = state.data.Z(new, :) .* gapProblem.unit;
+    end
+    data.(name{1}) = [data.(name{1}); own];
   end
 end
 

@@ -10,7 +10,8 @@
 %     kept (1 x T'): numbers of the targets that are left
 %     unit (1 x T'): what one unit is in that of the user, a power of two
 %     out  (cellstr): names of the benches that are out
-%   DATA        the same, Z in standard units, columns as the targets left
+%   DATA        the same, each run once, Z in standard units, columns as the
+%               targets left
 %
 % A target's unit is near the uncertainty of its measurement: it must not change
 % with further runs, or a second start would come to other last digits and ask
@@ -24,6 +25,7 @@
 
 function [gapProblem, data] = enterRuns (gapProblem, data, options)
   checkRuns (gapProblem, data);
+  data = onceEach (data);
   [gapProblem, kept, out] = withoutDeadBenches (gapProblem, data);
   data.Z = data.Z(:, kept);
   checkEnough (gapProblem, data, options);
@@ -69,6 +71,19 @@ function checkRuns (gapProblem, data)
   end
 end
 
+% The same run twice is no repeat: it says nothing of the scatter.
+function data = onceEach (data)
+  Z = data.Z;
+  none = isnan (Z);
+  Z(none) = 0;
+  whole = [data.X, data.E, data.replicate, Z, none + isna(data.Z)];
+  [~, first] = unique (whole, 'rows', 'first');
+  first = sort (first);
+  for name = fieldnames (data)'
+    data.(name{1}) = data.(name{1})(first, :);
+  end
+end
+
 function [gapProblem, kept, out] = withoutDeadBenches (gapProblem, data)
   isThere = any (isfinite (data.Z), 1);
   benches = unique (gapProblem.bench);
@@ -87,16 +102,10 @@ function [gapProblem, kept, out] = withoutDeadBenches (gapProblem, data)
 end
 
 function gapProblem = ofTargets (gapProblem, kept)
-  T = numel (gapProblem.value);
-  for name = fieldnames (gapProblem)'
-    isPerTarget = isequal (size (gapProblem.(name{1})), [1, T]) && ...
-                  ~any (strcmp (name{1}, {'benchNames', 'benchCost', 'names', ...
-                                          'paramMean', 'paramSd', ...
-                                          'effects', 'used', 'heldOut', ...
-                                          'possible'}));
-    if isPerTarget
-      gapProblem.(name{1}) = gapProblem.(name{1})(kept);
-    end
+  for name = {'value', 'sd', 'bench', 'held', 'series', 'coordinate', ...
+              'noiseSd', 'targetNames', 'trials', 'estimateSeries', ...
+              'sdKnown', 'scatter', 'curve'}
+    gapProblem.(name{1}) = gapProblem.(name{1})(kept);
   end
   if ~isempty (gapProblem.covariance)
     gapProblem.covariance = gapProblem.covariance(kept, kept);
@@ -121,8 +130,9 @@ function checkEnough (gapProblem, data, options)
   if ~isempty (few)
     error ('DEcalioc:enterRuns:runFailed', ...
            ['enterRuns: %s has %d finite results of runs with all effects ' ...
-            'neutral, needs %d or more. Run or import more of them, or take ' ...
-            'the target out.'], gapProblem.targetNames{few}, there(few), needed);
+            'neutral, needs %d or more. Run or import more of them, or ' ...
+            'take the target out.'], gapProblem.targetNames{few}, ...
+           there(few), needed);
   end
 end
 
@@ -156,6 +166,13 @@ end
 %! assert (p.kept, [1, 2]);
 %! assert (p.used, [1, 2]);
 %! assert (columns (d.Z), 2);
+%!test
+%! % a run that is there twice counts once, a repeat does not
+%! data.Z(4, 3) = NaN;
+%! more = structfun (@(A) A([1:6, 4, 2], :), data, 'UniformOutput', false);
+%! more.Z(8, 1) = 2 * more.Z(8, 1);
+%! [~, d] = enterRuns (newGapProblem (given), more, gapOptions ([]));
+%! assert (d.X, data.X([1:6, 2]));
 %!error id=DEcalioc:enterRuns:runFailed
 %! data.Z(:) = NaN;
 %! enterRuns (newGapProblem (given), data, gapOptions ([]));

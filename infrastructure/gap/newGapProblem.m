@@ -49,6 +49,9 @@ function gapProblem = newGapProblem (given)
   gapProblem = withDefaults (given, T, p);
   gapProblem.effects = arrayfun (@(e) newEffect (e, T), gapProblem.effects(:)');
   checkShapes (gapProblem, T, p);
+  if ~isempty (gapProblem.effects)
+    checkNames ({gapProblem.effects.name});
+  end
   checkValues (gapProblem);
   gapProblem.used = find (isfinite (gapProblem.value) & ~gapProblem.held);
   gapProblem.heldOut = find (isfinite (gapProblem.value) & gapProblem.held);
@@ -127,6 +130,31 @@ function checkShapes (gapProblem, T, p)
   end
 end
 
+% Results are kept by these names, as fields.
+function checkNames (names)
+  fields = cellfun (@(n) matlab.lang.makeValidName (n), names, ...
+                    'UniformOutput', false);
+  reserved = names(ismember (fields, {'null', 'unlisted'}));
+  if ~isempty (reserved)
+    error ('DEcalioc:newGapProblem:badValue', ...
+           ['newGapProblem: no effect may be called %s, the name of a ' ...
+            'probability of its own. Call it something else.'], reserved{1});
+  end
+  [~, first] = unique (fields, 'first');
+  again = setdiff (1:numel (names), first);
+  if ~isempty (again)
+    error ('DEcalioc:newGapProblem:badValue', ...
+           ['newGapProblem: names of effects must differ, as names of ' ...
+            'variables too, got %s twice.'], names{again(1)});
+  end
+  both = find (~cellfun (@isempty, strfind (names, ' + ')), 1);
+  if ~isempty (both)
+    error ('DEcalioc:newGapProblem:badValue', ...
+           ['newGapProblem: ''%s'' is no name of an effect, '' + '' joins ' ...
+            'the names of two. Leave it out.'], names{both});
+  end
+end
+
 function checkValues (gapProblem)
   cost = gapProblem.benchCost;
   if numel (cost) < max (gapProblem.bench) || ~all (cost > 0)
@@ -167,6 +195,14 @@ end
 %! assert (gapProblem.heldOut, 2);
 %!error id=DEcalioc:newGapProblem:missingField
 %! newGapProblem (struct ('value', 1))
+%!test
+%! % names that would write over each other, or over a probability
+%! given = struct ('value', 1, 'sd', 1, 'limits', [0; 1], 'bench', 1);
+%! for names = {{'null', 'b'}, {'unlisted', 'b'}, {'a', 'a'}, ...
+%!              {'a-b', 'a_b'}, {'a + b', 'c'}}
+%!   given.effects = struct ('name', names{1}, 'laboratory', true);
+%!   fail ('newGapProblem (given);', 'newGapProblem: ');
+%! end
 %!error id=DEcalioc:newGapProblem:badShape
 %! newGapProblem (struct ('value', [1, 2], 'sd', [1, 1], 'limits', [0; 1], ...
 %!                        'bench', [1, 1], 'sdKnown', true));

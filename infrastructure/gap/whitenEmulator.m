@@ -9,10 +9,11 @@
 %             that runs have told, or nobody)
 %   ROTATION  n x n orthogonal, applied after whitening (default: none)
 %   WHITE     struct like EM, results replaced by z = (y(COLUMNS)) * W', plus
-%     W (n x n), back (its inverse), columns, varCoef (log variance of z), effect.varCoef and
-%     joint.varCoef (log of the extra variance / psi^2), nu (1 x n: degrees of
-%     freedom of the variances, Welch and Satterthwaite), parity (n x m: the
-%     directions that parameters cannot absorb, at the middle of the box)
+%     W (n x n), back (its inverse), columns, varCoef (log variance of z),
+%     effect.varCoef and joint.varCoef (log of the extra variance / psi^2), nu
+%     (1 x n: degrees of freedom of the variances, Welch and Satterthwaite),
+%     parity (n x m: the directions that parameters cannot absorb, at the middle
+%     of the box)
 %
 % W whitens NOISE plus the mean surrogate variance, so a variance of z is near 1
 % and only its change over the box is modelled (quadratic in the logarithm,
@@ -33,8 +34,8 @@ function white = whitenEmulator (em, targets, noise, rotation)
     W = rotation * W;
     back = back * rotation';
   end
-  white = struct ('p', em.p, 'powers', em.powers, 'W', W, ...
-                  'back', back, 'columns', targets, 'varPowers', em.varPowers, ...
+  white = struct ('p', em.p, 'powers', em.powers, 'W', W, 'back', back, ...
+                  'columns', targets, 'varPowers', em.varPowers, ...
                   'success', em.success);
   other = setdiff (1:columns (em.success), em.bench(targets));
   white.success(:, other) = 0;

@@ -42,8 +42,8 @@ function screen = screenEffects (white, theta, z)
       screen = oneSide (screen, white, k, range(1), theta, sd);
     end
   end
-  norms = max (sqrt (sum (screen.U.^2, 1)), realmin);
-  screen.cosine = (screen.U' * screen.U) ./ (norms' * norms);
+  unit = screen.U ./ max (sqrt (sum (screen.U.^2, 1)), realmin);
+  screen.cosine = unit' * unit;
   either = both | both';
   screen.cosine(either) = abs (screen.cosine(either));
 end

@@ -65,6 +65,10 @@ function sayWhere (diagnosis, say)
     say (sprintf ('  bench %-22s p = %.3f, off by %.1f sd', ...
                   gapProblem.benchNames{b.bench}, b.p, b.size));
   end
+  if ~isempty (where.out)
+    say (['  out, for none of its runs gave a result: ', ...
+          strjoin(where.out, ', ')]);
+  end
   if ~isempty (where.conflict.odd)
     say (sprintf ('  %s disagrees with all other benches', ...
                   gapProblem.benchNames{where.conflict.odd}));

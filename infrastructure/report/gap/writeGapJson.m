@@ -62,6 +62,7 @@ function s = whereOf (diagnosis)
                        'UniformOutput', false);
   s.params = cell2struct (num2cell (where.params(:)), gapProblem.names(:), 1);
   s.atLimit = where.side.atLimit;
+  s.out = where.out;
   s.surrogateShare = mean (where.side.share(gapProblem.used));
   s.absorbed = where.absorbed;
   s.unabsorbed = where.unabsorbed;
@@ -84,6 +85,7 @@ function s = whichOf (diagnosis)
   s.partners = w.partners;
   s.likely = w.likely;
   s.posterior = w.posterior;
+  s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   s.resembles = w.resembles;
   s.integration = w.numbers;
   s.cannotSee = [w.cannotSee, diagnosis.screen.untested];
@@ -94,9 +96,10 @@ function s = whichOf (diagnosis)
     name = matlab.lang.makeValidName (w.strength(k).name);
     s.strength.(name) = struct ('value', w.strength(k).value, 'interval90', ...
                                 w.strength(k).interval90, 'smallestSeen', ...
-                                diagnosis.screen.smallest(k));
+                                diagnosis.screen.smallest(k), ...
+                                'variables', struct ());
     for j = 1:numel (w.strength(k).variables)
-      s.strength.(name).(w.strength(k).variables{j}) = ...
+      s.strength.(name).variables.(w.strength(k).variables{j}) = ...
         w.strength(k).values(:, j)';
     end
   end
