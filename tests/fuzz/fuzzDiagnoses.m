@@ -10,9 +10,9 @@
 %             differ and whose numbers do not)
 %
 % Each laboratory is diagnosed in two writings: one in random units, and one
-% that differs from it in one or two of the ways of fuzzView. A failure is an error
-% that is none of DEcalioc or is not due, a warning, a number that is NaN or out
-% of its bounds where none may be, and a verdict that is not the same. Where
+% that differs from it in one or two of the ways of fuzzView. A failure is an
+% error that is none of DEcalioc or is not due, a warning, a number that is NaN
+% or out of bounds where it may not be, a verdict that is not the same. Where
 % random draws fall on other numbers (another order or sign), probabilities may
 % differ by what so few draws allow (0.25); else by rounding (0.02).
 %
