@@ -18,9 +18,11 @@ function startToolbox (root, folder)
   end
   % a new folder of functions is found by itself
   inside = strsplit (genpath (fullfile (root, 'infrastructure')), pathsep ());
-  hasCode = cellfun (@(f) ~isempty (glob (fullfile (f, '*.m'))), inside);
+  hasCode = cellfun (@(f) isfolder (f) && ...
+                     any (~cellfun ('isempty', regexp (readdir (f), ...
+                                                       '\.m$'))), inside);
   addpath (root, inside{hasCode});
-  if ~strcmp (folder, root)
+  if ~strcmp (folder, root) && ~any (folder == pathsep ())  % see checkStore
     addpath (folder);
   end
   % an Octave that cannot write its history says so when it ends, and so does

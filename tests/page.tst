@@ -69,6 +69,20 @@
 %! end
 
 %!test
+%! % a reason that begins with a character that means something in HTML
+%! for k = 1:2
+%!   file = {fullfile(first.folder, 'results', 'calibration.json'), ...
+%!           fullfile(second.folder, 'gap', 'gap.json')}{k};
+%!   old = fileread (file);
+%!   writeAtomic (file, regexprep (old, '("reason":\s*")', '$1<i>&'));
+%!   cases = {first, second};
+%!   html = fileread (writePage (cases{k}));
+%!   writeAtomic (file, old);
+%!   assert (~isempty (strfind (html, '&lt;i&gt;&amp;')));
+%!   assert (isempty (strfind (html, '<i>')));
+%! end
+
+%!test
 %! % files beside the page
 %! results = fullfile (first.folder, 'results');
 %! sample = dlmread (fullfile (results, 'posterior.csv'), ',', 1, 0);

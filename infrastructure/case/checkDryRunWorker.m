@@ -21,7 +21,8 @@ function checkDryRunWorker ()
   count = NaN;
   text = '';
   if isfolder (sample)
-    [~, ~] = copyfile (sample, fullfile ('optim', name, 'sample'));
+    copy = fullfile ('optim', name, 'sample');     % copyfile runs names: $(x)
+    system (['cp -rL -- ', shellQuote(sample), ' ', shellQuote(copy)]);
     [count, ~, fields] = callOnce (name, 'sample');
   end
   if isnan (count)

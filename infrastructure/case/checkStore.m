@@ -11,7 +11,7 @@
 % Space needed: 20 MB, and for each run the size of the model's folder and
 % 0.1 MB of output.
 %
-% Reasons: badStore storeNotWritable folderNotWritable diskSpace
+% Reasons: badFolder badStore storeNotWritable folderNotWritable diskSpace
 %
 % See also: checkCase
 
@@ -20,6 +20,13 @@ function p = checkStore (store, folder, models, nRuns)
   above = existing (folder);
   sizes = {models(~cellfun (@isempty, {models.folder})).folder};
   [isOpen, free, used] = ask ({above, there}, sizes);
+  if any (folder == pathsep ())
+    p = checkFault ('badFolder', ['The case folder ', folder], ...
+                    ['a path without a colon, which parts the folders of ' ...
+                     'the path of Octave'], 'one with it', ...
+                    'Rename the folder.');
+    return
+  end
   p = [checkFolder(above, isOpen(1), ['The case folder ', folder], ...
                    'folderNotWritable', 'Start in a folder of your own.'), ...
        checkFolder(there, isOpen(2), 'Input.store', 'storeNotWritable', ...
@@ -89,6 +96,8 @@ end
 %!shared none
 %! none = struct ('folder', cell (1, 0));
 %!assert (isempty (checkStore (tempname (), tempdir (), none, 1)))
+%!assert (checkStore (tempname (), '/tmp/a:b', none, 1).id, ...
+%!        'DEcalioc:checkCase:badFolder')
 %!test
 %! model = struct ('folder', fileparts (which ('checkStore')));
 %! p = checkStore (tempname (), tempdir (), model, 1e15);

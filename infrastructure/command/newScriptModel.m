@@ -11,7 +11,9 @@
 %   NOTES   cell of sentences for the user
 %
 % Errors: DEcalioc:newScriptModel:missingField, without a parameter or a target;
-% those of scriptFiles, namedNumbers and fillTemplate
+% DEcalioc:newScriptModel:badValue, a name that cannot stand in a program;
+% DEcalioc:newScriptModel:cannotWrite; those of scriptFiles, namedNumbers and
+% fillTemplate
 %
 % See also: sayNew, scriptFiles, fillTemplate
 
@@ -25,6 +27,10 @@ function [words, notes] = newScriptModel (root, target, given)
             'got %d and %d. For example: --vary mu=0.2:0.8 --target ' ...
             'height=0.0057'], numel (names), numel (results));
   end
+  [~, base, ending] = fileparts (given.script);
+  seed = orElse (given.seed, 'runSeed');
+  output = orElse (given.output, 'output_results');
+  checkWords ([names, fixed], seed, results, output, [base, ending]);
   [files, variables, text] = scriptFiles (given.script);
   for k = 1:numel (names)
     variables.(names{k}) = mean (limits(:, k));
@@ -32,16 +38,35 @@ function [words, notes] = newScriptModel (root, target, given)
   for k = 1:numel (fixed)
     variables.(fixed{k}) = values(k);
   end
-  [~, base, ending] = fileparts (given.script);
-  seed = orElse (given.seed, 'runSeed');
   words = struct ('MODEL', given.model, 'SCRIPT', [base, ending], ...
-                  'SEED', seed, ...
-                  'OUTPUT', orElse (given.output, 'output_results'));
+                  'SEED', seed, 'OUTPUT', output);
   % the seed of the packing has a name of its own in data.head
   variables = dropField (variables, seed);
   makeFolder (root, target, given, words, files, variables, results);
   words = caseWords (words, names, limits, results, measured);
   notes = notesOn (text, words, variables);
+end
+
+% These become text of programs: bash, awk, Octave.
+function checkWords (variables, seed, results, output, script)
+  isName = @(w) ~isempty (regexp (w, '^[A-Za-z_]\w*$', 'once'));
+  isPath = @(w) ~isempty (regexp (w, '^[\w.+-]+(/[\w.+-]+)*$', 'once')) && ...
+                w(1) ~= '-' && isempty (strfind (w, '..'));
+  isLine = @(w) ~any (w < 32);
+  wanted = {'a variable of the script (letters, digits, _)', ...
+            'a plain path below the run (letters, digits, _ - + . /)', ...
+            'one line of text'};
+  given = [repmat({'--vary and --set'; isName; 1}, 1, numel (variables)), ...
+           repmat({'--target'; isLine; 3}, 1, numel (results)), ...
+           {'--seed'; isName; 1}, {'--output'; isPath; 2}, ...
+           {'--script'; isPath; 2}];
+  given(4, :) = [variables, results, {seed, output, script}];
+  for word = given
+    if ~word{2}(word{4})
+      error ('DEcalioc:newScriptModel:badValue', ...
+             '%s must name %s, got %s.', word{1}, wanted{word{3}}, word{4});
+    end
+  end
 end
 
 function text = orElse (text, default)
@@ -63,8 +88,16 @@ function makeFolder (root, target, given, words, files, variables, results)
   fillTemplate (fullfile (root, 'templates', 'script'), source, words);
   from = fileparts (make_absolute_filename (given.script));
   for name = [{words.SCRIPT}, files]
-    [~, ~] = mkdir (fileparts (fullfile (source, name{1})));
-    copyfile (fullfile (from, name{1}), fullfile (source, name{1}));
+    copy = fullfile (source, name{1});
+    [~, ~] = mkdir (fileparts (copy));
+    [status, why] = system (['cp -L -- ', ...
+                             shellQuote(fullfile (from, name{1})), ' ', ...
+                             shellQuote(copy), ' 2>&1']);
+    if status ~= 0
+      error ('DEcalioc:newScriptModel:cannotWrite', ...
+             '%s, which the script names, must be copied, got: %s', ...
+             name{1}, strtrim (why));
+    end
   end
   lines = {["# Variables of the script, SI units. A run appends its own ", ...
             "values: the\n# last line that names a variable counts.\n"]};

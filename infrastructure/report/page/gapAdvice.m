@@ -15,7 +15,8 @@ function [word, sentence, advice, class] = gapAdvice (page)
   effects = namesIn (which, 'effects');
   likely = namesIn (which, 'likely');
   class = 'open';
-  sentence = [upper(which.reason(1)), htmlText(which.reason(2:end)), '. ', ...
+  reason = which.reason;
+  sentence = [htmlText([upper(reason(1)), reason(2:end)]), '. ', ...
               howSure(page, effects)];
   test = nextOf (page);
   switch which.verdict

@@ -47,7 +47,7 @@ function v = judged (v, c, page)
     v.word = 'Calibrated';
     v.class = 'good';
   end
-  v.sentence = [upper(c.reason(1)), htmlText(c.reason(2:end)), '.'];
+  v.sentence = [htmlText([upper(c.reason(1)), c.reason(2:end)]), '.'];
   loose = cellstr (jsonAt (c, {'notIdentified'}));
   if c.converged
     v.todo{end + 1} = ['Use the set: <code>results/calibrated.head</code> ', ...
