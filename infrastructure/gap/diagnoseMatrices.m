@@ -84,6 +84,15 @@ function diagnosis = inGivenUnits (diagnosis, gapProblem)
   where.budget.covariance = where.budget.covariance .* (unit' * unit);
   where.out = gapProblem.out;
   diagnosis.where = where;
+  if ~isempty (diagnosis.howFar)
+    for i = 1:numel (diagnosis.howFar.targets)
+      one = diagnosis.howFar.targets(i);
+      for name = {'before', 'after', 'sdBefore', 'sd'}
+        one.(name{1}) = one.(name{1}) * unit(one.target);
+      end
+      diagnosis.howFar.targets(i) = one;
+    end
+  end
   diagnosis.gapProblem = inUnits (gapProblem, 1 ./ unit);
 end
 
@@ -137,7 +146,7 @@ function verdict = blameSurrogates (verdict, view, side)
 end
 
 % A name does not stand where the effect's runs contradict their surrogate, or
-% where DEM runs with it still miss a target.
+% where DEM runs with it still miss a target, or a placebo does as well.
 function verdict = doubtName (verdict, diagnosis, models)
   if ~strcmp (verdict.kind, 'named')
     return
@@ -155,6 +164,15 @@ function verdict = doubtName (verdict, diagnosis, models)
                                '%.1f standard deviations'], ...
                               strjoin (names, ' and '), ...
                               max (abs (far.remaining)));
+  elseif ~isempty (far) && any ([far.placebos.against])
+    placebo = far.placebos([far.placebos.against])(1);
+    verdict.guard = 'placebo';
+    verdict.reason = sprintf (['DEM runs with %s close as much as those ' ...
+                               'with %s'], placebo.effect, ...
+                              strjoin (names, ' and '));
+    others = strsplit (placebo.effect, ' + ');
+    verdict.effects = union (verdict.effects, ...
+                             find (ismember (models.names, others)));
   else
     return
   end

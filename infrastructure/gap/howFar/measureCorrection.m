@@ -9,10 +9,24 @@
 %   GROUP    numbers of effects that are no placebos
 %   CURE     struct
 %     effect   text, names of the effects that were added
-%     before, after, floor, closure, interval90   on the used targets
+%     before, after, floor, floorAfter   of the used targets: root mean square
+%              deviations in units of each target's range over the box, and what
+%              noise makes of them (less after a fit than before)
+%     closure, interval90, gapP, largestZ, removable   of closureOf
 %     heldOut  the same on the held-out targets ([] if there are none)
-%     placebos 1 x m struct effect, closure, heldOut, verifiedByDEM: effects
-%              that are not members of the group, refitted alike
+%     targets  1 x n struct target (number), before, after (means of the
+%              model), sdBefore, sd (of the measured value less these)
+%     placebos 1 x m struct: effects that are not members of the group, refitted
+%              alike: effect, closure, interval90, heldOut (closure),
+%              verifiedByDEM, and
+%       expected    closure that it would have if the cause is right: the square
+%                   of the cosine of what the two add, as far as parameters
+%                   cannot hide it
+%       difference, difference90   closure of the cause less its own
+%       logRatio    log density of the held-out values with the cause over that
+%                   with the placebo, NaN: none held out
+%       against     logical, it closes more than expected, and no less than the
+%                   cause (5 % each), both by DEM
 %     verifiedByDEM logical: before and after are of DEM runs (a placebo may
 %              be of surrogates where the runs ended)
 %     worstZ   largest deviation of the DEM mean from the surrogate in standard
@@ -21,53 +35,145 @@
 %     remaining 1 x n, deviation of each used target after the cure, in its
 %       standard deviations
 %
-% See also: runCorrections, closureOf, diagnoseMatrices
+% All draws share the measurement and the runs without the effect, so that
+% cause and placebo are compared in pairs.
+%
+% See also: runCorrections, deviationOf, closureOf, diagnoseMatrices
 
 function cure = measureCorrection (view, sets, first, group)
   gapProblem = view.gapProblem;
   em = view.em;
   names = view.models.names;
   at = find (cellfun (@(h) isequal (h, first), {sets.h}), 1);
-  noise = diag (noiseBudget (gapProblem, em).covariance)';
-  cure = closureAt (view, noise, sets(1).Z, sets(at).Z, gapProblem.used);
+  devs = deviationsOf (view, sets);
+  targets = [gapProblem.used, gapProblem.heldOut];
+  used = 1:numel (gapProblem.used);
+  held = numel (used) + 1:numel (targets);
+  scale = em.range(targets);
+  cure = closureAt (devs([1, at]), used, scale);
   cure.effect = strjoin (names(first), ' + ');
   cure.heldOut = [];
-  if ~isempty (gapProblem.heldOut)
-    cure.heldOut = closureAt (view, noise, sets(1).Z, sets(at).Z, ...
-                              gapProblem.heldOut);
+  if ~isempty (held)
+    cure.heldOut = rmfield (closureAt (devs([1, at]), held, scale), 'share');
   end
-  cure.placebos = struct ('effect', {}, 'closure', {}, 'heldOut', {}, ...
-                          'verifiedByDEM', {});
+  cure.targets = targetsOf (gapProblem, targets, devs(1), devs(at));
+  cure.placebos = struct ('effect', {}, 'closure', {}, 'interval90', {}, ...
+                          'heldOut', {}, 'verifiedByDEM', {}, ...
+                          'expected', {}, 'difference', {}, ...
+                          'difference90', {}, 'logRatio', {}, 'against', {});
   for i = setdiff (2:numel (sets), at)
     if any (ismember (sets(i).h, group))
       continue
     end
-    own = closureAt (view, noise, sets(1).Z, sets(i).Z, gapProblem.used);
-    held = NaN;
-    if ~isempty (gapProblem.heldOut)
-      held = closureAt (view, noise, sets(1).Z, sets(i).Z, ...
-                        gapProblem.heldOut).closure;
-    end
-    cure.placebos(end + 1) = struct ('effect', ...
-                                     strjoin (names(sets(i).h), ' + '), ...
-                                     'closure', own.closure, ...
-                                     'heldOut', held, ...
-                                     'verifiedByDEM', sets(i).verified);
+    own = placeboOf (cure, devs([1, at, i]), used, held, scale);
+    own.effect = strjoin (names(sets(i).h), ' + ');
+    own.verifiedByDEM = sets(i).verified;
+    own.against = own.against && all ([sets([1, at, i]).verified]);
+    cure.placebos(end + 1) = orderfields (own, cure.placebos);
   end
+  cure = rmfield (cure, 'share');
   cure.verifiedByDEM = all ([sets([1, at]).verified]);
   cure.worstZ = max ([sets([1, at]).worstZ]);
   half = diff (gapProblem.limits) / 2;
   cure.params = mean (gapProblem.limits) + ...
                 [sets(1).Q; sets(at).Q(1:em.p)] .* half;
   cure.phi = sets(at).Q(em.p + 1:end);
-  used = gapProblem.used;
-  left = gapProblem.value(used) - mean (sets(at).Z(:, used), 1);
-  cure.remaining = left ./ sqrt (noise(used));
+  noise = diag (noiseBudget (gapProblem, em).covariance)';
+  cure.remaining = devs(at).r(used) ./ sqrt (noise(gapProblem.used));
 end
 
-function c = closureAt (view, noise, before, after, at)
-  c = closureOf (view.gapProblem.value(at), noise(at), before(:, at), ...
-                 after(:, at), view.em.range(at));
+function devs = deviationsOf (view, sets)
+  n = numel ([view.gapProblem.used, view.gapProblem.heldOut]);
+  p = max (arrayfun (@(s) numel (s.Q), sets));
+  normal = integrationPoints (1000, 3 * n + p, 7).normal;
+  draws = struct ('noise', normal(:, 1:n), ...
+                  'surrogate', normal(:, n + (1:n)), ...
+                  'prior', normal(:, 2 * n + (1:p)), ...
+                  'run', normal(:, 2 * n + p + (1:n)));
+  for i = numel (sets):-1:1
+    % runs of other sets have other seeds
+    draws.run = circshift (draws.run, 2, 1);
+    devs(i) = deviationOf (view, sets(i), draws);
+  end
+end
+
+% D  deviations without and with an effect; held-out targets are measured by
+% the noise that a prediction has.
+function c = closureAt (d, at, scale)
+  metric = inv (d(1).Sigma(at, at));
+  if at(1) > 1
+    metric = inv (d(1).F(at, at));
+  end
+  parts = partOf (d, at);
+  rms = @(x) sqrt (mean (x ./ scale(at).^2));
+  c = struct ('before', rms (parts(1).r.^2), 'after', rms (parts(2).r.^2), ...
+              'floor', rms (diag (parts(1).F)'), ...
+              'floorAfter', rms (diag (parts(2).F)'));
+  own = closureOf (parts(1), parts(2), metric);
+  for field = fieldnames (own)'
+    c.(field{1}) = own.(field{1});
+  end
+end
+
+function parts = partOf (d, at)
+  parts = struct ('r', {}, 'F', {}, 'E', {}, 'nu', {});
+  for one = d
+    parts(end + 1) = struct ('r', one.r(at), 'F', one.F(at, at), ...
+                             'E', one.E(:, at), 'nu', one.nu);
+  end
+end
+
+% D  deviations without effect, with the cause, with the placebo
+function own = placeboOf (cure, d, used, held, scale)
+  c = closureAt (d([1, 3]), used, scale);
+  own = struct ('closure', c.closure, 'interval90', c.interval90, ...
+                'heldOut', NaN, 'logRatio', NaN);
+  own.expected = alikeness (d, used);
+  own.difference = cure.closure - c.closure;
+  gain = cure.share - c.share;
+  gain = gain(isfinite (gain));
+  own.difference90 = [NaN, NaN];
+  if c.removable && ~isempty (gain)
+    own.difference90 = weightedQuantile (gain, ones (size (gain)), ...
+                                         [0.05, 0.95]);
+  end
+  own.against = c.interval90(1) > own.expected && own.difference90(1) <= 0;
+  if ~isempty (held)
+    own.heldOut = closureAt (d([1, 3]), held, scale).closure;
+    parts = partOf (d, held);
+    own.logRatio = logDensity (parts(2)) - logDensity (parts(3));
+  end
+end
+
+% Squared cosine of what two effects add, parameters taken out; 0 where they
+% push the targets opposite ways.
+function share = alikeness (d, used)
+  L = chol (d(1).Sigma(used, used), 'lower');
+  N = parityProjection (L \ d(1).J(used, :), zeros (numel (used), 1)).N;
+  a = N' * (L \ d(2).s(used)');
+  b = N' * (L \ d(3).s(used)');
+  share = max (a' * b, 0)^2 / max ((a' * a) * (b' * b), realmin);
+end
+
+% Student's density of R in several dimensions, covariance estimated.
+function L = logDensity (d)
+  n = numel (d.r);
+  nu = min (d.nu, 1e4);
+  q = d.r * (d.F \ d.r');
+  L = gammaln ((nu + n) / 2) - gammaln (nu / 2) - n / 2 * log (nu * pi) - ...
+      sum (log (diag (chol (d.F)))) - (nu + n) / 2 * log1p (q / nu);
+end
+
+function list = targetsOf (gapProblem, targets, before, after)
+  list = struct ('target', {}, 'before', {}, 'after', {}, 'sdBefore', {}, ...
+                 'sd', {});
+  for i = 1:numel (targets)
+    value = gapProblem.value(targets(i));
+    list(i) = struct ('target', targets(i), 'before', value - before.r(i), ...
+                      'after', value - after.r(i), ...
+                      'sdBefore', sqrt (before.F(i, i)), ...
+                      'sd', sqrt (after.F(i, i)));
+  end
 end
 
 %!test
@@ -78,7 +184,8 @@ end
 %! em = fitEmulator (gapProblem, data, gapOptions ([]));
 %! names = arrayfun (@(k) sprintf ('e%d', k), 1:2, 'UniformOutput', false);
 %! view = struct ('gapProblem', gapProblem, 'em', em, ...
-%!                'models', struct ('names', {names}));
+%!                'models', struct ('names', {names}, 'prior', ...
+%!                                  struct ('sd', Inf (1, em.p))));
 %! set = struct ('h', zeros (1, 0), 'Q', zeros (1, em.p), ...
 %!               'Z', data.Z(1:3, :), 'worstZ', 1, 'verified', true);
 %! cured = setfield (setfield (set, 'h', 1), 'Q', zeros (1, em.p + 1));
@@ -89,3 +196,35 @@ end
 %! assert (! cure.placebos.verifiedByDEM);
 %! cure = measureCorrection (view, [set, cured, cut], 2, 2);
 %! assert (! cure.verifiedByDEM);
+%!test
+%! % by DEM, without noise in the fit: the cause closes all, a placebo the
+%! % square of its cosine, which is no case against the cause
+%! [given, data, means] = smallGapLab ();
+%! truth = [0.1, 0.3];
+%! given.value = means ((truth + 1) / 2, [0, 0, 0.6, 0, 0]);
+%! given.held = (1:12) > 9;
+%! given.trials = Inf;
+%! gapProblem = newGapProblem (given);
+%! options = gapOptions (struct ('trend', 'affine'));
+%! em = fitEmulator (gapProblem, data, options);
+%! view = struct ('gapProblem', gapProblem, 'em', em);
+%! view.models = makeHypotheses (gapProblem, em, options);
+%! view.fits = fitLibrary (view.models, given.value(gapProblem.used));
+%! runs = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
+%! state = struct ('data', data, 'evaluate', runs, 'left', 99, 'spent', 0, ...
+%!                 'failed', 0, 'repeats', 5);
+%! sets = runCorrections (view, {3, 4}, state);
+%! cure = measureCorrection (view, sets, 3, 3);
+%! assert (cure.closure, 1, 0.03);
+%! assert (cure.heldOut.closure, 1, 0.05);
+%! p = cure.placebos;
+%! assert (p.closure, p.expected, 0.05);
+%! assert (p.closure + p.difference, cure.closure, 1e-9);
+%! assert (p.difference90(1) > 0 && ! p.against);
+%! assert (p.logRatio > 0);
+%! assert ([cure.targets.target], 1:12);
+%! % had the placebo been fitted to data of its own, the name would be wrong
+%! sets(3).Z = sets(2).Z;
+%! cure = measureCorrection (view, sets, 3, 3);
+%! assert (cure.placebos.difference, 0, 0.01);
+%! assert (cure.placebos.against);

@@ -42,7 +42,7 @@ function [sets, state] = runCorrections (view, causes, state, sets)
       [sets(i), state] = runSet (view, sets(i), state);
     end
     if rows (sets(i).Z) < 2
-      sets(i).Z = drawSet (view.em, sets(i), state.repeats);
+      sets(i).Z = [];
       sets(i).verified = false;
     end
   end
@@ -91,12 +91,4 @@ function [set, state] = runSet (view, set, state)
   sd = sqrt (mean (em.surrogateVar, 1) + em.noiseVar / max (rows (set.Z), 1));
   used = gapProblem.used;
   set.worstZ = max (abs (mean (set.Z(:, used), 1) - M(used)) ./ sd(used));
-end
-
-% N draws whose mean is as uncertain as the surrogate.
-function Z = drawSet (em, set, n)
-  M = predictGap (em, set.h, set.Q);
-  draws = integrationPoints (2 * n, columns (M), 31).normal(1:n, :);
-  draws = draws - mean (draws, 1);
-  Z = M + sqrt (n * mean (em.surrogateVar, 1)) .* draws;
 end

@@ -149,30 +149,61 @@ function sayHowFar (diagnosis, say)
   end
   say ('');
   say (sprintf (['HOW FAR with %s (%s): deviation %.1f %% -> %.1f %% of ' ...
-                 'the range, noise makes %.1f %%'], cure.effect, how, ...
-                100 * cure.before, 100 * cure.after, 100 * cure.floor));
+                 'the range, noise makes %.1f -> %.1f %%'], ...
+                cure.effect, how, 100 * cure.before, 100 * cure.after, ...
+                100 * cure.floor, 100 * cure.floorAfter));
   sayClosure ('calibrated targets', cure, say);
   if ~isempty (cure.heldOut)
-    sayClosure ('held-out targets', cure.heldOut, say);
+    sayHeldOut (diagnosis.gapProblem, cure, say);
   end
   for p = cure.placebos
-    held = '';
-    if isfinite (p.heldOut)
-      held = sprintf (' (held out %.0f %%)', 100 * p.heldOut);
-    end
-    if cure.verifiedByDEM && ~p.verifiedByDEM
-      held = [held, ', on the surrogates'];
-    end
-    say (sprintf ('  placebo %-18s closes %.0f %%%s', p.effect, ...
-                  100 * p.closure, held));
+    sayPlacebo (p, cure.verifiedByDEM, say);
   end
 end
 
 function sayClosure (name, c, say)
-  if c.removable
+  if isfinite (c.closure)
     say (sprintf ('  %-26s %.0f %% of the gap closed (90 %%: %.0f to %.0f)', ...
                   name, 100 * c.closure, 100 * c.interval90));
   else
-    say (sprintf ('  %-26s no gap beyond noise to close', name));
+    say (sprintf (['  %-26s too near noise for a share (p = %.2g, largest ' ...
+                   'z %.1f)'], name, c.gapP, c.largestZ));
+  end
+end
+
+% A share of few numbers says little: then each of them.
+function sayHeldOut (gapProblem, cure, say)
+  held = cure.targets(ismember ([cure.targets.target], gapProblem.heldOut));
+  if numel (held) > 8
+    sayClosure ('held-out targets', cure.heldOut, say);
+    return
+  end
+  say (sprintf ('  %-28s %11s %11s %11s %9s', 'held out', 'measured', ...
+                'without', 'with', 'sd'));
+  for t = held
+    say (sprintf ('  %-28s %11.5g %11.5g %11.5g %9.2g', ...
+                  gapProblem.targetNames{t.target}, ...
+                  gapProblem.value(t.target), t.before, t.after, t.sd));
+  end
+end
+
+function sayPlacebo (p, isByDEM, say)
+  if ~isfinite (p.closure)
+    return
+  end
+  text = sprintf (['  placebo %s closes %.0f %% (%.0f %% expected beside ' ...
+                   'the right cause), %.0f points less (90 %%: %.0f to ' ...
+                   '%.0f)'], p.effect, ...
+                  100 * [p.closure, p.expected, p.difference, p.difference90]);
+  if isByDEM && ~p.verifiedByDEM
+    text = [text, ', on the surrogates'];
+  end
+  say (text);
+  if isfinite (p.logRatio)
+    say (sprintf (['    held-out targets are %.3g times as likely with the ' ...
+                   'cause as with it'], exp (p.logRatio)));
+  end
+  if p.against
+    say ('    it closes as much as the cause: the name is in doubt');
   end
 end

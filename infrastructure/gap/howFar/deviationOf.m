@@ -1,0 +1,136 @@
+% DEVIATIONOF  Tells how far a fitted model is off, and what noise makes of it.
+%
+% CALL: D = deviationOf (VIEW, SET, DRAWS)
+%
+%   VIEW   struct gapProblem, em, models
+%   SET    struct of runCorrections: h, Q, Z, verified
+%   DRAWS  struct noise, surrogate, prior, run: B x n, B x n, B x p, B x n,
+%          standard normal numbers; n used targets, then the held-out ones
+%   D      struct
+%     r      1 x n, measured values less the mean of the runs
+%     F      n x n, covariance of r where the model with its effects is right
+%     E      B x n, draws of it
+%     Sigma  n x n, what the fit took for the noise of each target
+%     J      n x q, slopes along the unknowns that the fit was free to move
+%     s      1 x n, what the effects add
+%     nu     scalar, degrees of freedom of Sigma
+%
+% The fit has bent to the noise: with K what it moves by an error of the used
+% targets, r = (1 - K) noise + K error of the surrogate - scatter of the runs.
+% The trace of F in units of Sigma is n - q where surrogates are exact: these
+% are the freedoms that the fit took. An unknown at its limit took none. Without
+% runs the surrogate is what r is taken from, and its error a part of the noise.
+% The scatter of the runs is their own, and the pooled one as of four runs more.
+%
+% See also: closureOf, measureCorrection
+
+function d = deviationOf (view, set, draws)
+  gapProblem = view.gapProblem;
+  em = view.em;
+  targets = [gapProblem.used, gapProblem.heldOut];
+  used = 1:numel (gapProblem.used);
+  budget = noiseBudget (gapProblem, em);
+  white = whitenEmulator (em, targets, budget);
+  [M, V, J, S] = predictGap (white, set.h, set.Q);
+  back = inv (white.W);
+  d.Sigma = back * diag (V) * back';
+  d.s = S * back';
+  d.nu = 1 / mean (1 ./ white.nu);
+  J = reshape (vertcat (J{:})', numel (targets), numel (set.Q));
+  free = isFree (white, set);
+  d.J = back * J(:, free);
+  known = [view.models.prior.sd, Inf(1, numel (set.h))].^-2;
+  known = known(free);
+  own = d.J(used, :)' / d.Sigma(used, used);
+  C = pinv (own * d.J(used, :) + diag (known));
+  K = zeros (numel (targets));
+  K(:, used) = d.J * C * own;
+  noise = budget.covariance(targets, targets);
+  surrogate = d.Sigma - noise;
+  run = zeros (numel (targets));
+  d.r = gapProblem.value(targets) - M * back';
+  if set.verified
+    d.r = gapProblem.value(targets) - mean (set.Z(:, targets), 1);
+    run = ofRuns (em, set.Z, targets);
+  else
+    noise = d.Sigma;
+    surrogate(:) = 0;
+  end
+  roots = {(eye (numel (targets)) - K) * rootOf(noise), ...
+           K * rootOf(surrogate), d.J * C * diag(sqrt (known)), rootOf(run)};
+  d.F = zeros (numel (targets));
+  for root = roots
+    d.F = d.F + root{1} * root{1}';
+  end
+  d.E = draws.noise * roots{1}' + draws.surrogate * roots{2}' + ...
+        draws.prior(:, 1:sum (free)) * roots{3}' + draws.run * roots{4}';
+end
+
+function free = isFree (white, set)
+  p = white.p;
+  free = abs (set.Q(1:p)) < 0.98;
+  for i = 1:numel (set.h)
+    range = white.effect(set.h(i)).range;
+    margin = 0.02 * diff (range);
+    free(p + i) = set.Q(p + i) > range(1) + margin && ...
+                  set.Q(p + i) < range(2) - margin;
+  end
+end
+
+% Covariance of the mean of the runs Z.
+function C = ofRuns (em, Z, targets)
+  n = rows (Z);
+  own = (n - 1) * var (Z(:, targets), 0, 1);
+  sd = sqrt ((own + 4 * em.noiseVar(targets)) / (n + 3) / n);
+  C = (sd' * sd) .* em.correlation(targets, targets);
+end
+
+% C = R * R', where rounding and fitted variances have left it indefinite too.
+function R = rootOf (C)
+  [U, L] = eig ((C + C') / 2);
+  R = U .* sqrt (max (diag (L)', 0));
+end
+
+%!shared view, draws
+%! n = 6;
+%! white = handMadeHypotheses ().white;
+%! gapProblem = newGapProblem (struct ('value', [1, 2, 3, 4], ...
+%!                             'sd', [1, 1, 1, 1], 'trials', Inf, ...
+%!                             'bench', [1, 1, 1, 2], 'limits', [-1; 1]));
+%! em = struct ('p', 1, 'powers', [0; 1], 'coef', [0, 0, 0, 0; 3, 1, 0, 2], ...
+%!              'effect', [], 'joint', [], 'surrogateVar', zeros (3, 4), ...
+%!              'points', [-1; 0; 1], 'varPowers', 0, 'bench', [1, 1, 1, 2], ...
+%!              'fitVar', zeros (1, 4), 'noiseVar', 0.5 * ones (1, 4), ...
+%!              'noiseFreedom', Inf (1, 4), 'correlation', eye (4), ...
+%!              'alongCurve', eye (4), 'range', ones (1, 4), ...
+%!              'success', zeros (1, 2));
+%! em.effect = struct ('name', {}, 'laboratory', {});
+%! em.joint = em.effect;
+%! view = struct ('gapProblem', gapProblem, 'em', em);
+%! view.models.prior = struct ('mean', 0, 'sd', Inf);
+%! randn ('twister', 3);
+%! draws = struct ('noise', randn (4000, 4), 'surrogate', randn (4000, 4), ...
+%!                 'prior', randn (4000, 1), 'run', randn (4000, 4));
+%!test
+%! % one freedom is taken: the trace is 3, the parity direction keeps its noise
+%! set = struct ('h', zeros (1, 0), 'Q', 0.5, 'Z', [], 'verified', false);
+%! d = deviationOf (view, set, draws);
+%! assert (d.r, [1, 2, 3, 4] - [1.5, 0.5, 0, 1], 1e-9);
+%! assert (trace (d.F / d.Sigma), 3, 1e-9);
+%! assert (cov (d.E), d.F, 0.1);
+%! % at its limit the parameter takes none
+%! set.Q = 1;
+%! assert (trace (deviationOf (view, set, draws).F), 4, 1e-6);
+%! % runs have a scatter, four of them here with the pooled one
+%! set.Z = repmat ([3, 1, 0, 2], 4, 1);
+%! set.verified = true;
+%! d = deviationOf (view, set, draws);
+%! assert (diag (d.F)', 1 + 0.5 * 4 / 7 / 4 * ones (1, 4), 1e-6);
+%!test
+%! % a target that was not fitted bears the error of the parameter
+%! held = view;
+%! held.gapProblem.used = 1:3;
+%! held.gapProblem.heldOut = 4;
+%! set = struct ('h', zeros (1, 0), 'Q', 0.5, 'Z', [], 'verified', false);
+%! d = deviationOf (held, set, draws);
+%! assert (d.F(4, 4), 1 + 4 / 10, 1e-9);
