@@ -42,6 +42,9 @@
 %! assert (s(1) < 0.65 && 0.55 < s(2));
 %! assert (d.howFar.closure > 0.8);
 %! assert (d.howFar.verifiedByDEM, false);
+%! t = d.howFar.targets;
+%! assert (all (abs (g.value - [t.after]) < 4 * [t.sd]));
+%! assert (max (abs (g.value - [t.before]) ./ [t.sdBefore]) > 4);
 %! assert (d.runs.spent, 0);
 %! assert (d.where.p < 0.05);
 
