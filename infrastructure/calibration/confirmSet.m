@@ -7,7 +7,10 @@
 %        surrogate mean if n = 0), sd 1 x T (standard error of that mean),
 %        noiseSd 1 x T (noise of one run), residual T x 1 (of the mean),
 %        residualSd T x 1, extra (preference rows), interval90 2 x T (of the
-%        true response), probability, within, converged, reason, conflict
+%        true response), estimate 1 x T (its middle), met 1 x T (the estimate
+%        is within its tolerance; the points of a curve as one), probability, within, converged, reason, conflict,
+%        limit ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search;
+%        '': converged)
 %
 % The scatter of one run is the pooled one of the surrogates. The truth at the
 % set is known from its runs and from the surrogate, which holds them; where
@@ -49,7 +52,8 @@ function final = confirmSet (state, problem)
   if isfield (state.found, 'conflict')
     final.conflict = state.found.conflict;
   end
-  final.reason = explain (final, problem);
+  final.limit = limitOf (final, state, problem);
+  final.reason = explain (final, state, problem);
 end
 
 function Z = runsAt (state, p, problem)
@@ -79,32 +83,69 @@ function final = judge (final, m, v, df, problem)
                         requirementProbability (r, s, own{1}, problem, df);
   end
   share = toleranceShare (problem, r);
+  final.estimate = m;
+  final.met = false (1, T);
+  groups = requirementsOf (problem);
+  for g = 1:numel (groups)
+    final.met(groups{g}) = share(g) <= 1;
+  end
   final.within = final.n > 0 && all (share <= 1);
   final.converged = final.within && ...
                     final.n >= problem.options.replicates && ...
                     final.probability >= problem.options.confidence;
 end
 
-function text = explain (final, problem)
+% What ended the search, where it did not end with a set that is met.
+function limit = limitOf (final, state, problem)
+  limit = 'maxIter';
+  if final.converged
+    limit = '';
+  elseif problem.newSets () < 1
+    limit = 'maxNewRuns';
+  elseif budgetLeft (state, problem) < 1
+    limit = 'maxFunEvals';
+  end
+end
+
+% A conflict comes first: no limit that is raised would help.
+function text = explain (final, state, problem)
   sure = 100 * final.probability;
-  if final.n == 0
-    text = 'no DEM run confirms the set found on the surrogates';
-  elseif final.converged
+  ended = limitText (final, problem);
+  if final.converged
     text = sprintf (['all targets met with a probability of %.0f %%; runs ' ...
                      'at this set: %d'], sure, final.n);
   elseif ~final.within && ~isempty (final.conflict)
     text = sprintf ('no set of the box meets: %s', ...
                     strjoin (final.conflict, ', '));
+  elseif final.n == 0 && any (sameSet (state.data.X, final.params, ...
+                                       problem.limits))
+    text = 'every DEM run at the set failed';
+  elseif final.n == 0
+    text = ['no DEM run confirms the set found on the surrogates: ', ended];
   elseif ~final.within
     text = sprintf (['the mean response at the best set is outside a ' ...
-                     'tolerance; runs there: %d'], final.n);
+                     'tolerance; runs there: %d; %s'], final.n, ended);
   elseif final.n < problem.options.replicates
-    text = sprintf ('only %d of %d runs were made at the set', final.n, ...
-                    problem.options.replicates);
+    text = sprintf ('only %d of %d runs were made at the set: %s', final.n, ...
+                    problem.options.replicates, ended);
   else
     text = sprintf (['met by the mean response, but the scatter leaves ' ...
-                     'only %.0f %% probability; runs at this set: %d'], ...
-                    sure, final.n);
+                     'only %.0f %% probability; runs at this set: %d; %s'], ...
+                    sure, final.n, ended);
+  end
+end
+
+function text = limitText (final, problem)
+  options = problem.options;
+  switch final.limit
+    case 'maxNewRuns'
+      text = 'Input.maxNewRuns allows no further run';
+    case 'maxFunEvals'
+      text = sprintf ('optim.maxFunEvals (%g) is used up', ...
+                      options.maxFunEvals);
+    otherwise
+      text = sprintf ('optim.maxIter (%g) sets turned out wrong', ...
+                      options.maxIter);
   end
 end
 
@@ -147,3 +188,18 @@ end
 %! final = confirmSet (s, problem);
 %! half = studentQuantile (0.95, 3) * std (z) / 2;
 %! assert (final.interval90, mean (z) + [-half; half], 1e-9);
+
+%!test
+%! % the limit that bit is named; a conflict goes before it, without a run too
+%! small = problem;
+%! small.options.maxFunEvals = 0;
+%! final = confirmSet (state, small);
+%! assert (final.limit, 'maxFunEvals');
+%! assert (~isempty (strfind (final.reason, 'optim.maxFunEvals (0) is')));
+%! small.newSets = @() 0;
+%! assert (~isempty (strfind (confirmSet (state, small).reason, ...
+%!                            'Input.maxNewRuns allows no')));
+%! s = state;
+%! s.found.conflict = {'x'};
+%! assert (confirmSet (s, small).reason, 'no set of the box meets: x');
+%! assert (confirmSet (s, small).met, true);

@@ -8,7 +8,9 @@
 %   LEDGER   see newLedger
 %   C        scalar struct: params 1 x d, results 1 x T, residual T x 1,
 %            noiseSd 1 x T (noise of one run), runs at the set, interval90
-%            2 x d, converged, reason, demRuns, coreSeconds, atLimit,
+%            2 x d, converged, reason, limit, conflict, met (see
+%            confirmSet), untested (handBack),
+%            demRuns, coreSeconds, atLimit,
 %            notIdentified, identifiability (see there), correlation d x d,
 %            sensitivity d x T (total Sobol indices), warnings,
 %            holdout, levels (see describeLevels), surrogates, history, data,
@@ -29,6 +31,10 @@ function c = newCalibration (state, problem, Case, ledger)
               'residual', final.residual, 'noiseSd', final.noiseSd, ...
               'runs', final.n, 'interval90', known.interval90, ...
               'converged', final.converged, 'reason', final.reason);
+  c.limit = final.limit;
+  c.conflict = final.conflict;
+  c.met = final.met;
+  c.untested = final.untested;
   c.resultInterval90 = final.interval90;
   c.probability = final.probability;
   c.posterior = known.sample;
