@@ -54,7 +54,7 @@ function calibration = calibrateCase (root, folder)
   state = calibrateOnDEM (state, problem, evaluate, say);
 
   calibration = newCalibration (state, problem, Case, ledger);
-  writeCalibrationJson (calibration, Case);
+  calibration.verdict = writeCalibrationJson (calibration, Case);
   reportCalibration (calibration, Case, say);
   reportPage (Case, say);
 end

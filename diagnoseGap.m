@@ -48,7 +48,7 @@ function diagnosis = diagnoseCase (root, folder)
                              'coreSeconds', ledger('coreSeconds'));
 
   % what remains
-  writeGapJson (diagnosis, Case);
+  diagnosis.verdict = writeGapJson (diagnosis, Case);
   writeGapTables (diagnosis, Case);
   sayDiagnosis (diagnosis, Case, say);
   reportPage (Case, say);

@@ -8,9 +8,9 @@
 %        noiseSd 1 x T (noise of one run), residual T x 1 (of the mean),
 %        residualSd T x 1, extra (preference rows), interval90 2 x T (of the
 %        true response), estimate 1 x T (its middle), met 1 x T (the estimate
-%        is within its tolerance; the points of a curve as one), probability, within, converged, reason, conflict,
-%        limit ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search;
-%        '': converged)
+%        is within its tolerance; the points of a curve as one), probability,
+%        within, converged, reason, conflict, limit ('maxFunEvals',
+%        'maxNewRuns', 'maxIter': what ended the search; '': converged)
 %
 % The scatter of one run is the pooled one of the surrogates. The truth at the
 % set is known from its runs and from the surrogate, which holds them; where

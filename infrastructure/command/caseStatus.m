@@ -7,7 +7,8 @@
 %   S     scalar struct:
 %     holder   see lockHolder
 %     state    'running', 'unknown' (the lock names another machine), 'stopped',
-%              'finished' (a result is newer than all runs), 'new'
+%              'finished' (a result is newer than all runs), 'tried' (one set
+%              at most has been run), 'new'
 %     stage    'plan', 'calibration', 'gap', or '' where there is no run
 %     models   1 x M struct array: name, done, failed, running, waiting, old
 %              (runs that no longer count), seconds (median, NaN: not known)
@@ -17,7 +18,8 @@
 %              number of runs
 %     left     seconds until the plan (in the stage of the plan) or at most
 %              until the end (later) of the calibration; NaN: not known
-%     best     see bestSet
+%     best     see bestSet; verdict  see decideCase: of a result, once there
+%              is one; set  1 x d, the set of results/calibration.json; []
 %
 % See also: sayStatus, runsOfCase, foresee
 
@@ -38,6 +40,17 @@ function s = caseStatus (Case, cost)
   s.failures = failuresOf (current, Case);
   s.left = secondsLeft (s, f, Case);
   s.best = bestSet (Case, runs, cost);
+  c = readJson (fullfile (Case.folder, 'results', 'calibration.json'));
+  gap = readJson (fullfile (Case.folder, 'gap', 'gap.json'));
+  s.verdict = [];
+  s.set = [];
+  isResult = isfield (c, 'reason') || isfield (gap, 'which');
+  if strcmp (s.state, 'finished') && isResult
+    s.verdict = decideCase (c, gap);
+  end
+  if ~isempty (s.verdict) && all (isfield (jsonAt (c, {'params'}), Case.names))
+    s.set = cellfun (@(n) c.params.(n), Case.names);
+  end
 end
 
 function stages = stagesOf (runs)
@@ -77,6 +90,8 @@ function state = stateOf (Case, holder, runs)
       state = 'finished';
     elseif isempty (runs)
       state = 'new';
+    elseif numberOfSets (runs) < 2
+      state = 'tried';
     end
   end
 end

@@ -22,10 +22,15 @@ function status = sayStatus (root, folder, args)
   for k = 1:numel (s.failures)
     printf ('        %s\n', s.failures{k});
   end
-  if any (strcmp (s.state, {'running', 'unknown', 'stopped'}))
+  isOpen = any (strcmp (s.state, {'running', 'unknown', 'stopped'}));
+  if isOpen && s.left > 0
     printf ('left    %s\n', leftText (s));
   end
-  sayBest (s.best, Case);
+  if isempty (s.verdict)
+    sayBest (s.best, Case);
+  else
+    sayResult (s, Case);
+  end
   status = 0;
 end
 
@@ -42,14 +47,16 @@ function text = stateText (s)
                       s.stage);
     case 'finished'
       text = 'finished; decalioc report shows the result';
+    case 'tried'
+      text = 'one set has been tried. Start with decalioc run';
     otherwise
       text = 'nothing has been run yet. Start with decalioc run';
   end
 end
 
 function sayRuns (s)
-  printf ('plan    %d of %d runs done; afterwards %d of at most %d sets\n', ...
-          s.plan, s.sets);
+  printf (['plan    %d of %d runs done; %d sets run afterwards (each start ' ...
+           'may run %d)\n'], s.plan, s.sets);
   for k = 1:numel (s.models)
     m = s.models(k);
     printf ('runs    %-12s %d done, %d running, %d waiting, %d failed', ...
@@ -70,6 +77,19 @@ function text = leftText (s)
     text = [text, ' until the plan is done'];
   else
     text = [text, ' at most'];
+  end
+end
+
+% What was found is the set of the result, not another one that came near.
+function sayResult (s, Case)
+  v = s.verdict;
+  printf ('result  %s. %s\n', v.word, v.sentence);
+  if ~isempty (v.gap)
+    printf ('        %s\n', v.gap);
+  end
+  sayVerdict (v, @(text) printf ('      %s\n', text));
+  for j = 1:numel (s.set)
+    printf ('        %-24s %.5g\n', Case.names{j}, s.set(j));
   end
 end
 

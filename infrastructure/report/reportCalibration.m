@@ -2,7 +2,7 @@
 %
 % CALL: reportCalibration (C, CASE, SAY)
 %
-%   C     see newCalibration
+%   C     see newCalibration, with its field verdict (decideCase)
 %   CASE  see newCase
 %   SAY   function handle that takes one line of text
 %
@@ -15,6 +15,7 @@ function reportCalibration (c, Case, say)
   else
     say (['NOT CALIBRATED: ', c.reason]);
   end
+  sayVerdict (c.verdict, say);
   say ('');
   sayTargets (c, Case, say);
   say ('');
@@ -22,6 +23,10 @@ function reportCalibration (c, Case, say)
   say ('');
   saySensitivity (c, Case, say);
   sayUnknown (c, Case, say);
+  if ~isempty (c.untested)
+    say (['  the surrogates expect more of a set that was not run: ', ...
+          namedValues(Case.names, c.untested, '%.4g')]);
+  end
   for k = 1:numel (c.warnings)
     say (['  WARNING: ', c.warnings{k}]);
   end
@@ -29,7 +34,8 @@ function reportCalibration (c, Case, say)
   sayLevels (c, Case, say);
   d = c.demRuns;
   say (sprintf (['DEM runs: %d plan, %d infill, %d verification; ' ...
-                 '%d failed, %d taken from the store; %.1f core-minutes'], ...
+                 '%d without a result, also with another seed; %d taken ' ...
+                 'from the store; %.1f core-minutes'], ...
                 d.plan, d.infill, d.verify, d.failed, d.reused, ...
                 c.coreSeconds / 60));
   say (sprintf ('Runs: %s  Results: %s', ...
@@ -50,7 +56,8 @@ function sayTargets (c, Case, say)
                 'DEM', 'resid (%)', 'tol (%)', 'one run +-'));
   curves = curveSummary (Case, c.residual);
   for t = setdiff (1:numel (Case.targets), [curves.own])
-    sayTarget (Case.targets(t), c.results(t), c.residual(t), c.noiseSd(t), say);
+    sayTarget (Case.targets(t), c.results(t), c.residual(t), c.noiseSd(t), ...
+               c.met(t), say);
   end
   for k = 1:numel (curves)
     say (sprintf (['  %-28s %d points, root mean square deviation %.2f of ' ...
@@ -77,7 +84,7 @@ function sayTargets (c, Case, say)
   end
 end
 
-function sayTarget (T, result, residual, noiseSd, say)
+function sayTarget (T, result, residual, noiseSd, isMet, say)
   name = T.name;
   if ~strcmp (T.role, 'calibrate')
     words = struct ('holdout', ' (held out)', 'unmeasured', ' (not measured)');
@@ -88,6 +95,9 @@ function sayTarget (T, result, residual, noiseSd, say)
   if isfield (T, 'isAbsolute') && T.isAbsolute
     factor = 1;
     note = ' (absolute)';
+  end
+  if strcmp (T.role, 'calibrate') && ~isMet
+    note = [note, ' missed'];
   end
   say (sprintf ('  %-28s %11.5g %11.5g %9.2f %9.2f %11.2g%s', name, T.value, ...
                 result, factor * residual, factor * T.tol, noiseSd, note));

@@ -1,9 +1,10 @@
 % WRITECALIBRATIONJSON  Writes results/calibration.json and tables beside it.
 %
-% CALL: writeCalibrationJson (C, CASE)
+% CALL: V = writeCalibrationJson (C, CASE)
 %
 %   C     see newCalibration
 %   CASE  see newCase
+%   V     see decideCase: what is written as verdict
 %
 % sensitivity.csv holds total Sobol indices (one row a parameter, one column a
 % target), correlation.csv the correlation of the parameters among the sets
@@ -13,7 +14,7 @@
 %
 % See also: newCalibration, writeProgress
 
-function writeCalibrationJson (c, Case)
+function v = writeCalibrationJson (c, Case)
   named = @(values) cell2struct (values, Case.names, 1);
   out = struct ('params', named (num2cell (c.params(:))));
   out.interval90 = named (num2rows (c.interval90'));
@@ -21,6 +22,13 @@ function writeCalibrationJson (c, Case)
   out.targets = targetsOf (c, Case);
   out.converged = c.converged;
   out.reason = c.reason;
+  out.limit = c.limit;
+  out.conflict = c.conflict(:)';
+  out.untested = [];
+  if ~isempty (c.untested)
+    out.untested = named (num2cell (c.untested(:)));
+  end
+  out.known = knownOf (Case);
   out.runs = c.runs;
   out.probability = c.probability;
   out.demRuns = c.demRuns;
@@ -42,6 +50,9 @@ function writeCalibrationJson (c, Case)
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
   writeTables (c, Case, folder);
+  v = decideCase (jsondecode (jsonencode (out)), ...
+                  readJson (fullfile (Case.folder, 'gap', 'gap.json')));
+  out.verdict = rmfield (v, 'cause');
   writeAtomic (fullfile (folder, 'calibration.json'), ...
                [jsonencode(out), "\n"]);
   [~, ~] = unlink (fullfile (folder, 'progress.json'));
@@ -67,6 +78,24 @@ function targets = targetsOf (c, Case)
                          'residual', c.residual(t), ...
                          'noiseSd', c.noiseSd(t), ...
                          'interval90', {num2cell(c.resultInterval90(:, t)')});
+    targets{t}.allowed = halfWidth (T);
+    targets{t}.met = [];
+    if strcmp (T.role, 'calibrate')
+      targets{t}.met = c.met(t);
+    end
+    targets{t}.curve = '';
+    if isfield (T, 'curve') && T.curve > 0
+      targets{t}.curve = T.series;
+    end
+  end
+end
+
+% Parameters that were measured by themselves.
+function known = knownOf (Case)
+  known = struct ();
+  for j = find (isfinite (Case.paramMean) & isfinite (Case.paramSd))
+    known.(Case.names{j}) = struct ('mean', Case.paramMean(j), ...
+                                    'sd', Case.paramSd(j));
   end
 end
 

@@ -7,7 +7,7 @@
 %   TEXT   'a', 'a and b' (together), 'a or b', each perhaps with ', or
 %          something that looks like it'; '' where no effect is told
 %
-% See also: sayDiagnosis, gapAdvice
+% See also: sayDiagnosis
 
 function text = causeText (which)
   text = '';

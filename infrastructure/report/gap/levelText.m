@@ -5,7 +5,7 @@
 %   LEVEL  of finerVerdict, or what gap.json says of it
 %   TEXT   one sentence
 %
-% See also: sayDiagnosis, gapAdvice
+% See also: sayDiagnosis
 
 function text = levelText (level)
   names = cellstr (level.variables);

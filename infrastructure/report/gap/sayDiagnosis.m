@@ -2,13 +2,17 @@
 %
 % CALL: sayDiagnosis (DIAGNOSIS, CASE, SAY)
 %
-%   DIAGNOSIS  of diagnoseMatrices
+%   DIAGNOSIS  of diagnoseMatrices, with its field verdict (decideCase)
 %   CASE       struct with the field folder
 %   SAY        function handle that takes one line of text
 %
-% See also: diagnoseGap
+% Four plain lines first: where, what, how much of it is closed, what to do. The
+% tables follow.
+%
+% See also: diagnoseGap, decideGap
 
 function sayDiagnosis (diagnosis, Case, say)
+  sayPlain (diagnosis.verdict, say);
   sayWhere (diagnosis, say);
   sayWhich (diagnosis, say);
   sayHowFar (diagnosis, say);
@@ -17,10 +21,10 @@ function sayDiagnosis (diagnosis, Case, say)
     say (['LEVEL: ', levelText(diagnosis.level)]);
   end
   say ('');
-  say ('NEXT TEST: what would tell most about the cause');
+  say ('NEXT TEST: what would tell most about the cause (below 0.2: little)');
   for k = 1:min (3, numel (diagnosis.next))
     t = diagnosis.next(k);
-    say (sprintf ('  %-50s %.2f bit', t.test, t.gain));
+    say (sprintf ('  %-50s %.2f', t.test, t.gain));
   end
   say ('');
   if isfield (diagnosis, 'ledger')
@@ -30,6 +34,21 @@ function sayDiagnosis (diagnosis, Case, say)
   end
   say (['Details: ', fullfile(Case.folder, 'gap', 'gap.json'), ...
         ' and the tables beside it']);
+end
+
+function sayPlain (v, say)
+  cause = v.cause;
+  say ('');
+  say (['MISSES  ', cause.where]);
+  say (['CAUSE   ', cause.sentence]);
+  if ~isempty (cause.closed)
+    say (['CLOSED  ', cause.closed]);
+  end
+  say (['NEXT    ', v.action]);
+  if ~isempty (cause.cannotSee)
+    say (['        Cannot be seen here, so neither found nor excluded: ', ...
+          strjoin(cause.cannotSee, ', ')]);
+  end
 end
 
 function sayWhere (diagnosis, say)
@@ -56,9 +75,14 @@ function sayWhere (diagnosis, say)
   end
   for i = 1:numel (gapProblem.heldOut)
     t = gapProblem.heldOut(i);
-    say (sprintf ('  %-28s %11.5g %11.5g %7.1f          held out', ...
+    p = 2 * normalTail (abs (where.held.z(i)));
+    mark = 'held out';
+    if p < 0.05
+      mark = '<-- off, held out';
+    end
+    say (sprintf ('  %-28s %11.5g %11.5g %7.1f %7.3f  %s', ...
                   gapProblem.targetNames{t}, gapProblem.value(t), ...
-                  where.held.mean(i), where.held.z(i)));
+                  where.held.mean(i), where.held.z(i), p, mark));
   end
   [~, order] = sort (-[where.benches.size]);
   for b = where.benches(order)
@@ -82,7 +106,7 @@ end
 function sayWhich (diagnosis, say)
   w = diagnosis.which;
   say ('');
-  say (['WHICH: ', upper(w.verdict), '. ', w.reason]);
+  say (['WHICH: ', upper(w.verdict)]);
   if ~isempty (w.effects)
     say (['  cause: ', causeText(w)]);
   end
@@ -90,25 +114,19 @@ function sayWhich (diagnosis, say)
     say (['  together with one of: ', strjoin(w.partners, ', ')]);
   end
   [~, order] = sort (-diagnosis.screen.gain);
-  say (sprintf ('  %-20s %11s %9s %22s %s', 'effect', 'probability', ...
-                'strength', '90 % interval', 'seen from'));
+  say (sprintf ('  %-20s %11s  %s', 'effect', 'probability', ...
+                'how strong it would be (90 % interval)'));
   say (sprintf ('  %-20s %11.3f', 'no gap', w.posterior.null));
   for k = order
     s = w.strength(k);
     p = w.posterior.(matlab.lang.makeValidName (s.name));
-    say (sprintf ('  %-20s %11.3f %9.2f %10.2f to %8.2f %9.2g', s.name, p, ...
-                  s.value, s.interval90, diagnosis.screen.smallest(k)));
+    say (sprintf ('  %-20s %11.3f  %s', s.name, p, ...
+                  strengthText (s, diagnosis.screen.smallest(k), ...
+                                diagnosis.gapProblem)));
   end
   say (sprintf ('  %-20s %11.3f', 'none of the listed', ...
                 w.posterior.unlisted));
   sayResembling (w, say);
-  say (sprintf (['  integrals: error of a log evidence %.3f at most, %.0f ' ...
-                 'effective points at least'], w.numbers.error, w.numbers.ess));
-  blind = [w.cannotSee, diagnosis.screen.untested];
-  if ~isempty (blind)
-    say (['  cannot be seen with these targets and runs: ', ...
-          strjoin(blind, ', ')]);
-  end
   e = w.expected;
   if isfinite (e.top1)
     say (sprintf (['  On %d data sets of the same design with a known ' ...
@@ -118,6 +136,19 @@ function sayWhich (diagnosis, say)
     sayShare ('without a gap a name is given', e.falseName, say);
     sayShare ('with the cause missing from the list one is given', ...
               e.wrongUnlisted, say);
+  end
+end
+
+function text = strengthText (s, smallest, gapProblem)
+  text = 'cannot be seen';
+  if isinf (smallest) || isempty (s.values)
+    return
+  end
+  e = gapProblem.effects(strcmp ({gapProblem.effects.name}, s.name));
+  if isfield (e, 'label') && columns (s.values) == 1
+    text = effectText (e.label, e.unit, s.values);
+  else
+    text = sprintf ('%.2f of its range (%.2f to %.2f)', s.value, s.interval90);
   end
 end
 
@@ -162,7 +193,10 @@ function sayHowFar (diagnosis, say)
 end
 
 function sayClosure (name, c, say)
-  if isfinite (c.closure)
+  if isfinite (c.closure) && c.closure >= 0.995
+    say (sprintf ('  %-26s all of the gap closed (90 %%: from %.0f %%)', ...
+                  name, 100 * min (1, c.interval90(1))));
+  elseif isfinite (c.closure)
     say (sprintf ('  %-26s %.0f %% of the gap closed (90 %%: %.0f to %.0f)', ...
                   name, 100 * c.closure, 100 * c.interval90));
   else

@@ -1,6 +1,6 @@
 % WRITEGAPJSON  Writes the diagnosis for other programs: gap/gap.json.
 %
-% CALL: writeGapJson (DIAGNOSIS, CASE)
+% CALL: V = writeGapJson (DIAGNOSIS, CASE)
 %
 %   DIAGNOSIS  of diagnoseMatrices
 %   CASE       struct with the field folder (case folder); the file goes to its
@@ -10,7 +10,7 @@
 %
 % See also: diagnoseGap, writeGapTables
 
-function writeGapJson (diagnosis, Case)
+function v = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
   [~, ~] = mkdir (folder);
   out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
@@ -31,6 +31,9 @@ function writeGapJson (diagnosis, Case)
     out.demRuns.failed = diagnosis.ledger.failed;
     out.demRuns.coreSeconds = diagnosis.ledger.coreSeconds;
   end
+  calibration = fullfile (Case.folder, 'results', 'calibration.json');
+  v = decideCase (readJson (calibration), jsondecode (jsonencode (out)));
+  out.verdict = v;
   writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
 end
 
@@ -94,17 +97,36 @@ function s = whichOf (diagnosis)
   s.strength = struct ();
   for k = 1:numel (w.strength)
     name = matlab.lang.makeValidName (w.strength(k).name);
-    s.strength.(name) = struct ('value', w.strength(k).value, 'interval90', ...
-                                w.strength(k).interval90, 'smallestSeen', ...
-                                diagnosis.screen.smallest(k), ...
-                                'variables', struct ());
-    for j = 1:numel (w.strength(k).variables)
-      s.strength.(name).variables.(w.strength(k).variables{j}) = ...
-        w.strength(k).values(:, j)';
-    end
+    s.strength.(name) = strengthOf (w.strength(k), ...
+                                    diagnosis.screen.smallest(k), ...
+                                    diagnosis.gapProblem);
   end
   s.priorSpread = w.priorSpread;
   s.expected = w.expected;
+end
+
+% What cannot be seen has no interval: its runs say nothing of its strength.
+function s = strengthOf (own, smallest, gapProblem)
+  isSeen = isfinite (smallest);
+  own.interval90(~isSeen) = NaN;
+  own.values(2:3, ~isSeen(ones (1, columns (own.values)))) = NaN;
+  s = struct ('value', own.value, 'interval90', own.interval90, ...
+              'smallestSeen', smallest, 'variables', struct (), ...
+              'seen', isSeen);
+  for j = 1:numel (own.variables)
+    s.variables.(own.variables{j}) = own.values(:, j)';
+  end
+  e = gapProblem.effects(strcmp ({gapProblem.effects.name}, own.name));
+  s.label = own.name;
+  s.unit = '';
+  if isfield (e, 'label')
+    s.label = e.label;
+    s.unit = e.unit;
+  end
+  s.text = '';
+  if columns (own.values) == 1
+    s.text = effectText (s.label, s.unit, own.values(:, 1));
+  end
 end
 
 function s = howFarOf (cure, gapProblem)

@@ -76,6 +76,7 @@ function lines = effectLines (diagnosis)
             'smallest_seen,absorbed_share,gain_chi2']};
   for k = 1:numel (screen.names)
     s = w.strength(k);
+    s.interval90(isinf (screen.smallest(k)) * [1, 1] > 0) = NaN;
     name = matlab.lang.makeValidName (s.name);
     lines{end + 1} = sprintf ('%s,%.4g,%.4g,%.4g,%.4g,%.3g,%.3g,%.3f,%.4g', ...
                               s.name, w.posterior.(name), s.value, ...

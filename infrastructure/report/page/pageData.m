@@ -14,6 +14,7 @@
 %         plan        n x d, parameter sets of the plan
 %         runs        see pageRuns
 %         units       see targetUnits
+%         verdict     see decideCase
 %         isRunning   a calibration is under way, or was broken off
 %
 % A file that is not there, or cannot be read, leaves its field empty.
@@ -46,6 +47,8 @@ function page = pageData (Case)
                                     'ExperimentalPlan_DoE.csv'), 0, Case);
   page.runs = pageRuns (Case);
   page.units = targetUnits (Case);
+  page.verdict = decideCase (s.calibration, s.gap, ~isempty (page.runs) || ...
+                             ~isempty (page.plan));
 end
 
 function Case = candidates (Case)
@@ -55,17 +58,6 @@ function Case = candidates (Case)
     end
   catch
     % without its list of effects the diagnosis is shown all the same
-  end
-end
-
-function value = readJson (file)
-  value = [];
-  try
-    if isfile (file)
-      value = jsondecode (fileread (file));
-    end
-  catch
-    % half a file of another program: as if there were none
   end
 end
 

@@ -5,7 +5,8 @@
 %   C      decoded calibration.json
 %   NAMES  1 x d cell, names of the parameters
 %   J      which of them
-%   WORD   'fixed', 'dead', 'trade-off', 'flat direction', 'at a limit'
+%   WORD   'fixed', 'dead', 'trade-off', 'flat direction', 'at a limit',
+%          'a compromise' (its value lies outside its interval)
 %   TEXT   the reason (HTML)
 %   CLASS  'ok', 'unsure' or 'off'
 %
@@ -43,6 +44,12 @@ function [word, text, class] = parameterState (c, names, j)
     word = 'flat direction';
     text = 'other values fit as well, together with other parameters';
     class = 'unsure';
+  elseif isOutside (c, name)
+    word = 'a compromise';
+    text = ['the value lies outside its interval: no set meets all ', ...
+            'targets, and this one misses least; the interval is of the ', ...
+            'sets that are likeliest, each target weighed by its noise'];
+    class = 'unsure';
   else
     word = 'fixed';
     text = ['by ', strongest(c, share)];
@@ -51,6 +58,13 @@ function [word, text, class] = parameterState (c, names, j)
                       htmlText (partner), numberText (r, 'plain'));
     end
   end
+end
+
+function yes = isOutside (c, name)
+  range = jsonAt (c, {'interval90', name});
+  value = c.params.(name);
+  yes = numel (range) == 2 && isnumeric (range) && ...
+        (value < range(1) || value > range(2));
 end
 
 % Shares of the variance of the calibrated targets, NaN for the held-out ones.
@@ -104,6 +118,8 @@ end
 %! [word, text] = parameterState (c, names, 1);
 %! assert (word, 'fixed');
 %! assert (text, 'by t1');
+%! c.interval90.a = [2; 3];
+%! assert (parameterState (c, names, 1), 'a compromise');
 %! % it moves a held-out target only
 %! assert (parameterState (c, names, 2), 'dead');
 %! [word, text] = parameterState (c, names, 3);

@@ -4,7 +4,7 @@
 %
 %   PAGE  see pageData; TITLE, HTML  see pageSections
 %
-% See also: pageSections, gapAdvice
+% See also: pageSections, decideGap
 
 function [title, html] = sectionWhich (page)
   title = 'Which effect is missing';
@@ -14,8 +14,9 @@ function [title, html] = sectionWhich (page)
   if ~isstruct (posterior)
     return
   end
-  [word, sentence] = gapAdvice (page);
-  html = ['<p><strong>', htmlText(word), '</strong>. ', sentence, '</p>', ...
+  cause = page.verdict.cause;
+  html = ['<p><strong>', htmlText(cause.word), '</strong>. ', ...
+          htmlText(cause.sentence), ' ', htmlText(cause.closed), '</p>', ...
           htmlFigures(bars (posterior), ''), ...
           effectTable(page, which), remarks(which), ...
           levelRemark(page), expected(page, which)];

@@ -6,7 +6,7 @@
 %   FIELD  text, e.g. 'effects'
 %   NAMES  1 x n cell of text; empty where the field is, or is not there
 %
-% See also: causeText, gapAdvice
+% See also: causeText
 
 function names = namesIn (which, field)
   names = cell (1, 0);

@@ -1,0 +1,117 @@
+% LISTMISSES  Every measured target beside what is simulated, the worst first.
+%
+% CALL: MISSES = listMisses (C, GAP)
+%
+%   C, GAP   see decideCase
+%   MISSES   1 x n struct, see decideCase; the points of a curve are one entry,
+%            its worst point. Without a calibration those of the diagnosis, with
+%            the numbers of its fit in units of noise (share) alone
+%
+% See also: decideCase
+
+function misses = listMisses (c, gap)
+  misses = struct ('model', {}, 'name', {}, 'unit', {}, 'measured', {}, ...
+                   'simulated', {}, 'miss', {}, 'allowed', {}, 'role', {}, ...
+                   'met', {}, 'share', {});
+  if ~isempty (c)
+    for t = 1:numel (c.targets)
+      misses = addTarget (misses, jsonAt (c.targets, {t}));
+    end
+    misses = judgeHeldOut (misses, c);
+    misses = foldCurves (misses, c);
+  else
+    targets = jsonAt (gap, {'where', 'targets'});
+    for t = 1:numel (targets)
+      T = jsonAt (targets, {t});
+      T.share = abs (T.z) / 2;
+      T.residual = NaN;
+      misses = addTarget (misses, T);
+    end
+  end
+  if ~isempty (misses)
+    share = [misses.share];
+    share(isnan (share)) = -1;
+    [~, order] = sortrows ([strcmp({misses.role}, 'unmeasured')', -share']);
+    misses = misses(order);
+  end
+end
+
+function misses = addTarget (misses, T)
+  field = @(name, other) fieldOf (T, name, other);
+  m = struct ('model', T.model, 'name', T.name, 'unit', field ('unit', ''), ...
+              'measured', field ('target', NaN), ...
+              'simulated', field ('result', NaN), 'miss', NaN, ...
+              'allowed', field ('allowed', NaN), 'role', T.role, ...
+              'met', NaN, 'share', field ('share', NaN));
+  inner = field ('interval90', [NaN, NaN]);
+  if numel (inner) == 2 && isnumeric (inner) && all (isfinite (inner))
+    m.simulated = mean (inner);
+  end
+  m.miss = m.simulated - m.measured;
+  residual = field ('residual', NaN);
+  tol = field ('tol', NaN);
+  if isnan (m.allowed) && isfinite (tol) && isfinite (m.measured)
+    m.allowed = abs (m.measured) * tol;
+  end
+  if strcmp (T.role, 'calibrate') && isfinite (residual)
+    m.met = double (abs (residual) <= tol);
+    m.share = abs (residual) / tol;
+    if isfinite (m.miss) && m.allowed > 0
+      m.share = abs (m.miss) / m.allowed;
+    end
+    m.met = double (field ('met', m.met > 0));
+  end
+  misses(end + 1) = m;
+end
+
+function value = fieldOf (T, name, other)
+  value = other;
+  if isfield (T, name) && ~isempty (T.(name))
+    value = T.(name);
+  end
+end
+
+% Held out: inside where a measurement should lie; share is of its half width.
+function misses = judgeHeldOut (misses, c)
+  held = jsonAt (c, {'holdout'});
+  for k = 1:numel (held)
+    h = jsonAt (held, {k});
+    at = find (strcmp ({misses.name}, h.name) & ...
+               ~strcmp ({misses.role}, 'calibrate'), 1);
+    if isempty (at) || ~isnumeric (h.interval90) || isempty (h.inside)
+      continue
+    end
+    half = diff (h.interval90) / 2;
+    misses(at).met = double (h.inside);
+    misses(at).simulated = h.result;
+    misses(at).miss = h.result - misses(at).measured;
+    misses(at).allowed = half;
+    misses(at).share = abs (misses(at).miss) / half;
+  end
+end
+
+function misses = foldCurves (misses, c)
+  curve = cell (1, numel (misses));
+  for t = 1:numel (misses)
+    name = jsonAt (c, {'targets', t, 'curve'});
+    curve{t} = '';
+    if ischar (name) && ~isempty (name)
+      curve{t} = [misses(t).model, ': ', name];
+    end
+  end
+  keep = cellfun (@isempty, curve);
+  for name = unique (curve(~keep))
+    own = find (strcmp (name{1}, curve) & strcmp ({misses.role}, 'calibrate'));
+    if isempty (own)
+      keep(strcmp (name{1}, curve)) = true;
+      continue
+    end
+    share = sqrt (mean ([misses(own).share].^2));
+    [~, worst] = max ([misses(own).share]);
+    at = own(worst);
+    misses(at).share = share;
+    misses(at).name = jsonAt (c, {'targets', at, 'curve'});
+    keep(at) = true;
+  end
+  misses = misses(keep);
+end

@@ -1,0 +1,73 @@
+% QUANTITY  A value with its unit as one says it, and its interval.
+%
+% CALL: TEXT = quantity (X, UNIT, RANGE)
+%
+%   X      scalar
+%   UNIT   text, SI; '' or '-': a plain number
+%   RANGE  1 x 2, optional: ' (from to)' is added unless it is not finite
+%   TEXT   '41.9 kJ/m3 (25.9 to 60)'; '1.5 mm'; '-' where X is not finite
+%
+% Prefixes are taken where the unit begins with one that takes them. Three
+% digits.
+%
+% See also: effectText, decideCase
+
+function text = quantity (x, unit, range)
+  text = '-';
+  if isempty (x) || ~isfinite (x)
+    return
+  end
+  if strcmp (unit, '-')
+    unit = '';
+  end
+  [factor, unit] = prefixed (x, unit);
+  text = number (x / factor, 3);
+  if ~isempty (unit)
+    text = [text, ' ', unit];
+  end
+  if nargin > 2 && numel (range) == 2 && all (isfinite (range))
+    text = sprintf ('%s (%s to %s)', text, number (range(1) / factor, 3), ...
+                    number (range(2) / factor, 3));
+  end
+end
+
+function [factor, unit] = prefixed (x, unit)
+  factor = 1;
+  if any (strcmp (unit, {'kg', 'kg/s'}))
+    unit = unit(2:end);
+    factor = 1e-3;
+  elseif ~any (strcmp (strtok (unit, '/'), {'J', 'Pa', 'N', 'W', 'm', 's'}))
+    return
+  end
+  size = abs (x) / factor;
+  if size == 0
+    [factor, unit] = deal (1, strrep (unit, 'g', 'kg'));
+    return
+  end
+  power = 3 * floor (log10 (size * (1 + 1e-9)) / 3);
+  if any (strcmp (strtok (unit, '/'), {'m', 's'}))
+    power = min (power, 0);          % hours and kilometres are no such numbers
+  end
+  power = min (max (power, -6), 9);
+  names = {'u', 'm', '', 'k', 'M', 'G'};
+  unit = [names{power / 3 + 3}, unit];
+  factor = factor * 10^power;
+end
+
+function text = number (x, digits)
+  if abs (x) >= 10^digits && abs (x) < 1e6
+    text = sprintf ('%.0f', x);
+  else
+    text = sprintf ('%.*g', digits, x);
+  end
+end
+
+%!assert (quantity (42059, 'J/m3', [26000, 60000]), '42.1 kJ/m3 (26 to 60)')
+%!assert (quantity (0.00153, 'm'), '1.53 mm')
+%!assert (quantity (0.0121, 'kg'), '12.1 g')
+%!assert (quantity (1250, 'kg/m3'), '1250 kg/m3')
+%!assert (quantity (-1.5, 'deg', [-2, -0.5]), '-1.5 deg (-2 to -0.5)')
+%!assert (quantity (0.5243, '-', [NaN, 1]), '0.524')
+%!assert (quantity (NaN, 'm'), '-')
+%!assert (quantity (0, 'kg'), '0 kg')
+%!assert (quantity (1234, ''), '1234')

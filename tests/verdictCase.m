@@ -1,0 +1,233 @@
+% VERDICTCASE  Stored results of many kinds, to see what is said of each.
+%
+% CALL: LIST = verdictCase ()
+% CALL: verdictCase (FOLDER, SITUATION)
+%
+%   LIST       1 x n struct: name (text), c (as calibration.json, [] none), gap
+%              (as gap.json, [] none)
+%   FOLDER     case folder of standInCase: the files of SITUATION (one of LIST)
+%              are written there
+%
+% See also: verdicts.tst, decideCase
+
+function list = verdictCase (folder, situation)
+  if nargin > 0
+    put (fullfile (folder, 'results'), 'calibration.json', situation.c);
+    put (fullfile (folder, 'gap'), 'gap.json', situation.gap);
+    return
+  end
+  list = [ofCalibration(), withGap()];
+end
+
+function put (folder, name, content)
+  [~, ~] = mkdir (folder);
+  file = fullfile (folder, name);
+  if isempty (content)
+    [~, ~] = unlink (file);
+  else
+    writeAtomic (file, jsonencode (content));
+  end
+end
+
+function list = ofCalibration ()
+  met = result (true, [0, 0, 0]);
+  off = result (false, [0.2, 0, 0]);
+  near = result (false, [0, 0, 0]);
+  list = at ('met', met, []);
+  open = setfield (met, 'notIdentified', {{'b'}});
+  list(end + 1) = at ('met, one parameter open', open, []);
+  list(end + 1) = at ('met, held out inside', held (met, true), []);
+  list(end + 1) = at ('met, held out outside', held (met, false), []);
+  known = met;
+  known.known.a = struct ('mean', 1, 'sd', 0.1);
+  list(end + 1) = at ('a known value deviates', known, []);
+  for limit = {'maxFunEvals', 'maxNewRuns', 'maxIter'}
+    list(end + 1) = at (limit{1}, ended (off, limit{1}, outside ()), []);
+  end
+  list(end + 1) = at ('conflict, never run', ...
+                      setfield (conflict (off), 'runs', 0), []);
+  list(end + 1) = at ('conflict', conflict (off), []);
+  list(end + 1) = at ('conflict at a limit', ...
+                      setfield (conflict (off), 'atLimit', {{'a'}}), []);
+  failing = ended (off, 'maxIter', 'every DEM run at the set failed');
+  list(end + 1) = at ('every run fails', setfield (failing, 'runs', 0), []);
+  alone = ended (near, 'maxNewRuns', 'no DEM run confirms the set');
+  alone.runs = 0;
+  list(end + 1) = at ('surrogates alone', alone, []);
+  alone.input.models = struct ('name', {'First', 'Second'}, 'key', '');
+  list(end + 1) = at ('imported runs alone', alone, []);
+  list(end + 1) = at ('too few replicates', few (near), []);
+  scatter = 'met by the mean response, but the scatter leaves only 70 %';
+  list(end + 1) = at ('scatter', ended (near, 'maxFunEvals', scatter), []);
+  curve = off;
+  [curve.targets(1:2).curve] = deal ('w');
+  list(end + 1) = at ('a curve is missed', curve, []);
+  old = rmfield (off, {'limit', 'conflict', 'known', 'untested'});
+  old.targets = rmfield (old.targets, {'met', 'allowed', 'curve', 'unit'});
+  list(end + 1) = at ('an older file', old, []);
+  list(end + 1) = at ('nothing', [], []);
+end
+
+function list = withGap ()
+  met = result (true, [0, 0, 0]);
+  off = ended (result (false, [0.2, 0, 0]), 'maxFunEvals', outside ());
+  near = few (result (false, [0, 0, 0]));
+  none = gapOf ('no gap', {}, 'gate');
+  blind = none;
+  blind.which.cannotSee = {'cohesion', 'drag'};
+  named = gapOf ('named', {'cohesion'}, '');
+  several = gapOf ('group', {'cohesion', 'drag'}, 'group');
+  alike = gapOf ('group', {'cohesion'}, 'look-alike');
+  pair = several;
+  pair.which.together = true;
+  unlisted = gapOf ('none of the listed', {}, '');
+  open = gapOf ('undecided', {}, 'integral');
+  poor = gapOf ('surrogate', {}, 'surrogate');
+  poor.which.reason = 'the surrogates contradict their own runs';
+  odd = named;
+  odd.howFar.heldOut.closure = NaN;
+  odd.howFar.closure = 1.21;
+  odd.where.targets(3).p = 7e-10;
+  odd.howFar.placebos = struct ('effect', 'drag', 'closure', {0.98, NaN});
+  tells = several;
+  tells.next = struct ('test', 'measure First once more', 'gain', 0.9);
+  kinds = {'met, no gap', met, none; 'met, blind', met, blind; ...
+           'met, named', met, named; 'met, several', met, several; ...
+           'met, too few runs', met, poor; 'missed, no gap', off, none; ...
+           'Sluice: missed, blind', off, blind; ...
+           'near, blind', near, blind; ...
+           'conflict, no gap', conflict(off), none; ...
+           'conflict, blind', conflict(off), blind; ...
+           'missed, named', off, named; 'missed, look-alike', off, alike; ...
+           'missed, several', off, several; 'missed, pair', off, pair; ...
+           'missed, a test tells', off, tells; ...
+           'missed, none listed', off, unlisted; ...
+           'missed, undecided', off, open; 'missed, surrogate', off, poor; ...
+           'missed, held out far off', off, odd; ...
+           'gap alone, none', [], none; 'gap alone, blind', [], blind; ...
+           'gap alone, named', [], named};
+  list = struct ('name', kinds(:, 1)', 'c', kinds(:, 2)', ...
+                 'gap', kinds(:, 3)');
+end
+
+function s = at (name, c, gap)
+  s = struct ('name', name, 'c', c, 'gap', gap);
+end
+
+function c = result (converged, residual)
+  c = struct ('params', struct ('a', 4, 'b', 3), ...
+              'interval90', struct ('a', [3.9, 4.1], 'b', [2.9, 3.1]), ...
+              'limits', struct ('a', [0, 10], 'b', [0, 10]));
+  names = {'sum', 'product', 'difference'};
+  models = {'First', 'First', 'Second'};
+  value = [7, 12, 1];
+  for t = 1:3
+    z = value(t) * (1 + residual(t));
+    c.targets(t) = struct ('model', models{t}, 'name', names{t}, ...
+                           'role', 'calibrate', 'target', value(t), ...
+                           'sd', 0.1, 'tol', 0.02, 'unit', 'N', ...
+                           'result', z, 'residual', residual(t), ...
+                           'noiseSd', 0.01, 'interval90', z + [-1, 1] / 100, ...
+                           'allowed', 0.02 * value(t), ...
+                           'met', abs (residual(t)) <= 0.02, 'curve', '');
+  end
+  c.converged = converged;
+  c.reason = 'all targets met with a probability of 99 %; runs at this set: 3';
+  [c.limit, c.conflict, c.known, c.untested] = deal ('', {}, struct (), []);
+  [c.runs, c.probability, c.coreSeconds] = deal (2, 0.99 * converged, 60);
+  c.demRuns = struct ('plan', 8, 'infill', 2, 'verify', 4, 'failed', 0, ...
+                      'reused', 0);
+  [c.atLimit, c.notIdentified, c.unfixed, c.next, c.holdout, c.levels] = ...
+    deal ({});
+  c.warnings = {};
+  c.sensitivity = struct ('a', [0.5, 0.5, 0.5], 'b', [0.5, 0.5, 0.5]);
+  c.correlation = eye (2);
+  c.surrogates = struct ('model', models, 'target', names, 'Q2', 0.9, ...
+                         'noiseSd', 0.01);
+  c.history = {};
+  c.input.models = struct ('name', {'First', 'Second'}, 'cpu', 1, 'key', 'ab');
+  c.date = '2026-11-23 12:00';
+  c.version = '1';
+end
+
+% The limit that bit follows, see confirmSet.
+function text = outside ()
+  text = 'the mean response at the best set is outside a tolerance';
+end
+
+function c = few (c)
+  c = ended (c, 'maxFunEvals', ['only 1 of 3 runs were made at the set: ', ...
+                                'optim.maxFunEvals (40) is used up']);
+end
+
+function c = ended (c, limit, reason)
+  ends = struct ('maxFunEvals', 'optim.maxFunEvals (40) is used up', ...
+                 'maxNewRuns', 'Input.maxNewRuns allows no further run', ...
+                 'maxIter', 'optim.maxIter (3) sets turned out wrong');
+  c.limit = limit;
+  c.reason = reason;
+  if strncmp (reason, 'the mean', 8) || strncmp (reason, 'no DEM', 6)
+    c.reason = [reason, '; ', ends.(limit)];
+  end
+end
+
+function c = conflict (c)
+  c = ended (c, 'maxFunEvals', 'no set of the box meets: sum');
+  c.conflict = {'sum'};
+end
+
+function c = held (c, inside)
+  c.targets(3).role = 'holdout';
+  c.targets(3).met = [];
+  value = 1 + 4 * ~inside;
+  c.targets(3).target = value;
+  c.holdout = struct ('name', 'difference', 'target', value, 'result', 1, ...
+                      'sd', 0.1, 'interval90', [0.8, 1.2], 'inside', inside);
+end
+
+function gap = gapOf (verdict, effects, guard)
+  targets = struct ('model', {'First', 'First', 'Second'}, ...
+                    'name', {'sum', 'product', 'difference'}, ...
+                    'role', {'calibrate', 'calibrate', 'holdout'}, ...
+                    'z', {3.5, 0.2, 6.2}, 'p', {0.01, 1, 0.5}, ...
+                    'unabsorbed', 0.5, 'blind', false, 'size', {3, 0.2, 6});
+  if strcmp (verdict, 'no gap')
+    [targets.p] = deal (0.9);
+  end
+  gap.where = struct ('p', merge (strcmp (verdict, 'no gap'), 0.6, 0.001), ...
+                      'targets', targets, 'models', ...
+                      struct ('model', {'First', 'Second'}, 'p', {0.01, 1}, ...
+                              'size', {3.5, 0.1}), ...
+                      'params', struct ('a', 4, 'b', 3), 'atLimit', {{}});
+  strength = struct ();
+  for name = {'cohesion', 'drag'}
+    own = struct ('value', 0.5, 'interval90', [0.3, 0.7], ...
+                  'smallestSeen', 0.2, 'seen', true, 'label', name{1}, ...
+                  'unit', 'J/m3');
+    own.text = [name{1}, ' 41 kJ/m3 (31 to 58)'];
+    strength.(name{1}) = own;
+  end
+  gap.which = struct ('verdict', verdict, 'reason', 'the odds are 1.7 to 1', ...
+                      'p', 0.01, 'guard', guard, 'effects', {effects}, ...
+                      'together', false, ...
+                      'lookAlike', strcmp (guard, 'look-alike'), ...
+                      'likely', {{'cohesion'}}, 'cannotSee', {{}}, ...
+                      'groups', {{}}, 'siblings', {{}}, ...
+                      'strength', strength, 'posterior', ...
+                      struct ('null', 0.05, 'cohesion', 0.9, 'drag', 0.4, ...
+                              'unlisted', 0.05));
+  part = struct ('before', 0.231, 'after', 0.042, 'floor', 0.066, ...
+                 'closure', 0.9, 'interval90', [0.8, 1.1]);
+  far = part;
+  far.effect = '';
+  far.heldOut = part;
+  far.verifiedByDEM = false;
+  far.placebos = struct ('effect', 'tilt', 'closure', 0.2, 'heldOut', 0.1);
+  far.params = struct ('a', [4, 4.2], 'b', [3, 3.1]);
+  if ~isempty (effects)
+    far.effect = effects{1};
+  end
+  gap.howFar = far;
+  gap.next = struct ('test', 'measure First once more', 'gain', 0.04, ...
+                     'cost', 1);
+end
