@@ -1,18 +1,18 @@
 #!/bin/bash
-# Tries this repository on a bare Debian 12: what a stranger sees. It makes one
+# Tries this repository on a bare Debian: what a stranger sees. It makes one
 # with debootstrap, clones the last commit to a path with a space in it, and
 # runs `make` there in a chroot. Needs root and the package debootstrap.
-# CALL: tools/try-clean.sh [--again] [--user] [--keep] TARGET...
+# CALL: tools/try-clean.sh [--again] [--user] [--keep] SUITE TARGET...
 #   --again   go on in the machine of the last try, with what it has installed
 #   --user    run make as an ordinary user with sudo, not as root
 #   --keep    do not renew the clone either (only with --again)
-# Example: tools/try-clean.sh run && tools/try-clean.sh --again test
-# The machines are kept in ${TMPDIR:-/tmp}/decalioc-bookworm: base (bare), try.
+#   SUITE     bookworm (Debian 12) or trixie (Debian 13)
+# Example: tools/try-clean.sh trixie run &&
+#          tools/try-clean.sh --again trixie test ONLY=infrastructure/runs
+# Packages come from the mirrors of this machine. The machines are kept in
+# ${TMPDIR:-/tmp}/decalioc-SUITE: base (bare), try.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-place=${TMPDIR:-/tmp}/decalioc-bookworm
-base=$place/base
-try=$place/try
 
 again='' user=root keep=''
 while [[ ${1:-} == --* ]]; do
@@ -24,18 +24,26 @@ while [[ ${1:-} == --* ]]; do
   esac
   shift
 done
+case ${1:-} in
+  bookworm | trixie) suite=$1 ;;
+  *) echo "try-clean.sh: name the suite, bookworm or trixie, before the targets." >&2; exit 1 ;;
+esac
+shift
+place=${TMPDIR:-/tmp}/decalioc-$suite
+base=$place/base
+try=$place/try
 [ "$(id -u)" -eq 0 ] || { echo "try-clean.sh: chroot needs root." >&2; exit 1; }
 command -v debootstrap > /dev/null || {
   echo "try-clean.sh: please run 'apt-get install debootstrap' first." >&2
   exit 1
 }
 
-# Mirrors, proxies and certificates are those of this machine.
+# Mirrors, proxies and certificates are those of this machine. Of its sources
+# those of Debian are taken, for the suite that is tried.
 copyNetworkSettings () {
   local item
-  rm -f "${1:?}/etc/apt/sources.list"       # debootstrap's own
-  for item in /etc/apt/{sources.list,sources.list.d,apt.conf,apt.conf.d,keyrings,auth.conf.d} \
-              /etc/apt/trusted.gpg{,.d} /usr/share/keyrings /etc/pip.conf /etc/resolv.conf \
+  debianSources > "${1:?}/etc/apt/sources.list"
+  for item in /etc/apt/{apt.conf,apt.conf.d,auth.conf.d} /etc/pip.conf /etc/resolv.conf \
               /etc/hosts /usr/local/share/ca-certificates /etc/ssl/certs; do
     [ -e "$item" ] || continue
     rm -rf "${1:?}$item"
@@ -44,16 +52,25 @@ copyNetworkSettings () {
   done
 }
 
+# A line for the suite itself, its updates, its security updates.
+debianSources () {
+  local codename
+  # shellcheck source=/dev/null
+  codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-stable}")
+  # shellcheck disable=SC2016  # apt's placeholders, not the shell's
+  apt-get indextargets --format '$(RELEASE) $(REPO_URI)' | sort -u |
+    awk -v own="^($codename|stable)(-updates|-security)?\$" -v suite="$suite" \
+      '$1 ~ own {sub(/^[a-z]*/, suite, $1); print "deb", $2, $1, "main"}'
+}
+
 makeBase () {
   local mirror
-  # shellcheck disable=SC2016  # apt's placeholders, not the shell's
-  mirror=$(apt-get indextargets --format '$(RELEASE) $(REPO_URI)' |
-    awk '$1 == "bookworm" || $1 == "stable" {print $2; exit}')
+  mirror=$(debianSources | awk -v suite="$suite" '$3 == suite {print $2; exit}')
   rm -rf "$base"
   mkdir -p "$place"
-  echo "Making a bare Debian 12 in $base"
+  echo "Making a bare Debian ($suite) in $base"
   # git and make are the two things that the README asks for
-  debootstrap --variant=minbase --include=git,make,ca-certificates bookworm "$base.new" \
+  debootstrap --variant=minbase --include=git,make,ca-certificates "$suite" "$base.new" \
     ${mirror:+"$mirror"} > "$place/debootstrap.log" 2>&1 || {
     tail -n 5 "$place/debootstrap.log" >&2
     echo "try-clean.sh: debootstrap failed, see $place/debootstrap.log" >&2

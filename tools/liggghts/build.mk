@@ -22,12 +22,14 @@ liggghts: $(OBJECTS)
 # the compiler takes the file of this folder that fits its flags
 precompiled.h.gch/often: LEVEL :=
 precompiled.h.gch/seldom: LEVEL := -O1
-precompiled.h.gch/%: precompiled.h
+precompiled.h.gch/often precompiled.h.gch/seldom: precompiled.h
 	@mkdir -p precompiled.h.gch
 	@$(COMPILE) $(FLAGS) $(LEVEL) -x c++-header -c -o $@ $<
 
 $(filter $(SELDOM), $(OBJECTS)): LEVEL := -O1
-%.o: %.cpp precompiled.h.gch/often precompiled.h.gch/seldom
+# a static rule: where a header could only be made by way of a pattern, GNU make
+# from 4.4 on would take its own rule for C++
+$(OBJECTS): %.o: %.cpp precompiled.h.gch/often precompiled.h.gch/seldom
 	@echo "CXX $<"
 	@$(COMPILE) $(FLAGS) $(LEVEL) -include precompiled.h -c -o $@ $<
 
