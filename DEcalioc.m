@@ -13,59 +13,11 @@
 %
 % See also: loadInput, costFunction, diagnoseGap
 
-1;
-
-function calibration = calibrateCase (root, folder)
-  startToolbox (root, folder);
-  useLiggghts (root);
-  say = @(text) sayLine (text, fullfile (folder, 'Octave_logfile.txt'));
-
-  % input
-  lock = lockCase (folder);
-  if any (strcmp (argv (), 'afresh'))
-    moveAside (folder);
-  end
-  Case = withLevels (loadCase (root, folder));
-  restore = seedRandom (Case.options.seed);
-  problem = newProblem (Case, @costFunction);
-  ledger = newLedger ();
-  evaluate = newEvaluate (Case, ledger, say);
-  reportCase (Case, say);
-
-  % experimental plan and DEM simulation
-  data = importExisting (Case, say);
-  [plan, levels] = newPlan (data, Case);
-  data = runPlan (plan, data, Case, evaluate, say, levels);
-  problem = withinBudget (problem, ledger, Case);
-
-  % Kriging models
-  [~, ~, surrogates] = createKrigingModels (data, problem);
-  reportSurrogateFit (surrogates, data, problem, say);
-
-  % optimisation on the Kriging models
-  [found, history] = calibrateOnKriging (surrogates, problem);
-  reportIterations (found, history, Case, say);
-
-  % optimisation on the DEM models
-  state = newState (data, surrogates, found);
-  reportPage (Case, say, state);
-  state = improveByInfill (state, problem, evaluate, say);
-  reportPage (Case, say, state);
-  state = calibrateOnDEM (state, problem, evaluate, say);
-
-  calibration = newCalibration (state, problem, Case, ledger);
-  calibration.verdict = writeCalibrationJson (calibration, Case);
-  reportCalibration (calibration, Case, say);
-  reportPage (Case, say);
-end
-
-root = fileparts (mfilename ('fullpath'));
-if any (root == pathsep ())
+if any (fileparts (mfilename ('fullpath')) == pathsep ())
   error ('DEcalioc:startToolbox:badFolder', ...
          ['the folder of the toolbox, %s, must have a path without a ' ...
           'colon, which parts the folders of the path of Octave. Rename ' ...
-          'it.'], root);
+          'it.'], fileparts (mfilename ('fullpath')));
 end
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
-calibration = startMain (@calibrateCase, root);
+addpath (fullfile (fileparts (mfilename ('fullpath')), 'infrastructure'));
+calibration = startMain (@calibrateCase, fileparts (mfilename ('fullpath')));

@@ -42,7 +42,6 @@ function compareCures (Case, file, offset)
 end
 
 function result = compareCase (root, folder)
-  startToolbox (root, folder);
   useLiggghts (root);
   Case = withEffects (loadCase (root, folder));
   y = [Case.targets.value];
@@ -82,6 +81,5 @@ end
 
 here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+addpath (fullfile (root, 'infrastructure'));
 startMain (@compareCase, root);

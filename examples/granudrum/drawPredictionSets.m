@@ -23,7 +23,6 @@ function centre = nearestSet (data, y)
 end
 
 function result = drawCase (root, folder)
-  startToolbox (root, folder);
   useLiggghts (root);
   addpath (folder);
   Case = withEffects (loadCase (root, folder));
@@ -51,6 +50,5 @@ end
 
 here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+addpath (fullfile (root, 'infrastructure'));
 startMain (@drawCase, root);

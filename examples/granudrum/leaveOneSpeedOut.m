@@ -46,7 +46,6 @@ function sayRow (text, model, off, half)
 end
 
 function result = leaveOut (root, folder)
-  startToolbox (root, folder);
   useLiggghts (root);
   addpath (folder);
   Case = withEffects (loadCase (root, folder));
@@ -59,6 +58,5 @@ end
 
 here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+addpath (fullfile (root, 'infrastructure'));
 startMain (@leaveOut, root);

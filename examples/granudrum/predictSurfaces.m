@@ -50,7 +50,6 @@ function [lines, w] = predictOne (rpm, sim, at, own, x)
 end
 
 function result = predictCase (root, folder)
-  startToolbox (root, folder);
   useLiggghts (root);
   addpath (folder);
   Case = withEffects (loadCase (root, folder));
@@ -81,6 +80,5 @@ end
 
 here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+addpath (fullfile (root, 'infrastructure'));
 startMain (@predictCase, root);

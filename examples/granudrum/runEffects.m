@@ -41,7 +41,6 @@ function [P, E] = effectPlan (Case, effects, theta, each)
 end
 
 function result = runCase (root, folder)
-  startToolbox (root, folder);
   useLiggghts (root);
   words = argv ();
   each = 4;
@@ -75,6 +74,5 @@ end
 
 here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+addpath (fullfile (root, 'infrastructure'));
 startMain (@runCase, root);

@@ -13,7 +13,6 @@
 1;
 
 function result = runCase (root, folder)
-  startToolbox (root, folder);
   useLiggghts (root);
   nNew = 12;
   if ~isempty (argv ()) && isfinite (str2double (argv (){end}))
@@ -43,6 +42,5 @@ end
 
 here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+addpath (fullfile (root, 'infrastructure'));
 startMain (@runCase, root);

@@ -63,7 +63,6 @@ function sayCosine (text, d, change)
 end
 
 function result = compareScales (root, folder)
-  startToolbox (root, folder);
   useLiggghts (root);
   nNew = 2;
   if ~isempty (argv ()) && isfinite (str2double (argv (){end}))
@@ -94,6 +93,5 @@ end
 
 here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+addpath (fullfile (root, 'infrastructure'));
 startMain (@compareScales, root);

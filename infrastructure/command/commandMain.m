@@ -14,12 +14,10 @@ function result = carryOut (root, folder, words)
                      'status', @sayStatus, 'report', @sayReport, ...
                      'export', @sayExport, 'cancel', @sayCancel, ...
                      'doctor', @sayDoctor);
-  startToolbox (root, folder);
   command = commands.(words{1});
   result.exitStatus = command (root, folder, words(2:end));
 end
 
 root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
-addpath (fullfile (root, 'infrastructure'), ...
-         fullfile (root, 'infrastructure', 'case'));
+addpath (fullfile (root, 'infrastructure'));
 startMain (@(root, folder) carryOut (root, folder, argv ()), root);
