@@ -93,8 +93,13 @@
 % --- check, check --try twice, run, status, export; a trial that fails
 %!test
 %! folder = standIn (base, 'my case');
+%! file = fullfile (folder, 'loadInput.m');
+%! writeAtomic (file, [strtrim(fileread (file))(1:end - 3), ...
+%!                     "optim.weights = [1, 2];\nend\n"]);
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status, 0);
+%! assert (says (out, 'WARNING   optim.weights in loadInput.m is read by'));
+%! assert (says (out, 'WARNING   no file of DEMmodels/First uses runSeed'));
 %! assert (says (out, 'plan: 16 new, 0 taken from the store'));
 %! assert (says (out, 'not known'));
 %! [status, out] = startCommand (base, 'check --try ''my case''');

@@ -1,9 +1,10 @@
 % CHECKINPUTFIELDS  Checks the first part of the input: models and CPUs.
 %
-% CALL: P = checkInputFields (INPUT)
+% CALL: [P, OWN] = checkInputFields (INPUT)
 %
 %   INPUT  scalar struct, the Input of loadInput
 %   P      1 x n faults, see checkFault
+%   OWN    cell of the fields that nothing here reads, see checkFields
 %
 % Reasons: unknownField missingField badModelList unsafeName duplicateModel
 % badCpu cpuCount badMaxCPU tooFewCPU badNumOfSam badSeed badMaxNewRuns
@@ -13,7 +14,7 @@
 %
 % See also: checkCase, checkModels, describeExecutor
 
-function p = checkInputFields (Input)
+function [p, own] = checkInputFields (Input)
   known = {'model', 'cpu', 'maxCPU', 'numOfSam', 'seed', 'timeout', ...
            'executor', 'maxNewRuns', 'replicates', 'store', 'coarse'};
   rules = {'maxCPU', 'badMaxCPU', 1, 1e6, 'integer', true, ...
@@ -24,9 +25,9 @@ function p = checkInputFields (Input)
            'Set Input.seed = 1, or leave it out.'; ...
            'replicates', 'badReplicates', 0, 1e4, 'integer', false, ...
            'Set Input.replicates = 1, or leave it out.'};
-  [own, q] = checkExecutorFields (Input);
-  known = [known, own];
-  p = [checkFields(Input, 'Input', known), checkModelList(Input), ...
+  [queues, q] = checkExecutorFields (Input);
+  [p, own] = checkFields (Input, 'Input', [known, queues]);
+  p = [p, checkModelList(Input), ...
        checkCpu(Input), checkScalars(Input, 'Input', rules), ...
        checkTimeout(Input), checkBudget(Input), ...
        checkExecutor(Input), checkStoreName(Input), ...

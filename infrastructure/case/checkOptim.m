@@ -1,16 +1,17 @@
 % CHECKOPTIM  Checks the settings of the optimisation, targets aside.
 %
-% CALL: P = checkOptim (OPTIM)
+% CALL: [P, OWN] = checkOptim (OPTIM)
 %
 %   OPTIM  scalar struct, the optim of loadInput
 %   P      1 x n faults, see checkFault
+%   OWN    cell of the fields that nothing here reads, see checkFields
 %
 % Reasons: unknownField badTolfun badMaxIter badMaxFunEvals badWRL
 % badConfidence badMethod
 %
 % See also: checkCase, checkTargets
 
-function p = checkOptim (optim)
+function [p, own] = checkOptim (optim)
   known = {'targetVal', 'tolRes', 'tolfun', 'maxIter', 'maxFunEvals', ...
            'WRL', 'targetName', 'targetStd', 'role', 'method', 'confidence', ...
            'trials', 'correlation', 'paramMean', 'paramSd', ...
@@ -25,8 +26,8 @@ function p = checkOptim (optim)
            'Set optim.WRL = 0: the Rayleigh time then plays no part.'; ...
            'confidence', 'badConfidence', 0, 1, 'open', false, ...
            'Set optim.confidence = 0.95, or leave it out.'};
-  p = [checkFields(optim, 'optim', known), ...
-       checkScalars(optim, 'optim', rules), checkMethod(optim)];
+  [p, own] = checkFields (optim, 'optim', known);
+  p = [p, checkScalars(optim, 'optim', rules), checkMethod(optim)];
 end
 
 function p = checkMethod (optim)

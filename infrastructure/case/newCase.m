@@ -47,6 +47,7 @@ function Case = newCase (raw)
   Case.coarse = newCoarse (givenField (Input, 'coarse', {}));
   Case.targets = newTargets (raw.optim, Case.models, raw.folder);
   Case.options = newOptions (Input, raw.optim);
+  Case.notes = caseNotes (raw, Case.models);
   for k = 1:numel (Case.models)
     own = Case.targets([Case.targets.model] == k);
     Case.models(k).nTargets = numel (own);

@@ -17,6 +17,8 @@ function status = sayCheck (root, folder, args)
   Case = withEffects (loadCase (root, folder));
   say = @(text) printf ('%s\n', text);
   printf ('case      %s: no mistake found\n', folder);
+  cellfun (@(text) printf ('WARNING   %s.\n', text), Case.notes, ...
+           'UniformOutput', false);
   sayModels (Case);
   sayChoice (choice);
   sayEffects (Case);

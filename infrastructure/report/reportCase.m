@@ -28,6 +28,7 @@ function reportCase (Case, say)
   if ~isempty (measured)
     say (sprintf ('  measured parameters: %s', measured));
   end
+  cellfun (@(text) say (['  WARNING: ', text]), Case.notes);
   used = sum (strcmp ({Case.targets.role}, 'calibrate'));
   if used < numel (Case.names)
     say (sprintf (['  WARNING: %d targets cannot fix %d parameters: many ' ...
