@@ -60,7 +60,7 @@ lint:                  ## check the style of the Octave and the shell code
 	@tools/setup.sh lint
 	@tools/lint.sh
 
-graph:                 ## the calls between the folders; fails where one goes up
+graph:                 ## the calls between the folders; fails where one goes up, or nothing calls a function
 	@OCTAVE=$${OCTAVE:-octave-cli} tools/graph/graph.sh
 
 format:                ## lay out the Octave code, then lint

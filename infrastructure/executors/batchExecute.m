@@ -22,13 +22,13 @@
 % in its folder; the queue is asked only for what left none. When this is
 % left early (Ctrl-C, an error, kill -9), what is in the queue stays there. The
 % next call with the same jobs takes it up again: nothing is submitted twice,
-% nothing that has ended is repeated. batchCancel empties the queue.
+% nothing that has ended is repeated. decalioc cancel empties the queue.
 %
 % Errors: DEcalioc:batchExecute:missingFile    no such queue on this machine
 %         DEcalioc:batchExecute:submitRefused  partition, account, limits ...
 %         those of prepareRun
 %
-% See also: runJobs, executeSlurm, batchCancel, batchAttach
+% See also: runJobs, executeSlurm, batchAttach, cancelCase
 
 function records = batchExecute (queue, jobs, Case, report)
   opt = queue.options (Case.options);

@@ -6,7 +6,7 @@
 %                                the fields of batchOptions, queue, project and
 %                                environment
 %
-% See also: gridengineExecutor, batchExecute, batchCancel
+% See also: gridengineExecutor, batchExecute
 
 function records = executeGridengine (jobs, Case, report)
   records = batchExecute (gridengineExecutor (), jobs, Case, report);

@@ -6,13 +6,15 @@
 % names   n x 1 cellstr, the product's functions and scripts: the .m files of
 %         ROOT itself and of infrastructure/
 % places  n x 1 cellstr, where each belongs: 'main' (main scripts, forms, the
-%         commands of bin/), 'published' (infrastructure/ itself), or the name
-%         of its folder there
+%         commands of bin/), 'published' (infrastructure/ itself), or its folder
+%         there, with its subfolder ('gap/which')
 % calls   n x n logical, row calls column
 %
-% A call is the name of another file as a word of the code, or a handle of it.
-% Comments, texts, tests, fields and local variables do not count, and neither
-% do calls of a function whose name is put together from texts.
+% A call is the name of another file as a word of the code, a handle of it, or
+% the text that feval, str2func, cellfun, arrayfun or parcellfun is given. A
+% text that they put a name together from, [PREFIX, ...], calls all functions
+% that begin so. Comments, other texts, tests, fields and local variables do not
+% count.
 %
 % See also: showGraph
 
@@ -28,7 +30,8 @@ function [names, places, calls] = folderCalls (root)
                     'UniformOutput', false);
   calls = false (numel (files));
   for k = 1:numel (files)
-    calls(k, :) = ismember (names, wordsOf (fileread (files{k})));
+    text = fileread (files{k});
+    calls(k, :) = ismember (names, wordsOf (text)) | isNamed (names, text);
     calls(k, k) = false;
   end
 end
@@ -39,7 +42,7 @@ function place = placeOf (file, root, inside)
     rest = strsplit (file(numel (inside) + 2:end), filesep ());
     place = 'published';
     if numel (rest) > 1
-      place = rest{1};
+      place = strjoin (rest(1:end - 1), '/');
     end
   end
   if strcmp (place, 'command')
@@ -58,6 +61,24 @@ function words = wordsOf (text)
     own = [localsOf(parts{k}, k > 1), local{:}];
     used = regexp (parts{k}, '(?<![\w.])[A-Za-z]\w*', 'match');
     words = [words, setdiff(used, own)];
+  end
+end
+
+% Is a function called by a text that holds its name, or how its name begins?
+function yes = isNamed (names, text)
+  yes = false (size (names));
+  text = regexprep (text, '\.\.\.\s*\n', ' ');
+  lines = regexp (text, '^(?!\s*[%#]).*$', 'match', 'lineanchors', ...
+                  'dotexceptnewline');
+  found = regexp (lines, ['\<(?:feval|str2func|cellfun|arrayfun|' ...
+                          'parcellfun)\s*\(\s*(?:\w+,\s*)?(\[?)\s*' ...
+                          '[''"](\w+)[''"]'], 'tokens');
+  for token = [found{:}]
+    if isempty (token{1}{1})
+      yes = yes | strcmp (names, token{1}{2});
+    else
+      yes = yes | strncmp (names, token{1}{2}, numel (token{1}{2}));
+    end
   end
 end
 
@@ -101,14 +122,21 @@ end
 %! write ('infrastructure/lower/deep/deepest.m', ...
 %!        "function y = deepest (x)\n  y = @(top) top;\nend\n");
 %! write ('infrastructure/lower/alone.m', "function alone ()\nend\n");
+%! write ('infrastructure/lower/named.m', ["function y = named ()\n", ...
+%!   "  y = feval ('side', str2func ( ...\n ['dee', 'pest']));\n", ...
+%!   "  % feval ('alone')\n  z = ['alone', 'top'];\n", ...
+%!   "  parcellfun (2, 'base');\n", ...
+%!   "end\n%! feval ('top');\n"]);
 %! [names, places, calls] = folderCalls (root);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (root, 's');
-%! assert (sort (names), {'alone'; 'base'; 'deepest'; 'side'; 'start'; 'top'});
+%! assert (sort (names), {'alone'; 'base'; 'deepest'; 'named'; 'side'; ...
+%!                        'start'; 'top'});
 %! at = @(name) find (strcmp (names, name));
-%! assert (places(at ('deepest')), {'lower'});
+%! assert (places(at ('deepest')), {'lower/deep'});
 %! assert (places([at('start'), at('top')]), {'main'; 'published'});
 %! [from, to] = find (calls);
 %! made = sort (strcat (names(from), {' '}, names(to)));
-%! assert (made, {'base side'; 'side deepest'; 'start base'; 'start top'; ...
+%! assert (made, {'base side'; 'named base'; 'named deepest'; ...
+%!                'named side'; 'side deepest'; 'start base'; 'start top'; ...
 %!                'top side'});

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Prints the calls between the folders of the toolbox; exit status 1 where one
-# goes up or a function has no caller.
+# goes up, two subfolders call each other, or a function has no caller.
 # CALL: tools/graph/graph.sh     (or: make graph)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

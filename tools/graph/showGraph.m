@@ -3,34 +3,39 @@
 % CALL: failed = showGraph (root)
 %
 % root    folder of the toolbox (text)
-% failed  1 where a call goes up, or a function has no caller and is neither
-%         published nor documented; else 0 (exit status of make graph)
+% failed  1 where a call goes up, two folders call each other, a function has
+%         no caller, or a declared exception is none; else 0 (exit status of
+%         make graph)
 %
 % The table of mayCall is the rule: whom each folder may call besides itself.
-% Executors, effects and sections of the page are called by names put together
-% from texts, which is how runs reach executors; such calls are not seen here.
+% The subfolders of a folder call each other one way only. What is different on
+% purpose stands in the table of declared, and is printed. A function without a
+% caller is one that no other calls, and that no page of docs/ and no model
+% names: those are for the user. The helpers of tests/ are looked at too.
 %
 % See also: folderCalls
 
 function failed = showGraph (root)
   [names, places, calls] = folderCalls (root);
+  tops = strtok (places, '/');
   rule = mayCall ();
-  unknown = setdiff (places, rule(:, 1));
+  unknown = setdiff (tops, rule(:, 1));
   if ~isempty (unknown)
     error ('DEcalioc:showGraph:unknownName', ...
            'showGraph: the table of mayCall must have the folder %s.', ...
            unknown{1});
   end
-  printMatrix (rule(:, 1), places, calls);
-  up = upward (rule, places, calls);
-  [from, to] = find (up);
-  for k = 1:numel (from)
-    printf ('Upward: %s/%s calls %s/%s\n', places{from(k)}, names{from(k)}, ...
-            places{to(k)}, names{to(k)});
+  printMatrix (rule(:, 1), tops, calls);
+  for folder = unique (tops(~strcmp (tops, places)))'
+    printMatrix (unique (places(strcmp (tops, folder{1}))), places, calls);
   end
-  alone = withoutCaller (root, names, places, calls);
-  printf ('Without a caller: %s\n', alone{:});
-  failed = double (~isempty (from) || ~isempty (alone));
+  [calls, excused, stale] = excuse (names, calls);
+  faults = [upward(rule, names, places, calls), ...
+            mutual(names, places, calls), stale, ...
+            withoutCaller(root, names, places, calls | excused), ...
+            withoutTest(root)];
+  printf ('%s\n', faults{:});
+  failed = double (~isempty (faults));
 end
 
 % The order of the layers, from the top.
@@ -51,64 +56,176 @@ function rule = mayCall ()
           'statistics', {}};
 end
 
-function up = upward (rule, places, calls)
-  up = calls;
-  for k = 1:rows (rule)
-    mine = strcmp (places, rule{k, 1});
-    allowed = ismember (places, [rule(k, 1), rule{k, 2}]);
-    up(mine, allowed) = false;
+% Calls that are as they should be: caller, called (a pattern), why.
+function list = declared ()
+  list = {'calibrateCase', 'costFunction', 'form of the user'; ...
+          'readInput', 'loadInput', 'form of the user'; ...
+          'withEffects', 'loadEffects', 'form of the user'; ...
+          'getEffect', 'effect[A-Z]\w*', 'found by its file'; ...
+          'describeExecutor', '\w+Executor', 'found by its file'; ...
+          'runJobs', 'execute[A-Z]\w*', 'found by its file'; ...
+          'checkDryRun', 'checkDryRunWorker', 'in an Octave of its own'};
+end
+
+% Takes the declared calls out. Those that the code does not show count as calls
+% all the same; one whose functions are not there is an exception of nothing.
+function [calls, excused, stale] = excuse (names, calls)
+  excused = false (size (calls));
+  stale = {};
+  for row = declared ()'
+    from = strcmp (names, row{1});
+    to = ~cellfun (@isempty, regexp (names, ['^', row{2}, '$'], 'once'));
+    printf ('Declared: %s calls %s (%s)\n', row{:});
+    if ~any (from) || ~any (to)
+      stale{end + 1} = ['Declared, but not there: ', row{1}, ' ', row{2}];
+    end
+    calls(from, to) = false;
+    excused(from, to) = true;
   end
 end
 
 function printMatrix (folders, places, calls)
-  printf ('%-12s%s  files\n', 'calls', sprintf (' %5.5s', folders{:}));
+  short = regexprep (folders, '^.*/', '');
+  printf ('%-12s%s  files\n', 'calls', sprintf (' %5.5s', short{:}));
   for k = 1:numel (folders)
     mine = strcmp (places, folders{k});
     counts = cellfun (@(f) nnz (calls(mine, strcmp (places, f))), folders);
     cells = strrep (sprintf (' %5d', counts), '     0', '     .');
-    printf ('%-12s%s %6d\n', folders{k}, cells, sum (mine));
+    printf ('%-12s%s %6d\n', short{k}, cells, sum (mine));
   end
 end
 
-% Published functions are ways in. Those for users are documented, or called by
-% the models.
-function list = withoutCaller (root, names, places, calls)
-  files = [glob(fullfile (root, 'docs', '*.md')); ...
-           glob(fullfile (root, 'DEMmodels', '*', '*', '*.m'))];
-  texts = cellfun (@fileread, files, 'UniformOutput', false);
-  texts = strjoin (texts, "\n");
-  byName = ['^(execute|effect|section)[A-Z]|[a-z]Executor$|', ...
-            '^(commandMain|checkDryRunWorker)$'];
-  isAlone = ~any (calls, 1)' & ...
-            ~ismember (places, {'published'}) & ...
-            cellfun (@isempty, regexp (names, byName, 'once'));
-  list = names(isAlone);
-  isSaid = cellfun (@(n) ~isempty (regexp (texts, ['\<', n, '\>'], ...
-                                           'once')), list);
-  list = list(~isSaid)';
+function faults = upward (rule, names, places, calls)
+  tops = strtok (places, '/');
+  for k = 1:rows (rule)
+    mine = strcmp (tops, rule{k, 1});
+    allowed = ismember (tops, [rule(k, 1), rule{k, 2}]);
+    calls(mine, allowed) = false;
+  end
+  faults = said ('Upward', names, places, calls);
 end
 
-%!function failed = graphOf (caller, callee)
-%!  % of a toolbox of two functions, the first of which calls the second
-%!  root = tempname ();
-%!  for folder = {'docs', fileparts(caller), fileparts(callee)}
-%!    [~, ~] = mkdir (fullfile (root, folder{1}));
-%!  end
-%!  [~, called] = fileparts (callee);
-%!  [~, calling] = fileparts (caller);
-%!  writeAtomic (fullfile (root, 'docs', 'a.md'), ['See ', calling]);
-%!  writeAtomic (fullfile (root, [caller, '.m']), ...
-%!               ["function ", calling, "\n", called, " ();\nend\n"]);
-%!  writeAtomic (fullfile (root, [callee, '.m']), ...
-%!               ["function ", called, "\nend\n"]);
-%!  evalc ('failed = showGraph (root);');
-%!  confirm_recursive_rmdir (false, 'local');
-%!  rmdir (root, 's');
+% Between two subfolders of one folder. The folder itself holds their way in and
+% what they share, and so both calls them and is called.
+function faults = mutual (names, places, calls)
+  [folders, ~, at] = unique (places);
+  count = zeros (numel (folders));
+  [from, to] = find (calls);
+  count(sub2ind (size (count), at(from), at(to))) = 1;
+  both = count & count' & ~eye (numel (folders));
+  isSub = ~cellfun (@isempty, strfind (folders, '/'));
+  both = both & isSub & isSub';
+  faults = said ('Both ways', names, places, calls & both(at, at));
+end
+
+function faults = said (what, names, places, calls)
+  [from, to] = find (calls);
+  faults = arrayfun (@(a, b) sprintf ('%s: %s/%s calls %s/%s', what, ...
+                                      places{a}, names{a}, places{b}, ...
+                                      names{b}), ...
+                     from(:)', to(:)', 'UniformOutput', false);
+end
+
+function faults = withoutCaller (root, names, places, calls)
+  pages = [glob(fullfile (root, 'docs', '*.md')); ...
+           glob(fullfile (root, 'README.md'))];
+  spans = regexp (cellfun (@fileread, pages, 'UniformOutput', false), ...
+                  '```.*?```|`[^`]+`', 'match');
+  models = [glob(fullfile (root, 'DEMmodels', '*', '*', '*.m')); ...
+            glob(fullfile (root, 'templates', '*', '*', '*', '*', '*.m'))];
+  texts = [{''}, spans{:}, cellfun(@fileread, models, 'UniformOutput', false)'];
+  % an identifier of an error names its function without a call
+  texts = regexprep (strjoin (texts, "\n"), 'DEcalioc:\w+', '');
+  alone = names(~any (calls, 1)' & ~strcmp (places, 'main'));
+  isSaid = cellfun (@(n) isWordOf (n, texts), alone);
+  faults = strcat ({'Without a caller: '}, alone(~isSaid))';
+end
+
+% Functions of tests/ that neither a test nor another helper names.
+function faults = withoutTest (root)
+  faults = {};
+  helpers = glob (fullfile (root, 'tests', '*.m'));
+  files = {fullfile(root, 'Makefile')};
+  for part = {'infrastructure', 'tests', 'benchmarks', 'tools'}
+    for folder = strsplit (genpath (fullfile (root, part{1})), pathsep ())
+      files = [files; glob(fullfile (folder{1}, {'*.m', '*.tst', '*.sh'}))];
+    end
+  end
+  files = files(cellfun (@(f) exist (f, 'file') == 2, files));
+  texts = cellfun (@fileread, files, 'UniformOutput', false);
+  texts = regexprep (texts, '^% .*$', '', 'lineanchors', 'dotexceptnewline');
+  for k = 1:numel (helpers)
+    [~, name] = fileparts (helpers{k});
+    others = ~strcmp (files, helpers{k});
+    if ~any (cellfun (@(t) isWordOf (name, t), texts(others)))
+      faults{end + 1} = ['Without a test: ', name];
+    end
+  end
+end
+
+function yes = isWordOf (name, text)
+  yes = ~isempty (strfind (text, name)) && ...
+        ~isempty (regexp (text, ['\<', name, '\>'], 'once'));
+end
+
+%!shared scratch
+%! % the toolbox itself, in a copy into which faults are planted
+%! scratch = tempname ();
+%! mkdir (scratch);
+%! root = fileparts (fileparts (fileparts (which ('showGraph'))));
+%! for part = {'infrastructure', 'tests', 'docs', 'templates', 'tools', ...
+%!             'DEMmodels', 'benchmarks', 'Makefile', 'README.md', '*.m'}
+%!   copyfile (fullfile (root, part{1}), scratch);
+%! end
+
+%!function said = faultsWith (scratch, file, code)
+%!  % what is said of the copy with one more function, of a name that stands
+%!  % nowhere, not even here
+%!  name = ['nobody', 'CallsMe'];
+%!  file = fullfile (scratch, file, [name, '.m']);
+%!  writeAtomic (file, sprintf ("function %s ()\n  %s;\nend\n", name, code));
+%!  said = evalc ('failed = showGraph (scratch);');
+%!  unlink (file);
+%!  said = regexp (said, '^(Upward|Both|Without|Declared,).*$', 'match', ...
+%!                 'lineanchors', 'dotexceptnewline');
+%!  assert (failed, 1);
 %!endfunction
 
-%!assert (graphOf ('infrastructure/runs/a', 'infrastructure/files/b'), 0)
-%!assert (graphOf ('infrastructure/files/a', 'infrastructure/runs/b'), 1)
-%!assert (graphOf ('infrastructure/case/a', 'infrastructure/startRun'), 1)
-%!assert (graphOf ('infrastructure/case/a', 'infrastructure/case/see'), 0)
+%!test
+%! % sound as it is, with what is declared
+%! said = evalc ('failed = showGraph (scratch);');
+%! assert (failed, 0, said);
+%! assert (! isempty (strfind (said, 'Declared: readInput calls loadInput')));
+%!test
+%! % a subfolder calls back into its neighbour, by a handle
+%! said = faultsWith (scratch, 'infrastructure/gap/which', 'f = @locateGap');
+%! assert (any (strcmp (said, ['Both ways: gap/which/nobody', ...
+%!                             'CallsMe calls gap/where/locateGap'])));
+%!test
+%! % a call up by name, in three ways
+%! for code = {'feval (''runJobs'')', 'f = str2func ([''runJ'', name])', ...
+%!             'parcellfun (2, ''runJobs'', {})'}
+%!   said = faultsWith (scratch, 'infrastructure/files', code{1});
+%!   assert (any (strcmp (said, ['Upward: files/nobody', ...
+%!                               'CallsMe calls runs/runJobs'])));
+%! end
+%!test
+%! % no caller: in a subfolder, among the published ones, for tests
+%! for folder = {'infrastructure/report/page', 'infrastructure'}
+%!   assert (faultsWith (scratch, folder{1}, 'x = 1'), ...
+%!           {['Without a caller: nobody', 'CallsMe']});
+%! end
+%! assert (faultsWith (scratch, 'tests', 'x = 1'), ...
+%!         {['Without a test: nobody', 'CallsMe']});
 %!error id=DEcalioc:showGraph:unknownName
-%! graphOf ('infrastructure/new/a', 'infrastructure/files/b');
+%! mkdir (fullfile (scratch, 'infrastructure', 'new'));
+%! faultsWith (scratch, 'infrastructure/new', 'x = 1');
+%!test
+%! % an exception of nothing
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (fullfile (scratch, 'infrastructure', 'new'), 's');
+%! unlink (fullfile (scratch, 'infrastructure', 'case', ...
+%!                   'checkDryRunWorker.m'));
+%! said = faultsWith (scratch, 'infrastructure', 'x = 1');
+%! assert (any (strncmp (said, 'Declared, but not there: checkDryRun ', 37)));
+%! rmdir (scratch, 's');

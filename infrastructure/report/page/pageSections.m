@@ -1,26 +1,26 @@
 % PAGESECTIONS  The parts of the report, in their order.
 %
-% CALL: NAMES = pageSections ()
+% CALL: SECTIONS = pageSections ()
 %
-%   NAMES  cell of names of functions [TITLE, HTML] = name (PAGE), PAGE see
-%          pageData; HTML is '' where a case has nothing to show there
+%   SECTIONS  cell of handles of functions [TITLE, HTML] = section (PAGE), PAGE
+%             see pageData; HTML is '' where a case has nothing to show there
 %
 % See also: writePage
 
-function names = pageSections ()
-  names = {'sectionTargets', 'sectionParameters', 'sectionWhere', ...
-           'sectionWhich', 'sectionHowFar', 'sectionNextTest', ...
-           'sectionPlan', 'sectionSlices', 'sectionLeaveOneOut', ...
-           'sectionSteps', 'sectionSensitivity', 'sectionRuns', ...
-           'sectionParticles', 'sectionSettings'};
+function sections = pageSections ()
+  sections = {@sectionTargets, @sectionParameters, @sectionWhere, ...
+              @sectionWhich, @sectionHowFar, @sectionNextTest, ...
+              @sectionPlan, @sectionSlices, @sectionLeaveOneOut, ...
+              @sectionSteps, @sectionSensitivity, @sectionRuns, ...
+              @sectionParticles, @sectionSettings};
 end
 
 %!test
 %! % each is there, and says nothing of a case without any file
 %! Case = newCase (standInCase (tempname ()));
 %! page = pageData (Case);
-%! for name = pageSections ()
-%!   [title, html] = feval (name{1}, page);
+%! for section = pageSections ()
+%!   [title, html] = section{1} (page);
 %!   assert (ischar (title) && ! isempty (title));
 %!   assert (ischar (html));
 %! end

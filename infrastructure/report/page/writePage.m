@@ -43,17 +43,17 @@ end
 function [links, parts] = sectionsOf (page)
   links = '';
   parts = '';
-  names = pageSections ();
-  for k = 1:numel (names)
+  for section = pageSections ()
+    name = func2str (section{1});
     try
-      [title, html] = feval (names{k}, page);
+      [title, html] = section{1} (page);
     catch err
-      title = regexprep (names{k}, '^section', '');
+      title = regexprep (name, '^section', '');
       html = ['<p class="off">This part could not be made: ', ...
               htmlText(err.message), '</p>'];
     end
     if ~isempty (html)
-      id = lower (names{k});
+      id = lower (name);
       links = [links, '<li><a href="#', id, '">', title, '</a></li>'];
       parts = [parts, '<section id="', id, '" aria-labelledby="h-', id, ...
                '"><h2 id="h-', id, '">', title, "</h2>\n", html, ...
