@@ -85,6 +85,9 @@
 %! for name = names
 %!   assert (exist (fullfile (root, name{1})) > 0, name{1});
 %! end
+%! % nothing runs as root
+%! users = regexp (text, '^USER (\w+)', 'tokens', 'lineanchors');
+%! assert (! isempty (users) && ! strcmp (users{end}{1}, 'root'));
 %! % what the recipe leaves out is not what the toolbox needs
 %! text = fileread (fullfile (root, '.containerignore'));
 %! left = strsplit (strtrim (text), "\n");
@@ -93,6 +96,22 @@
 %!   assert (~any (strcmp (left, ['/', name{1}])));
 %! end
 %! assert (all (cellfun (@(l) any (l(1) == './!'), left)));
+
+%!test
+%! % what comes from PyPI is known to the last bit
+%! for tool = {'lint', 'axe'}
+%!   script = fileread (fullfile (root, 'tools', [tool{1}, '.sh']));
+%!   list = ['requirements-', tool{1}, '.txt'];
+%!   calls = regexp (script, 'pip" install[^;&}]*', 'match');
+%!   assert (numel (calls), 1);
+%!   assert (! isempty (strfind (calls{1}, '--require-hashes')));
+%!   assert (! isempty (strfind (calls{1}, list)));
+%!   lines = strsplit (strtrim (fileread (fullfile (root, 'tools', list))), ...
+%!                     "\n")(2:end);
+%!   assert (! isempty (lines));
+%!   isPinned = regexp (lines, '^[\w-]+==[\d.]+ --hash=sha256:[0-9a-f]{64}$');
+%!   assert (! any (cellfun (@isempty, isPinned)));
+%! end
 
 %!test
 %! confirm_recursive_rmdir (false, 'local');

@@ -5,7 +5,7 @@
 #       tools/lint.sh --fix    (or: make format); lays out the Octave code first
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-version=0.9.44
+version=$(sed -n 's/^miss_hit==\([^ ]*\).*/\1/p' tools/requirements-lint.txt)
 venv=${XDG_CACHE_HOME:-$HOME/.cache}/decalioc/miss_hit-$version
 
 # The file `complete` is made last, so a broken installation is done again.
@@ -17,7 +17,9 @@ installTools () {
   [ -e "$venv/complete" ] && return
   echo "Lint: installing miss_hit $version"
   rm -rf "$venv"
-  { python3 -m venv "$venv" && "$venv/bin/pip" install "miss_hit==$version"; } > "$log" 2>&1 || {
+  { python3 -m venv "$venv" &&
+      "$venv/bin/pip" install --require-hashes --only-binary :all: \
+        --requirement tools/requirements-lint.txt; } > "$log" 2>&1 || {
     tail -n 10 "$log" >&2
     echo "lint.sh: miss_hit $version could not be installed from PyPI, see above." >&2
     exit 1
