@@ -7,14 +7,17 @@
 %   SAY       function handle that takes one line of text
 %
 % A diagnosis wants 6 (d + 1) neutral sets, 40 at most, if it may run them;
-% without new runs it takes what is there.
+% without new runs it takes what is there. A bench all of whose runs gave no
+% result, d + 3 or more, is not waited for: enterRuns leaves it out.
 %
 % See also: gatherRuns, diagnoseGap
 
 function data = completePlan (data, Case, evaluate, say)
   d = numel (Case.names);
   phi = neutralEffects (Case);
-  neutral = all (data.E == phi, 2) & all (isfinite (data.Z), 2);
+  isDead = ~any (isfinite (data.Z), 1) & ...
+           sum (isnan (data.Z) & ~isna (data.Z), 1) >= d + 3;
+  neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDead, 2);
   have = rows (unique (data.X(neutral, :), 'rows'));
   wanted = max (Case.options.numOfSam, min (40, 6 * d + 6));
   missing = min (wanted - have, ...
@@ -30,3 +33,17 @@ function data = completePlan (data, Case, evaluate, say)
   data = addRows (data, P(isTried, :), Z(isTried, :), ones (n, 1), 'plan', ...
                   repmat (phi, n, 1));
 end
+
+%!test
+%! % sets there, sets missing, a bench that has never given a result
+%! pkg load stk
+%! Case = struct ('names', {{'a'}}, 'effects', [], 'effectVars', {{}}, ...
+%!                'limits', [0; 1], 'folder', '', ...
+%!                'models', struct ('name', {'A', 'B'}));
+%! Case.options = struct ('numOfSam', 12, 'maxNewRuns', 100, 'seed', 1);
+%! data = addRows (newData (1, 2), (1:12)' / 13, [(1:12)', NaN(12, 1)], ...
+%!                 ones (12, 1), 'plan');
+%! run = @(P, r, stage) [P, P];
+%! assert (rows (completePlan (data, Case, run, @(t) []).X), 12);
+%! data.Z(:, 2) = NA;
+%! assert (rows (completePlan (data, Case, run, @(t) []).X), 24);
