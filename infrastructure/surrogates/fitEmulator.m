@@ -149,8 +149,10 @@ function em = baseline (gapProblem, data, isBase, options, old)
   settings = struct ('covariance', options.covariance, ...
                      'trend', options.trend);
   em = old;
+  em.range = rangesOf (gapProblem, data.Z, isBase);
   for t = T:-1:1
     settings.name = gapProblem.targetNames{t};
+    settings.unit = em.range(t);
     if isOneRunOff (old, struct ('X', data.X(isBase, :)))
       settings.start = old.surrogates(t);
     end
@@ -163,7 +165,6 @@ function em = baseline (gapProblem, data, isBase, options, old)
   em.Q2 = [fits.Q2];
   em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
   em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
-  em.range = rangesOf (gapProblem, data.Z, isBase);
   em.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
   [average, em.surrogateVar] = predictBaseline (em, em.points);
   noise = [fits.noiseVar] + mean (em.surrogateVar);

@@ -14,6 +14,8 @@
 %               parameters are the start ([])
 %   maxFit      rows used at most to estimate the parameters (150)
 %   noise       n x 1 known variances of the single runs ([]: estimated)
+%   unit        scalar, the size that counts: a response that is the same in all
+%               runs is known to a millionth of it (NaN: of the response)
 %   level       n x 1, how coarse each run is: a further input, 0 where runs
 %               count (unitLevel); the noise may change along it ([])
 %
@@ -46,7 +48,8 @@ function surrogate = fitSurrogate (X, z, limits, options)
   end
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...
-                                 'maxFit', 150, 'noise', [], 'level', []), ...
+                                 'maxFit', 150, 'noise', [], 'level', [], ...
+                                 'unit', NaN), ...
                          options);
   ok = isfinite (z);
   options.level = ofRows (options.level, ok);
@@ -76,7 +79,8 @@ function base = standardise (X, z, limits, options)
   base.shift = mean (z);
   base.scale = std (z);
   if isConstant (z)
-    base.scale = max (abs (base.shift), 1);
+    sizes = [options.unit, abs(base.shift), 1];
+    base.scale = sizes(find (sizes > 0, 1));
   end
   base.y = (z - base.shift) / base.scale;
   base.knownNoise = options.noise / base.scale^2;
@@ -240,6 +244,8 @@ end
 %! [m, v] = predictSurrogate (s, [0.5, 0.5, 0.5]);
 %! assert ({m, v}, {7, 0}, 1e-8);
 %! assert (s.warning, 'the response is constant');
+%! small = fitSurrogate (X, zeros (20, 1), lim, struct ('unit', 1e-9));
+%! assert (small.noiseVar, 1e-30, 1e-40);
 %! s = fitSurrogate ([X; X], 7 * ones (40, 1), lim, struct ('start', s));
 %! assert (s.warning, 'the response is constant');
 %! s = fitSurrogate ([X; X], [z; z], lim, struct ('start', s));

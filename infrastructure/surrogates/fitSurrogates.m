@@ -87,7 +87,8 @@ function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
   noise = estimateNoise (struct ('X', X, 'Z', Z), problem);
   anyFollows = false;
   for t = 1:numel (problem.targets)
-    options = struct ('name', targetName (problem, t));
+    options = struct ('name', targetName (problem, t), 'unit', ...
+                      problem.tol(t) * abs (problem.scale(t)));
     if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.2 * old(t).nChoice
       options.start = old(t);
     end
