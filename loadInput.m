@@ -49,10 +49,9 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   optim.targetName{1} = {'bulk density (kg/m3)', 'mass left (kg)'};
 
   % Stopping of the stage on DEM:
-  % optim.maxIter      iterations
+  % optim.maxIter      iterations that begin at a set that turned out wrong
   % optim.maxFunEvals  parameter sets run after the first plan, never more
-  % optim.tolfun       relative decrease of the sum of squares; read only with
-  %                    optim.method = 'published'
+  % optim.tolfun       a search ends where the sum of squares falls by less
   optim.tolfun = 0.002;
   optim.maxIter = 3;
   optim.maxFunEvals = 40;

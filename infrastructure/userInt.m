@@ -8,7 +8,8 @@
 %   STATE    'init', 'iter' or 'done'
 %   DEMFLAG  true: on the DEM models; stop when each target's residual is
 %            within optim.tolRes, or after optim.maxIter iterations
-%   OPTIM    struct with targetVal, tolRes, maxIter (default: of loadInput)
+%   OPTIM    struct with tolRes, maxIter (default: of loadInput), say (handle
+%            that takes the line; default: it is printed)
 %   STOP     true: stop;  INFO  why (text, empty: go on)
 %
 % A residual that is not a number never counts as met.
@@ -22,8 +23,18 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
   tol = asColumn (optim.tolRes);
   residual = vals.residual(1:numel (tol));
   models = {'Kriging', 'DEM'};
-  printf ('  %s, iteration %d: residuals (%%)%s\n', models{1 + DEMflag}, ...
-          vals.iteration, sprintf (' %.2f', 100 * residual));
+  shown = sprintf (' %.2f', 100 * residual);
+  if numel (residual) > 10
+    shown = sprintf (' up to %.2f in %d targets', ...
+                     100 * max (abs (residual)), numel (residual));
+  end
+  text = sprintf ('  %s, iteration %d: residuals (%%)%s', ...
+                  models{1 + DEMflag}, vals.iteration, shown);
+  if isfield (optim, 'say')
+    optim.say (text);
+  else
+    printf ('%s\n', text);
+  end
   stop = false;
   info = '';
   if DEMflag && ~strcmp (state, 'done')

@@ -14,7 +14,7 @@
 % two runs each), at most Case.options.maxIter iterations, stopped by userInt as
 % soon as one run meets the tolerances. A failed run ends it.
 %
-% See also: mwe, publishedStage
+% See also: mwe, calibrateOnDEM
 
 function params = publishedMethod (Case, evaluate)
   params = [];

@@ -42,8 +42,10 @@ function calibration = calibrateCase (root, folder)
 
   % optimisation on the DEM models
   state = newState (data, surrogates, found);
-  reportPage (Case, say, state);
-  state = improveByInfill (state, problem, evaluate, say);
+  if strcmp (problem.options.method, 'robust')
+    reportPage (Case, say, state);
+    state = improveByInfill (state, problem, evaluate, say);
+  end
   reportPage (Case, say, state);
   state = calibrateOnDEM (state, problem, evaluate, say);
 

@@ -1,83 +1,99 @@
-% CALIBRATEONDEM  Calibration on DEM runs: corrects the set and confirms it.
+% CALIBRATEONDEM  Levenberg-Marquardt on the DEM: corrects and confirms the set.
 %
 % CALL: STATE = calibrateOnDEM (STATE, PROBLEM, EVALUATE, SAY)
 %
 % STATE     struct of newState
-% PROBLEM   struct of newProblem; options used: maxIter (sets tried),
-%           maxFunEvals, replicates, confidence, tolfun, sets, method
+% PROBLEM   struct of newProblem; options used: maxIter, maxFunEvals, tolfun,
+%           replicates, confidence, sets, method
 % EVALUATE  handle Z = evaluate (P, replicate)
-% SAY       handle, gets one line of text a step
+% SAY       handle, gets one line of text an iteration (userInt)
 %
-% 'robust': the found set is run with other seeds, at most sets at once; the
-% runs correct the surrogates, whose Levenberg-Marquardt gives the next set when
-% the present one turns out wrong. Ends when confirmSet is satisfied, or the
-% budget is spent, or maxIter sets turned out wrong (a small step along slopes
-% that the surrogates know does not count). 'published': nonlin_residmin with
-% finite differences on DEM (see publishedStage), then the same confirmation.
-% STATE.final is the judgement of confirmSet on the set that handBack chooses.
+% nonlin_residmin on costFunction of DEM results, from the found set, never more
+% runs than budgetLeft says. What options.method changes:
 %
-% See also: improveByInfill, confirmSet, handBack, publishedStage
+%               'robust'                         'published'
+%   evaluation  one batch of runs an iteration,  one run; none where the set
+%               then the mean response as all    was run before
+%               runs tell it
+%   Jacobian    of the surrogates of all runs    finite differences of runs
+%   rows        of the targets, in tolerances    all of costFunction
+%   ends        once confirmSet is satisfied     by tolRes, maxIter, tolfun
+%
+% 'robust': the first evaluation verifies the found set. A search that ends
+% before the set is confirmed is begun anew at the surest set, as its sums of
+% squares are out of date; maxIter counts the sets that turned out wrong, not
+% the small steps along slopes that the surrogates know. STATE.final is the
+% judgement.
+%
+% See also: improveByInfill, searchOnDEM, byAllRuns, bySingleRuns, handBack
 
 function state = calibrateOnDEM (state, problem, evaluate, say)
-  if strcmp (problem.options.method, 'published')
-    state = publishedStage (state, problem, evaluate, say);
+  % nonlin_residmin hands nothing on from one evaluation to the next: this does.
+  % ran: iteration of the last runs; wrong: sets that turned out wrong; stop:
+  % what userInt said when it stopped
+  book = containers.Map ({'state', 'iteration', 'ran', 'wrong', 'stop'}, ...
+                         {state, 0, -1, 0, ''});
+  isPublished = strcmp (problem.options.method, 'published');
+  if isPublished
+    way = bySingleRuns (book, problem, evaluate);
+  else
+    way = byAllRuns (book, problem, evaluate);
   end
-  iteration = 0;
-  moves = 0;
+  way.say = say;
   while true
-    state.final = confirmSet (state, problem);
-    mayMove = moves < problem.options.maxIter;
-    if state.final.converged || budgetLeft (state, problem) < 1 || ...
-       (iteration > 0 && isHopeless (state, problem, mayMove))
+    way.maxIter = max (0, problem.options.maxIter - book('wrong'));
+    [p, why] = searchOnDEM (way, problem, book);
+    state = book('state');
+    if isPublished
+      state = publishedResult (state, problem, p, why);
       break
     end
-    iteration = iteration + 1;
-    before = state.found.params;
-    state = confirmingRuns (state, problem, evaluate);
-    state = recalibrate (state, problem, 'DEM', iteration, mayMove);
-    moves = moves + turnedOutWrong (state, problem, before);
-    say (sayStep (state));
+    if book('wrong') < problem.options.maxIter
+      [state, wasWrong] = moveTo (state, problem);
+      book('wrong') = book('wrong') + wasWrong;
+    end
+    state.final = confirmSet (state, problem);
+    book('state') = state;
+    if ~isempty (book('stop')) || ~isempty (way.isOver ())
+      state = handBack (state, problem);
+      break
+    end
   end
-  state = handBack (state, problem);
   state.reason = state.final.reason;
 end
 
-function state = confirmingRuns (state, problem, evaluate)
-  % where more than one run is likely to be missing no CPU is left idle
-  n = max (1, problem.options.replicates - state.final.n);
-  if state.final.probability < 0.9
-    n = Inf;
+% The set of nonlin_residmin; where its last trial has no result, the best that
+% has one. What the published program calls met, is met; what a robust
+% calibration would make of it, is said.
+function state = publishedResult (state, problem, p, why)
+  isFinished = all (isfinite (state.data.Z), 2);
+  run = keepRows (state.data, ...
+                  strcmp (state.data.stage, 'verify') & isFinished);
+  if ~isempty (run.X) && ~any (sameSet (run.X, p, problem.limits))
+    r = targetResidual (problem, run.X, run.Z)(:, problem.calibrate);
+    [~, best] = min (sumsq (r, 2));
+    p = run.X(best, :);
   end
-  n = min (n, max (1, floor (problem.options.sets)));   % runRows: the budget
-  stage = 'verify';
-  if state.final.n > 0
-    stage = 'replicate';
+  state.found = mergeFields (state.found, ...
+                             describeSet (state.surrogates, problem, p));
+  final = confirmSet (state, problem);
+  rest = sprintf (['make more runs at this set, until the probability that ' ...
+                   'it meets the targets, now %.0f %%, is %.0f %%'], ...
+                  100 * final.probability, 100 * problem.options.confidence);
+  if final.converged
+    rest = 'call this set calibrated, too';
+  elseif final.probability < 0.2
+    rest = 'go on to other sets';
   end
-  state = runRows (state, problem, evaluate, ...
-                   repmat (state.found.params, n, 1), stage);
-end
-
-% A small step along a slope that the surrogates know is no new set.
-function yes = turnedOutWrong (state, problem, before)
-  problem.avoid = failedSets (state.data, problem);
-  yes = ~isequal (before, state.found.params) && ...
-        meetProbability (state.surrogates, problem, before) < 0.2;
-end
-
-% More replicates cannot help where the mean is clearly outside, or every run
-% fails, and there is no other set to go to.
-function yes = isHopeless (state, problem, mayMove)
-  final = state.final;
-  [share, spread] = toleranceShare (problem, final.residual', ...
-                                    final.residualSd');
-  beyond = (share - 1) ./ max (spread, realmin);
-  isOut = final.n >= problem.options.replicates && any (beyond > 3);
-  if mayMove
-    yes = isOut && ~isempty (state.found.conflict);
-  else
-    failed = failedSets (state.data, problem);
-    yes = isOut || ismember (final.params, failed, 'rows');
+  final.met = final.n > 0 & abs (final.residual') <= problem.tol;
+  final.converged = all (final.met(problem.calibrate));
+  final.untested = zeros (0, numel (p));
+  if final.converged
+    final.limit = '';
   end
+  final.reason = ['published method, one run a set: ', why, '; a robust ' ...
+                  'calibration would ', rest];
+  state.final = final;
 end
 
 %!shared problem, state, f

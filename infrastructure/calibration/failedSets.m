@@ -6,7 +6,7 @@
 % PROBLEM  struct of newProblem: runs at coarser levels do not count
 % P        k x d
 %
-% See also: recalibrate, meetProbability
+% See also: moveTo, meetProbability
 
 function P = failedSets (data, problem)
   data = lastLevel (data, problem);

@@ -41,8 +41,8 @@ function state = improveByInfill (state, problem, evaluate, say)
       [P, E] = chooseInfill (state.surrogates, withPrices (problem, state), ...
                              state.found, n, round);
       state = runRows (state, problem, evaluate, P, 'infill', E);
-      state = recalibrate (state, problem, 'infill', round);
-      say (sayStep (state));
+      state = moveTo (state, problem);
+      state = bookStep (state, 'infill', round, say);
       continue
     end
     break

@@ -26,8 +26,8 @@ function state = nestLevels (state, problem, evaluate, say)
   end
   P = repmat (state.found.params, rows (E), 1);
   state = runRows (state, problem, evaluate, P, 'infill', E);
-  state = recalibrate (state, problem, 'infill', 0);
-  say (sayStep (state));
+  state = moveTo (state, problem);
+  state = bookStep (state, 'infill', 0, say);
 end
 
 %!shared problem, state, f

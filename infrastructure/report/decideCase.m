@@ -122,6 +122,9 @@ function text = wayOn (c)
   if ~isempty (strfind (c.reason, 'every DEM run'))
     text = ['Look at why runs fail (Runs and failures; decalioc status), ', ...
             'mend the model, then start decalioc run again.'];
+  elseif strncmp (c.reason, 'published method', 16)
+    text = ['Leave out optim.method and start decalioc run again: a robust ', ...
+            'calibration takes these runs and goes on.'];
   elseif strncmp (c.reason, 'no set of the box', 17) || ...
          strcmp (limit, 'maxIter')
     text = askGap ();

@@ -6,7 +6,7 @@
 % FORM      of sprintf, for one number
 % TEXT      all of them up to ten, else the largest and how many there are
 %
-% See also: sayStep, reportIterations
+% See also: bookStep, reportIterations
 
 function text = residualText (residual, form)
   residual = 100 * residual(isfinite (residual));

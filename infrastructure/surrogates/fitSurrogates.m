@@ -16,6 +16,9 @@
 % that counts. A level whose runs make the others harder to foretell is dropped
 % (fitLevels). Runs that are all of one level are taken as they are.
 %
+% With options.method 'published' of PROBLEM the trend is affine, the covariance
+% matern52, and every run counts.
+%
 % Runs that are off by far more than runs scatter are left out (findBadRuns);
 % leftOut (n x 1 logical, rows of DATA) says which. Not judged where the scatter
 % is known to follow the response, for there a wide run may be a good one.
@@ -85,10 +88,15 @@ function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
   Z = runs.Z;
   Z(bad) = NaN;
   noise = estimateNoise (struct ('X', X, 'Z', Z), problem);
-  anyFollows = false;
+  isPublished = strcmp (problem.options.method, 'published');
+  anyFollows = isPublished;            % every run counts
   for t = 1:numel (problem.targets)
     options = struct ('name', targetName (problem, t), 'unit', ...
                       problem.tol(t) * abs (problem.scale(t)));
+    if isPublished
+      options.trend = 'affine';
+      options.covariance = 'matern52';
+    end
     if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.2 * old(t).nChoice
       options.start = old(t);
     end

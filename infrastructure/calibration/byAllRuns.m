@@ -1,0 +1,88 @@
+% BYALLRUNS  How the robust search on the DEM evaluates a set.
+%
+% CALL: WAY = byAllRuns (BOOK, PROBLEM, EVALUATE)
+%
+% BOOK      containers.Map of calibrateOnDEM: its state grows by the runs
+% PROBLEM   struct of newProblem
+% EVALUATE  handle Z = evaluate (P, replicate)
+% WAY       struct, see searchOnDEM
+%
+% In each iteration one batch of runs is made: at the set that is evaluated
+% where it is likelier than the present one (moveTo), else at that, where all
+% runs so far are. The surrogates are fitted to all runs, and every evaluation
+% is their mean response at its set, the Jacobian that of this mean. Further
+% trials in an iteration cost no run; nor does a set that is confirmed.
+%
+% See also: calibrateOnDEM, bySingleRuns, confirmSet
+
+function way = byAllRuns (book, problem, evaluate)
+  way = struct ('kept', find (problem.calibrate), ...
+                'respond', @(p) meanResponse (p, book, problem, evaluate), ...
+                'slopes', @(p, f) slopesOf (p, book, problem), ...
+                'isOver', @() whyOver (book, problem));
+  way.weights = 1 ./ problem.part(way.kept)';
+  % a residual within its tolerance is no end here, as it may be chance
+  way.told = struct ('tolRes', -Inf (1, numel (way.kept)), 'maxIter', Inf);
+end
+
+function z = meanResponse (p, book, problem, evaluate)
+  state = book('state');
+  if book('ran') ~= book('iteration')
+    if book('wrong') < problem.options.maxIter
+      [state, wasWrong] = moveTo (state, problem, p);
+      book('wrong') = book('wrong') + wasWrong;
+    end
+    final = confirmSet (state, problem);
+    if ~final.converged
+      state = confirmingRuns (state, final, problem, evaluate);
+    end
+    book('state') = bookStep (state, 'DEM', book('iteration'));
+    book('ran') = book('iteration');
+  end
+  z = predictSurrogate (state.surrogates, p);
+end
+
+function state = confirmingRuns (state, final, problem, evaluate)
+  % where more than one run is likely to be missing no CPU is left idle
+  n = max (1, problem.options.replicates - final.n);
+  if final.probability < 0.9
+    n = Inf;
+  end
+  n = min (n, max (1, floor (problem.options.sets)));   % runRows: the budget
+  stage = 'verify';
+  if final.n > 0
+    stage = 'replicate';
+  end
+  p = state.found.params;
+  state = runRows (state, problem, evaluate, repmat (p, n, 1), stage);
+  problem.avoid = failedSets (state.data, problem);
+  state.found = mergeFields (state.found, ...
+                             describeSet (state.surrogates, problem, p));
+end
+
+function J = slopesOf (p, book, problem)
+  J = surrogateJacobian (book('state').surrogates, problem, p) .* ...
+      problem.part(problem.calibrate)';
+end
+
+% Replicates cannot help where the mean is clearly outside, or every run fails.
+function why = whyOver (book, problem)
+  state = book('state');
+  final = confirmSet (state, problem);
+  [share, spread] = toleranceShare (problem, final.residual', ...
+                                    final.residualSd');
+  isOut = final.n >= problem.options.replicates && ...
+          any ((share - 1) ./ max (spread, realmin) > 3);
+  mayMove = book('wrong') < problem.options.maxIter;
+  failed = failedSets (state.data, problem);
+  why = '';
+  if final.converged
+    why = 'the set is confirmed';
+  elseif budgetLeft (state, problem) < 1
+    why = 'no DEM runs are left';
+  elseif ismember (final.params, failed, 'rows')
+    why = 'its runs fail';
+  elseif isOut && (~mayMove || ~isempty (state.found.conflict))
+    why = 'clearly outside, and no other set is in reach';
+  end
+end

@@ -1,0 +1,79 @@
+% BYSINGLERUNS  How the published search on the DEM evaluates a set.
+%
+% CALL: WAY = bySingleRuns (BOOK, PROBLEM, EVALUATE)
+%
+% BOOK      containers.Map of calibrateOnDEM: its state grows by the runs
+% PROBLEM   struct of newProblem
+% EVALUATE  handle Z = evaluate (P, replicate)
+% WAY       struct, see searchOnDEM
+%
+% One run is an evaluation, all rows of costFunction count as they are, and the
+% Jacobian is that of finite differences (differencesOnDEM), as published; but a
+% set that was run is not run again. Where the budget is spent, or a run fails,
+% there is no result: NaN, which the search takes for no improvement.
+%
+% See also: calibrateOnDEM, byAllRuns, differencesOnDEM
+
+function way = bySingleRuns (book, problem, evaluate)
+  extra = numel (problem.value) + (1:problem.nExtra);
+  kept = [find(problem.calibrate), extra];
+  respond = @(P) onceOnDEM (P, book, problem, evaluate);
+  way = struct ('kept', kept, 'weights', ones (numel (kept), 1), ...
+                'respond', respond, ...
+                'slopes', @(p, f) differencesOnDEM (p, f, respond, kept, ...
+                                                    book('state'), problem), ...
+                'isOver', @() whyOver (book, problem));
+  way.told = struct ('tolRes', problem.tol(problem.calibrate), ...
+                     'maxIter', problem.options.maxIter);
+end
+
+function Z = onceOnDEM (P, book, problem, evaluate)
+  state = book('state');
+  Z = knownAt (state.data, P, problem);
+  isNew = any (isnan (Z), 2);
+  if any (isNew)
+    state = runRows (state, problem, evaluate, P(isNew, :), 'verify');
+    book('state') = state;
+    Z = knownAt (state.data, P, problem);
+  end
+end
+
+% The mean of the finished runs at each set.
+function Z = knownAt (data, P, problem)
+  isWhole = all (isfinite (data.Z), 2);
+  Z = NaN (rows (P), columns (data.Z));
+  for i = 1:rows (P)
+    own = isWhole & sameSet (data.X, P(i, :), problem.limits);
+    if any (own)
+      Z(i, :) = mean (data.Z(own, :), 1);
+    end
+  end
+end
+
+% An iteration needs the runs of a Jacobian and one more; a start without a
+% result leads nowhere.
+function why = whyOver (book, problem)
+  state = book('state');
+  why = '';
+  if budgetLeft (state, problem) < numel (problem.names) + 1
+    why = 'too few DEM runs are left for an iteration';
+  elseif book('iteration') == 1
+    p = state.found.params;
+    if any (isnan (knownAt (state.data, p, problem)))
+      why = 'the run at the set found on the Kriging models failed';
+    end
+  end
+end
+
+%!test
+%! % what was run is not run again, nor counted; no budget, no result
+%! [problem, state] = smallCalibration ();
+%! problem.options.maxFunEvals = 2;
+%! book = containers.Map ({'state', 'iteration'}, {state, 0});
+%! way = bySingleRuns (book, problem, @(P, r) P);
+%! assert (way.respond (state.data.X(3:4, :)), state.data.Z(3:4, :));
+%! assert (book('state').spent.verify, 0);
+%! assert (way.respond ([0.1, 0.2; state.data.X(1, :); 0.3, 0.4; 0.5, 0.6]), ...
+%!         [0.1, 0.2; state.data.Z(1, :); 0.3, 0.4; NaN, NaN]);
+%! assert (book('state').spent.verify, 2);
+%! assert (! isempty (way.isOver ()));
