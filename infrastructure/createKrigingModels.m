@@ -18,8 +18,8 @@
 % FOLDER       text, the folder KrigingFuns in the current folder
 % SURROGATES   1 x T struct array of fitSurrogate
 %
-% Each model is kept as a function that users can call, <folder>/<name>.m, and as
-% text that evaluateKriging reads when it is given the names; it takes the
+% Each model is kept as a function that users can call, <folder>/<name>.m, and
+% as text that evaluateKriging reads when it is given the names; it takes the
 % surrogates much faster.
 %
 % Errors: those of fitTables
