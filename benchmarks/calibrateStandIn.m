@@ -23,7 +23,8 @@ function result = calibrateStandIn (S, seed, fail, options)
   T = numel (S.value);
   Case = struct ('names', {S.names}, 'limits', S.limits);
   Case.targets = struct ('name', S.targetNames, 'value', num2cell (S.value), ...
-                         'tol', 0.01, 'sd', 0, 'role', 'calibrate');
+                         'tol', 0.01, 'sd', 0, 'role', 'calibrate', ...
+                         'model', num2cell (S.model));
   Case.options = options;
   evaluate = @(P, replicate, varargin) noisy (S, P, fail, varargin{2:end});
   n = planSize (d);
@@ -46,7 +47,6 @@ end
 
 % As newPlan has it: all rows at the cheapest level.
 function [problem, data] = levelledPlan (S, Case, X, evaluate)
-  [Case.targets.model] = deal (1);
   Case.coarse = struct ('variable', 'scale', 'levels', S.levels(:)', ...
                         'models', 1);
   problem = newProblem (Case, []);

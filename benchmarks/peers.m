@@ -2,7 +2,7 @@
 %
 % CALL: octave-cli benchmarks/peers.m STANDIN FAIL SEEDS [CSVFILE]
 %
-% STANDIN  plain, noisy or rough; FAIL  share of failing runs; SEEDS  e.g. 1:100
+% STANDIN  a name of standIn; FAIL  share of failing runs; SEEDS  e.g. 1:100
 %
 % One CSV row a seed: seed, runs, failed, infill, verify, first_obs,
 % first_true, worst, converged, probability, seconds. Input.numOfSam is
@@ -52,12 +52,12 @@ end
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 given = argv ();
-S = standIn (given{1});
 fail = str2double (given{2});
 seeds = sscanf (given{3}, '%d:%d')';
 R = [];
 steps = zeros (0, 2);
 for seed = seeds(1):seeds(end)
+  S = standIn (given{1}, seed);
   [R(end + 1, :), own] = onePeer (S, seed, fail);
   steps = [steps; own];
 end
