@@ -107,7 +107,7 @@ function Z = silo (P)
   rim = 0.008 * (1 + 1.5 * tanh (1.5 * mu) + sqrt (mr));
   slope = 14 + 32 * mu ./ (mu + 0.35) .* (0.6 + 0.8 * sqrt (mr)) + ...
           6 * mw ./ (mw + 0.2);
-  Z = [bulk, bulk .* sqrt(9.81) .* (0.06 - rim) .^ 2.5, slope];
+  Z = [bulk, bulk .* sqrt(9.81) .* (0.06 - rim).^2.5, slope];
 end
 
 % Ring shear cell: stress at steady flow and density under the same load.
@@ -131,7 +131,7 @@ function Z = drum (P)
                         4 * bond ./ (bond + 1));
   Z = [slope, 0.002 * bulk .* sind(slope) .* (1 - 0.15 * e), ...
        13 + 28 * mu ./ (mu + 0.4) .* (0.5 + sqrt (mr)) + ...
-       4 * sqrt(bond + 0.1) - 3 * e .^ 2, bulk];
+       4 * sqrt(bond + 0.1) - 3 * e.^2, bulk];
 end
 
 %!test

@@ -42,10 +42,7 @@ function surrogate = conditionSurrogate (model, base)
   loo = alpha ./ q;
   looStd = alpha ./ sqrt (q);
 
-  surrogate = struct ('name', base.name, 'model', model, 'posterior', []);
-  if n <= 400
-    surrogate.posterior = stk_model_gpposterior (model, base.unit, base.y);
-  end
+  surrogate = struct ('name', base.name, 'model', model);
   surrogate.X = base.X;
   surrogate.z = base.z;
   surrogate.limits = base.limits;
@@ -67,7 +64,8 @@ function surrogate = conditionSurrogate (model, base)
                        (n - size (H, 2)) / 3]);
   surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd.^2);
   surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...
-                             'A', A, 'R', R, 'beta', beta, 'alpha', alpha);
+                             'A', A, 'R', R, 'beta', beta, ...
+                             'alpha', alpha, 'open', []);
   surrogate.nChoice = n;
   [surrogate.leftOut, surrogate.dropped] = deal ([]);
   surrogate.warning = qualityWarning (surrogate);
@@ -129,6 +127,7 @@ end
 %! s.factor = 1;
 %! P = lim(1, :) + rand (6, 2) .* (lim(2, :) - lim(1, :));
 %! [m, v] = predictSurrogate (s, P);
-%! y = stk_predict (s.posterior, (P - lim(1, :)) ./ diff (lim));
+%! known = stk_model_gpposterior (s.model, s.solver.unit, s.solver.y);
+%! y = stk_predict (known, (P - lim(1, :)) ./ diff (lim));
 %! assert (m, s.shift + s.scale * y.mean, 1e-7);
 %! assert (v, s.scale ^ 2 * y.var, 1e-7);

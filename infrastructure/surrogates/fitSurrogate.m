@@ -19,13 +19,12 @@
 %   level       n x 1, how coarse each run is: a further input, 0 where runs
 %               count (unitLevel); the noise may change along it ([])
 %
-% SURROGATE: name, model, posterior (stk, in the unit box and the standardised
-% response; [] above 400 rows), X, z, level, limits, noiseVar (of one run, at
-% level 0), noiseLaw (see conditionSurrogate), looResidual
-% and looStd (n x 1), Q2, trend, covariance, and what predictSurrogate needs:
-% shift, scale, factor, df, score (leave-one-out log density), nChoice (runs at
-% the choice of the model), leftOut ([], see fitSurrogates), dropped ([], see
-% fitLevels), warning.
+% SURROGATE: name, model (of stk, in the unit box and the standardised
+% response), X, z, level, limits, noiseVar (of one run, at level 0), noiseLaw
+% (see conditionSurrogate), looResidual and looStd (n x 1), Q2, trend,
+% covariance, and what predictSurrogate needs: solver, shift, scale, factor, df,
+% score (leave-one-out log density), nChoice (runs at the choice of the model),
+% leftOut ([], see fitSurrogates), dropped ([], see fitLevels), warning.
 %
 % Parameters: restricted likelihood with a weak prior (penalisedLikelihood),
 % minimised by fminunc.

@@ -27,6 +27,9 @@
 % replicates show that the scatter follows the response (estimateNoise), each
 % row has its own variance, and noiseVar is that at the target.
 %
+% The variance of a prediction holds what the parameters of the surrogates leave
+% open (parameterSpread).
+%
 % See also: fitSurrogate, findBadRuns, estimateNoise, createKrigingModels
 
 function surrogates = fitSurrogates (data, problem, old)
@@ -61,6 +64,7 @@ function surrogates = fitSurrogates (data, problem, old)
   leftOut(same, :) = bad;
   for t = 1:numel (surrogates)
     surrogates(t).leftOut = leftOut(:, t);
+    surrogates(t).solver.open = parameterSpread (surrogates(t));
   end
 end
 

@@ -31,6 +31,11 @@ function [m, B, C, U] = krigingTerms (surrogate, P)
   if nargout > 1
     B = s.L \ k';
     C = s.R' \ (h' - s.A' * B);
+    if ~isempty (s.open)
+      D = covarianceSlopes (surrogate, U);
+      C = [C; (h * s.open.beta + k * s.open.alpha + ...
+               D * s.open.root(1:columns (D), :))'];
+    end
   end
 end
 

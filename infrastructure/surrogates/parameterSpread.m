@@ -1,0 +1,124 @@
+% PARAMETERSPREAD  What the parameters of a Kriging model leave open.
+%
+% CALL: OPEN = parameterSpread (SURROGATE)
+%
+% SURROGATE  scalar struct of fitSurrogate
+% OPEN       struct: root (k x k, of the covariance of the k parameters: log
+%            variance, log inverse ranges, log noise), alpha (n x k), beta
+%            (q x k): change of solver.alpha and solver.beta with each column
+%            of root; [] where nothing is open: a response that no run has
+%            moved, more than 150 runs
+%
+% Variance, ranges and noise are those of the greatest likelihood, and after
+% d + 3 runs others are almost as likely, under which the mean is another one. A
+% prediction that is sure of them is too sure of itself, most of all where no
+% run is near. Their covariance is the inverse of the second derivatives of
+% penalisedLikelihood (Laplace), nowhere wider than their prior; krigingTerms
+% adds what it makes of the mean to what is open.
+%
+% See also: krigingTerms, penalisedLikelihood, fitSurrogates
+
+function open = parameterSpread (surrogate)
+  s = surrogate.solver;
+  open = [];
+  n = numel (s.y);
+  if isConstant (surrogate.z) || n > 150
+    return
+  end
+  [theta, noise, slopes] = noiseTerms (surrogate);
+  fit = prepareFit (s.unit, s.y, surrogate.trend, surrogate.covariance, ...
+                    noise, surrogate.level);
+  root = spreadAt (theta, fit);
+  % with K_j the derivative of the covariance of the runs: alpha changes by
+  % -Q K_j alpha, beta by -(H' K^-1 H)^-1 H' K^-1 K_j alpha
+  change = s.L \ ([covarianceSlopes(surrogate, s.unit), slopes] * root);
+  open.root = root;
+  open.beta = -(s.R \ (s.R' \ (s.A' * change)));
+  open.alpha = -(s.L' \ (change + s.A * open.beta));
+end
+
+% Parameters, the known noise of each run (or []), and what the noise terms
+% times alpha change with the parameters of the noise.
+function [theta, known, slopes] = noiseTerms (surrogate)
+  model = surrogate.model;
+  theta = model.param(:);
+  noise = exp (model.lognoisevariance(:));
+  alpha = surrogate.solver.alpha;
+  [known, slopes] = deal ([]);
+  if ~isempty (surrogate.noiseLaw)
+    theta = [theta; surrogate.noiseLaw(:)];
+    slopes = noise .* alpha .* [ones(size (alpha)), surrogate.level];
+  elseif isscalar (noise)
+    theta(end + 1) = log (noise);
+    slopes = noise * alpha;
+  else
+    known = noise;
+  end
+end
+
+function root = spreadAt (theta, fit)
+  k = numel (theta);
+  h = 1e-3;
+  H = zeros (k);
+  [~, g] = penalisedLikelihood (theta, fit);
+  for j = 1:k
+    [~, ahead] = penalisedLikelihood (theta + h * ((1:k)' == j), fit);
+    H(:, j) = (ahead - g) / h;
+  end
+  H = fit.sd .* (H + H') / 2 .* fit.sd';
+  [Q, D] = eig (H);
+  root = fit.sd .* Q ./ sqrt (max (diag (D), 1))';
+end
+
+%!shared X, z, s
+%! pkg load stk
+%! rand ('twister', 3);
+%! randn ('twister', 3);
+%! X = rand (9, 2);
+%! z = 3 + X(:, 1) + sqrt (X(:, 2)) + 0.02 * randn (9, 1);
+%! s = fitSurrogate (X, z, [0, 0; 1, 1]);
+
+%!test
+%! % the mean changes as that of a model with other parameters
+%! o = s;
+%! o.solver.open = parameterSpread (s);
+%! P = [0.2, 0.9; X(3, :)];
+%! [~, ~, C] = krigingTerms (o, P);
+%! base = struct ('name', '', 'X', X, 'z', z, 'limits', s.limits, ...
+%!                'unit', X, 'y', s.solver.y, 'shift', 0, 'scale', 1);
+%! theta = [s.model.param(:); s.model.lognoisevariance];
+%! for j = 1:4
+%!   m = zeros (2, 2);
+%!   for side = 1:2
+%!     at = theta + (2 * side - 3) * 1e-4 * o.solver.open.root(:, j);
+%!     model = s.model;
+%!     model.param = at(1:3);
+%!     model.lognoisevariance = at(4);
+%!     m(:, side) = predictSurrogate (conditionSurrogate (model, base), P);
+%!   end
+%!   own = C(end - 4 + j, :)';
+%!   assert (own, diff (m, 1, 2) / 2e-4, 1e-5 * max (abs (C(:))));
+%! end
+
+%!test
+%! % never wider than the prior; more away from the runs; nothing of a constant
+%! open = parameterSpread (s);
+%! fit = prepareFit (X, s.solver.y, s.trend, s.covariance, []);
+%! assert (sumsq (open.root, 2) <= fit.sd.^2 * (1 + 1e-9));
+%! [~, before] = predictSurrogate (s, [0.5, 0.5; 1, 0]);
+%! o = s;
+%! o.solver.open = open;
+%! [~, v] = predictSurrogate (o, [0.5, 0.5; 1, 0]);
+%! assert (all (v > before));
+%! assert (diff (v - before) > 0);
+%! flat = fitSurrogate (X, 7 * ones (9, 1), [0, 0; 1, 1]);
+%! assert (isempty (parameterSpread (flat)));
+
+%!test
+%! % levels and known noises have parameters of their own
+%! level = [zeros(5, 1); ones(4, 1)];
+%! s = fitSurrogate (X, z, [0, 0; 1, 1], struct ('level', level));
+%! assert (size (parameterSpread (s).root), [6, 6]);
+%! s = fitSurrogate (X, z, [0, 0; 1, 1], ...
+%!                   struct ('noise', 4e-4 * ones (9, 1)));
+%! assert (size (parameterSpread (s).root), [3, 3]);
