@@ -1,7 +1,6 @@
 % FITSURROGATE  Kriging model of one response, noise estimated, choice checked.
 %
-% CALL: SURROGATE = fitSurrogate (X, Z, LIMITS)
-% CALL: SURROGATE = fitSurrogate (X, Z, LIMITS, OPTIONS)
+% CALL: SURROGATE = fitSurrogate (X, Z, LIMITS [, OPTIONS])
 %
 % X        n x d  inputs; rows may repeat (replicates carry pure error)
 % Z        n x 1  responses; rows with NaN are left out
@@ -26,10 +25,9 @@
 % score (leave-one-out log density), nChoice (runs at the choice of the model),
 % leftOut ([], see fitSurrogates), dropped ([], see fitLevels), warning.
 %
-% Parameters: restricted likelihood with a weak prior (penalisedLikelihood),
-% minimised by fminunc.
-% Choice: leave-one-out log predictive density, trend first; an affine trend and
-% matern52 are left only for a gain above 1.5: the best score is partly luck.
+% Parameters: least penalisedLikelihood, by fminunc. Choice: leave-one-out log
+% predictive density, trend first; an affine trend and matern52 are left only
+% for a gain above 1.5: the best score is partly luck.
 %
 % Errors: DEcalioc:fitSurrogate:badShape, DEcalioc:fitSurrogate:runFailed
 %
@@ -48,8 +46,7 @@ function surrogate = fitSurrogate (X, z, limits, options)
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...
                                  'maxFit', 150, 'noise', [], 'level', [], ...
-                                 'unit', NaN), ...
-                         options);
+                                 'unit', NaN), options);
   ok = isfinite (z);
   options.level = ofRows (options.level, ok);
   if sum (ok) < 2
@@ -136,8 +133,7 @@ function best = chooseModel (base, options)
   end
 end
 
-function few = thinned (base, most)
-  % the choice of the model needs no more rows than this
+function few = thinned (base, most)   % enough for the choice of the model
   n = rows (base.X);
   few = base;
   if n > most
@@ -230,8 +226,7 @@ end
 
 %!test
 %! % rows with NaN are left out, choices can be fixed
-%! y = z;
-%! y([3, 7]) = NaN;
+%! y = setfield (z, {[3, 7]}, NaN);
 %! s = fitSurrogate (X, y, lim, struct ('trend', 'affine', ...
 %!                                      'covariance', 'matern32'));
 %! assert (size (s.X), [18, 3]);
