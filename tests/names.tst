@@ -134,3 +134,16 @@
 %!     assert (hasWord, any (name{1} == ':'), out);
 %!   end
 %! end
+
+%!test
+%! % without HOME, as cron starts it, the runs of the store count all the same
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder);
+%! program = fullfile (raw.root, 'bin', 'decalioc');
+%! [status, out] = system ([program, ' check --try ', raw.folder, ' 2>&1']);
+%! assert (status, 0, out);
+%! [status, out] = system (['env -i PATH="$PATH" ', program, ' check ', ...
+%!                          raw.folder, ' 2>&1']);
+%! assert (status, 0, out);
+%! assert (~isempty (strfind (out, '14 new, 2 taken from the store')), out);
+%! assert (isempty (strfind (out, 'old runs')), out);

@@ -109,7 +109,8 @@ function isGood = sayTrial (records, Case)
 end
 
 function sayCosts (Case)
-  f = foresee (Case, runsOfCase (Case));
+  runs = runsOfCase (Case);
+  f = foresee (Case, runs);
   n = numel (f.isDone);
   o = Case.options;
   if f.imported > 0
@@ -117,6 +118,7 @@ function sayCosts (Case)
   end
   printf ('runs      plan: %d new, %d taken from the store\n', ...
           n - sum (f.isDone), sum (f.isDone));
+  sayOldRuns (Case, runs, @(text) printf ('%s\n', text));
   printf ('          then at most %d sets (optim.maxFunEvals), each a run', ...
           o.maxFunEvals);
   printf (' of %d model(s)\n', numel (Case.models));

@@ -148,8 +148,8 @@ function effects = countsAs (record, folder, Case, h)
   for k = 1:numel (trials)
     job = record;
     job.effects = trials{k}();
-    key = runKey (runVariables (job, Case), Case.effectVars, h);
-    if strcmp (key, record.key)
+    [key, older] = runKey (runVariables (job, Case), Case.effectVars, h);
+    if any (strcmp (record.key, {key, older}))
       effects = {job.effects};
       return
     end

@@ -21,13 +21,28 @@ function records = findRuns (jobs, Case)
     if isempty (found.keys)
       continue
     end
+    h = [];
     for i = mine
       hits = find (strcmp (jobs(i).key, found.keys));
+      if isempty (hits)
+        if isempty (h)
+          h = hashModels (Case)(strcmp (model{1}, {Case.models.name}));
+        end
+        hits = find (strcmp (olderKey (jobs(i), Case, h), found.keys));
+      end
       if ~isempty (hits)
         [~, best] = max (found.worth(hits));
         records{i} = found.records{hits(best)};
       end
     end
+  end
+end
+
+% Of a run that an earlier version has made.
+function key = olderKey (job, Case, h)
+  [~, key] = runKey (runVariables (job, Case), Case.effectVars, h);
+  if isempty (key)
+    key = 'none';
   end
 end
 
@@ -62,6 +77,27 @@ function [record, key] = unevaluated (folder)
   end
 end
 
+%!test
+%! % a run that was found under the build, though its model does not call it
+%! Case = newCase (standInCase (tempname ()));
+%! before = getenv ('PATH');
+%! restore = onCleanup (@() setenv ('PATH', before));
+%! bin = tempname ();
+%! mkdir (bin);
+%! writeAtomic (fullfile (bin, 'liggghts'), 'a build');
+%! system (['chmod +x ', fullfile(bin, 'liggghts')]);
+%! setenv ('PATH', [bin, ':', before]);
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
+%! h = hashModels (Case)(2);
+%! old = job;
+%! [key, old.key] = runKey (runVariables (job, Case), {}, h);
+%! assert (key, job.key);
+%! failedRecord (old, prepareRun (old, Case), 'invalid', 'x', 'output');
+%! assert (findRuns (job, Case){1}.key, old.key);
+%! assert ([runsOfCase(Case).isCurrent], true);
+%! % cron has no HOME, and the build is not found: the same runs all the same
+%! setenv ('PATH', before);
+%! assert (strcmp (newJobs (Case, [1, 2], [], 1, 'plan')(2).key, job.key));
 %!test
 %! % a simulation that ended but was not evaluated goes before one that failed
 %! Case = newCase (standInCase (tempname ()));

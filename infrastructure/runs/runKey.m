@@ -1,11 +1,12 @@
 % RUNKEY  Hash of everything that decides the result of a run.
 %
-% CALL: KEY = runKey (VARIABLES, EFFECTVARS, H)
+% CALL: [KEY, OLDER] = runKey (VARIABLES, EFFECTVARS, H)
 %
 %   VARIABLES   scalar struct, see runVariables
 %   EFFECTVARS  cell of names of effect variables
 %   H           scalar struct, one element of hashModels
 %   KEY         64 hexadecimal digits
+%   OLDER       the key that earlier versions gave to this run, or ''
 %
 % An effect variable with the value that data.head declares anyway does not
 % count: a run of the plain model stays the same run when candidate effects
@@ -13,9 +14,9 @@
 %
 % See also: newJobs, findRuns
 
-function key = runKey (variables, effectVars, h)
+function [key, older] = runKey (variables, effectVars, h)
   names = sort (fieldnames (variables));
-  text = h.input;
+  text = '';
   for k = 1:numel (names)
     name = names{k};
     value = variables.(name);
@@ -25,7 +26,11 @@ function key = runKey (variables, effectVars, h)
       text = [text, sprintf('|%s=%.17g', name, value)];
     end
   end
-  key = hash ('sha256', text);
+  key = hash ('sha256', [h.input, text]);
+  older = '';
+  if isfield (h, 'older') && ~isempty (h.older)
+    older = hash ('sha256', [h.older, text]);
+  end
 end
 
 %!shared h, v

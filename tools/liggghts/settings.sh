@@ -2,7 +2,8 @@
 # What is built and where it goes; read by build.sh and path.sh.
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-cache=${XDG_CACHE_HOME:-$HOME/.cache}/decalioc
+# without HOME (cron, systemd) the home of the user, as the system knows it
+cache=${XDG_CACHE_HOME:-${HOME:-$(unset HOME; echo ~)}/.cache}/decalioc
 
 tarball=liggghts_3.8.0+repack1.orig.tar.xz
 tarballSha=c18721d9a870c5170f03b91e4f1ffe13335c66ed1f0ff2c64ebd3be91c37867a

@@ -105,8 +105,8 @@ function yes = countsToday (job, Case, h)
   end
   for k = 1:numel (trials)
     job.effects = trials{k};
-    key = runKey (runVariables (job, Case), Case.effectVars, h);
-    yes = yes || strcmp (key, job.key);
+    [key, older] = runKey (runVariables (job, Case), Case.effectVars, h);
+    yes = yes || any (strcmp (job.key, {key, older}));
   end
 end
 
