@@ -25,7 +25,7 @@ function calibration = calibrateCase (root, folder)
   ledger = newLedger ();
   evaluate = newEvaluate (Case, ledger, say);
   reportCase (Case, say);
-  sayOldRuns (Case, runsOfCase (Case), say);
+  sayOldRuns (Case, say);
 
   % experimental plan and DEM simulation
   data = importExisting (Case, say);

@@ -109,8 +109,7 @@ function isGood = sayTrial (records, Case)
 end
 
 function sayCosts (Case)
-  runs = runsOfCase (Case);
-  f = foresee (Case, runs);
+  f = foresee (Case, runsOfCase (Case));
   n = numel (f.isDone);
   o = Case.options;
   if f.imported > 0
@@ -118,7 +117,7 @@ function sayCosts (Case)
   end
   printf ('runs      plan: %d new, %d taken from the store\n', ...
           n - sum (f.isDone), sum (f.isDone));
-  sayOldRuns (Case, runs, @(text) printf ('%s\n', text));
+  sayOldRuns (Case, @(text) printf ('%s\n', text));
   printf ('          then at most %d sets (optim.maxFunEvals), each a run', ...
           o.maxFunEvals);
   printf (' of %d model(s)\n', numel (Case.models));

@@ -1,50 +1,68 @@
 % SAYOLDRUNS  Says how many finished runs of the store count no longer, and why.
 %
-% CALL: sayOldRuns (CASE, RUNS, SAY)
+% CALL: sayOldRuns (CASE, SAY)
 %
 %   CASE  see newCase
-%   RUNS  see runsOfCase
 %   SAY   function handle that takes one line of text
 %
 % The reason is that of the newest of them. Runs of a diagnosis belong to its
 % effects and are left out.
 %
-% See also: sayCheck, calibrateCase, hashModels
+% See also: sayCheck, calibrateCase, hashModels, countsToday
 
-function sayOldRuns (Case, runs, say)
-  stages = cellfun (@(j) j.stage, {runs.job}, 'UniformOutput', false);
-  isOld = ~[runs.isCurrent] & ~ismember (stages, {'gap', 'cure'}) & ...
-          ismember ({runs.state}, {'ok', 'invalid', 'ended'});
+function sayOldRuns (Case, say)
+  if ~all (cellfun (@isfolder, {Case.models.folder}))
+    return
+  end
+  h = hashModels (Case);
   for k = 1:numel (Case.models)
-    own = find (isOld & [runs.model] == k);
-    if ~isempty (own)
-      last = runs(own(end));
+    name = Case.models(k).name;
+    place = fullfile (Case.store, 'optim', name);
+    names = listRunFolders (Case.store, name);
+    jobs = cellfun (@(n) finishedRun (fullfile (place, n)), names, ...
+                    'UniformOutput', false);
+    isOld = cellfun (@(j) ~isempty (j) && ~countsToday (j, Case, h(k)), jobs);
+    if any (isOld)
+      last = find (isOld, 1, 'last');
+      folder = fullfile (place, names{last});
       say (sprintf (['old runs  %s: %d finished runs of the store do not ' ...
-                     'count. The newest (%s): %s'], Case.models(k).name, ...
-                    numel (own), last.folder, ...
-                    whyOld (last, Case, Case.models(k))));
+                     'count. The newest (%s): %s'], name, sum (isOld), ...
+                    folder, whyOld (jobs{last}, folder, Case, ...
+                                    Case.models(k))));
     end
   end
 end
 
-function text = whyOld (run, Case, model)
+function job = finishedRun (folder)
+  job = readRecord (fullfile (folder, 'record.json'));
+  if isempty (job)
+    job = unevaluatedJob (folder);
+  elseif ~any (strcmp (job.status, {'ok', 'invalid'}))
+    job = [];
+  end
+  if ~isempty (job) && any (strcmp (job.stage, {'gap', 'cure'}))
+    job = [];
+  end
+end
+
+function text = whyOld (job, folder, Case, model)
   head = checkReadText (fullfile (model.folder, 'data.head'));
-  old = checkReadText (fullfile (run.folder, 'data.head'));
-  cpu = str2double (checkReadText (fullfile (run.folder, 'cpu')));
-  changed = otherFiles (model.folder, run.folder);
+  old = checkReadText (fullfile (folder, 'data.head'));
+  cpu = str2double (checkReadText (fullfile (folder, 'cpu')));
+  changed = otherFiles (model.folder, folder);
   if ~strncmp (old, head, numel (head))
     changed = [{'data.head'}, changed];
   end
-  if numel (run.job.params) ~= numel (Case.names)
+  if numel (job.params) ~= numel (Case.names)
     text = sprintf ('it has %d parameters, the case has %d', ...
-                    numel (run.job.params), numel (Case.names));
+                    numel (job.params), numel (Case.names));
   elseif ~isempty (changed)
     text = sprintf ('the model has changed since: %s', ...
                     strjoin (changed, ', '));
   elseif ~isnan (cpu) && cpu ~= model.cpu
     text = sprintf ('it took %d CPUs, Input.cpu is %d', cpu, model.cpu);
   else
-    text = otherVariables (run, Case);
+    text = otherVariables (job, folder, Case);
   end
 end
 
@@ -61,12 +79,11 @@ function names = otherFiles (model, run)
   names = regexp (text, '(?<=\./)[^\n]+', 'match');
 end
 
-function text = otherVariables (run, Case)
-  job = run.job;
+function text = otherVariables (job, folder, Case)
   if numel (job.effects) ~= numel (Case.effectVars)
     job.effects = neutralEffects (Case);
   end
-  then = headDefaults (fullfile (run.folder, 'data.head'));
+  then = headDefaults (fullfile (folder, 'data.head'));
   now = runVariables (job, Case);
   text = 'it was made with another LIGGGHTS than the one that is found now';
   for name = fieldnames (now)'
@@ -79,8 +96,7 @@ function text = otherVariables (run, Case)
 end
 
 %!function text = said (Case)
-%!  text = evalc (['sayOldRuns (Case, runsOfCase (Case), ', ...
-%!                 '@(t) printf (''%s\n'', t))']);
+%!  text = evalc ('sayOldRuns (Case, @(t) printf (''%s\n'', t))');
 %!endfunction
 %!test
 %! Case = newCase (standInCase (tempname ()));

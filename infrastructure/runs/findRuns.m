@@ -21,15 +21,9 @@ function records = findRuns (jobs, Case)
     if isempty (found.keys)
       continue
     end
-    h = [];
+    older = olderKeys (jobs(mine), Case, found.keys);
     for i = mine
-      hits = find (strcmp (jobs(i).key, found.keys));
-      if isempty (hits)
-        if isempty (h)
-          h = hashModels (Case)(strcmp (model{1}, {Case.models.name}));
-        end
-        hits = find (strcmp (olderKey (jobs(i), Case, h), found.keys));
-      end
+      hits = find (ismember (found.keys, {jobs(i).key, older{mine == i}}));
       if ~isempty (hits)
         [~, best] = max (found.worth(hits));
         records{i} = found.records{hits(best)};
@@ -38,11 +32,17 @@ function records = findRuns (jobs, Case)
   end
 end
 
-% Of a run that an earlier version has made.
-function key = olderKey (job, Case, h)
-  [~, key] = runKey (runVariables (job, Case), Case.effectVars, h);
-  if isempty (key)
-    key = 'none';
+% Keys that earlier versions gave, of the jobs of a model that are not among
+% those KNOWN.
+function keys = olderKeys (jobs, Case, known)
+  keys = repmat ({'none'}, 1, numel (jobs));
+  open = find (~ismember ({jobs.key}, known));
+  if ~isempty (open)
+    h = hashModels (Case)(strcmp (jobs(1).model, {Case.models.name}));
+    for i = open
+      [~, key] = runKey (runVariables (jobs(i), Case), Case.effectVars, h);
+      keys{i} = ['older ', key](1 + 6 * ~isempty (key):end);
+    end
   end
 end
 

@@ -87,29 +87,6 @@ function state = stateOf (folder, isSent, isHere)
   end
 end
 
-% A run without effects counts under any list of effects.
-function yes = countsToday (job, Case, h)
-  yes = false;
-  if numel (job.params) ~= numel (Case.names)
-    return
-  end
-  given = reshape (job.effects, 1, []);
-  neutral = neutralEffects (Case);
-  trials = {neutral};
-  levels = numel (Case.coarse);
-  if levels > 0 && numel (given) == levels
-    trials{2} = [given, neutral(levels + 1:end)];   % a run of a calibration
-  end
-  if numel (given) == numel (neutral)
-    trials{end + 1} = given;
-  end
-  for k = 1:numel (trials)
-    job.effects = trials{k};
-    [key, older] = runKey (runVariables (job, Case), Case.effectVars, h);
-    yes = yes || any (strcmp (job.key, {key, older}));
-  end
-end
-
 %!test
 %! % one run in each state that a single machine knows
 %! Case = newCase (standInCase (tempname ()));
