@@ -41,7 +41,9 @@ function keys = olderKeys (jobs, Case, known)
     h = hashModels (Case)(strcmp (jobs(1).model, {Case.models.name}));
     for i = open
       [~, key] = runKey (runVariables (jobs(i), Case), Case.effectVars, h);
-      keys{i} = ['older ', key](1 + 6 * ~isempty (key):end);
+      if ~isempty (key)
+        keys{i} = key;
+      end
     end
   end
 end
