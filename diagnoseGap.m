@@ -13,6 +13,8 @@
 %
 % See also: DEcalioc, loadEffects, diagnoseMatrices
 
+1;    % Octave's help would leave the head to a statement such as the next one
+
 if any (fileparts (mfilename ('fullpath')) == pathsep ())
   error ('DEcalioc:startToolbox:badFolder', ...
          ['the folder of the toolbox, %s, must have a path without a ' ...
