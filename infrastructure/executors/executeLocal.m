@@ -35,17 +35,19 @@ function records = executeLocal (jobs, Case, report)
   turn = @(k) carryRun (place, slim, owner);
   hand = @(a, b) handOut (book, [a, b], Case, report);
   tidy = onCleanup (@() leave (book));
-  while ~all (book('plan').status == 'd')
+  plan = book('plan');       % Octave 9 takes no field of a map in an argument
+  while ~all (plan.status == 'd')
     try
       % two turns a run, and those that find nothing to do
-      turns = num2cell (1:100 + 6 * sum (book('plan').status ~= 'd'));
-      [~] = parcellfun (book('plan').workers, turn, turns, 'CumFunc', hand, ...
+      turns = num2cell (1:100 + 6 * sum (plan.status ~= 'd'));
+      [~] = parcellfun (plan.workers, turn, turns, 'CumFunc', hand, ...
                         'UniformOutput', false, 'VerboseLevel', 0);
     catch err
       book('plan') = afterLoss (book('plan'), err, Case, report);
     end
+    plan = book('plan');
   end
-  records = book('plan').records;
+  records = plan.records;
 end
 
 % STATUS of a run: q waits, b is being begun, r under way, e ended, j is being
