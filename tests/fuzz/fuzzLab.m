@@ -6,7 +6,7 @@
 %   LAB   struct, all in units of its own (parameters in [0, 1], effects with
 %         the limits 0 and 1, targets with spans near 1):
 %     given   for newGapProblem;  data  X, E, Z, replicate;  options
-%     evaluate  handle Z = f (X, E, replicate), [] in nine of ten
+%     evaluate  handle Z = f (X, E, replicate), mostly []
 %     truth   text: what makes the gap, '' where there is none
 %     broken  text: what is wrong with it, '' where a verdict is due
 %
@@ -23,11 +23,11 @@ function lab = fuzzLab (seed)
   randn ('twister', seed);
   few = @(most) 1 + floor (most * rand ()^3);
   p = few (8);
-  T = few (12);
+  T = few (8);
   if rand () < 0.03
     T = 12 + few (188);
   end
-  K = floor (4 * rand ());
+  K = floor (3.5 * rand ());
   if rand () < 0.1
     K = few (12);
   end
@@ -38,13 +38,13 @@ function lab = fuzzLab (seed)
   lab.data = planOf (p, K, isLab, law, noise);
   [given.value, lab.truth] = measured (given, law, p, T, K);
   [given, lab.data] = damaged (given, lab.data);
-  lab.options = struct ('trials', 0, 'twins', 39, 'bootstrap', 39, ...
+  lab.options = struct ('trials', 0, 'twins', 24, 'bootstrap', 24, ...
                         'points', 120, 'effective', 80, 'most', 1200, ...
                         'leastPoints', 40, 'trend', '', 'verifyRuns', 2);
   trends = {'affine', 'choose', 'constant'};
   lab.options.trend = trends{few(3)};
   lab.evaluate = [];
-  if rand () < 0.1
+  if rand () < 0.05
     lab.options.maxNewRuns = 4 + few (16);
     lab.evaluate = @(X, E, r) runsOf (X, E, r, isLab, law, noise);
   end

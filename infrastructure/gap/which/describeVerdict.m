@@ -79,15 +79,15 @@ function s = strengthOf (w, verdict, k, models, gapProblem)
                   ~cellfun (@(p) isempty (p.Q), w.posterior) & ...
                   ~strcmp (w.kind, 'sibling'));
   [~, at] = max (verdict.P(holding));
-  h = holding(at);
-  posterior = w.posterior{h};
-  column = models.white.p + find (w.members{h} == k);
-  phi = posterior.Q(:, column);
-  own = models.white.effect(k);
-  q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
-  q(1) = weightedQuantile (phi, posterior.weight, 0.5);
-  if w.ess(h) < models.options.leastPoints
-    q = NaN (1, 3);
+  q = NaN (1, 3);
+  if ~isempty (holding) && w.ess(holding(at)) >= models.options.leastPoints
+    h = holding(at);
+    posterior = w.posterior{h};
+    column = models.white.p + find (w.members{h} == k);
+    phi = posterior.Q(:, column);
+    own = models.white.effect(k);
+    q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
+    q(1) = weightedQuantile (phi, posterior.weight, 0.5);
   end
   at = find (strcmp ({gapProblem.effects.name}, models.names{k}), 1);
   effect = gapProblem.effects(at);
@@ -170,3 +170,7 @@ end
 %! assert (named.numbers.ess >= 200);
 %! assert (named.hypotheses(1).members, {'a'});
 %! assert (isfield (named.posterior, 'unlisted'));
+%! % where no integral of an effect says anything, its strength is not known
+%! [w.posterior{2:end}] = deal (struct ('Q', [], 'weight', []));
+%! named = describeVerdict (w, judgeCase (w, models), models, gapProblem);
+%! assert (isnan ([named.strength.value]));
