@@ -43,10 +43,13 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   modelVars.coefRollingFrictionWW = 0.05;
   modelVars.radiusP = 2e-3;
   modelVars.percentRayleigh = 0.35;
-  % full size, filled as published. useCriteria 1 ends settling and discharge
-  % as soon as all is at rest; the two times are then upper limits
+  % full size, filled as published, cut at the height of the document (by
+  % itself the model cuts at 50 mm, as the published model files do).
+  % useCriteria 1 ends settling and discharge as soon as all is at rest; the
+  % two times are then upper limits
   modelVars.scaleP = 1;
   modelVars.fillMethod = 1;
+  modelVars.fillHeight = 0.055;
   modelVars.useCriteria = 1;
   modelVars.settleTime = 3;
   modelVars.dischargeTime = 10;

@@ -31,7 +31,7 @@ fetchSource () {
   ( cd "$apt"
     apt-get "${options[@]}" update
     apt-get "${options[@]}" source --download-only liggghts ) >> "$log" 2>&1 || true
-  advice="Is there a network, and does /etc/apt name a Debian 12 mirror? Or put
+  advice="Is there a network, and does /etc/apt name a Debian mirror? Or put
   $tarball into $cache by hand."
   isSource "$apt/$tarball"
   mv "$apt/$tarball" "$cache/$tarball"
