@@ -84,11 +84,11 @@
 %! assert (says (out, '/nowhere/liggghts is not a program'));
 %! file = fullfile (folder, 'loadInput.m');
 %! writeAtomic (file, [strtrim(fileread (file))(1:end - 3), ...
-%!                     "\nInput.maxCPU = 0;\nInput.nonsense = 1;\nend\n"]);
+%!                     "\nInput.maxCPU = 0;\nInput.numOfSamples = 1;\nend\n"]);
 %! [status, out] = startCommand (base, 'check bad');
 %! assert (status, 1);
 %! assert (says (out, 'problem(s) in the input'));
-%! assert (says (out, 'Input.maxCPU') && says (out, 'Input.nonsense'));
+%! assert (says (out, 'Input.maxCPU') && says (out, 'Input.numOfSamples'));
 
 % --- check, check --try twice, run, status, export; a trial that fails
 %!test
@@ -107,7 +107,7 @@
 %! assert (says (out, 'trial     Second: ok'));
 %! assert (says (out, 'plan: 14 new, 2 taken from the store'));
 %! [~, out] = startCommand (base, 'status ''my case''');
-%! assert (says (out, 'stopped in the stage: plan'));
+%! assert (says (out, 'one set has been tried'));
 %! [status, out] = startCommand (base, 'run ''my case''');
 %! assert (status, 0);
 %! [status, out] = startCommand (folder, 'status');
