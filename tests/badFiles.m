@@ -69,6 +69,7 @@ function rows = places ()
           'storeNotWritable', 'Input.store', '/proc/store', ''; ...
           'badStore', '', @storeIsFile, 'Input.store'; ...
           'folderNotWritable', '', @readOnlyFolder, '/proc'; ...
+          'badFolder', '', @colonFolder, 'a:b'; ...
           'missingModel', 'Input.maxNewRuns', 0, 'Input.model{1}'};
   rows{end, 2} = '';
   rows{end, 3} = @noModelsNoRows;
@@ -111,6 +112,11 @@ end
 function raw = readOnlyFolder (raw)
   raw.root = raw.folder;
   raw.folder = '/proc';
+end
+
+function raw = colonFolder (raw)
+  raw.root = raw.folder;
+  raw.folder = fullfile (tempdir (), 'a:b');
 end
 
 function raw = noModelsNoRows (raw)
