@@ -23,8 +23,10 @@ function diagnosis = diagnoseCase (root, folder)
 
   % the runs that there are
   [data, count] = gatherRuns (Case);
+  [use, leftOut] = thinRuns (data, Case, 1000);
+  data = keepRows (data, use);
   [given, notes] = gapProblemOf (Case);
-  notes = [notes(:)', unexpressedEffects(Case)];
+  notes = [notes(:)', {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
   [~, foreseen] = gapBudget (Case, ledger, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   data = completePlan (data, Case, evaluate, say);

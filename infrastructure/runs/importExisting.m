@@ -6,7 +6,7 @@
 %   SAY   function handle that takes one line of text
 %   DATA  see newData, E the levels of CASE.coarse; empty where there is no
 %         runs.csv. Rows with an effect switched on are left out: they belong to
-%         the diagnosis
+%         the diagnosis; of more than 1000, those of thinRuns are taken
 %
 % See also: importRuns, diagnoseGap
 
@@ -21,10 +21,16 @@ function data = importExisting (Case, say)
   [found, ignored] = importRuns (file, Case);
   isOn = found.E ~= neutralEffects (Case);
   isPlain = ~any (isOn(:, v + 1:end), 2);
-  data = addRows (data, found.X(isPlain, :), found.Z(isPlain, :), ...
-                  found.replicate(isPlain), 'import', found.E(isPlain, 1:v));
   say (sprintf ('runs.csv: %d runs taken in, %d with an effect left aside', ...
                 sum (isPlain), sum (~isPlain)));
+  found = keepRows (found, isPlain);
+  [use, text] = thinRuns (found, Case, 1000);
+  found = keepRows (found, use);
+  data = addRows (data, found.X, found.Z, found.replicate, 'import', ...
+                  found.E(:, 1:v));
+  if ~isempty (text)
+    say (['  WARNING: ', text]);
+  end
   if ~isempty (ignored)
     say (sprintf ('  WARNING: columns that the case does not know: %s', ...
                   strjoin (ignored(:)', ', ')));
@@ -41,3 +47,13 @@ end
 %! data = importExisting (Case, quiet);
 %! assert (data.X, [1, 2]);
 %! assert (data.Z, [3, 2, -1]);
+%!test
+%! % more rows than a surrogate holds: a part is taken, and that is said
+%! Case = newCase (standInCase (tempname ()));
+%! n = 1500;
+%! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
+%!   ["model,a,b,First_1,First_2,Second_1\n", ...
+%!    sprintf("First,%d,2,3,2,\n", 1:n), sprintf("Second,%d,2,,,1\n", 1:n)]);
+%! text = evalc ('data = importExisting (Case, @disp);');
+%! assert (rows (data.X), 1000);
+%! assert (~isempty (strfind (text, '1000 of 1500 runs are used')));

@@ -119,17 +119,21 @@ end
 function values = numbers (table, at, names)
   texts = table.cells(:, at);
   values = reshape (str2double (texts), size (texts));
-  blank = cellfun (@isempty, texts);
+  blank = cellfun ('isempty', texts);
   wrong = isnan (values) & ~blank & ~strcmpi (texts, 'nan') & ...
           ~strcmpi (texts, 'na');
   % str2double takes a comma for a separator of thousands: 0,45 would be 45
-  wrong = wrong | ~cellfun (@isempty, strfind (texts, ','));
+  if any ([texts{:}] == ',')
+    wrong = wrong | ~cellfun ('isempty', strfind (texts, ','));
+  end
+  wrong = wrong | imag (values) ~= 0;
+  values = real (values);
   values(isinf (values)) = NaN;
   if any (wrong(:))
     [row, col] = find (wrong, 1);
     error ('DEcalioc:importRuns:badValue', ...
            ['importRuns: %s in line %d of %s must be a number with a ' ...
-            'decimal point, got ''%s''.'], ...
+            'decimal point, no complex one, got ''%s''.'], ...
            names{col}, table.lines(row), table.file, texts{row, col});
   end
 end
@@ -144,11 +148,11 @@ function data = mergeModels (inputs, model, seed, Z, Case)
   [inputs, model, Z] = deal (inputs(keep, :), model(keep), Z(keep, :));
   [~, ~, group] = unique (inputs, 'rows', 'first');
   n = rows (inputs);
-  replicate = ones (n, 1);
-  for i = 1:n
-    before = group(1:i - 1) == group(i) & model(1:i - 1) == model(i);
-    replicate(i) = 1 + sum (before);
-  end
+  % the rank of a row among those of its set and its model
+  [sorted, order] = sortrows ([group(:), model(:), (1:n)']);
+  isNew = [true; any(diff (sorted(:, 1:2), 1, 1) ~= 0, 2)](1:n);
+  starts = find (isNew);
+  replicate(order, 1) = (1:n)' - starts(cumsum (isNew)) + 1;
   [~, first, row] = unique ([group(:), replicate], 'rows', 'first');
   [~, order] = sort (first);
   place(order) = 1:numel (order);
@@ -157,9 +161,9 @@ function data = mergeModels (inputs, model, seed, Z, Case)
   data.X = inputs(first(order), 1:d);
   data.E = inputs(first(order), d + 1:end);
   data.Z = NA (numel (first), columns (Z));
-  for i = 1:n
-    own = [Case.targets.model] == model(i);
-    data.Z(row(i), own) = Z(i, own);
+  for k = 1:numel (Case.models)
+    own = [Case.targets.model] == k;
+    data.Z(row(model == k), own) = Z(model == k, own);
   end
   data.replicate = replicate(first(order));
   data.stage = repmat ({'import'}, numel (first), 1);
@@ -173,6 +177,12 @@ end
 %!endfunction
 %!assert (imported ("First;0,5;2;3;4;\n").X, [0.5, 2])
 %!error id=DEcalioc:importRuns:badValue imported ("First;1.234,5;2;3;4;\n")
+%!error id=DEcalioc:importRuns:badValue imported ("First;1+2i;2;3;4;\n")
+%!error id=DEcalioc:importRuns:badValue imported ("First;3i;2;3;4;\n")
+%!test
+%! data = imported ("First;0,5;2;3;4;\n;;;;;\nFirst;0,5;2;3;5;\n;;;\n");
+%! assert (data.replicate, [1; 2]);
+%! assert (data.Z(:, 2), [4; 5]);
 %!error id=DEcalioc:importRuns:badValue
 %! Case = newCase (standInCase (tempname ()));
 %! file = fullfile (Case.folder, 'runs.csv');

@@ -1,0 +1,82 @@
+% THINRUNS  Chooses runs of a large table that a fit can hold.
+%
+% CALL: [USE, TEXT] = thinRuns (TABLE, CASE, MOST)
+%
+%   TABLE  struct X (n x d), E (n x v), Z (n x T), see importRuns
+%   CASE   see newCase
+%   MOST   runs that are kept at most
+%   USE    n x 1 logical: all, or one half of MOST those nearest to the targets,
+%          in standard deviations, the other half spread over the box
+%   TEXT   what is left out, for the user; '' where all are kept
+%
+% A Kriging model costs the square of its runs in memory and the cube in time.
+%
+% See also: importExisting, gatherRuns
+
+function [use, text] = thinRuns (table, Case, most)
+  n = rows (table.X);
+  use = true (n, 1);
+  text = '';
+  if n <= most
+    return
+  end
+  use = nearest (table.Z, Case.targets, floor (most / 2));
+  inputs = [table.X, table.E];
+  width = max (inputs, [], 1) - min (inputs, [], 1);
+  use = spread (inputs ./ (width + (width == 0)), use, most);
+  text = sprintf (['%d of %d runs are used, the %d nearest to the targets ' ...
+                   'and others spread over the box; %d are left out: a ' ...
+                   'surrogate holds no more. What it says of places far ' ...
+                   'from the targets is less sure than all runs would be'], ...
+                  most, n, floor (most / 2), n - most);
+end
+
+function use = nearest (Z, targets, most)
+  sd = [targets.sd];
+  spread = std (Z(all (isfinite (Z), 2), :), 0, 1);
+  bare = ~(isfinite (sd) & sd > 0);
+  if isempty (spread)
+    spread = ones (1, columns (Z));
+  end
+  sd(bare) = spread(bare) + (spread(bare) == 0);
+  D = ((Z - [targets.value]) ./ sd).^2;
+  D(:, ~strcmp ({targets.role}, 'calibrate')) = NaN;
+  known = isfinite (D);
+  D(~known) = 0;
+  far = sum (D, 2) ./ sum (known, 2);
+  far(isnan (far)) = Inf;
+  [~, order] = sort (far);
+  use = false (rows (Z), 1);
+  use(order(1:most)) = true;
+end
+
+% One after the other the run that is farthest from all chosen ones.
+function use = spread (U, use, most)
+  gap = Inf (rows (U), 1);
+  for i = find (use)'
+    gap = min (gap, sum ((U - U(i, :)).^2, 2));
+  end
+  for k = sum (use) + 1:most
+    gap(use) = -1;
+    [~, i] = max (gap);
+    use(i) = true;
+    gap = min (gap, sum ((U - U(i, :)).^2, 2));
+  end
+end
+
+%!test
+%! Case.targets = struct ('value', {1, 2}, 'sd', {0.1, 0.2}, ...
+%!                        'role', {'calibrate', 'calibrate'});
+%! [a, b] = ndgrid (linspace (0, 1, 40));
+%! table = struct ('X', [a(:), b(:)], 'E', zeros (1600, 0), ...
+%!                 'Z', [2 * a(:), 4 * b(:)]);
+%! [use, text] = thinRuns (table, Case, 100);
+%! assert (sum (use), 100);
+%! assert (~isempty (strfind (text, '100 of 1600 runs')));
+%! % both halves do their part: the target at (0.5, 0.5), and all corners
+%! near = max (abs (table.X(use, :) - 0.5), [], 2);
+%! assert (sum (near < 0.15) >= 40);
+%! corners = table.X(use, :) .* (1 - table.X(use, :));
+%! assert (sum (all (corners == 0, 2)), 4);
+%! [use, text] = thinRuns (table, Case, 1600);
+%! assert (all (use) && isempty (text));
