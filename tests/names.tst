@@ -147,3 +147,16 @@
 %! assert (status, 0, out);
 %! assert (~isempty (strfind (out, '14 new, 2 taken from the store')), out);
 %! assert (isempty (strfind (out, 'old runs')), out);
+
+%!test
+%! % a TMPDIR that is not there, a German locale where the machine has one: the
+%! % same words and runs
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder);
+%! words = [fullfile(raw.root, 'bin', 'decalioc'), ' check --try ', raw.folder];
+%! [status, out] = system (['TMPDIR=/proc/nowhere ', words, ' 2>&1']);
+%! assert (status, 0, out);
+%! assert (~isempty (strfind (out, '/tmp is taken')), out);
+%! [status, out] = system (['LC_ALL=de_DE.UTF-8 ', words, ' 2>&1']);
+%! assert (status, 0, out);
+%! assert (~isempty (strfind (out, '2 taken from the store')), out);

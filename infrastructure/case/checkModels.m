@@ -62,6 +62,16 @@ function p = checkFolder (model)
                     ['Delete these files and the output of that run, or ' ...
                      'copy the model anew.']);
   end
+  [~, said] = system (['LC_ALL=C find -L ', shellQuote(model.folder), ...
+                       ' -depth 2>&1 > /dev/null']);
+  loop = regexp (said, '^find: File system loop detected; ''([^\n]*)'' is', ...
+                 'tokens', 'once', 'lineanchors');
+  if ~isempty (loop)
+    p(end + 1) = checkFault ('missingInputFile', field, ...
+                             'files and folders that can be copied', ...
+                             sprintf ('a link that leads back (%s)', ...
+                                      loop{1}), 'Remove that link.');
+  end
   names = readdir (model.folder);
   for k = 1:numel (names)
     path = fullfile (model.folder, names{k});
@@ -122,6 +132,15 @@ end
 %! m = struct ('name', {'Lft', ''}, 'folder', '', 'head', [], 'message', '');
 %! p = checkModels (m, '/nowhere', '/nowhere', struct ());
 %! assert ({p.id}, {'DEcalioc:checkCase:missingModel'});
+%!test
+%! % a link to a folder above, of which no copy can be made
+%! raw = standInCase (tempname ());
+%! folder = fullfile (raw.folder, 'DEMmodels', 'First');
+%! symlink ('..', fullfile (folder, 'OctaveFuns', 'again'));
+%! m = struct ('name', 'First', 'folder', folder, 'head', 1, 'message', '');
+%! p = checkModels (m, raw.folder, raw.root, ...
+%!                  struct ('onCluster', true, 'programs', false));
+%! assert (~isempty (strfind (p(1).message, 'a link that leads back')));
 %!test
 %! m = struct ('name', 'x', 'folder', '/nowhere', 'head', [], 'message', '');
 %! p = checkModels (m, '/nowhere', '/nowhere', struct ());

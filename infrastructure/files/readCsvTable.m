@@ -29,9 +29,10 @@ function [header, cells, lines] = readCsvTable (file)
            'readCsvTable: %s must have a header line, got an empty file.', ...
            file);
   end
-  header = fields(row == 1)(:)';
+  header = fields(row == 1)';
   % Excel ends rows with separators of columns that are empty
-  column = (1:numel (row))' - [0; cumsum(accumarray (row, 1))](row);
+  before = [0; cumsum(accumarray (row, 1))];
+  column = (1:numel (row))' - before(row);
   spare = column > numel (header);
   count = accumarray (row(~spare), 1);
   bad = find (count ~= numel (header), 1);
@@ -42,8 +43,9 @@ function [header, cells, lines] = readCsvTable (file)
   if ~isempty (bad)
     refuseRow (file, lines(bad), numel (header), sum (row == bad), delimiter);
   end
-  cells = reshape (fields(~spare), numel (header), [])'(2:end, :);
-  lines = lines(2:end);
+  cells = reshape (fields(~spare), numel (header), [])';
+  cells(1, :) = [];
+  lines(1) = [];
 end
 
 function refuseRow (file, line, wanted, got, delimiter)
@@ -65,7 +67,7 @@ function text = asUtf8 (text, file)
   if ~isempty (k)
     text = text(numel (marks{k, 1}) + 1:end);
     if k > 1
-      text = native2unicode (uint8 (text), marks{k, 2})(:)';
+      text = reshape (native2unicode (uint8 (text), marks{k, 2}), 1, []);
     end
   end
   if any (text == 0)
@@ -101,15 +103,19 @@ function [fields, row, lines, delimiter] = splitFields (text)
   if isempty (text) || ~isEnd(end)
     isEnd(end + 1) = true;                    % quotes left open
   end
-  cuts = find (isEnd | ([text == delimiter & ~quoted, false])(1:numel (isEnd)));
-  fields = cellslices (text, [1, cuts(1:end - 1) + 1], cuts - 1)(:);
+  isCut = isEnd;
+  isCut(1:numel (text)) = isEnd(1:numel (text)) | text == delimiter & ~quoted;
+  cuts = find (isCut);
+  fields = cellslices (text, [1, cuts(1:end - 1) + 1], cuts - 1)';
   fields = clean (fields, delimiter, text);
-  row = cumsum ([1; isEnd(cuts(1:end - 1))(:)]);
+  row = cumsum ([1; isEnd(cuts(1:end - 1))']);
   number = cumsum ([1, text == "\n"]) + skipped;
-  lines = number([1, find(isEnd)(1:end - 1) + 1])(:);
+  starts = [1, find(isEnd) + 1];
+  lines = number(starts(1:end - 1))';
   full = accumarray (row, ~cellfun ('isempty', fields)) > 0;
   fields = fields(full(row));
-  row = cumsum (full)(row(full(row)));
+  order = cumsum (full);
+  row = order(row(full(row)));
   lines = lines(full);
 end
 
@@ -127,6 +133,7 @@ function fields = clean (fields, delimiter, text)
   if delimiter ~= ',' && any (text == ',')
     fields = regexprep (fields, '^([-+]?\d*),(\d*([eE][-+]?\d+)?)$', '$1.$2');
   end
+  fields(cellfun ('isempty', fields)) = {''};
 end
 
 %!function file = written (text)
@@ -157,8 +164,9 @@ end
 %!test
 %! % what Excel makes: its line sep=, rows of separators alone, UTF-16, tabs
 %! plain = "a;b\r\n1,5;2\r\n;;;\r\n3;\r\n;\r\n";
-%! wide = [char([255, 254]), char([double(plain); zeros(1, numel (plain))](:)')];
-%! big = [char([254, 255]), char([zeros(1, numel (plain)); double(plain)](:)')];
+%! pairs = [double(plain); zeros(1, numel (plain))];
+%! wide = [char([255, 254]), char(reshape (pairs, 1, []))];
+%! big = [char([254, 255]), char(reshape (flipud (pairs), 1, []))];
 %! forms = {plain, ["sep=;\r\n", plain], wide, big, strrep(plain, ';', "\t")};
 %! for k = 1:numel (forms)
 %!   file = written (forms{k});

@@ -150,7 +150,8 @@ function data = mergeModels (inputs, model, seed, Z, Case)
   n = rows (inputs);
   % the rank of a row among those of its set and its model
   [sorted, order] = sortrows ([group(:), model(:), (1:n)']);
-  isNew = [true; any(diff (sorted(:, 1:2), 1, 1) ~= 0, 2)](1:n);
+  isNew = true (n, 1);
+  isNew(2:n) = any (diff (sorted(:, 1:2), 1, 1) ~= 0, 2);
   starts = find (isNew);
   replicate(order, 1) = (1:n)' - starts(cumsum (isNew)) + 1;
   [~, first, row] = unique ([group(:), replicate], 'rows', 'first');
