@@ -38,8 +38,8 @@ function records = executeLocal (jobs, Case, report)
   plan = book('plan');       % Octave 9 takes no field of a map in an argument
   while ~all (plan.status == 'd')
     try
-      % two turns a run, and those that find nothing to do
-      turns = num2cell (1:100 + 6 * sum (plan.status ~= 'd'));
+      % a run has two steps, and each answer may cost a turn without a step
+      turns = num2cell (1:24 + 4 * sum (plan.status ~= 'd'));
       [~] = parcellfun (plan.workers, turn, turns, 'CumFunc', hand, ...
                         'UniformOutput', false, 'VerboseLevel', 0);
     catch err
@@ -62,13 +62,13 @@ function plan = newPlan (jobs, Case)
                  'status', repmat ('q', 1, n), 'folders', {cell(1, n)}, ...
                  'born', zeros (1, n), 'usual', NaN (1, n), 'last', last, ...
                  'records', repmat (newRecord (jobs(1), ''), 1, n), ...
-                 'place', tempname (), 'workers', min ([8, nproc(), n]), ...
+                 'place', tempname (), 'workers', min ([8, nproc(), n + 1]), ...
                  'start', tic (), 'guardsSeen', 0, 'losses', 0);
   mkdir (plan.place);
 end
 
-% A worker is free. It is kept until there is something for it to do; while
-% another one is at work, only until the next look, to hear that one's answer.
+% A worker is free. It is kept until there is something for it to do, or until
+% another one has done its step (or has died), to hear that one's answer.
 function none = handOut (book, answers, Case, report)
   none = [];
   plan = book('plan');
@@ -79,20 +79,30 @@ function none = handOut (book, answers, Case, report)
   while isKept && ~all (plan.status == 'd')
     plan = lookAtRuns (plan, Case, report);
     [plan, k] = nextStep (plan, Case);
-    book('plan') = plan;
     if isempty (k)
       isStep = plan.status == 'b' | plan.status == 'j';
       isOn = isStep | plan.status == 'r';
       usual = plan.usual;
       usual(isStep) = NaN;
       pause (lookAfter (toc (plan.start) - plan.born(isOn), usual(isOn)));
-      isKept = ~any (isStep);
+      isKept = sum (isStep) <= stepsAtWork (plan.place);
     else
+      book('plan') = plan;                 % before a worker can begin it
       order (plan, k);
       isKept = false;
     end
   end
   book('plan') = plan;
+end
+
+% Orders that nobody has taken yet, and those in the hands of a living worker.
+function n = stepsAtWork (place)
+  n = 0;
+  for name = readdir (place)'
+    numbers = sscanf (name{1}, '%d.%d');
+    n = n + (numel (numbers) == 1 || ...
+             numel (numbers) == 2 && ~isempty (processStart (numbers(2))));
+  end
 end
 
 function order (plan, k)
@@ -107,9 +117,9 @@ function [plan, k] = nextStep (plan, Case)
   isOn = plan.status == 'b' | plan.status == 'r';
   free = Case.options.maxCPU - sum (plan.cpus(isOn));
   k = plan.queue(find (plan.cpus(plan.queue) <= free, 1));
-  % while runs are under way one worker is kept from getResults, to start the
-  % next run, and for this Octave to act on Ctrl-C
-  most = plan.workers - (any (isOn) && plan.workers > 1);
+  % one worker is kept from getResults, which may take long: to start the next
+  % run, and since this Octave acts on no signal where all are at work
+  most = max (1, plan.workers - 1);
   if ~isempty (k)
     plan.queue(plan.queue == k) = [];
     m = plan.model(k);
@@ -150,7 +160,10 @@ function plan = lookAtRuns (plan, Case, report)
                                    num2cell (now - plan.born(running))))];
   end
   for k = lost
-    plan = bookLost (plan, k, Case, report);
+    endRun (plan.folders{k});
+    record = failedRecord (plan.jobs(k), plan.folders{k}, 'failed', ...
+                           'the guard of the run was killed', 'killed');
+    plan = bookRun (plan, k, record, Case, report);
   end
 end
 
@@ -160,13 +173,6 @@ function yes = isLost (folder, age)
   [pids, isAlive] = runPids (folder);
   isGone = isempty (pids) && age > 30 || numel (pids) == 2 && ~isAlive;
   yes = isGone && ~isfile (fullfile (folder, 'end.mark'));
-end
-
-function plan = bookLost (plan, k, Case, report)
-  endRun (plan.folders{k});
-  record = failedRecord (plan.jobs(k), plan.folders{k}, 'failed', ...
-                         'the guard of the run was killed', 'killed');
-  plan = bookRun (plan, k, record, Case, report);
 end
 
 % A worker was killed, or getResults has ended it.
@@ -197,8 +203,8 @@ end
 
 function leave (book)
   plan = book('plan');
-  if any (plan.status ~= 'd')
-    parcellfun_set_nproc (0);              % nothing more is to be started
+  if any (plan.status ~= 'd')              % nothing more is to be started
+    parcellfun_set_nproc (0);
     for folder = plan.folders(plan.status == 'b' | plan.status == 'r')
       endRun (folder{1});
       if isempty (runPids (folder{1}))     % its guard is on the way perhaps

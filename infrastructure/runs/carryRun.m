@@ -20,10 +20,11 @@
 
 function answer = carryRun (place, Case, owner)
   answer = [];
-  order = takeOrder (place);
+  [order, file] = takeOrder (place);
   if isempty (order)
     return
   end
+  tidy = onCleanup (@() unlink (file));    % there for as long as it is at work
   answer = struct ('k', order.k, 'record', [], 'fault', []);
   try
     if order.hasEnded
@@ -39,15 +40,15 @@ function answer = carryRun (place, Case, owner)
   end
 end
 
-% Whoever renames the file has the order.
-function order = takeOrder (place)
+% Whoever renames the file, to <number of the run>.<process>, has the order.
+function [order, mine] = takeOrder (place)
   order = [];
+  mine = '';
   names = readdir (place);
   for name = names(~cellfun (@isempty, strfind (names, '.order')))'
-    mine = fullfile (place, sprintf ('taken.%d', getpid ()));
+    mine = fullfile (place, strrep (name{1}, 'order', int2str (getpid ())));
     if rename (fullfile (place, name{1}), mine) == 0
       order = load (mine);
-      unlink (mine);
       return
     end
   end
