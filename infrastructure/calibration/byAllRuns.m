@@ -61,7 +61,8 @@ function state = confirmingRuns (state, final, problem, evaluate)
 end
 
 function J = slopesOf (p, book, problem)
-  J = surrogateJacobian (book('state').surrogates, problem, p) .* ...
+  state = book('state');
+  J = surrogateJacobian (state.surrogates, problem, p) .* ...
       problem.part(problem.calibrate)';
 end
 
@@ -80,6 +81,8 @@ function why = whyOver (book, problem)
     why = 'the set is confirmed';
   elseif budgetLeft (state, problem) < 1
     why = 'no DEM runs are left';
+  elseif final.equal > 0 && final.probability >= problem.options.confidence
+    why = 'its runs are equal';
   elseif ismember (final.params, failed, 'rows')
     why = 'its runs fail';
   elseif isOut && (~mayMove || ~isempty (state.found.conflict))

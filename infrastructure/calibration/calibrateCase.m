@@ -24,7 +24,7 @@ function calibration = calibrateCase (root, folder)
   problem = newProblem (Case, @costFunction);
   ledger = newLedger ();
   evaluate = newEvaluate (Case, ledger, say);
-  reportCase (Case, say);
+  reportCase (Case, say, problem);
   sayOldRuns (Case, say);
 
   % experimental plan and DEM simulation

@@ -6,8 +6,8 @@
 % PROBLEM  struct of newProblem
 % LINES    cellstr: a target outside the range of the responses, a surrogate
 %          with poor Q2, a parameter at its limit, fewer targets than
-%          parameters, runs that failed, runs that were left out, a level
-%          that was dropped
+%          parameters, runs that failed, equal replicates, runs that were
+%          left out, a level that was dropped
 %
 % See also: limitsTouched, findConflict
 
@@ -34,6 +34,13 @@ function lines = checkSurrogates (state, problem)
   if failed > 0
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
                               failed, sum (own));
+  end
+  [~, isRepeat] = countEqualOnce (state.data, problem.targets);
+  if any (isRepeat)
+    lines{end + 1} = sprintf (['%d runs repeat another one at their set to ' ...
+                               'the last digit: the model does not use ' ...
+                               'runSeed. They tell nothing of its scatter ' ...
+                               'and are not counted'], sum (isRepeat));
   end
   lines = [lines, badRuns(state, problem), droppedLevels(state, problem)];
 end

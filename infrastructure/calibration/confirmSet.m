@@ -3,8 +3,9 @@
 % CALL: FINAL = confirmSet (STATE, PROBLEM)
 %
 % STATE  struct of newState
-% FINAL  params 1 x d, n (successful runs there), result 1 x T (their mean; the
-%        surrogate mean if n = 0), sd 1 x T (standard error of that mean),
+% FINAL  params 1 x d, n (successful runs there; equal ones count once, see
+%        countEqualOnce), equal (how many that leaves out), result 1 x T (their
+%        mean; the surrogate mean if n = 0), sd 1 x T (standard error of that mean),
 %        noiseSd 1 x T (noise of one run), residual T x 1 (of the mean),
 %        residualSd T x 1, extra (preference rows), interval90 2 x T (of the
 %        true response), estimate 1 x T (its middle), met 1 x T (the estimate
@@ -29,13 +30,13 @@
 
 function final = confirmSet (state, problem)
   p = state.found.params;
-  Z = runsAt (state, p, problem);
+  [Z, nEqual] = runsAt (state, p, problem);
   n = rows (Z);
   noiseSd = sqrt ([state.surrogates.noiseVar]);
   [m, v] = predictSurrogate (state.surrogates, p);
   df = [state.surrogates.df];
   final = struct ('params', p, 'result', m, 'sd', sqrt (v + noiseSd.^2), ...
-                  'noiseSd', noiseSd, 'n', n);
+                  'noiseSd', noiseSd, 'n', n, 'equal', nEqual);
   if n > 0
     final.result = mean (Z, 1);
     final.sd = noiseSd / sqrt (n);
@@ -56,9 +57,12 @@ function final = confirmSet (state, problem)
   final.reason = explain (final, state, problem);
 end
 
-function Z = runsAt (state, p, problem)
+function [Z, nEqual] = runsAt (state, p, problem)
   data = state.data;
+  [~, isRepeat] = countEqualOnce (data, problem.targets);
+  nEqual = sum (isRepeat & sameSet (data.X, p, problem.limits));
   data.Z(horzcat (state.surrogates.leftOut)) = NaN;
+  data.Z(isRepeat, :) = NaN;
   data = lastLevel (data, problem);
   Z = data.Z(sameSet (data.X, p, problem.limits), :);
   Z = Z(all (isfinite (Z), 2), :);
@@ -125,6 +129,10 @@ function text = explain (final, state, problem)
   elseif ~final.within
     text = sprintf (['the mean response at the best set is outside a ' ...
                      'tolerance; runs there: %d; %s'], final.n, ended);
+  elseif final.n < problem.options.replicates && final.equal > 0
+    text = sprintf (['the %d runs at the set are equal to the last digit ' ...
+                     'and count as one: the model does not use runSeed'], ...
+                    final.n + final.equal);
   elseif final.n < problem.options.replicates
     text = sprintf ('only %d of %d runs were made at the set: %s', final.n, ...
                     problem.options.replicates, ended);
@@ -188,6 +196,18 @@ end
 %! final = confirmSet (s, problem);
 %! half = studentQuantile (0.95, 3) * std (z) / 2;
 %! assert (final.interval90, mean (z) + [-half; half], 1e-9);
+
+%!test
+%! % equal runs of a model that does not use its seed count as one; the next
+%! % one is made beside, and that it cannot be confirmed is said
+%! f = @(P, r) 1 + P + 0.004 * sin (500 * P);
+%! s = runRows (state, problem, f, [0.5; 0.5], 'verify');
+%! final = confirmSet (s, problem);
+%! assert ([final.n, final.equal], [1, 1]);
+%! assert (! final.converged);
+%! assert (! isempty (strfind (final.reason, 'does not use runSeed')));
+%! s = runRows (s, problem, f, 0.5, 'replicate');
+%! assert (abs (s.data.X(end) - 0.5) > 0 && abs (s.data.X(end) - 0.5) < 0.01);
 
 %!test
 %! % the limit that bit is named; a conflict goes before it, without a run too

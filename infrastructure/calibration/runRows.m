@@ -27,6 +27,7 @@ function state = runRows (state, problem, evaluate, P, stage, E)
     E = E(1:rows (P), :);
     told = {'calibration', E};
   end
+  P = besideEqualRuns (P, state.data, problem);
   replicate = replicateNumbers (state.data, P, problem.limits);
   Z = evaluate (P, replicate, told{:});
   isTried = ~any (isna (Z), 2);
@@ -43,6 +44,18 @@ function state = runRows (state, problem, evaluate, P, stage, E)
   state.spent.(kind) = state.spent.(kind) + rows (Z);
   state.spent.failed = state.spent.failed + sum (any (isnan (Z), 2));
   state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
+end
+
+% Where a model has shown that it does not use runSeed, another packing is one
+% at a set beside: up to 1 % of the box away.
+function P = besideEqualRuns (P, data, problem)
+  again = replicateNumbers (data, P, problem.limits) > 1;
+  [~, isRepeat] = countEqualOnce (data, problem.targets);
+  if any (isRepeat) && any (again)
+    step = 0.02 * (rand (sum (again), columns (P)) - 0.5);
+    P(again, :) = P(again, :) + step .* diff (problem.limits);
+    P = min (max (P, problem.limits(1, :)), problem.limits(2, :));
+  end
 end
 
 %!test

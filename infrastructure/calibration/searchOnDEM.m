@@ -31,7 +31,8 @@ function [p, why] = searchOnDEM (way, problem, book)
                        'MaxIter', way.maxIter, ...
                        'TolFun', problem.options.tolfun, ...
                        'user_interaction', watch);
-  u = (book('state').found.params - lo) ./ width;
+  state = book('state');
+  u = (state.found.params - lo) ./ width;
   u = min (max (u, 0), 1)';
   why = 'the search for active limits of the parameters failed';
   try
@@ -63,8 +64,8 @@ function [stop, info] = watchStage (p, vals, phase, way, book)
   end
   vals.iteration = book('iteration');
   book('iteration') = vals.iteration + 1;
-  spent = book('state').spent;
-  runs = spent.infill + spent.verify;
+  state = book('state');
+  runs = state.spent.infill + state.spent.verify;
   told = way.told;
   told.say = @(text) way.say (sprintf ('%s; %d runs since the plan', ...
                                        text, runs));

@@ -19,6 +19,8 @@
 % With options.method 'published' of PROBLEM the trend is affine, the covariance
 % matern52, and every run counts.
 %
+% Equal replicates count as one run (countEqualOnce).
+%
 % Runs that are off by far more than runs scatter are left out (findBadRuns);
 % leftOut (n x 1 logical, rows of DATA) says which. Not judged where the scatter
 % is known to follow the response, for there a wide run may be a good one.
@@ -36,6 +38,7 @@ function surrogates = fitSurrogates (data, problem, old)
   if nargin < 3
     old = [];
   end
+  data.Z = countEqualOnce (data, problem.targets);
   same = true (rows (data.X), 1);
   isLevelled = isfield (problem, 'coarse') && ~isempty (problem.coarse);
   if ~isLevelled && isfield (data, 'E') && ~isempty (data.E)
