@@ -5,8 +5,8 @@
 % STATE  struct of newState
 % FINAL  params 1 x d, n (successful runs there; equal ones count once, see
 %        countEqualOnce), equal (how many that leaves out), result 1 x T (their
-%        mean; the surrogate mean if n = 0), sd 1 x T (standard error of that mean),
-%        noiseSd 1 x T (noise of one run), residual T x 1 (of the mean),
+%        mean; the surrogate mean if n = 0), sd 1 x T (standard error of that
+%        mean), noiseSd 1 x T (noise of one run), residual T x 1 (of the mean),
 %        residualSd T x 1, extra (preference rows), interval90 2 x T (of the
 %        true response), estimate 1 x T (its middle), met 1 x T (the estimate
 %        is within its tolerance; the points of a curve as one), probability,
