@@ -27,7 +27,8 @@
 function records = executeLocal (jobs, Case, report)
   book = containers.Map ({'plan'}, {newPlan(jobs, Case)}, ...
                          'UniformValues', false);
-  place = book('plan').place;
+  plan = book('plan');
+  place = plan.place;
   owner = getpid ();
   slim = struct ('root', Case.root, 'store', Case.store, 'models', ...
                  Case.models, 'modelVars', Case.modelVars, 'names', ...
@@ -35,7 +36,6 @@ function records = executeLocal (jobs, Case, report)
   turn = @(k) carryRun (place, slim, owner);
   hand = @(a, b) handOut (book, [a, b], Case, report);
   tidy = onCleanup (@() leave (book));
-  plan = book('plan');       % Octave 9 takes no field of a map in an argument
   while ~all (plan.status == 'd')
     try
       % a run has two steps, and each answer may cost a turn without a step
