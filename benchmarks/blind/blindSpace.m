@@ -18,7 +18,7 @@
 function space = blindSpace (lab, theta)
   white = lab.models.white;
   q = 2 * theta - 1;
-  [~, V, J] = predictGap (white, [], q);
+  [~, V, ~, J] = predictGap (white, [], q);
   slopes = vertcat (J{:})' ./ sqrt (V');
   N = parityProjection (slopes, zeros (numel (V), 1)).N;
   used = white.columns;

@@ -60,9 +60,9 @@ function truth = truthOf (gapProblem, models, data, i)
   truth = struct ('names', {names}, 'phi', phi(abs (phi) > 1e-9), 'd', 0);
   truth.at = at;
   if ~isempty (names) && all (has)
-    [~, ~, ~, S] = predictGap (models.white, at, [theta, truth.phi]);
+    [~, ~, S] = predictGap (models.white, at, [theta, truth.phi]);
     white = models.white;
-    [~, V, J] = predictGap (white, [], theta);
+    [~, V, ~, J] = predictGap (white, [], theta);
     slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
     N = parityProjection (slopes, zeros (numel (V), 1)).N;
     truth.d = norm (N' * (S ./ sqrt (V))');

@@ -113,8 +113,9 @@ function kept = tested (em)
 end
 
 function view = viewOf (gapProblem, em, options)
-  models = omnibusReference (makeHypotheses (gapProblem, em, options));
+  models = makeHypotheses (gapProblem, em, options);
   fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+  models = omnibusReference (models, omnibusStatistic (models, fits.logE));
   view = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
                  'fits', fits);
 end

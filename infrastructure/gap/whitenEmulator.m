@@ -92,7 +92,7 @@ function nu = freedom (W, total, doubt)
 end
 
 function N = parityAt (white, theta)
-  [~, V, J] = predictGap (white, [], theta);
+  [~, V, ~, J] = predictGap (white, [], theta);
   slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
   N = parityProjection (slopes, zeros (numel (V), 1)).N;
 end

@@ -6,7 +6,7 @@
 %   DEGREE   scalar, largest total degree
 %   POWERS   q x D, one monomial a row, by total degree; the first is 1
 %
-% See also: polyRows, polySlope
+% See also: polyRows
 
 function powers = polyPowers (d, degree)
   powers = zeros (1, 0);

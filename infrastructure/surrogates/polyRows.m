@@ -1,23 +1,37 @@
-% POLYROWS  Evaluates monomials at points.
+% POLYROWS  Evaluates monomials at points, and their slopes.
 %
-% CALL: B = polyRows (POWERS, Q)
+% CALL: [B, D] = polyRows (POWERS, Q)
 %
 %   POWERS   q x d, exponents, one monomial a row
 %   Q        n x d, points
 %   B        n x q, B(i,k) = prod_j Q(i,j) ^ POWERS(k,j)
+%   D        1 x d cell of n x q, derivatives of B along each variable
 %
-% See also: polyPowers, polySlope
+% See also: polyPowers
 
-function B = polyRows (powers, Q)
-  B = ones (rows (Q), rows (powers));
-  for j = 1:columns (powers)
-    top = max (powers(:, j));
-    if top > 0
-      table = Q(:, j).^(0:top);
-      B = B .* table(:, powers(:, j) + 1);
+function [B, D] = polyRows (powers, Q)
+  [n, d] = size (Q);
+  B = ones (n, rows (powers));
+  D = repmat ({B}, 1, d * (nargout > 1));
+  for j = 1:d
+    top = max ([powers(:, j); 0]);
+    table = cumprod ([ones(n, 1), repmat(Q(:, j), 1, top)], 2);
+    own = table(:, powers(:, j) + 1);
+    B = B .* own;
+    if nargout > 1
+      for i = [1:j - 1, j + 1:d]
+        D{i} = D{i} .* own;
+      end
+      steep = [zeros(n, 1), table(:, 1:top) .* (1:top)];
+      D{j} = D{j} .* steep(:, powers(:, j) + 1);
     end
   end
 end
 
 %!assert (polyRows ([0, 0; 1, 2], [2, 3; 1, -1]), [1, 18; 1, 1])
 %!assert (size (polyRows (zeros (0, 2), ones (3, 2))), [3, 0])
+%!test
+%! % x^2 y and y at (2, 5); a variable that no monomial has
+%! [B, D] = polyRows ([2, 1, 0; 0, 1, 0], [2, 5, 7]);
+%! assert (B, [20, 5]);
+%! assert (D, {[20, 0], [4, 1], [0, 0]});

@@ -1,6 +1,6 @@
 % PREDICTGAP  Predicts results and variances under a hypothesis, with slopes.
 %
-% CALL: [M, V, J, S] = predictGap (WHITE, H, Q)
+% CALL: [M, V, S, J] = predictGap (WHITE, H, Q)
 %
 %   WHITE  struct of whitenEmulator, or of fitEmulator if only M is asked for
 %   H      1 x h, numbers of the active effects ([]: null model)
@@ -8,28 +8,31 @@
 %   M      n x T, mean: the null model, what each effect adds, and what pairs of
 %          them do together
 %   V      n x T, variance: noise, baseline surrogate and effect surrogates
-%   J      1 x (p + h) cell of n x T, slopes of M along Q
 %   S      n x T, what the effects add to the null model
+%   J      1 x (p + h) cell of n x T, slopes of M along Q
 %
 % Effects are polynomials in the bent strength psi = sign (phi) |phi|^bend, see
 % fitEffect.
 %
 % See also: whitenEmulator, predictHypothesis
 
-function [M, V, J, S] = predictGap (white, h, Q)
+function [M, V, S, J] = predictGap (white, h, Q)
   p = white.p;
   theta = Q(:, 1:p);
-  base = polyRows (white.powers, theta) * white.coef;
+  J = cell (1, p + numel (h));
+  if nargout > 3
+    [B, D] = polyRows (white.powers, theta);
+    for j = 1:p
+      J{j} = D{j} * white.coef;
+    end
+  else
+    B = polyRows (white.powers, theta);
+  end
+  base = B * white.coef;
   if nargout > 1
     V = exp (polyRows (white.varPowers, theta) * white.varCoef);
   else
     V = [];
-  end
-  J = cell (1, p + numel (h));
-  if nargout > 2
-    for j = 1:p
-      J{j} = polySlope (white.powers, white.coef, theta, j);
-    end
   end
   added = struct ('S', zeros (size (base)), 'V', V, 'J', {J});
   [psi, slope] = bentStrengths (white, h, Q(:, p + 1:end));
@@ -43,7 +46,7 @@ function [M, V, J, S] = predictGap (white, h, Q)
   S = added.S;
   V = added.V;
   J = added.J;
-  if nargout > 2
+  if nargout > 3
     for i = 1:numel (h)
       J{p + i} = J{p + i} .* slope(:, i);
     end
@@ -79,17 +82,20 @@ end
 function added = addPart (part, all, added)
   e = part.e;
   q = all(:, part.at);
-  added.S = added.S + polyRows (e.powers, q) * e.coef;
+  isSteep = ~isempty (added.J{1});
+  if isSteep
+    [B, D] = polyRows (e.powers, q);
+  else
+    B = polyRows (e.powers, q);
+  end
+  added.S = added.S + B * e.coef;
   if ~isempty (added.V) && ~e.laboratory
     strength = prod (q(:, end - numel (e.bend) + 1:end).^2, 2);
     added.V = added.V + ...
              strength .* exp (polyRows (e.varPowers, q) * e.varCoef);
   end
-  if isempty (added.J{1})
-    return
-  end
-  for j = 1:numel (part.at)
-    slope = polySlope (e.powers, e.coef, q, j);
+  for j = 1:isSteep * numel (part.at)
+    slope = D{j} * e.coef;
     if isempty (added.J{part.at(j)})
       added.J{part.at(j)} = slope;
     else
@@ -100,7 +106,7 @@ end
 
 %!test
 %! white = handMadeHypotheses ().white;
-%! [M, V, J, S] = predictGap (white, [1, 2], [0.5, 0.25, 1]);
+%! [M, V, S, J] = predictGap (white, [1, 2], [0.5, 0.25, 1]);
 %! assert (M, [1.5, 0.5, 1, -3]);
 %! assert (V, ones (1, 4));
 %! assert (J{1}, [3, 1, 0, 0]);
@@ -116,7 +122,7 @@ end
 %!                       'varPowers', [0, 0, 0], 'varCoef', log (4) * ...
 %!                       ones (1, 4), 'laboratory', false);
 %! q = [0.5, 0.25, 0.7];
-%! [M, V, J] = predictGap (white, [1, 2], q);
+%! [M, V, ~, J] = predictGap (white, [1, 2], q);
 %! assert (M, [1.5 + 0.35, 0.5 + 1.5 * 0.35, 2 + 0.7, 2 - 2.8], 1e-12);
 %! assert (V, 1 + 4 * 0.35^2 * ones (1, 4), 1e-12);
 %! for j = 1:3

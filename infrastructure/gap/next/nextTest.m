@@ -7,38 +7,50 @@
 %   W           struct of caseEvidence (members, posterior, kind)
 %   P           1 x H, probabilities of the hypotheses
 %   TESTS       1 x m struct, best first: test (text), targets, gain (bits about
-%               which hypothesis holds), cost, gainPerCost
+%               which kind of cause it is), cost, gainPerCost
 %
 % Candidates: every simulated but unmeasured setting (bench and coordinate; a
 % curve as a whole), and every bench measured once more.
-% gain = H (sum_k P_k N_k) - sum_k P_k H (N_k) with N_k the posterior predictive
-% of hypothesis k (surrogate, packing and measurement in it), by 1000 draws
-% (Lindley 1956; Box and Hill 1967).
+%
+% A kind of cause is an effect or something that resembles it (its sibling); a
+% pair is a kind of its own, and so is no gap at all. With N_c the posterior
+% predictive of kind c, a mixture of its hypotheses,
+% gain = H (sum_c P_c N_c) - sum_c P_c H (N_c) by 1000 draws (Lindley 1956; Box
+% and Hill 1967).
+%
+% What a second measurement meets again, the error of the surrogate and the
+% unknown part of a sibling, was in the first one too: its share of the residual
+% stays, R (R + S)^-1 r, and only what is left open of it, R - R (R + S)^-1 R,
+% is uncertain. Packing and reading (S) are fresh.
 %
 % See also: diagnoseMatrices
 
 function tests = nextTest (gapProblem, em, w, P)
   tests = candidates (gapProblem);
   [keep, P] = likelyOnes (w, P);
-  budget = noiseBudget (gapProblem, em);
-  noise = budget.covariance;
+  noise = noiseBudget (gapProblem, em);
+  noise.white = [];
+  if any (strcmp (w.kind(keep), 'sibling'))
+    noise.white = whitenEmulator (em, gapProblem.used, noise);
+  end
+  kinds = kindsOf (w, keep);
   for i = 1:numel (tests)
     at = tests(i).targets;
     parts = struct ('mean', {}, 'cov', {});
     for k = 1:numel (keep)
-      parts(k) = predictive (em, w, keep(k), at, noise);
+      parts(k) = predictive (gapProblem, em, w, keep(k), at, noise);
     end
-    tests(i).gain = information (parts, P) / log (2);
+    tests(i).gain = information (parts, P, kinds) / log (2);
     tests(i).gainPerCost = tests(i).gain / tests(i).cost;
   end
   [~, order] = sort (-[tests.gainPerCost]);
   tests = tests(order);
 end
 
-% The listed hypotheses among which a test could tell. Where an unlisted cause
-% is certain, the likeliest of them stays: nothing is left to tell.
+% The hypotheses among which a test could tell. Where only misfits of no shape
+% are likely, the likeliest of them stays: nothing is left to tell.
 function [keep, P] = likelyOnes (w, P)
-  listed = ismember (w.kind, {'null', 'single', 'pair'});
+  listed = ~strcmp (w.kind, 'discrepancy');
   listed = find (listed & ~cellfun (@(p) isempty (p.Q), w.posterior));
   P = P / max (sum (P(listed)), realmin);
   keep = listed(P(listed) > 0.005);
@@ -48,6 +60,13 @@ function [keep, P] = likelyOnes (w, P)
     P(keep) = 1;
   end
   P = P(keep) / sum (P(keep));
+end
+
+% Those with the same members are of one kind.
+function kinds = kindsOf (w, keep)
+  texts = cellfun (@(m) mat2str (sort (m)), w.members(keep), ...
+                   'UniformOutput', false);
+  [~, ~, kinds] = unique (texts);
 end
 
 function tests = candidates (gapProblem)
@@ -78,29 +97,47 @@ function test = newTest (text, targets, cost)
                  'cost', cost, 'gainPerCost', 0);
 end
 
-function part = predictive (em, w, h, at, noise)
+function part = predictive (gapProblem, em, w, h, at, noise)
   posterior = w.posterior{h};
-  Q = posterior.Q;
-  M = predictGap (em, w.members{h}, Q(:, 1:em.p + numel (w.members{h})));
-  M = M(:, at);
+  members = w.members{h};
+  Q = posterior.Q(:, 1:em.p + numel (members));
+  M = predictGap (em, members, Q)(:, at);
+  S = noise.covariance(at, at);
+  R = diag (mean (em.surrogateVar(:, at), 1) + em.fitVar(at));
+  if strcmp (w.kind{h}, 'sibling')
+    [~, ~, added] = predictGap (noise.white, members, Q);
+    free = noise.white.parity;
+    strange = posterior.Q(:, end).^2 .* sum ((added * free).^2, 2) / ...
+              max (1, columns (free));
+    R = R + (posterior.weight' * strange) * diag (diag (S + R));
+  end
+  known = gapProblem.value(at);
+  left = R;
+  if all (isfinite (known))
+    gain = R / (R + S);
+    M = M + (known - M) * gain';
+    left = R - gain * R;
+  end
   part.mean = posterior.weight' * M;
   D = (M - part.mean) .* sqrt (posterior.weight);
-  known = diag (mean (em.surrogateVar(:, at), 1) + em.fitVar(at));
-  part.cov = D' * D + noise(at, at) + known;
+  part.cov = D' * D + left + S;
 end
 
-% Mutual information of a Gaussian mixture: E [log N_k (x) - log sum P N (x)].
-function bits = information (parts, P)
+% Mutual information of the kind and a Gaussian mixture: E [log N_c - log N].
+function bits = information (parts, P, kinds)
   draws = integrationPoints (1000, numel (parts(1).mean), 23).normal;
+  roots = arrayfun (@(part) chol (part.cov), parts, 'UniformOutput', false);
   bits = 0;
   for k = 1:numel (parts)
-    X = parts(k).mean + draws * chol (parts(k).cov);
+    X = parts(k).mean + draws * roots{k};
     L = zeros (rows (X), numel (parts));
     for j = 1:numel (parts)
-      R = (X - parts(j).mean) / chol (parts(j).cov);
-      L(:, j) = -0.5 * sum (R.^2, 2) - sum (log (diag (chol (parts(j).cov))));
+      R = (X - parts(j).mean) / roots{j};
+      L(:, j) = -0.5 * sum (R.^2, 2) - sum (log (diag (roots{j}))) + log (P(j));
     end
-    bits = bits + P(k) * mean (L(:, k) - logSumExp (L + log (P)));
+    own = kinds == kinds(k);
+    bits = bits + P(k) * mean (logSumExp (L(:, own)) - ...
+                               log (sum (P(own))) - logSumExp (L));
   end
   bits = max (bits, 0);
 end
@@ -138,3 +175,32 @@ end
 %! w.posterior{3} = struct ('Q', [], 'weight', []);
 %! tests = nextTest (gapProblem, em, w, [0, 0, 1]);
 %! assert ([tests.gain], zeros (1, numel (tests)), 1e-12);
+%!test
+%! % an effect and what resembles it are one kind: once more tells nothing of
+%! % them, and next to nothing where surrogates err alike both times
+%! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], 'varPowers', [0, 0], ...
+%!             'coef', {[3, 3, 0], [3, 0, 3]}, 'laboratory', true, 'bend', 1);
+%! em = struct ('p', 1, 'powers', [0; 1], 'coef', [0, 0, 0; 1, 0, 0], ...
+%!              'effect', e, 'joint', [], 'surrogateVar', zeros (2, 3), ...
+%!              'points', [-1; 1], 'varPowers', 0, 'bench', [1, 1, 1], ...
+%!              'success', zeros (1, 1), 'alongCurve', eye (3), ...
+%!              'fitVar', zeros (1, 3), 'noiseVar', 0.01 * ones (1, 3), ...
+%!              'noiseFreedom', Inf (1, 3), 'correlation', eye (3), ...
+%!              'range', ones (1, 3));
+%! em.joint = struct ('name', {}, 'coef', {}, 'laboratory', {});
+%! given = struct ('value', [3, 3, 0], 'sd', ones (1, 3), ...
+%!                 'bench', [1, 1, 1], 'limits', [0; 1]);
+%! gapProblem = newGapProblem (given);
+%! w.members = {1, 1};
+%! w.kind = {'single', 'sibling'};
+%! w.posterior = {struct('Q', [0, 1], 'weight', 1), ...
+%!                struct('Q', [0, 1, 0, 0.6], 'weight', 1)};
+%! assert (nextTest (gapProblem, em, w, [0.5, 0.5]).gain, 0, 1e-12);
+%! w.members = {1, 2};
+%! fresh = nextTest (gapProblem, em, w, [0.5, 0.5]).gain;
+%! w.kind = {'single', 'single'};
+%! w.posterior{2} = w.posterior{1};
+%! sure = nextTest (gapProblem, em, w, [0.5, 0.5]).gain;
+%! em.surrogateVar(:) = 100;
+%! assert (nextTest (gapProblem, em, w, [0.5, 0.5]).gain < 0.1 * sure);
+%! assert (fresh < sure);

@@ -35,7 +35,7 @@ function where = locateGap (gapProblem, em, models, fits, options)
   test = lackOfFit (models, fit, struct ('repeats', options.bootstrap, ...
                                          'seed', options.seed));
   where.p = test.p;
-  [M, V, J] = predictGap (white, [], where.theta);
+  [M, V, ~, J] = predictGap (white, [], where.theta);
   sd = sqrt (V');
   r = (fits.Z(1, :) - M)';
   J = reshape (vertcat (J{:})', numel (used), em.p);

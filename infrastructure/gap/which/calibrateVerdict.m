@@ -28,22 +28,25 @@ function expected = calibrateVerdict (models, em, gapProblem)
     return
   end
   plan = planTwins (n, K, models.options.seed);
+  causes = num2cell (plan.cause);
+  causes(plan.cause == 0) = {zeros(1, 0)};
+  twins = drawTwins (models, causes, plan.d, models.options.seed + 1000);
+  fits = fitLibrary (models, twins.Y);
+  fits.exclude = excludeMany (models, fits);
   s = struct ('named', [], 'right', [], 'top', [], 'cause', [], 'd', []);
   for removed = unique (plan.removed)
     at = find (plan.removed == removed);
-    causes = num2cell (plan.cause(at));
-    causes(plan.cause(at) == 0) = {zeros(1, 0)};
-    twins = drawTwins (models, causes, plan.d(at), ...
-                       models.options.seed + 1000 + removed);
     own = models;
+    left = fits;
     cause = plan.cause(at);
     if removed > 0
       own = makeHypotheses (gapProblem, withoutEffects (em, removed), ...
                             models.options);
       own.reference = models.reference;
+      left = withoutFits (own, fits, twins.Y, at, removed);
       cause(:) = -1;
     end
-    s = addTrials (s, own, twins, cause);
+    s = addTrials (s, own, left, at, cause, twins.d);
   end
   strong = s.cause > 0 & s.d >= 4;
   expected.falseName = share (s.named(s.cause == 0));
@@ -64,18 +67,32 @@ function plan = planTwins (n, K, seed)
   plan.d = 1 + 7 * integrationPoints (n, 1, seed + 1000).uniform;
 end
 
-function s = addTrials (s, models, twins, cause)
-  fits = fitLibrary (models, twins.Y);
-  fits.exclude = excludeMany (models, fits);
-  for i = 1:rows (twins.Y)
+function s = addTrials (s, models, fits, at, cause, d)
+  for j = 1:numel (at)
+    i = at(j);
     verdict = judgeCase (laplaceCase (models, fits, i), models);
     isSaid = any (strcmp (verdict.kind, {'named', 'group'}));
     s.named(end + 1) = strcmp (verdict.kind, 'named');
-    s.right(end + 1) = isSaid && ismember (cause(i), verdict.effects);
-    s.top(end + 1) = verdict.top == cause(i);
-    s.cause(end + 1) = cause(i);
-    s.d(end + 1) = twins.d(i);
+    s.right(end + 1) = isSaid && ismember (cause(j), verdict.effects);
+    s.top(end + 1) = verdict.top == cause(j);
+    s.cause(end + 1) = cause(j);
+    s.d(end + 1) = d(i);
   end
+end
+
+% Fits without effect K. Of the misfits only the last one, shaped like the
+% listed effects, is another one then.
+function fits = withoutFits (models, fits, Y, at, k)
+  K = numel (fits.single);
+  fits.single(k) = [];
+  fits.sibling(k) = [];
+  fits.exclude(:, k) = [];
+  fits.logE(:, 1 + [k, K + k]) = [];
+  kind = models.kinds(end);
+  start = [fits.null.U(at, :), zeros(numel (at), 1)];
+  fit = fitHypothesis (kind.white, kind.h, Y(at, :) * kind.white.W', start, ...
+                       models.prior);
+  fits.logE(at, end) = fit.logE;
 end
 
 % Log Bayes factor of each effect against its look-alike: n x K.

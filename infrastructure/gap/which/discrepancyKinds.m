@@ -20,6 +20,9 @@ function kinds = discrepancyKinds (gapProblem, em, budget, white)
   targets = white.columns;
   benches = unique (gapProblem.bench(targets));
   R = diag (em.range(targets).^2);
+  S = signatures (em, targets);
+  % a misfit has no effects
+  em = withoutEffects (em);
   make = @(C, extent, name, weight) ...
     oneKind (em, white, budget, C, ...
              struct ('name', name, 'weight', weight, ...
@@ -30,7 +33,6 @@ function kinds = discrepancyKinds (gapProblem, em, budget, white)
     kinds(end + 1) = make (R .* mask, [0.08, 1], gapProblem.benchNames{b}, ...
                            0.3 / numel (benches));
   end
-  S = signatures (em, targets);
   if rows (S) > 0
     C = 0.7 * (S' * S) / rows (S) + 0.3 * diag (mean (S.^2, 1));
     kinds(end + 1) = make (C, [0.7, 0.8], 'effect', 0.5);

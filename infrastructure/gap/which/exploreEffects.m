@@ -82,8 +82,9 @@ function [w, verdict, usable] = weighNow (gapProblem, options, em)
   library.effect = em.effect(usable);
   quick = options;
   quick.twins = min (options.twins, 99);
-  models = omnibusReference (makeHypotheses (gapProblem, library, quick));
+  models = makeHypotheses (gapProblem, library, quick);
   fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+  models = omnibusReference (models);
   w = caseEvidence (models, fits, 1);
   verdict = judgeCase (w, models);
   if w.gate.p > 2 * options.level

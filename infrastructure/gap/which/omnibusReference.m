@@ -1,23 +1,56 @@
 % OMNIBUSREFERENCE  Draws what the gate's statistic is where there is no gap.
 %
 % CALL: MODELS = omnibusReference (MODELS)
+% CALL: MODELS = omnibusReference (MODELS, STATISTIC)
 %
-%   MODELS  struct of makeHypotheses; options.twins data sets are drawn from the
-%           null model, parameters by their prior, and fitted like the
-%           measurement
-%   MODELS  the same with reference, a column
+%   MODELS     struct of makeHypotheses; options.twins data sets are drawn from
+%              the null model, parameters by their prior, and fitted like the
+%              measurement
+%   STATISTIC  scalar, of the measurement: after every hundred data sets no more
+%              are drawn if they leave no doubt (1 %) on which side of
+%              options.level its p is
+%   MODELS     the same with reference, a column
 %
 % Surrogates err in ways that they do not know: the drawn data scatter with
 % options.surplus times the variance, see gapOptions.
 %
 % See also: omnibusTest, drawTwins
 
-function models = omnibusReference (models)
-  n = models.options.twins;
-  twins = drawTwins (models, cell (1, n), zeros (n, 1), ...
-                     models.options.seed + 500, models.options.surplus);
-  fits = fitLibrary (models, twins.Y);
-  models.reference = omnibusStatistic (models, fits.logE);
+function models = omnibusReference (models, statistic)
+  most = models.options.twins;
+  n = most;
+  if nargin > 1
+    n = 100;
+  end
+  models.reference = zeros (0, 1);
+  while rows (models.reference) < most
+    m = min (n, most - rows (models.reference));
+    seed = models.options.seed + 500 + rows (models.reference);
+    twins = drawTwins (models, cell (1, m), zeros (m, 1), seed, ...
+                       models.options.surplus);
+    fits = fitLibrary (models, twins.Y);
+    models.reference = [models.reference; ...
+                        omnibusStatistic(models, fits.logE)];
+    if nargin > 1 && isClear (models.reference >= statistic, ...
+                              models.options.level)
+      return
+    end
+  end
+end
+
+% As many, or as few, would reach it in less than 1 % if p were the level.
+function yes = isClear (reached, level)
+  n = numel (reached);
+  k = sum (reached);
+  atLeast = 1;
+  if k > 0
+    atLeast = betainc (level, k, n - k + 1);
+  end
+  atMost = 1;
+  if k < n
+    atMost = 1 - betainc (level, k + 1, n - k);
+  end
+  yes = min (atLeast, atMost) < 0.01;
 end
 
 %!test
@@ -30,3 +63,11 @@ end
 %! s = omnibusStatistic (models, fitLibrary (models, twins.Y).logE);
 %! p = (1 + sum (models.reference' >= s, 2)) / 401;
 %! assert (mean (p < 0.05) > 0.005 && mean (p < 0.05) < 0.11);
+%!test
+%! % no doubt after a hundred: none of them, or many, reach it
+%! models = handMadeHypotheses ();
+%! assert (rows (omnibusReference (models, 1e3).reference), 100);
+%! assert (rows (omnibusReference (models, -1e3).reference), 100);
+%! all_ = omnibusReference (models).reference;
+%! near = sort (all_)(round (0.95 * numel (all_)));
+%! assert (rows (omnibusReference (models, near).reference) > 100);

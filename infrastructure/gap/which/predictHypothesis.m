@@ -26,12 +26,12 @@ function [M, V, J, G] = predictHypothesis (view, U)
   last = white.p + numel (h.members);
   G = 0;
   if nargout > 2
-    [M, V, J, S] = predictGap (white, h.members, Q(:, 1:last));
+    [M, V, S, J] = predictGap (white, h.members, Q(:, 1:last));
     for j = 1:last
       J{j} = J{j} .* slope(:, j);
     end
   else
-    [M, V, ~, S] = predictGap (white, h.members, Q(:, 1:last));
+    [M, V, S] = predictGap (white, h.members, Q(:, 1:last));
   end
   if ~isempty (h.members)
     last = last + 1;

@@ -22,7 +22,7 @@
 % See also: parityProjection, confusion
 
 function screen = screenEffects (white, theta, z)
-  [M, V, J] = predictGap (white, [], theta);
+  [M, V, ~, J] = predictGap (white, [], theta);
   sd = sqrt (V');
   slopes = reshape (vertcat (J{:})', numel (z), white.p) ./ sd;
   screen.parity = parityProjection (slopes, (z - M)' ./ sd);
@@ -52,10 +52,9 @@ end
 function screen = oneSide (screen, white, k, top, theta, sd)
   phi = top * (0.05:0.05:1)';
   n = numel (phi);
-  [~, V0] = predictGap (white, [], theta);
-  [~, V, ~, S] = predictGap (white, k, [repmat(theta, n, 1), phi]);
+  [~, V, S] = predictGap (white, k, [repmat(theta, n, 1), phi]);
   S = S ./ sd';
-  extra = sum ((V - V0) ./ sd'.^2, 2);
+  extra = sum (V ./ sd'.^2 - 1, 2);
   N = screen.parity.N;
   U = S * N;
   kept = columns (N) / max (rows (N), 1);
