@@ -8,7 +8,7 @@
 %     holder   see lockHolder
 %     state    'running', 'unknown' (the lock names another machine), 'stopped',
 %              'finished' (a result is newer than all runs), 'tried' (one set
-%              at most has been run), 'new'
+%              at most has been run, by check --try), 'new'
 %     stage    'plan', 'calibration', 'gap', or '' where there is no run
 %     models   1 x M struct array: name, done, failed, running, waiting, old
 %              (runs that no longer count), seconds (median, NaN: not known)
@@ -90,7 +90,8 @@ function state = stateOf (Case, holder, runs)
       state = 'finished';
     elseif isempty (runs)
       state = 'new';
-    elseif numberOfSets (runs) < 2
+    elseif numberOfSets (runs) < 2 && ...
+           ~isfile (fullfile (Case.folder, 'Octave_logfile.txt'))
       state = 'tried';
     end
   end

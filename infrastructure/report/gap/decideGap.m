@@ -207,17 +207,22 @@ function text = closedText (gap)
     how = 'by DEM runs';
   end
   text = sprintf ('With %s (%s): of the gap on the fitted targets %s', ...
-                  effect, how, partText (jsonAt (far, {'closure'})));
+                  effect, how, partText (far));
   held = jsonAt (far, {'heldOut'});
   if isstruct (held)
-    text = [text, '; on the held-out ones ', partText(held.closure)];
+    text = [text, '; on the held-out ones ', partText(held)];
   end
   text = [text, '.', rivalText(far)];
 end
 
-function text = partText (closure)
+% No gap, and a gap whose closing cannot be told, are two things.
+function text = partText (part)
+  closure = jsonAt (part, {'closure'});
   if isempty (closure) || ~isfinite (closure)
     text = 'it cannot be judged';
+    if isequal (jsonAt (part, {'removable'}), false)
+      text = 'none is beyond noise';
+    end
   elseif closure >= 0.995
     text = 'all is closed';
   elseif closure <= 0.005
@@ -233,8 +238,12 @@ function text = rivalText (far)
   rivals = {};
   for k = 1:numel (jsonAt (far, {'placebos'}))
     closure = jsonAt (far, {'placebos', k, 'closure'});
-    if ~isempty (closure) && ~isempty (far.closure) && ...
-       closure >= 0.8 * min (far.closure, 1)
+    isRival = jsonAt (far, {'placebos', k, 'against'});
+    if isempty (isRival)
+      isRival = ~isempty (closure) && ~isempty (far.closure) && ...
+                closure >= 0.8 * min (far.closure, 1);
+    end
+    if isRival
       rivals{end + 1} = jsonAt (far, {'placebos', k, 'effect'});
     end
   end
