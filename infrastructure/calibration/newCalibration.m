@@ -8,8 +8,8 @@
 %   LEDGER   see newLedger
 %   C        scalar struct: params 1 x d, results 1 x T, residual T x 1,
 %            noiseSd 1 x T (noise of one run), runs at the set, interval90
-%            2 x d, converged, reason, limit, conflict, met (see
-%            confirmSet), untested (handBack),
+%            2 x d, converged, reason, limit, conflict, met,
+%            estimate (see confirmSet), untested (handBack),
 %            demRuns, coreSeconds, atLimit,
 %            notIdentified, identifiability (see there), correlation d x d,
 %            sensitivity d x T (total Sobol indices), warnings,
@@ -34,6 +34,7 @@ function c = newCalibration (state, problem, Case, ledger)
   c.limit = final.limit;
   c.conflict = final.conflict;
   c.met = final.met;
+  c.estimate = final.estimate;
   c.untested = final.untested;
   c.resultInterval90 = final.interval90;
   c.probability = final.probability;

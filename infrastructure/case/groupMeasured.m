@@ -8,7 +8,8 @@
 %             line (first one), model, name (of the target), result (name of
 %             the result or curve), series, at, unit, value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
-%             isAbsolute, curve (number of its series, 0: none)
+%             isAbsolute, curve (number of its series, 0: none), each
+%             (1 x n, the trials)
 %   FAULTS    1 x p faults, see checkFault
 %
 % Lines with the same model, name, series and at are repeated trials. Their
@@ -65,17 +66,18 @@ function [first, which] = inOrder (texts)
   which = rank(which);
 end
 
+% What one trial says holds for all: it must not say two things.
 function p = checkAlike (own)
   p = checkFault ();
   for field = {'role', 'tol', 'isAbsolute', 'unit'}
-    for k = 2:numel (own)
-      value = own(k).(field{1});
-      isFree = isempty (value) || (isnumeric (value) && isnan (value));
-      if ~isFree && ~isequaln (value, own(1).(field{1}))
-        where = sprintf ('measured.csv, line %d, %s', own(k).line, field{1});
+    given = own(~isFree (own, field{1}));
+    for k = 2:numel (given)
+      value = given(k).(field{1});
+      if ~isequaln (value, given(1).(field{1}))
+        where = sprintf ('measured.csv, line %d, %s', given(k).line, field{1});
         p(end + 1) = checkFault ('measuredRepeats', where, ...
                                  sprintf (['what line %d has: it is the ' ...
-                                           'same quantity'], own(1).line), ...
+                                           'same quantity'], given(1).line), ...
                                  checkShow (value), ...
                                  'Give it once, or alike in every trial.');
       end
@@ -83,13 +85,33 @@ function p = checkAlike (own)
   end
 end
 
+function free = isFree (own, field)
+  free = arrayfun (@(o) isempty (o.(field)) || (isnumeric (o.(field)) && ...
+                                                isnan (o.(field))), own);
+  if strcmp (field, 'isAbsolute')
+    free = isFree (own, 'tol');
+  end
+end
+
+function value = firstOf (own, field)
+  at = [find(~isFree (own, field), 1), 1];
+  value = own(at(1)).(field);
+end
+
 function g = oneTarget (own, list)
   g = struct ('line', own(1).line, 'model', own(1).model, ...
               'name', targetName (own(1), list), 'result', own(1).name, ...
               'series', own(1).series, 'at', own(1).at, ...
-              'unit', own(1).unit, 'value', NaN, 'sd', max ([own.sd]), ...
-              'trials', 1, 'scatter', false, 'role', own(1).role, ...
-              'tol', own(1).tol, 'isAbsolute', own(1).isAbsolute, 'curve', 0);
+              'unit', firstOf (own, 'unit'), 'value', NaN, ...
+              'sd', max ([own.sd]), ...
+              'trials', 1, 'scatter', false, ...
+              'role', firstOf (own, 'role'), ...
+              'tol', firstOf (own, 'tol'), ...
+              'isAbsolute', firstOf (own, 'isAbsolute'), 'curve', 0, ...
+              'each', zeros (1, 0));
+  if isempty (g.role)
+    g.role = 'calibrate';
+  end
   if isempty (g.result)
     g.result = g.series;
   end
@@ -102,6 +124,7 @@ function g = oneTarget (own, list)
   weight(isnan (weight)) = 1;
   finite = min (weight, 1e6);
   value = [own.value];
+  g.each = value;
   g.value = value * finite' / sum (finite);
   g.trials = sum (weight);
   g.sd = mean ([own.sd]);

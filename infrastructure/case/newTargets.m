@@ -35,7 +35,7 @@ function targets = fromTable (file, optim, models)
                 'sd', g.sd, 'tol', g.tol, 'role', g.role, ...
                 'trials', g.trials, 'correlation', lengths{g.model}(index));
     for field = {'isAbsolute', 'scatter', 'unit', 'result', 'series', ...
-                 'at', 'curve'}
+                 'at', 'curve', 'each'}
       t.(field{1}) = g.(field{1});
     end
     if isnan (t.tol)

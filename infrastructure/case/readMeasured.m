@@ -8,9 +8,9 @@
 %             model (number), name, series, unit (texts), at (NaN: none), value
 %             (NaN: not measured yet), sd (0: not given), repeats (trials that
 %             the value is the mean of; Inf: sd holds their scatter; NaN: not
-%             given), role, tol (NaN: not given), isAbsolute (logical: tol has
-%             the unit of the value), saysTol (logical: there is one, good or
-%             bad); [] where the table as a whole is no use
+%             given), role ('': not given), tol (NaN: not given), isAbsolute
+%             (logical: tol has the unit of the value), saysTol (logical: there
+%             is one, good or bad); [] where the table as a whole is no use
 %   FAULTS    1 x p faults, see checkFault
 %
 % Columns, in any order: name or series, and value, are needed; model, where
@@ -99,9 +99,7 @@ function [row, p] = readRow (text, line, models)
     p = [p, q];
   end
   row.role = text.role;
-  if isempty (row.role)
-    row.role = 'calibrate';
-  elseif ~any (strcmp (row.role, {'calibrate', 'holdout'}))
+  if ~any (strcmp (row.role, {'', 'calibrate', 'holdout'}))
     p(end + 1) = checkFault ('measuredRole', [where, ', role'], ...
                              'calibrate or holdout', ...
                              checkShow (row.role), ...
@@ -221,7 +219,7 @@ end
 %! assert ([r.isAbsolute], [false, true, true]);
 %! assert ([r.line], [2, 3, 4]);
 %! assert ([r.at], [NaN, 2, NaN]);
-%! assert ({r.role}, {'calibrate', 'calibrate', 'calibrate'});
+%! assert ({r.role}, {'', '', ''});
 %!test
 %! check ('Drum,a,1.2.3,,,,,,', 'measuredNumber');
 %! check ('Drum,a,1,-1,,,,,', 'measuredNumber');

@@ -88,6 +88,7 @@ function makeModel (root, target, model, given)
   end
   words.MODEL = given.model;
   makeForm (template, target, words);
+  copyNew (root, target, {'loadEffects.m'});
   for k = 1:numel (notes)
     printf ('NOTE: %s\n', notes{k});
   end

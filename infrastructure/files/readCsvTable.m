@@ -5,7 +5,8 @@
 %   FILE    path of the file: UTF-8 with or without BOM, lines ended by LF,
 %           CR LF or CR, or UTF-16 with BOM; fields separated by comma (or by
 %           semicolon or tab, with decimal commas then; or as a first line
-%           sep=; says), quoted fields with doubled quotes inside
+%           sep=; says), quoted fields with doubled quotes inside; lines that
+%           begin with # before the header are remarks
 %   HEADER  1 x c cellstr, column names without outer blanks
 %   CELLS   n x c cellstr, fields without outer blanks; empty rows are left out
 %   LINES   n x 1, line number of each row in the file
@@ -23,7 +24,9 @@ function [header, cells, lines] = readCsvTable (file)
   text = fread (id, [1, Inf], '*char');
   fclose (id);
   text = asUtf8 (text, file);
-  [fields, row, lines, delimiter] = splitFields (text);
+  remark = regexp (text, '^(#[^\r\n]*(\r\n|\n|\r))+', 'match', 'once');
+  [fields, row, lines, delimiter] = splitFields (text(numel (remark) + 1:end));
+  lines = lines + numel (regexp (remark, '\r\n|\n|\r'));
   if isempty (fields)
     error ('DEcalioc:readCsvTable:badShape', ...
            'readCsvTable: %s must have a header line, got an empty file.', ...
@@ -182,3 +185,13 @@ end
 %!error id=DEcalioc:readCsvTable:badShape
 %! readCsvTable (written ("a,b\n1\n"));
 %!error id=DEcalioc:readCsvTable:badShape readCsvTable (written (''));
+
+%!test
+%! % remarks before the header
+%! file = tempname ();
+%! writeAtomic (file, "# material: sand\r\n# by: me\na,b\n1,2\n");
+%! [header, cells, lines] = readCsvTable (file);
+%! assert (header, {'a', 'b'});
+%! assert (cells, {'1', '2'});
+%! assert (lines, 4);
+%! unlink (file);

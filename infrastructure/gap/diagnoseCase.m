@@ -17,6 +17,7 @@ function diagnosis = diagnoseCase (root, folder)
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
   whole = withEffects (loadCase (root, folder));
+  needCandidates (whole);
   Case = withoutLevels (whole);
   ledger = newLedger ();
   evaluate = newEvaluate (Case, ledger, say);

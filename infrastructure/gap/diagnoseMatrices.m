@@ -13,6 +13,7 @@
 %             another set
 %   DIAGNOSIS struct
 %     where    of locateGap
+%     fingerprint  of fingerprints
 %     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)
 %     which    of describeVerdict, and expected (calibrateVerdict)
 %     howFar   of proveCause ([] where nothing can be compared)
@@ -53,6 +54,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   diagnosis.screen = w.screen;
   diagnosis.screen.names = view.models.names;
   diagnosis.screen.untested = {em.effect(~kept).name};
+  diagnosis.fingerprint = fingerprints (view);
   view.w = w;
   [verdict, w, diagnosis.howFar, state] = proveCause (verdict, view, state);
   verdict = doubtName (verdict, diagnosis, view.models);

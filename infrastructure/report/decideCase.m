@@ -212,8 +212,11 @@ function numbers = numbersOf (v, c)
   numbers = v.numbers;
   if ~isempty (v.misses)
     m = v.misses(1);
-    numbers(end + 1) = struct ('label', ['largest miss: ', m.name], ...
-                               'text', missText (m));
+    label = ['largest miss: ', m.name];
+    if strcmp (m.role, 'holdout')
+      label = [label, ' (never fitted)'];
+    end
+    numbers(end + 1) = struct ('label', label, 'text', missText (m));
   end
   if v.of > 0
     label = 'targets met';

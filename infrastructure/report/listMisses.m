@@ -43,10 +43,7 @@ function misses = addTarget (misses, T)
               'simulated', field ('result', NaN), 'miss', NaN, ...
               'allowed', field ('allowed', NaN), 'role', T.role, ...
               'met', NaN, 'share', field ('share', NaN));
-  inner = field ('interval90', [NaN, NaN]);
-  if numel (inner) == 2 && isnumeric (inner) && all (isfinite (inner))
-    m.simulated = mean (inner);
-  end
+  m.simulated = field ('estimate', m.simulated);
   m.miss = m.simulated - m.measured;
   residual = field ('residual', NaN);
   tol = field ('tol', NaN);

@@ -51,7 +51,7 @@ function v = writeCalibrationJson (c, Case)
   [~, ~] = mkdir (folder);
   writeTables (c, Case, folder);
   v = decideCase (jsondecode (jsonencode (out)), ...
-                  readJson (fullfile (Case.folder, 'gap', 'gap.json')));
+                  readJsonFile (fullfile (Case.folder, 'gap', 'gap.json')));
   out.verdict = rmfield (v, 'cause');
   writeAtomic (fullfile (folder, 'calibration.json'), ...
                [jsonencode(out), "\n"]);
@@ -79,6 +79,7 @@ function targets = targetsOf (c, Case)
                          'noiseSd', c.noiseSd(t), ...
                          'interval90', {num2cell(c.resultInterval90(:, t)')});
     targets{t}.allowed = halfWidth (T);
+    targets{t}.estimate = c.estimate(t);
     targets{t}.met = [];
     if strcmp (T.role, 'calibrate')
       targets{t}.met = c.met(t);

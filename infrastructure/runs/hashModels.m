@@ -20,7 +20,7 @@
 
 function h = hashModels (Case)
   aside = {'OctaveFuns', 'sample', 'README.md', 'README', 'picture.png', ...
-           'picture.svg', 'log.liggghts', '.git'};
+           'picture.svg', 'photo.jpg', 'log.liggghts', '.git'};
   build = hashBuild ();
   neutral = neutralEffects (Case);
   h = struct ('input', cell (1, numel (Case.models)), 'older', '', ...

@@ -109,8 +109,13 @@ function cause = found (cause, gap, effects)
   if strcmp (which.verdict, 'group')
     cause.sentence = [cause.sentence, ' Not proved: ', plainReason(which), '.'];
   end
-  cause.amount = struct ('label', 'what is missing', ...
+  cause.amount = struct ('label', ['missing: ', strjoin(effects, ', ')], ...
                          'text', strjoin (amounts, '; '));
+  own = jsonAt (which, {'strength', matlab.lang.makeValidName(effects{1})});
+  if numel (effects) == 1 && ~isempty (jsonAt (own, {'amount'}))
+    cause.amount.text = own.amount;
+    cause.amount.label = ['missing: ', own.label];
+  end
   cause.notFor = {['flows in which ', strjoin(effects, ' or '), ...
                    ' matters, as long as it is not modelled']};
   tried = jsonAt (gap, {'howFar', 'effect'});
@@ -130,7 +135,10 @@ function text = amountOf (which, name)
   own = jsonAt (which, {'strength', matlab.lang.makeValidName(name)});
   text = name;
   if isfield (own, 'text') && ~isempty (own.text)
-    text = [name, ' (', own.text, ')'];
+    text = [name, ', ', own.text];
+    if strncmpi (own.text, name, numel (name))
+      text = own.text;
+    end
   end
   p = jsonAt (which, {'posterior', matlab.lang.makeValidName(name)});
   if ~isempty (p)

@@ -1,16 +1,16 @@
 % EFFECTTEXT  How strong an effect is, in its unit and in words.
 %
-% CALL: TEXT = effectText (LABEL, UNIT, VALUES)
+% CALL: [TEXT, AMOUNT] = effectText (LABEL, UNIT, VALUES)
 %
 %   LABEL   what the variable is (text); 'factor on ...' and 'relative error
 %           ...' are said in percent
 %   UNIT    text
 %   VALUES  1 x 3: value, lower and upper end of its interval (NaN: none)
-%   TEXT    'tilt of the rig -1.4 deg (-2 to -0.53)'
+%   TEXT    'tilt of the rig -1.4 deg (-2 to -0.53)'; AMOUNT  without the label
 %
 % See also: writeGapJson, quantity
 
-function text = effectText (label, unit, values)
+function [text, amount] = effectText (label, unit, values)
   values = values(:)';
   if strncmp (label, 'factor on ', 10)
     word = 'larger';
@@ -19,14 +19,15 @@ function text = effectText (label, unit, values)
       word = 'smaller';
       change = -change([1, 3, 2]);
     end
-    text = sprintf ('%s %s %s than modelled%s', label(11:end), ...
-                    quantity (change(1), '%'), word, between (change(2:3)));
+    label = label(11:end);
+    amount = sprintf ('%s %s than modelled%s', quantity (change(1), '%'), ...
+                      word, between (change(2:3)));
   elseif strncmp (label, 'relative error', 14)
-    text = sprintf ('%s %s', label, quantity (100 * values(1), '%', ...
-                                              100 * values(2:3)));
+    amount = quantity (100 * values(1), '%', 100 * values(2:3));
   else
-    text = sprintf ('%s %s', label, quantity (values(1), unit, values(2:3)));
+    amount = quantity (values(1), unit, values(2:3));
   end
+  text = [label, ' ', amount];
 end
 
 function text = between (range)

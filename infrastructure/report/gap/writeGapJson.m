@@ -15,6 +15,7 @@ function v = writeGapJson (diagnosis, Case)
   [~, ~] = mkdir (folder);
   out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
   out.howFar = howFarOf (diagnosis.howFar, diagnosis.gapProblem);
+  out.fingerprint = fingerprintOf (diagnosis);
   next = diagnosis.next;
   out.next = arrayfun (@(t) struct ('test', t.test, 'gain', t.gain, ...
                                     'cost', t.cost), next(:)', ...
@@ -32,9 +33,20 @@ function v = writeGapJson (diagnosis, Case)
     out.demRuns.coreSeconds = diagnosis.ledger.coreSeconds;
   end
   calibration = fullfile (Case.folder, 'results', 'calibration.json');
-  v = decideCase (readJson (calibration), jsondecode (jsonencode (out)));
+  v = decideCase (readJsonFile (calibration), jsondecode (jsonencode (out)));
   out.verdict = v;
   writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
+end
+
+function s = fingerprintOf (diagnosis)
+  own = diagnosis.fingerprint;
+  names = diagnosis.gapProblem.targetNames(own.target);
+  s = struct ('targets', {names}, 'measured', own.measured, ...
+              'effects', struct ());
+  for k = 1:rows (own.effects)
+    name = matlab.lang.makeValidName (diagnosis.screen.names{k});
+    s.effects.(name) = own.effects(k, :);
+  end
 end
 
 function s = whereOf (diagnosis)
@@ -123,9 +135,9 @@ function s = strengthOf (own, smallest, gapProblem)
     s.label = e.label;
     s.unit = e.unit;
   end
-  s.text = '';
+  [s.text, s.amount] = deal ('');
   if columns (own.values) == 1
-    s.text = effectText (s.label, s.unit, own.values(:, 1));
+    [s.text, s.amount] = effectText (s.label, s.unit, own.values(:, 1));
   end
 end
 

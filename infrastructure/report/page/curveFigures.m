@@ -1,4 +1,4 @@
-% CURVEFIGURES  Measured against simulated, a figure a bench or a curve.
+% CURVEFIGURES  Measured against simulated, a figure a curve.
 %
 % CALL: FIGURES = curveFigures (PAGE, WHERE)
 %
@@ -7,7 +7,7 @@
 %   FIGURES  1 x n struct array, see newFigure; [] without gap/targets.csv
 %
 % Results of one series (results.csv of the model) are a curve over where they
-% were measured. All other targets have a bullet each, in their own unit.
+% were measured; single targets stand in benchFigure.
 %
 % See also: sectionWhere, targetInfo
 
@@ -21,19 +21,13 @@ function figures = curveFigures (page, where)
   for b = 1:numel (benches)
     mine = table(strcmp ({table.model}, benches{b}));
     [series, at, unit] = seriesOf (page.Case, benches{b}, mine);
-    inCurve = false (1, numel (mine));
     for name = unique (series(~cellfun (@isempty, series)))
       points = find (strcmp (series, name{1}) & isfinite (at));
       if numel (points) > 2
         figures = [figures, curve(mine(points), at(points), ...
                                   sprintf ('%s: %s', benches{b}, name{1}), ...
                                   unit{points(1)})];
-        inCurve(points) = true;
       end
-    end
-    if any (~inCurve)
-      figures = [figures, bullets(mine(~inCurve), benches{b}, ...
-                                  unit(~inCurve))];
     end
   end
 end
@@ -76,25 +70,4 @@ function f = curve (points, at, title, unit)
   f = addLayer (f, 'line', [at, simulated], 'blue');
   f = addLayer (f, 'ybar', [at, measured, measured - sd, measured + sd], ...
                 'ink');
-end
-
-function figures = bullets (points, bench, unit)
-  figures = [];
-  for k = 1:numel (points)
-    p = points(k);
-    noise = 1.64 * hypot (p.sd_trial, p.sd_surrogate);
-    alt = sprintf ('%s, %s: measured %.4g, simulated %.4g', bench, ...
-                   p.target, p.measured, p.predicted);
-    f = newFigure (sprintf ('%s: %s', bench, ...
-                            withUnit (p.target, unit{k})), '', '', alt);
-    f.size = [340, 70];
-    f.ylim = [0, 1];
-    f.ynames = {' '};
-    f = addLayer (f, 'box', [p.predicted, 0.5, p.predicted - noise, ...
-                             p.predicted + noise, 0.08, 0.92], 'paleblue');
-    f = addLayer (f, 'line', [p.predicted, 0.02; p.predicted, 0.98], 'blue');
-    f = addLayer (f, 'xbar', [p.measured, 0.5, p.measured - p.sd_measured, ...
-                              p.measured + p.sd_measured], 'ink');
-    figures = [figures, f];
-  end
 end

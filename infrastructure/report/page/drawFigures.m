@@ -127,6 +127,9 @@ function lines = axisLines (name, range, names, f)
   else
     px = f.size(1 + (name == 'y'));
     at = niceTicks (range, max (2, round (px / (60 + 20 * (name == 'x')))));
+    if name == 'x' && f.whole
+      at = unique (round (at));
+    end
     spots = arrayfun (@(v) sprintf ('''%.6g'' %.10g', v, v), at, ...
                       'UniformOutput', false);
     lines{end + 1} = sprintf ('set %stics nomirror scale 0.5 (%s)', name, ...

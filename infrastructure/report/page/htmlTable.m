@@ -34,7 +34,7 @@ end
 % Words begin at the left, numbers end at the right.
 function text = classOf (html)
   text = '';
-  if ~isempty (strfind (html, 'class="words"'))
+  if ~isempty (strfind (html, 'class="words'))
     text = ' class="text"';
   end
 end

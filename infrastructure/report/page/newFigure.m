@@ -9,7 +9,8 @@
 %   F               scalar struct: also size (1 x 2, px), xlim, ylim (1 x 2,
 %                   NaN: as the data want), xnames, ynames (cell of texts for
 %                   positions 1, 2, ...; empty: numbers), xlog (false), caption
-%                   (true: the title stands above it), equal (false: scales
+%                   (true: the title stands above it), whole (false; true:
+%                   ticks of x at whole numbers), equal (false: scales
 %                   of both axes may differ), layers
 %
 % See also: addLayer, drawFigures
@@ -18,8 +19,8 @@ function f = newFigure (title, xlabel, ylabel, alt)
   f = struct ('title', title, 'xlabel', xlabel, 'ylabel', ylabel, ...
               'alt', alt, 'size', [340, 230], 'xlim', [NaN, NaN], ...
               'ylim', [NaN, NaN], 'xnames', {{}}, 'ynames', {{}}, ...
-              'caption', true, 'xlog', false, 'equal', false, ...
-              'layers', []);
+              'caption', true, 'xlog', false, 'whole', false, ...
+              'equal', false, 'layers', []);
   f.layers = struct ('kind', {}, 'data', {}, 'colour', {});
 end
 

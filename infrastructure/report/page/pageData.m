@@ -24,9 +24,9 @@
 function page = pageData (Case)
   results = fullfile (Case.folder, 'results');
   gap = fullfile (Case.folder, 'gap');
-  s.calibration = readJson (fullfile (results, 'calibration.json'));
-  s.progress = readJson (fullfile (results, 'progress.json'));
-  s.gap = readJson (fullfile (gap, 'gap.json'));
+  s.calibration = readJsonFile (fullfile (results, 'calibration.json'));
+  s.progress = readJsonFile (fullfile (results, 'progress.json'));
+  s.gap = readJsonFile (fullfile (gap, 'gap.json'));
   s.gapTargets = readTable (fullfile (gap, 'targets.csv'));
   s.gapEffects = readTable (fullfile (gap, 'effects.csv'));
   page.isRunning = isempty (s.calibration) || ~isempty (s.progress);

@@ -24,7 +24,22 @@ function [html, word] = pageVerdict (page)
           coded(htmlText (v.action)), "</p></div>\n"];
   facts = arrayfun (@fact, v.numbers, 'UniformOutput', false);
   if ~isempty (facts)
-    html = [html, '<dl class="facts">', facts{:}, "</dl>\n"];
+    html = [html, '<div class="lead"><dl class="facts">', facts{:}, ...
+            "</dl>\n<div>", picture(page), "</div></div>\n"];
+  end
+end
+
+% The bench that misses most, in one picture.
+function html = picture (page)
+  html = '';
+  f = [];
+  if ~isempty (page.verdict.worst)
+    f = benchFigure (page, page.verdict.worst);
+  end
+  if ~isempty (f)
+    f.title = ['Where it misses most: ', f.title];
+    f.size(1) = 480;
+    html = [htmlFigures(f, '', 'one'), benchKey(page)];
   end
 end
 
@@ -52,7 +67,7 @@ end
 
 %!test
 %! % user text stays text; commands are set as code
-%! page.verdict = decideCase ([], []);
+%! page = struct ('verdict', decideCase ([], []));
 %! page.verdict.notFor = {'a <b>'};
 %! [html, word] = pageVerdict (page);
 %! assert (word, 'No result yet');

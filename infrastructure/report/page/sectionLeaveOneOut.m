@@ -16,27 +16,25 @@ function [title, html] = sectionLeaveOneOut (page)
   for t = shownTargets (page.Case)
     figures = [figures, crossFigure(page, t)];
   end
-  key = htmlKey ({'ybar', 'blue', ...
-                  'a run, and its prediction from all others (1 sd)'; ...
+  key = htmlKey ({'dots', 'blue', ...
+                  'a run, and its prediction from all others'; ...
                   'dash', 'ink', 'where both are equal'});
   html = ['<p>Each run is predicted from all the others. Q2 is the share ', ...
           'of the variance that is predicted: 1 is perfect, 0 no better ', ...
           'than the mean; below 0.5 do not trust the surrogate.</p>', ...
-          htmlFigures(figures, key), qualityTable(page)];
+          htmlFigures(figures, key, 'pairs'), qualityTable(page)];
 end
 
 function f = crossFigure (page, t)
   s = page.surrogates(t);
   predicted = s.z - s.looResidual;
-  sd = abs (s.looResidual ./ s.looStd);
-  sd(~isfinite (sd)) = 0;
   alt = sprintf ('%s: predicted against simulated for %d runs, Q2 %.2f', ...
                  page.Case.targets(t).name, numel (s.z), s.Q2);
   f = newFigure (page.Case.targets(t).name, 'simulated', 'predicted', alt);
-  both = [min([s.z; predicted - sd]); max([s.z; predicted + sd])];
+  both = [min([s.z; predicted]); max([s.z; predicted])];
   f = addLayer (f, 'dash', [both, both], 'ink');
-  f = addLayer (f, 'ybar', [s.z, predicted, predicted - sd, ...
-                            predicted + sd], 'blue');
+  f.size = [260, 190];
+  f = addLayer (f, 'dots', [s.z, predicted], 'blue');
 end
 
 function html = qualityTable (page)

@@ -5,7 +5,8 @@
 %   PAGE  see pageData; TITLE, HTML  see pageSections
 %
 % Drawn are the dumps (readDump) that a run at the found set has left, from the
-% side, with the free surface and the measured inclinations of results.csv.
+% side, with the free surface and the measured inclinations of results.csv, each
+% beside photo.jpg of the model folder, if there is one.
 %
 % See also: pageSections, grainPicture, measuredLines
 
@@ -13,18 +14,42 @@ function [title, html] = sectionParticles (page)
   title = 'Grains at the set';
   html = '';
   [params, what] = setToShow (page);
-  if isempty (params) || isempty (page.runs)
-    return
-  end
   for k = 1:numel (page.Case.models)
-    html = [html, picturesOf(page, k, params)];
+    html = [html, photoOf(page.Case.models(k))];
+    if ~isempty (params) && ~isempty (page.runs)
+      html = [html, picturesOf(page, k, params)];
+    end
   end
-  if ~isempty (html)
+  if isempty (strfind (html, '<svg'))
+    html = wrapped (html);
+  else
     key = htmlKey ({'line', 'red', 'free surface, seen from the side'; ...
                     'dash', 'ink', 'measured inclination'});
     html = ['<p>The last picture of a run with ', what, ', from the side.', ...
             '</p>', key, '<div class="panels">', html, '</div>'];
   end
+end
+
+function html = wrapped (html)
+  if ~isempty (html)
+    html = ['<div class="panels">', html, '</div>'];
+  end
+end
+
+% The experiment, where the model folder holds a photo.jpg of it.
+function html = photoOf (model)
+  html = '';
+  file = fullfile (model.folder, 'photo.jpg');
+  if isempty (model.folder) || ~isfile (file)
+    return
+  end
+  [id, ~] = fopen (file, 'r');
+  bytes = fread (id, [1, Inf], '*uint8');
+  fclose (id);
+  name = htmlText ([model.name, ': the experiment']);
+  html = ['<figure><figcaption>', name, '</figcaption><img alt="', name, ...
+          '" src="data:image/jpeg;base64,', ...
+          matlab.net.base64encode(bytes), '"></figure>'];
 end
 
 function [params, what] = setToShow (page)
@@ -100,5 +125,10 @@ end
 %! page.runs.params = 0.6;
 %! [~, html] = sectionParticles (page);
 %! assert (html, '');
+%! % the photo stands there with or without a run
+%! page.Case.models.folder = folder;
+%! writeAtomic (fullfile (folder, 'photo.jpg'), 'abc');
+%! [~, html] = sectionParticles (page);
+%! assert (! isempty (strfind (html, 'src="data:image/jpeg;base64,YWJj"')));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.store, 's');

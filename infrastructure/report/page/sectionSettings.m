@@ -9,16 +9,15 @@
 function [title, html] = sectionSettings (page)
   title = 'Settings and how to repeat it';
   Case = page.Case;
-  script = 'DEcalioc.m';
+  word = 'run';
   if ~isempty (page.sources.gap) && isempty (page.sources.calibration)
-    script = 'diagnoseGap.m';
+    word = 'diagnose';
   end
-  command = sprintf ('cd %s && octave-cli %s', shellQuote (Case.folder), ...
-                     shellQuote (fullfile (Case.root, script)));
   html = ['<p>The same case with the same seed asks for the same runs ', ...
-          'again, and takes those in the store.</p><pre tabindex="0">', ...
-          htmlText(command), '</pre>', warningsOf(page), modelTable(page), ...
-          variableTable(Case), optionTable(page), fileList(page)];
+          'again, and takes those in the store: <code>decalioc ', word, ...
+          '</code> in the case folder.</p>', warningsOf(page), ...
+          modelTable(page), variableTable(Case), optionTable(page), ...
+          fileList(page)];
 end
 
 function html = warningsOf (page)
@@ -40,7 +39,9 @@ function html = modelTable (page)
     if ~ischar (key) || isempty (key)
       key = '-';
     end
-    folder = models(k).folder;
+    % no path of this machine: the page is mailed
+    folder = strrep (models(k).folder, page.Case.folder, 'case');
+    folder = strrep (folder, page.Case.root, 'DEcalioc');
     if isempty (folder)
       folder = 'none: imported runs';
     end

@@ -23,13 +23,11 @@ function [title, html] = sectionSlices (page)
   for t = shownTargets (page.Case)
     T = page.Case.targets(t);
     figures = [];
-    for j = 1:numel (page.Case.names)
+    for j = find (moving (page, t))
       figures = [figures, slice(page, t, j, centre)];
     end
-    % many targets make a long page: the first ones are unfolded
-    html = [html, '<details', repmat(' open', 1, t <= 4), '><summary>', ...
-            htmlText(T.name), '</summary>', htmlFigures(figures, ''), ...
-            '</details>'];
+    html = [html, '<h3>', htmlText(T.name), '</h3>', ...
+            htmlFigures(figures, '')];
   end
   key = htmlKey ({'line', 'blue', 'mean response (Kriging)'; ...
                   'area', 'midblue', 'its 90 % interval'; ...
@@ -44,8 +42,19 @@ function [title, html] = sectionSlices (page)
     coarse = [' Runs at coarser levels are shown where the surrogate ', ...
               'carries them over to the last one.'];
   end
-  html = ['<p>One parameter moves, the others stay at ', what, '.', coarse, ...
-          '</p>', key, html];
+  html = ['<p>One parameter moves, the others stay at ', what, '; left ', ...
+          'out are those that do not move the target (total Sobol index ', ...
+          'below 0.1).', coarse, '</p>', key, html];
+end
+
+% The parameters that move a target; all where nobody knows.
+function yes = moving (page, t)
+  names = page.Case.names;
+  yes = true (1, numel (names));
+  for j = 1:numel (names)
+    share = jsonAt (page.sources.calibration, {'sensitivity', names{j}, t});
+    yes(j) = isempty (share) || share >= 0.1;
+  end
 end
 
 % What a run at another level would be at the one that counts.

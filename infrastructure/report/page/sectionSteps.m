@@ -23,17 +23,16 @@ function [title, html] = sectionSteps (page)
   R = [R{:}];
   runs = cellfun (@(s) s.runs, steps);
   figures = [];
-  for t = shownTargets (page.Case)
-    figures = [figures, stepFigure(page, t, runs, R(t, :))];
+  if n > 2
+    for t = shownTargets (page.Case)
+      figures = [figures, stepFigure(page, t, runs, R(t, :))];
+    end
   end
   key = htmlKey ({'area', 'palegreen', 'tolerance'; ...
                   'area', 'palegrey', 'scatter of one run (1 sd)'; ...
                   'disc', 'blue', ['residual of the set in hand ', ...
                                    '(surrogates, corrected by the runs)']});
-  html = [htmlFigures(figures, key), ...
-          '<details', repmat(' open', 1, n < 13), ...
-          '><summary>All steps as a table</summary>', ...
-          stepTable(page, source, n), '</details>'];
+  html = [htmlFigures(figures, key), stepTable(page, source, n)];
 end
 
 % null stands for a target that is not measured yet.
@@ -65,6 +64,7 @@ function f = stepFigure (page, t, runs, r)
   f = addLayer (f, 'line', [runs(:), 100 * r(:)], 'blue');
   f = addLayer (f, 'disc', [runs(:), 100 * r(:)], 'blue');
   f.xlim = width';
+  f.whole = true;
 end
 
 function html = stepTable (page, source, n)

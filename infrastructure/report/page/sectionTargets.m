@@ -4,42 +4,41 @@
 %
 %   PAGE  see pageData; TITLE, HTML  see pageSections
 %
-% See also: pageSections
+% See also: pageSections, benchFigure, listMisses
 
 function [title, html] = sectionTargets (page)
   title = 'Targets';
-  targets = page.Case.targets;
-  isHeld = ~strcmp ({targets.role}, 'calibrate');
   if isempty (page.sources.calibration)
     html = askedFor (page);
     return
   end
   figures = [];
-  curves = curveSummary (page.Case, zeros (1, numel (targets)));
-  inCurve = ismember (1:numel (targets), [curves.own]);
-  for t = find (~isHeld & ~inCurve)
-    figures = [figures, bullet(page, t)];
+  for name = {page.Case.models.name}
+    if ~strcmp (name{1}, page.verdict.worst)      % that one stands on top
+      figures = [figures, benchFigure(page, name{1})];
+    end
   end
+  key = '';
+  if ~isempty (figures)
+    key = benchKey (page);
+  end
+  html = [htmlFigures(figures, key), curveParts(page), ...
+          resultTable(page), predictions(page)];
+end
+
+function html = curveParts (page)
+  html = '';
+  curves = curveSummary (page.Case, zeros (1, numel (page.Case.targets)));
+  figures = [];
   for c = curves
     figures = [figures, targetCurve(page, c.own)];
   end
-  key = htmlKey ({'box', 'palegreen', 'tolerance'; ...
-                  'line', 'ink', 'measured'; ...
-                  'box', 'midblue', ...
-                  '90 % interval of the mean response at the set'; ...
-                  'xbar', 'grey', 'scatter of one run (1 sd)'; ...
-                  'diamond', 'blue', resultWord(page)});
-  html = [htmlFigures(figures, key), curveTable(page), ...
-          resultTable(page, find (~isHeld & ~inCurve))];
-  if any (isHeld)
-    html = [html, heldOut(page)];
-  end
-end
-
-function text = resultWord (page)
-  text = 'result (mean of the DEM runs)';
-  if isequal (jsonAt (page.sources.calibration, {'runs'}), 0)
-    text = 'result (of the surrogates: no DEM run was made at the set)';
+  if ~isempty (figures)
+    html = htmlFigures (figures, ...
+                        htmlKey ({'area', 'palegreen', 'allowed'; ...
+                                  'dots', 'ink', 'measured'; ...
+                                  'line', 'blue', 'simulated'; ...
+                                  'area', 'midblue', 'its 90 % interval'}));
   end
 end
 
@@ -74,115 +73,88 @@ function text = nameOf (page, t)
   end
 end
 
-function f = bullet (page, t)
-  T = page.Case.targets(t);
-  r = jsonAt (page.sources.calibration, {'targets', t});
-  alt = sprintf ('%s: measured %.4g, result %.4g, tolerance %.3g', ...
-                 T.name, r.target, r.result, halfWidth (T));
-  f = newFigure (withUnit (T.name, page.units{t}), '', '', alt);
-  f.size = [340, 70];
-  f.ylim = [0, 1];
-  f.ynames = {' '};
-  half = halfWidth (T);
-  f = addLayer (f, 'box', [r.target, 0.5, r.target + [-half, half], ...
-                           0.08, 0.92], 'palegreen');
-  if isfield (r, 'interval90')
-    f = addLayer (f, 'box', [r.result, 0.5, r.interval90(:)', 0.36, 0.64], ...
-                  'midblue');
-  end
-  f = addLayer (f, 'line', [r.target, 0.02; r.target, 0.98], 'ink');
-  f = addLayer (f, 'xbar', [r.result, 0.5, ...
-                            r.result + r.noiseSd * [-1, 1]], 'grey');
-  f = addLayer (f, 'diamond', [r.result, 0.5], 'blue');
-end
-
-% A curve is met as a whole, see toleranceShare.
-function html = curveTable (page)
-  html = '';
-  R = arrayfun (@(t) jsonAt (page.sources.calibration, ...
-                             {'targets', t, 'residual'}), ...
-                1:numel (page.Case.targets), 'UniformOutput', false);
-  R(cellfun (@isempty, R)) = {NaN};
-  curves = curveSummary (page.Case, [R{:}]);
-  if isempty (curves)
-    return
-  end
-  cells = cell (numel (curves), 5);
-  for k = 1:numel (curves)
-    c = curves(k);
-    verdict = '<span class="ok">met</span>';
-    if ~isMet (page, struct ('model', c.model, 'name', c.name))
-      verdict = '<span class="off">not met</span>';
+% One row a target; a curve is one, as decideCase has it.
+function html = resultTable (page)
+  misses = page.verdict.misses;
+  cells = cell (0, 7);
+  for m = misses(~strcmp ({misses.role}, 'unmeasured'))
+    t = find (strcmp ({page.Case.targets.name}, m.name) & ...
+              strcmp ({page.Case.targets.modelName}, m.model), 1);
+    if isempty (t)
+      cells(end + 1, :) = curveRow (m);
+      continue
     end
-    cells(k, :) = {htmlText(c.name), htmlText(c.model), ...
-                   sprintf('%d', numel (c.own)), ...
-                   numberText(c.share, 'plain'), verdict};
-  end
-  html = htmlTable (['Curves: root mean square of the deviations, each ' ...
-                     'over its tolerance; met up to 1'], ...
-                    {'curve', 'model', 'points', ...
-                     'deviation over tolerance', 'verdict'}, cells);
-end
-
-function html = resultTable (page, which)
-  html = '';
-  if isempty (which)
-    return
-  end
-  cells = cell (numel (which), 8);
-  for k = 1:numel (which)
-    t = which(k);
-    r = jsonAt (page.sources.calibration, {'targets', t});
-    at = @(kind, field) pageNumber (page, kind, 'calibration', 'targets', ...
-                                    t, field);
-    verdict = '<span class="ok">met</span>';
-    if ~isMet (page, r)
-      verdict = '<span class="off">not met</span>';
-    end
-    kind = 'percent';
-    if isAbsolute (page.Case.targets(t))
-      kind = 'plain';
-    end
-    cells(k, :) = {nameOf(page, t), at('plain', 'target'), ...
-                   at('plain', 'result'), at(kind, 'residual'), ...
-                   at(kind, 'tol'), verdict, at('plain', 'noiseSd'), ...
-                   pageInterval(page, 'plain', 'calibration', ...
-                                'targets', t, 'interval90')};
-  end
-  html = htmlTable ('Targets and results at the set that was found', ...
-                    {'target', 'measured', 'result', 'deviation', ...
-                     'tolerance', 'verdict', 'one run &plusmn; (sd)', ...
-                     '90&thinsp;% interval of the mean'}, cells);
-end
-
-% As decideCase has decided.
-function yes = isMet (page, target)
-  all = page.verdict.misses;
-  yes = any ([all(strcmp ({all.model}, target.model) & ...
-                  strcmp ({all.name}, target.name)).met] == 1);
-end
-
-function html = heldOut (page)
-  held = jsonAt (page.sources.calibration, {'holdout'});
-  cells = cell (numel (held), 5);
-  for k = 1:numel (held)
-    h = jsonAt (held, {k});
-    at = @(field) pageNumber (page, 'plain', 'calibration', 'holdout', k, ...
+    at = @(field) pageNumber (page, 'plain', 'calibration', 'targets', t, ...
                               field);
-    verdict = '<span class="ok">inside</span>';
-    if isempty (h.inside)
-      verdict = 'not measured yet';
-    elseif ~h.inside
-      verdict = '<span class="off">outside</span>';
+    reach = arrayfun (@(x) numberText (x), reachOf (page, t), ...
+                      'UniformOutput', false);
+    simulated = at ('estimate');
+    if isempty (jsonAt (page.sources.calibration, {'targets', t, 'estimate'}))
+      simulated = at ('result');
     end
-    cells(k, :) = {htmlText(h.name), at('target'), at('result'), ...
-                   pageInterval(page, 'plain', 'calibration', ...
-                                'holdout', k, 'interval90'), verdict};
+    cells(end + 1, :) = {[nameOf(page, t), ' <span class="none">', ...
+                          htmlText(m.model), '</span>'], metWord(m), ...
+                         at('target'), simulated, ...
+                         numberText(m.allowed), afterOf(page, m), ...
+                         strjoin(reach, ' to ')};
   end
-  html = ['<h3>Held-out targets</h3><p>Never used in the fit: they show ', ...
-          'whether the set predicts what it was not fitted to.</p>', ...
-          htmlTable('Held-out targets: predicted and measured', ...
-                    {'target', 'measured', 'predicted', ...
-                     '90&thinsp;% interval of a measurement', ...
-                     'the measurement lies'}, cells)];
+  html = htmlTable (['Measured and simulated, the largest miss first; ', ...
+                     'allowed of a held-out target: where a measurement ', ...
+                     'lies in 90&thinsp;% of cases'], ...
+                    {'target', '<span class="words">met?</span>', ...
+                     'measured', 'simulated', 'allowed &plusmn;', ...
+                     'with the effect', 'the box reaches'}, cells);
+end
+
+function cells = curveRow (m)
+  share = numberText (m.share, 'percent');
+  cells = {[htmlText(m.name), ' <span class="none">', htmlText(m.model), ...
+            ', curve</span>'], metWord(m), '', '', '', '', ...
+           sprintf('%s of what is allowed', share)};
+end
+
+function word = metWord (m)
+  words = {'missed', 'met'};
+  classes = {'off', 'ok'};
+  if strcmp (m.role, 'holdout')
+    words = {'missed, held out', 'predicted, held out'};
+  end
+  word = '<span class="words short">not measured</span>';
+  if isfinite (m.met)
+    word = sprintf ('<span class="words short %s">%s</span>', ...
+                    classes{m.met + 1}, words{m.met + 1});
+  end
+end
+
+function html = afterOf (page, m)
+  html = '<span class="none">&ndash;</span>';
+  list = jsonAt (page.sources.gap, {'howFar', 'targets'});
+  for k = 1:numel (list)
+    own = jsonAt (list, {k});
+    if strcmp (own.name, m.name) && strcmp (own.model, m.model)
+      html = pageNumber (page, 'plain', 'gap', 'howFar', 'targets', k, ...
+                         'after');
+    end
+  end
+end
+
+% What nobody has measured yet.
+function html = predictions (page)
+  held = jsonAt (page.sources.calibration, {'holdout'});
+  cells = cell (0, 3);
+  for k = 1:numel (held)
+    if isempty (jsonAt (held, {k, 'inside'}))
+      cells(end + 1, :) = {htmlText(jsonAt (held, {k, 'name'})), ...
+                           pageNumber(page, 'plain', 'calibration', ...
+                                      'holdout', k, 'result'), ...
+                           pageInterval(page, 'plain', 'calibration', ...
+                                        'holdout', k, 'interval90')};
+    end
+  end
+  html = '';
+  if ~isempty (cells)
+    html = htmlTable ('Not measured yet: what the set predicts', ...
+                      {'target', 'predicted', ...
+                       '90&thinsp;% interval of a measurement'}, cells);
+  end
 end

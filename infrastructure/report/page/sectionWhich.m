@@ -7,7 +7,7 @@
 % See also: pageSections, decideGap
 
 function [title, html] = sectionWhich (page)
-  title = 'Which effect is missing';
+  title = 'What the model lacks';
   html = '';
   which = jsonAt (page.sources.gap, {'which'});
   posterior = jsonAt (which, {'posterior'});
@@ -17,9 +17,54 @@ function [title, html] = sectionWhich (page)
   cause = page.verdict.cause;
   html = ['<p><strong>', htmlText(cause.word), '</strong>. ', ...
           htmlText(cause.sentence), ' ', htmlText(cause.closed), '</p>', ...
-          htmlFigures(bars (posterior), ''), ...
-          effectTable(page, which), remarks(which), ...
-          levelRemark(page), expected(page, which)];
+          shapes(page, which), ...
+          remarks(which), levelRemark(page), ...
+          '<details><summary>All causes, and how often such a verdict is ', ...
+          'right</summary>', effectTable(page, which), ...
+          expected(page, which), '</details>'];
+end
+
+% The measured gap beside what each of the likeliest causes would make of it.
+function html = shapes (page, which)
+  html = htmlFigures (bars (which.posterior), '');
+  own = jsonAt (page.sources.gap, {'fingerprint'});
+  names = jsonAt (own, {'targets'});
+  if isempty (names)
+    return
+  end
+  causes = setdiff (fieldnames (own.effects), namesIn (which, 'cannotSee'));
+  [~, order] = sort (-causeChances (which, causes));
+  causes = causes(order(1:min (3, end)))(:)';
+  n = numel (names);
+  y = (n:-1:1)';
+  f = newFigure ('The gap, and what causes would make of it', ...
+                 'standard deviations of the noise', '', ...
+                 ['The measured gap beside that of ', strjoin(causes, ', ')]);
+  f.size = [360, 74 + 22 * n];
+  f.ynames = flipud (cellstr (names)(:))';
+  f.ylim = [0.4, n + 0.6];
+  measured = own.measured(:);
+  f = addLayer (f, 'box', [0 * y, y, min(0, measured), max(0, measured), ...
+                           y - 0.36, y + 0.36], 'grey');
+  f = addLayer (f, 'line', [0, 0.4; 0, n + 0.6], 'ink');
+  kinds = {'diamond', 'triangle', 'ring'};
+  colours = {'blue', 'amber', 'red'};
+  key = {'box', 'grey', 'measured gap'};
+  for k = 1:numel (causes)
+    f = addLayer (f, kinds{k}, [own.effects.(causes{k})(:), y], colours{k});
+    key(end + 1, :) = {kinds{k}, colours{k}, htmlText(causes{k})};
+  end
+  html = ['<p>A cause explains the gap where its symbols stand at the ', ...
+          'ends of the bars; two causes look alike where their symbols ', ...
+          'lie on each other.</p>', htmlKey(key), ...
+          htmlFigures([f, bars(which.posterior)], '')];
+end
+
+function p = causeChances (which, names)
+  p = zeros (numel (names), 1);
+  for k = 1:numel (names)
+    p(k) = max ([jsonAt(which, {'posterior', names{k}}), 0]);
+  end
 end
 
 function html = levelRemark (page)
@@ -57,31 +102,48 @@ function html = effectTable (page, which)
   p = cellfun (@(n) which.posterior.(n), names);
   [~, order] = sort (-p);
   names = names(order);
-  cells = cell (0, 5);
+  cells = cell (0, 3);
   for k = 1:numel (names)
     name = names{k};
-    at = @(kind, varargin) pageNumber (page, kind, 'gap', 'which', ...
-                                       varargin{:});
     label = name;
     if strcmp (name, 'null')
       label = 'no gap';
     elseif strcmp (name, 'unlisted')
       label = 'none of the listed';
     end
-    own = {'strength', name};
     cells(end + 1, :) = {htmlText(label), ...
-                         at('probability', 'posterior', name), ...
-                         at('plain', own{:}, 'value'), ...
-                         pageInterval(page, 'plain', 'gap', 'which', ...
-                                      own{:}, 'interval90'), ...
-                         at('plain', own{:}, 'smallestSeen')};
+                         pageNumber(page, 'probability', 'gap', 'which', ...
+                                    'posterior', name), ...
+                         ['<span class="words">', strengthText(page, name), ...
+                          '</span>']};
   end
   html = [htmlTable('Causes, the likeliest first', ...
-                    {'cause', 'probability', 'strength', ...
-                     '90&thinsp;% interval', 'can be seen from'}, cells), ...
-          '<p>Strength 0 is off, 1 the limit in <code>loadEffects.m</code>', ...
-          '. An effect can take part in several explanations, so the ', ...
+                    {'cause', 'probability', ...
+                     ['<span class="words">how strong it would be ', ...
+                      '(90&thinsp;% interval)</span>']}, cells), ...
+          '<p>An effect can take part in several explanations, so the ', ...
           'probabilities need not add up to one.</p>'];
+end
+
+% In its unit; the share of its range is the tooltip, and all that older files
+% have.
+function html = strengthText (page, name)
+  own = jsonAt (page.sources.gap, {'which', 'strength', name});
+  html = '';
+  if isempty (own)
+    return
+  end
+  if any (strcmp (name, page.verdict.cause.cannotSee))
+    html = 'cannot be seen';
+    return
+  end
+  at = {'gap', 'which', 'strength', name};
+  html = [pageNumber(page, 'plain', at{:}, 'value'), ' of its range (', ...
+          pageInterval(page, 'plain', at{:}, 'interval90'), ')'];
+  if isfield (own, 'text') && ~isempty (own.text)
+    html = sprintf ('<span title="%.2g of its range">%s</span>', own.value, ...
+                    htmlText (own.text));
+  end
 end
 
 function html = remarks (which)
@@ -120,6 +182,9 @@ function html = expected (page, which)
            'a name is given although the cause is not on the list'};
   cells = cell (0, 2);
   for k = 1:rows (rows_)
+    if isempty (jsonAt (which, {'expected', rows_{k, 1}}))
+      continue                          % not one of the data sets was so
+    end
     cells(end + 1, :) = {rows_{k, 2}, ...
                          pageNumber(page, 'percent', 'gap', 'which', ...
                                     'expected', rows_{k, 1})};

@@ -55,9 +55,13 @@ function [links, parts] = sectionsOf (page)
     if ~isempty (html)
       id = lower (name);
       links = [links, '<li><a href="#', id, '">', title, '</a></li>'];
+      head = ['<h2 id="h-', id, '">', title, "</h2>\n"];
+      if ~any (strcmp (name, {'sectionTargets', 'sectionWhich'}))
+        html = ['<details><summary>', head, '</summary>', html, '</details>'];
+        head = '';
+      end
       parts = [parts, '<section id="', id, '" aria-labelledby="h-', id, ...
-               '"><h2 id="h-', id, '">', title, "</h2>\n", html, ...
-               "</section>\n"];
+               '">', head, html, "</section>\n"];
     end
   end
 end
@@ -67,7 +71,23 @@ function html = headerOf (page, verdict)
   html = ['<header><h1>', htmlText(caseName (Case)), '</h1>', ...
           '<p class="where">', ...
           htmlText(strjoin ({Case.models.name}, ', ')), ' &middot; ', ...
-          htmlText(pageDate (page)), "</p>\n", verdict, "</header>\n"];
+          htmlText(pageDate (page)), "</p>\n", ...
+          measuredBy(Case.folder), verdict, "</header>\n"];
+end
+
+% Remarks before the header of measured.csv: material, rig, date, who.
+function html = measuredBy (folder)
+  html = '';
+  file = fullfile (folder, 'measured.csv');
+  if isfile (file)
+    found = regexp (fileread (file), '^#[ \t]*([^\r\n]*)', 'tokens', ...
+                    'lineanchors');
+    words = cellfun (@(t) htmlText(t{1}), found, 'UniformOutput', false);
+    if ~isempty (words)
+      html = ['<p class="where">Measured: ', ...
+              strjoin(words, ' &middot; '), "</p>\n"];
+    end
+  end
 end
 
 function name = caseName (Case)
@@ -80,8 +100,7 @@ function html = footerOf (page)
           htmlText(toolboxVersion (page.Case.root)), ...
           '. Page made on ', htmlText(strftime ('%Y-%m-%d %H:%M', ...
                                                 localtime (time ()))), ...
-          ' from the files in <code>', htmlText(page.Case.folder), ...
-          "</code>.</p></footer>\n"];
+          " from the files of the case folder.</p></footer>\n"];
 end
 
 %!test

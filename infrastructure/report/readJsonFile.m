@@ -1,13 +1,13 @@
-% READJSON  Reads a JSON file of the case folder; [] where it cannot.
+% READJSONFILE  Reads a JSON file of the case folder; [] where it cannot.
 %
-% CALL: VALUE = readJson (FILE)
+% CALL: VALUE = readJsonFile (FILE)
 %
 %   FILE   path (text); a file that is not there, or half of one, is no file
 %   VALUE  see jsondecode
 %
 % See also: jsonAt, pageData
 
-function value = readJson (file)
+function value = readJsonFile (file)
   value = [];
   try
     if isfile (file)
@@ -18,11 +18,11 @@ function value = readJson (file)
   end
 end
 
-%!assert (readJson ('/no/such/file'), [])
+%!assert (readJsonFile ('/no/such/file'), [])
 %!test
 %! file = tempname ();
 %! writeAtomic (file, '{"a": [1, 2');
-%! assert (readJson (file), []);
+%! assert (readJsonFile (file), []);
 %! writeAtomic (file, '{"a": [1, 2]}');
-%! assert (readJson (file).a, [1; 2]);
+%! assert (readJsonFile (file).a, [1; 2]);
 %! unlink (file);

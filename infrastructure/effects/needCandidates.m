@@ -1,0 +1,56 @@
+% NEEDCANDIDATES  Stops where no candidate effect is listed.
+%
+% CALL: needCandidates (CASE)
+%
+%   CASE  see newCase, with its effects (withEffects)
+%
+% Without candidates there is nothing to choose from: said before any run, with
+% a list of what the models of the case can express, to be copied.
+%
+% Errors: DEcalioc:needCandidates:missingField
+%
+% See also: withEffects, effectsOfModel, diagnoseGap
+
+function needCandidates (Case)
+  if numel (Case.effects) > numel (Case.coarse)
+    return
+  end
+  folders = fullfile (Case.folder, 'effects');
+  names = listEffects (folders);
+  can = true (1, numel (names));
+  models = Case.models(isfolder ({Case.models.folder}));
+  if ~isempty (models)
+    can(:) = false;
+  end
+  for k = 1:numel (names)
+    effect = getEffect (names{k}, folders);
+    for m = models
+      can(k) = can(k) || effectsOfModel (m.folder, effect);
+    end
+  end
+  error ('DEcalioc:needCandidates:missingField', ...
+         ['loadEffects.m must list what the model may lack, got an empty ' ...
+          'list. Your models can express these; copy the line to ' ...
+          'loadEffects.m and strike out what cannot be (docs/effects.md):' ...
+          '\n  effects = {''%s''};'], strjoin (names(can), ''', '''));
+end
+
+%!test
+%! Case.effects = [];
+%! Case.coarse = [];
+%! Case.folder = tempname ();
+%! root = fileparts (which ('DEcalioc'));
+%! Case.models = struct ('folder', fullfile (root, 'DEMmodels', 'Heap'));
+%! try
+%!   needCandidates (Case);
+%!   said = '';
+%! catch err
+%!   said = err.message;
+%! end
+%! assert (! isempty (strfind (said, '''cohesion''')));
+%! assert (isempty (strfind (said, 'speedError')));
+%! Case.effects = struct ('name', 'tilt');
+%! needCandidates (Case);
+%!error id=DEcalioc:needCandidates:missingField
+%! needCandidates (struct ('effects', [], 'coarse', [], 'folder', '', ...
+%!                         'models', struct ('folder', '')));

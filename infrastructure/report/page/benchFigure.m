@@ -1,0 +1,103 @@
+% BENCHFIGURE  Figure of one bench: each target against what it can reach.
+%
+% CALL: F = benchFigure (PAGE, MODEL)
+%
+%   PAGE   see pageData
+%   MODEL  name of the bench (text)
+%   F      see newFigure; [] where nothing of the bench was measured
+%
+% One row a target (of a curve its worst point): measured at 0, in units of what
+% is allowed, else of its noise. The band of what the box can reach shows why a
+% target is missed.
+%
+% See also: pageVerdict, sectionTargets, listMisses
+
+function f = benchFigure (page, model)
+  rows_ = page.verdict.misses;
+  rows_ = rows_(strcmp ({rows_.model}, model) & ...
+                ~strcmp ({rows_.role}, 'unmeasured'));
+  list = [];
+  for m = fliplr (rows_)
+    list = [list, oneRow(page, m)];
+  end
+  f = [];
+  if isempty (list)
+    return
+  end
+  n = numel (list);
+  unit = 'miss (1: what is allowed)';
+  if ~list(1).isAllowed
+    unit = 'miss (in sd of the noise)';
+  end
+  f = newFigure (model, unit, '', ...
+                 sprintf ('%s: %s misses most, by %.3g', model, ...
+                          rows_(1).name, list(n).now));
+  f.size = [360, 74 + 26 * n];
+  f.ynames = {list.label};
+  f.ylim = [0.4, n + 0.6];
+  y = (1:n)';
+  all = [[list.now], [list.with], [list.trials], -1, 1];
+  f.xlim = max (abs (all(isfinite (all)))) * 1.08 * [-1, 1];
+  reach = vertcat (list.reach);
+  reach = min (max (reach, f.xlim(1)), f.xlim(2));
+  f = addLayer (f, 'box', [0 * y, y, reach, y - 0.4, y + 0.4], 'palegrey');
+  f = addLayer (f, 'box', [0, n / 2, -1, 1, 0.4, n + 0.6], 'palegreen');
+  f = addLayer (f, 'line', [0, 0.4; 0, n + 0.6], 'ink');
+  for k = 1:n
+    own = list(k).trials(:);
+    f = addLayer (f, 'dots', [own, repmat(k, numel (own), 1)], 'ink');
+  end
+  f = addLayer (f, 'diamond', [[list.now]', y], 'blue');
+  f = addLayer (f, 'triangle', [[list.with]', y], 'amber');
+end
+
+function r = oneRow (page, m)
+  t = find (strcmp ({page.Case.targets.name}, m.name) & ...
+            strcmp ({page.Case.targets.modelName}, m.model), 1);
+  [before, after, sd] = withEffect (page, m);
+  r = struct ('label', m.name, 'now', NaN, 'with', NaN, ...
+              'reach', [NaN, NaN], 'trials', zeros (1, 0), ...
+              'isAllowed', m.allowed > 0);
+  unit = m.allowed;
+  measured = m.measured;
+  simulated = m.simulated;
+  if ~r.isAllowed
+    unit = sd;
+    measured = jsonAt (page.sources.gap, {'howFar', 'targets', ...
+                                          max(1, before.at), 'measured'});
+    simulated = before.value;
+  end
+  if isempty (measured) || ~(unit > 0)
+    r = [];
+    return
+  end
+  r.now = (simulated - measured) / unit;
+  r.with = (after - measured) / unit;
+  name = m.unit;
+  if isempty (name) && ~isempty (t)
+    name = page.units{t};
+  end
+  r.label = [m.name, ' ', quantity(measured, name)];
+  if isempty (t)
+    return
+  end
+  r.reach = (reachOf (page, t) - measured) / unit;
+  if isfield (page.Case.targets, 'each')
+    r.trials = (page.Case.targets(t).each - measured) / unit;
+  end
+end
+
+% What the diagnosis says of this target, without and with the effect.
+function [before, after, sd] = withEffect (page, m)
+  before = struct ('value', NaN, 'at', 0);
+  [after, sd] = deal (NaN);
+  list = jsonAt (page.sources.gap, {'howFar', 'targets'});
+  for k = 1:numel (list)
+    own = jsonAt (list, {k});
+    if strcmp (own.name, m.name) && strcmp (own.model, m.model)
+      before = struct ('value', own.before, 'at', k);
+      after = own.after;
+      sd = own.sd;
+    end
+  end
+end
