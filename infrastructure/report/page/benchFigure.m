@@ -101,3 +101,22 @@ function [before, after, sd] = withEffect (page, m)
     end
   end
 end
+
+%!test
+%! % in units of what is allowed: calibrated, with the effect, own trials
+%! page.verdict.misses = struct ('model', 'B', 'name', 'h', 'unit', 'm', ...
+%!   'measured', 2, 'simulated', 2.3, 'allowed', 0.1, 'role', 'calibrate', ...
+%!   'met', 0, 'share', 3);
+%! page.Case.targets = struct ('name', 'h', 'modelName', 'B', ...
+%!                             'each', [1.9, 2.1]);
+%! page.units = {'m'};
+%! page.surrogates = [];
+%! page.sources.gap.howFar.targets = struct ('model', 'B', 'name', 'h', ...
+%!   'before', 2.3, 'after', 2.05, 'sd', 0.1, 'measured', 2);
+%! f = benchFigure (page, 'B');
+%! at = @(kind) f.layers(strcmp ({f.layers.kind}, kind)).data(:, 1)';
+%! assert (at ('diamond'), 3, 1e-12);
+%! assert (at ('triangle'), 0.5, 1e-12);
+%! assert (at ('dots'), [-1, 1], 1e-12);
+%! assert (f.ynames, {'h 2 m'});
+%! assert (isempty (benchFigure (page, 'other')));

@@ -17,7 +17,16 @@ function range = reachOf (page, t)
   s = page.surrogates(t);
   limits = page.Case.limits;
   u = integrationPoints (500, columns (limits), 1).uniform;
-  P = [limits(1, :) + u .* diff(limits); insideLimits(s.X, limits)];
+  isInside = all (s.X >= limits(1, :) & s.X <= limits(2, :), 2);
+  P = [limits(1, :) + u .* diff(limits); s.X(isInside, :)];
   m = predictSurrogate (s, P);
   range = [min(m), max(m)];
 end
+
+%!test
+%! [problem, ~, s] = smallCalibration ();
+%! page = struct ('Case', struct ('limits', problem.limits), 'surrogates', s);
+%! % x = 3 + a + b / 2, a up to 1, b up to 2; noise 0.3 %
+%! assert (reachOf (page, 1), [3, 5], 0.1);
+%! page.surrogates = [];
+%! assert (reachOf (page, 1), [NaN, NaN]);
