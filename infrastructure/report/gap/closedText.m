@@ -1,0 +1,81 @@
+% CLOSEDTEXT  How much of the gap the cause takes away, in words.
+%
+% CALL: TEXT = closedText (GAP)
+%
+%   GAP   decoded gap/gap.json
+%   TEXT  one sentence, and one about rivals where there are; '': not tried
+%
+% See also: decideGap, measureCorrection
+
+function text = closedText (gap)
+  far = jsonAt (gap, {'howFar'});
+  effect = jsonAt (far, {'effect'});
+  text = '';
+  if ~ischar (effect) || isempty (effect)
+    return
+  end
+  how = 'on the surrogates, not yet by DEM runs';
+  if isequal (jsonAt (far, {'verifiedByDEM'}), true)
+    how = 'by DEM runs';
+  end
+  text = sprintf ('With %s (%s): of the gap on the fitted targets %s', ...
+                  effect, how, partText (far));
+  held = jsonAt (far, {'heldOut'});
+  if isstruct (held)
+    text = [text, '; on the held-out ones ', partText(held)];
+  end
+  text = [text, '.', rivalText(far)];
+end
+
+% No gap, and a gap whose closing cannot be told, are two things.
+function text = partText (part)
+  closure = jsonAt (part, {'closure'});
+  if isempty (closure) || ~isfinite (closure)
+    text = 'it cannot be judged';
+    if isequal (jsonAt (part, {'removable'}), false)
+      text = 'none is beyond noise';
+    end
+  elseif closure >= 0.995
+    text = 'all is closed';
+  elseif closure <= 0.005
+    text = 'nothing is closed';
+  else
+    text = sprintf ('%.0f %% is closed', 100 * closure);
+  end
+end
+
+% The placebo that does as well is the rival.
+function text = rivalText (far)
+  text = '';
+  rivals = {};
+  for k = 1:numel (jsonAt (far, {'placebos'}))
+    closure = jsonAt (far, {'placebos', k, 'closure'});
+    isRival = jsonAt (far, {'placebos', k, 'against'});
+    if isempty (isRival)
+      isRival = ~isempty (closure) && ~isempty (far.closure) && ...
+                closure >= 0.8 * min (far.closure, 1);
+    end
+    if isRival
+      rivals{end + 1} = jsonAt (far, {'placebos', k, 'effect'});
+    end
+  end
+  if ~isempty (rivals)
+    text = [' As much is closed by ', strjoin(rivals, ', '), ...
+            ': the fit alone does not prove the cause.'];
+  end
+end
+
+%!test
+%! % no gap, and a gap that cannot be judged, are two things
+%! far = struct ('effect', 'tilt', 'closure', 1.21, 'verifiedByDEM', true, ...
+%!               'placebos', [], 'heldOut', struct ('closure', [], ...
+%!                                                  'removable', false));
+%! assert (closedText (struct ('howFar', far)), ...
+%!         ['With tilt (by DEM runs): of the gap on the fitted targets all ', ...
+%!          'is closed; on the held-out ones none is beyond noise.']);
+%! far.heldOut = struct ('closure', []);
+%! far.placebos = struct ('effect', 'drag', 'closure', 0.98);
+%! text = closedText (struct ('howFar', far));
+%! assert (! isempty (strfind (text, 'ones it cannot be judged.')));
+%! assert (! isempty (strfind (text, 'As much is closed by drag')));
+%! assert (closedText (struct ('howFar', struct ('effect', ''))), '');
