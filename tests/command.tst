@@ -112,7 +112,7 @@
 %! assert (status, 0);
 %! [status, out] = startCommand (folder, 'status');
 %! assert (says (out, 'finished'));
-%! assert (says (out, 'all targets met'));
+%! assert (says (out, 'targets met: 3 of 3'));
 %! [status, out] = startCommand (base, 'export ''my case'' table.csv');
 %! assert (status, 0);
 %! table = strsplit (strtrim (fileread (fullfile (base, 'table.csv'))), "\n");
