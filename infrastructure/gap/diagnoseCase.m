@@ -48,6 +48,8 @@ function diagnosis = diagnoseCase (root, folder)
   % what remains
   diagnosis.verdict = writeGapJson (diagnosis, Case);
   writeGapTables (diagnosis, Case);
+  gap = readJsonFile (fullfile (folder, 'gap', 'gap.json'));
+  writeGapHead (gap, Case);
   sayDiagnosis (diagnosis, Case, say);
   reportPage (Case, say);
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');

@@ -54,7 +54,7 @@ function v = decideCase (c, gap, isBegun)
     v.cause = decideGap (gap);
     v = withGap (v, c, v.cause);
   end
-  v.numbers = numbersOf (v, c);
+  v.numbers = keyNumbers (v, c);
 end
 
 function v = ofCalibration (v, c)
@@ -130,7 +130,7 @@ function text = wayOn (c)
     text = askGap ();
     limits = namesIn (c, 'atLimit');
     if ~isempty (limits)
-      text = [text, ' Or widen the limits of ', strjoin(limits, ', '), ...
+      text = [text, ' Or widen the limits of ', strjoin(worded (c, limits), ', '), ...
               ', if the material allows.'];
     end
   elseif isImported (c)
@@ -156,8 +156,19 @@ function texts = looseOnes (c)
   if ~isempty (loose)
     words = {'matters', 'matter'};
     texts = {sprintf(['flows in which %s %s: these targets leave it open, ' ...
-                      'other values fit as well'], strjoin (loose, ', '), ...
+                      'other values fit as well'], strjoin (worded (c, loose), ', '), ...
                      words{1 + (numel (loose) > 1)})};
+  end
+end
+
+% 'friction between grains (coefFrictionPP)', where the words are known.
+function names = worded (c, names)
+  for k = 1:numel (names)
+    label = jsonAt (c, {'labels', names{k}});
+    if ischar (label) && ~isempty (label)
+      names{k} = sprintf ('%s (%s)', regexprep (label, ' \([^)]*\)$', ''), ...
+                          names{k});
+    end
   end
 end
 
@@ -175,8 +186,8 @@ function texts = knownOnes (c)
     if off > 3
       texts{end + 1} = sprintf (['flows in which %s matters: it was ' ...
                                  'measured as %.4g +- %.2g, and the set ' ...
-                                 'has %.4g'], name{1}, own.mean, own.sd, ...
-                                value);
+                                 'has %.4g'], worded (c, name){1}, ...
+                                own.mean, own.sd, value);
     end
   end
 end
@@ -205,43 +216,5 @@ function v = withGap (v, c, cause)
   elseif ~v.usable && ~isempty (cause.action) && ...
          (isAsked || ~strcmp (cause.kind, 'no verdict'))
     v.action = cause.action;
-  end
-end
-
-function numbers = numbersOf (v, c)
-  numbers = v.numbers;
-  if ~isempty (v.misses)
-    m = v.misses(1);
-    label = ['largest miss: ', m.name];
-    if strcmp (m.role, 'holdout')
-      label = [label, ' (never fitted)'];
-    end
-    numbers(end + 1) = struct ('label', label, 'text', missText (m));
-  end
-  if v.of > 0
-    label = 'targets met';
-    if isequal (jsonAt (c, {'runs'}), 0)
-      label = 'targets met, on the surrogates alone';
-    elseif ~v.usable && v.met == v.of
-      label = 'targets within tolerance so far, not surely';
-    end
-    numbers(end + 1) = struct ('label', label, ...
-                               'text', sprintf ('%d of %d', v.met, v.of));
-  end
-  if ~isempty (v.cause) && ~isempty (v.cause.amount)
-    numbers(end + 1) = v.cause.amount;
-  elseif ~isempty (jsonAt (c, {'probability'}))
-    numbers(end + 1) = struct ('label', 'chance that all targets are met', ...
-                               'text', sprintf ('%.0f %%', ...
-                                                100 * c.probability));
-  end
-end
-
-function text = missText (m)
-  text = quantity (m.simulated, m.unit);
-  if isfinite (m.measured)
-    text = sprintf ('%s, measured %s', text, ...
-                    quantity (m.measured, m.unit, ...
-                              m.measured + m.allowed * [-1, 1]));
   end
 end

@@ -29,6 +29,7 @@ function v = writeCalibrationJson (c, Case)
     out.untested = named (num2cell (c.untested(:)));
   end
   out.known = knownOf (Case);
+  out.labels = named (parameterWords (Case)(:));
   out.runs = c.runs;
   out.probability = c.probability;
   out.demRuns = c.demRuns;

@@ -6,9 +6,8 @@
 %   FILE  path of the page (text)
 %
 % Made of the files in the case folder alone: nothing is run or evaluated. The
-% page needs no network and no other file. results/runTable.csv is written too,
-% and after a diagnosis gap/calibrated.head. A part that cannot be drawn says so
-% and leaves the others alone.
+% page needs no network and no other file. results/runTable.csv is written too.
+% A part that cannot be drawn says so and leaves the others alone.
 %
 % See also: reportPage, pageSections, pageData
 
@@ -17,7 +16,6 @@ function file = writePage (Case)
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
   writeRunTable (page);
-  writeGapHead (page);
   [links, parts] = sectionsOf (page);
   [verdict, word] = pageVerdict (page);
   style = fullfile (fileparts (mfilename ('fullpath')), 'page.css');

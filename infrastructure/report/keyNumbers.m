@@ -1,0 +1,58 @@
+% KEYNUMBERS  The three numbers of a result, with their units.
+%
+% CALL: NUMBERS = keyNumbers (V, C)
+%
+%   V, C     see decideCase
+%   NUMBERS  1 x n struct label, text: the largest miss, the targets that are
+%            met, the missing effect or else the chance that all are met
+%
+% See also: decideCase, quantity
+
+function numbers = keyNumbers (v, c)
+  numbers = struct ('label', {}, 'text', {});
+  if ~isempty (v.misses)
+    m = v.misses(1);
+    label = ['largest miss: ', m.name];
+    if strcmp (m.role, 'holdout')
+      label = [label, ' (never fitted)'];
+    end
+    numbers(end + 1) = struct ('label', label, 'text', missText (m));
+  end
+  if v.of > 0
+    label = 'targets met';
+    if isequal (jsonAt (c, {'runs'}), 0)
+      label = 'targets met, on the surrogates alone';
+    elseif ~v.usable && v.met == v.of
+      label = 'targets within tolerance so far, not surely';
+    end
+    numbers(end + 1) = struct ('label', label, ...
+                               'text', sprintf ('%d of %d', v.met, v.of));
+  end
+  if ~isempty (v.cause) && ~isempty (v.cause.amount)
+    numbers(end + 1) = v.cause.amount;
+  elseif ~isempty (jsonAt (c, {'probability'}))
+    numbers(end + 1) = struct ('label', 'chance that all targets are met', ...
+                               'text', sprintf ('%.0f %%', ...
+                                                100 * c.probability));
+  end
+end
+
+function text = missText (m)
+  text = quantity (m.simulated, m.unit);
+  if isfinite (m.measured)
+    text = sprintf ('%s, measured %s', text, ...
+                    quantity (m.measured, m.unit, ...
+                              m.measured + m.allowed * [-1, 1]));
+  end
+end
+
+%!test
+%! m = struct ('name', 'h', 'role', 'holdout', 'unit', 'm', 'measured', ...
+%!             0.02, 'simulated', 0.017, 'allowed', 0.001);
+%! v = struct ('misses', m, 'of', 3, 'met', 3, 'usable', false, ...
+%!             'cause', []);
+%! n = keyNumbers (v, struct ('runs', 0, 'probability', 0.71));
+%! assert (n(1).label, 'largest miss: h (never fitted)');
+%! assert (n(1).text, '17 mm, measured 20 mm (19 to 21)');
+%! assert (n(2).label, 'targets met, on the surrogates alone');
+%! assert ({n(2:3).text}, {'3 of 3', '71 %'});
