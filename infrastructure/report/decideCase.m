@@ -130,8 +130,9 @@ function text = wayOn (c)
     text = askGap ();
     limits = namesIn (c, 'atLimit');
     if ~isempty (limits)
-      text = [text, ' Or widen the limits of ', strjoin(worded (c, limits), ', '), ...
-              ', if the material allows.'];
+      text = sprintf (['%s Or widen the limits of %s, if the material ' ...
+                       'allows.'], text, ...
+                      strjoin (worded (c, limits), ', '));
     end
   elseif isImported (c)
     text = ['Run this set with your DEM code, add the run to runs.csv and ', ...
@@ -152,11 +153,11 @@ end
 
 function texts = looseOnes (c)
   texts = {};
-  loose = namesIn (c, 'notIdentified');
+  loose = worded (c, namesIn (c, 'notIdentified'));
   if ~isempty (loose)
     words = {'matters', 'matter'};
     texts = {sprintf(['flows in which %s %s: these targets leave it open, ' ...
-                      'other values fit as well'], strjoin (worded (c, loose), ', '), ...
+                      'other values fit as well'], strjoin (loose, ', '), ...
                      words{1 + (numel (loose) > 1)})};
   end
 end
