@@ -215,7 +215,8 @@ function v = withGap (v, c, cause)
   elseif ~v.usable && strcmp (cause.kind, 'none') && isAsked
     v.action = cause.without;
   elseif ~v.usable && ~isempty (cause.action) && ...
-         (isAsked || ~strcmp (cause.kind, 'no verdict'))
+         (isAsked || ~any (strcmp (cause.kind, {'no verdict', ...
+                                                'cannot tell'})))
     v.action = cause.action;
   end
 end

@@ -13,6 +13,9 @@ function numbers = keyNumbers (v, c)
   if ~isempty (v.misses)
     m = v.misses(1);
     label = ['largest miss: ', m.name];
+    if m.met == 1
+      label = ['largest deviation: ', m.name];
+    end
     if strcmp (m.role, 'holdout')
       label = [label, ' (never fitted)'];
     end
@@ -47,7 +50,7 @@ function text = missText (m)
 end
 
 %!test
-%! m = struct ('name', 'h', 'role', 'holdout', 'unit', 'm', 'measured', ...
+%! m = struct ('name', 'h', 'role', 'holdout', 'met', 0, 'unit', 'm', 'measured', ...
 %!             0.02, 'simulated', 0.017, 'allowed', 0.001);
 %! v = struct ('misses', m, 'of', 3, 'met', 3, 'usable', false, ...
 %!             'cause', []);

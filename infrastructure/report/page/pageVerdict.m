@@ -37,7 +37,7 @@ function html = picture (page)
     f = benchFigure (page, page.verdict.worst);
   end
   if ~isempty (f)
-    f.title = ['Where it misses most: ', f.title];
+    f.title = ['Where it deviates most: ', f.title];
     f.size(1) = 480;
     html = [htmlFigures(f, '', 'one'), benchKey(page)];
   end

@@ -107,10 +107,10 @@ function html = resultTable (page)
 end
 
 function cells = curveRow (m)
-  share = numberText (m.share, 'percent');
+  share = numberText (m.share);
   cells = {[htmlText(m.name), ' <span class="none">', htmlText(m.model), ...
             ', curve</span>'], metWord(m), '', '', '', '', ...
-           sprintf('%s of what is allowed', share)};
+           sprintf('%s times what is allowed', share)};
 end
 
 function word = metWord (m)
