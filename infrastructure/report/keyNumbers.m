@@ -50,8 +50,8 @@ function text = missText (m)
 end
 
 %!test
-%! m = struct ('name', 'h', 'role', 'holdout', 'met', 0, 'unit', 'm', 'measured', ...
-%!             0.02, 'simulated', 0.017, 'allowed', 0.001);
+%! m = struct ('name', 'h', 'role', 'holdout', 'met', 0, 'unit', 'm', ...
+%!             'measured', 0.02, 'simulated', 0.017, 'allowed', 0.001);
 %! v = struct ('misses', m, 'of', 3, 'met', 3, 'usable', false, ...
 %!             'cause', []);
 %! n = keyNumbers (v, struct ('runs', 0, 'probability', 0.71));
