@@ -55,8 +55,13 @@ function text = stateText (s)
 end
 
 function sayRuns (s)
-  printf (['plan    %d of %d runs done; %d sets run afterwards (each start ' ...
-           'may run %d)\n'], s.plan, s.sets);
+  plan = sprintf ('%d of %d runs done', s.plan);
+  if strcmp (s.state, 'finished')
+    % what failed was run with another seed, which is another run
+    plan = sprintf ('%d runs', s.plan(2));
+  end
+  printf ('plan    %s; %d sets run afterwards (each start may run %d)\n', ...
+          plan, s.sets);
   for k = 1:numel (s.models)
     m = s.models(k);
     printf ('runs    %-12s %d done, %d running, %d waiting, %d failed', ...
