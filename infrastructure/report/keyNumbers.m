@@ -34,9 +34,12 @@ function numbers = keyNumbers (v, c)
   if ~isempty (v.cause) && ~isempty (v.cause.amount)
     numbers(end + 1) = v.cause.amount;
   elseif ~isempty (jsonAt (c, {'probability'}))
+    text = sprintf ('%.0f %%', 100 * c.probability);
+    if c.probability > 0.995
+      text = '> 99 %';
+    end
     numbers(end + 1) = struct ('label', 'chance that all targets are met', ...
-                               'text', sprintf ('%.0f %%', ...
-                                                100 * c.probability));
+                               'text', text);
   end
 end
 
