@@ -16,18 +16,15 @@ function [X, logDet] = solveMany (A, G)
   logDet = zeros (rows (G), 1);
   for k = 1:d
     logDet = logDet + log (A(:, k, k));
-    for i = k + 1:d
-      factor = A(:, i, k) ./ A(:, k, k);
-      A(:, i, k:d) = A(:, i, k:d) - factor .* A(:, k, k:d);
-      G(:, i) = G(:, i) - factor .* G(:, k);
-    end
+    below = k + 1:d;
+    factor = A(:, below, k) ./ A(:, k, k);
+    A(:, below, below) = A(:, below, below) - factor .* A(:, k, below);
+    G(:, below) = G(:, below) - factor .* G(:, k);
   end
   X = zeros (size (G));
   for k = d:-1:1
-    left = G(:, k);
-    for j = k + 1:d
-      left = left - A(:, k, j) .* X(:, j);
-    end
+    above = reshape (A(:, k, k + 1:d), rows (G), d - k);
+    left = G(:, k) - sum (above .* X(:, k + 1:d), 2);
     X(:, k) = left ./ A(:, k, k);
   end
 end

@@ -20,9 +20,8 @@
 %     surrogates (1 x T struct of fitSurrogate), base (struct X, Z: its runs)
 %     success, effect.success   of learnSuccess: where a bench gives a result
 %
-% The Kriging models are the surrogates of the DEM. The emulator is a polynomial
-% of their mean, since the integrals of the diagnosis need it at every point and
-% for every twin; what it misses (fitVar) and their own variance go along.
+% The emulator is a polynomial of the mean of the Kriging models: the integrals
+% need it; what it misses (fitVar) and their own variance go along.
 %
 % The baseline Kriging uses every run with all effects neutral, and serves
 % every effect: only the difference an effect makes is learned from its runs,
@@ -57,12 +56,15 @@ function em = fitEmulator (gapProblem, data, options, old)
   if ~isOneRunOff (old, base) || abs (others - old.noiseRuns) > 0.1 * others
     % the noise follows from the effects' runs, and they from the noise
     em = noiseOfRuns (em, gapProblem, data);
-    em.effect = learnAll (em, gapProblem, theta, phi, data.Z, []);
-    [em.noiseVar, em.noiseFreedom] = pooledNoise (em, em.effect);
+    alone = sum (abs (phi) >= 1e-9, 2) == 1;
+    many = find (sum (abs (phi(alone, :)) >= 1e-9, 1) >= 6);
+    some = learnAll (em, gapProblem.effects(many), theta(alone, :), ...
+                     phi(alone, many), data.Z(alone, :), []);
+    [em.noiseVar, em.noiseFreedom] = pooledNoise (em, some);
     em.noiseRuns = others;
     old.effect = [];
   end
-  em.effect = learnAll (em, gapProblem, theta, phi, data.Z, old.effect);
+  em.effect = learnAll (em, gapProblem.effects, theta, phi, data.Z, old.effect);
   em.joint = jointEffects (em, theta, phi, data.Z);
   [em.success, own] = learnSuccess (gapProblem.bench, theta, phi, data.Z);
   for k = 1:numel (own)
@@ -77,20 +79,20 @@ function yes = isOneRunOff (old, base)
 end
 
 % What has the same runs as before is kept.
-function effects = learnAll (em, gapProblem, theta, phi, Z, old)
+function effects = learnAll (em, candidates, theta, phi, Z, old)
   effects = [];
-  for k = 1:numel (gapProblem.effects)
+  for k = 1:numel (candidates)
     own = abs (phi(:, k)) >= 1e-9 & sum (abs (phi) >= 1e-9, 2) == 1;
     Q = [theta(own, :), phi(own, k)];
     known = [];
     if ~isempty (old)
-      known = find (strcmp ({old.name}, gapProblem.effects(k).name));
+      known = find (strcmp ({old.name}, candidates(k).name));
     end
     if ~isempty (known) && isequaln (old(known).Q, Q) && ...
        isequaln (old(known).Z, Z(own, :))
       effects = [effects, old(known)];
     else
-      effects = [effects, learnEffect(em, gapProblem.effects(k), Q, Z(own, :))];
+      effects = [effects, learnEffect(em, candidates(k), Q, Z(own, :))];
     end
   end
   if isempty (effects)

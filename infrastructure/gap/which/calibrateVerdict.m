@@ -123,8 +123,10 @@ function w = laplaceCase (models, fits, i)
             repmat({'sibling'}, 1, K), repmat({'discrepancy'}, 1, m)];
   w.members = [{none}, numbers, numbers, repmat({none}, 1, m)];
   w.gate = omnibusTest (models, fits, i);
-  w.screen = screenEffects (models.white, fits.calibrated.Q(i, :), ...
-                            fits.Z(i, :));
+  if w.gate.p < models.options.level
+    w.screen = screenEffects (models.white, fits.calibrated.Q(i, :), ...
+                              fits.Z(i, :));
+  end
   w.atLimit = zeros (size (w.logE));
   w.phi = NaN (numel (w.logE), 3);
   for k = 1:K

@@ -34,26 +34,27 @@ function twins = drawTwins (models, causes, d, seed, surplus)
   for i = find (~isNull(:)')
     h = causes{i};
     theta = twins.theta(i, :);
-    screen = screenEffects (white, theta, zeros (1, T));
-    phi = strengths (white, h, d(i), screen);
+    own = setfield (white, 'effect', white.effect(h));
+    reach = screenEffects (own, theta, zeros (1, T)).size;
+    phi = strengths (own.effect, d(i), reach);
     kinds = {'single', 'pair'};
     view = viewHypothesis (white, newHypothesis (kinds{numel(h)}, h), ...
                            models.prior);
     U = toNormal (view.unknowns, [theta, phi, randn()]);
     [M(i, :), V(i, :)] = predictHypothesis (view, U);
     twins.phi(i, 1:numel (h)) = phi;
-    twins.d(i) = abs (phi(1)) * screen.size(h(1));
+    twins.d(i) = abs (phi(1)) * reach(1);
   end
   chi2 = 2 * randg (repmat (min (white.nu, 1e4) / 2, n, 1));
   noise = randn (n, T) ./ sqrt (chi2 ./ min (white.nu, 1e4));
   twins.Y = (M + sqrt (surplus * V) .* noise) * white.back';
 end
 
-function phi = strengths (white, h, d, screen)
-  phi = zeros (1, numel (h));
-  for j = 1:numel (h)
-    range = white.effect(h(j)).range;
-    phi(j) = min (d / max (screen.size(h(j)), realmin), 1) * range(2);
+function phi = strengths (effects, d, reach)
+  phi = zeros (1, numel (effects));
+  for j = 1:numel (effects)
+    range = effects(j).range;
+    phi(j) = min (d / max (reach(j), realmin), 1) * range(2);
     if range(1) < 0 && rand () < 0.5
       phi(j) = phi(j) / range(2) * range(1);
     end

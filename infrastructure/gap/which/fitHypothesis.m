@@ -83,13 +83,14 @@ function [A, g, chi2] = normalEquations (gapProblem, Z, U)
   g = -gapProblem.pull .* U;
   nu = min (gapProblem.nu, 1e4);
   shrink = (nu + 1) ./ (nu + 3);
+  slopes = zeros ([size(M), d]);
+  for a = 1:d
+    slopes(:, :, a) = J{a};
+  end
+  weighted = slopes .* (shrink ./ V);
   for a = 1:d
     g(:, a) = g(:, a) + sum (J{a} .* slope, 2);
-    weighted = shrink .* J{a} ./ V;
-    for b = 1:a
-      A(:, a, b) = sum (weighted .* J{b}, 2);
-      A(:, b, a) = A(:, a, b);
-    end
+    A(:, a, :) = sum (weighted(:, :, a) .* slopes, 2);
     A(:, a, a) = A(:, a, a) + gapProblem.pull(a);
   end
   if ~isempty (gapProblem.h.spread)

@@ -35,10 +35,13 @@ function [M, V, J, G] = predictHypothesis (view, U)
   end
   if ~isempty (h.members)
     last = last + 1;
-    g = amplitudeSd (white.effect(h.members), Q(:, white.p + 1:last - 1));
-    larger = exp (Q(:, last) .* g);
-    M = M + (larger - 1) .* S;
-    J{last} = g .* larger .* S;
+    J{last} = zeros (size (S));
+    if any ([white.effect(h.members).unbent])
+      g = amplitudeSd (white.effect(h.members), Q(:, white.p + 1:last - 1));
+      larger = exp (Q(:, last) .* g);
+      M = M + (larger - 1) .* S;
+      J{last} = g .* larger .* S;
+    end
   end
   if isempty (h.spread)
     return

@@ -21,11 +21,7 @@ function sayDiagnosis (diagnosis, Case, say)
     say (['LEVEL: ', levelText(diagnosis.level)]);
   end
   say ('');
-  say ('NEXT TEST: what would tell most about the cause (below 0.2: little)');
-  for k = 1:min (3, numel (diagnosis.next))
-    t = diagnosis.next(k);
-    say (sprintf ('  %-50s %.2f', t.test, t.gain));
-  end
+  sayNext (diagnosis, say);
   say ('');
   if isfield (diagnosis, 'ledger')
     say (sprintf ('DEM runs: %d new, %d failed, %.1f core-minutes', ...
@@ -34,6 +30,17 @@ function sayDiagnosis (diagnosis, Case, say)
   end
   say (['Details: ', fullfile(Case.folder, 'gap', 'gap.json'), ...
         ' and the tables beside it']);
+end
+
+% Where no test of the case would tell, what is known of the family.
+function sayNext (diagnosis, say)
+  say ('NEXT TEST: what would tell most about the kind of cause (bit)');
+  for t = diagnosis.next(1:min (3, numel (diagnosis.next)))(:)'
+    say (sprintf ('  %-50s %.2f', t.test, t.gain));
+  end
+  if ~any ([diagnosis.next.gain] >= 0.2)
+    say (['  None tells 0.2 bit. ', tellApart(diagnosis.which.effects)]);
+  end
 end
 
 function sayPlain (v, say)
