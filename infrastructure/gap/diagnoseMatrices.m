@@ -149,7 +149,7 @@ function verdict = blameSurrogates (verdict, view, side)
 end
 
 % A name does not stand where the effect's runs contradict their surrogate, or
-% where DEM runs with it still miss a target, or a placebo does as well.
+% where DEM runs with it still miss a target.
 function verdict = doubtName (verdict, diagnosis, models)
   if ~strcmp (verdict.kind, 'named')
     return
@@ -167,15 +167,6 @@ function verdict = doubtName (verdict, diagnosis, models)
                                '%.1f standard deviations'], ...
                               strjoin (names, ' and '), ...
                               max (abs (far.remaining)));
-  elseif ~isempty (far) && any ([far.placebos.against])
-    placebo = far.placebos([far.placebos.against])(1);
-    verdict.guard = 'placebo';
-    verdict.reason = sprintf (['DEM runs with %s close as much as those ' ...
-                               'with %s'], placebo.effect, ...
-                              strjoin (names, ' and '));
-    others = strsplit (placebo.effect, ' + ');
-    verdict.effects = union (verdict.effects, ...
-                             find (ismember (models.names, others)));
   else
     return
   end

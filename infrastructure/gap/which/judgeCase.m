@@ -10,8 +10,7 @@
 %     lookAlike logical: or something that resembles them
 %     partners  numbers of effects one of which acts together with a named one
 %     guard     what withheld a name: '', 'range', 'integral', 'look-alike',
-%               'group', 'gate'; diagnoseMatrices adds 'surrogate', 'cure' and
-%               'placebo'
+%               'group', 'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
 %     reason    text, one sentence
 %     P         1 x H, probability of each hypothesis of W
 %     include   1 x K, probability that the effect takes part
