@@ -64,9 +64,10 @@ end
 %! [problem, state, s] = smallCalibration ();
 %! problem.options.replicates = 4;
 %! good = [0.5, 1];
-%! f = @(P, r) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
+%! f = @(P) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
 %! problem.value = f (good);
-%! state = runRows (state, problem, f, repmat (good, 3, 1), 'verify');
+%! packing = @(P, r) f (P) + 1e-3 * [r, -r];    % equal runs would count once
+%! state = runRows (state, problem, packing, repmat (good, 3, 1), 'verify');
 %! state.found = describeSet (state.surrogates, problem, [0.52, 0.96]);
 %! state.found.conflict = {};
 %! state.final = confirmSet (state, problem);

@@ -50,8 +50,6 @@ end
 %! raw.Input = rmfield (raw.Input, 'colour');
 %! raw.optim = rmfield (raw.optim, 'myWeights');
 %! assert (newCase (raw).notes, cell (1, 0));
-%! symlink ('..', fullfile (folder, 'circle'));
-%! assert (newCase (raw).notes, cell (1, 0));
 %! % a word that holds it is another one; no folder, no note
 %! writeAtomic (fullfile (folder, 'insert.in'), 'seed ${runSeeds}');
 %! assert (numel (newCase (raw).notes), 1);
