@@ -160,3 +160,22 @@
 %! [status, out] = system (['LC_ALL=de_DE.UTF-8 ', words, ' 2>&1']);
 %! assert (status, 0, out);
 %! assert (~isempty (strfind (out, '2 taken from the store')), out);
+
+%!test
+%! % whoever starts a run, its numbers have a point, and all else is as there
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'runscript'), ...
+%!   "awk 'BEGIN { print 1.5 }'\nprintf '%.2f\\n' 2.5\nlocale\n");
+%! guard = fullfile (fileparts (which ('startRun')), 'guard.sh');
+%! for words = {'LC_ALL=de_DE.UTF-8', 'LC_ALL= LC_NUMERIC=de_DE.UTF-8', ...
+%!              'LC_CTYPE=C LANG=C LC_ALL=de_DE.UTF-8'}
+%!   [status, out] = system ([words{1}, ' bash ', guard, ' ', folder, ' 2>&1']);
+%!   assert (status, 0, out);
+%!   out = fileread (fullfile (folder, 'stdout.txt'));
+%!   assert (strncmp (out, "1.5\n2.50\n", 9), out);
+%!   assert (isempty (regexp (words{1}, 'LC_ALL=d')) || ...
+%!           ~isempty (regexp (out, 'LC_CTYPE="?de_DE')), out);
+%! end
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');

@@ -24,6 +24,13 @@ read -r DECALIOC_CPU 2> /dev/null < cpu || DECALIOC_CPU=1
 export DECALIOC_CPU                  # a runscript may hand it to mpirun
 why=finished
 
+# The numbers that a run writes are the same whoever starts it: not 1,5.
+if [ -n "${LC_ALL:-}" ]; then
+  export LANG=$LC_ALL
+  unset LC_ALL LC_CTYPE LC_COLLATE LC_MESSAGES LC_MONETARY LC_TIME
+fi
+export LC_NUMERIC=C
+
 # a single run needs no network: without these, OpenMPI looks for one for 0.3 s
 export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1
 export OMPI_MCA_btl=self,vader OMPI_MCA_hwloc_base_binding_policy=none
