@@ -102,6 +102,16 @@
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
 
+% --- the example of gap.md on matrices names what it says
+%!test
+%! root = fileparts (fileparts (which ('startProgram')));
+%! text = fileread (fullfile (root, 'docs', 'gap.md'));
+%! code = strrep (blockAfter (text, '## On matrices'), 'pwd', 'root');
+%! said = evalc (code);
+%! assert (diagnosis.which.effects, {'cohesion'}, said);
+%! assert (diagnosis.which.verdict, 'named');
+%! assert (prod (diagnosis.which.strength.interval90 - 0.8) <= 0);
+
 % --- worked-example.md: its one command, without LIGGGHTS, says what it quotes
 %!function text = withoutNumbers (text)
 %!  text = regexprep (text, '[-+]?\d[\d.]*(e[-+]?\d+)?', '#');
