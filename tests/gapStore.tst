@@ -119,3 +119,38 @@
 %! assert (count.imported, 3);
 %! assert ([data.X, data.E], [1, 2, 0, 1; 1, 2, 3, 4; 2, 2, 0, 3]);
 %! assert (data.Z, [3, 2, NA; 6, 5, NA; NaN, NaN, NA]);
+
+%!test
+%! % a bench without a result takes no part, and no further run is spent on it;
+%! % one that was never run to its end is said to be that
+%! addpath (fileparts (which ('startToolbox')));
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder, ['Input.maxNewRuns = 200; ', ...
+%!                              'optim.targetStd = {[4, 0.001], 0.1};']);
+%! writeAtomic (fullfile (raw.folder, 'loadEffects.m'), ...
+%!   ["function effects = loadEffects ()\n", ...
+%!    "effects = struct ('name', 'own', 'variables', {{'e'}}, ...\n", ...
+%!    "                  'neutral', 0, 'limits', [0; 5]);\nend\n"]);
+%! writeAtomic (fullfile (raw.folder, 'DEMmodels', 'Second', 'runscript'), ...
+%!              "echo NaN > out\n");
+%! words = [fullfile(raw.root, 'bin', 'decalioc'), ' diagnose ', raw.folder];
+%! [~, out] = system ([words, ' 2>&1']);
+%! assert (~isempty (strfind (out, 'Second is out, for none of its runs')), ...
+%!         out);
+%! n = cellfun (@(m) numel (listRunFolders (raw.folder, m)), ...
+%!              {'First', 'Second'});
+%! assert (n(1) > 18 && n(2) <= 36, sprintf ('%d ', n));
+%! gap = readJsonFile (fullfile (raw.folder, 'gap', 'gap.json'));
+%! assert ({gap.where.out, gap.where.neverRun}, {{'Second'}, []});
+%! confirm_recursive_rmdir (false, 'local');
+%! % without its runs, and without leave to make any
+%! cellfun (@(name) rmdir (fullfile (raw.folder, 'optim', 'Second', name), ...
+%!                         's'), listRunFolders (raw.folder, 'Second'));
+%! writeLoadInput (raw.folder, ['Input.maxNewRuns = 0; ', ...
+%!                              'optim.targetStd = {[4, 0.001], 0.1};']);
+%! [~, out] = system ([words, ' 2>&1']);
+%! assert (~isempty (strfind (out, 'Second is out, for it was never')), out);
+%! gap = readJsonFile (fullfile (raw.folder, 'gap', 'gap.json'));
+%! assert (gap.where.neverRun, {'Second'});
+%! page = fileread (fullfile (raw.folder, 'results', 'report.html'));
+%! assert (~isempty (strfind (page, 'It was never run to its end')));

@@ -33,8 +33,11 @@ function diagnosis = diagnoseCase (root, folder)
   data = completePlan (data, Case, evaluate, say);
 
   % where, which, how far, next test
-  options = gapBudget (Case, ledger, given, count.seconds);
-  further = @(X, E, replicate, stage) evaluate (X, replicate, stage, E);
+  [part, own] = livingPart (Case, data, ledger);
+  options = gapBudget (part, ledger, given, count.seconds);
+  evaluate = newEvaluate (part, ledger, say);
+  further = @(X, E, replicate, stage) ...
+    inColumns (evaluate (X, replicate, stage, E), own);
   if options.maxNewRuns < 1
     further = [];
   end
@@ -53,4 +56,25 @@ function diagnosis = diagnoseCase (root, folder)
   sayDiagnosis (diagnosis, Case, say);
   reportPage (Case, say);
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
+end
+
+% The case without the models that gave no result, which enterRuns leaves out;
+% OWN, 1 x T logical: the targets of the others.
+function [part, own] = livingPart (Case, data, ledger)
+  model = [Case.targets.model];
+  isAlive = ismember (1:numel (Case.models), ...
+                      model(any (isfinite (data.Z), 1)));
+  own = isAlive(model);
+  number = cumsum (isAlive);
+  part = Case;
+  part.models = ledger('models')(isAlive);
+  part.targets = Case.targets(own);
+  for t = 1:sum (own)
+    part.targets(t).model = number(part.targets(t).model);
+  end
+end
+
+function Z = inColumns (found, own)
+  Z = NaN (rows (found), numel (own));
+  Z(:, own) = found;
 end

@@ -85,6 +85,7 @@ function diagnosis = inGivenUnits (diagnosis, gapProblem)
   end
   where.budget.covariance = where.budget.covariance .* (unit' * unit);
   where.out = gapProblem.out;
+  where.neverRun = gapProblem.neverRun;
   diagnosis.where = where;
   if ~isempty (diagnosis.howFar)
     for i = 1:numel (diagnosis.howFar.targets)

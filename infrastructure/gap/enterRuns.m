@@ -9,7 +9,8 @@
 %               whose runs gave a result; also
 %     kept (1 x T'): numbers of the targets that are left
 %     unit (1 x T'): what one unit is in that of the user, a power of two
-%     out  (cellstr): names of the benches that are out
+%     out  (cellstr): names of the benches that are out, and of these neverRun
+%       (cellstr): those of which no run has come to its end
 %   DATA        the same, each run once, Z in standard units, columns as the
 %               targets left
 %
@@ -26,7 +27,7 @@
 function [gapProblem, data] = enterRuns (gapProblem, data, options)
   checkRuns (gapProblem, data);
   data = onceEach (data);
-  [gapProblem, kept, out] = withoutDeadBenches (gapProblem, data);
+  [gapProblem, kept, out, neverRun] = withoutDeadBenches (gapProblem, data);
   data.Z = data.Z(:, kept);
   checkEnough (gapProblem, data, options);
   unit = unitsOf (gapProblem, data.Z);
@@ -34,6 +35,7 @@ function [gapProblem, data] = enterRuns (gapProblem, data, options)
   gapProblem.kept = kept;
   gapProblem.unit = unit;
   gapProblem.out = out;
+  gapProblem.neverRun = neverRun;
   data.Z = data.Z ./ unit;
 end
 
@@ -84,11 +86,14 @@ function data = onceEach (data)
   end
 end
 
-function [gapProblem, kept, out] = withoutDeadBenches (gapProblem, data)
+function [gapProblem, kept, out, neverRun] = ...
+  withoutDeadBenches (gapProblem, data)
   isThere = any (isfinite (data.Z), 1);
   benches = unique (gapProblem.bench);
   dead = setdiff (benches, gapProblem.bench(isThere));
   out = gapProblem.benchNames(dead);
+  wasRun = gapProblem.bench(~all (isna (data.Z), 1));
+  neverRun = gapProblem.benchNames(setdiff (dead, wasRun));
   kept = find (~ismember (gapProblem.bench, dead));
   left = intersect (gapProblem.used, kept);
   if isempty (left)
@@ -163,9 +168,13 @@ end
 %! data.Z(:, 3) = NaN;
 %! [p, d] = enterRuns (newGapProblem (given), data, gapOptions ([]));
 %! assert (p.out, {'bench2'});
+%! assert (p.neverRun, cell (1, 0));
 %! assert (p.kept, [1, 2]);
 %! assert (p.used, [1, 2]);
 %! assert (columns (d.Z), 2);
+%! data.Z(:, 3) = NA;
+%! p = enterRuns (newGapProblem (given), data, gapOptions ([]));
+%! assert ({p.out, p.neverRun}, {{'bench2'}, {'bench2'}});
 %!test
 %! % a run that is there twice counts once, a repeat does not
 %! data.Z(4, 3) = NaN;

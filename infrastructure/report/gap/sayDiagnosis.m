@@ -6,8 +6,7 @@
 %   CASE       struct with the field folder
 %   SAY        function handle that takes one line of text
 %
-% Four plain lines first: where, what, how much of it is closed, what to do. The
-% tables follow.
+% Four plain lines first: where, what, how much is closed, to do. Then tables.
 %
 % See also: diagnoseGap, decideGap
 
@@ -96,9 +95,10 @@ function sayWhere (diagnosis, say)
     say (sprintf ('  bench %-22s p = %.3f, off by %.1f sd', ...
                   gapProblem.benchNames{b.bench}, b.p, b.size));
   end
-  if ~isempty (where.out)
-    say (['  out, for none of its runs gave a result: ', ...
-          strjoin(where.out, ', ')]);
+  why = {'none of its runs gave a result', 'it was never run to its end'};
+  for b = where.out(:)'
+    isNever = any (strcmp (b{1}, where.neverRun));
+    say (sprintf ('  %s is out, for %s', b{1}, why{1 + isNever}));
   end
   if ~isempty (where.conflict.odd)
     say (sprintf ('  %s disagrees with all other benches', ...

@@ -78,6 +78,7 @@ function s = whereOf (diagnosis)
   s.params = cell2struct (num2cell (where.params(:)), gapProblem.names(:), 1);
   s.atLimit = where.side.atLimit;
   s.out = where.out;
+  s.neverRun = where.neverRun;
   s.surrogateShare = mean (where.side.share(gapProblem.used));
   s.absorbed = where.absorbed;
   s.unabsorbed = where.unabsorbed;

@@ -26,17 +26,32 @@ function html = leadIn (page, where)
     html = [html, ' To come this close the parameters go to their limit: ', ...
             htmlText(strjoin (cellstr (limits)(:)', ', ')), '.'];
   end
-  out = jsonAt (where, {'out'});
-  if ~isempty (out)
-    html = [html, ' None of its runs gave a result, so it takes no part: ', ...
-            htmlText(strjoin (cellstr (out)(:)', ', ')), '.'];
-  end
+  never = namesAt (where, 'neverRun');
+  html = [html, outOf('None of its runs gave a result', ...
+                      setdiff (namesAt (where, 'out'), never)), ...
+          outOf('It was never run to its end', never)];
   if isfield (where, 'surrogateShare')
     html = [html, ' Of the noise, ', ...
             pageNumber(page, 'percent', 'gap', 'where', 'surrogateShare'), ...
             ' is the uncertainty of the surrogates.'];
   end
   html = [html, '</p>'];
+end
+
+function names = namesAt (where, field)
+  names = {};
+  found = jsonAt (where, {field});
+  if ~isempty (found)
+    names = cellstr (found);
+  end
+end
+
+function html = outOf (reason, benches)
+  html = '';
+  if ~isempty (benches)
+    html = [' ', reason, ', so it takes no part: ', ...
+            htmlText(strjoin (benches(:)', ', ')), '.'];
+  end
 end
 
 % One row a bench, one cell a target: deviation in units of its noise.
