@@ -71,7 +71,7 @@
 %! file = fullfile (folder, 'runs.csv');
 %! writeAtomic (file, repmat ("whole\n", 1, 50));
 %! fill (folder);
-%! program = fullfile (raw.root, 'bin', 'decalioc');
+%! program = shellQuote (fullfile (raw.root, 'bin', 'decalioc'));
 %! [status, out] = system (sprintf ('%s export %s %s 2>&1', program, ...
 %!                                  raw.folder, file));
 %! assert (status, 1);
@@ -147,11 +147,12 @@
 
 %!test
 %! % whatever Octave writes for others goes through writeAtomic, but for the
-%! % log, which must not stop a calibration
+%! % log, which must not stop a calibration, and orders, which are read back
 %! root = fileparts (which ('startToolbox'));
 %! [~, found] = system (['cd ', shellQuote(root), ' && grep -rlE ', ...
 %!   '"^[^%]*(fopen [(].*''[wa]''|[^_]save [(]|csvwrite|dlmwrite)" ', ...
 %!   '--include="*.m" . | LC_ALL=C sort']);
 %! assert (strsplit (strtrim (found), "\n"), ...
-%!         {'./files/writeAtomic.m', './report/sayLine.m', ...
+%!         {'./executors/giveOrder.m', './files/writeAtomic.m', ...
+%!          './report/sayLine.m', ...
 %!          './surrogates/saveSurrogate.m'});

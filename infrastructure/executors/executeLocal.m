@@ -20,7 +20,8 @@
 % limit of a run is 20 times the median of the model's runs in this calibration,
 % and at least 60 s.
 %
-% Errors: DEcalioc:executeLocal:runFailed, those of prepareRun and startRun
+% Errors: DEcalioc:executeLocal:runFailed, those of prepareRun, startRun
+% and giveOrder
 %
 % See also: runJobs, carryRun, bookRun, lookAfter, executeSlurm
 
@@ -88,7 +89,10 @@ function none = handOut (book, answers, Case, report)
       isKept = sum (isStep) <= stepsAtWork (plan.place);
     else
       book('plan') = plan;                 % before a worker can begin it
-      order (plan, k);
+      giveOrder (plan.place, ...
+                 struct ('k', k, 'job', plan.jobs(k), ...
+                         'folder', plan.folders{k}, ...
+                         'hasEnded', plan.status(k) == 'j'));
       isKept = false;
     end
   end
@@ -103,14 +107,6 @@ function n = stepsAtWork (place)
     n = n + (numel (numbers) == 1 || ...
              numel (numbers) == 2 && ~isempty (processStart (numbers(2))));
   end
-end
-
-function order (plan, k)
-  task = struct ('k', k, 'job', plan.jobs(k), 'folder', plan.folders{k}, ...
-                 'hasEnded', plan.status(k) == 'j');
-  draft = fullfile (plan.place, 'draft');
-  save ('-binary', draft, '-struct', 'task');
-  rename (draft, fullfile (plan.place, sprintf ('%d.order', k)));
 end
 
 function [plan, k] = nextStep (plan, Case)

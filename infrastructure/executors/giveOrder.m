@@ -1,0 +1,44 @@
+% GIVEORDER  Leaves an order for a worker: whole, or not at all.
+%
+% CALL: giveOrder (PLACE, ORDER)
+%
+%   PLACE   folder (text), see carryRun
+%   ORDER   struct: k (number of the run), job (see newJobs), folder (of the
+%           run), hasEnded (logical)
+%
+% Read back, since save says nothing of a full disk. Not by writeAtomic: an
+% order need not outlive a power cut, and a sync would take 20 ms a step.
+%
+% Errors: DEcalioc:giveOrder:cannotWrite
+%
+% See also: executeLocal, carryRun
+
+function giveOrder (place, order)
+  draft = fullfile (place, 'draft');
+  try
+    save ('-binary', draft, '-struct', 'order');
+    isWhole = isequaln (load (draft), order);
+  catch
+    isWhole = false;
+  end
+  if ~isWhole
+    error ('DEcalioc:giveOrder:cannotWrite', ...
+           ['giveOrder: %s must hold what was written to it. The disk of ' ...
+            'TMPDIR may be full: free some space and start again; finished ' ...
+            'runs are kept.'], draft);
+  end
+  rename (draft, fullfile (place, sprintf ('%d.order', order.k)));
+end
+
+%!test
+%! place = tempname ();
+%! mkdir (place);
+%! order = struct ('k', 7, 'job', struct ('params', [1, NaN]), ...
+%!                 'folder', 'here', 'hasEnded', false);
+%! giveOrder (place, order);
+%! assert (isequaln (load (fullfile (place, '7.order')), order));
+%! assert (numel (readdir (place)), 3);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (place, 's');
+%!error id=DEcalioc:giveOrder:cannotWrite
+%! giveOrder (tempname (), struct ('k', 1));
