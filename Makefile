@@ -17,7 +17,7 @@ CASE ?= .
 ONLY ?=
 export LIGGGHTS OCTAVE CASE ONLY
 
-.PHONY: help setup liggghts run gap test soak bench lint graph format dist demo clean liggghts-clean
+.PHONY: help setup liggghts run gap test soak bench lint graph format index dist demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -66,6 +66,9 @@ graph:                 ## the calls between the folders; fails where one goes up
 format:                ## lay out the Octave code, then lint
 	@tools/setup.sh lint
 	@tools/lint.sh --fix
+
+index:                 ## write docs/functions.md: the functions that a user may call
+	@tools/functionIndex.sh
 
 dist:                  ## make the Octave package dist/decalioc-VERSION.tar.gz
 	@tools/dist.sh

@@ -144,6 +144,13 @@
 %! missing = lines(~ismember (shown, said));
 %! assert (isempty (missing), strjoin ([missing, {''}], "\n"));
 
+% --- functions.md is what its tool makes of the functions as they are
+%!test
+%! root = fileparts (fileparts (which ('startProgram')));
+%! [status, out] = system ([shellQuote(fullfile (root, 'tools', ...
+%!                          'functionIndex.sh')), ' --check 2>&1']);
+%! assert (status, 0, out);
+
 % --- troubleshooting.md knows every error, and no error that is not there
 %!function names = inCode (root)
 %!  [~, list] = system (['find ', shellQuote(fullfile (root, ...

@@ -1,0 +1,72 @@
+#!/bin/bash
+# Writes docs/functions.md: the functions that a user may call, each with the
+# first line of its help.
+# CALL: tools/functionIndex.sh          (or: make index)
+#       tools/functionIndex.sh --check  writes nothing; exit status 1 if it is old
+set -euo pipefail
+export LC_ALL=C
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+page=docs/functions.md
+
+table () {
+  printf '\n| function | does |\n|---|---|\n'
+  for file in "$@"; do
+    name=$(basename "$file" .m)
+    # shellcheck disable=SC2016
+    printf '| [`%s`](../%s) | %s |\n' "$name" "$file" \
+      "$(sed -nE '/^% [A-Z0-9_]+  /{s/^% [A-Z0-9_]+  //p;q}' "$file")"
+  done
+}
+
+# The functions of folders that a text calls, or whose help it names.
+named () {
+  sed -E 's/^ *%.*//' | grep -oE '\b[a-z][A-Za-z]+ \(|help [a-z][A-Za-z]+' |
+    sed -E 's/help |[ (]//g' | sort -u |
+    while read -r name; do find infrastructure/*/ -name "$name.m"; done | sort
+}
+
+readers () {
+  { sed -n '/^### Reading particle dumps/,/^### Rules/p' docs/extend.md
+    find DEMmodels examples templates -path '*/OctaveFuns/*.m' ! -path '*/optim/*' \
+      -exec cat {} +; } | named
+}
+
+others () { cat docs/extend.md docs/effects.md docs/gap.md docs/inputs.md | named; }
+
+index () {
+  echo '# Functions
+
+Those that are meant to be called, by hand or by files of your own. `help NAME` tells all of each;
+this page is made of the first lines of their help (`make index`).
+
+## Main scripts, and forms to fill in'
+  table DEcalioc.m diagnoseGap.m loadInput.m loadEffects.m costFunction.m
+  echo '
+## The published functions'
+  table infrastructure/*.m
+  echo '
+## For `getResults` of a model
+
+[Reading particle dumps](extend.md#reading-particle-dumps).'
+  mapfile -t files < <(readers)
+  table "${files[@]}"
+  echo '
+## For executors, effects and the diagnosis of matrices
+
+[extend.md](extend.md#an-executor), [gap.md](gap.md#on-matrices-for-other-dem-codes).'
+  mapfile -t files < <(comm -23 <(others) <(readers))
+  table "${files[@]}"
+  echo '
+## The library of candidate effects
+
+[effects.md](effects.md) has their variables and ranges.'
+  table infrastructure/effects/effect[A-Z]*.m
+}
+
+if [ "${1:-}" = --check ]; then
+  index | diff "$page" - && exit
+  echo "functionIndex.sh: $page is old. Make it again: make index" >&2
+  exit 1
+fi
+index > "$page.part"
+mv "$page.part" "$page"
