@@ -36,8 +36,8 @@ others () { cat docs/extend.md docs/effects.md docs/gap.md docs/inputs.md | name
 index () {
   echo '# Functions
 
-Those that are meant to be called, by hand or by files of your own. `help NAME` tells all of each;
-this page is made of the first lines of their help (`make index`).
+The functions that are meant to be called by hand or by files of your own. `help NAME` describes
+each; this page is made of the first lines of their help (`make index`).
 
 ## Main scripts, and forms to fill in'
   table DEcalioc.m diagnoseGap.m loadInput.m loadEffects.m costFunction.m
