@@ -154,3 +154,33 @@
 %! assert (gap.where.neverRun, {'Second'});
 %! page = fileread (fullfile (raw.folder, 'results', 'report.html'));
 %! assert (~isempty (strfind (page, 'It was never run to its end')));
+
+%!test
+%! % more runs than surrogates hold: the diagnosis and the calibration take a
+%! % part, say so, and the calibration says what is lost
+%! addpath (fileparts (which ('startToolbox')));
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder, ['Input.maxNewRuns = 0; ', ...
+%!                              'optim.targetStd = {[0.1, 0.3], 0.1};']);
+%! writeAtomic (fullfile (raw.folder, 'loadEffects.m'), ...
+%!   ["function effects = loadEffects ()\n", ...
+%!    "effects = struct ('name', 'own', 'variables', {{'e'}}, ...\n", ...
+%!    "                  'neutral', 0, 'limits', [0; 5]);\nend\n"]);
+%! rand ('twister', 1);
+%! X = 10 * rand (1040, 2);
+%! E = [zeros(1020, 1); 5 * rand(20, 1)];
+%! sums = [sum(X, 2), prod(X, 2), X * [1; -1]] + E + 0.1 * rand (1040, 3);
+%! table = [X, E, sums]';
+%! writeAtomic (fullfile (raw.folder, 'runs.csv'), ...
+%!   ["model,a,b,e,First_1,First_2,Second_1\n", ...
+%!    sprintf("First,%.6g,%.6g,%.6g,%.6g,%.6g,\n", table(1:5, :)), ...
+%!    sprintf("Second,%.6g,%.6g,%.6g,,,%.6g\n", table([1:3, 6], :))]);
+%! program = fullfile (raw.root, 'bin', 'decalioc');
+%! [~, out] = system ([program, ' diagnose ', raw.folder, ' 2>&1']);
+%! assert (~isempty (strfind (out, '1000 of 1040 runs are used')), out);
+%! gap = readJsonFile (fullfile (raw.folder, 'gap', 'gap.json'));
+%! assert (gap.which.verdict, 'no gap');
+%! [~, out] = system ([program, ' run ', raw.folder, ' 2>&1']);
+%! off = regexp (out, ['The 20 runs left out are off the surrogates by ', ...
+%!                     '(\S+) % of the range at most'], 'tokens', 'once');
+%! assert (str2double (off{1}) < 1);

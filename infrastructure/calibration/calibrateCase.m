@@ -28,14 +28,14 @@ function calibration = calibrateCase (root, folder)
   sayOldRuns (Case, say);
 
   % experimental plan and DEM simulation
-  data = importExisting (Case, say);
+  [data, rest] = importExisting (Case, say);
   [plan, levels] = newPlan (data, Case);
   data = runPlan (plan, data, Case, evaluate, say, levels);
   problem = withinBudget (problem, ledger, Case);
 
   % Kriging models
   [~, ~, surrogates] = createKrigingModels (data, problem);
-  reportSurrogateFit (surrogates, data, problem, say);
+  reportSurrogateFit (surrogates, data, problem, say, rest);
 
   % optimisation on the Kriging models
   [found, history] = calibrateOnKriging (surrogates, problem);

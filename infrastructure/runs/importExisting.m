@@ -1,18 +1,20 @@
 % IMPORTEXISTING  Takes in the runs of a table runs.csv in the case folder.
 %
-% CALL: DATA = importExisting (CASE, SAY)
+% CALL: [DATA, REST] = importExisting (CASE, SAY)
 %
 %   CASE  see newCase
 %   SAY   function handle that takes one line of text
 %   DATA  see newData, E the levels of CASE.coarse; empty where there is no
 %         runs.csv. Rows with an effect switched on are left out: they belong to
 %         the diagnosis; of more than 1000, those of thinRuns are taken
+%   REST  struct X, Z, E: the others, which tell what is lost with them
 %
 % See also: importRuns, diagnoseGap
 
-function data = importExisting (Case, say)
+function [data, rest] = importExisting (Case, say)
   v = numel (Case.coarse);
   data = newData (numel (Case.names), numel (Case.targets), v);
+  rest = struct ('X', data.X, 'Z', data.Z, 'E', data.E);
   file = fullfile (Case.folder, 'runs.csv');
   if ~isfile (file)
     return
@@ -25,6 +27,8 @@ function data = importExisting (Case, say)
                 sum (isPlain), sum (~isPlain)));
   found = keepRows (found, isPlain);
   [use, text] = thinRuns (found, Case, 1000);
+  rest = struct ('X', found.X(~use, :), 'Z', found.Z(~use, :), ...
+                 'E', found.E(~use, 1:v));
   found = keepRows (found, use);
   data = addRows (data, found.X, found.Z, found.replicate, 'import', ...
                   found.E(:, 1:v));
@@ -54,6 +58,8 @@ end
 %! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
 %!   ["model,a,b,First_1,First_2,Second_1\n", ...
 %!    sprintf("First,%d,2,3,2,\n", 1:n), sprintf("Second,%d,2,,,1\n", 1:n)]);
-%! text = evalc ('data = importExisting (Case, @disp);');
+%! text = evalc ('[data, rest] = importExisting (Case, @disp);');
 %! assert (rows (data.X), 1000);
+%! assert (sortrows ([data.X, data.Z; rest.X, rest.Z]), ...
+%!         [(1:n)', repmat([2, 3, 2, 1], n, 1)]);
 %! assert (~isempty (strfind (text, '1000 of 1500 runs are used')));

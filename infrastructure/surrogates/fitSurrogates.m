@@ -1,13 +1,14 @@
 % FITSURROGATES  One surrogate a target from all finished runs.
 %
 % CALL: SURROGATES = fitSurrogates (DATA, PROBLEM)
-% CALL: SURROGATES = fitSurrogates (DATA, PROBLEM, OLD)
+% CALL: SURROGATES = fitSurrogates (DATA, PROBLEM, OLD, MOST)
 %
 % DATA        struct of newData: X n x d, Z n x T (NaN: failed), E n x v
 % PROBLEM     struct of newProblem
 % OLD         1 x T surrogates of an earlier fit: choice of trend and
 %             covariance kept, only parameters estimated again (much faster);
 %             chosen anew when the runs have grown by a fifth
+% MOST        runs that are fitted at most (2000), chosen by thinRuns: memory
 % SURROGATES  1 x T struct array of fitSurrogate
 %
 % Rows with effect values other than those of the first row belong to another
@@ -34,19 +35,19 @@
 %
 % See also: fitSurrogate, findBadRuns, estimateNoise, createKrigingModels
 
-function surrogates = fitSurrogates (data, problem, old)
+function surrogates = fitSurrogates (data, problem, old, most)
   if nargin < 3
     old = [];
   end
-  data.Z = countEqualOnce (data, problem.targets);
-  same = true (rows (data.X), 1);
-  isLevelled = isfield (problem, 'coarse') && ~isempty (problem.coarse);
-  if ~isLevelled && isfield (data, 'E') && ~isempty (data.E)
-    same = all (data.E == data.E(1, :), 2);
+  if nargin < 4
+    most = 2000;
   end
+  data.Z = countEqualOnce (data, problem.targets);
+  isLevelled = isfield (problem, 'coarse') && ~isempty (problem.coarse);
+  same = rowsToFit (data, problem, isLevelled, most);
   level = cell (1, columns (data.Z));
   if isLevelled
-    level = levelsOf (data, problem);
+    level = levelsOf (data.E(same, :), data.Z(same, :), problem);
   end
   leftOut = false (size (data.Z));
   if ~isempty (old) && ~isempty (old(1).leftOut)
@@ -71,13 +72,35 @@ function surrogates = fitSurrogates (data, problem, old)
   end
 end
 
+% Those of one model, and no more than memory holds.
+function same = rowsToFit (data, problem, isLevelled, most)
+  n = rows (data.X);
+  same = true (n, 1);
+  E = zeros (n, 0);
+  if isfield (data, 'E') && ~isempty (data.E)
+    E = data.E;
+  end
+  if ~isLevelled && ~isempty (E)
+    same = all (E == E(1, :), 2);
+  end
+  if sum (same) > most
+    roles = {'holdout', 'calibrate'};
+    Case.targets = struct ('value', num2cell (problem.value), ...
+                           'sd', num2cell (problem.sd), ...
+                           'role', roles(1 + problem.calibrate));
+    table = struct ('X', data.X(same, :), 'E', E(same, :), ...
+                    'Z', data.Z(same, :));
+    same(same) = thinRuns (table, Case, most);
+  end
+end
+
 % How coarse the runs are, for each target; [] where it makes no difference, or
 % none can be seen as all finished runs are of one level.
-function level = levelsOf (data, problem)
-  level = cell (1, columns (data.Z));
+function level = levelsOf (E, Z, problem)
+  level = cell (1, columns (Z));
   for t = 1:numel (level)
-    own = unitLevel (problem.coarse, data.E, t);
-    if any (own) && numel (unique (own(isfinite (data.Z(:, t))))) > 1
+    own = unitLevel (problem.coarse, E, t);
+    if any (own) && numel (unique (own(isfinite (Z(:, t))))) > 1
       level{t} = own;
     end
   end
@@ -197,3 +220,21 @@ end
 %! s = fitSurrogates (data, newProblem (C, []));
 %! assert (sqrt (s.noiseVar), 0.1, 0.04);
 %! assert (numel (s.model.lognoisevariance), 48);
+
+%!test
+%! % more runs than memory holds: a part is fitted, at all levels
+%! rand ('twister', 1);
+%! X = rand (90, 1);
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 2, 'tol', 0.01));
+%! data = addRows (newData (1, 1), X, 1 + X, ones (90, 1), 'plan');
+%! s = fitSurrogates (data, newProblem (C, []), [], 30);
+%! assert ({numel(s.z), size(s.leftOut)}, {30, [90, 1]});
+%! assert (predictSurrogate (s, 0.4), 1.4, 1e-3);
+%! problem = newProblem (C, []);
+%! problem.coarse = struct ('levels', [2; 1], 'column', 1);
+%! data.E = repmat ([2; 1; 1], 30, 1);
+%! data.Z += 0.1 * (data.E - 1);
+%! s = fitSurrogates (data, problem, [], 40);
+%! assert (numel (s.z), 40);
+%! assert (predictSurrogate (s, 0.4), 1.4, 1e-3);
