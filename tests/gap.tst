@@ -160,6 +160,9 @@
 %! assert (d.howFar.verifiedByDEM, true);
 %! assert (size (d.howFar.placebos), [1, 2]);
 %! assert (isstruct (d.howFar.heldOut));
+%! % looking at four of them is allowed for
+%! held = d.where.held;
+%! assert (held.p, 1 - (1 - 2 * normalTail (abs (held.z))).^4, 1e-9);
 %! assert (d.gapProblem.used, 1:8);
 %! % a second start finds these runs in another order, and asks for no other
 %! store = containers.Map ('KeyType', 'char', 'ValueType', 'any');

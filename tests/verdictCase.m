@@ -73,6 +73,9 @@ function list = withGap ()
   off = ended (result (false, [0.2, 0, 0]), 'maxFunEvals', outside ());
   near = few (result (false, [0, 0, 0]));
   none = gapOf ('no gap', {}, 'gate');
+  beyond = none;
+  beyond.where.targets(3).z = 6.2;
+  beyond.where.targets(3).p = 7e-10;
   blind = none;
   blind.which.cannotSee = {'cohesion', 'drag'};
   named = gapOf ('named', {'cohesion'}, '');
@@ -92,6 +95,8 @@ function list = withGap ()
   tells = several;
   tells.next = struct ('test', 'measure First once more', 'gain', 0.9);
   kinds = {'met, no gap', met, none; 'met, blind', met, blind; ...
+           'met, held out tells', met, beyond; ...
+           'missed, held out tells', off, beyond; ...
            'met, named', met, named; 'met, several', met, several; ...
            'met, too few runs', met, poor; 'missed, no gap', off, none; ...
            'Sluice: missed, blind', off, blind; ...
@@ -193,6 +198,8 @@ function gap = gapOf (verdict, effects, guard)
                     'unabsorbed', 0.5, 'blind', false, 'size', {3, 0.2, 6});
   if strcmp (verdict, 'no gap')
     [targets.p] = deal (0.9);
+    [targets.z] = deal (0.3, 0.2, 0.6);
+    [targets.size] = deal (0.3, 0.2, 0.6);
   end
   gap.where = struct ('p', merge (strcmp (verdict, 'no gap'), 0.6, 0.001), ...
                       'targets', targets, 'models', ...

@@ -31,6 +31,7 @@ function s = caseStatus (Case, cost)
   s.models = countsOf (Case, runs);
   current = runs([runs.isCurrent]);
   f = foresee (Case, current);
+  f.isDone = f.isDone | isReplaced (f.jobs, current);
   s.plan = [sum(f.isDone), numel(f.isDone)];
   later = current(strcmp (stagesOf (current), 'calibration'));
   isPlanned = @(r) any (all (abs (r.job.params(:)' - f.plan) < ...
@@ -55,6 +56,15 @@ end
 
 function stages = stagesOf (runs)
   stages = cellfun (@(j) j.stage, {runs.job}, 'UniformOutput', false);
+end
+
+% A run that failed is done once the one with another seed in its place is.
+function yes = isReplaced (jobs, runs)
+  runs = runs(ismember ({runs.state}, {'ok', 'ended'}));
+  place = @(job) {job.model, job.params(:), job.effects(:), job.replicate};
+  places = arrayfun (@(r) place (r.job), runs, 'UniformOutput', false);
+  isIn = @(own) any (cellfun (@(p) isequal (p, own), places));
+  yes = arrayfun (@(job) isIn (place (job)), jobs);
 end
 
 function n = numberOfSets (runs)
@@ -185,3 +195,22 @@ end
 %! assert ({s.state, s.stage}, {'finished', 'calibration'});
 %! assert (s.plan, [16, 16]);
 %! assert (s.sets, [1, 40]);
+%!test
+%! % a plan of which one run failed and another seed took its place is done
+%! raw = standInCase (tempname ());
+%! Case = newCase (raw);
+%! job = foresee (Case, runsOfCase (Case)).jobs(3);
+%! k = find (strcmp (job.model, {Case.models.name}));
+%! file = fullfile (Case.models(k).folder, 'runscript');
+%! spoil = sprintf ('! grep -q "runSeed equal %d$" data.head', job.seed);
+%! writeAtomic (file, [spoil, " || exit 1\n", fileread(file)]);
+%! Case = newCase (raw);
+%! f = foresee (Case, runsOfCase (Case));
+%! lock = lockCase (Case.folder);
+%! runJobs (f.jobs, Case, @(state) []);
+%! s = caseStatus (Case, []);
+%! assert (sum ([s.models.failed]), 1);
+%! assert (s.plan, [16, 16]);
+%! clear lock
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');

@@ -15,6 +15,9 @@ function reportCalibration (c, Case, say)
   else
     say (['NOT CALIBRATED: ', c.reason]);
   end
+  if ~isempty (c.verdict.gap)
+    say (['  ', c.verdict.gap]);
+  end
   sayVerdict (c.verdict, say);
   say ('');
   sayTargets (c, Case, say);
@@ -64,7 +67,9 @@ function sayTargets (c, Case, say)
                    'the tolerance'], curves(k).name, ...
                   numel (curves(k).own), curves(k).share));
   end
-  if c.runs > 0
+  if c.runs == 1
+    say ('  DEM: one run');
+  elseif c.runs > 1
     say (sprintf ('  DEM: mean of %d runs with different packings', c.runs));
   else
     say (['  No DEM run was made with this set: ', ...
@@ -114,7 +119,8 @@ function sayParameters (c, Case, say)
 end
 
 function saySensitivity (c, Case, say)
-  say ('  share of each response''s variance over the box (total Sobol index)');
+  say (['  share of each response''s variance over the box that a ', ...
+        'parameter makes']);
   shown = shownTargets (Case);
   say (sprintf ('  %-24s%s', '', sprintf (' %20.20s', ...
                                           Case.targets(shown).name)));

@@ -19,7 +19,8 @@
 %     benches (1 x B' struct: bench, p corrected for B' benches, size: root of
 %       the sum of squares of its residuals in standard deviations of the noise)
 %     conflict (benchConflicts), trends (trendContrasts), side (sideSignals)
-%     budget (noiseBudget), held (struct z, mean, sd of the held-out targets)
+%     budget (noiseBudget), held (struct z, mean, sd of the held-out targets, p
+%       corrected for looking at all of them, as if their noises were apart)
 %
 % See also: screenEffects, caseEvidence, diagnoseMatrices
 
@@ -127,13 +128,15 @@ function benches = benchTests (groups, own, fakes)
 end
 
 function held = heldOut (gapProblem, em, models)
-  held = struct ('z', [], 'mean', [], 'sd', []);
+  held = struct ('z', [], 'mean', [], 'sd', [], 'p', []);
   if ~isempty (gapProblem.heldOut)
     cross = crossPredict (gapProblem, em, models, gapProblem.used, ...
                           gapProblem.heldOut);
     held.mean = cross.mean;
     held.sd = cross.sd;
     held.z = (gapProblem.value(gapProblem.heldOut) - cross.mean) ./ cross.sd;
+    own = 2 * normalTail (abs (held.z));
+    held.p = -expm1 (numel (own) * log1p (-own));
   end
 end
 

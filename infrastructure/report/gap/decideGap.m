@@ -65,6 +65,18 @@ end
 
 function cause = noGap (cause, gap)
   cause.closed = '';
+  missed = heldOutOff (gap);
+  if ~isempty (missed)
+    cause.kind = 'cannot tell';
+    cause.word = 'These targets cannot tell';
+    cause.sentence = ['What was never fitted is missed by more than noise ', ...
+                      'makes: ', missed, '. The fitted targets do not ', ...
+                      'show it, so they cannot tell the cause.'];
+    cause.notFor = {['what depends on ', missed, ' (never fitted, missed)']};
+    cause.action = ['Fit ', missed, ' too (role ''calibrate'') and start ', ...
+                    'decalioc run and decalioc diagnose again.'];
+    return
+  end
   if ~isempty (cause.cannotSee)
     cause.kind = 'cannot tell';
     cause.word = 'These targets cannot tell';
@@ -85,6 +97,16 @@ function cause = noGap (cause, gap)
                     'what can be seen may still be there.'];
   cause.without = ['What is missed is no more than noise makes: measure ', ...
                    'more precisely, or widen the tolerances (optim.tolRes).'];
+end
+
+function names = heldOutOff (gap)
+  targets = arrayfun (@(t) jsonAt (gap.where.targets, {t}), ...
+                      1:numel (gap.where.targets), 'UniformOutput', false);
+  isMissed = @(t) strcmp (t.role, 'holdout') && isfield (t, 'p') && ...
+                  isscalar (t.p) && t.p < 0.05;
+  isOff = cellfun (isMissed, targets);
+  names = strjoin (cellfun (@(t) t.name, targets(isOff), ...
+                            'UniformOutput', false), ', ');
 end
 
 function cause = found (cause, gap, effects)

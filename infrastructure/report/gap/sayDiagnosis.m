@@ -8,13 +8,16 @@
 %
 % Four plain lines first: where, what, how much is closed, to do. Then tables.
 %
-% See also: diagnoseGap, decideGap
+% See also: diagnoseGap, decideGap, sayHowFar
 
 function sayDiagnosis (diagnosis, Case, say)
   sayPlain (diagnosis.verdict, say);
   sayWhere (diagnosis, say);
+  if isfile (fullfile (Case.folder, 'results', 'calibration.json'))
+    say (['  ', whyTwoSets()]);
+  end
   sayWhich (diagnosis, say);
-  sayHowFar (diagnosis, say);
+  sayHowFar (diagnosis.howFar, diagnosis.gapProblem, say);
   if isfield (diagnosis, 'level') && ~isempty (diagnosis.level)
     say ('');
     say (['LEVEL: ', levelText(diagnosis.level)]);
@@ -33,12 +36,13 @@ end
 
 % Where no test of the case would tell, what is known of the family.
 function sayNext (diagnosis, say)
-  say ('NEXT TEST: what would tell most about the kind of cause (bit)');
+  say (['NEXT TEST: what would tell most about the kind of cause (1: as ', ...
+        'much as a sure yes or no)']);
   for t = diagnosis.next(1:min (3, numel (diagnosis.next)))(:)'
     say (sprintf ('  %-50s %.2f', t.test, t.gain));
   end
   if ~any ([diagnosis.next.gain] >= 0.2)
-    say (['  None tells 0.2 bit. ', tellApart(diagnosis.which.effects)]);
+    say (['  None tells 0.2. ', tellApart(diagnosis.which.effects)]);
   end
 end
 
@@ -81,15 +85,16 @@ function sayWhere (diagnosis, say)
   end
   for i = 1:numel (gapProblem.heldOut)
     t = gapProblem.heldOut(i);
-    p = 2 * normalTail (abs (where.held.z(i)));
     mark = 'held out';
-    if p < 0.05
+    if where.held.p(i) < 0.05
       mark = '<-- off, held out';
     end
     say (sprintf ('  %-28s %11.5g %11.5g %7.1f %7.3f  %s', ...
                   gapProblem.targetNames{t}, gapProblem.value(t), ...
-                  where.held.mean(i), where.held.z(i), p, mark));
+                  where.held.mean(i), where.held.z(i), where.held.p(i), mark));
   end
+  say (['  z: miss in units of all noise; p: how often noise alone makes ', ...
+        'one of the fitted (or held-out) ones as odd']);
   [~, order] = sort (-[where.benches.size]);
   for b = where.benches(order)
     say (sprintf ('  bench %-22s p = %.3f, off by %.1f sd', ...
@@ -113,10 +118,7 @@ end
 function sayWhich (diagnosis, say)
   w = diagnosis.which;
   say ('');
-  say (['WHICH: ', upper(w.verdict)]);
-  if ~isempty (w.effects)
-    say (['  cause: ', causeText(w)]);
-  end
+  say (['WHICH: ', diagnosis.verdict.cause.word]);
   if ~isempty (w.partners)
     say (['  together with one of: ', strjoin(w.partners, ', ')]);
   end
@@ -173,78 +175,5 @@ end
 function sayShare (what, share, say)
   if isfinite (share)
     say (sprintf ('    %s in %.0f %%', what, 100 * share));
-  end
-end
-
-function sayHowFar (diagnosis, say)
-  cure = diagnosis.howFar;
-  if isempty (cure)
-    return
-  end
-  how = 'on the surrogates, not yet by DEM';
-  if cure.verifiedByDEM
-    how = 'by DEM';
-  end
-  say ('');
-  say (sprintf (['HOW FAR with %s (%s): deviation %.1f %% -> %.1f %% of ' ...
-                 'the range, noise makes %.1f -> %.1f %%'], ...
-                cure.effect, how, 100 * cure.before, 100 * cure.after, ...
-                100 * cure.floor, 100 * cure.floorAfter));
-  sayClosure ('calibrated targets', cure, say);
-  if ~isempty (cure.heldOut)
-    sayHeldOut (diagnosis.gapProblem, cure, say);
-  end
-  for p = cure.placebos
-    sayPlacebo (p, cure.verifiedByDEM, say);
-  end
-end
-
-function sayClosure (name, c, say)
-  if isfinite (c.closure) && c.closure >= 0.995
-    say (sprintf ('  %-26s all of the gap closed (90 %%: from %.0f %%)', ...
-                  name, 100 * min (1, c.interval90(1))));
-  elseif isfinite (c.closure)
-    say (sprintf ('  %-26s %.0f %% of the gap closed (90 %%: %.0f to %.0f)', ...
-                  name, 100 * c.closure, 100 * c.interval90));
-  else
-    say (sprintf (['  %-26s too near noise for a share (p = %.2g, largest ' ...
-                   'z %.1f)'], name, c.gapP, c.largestZ));
-  end
-end
-
-% A share of few numbers says little: then each of them.
-function sayHeldOut (gapProblem, cure, say)
-  held = cure.targets(ismember ([cure.targets.target], gapProblem.heldOut));
-  if numel (held) > 8
-    sayClosure ('held-out targets', cure.heldOut, say);
-    return
-  end
-  say (sprintf ('  %-28s %11s %11s %11s %9s', 'held out', 'measured', ...
-                'without', 'with', 'sd'));
-  for t = held
-    say (sprintf ('  %-28s %11.5g %11.5g %11.5g %9.2g', ...
-                  gapProblem.targetNames{t.target}, ...
-                  gapProblem.value(t.target), t.before, t.after, t.sd));
-  end
-end
-
-function sayPlacebo (p, isByDEM, say)
-  if ~isfinite (p.closure)
-    return
-  end
-  text = sprintf (['  placebo %s closes %.0f %% (%.0f %% expected beside ' ...
-                   'the right cause), %.0f points less (90 %%: %.0f to ' ...
-                   '%.0f)'], p.effect, ...
-                  100 * [p.closure, p.expected, p.difference, p.difference90]);
-  if isByDEM && ~p.verifiedByDEM
-    text = [text, ', on the surrogates'];
-  end
-  say (text);
-  if isfinite (p.logRatio)
-    say (sprintf (['    held-out targets are %.3g times as likely with the ' ...
-                   'cause as with it'], exp (p.logRatio)));
-  end
-  if p.against
-    say ('    it closes as much as the cause: the name is in doubt');
   end
 end

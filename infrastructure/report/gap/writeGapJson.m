@@ -68,7 +68,7 @@ function s = whereOf (diagnosis)
     t = gapProblem.heldOut(i);
     s.targets{end + 1} = target (gapProblem, t, 'holdout', where.held.z(i), ...
                                  1, false);
-    s.targets{end}.p = 2 * normalTail (abs (where.held.z(i)));
+    s.targets{end}.p = where.held.p(i);
     s.targets{end}.size = abs (where.held.z(i));
   end
   s.models = arrayfun (@(b) struct ('model', gapProblem.benchNames{b.bench}, ...

@@ -154,4 +154,7 @@ function html = paramTable (page, cure)
   end
   html = htmlTable ('Parameters fitted without and with the effect', ...
                     {'parameter', 'without', 'with'}, cells);
+  if ~isempty (page.sources.calibration)
+    html = [html, '<p>', whyTwoSets(), '</p>'];
+  end
 end

@@ -43,8 +43,8 @@ function [title, html] = sectionSlices (page)
               'carries them over to the last one.'];
   end
   html = ['<p>One parameter moves, the others stay at ', what, '; left ', ...
-          'out are those that do not move the target (total Sobol index ', ...
-          'below 0.1).', coarse, '</p>', key, html];
+          'out are those that make less than a tenth of its variance.', ...
+          coarse, '</p>', key, html];
 end
 
 % The parameters that move a target; all where nobody knows.
