@@ -8,7 +8,7 @@
 %!function [status, out] = decalioc (words, folder)
 %!  program = fullfile (fileparts (fileparts (which ('startToolbox'))), ...
 %!                      'bin', 'decalioc');
-%!  [status, out] = system ([program, ' ', words, ' ', ...
+%!  [status, out] = system ([shellQuote(program), ' ', words, ' ', ...
 %!                           shellQuote(folder), ' 2>&1']);
 %!endfunction
 
@@ -139,7 +139,7 @@
 %! % without HOME, as cron starts it, the runs of the store count all the same
 %! raw = standInCase (tempname ());
 %! writeLoadInput (raw.folder);
-%! program = fullfile (raw.root, 'bin', 'decalioc');
+%! program = shellQuote (fullfile (raw.root, 'bin', 'decalioc'));
 %! [status, out] = system ([program, ' check --try ', raw.folder, ' 2>&1']);
 %! assert (status, 0, out);
 %! [status, out] = system (['env -i PATH="$PATH" ', program, ' check ', ...
@@ -153,7 +153,8 @@
 %! % same words and runs
 %! raw = standInCase (tempname ());
 %! writeLoadInput (raw.folder);
-%! words = [fullfile(raw.root, 'bin', 'decalioc'), ' check --try ', raw.folder];
+%! words = [shellQuote(fullfile (raw.root, 'bin', 'decalioc')), ...
+%!          ' check --try ', raw.folder];
 %! [status, out] = system (['TMPDIR=/proc/nowhere ', words, ' 2>&1']);
 %! assert (status, 0, out);
 %! assert (~isempty (strfind (out, '/tmp is taken')), out);

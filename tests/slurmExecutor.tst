@@ -131,7 +131,9 @@
 %!   pause (0.1);
 %! end
 %! kill (pid, 9);
-%! assert (batchCancel (folder, 'slurm'), 1);
+%! sent = {batchLedger(folder, 'slurm').name};
+%! assert (numel (sent), 1);
+%! assert (describeExecutor ('slurm').cancel (sent));
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 2);
 %! r = executeSlurm (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
