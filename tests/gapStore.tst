@@ -133,7 +133,8 @@
 %!    "                  'neutral', 0, 'limits', [0; 5]);\nend\n"]);
 %! writeAtomic (fullfile (raw.folder, 'DEMmodels', 'Second', 'runscript'), ...
 %!              "echo NaN > out\n");
-%! words = [fullfile(raw.root, 'bin', 'decalioc'), ' diagnose ', raw.folder];
+%! words = [shellQuote(fullfile (raw.root, 'bin', 'decalioc')), ...
+%!          ' diagnose ', raw.folder];
 %! [~, out] = system ([words, ' 2>&1']);
 %! assert (~isempty (strfind (out, 'Second is out, for none of its runs')), ...
 %!         out);
@@ -175,7 +176,7 @@
 %!   ["model,a,b,e,First_1,First_2,Second_1\n", ...
 %!    sprintf("First,%.6g,%.6g,%.6g,%.6g,%.6g,\n", table(1:5, :)), ...
 %!    sprintf("Second,%.6g,%.6g,%.6g,,,%.6g\n", table([1:3, 6], :))]);
-%! program = fullfile (raw.root, 'bin', 'decalioc');
+%! program = shellQuote (fullfile (raw.root, 'bin', 'decalioc'));
 %! [~, out] = system ([program, ' diagnose ', raw.folder, ' 2>&1']);
 %! assert (~isempty (strfind (out, '1000 of 1040 runs are used')), out);
 %! gap = readJsonFile (fullfile (raw.folder, 'gap', 'gap.json'));
