@@ -168,7 +168,7 @@
 %! mkdir (folder);
 %! writeAtomic (fullfile (folder, 'runscript'), ...
 %!   "awk 'BEGIN { print 1.5 }'\nprintf '%.2f\\n' 2.5\nlocale\n");
-%! guard = fullfile (fileparts (which ('startRun')), 'guard.sh');
+%! guard = shellQuote (fullfile (fileparts (which ('startRun')), 'guard.sh'));
 %! for words = {'LC_ALL=de_DE.UTF-8', 'LC_ALL= LC_NUMERIC=de_DE.UTF-8', ...
 %!              'LC_CTYPE=C LANG=C LC_ALL=de_DE.UTF-8'}
 %!   [status, out] = system ([words{1}, ' bash ', guard, ' ', folder, ' 2>&1']);
