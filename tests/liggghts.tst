@@ -49,22 +49,3 @@
 %! assert (Z(1), 370, 15);
 %! log = fileread (fullfile (record.folder, 'log.liggghts'));
 %! assert (! isempty (regexp (log, '1 by 1 by 2|1 by 2 by 1|2 by 1 by 1')));
-
-%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
-%! % pass.inc runs the time that was asked for, to the step: not up to the next
-%! % look at the overlap (590 steps here), in which two settings are one
-%! folder = tempname ();
-%! heap = fullfile (fileparts (which ('DEcalioc')), 'DEMmodels', 'Heap');
-%! system (sprintf ('cp -rL "%s" "%s"', heap, folder));
-%! head = fullfile (folder, 'data.head');
-%! writeAtomic (head, [fileread(head), ...
-%!                     "variable liftHeight equal 0.0603\n"]);
-%! [status, out] = system (sprintf ('cd "%s" && bash runscript 2>&1', folder));
-%! assert (status, 0, out);
-%! log = fileread (fullfile (folder, 'log.liggghts'));
-%! said = regexp (log, 'secondsRun equal [\d.]+\+(\d+)\*([\d.e-]+)', ...
-%!                'tokens', 'once');
-%! said = str2double (said);
-%! assert (prod (said), 0.0603 / 0.12, 1.01 * said(2));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
