@@ -47,15 +47,7 @@ function cause = decideGap (gap)
       cause.action = ['Raise Input.maxNewRuns and start decalioc diagnose ', ...
                       'again.'];
     otherwise
-      cause.word = 'A gap, its cause open';
-      likely = namesIn (which, 'likely');
-      cause.sentence = ['Something is missing; what it is stays open: ', ...
-                        plainReason(which), '.'];
-      if ~isempty (likely)
-        cause.sentence = [cause.sentence, ' Most likely: ', ...
-                          strjoin(likely, ', '), '.'];
-      end
-      cause.action = testOf (gap);
+      cause = stillOpen (cause, gap);
   end
   if isempty (cause.notFor) && ~strcmp (cause.kind, 'none')
     cause.notFor = {['what the missing cause would change (', cause.word, ...
@@ -97,6 +89,29 @@ function cause = noGap (cause, gap)
                     'what can be seen may still be there.'];
   cause.without = ['What is missed is no more than noise makes: measure ', ...
                    'more precisely, or widen the tolerances (optim.tolRes).'];
+end
+
+% A gap whose cause is open; where no measurement is missed, not even that.
+function cause = stillOpen (cause, gap)
+  likely = strjoin (namesIn (gap.which, 'likely'), ', ');
+  [~, isBeyond] = whereText (gap);
+  if isBeyond
+    cause.word = 'A gap, its cause open';
+    cause.sentence = ['Something is missing; what it is stays open: ', ...
+                      plainReason(gap.which), '.'];
+    if ~isempty (likely)
+      cause.sentence = [cause.sentence, ' Most likely: ', likely, '.'];
+    end
+  else
+    cause.kind = 'cannot tell';
+    cause.word = 'These targets cannot tell';
+    cause.sentence = ['These targets cannot tell whether something is ', ...
+                      'missing.'];
+    if ~isempty (likely)
+      cause.sentence = [cause.sentence, ' If so, most likely: ', likely, '.'];
+    end
+  end
+  cause.action = testOf (gap);
 end
 
 function names = heldOutOff (gap)
@@ -196,7 +211,7 @@ function text = testOf (gap)
   end
 end
 
-function text = whereText (gap)
+function [text, isBeyond] = whereText (gap)
   where = gap.where;
   models = jsonAt (where, {'models'});
   p = jsonAt (where, {'p'});
@@ -210,7 +225,8 @@ function text = whereText (gap)
       off{end + 1} = own.name;
     end
   end
-  if p >= 0.05 && isempty (off)
+  isBeyond = ~(p >= 0.05) || ~isempty (off);
+  if ~isBeyond
     text = 'No measurement is missed by more than noise makes.';
     return
   end
