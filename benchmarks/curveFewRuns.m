@@ -60,7 +60,7 @@ function row = oneSeed (seed, nPlan)
   state = improveByInfill (state, problem, evaluate, say);
   state = calibrateOnDEM (state, problem, evaluate, say);
   known = parameterPosterior (state.surrogates, problem);
-  at = [problem.targets.at];
+  at = problem.coordinate;
   off = (response (state.final.params, at) - problem.value) / 0.4;
   row = [seed, rows(state.data.X), state.final.converged, ...
          state.final.probability, sqrt(mean (off.^2))];

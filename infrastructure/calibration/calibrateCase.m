@@ -28,7 +28,7 @@ function calibration = calibrateCase (root, folder)
   sayOldRuns (Case, say);
 
   % experimental plan and DEM simulation
-  [data, rest] = importExisting (Case, say);
+  [data, rest] = importExisting (Case, problem, say);
   [plan, levels] = newPlan (data, Case);
   data = runPlan (plan, data, Case, evaluate, say, levels);
   problem = withinBudget (problem, ledger, Case);

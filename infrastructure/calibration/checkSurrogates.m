@@ -35,7 +35,7 @@ function lines = checkSurrogates (state, problem)
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
                               failed, sum (own));
   end
-  [~, isRepeat] = countEqualOnce (state.data, problem.targets);
+  [~, isRepeat] = countEqualOnce (state.data, problem.bench);
   if any (isRepeat)
     lines{end + 1} = sprintf (['%d runs repeat another one at their set to ' ...
                                'the last digit: the model does not use ' ...
@@ -118,7 +118,7 @@ function lines = curveWarnings (state, problem, number)
   if numel (lines) > 1
     lines = {sprintf('%s (and %d more warnings of the %d points of %s)', ...
                      lines{1}, numel (lines) - 1, numel (own), ...
-                     problem.targets(own(1)).series)};
+                     problem.seriesNames{own(1)})};
   end
 end
 
@@ -143,7 +143,7 @@ end
 %! curve = problem;
 %! curve.curve = [1, 1];
 %! curve.calibrate = [true, true];
-%! [curve.targets.series] = deal ('w');
+%! curve.seriesNames = {'w', 'w'};
 %! curve.value = [99, 99];
 %! state.found.params = [0.5, 1];
 %! state.data.Z(3, 1) = 4;

@@ -59,7 +59,7 @@ end
 
 function [Z, nEqual] = runsAt (state, p, problem)
   data = state.data;
-  [~, isRepeat] = countEqualOnce (data, problem.targets);
+  [~, isRepeat] = countEqualOnce (data, problem.bench);
   nEqual = sum (isRepeat & sameSet (data.X, p, problem.limits));
   data.Z(horzcat (state.surrogates.leftOut)) = NaN;
   data.Z(isRepeat, :) = NaN;

@@ -1,24 +1,27 @@
-% NEWPROBLEM  What the statistics need of a case: limits, targets, cost.
+% NEWPROBLEM  What is asked of a case: limits, targets, benches, cost.
 %
-% CALL: PROBLEM = newProblem (CASE, COST)
+% CALL: PROBLEM = newProblem (CASE)
+%       PROBLEM = newProblem (CASE, COST)
 %
-% CASE  struct of newCase (fields names, limits, targets, options are used)
+% CASE  struct of newCase (tests: names, limits and targets are enough)
 % COST  handle residual = cost (p, evaluateFunc): p d x 1, evaluateFunc
 %       (p, varargin) -> T x 1 results; rows 1..T of residual belong to the
 %       targets, further rows are preferences. One that takes more arguments
 %       (costFunction) is handed the case as the third. Empty: the published
 %       relative residual (result - target) / target
 %
-% PROBLEM: names 1 x d cellstr, limits 2 x d, targets 1 x T struct, value (NaN:
-% not measured yet), tol, sd 1 x T, paramMean, paramSd 1 x d (measured by
-% themselves; NaN: not), scale 1 x T (what residual and tol are parts of: the
-% value, 1 where they are absolute), trials, scatter 1 x T (see docs/data.md),
-% curve, at, correlation 1 x T (number of the curve, 0: none; place on it;
-% length over which errors are alike), part 1 x T (what a residual is divided by
-% in a sum of squares in which a curve counts once),
-% calibrate 1 x T logical (false: held out or not measured, never fitted),
-% cost, standard (logical: the residuals are the published ones), nExtra
-% (preference rows), options with all defaults:
+% PROBLEM, the same for calibration and diagnosis: names 1 x d cellstr, limits
+% 2 x d, paramMean, paramSd 1 x d (measured by themselves; NaN: not);
+% of the targets, 1 x T: targetNames cellstr, value (NaN: not measured yet), sd,
+% tol, trials, scatter, correlation (see docs/data.md), held (logical: never
+% fitted), calibrate (logical: measured and fitted), bench (number of the
+% model), scale (what residual and tol are parts of: the value, 1 where they are
+% absolute), curve (number of the measured curve, 0: none), series (number of
+% the quantity along a coordinate, of results.csv or a curve; 0: none),
+% seriesNames cellstr, coordinate (place on it, 0: none), part (what a residual
+% is divided by in a sum of squares in which a curve counts once);
+% benchNames, benchCost 1 x M; cost, standard (logical: the residuals are the
+% published ones), nExtra (preference rows), options with all defaults:
 %   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 1,
 %   WRL 0, method 'robust', confidence 0.95
 % newSets (handle, parameter sets that may still be run: Inf, see withinBudget),
@@ -31,31 +34,21 @@
 % DEcalioc:newProblem:otherTargets when a row is not 0 where all results are
 % the measured values: the cost function then aims at something else
 %
-% See also: targetResidual, calibrateOnKriging
+% See also: targetResidual, calibrateOnKriging, gapProblemOf
 
 function problem = newProblem (Case, cost)
-  targets = Case.targets;
+  problem = ofTargets (Case.targets);
   problem.names = Case.names;
   problem.limits = Case.limits;
-  problem.targets = targets;
-  problem.value = fieldRow (targets, 'value', NaN);
-  problem.tol = fieldRow (targets, 'tol', 0.01);
-  problem.sd = fieldRow (targets, 'sd', 0);
-  problem.scale = problem.value;
-  problem.scale(fieldRow (targets, 'isAbsolute', 0) > 0) = 1;
-  problem.trials = fieldRow (targets, 'trials', 1);
-  problem.scatter = logical (fieldRow (targets, 'scatter', false));
-  problem.curve = fieldRow (targets, 'curve', 0);
-  problem.at = fieldRow (targets, 'at', NaN);
-  problem.correlation = fieldRow (targets, 'correlation', 0);
   [problem.paramMean, problem.paramSd] = deal (NaN (1, numel (Case.names)));
   if isfield (Case, 'paramMean')
     problem.paramMean = Case.paramMean;
     problem.paramSd = Case.paramSd;
   end
-  problem.calibrate = true (1, numel (targets));
-  if isfield (targets, 'role')
-    problem.calibrate = strcmp ({targets.role}, 'calibrate');
+  if isfield (Case, 'models')
+    problem.benchNames = {Case.models.name};
+    problem.benchCost = [Case.models.cost];
+    problem = withSeries (problem, targetInfo (Case));
   end
   problem.part = problem.tol;
   for own = requirementsOf (problem)
@@ -90,12 +83,54 @@ function coarse = coarseOf (Case)
   end
 end
 
+function problem = ofTargets (targets)
+  T = numel (targets);
+  numbers = {'value', NaN; 'sd', 0; 'tol', 0.01; 'trials', 1; ...
+             'scatter', false; 'curve', 0; 'correlation', 0}';
+  for field = numbers
+    problem.(field{1}) = fieldRow (targets, field{:});
+  end
+  problem.scatter = logical (problem.scatter);
+  problem.bench = fieldRow (targets, 'model', 1);
+  problem.scale = problem.value;
+  problem.scale(fieldRow (targets, 'isAbsolute', 0) > 0) = 1;
+  problem.held = false (1, T);
+  problem.calibrate = true (1, T);
+  if isfield (targets, 'role')
+    problem.held = strcmp ({targets.role}, 'holdout');
+    problem.calibrate = strcmp ({targets.role}, 'calibrate');
+  end
+  problem.targetNames = arrayfun (@(t) sprintf ('target_%d', t), 1:T, ...
+                                  'UniformOutput', false);
+  if isfield (targets, 'name')
+    problem.targetNames = {targets.name};
+  end
+  problem.seriesNames = repmat ({''}, 1, T);
+  if isfield (targets, 'series')
+    problem.seriesNames = {targets.series};
+  end
+  at = num2cell (fieldRow (targets, 'at', NaN));
+  problem = withSeries (problem, struct ('series', problem.seriesNames, ...
+                                         'at', at));
+end
+
+% Quantities along a coordinate, those of different benches apart.
+function problem = withSeries (problem, info)
+  problem.seriesNames = {info.series};
+  problem.coordinate = [info.at];
+  isOn = ~cellfun (@isempty, problem.seriesNames) & ...
+         ~isnan (problem.coordinate);
+  labels = arrayfun (@(t, s) sprintf ('%d/%s', t, s{1}), problem.bench, ...
+                     problem.seriesNames, 'UniformOutput', false);
+  [~, ~, number] = unique (labels);
+  problem.series = reshape (number, size (isOn)) .* isOn;
+  problem.coordinate(isnan (problem.coordinate)) = 0;
+end
+
 function row = fieldRow (targets, name, default)
   row = default * ones (1, numel (targets));
   if isfield (targets, name)
-    for t = 1:numel (targets)
-      row(t) = targets(t).(name);
-    end
+    row = double ([targets.(name)]);
   end
 end
 
@@ -147,6 +182,9 @@ end
 %!test
 %! p = newProblem (C, []);
 %! assert (p.calibrate, [true, false]);
+%! assert (p.held, [false, true]);
+%! assert ({p.bench, p.series, p.targetNames}, ...
+%!         {[1, 1], [0, 0], {'target_1', 'target_2'}});
 %! assert (p.standard);
 %! assert (p.options.maxFunEvals, 40);
 
@@ -170,8 +208,10 @@ end
 %!                     'curve', {0, 0, 1, 1}, ...
 %!                     'series', {'', '', 'w', 'w'}, ...
 %!                     'role', {'calibrate', 'unmeasured', 'calibrate', ...
-%!                              'calibrate'});
+%!                              'calibrate'}, ...
+%!                     'at', {NaN, NaN, 1, 2});
 %! p = newProblem (D, []);
+%! assert ([p.series > 0; p.coordinate], [0, 0, 1, 1; 0, 0, 1, 2]);
 %! assert (p.standard);
 %! assert (p.calibrate, [true, false, true, true]);
 %! assert (p.part([1, 3, 4]), 0.1 * [1, sqrt(2), sqrt(2)], 1e-12);

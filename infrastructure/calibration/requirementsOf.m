@@ -20,23 +20,18 @@ function [groups, names] = requirementsOf (problem)
   groups = arrayfun (@(n) use(number == n), number(sort (first)), ...
                      'UniformOutput', false);
   if nargout > 1
-    names = cellfun (@(g) sprintf ('target_%d', g(1)), groups, ...
-                     'UniformOutput', false);
-    if isfield (problem.targets, 'name')
-      names = cellfun (@(g) problem.targets(g(1)).name, groups, ...
-                       'UniformOutput', false);
-    end
-    for g = find (cellfun (@numel, groups) > 1)
-      names{g} = problem.targets(groups{g}(1)).series;
-    end
+    first = cellfun (@(g) g(1), groups);
+    names = problem.targetNames(first);
+    isCurve = cellfun (@numel, groups) > 1;
+    names(isCurve) = problem.seriesNames(first(isCurve));
   end
 end
 
 %!test
 %! problem = struct ('calibrate', [true, true, false, true, true], ...
 %!                   'curve', [0, 2, 2, 0, 2]);
-%! problem.targets = struct ('name', {'a', 'w@1', 'w@2', 'b', 'w@3'}, ...
-%!                           'series', {'', 'w', 'w', '', 'w'});
+%! problem.targetNames = {'a', 'w@1', 'w@2', 'b', 'w@3'};
+%! problem.seriesNames = {'', 'w', 'w', '', 'w'};
 %! [groups, names] = requirementsOf (problem);
 %! assert (groups, {1, [2, 5], 4});
 %! assert (names, {'a', 'w', 'b'});

@@ -50,7 +50,7 @@ end
 % at a set beside: up to 1 % of the box away.
 function P = besideEqualRuns (P, data, problem)
   again = replicateNumbers (data, P, problem.limits) > 1;
-  [~, isRepeat] = countEqualOnce (data, problem.targets);
+  [~, isRepeat] = countEqualOnce (data, problem.bench);
   if any (isRepeat) && any (again)
     step = 0.02 * (rand (sum (again), columns (P)) - 0.5);
     P(again, :) = P(again, :) + step .* diff (problem.limits);

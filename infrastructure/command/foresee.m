@@ -20,7 +20,7 @@
 % See also: sayCheck, caseStatus, newPlan
 
 function f = foresee (Case, runs)
-  data = importExisting (Case, @(text) []);
+  data = importExisting (Case, newProblem (Case), @(text) []);
   f.imported = rows (data.X);
   here = Case;
   here.folder = '';                     % so that no plan is written

@@ -24,7 +24,7 @@ function diagnosis = diagnoseCase (root, folder)
 
   % the runs that there are
   [data, count] = gatherRuns (Case);
-  [use, leftOut] = thinRuns (data, Case, 1000);
+  [use, leftOut] = thinRuns (data, newProblem (Case), 1000);
   data = keepRows (data, use);
   [given, notes] = gapProblemOf (Case);
   notes = [notes(:)', {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];

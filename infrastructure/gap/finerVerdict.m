@@ -31,8 +31,8 @@ function level = finerVerdict (Case, given, options, diagnosis)
   isPlain = all (data.E(:, v + 1:end) == neutral(v + 1:end), 2);
   data = keepRows (data, isPlain);
   data.E = data.E(:, 1:v);
-  data = keepRows (data, thinRuns (data, Case, 1000));
-  problem = newProblem (Case, []);
+  problem = newProblem (Case);
+  data = keepRows (data, thinRuns (data, problem, 1000));
   values = problem.coarse.levels;
   level = struct ('variables', {{Case.coarse.variable}}, ...
                   'value', values(end, :), 'finer', nextFiner (values), ...

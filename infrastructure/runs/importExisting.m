@@ -1,8 +1,8 @@
 % IMPORTEXISTING  Takes in the runs of a table runs.csv in the case folder.
 %
-% CALL: [DATA, REST] = importExisting (CASE, SAY)
+% CALL: [DATA, REST] = importExisting (CASE, PROBLEM, SAY)
 %
-%   CASE  see newCase
+%   CASE  see newCase;  PROBLEM  see newProblem
 %   SAY   function handle that takes one line of text
 %   DATA  see newData, E the levels of CASE.coarse; empty where there is no
 %         runs.csv. Rows with an effect switched on are left out: they belong to
@@ -11,7 +11,7 @@
 %
 % See also: importRuns, diagnoseGap
 
-function [data, rest] = importExisting (Case, say)
+function [data, rest] = importExisting (Case, problem, say)
   v = numel (Case.coarse);
   data = newData (numel (Case.names), numel (Case.targets), v);
   rest = struct ('X', data.X, 'Z', data.Z, 'E', data.E);
@@ -26,7 +26,7 @@ function [data, rest] = importExisting (Case, say)
   say (sprintf ('runs.csv: %d runs taken in, %d with an effect left aside', ...
                 sum (isPlain), sum (~isPlain)));
   found = keepRows (found, isPlain);
-  [use, text] = thinRuns (found, Case, 1000);
+  [use, text] = thinRuns (found, problem, 1000);
   rest = struct ('X', found.X(~use, :), 'Z', found.Z(~use, :), ...
                  'E', found.E(~use, 1:v));
   found = keepRows (found, use);
@@ -44,11 +44,11 @@ end
 %!test
 %! Case = newCase (standInCase (tempname ()));
 %! quiet = @(text) [];
-%! assert (size (importExisting (Case, quiet).X), [0, 2]);
+%! assert (size (importExisting (Case, newProblem (Case), quiet).X), [0, 2]);
 %! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
 %!   ["model,seed,a,b,First_1,First_2,Second_1\n", ...
 %!    "First,1,1,2,3,2,\nSecond,1,1,2,,,-1\n"]);
-%! data = importExisting (Case, quiet);
+%! data = importExisting (Case, newProblem (Case), quiet);
 %! assert (data.X, [1, 2]);
 %! assert (data.Z, [3, 2, -1]);
 %!test
@@ -58,7 +58,8 @@ end
 %! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
 %!   ["model,a,b,First_1,First_2,Second_1\n", ...
 %!    sprintf("First,%d,2,3,2,\n", 1:n), sprintf("Second,%d,2,,,1\n", 1:n)]);
-%! text = evalc ('[data, rest] = importExisting (Case, @disp);');
+%! text = evalc (['[data, rest] = importExisting (Case, ' ...
+%!               'newProblem (Case), @disp);']);
 %! assert (rows (data.X), 1000);
 %! assert (sortrows ([data.X, data.Z; rest.X, rest.Z]), ...
 %!         [(1:n)', repmat([2, 3, 2, 1], n, 1)]);

@@ -1,9 +1,9 @@
 % THINRUNS  Chooses runs of a large table that a fit can hold.
 %
-% CALL: [USE, TEXT] = thinRuns (TABLE, CASE, MOST)
+% CALL: [USE, TEXT] = thinRuns (TABLE, PROBLEM, MOST)
 %
-%   TABLE  struct X (n x d), E (n x v), Z (n x T), see importRuns
-%   CASE   see newCase
+%   TABLE    struct X (n x d), E (n x v), Z (n x T), see importRuns
+%   PROBLEM  value, sd and calibrate (1 x T) are read, see newProblem
 %   MOST   runs that are kept at most
 %   USE    n x 1 logical: all, or one half of MOST those nearest to the targets,
 %          in standard deviations, the other half spread over the box
@@ -13,14 +13,14 @@
 %
 % See also: importExisting, gatherRuns
 
-function [use, text] = thinRuns (table, Case, most)
+function [use, text] = thinRuns (table, problem, most)
   n = rows (table.X);
   use = true (n, 1);
   text = '';
   if n <= most
     return
   end
-  use = nearest (table.Z, Case.targets, floor (most / 2));
+  use = nearest (table.Z, problem, floor (most / 2));
   inputs = [table.X, table.E];
   width = max (inputs, [], 1) - min (inputs, [], 1);
   use = spread (inputs ./ (width + (width == 0)), use, most);
@@ -31,16 +31,16 @@ function [use, text] = thinRuns (table, Case, most)
                   most, n, floor (most / 2), n - most);
 end
 
-function use = nearest (Z, targets, most)
-  sd = [targets.sd];
+function use = nearest (Z, problem, most)
+  sd = problem.sd;
   spread = std (Z(all (isfinite (Z), 2), :), 0, 1);
   bare = ~(isfinite (sd) & sd > 0);
   if isempty (spread)
     spread = ones (1, columns (Z));
   end
   sd(bare) = spread(bare) + (spread(bare) == 0);
-  D = ((Z - [targets.value]) ./ sd).^2;
-  D(:, ~strcmp ({targets.role}, 'calibrate')) = NaN;
+  D = ((Z - problem.value) ./ sd).^2;
+  D(:, ~problem.calibrate) = NaN;
   known = isfinite (D);
   D(~known) = 0;
   far = sum (D, 2) ./ sum (known, 2);
@@ -65,12 +65,12 @@ function use = spread (U, use, most)
 end
 
 %!test
-%! Case.targets = struct ('value', {1, 2}, 'sd', {0.1, 0.2}, ...
-%!                        'role', {'calibrate', 'calibrate'});
+%! problem = struct ('value', [1, 2], 'sd', [0.1, 0.2], ...
+%!                   'calibrate', [true, true]);
 %! [a, b] = ndgrid (linspace (0, 1, 40));
 %! table = struct ('X', [a(:), b(:)], 'E', zeros (1600, 0), ...
 %!                 'Z', [2 * a(:), 4 * b(:)]);
-%! [use, text] = thinRuns (table, Case, 100);
+%! [use, text] = thinRuns (table, problem, 100);
 %! assert (sum (use), 100);
 %! assert (~isempty (strfind (text, '100 of 1600 runs')));
 %! % both halves do their part: the target at (0.5, 0.5), and all corners
@@ -78,5 +78,5 @@ end
 %! assert (sum (near < 0.15) >= 40);
 %! corners = table.X(use, :) .* (1 - table.X(use, :));
 %! assert (sum (all (corners == 0, 2)), 4);
-%! [use, text] = thinRuns (table, Case, 1600);
+%! [use, text] = thinRuns (table, problem, 1600);
 %! assert (all (use) && isempty (text));

@@ -1,9 +1,9 @@
 % COUNTEQUALONCE  Results in which equal replicates of a model count as one run.
 %
-% CALL: [Z, ISREPEAT] = countEqualOnce (DATA, TARGETS)
+% CALL: [Z, ISREPEAT] = countEqualOnce (DATA, BENCH)
 %
 % DATA      struct of newData: X n x d, Z n x T, E n x v (may lack)
-% TARGETS   1 x T struct; model: number of the model of each (default: all 1)
+% BENCH     1 x T, number of the model of each target
 % Z         n x T, NaN for the results of a model that repeat, to the last bit,
 %           those of an earlier run at the same set
 % ISREPEAT  n x 1 logical: the row holds nothing but such results
@@ -15,20 +15,16 @@
 %
 % See also: fitSurrogates, confirmSet
 
-function [Z, isRepeat] = countEqualOnce (data, targets)
+function [Z, isRepeat] = countEqualOnce (data, bench)
   Z = data.Z;
   inputs = data.X;
   if isfield (data, 'E')
     inputs = [inputs, data.E];
   end
   [~, ~, set] = unique (inputs, 'rows');
-  model = ones (1, columns (Z));
-  if isfield (targets, 'model')
-    model = [targets.model];
-  end
   isKnown = isfinite (Z);
-  for k = unique (model)
-    own = model == k;
+  for k = unique (bench)
+    own = bench == k;
     done = find (any (isKnown(:, own), 2));
     results = Z(done, own);
     results(isnan (results)) = Inf;                   % unique: NaN is no NaN
@@ -47,16 +43,16 @@ end
 %! data = addRows (newData (1, 3), [1; 1; 2; 2; 3], ...
 %!                 [5, 6, 1; 5, 6, 1; 7, NaN, 2; 7, NaN, 3; 5, 6, 1], ...
 %!                 [1; 2; 1; 2; 1], 'plan');
-%! [Z, isRepeat] = countEqualOnce (data, struct ('model', {1, 1, 2}));
+%! [Z, isRepeat] = countEqualOnce (data, [1, 1, 2]);
 %! assert (Z, [5, 6, 1; NaN, NaN, 1; 7, NaN, 2; NaN, NaN, 3; 5, 6, 1]);
 %! assert (! any (isRepeat));
 %! [Z, isRepeat] = countEqualOnce (keepRows (data, [1; 2; 5]), ...
-%!                                 struct ('model', {1, 1, 2}));
+%!                                 [1, 1, 2]);
 %! assert (isRepeat, [false; true; false]);
 %!test
 %! % equal by chance once, and different elsewhere; a failed run is no repeat
 %! data = addRows (newData (1, 1), [1; 1; 2; 2; 3; 3], ...
 %!                 [5; 5; 7; 8; NaN; NaN], ones (6, 1), 'plan');
-%! [Z, isRepeat] = countEqualOnce (data, struct ('value', 1));
+%! [Z, isRepeat] = countEqualOnce (data, 1);
 %! assert (Z, data.Z);
 %! assert (! any (isRepeat));

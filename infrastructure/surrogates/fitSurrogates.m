@@ -42,7 +42,7 @@ function surrogates = fitSurrogates (data, problem, old, most)
   if nargin < 4
     most = 2000;
   end
-  data.Z = countEqualOnce (data, problem.targets);
+  data.Z = countEqualOnce (data, problem.bench);
   isLevelled = isfield (problem, 'coarse') && ~isempty (problem.coarse);
   same = rowsToFit (data, problem, isLevelled, most);
   level = cell (1, columns (data.Z));
@@ -84,13 +84,9 @@ function same = rowsToFit (data, problem, isLevelled, most)
     same = all (E == E(1, :), 2);
   end
   if sum (same) > most
-    roles = {'holdout', 'calibrate'};
-    Case.targets = struct ('value', num2cell (problem.value), ...
-                           'sd', num2cell (problem.sd), ...
-                           'role', roles(1 + problem.calibrate));
     table = struct ('X', data.X(same, :), 'E', E(same, :), ...
                     'Z', data.Z(same, :));
-    same(same) = thinRuns (table, Case, most);
+    same(same) = thinRuns (table, problem, most);
   end
 end
 
@@ -120,8 +116,8 @@ function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
   noise = estimateNoise (struct ('X', X, 'Z', Z), problem);
   isPublished = strcmp (problem.options.method, 'published');
   anyFollows = isPublished;            % every run counts
-  for t = 1:numel (problem.targets)
-    options = struct ('name', targetName (problem, t), 'unit', ...
+  for t = 1:numel (problem.value)
+    options = struct ('name', problem.targetNames{t}, 'unit', ...
                       problem.tol(t) * abs (problem.scale(t)));
     if isPublished
       options.trend = 'affine';
@@ -155,25 +151,14 @@ end
 % Of which model each response is, and what findBadRuns needs beside: a curve
 % counts as one response, and what is within the tolerance is not wrong.
 function kind = kindOfTarget (problem)
-  T = numel (problem.targets);
-  kind.model = ones (1, T);
-  if isfield (problem.targets, 'model')
-    kind.model = [problem.targets.model];
-  end
-  kind.weight = ones (1, T);
+  kind.model = problem.bench;
+  kind.weight = ones (1, numel (problem.bench));
   for number = unique (problem.curve(problem.curve > 0))
     own = problem.curve == number;
     kind.weight(own) = 1 / sum (own);
   end
   kind.least = problem.tol .* abs (problem.scale);
   kind.least(isnan (kind.least)) = 0;      % not measured yet
-end
-
-function name = targetName (problem, t)
-  name = sprintf ('target_%d', t);
-  if isfield (problem.targets, 'name')
-    name = problem.targets(t).name;
-  end
 end
 
 %!test
