@@ -12,10 +12,14 @@
 function [B, D] = polyRows (powers, Q)
   [n, d] = size (Q);
   B = ones (n, rows (powers));
-  D = repmat ({B}, 1, d * (nargout > 1));
+  D = cell (1, d * (nargout > 1));
+  D(:) = {B};
   for j = 1:d
     top = max ([powers(:, j); 0]);
-    table = cumprod ([ones(n, 1), repmat(Q(:, j), 1, top)], 2);
+    table = ones (n, top + 1);
+    for k = 1:top
+      table(:, k + 1) = table(:, k) .* Q(:, j);
+    end
     own = table(:, powers(:, j) + 1);
     B = B .* own;
     if nargout > 1
