@@ -95,6 +95,10 @@ function cure = cureOf (far, held)
   end
   cure = far;
   [cure.floorAfter, cure.gapP, cure.largestZ] = deal (0.05, 0.2, 1.5);
+  cure.free = 1;
+  if isfield (far, 'removable') && isempty (far.closure)
+    [cure.floorAfter, cure.free, cure.closure] = deal (0, 0, NaN);
+  end
   cure.targets = struct ('target', {1, held}, 'before', 1, 'after', 2, ...
                          'sd', 0.1);
   closures = {1.21, 0.001, NaN};

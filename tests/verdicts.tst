@@ -22,6 +22,7 @@
 %!           'WHICH: NO GAP', 'Missing in the model'; ...
 %!           'NO GAP', '<-- off'; 'NO GAP', 'HOW FAR'; ...
 %!           'No measurement is missed', '<-- off'; ...
+%!           'cannot be judged from so few', 'range, noise makes'; ...
 %!           'No DEM run was made', 'DEM: '};
 %!  has = @(text) ~isempty (strfind (said, text));
 %!  for k = 1:rows (pairs)
@@ -77,6 +78,7 @@
 %!   end
 %!   assert (! v.usable || isequal (situation.c.converged, true));
 %!   assert (! isempty (v.action));
+%!   assert (! any (strcmp ({v.numbers.text}, '-')), situation.name);
 %!   assert (! v.usable || strcmp (v.word, 'Calibrated'));
 %! end
 %! confirm_recursive_rmdir (false, 'local');
@@ -108,6 +110,8 @@
 %!                             'all is closed; on the held-out ones it ca')));
 %! assert (! isempty (strfind (v.cause.closed, 'As much is closed by drag')));
 %! assert (! isempty (strfind (v.numbers(3).text, '41 kJ/m3 (31 to 58)')));
+%! v = decide (of ('missed, as many unknowns as targets'));
+%! assert (! isempty (strfind (v.cause.closed, 'judged from so few')));
 %! v = decide (of ('missed, several'));
 %! assert (isempty (strfind (v.action, 'once more')));
 %! v = decide (of ('missed, a test tells'));

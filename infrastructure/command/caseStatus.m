@@ -13,7 +13,8 @@
 %     models   1 x M struct array: name, done, failed, running, waiting, old
 %              (runs that no longer count), seconds (median, NaN: not known)
 %     plan     1 x 2, runs of the plan that are done, and all of them
-%     sets     1 x 2, sets run after the plan, and optim.maxFunEvals
+%     sets     1 x 2, sets run after the plan, and optim.maxFunEvals (which
+%              counts a set once more for each repeat);  later  their runs
 %     failures 1 x n cell of texts, what failed and why, each once, with the
 %              number of runs
 %     left     seconds until the plan (in the stage of the plan) or at most
@@ -37,6 +38,7 @@ function s = caseStatus (Case, cost)
   isPlanned = @(r) any (all (abs (r.job.params(:)' - f.plan) < ...
                              1e-12 * max (1, abs (f.plan)), 2));
   later = later(~arrayfun (isPlanned, later));
+  s.later = numel (later);
   s.sets = [numberOfSets(later), Case.options.maxFunEvals];
   s.failures = failuresOf (current, Case);
   s.left = secondsLeft (s, f, Case);
@@ -195,6 +197,7 @@ end
 %! assert ({s.state, s.stage}, {'finished', 'calibration'});
 %! assert (s.plan, [16, 16]);
 %! assert (s.sets, [1, 40]);
+%! assert (s.later, 2);
 %!test
 %! % a plan of which one run failed and another seed took its place is done
 %! raw = standInCase (tempname ());

@@ -60,8 +60,8 @@ function sayRuns (s)
     % what failed was run with another seed, which is another run
     plan = sprintf ('%d runs', s.plan(2));
   end
-  printf ('plan    %s; %d sets run afterwards (each start may run %d)\n', ...
-          plan, s.sets);
+  printf (['plan    %s; afterwards %d runs of %d sets (each start may ' ...
+           'run %d, repeats counted)\n'], plan, s.later, s.sets);
   for k = 1:numel (s.models)
     m = s.models(k);
     printf ('runs    %-12s %d done, %d running, %d waiting, %d failed', ...

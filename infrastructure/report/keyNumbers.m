@@ -11,15 +11,7 @@
 function numbers = keyNumbers (v, c)
   numbers = struct ('label', {}, 'text', {});
   if ~isempty (v.misses)
-    m = v.misses(1);
-    label = ['largest miss: ', m.name];
-    if m.met == 1
-      label = ['largest deviation: ', m.name];
-    end
-    if strcmp (m.role, 'holdout')
-      label = [label, ' (never fitted)'];
-    end
-    numbers(end + 1) = struct ('label', label, 'text', missText (m));
+    numbers(end + 1) = ofMiss (v.misses(1));
   end
   if v.of > 0
     label = 'targets met';
@@ -43,13 +35,24 @@ function numbers = keyNumbers (v, c)
   end
 end
 
-function text = missText (m)
-  text = quantity (m.simulated, m.unit);
-  if isfinite (m.measured)
-    text = sprintf ('%s, measured %s', text, ...
-                    quantity (m.measured, m.unit, ...
-                              m.measured + m.allowed * [-1, 1]));
+function number = ofMiss (m)
+  label = ['largest miss: ', m.name];
+  if m.met == 1 || (isnan (m.met) && m.share < 1)
+    label = ['largest deviation: ', m.name];
   end
+  if strcmp (m.role, 'holdout')
+    label = [label, ' (never fitted)'];
+  end
+  text = ['simulated ', quantity(m.simulated, m.unit)];
+  if isfinite (m.measured)
+    allowed = quantity (m.measured, m.unit, ...
+                        m.measured + m.allowed * [-1, 1]);
+    text = sprintf ('%s, measured %s', text, ...
+                    strrep (allowed, ' (', ' (allowed '));
+  elseif ~isfinite (m.simulated)
+    text = sprintf ('%.1f times its noise', 2 * m.share);
+  end
+  number = struct ('label', label, 'text', text);
 end
 
 %!test
@@ -59,6 +62,10 @@ end
 %!             'cause', []);
 %! n = keyNumbers (v, struct ('runs', 0, 'probability', 0.71));
 %! assert (n(1).label, 'largest miss: h (never fitted)');
-%! assert (n(1).text, '17 mm, measured 20 mm (19 to 21)');
+%! assert (n(1).text, 'simulated 17 mm, measured 20 mm (allowed 19 to 21)');
 %! assert (n(2).label, 'targets met, on the surrogates alone');
 %! assert ({n(2:3).text}, {'3 of 3', '71 %'});
+%! % a diagnosis without a calibration knows the miss in its noise alone
+%! [m.measured, m.simulated, m.met, m.share] = deal (NaN, NaN, NaN, 3.1);
+%! v.misses = m;
+%! assert (keyNumbers (v, [])(1).text, '6.2 times its noise');

@@ -10,7 +10,10 @@
 %     gapP      chance that noise makes as much as BEFORE.r without a gap
 %     largestZ  largest |r| of BEFORE, in its standard deviations
 %     removable logical: gapP below 5 %, or largestZ above 4
-%     closure   share of the gap that is gone, NaN where nothing is removable
+%     free      directions that the fit with the effect leaves to noise; 0: it
+%               has as many unknowns as targets and meets them whatever they are
+%     closure   share of the gap that is gone, NaN where nothing is removable,
+%               or nothing free
 %     interval90  1 x 2
 %     share     B x 1, draws of the closure (NaN: as of no gap at all)
 %
@@ -30,6 +33,7 @@
 
 function c = closureOf (before, after, metric)
   [c.gapP, c.largestZ] = chanceOf (before, metric);
+  [~, ~, c.free] = chanceOf (after, metric);
   c.removable = c.gapP < 0.05 || c.largestZ > 4;
   [gap, miss] = gapOf (before, metric);
   [left, leftError] = gapOf (after, metric);
@@ -38,7 +42,7 @@ function c = closureOf (before, after, metric)
   room = gap - miss;
   c.share = 1 - (left - leftError) ./ room;
   c.share(room <= 0) = NaN;
-  if c.removable && gap > 0
+  if c.removable && gap > 0 && c.free > 0
     c.closure = 1 - left / gap;
     sure = c.share(isfinite (c.share));
     c.interval90 = weightedQuantile (sure, ones (size (sure)), [0.05, 0.95]);
@@ -54,7 +58,7 @@ function [gap, miss] = gapOf (d, metric)
   miss = sum (E .* d.E, 2) - noise + 2 * E * g';
 end
 
-function [p, z] = chanceOf (d, metric)
+function [p, z, m] = chanceOf (d, metric)
   L = chol (inv (metric), 'lower');
   F = L \ d.F / L';
   [U, lambda] = eig ((F + F') / 2);
@@ -103,6 +107,11 @@ end
 %! r = [zeros(1, 39), 4.2];
 %! c = closureOf (draw (r, 0), draw (0 * r, 1), eye (40));
 %! assert (c.gapP > 0.05 && c.removable);
+%!test
+%! % two targets, and a fit that meets both whatever they are
+%! c = closureOf (draw ([9, 9], 1), draw ([9, 9], 2), eye (2));
+%! assert (c.removable && c.free == 0);
+%! assert (c.closure, NaN);
 %!test
 %! % nothing to remove
 %! c = closureOf (draw (ones (1, 10), 0), draw (ones (1, 10), 1), eye (10));

@@ -32,7 +32,10 @@ function text = partText (part)
   closure = jsonAt (part, {'closure'});
   if isempty (closure) || ~isfinite (closure)
     text = 'it cannot be judged';
-    if isequal (jsonAt (part, {'removable'}), false)
+    removable = jsonAt (part, {'removable'});
+    if isequal (removable, true)
+      text = [text, ' from so few targets: the fit has as many unknowns'];
+    elseif isequal (removable, false)
       text = 'none is beyond noise';
     end
   elseif closure >= 0.995
@@ -73,6 +76,11 @@ end
 %! assert (closedText (struct ('howFar', far)), ...
 %!         ['With tilt (by DEM runs): of the gap on the fitted targets ', ...
 %!          'all is closed; on the held-out ones none is beyond noise.']);
+%! far.heldOut = [];
+%! [far.closure, far.removable] = deal ([], true);
+%! assert (! isempty (strfind (closedText (struct ('howFar', far)), ...
+%!         'it cannot be judged from so few targets')));
+%! far.closure = 1.21;
 %! far.heldOut = struct ('closure', []);
 %! far.placebos = struct ('effect', 'drag', 'closure', 0.98);
 %! text = closedText (struct ('howFar', far));

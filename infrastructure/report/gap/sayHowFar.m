@@ -17,10 +17,14 @@ function sayHowFar (cure, gapProblem, say)
     how = 'by DEM';
   end
   say ('');
+  noise = sprintf (', noise makes %.1f -> %.1f %%', 100 * cure.floor, ...
+                   100 * cure.floorAfter);
+  if cure.free == 0
+    noise = '';
+  end
   say (sprintf (['HOW FAR with %s (%s): deviation %.1f %% -> %.1f %% of ' ...
-                 'the range, noise makes %.1f -> %.1f %%'], ...
-                cure.effect, how, 100 * cure.before, 100 * cure.after, ...
-                100 * cure.floor, 100 * cure.floorAfter));
+                 'the range%s'], cure.effect, how, 100 * cure.before, ...
+                100 * cure.after, noise));
   sayClosure ('calibrated targets', cure, say);
   if ~isempty (cure.heldOut)
     sayHeldOut (gapProblem, cure, say);
@@ -31,7 +35,10 @@ function sayHowFar (cure, gapProblem, say)
 end
 
 function sayClosure (name, c, say)
-  if isfinite (c.closure) && c.closure >= 0.995
+  if c.free == 0
+    say (sprintf (['  %-26s cannot be judged from so few: the fit has as ' ...
+                   'many unknowns'], name));
+  elseif isfinite (c.closure) && c.closure >= 0.995
     say (sprintf ('  %-26s all of the gap closed (90 %%: from %.0f %%)', ...
                   name, 100 * min (1, c.interval90(1))));
   elseif isfinite (c.closure)

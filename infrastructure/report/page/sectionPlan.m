@@ -15,8 +15,7 @@ function [title, html] = sectionPlan (page)
   X = page.plan;
   later = zeros (0, columns (X));
   if ~isempty (page.surrogates)
-    ran = vertcat (page.surrogates.X);
-    later = unique (ran(~ismember (ran, X, 'rows'), :), 'rows');
+    later = laterSets (page, vertcat (page.surrogates.X));
   end
   if (isempty (X) && isempty (later)) || columns (X) < 2
     return
@@ -49,6 +48,14 @@ function [title, html] = sectionPlan (page)
     key(end + 1, :) = {'diamond', 'red', 'the set that was found'};
   end
   html = htmlFigures (figures, htmlKey (key), 'pairs');
+end
+
+% The last runs come after the last surrogates.
+function later = laterSets (page, ran)
+  isOwn = ismember ({page.runs.stage}, {'plan', 'calibration'}) & ...
+          strcmp ({page.runs.status}, 'ok');
+  ran = [ran; vertcat(page.runs(isOwn).params)];
+  later = unique (ran(~ismember (ran, page.plan, 'rows'), :), 'rows');
 end
 
 function f = pairFigure (page, j, i, n)
