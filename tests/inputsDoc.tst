@@ -28,7 +28,7 @@
 %! % every reason that the code names stands in the table
 %! names = {};
 %! for file = glob (fullfile (rootOf (), 'infrastructure', ...
-%!                            {'case', 'effects'}, 'check*.m'))'
+%!                            {'case', 'case/check', 'effects'}, '*.m'))'
 %!   found = regexp (fileread (file{1}), ...
 %!                   'checkFault \(''(\w+)''', 'tokens');
 %!   names = [names, found{:}];

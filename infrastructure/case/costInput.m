@@ -38,8 +38,10 @@ end
 
 function [value, scale] = ofInput (raw)
   if isfile (fullfile (raw.folder, 'measured.csv'))
-    models = struct ('name', cellstr (raw.Input.model)(:)');
-    [value, scale] = ofTargets (newTargets (raw.optim, models, raw.folder));
+    names = cellstr (raw.Input.model)(:)';
+    list = readMeasured (fullfile (raw.folder, 'measured.csv'), names);
+    found.groups = groupMeasured (list, names);
+    [value, scale] = ofTargets (newTargets (raw.optim, names, found));
   else
     value = asColumn (raw.optim.targetVal);
     scale = value;

@@ -25,7 +25,7 @@
 % See also: loadCase, checkCase, newTargets, withEffects
 
 function Case = newCase (raw)
-  faults = checkCase (raw);
+  [faults, found] = checkCase (raw);
   if ~isempty (faults)
     error (faults(1).id, '%s', listFaults (faults));
   end
@@ -45,7 +45,7 @@ function Case = newCase (raw)
   Case.effects = [];
   Case.effectVars = {};
   Case.coarse = newCoarse (givenField (Input, 'coarse', {}));
-  Case.targets = newTargets (raw.optim, Case.models, raw.folder);
+  Case.targets = newTargets (raw.optim, {Case.models.name}, found);
   Case.options = newOptions (Input, raw.optim);
   Case.notes = caseNotes (raw, Case.models);
   for k = 1:numel (Case.models)
@@ -104,6 +104,27 @@ function o = newOptions (Input, optim)
   o.confidence = givenField (optim, 'confidence', 0.95);
 end
 
+% What is no fault, but may be meant otherwise, in sentences for the user.
+function notes = caseNotes (raw, models)
+  [~, unread] = checkSettings (raw.Input, raw.optim);
+  notes = strcat (unread, {[' in loadInput.m is read by nothing here, only ' ...
+                            'by files of your own']});
+  for model = models
+    if ~isempty (model.folder) && ~usesSeed (model.folder)
+      notes{end + 1} = ['no file of DEMmodels/', model.name, ' uses ' ...
+                        'runSeed: all runs of a set are one and the same ' ...
+                        'packing, and tell nothing of its scatter. Take ' ...
+                        'insertion seeds from ${runSeed} (docs/extend.md)'];
+    end
+  end
+end
+
+% data.head only declares it.
+function yes = usesSeed (folder)
+  yes = system (['grep -RIqw --exclude=data.head runSeed ', ...
+                 shellQuote(folder), ' 2> /dev/null']) == 0;
+end
+
 %!shared raw
 %! raw = standInCase (tempname ());
 %!test
@@ -145,3 +166,27 @@ end
 %!error id=DEcalioc:checkCase:badLimits
 %! raw.paramLims(:, 1) = [2; 1];
 %! newCase (raw);
+%!test
+%! % fields that nobody reads, and a bench without packings
+%! raw = standInCase (tempname ());
+%! raw.Input.colour = 'red';
+%! raw.optim.myWeights = [1, 2];
+%! Case = newCase (raw);
+%! assert (numel (Case.notes), 4);
+%! assert (! isempty (strfind (Case.notes{1}, 'Input.colour')));
+%! assert (! isempty (strfind (Case.notes{2}, 'optim.myWeights')));
+%! assert (! isempty (strfind (Case.notes{3}, 'DEMmodels/First ')));
+%! % used in a comment is used, as nobody can tell what a script does
+%! for model = {'First', 'Second'}
+%!   folder = fullfile (raw.folder, 'DEMmodels', model{1}, 'lib');
+%!   mkdir (folder);
+%!   writeAtomic (fullfile (folder, 'insert.in'), 'seed ${runSeed}');
+%! end
+%! raw.Input = rmfield (raw.Input, 'colour');
+%! raw.optim = rmfield (raw.optim, 'myWeights');
+%! assert (newCase (raw).notes, cell (1, 0));
+%! % a word that holds it is another one; no folder, no note
+%! writeAtomic (fullfile (folder, 'insert.in'), 'seed ${runSeeds}');
+%! assert (numel (newCase (raw).notes), 1);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');

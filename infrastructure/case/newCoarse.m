@@ -6,7 +6,7 @@
 %           variable (text) and levels (1 x L, the last one counts)
 %   COARSE  1 x v struct: variable, levels, models (numbers)
 %
-% See also: newCase, checkCoarse, withLevels
+% See also: newCase, checkLevels, withLevels
 
 function coarse = newCoarse (given)
   coarse = struct ('variable', {}, 'levels', {}, 'models', {});

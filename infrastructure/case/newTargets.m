@@ -1,27 +1,25 @@
 % NEWTARGETS  The targets of a case, from measured.csv or from optim.
 %
-% CALL: TARGETS = newTargets (OPTIM, MODELS, FOLDER)
+% CALL: TARGETS = newTargets (OPTIM, NAMES, FOUND)
 %
 %   OPTIM    scalar struct, the optim of loadInput, checked
-%   MODELS   1 x M struct with name and folder
-%   FOLDER   case folder; its measured.csv goes before optim.targetVal
+%   NAMES    1 x M cell, names of the models
+%   FOUND    scalar struct: groups of measured.csv, which go before
+%            optim.targetVal, and sizes, see checkCase
 %   TARGETS  1 x T struct in the order of the models, see docs/data.md
 %
-% See also: newCase, groupMeasured, checkMeasuredTable
+% See also: newCase, groupMeasured
 
-function targets = newTargets (optim, models, folder)
-  file = fullfile (folder, 'measured.csv');
-  if isfile (file)
-    targets = fromTable (file, optim, models);
+function targets = newTargets (optim, names, found)
+  if isempty (found.groups)
+    targets = fromCells (optim, names, found.sizes);
   else
-    targets = fromCells (optim, models);
+    targets = fromTable (found.groups, optim, names);
   end
 end
 
-function targets = fromTable (file, optim, models)
-  names = {models.name};
-  groups = groupMeasured (readMeasured (file, names), names);
-  counts = arrayfun (@(k) sum ([groups.model] == k), 1:numel (models));
+function targets = fromTable (groups, optim, names)
+  counts = arrayfun (@(k) sum ([groups.model] == k), 1:numel (names));
   lengths = asLengths (givenField (optim, 'correlation', {}));
   lengths = perTarget (lengths, counts, -1);
   targets = [];
@@ -30,7 +28,7 @@ function targets = fromTable (file, optim, models)
     if ~isempty (targets)
       index = 1 + sum ([targets.model] == g.model);
     end
-    t = struct ('model', g.model, 'modelName', models(g.model).name, ...
+    t = struct ('model', g.model, 'modelName', names{g.model}, ...
                 'index', index, 'name', g.name, 'value', g.value, ...
                 'sd', g.sd, 'tol', g.tol, 'role', g.role, ...
                 'trials', g.trials, 'correlation', lengths{g.model}(index));
@@ -54,9 +52,9 @@ function value = ifElse (test, value, other)
   end
 end
 
-function targets = fromCells (optim, models)
-  values = perModel (optim.targetVal, models);
-  counts = cellfun (@numel, values);
+% The published loadInput returns the values of all models as one column.
+function targets = fromCells (optim, models, counts)
+  values = perTarget (optim.targetVal, counts, NaN);
   tols = perTarget (optim.tolRes, counts, 0);
   sds = perTarget (givenField (optim, 'targetStd', []), counts, 0);
   trials = perTarget (givenField (optim, 'trials', []), counts, 1);
@@ -67,8 +65,8 @@ function targets = fromCells (optim, models)
   targets = [];
   for k = 1:numel (models)
     for i = 1:counts(k)
-      t = struct ('model', k, 'modelName', models(k).name, 'index', i);
-      t.name = textOf (names, k, i, sprintf ('%s_%d', models(k).name, i));
+      t = struct ('model', k, 'modelName', models{k}, 'index', i);
+      t.name = textOf (names, k, i, sprintf ('%s_%d', models{k}, i));
       t.value = values{k}(i);
       t.sd = sds{k}(i);
       t.tol = tols{k}(i);
@@ -103,31 +101,41 @@ function text = textOf (nested, k, i, default)
   end
 end
 
-% The published loadInput returns the values of all models as one column; how
-% many belong to each model is then known from its results alone.
-function parts = perModel (values, models)
-  if iscell (values)
-    parts = cellfun (@(v) double (v(:)'), values(:)', 'UniformOutput', false);
-    parts(end + 1:numel (models)) = {[]};
-  elseif isscalar (models)
-    parts = {double(values(:)')};
-  else
-    sizes = arrayfun (@(m) checkDryRun (m.folder, m.name), models);
-    parts = mat2cell (double (values(:)'), 1, sizes);
+% Spreads VALUES on the targets of each model: a cell of vectors, {k}(i) for
+% target i of model k, {k} one number for a model or []; or one vector of all
+% targets; or one number for all; [] for none.
+function parts = perTarget (values, counts, default)
+  if isempty (values)
+    values = default;
+  end
+  if ~iscell (values) && isscalar (values)
+    values = repmat ({values}, 1, numel (counts));
+  elseif ~iscell (values)
+    values = mat2cell (values(:)', 1, counts);
+  end
+  parts = arrayfun (@(n) repmat (default, 1, n), counts(:)', ...
+                    'UniformOutput', false);
+  for k = 1:numel (values)
+    part = double (values{k}(:)');
+    if isscalar (part)
+      part = repmat (part, 1, counts(k));
+    end
+    parts{k}(1:numel (part)) = part;
   end
 end
 
-%!shared folder, models
-%! folder = tempname ();
-%! models = struct ('name', {'A', 'B'}, 'folder', '');
+%!function t = ofTable (text, optim)
+%!  file = tempname ();
+%!  writeAtomic (file, text);
+%!  groups = groupMeasured (readMeasured (file, {'A', 'B'}), {'A', 'B'});
+%!  delete (file);
+%!  t = newTargets (optim, {'A', 'B'}, struct ('groups', groups));
+%!endfunction
 %!test
-%! mkdir (folder);
-%! writeAtomic (fullfile (folder, 'measured.csv'), ...
+%! t = ofTable (...
 %!              ["model,name,series,at,value,sd,tol\nB,b,,,0,,0.5\n", ...
-%!               "A,,w,1,4,0.2,\nA,,w,2,,,\nA,a,,,5,,1 abs\nA,a,,,7,,\n"]);
-%! t = newTargets (struct ('tolRes', 0.1), models, folder);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
+%!               "A,,w,1,4,0.2,\nA,,w,2,,,\nA,a,,,5,,1 abs\nA,a,,,7,,\n"], ...
+%!              struct ('tolRes', 0.1));
 %! assert ({t.name}, {'w@1', 'w@2', 'a', 'b'});
 %! assert ([t.model], [1, 1, 1, 2]);
 %! assert ([t.index], [1, 2, 3, 1]);
@@ -139,19 +147,17 @@ end
 %! assert ([t.correlation], [NaN, NaN, 0, 0]);
 %!test
 %! % a name that both models have is told apart, the result is not
-%! mkdir (folder);
-%! writeAtomic (fullfile (folder, 'measured.csv'), ...
-%!              "model,name,value,tol\nA,slope,3,0.1\nB,slope,4,0.1\n");
-%! t = newTargets (struct (), models, folder);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
+%! t = ofTable ("model,name,value,tol\nA,slope,3,0.1\nB,slope,4,0.1\n", ...
+%!              struct ());
 %! assert ({t.name}, {'A_slope', 'B_slope'});
 %! assert ({t.result}, {'slope', 'slope'});
 %!test
 %! % the cells of optim give the same fields
-%! t = newTargets (struct ('targetVal', {{[1, 2], 3}}, 'tolRes', 0.1), ...
-%!                 models, '/nowhere');
+%! found = struct ('groups', [], 'sizes', [2, 1]);
+%! t = newTargets (struct ('targetVal', {{[1, 2], 3}}, 'tolRes', 0.1, ...
+%!                         'trials', {{int8(5), []}}), {'A', 'B'}, found);
 %! assert ([t.value], [1, 2, 3]);
+%! assert ([t.trials], [5, 5, 1]);
 %! assert (any ([t.isAbsolute]), false);
 %! assert ({t.name}, {'A_1', 'A_2', 'B_1'});
 %! assert ([t.curve], [0, 0, 0]);

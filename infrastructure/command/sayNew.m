@@ -36,7 +36,7 @@ function status = sayNew (root, folder, args)
 end
 
 function target = placeOf (given, words, folder)
-  if ~isempty (given.model) && ~checkFolderName (given.model)
+  if ~isempty (given.model) && ~checkIs ('folder', given.model)
     error ('DEcalioc:sayNew:badValue', ...
            ['--model must be a plain name (letters, digits, _ - + .), got ' ...
             '%s.'], given.model);

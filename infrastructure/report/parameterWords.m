@@ -13,21 +13,20 @@
 
 function labels = parameterWords (Case)
   labels = cell (1, numel (Case.names));
-  heads = '';
-  for k = 1:numel (Case.models)
-    file = fullfile (Case.models(k).folder, 'data.head');
-    if ~isempty (Case.models(k).folder) && isfile (file)
-      heads = [heads, fileread(file), "\n"];
-    end
-  end
+  folders = {Case.models.folder};
+  heads = cellfun (@checkHead, folders(~cellfun (@isempty, folders)), ...
+                   'UniformOutput', false);
+  heads = [heads{:}];
   for j = 1:numel (labels)
-    name = Case.names{j};
-    remark = regexp (heads, ['^[ \t]*variable[ \t]+', name, ...
-                             '[ \t][^#\n]*#[ \t]*([^,\n]*),[ \t]*([^\n]+)'], ...
-                     'tokens', 'lineanchors', 'once');
-    labels{j} = usualWords (name);
-    if ~isempty (remark)
-      labels{j} = withUnit (strtrim (remark{2}), strtrim (remark{1}));
+    labels{j} = usualWords (Case.names{j});
+    remarks = {};
+    if ~isempty (heads)
+      remarks = {heads(strcmp ({heads.name}, Case.names{j})).remark};
+    end
+    words = regexp (remarks, '^([^,]*),[ \t]*(.+)$', 'tokens', 'once');
+    words = words(~cellfun (@isempty, words));
+    if ~isempty (words)
+      labels{j} = withUnit (strtrim (words{1}{2}), strtrim (words{1}{1}));
     end
   end
 end

@@ -11,7 +11,7 @@
 %
 % Reasons: badCorrelation correlationCount
 %
-% See also: checkTargetNumbers, measurementCovariance
+% See also: checkPerTarget, measurementCovariance
 
 function p = checkCorrelation (optim, sizes)
   p = checkFault ();

@@ -4,8 +4,8 @@
 %
 %   FOLDER  model folder (text)
 %   HEAD    1 x n struct array, in the order of the file: name, style ('equal',
-%           'string', ...), value (text). Files that data.head includes are
-%           read too.
+%           'string', ...), value, remark behind # (texts). Files that data.head
+%           includes are read too.
 %
 % See also: checkFindModels, checkDeclared
 
@@ -14,17 +14,20 @@ function head = checkHead (folder)
 end
 
 function head = readHead (folder, name, depth)
-  head = struct ('name', cell (1, 0), 'style', '', 'value', '');
+  head = struct ('name', cell (1, 0), 'style', '', 'value', '', ...
+                 'remark', '');
   text = checkReadText (fullfile (folder, name));
   found = regexp (text, ...
                   ['^[ \t]*(variable|include)[ \t]+(\S+)' ...
-                   '(?:[ \t]+(\w+)[ \t]+([^#\r\n]*))?'], ...
+                   '(?:[ \t]+(\w+)[ \t]+([^#\r\n]*)' ...
+                   '(?:#[ \t]*([^\r\n]*))?)?'], ...
                   'tokens', 'lineanchors');
   for k = 1:numel (found)
-    words = [found{k}, {'', ''}];
+    words = [found{k}, {'', '', ''}];
     if strcmp (words{1}, 'variable')
       head(end + 1) = struct ('name', words{2}, 'style', words{3}, ...
-                              'value', strtrim (words{4}));
+                              'value', strtrim (words{4}), ...
+                              'remark', strtrim (words{5}));
     elseif depth < 3
       inside = readHead (folder, words{2}, depth + 1);
       head(end + 1:end + numel (inside)) = inside;
@@ -45,7 +48,8 @@ end
 %! head = checkHead (folder);
 %! assert ({head.name}, {'a', 'b', 'd', 'c'});
 %! assert ({head.style}, {'equal', 'string', 'equal', ''});
-%! assert (head(1).value, '5e6');
+%! assert ({head.value}, {'5e6', 'x', '2*${a}', ''});
+%! assert ({head.remark}, {'Pa', '', '', ''});
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
 %!assert (size (checkHead ('/nowhere')), [1, 0])

@@ -1,6 +1,6 @@
 % CHECKMEASUREDTABLE  Checks measured.csv, where a case has one.
 %
-% CALL: [P, SIZES] = checkMeasuredTable (OPTIM, MODELS, FILE, TAKEN)
+% CALL: [P, SIZES, GROUPS] = checkMeasuredTable (OPTIM, MODELS, FILE, TAKEN)
 %
 %   OPTIM   scalar struct, the optim of loadInput
 %   MODELS  1 x M struct array, see checkFindModels
@@ -8,6 +8,7 @@
 %   TAKEN   cell of names that a target may not have: variables
 %   P       1 x n faults, see checkFault
 %   SIZES   1 x M, targets of each model; [] where they make no sense
+%   GROUPS  1 x T struct array, see groupMeasured
 %
 % The table stands in the place of the fields of optim that are given target by
 % target. optim.tolRes may be one number: the tolerance where tol is empty.
@@ -17,8 +18,8 @@
 %
 % See also: checkTargets, readMeasured, groupMeasured
 
-function [p, sizes] = checkMeasuredTable (optim, models, file, taken)
-  sizes = [];
+function [p, sizes, groups] = checkMeasuredTable (optim, models, file, taken)
+  [sizes, groups] = deal ([]);
   p = checkTwice (optim);
   [lines, q] = readMeasured (file, {models.name});
   p = [p, q];

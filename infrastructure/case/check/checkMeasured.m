@@ -14,7 +14,7 @@
 % Reasons: badParamMean badParamSd paramCount unknownParam paramPair
 % paramOutside
 %
-% See also: checkLimits, rowByName
+% See also: checkVariables, rowByName
 
 function p = checkMeasured (optim, assign, paramLims)
   names = {};

@@ -1,4 +1,4 @@
-% CHECKTARGETS  Checks the target values and how many there are.
+% CHECKTARGETS  Checks the target values of optim and how many there are.
 %
 % CALL: [P, SIZES] = checkTargets (OPTIM, MODELS)
 %
@@ -11,7 +11,7 @@
 % Reasons: missingField badTargets targetCount ambiguousTargets
 % nonFiniteTarget zeroTarget
 %
-% See also: checkCase, checkDryRun
+% See also: checkCase, checkPerTarget
 
 function [p, sizes] = checkTargets (optim, models)
   sizes = [];
@@ -24,11 +24,12 @@ function [p, sizes] = checkTargets (optim, models)
   end
   value = optim.targetVal;
   [values, fields, given] = checkElements (value, field);
-  if isempty (given) || any (given == 0)
+  if isempty (given) || any (given == 0) || ...
+     (iscell (value) && any (cellfun (@iscell, value)))
     p = checkFault ('badTargets', field, expected, checkShow (value), cure);
     return
   end
-  p = checkValues (values, fields);
+  p = checkValues ([values{:}], fields);
   if isempty (models)
     return
   end
@@ -112,22 +113,15 @@ function text = countCure ()
   text = 'Give one target for each result, in the order of getResults.';
 end
 
-%!shared models
+%!test
 %! models = struct ('name', {'A', 'B'}, 'count', {2, 1});
-%!test
 %! [p, n] = checkTargets (struct ('targetVal', {{[1, 2], 3}}), models);
-%! assert (isempty (p));
-%! assert (n, [2, 1]);
-%!test
+%! assert ({isempty(p), n}, {true, [2, 1]});
 %! [p, n] = checkTargets (struct ('targetVal', [1; 2; 3]), models);
-%! assert (isempty (p));
-%! assert (n, [2, 1]);
-%!test
-%! other = models;
-%! other(2).count = NaN;
-%! p = checkTargets (struct ('targetVal', [1; 2; 3]), other);
-%! assert (p.id, 'DEcalioc:checkCase:ambiguousTargets');
-%!test
+%! assert ({isempty(p), n}, {true, [2, 1]});
 %! p = checkTargets (struct ('targetVal', {{[0, NaN], [3, 4]}}), models);
 %! assert ({p.id}, strcat ('DEcalioc:checkCase:', ...
 %!         {'zeroTarget', 'nonFiniteTarget', 'targetCount'}));
+%! models(2).count = NaN;
+%! p = checkTargets (struct ('targetVal', [1; 2; 3]), models);
+%! assert (p.id, 'DEcalioc:checkCase:ambiguousTargets');

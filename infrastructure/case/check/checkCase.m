@@ -1,7 +1,7 @@
 % CHECKCASE  Finds all faults of a user's input before anything is run.
 %
-% CALL: FAULTS = checkCase (RAW)
-%       FAULTS = checkCase (RAW, 'noPrograms')
+% CALL: [FAULTS, FOUND] = checkCase (RAW)
+%       [FAULTS, FOUND] = checkCase (RAW, 'noPrograms')
 %
 %   RAW       what the user gave: a struct with the fields Input, optim,
 %             modelVars, assign, paramLims (as loadInput returns them), folder
@@ -10,6 +10,9 @@
 %   FAULTS    1 x n struct array with the fields id ('DEcalioc:checkCase:...')
 %             and message (what, where, expected, got, cure); empty where all
 %             is good
+%   FOUND     scalar struct of what the checks have read and newCase needs:
+%             groups (of measured.csv, see groupMeasured; [] without one), sizes
+%             (1 x M, targets of each model; [] where they make no sense)
 %
 % Never throws, starts no DEM run, makes no folder of the case, evaluates no
 % text of the user. With 'noPrograms' no other program is started either: the
@@ -19,14 +22,16 @@
 %
 % See also: newCase, checkFault
 
-function faults = checkCase (raw, mode)
+function [faults, found] = checkCase (raw, mode)
   if nargin < 2
     mode = 'full';
   end
+  found = struct ('groups', [], 'sizes', []);
   [faults, raw] = checkRaw (raw);
   if ~isempty (raw)
-    faults = [faults, attempt(@() checkAlone (raw)), ...
-              attempt(@() checkTogether (raw, mode))];
+    [p, ~] = attempt (@() checkAlone (raw));
+    [q, found] = attempt (@() checkTogether (raw, mode));
+    faults = [faults, p, q];
   end
   if isempty (faults)
     faults = checkFault ();
@@ -34,10 +39,11 @@ function faults = checkCase (raw, mode)
 end
 
 % An error in the checks themselves is a fault as well, not an exception.
-function p = attempt (check)
+function [p, found] = attempt (check)
   try
-    p = check ();
+    [p, found] = check ();
   catch err
+    found = struct ('groups', [], 'sizes', []);
     where = '';
     if ~isempty (err.stack)
       where = sprintf (' (%s, line %d)', err.stack(1).name, ...
@@ -89,107 +95,89 @@ function [p, raw] = checkPart (raw, name, isGood, expected)
 end
 
 % Checks that look at the values alone.
-function p = checkAlone (raw)
-  p = checkFault ();
+function [p, found] = checkAlone (raw)
+  found = [];
   numOfSam = [];
   if isstruct (raw.Input)
-    p = [p, checkInputFields(raw.Input)];
-    numOfSam = fieldOr (raw.Input, 'numOfSam', []);
+    numOfSam = givenField (raw.Input, 'numOfSam', []);
   end
-  if isstruct (raw.optim)
-    p = [p, checkOptim(raw.optim)];
-  end
-  p = [p, checkVariables(raw.modelVars, raw.assign), ...
-       checkLimits(raw.paramLims, raw.assign, numOfSam)];
+  p = [checkSettings(raw.Input, raw.optim), ...
+       checkVariables(raw.modelVars, raw.assign, raw.paramLims, numOfSam)];
 end
 
 % Checks that compare the values with files and with each other.
-function p = checkTogether (raw, mode)
+function [p, found] = checkTogether (raw, mode)
   p = checkFault ();
+  found = struct ('groups', [], 'sizes', []);
   models = checkFindModels (struct (), '', '', mode);
   if isstruct (raw.Input) && ischar (raw.folder) && ischar (raw.root)
     models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
     if needsModels (raw)
-      executor = fieldOr (raw.Input, 'executor', 'local');
+      executor = givenField (raw.Input, 'executor', 'local');
       how = struct ('programs', strcmp (mode, 'full'), 'onCluster', ...
                     checkIs ('text', executor) && ...
                     ~describeExecutor (executor).isHere);
       p = checkModels (models, raw.folder, raw.root, how);
     end
   end
-  [names, fields, kinds] = variablesOf (raw);
+  [ofLevels, names, fields] = checkLevels (raw, numel (models));
+  [names, fields, kinds] = variablesOf (raw, names, fields);
   p = [p, checkDeclared(names, fields, kinds, models)];
   if isstruct (raw.optim)
-    [q, sizes] = checkAllTargets (raw, models, names);
-    p = [p, q, checkCorrelation(raw.optim, sizes), ...
-         checkBenchCost(raw.optim, numel (models))];
+    [q, found] = checkAllTargets (raw, models, names);
+    p = [p, q, checkCorrelation(raw.optim, found.sizes)];
     if isstruct (raw.modelVars) && iscell (raw.assign)
       p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign(:)', models)];
     end
     p = [p, checkMeasured(raw.optim, raw.assign, raw.paramLims)];
   end
-  p = [p, checkLevels(raw)];
+  p = [p, ofLevels];
   if strcmp (mode, 'full')
     p = [p, checkPlace(raw, models)];
   end
 end
 
 % measured.csv goes before what optim says of the targets.
-function [p, sizes] = checkAllTargets (raw, models, names)
+function [p, found] = checkAllTargets (raw, models, names)
+  found.groups = [];
   file = '';
   if ischar (raw.folder)
     file = fullfile (raw.folder, 'measured.csv');
   end
   if isfile (file)
-    [p, sizes] = checkMeasuredTable (raw.optim, models, file, names);
+    [p, found.sizes, found.groups] = checkMeasuredTable (raw.optim, models, ...
+                                                         file, names);
     return
   end
-  [p, sizes] = checkTargets (raw.optim, models);
-  p = [p, checkTargetNumbers(raw.optim, sizes), ...
-       checkTargetTexts(raw.optim, sizes, names)];
-end
-
-function value = fieldOr (s, name, default)
-  value = default;
-  if isfield (s, name)
-    value = s.(name);
-  end
+  [p, found.sizes] = checkTargets (raw.optim, models);
+  p = [p, checkPerTarget(raw.optim, found.sizes, names)];
 end
 
 % With a table of finished runs and no new ones the models need not be there.
 function yes = needsModels (raw)
-  yes = ~(isequal (fieldOr (raw.Input, 'maxNewRuns', Inf), 0) && ...
+  yes = ~(isequal (givenField (raw.Input, 'maxNewRuns', Inf), 0) && ...
           isfile (fullfile (raw.folder, 'runs.csv')));
 end
 
-function [names, fields, kinds] = variablesOf (raw)
-  [names, fields, kinds] = deal (cell (1, 0));
-  if iscell (raw.assign)
-    names = raw.assign(:)';
-    fields = arrayfun (@(k) sprintf ('assign{%d}', k), ...
-                       1:numel (names), 'UniformOutput', false);
-    kinds = repmat ({'design'}, size (names));
-  end
+% Those of assign and modelVars, and those of the levels, which are given.
+function [names, fields, kinds] = variablesOf (raw, names, fields)
+  kinds = repmat ({'level'}, size (names));
   if isstruct (raw.modelVars)
-    own = fieldnames (raw.modelVars)';
-    names = [names, own];
-    fields = [fields, strcat('modelVars.', own)];
-    kinds = [kinds, repmat({'fixed'}, size (own))];
+    fixed = fieldnames (raw.modelVars)';
+    names = [fixed, names];
+    fields = [strcat('modelVars.', fixed), fields];
+    kinds = [repmat({'fixed'}, size (fixed)), kinds];
   end
-  if isstruct (raw.Input) && isempty (checkCoarse (raw.Input, 0))
-    levels = fieldOr (raw.Input, 'coarse', {});
-    for k = find (~cellfun (@isempty, levels(:)'))
-      names{end + 1} = levels{k}.variable;
-      fields{end + 1} = sprintf ('Input.coarse{%d}.variable', k);
-      kinds{end + 1} = 'level';
-    end
+  if iscell (raw.assign)
+    n = numel (raw.assign);
+    names = [raw.assign(:)', names];
+    fields = [arrayfun(@(k) sprintf ('assign{%d}', k), 1:n, ...
+                       'UniformOutput', false), fields];
+    kinds = [repmat({'design'}, 1, n), kinds];
   end
-  good = cellfun (@(n) checkIs ('name', n), names) & ...
-         ~ismember (cellfun (@checkShow, names, 'UniformOutput', false), ...
-                    {'''RLTS''', '''SIMTS''', '''runSeed'''});
-  names = names(good);
-  fields = fields(good);
-  kinds = kinds(good);
+  isGood = cellfun (@(n) checkIs ('name', n) && ...
+                    ~any (strcmp (n, {'RLTS', 'SIMTS', 'runSeed'})), names);
+  [names, fields, kinds] = deal (names(isGood), fields(isGood), kinds(isGood));
 end
 
 function p = checkPlace (raw, models)
@@ -197,7 +185,7 @@ function p = checkPlace (raw, models)
   if ~ischar (raw.folder) || ~isstruct (raw.Input)
     return
   end
-  store = fieldOr (raw.Input, 'store', '');
+  store = givenField (raw.Input, 'store', '');
   if ~checkIs ('text', store)
     store = raw.folder;
   end

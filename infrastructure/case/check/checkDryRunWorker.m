@@ -2,12 +2,12 @@
 %
 % CALL: checkDryRunWorker ()
 %
-% For the Octave that checkDryRun starts in a folder of its own. The
+% For the Octave that checkFindModels starts in a folder of its own. The
 % environment holds DECALIOC_DRY_MODEL (model folder) and DECALIOC_DRY_NAME
 % (its name). What was found goes to the file answer: the number of results
 % or NaN, and below it why getResults can never work.
 %
-% See also: checkDryRun
+% See also: checkFindModels
 
 function checkDryRunWorker ()
   %| pragma Justify (metric, "globals", "getResults of users read it");

@@ -1,0 +1,144 @@
+% CHECKFINDMODELS  Looks up what the checks need to know of each model.
+%
+% CALL: MODELS = checkFindModels (INPUT, FOLDER, ROOT, MODE)
+%
+%   INPUT   scalar struct, the Input of loadInput
+%   FOLDER  case folder (text)
+%   ROOT    folder of the toolbox (text)
+%   MODE    'full', or 'noPrograms': getResults is not called
+%   MODELS  1 x M struct array: name; folder ('' where there is none, or the
+%           name is not usable); head (see checkHead); cpu (NaN where not
+%           usable); count (number of results, NaN where not known); message
+%           (why getResults cannot be used, or ''); fields (names of the results
+%           where it returns a struct)
+%
+% getResults reads the files of the model's sample/, if it has one. Where that
+% throws, an empty run folder is tried: published files then return NaN for each
+% result.
+%
+% See also: checkModels, checkDryRunWorker
+
+function models = checkFindModels (Input, folder, root, mode)
+  names = modelNames (Input);
+  models = struct ('name', names, 'folder', '', 'head', [], 'cpu', NaN, ...
+                   'count', NaN, 'message', '', 'fields', {{}});
+  for k = 1:numel (models)
+    if ~isempty (names{k})
+      models(k).folder = findModel (names{k}, folder, root);
+    end
+    if ~isempty (models(k).folder)
+      models(k).head = checkHead (models(k).folder);
+      if strcmp (mode, 'full')
+        [models(k).count, models(k).message, models(k).fields] = ...
+          dryRun (models(k).folder, names{k});
+      end
+    end
+    if isfield (Input, 'cpu') && checkIs ('vector', Input.cpu) && ...
+        numel (Input.cpu) >= k
+      models(k).cpu = double (Input.cpu(k));
+    end
+  end
+end
+
+function names = modelNames (Input)
+  names = cell (1, 0);
+  if ~isfield (Input, 'model')
+    return
+  end
+  names = Input.model;
+  if ischar (names)
+    names = {names};
+  end
+  if ~iscell (names) || ~isvector (names)
+    names = cell (1, 0);
+    return
+  end
+  names = names(:)';
+  for k = 1:numel (names)
+    if ~checkIs ('folder', names{k})
+      names{k} = '';
+    end
+  end
+end
+
+% Counts the results without a run: getResults is called by another Octave,
+% which a crash or a loop in it does not carry away (limit 20 s).
+function [count, message, fields] = dryRun (folder, name)
+  count = NaN;
+  message = '';
+  fields = {};
+  if ~isfile (fullfile (folder, 'OctaveFuns', 'getResults.m'))
+    return
+  end
+  work = tempname ();
+  [made, ~] = mkdir (work);
+  if ~made
+    return
+  end
+  cleaner = onCleanup (@() removeFolder (work));
+  here = fileparts (mfilename ('fullpath'));
+  files = fullfile (fileparts (fileparts (here)), 'files');
+  octave = fullfile (OCTAVE_EXEC_HOME (), 'bin', 'octave-cli');
+  if ~isfile (octave)
+    octave = 'octave-cli';
+  end
+  command = sprintf (['cd %s && OCTAVE_HISTFILE=/dev/null ' ...
+                      'DECALIOC_DRY_MODEL=%s DECALIOC_DRY_NAME=%s ' ...
+                      'timeout -k 2 20 %s --norc --quiet --no-gui ' ...
+                      '--path %s --path %s --eval checkDryRunWorker ' ...
+                      '> /dev/null 2>&1 < /dev/null'], shellQuote (work), ...
+                     shellQuote (make_absolute_filename (folder)), ...
+                     shellQuote (name), shellQuote (octave), ...
+                     shellQuote (here), shellQuote (files));
+  [~, ~] = system (command);
+  [count, message, fields] = readAnswer (fullfile (work, 'answer'));
+end
+
+function removeFolder (folder)
+  confirm_recursive_rmdir (false, 'local');
+  [~, ~] = rmdir (folder, 's');
+end
+
+function [count, message, fields] = readAnswer (file)
+  count = NaN;
+  lines = strsplit (checkReadText (file), "\n", 'CollapseDelimiters', false);
+  lines(end + 1:3) = {''};
+  number = str2double (lines{1});
+  if number >= 1
+    count = number;
+  end
+  message = strtrim (lines{2});
+  fields = strsplit (strtrim (lines{3}), ' ');
+  fields = fields(~cellfun (@isempty, fields));
+end
+
+%!function m = tryModel (code)
+%!  folder = tempname ();
+%!  mkdir (fullfile (folder, 'DEMmodels', 'Toy', 'OctaveFuns'));
+%!  writeAtomic (fullfile (folder, 'DEMmodels', 'Toy', 'OctaveFuns', ...
+%!                         'getResults.m'), code);
+%!  m = checkFindModels (struct ('model', 'Toy', 'cpu', 2), folder, folder, ...
+%!                       'full');
+%!  confirm_recursive_rmdir (false, 'local');
+%!  rmdir (folder, 's');
+%!endfunction
+%!test
+%! m = tryModel (["function res = getResults (model, folderName)\n", ...
+%!   "global path\ntry\n  res{1} = csvread ([path, 'optim/', model, '/',", ...
+%!   " folderName, '/out']);\ncatch\n  res{1} = NaN;\nend\n", ...
+%!   "res{2} = NaN;\nend\n"]);
+%! assert ({m.count, m.message, m.cpu}, {2, '', 2});
+%!test
+%! m = tryModel ('function res = getResults (a, b), res = {1, ; end');
+%! assert (isnan (m.count) && ! isempty (strfind (m.message, 'parse error')));
+%!test
+%! m = tryModel (["function res = getResults (model, folderName)\n", ...
+%!                "res = struct ('w', [NaN, NaN], 'mass', NaN);\nend\n"]);
+%! assert ({m.count, m.message, m.fields}, {2, '', {'w', 'mass'}});
+%!test
+%! Input = struct ('model', {{'NoSuchModel', '../x', 3}}, 'cpu', [1, 2]);
+%! m = checkFindModels (Input, '/nowhere', '/nowhere', 'full');
+%! assert ({m.name}, {'NoSuchModel', '', ''});
+%! assert ([m.cpu], [1, 2, NaN]);
+%! assert (isnan ([m.count]), true (1, 3));
+%!assert (isempty (checkFindModels (struct (), '/nowhere', '/nowhere', 'full')))
