@@ -25,6 +25,12 @@
 %! picture = fileread (fullfile (folder, 'optim', 'Pile', '0001', ...
 %!                               'measured.svg'));
 %! assert (says (picture, '<circle') && says (picture, '<polyline'));
+%! % the time that was asked for is run to the step: up to the next look at
+%! % the overlap, two settings would be one run
+%! log = fileread (fullfile (folder, 'optim', 'Pile', '0001', 'log.liggghts'));
+%! took = str2double (regexp (log, ['secondsRun equal [\d.]+\+(\d+)\*' ...
+%!                            '([\d.e-]+)'], 'tokens', 'once'));
+%! assert (prod (took), 0.06 / 0.12, 1.01 * took(2));
 %! % effects at neutral: bit by bit the grains of a law without effects
 %! small = struct ('filledSolid', 4e-6, 'restTime', 0.12, 'liftHeight', 0.012);
 %! [plain, fault] = benchTrial (model, small, fullfile (root, 'tests', ...

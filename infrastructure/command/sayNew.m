@@ -17,7 +17,8 @@
 
 function status = sayNew (root, folder, args)
   status = 0;
-  spec = struct ('model', 'one', 'script', 'one', 'vary', 'many', ...
+  spec = struct ('model', 'one', 'curve', 'flag', 'script', 'one', ...
+                 'vary', 'many', ...
                  'set', 'many', 'target', 'many', 'output', 'one', ...
                  'seed', 'one');
   [given, words] = commandOptions (args, spec);
@@ -43,6 +44,9 @@ function target = placeOf (given, words, folder)
   elseif ~isempty (given.script) && isempty (given.model)
     error ('DEcalioc:sayNew:missingField', ...
            '--script needs a name for the model: --model NAME.');
+  elseif given.curve && (isempty (given.model) || ~isempty (given.script))
+    error ('DEcalioc:sayNew:badValue', ...
+           '--curve goes with --model NAME, without --script.');
   elseif isempty (words) && isempty (given.model) || numel (words) > 1
     error ('DEcalioc:sayNew:missingField', ...
            ['one FOLDER for the case is needed, got %d. decalioc new ' ...
@@ -80,24 +84,34 @@ function makeModel (root, target, model, given)
     [words, notes] = newScriptModel (root, model, given);
     template = fullfile (root, 'templates', 'scriptCase');
   elseif ~isThere
-    words = struct ('MODEL', given.model);
-    newTemplateModel (root, model, words);
+    newTemplateModel (root, model, given);
+  end
+  if given.curve
+    template = fullfile (root, 'templates', 'curve', 'case');
   end
   if isThere && ~isempty (given.script)
     system (['rm -rf ', shellQuote(model)]);
   end
   words.MODEL = given.model;
-  makeForm (template, target, words);
+  if ~isfile (fullfile (target, 'loadInput.m'))
+    makeForm (template, target, words);
+  end
   copyNew (root, target, {'loadEffects.m'});
   for k = 1:numel (notes)
     printf ('NOTE: %s\n', notes{k});
   end
 end
 
-function newTemplateModel (root, model, words)
+function newTemplateModel (root, model, given)
   draft = tempname ();
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(draft)]));
-  fillTemplate (fullfile (root, 'templates', 'model'), draft, words);
+  fillTemplate (fullfile (root, 'templates', 'model'), draft, ...
+                struct ('MODEL', given.model));
+  if given.curve
+    writeAtomic (fullfile (draft, 'results.csv'), ...
+                 fileread (fullfile (root, 'templates', 'curve', 'model', ...
+                                     'results.csv')));
+  end
   fillTemplate (fullfile (root, 'infrastructure', 'effects', 'liggghts'), ...
                 fullfile (draft, 'effects'), struct ());
   fillTemplate (draft, model, struct ());
@@ -108,8 +122,8 @@ function makeForm (template, target, words)
   draft = tempname ();
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(draft)]));
   fillTemplate (template, draft, words);
-  names = sort (readdir (draft))';
-  for name = names(3:end)
+  last = 'loadInput.m';
+  for name = [setdiff(readdir (draft)', {'.', '..', last}), {last}]
     file = fullfile (target, name{1});
     if ~isfile (file)
       writeAtomic (file, fileread (fullfile (draft, name{1})));
@@ -171,11 +185,20 @@ end
 %! quietly (root, base, {'--model', 'Mine', place});
 %! assert (isfile (fullfile (place, 'loadInput.m')));
 %! assert (isfile (fullfile (model, 'mark')));
+%! % with a curve
+%! quietly (root, base, {'--model', 'Curve', '--curve', ...
+%!                       fullfile(base, 'c')});
+%! folder = fullfile (base, 'c');
+%! names = {resultInfo(fullfile (folder, 'DEMmodels', 'Curve')).name};
+%! assert (names{end}, 'profile');
+%! table = readMeasured (fullfile (folder, 'measured.csv'), {'Curve'});
+%! assert (sum (strcmp ({table.series}, 'profile')), 5);
 %! % a second model in the same case
 %! text = quietly (root, base, {'--model', 'Other', place});
 %! assert (~isempty (strfind (text, 'has its loadInput.m already')));
 %!error id=DEcalioc:sayNew:missingField sayNew (root, base, {});
 %!error id=DEcalioc:sayNew:missingField sayNew (root, base, {'a', 'b'});
+%!error id=DEcalioc:sayNew:badValue sayNew (root, base, {'--curve', 'x'});
 %!error id=DEcalioc:sayNew:missingField sayNew (root, base, {'--script', 'x'});
 %!error id=DEcalioc:sayNew:badValue sayNew (root, base, {'--model', '../x'});
 %!test

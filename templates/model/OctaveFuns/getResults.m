@@ -3,9 +3,8 @@
 % CALL: RES = getResults (MODEL, FOLDERNAME)
 %
 %   MODEL       name of the model's folder below optim/ (text)
-%   FOLDERNAME  name of the run's folder (text)
-%   RES         1 x 3 cell of scalars, in the order of results.csv: angle of
-%               repose (deg), mass on the plate (kg), height of the apex (m);
+%   FOLDERNAME  name of the run's folder
+%   RES         1 x n cell, the results that results.csv lists, in its order;
 %               NaN where a file is missing or the run is not sane
 %
 % Leaves the picture measured.svg in the run's folder: the heap from the side,
@@ -16,12 +15,14 @@
 function res = getResults (model, folderName)
   %| pragma Justify (metric, "globals", "the way in that runs have");
   global path
-  res = num2cell (NaN (1, 3));
+  names = {resultInfo(fileparts (fileparts (mfilename ('fullpath')))).name};
+  res = num2cell (NaN (1, numel (names)));
   folder = [path, 'optim/', model, '/', folderName, '/'];
   try
     checks = readChecks (folder);
     if checks.sane
-      res = num2cell (measure (folder, checks));
+      found = measure (folder, checks);
+      res = cellfun (@(name) found.(name), names, 'UniformOutput', false);
     end
   catch err
     % a run that broke off has no files: its results are NaN
@@ -29,14 +30,18 @@ function res = getResults (model, folderName)
   end
 end
 
-function results = measure (folder, checks)
+% One field a result, named as in results.csv: a number, or a curve of two
+% columns (place, value).
+function found = measure (folder, checks)
   grains = readDump ([folder, 'heap.dump']){end};
   grains = grains(grains(:, 3) > 0, :);
   R = checks.plateRadius;
   [angle, apex, points] = coneLine (grains, 0.2 * R, 0.8 * R);
   share = rows (grains) / checks.spheresStart;
-  mass = checks.massStart * share;
-  results = [angle, mass, apex];
+  found.('angle of repose') = angle;                    % deg
+  found.('mass on plate') = checks.massStart * share;   % kg
+  found.('apex height') = apex;                         % m
+  found.profile = points';                % m, distance from the axis and height
 
   % the cone that was fitted, from the side
   r = [-points(1, end:-1:1), 0, points(1, :)];
