@@ -26,39 +26,34 @@ function result = calibrateStandIn (S, seed, fail, options)
                          'tol', 0.01, 'sd', 0, 'role', 'calibrate', ...
                          'model', num2cell (S.model));
   Case.options = options;
-  evaluate = @(P, replicate, varargin) noisy (S, P, fail, varargin{2:end});
+  evaluate = @(P, E, replicate) noisy (S, P, fail, E);
   n = planSize (d);
   X = double (stk_sampling_maximinlhs (n, d, S.limits, 500));
-  if isfield (S, 'levels')
-    [problem, data] = levelledPlan (S, Case, X, evaluate);
-  else
-    problem = newProblem (Case, []);
-    data = addRows (newData (d, T), X, evaluate (X, 1), ones (n, 1), 'plan');
+  E = zeros (n, 0);
+  budget = newBudget ();
+  if isfield (S, 'levels')               % all rows at the cheapest, see newPlan
+    Case.coarse = struct ('variable', 'scale', 'levels', S.levels(:)', ...
+                          'models', 1);
+    budget.levels = [S.levels(:), S.seconds(:)];
+    E = S.levels(ones (n, 1));
   end
+  problem = newProblem (Case, []);
+  data = addRows (newData (d, T, columns (E)), X, evaluate (X, E, 1), ...
+                  ones (n, 1), 'plan', E);
   surrogates = fitSurrogates (data, problem);
   found = calibrateOnKriging (surrogates, problem);
   state = newState (data, surrogates, found);
-  state = improveByInfill (state, problem, evaluate, @(text) []);
-  state = calibrateOnDEM (state, problem, evaluate, @(text) []);
+  state.budget = budget;
+  state.evaluate = plainEvaluate (evaluate);
+  state = improveByInfill (state, problem, @(text) []);
+  state = calibrateOnDEM (state, problem, @(text) []);
   result = score (S, state);
   result.state = state;
   result.problem = problem;
 end
 
-% As newPlan has it: all rows at the cheapest level.
-function [problem, data] = levelledPlan (S, Case, X, evaluate)
-  Case.coarse = struct ('variable', 'scale', 'levels', S.levels(:)', ...
-                        'models', 1);
-  problem = newProblem (Case, []);
-  problem.levelSeconds = @() S.seconds;
-  [d, T] = deal (columns (X), numel (S.value));
-  E = S.levels(ones (rows (X), 1));
-  Z = evaluate (X, 1, 'plan', E);
-  data = addRows (newData (d, T, 1), X, Z, ones (rows (X), 1), 'plan', E);
-end
-
 function Z = noisy (S, P, fail, E)
-  if nargin > 3
+  if columns (E) > 0
     Z = S.atLevel (P, E);
   else
     Z = S.response (P);
@@ -76,8 +71,9 @@ function result = score (S, state)
   off = @(Z) max (abs (Z ./ S.value - 1), [], 2);
   result.runs = rows (state.data.X);
   result.plan = sum (strcmp (state.data.stage, 'plan'));
-  result.infill = state.spent.infill;
-  result.verify = state.spent.verify;
+  result.infill = sum (strcmp (state.data.stage, 'infill'));
+  result.verify = sum (isAfterPlan (state.data)) - ...
+                  result.infill;
   result.failed = sum (any (isnan (state.data.Z), 2));
   result.worst = off (S.response (state.final.params));
   result.firstObserved = first (off (state.data.Z) < 0.01);

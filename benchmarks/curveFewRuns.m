@@ -44,21 +44,22 @@ function [problem, evaluate, truth] = newCalibrationOf (seed)
                  'limits', [0, 0, 0; 1, 1, 1], 'targets', T);
   Case.options.seed = seed;
   problem = newProblem (Case, []);
-  evaluate = @(P, varargin) response (P, x) + noise (rows (P));
+  evaluate = @(P, E, replicate) response (P, x) + noise (rows (P));
 end
 
 function row = oneSeed (seed, nPlan)
   [problem, evaluate, truth] = newCalibrationOf (seed);
   restore = seedRandom (seed);
   X = double (stk_sampling_maximinlhs (nPlan, 3, problem.limits, 500));
-  Z = evaluate (X);
+  Z = evaluate (X, [], 1);
   data = addRows (newData (3, columns (Z)), X, Z, ones (nPlan, 1), 'plan');
   surrogates = fitSurrogates (data, problem);
   state = newState (data, surrogates, ...
                     calibrateOnKriging (surrogates, problem));
+  state.evaluate = plainEvaluate (evaluate);
   say = @(text) [];
-  state = improveByInfill (state, problem, evaluate, say);
-  state = calibrateOnDEM (state, problem, evaluate, say);
+  state = improveByInfill (state, problem, say);
+  state = calibrateOnDEM (state, problem, say);
   known = parameterPosterior (state.surrogates, problem);
   at = problem.coordinate;
   off = (response (state.final.params, at) - problem.value) / 0.4;

@@ -56,8 +56,8 @@ function makeTruth (work, root, seed)
   place = caseAt (work, root, 'truth', {'  modelVars.grainScale = 2;'}, seed);
   copyfile (source, place);
   Case = loaded (root, place);
-  evaluate = newEvaluate (Case, newLedger (), @(text) disp (text));
-  Z = evaluate (repmat ([0.5, 0.2, 0.245], 2, 1), [101; 102], 'plan');
+  Z = evaluateDEM (repmat ([0.5, 0.2, 0.245], 2, 1), Case, [101; 102], ...
+                   'plan', newProgress ('plan', @disp));
   [head, cells] = readCsvTable (source);
   cells(:, strcmp (head, 'value')) = arrayfun (@(z) sprintf ('%.4f', z), ...
                                                mean (Z)', ...
@@ -97,8 +97,7 @@ function sayBeyond (place, root, c)
   Case = loaded (root, place);
   p = struct2cell (c.params);
   p = [p{:}];
-  evaluate = newEvaluate (Case, newLedger (), @(text) disp (text));
-  z = evaluate (p, 201, 'verify', 1.5);
+  z = evaluateDEM (p, Case, 201, 'verify', newProgress ('verify', @disp), 1.5);
   coarse = newProblem (Case, []).coarse;
   inside = zeros (size (z));
   m = z;

@@ -12,6 +12,5 @@ startToolbox (root, pwd ());
 lock = lockCase (pwd ());
 Case = loadCase (root, pwd ());
 plan = GenerateExperPlan (Case.limits, Case.options.numOfSam, '', 1);
-evaluate = newEvaluate (Case, newLedger (), @disp);
-Z = evaluate (plan, 1, 'plan');
+Z = evaluateDEM (plan, Case, 1, 'plan', newProgress ('plan', @disp));
 writeMatrix ('answer.csv', Z);

@@ -26,18 +26,19 @@ function Case = pageCase (folder)
   rand ('twister', 1);
   randn ('twister', 1);
   problem = newProblem (Case, []);
-  formulas = @(P, r) [P(:, 1) + P(:, 2), P(:, 1) .* P(:, 2), ...
-                      P(:, 1) - P(:, 2)] .* ...
-                     (1 + 0.003 * randn (rows (P), 3));
+  formulas = @(P, E, r) [P(:, 1) + P(:, 2), P(:, 1) .* P(:, 2), ...
+                         P(:, 1) - P(:, 2)] .* ...
+                        (1 + 0.003 * randn (rows (P), 3));
   X = double (stk_sampling_maximinlhs (10, 2, Case.limits, 50));
   writeMatrix (fullfile (folder, 'ExperimentalPlan_DoE.csv'), X);
-  data = addRows (newData (2, 3), X, formulas (X, 1), ones (10, 1), 'plan');
+  data = addRows (newData (2, 3), X, formulas (X, [], 1), ones (10, 1), 'plan');
   surrogates = fitSurrogates (data, problem);
   saveSurrogates (surrogates, fullfile (folder, 'KrigingFuns'));
   state = newState (data, surrogates, calibrateOnKriging (surrogates, ...
                                                           problem));
-  state = improveByInfill (state, problem, formulas, @(text) []);
-  state = calibrateOnDEM (state, problem, formulas, @(text) []);
-  c = newCalibration (state, problem, Case, newLedger ());
+  state.evaluate = plainEvaluate (formulas);
+  state = improveByInfill (state, problem, @(text) []);
+  state = calibrateOnDEM (state, problem, @(text) []);
+  c = newCalibration (state, problem, Case);
   writeCalibrationJson (c, Case);
 end

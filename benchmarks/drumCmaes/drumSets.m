@@ -29,9 +29,8 @@ function result = runSets (root, work)
   useLiggghts (root);
   Case = loadCase (root, work);
   Case.options.maxNewRuns = Inf;
-  evaluate = newEvaluate (Case, newLedger (), @(text) disp (text));
   X = csvread (given{end - 1});
-  Z = evaluate (X, ones (rows (X), 1), 'peer');
+  Z = evaluateDEM (X, Case, 1, 'peer', newProgress ('peer', @disp));
   csvwrite (given{end}, [X, surfaceMiss(Z, [Case.targets.value])], ...
             'precision', '%.10g');
   result.exitStatus = 0;

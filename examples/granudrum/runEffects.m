@@ -65,8 +65,7 @@ function result = runCase (root, folder)
     effects = [effects, newEffect(given, numel (Case.targets))];
   end
   [P, E] = effectPlan (Case, effects, theta, each * wanted);
-  evaluate = newEvaluate (Case, newLedger (), @(text) disp (text));
-  Z = evaluate (P, ones (rows (P), 1), 'gap', E);
+  Z = evaluateDEM (P, Case, 1, 'gap', newProgress ('gap', @disp), E);
   printf ('%d of %d runs gave results\n', sum (all (isfinite (Z), 2)), ...
           rows (P));
   result.exitStatus = 0;

@@ -29,8 +29,7 @@ function result = runCase (root, folder)
   table = str2double (cells);
   X = table(:, 2:end);
   replicate = max (table(:, 1), 1);
-  evaluate = newEvaluate (Case, newLedger (), @(text) disp (text));
-  Z = evaluate (X, replicate, 'gap');
+  Z = evaluateDEM (X, Case, replicate, 'gap', newProgress ('gap', @disp));
   there = all (isfinite (Z), 2);
   data = struct ('X', X(there, :), 'Z', Z(there, :), ...
                  'E', repmat (neutralEffects (Case), sum (there), 1), ...

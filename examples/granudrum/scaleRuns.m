@@ -22,8 +22,8 @@ function data = scaledRuns (Case, folder, X, n)
   Case.options.maxNewRuns = n;
   [~, ~] = mkdir (fullfile (folder, 'results'));
   [~, ~] = mkdir (Case.store);
-  evaluate = newEvaluate (Case, newLedger (), @(text) disp (text));
-  Z = evaluate (repmat (X, n, 1), (1:n)', 'gap');
+  Z = evaluateDEM (repmat (X, n, 1), Case, (1:n)', 'gap', ...
+                   newProgress ('gap', @disp));
   there = all (isfinite (Z), 2);
   data = struct ('X', repmat (X, sum (there), 1), 'Z', Z(there, :), ...
                  'E', repmat (neutralEffects (Case), sum (there), 1), ...

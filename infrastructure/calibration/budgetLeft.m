@@ -1,22 +1,28 @@
-% BUDGETLEFT  DEM runs that may still be made after the plan.
+% BUDGETLEFT  Sets that may still be run after the plan, and what limits them.
 %
-% CALL: N = budgetLeft (STATE, PROBLEM)
+% CALL: [N, LIMIT] = budgetLeft (STATE, PROBLEM)
 %
 % STATE    struct of newState; PROBLEM  struct of newProblem
-% N        scalar: options.maxFunEvals less what was spent (failed rows count),
-%          and no more than PROBLEM.newSets () says can be made in this start. A
-%          run at a coarser level counts as what it costs
+% N        scalar: options.maxFunEvals less the rows after the plan (failed ones
+%          count), and no more than setsLeft of this start. A run at a coarser
+%          level counts as what it costs
+% LIMIT    'maxNewRuns' where this start can make no more, else 'maxFunEvals'
 %
-% See also: runRows, withinBudget
+% See also: runAndFit, setsLeft
 
-function n = budgetLeft (state, problem)
-  n = problem.options.maxFunEvals - state.spent.infill - state.spent.verify;
-  seconds = problem.levelSeconds ();
-  if ~isempty (problem.coarse) && ~isempty (seconds)
-    later = ismember (state.data.stage, {'infill', 'verify', 'replicate'});
-    [~, level] = ismember (state.data.E(later, :), problem.coarse.levels, ...
+function [n, limit] = budgetLeft (state, problem)
+  isLater = isAfterPlan (state.data);
+  n = problem.options.maxFunEvals - sum (isLater);
+  seconds = levelSeconds (state, problem);
+  if ~isempty (seconds)
+    [~, level] = ismember (state.data.E(isLater, :), problem.coarse.levels, ...
                            'rows');
     n = n + sum (1 - min (1, seconds(level) / seconds(end)));
   end
-  n = max (0, floor (min (n, problem.newSets ())));
+  sets = setsLeft (state.budget);
+  limit = 'maxFunEvals';
+  if sets < 1
+    limit = 'maxNewRuns';
+  end
+  n = max (0, floor (min (n, sets)));
 end

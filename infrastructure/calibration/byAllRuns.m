@@ -1,10 +1,9 @@
 % BYALLRUNS  How the robust search on the DEM evaluates a set.
 %
-% CALL: WAY = byAllRuns (BOOK, PROBLEM, EVALUATE)
+% CALL: WAY = byAllRuns (BOOK, PROBLEM)
 %
 % BOOK      containers.Map of calibrateOnDEM: its state grows by the runs
 % PROBLEM   struct of newProblem
-% EVALUATE  handle Z = evaluate (P, replicate)
 % WAY       struct, see searchOnDEM
 %
 % In each iteration one batch of runs is made: at the set that is evaluated
@@ -15,9 +14,9 @@
 %
 % See also: calibrateOnDEM, bySingleRuns, confirmSet
 
-function way = byAllRuns (book, problem, evaluate)
+function way = byAllRuns (book, problem)
   way = struct ('kept', find (problem.calibrate), ...
-                'respond', @(p) meanResponse (p, book, problem, evaluate), ...
+                'respond', @(p) meanResponse (p, book, problem), ...
                 'slopes', @(p, f) slopesOf (p, book, problem), ...
                 'isOver', @() whyOver (book, problem));
   way.weights = 1 ./ problem.part(way.kept)';
@@ -25,7 +24,7 @@ function way = byAllRuns (book, problem, evaluate)
   way.told = struct ('tolRes', -Inf (1, numel (way.kept)), 'maxIter', Inf);
 end
 
-function z = meanResponse (p, book, problem, evaluate)
+function z = meanResponse (p, book, problem)
   state = book('state');
   if book('ran') ~= book('iteration')
     if book('wrong') < problem.options.maxIter
@@ -34,7 +33,7 @@ function z = meanResponse (p, book, problem, evaluate)
     end
     final = confirmSet (state, problem);
     if ~final.converged
-      state = confirmingRuns (state, final, problem, evaluate);
+      state = confirmingRuns (state, final, problem);
     end
     book('state') = bookStep (state, 'DEM', book('iteration'));
     book('ran') = book('iteration');
@@ -42,19 +41,19 @@ function z = meanResponse (p, book, problem, evaluate)
   z = predictSurrogate (state.surrogates, p);
 end
 
-function state = confirmingRuns (state, final, problem, evaluate)
+function state = confirmingRuns (state, final, problem)
   % where more than one run is likely to be missing no CPU is left idle
   n = max (1, problem.options.replicates - final.n);
   if final.probability < 0.9
     n = Inf;
   end
-  n = min (n, max (1, floor (problem.options.sets)));   % runRows: the budget
+  n = min (n, max (1, floor (problem.options.sets)));   % runAndFit: the budget
   stage = 'verify';
   if final.n > 0
     stage = 'replicate';
   end
   p = state.found.params;
-  state = runRows (state, problem, evaluate, repmat (p, n, 1), stage);
+  state = runAndFit (state, problem, repmat (p, n, 1), stage);
   problem.avoid = failedSets (state.data, problem);
   state.found = mergeFields (state.found, ...
                              describeSet (state.surrogates, problem, p));

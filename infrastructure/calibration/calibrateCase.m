@@ -22,35 +22,34 @@ function calibration = calibrateCase (root, folder)
   Case = withLevels (loadCase (root, folder));
   restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, @costFunction);
-  ledger = newLedger ();
-  evaluate = newEvaluate (Case, ledger, say);
   reportCase (Case, say, problem);
   sayOldRuns (Case, say);
 
   % experimental plan and DEM simulation
   [data, rest] = importExisting (Case, problem, say);
+  state = newState (data);
+  state.budget = newBudget (Case);
+  state.evaluate = newEvaluate (Case, say);
   [plan, levels] = newPlan (data, Case);
-  data = runPlan (plan, data, Case, evaluate, say, levels);
-  problem = withinBudget (problem, ledger, Case);
+  state = runPlan (state, problem, plan, levels, Case, say);
 
   % Kriging models
-  [~, ~, surrogates] = createKrigingModels (data, problem);
-  reportSurrogateFit (surrogates, data, problem, say, rest);
+  [~, ~, state.surrogates] = createKrigingModels (state.data, problem);
+  reportSurrogateFit (state.surrogates, state.data, problem, say, rest);
 
   % optimisation on the Kriging models
-  [found, history] = calibrateOnKriging (surrogates, problem);
-  reportIterations (found, history, Case, say);
+  [state.found, history] = calibrateOnKriging (state.surrogates, problem);
+  reportIterations (state.found, history, Case, say);
 
   % optimisation on the DEM models
-  state = newState (data, surrogates, found);
   if strcmp (problem.options.method, 'robust')
     reportPage (Case, say, state);
-    state = improveByInfill (state, problem, evaluate, say);
+    state = improveByInfill (state, problem, say);
   end
   reportPage (Case, say, state);
-  state = calibrateOnDEM (state, problem, evaluate, say);
+  state = calibrateOnDEM (state, problem, say);
 
-  calibration = newCalibration (state, problem, Case, ledger);
+  calibration = newCalibration (state, problem, Case);
   calibration.verdict = writeCalibrationJson (calibration, Case);
   reportCalibration (calibration, Case, say);
   reportPage (Case, say);

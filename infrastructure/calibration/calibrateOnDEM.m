@@ -1,11 +1,10 @@
 % CALIBRATEONDEM  Levenberg-Marquardt on the DEM: corrects and confirms the set.
 %
-% CALL: STATE = calibrateOnDEM (STATE, PROBLEM, EVALUATE, SAY)
+% CALL: STATE = calibrateOnDEM (STATE, PROBLEM, SAY)
 %
 % STATE     struct of newState
 % PROBLEM   struct of newProblem; options used: maxIter, maxFunEvals, tolfun,
 %           replicates, confidence, sets, method
-% EVALUATE  handle Z = evaluate (P, replicate)
 % SAY       handle, gets one line of text an iteration (userInt)
 %
 % nonlin_residmin on costFunction of DEM results, from the found set, never more
@@ -27,7 +26,7 @@
 %
 % See also: improveByInfill, searchOnDEM, byAllRuns, bySingleRuns, handBack
 
-function state = calibrateOnDEM (state, problem, evaluate, say)
+function state = calibrateOnDEM (state, problem, say)
   % nonlin_residmin hands nothing on from one evaluation to the next: this does.
   % ran: iteration of the last runs; wrong: sets that turned out wrong; stop:
   % what userInt said when it stopped
@@ -35,9 +34,9 @@ function state = calibrateOnDEM (state, problem, evaluate, say)
                          {state, 0, -1, 0, ''});
   isPublished = strcmp (problem.options.method, 'published');
   if isPublished
-    way = bySingleRuns (book, problem, evaluate);
+    way = bySingleRuns (book, problem);
   else
-    way = byAllRuns (book, problem, evaluate);
+    way = byAllRuns (book, problem);
   end
   way.say = say;
   while true
@@ -112,35 +111,34 @@ end
 %! data = addRows (newData (3, 2), X, f (X, 1), ones (12, 1), 'plan');
 %! s = fitSurrogates (data, problem);
 %! state = newState (data, s, calibrateOnKriging (s, problem));
+%! state.evaluate = plainEvaluate (@(P, E, r) f (P, r));
 
 %!test
-%! s = improveByInfill (state, problem, f, @(text) []);
-%! s = calibrateOnDEM (s, problem, f, @(text) []);
+%! s = improveByInfill (state, problem, @(text) []);
+%! s = calibrateOnDEM (s, problem, @(text) []);
 %! assert (s.final.converged);
 %! assert (s.final.n >= 3);
 %! p = s.final.params;
 %! assert (3 + 2 * p(1) - p(3), 4, 0.08);
-%! assert (rows (s.data.X), 12 + s.spent.infill + s.spent.verify);
+%! assert (rows (s.data.X), 12 + sum (isAfterPlan (s.data)));
 
 %!test
 %! % failures are no success: two runs at each of the four sets that may be
 %! % tried; the budget is spent to the last run and never overshot
-%! fail = @(P, r) NaN (rows (P), 2);
-%! s = calibrateOnDEM (state, problem, fail, @(text) []);
-%! assert (s.spent.verify, 8);
-%! assert (s.spent.failed, 8);
+%! state.evaluate = plainEvaluate (@(P, E, r) NaN (rows (P), 2));
+%! s = calibrateOnDEM (state, problem, @(text) []);
+%! assert ([sum(isAfterPlan (s.data)), s.budget.failed], [8, 8]);
 %! assert (~ s.final.converged);
 %! small = problem;
 %! small.options.maxFunEvals = 5;
-%! s = calibrateOnDEM (state, small, fail, @(text) []);
-%! assert (s.spent.verify, 5);
-%! assert (s.spent.failed, 5);
+%! s = calibrateOnDEM (state, small, @(text) []);
+%! assert ([sum(isAfterPlan (s.data)), s.budget.failed], [5, 5]);
 
 %!test
 %! % published finite differences on the DEM
 %! problem.options.method = 'published';
-%! s = calibrateOnDEM (state, problem, f, @(text) []);
-%! assert (s.spent.verify <= 12);
+%! s = calibrateOnDEM (state, problem, @(text) []);
+%! assert (sum (isAfterPlan (s.data)) <= 12);
 %! assert (all (abs (s.final.residual) < 0.06));
 
 %!test
@@ -150,7 +148,7 @@ end
 %! problem.options.method = 'robust';
 %! state.found = describeSet (state.surrogates, problem, [0.1, 0.1, 0.9]);
 %! state.found.conflict = {};
-%! s = calibrateOnDEM (state, problem, f, @(text) []);
+%! s = calibrateOnDEM (state, problem, @(text) []);
 %! assert (s.history(end).params, [0.1, 0.1, 0.9]);
 %! assert (abs (s.history(end).residual(1)) > 0.2);
-%! assert (s.spent.verify <= 4);
+%! assert (sum (isAfterPlan (s.data)) <= 4);

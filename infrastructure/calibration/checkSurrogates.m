@@ -29,7 +29,7 @@ function lines = checkSurrogates (state, problem)
     lines{end + 1} = sprintf (['%d targets cannot fix %d parameters: other ' ...
                                'sets meet them as well'], nTargets, d);
   end
-  own = isOwn (state.data);
+  own = ~strcmp (state.data.stage, 'import');
   failed = sum (any (isnan (state.data.Z(own, :)), 2));
   if failed > 0
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...

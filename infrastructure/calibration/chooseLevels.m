@@ -1,11 +1,12 @@
 % CHOOSELEVELS  Set and level of the next runs: most gain per core-second.
 %
-% CALL: [P, E] = chooseLevels (SURROGATES, PROBLEM, Q, N)
+% CALL: [P, E] = chooseLevels (SURROGATES, PROBLEM, Q, N, SECONDS)
 %
 %   SURROGATES  1 x T struct array of fitSurrogates
 %   PROBLEM     struct of newProblem with coarse
 %   Q           k x d, likely sets
 %   N           number of runs
+%   SECONDS     1 x L, what a run costs at each level; []: not known, all alike
 %   P, E        N x d and N x v, sets of Q and the levels to run them at
 %
 % Gain of a run: what it takes off the variance of the responses at the level
@@ -13,13 +14,12 @@
 % each after the ones before it. A level that a surrogate has dropped tells it
 % nothing.
 %
-% See also: chooseInfill, fitLevels, withinBudget
+% See also: chooseInfill, fitLevels, levelSeconds
 
-function [P, E] = chooseLevels (surrogates, problem, Q, n)
+function [P, E] = chooseLevels (surrogates, problem, Q, n, seconds)
   k = rows (Q);
   levels = problem.coarse.levels;
   L = rows (levels);
-  seconds = problem.levelSeconds ();
   if isempty (seconds)
     seconds = ones (1, L);
   end
@@ -92,17 +92,14 @@ end
 %!test
 %! % where coarse runs cost almost nothing they are made, where they cost as
 %! % much as the others they are not
-%! problem.levelSeconds = @() [0.001, 1];
-%! [P, E] = chooseLevels (s, problem, Q, 3);
+%! [P, E] = chooseLevels (s, problem, Q, 3, [0.001, 1]);
 %! assert (E, [2; 2; 2]);
 %! assert (all (ismember (P, Q, 'rows')));
-%! problem.levelSeconds = @() [1, 1];
-%! [~, E] = chooseLevels (s, problem, Q, 2);
+%! [~, E] = chooseLevels (s, problem, Q, 2, [1, 1]);
 %! assert (E, [1; 1]);
 
 %!test
 %! % a dropped level is never taken, whatever it costs
-%! problem.levelSeconds = @() [1e-9, 1];
 %! s.dropped = 1;
-%! [~, E] = chooseLevels (s, problem, Q, 2);
+%! [~, E] = chooseLevels (s, problem, Q, 2, [1e-9, 1]);
 %! assert (E, [1; 1]);

@@ -104,10 +104,11 @@ function limit = limitOf (final, state, problem)
   limit = 'maxIter';
   if final.converged
     limit = '';
-  elseif problem.newSets () < 1
-    limit = 'maxNewRuns';
-  elseif budgetLeft (state, problem) < 1
-    limit = 'maxFunEvals';
+  else
+    [n, which] = budgetLeft (state, problem);
+    if n < 1
+      limit = which;
+    end
   end
 end
 
@@ -174,8 +175,8 @@ end
 %!test
 %! final = confirmSet (state, problem);
 %! assert (~ final.converged && final.n == 0);
-%! f = @(P, r) 1 + P + 0.01 * (r - 1.5);
-%! s = runRows (state, problem, f, [0.5; 0.5], 'verify');
+%! state.evaluate = plainEvaluate (@(P, E, r) 1 + P + 0.01 * (r - 1.5));
+%! s = runAndFit (state, problem, [0.5; 0.5], 'verify');
 %! final = confirmSet (s, problem);
 %! assert (final.converged && final.n == 2);
 %! assert (final.residual, 0, 1e-9);
@@ -183,9 +184,11 @@ end
 
 %!test
 %! % NaN is never a success; a run outside the tolerance neither
-%! s = runRows (state, problem, @(P, r) NaN (rows (P), 1), 0.5, 'verify');
+%! state.evaluate = plainEvaluate (@(P, E, r) NaN (rows (P), 1));
+%! s = runAndFit (state, problem, 0.5, 'verify');
 %! assert (~ confirmSet (s, problem).converged);
-%! s = runRows (state, problem, @(P, r) 2 + 0 * P, [0.5; 0.5], 'verify');
+%! state.evaluate = plainEvaluate (@(P, E, r) 2 + 0 * P);
+%! s = runAndFit (state, problem, [0.5; 0.5], 'verify');
 %! assert (~ confirmSet (s, problem).within);
 
 %!test
@@ -200,13 +203,13 @@ end
 %!test
 %! % equal runs of a model that does not use its seed count as one; the next
 %! % one is made beside, and that it cannot be confirmed is said
-%! f = @(P, r) 1 + P + 0.004 * sin (500 * P);
-%! s = runRows (state, problem, f, [0.5; 0.5], 'verify');
+%! state.evaluate = plainEvaluate (@(P, E, r) 1 + P + 0.004 * sin (500 * P));
+%! s = runAndFit (state, problem, [0.5; 0.5], 'verify');
 %! final = confirmSet (s, problem);
 %! assert ([final.n, final.equal], [1, 1]);
 %! assert (! final.converged);
 %! assert (! isempty (strfind (final.reason, 'does not use runSeed')));
-%! s = runRows (s, problem, f, 0.5, 'replicate');
+%! s = runAndFit (s, problem, 0.5, 'replicate');
 %! assert (abs (s.data.X(end) - 0.5) > 0 && abs (s.data.X(end) - 0.5) < 0.01);
 
 %!test
@@ -216,10 +219,10 @@ end
 %! final = confirmSet (state, small);
 %! assert (final.limit, 'maxFunEvals');
 %! assert (~isempty (strfind (final.reason, 'optim.maxFunEvals (0) is')));
-%! small.newSets = @() 0;
-%! assert (~isempty (strfind (confirmSet (state, small).reason, ...
-%!                            'Input.maxNewRuns allows no')));
 %! s = state;
+%! [s.budget.left, s.budget.isUsedUp] = deal (0, true);
+%! assert (~isempty (strfind (confirmSet (s, small).reason, ...
+%!                            'Input.maxNewRuns allows no')));
 %! s.found.conflict = {'x'};
 %! assert (confirmSet (s, small).reason, 'no set of the box meets: x');
 %! assert (confirmSet (s, small).met, true);

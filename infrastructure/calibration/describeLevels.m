@@ -20,7 +20,7 @@ function levels = describeLevels (state, problem)
   if isempty (problem.coarse)
     return
   end
-  seconds = problem.levelSeconds ();
+  seconds = levelSeconds (state, problem);
   for k = 1:rows (problem.coarse.levels)
     own = struct ('value', problem.coarse.levels(k, :), 'runs', 0, ...
                   'seconds', NaN);

@@ -10,7 +10,7 @@
 
 function P = failedSets (data, problem)
   data = lastLevel (data, problem);
-  own = isOwn (data);
+  own = ~strcmp (data.stage, 'import');
   [sets, ~, group] = unique (data.X(own, :), 'rows');
   failed = any (isnan (data.Z(own, :)), 2);
   n = accumarray (group(:), 1, [rows(sets), 1]);

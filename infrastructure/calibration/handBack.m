@@ -66,8 +66,9 @@ end
 %! good = [0.5, 1];
 %! f = @(P) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
 %! problem.value = f (good);
-%! packing = @(P, r) f (P) + 1e-3 * [r, -r];    % equal runs would count once
-%! state = runRows (state, problem, packing, repmat (good, 3, 1), 'verify');
+%! % equal runs would count once
+%! state.evaluate = plainEvaluate (@(P, E, r) f (P) + 1e-3 * [r, -r]);
+%! state = runAndFit (state, problem, repmat (good, 3, 1), 'verify');
 %! state.found = describeSet (state.surrogates, problem, [0.52, 0.96]);
 %! state.found.conflict = {};
 %! state.final = confirmSet (state, problem);

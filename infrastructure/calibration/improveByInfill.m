@@ -1,10 +1,9 @@
 % IMPROVEBYINFILL  Adds DEM runs where they help to find the set, and refits.
 %
-% CALL: STATE = improveByInfill (STATE, PROBLEM, EVALUATE, SAY)
+% CALL: STATE = improveByInfill (STATE, PROBLEM, SAY)
 %
 % STATE     struct of newState
 % PROBLEM   struct of newProblem
-% EVALUATE  handle Z = evaluate (P, replicate)
 % SAY       handle, gets one line of text a round
 %
 % Each round places a batch of options.sets runs (chooseInfill), refits the
@@ -14,17 +13,13 @@
 % runs for confirmation are left of the budget. STATE.reason says which.
 % Where there are levels, the first round is that of nestLevels.
 %
-% Coarse runs cost at most as much as the runs at the level that counts have
-% cost: however sure the coarse ones make the surrogates, they are held against
-% fine ones in time, and a level that misleads costs no more than it would save.
-%
 % See also: nestLevels, chooseInfill, calibrateOnDEM
 
-function state = improveByInfill (state, problem, evaluate, say)
+function state = improveByInfill (state, problem, say)
   enough = 0.8;
   conflicts = 0;
   round = 0;
-  state = nestLevels (state, problem, evaluate, say);
+  state = nestLevels (state, problem, say);
   while true
     conflicts = (conflicts + 1) * ~isempty (state.found.conflict);
     free = budgetLeft (state, problem) - problem.options.replicates;
@@ -38,9 +33,8 @@ function state = improveByInfill (state, problem, evaluate, say)
     else
       round = round + 1;
       n = min (free, max (1, floor (problem.options.sets)));
-      [P, E] = chooseInfill (state.surrogates, withPrices (problem, state), ...
-                             state.found, n, round);
-      state = runRows (state, problem, evaluate, P, 'infill', E);
+      [P, E] = chooseInfill (state, problem, n, round);
+      state = runAndFit (state, problem, P, 'infill', E);
       state = moveTo (state, problem);
       state = bookStep (state, 'infill', round, say);
       continue
@@ -49,34 +43,21 @@ function state = improveByInfill (state, problem, evaluate, say)
   end
 end
 
-% Coarse runs are out of reach where enough has been spent on them.
-function problem = withPrices (problem, state)
-  seconds = problem.levelSeconds ();
-  if isempty (problem.coarse) || isempty (seconds)
-    return
-  end
-  [~, level] = ismember (state.data.E, problem.coarse.levels, 'rows');
-  spent = accumarray (level(level > 0), 1, [numel(seconds), 1])' .* seconds;
-  if sum (spent(1:end - 1)) >= spent(end)
-    seconds(1:end - 1) = Inf;
-    problem.levelSeconds = @() seconds;
-  end
-end
-
 %!shared problem, state, s
 %! [problem, state, s] = smallCalibration ();
 
 %!test
 %! % nothing to spend: said; a set out of reach: said, with few runs
-%! problem.newSets = @() 0;
 %! state.found.probability = 0;
-%! out = improveByInfill (state, problem, @(P, r) error ('run'), @(x) []);
+%! state.evaluate = @(varargin) error ('run');
+%! out = setfield (state, 'budget', struct ('left', 0, 'perSet', 1, ...
+%!                                          'isUsedUp', true, 'levels', []));
+%! out = improveByInfill (out, problem, @(x) []);
 %! assert (out.reason, 'no runs left for infill');
-%! assert (out.spent.infill, 0);
-%! problem.newSets = @() Inf;
 %! problem.value(2) = 9;
 %! state.found = calibrateOnKriging (s, problem);
-%! f = @(P, r) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
-%! out = improveByInfill (state, problem, f, @(x) []);
+%! state.evaluate = plainEvaluate (@(P, E, r) [3 + P(:, 1) + P(:, 2) / 2, ...
+%!                                             1 + P(:, 1) + P(:, 2) / 2.5]);
+%! out = improveByInfill (state, problem, @(x) []);
 %! assert (strncmp (out.reason, 'no set meets: y', 15));
-%! assert (out.spent.infill < 10);
+%! assert (sum (isAfterPlan (out.data)) < 10);

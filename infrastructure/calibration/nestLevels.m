@@ -1,10 +1,9 @@
 % NESTLEVELS  Runs the found set at the levels that have no run yet.
 %
-% CALL: STATE = nestLevels (STATE, PROBLEM, EVALUATE, SAY)
+% CALL: STATE = nestLevels (STATE, PROBLEM, SAY)
 %
 %   STATE     struct of newState, from runs of the plan
 %   PROBLEM   struct of newProblem; without coarse nothing is done
-%   EVALUATE  handle Z = evaluate (P, replicate, stage, E)
 %   SAY       handle, gets one line of text
 %
 % The plan is run at the cheapest level. How far the others are from it is best
@@ -13,7 +12,7 @@
 %
 % See also: newPlan, improveByInfill, chooseLevels
 
-function state = nestLevels (state, problem, evaluate, say)
+function state = nestLevels (state, problem, say)
   if isempty (problem.coarse)
     return
   end
@@ -25,7 +24,7 @@ function state = nestLevels (state, problem, evaluate, say)
     return
   end
   P = repmat (state.found.params, rows (E), 1);
-  state = runRows (state, problem, evaluate, P, 'infill', E);
+  state = runAndFit (state, problem, P, 'infill', E);
   state = moveTo (state, problem);
   state = bookStep (state, 'infill', 0, say);
 end
@@ -39,26 +38,27 @@ end
 %!                                'model', 1));
 %! C.coarse = struct ('variable', 'scaleP', 'levels', [3, 2, 1], 'models', 1);
 %! problem = newProblem (C, []);
-%! f = @(P, r, stage, E) [1 + sum(P, 2), P(:, 1) - P(:, 2)] + 0.1 * (E - 1);
+%! f = @(P, E, r) [1 + sum(P, 2), P(:, 1) - P(:, 2)] + 0.1 * (E - 1);
 %! X = rand (7, 2);
 %! E = 3 * ones (7, 1);
-%! data = addRows (newData (2, 2, 1), X, f (X, 1, '', E), ones (7, 1), ...
+%! data = addRows (newData (2, 2, 1), X, f (X, E, 1), ones (7, 1), ...
 %!                 'plan', E);
 %! s = fitSurrogates (data, problem);
 %! state = newState (data, s, calibrateOnKriging (s, problem));
+%! state.evaluate = plainEvaluate (f);
 
 %!test
 %! % one run at each level that has none, at the set that the coarse runs find
-%! nested = nestLevels (state, problem, f, @(text) []);
+%! nested = nestLevels (state, problem, @(text) []);
 %! assert (nested.data.E(8:end), [1; 2]);
 %! assert (nested.data.X(8:end, :), repmat (state.found.params, 2, 1));
-%! assert (nested.spent.infill, 2);
-%! assert (isequal (nestLevels (nested, problem, f, @(text) []), nested));
+%! assert (nested.data.stage(8:end), {'infill'; 'infill'});
+%! assert (isequal (nestLevels (nested, problem, @(text) []), nested));
 
 %!test
 %! % nothing without levels, nor without a budget
 %! plain = problem;
 %! plain.coarse = [];
-%! assert (isequal (nestLevels (state, plain, f, []), state));
+%! assert (isequal (nestLevels (state, plain, []), state));
 %! problem.options.maxFunEvals = 0;
-%! assert (isequal (nestLevels (state, problem, f, []), state));
+%! assert (isequal (nestLevels (state, problem, []), state));

@@ -1,11 +1,10 @@
 % NEWCALIBRATION  Sums a finished calibration up.
 %
-% CALL: C = newCalibration (STATE, PROBLEM, CASE, LEDGER)
+% CALL: C = newCalibration (STATE, PROBLEM, CASE)
 %
 %   STATE    see newState, with its field final
 %   PROBLEM  see newProblem
 %   CASE     see newCase
-%   LEDGER   see newLedger
 %   C        scalar struct: params 1 x d, results 1 x T, residual T x 1,
 %            noiseSd 1 x T (noise of one run), runs at the set, interval90
 %            2 x d, converged, reason, limit, conflict, met,
@@ -20,7 +19,7 @@
 %
 % See also: writeCalibrationJson, reportCalibration
 
-function c = newCalibration (state, problem, Case, ledger)
+function c = newCalibration (state, problem, Case)
   final = state.final;
   known = parameterPosterior (state.surrogates, problem);
   weak = identifiability (state.surrogates, problem, known);
@@ -41,9 +40,9 @@ function c = newCalibration (state, problem, Case, ledger)
   c.posterior = known.sample;
   c.demRuns = struct ('plan', count ('plan'), 'infill', count ('infill'), ...
                       'verify', count ('verify', 'replicate'), ...
-                      'failed', ledger('failed'), ...
-                      'reused', ledger('reused'));
-  c.coreSeconds = ledger('coreSeconds');
+                      'failed', state.budget.failed, ...
+                      'reused', state.budget.reused);
+  c.coreSeconds = state.budget.coreSeconds;
   c.atLimit = limitsTouched (final.params, problem);
   c.notIdentified = weak.notIdentified;
   c.identifiability = weak;

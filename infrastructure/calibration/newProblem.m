@@ -24,11 +24,9 @@
 % published ones), nExtra (preference rows), options with all defaults:
 %   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 1,
 %   WRL 0, method 'robust', confidence 0.95
-% newSets (handle, parameter sets that may still be run: Inf, see withinBudget),
 % coarse ([], or where CASE.coarse has levels a struct: variables 1 x v cellstr,
 % levels L x v, the last row counts; column 1 x T, of each target's level, 0:
-% none), levelSeconds (handle, 1 x L: what a run costs, [] where
-% nothing is known; see withinBudget)
+% none)
 %
 % Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets,
 % DEcalioc:newProblem:otherTargets when a row is not 0 where all results are
@@ -55,9 +53,7 @@ function problem = newProblem (Case, cost)
     problem.part(own{1}) = problem.tol(own{1}) * sqrt (numel (own{1}));
   end
   problem.options = withDefaults (Case);
-  problem.newSets = @() Inf;
   problem.coarse = coarseOf (Case);
-  problem.levelSeconds = @() [];
   if nargin < 2 || isempty (cost)
     value = problem.value(:);
     scale = problem.scale(:);

@@ -3,22 +3,26 @@
 % CALL: STATE = newState (DATA, SURROGATES, FOUND)
 %
 % DATA        struct of newData
-% SURROGATES  1 x T struct array of fitSurrogates
-% FOUND       struct of calibrateOnKriging
+% SURROGATES  1 x T struct array of fitSurrogates (default: none yet)
+% FOUND       struct of calibrateOnKriging (default: none yet)
 % STATE       struct: data, surrogates, found, history (1 x 0 struct: stage,
-%             iteration, params, residual T x 1, runs, probability), spent
-%             (struct: infill, verify, failed; rows of evaluate), reason,
-%             final ([] until confirmSet)
+%             iteration, params, residual T x 1, runs, probability), reason,
+%             final ([] until confirmSet), budget (see newBudget), evaluate (see
+%             addRuns; [] until runs can be made)
 %
-% See also: improveByInfill, calibrateOnDEM
+% See also: addRuns, improveByInfill, calibrateOnDEM
 
 function state = newState (data, surrogates, found)
   state.data = data;
-  state.surrogates = surrogates;
-  state.found = found;
+  [state.surrogates, state.found] = deal ([]);
+  if nargin > 1
+    state.surrogates = surrogates;
+    state.found = found;
+  end
   state.history = struct ('stage', {}, 'iteration', {}, 'params', {}, ...
                           'residual', {}, 'runs', {}, 'probability', {});
-  state.spent = struct ('infill', 0, 'verify', 0, 'failed', 0);
   state.reason = '';
   state.final = [];
+  state.budget = newBudget ();
+  state.evaluate = [];
 end

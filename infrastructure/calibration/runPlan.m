@@ -1,19 +1,18 @@
 % RUNPLAN  Runs the plan on all models and keeps the responses as CSV.
 %
-% CALL: DATA = runPlan (PLAN, DATA, CASE, EVALUATE, SAY)
-% CALL: DATA = runPlan (PLAN, DATA, CASE, EVALUATE, SAY, E)
+% CALL: STATE = runPlan (STATE, PROBLEM, PLAN, E, CASE, SAY)
 %
-%   PLAN      n x d; may have no rows
-%   E         n x v, levels of the rows (see newPlan)
-%   DATA      see newData: what is known already, and with the plan's rows
-%   CASE      see newCase
-%   EVALUATE  see newEvaluate
-%   SAY       function handle that takes one line of text
+%   STATE    see newState: its data is what is known already
+%   PROBLEM  see newProblem
+%   PLAN, E  n x d, n x v, rows and their levels, see newPlan; n may be 0
+%   CASE     see newCase
+%   SAY      function handle that takes one line of text
 %
 % Rows that have no result for some model are left out of the files
 % ExperimentalPlan_DoE.csv and results/DoE_<model>_<i>/DoE_<model>_<i>.csv, as
-% published (with levels these are further columns of the first one); DATA keeps
-% them with NaN. Rows that Input.maxNewRuns does not allow are left out of DATA.
+% published (with levels these are further columns of the first one); the data
+% keep them with NaN. Rows that Input.maxNewRuns does not allow are left out of
+% it.
 %
 % Errors: DEcalioc:runPlan:tooManyFailures, with a table of what failed;
 % DEcalioc:runPlan:tooFewRuns where Input.maxNewRuns, or a runs.csv without
@@ -21,21 +20,15 @@
 %
 % See also: GenerateExperPlan, fitSurrogates
 
-function data = runPlan (plan, data, Case, evaluate, say, E)
-  if nargin < 6
-    E = zeros (rows (plan), 0);
-  end
-  isTried = true (rows (plan), 1);
+function state = runPlan (state, problem, plan, E, Case, say)
+  before = rows (state.data.X);
   if rows (plan) > 0
     reportPlan (plan, Case, say, E);
-    number = replicateNumbers (data, plan, Case.limits);
-    Z = evaluate (plan, number, 'plan', E);
-    isTried = ~any (isna (Z), 2);
-    data = addRows (data, plan(isTried, :), Z(isTried, :), ...
-                    number(isTried), 'plan', E(isTried, :));
+    state = addRuns (state, problem, plan, E, 'plan');
   end
+  data = state.data;
   isWhole = all (isfinite (data.Z), 2);
-  checkEnough (data, isWhole, sum (~isTried), Case);
+  checkEnough (data, isWhole, before + rows (plan) - rows (data.X), Case);
   writeMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), ...
                [data.X(isWhole, :), data.E(isWhole, :)]);
   for t = 1:numel (Case.targets)
@@ -53,7 +46,7 @@ function checkEnough (data, isWhole, nLeftOut, Case)
   anywhere = [-Inf; Inf] .* ones (1, columns (data.X));
   have = finishedSets (data, anywhere);
   least = numel (Case.names) + 2;
-  own = isOwn (data);
+  own = ~strcmp (data.stage, 'import');
   n = sum (own | isWhole);
   if have < least && nLeftOut > 0
     error ('DEcalioc:runPlan:tooFewRuns', ...
@@ -92,12 +85,17 @@ function lines = failuresOf (Case, model)
   end
 end
 
+%!function state = ran (Case, plan, data)
+%!  state = newState (data);
+%!  state.budget = newBudget (Case);
+%!  state.evaluate = newEvaluate (Case, @(text) []);
+%!  state = runPlan (state, newProblem (Case), plan, zeros (rows (plan), 0), ...
+%!                   Case, @(text) []);
+%!endfunction
 %!test
 %! raw = standInCase (tempname ());
 %! Case = newCase (raw);
-%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
-%! data = runPlan ([1, 2; 3, 4; 5, 6; 7, 8], newData (2, 3), Case, ...
-%!                 evaluate, @(text) []);
+%! data = ran (Case, [1, 2; 3, 4; 5, 6; 7, 8], newData (2, 3)).data;
 %! assert (data.Z(2, :), [7, 12, -1], 1e-12);
 %! file = fullfile (raw.folder, 'results', 'DoE_First_2', 'DoE_First_2.csv');
 %! assert (csvread (file), [2; 12; 30; 56], 1e-12);
@@ -105,9 +103,8 @@ end
 %! Case = newCase (standInCase (tempname ()));
 %! writeAtomic (fullfile (Case.models(1).folder, 'runscript'), ...
 %!              "echo 'ERROR: no such box' ; exit 1\n");
-%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
 %! try
-%!   runPlan (magic (4)(:, 1:2), newData (2, 3), Case, evaluate, @(t) []);
+%!   ran (Case, magic (4)(:, 1:2), newData (2, 3));
 %! catch err
 %! end
 %! assert (err.identifier, 'DEcalioc:runPlan:tooManyFailures');
@@ -117,23 +114,20 @@ end
 %! raw = standInCase (tempname ());
 %! raw.Input.maxNewRuns = 8;
 %! Case = newCase (raw);
-%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
-%! data = runPlan (magic (6)(:, 1:2), newData (2, 3), Case, evaluate, @(t) []);
-%! assert (rows (data.Z), 4);
+%! state = ran (Case, magic (6)(:, 1:2), newData (2, 3));
+%! assert ([rows(state.data.Z), state.budget.left], [4, 0]);
 %! Case.options.maxNewRuns = 2;
-%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
 %! try
-%!   runPlan (10 * magic (6)(:, 1:2), newData (2, 3), Case, evaluate, @(t) []);
+%!   ran (Case, 10 * magic (6)(:, 1:2), newData (2, 3));
 %! catch err
 %! end
 %! assert (err.identifier, 'DEcalioc:runPlan:tooFewRuns');
 %!test
 %! % rows of runs.csv that have one model only are no failures
 %! Case = newCase (standInCase (tempname ()));
-%! evaluate = newEvaluate (Case, newLedger (), @(text) []);
 %! data = addRows (newData (2, 3), rand (20, 2), [ones(20, 2), NaN(20, 1)], ...
 %!                 ones (20, 1), 'import');
-%! data = runPlan (magic (4)(:, 1:2), data, Case, evaluate, @(text) []);
+%! data = ran (Case, magic (4)(:, 1:2), data).data;
 %! assert (rows (data.Z), 24);
 %! data = addRows (data, data.X(1, :), data.Z(1, :), 2, 'import');
 %! assert (isempty (failedSets (data, struct ('coarse', []))));
@@ -146,10 +140,10 @@ end
 %! Z = [ones(5, 2), NaN(5, 1); NaN(5, 2), ones(5, 1)];
 %! data = addRows (newData (2, 3), X, Z, ones (10, 1), 'import');
 %! none = zeros (0, 2);
-%! assert (rows (runPlan (none, data, Case, [], @(t) []).Z), 10);
+%! assert (rows (ran (Case, none, data).data.Z), 10);
 %! data.X(6:10, :) = repmat (data.X(6, :), 5, 1);
 %! try
-%!   runPlan (none, data, Case, [], @(t) []);
+%!   ran (Case, none, data);
 %! catch err
 %! end
 %! assert (err.identifier, 'DEcalioc:runPlan:tooFewRuns');

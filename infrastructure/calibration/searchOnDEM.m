@@ -64,8 +64,7 @@ function [stop, info] = watchStage (p, vals, phase, way, book)
   end
   vals.iteration = book('iteration');
   book('iteration') = vals.iteration + 1;
-  state = book('state');
-  runs = state.spent.infill + state.spent.verify;
+  runs = sum (isAfterPlan (book('state').data));
   told = way.told;
   told.say = @(text) way.say (sprintf ('%s; %d runs since the plan', ...
                                        text, runs));

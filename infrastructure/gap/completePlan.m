@@ -1,10 +1,10 @@
 % COMPLETEPLAN  Runs the plan of a case where too few neutral runs are there.
 %
-% CALL: DATA = completePlan (DATA, CASE, EVALUATE, SAY)
+% CALL: STATE = completePlan (STATE, PROBLEM, CASE, SAY)
 %
-%   DATA      of gatherRuns
-%   CASE      see newCase;  EVALUATE  see newEvaluate
-%   SAY       function handle that takes one line of text
+%   STATE    see addRuns: data of gatherRuns
+%   PROBLEM  see newProblem;  CASE  see newCase
+%   SAY      function handle that takes one line of text
 %
 % A diagnosis wants 6 (d + 1) neutral sets, 40 at most, if it may run them;
 % without new runs it takes what is there. A bench all of whose runs gave no
@@ -12,7 +12,8 @@
 %
 % See also: gatherRuns, diagnoseGap
 
-function data = completePlan (data, Case, evaluate, say)
+function state = completePlan (state, problem, Case, say)
+  data = state.data;
   d = numel (Case.names);
   phi = neutralEffects (Case);
   isDead = ~any (isfinite (data.Z), 1) & ...
@@ -21,29 +22,27 @@ function data = completePlan (data, Case, evaluate, say)
   have = rows (unique (data.X(neutral, :), 'rows'));
   wanted = max (Case.options.numOfSam, min (40, 6 * d + 6));
   missing = min (wanted - have, ...
-                 floor (Case.options.maxNewRuns / numel (Case.models)));
+                 floor (state.budget.left / state.budget.perSet));
   if missing < 1
     return
   end
   say (sprintf ('plan: %d neutral sets there, %d more', have, missing));
   P = planBeside (data.X(neutral, :), missing, Case);
-  Z = evaluate (P, ones (rows (P), 1), 'plan');
-  isTried = ~any (isna (Z), 2);
-  n = sum (isTried);
-  data = addRows (data, P(isTried, :), Z(isTried, :), ones (n, 1), 'plan', ...
-                  repmat (phi, n, 1));
+  n = rows (P);
+  state = addRuns (state, problem, P, repmat (phi, n, 1), 'plan', ones (n, 1));
 end
 
 %!test
 %! % sets there, sets missing, a bench that has never given a result
 %! pkg load stk
 %! Case = struct ('names', {{'a'}}, 'effects', [], 'effectVars', {{}}, ...
-%!                'limits', [0; 1], 'folder', '', ...
-%!                'models', struct ('name', {'A', 'B'}));
-%! Case.options = struct ('numOfSam', 12, 'maxNewRuns', 100, 'seed', 1);
-%! data = addRows (newData (1, 2), (1:12)' / 13, [(1:12)', NaN(12, 1)], ...
+%!                'limits', [0; 1], 'folder', '');
+%! Case.options = struct ('numOfSam', 12, 'seed', 1);
+%! state = struct ('budget', newBudget ());
+%! state.evaluate = plainEvaluate (@(P, E, r) [P, P]);
+%! state.data = addRows (newData (1, 2), (1:12)' / 13, ...
+%!                       [(1:12)', NaN(12, 1)], ...
 %!                 ones (12, 1), 'plan');
-%! run = @(P, r, stage) [P, P];
-%! assert (rows (completePlan (data, Case, run, @(t) []).X), 12);
-%! data.Z(:, 2) = NA;
-%! assert (rows (completePlan (data, Case, run, @(t) []).X), 24);
+%! assert (rows (completePlan (state, Case, Case, @(t) []).data.X), 12);
+%! state.data.Z(:, 2) = NA;
+%! assert (rows (completePlan (state, Case, Case, @(t) []).data.X), 24);

@@ -4,7 +4,7 @@
 %
 %   ROOT       folder of the toolbox (text)
 %   FOLDER     case folder, in which Octave works (text)
-%   DIAGNOSIS  struct, see diagnoseMatrices, with the fields level, ledger and
+%   DIAGNOSIS  struct, see diagnoseMatrices, with the fields level and
 %              exitStatus
 %
 % The main script diagnoseGap carries it out.
@@ -19,34 +19,32 @@ function diagnosis = diagnoseCase (root, folder)
   whole = withEffects (loadCase (root, folder));
   needCandidates (whole);
   Case = withoutLevels (whole);
-  ledger = newLedger ();
-  evaluate = newEvaluate (Case, ledger, say);
+  problem = newProblem (Case);
+  budget = newBudget (Case);
 
   % the runs that there are
   [data, count] = gatherRuns (Case);
-  [use, leftOut] = thinRuns (data, newProblem (Case), 1000);
+  [use, leftOut] = thinRuns (data, problem, 1000);
   data = keepRows (data, use);
   [given, notes] = gapProblemOf (Case);
   notes = [notes(:)', {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
-  [~, foreseen] = gapBudget (Case, ledger, given, count.seconds);
+  [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
-  data = completePlan (data, Case, evaluate, say);
+  state = struct ('data', data, 'budget', budget, ...
+                  'evaluate', newEvaluate (Case, say));
+  state = completePlan (state, problem, Case, say);
 
   % where, which, how far, next test
-  [part, own] = livingPart (Case, data, ledger);
-  options = gapBudget (part, ledger, given, count.seconds);
-  evaluate = newEvaluate (part, ledger, say);
-  further = @(X, E, replicate, stage) ...
-    inColumns (evaluate (X, replicate, stage, E), own);
-  if options.maxNewRuns < 1
-    further = [];
+  [part, state, own] = livingPart (Case, state);
+  options = gapBudget (part, state.budget, given, count.seconds);
+  evaluate = newEvaluate (part, say);
+  if options.maxNewRuns > 0
+    state.evaluate = @(varargin) inColumns (evaluate, own, varargin{:});
+  else
+    state.evaluate = [];
   end
-  diagnosis = diagnoseMatrices (given, data, options, further);
+  diagnosis = diagnoseMatrices (given, state.data, options, state);
   diagnosis.level = finerVerdict (whole, given, options, diagnosis);
-  diagnosis.ledger = struct ('new', ledger('new'), ...
-                             'reused', ledger('reused'), ...
-                             'failed', ledger('failed'), ...
-                             'coreSeconds', ledger('coreSeconds'));
 
   % what remains
   diagnosis.verdict = writeGapJson (diagnosis, Case);
@@ -58,23 +56,26 @@ function diagnosis = diagnoseCase (root, folder)
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
 end
 
-% The case without the models that gave no result, which enterRuns leaves out;
-% OWN, 1 x T logical: the targets of the others.
-function [part, own] = livingPart (Case, data, ledger)
+% The case without the models that gave no result, which enterRuns leaves out,
+% and the budget of its runs; OWN, 1 x T logical: the targets of the others.
+function [part, state, own] = livingPart (Case, state)
   model = [Case.targets.model];
   isAlive = ismember (1:numel (Case.models), ...
-                      model(any (isfinite (data.Z), 1)));
+                      model(any (isfinite (state.data.Z), 1)));
   own = isAlive(model);
   number = cumsum (isAlive);
   part = Case;
-  part.models = ledger('models')(isAlive);
+  part.models = Case.models(isAlive);
+  state.budget.perSet = sum (isAlive);
+  state.budget.seconds = state.budget.seconds(isAlive);
   part.targets = Case.targets(own);
   for t = 1:sum (own)
     part.targets(t).model = number(part.targets(t).model);
   end
 end
 
-function Z = inColumns (found, own)
+function [Z, budget] = inColumns (evaluate, own, varargin)
+  [found, budget] = evaluate (varargin{:});
   Z = NaN (rows (found), numel (own));
   Z(:, own) = found;
 end

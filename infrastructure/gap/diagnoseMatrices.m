@@ -19,6 +19,7 @@
 %     howFar   of proveCause ([] where nothing can be compared)
 %     next     of nextTest
 %     runs     struct spent, failed, left;  data: DATA with the new runs
+%     budget   see newBudget
 %
 % Order: WHERE, WHICH, HOW FAR, NEXT TEST. Random numbers come from
 % OPTIONS.seed; the caller's random state is left as it was.
@@ -37,9 +38,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   end
   options = gapOptions (options);
   [gapProblem, known] = enterRuns (newGapProblem (given), data, options);
-  state = struct ('data', known, 'evaluate', evaluate, 'spent', 0, ...
-                  'failed', 0, 'left', options.maxNewRuns, ...
-                  'repeats', options.verifyRuns);
+  state = newGapState (known, gapProblem, options, evaluate);
   [state, em] = improveSurrogates (gapProblem, options, state);
   gapProblem = correlateSeries (gapProblem, em, options);
   [state, em] = exploreEffects (gapProblem, options, state, em);
@@ -65,6 +64,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   diagnosis = inGivenUnits (diagnosis, gapProblem);
   diagnosis.runs = struct ('spent', state.spent, 'failed', state.failed, ...
                            'left', state.left);
+  diagnosis.budget = state.budget;
   diagnosis.data = withNewRuns (data, state, known, gapProblem);
 end
 

@@ -1,8 +1,8 @@
 % GAPBUDGET  Shares out the DEM runs that a diagnosis may still make.
 %
-% CALL: [OPTIONS, LINES] = gapBudget (CASE, LEDGER, GIVEN, SECONDS)
+% CALL: [OPTIONS, LINES] = gapBudget (CASE, BUDGET, GIVEN, SECONDS)
 %
-%   CASE     see newCase;  LEDGER  see newLedger
+%   CASE     see newCase;  BUDGET  see newBudget
 %   GIVEN    of gapProblemOf
 %   SECONDS  scalar, core time of one set so far (NaN: not known)
 %   OPTIONS  of gapOptions: maxNewRuns counts parameter sets, each of them a run
@@ -17,9 +17,8 @@
 %
 % See also: diagnoseGap
 
-function [options, lines] = gapBudget (Case, ledger, given, seconds)
-  left = floor ((Case.options.maxNewRuns - ledger('new')) / ...
-                numel (Case.models));
+function [options, lines] = gapBudget (Case, budget, given, seconds)
+  left = floor (budget.left / budget.perSet);
   names = {};
   if ~isempty (given.effects)
     names = {given.effects(~[given.effects.laboratory]).name};
@@ -52,19 +51,18 @@ function [options, lines] = gapBudget (Case, ledger, given, seconds)
   end
 end
 
-%!shared Case, effect, ledger
-%! Case.options = struct ('maxNewRuns', 3000, 'seed', 1);
-%! Case.models = struct ('name', {'A', 'B'});
+%!shared Case, effect, budget
+%! Case.options.seed = 1;
 %! Case.names = {'a', 'b', 'c', 'd'};
 %! effect = struct ('name', 'e', 'laboratory', false);
-%! ledger = containers.Map ({'new'}, {0});
+%! budget = struct ('left', 3000, 'perSet', 2);
 %!test
 %! % 10, 20 and 40 effects with 4 parameters: with 30 neutral sets 192 or less
 %! % up to 20 effects
 %! sets = [];
 %! for K = [10, 20, 40]
 %!   given.effects = repmat (effect, 1, K);
-%!   options = gapBudget (Case, ledger, given, NaN);
+%!   options = gapBudget (Case, budget, given, NaN);
 %!   sets(end + 1) = options.maxNewRuns;
 %! end
 %! assert (sets(1), 12 + 40 + 63 + 4 + 20);
@@ -72,9 +70,9 @@ end
 %! assert (sets(3), 12 + 80 + 69 + 4 + 20);
 %!test
 %! % what is left out is said
-%! Case.options.maxNewRuns = 80;
+%! budget.left = 80;
 %! given.effects = repmat (effect, 1, 10);
-%! [options, lines] = gapBudget (Case, ledger, given, 30);
+%! [options, lines] = gapBudget (Case, budget, given, 30);
 %! assert (options.maxNewRuns, 40);
 %! assert (~isempty (strfind (lines{2}, '0.3 core-hours at 30 s a set')));
 %! assert (~isempty (strfind (lines{end}, 'e, e, e, e, e')));

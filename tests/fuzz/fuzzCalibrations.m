@@ -125,17 +125,18 @@ function [r, found] = calibrated (lab, how, seed)
   randn ('twister', 1);
   lastwarn ('', '');
   n = rows (X);
-  evaluate = @(P, replicate, varargin) ...
+  evaluate = @(P, E, replicate) ...
     runsOf (lab, P ./ width, replicate) .* unit;
   try
     problem = newProblem (Case, []);
     data = addRows (newData (columns (X), numel (unit)), X, ...
-                    evaluate (X, 1), ones (n, 1), 'plan');
+                    evaluate (X, [], 1), ones (n, 1), 'plan');
     surrogates = fitSurrogates (data, problem);
     state = newState (data, surrogates, ...
                       calibrateOnKriging (surrogates, problem));
-    state = improveByInfill (state, problem, evaluate, @(text) []);
-    state = calibrateOnDEM (state, problem, evaluate, @(text) []);
+    state.evaluate = plainEvaluate (evaluate);
+    state = improveByInfill (state, problem, @(text) []);
+    state = calibrateOnDEM (state, problem, @(text) []);
     known = parameterPosterior (state.surrogates, problem);
   catch err
     if strncmp (err.identifier, 'DEcalioc:', 9) && lab.fail > 0

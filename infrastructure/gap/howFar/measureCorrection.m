@@ -211,8 +211,8 @@ end
 %! view.models = makeHypotheses (gapProblem, em, options);
 %! view.fits = fitLibrary (view.models, given.value(gapProblem.used));
 %! runs = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
-%! state = struct ('data', data, 'evaluate', runs, 'left', 99, 'spent', 0, ...
-%!                 'failed', 0, 'repeats', 5);
+%! options = gapOptions (struct ('maxNewRuns', 99, 'verifyRuns', 5));
+%! state = newGapState (data, gapProblem, options, runs);
 %! sets = runCorrections (view, {3, 4}, state);
 %! cure = measureCorrection (view, sets, 3, 3);
 %! assert (cure.closure, 1, 0.03);

@@ -5,7 +5,7 @@
 %   VERDICT     of judgeCase
 %   VIEW        struct gapProblem, em, models, fits, as of runCorrections, and w
 %               of caseEvidence
-%   STATE       struct of spendRuns, with repeats (seeds at each compared set)
+%   STATE       of newGapState
 %   VERDICT, W  where DEM has run the cause: with these runs known, see
 %               correctionEvidence
 %   CURE        of measureCorrection, for the cause that VERDICT tells then; []
@@ -98,8 +98,8 @@ end
 %! [verdict.effects, verdict.top] = deal (3);
 %! runs = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
 %!        0.05 * randn (rows (X), 12);
-%! state = struct ('data', data, 'evaluate', runs, 'left', 16, 'spent', 0, ...
-%!                 'failed', 0, 'repeats', 3);
+%! options = gapOptions (struct ('maxNewRuns', 16, 'verifyRuns', 3));
+%! state = newGapState (data, gapProblem, options, runs);
 %! [verdict, ~, cure, state] = proveCause (verdict, view, state);
 %! assert (verdict.kind, 'named');
 %! assert (verdict.effects, [3, 4]);

@@ -6,7 +6,7 @@
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
 %            targets only
-%   STATE    struct of spendRuns, with repeats (seeds at each compared set)
+%   STATE    of newGapState
 %   SETS     given: what has been compared before; CAUSES are added to it. Got:
 %            1 x (m + 1) struct h (effects; [] first: the calibrated model), Q
 %            (fitted parameters and strengths), Z (repeats x T), worstZ (largest

@@ -3,7 +3,7 @@
 % CALL: [STATE, EM] = exploreEffects (GAPPROBLEM, OPTIONS, STATE, EM)
 %
 %   GAPPROBLEM, OPTIONS  of newGapProblem, gapOptions
-%   STATE                of spendRuns
+%   STATE                of newGapState
 %   EM                   of fitEmulator, fitted to STATE.data
 %
 % First OPTIONS.screenRuns for every effect that has fewer; then, if there is a

@@ -26,11 +26,8 @@ function v = writeGapJson (diagnosis, Case)
   end
   out.demRuns = struct ('sets', diagnosis.runs.spent, ...
                         'failedSets', diagnosis.runs.failed);
-  if isfield (diagnosis, 'ledger')
-    out.demRuns.new = diagnosis.ledger.new;
-    out.demRuns.reused = diagnosis.ledger.reused;
-    out.demRuns.failed = diagnosis.ledger.failed;
-    out.demRuns.coreSeconds = diagnosis.ledger.coreSeconds;
+  for name = {'new', 'reused', 'failed', 'coreSeconds'}
+    out.demRuns.(name{1}) = diagnosis.budget.(name{1});
   end
   calibration = fullfile (Case.folder, 'results', 'calibration.json');
   v = decideCase (readJsonFile (calibration), jsondecode (jsonencode (out)));

@@ -1,48 +1,30 @@
-% RUNROWS  Makes DEM runs, adds them to the data and refits the surrogates.
+% RUNANDFIT  Makes runs after the plan and refits the surrogates.
 %
-% CALL: STATE = runRows (STATE, PROBLEM, EVALUATE, P, STAGE)
-% CALL: STATE = runRows (STATE, PROBLEM, EVALUATE, P, STAGE, E)
+% CALL: STATE = runAndFit (STATE, PROBLEM, P, STAGE)
+% CALL: STATE = runAndFit (STATE, PROBLEM, P, STAGE, E)
 %
-% P         n x d  sets; one that stands in the data already (or twice in P) is
-%           another packing (replicateNumbers)
-% EVALUATE  handle Z = evaluate (P, replicate), n x T, NaN = failed; a row with
-%           NA was not run (no budget) and leaves no trace
-% STAGE     'infill', 'verify' or 'replicate'
-% E         n x v, levels of the runs (where PROBLEM.coarse has some: the last)
+% P      n x d  sets; one that stands in the data already (or twice in P) is
+%        another packing (replicateNumbers)
+% STAGE  'infill', 'verify' or 'replicate'
+% E      n x v, levels of the runs (where PROBLEM.coarse has some: the last)
 %
 % Never more rows than the budget has: what is over is left out.
 %
-% See also: budgetLeft, improveByInfill, calibrateOnDEM
+% See also: addRuns, budgetLeft, improveByInfill, calibrateOnDEM
 
-function state = runRows (state, problem, evaluate, P, stage, E)
+function state = runAndFit (state, problem, P, stage, E)
   P = P(1:min (rows (P), budgetLeft (state, problem)), :);
   if isempty (P)
     return
   end
-  told = {};
-  if ~isempty (problem.coarse)
-    if nargin < 6
+  if nargin < 5
+    E = zeros (rows (P), 0);
+    if ~isempty (problem.coarse)
       E = repmat (problem.coarse.levels(end, :), rows (P), 1);
     end
-    E = E(1:rows (P), :);
-    told = {'calibration', E};
   end
   P = besideEqualRuns (P, state.data, problem);
-  replicate = replicateNumbers (state.data, P, problem.limits);
-  Z = evaluate (P, replicate, told{:});
-  isTried = ~any (isna (Z), 2);
-  Z = Z(isTried, :);
-  if ~isempty (told)
-    told = {E(isTried, :)};
-  end
-  state.data = addRows (state.data, P(isTried, :), Z, replicate(isTried), ...
-                        stage, told{:});
-  kind = 'verify';
-  if strcmp (stage, 'infill')
-    kind = 'infill';
-  end
-  state.spent.(kind) = state.spent.(kind) + rows (Z);
-  state.spent.failed = state.spent.failed + sum (any (isnan (Z), 2));
+  state = addRuns (state, problem, P, E(1:rows (P), :), stage);
   state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
 end
 
@@ -68,11 +50,10 @@ end
 %! X = rand (8, 1);
 %! data = addRows (newData (1, 1), X, 1 + X, ones (8, 1), 'plan');
 %! state = newState (data, fitSurrogates (data, problem), []);
-%! f = @(P, r) 1 + P + 0 ./ (r < 3);
-%! state = runRows (state, problem, f, [0.5; 0.5; 0.5; 0.5], 'verify');
+%! state.evaluate = plainEvaluate (@(P, E, r) 1 + P + 0 ./ (r < 3));
+%! state = runAndFit (state, problem, [0.5; 0.5; 0.5; 0.5], 'verify');
 %! assert (state.data.replicate(9:end), [1; 2; 3]);
 %! assert (budgetLeft (state, problem), 0);
-%! assert (state.spent.failed, 1);
 %! assert (isnan (state.data.Z), [false(10, 1); true]);
 %!test
 %! % a set that the budget leaves out is no failure
@@ -83,10 +64,9 @@ end
 %! X = (0:7)' / 7;
 %! data = addRows (newData (1, 1), X, 1 + X, ones (8, 1), 'plan');
 %! state = newState (data, fitSurrogates (data, problem), []);
-%! f = @(P, r) merge (r > 1, NA (size (P)), 1 + P);
-%! state = runRows (state, problem, f, [0.5; 0.5], 'infill');
-%! assert (rows (state.data.Z), 9);
-%! assert ([state.spent.infill, state.spent.failed], [1, 0]);
+%! state.evaluate = plainEvaluate (@(P, E, r) merge (r > 1, NA, 1 + P));
+%! state = runAndFit (state, problem, [0.5; 0.5], 'infill');
+%! assert (all (isfinite (state.data.Z)) && rows (state.data.Z) == 9);
 %!test
 %! % with levels: the given ones, else the one that counts
 %! pkg load stk
@@ -98,10 +78,9 @@ end
 %! E = 2 - mod (0:7, 2)';
 %! data = addRows (newData (1, 1, 1), X, X + E, ones (8, 1), 'plan', E);
 %! state = newState (data, fitSurrogates (data, problem), []);
-%! % for the records both are runs of the calibration
-%! f = @(P, r, stage, E) P + E + merge (strcmp (stage, 'calibration'), 0, NaN);
-%! state = runRows (state, problem, f, [0.5; 0.6], 'infill', [2; 1]);
-%! state = runRows (state, problem, f, 0.5, 'verify');
+%! state.evaluate = plainEvaluate (@(P, E, r) P + E);
+%! state = runAndFit (state, problem, [0.5; 0.6], 'infill', [2; 1]);
+%! state = runAndFit (state, problem, 0.5, 'verify');
 %! assert (state.data.E(9:end), [2; 1; 1]);
 %! assert (state.data.Z(9:end), [2.5; 1.6; 1.5], 1e-12);
 %! assert (state.data.replicate(9:end), [1; 1; 2]);

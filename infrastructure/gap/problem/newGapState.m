@@ -1,0 +1,39 @@
+% NEWGAPSTATE  The runs of a diagnosis, and how further ones are made.
+%
+% CALL: STATE = newGapState (DATA, GAPPROBLEM, OPTIONS, EVALUATE)
+%
+%   DATA        of enterRuns, in standard units
+%   GAPPROBLEM  of enterRuns: kept and unit are read
+%   OPTIONS     of gapOptions: maxNewRuns, verifyRuns
+%   EVALUATE    see diagnoseMatrices; [] = none. Or a struct that holds, as the
+%               state of addRuns does, evaluate and budget
+%   STATE       struct, see addRuns: data, budget, evaluate (its Z in standard
+%               units); left (sets that may still be run: one that fails was run
+%               twice, see runJobs), spent, failed, repeats (seeds at each
+%               compared set)
+%
+% See also: spendRuns, diagnoseMatrices
+
+function state = newGapState (data, gapProblem, options, evaluate)
+  state = struct ('data', data, 'budget', newBudget (), 'evaluate', [], ...
+                  'left', options.maxNewRuns, 'spent', 0, 'failed', 0, ...
+                  'repeats', options.verifyRuns);
+  if ~isfield (data, 'stage')
+    state.data.stage = repmat ({'import'}, rows (data.X), 1);
+  end
+  if isstruct (evaluate)
+    state.budget = evaluate.budget;
+    evaluate = evaluate.evaluate;
+  elseif ~isempty (evaluate)
+    evaluate = plainEvaluate (evaluate);
+  end
+  if ~isempty (evaluate)
+    state.evaluate = @(varargin) inStandardUnits (evaluate, gapProblem, ...
+                                                  varargin{:});
+  end
+end
+
+function [Z, budget] = inStandardUnits (evaluate, gapProblem, varargin)
+  [Z, budget] = evaluate (varargin{:});
+  Z = Z(:, gapProblem.kept) ./ gapProblem.unit;
+end

@@ -1,0 +1,36 @@
+% ADDRUNS  Makes runs and adds them to the data: the one door for all runs.
+%
+% CALL: STATE = addRuns (STATE, PROBLEM, P, E, STAGE)
+%       STATE = addRuns (STATE, PROBLEM, P, E, STAGE, REPLICATE)
+%
+%   STATE      struct: data (see newData), budget (see newBudget), evaluate
+%              (handle [Z, BUDGET] = evaluate (P, E, REPLICATE, STAGE, BUDGET),
+%              Z n x T: NaN where a run failed, NA where one was not made)
+%   PROBLEM    see newProblem; limits are read
+%   P          n x d, sets;  E  n x v, levels and effect values of the runs
+%   STAGE      what they are for (text), see newData
+%   REPLICATE  n x 1 (default: a set that is known is another packing, see
+%              replicateNumbers)
+%
+% A set of which a run was not made leaves no trace in the data.
+%
+% See also: newEvaluate, plainEvaluate, runPlan, runAndFit, spendRuns
+
+function state = addRuns (state, problem, P, E, stage, replicate)
+  if nargin < 6
+    replicate = replicateNumbers (state.data, P, problem.limits);
+  end
+  [Z, state.budget] = state.evaluate (P, E, replicate, stage, state.budget);
+  isTried = ~any (isna (Z), 2);
+  state.data = addRows (state.data, P(isTried, :), Z(isTried, :), ...
+                        replicate(isTried), stage, E(isTried, :));
+end
+
+%!test
+%! state = struct ('data', newData (1, 1, 1), 'budget', newBudget ());
+%! state.evaluate = plainEvaluate (@(P, E, r) merge (r > 2, NA, P + E));
+%! problem.limits = [0; 9];
+%! state = addRuns (state, problem, [1; 1; 1; 2], [0; 5; 0; 0], 'plan');
+%! assert ([state.data.X, state.data.E, state.data.Z, ...
+%!          state.data.replicate], [1, 0, 1, 1; 1, 5, 6, 2; 2, 0, 2, 1]);
+%! assert (state.budget.isUsedUp);
