@@ -7,7 +7,7 @@
 % Enough to see which way the responses go. What the plan lacks, infill adds
 % where it matters.
 %
-% See also: augmentPlan, improveByInfill
+% See also: planBeside, improveByInfill
 
 function n = planSize (d)
   n = d + 3;

@@ -1,6 +1,6 @@
 % CHECKSURROGATES  Plain warnings about a calibration, one sentence each.
 %
-% CALL: LINES = checkSurrogates (STATE, PROBLEM)
+% CALL: [LINES, TOUCHED] = checkSurrogates (STATE, PROBLEM)
 %
 % STATE    struct of newState
 % PROBLEM  struct of newProblem
@@ -8,10 +8,11 @@
 %          with poor Q2, a parameter at its limit, fewer targets than
 %          parameters, runs that failed, equal replicates, runs that were
 %          left out, a level that was dropped
+% TOUCHED  cellstr, parameters that stand at a limit
 %
-% See also: limitsTouched, findConflict
+% See also: newCalibration, findConflict
 
-function lines = checkSurrogates (state, problem)
+function [lines, touched] = checkSurrogates (state, problem)
   lines = {};
   for t = find (problem.curve == 0)
     lines = [lines, warningsOf(state.surrogates(t), problem.value(t))];
@@ -122,6 +123,12 @@ function lines = curveWarnings (state, problem, number)
   end
 end
 
+% Within 0.5 % of the width of the box.
+function names = limitsTouched (params, problem)
+  u = (params(:)' - problem.limits(1, :)) ./ diff (problem.limits);
+  names = problem.names(u < 0.005 | u > 0.995);
+end
+
 %!shared problem, state, s
 %! [problem, state, s] = smallCalibration ();
 
@@ -132,7 +139,8 @@ end
 %! problem.calibrate(1) = false;
 %! state.found.params = [1, 1];
 %! state.data.Z(3, 1) = NaN;
-%! lines = checkSurrogates (state, problem);
+%! [lines, touched] = checkSurrogates (state, problem);
+%! assert (touched, {'a'});
 %! assert (numel (lines), 4);
 %! assert (lines{1}, ['target y = 9 lies outside what the runs reached ', ...
 %!                    sprintf('(%g to %g)', min (s(2).z), max (s(2).z))]);

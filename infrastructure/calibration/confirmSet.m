@@ -76,15 +76,11 @@ function final = judge (final, m, v, df, problem)
   [r, slope] = targetResidual (problem, final.params, m);
   final.residualSd = (abs (slope) .* final.sd)';
   s = abs (slope) .* sqrt (v);
-  final.probability = 1;
+  final.probability = allMet (r, s, problem, df);
   final.interval90 = zeros (2, T);
   for t = 1:T
     half = studentQuantile (0.95, df(t)) * sqrt (v(t));
     final.interval90(:, t) = [m(t) - half; m(t) + half];
-  end
-  for own = requirementsOf (problem)
-    final.probability = final.probability * ...
-                        requirementProbability (r, s, own{1}, problem, df);
   end
   share = toleranceShare (problem, r);
   final.estimate = m;

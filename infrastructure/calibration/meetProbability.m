@@ -7,7 +7,7 @@
 % P            n x d  parameter sets
 % PROBABILITY  n x 1  product over the targets that are calibrated of
 %                     Pr(|residual of the mean response| < tolerance); a curve
-%                     is one of them (curveProbability)
+%                     is one of them (allMet)
 % R, S         n x T  residual of the surrogate mean, its standard deviation
 %
 % PROBLEM.avoid (k x d, optional) holds sets at which runs failed again and
@@ -19,12 +19,7 @@
 
 function [probability, r, s] = meetProbability (surrogates, problem, P)
   [r, s] = residualSpread (surrogates, problem, P);
-  probability = ones (size (P, 1), 1);
-  for own = requirementsOf (problem)
-    probability = probability .* ...
-                  requirementProbability (r, s, own{1}, problem, ...
-                                          [surrogates.df]);
-  end
+  probability = allMet (r, s, problem, [surrogates.df]);
   if isfield (problem, 'avoid')
     for i = 1:rows (problem.avoid)
       u = (P - problem.avoid(i, :)) ./ diff (problem.limits);

@@ -43,12 +43,11 @@ function c = newCalibration (state, problem, Case)
                       'failed', state.budget.failed, ...
                       'reused', state.budget.reused);
   c.coreSeconds = state.budget.coreSeconds;
-  c.atLimit = limitsTouched (final.params, problem);
+  [c.warnings, c.atLimit] = checkSurrogates (state, problem);
   c.notIdentified = weak.notIdentified;
   c.identifiability = weak;
   c.correlation = known.correlation;
   c.sensitivity = sobolIndices (state.surrogates, problem).total;
-  c.warnings = checkSurrogates (state, problem);
   c.holdout = [];
   if any (~problem.calibrate)
     c.holdout = predictHoldout (state, problem);

@@ -134,6 +134,19 @@ function known = summarise (U, problem)
   known.identified = diff (known.interval90, 1, 1) < 0.5 * width;
 end
 
+% Variance of a measured value about the mean response: the packing of the
+% trials that were averaged, and the uncertainty of the measurement; where that
+% comes from the scatter of the trials it holds their packings already, and the
+% larger counts.
+function v = errorVariance (noiseVar, problem, t)
+  packing = noiseVar / problem.trials(t);
+  if problem.scatter(t)
+    v = max (packing, problem.sd(t)^2);
+  else
+    v = packing + problem.sd(t)^2;
+  end
+end
+
 %!test
 %! % linear response: the interval equals the one of the formula
 %! pkg load stk
@@ -159,3 +172,23 @@ end
 %! known = parameterPosterior (s, newProblem (C, []));
 %! assert (known.mean, [0.5, 0.3], 0.03);
 %! assert (known.sd, [0.05, 0.05], 0.015);
+
+%!test
+%! % the trials' packings and the uncertainty of their mean: 4 trials of scatter
+%! % 0.04 and sd 0.03 are as sure as one of 0.036; as sd from scatter, as 0.03
+%! pkg load stk
+%! rand ('twister', 1);
+%! randn ('twister', 1);
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 1.5, 'tol', 0.01, 'sd', 0.03));
+%! X = rand (40, 1);
+%! s = fitSurrogate (X, 1 + X + 0.04 * randn (40, 1), C.limits);
+%! problem = newProblem (C, []);
+%! sd = zeros (1, 3);
+%! for k = 1:3
+%!   problem.trials = [1, 4, 4](k);
+%!   problem.scatter = k == 3;
+%!   sd(k) = parameterPosterior (s, problem).sd;
+%! end
+%! assert (sd, [0.05, 0.036, 0.03], 0.009);
+%! assert (sd(1) > sd(2) && sd(2) > sd(3));

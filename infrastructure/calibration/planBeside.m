@@ -8,7 +8,7 @@
 %   PLAN  N x d: a Latin hypercube, kept in ExperimentalPlan_DoE.csv; beside
 %         sets that there are, rows as far as possible from them
 %
-% See also: newPlan, completePlan, GenerateExperPlan, augmentPlan
+% See also: newPlan, completePlan, GenerateExperPlan
 
 function plan = planBeside (X, n, Case)
   if isempty (X)
@@ -18,10 +18,32 @@ function plan = planBeside (X, n, Case)
   end
 end
 
+% Greedy maximin in the unit box over a space-filling sample; the distance to
+% the walls counts half a step, so rows do not crowd there.
+function P = augmentPlan (X, n, limits)
+  d = columns (limits);
+  width = diff (limits);
+  U = (X - limits(1, :)) ./ width;
+  C = double (stk_sampling_halton_rr2 (2000, d, [zeros(1, d); ones(1, d)]));
+  wall = 2 * min (min (C, 1 - C), [], 2);
+  nearest = wall;
+  for i = 1:rows (U)
+    nearest = min (nearest, sqrt (sum ((C - U(i, :)).^2, 2)));
+  end
+  P = zeros (n, d);
+  for k = 1:n
+    [~, best] = max (nearest);
+    P(k, :) = limits(1, :) + C(best, :) .* width;
+    nearest = min (nearest, sqrt (sum ((C - C(best, :)).^2, 2)));
+  end
+end
+
 %!test
 %! pkg load stk
 %! Case = struct ('limits', [0; 1], 'folder', '');
 %! Case.options.seed = 3;
 %! assert (planBeside (zeros (0, 1), 5, Case), ...
 %!         GenerateExperPlan ([0; 1], 5, '', 3));
-%! assert (planBeside ([0.1; 0.9], 1, Case), 0.5, 0.1);
+%! % the gap is filled first
+%! Case.limits = [0; 10];
+%! assert (planBeside ([1; 2; 3; 9], 1, Case), 6, 0.4);

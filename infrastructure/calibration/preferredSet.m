@@ -9,7 +9,7 @@
 % probability of meeting all targets is at most 0.02 below that of p and at
 % least one half. A set that does not meet the targets is never preferred.
 %
-% See also: calibrateOnKriging, preferenceOf
+% See also: calibrateOnKriging, mostProbableSet
 
 function p = preferredSet (surrogates, problem, p, pool)
   best = meetProbability (surrogates, problem, p);
@@ -30,6 +30,22 @@ function value = preferenceIfSure (P, surrogates, problem, best)
   end
 end
 
+% What speaks against a set beside its targets: the sum of squares of the rows
+% below the targets (the Rayleigh term) and of the distances to parameters that
+% were measured by themselves, in their standard deviations.
+function value = preferenceOf (problem, P)
+  z = (P - problem.paramMean) ./ problem.paramSd;
+  value = sumsq (z(:, isfinite (problem.paramSd)), 2);
+  if problem.nExtra == 0
+    return
+  end
+  T = numel (problem.value);
+  for i = 1:size (P, 1)
+    r = problem.cost (P(i, :)', @(varargin) problem.value(:));
+    value(i) = value(i) + sum (r(T + 1:end).^2);
+  end
+end
+
 %!shared problem, state, s
 %! [problem, state, s] = smallCalibration ();
 
@@ -43,3 +59,12 @@ end
 %! assert (q(2) >= p(2));
 %! assert (meetProbability (s, problem, q) >= ...
 %!         meetProbability (s, problem, p) - 0.021);
+
+%!test
+%! % measured by itself: of the sets that are as sure the nearest is taken
+%! problem.calibrate(2) = false;
+%! problem.paramMean = [0.2, NaN];
+%! problem.paramSd = [0.05, NaN];
+%! p = mostProbableSet (s, problem, zeros (0, 2));
+%! q = preferredSet (s, problem, p, zeros (0, 2));
+%! assert (abs (q(1) - 0.2) <= abs (p(1) - 0.2));

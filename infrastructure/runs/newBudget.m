@@ -12,7 +12,7 @@
 %
 % It travels in the state, and evaluate brings it up to date (addRuns).
 %
-% See also: addRuns, newEvaluate, setsLeft
+% See also: addRuns, newEvaluate, budgetLeft
 
 function budget = newBudget (Case)
   budget = struct ('left', Inf, 'perSet', 1, 'new', 0, 'reused', 0, ...
