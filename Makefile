@@ -45,12 +45,12 @@ demo:                  ## calibrate and diagnose stored runs in ./decalioc-demo,
 	@tools/setup.sh run
 	@tools/demo.sh decalioc-demo
 
-test:                  ## all set-up, then all tests; ends in "N passed, N failed"
+test:                  ## all set-up, then the tests; ends in "N passed, N failed"
 	@tools/setup.sh run test
 	@tools/liggghts/build.sh
 	@CASE=. tools/octave.sh tests/runTests.m $${ONLY:+"$$ONLY"}
 
-soak:                  ## the tests, with those that take long
+soak:                  ## all tests, in their long form: for hours
 	@DECALIOC_SOAK=1 $(MAKE) --no-print-directory test
 
 bench:                 ## list the programs that measure

@@ -1,16 +1,19 @@
-% RUNTESTS  Runs the tests of all functions and all flows.
+% RUNTESTS  Runs the tests of the functions and the flows.
 %
 % CALL: octave-cli tests/runTests.m [PATTERN]
-%       octave-cli tests/runTests.m --part K N
+%       octave-cli tests/runTests.m --queue FOLDER
 %
-%   PATTERN  run only the files whose path holds this text
-%   --part   every N-th file from the K-th on of those that are no flow
+%   PATTERN  run all files whose path holds this text
+%   --queue  one of the Octaves that the first call starts: takes the files of
+%            the list in FOLDER one by one, until none is left
 %
-% Without a pattern the tests of functions are run by an Octave for each core,
-% then the flows (*.tst) one by one: these use all cores themselves.
+% Without a pattern these are the tests of the toolbox and the flows (*.tst)
+% that flowsOf says: of the environment, DECALIOC_SOAK=1 asks for all flows, in
+% their long form, and for the tests of benchmarks/; CHANGED is a list of files
+% that have changed.
 %
-% The last line reads: N passed, N failed. The exit status is 1 if any failed.
-% With DECALIOC_SOAK=1 in the environment the long tests run too.
+% Two Octaves share the files, the slowest flows first. The last line reads: N
+% passed, N failed. The exit status is 1 if any failed.
 
 1;
 
@@ -24,10 +27,41 @@ function files = testFiles (root, pattern)
   files = files(cellfun (hasTests, files));
   if ~isempty (pattern)
     files = files(~cellfun (@isempty, strfind (files, pattern)));
+    return
+  end
+  changed = strsplit (getenv ('CHANGED'), "\n");
+  if strcmp (getenv ('DECALIOC_SOAK'), '1')
+    changed = {'.'};
+  end
+  isFlow = ~cellfun (@isempty, regexp (files, '\.tst$'));
+  part = [root, '/benchmarks/'];
+  isStudy = strncmp (files, part, numel (part));
+  if any (strcmp (changed, '.') | strncmp (changed, 'benchmarks/', 11))
+    isStudy(:) = false;
+  end
+  files = [flowsOf(root, changed), files(~isFlow & ~isStudy)];
+end
+
+% Claims a line of the list by making a folder, which only one process can.
+function runQueue (root, queue)
+  lines = strsplit (fileread (fullfile (queue, 'files')), "\n");
+  for k = 1:numel (lines)
+    claim = fullfile (queue, sprintf ('%d', k));
+    if isfolder (claim) || system (['mkdir ', claim, ' 2> /dev/null']) ~= 0
+      continue
+    end
+    files = strsplit (lines{k}, "\t");
+    counts = zeros (numel (files), 3);
+    for i = 1:numel (files)
+      counts(i, :) = runFile (files{i}, root);
+    end
+    fid = fopen (fullfile (claim, 'counts'), 'w');
+    fprintf (fid, '%d ', sum (counts, 1));
+    fclose (fid);
   end
 end
 
-function [passed, failed, skipped] = runFile (file, root)
+function counts = runFile (file, root)
   start = tic ();
   log = tempname ();
   % a function of an example or a model is found by its own test only
@@ -36,87 +70,70 @@ function [passed, failed, skipped] = runFile (file, root)
   [passed, total, ~, skipped] = test (file, 'quiet', fid);
   fclose (fid);
   path (before);
-  failed = total - passed;
-  printf ('%-56s %3d of %3d  %4.0f s\n', strrep (file, [root, '/'], ''), ...
-          passed, total, toc (start));
-  if failed > 0 || skipped > 0
-    puts (fileread (log));
+  counts = [passed, total - passed, skipped];
+  text = sprintf ("%-56s %3d of %3d  %4.0f s\n", ...
+                  strrep (file, [root, '/'], ''), passed, total, toc (start));
+  if any (counts(2:3) > 0)
+    text = [text, fileread(log)];
   end
+  puts (text);
   fflush (stdout ());
   unlink (log);
 end
 
-% Every share by an Octave of its own.
-function [counts, failing] = runParts (root, n)
+% Flows that start a batch system go one after another. Every Octave says on
+% leaving that it ignores something, which is no news.
+function [counts, failing] = shareOut (root, files)
+  hasQueue = ~cellfun (@isempty, regexp (files, '/(executors|slurm\w*)\.tst$'));
+  files = [{strjoin(files(hasQueue), "\t")}, files(~hasQueue)];
+  files = files(~cellfun (@isempty, files));
+  queue = tempname ();
+  mkdir (queue);
+  fid = fopen (fullfile (queue, 'files'), 'w');
+  fputs (fid, strjoin (files, "\n"));
+  fclose (fid);
   tool = shellQuote (fullfile (root, 'tools', 'octave.sh'));
-  show = 'grep --line-buffered -vE "^([0-9]+ passed|Failed, see|error: ign)"';
-  logs = arrayfun (@(k) [tempname(), '.log'], 1:n, 'UniformOutput', false);
-  each = arrayfun (@(k) sprintf ('(%s %s %d %d 2>&1 | tee %s | %s)', tool, ...
-                                 'tests/runTests.m --part', k, n, logs{k}, ...
-                                 show), ...
-                   1:n, 'UniformOutput', false);
-  system ([strjoin(each, ' & '), ' & wait']);
+  one = sprintf ('{ %s tests/runTests.m --queue %s 2>&1 | %s; }', tool, ...
+                 queue, 'grep --line-buffered -v "^error: ignoring const"');
+  n = min ([nproc(), 4, numel(files)]);
+  system ([strjoin(repmat ({one}, 1, n), ' & '), ' & wait']);
   counts = zeros (1, 3);
   failing = {};
-  for k = 1:n
-    said = fileread (logs{k});
-    unlink (logs{k});
-    last = regexp (said, '^\d+ passed, .*$', 'match', 'lineanchors', ...
-                   'dotexceptnewline');
-    if isempty (last)
-      last = {'0 passed, 1 failed'};       % it ended before its last line
-      failing{end + 1} = sprintf ('part %d of %d', k, n);
+  for k = 1:numel (files)
+    file = fullfile (queue, sprintf ('%d', k), 'counts');
+    found = [0, 1, 0];                     % its Octave has ended in the middle
+    if isfile (file)
+      found = sscanf (fileread (file), '%d')';
     end
-    last = sscanf (last{end}, '%d passed, %d failed, %d skipped')';
-    counts(1:numel (last)) = counts(1:numel (last)) + last;
-    names = regexp (said, '^Failed, see above: (.*)$', 'tokens', ...
-                    'lineanchors', 'dotexceptnewline');
-    failing = [failing, names{:}];
+    counts = counts + found;
+    if found(2) > 0
+      failing{end + 1} = strrep (files{k}, [root, '/'], '');
+    end
   end
+  rmdir (queue, 's');
 end
 
 history_save (false);
+confirm_recursive_rmdir (false);
 addpath (fullfile (fileparts (fileparts (mfilename ('fullpath'))), ...
                    'benchmarks'));
 root = startBenchmarks ();
 args = argv ()';
-at = find (strcmp (args, '--part'));
-isPart = ~isempty (at);
-pattern = '';
-if ~isPart && ~isempty (args)
-  pattern = args{end};
-end
-files = testFiles (root, pattern);
-isFlow = ~cellfun (@isempty, regexp (files, '\.tst$'));
-counts = zeros (1, 3);
-failing = {};
-if isPart
-  files = files(~isFlow);
-  files = files(str2double (args{at + 1}):str2double (args{at + 2}):end);
-elseif isempty (args)
-  [counts, failing] = runParts (root, nproc ());
-  files = files(isFlow);
-end
 scratch = tempname ();
 mkdir (scratch);
 setenv ('TMPDIR', scratch);
 home = cd (scratch);
-for k = 1:numel (files)
-  [p, f, s] = runFile (files{k}, root);
-  counts = counts + [p, f, s];
-  if f > 0
-    failing{end + 1} = strrep (files{k}, [root, '/'], '');
+if numel (args) > 1 && strcmp (args{end - 1}, '--queue')
+  runQueue (root, args{end});
+  counts = zeros (1, 3);
+else
+  [counts, failing] = shareOut (root, testFiles (root, strjoin (args)));
+  if ~isempty (failing)
+    printf ('Failed, see above: %s\n', strjoin (failing, ', '));
   end
+  skipped = repmat (sprintf (', %d skipped', counts(3)), 1, counts(3) > 0);
+  printf ("%d passed, %d failed%s\n", counts(1:2), skipped);
 end
 cd (home);
-confirm_recursive_rmdir (false);
 rmdir (scratch, 's');
-if ~isempty (failing)
-  printf ('Failed, see above: %s\n', strjoin (failing, ', '));
-end
-if counts(3) > 0
-  printf ('%d passed, %d failed, %d skipped\n', counts);
-else
-  printf ('%d passed, %d failed\n', counts(1:2));
-end
 exit (double (counts(2) > 0));

@@ -1,0 +1,52 @@
+% FLOWSOF  The flows that a run of the tests takes in.
+%
+% CALL: FLOWS = flowsOf (ROOT, CHANGED)
+%
+%   ROOT     folder of the toolbox (text)
+%   CHANGED  cell of paths of files that have changed, below ROOT; {'.'}: all
+%   FLOWS    1 x n cell of paths, the slowest first: those that every run of
+%            the tests takes in, and those of the folders that have changed
+%
+% tests/flows.csv has a line for each flow: its name, whether it is in every
+% run (yes or no), and the folders that ask for it.
+%
+% See also: runTests
+
+function flows = flowsOf (root, changed)
+  lines = strsplit (strtrim (fileread (fullfile (root, 'tests', ...
+                                                 'flows.csv'))), "\n");
+  flows = cell (1, 0);
+  for line = lines(2:end)
+    cells = strsplit (line{1}, ',');
+    folders = strsplit (strtrim ([cells{3}, ' tests/', cells{1}, '.tst']));
+    isAsked = any (strcmp (changed, '.'));
+    for folder = folders
+      isAsked = isAsked || any (strncmp (folder{1}, changed, ...
+                                         numel (folder{1})));
+    end
+    if strcmp (cells{2}, 'yes') || isAsked
+      flows{end + 1} = fullfile (root, 'tests', [cells{1}, '.tst']);
+    end
+  end
+end
+
+%!shared root
+%! root = fileparts (fileparts (which ('flowsOf')));
+%!test
+%! % a line for each flow, and only for those that are there
+%! files = [glob(fullfile (root, 'tests', '*.tst')); ...
+%!          glob(fullfile (root, 'tests', '*', '*.tst'))];
+%! assert (sort (flowsOf (root, {'.'})), sort (files'));
+%!test
+%! % the folders that the table names are there
+%! words = regexp (fileread (fullfile (root, 'tests', 'flows.csv')), ...
+%!                 '(?<=[, ])\w[\w/.]*(?= |$)', 'match', 'lineanchors');
+%! words = setdiff (words, {'yes', 'no', 'folders'});
+%! assert (numel (words) > 5);
+%! assert (all (cellfun (@(f) exist (fullfile (root, f), 'file') > 0, words)));
+%!test
+%! added = @(file) setdiff (flowsOf (root, {file}), flowsOf (root, {}));
+%! flow = @(name) {fullfile(root, 'tests', [name, '.tst'])};
+%! assert (added ('README.md'), cell (1, 0));
+%! assert (added ('infrastructure/effects/effectTilt.m'), flow ('effects'));
+%! assert (added ('tests/levels.tst'), flow ('levels'));
