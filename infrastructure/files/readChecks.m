@@ -49,9 +49,10 @@ function reason = judge (checks)
   elseif ~(balance == 0)
     reason = sprintf ('%g grains are missing', balance);
   elseif ~(checks.settled == 1)
-    reason = 'the grains did not come to rest in time';
+    reason = 'the grains did not come to rest in time: see restTime';
   elseif ~(checks.overlapMax < 0.08)
-    reason = sprintf ('overlap of %.3g diameters', checks.overlapMax);
+    reason = sprintf (['overlap of %.3g diameters, 0.08 at most: take ' ...
+                       'stiffer grains or slower walls'], checks.overlapMax);
   end
 end
 
