@@ -37,6 +37,10 @@
 %!   assert (isempty (strfind (html, 'could not be made')));
 %!   assert (isempty (regexp (html, '(NaN|Inf)\W', 'once')));
 %!   assert (numel (html) < 3e6);
+%!   % each symbol that a figure refers to is there
+%!   for name = unique ([regexp(html, 'href="#(gpPt\d+)"', 'tokens'){:}])
+%!     assert (numel (strfind (html, ['id="', name{1}, '"'])), 1);
+%!   end
 %! end
 
 %!test
@@ -101,8 +105,8 @@
 %!test
 %! % under way: the old result is not shown as if it were today's
 %! state = newState ([], [], struct ('params', [1, 2], 'probability', 0.5));
-%! writeProgress (first, state);
-%! html = fileread (writePage (first));
+%! reportPage (first, @(text) [], state);
+%! html = fileread (fullfile (first.folder, 'results', 'report.html'));
 %! assert (! isempty (strfind (html, 'Not finished')));
 %! assert (isempty (strfind (html, 'Calibrated</span>')));
 %! unlink (fullfile (first.folder, 'results', 'progress.json'));

@@ -7,7 +7,7 @@
 %   VALUES  n numbers
 %   FORMAT  of a number, as sprintf takes it ('%g')
 %
-% See also: sayLevels, checkSurrogates
+% See also: reportCalibration, checkSurrogates
 
 function text = namedValues (names, values, format)
   if nargin < 3

@@ -7,7 +7,7 @@
 %   TEXT     the shift of each target with its standard deviation, of a curve
 %            the root mean square; at most four targets, the most shifted first
 %
-% See also: sayLevels, describeLevels
+% See also: reportCalibration, describeLevels
 
 function text = levelLine (level, targets)
   kept = find (~level.dropped(:)');

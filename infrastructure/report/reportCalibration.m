@@ -97,7 +97,7 @@ function sayTarget (T, result, residual, noiseSd, isMet, say)
   end
   factor = 100;
   note = '';
-  if isfield (T, 'isAbsolute') && T.isAbsolute
+  if T.isAbsolute
     factor = 1;
     note = ' (absolute)';
   end
@@ -145,4 +145,25 @@ function sayUnknown (c, Case, say)
     say (sprintf ('  what would fix most: %s, %s', weak.next(1).kind, ...
                   weak.next(1).name));
   end
+end
+
+% What each level has told and cost.
+function sayLevels (c, Case, say)
+  if isempty (c.levels)
+    return
+  end
+  say (sprintf ('  %-28s %5s %12s   %s', 'level', 'runs', 'core-seconds', ...
+                'what it does to the responses at the set'));
+  names = {Case.coarse.variable};
+  for k = 1:numel (c.levels)
+    own = c.levels(k);
+    text = namedValues (names, own.value);
+    what = 'counts';
+    if k < numel (c.levels)
+      what = levelLine (own, Case.targets);
+    end
+    say (sprintf ('  %-28s %5d %12.3g   %s', text, own.runs, own.seconds, ...
+                  what));
+  end
+  say ('');
 end

@@ -23,6 +23,19 @@ function reportPage (Case, say, state)
   end
 end
 
+% How far a calibration is: results/progress.json, which writeCalibrationJson
+% removes.
+function writeProgress (Case, state)
+  out = struct ('params', cell2struct (num2cell (state.found.params(:)), ...
+                                       Case.names, 1), ...
+                'probability', state.found.probability, ...
+                'history', {num2cell(state.history(:)')}, ...
+                'date', strftime ('%Y-%m-%d %H:%M', localtime (time ())));
+  folder = fullfile (Case.folder, 'results');
+  [~, ~] = mkdir (folder);
+  writeAtomic (fullfile (folder, 'progress.json'), [jsonencode(out), "\n"]);
+end
+
 %!test
 %! raw = standInCase (tempname ());
 %! Case = newCase (raw);

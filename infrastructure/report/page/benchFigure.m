@@ -1,10 +1,11 @@
 % BENCHFIGURE  Figure of one bench: each target against what it can reach.
 %
-% CALL: F = benchFigure (PAGE, MODEL)
+% CALL: [F, KEY] = benchFigure (PAGE, MODEL)
 %
 %   PAGE   see pageData
 %   MODEL  name of the bench (text)
 %   F      see newFigure; [] where nothing of the bench was measured
+%   KEY    what its symbols mean (HTML)
 %
 % One row a target (of a curve its worst point): measured at 0, in units of what
 % is allowed, else of its noise. The band of what the box can reach shows why a
@@ -12,7 +13,8 @@
 %
 % See also: pageVerdict, sectionTargets, listMisses
 
-function f = benchFigure (page, model)
+function [f, key] = benchFigure (page, model)
+  key = keyOf (page);
   rows_ = page.verdict.misses;
   rows_ = rows_(strcmp ({rows_.model}, model) & ...
                 ~strcmp ({rows_.role}, 'unmeasured'));
@@ -81,7 +83,7 @@ function r = oneRow (page, m)
   if isempty (t)
     return
   end
-  r.reach = (reachOf (page, t) - measured) / unit;
+  r.reach = (page.reach(t, :) - measured) / unit;
   if isfield (page.Case.targets, 'each')
     r.trials = (page.Case.targets(t).each - measured) / unit;
   end
@@ -102,6 +104,21 @@ function [before, after, sd] = withEffect (page, m)
   end
 end
 
+function html = keyOf (page)
+  entries = {'line', 'ink', 'measured'; 'box', 'palegreen', 'allowed'; ...
+             'box', 'palegrey', 'what the box of the parameters reaches'; ...
+             'diamond', 'blue', 'simulated with the set'};
+  if ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}))
+    effect = jsonAt (page.sources.gap, {'howFar', 'effect'});
+    entries(end + 1, :) = {'triangle', 'amber', ...
+                           ['fitted with ', htmlText(effect)]};
+  end
+  if isfield (page.Case.targets, 'each')
+    entries(end + 1, :) = {'dots', 'ink', 'your trials'};
+  end
+  html = htmlKey (entries);
+end
+
 %!test
 %! % in units of what is allowed: calibrated, with the effect, own trials
 %! page.verdict.misses = struct ('model', 'B', 'name', 'h', 'unit', 'm', ...
@@ -110,7 +127,8 @@ end
 %! page.Case.targets = struct ('name', 'h', 'modelName', 'B', ...
 %!                             'each', [1.9, 2.1]);
 %! page.units = {'m'};
-%! page.surrogates = [];
+%! page.reach = [NaN, NaN];
+%! page.sources.gap.howFar.effect = 'tilt';
 %! page.sources.gap.howFar.targets = struct ('model', 'B', 'name', 'h', ...
 %!   'before', 2.3, 'after', 2.05, 'sd', 0.1, 'measured', 2);
 %! f = benchFigure (page, 'B');

@@ -164,3 +164,81 @@ function lines = layerLines (f, c)
   end
   lines{end + 1} = ['plot ', strjoin(parts, ', ')];
 end
+
+% Multiples of 1, 2 or 5 times a power of ten inside RANGE, about N.
+function at = niceTicks (range, n)
+  raw = diff (range) / max (n, 1);
+  power = 10^floor (log10 (raw));
+  steps = [1, 2, 5, 10];
+  step = power * steps(find (steps * power >= 0.7 * raw, 1));
+  at = step * (ceil (range(1) / step - 1e-9):floor (range(2) / step + 1e-9));
+  at(abs (at) < step * 1e-6) = 0;
+end
+
+% How gnuplot draws each kind of layer; COLOUR stands for the colour.
+function s = houseStyles ()
+  s = struct ('area', 'filledcurves fc rgb ''COLOUR''', ...
+              'box', 'boxxyerror fc rgb ''COLOUR''', ...
+              'line', 'lines lw 2 lc rgb ''COLOUR''', ...
+              'dash', 'lines lw 1.5 dt (6,4) lc rgb ''COLOUR''', ...
+              'dots', 'points pt 7 ps 0.3 lc rgb ''COLOUR''', ...
+              'disc', 'points pt 7 ps 0.6 lc rgb ''COLOUR''', ...
+              'ring', 'points pt 6 ps 0.55 lc rgb ''COLOUR''', ...
+              'diamond', 'points pt 13 ps 1.1 lc rgb ''COLOUR''', ...
+              'cross', 'points pt 2 ps 0.8 lw 1.5 lc rgb ''COLOUR''', ...
+              'square', 'points pt 5 ps 0.6 lc rgb ''COLOUR''', ...
+              'triangle', 'points pt 9 ps 0.8 lc rgb ''COLOUR''');
+  s.xbar = 'xerrorbars pt 7 ps 0.6 lw 1.5 lc rgb ''COLOUR''';
+  s.ybar = 'yerrorbars pt 7 ps 0.6 lw 1.5 lc rgb ''COLOUR''';
+end
+
+% One svg element without head, definitions, empty groups, names.
+function svg = cleanSvg (text, f)
+  body = regexp (text, '</defs>(.*)</svg>', 'tokens', 'once'){1};
+  body = regexprep (body, '<title>[^<]*</title>', '');
+  body = regexprep (body, ' id="[^"]*"', '');
+  body = regexprep (body, '\s*\n\s*', "\n");
+  was = '';
+  while ~strcmp (was, body)
+    was = body;
+    body = regexprep (body, '<g [^>]*>\s*</g>', '');
+  end
+  body = strrep (body, 'xlink:href', 'href');
+  body = regexprep (body, ' stroke-line(cap|join)="\w+"', '');
+  body = regexprep (body, ' class="gridline"', '');
+  body = withVariables (body);
+  % the last group closes the canvas, which was opened before the definitions
+  body = regexprep (body, '</g>\s*$', '', 'once');
+  svg = sprintf (['<svg viewBox="0 0 %d %d" width="%d" height="%d" ', ...
+                  'role="img" aria-label="%s"><title>%s</title>%s</svg>'], ...
+                 f.size, f.size, htmlText (f.alt), htmlText (f.title), ...
+                 strtrim (body));
+end
+
+function body = withVariables (body)
+  colours = houseColours ();
+  for name = fieldnames (colours)'
+    rgb = sscanf (colours.(name{1}), '#%2x%2x%2x');
+    form = sprintf ('rgb\\( *%d, *%d, *%d\\)', rgb);
+    body = regexprep (body, form, sprintf ('var(--%s)', name{1}));
+  end
+  body = regexprep (body, '(fill|color|stroke)="black"', ...
+                    '$1="var(--ink)"');
+  body = strrep (body, 'color=''white''', 'color="var(--paper)"');
+end
+
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'gnuplot'))
+%! f = newFigure ('T<1>', 'mu ''x''', 'y `a`', 'a "line"');
+%! f = addLayer (f, 'area', [0, 1, 2; 1, 2, 3], 'paleblue');
+%! f = addLayer (f, 'line', [0, 1; 1, 2], 'blue');
+%! f = addLayer (f, 'disc', [0, 1; 1, 2], 'red');
+%! svg = drawFigures ([f, f]){2};
+%! assert (! isempty (strfind (svg, 'aria-label="a &quot;line&quot;"')));
+%! assert (! isempty (strfind (svg, 'var(--paleblue)')));
+%! assert (! isempty (strfind (svg, 'mu ''x''')));
+%! assert (isempty (strfind (svg, 'rgb(')));
+%! opened = numel (regexp (svg, '<g[ >]'));
+%! assert (numel (strfind (svg, '</g>')), opened);
+%! % nothing in it: axes all the same
+%! svg = drawFigures (newFigure ('T', 'x', 'y', 'a')){1};
+%! assert (! isempty (strfind (svg, '<text>')));

@@ -5,14 +5,15 @@
 %   TARGET  element of Case.targets
 %   HALF    in its unit
 %
-% See also: isAbsolute, sectionTargets
+% See also: sectionTargets
 
 function half = halfWidth (target)
   half = target.tol;
-  if ~isAbsolute (target)
+  if ~target.isAbsolute
     half = abs (target.value) * target.tol;
   end
 end
 
-%!assert (halfWidth (struct ('value', -4, 'tol', 0.1)), 0.4, 1e-12)
+%!assert (halfWidth (struct ('value', -4, 'tol', 0.1, ...
+%!                         'isAbsolute', false)), 0.4, 1e-12)
 %!assert (halfWidth (struct ('value', 0, 'tol', 3, 'isAbsolute', true)), 3)

@@ -14,6 +14,9 @@
 %         plan        n x d, parameter sets of the plan
 %         runs        see pageRuns
 %         units       see targetUnits
+%         found       1 x d, the best set so far; 0 x d: none yet
+%         reach       T x 2, least and largest mean response of each surrogate
+%                     over the runs and 500 points of the box; NaN: no surrogate
 %         verdict     see decideCase
 %         isRunning   a calibration is under way, or was broken off
 %
@@ -47,6 +50,8 @@ function page = pageData (Case)
                                     'ExperimentalPlan_DoE.csv'), 0, Case);
   page.runs = pageRuns (Case);
   page.units = targetUnits (Case);
+  page.found = foundSet (s, Case.names);
+  page.reach = reachOf (page.surrogates, Case);
   page.verdict = decideCase (s.calibration, s.gap, ~isempty (page.runs) || ...
                              ~isempty (page.plan));
 end
@@ -114,8 +119,34 @@ function surrogates = fromFolder (folder, Case)
       file = fullfile (folder, sprintf ('KM_fun_%d.txt', t));
       surrogates = [surrogates, loadSurrogate(file)];
     end
+    if any (cellfun (@columns, {surrogates.X}) ~= numel (Case.names))
+      surrogates = [];                  % of another box
+    end
   catch
     surrogates = [];
+  end
+end
+
+function p = foundSet (sources, names)
+  p = zeros (0, numel (names));
+  for source = {'calibration', 'progress'}
+    params = jsonAt (sources, {source{1}, 'params'});
+    if isstruct (params) && all (isfield (params, names)) && isempty (p)
+      p = cellfun (@(n) params.(n), names);
+    end
+  end
+end
+
+function reach = reachOf (surrogates, Case)
+  reach = NaN (numel (Case.targets), 2);
+  limits = Case.limits;
+  u = integrationPoints (500, columns (limits), 1).uniform;
+  for t = 1:numel (surrogates)
+    s = surrogates(t);
+    isInside = all (s.X >= limits(1, :) & s.X <= limits(2, :), 2);
+    P = [limits(1, :) + u .* diff(limits); s.X(isInside, :)];
+    m = predictSurrogate (s, P);
+    reach(t, :) = [min(m), max(m)];
   end
 end
 

@@ -7,14 +7,20 @@
 %   SOURCE  field of PAGE.sources (text): 'calibration', 'gap', ...
 %   STEP    field names and indices that lead to the number
 %   HTML    a data element that holds the full value and where it is from:
-%           all numbers of the report are shown through this function
+%           all numbers of the report are shown through this function; of an
+%           array of two numbers, both, as an interval
 %
 % See also: numberText, jsonAt
 
 function html = pageNumber (page, kind, source, varargin)
   x = jsonAt (page.sources, [{source}, varargin]);
-  if isempty (x) || ~isnumeric (x) || ~isfinite (x(1))
+  if isempty (x) || ~isnumeric (x) || ~isfinite (x(1)) || ...
+     (numel (x) == 2 && ~isfinite (x(2)))
     html = '<span class="none">&ndash;</span>';
+    return
+  elseif numel (x) == 2
+    html = [pageNumber(page, kind, source, varargin{:}, 1), ' to ', ...
+            pageNumber(page, kind, source, varargin{:}, 2)];
     return
   end
   steps = cellfun (@textOf, varargin, 'UniformOutput', false);
@@ -38,3 +44,9 @@ end
 %!                'data-from="calibration/a/b/2">25&thinsp;%</data>']);
 %! assert (pageNumber (page, 'plain', 'gap', 'x'), ...
 %!         '<span class="none">&ndash;</span>');
+%! page.sources.calibration.a.b = [1, 2];
+%! html = pageNumber (page, 'plain', 'calibration', 'a', 'b');
+%! assert (regexprep (html, '<[^>]*>', ''), '1 to 2');
+%! page.sources.calibration.a.b = [1, NaN];
+%! html = pageNumber (page, 'plain', 'calibration', 'a', 'b');
+%! assert (regexprep (html, '<[^>]*>', ''), '&ndash;');

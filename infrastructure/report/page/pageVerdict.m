@@ -34,12 +34,12 @@ function html = picture (page)
   html = '';
   f = [];
   if ~isempty (page.verdict.worst)
-    f = benchFigure (page, page.verdict.worst);
+    [f, key] = benchFigure (page, page.verdict.worst);
   end
   if ~isempty (f)
     f.title = ['Where it deviates most: ', f.title];
     f.size(1) = 480;
-    html = [htmlFigures(f, '', 'one'), benchKey(page)];
+    html = [htmlFigures(f, '', 'one'), key];
   end
 end
 

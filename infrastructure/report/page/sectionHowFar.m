@@ -1,10 +1,6 @@
 % SECTIONHOWFAR  Part of the report: how far the gap shrinks with the effect.
 %
-% CALL: [TITLE, HTML] = sectionHowFar (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, measureCorrection
+% CALL: [TITLE, HTML] = sectionHowFar (PAGE), see writePage and pageData
 
 function [title, html] = sectionHowFar (page)
   title = 'How far the gap shrinks';
@@ -137,7 +133,7 @@ function cells = closureRow (page, name, varargin)
            at('percent', varargin{:}, 'after'), ...
            at('percent', varargin{:}, 'floor'), ...
            at('percent', varargin{:}, 'closure'), ...
-           pageInterval(page, 'percent', 'gap', varargin{:}, 'interval90')};
+           pageNumber(page, 'percent', 'gap', varargin{:}, 'interval90')};
 end
 
 function html = paramTable (page, cure)

@@ -1,10 +1,6 @@
 % SECTIONLEAVEONEOUT  Part of the report: how far the surrogates can be trusted.
 %
-% CALL: [TITLE, HTML] = sectionLeaveOneOut (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, fitSurrogate
+% CALL: [TITLE, HTML] = sectionLeaveOneOut (PAGE), see writePage and pageData
 
 function [title, html] = sectionLeaveOneOut (page)
   title = 'Leave-one-out';

@@ -1,10 +1,6 @@
 % SECTIONNEXTTEST  Part of the report: which further test would tell most.
 %
-% CALL: [TITLE, HTML] = sectionNextTest (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, nextTest
+% CALL: [TITLE, HTML] = sectionNextTest (PAGE), see writePage and pageData
 
 function [title, html] = sectionNextTest (page)
   title = 'Next test';

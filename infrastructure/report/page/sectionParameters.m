@@ -1,10 +1,6 @@
 % SECTIONPARAMETERS  Part of the report: parameters and how well they are known.
 %
-% CALL: [TITLE, HTML] = sectionParameters (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, parameterState
+% CALL: [TITLE, HTML] = sectionParameters (PAGE), see writePage and pageData
 
 function [title, html] = sectionParameters (page)
   title = 'Parameters';

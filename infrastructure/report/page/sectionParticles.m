@@ -1,14 +1,10 @@
 % SECTIONPARTICLES  Part of the report: the grains at the set that was found.
 %
-% CALL: [TITLE, HTML] = sectionParticles (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
+% CALL: [TITLE, HTML] = sectionParticles (PAGE), see writePage and pageData
 %
 % Drawn are the dumps (readDump) that a run at the found set has left, from the
 % side, with the free surface and the measured inclinations of results.csv, each
 % beside photo.jpg of the model folder, if there is one.
-%
-% See also: pageSections, grainPicture, measuredLines
 
 function [title, html] = sectionParticles (page)
   title = 'Grains at the set';
@@ -53,7 +49,7 @@ function html = photoOf (model)
 end
 
 function [params, what] = setToShow (page)
-  params = foundSet (page);
+  params = page.found;
   what = 'the set that was found';
   names = page.Case.names;
   fitted = jsonAt (page.sources.gap, {'howFar', 'params'});
@@ -103,6 +99,63 @@ function html = onePicture (file, Case, k, left)
   end
 end
 
+% Grains from the side as an SVG element; LINES, cell of m x 2 (x, z), dashed on
+% top. Of more than 3000 grains the nearest to the viewer are drawn.
+function svg = grainPicture (grains, lines, title)
+  [~, order] = sort (grains(:, 2), 'descend');
+  grains = grains(order(max (1, end - 2999):end), :);
+  low = min (grains(:, [1, 3]) - grains(:, 4), [], 1);
+  high = max (grains(:, [1, 3]) + grains(:, 4), [], 1);
+  for k = 1:numel (lines)
+    low = min ([low; lines{k}], [], 1);
+    high = max ([high; lines{k}], [], 1);
+  end
+  width = 340;
+  scale = min ((width - 8) ./ (high(1) - low(1)), 260 / (high(2) - low(2)));
+  height = ceil ((high(2) - low(2)) * scale) + 8;
+  left = (width - (high(1) - low(1)) * scale) / 2;
+  px = @(x) left + (x - low(1)) * scale;
+  pz = @(z) height - 4 - (z - low(2)) * scale;
+  M = [px(grains(:, 1)), pz(grains(:, 3)), grains(:, 4) * scale];
+  circles = sprintf ('<circle cx="%.1f" cy="%.1f" r="%.1f"/>', M');
+  x = linspace (low(1), high(1), 120);
+  z = silhouette (grains, x);
+  surface = pathOf (px (x), pz (z));
+  dashed = '';
+  for k = 1:numel (lines)
+    dashed = [dashed, '<polyline fill="none" stroke="var(--ink)" ', ...
+              'stroke-width="2" stroke-dasharray="7 5" points="', ...
+              points(px (lines{k}(:, 1)'), pz (lines{k}(:, 2)')), '"/>'];
+  end
+  alt = sprintf ('%s: %d grains from the side, %.3g m wide, %.3g m high', ...
+                 title, rows (grains), high - low);
+  svg = sprintf (['<svg viewBox="0 0 %d %d" width="%d" height="%d" ', ...
+                  'role="img" aria-label="%s"><title>%s</title>', ...
+                  '<g fill="var(--midblue)" stroke="var(--blue)" ', ...
+                  'stroke-width=".5">%s</g><path fill="none" ', ...
+                  'stroke="var(--red)" stroke-width="2" d="%s"/>%s', ...
+                  '</svg>'], width, height, width, height, htmlText (alt), ...
+                 htmlText (title), circles, surface, dashed);
+end
+
+% A line that is broken where there is nothing.
+function text = pathOf (x, y)
+  text = '';
+  pen = 'M';
+  for k = 1:numel (x)
+    if isfinite (y(k))
+      text = [text, sprintf('%s%.1f %.1f', pen, x(k), y(k))];
+      pen = 'L';
+    else
+      pen = 'M';
+    end
+  end
+end
+
+function text = points (x, y)
+  text = strtrim (sprintf ('%.1f,%.1f ', [x(:), y(:)]'));
+end
+
 %!test
 %! % the sample of the heap in the place of a run
 %! root = fileparts (which ('DEcalioc'));
@@ -117,8 +170,8 @@ end
 %! page.Case = Case;
 %! page.runs = struct ('model', 'Heap', 'status', 'ok', 'params', 0.5, ...
 %!                     'name', '0001', 'stage', 'plan', 'effects', []);
-%! page.sources = struct ('calibration', struct ('params', struct ('a', ...
-%!                        0.5)), 'progress', [], 'gap', []);
+%! page.found = 0.5;
+%! page.sources.gap = [];
 %! [~, html] = sectionParticles (page);
 %! assert (numel (strfind (html, '<circle')) > 100);
 %! assert (numel (strfind (html, 'stroke-dasharray')), 2);

@@ -1,13 +1,9 @@
 % SECTIONPLAN  Part of the report: which parameter sets were run.
 %
-% CALL: [TITLE, HTML] = sectionPlan (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
+% CALL: [TITLE, HTML] = sectionPlan (PAGE), see writePage and pageData
 %
 % Every pair of parameters: the plan, the sets run later, the sets that fit, the
 % set that was found.
-%
-% See also: pageSections
 
 function [title, html] = sectionPlan (page)
   title = 'Plan and sets that fit';
@@ -21,7 +17,7 @@ function [title, html] = sectionPlan (page)
     return
   end
   sample = page.posterior(1:min (end, 200), :);
-  found = foundSet (page);
+  found = page.found;
   figures = [];
   d = numel (page.Case.names);
   for i = 2:d

@@ -1,10 +1,6 @@
 % SECTIONRUNS  Part of the report: when what was run, and what failed, and why.
 %
-% CALL: [TITLE, HTML] = sectionRuns (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, pageRuns
+% CALL: [TITLE, HTML] = sectionRuns (PAGE), see writePage and pageData
 
 function [title, html] = sectionRuns (page)
   title = 'Runs and failures';

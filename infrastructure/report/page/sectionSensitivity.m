@@ -1,10 +1,6 @@
 % SECTIONSENSITIVITY  Part of the report: which parameter moves which target.
 %
-% CALL: [TITLE, HTML] = sectionSensitivity (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, sobolIndices
+% CALL: [TITLE, HTML] = sectionSensitivity (PAGE), see writePage and pageData
 
 function [title, html] = sectionSensitivity (page)
   title = 'Sensitivity';

@@ -1,10 +1,6 @@
 % SECTIONSETTINGS  Part of the report: settings, versions, how to repeat it.
 %
-% CALL: [TITLE, HTML] = sectionSettings (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections
+% CALL: [TITLE, HTML] = sectionSettings (PAGE), see writePage and pageData
 
 function [title, html] = sectionSettings (page)
   title = 'Settings and how to repeat it';

@@ -1,12 +1,8 @@
 % SECTIONSLICES  Part of the report: each response along each parameter.
 %
-% CALL: [TITLE, HTML] = sectionSlices (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
+% CALL: [TITLE, HTML] = sectionSlices (PAGE), see writePage and pageData
 %
 % Cuts through the found set (before there is one: through the box centre).
-%
-% See also: pageSections
 
 function [title, html] = sectionSlices (page)
   title = 'Responses through the set';
@@ -14,7 +10,7 @@ function [title, html] = sectionSlices (page)
   if isempty (page.surrogates)
     return
   end
-  centre = foundSet (page);
+  centre = page.found;
   what = 'the set that was found';
   if isempty (centre)
     centre = mean (page.Case.limits, 1);

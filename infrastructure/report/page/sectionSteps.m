@@ -1,10 +1,6 @@
 % SECTIONSTEPS  Part of the report: how the residuals came down.
 %
-% CALL: [TITLE, HTML] = sectionSteps (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, bookStep
+% CALL: [TITLE, HTML] = sectionSteps (PAGE), see writePage and pageData
 
 function [title, html] = sectionSteps (page)
   title = 'Steps after the plan';

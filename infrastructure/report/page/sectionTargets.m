@@ -1,10 +1,6 @@
 % SECTIONTARGETS  Part of the report: the targets and how they are met.
 %
-% CALL: [TITLE, HTML] = sectionTargets (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, benchFigure, listMisses
+% CALL: [TITLE, HTML] = sectionTargets (PAGE), see writePage and pageData
 
 function [title, html] = sectionTargets (page)
   title = 'Targets';
@@ -12,15 +8,12 @@ function [title, html] = sectionTargets (page)
     html = askedFor (page);
     return
   end
-  figures = [];
+  [figures, key] = deal ([], '');
   for name = {page.Case.models.name}
     if ~strcmp (name{1}, page.verdict.worst)      % that one stands on top
-      figures = [figures, benchFigure(page, name{1})];
+      [f, key] = benchFigure (page, name{1});
+      figures = [figures, f];
     end
-  end
-  key = '';
-  if ~isempty (figures)
-    key = benchKey (page);
   end
   html = [htmlFigures(figures, key), curveParts(page), ...
           resultTable(page), predictions(page)];
@@ -54,7 +47,7 @@ function html = askedFor (page)
     cells(t, :) = {nameOf(page, t), htmlText(T.modelName), ...
                    numberText(T.value), numberText(T.sd), ...
                    numberText(T.tol, 'percent')};
-    if isAbsolute (T)
+    if T.isAbsolute
       cells{t, 5} = numberText (T.tol, 'plain');
     end
   end
@@ -86,7 +79,7 @@ function html = resultTable (page)
     end
     at = @(field) pageNumber (page, 'plain', 'calibration', 'targets', t, ...
                               field);
-    reach = arrayfun (@(x) numberText (x), reachOf (page, t), ...
+    reach = arrayfun (@(x) numberText (x), page.reach(t, :), ...
                       'UniformOutput', false);
     simulated = at ('estimate');
     if isempty (jsonAt (page.sources.calibration, {'targets', t, 'estimate'}))
@@ -156,8 +149,8 @@ function html = predictions (page)
       cells(end + 1, :) = {htmlText(jsonAt (held, {k, 'name'})), ...
                            pageNumber(page, 'plain', 'calibration', ...
                                       'holdout', k, 'result'), ...
-                           pageInterval(page, 'plain', 'calibration', ...
-                                        'holdout', k, 'interval90')};
+                           pageNumber(page, 'plain', 'calibration', ...
+                                      'holdout', k, 'interval90')};
     end
   end
   html = '';
@@ -166,4 +159,33 @@ function html = predictions (page)
                       {'target', 'predicted', ...
                        '90&thinsp;% interval of a measurement'}, cells);
   end
+end
+
+% A measured curve and what the found set gives; OWN  numbers of its points.
+function f = targetCurve (page, own)
+  T = page.Case.targets(own);
+  [at, order] = sort ([T.at]);
+  own = own(order);
+  T = T(order);
+  read = @(field) arrayfun (@(t) jsonAt (page.sources.calibration, ...
+                                         {'targets', t, field}), own)';
+  result = read ('result');
+  half = arrayfun (@halfWidth, T)';
+  value = [T.value]';
+  alt = sprintf ('%s: measured and found at %d points, from %.4g and %.4g', ...
+                 T(1).series, numel (own), value(1), result(1));
+  alt = sprintf ('%s to %.4g and %.4g', alt, value(end), result(end));
+  f = newFigure (sprintf ('%s: %s', T(1).modelName, T(1).series), ...
+                 'where it was measured', page.units{own(1)}, alt);
+  at = at(:);
+  f = addLayer (f, 'area', [at, value - half, value + half], 'palegreen');
+  if isfield (jsonAt (page.sources.calibration, {'targets', own(1)}), ...
+              'interval90')
+    inner = arrayfun (@(t) jsonAt (page.sources.calibration, ...
+                                   {'targets', t, 'interval90'})(:)', own, ...
+                      'UniformOutput', false);
+    f = addLayer (f, 'area', [at, vertcat(inner{:})], 'midblue');
+  end
+  f = addLayer (f, 'line', [at, result], 'blue');
+  f = addLayer (f, 'dots', [at, value], 'ink');
 end

@@ -1,10 +1,6 @@
 % SECTIONWHICH  Part of the report: which effect explains the gap.
 %
-% CALL: [TITLE, HTML] = sectionWhich (PAGE)
-%
-%   PAGE  see pageData; TITLE, HTML  see pageSections
-%
-% See also: pageSections, decideGap
+% CALL: [TITLE, HTML] = sectionWhich (PAGE), see writePage and pageData
 
 function [title, html] = sectionWhich (page)
   title = 'What the model lacks';
@@ -139,7 +135,7 @@ function html = strengthText (page, name)
   end
   at = {'gap', 'which', 'strength', name};
   html = [pageNumber(page, 'plain', at{:}, 'value'), ' of its range (', ...
-          pageInterval(page, 'plain', at{:}, 'interval90'), ')'];
+          pageNumber(page, 'plain', at{:}, 'interval90'), ')'];
   if isfield (own, 'text') && ~isempty (own.text)
     html = sprintf ('<span title="%.2g of its range">%s</span>', own.value, ...
                     htmlText (own.text));

@@ -9,7 +9,7 @@
 % page needs no network and no other file. results/runTable.csv is written too.
 % A part that cannot be drawn says so and leaves the others alone.
 %
-% See also: reportPage, pageSections, pageData
+% See also: reportPage, pageData
 
 function file = writePage (Case)
   page = pageData (Case);
@@ -99,6 +99,50 @@ function html = footerOf (page)
           '. Page made on ', htmlText(strftime ('%Y-%m-%d %H:%M', ...
                                                 localtime (time ()))), ...
           " from the files of the case folder.</p></footer>\n"];
+end
+
+% The parts in their order: [TITLE, HTML] = section (PAGE); HTML is '' where a
+% case has nothing to show there.
+function sections = pageSections ()
+  sections = {@sectionTargets, @sectionWhich, @sectionParameters, ...
+              @sectionParticles, @sectionWhere, @sectionHowFar, ...
+              @sectionNextTest, @sectionPlan, @sectionSlices, ...
+              @sectionLeaveOneOut, @sectionSteps, @sectionSensitivity, ...
+              @sectionRuns, @sectionSettings};
+end
+
+% When the result is from.
+function text = pageDate (page)
+  text = 'no result yet';
+  for source = {'progress', 'calibration'}
+    date = jsonAt (page.sources, {source{1}, 'date'});
+    if ischar (date)
+      text = date;
+    end
+  end
+  file = fullfile (page.Case.folder, 'gap', 'gap.json');
+  if ~isempty (page.sources.gap) && isfile (file)
+    made = strftime ('%Y-%m-%d %H:%M', localtime (stat (file).mtime));
+    text = [strrep(['calibrated ', text, ', '], ...
+                   'calibrated no result yet, ', ''), 'diagnosed ', made];
+  end
+end
+
+% The symbols of all figures, by the names of gnuplot, once a page.
+function svg = houseSymbols ()
+  line = 'stroke="currentColor"';
+  fill = 'fill="currentColor"';
+  svg = ['<svg width="0" height="0" class="symbols" aria-hidden="true">', ...
+         '<defs>', ...
+         '<path id="gpPt1" stroke-width=".4" ', line, ...
+         ' d="M-1-1 1 1M1-1-1 1"/>', ...
+         '<rect id="gpPt4" ', fill, ' x="-1" y="-1" width="2" height="2"/>', ...
+         '<circle id="gpPt5" fill="none" stroke-width=".35" ', line, ...
+         ' r="1"/>', ...
+         '<circle id="gpPt6" ', fill, ' r="1"/>', ...
+         '<path id="gpPt8" ', fill, ' d="M0-1.33-1.33.67 1.33.67z"/>', ...
+         '<path id="gpPt12" ', fill, ' d="M0-1.5 1.5 0 0 1.5-1.5 0z"/>', ...
+         "</defs></svg>\n"];
 end
 
 %!test
