@@ -106,7 +106,7 @@ function c = oneCase (lab, twin, level)
   options = gapOptions ([]);
   models = makeHypotheses (gapProblem, lab.em, options);
   fits = fitLibrary (models, twin.y(gapProblem.used));
-  view = struct ('gapProblem', gapProblem, 'em', lab.em, 'models', models, ...
+  study = struct ('gapProblem', gapProblem, 'em', lab.em, 'models', models, ...
                  'fits', fits);
   low = given.limits(1, :);
   runs = @(X, E, r) lab.run ((X - low) ./ diff (given.limits), ...
@@ -116,8 +116,8 @@ function c = oneCase (lab, twin, level)
   others = setdiff (1:numel (gapProblem.effects), twin.cause);
   [~, order] = sort (-fits.logE(1 + others));
   causes = [{twin.cause}, num2cell(others(order(1:2)))];
-  sets = runCorrections (view, causes, state);
-  cure = measureCorrection (view, sets, twin.cause, twin.cause);
+  sets = runCorrections (study, causes, state);
+  cure = measureCorrection (study, sets, twin.cause, twin.cause);
   c = struct ('lab', lab.name, 'level', level, 'd', twin.d, ...
               'closure', cure.closure, 'interval', cure.interval90, ...
               'gapP', cure.gapP, 'largestZ', cure.largestZ, ...

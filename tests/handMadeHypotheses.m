@@ -23,12 +23,10 @@ function models = handMadeHypotheses ()
                    'siblings', {{{}, {}}});
   models.options = gapOptions (struct ('points', 1000));
   models.prior = struct ('mean', 0, 'sd', Inf);
-  models.starts = [0; 0.7; -0.7];
-  models.kinds = struct ('name', 'anything', 'weight', 1, 'white', white, ...
-                         'h', newHypothesis ('discrepancy', zeros (1, 0), ...
-                                             [1.5, 0.8]));
-  models.kinds.white.shape = ones (1, 4);
-  models.weights = priorWeights (2);
+  kind = struct ('weight', 1, 'white', white, ...
+                 'h', newHypothesis ('discrepancy', zeros (1, 0), [1.5, 0.8]));
+  kind.white.shape = ones (1, 4);
+  models = hypothesisTable (models, kind, [0; 0.7; -0.7]);
   models.reference = [];
 end
 

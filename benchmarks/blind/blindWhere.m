@@ -41,7 +41,8 @@ function [where, used] = whereOf (own, lab)
   used = gapProblem.used(isfinite (gapProblem.value(gapProblem.used)));
   gapProblem.used = used;
   options = setfield (lab.models.options, 'bootstrap', 199);
-  models = makeHypotheses (gapProblem, withoutEffects (lab.em), options);
-  fits = fitLibrary (models, gapProblem.value(used));
-  where = locateGap (gapProblem, lab.em, models, fits, options);
+  study = struct ('gapProblem', gapProblem, 'em', lab.em);
+  study.models = makeHypotheses (gapProblem, withoutEffects (lab.em), options);
+  study.fits = fitLibrary (study.models, gapProblem.value(used));
+  where = locateGap (study);
 end

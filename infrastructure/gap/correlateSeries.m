@@ -18,10 +18,8 @@ function [gapProblem, lengths] = correlateSeries (gapProblem, em, options)
   if isempty (at)
     return
   end
-  models = makeHypotheses (gapProblem, withoutEffects (em), options);
-  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
   residual = NaN (size (gapProblem.value));
-  M = predictGap (em, [], fits.calibrated.Q);
+  M = predictGap (em, [], calibrateNull (gapProblem, em, options));
   used = gapProblem.used;
   residual(used) = gapProblem.value(used) - M(used);
   for s = unique (gapProblem.series(at))

@@ -43,24 +43,21 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   gapProblem = correlateSeries (gapProblem, em, options);
   [state, em] = exploreEffects (gapProblem, options, state, em);
   kept = tested (em);
-  library = em;
-  library.effect = em.effect(kept);
-  view = viewOf (gapProblem, library, options);
-  diagnosis.where = locateGap (gapProblem, em, view.models, view.fits, options);
-  w = caseEvidence (view.models, view.fits, 1);
-  verdict = judgeCase (w, view.models);
-  verdict = blameSurrogates (verdict, view, diagnosis.where.side);
+  study = studyOf (gapProblem, withoutEffects (em, find (~kept)), options);
+  diagnosis.where = locateGap (study);
+  w = caseEvidence (study.models, study.fits, 1);
+  verdict = judgeCase (w, study.models);
+  verdict = blameSurrogates (verdict, study, diagnosis.where.side);
   diagnosis.screen = w.screen;
-  diagnosis.screen.names = view.models.names;
+  diagnosis.screen.names = study.models.names;
   diagnosis.screen.untested = {em.effect(~kept).name};
-  diagnosis.fingerprint = fingerprints (view);
-  view.w = w;
-  [verdict, w, diagnosis.howFar, state] = proveCause (verdict, view, state);
-  verdict = doubtName (verdict, diagnosis, view.models);
-  diagnosis.which = describeVerdict (w, verdict, view.models, gapProblem);
-  diagnosis.which.expected = ...
-    calibrateVerdict (view.models, library, gapProblem);
-  diagnosis.next = nextTest (gapProblem, library, w, verdict.P);
+  diagnosis.fingerprint = fingerprints (study);
+  study.w = w;
+  [verdict, w, diagnosis.howFar, state] = proveCause (verdict, study, state);
+  verdict = doubtName (verdict, diagnosis, study.models);
+  diagnosis.which = describeVerdict (w, verdict, study.models, gapProblem);
+  diagnosis.which.expected = calibrateVerdict (study);
+  diagnosis.next = nextTest (gapProblem, study.em, w, verdict.P);
   diagnosis = inGivenUnits (diagnosis, gapProblem);
   diagnosis.runs = struct ('spent', state.spent, 'failed', state.failed, ...
                            'left', state.left);
@@ -115,26 +112,27 @@ function kept = tested (em)
   kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
 end
 
-function view = viewOf (gapProblem, em, options)
+function study = studyOf (gapProblem, em, options)
   models = makeHypotheses (gapProblem, em, options);
   fits = fitLibrary (models, gapProblem.value(gapProblem.used));
-  models = omnibusReference (models, omnibusStatistic (models, fits.logE));
-  view = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
+  models = omnibusReference (models, ...
+                             omnibusTest (models, fits.logE).statistic);
+  study = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
                  'fits', fits);
 end
 
 % Surrogates are to blame where they contradict their own runs, or where there
 % is no name and surer ones, all else equal, would give another verdict.
-function verdict = blameSurrogates (verdict, view, side)
+function verdict = blameSurrogates (verdict, study, side)
   said = any (strcmp (verdict.kind, {'named', 'group'}));
   reason = '';
   if side.blameSurrogate
     reason = side.reason;
   elseif side.vague && ~said
-    other = judgeSurer (view);
+    other = judgeSurer (study);
     if ~strcmp (other.kind, verdict.kind)
-      n = rows (view.em.base.X);
-      share = mean (side.share(view.gapProblem.used));
+      n = rows (study.em.base.X);
+      share = mean (side.share(study.gapProblem.used));
       reason = sprintf (['%s. With surer ones it would be: %s. About %d ' ...
                          'more sets near the calibrated one halve their ' ...
                          'part'], ...
@@ -176,14 +174,14 @@ function verdict = doubtName (verdict, diagnosis, models)
 end
 
 % The same data, with a twentieth of the surrogates' variance.
-function verdict = judgeSurer (view)
-  em = view.em;
+function verdict = judgeSurer (study)
+  em = study.em;
   em.surrogateVar = em.surrogateVar / 20;
   em.fitVar = em.fitVar / 20;
   for k = 1:numel (em.effect)
     em.effect(k).varOverPsi2 = em.effect(k).varOverPsi2 / 20;
   end
-  sure = viewOf (view.gapProblem, em, view.models.options);
+  sure = studyOf (study.gapProblem, em, study.models.options);
   verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);
 end
 
@@ -191,10 +189,8 @@ end
 function [state, em] = improveSurrogates (gapProblem, options, state)
   for round_ = 1:3
     em = fitEmulator (gapProblem, state.data, options);
-    models = makeHypotheses (gapProblem, withoutEffects (em), options);
-    fits = fitLibrary (models, gapProblem.value(gapProblem.used));
-    theta = fits.calibrated.Q(1, :);
-    side = sideSignals (gapProblem, em, theta);
+    theta = calibrateNull (gapProblem, em, options);
+    side = sideSignals (gapProblem, em, theta, options);
     n = min (2 * em.p + 2, floor (state.left / 2));
     isGood = ~side.blameSurrogate && ~side.vague;
     if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)

@@ -1,8 +1,8 @@
 % DEVIATIONOF  Tells how far a fitted model is off, and what noise makes of it.
 %
-% CALL: D = deviationOf (VIEW, SET, DRAWS)
+% CALL: D = deviationOf (STUDY, SET, DRAWS)
 %
-%   VIEW   struct gapProblem, em, models
+%   STUDY   struct gapProblem, em, models
 %   SET    struct of runCorrections: h, Q, Z, verified
 %   DRAWS  struct noise, surrogate, prior, run: B x n, B x n, B x p, B x n,
 %          standard normal numbers; n used targets, then the held-out ones
@@ -24,9 +24,9 @@
 %
 % See also: closureOf, measureCorrection
 
-function d = deviationOf (view, set, draws)
-  gapProblem = view.gapProblem;
-  em = view.em;
+function d = deviationOf (study, set, draws)
+  gapProblem = study.gapProblem;
+  em = study.em;
   targets = [gapProblem.used, gapProblem.heldOut];
   used = 1:numel (gapProblem.used);
   budget = noiseBudget (gapProblem, em);
@@ -39,7 +39,7 @@ function d = deviationOf (view, set, draws)
   J = reshape (vertcat (J{:})', numel (targets), numel (set.Q));
   free = isFree (white, set);
   d.J = back * J(:, free);
-  known = [view.models.prior.sd, Inf(1, numel (set.h))].^-2;
+  known = [study.models.prior.sd, Inf(1, numel (set.h))].^-2;
   known = known(free);
   own = d.J(used, :)' / d.Sigma(used, used);
   C = pinv (own * d.J(used, :) + diag (known));
@@ -91,7 +91,7 @@ function R = rootOf (C)
   R = U .* sqrt (max (diag (L)', 0));
 end
 
-%!shared view, draws
+%!shared study, draws
 %! n = 6;
 %! white = handMadeHypotheses ().white;
 %! gapProblem = newGapProblem (struct ('value', [1, 2, 3, 4], ...
@@ -106,29 +106,29 @@ end
 %!              'success', zeros (1, 2));
 %! em.effect = struct ('name', {}, 'laboratory', {});
 %! em.joint = em.effect;
-%! view = struct ('gapProblem', gapProblem, 'em', em);
-%! view.models.prior = struct ('mean', 0, 'sd', Inf);
+%! study = struct ('gapProblem', gapProblem, 'em', em);
+%! study.models.prior = struct ('mean', 0, 'sd', Inf);
 %! randn ('twister', 3);
 %! draws = struct ('noise', randn (4000, 4), 'surrogate', randn (4000, 4), ...
 %!                 'prior', randn (4000, 1), 'run', randn (4000, 4));
 %!test
 %! % one freedom is taken: the trace is 3, the parity direction keeps its noise
 %! set = struct ('h', zeros (1, 0), 'Q', 0.5, 'Z', [], 'verified', false);
-%! d = deviationOf (view, set, draws);
+%! d = deviationOf (study, set, draws);
 %! assert (d.r, [1, 2, 3, 4] - [1.5, 0.5, 0, 1], 1e-9);
 %! assert (trace (d.F / d.Sigma), 3, 1e-9);
 %! assert (cov (d.E), d.F, 0.1);
 %! % at its limit the parameter takes none
 %! set.Q = 1;
-%! assert (trace (deviationOf (view, set, draws).F), 4, 1e-6);
+%! assert (trace (deviationOf (study, set, draws).F), 4, 1e-6);
 %! % runs have a scatter, four of them here with the pooled one
 %! set.Z = repmat ([3, 1, 0, 2], 4, 1);
 %! set.verified = true;
-%! d = deviationOf (view, set, draws);
+%! d = deviationOf (study, set, draws);
 %! assert (diag (d.F)', 1 + 0.5 * 4 / 7 / 4 * ones (1, 4), 1e-6);
 %!test
 %! % a target that was not fitted bears the error of the parameter
-%! held = view;
+%! held = study;
 %! held.gapProblem.used = 1:3;
 %! held.gapProblem.heldOut = 4;
 %! set = struct ('h', zeros (1, 0), 'Q', 0.5, 'Z', [], 'verified', false);

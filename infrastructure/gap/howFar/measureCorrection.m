@@ -1,8 +1,8 @@
 % MEASURECORRECTION  Answers HOW FAR the gap shrinks once an effect is modelled.
 %
-% CALL: CURE = measureCorrection (VIEW, SETS, FIRST, GROUP)
+% CALL: CURE = measureCorrection (STUDY, SETS, FIRST, GROUP)
 %
-%   VIEW     struct gapProblem, em, models
+%   STUDY     struct gapProblem, em, models
 %   SETS     struct array of runCorrections: the null model first, then each
 %            effect
 %   FIRST    effect numbers of the cause, one of SETS
@@ -40,12 +40,12 @@
 %
 % See also: runCorrections, deviationOf, closureOf, diagnoseMatrices
 
-function cure = measureCorrection (view, sets, first, group)
-  gapProblem = view.gapProblem;
-  em = view.em;
-  names = view.models.names;
+function cure = measureCorrection (study, sets, first, group)
+  gapProblem = study.gapProblem;
+  em = study.em;
+  names = study.models.names;
   at = find (cellfun (@(h) isequal (h, first), {sets.h}), 1);
-  devs = deviationsOf (view, sets);
+  devs = deviationsOf (study, sets);
   targets = [gapProblem.used, gapProblem.heldOut];
   used = 1:numel (gapProblem.used);
   held = numel (used) + 1:numel (targets);
@@ -82,8 +82,8 @@ function cure = measureCorrection (view, sets, first, group)
   cure.remaining = devs(at).r(used) ./ sqrt (noise(gapProblem.used));
 end
 
-function devs = deviationsOf (view, sets)
-  n = numel ([view.gapProblem.used, view.gapProblem.heldOut]);
+function devs = deviationsOf (study, sets)
+  n = numel ([study.gapProblem.used, study.gapProblem.heldOut]);
   p = max (arrayfun (@(s) numel (s.Q), sets));
   normal = integrationPoints (1000, 3 * n + p, 7).normal;
   draws = struct ('noise', normal(:, 1:n), ...
@@ -93,7 +93,7 @@ function devs = deviationsOf (view, sets)
   for i = numel (sets):-1:1
     % runs of other sets have other seeds
     draws.run = circshift (draws.run, 2, 1);
-    devs(i) = deviationOf (view, sets(i), draws);
+    devs(i) = deviationOf (study, sets(i), draws);
   end
 end
 
@@ -183,18 +183,18 @@ end
 %! gapProblem = newGapProblem (given);
 %! em = fitEmulator (gapProblem, data, gapOptions ([]));
 %! names = arrayfun (@(k) sprintf ('e%d', k), 1:2, 'UniformOutput', false);
-%! view = struct ('gapProblem', gapProblem, 'em', em, ...
+%! study = struct ('gapProblem', gapProblem, 'em', em, ...
 %!                'models', struct ('names', {names}, 'prior', ...
 %!                                  struct ('sd', Inf (1, em.p))));
 %! set = struct ('h', zeros (1, 0), 'Q', zeros (1, em.p), ...
 %!               'Z', data.Z(1:3, :), 'worstZ', 1, 'verified', true);
 %! cured = setfield (setfield (set, 'h', 1), 'Q', zeros (1, em.p + 1));
 %! cut = setfield (setfield (cured, 'h', 2), 'verified', false);
-%! cure = measureCorrection (view, [set, cured, cut], 1, 1);
+%! cure = measureCorrection (study, [set, cured, cut], 1, 1);
 %! assert (cure.verifiedByDEM);
 %! assert ({cure.placebos.effect}, {'e2'});
 %! assert (! cure.placebos.verifiedByDEM);
-%! cure = measureCorrection (view, [set, cured, cut], 2, 2);
+%! cure = measureCorrection (study, [set, cured, cut], 2, 2);
 %! assert (! cure.verifiedByDEM);
 %!test
 %! % by DEM, without noise in the fit: the cause closes all, a placebo the
@@ -207,14 +207,14 @@ end
 %! gapProblem = newGapProblem (given);
 %! options = gapOptions (struct ('trend', 'affine'));
 %! em = fitEmulator (gapProblem, data, options);
-%! view = struct ('gapProblem', gapProblem, 'em', em);
-%! view.models = makeHypotheses (gapProblem, em, options);
-%! view.fits = fitLibrary (view.models, given.value(gapProblem.used));
+%! study = struct ('gapProblem', gapProblem, 'em', em);
+%! study.models = makeHypotheses (gapProblem, em, options);
+%! study.fits = fitLibrary (study.models, given.value(gapProblem.used));
 %! runs = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
 %! options = gapOptions (struct ('maxNewRuns', 99, 'verifyRuns', 5));
 %! state = newGapState (data, gapProblem, options, runs);
-%! sets = runCorrections (view, {3, 4}, state);
-%! cure = measureCorrection (view, sets, 3, 3);
+%! sets = runCorrections (study, {3, 4}, state);
+%! cure = measureCorrection (study, sets, 3, 3);
 %! assert (cure.closure, 1, 0.03);
 %! assert (cure.heldOut.closure, 1, 0.05);
 %! p = cure.placebos;
@@ -225,6 +225,6 @@ end
 %! assert ([cure.targets.target], 1:12);
 %! % had the placebo been fitted to data of its own, the name would be wrong
 %! sets(3).Z = sets(2).Z;
-%! cure = measureCorrection (view, sets, 3, 3);
+%! cure = measureCorrection (study, sets, 3, 3);
 %! assert (cure.placebos.difference, 0, 0.01);
 %! assert (cure.placebos.against);

@@ -1,13 +1,13 @@
 % PROVECAUSE  Runs the model with its cause, which may change the verdict.
 %
-% CALL: [VERDICT, W, CURE, STATE] = proveCause (VERDICT, VIEW, STATE)
+% CALL: [VERDICT, W, CURE, STATE] = proveCause (VERDICT, STUDY, STATE)
 %
 %   VERDICT     of judgeCase
-%   VIEW        struct gapProblem, em, models, fits, as of runCorrections, and w
+%   STUDY       struct gapProblem, em, models, fits, as of runCorrections, and w
 %               of caseEvidence
 %   STATE       of newGapState
-%   VERDICT, W  where DEM has run the cause: with these runs known, see
-%               correctionEvidence
+%   VERDICT, W  where DEM has run the cause: with these runs known and the
+%               held-out targets in the evidence
 %   CURE        of measureCorrection, for the cause that VERDICT tells then; []
 %               where there is nothing to compare
 %
@@ -16,11 +16,11 @@
 % compared too: a name must not be judged by the cure of another one. DEM runs
 % are spent on a name or a group only.
 %
-% See also: runCorrections, correctionEvidence, measureCorrection
+% See also: runCorrections, judgeCase, measureCorrection
 
-function [verdict, w, cure, state] = proveCause (verdict, view, state)
+function [verdict, w, cure, state] = proveCause (verdict, study, state)
   cure = [];
-  w = view.w;
+  w = study.w;
   causes = comparedCauses (verdict);
   if isempty (causes)
     return
@@ -29,17 +29,36 @@ function [verdict, w, cure, state] = proveCause (verdict, view, state)
     state.evaluate = [];
   end
   group = [causes{1}, verdict.effects];
-  [sets, state] = runCorrections (view, causes, state);
+  [sets, state] = runCorrections (study, causes, state);
   isPlacebo = cellfun (@(h) ~any (ismember (h, group)), causes);
   if all ([sets([true, ~isPlacebo]).verified])
-    [verdict, w] = correctionEvidence (verdict, w, view, state.data);
+    [verdict, w] = withCures (study, state.data);
   end
   cause = causeOf (verdict, causes);
   if ~isAmong (cause, {sets.h})
-    [sets, state] = runCorrections (view, {cause}, state, sets);
+    [sets, state] = runCorrections (study, {cause}, state, sets);
     group = [group, cause];
   end
-  cure = measureCorrection (view, sets, cause, group);
+  cure = measureCorrection (study, sets, cause, group);
+end
+
+% The runs of the cures stand where each effect would have to be, so they are
+% the best runs of it; the held-out targets were never fitted. The evidence of
+% all targets is that of the used ones times the predictive density of the
+% held-out ones. Whether there is a gap was decided before.
+function [verdict, w] = withCures (study, data)
+  gapProblem = study.gapProblem;
+  options = study.models.options;
+  em = fitEmulator (gapProblem, data, options, study.em);
+  isLeft = ismember ({em.effect.name}, study.models.names);
+  targets = sort ([gapProblem.used, gapProblem.heldOut]);
+  models = makeHypotheses (gapProblem, withoutEffects (em, find (~isLeft)), ...
+                           options, targets);
+  models.reference = study.models.reference;
+  fits = fitLibrary (models, gapProblem.value(targets));
+  w = caseEvidence (models, fits, 1);
+  w.gate = study.w.gate;
+  verdict = judgeCase (w, models);
 end
 
 function is = isSaid (verdict)
@@ -90,17 +109,17 @@ end
 %! options = gapOptions (struct ('twins', 99, 'trend', 'affine'));
 %! em = fitEmulator (gapProblem, data, options);
 %! models = omnibusReference (makeHypotheses (gapProblem, em, options));
-%! view = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
+%! study = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
 %!                'fits', fitLibrary (models, given.value));
-%! view.w = caseEvidence (models, view.fits, 1);
-%! verdict = judgeCase (view.w, models);
+%! study.w = caseEvidence (models, study.fits, 1);
+%! verdict = judgeCase (study.w, models);
 %! verdict.kind = 'group';
 %! [verdict.effects, verdict.top] = deal (3);
 %! runs = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
 %!        0.05 * randn (rows (X), 12);
 %! options = gapOptions (struct ('maxNewRuns', 16, 'verifyRuns', 3));
 %! state = newGapState (data, gapProblem, options, runs);
-%! [verdict, ~, cure, state] = proveCause (verdict, view, state);
+%! [verdict, ~, cure, state] = proveCause (verdict, study, state);
 %! assert (verdict.kind, 'named');
 %! assert (verdict.effects, [3, 4]);
 %! assert (cure.effect, 'spread + size');

@@ -1,8 +1,8 @@
 % RUNCORRECTIONS  Refits the model without and with effects, and runs both.
 %
-% CALL: [SETS, STATE] = runCorrections (VIEW, CAUSES, STATE, SETS)
+% CALL: [SETS, STATE] = runCorrections (STUDY, CAUSES, STATE, SETS)
 %
-%   VIEW     struct gapProblem, em, models, fits: of newGapProblem, fitEmulator,
+%   STUDY    struct gapProblem, em, models, fits: of newGapProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
 %            targets only
@@ -16,10 +16,10 @@
 % With fewer runs left, fewer seeds; with less than two seeds a set surrogates
 % stand in for DEM.
 %
-% See also: measureCorrection, spendRuns, correctionEvidence
+% See also: measureCorrection, spendRuns, proveCause
 
-function [sets, state] = runCorrections (view, causes, state, sets)
-  blank = struct ('h', zeros (1, 0), 'Q', view.fits.calibrated.Q(1, :), ...
+function [sets, state] = runCorrections (study, causes, state, sets)
+  blank = struct ('h', zeros (1, 0), 'Q', study.fits.calibrated.Q(1, :), ...
                   'Z', [], 'worstZ', NaN, 'verified', false);
   known = 0;
   if nargin > 3
@@ -27,9 +27,11 @@ function [sets, state] = runCorrections (view, causes, state, sets)
   else
     sets = blank;
   end
+  flat = setfield (study.models.prior, 'flat', true);
   for h = causes
     blank.h = h{1};
-    blank.Q = refit (view.models, view.fits, h{1});
+    Q = fitEffects (study.models, study.fits, 1, h{1}, flat).Q;
+    blank.Q = Q(1:study.em.p + numel (h{1}));
     sets(end + 1) = blank;
   end
   new = known + 1:numel (sets);
@@ -39,7 +41,7 @@ function [sets, state] = runCorrections (view, causes, state, sets)
   end
   for i = new
     if verify
-      [sets(i), state] = runSet (view, sets(i), state);
+      [sets(i), state] = runSet (study, sets(i), state);
     end
     if rows (sets(i).Z) < 2
       sets(i).Z = [];
@@ -48,31 +50,16 @@ function [sets, state] = runCorrections (view, causes, state, sets)
   end
 end
 
-function Q = refit (models, fits, h)
-  flat = setfield (models.prior, 'flat', true);
-  p = models.white.p;
-  U = fits.single{h(1)}.U(1, :);
-  kind = 'single';
-  if numel (h) > 1
-    kind = 'pair';
-    U = pairStarts (p, U, fits.single{h(2)}.U(1, :));
-  end
-  fit = fitHypothesis (models.white, newHypothesis (kind, h), ...
-                       repmat (fits.Z(1, :), rows (U), 1), U, flat);
-  [~, best] = max (fit.logPeak);
-  Q = fit.Q(best, 1:p + numel (h));
-end
-
 % Effects of the laboratory act on the results of a neutral run.
-function [set, state] = runSet (view, set, state)
-  gapProblem = view.gapProblem;
-  em = view.em;
+function [set, state] = runSet (study, set, state)
+  gapProblem = study.gapProblem;
+  em = study.em;
   n = state.repeats;
   phi = zeros (1, numel (gapProblem.effects));
   number = zeros (1, numel (set.h));
   for i = 1:numel (set.h)
     number(i) = find (strcmp ({gapProblem.effects.name}, ...
-                              view.models.names{set.h(i)}), 1);
+                              study.models.names{set.h(i)}), 1);
     phi(number(i)) = set.Q(em.p + i);
   end
   known = rows (state.data.Z);

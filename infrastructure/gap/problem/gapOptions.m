@@ -53,6 +53,22 @@
 %                  may miss a target (4: by chance 1 of 1000 with 16 targets)
 %     blindAt      share of a target's variance that parameters absorb at which
 %                  it is a blind spot (0.9)
+%     limitAt      share of half its box at which a parameter is at its limit
+%                  (0.98: closer than a surrogate can tell)
+%     looMeanAt    mean square of the standardised leave-one-out errors of a
+%                  target at which its surrogate contradicts its runs (2: of 40
+%                  runs less than 1 in 1000 by chance), or the largest of them
+%     looMostAt    (5)
+%     looEffectAt  the same mean square for the runs of an effect, from six on
+%                  (2.5: fewer runs)
+%     vagueAt      share of the variance that is the surrogates' at which they
+%                  hide a gap (0.5: more than all else together)
+%     blameAt      share of targets with such surrogates at which these are to
+%                  blame (0.2: a few are left to the noise budget)
+%     conflictAt   p at which two benches contradict each other (0.01: six
+%                  benches make 15 pairs)
+%     pairAt       probability at which a pair of effects gets runs of its own
+%                  (0.2: four runs cost as much as screening one effect)
 %     fitMargin    misfit that a fit may leave because it ends early (0.02: ten
 %                  times the step in log density at which fitHypothesis ends)
 %
@@ -70,7 +86,10 @@ function options = gapOptions (given)
                     'misfitAt', 0.5, 'othersAt', 0.1, 'alikeAt', 0.7, ...
                     'partnerAt', 0.05, 'gluedAt', 0.5, 'leftAt', 4, ...
                     'confusedAt', 0.1, 'caveatAt', 0.1, ...
-                    'blindAt', 0.9, 'fitMargin', 0.02);
+                    'blindAt', 0.9, 'limitAt', 0.98, 'looMeanAt', 2, ...
+                    'looMostAt', 5, 'looEffectAt', 2.5, 'vagueAt', 0.5, ...
+                    'blameAt', 0.2, 'conflictAt', 0.01, 'pairAt', 0.2, ...
+                    'fitMargin', 0.02);
   if isstruct (given)
     fields = fieldnames (given);
     for k = 1:numel (fields)

@@ -4,14 +4,12 @@
 %
 %   GAPPROBLEM  struct of newGapProblem
 %   EM          struct of fitEmulator
-%   MODELS      struct of makeHypotheses (prior, starts)
+%   MODELS      struct of makeHypotheses
 %   FROM, TO    rows of target numbers
 %   CROSS       struct
-%     theta (1 x p, in [-1, 1]), d2, df, p: misfit of TO, against noise,
-%     surrogate and what FROM leaves open of the parameters (chi-square)
-%     mean, sd (1 x numel (TO)): prediction of the measurements TO, raw units
-%
-% D2 = r' [S + J C J']^-1 r with C the posterior covariance of the parameters.
+%     p           of the misfit of TO, r' [S + J C J']^-1 r (chi-square), against
+%                 noise, surrogate and C, what FROM leaves open of the parameters
+%     mean, sd    1 x numel (TO): prediction of the measurements TO, raw units
 %
 % See also: benchConflicts, locateGap
 
@@ -20,11 +18,10 @@ function cross = crossPredict (gapProblem, em, models, from, to)
   null = newHypothesis ('null');
   white = whitenEmulator (em, from, budget);
   view = viewHypothesis (white, null, models.prior);
-  starts = toNormal (view.unknowns, models.starts);
+  starts = models.list(1).starts;
   Z = repmat (gapProblem.value(from) * white.W', rows (starts), 1);
   fit = fitHypothesis (white, null, Z, starts, models.prior);
   [~, best] = max (fit.logPeak);
-  cross.theta = fit.Q(best, :);
   A = reshape (fit.A(best, :, :), em.p, em.p);
   other = whitenEmulator (em, to, budget);
   view.white = other;
@@ -32,9 +29,7 @@ function cross = crossPredict (gapProblem, em, models, from, to)
   J = reshape (vertcat (J{:})', numel (to), em.p);
   S = diag (V) + J * (A \ J');
   r = gapProblem.value(to) * other.W' - M;
-  cross.d2 = r * (S \ r');
-  cross.df = numel (to);
-  cross.p = chiSquareTail (cross.d2, cross.df);
+  cross.p = chiSquareTail (r * (S \ r'), numel (to));
   back = other.back;
   cross.mean = M * back';
   cross.sd = sqrt (diag (back * S * back'))';

@@ -1,15 +1,15 @@
 % LOCATEGAP  Answers WHERE the calibrated null model misses the measurements.
 %
-% CALL: WHERE = locateGap (GAPPROBLEM, EM, MODELS, FITS, OPTIONS)
+% CALL: WHERE = locateGap (STUDY)
 %
-%   GAPPROBLEM, EM, MODELS  of newGapProblem, fitEmulator, makeHypotheses
-%   FITS                    of fitLibrary for the measured values (first row)
-%   OPTIONS                 of gapOptions
+%   STUDY    struct gapProblem, em, models, fits: of newGapProblem, fitEmulator,
+%            makeHypotheses, fitLibrary (first row: the measured values)
 %   WHERE    struct
-%     theta (1 x p in [-1, 1]), params (1 x p), chi2, p (lack of fit, bootstrap
-%       with refit), pChi2 (the same from the chi-square table)
+%     theta (1 x p in [-1, 1]), params (1 x p), chi2, p (lack of fit: share of
+%       simulated data sets that leave more when they are fitted again, which
+%       takes the freedom of the parameters into account)
 %     absorbed, unabsorbed   parts of the misfit, by parityProjection
-%     residual, sd, t, pTarget, absorbability, blind   1 x n of GAPPROBLEM.used:
+%     residual, sd, t, pTarget, absorbability, blind   1 x n, the used targets:
 %       y - m, its standard deviation after fitting, their ratio, p-value
 %       corrected for looking at n targets (max-T bootstrap), share of a
 %       target's own error that parameters hide, and absorbability > 0.9
@@ -18,59 +18,74 @@
 %       is, not how large
 %     benches (1 x B' struct: bench, p corrected for B' benches, size: root of
 %       the sum of squares of its residuals in standard deviations of the noise)
-%     conflict (benchConflicts), trends (trendContrasts), side (sideSignals)
+%     conflict (benchConflicts), side (sideSignals)
 %     budget (noiseBudget), held (struct z, mean, sd of the held-out targets, p
 %       corrected for looking at all of them, as if their noises were apart)
 %
 % See also: screenEffects, caseEvidence, diagnoseMatrices
 
-function where = locateGap (gapProblem, em, models, fits, options)
+function where = locateGap (study)
+  gapProblem = study.gapProblem;
+  em = study.em;
+  models = study.models;
   white = models.white;
   used = white.columns;
-  fit = struct ('Q', fits.calibrated.Q(1, :), 'U', fits.calibrated.U(1, :), ...
-                'chi2', fits.calibrated.chi2(1));
+  known = study.fits.calibrated;
+  fit = struct ('Q', known.Q(1, :), 'U', known.U(1, :), 'chi2', known.chi2(1));
   where.theta = fit.Q;
   where.params = mean (gapProblem.limits) + ...
                  where.theta .* diff (gapProblem.limits) / 2;
   where.chi2 = fit.chi2;
-  test = lackOfFit (models, fit, struct ('repeats', options.bootstrap, ...
-                                         'seed', options.seed));
-  where.p = test.p;
+  [where.p, simulated] = lackOfFit (models, fit);
   [M, V, ~, J] = predictGap (white, [], where.theta);
   sd = sqrt (V');
-  r = (fits.Z(1, :) - M)';
+  r = (study.fits.Z(1, :) - M)';
   J = reshape (vertcat (J{:})', numel (used), em.p);
   parity = parityProjection (J ./ sd, r ./ sd);
-  where.pChi2 = chiSquareTail (where.chi2, max (numel (parity.rho), 1));
   where.absorbed = parity.absorbed;
   where.unabsorbed = parity.unabsorbed;
-  view = rawView (white, V, J);
-  where = localise (where, view, r, test.residual, gapProblem.bench(used), ...
-                    options);
+  where = localise (where, rawErrors (white, V, J), r, simulated, ...
+                    gapProblem.bench(used), models.options);
   where.conflict = benchConflicts (gapProblem, em, models);
-  where.trends = trendContrasts (gapProblem, used, where.residual', view);
-  where.side = sideSignals (gapProblem, em, where.theta);
+  where.side = sideSignals (gapProblem, em, where.theta, models.options);
   where.budget = noiseBudget (gapProblem, em);
   where.held = heldOut (gapProblem, em, models);
 end
 
-% Covariances in the units of the targets: Sigma, and Omega after the fit.
-function view = rawView (white, V, J)
-  view.back = white.back;
-  view.Sigma = view.back * diag (V) * view.back';
-  Jraw = view.back * J;
-  C = pinv (J' * diag (1 ./ V) * J);
-  view.Omega = view.Sigma - Jraw * C * Jraw';
+% Simulated data sets, fitted again; LEFT (repeats x T', whitened): what of them
+% is not met.
+function [p, left] = lackOfFit (models, fit)
+  white = models.white;
+  options = models.options;
+  noise = integrationPoints (options.bootstrap, columns (white.coef), ...
+                             options.seed).normal;
+  [M, V] = predictGap (white, [], fit.Q);
+  Z = M + sqrt (V) .* noise;
+  flat = setfield (models.prior, 'flat', true);
+  again = fitHypothesis (white, newHypothesis ('null'), Z, ...
+                         repmat (fit.U, options.bootstrap, 1), flat);
+  p = (1 + sum (again.chi2 >= fit.chi2 - options.fitMargin)) / ...
+      (options.bootstrap + 1);
+  left = Z - predictGap (white, [], again.Q);
 end
 
-function where = localise (where, view, r, simulated, bench, limits)
-  where.residual = (view.back * r)';
-  variance = diag (view.Omega)';
-  total = diag (view.Sigma)';
+% Covariances in the units of the targets: Sigma, and Omega after the fit.
+function errors = rawErrors (white, V, J)
+  errors.back = white.back;
+  errors.Sigma = errors.back * diag (V) * errors.back';
+  Jraw = errors.back * J;
+  C = pinv (J' * diag (1 ./ V) * J);
+  errors.Omega = errors.Sigma - Jraw * C * Jraw';
+end
+
+function where = localise (where, errors, r, simulated, bench, limits)
+  where.residual = (errors.back * r)';
+  variance = diag (errors.Omega)';
+  total = diag (errors.Sigma)';
   where.absorbability = 1 - max (variance, 0) ./ total;
   where.blind = where.absorbability > limits.blindAt;
   % what is left after a fit in a bounded box scatters more than the slopes say
-  fake = simulated * view.back';
+  fake = simulated * errors.back';
   where.sd = sqrt (max ([variance; mean(fake.^2, 1); 1e-3 * total], [], 1));
   where.t = where.residual ./ where.sd;
   fake = fake ./ where.sd;
@@ -83,7 +98,7 @@ function where = localise (where, view, r, simulated, bench, limits)
   end
   unit = sqrt (total);
   where.size = abs (where.residual) ./ unit;
-  where.benches = misfitOfBenches (view.Omega ./ (unit' * unit), ...
+  where.benches = misfitOfBenches (errors.Omega ./ (unit' * unit), ...
                                    where.residual ./ unit, sure ./ unit, ...
                                    fake .* where.sd ./ unit, bench);
 end
@@ -140,6 +155,14 @@ function held = heldOut (gapProblem, em, models)
   end
 end
 
+%!function where = whereOf (given, data)
+%!  options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
+%!  study = struct ('gapProblem', newGapProblem (given));
+%!  study.em = fitEmulator (study.gapProblem, data, options);
+%!  study.models = makeHypotheses (study.gapProblem, study.em, options);
+%!  study.fits = fitLibrary (study.models, given.value);
+%!  where = locateGap (study);
+%!endfunction
 %!test
 %! % an error of one bench is found there and nowhere else
 %! rand ('twister', 5); randn ('twister', 5);
@@ -148,13 +171,8 @@ end
 %! given.value = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
 %!           + sqrt (2) * lab.noiseSd .* randn (1, 24);
 %! given.value(9) = given.value(9) + 5;
-%! gapProblem = newGapProblem (given);
-%! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
 %! data = lab.plan (40, 2);
-%! em = fitEmulator (gapProblem, data, options);
-%! models = makeHypotheses (gapProblem, em, options);
-%! fits = fitLibrary (models, given.value);
-%! where = locateGap (gapProblem, em, models, fits, options);
+%! where = whereOf (given, data);
 %! assert (where.p < 0.02);
 %! [~, worst] = max (abs (where.t));
 %! assert (worst, 9);
@@ -167,34 +185,25 @@ end
 %! assert (isempty (where.held.z));
 %! % in another unit it is there too
 %! given.value(9) = 1e-4 * given.value(9);
-%! given.sd(9) = 1e-4 * gapProblem.sd(9);
+%! given.sd(9) = 1e-4 * given.sd(9);
 %! data.Z(:, 9) = 1e-4 * data.Z(:, 9);
-%! gapProblem = newGapProblem (given);
-%! em = fitEmulator (gapProblem, data, options);
-%! models = makeHypotheses (gapProblem, em, options);
-%! fits = fitLibrary (models, given.value);
-%! other = locateGap (gapProblem, em, models, fits, options);
+%! other = whereOf (given, data);
 %! assert ([other.benches.p], [where.benches.p], 0.03);
 %! assert ([other.benches.size], [where.benches.size], 0.1);
 %! assert (other.size, where.size, 0.1);
 %!test
 %! % as many parameters as targets: an error that they can hide is no gap, one
 %! % out of their reach is, and its bench is named
-%! gapProblem = newGapProblem (struct ('value', [0, 0], 'sd', [1, 1], ...
-%!                                     'limits', [0, 0; 1, 1], ...
-%!                                     'bench', [1, 2]));
+%! given = struct ('value', [0, 0], 'sd', [1, 1], 'limits', [0, 0; 1, 1], ...
+%!                 'bench', [1, 2]);
 %! rand ('twister', 3);
 %! X = rand (40, 2);
 %! data = struct ('X', X, 'E', zeros (40, 0), 'replicate', ones (40, 1), ...
 %!                'Z', 20 * X + 0.01 * randn (40, 2));
-%! options = gapOptions (struct ('bootstrap', 199, 'trend', 'affine'));
 %! p = zeros (2, 3);
 %! for k = 1:2
-%!   gapProblem.value = [7, 12 + 30 * (k - 1)];
-%!   em = fitEmulator (gapProblem, data, options);
-%!   models = makeHypotheses (gapProblem, em, options);
-%!   fits = fitLibrary (models, gapProblem.value);
-%!   where = locateGap (gapProblem, em, models, fits, options);
+%!   given.value = [7, 12 + 30 * (k - 1)];
+%!   where = whereOf (given, data);
 %!   p(k, :) = [where.p, where.pTarget(2), where.benches(2).p];
 %! end
 %! assert (p(1, :) > 0.9);

@@ -1,39 +1,35 @@
 % SIDESIGNALS  Looks for what else a misfit may mean: limits, surrogates.
 %
-% CALL: SIDE = sideSignals (GAPPROBLEM, EM, THETA)
+% CALL: SIDE = sideSignals (GAPPROBLEM, EM, THETA, OPTIONS)
 %
-%   GAPPROBLEM, EM  of newGapProblem, fitEmulator
+%   GAPPROBLEM, EM, OPTIONS  of newGapProblem, fitEmulator, gapOptions
 %   THETA           1 x p, fitted null model, parameters in [-1, 1]
 %   SIDE            struct
 %     atLimit        cellstr, parameters driven to a limit of their box
-%     priorConflict  1 x p, deviation from an independently measured value, in
-%                    its standard deviations (NaN: none was given)
 %     share          1 x T, surrogate part of the variance at THETA
-%     poor           1 x T logical, leave-one-out errors larger than claimed:
-%                    mean square above 2 or one beyond 5
+%     poor           1 x T logical, leave-one-out errors larger than claimed
 %     poorEffects    cellstr, effects whose runs contradict their surrogate
-%     vague          logical, more than half of the variance of the used targets
-%                    is the surrogates'
-%     blameSurrogate logical, more than a fifth of the used targets are poor
+%     vague          logical, the variance of the used targets is mostly that of
+%                    the surrogates
+%     blameSurrogate logical, too many of the used targets are poor
 %     reason         text, '' where neither
 %
 % See also: locateGap, judgeCase
 
-function side = sideSignals (gapProblem, em, theta)
+function side = sideSignals (gapProblem, em, theta, options)
   half = diff (gapProblem.limits) / 2;
-  side.atLimit = gapProblem.names(abs (theta) > 0.98);
+  side.atLimit = gapProblem.names(abs (theta) > options.limitAt);
   value = mean (gapProblem.limits) + theta .* half;
-  side.priorConflict = (value - gapProblem.paramMean) ./ gapProblem.paramSd;
   [~, v] = predictSurrogate (em.surrogates, value);
   v = v + em.fitVar;
   fixed = diag (noiseBudget (gapProblem, em).covariance)';
   side.share = v ./ (v + fixed);
-  side.poor = em.looMean > 2 | em.looMax > 5;
-  side.poorEffects = poorEffects (em);
+  side.poor = em.looMean > options.looMeanAt | em.looMax > options.looMostAt;
+  side.poorEffects = poorEffects (em, options.looEffectAt);
   share = mean (side.share(gapProblem.used));
   poor = mean (side.poor(gapProblem.used));
-  side.vague = share > 0.5;
-  side.blameSurrogate = poor > 0.2;
+  side.vague = share > options.vagueAt;
+  side.blameSurrogate = poor > options.blameAt;
   side.reason = '';
   if side.blameSurrogate
     side.reason = sprintf (['the surrogates of %.0f %% of the targets ' ...
@@ -45,11 +41,11 @@ function side = sideSignals (gapProblem, em, theta)
   end
 end
 
-function names = poorEffects (em)
+function names = poorEffects (em, most)
   names = {};
   for k = 1:numel (em.effect)
     z = vertcat (em.effect(k).looStd{:});
-    if em.effect(k).runs >= 6 && mean (z.^2) > 2.5
+    if em.effect(k).runs >= 6 && mean (z.^2) > most
       names{end + 1} = em.effect(k).name;
     end
   end
@@ -59,15 +55,12 @@ end
 %! rand ('twister', 4); randn ('twister', 4);
 %! lab = standInGap (0);
 %! given = setfield (lab.gapProblem, 'value', ones (1, 24));
-%! given.paramMean = [0.5, NaN, NaN, NaN];
-%! given.paramSd = [0.1, NaN, NaN, NaN];
 %! gapProblem = newGapProblem (given);
-%! em = fitEmulator (gapProblem, lab.plan (40, 2), ...
-%!                    gapOptions (struct ('trend', 'affine')));
-%! side = sideSignals (gapProblem, em, [1, 0, 0, 0]);
+%! options = gapOptions (struct ('trend', 'affine'));
+%! em = fitEmulator (gapProblem, lab.plan (40, 2), options);
+%! side = sideSignals (gapProblem, em, [1, 0, 0, 0], options);
 %! assert (side.atLimit, {'friction'});
-%! assert (side.priorConflict(1), 5, 1e-9);
 %! assert (side.blameSurrogate || side.vague, false);
 %! gapProblem.sd = 0.01 * gapProblem.sd;
 %! gapProblem.trials = Inf;
-%! assert (sideSignals (gapProblem, em, [0, 0, 0, 0]).vague, true);
+%! assert (sideSignals (gapProblem, em, zeros (1, 4), options).vague, true);

@@ -1,10 +1,10 @@
 % CALIBRATEVERDICT  Tries the verdict on data sets whose cause is known.
 %
-% CALL: EXPECTED = calibrateVerdict (MODELS, EM, GAPPROBLEM)
+% CALL: EXPECTED = calibrateVerdict (STUDY)
 %
-%   MODELS    struct of makeHypotheses with its reference (omnibusReference)
-%   EM, GAPPROBLEM  of fitEmulator, newGapProblem, as MODELS was made from
-%   EXPECTED  struct: n (data sets, MODELS.options.trials), falseName (share of
+%   STUDY     struct gapProblem, em, models: of newGapProblem, fitEmulator,
+%             makeHypotheses with its reference (omnibusReference)
+%   EXPECTED  struct: n (data sets, models.options.trials), falseName (share of
 %             those without a gap that are named), right (share of single
 %             effects at signal to noise above 4 that are named or grouped
 %             rightly), top1 (the likeliest effect is the true one, same data
@@ -19,11 +19,12 @@
 %
 % See also: judgeCase, drawTwins
 
-function expected = calibrateVerdict (models, em, gapProblem)
+function expected = calibrateVerdict (study)
+  models = study.models;
   n = models.options.trials;
   expected = struct ('n', n, 'falseName', NaN, 'right', NaN, 'top1', NaN, ...
                      'precision', NaN, 'wrongUnlisted', NaN);
-  K = numel (em.effect);
+  K = numel (study.em.effect);
   if n == 0 || K == 0
     return
   end
@@ -40,10 +41,8 @@ function expected = calibrateVerdict (models, em, gapProblem)
     left = fits;
     cause = plan.cause(at);
     if removed > 0
-      own = makeHypotheses (gapProblem, withoutEffects (em, removed), ...
-                            models.options);
-      own.reference = models.reference;
-      left = withoutFits (own, fits, twins.Y, at, removed);
+      own = modelsWithout (study, removed);
+      left = withoutFits (own, fits, twins.Y, at, removed, models);
       cause(:) = -1;
     end
     s = addTrials (s, own, left, at, cause, twins.d);
@@ -54,6 +53,14 @@ function expected = calibrateVerdict (models, em, gapProblem)
   expected.top1 = share (s.top(strong));
   expected.precision = share (s.right(s.named & s.cause >= 0));
   expected.wrongUnlisted = share (s.named(s.cause < 0));
+end
+
+% Twins have no pair, so what pairs do together is left out.
+function models = modelsWithout (study, removed)
+  em = withoutEffects (study.em, removed);
+  em.joint = em.joint([]);
+  models = makeHypotheses (study.gapProblem, em, study.models.options);
+  models.reference = study.models.reference;
 end
 
 % removed > 0: this effect is the cause and then missing from the list.
@@ -82,15 +89,15 @@ end
 
 % Fits without effect K. Of the misfits only the last one, shaped like the
 % listed effects, is another one then.
-function fits = withoutFits (models, fits, Y, at, k)
-  K = numel (fits.single);
-  fits.single(k) = [];
-  fits.sibling(k) = [];
+function fits = withoutFits (models, fits, Y, at, k, all_)
+  hypotheses = [all_.list.h];
+  holds = cellfun (@(m) any (m == k), {hypotheses.members});
+  fits.of(holds) = [];
+  fits.logE(:, holds) = [];
   fits.exclude(:, k) = [];
-  fits.logE(:, 1 + [k, K + k]) = [];
-  kind = models.kinds(end);
-  start = [fits.null.U(at, :), zeros(numel (at), 1)];
-  fit = fitHypothesis (kind.white, kind.h, Y(at, :) * kind.white.W', start, ...
+  row = models.list(end);
+  U = [fits.of{row.from}.U(at, :), repmat(row.starts, numel (at), 1)];
+  fit = fitHypothesis (row.white, row.h, Y(at, :) * row.white.W', U, ...
                        models.prior);
   fits.logE(at, end) = fit.logE;
 end
@@ -98,41 +105,34 @@ end
 % Log Bayes factor of each effect against its look-alike: n x K.
 function exclude = excludeMany (models, fits)
   n = rows (fits.Z);
-  K = numel (models.white.effect);
-  exclude = zeros (n, K);
-  for k = 1:K
-    h = newHypothesis ('sibling', k, models.options.lookAlike);
-    alike = fitHypothesis (models.white, h, fits.Z, ...
-                           [fits.single{k}.U, zeros(n, 1)], models.prior);
-    exclude(:, k) = fits.single{k}.logE - alike.logE;
+  exclude = zeros (n, 0);
+  for j = models.singles
+    own = models.list(j);
+    h = newHypothesis ('sibling', own.h.members, models.options.lookAlike);
+    alike = fitHypothesis (own.white, h, fits.Z, ...
+                           [fits.of{j}.U, zeros(n, 1)], models.prior);
+    exclude(:, end + 1) = fits.of{j}.logE - alike.logE;
   end
 end
 
 % What caseEvidence gives, without pairs and without integration.
 function w = laplaceCase (models, fits, i)
-  K = numel (models.white.effect);
-  none = zeros (1, 0);
-  numbers = num2cell (1:K);
-  m = numel (models.kinds);
-  w = struct ('logE', fits.logE(i, :), 'ess', NaN, 'top', none, 'exclude', 0);
-  weights = models.weights;
-  w.logPrior = log ([weights.null, repmat(weights.single / K, 1, K), ...
-                     repmat(weights.sibling / K, 1, K), ...
-                     weights.discrepancy * [models.kinds.weight]]);
-  w.kind = [{'null'}, repmat({'single'}, 1, K), ...
-            repmat({'sibling'}, 1, K), repmat({'discrepancy'}, 1, m)];
-  w.members = [{none}, numbers, numbers, repmat({none}, 1, m)];
-  w.gate = omnibusTest (models, fits, i);
+  hypotheses = [models.list.h];
+  w = struct ('kind', {{hypotheses.kind}}, ...
+              'members', {{hypotheses.members}}, ...
+              'logPrior', log ([models.list.prior]), ...
+              'logE', fits.logE(i, :), 'ess', NaN, ...
+              'gate', omnibusTest (models, fits.logE(i, :)));
   if w.gate.p < models.options.level
     w.screen = screenEffects (models.white, fits.calibrated.Q(i, :), ...
                               fits.Z(i, :));
   end
   w.atLimit = zeros (size (w.logE));
-  w.phi = NaN (numel (w.logE), 3);
-  for k = 1:K
-    w.phi(1 + k, 1) = fits.single{k}.Q(i, models.white.p + 1);
+  w.phi = NaN (size (w.logE));
+  for j = models.singles
+    w.phi(j) = fits.of{j}.Q(i, models.white.p + 1);
   end
-  [~, w.top] = max (w.logE(2:1 + K));
+  [~, w.top] = max (w.logE(models.singles));
   w.exclude = fits.exclude(i, w.top);
 end
 
@@ -146,12 +146,13 @@ end
 %! rand ('twister', 4); randn ('twister', 4);
 %! lab = standInGap (0);
 %! given = setfield (lab.gapProblem, 'value', ones (1, 24));
-%! gapProblem = newGapProblem (given);
+%! study = struct ('gapProblem', newGapProblem (given));
 %! options = gapOptions (struct ('trend', 'affine', 'trials', 60, 'twins', 99));
-%! em = fitEmulator (gapProblem, lab.plan (40, 15), options);
-%! em = withoutEffects (em, [1, 2, 3, 6, 8, 9, 10]);
-%! models = omnibusReference (makeHypotheses (gapProblem, em, options));
-%! expected = calibrateVerdict (models, em, gapProblem);
+%! em = fitEmulator (study.gapProblem, lab.plan (40, 15), options);
+%! study.em = withoutEffects (em, [1, 2, 3, 6, 8, 9, 10]);
+%! models = makeHypotheses (study.gapProblem, study.em, options);
+%! study.models = omnibusReference (models);
+%! expected = calibrateVerdict (study);
 %! assert (expected.top1 > 0.8);
 %! assert (expected.falseName < 0.1);
-%! assert (calibrateVerdict (models, em, gapProblem).right, expected.right);
+%! assert (calibrateVerdict (study).right, expected.right);

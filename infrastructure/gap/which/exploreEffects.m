@@ -20,9 +20,7 @@ function [state, em] = exploreEffects (gapProblem, options, state, em)
   end
   reserve = min (4 * options.verifyRuns, floor (state.left / 3));
   state.left = state.left - reserve;
-  models = makeHypotheses (gapProblem, withoutEffects (em), options);
-  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
-  theta = fits.calibrated.Q(1, :);
+  theta = calibrateNull (gapProblem, em, options);
   wanted = zeros (1, numel (em.effect));
   wanted(~[em.effect.laboratory]) = options.screenRuns;
   state = runEffects (gapProblem, state, em, theta, wanted, []);
@@ -53,7 +51,7 @@ function [state, em] = runBestPair (gapProblem, options, state, em)
   end
   pairs = find (strcmp (w.kind, 'pair'));
   [most, at] = max ([verdict.P(pairs), 0]);
-  if most < 0.2 || isempty (w.posterior{pairs(at)}.Q)
+  if most < options.pairAt || isempty (w.posterior{pairs(at)}.Q)
     return
   end
   members = usable(w.members{pairs(at)});
@@ -78,8 +76,7 @@ function [w, verdict, usable] = weighNow (gapProblem, options, em)
   if isempty (usable)
     return
   end
-  library = em;
-  library.effect = em.effect(usable);
+  library = withoutEffects (em, setdiff (1:numel (em.effect), usable));
   quick = options;
   quick.twins = min (options.twins, 99);
   models = makeHypotheses (gapProblem, library, quick);
@@ -126,6 +123,7 @@ function [wanted, posteriors] = survivors (gapProblem, options, em, runs)
   if isempty (w)
     return
   end
+  singles = find (strcmp (w.kind, 'single'));
   likely = verdict.total;
   likely([em.effect(usable).laboratory]) = -Inf;
   [~, order] = sort (-likely);
@@ -133,6 +131,6 @@ function [wanted, posteriors] = survivors (gapProblem, options, em, runs)
   for i = order(1:min (options.survivors, numel (order)))
     k = usable(i);
     wanted(k) = runs;
-    posteriors{k} = w.posterior{1 + i};
+    posteriors{k} = w.posterior{singles(i)};
   end
 end

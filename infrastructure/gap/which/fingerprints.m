@@ -1,8 +1,8 @@
 % FINGERPRINTS  The measured gap beside the one that each candidate would make.
 %
-% CALL: PRINTS = fingerprints (VIEW)
+% CALL: PRINTS = fingerprints (STUDY)
 %
-%   VIEW    struct gapProblem, em, models, fits, as of runCorrections
+%   STUDY    struct gapProblem, em, models, fits, as of runCorrections
 %   PRINTS  scalar struct: target 1 x n (numbers of the measured targets),
 %           measured 1 x n (measured less simulated without any effect),
 %           effects K x n (what each effect adds where it is fitted alone, the
@@ -13,18 +13,19 @@
 %
 % See also: diagnoseMatrices, writeGapJson
 
-function prints = fingerprints (view)
-  gapProblem = view.gapProblem;
-  em = view.em;
+function prints = fingerprints (study)
+  gapProblem = study.gapProblem;
+  em = study.em;
   at = find (isfinite (gapProblem.value));
   sd = sqrt (diag (noiseBudget (gapProblem, em).covariance))';
-  without = predictGap (em, [], view.fits.calibrated.Q(1, :));
-  K = numel (view.models.names);
+  without = predictGap (em, [], study.fits.calibrated.Q(1, :));
+  K = numel (study.models.names);
   prints = struct ('target', at, 'measured', ...
                    (gapProblem.value(at) - without(at)) ./ sd(at), ...
                    'effects', zeros (K, numel (at)));
   for k = 1:K
-    with = predictGap (em, k, view.fits.single{k}.Q(1, 1:em.p + 1));
+    fit = study.fits.of{study.models.singles(k)};
+    with = predictGap (em, k, fit.Q(1, 1:em.p + 1));
     prints.effects(k, :) = (with(at) - without(at)) ./ sd(at);
   end
 end

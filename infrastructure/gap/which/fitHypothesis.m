@@ -6,7 +6,7 @@
 %   H      struct of newHypothesis
 %   Z      n x T, whitened data sets, one a row
 %   U      n x d, start of each, in normal coordinates (fromNormal)
-%   PRIOR  struct mean, sd of the parameters, see unknownsOf; with the field
+%   PRIOR  struct mean, sd of the parameters, see viewHypothesis; with the field
 %          flat = true parameters that nobody measured are not drawn to the
 %          middle of the box (the calibrated set; logE means nothing then)
 %   FIT    struct
@@ -25,78 +25,78 @@
 % See also: predictHypothesis, logLikelihood, integrateEvidence
 
 function fit = fitHypothesis (white, h, Z, U, prior)
-  gapProblem = viewHypothesis (white, h, prior);
-  unknowns = gapProblem.unknowns;
-  gapProblem.pull = ones (1, columns (U));
+  view = viewHypothesis (white, h, prior);
+  view.pull = ones (1, columns (U));
   if isfield (prior, 'flat')
-    gapProblem.pull(isinf (unknowns.sd)) = 1e-4;
+    view.pull(isinf (view.unknowns.sd)) = 1e-4;
   end
   % far from the data Student's likelihood is flat: the normal one comes first
-  gapProblem.nu = Inf (1, columns (Z));
-  U = climb (gapProblem, Z, U);
-  gapProblem.nu = white.nu;
-  [U, score] = climb (gapProblem, Z, U);
-  fit = struct ('U', U, 'Q', fromNormal (unknowns, U));
-  [A, g, fit.chi2] = normalEquations (gapProblem, Z, U);
-  [~, logDet] = solveMany (A, g);
-  fit.A = A;
-  fit.logPeak = score;
-  fit.logE = score - 0.5 * logDet;
+  view.nu = Inf (1, columns (Z));
+  at = climb (view, Z, U);
+  view.nu = white.nu;
+  at = climb (view, Z, at.U);
+  [~, logDet] = solveMany (at.A, at.g);
+  fit = struct ('U', at.U, 'Q', fromNormal (view.unknowns, at.U), ...
+                'chi2', at.chi2, 'A', at.A, 'logPeak', at.score, ...
+                'logE', at.score - 0.5 * logDet);
 end
 
-function [U, score] = climb (gapProblem, Z, U)
+function at = climb (view, Z, U)
   n = rows (U);
   damping = 0.01 * ones (n, 1);
-  score = scoreOf (gapProblem, Z, U);
-  active = true (n, 1);
+  at = lookAt (view, Z, U);
+  active = (1:n)';
   for iteration = 1:15
-    at = find (active);
-    if isempty (at)
+    if isempty (active)
       break
     end
-    [A, g] = normalEquations (gapProblem, Z(at, :), U(at, :));
-    tried = U(at, :) + cutStep (damped (A, g, damping(at)));
-    new = scoreOf (gapProblem, Z(at, :), tried);
-    gain = new - score(at);
+    d = damping(active);
+    U = at.U(active, :) + cutStep (damped (at.A(active, :, :), ...
+                                           at.g(active, :), d));
+    new = lookAt (view, Z(active, :), U);
+    gain = new.score - at.score(active);
     better = gain > 0;
-    U(at(better), :) = tried(better, :);
-    score(at(better)) = new(better);
-    damping(at) = damping(at) .* (0.2 * better + 10 * ~better);
-    active(at) = (~better & damping(at) < 1e4) | gain > 0.002;
+    at = replaced (at, active(better), new, better);
+    d = d .* (0.2 * better + 10 * ~better);
+    damping(active) = d;
+    active = active((~better & d < 1e4) | gain > 0.002);
   end
 end
 
-function score = scoreOf (gapProblem, Z, U)
-  [M, V] = predictHypothesis (gapProblem, U);
-  Q = fromNormal (gapProblem.unknowns, U);
-  score = logLikelihood (Z - M, V, gapProblem.nu) - ...
-          0.5 * sum (gapProblem.pull .* U.^2, 2) + ...
-          logSuccess (gapProblem.white, gapProblem.h.members, Q);
+function at = replaced (at, to, new, from)
+  for field = {'U', 'score', 'chi2', 'g'}
+    at.(field{1})(to, :) = new.(field{1})(from, :);
+  end
+  at.A(to, :, :) = new.A(from, :, :);
 end
 
-function [A, g, chi2] = normalEquations (gapProblem, Z, U)
-  [M, V, J, G] = predictHypothesis (gapProblem, U);
-  [~, chi2, weight] = logLikelihood (Z - M, V, gapProblem.nu);
+% Score (log likelihood + log prior), its gradient g and expected curvature A.
+function at = lookAt (view, Z, U)
+  [M, V, J, G] = predictHypothesis (view, U);
+  [logL, chi2, weight] = logLikelihood (Z - M, V, view.nu);
+  Q = fromNormal (view.unknowns, U);
+  score = logL - 0.5 * sum (view.pull .* U.^2, 2) + ...
+          logSuccess (view.white, view.h.members, Q);
+  at = struct ('U', U, 'score', score, 'chi2', chi2, 'g', -view.pull .* U);
   d = columns (U);
   slope = weight .* (Z - M) ./ V;
-  A = zeros (rows (U), d, d);
-  g = -gapProblem.pull .* U;
-  nu = min (gapProblem.nu, 1e4);
-  shrink = (nu + 1) ./ (nu + 3);
+  at.A = zeros (rows (U), d, d);
+  nu = min (view.nu, 1e4);
+  less = (nu + 1) ./ (nu + 3);
   slopes = zeros ([size(M), d]);
   for a = 1:d
     slopes(:, :, a) = J{a};
   end
-  weighted = slopes .* (shrink ./ V);
+  weighted = slopes .* (less ./ V);
   for a = 1:d
-    g(:, a) = g(:, a) + sum (J{a} .* slope, 2);
-    A(:, a, :) = sum (weighted(:, :, a) .* slopes, 2);
-    A(:, a, a) = A(:, a, a) + gapProblem.pull(a);
+    at.g(:, a) = at.g(:, a) + sum (J{a} .* slope, 2);
+    at.A(:, a, :) = sum (weighted(:, :, a) .* slopes, 2);
+    at.A(:, a, a) = at.A(:, a, a) + view.pull(a);
   end
-  if ~isempty (gapProblem.h.spread)
+  if ~isempty (view.h.spread)
     x = (Z - M).^2 ./ V;
-    g(:, d) = g(:, d) + 0.5 * sum ((weight .* x - 1) .* G, 2);
-    A(:, d, d) = A(:, d, d) + 0.5 * sum (nu ./ (nu + 3) .* G.^2, 2);
+    at.g(:, d) = at.g(:, d) + 0.5 * sum ((weight .* x - 1) .* G, 2);
+    at.A(:, d, d) = at.A(:, d, d) + 0.5 * sum (nu ./ (nu + 3) .* G.^2, 2);
   end
 end
 
@@ -145,7 +145,7 @@ end
 %! assert (isfinite (fit.logE));
 %!test
 %! % the size of a discrepancy grows with the misfit
-%! kind = handMadeHypotheses ().kinds;
+%! kind = handMadeHypotheses ().list(end);
 %! for misfit = [1, 10]
 %!   fit = fitHypothesis (kind.white, kind.h, [0, 0, misfit, -misfit], ...
 %!                        [0, 0], prior);

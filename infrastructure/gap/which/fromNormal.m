@@ -2,7 +2,7 @@
 %
 % CALL: [Q, SLOPE] = fromNormal (UNKNOWNS, U)
 %
-%   UNKNOWNS  struct of unknownsOf
+%   UNKNOWNS  struct of viewHypothesis
 %   U         n x d, coordinates in which every prior is N (0, 1)
 %   Q         n x d, parameters in [-1, 1], strengths, size
 %   SLOPE     n x d, dQ / dU
@@ -11,7 +11,7 @@
 % coordinates no unknown has a limit and directions that the data leave open are
 % exactly normal, so that fits need no projection and samples no rejection.
 %
-% See also: toNormal, unknownsOf, integrateEvidence
+% See also: toNormal, viewHypothesis
 
 function [Q, slope] = fromNormal (unknowns, U)
   U = min (max (U, -7), 7);

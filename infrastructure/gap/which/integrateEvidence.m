@@ -5,8 +5,9 @@
 %   WHITE     struct of whitenEmulator;  H  struct of newHypothesis
 %   Z         1 x T, whitened data
 %   MODES     struct array U (1 x d), A (d x d): where the mass is expected
-%   SETTINGS  struct prior (see unknownsOf), seed, points (of the first draw),
-%             effective (points wanted), most (points drawn at most), caution
+%   SETTINGS  struct prior (see viewHypothesis), seed, points (of the first
+%             draw), effective (points wanted), most (points drawn at most),
+%             caution
 %   RESULT    struct
 %     logE (log evidence), error (its Monte Carlo standard deviation), ess
 %     (effective number of points), points (number drawn)

@@ -145,7 +145,8 @@ end
 function verdict = nameGroup (verdict, w, models)
   [~, order] = sort (-verdict.total);
   top = verdict.top;
-  d = abs (w.phi(1 + top, 1)) * w.screen.size(top);
+  singles = find (strcmp (w.kind, 'single'));
+  d = abs (w.phi(singles(top))) * w.screen.size(top);
   alike = confusion (w.screen.cosine(top, :), d) > models.options.confusedAt;
   for n = 2:numel (order)
     set = order(1:n);
@@ -176,7 +177,7 @@ end
 %! w.gate = struct ('p', 0.001);
 %! w.screen = struct ('cosine', [1, 0.99, 0; 0.99, 1, 0; 0, 0, 1], ...
 %!                    'size', [10, 10, 10]);
-%! w.phi = repmat ([0.5, 0.3, 0.7], 9, 1);
+%! w.phi = 0.5 * ones (9, 1);
 %! w.atLimit = zeros (1, 9);
 %! w.ess = 400 * ones (1, 9);
 %! w.top = 1;

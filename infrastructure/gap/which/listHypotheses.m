@@ -4,45 +4,35 @@
 %
 %   MODELS, FITS  of makeHypotheses, fitLibrary;  I  row of the data set
 %   W             struct gate, screen: of omnibusTest, screenEffects
-%   LIST          1 x H struct h (newHypothesis), white, z (the data in its
+%   LIST          1 x H struct, the rows of MODELS.list and, behind the single
+%                 effects, pairs: h (newHypothesis), white, z (the data in its
 %                 coordinates), modes (struct U, A), logPrior, logE (Laplace),
-%                 and blank fields for what caseEvidence finds: error, ess, phi,
-%                 atLimit, posterior
+%                 and blank fields for what caseEvidence finds: error, ess, phi
+%                 (median strength of the first member), atLimit, posterior
 %
 % Pairs, where there may be a gap: each of the two likeliest effects with the
 % four whose signatures take most out of what it leaves. All pairs share the
 % prior probability of pairs, also those that are not tried.
 %
-% See also: caseEvidence, fitLibrary
+% See also: hypothesisTable, caseEvidence, fitLibrary
 
 function list = listHypotheses (models, fits, i, w)
-  white = models.white;
-  K = numel (white.effect);
-  weights = models.weights;
-  z = fits.Z(i, :);
-  list = entry (newHypothesis ('null'), white, z, fits.null, i, weights.null);
-  for k = 1:K
-    list(end + 1) = entry (newHypothesis ('single', k), white, z, ...
-                           fits.single{k}, i, weights.single / K);
+  for j = numel (models.list):-1:1
+    row = models.list(j);
+    list(j) = entry (row.h, row.white, row.prior, fits.of{j}, i);
   end
-  if K > 1 && w.gate.p < 2 * models.options.level
-    list = [list, pairsOf(models, fits, i, list, w.screen)];
-  end
-  for k = 1:K
-    list(end + 1) = entry (newHypothesis ('sibling', k), white, z, ...
-                           fits.sibling{k}, i, weights.sibling / K);
-  end
-  for m = 1:numel (models.kinds)
-    kind = models.kinds(m);
-    list(end + 1) = entry (kind.h, kind.white, fits.rotated{m}(i, :), ...
-                           fits.kind{m}, i, weights.discrepancy * kind.weight);
+  singles = models.singles;
+  if numel (singles) > 1 && w.gate.p < 2 * models.options.level
+    pairs = pairsOf (models, fits, i, w.screen);
+    list = [list(1:singles(end)), pairs, list(singles(end) + 1:end)];
   end
 end
 
-function one = entry (h, white, z, fit, i, prior)
-  one = struct ('h', h, 'white', white, 'z', z, 'modes', modesOf (fit, i), ...
+function one = entry (h, white, prior, fit, i)
+  one = struct ('h', h, 'white', white, 'z', fit.Z(i, :), ...
+                'modes', modesOf (fit, i), ...
                 'logPrior', log (prior), 'logE', fit.logSum(i), ...
-                'error', NaN, 'ess', NaN, 'phi', NaN (1, 3), 'atLimit', 0, ...
+                'error', NaN, 'ess', NaN, 'phi', NaN, 'atLimit', 0, ...
                 'posterior', struct ('Q', [], 'weight', [], ...
                                      'cautious', []));
 end
@@ -56,46 +46,34 @@ function modes = modesOf (fit, i)
   end
 end
 
-function list = pairsOf (models, fits, i, singles, screen)
-  K = numel (models.white.effect);
-  list = singles(zeros (1, 0));
-  [~, order] = sort (-[singles(2:end).logE]);
+function list = pairsOf (models, fits, i, screen)
+  singles = models.singles;
+  [~, order] = sort (-fits.logE(i, singles));
   pairs = zeros (0, 2);
-  for k = order(1:min (2, K))
-    others = partnersOf (models.white, fits, i, k, screen);
+  for k = order(1:2)
+    M = predictGap (models.white, k, fits.of{singles(k)}.Q(i, :));
+    others = partnersOf (k, fits.Z(i, :) - M, screen);
     pairs = [pairs; repmat(k, numel (others), 1), others(:)];
   end
-  prior = models.weights.pair / (K * (K - 1) / 2);
-  for pair = unique (sort (pairs, 2), 'rows')'
-    fit = fitPair (models, fits, i, pair');
-    list(end + 1) = entry (newHypothesis ('pair', pair'), models.white, ...
-                           fits.Z(i, :), fit, 1, prior);
+  pairs = unique (sort (pairs, 2), 'rows');
+  for m = rows (pairs):-1:1
+    fit = fitEffects (models, fits, i, pairs(m, :), models.prior);
+    list(m) = entry (newHypothesis ('pair', pairs(m, :)), models.white, ...
+                     models.pairPrior, fit, 1);
   end
 end
 
-% By what their signatures explain of the residual of effect K.
-function others = partnersOf (white, fits, i, k, screen)
-  M = predictGap (white, k, fits.single{k}.Q(i, :));
-  rho = screen.parity.N' * (fits.Z(i, :) - M)';
-  own = screen.U(:, k) / max (norm (screen.U(:, k)), realmin);
-  rest = screen.U - own * (own' * screen.U);
+% By what their signatures explain of the residual R of effect K.
+function others = partnersOf (k, r, screen)
+  rho = screen.parity.N' * r';
+  along = screen.U(:, k) / max (norm (screen.U(:, k)), realmin);
+  rest = screen.U - along * (along' * screen.U);
   % what is left of a signature that is the same but for rounding says nothing
   least = max (1e-16 * sum (screen.U.^2, 1), realmin);
   gain = (rest' * rho).^2 ./ max (sum (rest.^2, 1), least)';
   gain(k) = -Inf;
   [~, order] = sort (-gain);
   others = order(1:min (4, numel (gain) - 1));
-end
-
-function fit = fitPair (models, fits, i, pair)
-  U = pairStarts (models.white.p, fits.single{pair(1)}.U(i, :), ...
-                  fits.single{pair(2)}.U(i, :));
-  h = newHypothesis ('pair', pair);
-  all = fitHypothesis (models.white, h, repmat (fits.Z(i, :), 3, 1), U, ...
-                       models.prior);
-  [~, best] = max (all.logE);
-  fit = struct ('U', all.U(best, :), 'A', all.A(best, :, :), ...
-                'logSum', all.logE(best), 'hasOther', false);
 end
 
 %!test

@@ -9,13 +9,11 @@
 %   MODELS      struct
 %     white      whitened emulator of the targets
 %     prior      mean, sd (1 x p, parameters in [-1, 1]; sd Inf: uniform)
-%     kinds      1 x m struct of discrepancyKinds
-%     weights    struct of priorWeights
-%     starts     s x p, starts of the null fit, parameters in [-1, 1]
+%     list, singles, pairPrior  of hypothesisTable
 %     names, siblings (1 x K cells), options
 %     reference  what the gate compares with (omnibusReference; []: not yet)
 %
-% See also: fitLibrary, caseEvidence, judgeCase
+% See also: hypothesisTable, fitLibrary, caseEvidence, judgeCase
 
 function models = makeHypotheses (gapProblem, em, options, targets)
   if nargin < 4
@@ -24,9 +22,9 @@ function models = makeHypotheses (gapProblem, em, options, targets)
   budget = noiseBudget (gapProblem, em);
   models.white = whitenEmulator (em, targets, budget);
   models.prior = parameterPrior (gapProblem);
-  models.kinds = discrepancyKinds (gapProblem, em, budget, models.white);
-  models.weights = priorWeights (numel (em.effect));
-  models.starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
+  kinds = discrepancyKinds (gapProblem, em, budget, models.white);
+  starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
+  models = hypothesisTable (models, kinds, starts);
   models.names = {em.effect.name};
   models.siblings = siblingsOf (gapProblem, models.names);
   models.options = options;
@@ -61,5 +59,6 @@ end
 %! em = fitEmulator (gapProblem, lab.plan (30, 10), options);
 %! models = makeHypotheses (gapProblem, em, options);
 %! assert (models.prior.sd, [0.2, Inf, Inf, Inf], 1e-12);
-%! assert (any (strcmp ('effect', {models.kinds.name})));
+%! hypotheses = [models.list.h];
+%! assert (sum (strcmp ({hypotheses.kind}, 'discrepancy')), 6);
 %! assert (models.siblings{1}, cell (1, 0));

@@ -14,7 +14,7 @@
 %            from 0.98 to 0.47), of a discrepancy its scale
 %   H        struct kind, members, spread ('', 'sibling', 'discrepancy'), extent
 %
-% See also: unknownsOf, predictHypothesis, makeHypotheses
+% See also: viewHypothesis, makeHypotheses
 
 function h = newHypothesis (kind, members, extent)
   if nargin < 2

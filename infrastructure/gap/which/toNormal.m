@@ -2,7 +2,7 @@
 %
 % CALL: U = toNormal (UNKNOWNS, Q)
 %
-%   UNKNOWNS  struct of unknownsOf
+%   UNKNOWNS  struct of viewHypothesis
 %   Q         n x d, parameters in [-1, 1], strengths, size
 %   U         n x d, cut to [-3, 3]: a start at a limit would never leave it
 %

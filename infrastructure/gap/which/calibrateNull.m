@@ -1,0 +1,24 @@
+% CALIBRATENULL  Calibrates the model without effects by its surrogates.
+%
+% CALL: THETA = calibrateNull (GAPPROBLEM, EM, OPTIONS)
+%
+%   GAPPROBLEM, EM, OPTIONS  of newGapProblem, fitEmulator, gapOptions
+%   THETA                    1 x p, parameters in [-1, 1]
+%
+% See also: makeHypotheses, fitLibrary
+
+function theta = calibrateNull (gapProblem, em, options)
+  models = makeHypotheses (gapProblem, withoutEffects (em), options);
+  models.list = models.list(1);
+  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+  theta = fits.calibrated.Q;
+end
+
+%!test
+%! % what the laboratory was run with is found (noise 0.2, slopes of 3)
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.7], zeros (1, 5));
+%! gapProblem = newGapProblem (given);
+%! options = gapOptions (struct ('trend', 'affine'));
+%! em = fitEmulator (gapProblem, data, options);
+%! assert (calibrateNull (gapProblem, em, options), [-0.2, 0.4], 0.1);

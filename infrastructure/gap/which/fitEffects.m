@@ -1,0 +1,45 @@
+% FITEFFECTS  Fits one effect, or two together, to one data set.
+%
+% CALL: FIT = fitEffects (MODELS, FITS, I, MEMBERS, PRIOR)
+%
+%   MODELS, FITS  of makeHypotheses, fitLibrary;  I  row of the data set
+%   MEMBERS       1 x 1 or 1 x 2, numbers of the effects
+%   PRIOR         MODELS.prior, or the same with flat, see fitHypothesis
+%   FIT           struct of fitHypothesis with Z, logSum and hasOther as of
+%                 fitLibrary. A single effect starts from its fit in FITS, a
+%                 pair from either effect with a little of the other and from
+%                 half of both; the best one counts
+%
+% See also: listHypotheses, runCorrections
+
+function best = fitEffects (models, fits, i, members, prior)
+  p = models.white.p;
+  U = fits.of{models.singles(members(1))}.U(i, :);
+  kind = 'single';
+  if numel (members) > 1
+    kind = 'pair';
+    a = U;
+    b = fits.of{models.singles(members(2))}.U(i, :);
+    U = [a(1:p + 1), -0.5, 0; b(1:p), -0.5, b(p + 1), 0; ...
+         (a(1:p) + b(1:p)) / 2, a(p + 1) - 0.3, b(p + 1) - 0.3, 0];
+  end
+  fit = fitHypothesis (models.white, newHypothesis (kind, members), ...
+                       repmat (fits.Z(i, :), rows (U), 1), U, prior);
+  score = fit.logE;
+  if isfield (prior, 'flat')
+    score = fit.logPeak;
+  end
+  [~, at] = max (score);
+  best = struct ('U', fit.U(at, :), 'Q', fit.Q(at, :), 'A', fit.A(at, :, :), ...
+                 'Z', fits.Z(i, :), 'logSum', fit.logE(at), ...
+                 'hasOther', false);
+end
+
+%!test
+%! % both effects of the hand-made laboratory at once
+%! models = handMadeHypotheses ();
+%! z = 0.5 * [3, 1, 0, 0] + [0, 0, 2.4, 2.4 - 2];
+%! fits = fitLibrary (models, z);
+%! fit = fitEffects (models, fits, 1, [1, 2], models.prior);
+%! assert (fit.Q(1:3), [0.5, 0.6, 0.5], 0.15);
+%! assert (fitEffects (models, fits, 1, 1, models.prior).U, fits.of{2}.U, 0.01);
