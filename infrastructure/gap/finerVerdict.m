@@ -49,7 +49,7 @@ function level = finerVerdict (Case, given, options, diagnosis)
   end
   given.value = given.value - level.shift;
   given.sd = sqrt (given.sd.^2 + level.shiftSd.^2);
-  if isfield (given, 'covariance') && ~isempty (given.covariance)
+  if ~isempty (given.covariance)
     given.covariance = given.covariance + diag (level.shiftSd.^2);
   end
   options.maxNewRuns = 0;

@@ -1,97 +1,82 @@
-% GAPPROBLEMOF  Describes a case in the terms of the diagnosis on matrices.
+% GAPPROBLEMOF  The problem of a case, with what the diagnosis adds to it.
 %
 % CALL: [GIVEN, NOTES] = gapProblemOf (CASE)
 %
 %   CASE   see newCase, effects as of resolveEffects
-%   GIVEN  struct for newGapProblem: the targets are its columns, the models its
-%          benches; results.csv of a model gives series and coordinates
+%   GIVEN  struct for newGapProblem: that of newProblem (CASE), and sdKnown,
+%          covariance, estimateSeries, effects
 %   NOTES  cellstr, what had to be assumed
 %
 % Errors that are alike along a series of results.csv (optim.correlation) make
-% GIVEN.covariance; where their length is to be estimated, GIVEN.estimateSeries
-% says so (1 x T logical).
+% the covariance; where their length is to be estimated, estimateSeries says so.
+% A length means nothing where the target has no neighbour on its series.
 %
-% Points of a curve of measured.csv are marked by GIVEN.curve. A setting that is
-% not measured yet has the value NaN; its sd is what its measurement would be
-% good to.
-%
-% A target without targetStd has an uncertainty of unknown size: GIVEN.sdKnown
-% (1 x T logical) is false there, and half of its tolerance stands in GIVEN.sd
-% as a first guess of the size. An
+% A target without targetStd has an uncertainty of unknown size: sdKnown is
+% false there, and half of its tolerance stands in sd as a first guess of it. An
 % effect of the laboratory becomes offset and matrix on the results, phi = 1 at
 % the limit further from 0, the upper one of two that are as far. Members of an
 % effect's group that the library knows but the case does not list are its
 % siblings.
 %
-% See also: diagnoseGap, newGapProblem, addCorrelation
+% See also: diagnoseGap, newProblem, newGapProblem
 
 function [given, notes] = gapProblemOf (Case)
-  notes = {};
-  T = numel (Case.targets);
-  given.value = [Case.targets.value];
-  given.sd = [Case.targets.sd];
-  bare = given.sd == 0;
-  given.sdKnown = ~bare;
-  if any (bare)
-    scale = given.value;
-    if isfield (Case.targets, 'isAbsolute')
-      scale([Case.targets.isAbsolute]) = 1;
-    end
-    assumed = abs (scale) .* [Case.targets.tol] / 2;
-    assumed(isnan (given.value)) = 0;
-    given.sd(bare) = assumed(bare);
+  given = newProblem (Case);
+  [given, note] = withGuessedSd (given);
+  [given, lost] = withCorrelation (given);
+  notes = [note, lost];
+  given.effects = [];
+  if isempty (Case.effects)
+    return
   end
-  bare = bare & isfinite (given.value);
-  if any (bare)
-    notes{end + 1} = sprintf (['no measurement uncertainty given for %s: ' ...
-                               'its size is estimated, starting from half ' ...
-                               'of the tolerance (optim.targetStd)'], ...
-                              strjoin (shortList (Case.targets(bare)), ', '));
-  end
-  given.targetNames = {Case.targets.name};
-  given.trials = [Case.targets.trials];
-  given.held = strcmp ({Case.targets.role}, 'holdout');
-  given.bench = [Case.targets.model];
-  given.benchNames = {Case.models.name};
-  given.benchCost = [Case.models.cost];
-  given.names = Case.names;
-  given.limits = Case.limits;
-  given.paramMean = Case.paramMean;
-  given.paramSd = Case.paramSd;
+  library = libraryGroups (Case);
   info = targetInfo (Case);
-  series = {info.series};
-  labels = arrayfun (@(t) sprintf ('%d/%s', given.bench(t), series{t}), 1:T, ...
-                     'UniformOutput', false);
-  [~, ~, number] = unique (labels);
-  given.series = reshape (number, 1, T) .* ~cellfun (@isempty, series);
-  at = [info.at];
-  given.coordinate = at;
-  given.coordinate(isnan (at)) = 0;
-  given.series(isnan (at)) = 0;
-  if isfield (Case.targets, 'curve')
-    given.curve = [Case.targets.curve];
-    given.scatter = [Case.targets.scatter];
+  for effect = Case.effects
+    given.effects = [given.effects, oneEffect(effect, info, given, library)];
   end
-  [given, note] = addCorrelation (given, Case.targets);
-  notes = [notes, note];
-  library = struct ('name', {}, 'group', {});
-  if ~isempty (Case.effects)
-    library = libraryGroups (Case);
-  end
-  effects = [];
-  for k = 1:numel (Case.effects)
-    effects = [effects, oneEffect(Case.effects(k), info, given, library)];
-  end
-  given.effects = effects;
 end
 
-% A curve is one name.
-function names = shortList (targets)
-  names = {targets.name};
-  if isfield (targets, 'curve')
-    inCurve = [targets.curve] > 0;
-    names(inCurve) = {targets(inCurve).series};
-    names = unique (names, 'stable');
+function [given, note] = withGuessedSd (given)
+  note = {};
+  bare = given.sd == 0;
+  given.sdKnown = ~bare;
+  guess = abs (given.scale) .* given.tol / 2;
+  guess(isnan (given.value)) = 0;
+  given.sd(bare) = guess(bare);
+  bare = find (bare & isfinite (given.value));
+  if ~isempty (bare)
+    % a curve is one name
+    names = given.targetNames(bare);
+    inCurve = given.curve(bare) > 0;
+    names(inCurve) = given.seriesNames(bare(inCurve));
+    note = {sprintf(['no measurement uncertainty given for %s: its size ' ...
+                     'is estimated, starting from half of the tolerance ' ...
+                     '(optim.targetStd)'], ...
+                    strjoin (unique (names, 'stable'), ', '))};
+  end
+end
+
+function [given, note] = withCorrelation (given)
+  note = {};
+  lengths = given.correlation;
+  isAsked = lengths ~= 0;
+  % a length is learned from what is measured and fitted
+  counts = isAsked & ~(isnan (lengths) & (isnan (given.value) | given.held));
+  together = given.series' == given.series & given.series > 0 & ...
+             counts' & isAsked;
+  hasNeighbour = sum (together) > 1;
+  given.estimateSeries = hasNeighbour & isnan (lengths);
+  lengths(~hasNeighbour | isnan (lengths)) = 0;
+  given.covariance = [];
+  if any (lengths > 0)
+    given.covariance = measurementCovariance (given.sd, given.series, ...
+                                              given.coordinate, lengths);
+  end
+  lost = setdiff (given.bench(isAsked), given.bench(hasNeighbour));
+  if ~isempty (lost)
+    note = {['optim.correlation has no effect, for no two results are ' ...
+             'measured, fitted and on one series (results.csv: series, ' ...
+             'at), of ', strjoin(given.benchNames(lost), ', ')]};
   end
 end
 
@@ -230,8 +215,21 @@ end
 %! [Case.paramMean, Case.paramSd] = deal (NaN);
 %! Case.effects = [];
 %! given = gapProblemOf (Case);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
 %! C = diag ([1, 4, 4]);
 %! C(1, 2) = C(2, 1) = 2 / e;
 %! assert (given.covariance, C, 1e-5);
+%! assert (given.estimateSeries, false (1, 3));
+%! % to be estimated: no covariance yet
+%! [Case.targets.correlation] = deal (NaN);
+%! [given, notes] = gapProblemOf (Case);
+%! assert (isempty (given.covariance) && isempty (notes));
+%! assert (given.estimateSeries, [true, true, false]);
+%! % a neighbour that is not measured, or held out, tells no length
+%! Case.targets(2).value = NaN;
+%! [given, notes] = gapProblemOf (Case);
+%! assert (given.estimateSeries, false (1, 3));
+%! assert (! isempty (regexp (notes{1}, 'optim.correlation .* of A$')));
+%! [Case.targets(2).value, Case.targets(2).role] = deal (1, 'holdout');
+%! assert (gapProblemOf (Case).estimateSeries, false (1, 3));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');

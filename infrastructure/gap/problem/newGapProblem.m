@@ -83,7 +83,8 @@ function gapProblem = withDefaults (given, T, p)
   fields = fieldnames (given);
   for k = 1:numel (fields)
     value = given.(fields{k});
-    if isvector (value) && ~isstruct (value)
+    if (isnumeric (value) || islogical (value) || iscell (value)) && ...
+       isvector (value)
       value = reshape (value, 1, []);
     end
     gapProblem.(fields{k}) = value;
