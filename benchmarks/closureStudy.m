@@ -107,7 +107,7 @@ function c = oneCase (lab, twin, level)
   models = makeHypotheses (gapProblem, lab.em, options);
   fits = fitLibrary (models, twin.y(gapProblem.used));
   study = struct ('gapProblem', gapProblem, 'em', lab.em, 'models', models, ...
-                 'fits', fits);
+                  'fits', fits);
   low = given.limits(1, :);
   runs = @(X, E, r) lab.run ((X - low) ./ diff (given.limits), ...
                              strengthOfValues (gapProblem.effects, E));

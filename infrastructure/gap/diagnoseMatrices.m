@@ -118,7 +118,7 @@ function study = studyOf (gapProblem, em, options)
   models = omnibusReference (models, ...
                              omnibusTest (models, fits.logE).statistic);
   study = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
-                 'fits', fits);
+                  'fits', fits);
 end
 
 % Surrogates are to blame where they contradict their own runs, or where there

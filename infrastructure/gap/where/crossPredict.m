@@ -7,8 +7,9 @@
 %   MODELS      struct of makeHypotheses
 %   FROM, TO    rows of target numbers
 %   CROSS       struct
-%     p           of the misfit of TO, r' [S + J C J']^-1 r (chi-square), against
-%                 noise, surrogate and C, what FROM leaves open of the parameters
+%     p           of the misfit of TO, r' [S + J C J']^-1 r (chi-square),
+%                 against noise, surrogate and C, what FROM leaves open of
+%                 the parameters
 %     mean, sd    1 x numel (TO): prediction of the measurements TO, raw units
 %
 % See also: benchConflicts, locateGap

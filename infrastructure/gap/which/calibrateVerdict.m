@@ -89,8 +89,8 @@ end
 
 % Fits without effect K. Of the misfits only the last one, shaped like the
 % listed effects, is another one then.
-function fits = withoutFits (models, fits, Y, at, k, all_)
-  hypotheses = [all_.list.h];
+function fits = withoutFits (models, fits, Y, at, k, whole)
+  hypotheses = [whole.list.h];
   holds = cellfun (@(m) any (m == k), {hypotheses.members});
   fits.of(holds) = [];
   fits.logE(:, holds) = [];
