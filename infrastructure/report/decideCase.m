@@ -127,20 +127,25 @@ function text = wayOn (c)
             'robust calibration takes these runs and goes on.'];
   elseif strncmp (c.reason, 'no set of the box', 17) || ...
          strcmp (limit, 'maxIter')
-    text = askGap ();
-    limits = namesIn (c, 'atLimit');
-    if ~isempty (limits)
-      text = sprintf (['%s Or widen the limits of %s, if the material ' ...
-                       'allows.'], text, ...
-                      strjoin (worded (c, limits), ', '));
-    end
+    text = [askGap(), orWiden(c)];
   elseif isImported (c)
     text = ['Run this set with your DEM code, add the run to runs.csv and ', ...
             'start decalioc run again.'];
   elseif strcmp (limit, 'maxNewRuns')
-    text = 'Raise Input.maxNewRuns and start decalioc run again.';
+    text = ['Raise Input.maxNewRuns and start decalioc run again.', ...
+            orWiden(c)];
   else
-    text = 'Raise optim.maxFunEvals and start decalioc run again.';
+    text = ['Raise optim.maxFunEvals and start decalioc run again.', ...
+            orWiden(c)];
+  end
+end
+
+function text = orWiden (c)
+  text = '';
+  limits = namesIn (c, 'atLimit');
+  if ~isempty (limits)
+    text = sprintf (' Or widen the limits of %s, if the material allows.', ...
+                    strjoin (worded (c, limits), ', '));
   end
 end
 

@@ -89,6 +89,11 @@ function r = oneRow (page, m)
   end
 end
 
+% Whether an effect was found that closes something.
+function yes = isTold (page)
+  yes = ~isempty (jsonAt (page.verdict, {'cause', 'closed'}));
+end
+
 % What the diagnosis says of this target, without and with the effect.
 function [before, after, sd] = withEffect (page, m)
   before = struct ('value', NaN, 'at', 0);
@@ -98,7 +103,9 @@ function [before, after, sd] = withEffect (page, m)
     own = jsonAt (list, {k});
     if strcmp (own.name, m.name) && strcmp (own.model, m.model)
       before = struct ('value', own.before, 'at', k);
-      after = own.after;
+      if isTold (page)
+        after = own.after;
+      end
       sd = own.sd;
     end
   end
@@ -108,7 +115,7 @@ function html = keyOf (page)
   entries = {'line', 'ink', 'measured'; 'box', 'palegreen', 'allowed'; ...
              'box', 'palegrey', 'what the box of the parameters reaches'; ...
              'diamond', 'blue', 'simulated with the set'};
-  if ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}))
+  if isTold (page)
     effect = jsonAt (page.sources.gap, {'howFar', 'effect'});
     entries(end + 1, :) = {'triangle', 'amber', ...
                            ['fitted with ', htmlText(effect)]};
@@ -131,6 +138,7 @@ end
 %! page.sources.gap.howFar.effect = 'tilt';
 %! page.sources.gap.howFar.targets = struct ('model', 'B', 'name', 'h', ...
 %!   'before', 2.3, 'after', 2.05, 'sd', 0.1, 'measured', 2);
+%! page.verdict.cause.closed = 'With tilt all is closed.';
 %! f = benchFigure (page, 'B');
 %! at = @(kind) f.layers(strcmp ({f.layers.kind}, kind)).data(:, 1)';
 %! assert (at ('diamond'), 3, 1e-12);
@@ -138,3 +146,8 @@ end
 %! assert (at ('dots'), [-1, 1], 1e-12);
 %! assert (f.ynames, {'h 2 m'});
 %! assert (isempty (benchFigure (page, 'other')));
+%! % where no gap is told, no effect is shown
+%! page.verdict.cause.closed = '';
+%! [f, key] = benchFigure (page, 'B');
+%! assert (! any (strcmp ({f.layers.kind}, 'triangle')));
+%! assert (isempty (strfind (key, 'fitted with')));

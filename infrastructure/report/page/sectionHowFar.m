@@ -155,3 +155,11 @@ function html = paramTable (page, cure)
     html = [html, '<p>', whyTwoSets(), '</p>'];
   end
 end
+
+%!test
+%! page = situationPage ('missed, named');
+%! [~, html] = sectionHowFar (page);
+%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
+%! assert (! isempty (strfind (text, 'compared on the surrogates, not yet')));
+%! assert (! isempty (strfind (text, 'targets 23.1&thinsp;% 4.2&thinsp;%')));
+%! assert (! isempty (strfind (text, 'placebo tilt, held out 10&thinsp;%')));

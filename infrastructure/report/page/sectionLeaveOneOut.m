@@ -52,3 +52,16 @@ function html = qualityTable (page)
   html = htmlTable ('Surrogates', {'target', 'Q2', ...
                                    'scatter of one run (sd)', 'runs'}, cells);
 end
+
+%!test
+%! [problem, state, s] = smallCalibration ();
+%! page.Case = struct ('names', {{'a', 'b'}}, 'limits', problem.limits, ...
+%!                     'coarse', [], 'targets', ...
+%!                     struct ('name', {'x', 'y'}, 'value', {4, 2}, ...
+%!                             'tol', 0.02, 'isAbsolute', false));
+%! page.surrogates = s;
+%! page.units = {'mm', ''};
+%! page.sources.calibration = [];
+%! [~, html] = sectionLeaveOneOut (page);
+%! assert (numel (strfind (html, '<svg viewBox="0 0 260')), 2);
+%! assert (! isempty (strfind (html, 'simulated for 12 runs, Q2 ')));

@@ -27,3 +27,10 @@ function [title, html] = sectionNextTest (page)
                     {'test', 'how much it tells (1: a sure yes or no)', ...
                      'cost'}, cells)];
 end
+
+%!test
+%! page = situationPage ('missed, named');
+%! [~, html] = sectionNextTest (page);
+%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
+%! assert (! isempty (strfind (text, 'would tell most, though little')));
+%! assert (! isempty (strfind (text, 'measure First once more 0.04 1')));

@@ -101,3 +101,10 @@ function html = looseOnes (c)
           '<p>Moved together like this, the parameters change no target ', ...
           'beyond its noise:</p><ul>', items{:}, '</ul>'];
 end
+
+%!test
+%! page = situationPage ('met, one parameter open');
+%! [~, html] = sectionParameters (page);
+%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
+%! assert (! isempty (strfind (text, 'a 4 3.9 4.1 0 10 fixed : by sum')));
+%! assert (! isempty (strfind (text, 'b 3 2.9 3.1 0 10 flat direction')));

@@ -65,3 +65,15 @@ function f = pairFigure (page, j, i, n)
   f.xlim = page.Case.limits(:, j)';
   f.ylim = page.Case.limits(:, i)';
 end
+
+%!test
+%! % the last runs come after the last surrogates; a failed one is none
+%! page = situationPage ('met');
+%! page.plan = [1, 1; 2, 5];
+%! page.surrogates = struct ('X', [1, 1; 2, 5; 3, 3]);
+%! page.runs = struct ('stage', {'plan', 'calibration', 'calibration', ...
+%!                     'gap'}, 'status', {'ok', 'ok', 'failed', 'ok'}, ...
+%!                     'params', {[1, 1], [4, 4], [5, 5], [6, 6]});
+%! [~, html] = sectionPlan (page);
+%! assert (! isempty (strfind (html, 'plan (2 sets)')));
+%! assert (! isempty (strfind (html, 'run later or imported (2 sets)')));

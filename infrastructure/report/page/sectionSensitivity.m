@@ -29,3 +29,10 @@ function [title, html] = sectionSensitivity (page)
           'parameter makes, alone and with others.</p>', ...
           htmlTable('Share of the variance', [{'parameter'}, targets], cells)];
 end
+
+%!test
+%! page = situationPage ('met');
+%! [~, html] = sectionSensitivity (page);
+%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
+%! assert (! isempty (strfind (text, 'sum product difference a 0.50')));
+%! assert (numel (strfind (html, '<strong>')), 6);

@@ -109,3 +109,10 @@ function html = fileList (page)
     html = ['<h3>Files in the case folder</h3><ul>', items, '</ul>'];
   end
 end
+
+%!test
+%! page = situationPage ('met');
+%! [~, html] = sectionSettings (page);
+%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
+%! assert (! isempty (strfind (text, 'First 1 case/DEMmodels/First ab')));
+%! assert (isempty (strfind (html, page.Case.folder)));

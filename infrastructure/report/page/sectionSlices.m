@@ -97,3 +97,21 @@ function f = slice (page, t, j, centre)
   f = addLayer (f, 'dash', [centre(j), f.ylim(1); centre(j), f.ylim(2)], ...
                 'ink');
 end
+
+%!test
+%! [problem, state, s] = smallCalibration ();
+%! page.Case = struct ('names', {{'a', 'b'}}, 'limits', problem.limits, ...
+%!                     'coarse', [], 'targets', ...
+%!                     struct ('name', {'x', 'y'}, 'value', {4, 2}, ...
+%!                             'tol', 0.02, 'isAbsolute', false));
+%! page.surrogates = s;
+%! page.units = {'mm', ''};
+%! page.found = [0.5, 1];
+%! page.sources.calibration.sensitivity = struct ('a', [0.9, 0.5], ...
+%!                                                'b', [0.05, 0.5]);
+%! [~, html] = sectionSlices (page);
+%! assert (numel (strfind (html, '<svg viewBox="0 0 340')), 3);
+%! % x = 3 + a + b / 2
+%! ends = regexp (html, 'x along a: mean response from (\S+) to (\S+)"', ...
+%!                'tokens', 'once');
+%! assert (str2double (ends(:)'), [3.5, 4.5], 0.05);

@@ -89,3 +89,14 @@ function html = residuals (page, source, k, shown)
                     'UniformOutput', false);
   html = strjoin (parts, ', ');
 end
+
+%!test
+%! % three targets, one of them not measured yet (null)
+%! page = situationPage ('met');
+%! page.sources.calibration.history = ...
+%!   struct ('stage', {'infill', 'DEM', 'DEM'}, 'iteration', {1, 1, 2}, ...
+%!           'runs', {1, 2, 4}, 'probability', {0.1, 0.5, 0.9}, ...
+%!           'residual', {{0.1; 0.2; []}, {0.05; 0.1; []}, {0.01; 0; []}});
+%! [~, html] = sectionSteps (page);
+%! assert (numel (strfind (html, '<svg viewBox="0 0 340')), 3);
+%! assert (! isempty (strfind (html, 'stage on DEM 2')));

@@ -93,10 +93,11 @@ function html = resultTable (page)
   end
   why = ['<p>With the effect: ', lower(whyTwoSets ()(1)), ...
          whyTwoSets()(2:end), '</p>'];
-  head = {'target', '<span class="words">met?</span>', 'measured', ...
+  head = {'target', '<span class="words short">met?</span>', 'measured', ...
           'simulated', 'allowed &plusmn;', 'with the effect', ...
           'the box reaches'};
-  if isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}))
+  if isempty (jsonAt (page.verdict, {'cause', 'closed'})) || ...
+     isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}))
     head(6) = [];
     cells(:, 6) = [];
     why = '';
@@ -119,7 +120,7 @@ function word = metWord (m)
   words = {'missed', 'met'};
   classes = {'off', 'ok'};
   if strcmp (m.role, 'holdout')
-    words = {'missed, held out', 'predicted, held out'};
+    words = {'missed', 'predicted'};
   end
   word = '<span class="words short">not measured</span>';
   if isfinite (m.met)
@@ -189,3 +190,11 @@ function f = targetCurve (page, own)
   f = addLayer (f, 'line', [at, result], 'blue');
   f = addLayer (f, 'dots', [at, value], 'ink');
 end
+
+%!test
+%! page = situationPage ('met, held out outside');
+%! [~, html] = sectionTargets (page);
+%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
+%! assert (! isempty (strfind (text, 'sum First met 7 7 0.14')));
+%! assert (! isempty (strfind (text, 'difference Second missed 5 1 0.2')));
+%! assert (isempty (strfind (text, 'with the effect')));

@@ -82,13 +82,10 @@ end
 
 function html = mapCell (page, where, t)
   z = abs (jsonAt (where.targets, {t, 'z'}));
+  level = sum (z >= 1:3);
   class = '';
-  if z >= 3
-    class = ' class="z3"';
-  elseif z >= 2
-    class = ' class="z2"';
-  elseif z >= 1
-    class = ' class="z1"';
+  if level > 0
+    class = sprintf (' class="z%d"', level);
   end
   held = '';
   if strcmp (jsonAt (where.targets, {t, 'role'}), 'holdout')
@@ -243,3 +240,11 @@ function f = curve (points, at, title, unit)
   f = addLayer (f, 'ybar', [at, measured, measured - sd, measured + sd], ...
                 'ink');
 end
+
+%!test
+%! page = situationPage ('missed, named');
+%! [~, html] = sectionWhere (page);
+%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
+%! assert (! isempty (strfind (text, 'p&nbsp;=&nbsp; 0.001')));
+%! assert (! isempty (strfind (text, 'First: sum calibrate')));
+%! assert (numel (strfind (html, 'class="z3"')), 2);

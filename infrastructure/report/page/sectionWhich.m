@@ -33,9 +33,8 @@ function html = shapes (page, which)
   causes = causes(order(1:min (3, end)))(:)';
   n = numel (names);
   y = (n:-1:1)';
-  f = newFigure ('The gap, and what causes would make of it', ...
-                 'standard deviations of the noise', '', ...
-                 ['The measured gap beside that of ', strjoin(causes, ', ')]);
+  f = newFigure ('The measured gap', 'standard deviations of the noise', ...
+                 '', 'The measured gap');
   f.size = [360, 74 + 22 * n];
   f.ynames = flipud (cellstr (names)(:))';
   f.ylim = [0.4, n + 0.6];
@@ -50,9 +49,15 @@ function html = shapes (page, which)
     f = addLayer (f, kinds{k}, [own.effects.(causes{k})(:), y], colours{k});
     key(end + 1, :) = {kinds{k}, colours{k}, htmlText(causes{k})};
   end
-  html = ['<p>A cause explains the gap where its symbols stand at the ', ...
-          'ends of the bars; two causes look alike where their symbols ', ...
-          'lie on each other.</p>', htmlKey(key), ...
+  why = '';
+  if ~isempty (causes)
+    f.title = 'The gap, and what causes would make of it';
+    f.alt = ['The measured gap beside that of ', strjoin(causes, ', ')];
+    why = ['<p>A cause explains the gap where its symbols stand at the ', ...
+           'ends of the bars; two causes look alike where their symbols ', ...
+           'lie on each other.</p>'];
+  end
+  html = [why, htmlKey(key), ...
           htmlFigures([f, bars(which.posterior)], '')];
 end
 
@@ -191,3 +196,10 @@ function html = expected (page, which)
           'and runs and diagnosed the same way:</p>', ...
           htmlTable('Hit rates to expect', {'how often', 'share'}, cells)];
 end
+
+%!test
+%! page = situationPage ('missed, several');
+%! [~, html] = sectionWhich (page);
+%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
+%! assert (! isempty (strfind (text, 'One of these: cohesion, drag')));
+%! assert (! isempty (strfind (text, '0.90 cohesion 41 kJ/m3 (31 to 58)')));
