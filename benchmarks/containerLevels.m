@@ -68,7 +68,7 @@ function Case = loaded (root, folder)
   cd (folder);                % the folder one is in goes before the path
   startToolbox (root, folder);
   useLiggghts (root);
-  Case = withLevels (loadCase (root, folder));
+  Case = loadCase (root, folder);
 end
 
 % What the starts before have run, as a user would hand it over.

@@ -45,7 +45,7 @@ end
 function Case = loaded (root, place)
   cd (place);                 % the folder one is in goes before the path
   startToolbox (root, place);
-  Case = withLevels (loadCase (root, place));
+  Case = loadCase (root, place);
 end
 
 % The surfaces that are to be met, as measured.csv has them.

@@ -11,7 +11,7 @@
 %   REPLICATE  n x 1 or scalar, number of the replicate (default 1)
 %   STAGE      what the runs are for (text, default 'verify')
 %   REPORT     function handle for the progress (default: silent)
-%   E          n x v effect values (default: neutral)
+%   E          n x v levels and effect values, as effectVars (default: neutral)
 %   Z          n x T, one column a target of CASE.targets
 %   RECORDS    n x M struct array, see newRecord
 %   ISREUSED   n x M logical: the run was in the store
@@ -27,7 +27,7 @@ function [Z, records, isReused, nNew] = evaluateDEM (P, varargin)
   [Case, replicate, stage, report, E] = given{:};
   isPublishedCall = ~isstruct (Case);
   if isPublishedCall
-    Case = withLevels (loadCase ());
+    Case = loadCase ();
     P = P(:)';
   end
   jobs = newJobs (Case, P, E, replicate, stage);

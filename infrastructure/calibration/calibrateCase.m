@@ -19,7 +19,7 @@ function calibration = calibrateCase (root, folder)
   if any (strcmp (argv (), 'afresh'))
     moveAside (folder);
   end
-  Case = withLevels (loadCase (root, folder));
+  Case = loadCase (root, folder);
   restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, @costFunction);
   reportCase (Case, say, problem);

@@ -5,9 +5,9 @@
 %   CASE      see newCase
 %   SAY       function handle that takes one line of text
 %   EVALUATE  [Z, BUDGET] = EVALUATE (P, E, REPLICATE, STAGE, BUDGET), see
-%             addRuns: P n x d, E n x v, REPLICATE n x 1, Z n x T, NaN where a
-%             run failed, NA (isna) where a run of the set was not made because
-%             the budget has none left
+%             addRuns: P n x d, E n x v (levels and effects, or effects alone),
+%             REPLICATE n x 1, Z n x T, NaN where a run failed, NA (isna) where
+%             a run of the set was not made because the budget has none left
 %
 % Where a model folder does not exist (a case of imported runs alone) nothing
 % can be run: all is NA.
@@ -28,6 +28,10 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   if any (strcmp (stage, {'infill', 'verify', 'replicate'}))
     stage = 'calibration';             % in the records these are one
   end
+  plain = neutralEffects (Case);
+  if columns (E) < numel (plain)             % effects alone: at the last level
+    E = [repmat(plain(1:end - columns (E)), rows (P), 1), E];
+  end
   Case.options.maxNewRuns = budget.left;
   [Case.models.seconds] = budget.seconds{:};
   [Z, records, isReused, nNew] = evaluateDEM (P, Case, replicate, stage, ...
@@ -44,10 +48,9 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   seconds = reshape ([records.seconds], size (records)) .* [Case.models.cpu];
   budget.coreSeconds = budget.coreSeconds + sum (seconds(isfinite (seconds)));
   v = numel (Case.coarse);
-  if v > 0 && columns (E) == v && isequal (Case.effectVars, ...
-                                           {Case.coarse.variable})
+  if v > 0
     whole = all (strcmp (reshape ({records.status}, size (records)), 'ok'), 2);
-    budget.levels = [budget.levels; E(whole, :), sum(seconds(whole, :), 2)];
+    budget.levels = [budget.levels; E(whole, 1:v), sum(seconds(whole, :), 2)];
   end
 end
 

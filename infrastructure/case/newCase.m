@@ -6,7 +6,8 @@
 %         (as loadInput.m returns them), folder (case folder) and root (toolbox
 %         folder), see readInput
 %   CASE  scalar struct; its fields are described in docs/data.md. It has no
-%         effects yet: withEffects adds them
+%         effects yet: withEffects adds them; the variables of its levels stand
+%         first in effectVars, as they do in the data
 %
 % checkCase looks at RAW first. Its faults are raised together, as one
 % error under the identifier of the first.
@@ -43,8 +44,9 @@ function Case = newCase (raw)
   Case.paramSd = rowByName (givenField (raw.optim, 'paramSd', []), Case.names);
   Case.modelVars = raw.modelVars;
   Case.effects = [];
-  Case.effectVars = {};
   Case.coarse = newCoarse (givenField (Input, 'coarse', {}));
+  [Case.models.coarse] = deal (Case.coarse);
+  Case.effectVars = {Case.coarse.variable};
   Case.targets = newTargets (raw.optim, {Case.models.name}, found);
   Case.options = newOptions (Input, raw.optim);
   Case.notes = caseNotes (raw, Case.models);

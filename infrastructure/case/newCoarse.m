@@ -6,7 +6,7 @@
 %           variable (text) and levels (1 x L, the last one counts)
 %   COARSE  1 x v struct: variable, levels, models (numbers)
 %
-% See also: newCase, checkLevels, withLevels
+% See also: newCase, checkLevels
 
 function coarse = newCoarse (given)
   coarse = struct ('variable', {}, 'levels', {}, 'models', {});

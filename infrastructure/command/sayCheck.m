@@ -79,7 +79,6 @@ function sayEffects (Case)
             strjoin (cellfun (@num2str, num2cell (own.levels), ...
                               'UniformOutput', false), ', '));
   end
-  Case = withoutLevels (Case);
   if ~isempty (Case.effects)
     printf ('effects   %s\n', strjoin ({Case.effects.name}, ', '));
     cellfun (@(text) printf ('          %s\n', text), ...

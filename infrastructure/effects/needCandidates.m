@@ -12,7 +12,7 @@
 % See also: withEffects, effectsOfModel, diagnoseGap
 
 function needCandidates (Case)
-  if numel (Case.effects) > numel (Case.coarse)
+  if ~isempty (Case.effects)
     return
   end
   folders = fullfile (Case.folder, 'effects');
@@ -37,7 +37,6 @@ end
 
 %!test
 %! Case.effects = [];
-%! Case.coarse = [];
 %! Case.folder = tempname ();
 %! root = fileparts (which ('DEcalioc'));
 %! Case.models = struct ('folder', fullfile (root, 'DEMmodels', 'Heap'));
@@ -52,5 +51,5 @@ end
 %! Case.effects = struct ('name', 'tilt');
 %! needCandidates (Case);
 %!error id=DEcalioc:needCandidates:missingField
-%! needCandidates (struct ('effects', [], 'coarse', [], 'folder', '', ...
+%! needCandidates (struct ('effects', [], 'folder', '', ...
 %!                         'models', struct ('folder', '')));

@@ -3,7 +3,7 @@
 % CALL: CASE = withEffects (CASE)
 %       CASE = withEffects (CASE, LIST)
 %
-%   CASE  see newCase; what its levels need stays first in the list of effects
+%   CASE  see newCase; comes back with effects and their variables in effectVars
 %   LIST  the candidates, as loadEffects gives them (default: those of
 %         loadEffects.m of the case or of the toolbox); may be empty
 %
@@ -19,9 +19,8 @@ function Case = withEffects (Case, list)
   end
   folders = {fullfile(Case.folder, 'effects'), Case.folder};
   stopAt (checkEffects (list, folders, Case.modelVars, Case.names));
-  Case = withLevels (Case);
-  Case.effects = [Case.effects, resolveEffects(list, folders)];
-  Case.effectVars = variablesOfEffects (Case.effects);
+  Case.effects = resolveEffects (list, folders);
+  Case.effectVars = [{Case.coarse.variable}, variablesOfEffects(Case.effects)];
   stopAt (checkModelsHave (Case));
 end
 

@@ -15,7 +15,7 @@
 function state = completePlan (state, problem, Case, say)
   data = state.data;
   d = numel (Case.names);
-  phi = neutralEffects (Case);
+  phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
   isDead = ~any (isfinite (data.Z), 1) & ...
            sum (isnan (data.Z) & ~isna (data.Z), 1) >= d + 3;
   neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDead, 2);
@@ -35,7 +35,7 @@ end
 %!test
 %! % sets there, sets missing, a bench that has never given a result
 %! pkg load stk
-%! Case = struct ('names', {{'a'}}, 'effects', [], 'effectVars', {{}}, ...
+%! Case = struct ('names', {{'a'}}, 'effects', [], 'coarse', [], ...
 %!                'limits', [0; 1], 'folder', '');
 %! Case.options = struct ('numOfSam', 12, 'seed', 1);
 %! state = struct ('budget', newBudget ());

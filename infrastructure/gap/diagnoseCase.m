@@ -16,14 +16,14 @@ function diagnosis = diagnoseCase (root, folder)
   lock = lockCase (folder);
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
-  whole = withEffects (loadCase (root, folder));
-  needCandidates (whole);
-  Case = withoutLevels (whole);
+  Case = withEffects (loadCase (root, folder));
+  needCandidates (Case);
   problem = newProblem (Case);
   budget = newBudget (Case);
 
   % the runs that there are
   [data, count] = gatherRuns (Case);
+  [data, levelled] = atLevels (data, Case);
   [use, leftOut] = thinRuns (data, problem, 1000);
   data = keepRows (data, use);
   [given, notes] = gapProblemOf (Case);
@@ -44,7 +44,8 @@ function diagnosis = diagnoseCase (root, folder)
     state.evaluate = [];
   end
   diagnosis = diagnoseMatrices (given, state.data, options, state);
-  diagnosis.level = finerVerdict (whole, given, options, diagnosis);
+  diagnosis.level = finerVerdict (levelled, problem, given, options, ...
+                                  diagnosis);
 
   % what remains
   diagnosis.verdict = writeGapJson (diagnosis, Case);
@@ -54,6 +55,16 @@ function diagnosis = diagnoseCase (root, folder)
   sayDiagnosis (diagnosis, Case, say);
   reportPage (Case, say);
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
+end
+
+% Runs at the last level, with the effects of each; plain runs at all levels.
+function [last, levelled] = atLevels (data, Case)
+  v = numel (Case.coarse);
+  isNeutral = data.E == neutralEffects (Case);
+  last = keepRows (data, all (isNeutral(:, 1:v), 2));
+  last.E = last.E(:, v + 1:end);
+  levelled = keepRows (data, all (isNeutral(:, v + 1:end), 2));
+  levelled.E = levelled.E(:, 1:v);
 end
 
 % The case without the models that gave no result, which enterRuns leaves out,

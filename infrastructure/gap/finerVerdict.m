@@ -1,8 +1,9 @@
 % FINERVERDICT  Whether a verdict would hold at the next finer level.
 %
-% CALL: LEVEL = finerVerdict (CASE, GIVEN, OPTIONS, DIAGNOSIS)
+% CALL: LEVEL = finerVerdict (DATA, PROBLEM, GIVEN, OPTIONS, DIAGNOSIS)
 %
-%   CASE       see newCase, with the levels and effects of withEffects
+%   DATA       plain runs at all levels, E n x v
+%   PROBLEM    see newProblem
 %   GIVEN      of gapProblemOf
 %   OPTIONS    of gapBudget
 %   DIAGNOSIS  of diagnoseMatrices, reached at the last level
@@ -20,21 +21,14 @@
 %
 % See also: levelShift, diagnoseGap
 
-function level = finerVerdict (Case, given, options, diagnosis)
+function level = finerVerdict (data, problem, given, options, diagnosis)
   level = [];
-  v = numel (Case.coarse);
-  if v == 0
+  if isempty (problem.coarse)
     return
   end
-  data = gatherRuns (Case);
-  neutral = neutralEffects (Case);
-  isPlain = all (data.E(:, v + 1:end) == neutral(v + 1:end), 2);
-  data = keepRows (data, isPlain);
-  data.E = data.E(:, 1:v);
-  problem = newProblem (Case);
   data = keepRows (data, thinRuns (data, problem, 1000));
   values = problem.coarse.levels;
-  level = struct ('variables', {{Case.coarse.variable}}, ...
+  level = struct ('variables', {problem.coarse.variables}, ...
                   'value', values(end, :), 'finer', nextFiner (values), ...
                   'shift', [], 'shiftSd', [], 'verdict', '', ...
                   'effects', {{}}, 'holds', false);

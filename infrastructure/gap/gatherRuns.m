@@ -3,12 +3,12 @@
 % CALL: [DATA, COUNT] = gatherRuns (CASE)
 %
 %   CASE   see newCase
-%   DATA   struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
-%          run), replicate (n x 1), stage (n x 1 cell)
-%   COUNT  struct store (runs from the store), noResult (runs of the store
-%          without one), imported (rows of DATA from runs.csv), ignored
-%          (cellstr, columns of runs.csv not understood), seconds (core time of
-%          one set of all models so far; NaN: not known)
+%   DATA   struct X (n x d), E (n x v, as CASE.effectVars), Z (n x T, NaN = no
+%          result, NA = not run), replicate (n x 1), stage (n x 1 cell)
+%   COUNT  of runs at the last level, struct: store (runs from the store),
+%          noResult (runs of the store without one), imported (rows of DATA from
+%          runs.csv), ignored (cellstr, columns of runs.csv not understood),
+%          seconds (core time of one set of all models so far; NaN: not known)
 %
 % A run counts if it ended well and its key is what the models, the model
 % variables and its own parameters give today. After a change in OctaveFuns it
@@ -50,7 +50,8 @@ function [data, count] = fromStore (Case, data, count)
   for k = 1:numel (Case.models)
     own = [Case.targets.model] == k;
     [records, effects] = runsOf (Case, k, h(k));
-    spent = cellfun (@(r) r.seconds, records);
+    isLast = cellfun (@(e) atLastLevel (e, Case.coarse), effects);
+    spent = cellfun (@(r) r.seconds, records(isLast));
     spent = spent(isfinite (spent));
     seconds(k) = sum (spent) / numel (spent) * Case.models(k).cpu;
     for i = 1:numel (records)
@@ -64,10 +65,10 @@ function [data, count] = fromStore (Case, data, count)
         stages{at, 1} = record.stage;
       end
       if strcmp (record.status, 'ok')
-        count.store = count.store + 1;
+        count.store = count.store + isLast(i);
         Z(at, own) = record.results([Case.targets(own).index]);
       else
-        count.noResult = count.noResult + 1;
+        count.noResult = count.noResult + isLast(i);
         missing = own & isna (Z(at, :));
         Z(at, missing) = NaN;
       end

@@ -71,6 +71,7 @@ end
 %!  Case.names = {'mu', 'rho'};
 %!  Case.effectVars = {'coh'};
 %!  Case.effects = struct ('name', 'c', 'neutral', 0);
+%!  Case.coarse = [];
 %!  Case.models = struct ('name', {'Drum', 'Heap'});
 %!  Case.targets = struct ('name', {'slope', 'area', 'angle'}, ...
 %!                         'model', {1, 1, 2});

@@ -14,8 +14,6 @@
 % Rows of different models with the same variables become one row of DATA; a
 % model that has the same variables twice has been repeated with another seed
 % (replicate 2, 3 ...). An exact repeat, same seed and results, counts once.
-% Rows of another level than the last of CASE.coarse are left out where the
-% levels are not among CASE.effectVars (withoutLevels).
 %
 % Errors: DEcalioc:importRuns:missingField  a column that must be there
 %         DEcalioc:importRuns:unknownName   a model that the case does not have
@@ -47,27 +45,7 @@ function [data, ignored] = importRuns (file, Case)
     seed = numbers (table, column.seed, {'seed'});
   end
   targets(model ~= [Case.targets.model]) = NaN;
-  keep = isAtLast (table, header, Case);
-  data = mergeModels ([X(keep, :), E(keep, :)], model(keep), seed(keep), ...
-                      targets(keep, :), Case);
-  ignored = setdiff (ignored, hiddenLevels (Case));
-end
-
-% Levels that the case has, but that are no columns of its table.
-function names = hiddenLevels (Case)
-  names = {};
-  if isfield (Case, 'coarse') && ~isempty (Case.coarse)
-    names = setdiff ({Case.coarse.variable}, Case.effectVars);
-  end
-end
-
-function keep = isAtLast (table, header, Case)
-  keep = true (rows (table.cells), 1);
-  for name = intersect (hiddenLevels (Case), header)
-    values = numbers (table, find (strcmp (name, header)), name);
-    own = Case.coarse(strcmp (name, {Case.coarse.variable}));
-    keep = keep & (isnan (values) | values == own.levels(end));
-  end
+  data = mergeModels ([X, E], model, seed, targets, Case);
 end
 
 function [column, ignored] = findColumns (header, Case, file)

@@ -1,4 +1,4 @@
-% NEUTRALEFFECTS  The effect values that switch all effects off.
+% NEUTRALEFFECTS  Values of a plain run: the last level, all effects off.
 %
 % CALL: E = neutralEffects (CASE)
 %
@@ -10,6 +10,9 @@
 
 function E = neutralEffects (Case)
   E = zeros (1, 0);
+  for own = Case.coarse
+    E = [E, own.levels(end)];
+  end
   for k = 1:numel (Case.effects)
     effect = Case.effects(k);
     if ~(isfield (effect, 'laboratory') && effect.laboratory)
@@ -18,9 +21,10 @@ function E = neutralEffects (Case)
   end
 end
 
-%!assert (neutralEffects (struct ('effects', [])), zeros (1, 0))
-%!test
-%! effects = struct ('neutral', {1, [2, 3]});
-%! assert (neutralEffects (struct ('effects', effects)), [1, 2, 3]);
-%!assert (neutralEffects (struct ('effects', ...
-%!        resolveEffects ({'gain', 'shape', 'cameraRoll'}))), 1)
+%!function E = of (effects, coarse)
+%!  E = neutralEffects (struct ('effects', {effects}, 'coarse', coarse));
+%!endfunction
+%!assert (of ([], []), zeros (1, 0))
+%!assert (of (struct ('neutral', {1, [2, 3]}), []), [1, 2, 3])
+%!assert (of (resolveEffects ({'gain', 'shape', 'cameraRoll'}), []), 1)
+%!assert (of (struct ('neutral', 5), struct ('levels', [3, 2])), [2, 5])

@@ -58,7 +58,7 @@ end
 
 function Case = candidates (Case)
   try
-    if numel (Case.effects) == numel (Case.coarse)
+    if isempty (Case.effects)
       Case = withEffects (Case);
     end
   catch
