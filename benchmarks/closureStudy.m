@@ -10,13 +10,13 @@
 % and 20 of each effect). In each case one effect is on, with a
 % signal to noise (twinsDraw) of 4, 6 or 9, and the diagnosis is told which; the
 % null model, it and two placebos are fitted and run with five seeds, and
-% measured (measureCorrection). Truth of the closure: 1.
+% measured (measureCure). Truth of the closure: 1.
 %
 % Writes results/closure.csv (every case) and prints: median closure, share of
 % the 90 % intervals that hold 1, the same for the paired difference and 1 - c^2
 % of each placebo, and how often a placebo counts against the right cause.
 %
-% See also: measureCorrection, closureOf, twinsDraw
+% See also: measureCure, closureOf, twinsDraw
 
 1;
 
@@ -116,8 +116,8 @@ function c = oneCase (lab, twin, level)
   others = setdiff (1:numel (gapProblem.effects), twin.cause);
   [~, order] = sort (-fits.logE(1 + others));
   causes = [{twin.cause}, num2cell(others(order(1:2)))];
-  sets = runCorrections (study, causes, state);
-  cure = measureCorrection (study, sets, twin.cause, twin.cause);
+  sets = runCures (study, causes, state);
+  cure = measureCure (study, sets, twin.cause, twin.cause);
   c = struct ('lab', lab.name, 'level', level, 'd', twin.d, ...
               'closure', cure.closure, 'interval', cure.interval90, ...
               'gapP', cure.gapP, 'largestZ', cure.largestZ, ...

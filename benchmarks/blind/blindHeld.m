@@ -4,7 +4,7 @@
 %
 %   NAMES  1 x 4 cellstr: of each bench, more than a quarter of all
 %
-% They are never fitted; how far a correction closes the gap is seen on them.
+% They are never fitted; how far a cure closes the gap is seen on them.
 %
 % See also: blindLab, blindHandOver
 

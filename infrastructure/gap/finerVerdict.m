@@ -46,7 +46,8 @@ function level = finerVerdict (data, problem, given, options, diagnosis)
   if ~isempty (given.covariance)
     given.covariance = given.covariance + diag (level.shiftSd.^2);
   end
-  options.maxNewRuns = 0;
+  % the verdict is wanted, not what else a diagnosis tells
+  [options.maxNewRuns, options.trials, options.bootstrap] = deal (0, 0, 1);
   there = diagnoseMatrices (given, diagnosis.data, options, []);
   level.verdict = there.which.verdict;
   level.effects = there.which.effects;

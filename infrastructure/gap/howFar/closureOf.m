@@ -29,7 +29,7 @@
 % packing, surrogate and seeds. Targets are not drawn: they are what they are,
 % and a gap in one of ten would be left out of a third of all draws.
 %
-% See also: deviationOf, measureCorrection
+% See also: deviationOf, measureCure
 
 function c = closureOf (before, after, metric)
   [c.gapP, c.largestZ] = chanceOf (before, metric);

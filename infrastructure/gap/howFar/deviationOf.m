@@ -3,7 +3,7 @@
 % CALL: D = deviationOf (STUDY, SET, DRAWS)
 %
 %   STUDY   struct gapProblem, em, models
-%   SET    struct of runCorrections: h, Q, Z, verified
+%   SET    struct of runCures: h, Q, Z, verified
 %   DRAWS  struct noise, surrogate, prior, run: B x n, B x n, B x p, B x n,
 %          standard normal numbers; n used targets, then the held-out ones
 %   D      struct
@@ -22,7 +22,7 @@
 % runs the surrogate is what r is taken from, and its error a part of the noise.
 % The scatter of the runs is their own, and the pooled one as of four runs more.
 %
-% See also: closureOf, measureCorrection
+% See also: closureOf, measureCure
 
 function d = deviationOf (study, set, draws)
   gapProblem = study.gapProblem;

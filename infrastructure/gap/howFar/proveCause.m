@@ -3,12 +3,12 @@
 % CALL: [VERDICT, W, CURE, STATE] = proveCause (VERDICT, STUDY, STATE)
 %
 %   VERDICT     of judgeCase
-%   STUDY       struct gapProblem, em, models, fits, as of runCorrections, and w
+%   STUDY       struct gapProblem, em, models, fits, as of runCures, and w
 %               of caseEvidence
 %   STATE       of newGapState
 %   VERDICT, W  where DEM has run the cause: with these runs known and the
 %               held-out targets in the evidence
-%   CURE        of measureCorrection, for the cause that VERDICT tells then; []
+%   CURE        of measureCure, for the cause that VERDICT tells then; []
 %               where there is nothing to compare
 %
 % Compared are the named cause, or each of the three likeliest of a group, and
@@ -16,7 +16,7 @@
 % compared too: a name must not be judged by the cure of another one. DEM runs
 % are spent on a name or a group only.
 %
-% See also: runCorrections, judgeCase, measureCorrection
+% See also: runCures, judgeCase, measureCure
 
 function [verdict, w, cure, state] = proveCause (verdict, study, state)
   cure = [];
@@ -29,17 +29,17 @@ function [verdict, w, cure, state] = proveCause (verdict, study, state)
     state.evaluate = [];
   end
   group = [causes{1}, verdict.effects];
-  [sets, state] = runCorrections (study, causes, state);
+  [sets, state] = runCures (study, causes, state);
   isPlacebo = cellfun (@(h) ~any (ismember (h, group)), causes);
   if all ([sets([true, ~isPlacebo]).verified])
     [verdict, w] = withCures (study, state.data);
   end
   cause = causeOf (verdict, causes);
   if ~isAmong (cause, {sets.h})
-    [sets, state] = runCorrections (study, {cause}, state, sets);
+    [sets, state] = runCures (study, {cause}, state, sets);
     group = [group, cause];
   end
-  cure = measureCorrection (study, sets, cause, group);
+  cure = measureCure (study, sets, cause, group);
 end
 
 % The runs of the cures stand where each effect would have to be, so they are

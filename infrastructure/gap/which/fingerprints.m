@@ -2,7 +2,7 @@
 %
 % CALL: PRINTS = fingerprints (STUDY)
 %
-%   STUDY    struct gapProblem, em, models, fits, as of runCorrections
+%   STUDY    struct gapProblem, em, models, fits, as of runCures
 %   PRINTS  scalar struct: target 1 x n (numbers of the measured targets),
 %           measured 1 x n (measured less simulated without any effect),
 %           effects K x n (what each effect adds where it is fitted alone, the

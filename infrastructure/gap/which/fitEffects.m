@@ -10,7 +10,7 @@
 %                 pair from either effect with a little of the other and from
 %                 half of both; the best one counts
 %
-% See also: listHypotheses, runCorrections
+% See also: listHypotheses, runCures
 
 function best = fitEffects (models, fits, i, members, prior)
   p = models.white.p;

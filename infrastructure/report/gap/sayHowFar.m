@@ -2,7 +2,7 @@
 %
 % CALL: sayHowFar (CURE, GAPPROBLEM, SAY)
 %
-%   CURE        of measureCorrection; [] where nothing can be compared
+%   CURE        of measureCure; [] where nothing can be compared
 %   GAPPROBLEM  see newGapProblem
 %   SAY         function handle that takes one line of text
 %

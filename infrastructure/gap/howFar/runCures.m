@@ -1,6 +1,6 @@
-% RUNCORRECTIONS  Refits the model without and with effects, and runs both.
+% RUNCURES  Refits the model without and with effects, and runs both.
 %
-% CALL: [SETS, STATE] = runCorrections (STUDY, CAUSES, STATE, SETS)
+% CALL: [SETS, STATE] = runCures (STUDY, CAUSES, STATE, SETS)
 %
 %   STUDY    struct gapProblem, em, models, fits: of newGapProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
@@ -16,9 +16,9 @@
 % With fewer runs left, fewer seeds; with less than two seeds a set surrogates
 % stand in for DEM.
 %
-% See also: measureCorrection, spendRuns, proveCause
+% See also: measureCure, spendRuns, proveCause
 
-function [sets, state] = runCorrections (study, causes, state, sets)
+function [sets, state] = runCures (study, causes, state, sets)
   blank = struct ('h', zeros (1, 0), 'Q', study.fits.calibrated.Q(1, :), ...
                   'Z', [], 'worstZ', NaN, 'verified', false);
   known = 0;

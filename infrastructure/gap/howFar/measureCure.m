@@ -1,9 +1,9 @@
-% MEASURECORRECTION  Answers HOW FAR the gap shrinks once an effect is modelled.
+% MEASURECURE  Answers HOW FAR the gap shrinks once an effect is modelled.
 %
-% CALL: CURE = measureCorrection (STUDY, SETS, FIRST, GROUP)
+% CALL: CURE = measureCure (STUDY, SETS, FIRST, GROUP)
 %
 %   STUDY     struct gapProblem, em, models
-%   SETS     struct array of runCorrections: the null model first, then each
+%   SETS     struct array of runCures: the null model first, then each
 %            effect
 %   FIRST    effect numbers of the cause, one of SETS
 %   GROUP    numbers of effects that are no placebos
@@ -38,9 +38,9 @@
 % All draws share the measurement and the runs without the effect, so that
 % cause and placebo are compared in pairs.
 %
-% See also: runCorrections, deviationOf, closureOf, diagnoseMatrices
+% See also: runCures, deviationOf, closureOf, diagnoseMatrices
 
-function cure = measureCorrection (study, sets, first, group)
+function cure = measureCure (study, sets, first, group)
   gapProblem = study.gapProblem;
   em = study.em;
   names = study.models.names;
@@ -190,11 +190,11 @@ end
 %!               'Z', data.Z(1:3, :), 'worstZ', 1, 'verified', true);
 %! cured = setfield (setfield (set, 'h', 1), 'Q', zeros (1, em.p + 1));
 %! cut = setfield (setfield (cured, 'h', 2), 'verified', false);
-%! cure = measureCorrection (study, [set, cured, cut], 1, 1);
+%! cure = measureCure (study, [set, cured, cut], 1, 1);
 %! assert (cure.verifiedByDEM);
 %! assert ({cure.placebos.effect}, {'e2'});
 %! assert (! cure.placebos.verifiedByDEM);
-%! cure = measureCorrection (study, [set, cured, cut], 2, 2);
+%! cure = measureCure (study, [set, cured, cut], 2, 2);
 %! assert (! cure.verifiedByDEM);
 %!test
 %! % by DEM, without noise in the fit: the cause closes all, a placebo the
@@ -213,8 +213,8 @@ end
 %! runs = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
 %! options = gapOptions (struct ('maxNewRuns', 99, 'verifyRuns', 5));
 %! state = newGapState (data, gapProblem, options, runs);
-%! sets = runCorrections (study, {3, 4}, state);
-%! cure = measureCorrection (study, sets, 3, 3);
+%! sets = runCures (study, {3, 4}, state);
+%! cure = measureCure (study, sets, 3, 3);
 %! assert (cure.closure, 1, 0.03);
 %! assert (cure.heldOut.closure, 1, 0.05);
 %! p = cure.placebos;
@@ -225,6 +225,6 @@ end
 %! assert ([cure.targets.target], 1:12);
 %! % had the placebo been fitted to data of its own, the name would be wrong
 %! sets(3).Z = sets(2).Z;
-%! cure = measureCorrection (study, sets, 3, 3);
+%! cure = measureCure (study, sets, 3, 3);
 %! assert (cure.placebos.difference, 0, 0.01);
 %! assert (cure.placebos.against);
