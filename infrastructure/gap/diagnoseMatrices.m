@@ -13,7 +13,12 @@
 %             another set
 %   DIAGNOSIS struct
 %     where    of locateGap
-%     fingerprint  of fingerprints
+%     fingerprint  struct: the measured gap beside the one that each candidate
+%              would make, in standard deviations of the noise of a target:
+%              target 1 x n (numbers of the measured ones), measured 1 x n
+%              (measured less simulated without any effect), effects K x n (what
+%              each effect adds where it is fitted alone, the parameters with
+%              it, to the measurements that are not held out)
 %     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)
 %     which    of describeVerdict, and expected (calibrateVerdict)
 %     howFar   of proveCause ([] where nothing can be compared)
@@ -63,6 +68,24 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
                            'left', state.left);
   diagnosis.budget = state.budget;
   diagnosis.data = withNewRuns (data, state, known, gapProblem);
+end
+
+% Where two rows look alike, the two causes do.
+function prints = fingerprints (study)
+  gapProblem = study.gapProblem;
+  em = study.em;
+  at = find (isfinite (gapProblem.value));
+  sd = sqrt (diag (noiseBudget (gapProblem, em).covariance))';
+  without = predictGap (em, [], study.fits.calibrated.Q(1, :));
+  K = numel (study.models.names);
+  prints = struct ('target', at, 'measured', ...
+                   (gapProblem.value(at) - without(at)) ./ sd(at), ...
+                   'effects', zeros (K, numel (at)));
+  for k = 1:K
+    fit = study.fits.of{study.models.singles(k)};
+    with = predictGap (em, k, fit.Q(1, 1:em.p + 1));
+    prints.effects(k, :) = (with(at) - without(at)) ./ sd(at);
+  end
 end
 
 % Back through the door of enterRuns.
@@ -211,3 +234,14 @@ end
 %! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'trials', 0, ...
 %!                                            'twins', 60));
 %! assert (any (strcmp (d.which.verdict, {'no gap', 'undecided'})));
+%!test
+%! % the planted cause has the print of the gap, another one has not
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0, 0]);
+%! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'trials', 0, ...
+%!                                            'twins', 60));
+%! P = d.fingerprint;
+%! far = @(name) norm (P.effects(strcmp (d.screen.names, name), :) - ...
+%!                     P.measured) / norm (P.measured);
+%! assert (far ('spread') < 0.3);
+%! assert (far ('size') > 0.5);

@@ -1,14 +1,16 @@
 % FITEFFECT  Learns what effects add to one response, zero at neutral.
 %
-% CALL: FIT = fitEffect (POWERS, Q, R, NOISE, GRID)
+% CALL: FIT = fitEffect (POWERS, Q, R, NOISE, BASE, GRID)
 %
 %   POWERS  q x c, monomials; the strength in each of them
 %   Q       n x c, runs: parameters in [-1, 1], then bent strengths
 %   R       n x 2, result minus the mean of the surrogates without the effect,
 %           and the strength (of a pair: the product of both)
-%   NOISE   n x 1, variances of R, or n x n, their covariance: seed, and errors
-%           of the surrogates without the effect
-%   GRID    struct decay (1 x a), misfit (1 x b), tried values ([]: defaults)
+%   NOISE   scalar or n x 1, variance of each R of its own
+%   BASE    n x 1, variance of the baseline surrogate there (0): its error is
+%           alike in all runs; a plane through the box carries seven tenths of
+%           it, the rest is independent
+%   GRID    struct decay (1 x a), misfit (1 x b), tried values (defaults)
 %   FIT     struct: coef (q x 1), covariance (q x q, of the coefficients),
 %           misfit (variance per strength squared that no polynomial makes),
 %           score (log of the mean marginal likelihood), looStd (n x 1,
@@ -28,19 +30,19 @@
 %
 % See also: learnEffect
 
-function fit = fitEffect (powers, Q, r, noise, grid)
-  if rows (Q) ~= rows (r) || rows (noise) ~= rows (r) || columns (r) ~= 2
+function fit = fitEffect (powers, Q, r, noise, base, grid)
+  if rows (Q) ~= rows (r) || columns (r) ~= 2
     error ('DEcalioc:fitEffect:badShape', ...
-           ['fitEffect: Q, R (two columns) and NOISE must have equal ' ...
-            'numbers of rows, got %d, %d x %d and %d.'], rows (Q), size (r), ...
-           rows (noise));
+           ['fitEffect: Q and R (two columns) must have equal numbers of ' ...
+            'rows, got %d and %d x %d.'], rows (Q), size (r));
   end
-  if nargin < 5 || isempty (grid)
+  if nargin < 5
+    base = 0;
+  end
+  if nargin < 6
     grid = struct ('decay', [0.03, 0.1, 0.3, 1], 'misfit', [0, 1, 4, 16, 64]);
   end
-  if isvector (noise)
-    noise = diag (noise);
-  end
+  noise = covarianceOfRuns (Q, noise, base .* ones (rows (r), 1));
   strength2 = max (r(:, 2).^2, 1e-16 * max (r(:, 2).^2));
   unit = mean (diag (noise)) / mean (strength2);
   B = polyRows (powers, Q);
@@ -59,6 +61,14 @@ function fit = fitEffect (powers, Q, r, noise, grid)
     end
   end
   fit = average (trials, scales, B, r(:, 1));
+end
+
+function C = covarianceOfRuns (Q, noise, base)
+  p = columns (Q) - 1;
+  root = sqrt (base);
+  plane = [ones(rows (Q), 1), Q(:, 1:p)];
+  shared = (plane .* [0.4, 0.9 / p * ones(1, p)]) * plane';
+  C = (root * root') .* shared + diag (noise + 0.3 * base);
 end
 
 % Log marginal likelihood of every scale of the coefficients.
@@ -143,3 +153,11 @@ end
 %! assert (straight.covariance(1) > 1e-6);
 %!error id=DEcalioc:fitEffect:badShape
 %! fitEffect ([0, 1], [0, 1], [1, 1; 2, 1], [1; 1])
+%!test
+%! % an error that the baseline makes alike in all runs is no effect: left to it
+%! % the signature would be 1, not 0
+%! Q = [linspace(-1, 1, 20)', 0.1 + 0.9 * mod(7 * (1:20)', 20) / 20];
+%! r = [ones(20, 1), Q(:, 2)];
+%! told = fitEffect ([0, 1; 1, 1], Q, r, 0.01, ones (20, 1));
+%! left = fitEffect ([0, 1; 1, 1], Q, r, 0.01 + 0.3);
+%! assert (told.coef(1) < 0.7 * left.coef(1));

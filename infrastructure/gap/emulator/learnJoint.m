@@ -1,11 +1,10 @@
 % LEARNJOINT  Learns what two effects do together beyond what each does alone.
 %
-% CALL: JOINT = learnJoint (EM, PAIR, Q, Z)
+% CALL: JOINT = learnJoint (EM, PAIR, RUNS)
 %
 %   EM     struct of fitEmulator with its effects
 %   PAIR   1 x 2, numbers of two effects that DEM runs
-%   Q      n x (p + 2), runs with both on: parameters in [-1, 1], strengths
-%   Z      n x T, their results, NaN = none
+%   RUNS   runs with both on, see learnEffect; phi n x 2
 %   JOINT  struct members, powers, coef (q x T), bend, points, varOverPsi2
 %          (M x T: variance over the product of the bent strengths squared),
 %          varPowers, laboratory (false), runs
@@ -16,7 +15,7 @@
 %
 % See also: learnEffect, fitEffect, predictGap
 
-function joint = learnJoint (em, pair, Q, Z)
+function joint = learnJoint (em, pair, runs)
   p = em.p;
   T = columns (em.coef);
   one = em.effect(pair(1));
@@ -26,28 +25,29 @@ function joint = learnJoint (em, pair, Q, Z)
   guess = 0.3^2 * alone (one) .* alone (two) + least;
   joint = struct ('members', pair, 'powers', zeros (0, p + 2), ...
                   'coef', zeros (0, T), 'bend', [1, 1], 'laboratory', false, ...
-                  'runs', rows (Q), 'points', zeros (1, p + 2), ...
+                  'runs', rows (runs.Z), 'points', zeros (1, p + 2), ...
                   'varOverPsi2', guess, 'varPowers', zeros (1, p + 2));
-  if rows (Q) == 0
+  if rows (runs.Z) == 0
     return
   end
-  phi = Q(:, p + 1:end);
-  psi = bentStrength (phi, [one.bend, two.bend]);
+  phi = runs.phi;
+  psi = sign (phi) .* abs (phi).^[one.bend, two.bend];
   joint.powers = [[zeros(1, p); eye(p)], ones(p + 1, 2)];
   joint.coef = zeros (p + 1, T);
-  [m, v] = predictBaseline (em, Q(:, 1:p));
+  m = runs.mean;
+  v = runs.variance;
   for i = 1:2
     e = em.effect(pair(i));
-    q = [Q(:, 1:p), psi(:, i)];
+    q = [runs.theta, psi(:, i)];
     m = m + polyRows (e.powers, q) * e.coef;
     v = v + psi(:, i).^2 .* mean (e.varOverPsi2, 1);
   end
   product = prod (psi, 2);
   for t = 1:T
-    ok = isfinite (Z(:, t));
+    ok = isfinite (runs.Z(:, t));
     if any (ok)
-      fit = fitEffect (joint.powers, [Q(ok, 1:p), psi(ok, :)], ...
-                       [Z(ok, t) - m(ok, t), product(ok)], ...
+      fit = fitEffect (joint.powers, [runs.theta(ok, :), psi(ok, :)], ...
+                       [runs.Z(ok, t) - m(ok, t), product(ok)], ...
                        em.noiseVar(t) + v(ok, t));
       joint.coef(:, t) = fit.coef;
       own = fit.covariance(1) + fit.misfit + least(t);
@@ -61,15 +61,15 @@ end
 %! rand ('twister', 3); randn ('twister', 3);
 %! em = struct ('p', 1, 'coef', zeros (1, 2), 'noiseVar', [0.01, 0.01], ...
 %!              'range', [4, 1]);
-%! em.surrogates = @(theta) deal (zeros (rows (theta), 2), ...
-%!                                zeros (rows (theta), 2));
 %! em.effect = struct ('powers', [0, 1], 'coef', {[4, 0], [4, 1]}, ...
 %!                     'bend', 1, 'varOverPsi2', 1e-4 * [1, 1]);
-%! none = learnJoint (em, [1, 2], zeros (0, 3), zeros (0, 2));
+%! none = learnJoint (em, [1, 2], struct ('Z', zeros (0, 2)));
 %! assert (none.varOverPsi2, [0.09 * 16, 0], 1e-9);
 %! Q = [2 * rand(8, 1) - 1, 0.3 + 0.7 * rand(8, 2)];
 %! Z = [4 * Q(:, 2) + 4 * Q(:, 3) + 4 * Q(:, 2) .* Q(:, 3), Q(:, 3)] + ...
 %!     0.1 * randn (8, 2);
-%! joint = learnJoint (em, [1, 2], Q, Z);
+%! runs = struct ('theta', Q(:, 1), 'phi', Q(:, 2:3), 'Z', Z, ...
+%!                'mean', 0 * Z, 'variance', 0 * Z);
+%! joint = learnJoint (em, [1, 2], runs);
 %! assert (joint.coef(1, 1), 4, 0.6);
 %! assert (joint.varOverPsi2(1) < none.varOverPsi2(1));

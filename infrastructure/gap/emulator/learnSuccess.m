@@ -14,7 +14,7 @@
 % 3^2) by Newton's method; the intercept is free. Strengths count threefold, so
 % that within its range an effect may lead from sure to impossible.
 %
-% See also: logSuccess, fitEmulator
+% See also: predictHypothesis, fitEmulator
 
 function [base, own] = learnSuccess (bench, theta, phi, Z)
   p = columns (theta);
@@ -63,7 +63,6 @@ end
 %! Z(phi > 0.6, 3) = NaN;
 %! [base, own] = learnSuccess ([1, 1, 2], theta, phi, Z);
 %! assert (base(:, 1), [0; 0]);
-%! white = struct ('success', base, 'effect', struct ('success', own{1}));
-%! assert (exp (logSuccess (white, [], 0)) > 0.95);
-%! p = exp (logSuccess (white, 1, [0, 0.1; 0, 1]));
-%! assert (p(1) > 0.9 && p(2) < 0.2);
+%! p = @(phi) 1 / (1 + exp (-base(1, 2) - [phi, phi] * own{1}(:, 2)));
+%! assert ([p(0), p(0.1)] > [0.95, 0.9]);
+%! assert (p(1) < 0.2);

@@ -2,8 +2,8 @@
 %
 % CALL: [VARIANCE, FREEDOM] = pooledNoise (EM, EFFECTS)
 %
-%   EM        struct of fitEmulator: baseline, noiseVar and noiseFreedom (1 x T,
-%             as repeats and the nugget tell; Inf: known)
+%   EM        struct of fitEmulator: noiseVar and noiseFreedom (1 x T, as
+%             repeats and the nugget tell; Inf: known)
 %   EFFECTS   1 x K struct array of learnEffect
 %   VARIANCE, FREEDOM   1 x T, both with what the scatter of the effects' runs
 %             around their own surrogates says
@@ -38,18 +38,15 @@ end
 % Log marginal likelihood of the runs of effect E: T x number of factors.
 function score = scoresOf (em, e, factors)
   coarse = struct ('decay', [0.1, 0.5], 'misfit', [0, 8]);
-  [m, v] = predictBaseline (em, e.Q(:, 1:em.p));
-  R = e.Z - m;
   Q = e.Q;
-  Q(:, end) = bentStrength (Q(:, end), e.bend);
-  score = zeros (columns (R), numel (factors));
-  for t = find (sum (isfinite (R), 1) >= 6)
-    ok = isfinite (R(:, t));
-    r = [R(ok, t), Q(ok, end)];
+  Q(:, end) = sign (Q(:, end)) .* abs (Q(:, end)).^e.bend;
+  score = zeros (columns (e.R), numel (factors));
+  for t = find (sum (isfinite (e.R), 1) >= 6)
+    ok = isfinite (e.R(:, t));
+    r = [e.R(ok, t), Q(ok, end)];
     for f = 1:numel (factors)
-      fit = fitEffect (e.powers, Q(ok, :), r, ...
-                       runCovariance (Q(ok, 1:em.p), v(ok, t), ...
-                                      factors(f) * em.noiseVar(t)), coarse);
+      fit = fitEffect (e.powers, Q(ok, :), r, factors(f) * em.noiseVar(t), ...
+                       e.variance(ok, t), coarse);
       score(t, f) = fit.score;
     end
   end
@@ -62,13 +59,14 @@ end
 %!              'noiseVar', [0.0025, 0.01], 'noiseFreedom', [6, Inf]);
 %! em.range = [1, 1];
 %! em.correlation = eye (2);
-%! em.surrogates = @(X) deal (zeros (rows (X), 2), zeros (rows (X), 2));
 %! effect = struct ('name', 'e', 'range', [0, 1], 'scale', 0.5, ...
 %!                  'laboratory', false);
 %! for k = 1:3
 %!   Q = [2 * rand(20, 1) - 1, 0.1 + 0.9 * rand(20, 1)];
 %!   Z = k * Q(:, 2) .* [1, 2] + 0.1 * randn (20, 2);
-%!   effects(k) = learnEffect (em, effect, Q, Z);
+%!   runs = struct ('theta', Q(:, 1), 'phi', Q(:, 2), 'Z', Z, ...
+%!                  'mean', 0 * Z, 'variance', 0 * Z);
+%!   effects(k) = learnEffect (em, effect, runs);
 %! end
 %! [variance, freedom] = pooledNoise (em, effects);
 %! assert (variance(1) > 0.006 && variance(1) < 0.016);

@@ -60,13 +60,13 @@ function [psi, slope] = bentStrengths (white, h, phi)
   for i = 1:numel (h)
     bend(i) = white.effect(h(i)).bend;
   end
-  psi = bentStrength (phi, bend);
+  psi = sign (phi) .* abs (phi).^bend;
   slope = bend .* max (abs (phi), 0.01).^(bend - 1);
 end
 
 function parts = jointParts (white, h)
   parts = struct ('at', {}, 'e', {});
-  if numel (h) ~= 2 || ~isfield (white, 'joint') || isempty (white.joint)
+  if numel (h) ~= 2 || isempty (white.joint)
     return
   end
   pairs = vertcat (white.joint.members);

@@ -72,11 +72,9 @@ end
 
 % Score (log likelihood + log prior), its gradient g and expected curvature A.
 function at = lookAt (view, Z, U)
-  [M, V, J, G] = predictHypothesis (view, U);
+  [M, V, success, J, G] = predictHypothesis (view, U);
   [logL, chi2, weight] = logLikelihood (Z - M, V, view.nu);
-  Q = fromNormal (view.unknowns, U);
-  score = logL - 0.5 * sum (view.pull .* U.^2, 2) + ...
-          logSuccess (view.white, view.h.members, Q);
+  score = logL - 0.5 * sum (view.pull .* U.^2, 2) + success;
   at = struct ('U', U, 'score', score, 'chi2', chi2, 'g', -view.pull .* U);
   d = columns (U);
   slope = weight .* (Z - M) ./ V;

@@ -1,10 +1,12 @@
 % PREDICTHYPOTHESIS  Predicts results under a hypothesis, in normal coordinates.
 %
-% CALL: [M, V, J, G] = predictHypothesis (VIEW, U)
+% CALL: [M, V, L, J, G] = predictHypothesis (VIEW, U)
 %
 %   VIEW      struct of viewHypothesis
 %   U         n x d, normal coordinates (fromNormal)
 %   M, V      n x T, mean and variance of the whitened results
+%   L         n x 1, log probability that all benches give a result (see
+%             learnSuccess; 0 where no run has failed)
 %   J         1 x d cell of n x T, slopes of M along U
 %   G         n x T, slope of log V along the last coordinate where H has a
 %             spread, else 0
@@ -19,13 +21,14 @@
 %
 % See also: predictGap, fitHypothesis
 
-function [M, V, J, G] = predictHypothesis (view, U)
+function [M, V, L, J, G] = predictHypothesis (view, U)
   white = view.white;
   h = view.h;
   [Q, slope] = fromNormal (view.unknowns, U);
   last = white.p + numel (h.members);
+  L = logSuccess (white, h.members, Q);
   G = 0;
-  if nargout > 2
+  if nargout > 3
     [M, V, S, J] = predictGap (white, h.members, Q(:, 1:last));
     for j = 1:last
       J{j} = J{j} .* slope(:, j);
@@ -54,10 +57,25 @@ function [M, V, J, G] = predictHypothesis (view, U)
     part = Q(:, end).^2 .* white.shape;
   end
   V = V + part;
-  if nargout > 2
+  if nargout > 3
     J{last + 1} = 0;
     G = 2 * part ./ V .* slope(:, end) ./ Q(:, end);
   end
+end
+
+function L = logSuccess (white, members, Q)
+  L = zeros (rows (Q), 1);
+  at = any (white.success, 1);
+  if ~any (at)
+    return
+  end
+  p = white.p;
+  x = [ones(rows (Q), 1), Q(:, 1:p)] * white.success(:, at);
+  for i = 1:numel (members)
+    phi = Q(:, p + i);
+    x = x + [abs(phi), phi] * white.effect(members(i)).success(:, at);
+  end
+  L = -sum (log1p (exp (-min (max (x, -30), 30))), 2);
 end
 
 % Exponents from 0.3 to 3 are usual: a deviation of 1 in the exponent, and 0.5
@@ -75,7 +93,8 @@ end
 %! h = newHypothesis ('pair', [1, 2]);
 %! view = viewHypothesis (white, h, prior);
 %! U = [0.2, -0.3, 0.4, 0];
-%! [M, V, J] = predictHypothesis (view, U);
+%! [M, V, L, J] = predictHypothesis (view, U);
+%! assert (L, 0);
 %! for j = 1:4
 %!   step = 1e-6 * ((1:4) == j);
 %!   up = predictHypothesis (view, U + step);
@@ -88,13 +107,21 @@ end
 %! h = newHypothesis ('sibling', 1, [2, 1e-9]);
 %! view = viewHypothesis (white, h, prior);
 %! U = toNormal (view.unknowns, [0.5, 0.5, 0, 2]);
-%! [~, V, ~, G] = predictHypothesis (view, U);
+%! [~, V, ~, ~, G] = predictHypothesis (view, U);
 %! assert (V, 1 + 4 * 8 / 3 * ones (1, 4), 1e-6);
 %! assert (max (abs (G)) < 1e-8);
 %!test
 %! % as many parameters as results: there is no direction for it, no NaN
 %! white.parity = zeros (4, 0);
 %! view = viewHypothesis (white, newHypothesis ('sibling', 1), prior);
-%! [M, V, ~, G] = predictHypothesis (view, [0.2, -0.3, 0, 0.1]);
+%! [M, V, ~, ~, G] = predictHypothesis (view, [0.2, -0.3, 0, 0.1]);
 %! assert (V, ones (1, 4), 1e-12);
 %! assert (G, zeros (1, 4));
+%!test
+%! % one of two benches has failed where the parameter or effect 1 is strong
+%! white.success = [0, 1; 0, 2];
+%! white.effect(1).success = [0, -1; 0, 0];
+%! view = viewHypothesis (white, newHypothesis ('single', 1), prior);
+%! U = toNormal (view.unknowns, [0.5, 0.9, 0]);
+%! [~, ~, L] = predictHypothesis (view, U);
+%! assert (L, -log1p (exp (-2 + 0.9)), 1e-12);

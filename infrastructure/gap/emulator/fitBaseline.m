@@ -1,0 +1,79 @@
+% FITBASELINE  Kriging of the runs without effects, and polynomials of it.
+%
+% CALL: EM = fitBaseline (EM, GAPPROBLEM, DATA, ISBASE, OPTIONS, START)
+%
+%   EM          struct of fitEmulator; gets p to range, see there
+%   GAPPROBLEM, DATA, OPTIONS  see fitEmulator
+%   ISBASE      n x 1 logical, runs of DATA with all effects neutral
+%   START       1 x T surrogates of an earlier fit, [] = none
+%
+% See also: fitEmulator, fitSurrogate
+
+function em = fitBaseline (em, gapProblem, data, isBase, options, start)
+  p = columns (gapProblem.limits);
+  T = columns (data.Z);
+  settings = struct ('covariance', options.covariance, ...
+                     'trend', options.trend);
+  em.range = rangesOf (gapProblem, data.Z, isBase);
+  for t = T:-1:1
+    settings.name = gapProblem.targetNames{t};
+    settings.unit = em.range(t);
+    if ~isempty (start)
+      settings.start = start(t);
+    end
+    fits(t) = fitSurrogate (data.X(isBase, :), data.Z(isBase, t), ...
+                            gapProblem.limits, settings);
+  end
+  em.p = p;
+  em.limits = gapProblem.limits;
+  em.surrogates = fits;
+  em.Q2 = [fits.Q2];
+  em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
+  em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
+  em.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
+  X = em.limits(1, :) + (em.points + 1) / 2 .* diff (em.limits);
+  [average, em.surrogateVar] = predictSurrogate (fits, X);
+  noise = [fits.noiseVar] + mean (em.surrogateVar);
+  for degree = 2:4
+    em.powers = polyPowers (p, degree);
+    [em.coef, em.fitVar] = leastSquares (em.points, average, em.powers);
+    if rows (em.powers) * 4 > rows (em.points) || ...
+          all (em.fitVar < 0.02 * noise)
+      break
+    end
+  end
+  em.varPowers = polyPowers (p, 2);
+end
+
+% What the parameters move; of a response that they do not move, what effects or
+% the measurement do.
+function range = rangesOf (gapProblem, Z, isBase)
+  span = @(A) max (A, [], 1) - min (A, [], 1);
+  range = span (Z(isBase, :));
+  for t = find (range <= 100 * eps (max (abs (Z), [], 1)))
+    range(t) = max (span ([Z(:, t); gapProblem.value(t)]), gapProblem.sd(t));
+    if ~(range(t) > 0)
+      range(t) = gapProblem.unit(t);
+    end
+  end
+end
+
+function [coef, errorVar] = leastSquares (points, values, powers)
+  B = polyRows (powers, points);
+  coef = B \ values;
+  n = rows (B);
+  errorVar = sum ((values - B * coef).^2) / max (n - columns (B), 1);
+end
+
+%!test
+%! % a response that only an effect moves has the range of that
+%! lab = standInGap (0);
+%! given = setfield (lab.gapProblem, 'value', 8 * ones (1, 24));
+%! data = lab.plan (12, 2);
+%! off = all (data.E == 0, 2);
+%! data.Z(:, 2) = 5 * ~off;
+%! em = fitBaseline (struct (), newGapProblem (given), data, off, ...
+%!                   gapOptions (struct ('trend', 'affine')), []);
+%! assert (em.range(2), 8);
+%! z = data.Z(off, 1);
+%! assert (em.range(1), max (z) - min (z));
