@@ -225,3 +225,26 @@ function v = withGap (v, c, cause)
     v.action = cause.action;
   end
 end
+
+%!test
+%! % single sentences that had been wrong
+%! list = verdictCase ();
+%! of = @(name) list(strcmp ({list.name}, name));
+%! decide = @(s) decideCase (jsondecode (jsonencode (s.c)), ...
+%!                           jsondecode (jsonencode (s.gap)));
+%! v = decide (of ('Sluice: missed, blind'));
+%! assert (v.word, 'Not calibrated');
+%! assert (! isempty (strfind (v.gap, ...
+%!         'cannot tell whether one of these is there: cohesion, drag')));
+%! assert ([v.met, v.of], [2, 3]);
+%! v = decide (of ('a known value deviates'));
+%! assert (! isempty (strfind (v.notFor{1}, 'measured as 1 +- 0.1')));
+%! v = decide (of ('imported runs alone'));
+%! assert (! isempty (strfind (v.action, 'runs.csv')));
+%! v = decide (of ('every run fails'));
+%! assert (! isempty (strfind (v.action, 'why runs fail')));
+%! v = decide (of ('a curve is missed'));
+%! assert ([v.met, v.of], [1, 2]);
+%! v = decide (of ('conflict, never run'));
+%! assert (v.sentence, 'No set of the box meets: sum.');
+%! assert (! isempty (strfind (v.action, 'decalioc diagnose')));

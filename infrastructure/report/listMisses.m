@@ -112,3 +112,21 @@ function misses = foldCurves (misses, c)
   end
   misses = misses(keep);
 end
+
+%!test
+%! % the largest first; a held-out target by where a measurement should lie
+%! decoded = @(x) jsondecode (jsonencode (x));
+%! list = verdictCase ();
+%! of = @(name) decoded (list(strcmp ({list.name}, name)));
+%! s = of ('met, held out outside');
+%! m = listMisses (s.c, []);
+%! assert ({m.name}, {'difference', 'sum', 'product'});
+%! assert ([m.met], [0, 1, 1]);
+%! assert ([m(1).miss, m(1).allowed, m(1).share], [-4, 0.2, 20], 1e-12);
+%! s = of ('a curve is missed');
+%! m = listMisses (s.c, []);
+%! assert ({m.name}, {'w', 'difference'});
+%! assert (m(1).share, sqrt (10^2 / 2), 1e-9);
+%! % a diagnosis alone knows z
+%! s = of ('gap alone, named');
+%! assert ([listMisses([], s.gap).share], [3.1, 1.75, 0.1], 1e-12);

@@ -48,16 +48,6 @@ function tell (state, stage, say, last)
   end
 end
 
-function text = inWords (seconds)
-  if seconds < 90
-    text = sprintf ('%.0f s', seconds);
-  elseif seconds < 5400
-    text = sprintf ('%.0f min', seconds / 60);
-  else
-    text = sprintf ('%.1f h', seconds / 3600);
-  end
-end
-
 %!test
 %! box = containers.Map ();
 %! box('text') = '';

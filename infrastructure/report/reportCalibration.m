@@ -167,3 +167,15 @@ function sayLevels (c, Case, say)
   end
   say ('');
 end
+
+%!test
+%! [~, text] = situationPage ('met, held out outside');
+%! assert (! isempty (strfind (text, 'CALIBRATED: all targets met')), text);
+%! assert (! isempty (strfind (text, ...
+%!         'held out: difference measured 5, predicted 1')));
+%! assert (! isempty (strfind (text, 'OUTSIDE')), text);
+%! assert (! isempty (strfind (text, '8 plan, 2 infill, 4 verification')));
+%!test
+%! [~, text] = situationPage ('missed, no gap');
+%! assert (! isempty (strfind (text, 'NOT CALIBRATED: the mean')), text);
+%! assert (! isempty (strfind (text, '20.00      1.00        0.01 missed')));

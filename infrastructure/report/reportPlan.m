@@ -23,3 +23,9 @@ function reportPlan (plan, Case, say, E)
     say (sprintf ('  %4d  %s', i, strjoin (cells, '  ')));
   end
 end
+
+%!test
+%! Case = struct ('names', {{'friction', 'b'}}, 'effectVars', {{'scale'}});
+%! text = evalc ('reportPlan ([0.5, 1; 0.25, 2], Case, @disp, zeros (2, 0));');
+%! assert (! isempty (strfind (text, 'Experimental plan: 2 samples')));
+%! assert (! isempty (strfind (text, '     2       0.25          2')), text);

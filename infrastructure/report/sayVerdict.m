@@ -19,3 +19,10 @@ function sayVerdict (v, say)
   end
   say (['  what to do: ', v.action]);
 end
+
+%!test
+%! [~, text] = situationPage ('met, one parameter open');
+%! assert (! isempty (strfind (text, '  use it for: flows like those that')));
+%! assert (! isempty (strfind (text, '  not for: flows in which b matters')));
+%! assert (! isempty (strfind (text, '  targets met: 3 of 3')), text);
+%! assert (! isempty (strfind (text, '  what to do: Use the set')), text);

@@ -240,3 +240,10 @@ function [text, isBeyond] = whereText (gap)
   end
   text = [text, '.'];
 end
+
+%!test
+%! list = verdictCase ();
+%! s = list(strcmp ({list.name}, 'met, blind'));
+%! cause = decideGap (jsondecode (jsonencode (s.gap)));
+%! assert (cause.kind, 'cannot tell');
+%! assert (cause.cannotSee, {'cohesion', 'drag'});

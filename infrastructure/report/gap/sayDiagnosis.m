@@ -175,3 +175,11 @@ function sayShare (what, share, say)
     say (sprintf ('    %s in %.0f %%', what, 100 * share));
   end
 end
+
+%!test
+%! [~, text] = situationPage ('missed, named');
+%! assert (! isempty (strfind (text, ...
+%!         'CAUSE   Missing in the model: cohesion 41 kJ/m3')));
+%! assert (! isempty (strfind (text, ...
+%!         '7        6.65     3.5   0.010  <-- off')));
+%! assert (! isempty (strfind (text, 'WHICH: Cause found: cohesion')), text);

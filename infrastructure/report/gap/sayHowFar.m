@@ -105,3 +105,17 @@ function text = timesText (logRatio)
     text = 'less than a thousandth';
   end
 end
+
+%!test
+%! [~, text] = situationPage ('missed, named');
+%! assert (! isempty (strfind (text, ...
+%!         'deviation 23.1 % -> 4.2 % of the range, noise makes 6.6')));
+%! assert (! isempty (strfind (text, ...
+%!         '90 % of the gap closed (90 %: 80 to 110)')));
+%! assert (! isempty (strfind (text, ...
+%!         'placebo tilt closes nothing (30 % expected')));
+%! assert (! isempty (strfind (text, 'more than 1000 times as likely')), text);
+%!test
+%! [~, text] = situationPage ('missed, as many unknowns as targets');
+%! assert (! isempty (strfind (text, 'cannot be judged from so few')), text);
+%! assert (isempty (strfind (text, 'range, noise makes')), text);

@@ -82,7 +82,7 @@ end
 
 function html = mapCell (page, where, t)
   z = abs (jsonAt (where.targets, {t, 'z'}));
-  level = sum (z >= 1:3);
+  level = sum ([z, NaN](1) >= 1:3);
   class = '';
   if level > 0
     class = sprintf (' class="z%d"', level);
