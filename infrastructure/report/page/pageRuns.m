@@ -11,7 +11,7 @@
 % Nothing is run, evaluated or changed. In a store that other cases share, only
 % runs inside the limits count.
 %
-% See also: pageData, writeRunTable
+% See also: pageData, writePage
 
 function runs = pageRuns (Case)
   runs = blank ();
