@@ -44,7 +44,7 @@ end
 function state = confirmingRuns (state, final, problem)
   % where more than one run is likely to be missing no CPU is left idle
   n = max (1, problem.options.replicates - final.n);
-  if final.probability < 0.9
+  if final.probability < problem.options.unsure
     n = Inf;
   end
   n = min (n, max (1, floor (problem.options.sets)));   % runAndFit: the budget
@@ -72,7 +72,7 @@ function why = whyOver (book, problem)
   [share, spread] = toleranceShare (problem, final.residual', ...
                                     final.residualSd');
   isOut = final.n >= problem.options.replicates && ...
-          any ((share - 1) ./ max (spread, realmin) > 3);
+          any ((share - 1) ./ max (spread, realmin) > problem.options.apart);
   mayMove = book('wrong') < problem.options.maxIter;
   failed = failedSets (state.data, problem);
   why = '';

@@ -81,7 +81,7 @@ function state = publishedResult (state, problem, p, why)
                   100 * final.probability, 100 * problem.options.confidence);
   if final.converged
     rest = 'call this set calibrated, too';
-  elseif final.probability < 0.2
+  elseif final.probability < problem.options.wrong
     rest = 'go on to other sets';
   end
   final.met = final.n > 0 & abs (final.residual') <= problem.tol;

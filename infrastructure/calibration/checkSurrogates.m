@@ -123,10 +123,10 @@ function lines = curveWarnings (state, problem, number)
   end
 end
 
-% Within 0.5 % of the width of the box.
 function names = limitsTouched (params, problem)
   u = (params(:)' - problem.limits(1, :)) ./ diff (problem.limits);
-  names = problem.names(u < 0.005 | u > 0.995);
+  near = problem.options.atLimit;
+  names = problem.names(u < near | u > 1 - near);
 end
 
 %!shared problem, state, s

@@ -49,7 +49,7 @@ end
 
 function P = likelySets (surrogates, problem, found, n, round)
   P = repmat (found.params, n, 1);
-  if n < 2 || found.probability >= 0.5
+  if n < 2 || found.probability >= problem.options.even
     return
   end
   candidates = candidateSets (surrogates, problem, found);

@@ -40,7 +40,7 @@ function final = confirmSet (state, problem)
   if n > 0
     final.result = mean (Z, 1);
     final.sd = noiseSd / sqrt (n);
-    alone = abs (final.result - m) > 3 * final.sd;
+    alone = abs (final.result - m) > problem.options.apart * final.sd;
     own = sqrt (sum ((Z - final.result).^2, 1) / max (n - 1, 1));
     s = max (own, noiseSd) / sqrt (n);
     m(alone) = final.result(alone);

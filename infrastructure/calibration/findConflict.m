@@ -3,9 +3,9 @@
 % CALL: NAMES = findConflict (SURROGATES, PROBLEM)
 % CALL: [NAMES, EXCESS] = findConflict (SURROGATES, PROBLEM)
 %
-% NAMES   cellstr: {} if all targets can be met within 3 standard deviations
-%         of the surrogates; else the smallest group found that conflicts (one
-%         name: that target lies outside what the box reaches)
+% NAMES   cellstr: {} if all targets can be met within options.apart standard
+%         deviations of the surrogates; else the smallest group found that
+%         conflicts (one name: that target lies outside what the box reaches)
 % EXCESS  scalar: how far the best compromise stays outside the tolerances, in
 %         standard deviations of the surrogates there (0: met)
 %
@@ -17,7 +17,7 @@
 function [names, excess] = findConflict (surrogates, problem)
   [group, known] = requirementsOf (problem);
   excess = leastExcess (surrogates, problem, [group{:}]);
-  if excess <= 3
+  if excess <= problem.options.apart
     names = {};
     return
   end
@@ -25,7 +25,8 @@ function [names, excess] = findConflict (surrogates, problem)
   for k = 1:numel (group)
     left(k) = false;
     left(k) = ~any (left) || ...
-              leastExcess (surrogates, problem, [group{left}]) <= 3;
+              leastExcess (surrogates, problem, [group{left}]) <= ...
+              problem.options.apart;
   end
   names = known(left);
 end

@@ -49,11 +49,12 @@ function p = bestOf (X, p, state, problem)
   chance = meetProbability (state.surrogates, problem, X);
   r = targetResidual (problem, X, predictSurrogate (state.surrogates, X));
   worst = max (toleranceShare (problem, r), [], 2);
-  [~, order] = sortrows ([-round(50 * chance), worst]);
+  better = problem.options.better;
+  [~, order] = sortrows ([-round(chance / better), worst]);
   best = order(1);
   here = find (sameSet (X, p, problem.limits), 1);
-  if isempty (here) || chance(here) < chance(best) - 0.02 || ...
-     (chance(best) < 0.02 && worst(here) > 1.05 * worst(best))
+  if isempty (here) || chance(here) < chance(best) - better || ...
+     (chance(best) < better && worst(here) > 1.05 * worst(best))
     p = X(best, :);
   end
 end

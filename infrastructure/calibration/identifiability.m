@@ -24,7 +24,7 @@ function weak = identifiability (surrogates, problem, known)
   U = (known.sample - problem.limits(1, :)) ./ diff (problem.limits);
   weak.notIdentified = problem.names(~known.identified);
   [V, D] = eig (cov (U));
-  loose = sqrt (diag (D)) > 0.5 / sqrt (12);
+  loose = sqrt (diag (D)) > problem.options.loose / sqrt (12);
   weak.directions = fliplr (V(:, loose));
   weak.text = cell (1, columns (weak.directions));
   for k = 1:columns (weak.directions)
@@ -61,7 +61,8 @@ function next = furtherTargets (surrogates, problem, sample, U)
   for j = 1:columns (U)
     next(end + 1) = struct ('kind', 'measure directly', ...
                             'name', problem.names{j}, ...
-                            'gain', gainOf (U, U(:, j), 0.05^2));
+                            'gain', gainOf (U, U(:, j), ...
+                                            problem.options.direct^2));
   end
   [~, order] = sort ([next.gain], 'descend');
   next = next(order);

@@ -8,7 +8,7 @@
 %
 % Each round places a batch of options.sets runs (chooseInfill), refits the
 % surrogates and calibrates again, until the found set meets all targets with a
-% probability of 0.8 (the confirming runs of calibrateOnDEM bring the rest), or
+% probability of options.likely (the runs of calibrateOnDEM bring the rest), or
 % it is clear in two rounds running that no set can meet them, or only the
 % runs for confirmation are left of the budget. STATE.reason says which.
 % Where there are levels, the first round is that of nestLevels.
@@ -16,16 +16,15 @@
 % See also: nestLevels, chooseInfill, calibrateOnDEM
 
 function state = improveByInfill (state, problem, say)
-  enough = 0.8;
   conflicts = 0;
   round = 0;
   state = nestLevels (state, problem, say);
   while true
     conflicts = (conflicts + 1) * ~isempty (state.found.conflict);
     free = budgetLeft (state, problem) - problem.options.replicates;
-    if state.found.probability >= enough
+    if state.found.probability >= problem.options.likely
       state.reason = 'the found set is likely';
-    elseif conflicts > 2
+    elseif conflicts > problem.options.conflicts
       state.reason = ['no set meets: ', ...
                       strjoin(state.found.conflict, ', ')];
     elseif free < 1

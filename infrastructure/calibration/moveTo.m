@@ -11,9 +11,9 @@
 %           other step goes along slopes that the surrogates know
 %
 % The found set stays once it is sure enough (options.confidence), and unless
-% the other one is likelier by 0.02: what the runs at it told the surrogates
-% they go on telling. A set whose runs failed twice and never finished is left
-% (failedSets).
+% the other one is likelier by options.better: what the runs at it told the
+% surrogates they go on telling. A set whose runs failed twice and never
+% finished is left (failedSets).
 %
 % See also: improveByInfill, calibrateOnDEM
 
@@ -30,8 +30,8 @@ function [state, wasWrong] = moveTo (state, problem, p)
     there = calibrateOnKriging (state.surrogates, problem, options);
     here.conflict = there.conflict;
   end
-  isWrong = here.probability <= 0.2;
-  if isWrong || here.probability <= there.probability - 0.02
+  isWrong = here.probability <= problem.options.wrong;
+  if isWrong || here.probability <= there.probability - problem.options.better
     here = there;
   end
   wasWrong = isWrong && ~sameSet (here.params, state.found.params, ...

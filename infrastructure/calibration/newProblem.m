@@ -21,9 +21,7 @@
 % seriesNames cellstr, coordinate (place on it, 0: none), part (what a residual
 % is divided by in a sum of squares in which a curve counts once);
 % benchNames, benchCost 1 x M; cost, standard (logical: the residuals are the
-% published ones), nExtra (preference rows), options with all defaults:
-%   sets 1, seed 1, maxFunEvals 40, maxIter 3, tolfun 0.002, replicates 1,
-%   WRL 0, method 'robust', confidence 0.95
+% published ones), nExtra (preference rows), options of calibrationOptions,
 % coarse ([], or where CASE.coarse has levels a struct: variables 1 x v cellstr,
 % levels L x v, the last row counts; column 1 x T, of each target's level, 0:
 % none)
@@ -52,7 +50,7 @@ function problem = newProblem (Case, cost)
   for own = requirementsOf (problem)
     problem.part(own{1}) = problem.tol(own{1}) * sqrt (numel (own{1}));
   end
-  problem.options = withDefaults (Case);
+  problem.options = calibrationOptions (givenField (Case, 'options', []));
   problem.coarse = coarseOf (Case);
   if nargin < 2 || isempty (cost)
     value = problem.value(:);
@@ -127,15 +125,6 @@ function row = fieldRow (targets, name, default)
   row = default * ones (1, numel (targets));
   if isfield (targets, name)
     row = double ([targets.(name)]);
-  end
-end
-
-function options = withDefaults (Case)
-  options = struct ('sets', 1, 'seed', 1, 'maxFunEvals', 40, ...
-                    'maxIter', 3, 'tolfun', 0.002, 'replicates', 1, ...
-                    'WRL', 0, 'method', 'robust', 'confidence', 0.95);
-  if isfield (Case, 'options')
-    options = mergeFields (options, Case.options);
   end
 end
 

@@ -131,7 +131,8 @@ function known = summarise (U, problem)
   known.correlation = corr (U);
   known.sample = P;
   known.shrink = known.sd ./ (width / sqrt (12));
-  known.identified = diff (known.interval90, 1, 1) < 0.5 * width;
+  known.identified = diff (known.interval90, 1, 1) < ...
+                     problem.options.loose * width;
 end
 
 % Variance of a measured value about the mean response: the packing of the

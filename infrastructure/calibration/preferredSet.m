@@ -6,14 +6,15 @@
 % POOL  k x d  other sets that were found
 %
 % Looks, around p and the pool, for the least preference value among sets whose
-% probability of meeting all targets is at most 0.02 below that of p and at
-% least one half. A set that does not meet the targets is never preferred.
+% probability of meeting all targets is at most options.better below that of p
+% and at least options.even. A set that does not meet the targets is never
+% preferred.
 %
 % See also: calibrateOnKriging, mostProbableSet
 
 function p = preferredSet (surrogates, problem, p, pool)
   best = meetProbability (surrogates, problem, p);
-  if best < 0.5
+  if best < problem.options.even
     return
   end
   loss = @(P) preferenceIfSure (P, surrogates, problem, best);
@@ -24,7 +25,8 @@ end
 % Inf for a set that is less sure than the best one.
 function value = preferenceIfSure (P, surrogates, problem, best)
   value = Inf (rows (P), 1);
-  sure = meetProbability (surrogates, problem, P) >= max (0.5, best - 0.02);
+  sure = meetProbability (surrogates, problem, P) >= ...
+         max (problem.options.even, best - problem.options.better);
   if any (sure)
     value(sure) = preferenceOf (problem, P(sure, :));
   end

@@ -28,7 +28,8 @@ function state = runPlan (state, problem, plan, E, Case, say)
   end
   data = state.data;
   isWhole = all (isfinite (data.Z), 2);
-  checkEnough (data, isWhole, before + rows (plan) - rows (data.X), Case);
+  checkEnough (data, isWhole, before + rows (plan) - rows (data.X), Case, ...
+               problem.options.planShare);
   writeMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), ...
                [data.X(isWhole, :), data.E(isWhole, :)]);
   for t = 1:numel (Case.targets)
@@ -42,7 +43,7 @@ end
 
 % Surrogates need more sets than parameters; where a third of the plan fails,
 % the box or the model is at fault.
-function checkEnough (data, isWhole, nLeftOut, Case)
+function checkEnough (data, isWhole, nLeftOut, Case, share)
   anywhere = [-Inf; Inf] .* ones (1, columns (data.X));
   have = finishedSets (data, anywhere);
   least = numel (Case.names) + 2;
@@ -59,7 +60,7 @@ function checkEnough (data, isWhole, nLeftOut, Case)
            ['runPlan: the surrogates need %d different sets with a ' ...
             'result for every target, got %d. Give more rows in runs.csv, ' ...
             'or raise Input.numOfSam.'], least, have);
-  elseif have < least || sum (isWhole) < 2 / 3 * n
+  elseif have < least || sum (isWhole) < share * n
     lines = {};
     for k = 1:numel (Case.models)
       lines = [lines, failuresOf(Case, Case.models(k).name)];
