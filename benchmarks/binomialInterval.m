@@ -8,7 +8,7 @@
 %
 % Solved by bisection of the regularised incomplete beta function.
 %
-% See also: twinsScore
+% See also: scoreDiagnoses
 
 function [lo, hi] = binomialInterval (k, n, level)
   if nargin < 3

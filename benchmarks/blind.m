@@ -7,8 +7,8 @@
 %       octave-cli benchmarks/blind.m score NAME SECRET
 %       octave-cli benchmarks/blind.m where NAME
 %
-% campaign  runs what all cases share into benchmarks/data/blind.csv (WORK keeps
-%           the runs)
+% campaign  runs what all cases share into benchmarks/blind/storedRuns.csv
+%           (WORK keeps the runs)
 % draw      draws CASES (60) from random numbers that nobody knows, runs their
 %           truth in the folder SECRET and keeps it there; writes
 %           NAME-cases.csv and NAME-lists.csv, what a laboratory hands over, and
@@ -91,7 +91,7 @@ function [truths, isNew] = drawnBefore (secret, lab, n, draw)
 end
 
 function answerCases (root, stem, place, secret, step)
-  runs = fullfile (root, 'benchmarks', 'data', 'blind.csv');
+  runs = fullfile (root, 'benchmarks', 'blind', 'storedRuns.csv');
   folders = blindCases (stem, runs, make_absolute_filename (place));
   numbers = 1:numel (folders);
   if ~isempty (step)

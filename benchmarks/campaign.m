@@ -8,7 +8,7 @@
 %
 % On two benches 45 sets without effect, six of them with a second packing,
 % 12 for each of eight effects, 12 with two effects at once (campaignPlan). The
-% case is benchmarks/drumAndBins. Writes benchmarks/data/drumAndBins.csv, with
+% case is benchmarks/drumAndBins. Writes its storedRuns.csv, with
 % an empty result where a simulation ended without one (a slot that jams), and
 % prints the tables of the case's README.
 %
@@ -111,7 +111,8 @@ say = @(text) sayLine (text, fullfile (work, 'campaign.log'));
 lock = lockCase (work);
 records = runAll (plan, Case, say);
 data = recordTable (plan, records, Case);
-file = fullfile (root, 'benchmarks', 'data', 'drumAndBins.csv');
+file = fullfile (root, 'benchmarks', 'drumAndBins', ...
+                 'storedRuns.csv');
 printf ('%d rows in %s\n', exportRuns (file, Case, data), file);
 sayCounts (plan, records, Case);
 sayCost (Case);

@@ -16,7 +16,7 @@
 % curve as one, by a fifth of the tolerance. Reported: how many of the intervals
 % hold the drawn set, and how wide they are.
 %
-% See also: curveCoverage, parameterPosterior, drumLevels
+% See also: curveCoverage, parameterPosterior
 
 1;
 

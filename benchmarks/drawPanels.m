@@ -11,7 +11,7 @@
 %
 % Errors: DEcalioc:drawPanels:runFailed
 %
-% See also: benchResponse, twinsCurves
+% See also: benchResponse
 function drawPanels (file, panels, nColumns, key)
   nRows = ceil (numel (panels) / nColumns);
   foot = 30 * ~isempty (key);

@@ -13,15 +13,17 @@
 % STEP   of these cases every so-manyth (1), MOST  and of those the first (all):
 %        one case takes 2 minutes
 %
-% As twins.m, but the truth follows laws of bulk solids with thresholds, kinks
-% and saturation (foreignLab), scatter follows the results with heavy tails, and
-% some causes are undeclared look-alikes of a listed effect. Writes to results/,
-% with S = foreign-blind, foreign-develop, foreign-blind-nulls ...:
+% Draws data sets with a known cause ("twins") from laboratories that the
+% diagnosis knows only through noisy runs, writes the truth and its SHA-256,
+% diagnoses every twin without it, and scores all of them. The truth follows
+% laws of bulk solids with thresholds, kinks and saturation (foreignLab),
+% scatter follows the results with heavy tails, and some causes are undeclared
+% look-alikes of a listed effect. Writes to results/, with S = foreign-blind,
+% foreign-develop, foreign-blind-nulls ...:
 %   S-truth.csv, S-truth.sha256   truth, written first
 %   S-cases.csv                   what the diagnosis may see
 %   S.csv                         every case: truth and verdict
 %   S-scores.csv                  figures of merit, 95 % Clopper-Pearson
-%   S-curves.csv, docs/figures/S.svg   the same over d (of the whole mix)
 %
 % See also: foreignLab, twinsDraw, twinsDiagnose, twinsScore, foreignLines
 
@@ -54,11 +56,7 @@ function runForeign (kind, perLab, only, whole)
   else
     verdicts = twinsDiagnose (labs, twins);
   end
-  twinsScore (name, twins, verdicts, labs, @foreignLines);
-  if isempty (only)
-    twinsCurves (name, fullfile (root, 'docs', 'figures', [stem, '.svg']), ...
-                 [1:4, 6, 8, 10, 12]);
-  end
+  twinsScore (name, twins, verdicts, labs);
 end
 
 % Shared out to the cores in turn: a laboratory may be quicker than the others.

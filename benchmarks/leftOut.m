@@ -2,9 +2,9 @@
 %
 % CALL: octave-cli benchmarks/leftOut.m [hiddenEffect|drumAndBins ...] [every]
 %
-% Each run of a stored campaign on LIGGGHTS (benchmarks/data/<name>.csv) is left
-% out once with all its repeats and, with measurement noise added, taken for the
-% measurement: rows with one effect tell whether it is named and whether its
+% Each run of a stored campaign on LIGGGHTS (storedRuns.csv of its folder) is
+% left out once with all its repeats and, with measurement noise added, taken
+% for the measurement: rows with one effect tell whether it is named and whether its
 % strength is found, rows with two the same for pairs, neutral rows how often
 % there is a false alarm. The truth is a run of the DEM program, not of the
 % surrogates that diagnose it. With a number as last argument only every n-th
@@ -13,7 +13,7 @@
 % Writes results/leftOut-<name>.csv (every case) and leftOut.csv (figures), and
 % prints the latter: shares with 95 % Clopper-Pearson intervals.
 %
-% See also: twins, leftOutCase, leftOutScore
+% See also: foreignTwins, leftOutCase, leftOutScore
 
 1;
 
@@ -33,11 +33,26 @@ function runLeftOut (names, every)
     parts = parcellfun (nproc (), @leftOutCase, ...
                         repmat ({campaign}, 1, numel (shares)), shares, ...
                         'UniformOutput', false, 'VerboseLevel', 0);
-    own = [parts{:}];
-    leftOutWrite (fullfile (results, ['leftOut-', name{1}, '.csv']), own);
-    cases = [cases, own];
+    part = [parts{:}];
+    writeCases (fullfile (results, ['leftOut-', name{1}, '.csv']), part);
+    cases = [cases, part];
   end
   leftOutScore (fullfile (results, 'leftOut.csv'), cases);
+end
+
+function writeCases (file, cases)
+  lines = {['campaign,row,class,cause,phi,d,verdict,effects,lookAlike,' ...
+            'guard,top,pTop,pTrue,pNull,strength,lo90,hi90,gateP,odds,ess']};
+  for c = cases
+    lines{end + 1} = sprintf ...
+      (['%s,%d,%s,%s,%s,%.2f,%s,%s,%d,%s,%s,%.4f,%.4f,%.4f,%.3f,%.3f,' ...
+        '%.3f,%.4f,%.3g,%.0f'], ...
+       c.campaign, c.row, c.class, strjoin (c.cause, ' '), ...
+       strtrim (sprintf ('%.3f ', c.phi)), c.d, c.verdict, ...
+       strjoin (c.effects, ' '), c.lookAlike, c.guard, c.top, c.pTop, ...
+       c.pTrue, c.pNull, c.interval, c.gateP, exp (min (c.exclude, 20)), c.ess);
+  end
+  writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
 end
 
 args = argv ();

@@ -4,7 +4,7 @@
 %
 %   FOLDER  case folder whose results/report.html is there already; default:
 %           examples/hiddenEffect is calibrated and diagnosed in a new folder,
-%           from the runs in benchmarks/data/hiddenEffect.csv (no DEM run is
+%           from the runs in examples/hiddenEffect/storedRuns.csv (no DEM run is
 %           made; about 3 minutes)
 %
 % Writes docs/figures/report.png and docs/figures/report-gap.png with Chromium.
@@ -19,7 +19,7 @@ function folder = diagnosedCase (root)
   mkdir (folder);
   example = fullfile (root, 'examples', 'hiddenEffect');
   copyfile (fullfile (example, '*.m'), folder);
-  copyfile (fullfile (root, 'benchmarks', 'data', 'hiddenEffect.csv'), ...
+  copyfile (fullfile (root, 'examples', 'hiddenEffect', 'storedRuns.csv'), ...
             fullfile (folder, 'runs.csv'));
   file = fullfile (folder, 'loadInput.m');
   text = regexprep (fileread (file), 'Input.maxNewRuns = \d+', ...

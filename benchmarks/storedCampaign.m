@@ -2,11 +2,11 @@
 %
 % CALL: [GIVEN, DATA] = storedCampaign (NAME, ROOT)
 %
-%   NAME   case in examples/ or benchmarks/; its runs are data/NAME.csv
+%   NAME   case in examples/ or benchmarks/; its runs: storedRuns.csv
 %   ROOT   folder of the toolbox
 %   GIVEN  struct for newGapProblem;  DATA  all runs, see importRuns
 %
-% See also: leftOutCampaign, integrationSeeds, twinsLaboratories
+% See also: leftOutCampaign
 
 function [given, data] = storedCampaign (name, root)
   folder = fullfile (root, 'examples', name);
@@ -17,8 +17,7 @@ function [given, data] = storedCampaign (name, root)
   before = enter (folder);
   back = onCleanup (@() enter (before));
   Case = withEffects (loadCase (root, folder));
-  data = importRuns (fullfile (root, 'benchmarks', 'data', [name, '.csv']), ...
-                     Case);
+  data = importRuns (fullfile (folder, 'storedRuns.csv'), Case);
   given = gapProblemOf (Case);
 end
 

@@ -7,7 +7,7 @@
 %! tidy = onCleanup (@() rmpath (folder));
 %! Case = withEffects (loadCase (root, folder));
 %! clear tidy
-%! file = fullfile (root, 'benchmarks', 'data', 'drumAndBins.csv');
+%! file = fullfile (folder, 'storedRuns.csv');
 %! [data, ignored] = importRuns (file, Case);
 %! [~, cells] = readCsvTable (file);
 %! count = rows (cells);

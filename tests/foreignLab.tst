@@ -3,7 +3,7 @@
 
 %!function walk (check)
 %!  list = {'blind', 1; 'blind', 2; 'blind', 3; 'blind', 4; ...
-%!          'develop', 1; 'develop', 2; 'curve', 1; 'curve', 2; 'curve', 3};
+%!          'develop', 1; 'develop', 2};
 %!  for i = 1:rows (list)
 %!    lab = foreignLab (list{i, :});
 %!    check (lab, columns (lab.gapProblem.limits), ...

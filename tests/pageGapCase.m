@@ -3,8 +3,8 @@
 % CALL: CASE = pageGapCase (FOLDER)
 %
 %   FOLDER  folder to be made (text)
-%   CASE    see newCase: examples/hiddenEffect, with the gap.json that is kept
-%           in benchmarks/results; gap/targets.csv is made of it
+%   CASE    see newCase: examples/hiddenEffect, with hiddenEffect.json of this
+%           folder as its gap.json; gap/targets.csv is made of it
 %
 % See also: pageCase
 
@@ -14,9 +14,9 @@ function Case = pageGapCase (folder)
   mkdir (fullfile (folder, 'gap'));
   example = fullfile (root, 'examples', 'hiddenEffect');
   copyfile (fullfile (example, '*.m'), folder);
-  copyfile (fullfile (root, 'benchmarks', 'results', 'hiddenEffect.json'), ...
+  copyfile (fullfile (root, 'tests', 'hiddenEffect.json'), ...
             fullfile (folder, 'gap', 'gap.json'));
-  copyfile (fullfile (root, 'benchmarks', 'data', 'hiddenEffect.csv'), ...
+  copyfile (fullfile (example, 'storedRuns.csv'), ...
             fullfile (folder, 'runs.csv'));
   addpath (folder);
   tidy = onCleanup (@() rmpath (folder));

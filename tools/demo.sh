@@ -10,7 +10,7 @@ mkdir -- "$folder" || {
   exit 1
 }
 cp "$root"/examples/hiddenEffect/load*.m "$folder"
-cp -L "$root/examples/hiddenEffect/storedRuns.csv" "$folder/runs.csv"
+cp "$root/examples/hiddenEffect/storedRuns.csv" "$folder/runs.csv"
 sed -i 's/\(Input.maxNewRuns = \)[^;]*;.*/\10;                 % runs.csv alone/' "$folder/loadInput.m"
 
 "$root/bin/decalioc" run "$folder" || [ $? -eq 2 ]      # 2: targets not met

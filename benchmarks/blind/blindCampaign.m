@@ -6,21 +6,20 @@
 %   WORK  folder that keeps the runs; finished ones in it are used again
 %
 % On the benches of examples/hiddenEffect: 15 sets without effect, 12 of each of
-% seven effects that benchmarks/data/hiddenEffect.csv has four of, four of each
-% of three pairs. Writes benchmarks/data/blind.csv: the rows of hiddenEffect.csv
-% and the new ones. About 30 minutes of one core.
+% seven effects that its storedRuns.csv has four of, four of each of three
+% pairs. Writes benchmarks/blind/storedRuns.csv: the rows of that table and the
+% new ones. About 30 minutes of one core.
 %
 % See also: blind, campaignPlan
 
 function blindCampaign (root, work)
   folder = fullfile (root, 'examples', 'hiddenEffect');
-  data = fullfile (root, 'benchmarks', 'data');
   before = cd (folder);
   back = onCleanup (@() cd (before));
   clear ('-f', 'loadInput', 'loadEffects');
   Case = withEffects (loadCase (root, folder));
   Case.store = work;
-  Case.options.seed = 7;                % not the plan of hiddenEffect.csv
+  Case.options.seed = 7;                % not the plan of the stored runs
   [~, ~] = mkdir (work);
   lock = lockCase (work);
   useLiggghts (root);
@@ -35,10 +34,10 @@ function blindCampaign (root, work)
     Case.models = addSeconds (Case.models, records(i));
   end
   records = reshape (records, numel (Case.models), rows (plan.X)).';
-  file = fullfile (data, 'blind.csv');
+  file = fullfile (root, 'benchmarks', 'blind', 'storedRuns.csv');
   exportRuns (file, Case, recordTable (plan, records, Case));
   lines = strsplit (strtrim (fileread (file)), "\n");
-  old = strtrim (fileread (fullfile (data, 'hiddenEffect.csv')));
+  old = strtrim (fileread (fullfile (folder, 'storedRuns.csv')));
   writeAtomic (file, [strjoin([{old}, lines(2:end)], "\n"), "\n"]);
   printf ('%d lines in %s\n', numel (strfind (fileread (file), "\n")), file);
 end

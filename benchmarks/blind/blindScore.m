@@ -7,7 +7,9 @@
 %          STEM-cases-scored.csv and STEM-scores.csv written
 %   TRUTH  path of the truth of blindHandOver
 %   LAB    struct of blindLab
-%   CASES  1 x n struct: truth, answer and what is right, see flagsOf
+%   CASES  1 x n struct for scoreDiagnoses, with truth and answer (rows of the
+%          tables), isLibrary (form of the effect), hasStrength, benchPlaced,
+%          placed, closure, held, heldHi, placebo
 %
 % d of a truth is the norm of what the parameters cannot absorb of the change
 % from the model without effects, in units of the whole noise, less what the
@@ -21,12 +23,12 @@ function cases = blindScore (stem, truth, lab)
   strengths = tableOf ([regexprep(stem, '-where$', ''), '-strengths.csv']);
   truths = truths(ismember ({truths.case}, {answers.case}));
   for i = 1:numel (truths)
-    at = find (strcmp ({answers.case}, truths(i).case), 1);
-    own = strcmp ({strengths.case}, truths(i).case);
-    cases(i) = flagsOf (truths(i), answers(at), strengths(own), lab);
+    answer = answers(find (strcmp ({answers.case}, truths(i).case), 1));
+    mine = strengths(strcmp ({strengths.case}, truths(i).case));
+    cases(i) = caseOf (truths(i), answer, mine, lab);
   end
-  writeCases ([stem, '-cases-scored.csv'], cases);
-  blindLines ([stem, '-scores.csv'], cases);
+  s = scoreDiagnoses ([stem, '-scores.csv'], cases, @blindLines);
+  writeCases ([stem, '-cases-scored.csv'], cases, s);
 end
 
 % 1 x n struct, all fields text.
@@ -35,38 +37,28 @@ function list = tableOf (file)
   list = cell2struct (cells, header, 2)';
 end
 
-function c = flagsOf (truth, answer, strengths, lab)
-  names = {lab.gapProblem.effects.name};
+function c = caseOf (truth, answer, strengths, lab)
   cause = strsplit (truth.cause, ' ');
-  if strcmp (truth.class, 'unlisted') || strcmp (truth.class, 'null')
+  if any (strcmp (truth.class, {'unlisted', 'null'}))
     cause = {};
   end
   said = strsplit (answer.effects, ' ');
-  said = said(~cellfun (@isempty, said));
-  listed = cause(~strcmp (cause, truth.removed));
-  c = struct ('number', str2double (truth.case), 'class', truth.class, ...
-              'cause', truth.cause, 'forms', truth.forms, 'phi', truth.phi, ...
-              'verdict', answer.verdict, 'effects', answer.effects, ...
-              'guard', answer.guard);
+  c = struct ('truth', truth, 'answer', answer, 'class', truth.class, ...
+              'cause', {cause(~strcmp (cause, truth.removed))}, ...
+              'verdict', answer.verdict, 'top', answer.top, 'effects', ...
+              {said(~cellfun (@isempty, said))}, ...
+              'phi', str2double (truth.phi), 'interval', [], ...
+              'isLibrary', strcmp (truth.forms, 'library'));
+  c.hasStrength = c.isLibrary && numel (cause) == 1;
+  if c.hasStrength
+    found = strengths(strcmp ({strengths.effect}, cause{1}));
+    c.interval = [str2double({found.lo90}), str2double({found.hi90})];
+  end
   [c.d, parts] = detectable (truth, lab);
-  c.null = strcmp (truth.class, 'null');
-  c.own = strcmp (truth.forms, 'library');
-  c.named = strcmp (answer.verdict, 'named');
-  c.grouped = strcmp (answer.verdict, 'group');
-  c.alarm = ~strcmp (answer.verdict, 'no gap');
-  hits = ismember (said, listed);
-  c.top = any (strcmp (answer.top, listed));
-  c.right = ~isempty (hits) && any (hits) && (c.grouped || all (hits));
-  c.clean = c.right && all (hits);
   [c.benchPlaced, c.placed] = isPlaced (parts, answer, lab);
-  c.hasStrength = c.own && numel (cause) == 1;
-  c.covered = c.hasStrength && holds (strengths, cause, truth.phi);
-  c.closure = str2double (answer.closure);
-  c.held = str2double (answer.held);
-  c.heldHi = str2double (answer.heldHi);
-  c.placebo = str2double (answer.placebo);
-  c.cureRight = any (ismember (strsplit (answer.cure, '+'), cause));
-  c.known = ismember (cause, names);
+  for name = {'closure', 'held', 'heldHi', 'placebo'}
+    c.(name{1}) = str2double (answer.(name{1}));
+  end
 end
 
 function [d, parts] = detectable (truth, lab)
@@ -109,22 +101,18 @@ function [bench, target] = isPlaced (parts, answer, lab)
                                              '\<height\>', 'heapHeight'))));
 end
 
-function is = holds (strengths, cause, phi)
-  own = strengths(strcmp ({strengths.effect}, cause{1}));
-  is = ~isempty (own) && ...
-       str2double (own.lo90) <= str2double (phi) + 1e-9 && ...
-       str2double (phi) <= str2double (own.hi90) + 1e-9;
-end
-
-function writeCases (file, cases)
+function writeCases (file, cases, s)
   lines = {['case,class,cause,forms,phi,d,verdict,effects,guard,top,right,' ...
             'clean,placed,covered,closure,held,placebo']};
-  for c = cases
+  for i = 1:numel (cases)
+    c = cases(i);
+    t = c.truth;
+    a = c.answer;
     lines{end + 1} = sprintf ...
-      ('%d,%s,%s,%s,%s,%.2f,%s,%s,%s,%d,%d,%d,%d,%d,%.3g,%.3g,%.3g', ...
-       c.number, c.class, c.cause, c.forms, c.phi, c.d, c.verdict, ...
-       c.effects, c.guard, c.top, c.right, c.clean, c.placed, c.covered, ...
-       c.closure, c.held, c.placebo);
+      ('%s,%s,%s,%s,%s,%.2f,%s,%s,%s,%d,%d,%d,%d,%d,%.3g,%.3g,%.3g', ...
+       t.case, t.class, t.cause, t.forms, t.phi, c.d, a.verdict, ...
+       a.effects, a.guard, s.top(i), s.right(i), s.clean(i), c.placed, ...
+       s.covered(i), c.closure, c.held, c.placebo);
     printf ('%s\n', lines{end});
   end
   writeAtomic (file, [strjoin(lines, "\n"), "\n"]);

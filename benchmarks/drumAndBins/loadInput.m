@@ -5,7 +5,7 @@
 % Nothing is measured here. The targets are simulated placeholders, so that the
 % case loads: means of two packings without any effect (README.md has the call).
 % A study of the diagnosis puts its own targets in their place, drawn from the
-% runs in benchmarks/data/drumAndBins.csv.
+% runs in storedRuns.csv.
 %
 % targetStd is a measurement uncertainty as large as the scatter of one run over
 % packings (DEMmodels/Drum/README.md and, for the bins, the later figures of

@@ -2,7 +2,7 @@
 %
 % CALL: TWINS = twinsDraw (LABS, PERLAB, MIX)
 %
-%   LABS    of twinsLaboratories or foreignLaboratories
+%   LABS    of foreignLaboratories
 %   PERLAB  scalar, cases of each laboratory
 %   MIX     of twinsMix: which cases, and their random numbers
 %   TWINS   1 x n struct: lab (number), class, cause (1 x c, effect numbers; 0 =
@@ -17,11 +17,10 @@
 % Classes: null; single; pair; off, a listed effect that is then taken off the
 % list; look, an undeclared look-alike: the signature of a listed effect in the
 % whitened space without what parameters absorb, turned into a random direction
-% until the cosine is MIX.cosines; out: half of them off, half a signature that
-% no effect has. Parameters anywhere in the box, in every fifth case one of them
-% within 5 % of a limit. Noise as the laboratory measures.
+% until the cosine is MIX.cosines. Parameters anywhere in the box, in every
+% fifth case one of them within 5 % of a limit. Noise as measured there.
 %
-% See also: twins, foreignTwins, twinsDiagnose
+% See also: foreignTwins, twinsDiagnose
 
 function twins = twinsDraw (labs, perLab, mix)
   rand ('twister', mix.seed);
@@ -57,20 +56,20 @@ function twin = oneTwin (lab, number, class, i, mix)
   space = twinsSpace (lab, twin.theta);
   levels = mix.levels.(class);
   level = levels(1 + mod (i, numel (levels)));
-  if mix.isReachable && any (strcmp (class, {'pair', 'off', 'look'}))
+  if any (strcmp (class, {'pair', 'off', 'look'}))
     order = reachableFirst (lab, space, order, level);
   end
-  twin = giveCause (twin, lab, order, space, level);
+  twin = giveCause (twin, order);
   if strcmp (class, 'look')
     twin.like = order(1);
     twin.cosine = mix.cosines(1 + mod (i, numel (mix.cosines)));
-    twin = lookAlike (twin, lab, space, level, mix);
+    twin = lookAlike (twin, lab, space, level);
   end
   for k = twin.cause(twin.cause > 0)
-    if mix.pairsDiffer && strcmp (class, 'pair')
+    if strcmp (class, 'pair')
       level = levels(randi (numel (levels)));
     end
-    twin.phi(k) = twinsStrength (lab, space, k, level, mix);
+    twin.phi(k) = twinsStrength (lab, space, k, level);
     alone = lab.means (twin.theta, twin.phi .* ((1:K) == k)) - space.base;
     twin.dEach(end + 1) = space.visible (alone);
   end
@@ -86,7 +85,7 @@ function theta = parametersOf (p)
   end
 end
 
-function twin = giveCause (twin, lab, order, space, level)
+function twin = giveCause (twin, order)
   switch twin.class
     case 'single'
       twin.cause = order(1);
@@ -97,15 +96,6 @@ function twin = giveCause (twin, lab, order, space, level)
       twin.removed = order(1);
     case 'look'
       twin.cause = 0;
-    case 'out'
-      if rand () < 0.5
-        twin.cause = order(1);
-        twin.removed = order(1);
-      else
-        twin.cause = 0;
-        alien = lab.direction(randi (2), :);
-        twin.alien = alien * level / space.visible (alien);
-      end
   end
 end
 
@@ -121,9 +111,9 @@ function order = reachableFirst (lab, space, order, level)
 end
 
 % A cause whose visible signature has the cosine with that of the effect.
-function twin = lookAlike (twin, lab, space, level, mix)
+function twin = lookAlike (twin, lab, space, level)
   K = numel (lab.gapProblem.effects);
-  phi = twinsStrength (lab, space, twin.like, level, mix) * ...
+  phi = twinsStrength (lab, space, twin.like, level) * ...
         ((1:K) == twin.like);
   shape = lab.means (twin.theta, phi) - space.base;
   u = space.free' * (space.factor \ shape');

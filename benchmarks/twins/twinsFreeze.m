@@ -4,13 +4,13 @@
 %
 %   NAME    path without ending; NAME-truth.csv, NAME-truth.sha256 and
 %           NAME-cases.csv are written
-%   TWINS   of twinsDraw;  LABS  of twinsLaboratories
+%   TWINS   of twinsDraw;  LABS  of foreignLaboratories
 %   DIGEST  text, SHA-256 of the truth file
 %
 % A study that draws look-alikes has three columns more: the effect that is
 % resembled, the cosine, and the signature that no list holds.
 %
-% See also: twins
+% See also: foreignTwins
 
 function digest = twinsFreeze (name, twins, labs)
   id = fopen ([name, '-truth.csv'], 'w');

@@ -1,33 +1,27 @@
 % TWINSSTRENGTH  Weakest strength of an effect that reaches a signal to noise.
 %
-% CALL: PHI = twinsStrength (LAB, SPACE, K, LEVEL, MIX)
+% CALL: PHI = twinsStrength (LAB, SPACE, K, LEVEL)
 %
-%   LAB, SPACE  of twinsLaboratories, twinsSpace;  K  number of the effect
+%   LAB, SPACE  of foreignLaboratories, twinsSpace;  K  number of the effect
 %   LEVEL       scalar, wanted signal to noise (see twinsDraw)
-%   MIX         of twinsMix: step (strengths that are tried are its multiples up
-%               to 1), isPinned (full strength where LEVEL is out of reach, else
-%               any strength)
-%   PHI         scalar
+%   PHI         scalar, a multiple of 0.01; 1 where LEVEL is out of reach
 %
 % Of an effect that acts both ways one side is drawn.
 %
 % See also: twinsDraw
 
-function phi = twinsStrength (lab, space, k, level, mix)
+function phi = twinsStrength (lab, space, k, level)
   K = numel (lab.gapProblem.effects);
   side = 1;
   if lab.isSigned(k) && rand () < 0.5
     side = -1;
   end
-  grid = side * (mix.step:mix.step:1)';
+  grid = side * (0.01:0.01:1)';
   shapes = lab.means (ones (numel (grid), 1) * space.theta, ...
                       grid * ((1:K) == k)) - space.base;
   first = find (space.visible (shapes) >= level, 1);
   if isempty (first)
     first = numel (grid);
-    if ~mix.isPinned
-      first = randi (first);
-    end
   end
   phi = grid(first);
 end
@@ -38,9 +32,5 @@ end
 %! lab.gapProblem.effects = 1;
 %! lab.isSigned = false;
 %! space = twinsSpace (lab, 0.3);
-%! mix = struct ('step', 0.01, 'isPinned', true);
-%! assert (twinsStrength (lab, space, 1, 3 - 1e-9, mix), 0.75, 1e-12);
-%! assert (twinsStrength (lab, space, 1, 9, mix), 1);
-%! mix.isPinned = false;
-%! rand ('twister', 3);
-%! assert (twinsStrength (lab, space, 1, 9, mix) < 1);
+%! assert (twinsStrength (lab, space, 1, 3 - 1e-9), 0.75, 1e-12);
+%! assert (twinsStrength (lab, space, 1, 9), 1);

@@ -2,11 +2,10 @@
 %
 % CALL: LAB = foreignLab (KIND, NUMBER)
 %
-%   KIND    'blind' (four laws: silo, drums, columns, benchtop), 'develop' (two
-%           others: chute, taps) or 'curve' (one, with a curve of 60 points)
+%   KIND    'blind' (four laws: silo, drums, columns, benchtop) or 'develop'
+%           (two others: chute, taps)
 %   NUMBER  whole number from 1: the laws in turn, their constants a little
-%           different each time; of 'curve' 1, 2, 3: errors of neighbours on the
-%           curve are correlated by 0, 0.5, 0.9 (of the same laws)
+%           different each time
 %   LAB     struct
 %     name      text
 %     gapProblem   as newGapProblem wants it, value still NaN
@@ -28,8 +27,7 @@
 % (P, E) of structs of n x 1 values), relative and floor (1 x T, scatter of a
 % run; where isLevel it follows the result), df (of Student's t, Inf: normal),
 % rho (correlation of a run's results within a bench), precision (measurement
-% error over scatter), and, where the measurement has a declared one,
-% correlation (T x T).
+% error over scatter).
 %
 % Errors: DEcalioc:foreignLab:unknownName, DEcalioc:foreignLab:badValue
 %
@@ -38,13 +36,10 @@
 function lab = foreignLab (kind, number)
   makers = struct ('blind', {{@labSilo, @labDrums, @labColumns, ...
                               @labBenchtop}}, ...
-                   'develop', {{@labChute, @labTaps}}, ...
-                   'curve', {{@(vary) labCurve(vary, 0), ...
-                              @(vary) labCurve(vary, 0.5), ...
-                              @(vary) labCurve(vary, 0.9)}});
+                   'develop', {{@labChute, @labTaps}});
   if ~ischar (kind) || ~isfield (makers, kind)
     error ('DEcalioc:foreignLab:unknownName', ...
-           ['foreignLab: KIND must be blind, develop or curve, got %s. ', ...
+           ['foreignLab: KIND must be blind or develop, got %s. ', ...
             'Choose one.'], disp (kind));
   end
   if ~isscalar (number) || number < 1 || number ~= fix (number)
@@ -57,8 +52,6 @@ function lab = foreignLab (kind, number)
   seed = 50000 + number;
   if strcmp (kind, 'develop')
     seed = 60000 + number;
-  elseif strcmp (kind, 'curve')
-    seed = 70000;
   end
   rand ('twister', seed);
   vary = @(x) x .* (0.9 + 0.2 * rand (size (x)));
@@ -87,10 +80,6 @@ function lab = build (spec, name)
   same = bench' == bench;
   packing = spec.rho * same + (1 - spec.rho) * eye (numel (bench));
   reading = 0.2 * same + 0.8 * eye (numel (bench));
-  if isfield (spec, 'correlation')
-    packing = spec.correlation;
-    reading = spec.correlation;
-  end
   lab.run = @(theta, phi) noisy (lab.means (theta, phi), scatter, packing, ...
                                  spec);
   lab.measure = @(theta, phi) lab.run (theta, phi) + ...
