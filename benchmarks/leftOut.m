@@ -4,11 +4,11 @@
 %
 % Each run of a stored campaign on LIGGGHTS (storedRuns.csv of its folder) is
 % left out once with all its repeats and, with measurement noise added, taken
-% for the measurement: rows with one effect tell whether it is named and whether its
-% strength is found, rows with two the same for pairs, neutral rows how often
-% there is a false alarm. The truth is a run of the DEM program, not of the
-% surrogates that diagnose it. With a number as last argument only every n-th
-% row is taken.
+% for the measurement: rows with one effect tell whether it is named and whether
+% its strength is found, rows with two the same for pairs, neutral rows how
+% often there is a false alarm. The truth is a run of the DEM program, not of
+% the surrogates that diagnose it. With a number as last argument only every
+% n-th row is taken.
 %
 % Writes results/leftOut-<name>.csv (every case) and leftOut.csv (figures), and
 % prints the latter: shares with 95 % Clopper-Pearson intervals.
