@@ -22,9 +22,9 @@
 % as text that evaluateKriging reads when it is given the names; it takes the
 % surrogates much faster.
 %
-% Errors: those of fitTables
+% Errors: DEcalioc:createKrigingModels:missingFile, :badShape
 %
-% See also: fitTables, fitSurrogates, evaluateKriging
+% See also: fitSurrogates, evaluateKriging
 
 function [names, folder, surrogates] = createKrigingModels ...
   (ExPlanFiles, RespFiles, ParamLims, trend, covariance)
@@ -39,10 +39,52 @@ function [names, folder, surrogates] = createKrigingModels ...
     if nargin > 4 && ~isempty (covariance)
       options.covariance = covariance;
     end
-    surrogates = fitTables (ExPlanFiles, RespFiles, ParamLims, options);
+    surrogates = ofTables (ExPlanFiles, RespFiles, ParamLims, options);
   end
   folder = 'KrigingFuns';
   names = saveSurrogates (surrogates, folder);
+end
+
+function surrogates = ofTables (plans, responses, limits, options)
+  plans = cellstr (plans);
+  responses = unfold (responses);
+  for t = 1:numel (responses)
+    X = readTable (plans{min(t, numel (plans))});
+    z = readTable (responses{t});
+    if rows (X) ~= rows (z)
+      error ('DEcalioc:createKrigingModels:badShape', ...
+             ['createKrigingModels: %s must have one row per plan row, ' ...
+              'got %d for %d.'], responses{t}, rows (z), rows (X));
+    end
+    options.name = sprintf ('KM_fun_%d', t);
+    surrogates(t) = fitSurrogate (X, z(:, 1), limits, options);
+  end
+end
+
+function list = unfold (files)
+  list = {};
+  if ischar (files)
+    files = cellstr (files);
+  end
+  for i = 1:numel (files)
+    if iscell (files{i})
+      list = [list, unfold(files{i})];
+    else
+      list = [list, files(i)];
+    end
+  end
+end
+
+function M = readTable (file)
+  if ~exist (file, 'file')
+    error ('DEcalioc:createKrigingModels:missingFile', ...
+           'createKrigingModels: %s must be a CSV file, it is missing.', ...
+           file);
+  end
+  text = fileread (file);
+  first = strtok (text, "\n");
+  skip = double (any (isletter (regexprep (first, 'NaN|Inf|[eE]', ''))));
+  M = dlmread (file, ',', skip, 0, 'emptyvalue', NaN);
 end
 
 %!shared here, tmp
@@ -83,7 +125,19 @@ end
 %! assert (evaluateKriging ([0.5, 0.5], names), 1.5, 1e-3);
 %! assert (s.name, 'target_1');
 
-%!error id=DEcalioc:fitTables:missingFile
+%!test
+%! % with names in the first line; a response of another length
+%! clean = onCleanup (@() cd (here));
+%! cd (tmp);
+%! writeAtomic ('named.csv', "a,b\n0,0\n1,0\n0,1\n1,1\n0.5,0.4\n");
+%! writeAtomic ('z.csv', "0\n1\n2\n3\n1.3\n");
+%! [~, ~, s] = createKrigingModels ('named.csv', {'z.csv'}, [0, 0; 1, 1]);
+%! assert (predictSurrogate (s, [0.2, 0.3]), 0.8, 0.01);
+%! writeAtomic ('z.csv', "0\n1\n2\n3\n");
+%! fail ('createKrigingModels (''named.csv'', {''z.csv''}, [0, 0; 1, 1])', ...
+%!       'one row per plan row, got 4 for 5');
+
+%!error id=DEcalioc:createKrigingModels:missingFile
 %! createKrigingModels ('no such plan.csv', {'x.csv'}, [0; 1]);
 
 %!test

@@ -10,7 +10,7 @@
 %
 % Errors: DEcalioc:correlationOf:unknownName
 %
-% See also: penalisedLikelihood
+% See also: prepareFit, covarianceOf
 
 function [k, slope] = correlationOf (kernel, r2)
   switch kernel

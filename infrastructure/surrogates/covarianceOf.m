@@ -1,28 +1,51 @@
 % COVARIANCEOF  Prior covariance of a surrogate between two lists of sets.
 %
-% CALL: K = covarianceOf (SURROGATE, U, V)
+% CALL: [K, D] = covarianceOf (SURROGATE, U, V)
 %
 % SURROGATE  scalar struct of fitSurrogate
 % U, V       n x d and m x d, sets in the unit box
 % K          n x m, of the standardised response
+% D          n x (d + 1), where V are the runs (solver.unit): K alpha,
+%            differentiated by the logarithms of the variance and of the d
+%            inverse ranges, alpha held
 %
-% See also: krigingTerms, correlationOf
+% See also: krigingTerms, parameterSpread, correlationOf
 
-function K = covarianceOf (surrogate, U, V)
-  model = surrogate.model;
-  w = exp (model.param(2:end))';
+function [K, D] = covarianceOf (surrogate, U, V)
+  theta = surrogate.model.param(:)';
+  w = exp (theta(2:end));
   A = U .* w;
   B = V .* w;
   r2 = max (sum (A.^2, 2) + sum (B.^2, 2)' - 2 * A * B', 0);
-  K = exp (model.param(1)) * correlationOf (surrogate.covariance, r2);
+  if nargout < 2
+    K = exp (theta(1)) * correlationOf (surrogate.covariance, r2);
+    return
+  end
+  [k, slope] = correlationOf (surrogate.covariance, r2);
+  K = exp (theta(1)) * k;
+  alpha = surrogate.solver.alpha;
+  d = numel (w);
+  % (u_j - x_j)^2 = u_j^2 - 2 u_j x_j + x_j^2, summed over the runs x
+  M = slope * [alpha, V .* alpha, V.^2 .* alpha];
+  near = U.^2 .* M(:, 1) - 2 * U .* M(:, 2:d + 1) + M(:, d + 2:end);
+  D = exp (theta(1)) * [k * alpha, 2 * w.^2 .* near];
 end
 
 %!test
-%! % as stk has it
+%! % as stk has it; the slopes as differences have it
 %! pkg load stk
-%! s = fitSurrogate ([0, 0; 1, 0; 0, 1; 1, 1; 0.4, 0.3], (1:5)', ...
-%!                   [0, 0; 1, 1], struct ('covariance', 'matern32'));
+%! X = [0, 0.1; 1, 0; 0.2, 1; 1, 0.9; 0.4, 0.3];
+%! s = fitSurrogate (X, [1; 4; 2; 5; 9], [0, 0; 1, 1], ...
+%!                   struct ('covariance', 'matern32'));
 %! U = [0.1, 0.2; 0.5, 0.9; 0.3, 0.3];
-%! V = [0.2, 0.2; 1, 0];
-%! K = feval (s.model.covariance_type, s.model.param, U, V, -1);
-%! assert (covarianceOf (s, U, V), K, 1e-12 * max (K(:)));
+%! K = feval (s.model.covariance_type, s.model.param, U, X, -1);
+%! assert (covarianceOf (s, U, X), K, 1e-12 * max (K(:)));
+%! at = @(s) covarianceOf (s, U, X) * s.solver.alpha;
+%! [~, D] = covarianceOf (s, U, X);
+%! for j = 1:3
+%!   h = 1e-5 * ((1:3)' == j);
+%!   [up, down] = deal (s);
+%!   up.model.param = s.model.param(:) + h;
+%!   down.model.param = s.model.param(:) - h;
+%!   assert (D(:, j), (at (up) - at (down)) / 2e-5, 1e-6 * max (abs (D(:))));
+%! end

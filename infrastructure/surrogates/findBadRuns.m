@@ -28,7 +28,7 @@
 % does no harm, and may be the one that shows a bend. At most a quarter of the
 % runs; at least d + 3 stay.
 %
-% See also: fitSurrogates, penalisedLikelihood, confirmSet
+% See also: fitSurrogates, prepareFit, confirmSet
 
 function bad = findBadRuns (X, Z, kind, surrogates, old, level)
   bad = old;
@@ -112,7 +112,7 @@ function said = leaveOut (task, out)
     if ~isempty (s.noiseLaw)
       theta(end:end + 1) = s.noiseLaw;
     end
-    gain = -penalisedLikelihood (theta, fit) - ...
+    gain = -fit.cost (theta) - ...
            columns (fit.W) * log (s.scale) - ...
            sum (out) * log (6 * std (task.Z(~out, t)));
     said.evidence = said.evidence + task.weight(t) * gain;

@@ -25,13 +25,13 @@
 % score (leave-one-out log density), nChoice (runs at the choice of the model),
 % leftOut ([], see fitSurrogates), dropped ([], see fitLevels), warning.
 %
-% Parameters: least penalisedLikelihood, by fminunc. Choice: leave-one-out log
+% Parameters: least cost of prepareFit, by fminunc. Choice: leave-one-out log
 % predictive density, trend first; an affine trend and matern52 are left only
 % for a gain above 1.5: the best score is partly luck.
 %
 % Errors: DEcalioc:fitSurrogate:badShape, DEcalioc:fitSurrogate:runFailed
 %
-% See also: predictSurrogate, conditionSurrogate, penalisedLikelihood
+% See also: predictSurrogate, conditionSurrogate, prepareFit
 
 function surrogate = fitSurrogate (X, z, limits, options)
   if nargin < 4
@@ -184,7 +184,7 @@ function [model, noiseLaw] = estimate (trend, covariance, base, options, theta)
   theta = theta(1:numel (fit.mean));   % known noise is no parameter
   settings = optimset ('GradObj', 'on', 'TolFun', 1e-5, 'TolX', 1e-4, ...
                        'MaxIter', 100);
-  theta = fminunc (@(t) penalisedLikelihood (t, fit), theta, settings);
+  theta = fminunc (fit.cost, theta, settings);
   model = emptyModel (trend, covariance, d);
   model.param = theta(1:d + 1);
   model.lognoisevariance = log (base.knownNoise);

@@ -25,14 +25,18 @@ function [m, B, C, U] = krigingTerms (surrogate, P)
     U(:, d + 1) = 0;
     U(:, d + 1:columns (P)) = P(:, d + 1:end);
   end
-  k = covarianceOf (surrogate, U, s.unit);
+  isOpen = nargout > 1 && ~isempty (s.open);
+  if isOpen
+    [k, D] = covarianceOf (surrogate, U, s.unit);
+  else
+    k = covarianceOf (surrogate, U, s.unit);
+  end
   h = feval (model.lm, U);
   m = h * s.beta + k * s.alpha;
   if nargout > 1
     B = s.L \ k';
     C = s.R' \ (h' - s.A' * B);
-    if ~isempty (s.open)
-      D = covarianceSlopes (surrogate, U);
+    if isOpen
       C = [C; (h * s.open.beta + k * s.open.alpha + ...
                D * s.open.root(1:columns (D), :))'];
     end

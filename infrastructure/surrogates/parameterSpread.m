@@ -13,10 +13,10 @@
 % d + 3 runs others are almost as likely, under which the mean is another one. A
 % prediction that is sure of them is too sure of itself, most of all where no
 % run is near. Their covariance is the inverse of the second derivatives of
-% penalisedLikelihood (Laplace), nowhere wider than their prior; krigingTerms
+% the cost of prepareFit (Laplace), nowhere wider than their prior; krigingTerms
 % adds what it makes of the mean to what is open.
 %
-% See also: krigingTerms, penalisedLikelihood, fitSurrogates
+% See also: krigingTerms, prepareFit, fitSurrogates
 
 function open = parameterSpread (surrogate)
   s = surrogate.solver;
@@ -31,7 +31,8 @@ function open = parameterSpread (surrogate)
   root = spreadAt (theta, fit);
   % with K_j the derivative of the covariance of the runs: alpha changes by
   % -Q K_j alpha, beta by -(H' K^-1 H)^-1 H' K^-1 K_j alpha
-  change = s.L \ ([covarianceSlopes(surrogate, s.unit), slopes] * root);
+  [~, D] = covarianceOf (surrogate, s.unit, s.unit);
+  change = s.L \ ([D, slopes] * root);
   open.root = root;
   open.beta = -(s.R \ (s.R' \ (s.A' * change)));
   open.alpha = -(s.L' \ (change + s.A * open.beta));
@@ -60,9 +61,9 @@ function root = spreadAt (theta, fit)
   k = numel (theta);
   h = 1e-3;
   H = zeros (k);
-  [~, g] = penalisedLikelihood (theta, fit);
+  [~, g] = fit.cost (theta);
   for j = 1:k
-    [~, ahead] = penalisedLikelihood (theta + h * ((1:k)' == j), fit);
+    [~, ahead] = fit.cost (theta + h * ((1:k)' == j));
     H(:, j) = (ahead - g) / h;
   end
   H = fit.sd .* (H + H') / 2 .* fit.sd';
