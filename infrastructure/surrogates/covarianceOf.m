@@ -13,22 +13,26 @@
 
 function [K, D] = covarianceOf (surrogate, U, V)
   theta = surrogate.model.param(:)';
-  w = exp (theta(2:end));
-  A = U .* w;
-  B = V .* w;
-  r2 = max (sum (A.^2, 2) + sum (B.^2, 2)' - 2 * A * B', 0);
+  r2 = squares (U, V, exp (theta(2:end)));
+  K = exp (theta(1)) * correlationOf (surrogate.covariance, r2);
   if nargout < 2
-    K = exp (theta(1)) * correlationOf (surrogate.covariance, r2);
     return
   end
-  [k, slope] = correlationOf (surrogate.covariance, r2);
-  K = exp (theta(1)) * k;
   alpha = surrogate.solver.alpha;
-  d = numel (w);
+  w2 = exp (2 * theta(2:end));
+  d = numel (w2);
+  [k, slope] = correlationOf (surrogate.covariance, ...
+                              squares (U, V, sqrt (w2)));
   % (u_j - x_j)^2 = u_j^2 - 2 u_j x_j + x_j^2, summed over the runs x
   M = slope * [alpha, V .* alpha, V.^2 .* alpha];
   near = U.^2 .* M(:, 1) - 2 * U .* M(:, 2:d + 1) + M(:, d + 2:end);
-  D = exp (theta(1)) * [k * alpha, 2 * w.^2 .* near];
+  D = exp (theta(1)) * [k * alpha, 2 * w2 .* near];
+end
+
+function r2 = squares (U, V, w)
+  A = U .* w;
+  B = V .* w;
+  r2 = max (sum (A.^2, 2) + sum (B.^2, 2)' - 2 * A * B', 0);
 end
 
 %!test
