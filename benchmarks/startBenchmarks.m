@@ -17,7 +17,8 @@ function root = startBenchmarks ()
                             fullfile('twins', 'foreign')});
   addpath (fullfile (root, 'infrastructure'), fullfile (root, 'tests'), ...
            fullfile (root, 'tests', 'fuzz'), ...
-           fullfile (root, 'tools', 'graph'), here, inside{:});
+           fullfile (root, 'tools', 'graph'), ...
+           fullfile (root, 'tools', 'pictures'), here, inside{:});
   startToolbox (root);
   useLiggghts (root);
 end

@@ -1,34 +1,15 @@
 % REPORTPICTURES  Makes the pictures of the report that the README shows.
 %
-% CALL: octave-cli benchmarks/reportPictures.m [FOLDER]
+% CALL: octave-cli tools/pictures/reportPictures.m [FOLDER]
 %
 %   FOLDER  case folder whose results/report.html is there already; default:
-%           examples/hiddenEffect is calibrated and diagnosed in a new folder,
-%           from the runs in examples/hiddenEffect/storedRuns.csv (no DEM run is
-%           made; about 3 minutes)
+%           tools/demo.sh makes one in a new folder (no DEM run; two minutes)
 %
 % Writes docs/figures/report.png and docs/figures/report-gap.png with Chromium.
 %
 % See also: writePage
 
 1;
-
-function folder = diagnosedCase (root)
-  folder = fullfile (tempname (), 'hiddenEffect');
-  mkdir (fileparts (folder));
-  mkdir (folder);
-  example = fullfile (root, 'examples', 'hiddenEffect');
-  copyfile (fullfile (example, '*.m'), folder);
-  copyfile (fullfile (root, 'examples', 'hiddenEffect', 'storedRuns.csv'), ...
-            fullfile (folder, 'runs.csv'));
-  file = fullfile (folder, 'loadInput.m');
-  text = regexprep (fileread (file), 'Input.maxNewRuns = \d+', ...
-                    'Input.maxNewRuns = 0');
-  writeAtomic (file, text);
-  for script = {'DEcalioc.m', 'diagnoseGap.m'}
-    startProgram (folder, shellQuote (fullfile (root, script{1})));
-  end
-end
 
 function shoot (html, file, high)
   page = [tempname(), '.html'];
@@ -57,11 +38,12 @@ function html = only (html, names)
   end
 end
 
-root = fileparts (fileparts (mfilename ('fullpath')));
-addpath (fullfile (root, 'benchmarks'));
-startBenchmarks ();
+root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
+addpath (fullfile (root, 'infrastructure'));
+startToolbox (root);
 if isempty (argv ())
-  folder = diagnosedCase (root);
+  folder = tempname ();
+  system ([shellQuote(fullfile (root, 'tools', 'demo.sh')), ' ', folder]);
 else
   folder = argv (){end};
 end
