@@ -14,7 +14,7 @@
 % converged. Then the ratio of the costs with an interval (bootstrap of the
 % seeds).
 %
-% See also: calibrateStandIn, chooseLevels
+% See also: calibrateStandIn, chooseInfill
 
 1;
 

@@ -5,10 +5,10 @@
 %   NUM   number of the run (1, 2, ...)
 %   NAME  text, at least four digits
 %
-% See also: runFolderName, createNewFolder, getLastFoldersNumber
+% See also: createNewFolder, getLastFoldersNumber
 
 function name = newFolderName (num)
-  name = runFolderName (num);
+  name = sprintf ('%04d', num);
 end
 
 %!assert (newFolderName (7), '0007')

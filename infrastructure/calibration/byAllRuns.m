@@ -4,7 +4,7 @@
 %
 % BOOK      containers.Map of calibrateOnDEM: its state grows by the runs
 % PROBLEM   struct of newProblem
-% WAY       struct, see searchOnDEM
+% WAY       struct, see calibrateOnDEM (searchOnDEM)
 %
 % In each iteration one batch of runs is made: at the set that is evaluated
 % where it is likelier than the present one (moveTo), else at that, where all

@@ -4,7 +4,7 @@
 %
 % BOOK      containers.Map of calibrateOnDEM: its state grows by the runs
 % PROBLEM   struct of newProblem
-% WAY       struct, see searchOnDEM
+% WAY       struct, see calibrateOnDEM (searchOnDEM)
 %
 % One run is an evaluation, all rows of costFunction count as they are, and the
 % Jacobian is that of finite differences, as published; but a

@@ -24,7 +24,7 @@
 % the small steps along slopes that the surrogates know. STATE.final is the
 % judgement.
 %
-% See also: improveByInfill, searchOnDEM, byAllRuns, bySingleRuns, handBack
+% See also: improveByInfill, byAllRuns, bySingleRuns, handBack
 
 function state = calibrateOnDEM (state, problem, say)
   % nonlin_residmin hands nothing on from one evaluation to the next: this does.
@@ -93,6 +93,70 @@ function state = publishedResult (state, problem, p, why)
   final.reason = ['published method, one run a set: ', why, '; a robust ' ...
                   'calibration would ', rest];
   state.final = final;
+end
+
+% One Levenberg-Marquardt search from the found set. WAY (byAllRuns,
+% bySingleRuns) holds respond (handle Z = f (P), makes runs), slopes (handle J =
+% f (p, residual)), kept (rows of costFunction that are fitted), weights,
+% maxIter, told (struct for userInt), say, isOver (handle, text: why it should
+% end beside what userInt says). P 1 x d, WHY text.
+function [p, why] = searchOnDEM (way, problem, book)
+  lo = problem.limits(1, :);
+  width = diff (problem.limits);
+  d = numel (lo);
+  toSet = @(u) lo + u(:)' .* width;
+  f = @(u) residualOnDEM (toSet (u), way, problem);
+  J = @(u, hook) way.slopes (toSet (u), hook.f(:));
+  watch = @(u, vals, phase) watchStage (toSet (u), vals, phase, way, book);
+  settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
+                       'dfdp', J, 'weights', way.weights, ...
+                       'MaxIter', way.maxIter, ...
+                       'TolFun', problem.options.tolfun, ...
+                       'user_interaction', watch);
+  state = book('state');
+  u = (state.found.params - lo) ./ width;
+  u = min (max (u, 0), 1)';
+  why = 'the search for active limits of the parameters failed';
+  try
+    [u, ~, cvg, info] = nonlin_residmin (f, u, settings);
+    why = 'the sum of squares no longer decreases';
+    if cvg < 0
+      why = info.user_interaction.info{1};
+    elseif cvg == 0
+      why = 'the number of iterations is reached';
+    end
+  catch err
+    % see leastSquaresInBox; the runs are made
+    if ~any (strcmp (err.message, {'not successful', 'pivot is zero'}))
+      rethrow (err);
+    end
+  end
+  p = toSet (u);
+end
+
+function f = residualOnDEM (p, way, problem)
+  full = problem.cost (p(:), @(q, varargin) way.respond (q(:)')(:));
+  f = full(way.kept)(:);
+end
+
+function [stop, info] = watchStage (p, vals, phase, way, book)
+  [stop, info] = deal (false, '');
+  if strcmp (phase, 'done')
+    return
+  end
+  vals.iteration = book('iteration');
+  book('iteration') = vals.iteration + 1;
+  runs = sum (isAfterPlan (book('state').data));
+  told = way.told;
+  told.say = @(text) way.say (sprintf ('%s; %d runs since the plan', ...
+                                       text, runs));
+  [stop, info] = userInt (p(:), vals, phase, true, told);
+  if stop
+    book('stop') = info;
+  else
+    info = way.isOver ();
+    stop = ~isempty (info);
+  end
 end
 
 %!shared problem, state, f

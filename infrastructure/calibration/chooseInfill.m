@@ -14,7 +14,7 @@
 % that the targets are met best (Thompson sampling, least sum of squared
 % residuals in tolerances), as the first may be wrong; when the found set is
 % likely (one half and more) they are its replicates. Where there are levels,
-% chooseLevels takes from five such sets what gains most per core-second. Coarse
+% those of five such sets are taken that gain most per core-second. Coarse
 % runs cost at most as much as the runs at the level that counts have cost:
 % however sure the coarse ones make the surrogates, they are held against fine
 % ones in time, and a level that misleads costs no more than it would save.
@@ -84,6 +84,68 @@ function C = candidateSets (surrogates, problem, found)
   C = P(order(1:200), :);
 end
 
+% Set, of the likely ones Q, and level of the next N runs. Gain of a run: what
+% it takes off the variance of the responses at the level that counts, in
+% tolerances, as a mean over the sets Q, per core-second. One after the other,
+% each after the ones before it. A dropped level tells a surrogate nothing.
+function [P, E] = chooseLevels (surrogates, problem, Q, n, seconds)
+  k = rows (Q);
+  levels = problem.coarse.levels;
+  L = rows (levels);
+  if isempty (seconds)
+    seconds = ones (1, L);
+  end
+  P = repmat (Q, L, 1);                       % candidates, level by level
+  E = levels(kron ((1:L)', ones (k, 1)), :);
+  cost = kron (seconds(:), ones (k, 1));
+  parts = {};
+  for t = find (problem.calibrate)
+    parts{end + 1} = covariances (surrogates(t), problem, t, Q, P, E);
+  end
+  chosen = zeros (n, 1);
+  for i = 1:n
+    gain = zeros (k * L, 1);
+    for j = 1:numel (parts)
+      own = diag (parts{j}.S);
+      gain = gain + sumsq (parts{j}.S(1:k, k + 1:end), 1)' ./ ...
+                    (own(k + 1:end) + parts{j}.noise);
+    end
+    [~, chosen(i)] = max (gain ./ cost);
+    for j = 1:numel (parts)
+      parts{j} = told (parts{j}, k + chosen(i), parts{j}.noise(chosen(i)));
+    end
+  end
+  P = P(chosen, :);
+  E = E(chosen, :);
+end
+
+% Posterior covariance of response t at the sets Q at the level that counts and
+% at the candidates, and the noise of a run there, in tolerances.
+function part = covariances (s, problem, t, Q, X, E)
+  k = rows (Q);
+  level = unitLevel (problem.coarse, E, t);
+  at = [Q; X];
+  if ~isempty (s.level)
+    at(:, end + 1) = [zeros(k, 1); level];
+  end
+  [S, m] = posteriorCovariance (s, at);
+  S = s.factor * S;
+  lost = k + find (ismember (level, s.dropped));
+  S(lost, :) = 0;
+  S(:, lost) = 0;
+  noise = noiseAt (s, level) / s.scale^2;
+  Z = repmat (problem.value, k, 1);
+  Z(:, t) = s.shift + s.scale * m(1:k);
+  [~, slope] = targetResidual (problem, Q, Z);
+  unit = mean (abs (slope(:, t))) / problem.part(t) * s.scale;
+  part = struct ('S', S * unit^2, 'noise', noise * unit^2);
+end
+
+function part = told (part, i, noise)
+  s = part.S(:, i);
+  part.S = part.S - s * s' / (s(i) + noise);
+end
+
 %!shared problem, state, s
 %! [problem, state, s] = smallCalibration ();
 
@@ -100,3 +162,33 @@ end
 %! assert (size (P), [3, 2]);
 %! assert (P, chooseInfill (state, problem, 3, 1));
 %! assert (all (P(:) >= 0));
+
+%!shared problem, state
+%! pkg load stk
+%! rand ('twister', 4);
+%! randn ('twister', 4);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 1], ...
+%!             'targets', struct ('value', 2, 'tol', 0.01, 'model', 1));
+%! C.coarse = struct ('variable', 'scaleP', 'levels', [2, 1], 'models', 1);
+%! problem = newProblem (C, []);
+%! X = [rand(8, 2); 0.5, 0.5];
+%! E = [2 * ones(8, 1); 1];
+%! Z = 1 + X(:, 1) + X(:, 2) + 0.3 * (E - 1) + 0.005 * randn (9, 1);
+%! data = addRows (newData (2, 1, 1), X, Z, ones (9, 1), 'plan', E);
+%! state = newState (data, fitSurrogates (data, problem), ...
+%!                   struct ('params', [0.5, 0.5], 'probability', 0));
+
+%!function E = levelsAt (seconds, n, state, problem)
+%!  state.budget.levels = [2, seconds(1); 1, seconds(2)];
+%!  [P, E] = chooseInfill (state, problem, n, 1);
+%!  assert (size (P), [n, 2]);
+%!endfunction
+%!test
+%! % where coarse runs cost almost nothing they are made, where they cost as
+%! % much as the others, or have cost as much as those in all, they are not
+%! assert (levelsAt ([1e-6, 1], 3, state, problem), [2; 2; 2]);
+%! assert (levelsAt ([1, 1], 2, state, problem), [1; 1]);
+%! assert (levelsAt ([0.2, 1], 2, state, problem), [1; 1]);
+%! % a dropped level is never taken, whatever it costs
+%! state.surrogates.dropped = 1;
+%! assert (levelsAt ([1e-9, 1], 2, state, problem), [1; 1]);

@@ -12,7 +12,7 @@
 %            dropped (1 x T logical: the surrogate does not hold its runs; the
 %            others are NaN then)
 %
-% See also: levelShift, chooseLevels, newCalibration
+% See also: levelShift, chooseInfill, newCalibration
 
 function levels = describeLevels (state, problem)
   levels = struct ('value', {}, 'runs', {}, 'seconds', {}, 'shift', {}, ...

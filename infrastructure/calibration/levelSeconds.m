@@ -8,7 +8,7 @@
 %            straight line of its logarithm through the others; [] where no
 %            level has a run
 %
-% See also: chooseLevels, newEvaluate
+% See also: chooseInfill, newEvaluate
 
 function seconds = levelSeconds (state, problem)
   seconds = [];

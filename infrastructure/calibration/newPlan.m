@@ -12,9 +12,9 @@
 % A Latin hypercube plan; beside runs that were taken in, rows far from them.
 %
 % With levels (CASE.coarse) all these rows are run at the first, the cheapest
-% level; the others come where these runs find the set (nestLevels).
+% level; the others come where these runs find the set (improveByInfill).
 %
-% See also: nestLevels, finishedSets, planBeside, importExisting
+% See also: improveByInfill, finishedSets, planBeside, importExisting
 
 function [plan, E] = newPlan (data, Case)
   n = max (0, Case.options.numOfSam - finishedSets (data, Case.limits));

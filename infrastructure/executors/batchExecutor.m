@@ -4,7 +4,12 @@
 %
 %   NAME   name of the executor (text)
 %   TITLE  name of the queue as users write it (text)
-%   OWN    see batchCheck
+%   OWN    scalar struct, what the queue adds: words (1 x n cell, names of its
+%          fields that hold a text), option (regular expression that an element
+%          of extra must match; its first token is the option's name), example
+%          (one such element), reserved (1 x m cell of names that DEcalioc sets
+%          itself), isShort (logical: the program completes options that are
+%          not written in full)
 %   WHAT   scalar struct, see describeExecutor, and name, title, options
 %          (handle OPT = options (CASE.options), see batchOptions)
 %
@@ -29,8 +34,129 @@ function opt = optionsOf (options, name, words)
   opt = batchOptions (given, words);
 end
 
+% GIVEN anything; [] or a struct with the fields of batchOptions, each optional.
+function p = batchCheck (given, name, own)
+  p = checkFault ();
+  field = ['Input.', name];
+  if checkIs ('nothing', given)
+    return
+  end
+  if ~checkIs ('struct', given)
+    p = checkFault ('notStruct', field, 'one struct', checkShow (given), ...
+                    sprintf ('Write %s.%s = ''name''; and so on.', field, ...
+                             own.words{1}));
+    return
+  end
+  rules = {'time', 'badQueueTime', 1, 1e7, 'number', false, ...
+           'Set the minutes that one job may take.'; ...
+           'poll', 'badQueueWait', 0, 1e5, 'number', false, ...
+           'Set the seconds between two looks at the queue.'; ...
+           'grace', 'badQueueWait', 0, 1e5, 'number', false, ...
+           'Set the seconds that files may need to appear.'; ...
+           'sets', 'badQueueLimit', 1, 1e6, 'integer', false, ...
+           'Set the parameter sets tried at a time after the plan.'; ...
+           'maxInFlight', 'badQueueLimit', 1, 1e6, 'integer', false, ...
+           'Set the number of jobs that may wait or run at a time.'};
+  known = [own.words, {'extra', 'before'}];
+  p = [checkFields(given, field, known, rules), ...
+       checkExtra(given, field, own), checkBefore(given, field)];
+  for word = own.words
+    p = [p, checkWord(given, field, word{1})];
+  end
+end
+
+function p = checkWord (given, prefix, name)
+  p = checkFault ();
+  if ~isfield (given, name) || checkIs ('nothing', given.(name))
+    return
+  end
+  word = given.(name);
+  plain = ['A':'Z', 'a':'z', '0':'9', '_-+.,:@/'];
+  if ~checkIs ('text', word) || ~all (ismember (word, plain)) || ...
+      word(1) == '-'
+    p = checkFault ('badQueueName', [prefix, '.', name], ...
+                    'a name as the queue shows it', checkShow (word), ...
+                    'Write it without blanks, or leave it out.');
+  end
+end
+
+function [p, texts] = checkTexts (given, prefix, name, reason, cure)
+  p = checkFault ();
+  texts = cell (1, 0);
+  if ~isfield (given, name) || checkIs ('nothing', given.(name))
+    return
+  end
+  texts = given.(name);
+  if ischar (texts)
+    texts = {texts};
+  end
+  if ~iscell (texts) || ~all (cellfun (@(w) checkIs ('text', w), texts(:)'))
+    p = checkFault (reason, [prefix, '.', name], ...
+                    'a text or a cell of texts', ...
+                    checkShow (given.(name)), cure);
+    texts = cell (1, 0);
+  end
+  texts = texts(:)';
+end
+
+% What DEcalioc sets itself is how the runs are found again and kept apart.
+function p = checkExtra (given, prefix, own)
+  cure = sprintf ('Write for example %s.extra = ''%s'';', prefix, own.example);
+  [p, words] = checkTexts (given, prefix, 'extra', 'badQueueExtra', cure);
+  for k = 1:numel (words)
+    name = regexp (words{k}, own.option, 'tokens', 'once');
+    isBad = isempty (name) || any (words{k} == 0 | words{k} == "\n");
+    if ~isBad && own.isShort
+      isBad = any (strncmp (name{1}, own.reserved, numel (name{1})));
+    elseif ~isBad
+      isBad = any (strcmp (name{1}, own.reserved));
+    end
+    if isBad
+      p(end + 1) = checkFault ('badQueueExtra', ...
+                               sprintf ('%s.extra{%d}', prefix, k), ...
+                               ['one option, which DEcalioc does not set ' ...
+                                'itself'], checkShow (words{k}), cure);
+    end
+  end
+end
+
+function p = checkBefore (given, prefix)
+  cure = sprintf (['Write for example %s.before = {''module load ' ...
+                   'openmpi''};'], prefix);
+  p = checkTexts (given, prefix, 'before', 'badQueueBefore', cure);
+end
+
 %!test
 %! own = struct ('words', {{'group'}});
 %! what = batchExecutor ('q', 'Queue', own);
 %! assert (what.options (struct ('q', struct ('group', 'a'))).group, 'a');
 %! assert (what.options (struct ()).group, '');
+%!function p = check (given, own)
+%!  p = batchExecutor ('q', 'Queue', own).check (given);
+%!endfunction
+%!shared own, ids
+%! own = struct ('words', {{'partition', 'account'}}, 'example', '--mem=2G', ...
+%!               'option', '^--([a-z-]+)(=.*)?$', 'isShort', true, ...
+%!               'reserved', {{'array', 'job-name'}});
+%! ids = @(p) strrep ({p.id}, 'DEcalioc:checkCase:', '');
+%!assert (isempty (check (struct ('partition', 'main', 'time', 30, ...
+%!        'before', {{'module load a'}}, 'extra', '--qos=a b'), own)))
+%!assert (isempty (check ([], own)))
+%!assert (ids (check (3, own)), {'notStruct'})
+%!assert (ids (check (struct ('tiem', 1), own)), {'unknownField'})
+%!assert (ids (check (struct ('account', 'a;b'), own)), ...
+%!        {'badQueueName'})
+%!assert (ids (check (struct ('extra', {{1}}), own)), ...
+%!        {'badQueueExtra'})
+%!assert (ids (check (struct ('before', 7), own)), ...
+%!        {'badQueueBefore'})
+%!assert (ids (check (struct ('poll', NaN), own)), {'badQueueWait'})
+%!assert (ids (check (struct ('sets', 0), own)), {'badQueueLimit'})
+%!test
+%! % reserved, also abbreviated where the program completes names; a file name
+%! bad = @(text) check (struct ('extra', {{'--qos=a', text}}), own);
+%! assert (ids (bad ('--array=1-3')), {'badQueueExtra'});
+%! assert (ids (bad ('--job=x')), {'badQueueExtra'});
+%! assert (ids (bad ('job.sh')), {'badQueueExtra'});
+%! own.isShort = false;
+%! assert (isempty (check (struct ('extra', '--job=x'), own)));

@@ -2,7 +2,7 @@
 %
 % CALL: OPT = batchOptions (GIVEN, WORDS)
 %
-%   GIVEN  struct Input.<name> as the user wrote it, see batchCheck; every
+%   GIVEN  struct Input.<name> as the user wrote it, see batchExecutor; every
 %          field may be missing or empty
 %   WORDS  1 x n cell, names of the queue's own fields that hold a text
 %   OPT    struct with all fields:
@@ -17,7 +17,7 @@
 %                  file system; 30
 %     and those of WORDS, '' = the queue's default
 %
-% See also: batchCheck, batchExecute
+% See also: batchExecutor, batchExecute
 
 function opt = batchOptions (given, words)
   opt = struct ('extra', {{}}, 'before', {{}}, 'time', NaN, ...

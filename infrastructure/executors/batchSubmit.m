@@ -69,6 +69,20 @@ function name = newName (lines)
   name = ['decalioc-', hash('md5', text)(1:12)];
 end
 
+% Time limit that is asked of a queue for an array: the field time (min);
+% without it the longest limit of its runs and two minutes more, one day where a
+% run has none. A job never goes without: a queue might keep a lost one for a
+% year.
+function minutes = batchMinutes (asked, limits)
+  if ~isnan (asked)
+    minutes = ceil (asked);
+  elseif any (~isfinite (limits))
+    minutes = 24 * 60;
+  else
+    minutes = ceil (max (limits) / 60) + 2;
+  end
+end
+
 %!test
 %! [Case, jobs] = slurmTestCase (tempname (), 1:3, 0);
 %! Case.models.timeout = 7;
@@ -80,6 +94,7 @@ end
 %! assert (flight.task([1, 3]), [1, 2]);
 %! assert (fileread (fullfile (flight.folder{3}, 'limit')), "7\n");
 %! assert (flight.batches.isSent, false);
+%! assert (flight.batches.minutes, 3);
 %! assert (fileread (fullfile (flight.batches.path, 'before')), ...
 %!         ["module load a\n[ $? = 0 ] || return\n", ...
 %!          "b=1\n[ $? = 0 ] || return\n"]);
@@ -88,6 +103,7 @@ end
 %! Case.models.seconds = [10, 10, 10];
 %! later = batchSubmit (flight, 2, jobs, Case, queue, opt);
 %! assert (fileread (fullfile (later.folder{2}, 'limit')), "200\n");
+%! assert (later.batches(2).minutes, 24 * 60);
 %! % a new start knows of all
 %! again = batchAttach (jobs, Case.store, queue);
 %! assert (again.status, 'ooo');

@@ -105,3 +105,43 @@ end
 function yes = isScalarNumber (x)
   yes = (isnumeric (x) || islogical (x)) && isscalar (x) && isreal (x);
 end
+
+% ' (reason)' by output_checks.csv; '' where the run is sane, or its model has
+% no such file.
+function text = checksReason (folder)
+  text = '';
+  try
+    checks = readChecks (folder);
+  catch
+    % a model of one's own need not have checks
+    return
+  end
+  if ~checks.sane
+    text = sprintf (' (%s)', checks.reason);
+  end
+end
+
+%!test
+%! % a result that is not finite: its own checks say why, where there are some
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'getResults.m'), ...
+%!              "function r = getResults (model, name)\nr = {NaN};\nend\n");
+%! job = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
+%!               'effects', [], 'replicate', 1, 'seed', 10007, 'key', 'k');
+%! record = setfield (newRecord (job, folder), 'status', 'ok');
+%! place = struct ('base', folder, 'name', '0001', 'funs', folder, ...
+%!                 'count', 1, 'limit', Inf);
+%! said = @() evaluateRun (record, place).message;
+%! plain = 'result 1 is NaN: output is missing or not sane';
+%! assert (said (), plain);
+%! lines = @(overlap) sprintf (['spheresStart,10\nspheresOut,4\n', ...
+%!                              'spheresEnd,6\nsettled,1\noverlapMax,%g\n'], ...
+%!                             overlap);
+%! file = fullfile (folder, 'output_checks.csv');
+%! writeAtomic (file, lines (0.01));
+%! assert (said (), plain);
+%! writeAtomic (file, lines (0.118));
+%! assert (! isempty (strfind (said (), [plain, ' (overlap of 0.118'])));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');

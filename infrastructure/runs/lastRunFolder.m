@@ -7,7 +7,7 @@
 % NUMBER  its number, 0 where there is none yet
 % NAME    its name (text), '' where there is none yet
 %
-% See also: runFolderName, listRunFolders, prepareRun
+% See also: listRunFolders, prepareRun
 
 function [number, name] = lastRunFolder (base, model)
   names = listRunFolders (base, model);

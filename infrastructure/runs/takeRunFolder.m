@@ -18,7 +18,7 @@ function [folder, number] = takeRunFolder (store, model, number)
   end
   folder = '';
   while isempty (folder)
-    folder = fullfile (store, 'optim', model, runFolderName (number));
+    folder = fullfile (store, 'optim', model, sprintf ('%04d', number));
     if ~makeRunFolder (folder)
       folder = '';
       number = number + 1;
@@ -29,7 +29,7 @@ end
 %!test
 %! store = tempname ();
 %! [folder, number] = takeRunFolder (store, 'M');
-%! assert (folder, fullfile (store, 'optim', 'M', runFolderName (1)));
+%! assert (folder, fullfile (store, 'optim', 'M', newFolderName (1)));
 %! assert (isfolder (folder));
 %! [~, number] = takeRunFolder (store, 'M', number);
 %! assert (number, 2);

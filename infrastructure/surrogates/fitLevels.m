@@ -18,7 +18,7 @@
 % likelihood of the coarse runs alone and the others alone exceeds that of all
 % together by 3 (see likelihoodOf).
 %
-% See also: fitSurrogates, chooseLevels, unitLevel
+% See also: fitSurrogates, chooseInfill, unitLevel
 
 function s = fitLevels (X, z, level, limits, options)
   ok = isfinite (z);

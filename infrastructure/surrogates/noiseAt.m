@@ -7,7 +7,7 @@
 %   V          n x 1, in squared units of the response; of a surrogate without
 %              levels its noiseVar
 %
-% See also: conditionSurrogate, fitLevels, chooseLevels
+% See also: conditionSurrogate, fitLevels, chooseInfill
 
 function v = noiseAt (surrogate, level)
   if isempty (surrogate.noiseLaw)

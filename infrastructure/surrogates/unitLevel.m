@@ -9,7 +9,7 @@
 %           the value between and beyond; zeros where the target's model has no
 %           levels
 %
-% See also: fitSurrogates, chooseLevels
+% See also: fitSurrogates, chooseInfill
 
 function u = unitLevel (coarse, E, t)
   c = coarse.column(t);
