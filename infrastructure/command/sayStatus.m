@@ -43,8 +43,9 @@ function text = stateText (s)
       text = sprintf (['process %d on %s works in it, if it is still ' ...
                        'there; stage: %s'], h.pid, h.host, s.stage);
     case 'stopped'
-      text = sprintf ('stopped in the stage: %s. Go on with decalioc run', ...
-                      s.stage);
+      commands = {'run', 'diagnose'};
+      text = sprintf ('stopped in the stage: %s. Go on with decalioc %s', ...
+                      s.stage, commands{1 + strcmp(s.stage, 'gap')});
     case 'finished'
       text = 'finished; decalioc report shows the result';
     case 'tried'
@@ -56,12 +57,19 @@ end
 
 function sayRuns (s)
   plan = sprintf ('%d of %d runs done', s.plan);
-  if strcmp (s.state, 'finished')
+  isFinished = strcmp (s.state, 'finished');
+  if isFinished
     % what failed was run with another seed, which is another run
     plan = sprintf ('%d runs', s.plan(2));
   end
-  printf (['plan    %s; afterwards %d runs of %d sets (each start may ' ...
-           'run %d, repeats counted)\n'], plan, s.later, s.sets);
+  if s.later > 0
+    plan = sprintf ('%s; then %d runs of %d sets', plan, s.later, s.sets(1));
+  end
+  if ~isFinished
+    plan = sprintf ('%s; a start may add %d sets (a repeat counts)', plan, ...
+                    s.sets(2));
+  end
+  printf ('plan    %s\n', plan);
   for k = 1:numel (s.models)
     m = s.models(k);
     printf ('runs    %-12s %d done, %d running, %d waiting, %d failed', ...
@@ -122,3 +130,21 @@ function sayBest (best, Case)
             repmat (', held out', 1, isHeld));
   end
 end
+
+%!test
+%! % nothing run; a diagnosis that was broken off goes on as one
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder);
+%! [~, text] = startCommand (raw.folder, 'status');
+%! assert (! isempty (strfind (text, 'Start with decalioc run')), text);
+%! assert (! isempty (strfind (text, 'of 16 runs done; a start may add 40')));
+%! Case = newCase (raw);
+%! jobs = [newJobs(Case, [1, 2], [], 1, 'plan'), ...
+%!         newJobs(Case, [2, 2], [], 1, 'calibration'), ...
+%!         newJobs(Case, [2, 3], [], 1, 'gap')];
+%! runJobs (jobs, Case, @(state) []);
+%! [~, text] = startCommand (raw.folder, 'status');
+%! assert (! isempty (strfind (text, 'Go on with decalioc diagnose')), text);
+%! assert (! isempty (strfind (text, 'then 2 runs of 1 sets; a start')));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
