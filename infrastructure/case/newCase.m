@@ -13,7 +13,7 @@
 % error under the identifier of the first.
 %
 % Defaults: Input.seed 1, Input.executor 'local', Input.maxNewRuns Inf,
-% Input.replicates 1, Input.coarse none (see newCoarse), Input.store (folder
+% Input.replicates 1, Input.coarse none, Input.store (folder
 % that holds optim/) the case folder,
 % Input.timeout none (a multiple
 % of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
@@ -106,6 +106,22 @@ function o = newOptions (Input, optim)
   o.confidence = givenField (optim, 'confidence', 0.95);
 end
 
+% Levels as 1 x v struct, one element a variable: variable, levels (1 x L, the
+% last one counts), models (numbers).
+function coarse = newCoarse (given)
+  coarse = struct ('variable', {}, 'levels', {}, 'models', {});
+  for k = find (~cellfun (@isempty, given(:)'))
+    level = given{k};
+    at = find (strcmp ({coarse.variable}, level.variable));
+    if isempty (at)
+      at = numel (coarse) + 1;
+      coarse(at) = struct ('variable', level.variable, 'levels', ...
+                           double (level.levels(:)'), 'models', []);
+    end
+    coarse(at).models(end + 1) = k;
+  end
+end
+
 % What is no fault, but may be meant otherwise, in sentences for the user.
 function notes = caseNotes (raw, models)
   [~, unread] = checkSettings (raw.Input, raw.optim);
@@ -156,6 +172,13 @@ end
 %! measured.optim.paramSd = [NaN; 0.5];
 %! Case = newCase (measured);
 %! assert ([Case.paramMean; Case.paramSd], [NaN, 2; NaN, 0.5]);
+%!test
+%! leveled = raw;
+%! level = struct ('variable', 'e', 'levels', [3; 2]);
+%! leveled.Input.coarse = {level, level};
+%! assert (newCase (leveled).coarse, struct ('variable', 'e', ...
+%!         'levels', [3, 2], 'models', [1, 2]));
+%! assert (isempty (newCase (raw).coarse));
 %!test
 %! % the published file returns the values of all models as one column
 %! published = raw;

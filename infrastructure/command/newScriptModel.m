@@ -6,14 +6,13 @@
 %   TARGET  model folder to be made (text)
 %   GIVEN   scalar struct: model (name), script (path), output (name of the file
 %           with the results, '': output_results), seed ('': runSeed), and cells
-%           of texts vary, set, target, see namedNumbers
+%           of texts vary (NAME=LOW:HIGH), set and target (NAME=NUMBER)
 %   WORDS   scalar struct of texts for templates/scriptCase
 %   NOTES   cell of sentences for the user
 %
 % Errors: DEcalioc:newScriptModel:missingField, without a parameter or a target;
 % DEcalioc:newScriptModel:badValue, a name that cannot stand in a program;
-% DEcalioc:newScriptModel:cannotWrite; those of scriptFiles, namedNumbers and
-% fillTemplate
+% DEcalioc:newScriptModel:cannotWrite; those of scriptFiles and fillTemplate
 %
 % See also: sayNew, scriptFiles, fillTemplate
 
@@ -66,6 +65,27 @@ function checkWords (variables, seed, results, output, script)
       error ('DEcalioc:newScriptModel:badValue', ...
              '%s must name %s, got %s.', word{1}, wanted{word{3}}, word{4});
     end
+  end
+end
+
+% Of texts NAME=NUMBER or, for COUNT 2, NAME=LOW:HIGH: 1 x n names, COUNT x n
+% numbers.
+function [names, numbers] = namedNumbers (texts, option, count)
+  names = cell (1, numel (texts));
+  numbers = zeros (count, numel (texts));
+  examples = {'NAME=0.3', 'NAME=0.2:0.8'};
+  for k = 1:numel (texts)
+    at = find (texts{k} == '=', 1, 'last');
+    words = strsplit (texts{k}(at + 1:end), ':');
+    values = str2double (words);
+    if isempty (at) || at < 2 || numel (values) ~= count || ...
+        ~all (isfinite (values))
+      error ('DEcalioc:newScriptModel:badValue', ...
+             '%s must be given as %s, got %s.', option, ...
+             examples{count}, texts{k});
+    end
+    names{k} = texts{k}(1:at - 1);
+    numbers(:, k) = values;
   end
 end
 
@@ -169,15 +189,15 @@ end
 %! given = struct ('model', 'Mine', 'script', fullfile (folder, 'in.mine'), ...
 %!                 'output', 'out', 'seed', 'seed', ...
 %!                 'vary', {{'mu=0.2:0.8'}}, 'set', {{'depth=0.1'}}, ...
-%!                 'target', {{'run-out=0.02', 'it''s=3'}});
+%!                 'target', {{'run-out (m)=0.02', 'it''s=3'}});
 %!test
 %! target = fullfile (folder, 'DEMmodels', 'Mine');
 %! [words, notes] = newScriptModel (root, target, given);
 %! assert (notes, {});
 %! d = headDefaults (fullfile (target, 'data.head'));
 %! assert (d, struct ('mu', 0.5, 'depth', 0.1, 'runSeed', 10007));
-%! assert ({resultInfo(target).name}, {'run-out', 'it''s'});
-%! assert (words.NAMES, '''run-out'', ''it''''s''');
+%! assert ({resultInfo(target).name}, {'run-out (m)', 'it''s'});
+%! assert (words.NAMES, '''run-out (m)'', ''it''''s''');
 %! assert ({words.LOW, words.HIGH}, {'0.2', '0.8'});
 %! text = fileread (fullfile (target, 'runscript'));
 %! assert (~isempty (strfind (text, '"seed"')));
@@ -195,14 +215,18 @@ end
 %!   assert (any (~cellfun (@isempty, strfind (notes, marks{k}))), marks{k});
 %! end
 %!test
-%! caught = '';
-%! given.vary = {};
-%! try
-%!   newScriptModel (root, fullfile (folder, 'None'), given);
-%! catch err
-%!   caught = err.identifier;
+%! bad = {'vary', {}, 'missingField'; 'vary', {'mu=0.2'}, 'badValue'; ...
+%!        'set', {'0.2'}, 'badValue'; 'set', {'mu=x'}, 'badValue'};
+%! for row = bad'
+%!   caught = '';
+%!   try
+%!     newScriptModel (root, fullfile (folder, 'None'), ...
+%!                     setfield (given, row{1}, row{2}));
+%!   catch err
+%!     caught = err.identifier;
+%!   end
+%!   assert (caught, ['DEcalioc:newScriptModel:', row{3}]);
 %! end
-%! assert (caught, 'DEcalioc:newScriptModel:missingField');
 %! assert (~isfolder (fullfile (folder, 'None')));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');

@@ -13,7 +13,7 @@
 %
 % A lock takes its name when it is whole, so an empty one is nobody's.
 %
-% See also: lockCase, caseStatus, sayCancel, processStart
+% See also: lockCase, caseStatus, cancelCase, processStart
 
 function holder = lockHolder (folder, name)
   if nargin < 2

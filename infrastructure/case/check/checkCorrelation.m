@@ -58,14 +58,10 @@ function p = checkCount (value, sizes, field, cure)
   end
 end
 
-%!shared check
+%!test
 %! check = @(c) checkCorrelation (struct ('correlation', {c}), [3, 1]);
-%!assert (isempty (check ({2, 'estimate'})))
-%!assert (isempty (check ({[], 0})))
-%!assert (isempty (check ({[1, NaN, 0]})))
-%!assert (isempty (checkCorrelation (struct (), [3, 1])))
-%!assert (check ({2, 'guess'}).id, 'DEcalioc:checkCase:badCorrelation')
-%!assert (check (2).id, 'DEcalioc:checkCase:badCorrelation')
-%!assert (check ({Inf}).id, 'DEcalioc:checkCase:badCorrelation')
-%!assert (check ({[1, 2]}).id, 'DEcalioc:checkCase:correlationCount')
-%!assert (check ({1, 2, 3}).id, 'DEcalioc:checkCase:correlationCount')
+%! for good = {{2, 'estimate'}, {[], 0}, {[1, NaN, 0]}}
+%!   assert (isempty (check (good{1})));
+%! end
+%! assert (check ({2, 'guess'}).id, 'DEcalioc:checkCase:badCorrelation');
+%! assert (check ({[1, 2]}).id, 'DEcalioc:checkCase:correlationCount');

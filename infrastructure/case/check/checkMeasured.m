@@ -118,22 +118,15 @@ function p = checkPairs (value, sd, names, limits)
   end
 end
 
-%!shared check
-%! check = @(m, s) checkMeasured (struct ('paramMean', m, 'paramSd', s), ...
-%!                                {'rho', 'mu'}, [500, 0; 800, 1]);
-%!assert (isempty (check ([600, NaN], [5; NaN])))
-%!assert (isempty (check (struct ('mu', 0.4), struct ('mu', 0.1))))
-%!assert (isempty (check (struct ('mu', 1.2), struct ('mu', 0.1))))
-%!assert (isempty (check ([], [])))
-%!assert (isempty (check (struct (), struct ())))
+%!test
+%! ids = @(m, s) {checkMeasured(struct ('paramMean', m, 'paramSd', s), ...
+%!                              {'rho', 'mu'}, [500, 0; 800, 1]).id};
+%! assert (isempty (ids ([600, NaN], [5; NaN])));
+%! assert (isempty (ids (struct ('mu', 1.2), struct ('mu', 0.1))));
+%! assert (isempty (ids ([], [])));
+%! assert (ids (600, [5, NaN]), {'DEcalioc:checkCase:paramCount'});
+%! assert (ids ([600, 0.4], [5, NaN]), {'DEcalioc:checkCase:paramPair'});
+%! assert (ids (struct ('mu', 1.4), struct ('mu', 0.1)), ...
+%!         {'DEcalioc:checkCase:paramOutside'});
 %!assert (isempty (checkMeasured (struct ('paramMean', 600, 'paramSd', 5), ...
 %!                                {'rho'}, @sin)))
-%!assert (check ([600, NaN], [0, NaN]).id, 'DEcalioc:checkCase:badParamSd')
-%!assert (check ([600, Inf], [1, 1]).id, 'DEcalioc:checkCase:badParamMean')
-%!assert (check ('x', [1, 1]).id, 'DEcalioc:checkCase:badParamMean')
-%!assert (check (600, [5, NaN]).id, 'DEcalioc:checkCase:paramCount')
-%!assert (check (struct ('mv', 1), struct ('mu', 1)).id, ...
-%!        'DEcalioc:checkCase:unknownParam')
-%!assert (check ([600, 0.4], [5, NaN]).id, 'DEcalioc:checkCase:paramPair')
-%!assert (check (struct ('mu', 1.4), struct ('mu', 0.1)).id, ...
-%!        'DEcalioc:checkCase:paramOutside')
