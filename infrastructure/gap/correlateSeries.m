@@ -10,7 +10,14 @@
 % coordinate: a gap is mostly smoother than that, the errors are not. Of less
 % than four points nothing can be learned.
 %
-% See also: estimateCorrelation, measurementCovariance
+% Maximum likelihood of residuals with covariance s^2 sd_i sd_j exp (-|at_i -
+% at_j| / L), s profiled out, L on 60 steps of a logarithmic grid from a third
+% of the least distance to the whole length of the series. L is 0 unless the log
+% likelihood gains 1.92, which 1 to 2 of 100 series of independent errors reach.
+% What the quadratic has taken out of the errors is missing: L is rather too
+% short than too long.
+%
+% See also: measurementCovariance
 
 function [gapProblem, lengths] = correlateSeries (gapProblem, em, options)
   lengths = zeros (size (gapProblem.value));
@@ -44,10 +51,38 @@ function [gapProblem, lengths] = correlateSeries (gapProblem, em, options)
   end
 end
 
+function L = estimateCorrelation (residual, sd, coordinate)
+  L = 0;
+  ok = isfinite (residual) & isfinite (coordinate) & sd > 0;
+  z = residual(ok)(:) ./ sd(ok)(:);
+  at = coordinate(ok)(:);
+  steps = diff (unique (at));
+  if numel (z) < 4 || isempty (steps) || ~any (z)
+    return
+  end
+  lengths = logspace (log10 (min (steps) / 3), log10 (max (at) - min (at)), 60);
+  D = abs (at - at');
+  fit = arrayfun (@(l) likelihoodOf (z, exp (-D / l)), lengths);
+  [best, i] = max (fit);
+  if best - likelihoodOf (z, eye (numel (z))) > 1.92
+    L = lengths(i);
+  end
+end
+
+function fit = likelihoodOf (z, R)
+  n = numel (z);
+  R(1:n + 1:end) = 1 + 1e-6;
+  root = chol (R, 'lower');
+  w = root \ z;
+  fit = -n / 2 * log (w' * w / n) - sum (log (diag (root)));
+end
+
 %!test
 %! % errors alike over a third of the series are found, and only there (seeded)
 %! rand ('twister', 7); randn ('twister', 7);
+%! % two values at one place, one of another missing
 %! x = linspace (0, 1, 30);
+%! x(12) = x(11);
 %! data.X = rand (12, 1);
 %! data.E = zeros (12, 0);
 %! data.Z = data.X * [x, x] + 0.001 * randn (12, 60);
@@ -58,11 +93,11 @@ end
 %!                 'bench', kron ([1, 2], ones (1, 30)));
 %! given.series = given.bench;
 %! given.coordinate = [x, x];
+%! given.value(7) = NaN;
 %! given.estimateSeries = true (1, 60);
-%! gapProblem = newGapProblem (given);
-%! options = gapOptions (struct ('trend', 'affine'));
-%! em = fitEmulator (gapProblem, data, options);
-%! [gapProblem, lengths] = correlateSeries (gapProblem, em, options);
+%! study = labStudy (given, data);
+%! [gapProblem, lengths] = correlateSeries (study.gapProblem, study.em, ...
+%!                                          study.models.options);
 %! assert (lengths(1) > 0.04 && lengths(1) < 0.5);
 %! assert (lengths(31), 0);
 %! assert (gapProblem.covariance(1, 2) > 0.004);
@@ -81,8 +116,7 @@ end
 %! given.series = given.bench;
 %! given.coordinate = [x, x];
 %! given.estimateSeries = true (1, 12);
-%! gapProblem = newGapProblem (given);
-%! options = gapOptions (struct ('trend', 'affine'));
-%! em = fitEmulator (gapProblem, data, options);
-%! [~, lengths] = correlateSeries (gapProblem, em, options);
+%! study = labStudy (given, data);
+%! [~, lengths] = correlateSeries (study.gapProblem, study.em, ...
+%!                                 study.models.options);
 %! assert (lengths, zeros (1, 12));

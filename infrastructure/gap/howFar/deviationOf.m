@@ -37,7 +37,7 @@ function d = deviationOf (study, set, draws)
   d.s = S * back';
   d.nu = 1 / mean (1 ./ white.nu);
   J = reshape (vertcat (J{:})', numel (targets), numel (set.Q));
-  free = isFree (white, set);
+  free = isFree (white, set, study.models.options.limitAt);
   d.J = back * J(:, free);
   known = [study.models.prior.sd, Inf(1, numel (set.h))].^-2;
   known = known(free);
@@ -66,12 +66,12 @@ function d = deviationOf (study, set, draws)
         draws.prior(:, 1:sum (free)) * roots{3}' + draws.run * roots{4}';
 end
 
-function free = isFree (white, set)
+function free = isFree (white, set, limitAt)
   p = white.p;
-  free = abs (set.Q(1:p)) < 0.98;
+  free = abs (set.Q(1:p)) < limitAt;
   for i = 1:numel (set.h)
     range = white.effect(set.h(i)).range;
-    margin = 0.02 * diff (range);
+    margin = (1 - limitAt) * diff (range);
     free(p + i) = set.Q(p + i) > range(1) + margin && ...
                   set.Q(p + i) < range(2) - margin;
   end
@@ -92,22 +92,14 @@ function R = rootOf (C)
 end
 
 %!shared study, draws
-%! n = 6;
-%! white = handMadeHypotheses ().white;
 %! gapProblem = newGapProblem (struct ('value', [1, 2, 3, 4], ...
 %!                             'sd', [1, 1, 1, 1], 'trials', Inf, ...
 %!                             'bench', [1, 1, 1, 2], 'limits', [-1; 1]));
-%! em = struct ('p', 1, 'powers', [0; 1], 'coef', [0, 0, 0, 0; 3, 1, 0, 2], ...
-%!              'effect', [], 'joint', [], 'surrogateVar', zeros (3, 4), ...
-%!              'points', [-1; 0; 1], 'varPowers', 0, 'bench', [1, 1, 1, 2], ...
-%!              'fitVar', zeros (1, 4), 'noiseVar', 0.5 * ones (1, 4), ...
-%!              'noiseFreedom', Inf (1, 4), 'correlation', eye (4), ...
-%!              'alongCurve', eye (4), 'range', ones (1, 4), ...
-%!              'success', zeros (1, 2));
-%! em.effect = struct ('name', {}, 'laboratory', {});
-%! em.joint = em.effect;
+%! em = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 2]);
+%! em.noiseVar = 0.5 * em.noiseVar;
 %! study = struct ('gapProblem', gapProblem, 'em', em);
 %! study.models.prior = struct ('mean', 0, 'sd', Inf);
+%! study.models.options = gapOptions ([]);
 %! randn ('twister', 3);
 %! draws = struct ('noise', randn (4000, 4), 'surrogate', randn (4000, 4), ...
 %!                 'prior', randn (4000, 1), 'run', randn (4000, 4));

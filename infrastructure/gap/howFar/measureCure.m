@@ -44,17 +44,19 @@ function cure = measureCure (study, sets, first, group)
   gapProblem = study.gapProblem;
   em = study.em;
   names = study.models.names;
+  options = study.models.options;
   at = find (cellfun (@(h) isequal (h, first), {sets.h}), 1);
   devs = deviationsOf (study, sets);
   targets = [gapProblem.used, gapProblem.heldOut];
   used = 1:numel (gapProblem.used);
   held = numel (used) + 1:numel (targets);
   scale = em.range(targets);
-  cure = closureAt (devs([1, at]), used, scale);
+  cure = closureAt (devs([1, at]), used, scale, options);
   cure.effect = strjoin (names(first), ' + ');
   cure.heldOut = [];
   if ~isempty (held)
-    cure.heldOut = rmfield (closureAt (devs([1, at]), held, scale), 'share');
+    c = closureAt (devs([1, at]), held, scale, options);
+    cure.heldOut = rmfield (c, 'share');
   end
   cure.targets = targetsOf (gapProblem, targets, devs(1), devs(at));
   cure.placebos = struct ('effect', {}, 'closure', {}, 'interval90', {}, ...
@@ -65,7 +67,8 @@ function cure = measureCure (study, sets, first, group)
     if any (ismember (sets(i).h, group))
       continue
     end
-    own = placeboOf (cure, devs([1, at, i]), used, held, scale);
+    own = placeboOf (cure, devs([1, at, i]), used, held, ...
+                       {scale, options});
     own.effect = strjoin (names(sets(i).h), ' + ');
     own.verifiedByDEM = sets(i).verified;
     own.against = own.against && all ([sets([1, at, i]).verified]);
@@ -99,7 +102,7 @@ end
 
 % D  deviations without and with an effect; held-out targets are measured by
 % the noise that a prediction has.
-function c = closureAt (d, at, scale)
+function c = closureAt (d, at, scale, options)
   metric = inv (d(1).Sigma(at, at));
   if at(1) > 1
     metric = inv (d(1).F(at, at));
@@ -109,7 +112,7 @@ function c = closureAt (d, at, scale)
   c = struct ('before', rms (parts(1).r.^2), 'after', rms (parts(2).r.^2), ...
               'floor', rms (diag (parts(1).F)'), ...
               'floorAfter', rms (diag (parts(2).F)'));
-  own = closureOf (parts(1), parts(2), metric);
+  own = closureOf (parts(1), parts(2), metric, options);
   for field = fieldnames (own)'
     c.(field{1}) = own.(field{1});
   end
@@ -124,8 +127,8 @@ function parts = partOf (d, at)
 end
 
 % D  deviations without effect, with the cause, with the placebo
-function own = placeboOf (cure, d, used, held, scale)
-  c = closureAt (d([1, 3]), used, scale);
+function own = placeboOf (cure, d, used, held, how)
+  c = closureAt (d([1, 3]), used, how{:});
   own = struct ('closure', c.closure, 'interval90', c.interval90, ...
                 'heldOut', NaN, 'logRatio', NaN);
   own.expected = alikeness (d, used);
@@ -139,7 +142,7 @@ function own = placeboOf (cure, d, used, held, scale)
   end
   own.against = c.interval90(1) > own.expected && own.difference90(1) <= 0;
   if ~isempty (held)
-    own.heldOut = closureAt (d([1, 3]), held, scale).closure;
+    own.heldOut = closureAt (d([1, 3]), held, how{:}).closure;
     parts = partOf (d, held);
     own.logRatio = logDensity (parts(2)) - logDensity (parts(3));
   end
@@ -180,19 +183,15 @@ end
 %! % a placebo whose runs were cut off takes nothing from a cure that was run
 %! [given, data] = smallGapLab ();
 %! given.value = mean (data.Z);
-%! gapProblem = newGapProblem (given);
-%! em = fitEmulator (gapProblem, data, gapOptions ([]));
-%! names = arrayfun (@(k) sprintf ('e%d', k), 1:2, 'UniformOutput', false);
-%! study = struct ('gapProblem', gapProblem, 'em', em, ...
-%!                'models', struct ('names', {names}, 'prior', ...
-%!                                  struct ('sd', Inf (1, em.p))));
-%! set = struct ('h', zeros (1, 0), 'Q', zeros (1, em.p), ...
+%! study = labStudy (given, data);
+%! p = study.em.p;
+%! set = struct ('h', zeros (1, 0), 'Q', zeros (1, p), ...
 %!               'Z', data.Z(1:3, :), 'worstZ', 1, 'verified', true);
-%! cured = setfield (setfield (set, 'h', 1), 'Q', zeros (1, em.p + 1));
+%! cured = setfield (setfield (set, 'h', 1), 'Q', zeros (1, p + 1));
 %! cut = setfield (setfield (cured, 'h', 2), 'verified', false);
 %! cure = measureCure (study, [set, cured, cut], 1, 1);
 %! assert (cure.verifiedByDEM);
-%! assert ({cure.placebos.effect}, {'e2'});
+%! assert ({cure.placebos.effect}, study.models.names(2));
 %! assert (! cure.placebos.verifiedByDEM);
 %! cure = measureCure (study, [set, cured, cut], 2, 2);
 %! assert (! cure.verifiedByDEM);
@@ -204,15 +203,10 @@ end
 %! given.value = means ((truth + 1) / 2, [0, 0, 0.6, 0, 0]);
 %! given.held = (1:12) > 9;
 %! given.trials = Inf;
-%! gapProblem = newGapProblem (given);
-%! options = gapOptions (struct ('trend', 'affine'));
-%! em = fitEmulator (gapProblem, data, options);
-%! study = struct ('gapProblem', gapProblem, 'em', em);
-%! study.models = makeHypotheses (gapProblem, em, options);
-%! study.fits = fitLibrary (study.models, given.value(gapProblem.used));
+%! study = labStudy (given, data);
 %! runs = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
 %! options = gapOptions (struct ('maxNewRuns', 99, 'verifyRuns', 5));
-%! state = newGapState (data, gapProblem, options, runs);
+%! state = newGapState (data, study.gapProblem, options, runs);
 %! sets = runCures (study, {3, 4}, state);
 %! cure = measureCure (study, sets, 3, 3);
 %! assert (cure.closure, 1, 0.03);

@@ -105,20 +105,16 @@ end
 %! % compared in the end is both
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0.6, 0]);
-%! gapProblem = newGapProblem (given);
-%! options = gapOptions (struct ('twins', 99, 'trend', 'affine'));
-%! em = fitEmulator (gapProblem, data, options);
-%! models = omnibusReference (makeHypotheses (gapProblem, em, options));
-%! study = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
-%!                'fits', fitLibrary (models, given.value));
-%! study.w = caseEvidence (models, study.fits, 1);
-%! verdict = judgeCase (study.w, models);
+%! study = labStudy (given, data, struct ('twins', 99));
+%! study.models = omnibusReference (study.models);
+%! study.w = caseEvidence (study.models, study.fits, 1);
+%! verdict = judgeCase (study.w, study.models);
 %! verdict.kind = 'group';
 %! [verdict.effects, verdict.top] = deal (3);
 %! runs = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
 %!        0.05 * randn (rows (X), 12);
 %! options = gapOptions (struct ('maxNewRuns', 16, 'verifyRuns', 3));
-%! state = newGapState (data, gapProblem, options, runs);
+%! state = newGapState (data, study.gapProblem, options, runs);
 %! [verdict, ~, cure, state] = proveCause (verdict, study, state);
 %! assert (verdict.kind, 'named');
 %! assert (verdict.effects, [3, 4]);

@@ -184,18 +184,15 @@ end
 %! more.Z(8, 1) = 2 * more.Z(8, 1);
 %! [~, d] = enterRuns (newGapProblem (given), more, gapOptions ([]));
 %! assert (d.X, data.X([1:6, 2]));
-%!error id=DEcalioc:enterRuns:runFailed
-%! data.Z(:) = NaN;
-%! enterRuns (newGapProblem (given), data, gapOptions ([]));
-%!error id=DEcalioc:enterRuns:runFailed
-%! data.Z(2:end, 2) = NaN;
-%! enterRuns (newGapProblem (given), data, gapOptions ([]));
-%!error id=DEcalioc:enterRuns:badValue
-%! data.Z(2, 2) = Inf;
-%! enterRuns (newGapProblem (given), data, gapOptions ([]));
-%!error id=DEcalioc:enterRuns:badValue
-%! data.X(2) = NaN;
-%! enterRuns (newGapProblem (given), data, gapOptions ([]));
-%!error id=DEcalioc:enterRuns:badShape
-%! data.Z = data.Z';
-%! enterRuns (newGapProblem (given), data, gapOptions ([]));
+%!test
+%! % what is no table of runs
+%! wrong = {'Z', @(Z) NaN (6, 3), 'gave a result'; ...
+%!          'Z', @(Z) [Z(:, 1), [Z(1, 2); NaN(5, 1)], Z(:, 3)], 'needs'; ...
+%!          'Z', @(Z) setfield(Z, {2, 2}, Inf), 'gives Inf for t2'; ...
+%!          'X', @(X) setfield(X, {2}, NaN), 'run 2 has a parameter'; ...
+%!          'Z', @(Z) Z', 'DATA.Z must be 6 x 3'}';
+%! problem = newGapProblem (given);
+%! for one = wrong
+%!   bad = setfield (data, one{1}, one{2} (data.(one{1})));
+%!   fail ('enterRuns (problem, bad, gapOptions ([]));', one{3});
+%! end

@@ -50,11 +50,15 @@
 %                  group (0.1, see confusion)
 %     caveatAt     probability of siblings at which a group says so (0.1)
 %     leftAt       standard deviations by which DEM runs with the named effect
-%                  may miss a target (4: by chance 1 of 1000 with 16 targets)
+%                  may miss a target, and from which one miss is a gap to close
+%                  (4: by chance 1 of 1000 with 16 targets)
+%     hiddenAt     share of a direction that parameters hide from which it tells
+%                  nothing of a gap to close (0.9: as blindAt)
 %     blindAt      share of a target's variance that parameters absorb at which
 %                  it is a blind spot (0.9)
-%     limitAt      share of half its box at which a parameter is at its limit
-%                  (0.98: closer than a surrogate can tell)
+%     limitAt      share of half its box, or of its range, at which a parameter
+%                  or a strength is at its limit (0.98: closer than a surrogate
+%                  can tell)
 %     looMeanAt    mean square of the standardised leave-one-out errors of a
 %                  target at which its surrogate contradicts its runs (2: of 40
 %                  runs less than 1 in 1000 by chance), or the largest of them
@@ -86,10 +90,10 @@ function options = gapOptions (given)
                     'misfitAt', 0.5, 'othersAt', 0.1, 'alikeAt', 0.7, ...
                     'partnerAt', 0.05, 'gluedAt', 0.5, 'leftAt', 4, ...
                     'confusedAt', 0.1, 'caveatAt', 0.1, ...
-                    'blindAt', 0.9, 'limitAt', 0.98, 'looMeanAt', 2, ...
-                    'looMostAt', 5, 'looEffectAt', 2.5, 'vagueAt', 0.5, ...
-                    'blameAt', 0.2, 'conflictAt', 0.01, 'pairAt', 0.2, ...
-                    'fitMargin', 0.02);
+                    'blindAt', 0.9, 'hiddenAt', 0.9, 'limitAt', 0.98, ...
+                    'looMeanAt', 2, 'looMostAt', 5, 'looEffectAt', 2.5, ...
+                    'vagueAt', 0.5, 'blameAt', 0.2, 'conflictAt', 0.01, ...
+                    'pairAt', 0.2, 'fitMargin', 0.02);
   if isstruct (given)
     fields = fieldnames (given);
     for k = 1:numel (fields)

@@ -1,10 +1,8 @@
 % CROSSPREDICT  Calibrates on some targets and predicts others.
 %
-% CALL: CROSS = crossPredict (GAPPROBLEM, EM, MODELS, FROM, TO)
+% CALL: CROSS = crossPredict (STUDY, FROM, TO)
 %
-%   GAPPROBLEM  struct of newGapProblem
-%   EM          struct of fitEmulator
-%   MODELS      struct of makeHypotheses
+%   STUDY       struct gapProblem, em, models, see locateGap
 %   FROM, TO    rows of target numbers
 %   CROSS       struct
 %     p           of the misfit of TO, r' [S + J C J']^-1 r (chi-square),
@@ -12,9 +10,12 @@
 %                 the parameters
 %     mean, sd    1 x numel (TO): prediction of the measurements TO, raw units
 %
-% See also: benchConflicts, locateGap
+% See also: locateGap
 
-function cross = crossPredict (gapProblem, em, models, from, to)
+function cross = crossPredict (study, from, to)
+  gapProblem = study.gapProblem;
+  em = study.em;
+  models = study.models;
   budget = noiseBudget (gapProblem, em);
   null = newHypothesis ('null');
   white = whitenEmulator (em, from, budget);
@@ -43,11 +44,6 @@ end
 %! given = lab.gapProblem;
 %! given.value = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
 %!           + sqrt (2) * lab.noiseSd .* randn (1, 24);
-%! gapProblem = newGapProblem (given);
-%! em = fitEmulator (gapProblem, lab.plan (30, 2), ...
-%!                    gapOptions (struct ('trend', 'affine')));
-%! options = gapOptions (struct ('trend', 'affine'));
-%! models = makeHypotheses (gapProblem, em, options);
-%! cross = crossPredict (gapProblem, em, models, 1:18, 19:24);
+%! cross = crossPredict (labStudy (given, lab.plan (30, 2)), 1:18, 19:24);
 %! assert (all (abs (cross.mean - given.value(19:24)) < 4 * cross.sd));
 %! assert (cross.p > 0.001);

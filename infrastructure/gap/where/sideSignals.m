@@ -55,12 +55,13 @@ end
 %! rand ('twister', 4); randn ('twister', 4);
 %! lab = standInGap (0);
 %! given = setfield (lab.gapProblem, 'value', ones (1, 24));
-%! gapProblem = newGapProblem (given);
-%! options = gapOptions (struct ('trend', 'affine'));
-%! em = fitEmulator (gapProblem, lab.plan (40, 2), options);
-%! side = sideSignals (gapProblem, em, [1, 0, 0, 0], options);
+%! study = labStudy (given, lab.plan (40, 2));
+%! options = study.models.options;
+%! gapProblem = study.gapProblem;
+%! side = sideSignals (gapProblem, study.em, [1, 0, 0, 0], options);
 %! assert (side.atLimit, {'friction'});
 %! assert (side.blameSurrogate || side.vague, false);
 %! gapProblem.sd = 0.01 * gapProblem.sd;
 %! gapProblem.trials = Inf;
-%! assert (sideSignals (gapProblem, em, zeros (1, 4), options).vague, true);
+%! side = sideSignals (gapProblem, study.em, zeros (1, 4), options);
+%! assert (side.vague, true);

@@ -18,7 +18,6 @@ end
 %! % what the laboratory was run with is found (noise 0.2, slopes of 3)
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.7], zeros (1, 5));
-%! gapProblem = newGapProblem (given);
-%! options = gapOptions (struct ('trend', 'affine'));
-%! em = fitEmulator (gapProblem, data, options);
-%! assert (calibrateNull (gapProblem, em, options), [-0.2, 0.4], 0.1);
+%! study = labStudy (given, data);
+%! theta = calibrateNull (study.gapProblem, study.em, study.models.options);
+%! assert (theta, [-0.2, 0.4], 0.1);

@@ -54,10 +54,7 @@ end
 %! given = setfield (lab.gapProblem, 'value', ones (1, 24));
 %! given.paramMean = [0.5, NaN, NaN, NaN];
 %! given.paramSd = [0.1, NaN, NaN, NaN];
-%! gapProblem = newGapProblem (given);
-%! options = gapOptions (struct ('trend', 'affine'));
-%! em = fitEmulator (gapProblem, lab.plan (30, 10), options);
-%! models = makeHypotheses (gapProblem, em, options);
+%! models = labStudy (given, lab.plan (30, 3)).models;
 %! assert (models.prior.sd, [0.2, Inf, Inf, Inf], 1e-12);
 %! hypotheses = [models.list.h];
 %! assert (sum (strcmp ({hypotheses.kind}, 'discrepancy')), 6);

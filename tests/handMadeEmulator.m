@@ -1,0 +1,23 @@
+% HANDMADEEMULATOR  An emulator of one parameter with nothing unknown, for tests.
+%
+% CALL: EM = handMadeEmulator (COEF)
+%
+%   COEF  2 x T, mean of each result at the middle of the box, and its slope
+%   EM    struct as of fitEmulator: one bench, runs of noise 1, exact surrogates,
+%         no effects
+%
+% See also: fitEmulator, handMadeHypotheses
+
+function em = handMadeEmulator (coef)
+  T = columns (coef);
+  one = ones (1, T);
+  em = struct ('p', 1, 'powers', [0; 1], 'coef', coef, 'bench', one, ...
+               'points', [-1; 0; 1], 'surrogateVar', zeros (3, T), ...
+               'varPowers', 0, 'fitVar', 0 * one, 'noiseVar', one, ...
+               'noiseFreedom', Inf * one, 'correlation', eye (T), ...
+               'alongCurve', eye (T), 'range', one, 'success', zeros (2, 1));
+  em.effect = struct ('name', {}, 'laboratory', {});
+  em.joint = em.effect;
+end
+
+%!assert (handMadeEmulator (ones (2, 3)).range, [1, 1, 1])
