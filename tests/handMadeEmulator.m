@@ -1,10 +1,10 @@
-% HANDMADEEMULATOR  An emulator of one parameter with nothing unknown, for tests.
+% HANDMADEEMULATOR  An emulator of one parameter, nothing unknown, for tests.
 %
 % CALL: EM = handMadeEmulator (COEF)
 %
 %   COEF  2 x T, mean of each result at the middle of the box, and its slope
-%   EM    struct as of fitEmulator: one bench, runs of noise 1, exact surrogates,
-%         no effects
+%   EM    struct as of fitEmulator: one bench, runs of noise 1, surrogates that
+%         are exact, no effects
 %
 % See also: fitEmulator, handMadeHypotheses
 

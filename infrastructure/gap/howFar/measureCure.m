@@ -68,7 +68,7 @@ function cure = measureCure (study, sets, first, group)
       continue
     end
     own = placeboOf (cure, devs([1, at, i]), used, held, ...
-                       {scale, options});
+                     {scale, options});
     own.effect = strjoin (names(sets(i).h), ' + ');
     own.verifiedByDEM = sets(i).verified;
     own.against = own.against && all ([sets([1, at, i]).verified]);
