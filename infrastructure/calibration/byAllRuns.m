@@ -1,8 +1,7 @@
 % BYALLRUNS  How the robust search on the DEM evaluates a set.
 %
-% CALL: WAY = byAllRuns (BOOK, PROBLEM)
+% CALL: WAY = byAllRuns (PROBLEM)
 %
-% BOOK      containers.Map of calibrateOnDEM: its state grows by the runs
 % PROBLEM   struct of newProblem
 % WAY       struct, see calibrateOnDEM (searchOnDEM)
 %
@@ -14,29 +13,29 @@
 %
 % See also: calibrateOnDEM, bySingleRuns, confirmSet
 
-function way = byAllRuns (book, problem)
+function way = byAllRuns (problem)
   way = struct ('kept', find (problem.calibrate), ...
-                'respond', @(p) meanResponse (p, book, problem), ...
-                'slopes', @(p, f) slopesOf (p, book, problem), ...
-                'isOver', @() whyOver (book, problem));
+                'respond', @(p, book) meanResponse (p, book, problem), ...
+                'slopes', @(p, f, book) slopesOf (p, book, problem), ...
+                'isOver', @(book) whyOver (book, problem));
   way.weights = 1 ./ problem.part(way.kept)';
   % a residual within its tolerance is no end here, as it may be chance
   way.told = struct ('tolRes', -Inf (1, numel (way.kept)), 'maxIter', Inf);
 end
 
-function z = meanResponse (p, book, problem)
-  state = book('state');
-  if book('ran') ~= book('iteration')
-    if book('wrong') < problem.options.maxIter
+function [z, book] = meanResponse (p, book, problem)
+  state = book.state;
+  if book.ran ~= book.iteration
+    if book.wrong < problem.options.maxIter
       [state, wasWrong] = moveTo (state, problem, p);
-      book('wrong') = book('wrong') + wasWrong;
+      book.wrong = book.wrong + wasWrong;
     end
     final = confirmSet (state, problem);
     if ~final.converged
       state = confirmingRuns (state, final, problem);
     end
-    book('state') = bookStep (state, 'DEM', book('iteration'));
-    book('ran') = book('iteration');
+    book.state = bookStep (state, 'DEM', book.iteration);
+    book.ran = book.iteration;
   end
   z = predictSurrogate (state.surrogates, p);
 end
@@ -59,21 +58,20 @@ function state = confirmingRuns (state, final, problem)
                              describeSet (state.surrogates, problem, p));
 end
 
-function J = slopesOf (p, book, problem)
-  state = book('state');
-  J = surrogateJacobian (state.surrogates, problem, p) .* ...
+function [J, book] = slopesOf (p, book, problem)
+  J = surrogateJacobian (book.state.surrogates, problem, p) .* ...
       problem.part(problem.calibrate)';
 end
 
 % Replicates cannot help where the mean is clearly outside, or every run fails.
 function why = whyOver (book, problem)
-  state = book('state');
+  state = book.state;
   final = confirmSet (state, problem);
   [share, spread] = toleranceShare (problem, final.residual', ...
                                     final.residualSd');
   isOut = final.n >= problem.options.replicates && ...
           any ((share - 1) ./ max (spread, realmin) > problem.options.apart);
-  mayMove = book('wrong') < problem.options.maxIter;
+  mayMove = book.wrong < problem.options.maxIter;
   failed = failedSets (state.data, problem);
   why = '';
   if final.converged

@@ -1,8 +1,7 @@
 % BYSINGLERUNS  How the published search on the DEM evaluates a set.
 %
-% CALL: WAY = bySingleRuns (BOOK, PROBLEM)
+% CALL: WAY = bySingleRuns (PROBLEM)
 %
-% BOOK      containers.Map of calibrateOnDEM: its state grows by the runs
 % PROBLEM   struct of newProblem
 % WAY       struct, see calibrateOnDEM (searchOnDEM)
 %
@@ -13,27 +12,24 @@
 %
 % See also: calibrateOnDEM, byAllRuns
 
-function way = bySingleRuns (book, problem)
+function way = bySingleRuns (problem)
   extra = numel (problem.value) + (1:problem.nExtra);
   kept = [find(problem.calibrate), extra];
-  respond = @(P) onceOnDEM (P, book, problem);
   way = struct ('kept', kept, 'weights', ones (numel (kept), 1), ...
-                'respond', respond, ...
-                'slopes', @(p, f) differencesOnDEM (p, f, respond, kept, ...
-                                                    book('state'), problem), ...
-                'isOver', @() whyOver (book, problem));
+                'respond', @(P, book) onceOnDEM (P, book, problem), ...
+                'slopes', @(p, f, book) differencesOnDEM (p, f, kept, book, ...
+                                                          problem), ...
+                'isOver', @(book) whyOver (book, problem));
   way.told = struct ('tolRes', problem.tol(problem.calibrate), ...
                      'maxIter', problem.options.maxIter);
 end
 
-function Z = onceOnDEM (P, book, problem)
-  state = book('state');
-  Z = knownAt (state.data, P, problem);
+function [Z, book] = onceOnDEM (P, book, problem)
+  Z = knownAt (book.state.data, P, problem);
   isNew = any (isnan (Z), 2);
   if any (isNew)
-    state = runAndFit (state, problem, P(isNew, :), 'verify');
-    book('state') = state;
-    Z = knownAt (state.data, P, problem);
+    book.state = runAndFit (book.state, problem, P(isNew, :), 'verify');
+    Z = knownAt (book.state.data, P, problem);
   end
 end
 
@@ -52,11 +48,11 @@ end
 % An iteration needs the runs of a Jacobian and one more; a start without a
 % result leads nowhere.
 function why = whyOver (book, problem)
-  state = book('state');
+  state = book.state;
   why = '';
   if budgetLeft (state, problem) < numel (problem.names) + 1
     why = 'too few DEM runs are left for an iteration';
-  elseif book('iteration') == 1
+  elseif book.iteration == 1
     p = state.found.params;
     if any (isnan (knownAt (state.data, p, problem)))
       why = 'the run at the set found on the Kriging models failed';
@@ -68,15 +64,16 @@ end
 % the step: it moves the responses by 4 times the scatter of one run, as a
 % smaller one would measure that scatter (between 2 and 20 % of the box); the d
 % runs go out as one batch. Where a run fails, it is that of the surrogates.
-function J = differencesOnDEM (p, f, respond, kept, state, problem)
+function [J, book] = differencesOnDEM (p, f, kept, book, problem)
+  surrogates = book.state.surrogates;
   lo = problem.limits(1, :);
   width = diff (problem.limits);
   u = (p - lo) ./ width;
-  step = stepsOf (state.surrogates, problem, p);
+  step = stepsOf (surrogates, problem, p);
   step(u + step > 1) = -step(u + step > 1);
   P = lo + (u + full (diag (step))) .* width;
-  Z = respond (P);
-  onKriging = @(q) evaluateKriging (q, state.surrogates);
+  [Z, book] = onceOnDEM (P, book, problem);
+  onKriging = @(q) evaluateKriging (q, surrogates);
   J = zeros (numel (f), numel (p));
   for j = 1:numel (p)
     base = f;
@@ -102,33 +99,38 @@ function step = stepsOf (surrogates, problem, p)
   step = min (max (4 * min (noise' ./ steep, [], 1), 0.02), 0.2);
 end
 
+%!function [problem, book] = started ()
+%!  [problem, state] = smallCalibration ();
+%!  book = struct ('state', state, 'iteration', 0);
+%!endfunction
 %!test
 %! % what was run is not run again, nor counted; no budget, no result
-%! [problem, state] = smallCalibration ();
+%! [problem, book] = started ();
 %! problem.options.maxFunEvals = 2;
-%! state.evaluate = plainEvaluate (@(P, E, r) P);
-%! book = containers.Map ({'state', 'iteration'}, {state, 0});
-%! way = bySingleRuns (book, problem);
-%! assert (way.respond (state.data.X(3:4, :)), state.data.Z(3:4, :));
-%! assert (! any (isAfterPlan (book('state').data)));
-%! assert (way.respond ([0.1, 0.2; state.data.X(1, :); 0.3, 0.4; 0.5, 0.6]), ...
-%!         [0.1, 0.2; state.data.Z(1, :); 0.3, 0.4; NaN, NaN]);
-%! assert (sum (isAfterPlan (book('state').data)), 2);
-%! assert (! isempty (way.isOver ()));
-
+%! book.state.evaluate = plainEvaluate (@(P, E, r) P);
+%! X = book.state.data.X;
+%! Z = book.state.data.Z;
+%! way = bySingleRuns (problem);
+%! [found, book] = way.respond (X(3:4, :), book);
+%! assert (found, Z(3:4, :));
+%! assert (! any (isAfterPlan (book.state.data)));
+%! [found, book] = way.respond ([0.1, 0.2; X(1, :); 0.3, 0.4; 0.5, 0.6], book);
+%! assert (found, [0.1, 0.2; Z(1, :); 0.3, 0.4; NaN, NaN]);
+%! assert (sum (isAfterPlan (book.state.data)), 2);
+%! assert (! isempty (way.isOver (book)));
 %!test
 %! % rows beyond the targets are differentiated too; a failed run is not
-%! [problem, state] = smallCalibration ();
+%! [problem, book] = started ();
 %! problem.cost = @(p, f) [f(p) ./ [4; 2] - 1; p(2)];
 %! problem.nExtra = 1;
 %! law = @(P) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
 %! f = problem.cost ([0.5; 1], @(p) law (p')');
-%! slopes = @(state) bySingleRuns (containers.Map ({'state', 'iteration'}, ...
-%!                      {state, 0}), problem).slopes ([0.5, 1], f);
-%! state.evaluate = plainEvaluate (@(P, E, r) law (P));
-%! J = slopes (state);
+%! slopes = bySingleRuns (problem).slopes;
+%! book.state.evaluate = plainEvaluate (@(P, E, r) law (P));
+%! J = slopes ([0.5, 1], f, book);
 %! assert (J, [0.25, 0.25; 0.5, 0.4; 0, 2], 1e-9);
-%! state.evaluate = plainEvaluate (@(P, E, r) law (P) + 0 ./ (P(:, 1) == 0.5));
-%! J = slopes (state);
+%! book.state.evaluate = plainEvaluate (@(P, E, r) law (P) + ...
+%!                                                 0 ./ (P(:, 1) == 0.5));
+%! J = slopes ([0.5, 1], f, book);
 %! assert (J(:, 2), [0.25; 0.4; 2], 1e-9);
 %! assert (J(:, 1), [0.25; 0.5; 0], 0.05);

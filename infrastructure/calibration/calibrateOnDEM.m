@@ -27,33 +27,32 @@
 % See also: improveByInfill, byAllRuns, bySingleRuns, handBack
 
 function state = calibrateOnDEM (state, problem, say)
-  % nonlin_residmin hands nothing on from one evaluation to the next: this does.
   % ran: iteration of the last runs; wrong: sets that turned out wrong; stop:
   % what userInt said when it stopped
-  book = containers.Map ({'state', 'iteration', 'ran', 'wrong', 'stop'}, ...
-                         {state, 0, -1, 0, ''});
+  book = struct ('state', state, 'iteration', 0, 'ran', -1, 'wrong', 0, ...
+                 'stop', '');
   isPublished = strcmp (problem.options.method, 'published');
   if isPublished
-    way = bySingleRuns (book, problem);
+    way = bySingleRuns (problem);
   else
-    way = byAllRuns (book, problem);
+    way = byAllRuns (problem);
   end
   way.say = say;
   while true
-    way.maxIter = max (0, problem.options.maxIter - book('wrong'));
-    [p, why] = searchOnDEM (way, problem, book);
-    state = book('state');
+    way.maxIter = max (0, problem.options.maxIter - book.wrong);
+    [p, why, book] = searchOnDEM (way, problem, book);
+    state = book.state;
     if isPublished
       state = publishedResult (state, problem, p, why);
       break
     end
-    if book('wrong') < problem.options.maxIter
+    if book.wrong < problem.options.maxIter
       [state, wasWrong] = moveTo (state, problem);
-      book('wrong') = book('wrong') + wasWrong;
+      book.wrong = book.wrong + wasWrong;
     end
     state.final = confirmSet (state, problem);
-    book('state') = state;
-    if ~isempty (book('stop')) || ~isempty (way.isOver ())
+    book.state = state;
+    if ~isempty (book.stop) || ~isempty (way.isOver (book))
       state = handBack (state, problem);
       break
     end
@@ -96,29 +95,27 @@ function state = publishedResult (state, problem, p, why)
 end
 
 % One Levenberg-Marquardt search from the found set. WAY (byAllRuns,
-% bySingleRuns) holds respond (handle Z = f (P), makes runs), slopes (handle J =
-% f (p, residual)), kept (rows of costFunction that are fitted), weights,
-% maxIter, told (struct for userInt), say, isOver (handle, text: why it should
-% end beside what userInt says). P 1 x d, WHY text.
-function [p, why] = searchOnDEM (way, problem, book)
+% bySingleRuns) holds respond (handle [Z, BOOK] = f (P, BOOK), makes runs),
+% slopes (handle [J, BOOK] = f (p, residual, BOOK)), kept (rows of costFunction
+% that are fitted), weights, maxIter, told (struct for userInt), say, isOver
+% (handle, text: why it should end beside what userInt says). P 1 x d, WHY text.
+%
+% nonlin_residmin hands nothing on from one evaluation to the next: the nested
+% functions share BOOK.
+function [p, why, book] = searchOnDEM (way, problem, book)
   lo = problem.limits(1, :);
   width = diff (problem.limits);
   d = numel (lo);
-  toSet = @(u) lo + u(:)' .* width;
-  f = @(u) residualOnDEM (toSet (u), way, problem);
-  J = @(u, hook) way.slopes (toSet (u), hook.f(:));
-  watch = @(u, vals, phase) watchStage (toSet (u), vals, phase, way, book);
   settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
-                       'dfdp', J, 'weights', way.weights, ...
+                       'dfdp', @slopes, 'weights', way.weights, ...
                        'MaxIter', way.maxIter, ...
                        'TolFun', problem.options.tolfun, ...
-                       'user_interaction', watch);
-  state = book('state');
-  u = (state.found.params - lo) ./ width;
+                       'user_interaction', @watch);
+  u = (book.state.found.params - lo) ./ width;
   u = min (max (u, 0), 1)';
   why = 'the search for active limits of the parameters failed';
   try
-    [u, ~, cvg, info] = nonlin_residmin (f, u, settings);
+    [u, ~, cvg, info] = nonlin_residmin (@residual, u, settings);
     why = 'the sum of squares no longer decreases';
     if cvg < 0
       why = info.user_interaction.info{1};
@@ -131,31 +128,44 @@ function [p, why] = searchOnDEM (way, problem, book)
       rethrow (err);
     end
   end
-  p = toSet (u);
-end
+  p = lo + u(:)' .* width;
 
-function f = residualOnDEM (p, way, problem)
-  full = problem.cost (p(:), @(q, varargin) way.respond (q(:)')(:));
-  f = full(way.kept)(:);
-end
-
-function [stop, info] = watchStage (p, vals, phase, way, book)
-  [stop, info] = deal (false, '');
-  if strcmp (phase, 'done')
-    return
+  function f = residual (unit)
+    full = problem.cost (lo(:) + unit(:) .* width(:), @respond);
+    f = full(way.kept)(:);
   end
-  vals.iteration = book('iteration');
-  book('iteration') = vals.iteration + 1;
-  runs = sum (isAfterPlan (book('state').data));
+
+  function z = respond (set, varargin)
+    [z, book] = way.respond (set(:)', book);
+    z = z(:);
+  end
+
+  function J = slopes (unit, hook)
+    [J, book] = way.slopes (lo + unit(:)' .* width, hook.f(:), book);
+  end
+
+  function [stop, reason] = watch (unit, vals, phase)
+    reason = '';
+    if ~strcmp (phase, 'done')
+      [reason, book] = whyStop (lo + unit(:)' .* width, vals, phase, way, book);
+    end
+    stop = ~isempty (reason);
+  end
+
+end
+
+function [why, book] = whyStop (p, vals, phase, way, book)
+  vals.iteration = book.iteration;
+  book.iteration = vals.iteration + 1;
+  runs = sum (isAfterPlan (book.state.data));
   told = way.told;
   told.say = @(text) way.say (sprintf ('%s; %d runs since the plan', ...
                                        text, runs));
-  [stop, info] = userInt (p(:), vals, phase, true, told);
+  [stop, why] = userInt (p(:), vals, phase, true, told);
   if stop
-    book('stop') = info;
+    book.stop = why;
   else
-    info = way.isOver ();
-    stop = ~isempty (info);
+    why = way.isOver (book);
   end
 end
 
