@@ -18,8 +18,8 @@ function given = costInput (handedOn)
                     all (isfield (c, {'targets', 'modelVars', 'options'})), ...
                     handedOn);
   if any (isCase)
-    at = find (isCase, 1);
-    Case = handedOn{at};
+    first = find (isCase, 1);
+    Case = handedOn{first};
     [value, scale] = ofTargets (Case.targets);
     given = struct ('value', value, 'scale', scale, ...
                     'modelVars', Case.modelVars, 'names', {Case.names}, ...

@@ -20,9 +20,9 @@
 function what = describeExecutor (name)
   what = struct ('check', [], 'program', '', 'isHere', true, ...
                  'sets', @(options) max (1, floor (options.maxCPU)));
-  own = [name, 'Executor'];
-  if isvarname (own) && exist (own, 'file') == 2
-    what = mergeFields (what, feval (own));
+  maker = [name, 'Executor'];
+  if isvarname (maker) && exist (maker, 'file') == 2
+    what = mergeFields (what, feval (maker));
   end
 end
 

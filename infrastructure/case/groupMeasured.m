@@ -35,9 +35,9 @@ function [groups, p] = groupMeasured (list, models)
   [first, which] = inOrder (keys);
   groups = [];
   for g = 1:numel (first)
-    own = list(which == g);
-    p = [p, checkAlike(own)];
-    groups = [groups, oneTarget(own, list)];
+    trials = list(which == g);
+    p = [p, checkAlike(trials)];
+    groups = [groups, oneTarget(trials, list)];
   end
   [~, order] = sort ([groups.model]);
   groups = distinctNames (groups(order), models);
@@ -67,10 +67,10 @@ function [first, which] = inOrder (texts)
 end
 
 % What one trial says holds for all: it must not say two things.
-function p = checkAlike (own)
+function p = checkAlike (trials)
   p = checkFault ();
   for field = {'role', 'tol', 'isAbsolute', 'unit'}
-    given = own(~isFree (own, field{1}));
+    given = trials(~isFree (trials, field{1}));
     for k = 2:numel (given)
       value = given(k).(field{1});
       if ~isequaln (value, given(1).(field{1}))
@@ -85,29 +85,30 @@ function p = checkAlike (own)
   end
 end
 
-function free = isFree (own, field)
+function free = isFree (trials, field)
   free = arrayfun (@(o) isempty (o.(field)) || (isnumeric (o.(field)) && ...
-                                                isnan (o.(field))), own);
+                                                isnan (o.(field))), trials);
   if strcmp (field, 'isAbsolute')
-    free = isFree (own, 'tol');
+    free = isFree (trials, 'tol');
   end
 end
 
-function value = firstOf (own, field)
-  at = [find(~isFree (own, field), 1), 1];
-  value = own(at(1)).(field);
+function value = firstOf (trials, field)
+  first = [find(~isFree (trials, field), 1), 1];
+  value = trials(first(1)).(field);
 end
 
-function g = oneTarget (own, list)
-  g = struct ('line', own(1).line, 'model', own(1).model, ...
-              'name', targetName (own(1), list), 'result', own(1).name, ...
-              'series', own(1).series, 'at', own(1).at, ...
-              'unit', firstOf (own, 'unit'), 'value', NaN, ...
-              'sd', max ([own.sd]), ...
+function g = oneTarget (trials, list)
+  g = struct ('line', trials(1).line, 'model', trials(1).model, ...
+              'name', targetName (trials(1), list), ...
+              'result', trials(1).name, ...
+              'series', trials(1).series, 'at', trials(1).at, ...
+              'unit', firstOf (trials, 'unit'), 'value', NaN, ...
+              'sd', max ([trials.sd]), ...
               'trials', 1, 'scatter', false, ...
-              'role', firstOf (own, 'role'), ...
-              'tol', firstOf (own, 'tol'), ...
-              'isAbsolute', firstOf (own, 'isAbsolute'), 'curve', 0, ...
+              'role', firstOf (trials, 'role'), ...
+              'tol', firstOf (trials, 'tol'), ...
+              'isAbsolute', firstOf (trials, 'isAbsolute'), 'curve', 0, ...
               'each', zeros (1, 0));
   if isempty (g.role)
     g.role = 'calibrate';
@@ -115,32 +116,26 @@ function g = oneTarget (own, list)
   if isempty (g.result)
     g.result = g.series;
   end
-  own = own(isfinite ([own.value]));
-  if isempty (own)
+  trials = trials(isfinite ([trials.value]));
+  if isempty (trials)
     g.role = 'unmeasured';
     return
   end
-  weight = [own.repeats];
+  weight = [trials.repeats];
   weight(isnan (weight)) = 1;
   finite = min (weight, 1e6);
-  value = [own.value];
+  value = [trials.value];
   g.each = value;
   g.value = value * finite' / sum (finite);
   g.trials = sum (weight);
-  g.sd = mean ([own.sd]);
-  n = numel (own);
+  g.sd = mean ([trials.sd]);
+  n = numel (trials);
   if n > 1
     s = sqrt (finite / mean (finite) * (value - g.value)'.^2 / (n - 1));
-    g.sd = hypot (student84 (n - 1) * s / sqrt (n), g.sd);
+    g.sd = hypot (-studentQuantile (0.1587, n - 1) * s / sqrt (n), g.sd);
     g.scatter = s > 0;
     g.isAbsolute = g.isAbsolute || g.value == 0;
   end
-end
-
-% 84.13 % quantile of Student's distribution: 1 for many degrees of freedom.
-function t = student84 (df)
-  y = betaincinv (2 * 0.1587, df / 2, 0.5);
-  t = sqrt (df * (1 / y - 1));
 end
 
 function name = targetName (row, list)

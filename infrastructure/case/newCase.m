@@ -51,12 +51,12 @@ function Case = newCase (raw)
   Case.options = newOptions (Input, raw.optim);
   Case.notes = caseNotes (raw, Case.models);
   for k = 1:numel (Case.models)
-    own = Case.targets([Case.targets.model] == k);
-    Case.models(k).nTargets = numel (own);
-    if ~isempty (own(1).result)
-      Case.models(k).readings = struct ('result', {own.result}, ...
-                                        'series', {own.series}, ...
-                                        'at', {own.at});
+    ofModel = Case.targets([Case.targets.model] == k);
+    Case.models(k).nTargets = numel (ofModel);
+    if ~isempty (ofModel(1).result)
+      Case.models(k).readings = struct ('result', {ofModel.result}, ...
+                                        'series', {ofModel.series}, ...
+                                        'at', {ofModel.at});
     end
   end
 end
@@ -112,13 +112,13 @@ function coarse = newCoarse (given)
   coarse = struct ('variable', {}, 'levels', {}, 'models', {});
   for k = find (~cellfun (@isempty, given(:)'))
     level = given{k};
-    at = find (strcmp ({coarse.variable}, level.variable));
-    if isempty (at)
-      at = numel (coarse) + 1;
-      coarse(at) = struct ('variable', level.variable, 'levels', ...
+    number = find (strcmp ({coarse.variable}, level.variable));
+    if isempty (number)
+      number = numel (coarse) + 1;
+      coarse(number) = struct ('variable', level.variable, 'levels', ...
                            double (level.levels(:)'), 'models', []);
     end
-    coarse(at).models(end + 1) = k;
+    coarse(number).models(end + 1) = k;
   end
 end
 

@@ -39,11 +39,11 @@ function [list, p] = readMeasured (file, models)
   if ~isempty (p)
     return
   end
-  [~, at] = ismember (known, header);
+  [~, column] = ismember (known, header);
   list = struct ('line', num2cell (lines(:)'));
   for k = 1:numel (list)
     text = repmat ({''}, 1, numel (known));
-    text(at > 0) = cells(k, at(at > 0));
+    text(column > 0) = cells(k, column(column > 0));
     [row, q] = readRow (cell2struct (text(:), known(:)), lines(k), models);
     p = [p, q];
     for name = fieldnames (row)'

@@ -52,11 +52,11 @@ function [Z, count] = meansOf (runs, which, n, targets)
   Z = zeros (n, numel (targets));
   count = Z;
   for i = 1:numel (runs)
-    own = find ([targets.model] == runs(i).model);
-    index = [targets(own).index];
+    ofModel = find ([targets.model] == runs(i).model);
+    index = [targets(ofModel).index];
     k = which(i);
-    Z(k, own) = Z(k, own) + reshape (runs(i).results(index), 1, []);
-    count(k, own) = count(k, own) + 1;
+    Z(k, ofModel) = Z(k, ofModel) + reshape (runs(i).results(index), 1, []);
+    count(k, ofModel) = count(k, ofModel) + 1;
   end
   Z = Z ./ count;
 end

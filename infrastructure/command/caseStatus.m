@@ -65,7 +65,7 @@ function yes = isReplaced (jobs, runs)
   runs = runs(ismember ({runs.state}, {'ok', 'ended'}));
   place = @(job) {job.model, job.params(:), job.effects(:), job.replicate};
   places = arrayfun (@(r) place (r.job), runs, 'UniformOutput', false);
-  isIn = @(own) any (cellfun (@(p) isequal (p, own), places));
+  isIn = @(wanted) any (cellfun (@(p) isequal (p, wanted), places));
   yes = arrayfun (@(job) isIn (place (job)), jobs);
 end
 
@@ -82,8 +82,8 @@ function stage = lastStage (runs)
   stage = '';
   order = {'plan', 'verify', 'calibration', 'cure', 'gap'};
   if ~isempty (runs)
-    [~, at] = ismember (stagesOf (runs), order);
-    last = max ([1, at]);
+    [~, rank] = ismember (stagesOf (runs), order);
+    last = max ([1, rank]);
     stage = order{last};
     stage = strrep (strrep (stage, 'cure', 'gap'), 'verify', 'calibration');
   end
@@ -121,16 +121,16 @@ function models = countsOf (Case, runs)
   models = struct ('name', {Case.models.name}, 'done', 0, 'failed', 0, ...
                    'running', 0, 'waiting', 0, 'old', 0, 'seconds', NaN);
   for k = 1:numel (models)
-    own = runs([runs.model] == k);
-    states = {own([own.isCurrent]).state};
+    ofModel = runs([runs.model] == k);
+    states = {ofModel([ofModel.isCurrent]).state};
     isOk = strcmp (states, 'ok');
     models(k).done = sum (isOk) + sum (strcmp (states, 'ended'));
     models(k).failed = sum (ismember (states, {'failed', 'timeout', ...
                                                'invalid', 'lost'}));
     models(k).running = sum (strcmp (states, 'running'));
     models(k).waiting = sum (strcmp (states, 'waiting'));
-    models(k).old = sum (~[own.isCurrent]);
-    seconds = [own([own.isCurrent]).seconds];
+    models(k).old = sum (~[ofModel.isCurrent]);
+    seconds = [ofModel([ofModel.isCurrent]).seconds];
     models(k).seconds = median ([seconds(isOk), NaN(1, ~any (isOk))]);
   end
 end

@@ -39,8 +39,9 @@ function f = foresee (Case, runs)
   M = numel (Case.models);
   f.seconds = NaN (1, M);
   for k = 1:M
-    own = [runs.model] == k & strcmp ({runs.state}, 'ok');
-    f.seconds(k) = median ([runs(own).seconds, NaN(1, ~any (own))]);
+    isFinished = [runs.model] == k & strcmp ({runs.state}, 'ok');
+    f.seconds(k) = median ([runs(isFinished).seconds, ...
+                            NaN(1, ~any (isFinished))]);
   end
   hours = f.seconds .* [Case.models.cpu] / 3600;
   missing = zeros (1, M);

@@ -75,16 +75,16 @@ function [names, numbers] = namedNumbers (texts, option, count)
   numbers = zeros (count, numel (texts));
   examples = {'NAME=0.3', 'NAME=0.2:0.8'};
   for k = 1:numel (texts)
-    at = find (texts{k} == '=', 1, 'last');
-    words = strsplit (texts{k}(at + 1:end), ':');
+    equals = find (texts{k} == '=', 1, 'last');
+    words = strsplit (texts{k}(equals + 1:end), ':');
     values = str2double (words);
-    if isempty (at) || at < 2 || numel (values) ~= count || ...
+    if isempty (equals) || equals < 2 || numel (values) ~= count || ...
         ~all (isfinite (values))
       error ('DEcalioc:newScriptModel:badValue', ...
              '%s must be given as %s, got %s.', option, ...
              examples{count}, texts{k});
     end
-    names{k} = texts{k}(1:at - 1);
+    names{k} = texts{k}(1:equals - 1);
     numbers(:, k) = values;
   end
 end

@@ -47,9 +47,9 @@ end
 function sayMeasured (targets)
   curve = [targets.curve];
   for c = unique (curve(curve > 0))
-    own = targets(curve == c);
+    curvePoints = targets(curve == c);
     printf ('          curve %s: %d points, one requirement\n', ...
-            own(1).series, numel (own));
+            curvePoints(1).series, numel (curvePoints));
   end
   repeated = targets([targets.scatter]);
   if ~isempty (repeated)
@@ -73,9 +73,9 @@ function sayChoice (choice)
 end
 
 function sayEffects (Case)
-  for own = Case.coarse
-    printf ('levels    %s: %s; the last one counts\n', own.variable, ...
-            strjoin (cellfun (@num2str, num2cell (own.levels), ...
+  for coarse = Case.coarse
+    printf ('levels    %s: %s; the last one counts\n', coarse.variable, ...
+            strjoin (cellfun (@num2str, num2cell (coarse.levels), ...
                               'UniformOutput', false), ', '));
   end
   if ~isempty (Case.effects)

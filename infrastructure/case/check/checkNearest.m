@@ -17,9 +17,9 @@ function hint = checkNearest (name, known)
     return
   end
   distance = cellfun (@(k) editDistance (small (name), small (k)), known);
-  [least, at] = min (distance);
+  [least, nearest] = min (distance);
   if least <= max (1, numel (name) / 3)
-    hint = sprintf ('Did you mean %s?', known{at});
+    hint = sprintf ('Did you mean %s?', known{nearest});
   end
 end
 

@@ -52,9 +52,9 @@ function step = ownStep (model)
   if isempty (model.head)
     return
   end
-  at = find (strcmp ({model.head.name}, 'SIMTS'), 1, 'last');
-  if ~isempty (at)
-    step = str2double (model.head(at).value);
+  place = find (strcmp ({model.head.name}, 'SIMTS'), 1, 'last');
+  if ~isempty (place)
+    step = str2double (model.head(place).value);
   end
 end
 
@@ -65,10 +65,10 @@ function text = cure (name, models)
   if isempty (heads)
     return
   end
-  at = find (strcmp ({heads.name}, name), 1, 'last');
-  if ~isempty (at) && ~isnan (str2double (heads(at).value))
+  place = find (strcmp ({heads.name}, name), 1, 'last');
+  if ~isempty (place) && ~isnan (str2double (heads(place).value))
     text = sprintf ('Set modelVars.%s = %s; as data.head does.', name, ...
-                    heads(at).value);
+                    heads(place).value);
   end
 end
 
