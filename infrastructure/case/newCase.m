@@ -116,7 +116,7 @@ function coarse = newCoarse (given)
     if isempty (number)
       number = numel (coarse) + 1;
       coarse(number) = struct ('variable', level.variable, 'levels', ...
-                           double (level.levels(:)'), 'models', []);
+                               double (level.levels(:)'), 'models', []);
     end
     coarse(number).models(end + 1) = k;
   end
