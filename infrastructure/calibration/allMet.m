@@ -10,8 +10,6 @@
 % Pr(|r + s t| < tolerance), t Student distributed. The surrogates of the points
 % of a curve stand on the same runs: their errors are taken as one error, and
 % it is the root mean square over the points that must be within.
-%
-% See also: meetProbability, confirmSet, requirementsOf
 
 function p = allMet (r, s, problem, df)
   p = ones (rows (r), 1);

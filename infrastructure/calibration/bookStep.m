@@ -7,8 +7,6 @@
 % STAGE      'infill' or 'DEM'; ITERATION  integer
 % SAY        handle, gets a line: stage, sets since the plan, residuals and
 %            probability
-%
-% See also: newState
 
 function state = bookStep (state, stage, iteration, say)
   found = state.found;

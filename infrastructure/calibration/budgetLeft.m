@@ -7,8 +7,6 @@
 %          count), and no more than this start can make. A run at a coarser
 %          level counts as what it costs
 % LIMIT    'maxNewRuns' where this start can make no more, else 'maxFunEvals'
-%
-% See also: runAndFit, newBudget
 
 function [n, limit] = budgetLeft (state, problem)
   isLater = isAfterPlan (state.data);

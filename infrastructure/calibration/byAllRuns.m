@@ -10,8 +10,6 @@
 % runs so far are. The surrogates are fitted to all runs, and every evaluation
 % is their mean response at its set, the Jacobian that of this mean. Further
 % trials in an iteration cost no run; nor does a set that is confirmed.
-%
-% See also: calibrateOnDEM, bySingleRuns, confirmSet
 
 function way = byAllRuns (problem)
   way = struct ('kept', find (problem.calibrate), ...

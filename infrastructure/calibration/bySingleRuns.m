@@ -9,8 +9,6 @@
 % Jacobian is that of finite differences, as published; but a
 % set that was run is not run again. Where the budget is spent, or a run fails,
 % there is no result: NaN, which the search takes for no improvement.
-%
-% See also: calibrateOnDEM, byAllRuns
 
 function way = bySingleRuns (problem)
   extra = numel (problem.value) + (1:problem.nExtra);

@@ -7,8 +7,6 @@
 %   CALIBRATION  struct, see newCalibration
 %
 % The main script DEcalioc carries it out.
-%
-% See also: DEcalioc, startMain, newProblem
 
 function calibration = calibrateCase (root, folder)
   useLiggghts (root);

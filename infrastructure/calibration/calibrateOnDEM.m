@@ -23,8 +23,6 @@
 % squares are out of date; maxIter counts the sets that turned out wrong, not
 % the small steps along slopes that the surrogates know. STATE.final is the
 % judgement.
-%
-% See also: improveByInfill, byAllRuns, bySingleRuns, handBack
 
 function state = calibrateOnDEM (state, problem, say)
   % ran: iteration of the last runs; wrong: sets that turned out wrong; stop:

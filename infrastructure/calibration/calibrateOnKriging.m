@@ -22,8 +22,6 @@
 % cost function, and parameters measured by themselves, only break ties
 % (preferredSet). With options.method 'published' of PROBLEM one search from the
 % box centre is all, on all rows of the cost function as they are.
-%
-% See also: mostProbableSet, solveStart, preferredSet, findConflict
 
 function [found, history] = calibrateOnKriging (surrogates, problem, options)
   if nargin < 3

@@ -24,8 +24,6 @@
 %     direct     0.05   of the box: how well a parameter measures by itself
 %     planShare  2/3    of the plan that must succeed: else box or model is at
 %                       fault
-%
-% See also: newProblem, gapOptions
 
 function options = calibrationOptions (given)
   options = struct ('sets', 1, 'seed', 1, 'maxFunEvals', 40, ...

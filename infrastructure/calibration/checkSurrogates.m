@@ -9,8 +9,6 @@
 %          parameters, runs that failed, equal replicates, runs that were
 %          left out, a level that was dropped
 % TOUCHED  cellstr, parameters that stand at a limit
-%
-% See also: newCalibration, findConflict
 
 function [lines, touched] = checkSurrogates (state, problem)
   lines = {};

@@ -18,8 +18,6 @@
 % runs cost at most as much as the runs at the level that counts have cost:
 % however sure the coarse ones make the surrogates, they are held against fine
 % ones in time, and a level that misleads costs no more than it would save.
-%
-% See also: improveByInfill, mostProbableSet
 
 function [P, E] = chooseInfill (state, problem, n, round)
   surrogates = state.surrogates;

@@ -25,8 +25,6 @@
 % without a finished run is never converged. How many runs that takes beyond the
 % asked ones is for the probability to say: runs of other sets, along slopes
 % that the surrogate knows, tell as much as those at the set.
-%
-% See also: calibrateOnDEM, meetProbability
 
 function final = confirmSet (state, problem)
   p = state.found.params;

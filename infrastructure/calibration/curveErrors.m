@@ -18,8 +18,6 @@
 % A run's own curve scatters as one, since it is one packing; the errors of the
 % surrogates are smooth. How far each is alike follows from the leave-one-out
 % residuals (curveCorrelation).
-%
-% See also: curveLikelihood, curveCorrelation, parameterPosterior
 
 function [curves, nFree] = curveErrors (surrogates, problem)
   curves = [];

@@ -15,8 +15,6 @@
 % variable with C.df degrees of freedom. No Student density of the whole curve:
 % its one unknown scale would be learned from the curve itself, which few runs
 % fit well where the surrogates are wrong (benchmarks/curveFewRuns.m).
-%
-% See also: curveErrors, parameterPosterior
 
 function fit = curveLikelihood (c, m, v, free)
   n = rows (m);

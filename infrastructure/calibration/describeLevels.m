@@ -11,8 +11,6 @@
 %            known; 0 for a model without levels), noiseSd (1 x T, of a run),
 %            dropped (1 x T logical: the surrogate does not hold its runs; the
 %            others are NaN then)
-%
-% See also: levelShift, chooseInfill, newCalibration
 
 function levels = describeLevels (state, problem)
   levels = struct ('value', {}, 'runs', {}, 'seconds', {}, 'shift', {}, ...

@@ -5,8 +5,6 @@
 % P      1 x d
 % FOUND  struct: params, result 1 x T, sd 1 x T (of the mean response),
 %        residual (T + extra) x 1, residualSd T x 1, probability, within
-%
-% See also: calibrateOnKriging, meetProbability
 
 function found = describeSet (surrogates, problem, p)
   [m, v] = predictSurrogate (surrogates, p);

@@ -5,8 +5,6 @@
 % DATA     struct of newData
 % PROBLEM  struct of newProblem: runs at coarser levels do not count
 % P        k x d
-%
-% See also: moveTo, meetProbability
 
 function P = failedSets (data, problem)
   data = lastLevel (data, problem);

@@ -11,8 +11,6 @@
 %
 % Starting from all targets, each one is left out in turn; it is named when
 % the rest can be met without it no better. A curve is one target.
-%
-% See also: calibrateOnKriging
 
 function [names, excess] = findConflict (surrogates, problem)
   [group, known] = requirementsOf (problem);

@@ -5,8 +5,6 @@
 %   DATA    see newData;  LIMITS  2 x d
 %   N       scalar: sets with a finished run, for the target that has fewest.
 %           Replicates are one set: they say nothing of what a parameter does
-%
-% See also: newPlan, runPlan
 
 function n = finishedSets (data, limits)
   n = Inf;

@@ -12,8 +12,6 @@
 % PROBLEM  struct of newProblem
 %
 % The surrogates hold all runs, so a lucky single run does not win.
-%
-% See also: calibrateOnDEM, confirmSet, bestSet
 
 function state = handBack (state, problem)
   proposed = state.found.params;

@@ -17,8 +17,6 @@
 % The gains follow from the covariances of the posterior sample (linear
 % Bayes): measuring y with variance s2 takes cov (p, y)^2 / (var (y) + s2) off
 % the variance of p. A direct measurement is taken to be good to 5 % of the box.
-%
-% See also: parameterPosterior, sobolIndices
 
 function weak = identifiability (surrogates, problem, known)
   U = (known.sample - problem.limits(1, :)) ./ diff (problem.limits);

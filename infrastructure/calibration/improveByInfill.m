@@ -13,8 +13,6 @@
 % runs for confirmation are left of the budget. STATE.reason says which.
 % Where there are levels, the found set is run at those that have no run yet
 % first.
-%
-% See also: chooseInfill, calibrateOnDEM
 
 function state = improveByInfill (state, problem, say)
   conflicts = 0;

@@ -4,8 +4,6 @@
 %
 % X       n x d  sets; runs that were taken in may lie outside
 % LIMITS  2 x d  box
-%
-% See also: findConflict, mostProbableSet, newPlan
 
 function X = insideLimits (X, limits)
   X = X(all (X >= limits(1, :) & X <= limits(2, :), 2), :);

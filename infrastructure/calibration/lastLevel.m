@@ -4,8 +4,6 @@
 %
 %   DATA     see newData; all of it where PROBLEM.coarse has no levels
 %   PROBLEM  see newProblem
-%
-% See also: confirmSet, failedSets
 
 function data = lastLevel (data, problem)
   if ~isempty (problem.coarse)

@@ -17,8 +17,6 @@
 % search where only the pull is left to gain. The better of the two is taken.
 %
 % Errors: those of F and of nonlin_residmin
-%
-% See also: solveStart, mostProbableSet
 
 function [u, cvg, niter] = leastSquaresInBox (f, J, u, settings)
   d = numel (u);

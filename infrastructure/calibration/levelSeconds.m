@@ -7,8 +7,6 @@
 %   SECONDS  1 x L, mean of each level; where a level has no run yet, along the
 %            straight line of its logarithm through the others; [] where no
 %            level has a run
-%
-% See also: chooseInfill, newEvaluate
 
 function seconds = levelSeconds (state, problem)
   seconds = [];

@@ -14,8 +14,6 @@
 % again: the probability falls to 0 within a tenth of the box around them.
 % Student's distribution with the degrees of freedom of the fit, because the
 % noise is estimated from the same few runs.
-%
-% See also: calibrateOnKriging, chooseInfill, studentCdf
 
 function [probability, r, s] = meetProbability (surrogates, problem, P)
   [r, s] = residualSpread (surrogates, problem, P);

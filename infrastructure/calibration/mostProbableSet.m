@@ -11,8 +11,6 @@
 % runs and a space-filling sample, each brought to its local least by
 % nonlin_residmin; then a shrinking search for the largest probability. Of all
 % sets that meet the targets this is the one of which the surrogates know most.
-%
-% See also: calibrateOnKriging, meetProbability
 
 function [p, probability] = mostProbableSet (surrogates, problem, pool)
   d = columns (problem.limits);

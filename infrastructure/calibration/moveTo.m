@@ -14,8 +14,6 @@
 % the other one is likelier by options.better: what the runs at it told the
 % surrogates they go on telling. A set whose runs failed twice and never
 % finished is left (failedSets).
-%
-% See also: improveByInfill, calibrateOnDEM
 
 function [state, wasWrong] = moveTo (state, problem, p)
   problem.avoid = failedSets (state.data, problem);

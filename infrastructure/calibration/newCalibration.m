@@ -16,8 +16,6 @@
 %            exitStatus;
 %            resultInterval90 2 x T (of the mean response at the set),
 %            probability (that all targets are met), posterior (n x d, sample)
-%
-% See also: writeCalibrationJson, reportCalibration
 
 function c = newCalibration (state, problem, Case)
   final = state.final;

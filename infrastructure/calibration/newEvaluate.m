@@ -11,8 +11,6 @@
 %
 % Where a model folder does not exist (a case of imported runs alone) nothing
 % can be run: all is NA.
-%
-% See also: evaluateDEM, newBudget
 
 function evaluate = newEvaluate (Case, say)
   evaluate = @(P, E, replicate, stage, budget) ...

@@ -13,8 +13,6 @@
 %
 % With levels (CASE.coarse) all these rows are run at the first, the cheapest
 % level; the others come where these runs find the set (improveByInfill).
-%
-% See also: improveByInfill, finishedSets, planBeside, importExisting
 
 function [plan, E] = newPlan (data, Case)
   n = max (0, Case.options.numOfSam - finishedSets (data, Case.limits));

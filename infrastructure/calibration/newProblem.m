@@ -29,8 +29,6 @@
 % Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets,
 % DEcalioc:newProblem:otherTargets when a row is not 0 where all results are
 % the measured values: the cost function then aims at something else
-%
-% See also: targetResidual, calibrateOnKriging, gapProblemOf
 
 function problem = newProblem (Case, cost)
   problem = ofTargets (Case.targets);

@@ -9,8 +9,6 @@
 %             iteration, params, residual T x 1, runs, probability), reason,
 %             final ([] until confirmSet), budget (see newBudget), evaluate (see
 %             addRuns; [] until runs can be made)
-%
-% See also: addRuns, improveByInfill, calibrateOnDEM
 
 function state = newState (data, surrogates, found)
   state.data = data;

@@ -21,8 +21,6 @@
 % parameters. Sampled by tempering: particles of the prior are reweighted,
 % resampled and moved by Metropolis steps until the full likelihood is reached
 % (Del Moral, Doucet and Jasra 2006).
-%
-% See also: identifiability, confirmSet, curveErrors
 
 function known = parameterPosterior (surrogates, problem, nSample)
   if nargin < 3

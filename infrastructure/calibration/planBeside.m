@@ -7,8 +7,6 @@
 %   CASE  see newCase
 %   PLAN  N x d: a Latin hypercube, kept in ExperimentalPlan_DoE.csv; beside
 %         sets that there are, rows as far as possible from them
-%
-% See also: newPlan, completePlan, GenerateExperPlan
 
 function plan = planBeside (X, n, Case)
   if isempty (X)

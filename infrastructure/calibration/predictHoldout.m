@@ -10,8 +10,6 @@
 % The prediction error holds the variance of the surrogate at the set, the
 % scatter of one run (the experiment is one packing, too, or the mean of so many
 % trials) and the measurement uncertainty of the target.
-%
-% See also: confirmSet, newProblem
 
 function hold = predictHoldout (state, problem)
   hold = struct ('name', {}, 'target', {}, 'result', {}, 'sd', {}, ...

@@ -9,8 +9,6 @@
 % probability of meeting all targets is at most options.better below that of p
 % and at least options.even. A set that does not meet the targets is never
 % preferred.
-%
-% See also: calibrateOnKriging, mostProbableSet
 
 function p = preferredSet (surrogates, problem, p, pool)
   best = meetProbability (surrogates, problem, p);

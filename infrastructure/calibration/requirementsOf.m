@@ -9,8 +9,6 @@
 %
 % The errors along a curve are alike, and so are those of its surrogates: fifty
 % points of it are one requirement, not fifty.
-%
-% See also: toleranceShare, newProblem
 
 function [groups, names] = requirementsOf (problem)
   use = find (problem.calibrate);

@@ -4,8 +4,6 @@
 %
 % P     n x d  parameter sets
 % R, S  n x T  (the noise of a run is not in s)
-%
-% See also: meetProbability, targetResidual
 
 function [r, s] = residualSpread (surrogates, problem, P)
   [m, v] = predictSurrogate (surrogates, P);

@@ -9,8 +9,6 @@
 % E      n x v, levels of the runs (where PROBLEM.coarse has some: the last)
 %
 % Never more rows than the budget has: what is over is left out.
-%
-% See also: addRuns, budgetLeft, improveByInfill, calibrateOnDEM
 
 function state = runAndFit (state, problem, P, stage, E)
   P = P(1:min (rows (P), budgetLeft (state, problem)), :);

@@ -17,8 +17,6 @@
 % Errors: DEcalioc:runPlan:tooManyFailures, with a table of what failed;
 % DEcalioc:runPlan:tooFewRuns where Input.maxNewRuns, or a runs.csv without
 % models to run, leaves too few
-%
-% See also: GenerateExperPlan, fitSurrogates
 
 function state = runPlan (state, problem, plan, E, Case, say)
   before = rows (state.data.X);

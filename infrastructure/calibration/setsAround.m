@@ -6,8 +6,6 @@
 % STEP    n x d, as parts of the box
 % LIMITS  2 x d, the box
 % P       n x d; what would lie outside lies on the limit
-%
-% See also: shrinkingSearch, mostProbableSet, chooseInfill
 
 function P = setsAround (p, step, limits)
   P = p + step .* diff (limits);

@@ -9,8 +9,6 @@
 % N       sets per neighbourhood (a low-discrepancy sequence)
 % LIMITS  2 x d, the box
 % BESIDE  m x d, sets that are looked at beside each neighbourhood (none)
-%
-% See also: preferredSet, findConflict, setsAround
 
 function p = shrinkingSearch (loss, p, radii, n, limits, beside)
   if nargin < 6

@@ -12,8 +12,6 @@
 %
 % Only the rows of the calibrated targets are minimised, in units of their
 % tolerance, a curve as one target; preference rows never take part.
-%
-% See also: calibrateOnKriging, surrogateJacobian
 
 function [solved, path] = solveStart (surrogates, problem, start, ...
                                       maxIter, maxEvals)

@@ -11,8 +11,6 @@
 %
 % Central differences of 0.1 % of the box, all 2 d points in one call; at a
 % limit the step is one-sided.
-%
-% See also: solveStart, mostProbableSet
 
 function [J, G] = surrogateJacobian (surrogates, problem, p)
   d = numel (p);

@@ -11,8 +11,6 @@
 %
 % The published residual is computed for all rows at once; any other cost
 % function is called row by row, differentiated by 1 % of the tolerance.
-%
-% See also: newProblem, preferredSet
 
 function [r, slope] = targetResidual (problem, P, Z)
   n = size (Z, 1);

@@ -10,8 +10,6 @@
 %            target, the root mean square of these over the points of a curve.
 %            It is met up to 1
 %   SPREAD   n x G, the same of S
-%
-% See also: requirementsOf, meetProbability
 
 function [share, spread] = toleranceShare (problem, r, s)
   groups = requirementsOf (problem);

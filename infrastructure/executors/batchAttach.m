@@ -25,8 +25,6 @@
 %
 % A run whose record is written, whose folder is gone, or which was given up
 % (batchVoid) is not attached.
-%
-% See also: batchExecute, batchLedger
 
 function flight = batchAttach (jobs, store, queue)
   n = numel (jobs);

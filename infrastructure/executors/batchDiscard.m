@@ -6,8 +6,6 @@
 %
 % It is renamed first: at no moment is a half of it taken for the whole.
 % Without its folder an array can start nothing: batchTask.sh finds no run.
-%
-% See also: batchRetire, batchAttach
 
 function batchDiscard (folder)
   confirm_recursive_rmdir (false, 'local');

@@ -27,8 +27,6 @@
 % Errors: DEcalioc:batchExecute:missingFile    no such queue on this machine
 %         DEcalioc:batchExecute:submitRefused  partition, account, limits ...
 %         those of prepareRun
-%
-% See also: runJobs, executeSlurm, batchAttach, cancelCase
 
 function records = batchExecute (queue, jobs, Case, report)
   opt = queue.options (Case.options);

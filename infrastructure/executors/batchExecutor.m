@@ -14,8 +14,6 @@
 %          (handle OPT = options (CASE.options), see batchOptions)
 %
 % The queue adds program, and its commands, see batchExecute.
-%
-% See also: slurmExecutor
 
 function what = batchExecutor (name, title, own)
   what.name = name;

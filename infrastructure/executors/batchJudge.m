@@ -14,8 +14,6 @@
 %            guard's word counts, whatever the queue says); 'timeout' (the
 %            queue's limit); 'failed' (killed from outside); 'again' (killed or
 %            cancelled while nobody watched: a new start submits it again)
-%
-% See also: batchLook, batchExecute
 
 function verdict = batchJudge (reason, state, age, grace, isOld)
   isLive = any (state == 'pr?');

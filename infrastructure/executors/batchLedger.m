@@ -12,8 +12,6 @@
 %
 % The ledger is written before anything is sent, so no job can be in the queue
 % of which it does not know.
-%
-% See also: batchSubmit, batchAttach
 
 function batches = batchLedger (store, name)
   place = fullfile (store, 'optim', ['.', name]);

@@ -9,8 +9,6 @@
 %   QUEUE   see batchExecute
 %   GRACE   how long files may take to appear (s)
 %   NOW     time (s)
-%
-% See also: batchJudge, batchExecute
 
 function flight = batchLook (flight, jobs, queue, grace, now)
   used = unique (flight.batch(flight.status == 'o'));

@@ -16,8 +16,6 @@
 %                  has ended (s), longer than the attribute cache of a network
 %                  file system; 30
 %     and those of WORDS, '' = the queue's default
-%
-% See also: batchExecutor, batchExecute
 
 function opt = batchOptions (given, words)
   opt = struct ('extra', {{}}, 'before', {{}}, 'time', NaN, ...

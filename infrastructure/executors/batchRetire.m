@@ -5,8 +5,6 @@
 %
 %   FLIGHT  see batchAttach; a batch goes when none of its runs is open
 %   B       index of a batch that the queue refused: its runs are given up
-%
-% See also: batchDiscard, batchAttach, batchVoid
 
 function flight = batchRetire (flight, b)
   if nargin > 1

@@ -15,8 +15,6 @@
 % heard of. The file before holds OPT.before. Nothing is sent yet.
 %
 % Errors: DEcalioc:batchSubmit:badValue, those of prepareRun
-%
-% See also: batchExecute, batchLedger, batchTask.sh
 
 function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
   models = Case.models;

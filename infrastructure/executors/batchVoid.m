@@ -7,8 +7,6 @@
 % Takes the claim that batchTask.sh needs, or marks the one there as void.
 %
 % Errors: DEcalioc:writeAtomic:cannotWrite
-%
-% See also: batchAttach, batchExecute
 
 function batchVoid (folder)
   claim = fullfile (folder, 'batch.claim');

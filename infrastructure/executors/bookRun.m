@@ -8,8 +8,6 @@
 %   RECORD  see newRecord
 %   CASE    see newCase
 %   REPORT  function handle, called with the state
-%
-% See also: executeLocal, defaultLimit
 
 function plan = bookRun (plan, k, record, Case, report)
   plan.records(k) = record;

@@ -5,8 +5,6 @@
 %   JOBS, CASE, REPORT, RECORDS  see batchExecute; CASE.options.gridengine holds
 %                                the fields of batchOptions, queue, project and
 %                                environment
-%
-% See also: gridengineExecutor, batchExecute
 
 function records = executeGridengine (jobs, Case, report)
   records = batchExecute (gridengineExecutor (), jobs, Case, report);

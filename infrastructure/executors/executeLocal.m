@@ -22,8 +22,6 @@
 %
 % Errors: DEcalioc:executeLocal:runFailed, those of prepareRun, startRun
 % and giveOrder
-%
-% See also: runJobs, carryRun, bookRun, lookAfter, executeSlurm
 
 function records = executeLocal (jobs, Case, report)
   book = containers.Map ({'plan'}, {newPlan(jobs, Case)}, ...

@@ -4,8 +4,6 @@
 %
 %   JOBS, CASE, REPORT, RECORDS  see batchExecute; CASE.options.slurm holds the
 %                                fields of batchOptions, partition and account
-%
-% See also: slurmExecutor, batchExecute
 
 function records = executeSlurm (jobs, Case, report)
   records = batchExecute (slurmExecutor (), jobs, Case, report);

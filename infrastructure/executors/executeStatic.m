@@ -7,8 +7,6 @@
 % Each model's plan is cut into stacks beforehand (SplitToCPU, SplitExPlan),
 % which parcellfun hands to Start. A process that got long runs is waited for
 % while others have nothing to do: kept to compare with, choose 'local'.
-%
-% See also: executeLocal, SplitToCPU, Start
 
 function records = executeStatic (jobs, Case, report)
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));

@@ -10,8 +10,6 @@
 % order need not outlive a power cut, and a sync would take 20 ms a step.
 %
 % Errors: DEcalioc:giveOrder:cannotWrite
-%
-% See also: executeLocal, carryRun
 
 function giveOrder (place, order)
   draft = fullfile (place, 'draft');

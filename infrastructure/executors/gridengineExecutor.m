@@ -3,8 +3,6 @@
 % CALL: WHAT = gridengineExecutor ()
 %
 %   WHAT  scalar struct, see describeExecutor and batchExecute
-%
-% See also: executeGridengine, gridengineSend, gridengineLook
 
 function what = gridengineExecutor ()
   own.words = {'queue', 'project', 'environment'};

@@ -7,8 +7,6 @@
 % qstat lists what waits or runs, one element a task. What has ended is not
 % there any more: the run's end mark says how, and without one the run was
 % killed or cancelled.
-%
-% See also: gridengineExecutor, batchJudge
 
 function [ok, text, tasks] = gridengineLook (names, sizes)
   [status, text] = system (['timeout 60 qstat -xml -g d -u "$(id -un)" ' ...

@@ -3,8 +3,6 @@
 % CALL: [VERDICT, TEXT] = gridengineSend (BATCH, OPT, TASK)
 %
 %   arguments as in slurmSend
-%
-% See also: gridengineExecutor
 
 function [verdict, text] = gridengineSend (batch, opt, task)
   words = [{'-V', '-terse', '-r', 'n', '-j', 'y', '-S', '/bin/bash', ...

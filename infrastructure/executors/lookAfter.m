@@ -10,8 +10,6 @@
 % ended is seen at the next one. So it is looked often only when an end is due:
 % every 1.5 % of its age from 0.7 of the usual length on, or from the start
 % where that is not known; before, at half of the time until then.
-%
-% See also: executeLocal
 
 function seconds = lookAfter (ages, usual)
   waits = max (0.02, 0.015 * ages);

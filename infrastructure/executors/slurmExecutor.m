@@ -3,8 +3,6 @@
 % CALL: WHAT = slurmExecutor ()
 %
 %   WHAT  scalar struct, see describeExecutor and batchExecute
-%
-% See also: executeSlurm, slurmSend, slurmLook
 
 function what = slurmExecutor ()
   own.words = {'partition', 'account'};

@@ -12,8 +12,6 @@
 % Arrays are asked for by name, not by number: an unknown number is an error
 % for squeue, an unknown name is not. Ended jobs are listed as long as the
 % controller remembers them (MinJobAge).
-%
-% See also: slurmExecutor, batchExecute
 
 function [ok, text, tasks] = slurmLook (names, sizes)
   command = ['timeout 60 squeue --noheader --array --states=all ' ...

@@ -11,8 +11,6 @@
 %
 % sbatch may give up on a job that the controller did accept. So the queue is
 % asked before a batch is called not sent.
-%
-% See also: slurmExecutor, slurmSend.sh
 
 function [verdict, text] = slurmSend (batch, opt, task)
   program = [mfilename('fullpath'), '.sh'];

@@ -8,8 +8,6 @@
 % REPLICATE  n x 1; STAGE  text; E  n x v effect values (default: zeros)
 %
 % Errors: DEcalioc:addRows:badShape
-%
-% See also: newData
 
 function data = addRows (data, X, Z, replicate, stage, E)
   n = size (X, 1);

@@ -13,8 +13,6 @@
 %              replicateNumbers)
 %
 % A set of which a run was not made leaves no trace in the data.
-%
-% See also: newEvaluate, plainEvaluate, runPlan, runAndFit, spendRuns
 
 function state = addRuns (state, problem, P, E, stage, replicate)
   if nargin < 6

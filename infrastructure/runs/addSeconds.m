@@ -7,8 +7,6 @@
 %            case has levels (its field coarse), of those at the last one:
 %            coarse runs say nothing of how long a fine one may take
 %   RECORDS  1 x n struct array, see newRecord
-%
-% See also: defaultLimit, newEvaluate
 
 function models = addSeconds (models, records)
   isOk = strcmp ({records.status}, 'ok');

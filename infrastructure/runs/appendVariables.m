@@ -7,8 +7,6 @@
 %
 % Each line reads: variable NAME equal VALUE, with 17 significant digits, so
 % that no step of a parameter is too small to arrive.
-%
-% See also: writeHead, prepareRun, runVariables
 
 function appendVariables (folder, variables)
   file = fullfile (folder, 'data.head');

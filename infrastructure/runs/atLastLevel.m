@@ -5,8 +5,6 @@
 %   EFFECTS  effect values of a run record; the levels stand first
 %   COARSE   1 x v struct, Case.coarse; [] or empty: every run counts
 %   YES      logical; a run that knows nothing of levels is one at the last
-%
-% See also: neutralEffects, addSeconds, bestSet
 
 function yes = atLastLevel (effects, coarse)
   n = min (numel (effects), numel (coarse));

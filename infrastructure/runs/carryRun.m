@@ -15,8 +15,6 @@
 % A run that has not ended is prepared and started, which takes some hundredths
 % of a second: its guard waits for it, and looks after OWNER, not after this
 % worker. One that has ended is evaluated and gets its record.
-%
-% See also: executeLocal, prepareRun, startRun, judgeRun, evaluateRun
 
 function answer = carryRun (place, Case, owner)
   answer = [];

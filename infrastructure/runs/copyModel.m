@@ -9,8 +9,6 @@
 % it needs.
 %
 % Errors: DEcalioc:copyModel:cannotWrite
-%
-% See also: makeRunFolder, prepareRun, createNewFolder
 
 function copyModel (folder, source)
   [status, why] = system (['cp -rL ', shellQuote([source, '/.']), ' ', ...

@@ -7,8 +7,6 @@
 %   H     element of hashModels for its model
 %   YES   its key is what the case gives; a run without effects counts under any
 %         list of effects
-%
-% See also: runsOfCase, sayOldRuns, runKey
 
 function yes = countsToday (job, Case, h)
   yes = false;

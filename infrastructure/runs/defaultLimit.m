@@ -9,8 +9,6 @@
 %            none)
 %   SECONDS  20 times the median of the model's runs that ended well, at least
 %            60 s; NaN until three have, and where Input.timeout is given
-%
-% See also: executeLocal, executeSlurm, addSeconds
 
 function seconds = defaultLimit (model, done)
   seconds = NaN;

@@ -13,8 +13,6 @@
 % Runs in a worker of parcellfun, catches everything and returns a record.
 % Published evaluation functions build file names from a global variable named
 % path: it is set here, around the call of getResults, and nowhere else.
-%
-% See also: collectRuns
 
 function record = evaluateRun (record, place)
   if strcmp (record.status, 'ok')

@@ -16,8 +16,6 @@
 % reads the file back.
 %
 % Errors: DEcalioc:writeAtomic:cannotWrite
-%
-% See also: importRuns, runSeed
 
 function n = exportRuns (file, Case, data)
   text = lineOf ([{'model', 'seed'}, Case.names, Case.effectVars, ...

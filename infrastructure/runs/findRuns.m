@@ -10,20 +10,22 @@
 %
 % Of several runs with one key the first of these: ok, ended without a valid
 % result, ended but not evaluated, failed.
-%
-% See also: runJobs, runKey
 
 function records = findRuns (jobs, Case)
   records = cell (1, numel (jobs));
+  h = [];
   for model = unique ({jobs.model})
     mine = find (strcmp ({jobs.model}, model{1}));
     found = scan (Case.store, model{1});
     if isempty (found.keys)
       continue
     end
-    older = olderKeys (jobs(mine), Case, found.keys);
+    if isempty (h) && ~all (ismember ({jobs(mine).key}, found.keys))
+      h = hashModels (Case);
+    end
     for i = mine
-      hits = find (ismember (found.keys, {jobs(i).key, older{mine == i}}));
+      keys = {jobs(i).key, olderKey(jobs(i), Case, h, found.keys)};
+      hits = find (ismember (found.keys, keys));
       if ~isempty (hits)
         [~, best] = max (found.worth(hits));
         records{i} = found.records{hits(best)};
@@ -32,18 +34,14 @@ function records = findRuns (jobs, Case)
   end
 end
 
-% Keys that earlier versions gave, of the jobs of a model that are not among
-% those KNOWN.
-function keys = olderKeys (jobs, Case, known)
-  keys = repmat ({'none'}, 1, numel (jobs));
-  open = find (~ismember ({jobs.key}, known));
-  if ~isempty (open)
-    h = hashModels (Case)(strcmp (jobs(1).model, {Case.models.name}));
-    for i = open
-      [~, key] = runKey (runVariables (jobs(i), Case), Case.effectVars, h);
-      if ~isempty (key)
-        keys{i} = key;
-      end
+% Key that earlier versions gave to a job that is not among those KNOWN.
+function key = olderKey (job, Case, h, known)
+  key = 'none';
+  if ~ismember (job.key, known)
+    own = strcmp (job.model, {Case.models.name});
+    [~, older] = runKey (runVariables (job, Case), Case.effectVars, h(own));
+    if ~isempty (older)
+      key = older;
     end
   end
 end

@@ -7,8 +7,6 @@
 %          has measured.csv, of which results it reads, and where on a curve
 %
 % A finished run with another hash is evaluated again, not simulated again.
-%
-% See also: hashModels, hashFolder, takeReadings
 
 function key = hashEvaluation (model)
   key = hashFolder (fullfile (model.folder, 'OctaveFuns'), {});

@@ -7,8 +7,6 @@
 %   KEY      64 hexadecimal digits
 %
 % Errors: DEcalioc:hashFolder:missingFile
-%
-% See also: hashModels, runKey
 
 function key = hashFolder (folder, without)
   skip = cellfun (@(n) [' ! -path ', shellQuote(['./', n]), ...

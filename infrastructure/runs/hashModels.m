@@ -15,8 +15,6 @@
 %
 % A change in OctaveFuns asks for a new evaluation of finished runs, not for
 % new simulations. README, sample and pictures decide nothing.
-%
-% See also: runKey, hashEvaluation, collectRuns
 
 function h = hashModels (Case)
   aside = {'OctaveFuns', 'sample', 'README.md', 'README', 'picture.png', ...

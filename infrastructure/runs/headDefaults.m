@@ -11,8 +11,6 @@
 % the shared file of the candidate effects declares their neutral values.
 %
 % Errors: DEcalioc:headDefaults:missingFile
-%
-% See also: writeHead, hashModels
 
 function defaults = headDefaults (file)
   if ~isfile (file)

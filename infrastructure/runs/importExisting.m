@@ -8,8 +8,6 @@
 %         runs.csv. Rows with an effect switched on are left out: they belong to
 %         the diagnosis; of more than 1000, those of thinRuns are taken
 %   REST  struct X, Z, E: the others, which tell what is lost with them
-%
-% See also: importRuns, diagnoseGap
 
 function [data, rest] = importExisting (Case, problem, say)
   v = numel (Case.coarse);

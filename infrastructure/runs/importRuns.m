@@ -18,8 +18,6 @@
 % Errors: DEcalioc:importRuns:missingField  a column that must be there
 %         DEcalioc:importRuns:unknownName   a model that the case does not have
 %         DEcalioc:importRuns:badValue      not a number, or twice a column
-%
-% See also: exportRuns, readCsvTable
 
 function [data, ignored] = importRuns (file, Case)
   [header, cells, lines] = readCsvTable (file);

@@ -4,8 +4,6 @@
 %
 %   DATA  see newData
 %   YES   n x 1 logical
-%
-% See also: budgetLeft, newData
 
 function yes = isAfterPlan (data)
   yes = ~ismember (data.stage(:), {'import', 'plan'});

@@ -11,8 +11,6 @@
 %
 % An exit status of 0 does not prove that LIGGGHTS succeeded (lost particles,
 % a signal, a truncated input all give 0), so its output is looked at as well.
-%
-% See also: evaluateRun, collectRuns, readEndMark
 
 function [record, place] = judgeRun (job, folder, Case)
   k = find (strcmp (job.model, {Case.models.name}));

@@ -4,8 +4,6 @@
 %
 % DATA   struct of newData, n rows
 % WHICH  n x 1 logical, or row numbers
-%
-% See also: newData, addRows, lastLevel
 
 function data = keepRows (data, which)
   for name = fieldnames (data)'

@@ -6,8 +6,6 @@
 % MODEL   name of the model (text)
 % NUMBER  its number, 0 where there is none yet
 % NAME    its name (text), '' where there is none yet
-%
-% See also: listRunFolders, prepareRun
 
 function [number, name] = lastRunFolder (base, model)
   names = listRunFolders (base, model);

@@ -5,8 +5,6 @@
 %   BASE   folder that holds optim/ (text)
 %   MODEL  name of the model (text)
 %   NAMES  n x 1 cell of names that begin with a digit, sorted
-%
-% See also: findRuns, getLastFoldersName
 
 function names = listRunFolders (base, model)
   names = readdir (fullfile (base, 'optim', model));

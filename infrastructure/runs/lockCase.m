@@ -13,8 +13,6 @@
 %
 % Errors: DEcalioc:lockCase:inUse, DEcalioc:lockCase:cannotWrite,
 % DEcalioc:lockCase:noLinks
-%
-% See also: DEcalioc, lockHolder
 
 function lock = lockCase (folder)
   file = fullfile (folder, 'decalioc.lock');

@@ -12,8 +12,6 @@
 %           toolbox which did not yet note boot and command)
 %
 % A lock takes its name when it is whole, so an empty one is nobody's.
-%
-% See also: lockCase, caseStatus, cancelCase, processStart
 
 function holder = lockHolder (folder, name)
   if nargin < 2

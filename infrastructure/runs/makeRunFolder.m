@@ -7,8 +7,6 @@
 %         Octave took its number, try the next one
 %
 % Errors: DEcalioc:makeRunFolder:cannotWrite
-%
-% See also: takeRunFolder, copyModel, createNewFolder
 
 function done = makeRunFolder (folder)
   [~, ~] = mkdir (fileparts (folder));

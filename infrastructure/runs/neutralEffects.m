@@ -5,8 +5,6 @@
 %   CASE  see newCase
 %   E     1 x v, columns as CASE.effectVars; effects of the laboratory act on
 %         results and have no variables
-%
-% See also: newJobs
 
 function E = neutralEffects (Case)
   E = zeros (1, 0);

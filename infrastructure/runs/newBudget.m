@@ -11,8 +11,6 @@
 %           that was wanted was not made
 %
 % It travels in the state, and evaluate brings it up to date (addRuns).
-%
-% See also: addRuns, newEvaluate, budgetLeft
 
 function budget = newBudget (Case)
   budget = struct ('left', Inf, 'perSet', 1, 'new', 0, 'reused', 0, ...

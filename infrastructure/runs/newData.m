@@ -5,8 +5,6 @@
 %
 % D, T, V  number of design variables, of responses, of effect variables (0)
 % DATA     struct: X 0 x d, E 0 x v, Z 0 x T, replicate 0 x 1, stage {} 0 x 1
-%
-% See also: addRows
 
 function data = newData (d, T, v)
   if nargin < 3

@@ -11,8 +11,6 @@
 %              model, stage, planRow, params, effects, replicate, seed, key
 %
 % Errors: DEcalioc:newJobs:badShape
-%
-% See also: runJobs, runSeed, runKey
 
 function jobs = newJobs (Case, P, E, replicate, stage)
   n = rows (P);

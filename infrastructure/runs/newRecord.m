@@ -7,8 +7,6 @@
 %   RECORD  the job's fields, and: folder, status ('ok', 'failed', 'timeout',
 %           'invalid'), message, cause, results (1 x m), seconds, funs (hash
 %           of the evaluation that made the results)
-%
-% See also: failedRecord, evaluateRun
 
 function record = newRecord (job, folder)
   record = struct ('model', job.model, 'stage', job.stage, ...

@@ -4,8 +4,6 @@
 %
 %   F         handle Z = F (P, E, REPLICATE), or with a fourth argument, STAGE
 %   EVALUATE  see addRuns
-%
-% See also: newEvaluate, diagnoseMatrices
 
 function evaluate = plainEvaluate (f)
   if nargin (f) >= 0 && nargin (f) <= 3

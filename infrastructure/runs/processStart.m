@@ -12,8 +12,6 @@
 %
 % Source: proc(5), fields 2, 3 and 22 of /proc/PID/stat, and
 % /proc/sys/kernel/random/boot_id.
-%
-% See also: lockCase, runPids
 
 function [start, mark] = processStart (pid)
   start = '';

@@ -6,8 +6,6 @@
 %   MARK    struct with code (exit status), seconds and reason ('finished',
 %           'timeout', 'killed'); [] where the run has not ended, or where the
 %           mark is not whole
-%
-% See also: collectRuns
 
 function mark = readEndMark (folder)
   mark = [];

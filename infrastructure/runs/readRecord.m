@@ -5,8 +5,6 @@
 %   FILE    path (text)
 %   RECORD  scalar struct as it was written; [] where there is no file, or
 %           where it is truncated or altered (its checksum is wrong)
-%
-% See also: writeRecord, findRuns
 
 function record = readRecord (file)
   record = [];

@@ -6,8 +6,6 @@
 %   P       n x d, sets, LIMITS  2 x d, the box
 %   R       n x 1: 1 for a set that is new, else the next number, so another
 %           packing; a set at another level is one more packing, too
-%
-% See also: addRuns, sameSet
 
 function r = replicateNumbers (data, P, limits)
   r = ones (rows (P), 1);

@@ -17,8 +17,6 @@
 %
 % At most CASE.options.maxNewRuns runs are made, those with another seed among
 % them; a job beyond them is a failed record with the cause 'budget'.
-%
-% See also: findRuns, executeLocal, executeSlurm
 
 function [records, isReused, nNew] = runJobs (jobs, Case, report)
   for k = 1:numel (Case.models)

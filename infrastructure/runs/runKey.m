@@ -11,8 +11,6 @@
 % An effect variable with the value that data.head declares anyway does not
 % count: a run of the plain model stays the same run when candidate effects
 % are added to the case later.
-%
-% See also: newJobs, findRuns
 
 function [key, older] = runKey (variables, effectVars, h)
   names = sort (fieldnames (variables));

@@ -7,8 +7,6 @@
 %   ISALIVE  the guard lives on this machine: start, boot and command of the
 %            process are those that the guard has noted of itself
 %   ISHERE   the guard has run on this machine, since it was started
-%
-% See also: startRun, endRun, processStart
 
 function [pids, isAlive, isHere] = runPids (folder)
   pids = [];

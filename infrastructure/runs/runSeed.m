@@ -10,8 +10,6 @@
 % The seed depends on what the run is, not on when it is asked for, so a
 % resumed calibration draws the same packings as an undisturbed one. LIGGGHTS
 % asks for primes above 10,000.
-%
-% See also: newJobs
 
 function seed = runSeed (params, replicate, base)
   text = sprintf ('%.17g ', params, replicate, base);

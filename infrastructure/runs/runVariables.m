@@ -6,8 +6,6 @@
 %   CASE  see newCase
 %   V     scalar struct: model variables, design variables, effect variables,
 %         RLTS, SIMTS, runSeed
-%
-% See also: designVariables, writeHead, runKey
 
 function v = runVariables (job, Case)
   v = Case.modelVars;

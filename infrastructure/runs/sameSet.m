@@ -6,8 +6,6 @@
 % P       1 x d
 % LIMITS  2 x d, the box; what differs by less than 1e-12 of it is rounding
 % YES     n x 1 logical
-%
-% See also: replicateNumbers, confirmSet
 
 function yes = sameSet (X, p, limits)
   yes = all (abs (X - p) <= 1e-12 * diff (limits), 2);

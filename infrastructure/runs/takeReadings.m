@@ -16,8 +16,6 @@
 % A reading is the result of its name, else a point of the curve with the name
 % of its series, else a point between the single results that results.csv puts
 % on that series.
-%
-% See also: evaluateRun, resultInfo, namedResults
 
 function [row, fault] = takeReadings (results, readings, info)
   row = NaN (1, numel (readings));

@@ -9,8 +9,6 @@
 %   FOLDER  path of the folder, which is there now and empty
 %
 % Errors: those of makeRunFolder
-%
-% See also: makeRunFolder, prepareRun, lastRunFolder
 
 function [folder, number] = takeRunFolder (store, model, number)
   if nargin < 3

@@ -4,8 +4,6 @@
 %
 %   FOLDER  folder of a run whose record.json is missing or torn
 %   JOB     see newJobs; [] where the simulation did not come to its end
-%
-% See also: findRuns, gatherRuns, readEndMark
 
 function job = unevaluatedJob (folder)
   job = readRecord (fullfile (folder, 'job.json'));

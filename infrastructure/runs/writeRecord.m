@@ -10,8 +10,6 @@
 % jsonencode nor jsondecode keeps the last digits. The disk is not waited for: a
 % record that a power cut tears fails its checksum, and is made again of the
 % run's files, which are on the disk (guard.sh).
-%
-% See also: readRecord
 
 function writeRecord (file, record)
   names = fieldnames (record);

@@ -6,8 +6,6 @@
 % PARAMS   1 x d, written to params.csv at full precision
 % PLANROW  row of the plan, written to ExPlan.txt; 0 = no run of the plan, no
 %          such file
-%
-% See also: writeParams, prepareRun
 
 function writeSet (folder, params, planRow)
   writeAtomic (fullfile (folder, 'params.csv'), ...

@@ -5,8 +5,6 @@
 %   X    any shape, values (negative ones count as 0)
 %   NU   same shape or scalar, degrees of freedom (> 0)
 %   P    probability of a value above X
-%
-% See also: normalTail
 
 function p = chiSquareTail (x, nu)
   p = gammainc (max (x, 0) / 2, nu / 2 + zeros (size (x)), 'upper');

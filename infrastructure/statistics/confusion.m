@@ -7,8 +7,6 @@
 %   P       Phi (-D sqrt ((1 - COSINE) / 2))
 %
 % Two Gaussians whose means are the signatures: half their distance decides.
-%
-% See also: screenEffects, judgeCase
 
 function p = confusion (cosine, d)
   p = normalTail (d .* sqrt (max (1 - cosine, 0) / 2));

@@ -8,8 +8,6 @@
 %          evidences err alike. The random state is left as it was.
 %   BASE   struct normal (N x D), uniform (N x D), root (N x 1: sqrt of a
 %          chi-square with 7 degrees of freedom over 7)
-%
-% See also: integrateEvidence
 
 function base = integrationPoints (N, D, seed)
   restore = seedRandom (seed);

@@ -10,8 +10,6 @@
 %
 % A residual over a standard deviation that was itself estimated is Student
 % distributed: a noise known from few runs excludes less than its size says.
-%
-% See also: fitHypothesis, integrateEvidence, noiseFreedom
 
 function [L, chi2, weight] = logLikelihood (R, V, nu)
   nu = min (nu, 1e4);

@@ -4,8 +4,6 @@
 %
 %   A   n x m, logarithms (-Inf allowed)
 %   S   n x 1, log (sum (exp (A), 2)) without overflow
-%
-% See also: integrateEvidence
 
 function s = logSumExp (A)
   top = max (A, [], 2);

@@ -4,8 +4,6 @@
 %
 %   X   any shape
 %   P   probability of a value above X
-%
-% See also: chiSquareTail
 
 function p = normalTail (x)
   p = 0.5 * erfc (x / sqrt (2));

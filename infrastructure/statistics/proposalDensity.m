@@ -5,8 +5,6 @@
 %   PARTS  1 x m struct mean, root (see studentDensity), share (sum 1)
 %   U      n x d, normal coordinates
 %   L      n x 1
-%
-% See also: integrateEvidence
 
 function L = proposalDensity (parts, U)
   d = columns (U);

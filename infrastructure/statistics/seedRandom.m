@@ -8,8 +8,6 @@
 %
 % The same case then gives the same calibration to the last digit, whatever
 % was done before in the same Octave.
-%
-% See also: DEcalioc
 
 function restore = seedRandom (seed)
   before = {rand('twister'), randn('twister'), randg('twister')};

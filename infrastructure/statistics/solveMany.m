@@ -8,8 +8,6 @@
 %   LOGDET  n x 1, logarithm of the determinant of each
 %
 % Gaussian elimination without pivoting, vectorised over the systems.
-%
-% See also: fitHypothesis
 
 function [X, logDet] = solveMany (A, G)
   d = columns (G);

@@ -5,8 +5,6 @@
 % X   matrix; DF  scalar, degrees of freedom (Inf: normal); P  size of x
 %
 % p = 1 - I(df / (df + x^2); df/2, 1/2) / 2 for x >= 0 (incomplete beta)
-%
-% See also: studentQuantile
 
 function p = studentCdf (x, df)
   if df > 1e5

@@ -5,8 +5,6 @@
 %   PART  struct mean (1 x d), root (d x d, lower Cholesky factor of the scale)
 %   U     n x d
 %   L     n x 1; 7 degrees of freedom, as integrationPoints draws
-%
-% See also: proposalDensity, integrateEvidence
 
 function L = studentDensity (part, U)
   nu = 7;

@@ -3,8 +3,6 @@
 % CALL: X = studentQuantile (P, DF)
 %
 % P   scalar in (0, 1); DF  scalar, degrees of freedom (Inf: normal)
-%
-% See also: studentCdf
 
 function x = studentQuantile (p, df)
   if df > 1e5

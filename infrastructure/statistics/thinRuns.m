@@ -10,8 +10,6 @@
 %   TEXT   what is left out, for the user; '' where all are kept
 %
 % A Kriging model costs the square of its runs in memory and the cube in time.
-%
-% See also: importExisting, gatherRuns
 
 function [use, text] = thinRuns (table, problem, most)
   n = rows (table.X);

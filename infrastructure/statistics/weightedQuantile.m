@@ -6,8 +6,6 @@
 %   WEIGHT   n x 1, weights >= 0
 %   P        1 x m, probabilities
 %   Q        1 x m
-%
-% See also: caseEvidence
 
 function q = weightedQuantile (x, weight, p)
   [x, order] = sort (x(:));
