@@ -18,25 +18,12 @@
 % warning, a number that is NaN or out of bounds where it may not be, and
 % another set (by more than 1 % of the box).
 %
-% See also: fuzzDiagnoses, calibrateStandIn
+% See also: fuzzSeeds, fuzzDiagnoses, calibrateStandIn
 
 function [failures, count] = fuzzCalibrations (seeds)
-  failures = {};
   count = struct ('calibrations', 0, 'refused', 0, 'converged', 0, ...
                   'wrong', 0, 'close', 0);
-  for seed = seeds
-    [found, count] = tryOne (seed, count);
-    for text = found
-      failures{end + 1} = sprintf ('fuzzCalibrations (%d): %s', seed, text{1});
-      printf ('%s\n', failures{end});
-    end
-    fflush (stdout ());
-  end
-  if nargout == 0
-    words = [fieldnames(count), struct2cell(count)]';
-    printf ('%d failures; %s\n', numel (failures), ...
-            strtrim (sprintf ('%s %d  ', words{:})));
-  end
+  [failures, count] = fuzzSeeds ('fuzzCalibrations', seeds, @tryOne, count);
 end
 
 function [found, count] = tryOne (seed, count)

@@ -19,25 +19,12 @@
 %   octave-cli --eval "addpath benchmarks; startBenchmarks (); ...
 %                      fuzzDiagnoses (1:200);"
 %
-% See also: fuzzLab, fuzzView, fuzzCalibrations
+% See also: fuzzSeeds, fuzzLab, fuzzView, fuzzCalibrations
 
 function [failures, count] = fuzzDiagnoses (seeds)
-  failures = {};
   count = struct ('diagnoses', 0, 'refused', 0, 'gate', 0, 'naming', 0, ...
                   'named', 0, 'group', 0, 'close', 0);
-  for seed = seeds
-    [found, count] = tryOne (seed, count);
-    for text = found
-      failures{end + 1} = sprintf ('fuzzDiagnoses (%d): %s', seed, text{1});
-      printf ('%s\n', failures{end});
-    end
-    fflush (stdout ());
-  end
-  if nargout == 0
-    words = [fieldnames(count), struct2cell(count)]';
-    printf ('%d failures; %s\n', numel (failures), ...
-            strtrim (sprintf ('%s %d  ', words{:})));
-  end
+  [failures, count] = fuzzSeeds ('fuzzDiagnoses', seeds, @tryOne, count);
 end
 
 function [found, count] = tryOne (seed, count)
