@@ -10,7 +10,8 @@
 %   BASE    n x 1, variance of the baseline surrogate there (0): its error is
 %           alike in all runs; a plane through the box carries seven tenths of
 %           it, the rest is independent
-%   GRID    struct decay (1 x a), misfit (1 x b), tried values (defaults)
+%   GRID    struct decay (1 x a), misfit (1 x b): FIT has only a score then, of
+%           these values (default: values of its own, and all of FIT)
 %   FIT     struct: coef (q x 1), covariance (q x q, of the coefficients),
 %           misfit (variance per strength squared that no polynomial makes),
 %           score (log of the mean marginal likelihood), looStd (n x 1,
@@ -39,7 +40,8 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
   if nargin < 5
     base = 0;
   end
-  if nargin < 6
+  onlyScore = nargin > 5;
+  if ~onlyScore
     grid = struct ('decay', [0.03, 0.1, 0.3, 1], 'misfit', [0, 1, 4, 16, 64]);
   end
   noise = covarianceOfRuns (Q, noise, base .* ones (rows (r), 1));
@@ -60,7 +62,11 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
       trials = [trials, trial];
     end
   end
-  fit = average (trials, scales, B, r(:, 1));
+  scores = [trials.score];
+  fit.score = max (scores(:)) + log (mean (exp (scores - max (scores(:)))(:)));
+  if ~onlyScore
+    fit = average (fit, trials, scales, B, r(:, 1));
+  end
 end
 
 function C = covarianceOfRuns (Q, noise, base)
@@ -85,11 +91,9 @@ function trial = tryScales (B, y, weight, scales)
   trial.part = part;
 end
 
-function fit = average (trials, scales, B, r)
+function fit = average (fit, trials, scales, B, r)
   scores = [trials.score];
-  top = max (scores(:));
-  w = exp (scores - top);
-  fit.score = top + log (mean (w(:)));
+  w = exp (scores - max (scores(:)));
   w(w < 0.01) = 0;
   w = w / sum (w(:));
   q = columns (B);

@@ -19,20 +19,15 @@
 function [M, V, S, J] = predictGap (white, h, Q)
   p = white.p;
   theta = Q(:, 1:p);
-  J = cell (1, p + numel (h));
-  if nargout > 3
-    [B, D] = polyRows (white.powers, theta);
-    for j = 1:p
-      J{j} = D{j} * white.coef;
-    end
-  else
-    B = polyRows (white.powers, theta);
-  end
-  base = B * white.coef;
+  isSteep = nargout > 3;
+  coefs = slopeCoefs (white.powers, white.coef, 1:p * isSteep);
+  J = timesCoefs (polyRows (white.powers, theta), [{white.coef}, coefs]);
+  base = J{1};
+  J = J(2:end);
+  J(numel (J) + 1:isSteep * (p + numel (h))) = {0};
+  V = [];
   if nargout > 1
     V = exp (polyRows (white.varPowers, theta) * white.varCoef);
-  else
-    V = [];
   end
   added = struct ('S', zeros (size (base)), 'V', V, 'J', {J});
   [psi, slope] = bentStrengths (white, h, Q(:, p + 1:end));
@@ -46,10 +41,8 @@ function [M, V, S, J] = predictGap (white, h, Q)
   S = added.S;
   V = added.V;
   J = added.J;
-  if nargout > 3
-    for i = 1:numel (h)
-      J{p + i} = J{p + i} .* slope(:, i);
-    end
+  for i = 1:isSteep * numel (h)
+    J{p + i} = J{p + i} .* slope(:, i);
   end
   M = base + S;
 end
@@ -79,28 +72,62 @@ function parts = jointParts (white, h)
   end
 end
 
-function added = addPart (part, all, added)
+% Every monomial of an effect holds its strength: the product of the strengths
+% comes last, and where they are 0 their slopes need no division.
+function added = addPart (part, whole, added)
   e = part.e;
-  q = all(:, part.at);
-  isSteep = ~isempty (added.J{1});
-  if isSteep
-    [B, D] = polyRows (e.powers, q);
-  else
-    B = polyRows (e.powers, q);
-  end
-  added.S = added.S + B * e.coef;
-  if ~isempty (added.V) && ~e.laboratory
-    strength = prod (q(:, end - numel (e.bend) + 1:end).^2, 2);
-    added.V = added.V + ...
-             strength .* exp (polyRows (e.varPowers, q) * e.varCoef);
-  end
-  for j = 1:isSteep * numel (part.at)
-    slope = D{j} * e.coef;
-    if isempty (added.J{part.at(j)})
-      added.J{part.at(j)} = slope;
-    else
-      added.J{part.at(j)} = added.J{part.at(j)} + slope;
+  m = numel (e.bend);
+  q = whole(:, part.at);
+  p = columns (q) - m;
+  psi = q(:, p + 1:end);
+  powers = e.powers;
+  powers(:, p + 1:end) = powers(:, p + 1:end) - 1;
+  coefs = {e.coef};
+  if ~isempty (added.J)
+    coefs = [coefs, slopeCoefs(powers, e.coef, 1:p)];
+    for i = 1:m
+      coefs{end + 1} = e.powers(:, p + i) .* e.coef;
     end
+  end
+  parts = timesCoefs (polyRows (powers, q), coefs);
+  strength = prod (psi, 2);
+  added.S = added.S + strength .* parts{1};
+  if ~isempty (added.V) && ~e.laboratory
+    added.V = added.V + ...
+              prod (psi.^2, 2) .* exp (polyRows (e.varPowers, q) * e.varCoef);
+  end
+  for j = 1:numel (parts) - 1
+    factor = strength;
+    if j > p
+      factor = prod (psi(:, [1:j - p - 1, j - p + 1:m]), 2);
+    end
+    added.J{part.at(j)} = added.J{part.at(j)} + factor .* parts{1 + j};
+  end
+end
+
+% Coefficients of the derivative along each of VARIABLES, in the same
+% monomials: a set that holds every monomial of one power less.
+function coefs = slopeCoefs (powers, coef, variables)
+  [q, d] = size (powers);
+  place = (max ([powers(:); 0]) + 1).^(0:d - 1)';
+  code = powers * place + 1;
+  at = zeros (1, max ([code; 1]));
+  at(code) = 1:q;
+  coefs = cell (1, numel (variables));
+  for j = variables
+    has = powers(:, j) > 0;
+    coefs{j} = zeros (size (coef));
+    coefs{j}(at(code(has) - place(j)), :) = powers(has, j) .* coef(has, :);
+  end
+end
+
+% Several polynomials of the same monomials B at once.
+function parts = timesCoefs (B, coefs)
+  T = columns (coefs{1});
+  R = B * [coefs{:}];
+  parts = cell (1, numel (coefs));
+  for i = 1:numel (parts)
+    parts{i} = R(:, (i - 1) * T + (1:T));
   end
 end
 

@@ -124,8 +124,7 @@ function w = laplaceCase (models, fits, i)
               'logE', fits.logE(i, :), 'ess', NaN, ...
               'gate', omnibusTest (models, fits.logE(i, :)));
   if w.gate.p < models.options.level
-    w.screen = screenEffects (models.white, fits.calibrated.Q(i, :), ...
-                              fits.Z(i, :));
+    w.screen = screenEffects (models.white, fits.calibrated.Q(i, :));
   end
   w.atLimit = zeros (size (w.logE));
   w.phi = NaN (size (w.logE));

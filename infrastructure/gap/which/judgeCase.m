@@ -153,7 +153,7 @@ function verdict = nameGroup (verdict, w, models)
     if n > 3 && ~all (alike(setdiff (set, top)))
       return
     end
-    holding = cellfun (@(m) ~isempty (intersect (set, m)), w.members);
+    holding = cellfun (@(m) any (any (set == m(:))), w.members);
     together = sum (verdict.P(holding));
     if together >= models.options.nameAt
       verdict.kind = 'group';

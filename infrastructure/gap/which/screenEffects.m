@@ -1,10 +1,12 @@
 % SCREENEFFECTS  Tells cheaply which effects could be seen, and told apart.
 %
 % CALL: SCREEN = screenEffects (WHITE, THETA, Z)
+% CALL: SCREEN = screenEffects (WHITE, THETA)
 %
 %   WHITE   struct of whitenEmulator
 %   THETA   1 x p, calibrated null model, parameters in [-1, 1]
-%   Z       1 x T, whitened data
+%   Z       1 x T, whitened data; without them only full strength is looked at,
+%           and smallest, strength and gain say nothing
 %   SCREEN  struct
 %     parity        struct of parityProjection at THETA
 %     U             n x K, signature of each effect at full strength, what
@@ -24,22 +26,26 @@
 function screen = screenEffects (white, theta, z)
   [M, V, ~, J] = predictGap (white, [], theta);
   sd = sqrt (V');
+  steps = (0.05:0.05:1)';
+  if nargin < 3
+    z = M;
+    steps = 1;
+  end
   slopes = reshape (vertcat (J{:})', numel (z), white.p) ./ sd;
   screen.parity = parityProjection (slopes, (z - M)' ./ sd);
   K = numel (white.effect);
   blank = zeros (1, K);
   screen.U = zeros (columns (screen.parity.N), K);
-  for field = {'size', 'absorbedShare', 'strength', 'gain'}
-    screen.(field{1}) = blank;
-  end
+  [screen.size, screen.absorbedShare, screen.strength, screen.gain] = ...
+    deal (blank);
   screen.smallest = blank + Inf;
   both = false (1, K);
   for k = 1:K
     range = white.effect(k).range;
     both(k) = range(1) < 0;
-    screen = oneSide (screen, white, k, range(2), theta, sd);
+    screen = oneSide (screen, white, k, range(2) * steps, theta, sd);
     if both(k)
-      screen = oneSide (screen, white, k, range(1), theta, sd);
+      screen = oneSide (screen, white, k, range(1) * steps, theta, sd);
     end
   end
   unit = screen.U ./ max (sqrt (sum (screen.U.^2, 1)), realmin);
@@ -48,9 +54,9 @@ function screen = screenEffects (white, theta, z)
   screen.cosine(either) = abs (screen.cosine(either));
 end
 
-% Up to the end of the range TOP; what the other side showed better stays.
-function screen = oneSide (screen, white, k, top, theta, sd)
-  phi = top * (0.05:0.05:1)';
+% At strengths PHI up to the end of the range; what the other side showed better
+% stays.
+function screen = oneSide (screen, white, k, phi, theta, sd)
   n = numel (phi);
   [~, V, S] = predictGap (white, k, [repmat(theta, n, 1), phi]);
   S = S ./ sd';
