@@ -67,10 +67,12 @@ function sayTargets (c, Case, say)
                    'the tolerance'], curves(k).name, ...
                   numel (curves(k).own), curves(k).share));
   end
-  if c.runs == 1
-    say ('  DEM: one run');
-  elseif c.runs > 1
-    say (sprintf ('  DEM: mean of %d runs with different packings', c.runs));
+  if c.runs > 0
+    text = 'one run';
+    if c.runs > 1
+      text = sprintf ('mean of %d runs with different packings', c.runs);
+    end
+    say (['  DEM: ', text, '; simulated (above): as all runs tell it']);
   else
     say (['  No DEM run was made with this set: ', ...
           'the values are those of the surrogates']);
