@@ -21,7 +21,7 @@
 function state = runPlan (state, problem, plan, E, Case, say)
   before = rows (state.data.X);
   if rows (plan) > 0
-    reportPlan (plan, Case, say, E);
+    sayPlan (plan, Case, say, E);
     state = addRuns (state, problem, plan, E, 'plan');
   end
   data = state.data;
@@ -81,6 +81,21 @@ function lines = failuresOf (Case, model)
       lines{end + 1} = sprintf ('  %s/%s  %-8s %s', model, names{i}, ...
                                 record.status, record.message);
     end
+  end
+end
+
+function sayPlan (plan, Case, say, E)
+  say (sprintf ('Experimental plan: %d samples', rows (plan)));
+  names = [Case.names, Case.effectVars(1:columns (E))];
+  plan = [plan, E];
+  width = max (cellfun (@numel, names), 9);
+  cells = arrayfun (@(w, j) sprintf ('%*s', w, names{j}), width, ...
+                    1:numel (width), 'UniformOutput', false);
+  say (['   run  ', strjoin(cells, '  ')]);
+  for i = 1:rows (plan)
+    cells = arrayfun (@(w, x) sprintf ('%*.5g', w, x), width, plan(i, :), ...
+                      'UniformOutput', false);
+    say (sprintf ('  %4d  %s', i, strjoin (cells, '  ')));
   end
 end
 

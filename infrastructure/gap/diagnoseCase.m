@@ -50,8 +50,6 @@ function diagnosis = diagnoseCase (root, folder)
   % what remains
   diagnosis.verdict = writeGapJson (diagnosis, Case);
   writeGapTables (diagnosis, Case);
-  gap = readJsonFile (fullfile (folder, 'gap', 'gap.json'));
-  writeGapHead (gap, Case);
   sayDiagnosis (diagnosis, Case, say);
   reportPage (Case, say);
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');

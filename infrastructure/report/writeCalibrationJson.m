@@ -69,7 +69,7 @@ end
 
 function targets = targetsOf (c, Case)
   targets = cell (1, numel (Case.targets));
-  units = targetUnits (Case);
+  units = regexprep ({targetInfo(Case).unit}, '^-$', '');
   for t = 1:numel (Case.targets)
     T = Case.targets(t);
     targets{t} = struct ('model', T.modelName, 'name', T.name, ...

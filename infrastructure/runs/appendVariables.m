@@ -5,18 +5,11 @@
 % FOLDER     folder of the run (text), with a data.head
 % VARIABLES  scalar struct of numbers, one field per variable
 %
-% Each line reads: variable NAME equal VALUE, with 17 significant digits, so
-% that no step of a parameter is too small to arrive.
+% The lines are those of headLines.
 
 function appendVariables (folder, variables)
   file = fullfile (folder, 'data.head');
-  names = fieldnames (variables);
-  lines = cell (1, numel (names));
-  for k = 1:numel (names)
-    lines{k} = sprintf ('variable %s equal %.17g\n', names{k}, ...
-                        variables.(names{k}));
-  end
-  writeAtomic (file, [fileread(file), "\n", lines{:}], false);
+  writeAtomic (file, [fileread(file), "\n", headLines(variables)], false);
 end
 
 %!test

@@ -3,10 +3,12 @@
 % CALL: V = writeGapJson (DIAGNOSIS, CASE)
 %
 %   DIAGNOSIS  of diagnoseMatrices
-%   CASE       struct with the field folder (case folder); the file goes to its
-%              folder gap/, whole or not at all
+%   CASE       see newCase; the files go to its folder gap/
+%   V          see decideCase: what is written as verdict
 %
-% The fields are described in docs/gap.md.
+% The fields are described in docs/gap.md. gap/calibrated.head gets the model
+% variables, and the parameters and variables of the effect (or pair) as they
+% were fitted together; it is not written where no cure was tried.
 %
 % See also: diagnoseGap, writeGapTables
 
@@ -30,9 +32,11 @@ function v = writeGapJson (diagnosis, Case)
     out.demRuns.(name{1}) = diagnosis.budget.(name{1});
   end
   calibration = fullfile (Case.folder, 'results', 'calibration.json');
-  v = decideCase (readJsonFile (calibration), jsondecode (jsonencode (out)));
+  gap = jsondecode (jsonencode (out));
+  v = decideCase (readJsonFile (calibration), gap);
   out.verdict = v;
   writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
+  writeHeadOf (gap, Case);
 end
 
 function s = fingerprintOf (diagnosis)
@@ -151,6 +155,9 @@ function s = howFarOf (cure, gapProblem)
                'heldOut', 'verifiedByDEM', 'worstZ'}
     s.(field{1}) = cure.(field{1});
   end
+  if isfield (s.heldOut, 'free')
+    s.heldOut = rmfield (s.heldOut, 'free');
+  end
   s.placebos = num2cell (cure.placebos);
   s.targets = {};
   for one = cure.targets
@@ -181,3 +188,61 @@ function s = howFarOf (cure, gapProblem)
     s.params.(gapProblem.names{j}) = cure.params(:, j)';
   end
 end
+
+function writeHeadOf (gap, Case)
+  effect = jsonAt (gap, {'howFar', 'effect'});
+  params = jsonAt (gap, {'howFar', 'params'});
+  values = jsonAt (gap, {'howFar', 'values'});
+  if ~ischar (effect) || isempty (effect) || ~isstruct (params) || ...
+     ~isstruct (values)
+    return
+  end
+  v = Case.modelVars;
+  set = zeros (1, numel (Case.names));
+  for j = 1:numel (set)
+    both = jsonAt (params, {Case.names{j}});
+    if numel (both) < 2
+      return
+    end
+    set(j) = both(2);
+  end
+  v = designVariables (v, set, Case.names);
+  for name = fieldnames (values)'
+    v.(name{1}) = values.(name{1});
+  end
+  text = sprintf ("# parameters fitted together with %s\n", effect);
+  writeAtomic (fullfile (Case.folder, 'gap', 'calibrated.head'), ...
+               [text, headLines(v)]);
+end
+
+%!test
+%! % a planted cause: it has the print of the gap, another one has not
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0, 0]);
+%! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'trials', 0, ...
+%!                                            'twins', 60));
+%! P = d.fingerprint;
+%! far = @(name) norm (P.effects(strcmp (d.screen.names, name), :) - ...
+%!                     P.measured) / norm (P.measured);
+%! assert (far ('spread') < 0.3);
+%! assert (far ('size') > 0.5);
+%! % the files of its diagnosis
+%! Case = struct ('folder', tempname (), 'modelVars', struct ('c', 3), ...
+%!                'names', {d.gapProblem.names});
+%! mkdir (Case.folder);
+%! v = writeGapJson (d, Case);
+%! writeGapTables (d, Case);
+%! read = @(name) fullfile (Case.folder, 'gap', name);
+%! gap = jsondecode (fileread (read ('gap.json')));
+%! assert (gap.verdict.word, v.word);
+%! assert (gap.howFar.effect, 'spread');
+%! head = headDefaults (read ('calibrated.head'));
+%! assert (head.c, 3);
+%! assert (head.spread, gap.howFar.values.spread, 1e-9);
+%! assert (head.(Case.names{1}), gap.howFar.params.(Case.names{1})(2), 1e-9);
+%! [names, cells] = readCsvTable (read ('targets.csv'));
+%! assert (rows (cells), numel (gap.where.targets));
+%! assert (str2double (cells(:, strcmp (names, 'z')))', ...
+%!         [gap.where.targets.z], 1e-3);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (Case.folder, 's');

@@ -13,7 +13,7 @@
 %         posterior   n x d, sample of the sets that fit; 0 x d: none yet
 %         plan        n x d, parameter sets of the plan
 %         runs        see pageRuns
-%         units       see targetUnits
+%         units       1 x T cell of texts, '' where it is not known
 %         found       1 x d, the best set so far; 0 x d: none yet
 %         reach       T x 2, least and largest mean response of each surrogate
 %                     over the runs and 500 points of the box; NaN: no surrogate
@@ -49,7 +49,7 @@ function page = pageData (Case)
   page.plan = readMatrix (fullfile (Case.folder, ...
                                     'ExperimentalPlan_DoE.csv'), 0, Case);
   page.runs = pageRuns (Case);
-  page.units = targetUnits (Case);
+  page.units = regexprep ({targetInfo(Case).unit}, '^-$', '');
   page.found = foundSet (s, Case.names);
   page.reach = reachOf (page.surrogates, Case);
   page.verdict = decideCase (s.calibration, s.gap, ~isempty (page.runs) || ...

@@ -4,7 +4,7 @@
 %
 %   NAME, UNIT  texts; the unit may be '', or stand in the name already
 %
-% See also: targetUnits
+% See also: targetInfo
 
 function text = withUnit (name, unit)
   text = name;

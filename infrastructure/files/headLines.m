@@ -3,9 +3,10 @@
 % CALL: TEXT = headLines (V)
 %
 %   V     scalar struct of numbers, one field a variable
-%   TEXT  one line a variable, 17 significant digits
+%   TEXT  lines 'variable NAME equal VALUE', 17 significant digits, so that no
+%         step of a parameter is too small to arrive
 %
-% See also: writeHead, writeCalibrationJson
+% See also: appendVariables, writeCalibrationJson
 
 function text = headLines (v)
   text = '';
