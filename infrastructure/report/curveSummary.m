@@ -7,8 +7,6 @@
 %   CURVES    1 x C struct: name (of the series), model, own (numbers of its
 %             calibrated targets), share (root mean square of residual over
 %             tolerance: the curve is met up to 1)
-%
-% See also: toleranceShare, reportCalibration, sectionTargets
 
 function curves = curveSummary (Case, residual)
   curves = struct ('name', {}, 'model', {}, 'own', {}, 'share', {});

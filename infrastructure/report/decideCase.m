@@ -26,8 +26,6 @@
 % Console, JSON, status and page show V; none of them decides again. A set is
 % never called usable that is not converged, and a gap is never denied while
 % a candidate could not be seen.
-%
-% See also: decideGap, listMisses, pageVerdict, sayVerdict
 
 function v = decideCase (c, gap, isBegun)
   v = struct ('word', 'No result yet', 'class', 'open', 'sentence', ...

@@ -1,8 +1,6 @@
 % INWORDS  A length of time as people say it.
 %
 % CALL: TEXT = inWords (SECONDS)
-%
-% See also: sayStatus, sayCheck
 
 function text = inWords (seconds)
   if isnan (seconds)

@@ -8,8 +8,6 @@
 %
 % Objects with equal fields are a struct array after decoding, others a cell:
 % an index serves for both, and for arrays of numbers.
-%
-% See also: pageNumber
 
 function value = jsonAt (root, path)
   value = root;

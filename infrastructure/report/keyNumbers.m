@@ -5,8 +5,6 @@
 %   V, C     see decideCase
 %   NUMBERS  1 x n struct label, text: the largest miss, the targets that are
 %            met, the missing effect or else the chance that all are met
-%
-% See also: decideCase, quantity
 
 function numbers = keyNumbers (v, c)
   numbers = struct ('label', {}, 'text', {});

@@ -6,8 +6,6 @@
 %   TARGETS  1 x T, Case.targets
 %   TEXT     the shift of each target with its standard deviation, of a curve
 %            the root mean square; at most four targets, the most shifted first
-%
-% See also: reportCalibration, describeLevels
 
 function text = levelLine (level, targets)
   kept = find (~level.dropped(:)');

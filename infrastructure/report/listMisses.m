@@ -6,8 +6,6 @@
 %   MISSES   1 x n struct, see decideCase; the points of a curve are one entry,
 %            its worst point. Without a calibration those of the diagnosis, with
 %            the numbers of its fit in units of noise (share) alone
-%
-% See also: decideCase
 
 function misses = listMisses (c, gap)
   misses = struct ('model', {}, 'name', {}, 'unit', {}, 'measured', {}, ...

@@ -4,8 +4,6 @@
 %
 %   CASE  struct with names, paramMean and paramSd, see newCase
 %   TEXT  'densityP 650 +- 5, ...'; '' where there are none
-%
-% See also: reportCase, sayGapCase
 
 function text = measuredParams (Case)
   words = {};

@@ -5,8 +5,6 @@
 %   WHICH  struct of describeVerdict, or which of gap.json
 %   FIELD  text, e.g. 'effects'
 %   NAMES  1 x n cell of text; empty where the field is, or is not there
-%
-% See also: causeText
 
 function names = namesIn (which, field)
   names = cell (1, 0);

@@ -7,8 +7,6 @@
 %   REPORT  function handle for runJobs: says how many runs are done, failed,
 %           running and reused, and the time left, at most once a second;
 %           a message of the executor (a cluster that does not answer) at once
-%
-% See also: runJobs, evaluateDEM
 
 function report = newProgress (stage, say)
   last = containers.Map ('KeyType', 'char', 'ValueType', 'double');

@@ -8,8 +8,6 @@
 %
 % From the remark behind the variable in data.head of a model (unit, words),
 % else from the names that the models of the toolbox use.
-%
-% See also: writeCalibrationJson, decideCase
 
 function labels = parameterWords (Case)
   labels = cell (1, numel (Case.names));

@@ -9,8 +9,6 @@
 %
 % Prefixes are taken where the unit begins with one that takes them. Three
 % digits.
-%
-% See also: effectText, decideCase
 
 function text = quantity (x, unit, range)
   text = '-';

@@ -4,8 +4,6 @@
 %
 %   FILE   path (text); a file that is not there, or half of one, is no file
 %   VALUE  see jsondecode
-%
-% See also: jsonAt, pageData
 
 function value = readJsonFile (file)
   value = [];

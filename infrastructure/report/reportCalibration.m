@@ -5,8 +5,6 @@
 %   C     see newCalibration, with its field verdict (decideCase)
 %   CASE  see newCase
 %   SAY   function handle that takes one line of text
-%
-% See also: newCalibration, DEcalioc
 
 function reportCalibration (c, Case, say)
   say ('');

@@ -5,8 +5,6 @@
 %   CASE  see newCase
 %   SAY   function handle that takes one line of text
 %   PROBLEM  see newProblem: rows of costFunction beyond the targets
-%
-% See also: DEcalioc
 
 function reportCase (Case, say, problem)
   say (sprintf ('DEcalioc  case %s', Case.folder));

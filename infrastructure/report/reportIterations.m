@@ -5,8 +5,6 @@
 %   FOUND, HISTORY  see calibrateOnKriging
 %   CASE            see newCase
 %   SAY             function handle that takes one line of text
-%
-% See also: calibrateOnKriging
 
 function reportIterations (found, history, Case, say)
   T = numel (Case.targets);

@@ -7,8 +7,6 @@
 %   STATE  see newState; given while a calibration is under way
 %
 % An error is said in one line.
-%
-% See also: writePage, DEcalioc, diagnoseGap
 
 function reportPage (Case, say, state)
   try

@@ -13,8 +13,6 @@
 %
 % Where a part of the runs was left out (thinRuns), the surrogates are compared
 % with these, too: what was lost with them.
-%
-% See also: fitSurrogates, runPlan
 
 function reportSurrogateFit (surrogates, data, problem, say, rest)
   say ('');

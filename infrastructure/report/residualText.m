@@ -5,8 +5,6 @@
 % RESIDUAL  T x 1; NaN: not measured yet
 % FORM      of sprintf, for one number
 % TEXT      all of them up to ten, else the largest and how many there are
-%
-% See also: bookStep, reportIterations
 
 function text = residualText (residual, form)
   residual = 100 * residual(isfinite (residual));

@@ -6,8 +6,6 @@
 %   LOGFILE  path of the log (text); it is appended to
 %
 % A log that cannot be written (full disk) does not stop a calibration.
-%
-% See also: DEcalioc
 
 function sayLine (text, logFile)
   printf ('%s\n', text);

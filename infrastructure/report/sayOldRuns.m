@@ -7,8 +7,6 @@
 %
 % The reason is that of the newest of them. Runs of a diagnosis belong to its
 % effects and are left out.
-%
-% See also: sayCheck, calibrateCase, hashModels, countsToday
 
 function sayOldRuns (Case, say)
   if ~all (cellfun (@isfolder, {Case.models.folder}))

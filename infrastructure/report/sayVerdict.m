@@ -4,8 +4,6 @@
 %
 %   V    see decideCase
 %   SAY  function handle that takes one line of text
-%
-% See also: reportCalibration, sayDiagnosis, sayStatus
 
 function sayVerdict (v, say)
   for k = 1:numel (v.usableFor)

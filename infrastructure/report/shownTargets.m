@@ -5,8 +5,6 @@
 %   CASE   see newCase
 %   SHOWN  1 x n, numbers of targets: all but the points of curves, and of each
 %          curve the first one, the middle one and the last one
-%
-% See also: sectionTargets, sectionSlices
 
 function shown = shownTargets (Case)
   shown = 1:numel (Case.targets);

@@ -5,8 +5,6 @@
 %   ROOT  folder of the toolbox (text)
 %   TEXT  what its file VERSION says, if there is one, and the commit, if
 %         it is a clone; 'unknown' without either
-%
-% See also: writeCalibrationJson
 
 function text = toolboxVersion (root)
   parts = {};

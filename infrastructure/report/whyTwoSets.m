@@ -3,8 +3,6 @@
 % CALL: TEXT = whyTwoSets ()
 %
 % Stands where values of the second set stand beside those of the first.
-%
-% See also: sectionTargets, sectionWhere, sectionHowFar, sayDiagnosis
 
 function text = whyTwoSets ()
   text = ['This is another set than that of the calibration: the ', ...

@@ -11,8 +11,6 @@
 % that fit, posterior.csv a sample of these sets, calibrated.head the lines of
 % a data.head with the calibrated parameters, surrogates/ the last surrogates.
 % The fields are described in docs/data.md. results/progress.json is removed.
-%
-% See also: newCalibration, reportPage
 
 function v = writeCalibrationJson (c, Case)
   named = @(values) cell2struct (values, Case.names, 1);

@@ -6,8 +6,6 @@
 %          they are there together, lookAlike, siblings
 %   TEXT   'a', 'a and b' (together), 'a or b', each perhaps with ', or
 %          something that looks like it'; '' where no effect is told
-%
-% See also: sayDiagnosis
 
 function text = causeText (which)
   text = '';

@@ -4,8 +4,6 @@
 %
 %   GAP   decoded gap/gap.json
 %   TEXT  one sentence, and one about rivals where there are; '': not tried
-%
-% See also: decideGap, measureCure
 
 function text = closedText (gap)
   far = jsonAt (gap, {'howFar'});

@@ -15,8 +15,6 @@
 %     notFor    cell of texts: what a calibrated set is not to be used for
 %     amount    struct label, text: the effect in its unit; []: none
 %     cannotSee 1 x n cell, candidates that could not be seen
-%
-% See also: decideCase, effectText
 
 function cause = decideGap (gap)
   which = gap.which;

@@ -7,8 +7,6 @@
 %   UNIT    text
 %   VALUES  1 x 3: value, lower and upper end of its interval (NaN: none)
 %   TEXT    'tilt of the rig -1.4 deg (-2 to -0.53)'; AMOUNT  without the label
-%
-% See also: writeGapJson, quantity
 
 function [text, amount] = effectText (label, unit, values)
   values = values(:)';

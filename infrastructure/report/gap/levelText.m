@@ -4,8 +4,6 @@
 %
 %   LEVEL  of finerVerdict, or what gap.json says of it
 %   TEXT   one sentence
-%
-% See also: sayDiagnosis
 
 function text = levelText (level)
   names = cellstr (level.variables);

@@ -7,8 +7,6 @@
 %   SAY        function handle that takes one line of text
 %
 % Four plain lines first: where, what, how much is closed, to do. Then tables.
-%
-% See also: diagnoseGap, decideGap, sayHowFar
 
 function sayDiagnosis (diagnosis, Case, say)
   sayPlain (diagnosis.verdict, say);

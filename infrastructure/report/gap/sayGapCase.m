@@ -6,8 +6,6 @@
 %   SAY    function handle that takes one line of text
 %
 % What was taken into account beyond values and uncertainties has a line each.
-%
-% See also: diagnoseGap
 
 function sayGapCase (Case, data, count, notes, say)
   say ('');

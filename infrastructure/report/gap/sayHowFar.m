@@ -5,8 +5,6 @@
 %   CURE        of measureCure; [] where nothing can be compared
 %   GAPPROBLEM  see newGapProblem
 %   SAY         function handle that takes one line of text
-%
-% See also: sayDiagnosis, closedText
 
 function sayHowFar (cure, gapProblem, say)
   if isempty (cure)

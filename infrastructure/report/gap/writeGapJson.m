@@ -9,8 +9,6 @@
 % The fields are described in docs/gap.md. gap/calibrated.head gets the model
 % variables, and the parameters and variables of the effect (or pair) as they
 % were fitted together; it is not written where no cure was tried.
-%
-% See also: diagnoseGap, writeGapTables
 
 function v = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');

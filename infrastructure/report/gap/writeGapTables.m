@@ -10,8 +10,6 @@
 % cosines.csv    how alike two effects look (isolability)
 % conflicts.csv  p-value of a bench (column) predicted from another (row)
 % next.csv       further measurements by what they would tell
-%
-% See also: diagnoseGap, writeGapJson
 
 function writeGapTables (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');

@@ -10,8 +10,6 @@
 %   COLOUR  name of houseColours
 %
 % Errors: DEcalioc:addLayer:badShape
-%
-% See also: newFigure, drawFigures
 
 function f = addLayer (f, kind, data, colour)
   wanted = 2;

@@ -10,8 +10,6 @@
 % One row a target (of a curve its worst point): measured at 0, in units of what
 % is allowed, else of its noise. The band of what the box can reach shows why a
 % target is missed.
-%
-% See also: pageVerdict, sectionTargets, listMisses
 
 function [f, key] = benchFigure (page, model)
   key = keyOf (page);

@@ -10,8 +10,6 @@
 % symbols are defined once a page (houseSymbols).
 %
 % Errors: DEcalioc:drawFigures:runFailed
-%
-% See also: newFigure, addLayer, htmlFigures
 
 function svgs = drawFigures (figures)
   folder = tempname ();

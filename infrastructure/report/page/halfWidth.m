@@ -4,8 +4,6 @@
 %
 %   TARGET  element of Case.targets
 %   HALF    in its unit
-%
-% See also: sectionTargets
 
 function half = halfWidth (target)
   half = target.tol;

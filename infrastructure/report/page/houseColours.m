@@ -7,8 +7,6 @@
 %      the variables in the place of the colours
 %
 % The strong ones are those of Okabe and Ito (2008).
-%
-% See also: drawFigures
 
 function c = houseColours ()
   c = struct ('ink', '#1b1f24', 'axis', '#57606a', 'grid', '#e4e7ea', ...

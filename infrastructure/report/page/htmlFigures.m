@@ -5,8 +5,6 @@
 %   FIGURES  1 x n struct array, see newFigure
 %   KEY      HTML of htmlKey, or ''
 %   CLASS    how wide: 'panels' (default), 'pairs', 'wide'
-%
-% See also: drawFigures, htmlKey
 
 function html = htmlFigures (figures, key, class)
   html = '';

@@ -3,8 +3,6 @@
 % CALL: HTML = htmlKey (ENTRIES)
 %
 %   ENTRIES  n x 3 cell: kind of layer (see addLayer), colour, meaning (HTML)
-%
-% See also: htmlFigures, houseColours
 
 function html = htmlKey (entries)
   items = cell (1, rows (entries));

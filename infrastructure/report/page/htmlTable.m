@@ -7,8 +7,6 @@
 %   CELLS    n x c cell of HTML; the first column names the row
 %
 % The table scrolls by itself where the screen is narrow.
-%
-% See also: htmlText, pageNumber
 
 function html = htmlTable (caption, head, cells)
   label = regexprep (caption, '<[^>]*>|"', '');

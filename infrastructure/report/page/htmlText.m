@@ -4,8 +4,6 @@
 %
 %   TEXT  row of char, UTF-8 (other bytes are taken as Latin-1)
 %   HTML  the same, safe between tags and in double quotes
-%
-% See also: htmlTable
 
 function html = htmlText (text)
   html = text(:)';

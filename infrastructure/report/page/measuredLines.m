@@ -15,8 +15,6 @@
 % one picture the first belongs to the left half, the second to the right one.
 % The line of a cone has two sides and its apex at the measured height, where
 % that is a target.
-%
-% See also: sectionParticles, targetInfo
 
 function lines = measuredLines (Case, k, file, left, grains)
   lines = {};

@@ -12,8 +12,6 @@
 %                   (true: the title stands above it), whole (false; true:
 %                   ticks of x at whole numbers), equal (false: scales
 %                   of both axes may differ), layers
-%
-% See also: addLayer, drawFigures
 
 function f = newFigure (title, xlabel, ylabel, alt)
   f = struct ('title', title, 'xlabel', xlabel, 'ylabel', ylabel, ...

@@ -7,8 +7,6 @@
 %         'probability' (two decimals), 'z' (one decimal), 'count',
 %         'hours' (X in core seconds)
 %   TEXT  a dash where X is not finite
-%
-% See also: pageNumber
 
 function text = numberText (x, kind)
   if nargin < 2

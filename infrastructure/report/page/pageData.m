@@ -21,8 +21,6 @@
 %         isRunning   a calibration is under way, or was broken off
 %
 % A file that is not there, or cannot be read, leaves its field empty.
-%
-% See also: writePage
 
 function page = pageData (Case)
   results = fullfile (Case.folder, 'results');

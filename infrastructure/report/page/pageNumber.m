@@ -9,8 +9,6 @@
 %   HTML    a data element that holds the full value and where it is from:
 %           all numbers of the report are shown through this function; of an
 %           array of two numbers, both, as an interval
-%
-% See also: numberText, jsonAt
 
 function html = pageNumber (page, kind, source, varargin)
   x = jsonAt (page.sources, [{source}, varargin]);

@@ -10,8 +10,6 @@
 %
 % Nothing is run, evaluated or changed. In a store that other cases share, only
 % runs inside the limits count.
-%
-% See also: pageData, writePage
 
 function runs = pageRuns (Case)
   runs = blank ();

@@ -8,8 +8,6 @@
 %   WORD  the verdict in a few words (text)
 %
 % Nothing is decided here: it shows what decideCase says.
-%
-% See also: writePage, decideCase
 
 function [html, word] = pageVerdict (page)
   v = page.verdict;

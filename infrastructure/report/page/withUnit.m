@@ -3,8 +3,6 @@
 % CALL: TEXT = withUnit (NAME, UNIT)
 %
 %   NAME, UNIT  texts; the unit may be '', or stand in the name already
-%
-% See also: targetInfo
 
 function text = withUnit (name, unit)
   text = name;

@@ -12,8 +12,6 @@
 % targets (empty where the run has no such result), message.
 %
 % A part that cannot be drawn says so and leaves the others alone.
-%
-% See also: reportPage, pageData
 
 function file = writePage (Case)
   page = pageData (Case);
