@@ -103,6 +103,8 @@ function sayTarget (T, result, residual, noiseSd, isMet, say)
   end
   if strcmp (T.role, 'calibrate') && ~isMet
     note = [note, ' missed'];
+  elseif strcmp (T.role, 'calibrate') && abs (residual) > T.tol
+    note = [note, ' met, as all runs tell it'];
   end
   say (sprintf ('  %-28s %11.5g %11.5g %9.2f %9.2f %11.2g%s', name, T.value, ...
                 result, factor * residual, factor * T.tol, noiseSd, note));
@@ -179,3 +181,15 @@ end
 %! [~, text] = situationPage ('missed, no gap');
 %! assert (! isempty (strfind (text, 'NOT CALIBRATED: the mean')), text);
 %! assert (! isempty (strfind (text, '20.00      1.00        0.01 missed')));
+%!test
+%! % one run is off by more than the tolerance, the mean of all runs is not
+%! s = verdictCase ()(1);
+%! s.c.targets(1).result = 7.21;
+%! s.c.targets(1).residual = 0.03;
+%! s.c.targets(1).estimate = 7.1;
+%! raw = standInCase (tempname ());
+%! text = verdictConsole (s, newCase (raw));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
+%! assert (! isempty (strfind (text, 'met, as all runs tell it')), text);
+%! assert (! isempty (strfind (text, 'simulated 7.1 N, measured 7 N')), text);
