@@ -38,7 +38,8 @@ function runs = runsOfCase (Case)
       run = oneRun (fullfile (place, names{i}), sent, any (isHere));
       if ~isempty (run)
         run.model = k;
-        run.isCurrent = countsToday (run.job, Case, h(k));
+        run.isCurrent = ~isempty (countsToday (run.job, run.folder, ...
+                                               Case, h(k)));
         runs(end + 1) = orderfields (run, runs);
       end
     end

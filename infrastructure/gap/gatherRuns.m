@@ -93,7 +93,7 @@ function [records, effects] = runsOf (Case, k, h)
   for i = 1:numel (names)
     folder = fullfile (Case.store, 'optim', Case.models(k).name, names{i});
     records{i} = endedRun (folder);
-    effects{i} = countsAs (records{i}, folder, Case, h);
+    effects{i} = countsToday (records{i}, folder, Case, h);
     stale(i) = ~isempty (effects{i}) && ~strcmp (records{i}.funs, h.funs);
   end
   if any (stale)
@@ -130,44 +130,6 @@ function record = endedRun (folder)
     record.(name{1}) = found.(name{1});
   end
   record.folder = folder;
-end
-
-% The effect values {1 x v} under which a record is a run of today's case; {} if
-% it is none. A run of the plain model counts under any list of effects, a run
-% with an effect under any list that holds it: its data.head says which it was.
-function effects = countsAs (record, folder, Case, h)
-  effects = {};
-  if isempty (record) || numel (record.params) ~= numel (Case.names)
-    return
-  end
-  neutral = neutralEffects (Case);
-  trials = {@() neutral, @() effectsInHead(folder, Case, neutral)};
-  if numel (record.effects) == numel (neutral)
-    % most often the list is as it was: no file need be read then
-    trials = [{@() reshape(record.effects, 1, [])}, trials];
-  end
-  for k = 1:numel (trials)
-    job = record;
-    job.effects = trials{k}();
-    [key, older] = runKey (runVariables (job, Case), Case.effectVars, h);
-    if any (strcmp (record.key, {key, older}))
-      effects = {job.effects};
-      return
-    end
-  end
-end
-
-function values = effectsInHead (folder, Case, values)
-  file = fullfile (folder, 'data.head');
-  if ~isfile (file)
-    return
-  end
-  head = headDefaults (file);
-  for j = 1:numel (values)
-    if isfield (head, Case.effectVars{j})
-      values(j) = head.(Case.effectVars{j});
-    end
-  end
 end
 
 function known = isKnown (imported, data)

@@ -2,7 +2,7 @@
 %
 % CALL: TEXT = levelLine (LEVEL, TARGETS)
 %
-%   LEVEL    element of describeLevels
+%   LEVEL    element of levels, see newCalibration
 %   TARGETS  1 x T, Case.targets
 %   TEXT     the shift of each target with its standard deviation, of a curve
 %            the root mean square; at most four targets, the most shifted first

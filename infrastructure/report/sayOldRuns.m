@@ -19,7 +19,9 @@ function sayOldRuns (Case, say)
     names = listRunFolders (Case.store, name);
     jobs = cellfun (@(n) finishedRun (fullfile (place, n)), names, ...
                     'UniformOutput', false);
-    isOld = cellfun (@(j) ~isempty (j) && ~countsToday (j, Case, h(k)), jobs);
+    isOld = cellfun (@(j, n) ~isempty (j) && ...
+                     isempty (countsToday (j, fullfile (place, n), Case, ...
+                                           h(k))), jobs, names);
     if any (isOld)
       last = find (isOld, 1, 'last');
       folder = fullfile (place, names{last});

@@ -10,7 +10,7 @@
 %   SD       its standard deviation
 %   NOISESD  scatter of a run at LEVEL
 %
-% See also: describeLevels, finerVerdict
+% See also: newCalibration, finerVerdict
 
 function [shift, sd, noiseSd] = levelShift (s, p, level)
   [shift, sd, noiseSd] = deal (NaN);
