@@ -7,6 +7,7 @@
 %          S.levels (optional): L x 1, the last one counts, with S.atLevel
 %          (handle (P, level) -> n x T) and S.seconds (1 x L, cost of a run)
 % seed     integer; fail  share of the runs that give NaN
+%          S.library: rows of newData of other calibrations on the same bench
 % options  struct of Case.options (what is missing has its default)
 % result   struct: runs (all, failed ones too), plan, infill, verify, failed,
 %          worst (largest true relative residual of the set handed back),
@@ -38,18 +39,33 @@ function result = calibrateStandIn (S, seed, fail, options)
     E = S.levels(ones (n, 1));
   end
   problem = newProblem (Case, []);
-  data = addRows (newData (d, T, columns (E)), X, evaluate (X, E, 1), ...
-                  ones (n, 1), 'plan', E);
-  surrogates = fitSurrogates (data, problem);
-  found = calibrateOnKriging (surrogates, problem);
-  state = newState (data, surrogates, found);
+  state = newState (newData (d, T, columns (E)));
   state.budget = budget;
   state.evaluate = plainEvaluate (evaluate);
+  if isfield (S, 'library')
+    [state, X] = besideLibrary (state, S, Case, problem);
+    E = zeros (rows (X), 0);
+  end
+  state = addRuns (state, problem, X, E, 'plan');
+  state.surrogates = fitSurrogates (state.data, problem);
+  state.found = calibrateOnKriging (state.surrogates, problem);
   state = improveByInfill (state, problem, @(text) []);
   state = calibrateOnDEM (state, problem, @(text) []);
   result = score (S, state);
   result.state = state;
   result.problem = problem;
+end
+
+% As calibrateCase does it.
+function [state, plan] = besideLibrary (state, S, Case, problem)
+  d = numel (S.names);
+  Case.options = mergeFields (struct ('numOfSam', planSize (d), ...
+                                      'seed', 1), Case.options);
+  Case.models = struct ('folder', 'none');
+  Case.folder = '';
+  state.data = keepRows (S.library, nearRows (S.library, problem));
+  state = trustLibrary (state, problem, @(text) []);
+  plan = newPlan (state.data, Case);
 end
 
 function Z = noisy (S, P, fail, E)
@@ -69,7 +85,8 @@ end
 
 function result = score (S, state)
   off = @(Z) max (abs (Z ./ S.value - 1), [], 2);
-  result.runs = rows (state.data.X);
+  isNew = ~strcmp (state.data.stage, 'library');
+  result.runs = sum (isNew);
   result.plan = sum (strcmp (state.data.stage, 'plan'));
   result.infill = sum (strcmp (state.data.stage, 'infill'));
   result.verify = sum (isAfterPlan (state.data)) - ...

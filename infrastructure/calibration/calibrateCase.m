@@ -21,14 +21,15 @@ function calibration = calibrateCase (root, folder)
   restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, @costFunction);
   reportCase (Case, say, problem);
-  sayOldRuns (Case, say);
 
   % experimental plan and DEM simulation
-  [data, rest] = importExisting (Case, problem, say);
+  [data, rest, told] = importExisting (Case, problem, say);
+  sayOldRuns (Case, say, told);
   state = newState (data);
   state.budget = newBudget (Case);
   state.evaluate = newEvaluate (Case, say);
-  [plan, levels] = newPlan (data, Case);
+  state = trustLibrary (state, problem, say);
+  [plan, levels] = newPlan (state.data, Case);
   state = runPlan (state, problem, plan, levels, Case, say);
 
   % Kriging models

@@ -28,7 +28,7 @@ function [lines, touched] = checkSurrogates (state, problem)
     lines{end + 1} = sprintf (['%d targets cannot fix %d parameters: other ' ...
                                'sets meet them as well'], nTargets, d);
   end
-  own = ~strcmp (state.data.stage, 'import');
+  own = ~ismember (state.data.stage, {'import', 'library'});
   failed = sum (any (isnan (state.data.Z(own, :)), 2));
   if failed > 0
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
@@ -41,7 +41,8 @@ function [lines, touched] = checkSurrogates (state, problem)
                                'runSeed. They tell nothing of its scatter ' ...
                                'and are not counted'], sum (isRepeat));
   end
-  lines = [lines, badRuns(state, problem), droppedLevels(state, problem)];
+  lines = [lines, badRuns(state, problem), droppedLevels(state, problem), ...
+           {state.misled}(~isempty (state.misled))];
 end
 
 function lines = droppedLevels (state, problem)

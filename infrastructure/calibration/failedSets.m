@@ -8,7 +8,8 @@
 
 function P = failedSets (data, problem)
   data = lastLevel (data, problem);
-  own = ~strcmp (data.stage, 'import');
+  own = ~strcmp (data.stage, 'import') & ...
+        ~(strcmp (data.stage, 'library') & any (isna (data.Z), 2));
   [sets, ~, group] = unique (data.X(own, :), 'rows');
   failed = any (isnan (data.Z(own, :)), 2);
   n = accumarray (group(:), 1, [rows(sets), 1]);
@@ -22,4 +23,8 @@ end
 %!                'stage', {repmat({'plan'}, 5, 1)});
 %! assert (failedSets (data, problem), 1);
 %! data.stage(2) = {'import'};
+%! assert (isempty (failedSets (data, problem)));
+%! data.stage(1:2) = {'library'};
+%! assert (failedSets (data, problem), 1);
+%! data.Z(2) = NA;
 %! assert (isempty (failedSets (data, problem)));

@@ -10,6 +10,9 @@
 %         the case has no levels
 %
 % A Latin hypercube plan; beside runs that were taken in, rows far from them.
+% Where they are of a library, only as many as its runs near the box leave bare:
+% farther from them than the plan alone would leave a place; and not fewer than
+% surrogates need.
 %
 % With levels (CASE.coarse) all these rows are run at the first, the cheapest
 % level; the others come where these runs find the set (improveByInfill).
@@ -19,7 +22,13 @@ function [plan, E] = newPlan (data, Case)
   if any (cellfun (@isempty, {Case.models.folder}))
     n = 0;
   end
-  plan = planBeside (insideLimits (data.X, Case.limits), n, Case);
+  if any (strcmp (data.stage, 'library'))
+    anywhere = [-Inf; Inf] .* ones (1, columns (data.X));
+    least = columns (data.X) + 2 - finishedSets (data, anywhere);
+    plan = planBeside (data.X, n, Case, least);
+  else
+    plan = planBeside (insideLimits (data.X, Case.limits), n, Case);
+  end
   E = zeros (rows (plan), 0);
   if isfield (Case, 'coarse') && ~isempty (Case.coarse)
     levels = vertcat (Case.coarse.levels)';

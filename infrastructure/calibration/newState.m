@@ -8,7 +8,7 @@
 % STATE       struct: data, surrogates, found, history (1 x 0 struct: stage,
 %             iteration, params, residual T x 1, runs, probability), reason,
 %             final ([] until confirmSet), budget (see newBudget), evaluate (see
-%             addRuns; [] until runs can be made)
+%             addRuns; [] until runs can be made), misled (see trustLibrary)
 
 function state = newState (data, surrogates, found)
   state.data = data;
@@ -19,7 +19,7 @@ function state = newState (data, surrogates, found)
   end
   state.history = struct ('stage', {}, 'iteration', {}, 'params', {}, ...
                           'residual', {}, 'runs', {}, 'probability', {});
-  state.reason = '';
+  [state.reason, state.misled] = deal ('');
   state.final = [];
   state.budget = newBudget ();
   state.evaluate = [];

@@ -1,24 +1,33 @@
 % PLANBESIDE  Plan of further sets, beside those that there are.
 %
 % CALL: PLAN = planBeside (X, N, CASE)
+%       PLAN = planBeside (X, N, CASE, LEAST)
 %
 %   X     m x d, sets that were run; m may be 0
 %   N     number of sets to add
 %   CASE  see newCase
 %   PLAN  N x d: a Latin hypercube, kept in ExperimentalPlan_DoE.csv; beside
 %         sets that there are, rows as far as possible from them
+%   LEAST  only so many rows, but those too that are farther from all X than the
+%         plan of the case alone would leave a place
 
-function plan = planBeside (X, n, Case)
+function plan = planBeside (X, n, Case, least)
   if isempty (X)
     plan = GenerateExperPlan (Case.limits, n, Case.folder, Case.options.seed);
   else
-    plan = augmentPlan (X, n, Case.limits);
+    [plan, gap] = augmentPlan (X, n, Case.limits);
+    if nargin > 3
+      [~, alone] = augmentPlan (X([], :), Case.options.numOfSam + 1, ...
+                                Case.limits);
+      isBare = gap > alone(end) | (1:n)' <= least;
+      plan = plan(isBare, :);
+    end
   end
 end
 
 % Greedy maximin in the unit box over a space-filling sample; the distance to
 % the walls counts half a step, so rows do not crowd there.
-function P = augmentPlan (X, n, limits)
+function [P, gap] = augmentPlan (X, n, limits)
   d = columns (limits);
   width = diff (limits);
   U = (X - limits(1, :)) ./ width;
@@ -29,8 +38,9 @@ function P = augmentPlan (X, n, limits)
     nearest = min (nearest, sqrt (sum ((C - U(i, :)).^2, 2)));
   end
   P = zeros (n, d);
+  gap = zeros (n, 1);
   for k = 1:n
-    [~, best] = max (nearest);
+    [gap(k), best] = max (nearest);
     P(k, :) = limits(1, :) + C(best, :) .* width;
     nearest = min (nearest, sqrt (sum ((C - C(best, :)).^2, 2)));
   end
@@ -45,3 +55,9 @@ end
 %! % the gap is filled first
 %! Case.limits = [0; 10];
 %! assert (planBeside ([1; 2; 3; 9], 1, Case), 6, 0.4);
+%! % one half is bare; both are full, but so many rows are needed
+%! Case.options.numOfSam = 5;
+%! plan = planBeside ((0:0.5:5)', 5, Case, 0);
+%! assert (rows (plan) < 5 && all (plan > 5.5));
+%! assert (rows (planBeside ((0:0.5:10)', 5, Case, 0)), 0);
+%! assert (rows (planBeside ((0:0.5:10)', 5, Case, 2)), 2);

@@ -45,7 +45,7 @@ function checkEnough (data, isWhole, nLeftOut, Case, share)
   anywhere = [-Inf; Inf] .* ones (1, columns (data.X));
   have = finishedSets (data, anywhere);
   least = numel (Case.names) + 2;
-  own = ~strcmp (data.stage, 'import');
+  own = ~ismember (data.stage, {'import', 'library'});
   n = sum (own | isWhole);
   if have < least && nLeftOut > 0
     error ('DEcalioc:runPlan:tooFewRuns', ...

@@ -8,6 +8,9 @@
 % RAW     struct: Input, optim, modelVars, assign, paramLims (the five outputs,
 %         as published), root, folder
 %
+% Where Input has no store, it is the one that the environment names in
+% DECALIOC_STORE, if there is one.
+%
 % Nothing else calls loadInput, which is the file of the case folder or else of
 % the toolbox.
 %
@@ -35,6 +38,11 @@ function raw = readInput (root, folder)
            ['readInput: %s must return [Input, optim, modelVars, assign, ' ...
             'paramLims], but running it gave: %s'], ...
            which ('loadInput'), whereAndWhat (err));
+  end
+  place = getenv ('DECALIOC_STORE');
+  if ~isempty (place) && isstruct (raw.Input) && ...
+     isempty (givenField (raw.Input, 'store', ''))
+    raw.Input.store = place;
   end
 end
 

@@ -6,7 +6,7 @@
 % no options for stands here; each function takes the folder of the toolbox, the
 % folder of the case and the words of the command.
 %
-% See also: sayNew, sayCheck, sayStatus, sayDoctor, cancelCase
+% See also: sayNew, sayCheck, sayStatus, sayDoctor, cancelCase, sayLibrary
 
 1;
 
@@ -55,7 +55,8 @@ function result = carryOut (root, folder, words)
   commands = struct ('new', @sayNew, 'check', @sayCheck, ...
                      'status', @sayStatus, 'report', @sayReport, ...
                      'export', @sayExport, 'cancel', @sayCancel, ...
-                     'doctor', @sayDoctor);
+                     'doctor', @sayDoctor, 'runs', @sayLibrary, ...
+                     'forget', @(varargin) sayLibrary (varargin{:}, true));
   command = commands.(words{1});
   result.exitStatus = command (root, folder, words(2:end));
 end

@@ -6,7 +6,7 @@
 %   RUNS  see runsOfCase
 %   F     scalar struct:
 %     plan      n x d, parameter sets of the plan
-%     imported  finished sets of runs.csv
+%     imported  sets of runs.csv;  told  see libraryRuns
 %     jobs      1 x n M struct array, runs of the plan
 %     isDone    1 x n M logical: finished in the store, or ended there
 %     seconds   1 x M, median of the model's finished runs (s); NaN: none
@@ -20,8 +20,9 @@
 % See also: sayCheck, caseStatus, newPlan
 
 function f = foresee (Case, runs)
-  data = importExisting (Case, newProblem (Case), @(text) []);
-  f.imported = rows (data.X);
+  [data, ~, f.told] = importExisting (Case, newProblem (Case), @(text) [], ...
+                                      true);
+  f.imported = sum (strcmp (data.stage, 'import'));
   here = Case;
   here.folder = '';                     % so that no plan is written
   [f.plan, E] = newPlan (data, here);

@@ -128,7 +128,7 @@ function sayCosts (Case)
   end
   printf ('runs      plan: %d new, %d taken from the store\n', ...
           n - sum (f.isDone), sum (f.isDone));
-  sayOldRuns (Case, @(text) printf ('%s\n', text));
+  sayOldRuns (Case, @(text) printf ('%s\n', text), f.told);
   printf ('          then at most %d sets (optim.maxFunEvals), each a run', ...
           o.maxFunEvals);
   printf (' of %d model(s)\n', numel (Case.models));

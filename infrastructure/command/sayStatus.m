@@ -19,6 +19,7 @@ function status = sayStatus (root, folder, args)
   printf ('case    %s\n', folder);
   printf ('state   %s\n', stateText (s));
   sayRuns (s);
+  printf ('%s', regexprep (libraryLine (Case), '^(.+)$', 'library $1\n'));
   for k = 1:numel (s.failures)
     printf ('        %s\n', s.failures{k});
   end

@@ -1,15 +1,19 @@
 % SAYOLDRUNS  Says how many finished runs of the store count no longer, and why.
 %
-% CALL: sayOldRuns (CASE, SAY)
+% CALL: sayOldRuns (CASE, SAY, TOLD)
 %
-%   CASE  see newCase
+%   CASE  see newCase;  TOLD  see libraryRuns
 %   SAY   function handle that takes one line of text
 %
-% The reason is that of the newest of them. Runs of a diagnosis belong to its
+% Of a store that cases share: how many of its runs are samples here, too. The
+% reason is that of the newest of them. Runs of a diagnosis belong to its
 % effects and are left out.
 
-function sayOldRuns (Case, say)
+function sayOldRuns (Case, say, told)
   if ~all (cellfun (@isfolder, {Case.models.folder}))
+    return
+  elseif ~strcmp (Case.store, Case.folder)
+    sayLibrary (told, Case, say);
     return
   end
   h = hashModels (Case);
@@ -30,6 +34,30 @@ function sayOldRuns (Case, say)
                     folder, whyOld (jobs{last}, folder, Case, ...
                                     Case.models(k))));
     end
+  end
+end
+
+function sayLibrary (told, Case, say)
+  say (sprintf ('library   %s: %d runs of %d cases are samples here', ...
+                Case.store, told.used, numel (told.origin)));
+  [~, order] = sort (-told.count);
+  for k = order(1:min (end, 3))
+    name = [told.origin{k}, repmat('(no case noted)', 1, ...
+                                   isempty (told.origin{k}))];
+    say (sprintf ('          %d of %s', told.count(k), name));
+  end
+  for own = told.passed
+    say (sprintf ('          %s: %d runs passed over, %s', own.model, ...
+                  own.count, own.why));
+  end
+  for own = told.other
+    model = Case.models(own.model);
+    folder = fullfile (Case.store, 'optim', model.name, ...
+                       sprintf ('%04d', own.number));
+    job = readRecord (fullfile (folder, 'record.json'));
+    say (sprintf (['          %s: %d runs of another rig or build passed ' ...
+                   'over. The newest (%s): %s'], model.name, own.count, ...
+                  folder, whyOld (job, folder, Case, model)));
   end
 end
 
@@ -96,7 +124,7 @@ function text = otherVariables (job, folder, Case)
 end
 
 %!function text = said (Case)
-%!  text = evalc ('sayOldRuns (Case, @(t) printf (''%s\n'', t))');
+%!  text = evalc ('sayOldRuns (Case, @(t) printf (''%s\n'', t), [])');
 %!endfunction
 %!test
 %! Case = newCase (standInCase (tempname ()));

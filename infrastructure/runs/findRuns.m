@@ -16,7 +16,7 @@ function records = findRuns (jobs, Case)
   h = [];
   for model = unique ({jobs.model})
     mine = find (strcmp ({jobs.model}, model{1}));
-    found = scan (Case.store, model{1});
+    found = scan (Case, model{1}, jobs(mine));
     if isempty (found.keys)
       continue
     end
@@ -46,8 +46,9 @@ function key = olderKey (job, Case, h, known)
   end
 end
 
-function found = scan (store, model)
-  names = listRunFolders (store, model);
+function found = scan (Case, model, jobs)
+  store = Case.store;
+  names = runFoldersOf (Case, model, jobs);
   n = numel (names);
   found = struct ('keys', {cell(1, n)}, 'records', {cell(1, n)}, ...
                   'worth', zeros (1, n));

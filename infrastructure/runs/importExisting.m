@@ -1,15 +1,31 @@
-% IMPORTEXISTING  Takes in the runs of a table runs.csv in the case folder.
+% IMPORTEXISTING  Takes in runs that exist: of a shared store and of runs.csv.
 %
-% CALL: [DATA, REST] = importExisting (CASE, PROBLEM, SAY)
+% CALL: [DATA, REST, TOLD] = importExisting (CASE, PROBLEM, SAY)
+%       importExisting (CASE, PROBLEM, SAY, true)    only looks
 %
 %   CASE  see newCase;  PROBLEM  see newProblem
 %   SAY   function handle that takes one line of text
-%   DATA  see newData, E the levels of CASE.coarse; empty where there is no
-%         runs.csv. Rows with an effect switched on are left out: they belong to
-%         the diagnosis; of more than 1000, those of thinRuns are taken
+%   DATA  see newData, E the levels of CASE.coarse; empty where there is
+%         nothing. Rows of runs.csv with an effect switched on are left out:
+%         they belong to the diagnosis; of more than 1000, those of thinRuns are
+%         taken
 %   REST  struct X, Z, E: the others, which tell what is lost with them
+%   TOLD  see libraryRuns
 
-function [data, rest] = importExisting (Case, problem, say)
+function [data, rest, told] = importExisting (Case, problem, say, varargin)
+  [data, rest] = ofTable (Case, problem, say);
+  Case.effects = [];                     % those of the diagnosis are off
+  Case.effectVars = {Case.coarse.variable};
+  [own, told, left] = libraryRuns (Case, problem, varargin{:});
+  for name = fieldnames (own)'
+    data.(name{1}) = [own.(name{1}); data.(name{1})];
+  end
+  for name = fieldnames (left)'
+    rest.(name{1}) = [rest.(name{1}); left.(name{1})];
+  end
+end
+
+function [data, rest] = ofTable (Case, problem, say)
   v = numel (Case.coarse);
   data = newData (numel (Case.names), numel (Case.targets), v);
   rest = struct ('X', data.X, 'Z', data.Z, 'E', data.E);
@@ -49,6 +65,20 @@ end
 %! data = importExisting (Case, newProblem (Case), quiet);
 %! assert (data.X, [1, 2]);
 %! assert (data.Z, [3, 2, -1]);
+%!test
+%! % a store of two cases, and a table beside it
+%! first = newCase (standInCase (tempname ()));
+%! evaluateDEM ([1, 2; 3, 4], first);
+%! raw = standInCase (tempname ());
+%! raw.Input.store = first.store;
+%! Case = newCase (raw);
+%! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
+%!   ["model,seed,a,b,First_1,First_2,Second_1\n", ...
+%!    "First,1,7,2,9,14,\nSecond,1,7,2,,,5\n"]);
+%! [data, ~, told] = importExisting (Case, newProblem (Case), @(text) []);
+%! assert (data.X, [1, 2; 3, 4; 7, 2]);
+%! assert (data.stage, {'library'; 'library'; 'import'});
+%! assert (told.used, 4);
 %!test
 %! % more rows than a surrogate holds: a part is taken, and that is said
 %! Case = newCase (standInCase (tempname ()));

@@ -43,7 +43,7 @@ function [data, ignored] = importRuns (file, Case)
     seed = numbers (table, column.seed, {'seed'});
   end
   targets(model ~= [Case.targets.model]) = NaN;
-  data = mergeModels ([X, E], model, seed, targets, Case);
+  data = joinModels ([X, E], model, seed, targets, Case);
 end
 
 function [column, ignored] = findColumns (header, Case, file)
@@ -112,38 +112,6 @@ function values = numbers (table, at, names)
             'decimal point, no complex one, got ''%s''.'], ...
            names{col}, table.lines(row), table.file, texts{row, col});
   end
-end
-
-function data = mergeModels (inputs, model, seed, Z, Case)
-  whole = [inputs, model, seed, Z];
-  whole(isnan (whole)) = pi * 1e300;
-  [~, once] = unique (whole, 'rows', 'first');
-  once = sort (once);
-  once = [once; find(isnan (seed))];
-  keep = unique (once);
-  [inputs, model, Z] = deal (inputs(keep, :), model(keep), Z(keep, :));
-  [~, ~, group] = unique (inputs, 'rows', 'first');
-  n = rows (inputs);
-  % the rank of a row among those of its set and its model
-  [sorted, order] = sortrows ([group(:), model(:), (1:n)']);
-  isNew = true (n, 1);
-  isNew(2:n) = any (diff (sorted(:, 1:2), 1, 1) ~= 0, 2);
-  starts = find (isNew);
-  replicate(order, 1) = (1:n)' - starts(cumsum (isNew)) + 1;
-  [~, first, row] = unique ([group(:), replicate], 'rows', 'first');
-  [~, order] = sort (first);
-  place(order) = 1:numel (order);
-  row = place(row)(:);
-  d = numel (Case.names);
-  data.X = inputs(first(order), 1:d);
-  data.E = inputs(first(order), d + 1:end);
-  data.Z = NA (numel (first), columns (Z));
-  for k = 1:numel (Case.models)
-    own = [Case.targets.model] == k;
-    data.Z(row(model == k), own) = Z(model == k, own);
-  end
-  data.replicate = replicate(first(order));
-  data.stage = repmat ({'import'}, numel (first), 1);
 end
 
 %!function data = imported (text)

@@ -1,4 +1,4 @@
-% ISAFTERPLAN  Rows of the table that were run after the plan.
+% ISAFTERPLAN  Rows of the table that this case has run after the plan.
 %
 % CALL: YES = isAfterPlan (DATA)
 %
@@ -6,8 +6,8 @@
 %   YES   n x 1 logical
 
 function yes = isAfterPlan (data)
-  yes = ~ismember (data.stage(:), {'import', 'plan'});
+  yes = ~ismember (data.stage(:), {'import', 'library', 'plan'});
 end
 
-%!assert (isAfterPlan (struct ('stage', {{'import'; 'plan'; 'verify'}})), ...
-%!        [false; false; true])
+%!assert (isAfterPlan (struct ('stage', {{'import'; 'library'; 'plan'; ...
+%!                                        'verify'}})), [false(3, 1); true])

@@ -1,11 +1,13 @@
 % LOCKCASE  Keeps a second Octave out of a case folder.
 %
 % CALL: LOCK = lockCase (FOLDER)
+%       LOCK = lockCase (FOLDER, NAME)
 %
 %   FOLDER  case folder (text)
+%   NAME    file of the lock in it (default 'decalioc.lock')
 %   LOCK    onCleanup object; the folder is free again when it is cleared
 %
-% The lock is the file decalioc.lock in FOLDER, which names host, process, its
+% The lock is a file in FOLDER, which names host, process, its
 % start, boot and command. A lock whose process is gone is taken over, and so is
 % an empty one.
 % Not flock, as in tools/lint.sh: Octave would need a helper to hold it, whose
@@ -14,8 +16,11 @@
 % Errors: DEcalioc:lockCase:inUse, DEcalioc:lockCase:cannotWrite,
 % DEcalioc:lockCase:noLinks
 
-function lock = lockCase (folder)
-  file = fullfile (folder, 'decalioc.lock');
+function lock = lockCase (folder, name)
+  if nargin < 2
+    name = 'decalioc.lock';
+  end
+  file = fullfile (folder, name);
   draft = sprintf ('%s.%d', file, getpid ());
   [~, mark] = processStart (getpid ());
   text = sprintf ('%s %d %s', gethostname (), getpid (), mark);
@@ -32,14 +37,14 @@ function lock = lockCase (folder)
   for attempt = 1:10
     [status, why] = link (draft, file);
     if status == 0
-      lock = onCleanup (@() release (folder, text));
+      lock = onCleanup (@() release (folder, name, text));
       return
     end
-    holder = lockHolder (folder);
+    holder = lockHolder (folder, name);
     if strcmp (holder.state, 'none')
       cause = why;
     else
-      takeOver (folder, draft, holder);
+      takeOver (file, draft, holder);
     end
   end
   if ~isempty (cause)
@@ -53,8 +58,8 @@ function lock = lockCase (folder)
           'no DEcalioc works in that folder for sure.'], file);
 end
 
-function takeOver (folder, draft, holder)
-  file = fullfile (folder, 'decalioc.lock');
+function takeOver (file, draft, holder)
+  folder = fileparts (file);
   if ~strcmp (holder.state, 'gone')
     error ('DEcalioc:lockCase:inUse', ...
            ['lockCase: another DEcalioc works in %s (process %d on %s). ' ...
@@ -73,9 +78,9 @@ function takeOver (folder, draft, holder)
   end
 end
 
-function release (folder, text)
-  if strcmp (lockHolder (folder).text, text)
-    forget (fullfile (folder, 'decalioc.lock'));
+function release (folder, name, text)
+  if strcmp (lockHolder (folder, name).text, text)
+    forget (fullfile (folder, name));
   end
 end
 

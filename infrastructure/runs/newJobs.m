@@ -8,7 +8,8 @@
 %   REPLICATE  n x 1 or scalar, number of the replicate (1, 2, ...)
 %   STAGE      what the runs are for (text): 'plan', 'infill', 'verify' ...
 %   JOBS       1 x (n M) struct array, the models of a row side by side:
-%              model, stage, planRow, params, effects, replicate, seed, key
+%              model, stage, planRow, params, effects, replicate, seed, key,
+%              input, variables (what KEY is made of), origin (case folder)
 %
 % Errors: DEcalioc:newJobs:badShape
 
@@ -27,7 +28,8 @@ function jobs = newJobs (Case, P, E, replicate, stage)
   M = numel (Case.models);
   jobs = repmat (struct ('model', '', 'stage', stage, 'planRow', 0, ...
                          'params', [], 'effects', [], 'replicate', 1, ...
-                         'seed', 0, 'key', ''), 1, n * M);
+                         'seed', 0, 'key', '', 'input', '', ...
+                         'variables', '', 'origin', Case.folder), 1, n * M);
   for i = 1:n
     for k = 1:M
       job = jobs((i - 1) * M + k);
@@ -37,7 +39,9 @@ function jobs = newJobs (Case, P, E, replicate, stage)
       job.effects = E(i, :);
       job.replicate = replicate(i);
       job.seed = runSeed (job.params, job.replicate, Case.options.seed);
-      job.key = runKey (runVariables (job, Case), Case.effectVars, h(k));
+      job.input = h(k).input;
+      [job.key, ~, job.variables] = ...
+        runKey (runVariables (job, Case), Case.effectVars, h(k));
       jobs((i - 1) * M + k) = job;
     end
   end

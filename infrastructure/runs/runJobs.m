@@ -25,8 +25,7 @@ function [records, isReused, nNew] = runJobs (jobs, Case, report)
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   [records, open] = fromStore (jobs, records, Case);
   isReused = ~open;
-  execute = str2func (['execute', upper(Case.options.executor(1)), ...
-                       Case.options.executor(2:end)]);
+  execute = executorOf (Case);
   tell = @(state) report (setfield (state, 'reused', sum (isReused)));
   if ~any (open)
     tell (struct ('total', 0, 'done', 0, 'failed', 0, 'running', 0));
@@ -34,10 +33,8 @@ function [records, isReused, nNew] = runJobs (jobs, Case, report)
   overBudget = open & cumsum (open) > Case.options.maxNewRuns;
   records(overBudget) = withoutRun (records(overBudget));
   open = open & ~overBudget;
+  [records, open] = carryOut (jobs, records, open, Case, tell);
   nNew = sum (open);
-  if any (open)
-    records(open) = execute (jobs(open), Case, tell);
-  end
   for attempt = 1:2
     again = open & strcmp ({records.cause}, 'killed');
     if any (again)
@@ -48,6 +45,33 @@ function [records, isReused, nNew] = runJobs (jobs, Case, report)
   Case.options.maxNewRuns = Case.options.maxNewRuns - nNew;
   [records, nSecond] = withOtherSeed (jobs, records, Case, execute, tell);
   nNew = nNew + nSecond;
+end
+
+% What another case on the same store is about to run is waited for. ISMADE:
+% runs that were made here.
+function [records, isMade] = carryOut (jobs, records, open, Case, tell)
+  execute = executorOf (Case);
+  isMade = false (size (open));
+  while any (open)
+    waiting = find (open);
+    [isMine, hold] = claimRuns (jobs(waiting), Case);
+    mine = waiting(isMine);
+    if ~isempty (mine)
+      records(mine) = execute (jobs(mine), Case, tell);
+    end
+    hold = {};
+    isMade(mine) = true;
+    open(mine) = false;
+    if any (open)
+      pause (1);
+      [records(open), open(open)] = fromStore (jobs(open), records(open), Case);
+    end
+  end
+end
+
+function execute = executorOf (Case)
+  name = Case.options.executor;
+  execute = str2func (['execute', upper(name(1)), name(2:end)]);
 end
 
 function records = withoutRun (records)
@@ -63,7 +87,8 @@ function [records, open] = fromStore (jobs, records, Case)
   stale = false (size (open));
   for i = find (~open)
     r = found{i};
-    if isfield (r, 'status') && any (strcmp (r.status, {'failed', 'timeout'}))
+    again = {'failed', 'timeout', 'forgotten'};
+    if isfield (r, 'status') && any (strcmp (r.status, again))
       open(i) = true;
     elseif ~isfield (r, 'funs') || ...
            ~strcmp (r.funs, funsOf (jobs(i).model, Case))
@@ -84,9 +109,8 @@ end
 
 % A stored run may have been made for another stage or row of the plan.
 function record = takeOver (record, stored, job)
-  names = fieldnames (record);
-  for k = 1:numel (names)
-    record.(names{k}) = stored.(names{k});
+  for name = intersect (fieldnames (record), fieldnames (stored))'
+    record.(name{1}) = stored.(name{1});
   end
   record.stage = job.stage;
   record.planRow = job.planRow;
@@ -105,8 +129,8 @@ function [records, nNew] = withOtherSeed (jobs, records, Case, execute, tell)
     k = strcmp (other(i).model, {Case.models.name});
     other(i).seed = runSeed (other(i).params, other(i).replicate + 0.5, ...
                              Case.options.seed);
-    other(i).key = runKey (runVariables (other(i), Case), ...
-                           Case.effectVars, h(k));
+    [other(i).key, ~, other(i).variables] = ...
+      runKey (runVariables (other(i), Case), Case.effectVars, h(k));
   end
   [second, open] = fromStore (other, records(failed), Case);
   open = open & cumsum (open) <= Case.options.maxNewRuns;

@@ -1,18 +1,21 @@
 % RUNKEY  Hash of everything that decides the result of a run.
 %
-% CALL: [KEY, OLDER] = runKey (VARIABLES, EFFECTVARS, H)
+% CALL: [KEY, OLDER, TEXT] = runKey (VARIABLES, EFFECTVARS, H)
 %
 %   VARIABLES   scalar struct, see runVariables
 %   EFFECTVARS  cell of names of effect variables
 %   H           scalar struct, one element of hashModels
 %   KEY         64 hexadecimal digits
 %   OLDER       the key that earlier versions gave to this run, or ''
+%   TEXT        '|name=value' of each variable that counts, names sorted; KEY is
+%               the hash of H.input and TEXT, so a record that holds both proves
+%               them
 %
 % An effect variable with the value that data.head declares anyway does not
 % count: a run of the plain model stays the same run when candidate effects
 % are added to the case later.
 
-function [key, older] = runKey (variables, effectVars, h)
+function [key, older, text] = runKey (variables, effectVars, h)
   names = sort (fieldnames (variables));
   text = '';
   for k = 1:numel (names)

@@ -9,14 +9,14 @@
 %         message, results, seconds, started (s since 1970; NaN: unknown), key
 %
 % Nothing is run, evaluated or changed. In a store that other cases share, only
-% runs inside the limits count.
+% their own runs inside the limits count.
 
 function runs = pageRuns (Case)
   runs = blank ();
   runs(1) = [];
   for k = 1:numel (Case.models)
     model = Case.models(k).name;
-    names = listRunFolders (Case.store, model);
+    names = runFoldersOf (Case, model);
     for i = 1:numel (names)
       folder = fullfile (Case.store, 'optim', model, names{i});
       run = oneRun (folder, names{i});

@@ -122,6 +122,7 @@ function html = counts (page)
   end
   html = [htmlTable('Runs in the store', [{'model'}, states, ...
                                           {'median time (s)'}], cells), ...
+          '<p>', htmlText(libraryLine (page.Case)), '</p>', ...
           '<p>Every run is in <code>results/runTable.csv</code>.</p>'];
 end
 
@@ -151,20 +152,22 @@ function html = failures (runs)
                     {'reason', 'runs', 'first of them'}, cells)];
 end
 
+%!shared Case
+%! Case.folder = tempname ();
 %!test
 %! runs = struct ('model', 'M', 'name', {'1', '2', '3'}, 'status', ...
 %!                {'ok', 'failed', 'not ended'}, 'message', ...
 %!                {'', 'exit status 3; ERROR <x>', ''}, 'seconds', ...
 %!                {10, 5, NaN}, 'started', {1000, 1001, 1012});
-%! [~, html] = sectionRuns (struct ('runs', runs));
+%! [~, html] = sectionRuns (struct ('runs', runs, 'Case', Case));
 %! assert (! isempty (strfind (html, 'ERROR &lt;x&gt;')));
 %! assert (! isempty (strfind (html, '3 runs over 12 seconds, 2')));
 %!test
 %! % the first runs are under way: none has a time yet; nor a start
 %! runs = struct ('model', 'M', 'name', '1', 'status', 'not ended', ...
 %!                'message', '', 'seconds', NaN, 'started', {1000, NaN});
-%! [~, html] = sectionRuns (struct ('runs', runs));
+%! [~, html] = sectionRuns (struct ('runs', runs, 'Case', Case));
 %! assert (! isempty (strfind (html, '1 runs over')));
 %! runs = runs(2);
-%! [~, html] = sectionRuns (struct ('runs', runs));
+%! [~, html] = sectionRuns (struct ('runs', runs, 'Case', Case));
 %! assert (! isempty (strfind (html, 'No run failed')));

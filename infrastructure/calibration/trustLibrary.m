@@ -1,0 +1,106 @@
+% TRUSTLIBRARY  Holds runs of other cases against a new one before they count.
+%
+% CALL: STATE = trustLibrary (STATE, PROBLEM, SAY)
+%
+%   STATE    see newState; its data hold rows of the stage 'library'. They come
+%            back with the rows that were run, and without those of the library
+%            where they do not say what the bench gives today: its misled
+%            says so then, for the warnings of checkSurrogates
+%   PROBLEM  see newProblem
+%   SAY      function handle that takes one line of text
+%
+% The set that the library finds is run: it must be run anyway. Where a result
+% is off by more than 4 standard deviations of what the library foretells, and
+% by more than half of the tolerance, the set is run once more, since a single
+% run may be wrong. Off again, the library misleads: a wall that was
+% changed outside the model folder, another program behind the same name.
+%
+% See also: importExisting, newPlan, findBadRuns
+
+function state = trustLibrary (state, problem, say)
+  old = keepRows (state.data, strcmp (state.data.stage, 'library'));
+  least = numel (problem.names) + 2;
+  anywhere = [-Inf; Inf] .* ones (1, columns (old.X));
+  if finishedSets (lastLevel (old, problem), anywhere) < least
+    return
+  end
+  surrogates = fitSurrogates (old, problem);
+  p = calibrateOnKriging (surrogates, problem).params;
+  [m, v] = predictSurrogate (surrogates, p);
+  sd = sqrt (v + [surrogates.noiseVar]);
+  for attempt = 1:2
+    [state, z] = oneMore (state, problem, p);
+    known = isfinite (z);
+    if ~any (known)
+      return                             % no budget, or the run failed
+    end
+    off = abs (z - m) ./ sd;
+    off(abs (z - m) < problem.tol .* abs (problem.scale) / 2) = 0;
+    [worst, t] = max (off(known));
+    if worst <= 4
+      say (sprintf (['library   a new run at the set that it finds gives ' ...
+                     'what it foretells (off by %.1f standard ' ...
+                     'deviations)'], worst));
+      return
+    end
+  end
+  t = find (known)(t);
+  state.misled = sprintf (['the runs of the library mislead and are passed ' ...
+                           'over: for %s they foretell %.4g, two new runs ' ...
+                           'at the set give another value, the last %.4g ' ...
+                           '(%.0f standard deviations). Something that the ' ...
+                           'model folder does not hold has changed. ' ...
+                           'decalioc forget takes them out of use'], ...
+                          problem.targetNames{t}, m(t), z(t), worst);
+  say (['library   ', state.misled]);
+  state.data = keepRows (state.data, ~strcmp (state.data.stage, 'library'));
+end
+
+function [state, z] = oneMore (state, problem, p)
+  E = zeros (1, columns (state.data.E));
+  if ~isempty (problem.coarse)
+    E = problem.coarse.levels(end, :);
+  end
+  before = rows (state.data.X);
+  state = addRuns (state, problem, p, E, 'plan');
+  z = state.data.Z(before + 1:end, :);
+end
+
+%!function [data, misled] = trusted (data, problem, f)
+%!  state = newState (data);
+%!  state.evaluate = plainEvaluate (f);
+%!  state = trustLibrary (state, problem, @(text) []);
+%!  [data, misled] = deal (state.data, state.misled);
+%!endfunction
+
+%!shared problem, data, f
+%! pkg load stk
+%! pkg load -nodeps struct optim
+%! rand ('twister', 2);
+%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 1], ...
+%!             'targets', struct ('name', {'x', 'y'}, 'value', {2, 0.1}, ...
+%!                                'tol', 0.01, 'model', 1));
+%! problem = newProblem (C, []);
+%! f = @(P, varargin) [1 + sum(P, 2), P(:, 1) - P(:, 2)];
+%! X = rand (9, 2);
+%! data = addRows (newData (2, 2), X, f (X), ones (9, 1), 'library');
+
+%!test
+%! [out, text] = trusted (data, problem, f);
+%! assert (out.stage(9:end), {'library'; 'plan'});
+%! assert (text, '');
+%! assert (f (out.X(10, :)), [2, 0.1], 0.02);
+%!test
+%! % another wall: dropped after a second look, and said
+%! [out, text] = trusted (data, problem, @(varargin) 1.2 * f (varargin{:}));
+%! assert (out.stage, {'plan'; 'plan'});
+%! assert (out.replicate, [1; 2]);
+%! assert (strncmp (text, 'the runs of the library mislead', 31));
+%!test
+%! % one wrong run; no budget; too few runs to tell
+%! once = @(P, E, r) (1 + 0.3 * (r == 1)) * f (P);
+%! [out, text] = trusted (data, problem, once);
+%! assert (rows (out.X), 11);
+%! assert (text, '');
+%! assert (trusted (data, problem, @(varargin) [NA, NA]), data);
+%! assert (trusted (keepRows (data, 1:3), problem, f), keepRows (data, 1:3));

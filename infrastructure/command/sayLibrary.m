@@ -1,0 +1,164 @@
+% SAYLIBRARY  Lists the runs of a store, or takes runs of it out of use.
+%
+% CALL: STATUS = sayLibrary (ROOT, FOLDER, ARGS)          decalioc runs
+%       STATUS = sayLibrary (ROOT, FOLDER, ARGS, true)    decalioc forget
+%
+%   ROOT    folder of the toolbox (text)
+%   FOLDER  current folder (text)
+%   ARGS    cell of texts: the store (default: DECALIOC_STORE, else FOLDER); to
+%           forget also the model and numbers or ranges FIRST:LAST, or --case
+%           with the case folder; --back takes them into use again
+%   STATUS  0; 2 where the store holds no runs
+%
+% A run that is forgotten has the status 'forgotten' in its record, and that
+% alone has changed: it counts in no case, and its folder stays.
+%
+% See also: commandMain, readLibrary
+
+function status = sayLibrary (root, folder, args, toForget)
+  if nargin > 3
+    status = forget (args);
+    return
+  end
+  [~, words] = commandOptions (args, struct ());
+  words = [words, {getenv('DECALIOC_STORE'), folder}];
+  first = find (~cellfun (@isempty, words), 1);
+  store = words{first};
+  names = readdir (fullfile (store, 'optim'));
+  names = names(~strncmp (names, '.', 1));
+  status = 2;
+  for name = names'
+    kinds = readLibrary (store, name{1}, struct ('input', ''));
+    status = 0;
+    sayModel (name{1}, kinds);
+  end
+  if status > 0
+    printf ('%s holds no runs\n', store);
+  end
+end
+
+function sayModel (name, kinds)
+  runs = cellfun (@(r) r(:, 1:6), {kinds.runs}, 'UniformOutput', false);
+  runs = vertcat (zeros (0, 6), runs{:});
+  seconds = runs(isfinite (runs(:, 4)), 4);
+  counts = arrayfun (@(s) sum (runs(:, 2) == s), [1, 2, 3, -1]);
+  printf (['%-12s %d runs: %d ok, %d invalid, %d failed, %d forgotten; ' ...
+           '%.3g core-hours\n'], name, rows (runs), counts, ...
+          sum (seconds) / 3600);
+  for input = unique ({kinds.input})
+    sayRig (input{1}, kinds(strcmp ({kinds.input}, input{1})));
+  end
+end
+
+% Runs of one model folder and build, with the variables that they set.
+function sayRig (input, kinds)
+  n = sum (cellfun (@rows, {kinds.runs}));
+  if isempty (input)
+    printf ('  %d runs of versions that did not note their variables\n', n);
+    return
+  end
+  printf ('  rig %s: %d runs\n', input(1:8), n);
+  range = struct ();
+  for kind = kinds
+    names = strsplit (kind.names, ' ');
+    for k = 1:numel (names)
+      own = kind.runs(:, 6 + k);
+      if isfield (range, names{k})
+        own = [own; range.(names{k})(:)];
+      end
+      range.(names{k}) = [min(own), max(own)];
+    end
+  end
+  names = setdiff (fieldnames (range), {'runSeed', 'RLTS', 'SIMTS'})';
+  for name = names
+    r = range.(name{1});
+    printf ('    %-22s %s\n', name{1}, ...
+            strjoin (cellfun (@(x) sprintf ('%.6g', x), ...
+                              num2cell (unique (r)), 'UniformOutput', ...
+                              false), ' to '));
+  end
+  for origin = unique ({kinds.origin})
+    own = kinds(strcmp ({kinds.origin}, origin{1}));
+    printf ('    of %s: %d\n', origin{1}, sum (cellfun (@rows, {own.runs})));
+  end
+end
+
+function status = forget (args)
+  [options, words] = commandOptions (args, struct ('case', 'one', ...
+                                                   'back', 'flag'));
+  origin = options.('case');
+  if numel (words) < 2 || (numel (words) == 2) == isempty (origin)
+    error ('DEcalioc:sayLibrary:missingField', ...
+           ['decalioc forget needs a store, a model, and numbers of runs ' ...
+            '(7 12:20) or --case FOLDER; decalioc runs STORE lists them.']);
+  end
+  [store, model] = words{1:2};
+  kinds = readLibrary (store, model, struct ('input', ''));
+  chosen = zeros (0, 1);
+  for kind = kinds
+    if strcmp (kind.origin, origin) && ~isempty (origin)
+      chosen = [chosen; kind.runs(:, 1)];
+    end
+  end
+  for word = words(3:end)
+    ends = sscanf (word{1}, '%d:%d');
+    if isempty (ends)
+      error ('DEcalioc:sayLibrary:badValue', ...
+             'decalioc forget: %s must be a number or FIRST:LAST.', word{1});
+    end
+    chosen = [chosen; (ends(1):ends(end))'];
+  end
+  changed = [];
+  for number = unique (chosen)'
+    if marked (fullfile (store, 'optim', model, sprintf ('%04d', number)), ...
+               options.back)
+      changed(end + 1) = number;
+    end
+  end
+  readLibrary (store, model, struct ('input', ''), changed);
+  words = {'out of use; --back takes them in again', 'in use again'};
+  printf ('%d runs of %s are %s. Nothing was deleted.\n', numel (changed), ...
+          model, words{1 + options.back});
+  status = 0;
+end
+
+% Writes the mark into the record, or takes it out.
+function done = marked (folder, isBack)
+  file = fullfile (folder, 'record.json');
+  r = readRecord (file);
+  done = ~isempty (r) && strcmp (r.status, 'forgotten') == isBack;
+  if ~done
+    return
+  end
+  if isBack
+    parts = regexp (r.message, '^was (\w+)\. (.*)$', 'tokens', 'once');
+    [r.status, r.message] = parts{:};
+  else
+    r.message = sprintf ('was %s. %s', r.status, r.message);
+    r.status = 'forgotten';
+  end
+  writeRecord (file, r);
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! evaluateDEM ([1, 2; 3, 4; 5, 6], Case);
+%! text = evalc ('status = sayLibrary ('''', Case.store, {});');
+%! assert (status, 0);
+%! assert (~isempty (strfind (text, 'First        3 runs: 3 ok')));
+%! assert (~isempty (regexp (text, '    a +1 to 5\n')));
+%! assert (~isempty (strfind (text, ['of ', Case.folder, ': 3'])));
+%! jobs = newJobs (Case, [1, 2; 3, 4; 5, 6], [], 1, 'plan')(1:2:end);
+%! before = findRuns (jobs, Case);
+%! evalc ('sayLibrary ('''', '''', {Case.store, ''First'', ''2:9''}, true);');
+%! status = cellfun (@(r) r.status, findRuns (jobs, Case), ...
+%!                   'UniformOutput', false);
+%! assert (status, {'ok', 'forgotten', 'forgotten'});
+%! evalc (['sayLibrary ('''', '''', {Case.store, ''First'', ''--back'', ', ...
+%!         '''--case'', Case.folder}, true);']);
+%! assert (findRuns (jobs, Case), before);
+%! assert (evalc ('status = sayLibrary ('''', tempname (), {});')(1), '/');
+%! assert (status, 2);
+%!error id=DEcalioc:sayLibrary:missingField sayLibrary ('', '', {'x'}, true)
+%!error id=DEcalioc:sayLibrary:badValue
+%! sayLibrary ('', '', {'/nowhere', 'M', 'x'}, true)

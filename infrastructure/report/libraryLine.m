@@ -1,0 +1,29 @@
+% LIBRARYLINE  Which runs of other cases a calibration started from, in words.
+%
+% CALL: TEXT = libraryLine (CASE)
+%
+%   CASE  see newCase: its results/library.csv is read
+%   TEXT  one line; '' where there were none
+%
+% See also: libraryRuns, sayStatus, sectionRuns
+
+function text = libraryLine (Case)
+  text = checkReadText (fullfile (Case.folder, 'results', 'library.csv'));
+  origin = regexp (text, '^\d+,\d+,[^,\n]*,([^\n]*)', 'tokens', 'lineanchors');
+  text = '';
+  if ~isempty (origin)
+    text = sprintf (['%d runs of %d cases in %s were samples already ' ...
+                     '(results/library.csv)'], numel (origin), ...
+                    numel (unique ([origin{:}])), Case.store);
+  end
+end
+
+%!test
+%! Case = struct ('folder', tempname (), 'store', '/s');
+%! mkdir (fullfile (Case.folder, 'results'));
+%! assert (libraryLine (Case), '');
+%! writeAtomic (fullfile (Case.folder, 'results', 'library.csv'), ...
+%!              "# abc\nnumber,run,model,case\n1,7,M,/a\n1,8,M,/b\n");
+%! assert (strncmp (libraryLine (Case), '2 runs of 2 cases in /s', 23));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (Case.folder, 's');

@@ -1,0 +1,211 @@
+% LIBRARYRUNS  Runs of a shared store that are samples of this case.
+%
+% CALL: [DATA, TOLD, REST] = libraryRuns (CASE, PROBLEM)
+%       [...] = libraryRuns (CASE, PROBLEM, true)   only looks, writes nothing
+%
+%   CASE  see newCase, without effects;  PROBLEM  see newProblem
+%   DATA  see newData, stage 'library': runs of the same model folder, CPUs and
+%         LIGGGHTS that differ from those of the case in nothing but design
+%         variables, levels and seed; chosen by nearRows. Empty where
+%         Input.store is the case folder
+%   TOLD  struct: used (runs), origin (1 x c cell of case folders), count (1 x
+%         c), passed (1 x p struct model, why, count: runs that another
+%         value of a variable shuts out), other (1 x o struct model, number,
+%         count: runs of another rig or build, and the newest of them)
+%   REST  struct X, Z, E: rows in reach that a surrogate cannot hold
+%
+% Which runs were taken is kept in results/library.csv: later starts of the same
+% input take the same ones, so that they find their own runs again. Each is
+% read from its record; the index only says where to look. Runs that another
+% getResults evaluated are evaluated again, 300 at most.
+%
+% See also: readLibrary, joinModels, nearRows, trustLibrary, importExisting
+
+function [data, told, rest] = libraryRuns (Case, problem, isLook)
+  d = numel (Case.names);
+  v = numel (Case.effectVars);
+  data = newData (d, numel (Case.targets), v);
+  rest = struct ('X', data.X, 'Z', data.Z, 'E', data.E);
+  told = struct ('used', 0, 'origin', {{}}, 'count', []);
+  isThere = cellfun (@isfolder, {Case.models.folder});
+  if strcmp (Case.store, Case.folder) || ~all (isThere)
+    return
+  end
+  h = hashModels (Case);
+  file = fullfile (Case.folder, 'results', 'library.csv');
+  [fixed, mark] = fixedRuns (file, Case, h);
+  again = repmat ({zeros(0, 2)}, 1, numel (Case.models));
+  for attempt = 1:3
+    [found, told] = familyRuns (Case, h, again);
+    [table, row] = joinModels (found.inputs, found.run(:, 1), ...
+                               found.run(:, 3), found.Z, Case);
+    found = cut (found, row > 0);
+    row = row(row > 0);
+    [use, table] = chosen (table, row, found.run, problem, fixed);
+    taken = cut (found, use(row));
+    again = changed (taken, Case, h, nargin > 2);
+    if all (cellfun (@isempty, again)) || nargin > 2
+      break
+    end
+  end
+  if ~all (cellfun (@isempty, again)) && nargin < 3
+    lost = ismember (found.run(:, 1:2), vertcat (again{:}), 'rows');
+    use(row(lost)) = false;
+    taken = cut (found, use(row));
+  end
+  data = keepRows (table, use);
+  [~, reach] = insideLimits (table.X, problem.limits, 0.5);
+  left = reach & ~use;
+  rest = struct ('X', table.X(left, :), 'Z', table.Z(left, :), ...
+                 'E', table.E(left, :));
+  told.used = rows (taken.run);
+  [told.origin, ~, which] = unique (taken.origin);
+  told.count = accumarray (which(:), 1)';
+  if nargin < 3
+    keepList (file, mark, taken, Case);
+  end
+end
+
+function found = cut (found, which)
+  for name = fieldnames (found)'
+    found.(name{1}) = found.(name{1})(which, :);
+  end
+end
+
+function [use, table] = chosen (table, row, run, problem, fixed)
+  table.replicate(row) = max (table.replicate(row), run(:, 4));
+  table.stage(:) = {'library'};
+  if isempty (fixed)
+    use = nearRows (table, problem);
+  else
+    use = false (rows (table.X), 1);
+    use(row(ismember (run(:, 1:2), fixed, 'rows'))) = true;
+  end
+end
+
+% Runs that are to be read again, 1 x M cell of n x 2 (model, number): records
+% that say something else than the index, or are evaluated anew here.
+function again = changed (taken, Case, h, isLook)
+  again = repmat ({zeros(0, 2)}, 1, numel (Case.models));
+  for k = 1:numel (again)
+    stale = {};
+    for i = find (taken.run(:, 1) == k)'
+      r = recordOf (taken.run(i, :), Case);
+      isSame = ~isempty (r) && strcmp (r.funs, taken.funs{i}) && ...
+               agrees (r, taken.run(i, :), taken.Z(i, :), k, Case);
+      isStale = isSame && taken.run(i, 5) < 3 && ~strcmp (r.funs, h(k).funs);
+      if isStale && ~isLook
+        stale{end + 1} = r;
+      end
+      if ~isSame || isStale
+        again{k}(end + 1, :) = taken.run(i, 1:2);
+      end
+    end
+    if ~isempty (stale)
+      jobs = [stale{:}];
+      collectRuns (jobs, {jobs.folder}, Case);
+    end
+  end
+end
+
+function r = recordOf (run, Case)
+  folder = fullfile (Case.store, 'optim', Case.models(run(1)).name, ...
+                     sprintf ('%04d', run(2)));
+  r = readRecord (fullfile (folder, 'record.json'));
+  if ~isempty (r)
+    r.folder = folder;
+  end
+end
+
+function yes = agrees (r, run, z, k, Case)
+  own = [Case.targets.model] == k;
+  at = [Case.targets(own).index];
+  yes = strcmp (r.status, {'ok', 'invalid', 'failed'}{run(5)}) && ...
+        hex2dec (r.key(1:12)) == run(6);
+  if yes && run(5) == 1 && numel (r.results) >= max (at)
+    yes = isequaln (r.results(at), z(own));
+  end
+end
+
+function [fixed, mark] = fixedRuns (file, Case, h)
+  what = {{h.input}, {h.funs}, Case.names, Case.limits, Case.modelVars, ...
+          [Case.targets.value], [Case.targets.sd], [Case.targets.tol], ...
+          {Case.targets.role}, Case.options.numOfSam, Case.options.seed, ...
+          Case.store, Case.coarse};
+  mark = ['# ', hash('sha256', jsonencode (what))];
+  fixed = [];
+  text = checkReadText (file);
+  if strncmp (text, mark, numel (mark))
+    pairs = regexp (text, '^(\d+),(\d+),', 'tokens', 'lineanchors');
+    fixed = [0, 0; reshape(str2double ([pairs{:}]), 2, [])'];
+  end
+end
+
+function keepList (file, mark, taken, Case)
+  [~, ~] = mkdir (fileparts (file));
+  cells = [num2cell(taken.run(:, 1:2)), ...
+           {Case.models(taken.run(:, 1)).name}', taken.origin]';
+  writeAtomic (file, [mark, "\nnumber,run,model,case\n", ...
+                      sprintf("%d,%d,%s,%s\n", cells{:})], false);
+end
+
+%!function [Case, problem] = another (store)
+%!  % the same bench, another folder, other limits
+%!  raw = standInCase (tempname ());
+%!  raw.Input.store = store;
+%!  raw.paramLims = [5, 5; 10, 10];
+%!  Case = newCase (raw);
+%!  problem = newProblem (Case);
+%!endfunction
+
+%!shared store, P
+%! P = [1, 2; 3, 4; 5, 6; 9, 9; 9, 9];
+%! first = newCase (standInCase (tempname ()));
+%! evaluateDEM (P, first, [1; 1; 1; 1; 2]);
+%! store = first.store;
+
+%!test
+%! % those in the box or near it; the second packing of a set is another row
+%! [Case, problem] = another (store);
+%! [data, told] = libraryRuns (Case, problem, true);
+%! assert (~isfolder (fullfile (Case.folder, 'results')));
+%! assert (sortrows ([data.X, data.Z, data.replicate]), ...
+%!         [3, 4, 7, 12, -1, 1; 5, 6, 11, 30, -1, 1; ...
+%!          9, 9, 18, 81, 0, 1; 9, 9, 18, 81, 0, 2], 1e-12);
+%! assert ({told.used, told.count, told.origin}, {8, 8, {store}});
+%! assert (unique (data.stage), {'library'});
+%! % the next start takes the same ones, though there are more by then
+%! again = libraryRuns (Case, problem);
+%! assert (again, data);
+%! evaluateDEM ([8, 8], Case);
+%! assert (libraryRuns (Case, problem), data);
+%! problem.limits(1, :) = 0;
+%! Case.limits(1, :) = 0;
+%! assert (rows (libraryRuns (Case, problem).X), 6);
+
+%!test
+%! % another rig; an index that lies; a getResults that has changed
+%! [Case, problem] = another (store);
+%! clean = libraryRuns (Case, problem);
+%! delete (fullfile (Case.folder, 'results', 'library.csv'));
+%! file = fullfile (store, 'optim', 'First', 'library.index');
+%! index = load (file);
+%! kinds = index.kinds;
+%! kinds(1).runs(:, 10) = 99;
+%! save ('-binary', file, 'kinds');
+%! sorted = @(data) sortrows ([data.X, data.Z, data.replicate]);
+%! assert (sorted (libraryRuns (Case, problem)), sorted (clean));
+%! funs = fullfile (Case.models(1).folder, 'OctaveFuns', 'getResults.m');
+%! writeAtomic (funs, strrep (fileread (funs), '(load (file)'')', ...
+%!                            '(100 * load (file)'')'));
+%! data = libraryRuns (Case, problem);
+%! clean.Z(:, 1:2) = 100 * clean.Z(:, 1:2);
+%! assert (sorted (data), sorted (clean), 1e-9);
+%! head = fullfile (Case.models(2).folder, 'data.head');
+%! writeAtomic (head, [fileread(head), "\n"]);
+%! [data, told] = libraryRuns (Case, problem);
+%! assert (all (isna (data.Z(:, 3))));
+%! assert ([told.other.model], 2);
+%! % by itself it is no library
+%! Case.store = Case.folder;
+%! assert (isempty (libraryRuns (Case, problem).X));

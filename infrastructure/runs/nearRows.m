@@ -1,0 +1,25 @@
+% NEARROWS  Which rows of a library a case learns from.
+%
+% CALL: USE = nearRows (TABLE, PROBLEM)
+%
+%   TABLE    see newData: runs of all cases on the bench
+%   PROBLEM  see newProblem
+%   USE      n x 1 logical: rows in the box, or beyond a limit by up to half of
+%            its width; of more than 300 those of thinRuns
+%
+% What is gained by more: docs/benchmarks.md, The next material.
+%
+% See also: libraryRuns, insideLimits, thinRuns
+
+function use = nearRows (table, problem)
+  beyond = 0.5;
+  most = 300;
+  [~, use] = insideLimits (table.X, problem.limits, beyond);
+  use(use) = thinRuns (keepRows (table, use), problem, most);
+end
+
+%!test
+%! table = addRows (newData (1, 1), (0:0.25:8)', (0:0.25:8)', ones (33, 1), ...
+%!                  'library');
+%! problem = struct ('limits', [2; 4], 'value', 3, 'sd', 0, 'calibrate', true);
+%! assert (table.X(nearRows (table, problem)), (1:0.25:5)');
