@@ -8,8 +8,6 @@
 %
 % Reasons: missingField effectVariables effectTransform reservedName
 % neutralShape effectLimitsShape effectLimits
-%
-% See also: checkEffects
 
 function p = checkEffectNumbers (effect, field)
   [p, v] = checkNames (effect, [field, 'variables']);

@@ -16,8 +16,6 @@
 % Reasons: badEffects unknownField badEffectName reservedName duplicateEffect
 % unknownEffect brokenEffect overwrittenVariable duplicateEffectVariable, and
 % those of checkEffectNumbers
-%
-% See also: checkCase, loadEffects, resolveEffects
 
 function [p, effects] = checkEffects (list, folders, modelVars, assign)
   effects = struct ('field', cell (1, 0), 'variables', [], 'neutral', []);

@@ -3,11 +3,6 @@
 % CALL: EFFECT = effectBias ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Is the zero of the height gauge off?
-% Acts on results, needs no DEM run.
-%
-% See also: describeEffect, resultInfo
 function effect = effectBias ()
   given.name = 'bias';
   given.question = 'Is the zero of the height gauge off?';

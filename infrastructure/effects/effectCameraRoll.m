@@ -3,11 +3,6 @@
 % CALL: EFFECT = effectCameraRoll ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Was the camera level?
-% Acts on results, needs no DEM run.
-%
-% See also: describeEffect, resultInfo
 function effect = effectCameraRoll ()
   given.name = 'cameraRoll';
   given.question = 'Was the camera level?';

@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectCohesion ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Do dry grains stick to each other?
-%
-% See also: describeEffect, listEffects
 function effect = effectCohesion ()
   given.name = 'cohesion';
   given.question = 'Do dry grains stick to each other?';

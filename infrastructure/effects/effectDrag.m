@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectDrag ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Are the grains fine or light enough for air to slow them?
-%
-% See also: describeEffect, listEffects
 function effect = effectDrag ()
   given.name = 'drag';
   given.question = ['Are the grains fine or light enough for air to' ...

@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectFill ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Was as much material filled in as the protocol says?
-%
-% See also: describeEffect, listEffects
 function effect = effectFill ()
   given.name = 'fill';
   given.question = ['Was as much material filled in as the protocol' ...

@@ -3,11 +3,6 @@
 % CALL: EFFECT = effectGain ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Does the balance show too much or too little?
-% Acts on results, needs no DEM run.
-%
-% See also: describeEffect, resultInfo
 function effect = effectGain ()
   given.name = 'gain';
   given.question = 'Does the balance show too much or too little?';

@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectLiquidBridge ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Is the material moist, with liquid bridges between the grains?
-%
-% See also: describeEffect, listEffects
 function effect = effectLiquidBridge ()
   given.name = 'liquidBridge';
   given.question = ['Is the material moist, with liquid bridges ' ...

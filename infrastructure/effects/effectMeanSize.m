@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectMeanSize ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Are the grains larger or smaller than assumed?
-%
-% See also: describeEffect, listEffects
 function effect = effectMeanSize ()
   given.name = 'meanSize';
   given.question = 'Are the grains larger or smaller than assumed?';

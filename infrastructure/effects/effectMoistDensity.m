@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectMoistDensity ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Have the grains taken up water and become heavier?
-%
-% See also: describeEffect, listEffects
 function effect = effectMoistDensity ()
   given.name = 'moistDensity';
   given.question = ['Have the grains taken up water and become ' ...

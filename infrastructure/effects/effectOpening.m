@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectOpening ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Is the opening as wide as the drawing says?
-%
-% See also: describeEffect, listEffects
 function effect = effectOpening ()
   given.name = 'opening';
   given.question = 'Is the opening as wide as the drawing says?';

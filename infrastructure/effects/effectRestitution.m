@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectRestitution ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Are impacts softer (more damped) or livelier than assumed?
-%
-% See also: describeEffect, listEffects
 function effect = effectRestitution ()
   given.name = 'restitution';
   given.question = ['Are impacts softer (more damped) or livelier ' ...

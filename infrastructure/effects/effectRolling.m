@@ -3,11 +3,6 @@
 % CALL: EFFECT = effectRolling ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Do the grains resist rolling more than the model says (flat faces,
-% dents)?
-%
-% See also: describeEffect, listEffects
 function effect = effectRolling ()
   given.name = 'rolling';
   given.question = ['Do the grains resist rolling more than the ' ...

@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectShape ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Are the grains elongated instead of round?
-%
-% See also: describeEffect, listEffects
 function effect = effectShape ()
   given.name = 'shape';
   given.question = 'Are the grains elongated instead of round?';

@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectSizeSpread ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Do the grains differ in size?
-%
-% See also: describeEffect, listEffects
 function effect = effectSizeSpread ()
   given.name = 'sizeSpread';
   given.question = 'Do the grains differ in size?';

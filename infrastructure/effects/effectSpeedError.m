@@ -3,11 +3,6 @@
 % CALL: EFFECT = effectSpeedError ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Does the drum turn as fast as its display says?
-% Acts on results, needs no DEM run.
-%
-% See also: describeEffect, resultInfo
 function effect = effectSpeedError ()
   given.name = 'speedError';
   given.question = 'Does the drum turn as fast as its display says?';

@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectStiffness ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Are the grains stiffer or softer than in the model?
-%
-% See also: describeEffect, listEffects
 function effect = effectStiffness ()
   given.name = 'stiffness';
   given.question = ['Are the grains stiffer or softer than in the ' ...

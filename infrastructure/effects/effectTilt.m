@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectTilt ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Does the rig stand level?
-%
-% See also: describeEffect, listEffects
 function effect = effectTilt ()
   given.name = 'tilt';
   given.question = 'Does the rig stand level?';

@@ -3,11 +3,6 @@
 % CALL: EFFECT = effectTimeOffset ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Does the clock start too late or too early?
-% Acts on results, needs no DEM run.
-%
-% See also: describeEffect, resultInfo
 function effect = effectTimeOffset ()
   given.name = 'timeOffset';
   given.question = 'Does the clock start too late or too early?';

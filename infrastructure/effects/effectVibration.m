@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectVibration ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Does the rig stand on a vibrating floor?
-%
-% See also: describeEffect, listEffects
 function effect = effectVibration ()
   given.name = 'vibration';
   given.question = 'Does the rig stand on a vibrating floor?';

@@ -3,10 +3,6 @@
 % CALL: EFFECT = effectWallAdhesion ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Does the material stick to the walls?
-%
-% See also: describeEffect, listEffects
 function effect = effectWallAdhesion ()
   given.name = 'wallAdhesion';
   given.question = 'Does the material stick to the walls?';

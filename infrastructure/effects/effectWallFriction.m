@@ -3,11 +3,6 @@
 % CALL: EFFECT = effectWallFriction ()
 %
 % EFFECT  scalar struct, see describeEffect
-%
-% Is the wall smoother or rougher than the one whose friction was
-% measured?
-%
-% See also: describeEffect, listEffects
 function effect = effectWallFriction ()
   given.name = 'wallFriction';
   given.question = ['Is the wall smoother or rougher than the one ' ...

@@ -10,8 +10,6 @@
 % REASON   1 x e cell of texts, '' where CAN is true
 %
 % Files that data.head includes count as part of it.
-%
-% See also: resolveEffects, resultInfo, checkHead
 function [can, reason] = effectsOfModel (folder, effects)
   head = checkHead (folder);
   declared = {head.name};

@@ -8,8 +8,6 @@
 % a list of what the models of the case can express, to be copied.
 %
 % Errors: DEcalioc:needCandidates:missingField
-%
-% See also: withEffects, effectsOfModel, diagnoseGap
 
 function needCandidates (Case)
   if ~isempty (Case.effects)

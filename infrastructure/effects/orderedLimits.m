@@ -6,8 +6,6 @@
 % NEUTRAL  1 x v
 %
 % Where neutral lies at an end or outside, the rows stay: weakest, strongest.
-%
-% See also: describeEffect, newEffect
 function limits = orderedLimits (limits, neutral)
   both = min (limits, [], 1) < neutral & neutral < max (limits, [], 1);
   limits(:, both) = sort (limits(:, both), 1);

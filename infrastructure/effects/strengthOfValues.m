@@ -10,8 +10,6 @@
 % Of an effect with several variables the one that moved most counts.
 %
 % Errors: DEcalioc:strengthOfValues:badShape
-%
-% See also: valuesOfStrength, newEffect
 
 function phi = strengthOfValues (effects, E)
   counts = arrayfun (@(e) numel (e.variables), effects);

@@ -9,8 +9,6 @@
 % From results.csv of the model: the row of the result with that number or, of a
 % case with measured.csv, with that name, else of its series. What measured.csv
 % says of unit, series and at goes before it.
-%
-% See also: resultInfo, newTargets
 
 function info = targetInfo (Case)
   blank = struct ('name', '', 'kind', '', 'unit', '', 'series', '', ...

@@ -7,8 +7,6 @@
 %
 % The families are those of docs/effects.md: of each one member, the others look
 % alike on most benches.
-%
-% See also: getEffect, sayDiagnosis
 
 function text = tellApart (names)
   known = {{'rolling', 'shape'}, ...

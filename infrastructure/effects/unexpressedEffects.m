@@ -5,8 +5,6 @@
 % CASE   see newCase; effects as of resolveEffects
 % TEXTS  1 x n cell, one line a bench that misses an effect; to be said before
 %        any run. Effects that no bench can express come first.
-%
-% See also: effectsOfModel
 function texts = unexpressedEffects (Case)
   texts = {};
   models = Case.models(isfolder ({Case.models.folder}));

@@ -5,8 +5,6 @@
 %   EFFECTS  1 x K struct of newEffect
 %   PHI      n x K, strengths (0 = neutral)
 %   E        n x v, values of the variables of all effects that DEM runs
-%
-% See also: strengthOfValues, newEffect
 
 function E = valuesOfStrength (effects, phi)
   E = zeros (rows (phi), 0);

@@ -10,8 +10,6 @@
 % Errors: DEcalioc:withEffects:brokenEffects, those of checkEffects and
 % checkDeclared (DEcalioc:checkCase:...). An effect of the library may be one
 % that no model of the case has; of the user's own ones that is a mistake.
-%
-% See also: loadEffects, resolveEffects, unexpressedEffects
 
 function Case = withEffects (Case, list)
   if nargin < 2
@@ -20,7 +18,10 @@ function Case = withEffects (Case, list)
   folders = {fullfile(Case.folder, 'effects'), Case.folder};
   stopAt (checkEffects (list, folders, Case.modelVars, Case.names));
   Case.effects = resolveEffects (list, folders);
-  Case.effectVars = [{Case.coarse.variable}, variablesOfEffects(Case.effects)];
+  Case.effectVars = {Case.coarse.variable};
+  for effect = Case.effects
+    Case.effectVars = [Case.effectVars, effect.variables(:)'];
+  end
   stopAt (checkModelsHave (Case));
 end
 

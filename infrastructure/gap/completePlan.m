@@ -9,8 +9,6 @@
 % A diagnosis wants 6 (d + 1) neutral sets, 40 at most, if it may run them;
 % without new runs it takes what is there. A bench all of whose runs gave no
 % result, d + 3 or more, is not waited for: enterRuns leaves it out.
-%
-% See also: gatherRuns, diagnoseGap
 
 function state = completePlan (state, problem, Case, say)
   data = state.data;

@@ -16,8 +16,6 @@
 % likelihood gains 1.92, which 1 to 2 of 100 series of independent errors reach.
 % What the quadratic has taken out of the errors is missing: L is rather too
 % short than too long.
-%
-% See also: measurementCovariance
 
 function [gapProblem, lengths] = correlateSeries (gapProblem, em, options)
   lengths = zeros (size (gapProblem.value));

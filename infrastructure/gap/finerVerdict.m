@@ -18,8 +18,6 @@
 %
 % How coarse the model is, is a gap of known cause. The runs of all levels say
 % how it goes on; no run is made.
-%
-% See also: levelShift, diagnoseGap
 
 function level = finerVerdict (data, problem, given, options, diagnosis)
   level = [];

@@ -14,8 +14,6 @@
 % for each of 4 compared sets, 12 to mend surrogates. Where Input.maxNewRuns
 % allows less, screening comes first; effects for which nothing is left are the
 % last of the list, and are named.
-%
-% See also: diagnoseGap
 
 function [options, lines] = gapBudget (Case, budget, given, seconds)
   left = floor (budget.left / budget.perSet);

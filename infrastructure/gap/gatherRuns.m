@@ -18,8 +18,6 @@
 % runs tell nothing and are left out. So are runs that only verified a cure, see
 % diagnoseMatrices, and rows of runs.csv that repeat a run of the store bit by
 % bit.
-%
-% See also: importRuns, runKey, diagnoseGap
 
 function [data, count] = gatherRuns (Case)
   d = numel (Case.names);

@@ -18,8 +18,6 @@
 % what the prior of the fit knows of the noise (prepareFit: log variance normal
 % with deviation 1.2, as much as 2 / 1.2^2 freedoms tell), at least a third of
 % the rows beyond the trend.
-%
-% See also: fitSurrogate, predictSurrogate
 
 function surrogate = conditionSurrogate (model, base)
   base = mergeFields (struct ('level', [], 'noiseLaw', []), base);

@@ -9,8 +9,6 @@
 % The same scaling of the distance as stk: t = 2 sqrt (nu) r.
 %
 % Errors: DEcalioc:correlationOf:unknownName
-%
-% See also: prepareFit, covarianceOf
 
 function [k, slope] = correlationOf (kernel, r2)
   switch kernel

@@ -12,8 +12,6 @@
 % tells nothing of its scatter. Two packings may give the same count of grains
 % by chance, so this is said of a model only where no two of its runs at any one
 % set differ.
-%
-% See also: fitSurrogates, confirmSet
 
 function [Z, isRepeat] = countEqualOnce (data, bench)
   Z = data.Z;

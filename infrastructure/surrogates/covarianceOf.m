@@ -8,8 +8,6 @@
 % D          n x (d + 1), where V are the runs (solver.unit): K alpha,
 %            differentiated by the logarithms of the variance and of the d
 %            inverse ranges, alpha held
-%
-% See also: krigingTerms, parameterSpread, correlationOf
 
 function [K, D] = covarianceOf (surrogate, U, V)
   theta = surrogate.model.param(:)';

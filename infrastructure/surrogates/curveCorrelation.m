@@ -13,8 +13,6 @@
 % and w are those of the largest likelihood on a grid. One correlation for both
 % would be as rough as the scatter, and a set whose surrogates are unsure would
 % be refused since the measured curve is too smooth for it.
-%
-% See also: curveErrors, curveLikelihood, errorCorrelation
 
 function [rough, smooth] = curveCorrelation (E, distance)
   [rough, smooth] = deal (ones (size (distance)));

@@ -7,8 +7,6 @@
 % N          number of draws
 % DRAW       m x n, responses without the noise of a run; the sets of one draw
 %            vary together. Taken from randn, which the caller seeds
-%
-% See also: posteriorCovariance, chooseInfill
 
 function draw = drawSurrogate (surrogate, P, n)
   [S, m] = posteriorCovariance (surrogate, P);

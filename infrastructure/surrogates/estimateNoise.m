@@ -16,8 +16,6 @@
 % which it gives the sum of squares that the groups have.
 %
 % Chi-squared interval by the Wilson-Hilferty formula.
-%
-% See also: fitSurrogate, confirmSet
 
 function noise = estimateNoise (data, problem)
   T = numel (problem.value);

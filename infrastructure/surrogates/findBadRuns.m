@@ -27,8 +27,6 @@
 % the other. A run that is nowhere off by more than KIND.least is never bad: it
 % does no harm, and may be the one that shows a bend. At most a quarter of the
 % runs; at least d + 3 stay.
-%
-% See also: fitSurrogates, prepareFit, confirmSet
 
 function bad = findBadRuns (X, Z, kind, surrogates, old, level)
   bad = old;

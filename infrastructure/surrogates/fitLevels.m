@@ -17,8 +17,6 @@
 % likelier as two responses that have nothing in common: where the log
 % likelihood of the coarse runs alone and the others alone exceeds that of all
 % together by 3 (see likelihoodOf).
-%
-% See also: fitSurrogates, chooseInfill, unitLevel
 
 function s = fitLevels (X, z, level, limits, options)
   ok = isfinite (z);

@@ -30,8 +30,6 @@
 % for a gain above 1.5: the best score is partly luck.
 %
 % Errors: DEcalioc:fitSurrogate:badShape, DEcalioc:fitSurrogate:runFailed
-%
-% See also: predictSurrogate, conditionSurrogate, prepareFit
 
 function surrogate = fitSurrogate (X, z, limits, options)
   if nargin < 4

@@ -32,8 +32,6 @@
 %
 % The variance of a prediction holds what the parameters of the surrogates leave
 % open (parameterSpread).
-%
-% See also: fitSurrogate, findBadRuns, estimateNoise, createKrigingModels
 
 function surrogates = fitSurrogates (data, problem, old, most)
   if nargin < 3

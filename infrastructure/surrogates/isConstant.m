@@ -3,8 +3,6 @@
 % CALL: YES = isConstant (Z)
 %
 % Z  n x 1
-%
-% See also: fitSurrogate, conditionSurrogate
 
 function yes = isConstant (z)
   yes = std (z) <= 100 * eps (max (abs (z)));

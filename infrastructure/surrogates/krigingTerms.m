@@ -12,8 +12,6 @@
 % U          P in the unit box, with the level where the surrogate has one
 %
 % The covariance of the runs was factored by conditionSurrogate.
-%
-% See also: predictSurrogate, drawSurrogate, conditionSurrogate
 
 function [m, B, C, U] = krigingTerms (surrogate, P)
   s = surrogate.solver;

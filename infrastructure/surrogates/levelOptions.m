@@ -8,8 +8,6 @@
 %   OPTIONS  with level ([] where the runs are all of one level) and a trend
 %            that so many runs and levels can carry: two levels have a straight
 %            line between them and no square
-%
-% See also: fitLevels, findBadRuns, fitSurrogate
 
 function options = levelOptions (options, level, d)
   n = numel (level);

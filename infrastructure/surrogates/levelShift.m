@@ -9,8 +9,6 @@
 %            surrogate holds no runs of other levels
 %   SD       its standard deviation
 %   NOISESD  scatter of a run at LEVEL
-%
-% See also: newCalibration, finerVerdict
 
 function [shift, sd, noiseSd] = levelShift (s, p, level)
   [shift, sd, noiseSd] = deal (NaN);

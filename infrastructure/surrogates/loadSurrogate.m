@@ -5,8 +5,6 @@
 % FILE       char, path; SURROGATE  scalar struct of fitSurrogate
 %
 % Errors: DEcalioc:loadSurrogate:missingFile
-%
-% See also: saveSurrogate, evaluateKriging
 
 function surrogate = loadSurrogate (file)
   if ~exist (file, 'file')

@@ -6,8 +6,6 @@
 %   LEVEL      n x 1, how coarse (unitLevel; 0 is the level that counts)
 %   V          n x 1, in squared units of the response; of a surrogate without
 %              levels its noiseVar
-%
-% See also: conditionSurrogate, fitLevels, chooseInfill
 
 function v = noiseAt (surrogate, level)
   if isempty (surrogate.noiseLaw)

@@ -15,8 +15,6 @@
 % run is near. Their covariance is the inverse of the second derivatives of
 % the cost of prepareFit (Laplace), nowhere wider than their prior; krigingTerms
 % adds what it makes of the mean to what is open.
-%
-% See also: krigingTerms, prepareFit, fitSurrogates
 
 function open = parameterSpread (surrogate)
   s = surrogate.solver;

@@ -7,8 +7,6 @@
 %   S          n x n, posterior covariance of the standardised response, without
 %              the noise of a run and without the surrogate's factor
 %   M          n x 1, its posterior mean
-%
-% See also: krigingTerms, noiseAt, predictSurrogate
 
 function [S, m] = posteriorCovariance (surrogate, P)
   [m, B, C, U] = krigingTerms (surrogate, P);

@@ -11,8 +11,6 @@
 % 0.6 ms more a call). The variance is only computed when it is asked for.
 %
 % Errors: DEcalioc:predictSurrogate:badShape
-%
-% See also: fitSurrogate, evaluateKriging
 
 function [m, v] = predictSurrogate (surrogates, P)
   if ~isempty (surrogates) && ~any (columns (P) == widths (surrogates))

@@ -21,8 +21,6 @@
 % few runs per parameter the plain likelihood lets the noise collapse to zero;
 % the prior (a factor of e and more either way) costs nothing when the data
 % speak.
-%
-% See also: fitSurrogate, parameterSpread, findBadRuns, correlationOf
 
 function fit = prepareFit (U, y, trend, kernel, noise, level)
   [n, d] = size (U);

@@ -8,8 +8,6 @@
 % covariance is computed again by loadSurrogate.
 %
 % Errors: DEcalioc:writeAtomic:cannotWrite
-%
-% See also: loadSurrogate, createKrigingModels
 
 function saveSurrogate (file, surrogate)
   kept = struct ('name', surrogate.name, 'X', surrogate.X, ...

@@ -8,8 +8,6 @@
 %             <name>.txt, runs and parameters for loadSurrogate, and <name>.m,
 %             an Octave function Z = KM_fun_<i> (PARAMS), n x d -> n x 1, that
 %             gives the mean response and needs neither DEcalioc nor a package
-%
-% See also: saveSurrogate, createKrigingModels
 
 function names = saveSurrogates (surrogates, folder)
   [~, ~] = mkdir (folder);

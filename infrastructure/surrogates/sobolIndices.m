@@ -11,8 +11,6 @@
 %
 % Estimators of Saltelli et al. 2010 (first order) and Jansen 1999 (total);
 % their error is about 1 / sqrt (N). A constant response gives zeros.
-%
-% See also: identifiability, predictSurrogate
 
 function S = sobolIndices (surrogates, problem, N)
   if nargin < 3

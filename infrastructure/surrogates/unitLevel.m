@@ -8,8 +8,6 @@
 %   U       n x 1: 0 at the last level, which counts, 1 at the first, affine in
 %           the value between and beyond; zeros where the target's model has no
 %           levels
-%
-% See also: fitSurrogates, chooseInfill
 
 function u = unitLevel (coarse, E, t)
   c = coarse.column(t);

@@ -5,8 +5,6 @@
 %   D       scalar, dimensions;  N  scalar, number of points
 %   POINTS  N x D, always the same: a Halton sequence of stk; every third point
 %           moved to the faces, where polynomials go wrong
-%
-% See also: fitEmulator, learnEffect
 
 function points = boxPoints (d, n)
   points = 2 * double (stk_sampling_halton_rr2 (n, d)) - 1;

@@ -13,8 +13,6 @@
 % surrogate along a curve, which has few degrees of freedom, would be taken for
 % 60 errors that average out. The length makes ALONG nearest to the sample
 % (least squares).
-%
-% See also: fitEmulator, whitenEmulator
 
 function [C, along] = errorCorrelation (R, gapProblem)
   [n, T] = size (R);

@@ -6,8 +6,6 @@
 %   GAPPROBLEM, DATA, OPTIONS  see fitEmulator
 %   ISBASE      n x 1 logical, runs of DATA with all effects neutral
 %   START       1 x T surrogates of an earlier fit, [] = none
-%
-% See also: fitEmulator, fitSurrogate
 
 function em = fitBaseline (em, gapProblem, data, isBase, options, start)
   p = columns (gapProblem.limits);

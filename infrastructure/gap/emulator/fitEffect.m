@@ -28,8 +28,6 @@
 % makes each trial cheap (Rasmussen and Williams 2006, 2.7, 5.4).
 %
 % Errors: DEcalioc:fitEffect:badShape
-%
-% See also: learnEffect
 
 function fit = fitEffect (powers, Q, r, noise, base, grid)
   if rows (Q) ~= rows (r) || columns (r) ~= 2

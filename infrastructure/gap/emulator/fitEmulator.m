@@ -28,9 +28,6 @@
 % and what two do together from runs with both.
 %
 % Errors: DEcalioc:fitEmulator:badValue
-%
-% See also: fitBaseline, runNoise, learnEffect, learnJoint, whitenEmulator,
-% predictGap
 
 function em = fitEmulator (gapProblem, data, options, old)
   p = columns (gapProblem.limits);

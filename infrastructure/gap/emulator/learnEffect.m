@@ -25,8 +25,6 @@
 % Liquid bridges and cohesion saturate, SJKR and vibration have a dead zone: the
 % bend, one for all responses since it is the effect's, maximises their joint
 % marginal likelihood, with a weak prior for none.
-%
-% See also: fitEffect, fitEmulator
 
 function e = learnEffect (em, effect, runs)
   T = columns (em.coef);

@@ -12,8 +12,6 @@
 % Without a run the two add up, within 0.3 of the geometric mean of their sizes:
 % nobody knows yet. Runs with both effects on (rows of a factorial plan) replace
 % that guess by a product term that may change with the parameters.
-%
-% See also: learnEffect, fitEffect, predictGap
 
 function joint = learnJoint (em, pair, runs)
   p = em.p;

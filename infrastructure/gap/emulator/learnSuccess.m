@@ -13,8 +13,6 @@
 % which the model jams are unlikely. Maximum posterior with coefficients N (0,
 % 3^2) by Newton's method; the intercept is free. Strengths count threefold, so
 % that within its range an effect may lead from sure to impossible.
-%
-% See also: predictHypothesis, fitEmulator
 
 function [base, own] = learnSuccess (bench, theta, phi, Z)
   p = columns (theta);

@@ -18,8 +18,6 @@
 % over sqrt (n_i n_j), n = GAPPROBLEM.trials (Inf where sd already holds it).
 % Where sd comes from the scatter of few trials (GAPPROBLEM.scatter) the larger
 % of the two counts.
-%
-% See also: whitenEmulator, locateGap
 
 function budget = noiseBudget (gapProblem, em)
   sd = gapProblem.sd;

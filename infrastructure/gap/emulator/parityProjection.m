@@ -13,8 +13,6 @@
 %       can take up; above 0.9 the target is a blind spot
 %
 % Parity space of fault detection (Gertler 1998): the left null space of J.
-%
-% See also: screenEffects, locateGap
 
 function parity = parityProjection (J, R)
   [U, S, ~] = svd (J);

@@ -5,8 +5,6 @@
 %   D        scalar, number of variables
 %   DEGREE   scalar, largest total degree
 %   POWERS   q x D, one monomial a row, by total degree; the first is 1
-%
-% See also: polyRows
 
 function powers = polyPowers (d, degree)
   powers = zeros (1, 0);

@@ -5,8 +5,6 @@
 %   POWERS   q x d, exponents, one monomial a row
 %   Q        n x d, points
 %   B        n x q, B(i,k) = prod_j Q(i,j) ^ POWERS(k,j)
-%
-% See also: polyPowers, predictGap
 
 function B = polyRows (powers, Q)
   [n, d] = size (Q);

@@ -14,8 +14,6 @@
 % product with the density of the nugget (log variance normal, variance 8 /
 % freedom: it errs twice as much as it claims) gives the mean and, by its width,
 % the freedom.
-%
-% See also: fitEmulator, fitEffect
 
 function [variance, freedom] = pooledNoise (em, effects)
   factors = 2.^(-2:0.5:2.5);

@@ -13,8 +13,6 @@
 %
 % Effects are polynomials in the bent strength psi = sign (phi) |phi|^bend, see
 % fitEffect.
-%
-% See also: whitenEmulator, predictHypothesis
 
 function [M, V, S, J] = predictGap (white, h, Q)
   p = white.p;

@@ -5,8 +5,6 @@
 %   EM          struct of fitEmulator: surrogates and range are read; gets
 %               noiseVar, noiseFreedom, correlation, alongCurve
 %   GAPPROBLEM  struct of newGapProblem;  DATA  struct X, E, Z
-%
-% See also: fitEmulator, pooledNoise, errorCorrelation
 
 function em = runNoise (em, gapProblem, data)
   [measured, df, residual] = ofRepeats ([data.X, data.E], data.Z);

@@ -18,8 +18,6 @@
 % W whitens NOISE plus the mean surrogate variance, so a variance of z is near 1
 % and only its change over the box is modelled (quadratic in the logarithm,
 % correlations of z neglected).
-%
-% See also: fitEmulator, predictGap, noiseBudget
 
 function white = whitenEmulator (em, targets, noise, rotation)
   n = numel (targets);

@@ -5,8 +5,6 @@
 %   EM       struct of fitEmulator
 %   NUMBERS  1 x m, effects to take off (default: all); pairs with one of them
 %            go too, the members of the others are numbered anew
-%
-% See also: calibrateVerdict, diagnoseMatrices
 
 function em = withoutEffects (em, numbers)
   if nargin < 2

@@ -29,8 +29,6 @@
 % e METRIC e' - trace + 2 g METRIC e', is drawn with e from E: measurement,
 % packing, surrogate and seeds. Targets are not drawn: they are what they are,
 % and a gap in one of ten would be left out of a third of all draws.
-%
-% See also: deviationOf, measureCure
 
 function c = closureOf (before, after, metric, options)
   [c.gapP, c.largestZ] = chanceOf (before, metric, options.hiddenAt);

@@ -21,8 +21,6 @@
 % are the freedoms that the fit took. An unknown at its limit took none. Without
 % runs the surrogate is what r is taken from, and its error a part of the noise.
 % The scatter of the runs is their own, and the pooled one as of four runs more.
-%
-% See also: closureOf, measureCure
 
 function d = deviationOf (study, set, draws)
   gapProblem = study.gapProblem;

@@ -37,8 +37,6 @@
 %
 % All draws share the measurement and the runs without the effect, so that
 % cause and placebo are compared in pairs.
-%
-% See also: runCures, deviationOf, closureOf, diagnoseMatrices
 
 function cure = measureCure (study, sets, first, group)
   gapProblem = study.gapProblem;

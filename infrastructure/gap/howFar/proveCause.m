@@ -15,8 +15,6 @@
 % two placebos. Where these runs turn up another cause, a pair say, it is
 % compared too: a name must not be judged by the cure of another one. DEM runs
 % are spent on a name or a group only.
-%
-% See also: runCures, judgeCase, measureCure
 
 function [verdict, w, cure, state] = proveCause (verdict, study, state)
   cure = [];

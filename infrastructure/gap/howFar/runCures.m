@@ -15,8 +15,6 @@
 %
 % With fewer runs left, fewer seeds; with less than two seeds a set surrogates
 % stand in for DEM.
-%
-% See also: measureCure, spendRuns, proveCause
 
 function [sets, state] = runCures (study, causes, state, sets)
   blank = struct ('h', zeros (1, 0), 'Q', study.fits.calibrated.Q(1, :), ...

@@ -22,8 +22,6 @@
 % unknown part of a sibling, was in the first one too: its share of the residual
 % stays, R (R + S)^-1 r, and only what is left open of it, R - R (R + S)^-1 R,
 % is uncertain. Packing and reading (S) are fresh.
-%
-% See also: diagnoseMatrices
 
 function tests = nextTest (gapProblem, em, w, P)
   tests = candidates (gapProblem);

@@ -21,8 +21,6 @@
 % are in shares of their ranges anyway.
 %
 % Errors: DEcalioc:enterRuns:badShape, :badValue, :runFailed
-%
-% See also: inUnits, diagnoseMatrices, spendRuns
 
 function [gapProblem, data] = enterRuns (gapProblem, data, options)
   checkRuns (gapProblem, data);

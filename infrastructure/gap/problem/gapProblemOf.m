@@ -17,8 +17,6 @@
 % the limit further from 0, the upper one of two that are as far. Members of an
 % effect's group that the library knows but the case does not list are its
 % siblings.
-%
-% See also: diagnoseGap, newProblem, newGapProblem
 
 function [given, notes] = gapProblemOf (Case)
   given = newProblem (Case);

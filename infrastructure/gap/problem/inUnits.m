@@ -5,8 +5,6 @@
 %   GAPPROBLEM  struct of newGapProblem
 %   UNIT        1 x T, what one new unit of each target is in the old one
 %   GAPPROBLEM  the same in the new units
-%
-% See also: enterRuns, newGapProblem
 
 function gapProblem = inUnits (gapProblem, unit)
   for name = {'value', 'sd', 'noiseSd'}

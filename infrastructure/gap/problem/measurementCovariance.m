@@ -14,8 +14,6 @@
 % L_j^2)), without which C would be no covariance (Paciorek and Schervish
 % 2006). A millionth of the variance is added on the diagonal: two values at
 % one place are never quite the same.
-%
-% See also: gapProblemOf, newGapProblem, noiseBudget
 
 function C = measurementCovariance (sd, series, coordinate, lengths)
   squares = (lengths'.^2 + lengths.^2) / 2;

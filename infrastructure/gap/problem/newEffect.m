@@ -22,8 +22,6 @@
 % effect is signed), phi = -1 the lower one. Strength between is linear.
 %
 % Errors: DEcalioc:newEffect:missingField, DEcalioc:newEffect:badShape
-%
-% See also: strengthOfValues, valuesOfStrength
 
 function effect = newEffect (given, T)
   if ~isfield (given, 'name')

@@ -11,8 +11,6 @@
 %               units); left (sets that may still be run: one that fails was run
 %               twice, see runJobs), spent, failed, repeats (seeds at each
 %               compared set)
-%
-% See also: spendRuns, diagnoseMatrices
 
 function state = newGapState (data, gapProblem, options, evaluate)
   state = struct ('data', data, 'budget', newBudget (), 'evaluate', [], ...

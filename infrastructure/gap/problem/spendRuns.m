@@ -8,8 +8,6 @@
 %   THETA       n x p, parameters in [-1, 1];  PHI  n x K, strengths
 %   REPLICATE   n x 1
 %   STAGE       'gap' (default) or 'cure', see diagnoseMatrices
-%
-% See also: addRuns, diagnoseMatrices, planEffectRuns
 
 function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
   if nargin < 6

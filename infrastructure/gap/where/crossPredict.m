@@ -9,8 +9,6 @@
 %                 against noise, surrogate and C, what FROM leaves open of
 %                 the parameters
 %     mean, sd    1 x numel (TO): prediction of the measurements TO, raw units
-%
-% See also: locateGap
 
 function cross = crossPredict (study, from, to)
   gapProblem = study.gapProblem;

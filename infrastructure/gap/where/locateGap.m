@@ -24,8 +24,6 @@
 %     side (sideSignals)
 %     budget (noiseBudget), held (struct z, mean, sd of the held-out targets, p
 %       corrected for looking at all of them, as if their noises were apart)
-%
-% See also: crossPredict, sideSignals, screenEffects, diagnoseMatrices
 
 function where = locateGap (study)
   gapProblem = study.gapProblem;

@@ -13,8 +13,6 @@
 %                    the surrogates
 %     blameSurrogate logical, too many of the used targets are poor
 %     reason         text, '' where neither
-%
-% See also: locateGap, judgeCase
 
 function side = sideSignals (gapProblem, em, theta, options)
   half = diff (gapProblem.limits) / 2;

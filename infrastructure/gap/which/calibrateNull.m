@@ -4,8 +4,6 @@
 %
 %   GAPPROBLEM, EM, OPTIONS  of newGapProblem, fitEmulator, gapOptions
 %   THETA                    1 x p, parameters in [-1, 1]
-%
-% See also: makeHypotheses, fitLibrary
 
 function theta = calibrateNull (gapProblem, em, options)
   models = makeHypotheses (gapProblem, withoutEffects (em), options);

@@ -16,8 +16,6 @@
 % formula. They come from the model of inference itself: what they say is how
 % well the best could do with these targets; benchmarks/leftOut.m and
 % benchmarks/foreignTwins.m say what is left of it on other data.
-%
-% See also: judgeCase, drawTwins
 
 function expected = calibrateVerdict (study)
   models = study.models;

@@ -19,8 +19,6 @@
 %
 % Integrated are the null model, every single effect, and all others that
 % Laplace's formula gives more than a ten-thousandth of the probability.
-%
-% See also: judgeCase, listHypotheses, integrateEvidence
 
 function w = caseEvidence (models, fits, i)
   z = fits.Z(i, :);

@@ -20,8 +20,6 @@
 %     numbers     struct error (largest, of the logarithms of the evidences that
 %                 matter), ess (least effective number of points)
 %     hypotheses  struct array, likeliest first
-%
-% See also: diagnoseMatrices, judgeCase
 
 function named = describeVerdict (w, verdict, models, gapProblem)
   names = models.names;

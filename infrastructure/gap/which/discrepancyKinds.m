@@ -13,8 +13,6 @@
 % moves the targets that causes move: 0.7 mean (s s') + 0.3 diag, s their
 % signatures; or independent errors on all targets; or on one bench alone. After
 % Kennedy and O'Hagan (2001).
-%
-% See also: makeHypotheses, newHypothesis
 
 function kinds = discrepancyKinds (gapProblem, em, budget, white)
   targets = white.columns;

@@ -10,8 +10,6 @@
 %   SURPLUS scalar, factor on the variance (default 1)
 %   TWINS   struct Y (n x T', values of the targets), theta (n x p, in [-1, 1]),
 %           phi (n x 2, strengths), d (n x 1, signal to noise of the first)
-%
-% See also: calibrateVerdict, omnibusReference
 
 function twins = drawTwins (models, causes, d, seed, surplus)
   if nargin < 5

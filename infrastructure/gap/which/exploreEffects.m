@@ -11,8 +11,6 @@
 % rounds, placed by the posterior. Runs that verify the cure are set aside
 % before, and four runs of the likeliest pair made. Nothing is run without
 % STATE.evaluate.
-%
-% See also: planEffectRuns, diagnoseMatrices
 
 function [state, em] = exploreEffects (gapProblem, options, state, em)
   if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)

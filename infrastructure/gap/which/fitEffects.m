@@ -9,8 +9,6 @@
 %                 fitLibrary. A single effect starts from its fit in FITS, a
 %                 pair from either effect with a little of the other and from
 %                 half of both; the best one counts
-%
-% See also: listHypotheses, runCures
 
 function best = fitEffects (models, fits, i, members, prior)
   p = models.white.p;

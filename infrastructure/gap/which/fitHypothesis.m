@@ -21,8 +21,6 @@
 %   logE = log likelihood (U) - U' U / 2 - log |A| / 2.
 % Laplace's formula serves as a start and where thousands of data sets are
 % compared alike; a verdict stands on integrateEvidence.
-%
-% See also: predictHypothesis, logLikelihood, integrateEvidence
 
 function fit = fitHypothesis (white, h, Z, U, prior)
   view = viewHypothesis (white, h, prior);

@@ -13,8 +13,6 @@
 %     calibrated  the null model with a flat prior in the box: what a
 %              calibration finds
 %     logE     n x H, Laplace evidences
-%
-% See also: hypothesisTable, caseEvidence, fitHypothesis, omnibusReference
 
 function fits = fitLibrary (models, Y)
   H = numel (models.list);

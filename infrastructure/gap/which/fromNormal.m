@@ -10,8 +10,6 @@
 % Q = F^-1 (Phi (U)) with F the distribution function of the prior. In these
 % coordinates no unknown has a limit and directions that the data leave open are
 % exactly normal, so that fits need no projection and samples no rejection.
-%
-% See also: toNormal, viewHypothesis
 
 function [Q, slope] = fromNormal (unknowns, U)
   U = min (max (U, -7), 7);

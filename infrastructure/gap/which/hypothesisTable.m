@@ -21,8 +21,6 @@
 % shared as if four more causes existed that nobody has listed, half of which
 % resemble a listed one: a list of 2 is believed to be incomplete, one of 40 to
 % hold the cause.
-%
-% See also: makeHypotheses, listHypotheses, fitLibrary
 
 function models = hypothesisTable (models, kinds, starts)
   white = models.white;

@@ -21,8 +21,6 @@
 % of all proposals that were used. Where few points carry the weight, the
 % moments are those of flattened weights (Koblents and Miguez 2015), so that a
 % collapsed sample walks to the mass instead of shrinking to its best point.
-%
-% See also: fitHypothesis, proposalDensity, studentDensity, caseEvidence
 
 function result = integrateEvidence (white, h, z, modes, settings)
   view = viewHypothesis (white, h, settings.prior);

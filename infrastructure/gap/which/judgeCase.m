@@ -25,8 +25,6 @@
 % has probability nameAt, no other explains the data without it with a tenth of
 % that, and the data exclude a look-alike of cosine 0.9; a group where that is
 % not so but the effects left, or what resembles them, have nameAt together.
-%
-% See also: caseEvidence, rivalsOf, calibrateVerdict
 
 function verdict = judgeCase (w, models)
   verdict = openVerdict (w, numel (models.names));
@@ -51,6 +49,32 @@ function verdict = judgeCase (w, models)
   else
     verdict = nameCause (verdict, w, models);
   end
+end
+
+function verdict = openVerdict (w, K)
+  logP = w.logPrior + w.logE;
+  verdict = struct ('kind', 'undecided', 'effects', zeros (1, 0), ...
+                    'lookAlike', false, 'partners', zeros (1, 0), ...
+                    'guard', '', 'reason', 'no single cause is likely enough');
+  verdict.P = exp (logP - logSumExp (logP));
+  verdict.include = zeros (1, K);
+  verdict.resemble = zeros (1, K);
+  for h = 1:numel (verdict.P)
+    at = w.members{h};
+    if strcmp (w.kind{h}, 'sibling')
+      verdict.resemble(at) = verdict.resemble(at) + verdict.P(h);
+    else
+      verdict.include(at) = verdict.include(at) + verdict.P(h);
+    end
+  end
+  verdict.null = verdict.P(1);
+  verdict.misfit = sum (verdict.P(strcmp (w.kind, 'discrepancy')));
+  verdict.unlisted = verdict.misfit + sum (verdict.resemble);
+  verdict.total = verdict.include + verdict.resemble;
+  [~, verdict.top] = max ([verdict.total, 0]);
+  [sorted, order] = sort (-verdict.total);
+  most = cumsum (-sorted);
+  verdict.likely = order(1:find (most >= 0.95 * max ([most, realmin]), 1));
 end
 
 function verdict = nameCause (verdict, w, models)
@@ -99,16 +123,15 @@ function verdict = nameOrResemble (verdict, w, models, strong)
              w.exclude >= log (models.options.exclude);
   verdict.reason = sprintf ('probability %.2f', ...
                             min (verdict.include(strong)));
-  if ~isempty (missing)
+  verdict.lookAlike = ~isempty (missing) || ~excluded;
+  if verdict.lookAlike
     verdict.kind = 'group';
     verdict.guard = 'look-alike';
-    verdict.lookAlike = true;
+  end
+  if ~isempty (missing)
     verdict.reason = ['it cannot be told from ', strjoin(missing, ', '), ...
                       ', which is not listed or has no runs'];
   elseif ~excluded
-    verdict.kind = 'group';
-    verdict.guard = 'look-alike';
-    verdict.lookAlike = true;
     verdict.reason = sprintf (['the data do not exclude a cause nine ' ...
                                'tenths alike (odds %.1f to 1)'], ...
                               exp (min (w.exclude, 9)));
@@ -135,9 +158,7 @@ function best = bestWith (w, verdict, strong)
   if ~any (holding)
     holding = cellfun (@(m) any (ismember (strong, m)), w.members);
   end
-  P = verdict.P;
-  P(~holding) = -1;
-  [~, best] = max (P);
+  [~, best] = max (verdict.P - 2 * ~holding);
 end
 
 % The fewest likely effects that have nameAt together: three, or more where the
@@ -166,84 +187,64 @@ function verdict = nameGroup (verdict, w, models)
   end
 end
 
-%!shared w, models
+%!shared w, models, like
 %! models = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}});
 %! models.options = gapOptions ([]);
 %! w = struct ('logE', [0, 9, 0, 0, 0, 0, 0, 0, 0]);
 %! w.logPrior = log ([0.4, 0.13, 0.13, 0.13, 0.03, 0.02, 0.02, 0.02, 0.06]);
 %! w.members = {[], 1, 2, 3, [1, 2], 1, 2, 3, []};
-%! w.kind = {'null', 'single', 'single', 'single', 'pair', 'sibling', ...
-%!           'sibling', 'sibling', 'discrepancy'};
-%! w.gate = struct ('p', 0.001);
+%! w.kind = [{'null'}, repmat({'single'}, 1, 3), {'pair'}, ...
+%!           repmat({'sibling'}, 1, 3), {'discrepancy'}];
+%! w.gate.p = 0.001;
 %! w.screen = struct ('cosine', [1, 0.99, 0; 0.99, 1, 0; 0, 0, 1], ...
 %!                    'size', [10, 10, 10]);
-%! w.phi = 0.5 * ones (9, 1);
-%! w.atLimit = zeros (1, 9);
-%! w.ess = 400 * ones (1, 9);
-%! w.top = 1;
-%! w.exclude = log (20);
+%! [w.phi, w.atLimit, w.ess] = deal (0.5 * ones (9, 1), zeros (1, 9), ...
+%!                                   400 * ones (1, 9));
+%! [w.top, w.exclude] = deal (1, log (20));
+%! like = @(at, logE) setfield (w, 'logE', setfield (w.logE, {at}, logE));
 %!test
-%! v = judgeCase (w, models);
-%! assert (isequal (v.kind, 'named') && isequal (v.effects, 1));
-%! assert (sum (v.P), 1, 1e-12);
-%!test
-%! x = setfield (w, 'gate', struct ('p', 0.2));
-%! assert (judgeCase (x, models).kind, 'no gap');
-%!test
-%! % as likely as another one: a group
-%! x = w;
-%! x.logE(3) = 9;
-%! v = judgeCase (x, models);
-%! assert (v.kind, 'group');
-%! assert (v.effects, [1, 2]);
+%! % what a change of the evidence makes of the verdict: a gate that is shut, as
+%! % likely as another, any misfit, what resembles a but is not it, a look-alike
+%! % not excluded, glued to the end of its range, a collapsed integral
+%! cases = {w, 'named', 1, ''; ...
+%!          setfield(w, 'gate', struct ('p', 0.2)), 'no gap', [], 'gate'; ...
+%!          like(3, 9), 'group', [1, 2], 'group'; ...
+%!          like(9, 12), 'none of the listed', [], ''; ...
+%!          like(6, 14), 'none of the listed', [], ''; ...
+%!          setfield(w, 'exclude', 0.5), 'group', 1, 'look-alike'; ...
+%!          setfield(w, 'atLimit', 0.9 * ones (1, 9)), 'undecided', [], ...
+%!          'range'; ...
+%!          setfield(w, 'ess', setfield (w.ess, {2}, 30)), 'undecided', [], ...
+%!          'integral'}';
+%! for one = cases
+%!   v = judgeCase (one{1}, models);
+%!   assert ({v.kind, v.guard}, one([2, 4])');
+%!   assert (isequal (v.effects, one{3}) || isempty ([v.effects, one{3}]));
+%!   assert (v.lookAlike, strcmp (one{4}, 'look-alike'));
+%!   assert (sum (v.P), 1, 1e-12);
+%! end
+%! assert (! isempty (strfind (judgeCase (like (6, 14), models).reason, ...
+%!                             'resembles a')));
+%! known = setfield (models, 'siblings', {{'d'}, {}, {}});
+%! assert (judgeCase (w, known).kind, 'group');
 %!test
 %! % three that look alike, which stopped the judgement of an older version
-%! x = w;
-%! x.logE(2:4) = [9, 8, 8];
+%! x = like (2:4, [9, 8, 8]);
 %! x.screen.cosine = 0.99 + 0.01 * eye (3);
-%! v = judgeCase (x, models);
-%! assert (v.kind, 'group');
-%! assert (v.effects, [1, 2, 3]);
-%!test
-%! x = w;
-%! x.logE(9) = 12;
-%! assert (judgeCase (x, models).kind, 'none of the listed');
-%!test
-%! % it resembles a listed one and is not that
-%! x = w;
-%! x.logE(6) = 14;
-%! v = judgeCase (x, models);
-%! assert (v.kind, 'none of the listed');
-%! assert (~isempty (strfind (v.reason, 'resembles a')));
-%!test
-%! % data that a look-alike explains as well
-%! x = w;
-%! x.exclude = 0.5;
-%! v = judgeCase (x, models);
-%! assert (v.kind, 'group');
-%! assert (v.lookAlike && isequal (v.effects, 1));
-%!test
-%! x = setfield (w, 'atLimit', 0.9 * ones (1, 9));
-%! assert (judgeCase (x, models).kind, 'undecided');
-%!test
-%! m = models;
-%! m.siblings{1} = {'d'};
-%! assert (judgeCase (w, m).kind, 'group');
-%!test
-%! % no verdict from a collapsed integral
-%! x = w;
-%! x.ess(2) = 30;
-%! v = judgeCase (x, models);
-%! assert (v.kind, 'undecided');
-%! assert (v.guard, 'integral');
+%! assert (judgeCase (x, models).effects, [1, 2, 3]);
 %!test
 %! % one effect is sure, and one of the two others acts with it
-%! x = w;
+%! x = like ([2, 4, 5], [5, 15, 15.5]);
 %! x.members(4:6) = {[1, 2], [1, 3], 1};
 %! x.kind(4:6) = {'pair', 'pair', 'sibling'};
-%! x.logE(4:5) = [15, 15.5];
-%! [x.logE(2), x.screen.cosine] = deal (5, eye (3));
+%! x.screen.cosine = eye (3);
 %! v = judgeCase (x, models);
-%! assert (v.kind, 'named');
-%! assert (v.effects, 1);
-%! assert (v.partners, [2, 3]);
+%! assert ({v.kind, v.effects, v.partners}, {'named', 1, [2, 3]});
+%!test
+%! % probabilities of an effect, of what is not listed, the fewest of all
+%! x = struct ('logPrior', log ([0.5, 0.3, 0.1, 0.1]), 'logE', zeros (1, 4), ...
+%!             'kind', {w.kind([1, 2, 6, 9])}, 'members', {{[], 1, 1, []}}, ...
+%!             'gate', struct ('p', 1), 'ess', NaN);
+%! v = judgeCase (x, setfield (models, 'names', {'a'}));
+%! assert ([v.total, v.include, v.unlisted, v.likely], [0.4, 0.3, 0.2, 1], ...
+%!         1e-12);

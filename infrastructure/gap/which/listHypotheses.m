@@ -13,8 +13,6 @@
 % Pairs, where there may be a gap: each of the two likeliest effects with the
 % four whose signatures take most out of what it leaves. All pairs share the
 % prior probability of pairs, also those that are not tried.
-%
-% See also: hypothesisTable, caseEvidence, fitLibrary
 
 function list = listHypotheses (models, fits, i, w)
   for j = numel (models.list):-1:1

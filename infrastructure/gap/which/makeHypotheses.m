@@ -12,8 +12,6 @@
 %     list, singles, pairPrior  of hypothesisTable
 %     names, siblings (1 x K cells), options
 %     reference  what the gate compares with (omnibusReference; []: not yet)
-%
-% See also: hypothesisTable, fitLibrary, caseEvidence, judgeCase
 
 function models = makeHypotheses (gapProblem, em, options, targets)
   if nargin < 4

@@ -13,8 +13,6 @@
 %            and that of MEMBERS (default 0.6, 0.7: the middle 90 % have cosines
 %            from 0.98 to 0.47), of a discrepancy its scale
 %   H        struct kind, members, spread ('', 'sibling', 'discrepancy'), extent
-%
-% See also: viewHypothesis, makeHypotheses
 
 function h = newHypothesis (kind, members, extent)
   if nargin < 2

@@ -13,8 +13,6 @@
 %
 % Surrogates err in ways that they do not know: the drawn data scatter with
 % options.surplus times the variance, see gapOptions.
-%
-% See also: omnibusTest, drawTwins
 
 function models = omnibusReference (models, statistic)
   most = models.options.twins;

@@ -14,8 +14,6 @@
 % Where the evidence for a cause is 20 to 1 against the null model, p is below
 % 0.05 by Markov's inequality: gate and probabilities cannot contradict each
 % other but by the error of the surrogates.
-%
-% See also: omnibusReference, judgeCase
 
 function gate = omnibusTest (models, logE)
   prior = [models.list.prior];

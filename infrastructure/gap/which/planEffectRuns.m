@@ -14,8 +14,6 @@
 % strength (other sign where signed), the rest around it. Otherwise: greedy
 % maximin distance to what exists, half of the candidates from the posterior, so
 % that runs made for any reason are counted.
-%
-% See also: diagnoseMatrices, spendRuns
 
 function Q = planEffectRuns (n, have, theta, posterior, range)
   p = numel (theta);

@@ -18,8 +18,6 @@
 % A sibling of effects with signature s adds size^2 |N' s|^2 / n to every
 % variance: an unknown direction among the n that parameters cannot absorb. A
 % discrepancy adds size^2 VIEW.white.shape.
-%
-% See also: predictGap, fitHypothesis
 
 function [M, V, L, J, G] = predictHypothesis (view, U)
   white = view.white;

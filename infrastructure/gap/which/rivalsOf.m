@@ -2,7 +2,7 @@
 %
 % CALL: RIVAL = rivalsOf (W, VERDICT, STRONG, OPTIONS)
 %
-%   W        struct of caseEvidence;  VERDICT  struct of openVerdict
+%   W        struct of caseEvidence;  VERDICT  struct of judgeCase
 %   STRONG   1 x m, numbers of the effects that seem sure
 %   OPTIONS  struct: othersAt, alikeAt (see gapOptions)
 %   RIVAL    1 x K logical
@@ -13,8 +13,6 @@
 % only beside them is a partner, unless the two signatures are alike and they
 % stand together in half of all: a pair of look-alikes is one of them, badly
 % modelled, as often as it is both, and then all hypotheses count.
-%
-% See also: judgeCase
 
 function rival = rivalsOf (w, verdict, strong, options)
   without = cellfun (@(m) ~all (ismember (strong, m)), w.members);

@@ -20,8 +20,6 @@
 %     strength      1 x K, first estimate of phi;  gain 1 x K, drop of chi2
 %     cosine        K x K, isolability: cosines of the signatures, their
 %                   absolute values where one of the two acts both ways
-%
-% See also: parityProjection, confusion
 
 function screen = screenEffects (white, theta, z)
   [M, V, ~, J] = predictGap (white, [], theta);

@@ -16,8 +16,6 @@
 % never holds a strength at the end of its range where the data say little; when
 % this one was chosen, it held 89 % of the strengths of left-out LIGGGHTS runs
 % and that one 82 %, at equal width (docs/gap-figures.md has today's share).
-%
-% See also: weightedQuantile, caseEvidence
 
 function q = strengthInterval (phi, weight, range, scale)
   grid = linspace (range(1), range(2), 201)';

@@ -5,8 +5,6 @@
 %   UNKNOWNS  struct of viewHypothesis
 %   Q         n x d, parameters in [-1, 1], strengths, size
 %   U         n x d, cut to [-3, 3]: a start at a limit would never leave it
-%
-% See also: fromNormal
 
 function U = toNormal (unknowns, Q)
   share = (Q - unknowns.lo) ./ (unknowns.hi - unknowns.lo);

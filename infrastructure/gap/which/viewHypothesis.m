@@ -14,8 +14,6 @@
 % H.spread where it has one. Parameters are uniform in the box, or normal and
 % cut to it where they were measured; strengths are normal around neutral, cut
 % to the range of the effect; a size is log-normal.
-%
-% See also: predictHypothesis, fromNormal, fitHypothesis, integrateEvidence
 
 function view = viewHypothesis (white, h, prior)
   m = numel (h.members);
