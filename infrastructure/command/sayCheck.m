@@ -149,3 +149,19 @@ function sayCosts (Case)
     end
   end
 end
+
+%!test
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder);
+%! here = cd (raw.folder);
+%! clear loadInput loadEffects
+%! text = evalc ('status = sayCheck (raw.root, raw.folder, {});');
+%! cd (here);
+%! clear loadInput loadEffects
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
+%! assert (status, 0);
+%! for line = {'no mistake found', 'First: 2 targets, 1 CPU a run', ...
+%!             'plan: 16 new, 0 taken from the store', 'cost      not known'}
+%!   assert (! isempty (strfind (text, line{1})), text);
+%! end
