@@ -17,27 +17,11 @@ function defaults = headDefaults (file)
     error ('DEcalioc:headDefaults:missingFile', ...
            'headDefaults: %s must exist; it declares the variables.', file);
   end
-  found = regexp (withIncludes (file), ...
-                  '^\s*variable\s+(\w+)\s+\w+\s+([^#\n]*)', ...
-                  'tokens', 'lineanchors');
+  [folder, base, ending] = fileparts (file);
   defaults = struct ();
-  for k = 1:numel (found)
-    name = found{k}{1};
-    if isvarname (name)
-      defaults.(name) = str2double (strtrim (found{k}{2}));
-    end
-  end
-end
-
-function text = withIncludes (file)
-  text = checkReadText (file);
-  [names, first, last] = regexp (text, '^[ \t]*include[ \t]+(\S+)[^\n]*', ...
-                                 'tokens', 'start', 'end', 'lineanchors');
-  for k = numel (names):-1:1
-    other = fullfile (fileparts (file), names{k}{1});
-    if isfile (other)
-      text = [text(1:first(k) - 1), checkReadText(other), ...
-              text(last(k) + 1:end)];
+  for line = checkHead (folder, [base, ending])
+    if isvarname (line.name) && ~isempty (line.style)
+      defaults.(line.name) = str2double (line.value);
     end
   end
 end

@@ -1,16 +1,21 @@
 % CHECKHEAD  Lists the variables that the data.head of a model declares.
 %
 % CALL: HEAD = checkHead (FOLDER)
+%       HEAD = checkHead (FOLDER, NAME)
 %
 %   FOLDER  model folder (text)
+%   NAME    file in it ('data.head')
 %   HEAD    1 x n struct array, in the order of the file: name, style ('equal',
 %           'string', ...), value, remark behind # (texts). Files that data.head
 %           includes are read too.
 %
-% See also: checkFindModels, checkDeclared
+% See also: checkFindModels, headDefaults
 
-function head = checkHead (folder)
-  head = readHead (folder, 'data.head', 0);
+function head = checkHead (folder, name)
+  if nargin < 2
+    name = 'data.head';
+  end
+  head = readHead (folder, name, 0);
 end
 
 function head = readHead (folder, name, depth)
