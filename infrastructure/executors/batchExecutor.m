@@ -10,8 +10,19 @@
 %          (one such element), reserved (1 x m cell of names that DEcalioc sets
 %          itself), isShort (logical: the program completes options that are
 %          not written in full)
-%   WHAT   scalar struct, see describeExecutor, and name, title, options
-%          (handle OPT = options (CASE.options), see batchOptions)
+%   WHAT   scalar struct, see describeExecutor, and name, title, options: a
+%          handle OPT = options (CASE.options) that fills in what the user left
+%          out of Input.<name>. OPT is a struct with
+%     extra        1 x n cell of further options of the program that submits
+%     before       1 x n cell of shell commands that a job carries out first
+%     time         time limit of a job (min), NaN = from the model's time limit
+%     maxInFlight  runs that are submitted and not ended, at most; 200
+%     sets         parameter sets tried at a time after the plan; 8
+%     poll         time between two looks at the queue (s); 10
+%     grace        how long to wait for the files of a run that the queue says
+%                  has ended (s), longer than the attribute cache of a network
+%                  file system; 30
+%     and those of OWN.words, '' = the queue's default
 %
 % The queue adds program, and its commands, see batchExecute.
 
@@ -25,14 +36,26 @@ function what = batchExecutor (name, title, own)
 end
 
 function opt = optionsOf (options, name, words)
-  given = [];
-  if isfield (options, name)
-    given = options.(name);
+  given = givenField (options, name, []);
+  opt = struct ('extra', {{}}, 'before', {{}}, 'time', NaN, ...
+                'maxInFlight', 200, 'sets', 8, 'poll', 10, 'grace', 30);
+  for k = 1:numel (words)
+    opt.(words{k}) = '';
   end
-  opt = batchOptions (given, words);
+  if isempty (given)
+    return
+  end
+  for name = fieldnames (given)'
+    if ~isempty (given.(name{1}))
+      opt.(name{1}) = given.(name{1});
+    end
+  end
+  for name = {'extra', 'before'}
+    opt.(name{1}) = cellstr (opt.(name{1}))(:)';
+  end
 end
 
-% GIVEN anything; [] or a struct with the fields of batchOptions, each optional.
+% GIVEN anything; [] or a struct with the fields of OPT, each optional.
 function p = batchCheck (given, name, own)
   p = checkFault ();
   field = ['Input.', name];
@@ -158,3 +181,19 @@ end
 %! assert (ids (bad ('job.sh')), {'badQueueExtra'});
 %! own.isShort = false;
 %! assert (isempty (check (struct ('extra', '--job=x'), own)));
+%!function o = options (given, words)
+%!  own.words = words;
+%!  o = batchExecutor ('q', 'Queue', own).options (struct ('q', given));
+%!endfunction
+%!test
+%! o = options (struct (), {'partition'});
+%! assert (o.partition, '');
+%! assert (isempty (o.extra));
+%! assert ([o.time, o.maxInFlight, o.sets, o.poll, o.grace], ...
+%!         [NaN, 200, 8, 10, 30]);
+%!test
+%! o = options (struct ('time', 90, 'extra', {{'--mem=2G'; '--qos=a'}}, ...
+%!                      'before', 'module load a', 'poll', []), {});
+%! assert (o.extra, {'--mem=2G', '--qos=a'});
+%! assert (o.before, {'module load a'});
+%! assert ([o.time, o.poll], [90, 10]);

@@ -7,7 +7,7 @@
 %   JOBS    1 x n struct array, see newJobs
 %   CASE    see newCase
 %   QUEUE   see batchExecutor
-%   OPT     see batchOptions
+%   OPT     see batchExecutor
 %
 % Makes the run folders and a batch folder <store>/optim/.<queue>/<name> whose
 % file tasks tells which task of the array is which run. The name is unique and
@@ -85,7 +85,8 @@ end
 %! [Case, jobs] = slurmTestCase (tempname (), 1:3, 0);
 %! Case.models.timeout = 7;
 %! queue = struct ('name', 'q', 'title', 'Queue');
-%! opt = batchOptions (struct ('before', {{'module load a', 'b=1'}}), {});
+%! opt = slurmExecutor ().options (struct ('slurm', struct ( ...
+%!                            'before', {{'module load a', 'b=1'}})));
 %! flight = batchAttach (jobs, Case.store, queue);
 %! flight = batchSubmit (flight, [1, 3], jobs, Case, queue, opt);
 %! assert (flight.status, 'oqo');
@@ -114,4 +115,5 @@ end
 %! Case.store = [Case.store, "\tx"];
 %! queue = struct ('name', 'q', 'title', 'Queue');
 %! flight = batchAttach (jobs, Case.store, queue);
-%! batchSubmit (flight, 1, jobs, Case, queue, batchOptions ([], {}));
+%! batchSubmit (flight, 1, jobs, Case, queue, ...
+%!              slurmExecutor ().options (struct ()));

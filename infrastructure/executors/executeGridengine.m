@@ -3,7 +3,7 @@
 % CALL: RECORDS = executeGridengine (JOBS, CASE, REPORT)
 %
 %   JOBS, CASE, REPORT, RECORDS  see batchExecute; CASE.options.gridengine holds
-%                                the fields of batchOptions, queue, project and
+%                                the fields of batchExecutor, queue, project and
 %                                environment
 
 function records = executeGridengine (jobs, Case, report)

@@ -3,7 +3,7 @@
 % CALL: RECORDS = executeSlurm (JOBS, CASE, REPORT)
 %
 %   JOBS, CASE, REPORT, RECORDS  see batchExecute; CASE.options.slurm holds the
-%                                fields of batchOptions, partition and account
+%                                fields of batchExecutor, partition and account
 
 function records = executeSlurm (jobs, Case, report)
   records = batchExecute (slurmExecutor (), jobs, Case, report);

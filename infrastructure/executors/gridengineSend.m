@@ -68,8 +68,8 @@ end
 %!  tidy = slurmFake (qsub, qstat, {'qsub', 'qstat'});
 %!  batch = struct ('name', 'decalioc-1', 'path', '/a b', 'n', 3, ...
 %!                  'cpu', 2, 'minutes', 5);
-%!  opt = batchOptions (struct ('extra', {{'-l mem_free=2G', '-notify'}}), ...
-%!                      {'queue', 'project', 'environment'});
+%!  given.extra = {'-l mem_free=2G', '-notify'};
+%!  opt = gridengineExecutor ().options (struct ('gridengine', given));
 %!  opt.queue = 'main';
 %!  [verdict, text] = gridengineSend (batch, opt, {'job.sh', 'it''s $(x)'});
 %!endfunction

@@ -3,7 +3,7 @@
 % CALL: [VERDICT, TEXT] = slurmSend (BATCH, OPT, TASK)
 %
 %   BATCH    one element of FLIGHT.batches, see batchAttach
-%   OPT      see batchOptions
+%   OPT      see batchExecutor
 %   TASK     1 x n cell, the program that a task runs, and its arguments
 %   VERDICT  'sent'; 'later' (the controller cannot be reached: try again);
 %            'refused' (partition, account, limits ...)
@@ -63,8 +63,8 @@ end
 %!  batch = struct ('name', 'decalioc-1', 'path', tempname (), 'n', 3, ...
 %!                  'cpu', 2, 'minutes', 5);
 %!  mkdir (batch.path);
-%!  opt = batchOptions (struct ('extra', {{'--comment=it''s; $(x) 100%'}}), ...
-%!                      {'partition', 'account'});
+%!  given.extra = {'--comment=it''s; $(x) 100%'};
+%!  opt = slurmExecutor ().options (struct ('slurm', given));
 %!  [verdict, text] = slurmSend (batch, opt, {'job.sh', 'it''s'});
 %!  id = fullfile (batch.path, 'id');
 %!  if isfile (id)
