@@ -56,8 +56,8 @@ function R = looRows (surrogates)
   end
 end
 
-% Correlation of the errors of a run's results, standardised residuals R (n x T):
-% that of the sample, shrunk towards ALONG by n / (n + 2 T), for 40 runs do not
+% Correlation of the errors of a run's results, from standardised residuals R (n
+% x T): that of the sample, shrunk towards ALONG by n / (n + 2 T), for 40 runs do not
 % tell those of 60 points. Shrunk towards none, the error of a smooth surrogate
 % along a curve would be taken for 60 errors that average out.
 function [C, along] = errorCorrelation (R, gapProblem)
@@ -118,7 +118,8 @@ end
 %! at = 1:20;
 %! curve = struct ('bench', ones (1, 20), 'series', ones (1, 20), ...
 %!                 'coordinate', at);
-%! em = withResiduals (randn (12, 20) * chol (exp (-abs (at' - at) / 5)), curve);
+%! R = randn (12, 20) * chol (exp (-abs (at' - at) / 5));
+%! em = withResiduals (R, curve);
 %! len = -1 / log (em.alongCurve(1, 2));
 %! assert (len > 2.5 && len < 10);
 %! assert (em.correlation(3, 4) > 0.6);
