@@ -57,8 +57,8 @@ function R = looRows (surrogates)
 end
 
 % Correlation of the errors of a run's results, from standardised residuals R (n
-% x T): that of the sample, shrunk towards ALONG by n / (n + 2 T), for 40 runs do
-% not tell those of 60 points. Shrunk towards none, the error of a smooth
+% x T): that of the sample, shrunk towards ALONG by n / (n + 2 T), for 40 runs
+% do not tell those of 60 points. Shrunk towards none, the error of a smooth
 % surrogate along a curve would be taken for 60 errors that average out.
 function [C, along] = errorCorrelation (R, gapProblem)
   [n, T] = size (R);
