@@ -37,7 +37,11 @@
 %!   assert (isempty (strfind (html, 'could not be made')));
 %!   assert (isempty (regexp (html, '(NaN|Inf)\W', 'once')));
 %!   assert (numel (html) < 3e6);
-%!   % each symbol that a figure refers to is there
+%!   % each colour has its variable, for light and for dark, and each symbol
+%!   % that a figure refers to is there
+%!   for name = unique ([regexp(html, 'var\(--(\w+)\)', 'tokens'){:}])
+%!     assert (numel (strfind (html, ['--', name{1}, ':'])), 2, name{1});
+%!   end
 %!   for name = unique ([regexp(html, 'href="#(gpPt\d+)"', 'tokens'){:}])
 %!     assert (numel (strfind (html, ['id="', name{1}, '"'])), 1);
 %!   end

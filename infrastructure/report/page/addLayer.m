@@ -7,7 +7,7 @@
 %           'line', 'dash', 'dots', 'disc', 'ring', 'diamond', 'cross',
 %           'square', 'triangle' (x, y), 'xbar', 'ybar' (x, y, low, high)
 %   DATA    n x k; rows that are not finite are left out
-%   COLOUR  name of houseColours
+%   COLOUR  name of a colour, see drawFigures
 %
 % Errors: DEcalioc:addLayer:badShape
 

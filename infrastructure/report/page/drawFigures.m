@@ -7,7 +7,7 @@
 %
 % One start of gnuplot draws all. Texts stay texts. The colours become
 % variables of page.css, so that the figures follow the colours of the page; the
-% symbols are defined once a page (houseSymbols).
+% symbols are defined once a page.
 %
 % Errors: DEcalioc:drawFigures:runFailed
 
@@ -69,21 +69,15 @@ end
 function [x, y] = extent (f)
   x = f.xlim;
   y = f.ylim;
+  spread = struct ('area', {{1, 2:3}}, 'box', {{[1, 3, 4], [2, 5, 6]}}, ...
+                   'xbar', {{[1, 3, 4], 2}}, 'ybar', {{1, 2:4}});
   for layer = f.layers
-    M = layer.data;
-    xs = M(:, 1);
-    ys = M(:, 2);
-    switch layer.kind
-      case 'area'
-        ys = M(:, 2:3)(:);
-      case 'xbar'
-        xs = M(:, [1, 3, 4])(:);
-      case 'ybar'
-        ys = M(:, 2:4)(:);
-      case 'box'
-        xs = M(:, [1, 3, 4])(:);
-        ys = M(:, [2, 5, 6])(:);
+    at = {1, 2};
+    if isfield (spread, layer.kind)
+      at = spread.(layer.kind);
     end
+    xs = layer.data(:, at{1})(:);
+    ys = layer.data(:, at{2})(:);
     x = wider (x, xs, f.xlim);
     y = wider (y, ys, f.ylim);
   end
@@ -223,6 +217,17 @@ function body = withVariables (body)
   body = regexprep (body, '(fill|color|stroke)="black"', ...
                     '$1="var(--ink)"');
   body = strrep (body, 'color=''white''', 'color="var(--paper)"');
+end
+
+% The colours of all figures, safe for the colour-blind (the strong ones are those
+% of Okabe and Ito, 2008). page.css has a variable of the same name for each.
+function c = houseColours ()
+  c = struct ('ink', '#1b1f24', 'axis', '#57606a', 'grid', '#e4e7ea', ...
+              'blue', '#0072b2', 'red', '#d55e00', 'green', '#009e73', ...
+              'pink', '#cc79a7', 'sky', '#56b4e9', 'amber', '#e69f00', ...
+              'grey', '#8c959f', 'paleblue', '#d3e5f2', ...
+              'midblue', '#a9cde6', 'palegreen', '#cdeadf', ...
+              'palegrey', '#e9ecef', 'palered', '#f7dcc8');
 end
 
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'gnuplot'))
