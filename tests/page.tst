@@ -40,7 +40,7 @@
 %!   % each colour has its variable, for light and for dark, and each symbol
 %!   % that a figure refers to is there
 %!   for name = unique ([regexp(html, 'var\(--(\w+)\)', 'tokens'){:}])
-%!     assert (numel (strfind (html, ['--', name{1}, ':'])), 2, name{1});
+%!     assert (numel (strfind (html, ['--', name{1}, ':'])), 2);
 %!   end
 %!   for name = unique ([regexp(html, 'href="#(gpPt\d+)"', 'tokens'){:}])
 %!     assert (numel (strfind (html, ['id="', name{1}, '"'])), 1);

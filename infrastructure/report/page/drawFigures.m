@@ -219,7 +219,7 @@ function body = withVariables (body)
   body = strrep (body, 'color=''white''', 'color="var(--paper)"');
 end
 
-% The colours of all figures, safe for the colour-blind (the strong ones are those
+% The colours of all figures, safe for the colour-blind (the strong ones those
 % of Okabe and Ito, 2008). page.css has a variable of the same name for each.
 function c = houseColours ()
   c = struct ('ink', '#1b1f24', 'axis', '#57606a', 'grid', '#e4e7ea', ...
