@@ -5,8 +5,6 @@
 %   VALUES  cell of M vectors (rows or columns), or one vector, as
 %           optim.targetVal and optim.tolRes
 %   C       n x 1
-%
-% See also: costFunction, userInt
 
 function c = asColumn (values)
   if iscell (values)

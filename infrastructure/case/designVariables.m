@@ -11,8 +11,6 @@
 % SIMTS = percentRayleigh * RLTS, the time step (s).
 %
 % Errors: DEcalioc:designVariables:badShape
-%
-% See also: assignParams, rayleighTime, runVariables
 
 function modelVars = designVariables (modelVars, params, assign)
   if numel (params) ~= numel (assign)

@@ -3,8 +3,6 @@
 % CALL: NAMES = executorNames ()
 %
 %   NAMES  1 x n cell: 'local' for the file executeLocal.m of executors/
-%
-% See also: describeExecutor, runJobs
 
 function names = executorNames ()
   inside = fileparts (fileparts (mfilename ('fullpath')));

@@ -6,8 +6,6 @@
 %   CASEFOLDER  case folder; its DEMmodels is looked in first (text)
 %   ROOT        folder of the toolbox; its DEMmodels comes second (text)
 %   FOLDER      path of the model folder, '' where there is none
-%
-% See also: newCase
 
 function folder = findModel (name, caseFolder, root)
   folder = '';

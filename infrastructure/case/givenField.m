@@ -3,8 +3,6 @@
 % CALL: VALUE = givenField (S, FIELD, DEFAULT)
 %
 %   S        scalar struct;  FIELD  text;  DEFAULT  anything
-%
-% See also: newCase, newTargets, mergeFields
 
 function value = givenField (s, field, default)
   value = default;

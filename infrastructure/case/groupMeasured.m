@@ -22,8 +22,6 @@
 % it is <model>_<name>: a name is a column of runs.csv.
 %
 % Reasons: measuredRepeats
-%
-% See also: readMeasured, newTargets
 
 function [groups, p] = groupMeasured (list, models)
   p = checkFault ();

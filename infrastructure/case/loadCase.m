@@ -12,8 +12,6 @@
 % case at hand. The candidate effects of the diagnosis are added by withEffects.
 %
 % Errors: those of readInput and checkCase
-%
-% See also: readInput, newCase, checkCase, withEffects
 
 function Case = loadCase (varargin)
   Case = newCase (readInput (varargin{:}));

@@ -4,8 +4,6 @@
 %
 % S      scalar struct: the defaults, or what there is
 % GIVEN  scalar struct; each of its fields takes the place of that of s
-%
-% See also: newProblem, fitSurrogate
 
 function s = mergeFields (s, given)
   for name = fieldnames (given)'

@@ -9,8 +9,6 @@
 % names. Nothing is deleted, and moved back they count again.
 %
 % Errors: DEcalioc:moveAside:cannotWrite
-%
-% See also: DEcalioc
 
 function moved = moveAside (folder)
   moved = {};

@@ -6,8 +6,6 @@
 %   NAMES   cellstr of n names
 %   VALUES  n numbers
 %   FORMAT  of a number, as sprintf takes it ('%g')
-%
-% See also: reportCalibration, checkSurrogates
 
 function text = namedValues (names, values, format)
   if nargin < 3

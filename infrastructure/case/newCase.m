@@ -22,8 +22,6 @@
 % optim.role 'calibrate', optim.paramMean and paramSd NaN (not measured),
 % optim.cost 1. A measured.csv in the case folder takes the place of the fields
 % of optim that are given target by target.
-%
-% See also: loadCase, checkCase, newTargets, withEffects
 
 function Case = newCase (raw)
   [faults, found] = checkCase (raw);

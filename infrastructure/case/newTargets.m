@@ -7,8 +7,6 @@
 %   FOUND    scalar struct: groups of measured.csv, which go before
 %            optim.targetVal, and sizes, see checkCase
 %   TARGETS  1 x T struct in the order of the models, see docs/data.md
-%
-% See also: newCase, groupMeasured
 
 function targets = newTargets (optim, names, found)
   if isempty (found.groups)

@@ -10,8 +10,6 @@
 %      shear modulus G = E / (2 (1 + nu))
 %
 % Source: the user document of DEcalioc (2017), section 4.3.
-%
-% See also: getRayleigh, designVariables
 
 function t = rayleighTime (r, rho, E, nu)
   G = E ./ (2 * (1 + nu));

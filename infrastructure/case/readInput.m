@@ -16,8 +16,6 @@
 %
 % Errors: DEcalioc:readInput:missingFile    no loadInput.m
 %         DEcalioc:readInput:brokenInput    loadInput.m cannot be run
-%
-% See also: loadCase, loadInput
 
 function raw = readInput (root, folder)
   if nargin < 2

@@ -20,8 +20,6 @@
 %
 % Reasons: measuredTable measuredColumn measuredModel measuredName
 % measuredNumber measuredTol measuredRole measuredAt
-%
-% See also: groupMeasured, checkMeasuredTable, readCsvTable
 
 function [list, p] = readMeasured (file, models)
   list = [];

@@ -5,8 +5,6 @@
 %   VALUE  1 x d or d x 1; or a struct whose fields are some of NAMES; or []
 %   NAMES  1 x d cell
 %   ROW    1 x d double, NaN where nothing is given
-%
-% See also: newCase, checkMeasured
 
 function row = rowByName (value, names)
   row = NaN (1, numel (names));

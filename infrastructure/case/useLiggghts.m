@@ -7,8 +7,6 @@
 % The choice is that of tools/liggghts/path.sh: the build of this toolbox, or
 % what the environment variable LIGGGHTS says. Where neither is there, PATH
 % stays as it is; a case whose models need no LIGGGHTS runs all the same.
-%
-% See also: DEcalioc, startToolbox
 
 function useLiggghts (root)
   script = fullfile (root, 'tools', 'liggghts', 'path.sh');

@@ -12,8 +12,6 @@
 %         for every target that is calibrated
 %
 % Only runs that count today and have no effect switched on are looked at.
-%
-% See also: caseStatus, targetResidual
 
 function best = bestSet (Case, runs, cost)
   best = [];

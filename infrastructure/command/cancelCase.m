@@ -13,8 +13,6 @@
 %
 % Errors: DEcalioc:cancelCase:otherHost, where the lock names another machine;
 % DEcalioc:cancelCase:runFailed, where a queue does not answer
-%
-% See also: lockHolder, endRun
 
 function done = cancelCase (Case)
   done = struct ('octave', false, 'runs', 0, 'arrays', 0);

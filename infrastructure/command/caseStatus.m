@@ -21,8 +21,6 @@
 %              until the end (later) of the calibration; NaN: not known
 %     best     see bestSet; verdict  see decideCase: of a result, once there
 %              is one; set  1 x d, the set of results/calibration.json; []
-%
-% See also: sayStatus, runsOfCase, foresee
 
 function s = caseStatus (Case, cost)
   runs = runsOfCase (Case);

@@ -7,8 +7,6 @@
 %           version ('' where it does not say), why, how (to choose another)
 %
 % Puts the choice first in PATH, as useLiggghts does.
-%
-% See also: useLiggghts, sayCheck, sayDoctor
 
 function choice = chosenLiggghts (root)
   before = onPath ();

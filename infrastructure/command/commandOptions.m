@@ -11,8 +11,6 @@
 %
 % Errors: DEcalioc:commandOptions:unknownName, an option that SPEC does not
 % have; DEcalioc:commandOptions:missingField, one without its value
-%
-% See also: commandMain
 
 function [options, words] = commandOptions (args, spec)
   options = spec;

@@ -8,8 +8,6 @@
 %           so does NAME alone after a dot in the name of a file (in.MODEL)
 %
 % Errors: DEcalioc:fillTemplate:cannotWrite, :exists
-%
-% See also: sayNew
 
 function fillTemplate (source, target, words)
   if exist (target, 'file')

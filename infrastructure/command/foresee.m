@@ -16,8 +16,6 @@
 %
 % Nothing is run or written. What fails is run again, so failed runs count as
 % missing.
-%
-% See also: sayCheck, caseStatus, newPlan
 
 function f = foresee (Case, runs)
   [data, ~, f.told] = importExisting (Case, newProblem (Case), @(text) [], ...

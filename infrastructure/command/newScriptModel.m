@@ -13,8 +13,6 @@
 % Errors: DEcalioc:newScriptModel:missingField, without a parameter or a target;
 % DEcalioc:newScriptModel:badValue, a name that cannot stand in a program;
 % DEcalioc:newScriptModel:cannotWrite; those of scriptFiles and fillTemplate
-%
-% See also: sayNew, scriptFiles, fillTemplate
 
 function [words, notes] = newScriptModel (root, target, given)
   [names, limits] = namedNumbers (given.vary, '--vary', 2);

@@ -12,8 +12,6 @@
 %
 % Reads files alone; works beside a running Octave and on a machine that is not
 % the one of the runs, of which it then takes their word.
-%
-% See also: caseStatus, findRuns, gatherRuns
 
 function runs = runsOfCase (Case)
   runs = struct ('model', {}, 'folder', {}, 'job', {}, 'state', {}, ...

@@ -8,8 +8,6 @@
 %   STATUS  0; 2 where a trial run has failed
 %
 % Errors: those of loadCase and withEffects, which list all mistakes
-%
-% See also: commandMain, checkCase, foresee
 
 function status = sayCheck (root, folder, args)
   options = commandOptions (args, struct ('try', 'flag'));

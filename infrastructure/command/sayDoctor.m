@@ -9,8 +9,6 @@
 %
 % The trial is a run of the model that decalioc new --model makes, with few
 % grains, in a folder that is removed afterwards.
-%
-% See also: commandMain, chosenLiggghts
 
 function status = sayDoctor (root, folder, args)
   options = commandOptions (args, struct ('no_run', 'flag'));

@@ -12,8 +12,6 @@
 %
 % A run that is forgotten has the status 'forgotten' in its record, and that
 % alone has changed: it counts in no case, and its folder stays.
-%
-% See also: commandMain, readLibrary
 
 function status = sayLibrary (root, folder, args, toForget)
   if nargin > 3

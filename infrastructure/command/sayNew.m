@@ -12,8 +12,6 @@
 %
 % Errors: DEcalioc:sayNew:missingField, :badValue, :exists; those of
 % commandOptions, fillTemplate and newScriptModel
-%
-% See also: commandMain, fillTemplate, newScriptModel
 
 function status = sayNew (root, folder, args)
   status = 0;

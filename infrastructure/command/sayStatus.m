@@ -8,8 +8,6 @@
 %   STATUS  0
 %
 % Writes nothing, so it can look on beside a running Octave.
-%
-% See also: caseStatus, commandMain
 
 function status = sayStatus (root, folder, args)
   commandOptions (args, struct ());

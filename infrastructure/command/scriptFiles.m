@@ -11,8 +11,6 @@
 %   TEXT       the script and the text files that it includes
 %
 % Errors: DEcalioc:scriptFiles:missingFile
-%
-% See also: newScriptModel
 
 function [files, variables, text] = scriptFiles (script)
   if ~isfile (script)

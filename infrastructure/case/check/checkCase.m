@@ -19,8 +19,6 @@
 % results of getResults are not counted, bash does not read the runscript, and
 % the place for the runs is not looked at. docs/inputs.md has a table of the
 % identifiers.
-%
-% See also: newCase, checkFault
 
 function [faults, found] = checkCase (raw, mode)
   if nargin < 2

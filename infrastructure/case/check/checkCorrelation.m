@@ -10,8 +10,6 @@
 % or one a target (0 or NaN: independent), or 'estimate'; [] for none.
 %
 % Reasons: badCorrelation correlationCount
-%
-% See also: checkPerTarget, measurementCovariance
 
 function p = checkCorrelation (optim, sizes)
   p = checkFault ();

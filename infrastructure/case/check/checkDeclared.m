@@ -15,8 +15,6 @@
 % data.head: what is written there would be lost.
 %
 % Reasons: unknownVariable variableStyle overwrittenInScript
-%
-% See also: checkCase, checkHead
 
 function p = checkDeclared (names, fields, kinds, models)
   p = checkFault ();

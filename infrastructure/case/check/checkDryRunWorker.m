@@ -6,8 +6,6 @@
 % environment holds DECALIOC_DRY_MODEL (model folder) and DECALIOC_DRY_NAME
 % (its name). What was found goes to the file answer: the number of results
 % or NaN, and below it why getResults can never work.
-%
-% See also: checkFindModels
 
 function checkDryRunWorker ()
   %| pragma Justify (metric, "globals", "getResults of users read it");

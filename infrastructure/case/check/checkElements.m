@@ -9,8 +9,6 @@
 %   FIELDS  1 x n cell, how each is written, e.g. 'optim.tolRes{1}(2)'
 %   SIZES   1 x M, elements of each model of the cell; the number of all for
 %           one vector; [] where VALUE is of no good kind
-%
-% See also: checkTargets, checkPerTarget
 
 function [values, fields, sizes] = checkElements (value, prefix)
   [values, fields] = deal (cell (1, 0));

@@ -11,8 +11,6 @@
 %   CURE      what to do (text, a sentence)
 %   P         struct array with the fields id and message: 1 x 1, or 1 x 0
 %             when called without arguments
-%
-% See also: checkCase, checkShow
 
 function p = checkFault (reason, field, expected, got, cure)
   if nargin == 0

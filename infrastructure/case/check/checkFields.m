@@ -18,8 +18,6 @@
 %   P       1 x n faults, see checkFault
 %   UNREAD  1 x m cell of the names that are near none of the table, which a
 %           file of the user may read; asked for, they are no faults
-%
-% See also: checkSettings, checkNearest
 
 function [p, unread] = checkFields (s, prefix, known, rules, n)
   if nargin < 4

@@ -15,8 +15,6 @@
 % getResults reads the files of the model's sample/, if it has one. Where that
 % throws, an empty run folder is tried: published files then return NaN for each
 % result.
-%
-% See also: checkModels, checkDryRunWorker
 
 function models = checkFindModels (Input, folder, root, mode)
   names = modelNames (Input);

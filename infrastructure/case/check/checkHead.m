@@ -8,8 +8,6 @@
 %   HEAD    1 x n struct array, in the order of the file: name, style ('equal',
 %           'string', ...), value, remark behind # (texts). Files that data.head
 %           includes are read too.
-%
-% See also: checkFindModels, headDefaults
 
 function head = checkHead (folder, name)
   if nargin < 2

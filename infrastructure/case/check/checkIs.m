@@ -17,8 +17,6 @@
 %   YES    true or false
 %
 % Never throws.
-%
-% See also: checkCase
 
 function yes = checkIs (kind, value)
   isKind = struct ('number', @isFinite, 'integer', @isWhole, ...

@@ -17,8 +17,6 @@
 %
 % Reasons: badCoarse coarseCount badLevels levelCount levelAssigned levelFixed
 % levelsDiffer levelMethod
-%
-% See also: checkCase, newCase
 
 function [p, names, fields] = checkLevels (raw, n)
   [names, fields] = deal (cell (1, 0));

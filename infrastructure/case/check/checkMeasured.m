@@ -13,8 +13,6 @@
 %
 % Reasons: badParamMean badParamSd paramCount unknownParam paramPair
 % paramOutside
-%
-% See also: checkVariables, rowByName
 
 function p = checkMeasured (optim, assign, paramLims)
   names = {};

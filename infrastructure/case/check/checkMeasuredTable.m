@@ -15,8 +15,6 @@
 %
 % Reasons: measuredTwice measuredTol measuredModel measuredName measuredResult
 % noCalibrateTarget, and those of readMeasured and groupMeasured
-%
-% See also: checkTargets, readMeasured, groupMeasured
 
 function [p, sizes, groups] = checkMeasuredTable (optim, models, file, taken)
   [sizes, groups] = deal ([]);

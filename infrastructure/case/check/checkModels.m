@@ -11,8 +11,6 @@
 % Reasons: missingModel modelWithRun missingInputFile missingHead emptyHead
 % missingRunscript missingGetResults brokenGetResults, and those of
 % checkRunscript
-%
-% See also: checkCase, findModel
 
 function p = checkModels (models, folder, root, how)
   p = checkFault ();

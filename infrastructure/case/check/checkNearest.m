@@ -8,8 +8,6 @@
 %
 % Near means an edit distance (insert, delete, replace one character; upper
 % and lower case are the same) of at most a third of the name's length.
-%
-% See also: checkFields, checkDeclared
 
 function hint = checkNearest (name, known)
   hint = '';

@@ -14,8 +14,6 @@
 %
 % Reasons: those of the table below and <field>Count, missingField,
 % duplicateTargetName, takenTargetName, noCalibrateTarget
-%
-% See also: checkTargets, checkCorrelation, perTarget
 
 function p = checkPerTarget (optim, sizes, taken)
   p = checkFault ();

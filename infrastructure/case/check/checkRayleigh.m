@@ -15,8 +15,6 @@
 % percentRayleigh to go by.
 %
 % Reason: missingRayleigh
-%
-% See also: getRayleigh, assignParams
 
 function p = checkRayleigh (optim, modelVars, assign, models)
   p = checkFault ();

@@ -6,8 +6,6 @@
 %   TEXT  1 x n char, at most the first MB; '' where FILE cannot be read;
 %         bytes beyond ASCII have become '?', so that a comment in another
 %         encoding does no harm
-%
-% See also: checkHead, checkRunscript
 
 function text = checkReadText (file)
   text = '';

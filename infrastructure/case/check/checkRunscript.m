@@ -14,8 +14,6 @@
 %
 % Reasons: emptyRunscript badRunscript windowsLineEnds missingProgram
 % missingInputFile rankMismatch
-%
-% See also: checkModels
 
 function p = checkRunscript (model, how)
   field = ['DEMmodels/', model.name, '/runscript'];

@@ -9,8 +9,6 @@
 % Reasons: unknownField missingField badModelList unsafeName duplicateModel
 % tooFewCPU badExecutor missingProgram, those of the tables below, and those of
 % each executor for Input.<its name>
-%
-% See also: checkCase, checkFields, describeExecutor
 
 function [p, unread] = checkSettings (Input, optim)
   p = checkFault ();

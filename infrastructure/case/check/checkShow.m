@@ -6,8 +6,6 @@
 %   TEXT   1 x n char, at most about 80 characters, printable
 %
 % Never throws.
-%
-% See also: checkFault
 
 function text = checkShow (value)
   try

@@ -12,8 +12,6 @@
 % 0.1 MB of output.
 %
 % Reasons: badFolder badStore storeNotWritable folderNotWritable diskSpace
-%
-% See also: checkCase
 
 function p = checkStore (store, folder, models, nRuns)
   there = existing (store);

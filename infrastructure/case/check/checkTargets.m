@@ -10,8 +10,6 @@
 %
 % Reasons: missingField badTargets targetCount ambiguousTargets
 % nonFiniteTarget zeroTarget
-%
-% See also: checkCase, checkPerTarget
 
 function [p, sizes] = checkTargets (optim, models)
   sizes = [];

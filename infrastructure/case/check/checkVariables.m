@@ -11,8 +11,6 @@
 % Reasons: badAssign badVariableName duplicateVariable reservedName
 % overwrittenVariable similarVariable badModelVar impossibleValue limitsShape
 % limitsCount limitsNotFinite badLimits tooFewSamples
-%
-% See also: checkCase, checkDeclared
 
 function p = checkVariables (modelVars, assign, paramLims, numOfSam)
   fixed = {};
