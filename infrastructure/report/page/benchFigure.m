@@ -77,7 +77,7 @@ function r = oneRow (page, m)
   if isempty (name) && ~isempty (t)
     name = page.units{t};
   end
-  r.label = [m.name, ' ', quantity(measured, name)];
+  r.label = labelOf (m.name, quantity (measured, name));
   if isempty (t)
     return
   end
@@ -85,6 +85,15 @@ function r = oneRow (page, m)
   if isfield (page.Case.targets, 'each')
     r.trials = (page.Case.targets(t).each - measured) / unit;
   end
+end
+
+% An axis has room for 26 characters (drawFigures): the value stays whole.
+function text = labelOf (name, value)
+  room = 25 - numel (value);
+  if numel (name) > room && all (name < 128)
+    name = [name(1:room - 2), '..'];
+  end
+  text = [name, ' ', value];
 end
 
 % Whether an effect was found that closes something.
@@ -144,6 +153,10 @@ end
 %! assert (at ('dots'), [-1, 1], 1e-12);
 %! assert (f.ynames, {'h 2 m'});
 %! assert (isempty (benchFigure (page, 'other')));
+%! % a long name is cut, its value is not
+%! page.verdict.misses.name = 'level of the grains behind the slit';
+%! label = benchFigure (page, 'B').ynames{1};
+%! assert (label, 'level of the grains .. 2 m');
 %! % where no gap is told, no effect is shown
 %! page.verdict.cause.closed = '';
 %! [f, key] = benchFigure (page, 'B');
