@@ -9,21 +9,23 @@
 %           a message of the executor (a cluster that does not answer) at once
 
 function report = newProgress (stage, say)
-  last = containers.Map ('KeyType', 'char', 'ValueType', 'double');
-  last('said') = -Inf;
-  report = @(state) tell (state, stage, say, last);
+  said = -Inf;                       % when: the nested function remembers it
+  report = @tell;
+
+  function tell (state)
+    if isfield (state, 'message') && ~isempty (state.message)
+      say (['  ', state.message]);
+    end
+    if (state.done == state.total || time () - said >= 1) && ...
+       (state.total > 0 || state.reused > 0)
+      said = time ();
+      say (textOf (state, stage));
+    end
+  end
+
 end
 
-function tell (state, stage, say, last)
-  if isfield (state, 'message') && ~isempty (state.message)
-    say (['  ', state.message]);
-  end
-  now = time ();
-  isEnd = state.done == state.total;
-  if ~isEnd && now - last('said') < 1
-    return
-  end
-  last('said') = now;
+function text = textOf (state, stage)
   text = sprintf ('  %s: %d of %d runs done', stage, state.done, state.total);
   if state.failed > 0
     text = sprintf ('%s, %d failed', text, state.failed);
@@ -31,7 +33,7 @@ function tell (state, stage, say, last)
   if state.reused > 0
     text = sprintf ('%s, %d taken from the store', text, state.reused);
   end
-  if ~isEnd && state.done > 0
+  if state.done < state.total && state.done > 0
     % on average the runs under way are half done
     done = state.done + state.running / 2;
     left = state.seconds / done * (state.total - done);
@@ -40,9 +42,6 @@ function tell (state, stage, say, last)
   end
   if state.total == 0
     text = sprintf ('  %s: all %d runs are in the store', stage, state.reused);
-  end
-  if state.total > 0 || state.reused > 0
-    say (text);
   end
 end
 
