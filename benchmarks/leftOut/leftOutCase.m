@@ -30,7 +30,7 @@ function cases = leftOutCase (campaign, numbers)
     gapProblem = newGapProblem (given);
     em = fitEmulator (gapProblem, without (data, same), options, campaign.em);
     kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
-    em.effect = em.effect(kept);
+    em = withoutEffects (em, find (~kept));
     models = makeHypotheses (gapProblem, em, options);
     models.reference = campaign.reference;
     fits = fitLibrary (models, given.value);
@@ -83,6 +83,19 @@ function one = describe (w, verdict, models, truth)
   at = truth.at(truth.at > 0);
   if ~isempty (at)
     one.pTrue = max (verdict.total(at));
-    one.interval = w.phi(1 + at(1), :);
+    one.interval = intervalOf (w, models, at(1));
+  end
+end
+
+% Median and interval of the strength of effect K where it acts alone.
+function q = intervalOf (w, models, k)
+  q = NaN (1, 3);
+  row = models.singles(k);
+  sample = w.posterior{row};
+  if ~isempty (sample.Q)
+    effect = models.white.effect(k);
+    q = strengthInterval (sample.Q(:, models.white.p + 1), sample.cautious, ...
+                          effect.range, effect.scale);
+    q(1) = w.phi(row);
   end
 end
