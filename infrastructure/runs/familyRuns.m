@@ -82,6 +82,10 @@ function [inputs, isOf, why] = inputsOf (kind, Case, h)
     if any (isFree)
       inputs(:, isFree) = was;
       fits = isfinite (was);
+      for own = Case.coarse(strcmp ({Case.coarse.variable}, name{1}))
+        fits = ismember (was, own.levels);
+        now = own.levels(end);
+      end
     elseif any (strcmp (name{1}, {'runSeed', 'RLTS', 'SIMTS'}))
       continue                          % they follow of the others
     else
@@ -142,5 +146,14 @@ end
 %! % what data.head declares counts where a run did not set it
 %! assert (rows (of (first.store, {'a', 'b'}, struct ('e', 1)).inputs), 0);
 %! assert (rows (of (first.store, {'a', 'b'}, struct ('e', 0)).inputs), 8);
+%! % a variable of levels: runs at its levels, and no others
+%! [~, ~, Case] = of (first.store, {'a', 'b'}, struct ());
+%! evaluateDEM ([2, 2], setfield (Case, 'modelVars', struct ('e', 3)));
+%! evaluateDEM ([2, 3], setfield (Case, 'modelVars', struct ('e', 2)));
+%! Case.coarse = struct ('variable', 'e', 'levels', [3, 0], 'models', 1:2);
+%! Case.effectVars = {'e'};
+%! found = familyRuns (Case, hashModels (Case), repmat ({zeros(0, 1)}, 1, 2));
+%! assert (sum (all (found.inputs == [2, 2, 3], 2)), 2);
+%! assert (rows (found.inputs), 10);
 %! [found, told] = of (first.store, {'a', 'e'}, struct ('b', 6));
 %! assert (found.inputs, [5, 0; 7, 0; 5, 0; 7, 0]);

@@ -111,7 +111,7 @@ end
 function r = recordOf (run, Case)
   folder = fullfile (Case.store, 'optim', Case.models(run(1)).name, ...
                      sprintf ('%04d', run(2)));
-  r = readRecord (fullfile (folder, 'record.json'));
+  r = readRecord ([folder, '/record.json']);
   if ~isempty (r)
     r.folder = folder;
   end
@@ -121,7 +121,7 @@ function yes = agrees (r, run, z, k, Case)
   own = [Case.targets.model] == k;
   at = [Case.targets(own).index];
   yes = strcmp (r.status, {'ok', 'invalid', 'failed'}{run(5)}) && ...
-        hex2dec (r.key(1:12)) == run(6);
+        sscanf (r.key(1:7), '%x') == run(6);
   if yes && run(5) == 1 && numel (r.results) >= max (at)
     yes = isequaln (r.results(at), z(own));
   end

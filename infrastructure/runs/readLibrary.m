@@ -13,7 +13,7 @@
 %          hashModels), funs (hash of the evaluation), origin (case folder),
 %          names (text, v variables that count, runSeed among them),
 %          runs n x (6 + v + m): number of the run folder, state (1 ok, 2
-%          invalid, 3 failed by itself, 0 of no use, -1 forgotten), first 12
+%          invalid, 3 failed by itself, 0 of no use, -1 forgotten), first 7
 %          digits of the key, core-seconds, seed, replicate, values, results
 %
 % The index, optim/MODEL/library.index, is made of the records and holds nothing
@@ -27,7 +27,8 @@ function kinds = readLibrary (store, model, h, again)
   if nargin < 4
     again = [];
   end
-  file = fullfile (store, 'optim', model, 'library.index');
+  place = fullfile (store, 'optim', model);
+  file = fullfile (place, 'library.index');
   numbers = str2double (listRunFolders (store, model));
   numbers = numbers(isfinite (numbers));
   kinds = loadIndex (file);
@@ -45,7 +46,7 @@ function kinds = readLibrary (store, model, h, again)
   new = setdiff (numbers, vertcat (zeros (0, 1), known{:}));
   found = cell (1, numel (new));
   for i = 1:numel (new)
-    folder = fullfile (store, 'optim', model, sprintf ('%04d', new(i)));
+    folder = sprintf ('%s/%04d', place, new(i));   % fullfile is slow
     found{i} = lineOf (folder, new(i), h);
   end
   found = [found{:}];
@@ -85,7 +86,7 @@ end
 % [] where there is no record yet.
 function line = lineOf (folder, number, h)
   line = [];
-  r = readRecord (fullfile (folder, 'record.json'));
+  r = readRecord ([folder, '/record.json']);
   if isempty (r) || ~isfield (r, 'key')
     return
   end
@@ -111,9 +112,10 @@ function line = lineOf (folder, number, h)
   if isfield (states, r.status) && ~any (strcmp (r.cause, {'killed', 'budget'}))
     state = states.(r.status);
   end
-  cpu = str2double (checkReadText (fullfile (folder, 'cpu')));
-  line.run = [number, state, hex2dec(r.key(1:12)), r.seconds * max(cpu, 1), ...
-              r.seed, r.replicate, values, r.results];
+  cpu = str2double (checkReadText ([folder, '/cpu']));
+  head = sscanf (r.key(1:7), '%x');
+  line.run = [number, state, head, r.seconds * max(cpu, 1), r.seed, ...
+              r.replicate, values, r.results];
 end
 
 % Of a record that does not say it: its data.head ends in all its variables, in

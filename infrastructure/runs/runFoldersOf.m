@@ -39,9 +39,9 @@ function heads = headsOf (jobs, Case, h)
   heads = [];
   for job = jobs
     [~, older] = runKey (runVariables (job, Case), Case.effectVars, h);
-    heads(end + 1) = hex2dec (job.key(1:12));
+    heads(end + 1) = sscanf (job.key(1:7), '%x');
     if ~isempty (older)
-      heads(end + 1) = hex2dec (older(1:12));
+      heads(end + 1) = sscanf (older(1:7), '%x');
     end
   end
 end
