@@ -37,7 +37,10 @@ function own = foundOf (c, v, Case)
   own.results = [c.targets.result];
   own.residual = [c.targets.residual]';
   own.noiseSd = [c.targets.noiseSd];
-  own.met = arrayfun (@(t) isequal (t.met, true), c.targets(:)');
+  own.met = abs (own.residual') <= [c.targets.tol];
+  if isfield (c.targets, 'met')
+    own.met = arrayfun (@(t) isequal (t.met, true), c.targets(:)');
+  end
   own.identifiability = struct ('text', {cellstr(c.unfixed)(1:0)}, ...
                                 'next', []);
   for field = {'runs', 'correlation', 'demRuns', 'coreSeconds', 'holdout', ...
