@@ -24,6 +24,8 @@
 % and giveOrder
 
 function records = executeLocal (jobs, Case, report)
+  % a map, for CumFunc and what tidies up must see the same plan, and a nested
+  % function would keep alive the very frame whose end the tidying waits for
   book = containers.Map ({'plan'}, {newPlan(jobs, Case)}, ...
                          'UniformValues', false);
   plan = book('plan');
