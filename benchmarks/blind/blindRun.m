@@ -35,13 +35,14 @@ function Z = blindRun (lab, truth, trial, work)
     script = [folder, '.sh'];
     writeAtomic (script, strjoin ([{'set -e'}, lines, {''}], "\n"));
     head = headDefaults (fullfile (model, 'data.head'));
-    own = set;
-    own.readTime = 0.4;
-    unknown = setdiff (fieldnames (own)', fieldnames (head)');
-    own = rmfield (own, unknown);
-    at = gapProblem.bench == b;
-    results = benchRun (folder, model, own, sprintf ('bash "%s"', script));
-    Z(at) = results(1:sum (at));
+    variables = set;
+    variables.readTime = 0.4;
+    unknown = setdiff (fieldnames (variables)', fieldnames (head)');
+    variables = rmfield (variables, unknown);
+    ofBench = gapProblem.bench == b;
+    results = benchRun (folder, model, variables, ...
+                        sprintf ('bash "%s"', script));
+    Z(ofBench) = results(1:sum (ofBench));
   end
   Z = laboratoryEffects (Z, truth, gapProblem.effects);
 end

@@ -30,14 +30,15 @@ function blindTable (stem, numbers, answers, code)
   writeAtomic ([stem, '-strengths.csv'], [strjoin(strengths, "\n"), "\n"]);
 end
 
-function text = ofVerdict (said)
-  names = fieldnames (said.resembles)';
-  total = cellfun (@(n) said.posterior.(n) + said.resembles.(n), names);
-  [p, at] = max (total);
-  text = sprintf ('%s,%s,%d,%s,%.4g,%.4g,%.4g,%s,%.4g', said.verdict, ...
-                  strjoin (cellstr (said.effects)(:)', ' '), ...
-                  said.lookAlike, said.guard, said.p, said.posterior.null, ...
-                  said.posterior.unlisted, names{at}, p);
+function text = ofVerdict (verdict)
+  names = fieldnames (verdict.resembles)';
+  total = cellfun (@(n) verdict.posterior.(n) + verdict.resembles.(n), names);
+  [p, likeliest] = max (total);
+  text = sprintf ('%s,%s,%d,%s,%.4g,%.4g,%.4g,%s,%.4g', verdict.verdict, ...
+                  strjoin (cellstr (verdict.effects)(:)', ' '), ...
+                  verdict.lookAlike, verdict.guard, verdict.p, ...
+                  verdict.posterior.null, ...
+                  verdict.posterior.unlisted, names{likeliest}, p);
 end
 
 % Benches and targets, worst first; names as in the campaign.
@@ -83,13 +84,14 @@ function two = ends (interval)
   end
 end
 
-function lines = ofStrengths (number, said)
+function lines = ofStrengths (number, verdict)
   lines = {};
-  for name = fieldnames (said.strength)'
-    one = said.strength.(name{1});
+  for name = fieldnames (verdict.strength)'
+    one = verdict.strength.(name{1});
     lines{end + 1} = sprintf ('%d,%s,%.4g,%.4g,%.4g,%.4g,%.4g', number, ...
-                              name{1}, said.posterior.(name{1}), ...
-                              said.resembles.(name{1}), orNaN (one.value), ...
+                              name{1}, verdict.posterior.(name{1}), ...
+                              verdict.resembles.(name{1}), ...
+                              orNaN (one.value), ...
                               ends (one.interval90));
   end
 end

@@ -18,8 +18,9 @@ function blindWhere (stem, lab)
   rowsOf = cell2struct (cells, header, 2)';
   [header, answers] = readCsvTable ([stem, '-answers.csv']);
   for i = 1:rows (answers)
-    own = rowsOf(strcmp ({rowsOf.case}, answers{i, strcmp(header, 'case')}));
-    [where, used] = whereOf (own, lab);
+    number = answers{i, strcmp(header, 'case')};
+    measured = rowsOf(strcmp ({rowsOf.case}, number));
+    [where, used] = whereOf (measured, lab);
     benches = lab.gapProblem.benchNames([where.benches.bench]);
     targets = lab.gapProblem.targetNames(used);
     [answers{i, strcmp(header, 'benches')}, ...
@@ -33,11 +34,11 @@ function blindWhere (stem, lab)
 end
 
 % USED  targets of the case that are calibrated on and were measured
-function [where, used] = whereOf (own, lab)
+function [where, used] = whereOf (measured, lab)
   gapProblem = lab.gapProblem;
-  [isThere, at] = ismember (gapProblem.targetNames, {own.name});
+  [isThere, row] = ismember (gapProblem.targetNames, {measured.name});
   gapProblem.value(:) = NaN;
-  gapProblem.value(isThere) = str2double ({own(at(isThere)).value});
+  gapProblem.value(isThere) = str2double ({measured(row(isThere)).value});
   used = gapProblem.used(isfinite (gapProblem.value(gapProblem.used)));
   gapProblem.used = used;
   options = setfield (lab.models.options, 'bootstrap', 199);

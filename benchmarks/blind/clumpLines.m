@@ -16,12 +16,12 @@
 function lines = clumpLines (n, aspect)
   if n == 3
     step = aspect - 1;
-    at = [-step, 0, 0; 0, 0, 0; step, 0, 0];
+    centre = [-step, 0, 0; 0, 0, 0; step, 0, 0];
     volume = 3 - 2 * lens (step);
   else
-    at = [1, 1, 1; 1, -1, -1; -1, 1, -1; -1, -1, 1] / sqrt (8) * ...
+    centre = [1, 1, 1; 1, -1, -1; -1, 1, -1; -1, -1, 1] / sqrt (8) * ...
          2 * (aspect - 1);
-    volume = countedVolume (at);
+    volume = countedVolume (centre);
   end
   scale = volume^(-1 / 3);                  % radius of a member / of the sphere
   text = {sprintf('variable rC equal %.8g*\\${radiusG}', scale)};
@@ -29,7 +29,7 @@ function lines = clumpLines (n, aspect)
   for i = 1:n
     for j = 1:3
       text{end + 1} = sprintf ('variable c%d%d equal %.8g*\\${radiusG}', ...
-                               i, j, scale * at(i, j));
+                               i, j, scale * centre(i, j));
     end
     spheres = sprintf ('%s \\${c%d1} \\${c%d2} \\${c%d3} \\${rC}', spheres, ...
                        i, i, i);
@@ -54,15 +54,15 @@ function share = lens (distance)
 end
 
 % In volumes of a member, of radius 1.
-function volume = countedVolume (at)
-  reach = 1 + max (abs (at(:)));
+function volume = countedVolume (centre)
+  reach = 1 + max (abs (centre(:)));
   n = 120;
   line = ((1:n) - 0.5) / n * 2 * reach - reach;
   [x, y, z] = ndgrid (line, line, line);
   inside = false (size (x));
-  for i = 1:rows (at)
-    inside = inside | (x - at(i, 1)).^2 + (y - at(i, 2)).^2 + ...
-                      (z - at(i, 3)).^2 < 1;
+  for i = 1:rows (centre)
+    inside = inside | (x - centre(i, 1)).^2 + (y - centre(i, 2)).^2 + ...
+                      (z - centre(i, 3)).^2 < 1;
   end
   volume = mean (inside(:)) * (2 * reach)^3 / (4 / 3 * pi);
 end

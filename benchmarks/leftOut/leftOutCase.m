@@ -56,11 +56,11 @@ function truth = truthOf (gapProblem, models, data, i)
   theta = 2 * (data.X(i, :) - gapProblem.limits(1, :)) ./ ...
           diff (gapProblem.limits) - 1;
   names = {gapProblem.effects(abs (phi) > 1e-9).name};
-  [has, at] = ismember (names, models.names);
+  [has, numbers] = ismember (names, models.names);
   truth = struct ('names', {names}, 'phi', phi(abs (phi) > 1e-9), 'd', 0);
-  truth.at = at;
+  truth.at = numbers;
   if ~isempty (names) && all (has)
-    [~, ~, S] = predictGap (models.white, at, [theta, truth.phi]);
+    [~, ~, S] = predictGap (models.white, numbers, [theta, truth.phi]);
     white = models.white;
     [~, V, ~, J] = predictGap (white, [], theta);
     slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
@@ -80,10 +80,10 @@ function one = describe (w, verdict, models, truth)
                 'pTop', verdict.total(verdict.top), 'pTrue', 0, ...
                 'pNull', verdict.null, 'interval', NaN (1, 3), ...
                 'gateP', w.gate.p, 'exclude', w.exclude, 'ess', min (w.ess));
-  at = truth.at(truth.at > 0);
-  if ~isempty (at)
-    one.pTrue = max (verdict.total(at));
-    one.interval = intervalOf (w, models, at(1));
+  numbers = truth.at(truth.at > 0);
+  if ~isempty (numbers)
+    one.pTrue = max (verdict.total(numbers));
+    one.interval = intervalOf (w, models, numbers(1));
   end
 end
 

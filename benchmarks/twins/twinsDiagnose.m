@@ -19,17 +19,17 @@
 
 function verdicts = twinsDiagnose (labs, twins)
   n = numel (labs);
-  [jobs, own] = deal (cell (1, n));
+  [jobs, cases] = deal (cell (1, n));
   for l = 1:n
-    at = find ([twins.lab] == l);
+    ofLab = find ([twins.lab] == l);
     jobs{l} = struct ('name', labs(l).name, ...
                       'gapProblem', labs(l).gapProblem, ...
                       'data', labs(l).data, 'em', emulatorOf (labs(l)), ...
                       'middle', mean (labs(l).data.Z));
-    own{l} = struct ('index', at, 'removed', [twins(at).removed], ...
-                     'Y', vertcat (twins(at).y));
+    cases{l} = struct ('index', ofLab, 'removed', [twins(ofLab).removed], ...
+                       'Y', vertcat (twins(ofLab).y));
   end
-  parts = parcellfun (min (n, nproc ()), @twinsOfLab, jobs, own, ...
+  parts = parcellfun (min (n, nproc ()), @twinsOfLab, jobs, cases, ...
                       'UniformOutput', false, 'VerboseLevel', 0, ...
                       'ErrorHandler', @(err, varargin) err);
   for l = 1:n
@@ -38,7 +38,7 @@ function verdicts = twinsDiagnose (labs, twins)
              'twinsDiagnose: laboratory %s could not be diagnosed: %s', ...
              labs(l).name, parts{l}.message);
     end
-    verdicts(own{l}.index) = parts{l};
+    verdicts(cases{l}.index) = parts{l};
     printf ('%s: done\n', labs(l).name);
   end
 end

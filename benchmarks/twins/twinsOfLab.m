@@ -28,10 +28,10 @@ function verdicts = twinsOfLab (lab, cases)
                                options);
       models = omnibusReference (models);
     end
-    at = find (cases.removed == removed);
-    fits = fitLibrary (models, cases.Y(at, :));
-    for i = 1:numel (at)
-      verdicts(at(i)) = oneVerdict (models, fits, i, removed, K);
+    numbersOf = find (cases.removed == removed);
+    fits = fitLibrary (models, cases.Y(numbersOf, :));
+    for i = 1:numel (numbersOf)
+      verdicts(numbersOf(i)) = oneVerdict (models, fits, i, removed, K);
     end
   end
 end
@@ -52,16 +52,16 @@ function v = oneVerdict (models, fits, i, removed, K)
   for h = 1:numel (verdict.P)
     switch w.kind{h}
       case 'null'
-        at = 1;
+        place = 1;
       case 'single'
-        at = 1 + numbers(w.members{h});
+        place = 1 + numbers(w.members{h});
         v.interval(numbers(w.members{h}), :) = w.phi(h, :);
       case 'pair'
-        at = K + 2;
+        place = K + 2;
       otherwise
-        at = K + 3;
+        place = K + 3;
     end
-    v.P(at) = v.P(at) + verdict.P(h);
+    v.P(place) = v.P(place) + verdict.P(h);
   end
   v.seconds = toc (start);
 end

@@ -55,17 +55,17 @@ function score = scoresOf (twins, verdicts)
     prior = [0.4, 0.4 / K * ones(1, K), 0.1, 0.1];
     switch twins(i).class
       case 'null'
-        at = 1;
+        place = 1;
       case 'single'
-        at = 1 + twins(i).cause;
+        place = 1 + twins(i).cause;
       case 'pair'
-        at = K + 2;
+        place = K + 2;
       otherwise
-        at = K + 3;
+        place = K + 3;
     end
-    truth = (1:K + 3) == at;
-    score(i, :) = [log(max (P(at), 1e-6)), sum((P - truth).^2), ...
-                   log(prior(at)), sum((prior - truth).^2)];
+    truth = (1:K + 3) == place;
+    score(i, :) = [log(max (P(place), 1e-6)), sum((P - truth).^2), ...
+                   log(prior(place)), sum((prior - truth).^2)];
   end
 end
 

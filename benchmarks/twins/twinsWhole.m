@@ -52,27 +52,28 @@ function runs = runsOf (source, gapProblem, effects)
                                        strengthOfValues (effects, E));
 end
 
-function v = verdictOf (said, names, seconds)
+function v = verdictOf (verdict, names, seconds)
   K = numel (names);
-  [~, effects] = ismember (said.effects, names);
-  [~, partners] = ismember (said.partners, names);
-  v = struct ('kind', said.verdict, 'effects', effects, ...
-              'lookAlike', said.lookAlike, 'guard', said.guard, ...
+  [~, effects] = ismember (verdict.effects, names);
+  [~, partners] = ismember (verdict.partners, names);
+  v = struct ('kind', verdict.verdict, 'effects', effects, ...
+              'lookAlike', verdict.lookAlike, 'guard', verdict.guard, ...
               'partners', partners, 'top', 1, ...
-              'P', [said.posterior.null, zeros(1, K), NaN, ...
-                    said.posterior.unlisted], ...
+              'P', [verdict.posterior.null, zeros(1, K), NaN, ...
+                    verdict.posterior.unlisted], ...
               'total', zeros (1, K), 'interval', NaN (K, 3), ...
-              'gateP', said.gateP, 'exclude', log (max (said.exclude, eps)), ...
-              'ess', said.numbers.ess, 'seconds', seconds);
+              'gateP', verdict.gateP, ...
+              'exclude', log (max (verdict.exclude, eps)), ...
+              'ess', verdict.numbers.ess, 'seconds', seconds);
   for k = 1:K
-    if isfield (said.posterior, names{k})
-      v.P(1 + k) = said.posterior.(names{k});
-      v.total(k) = v.P(1 + k) + said.resembles.(names{k});
+    if isfield (verdict.posterior, names{k})
+      v.P(1 + k) = verdict.posterior.(names{k});
+      v.total(k) = v.P(1 + k) + verdict.resembles.(names{k});
     end
-    at = find (strcmp ({said.strength.name}, names{k}), 1);
-    if ~isempty (at)
-      own = said.strength(at);
-      v.interval(k, :) = [own.value, own.interval90];
+    listed = find (strcmp ({verdict.strength.name}, names{k}), 1);
+    if ~isempty (listed)
+      strength = verdict.strength(listed);
+      v.interval(k, :) = [strength.value, strength.interval90];
     end
   end
   [~, v.top] = max (v.total);

@@ -58,9 +58,9 @@ function words = wordsOf (text)
                   'lineanchors');
   parts = regexp (code, '^\s*function\s', 'split', 'lineanchors');
   for k = 1:numel (parts)
-    own = [localsOf(parts{k}, k > 1), local{:}];
+    locals = [localsOf(parts{k}, k > 1), local{:}];
     used = regexp (parts{k}, '(?<![\w.])[A-Za-z]\w*', 'match');
-    words = [words, setdiff(used, own)];
+    words = [words, setdiff(used, locals)];
   end
 end
 
@@ -90,11 +90,11 @@ function code = codeOf (text)
   code = regexprep (code, '\.\.\.\s*\n', ' ');
 end
 
-function own = localsOf (code, isFunction)
-  own = {};
+function variables = localsOf (code, isFunction)
+  variables = {};
   if isFunction
     [head, code] = strtok (code, "\n");
-    own = regexp (head, '[A-Za-z]\w*', 'match');
+    variables = regexp (head, '[A-Za-z]\w*', 'match');
   end
   one = regexp (code, ['(?:^|[;,]|\sfor)\s*\(?([A-Za-z]\w*)\s*', ...
                        '(?:[({.][^=\n]*)?(?<![=~<>!])=(?!=)'], ...
@@ -102,7 +102,7 @@ function own = localsOf (code, isFunction)
   some = regexp (code, '\[([^\]=]*)\]\s*=(?!=)|@\s*\(([^)]*)\)', 'tokens');
   some = regexp (strjoin ([{' '}, some{:}], ' '), '(?<![\w.])[A-Za-z]\w*', ...
                  'match');
-  own = [own, [one{:}], some];
+  variables = [variables, [one{:}], some];
 end
 
 %!test

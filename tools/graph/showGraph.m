@@ -103,23 +103,24 @@ function faults = upward (rule, names, places, calls)
     allowed = ismember (tops, [rule(k, 1), rule{k, 2}]);
     calls(mine, allowed) = false;
   end
-  faults = said ('Upward', names, places, calls);
+  faults = faultLines ('Upward', names, places, calls);
 end
 
 % Between two subfolders of one folder. The folder itself holds their way in and
 % what they share, and so both calls them and is called.
 function faults = mutual (names, places, calls)
-  [folders, ~, at] = unique (places);
+  [folders, ~, folderOf] = unique (places);
   count = zeros (numel (folders));
   [from, to] = find (calls);
-  count(sub2ind (size (count), at(from), at(to))) = 1;
+  count(sub2ind (size (count), folderOf(from), folderOf(to))) = 1;
   both = count & count' & ~eye (numel (folders));
   isSub = ~cellfun (@isempty, strfind (folders, '/'));
   both = both & isSub & isSub';
-  faults = said ('Both ways', names, places, calls & both(at, at));
+  calls = calls & both(folderOf, folderOf);
+  faults = faultLines ('Both ways', names, places, calls);
 end
 
-function faults = said (what, names, places, calls)
+function faults = faultLines (what, names, places, calls)
   [from, to] = find (calls);
   faults = arrayfun (@(a, b) sprintf ('%s: %s/%s calls %s/%s', what, ...
                                       places{a}, names{a}, places{b}, ...
