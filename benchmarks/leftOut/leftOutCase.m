@@ -83,19 +83,6 @@ function one = describe (w, verdict, models, truth)
   numbers = truth.at(truth.at > 0);
   if ~isempty (numbers)
     one.pTrue = max (verdict.total(numbers));
-    one.interval = intervalOf (w, models, numbers(1));
-  end
-end
-
-% Median and interval of the strength of effect K where it acts alone.
-function q = intervalOf (w, models, k)
-  q = NaN (1, 3);
-  row = models.singles(k);
-  sample = w.posterior{row};
-  if ~isempty (sample.Q)
-    effect = models.white.effect(k);
-    q = strengthInterval (sample.Q(:, models.white.p + 1), sample.cautious, ...
-                          effect.range, effect.scale);
-    q(1) = w.phi(row);
+    one.interval = strengthAlone (w, models, numbers(1));
   end
 end

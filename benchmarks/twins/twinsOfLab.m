@@ -55,7 +55,8 @@ function v = oneVerdict (models, fits, i, removed, K)
         place = 1;
       case 'single'
         place = 1 + numbers(w.members{h});
-        v.interval(numbers(w.members{h}), :) = w.phi(h, :);
+        k = w.members{h};
+        v.interval(numbers(k), :) = strengthAlone (w, models, k);
       case 'pair'
         place = K + 2;
       otherwise
@@ -65,3 +66,16 @@ function v = oneVerdict (models, fits, i, removed, K)
   end
   v.seconds = toc (start);
 end
+
+%!test
+%! % intervals of the effects on the list, and of no other
+%! pkg load stk
+%! [given, data] = smallGapLab ();
+%! lab = struct ('name', 'here', 'gapProblem', given, 'data', data, ...
+%!               'em', [], 'middle', mean (data.Z));
+%! v = twinsOfLab (lab, struct ('Y', data.Z(end - 1:end, :), ...
+%!                              'removed', [0, 1]));
+%! K = numel (given.effects);
+%! assert (size (v(1).interval), [K, 3]);
+%! assert (all (diff (v(1).interval(:, [2, 1, 3]), 1, 2)(:) >= 0));
+%! assert (isnan (v(2).interval(:, 1))', (1:K) == 1);
