@@ -22,6 +22,7 @@
 %!           'WHICH: NO GAP', 'Missing in the model'; ...
 %!           'NO GAP', '<-- off'; 'NO GAP', 'HOW FAR'; ...
 %!           'No measurement is missed', '<-- off'; ...
+%!           'No measurement is missed', 'Missing in the model'; ...
 %!           'cannot be judged from so few', 'range, noise makes'; ...
 %!           'No DEM run was made', 'DEM: '};
 %!  has = @(text) ~isempty (strfind (said, text));
@@ -108,3 +109,17 @@
 %! assert (isempty (strfind (v.action, 'once more')));
 %! v = decide (of ('missed, a test tells'));
 %! assert (! isempty (strfind (v.action, 'measure First once more')));
+%! % a cause that cannot be seen is not said to be missing; where no single
+%! % measurement is missed, that is not said beside a cause either
+%! s = of ('missed, several');
+%! s.gap.where.p = 0.3;
+%! [s.gap.where.targets.p] = deal (0.5);
+%! v = decide (s);
+%! assert (v.cause.kind, 'several');
+%! assert (! isempty (strfind (v.cause.where, 'No single measurement')));
+%! s.gap.which.cannotSee = {'cohesion', 'drag'};
+%! v = decide (s);
+%! assert (v.cause.kind, 'cannot tell');
+%! assert (v.gap, ['These targets cannot tell whether something is ', ...
+%!                 'missing. If so, most likely: cohesion.']);
+%! assert (v.cause.closed, '');

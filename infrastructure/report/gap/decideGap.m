@@ -28,7 +28,11 @@ function cause = decideGap (gap)
     case 'no gap'
       cause = noGap (cause, gap);
     case {'named', 'group'}
-      cause = found (cause, gap, effects);
+      if all (ismember (effects, cause.cannotSee))
+        cause = stillOpen (cause, gap);
+      else
+        cause = found (cause, gap, effects);
+      end
     case 'none of the listed'
       cause.kind = 'unlisted';
       cause.word = 'None of the listed causes';
@@ -55,7 +59,7 @@ end
 
 function cause = noGap (cause, gap)
   cause.closed = '';
-  missed = heldOutOff (gap);
+  missed = strjoin (offTargets (gap, 'holdout'), ', ');
   if ~isempty (missed)
     cause.kind = 'cannot tell';
     cause.word = 'These targets cannot tell';
@@ -103,6 +107,7 @@ function cause = stillOpen (cause, gap)
   else
     cause.kind = 'cannot tell';
     cause.word = 'These targets cannot tell';
+    cause.closed = '';
     cause.sentence = ['These targets cannot tell whether something is ', ...
                       'missing.'];
     if ~isempty (likely)
@@ -112,18 +117,24 @@ function cause = stillOpen (cause, gap)
   cause.action = testOf (gap);
 end
 
-function names = heldOutOff (gap)
-  targets = arrayfun (@(t) jsonAt (gap.where.targets, {t}), ...
-                      1:numel (gap.where.targets), 'UniformOutput', false);
-  isMissed = @(t) strcmp (t.role, 'holdout') && isfield (t, 'p') && ...
-                  isscalar (t.p) && t.p < 0.05;
-  isOff = cellfun (isMissed, targets);
-  names = strjoin (cellfun (@(t) t.name, targets(isOff), ...
-                            'UniformOutput', false), ', ');
+function names = offTargets (gap, roles)
+  names = {};
+  for t = 1:numel (gap.where.targets)
+    own = jsonAt (gap.where.targets, {t});
+    if isfield (own, 'p') && isscalar (own.p) && own.p < 0.05 && ...
+       any (strcmp (own.role, roles))
+      names{end + 1} = own.name;
+    end
+  end
 end
 
 function cause = found (cause, gap, effects)
   which = gap.which;
+  [~, isBeyond] = whereText (gap);
+  if ~isBeyond
+    cause.where = ['No single measurement is missed by more than noise ', ...
+                   'makes; together they point to a cause.'];
+  end
   cause.kind = 'found';
   cause.class = 'open';
   together = isequal (jsonAt (which, {'together'}), true);
@@ -212,18 +223,9 @@ end
 function [text, isBeyond] = whereText (gap)
   where = gap.where;
   models = jsonAt (where, {'models'});
-  p = jsonAt (where, {'p'});
-  if isempty (p)
-    p = NaN;
-  end
-  off = {};
-  for t = 1:numel (where.targets)
-    own = jsonAt (where.targets, {t});
-    if isfield (own, 'p') && isscalar (own.p) && own.p < 0.05
-      off{end + 1} = own.name;
-    end
-  end
-  isBeyond = ~(p >= 0.05) || ~isempty (off);
+  p = [jsonAt(where, {'p'}), NaN];
+  off = offTargets (gap, {'calibrate', 'holdout'});
+  isBeyond = ~(p(1) >= 0.05) || ~isempty (off);
   if ~isBeyond
     text = 'No measurement is missed by more than noise makes.';
     return
