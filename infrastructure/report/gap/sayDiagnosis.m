@@ -15,7 +15,9 @@ function sayDiagnosis (diagnosis, Case, say)
     say (['  ', whyTwoSets()]);
   end
   sayWhich (diagnosis, say);
-  sayHowFar (diagnosis.howFar, diagnosis.gapProblem, say);
+  if ~isempty (diagnosis.verdict.cause.closed)
+    sayHowFar (diagnosis.howFar, diagnosis.gapProblem, say);
+  end
   if isfield (diagnosis, 'level') && ~isempty (diagnosis.level)
     say ('');
     say (['LEVEL: ', levelText(diagnosis.level)]);
@@ -181,3 +183,14 @@ end
 %! assert (! isempty (strfind (text, ...
 %!         '7        6.65     3.5   0.010  <-- off')));
 %! assert (! isempty (strfind (text, 'WHICH: Cause found: cohesion')), text);
+%!test
+%! % where no gap is told, nothing is said of how far it is closed
+%! list = verdictCase ();
+%! s = list(strcmp ({list.name}, 'missed, no gap'));
+%! s.gap.howFar.effect = 'cohesion';
+%! raw = standInCase (tempname ());
+%! text = verdictConsole (s, newCase (raw));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
+%! assert (! isempty (strfind (text, 'WHICH: No gap seen')));
+%! assert (isempty (strfind (text, 'HOW FAR')));
