@@ -154,3 +154,19 @@ end
 %! setenv ('PATH', before);
 %! assert (~isempty (strfind (text, '4 finished')));
 %! assert (~isempty (strfind (text, 'another LIGGGHTS')));
+%!test
+%! % of a store that cases share: samples, and what differs in the others
+%! first = newCase (standInCase (tempname ()));
+%! evaluateDEM ([1, 2; 3, 4], first);
+%! raw = standInCase (tempname ());
+%! raw.Input.store = first.store;
+%! Case = newCase (raw);
+%! script = fullfile (Case.models(1).folder, 'runscript');
+%! writeAtomic (script, [fileread(script), "# new\n"]);
+%! [~, told] = libraryRuns (Case, newProblem (Case), true);
+%! text = evalc ('sayOldRuns (Case, @(t) printf (''%s\n'', t), told)');
+%! for words = {'2 runs of 1 cases are samples here', ...
+%!              ['2 of ', first.folder], 'First: 2 runs of another rig', ...
+%!              'changed since: runscript'}
+%!   assert (~isempty (strfind (text, words{1})), words{1});
+%! end
