@@ -47,7 +47,7 @@ function status = sayCancel (root, folder, args)
   words = {'no Octave worked in it', 'its Octave was ended'};
   printf ('%s; %d run(s) ended here, %d job array(s) on Slurm\n', ...
           words{1 + done.octave}, done.runs, done.arrays);
-  printf ('Finished runs are kept; decalioc run goes on.\n');
+  printf ('Finished runs are kept; the same command goes on.\n');
   status = 0;
 end
 
