@@ -55,7 +55,7 @@
 %! [status, out] = startCommand (base, '--help');
 %! assert (status, 0);
 %! commands = regexp (out, '^  (\w+) ', 'tokens', 'lineanchors');
-%! assert (numel (commands), 9);
+%! assert (numel (commands), 11);
 %! for name = [commands{:}]
 %!   [status, text] = startCommand (base, [name{1}, ' --help']);
 %!   assert (status, 0);
