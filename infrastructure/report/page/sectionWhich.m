@@ -33,7 +33,7 @@ function html = shapes (page, which)
   causes = causes(order(1:min (3, end)))(:)';
   n = numel (names);
   y = (n:-1:1)';
-  f = newFigure ('The measured gap', 'standard deviations of the noise', ...
+  f = newFigure ('The measured gap', 'in sd of the noise', ...
                  '', 'The measured gap');
   f.size = [360, 74 + 22 * n];
   f.ynames = flipud (cellstr (names)(:))';
