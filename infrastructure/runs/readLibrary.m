@@ -73,14 +73,18 @@ function kinds = loadIndex (file)
 end
 
 % No fault where the store can be read alone: the next start reads the records.
+% save says nothing of a full disk, so what is torn does not take the name.
 function saveIndex (file, kinds)
   draft = sprintf ('%s.%d', file, getpid ());
   try
     save ('-binary', draft, 'kinds');
-    [~, ~] = rename (draft, file);
+    if isequaln (load (draft).kinds, kinds)
+      [~, ~] = rename (draft, file);
+    end
   catch
-    [~, ~] = unlink (draft);
+    % torn, or not there
   end
+  [~, ~] = unlink (draft);
 end
 
 % [] where there is no record yet.
