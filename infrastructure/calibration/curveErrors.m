@@ -29,7 +29,7 @@ function [curves, nFree] = curveErrors (surrogates, problem)
                 'sd', problem.sd(own), 'distance', abs (at' - at));
     c.packingVar = [surrogates(own).noiseVar] ./ problem.trials(own);
     c.scatter = any (problem.scatter(own));
-    [c.rough, c.smooth] = curveCorrelation (residuals (surrogates(own)), ...
+    [c.rough, c.smooth] = curveCorrelation (looRows (surrogates(own)), ...
                                             c.distance);
     c.length = problem.correlation(own(1));
     steps = diff (unique (at));
@@ -44,15 +44,6 @@ function [curves, nFree] = curveErrors (surrogates, problem)
     c.free = nFree + (1:nNew);
     nFree = nFree + nNew;
     curves = [curves, c];
-  end
-end
-
-% Where the surrogates stand on different runs they cannot be laid side by side.
-function E = residuals (surrogates)
-  n = arrayfun (@(s) numel (s.looStd), surrogates);
-  E = zeros (0, numel (n));
-  if all (n == n(1))
-    E = [surrogates.looStd];
   end
 end
 

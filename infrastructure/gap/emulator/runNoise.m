@@ -47,15 +47,6 @@ function [variance, df, residual] = ofRepeats (inputs, Z)
   variance = total ./ df;
 end
 
-% Leave-one-out residuals, where all targets have the same runs.
-function R = looRows (surrogates)
-  lengths = arrayfun (@(s) numel (s.looStd), surrogates);
-  R = zeros (0, numel (surrogates));
-  if all (lengths == lengths(1))
-    R = [surrogates.looStd];
-  end
-end
-
 % Correlation of the errors of a run's results, from standardised residuals R (n
 % x T): that of the sample, shrunk towards ALONG by n / (n + 2 T), for 40 runs
 % do not tell those of 60 points. Shrunk towards none, the error of a smooth
