@@ -6,20 +6,14 @@
 %   ORDER   struct: k (number of the run), job (see newJobs), folder (of the
 %           run), hasEnded (logical)
 %
-% Read back, since save says nothing of a full disk. Not by writeAtomic: an
-% order need not outlive a power cut, and a sync would take 20 ms a step.
+% Not by writeAtomic: an order need not outlive a power cut, and a sync would
+% take 20 ms a step.
 %
 % Errors: DEcalioc:giveOrder:cannotWrite
 
 function giveOrder (place, order)
   draft = fullfile (place, 'draft');
-  try
-    save ('-binary', draft, '-struct', 'order');
-    isWhole = isequaln (load (draft), order);
-  catch
-    isWhole = false;
-  end
-  if ~isWhole
+  if ~saveWhole ('-binary', draft, order)
     error ('DEcalioc:giveOrder:cannotWrite', ...
            ['giveOrder: %s must hold what was written to it. The disk of ' ...
             'TMPDIR may be full: free some space and start again; finished ' ...

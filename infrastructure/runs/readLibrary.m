@@ -73,16 +73,10 @@ function kinds = loadIndex (file)
 end
 
 % No fault where the store can be read alone: the next start reads the records.
-% save says nothing of a full disk, so what is torn does not take the name.
 function saveIndex (file, kinds)
   draft = sprintf ('%s.%d', file, getpid ());
-  try
-    save ('-binary', draft, 'kinds');
-    if isequaln (load (draft).kinds, kinds)
-      [~, ~] = rename (draft, file);
-    end
-  catch
-    % torn, or not there
+  if saveWhole ('-binary', draft, struct ('kinds', kinds))
+    [~, ~] = rename (draft, file);
   end
   [~, ~] = unlink (draft);
 end

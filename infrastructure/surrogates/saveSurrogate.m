@@ -21,24 +21,13 @@ function saveSurrogate (file, surrogate)
                  'shift', surrogate.shift, 'scale', surrogate.scale);
   draft = [file, '.save'];
   tidy = onCleanup (@() unlink (draft));
-  save ('-text', draft, 'kept');
-  writeAtomic (file, wholeText (draft, kept));
-end
-
-% save says nothing of a full disk.
-function text = wholeText (draft, kept)
-  try
-    isWhole = isequaln (load (draft).kept, kept);
-  catch
-    isWhole = false;
-  end
-  if ~isWhole
+  if ~saveWhole ('-text', draft, struct ('kept', kept))
     error ('DEcalioc:writeAtomic:cannotWrite', ...
            ['saveSurrogate: %s must hold what was written to it. The disk ' ...
             'may be full: free some space and start again; finished runs ' ...
             'are kept.'], draft);
   end
-  text = fileread (draft);
+  writeAtomic (file, fileread (draft));
 end
 
 %!test
