@@ -30,6 +30,11 @@ function [Z, records, isReused, nNew] = evaluateDEM (P, varargin)
     Case = loadCase ();
     P = P(:)';
   end
+  if rows (P) == 0
+    Z = zeros (0, numel (Case.targets));
+    [records, isReused, nNew] = deal ([], false (0, numel (Case.models)), 0);
+    return
+  end
   jobs = newJobs (Case, P, E, replicate, stage);
   [records, isReused, nNew] = runJobs (jobs, Case, report);
   records = reshape (records, numel (Case.models), rows (P)).';
@@ -52,6 +57,8 @@ end
 %! [Z, r] = evaluateDEM ([1, 2; 3, 4], Case);
 %! assert (Z, [3, 2, -1; 7, 12, -1], 1e-12);
 %! assert (size (r), [2, 2]);
+%! [Z, r, isReused, nNew] = evaluateDEM (zeros (0, 2), Case);
+%! assert ({Z, r, nNew}, {zeros(0, 3), [], 0});
 %!test
 %! % a model that fails gives NaN in its own columns only, and is tried with
 %! % another seed once

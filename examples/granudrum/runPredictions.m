@@ -2,7 +2,8 @@
 %
 % CALL: octave-cli runPredictions.m [NEW]
 %
-% NEW  DEM runs that may be made (12); 0: only those that are in the store
+% NEW  DEM runs that may be made (12); 0: only those that are in the store; if
+%      there is none, predictionRuns.csv stays as it is
 %
 % A run turns the drum at 10, then at 30 rpm, otherwise as the model does.
 % Writes predictionRuns.csv, with the columns of runs.csv: surfaceSlow is the
@@ -34,7 +35,10 @@ function result = runCase (root, folder)
   data = struct ('X', X(there, :), 'Z', Z(there, :), ...
                  'E', repmat (neutralEffects (Case), sum (there), 1), ...
                  'replicate', replicate(there));
-  n = exportRuns (fullfile (folder, 'predictionRuns.csv'), Case, data);
+  n = sum (there);
+  if n > 0
+    exportRuns (fullfile (folder, 'predictionRuns.csv'), Case, data);
+  end
   printf ('%d of %d runs\n', n, rows (X));
   result.exitStatus = 2 * (n < rows (X));
 end
