@@ -19,6 +19,10 @@ function state = completePlan (state, problem, Case, say)
   neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDead, 2);
   have = rows (unique (data.X(neutral, :), 'rows'));
   wanted = max (Case.options.numOfSam, min (40, 6 * d + 6));
+  if isfield (data, 'level')
+    atLast = neutral & ~any (data.level, 2);
+    wanted = max (wanted, have + d + 3 - sum (atLast));
+  end
   missing = min (wanted - have, ...
                  floor (state.budget.left / state.budget.perSet));
   if missing < 1

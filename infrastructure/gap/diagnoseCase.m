@@ -23,10 +23,16 @@ function diagnosis = diagnoseCase (root, folder)
 
   % the runs that there are
   [data, count] = gatherRuns (Case);
-  [data, levelled] = atLevels (data, Case);
+  [data, levelled] = atLevels (data, Case, problem);
   [use, leftOut] = thinRuns (data, problem, 1000);
   data = keepRows (data, use);
   [given, notes] = gapProblemOf (Case);
+  surrogates = [];
+  if ~isempty (problem.coarse)
+    levelled = keepRows (levelled, thinRuns (levelled, problem, 1000));
+    surrogates = fitSurrogates (levelled, problem);
+    given = levelCandidate (given, surrogates, levelled, problem);
+  end
   notes = [notes(:)', {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
   [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
@@ -44,7 +50,7 @@ function diagnosis = diagnoseCase (root, folder)
     state.evaluate = [];
   end
   diagnosis = diagnoseMatrices (given, state.data, options, state);
-  diagnosis.level = finerVerdict (levelled, problem, given, options, ...
+  diagnosis.level = finerVerdict (surrogates, problem, given, options, ...
                                   diagnosis);
 
   % what remains
@@ -55,14 +61,19 @@ function diagnosis = diagnoseCase (root, folder)
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
 end
 
-% Runs at the last level, with the effects of each; plain runs at all levels.
-function [last, levelled] = atLevels (data, Case)
+% The effects of each run apart from how coarse it is for each target (level, n
+% x T, see unitLevel); plain runs with the values of the levels.
+function [data, levelled] = atLevels (data, Case, problem)
   v = numel (Case.coarse);
-  isNeutral = data.E == neutralEffects (Case);
-  last = keepRows (data, all (isNeutral(:, 1:v), 2));
-  last.E = last.E(:, v + 1:end);
-  levelled = keepRows (data, all (isNeutral(:, v + 1:end), 2));
+  isPlain = data.E(:, v + 1:end) == neutralEffects (Case)(v + 1:end);
+  levelled = keepRows (data, all (isPlain, 2));
   levelled.E = levelled.E(:, 1:v);
+  if v > 0
+    for t = 1:columns (data.Z)
+      data.level(:, t) = unitLevel (problem.coarse, data.E(:, 1:v), t);
+    end
+  end
+  data.E = data.E(:, v + 1:end);
 end
 
 % The case without the models that gave no result, which enterRuns leaves out,

@@ -123,7 +123,9 @@ function data = withNewRuns (data, state, known, gapProblem)
   new = rows (known.X) + 1:rows (state.data.X);
   for name = fieldnames (data)'
     own = state.data.(name{1})(new, :);
-    if strcmp (name{1}, 'Z')
+    if strcmp (name{1}, 'level')
+      own = zeros (numel (new), columns (data.level));
+    elseif strcmp (name{1}, 'Z')
       own = NaN (numel (new), columns (data.Z));
       own(:, gapProblem.kept) = state.data.Z(new, :) .* gapProblem.unit;
     end

@@ -3,7 +3,8 @@
 % CALL: DATA = addRows (DATA, X, Z, REPLICATE, STAGE)
 % CALL: DATA = addRows (DATA, X, Z, REPLICATE, STAGE, E)
 %
-% DATA       struct of newData
+% DATA       struct of newData; with level (see diagnoseCase) the new rows are
+%            of the last level
 % X          n x d parameters; Z  n x T responses (NaN: failed)
 % REPLICATE  n x 1; STAGE  text; E  n x v effect values (default: zeros)
 %
@@ -29,6 +30,9 @@ function data = addRows (data, X, Z, replicate, stage, E)
   data.Z = [data.Z; Z];
   data.replicate = [data.replicate; replicate(:)];
   data.stage = [data.stage; repmat({stage}, n, 1)];
+  if isfield (data, 'level')
+    data.level(end + n, :) = 0;
+  end
 end
 
 %!test

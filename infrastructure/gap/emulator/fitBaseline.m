@@ -19,8 +19,13 @@ function em = fitBaseline (em, gapProblem, data, isBase, options, start)
     if ~isempty (start)
       settings.start = start(t);
     end
-    fits(t) = fitSurrogate (data.X(isBase, :), data.Z(isBase, t), ...
-                            gapProblem.limits, settings);
+    [X, z] = deal (data.X(isBase, :), data.Z(isBase, t));
+    level = data.level(isBase, t);
+    if numel (unique (level(isfinite (z)))) > 1
+      fits(t) = fitLevels (X, z, level, gapProblem.limits, settings);
+    else
+      fits(t) = fitSurrogate (X, z, gapProblem.limits, settings);
+    end
   end
   em.p = p;
   em.limits = gapProblem.limits;
@@ -68,6 +73,7 @@ end
 %! lab = standInGap (0);
 %! given = setfield (lab.gapProblem, 'value', 8 * ones (1, 24));
 %! data = lab.plan (12, 2);
+%! data.level = zeros (size (data.Z));
 %! off = all (data.E == 0, 2);
 %! data.Z(:, 2) = 5 * ~off;
 %! em = fitBaseline (struct (), newGapProblem (given), data, off, ...

@@ -9,7 +9,8 @@
 %   NOISE   scalar or n x 1, variance of each R of its own
 %   BASE    n x 1, variance of the baseline surrogate there (0): its error is
 %           alike in all runs; a plane through the box carries seven tenths of
-%           it, the rest is independent
+%           it, the rest is independent. A second column: the variance of what
+%           the level of the run does to the effect, alike in the same way
 %   GRID    struct decay (1 x a), misfit (1 x b): FIT has only a score then, of
 %           these values (default: values of its own, and all of FIT)
 %   FIT     struct: coef (q x 1), covariance (q x q, of the coefficients),
@@ -42,7 +43,8 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
   if ~onlyScore
     grid = struct ('decay', [0.03, 0.1, 0.3, 1], 'misfit', [0, 1, 4, 16, 64]);
   end
-  noise = covarianceOfRuns (Q, noise, base .* ones (rows (r), 1));
+  noise = covarianceOfRuns (Q, noise, base .* ones (rows (r), 1), ...
+                            sign (r(:, 2)));
   strength2 = max (r(:, 2).^2, 1e-16 * max (r(:, 2).^2));
   unit = mean (diag (noise)) / mean (strength2);
   B = polyRows (powers, Q);
@@ -67,12 +69,13 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
   end
 end
 
-function C = covarianceOfRuns (Q, noise, base)
+function C = covarianceOfRuns (Q, noise, base, way)
   p = columns (Q) - 1;
   root = sqrt (base);
+  root(:, 2:end) = root(:, 2:end) .* way;
   plane = [ones(rows (Q), 1), Q(:, 1:p)];
   shared = (plane .* [0.4, 0.9 / p * ones(1, p)]) * plane';
-  C = (root * root') .* shared + diag (noise + 0.3 * base);
+  C = (root * root') .* shared + diag (noise + 0.3 * sum (base, 2));
 end
 
 % Log marginal likelihood of every scale of the coefficients.

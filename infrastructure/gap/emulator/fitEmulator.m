@@ -4,7 +4,9 @@
 % CALL: EM = fitEmulator (GAPPROBLEM, DATA, OPTIONS, OLD)
 %
 %   GAPPROBLEM  struct of newGapProblem
-%   DATA        struct X (n x p), E (n x v), Z (n x T, NaN = none), replicate
+%   DATA        struct X (n x p), E (n x v), Z (n x T, NaN = none), replicate;
+%               level (n x T, how coarse each run is, see unitLevel: 0 at the
+%               level that counts, which is that of all where it is missing)
 %   OPTIONS     struct of gapOptions
 %   OLD         EM of other runs: what its runs have in common with DATA is kept
 %   EM          struct
@@ -19,13 +21,17 @@
 %       bench)
 %     surrogates (1 x T struct of fitSurrogate), base (struct X, Z: its runs)
 %     success, effect.success   of learnSuccess: where a bench gives a result
+%     levelShare  share of an effect that changes between the first and the last
+%       level, a standard deviation (levelShare)
 %
 % The emulator is a polynomial of the mean of the Kriging models: the integrals
 % need it; what it misses (fitVar) and their own variance go along.
 %
 % The baseline Kriging uses every run with all effects neutral, and serves
 % every effect: only the difference an effect makes is learned from its runs,
-% and what two do together from runs with both.
+% and what two do together from runs with both. Coarse runs tell of the last
+% level: the baseline as far as one Kriging over parameters and level says
+% (fitLevels), an effect less what may change with the level (learnEffect).
 %
 % Errors: DEcalioc:fitEmulator:badValue
 
@@ -41,7 +47,8 @@ function em = fitEmulator (gapProblem, data, options, old)
             'neutral, got %d. Run or import the plan first.'], p + 3, ...
            sum (isBase));
   end
-  base = struct ('X', data.X(isBase, :), 'Z', data.Z(isBase, :));
+  base = struct ('X', data.X(isBase, :), 'Z', data.Z(isBase, :), ...
+                 'level', data.level(isBase, :));
   if nargin < 4
     old = struct ('base', [], 'effect', [], 'noiseRuns', -1);
   end
@@ -54,13 +61,21 @@ function em = fitEmulator (gapProblem, data, options, old)
     em = fitBaseline (em, gapProblem, data, isBase, options, start);
     em.base = base;
   end
-  runs = struct ('theta', theta, 'phi', phi, 'Z', data.Z);
-  [runs.mean, runs.variance] = predictSurrogate (em.surrogates, data.X);
+  runs = struct ('theta', theta, 'phi', phi, 'Z', data.Z, ...
+                 'level', data.level);
+  [runs.mean, runs.variance] = atOwnLevel (em.surrogates, data);
   others = sum (~isBase);
   if ~isOneRunOff (old, base) || abs (others - old.noiseRuns) > 0.1 * others
     % the noise follows from the effects' runs, and they from the noise
     em = runNoise (em, gapProblem, data);
     alone = sum (abs (phi) >= 1e-9, 2) == 1;
+    em.levelShare = 0;
+    if any (data.level(:))
+      isCoarse = any (data.level, 2);
+      coarse = learnAll (em, gapProblem.effects, runsOf (runs, isCoarse), ...
+                         1:columns (phi), []);
+      em.levelShare = levelShare (em, coarse, runsOf (runs, ~isCoarse));
+    end
     many = find (sum (abs (phi(alone, :)) >= 1e-9, 1) >= 6);
     some = learnAll (em, gapProblem.effects(many), runsOf (runs, alone), ...
                      many, []);
@@ -103,7 +118,7 @@ function effects = learnAll (em, candidates, runs, numbers, old)
       known = find (strcmp ({old.name}, candidates(k).name));
     end
     if ~isempty (known) && isequaln (old(known).Q, [own.theta, own.phi]) && ...
-       isequaln (old(known).Z, own.Z)
+       isequaln (old(known).Z, own.Z) && isequal (old(known).level, own.level)
       effects = [effects, old(known)];
     else
       effects = [effects, learnEffect(em, candidates(k), own)];
@@ -132,9 +147,29 @@ end
 % The same runs in another order give other last digits, and then other sets to
 % verify: a second start finds its runs in the order in which they ended.
 function data = inOrder (data)
+  if ~isfield (data, 'level')
+    data.level = zeros (size (data.Z));
+  end
   [~, order] = sortrows ([data.X, data.E, data.replicate]);
   data = struct ('X', data.X(order, :), 'E', data.E(order, :), ...
-                 'Z', data.Z(order, :));
+                 'Z', data.Z(order, :), 'level', data.level(order, :));
+end
+
+% What the model without effects gives where and as coarse as the runs are; NaN
+% where the surrogate holds no runs of that level.
+function [m, v] = atOwnLevel (surrogates, data)
+  [m, v] = predictSurrogate (surrogates, data.X);
+  for t = find (any (data.level, 1))
+    level = data.level(:, t);
+    s = surrogates(t);
+    coarse = level ~= 0;
+    [m(coarse, t), v(coarse, t)] = deal (NaN);
+    if ~isempty (s.level)
+      known = coarse & ~ismember (level, s.dropped);
+      [m(known, t), v(known, t)] = ...
+        predictSurrogate (s, [data.X(known, :), level(known)]);
+    end
+  end
 end
 
 function theta = scaled (X, limits)

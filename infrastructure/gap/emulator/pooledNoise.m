@@ -44,7 +44,7 @@ function score = scoresOf (em, e, factors)
     r = [e.R(ok, t), Q(ok, end)];
     for f = 1:numel (factors)
       fit = fitEffect (e.powers, Q(ok, :), r, factors(f) * em.noiseVar(t), ...
-                       e.variance(ok, t), coarse);
+                       reshape (e.variance(ok, t, :), [], 2), coarse);
       score(t, f) = fit.score;
     end
   end
@@ -57,13 +57,15 @@ end
 %!              'noiseVar', [0.0025, 0.01], 'noiseFreedom', [6, Inf]);
 %! em.range = [1, 1];
 %! em.correlation = eye (2);
+%! em.levelShare = 0;
 %! effect = struct ('name', 'e', 'range', [0, 1], 'scale', 0.5, ...
 %!                  'laboratory', false);
 %! for k = 1:3
 %!   Q = [2 * rand(20, 1) - 1, 0.1 + 0.9 * rand(20, 1)];
 %!   Z = k * Q(:, 2) .* [1, 2] + 0.1 * randn (20, 2);
 %!   runs = struct ('theta', Q(:, 1), 'phi', Q(:, 2), 'Z', Z, ...
-%!                  'mean', 0 * Z, 'variance', 0 * Z);
+%!                  'mean', 0 * Z, 'variance', 0 * Z, ...
+%!                 'level', 0 * Z);
 %!   effects(k) = learnEffect (em, effect, runs);
 %! end
 %! [variance, freedom] = pooledNoise (em, effects);

@@ -90,7 +90,7 @@ function added = addPart (part, whole, added)
   parts = timesCoefs (polyRows (powers, q), coefs);
   strength = prod (psi, 2);
   added.S = added.S + strength .* parts{1};
-  if ~isempty (added.V) && ~e.laboratory
+  if ~isempty (added.V) && ~isempty (e.varCoef)
     added.V = added.V + ...
               prod (psi.^2, 2) .* exp (polyRows (e.varPowers, q) * e.varCoef);
   end

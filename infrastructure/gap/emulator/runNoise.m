@@ -8,10 +8,11 @@
 %               neighbours on a curve of eight points or more: exp (-distance /
 %               length), 1 on the diagonal, else 0; the length makes it nearest
 %               to the sample (least squares)
-%   GAPPROBLEM  struct of newGapProblem;  DATA  struct X, E, Z
+%   GAPPROBLEM  struct of newGapProblem;  DATA  struct X, E, Z, level
 
 function em = runNoise (em, gapProblem, data)
-  [measured, df, residual] = ofRepeats ([data.X, data.E], data.Z);
+  [measured, df, residual] = ofRepeats ([data.X, data.E, data.level], ...
+                                        data.Z);
   nugget = max ([em.surrogates.noiseVar], (1e-8 * em.range).^2);
   weight = df ./ (df + 5);
   measured(df == 0) = 0;
@@ -82,7 +83,8 @@ end
 %! gapProblem = struct ('noiseSd', [NaN, NaN, 3], 'bench', [1, 1, 1], ...
 %!                      'series', zeros (1, 3), 'coordinate', zeros (1, 3));
 %! data = struct ('X', [1; 1; 2; 3; 3], 'E', zeros (5, 0), 'Z', ...
-%!                [1, 5, 0; 3, NaN, 0; 9, 9, 0; 4, 1, 0; 4, 3, 0]);
+%!                [1, 5, 0; 3, NaN, 0; 9, 9, 0; 4, 1, 0; 4, 3, 0], 'level', ...
+%!                zeros (5, 3));
 %! em = runNoise (em, gapProblem, data);
 %! assert (em.noiseVar, [2 / 7 + 50 / 7, 2 / 6 + 50 / 6, 9], 1e-12);
 %! assert (em.noiseFreedom, [5, 4, Inf]);
@@ -91,7 +93,8 @@ end
 %!  curve.noiseSd = NaN (1, T);
 %!  s = struct ('noiseVar', 1, 'df', 3, 'looStd', num2cell (R, 1));
 %!  em = struct ('surrogates', s, 'range', ones (1, T));
-%!  data = struct ('X', 1, 'E', zeros (1, 0), 'Z', ones (1, T));
+%!  data = struct ('X', 1, 'E', zeros (1, 0), 'Z', ones (1, T), ...
+%!                 'level', zeros (1, T));
 %!  em = runNoise (em, curve, data);
 %!endfunction
 %!test

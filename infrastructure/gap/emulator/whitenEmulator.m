@@ -71,15 +71,14 @@ end
 % Errors of an effect's signature are alike along a curve.
 function e = oneEffect (e, targets, W, C)
   e.coef = e.coef(:, targets) * W';
-  if ~e.laboratory
+  e.varCoef = [];
+  if any (e.varOverPsi2(:))
     D = sqrt (e.varOverPsi2(:, targets));
     V = zeros (size (D));
     for i = 1:rows (W)
       V(:, i) = alongRow (D, W(i, :), C);
     end
     e.varCoef = polyRows (e.varPowers, e.points) \ log (max (V, 1e-12));
-  else
-    e.varCoef = zeros (rows (e.varPowers), columns (e.coef));
   end
 end
 

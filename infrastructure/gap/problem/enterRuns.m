@@ -3,7 +3,8 @@
 % CALL: [GAPPROBLEM, DATA] = enterRuns (GAPPROBLEM, DATA, OPTIONS)
 %
 %   GAPPROBLEM  struct of newGapProblem, in the units of the user
-%   DATA        struct X, E, Z (NaN: no result, NA: not run), replicate
+%   DATA        struct X, E, Z (NaN: no result, NA: not run), replicate, and
+%               level, see fitEmulator (all 0 where missing)
 %   OPTIONS     struct of gapOptions
 %   GAPPROBLEM  the same in standard units, less the targets of benches none of
 %               whose runs gave a result; also
@@ -27,6 +28,9 @@ function [gapProblem, data] = enterRuns (gapProblem, data, options)
   data = onceEach (data);
   [gapProblem, kept, out, neverRun] = withoutDeadBenches (gapProblem, data);
   data.Z = data.Z(:, kept);
+  if isfield (data, 'level')
+    data.level = data.level(:, kept);
+  end
   checkEnough (gapProblem, data, options);
   unit = unitsOf (gapProblem, data.Z);
   gapProblem = inUnits (gapProblem, unit);
@@ -115,9 +119,13 @@ function gapProblem = ofTargets (gapProblem, kept)
   if ~isempty (gapProblem.covariance)
     gapProblem.covariance = gapProblem.covariance(kept, kept);
   end
+  if isfield (gapProblem, 'coarse') && ~isempty (gapProblem.coarse)
+    gapProblem.coarse.column = gapProblem.coarse.column(kept);
+  end
   for k = 1:numel (gapProblem.effects)
     e = gapProblem.effects(k);
     gapProblem.effects(k).offset = e.offset(kept);
+    gapProblem.effects(k).offsetSd = e.offsetSd(kept);
     gapProblem.effects(k).matrix = e.matrix(kept, kept);
   end
 end

@@ -16,6 +16,7 @@ function gapProblem = inUnits (gapProblem, unit)
   for k = 1:numel (gapProblem.effects)
     e = gapProblem.effects(k);
     gapProblem.effects(k).offset = e.offset ./ unit;
+    gapProblem.effects(k).offsetSd = e.offsetSd ./ unit;
     gapProblem.effects(k).matrix = (unit' .* e.matrix) ./ unit;
   end
 end

@@ -11,6 +11,7 @@
 %     siblings  cellstr, effects that look alike (may be absent from the list)
 %     offset    1 x T, matrix T x T: the result m becomes
 %               m + phi * (offset + m * matrix)      (laboratory only)
+%     offsetSd  1 x T, standard deviation of offset (0)
 %     strongest  scalar, value of the effect at phi = 1 (laboratory only; 1)
 %     range     1 x 2, strength phi: [0, 1], or [-1, 1] where neutral lies
 %               inside the limits or the laboratory may err both ways
@@ -32,8 +33,8 @@ function effect = newEffect (given, T)
                    'group', '', 'variables', {{}}, 'neutral', [], ...
                    'limits', zeros (2, 0), 'laboratory', false, ...
                    'siblings', {{}}, 'offset', zeros (1, T), ...
-                   'matrix', zeros (T), 'strongest', 1, 'range', [], ...
-                   'scale', 2);
+                   'offsetSd', zeros (1, T), 'matrix', zeros (T), ...
+                   'strongest', 1, 'range', [], 'scale', 2);
   fields = fieldnames (effect);
   for k = 1:numel (fields)
     if isfield (given, fields{k}) && ~isempty (given.(fields{k}))

@@ -7,7 +7,8 @@
 %   GAPPROBLEM  struct of newGapProblem
 %   THETA       n x p, parameters in [-1, 1];  PHI  n x K, strengths
 %   REPLICATE   n x 1
-%   STAGE       'gap' (default) or 'cure', see diagnoseMatrices
+%   STAGE       'gap' (default), 'cure', see diagnoseMatrices, or 'coarse': as
+%               'gap', at the first level of a case with levels
 
 function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
   if nargin < 6
@@ -21,12 +22,30 @@ function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
   X = mean (gapProblem.limits) + theta(1:n, :) .* half;
   E = valuesOfStrength (gapProblem.effects, phi(1:n, :));
   before = rows (state.data.X);
-  state = addRuns (state, gapProblem, X, E, stage, replicate(1:n)(:));
+  if strcmp (stage, 'coarse')
+    state = addCoarse (state, gapProblem, X, E, replicate(1:n)(:));
+  else
+    state = addRuns (state, gapProblem, X, E, stage, replicate(1:n)(:));
+  end
   Z = state.data.Z(before + 1:end, :);
   nFailed = sum (any (isnan (Z), 2));
   state.left = max (state.left - n - nFailed, 0);
   state.spent = state.spent + rows (Z);
   state.failed = state.failed + nFailed;
+end
+
+function state = addCoarse (state, gapProblem, X, E, replicate)
+  atLast = state.evaluate;
+  values = gapProblem.coarse.levels(1, :);
+  state.evaluate = @(X, E, varargin) ...
+    atLast (X, [repmat(values, rows (E), 1), E], varargin{:});
+  before = rows (state.data.X);
+  state = addRuns (state, gapProblem, X, E, 'gap', replicate);
+  state.evaluate = atLast;
+  for t = 1:numel (gapProblem.value)
+    level = unitLevel (gapProblem.coarse, values, t);
+    state.data.level(before + 1:end, t) = level;
+  end
 end
 
 %!function [state, gapProblem] = before (n, left, evaluate)
@@ -55,3 +74,14 @@ end
 %! state = spendRuns (state, gapProblem, zeros (3, 4), zeros (3, 10), ...
 %!                    ones (3, 1));
 %! assert ([state.spent, state.failed, state.left], [3, 2, 4]);
+%!test % coarse runs are made at the first level and known as such
+%! [state, gapProblem] = before (5, 9, @(X, E, r) E(:, 1) * ones (1, 24));
+%! gapProblem.coarse = struct ('levels', [2; 1], 'column', ones (1, 24));
+%! state.data.level = zeros (5, 24);
+%! K = columns (state.data.E);
+%! state = spendRuns (state, gapProblem, zeros (2, 4), zeros (2, 10), ...
+%!                    ones (2, 1), 'coarse');
+%! state = spendRuns (state, gapProblem, 0.1 * ones (1, 4), zeros (1, 10), 1);
+%! assert (size (state.data.E), [8, K]);
+%! assert (state.data.Z(6:8, 1)', [2, 2, 0]);
+%! assert (state.data.level(5:8, 3)', [0, 1, 1, 0]);

@@ -10,7 +10,8 @@
 % gap at all, OPTIONS.planRuns for the OPTIONS.survivors likeliest ones, in two
 % rounds, placed by the posterior. Runs that verify the cure are set aside
 % before, and four runs of the likeliest pair made. Nothing is run without
-% STATE.evaluate.
+% STATE.evaluate. In a case with levels these runs are of the first one, but for
+% one a round and survivor, at the mean of its posterior.
 
 function [state, em] = exploreEffects (gapProblem, options, state, em)
   if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
@@ -89,11 +90,13 @@ end
 
 function state = runEffects (gapProblem, state, em, theta, wanted, posteriors)
   K = numel (em.effect);
+  hasLevels = isfield (state.data, 'level');
   all = strengthOfValues (gapProblem.effects, state.data.E);
   half = diff (gapProblem.limits) / 2;
   X = (state.data.X - mean (gapProblem.limits)) ./ half;
   Theta = zeros (0, em.p);
   Phi = zeros (0, K);
+  isFine = false (0, 1);
   for k = find (wanted > 0)
     own = abs (all(:, k)) > 1e-9 & sum (abs (all) > 1e-9, 2) == 1;
     posterior = [];
@@ -103,13 +106,21 @@ function state = runEffects (gapProblem, state, em, theta, wanted, posteriors)
     n = max (wanted(k) - sum (own), 0);
     Q = planEffectRuns (n, [X(own, :), all(own, k)], theta, posterior, ...
                         gapProblem.effects(k).range);
+    isFine = [isFine; repmat(~hasLevels, n, 1)];
+    if hasLevels && n > 0 && ~isempty (posterior)
+      Q(end, :) = posterior.weight' * posterior.Q(:, 1:em.p + 1);
+      isFine(end) = true;
+    end
     Theta = [Theta; Q(:, 1:end - 1)];
     rows_ = zeros (n, K);
     rows_(:, k) = Q(:, end);
     Phi = [Phi; rows_];
   end
-  if rows (Theta) > 0
-    state = spendRuns (state, gapProblem, Theta, Phi, ones (rows (Theta), 1));
+  stages = {'gap', 'coarse'};
+  for at = {isFine, ~isFine}
+    state = spendRuns (state, gapProblem, Theta(at{1}, :), Phi(at{1}, :), ...
+                       ones (sum (at{1}), 1), stages{1});
+    stages(1) = [];
   end
 end
 
