@@ -28,20 +28,20 @@ function result = calibrateStandIn (S, seed, fail, options)
                          'model', num2cell (S.model));
   Case.options = options;
   evaluate = @(P, E, replicate) noisy (S, P, fail, E);
+  levels = [];
   n = planSize (d);
   X = double (stk_sampling_maximinlhs (n, d, S.limits, 500));
   E = zeros (n, 0);
-  budget = newBudget ();
   if isfield (S, 'levels')               % all rows at the cheapest, see newPlan
     Case.coarse = struct ('variable', 'scale', 'levels', S.levels(:)', ...
                           'models', 1);
-    budget.levels = [S.levels(:), S.seconds(:)];
+    levels = [S.levels(:), S.seconds(:)];
     E = S.levels(ones (n, 1));
   end
   problem = newProblem (Case, []);
   state = newState (newData (d, T, columns (E)));
-  state.budget = budget;
-  state.evaluate = plainEvaluate (evaluate);
+  [state.evaluate, state.budget] = newEvaluate (evaluate);
+  state.budget.levels = levels;
   if isfield (S, 'library')
     [state, X] = besideLibrary (state, S, Case, problem);
     E = zeros (rows (X), 0);

@@ -56,7 +56,7 @@ function row = oneSeed (seed, nPlan)
   surrogates = fitSurrogates (data, problem);
   state = newState (data, surrogates, ...
                     calibrateOnKriging (surrogates, problem));
-  state.evaluate = plainEvaluate (evaluate);
+  state.evaluate = newEvaluate (evaluate);
   say = @(text) [];
   state = improveByInfill (state, problem, say);
   state = calibrateOnDEM (state, problem, say);

@@ -36,7 +36,7 @@ function Case = pageCase (folder)
   saveSurrogates (surrogates, fullfile (folder, 'KrigingFuns'));
   state = newState (data, surrogates, calibrateOnKriging (surrogates, ...
                                                           problem));
-  state.evaluate = plainEvaluate (formulas);
+  state.evaluate = newEvaluate (formulas);
   state = improveByInfill (state, problem, @(text) []);
   state = calibrateOnDEM (state, problem, @(text) []);
   c = newCalibration (state, problem, Case);

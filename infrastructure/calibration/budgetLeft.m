@@ -1,14 +1,17 @@
 % BUDGETLEFT  Sets that may still be run after the plan, and what limits them.
 %
-% CALL: [N, LIMIT] = budgetLeft (STATE, PROBLEM)
+% CALL: [N, LIMIT, SECONDS] = budgetLeft (STATE, PROBLEM)
 %
 % STATE    struct of newState; PROBLEM  struct of newProblem
 % N        scalar: options.maxFunEvals less the rows after the plan (failed ones
 %          count), and no more than this start can make. A run at a coarser
 %          level counts as what it costs
 % LIMIT    'maxNewRuns' where this start can make no more, else 'maxFunEvals'
+% SECONDS  1 x L, what a run costs at each level: the mean of its runs; where it
+%          has none yet, along the straight line of the logarithm through the
+%          others; [] where no level has a run
 
-function [n, limit] = budgetLeft (state, problem)
+function [n, limit, seconds] = budgetLeft (state, problem)
   isLater = isAfterPlan (state.data);
   n = problem.options.maxFunEvals - sum (isLater);
   seconds = levelSeconds (state, problem);
@@ -34,6 +37,24 @@ function n = setsLeft (budget)
   end
 end
 
+function seconds = levelSeconds (state, problem)
+  seconds = [];
+  costs = state.budget.levels;
+  if isempty (problem.coarse) || isempty (costs)
+    return
+  end
+  levels = problem.coarse.levels;
+  [L, v] = size (levels);
+  seconds = NaN (1, L);
+  for k = 1:L
+    seconds(k) = mean (costs(all (costs(:, 1:v) == levels(k, :), 2), end));
+  end
+  known = find (isfinite (seconds));
+  law = polyfit (known, log (seconds(known)), min (1, numel (known) - 1));
+  lost = setdiff (1:L, known);
+  seconds(lost) = exp (polyval (law, lost));
+end
+
 %!test
 %! state = newState (addRows (newData (1, 1), [1; 2], [1; 2], [1; 1], ...
 %!                           'verify'));
@@ -43,3 +64,13 @@ end
 %!           'levels', [])), problem);
 %! assert ([left(1, Inf, false), left(2, 7, false), left(2, 1, false), ...
 %!          left(2, 1, true)], [7, 3, 7, 0]);
+%!function seconds = of (costs)
+%!  state = newState (newData (1, 1, 1));
+%!  state.budget.levels = costs;
+%!  problem.options.maxFunEvals = 9;
+%!  problem.coarse.levels = [3; 2; 1];
+%!  [~, ~, seconds] = budgetLeft (state, problem);
+%!endfunction
+%!assert (of ([]), []);
+%!assert (of ([3, 1; 3, 3; 1, 18]), [2, 6, 18], 1e-9);
+%!assert (of ([2, 5]), [5, 5, 5], 1e-9);

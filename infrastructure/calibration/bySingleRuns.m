@@ -105,7 +105,7 @@ end
 %! % what was run is not run again, nor counted; no budget, no result
 %! [problem, book] = started ();
 %! problem.options.maxFunEvals = 2;
-%! book.state.evaluate = plainEvaluate (@(P, E, r) P);
+%! book.state.evaluate = newEvaluate (@(P, E, r) P);
 %! X = book.state.data.X;
 %! Z = book.state.data.Z;
 %! way = bySingleRuns (problem);
@@ -124,10 +124,10 @@ end
 %! law = @(P) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
 %! f = problem.cost ([0.5; 1], @(p) law (p')');
 %! slopes = bySingleRuns (problem).slopes;
-%! book.state.evaluate = plainEvaluate (@(P, E, r) law (P));
+%! book.state.evaluate = newEvaluate (@(P, E, r) law (P));
 %! J = slopes ([0.5, 1], f, book);
 %! assert (J, [0.25, 0.25; 0.5, 0.4; 0, 2], 1e-9);
-%! book.state.evaluate = plainEvaluate (@(P, E, r) law (P) + ...
+%! book.state.evaluate = newEvaluate (@(P, E, r) law (P) + ...
 %!                                                 0 ./ (P(:, 1) == 0.5));
 %! J = slopes ([0.5, 1], f, book);
 %! assert (J(:, 2), [0.25; 0.4; 2], 1e-9);

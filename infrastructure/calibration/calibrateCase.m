@@ -26,8 +26,7 @@ function calibration = calibrateCase (root, folder)
   [data, rest, told] = importExisting (Case, problem, say);
   sayOldRuns (Case, say, told);
   state = newState (data);
-  state.budget = newBudget (Case);
-  state.evaluate = newEvaluate (Case, say);
+  [state.evaluate, state.budget] = newEvaluate (Case, say);
   state = trustLibrary (state, problem, say);
   [plan, levels] = newPlan (state.data, Case);
   state = runPlan (state, problem, plan, levels, Case, say);

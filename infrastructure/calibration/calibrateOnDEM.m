@@ -183,7 +183,7 @@ end
 %! data = addRows (newData (3, 2), X, f (X, 1), ones (12, 1), 'plan');
 %! s = fitSurrogates (data, problem);
 %! state = newState (data, s, calibrateOnKriging (s, problem));
-%! state.evaluate = plainEvaluate (@(P, E, r) f (P, r));
+%! state.evaluate = newEvaluate (@(P, E, r) f (P, r));
 
 %!test
 %! s = improveByInfill (state, problem, @(text) []);
@@ -197,7 +197,7 @@ end
 %!test
 %! % failures are no success: two runs at each of the four sets that may be
 %! % tried; the budget is spent to the last run and never overshot
-%! state.evaluate = plainEvaluate (@(P, E, r) NaN (rows (P), 2));
+%! state.evaluate = newEvaluate (@(P, E, r) NaN (rows (P), 2));
 %! s = calibrateOnDEM (state, problem, @(text) []);
 %! assert ([sum(isAfterPlan (s.data)), s.budget.failed], [8, 8]);
 %! assert (~ s.final.converged);

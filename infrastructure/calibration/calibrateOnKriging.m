@@ -16,12 +16,13 @@
 %             that no set meets together, {} if none)
 % HISTORY     1 x k struct: iteration, params, residual of the winning start
 %
-% Each start is solved by nonlin_residmin with the Jacobian of the surrogate.
-% Then, among all sets that meet the targets, the surest one is looked for:
-% least sum of (residual^2 + variance) / tolerance^2; preference rows of the
-% cost function, and parameters measured by themselves, only break ties
-% (preferredSet). With options.method 'published' of PROBLEM one search from the
-% box centre is all, on all rows of the cost function as they are.
+% Each start is solved by nonlin_residmin with the Jacobian of the surrogate:
+% the rows of the calibrated targets, in units of their tolerance, a curve as
+% one target. Then, among all sets that meet the targets, the surest one is
+% looked for (surestSet); preference rows of the cost function, and parameters
+% measured by themselves, only break ties. With options.method 'published' of
+% PROBLEM one search from the box centre is all, on all rows of the cost
+% function as they are.
 
 function [found, history] = calibrateOnKriging (surrogates, problem, options)
   if nargin < 3
@@ -45,14 +46,8 @@ function [found, history] = calibrateOnKriging (surrogates, problem, options)
   won = order(1);
   history = paths{won};
   pool = vertcat (solved(order).params);
-  [p, probability] = mostProbableSet (surrogates, problem, pool);
-  if probability < solved(won).probability
-    p = solved(won).params;
-  end
-  if problem.nExtra > 0 || any (isfinite (problem.paramSd))
-    p = preferredSet (surrogates, problem, p, pool);
-  end
-  found = describeSet (surrogates, problem, p);
+  found = describeSet (surrogates, problem, ...
+                       surestSet (surrogates, problem, pool));
   found.start = solved(won).start;
   found.starts = solved;
   found.evaluations = sum ([solved.evaluations]);
@@ -61,6 +56,64 @@ function [found, history] = calibrateOnKriging (surrogates, problem, options)
   found.conflict = {};
   if ~found.within
     found.conflict = findConflict (surrogates, problem);
+  end
+end
+
+% One start: its name and params become those of the solution, with norm
+% (largest residual in tolerances), within, probability, evaluations (counted
+% here because nonlin_residmin does not; a Jacobian counts 2 d), iterations,
+% reason. PATH is a history.
+function [solved, path] = solveStart (surrogates, problem, start, ...
+                                      maxIter, maxEvals)
+  lo = problem.limits(1, :);
+  width = problem.limits(2, :) - lo;
+  scaled = @(u) unitResidual (surrogates, problem, lo + u(:)' .* width);
+  jacobian = @(u, hook) surrogateJacobian (surrogates, problem, ...
+                                           lo + u(:)' .* width);
+  d = numel (lo);
+  limit = max (1, min (maxIter, floor (maxEvals / (2 * d + 2))));
+  settings = optimset ('MaxIter', limit, 'TolFun', 1e-6);
+  u = (start.params(:) - lo(:)) ./ width(:);
+  u = min (max (u, 0), 1);
+  if sum (scaled (u).^2) > eps (1)
+    [u, cvg, niter] = leastSquaresInBox (scaled, jacobian, u, settings);
+  else
+    cvg = 3;
+    niter = 0;
+  end
+  p = lo + u(:)' .* width;
+  [probability, r] = meetProbability (surrogates, problem, p);
+  solved = start;
+  solved.params = p;
+  solved.norm = max (toleranceShare (problem, r));
+  solved.within = solved.norm <= 1;
+  solved.probability = probability;
+  solved.evaluations = 1 + niter * (2 * d + 1);
+  solved.iterations = niter;
+  solved.reason = convergence (cvg);
+  path = struct ('iteration', {0, niter}, ...
+                 'params', {start.params, p}, 'residual', {[], r'});
+  path(1).residual = targetResidual (problem, start.params, ...
+                                     predictSurrogate (surrogates, ...
+                                                       start.params))';
+end
+
+function f = unitResidual (surrogates, problem, p)
+  r = targetResidual (problem, p, predictSurrogate (surrogates, p));
+  use = problem.calibrate;
+  f = (r(use) ./ problem.part(use))';
+end
+
+function text = convergence (cvg)
+  switch cvg
+    case 3
+      text = 'the sum of squares no longer decreases';
+    case 2
+      text = 'the parameters no longer change';
+    case 0
+      text = 'limit of iterations or evaluations';
+    otherwise
+      text = 'stopped';
   end
 end
 
@@ -167,3 +220,13 @@ end
 %! g = calibrateOnKriging (s, newProblem (C, []));
 %! assert (~ g.within);
 %! assert (g.conflict, {'y'});
+%!test
+%! % the limit of evaluations holds; without one the start converges
+%! [problem, state, s] = smallCalibration ();
+%! options = struct ('incumbent', [0.2, 1.5], 'nPlan', 0);
+%! g = calibrateOnKriging (s, problem, options);
+%! assert (g.starts(2).norm < 0.1 && g.starts(2).within);
+%! options.maxFunEvals = 24;
+%! [g, history] = calibrateOnKriging (s, problem, options);
+%! assert (g.starts(1).evaluations <= 24);
+%! assert (numel (history), 2);

@@ -34,7 +34,7 @@ end
 
 % Coarse runs are out of reach where enough has been spent on them.
 function seconds = pricesOf (state, problem)
-  seconds = levelSeconds (state, problem);
+  [~, ~, seconds] = budgetLeft (state, problem);
   if isempty (seconds)
     return
   end

@@ -169,7 +169,7 @@ end
 %!test
 %! final = confirmSet (state, problem);
 %! assert (~ final.converged && final.n == 0);
-%! state.evaluate = plainEvaluate (@(P, E, r) 1 + P + 0.01 * (r - 1.5));
+%! state.evaluate = newEvaluate (@(P, E, r) 1 + P + 0.01 * (r - 1.5));
 %! s = runAndFit (state, problem, [0.5; 0.5], 'verify');
 %! final = confirmSet (s, problem);
 %! assert (final.converged && final.n == 2);
@@ -178,10 +178,10 @@ end
 
 %!test
 %! % NaN is never a success; a run outside the tolerance neither
-%! state.evaluate = plainEvaluate (@(P, E, r) NaN (rows (P), 1));
+%! state.evaluate = newEvaluate (@(P, E, r) NaN (rows (P), 1));
 %! s = runAndFit (state, problem, 0.5, 'verify');
 %! assert (~ confirmSet (s, problem).converged);
-%! state.evaluate = plainEvaluate (@(P, E, r) 2 + 0 * P);
+%! state.evaluate = newEvaluate (@(P, E, r) 2 + 0 * P);
 %! s = runAndFit (state, problem, [0.5; 0.5], 'verify');
 %! assert (~ confirmSet (s, problem).within);
 
@@ -197,7 +197,7 @@ end
 %!test
 %! % equal runs of a model that does not use its seed count as one; the next
 %! % one is made beside, and that it cannot be confirmed is said
-%! state.evaluate = plainEvaluate (@(P, E, r) 1 + P + 0.004 * sin (500 * P));
+%! state.evaluate = newEvaluate (@(P, E, r) 1 + P + 0.004 * sin (500 * P));
 %! s = runAndFit (state, problem, [0.5; 0.5], 'verify');
 %! final = confirmSet (s, problem);
 %! assert ([final.n, final.equal], [1, 1]);

@@ -66,7 +66,7 @@ end
 %! f = @(P) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
 %! problem.value = f (good);
 %! % equal runs would count once
-%! state.evaluate = plainEvaluate (@(P, E, r) f (P) + 1e-3 * [r, -r]);
+%! state.evaluate = newEvaluate (@(P, E, r) f (P) + 1e-3 * [r, -r]);
 %! state = runAndFit (state, problem, repmat (good, 3, 1), 'verify');
 %! state.found = describeSet (state.surrogates, problem, [0.52, 0.96]);
 %! state.found.conflict = {};

@@ -74,7 +74,7 @@ end
 %! assert (out.reason, 'no runs left for infill');
 %! problem.value(2) = 9;
 %! state.found = calibrateOnKriging (s, problem);
-%! state.evaluate = plainEvaluate (@(P, E, r) [3 + P(:, 1) + P(:, 2) / 2, ...
+%! state.evaluate = newEvaluate (@(P, E, r) [3 + P(:, 1) + P(:, 2) / 2, ...
 %!                                             1 + P(:, 1) + P(:, 2) / 2.5]);
 %! out = improveByInfill (state, problem, @(x) []);
 %! assert (strncmp (out.reason, 'no set meets: y', 15));
@@ -96,7 +96,7 @@ end
 %!                 'plan', E);
 %! s = fitSurrogates (data, problem);
 %! state = newState (data, s, calibrateOnKriging (s, problem));
-%! state.evaluate = plainEvaluate (f);
+%! state.evaluate = newEvaluate (f);
 
 %! problem.options.maxFunEvals = 2;
 %! problem.options.likely = 1.1;

@@ -42,7 +42,7 @@ end
 
 %!test
 %! % a sure set stays to the last digit; one whose runs fail is left
-%! p = mostProbableSet (s, problem, zeros (0, 2));
+%! p = surestSet (s, problem, zeros (0, 2));
 %! state.found.params = p;
 %! other = p + [0.05, 0];
 %! [out, wasWrong] = moveTo (state, problem, other);

@@ -92,7 +92,7 @@ function levels = describeLevels (state, problem)
   if isempty (problem.coarse)
     return
   end
-  seconds = levelSeconds (state, problem);
+  [~, ~, seconds] = budgetLeft (state, problem);
   for k = 1:rows (problem.coarse.levels)
     own = struct ('value', problem.coarse.levels(k, :), 'runs', 0, ...
                   'seconds', NaN);

@@ -1,20 +1,46 @@
-% NEWEVALUATE  Makes the function that runs the models of a case.
+% NEWEVALUATE  Makes the function that carries out runs, and their budget.
 %
-% CALL: EVALUATE = newEvaluate (CASE, SAY)
+% CALL: [EVALUATE, BUDGET] = newEvaluate (CASE, SAY)   the models of a case
+%       [EVALUATE, BUDGET] = newEvaluate (F)           a formula
 %
 %   CASE      see newCase
 %   SAY       function handle that takes one line of text
+%   F         handle Z = F (P, E, REPLICATE), or with a fourth argument, STAGE;
+%             []: nothing to run, EVALUATE is []
 %   EVALUATE  [Z, BUDGET] = EVALUATE (P, E, REPLICATE, STAGE, BUDGET), see
 %             addRuns: P n x d, E n x v (levels and effects, or effects alone),
 %             REPLICATE n x 1, Z n x T, NaN where a run failed, NA (isna) where
 %             a run of the set was not made because the budget has none left
+%   BUDGET    scalar struct, in runs (one a model and set): left, perSet, new,
+%             reused (from the store), failed; coreSeconds; seconds (1 x M cell,
+%             of the runs that ended well, see addSeconds); levels (n x (v + 1):
+%             levels of a set that was run, its core-seconds); isUsedUp: a run
+%             that was wanted was not made. It travels in the state
 %
 % Where a model folder does not exist (a case of imported runs alone) nothing
 % can be run: all is NA.
 
-function evaluate = newEvaluate (Case, say)
-  evaluate = @(P, E, replicate, stage, budget) ...
-    bookedRuns ({P, E, replicate, stage}, budget, Case, say);
+function [evaluate, budget] = newEvaluate (source, say)
+  budget = struct ('left', Inf, 'perSet', 1, 'new', 0, 'reused', 0, ...
+                   'failed', 0, 'coreSeconds', 0, 'seconds', {{[]}}, ...
+                   'levels', [], 'isUsedUp', false);
+  if isempty (source)
+    evaluate = [];
+  elseif isstruct (source)
+    budget.perSet = numel (source.models);
+    budget.left = source.options.maxNewRuns;
+    budget.seconds = {source.models.seconds};
+    if any (cellfun (@isempty, {source.models.folder}))
+      budget.left = 0;
+      budget.isUsedUp = true;
+    end
+    evaluate = @(P, E, replicate, stage, budget) ...
+      bookedRuns ({P, E, replicate, stage}, budget, source, say);
+  else
+    takesStage = nargin (source) < 0 || nargin (source) > 3;
+    evaluate = @(P, E, replicate, stage, budget) ...
+      counted (source ({P, E, replicate, stage}{1:3 + takesStage}), budget);
+  end
 end
 
 function [Z, budget] = bookedRuns (wanted, budget, Case, say)
@@ -52,8 +78,17 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   end
 end
 
-%!function [Z, budget] = made (Case, sets, budget)
-%!  evaluate = newEvaluate (Case, @(text) []);
+function [Z, budget] = counted (Z, budget)
+  isTried = ~any (isna (Z), 2);
+  n = sum (isTried) * budget.perSet;
+  budget.new = budget.new + n;
+  budget.left = budget.left - n;
+  budget.failed = budget.failed + sum (any (isnan (Z(isTried, :)), 2));
+  budget.isUsedUp = budget.isUsedUp || ~all (isTried);
+end
+
+%!function [Z, budget] = made (Case, sets)
+%!  [evaluate, budget] = newEvaluate (Case, @(text) []);
 %!  for P = sets
 %!    [Z, budget] = evaluate (P{1}, [], 1, 'verify', budget);
 %!  end
@@ -61,23 +96,29 @@ end
 %!test
 %! Case = newCase (standInCase (tempname ()));
 %! Case.options.maxNewRuns = 5;
-%! [Z, budget] = made (Case, {[1, 2; 3, 4]}, newBudget (Case));
+%! [Z, budget] = made (Case, {[1, 2; 3, 4]});
 %! assert ([budget.new, budget.left, budget.isUsedUp], [4, 1, 0]);
-%! [Z, budget] = made (Case, {[1, 2; 5, 6; 7, 8]}, budget);
-%! assert ([budget.reused, budget.new, budget.isUsedUp], [2, 5, 1]);
+%! Case.options.maxNewRuns = 1;
+%! [Z, budget] = made (Case, {[1, 2; 5, 6; 7, 8]});
+%! assert ([budget.reused, budget.new, budget.isUsedUp], [2, 1, 1]);
+%! % one of the two runs of a set is not in the budget: it was not tried
 %! assert (Z, [3, 2, -1; 11, 30, NA; NA, NA, NA], 1e-12);
 %! assert (numel (listRunFolders (Case.store, 'First')), 3);
 %!test
-%! % one of two runs is not in the budget: the set was not tried
-%! Case = newCase (standInCase (tempname ()));
-%! Case.options.maxNewRuns = 3;
-%! Z = made (Case, {[1, 2; 3, 4]}, newBudget (Case));
-%! assert (any (isna (Z), 2), [false; true]);
-%!test
 %! % runs of later calls have the limit that the earlier ones gave
 %! Case = newCase (standInCase (tempname ()));
-%! made (Case, {[1, 2; 3, 4; 5, 6], [7, 8]}, newBudget (Case));
+%! made (Case, {[1, 2; 3, 4; 5, 6], [7, 8]});
 %! runs = listRunFolders (Case.store, 'First');
 %! limit = @(name) isfile (fullfile (Case.store, 'optim', 'First', name, ...
 %!                                   'limit'));
 %! assert (limit (runs{4}));
+%!test
+%! % models that are not there: no run; a formula: any number
+%! Case.options.maxNewRuns = 16;
+%! Case.models = struct ('folder', {'a', ''}, 'seconds', []);
+%! [~, budget] = newEvaluate (Case);
+%! assert ([budget.left, budget.perSet], [0, 2]);
+%! [f, budget] = newEvaluate (@(P, E, r, stage) [P + E, merge(r > 1, NaN, r)]);
+%! [Z, budget] = f ([1; 2], [3; 4], [1; 2], 'plan', budget);
+%! assert (Z, [4, 1; 6, NaN]);
+%! assert ([budget.new, budget.failed, budget.isUsedUp], [2, 1, 0]);

@@ -7,8 +7,8 @@
 % FOUND       struct of calibrateOnKriging (default: none yet)
 % STATE       struct: data, surrogates, found, history (1 x 0 struct: stage,
 %             iteration, params, residual T x 1, runs, probability), reason,
-%             final ([] until confirmSet), budget (see newBudget), evaluate (see
-%             addRuns; [] until runs can be made), misled (see trustLibrary)
+%             final ([] until confirmSet), evaluate ([] until runs can be
+%             made), budget (see newEvaluate), misled (see trustLibrary)
 
 function state = newState (data, surrogates, found)
   state.data = data;
@@ -21,6 +21,5 @@ function state = newState (data, surrogates, found)
                           'residual', {}, 'runs', {}, 'probability', {});
   [state.reason, state.misled] = deal ('');
   state.final = [];
-  state.budget = newBudget ();
-  state.evaluate = [];
+  [state.evaluate, state.budget] = newEvaluate ([]);
 end

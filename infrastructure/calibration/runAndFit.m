@@ -48,7 +48,7 @@ end
 %! X = rand (8, 1);
 %! data = addRows (newData (1, 1), X, 1 + X, ones (8, 1), 'plan');
 %! state = newState (data, fitSurrogates (data, problem), []);
-%! state.evaluate = plainEvaluate (@(P, E, r) 1 + P + 0 ./ (r < 3));
+%! state.evaluate = newEvaluate (@(P, E, r) 1 + P + 0 ./ (r < 3));
 %! state = runAndFit (state, problem, [0.5; 0.5; 0.5; 0.5], 'verify');
 %! assert (state.data.replicate(9:end), [1; 2; 3]);
 %! assert (budgetLeft (state, problem), 0);
@@ -62,7 +62,7 @@ end
 %! X = (0:7)' / 7;
 %! data = addRows (newData (1, 1), X, 1 + X, ones (8, 1), 'plan');
 %! state = newState (data, fitSurrogates (data, problem), []);
-%! state.evaluate = plainEvaluate (@(P, E, r) merge (r > 1, NA, 1 + P));
+%! state.evaluate = newEvaluate (@(P, E, r) merge (r > 1, NA, 1 + P));
 %! state = runAndFit (state, problem, [0.5; 0.5], 'infill');
 %! assert (all (isfinite (state.data.Z)) && rows (state.data.Z) == 9);
 %!test
@@ -76,7 +76,7 @@ end
 %! E = 2 - mod (0:7, 2)';
 %! data = addRows (newData (1, 1, 1), X, X + E, ones (8, 1), 'plan', E);
 %! state = newState (data, fitSurrogates (data, problem), []);
-%! state.evaluate = plainEvaluate (@(P, E, r) P + E);
+%! state.evaluate = newEvaluate (@(P, E, r) P + E);
 %! state = runAndFit (state, problem, [0.5; 0.6], 'infill', [2; 1]);
 %! state = runAndFit (state, problem, 0.5, 'verify');
 %! assert (state.data.E(9:end), [2; 1; 1]);

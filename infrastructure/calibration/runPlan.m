@@ -101,8 +101,7 @@ end
 
 %!function state = ran (Case, plan, data)
 %!  state = newState (data);
-%!  state.budget = newBudget (Case);
-%!  state.evaluate = newEvaluate (Case, @(text) []);
+%!  [state.evaluate, state.budget] = newEvaluate (Case, @(text) []);
 %!  state = runPlan (state, newProblem (Case), plan, zeros (rows (plan), 0), ...
 %!                   Case, @(text) []);
 %!endfunction

@@ -68,7 +68,7 @@ end
 
 %!function [data, misled] = trusted (data, problem, f)
 %!  state = newState (data);
-%!  state.evaluate = plainEvaluate (f);
+%!  state.evaluate = newEvaluate (f);
 %!  state = trustLibrary (state, problem, @(text) []);
 %!  [data, misled] = deal (state.data, state.misled);
 %!endfunction

@@ -40,8 +40,7 @@ end
 %! Case = struct ('names', {{'a'}}, 'effects', [], 'coarse', [], ...
 %!                'limits', [0; 1], 'folder', '');
 %! Case.options = struct ('numOfSam', 12, 'seed', 1);
-%! state = struct ('budget', newBudget ());
-%! state.evaluate = plainEvaluate (@(P, E, r) [P, P]);
+%! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) [P, P]);
 %! state.data = addRows (newData (1, 2), (1:12)' / 13, ...
 %!                       [(1:12)', NaN(12, 1)], ...
 %!                 ones (12, 1), 'plan');

@@ -19,7 +19,7 @@ function diagnosis = diagnoseCase (root, folder)
   Case = withEffects (loadCase (root, folder));
   needCandidates (Case);
   problem = newProblem (Case);
-  budget = newBudget (Case);
+  [evaluate, budget] = newEvaluate (Case, say);
 
   % the runs that there are
   [data, count] = gatherRuns (Case);
@@ -36,8 +36,7 @@ function diagnosis = diagnoseCase (root, folder)
   notes = [notes(:)', {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
   [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
-  state = struct ('data', data, 'budget', budget, ...
-                  'evaluate', newEvaluate (Case, say));
+  state = struct ('data', data, 'budget', budget, 'evaluate', evaluate);
   state = completePlan (state, problem, Case, say);
 
   % where, which, how far, next test

@@ -24,7 +24,7 @@
 %     howFar   of proveCause ([] where nothing can be compared)
 %     next     of nextTest
 %     runs     struct spent, failed, left;  data: DATA with the new runs
-%     budget   see newBudget
+%     budget   see newEvaluate
 %
 % Order: WHERE, WHICH, HOW FAR, NEXT TEST. Random numbers come from
 % OPTIONS.seed; the caller's random state is left as it was.

@@ -2,7 +2,7 @@
 %
 % CALL: [OPTIONS, LINES] = gapBudget (CASE, BUDGET, GIVEN, SECONDS)
 %
-%   CASE     see newCase;  BUDGET  see newBudget
+%   CASE     see newCase;  BUDGET  see newEvaluate
 %   GIVEN    of gapProblemOf
 %   SECONDS  scalar, core time of one set so far (NaN: not known)
 %   OPTIONS  of gapOptions: maxNewRuns counts parameter sets, each of them a run

@@ -8,7 +8,7 @@
 % BEYOND  share of the box that a set may lie beyond a limit (0)
 % ISIN    n x 1  logical, which rows
 %
-% See also: findConflict, mostProbableSet, newPlan
+% See also: findConflict, surestSet, newPlan
 
 function [X, isIn] = insideLimits (X, limits, beyond)
   if nargin > 2

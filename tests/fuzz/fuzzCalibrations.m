@@ -121,7 +121,7 @@ function [r, found] = calibrated (lab, how, seed)
     surrogates = fitSurrogates (data, problem);
     state = newState (data, surrogates, ...
                       calibrateOnKriging (surrogates, problem));
-    state.evaluate = plainEvaluate (evaluate);
+    state.evaluate = newEvaluate (evaluate);
     state = improveByInfill (state, problem, @(text) []);
     state = calibrateOnDEM (state, problem, @(text) []);
     known = parameterPosterior (state.surrogates, problem);

@@ -13,20 +13,19 @@
 %               compared set)
 
 function state = newGapState (data, gapProblem, options, evaluate)
-  state = struct ('data', data, 'budget', newBudget (), 'evaluate', [], ...
+  if isstruct (evaluate)
+    runs = evaluate;
+  else
+    [runs.evaluate, runs.budget] = newEvaluate (evaluate);
+  end
+  state = struct ('data', data, 'budget', runs.budget, 'evaluate', [], ...
                   'left', options.maxNewRuns, 'spent', 0, 'failed', 0, ...
                   'repeats', options.verifyRuns);
   if ~isfield (data, 'stage')
     state.data.stage = repmat ({'import'}, rows (data.X), 1);
   end
-  if isstruct (evaluate)
-    state.budget = evaluate.budget;
-    evaluate = evaluate.evaluate;
-  elseif ~isempty (evaluate)
-    evaluate = plainEvaluate (evaluate);
-  end
-  if ~isempty (evaluate)
-    state.evaluate = @(varargin) inStandardUnits (evaluate, gapProblem, ...
+  if ~isempty (runs.evaluate)
+    state.evaluate = @(varargin) inStandardUnits (runs.evaluate, gapProblem, ...
                                                   varargin{:});
   end
 end

@@ -3,7 +3,7 @@
 % CALL: STATE = addRuns (STATE, PROBLEM, P, E, STAGE)
 %       STATE = addRuns (STATE, PROBLEM, P, E, STAGE, REPLICATE)
 %
-%   STATE      struct: data (see newData), budget (see newBudget), evaluate
+%   STATE      struct: data (see newData), budget (see newEvaluate), evaluate
 %              (handle [Z, BUDGET] = evaluate (P, E, REPLICATE, STAGE, BUDGET),
 %              Z n x T: NaN where a run failed, NA where one was not made)
 %   PROBLEM    see newProblem; limits are read
@@ -25,8 +25,9 @@ function state = addRuns (state, problem, P, E, stage, replicate)
 end
 
 %!test
-%! state = struct ('data', newData (1, 1, 1), 'budget', newBudget ());
-%! state.evaluate = plainEvaluate (@(P, E, r) merge (r > 2, NA, P + E));
+%! state.data = newData (1, 1, 1);
+%! [state.evaluate, state.budget] = newEvaluate ( ...
+%!   @(P, E, r) merge (r > 2, NA, P + E));
 %! problem.limits = [0; 9];
 %! state = addRuns (state, problem, [1; 1; 1; 2], [0; 5; 0; 0], 'plan');
 %! assert ([state.data.X, state.data.E, state.data.Z, ...

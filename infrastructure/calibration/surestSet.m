@@ -1,0 +1,135 @@
+% SURESTSET  The set that most probably meets all targets; ties by preference.
+%
+% CALL: P = surestSet (SURROGATES, PROBLEM, POOL)
+%
+% POOL  k x d  sets to start from, best first; may be empty
+% P     1 x d
+%
+% Starts: the least sums of (r^2 + s^2) / tolerance^2 (r residual of the
+% surrogate mean, s its standard deviation) among the pool, the centroid of the
+% runs and a space-filling sample, each brought to its local least by
+% nonlin_residmin; then a shrinking search for the largest probability
+% (meetProbability). Of all sets that meet the targets this is the one of which
+% the surrogates know most.
+%
+% Where the cost function has rows beside the targets, or parameters were
+% measured by themselves, the least such preference is looked for around this
+% set and the pool, among sets whose probability is at most options.better below
+% its own and at least options.even. A set that does not meet the targets is
+% never preferred.
+
+function p = surestSet (surrogates, problem, pool)
+  [p, best] = mostProbable (surrogates, problem, pool);
+  if ~isempty (pool)
+    known = meetProbability (surrogates, problem, pool(1, :));
+    if best < known
+      p = pool(1, :);
+      best = known;
+    end
+  end
+  isPreferred = problem.nExtra > 0 || any (isfinite (problem.paramSd));
+  if isPreferred && best >= problem.options.even
+    loss = @(P) preferenceIfSure (P, surrogates, problem, best);
+    p = shrinkingSearch (loss, p, [0.2, 0.1, 0.05, 0.05, 0.02, 0.02], 200, ...
+                         problem.limits, pool);
+  end
+end
+
+function [p, probability] = mostProbable (surrogates, problem, pool)
+  d = columns (problem.limits);
+  sample = double (stk_sampling_halton_rr2 (300, d, problem.limits));
+  centroid = insideLimits (mean (surrogates(1).X, 1), problem.limits);
+  P = [pool; centroid; sample];
+  [~, order] = sort (sum (loss (surrogates, problem, P).^2, 2));
+  P = P(order(1:10), :);
+  for k = 1:2
+    P(k, :) = descend (surrogates, problem, P(k, :));
+  end
+  step = double (stk_sampling_halton_rr2 (30, d, [-ones(1, d); ones(1, d)]));
+  for radius = 0.3 * 0.75.^(0:15)
+    [~, order] = sort (meetProbability (surrogates, problem, P), 'descend');
+    best = P(order(1:3), :);
+    P = best;
+    for k = 1:3
+      P = [P; setsAround(best(k, :), radius * circshift (step, k, 2), ...
+                         problem.limits)];
+    end
+    step = -circshift (step, 1, 2);
+  end
+  [probability, r] = meetProbability (surrogates, problem, best);
+  norm2 = sum (toleranceShare (problem, r).^2, 2);
+  [~, order] = sortrows ([-round(probability * 1e6), norm2]);
+  p = best(order(1), :);
+  probability = probability(order(1));
+end
+
+function p = descend (surrogates, problem, p)
+  lo = problem.limits(1, :);
+  width = problem.limits(2, :) - lo;
+  f = @(u) loss (surrogates, problem, lo + u(:)' .* width)';
+  J = @(u, hook) slope (surrogates, problem, lo + u(:)' .* width);
+  u = leastSquaresInBox (f, J, min (max ((p - lo) ./ width, 0), 1)', ...
+                         optimset ('MaxIter', 20, 'TolFun', 1e-2));
+  p = lo + u' .* width;
+end
+
+function f = loss (surrogates, problem, P)
+  [r, s] = residualSpread (surrogates, problem, P);
+  use = problem.calibrate;
+  f = [r(:, use) ./ problem.part(use), s(:, use) ./ problem.part(use)];
+end
+
+function J = slope (surrogates, problem, p)
+  [J, G] = surrogateJacobian (surrogates, problem, p);
+  J = [J; G];
+end
+
+% Inf for a set that is less sure than the best one.
+function value = preferenceIfSure (P, surrogates, problem, best)
+  value = Inf (rows (P), 1);
+  sure = meetProbability (surrogates, problem, P) >= ...
+         max (problem.options.even, best - problem.options.better);
+  if any (sure)
+    value(sure) = preferenceOf (problem, P(sure, :));
+  end
+end
+
+% What speaks against a set beside its targets: the sum of squares of the rows
+% below the targets (the Rayleigh term) and of the distances to parameters that
+% were measured by themselves, in their standard deviations.
+function value = preferenceOf (problem, P)
+  z = (P - problem.paramMean) ./ problem.paramSd;
+  value = sumsq (z(:, isfinite (problem.paramSd)), 2);
+  if problem.nExtra == 0
+    return
+  end
+  T = numel (problem.value);
+  for i = 1:size (P, 1)
+    r = problem.cost (P(i, :)', @(varargin) problem.value(:));
+    value(i) = value(i) + sum (r(T + 1:end).^2);
+  end
+end
+
+%!shared problem, s
+%! [problem, ~, s] = smallCalibration ();
+%!test
+%! p = surestSet (s, problem, zeros (0, 2));
+%! r = targetResidual (problem, p, predictSurrogate (s, p));
+%! assert (all (abs (r) < 0.02));
+%! assert (meetProbability (s, problem, p) > 0.5);
+%!test
+%! % a third parameter that matters to nobody goes where it is preferred
+%! problem.calibrate(2) = false;
+%! p = surestSet (s, problem, zeros (0, 2));
+%! problem.cost = @(p, f) [f(p) ./ [4; 2] - 1; 2 - p(2)];
+%! problem.nExtra = 1;
+%! q = surestSet (s, problem, zeros (0, 2));
+%! assert (q(2) >= p(2));
+%! assert (meetProbability (s, problem, q) >= ...
+%!         meetProbability (s, problem, p) - 0.021);
+%! % measured by itself: of the sets that are as sure the nearest is taken
+%! problem.nExtra = 0;
+%! problem.paramMean = [0.2, NaN];
+%! problem.paramSd = [0.05, NaN];
+%! q = surestSet (s, problem, zeros (0, 2));
+%! assert (abs (q(1) - 0.2) <= abs (p(1) - 0.2));
