@@ -45,7 +45,7 @@
 %! a = [1, 2, 9, 7, 8, 3.3];
 %! [Case, jobs] = slurmTestCase (fullfile (home, 'it''s %a $1'), a, 0);
 %! Case.models.timeout = 2;
-%! r = executeSlurm (jobs, Case, @(s) []);
+%! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! [Case, jobs] = slurmTestCase (fullfile (home, 'local'), a, 0);
 %! Case.models.timeout = 2;
 %! q = executeLocal (jobs, Case, @(s) []);
@@ -59,7 +59,7 @@
 %!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'injured');
 %! [Case, jobs] = slurmTestCase (folder, 1:4, 3);
-%! r = executeSlurm (jobs, Case, ...
+%! r = slurmExecutor ().execute (jobs, Case, ...
 %!                   @(s) slurmTestOnce (s, 4, folder, @() injure (folder)));
 %! assert ({r.status}, {'failed', 'failed', 'failed', 'ok'});
 %! assert ({r(1:3).cause}, {'killed', 'killed', 'killed'});
@@ -72,7 +72,7 @@
 %!testif ; slurmTestReady ('quiet')
 %! folder = fullfile (home, 'daemons');
 %! [Case, jobs] = slurmTestCase (folder, 1 + (1:12) / 100, 1);
-%! r = executeSlurm (jobs, Case, ...
+%! r = slurmExecutor ().execute (jobs, Case, ...
 %!                   @(s) slurmTestOnce (s, 1, folder, ...
 %!                                       @() restartDaemons (cluster)));
 %! assert (isfile (fullfile (folder, 'meddled')));
@@ -96,7 +96,7 @@
 %!   kill (pid, 9);
 %! end
 %! [Case, jobs] = slurmTestCase (folder, 1:6, 3);
-%! r = executeSlurm (jobs, Case, @(s) []);
+%! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, repmat ({'ok'}, 1, 6));
 %! assert (slurmTestStarts (folder), 6);
 %! assert (r(6).results, [8, 12], 1e-12);
@@ -110,13 +110,13 @@
 %! flight = batchAttach (jobs, Case.store, queue);
 %! opt = queue.options (Case.options);
 %! flight = batchSubmit (flight, 1:2, jobs, Case, queue, opt);
-%! r = executeSlurm (jobs, Case, @(s) []);
+%! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
 %! [~, ~] = mkdir (flight.batches.path);
 %! here = fullfile (Case.root, 'infrastructure', 'executors');
 %! task = [{fullfile(here, 'batchTask.sh'), flight.batches.path, 'none'}, ...
 %!         queue.task];
-%! assert (slurmSend (flight.batches, opt, task), 'sent');
+%! assert (queue.send (flight.batches, opt, task), 'sent');
 %! pause (2);
 %! assert (slurmTestStarts (folder), 2);
 
@@ -135,7 +135,7 @@
 %! assert (numel (sent), 1);
 %! assert (describeExecutor ('slurm').cancel (sent));
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 2);
-%! r = executeSlurm (jobs, Case, @(s) []);
+%! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
 
 % refused: an error that quotes Slurm, and nothing left in the ledger
@@ -144,14 +144,14 @@
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 0);
 %! Case.options.slurm.partition = 'nosuch';
 %! try
-%!   executeSlurm (jobs, Case, @(s) []);
+%!   slurmExecutor ().execute (jobs, Case, @(s) []);
 %! catch err
 %! end
 %! assert (err.identifier, 'DEcalioc:batchExecute:submitRefused');
 %! assert (! isempty (strfind (err.message, 'partition')));
 %! assert (isempty (batchLedger (folder, 'slurm')));
 %! Case.options.slurm.partition = 'main';
-%! r = executeSlurm (jobs, Case, @(s) []);
+%! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
 
 %!testif ; slurmTestReady ('quiet')

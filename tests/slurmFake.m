@@ -7,7 +7,7 @@
 %   NAMES       their names (default {'sbatch', 'squeue'})
 %   TIDY        object that puts the PATH back when it is cleared
 %
-% See also: slurmSend, slurmLook
+% See also: slurmExecutor, slurmLook
 
 function tidy = slurmFake (send, look, names)
   if nargin < 3

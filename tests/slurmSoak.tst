@@ -62,7 +62,8 @@
 %!testif ; soakReady ()
 %! folder = fullfile (home, 'lost');
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 50);
-%! r = executeSlurm (jobs, Case, @(s) slurmTestOnce (s, 2, folder, ...
+%! r = slurmExecutor ().execute (jobs, Case, ...
+%!   @(s) slurmTestOnce (s, 2, folder, ...
 %!                        @() interrupt (cluster, 'slurmd-n1', 45)));
 %! assert ({r.status}, {'failed', 'failed'});
 %! assert ({r.cause}, {'killed', 'killed'});
@@ -76,7 +77,8 @@
 %! folder = fullfile (home, 'away');
 %! [Case, jobs] = slurmTestCase (folder, 1:6, 12);
 %! said = containers.Map ();
-%! r = executeSlurm (jobs, Case, @(s) listen (s, said, folder, cluster));
+%! r = slurmExecutor ().execute (jobs, Case, ...
+%!   @(s) listen (s, said, folder, cluster));
 %! assert ({r.status}, repmat ({'ok'}, 1, 6));
 %! assert (slurmTestStarts (folder), 6);
 %! assert (any (strncmp (said.keys (), 'Slurm does not answer', 21)));
@@ -86,7 +88,8 @@
 %! folder = fullfile (home, 'limit');
 %! [Case, jobs] = slurmTestCase (folder, [8, 1], 0);
 %! Case.options.slurm.time = 1;
-%! r = executeSlurm (jobs, Case, @(s) slurmTestOnce (s, 1, folder, ...
+%! r = slurmExecutor ().execute (jobs, Case, ...
+%!   @(s) slurmTestOnce (s, 1, folder, ...
 %!                                          @() liftLimits (folder)));
 %! assert ({r.status}, {'timeout', 'ok'});
 %! assert (! isempty (strfind (r(1).message, 'TIMEOUT')));
@@ -97,7 +100,8 @@
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 20);
 %! order = ['sbatch --partition=urgent --exclusive --time=5 ', ...
 %!          '--output=/dev/null --wrap="sleep 5" > /dev/null'];
-%! r = executeSlurm (jobs, Case, @(s) slurmTestOnce (s, 2, folder, ...
+%! r = slurmExecutor ().execute (jobs, Case, ...
+%!   @(s) slurmTestOnce (s, 2, folder, ...
 %!                                              @() system (order)));
 %! assert ({r.status}, {'failed', 'failed'});
 %! assert ({r.cause}, {'killed', 'killed'});

@@ -2,7 +2,7 @@
 %
 % CALL: slurmTestOnce (STATE, ENOUGH, FOLDER, DEED)
 %
-%   STATE   what executeSlurm reports
+%   STATE   what batchExecute reports
 %   ENOUGH  number of running runs
 %   FOLDER  of the test case: the file `meddled` there says that it is done
 %   DEED    function handle without arguments

@@ -2,24 +2,28 @@
 %
 % CALL: WHAT = describeExecutor (NAME)
 %
-%   NAME  name of the executor: Input.executor, and the file execute<Name>.m
-%         (text)
+%   NAME  name of the executor (text): Input.executor
 %   WHAT  scalar struct:
 %     check    handle P = check (GIVEN): faults of Input.<name>, see
 %              checkFault; [] where the executor has no fields of its own
 %     program  program that must be on the PATH, '' = none
 %     isHere   logical: the runs are made on this machine
+%     execute  handle RECORDS = execute (JOBS, CASE, REPORT), see executeLocal
 %     sets     handle N = sets (OPTIONS): parameter sets that the calibration
 %              tries at a time after the plan; OPTIONS is Case.options
 %
-% An executor that differs from these defaults has a function <name>Executor
-% that returns its own, as slurmExecutor does. Other fields are its own matter.
+% An executor is a function execute<Name>. One that differs from these defaults
+% has a function <name>Executor that returns its own; the other may be missing
+% then, as for slurmExecutor. Other fields are its own matter.
 %
 % See also: executorNames, runJobs
 
 function what = describeExecutor (name)
   what = struct ('check', [], 'program', '', 'isHere', true, ...
                  'sets', @(options) max (1, floor (options.maxCPU)));
+  if ~isempty (name)
+    what.execute = str2func (['execute', upper(name(1)), name(2:end)]);
+  end
   maker = [name, 'Executor'];
   if isvarname (maker) && exist (maker, 'file') == 2
     what = mergeFields (what, feval (maker));

@@ -2,15 +2,17 @@
 %
 % CALL: NAMES = executorNames ()
 %
-%   NAMES  1 x n cell: 'local' for the file executeLocal.m of executors/
+%   NAMES  1 x n cell: 'local' for the file executeLocal.m of executors/,
+%   'slurm'
+%          for slurmExecutor.m
 
 function names = executorNames ()
   inside = fileparts (fileparts (mfilename ('fullpath')));
   files = readdir (fullfile (inside, 'executors'));
-  found = regexp (files, '^execute([A-Z]\w*)\.m$', 'tokens', 'once');
-  found = [found{:}];
-  names = cellfun (@(n) [lower(n(1)), n(2:end)], found, ...
-                   'UniformOutput', false);
+  found = regexp (files, '^execute([A-Z]\w*)\.m$|^(\w*)Executor\.m$', ...
+                  'tokens', 'once');
+  names = unique (cellfun (@(n) [lower(n(1)), n(2:end)], [found{:}], ...
+                           'UniformOutput', false));
 end
 
 %!assert (all (ismember ({'local', 'static', 'slurm'}, executorNames ())))

@@ -4,7 +4,7 @@
 %
 %   JOBS    1 x n struct array, see newJobs
 %   STORE   folder of the run store (text)
-%   QUEUE   see batchExecutor
+%   QUEUE   see newQueue
 %   FLIGHT  scalar struct
 %     status   1 x n char: 'q' to be submitted, 'o' submitted and open,
 %              'e' ended and to be evaluated, 's' settled (has a record)

@@ -2,14 +2,7 @@
 %
 % CALL: RECORDS = batchExecute (QUEUE, JOBS, CASE, REPORT)
 %
-%   QUEUE    scalar struct, see batchExecutor, and the queue's own commands:
-%     task     {name of the environment variable that holds the number of the
-%              task, of the one that holds the job's number}
-%     start    [N, FAULT] = start (): tasks that an array may have at most;
-%              why the queue cannot be used here, '' = it can
-%     send     [VERDICT, TEXT] = send (BATCH, OPT, WORDS), see slurmSend
-%     look     [OK, TEXT, TASKS] = look (NAMES, SIZES), see slurmLook
-%     cancel   [OK, TEXT] = cancel (NAMES): empties the queue of these arrays
+%   QUEUE    see newQueue
 %   JOBS     1 x n struct array, see newJobs
 %   CASE     see newCase. The cluster decides how much runs at a time, not
 %            CASE.options.maxCPU

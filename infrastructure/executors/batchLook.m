@@ -6,7 +6,7 @@
 %           's' (record made here: killed, cancelled, node lost, the queue's
 %           time limit) or 'q' (to be submitted again)
 %   JOBS    1 x n struct array, see newJobs
-%   QUEUE   see batchExecute
+%   QUEUE   see newQueue
 %   GRACE   how long files may take to appear (s)
 %   NOW     time (s)
 

@@ -6,8 +6,8 @@
 %   PICKS   1 x k indices into JOBS, models with the same number of CPUs
 %   JOBS    1 x n struct array, see newJobs
 %   CASE    see newCase
-%   QUEUE   see batchExecutor
-%   OPT     see batchExecutor
+%   QUEUE   see newQueue
+%   OPT     see newQueue
 %
 % Makes the run folders and a batch folder <store>/optim/.<queue>/<name> whose
 % file tasks tells which task of the array is which run. The name is unique and

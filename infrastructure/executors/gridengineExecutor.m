@@ -1,10 +1,12 @@
 % GRIDENGINEEXECUTOR  What the queue Grid Engine is, its fields and commands.
 %
-% CALL: WHAT = gridengineExecutor ()
+% CALL: QUEUE = gridengineExecutor ()
 %
-%   WHAT  scalar struct, see describeExecutor and batchExecute
+%   QUEUE  scalar struct, see newQueue
 
-function what = gridengineExecutor ()
+function queue = gridengineExecutor ()
+  own.name = 'gridengine';
+  own.title = 'Grid Engine';
   own.words = {'queue', 'project', 'environment'};
   own.option = '^-([a-zA-Z_]+)( .*)?$';
   own.example = '-l mem_free=2G';
@@ -12,13 +14,13 @@ function what = gridengineExecutor ()
                   'r', 'terse', 'sync', 'now', 'pe', 'q', 'P', 'help', ...
                   'verify', 'shell', 'inherit'};
   own.isShort = false;
-  what = batchExecutor ('gridengine', 'Grid Engine', own);
-  what.program = 'qsub';
-  what.task = {'SGE_TASK_ID', 'JOB_ID'};
-  what.start = @askCluster;
-  what.send = @gridengineSend;
-  what.look = @gridengineLook;
-  what.cancel = @cancel;
+  own.program = 'qsub';
+  own.task = {'SGE_TASK_ID', 'JOB_ID'};
+  own.start = @askCluster;
+  own.submit = @submit;
+  own.look = @look;
+  own.cancel = @cancel;
+  queue = newQueue (own);
 end
 
 % Tasks that one array may have: max_aj_tasks of the global configuration. A
@@ -46,11 +48,150 @@ function [ok, text] = cancel (names)
   ok = isempty (strfind (text, 'qmaster'));
 end
 
+function [ok, text, isPassing] = submit (batch, opt, task)
+  words = [{'-V', '-terse', '-r', 'n', '-j', 'y', '-S', '/bin/bash', ...
+            '-wd', '/', '-N', batch.name, '-t', sprintf('1-%d', batch.n), ...
+            '-l', sprintf('h_rt=%d', 60 * batch.minutes), ...
+            '-o', logName(batch.path)}, ...
+           named('-q', opt.queue), named('-P', opt.project), ...
+           parallel(batch.cpu, opt.environment), split(opt.extra), task];
+  words = cellfun (@shellQuote, words, 'UniformOutput', false);
+  % a session of its own: Ctrl-C shall not interrupt qsub half-way
+  [status, text] = system (['setsid --wait qsub ', strjoin(words, ' '), ...
+                            ' 2>&1 < /dev/null']);
+  ok = status == 0;
+  isPassing = ~isempty (regexp (text, 'commlib|send message', 'once'));
+end
+
+function words = named (option, value)
+  words = {};
+  if ~isempty (value)
+    words = {option, value};
+  end
+end
+
+% The slots of one job on one host: what the environment must be set up for.
+function words = parallel (cpu, environment)
+  words = {};
+  if cpu > 1 || ~isempty (environment)
+    environment = [environment, repmat('smp', 1, isempty (environment))];
+    words = {'-pe', environment, sprintf('%d', cpu)};
+  end
+end
+
+% '-l mem_free=2G' are two words
+function words = split (extra)
+  words = cell (1, 0);
+  for k = 1:numel (extra)
+    [option, value] = strtok (extra{k}, ' ');
+    words{end + 1} = option;
+    if ~isempty (value)
+      words{end + 1} = strtrim (value);
+    end
+  end
+end
+
+% Grid Engine takes $, : and , in a path for signs of its own: no log then.
+function name = logName (folder)
+  name = [folder, '/$TASK_ID.out'];
+  if any (ismember (folder, '$:,'))
+    name = '/dev/null';
+  end
+end
+
+% qstat lists what waits or runs, one element a task. What has ended is not
+% there any more: the run's end mark says how, and without one the run was
+% killed or cancelled.
+function [ok, text, tasks] = look (names, sizes)
+  [status, text] = system (['timeout 60 qstat -xml -g d -u "$(id -un)" ' ...
+                            '2>&1']);
+  ok = status == 0;
+  parts = regexp (text, ['<JB_name>([^<]*)</JB_name>.*?<state>([^<]*)', ...
+                         '</state>.*?<tasks>([^<]*)</tasks>'], 'tokens');
+  parts = vertcat (parts{:}, cell (0, 3));
+  tasks = struct ('state', cell (1, numel (names)), 'word', '');
+  for k = 1:numel (names)
+    tasks(k) = ofArray (parts(strcmp (parts(:, 1), names{k}), 2:3), sizes(k));
+  end
+end
+
+function tasks = ofArray (parts, n)
+  tasks = struct ('state', repmat ('-', 1, n), ...
+                  'word', {repmat({'not in qstat any more'}, 1, n)});
+  for k = 1:rows (parts)
+    t = numbersOf (parts{k, 2});
+    t = t(t <= n);
+    tasks.state(t) = 'r';
+    if any (parts{k, 1} == 'q')
+      tasks.state(t) = 'p';
+    end
+    tasks.word(t) = parts(k, 1);
+    if any (parts{k, 1} == 'E')
+      tasks.word(t) = {[parts{k, 1}, ' (see qstat -explain E)']};
+    end
+  end
+end
+
+% '7', '2-9:1' or '1,4'
+function numbers = numbersOf (text)
+  numbers = [];
+  for part = strsplit (text, ',')
+    ends = sscanf (part{1}, '%d-%d:%d')';
+    ends(end + 1:2) = ends(end);
+    numbers = [numbers, ends(1):ends(2)];
+  end
+end
+
 %!test
-%! what = gridengineExecutor ();
-%! assert (isempty (what.check (struct ('queue', 'all.q', 'extra', ...
+%! queue = gridengineExecutor ();
+%! assert (isempty (queue.check (struct ('queue', 'all.q', 'extra', ...
 %!                                      '-l mem_free=2G'))));
-%! assert (what.check (struct ('extra', '-t 1-3')).id, ...
+%! assert (queue.check (struct ('extra', '-t 1-3')).id, ...
 %!         'DEcalioc:checkCase:badQueueExtra');
-%! assert (what.check (struct ('partition', 'a')).id, ...
+%! assert (queue.check (struct ('partition', 'a')).id, ...
 %!         'DEcalioc:checkCase:unknownField');
+%!function [verdict, text] = sendTo (qsub, qstat)
+%!  tidy = slurmFake (qsub, qstat, {'qsub', 'qstat'});
+%!  batch = struct ('name', 'decalioc-1', 'path', '/a b', 'n', 3, ...
+%!                  'cpu', 2, 'minutes', 5);
+%!  given.extra = {'-l mem_free=2G', '-notify'};
+%!  queue = gridengineExecutor ();
+%!  opt = queue.options (struct ('gridengine', given));
+%!  opt.queue = 'main';
+%!  [verdict, text] = queue.send (batch, opt, {'job.sh', 'it''s $(x)'});
+%!endfunction
+%!test
+%! % every word arrives as it is
+%! [verdict, text] = sendTo ('printf "%s|" "$@"', 'true');
+%! assert (verdict, 'sent');
+%! assert (! isempty (strfind (text, '|-t|1-3|-l|h_rt=300|')));
+%! assert (text(end-57:end), ['-q|main|-pe|smp|2|-l|mem_free=2G|-notify|', ...
+%!                            'job.sh|it''s $(x)|']);
+%!test
+%! [verdict, text] = sendTo ('echo "unknown queue" >&2; exit 1', 'true');
+%! assert ({verdict, text}, {'refused', 'unknown queue'});
+%!assert (sendTo ('echo "commlib error" >&2; exit 1', 'true'), 'later')
+%!assert (sendTo ('exit 1', 'exit 1'), 'later')
+%!test
+%! % qsub gave up, but the master has the job
+%! assert (sendTo ('echo "commlib error"; exit 1', ...
+%!                 ['printf "<job_list><JB_name>decalioc-1</JB_name>', ...
+%!                  '<state>qw</state><tasks>1</tasks></job_list>"']), 'sent');
+%!test
+%! job = ['<job_list>\n<JB_name>%s</JB_name>\n<state>%s</state>\n', ...
+%!        '<tasks>%s</tasks>\n</job_list>\n'];
+%! list = [sprintf(job, 'a', 'r', '1'), sprintf(job, 'b', 'r', '1'), ...
+%!         sprintf(job, 'a', 'qw', '3-4:1'), sprintf(job, 'a', 'Eqw', '6'), ...
+%!         sprintf(job, 'a', 'dr', '7')];
+%! tidy = slurmFake ('', ['echo ''', list, ''''], {'qsub', 'qstat'});
+%! queue = gridengineExecutor ();
+%! [ok, ~, tasks] = queue.look ({'a', 'c'}, [7, 1]);
+%! assert (ok);
+%! assert ({tasks.state}, {'r-pp-pr', '-'});
+%! assert (tasks(1).word{6}, 'Eqw (see qstat -explain E)');
+%!test
+%! tidy = slurmFake ('', 'echo "no contact" >&2; exit 1', {'qsub', 'qstat'});
+%! queue = gridengineExecutor ();
+%! [ok, text] = queue.look ({'a'}, 1);
+%! assert (! ok);
+%! assert (text, "no contact\n");

@@ -70,8 +70,7 @@ function [records, isMade] = carryOut (jobs, records, open, Case, tell)
 end
 
 function execute = executorOf (Case)
-  name = Case.options.executor;
-  execute = str2func (['execute', upper(name(1)), name(2:end)]);
+  execute = describeExecutor (Case.options.executor).execute;
 end
 
 function records = withoutRun (records)

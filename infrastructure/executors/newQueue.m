@@ -1,18 +1,35 @@
-% BATCHEXECUTOR  What all queues have in common, for describeExecutor.
+% NEWQUEUE  The executor of a queue, of what the queue alone knows.
 %
-% CALL: WHAT = batchExecutor (NAME, TITLE, OWN)
+% CALL: QUEUE = newQueue (OWN)
 %
-%   NAME   name of the executor (text)
-%   TITLE  name of the queue as users write it (text)
-%   OWN    scalar struct, what the queue adds: words (1 x n cell, names of its
-%          fields that hold a text), option (regular expression that an element
-%          of extra must match; its first token is the option's name), example
-%          (one such element), reserved (1 x m cell of names that DEcalioc sets
-%          itself), isShort (logical: the program completes options that are
-%          not written in full)
-%   WHAT   scalar struct, see describeExecutor, and name, title, options: a
-%          handle OPT = options (CASE.options) that fills in what the user left
-%          out of Input.<name>. OPT is a struct with
+%   OWN    scalar struct
+%     name      name of the executor (text)
+%     title     name of the queue as users write it (text)
+%     words     1 x n cell, names of its fields that hold a text
+%     option    regular expression that an element of extra must match; its
+%               first token is the option's name
+%     example   one such element (text)
+%     reserved  1 x m cell of options that DEcalioc sets itself
+%     isShort   logical: the program completes options that are not written in
+%               full
+%     program   program that submits (text)
+%     task      {name of the environment variable that holds the number of the
+%               task, of the one that holds the job's number}
+%     start     [N, FAULT] = start (): tasks that an array may have at most;
+%               why the queue cannot be used here, '' = it can
+%     submit    [OK, TEXT, ISPASSING] = submit (BATCH, OPT, TASK): submits one
+%               job array; what the program said; it may take it later. BATCH is
+%               an element of FLIGHT.batches (batchAttach), TASK the program
+%               that a task runs, and its arguments (1 x n cell)
+%     look      [OK, TEXT, TASKS] = look (NAMES, SIZES), see slurmLook
+%     cancel    [OK, TEXT] = cancel (NAMES): empties the queue of these arrays
+%   QUEUE  OWN with check, isHere, sets, execute (see describeExecutor) and
+%     options   OPT = options (CASE.options) fills in what the user left out of
+%               Input.<name>
+%     send      [VERDICT, TEXT] = send (BATCH, OPT, TASK): 'sent'; 'later' (the
+%               queue cannot be reached); 'refused' (partition, limits ...)
+%
+% OPT is a struct with
 %     extra        1 x n cell of further options of the program that submits
 %     before       1 x n cell of shell commands that a job carries out first
 %     time         time limit of a job (min), NaN = from the model's time limit
@@ -23,24 +40,41 @@
 %                  has ended (s), longer than the attribute cache of a network
 %                  file system; 30
 %     and those of OWN.words, '' = the queue's default
-%
-% The queue adds program, and its commands, see batchExecute.
 
-function what = batchExecutor (name, title, own)
-  what.name = name;
-  what.title = title;
-  what.isHere = false;
-  what.check = @(given) batchCheck (given, name, own);
-  what.options = @(options) optionsOf (options, name, own.words);
-  what.sets = @(options) optionsOf (options, name, own.words).sets;
+function queue = newQueue (own)
+  queue = own;
+  queue.isHere = false;
+  queue.check = @(given) checkQueue (given, own);
+  queue.options = @(options) optionsOf (options, own);
+  queue.sets = @(options) optionsOf (options, own).sets;
+  queue.send = @(batch, opt, task) sendOnce (own, batch, opt, task);
+  queue.execute = @(jobs, Case, report) batchExecute (queue, jobs, Case, ...
+                                                      report);
 end
 
-function opt = optionsOf (options, name, words)
-  given = givenField (options, name, []);
+% The program may give up on a job that the queue did accept: the queue is asked
+% before a batch is called not sent.
+function [verdict, text] = sendOnce (own, batch, opt, task)
+  [ok, text, isPassing] = own.submit (batch, opt, task);
+  text = strtrim (text);
+  verdict = 'sent';
+  if ~ok
+    [answers, ~, tasks] = own.look ({batch.name}, batch.n);
+    isThere = answers && any (tasks.state ~= '-');
+    if ~answers || (~isThere && isPassing)
+      verdict = 'later';
+    elseif ~isThere
+      verdict = 'refused';
+    end
+  end
+end
+
+function opt = optionsOf (options, own)
+  given = givenField (options, own.name, []);
   opt = struct ('extra', {{}}, 'before', {{}}, 'time', NaN, ...
                 'maxInFlight', 200, 'sets', 8, 'poll', 10, 'grace', 30);
-  for k = 1:numel (words)
-    opt.(words{k}) = '';
+  for word = own.words
+    opt.(word{1}) = '';
   end
   if isempty (given)
     return
@@ -56,9 +90,9 @@ function opt = optionsOf (options, name, words)
 end
 
 % GIVEN anything; [] or a struct with the fields of OPT, each optional.
-function p = batchCheck (given, name, own)
+function p = checkQueue (given, own)
   p = checkFault ();
-  field = ['Input.', name];
+  field = ['Input.', own.name];
   if checkIs ('nothing', given)
     return
   end
@@ -148,15 +182,30 @@ function p = checkBefore (given, prefix)
 end
 
 %!test
-%! own = struct ('words', {{'group'}});
-%! what = batchExecutor ('q', 'Queue', own);
-%! assert (what.options (struct ('q', struct ('group', 'a'))).group, 'a');
-%! assert (what.options (struct ()).group, '');
+%! queue = newQueue (struct ('name', 'q', 'words', {{'group'}}));
+%! assert (queue.options (struct ('q', struct ('group', 'a'))).group, 'a');
+%! assert (queue.options (struct ()).group, '');
+%!test
+%! % not accepted: the queue has it all the same, does not answer, has it not
+%! own = struct ('name', 'q', 'words', {{}});
+%! said = {};
+%! for state = 'p?-'
+%!   own.submit = @(batch, opt, task) deal (false, "no\n", true);
+%!   own.look = @(names, sizes) deal (state ~= '?', '', ...
+%!                                    struct ('state', state));
+%!   said{end + 1} = newQueue (own).send (struct ('name', 'a', 'n', 1), 0, 0);
+%! end
+%! assert (said, {'sent', 'later', 'later'});
+%! own.submit = @(batch, opt, task) deal (false, "no\n", false);
+%! queue = newQueue (own);
+%! [verdict, text] = queue.send (struct ('name', 'a', 'n', 1), 0, 0);
+%! assert ({verdict, text}, {'refused', 'no'});
 %!function p = check (given, own)
-%!  p = batchExecutor ('q', 'Queue', own).check (given);
+%!  p = newQueue (own).check (given);
 %!endfunction
 %!shared own, ids
-%! own = struct ('words', {{'partition', 'account'}}, 'example', '--mem=2G', ...
+%! own = struct ('name', 'q', 'words', {{'partition', 'account'}}, ...
+%!               'example', '--mem=2G', ...
 %!               'option', '^--([a-z-]+)(=.*)?$', 'isShort', true, ...
 %!               'reserved', {{'array', 'job-name'}});
 %! ids = @(p) strrep ({p.id}, 'DEcalioc:checkCase:', '');
@@ -182,8 +231,8 @@ end
 %! own.isShort = false;
 %! assert (isempty (check (struct ('extra', '--job=x'), own)));
 %!function o = options (given, words)
-%!  own.words = words;
-%!  o = batchExecutor ('q', 'Queue', own).options (struct ('q', given));
+%!  own = struct ('name', 'q', 'words', {words});
+%!  o = newQueue (own).options (struct ('q', given));
 %!endfunction
 %!test
 %! o = options (struct (), {'partition'});
