@@ -13,8 +13,8 @@
 
 function p = allMet (r, s, problem, df)
   p = ones (rows (r), 1);
-  for own = requirementsOf (problem)
-    t = own{1};
+  for requirement = requirementsOf (problem)
+    t = requirement{1};
     if isscalar (t)
       p = p .* insideProbability (r(:, t), s(:, t), problem.tol(t), df(t));
     else

@@ -18,7 +18,7 @@ function way = byAllRuns (problem)
                 'isOver', @(book) whyOver (book, problem));
   way.weights = 1 ./ problem.part(way.kept)';
   % a residual within its tolerance is no end here, as it may be chance
-  way.told = struct ('tolRes', -Inf (1, numel (way.kept)), 'maxIter', Inf);
+  way.settings = struct ('tolRes', -Inf (1, numel (way.kept)), 'maxIter', Inf);
 end
 
 function [z, book] = meanResponse (p, book, problem)

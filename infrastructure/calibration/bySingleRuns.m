@@ -18,8 +18,8 @@ function way = bySingleRuns (problem)
                 'slopes', @(p, f, book) differencesOnDEM (p, f, kept, book, ...
                                                           problem), ...
                 'isOver', @(book) whyOver (book, problem));
-  way.told = struct ('tolRes', problem.tol(problem.calibrate), ...
-                     'maxIter', problem.options.maxIter);
+  way.settings = struct ('tolRes', problem.tol(problem.calibrate), ...
+                         'maxIter', problem.options.maxIter);
 end
 
 function [Z, book] = onceOnDEM (P, book, problem)
@@ -36,9 +36,9 @@ function Z = knownAt (data, P, problem)
   isWhole = all (isfinite (data.Z), 2);
   Z = NaN (rows (P), columns (data.Z));
   for i = 1:rows (P)
-    own = isWhole & sameSet (data.X, P(i, :), problem.limits);
-    if any (own)
-      Z(i, :) = mean (data.Z(own, :), 1);
+    isThere = isWhole & sameSet (data.X, P(i, :), problem.limits);
+    if any (isThere)
+      Z(i, :) = mean (data.Z(isThere, :), 1);
     end
   end
 end

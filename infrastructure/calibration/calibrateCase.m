@@ -23,8 +23,8 @@ function calibration = calibrateCase (root, folder)
   reportCase (Case, say, problem);
 
   % experimental plan and DEM simulation
-  [data, rest, told] = importExisting (Case, problem, say);
-  sayOldRuns (Case, say, told);
+  [data, rest, fromLibrary] = importExisting (Case, problem, say);
+  sayOldRuns (Case, say, fromLibrary);
   state = newState (data);
   [state.evaluate, state.budget] = newEvaluate (Case, say);
   state = trustLibrary (state, problem, say);

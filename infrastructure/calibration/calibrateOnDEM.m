@@ -95,7 +95,7 @@ end
 % One Levenberg-Marquardt search from the found set. WAY (byAllRuns,
 % bySingleRuns) holds respond (handle [Z, BOOK] = f (P, BOOK), makes runs),
 % slopes (handle [J, BOOK] = f (p, residual, BOOK)), kept (rows of costFunction
-% that are fitted), weights, maxIter, told (struct for userInt), say, isOver
+% that are fitted), weights, maxIter, settings (struct for userInt), say, isOver
 % (handle, text: why it should end beside what userInt says). P 1 x d, WHY text.
 %
 % nonlin_residmin hands nothing on from one evaluation to the next: the nested
@@ -156,10 +156,10 @@ function [why, book] = whyStop (p, vals, phase, way, book)
   vals.iteration = book.iteration;
   book.iteration = vals.iteration + 1;
   runs = sum (isAfterPlan (book.state.data));
-  told = way.told;
-  told.say = @(text) way.say (sprintf ('%s; %d runs since the plan', ...
-                                       text, runs));
-  [stop, why] = userInt (p(:), vals, phase, true, told);
+  settings = way.settings;
+  settings.say = @(text) way.say (sprintf ('%s; %d runs since the plan', ...
+                                           text, runs));
+  [stop, why] = userInt (p(:), vals, phase, true, settings);
   if stop
     book.stop = why;
   else

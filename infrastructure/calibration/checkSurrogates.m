@@ -28,11 +28,11 @@ function [lines, touched] = checkSurrogates (state, problem)
     lines{end + 1} = sprintf (['%d targets cannot fix %d parameters: other ' ...
                                'sets meet them as well'], nTargets, d);
   end
-  own = ~ismember (state.data.stage, {'import', 'library'});
-  failed = sum (any (isnan (state.data.Z(own, :)), 2));
+  isOurs = ~ismember (state.data.stage, {'import', 'library'});
+  failed = sum (any (isnan (state.data.Z(isOurs, :)), 2));
   if failed > 0
     lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
-                              failed, sum (own));
+                              failed, sum (isOurs));
   end
   [~, isRepeat] = countEqualOnce (state.data, problem.bench);
   if any (isRepeat)
@@ -81,16 +81,16 @@ function lines = badRuns (state, problem)
   lines = {};
   bad = horzcat (state.surrogates.leftOut);
   for i = find (any (bad, 2))'
-    own = find (bad(i, :));
-    s = state.surrogates(own);
+    targets = find (bad(i, :));
+    s = state.surrogates(targets);
     m = predictSurrogate (s, state.data.X(i, :));
-    off = (state.data.Z(i, own) - m) ./ sqrt ([s.noiseVar]);
+    off = (state.data.Z(i, targets) - m) ./ sqrt ([s.noiseVar]);
     [~, k] = max (abs (off));
     where = namedValues (problem.names, state.data.X(i, :), '%.4g');
     lines{end + 1} = sprintf (['the run at %s is left out: %s is %.4g ' ...
                                'where the other runs say %.4g, %.0f times ' ...
                                'the scatter of a run. Look at it'], ...
-                              where, s(k).name, state.data.Z(i, own(k)), ...
+                              where, s(k).name, state.data.Z(i, targets(k)), ...
                               m(k), abs (off(k)));
   end
 end
@@ -111,14 +111,14 @@ end
 % One sentence for all points that have something: the first one's.
 function lines = curveWarnings (state, problem, number)
   lines = {};
-  own = find (problem.curve == number);
-  for t = own
+  points = find (problem.curve == number);
+  for t = points
     lines = [lines, warningsOf(state.surrogates(t), problem.value(t))];
   end
   if numel (lines) > 1
     lines = {sprintf('%s (and %d more warnings of the %d points of %s)', ...
-                     lines{1}, numel (lines) - 1, numel (own), ...
-                     problem.seriesNames{own(1)})};
+                     lines{1}, numel (lines) - 1, numel (points), ...
+                     problem.seriesNames{points(1)})};
   end
 end
 

@@ -104,13 +104,14 @@ function [P, E] = chooseLevels (surrogates, problem, Q, n, seconds)
   for i = 1:n
     gain = zeros (k * L, 1);
     for j = 1:numel (parts)
-      own = diag (parts{j}.S);
+      variance = diag (parts{j}.S);
       gain = gain + sumsq (parts{j}.S(1:k, k + 1:end), 1)' ./ ...
-                    (own(k + 1:end) + parts{j}.noise);
+                    (variance(k + 1:end) + parts{j}.noise);
     end
     [~, chosen(i)] = max (gain ./ cost);
     for j = 1:numel (parts)
-      parts{j} = told (parts{j}, k + chosen(i), parts{j}.noise(chosen(i)));
+      parts{j} = conditioned (parts{j}, k + chosen(i), ...
+                              parts{j}.noise(chosen(i)));
     end
   end
   P = P(chosen, :);
@@ -122,11 +123,11 @@ end
 function part = covariances (s, problem, t, Q, X, E)
   k = rows (Q);
   level = unitLevel (problem.coarse, E, t);
-  at = [Q; X];
+  inputs = [Q; X];
   if ~isempty (s.level)
-    at(:, end + 1) = [zeros(k, 1); level];
+    inputs(:, end + 1) = [zeros(k, 1); level];
   end
-  [S, m] = posteriorCovariance (s, at);
+  [S, m] = posteriorCovariance (s, inputs);
   S = s.factor * S;
   lost = k + find (ismember (level, s.dropped));
   S(lost, :) = 0;
@@ -139,7 +140,7 @@ function part = covariances (s, problem, t, Q, X, E)
   part = struct ('S', S * unit^2, 'noise', noise * unit^2);
 end
 
-function part = told (part, i, noise)
+function part = conditioned (part, i, noise)
   s = part.S(:, i);
   part.S = part.S - s * s' / (s(i) + noise);
 end

@@ -39,11 +39,11 @@ function final = confirmSet (state, problem)
     final.result = mean (Z, 1);
     final.sd = noiseSd / sqrt (n);
     alone = abs (final.result - m) > problem.options.apart * final.sd;
-    own = sqrt (sum ((Z - final.result).^2, 1) / max (n - 1, 1));
-    s = max (own, noiseSd) / sqrt (n);
+    scatter = sqrt (sum ((Z - final.result).^2, 1) / max (n - 1, 1));
+    s = max (scatter, noiseSd) / sqrt (n);
     m(alone) = final.result(alone);
     v(alone) = s(alone).^2;
-    few = alone & own > noiseSd;
+    few = alone & scatter > noiseSd;
     df(few) = min (df(few), max (n - 1, 1));
   end
   final = judge (final, m, v, df, problem);

@@ -5,14 +5,14 @@
 % SURROGATES  1 x T struct array of fitSurrogates
 % PROBLEM     struct of newProblem
 % CURVES      1 x C struct, one element a curve of which points are calibrated:
-%             own (1 x n, target numbers), value, sd (1 x n), distance (n x n,
-%             between the points), rough, smooth (n x n, correlation of the
-%             scatter of a run and of the errors of the surrogates),
-%             packingVar (1 x n, noise of the mean of the trials), scatter
-%             (logical: sd holds the packings), length (of the measurement's
-%             errors; NaN: unknown), lengths (1 x 2, the range in question
-%             then), sdKnown, half (1 x n, half widths of the tolerance), df,
-%             free (columns of unknowns: of the length, of the size)
+%             points (1 x n, target numbers), value, sd (1 x n), distance (n x
+%             n, between the points), rough, smooth (n x n, correlation of the
+%             scatter of a run and of the errors of the surrogates), packingVar
+%             (1 x n, noise of the mean of the trials), scatter (logical: sd
+%             holds the packings), length (of the measurement's errors; NaN:
+%             unknown), lengths (1 x 2, the range in question then), sdKnown,
+%             half (1 x n, half widths of the tolerance), df, free (columns of
+%             unknowns: of the length, of the size)
 % NFREE       how many unknowns there are in all
 %
 % A run's own curve scatters as one, since it is one packing, and rough; what
@@ -23,22 +23,23 @@ function [curves, nFree] = curveErrors (surrogates, problem)
   curves = [];
   nFree = 0;
   for number = unique (problem.curve(problem.calibrate & problem.curve > 0))
-    own = find (problem.calibrate & problem.curve == number);
-    at = problem.coordinate(own);
-    c = struct ('own', own, 'value', problem.value(own), ...
-                'sd', problem.sd(own), 'distance', abs (at' - at));
-    c.packingVar = [surrogates(own).noiseVar] ./ problem.trials(own);
-    c.scatter = any (problem.scatter(own));
-    [c.rough, c.smooth] = correlations (looRows (surrogates(own)), c.distance);
-    c.length = problem.correlation(own(1));
-    steps = diff (unique (at));
-    c.lengths = [min([steps, Inf]) / 3, max(at) - min(at)];
+    points = find (problem.calibrate & problem.curve == number);
+    place = problem.coordinate(points);
+    c = struct ('points', points, 'value', problem.value(points), ...
+                'sd', problem.sd(points), 'distance', abs (place' - place));
+    c.packingVar = [surrogates(points).noiseVar] ./ problem.trials(points);
+    c.scatter = any (problem.scatter(points));
+    [c.rough, c.smooth] = correlations (looRows (surrogates(points)), ...
+                                        c.distance);
+    c.length = problem.correlation(points(1));
+    steps = diff (unique (place));
+    c.lengths = [min([steps, Inf]) / 3, max(place) - min(place)];
     if isempty (steps)
       c.length = 0;
     end
     c.sdKnown = all (c.sd > 0);
-    c.half = problem.tol(own) .* abs (problem.scale(own));
-    c.df = min ([surrogates(own).df]);
+    c.half = problem.tol(points) .* abs (problem.scale(points));
+    c.df = min ([surrogates(points).df]);
     nNew = isnan (c.length) + ~c.sdKnown;
     c.free = nFree + (1:nNew);
     nFree = nFree + nNew;
@@ -63,10 +64,11 @@ function [rough, smooth] = correlations (E, distance)
                        'UniformOutput', false);
     smooths = arrayfun (@(b) exp (-(distance / b).^2), long, ...
                         'UniformOutput', false);
-    [a, b, w] = ndgrid (1:12, 1:12, [0.01, 0.03, 0.1, 0.3, 0.6, 1]);
-    [~, best] = max (arrayfun (@(a, b, w) likelihood ...
-                               (E, w * roughs{a} + (1 - w) * smooths{b}), ...
-                               a(:), b(:), w(:)));
+    [a, b, share] = ndgrid (1:12, 1:12, [0.01, 0.03, 0.1, 0.3, 0.6, 1]);
+    [~, best] = max (arrayfun (@(a, b, share) likelihood ...
+                               (E, share * roughs{a} + ...
+                                (1 - share) * smooths{b}), ...
+                               a(:), b(:), share(:)));
     rough = roughs{a(best)};
     smooth = smooths{b(best)};
   end

@@ -28,15 +28,16 @@ function fit = curveLikelihood (c, m, v, free)
   end
   df = max (c.df, 3);
   wider = df / (df - 2);
-  own = sqrt (wider * packing);
-  fixed = (own' * own) .* c.rough;
-  w = sqrt (wider * v + eps (max (c.value.^2)));
+  packingSd = sqrt (wider * packing);
+  fixed = (packingSd' * packingSd) .* c.rough;
+  surrogateSd = sqrt (wider * v + eps (max (c.value.^2)));
   isFree = columns (free) > 0;
   for i = 1:n
     if isFree
       S = covariance (c, R, free(i, :));
     end
-    root = chol (S + fixed + (w(i, :)' * w(i, :)) .* c.smooth);
+    sd = surrogateSd(i, :);
+    root = chol (S + fixed + (sd' * sd) .* c.smooth);
     z = (c.value - m(i, :)) / root;
     fit(i) = -sum (log (diag (root))) - 0.5 * (z * z');
   end
@@ -63,7 +64,7 @@ function R = correlation (c, length)
 end
 
 %!shared c
-%! c = struct ('own', 1, 'value', 2, 'sd', 3, 'distance', 0, 'rough', 1, ...
+%! c = struct ('points', 1, 'value', 2, 'sd', 3, 'distance', 0, 'rough', 1, ...
 %!             'smooth', 1, 'packingVar', 4, 'scatter', false, 'length', 0, ...
 %!             'lengths', [1, 9], 'sdKnown', true, 'half', 5, 'df', 7, ...
 %!             'free', []);

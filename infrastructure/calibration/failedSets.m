@@ -8,10 +8,10 @@
 
 function P = failedSets (data, problem)
   data = lastLevel (data, problem);
-  own = ~strcmp (data.stage, 'import') & ...
+  counts = ~strcmp (data.stage, 'import') & ...
         ~(strcmp (data.stage, 'library') & any (isna (data.Z), 2));
-  [sets, ~, group] = unique (data.X(own, :), 'rows');
-  failed = any (isnan (data.Z(own, :)), 2);
+  [sets, ~, group] = unique (data.X(counts, :), 'rows');
+  failed = any (isnan (data.Z(counts, :)), 2);
   n = accumarray (group(:), 1, [rows(sets), 1]);
   bad = accumarray (group(:), failed(:), [rows(sets), 1]);
   P = sets(bad >= 2 & bad == n, :);

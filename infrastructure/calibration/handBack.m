@@ -38,8 +38,8 @@ end
 
 function X = setsThatRan (state, problem)
   data = lastLevel (state.data, problem);
-  own = ~strcmp (data.stage, 'import') & all (isfinite (data.Z), 2);
-  X = insideLimits (unique (data.X(own, :), 'rows'), problem.limits);
+  isOurs = ~strcmp (data.stage, 'import') & all (isfinite (data.Z), 2);
+  X = insideLimits (unique (data.X(isOurs, :), 'rows'), problem.limits);
 end
 
 % The set in hand stays where another one is hardly better.

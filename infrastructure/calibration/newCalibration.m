@@ -94,20 +94,20 @@ function levels = describeLevels (state, problem)
   end
   [~, ~, seconds] = budgetLeft (state, problem);
   for k = 1:rows (problem.coarse.levels)
-    own = struct ('value', problem.coarse.levels(k, :), 'runs', 0, ...
+    one = struct ('value', problem.coarse.levels(k, :), 'runs', 0, ...
                   'seconds', NaN);
-    own.runs = sum (all (state.data.E == own.value, 2));
+    one.runs = sum (all (state.data.E == one.value, 2));
     if ~isempty (seconds)
-      own.seconds = seconds(k);
+      one.seconds = seconds(k);
     end
     for t = 1:numel (state.surrogates)
       s = state.surrogates(t);
-      level = unitLevel (problem.coarse, own.value, t);
-      own.dropped(t) = any (s.dropped == level);
-      [own.shift(t), own.shiftSd(t), own.noiseSd(t)] = ...
+      level = unitLevel (problem.coarse, one.value, t);
+      one.dropped(t) = any (s.dropped == level);
+      [one.shift(t), one.shiftSd(t), one.noiseSd(t)] = ...
         levelShift (s, state.final.params, level);
     end
-    levels(k) = own;
+    levels(k) = one;
   end
 end
 

@@ -45,8 +45,9 @@ function problem = newProblem (Case, cost)
     problem = withSeries (problem, targetInfo (Case));
   end
   problem.part = problem.tol;
-  for own = requirementsOf (problem)
-    problem.part(own{1}) = problem.tol(own{1}) * sqrt (numel (own{1}));
+  for requirement = requirementsOf (problem)
+    t = requirement{1};
+    problem.part(t) = problem.tol(t) * sqrt (numel (t));
   end
   problem.options = calibrationOptions (givenField (Case, 'options', []));
   problem.coarse = coarseOf (Case);
@@ -70,8 +71,8 @@ function coarse = coarseOf (Case)
   coarse.levels = vertcat (Case.coarse.levels)';
   coarse.column = zeros (1, numel (Case.targets));
   for k = 1:numel (Case.coarse)
-    own = ismember ([Case.targets.model], Case.coarse(k).models);
-    coarse.column(own) = k;
+    isOfModel = ismember ([Case.targets.model], Case.coarse(k).models);
+    coarse.column(isOfModel) = k;
   end
 end
 
@@ -101,9 +102,9 @@ function problem = ofTargets (targets)
   if isfield (targets, 'series')
     problem.seriesNames = {targets.series};
   end
-  at = num2cell (fieldRow (targets, 'at', NaN));
+  coordinate = num2cell (fieldRow (targets, 'at', NaN));
   problem = withSeries (problem, struct ('series', problem.seriesNames, ...
-                                         'at', at));
+                                         'at', coordinate));
 end
 
 % Quantities along a coordinate, those of different benches apart.

@@ -34,8 +34,8 @@ function known = parameterPosterior (surrogates, problem, nSample)
   nMoves = 8 - 4 * isLarge (surrogates);
   heat = 0;
   while heat < 1
-    [heat, w] = nextHeat (heat, fit);
-    U = U(resample (w), :);
+    [heat, weight] = nextHeat (heat, fit);
+    U = U(resample (weight), :);
     fit = logLikelihood (surrogates, problem, U, curves);
     [U, fit] = moveParticles (U, fit, heat, nMoves, @(V) ...
                               logLikelihood (surrogates, problem, V, curves));
@@ -61,25 +61,25 @@ function fit = logLikelihood (surrogates, problem, U, curves)
     fit = fit - 0.5 * log (total) - (s.df + 1) / 2 * log1p (z2 / s.df);
   end
   for c = curves
-    fit = fit + curveLikelihood (c, m(:, c.own), v(:, c.own), ...
+    fit = fit + curveLikelihood (c, m(:, c.points), v(:, c.points), ...
                                  U(:, d + c.free));
   end
 end
 
-function [heat, w] = nextHeat (heat, fit)
+function [heat, weight] = nextHeat (heat, fit)
   % the largest step that keeps half of the particles effective
   n = numel (fit);
   low = 0;
   high = 1 - heat;
-  w = weights (fit, high);
-  if 1 / sum (w.^2) >= n / 2
+  weight = weights (fit, high);
+  if 1 / sum (weight.^2) >= n / 2
     heat = 1;
     return
   end
   for i = 1:30
     step = (low + high) / 2;
-    w = weights (fit, step);
-    if 1 / sum (w.^2) >= n / 2
+    weight = weights (fit, step);
+    if 1 / sum (weight.^2) >= n / 2
       low = step;
     else
       high = step;
@@ -88,9 +88,9 @@ function [heat, w] = nextHeat (heat, fit)
   heat = heat + step;
 end
 
-function w = weights (fit, step)
-  w = exp (step * (fit - max (fit)));
-  w = w / sum (w);
+function weight = weights (fit, step)
+  weight = exp (step * (fit - max (fit)));
+  weight = weight / sum (weight);
 end
 
 function rowsKept = resample (w)

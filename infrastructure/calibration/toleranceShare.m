@@ -16,10 +16,10 @@ function [share, spread] = toleranceShare (problem, r, s)
   share = zeros (rows (r), numel (groups));
   spread = share;
   for g = 1:numel (groups)
-    own = groups{g};
-    share(:, g) = rms2 (r(:, own) ./ problem.tol(own));
+    group = groups{g};
+    share(:, g) = rms2 (r(:, group) ./ problem.tol(group));
     if nargin > 2
-      spread(:, g) = rms2 (s(:, own) ./ problem.tol(own));
+      spread(:, g) = rms2 (s(:, group) ./ problem.tol(group));
     end
   end
 end

@@ -26,16 +26,16 @@ function records = batchExecute (queue, jobs, Case, report)
   opt.arraySize = startQueue (queue);
   watch = tic ();
   flight = batchAttach (jobs, Case.store, queue);
-  told = struct ();
+  reported = struct ();
   while true
     flight = batchLook (flight, jobs, queue, opt.grace, toc (watch));
     flight = collect (flight, jobs, Case);
     flight = launch (flight, jobs, Case, queue, opt);
     state = stateOf (flight);
     state.message = flight.message;
-    if ~isequal (state, told)
-      told = state;
-      told.message = '';
+    if ~isequal (state, reported)
+      reported = state;
+      reported.message = '';
       state.seconds = toc (watch);
       report (state);
       flight.message = '';

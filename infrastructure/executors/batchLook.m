@@ -74,9 +74,9 @@ function text = describe (flight, i, title)
   if isempty (who)
     who = [flight.batches(flight.batch(i)).name, ', never started'];
   end
-  said = contentOf (fullfile (flight.batches(flight.batch(i)).path, ...
-                              sprintf ('%d.out', flight.task(i))));
-  text = strtrim (sprintf ('%s: %s, job %s; %s', title, word, who, said));
+  output = contentOf (fullfile (flight.batches(flight.batch(i)).path, ...
+                                sprintf ('%d.out', flight.task(i))));
+  text = strtrim (sprintf ('%s: %s, job %s; %s', title, word, who, output));
 end
 
 function text = contentOf (file)

@@ -63,7 +63,7 @@ function seconds = shortestOf (done, jobs)
   seconds = NaN (1, numel (jobs));
   done = done(strcmp ({done.status}, 'ok'));
   for model = unique ({done.model})
-    own = strcmp ({done.model}, model{1});
-    seconds(strcmp ({jobs.model}, model{1})) = min ([done(own).seconds]);
+    isOfModel = strcmp ({done.model}, model{1});
+    seconds(strcmp ({jobs.model}, model{1})) = min ([done(isOfModel).seconds]);
   end
 end

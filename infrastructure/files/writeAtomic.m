@@ -42,9 +42,9 @@ end
 % Some file systems cannot sync a folder; only what loses data counts.
 function yes = isOnDisk (draft)
   folder = fileparts (make_absolute_filename (draft));
-  [~, said] = system (['LC_ALL=C sync -- ', shellQuote(draft), ' ', ...
-                       shellQuote(folder), ' 2>&1']);
-  yes = isempty (regexp (said, 'No space|quota|nput/output error', 'once'));
+  [~, output] = system (['LC_ALL=C sync -- ', shellQuote(draft), ' ', ...
+                         shellQuote(folder), ' 2>&1']);
+  yes = isempty (regexp (output, 'No space|quota|nput/output error', 'once'));
 end
 
 function refuse (file, why)

@@ -36,7 +36,7 @@ function [frames, steps] = readDump (file, names)
   frames = cell (1, numel (starts));
   steps = NaN (1, numel (starts));
   for k = 1:numel (starts)
-    columns = columnsOf (names, heads{k}{1}, file);
+    places = columnsOf (names, heads{k}{1}, file);
     width = numel (strsplit (strtrim (heads{k}{1})));
     numbers = sscanf (text(starts(k) + 1:stops(k)), '%f');
     if mod (numel (numbers), width) ~= 0
@@ -45,23 +45,23 @@ function [frames, steps] = readDump (file, names)
               'breaks off.'], k, file);
     end
     table = reshape (numbers, width, []).';
-    frames{k} = table(:, columns);
+    frames{k} = table(:, places);
     steps(k) = sscanf (text(begins(k) + 14:starts(k)), '%f', 1);
   end
 end
 
-function columns = columnsOf (names, head, file)
+function places = columnsOf (names, head, file)
   there = strsplit (strtrim (head));
-  columns = zeros (1, numel (names));
+  places = zeros (1, numel (names));
   for j = 1:numel (names)
-    at = find (strcmp (names{j}, there), 1);
-    if isempty (at)
+    place = find (strcmp (names{j}, there), 1);
+    if isempty (place)
       error ('DEcalioc:readDump:unknownName', ...
              ['readDump: NAMES must stand in the header of %s, got %s. The ' ...
               'header has: %s. Add the name to the dump command.'], ...
              file, names{j}, strjoin (there, ' '));
     end
-    columns(j) = at;
+    places(j) = place;
   end
 end
 

@@ -38,8 +38,9 @@ end
 function key = olderKey (job, Case, h, known)
   key = 'none';
   if ~ismember (job.key, known)
-    own = strcmp (job.model, {Case.models.name});
-    [~, older] = runKey (runVariables (job, Case), Case.effectVars, h(own));
+    isOfModel = strcmp (job.model, {Case.models.name});
+    [~, older] = runKey (runVariables (job, Case), Case.effectVars, ...
+                         h(isOfModel));
     if ~isempty (older)
       key = older;
     end

@@ -26,10 +26,10 @@ function [data, ignored] = importRuns (file, Case)
   model = modelNumbers (table, column.model, Case);
   X = numbers (table, column.names, Case.names);
   if any (isnan (X(:)))
-    at = find (any (isnan (X), 2), 1);
+    bad = find (any (isnan (X), 2), 1);
     error ('DEcalioc:importRuns:badValue', ...
            'importRuns: line %d of %s must give every design variable.', ...
-           lines(at), file);
+           lines(bad), file);
   end
   E = repmat (neutralEffects (Case), rows (X), 1);
   given = column.effects > 0;

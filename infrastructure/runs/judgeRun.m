@@ -46,8 +46,8 @@ end
 function record = judgeEnd (record)
   mark = readEndMark (record.folder);
   record.seconds = mark.seconds;
-  said = tailOf (fullfile (record.folder, 'stdout.txt'));
-  wasStopped = ~isempty (strfind (said, 'SIGINT/SIGTERM caught'));
+  output = tailOf (fullfile (record.folder, 'stdout.txt'));
+  wasStopped = ~isempty (strfind (output, 'SIGINT/SIGTERM caught'));
   if strcmp (mark.reason, 'timeout')
     record = blame (record, 'timeout', 'time', ...
                     sprintf ('ended at its time limit after %g s', ...
@@ -59,7 +59,7 @@ function record = judgeEnd (record)
   elseif mark.code ~= 0
     record = blame (record, 'failed', 'exit', ...
                     sprintf ('exit status %d', mark.code));
-  elseif ~hasEndLine (record.folder, said)
+  elseif ~hasEndLine (record.folder, output)
     record = blame (record, 'failed', 'exit', ...
                     'its input did not run to the last line');
   else
@@ -76,19 +76,19 @@ end
 function record = blame (record, status, cause, message)
   record.status = status;
   record.cause = cause;
-  said = [tailOf(fullfile (record.folder, 'stdout.txt')), ...
-          tailOf(fullfile (record.folder, 'stderr.txt'))];
-  complaint = regexp (said, '^.*(ERROR|rror:|not found).*$', 'match', ...
+  output = [tailOf(fullfile (record.folder, 'stdout.txt')), ...
+            tailOf(fullfile (record.folder, 'stderr.txt'))];
+  complaint = regexp (output, '^.*(ERROR|rror:|not found).*$', 'match', ...
                       'once', 'lineanchors', 'dotexceptnewline');
   if isempty (complaint)
-    lines = strsplit (strtrim (said), "\n");
+    lines = strsplit (strtrim (output), "\n");
     complaint = lines{end};
   end
   record.message = strtrim (sprintf ('%s; %s', message, complaint));
 end
 
 % Models of this toolbox print RUN COMPLETE in the last line of their input.
-function yes = hasEndLine (folder, said)
+function yes = hasEndLine (folder, output)
   yes = true;
   names = readdir (folder);
   inputs = names(strncmp (names, 'in.', 3));
@@ -96,8 +96,8 @@ function yes = hasEndLine (folder, said)
                    'UniformOutput', false);
   promises = ~all (cellfun (@isempty, strfind (texts, 'RUN COMPLETE')));
   if promises
-    said = [said, tailOf(fullfile (folder, 'log.liggghts'))];
-    yes = ~isempty (regexp (said, '^RUN COMPLETE\s*$', 'once', ...
+    output = [output, tailOf(fullfile (folder, 'log.liggghts'))];
+    yes = ~isempty (regexp (output, '^RUN COMPLETE\s*$', 'once', ...
                             'lineanchors'));
   end
 end

@@ -8,8 +8,8 @@
 
 function E = neutralEffects (Case)
   E = zeros (1, 0);
-  for own = Case.coarse
-    E = [E, own.levels(end)];
+  for coarse = Case.coarse
+    E = [E, coarse.levels(end)];
   end
   for k = 1:numel (Case.effects)
     effect = Case.effects(k);

@@ -8,12 +8,13 @@
 
 function L = proposalDensity (parts, U)
   d = columns (U);
-  all = zeros (rows (U), numel (parts) + 1);
-  all(:, 1) = log (0.1) - 0.5 * sum (U.^2, 2) - d / 2 * log (2 * pi);
+  densities = zeros (rows (U), numel (parts) + 1);
+  densities(:, 1) = log (0.1) - 0.5 * sum (U.^2, 2) - d / 2 * log (2 * pi);
   for m = 1:numel (parts)
-    all(:, m + 1) = log (0.9 * parts(m).share) + studentDensity (parts(m), U);
+    densities(:, m + 1) = log (0.9 * parts(m).share) + ...
+                          studentDensity (parts(m), U);
   end
-  L = logSumExp (all);
+  L = logSumExp (densities);
 end
 
 %!test

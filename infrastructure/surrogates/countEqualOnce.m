@@ -22,15 +22,15 @@ function [Z, isRepeat] = countEqualOnce (data, bench)
   [~, ~, set] = unique (inputs, 'rows');
   isKnown = isfinite (Z);
   for k = unique (bench)
-    own = bench == k;
-    done = find (any (isKnown(:, own), 2));
-    results = Z(done, own);
+    ofBench = bench == k;
+    done = find (any (isKnown(:, ofBench), 2));
+    results = Z(done, ofBench);
     results(isnan (results)) = Inf;                   % unique: NaN is no NaN
     [~, first] = unique ([set(done), results], 'rows', 'first');
     again = setdiff ((1:numel (done))', first);
     usesSeed = numel (first) > numel (unique (set(done)));
     if ~usesSeed
-      Z(done(again), own) = NaN;
+      Z(done(again), ofBench) = NaN;
     end
   end
   isRepeat = any (isKnown, 2) & ~any (isfinite (Z), 2);

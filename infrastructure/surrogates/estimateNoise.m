@@ -51,26 +51,26 @@ function noise = scatterLaw (noise, t, m, ss, n)
   % mean and variance of log s, s^2 a mean of df squared normal numbers; at
   % df = 1 the usual 1 / (2 df) is less than half of the variance
   df = n(use) - 1;
-  w = 2 ./ sqrt (psi (1, df / 2));
+  weight = 2 ./ sqrt (psi (1, df / 2));
   y = 0.5 * (log (ss(use)) - psi (df / 2) - log (2));
   A = [ones(sum (use), 1), log(abs (m(use)))];
   if std (A(:, 2)) < 0.05
     return
   end
-  b = (w .* A) \ (w .* y);
-  S = inv (A' * (w.^2 .* A));
+  b = (weight .* A) \ (weight .* y);
+  S = inv (A' * (weight.^2 .* A));
   noise.power(t) = b(2);
   noise.heteroscedastic(t) = b(2) > 2 * sqrt (S(2, 2));
   noise.varianceAt{t} = varianceLaw (b(2), abs (m), ss, n);
 end
 
 % Held at 1 % of the usual response: at a response of 0 the law would be 0.
-function at = varianceLaw (power, level, ss, n)
+function law = varianceLaw (power, level, ss, n)
   power = min (max (power, 0), 2);
   least = 0.01 * median (level);
   shape = @(y) max (abs (y), least).^(2 * power);
   c = sum (ss) / sum ((n - 1) .* shape (level));
-  at = @(y) c * shape (y);
+  law = @(y) c * shape (y);
 end
 
 %!test

@@ -34,18 +34,19 @@ function bad = findBadRuns (X, Z, kind, surrogates, old, level)
     level = cell (size (kind.model));
   end
   for m = unique (kind.model)
-    own = kind.model == m;
-    rowsOf = all (isfinite (Z(:, own)), 2);
-    task = struct ('X', X(rowsOf, :), 'Z', Z(rowsOf, own), ...
-                   'surrogates', {surrogates(own)}, 'level', [], ...
-                   'weight', kind.weight(own), 'least', kind.least(own));
-    coarse = [level{own}];   % of one model: the same for all its responses
+    ofModel = kind.model == m;
+    rowsOf = all (isfinite (Z(:, ofModel)), 2);
+    task = struct ('X', X(rowsOf, :), 'Z', Z(rowsOf, ofModel), ...
+                   'surrogates', {surrogates(ofModel)}, 'level', [], ...
+                   'weight', kind.weight(ofModel), ...
+                   'least', kind.least(ofModel));
+    coarse = [level{ofModel}];   % of one model: the same for all its responses
     if ~isempty (coarse)
       task.level = coarse(rowsOf, 1);
     end
-    out = judge (task, any (old(rowsOf, own), 2));
-    bad(:, own) = false;
-    bad(rowsOf, own) = repmat (out, 1, sum (own));
+    out = judge (task, any (old(rowsOf, ofModel), 2));
+    bad(:, ofModel) = false;
+    bad(rowsOf, ofModel) = repmat (out, 1, sum (ofModel));
   end
 end
 
@@ -99,8 +100,8 @@ end
 % What the fits to all runs but OUT say: the log density of all runs, the good
 % ones by the surrogates, the bad ones wide; and the good ones by how far they
 % lie from what the others predict, in its deviations.
-function said = leaveOut (task, out)
-  said = struct ('out', out, 'evidence', 0);
+function judged = leaveOut (task, out)
+  judged = struct ('out', out, 'evidence', 0);
   far = zeros (rows (task.X), 1);
   for t = 1:columns (task.Z)
     s = fitted (task, t, out);
@@ -113,11 +114,11 @@ function said = leaveOut (task, out)
     gain = -fit.cost (theta) - ...
            columns (fit.W) * log (s.scale) - ...
            sum (out) * log (6 * std (task.Z(~out, t)));
-    said.evidence = said.evidence + task.weight(t) * gain;
+    judged.evidence = judged.evidence + task.weight(t) * gain;
     far(~out) = max (far(~out), farOff (s, task.least(t)));
   end
-  [far, said.order] = sort (far, 'descend');
-  said.worst = far(1);
+  [far, judged.order] = sort (far, 'descend');
+  judged.worst = far(1);
 end
 
 % How far each run lies from what the others predict, in its deviations.

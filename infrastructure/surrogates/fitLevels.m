@@ -56,17 +56,18 @@ end
 function L = likelihoodOf (s, X, z, level, whole)
   n = numel (z);
   d = columns (X);
-  own = s;
+  source = s;
   if n < d + 3
-    own = whole;
+    source = whole;
   end
   U = (X - s.limits(1, :)) ./ diff (s.limits);
-  if ~isempty (own.level)
+  if ~isempty (source.level)
     U(:, d + 1) = level;
   end
-  H = feval (own.model.lm, U);
-  K = own.scale^2 * covarianceOf (own, U, U) + (3 * whole.scale)^2 * (H * H');
-  R = chol (K + diag (noiseAt (own, level) + 1e-9 * whole.scale^2));
+  H = feval (source.model.lm, U);
+  K = source.scale^2 * covarianceOf (source, U, U) + ...
+      (3 * whole.scale)^2 * (H * H');
+  R = chol (K + diag (noiseAt (source, level) + 1e-9 * whole.scale^2));
   v = R' \ (z - whole.shift);
   L = -0.5 * (v' * v) - sum (log (diag (R))) - n / 2 * log (2 * pi);
 end

@@ -93,9 +93,9 @@ end
 function level = levelsOf (E, Z, problem)
   level = cell (1, columns (Z));
   for t = 1:numel (level)
-    own = unitLevel (problem.coarse, E, t);
-    if any (own) && numel (unique (own(isfinite (Z(:, t))))) > 1
-      level{t} = own;
+    coarseness = unitLevel (problem.coarse, E, t);
+    if any (coarseness) && numel (unique (coarseness(isfinite (Z(:, t))))) > 1
+      level{t} = coarseness;
     end
   end
 end
@@ -152,8 +152,8 @@ function kind = kindOfTarget (problem)
   kind.model = problem.bench;
   kind.weight = ones (1, numel (problem.bench));
   for number = unique (problem.curve(problem.curve > 0))
-    own = problem.curve == number;
-    kind.weight(own) = 1 / sum (own);
+    points = problem.curve == number;
+    kind.weight(points) = 1 / sum (points);
   end
   kind.least = problem.tol .* abs (problem.scale);
   kind.least(isnan (kind.least)) = 0;      % not measured yet

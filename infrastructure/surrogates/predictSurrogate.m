@@ -24,12 +24,12 @@ function [m, v] = predictSurrogate (surrogates, P)
   v = zeros (n, T);
   chunk = 2000;
   for first = 1:chunk:n
-    rows = first:min (n, first + chunk - 1);
+    part = first:min (n, first + chunk - 1);
     for t = 1:T
       if nargout > 1
-        [m(rows, t), v(rows, t)] = predictOne (surrogates(t), P(rows, :));
+        [m(part, t), v(part, t)] = predictOne (surrogates(t), P(part, :));
       else
-        m(rows, t) = predictOne (surrogates(t), P(rows, :));
+        m(part, t) = predictOne (surrogates(t), P(part, :));
       end
     end
   end

@@ -85,11 +85,11 @@ function [C, g] = penalisedLikelihood (theta, fit)
     g = zeros (size (theta));
     g(1) = 0.5 * sum (M(:) .* K(:));
     g(2:d + 1) = variance * ((M(:) .* slope)' * fit.S)' .* weight;
-    own = 0.5 * noise .* diag (M);
+    byNoise = 0.5 * noise .* diag (M);
     if ~isempty (fit.level)
-      g(end - 1:end) = [sum(own); own' * fit.level];
+      g(end - 1:end) = [sum(byNoise); byNoise' * fit.level];
     elseif isempty (fit.noise)
-      g(end) = sum (own);
+      g(end) = sum (byNoise);
     end
     g = g + u ./ fit.sd;
   end
