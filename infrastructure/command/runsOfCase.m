@@ -31,7 +31,7 @@ function runs = runsOfCase (Case)
   isHere = strcmp (holder.host, {'', gethostname()});
   for k = 1:numel (Case.models)
     place = fullfile (Case.store, 'optim', Case.models(k).name);
-    names = runFoldersOf (Case, Case.models(k).name);
+    names = runFoldersOf (Case, Case.models(k).name, h(k));
     for i = 1:numel (names)
       run = oneRun (fullfile (place, names{i}), sent, any (isHere));
       if ~isempty (run)

@@ -84,7 +84,7 @@ end
 % Runs of model K that count, and the effect values (1 x v) of each. What was
 % evaluated by another getResults, or not at all, is evaluated first.
 function [records, effects] = runsOf (Case, k, h)
-  names = listRunFolders (Case.store, Case.models(k).name);
+  names = runFoldersOf (Case, Case.models(k).name, h, 'model');
   records = cell (1, numel (names));
   effects = cell (1, numel (names));
   stale = false (1, numel (names));

@@ -16,7 +16,13 @@ function records = findRuns (jobs, Case)
   h = [];
   for model = unique ({jobs.model})
     mine = find (strcmp ({jobs.model}, model{1}));
-    found = scan (Case, model{1}, jobs(mine));
+    isShared = ~strcmp (Case.store, Case.folder);
+    if isempty (h) && isShared
+      h = hashModels (Case);
+    end
+    own = strcmp (model{1}, {Case.models.name});
+    names = runFoldersOf (Case, model{1}, h(own & isShared), jobs(mine));
+    found = scan (fullfile (Case.store, 'optim', model{1}), names);
     if isempty (found.keys)
       continue
     end
@@ -47,14 +53,12 @@ function key = olderKey (job, Case, h, known)
   end
 end
 
-function found = scan (Case, model, jobs)
-  store = Case.store;
-  names = runFoldersOf (Case, model, jobs);
+function found = scan (place, names)
   n = numel (names);
   found = struct ('keys', {cell(1, n)}, 'records', {cell(1, n)}, ...
                   'worth', zeros (1, n));
   for i = 1:n
-    folder = fullfile (store, 'optim', model, names{i});
+    folder = fullfile (place, names{i});
     record = readRecord (fullfile (folder, 'record.json'));
     if isempty (record)
       [record, found.keys{i}] = unevaluated (folder);
