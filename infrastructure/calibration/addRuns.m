@@ -6,8 +6,9 @@
 %   STATE      struct: data (see newData), budget (see newEvaluate), evaluate
 %              (handle [Z, BUDGET] = evaluate (P, E, REPLICATE, STAGE, BUDGET),
 %              Z n x T: NaN where a run failed, NA where one was not made)
-%   PROBLEM    see newProblem; limits are read
-%   P          n x d, sets;  E  n x v, levels and effect values of the runs
+%   PROBLEM    see newProblem; limits and fine are read
+%   P          n x d, sets
+%   E          n x v, values of the level and effect variables; []: PROBLEM.fine
 %   STAGE      what they are for (text), see newData
 %   REPLICATE  n x 1 (default: a set that is known is another packing, see
 %              replicateNumbers)
@@ -15,6 +16,9 @@
 % A set of which a run was not made leaves no trace in the data.
 
 function state = addRuns (state, problem, P, E, stage, replicate)
+  if rows (E) < rows (P)
+    E = repmat (problem.fine, rows (P), 1);
+  end
   if nargin < 6
     replicate = replicateNumbers (state.data, P, problem.limits);
   end
@@ -28,8 +32,10 @@ end
 %! state.data = newData (1, 1, 1);
 %! [state.evaluate, state.budget] = newEvaluate ( ...
 %!   @(P, E, r) merge (r > 2, NA, P + E));
-%! problem.limits = [0; 9];
+%! problem = struct ('limits', [0; 9], 'fine', 0);
 %! state = addRuns (state, problem, [1; 1; 1; 2], [0; 5; 0; 0], 'plan');
 %! assert ([state.data.X, state.data.E, state.data.Z, ...
 %!          state.data.replicate], [1, 0, 1, 1; 1, 5, 6, 2; 2, 0, 2, 1]);
 %! assert (state.budget.isUsedUp);
+%! state = addRuns (state, problem, 3, [], 'plan');
+%! assert (state.data.E(end), 0);

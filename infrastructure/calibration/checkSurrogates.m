@@ -51,7 +51,7 @@ function lines = droppedLevels (state, problem)
     return
   end
   values = problem.coarse.levels;
-  fine = lastLevel (state.data, problem);
+  fine = runsThatCount (state.data, problem);
   if ~any (all (isfinite (fine.Z), 2))
     lines{1} = sprintf (['no run at the level that counts (%s): the set is ' ...
                          'that of coarser runs'], ...
@@ -186,6 +186,7 @@ end
 %! [problem, state] = smallCalibration ();
 %! problem.coarse = struct ('variables', {{'scaleP'}}, 'levels', [2; 1], ...
 %!                          'column', [1, 1]);
+%! problem.fine = 1;
 %! state.data.E = 2 * ones (rows (state.data.X), 1);
 %! lines = checkSurrogates (state, problem);
 %! assert (any (! cellfun (@isempty, strfind (lines, 'coarser runs'))));

@@ -61,7 +61,7 @@ function [Z, nEqual] = runsAt (state, p, problem)
   nEqual = sum (isRepeat & sameSet (data.X, p, problem.limits));
   data.Z(horzcat (state.surrogates.leftOut)) = NaN;
   data.Z(isRepeat, :) = NaN;
-  data = lastLevel (data, problem);
+  data = runsThatCount (data, problem);
   Z = data.Z(sameSet (data.X, p, problem.limits), :);
   Z = Z(all (isfinite (Z), 2), :);
 end

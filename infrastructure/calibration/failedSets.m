@@ -3,11 +3,11 @@
 % CALL: P = failedSets (DATA, PROBLEM)
 %
 % DATA     struct of newData
-% PROBLEM  struct of newProblem: runs at coarser levels do not count
+% PROBLEM  struct of newProblem
 % P        k x d
 
 function P = failedSets (data, problem)
-  data = lastLevel (data, problem);
+  data = runsThatCount (data, problem);
   counts = ~strcmp (data.stage, 'import') & ...
         ~(strcmp (data.stage, 'library') & any (isna (data.Z), 2));
   [sets, ~, group] = unique (data.X(counts, :), 'rows');
@@ -18,8 +18,8 @@ function P = failedSets (data, problem)
 end
 
 %!test
-%! problem.coarse = [];
-%! data = struct ('X', [1; 1; 2; 2; 3], 'Z', [NaN; NaN; 1; NaN; NaN], ...
+%! problem.fine = zeros (1, 0);
+%! data = struct ('X', [1; 1; 2; 2; 3], 'E', zeros (5, 0), 'Z', [NaN; NaN; 1; NaN; NaN], ...
 %!                'stage', {repmat({'plan'}, 5, 1)});
 %! assert (failedSets (data, problem), 1);
 %! data.stage(2) = {'import'};

@@ -37,7 +37,7 @@ function state = handBack (state, problem)
 end
 
 function X = setsThatRan (state, problem)
-  data = lastLevel (state.data, problem);
+  data = runsThatCount (state.data, problem);
   isOurs = ~strcmp (data.stage, 'import') & all (isfinite (data.Z), 2);
   X = insideLimits (unique (data.X(isOurs, :), 'rows'), problem.limits);
 end

@@ -24,7 +24,8 @@
 % published ones), nExtra (preference rows), options of calibrationOptions,
 % coarse ([], or where CASE.coarse has levels a struct: variables 1 x v cellstr,
 % levels L x v, the last row counts; column 1 x T, of each target's level, 0:
-% none)
+% none), fine (1 x v: values of these variables where runs count, the last
+% level)
 %
 % Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets,
 % DEcalioc:newProblem:otherTargets when a row is not 0 where all results are
@@ -51,6 +52,10 @@ function problem = newProblem (Case, cost)
   end
   problem.options = calibrationOptions (givenField (Case, 'options', []));
   problem.coarse = coarseOf (Case);
+  problem.fine = zeros (1, 0);
+  if ~isempty (problem.coarse)
+    problem.fine = problem.coarse.levels(end, :);
+  end
   if nargin < 2 || isempty (cost)
     value = problem.value(:);
     scale = problem.scale(:);

@@ -6,7 +6,7 @@
 % P      n x d  sets; one that stands in the data already (or twice in P) is
 %        another packing (replicateNumbers)
 % STAGE  'infill', 'verify' or 'replicate'
-% E      n x v, levels of the runs (where PROBLEM.coarse has some: the last)
+% E      n x v, see addRuns (PROBLEM.fine)
 %
 % Never more rows than the budget has: what is over is left out.
 
@@ -16,10 +16,7 @@ function state = runAndFit (state, problem, P, stage, E)
     return
   end
   if nargin < 5
-    E = zeros (rows (P), 0);
-    if ~isempty (problem.coarse)
-      E = repmat (problem.coarse.levels(end, :), rows (P), 1);
-    end
+    E = repmat (problem.fine, rows (P), 1);
   end
   P = besideEqualRuns (P, state.data, problem);
   state = addRuns (state, problem, P, E(1:rows (P), :), stage);

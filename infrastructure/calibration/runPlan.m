@@ -143,7 +143,7 @@ end
 %! data = ran (Case, magic (4)(:, 1:2), data).data;
 %! assert (rows (data.Z), 24);
 %! data = addRows (data, data.X(1, :), data.Z(1, :), 2, 'import');
-%! assert (isempty (failedSets (data, struct ('coarse', []))));
+%! assert (isempty (failedSets (data, struct ('fine', zeros (1, 0)))));
 %!test
 %! % runs.csv alone, two models at different sets; then too few of them
 %! raw = standInCase (tempname ());

@@ -21,7 +21,7 @@ function state = trustLibrary (state, problem, say)
   old = keepRows (state.data, strcmp (state.data.stage, 'library'));
   least = numel (problem.names) + 2;
   anywhere = [-Inf; Inf] .* ones (1, columns (old.X));
-  if finishedSets (lastLevel (old, problem), anywhere) < least
+  if finishedSets (runsThatCount (old, problem), anywhere) < least
     return
   end
   surrogates = fitSurrogates (old, problem);
@@ -57,12 +57,8 @@ function state = trustLibrary (state, problem, say)
 end
 
 function [state, z] = oneMore (state, problem, p)
-  E = zeros (1, columns (state.data.E));
-  if ~isempty (problem.coarse)
-    E = problem.coarse.levels(end, :);
-  end
   before = rows (state.data.X);
-  state = addRuns (state, problem, p, E, 'plan');
+  state = addRuns (state, problem, p, [], 'plan');
   z = state.data.Z(before + 1:end, :);
 end
 
