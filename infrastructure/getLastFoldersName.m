@@ -6,10 +6,12 @@
 %   MODEL  name of the model (text)
 %   NAME   text, '' where there is none yet
 %
-% See also: lastRunFolder, getLastFoldersNumber
+% See also: getLastFoldersNumber
 
 function name = getLastFoldersName (path, model)
-  [~, name] = lastRunFolder (path, model);
+  [names, numbers] = listRunFolders (path, model);
+  [~, last] = max (numbers);
+  name = [names{last}, ''];
 end
 
 %!test

@@ -6,10 +6,11 @@
 %   MODEL   name of the model (text)
 %   NUMBER  integer, 0 where there is none yet
 %
-% See also: lastRunFolder, getLastFoldersName, newFolderName
+% See also: getLastFoldersName, newFolderName
 
 function number = getLastFoldersNumber (path, model)
-  number = lastRunFolder (path, model);
+  [~, numbers] = listRunFolders (path, model);
+  number = max ([0; numbers]);
 end
 
 %!assert (getLastFoldersNumber ('/nowhere', 'M'), 0)

@@ -23,8 +23,7 @@ function calibration = calibrateCase (root, folder)
   reportCase (Case, say, problem);
 
   % experimental plan and DEM simulation
-  [data, rest, fromLibrary] = importExisting (Case, problem, say);
-  sayOldRuns (Case, say, fromLibrary);
+  [data, rest] = importExisting (Case, problem, say);
   state = newState (data);
   [state.evaluate, state.budget] = newEvaluate (Case, say);
   state = trustLibrary (state, problem, say);

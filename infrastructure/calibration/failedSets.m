@@ -19,7 +19,8 @@ end
 
 %!test
 %! problem.fine = zeros (1, 0);
-%! data = struct ('X', [1; 1; 2; 2; 3], 'E', zeros (5, 0), 'Z', [NaN; NaN; 1; NaN; NaN], ...
+%! data = struct ('X', [1; 1; 2; 2; 3], 'E', zeros (5, 0), ...
+%!                'Z', [NaN; NaN; 1; NaN; NaN], ...
 %!                'stage', {repmat({'plan'}, 5, 1)});
 %! assert (failedSets (data, problem), 1);
 %! data.stage(2) = {'import'};

@@ -1,7 +1,7 @@
 % IMPORTEXISTING  Takes in runs that exist: of a shared store and of runs.csv.
 %
 % CALL: [DATA, REST, TOLD] = importExisting (CASE, PROBLEM, SAY)
-%       importExisting (CASE, PROBLEM, SAY, true)    only looks
+%       importExisting (CASE, PROBLEM, SAY, true)    only looks, see libraryRuns
 %
 %   CASE  see newCase;  PROBLEM  see newProblem
 %   SAY   function handle that takes one line of text
@@ -14,6 +14,7 @@
 
 function [data, rest, told] = importExisting (Case, problem, say, varargin)
   [data, rest] = ofTable (Case, problem, say);
+  whole = Case;
   Case.effects = [];                     % those of the diagnosis are off
   Case.effectVars = {Case.coarse.variable};
   [own, told, left] = libraryRuns (Case, problem, varargin{:});
@@ -22,6 +23,9 @@ function [data, rest, told] = importExisting (Case, problem, say, varargin)
   end
   for name = fieldnames (left)'
     rest.(name{1}) = [rest.(name{1}); left.(name{1})];
+  end
+  if isempty (varargin)
+    sayOldRuns (whole, say, told);
   end
 end
 

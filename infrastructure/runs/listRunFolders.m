@@ -1,18 +1,24 @@
-% LISTRUNFOLDERS  Names of the run folders of a model.
+% LISTRUNFOLDERS  Names and numbers of the run folders of a model.
 %
-% CALL: NAMES = listRunFolders (BASE, MODEL)
+% CALL: [NAMES, NUMBERS] = listRunFolders (BASE, MODEL)
 %
-%   BASE   folder that holds optim/ (text)
-%   MODEL  name of the model (text)
-%   NAMES  n x 1 cell of names that begin with a digit, sorted
+%   BASE     folder that holds optim/ (text)
+%   MODEL    name of the model (text)
+%   NAMES    n x 1 cell of names that begin with a digit, sorted
+%   NUMBERS  n x 1, with which they begin
 
-function names = listRunFolders (base, model)
+function [names, numbers] = listRunFolders (base, model)
   names = readdir (fullfile (base, 'optim', model));
   if isempty (names)
     names = cell (0, 1);
-    return
   end
   names = names(~cellfun ('isempty', regexp (names, '^[0-9]', 'once')));
+  if nargout > 1
+    numbers = str2double (regexp (names, '^\d+', 'match', 'once'));
+  end
 end
 
-%!assert (size (listRunFolders ('/nowhere', 'M')), [0, 1])
+%!test
+%! [names, numbers] = listRunFolders ('/nowhere', 'M');
+%! assert (size (names), [0, 1]);
+%! assert (isempty (numbers));

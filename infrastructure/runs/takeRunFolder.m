@@ -12,7 +12,8 @@
 
 function [folder, number] = takeRunFolder (store, model, number)
   if nargin < 3
-    number = lastRunFolder (store, model) + 1;
+    [~, numbers] = listRunFolders (store, model);
+    number = max ([0; numbers]) + 1;
   end
   folder = '';
   while isempty (folder)
