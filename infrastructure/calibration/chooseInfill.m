@@ -1,4 +1,4 @@
-% CHOOSEINFILL  Where the next DEM runs help most.
+% CHOOSEINFILL  Where, and at which level, the next DEM runs help most.
 %
 % CALL: [P, E] = chooseInfill (STATE, PROBLEM, N, ROUND)
 %
@@ -9,25 +9,22 @@
 % P        n x d
 % E        n x v, levels of the runs
 %
-% Criterion: the first run goes to the set that most probably meets all
-% targets (found). Each further one goes where one draw of the posterior says
-% that the targets are met best (Thompson sampling, least sum of squared
-% residuals in tolerances), as the first may be wrong; when the found set is
-% likely (one half and more) they are its replicates. Where there are levels,
-% those of five such sets are taken that gain most per core-second. Coarse
-% runs cost at most as much as the runs at the level that counts have cost:
-% however sure the coarse ones make the surrogates, they are held against fine
-% ones in time, and a level that misleads costs no more than it would save.
+% The sets are those of the criterion: options.infill of PROBLEM, 'thompson' for
+% infillThompson; each is a file of its own with that call. Where there are
+% levels, those of five such sets are taken that gain most per core-second.
+% Coarse runs cost at most as much as the runs at the level that counts have
+% cost: however sure the coarse ones make the surrogates, they are held against
+% fine ones in time, and a level that misleads costs no more than it would save.
 
 function [P, E] = chooseInfill (state, problem, n, round)
-  surrogates = state.surrogates;
-  found = state.found;
-  E = zeros (n, 0);
+  name = problem.options.infill;
+  propose = str2func (['infill', upper(name(1)), name(2:end)]);
   if isempty (problem.coarse)
-    P = likelySets (surrogates, problem, found, n, round);
+    P = propose (state, problem, n, round);
+    E = zeros (rows (P), 0);
   else
-    P = likelySets (surrogates, problem, found, max (n, 5), round);
-    [P, E] = chooseLevels (surrogates, problem, unique (P, 'rows'), n, ...
+    P = propose (state, problem, max (n, 5), round);
+    [P, E] = chooseLevels (state.surrogates, problem, unique (P, 'rows'), n, ...
                            pricesOf (state, problem));
   end
 end
@@ -43,43 +40,6 @@ function seconds = pricesOf (state, problem)
   if sum (spent(1:end - 1)) >= spent(end)
     seconds(1:end - 1) = Inf;
   end
-end
-
-function P = likelySets (surrogates, problem, found, n, round)
-  P = repmat (found.params, n, 1);
-  if n < 2 || found.probability >= problem.options.even
-    return
-  end
-  candidates = candidateSets (surrogates, problem, found);
-  use = problem.calibrate;
-  loss = zeros (rows (candidates), n - 1);
-  restore = seedRandom (problem.options.seed + 7919 * round);
-  for t = find (use)
-    draw = drawSurrogate (surrogates(t), candidates, n - 1);
-    for k = 1:n - 1
-      Z = repmat (problem.value, rows (candidates), 1);
-      Z(:, t) = draw(:, k);
-      r = targetResidual (problem, candidates, Z);
-      loss(:, k) = loss(:, k) + (r(:, t) / problem.part(t)).^2;
-    end
-  end
-  for k = 1:n - 1
-    [~, best] = min (loss(:, k));
-    P(k + 1, :) = candidates(best, :);
-    loss(best, :) = Inf;
-  end
-end
-
-function C = candidateSets (surrogates, problem, found)
-  d = columns (problem.limits);
-  sample = double (stk_sampling_halton_rr2 (1000, d, problem.limits));
-  near = double (stk_sampling_halton_rr2 (100, d, [-ones(1, d); ones(1, d)]));
-  P = [sample; setsAround(found.params, 0.15 * near, problem.limits)];
-  [r, s] = residualSpread (surrogates, problem, P);
-  [share, spread] = toleranceShare (problem, r, s);
-  optimist = max (share - 2 * spread, 0);
-  [~, order] = sort (sum (optimist.^2, 2));
-  C = P(order(1:200), :);
 end
 
 % Set, of the likely ones Q, and level of the next N runs. Gain of a run: what
@@ -144,23 +104,6 @@ function part = conditioned (part, i, noise)
   s = part.S(:, i);
   part.S = part.S - s * s' / (s(i) + noise);
 end
-
-%!shared problem, state, s
-%! [problem, state, s] = smallCalibration ();
-
-%!test
-%! % alone: the found set; likely: its replicates; else draws of their own
-%! assert (chooseInfill (state, problem, 1, 1), state.found.params);
-%! state.found.probability = 0.9;
-%! assert (chooseInfill (state, problem, 2, 1), ...
-%!         repmat (state.found.params, 2, 1));
-%! state.found.probability = 0.1;
-%! before = randn ('twister');
-%! P = chooseInfill (state, problem, 3, 1);
-%! assert (randn ('twister'), before);
-%! assert (size (P), [3, 2]);
-%! assert (P, chooseInfill (state, problem, 3, 1));
-%! assert (all (P(:) >= 0));
 
 %!shared problem, state
 %! pkg load stk

@@ -17,7 +17,8 @@
 % that holds optim/) the case folder,
 % Input.timeout none (a multiple
 % of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
-% 40, optim.WRL 0, optim.method 'robust', optim.confidence 0.95,
+% 40, optim.WRL 0, optim.method 'robust', optim.infill
+% 'thompson', optim.confidence 0.95,
 % optim.targetStd 0, optim.trials 1, optim.correlation 0 (independent),
 % optim.role 'calibrate', optim.paramMean and paramSd NaN (not measured),
 % optim.cost 1. A measured.csv in the case folder takes the place of the fields
@@ -101,6 +102,7 @@ function o = newOptions (Input, optim)
   o.maxFunEvals = givenField (optim, 'maxFunEvals', 40);
   o.WRL = givenField (optim, 'WRL', 0);
   o.method = givenField (optim, 'method', 'robust');
+  o.infill = givenField (optim, 'infill', 'thompson');
   o.confidence = givenField (optim, 'confidence', 0.95);
 end
 
