@@ -9,16 +9,19 @@
 %   W       1 x k   weights of these speeds, of sum 1
 %   CHANGE  scalar or 1 x m, standard deviation of what the residual may change
 %           by beyond the weights (mm)
-%   SD      scalar  systematic standard deviation of a measured surface (mm)
+%   SD      scalar  standard deviation of what a measured surface has of its own
+%                   (mm)
 %   Z       1 x m   mean of SIM + sum W R
 %   HALF    1 x m   half width of the 90 % interval that is to hold the surface
 %                   as it would be measured
 %
 % Variance: of the rows (parameters and packing), CHANGE^2, and SD^2 (1 +
 % sum W^2): the residuals hold the errors of their measurements, the surface in
-% question has its own.
+% question has its own. An error that all readings of the instrument share is in
+% the residuals and in the surface alike and cancels, for the weights have the
+% sum 1.
 %
-% See also: predictSurfaces, leaveOneSpeedOut
+% See also: predictSurfaces, checkCarry
 
 function [z, half] = carryResidual (sim, r, w, change, sd)
   whole = sim;

@@ -6,7 +6,7 @@
 %   SD    1 x m  its standard deviation
 %   HALF  1 x m  the variable is within HALF of the middle with 90 %
 %
-% See also: predictSurfaces, leaveOneSpeedOut
+% See also: predictSurfaces
 
 function half = halfAbout (d, sd)
   lo = zeros (size (d));
