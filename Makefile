@@ -41,9 +41,9 @@ gap:                   ## diagnose the gap: all set-up, then diagnoseGap.m
 	@tools/liggghts/build.sh
 	@tools/octave.sh diagnoseGap.m
 
-demo:                  ## calibrate and diagnose stored runs in ./decalioc-demo, without LIGGGHTS
+demo:                  ## calibrate and diagnose stored runs in ./decalioc-demo, without LIGGGHTS (CHANGE=1: before and after)
 	@tools/setup.sh run
-	@tools/demo.sh decalioc-demo
+	@tools/demo.sh decalioc-demo $(CHANGE)
 
 test:                  ## all set-up, then the tests; ends in "N passed, N failed"
 	@tools/setup.sh run test

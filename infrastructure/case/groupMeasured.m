@@ -1,6 +1,6 @@
 % GROUPMEASURED  Makes targets of the lines of measured.csv.
 %
-% CALL: [GROUPS, FAULTS] = groupMeasured (LIST, MODELS)
+% CALL: [GROUPS, FAULTS, CONDITIONS] = groupMeasured (LIST, MODELS)
 %
 %   LIST      struct array of readMeasured
 %   MODELS    cell of the names of the models
@@ -9,8 +9,11 @@
 %             the result or curve), series, at, unit, value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
 %             isAbsolute, curve (number of its series, 0: none), each
-%             (1 x n, the trials)
+%             (1 x n, the trials), changed (1 x C struct value, sd, trials,
+%             scatter, each other condition; value NaN: not measured)
 %   FAULTS    1 x p faults, see checkFault
+%   CONDITIONS  1 x C cell, names of the conditions but for the reference, of
+%             which all the other fields are; none where LIST has no conditions
 %
 % Lines with the same model, name, series and at are repeated trials. Their
 % value is the mean; its standard uncertainty is t s / sqrt (n), s the standard
@@ -21,15 +24,16 @@
 % name stands in one place only. Where several models have a target of one name,
 % it is <model>_<name>: a name is a column of runs.csv.
 %
-% Reasons: measuredRepeats
+% Reasons: measuredRepeats measuredCondition
 
-function [groups, p] = groupMeasured (list, models)
+function [groups, p, conditions] = groupMeasured (list, models)
   p = checkFault ();
-  keys = cell (1, numel (list));
-  for k = 1:numel (list)
-    keys{k} = sprintf ('%d|%s|%s|%.12g', list(k).model, list(k).name, ...
-                       list(k).series, list(k).at);
-  end
+  isOther = ~ismember ({list.condition}, {'', 'reference'});
+  conditions = unique ({list(isOther).condition}, 'stable');
+  others = cellfun (@(c) list(strcmp ({list.condition}, c)), conditions, ...
+                    'UniformOutput', false);
+  list = list(~isOther);
+  keys = keysOf (list);
   [first, which] = inOrder (keys);
   groups = [];
   for g = 1:numel (first)
@@ -37,6 +41,8 @@ function [groups, p] = groupMeasured (list, models)
     p = [p, checkAlike(trials)];
     groups = [groups, oneTarget(trials, list)];
   end
+  [groups, q] = withConditions (groups, keys(first), others);
+  p = [p, q];
   [~, order] = sort ([groups.model]);
   groups = distinctNames (groups(order), models);
   series = arrayfun (@(g) sprintf ('%d|%s', g.model, g.series), groups, ...
@@ -44,6 +50,39 @@ function [groups, p] = groupMeasured (list, models)
   [~, number] = inOrder (series);
   number = num2cell (number(:)' .* ~cellfun (@isempty, {groups.series}));
   [groups.curve] = number{:};
+end
+
+function keys = keysOf (list)
+  keys = arrayfun (@(o) sprintf ('%d|%s|%s|%.12g', o.model, o.name, ...
+                                 o.series, o.at), list(:)', ...
+                   'UniformOutput', false);
+end
+
+% The same quantities in the other conditions.
+function [groups, p] = withConditions (groups, keys, others)
+  p = checkFault ();
+  none = struct ('value', NaN, 'sd', 0, 'trials', 1, 'scatter', false);
+  [groups.changed] = deal (repmat (none, 1, numel (others)));
+  for c = 1:numel (others)
+    [first, which] = inOrder (keysOf (others{c}));
+    for g = 1:numel (first)
+      trials = others{c}(which == g);
+      at = find (strcmp (keysOf (trials(1)), keys), 1);
+      if isempty (at)
+        where = sprintf ('measured.csv, line %d', trials(1).line);
+        p(end + 1) = checkFault ('measuredCondition', where, ...
+                                 'what was measured in the reference, too', ...
+                                 [trials(1).name, trials(1).series], ...
+                                 ['Add its value before the change, or ' ...
+                                  'take the line out.']);
+        continue
+      end
+      own = oneTarget (trials, trials);
+      for name = fieldnames (none)'
+        groups(at).changed(c).(name{1}) = own.(name{1});
+      end
+    end
+  end
 end
 
 function groups = distinctNames (groups, models)
@@ -155,7 +194,7 @@ end
 %! line = struct ('line', 2, 'model', 1, 'name', 'a', 'series', '', ...
 %!                'unit', 'kg', 'at', NaN, 'value', 1, 'sd', 0, ...
 %!                'repeats', NaN, 'role', 'calibrate', 'tol', 0.1, ...
-%!                'isAbsolute', false);
+%!                'isAbsolute', false, 'condition', '');
 %!test
 %! % three trials: t = 1.32 for two degrees of freedom
 %! list = repmat (line, 1, 3);
@@ -199,3 +238,13 @@ end
 %! [g, p] = groupMeasured (list, {'A', 'B'});
 %! assert (isempty (p));
 %! assert ([g.model], [0, 1]);
+%!test
+%! % another condition stands beside the reference; a new quantity is a fault
+%! list = repmat (line, 1, 4);
+%! [list(2:4).condition] = deal ('moist');
+%! [list.value] = deal (1, 2, 4, 7);
+%! list(4).name = 'b';
+%! [g, p, conditions] = groupMeasured (list, {'A'});
+%! assert (conditions, {'moist'});
+%! assert ({g.value, g.changed.value, g.changed.trials}, {1, 3, 2});
+%! assert (p.id, 'DEcalioc:checkCase:measuredCondition');

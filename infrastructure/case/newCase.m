@@ -47,6 +47,9 @@ function Case = newCase (raw)
   [Case.models.coarse] = deal (Case.coarse);
   Case.effectVars = {Case.coarse.variable};
   Case.targets = newTargets (raw.optim, {Case.models.name}, found);
+  Case.conditions = found.conditions;
+  Case.perCondition = ismember (Case.names, ...
+                                givenField (raw.optim, 'perCondition', {}));
   Case.options = newOptions (Input, raw.optim);
   Case.notes = caseNotes (raw, Case.models);
   for k = 1:numel (Case.models)

@@ -31,7 +31,7 @@ function targets = fromTable (groups, optim, names)
                 'sd', g.sd, 'tol', g.tol, 'role', g.role, ...
                 'trials', g.trials, 'correlation', lengths{g.model}(index));
     for field = {'isAbsolute', 'scatter', 'unit', 'result', 'series', ...
-                 'at', 'curve', 'each'}
+                 'at', 'curve', 'each', 'changed'}
       t.(field{1}) = g.(field{1});
     end
     if isnan (t.tol)
@@ -76,6 +76,7 @@ function targets = fromCells (optim, models, counts)
       [t.unit, t.result, t.series] = deal ('');
       t.at = NaN;
       t.curve = 0;
+      t.changed = [];
       targets = [targets, t];
     end
   end

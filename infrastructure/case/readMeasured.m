@@ -10,16 +10,17 @@
 %             the value is the mean of; Inf: sd holds their scatter; NaN: not
 %             given), role ('': not given), tol (NaN: not given), isAbsolute
 %             (logical: tol has the unit of the value), saysTol (logical: there
-%             is one, good or bad); [] where the table as a whole is no use
+%             is one, good or bad), condition ('': not given); [] where the
+%             table as a whole is no use
 %   FAULTS    1 x p faults, see checkFault
 %
 % Columns, in any order: name or series, and value, are needed; model, where
-% there are several; sd, unit, repeats, role, at and tol may be missing. tol is
-% a share of the value (0.02 or 2%) or absolute (0.5 abs); of the value 0 it is
-% always absolute.
+% there are several; sd, unit, repeats, role, at, tol and condition may be
+% missing. tol is a share of the value (0.02 or 2%) or absolute (0.5 abs); of
+% the value 0 it is always absolute. Of the conditions one is the reference.
 %
 % Reasons: measuredTable measuredColumn measuredModel measuredName
-% measuredNumber measuredTol measuredRole measuredAt
+% measuredNumber measuredTol measuredRole measuredAt measuredCondition
 
 function [list, p] = readMeasured (file, models)
   list = [];
@@ -32,7 +33,7 @@ function [list, p] = readMeasured (file, models)
     return
   end
   known = {'model', 'name', 'value', 'sd', 'unit', 'repeats', 'role', ...
-           'series', 'at', 'tol'};
+           'series', 'at', 'tol', 'condition'};
   p = checkHeader (header, known, size (cells, 1));
   if ~isempty (p)
     return
@@ -48,6 +49,7 @@ function [list, p] = readMeasured (file, models)
       list(k).(name{1}) = row.(name{1});
     end
   end
+  p = [p, checkConditions(list, header)];
 end
 
 function p = checkHeader (header, known, n)
@@ -85,6 +87,7 @@ function [row, p] = readRow (text, line, models)
   row.name = text.name;
   row.series = text.series;
   row.unit = text.unit;
+  row.condition = text.condition;
   rules = struct ('field', {'value', 'sd', 'repeats', 'at'}, ...
                   'empty', {NaN, 0, NaN, NaN}, ...
                   'isGood', {@isfinite, @(v) v >= 0 & isfinite(v), ...

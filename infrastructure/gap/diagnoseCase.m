@@ -26,22 +26,51 @@ function diagnosis = diagnoseCase (root, folder)
   [data, levelled] = atLevels (data, Case, problem);
   [use, leftOut] = thinRuns (data, problem, 1000);
   data = keepRows (data, use);
-  [given, notes] = gapProblemOf (Case);
+  [given, notes] = gapProblemOf (Case, 1);
   surrogates = [];
   if ~isempty (problem.coarse)
     levelled = keepRows (levelled, thinRuns (levelled, problem, 1000));
     surrogates = fitSurrogates (levelled, problem);
-    given = levelCandidate (given, surrogates, levelled, problem);
   end
   notes = [notes(:)', {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
   [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state = struct ('data', data, 'budget', budget, 'evaluate', evaluate);
   state = completePlan (state, problem, Case, say);
+  state.seconds = count.seconds;
 
-  % where, which, how far, next test
+  % where, which, how far, next test: of the first condition last, for its files
+  % lie in gap/ itself
+  others = [];
+  for c = max (numel (Case.conditions), 1):-1:1
+    given = gapProblemOf (Case, c);
+    if ~isempty (problem.coarse)
+      given = levelCandidate (given, surrogates, levelled, problem);
+    end
+    diagnosis = diagnoseOne (Case, given, state, say);
+    diagnosis.level = finerVerdict (surrogates, problem, given, ...
+                                    gapOptions (struct ('seed', ...
+                                                        Case.options.seed)), ...
+                                    diagnosis);
+    [state.data, state.budget] = deal (diagnosis.data, diagnosis.budget);
+    diagnosis.others = compareConditions (diagnosis, others);
+    others = diagnosis.others.conditions;
+
+    % what remains
+    diagnosis.verdict = writeGapJson (diagnosis, Case);
+    writeGapTables (diagnosis, Case);
+    sayDiagnosis (diagnosis, Case, say);
+    if c > 1
+      putAside (fullfile (Case.folder, 'gap'), Case.conditions{c});
+    end
+  end
+  reportPage (Case, say);
+  diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
+end
+
+function diagnosis = diagnoseOne (Case, given, state, say)
   [part, state, own] = livingPart (Case, state);
-  options = gapBudget (part, state.budget, given, count.seconds);
+  options = gapBudget (part, state.budget, given, state.seconds);
   evaluate = newEvaluate (part, say);
   if options.maxNewRuns > 0
     state.evaluate = @(varargin) inColumns (evaluate, own, varargin{:});
@@ -49,15 +78,6 @@ function diagnosis = diagnoseCase (root, folder)
     state.evaluate = [];
   end
   diagnosis = diagnoseMatrices (given, state.data, options, state);
-  diagnosis.level = finerVerdict (surrogates, problem, given, options, ...
-                                  diagnosis);
-
-  % what remains
-  diagnosis.verdict = writeGapJson (diagnosis, Case);
-  writeGapTables (diagnosis, Case);
-  sayDiagnosis (diagnosis, Case, say);
-  reportPage (Case, say);
-  diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
 end
 
 % The effects of each run apart from how coarse it is for each target (level, n
@@ -97,4 +117,14 @@ function [Z, budget] = inColumns (evaluate, own, varargin)
   [found, budget] = evaluate (varargin{:});
   Z = NaN (rows (found), numel (own));
   Z(:, own) = found;
+end
+
+function putAside (folder, name)
+  [~, ~] = mkdir (folder, name);
+  for file = [{'gap.json', 'calibrated.head'}, ...
+              {dir(fullfile (folder, '*.csv')).name}]
+    if isfile (fullfile (folder, file{1}))
+      movefile (fullfile (folder, file{1}), fullfile (folder, name, file{1}));
+    end
+  end
 end

@@ -23,6 +23,8 @@
 %     which    of describeVerdict, and expected (calibrateVerdict)
 %     howFar   of proveCause ([] where nothing can be compared)
 %     next     of nextTest
+%     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
+%              model is likely to miss in both conditions (takeReference)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
 %
@@ -46,6 +48,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   state = newGapState (known, gapProblem, options, evaluate);
   [state, em] = improveSurrogates (gapProblem, options, state);
   gapProblem = correlateSeries (gapProblem, em, options);
+  em = takeReference (em, gapProblem);
   [state, em] = exploreEffects (gapProblem, options, state, em);
   kept = tested (em);
   study = studyOf (gapProblem, withoutEffects (em, find (~kept)), options);
@@ -63,6 +66,11 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   diagnosis.which = describeVerdict (w, verdict, study.models, gapProblem);
   diagnosis.which.expected = calibrateVerdict (study);
   diagnosis.next = nextTest (gapProblem, study.em, w, verdict.P);
+  diagnosis.change = [];
+  if ~isempty (study.em.change)
+    diagnosis.change = struct ('size', study.em.change.size, 'lack', ...
+                               study.em.change.lack .* gapProblem.unit);
+  end
   diagnosis = inGivenUnits (diagnosis, gapProblem);
   diagnosis.runs = struct ('spent', state.spent, 'failed', state.failed, ...
                            'left', state.left);
@@ -213,7 +221,7 @@ end
 % Where the surrogates are to blame, runs near the fitted set come first.
 function [state, em] = improveSurrogates (gapProblem, options, state)
   for round_ = 1:3
-    em = fitEmulator (gapProblem, state.data, options);
+    em = emulate (gapProblem, state.data, options);
     theta = calibrateNull (gapProblem, em, options);
     side = sideSignals (gapProblem, em, theta, options);
     n = min (2 * em.p + 2, floor (state.left / 2));

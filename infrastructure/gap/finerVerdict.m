@@ -17,7 +17,8 @@
 
 function level = finerVerdict (surrogates, problem, given, options, diagnosis)
   level = [];
-  if isempty (problem.coarse)
+  % what a finer level does is done to both conditions of a change
+  if isempty (problem.coarse) || ~isempty (diagnosis.gapProblem.reference)
     return
   end
   level = finerStep (surrogates, problem, diagnosis.where.params);

@@ -24,7 +24,7 @@ function [faults, found] = checkCase (raw, mode)
   if nargin < 2
     mode = 'full';
   end
-  found = struct ('groups', [], 'sizes', []);
+  found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
   [faults, raw] = checkRaw (raw);
   if ~isempty (raw)
     [p, ~] = attempt (@() checkAlone (raw));
@@ -41,7 +41,7 @@ function [p, found] = attempt (check)
   try
     [p, found] = check ();
   catch err
-    found = struct ('groups', [], 'sizes', []);
+    found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
     where = '';
     if ~isempty (err.stack)
       where = sprintf (' (%s, line %d)', err.stack(1).name, ...
@@ -106,7 +106,7 @@ end
 % Checks that compare the values with files and with each other.
 function [p, found] = checkTogether (raw, mode)
   p = checkFault ();
-  found = struct ('groups', [], 'sizes', []);
+  found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
   models = checkFindModels (struct (), '', '', mode);
   if isstruct (raw.Input) && ischar (raw.folder) && ischar (raw.root)
     models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
@@ -137,14 +137,13 @@ end
 
 % measured.csv goes before what optim says of the targets.
 function [p, found] = checkAllTargets (raw, models, names)
-  found.groups = [];
+  found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
   file = '';
   if ischar (raw.folder)
     file = fullfile (raw.folder, 'measured.csv');
   end
   if isfile (file)
-    [p, found.sizes, found.groups] = checkMeasuredTable (raw.optim, models, ...
-                                                         file, names);
+    [p, found] = checkMeasuredTable (raw.optim, models, file, names);
     return
   end
   [p, found.sizes] = checkTargets (raw.optim, models);

@@ -1,14 +1,14 @@
 % CHECKMEASUREDTABLE  Checks measured.csv, where a case has one.
 %
-% CALL: [P, SIZES, GROUPS] = checkMeasuredTable (OPTIM, MODELS, FILE, TAKEN)
+% CALL: [P, FOUND] = checkMeasuredTable (OPTIM, MODELS, FILE, TAKEN)
 %
 %   OPTIM   scalar struct, the optim of loadInput
 %   MODELS  1 x M struct array, see checkFindModels
 %   FILE    path of the table
 %   TAKEN   cell of names that a target may not have: variables
 %   P       1 x n faults, see checkFault
-%   SIZES   1 x M, targets of each model; [] where they make no sense
-%   GROUPS  1 x T struct array, see groupMeasured
+%   FOUND   struct sizes (1 x M, targets of each model; [] where they make no
+%           sense), groups and conditions, see groupMeasured
 %
 % The table stands in the place of the fields of optim that are given target by
 % target. optim.tolRes may be one number: the tolerance where tol is empty.
@@ -16,15 +16,17 @@
 % Reasons: measuredTwice measuredTol measuredModel measuredName measuredResult
 % noCalibrateTarget, and those of readMeasured and groupMeasured
 
-function [p, sizes, groups] = checkMeasuredTable (optim, models, file, taken)
-  [sizes, groups] = deal ([]);
+function [p, found] = checkMeasuredTable (optim, models, file, taken)
+  found = struct ('sizes', [], 'groups', [], 'conditions', {{}});
   p = checkTwice (optim);
   [lines, q] = readMeasured (file, {models.name});
   p = [p, q];
-  if isempty (lines) || any ([lines.model] == 0)
+  if isempty (lines) || any ([lines.model] == 0) || ...
+     (~isempty (q) && any (strcmp ({q.id}, ...
+                                   'DEcalioc:checkCase:measuredCondition')))
     return
   end
-  [groups, q] = groupMeasured (lines, {models.name});
+  [groups, q, conditions] = groupMeasured (lines, {models.name});
   p = [p, q, checkTolerances(groups, lines, optim), ...
        checkNames(groups, [taken, {'model', 'seed'}]), ...
        checkResults(groups, models)];
@@ -41,6 +43,8 @@ function [p, sizes, groups] = checkMeasuredTable (optim, models, file, taken)
                              'none', ...
                              'Add one, or take it out of Input.model.');
   end
+  found = struct ('sizes', sizes, 'groups', groups, ...
+                  'conditions', {conditions});
 end
 
 function p = checkTwice (optim)

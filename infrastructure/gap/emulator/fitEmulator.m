@@ -91,6 +91,7 @@ function em = fitEmulator (gapProblem, data, options, old)
     em.effect(k).success = own{k};
   end
   em.bench = gapProblem.bench;
+  [em.change, em.known] = deal ([]);
 end
 
 % One run more or less changes neither the noise nor the other effects.

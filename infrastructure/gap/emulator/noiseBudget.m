@@ -5,7 +5,8 @@
 %   GAPPROBLEM  struct of newGapProblem
 %   EM          struct of fitEmulator
 %   BUDGET      struct
-%     covariance  T x T, measurement plus the packing of the real trials
+%     covariance  T x T, measurement plus the packing of the real trials; of a
+%                 change also what the reference leaves open (takeReference)
 %     estimated   1 x T, part of its diagonal that was estimated from runs
 %     unknown     1 x T, part of it whose size nobody has stated
 %     measurement, trial   1 x T, their standard deviations
@@ -31,6 +32,9 @@ function budget = noiseBudget (gapProblem, em)
   trial = sqrt (max (em.noiseVar ./ gapProblem.trials - ...
                      gapProblem.scatter .* diag (measured)', 0));
   budget.covariance = measured + (trial' * trial) .* em.correlation;
+  if ~isempty (em.change)
+    budget.covariance = em.change.covariance;
+  end
   budget.estimated = trial.^2;
   budget.unknown = diag (measured)' .* ~gapProblem.sdKnown;
   budget.measurement = sqrt (diag (measured))';
@@ -45,7 +49,8 @@ end
 %! gapProblem = newGapProblem (struct ('value', [1, 2], 'sd', [3, 0], ...
 %!                                     'limits', [0; 1], 'bench', [1, 1]));
 %! em = struct ('noiseVar', [16, 4], 'correlation', [1, 0.5; 0.5, 1], ...
-%!              'range', [1, 1], 'surrogateVar', [25, 8], 'fitVar', [0, 0]);
+%!              'range', [1, 1], 'surrogateVar', [25, 8], 'fitVar', [0, 0], ...
+%!              'change', []);
 %! budget = noiseBudget (gapProblem, em);
 %! assert (budget.covariance, [25, 4; 4, 4], 1e-6);
 %! assert (budget.share, [0.5, 2 / 3], 1e-6);

@@ -13,7 +13,11 @@
 %     effect.varCoef and joint.varCoef (log of the extra variance / psi^2), nu
 %     (1 x n: degrees of freedom of the variances, Welch and Satterthwaite),
 %     parity (n x m: the directions that parameters cannot absorb, at the middle
-%     of the box)
+%     of the box), isTarget (1 x n: 1; see below)
+%
+% What a reference says of the parameters (EM.known, see takeReference) comes as
+% further coordinates: z = 0 measured, root theta - offset predicted, variance
+% 1, moved by no effect. W and back are (n + m) x n and n x (n + m) then.
 %
 % W whitens NOISE plus the mean surrogate variance, so a variance of z is near 1
 % and only its change over the box is modelled (quadratic in the logarithm,
@@ -51,7 +55,38 @@ function white = whitenEmulator (em, targets, noise, rotation)
   doubt = estimated.^2 ./ em.noiseFreedom(targets) + ...
           noise.unknown(targets).^2 / 3;
   white.nu = freedom (W, total, doubt);
+  white.isTarget = ones (1, n);
+  if ~isempty (em.known)
+    white = withKnown (white, em.known);
+  end
   white.parity = parityAt (white, zeros (1, em.p));
+end
+
+function white = withKnown (white, known)
+  m = rows (known.root);
+  white.W = [white.W; zeros(m, columns (white.W))];
+  white.back = [white.back, zeros(rows (white.back), m)];
+  coef = zeros (rows (white.powers), m);
+  coef(~any (white.powers, 2), :) = -known.offset';
+  for j = 1:white.p
+    coef(sum (white.powers, 2) == 1 & white.powers(:, j) == 1, :) = ...
+      known.root(:, j)';
+  end
+  white.coef = [white.coef, coef];
+  white.varCoef = [white.varCoef, zeros(rows (white.varCoef), m)];
+  white.nu = [white.nu, repmat(1e6, 1, m)];
+  white.isTarget = [white.isTarget, zeros(1, m)];
+  white.effect = arrayfun (@(e) withNone (e, m), white.effect);
+  white.joint = arrayfun (@(e) withNone (e, m), white.joint);
+end
+
+function e = withNone (e, m)
+  e.coef = [e.coef, zeros(rows (e.coef), m)];
+  if ~isempty (e.varCoef)
+    % the constant comes first: next to nothing
+    none = [repmat(-40, 1, m); zeros(rows (e.varCoef) - 1, m)];
+    e.varCoef = [e.varCoef, none];
+  end
 end
 
 % By the correlations: variances may differ by more than rounding allows.

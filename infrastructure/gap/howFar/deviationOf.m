@@ -30,17 +30,23 @@ function d = deviationOf (study, set, draws)
   budget = noiseBudget (gapProblem, em);
   white = whitenEmulator (em, targets, budget);
   [M, V, S, J] = predictGap (white, set.h, set.Q);
-  back = inv (white.W);
+  isTarget = white.isTarget > 0;
+  back = [inv(white.W(isTarget, :)), zeros(numel (targets), sum (~isTarget))];
   d.Sigma = back * diag (V) * back';
   d.s = S * back';
   d.nu = 1 / mean (1 ./ white.nu);
-  J = reshape (vertcat (J{:})', numel (targets), numel (set.Q));
+  J = reshape (vertcat (J{:})', columns (white.coef), numel (set.Q));
   free = isFree (white, set, study.models.options.limitAt);
   d.J = back * J(:, free);
-  known = [study.models.prior.sd, Inf(1, numel (set.h))].^-2;
-  known = known(free);
+  known = diag ([study.models.prior.sd, Inf(1, numel (set.h))].^-2);
+  told = J(~isTarget, :);
+  known = known(free, free) + told(:, free)' * told(:, free);
+  knownRoot = sqrt (known);
+  if ~isempty (told)
+    knownRoot = rootOf (known);
+  end
   own = d.J(used, :)' / d.Sigma(used, used);
-  C = pinv (own * d.J(used, :) + diag (known));
+  C = pinv (own * d.J(used, :) + known);
   K = zeros (numel (targets));
   K(:, used) = d.J * C * own;
   noise = budget.covariance(targets, targets);
@@ -55,7 +61,7 @@ function d = deviationOf (study, set, draws)
     surrogate(:) = 0;
   end
   roots = {(eye (numel (targets)) - K) * rootOf(noise), ...
-           K * rootOf(surrogate), d.J * C * diag(sqrt (known)), rootOf(run)};
+           K * rootOf(surrogate), d.J * C * knownRoot, rootOf(run)};
   d.F = zeros (numel (targets));
   for root = roots
     d.F = d.F + root{1} * root{1}';

@@ -47,7 +47,7 @@ end
 function [verdict, w] = withCures (study, data)
   gapProblem = study.gapProblem;
   options = study.models.options;
-  em = fitEmulator (gapProblem, data, options, study.em);
+  em = emulate (gapProblem, data, options, study.em);
   isLeft = ismember ({em.effect.name}, study.models.names);
   targets = sort ([gapProblem.used, gapProblem.heldOut]);
   models = makeHypotheses (gapProblem, withoutEffects (em, find (~isLeft)), ...

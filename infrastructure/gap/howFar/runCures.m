@@ -70,10 +70,18 @@ function [set, state] = runSet (study, set, state)
       Z = Z + phi(at) * (effect.offset + Z * effect.matrix);
     end
   end
+  if ~isempty (em.change)
+    Z = Z + polyRows (em.powers, set.Q(1:em.p)) * em.change.coef;
+  end
   set.Z = Z(all (isfinite (Z), 2), :);
   set.verified = true;
   M = predictGap (em, set.h, set.Q);
-  sd = sqrt (mean (em.surrogateVar, 1) + em.noiseVar / max (rows (set.Z), 1));
+  vague = em;
+  if ~isempty (em.change)
+    vague = em.change.plain;
+  end
+  sd = sqrt (mean (vague.surrogateVar, 1) + ...
+             em.noiseVar / max (rows (set.Z), 1));
   used = gapProblem.used;
   set.worstZ = max (abs (mean (set.Z(:, used), 1) - M(used)) ./ sd(used));
 end

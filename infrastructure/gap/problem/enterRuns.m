@@ -122,6 +122,11 @@ function gapProblem = ofTargets (gapProblem, kept)
   if isfield (gapProblem, 'coarse') && ~isempty (gapProblem.coarse)
     gapProblem.coarse.column = gapProblem.coarse.column(kept);
   end
+  if ~isempty (gapProblem.reference)
+    for name = {'value', 'sd', 'trials', 'scatter'}
+      gapProblem.reference.(name{1}) = gapProblem.reference.(name{1})(kept);
+    end
+  end
   for k = 1:numel (gapProblem.effects)
     e = gapProblem.effects(k);
     gapProblem.effects(k).offset = e.offset(kept);

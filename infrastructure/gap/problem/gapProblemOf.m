@@ -1,8 +1,11 @@
 % GAPPROBLEMOF  The problem of a case, with what the diagnosis adds to it.
 %
 % CALL: [GIVEN, NOTES] = gapProblemOf (CASE)
+% CALL: [GIVEN, NOTES] = gapProblemOf (CASE, C)
 %
 %   CASE   see newCase, effects as of resolveEffects
+%   C      number of a condition of CASE: its values are the measured ones then,
+%          those of CASE.targets the reference; without conditions no matter
 %   GIVEN  struct for newGapProblem: that of newProblem (CASE), and sdKnown,
 %          covariance, estimateSeries, effects
 %   NOTES  cellstr, what had to be assumed
@@ -18,9 +21,12 @@
 % effect's group that the library knows but the case does not list are its
 % siblings.
 
-function [given, notes] = gapProblemOf (Case)
+function [given, notes] = gapProblemOf (Case, c)
   given = newProblem (Case);
   [given, note] = withGuessedSd (given);
+  if nargin > 1 && ~isempty (Case.conditions)
+    given = withCondition (given, Case, c);
+  end
   [given, lost] = withCorrelation (given);
   notes = [note, lost];
   given.effects = [];

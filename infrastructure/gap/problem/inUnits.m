@@ -10,6 +10,11 @@ function gapProblem = inUnits (gapProblem, unit)
   for name = {'value', 'sd', 'noiseSd'}
     gapProblem.(name{1}) = gapProblem.(name{1}) ./ unit;
   end
+  if ~isempty (gapProblem.reference)
+    for name = {'value', 'sd'}
+      gapProblem.reference.(name{1}) = gapProblem.reference.(name{1}) ./ unit;
+    end
+  end
   if ~isempty (gapProblem.covariance)
     gapProblem.covariance = gapProblem.covariance ./ (unit' * unit);
   end

@@ -29,6 +29,10 @@
 %     paramMean, paramSd   1 x p, values measured independently (NaN: none)
 %     benchCost   1 x B, cost of one measurement on each bench (1)
 %     effects     1 x K struct, see newEffect ([])
+%     reference   struct, the same measured where every effect is neutral:
+%                 value, sd, trials, scatter (1 x T; NaN: not measured there),
+%                 and perCondition (1 x p logical, parameters that are other
+%                 ones there); the diagnosis is one of the change then ([])
 %   GAPPROBLEM  the same with every field present, rows as rows, and used,
 %     heldOut, possible (numbers of targets), kept, unit (see enterRuns)
 %
@@ -76,7 +80,8 @@ function gapProblem = withDefaults (given, T, p)
                        'scatter', false (1, T), 'curve', zeros (1, T), ...
                        'noiseSd', NaN (1, T), ...
                        'paramMean', NaN (1, p), 'paramSd', NaN (1, p), ...
-                       'benchCost', ones (1, B), 'effects', []);
+                       'benchCost', ones (1, B), 'effects', [], ...
+                       'reference', []);
   gapProblem.targetNames = numbered ('t', T);
   gapProblem.benchNames = numbered ('bench', B);
   gapProblem.names = numbered ('p', p);

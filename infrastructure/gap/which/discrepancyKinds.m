@@ -42,10 +42,12 @@ function kinds = discrepancyKinds (gapProblem, em, budget, white)
 end
 
 function kind = oneKind (em, white, budget, C, kind)
-  C = white.W * C * white.W';
+  isTarget = white.isTarget > 0;
+  C = white.W(isTarget, :) * C * white.W(isTarget, :)';
   [U, L] = eig ((C + C') / 2);
   kind.white = whitenEmulator (em, white.columns, budget, U');
-  kind.white.shape = max (diag (L)', 0);
+  kind.white.shape = zeros (size (isTarget));
+  kind.white.shape(isTarget) = max (diag (L)', 0);
 end
 
 function S = signatures (em, targets)

@@ -22,7 +22,7 @@ function twins = drawTwins (models, causes, d, seed, surplus)
   null = newHypothesis ('null');
   unknowns = viewHypothesis (white, null, models.prior).unknowns;
   twins = struct ('Y', zeros (n, T), 'phi', zeros (n, 2), 'd', zeros (n, 1));
-  twins.theta = fromNormal (unknowns, randn (n, white.p));
+  twins.theta = parametersOf (white, fromNormal (unknowns, randn (n, white.p)));
   M = zeros (n, T);
   V = zeros (n, T);
   isNull = cellfun (@isempty, causes);
@@ -47,6 +47,20 @@ function twins = drawTwins (models, causes, d, seed, surplus)
   chi2 = 2 * randg (repmat (min (white.nu, 1e4) / 2, n, 1));
   noise = randn (n, T) ./ sqrt (chi2 ./ min (white.nu, 1e4));
   twins.Y = (M + sqrt (surplus * V) .* noise) * white.back';
+end
+
+% Where a reference has told of the parameters: Gaussian, cut at the box.
+function theta = parametersOf (white, theta)
+  [M, ~, ~, J] = predictGap (white, [], zeros (1, white.p));
+  told = find (~white.isTarget);
+  if isempty (told)
+    return
+  end
+  J = reshape (vertcat (J{:})', columns (M), white.p)(told, :);
+  A = J' * J + 0.5 * eye (white.p);
+  middle = A \ (J' * -M(told)');
+  theta = middle' + randn (size (theta)) / chol (A)';
+  theta = min (max (theta, -1), 1);
 end
 
 function phi = strengths (effects, d, reach)

@@ -23,7 +23,7 @@ function [state, em] = exploreEffects (gapProblem, options, state, em)
   wanted = zeros (1, numel (em.effect));
   wanted(~[em.effect.laboratory]) = options.screenRuns;
   state = runEffects (gapProblem, state, em, theta, wanted, []);
-  em = fitEmulator (gapProblem, state.data, options, em);
+  em = emulate (gapProblem, state.data, options, em);
   full = options.planRuns;
   if isempty (full)
     full = 5 * (em.p + 1);
@@ -35,7 +35,7 @@ function [state, em] = exploreEffects (gapProblem, options, state, em)
       break
     end
     state = runEffects (gapProblem, state, em, theta, wanted, posteriors);
-    em = fitEmulator (gapProblem, state.data, options, em);
+    em = emulate (gapProblem, state.data, options, em);
   end
   [state, em] = runBestPair (gapProblem, options, state, em);
   state.left = state.left + reserve;
@@ -65,7 +65,7 @@ function [state, em] = runBestPair (gapProblem, options, state, em)
                      top .* [0.5, 1]];
   theta = repmat (middle(1:em.p), 4, 1);
   state = spendRuns (state, gapProblem, theta, phi, ones (4, 1));
-  em = fitEmulator (gapProblem, state.data, options, em);
+  em = emulate (gapProblem, state.data, options, em);
 end
 
 function [w, verdict, usable] = weighNow (gapProblem, options, em)

@@ -29,15 +29,6 @@ function models = makeHypotheses (gapProblem, em, options, targets)
   models.reference = [];
 end
 
-function prior = parameterPrior (gapProblem)
-  half = diff (gapProblem.limits) / 2;
-  prior.mean = (gapProblem.paramMean - mean (gapProblem.limits)) ./ half;
-  prior.sd = gapProblem.paramSd ./ half;
-  without = ~isfinite (prior.mean) | ~isfinite (prior.sd);
-  prior.mean(without) = 0;
-  prior.sd(without) = Inf;
-end
-
 function siblings = siblingsOf (gapProblem, names)
   siblings = cell (1, numel (names));
   for k = 1:numel (names)

@@ -50,7 +50,7 @@ function [M, V, L, J, G] = predictHypothesis (view, U)
   if strcmp (h.spread, 'sibling')
     % no direction is left where there are no more results than parameters
     part = Q(:, end).^2 .* sum ((S * white.parity).^2, 2) / ...
-           max (1, columns (white.parity));
+           max (1, columns (white.parity)) .* white.isTarget;
   else
     part = Q(:, end).^2 .* white.shape;
   end

@@ -46,14 +46,16 @@ function cause = decideGap (gap)
       cause.word = 'No verdict on the gap: too few runs';
       cause.sentence = ['The runs do not allow a verdict on the gap: ', ...
                         which.reason, '.'];
-      cause.action = ['Raise Input.maxNewRuns and start decalioc diagnose ', ...
-                      'again.'];
+      cause.action = 'Raise Input.maxNewRuns, start decalioc diagnose again.';
     otherwise
       cause = stillOpen (cause, gap);
   end
   if isempty (cause.notFor) && ~strcmp (cause.kind, 'none')
     cause.notFor = {['what the missing cause would change (', cause.word, ...
                      ')']};
+  end
+  if ~isempty (jsonAt (gap, {'reference'}))
+    cause = inWordsOfChange (cause);
   end
 end
 
@@ -80,8 +82,7 @@ function cause = noGap (cause, gap)
     cause.notFor = {['flows in which one of these matters: ', ...
                      strjoin(cause.cannotSee, ', '), ...
                      ' (these targets cannot see it)']};
-    cause.action = ['Measure something that they move: docs/effects.md ', ...
-                    'lists which bench sees what.'];
+    cause.action = 'Measure what they move: docs/effects.md lists it.';
     return
   end
   cause.kind = 'none';

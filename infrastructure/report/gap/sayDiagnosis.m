@@ -22,6 +22,7 @@ function sayDiagnosis (diagnosis, Case, say)
     say ('');
     say (['LEVEL: ', levelText(diagnosis.level)]);
   end
+  sayConditions (diagnosis.others, say);
   say ('');
   sayNext (diagnosis, say);
   say ('');
@@ -44,6 +45,23 @@ function sayNext (diagnosis, say)
   end
 end
 
+% Where more than one condition is laid beside the reference.
+function sayConditions (others, say)
+  if numel (others.conditions) < 2
+    return
+  end
+  say ('');
+  say ('CONDITIONS, beside the reference:');
+  for one = others.conditions
+    say (sprintf ('  %-20s %s  %s', one.name, one.verdict, ...
+                  strjoin (one.effects, ', ')));
+  end
+  for one = others.order
+    say (sprintf ('  more %s in %s than in %s, probability %.2f', ...
+                  one.effect, one.more, one.less, one.probability));
+  end
+end
+
 function sayPlain (v, say)
   cause = v.cause;
   say ('');
@@ -63,11 +81,17 @@ function sayWhere (diagnosis, say)
   where = diagnosis.where;
   gapProblem = diagnosis.gapProblem;
   say ('');
-  say (sprintf (['WHERE: noise alone would make the calibrated model miss ' ...
-                 'the %d measurements by as much with p = %.3g'], ...
-                numel (gapProblem.used), where.p));
+  model = 'model';
+  text = ['WHERE: noise alone would make the calibrated model miss the %d ' ...
+          'measurements by as much with p = %.3g'];
+  if ~isempty (gapProblem.reference)
+    model = 'foretold';
+    text = strrep (text, 'the calibrated model miss the %d', ...
+                   ['the reference miss the %d new']);
+  end
+  say (sprintf (text, numel (gapProblem.used), where.p));
   say (sprintf ('  %-28s %11s %11s %7s %7s  %s', 'target', 'measured', ...
-                'model', 'z', 'p', ''));
+                model, 'z', 'p', ''));
   for i = 1:numel (gapProblem.used)
     t = gapProblem.used(i);
     mark = '';
@@ -123,7 +147,11 @@ function sayWhich (diagnosis, say)
   [~, order] = sort (-diagnosis.screen.gain);
   say (sprintf ('  %-20s %11s  %s', 'effect', 'probability', ...
                 'how strong it would be (90 % interval)'));
-  say (sprintf ('  %-20s %11.3f', 'no gap', w.posterior.null));
+  null = 'no gap';
+  if ~isempty (diagnosis.gapProblem.reference)
+    null = 'nothing changed';
+  end
+  say (sprintf ('  %-20s %11.3f', null, w.posterior.null));
   for k = order
     s = w.strength(k);
     p = w.posterior.(matlab.lang.makeValidName (s.name));

@@ -10,6 +10,9 @@ function sayHowFar (cure, gapProblem, say)
   if isempty (cure)
     return
   end
+  if ~isempty (gapProblem.reference)
+    say = @(text) say (strrep (text, 'of the gap', 'of the change'));
+  end
   how = 'on the surrogates, not yet by DEM';
   if cure.verifiedByDEM
     how = 'by DEM';

@@ -24,6 +24,7 @@ function v = writeGapJson (diagnosis, Case)
   if isfield (diagnosis, 'level')
     out.level = diagnosis.level;
   end
+  out.reference = changeOf (diagnosis);
   out.demRuns = struct ('sets', diagnosis.runs.spent, ...
                         'failedSets', diagnosis.runs.failed);
   for name = {'new', 'reused', 'failed', 'coreSeconds'}

@@ -97,10 +97,6 @@ function text = labelOf (name, value)
 end
 
 % Whether an effect was found that closes something.
-function yes = isTold (page)
-  yes = ~isempty (jsonAt (page.verdict, {'cause', 'closed'}));
-end
-
 % What the diagnosis says of this target, without and with the effect.
 function [before, after, sd] = withEffect (page, m)
   before = struct ('value', NaN, 'at', 0);
@@ -110,7 +106,7 @@ function [before, after, sd] = withEffect (page, m)
     own = jsonAt (list, {k});
     if strcmp (own.name, m.name) && strcmp (own.model, m.model)
       before = struct ('value', own.before, 'at', k);
-      if isTold (page)
+      if page.showsEffect
         after = own.after;
       end
       sd = own.sd;
@@ -122,7 +118,7 @@ function html = keyOf (page)
   entries = {'line', 'ink', 'measured'; 'box', 'palegreen', 'allowed'; ...
              'box', 'palegrey', 'what the box of the parameters reaches'; ...
              'diamond', 'blue', 'simulated with the set'};
-  if isTold (page)
+  if page.showsEffect
     effect = jsonAt (page.sources.gap, {'howFar', 'effect'});
     entries(end + 1, :) = {'triangle', 'amber', ...
                            ['fitted with ', htmlText(effect)]};
@@ -145,7 +141,7 @@ end
 %! page.sources.gap.howFar.effect = 'tilt';
 %! page.sources.gap.howFar.targets = struct ('model', 'B', 'name', 'h', ...
 %!   'before', 2.3, 'after', 2.05, 'sd', 0.1, 'measured', 2);
-%! page.verdict.cause.closed = 'With tilt all is closed.';
+%! page.showsEffect = true;
 %! f = benchFigure (page, 'B');
 %! at = @(kind) f.layers(strcmp ({f.layers.kind}, kind)).data(:, 1)';
 %! assert (at ('diamond'), 3, 1e-12);
@@ -158,7 +154,7 @@ end
 %! label = benchFigure (page, 'B').ynames{1};
 %! assert (label, 'level of the grains .. 2 m');
 %! % where no gap is told, no effect is shown
-%! page.verdict.cause.closed = '';
+%! page.showsEffect = false;
 %! [f, key] = benchFigure (page, 'B');
 %! assert (! any (strcmp ({f.layers.kind}, 'triangle')));
 %! assert (isempty (strfind (key, 'fitted with')));

@@ -18,6 +18,7 @@
 %         reach       T x 2, least and largest mean response of each surrogate
 %                     over the runs and 500 points of the box; NaN: no surrogate
 %         verdict     see decideCase
+%         showsEffect logical: beside the targets what the effect makes of them
 %         isRunning   a calibration is under way, or was broken off
 %
 % A file that is not there, or cannot be read, leaves its field empty.
@@ -52,6 +53,11 @@ function page = pageData (Case)
   page.reach = reachOf (page.surrogates, Case);
   page.verdict = decideCase (s.calibration, s.gap, ~isempty (page.runs) || ...
                              ~isempty (page.plan));
+  % beside the reference that was calibrated the effect of a change is no fit
+  isOther = ~isempty (jsonAt (s.gap, {'reference'})) && ...
+            ~isempty (s.calibration);
+  page.showsEffect = ~isOther && ...
+                     ~isempty (jsonAt (page.verdict, {'cause', 'closed'}));
 end
 
 function Case = candidates (Case)

@@ -14,7 +14,9 @@ function [title, html] = sectionWhere (page)
 end
 
 function html = leadIn (page, where)
-  html = ['<p>Noise alone would make the calibrated model miss these ', ...
+  models = {'the calibrated model', 'what the reference foretells'};
+  model = models{1 + ~isempty(jsonAt (page.sources.gap, {'reference'}))};
+  html = ['<p>Noise alone would make ', model, ' miss these ', ...
           'measurements by as much with p&nbsp;=&nbsp;', ...
           pageNumber(page, 'plain', 'gap', 'where', 'p'), '.'];
   limits = jsonAt (where, {'atLimit'});
@@ -22,9 +24,9 @@ function html = leadIn (page, where)
     html = [html, ' To come this close the parameters go to their limit: ', ...
             htmlText(strjoin (cellstr (limits)(:)', ', ')), '.'];
   end
-  never = namesAt (where, 'neverRun');
+  never = namesIn (where, 'neverRun');
   html = [html, outOf('None of its runs gave a result', ...
-                      setdiff (namesAt (where, 'out'), never)), ...
+                      setdiff (namesIn (where, 'out'), never)), ...
           outOf('It was never run to its end', never)];
   if isfield (where, 'surrogateShare')
     html = [html, ' Of the noise, ', ...
@@ -32,14 +34,6 @@ function html = leadIn (page, where)
             ' is the uncertainty of the surrogates.'];
   end
   html = [html, '</p>'];
-end
-
-function names = namesAt (where, field)
-  names = {};
-  found = jsonAt (where, {field});
-  if ~isempty (found)
-    names = cellstr (found);
-  end
 end
 
 function html = outOf (reason, benches)

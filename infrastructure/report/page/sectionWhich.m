@@ -22,7 +22,7 @@ end
 
 % The measured gap beside what each of the likeliest causes would make of it.
 function html = shapes (page, which)
-  html = htmlFigures (bars (which.posterior), '');
+  html = htmlFigures (bars (which.posterior, nullLabel (page)), '');
   own = jsonAt (page.sources.gap, {'fingerprint'});
   names = jsonAt (own, {'targets'});
   if isempty (names)
@@ -58,7 +58,7 @@ function html = shapes (page, which)
            'lie on each other.</p>'];
   end
   html = [why, htmlKey(key), ...
-          htmlFigures([f, bars(which.posterior)], '')];
+          htmlFigures([f, bars(which.posterior, nullLabel (page))], '')];
 end
 
 function p = causeChances (which, names)
@@ -76,11 +76,18 @@ function html = levelRemark (page)
   end
 end
 
-function f = bars (posterior)
+function label = nullLabel (page)
+  label = 'no gap';
+  if ~isempty (jsonAt (page.sources.gap, {'reference'}))
+    label = 'nothing has changed';
+  end
+end
+
+function f = bars (posterior, word)
   names = fieldnames (posterior);
   p = cellfun (@(n) posterior.(n), names);
   labels = strrep (strrep (names, 'unlisted', 'none of the listed'), ...
-                   'null', 'no gap');
+                   'null', word);
   [p, order] = sort (p, 'descend');
   labels = labels(order);
   shown = 1:min (numel (p), max (6, sum (p >= 0.005)));
@@ -108,7 +115,7 @@ function html = effectTable (page, which)
     name = names{k};
     label = name;
     if strcmp (name, 'null')
-      label = 'no gap';
+      label = nullLabel (page);
     elseif strcmp (name, 'unlisted')
       label = 'none of the listed';
     end

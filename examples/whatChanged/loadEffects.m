@@ -1,0 +1,1 @@
+../hiddenEffect/loadEffects.m

@@ -1,0 +1,215 @@
+% TAKEREFERENCE  Turns an emulator into that of a change from a reference.
+%
+% CALL: EM = takeReference (EM, GAPPROBLEM)
+%
+%   EM          struct of fitEmulator, of the simulation as it is
+%   GAPPROBLEM  struct of newGapProblem; without reference EM stays as it is
+%   EM          coef then foretells what is measured in the other condition
+%               where nothing has changed; surrogateVar and fitVar are nearly 0,
+%               as what surrogates miss is the same in both; and
+%     change    struct coef (q x T: what was added to the simulation),
+%               covariance (T x T, of the measurements less what is foretold),
+%               lack (1 x T, what the model is likely to miss in both), size
+%               (of that, root mean square, as a share of the range), plain
+%               (coef, surrogateVar, fitVar as they were)
+%     known     struct root (m x p), offset (m x 1): what the reference says of
+%               the parameters, root theta - offset ~ N (0, I)
+%
+% With reference r and new measurements y, parameters theta, strengths phi,
+%   r = m (theta, 0) + delta + b + e,  y = m (theta, phi) + delta + b + e',
+% delta ~ N (0, s^2 C) what the model lacks, b the error of the surrogates, both
+% alike in the two conditions. Given r, theta and s,
+%   y ~ N (m (theta, phi) + K (r - m (theta, 0)), E' + D - K D),
+% D = s^2 C + B, K = D (D + E)^-1, with E, E', B the covariances of e, e', b.
+% The size s is integrated: on a grid, by its prior (a misfit of 0.08 of the
+% range, a factor of e) and the evidence of r; mean and covariance are those of
+% the mixture. C: independent errors in units of the ranges, along a curve alike
+% over a third of it. A lack that is an error of scale grows with what changes:
+% its share of the value (0.3 at most) times the change of the target, alike on
+% a bench, is added to the covariance. After Kennedy and O'Hagan (2001), for two
+% conditions instead of one.
+%
+% Parameters of GAPPROBLEM.reference.perCondition are other ones in the two.
+
+function em = takeReference (em, gapProblem)
+  em = simulationOf (em);
+  reference = gapProblem.reference;
+  if isempty (reference)
+    return
+  end
+  own = noiseBudget (gapProblem, em);
+  before = noiseBudget (ofReference (gapProblem), em);
+  at = find (isfinite (reference.value));
+  sizes = 0.08 * 2.^(-4:0.75:4);
+  parts = cell (1, numel (sizes));
+  score = zeros (1, numel (sizes));
+  C = lackShape (em, gapProblem);
+  B = sharedError (em);
+  for i = 1:numel (sizes)
+    lack = sizes(i)^2 * C;
+    parts{i} = fitReference (em, gapProblem, before, lack, at);
+    score(i) = parts{i}.logE - 0.5 * log (sizes(i) / 0.08)^2;
+    D = lack + B;
+    parts{i}.K = D(:, at) / (D(at, at) + before.covariance(at, at));
+    parts{i}.left = D - parts{i}.K * D(at, :);
+    parts{i}.lackOf = lack(:, at) / (D(at, at) + before.covariance(at, at));
+  end
+  weight = exp (score - max (score));
+  weight = weight / sum (weight);
+  em = mixed (em, gapProblem, own, [parts{:}], weight, at);
+  em.change.size = sqrt (weight * (sizes.^2)');
+end
+
+function gapProblem = ofReference (gapProblem)
+  own = gapProblem.reference;
+  if ~isempty (gapProblem.covariance)
+    ratio = own.sd ./ sqrt (diag (gapProblem.covariance))';
+    ratio(~isfinite (ratio)) = 0;
+    gapProblem.covariance = (ratio' * ratio) .* gapProblem.covariance;
+  end
+  for name = {'value', 'sd', 'trials', 'scatter'}
+    gapProblem.(name{1}) = own.(name{1});
+  end
+end
+
+function C = lackShape (em, gapProblem)
+  T = numel (gapProblem.value);
+  C = eye (T);
+  for s = setdiff (gapProblem.series, 0)
+    own = find (gapProblem.series == s);
+    x = gapProblem.coordinate(own);
+    apart = abs (x' - x) / max ((max (x) - min (x)) / 3, realmin);
+    C(own, own) = 0.8 * exp (-apart) + 0.2 * eye (numel (own));
+  end
+  C = C .* (em.range' * em.range);
+end
+
+% Error of the surrogates of the simulation itself.
+function B = sharedError (em)
+  D = sqrt (mean (em.surrogateVar, 1));
+  misfit = sqrt (em.fitVar);
+  B = (D' * D) .* em.correlation + (misfit' * misfit) .* em.alongCurve;
+end
+
+% Parameters by the reference alone, for one size of the lack: Q, logE, and
+% information A, g of linear equations A theta = g.
+function part = fitReference (em, gapProblem, before, lack, at)
+  before.covariance = before.covariance + lack;
+  white = whitenEmulator (withoutEffects (em), at, before);
+  prior = parameterPrior (gapProblem);
+  starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
+  null = newHypothesis ('null');
+  unknowns = viewHypothesis (white, null, prior).unknowns;
+  Z = repmat (gapProblem.reference.value(at) * white.W', rows (starts), 1);
+  fit = fitHypothesis (white, null, Z, toNormal (unknowns, starts), prior);
+  [part.logE, best] = max (fit.logE);
+  part.logE = part.logE + log (abs (det (white.W)));
+  part.Q = fit.Q(best, :);
+  [M, V, ~, J] = predictGap (white, [], part.Q);
+  J = reshape (vertcat (J{:})', numel (at), em.p) ./ sqrt (V');
+  r = ((Z(1, :) - M) ./ sqrt (V))';
+  part.A = J' * J;
+  part.g = part.A * part.Q' + J' * r;
+end
+
+% The mixture over the sizes.
+function em = mixed (em, gapProblem, own, parts, weight, at)
+  reference = gapProblem.reference;
+  [~, best] = max (weight);
+  theta = parts(best).Q;
+  same = ~reference.perCondition;
+  % parameters that the reference has for itself stay where it has them
+  points = em.points;
+  points(:, ~same) = repmat (theta(~same), rows (points), 1);
+  coef = polyRows (em.powers, em.points) \ ...
+         (polyRows (em.powers, points) * em.coef);
+  M = polyRows (em.powers, theta) * em.coef;
+  r = reference.value(at) - M(at);
+  [K, left, A, g, lack] = deal (0);
+  for i = 1:numel (parts)
+    K = K + weight(i) * parts(i).K;
+    left = left + weight(i) * parts(i).left;
+    A = A + weight(i) * parts(i).A;
+    g = g + weight(i) * parts(i).g;
+    lack = lack + weight(i) * (parts(i).lackOf * r')';
+  end
+  for i = 1:numel (parts)
+    off = (parts(i).K - K) * r';
+    left = left + weight(i) * (off * off');
+  end
+  em.change.plain = struct ('coef', em.coef, 'surrogateVar', ...
+                            em.surrogateVar, 'fitVar', em.fitVar);
+  em.change.coef = -coef(:, at) * K';
+  isConstant = ~any (em.powers, 2);
+  em.change.coef(isConstant, :) = em.change.coef(isConstant, :) + ...
+                                  reference.value(at) * K';
+  em.change.lack = lack;
+  em.change.covariance = own.covariance + left + ...
+                         scaleError (gapProblem, em, lack);
+  em.coef = em.coef + em.change.coef;
+  em.surrogateVar = repmat ((1e-6 * em.range).^2, rows (em.points), 1);
+  em.fitVar = zeros (size (em.fitVar));
+  em.known = knownOf (A, g, same);
+end
+
+function S = scaleError (gapProblem, em, lack)
+  value = gapProblem.reference.value;
+  change = gapProblem.value - value;
+  share = min (abs (lack) ./ max (abs (value), 0.1 * em.range), 0.3);
+  s = share .* change;
+  s(~isfinite (s)) = 0;
+  S = (s' * s) .* (gapProblem.bench' == gapProblem.bench);
+end
+
+% What is known of the parameters that both conditions share, whatever the
+% others are.
+function known = knownOf (A, g, same)
+  p = rows (A);
+  if ~all (same)
+    gain = A(same, ~same) / (A(~same, ~same) + 1e-9 * eye (sum (~same)));
+    g = g(same) - gain * g(~same);
+    A = A(same, same) - gain * A(~same, same);
+  else
+    g = g(same);
+  end
+  [U, L] = eig ((A + A') / 2);
+  L = diag (L);
+  kept = L > 1e-6 * max ([L; realmin]);
+  known.root = zeros (sum (kept), p);
+  known.root(:, same) = sqrt (L(kept)) .* U(:, kept)';
+  known.offset = (U(:, kept)' * g) ./ sqrt (L(kept));
+end
+
+%!shared em, given
+%! em = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 0]);
+%! em.range = 10 * ones (1, 4);
+%! em.noiseVar(:) = 1e-6;
+%! given = newGapProblem (struct ('value', zeros (1, 4), 'sd', ones (1, 4), ...
+%!                                'limits', [0; 1], 'bench', ones (1, 4)));
+%! own = struct ('value', [1.5, 0.5, 5, -4], 'sd', ones (1, 4), 'trials', ...
+%!               ones (1, 4), 'scatter', false (1, 4), 'perCondition', false);
+%! given.reference = own;
+%!test
+%! % a large lack is carried over whole: the difference is what counts
+%! new = takeReference (em, given);
+%! told = predictGap (new, [], 0.5);
+%! assert (told, given.reference.value, 1);
+%! assert (abs (new.change.lack(3:4) - [5, -4]) < 1);
+%! assert (diag (new.change.covariance)'(3:4) > 1.5);
+%! assert (isempty (simulationOf (new).change));
+%! assert (simulationOf (new).coef, em.coef);
+%!test
+%! % no lack: the model is believed, and the reference tells the parameter
+%! given.reference.value = [1.5, 0.5, 0, 0];
+%! given.reference.sd(:) = 0.01;
+%! given.sd(:) = 0.01;
+%! new = takeReference (em, given);
+%! assert (predictGap (new, [], 0.5), given.reference.value, 0.01);
+%! assert (new.known.root \ new.known.offset, 0.5, 0.02);
+%!test
+%! % another parameter in each condition: the reference tells nothing of it
+%! given.reference.perCondition = true;
+%! new = takeReference (em, given);
+%! assert (isempty (new.known.root));
+%! assert (polyval (polyfit ([-1, 0, 1], predictGap (new, [], ...
+%!                  [-1; 0; 1])(:, 1)', 1), 1) > 1);
