@@ -7,7 +7,8 @@
 %          S.levels (optional): L x 1, the last one counts, with S.atLevel
 %          (handle (P, level) -> n x T) and S.seconds (1 x L, cost of a run)
 % seed     integer; fail  share of the runs that give NaN
-%          S.library: rows of newData of other calibrations on the same bench
+%          S.library: rows of newData of other calibrations on the same bench;
+%          S.beyond: see nearRows
 % options  struct of Case.options (what is missing has its default)
 % result   struct: runs (all, failed ones too), plan, infill, verify, failed,
 %          worst (largest true relative residual of the set handed back),
@@ -43,8 +44,7 @@ function result = calibrateStandIn (S, seed, fail, options)
   [state.evaluate, state.budget] = newEvaluate (evaluate);
   state.budget.levels = levels;
   if isfield (S, 'library')
-    [state, X] = besideLibrary (state, S, Case, problem);
-    E = zeros (rows (X), 0);
+    [state, X, E] = besideLibrary (state, S, Case, problem);
   end
   state = addRuns (state, problem, X, E, 'plan');
   state.surrogates = fitSurrogates (state.data, problem);
@@ -57,15 +57,19 @@ function result = calibrateStandIn (S, seed, fail, options)
 end
 
 % As calibrateCase does it.
-function [state, plan] = besideLibrary (state, S, Case, problem)
+function [state, plan, E] = besideLibrary (state, S, Case, problem)
   d = numel (S.names);
   Case.options = mergeFields (struct ('numOfSam', planSize (d), ...
                                       'seed', 1), Case.options);
   Case.models = struct ('folder', 'none');
   Case.folder = '';
-  state.data = keepRows (S.library, nearRows (S.library, problem));
+  beyond = [];
+  if isfield (S, 'beyond')
+    beyond = S.beyond;
+  end
+  state.data = keepRows (S.library, nearRows (S.library, problem, beyond));
   state = trustLibrary (state, problem, @(text) []);
-  plan = newPlan (state.data, Case);
+  [plan, E] = newPlan (state.data, Case);
 end
 
 function Z = noisy (S, P, fail, E)
@@ -101,7 +105,7 @@ function result = score (S, state)
   result.cost = result.runs;
   if isfield (S, 'levels')
     [~, at] = ismember (state.data.E, S.levels(:));
-    result.cost = sum (S.seconds(at)) / S.seconds(end);
+    result.cost = sum (S.seconds(at(isNew))) / S.seconds(end);
   end
 end
 

@@ -1,18 +1,22 @@
 % NEARROWS  Which rows of a library a case learns from.
 %
 % CALL: USE = nearRows (TABLE, PROBLEM)
+%       USE = nearRows (TABLE, PROBLEM, BEYOND)
 %
 %   TABLE    see newData: runs of all cases on the bench
 %   PROBLEM  see newProblem
-%   USE      n x 1 logical: rows in the box, or beyond a limit by up to half of
-%            its width; of more than 300 those of thinRuns
+%   BEYOND   part of the width ([]: 0.5)
+%   USE      n x 1 logical: rows in the box, or beyond a limit by up to so much;
+%            of more than 300 those of thinRuns
 %
 % What is gained by more: docs/benchmarks.md, The next material.
 %
 % See also: libraryRuns, insideLimits, thinRuns
 
-function use = nearRows (table, problem)
-  beyond = 0.5;
+function use = nearRows (table, problem, beyond)
+  if nargin < 3 || isempty (beyond)
+    beyond = 0.5;
+  end
   most = 300;
   [~, use] = insideLimits (table.X, problem.limits, beyond);
   use(use) = thinRuns (keepRows (table, use), problem, most);
@@ -23,3 +27,4 @@ end
 %!                  'library');
 %! problem = struct ('limits', [2; 4], 'value', 3, 'sd', 0, 'calibrate', true);
 %! assert (table.X(nearRows (table, problem)), (1:0.25:5)');
+%! assert (table.X(nearRows (table, problem, 0)), (2:0.25:4)');

@@ -67,9 +67,15 @@ function use = nearest (Z, problem, most)
   use(order(1:most)) = true;
 end
 
-% One after the other the run that is farthest from all chosen ones.
+% One after the other the run that is farthest from all chosen ones; of very
+% many every so many-th is looked at.
 function use = spread (U, use, most)
   gap = Inf (rows (U), 1);
+  if rows (U) > 20 * most + sum (use)
+    part = unique ([round(linspace (1, rows (U), 20 * most)), find(use)']);
+    use(part) = spread (U(part, :), use(part), most);
+    return
+  end
   for i = find (use)'
     gap = min (gap, sum ((U - U(i, :)).^2, 2));
   end
