@@ -47,7 +47,7 @@ function diagnosis = diagnoseCase (root, folder)
     if ~isempty (problem.coarse)
       given = levelCandidate (given, surrogates, levelled, problem);
     end
-    diagnosis = diagnoseOne (Case, given, state, say);
+    diagnosis = diagnoseOne (Case, given, state, c, say);
     diagnosis.level = finerVerdict (surrogates, problem, given, ...
                                     gapOptions (struct ('seed', ...
                                                         Case.options.seed)), ...
@@ -68,10 +68,13 @@ function diagnosis = diagnoseCase (root, folder)
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
 end
 
-function diagnosis = diagnoseOne (Case, given, state, say)
+% With one of SHARES equal parts of what may still be run.
+function diagnosis = diagnoseOne (Case, given, state, shares, say)
   [part, state, own] = livingPart (Case, state);
   options = gapBudget (part, state.budget, given, state.seconds);
   evaluate = newEvaluate (part, say);
+  left = state.budget.left / state.budget.perSet;
+  options.maxNewRuns = min (options.maxNewRuns, floor (left / shares));
   if options.maxNewRuns > 0
     state.evaluate = @(varargin) inColumns (evaluate, own, varargin{:});
   else
