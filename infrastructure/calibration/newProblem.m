@@ -51,6 +51,7 @@ function problem = newProblem (Case, cost)
     problem.part(t) = problem.tol(t) * sqrt (numel (t));
   end
   problem.options = calibrationOptions (givenField (Case, 'options', []));
+  problem.prior = similarPriors (Case);
   problem.coarse = coarseOf (Case);
   problem.fine = zeros (1, 0);
   if ~isempty (problem.coarse)

@@ -99,6 +99,10 @@ function o = newOptions (Input, optim)
       o.(name{1}) = Input.(name{1});
     end
   end
+  o.similar = givenField (Input, 'similar', '');
+  if ~isempty (o.similar)
+    o.similar = make_absolute_filename (tilde_expand (o.similar));
+  end
   o.sets = describeExecutor (o.executor).sets (o);
   o.tolfun = givenField (optim, 'tolfun', 0.002);
   o.maxIter = givenField (optim, 'maxIter', 3);

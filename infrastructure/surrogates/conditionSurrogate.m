@@ -20,7 +20,7 @@
 % the rows beyond the trend.
 
 function surrogate = conditionSurrogate (model, base)
-  base = mergeFields (struct ('level', [], 'noiseLaw', []), base);
+  base = mergeFields (struct ('level', [], 'noiseLaw', [], 'prior', []), base);
   n = numel (base.y);
   covariance = model.covariance_type;
   K = feval (covariance, model.param, base.unit, base.unit, -1);
@@ -46,6 +46,7 @@ function surrogate = conditionSurrogate (model, base)
   surrogate.limits = base.limits;
   surrogate.level = base.level;
   surrogate.noiseLaw = base.noiseLaw;
+  surrogate.prior = base.prior;
   surrogate.noiseVar = mean (noise) * base.scale^2;
   if ~isempty (base.noiseLaw)
     surrogate.noiseVar = exp (base.noiseLaw(1)) * base.scale^2;

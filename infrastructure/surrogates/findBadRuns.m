@@ -106,7 +106,7 @@ function judged = leaveOut (task, out)
   for t = 1:columns (task.Z)
     s = fitted (task, t, out);
     fit = prepareFit (s.solver.unit, s.solver.y, s.trend, s.covariance, ...
-                      [], s.level);
+                      [], s);
     theta = [s.model.param; s.model.lognoisevariance(1)];
     if ~isempty (s.noiseLaw)
       theta(end:end + 1) = s.noiseLaw;

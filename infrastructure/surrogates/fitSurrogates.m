@@ -117,6 +117,9 @@ function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
   for t = 1:numel (problem.value)
     options = struct ('name', problem.targetNames{t}, 'unit', ...
                       problem.tol(t) * abs (problem.scale(t)));
+    if isfield (problem, 'prior') && ~isempty (problem.prior)
+      options.prior = problem.prior{t};
+    end
     if isPublished
       options.trend = 'affine';
       options.covariance = 'matern52';

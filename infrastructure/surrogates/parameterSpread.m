@@ -25,7 +25,7 @@ function open = parameterSpread (surrogate)
   end
   [theta, noise, slopes] = noiseTerms (surrogate);
   fit = prepareFit (s.unit, s.y, surrogate.trend, surrogate.covariance, ...
-                    noise, surrogate.level);
+                    noise, surrogate);
   root = spreadAt (theta, fit);
   % with K_j the derivative of the covariance of the runs: alpha changes by
   % -Q K_j alpha, beta by -(H' K^-1 H)^-1 H' K^-1 K_j alpha

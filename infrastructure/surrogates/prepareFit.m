@@ -1,13 +1,15 @@
 % PREPAREFIT  The likelihood of a Kriging model, by its parameters.
 %
 % CALL: FIT = prepareFit (U, Y, TREND, KERNEL, NOISE)
-% CALL: FIT = prepareFit (U, Y, TREND, KERNEL, [], LEVEL)
+% CALL: FIT = prepareFit (U, Y, TREND, KERNEL, NOISE, OF)
 %
 % U       n x d  inputs in the unit box; Y  n x 1 standardised response
 % TREND   'constant', 'affine' or 'quadratic'; KERNEL  see correlationOf
 % NOISE   n x 1 known variances, or [] (estimated)
-% LEVEL   n x 1, how coarse a run is (0: as fine as the runs that count); the
-%         logarithm of the estimated noise is affine in it
+% OF      struct level (n x 1, how coarse a run is, 0: as fine as the runs that
+%         count; the logarithm of the estimated noise is affine in it; []: all
+%         are), prior ((d + 2) x 1, parameters as theta of a similar bench,
+%         known to a factor of 1.6; NaN: not known; []: none)
 % FIT     struct, what does not depend on the parameters: S n^2 x d (squared
 %         differences), W n x (n - q) (basis orthogonal to the trend), y,
 %         kernel, noise, level; prior mean and sd (as theta: the part beyond the
@@ -22,7 +24,10 @@
 % the prior (a factor of e and more either way) costs nothing when the data
 % speak.
 
-function fit = prepareFit (U, y, trend, kernel, noise, level)
+function fit = prepareFit (U, y, trend, kernel, noise, of)
+  if nargin < 6
+    of = struct ('level', [], 'prior', []);
+  end
   [n, d] = size (U);
   S = zeros (n * n, d);
   for j = 1:d
@@ -42,11 +47,18 @@ function fit = prepareFit (U, y, trend, kernel, noise, level)
   end
   fit.mean = [log(beyond); -log(1.5) * ones(d, 1); 2 * log(0.1)];
   fit.sd = [2; ones(d, 1); 1.2];
+  if ~isempty (of.prior)
+    known = isfinite (of.prior);
+    w = 1 ./ (1 ./ fit.sd(known).^2 + 1 / 0.5^2);
+    fit.mean(known) = w .* (fit.mean(known) ./ fit.sd(known).^2 + ...
+                            of.prior(known) / 0.5^2);
+    fit.sd(known) = sqrt (w);
+  end
   if ~isempty (noise)
     fit.mean(end) = [];
     fit.sd(end) = [];
-  elseif nargin > 5 && ~isempty (level)
-    fit.level = level;
+  elseif ~isempty (of.level)
+    fit.level = of.level;
     fit.mean(end + 1) = 0;
     fit.sd(end + 1) = 1.5;
   end

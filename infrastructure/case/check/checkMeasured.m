@@ -33,6 +33,13 @@ function p = checkMeasured (optim, assign, paramLims)
       optim.(rule.name) = [];
     end
   end
+  if isfield (optim, 'perCondition') && iscellstr (optim.perCondition)
+    for own = setdiff (optim.perCondition(:)', names)
+      p(end + 1) = checkFault ('unknownParam', 'optim.perCondition', ...
+                               'design variables of assign', own{1}, ...
+                               checkNearest (own{1}, names));
+    end
+  end
   if isempty (p) && ~isempty (names)
     p = checkPairs (rowByName (optim.paramMean, names), ...
                     rowByName (optim.paramSd, names), names, paramLims);
@@ -128,3 +135,5 @@ end
 %!         {'DEcalioc:checkCase:paramOutside'});
 %!assert (isempty (checkMeasured (struct ('paramMean', 600, 'paramSd', 5), ...
 %!                                {'rho'}, @sin)))
+%!assert (checkMeasured (struct ('perCondition', {{'mu'}}), {'rho'}, []).id, ...
+%!        'DEcalioc:checkCase:unknownParam')
