@@ -39,7 +39,7 @@ end
 function [value, scale] = ofInput (raw)
   if isfile (fullfile (raw.folder, 'measured.csv'))
     names = cellstr (raw.Input.model)(:)';
-    list = readMeasured (fullfile (raw.folder, 'measured.csv'), names);
+    list = readConditions (raw, names);
     found.groups = groupMeasured (list, names);
     [value, scale] = ofTargets (newTargets (raw.optim, names, found));
   else

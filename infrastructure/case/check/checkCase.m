@@ -143,7 +143,7 @@ function [p, found] = checkAllTargets (raw, models, names)
     file = fullfile (raw.folder, 'measured.csv');
   end
   if isfile (file)
-    [p, found] = checkMeasuredTable (raw.optim, models, file, names);
+    [p, found] = checkMeasuredTable (raw, models, names);
     return
   end
   [p, found.sizes] = checkTargets (raw.optim, models);

@@ -1,10 +1,9 @@
 % CHECKMEASUREDTABLE  Checks measured.csv, where a case has one.
 %
-% CALL: [P, FOUND] = checkMeasuredTable (OPTIM, MODELS, FILE, TAKEN)
+% CALL: [P, FOUND] = checkMeasuredTable (RAW, MODELS, TAKEN)
 %
-%   OPTIM   scalar struct, the optim of loadInput
+%   RAW     see readInput: optim and what readConditions reads
 %   MODELS  1 x M struct array, see checkFindModels
-%   FILE    path of the table
 %   TAKEN   cell of names that a target may not have: variables
 %   P       1 x n faults, see checkFault
 %   FOUND   struct sizes (1 x M, targets of each model; [] where they make no
@@ -14,12 +13,13 @@
 % target. optim.tolRes may be one number: the tolerance where tol is empty.
 %
 % Reasons: measuredTwice measuredTol measuredModel measuredName measuredResult
-% noCalibrateTarget, and those of readMeasured and groupMeasured
+% noCalibrateTarget, and those of readConditions and groupMeasured
 
-function [p, found] = checkMeasuredTable (optim, models, file, taken)
+function [p, found] = checkMeasuredTable (raw, models, taken)
+  optim = raw.optim;
   found = struct ('sizes', [], 'groups', [], 'conditions', {{}});
   p = checkTwice (optim);
-  [lines, q] = readMeasured (file, {models.name});
+  [lines, q] = readConditions (raw, {models.name});
   p = [p, q];
   if isempty (lines) || any ([lines.model] == 0) || ...
      (~isempty (q) && any (strcmp ({q.id}, ...
@@ -156,8 +156,8 @@ end
 %!                    'fields', {{'a', 'w'}});
 %!  end
 %!  writeAtomic (fullfile (folder, 'measured.csv'), text);
-%!  p = checkMeasuredTable (optim, model, fullfile (folder, ...
-%!                          'measured.csv'), {'densityP'});
+%!  raw = struct ('folder', folder, 'Input', struct (), 'optim', optim);
+%!  p = checkMeasuredTable (raw, model, {'densityP'});
 %!  confirm_recursive_rmdir (false, 'local');
 %!  rmdir (folder, 's');
 %!endfunction
