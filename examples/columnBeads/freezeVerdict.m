@@ -5,9 +5,9 @@
 % verdict.json: of series 2, 3 and 4 whether something has changed, the verdict,
 % the probabilities of all candidates, the strengths, closure and placebos; of
 % each two changed ones the probability that the cause is the same, and of each
-% named effect, if it were that in both, where there is more of it. Same: the cause of each is one of the K candidates, with
-% its probabilities p; were they the same in half of all cases, the odds are K
-% sum (p of one x p of the other).
+% named effect, if it were that in both, where there is more of it. Same: the
+% cause of each is one of the K candidates, with its probabilities p; were they
+% the same in half of all cases, the odds are K sum (p of one x p of the other).
 %
 % causes.csv, what runPredictions.m is to run: the reference; of each changed
 % series the effects of the verdict, and its two placebos. Columns: series,
@@ -21,7 +21,7 @@ function one = verdictOf (gap, series)
   which = gap.which;
   effects = which.effects;
   if ischar (effects)
-    effects = {effects}(~isempty (effects));
+    effects = repmat ({effects}, 1, ~isempty (effects));
   end
   isGap = any (strcmp (which.verdict, ...
                        {'named', 'group', 'none of the listed'}));

@@ -1,4 +1,4 @@
-% READCONDITIONS  Reads measured.csv beside that of the case it is compared with.
+% READCONDITIONS  Reads measured.csv, and beside it that of an earlier case.
 %
 % CALL: [LIST, FAULTS] = readConditions (RAW, MODELS)
 %
