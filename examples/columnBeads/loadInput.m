@@ -16,7 +16,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.seed = 1;
   Input.replicates = 2;
   Input.timeout = 900;
-  Input.maxNewRuns = Inf;
+  Input.maxNewRuns = 0;                 % runs.csv alone
 
   optim.maxFunEvals = 16;
   optim.maxIter = 1;

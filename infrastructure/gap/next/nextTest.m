@@ -143,7 +143,7 @@ end
 %!test
 %! % two causes that only the unmeasured target tells apart: nearly one bit
 %! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], ...
-%!             'coef', {[5, 9, 1], [5, -9, 1]}, 'laboratory', true, 'bend', 1);
+%!             'coef', {[5, 9, 1], [5, -9, 1]}, 'varOverPsi2', 0, 'bend', 1);
 %! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
 %! gapProblem = newGapProblem (struct ('value', [5, NaN, 1], ...
 %!                                     'sd', ones (1, 3), ...
@@ -174,7 +174,7 @@ end
 %! % an effect and what resembles it are one kind: once more tells nothing of
 %! % them, and next to nothing where surrogates err alike both times
 %! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], 'varPowers', [0, 0], ...
-%!             'coef', {[3, 3, 0], [3, 0, 3]}, 'laboratory', true, 'bend', 1);
+%!             'coef', {[3, 3, 0], [3, 0, 3]}, 'varOverPsi2', 0, 'bend', 1);
 %! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
 %! em.noiseVar(:) = 0.01;
 %! given = struct ('value', [3, 3, 0], 'sd', ones (1, 3), ...
