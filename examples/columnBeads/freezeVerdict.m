@@ -53,14 +53,14 @@ function pair = samePair (a, b)
 end
 
 % If both were NAME: in which there is more of it.
-function more = moreOf (name, a, b)
+function side = moreOf (name, a, b)
   s = a.strength.(name);
   t = b.strength.(name);
   sd = norm ([diff(s.interval90), diff(t.interval90)] / 3.29);
   p = 0.5 * erfc (-(s.value - t.value) / max (sd, realmin) / sqrt (2));
-  more = struct ('effect', name, 'series', a.series, 'probability', p);
+  side = struct ('effect', name, 'series', a.series, 'probability', p);
   if p < 0.5
-    more = struct ('effect', name, 'series', b.series, 'probability', 1 - p);
+    side = struct ('effect', name, 'series', b.series, 'probability', 1 - p);
   end
 end
 

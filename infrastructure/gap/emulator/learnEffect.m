@@ -88,7 +88,7 @@ function size2 = sizesOf (em, e)
   R(~ok) = 0;
   phi2 = e.Q(:, end).^2 .* ok;
   size2 = max (sum (R.^2 - em.noiseVar .* ok, 1), 0);
-  size2 = size2 ./ max (sum (phi2, 1), eps);
+  size2 = size2 ./ max (sum (phi2, 1), realmin);
   along = eye (columns (R));
   if isfield (em, 'alongCurve')
     along = em.alongCurve;
