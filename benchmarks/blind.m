@@ -1,7 +1,7 @@
 % BLIND  Sealed cases on LIGGGHTS: the truth is made otherwise, and unread.
 %
 % CALL: octave-cli benchmarks/blind.m campaign WORK
-%       octave-cli benchmarks/blind.m draw NAME SECRET [CASES] [yade]
+%       octave-cli benchmarks/blind.m draw NAME SECRET [CASES]
 %       octave-cli benchmarks/blind.m answer NAME PLACE [SECRET]
 %       octave-cli benchmarks/blind.m whole NAME PLACE SECRET [STEP]
 %       octave-cli benchmarks/blind.m score NAME SECRET
@@ -12,8 +12,8 @@
 % draw      draws CASES (60) from random numbers that nobody knows, runs their
 %           truth in the folder SECRET and keeps it there; writes
 %           NAME-cases.csv and NAME-lists.csv, what a laboratory hands over, and
-%           NAME-truth.sha256. With yade the laboratory computes with YADE, and
-%           NAME ends in yade
+%           NAME-truth.sha256. Where NAME ends in yade, the laboratory computes
+%           with YADE; in bins, it has drum and slot bins (blindLab)
 % answer    makes a case folder for each in PLACE, diagnoses it with
 %           diagnoseGap.m, without new runs, the folder SECRET hidden; writes
 %           NAME-answers.csv and NAME-strengths.csv
@@ -35,12 +35,8 @@
 
 function drawCases (root, stem, secret, n)
   [~, ~] = mkdir (secret);
-  lab = labOf (root, stem);
-  draw = @blindDraw;
-  if isYade (stem)
-    draw = @blindDrawYade;
-  end
-  [truths, isNew] = drawnBefore (secret, lab, n, draw);
+  lab = blindLab (root, stem);
+  [truths, isNew] = drawnBefore (secret, lab, n);
   jobs = cell (0, 2);
   for i = 1:n
     for trial = 1:lab.trials
@@ -64,18 +60,8 @@ function drawCases (root, stem, secret, n)
   blindHandOver (stem, fullfile (secret, 'truth.csv'), lab, truths, Z);
 end
 
-function is = isYade (stem)
-  is = ~isempty (regexp (stem, 'yade(-whole)?$', 'once'));
-end
-
-% There is no shear cell in YADE.
-function lab = labOf (root, stem)
-  benches = {'Collapse', 'Shear', 'Heap'};
-  lab = blindLab (root, benches([true, ~isYade(stem), true]));
-end
-
 % The draw is kept, so that a start that was broken off goes on with it.
-function [truths, isNew] = drawnBefore (secret, lab, n, draw)
+function [truths, isNew] = drawnBefore (secret, lab, n)
   file = fullfile (secret, 'draw.mat');
   isNew = exist (file, 'file') ~= 2;
   if isNew
@@ -84,15 +70,15 @@ function [truths, isNew] = drawnBefore (secret, lab, n, draw)
     fclose (id);
     rand ('twister', seed);
     randn ('twister', flipud (seed));
-    truths = draw (lab, n);
+    truths = lab.draw (lab, n);
     save ('-binary', file, 'truths');
   end
   truths = load (file).truths;
 end
 
 function answerCases (root, stem, place, secret, step)
-  runs = fullfile (root, 'benchmarks', 'blind', 'storedRuns.csv');
-  folders = blindCases (stem, runs, make_absolute_filename (place));
+  folders = blindCases (stem, blindLab (root, stem), ...
+                        make_absolute_filename (place));
   numbers = 1:numel (folders);
   if ~isempty (step)
     numbers = 1:step:numel (folders);
@@ -133,7 +119,7 @@ function scoreCases (root, stem, secret)
            strtok (digest), sealed);
   end
   copyfile (truth, [whole, '-truth.csv']);
-  blindScore (stem, [whole, '-truth.csv'], labOf (root, stem));
+  blindScore (stem, [whole, '-truth.csv'], blindLab (root, stem));
 end
 
 history_save (false);
@@ -161,7 +147,7 @@ switch args{1}
   case 'score'
     scoreCases (root, stem, make_absolute_filename (args{3}));
   case 'where'
-    lab = labOf (root, stem);
+    lab = blindLab (root, stem);
     blindWhere (stem, lab);
     blindScore ([stem, '-where'], [stem, '-truth.csv'], lab);
   otherwise

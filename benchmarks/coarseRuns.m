@@ -16,7 +16,7 @@
 % converged. Then the ratio of the costs with an interval (bootstrap of the
 % seeds).
 %
-% See also: calibrateStandIn, chooseInfill
+% See also: calibrateStandIn, improveByInfill
 
 1;
 

@@ -1,12 +1,14 @@
 % CURVEFEWRUNS  Do parameter intervals hold after few runs on a curve?
 %
-% CALL: octave-cli benchmarks/curveFewRuns.m SEEDS [CSVFILE] [PLAN]
+% CALL: octave-cli benchmarks/curveFewRuns.m SEEDS [CSVFILE] [PLAN] [intervals]
 %
 % SEEDS    e.g. 1:30
 % CSVFILE  one row a seed: seed, runs, converged, probability, off (true
 %          deviation of the found set, root mean square along the curve in
 %          tolerances, which is what a curve is judged by), then for each of the
 %          three parameters truth, low, high (90 % interval) in box widths
+%
+% intervals  with the runs that Input.intervals = true asks for
 %
 % Each seed draws a set from the box, takes its curve of 18 points as measured,
 % to a tolerance of 2 % of its range, and calibrates three parameters on it as
@@ -27,7 +29,7 @@ function Z = response (U, x)
   Z = height .* x.^(1.5 - slope) + foot .* (1 - x).^2;
 end
 
-function [problem, evaluate, truth] = newCalibrationOf (seed)
+function [problem, evaluate, truth] = newCalibrationOf (seed, intervals)
   n = 18;
   x = linspace (0.05, 0.95, n);
   restore = seedRandom (seed);
@@ -43,12 +45,13 @@ function [problem, evaluate, truth] = newCalibrationOf (seed)
   Case = struct ('names', {{'a', 'b', 'c'}}, ...
                  'limits', [0, 0, 0; 1, 1, 1], 'targets', T);
   Case.options.seed = seed;
+  Case.options.intervals = intervals;
   problem = newProblem (Case, []);
   evaluate = @(P, E, replicate) response (P, x) + noise (rows (P));
 end
 
-function row = oneSeed (seed, nPlan)
-  [problem, evaluate, truth] = newCalibrationOf (seed);
+function row = oneSeed (seed, nPlan, intervals)
+  [problem, evaluate, truth] = newCalibrationOf (seed, intervals);
   restore = seedRandom (seed);
   X = double (stk_sampling_maximinlhs (nPlan, 3, problem.limits, 500));
   Z = evaluate (X, [], 1);
@@ -59,6 +62,7 @@ function row = oneSeed (seed, nPlan)
   state.evaluate = newEvaluate (evaluate);
   say = @(text) [];
   state = improveByInfill (state, problem, say);
+  state = runForIntervals (state, problem);
   state = calibrateOnDEM (state, problem, say);
   known = parameterPosterior (state.surrogates, problem);
   at = problem.coordinate;
@@ -84,6 +88,8 @@ end
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 given = argv ();
+intervals = strcmp (given{end}, 'intervals');
+given = given(1:end - intervals);
 seeds = sscanf (given{1}, '%d:%d')';
 nPlan = 6;
 if numel (given) > 2
@@ -91,7 +97,7 @@ if numel (given) > 2
 end
 R = zeros (0, 14);
 for seed = seeds(1):seeds(end)
-  R(end + 1, :) = oneSeed (seed, nPlan);
+  R(end + 1, :) = oneSeed (seed, nPlan, intervals);
   printf ('%4d runs %3d off by %.2f hits %d\n', R(end, [1, 2, 5]), ...
           sum (R(end, 6:3:14) >= R(end, 7:3:14) & ...
                R(end, 6:3:14) <= R(end, 8:3:14)));

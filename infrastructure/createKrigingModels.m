@@ -139,7 +139,3 @@ end
 
 %!error id=DEcalioc:createKrigingModels:missingFile
 %! createKrigingModels ('no such plan.csv', {'x.csv'}, [0; 1]);
-
-%!test
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (tmp, 's');

@@ -33,7 +33,5 @@ end
 %! assert (createNewFolder ('M', '0001', base));
 %! assert (! createNewFolder ('M', '0001', base));
 %! assert (fileread (fullfile (base, 'optim', 'M', '0001', 'data.head')), 'x');
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (base, 's');
 %!error id=DEcalioc:makeRunFolder:cannotWrite
 %! createNewFolder ('M', '0001', '/proc/nowhere', '/tmp');

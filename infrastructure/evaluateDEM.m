@@ -35,6 +35,7 @@ function [Z, records, isReused, nNew] = evaluateDEM (P, varargin)
     [records, isReused, nNew] = deal ([], false (0, numel (Case.models)), 0);
     return
   end
+  Case.hashes = hashModels (Case);
   jobs = newJobs (Case, P, E, replicate, stage);
   [records, isReused, nNew] = runJobs (jobs, Case, report);
   records = reshape (records, numel (Case.models), rows (P)).';

@@ -22,5 +22,3 @@ end
 %! end
 %! assert (getLastFoldersName (base, 'M'), '10000');
 %! assert (getLastFoldersNumber (base, 'M'), 10000);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (base, 's');

@@ -16,15 +16,13 @@ function names = getOptimFolder (params, Case)
   names = cell (1, numel (Case.models));
   for k = 1:numel (Case.models)
     names{k} = NaN;
-    candidates = listRunFolders (Case.store, Case.models(k).name);
-    for i = 1:numel (candidates)
-      record = readRecord (fullfile (Case.store, 'optim', ...
-                                     Case.models(k).name, candidates{i}, ...
-                                     'record.json'));
-      if ~isempty (record) && strcmp (record.status, 'ok') && ...
+    place = fullfile (Case.store, 'optim', Case.models(k).name);
+    for name = listRunFolders (Case.store, Case.models(k).name)'
+      record = readRun (fullfile (place, name{1}));
+      if strcmp (givenField (record, 'status', ''), 'ok') && ...
          isequal (record.params, params(:)') && ...
          atLastLevel (record.effects, Case.coarse)
-        names{k} = candidates{i};
+        names{k} = name{1};
         break
       end
     end

@@ -19,14 +19,14 @@ function [results, record] = runScript (matr, model, Case, job)
   if nargin < 3
     Case = loadCase ();
   end
+  Case.hashes = hashModels (Case);
   if nargin < 4
     jobs = newJobs (Case, matr(1:end - 2), [], 1, 'plan');
     job = jobs(strcmp ({jobs.model}, model));
     job.planRow = matr(end - 1);
   end
   record = findRuns (job, Case){1};
-  if isempty (record) || ~isfield (record, 'status') || ...
-     ~strcmp (record.status, 'ok')
+  if ~strcmp (givenField (record, 'status', ''), 'ok')
     folder = prepareRun (job, Case);
     [~, name] = fileparts (folder);
     startSimulation (model, name, Case.store);

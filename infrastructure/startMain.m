@@ -80,7 +80,6 @@ end
 %! cd (here);
 %! assert (result.said, [root, folder]);
 %! assert (! any (strcmp (folder, strsplit (path (), pathsep ()))));
-%! rmdir (folder);
 %!error id=DEcalioc:a:b
 %! startMain (@(root, folder) error ('DEcalioc:a:b', 'c'), ...
 %!            fileparts (fileparts (which ('startMain'))));

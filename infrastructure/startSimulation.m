@@ -33,5 +33,3 @@ end
 %! writeAtomic (fullfile (folder, 'runscript'), "echo hello\nexit 3\n");
 %! assert (startSimulation ('M', '0001', base), 3);
 %! assert (fileread (fullfile (folder, 'stdout.txt')), "hello\n");
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (base, 's');

@@ -20,7 +20,7 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
   if nargin < 5
     optim = readInput ().optim;
   end
-  tol = asColumn (optim.tolRes);
+  tol = vertcat (checkElements (optim.tolRes, 'optim.tolRes', 'column'){:});
   residual = vals.residual(1:numel (tol));
   models = {'Kriging', 'DEM'};
   shown = sprintf (' %.2f', 100 * residual);

@@ -27,5 +27,3 @@ end
 %! writeParams ('M', [0.1, 1/3, 4, 1], '0001', base);
 %! assert (csvread (fullfile (folder, 'params.csv')), [0.1, 1/3]);
 %! assert (str2double (fileread (fullfile (folder, 'ExPlan.txt'))), 4);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (base, 's');

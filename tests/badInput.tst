@@ -81,13 +81,15 @@
 %!test
 %! % candidate effects: found by withEffects
 %! bad = badEffects ();
+%! good = goodInput (tempname ());
+%! Case = newCase (good);
 %! faults = '';
 %! for k = 1:rows (bad)
-%!   raw = spoil (goodInput (tempname ()), bad{k, 2}, bad{k, 3});
+%!   raw = spoil (good, bad{k, 2}, bad{k, 3});
 %!   mention = bad{k, 4 - 2 * isempty (bad{k, 4})};
 %!   said = '';
 %!   try
-%!     withEffects (newCase (raw), raw.effects);
+%!     withEffects (Case, raw.effects);
 %!   catch err
 %!     said = [err.identifier, ' ', err.message];
 %!   end
@@ -96,8 +98,8 @@
 %!   if ! all (cellfun (@(t) any (strfind (said, t)), wanted))
 %!     faults = [faults, sprintf("%s %s: %s\n", bad{k, [1, 2]}, said)];
 %!   end
-%!   removeCase (raw.folder);
 %! end
+%! removeCase (good.folder);
 %! assert (faults, '');
 
 %!test

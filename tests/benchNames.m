@@ -4,7 +4,7 @@
 %
 % NAMES  1 x b cell, the folders of DEMmodels/ that hold sample/small.head
 %
-% See also: benchScale, benchTrial
+% See also: benchTrial
 
 function names = benchNames ()
   root = fileparts (fileparts (mfilename ('fullpath')));

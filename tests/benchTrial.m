@@ -9,7 +9,7 @@
 %            fingerprint of 15 digits; equal texts are equal grains
 % FAULT      '' or the error message of the run
 %
-% See also: benchScale
+% See also: benchNames
 function [text, fault] = benchTrial (model, variables, law)
   root = fileparts (fileparts (mfilename ('fullpath')));
   folder = tempname ();

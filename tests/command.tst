@@ -68,7 +68,7 @@
 %! for words = {'nonsense', 'check /nowhere', 'check', 'run --quickly', ...
 %!              'status a b', 'new', 'doctor --nonsense'}
 %!   [status, out] = startCommand (base, words{1});
-%!   assert (status, 1, words{1});
+%!   assert (status == 1, words{1});
 %!   assert (numel (strtrim (out)) > 20, words{1});
 %! end
 %! [status, out] = startCommand (base, 'check');
@@ -152,7 +152,7 @@
 %! waitFor (@() says (state (), ' 0 running'));
 %! unlink (hold);
 %! [status, out] = startCommand (base, ['check --try ', place]);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! writeAtomic (hold, '');
 %! least = 2;
 %! for sign = {'KILL', 'INT', ''}
@@ -177,7 +177,7 @@
 %! end
 %! unlink (hold);
 %! [status, out] = startCommand (base, ['run ', place]);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! [status, out] = startCommand (base, ['cancel ', place]);
 %! assert (status, 0);
 %! assert (says (out, 'no Octave worked in it; 0 run(s)'));
@@ -195,7 +195,7 @@
 %!                 "Case.folder, 'results', 'report.html'), 'x');\nend\n"]);
 %! end
 %! [status, out] = startCommand (base, 'report page');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (isfile (fullfile (folder, 'results', 'report.html')));
 
 % --- completion in bash

@@ -29,13 +29,13 @@
 %!test
 %! % new: the same files as from a call that nobody killed
 %! [status, out] = startCommand (base, 'new --model Repose whole');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! again = afterKills (base, 'new --model Repose killed', delays);
 %! if again.status ~= 0     % the last of them had time to finish
 %!   assert (! isempty (strfind (again.out, 'is there already')), again.out);
 %! end
 %! [status, out] = system (sprintf ('diff -r %s/whole %s/killed', base, base));
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 
 %!test
 %! % run, diagnose, report, export: no finished run is lost, the result is that

@@ -19,7 +19,7 @@
 %! head = fullfile (model, 'data.head');
 %! writeAtomic (head, [fileread(head), "variable filledSolid equal 4e-6\n"]);
 %! [status, out] = startCommand (base, 'check --try Pile');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (says (out, 'trial     Pile: ok'));
 %! assert (says (out, 'plan: 9 new, 1 taken from the store'));
 %! picture = fileread (fullfile (folder, 'optim', 'Pile', '0001', ...
@@ -62,10 +62,10 @@
 %!          '--target run-out=0.0195 --target height=0.0057 ', ...
 %!          '--output output_centre ''my own'''];
 %! [status, out] = startCommand (base, words);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (~says (out, 'NOTE'), out);
 %! [status, out] = startCommand (base, 'check --try ''my own''');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (says (out, 'trial     Mine: ok'));
 %! % what the script got is what the run was to have
 %! run = fullfile (base, 'my own', 'optim', 'Mine', '0001');
@@ -85,7 +85,7 @@
 % --- doctor
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
 %! [status, out] = startCommand (base, 'doctor');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (says (out, 'trial run  ok'));
 
 %!test

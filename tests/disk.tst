@@ -59,9 +59,10 @@
 %!     caught = err.identifier;
 %!   end
 %!   what = func2str (writers{k});
-%!   assert (caught, 'DEcalioc:writeAtomic:cannotWrite', what);
+%!   assert (strcmp (caught, 'DEcalioc:writeAtomic:cannotWrite'), what);
 %!   assert (strcmp (fileread (file), old), what);
-%!   assert (sort (readdir (folder))', {'.', '..', 'ballast', 'kept'}, what);
+%!   assert (isequal (sort (readdir (folder))', ...
+%!                    {'.', '..', 'ballast', 'kept'}), what);
 %!   clear free
 %! end
 

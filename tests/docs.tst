@@ -35,7 +35,7 @@
 %! for block = blocks(2:end)
 %!   if ~takesLong (block{1})
 %!     [status, out] = follow (folder, block{1});
-%!     assert (status, 0, [block{1}, "\n", out]);
+%!     assert (status == 0, [block{1}, "\n", out]);
 %!   end
 %! end
 %! case_ = fullfile (folder, 'Repose');
@@ -63,13 +63,13 @@
 %! alone = [folder, '-alone'];
 %! copyfile (fullfile (folder, 'DEMmodels', 'Slump'), alone);
 %! [status, out] = follow (alone, 'bash runscript && cat output_centre');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (alone, 's');
 %! writeAtomic (fullfile (folder, 'loadEffects.m'), ...
 %!              blockAfter (text, '**In four fields'));
 %! [status, out] = follow (folder, 'decalioc check --try');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (~isempty (strfind (out, 'trial     Slump: ok')), out);
 %! assert (~isempty (strfind (out, 'effects   bounce')), out);
 %! writeAtomic (fullfile (folder, 'runs.csv'), ...
@@ -88,7 +88,7 @@
 %! names = unique ([names{:}]);
 %! assert (numel (names) >= 10);
 %! for name = names
-%!   assert (exist (name{1}), 2, name{1});
+%!   assert (exist (name{1}) == 2, name{1});
 %! end
 %! % the lines below the table run on the sample of a bench
 %! code = blockAfter (part, '```octave');
@@ -108,7 +108,7 @@
 %! text = fileread (fullfile (root, 'docs', 'gap.md'));
 %! code = strrep (blockAfter (text, '## On matrices'), 'pwd', 'root');
 %! said = evalc (code);
-%! assert (diagnosis.which.effects, {'cohesion'}, said);
+%! assert (isequal (diagnosis.which.effects, {'cohesion'}), said);
 %! assert (diagnosis.which.verdict, 'named');
 %! assert (prod (diagnosis.which.strength.interval90 - 0.8) <= 0);
 
@@ -129,7 +129,7 @@
 %!           'for d in $PATH; do [ -x "$d/liggghts" ] || ', ...
 %!           'printf "%s:" "$d"; done)', "\n"];
 %! [status, out] = follow (folder, [hidden, command{1}]);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (~isempty (strfind (out, 'LIGGGHTS: none found')), out);
 %! assert (isfile (fullfile (folder, 'sticky', 'results', 'report.html')));
 %! confirm_recursive_rmdir (false, 'local');
@@ -149,7 +149,7 @@
 %! root = fileparts (fileparts (which ('startProgram')));
 %! [status, out] = system ([shellQuote(fullfile (root, 'tools', ...
 %!                          'functionIndex.sh')), ' --check 2>&1']);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 
 % --- troubleshooting.md knows every error, and no error that is not there
 %!function names = inCode (root)

@@ -47,8 +47,61 @@
 %! setenv ('SLURM_CONF', config);
 %! assert (text, expected);
 
-%!testif ; gridengineTestReady ()
-%! tidy = gridengineTestUp (8);
+%!function tidy = gridengineUp (slots)
+%!  % a cluster of one host, until TIDY is cleared
+%!  folder = tempname (P_tmpdir (), 'sge-');
+%!  here = fileparts (which ('slurmTestUp'));
+%!  up = shellQuote (fullfile (here, 'gridengine-up.sh'));
+%!  command = sprintf (['export GRIDENGINE_TEST_SLOTS=%d; %s %s %d 2>&1 ' ...
+%!                      '&& . %s/settings.sh && ' ...
+%!                      'env | grep -E "^(SGE_|PATH=)"'], ...
+%!                     slots, up, folder, getpid (), folder);
+%!  [status, text] = system (command);
+%!  assert (status == 0, text);
+%!  path = getenv ('PATH');
+%!  tidy = onCleanup (@() gridengineDown (here, folder, path));
+%!  settings = regexp (text, '^(\w+)=(.*)$', 'tokens', 'lineanchors', ...
+%!                     'dotexceptnewline');
+%!  for k = 1:numel (settings)
+%!    setenv (settings{k}{:});
+%!  end
+%!endfunction
+
+%!function gridengineDown (here, folder, path)
+%!  system ([shellQuote(fullfile (here, 'gridengine-down.sh')), ' ', folder]);
+%!  confirm_recursive_rmdir (false, 'local');
+%!  rmdir (folder, 's');
+%!  cellfun (@unsetenv, {'SGE_ROOT', 'SGE_CELL', 'SGE_QMASTER_PORT', ...
+%!                       'SGE_EXECD_PORT'});
+%!  setenv ('PATH', path);
+%!endfunction
+
+%!function ready = gridengineReady ()
+%!  % with CI=true in the environment it is a failure where the daemons do not
+%!  % start
+%!  programs = {'sge_qmaster', 'sge_execd', 'qsub'};
+%!  isThere = @(p) isfile (fullfile ('/usr/lib/gridengine', p));
+%!  why = '';
+%!  if ~all (cellfun (isThere, programs))
+%!    why = ['apt-get install gridengine-master gridengine-exec ', ...
+%!           'gridengine-client'];
+%!  elseif getuid () ~= 0
+%!    why = 'a test cluster can be started by root only';
+%!  elseif isempty (getenv ('CI'))
+%!    try
+%!      tidy = gridengineUp (1);
+%!    catch
+%!      why = 'its daemons do not come up on this machine';
+%!    end
+%!  end
+%!  ready = isempty (why);
+%!  if ~ready
+%!    printf ('tests with Grid Engine are skipped: %s\n', why);
+%!  end
+%!endfunction
+
+%!testif ; gridengineReady ()
+%! tidy = gridengineUp (8);
 %! [~, text] = commonPlan ('gridengine', quick);
 %! assert (text, expected);
 

@@ -53,8 +53,7 @@
 %! g = given;
 %! g.value = measured (means, [0, 0, 0.6, 0, 0], 1);
 %! options = setfield (quick (), 'maxNewRuns', 10);
-%! options.survivors = 0;
-%! options.screenRuns = 0;
+%! options.batch = 0;
 %! bent = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
 %!        1.5 * (E(:, 3) > 0) .* ((1:12) == 7) + 0.1 * randn (rows (X), 12);
 %! d = diagnoseMatrices (g, data, options, bent);
@@ -151,14 +150,13 @@
 %! options = quick ();
 %! options.maxNewRuns = 75;
 %! options.verifyRuns = 3;
-%! options.planRuns = 10;
 %! calls = containers.Map ({'n'}, {0});
 %! evaluate = @(X, E, r) countedRuns (X, E, means, calls);
 %! d = diagnoseMatrices (g, bare, options, evaluate);
 %! assert (calls('n') == d.runs.spent && calls('n') <= 75);
 %! assert (d.which.effects, {'spread'});
 %! assert (d.howFar.verifiedByDEM, true);
-%! assert (size (d.howFar.placebos), [1, 2]);
+%! assert (size (d.howFar.placebos), [1, 1]);
 %! assert (isstruct (d.howFar.heldOut));
 %! % looking at four of them is allowed for
 %! held = d.where.held;

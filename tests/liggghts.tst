@@ -19,7 +19,7 @@
 %!   'paramLims = [600, 0.2; 800, 0.8];', 'end'}, "\n"));
 %! [status, out, err] = startProgram (folder);
 %! assert (err, '');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! c = jsondecode (fileread (fullfile (folder, 'results', ...
 %!                                     'calibration.json')));
 %! assert (c.converged);
@@ -45,7 +45,7 @@
 %! raw.paramLims = [600; 800];
 %! Case = newCase (raw);
 %! [Z, record] = evaluateDEM (700, Case);
-%! assert (record.status, 'ok', record.message);
+%! assert (strcmp (record.status, 'ok'), record.message);
 %! assert (Z(1), 370, 15);
 %! log = fileread (fullfile (record.folder, 'log.liggghts'));
 %! assert (! isempty (regexp (log, '1 by 1 by 2|1 by 2 by 1|2 by 1 by 1')));

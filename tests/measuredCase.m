@@ -73,9 +73,7 @@ end
 
 function lines = measuredLines (s)
   t = (1:50)' * 0.055;
-  state = randn ('twister');
-  restore = onCleanup (@() randn ('twister', state));
-  randn ('twister', 5);
+  restore = seedRandom (5);
   R = exp (-abs (t - t') / 0.5) + 1e-9 * eye (50);
   y = 100 * (1 - exp (-t)) .* (1 - s * t) + 0.4 * chol (R)' * randn (50, 1);
   lines = {'model;name;value;sd;unit;repeats;role;series;at;tol', ...

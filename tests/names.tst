@@ -26,14 +26,14 @@
 %!   mkdir (sample);
 %!   writeAtomic (fullfile (sample, 'out'), "1\n2\n");
 %!   [status, out] = decalioc ('check', folder);
-%!   assert (status, 0, out);
+%!   assert (status == 0, out);
 %!   assert (~isfile (getenv ('PWNED')), folder);
 %! end
 %! folder = base;
 %! raw.folder = base;
 %! assert (evaluateDEM ([1, 2], newCase (raw)), [3, 2, -1], 1e-12);
 %! [status, out] = decalioc ('export', folder);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (~isfile (getenv ('PWNED')));
 
 %!test
@@ -79,7 +79,7 @@
 %!   catch err
 %!     caught = err.identifier;
 %!   end
-%!   assert (regexprep (caught, '^.*:', ''), 'badValue', bad{k, 1});
+%!   assert (strcmp (regexprep (caught, '^.*:', ''), 'badValue'), bad{k, 1});
 %!   assert (~isfolder (fullfile (folder, 'M')));
 %! end
 %! copy = fullfile (folder, 'in.$(x)');
@@ -129,9 +129,9 @@
 %!   lines = lines(1:1 + 2 * any (name{1} == ':'));
 %!   for line = lines
 %!     [status, out] = system (['cd ', folder, ' && ', line{1}, ' 2>&1']);
-%!     assert (status, double (any (name{1} == ':')), out);
+%!     assert (status == any (name{1} == ':'), out);
 %!     hasWord = ~isempty (strfind (out, 'without a colon'));
-%!     assert (hasWord, any (name{1} == ':'), out);
+%!     assert (hasWord == any (name{1} == ':'), out);
 %!   end
 %! end
 
@@ -141,10 +141,10 @@
 %! writeLoadInput (raw.folder);
 %! program = shellQuote (fullfile (raw.root, 'bin', 'decalioc'));
 %! [status, out] = system ([program, ' check --try ', raw.folder, ' 2>&1']);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! [status, out] = system (['env -i PATH="$PATH" ', program, ' check ', ...
 %!                          raw.folder, ' 2>&1']);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (~isempty (strfind (out, '14 new, 2 taken from the store')), out);
 %! assert (isempty (strfind (out, 'old runs')), out);
 
@@ -156,10 +156,10 @@
 %! words = [shellQuote(fullfile (raw.root, 'bin', 'decalioc')), ...
 %!          ' check --try ', raw.folder];
 %! [status, out] = system (['TMPDIR=/proc/nowhere ', words, ' 2>&1']);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (~isempty (strfind (out, '/tmp is taken')), out);
 %! [status, out] = system (['LC_ALL=de_DE.UTF-8 ', words, ' 2>&1']);
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (~isempty (strfind (out, '2 taken from the store')), out);
 
 %!test
@@ -172,7 +172,7 @@
 %! for words = {'LC_ALL=de_DE.UTF-8', 'LC_ALL= LC_NUMERIC=de_DE.UTF-8', ...
 %!              'LC_CTYPE=C LANG=C LC_ALL=de_DE.UTF-8'}
 %!   [status, out] = system ([words{1}, ' bash ', guard, ' ', folder, ' 2>&1']);
-%!   assert (status, 0, out);
+%!   assert (status == 0, out);
 %!   out = fileread (fullfile (folder, 'stdout.txt'));
 %!   assert (strncmp (out, "1.5\n2.50\n", 9), out);
 %!   assert (isempty (regexp (words{1}, 'LC_ALL=d')) || ...

@@ -21,7 +21,7 @@
 %!   'make -s dist > /dev/null && sha256sum dist/*'], shellQuote (root), ...
 %!   shellQuote (copy), shellQuote (copy), shellQuote (copy), ...
 %!   shellQuote (copy)));
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! keys = regexp (out, '^\w{64}', 'match', 'lineanchors');
 %! assert (numel (keys), 2);
 %! assert (keys{1}, keys{2});
@@ -54,12 +54,12 @@
 %! [status, out] = call ('--version');
 %! assert (strtrim (out), ['decalioc ', version]);
 %! [status, out] = call ('new --model Mine');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (isfile (fullfile (work, 'Mine', 'DEMmodels', 'Mine', 'effects', ...
 %!                           'material.inc')));
 %! [status, out] = call ('check Mine');
 %! if ~isempty (file_in_path (getenv ('PATH'), 'liggghts'))
-%!   assert (status, 0, out);
+%!   assert (status == 0, out);
 %! end
 %! [status, out] = call ('run case');
 %! assert (any (status == [0, 2]), out);

@@ -13,7 +13,7 @@
 %!    steps(isIndex) = num2cell (str2double (steps(isIndex)));
 %!    x = jsonAt (sources, steps)(1);
 %!    assert (str2double (value), x);
-%!    assert (text, numberText (x, kind), from);
+%!    assert (strcmp (text, numberText (x, kind)), from);
 %!    plain = regexprep (text, '&thinsp;.*', '');
 %!    plain = strrep (strrep (plain, '&minus;', '-'), '&middot;10<sup>', 'e');
 %!    shown = str2double (strrep (plain, '</sup>', ''));

@@ -38,7 +38,7 @@
 %!   "exit (7);\n"], root, base));
 %! [status, out, err] = startProgram (base, 'sweep.m');
 %! assert (err, '');
-%! assert (status, 7, out);
+%! assert (status == 7, out);
 %! sets = regexp (out, '^SET (\w+) (\S+) (\S+)$', 'tokens', 'lineanchors');
 %! assert (numel (sets), 2);
 %! assert (cellfun (@str2double, sets{1}(2:3)), [4, 3], 0.3);
@@ -52,7 +52,7 @@
 %! [status, out, err] = atPrompt (first, ['try, DEcalioc; catch e, ', ...
 %!   'disp (e.identifier); end; try, diagnoseGap; catch e, ', ...
 %!   'disp (e.message); end; disp (''still here''); exit (5);']);
-%! assert (status, 5, err);
+%! assert (status == 5, err);
 %! lines = strsplit (strtrim (out), "\n");
 %! assert (lines{1}, 'DEcalioc:checkCase:badMaxCPU');
 %! assert (! isempty (strfind (out, 'Input.maxCPU')));
@@ -62,7 +62,7 @@
 %! % help prints the head of the file
 %! for name = {'DEcalioc', 'diagnoseGap'}
 %!   [status, out, err] = atPrompt (base, ['help ', name{1}]);
-%!   assert (status, 0, err);
+%!   assert (status == 0, err);
 %!   head = fileread (fullfile (root, [name{1}, '.m']));
 %!   head = regexp (head, '^% +(.*)$', 'tokens', 'lineanchors', ...
 %!                  'dotexceptnewline');

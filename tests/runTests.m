@@ -52,16 +52,23 @@ function runQueue (root, queue)
     end
     files = strsplit (lines{k}, "\t");
     counts = zeros (numel (files), 3);
+    said = '';
     for i = 1:numel (files)
-      counts(i, :) = runFile (files{i}, root);
+      [counts(i, :), text] = runFile (files{i}, root);
+      said = [said, repmat(text, 1, counts(i, 2) > 0)];
     end
-    fid = fopen (fullfile (claim, 'counts'), 'w');
-    fprintf (fid, '%d ', sum (counts, 1));
-    fclose (fid);
+    saveText (fullfile (claim, 'failed'), said);
+    saveText (fullfile (claim, 'counts'), sprintf ('%d ', sum (counts, 1)));
   end
 end
 
-function counts = runFile (file, root)
+function saveText (file, text)
+  fid = fopen (file, 'w');
+  fputs (fid, text);
+  fclose (fid);
+end
+
+function [counts, text] = runFile (file, root)
   start = tic ();
   log = tempname ();
   % a function of an example or a model is found by its own test only
@@ -83,15 +90,13 @@ end
 
 % Flows that start a batch system go one after another. Every Octave says on
 % leaving that it ignores something, which is no news.
-function [counts, failing] = shareOut (root, files)
+function [counts, failing, said] = shareOut (root, files)
   hasQueue = ~cellfun (@isempty, regexp (files, '/(executors|slurm\w*)\.tst$'));
   files = [{strjoin(files(hasQueue), "\t")}, files(~hasQueue)];
   files = files(~cellfun (@isempty, files));
   queue = tempname ();
   mkdir (queue);
-  fid = fopen (fullfile (queue, 'files'), 'w');
-  fputs (fid, strjoin (files, "\n"));
-  fclose (fid);
+  saveText (fullfile (queue, 'files'), strjoin (files, "\n"));
   tool = shellQuote (fullfile (root, 'tools', 'octave.sh'));
   one = sprintf ('{ %s tests/runTests.m --queue %s 2>&1 | %s; }', tool, ...
                  queue, 'grep --line-buffered -v "^error: ignoring const"');
@@ -99,12 +104,16 @@ function [counts, failing] = shareOut (root, files)
   system ([strjoin(repmat ({one}, 1, n), ' & '), ' & wait']);
   counts = zeros (1, 3);
   failing = {};
+  said = '';
   for k = 1:numel (files)
-    file = fullfile (queue, sprintf ('%d', k), 'counts');
-    found = [0, 1, 0];                     % its Octave has ended in the middle
-    if isfile (file)
-      found = sscanf (fileread (file), '%d')';
+    claim = fullfile (queue, sprintf ('%d', k));
+    found = [0, 1, 0];
+    text = sprintf ("%s: its Octave has ended in the middle\n", files{k});
+    if isfile (fullfile (claim, 'counts'))
+      found = sscanf (fileread (fullfile (claim, 'counts')), '%d')';
+      text = fileread (fullfile (claim, 'failed'));
     end
+    said = [said, repmat(text, 1, found(2) > 0)];
     counts = counts + found;
     if found(2) > 0
       failing{end + 1} = strrep (files{k}, [root, '/'], '');
@@ -127,9 +136,10 @@ if numel (args) > 1 && strcmp (args{end - 1}, '--queue')
   runQueue (root, args{end});
   counts = zeros (1, 3);
 else
-  [counts, failing] = shareOut (root, testFiles (root, strjoin (args)));
+  [counts, failing, said] = shareOut (root, testFiles (root, strjoin (args)));
   if ~isempty (failing)
-    printf ('Failed, see above: %s\n', strjoin (failing, ', '));
+    % once more: a log that is cut keeps its end
+    printf ("\nFailed: %s\n%s", strjoin (failing, ', '), said);
   end
   skipped = repmat (sprintf (', %d skipped', counts(3)), 1, counts(3) > 0);
   printf ("%d passed, %d failed%s\n", counts(1:2), skipped);

@@ -1,24 +1,18 @@
-% SITUATIONPAGE  The page data of a stored situation, and its console.
+% SITUATIONPAGE  The page data of a stored situation.
 %
-% CALL: [PAGE, TEXT] = situationPage (NAME)
+% CALL: PAGE = situationPage (NAME)
 %
 %   NAME  name of a situation, see verdictCase
 %   PAGE  see pageData: no run, no surrogate
-%   TEXT  see verdictConsole
 %
-% See also: verdictCase, verdictConsole
+% See also: verdictCase
 
-function [page, text] = situationPage (name)
+function page = situationPage (name)
   list = verdictCase ();
   raw = standInCase (tempname ());
   raw.optim.targetName = {{'sum', 'product'}, {'difference'}};
-  Case = newCase (raw);
-  situation = list(strcmp ({list.name}, name));
-  verdictCase (raw.folder, situation);
-  page = pageData (Case);
-  if nargout > 1
-    text = verdictConsole (situation, Case);
-  end
+  verdictCase (raw.folder, list(strcmp ({list.name}, name)));
+  page = pageData (newCase (raw));
   confirm_recursive_rmdir (false, 'local');
   rmdir (raw.folder, 's');
 end

@@ -7,7 +7,7 @@
 %   NAMES       their names (default {'sbatch', 'squeue'})
 %   TIDY        object that puts the PATH back when it is cleared
 %
-% See also: slurmExecutor, slurmLook
+% See also: slurmExecutor
 
 function tidy = slurmFake (send, look, names)
   if nargin < 3

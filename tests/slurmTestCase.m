@@ -12,7 +12,7 @@
 % Every start of a run writes a line to <store>/optim/First/starts: its folder
 % and the node.
 %
-% See also: standInCase, slurmTestPlan
+% See also: standInCase, slurmTestStart
 
 function [Case, jobs] = slurmTestCase (folder, a, seconds)
   raw = standInAt (folder);

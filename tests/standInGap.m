@@ -27,20 +27,12 @@ function lab = standInGap (curvature, seed)
   if nargin < 2
     seed = 11;
   end
-  before = {rand('twister'), randn('twister')};
-  restore = onCleanup (@() putBack (before));
-  rand ('twister', seed);
-  randn ('twister', seed);
+  restore = seedRandom (seed);
   law = drawLaw (curvature);
   lab.noiseSd = 0.15 + 0.1 * rand (1, 24);
   lab.gapProblem = describe (lab.noiseSd, law);
   lab.means = @(theta, phi) results (law, theta, phi);
   lab.plan = @(n0, nk) planOf (lab, n0, nk);
-end
-
-function putBack (before)
-  rand ('twister', before{1});
-  randn ('twister', before{2});
 end
 
 % 4 benches: drum (6), collapse (6), discharge (6), shear and heap (6). A row of

@@ -76,13 +76,12 @@ function list = withGap ()
   beyond = none;
   beyond.where.targets(3).z = 6.2;
   beyond.where.targets(3).p = 7e-10;
-  blind = none;
-  blind.which.cannotSee = {'cohesion', 'drag'};
+  blind = setfield (none, 'which', 'cannotSee', {'cohesion', 'drag'});
   named = gapOf ('named', {'cohesion'}, '');
+  like = setfield (named, 'which', 'lookAlike', true);
   several = gapOf ('group', {'cohesion', 'drag'}, 'group');
   alike = gapOf ('group', {'cohesion'}, 'look-alike');
-  pair = several;
-  pair.which.together = true;
+  pair = setfield (several, 'which', 'together', true);
   unlisted = gapOf ('none of the listed', {}, '');
   open = gapOf ('undecided', {}, 'integral');
   faint = open;
@@ -105,6 +104,7 @@ function list = withGap ()
            'met, held out tells', met, beyond; ...
            'missed, held out tells', off, beyond; ...
            'met, named', met, named; 'met, several', met, several; ...
+           'missed, named or its like', off, like; ...
            'met, too few runs', met, poor; 'missed, no gap', off, none; ...
            'Sluice: missed, blind', off, blind; ...
            'near, blind', near, blind; ...

@@ -163,7 +163,7 @@
 %!                     lines);
 %!   [status, out] = system (['bash -c ', shellQuote(script), ...
 %!                            ' 2>&1 < /dev/null']);
-%!   assert (status, 0, [lines, out]);
+%!   assert (status == 0, [lines, out]);
 %! end
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (place, 's');

@@ -37,13 +37,14 @@ index () {
   echo '# Functions
 
 The functions that are meant to be called by hand or by files of your own. `help NAME` describes
-each; this page is made of the first lines of their help (`make index`).
+each; this page is made of the first lines of their help (`make index`). Not listed: the candidate
+effects of the library ([effects.md](effects.md)).
 
 ## Main scripts, and forms to fill in'
   table DEcalioc.m diagnoseGap.m loadInput.m loadEffects.m costFunction.m
   echo '
 ## The published functions'
-  table infrastructure/*.m
+  table infrastructure/*.m infrastructure/case/{assignParams,getRayleigh}.m
   echo '
 ## For `getResults` of a model
 
@@ -56,11 +57,6 @@ each; this page is made of the first lines of their help (`make index`).
 [extend.md](extend.md#an-executor), [gap.md](gap.md#on-matrices-for-other-dem-codes).'
   mapfile -t files < <(comm -23 <(others) <(readers))
   table "${files[@]}"
-  echo '
-## The library of candidate effects
-
-[effects.md](effects.md) has their variables and ranges.'
-  table infrastructure/effects/effect[A-Z]*.m
 }
 
 if [ "${1:-}" = --check ]; then

@@ -46,6 +46,7 @@ check mh_style || findings=1
 check mh_lint || findings=1
 check mh_metric --ci || findings=1
 shellcheck -x --severity=warning .ci/run "${shell[@]}" || findings=1
+"$venv/bin/python3" tools/assertTexts.py "${octave[@]}" || findings=1
 # What is small depends on the unit: eps (x) is relative, eps alone is not.
 noEps=(infrastructure/{gap,surrogates,calibration})
 if grep -rnwE --include='*.m' 'eps' "${noEps[@]}" |

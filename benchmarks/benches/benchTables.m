@@ -8,10 +8,10 @@
 % DEMmodels/<bench>/README.md and the table of benches in docs/benches.md, where
 % the line "Sees:" of that README tells what a bench sees; from
 % effectSigns.csv: the signs in benchmarks/results/effectSigns.md; from
-% benchChecks.csv and benchLaws.csv: their tables in docs/benches.md. What
-% stands between two marks "<!-- made by benchTables: NAME -->" is replaced.
+% benchChecks.csv: its table in docs/benches.md. What stands between two marks
+% "<!-- made by benchTables: NAME -->" is replaced.
 %
-% See also: effectSigns, benchChecks, benchLaws, effectTable
+% See also: effectSigns, benchChecks, effectTable
 function benchTables (nSeeds)
   root = startBenchmarks ();
   noise = words (root, 'benchNoise.csv');
@@ -25,7 +25,6 @@ function benchTables (nSeeds)
   text = between (text, 'benches', noiseTable (root, noise));
   text = between (text, 'checks', ...
                   checksTable (words (root, 'benchChecks.csv')));
-  text = between (text, 'laws', lawsTable (words (root, 'benchLaws.csv')));
   writeAtomic (file, text);
   results = fullfile (root, 'benchmarks', 'results');
   file = fullfile (results, 'effectSigns.md');
@@ -82,14 +81,6 @@ function text = checksTable (table)
   for k = 1:rows (off)
     text = [text, sprintf('| %s | %s | %s | %s | %s | %s |\n', ...
                           off{k, [1:5, 7]})];
-  end
-end
-
-function text = lawsTable (table)
-  text = ["| law | at | measured | standard error | published |\n", ...
-          "|---|---|---|---|---|\n"];
-  for k = 1:rows (table)
-    text = [text, sprintf('| %s | %s | %s | %s | %s |\n', table{k, :})];
   end
 end
 

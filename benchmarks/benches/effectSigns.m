@@ -108,3 +108,24 @@ function writeSigns (fid, words, info, rows)
              info(t).name, change(t), sd(t), change(t) / sd(t), mark);
   end
 end
+
+%!test % the measured table of signs holds every effect on every bench that can,
+%! % and each moves something by more than 3 standard deviations
+%! root = startBenchmarks ();
+%! [~, table] = readCsvTable (fullfile (root, 'benchmarks', 'results', ...
+%!                                      'effectSigns.csv'));
+%! z = abs (str2double (table(:, 7)));
+%! effects = resolveEffects (listEffects ());
+%! for bench = unique (table(:, 3))'   % a new bench is not measured yet
+%!   folder = fullfile (root, 'DEMmodels', bench{1});
+%!   for e = effects(effectsOfModel (folder, effects))
+%!     at = strcmp (table(:, 1), e.name) & strcmp (table(:, 3), bench{1});
+%!     has = sum (at) == numel (resultInfo (folder)) || ...
+%!           strcmp (table(at, 8), 'failed');
+%!     assert (has, [e.name, ' ', bench{1}]);
+%!   end
+%! end
+%! for e = effects
+%!   seen = strcmp (table(:, 1), e.name) & z > 3 & isfinite (z);
+%!   assert (any (seen), e.name);
+%! end

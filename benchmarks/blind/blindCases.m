@@ -1,26 +1,25 @@
 % BLINDCASES  Makes the case folders of a sealed study from its tables.
 %
-% CALL: FOLDERS = blindCases (STEM, RUNS, PLACE)
+% CALL: FOLDERS = blindCases (STEM, LAB, PLACE)
 %
 %   STEM     path without ending, as of blindHandOver
-%   RUNS     path of the campaign that all cases share; PLACE gets a copy, its
-%            results named as in results.csv of the benches, so that new runs
-%            can follow (blind.m whole)
+%   LAB      struct of blindLab, of which runs, inputs and renamed are read;
+%            PLACE gets a copy of the runs, their results named as in
+%            results.csv of the benches, so that new runs can follow (blind.m
+%            whole)
 %   PLACE    folder for the case folders; those that are there stay
 %   FOLDERS  1 x N cell of paths: loadInput.m, loadEffects.m, measured.csv and
 %            runs.csv, nothing else
 %
 % See also: blindHandOver, blindAnswer
 
-function folders = blindCases (stem, runs, place)
+function folders = blindCases (stem, lab, place)
   values = textOf ([stem, '-cases.csv']);
   lists = textOf ([stem, '-lists.csv']);
-  own = fullfile (fileparts (mfilename ('fullpath')), 'case');
   folders = {};
   [~, ~] = mkdir (place);
   shared = fullfile (place, 'runs.csv');
-  writeAtomic (shared, renamed (fileread (runs), 'Collapse_slope', ...
-                                'Heap_slope'));
+  writeAtomic (shared, renamed (fileread (lab.runs), lab.renamed(:, [1, 2])));
   for i = 1:numel (lists)
     [number, effects] = strtok (lists{i}, ',');
     folder = fullfile (place, ['case', number]);
@@ -29,7 +28,7 @@ function folders = blindCases (stem, runs, place)
       continue
     end
     [~, ~] = mkdir (folder);
-    copyfile (fullfile (own, 'loadInput.m'), folder);
+    copyfile (lab.inputs, folder);
     names = sprintf (' ''%s''', strsplit (effects(2:end), ' '){:});
     writeAtomic (fullfile (folder, 'loadEffects.m'), ...
                  sprintf (['function effects = loadEffects ()\n', ...
@@ -40,17 +39,17 @@ function folders = blindCases (stem, runs, place)
     text = strjoin ([{'model,name,value,sd,repeats,role'}, rows_, {''}], ...
                     "\n");
     writeAtomic (fullfile (folder, 'measured.csv'), ...
-                 renamed (text, 'slope', 'slope'));
+                 renamed (text, lab.renamed(:, [1, 3])));
     symlink (shared, fullfile (folder, 'runs.csv'));
   end
 end
 
 % The campaign tells the slopes of two benches apart by names of its own, and
 % has the height of the heap under an old one.
-function text = renamed (text, collapse, heap)
-  text = strrep (text, 'collapseSlope', collapse);
-  text = strrep (text, 'heapSlope', heap);
-  text = strrep (text, 'heapHeight', 'height');
+function text = renamed (text, names)
+  for name = names'
+    text = strrep (text, name{:});
+  end
 end
 
 function lines = textOf (file)
@@ -81,8 +80,12 @@ end
 %! assert (strfind (cases, '1,Heap,slope,4,1.41421,2,calibrate') > 0);
 %! assert (strfind (cases, '2,Heap,height,,2.82843,2,holdout') > 0);
 %! writeAtomic (fullfile (folder, 'runs'), "model,heapSlope,heapHeight\n");
-%! folders = blindCases (stem, fullfile (folder, 'runs'), ...
-%!                       fullfile (folder, 'cases'));
+%! lab.runs = fullfile (folder, 'runs');
+%! lab.inputs = fullfile (fileparts (which ('blindCases')), 'case', ...
+%!                        'loadInput.m');
+%! lab.renamed = {'heapSlope', 'Heap_slope', 'slope'; ...
+%!                'heapHeight', 'height', 'height'};
+%! folders = blindCases (stem, lab, fullfile (folder, 'cases'));
 %! assert (fileread (fullfile (folders{1}, 'runs.csv')), ...
 %!         "model,Heap_slope,height\n");
 %! found = setdiff (readdir (folders{2})', {'.', '..'});

@@ -13,20 +13,21 @@
 %           theta (1 x p, in [0, 1]), halfStep (logical, half the time step),
 %           seeds (1 x trials, packings), noise (trials x T, standard normal)
 %
-% From the random numbers that rand and randn are at. Classes: 30 % without a
-% gap, 40 % one effect, 10 % two, 10 % a cause that is on no list and 10 % a
-% listed one that is taken off the list while others of its kind stay. At most a
-% quarter of all cases use a form of the library. Parameters anywhere in the
+% From the random numbers that rand and randn are at. Classes by lab.shares: no
+% gap, one effect, two, a cause that is on no list; the rest a listed one that
+% is taken off the list while others of its kind stay. At most a quarter of all
+% cases use a form of the library. Parameters anywhere in the
 % box, in every fifth case one within 5 % of a limit. Strengths by the signal to
 % noise (1 to 12) that the library's form would have.
 %
 % See also: blind, blindForms, blindSpace
 
 function truths = blindDraw (lab, n)
-  classes = [repmat({'null'}, 1, round (0.3 * n)), ...
-             repmat({'single'}, 1, round (0.4 * n)), ...
-             repmat({'pair'}, 1, round (0.1 * n)), ...
-             repmat({'unlisted'}, 1, round (0.1 * n))];
+  classes = {};
+  for name = fieldnames (lab.shares)'
+    many = round (lab.shares.(name{1}) * n);
+    classes = [classes, repmat(name, 1, many)];
+  end
   classes(end + 1:n) = {'lookAlike'};
   classes = classes(randperm (n));
   counts = struct ('null', 0, 'single', 0, 'pair', 0, 'unlisted', 0, ...
@@ -68,7 +69,7 @@ function truth = oneTruth (lab, number, class, count)
       truth = addCause (truth, lab, space, mod (count, 2) == 0, ...
                         truth.cause{1});
     case 'unlisted'
-      forms = blindForms ();
+      forms = formsOf (lab);
       forms = forms(strcmp ({forms.effect}, ''));
       form = forms(1 + mod (count - 1, numel (forms)));
       truth.forms = {form.name};
@@ -80,6 +81,11 @@ function truth = oneTruth (lab, number, class, count)
   end
 end
 
+function forms = formsOf (lab)
+  forms = blindForms ();
+  forms = forms(ismember ({forms.name}, lab.forms));
+end
+
 function seeds = packings (n)
   all_ = primes (60000);
   all_ = all_(all_ > 20000);
@@ -89,9 +95,8 @@ end
 % One effect that can reach the level if there is one, in a form; not OTHER, and
 % of its group only one, since LIGGGHTS has one law of attraction at a time.
 function truth = addCause (truth, lab, space, isOwn, other)
-  forms = blindForms ();
-  forms = forms(~strcmp ({forms.effect}, '') & ...
-                ~strcmp ({forms.name}, 'yadeCohesion'));
+  forms = formsOf (lab);
+  forms = forms(~strcmp ({forms.effect}, ''));
   names = {lab.gapProblem.effects.name};
   if isOwn
     choice = arrayfun (@(k) struct ('name', 'library', 'effect', names{k}), ...
@@ -149,7 +154,11 @@ end
 %! problem = newGapProblem (given);
 %! em = fitEmulator (problem, data, options);
 %! lab = struct ('trials', 2, 'sd', given.sd, 'gapProblem', problem, ...
-%!               'em', em, 'models', makeHypotheses (problem, em, options));
+%!               'em', em, 'models', makeHypotheses (problem, em, options), ...
+%!               'shares', struct ('null', 0.3, 'single', 0.4, ...
+%!                                 'pair', 0.1, 'unlisted', 0.1), ...
+%!               'forms', {{'sjkr2', 'fiveSizes', 'squareDrag', ...
+%!                          'fourSpheres', 'cdt', 'hooke'}});
 %! rand ('twister', 3);
 %! randn ('twister', 3);
 %! truths = blindDraw (lab, 20);

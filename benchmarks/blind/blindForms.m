@@ -21,6 +21,10 @@
 % attraction while grains touch; 0.1 J/m2, three weights of a grain, stands for
 % the strongest cohesion of the list.
 %
+% slotsByLength and widerBatch (all sizes off, and not alike), wideSizes, wet
+% and stickyWalls are for drum and slot bins, where the last three are on no
+% list.
+%
 % Clumps of three and four spheres give no heap: LIGGGHTS 3.8 takes a clump that
 % crosses the edge of the box apart, and its members overlap. That bench counts
 % as not measured then.
@@ -54,7 +58,13 @@ function forms = blindForms ()
            'gluedCloser', '', '', [1, 1], @(v) gluedCloser(); ...
            'partRough', '', '', [1, 1], @(v) partRough(); ...
            'soft', '', 'stiffnessFactor', [0.3, 0.7], @(v) {}; ...
-           'overfilled', '', 'fillFactor', [1.05, 1.25], @(v) {}};
+           'overfilled', '', 'fillFactor', [1.05, 1.25], @(v) {}; ...
+           'slotsByLength', 'opening', '', 1, @slotsByLength; ...
+           'widerBatch', 'meanSize', 'sizeFactor', 1, ...
+           @(v) addLine('sizeSpread equal 0.12'); ...
+           'wideSizes', '', 'sizeSpread', [0.12, 0.2], @(v) {}; ...
+           'wet', '', 'liquidContent', [0.002, 0.01], @(v) {}; ...
+           'stickyWalls', '', 'cohesionPW', [2e4, 6e4], @(v) {}};
   for i = 1:rows (table)
     forms(i) = struct ('name', table{i, 1}, 'effect', table{i, 2}, ...
                        'variable', table{i, 3}, 'factor', table{i, 4}(1), ...
@@ -69,6 +79,13 @@ end
 
 function lines = addLine (text)
   lines = {sprintf('echo "variable %s" >> data.head', text)};
+end
+
+% Both slots by the same length, that of the factor at their mean.
+function lines = slotsByLength (factor)
+  wider = 0.025 * (factor - 1);
+  lines = [addLine(sprintf ('slot1 equal %.6g', 0.02 + wider)), ...
+           addLine(sprintf ('slot2 equal %.6g', 0.03 + wider))];
 end
 
 function lines = gluedCloser ()
@@ -141,7 +158,7 @@ end
 %! root = startBenchmarks ();
 %! for form = blindForms ()
 %!   changed = false;
-%!   for bench = {'Collapse', 'Heap'}
+%!   for bench = {'Collapse', 'Heap', 'SlotBin'}
 %!     source = fullfile (root, 'DEMmodels', bench{1});
 %!     folder = tempname ();
 %!     system (sprintf ('cp -rL "%s" "%s"', source, folder));

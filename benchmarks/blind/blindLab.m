@@ -1,24 +1,53 @@
 % BLINDLAB  What the sealed laboratory knows of the benches: a campaign.
 %
-% CALL: LAB = blindLab (ROOT, BENCHES)
+% CALL: LAB = blindLab (ROOT, STEM)
 %
-%   ROOT     folder of the toolbox
-%   BENCHES  cellstr, benches on which is measured (default: all)
-%   LAB   struct: trials (3: each value is the mean of so many), sd (1 x T,
+%   ROOT  folder of the toolbox
+%   STEM  path or name of the study. Ends it in 'bins', the laboratory has drum
+%         and slot bins (campaign drumAndBins, two trials); in 'yade' or
+%         'yade-whole', collapse and heap, computed with YADE; else collapse,
+%         shear cell and heap (campaign hiddenEffect, three trials)
+%   LAB   struct: trials (each value is the mean of so many), sd (1 x T,
 %         reading error of one trial), gapProblem (of newGapProblem), models (of
-%         makeHypotheses, from the stored campaign hiddenEffect), em
-%         (fitEmulator)
+%         makeHypotheses, from the stored campaign), em (fitEmulator), and
+%     draw      handle, TRUTHS = DRAW (LAB, N)
+%     shares    struct, share of each class of blindDraw; the rest: lookAlike
+%     forms     cellstr, what of blindForms it can do
+%     runs      path of the campaign that its cases share
+%     inputs    path of the loadInput.m of its cases
+%     renamed   n x 3 cell: name of a result in the campaign, in runs.csv and in
+%               measured.csv of a case (parts of names)
 %
 % It serves to choose strengths and to say how detectable a truth is. The
 % diagnosis gets runs and measured values, nothing of this.
 %
 % See also: blindDraw, blindSpace, blindHeld, storedCampaign
 
-function lab = blindLab (root, benches)
-  [given, data] = storedCampaign ('hiddenEffect', root);
-  lab = struct ('trials', 3, 'sd', given.sd);
+function lab = blindLab (root, stem)
+  own = fullfile (root, 'benchmarks', 'blind');
+  lab = struct ('trials', 3, 'draw', @blindDraw, 'forms', {ofTable()}, ...
+                'shares', struct ('null', 0.3, 'single', 0.4, ...
+                                  'pair', 0.1, 'unlisted', 0.1), ...
+                'runs', fullfile (own, 'storedRuns.csv'), ...
+                'inputs', fullfile (own, 'case', 'loadInput.m'), ...
+                'renamed', {{'collapseSlope', 'Collapse_slope', 'slope'; ...
+                             'heapSlope', 'Heap_slope', 'slope'; ...
+                             'heapHeight', 'height', 'height'}});
+  [~, ending] = strtok (regexprep (stem, '(yade|bins)(-whole)?$', '|$1'), '|');
+  campaign = 'hiddenEffect';
+  benches = {};
+  switch ending
+    case '|yade'
+      lab.draw = @blindDrawYade;
+      benches = {'Collapse', 'Heap'};      % there is no shear cell in YADE
+    case '|bins'
+      campaign = 'drumAndBins';
+      lab = ofBins (lab, root);
+  end
+  [given, data] = storedCampaign (campaign, root);
+  lab.sd = given.sd;
   given.held = ismember (given.targetNames, blindHeld ());
-  if nargin > 1
+  if ~isempty (benches)
     isThere = ismember (given.benchNames, benches);
     given.value(~isThere(given.bench)) = NaN;
   end
@@ -28,4 +57,28 @@ function lab = blindLab (root, benches)
   lab.gapProblem = newGapProblem (given);
   lab.em = fitEmulator (lab.gapProblem, data, options);
   lab.models = makeHypotheses (lab.gapProblem, lab.em, options);
+end
+
+function names = ofTable ()
+  forms = blindForms ();
+  names = setdiff ({forms.name}, {'yadeCohesion', 'slotsByLength', ...
+                                  'widerBatch', 'wideSizes', 'wet', ...
+                                  'stickyWalls'});
+end
+
+% More causes that are on no list than at the other benches. Clumps block the
+% slots (benchmarks/drumAndBins/README.md).
+function lab = ofBins (lab, root)
+  folder = fullfile (root, 'benchmarks', 'drumAndBins');
+  lab.trials = 2;
+  lab.shares = struct ('null', 0.25, 'single', 0.375, 'pair', 0.085, ...
+                       'unlisted', 0.145);
+  lab.forms = {'sjkr2', 'squareDrag', 'slowVibration', 'slotsByLength', ...
+               'widerBatch', 'cdt', 'hooke', 'soft', 'wideSizes', 'wet', ...
+               'stickyWalls'};
+  lab.runs = fullfile (folder, 'storedRuns.csv');
+  lab.inputs = fullfile (root, 'benchmarks', 'blind', 'bins', 'loadInput.m');
+  lab.renamed = {'drumSlope3', 'slope3', 'slope3'; ...
+                 'drumSlope', 'Drum_slope', 'slope'; ...
+                 'binSlope', 'SlotBin_slope', 'slope'};
 end

@@ -46,6 +46,9 @@ function text = ofPlaces (place)
   used = place.targets(strcmp ({place.targets.role}, 'calibrate'));
   names = strrep ({used.name}, 'Collapse_slope', 'collapseSlope');
   names = strrep (names, 'Heap_slope', 'heapSlope');
+  names = strrep (names, 'Drum_slope', 'drumSlope');
+  names = strrep (names, 'SlotBin_slope', 'binSlope');
+  names = strrep (names, 'slope3', 'drumSlope3');
   [benches, targets] = blindPlaces ({place.models.model}, ...
                                     [place.models.size], names, [used.size]);
   text = [benches, ',', targets];

@@ -24,7 +24,7 @@ function cases = leftOutCase (campaign, numbers)
     start = tic ();
     i = numbers(j);
     same = all (inputs == inputs(i, :), 2);
-    noise = integrationPoints (1, columns (data.Z), 4000 + i).normal;
+    noise = integrationPoints (1, columns (data.Z), 8000 + i).normal;
     given = campaign.given;
     given.value = data.Z(i, :) + given.sd .* noise;
     gapProblem = newGapProblem (given);

@@ -11,11 +11,12 @@
 
 function twinsScore (name, twins, verdicts, labs)
   for i = 1:numel (twins)
-    cases(i) = caseOf (twins(i), verdicts(i));
+    cases(i) = caseOf (twins(i), verdicts(i), labs(twins(i).lab));
   end
   s = scoreDiagnoses ([name, '-scores.csv'], cases, @foreignLines);
   s.odds = [cases.odds];
   s.score = scoresOf (twins, verdicts);
+  s.mark = [cases.mark];
   writeCases ([name, '.csv'], twins, verdicts, labs, s);
   addScores ([name, '-scores.csv'], s.score);
   printf ('median %.2f s a diagnosis, longest %.2f s\n', ...
@@ -24,8 +25,9 @@ end
 
 % What scoreDiagnoses asks for and foreignLines adds to it; effects by number.
 % odds: posterior odds of the true one, or of something that resembles it, above
-% 20 to 1. dLeast: d of the weakest cause alone.
-function c = caseOf (twin, verdict)
+% 20 to 1. dLeast: d of the weakest cause alone. mark: of a name, largest cosine
+% of the true mark, without what parameters absorb, with that of a named effect.
+function c = caseOf (twin, verdict, lab)
   words = @(numbers) arrayfun (@num2str, numbers, 'UniformOutput', false);
   cause = twin.cause(twin.cause > 0);
   c = struct ('class', twin.class, 'cause', {words(cause)}, 'd', twin.d, ...
@@ -33,7 +35,14 @@ function c = caseOf (twin, verdict)
               'top', num2str (verdict.top), 'phi', twin.phi(cause), ...
               'interval', [], 'odds', false, 'lab', twin.lab, ...
               'cosine', twin.cosine, 'dLeast', min ([twin.dEach, Inf]), ...
-              'gateP', verdict.gateP, 'lookAlike', verdict.lookAlike);
+              'gateP', verdict.gateP, 'lookAlike', verdict.lookAlike, ...
+              'mark', NaN, 'causeName', '');
+  if strcmp (verdict.kind, 'named') && twin.d > 0
+    c.mark = max (twinsMark (twin, verdict.effects, lab));
+  end
+  if ~isempty (cause)
+    c.causeName = strjoin ({lab.gapProblem.effects(cause).name}, ' ');
+  end
   if twin.removed > 0
     c.cause = {};
   end
@@ -85,7 +94,7 @@ function writeCases (file, twins, verdicts, labs, s)
   id = fopen (file, 'w');
   fprintf (id, ['case,lab,class,cause,removed,d,phi,verdict,effects,top,', ...
                 'right,covered,odds20,lookAlike,like,cosine,gateP,', ...
-                'excludeOdds,', ...
+                'excludeOdds,mark,', ...
                 'pNull,pTop,pPair,pUnlisted,logScore,brier,seconds\n']);
   for i = 1:numel (twins)
     t = twins(i);
@@ -103,8 +112,9 @@ function writeCases (file, twins, verdicts, labs, s)
              s.covered(i), s.odds(i), v.lookAlike);
     fprintf (id, '%s,%.2f,', strjoin (names(t.like(t.like > 0)), ' '), ...
              t.cosine);
-    fprintf (id, '%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.3f,%.3f,%.2f\n', v.gateP, ...
-             exp (min (v.exclude, 20)), v.P(1), v.P(1 + v.top), ...
+    fprintf (id, '%.4g,%.4g,%.2f,%.4g,%.4g,%.4g,%.4g,%.3f,%.3f,%.2f\n', ...
+             v.gateP, exp (min (v.exclude, 20)), s.mark(i), v.P(1), ...
+             v.P(1 + v.top), ...
              v.P(end - 1), v.P(end), s.score(i, 1:2), v.seconds);
   end
   fclose (id);

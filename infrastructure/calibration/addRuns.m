@@ -1,17 +1,13 @@
 % ADDRUNS  Makes runs and adds them to the data: the one door for all runs.
 %
-% CALL: STATE = addRuns (STATE, PROBLEM, P, E, STAGE)
-%       STATE = addRuns (STATE, PROBLEM, P, E, STAGE, REPLICATE)
+% CALL: STATE = addRuns (STATE, PROBLEM, P, E, STAGE [, REPLICATE])
 %
-%   STATE      struct: data (see newData), budget (see newEvaluate), evaluate
-%              (handle [Z, BUDGET] = evaluate (P, E, REPLICATE, STAGE, BUDGET),
-%              Z n x T: NaN where a run failed, NA where one was not made)
+%   STATE      struct: data (newData), evaluate and budget (newEvaluate)
 %   PROBLEM    see newProblem; limits and fine are read
 %   P          n x d, sets
 %   E          n x v, values of the level and effect variables; []: PROBLEM.fine
 %   STAGE      what they are for (text), see newData
-%   REPLICATE  n x 1 (default: a set that is known is another packing, see
-%              replicateNumbers)
+%   REPLICATE  n x 1 (default: see replicateNumbers)
 %
 % A set of which a run was not made leaves no trace in the data.
 

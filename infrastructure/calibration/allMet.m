@@ -3,7 +3,6 @@
 % CALL: P = allMet (R, S, PROBLEM, DF)
 %
 % R, S     n x T  residuals of the mean response, their standard deviations
-% PROBLEM  struct of newProblem
 % DF       1 x T  degrees of freedom of the noise estimates
 % P        n x 1, product over the targets that are calibrated; a curve is one
 %
@@ -15,10 +14,10 @@ function p = allMet (r, s, problem, df)
   p = ones (rows (r), 1);
   for requirement = requirementsOf (problem)
     t = requirement{1};
+    tol = problem.tol(t);
     if isscalar (t)
-      p = p .* insideProbability (r(:, t), s(:, t), problem.tol(t), df(t));
+      p = p .* insideProbability (r(:, t), s(:, t), tol, df(t));
     else
-      tol = problem.tol(t);
       p = p .* curveProbability (r(:, t) ./ tol, s(:, t) ./ tol, min (df(t)));
     end
   end
@@ -36,11 +35,19 @@ function p = curveProbability (r, s, df)
   s = max (s, 1e-9);
   a = mean (s.^2, 2);
   b = mean (r .* s, 2);
-  c = mean (r.^2, 2) - 1;
-  D = b.^2 - a .* c;
+  D = b.^2 - a .* (mean (r.^2, 2) - 1);
   root = sqrt (max (D, 0));
   p = studentCdf ((-b + root) ./ a, df) - studentCdf ((-b - root) ./ a, df);
   p(D < 0) = 0;
+end
+
+function p = studentCdf (x, df)
+  if df > 1e5
+    p = normalTail (-x);
+    return
+  end
+  p = 0.5 * betainc (df ./ (df + x.^2), df / 2, 0.5);
+  p(x > 0) = 1 - p(x > 0);
 end
 
 %!function p = met (r, s, tol, df, n)
@@ -49,6 +56,7 @@ end
 %!  p = allMet (repmat (r, 1, n), repmat (s, 1, n), problem, df * ones (1, n));
 %!endfunction
 %!assert (met (0, 1, 2.228139, 10, 1), 0.95, 1e-6)
+%!assert (met (0, 1, 1.959964, Inf, 1), 0.95, 1e-6)
 %!assert (met ([0; 3], [0; 0], 1, 5, 1), [1; 0], 1e-9)
 %!test
 %! % points that move together count once

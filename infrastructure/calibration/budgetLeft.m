@@ -14,40 +14,31 @@
 function [n, limit, seconds] = budgetLeft (state, problem)
   isLater = isAfterPlan (state.data);
   n = problem.options.maxFunEvals - sum (isLater);
-  seconds = levelSeconds (state, problem);
+  seconds = levelSeconds (state.budget.levels, problem.coarse);
   if ~isempty (seconds)
     [~, level] = ismember (state.data.E(isLater, :), problem.coarse.levels, ...
                            'rows');
     n = n + sum (1 - min (1, seconds(level) / seconds(end)));
   end
-  sets = setsLeft (state.budget);
+  sets = floor (state.budget.left / state.budget.perSet);
   limit = 'maxFunEvals';
-  if sets < 1
+  if sets < 1 && state.budget.isUsedUp
     limit = 'maxNewRuns';
+  elseif sets < 1
+    sets = Inf;   % runs of the store cost nothing: until one is not in there
   end
   n = max (0, floor (min (n, sets)));
 end
 
-% Sets that may still be run in this start: runs in the store cost nothing, so
-% where no run is left it is Inf until a set was wanted that is not in there.
-function n = setsLeft (budget)
-  n = floor (budget.left / budget.perSet);
-  if n < 1
-    n = merge (budget.isUsedUp, 0, Inf);
-  end
-end
-
-function seconds = levelSeconds (state, problem)
+function seconds = levelSeconds (costs, coarse)
   seconds = [];
-  costs = state.budget.levels;
-  if isempty (problem.coarse) || isempty (costs)
+  if isempty (coarse) || isempty (costs)
     return
   end
-  levels = problem.coarse.levels;
-  [L, v] = size (levels);
-  seconds = NaN (1, L);
+  [L, v] = size (coarse.levels);
   for k = 1:L
-    seconds(k) = mean (costs(all (costs(:, 1:v) == levels(k, :), 2), end));
+    own = all (costs(:, 1:v) == coarse.levels(k, :), 2);
+    seconds(k) = mean (costs(own, end));
   end
   known = find (isfinite (seconds));
   law = polyfit (known, log (seconds(known)), min (1, numel (known) - 1));

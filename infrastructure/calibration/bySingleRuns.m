@@ -2,13 +2,12 @@
 %
 % CALL: WAY = bySingleRuns (PROBLEM)
 %
-% PROBLEM   struct of newProblem
 % WAY       struct, see calibrateOnDEM (searchOnDEM)
 %
 % One run is an evaluation, all rows of costFunction count as they are, and the
-% Jacobian is that of finite differences, as published; but a
-% set that was run is not run again. Where the budget is spent, or a run fails,
-% there is no result: NaN, which the search takes for no improvement.
+% Jacobian is that of finite differences, as published; but a set that was run
+% is not run again. Where the budget is spent, or a run fails, there is no
+% result: NaN, which the search takes for no improvement.
 
 function way = bySingleRuns (problem)
   extra = numel (problem.value) + (1:problem.nExtra);
@@ -17,7 +16,8 @@ function way = bySingleRuns (problem)
                 'respond', @(P, book) onceOnDEM (P, book, problem), ...
                 'slopes', @(p, f, book) differencesOnDEM (p, f, kept, book, ...
                                                           problem), ...
-                'isOver', @(book) whyOver (book, problem));
+                'isOver', @(book) whyOver (book, problem), ...
+                'judge', @(p, why, book) publishedEnd (p, why, book, problem));
   way.settings = struct ('tolRes', problem.tol(problem.calibrate), ...
                          'maxIter', problem.options.maxIter);
 end
@@ -50,18 +50,16 @@ function why = whyOver (book, problem)
   why = '';
   if budgetLeft (state, problem) < numel (problem.names) + 1
     why = 'too few DEM runs are left for an iteration';
-  elseif book.iteration == 1
-    p = state.found.params;
-    if any (isnan (knownAt (state.data, p, problem)))
-      why = 'the run at the set found on the Kriging models failed';
-    end
+  elseif book.iteration == 1 && ...
+         any (isnan (knownAt (state.data, state.found.params, problem)))
+    why = 'the run at the set found on the Kriging models failed';
   end
 end
 
-% Jacobian by runs, in the unit box. Forward differences as published, but for
-% the step: it moves the responses by 4 times the scatter of one run, as a
-% smaller one would measure that scatter (between 2 and 20 % of the box); the d
-% runs go out as one batch. Where a run fails, it is that of the surrogates.
+% Forward differences in the unit box as published, but the step moves the
+% responses by 4 times the scatter of one run, as a smaller one would measure
+% that scatter (between 2 and 20 % of the box); the d runs go out as one batch.
+% Where a run fails, it is the difference of the surrogates.
 function [J, book] = differencesOnDEM (p, f, kept, book, problem)
   surrogates = book.state.surrogates;
   lo = problem.limits(1, :);
@@ -71,14 +69,13 @@ function [J, book] = differencesOnDEM (p, f, kept, book, problem)
   step(u + step > 1) = -step(u + step > 1);
   P = lo + (u + full (diag (step))) .* width;
   [Z, book] = onceOnDEM (P, book, problem);
-  onKriging = @(q) evaluateKriging (q, surrogates);
   J = zeros (numel (f), numel (p));
   for j = 1:numel (p)
     base = f;
     z = Z(j, :)';
     if any (isnan (z))
-      z = onKriging (P(j, :));
-      base = rowsAt (problem, p, onKriging (p), kept);
+      z = predictSurrogate (surrogates, P(j, :));
+      base = rowsAt (problem, p, predictSurrogate (surrogates, p), kept);
     end
     J(:, j) = (rowsAt (problem, P(j, :), z, kept) - base) / step(j);
   end
@@ -97,8 +94,46 @@ function step = stepsOf (surrogates, problem, p)
   step = min (max (4 * min (noise' ./ steep, [], 1), 0.02), 0.2);
 end
 
-%!function [problem, book] = started ()
-%!  [problem, state] = smallCalibration ();
+% The set of nonlin_residmin; where its last trial has no result, the best that
+% has one. What the published program calls met, is met; what a robust
+% calibration would make of it, is said.
+function [book, isEnd] = publishedEnd (p, why, book, problem)
+  state = book.state;
+  isEnd = true;
+  isFinished = all (isfinite (state.data.Z), 2);
+  run = keepRows (state.data, ...
+                  strcmp (state.data.stage, 'verify') & isFinished);
+  if ~isempty (run.X) && ~any (sameSet (run.X, p, problem.limits))
+    r = targetResidual (problem, run.X, run.Z)(:, problem.calibrate);
+    [~, best] = min (sumsq (r, 2));
+    p = run.X(best, :);
+  end
+  state.found = mergeFields (state.found, ...
+                             describeSet (state.surrogates, problem, p));
+  final = confirmSet (state, problem);
+  if final.converged
+    rest = 'call this set calibrated, too';
+  elseif final.probability < problem.options.wrong
+    rest = 'go on to other sets';
+  else
+    rest = sprintf (['make more runs at this set, until the probability ' ...
+                     'that it meets the targets, now %.0f %%, is %.0f %%'], ...
+                    100 * final.probability, 100 * problem.options.confidence);
+  end
+  final.met = final.n > 0 & abs (final.residual') <= problem.tol;
+  final.converged = all (final.met(problem.calibrate));
+  final.untested = zeros (0, numel (p));
+  if final.converged
+    final.limit = '';
+  end
+  final.reason = ['published method, one run a set: ', why, '; a robust ' ...
+                  'calibration would ', rest];
+  state.final = final;
+  book.state = state;
+end
+
+%!function [problem, book, law] = started ()
+%!  [problem, state, ~, law] = smallCalibration ();
 %!  book = struct ('state', state, 'iteration', 0);
 %!endfunction
 %!test
@@ -118,17 +153,15 @@ end
 %! assert (! isempty (way.isOver (book)));
 %!test
 %! % rows beyond the targets are differentiated too; a failed run is not
-%! [problem, book] = started ();
+%! [problem, book, law] = started ();
 %! problem.cost = @(p, f) [f(p) ./ [4; 2] - 1; p(2)];
 %! problem.nExtra = 1;
-%! law = @(P) [3 + P(:, 1) + P(:, 2) / 2, 1 + P(:, 1) + P(:, 2) / 2.5];
 %! f = problem.cost ([0.5; 1], @(p) law (p')');
 %! slopes = bySingleRuns (problem).slopes;
-%! book.state.evaluate = newEvaluate (@(P, E, r) law (P));
 %! J = slopes ([0.5, 1], f, book);
 %! assert (J, [0.25, 0.25; 0.5, 0.4; 0, 2], 1e-9);
-%! book.state.evaluate = newEvaluate (@(P, E, r) law (P) + ...
-%!                                                 0 ./ (P(:, 1) == 0.5));
+%! fails = @(P) 0 ./ (P(:, 1) == 0.5);
+%! book.state.evaluate = newEvaluate (@(P, E, r) law (P) + fails (P));
 %! J = slopes ([0.5, 1], f, book);
 %! assert (J(:, 2), [0.25; 0.4; 2], 1e-9);
 %! assert (J(:, 1), [0.25; 0.5; 0], 0.05);

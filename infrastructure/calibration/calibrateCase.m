@@ -6,7 +6,10 @@
 %   FOLDER       case folder, in which Octave works (text)
 %   CALIBRATION  struct, see newCalibration
 %
-% The main script DEcalioc carries it out.
+% The main script DEcalioc carries it out. What is handed on here is the same in
+% all functions of this folder: STATE (newState) with DATA (newData) and
+% SURROGATES (fitSurrogates), PROBLEM (newProblem), CASE (newCase) and SAY, a
+% handle that takes one line of text.
 
 function calibration = calibrateCase (root, folder)
   useLiggghts (root);
@@ -42,6 +45,7 @@ function calibration = calibrateCase (root, folder)
   if strcmp (problem.options.method, 'robust')
     reportPage (Case, say, state);
     state = improveByInfill (state, problem, say);
+    state = runForIntervals (state, problem);
   end
   reportPage (Case, say, state);
   state = calibrateOnDEM (state, problem, say);
@@ -51,3 +55,17 @@ function calibration = calibrateCase (root, folder)
   reportCalibration (calibration, Case, say);
   reportPage (Case, say);
 end
+
+%!test
+%! % from the input to the files of the results
+%! folder = tempname ();
+%! standInCase (folder);
+%! writeLoadInput (folder);
+%! root = fileparts (which ('DEcalioc'));
+%! home = cd (folder);
+%! back = onCleanup (@() cd (home));
+%! said = evalc ('c = calibrateCase (root, folder);');
+%! assert (c.params, [4, 3], 0.05);
+%! assert ([c.converged, c.exitStatus], [1, 0]);
+%! assert (~isempty (strfind (said, 'Experimental plan')));
+%! assert (isfile (fullfile (folder, 'results', 'calibration.json')));

@@ -2,8 +2,6 @@
 %
 % CALL: [LINES, TOUCHED] = checkSurrogates (STATE, PROBLEM)
 %
-% STATE    struct of newState
-% PROBLEM  struct of newProblem
 % LINES    cellstr: a target outside the range of the responses, a surrogate
 %          with poor Q2, a parameter at its limit, fewer targets than
 %          parameters, runs that failed, equal replicates, runs that were
@@ -11,10 +9,7 @@
 % TOUCHED  cellstr, parameters that stand at a limit
 
 function [lines, touched] = checkSurrogates (state, problem)
-  lines = {};
-  for t = find (problem.curve == 0)
-    lines = [lines, warningsOf(state.surrogates(t), problem.value(t))];
-  end
+  lines = warningsOf (state, problem, find (problem.curve == 0));
   for number = unique (problem.curve(problem.curve > 0))
     lines = [lines, curveWarnings(state, problem, number)];
   end
@@ -41,37 +36,36 @@ function [lines, touched] = checkSurrogates (state, problem)
                                'runSeed. They tell nothing of its scatter ' ...
                                'and are not counted'], sum (isRepeat));
   end
-  lines = [lines, badRuns(state, problem), droppedLevels(state, problem), ...
-           {state.misled}(~isempty (state.misled))];
+  lines = [lines, badRuns(state, problem)];
+  if ~isempty (problem.coarse)
+    lines = [lines, droppedLevels(state, problem)];
+  end
+  lines = [lines, {state.misled}(~isempty (state.misled))];
 end
 
 function lines = droppedLevels (state, problem)
   lines = {};
-  if isempty (problem.coarse)
-    return
-  end
-  values = problem.coarse.levels;
+  coarse = problem.coarse;
+  s = state.surrogates;
+  L = rows (coarse.levels);
+  where = @(k) namedValues (coarse.variables, coarse.levels(k, :));
   fine = runsThatCount (state.data, problem);
   if ~any (all (isfinite (fine.Z), 2))
     lines{1} = sprintf (['no run at the level that counts (%s): the set is ' ...
-                         'that of coarser runs'], ...
-                        namedValues (problem.coarse.variables, ...
-                                     values(end, :)));
+                         'that of coarser runs'], where (L));
   end
-  for k = 1:rows (values) - 1
-    isDropped = arrayfun (@(t) any (state.surrogates(t).dropped == ...
-                                    unitLevel (problem.coarse, ...
-                                               values(k, :), t)), ...
-                          1:numel (state.surrogates));
-    if any (isDropped)
-      where = namedValues (problem.coarse.variables, values(k, :));
-      names = {state.surrogates(isDropped).name};
-      if numel (names) > 3
-        names = [names(1:3), sprintf('and %d more', numel (names) - 3)];
-      end
+  for k = 1:L - 1
+    own = arrayfun (@(t) unitLevel (coarse, coarse.levels(k, :), t), ...
+                    1:numel (s));
+    isDropped = arrayfun (@(s, own) any (s.dropped == own), s, own);
+    names = {s(isDropped).name};
+    if numel (names) > 3
+      names = [names(1:3), sprintf('and %d more', numel (names) - 3)];
+    end
+    if ~isempty (names)
       lines{end + 1} = sprintf (['the runs at %s tell nothing of %s at the ' ...
                                  'last level: they are not used there'], ...
-                                where, strjoin (names, ', '));
+                                where (k), strjoin (names, ', '));
     end
   end
 end
@@ -95,26 +89,27 @@ function lines = badRuns (state, problem)
   end
 end
 
-function lines = warningsOf (s, value)
+function lines = warningsOf (state, problem, targets)
   lines = {};
-  low = min (s.z);
-  high = max (s.z);
-  if value < low || value > high
-    lines{end + 1} = sprintf (['target %s = %g lies outside what the runs ' ...
-                               'reached (%g to %g)'], s.name, value, low, high);
-  end
-  if ~isempty (s.warning)
-    lines{end + 1} = sprintf ('%s: %s', s.name, s.warning);
+  for t = targets
+    s = state.surrogates(t);
+    value = problem.value(t);
+    ends = [min(s.z), max(s.z)];
+    if value < ends(1) || value > ends(2)
+      lines{end + 1} = sprintf (['target %s = %g lies outside what the ' ...
+                                 'runs reached (%g to %g)'], s.name, value, ...
+                                ends);
+    end
+    if ~isempty (s.warning)
+      lines{end + 1} = sprintf ('%s: %s', s.name, s.warning);
+    end
   end
 end
 
 % One sentence for all points that have something: the first one's.
 function lines = curveWarnings (state, problem, number)
-  lines = {};
   points = find (problem.curve == number);
-  for t = points
-    lines = [lines, warningsOf(state.surrogates(t), problem.value(t))];
-  end
+  lines = warningsOf (state, problem, points);
   if numel (lines) > 1
     lines = {sprintf('%s (and %d more warnings of the %d points of %s)', ...
                      lines{1}, numel (lines) - 1, numel (points), ...
@@ -128,17 +123,23 @@ function names = limitsTouched (params, problem)
   names = problem.names(u < near | u > 1 - near);
 end
 
-%!shared problem, state, s
+%!shared problem, state, s, coarse
 %! [problem, state, s] = smallCalibration ();
+%! coarse = struct ('variables', {{'scaleP'}}, 'levels', [3; 2; 1], ...
+%!                  'column', [1, 1]);
+%!function hits = those (lines, part)
+%!  hits = lines(~cellfun (@isempty, strfind (lines, part)));
+%!endfunction
 
 %!test
-%! lines = checkSurrogates (state, problem);
-%! assert (isempty (lines));
-%! problem.value(2) = 9;
-%! problem.calibrate(1) = false;
-%! state.found.params = [1, 1];
-%! state.data.Z(3, 1) = NaN;
-%! [lines, touched] = checkSurrogates (state, problem);
+%! assert (isempty (checkSurrogates (state, problem)));
+%! odd = problem;
+%! odd.value(2) = 9;
+%! odd.calibrate(1) = false;
+%! failed = state;
+%! failed.found.params = [1, 1];
+%! failed.data.Z(3, 1) = NaN;
+%! [lines, touched] = checkSurrogates (failed, odd);
 %! assert (touched, {'a'});
 %! assert (numel (lines), 4);
 %! assert (lines{1}, ['target y = 9 lies outside what the runs reached ', ...
@@ -149,44 +150,33 @@ end
 %! % the points of a curve have one sentence together
 %! curve = problem;
 %! curve.curve = [1, 1];
-%! curve.calibrate = [true, true];
 %! curve.seriesNames = {'w', 'w'};
 %! curve.value = [99, 99];
-%! state.found.params = [0.5, 1];
-%! state.data.Z(3, 1) = 4;
 %! lines = checkSurrogates (state, curve);
 %! assert (numel (lines), 1);
-%! assert (! isempty (strfind (lines{1}, 'and 1 more warnings of the 2')));
+%! assert (numel (those (lines, 'and 1 more warnings of the 2')), 1);
 
 %!test
 %! % a run that ended well but is wrong is named, with what the others say
-%! [problem, state] = smallCalibration ();
-%! state.data.Z(3, :) = 1.5 * state.data.Z(3, :);
-%! state.surrogates = fitSurrogates (state.data, problem);
-%! lines = checkSurrogates (state, problem);
-%! hit = lines(~cellfun (@isempty, strfind (lines, 'is left out')));
+%! wrong = state;
+%! wrong.data.Z(3, :) = 1.5 * state.data.Z(3, :);
+%! wrong.surrogates = fitSurrogates (wrong.data, problem);
+%! hit = those (checkSurrogates (wrong, problem), 'is left out');
 %! assert (numel (hit), 1);
 %! at = sprintf ('%s = %.4g', problem.names{1}, state.data.X(3, 1));
-%! assert (~isempty (strfind (hit{1}, at)));
+%! assert (numel (those (hit, at)), 1);
 
 %!test
-%! % a level that was dropped is told with a word
-%! [problem, state] = smallCalibration ();
-%! problem.coarse = struct ('variables', {{'scaleP'}}, 'levels', [3; 2; 1], ...
-%!                          'column', [1, 1]);
+%! % a level that was dropped is told with a word; without a run at the level
+%! % that counts the set is that of coarser runs
+%! problem.coarse = coarse;
 %! state.surrogates(2).dropped = 1;
 %! lines = checkSurrogates (state, problem);
-%! hit = lines(! cellfun (@isempty, strfind (lines, 'scaleP = 3')));
-%! assert (hit, {['the runs at scaleP = 3 tell nothing of ', s(2).name, ...
-%!                ' at the last level: they are not used there']});
-%! assert (isempty ([strfind(lines, 'scaleP = 2'){:}]));
-
-%!test
-%! % without a run at the level that counts the set is that of coarser runs
-%! [problem, state] = smallCalibration ();
-%! problem.coarse = struct ('variables', {{'scaleP'}}, 'levels', [2; 1], ...
-%!                          'column', [1, 1]);
+%! assert (those (lines, 'scaleP = 3'), ...
+%!         {['the runs at scaleP = 3 tell nothing of ', s(2).name, ...
+%!           ' at the last level: they are not used there']});
+%! assert (isempty (those (lines, 'scaleP = 2')));
 %! problem.fine = 1;
 %! state.data.E = 2 * ones (rows (state.data.X), 1);
 %! lines = checkSurrogates (state, problem);
-%! assert (any (! cellfun (@isempty, strfind (lines, 'coarser runs'))));
+%! assert (numel (those (lines, 'coarser runs')), 1);

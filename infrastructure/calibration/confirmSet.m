@@ -2,29 +2,26 @@
 %
 % CALL: FINAL = confirmSet (STATE, PROBLEM)
 %
-% STATE  struct of newState
 % FINAL  params 1 x d, n (successful runs there; equal ones count once, see
 %        countEqualOnce), equal (how many that leaves out), result 1 x T (their
 %        mean; the surrogate mean if n = 0), sd 1 x T (standard error of that
 %        mean), noiseSd 1 x T (noise of one run), residual T x 1 (of the mean),
-%        residualSd T x 1, extra (preference rows), interval90 2 x T (of the
-%        true response), estimate 1 x T (its middle), met 1 x T (the estimate
-%        is within its tolerance; the points of a curve as one), probability,
-%        within, converged, reason, conflict, limit ('maxFunEvals',
-%        'maxNewRuns', 'maxIter': what ended the search; '': converged)
+%        residualSd T x 1, interval90 2 x T (of the true response), estimate
+%        1 x T (its middle), met 1 x T (the estimate is within its tolerance;
+%        the points of a curve as one), probability, within, converged,
+%        conflict, reason, limit ('maxFunEvals', 'maxNewRuns', 'maxIter': what
+%        ended the search; '': converged)
 %
-% The scatter of one run is the pooled one of the surrogates. The truth at the
-% set is known from its runs and from the surrogate, which holds them; where
-% the two disagree by more than 3 standard errors the surrogate is not trusted
-% and the runs stand alone (with their own scatter where that is the larger one,
-% and n - 1 degrees of freedom then).
+% The truth at the set is known from the surrogate, which holds its runs; where
+% the two disagree by more than options.apart standard errors the runs stand
+% alone (with their own scatter where that is the larger one, and n - 1 degrees
+% of freedom then).
 %
 % converged: the truth's estimate within the tolerances, at least
-% options.replicates runs (at the level that counts), probability at least
-% options.confidence. A set
-% without a finished run is never converged. How many runs that takes beyond the
-% asked ones is for the probability to say: runs of other sets, along slopes
-% that the surrogate knows, tell as much as those at the set.
+% options.replicates runs, probability at least options.confidence. How many
+% runs that takes beyond the asked ones is for the probability to say: runs of
+% other sets, along slopes that the surrogate knows, tell as much as those at
+% the set.
 
 function final = confirmSet (state, problem)
   p = state.found.params;
@@ -47,11 +44,13 @@ function final = confirmSet (state, problem)
     df(few) = min (df(few), max (n - 1, 1));
   end
   final = judge (final, m, v, df, problem);
-  final.conflict = {};
-  if isfield (state.found, 'conflict')
-    final.conflict = state.found.conflict;
+  final.conflict = state.found.conflict;
+  [left, final.limit] = budgetLeft (state, problem);
+  if final.converged
+    final.limit = '';
+  elseif left > 0
+    final.limit = 'maxIter';
   end
-  final.limit = limitOf (final, state, problem);
   final.reason = explain (final, state, problem);
 end
 
@@ -70,16 +69,12 @@ function final = judge (final, m, v, df, problem)
   full = problem.cost (final.params(:), @(varargin) final.result(:));
   T = numel (problem.value);
   final.residual = full(1:T)(:);
-  final.extra = full(T + 1:end)(:);
   [r, slope] = targetResidual (problem, final.params, m);
   final.residualSd = (abs (slope) .* final.sd)';
   s = abs (slope) .* sqrt (v);
   final.probability = allMet (r, s, problem, df);
-  final.interval90 = zeros (2, T);
-  for t = 1:T
-    half = studentQuantile (0.95, df(t)) * sqrt (v(t));
-    final.interval90(:, t) = [m(t) - half; m(t) + half];
-  end
+  half = arrayfun (@(df) studentQuantile (0.95, df), df) .* sqrt (v);
+  final.interval90 = [m - half; m + half];
   share = toleranceShare (problem, r);
   final.estimate = m;
   final.met = false (1, T);
@@ -93,27 +88,23 @@ function final = judge (final, m, v, df, problem)
                     final.probability >= problem.options.confidence;
 end
 
-% What ended the search, where it did not end with a set that is met.
-function limit = limitOf (final, state, problem)
-  limit = 'maxIter';
-  if final.converged
-    limit = '';
-  else
-    [n, which] = budgetLeft (state, problem);
-    if n < 1
-      limit = which;
-    end
-  end
-end
-
 % A conflict comes first: no limit that is raised would help.
 function text = explain (final, state, problem)
   sure = 100 * final.probability;
-  ended = limitText (final, problem);
   if final.converged
     text = sprintf (['all targets met with a probability of %.0f %%; runs ' ...
                      'at this set: %d'], sure, final.n);
-  elseif ~final.within && ~isempty (final.conflict)
+    return
+  end
+  options = problem.options;
+  ended = struct ('maxIter', 'optim.maxIter (%g) sets turned out wrong', ...
+                  'maxFunEvals', 'optim.maxFunEvals (%g) is used up', ...
+                  'maxNewRuns', 'Input.maxNewRuns allows no further run');
+  ended = ended.(final.limit);
+  if ~strcmp (final.limit, 'maxNewRuns')
+    ended = sprintf (ended, options.(final.limit));
+  end
+  if ~final.within && ~isempty (final.conflict)
     text = sprintf ('no set of the box meets: %s', ...
                     strjoin (final.conflict, ', '));
   elseif final.n == 0 && any (sameSet (state.data.X, final.params, ...
@@ -124,13 +115,13 @@ function text = explain (final, state, problem)
   elseif ~final.within
     text = sprintf (['the mean response at the best set is outside a ' ...
                      'tolerance; runs there: %d; %s'], final.n, ended);
-  elseif final.n < problem.options.replicates && final.equal > 0
+  elseif final.n < options.replicates && final.equal > 0
     text = sprintf (['the %d runs at the set are equal to the last digit ' ...
                      'and count as one: the model does not use runSeed'], ...
                     final.n + final.equal);
-  elseif final.n < problem.options.replicates
+  elseif final.n < options.replicates
     text = sprintf ('only %d of %d runs were made at the set: %s', final.n, ...
-                    problem.options.replicates, ended);
+                    options.replicates, ended);
   else
     text = sprintf (['met by the mean response, but the scatter leaves ' ...
                      'only %.0f %% probability; runs at this set: %d; %s'], ...
@@ -138,22 +129,7 @@ function text = explain (final, state, problem)
   end
 end
 
-function text = limitText (final, problem)
-  options = problem.options;
-  switch final.limit
-    case 'maxNewRuns'
-      text = 'Input.maxNewRuns allows no further run';
-    case 'maxFunEvals'
-      text = sprintf ('optim.maxFunEvals (%g) is used up', ...
-                      options.maxFunEvals);
-    otherwise
-      text = sprintf ('optim.maxIter (%g) sets turned out wrong', ...
-                      options.maxIter);
-  end
-end
-
 %!shared problem, state
-%! pkg load stk
 %! rand ('twister', 1);
 %! randn ('twister', 1);
 %! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
@@ -164,7 +140,7 @@ end
 %! data = addRows (newData (1, 1), X, 1 + X + 0.01 * randn (10, 1), ...
 %!                 ones (10, 1), 'plan');
 %! state = newState (data, fitSurrogates (data, problem), ...
-%!                   struct ('params', 0.5));
+%!                   struct ('params', 0.5, 'conflict', {{}}));
 
 %!test
 %! final = confirmSet (state, problem);

@@ -2,22 +2,26 @@
 %
 % CALL: [CURVES, NFREE] = curveErrors (SURROGATES, PROBLEM)
 %
-% SURROGATES  1 x T struct array of fitSurrogates
-% PROBLEM     struct of newProblem
 % CURVES      1 x C struct, one element a curve of which points are calibrated:
-%             points (1 x n, target numbers), value, sd (1 x n), distance (n x
-%             n, between the points), rough, smooth (n x n, correlation of the
-%             scatter of a run and of the errors of the surrogates), packingVar
-%             (1 x n, noise of the mean of the trials), scatter (logical: sd
-%             holds the packings), length (of the measurement's errors; NaN:
-%             unknown), lengths (1 x 2, the range in question then), sdKnown,
-%             half (1 x n, half widths of the tolerance), df, free (columns of
-%             unknowns: of the length, of the size)
+%             points (1 x p, target numbers), free (columns of unknowns) and
+%             logLikelihood, handle (M, V, FREE) -> n x 1, log density of the
+%             measured curve: M, V n x p, mean and variance of the surrogates
+%             at the points; FREE n x f in [0, 1], the length over which the
+%             errors of the measurement are alike (a third of a step to the
+%             whole curve, logarithmic), then their size (2 % to twice the
+%             tolerance, logarithmic), each where it is not known
 % NFREE       how many unknowns there are in all
 %
 % A run's own curve scatters as one, since it is one packing, and rough; what
 % the surrogates do not know of the mean response is as smooth as the curve. The
 % leave-one-out residuals hold both.
+%
+% Covariance: sd_i sd_j exp (-distance / length) of the measurement; of one
+% packing, its standard deviations times the rough correlation; of the
+% surrogates, sqrt (v_i v_j) times the smooth one. The last two are widened to
+% the variance of a Student variable. No Student density of the whole curve: its
+% one unknown scale would be learned from the curve itself, which few runs fit
+% well where the surrogates are wrong (benchmarks/curveFewRuns.m).
 
 function [curves, nFree] = curveErrors (surrogates, problem)
   curves = [];
@@ -25,24 +29,25 @@ function [curves, nFree] = curveErrors (surrogates, problem)
   for number = unique (problem.curve(problem.calibrate & problem.curve > 0))
     points = find (problem.calibrate & problem.curve == number);
     place = problem.coordinate(points);
+    steps = diff (unique (place));
+    own = surrogates(points);
     c = struct ('points', points, 'value', problem.value(points), ...
                 'sd', problem.sd(points), 'distance', abs (place' - place));
-    c.packingVar = [surrogates(points).noiseVar] ./ problem.trials(points);
+    c.packingVar = [own.noiseVar] ./ problem.trials(points);
     c.scatter = any (problem.scatter(points));
-    [c.rough, c.smooth] = correlations (looRows (surrogates(points)), ...
-                                        c.distance);
+    [c.rough, c.smooth] = correlations (looRows (own), c.distance);
     c.length = problem.correlation(points(1));
-    steps = diff (unique (place));
-    c.lengths = [min([steps, Inf]) / 3, max(place) - min(place)];
     if isempty (steps)
       c.length = 0;
     end
+    c.lengths = [min([steps, Inf]) / 3, max(place) - min(place)];
     c.sdKnown = all (c.sd > 0);
     c.half = problem.tol(points) .* abs (problem.scale(points));
-    c.df = min ([surrogates(points).df]);
+    c.df = min ([own.df]);
     nNew = isnan (c.length) + ~c.sdKnown;
     c.free = nFree + (1:nNew);
     nFree = nFree + nNew;
+    c.logLikelihood = @(m, v, free) curveLikelihood (c, m, v, free);
     curves = [curves, c];
   end
 end
@@ -60,33 +65,73 @@ function [rough, smooth] = correlations (E, distance)
     steps = [min(distance(distance > 0)), 3 * max(distance(:))];
     short = logspace (log10 (steps(1) / 3), log10 (steps(2)), 12);
     long = logspace (log10 (steps(1)), log10 (steps(2)), 12);
-    roughs = arrayfun (@(a) exp (-distance / a), short, ...
-                       'UniformOutput', false);
-    smooths = arrayfun (@(b) exp (-(distance / b).^2), long, ...
-                        'UniformOutput', false);
-    [a, b, share] = ndgrid (1:12, 1:12, [0.01, 0.03, 0.1, 0.3, 0.6, 1]);
-    [~, best] = max (arrayfun (@(a, b, share) likelihood ...
-                               (E, share * roughs{a} + ...
-                                (1 - share) * smooths{b}), ...
-                               a(:), b(:), share(:)));
-    rough = roughs{a(best)};
-    smooth = smooths{b(best)};
+    [a, b, share] = ndgrid (short, long, [0.01, 0.03, 0.1, 0.3, 0.6, 1]);
+    fits = arrayfun (@(a, b, share) ...
+                     likelihood (E, share * exp (-distance / a) + ...
+                                 (1 - share) * exp (-(distance / b).^2)), ...
+                     a(:), b(:), share(:));
+    [~, best] = max (fits);
+    rough = exp (-distance / a(best));
+    smooth = exp (-(distance / b(best)).^2);
   end
-  onDiagonal = 1:rows (distance) + 1:numel (distance);
-  rough(onDiagonal) = 1 + 1e-6;
-  smooth(onDiagonal) = 1 + 1e-6;
+  [rough, smooth] = deal (surely (rough), surely (smooth));
+end
+
+% That rounding does not make a correlation singular.
+function R = surely (R)
+  R(1:rows (R) + 1:end) = 1 + 1e-6;
 end
 
 % Logarithmic, with the variance of the largest likelihood.
 function fit = likelihood (E, R)
   [n, m] = size (E);
-  R(1:m + 1:end) = 1 + 1e-6;
-  [root, flaw] = chol (R, 'lower');
+  [root, flaw] = chol (surely (R), 'lower');
   fit = -Inf;
   if ~flaw
     fit = -n * m / 2 * log (sum (sumsq (root \ E')) / (n * m)) - ...
           n * sum (log (diag (root)));
   end
+end
+
+% Normal log density at each set, see above.
+function fit = curveLikelihood (c, m, v, free)
+  n = rows (m);
+  fit = zeros (n, 1);
+  packing = c.packingVar;
+  if c.scatter
+    % the scatter of the trials holds their packings
+    packing = max (packing - c.sd.^2, 0);
+  end
+  df = max (c.df, 3);
+  wider = df / (df - 2);
+  packingSd = sqrt (wider * packing);
+  fixed = (packingSd' * packingSd) .* c.rough;
+  surrogateSd = sqrt (wider * v + eps (max (c.value.^2)));
+  S = [];
+  for i = 1:n
+    if isempty (S) || ~isempty (free)
+      S = covariance (c, free(i, :));
+    end
+    sd = surrogateSd(i, :);
+    root = chol (S + fixed + (sd' * sd) .* c.smooth);
+    z = (c.value - m(i, :)) / root;
+    fit(i) = -sum (log (diag (root))) - 0.5 * (z * z');
+  end
+end
+
+% The unknowns: first the length, then the size, where they are not known.
+function S = covariance (c, free)
+  if isnan (c.length)
+    c.length = c.lengths(1) * (c.lengths(2) / c.lengths(1))^free(1);
+  end
+  R = full (eye (rows (c.distance)));
+  if c.length > 0
+    R = exp (-c.distance / c.length);
+  end
+  if ~c.sdKnown
+    c.sd = c.half * 0.02 * 100^free(end);
+  end
+  S = (c.sd' * c.sd) .* surely (R);
 end
 
 %!function c = errors (E)
@@ -125,3 +170,32 @@ end
 %!test
 %! % no residuals: all alike
 %! assert (errors (zeros (0, 20)).rough(1, 20), 1);
+
+%!function fit = density (changes, m, v, free)
+%!  n = numel (m);
+%!  s = repmat (struct ('looStd', zeros (0, 1), 'noiseVar', 4, 'df', 7), 1, n);
+%!  problem = struct ('calibrate', true (1, n), 'curve', ones (1, n), ...
+%!                    'value', 2 * ones (1, n), 'sd', 3 * ones (1, n), ...
+%!                    'coordinate', 1e-6 * (1:n), 'trials', ones (1, n), ...
+%!                    'scatter', false (1, n), 'correlation', ones (1, n), ...
+%!                    'tol', 5 * ones (1, n), 'scale', ones (1, n));
+%!  c = curveErrors (s, mergeFields (problem, changes));
+%!  fit = c.logLikelihood (m, v, free);
+%!endfunction
+
+%!test
+%! % of one point: normal, what the runs tell widened by 7 / 5
+%! f = @(v) -0.5 * log (v) - 0.5 * (2 - 0.5)^2 / v;
+%! none = zeros (1, 0);
+%! assert (density (struct (), 0.5, 3, none), f (18.8), 1e-5);
+%! assert (density (struct ('scatter', true), 0.5, 3, none), f (13.2), 1e-5);
+%! % size unknown: half way between 0.1 and 10
+%! assert (density (struct ('sd', 0), 0.5, 3, 0.5), f (10.8), 1e-5);
+
+%!test
+%! % two points that move together weigh as one
+%! fall = @(changes) density (changes, [2, 2], [0, 0], zeros (1, 0)) - ...
+%!                   density (changes, [5, 5], [0, 0], zeros (1, 0));
+%! sure = struct ('trials', [Inf, Inf]);
+%! assert (fall (sure), 0.5, 1e-3);
+%! assert (fall (setfield (sure, 'correlation', [0, 0])), 1, 1e-3);

@@ -2,14 +2,12 @@
 %
 % CALL: P = failedSets (DATA, PROBLEM)
 %
-% DATA     struct of newData
-% PROBLEM  struct of newProblem
 % P        k x d
 
 function P = failedSets (data, problem)
   data = runsThatCount (data, problem);
   counts = ~strcmp (data.stage, 'import') & ...
-        ~(strcmp (data.stage, 'library') & any (isna (data.Z), 2));
+           ~(strcmp (data.stage, 'library') & any (isna (data.Z), 2));
   [sets, ~, group] = unique (data.X(counts, :), 'rows');
   failed = any (isnan (data.Z(counts, :)), 2);
   n = accumarray (group(:), 1, [rows(sets), 1]);
@@ -19,9 +17,8 @@ end
 
 %!test
 %! problem.fine = zeros (1, 0);
-%! data = struct ('X', [1; 1; 2; 2; 3], 'E', zeros (5, 0), ...
-%!                'Z', [NaN; NaN; 1; NaN; NaN], ...
-%!                'stage', {repmat({'plan'}, 5, 1)});
+%! data = addRows (newData (1, 1), [1; 1; 2; 2; 3], ...
+%!                 [NaN; NaN; 1; NaN; NaN], ones (5, 1), 'plan');
 %! assert (failedSets (data, problem), 1);
 %! data.stage(2) = {'import'};
 %! assert (isempty (failedSets (data, problem)));

@@ -3,7 +3,6 @@
 % CALL: P = infillThompson (STATE, PROBLEM, N, ROUND)
 %
 % STATE    struct of newState; surrogates and found are read
-% PROBLEM  struct of newProblem
 % N        number of sets
 % ROUND    integer, makes the draws of each round their own
 % P        n x d; a set may stand twice (replicates)
@@ -22,10 +21,9 @@ function P = infillThompson (state, problem, n, round)
     return
   end
   candidates = candidateSets (surrogates, problem, found);
-  use = problem.calibrate;
   loss = zeros (rows (candidates), n - 1);
   restore = seedRandom (problem.options.seed + 7919 * round);
-  for t = find (use)
+  for t = find (problem.calibrate)
     draw = drawSurrogate (surrogates(t), candidates, n - 1);
     for k = 1:n - 1
       Z = repmat (problem.value, rows (candidates), 1);
@@ -53,11 +51,20 @@ function C = candidateSets (surrogates, problem, found)
   C = P(order(1:200), :);
 end
 
-%!shared problem, state, s
-%! [problem, state, s] = smallCalibration ();
+% N responses without the noise of a run, rows (P) x n; the sets of one draw
+% vary together.
+function draw = drawSurrogate (surrogate, P, n)
+  [m, ~, S] = krigingPosterior (surrogate, P);
+  S = (S + S') / 2 + 1e-8 * mean (diag (S)) * full (eye (rows (S)));
+  [Q, D] = eig (S);
+  root = Q .* sqrt (max (diag (D), 0))';
+  draw = m + root * randn (rows (S), n);
+  draw = surrogate.shift + surrogate.scale * draw;
+end
 
 %!test
 %! % alone: the found set; likely: its replicates; else draws of their own
+%! [problem, state] = smallCalibration ();
 %! assert (infillThompson (state, problem, 1, 1), state.found.params);
 %! state.found.probability = 0.9;
 %! assert (infillThompson (state, problem, 2, 1), ...
@@ -69,3 +76,19 @@ end
 %! assert (size (P), [3, 2]);
 %! assert (P, infillThompson (state, problem, 3, 1));
 %! assert (all (P(:) >= 0));
+
+%!test
+%! % draws have the mean and the spread of the surrogate: where 60 of them meet
+%! % the target, it is so many deviations from the mean (4 standard errors)
+%! rand ('twister', 1);
+%! randn ('twister', 1);
+%! problem = newProblem (struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!                               'targets', struct ('value', 1.5)));
+%! X = (0:0.1:1)';
+%! s = fitSurrogate (X, 1 + X + 0.1 * randn (11, 1), [0; 1], ...
+%!                   struct ('trend', 'affine'));
+%! state = newState ([], s, struct ('params', 0.5, 'probability', 0));
+%! P = infillThompson (state, problem, 61, 1)(2:end);
+%! [m, v] = predictSurrogate (s, P);
+%! z = (m - 1.5) ./ sqrt (v / s.factor);
+%! assert ([mean(z), std(z)], [0, 1], [4, 4 / sqrt(2)] / sqrt (60));

@@ -2,7 +2,6 @@
 %
 % CALL: YES = isAfterPlan (DATA)
 %
-%   DATA  see newData
 %   YES   n x 1 logical
 
 function yes = isAfterPlan (data)

@@ -1,13 +1,13 @@
-% LEASTSQUARESINBOX  Least squares of some residuals inside the unit box.
+% LEASTSQUARESINBOX  Least squares of some residuals inside a box.
 %
-% CALL: [U, CVG, NITER] = leastSquaresInBox (F, J, U, SETTINGS)
+% CALL: [P, NITER] = leastSquaresInBox (F, J, P, LIMITS, SETTINGS)
 %
-%   F         handle r = f (u), u d x 1 in the unit box
-%   J         handle of its Jacobian, j = J (u, hook)
-%   U         d x 1, the start; the solution
+%   F         handle r = f (p), p 1 x d, r a column
+%   J         handle of its Jacobian by the parameters in the unit box
+%   P         1 x d, the start; the solution
+%   LIMITS    2 x d, the box
 %   SETTINGS  of optimset: MaxIter, TolFun
-%   CVG       how it ended, as nonlin_residmin says it
-%   NITER     iterations
+%   NITER     iterations; 0 where the start leaves no residual
 %
 % nonlin_residmin of optim. With fewer residuals than parameters its search for
 % the active bounds (cpiv_bard) goes round in circles on rounding errors: it
@@ -18,13 +18,24 @@
 %
 % Errors: those of F and of nonlin_residmin
 
-function [u, cvg, niter] = leastSquaresInBox (f, J, u, settings)
-  d = numel (u);
-  start = u;
-  settings = optimset (settings, 'lbound', zeros (d, 1), ...
-                       'ubound', ones (d, 1));
+function [p, niter] = leastSquaresInBox (f, J, p, limits, settings)
+  lo = limits(1, :);
+  width = diff (limits);
+  u = min (max ((p - lo) ./ width, 0), 1)';
+  inBox = @(u) lo + u' .* width;
+  r = @(u) f (inBox (u));
+  niter = 0;
+  if sumsq (r (u)) > eps (1)
+    [u, niter] = solved (r, @(u, hook) J (inBox (u)), u, settings);
+  end
+  p = inBox (u);
+end
+
+function [u, niter] = solved (f, J, start, settings)
+  d = numel (start);
+  u = start;
   try
-    [u, cvg, niter] = search (f, J, start, settings);
+    [u, niter] = search (f, J, start, settings);
     stuck = leavesSlope (f (u), J (u, []), u);
   catch err
     if ~any (strcmp (err.message, {'not successful', 'pivot is zero'}))
@@ -36,17 +47,19 @@ function [u, cvg, niter] = leastSquaresInBox (f, J, u, settings)
     pull = [0.1 * eye(d); zeros(1, d)];
     pulled = @(u) [f(u); pull * (u - start) + [zeros(d, 1); 0.01]];
     slope = @(u, hook) [J(u, hook); pull];
-    [v, pulledCvg, pulledNiter] = search (pulled, slope, start, settings);
+    [v, nPulled] = search (pulled, slope, start, settings);
     if sumsq (f (v)) <= sumsq (f (u))
       u = v;
-      cvg = pulledCvg;
-      niter = pulledNiter;
+      niter = nPulled;
     end
   end
 end
 
-function [u, cvg, niter] = search (f, J, u, settings)
-  [u, ~, cvg, info] = nonlin_residmin (f, u, optimset (settings, 'dfdp', J));
+function [u, niter] = search (f, J, u, settings)
+  d = numel (u);
+  settings = optimset (settings, 'dfdp', J, 'lbound', zeros (d, 1), ...
+                       'ubound', ones (d, 1));
+  [u, ~, ~, info] = nonlin_residmin (f, u, settings);
   u = min (max (u, 0), 1);
   niter = info.niter;
 end
@@ -57,40 +70,44 @@ function yes = leavesSlope (r, J, u)
   yes = sumsq (r + J * step) < 0.999 * sumsq (r);
 end
 
+%!shared settings, unit
+%! settings = optimset ('MaxIter', 60, 'TolFun', 1e-6);
+%! unit = @(d) [zeros(1, d); ones(1, d)];
+
 %!test
 %! % from a corner, two residuals of five parameters: 'not successful' in optim
-%! pkg load -nodeps struct optim
 %! J = [-2.653,  -2.439, 11.3,    0.008219,  0.8051; ...
 %!       1.208,  11.02,  -4.094, -55.56,    -0.0003814];
-%! start = [1; 1; 1; 0.7739; 0];
-%! f = @(u) [-4.193; 7.254] + J * (u - start);
-%! settings = optimset ('MaxIter', 60, 'TolFun', 1e-6);
-%! [u, ~, niter] = leastSquaresInBox (f, @(u, hook) J, start, settings);
-%! assert (norm (f (u)) < 0.01 && niter > 0);
-%! assert (all (u >= 0 & u <= 1));
+%! start = [1, 1, 1, 0.7739, 0];
+%! f = @(p) [-4.193; 7.254] + J * (p - start)';
+%! [p, niter] = leastSquaresInBox (f, @(p) J, start, unit (5), settings);
+%! assert (norm (f (p)) < 0.01 && niter > 0);
+%! assert (all (p >= 0 & p <= 1));
 
 %!test
 %! % fewer residuals than parameters, residuals of 0 inside the box: alone,
 %! % nonlin_residmin stops short of them in most of these
-%! pkg load -nodeps struct optim
 %! rand ('seed', 1);
 %! randn ('seed', 1);
-%! settings = optimset ('MaxIter', 60, 'TolFun', 1e-6);
 %! for k = 1:40
 %!   J = randn (2, 5) .* exp (randn (2, 5));
 %!   truth = rand (5, 1);
-%!   f = @(u) J * (u - truth);
-%!   start = round (rand (5, 1));
-%!   short(k) = norm (f (leastSquaresInBox (f, @(u, hook) J, start, settings)));
+%!   f = @(p) J * (p' - truth);
+%!   start = round (rand (5, 1))';
+%!   short(k) = norm (f (leastSquaresInBox (f, @(p) J, start, unit (5), ...
+%!                                          settings)));
 %! end
 %! assert (sum (short > 0.02) <= 1);
 
 %!test
-%! % enough residuals: the plain solution, at the bound where that is outside
-%! pkg load -nodeps struct optim
-%! settings = optimset ('MaxIter', 60, 'TolFun', 1e-6);
-%! f = @(u) [u(1) - 0.3; 2 * (u(2) - 1.5)];
-%! u = leastSquaresInBox (f, @(u, hook) [1, 0; 0, 2], [0.5; 0.5], settings);
-%! assert (u, [0.3; 1], 1e-6);
-
-%!error <mine> leastSquaresInBox (@(u) error ('mine'), [], 0.5, struct ())
+%! % enough residuals: the plain solution, at the bound where that is outside;
+%! % none left at the start
+%! f = @(p) [p(1) - 0.3; 2 * (p(2) - 1.5)];
+%! box = [0, 0; 2, 1];
+%! J = @(p) [2, 0; 0, 2];
+%! p = leastSquaresInBox (f, J, [0.5, 0.5], box, settings);
+%! assert (p, [0.3, 1], 1e-6);
+%! [p, niter] = leastSquaresInBox (@(p) p', J, [0, 0], box, settings);
+%! assert ({p, niter}, {[0, 0], 0});
+%!error <mine>
+%! leastSquaresInBox (@(p) error ('mine'), [], 0.5, [0; 1], struct ())

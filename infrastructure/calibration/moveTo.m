@@ -1,7 +1,6 @@
 % MOVETO  Lets another set take the found one's place, where it is worth it.
 %
-% CALL: [STATE, WASWRONG] = moveTo (STATE, PROBLEM)
-% CALL: [STATE, WASWRONG] = moveTo (STATE, PROBLEM, P)
+% CALL: [STATE, WASWRONG] = moveTo (STATE, PROBLEM [, P])
 %
 % STATE     struct of newState; its found set is described anew with its
 %           surrogates
@@ -24,8 +23,7 @@ function [state, wasWrong] = moveTo (state, problem, p)
   elseif nargin > 2
     there = describeSet (state.surrogates, problem, p);
   else
-    options = struct ('incumbent', here.params, 'nPlan', 1);
-    there = calibrateOnKriging (state.surrogates, problem, options);
+    there = calibrateOnKriging (state.surrogates, problem, here.params);
     here.conflict = there.conflict;
   end
   isWrong = here.probability <= problem.options.wrong;
@@ -37,11 +35,9 @@ function [state, wasWrong] = moveTo (state, problem, p)
   state.found = mergeFields (state.found, here);
 end
 
-%!shared problem, state, s
-%! [problem, state, s] = smallCalibration ();
-
 %!test
 %! % a sure set stays to the last digit; one whose runs fail is left
+%! [problem, state, s] = smallCalibration ();
 %! p = surestSet (s, problem, zeros (0, 2));
 %! state.found.params = p;
 %! other = p + [0.05, 0];

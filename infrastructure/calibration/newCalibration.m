@@ -2,82 +2,156 @@
 %
 % CALL: C = newCalibration (STATE, PROBLEM, CASE)
 %
-%   STATE    see newState, with its field final
-%   PROBLEM  see newProblem
-%   CASE     see newCase
-%   C        scalar struct: params 1 x d, results 1 x T, residual T x 1,
-%            noiseSd 1 x T (noise of one run), runs at the set, interval90
-%            2 x d, converged, reason, limit, conflict, met,
-%            estimate (see confirmSet), untested (handBack),
-%            demRuns, coreSeconds, atLimit,
-%            notIdentified, identifiability (see there), correlation d x d,
-%            sensitivity d x T (total Sobol indices), warnings,
-%            holdout (1 x h: name, target, result (prediction of the mean
-%            response), sd (of the prediction error), interval90 2 x 1 (where a
-%            measurement should lie), inside (logical; NaN: not measured yet);
-%            []: none), levels, surrogates, history, data, exitStatus;
-%            resultInterval90 2 x T (of the mean response at the set),
-%            probability (that all targets are met), posterior (n x d, sample)
+%   STATE  see newState, with its field final
+%   C      scalar struct: params, residual, noiseSd, converged, reason, limit,
+%          conflict, met, estimate, probability, results, resultInterval90 (of
+%          the set, see confirmSet), runs (there), untested (calibrateOnDEM);
+%          interval90 2 x d, correlation d x d, posterior (n x d, sample),
+%          intervalNote, notIdentified (cellstr of parameters whose interval is
+%          wider than options.loose of the box), identifiability (weakness
+%          below), sensitivity d x T (total Sobol indices); demRuns,
+%          coreSeconds, atLimit, warnings, levels (describeLevels below),
+%          surrogates, history, data, exitStatus; holdout (1 x h: name, target,
+%          result (prediction of the mean response), sd (of the prediction
+%          error), interval90 2 x 1 (where a measurement should lie), inside
+%          (logical; NaN: not measured yet); []: none)
 
 function c = newCalibration (state, problem, Case)
   final = state.final;
   known = parameterPosterior (state.surrogates, problem);
-  weak = identifiability (state.surrogates, problem, known);
   M = numel (Case.models);
-  stages = state.data.stage;
-  count = @(varargin) M * sum (ismember (stages, varargin));
-  c = struct ('params', final.params, 'results', final.result, ...
-              'residual', final.residual, 'noiseSd', final.noiseSd, ...
+  count = @(varargin) M * sum (ismember (state.data.stage, varargin));
+  c = struct ('results', final.result, 'resultInterval90', final.interval90, ...
               'runs', final.n, 'interval90', known.interval90, ...
-              'converged', final.converged, 'reason', final.reason);
-  c.limit = final.limit;
-  c.conflict = final.conflict;
-  c.met = final.met;
-  c.estimate = final.estimate;
-  c.untested = final.untested;
-  c.resultInterval90 = final.interval90;
-  c.probability = final.probability;
-  c.posterior = known.sample;
+              'posterior', known.sample, 'correlation', known.correlation);
+  c.intervalNote = intervalNote (state.data, problem);
+  for name = {'params', 'residual', 'noiseSd', 'converged', 'reason', ...
+              'limit', 'conflict', 'met', 'estimate', 'untested', ...
+              'probability'}
+    c.(name{1}) = final.(name{1});
+  end
   c.demRuns = struct ('plan', count ('plan'), 'infill', count ('infill'), ...
                       'verify', count ('verify', 'replicate'), ...
                       'failed', state.budget.failed, ...
                       'reused', state.budget.reused);
   c.coreSeconds = state.budget.coreSeconds;
   [c.warnings, c.atLimit] = checkSurrogates (state, problem);
-  c.notIdentified = weak.notIdentified;
-  c.identifiability = weak;
-  c.correlation = known.correlation;
-  c.sensitivity = sobolIndices (state.surrogates, problem).total;
-  c.holdout = [];
-  if any (~problem.calibrate)
-    c.holdout = predictHoldout (state, problem);
-  end
+  c.identifiability = weakness (state.surrogates, problem, known);
+  c.notIdentified = c.identifiability.notIdentified;
+  c.sensitivity = totalIndices (state.surrogates, problem);
+  c.holdout = predictHoldout (state, problem);
   c.levels = describeLevels (state, problem);
-  c.surrogates = state.surrogates;
-  c.history = state.history;
-  c.data = state.data;
+  for name = {'surrogates', 'history', 'data'}
+    c.(name{1}) = state.(name{1});
+  end
   c.exitStatus = 2 * ~final.converged;
 end
 
-% Held-out targets against what the found set predicts, 1 x h struct. The
-% prediction error holds the variance of the surrogate at the set, the scatter
-% of one run (the experiment is one packing, too, or the mean of so many trials)
-% and the measurement uncertainty of the target.
+% Why intervals of the parameters should not be used as such; '': they may be.
+function text = intervalNote (data, problem)
+  text = '';
+  wanted = problem.options.intervalRuns;
+  enough = problem.options.curveRuns * columns (problem.limits);
+  if any (problem.curve(problem.calibrate) > 0) && ...
+     sum (strcmp (data.stage, 'interval')) < wanted && rows (data.X) < enough
+    text = sprintf (['not to be used as intervals: %d runs are too few for ' ...
+                     'a curve. Input.intervals = true makes %d more, or ' ...
+                     'have %d runs in all'], rows (data.X), wanted, enough);
+  end
+end
+
+% What the targets cannot fix, and what would fix it: notIdentified, directions
+% d x k (unit vectors in the unit box along which the posterior keeps more than
+% options.loose of the prior's standard deviation), text (cellstr, these in
+% words), next (struct array, best first: kind 'held-out target', 'measure' (a
+% target that is not measured yet) or 'measure directly', name, gain (share of
+% the total relative variance of the parameters that it should take away)).
+function weak = weakness (surrogates, problem, known)
+  U = (known.sample - problem.limits(1, :)) ./ diff (problem.limits);
+  weak.notIdentified = problem.names(~known.identified);
+  [V, D] = eig (cov (U));
+  loose = sqrt (diag (D)) > problem.options.loose / sqrt (12);
+  weak.directions = fliplr (V(:, loose));
+  weak.text = cellfun (@(v) inWords (v, problem.names), ...
+                       num2cell (weak.directions, 1), 'UniformOutput', false);
+  next = struct ('kind', {}, 'name', {}, 'gain', {});
+  for t = find (~problem.calibrate)
+    [m, v] = predictSurrogate (surrogates(t), known.sample);
+    s2 = mean (v) + surrogates(t).noiseVar + problem.sd(t)^2;
+    kind = merge (isnan (problem.value(t)), 'measure', 'held-out target');
+    next(end + 1) = struct ('kind', kind, 'name', surrogates(t).name, ...
+                            'gain', gainOf (U, m, s2));
+  end
+  s2 = problem.options.direct^2;
+  for j = 1:columns (U)
+    next(end + 1) = struct ('kind', 'measure directly', ...
+                            'name', problem.names{j}, ...
+                            'gain', gainOf (U, U(:, j), s2));
+  end
+  [~, order] = sort ([next.gain], 'descend');
+  weak.next = next(order);
+end
+
+function text = inWords (v, names)
+  v = v / max (abs (v));
+  [~, order] = sort (abs (v), 'descend');
+  order = order(abs (v(order)) > 0.3);
+  v = v * sign (v(order(1)));
+  parts = arrayfun (@(j) sprintf ('%+.1f %s', v(j), names{j}), order, ...
+                    'UniformOutput', false);
+  text = [strjoin(parts(:)', ' '), ' (in box widths)'];
+end
+
+% Linear Bayes: measuring y with variance s2 takes cov (p, y)^2 / (var (y) + s2)
+% off the variance of p.
+function gain = gainOf (U, y, s2)
+  c = (U - mean (U, 1))' * (y - mean (y)) / (rows (U) - 1);
+  gain = sum (c.^2) / (var (y) + s2) / sum (var (U, 0, 1));
+end
+
+% Total Sobol indices on the surrogates, d x T: shares of the variance of a
+% response over the box (Jansen 1999; the error is about 0.03). A constant
+% response gives zeros.
+function total = totalIndices (surrogates, problem)
+  d = columns (problem.limits);
+  U = double (stk_sampling_halton_rr2 (1024, 2 * d, ...
+                                       [zeros(1, 2 * d); ones(1, 2 * d)]));
+  lo = problem.limits(1, :);
+  width = diff (problem.limits);
+  A = lo + U(:, 1:d) .* width;
+  B = lo + U(:, d + 1:end) .* width;
+  fA = predictSurrogate (surrogates, A);
+  fB = predictSurrogate (surrogates, B);
+  centre = mean ([fA; fB], 1);
+  fA = fA - centre;
+  variance = mean ([fA; fB - centre].^2, 1);
+  variance(variance < 1e-20 * centre.^2) = Inf;
+  total = zeros (d, numel (surrogates));
+  for j = 1:d
+    C = A;
+    C(:, j) = B(:, j);
+    fC = predictSurrogate (surrogates, C) - centre;
+    total(j, :) = 0.5 * mean ((fA - fC).^2, 1) ./ variance;
+  end
+end
+
+% What a measurement is off by: the surrogate at the set, the scatter of one
+% packing, or of the mean of so many trials, and the measurement's own error.
 function hold = predictHoldout (state, problem)
-  hold = struct ('name', {}, 'target', {}, 'result', {}, 'sd', {}, ...
-                 'interval90', {}, 'inside', {});
+  hold = [];
   [m, v] = predictSurrogate (state.surrogates, state.found.params);
   for t = find (~problem.calibrate)
     s = state.surrogates(t);
+    value = problem.value(t);
     sd = sqrt (v(t) + s.noiseVar / problem.trials(t) + problem.sd(t)^2);
     half = studentQuantile (0.95, s.df) * sd;
-    hold(end + 1) = struct ('name', s.name, 'target', problem.value(t), ...
-                            'result', m(t), 'sd', sd, ...
-                            'interval90', [m(t) - half; m(t) + half], ...
-                            'inside', abs (problem.value(t) - m(t)) <= half);
-    if isnan (problem.value(t))
-      hold(end).inside = NaN;
+    own = struct ('name', s.name, 'target', value, 'result', m(t), 'sd', sd, ...
+                  'interval90', [m(t) - half; m(t) + half], ...
+                  'inside', abs (value - m(t)) <= half);
+    if isnan (value)
+      own.inside = NaN;
     end
+    hold = [hold, own];
   end
 end
 
@@ -87,35 +161,33 @@ end
 % it is known; 0 for a model without levels), noiseSd (1 x T, of a run), dropped
 % (1 x T: the surrogate does not hold its runs; the others are NaN then).
 function levels = describeLevels (state, problem)
-  levels = struct ('value', {}, 'runs', {}, 'seconds', {}, 'shift', {}, ...
-                   'shiftSd', {}, 'noiseSd', {}, 'dropped', {});
+  levels = [];
   if isempty (problem.coarse)
     return
   end
   [~, ~, seconds] = budgetLeft (state, problem);
+  seconds(end + 1:rows (problem.coarse.levels)) = NaN;
   for k = 1:rows (problem.coarse.levels)
-    one = struct ('value', problem.coarse.levels(k, :), 'runs', 0, ...
-                  'seconds', NaN);
-    one.runs = sum (all (state.data.E == one.value, 2));
-    if ~isempty (seconds)
-      one.seconds = seconds(k);
-    end
+    value = problem.coarse.levels(k, :);
+    one = struct ('value', value, ...
+                  'runs', sum (all (state.data.E == value, 2)), ...
+                  'seconds', seconds(k), 'shift', [], 'shiftSd', [], ...
+                  'noiseSd', [], 'dropped', false);
     for t = 1:numel (state.surrogates)
       s = state.surrogates(t);
-      level = unitLevel (problem.coarse, one.value, t);
+      level = unitLevel (problem.coarse, value, t);
       one.dropped(t) = any (s.dropped == level);
       [one.shift(t), one.shiftSd(t), one.noiseSd(t)] = ...
         levelShift (s, state.final.params, level);
     end
-    levels(k) = one;
+    levels = [levels, one];
   end
 end
 
 %!function c = sumOf (state, problem)
-%!  if isempty (state.final)
-%!    state.final = confirmSet (state, problem);
-%!    state.final.untested = [];
-%!  end
+%!  state.found.conflict = {};
+%!  state.final = confirmSet (state, problem);
+%!  state.final.untested = [];
 %!  c = newCalibration (state, problem, struct ('models', 1));
 %!endfunction
 %!test
@@ -125,6 +197,7 @@ end
 %! c = sumOf (state, problem);
 %! assert (c.holdout.result, 1.9, 0.05);
 %! assert (c.demRuns.plan, 12);
+%! assert (c.sensitivity, [0.5, 0.61; 0.5, 0.39], 0.06);
 %! problem.value(2) = 1.9;
 %! assert (sumOf (state, problem).holdout.inside);
 %! problem.value(2) = 3;
@@ -136,7 +209,6 @@ end
 %! assert (isempty (c.levels));
 %!test
 %! % what each level has told and cost
-%! pkg load stk
 %! rand ('twister', 4);
 %! randn ('twister', 4);
 %! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 1]);
@@ -157,3 +229,22 @@ end
 %! state.surrogates(1).dropped = 1;
 %! levels = sumOf (state, problem).levels;
 %! assert (isnan (levels(1).shift), [true, false]);
+%! assert (levels(1).dropped, [true, false]);
+%!test
+%! % y = a + b fixes the sum, not the difference; c is not fixed at all
+%! rand ('twister', 1);
+%! randn ('twister', 1);
+%! C = struct ('names', {{'a', 'b', 'c'}}, 'limits', [0, 0, 0; 1, 1, 1], ...
+%!             'targets', struct ('value', 1, 'tol', 0.01));
+%! problem = newProblem (C);
+%! X = rand (20, 3);
+%! data = addRows (newData (3, 1), X, X(:, 1) + X(:, 2) + ...
+%!                 0.02 * randn (20, 1), ones (20, 1), 'plan');
+%! s = fitSurrogates (data, problem);
+%! c = sumOf (newState (data, s, describeSet (s, problem, [0.5, 0.5, 0.5])), ...
+%!            problem);
+%! assert (any (strcmp (c.notIdentified, 'c')));
+%! weak = c.identifiability;
+%! assert (columns (weak.directions), 2);
+%! assert (sum (weak.directions(1:2, :), 1), [0, 0], 0.35);
+%! assert (numel (weak.next) == 3 && weak.next(1).gain > 0.2);

@@ -3,8 +3,6 @@
 % CALL: [EVALUATE, BUDGET] = newEvaluate (CASE, SAY)   the models of a case
 %       [EVALUATE, BUDGET] = newEvaluate (F)           a formula
 %
-%   CASE      see newCase
-%   SAY       function handle that takes one line of text
 %   F         handle Z = F (P, E, REPLICATE), or with a fourth argument, STAGE;
 %             []: nothing to run, EVALUATE is []
 %   EVALUATE  [Z, BUDGET] = EVALUATE (P, E, REPLICATE, STAGE, BUDGET), see
@@ -17,8 +15,7 @@
 %             levels of a set that was run, its core-seconds); isUsedUp: a run
 %             that was wanted was not made. It travels in the state
 %
-% Where a model folder does not exist (a case of imported runs alone) nothing
-% can be run: all is NA.
+% Without a model folder (a case of imported runs alone) all is NA.
 
 function [evaluate, budget] = newEvaluate (source, say)
   budget = struct ('left', Inf, 'perSet', 1, 'new', 0, 'reused', 0, ...
@@ -60,20 +57,21 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   [Case.models.seconds] = budget.seconds{:};
   [Z, records, isReused, nNew] = evaluateDEM (P, Case, replicate, stage, ...
                                               newProgress (stage, say), E);
-  isLeftOut = strcmp ({records.cause}, 'budget');
-  Z(isnan (Z) & any (reshape (isLeftOut, size (records)), 2)) = NA;
-  failed = ~strcmp ({records.status}, 'ok') & ~isLeftOut;
+  shaped = @(list) reshape (list, size (records));
+  isLeftOut = shaped (strcmp ({records.cause}, 'budget'));
+  isGood = shaped (strcmp ({records.status}, 'ok'));
+  Z(isnan (Z) & any (isLeftOut, 2)) = NA;
   budget.seconds = {addSeconds(Case.models, records(:)').seconds};
-  budget.isUsedUp = budget.isUsedUp || any (isLeftOut);
+  budget.isUsedUp = budget.isUsedUp || any (isLeftOut(:));
   budget.new = budget.new + nNew;
   budget.left = budget.left - nNew;
   budget.reused = budget.reused + sum (isReused(:));
-  budget.failed = budget.failed + sum (failed);
-  seconds = reshape ([records.seconds], size (records)) .* [Case.models.cpu];
+  budget.failed = budget.failed + sum (~isGood(:) & ~isLeftOut(:));
+  seconds = shaped ([records.seconds]) .* [Case.models.cpu];
   budget.coreSeconds = budget.coreSeconds + sum (seconds(isfinite (seconds)));
   v = numel (Case.coarse);
   if v > 0
-    whole = all (strcmp (reshape ({records.status}, size (records)), 'ok'), 2);
+    whole = all (isGood, 2);
     budget.levels = [budget.levels; E(whole, 1:v), sum(seconds(whole, :), 2)];
   end
 end

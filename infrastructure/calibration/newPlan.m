@@ -3,7 +3,6 @@
 % CALL: [PLAN, E] = newPlan (DATA, CASE)
 %
 %   DATA  see newData: the runs that were taken in
-%   CASE  see newCase
 %   PLAN  n x d: CASE.options.numOfSam rows less the finished sets of DATA; none
 %         where there is no model to run
 %   E     n x v, levels of the rows (columns as CASE.effectVars); v is 0 where
@@ -23,49 +22,48 @@ function [plan, E] = newPlan (data, Case)
     n = 0;
   end
   if any (strcmp (data.stage, 'library'))
-    anywhere = [-Inf; Inf] .* ones (1, columns (data.X));
-    least = columns (data.X) + 2 - finishedSets (data, anywhere);
+    least = columns (data.X) + 2 - finishedSets (data);
     plan = planBeside (data.X, n, Case, least);
   else
     plan = planBeside (insideLimits (data.X, Case.limits), n, Case);
   end
   E = zeros (rows (plan), 0);
-  if isfield (Case, 'coarse') && ~isempty (Case.coarse)
+  if ~isempty (givenField (Case, 'coarse', []))
     levels = vertcat (Case.coarse.levels)';
     E = repmat (levels(1, :), rows (plan), 1);
   end
 end
 
 %!shared data, Case
-%! pkg load stk
 %! Case = struct ('limits', [0; 1], 'folder', '');
 %! Case.options = struct ('numOfSam', 5, 'seed', 1);
 %! Case.models = struct ('folder', {'a', 'b'});
 %! data = newData (1, 2);
+
 %!test
 %! assert (rows (newPlan (data, Case)), 5);
-%! data = addRows (data, [0.1; 0.2; 3], [1, 2; NaN, 3; 4, 5], ones (3, 1), ...
+%! some = addRows (data, [0.1; 0.2; 3], [1, 2; NaN, 3; 4, 5], ones (3, 1), ...
 %!                 'import');
-%! plan = newPlan (data, Case);
+%! plan = newPlan (some, Case);
 %! assert (rows (plan), 4);
-%! data = addRows (data, 0.1 * ones (9, 1), ones (9, 2), (2:10)', 'import');
-%! assert (rows (newPlan (data, Case)), 4);
+%! some = addRows (some, 0.1 * ones (9, 1), ones (9, 2), (2:10)', 'import');
+%! assert (rows (newPlan (some, Case)), 4);
 %! assert (all (abs (plan - 0.15) > 0.1));
-%! Case.models(2).folder = '';
-%! assert (size (newPlan (data, Case)), [0, 1]);
+%! none = setfield (Case, 'models', {2}, 'folder', '');
+%! assert (size (newPlan (some, none)), [0, 1]);
+
 %!test
 %! % the plan of a larger case beside runs of a smaller one draws no row twice
-%! other = struct ('limits', [0; 1], 'folder', '');
-%! other.options = struct ('numOfSam', 8, 'seed', 1);
-%! other.models = struct ('folder', {'a'});
 %! old = GenerateExperPlan ([0; 1], 4, '', 1);
-%! data = addRows (newData (1, 1), old, old, ones (4, 1), 'import');
-%! assert (isempty (intersect (newPlan (data, other), old)));
+%! some = addRows (data, old, [old, old], ones (4, 1), 'import');
+%! larger = setfield (Case, 'options', 'numOfSam', 8);
+%! plan = newPlan (some, larger);
+%! assert (rows (plan), 4);
+%! assert (isempty (intersect (plan, old)));
+
 %!test
 %! % with levels: the rows at the cheapest one
-%! Case.coarse = struct ('variable', 'scaleP', 'levels', [3, 2, 1], ...
-%!                       'models', 1);
-%! Case.models(2).folder = 'b';
+%! Case.coarse = struct ('levels', [3, 2, 1]);
 %! data = newData (1, 2, 1);
 %! [plan, E] = newPlan (data, Case);
 %! assert (E, 3 * ones (rows (plan), 1));

@@ -3,7 +3,7 @@
 % CALL: PROBLEM = newProblem (CASE)
 %       PROBLEM = newProblem (CASE, COST)
 %
-% CASE  struct of newCase (tests: names, limits and targets are enough)
+% CASE  struct of newCase; names, limits and targets are enough for tests
 % COST  handle residual = cost (p, evaluateFunc): p d x 1, evaluateFunc
 %       (p, varargin) -> T x 1 results; rows 1..T of residual belong to the
 %       targets, further rows are preferences. One that takes more arguments
@@ -21,7 +21,7 @@
 % seriesNames cellstr, coordinate (place on it, 0: none), part (what a residual
 % is divided by in a sum of squares in which a curve counts once);
 % benchNames, benchCost 1 x M; cost, standard (logical: the residuals are the
-% published ones), nExtra (preference rows), options of calibrationOptions,
+% published ones), nExtra (preference rows), options (see methodOptions below),
 % coarse ([], or where CASE.coarse has levels a struct: variables 1 x v cellstr,
 % levels L x v, the last row counts; column 1 x T, of each target's level, 0:
 % none), fine (1 x v: values of these variables where runs count, the last
@@ -32,31 +32,31 @@
 % the measured values: the cost function then aims at something else
 
 function problem = newProblem (Case, cost)
-  problem = ofTargets (Case.targets);
-  problem.names = Case.names;
-  problem.limits = Case.limits;
-  [problem.paramMean, problem.paramSd] = deal (NaN (1, numel (Case.names)));
-  if isfield (Case, 'paramMean')
-    problem.paramMean = Case.paramMean;
-    problem.paramSd = Case.paramSd;
+  unknown = NaN (1, numel (Case.names));
+  Case = mergeFields (struct ('paramMean', unknown, 'paramSd', unknown, ...
+                              'options', struct (), 'coarse', []), Case);
+  targets = arrayfun (@(t) mergeFields (oneTarget (), t), Case.targets, ...
+                      'UniformOutput', false);
+  targets = [targets{:}];
+  problem = ofTargets (targets);
+  for name = {'names', 'limits', 'paramMean', 'paramSd'}
+    problem.(name{1}) = Case.(name{1});
   end
+  info = targets;
   if isfield (Case, 'models')
     problem.benchNames = {Case.models.name};
     problem.benchCost = [Case.models.cost];
-    problem = withSeries (problem, targetInfo (Case));
+    info = targetInfo (Case);
   end
+  problem = withSeries (problem, info);
   problem.part = problem.tol;
   for requirement = requirementsOf (problem)
     t = requirement{1};
     problem.part(t) = problem.tol(t) * sqrt (numel (t));
   end
-  problem.options = calibrationOptions (givenField (Case, 'options', []));
+  problem.options = mergeFields (methodOptions (), Case.options);
   problem.prior = similarPriors (Case);
-  problem.coarse = coarseOf (Case);
-  problem.fine = zeros (1, 0);
-  if ~isempty (problem.coarse)
-    problem.fine = problem.coarse.levels(end, :);
-  end
+  [problem.coarse, problem.fine] = levelsOf (Case.coarse, targets);
   if nargin < 2 || isempty (cost)
     value = problem.value(:);
     scale = problem.scale(:);
@@ -68,49 +68,73 @@ function problem = newProblem (Case, cost)
   [problem.standard, problem.nExtra] = probeCost (problem);
 end
 
-function coarse = coarseOf (Case)
+% Where the case says nothing: of the user (docs/inputs.md), then of the method.
+function o = methodOptions ()
+  o = struct ('sets', 1, 'seed', 1, 'maxFunEvals', 40, 'maxIter', 3, ...
+              'tolfun', 0.002, 'replicates', 1, 'WRL', 0, ...
+              'method', 'robust', 'infill', 'thompson', ...
+              'confidence', 0.95, 'intervals', false);
+  % probability that ends the infill: runs that confirm bring the rest
+  o.likely = 0.8;
+  % below it as many runs at once confirm a set as can go
+  o.unsure = 0.9;
+  % from here on infill runs the found set alone, and preferences may choose
+  o.even = 0.5;
+  % a set less probable than this has turned out wrong
+  o.wrong = 0.2;
+  % likelier by this must another set be: two fits of the same runs differ less
+  o.better = 0.02;
+  % standard errors that contradict a tolerance or a surrogate: chance 0.3 %
+  o.apart = 3;
+  % rounds without a set that meets all before it is said: runs may show a way
+  o.conflicts = 2;
+  % of the box: nearer to its wall a parameter stands at it; a wider interval
+  % does not identify; how well a parameter measures by itself
+  [o.atLimit, o.loose, o.direct] = deal (0.005, 0.5, 0.05);
+  % runs for intervals on a curve (benchmarks/curveFewRuns.m), and runs a
+  % parameter from which they are believed without (benchmarks/curveCoverage.m)
+  [o.intervalRuns, o.curveRuns] = deal (6, 10);
+  % of the plan that must succeed: else box or model is at fault
+  o.planShare = 2 / 3;
+end
+
+function [coarse, fine] = levelsOf (given, targets)
   coarse = [];
-  if ~isfield (Case, 'coarse') || isempty (Case.coarse)
+  fine = zeros (1, 0);
+  if isempty (given)
     return
   end
-  coarse.variables = {Case.coarse.variable};
-  coarse.levels = vertcat (Case.coarse.levels)';
-  coarse.column = zeros (1, numel (Case.targets));
-  for k = 1:numel (Case.coarse)
-    isOfModel = ismember ([Case.targets.model], Case.coarse(k).models);
-    coarse.column(isOfModel) = k;
+  coarse.variables = {given.variable};
+  coarse.levels = vertcat (given.levels)';
+  coarse.column = zeros (1, numel (targets));
+  for k = 1:numel (given)
+    coarse.column(ismember ([targets.model], given(k).models)) = k;
   end
+  fine = coarse.levels(end, :);
+end
+
+% A target of which a test says no more than it needs.
+function target = oneTarget ()
+  target = struct ('name', '', 'value', NaN, 'sd', 0, 'tol', 0.01, ...
+                   'isAbsolute', false, 'trials', 1, 'scatter', false, ...
+                   'role', 'calibrate', 'model', 1, 'series', '', ...
+                   'at', NaN, 'curve', 0, 'correlation', 0);
 end
 
 function problem = ofTargets (targets)
-  T = numel (targets);
-  numbers = {'value', NaN; 'sd', 0; 'tol', 0.01; 'trials', 1; ...
-             'scatter', false; 'curve', 0; 'correlation', 0}';
-  for field = numbers
-    problem.(field{1}) = fieldRow (targets, field{:});
+  for name = {'value', 'sd', 'tol', 'trials', 'curve', 'correlation'}
+    problem.(name{1}) = double ([targets.(name{1})]);
   end
-  problem.scatter = logical (problem.scatter);
-  problem.bench = fieldRow (targets, 'model', 1);
+  problem.scatter = logical ([targets.scatter]);
+  problem.bench = [targets.model];
   problem.scale = problem.value;
-  problem.scale(fieldRow (targets, 'isAbsolute', 0) > 0) = 1;
-  problem.held = false (1, T);
-  problem.calibrate = true (1, T);
-  if isfield (targets, 'role')
-    problem.held = strcmp ({targets.role}, 'holdout');
-    problem.calibrate = strcmp ({targets.role}, 'calibrate');
+  problem.scale(logical ([targets.isAbsolute])) = 1;
+  problem.held = strcmp ({targets.role}, 'holdout');
+  problem.calibrate = strcmp ({targets.role}, 'calibrate');
+  problem.targetNames = {targets.name};
+  for t = find (cellfun (@isempty, problem.targetNames))
+    problem.targetNames{t} = sprintf ('target_%d', t);
   end
-  problem.targetNames = arrayfun (@(t) sprintf ('target_%d', t), 1:T, ...
-                                  'UniformOutput', false);
-  if isfield (targets, 'name')
-    problem.targetNames = {targets.name};
-  end
-  problem.seriesNames = repmat ({''}, 1, T);
-  if isfield (targets, 'series')
-    problem.seriesNames = {targets.series};
-  end
-  coordinate = num2cell (fieldRow (targets, 'at', NaN));
-  problem = withSeries (problem, struct ('series', problem.seriesNames, ...
-                                         'at', coordinate));
 end
 
 % Quantities along a coordinate, those of different benches apart.
@@ -124,13 +148,6 @@ function problem = withSeries (problem, info)
   [~, ~, number] = unique (labels);
   problem.series = reshape (number, size (isOn)) .* isOn;
   problem.coordinate(isnan (problem.coordinate)) = 0;
-end
-
-function row = fieldRow (targets, name, default)
-  row = default * ones (1, numel (targets));
-  if isfield (targets, name)
-    row = double ([targets.(name)]);
-  end
 end
 
 function [standard, nExtra] = probeCost (problem)
@@ -176,7 +193,9 @@ end
 %! assert ({p.bench, p.series, p.targetNames}, ...
 %!         {[1, 1], [0, 0], {'target_1', 'target_2'}});
 %! assert (p.standard);
-%! assert (p.options.maxFunEvals, 40);
+%! assert ([p.options.maxFunEvals, p.options.maxIter], [40, 3]);
+%! C.options.maxIter = 7;
+%! assert (newProblem (C).options.maxIter, 7);
 
 %!test
 %! % the published form, the other sign, a preference row

@@ -1,6 +1,6 @@
 % NEWSTATE  The state of a calibration between its stages.
 %
-% CALL: STATE = newState (DATA, SURROGATES, FOUND)
+% CALL: STATE = newState (DATA [, SURROGATES, FOUND])
 %
 % DATA        struct of newData
 % SURROGATES  1 x T struct array of fitSurrogates (default: none yet)
@@ -11,15 +11,20 @@
 %             made), budget (see newEvaluate), misled (see trustLibrary)
 
 function state = newState (data, surrogates, found)
-  state.data = data;
-  [state.surrogates, state.found] = deal ([]);
-  if nargin > 1
-    state.surrogates = surrogates;
-    state.found = found;
+  if nargin < 2
+    [surrogates, found] = deal ([]);
   end
-  state.history = struct ('stage', {}, 'iteration', {}, 'params', {}, ...
-                          'residual', {}, 'runs', {}, 'probability', {});
-  [state.reason, state.misled] = deal ('');
-  state.final = [];
+  history = struct ('stage', {}, 'iteration', {}, 'params', {}, ...
+                    'residual', {}, 'runs', {}, 'probability', {});
+  state = struct ('data', data, 'surrogates', surrogates, 'found', found, ...
+                  'history', history, 'reason', '', 'misled', '', ...
+                  'final', []);
   [state.evaluate, state.budget] = newEvaluate ([]);
 end
+
+%!test
+%! state = newState (newData (2, 1));
+%! assert ({size(state.data.X), state.surrogates, state.final}, ...
+%!         {[0, 2], [], []});
+%! assert (budgetLeft (state, newProblem (struct ('names', {{'a'}}, ...
+%!         'limits', [0; 1], 'targets', struct ('value', 1)))), 40);

@@ -5,7 +5,6 @@
 %
 %   X     m x d, sets that were run; m may be 0
 %   N     number of sets to add
-%   CASE  see newCase
 %   PLAN  N x d: a Latin hypercube, kept in ExperimentalPlan_DoE.csv; beside
 %         sets that there are, rows as far as possible from them
 %   LEAST  only so many rows, but those too that are farther from all X than the
@@ -47,7 +46,6 @@ function [P, gap] = augmentPlan (X, n, limits)
 end
 
 %!test
-%! pkg load stk
 %! Case = struct ('limits', [0; 1], 'folder', '');
 %! Case.options.seed = 3;
 %! assert (planBeside (zeros (0, 1), 5, Case), ...

@@ -2,7 +2,6 @@
 %
 % CALL: R = replicateNumbers (DATA, P, LIMITS)
 %
-%   DATA    see newData
 %   P       n x d, sets, LIMITS  2 x d, the box
 %   R       n x 1: 1 for a set that is new, else the next number, so another
 %           packing; a set at another level is one more packing, too

@@ -1,25 +1,24 @@
 % RUNANDFIT  Makes runs after the plan and refits the surrogates.
 %
-% CALL: STATE = runAndFit (STATE, PROBLEM, P, STAGE)
-% CALL: STATE = runAndFit (STATE, PROBLEM, P, STAGE, E)
+% CALL: STATE = runAndFit (STATE, PROBLEM, P, STAGE [, E])
 %
 % P      n x d  sets; one that stands in the data already (or twice in P) is
 %        another packing (replicateNumbers)
-% STAGE  'infill', 'verify' or 'replicate'
+% STAGE  'infill', 'verify', 'replicate' or 'interval'
 % E      n x v, see addRuns (PROBLEM.fine)
 %
 % Never more rows than the budget has: what is over is left out.
 
 function state = runAndFit (state, problem, P, stage, E)
-  P = P(1:min (rows (P), budgetLeft (state, problem)), :);
-  if isempty (P)
+  n = min (rows (P), budgetLeft (state, problem));
+  if n < 1
     return
   end
   if nargin < 5
-    E = repmat (problem.fine, rows (P), 1);
+    E = repmat (problem.fine, n, 1);
   end
-  P = besideEqualRuns (P, state.data, problem);
-  state = addRuns (state, problem, P, E(1:rows (P), :), stage);
+  P = besideEqualRuns (P(1:n, :), state.data, problem);
+  state = addRuns (state, problem, P, E(1:n, :), stage);
   state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
 end
 
@@ -29,53 +28,44 @@ function P = besideEqualRuns (P, data, problem)
   again = replicateNumbers (data, P, problem.limits) > 1;
   [~, isRepeat] = countEqualOnce (data, problem.bench);
   if any (isRepeat) && any (again)
-    step = 0.02 * (rand (sum (again), columns (P)) - 0.5);
-    P(again, :) = P(again, :) + step .* diff (problem.limits);
-    P = min (max (P, problem.limits(1, :)), problem.limits(2, :));
+    step = zeros (size (P));
+    step(again, :) = 0.02 * (rand (sum (again), columns (P)) - 0.5);
+    P = setsAround (P, step, problem.limits);
   end
 end
 
+%!function [problem, state] = planned (f, coarse)
+%!  C = struct ('names', {{'a'}}, 'limits', [0; 1], 'coarse', {coarse}, ...
+%!              'targets', struct ('value', 1.5, 'tol', 0.05, 'model', 1));
+%!  problem = newProblem (C, []);
+%!  X = (0:7)' / 7;
+%!  E = repmat ([2; 1], 4, ~isempty (coarse));
+%!  data = addRows (newData (1, 1, columns (E)), X, 1 + X + sum (E, 2), ...
+%!                  ones (8, 1), 'plan', E);
+%!  state = newState (data, fitSurrogates (data, problem), []);
+%!  state.evaluate = newEvaluate (f);
+%!endfunction
+
 %!test
-%! pkg load stk
-%! rand ('twister', 1);
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 1.5, 'tol', 0.05));
-%! C.options.maxFunEvals = 3;
-%! problem = newProblem (C, []);
-%! X = rand (8, 1);
-%! data = addRows (newData (1, 1), X, 1 + X, ones (8, 1), 'plan');
-%! state = newState (data, fitSurrogates (data, problem), []);
-%! state.evaluate = newEvaluate (@(P, E, r) 1 + P + 0 ./ (r < 3));
-%! state = runAndFit (state, problem, [0.5; 0.5; 0.5; 0.5], 'verify');
+%! [problem, state] = planned (@(P, E, r) 1 + P + 0 ./ (r < 3), []);
+%! problem.options.maxFunEvals = 3;
+%! state = runAndFit (state, problem, [0.45; 0.45; 0.45; 0.45], 'verify');
 %! assert (state.data.replicate(9:end), [1; 2; 3]);
 %! assert (budgetLeft (state, problem), 0);
 %! assert (isnan (state.data.Z), [false(10, 1); true]);
+
 %!test
 %! % a set that the budget leaves out is no failure
-%! pkg load stk
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 1.5, 'tol', 0.05));
-%! problem = newProblem (C, []);
-%! X = (0:7)' / 7;
-%! data = addRows (newData (1, 1), X, 1 + X, ones (8, 1), 'plan');
-%! state = newState (data, fitSurrogates (data, problem), []);
-%! state.evaluate = newEvaluate (@(P, E, r) merge (r > 1, NA, 1 + P));
+%! [problem, state] = planned (@(P, E, r) merge (r > 1, NA, 1 + P), []);
 %! state = runAndFit (state, problem, [0.5; 0.5], 'infill');
 %! assert (all (isfinite (state.data.Z)) && rows (state.data.Z) == 9);
+
 %!test
 %! % with levels: the given ones, else the one that counts
-%! pkg load stk
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 1.5, 'tol', 0.05, 'model', 1));
-%! C.coarse = struct ('variable', 'scaleP', 'levels', [2, 1], 'models', 1);
-%! problem = newProblem (C, []);
-%! X = (0:7)' / 7;
-%! E = 2 - mod (0:7, 2)';
-%! data = addRows (newData (1, 1, 1), X, X + E, ones (8, 1), 'plan', E);
-%! state = newState (data, fitSurrogates (data, problem), []);
-%! state.evaluate = newEvaluate (@(P, E, r) P + E);
+%! coarse = struct ('variable', 'scaleP', 'levels', [2, 1], 'models', 1);
+%! [problem, state] = planned (@(P, E, r) 1 + P + E, coarse);
 %! state = runAndFit (state, problem, [0.5; 0.6], 'infill', [2; 1]);
 %! state = runAndFit (state, problem, 0.5, 'verify');
 %! assert (state.data.E(9:end), [2; 1; 1]);
-%! assert (state.data.Z(9:end), [2.5; 1.6; 1.5], 1e-12);
+%! assert (state.data.Z(9:end), [3.5; 2.6; 2.5], 1e-12);
 %! assert (state.data.replicate(9:end), [1; 1; 2]);

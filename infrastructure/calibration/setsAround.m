@@ -2,7 +2,7 @@
 %
 % CALL: P = setsAround (P, STEP, LIMITS)
 %
-% P       1 x d
+% P       1 x d or n x d
 % STEP    n x d, as parts of the box
 % LIMITS  2 x d, the box
 % P       n x d; what would lie outside lies on the limit

@@ -1,7 +1,6 @@
 % SHRINKINGSEARCH  Looks for a better set around a set, ever nearer.
 %
-% CALL: P = shrinkingSearch (LOSS, P, RADII, N, LIMITS)
-% CALL: P = shrinkingSearch (LOSS, P, RADII, N, LIMITS, BESIDE)
+% CALL: P = shrinkingSearch (LOSS, P, RADII, N, LIMITS [, BESIDE])
 %
 % LOSS    handle: P m x d -> m x 1, Inf where a set is out of the question
 % P       1 x d, the start; comes back as the best set that was seen
@@ -28,7 +27,6 @@ function p = shrinkingSearch (loss, p, radii, n, limits, beside)
 end
 
 %!shared loss, limits
-%! pkg load stk
 %! loss = @(P) sumsq (P - [3, 9], 2);
 %! limits = [0, 0; 10, 10];
 %!test

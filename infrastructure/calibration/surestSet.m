@@ -5,26 +5,22 @@
 % POOL  k x d  sets to start from, best first; may be empty
 % P     1 x d
 %
-% Starts: the least sums of (r^2 + s^2) / tolerance^2 (r residual of the
-% surrogate mean, s its standard deviation) among the pool, the centroid of the
-% runs and a space-filling sample, each brought to its local least by
-% nonlin_residmin; then a shrinking search for the largest probability
-% (meetProbability). Of all sets that meet the targets this is the one of which
-% the surrogates know most.
+% Starts: the least sums of (r^2 + s^2) / tolerance^2 (residualSpread) among the
+% pool, the centroid of the runs and a space-filling sample, the best two
+% brought to their local least; then a shrinking search for the largest
+% probability.
 %
 % Where the cost function has rows beside the targets, or parameters were
 % measured by themselves, the least such preference is looked for around this
 % set and the pool, among sets whose probability is at most options.better below
-% its own and at least options.even. A set that does not meet the targets is
-% never preferred.
+% its own and at least options.even.
 
 function p = surestSet (surrogates, problem, pool)
   [p, best] = mostProbable (surrogates, problem, pool);
   if ~isempty (pool)
     known = meetProbability (surrogates, problem, pool(1, :));
     if best < known
-      p = pool(1, :);
-      best = known;
+      [p, best] = deal (pool(1, :), known);
     end
   end
   isPreferred = problem.nExtra > 0 || any (isfinite (problem.paramSd));
@@ -42,8 +38,11 @@ function [p, probability] = mostProbable (surrogates, problem, pool)
   P = [pool; centroid; sample];
   [~, order] = sort (sum (loss (surrogates, problem, P).^2, 2));
   P = P(order(1:10), :);
+  settings = optimset ('MaxIter', 20, 'TolFun', 1e-2);
   for k = 1:2
-    P(k, :) = descend (surrogates, problem, P(k, :));
+    P(k, :) = leastSquaresInBox (@(p) loss (surrogates, problem, p)', ...
+                                 @(p) slope (surrogates, problem, p), ...
+                                 P(k, :), problem.limits, settings);
   end
   step = double (stk_sampling_halton_rr2 (30, d, [-ones(1, d); ones(1, d)]));
   for radius = 0.3 * 0.75.^(0:15)
@@ -56,21 +55,10 @@ function [p, probability] = mostProbable (surrogates, problem, pool)
     end
     step = -circshift (step, 1, 2);
   end
-  [probability, r] = meetProbability (surrogates, problem, best);
-  norm2 = sum (toleranceShare (problem, r).^2, 2);
-  [~, order] = sortrows ([-round(probability * 1e6), norm2]);
+  [probability, share] = meetProbability (surrogates, problem, best);
+  [~, order] = sortrows ([-round(probability * 1e6), sum(share.^2, 2)]);
   p = best(order(1), :);
   probability = probability(order(1));
-end
-
-function p = descend (surrogates, problem, p)
-  lo = problem.limits(1, :);
-  width = problem.limits(2, :) - lo;
-  f = @(u) loss (surrogates, problem, lo + u(:)' .* width)';
-  J = @(u, hook) slope (surrogates, problem, lo + u(:)' .* width);
-  u = leastSquaresInBox (f, J, min (max ((p - lo) ./ width, 0), 1)', ...
-                         optimset ('MaxIter', 20, 'TolFun', 1e-2));
-  p = lo + u' .* width;
 end
 
 function f = loss (surrogates, problem, P)
@@ -100,11 +88,8 @@ end
 function value = preferenceOf (problem, P)
   z = (P - problem.paramMean) ./ problem.paramSd;
   value = sumsq (z(:, isfinite (problem.paramSd)), 2);
-  if problem.nExtra == 0
-    return
-  end
   T = numel (problem.value);
-  for i = 1:size (P, 1)
+  for i = 1:rows (P) * (problem.nExtra > 0)
     r = problem.cost (P(i, :)', @(varargin) problem.value(:));
     value(i) = value(i) + sum (r(T + 1:end).^2);
   end
@@ -114,7 +99,7 @@ end
 %! [problem, ~, s] = smallCalibration ();
 %!test
 %! p = surestSet (s, problem, zeros (0, 2));
-%! r = targetResidual (problem, p, predictSurrogate (s, p));
+%! r = residualSpread (s, problem, p);
 %! assert (all (abs (r) < 0.02));
 %! assert (meetProbability (s, problem, p) > 0.5);
 %!test

@@ -1,6 +1,5 @@
 % SURROGATEJACOBIAN  Jacobian of the scaled residuals on the surrogates.
 %
-% CALL: J = surrogateJacobian (SURROGATES, PROBLEM, P)
 % CALL: [J, G] = surrogateJacobian (SURROGATES, PROBLEM, P)
 %
 % P  1 x d  parameter set
@@ -23,23 +22,17 @@ function [J, G] = surrogateJacobian (surrogates, problem, p)
   step = diag (up - dn);
   P = lo + [up; dn] .* width;
   use = problem.calibrate;
-  if nargout > 1
-    [m, v] = predictSurrogate (surrogates, P);
-  else
-    m = predictSurrogate (surrogates, P);
-  end
-  [r, slope] = targetResidual (problem, P, m);
-  f = r(:, use) ./ problem.part(use);
-  J = ((f(1:d, :) - f(d + 1:end, :)) ./ step)';
-  if nargout > 1
-    s = abs (slope) .* sqrt (v);
-    s = s(:, use) ./ problem.part(use);
-    G = ((s(1:d, :) - s(d + 1:end, :)) ./ step)';
+  scaled = @(r) r(:, use) ./ problem.part(use);
+  slopes = @(f) ((f(1:d, :) - f(d + 1:end, :)) ./ step)';
+  n = max (nargout, 1);
+  [known{1:n}] = residualSpread (surrogates, problem, P);
+  J = slopes (scaled (known{1}));
+  if n > 1
+    G = slopes (scaled (known{2}));
   end
 end
 
 %!test
-%! pkg load stk
 %! rand ('twister', 1);
 %! X = rand (15, 2) .* [1, 10];
 %! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 10], ...

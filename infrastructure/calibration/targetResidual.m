@@ -2,7 +2,6 @@
 %
 % CALL: [R, SLOPE] = targetResidual (PROBLEM, P, Z)
 %
-% PROBLEM  struct of newProblem
 % P        n x d  parameter sets
 % Z        n x T  results
 % R        n x T  residual rows of the cost function (NaN where Z is NaN, or
@@ -19,20 +18,19 @@ function [r, slope] = targetResidual (problem, P, Z)
     slope = repmat (1 ./ problem.scale, n, 1);
     return
   end
-  r = zeros (n, size (Z, 2));
-  slope = zeros (n, size (Z, 2));
+  [r, slope] = deal (zeros (n, columns (Z)));
+  step = max (0.01 * problem.tol .* abs (problem.scale), realmin);
   for i = 1:n
-    r(i, :) = rows (problem, P(i, :), Z(i, :));
+    r(i, :) = costRows (problem, P(i, :), Z(i, :));
     if nargout > 1
-      step = max (0.01 * problem.tol .* abs (problem.scale), realmin);
-      slope(i, :) = (rows (problem, P(i, :), Z(i, :) + step) - r(i, :)) ./ ...
-                    step;
+      ahead = costRows (problem, P(i, :), Z(i, :) + step);
+      slope(i, :) = (ahead - r(i, :)) ./ step;
     end
   end
   r(isnan (Z)) = NaN;
 end
 
-function r = rows (problem, p, z)
+function r = costRows (problem, p, z)
   r = problem.cost (p(:), @(varargin) z(:));
   r = r(1:numel (z))(:)';
 end

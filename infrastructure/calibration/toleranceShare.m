@@ -2,7 +2,6 @@
 %
 % CALL: [SHARE, SPREAD] = toleranceShare (PROBLEM, R, S)
 %
-%   PROBLEM  struct of newProblem
 %   R        n x T, residuals
 %   S        n x T, their standard deviations; needed for SPREAD only
 %   SHARE    n x G, one column a requirement of the targets that are
@@ -13,22 +12,21 @@
 
 function [share, spread] = toleranceShare (problem, r, s)
   groups = requirementsOf (problem);
-  share = zeros (rows (r), numel (groups));
-  spread = share;
-  for g = 1:numel (groups)
-    group = groups{g};
-    share(:, g) = rms2 (r(:, group) ./ problem.tol(group));
-    if nargin > 2
-      spread(:, g) = rms2 (s(:, group) ./ problem.tol(group));
-    end
+  share = sizes (r, problem, groups);
+  if nargin > 2
+    spread = sizes (s, problem, groups);
   end
 end
 
-function x = rms2 (A)
-  if columns (A) == 1
-    x = abs (A);
-  else
-    x = sqrt (mean (A.^2, 2));
+function share = sizes (r, problem, groups)
+  share = zeros (rows (r), numel (groups));
+  for g = 1:numel (groups)
+    t = groups{g};
+    parts = r(:, t) ./ problem.tol(t);
+    share(:, g) = abs (parts(:, 1));
+    if numel (t) > 1
+      share(:, g) = sqrt (mean (parts.^2, 2));
+    end
   end
 end
 

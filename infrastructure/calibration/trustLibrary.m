@@ -2,26 +2,20 @@
 %
 % CALL: STATE = trustLibrary (STATE, PROBLEM, SAY)
 %
-%   STATE    see newState; its data hold rows of the stage 'library'. They come
-%            back with the rows that were run, and without those of the library
-%            where they do not say what the bench gives today: its misled
-%            says so then, for the warnings of checkSurrogates
-%   PROBLEM  see newProblem
-%   SAY      function handle that takes one line of text
+%   STATE    see newState; its data come back with the rows that were run, and
+%            without those of the library where they do not say what the bench
+%            gives today: its misled says so then (checkSurrogates)
 %
 % The set that the library finds is run: it must be run anyway. Where a result
 % is off by more than 4 standard deviations of what the library foretells, and
 % by more than half of the tolerance, the set is run once more, since a single
-% run may be wrong. Off again, the library misleads: a wall that was
-% changed outside the model folder, another program behind the same name.
-%
-% See also: importExisting, newPlan, findBadRuns
+% run may be wrong. Off again, the library misleads: a wall that was changed
+% outside the model folder, another program behind the same name.
 
 function state = trustLibrary (state, problem, say)
   old = keepRows (state.data, strcmp (state.data.stage, 'library'));
   least = numel (problem.names) + 2;
-  anywhere = [-Inf; Inf] .* ones (1, columns (old.X));
-  if finishedSets (runsThatCount (old, problem), anywhere) < least
+  if finishedSets (runsThatCount (old, problem)) < least
     return
   end
   surrogates = fitSurrogates (old, problem);
@@ -29,7 +23,9 @@ function state = trustLibrary (state, problem, say)
   [m, v] = predictSurrogate (surrogates, p);
   sd = sqrt (v + [surrogates.noiseVar]);
   for attempt = 1:2
-    [state, z] = oneMore (state, problem, p);
+    before = rows (state.data.X);
+    state = addRuns (state, problem, p, [], 'plan');
+    z = state.data.Z(before + 1:end, :);
     known = isfinite (z);
     if ~any (known)
       return                             % no budget, or the run failed
@@ -56,12 +52,6 @@ function state = trustLibrary (state, problem, say)
   state.data = keepRows (state.data, ~strcmp (state.data.stage, 'library'));
 end
 
-function [state, z] = oneMore (state, problem, p)
-  before = rows (state.data.X);
-  state = addRuns (state, problem, p, [], 'plan');
-  z = state.data.Z(before + 1:end, :);
-end
-
 %!function [data, misled] = trusted (data, problem, f)
 %!  state = newState (data);
 %!  state.evaluate = newEvaluate (f);
@@ -70,8 +60,6 @@ end
 %!endfunction
 
 %!shared problem, data, f
-%! pkg load stk
-%! pkg load -nodeps struct optim
 %! rand ('twister', 2);
 %! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 1], ...
 %!             'targets', struct ('name', {'x', 'y'}, 'value', {2, 0.1}, ...
@@ -80,7 +68,6 @@ end
 %! f = @(P, varargin) [1 + sum(P, 2), P(:, 1) - P(:, 2)];
 %! X = rand (9, 2);
 %! data = addRows (newData (2, 2), X, f (X), ones (9, 1), 'library');
-
 %!test
 %! [out, text] = trusted (data, problem, f);
 %! assert (out.stage(9:end), {'library'; 'plan'});

@@ -18,47 +18,37 @@ function given = costInput (handedOn)
                     all (isfield (c, {'targets', 'modelVars', 'options'})), ...
                     handedOn);
   if any (isCase)
-    first = find (isCase, 1);
-    Case = handedOn{first};
-    [value, scale] = ofTargets (Case.targets);
-    given = struct ('value', value, 'scale', scale, ...
-                    'modelVars', Case.modelVars, 'names', {Case.names}, ...
-                    'limits', Case.limits, 'WRL', Case.options.WRL);
-    return
+    Case = handedOn{find(isCase, 1)};
+  else
+    Case = ofFolder (readInput ());
   end
-  raw = readInput ();
-  [value, scale] = ofInput (raw);
+  value = [Case.targets.value]';
+  scale = value;
+  scale([Case.targets.isAbsolute]) = 1;
   given = struct ('value', value, 'scale', scale, ...
-                  'modelVars', raw.modelVars, 'names', {raw.assign(:)'}, ...
-                  'limits', raw.paramLims, 'WRL', 0);
-  if isfield (raw.optim, 'WRL') && ~isempty (raw.optim.WRL)
-    given.WRL = raw.optim.WRL;
-  end
+                  'modelVars', Case.modelVars, 'names', {Case.names}, ...
+                  'limits', Case.limits, 'WRL', Case.options.WRL);
 end
 
-function [value, scale] = ofInput (raw)
+% The same of a case that nobody has checked: a cost function that users call
+% themselves has no time for that.
+function Case = ofFolder (raw)
+  Case = struct ('modelVars', raw.modelVars, 'names', {raw.assign(:)'}, ...
+                 'limits', raw.paramLims);
+  Case.options.WRL = givenField (raw.optim, 'WRL', 0);
   if isfile (fullfile (raw.folder, 'measured.csv'))
     names = cellstr (raw.Input.model)(:)';
-    list = readConditions (raw, names);
-    found.groups = groupMeasured (list, names);
-    [value, scale] = ofTargets (newTargets (raw.optim, names, found));
+    found.groups = groupMeasured (readConditions (raw, names), names);
+    Case.targets = newTargets (raw.optim, names, found);
   else
-    value = asColumn (raw.optim.targetVal);
-    scale = value;
+    values = checkElements (raw.optim.targetVal, 'optim.targetVal', 'column');
+    Case.targets = struct ('value', values, 'isAbsolute', false);
   end
-end
-
-function [value, scale] = ofTargets (targets)
-  value = [targets.value]';
-  scale = value;
-  scale([targets.isAbsolute]) = 1;
 end
 
 %!test
 %! Case = newCase (standInCase (tempname ()));
 %! given = costInput ({{'KM_fun_1'}, Case});
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (Case.folder, 's');
 %! assert (given.value, [400; 0.025; 3]);
 %! assert (given.scale, given.value);
 %! assert (given.names, {'a', 'b'});
@@ -80,7 +70,5 @@ end
 %! read = costInput ({});
 %! cd (here);
 %! clear loadInput
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (raw.folder, 's');
 %! assert (read.value, [4; NaN; 0]);
 %! assert (read.scale, [4; NaN; 1]);

@@ -2,9 +2,8 @@
 %
 % CALL: NAMES = executorNames ()
 %
-%   NAMES  1 x n cell: 'local' for the file executeLocal.m of executors/,
-%   'slurm'
-%          for slurmExecutor.m
+%   NAMES  1 x n cell: 'local' for executeLocal.m of executors/, 'slurm' for
+%          slurmExecutor.m
 
 function names = executorNames ()
   inside = fileparts (fileparts (mfilename ('fullpath')));

@@ -4,19 +4,16 @@
 %
 %   NAME        name of the model (text)
 %   CASEFOLDER  case folder; its DEMmodels is looked in first (text)
-%   ROOT        folder of the toolbox; its DEMmodels comes second (text)
+%   ROOT        folder of the toolbox; its DEMmodels comes second (text). Last
+%               comes gap/next of the case (filledTests)
 %   FOLDER      path of the model folder, '' where there is none
 
 function folder = findModel (name, caseFolder, root)
-  folder = '';
-  places = {caseFolder, root};
-  for k = 1:numel (places)
-    candidate = fullfile (places{k}, 'DEMmodels', name);
-    if isfolder (candidate)
-      folder = candidate;
-      return
-    end
-  end
+  places = cellfun (@(place) fullfile (place, 'DEMmodels', name), ...
+                    {caseFolder, root, fullfile(caseFolder, 'gap', 'next')}, ...
+                    'UniformOutput', false);
+  found = [places(isfolder (places)), {''}];
+  folder = found{1};
 end
 
 %!assert (findModel ('NoSuchModel', '/nowhere', '/nowhere'), '')

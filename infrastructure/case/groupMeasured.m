@@ -11,7 +11,8 @@
 %             isAbsolute, curve (number of its series, 0: none), each
 %             (1 x n, the trials), changed (1 x C struct value, sd, trials,
 %             scatter, each other condition; value NaN: not measured)
-%   FAULTS    1 x p faults, see checkFault
+%   FAULTS    1 x p faults, see checkFault; reasons: measuredRepeats
+%             measuredCondition
 %   CONDITIONS  1 x C cell, names of the conditions but for the reference, of
 %             which all the other fields are; none where LIST has no conditions
 %
@@ -23,8 +24,6 @@
 % The value of a point of a curve is named <name or series>@<at>, unless the
 % name stands in one place only. Where several models have a target of one name,
 % it is <model>_<name>: a name is a column of runs.csv.
-%
-% Reasons: measuredRepeats measuredCondition
 
 function [groups, p, conditions] = groupMeasured (list, models)
   p = checkFault ();
@@ -33,22 +32,20 @@ function [groups, p, conditions] = groupMeasured (list, models)
   others = cellfun (@(c) list(strcmp ({list.condition}, c)), conditions, ...
                     'UniformOutput', false);
   list = list(~isOther);
-  keys = keysOf (list);
-  [first, which] = inOrder (keys);
   groups = [];
-  for g = 1:numel (first)
-    trials = list(which == g);
-    p = [p, checkAlike(trials)];
-    groups = [groups, oneTarget(trials, list)];
+  for trials = byQuantity (list)
+    p = [p, checkAlike(trials{1})];
+    groups = [groups, oneTarget(trials{1}, list)];
   end
-  [groups, q] = withConditions (groups, keys(first), others);
+  [groups, q] = withConditions (groups, unique (keysOf (list), 'stable'), ...
+                                others);
   p = [p, q];
   [~, order] = sort ([groups.model]);
   groups = distinctNames (groups(order), models);
   series = arrayfun (@(g) sprintf ('%d|%s', g.model, g.series), groups, ...
                      'UniformOutput', false);
-  [~, number] = inOrder (series);
-  number = num2cell (number(:)' .* ~cellfun (@isempty, {groups.series}));
+  [~, number] = ismember (series, unique (series, 'stable'));
+  number = num2cell (number .* ~cellfun (@isempty, {groups.series}));
   [groups.curve] = number{:};
 end
 
@@ -58,28 +55,34 @@ function keys = keysOf (list)
                    'UniformOutput', false);
 end
 
+% The lines of each quantity: 1 x n cell.
+function parts = byQuantity (list)
+  keys = keysOf (list);
+  parts = cellfun (@(key) list(strcmp (keys, key)), ...
+                   unique (keys, 'stable'), 'UniformOutput', false);
+end
+
 % The same quantities in the other conditions.
 function [groups, p] = withConditions (groups, keys, others)
   p = checkFault ();
   none = struct ('value', NaN, 'sd', 0, 'trials', 1, 'scatter', false);
   [groups.changed] = deal (repmat (none, 1, numel (others)));
   for c = 1:numel (others)
-    [first, which] = inOrder (keysOf (others{c}));
-    for g = 1:numel (first)
-      trials = others{c}(which == g);
-      at = find (strcmp (keysOf (trials(1)), keys), 1);
-      if isempty (at)
-        where = sprintf ('measured.csv, line %d', trials(1).line);
+    for trials = byQuantity (others{c})
+      first = trials{1}(1);
+      same = find (strcmp (keysOf (first), keys), 1);
+      if isempty (same)
+        where = sprintf ('measured.csv, line %d', first.line);
         p(end + 1) = checkFault ('measuredCondition', where, ...
                                  'what was measured in the reference, too', ...
-                                 [trials(1).name, trials(1).series], ...
+                                 [first.name, first.series], ...
                                  ['Add its value before the change, or ' ...
                                   'take the line out.']);
         continue
       end
-      own = oneTarget (trials, trials);
+      target = oneTarget (trials{1}, trials{1});
       for name = fieldnames (none)'
-        groups(at).changed(c).(name{1}) = own.(name{1});
+        groups(same).changed(c).(name{1}) = target.(name{1});
       end
     end
   end
@@ -95,54 +98,44 @@ function groups = distinctNames (groups, models)
   end
 end
 
-% First place of each text, and which of them every one is.
-function [first, which] = inOrder (texts)
-  [~, first, which] = unique (texts, 'first');
-  [first, order] = sort (first(:)');
-  rank(order) = 1:numel (order);
-  which = rank(which);
-end
-
 % What one trial says holds for all: it must not say two things.
 function p = checkAlike (trials)
   p = checkFault ();
   for field = {'role', 'tol', 'isAbsolute', 'unit'}
-    given = trials(~isFree (trials, field{1}));
-    for k = 2:numel (given)
-      value = given(k).(field{1});
-      if ~isequaln (value, given(1).(field{1}))
-        where = sprintf ('measured.csv, line %d, %s', given(k).line, field{1});
+    given = trials(isGiven (trials, field{1}));
+    for trial = given(2:end)
+      if ~isequaln (trial.(field{1}), given(1).(field{1}))
+        where = sprintf ('measured.csv, line %d, %s', trial.line, field{1});
         p(end + 1) = checkFault ('measuredRepeats', where, ...
                                  sprintf (['what line %d has: it is the ' ...
                                            'same quantity'], given(1).line), ...
-                                 checkShow (value), ...
+                                 checkShow (trial.(field{1})), ...
                                  'Give it once, or alike in every trial.');
       end
     end
   end
 end
 
-function free = isFree (trials, field)
-  free = arrayfun (@(o) isempty (o.(field)) || (isnumeric (o.(field)) && ...
-                                                isnan (o.(field))), trials);
+function given = isGiven (trials, field)
   if strcmp (field, 'isAbsolute')
-    free = isFree (trials, 'tol');
+    field = 'tol';
   end
+  given = ~arrayfun (@(o) isempty (o.(field)) || ...
+                     any (isnan (double (o.(field)))), trials);
 end
 
 function value = firstOf (trials, field)
-  first = [find(~isFree (trials, field), 1), 1];
+  first = [find(isGiven (trials, field), 1), 1];
   value = trials(first(1)).(field);
 end
 
 function g = oneTarget (trials, list)
-  g = struct ('line', trials(1).line, 'model', trials(1).model, ...
-              'name', targetName (trials(1), list), ...
-              'result', trials(1).name, ...
-              'series', trials(1).series, 'at', trials(1).at, ...
+  one = trials(1);
+  g = struct ('line', one.line, 'model', one.model, ...
+              'name', targetName (one, list), 'result', one.name, ...
+              'series', one.series, 'at', one.at, ...
               'unit', firstOf (trials, 'unit'), 'value', NaN, ...
-              'sd', max ([trials.sd]), ...
-              'trials', 1, 'scatter', false, ...
+              'sd', max ([trials.sd]), 'trials', 1, 'scatter', false, ...
               'role', firstOf (trials, 'role'), ...
               'tol', firstOf (trials, 'tol'), ...
               'isAbsolute', firstOf (trials, 'isAbsolute'), 'curve', 0, ...

@@ -7,9 +7,9 @@
 %   FOLDER  case folder, looked in before the toolbox (text, default pwd)
 %   CASE    scalar struct, see newCase
 %
-% A program loads its case once and hands it on. Without arguments it is the
-% case of the current folder, for published functions that users call with no
-% case at hand. The candidate effects of the diagnosis are added by withEffects.
+% A program loads its case once and hands it on. Without arguments it is that of
+% the current folder, for published functions that users call with no case at
+% hand. withEffects adds the candidate effects of the diagnosis.
 %
 % Errors: those of readInput and checkCase
 
@@ -25,8 +25,6 @@ end
 %! Case = loadCase ();
 %! cd (here);
 %! clear loadInput
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (raw.folder, 's');
 %! assert (Case.names, {'a', 'b'});
 %! assert (Case.folder, raw.folder);
 %! assert (isempty (Case.effects));

@@ -34,5 +34,3 @@ end
 %! assert (isfolder (moved{1}));
 %! assert (! isfolder (fullfile (folder, 'optim')));
 %! assert (isempty (moveAside (folder)));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');

@@ -45,8 +45,6 @@ end
 %! part = namedResults (@(f) struct ('slope', 30, 'more', 1), '', folder);
 %! curve = namedResults (@(f) struct ('mass', [0, 1; 2, 3]), '', folder);
 %! none = namedResults (@(f) error ('no file'), '', folder);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
 %! assert (part, {NaN, 30});
 %! assert (curve, {[0, 1; 2, 3], NaN});
 %! assert (none, {NaN, NaN});

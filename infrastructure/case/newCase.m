@@ -10,19 +10,8 @@
 %         first in effectVars, as they do in the data
 %
 % checkCase looks at RAW first. Its faults are raised together, as one
-% error under the identifier of the first.
-%
-% Defaults: Input.seed 1, Input.executor 'local', Input.maxNewRuns Inf,
-% Input.replicates 1, Input.coarse none, Input.store (folder
-% that holds optim/) the case folder,
-% Input.timeout none (a multiple
-% of the median run), optim.tolfun 0.002, optim.maxIter 3, optim.maxFunEvals
-% 40, optim.WRL 0, optim.method 'robust', optim.infill
-% 'thompson', optim.confidence 0.95,
-% optim.targetStd 0, optim.trials 1, optim.correlation 0 (independent),
-% optim.role 'calibrate', optim.paramMean and paramSd NaN (not measured),
-% optim.cost 1. A measured.csv in the case folder takes the place of the fields
-% of optim that are given target by target.
+% error under the identifier of the first. A measured.csv in the case folder
+% takes the place of the fields of optim that are given target by target.
 
 function Case = newCase (raw)
   [faults, found] = checkCase (raw);
@@ -38,9 +27,8 @@ function Case = newCase (raw)
   Case.models = newModels (raw);
   Case.names = raw.assign(:)';
   Case.limits = double (raw.paramLims);
-  Case.paramMean = rowByName (givenField (raw.optim, 'paramMean', []), ...
-                              Case.names);
-  Case.paramSd = rowByName (givenField (raw.optim, 'paramSd', []), Case.names);
+  Case.paramMean = found.paramMean;
+  Case.paramSd = found.paramSd;
   Case.modelVars = raw.modelVars;
   Case.effects = [];
   Case.coarse = newCoarse (givenField (Input, 'coarse', {}));
@@ -71,29 +59,29 @@ function text = listFaults (faults)
 end
 
 function models = newModels (raw)
-  names = cellstr (raw.Input.model);
+  names = cellstr (raw.Input.model)(:)';
+  n = numel (names);
   timeout = givenField (raw.Input, 'timeout', NaN);
-  timeout(end + 1:numel (names)) = NaN;
-  cost = givenField (raw.optim, 'cost', 1);
-  cost(end + 1:numel (names)) = 1;
-  models = struct ('name', names(:)', 'folder', '', 'cpu', 1, ...
-                   'timeout', NaN, 'nTargets', 0, 'seconds', [], 'cost', 1, ...
+  timeout(end + 1:n) = NaN;
+  cost = double (givenField (raw.optim, 'cost', 1));
+  cost(end + 1:n) = 1;
+  folders = cellfun (@(name) findModel (name, raw.folder, raw.root), names, ...
+                     'UniformOutput', false);
+  models = struct ('name', names, 'folder', folders, ...
+                   'cpu', num2cell (raw.Input.cpu(1:n)(:)'), ...
+                   'timeout', num2cell (timeout(1:n)(:)'), 'nTargets', 0, ...
+                   'seconds', [], 'cost', num2cell (cost(1:n)(:)'), ...
                    'readings', []);
-  for k = 1:numel (models)
-    models(k).folder = findModel (models(k).name, raw.folder, raw.root);
-    models(k).cpu = raw.Input.cpu(k);
-    models(k).timeout = timeout(k);
-    models(k).cost = double (cost(k));
-  end
 end
 
 function o = newOptions (Input, optim)
-  o.maxCPU = Input.maxCPU;
-  o.numOfSam = Input.numOfSam;
-  o.seed = givenField (Input, 'seed', 1);
-  o.executor = givenField (Input, 'executor', 'local');
-  o.maxNewRuns = givenField (Input, 'maxNewRuns', Inf);
-  o.replicates = givenField (Input, 'replicates', 1);
+  ofInput = {'maxCPU', []; 'numOfSam', []; 'seed', 1; 'executor', 'local'; ...
+             'maxNewRuns', Inf; 'replicates', 1; 'intervals', false};
+  ofOptim = {'tolfun', 0.002; 'maxIter', 3; 'maxFunEvals', 40; 'WRL', 0; ...
+             'method', 'robust'; 'infill', 'thompson'; 'confidence', 0.95};
+  for default = ofInput'
+    o.(default{1}) = givenField (Input, default{:});
+  end
   for name = executorNames ()
     if isfield (Input, name{1})
       o.(name{1}) = Input.(name{1});
@@ -104,13 +92,9 @@ function o = newOptions (Input, optim)
     o.similar = make_absolute_filename (tilde_expand (o.similar));
   end
   o.sets = describeExecutor (o.executor).sets (o);
-  o.tolfun = givenField (optim, 'tolfun', 0.002);
-  o.maxIter = givenField (optim, 'maxIter', 3);
-  o.maxFunEvals = givenField (optim, 'maxFunEvals', 40);
-  o.WRL = givenField (optim, 'WRL', 0);
-  o.method = givenField (optim, 'method', 'robust');
-  o.infill = givenField (optim, 'infill', 'thompson');
-  o.confidence = givenField (optim, 'confidence', 0.95);
+  for default = ofOptim'
+    o.(default{1}) = givenField (optim, default{:});
+  end
 end
 
 % Levels as 1 x v struct, one element a variable: variable, levels (1 x L, the
@@ -150,75 +134,65 @@ function yes = usesSeed (folder)
                  shellQuote(folder), ' 2> /dev/null']) == 0;
 end
 
-%!shared raw
+%!shared raw, level
 %! raw = standInCase (tempname ());
+%! level = struct ('variable', 'e', 'levels', [3; 2]);
+%!function Case = with (raw, part, varargin)
+%!  for k = 1:2:numel (varargin)
+%!    raw.(part).(varargin{k}) = varargin{k + 1};
+%!  end
+%!  Case = newCase (raw);
+%!endfunction
 %!test
 %! Case = newCase (raw);
 %! assert (size (Case.limits), [2, 2]);
 %! assert ([Case.targets.value], [400, 0.025, 3]);
 %! assert ([Case.targets.model], [1, 1, 2]);
+%! assert ([Case.targets.trials], [1, 1, 1]);
 %! assert ([Case.models.nTargets], [2, 1]);
 %! assert ([Case.models.cost], [1, 1]);
-%! assert ([Case.targets.trials], [1, 1, 1]);
 %! assert (Case.options.seed, 1);
+%! assert (Case.paramSd, [NaN, NaN]);
+%! assert ({Case.coarse, Case.effects}, {Case.coarse([]), []});
 %!test
 %! % trials: one number for a model, or one a target
-%! repeated = raw;
-%! repeated.optim.trials = {[], Inf};
-%! assert ([newCase(repeated).targets.trials], [1, 1, Inf]);
-%! repeated.optim.trials = {5, 2};
-%! assert ([newCase(repeated).targets.trials], [5, 5, 2]);
-%! repeated.optim.correlation = {[3, NaN], 'estimate'};
-%! assert ([newCase(repeated).targets.correlation], [3, 0, NaN]);
+%! Case = with (raw, 'optim', 'trials', {[], Inf});
+%! assert ([Case.targets.trials], [1, 1, Inf]);
+%! Case = with (raw, 'optim', 'trials', {5, 2}, ...
+%!              'correlation', {[3, NaN], 'estimate'});
+%! assert ([Case.targets.trials], [5, 5, 2]);
+%! assert ([Case.targets.correlation], [3, 0, NaN]);
 %!test
-%! measured = raw;
-%! measured.optim.cost = 4;
-%! assert ([newCase(measured).models.cost], [4, 1]);
-%! assert (newCase (raw).paramSd, [NaN, NaN]);
-%! measured.optim.paramMean = struct ('b', 2);
-%! measured.optim.paramSd = [NaN; 0.5];
-%! Case = newCase (measured);
+%! Case = with (raw, 'optim', 'cost', 4, 'paramSd', [NaN; 0.5], ...
+%!              'paramMean', struct ('b', 2));
+%! assert ([Case.models.cost], [4, 1]);
 %! assert ([Case.paramMean; Case.paramSd], [NaN, 2; NaN, 0.5]);
-%!test
-%! leveled = raw;
-%! level = struct ('variable', 'e', 'levels', [3; 2]);
-%! leveled.Input.coarse = {level, level};
-%! assert (newCase (leveled).coarse, struct ('variable', 'e', ...
-%!         'levels', [3, 2], 'models', [1, 2]));
-%! assert (isempty (newCase (raw).coarse));
+%!assert (with (raw, 'Input', 'coarse', {level, level}).coarse, ...
+%!        struct ('variable', 'e', 'levels', [3, 2], 'models', [1, 2]))
 %!test
 %! % the published file returns the values of all models as one column
-%! published = raw;
-%! published.optim.targetVal = horzcat (raw.optim.targetVal{:})';
-%! published.optim.tolRes = horzcat (raw.optim.tolRes{:})';
-%! Case = newCase (published);
+%! Case = with (raw, 'optim', 'targetVal', [400; 0.025; 3], ...
+%!              'tolRes', [0.01; 0.01; 0.02]);
 %! assert ([Case.targets.model], [1, 1, 2]);
 %! assert ([Case.targets.tol], [0.01, 0.01, 0.02]);
-%!assert (isempty (newCase (raw).effects))
 %!error id=DEcalioc:checkCase:badLimits
-%! raw.paramLims(:, 1) = [2; 1];
-%! newCase (raw);
+%! newCase (setfield (raw, 'paramLims', [2, 0; 1, 10]));
 %!test
 %! % fields that nobody reads, and a bench without packings
-%! raw = standInCase (tempname ());
-%! raw.Input.colour = 'red';
-%! raw.optim.myWeights = [1, 2];
-%! Case = newCase (raw);
+%! other = setfield (raw, 'Input', 'colour', 'red');
+%! Case = with (other, 'optim', 'myWeights', [1, 2]);
+%! marks = {'Input.colour', 'optim.myWeights', 'DEMmodels/First ', ...
+%!          'DEMmodels/Second '};
 %! assert (numel (Case.notes), 4);
-%! assert (! isempty (strfind (Case.notes{1}, 'Input.colour')));
-%! assert (! isempty (strfind (Case.notes{2}, 'optim.myWeights')));
-%! assert (! isempty (strfind (Case.notes{3}, 'DEMmodels/First ')));
+%! assert (! any (cellfun (@isempty, cellfun (@strfind, Case.notes, marks, ...
+%!                                            'UniformOutput', false))));
 %! % used in a comment is used, as nobody can tell what a script does
 %! for model = {'First', 'Second'}
 %!   folder = fullfile (raw.folder, 'DEMmodels', model{1}, 'lib');
 %!   mkdir (folder);
 %!   writeAtomic (fullfile (folder, 'insert.in'), 'seed ${runSeed}');
 %! end
-%! raw.Input = rmfield (raw.Input, 'colour');
-%! raw.optim = rmfield (raw.optim, 'myWeights');
 %! assert (newCase (raw).notes, cell (1, 0));
 %! % a word that holds it is another one; no folder, no note
 %! writeAtomic (fullfile (folder, 'insert.in'), 'seed ${runSeeds}');
 %! assert (numel (newCase (raw).notes), 1);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (raw.folder, 's');

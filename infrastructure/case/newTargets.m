@@ -5,79 +5,62 @@
 %   OPTIM    scalar struct, the optim of loadInput, checked
 %   NAMES    1 x M cell, names of the models
 %   FOUND    scalar struct: groups of measured.csv, which go before
-%            optim.targetVal, and sizes, see checkCase
+%            optim.targetVal, and sizes, see checkCase. Where there are both,
+%            the groups are of further models (filledTests)
 %   TARGETS  1 x T struct in the order of the models, see docs/data.md
 
 function targets = newTargets (optim, names, found)
-  if isempty (found.groups)
-    targets = fromCells (optim, names, found.sizes);
+  groups = found.groups;
+  if isempty (groups)
+    groups = fromCells (optim, names, found.sizes);
+  elseif groups(1).model > 1
+    n = groups(1).model - 1;
+    first = fromCells (optim, names(1:n), found.sizes(1:n));
+    groups = [first, rmfield(groups, {'line', 'each'})];
   else
-    targets = fromTable (found.groups, optim, names);
+    groups = rmfield (groups, 'line');
   end
-end
-
-function targets = fromTable (groups, optim, names)
   counts = arrayfun (@(k) sum ([groups.model] == k), 1:numel (names));
-  lengths = asLengths (givenField (optim, 'correlation', {}));
-  lengths = perTarget (lengths, counts, -1);
+  lengths = perTarget (asLengths (givenField (optim, 'correlation', {})), ...
+                       counts, -1);
   targets = [];
-  for g = groups
-    index = 1;
-    if ~isempty (targets)
-      index = 1 + sum ([targets.model] == g.model);
-    end
-    t = struct ('model', g.model, 'modelName', names{g.model}, ...
-                'index', index, 'name', g.name, 'value', g.value, ...
-                'sd', g.sd, 'tol', g.tol, 'role', g.role, ...
-                'trials', g.trials, 'correlation', lengths{g.model}(index));
-    for field = {'isAbsolute', 'scatter', 'unit', 'result', 'series', ...
-                 'at', 'curve', 'each', 'changed'}
-      t.(field{1}) = g.(field{1});
-    end
+  for j = 1:numel (groups)
+    g = groups(j);
+    index = sum ([groups(1:j).model] == g.model);
+    t = mergeFields (struct ('model', g.model, ...
+                             'modelName', names{g.model}, 'index', index, ...
+                             'correlation', lengths{g.model}(index)), g);
     if isnan (t.tol)
       t.tol = givenField (optim, 'tolRes', 0.01);
     end
     if t.correlation < 0
-      t.correlation = ifElse (t.curve > 0, NaN, 0);
+      % the errors of a curve are alike, as far as its residuals say
+      lengthOf = [0, NaN];
+      t.correlation = lengthOf(1 + (t.curve > 0));
     end
     targets = [targets, t];
   end
 end
 
-function value = ifElse (test, value, other)
-  if ~test
-    value = other;
-  end
-end
-
 % The published loadInput returns the values of all models as one column.
-function targets = fromCells (optim, models, counts)
+function groups = fromCells (optim, models, counts)
   values = perTarget (optim.targetVal, counts, NaN);
   tols = perTarget (optim.tolRes, counts, 0);
   sds = perTarget (givenField (optim, 'targetStd', []), counts, 0);
   trials = perTarget (givenField (optim, 'trials', []), counts, 1);
-  lengths = perTarget (asLengths (givenField (optim, 'correlation', {})), ...
-                       counts, 0);
   names = givenField (optim, 'targetName', {});
   roles = givenField (optim, 'role', {});
-  targets = [];
+  groups = [];
   for k = 1:numel (models)
     for i = 1:counts(k)
-      t = struct ('model', k, 'modelName', models{k}, 'index', i);
-      t.name = textOf (names, k, i, sprintf ('%s_%d', models{k}, i));
-      t.value = values{k}(i);
-      t.sd = sds{k}(i);
-      t.tol = tols{k}(i);
-      t.role = textOf (roles, k, i, 'calibrate');
-      t.trials = trials{k}(i);
-      t.correlation = lengths{k}(i);
-      t.isAbsolute = false;
-      t.scatter = false;
-      [t.unit, t.result, t.series] = deal ('');
-      t.at = NaN;
-      t.curve = 0;
-      t.changed = [];
-      targets = [targets, t];
+      name = textOf (names, k, i, sprintf ('%s_%d', models{k}, i));
+      g = struct ('model', k, 'name', name, 'value', values{k}(i), ...
+                  'sd', sds{k}(i), 'tol', tols{k}(i), ...
+                  'role', textOf (roles, k, i, 'calibrate'), ...
+                  'trials', trials{k}(i), 'isAbsolute', false, ...
+                  'scatter', false, 'unit', '', 'result', '', ...
+                  'series', '', 'at', NaN, 'curve', 0, 'changed', []);
+      groups = [groups, g];
     end
   end
 end
@@ -123,12 +106,15 @@ function parts = perTarget (values, counts, default)
   end
 end
 
-%!function t = ofTable (text, optim)
+%!function t = ofTable (text, optim, sizes)
+%!  if nargin < 3
+%!    sizes = [];
+%!  end
 %!  file = tempname ();
 %!  writeAtomic (file, text);
 %!  groups = groupMeasured (readMeasured (file, {'A', 'B'}), {'A', 'B'});
-%!  delete (file);
-%!  t = newTargets (optim, {'A', 'B'}, struct ('groups', groups));
+%!  t = newTargets (optim, {'A', 'B'}, struct ('groups', groups, ...
+%!                                                 'sizes', sizes));
 %!endfunction
 %!test
 %! t = ofTable (...
@@ -150,6 +136,14 @@ end
 %!              struct ());
 %! assert ({t.name}, {'A_slope', 'B_slope'});
 %! assert ({t.result}, {'slope', 'slope'});
+%!test
+%! % cells of optim, and the table of a further model
+%! t = ofTable ("model,name,value,tol\nB,x,3,0.1\n", ...
+%!              struct ('targetVal', {{[1, 2]}}, 'tolRes', {{[0.1, 0.2]}}), ...
+%!              [2, 1]);
+%! assert ([t.model], [1, 1, 2]);
+%! assert ({t.name}, {'A_1', 'A_2', 'x'});
+%! assert ([t.tol], [0.1, 0.2, 0.1]);
 %!test
 %! % the cells of optim give the same fields
 %! found = struct ('groups', [], 'sizes', [2, 1]);

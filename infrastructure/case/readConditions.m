@@ -1,19 +1,30 @@
 % READCONDITIONS  Reads measured.csv, and beside it that of an earlier case.
 %
 % CALL: [LIST, FAULTS] = readConditions (RAW, MODELS)
+%       [LIST, FAULTS] = readConditions (RAW, MODELS, 'further')
 %
 %   RAW     struct of readInput: folder, and Input, of which reference names the
 %           folder of an earlier case ('': none)
 %   MODELS, LIST, FAULTS  see readMeasured
 %
+% After measured.csv come the lines with a value of the tests in RAW.further
+% (readInput); with 'further' these are all.
+%
 % With a reference the lines of that case (of its own reference, where it has
 % conditions) come first, as the condition reference; the others are the
 % condition now.
-%
-% Reasons: measuredCondition, and those of readMeasured
 
-function [list, p] = readConditions (raw, models)
-  [list, p] = readMeasured (fullfile (raw.folder, 'measured.csv'), models);
+function [list, p] = readConditions (raw, models, which)
+  [further, p] = furtherLines (raw, models);
+  list = further;
+  if nargin > 2
+    return
+  end
+  [list, q] = readChecked (raw.folder, models);
+  p = [q, p];
+  if ~isempty (list)
+    list = [list, further];
+  end
   reference = givenField (raw.Input, 'reference', '');
   if ~ischar (reference) || isempty (reference) || isempty (list)
     return
@@ -25,8 +36,7 @@ function [list, p] = readConditions (raw, models)
                              'Take one of the two out.');
     return
   end
-  [before, q] = readMeasured (fullfile (tilde_expand (reference), ...
-                                        'measured.csv'), models);
+  [before, q] = readChecked (tilde_expand (reference), models);
   p = [p, q];
   if ~isempty (before)
     before = before(ismember ({before.condition}, {'', 'reference'}));
@@ -36,24 +46,77 @@ function [list, p] = readConditions (raw, models)
   end
 end
 
+% In a column condition one is the reference, there is another one, and no line
+% is without.
+function [list, p] = readChecked (folder, models)
+  [list, p, header] = readMeasured (fullfile (folder, 'measured.csv'), models);
+  if isempty (list) || ~any (strcmp (header, 'condition'))
+    return
+  end
+  conditions = {list.condition};
+  isName = cellfun (@(c) checkIs ('name', c), conditions);
+  for k = find (~isName)
+    p(end + 1) = checkFault ('measuredCondition', ...
+                             sprintf ('measured.csv, line %d, condition', ...
+                                      list(k).line), ...
+                             ['a name of letters, digits and underscores; ' ...
+                              'reference where nothing has changed yet'], ...
+                             checkShow (conditions{k}), ...
+                             'Or take the column out of the table.');
+  end
+  isReference = strcmp (conditions, 'reference');
+  if all (isName) && (all (isReference) || ~any (isReference))
+    p(end + 1) = checkFault ('measuredCondition', ...
+                             'measured.csv, condition', ...
+                             'reference and at least one other condition', ...
+                             strjoin (unique (conditions), ', '), ...
+                             ['Call reference what was measured before the ' ...
+                              'change, and the rest by names of your own.']);
+  end
+end
+
+function [list, p] = furtherLines (raw, models)
+  list = [];
+  p = checkFault ();
+  for name = givenField (raw, 'further', {})
+    file = fullfile (raw.folder, 'gap', 'next', [name{1}, '.csv']);
+    [own, q] = readMeasured (file, models);
+    p = [p, q];
+    if ~isempty (own)
+      list = [list, own(isfinite ([own.value]))];
+    end
+  end
+end
+
+%!function [list, reasons] = read (reference, varargin)
+%!  % the last table is that of the case
+%!  for k = 1:numel (varargin)
+%!    folders{k} = tempname ();
+%!    mkdir (folders{k});
+%!    writeAtomic (fullfile (folders{k}, 'measured.csv'), varargin{k});
+%!  end
+%!  raw = struct ('folder', folders{end}, 'Input', struct ('model', 'Toy'));
+%!  if reference
+%!    raw.Input.reference = folders{1};
+%!  end
+%!  [list, p] = readConditions (raw, {'Toy'});
+%!  reasons = arrayfun (@(q) strrep (q.id, 'DEcalioc:checkCase:', ''), ...
+%!                      p(:)', 'UniformOutput', false);
+%!endfunction
 %!test
 %! % the values of the earlier case are the reference
-%! places = {tempname(), tempname()};
-%! for k = 1:2
-%!   mkdir (places{k});
-%!   writeAtomic (fullfile (places{k}, 'measured.csv'), ...
-%!                sprintf ("name,value\na,%d\n", k));
-%! end
-%! raw = struct ('folder', places{2}, 'Input', struct ('model', 'Toy'));
-%! assert ([readConditions(raw, {'Toy'}).value], 2);
-%! raw.Input.reference = places{1};
-%! [list, p] = readConditions (raw, {'Toy'});
-%! assert (isempty (p));
+%! tables = {"name,value\na,1\n", "name,value\na,2\n"};
+%! assert ([read(false, tables{2}).value], 2);
+%! [list, reasons] = read (true, tables{:});
+%! assert (isempty (reasons));
 %! assert ({list.condition, list.value}, {'reference', 'now', 1, 2});
-%! writeAtomic (fullfile (places{2}, 'measured.csv'), ...
-%!              "name,value,condition\na,1,reference\na,2,wet\n");
-%! [~, p] = readConditions (raw, {'Toy'});
-%! assert (p.id, 'DEcalioc:checkCase:measuredCondition');
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (places{1}, 's');
-%! rmdir (places{2}, 's');
+%!test
+%! table = @(varargin) ["name,value,condition\n", ...
+%!                      sprintf("a,1,%s\n", varargin{:})];
+%! reasonsOf = @(varargin) nthargout (2, @read, varargin{:});
+%! assert (isempty (reasonsOf (false, table ('reference', 'moist'))));
+%! for bad = {{'reference', 'reference'}, {'moist', 'wet'}, {'reference', ''}}
+%!   assert (reasonsOf (false, table (bad{1}{:})), {'measuredCondition'});
+%! end
+%! tables = {"name,value\na,1\n", table('reference', 'wet')};
+%! assert (reasonsOf (true, tables{:}), {'measuredCondition'});

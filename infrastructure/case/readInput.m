@@ -1,7 +1,7 @@
 % READINPUT  Reads the user's loadInput.m.
 %
 % CALL: RAW = readInput ()
-% CALL: RAW = readInput (ROOT, FOLDER)
+%       RAW = readInput (ROOT, FOLDER)
 %
 % ROOT    folder of the toolbox (text, default: the one of this file)
 % FOLDER  case folder (text, default pwd)
@@ -9,13 +9,14 @@
 %         as published), root, folder
 %
 % Where Input has no store, it is the one that the environment names in
-% DECALIOC_STORE, if there is one.
+% DECALIOC_STORE. loadInput is the file of the case folder or else of the
+% toolbox.
 %
-% Nothing else calls loadInput, which is the file of the case folder or else of
-% the toolbox.
+% Tests that were advised and have been measured since (filledTests) are further
+% models, at the end of Input.model; raw.further has their names. Each has the
+% CPUs of the model whose name its own begins with, or 1.
 %
-% Errors: DEcalioc:readInput:missingFile    no loadInput.m
-%         DEcalioc:readInput:brokenInput    loadInput.m cannot be run
+% Errors: DEcalioc:readInput:missingFile, :brokenInput
 
 function raw = readInput (root, folder)
   if nargin < 2
@@ -42,6 +43,25 @@ function raw = readInput (root, folder)
      isempty (givenField (raw.Input, 'store', ''))
     raw.Input.store = place;
   end
+  raw = withFurther (raw);
+end
+
+function raw = withFurther (raw)
+  raw.further = filledTests (raw.folder);
+  isUsable = isstruct (raw.Input) && isfield (raw.Input, 'model') && ...
+             isfield (raw.Input, 'cpu') && ~isempty (raw.further);
+  if ~isUsable || ~(iscellstr (raw.Input.model) || ischar (raw.Input.model))
+    return
+  end
+  own = cellstr (raw.Input.model);
+  raw.further = setdiff (raw.further, own);
+  for name = raw.further
+    from = find (cellfun (@(m) strncmp (name{1}, [m, '_'], numel (m) + 1), ...
+                          own), 1);
+    raw.Input.cpu(numel (own) + 1) = max ([raw.Input.cpu(from), 1]);
+    own{end + 1} = name{1};
+  end
+  raw.Input.model = own;
 end
 
 function text = whereAndWhat (err)
@@ -67,8 +87,6 @@ end
 %!   assert (! isempty (strfind (err.message, 'nope')));
 %! unwind_protect_cleanup
 %!   rmpath (folder);
-%!   confirm_recursive_rmdir (false, 'local');
-%!   rmdir (folder, 's');
 %! end_unwind_protect
 %!test
 %! raw = readInput ();

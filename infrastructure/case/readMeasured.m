@@ -1,6 +1,6 @@
 % READMEASURED  Reads the table of measured values, measured.csv.
 %
-% CALL: [LIST, FAULTS] = readMeasured (FILE, MODELS)
+% CALL: [LIST, FAULTS, HEADER] = readMeasured (FILE, MODELS)
 %
 %   FILE      path of the table, in any form that readCsvTable takes
 %   MODELS    1 x M cell, names of the models; '' where a name is not usable
@@ -13,17 +13,14 @@
 %             is one, good or bad), condition ('': not given); [] where the
 %             table as a whole is no use
 %   FAULTS    1 x p faults, see checkFault
+%   HEADER    1 x m cell, names of the columns
 %
 % Columns, in any order: name or series, and value, are needed; model, where
-% there are several; sd, unit, repeats, role, at, tol and condition may be
-% missing. tol is a share of the value (0.02 or 2%) or absolute (0.5 abs); of
-% the value 0 it is always absolute. Of the conditions one is the reference.
-%
-% Reasons: measuredTable measuredColumn measuredModel measuredName
-% measuredNumber measuredTol measuredRole measuredAt measuredCondition
+% there are several. tol is a share of the value (0.02 or 2%) or absolute (0.5
+% abs); of the value 0 it is always absolute.
 
-function [list, p] = readMeasured (file, models)
-  list = [];
+function [list, p, header] = readMeasured (file, models)
+  [list, header] = deal ([], {});
   try
     [header, cells, lines] = readCsvTable (file);
   catch err
@@ -34,22 +31,18 @@ function [list, p] = readMeasured (file, models)
   end
   known = {'model', 'name', 'value', 'sd', 'unit', 'repeats', 'role', ...
            'series', 'at', 'tol', 'condition'};
-  p = checkHeader (header, known, size (cells, 1));
+  p = checkHeader (header, known, rows (cells));
   if ~isempty (p)
     return
   end
-  [~, column] = ismember (known, header);
-  list = struct ('line', num2cell (lines(:)'));
-  for k = 1:numel (list)
-    text = repmat ({''}, 1, numel (known));
-    text(column > 0) = cells(k, column(column > 0));
+  [~, column] = ismember (header, known);
+  for k = 1:rows (cells)
+    text = repmat ({''}, size (known));
+    text(column) = cells(k, :);
     [row, q] = readRow (cell2struct (text(:), known(:)), lines(k), models);
+    list = [list, row];
     p = [p, q];
-    for name = fieldnames (row)'
-      list(k).(name{1}) = row.(name{1});
-    end
   end
-  p = [p, checkConditions(list, header)];
 end
 
 function p = checkHeader (header, known, n)
@@ -81,34 +74,29 @@ function p = checkHeader (header, known, n)
   end
 end
 
-function [row, p] = readRow (text, line, models)
+% ROW comes as texts.
+function [row, p] = readRow (row, line, models)
   where = sprintf ('measured.csv, line %d', line);
-  [row.model, p] = modelOf (text.model, models, where);
-  row.name = text.name;
-  row.series = text.series;
-  row.unit = text.unit;
-  row.condition = text.condition;
-  rules = struct ('field', {'value', 'sd', 'repeats', 'at'}, ...
-                  'empty', {NaN, 0, NaN, NaN}, ...
-                  'isGood', {@isfinite, @(v) v >= 0 & isfinite(v), ...
-                             @(v) v > 0, @isfinite}, ...
-                  'expected', {'a number, or nothing: not measured yet', ...
-                               'a number from 0', ...
-                               'a number above 0, or Inf', 'a number'});
-  for rule = rules
-    [row.(rule.field), q] = numberOf (text.(rule.field), rule, where);
+  row.line = line;
+  [row.model, p] = modelOf (row.model, models, where);
+  rules = {'value', NaN, @isfinite, ...
+           'a number, or nothing: not measured yet'; ...
+           'sd', 0, @(v) v >= 0 & isfinite (v), 'a number from 0'; ...
+           'repeats', NaN, @(v) v > 0, 'a number above 0, or Inf'; ...
+           'at', NaN, @isfinite, 'a number'};
+  places = checkPlace (row, where);
+  for rule = rules'
+    [row.(rule{1}), q] = numberOf (row.(rule{1}), rule, where);
     p = [p, q];
   end
-  row.role = text.role;
   if ~any (strcmp (row.role, {'', 'calibrate', 'holdout'}))
     p(end + 1) = checkFault ('measuredRole', [where, ', role'], ...
-                             'calibrate or holdout', ...
-                             checkShow (row.role), ...
+                             'calibrate or holdout', checkShow (row.role), ...
                              'Leave it empty for calibrate.');
   end
-  [row.tol, row.isAbsolute, q] = toleranceOf (text.tol, row.value, where);
-  row.saysTol = ~isempty (text.tol);
-  p = [p, q, checkPlace(text, where)];
+  row.saysTol = ~isempty (row.tol);
+  [row.tol, row.isAbsolute, q] = toleranceOf (row.tol, row.value, where);
+  p = [p, q, places];
 end
 
 function [k, p] = modelOf (name, models, where)
@@ -128,19 +116,19 @@ function [k, p] = modelOf (name, models, where)
 end
 
 function [value, p] = numberOf (text, rule, where)
+  [name, value, isGood, expected] = rule{:};
   p = checkFault ();
-  value = rule.empty;
   if isempty (text)
     return
   end
-  value = str2double (text);
+  number = str2double (text);
   % str2double takes a comma for a separator of thousands
-  if any (text == ',') || ~isreal (value) || ~rule.isGood (value)
-    value = rule.empty;
-    p = checkFault ('measuredNumber', [where, ', ', rule.field], ...
-                    rule.expected, checkShow (text), ...
-                    ['Decimal commas need semicolons between the ' ...
-                     'columns.']);
+  if ~any (text == ',') && isreal (number) && isGood (number)
+    value = number;
+  else
+    p = checkFault ('measuredNumber', [where, ', ', name], expected, ...
+                    checkShow (text), ['Decimal commas need semicolons ' ...
+                                       'between the columns.']);
   end
 end
 
@@ -172,21 +160,20 @@ function [tol, isAbsolute, p] = toleranceOf (text, value, where)
   end
 end
 
-function p = checkPlace (text, where)
+function p = checkPlace (row, where)
   p = checkFault ();
-  if isempty (text.name) && isempty (text.series)
+  if isempty (row.name) && isempty (row.series)
     p = checkFault ('measuredName', [where, ', name'], ...
                     'the name of a result, or a series', 'nothing', ...
                     'results.csv of the model has the names.');
-  elseif isempty (text.series) ~= isempty (text.at)
+  elseif isempty (row.series) ~= isempty (row.at)
     p = checkFault ('measuredAt', where, ...
                     'series and at together, or neither', ...
-                    ['series ', checkShow(text.series), ', at ', ...
-                     checkShow(text.at)], ...
-                    ['A point of a curve needs the name of the curve and ' ...
-                     'its place on it.']);
+                    ['series ', checkShow(row.series), ', at ', ...
+                     checkShow(row.at)], ...
+                    'A point of a curve needs its curve and its place on it.');
   end
-  for name = {text.name, text.series}
+  for name = {row.name, row.series}
     if numel (name{1}) > 60 || any (ismember (name{1}, ',;"''\')) || ...
        (~isempty (name{1}) && ~checkIs ('text', name{1}))
       p(end + 1) = checkFault ('measuredName', [where, ', name'], ...
@@ -201,13 +188,6 @@ end
 %!  file = tempname ();
 %!  writeAtomic (file, text);
 %!  [r, p] = readMeasured (file, models);
-%!  delete (file);
-%!endfunction
-%!function check (text, reason)
-%!  [~, p] = table (["model,name,value,sd,repeats,role,series,at,tol\n", ...
-%!                   text, "\n"], {'Drum', 'Heap'});
-%!  assert (p(1).id, ['DEcalioc:checkCase:', reason]);
-%!  assert (! isempty (strfind (p(1).message, 'measured.csv, line 2')));
 %!endfunction
 %!test
 %! % decimal commas, CR LF and a byte order mark; an empty value
@@ -222,23 +202,21 @@ end
 %! assert ([r.at], [NaN, 2, NaN]);
 %! assert ({r.role}, {'', '', ''});
 %!test
-%! check ('Drum,a,1.2.3,,,,,,', 'measuredNumber');
-%! check ('Drum,a,1,-1,,,,,', 'measuredNumber');
-%! check ('Drum,a,1,,0,,,,', 'measuredNumber');
-%! check ('Dram,a,1,,,,,,', 'measuredModel');
-%! check (',a,1,,,,,,', 'measuredModel');
-%! check ('Drum,,1,,,,,,', 'measuredName');
-%! check ('Drum,a,1,,,held,,,', 'measuredRole');
-%! check ('Drum,a,1,,,,w,,', 'measuredAt');
-%! check ('Drum,a,1,,,,,,1.5', 'measuredTol');
-%! check ('Drum,a,0,,,,,,2%', 'measuredTol');
+%! bad = {'Drum,a,1.2.3,,,,,,', 'Number'; 'Drum,a,1,-1,,,,,', 'Number'; ...
+%!        'Drum,a,1,,0,,,,', 'Number'; 'Dram,a,1,,,,,,', 'Model'; ...
+%!        ',a,1,,,,,,', 'Model'; 'Drum,,1,,,,,,', 'Name'; ...
+%!        'Drum,a,1,,,held,,,', 'Role'; 'Drum,a,1,,,,w,,', 'At'; ...
+%!        'Drum,a,1,,,,,,1.5', 'Tol'; 'Drum,a,0,,,,,,2%', 'Tol'};
+%! for row = bad'
+%!   [~, p] = table (["model,name,value,sd,repeats,role,series,at,tol\n", ...
+%!                    row{1}, "\n"], {'Drum', 'Heap'});
+%!   assert (p(1).id, ['DEcalioc:checkCase:measured', row{2}]);
+%!   assert (! isempty (strfind (p(1).message, 'measured.csv, line 2')));
+%! end
 %!test
-%! [r, p] = table ("name,value,weight\na,1,2\n", {'Drum'});
-%! assert (isempty (r));
-%! assert (p.id, 'DEcalioc:checkCase:measuredColumn');
-%! [~, p] = table ("name\na\n", {'Drum'});
-%! assert (p.id, 'DEcalioc:checkCase:measuredColumn');
-%! [~, p] = table ("name,value\n", {'Drum'});
-%! assert (p.id, 'DEcalioc:checkCase:measuredTable');
-%! [~, p] = table ("name,value\na,1,2\n", {'Drum'});
-%! assert (p.id, 'DEcalioc:checkCase:measuredTable');
+%! for row = {"name,value,weight\na,1,2\n", 'Column'; "name\na\n", 'Column'; ...
+%!            "name,value\n", 'Table'; "name,value\na,1,2\n", 'Table'}'
+%!   [list, p] = table (row{1}, {'Drum'});
+%!   assert (isempty (list));
+%!   assert (p.id, ['DEcalioc:checkCase:measured', row{2}]);
+%! end

@@ -43,8 +43,6 @@ end
 %!              "m,mass,kg,,,all\n"]);
 %! fclose (fid);
 %! info = resultInfo (folder);
-%! delete (file);
-%! rmdir (folder);
 %! assert ({info.name}, {'w', 'm'});
 %! assert ([info.at], [2, NaN]);
 %! assert (info(2).series, '');

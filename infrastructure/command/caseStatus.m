@@ -24,13 +24,13 @@
 
 function s = caseStatus (Case, cost)
   runs = runsOfCase (Case);
-  s.holder = lockHolder (Case.folder);
-  s.stage = lastStage (runs);
-  s.state = stateOf (Case, s.holder, runs);
-  s.models = countsOf (Case, runs);
   current = runs([runs.isCurrent]);
   f = foresee (Case, current);
   f.isDone = f.isDone | isReplaced (f.jobs, current);
+  s.holder = lockHolder (Case.folder);
+  s.stage = lastStage (runs);
+  s.state = stateOf (Case, s.holder, runs);
+  s.models = countsOf (Case, runs, f.seconds);
   s.plan = [sum(f.isDone), numel(f.isDone)];
   later = current(strcmp (stagesOf (current), 'calibration'));
   isPlanned = @(r) any (all (abs (r.job.params(:)' - f.plan) < ...
@@ -41,12 +41,11 @@ function s = caseStatus (Case, cost)
   s.failures = failuresOf (current, Case);
   s.left = secondsLeft (s, f, Case);
   s.best = bestSet (Case, runs, cost);
+  [s.verdict, s.set] = deal ([]);
   c = readJsonFile (fullfile (Case.folder, 'results', 'calibration.json'));
   gap = readJsonFile (fullfile (Case.folder, 'gap', 'gap.json'));
-  s.verdict = [];
-  s.set = [];
-  isResult = isfield (c, 'reason') || isfield (gap, 'which');
-  if strcmp (s.state, 'finished') && isResult
+  if strcmp (s.state, 'finished') && ...
+     (isfield (c, 'reason') || isfield (gap, 'which'))
     s.verdict = decideCase (c, gap);
   end
   if ~isempty (s.verdict) && all (isfield (jsonAt (c, {'params'}), Case.names))
@@ -68,22 +67,18 @@ function yes = isReplaced (jobs, runs)
 end
 
 function n = numberOfSets (runs)
-  n = 0;
-  if ~isempty (runs)
-    sets = cellfun (@(j) j.params(:)', {runs.job}, 'UniformOutput', false);
-    n = rows (unique (vertcat (sets{:}), 'rows'));
-  end
+  sets = cellfun (@(j) j.params(:)', {runs.job}, 'UniformOutput', false);
+  n = rows (unique (vertcat (sets{:}), 'rows'));
 end
 
 % A run that was asked for twice bears the first stage: the latest counts.
 function stage = lastStage (runs)
   stage = '';
-  order = {'plan', 'verify', 'calibration', 'cure', 'gap'};
+  stages = {'plan', 'calibration', 'calibration', 'gap', 'gap'};
   if ~isempty (runs)
-    [~, rank] = ismember (stagesOf (runs), order);
-    last = max ([1, rank]);
-    stage = order{last};
-    stage = strrep (strrep (stage, 'cure', 'gap'), 'verify', 'calibration');
+    [~, rank] = ismember (stagesOf (runs), ...
+                          {'plan', 'verify', 'calibration', 'cure', 'gap'});
+    stage = stages{max(max (rank), 1)};
   end
 end
 
@@ -91,51 +86,42 @@ function state = stateOf (Case, holder, runs)
   states = struct ('alive', 'running', 'unknown', 'unknown', ...
                    'gone', 'stopped', 'none', 'stopped');
   state = states.(holder.state);
-  if strcmp (state, 'stopped')
-    results = {fullfile(Case.folder, 'results', 'calibration.json'), ...
-               fullfile(Case.folder, 'gap', 'gap.json')};
-    newest = max ([0, cellfun(@timeOf, results)]);
-    records = cellfun (@(f) timeOf (fullfile (f, 'job.json')), {runs.folder});
-    if newest > 0 && newest >= max ([0, records])
-      state = 'finished';
-    elseif isempty (runs)
-      state = 'new';
-    elseif numberOfSets (runs) < 2 && ...
-           ~isfile (fullfile (Case.folder, 'Octave_logfile.txt'))
-      state = 'tried';
-    end
+  if ~strcmp (state, 'stopped')
+    return
+  end
+  result = timeOf ({fullfile(Case.folder, 'results', 'calibration.json'), ...
+                    fullfile(Case.folder, 'gap', 'gap.json')});
+  if result > 0 && result >= timeOf (strcat ({runs.folder}, '/job.json'))
+    state = 'finished';
+  elseif isempty (runs)
+    state = 'new';
+  elseif numberOfSets (runs) < 2 && ...
+         ~isfile (fullfile (Case.folder, 'Octave_logfile.txt'))
+    state = 'tried';
   end
 end
 
-function seconds = timeOf (file)
-  info = stat (file);
-  seconds = 0;
-  if ~isempty (info)
-    seconds = info.mtime;
-  end
+% When the newest of the files was written (s), 0 where none is there.
+function seconds = timeOf (files)
+  seconds = max ([0, cellfun(@(f) stat (f).mtime, files(isfile (files)))]);
 end
 
-function models = countsOf (Case, runs)
-  models = struct ('name', {Case.models.name}, 'done', 0, 'failed', 0, ...
-                   'running', 0, 'waiting', 0, 'old', 0, 'seconds', NaN);
+function models = countsOf (Case, runs, seconds)
+  models = struct ('name', {Case.models.name}, 'seconds', num2cell (seconds));
   for k = 1:numel (models)
     ofModel = runs([runs.model] == k);
     states = {ofModel([ofModel.isCurrent]).state};
-    isOk = strcmp (states, 'ok');
-    models(k).done = sum (isOk) + sum (strcmp (states, 'ended'));
-    models(k).failed = sum (ismember (states, {'failed', 'timeout', ...
-                                               'invalid', 'lost'}));
-    models(k).running = sum (strcmp (states, 'running'));
-    models(k).waiting = sum (strcmp (states, 'waiting'));
+    count = @(varargin) sum (ismember (states, varargin));
+    models(k).done = count ('ok', 'ended');
+    models(k).failed = count ('failed', 'timeout', 'invalid', 'lost');
+    models(k).running = count ('running');
+    models(k).waiting = count ('waiting');
     models(k).old = sum (~[ofModel.isCurrent]);
-    seconds = [ofModel([ofModel.isCurrent]).seconds];
-    models(k).seconds = median ([seconds(isOk), NaN(1, ~any (isOk))]);
   end
 end
 
 function lines = failuresOf (runs, Case)
-  isBad = ismember ({runs.state}, {'failed', 'timeout', 'invalid', 'lost'});
-  bad = runs(isBad);
+  bad = runs(ismember ({runs.state}, {'failed', 'timeout', 'invalid', 'lost'}));
   words = arrayfun (@(r) sprintf ('%s: %s %s', Case.models(r.model).name, ...
                                   r.state, r.message), bad, ...
                     'UniformOutput', false);
@@ -213,5 +199,3 @@ end
 %! assert (sum ([s.models.failed]), 1);
 %! assert (s.plan, [16, 16]);
 %! clear lock
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (raw.folder, 's');

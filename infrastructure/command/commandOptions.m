@@ -9,8 +9,7 @@
 %            not given), 1 x n cell of texts
 %   WORDS    1 x n cell of the words that belong to no option
 %
-% Errors: DEcalioc:commandOptions:unknownName, an option that SPEC does not
-% have; DEcalioc:commandOptions:missingField, one without its value
+% Errors: DEcalioc:commandOptions:unknownName, :missingField (of its value)
 
 function [options, words] = commandOptions (args, spec)
   options = spec;

@@ -6,7 +6,7 @@
 %   RUNS  see runsOfCase
 %   F     scalar struct:
 %     plan      n x d, parameter sets of the plan
-%     imported  sets of runs.csv;  told  see libraryRuns
+%     imported  sets of runs.csv;  library  see TOLD of libraryRuns
 %     jobs      1 x n M struct array, runs of the plan
 %     isDone    1 x n M logical: finished in the store, or ended there
 %     seconds   1 x M, median of the model's finished runs (s); NaN: none
@@ -18,8 +18,8 @@
 % missing.
 
 function f = foresee (Case, runs)
-  [data, ~, f.told] = importExisting (Case, newProblem (Case), @(text) [], ...
-                                      true);
+  [data, ~, f.library] = importExisting (Case, newProblem (Case), ...
+                                         @(text) [], true);
   f.imported = sum (strcmp (data.stage, 'import'));
   here = Case;
   here.folder = '';                     % so that no plan is written
@@ -35,23 +35,17 @@ function f = foresee (Case, runs)
     keys = cellfun (@(r) r.key, {runs(isEnded).job}, 'UniformOutput', false);
     f.isDone = ismember ({f.jobs.key}, keys);
   end
-  M = numel (Case.models);
-  f.seconds = NaN (1, M);
-  for k = 1:M
-    isFinished = [runs.model] == k & strcmp ({runs.state}, 'ok');
-    f.seconds(k) = median ([runs(isFinished).seconds, ...
-                            NaN(1, ~any (isFinished))]);
-  end
-  hours = f.seconds .* [Case.models.cpu] / 3600;
-  missing = zeros (1, M);
-  for k = 1:M
+  isOk = strcmp ({runs.state}, 'ok');
+  for k = 1:numel (Case.models)
+    seconds = [runs(isOk & [runs.model] == k).seconds];
+    f.seconds(k) = median ([seconds, NaN(1, isempty (seconds))]);
     missing(k) = sum (~f.isDone & strcmp ({f.jobs.model}, ...
                                           Case.models(k).name));
   end
-  least = min (missing, Case.options.maxNewRuns);
-  most = min (missing + Case.options.maxFunEvals, Case.options.maxNewRuns);
-  f.planHours = sum (least .* hours);
-  f.mostHours = sum (most .* hours);
+  hours = f.seconds .* [Case.models.cpu] / 3600;
+  o = Case.options;
+  f.planHours = sum (min (missing, o.maxNewRuns) .* hours);
+  f.mostHours = sum (min (missing + o.maxFunEvals, o.maxNewRuns) .* hours);
 end
 
 %!test

@@ -4,15 +4,15 @@
 %
 %   ROOT    folder of the toolbox (text)
 %   TARGET  model folder to be made (text)
-%   GIVEN   scalar struct: model (name), script (path), output (name of the file
-%           with the results, '': output_results), seed ('': runSeed), and cells
-%           of texts vary (NAME=LOW:HIGH), set and target (NAME=NUMBER)
+%   GIVEN   scalar struct: model (name), script (path), output (file with the
+%           results, '': output_results), seed ('': runSeed), and cells of texts
+%           vary (NAME=LOW:HIGH), set and target (NAME=NUMBER)
 %   WORDS   scalar struct of texts for templates/scriptCase
 %   NOTES   cell of sentences for the user
 %
-% Errors: DEcalioc:newScriptModel:missingField, without a parameter or a target;
-% DEcalioc:newScriptModel:badValue, a name that cannot stand in a program;
-% DEcalioc:newScriptModel:cannotWrite; those of scriptFiles and fillTemplate
+% Errors: DEcalioc:newScriptModel:missingField (a parameter or a target),
+% :badValue, :cannotWrite; DEcalioc:scriptFiles:missingFile; those of
+% fillTemplate
 
 function [words, notes] = newScriptModel (root, target, given)
   [names, limits] = namedNumbers (given.vary, '--vary', 2);
@@ -25,53 +25,85 @@ function [words, notes] = newScriptModel (root, target, given)
             'height=0.0057'], numel (names), numel (results));
   end
   [~, base, ending] = fileparts (given.script);
-  seed = orElse (given.seed, 'runSeed');
-  output = orElse (given.output, 'output_results');
+  seed = givenField (given, 'seed', 'runSeed');
+  output = givenField (given, 'output', 'output_results');
   checkWords ([names, fixed], seed, results, output, [base, ending]);
   [files, variables, text] = scriptFiles (given.script);
-  for k = 1:numel (names)
-    variables.(names{k}) = mean (limits(:, k));
-  end
-  for k = 1:numel (fixed)
-    variables.(fixed{k}) = values(k);
-  end
+  chosen = [names, fixed; num2cell([mean(limits, 1), values])];
+  variables = mergeFields (variables, struct (chosen{:}));
   words = struct ('MODEL', given.model, 'SCRIPT', [base, ending], ...
                   'SEED', seed, 'OUTPUT', output);
   % the seed of the packing has a name of its own in data.head
-  variables = dropField (variables, seed);
+  variables = rmfield (variables, intersect (fieldnames (variables), seed));
   makeFolder (root, target, given, words, files, variables, results);
   words = caseWords (words, names, limits, results, measured);
   notes = notesOn (text, words, variables);
 end
 
-% These become text of programs: bash, awk, Octave.
-function checkWords (variables, seed, results, output, script)
-  isName = @(w) ~isempty (regexp (w, '^[A-Za-z_]\w*$', 'once'));
-  isPath = @(w) ~isempty (regexp (w, '^[\w.+-]+(/[\w.+-]+)*$', 'once')) && ...
-                w(1) ~= '-' && isempty (strfind (w, '..'));
-  isLine = @(w) ~any (w < 32);
-  wanted = {'a variable of the script (letters, digits, _)', ...
-            'a plain path below the run (letters, digits, _ - + . /)', ...
-            'one line of text'};
-  given = [repmat({'--vary and --set'; isName; 1}, 1, numel (variables)), ...
-           repmat({'--target'; isLine; 3}, 1, numel (results)), ...
-           {'--seed'; isName; 1}, {'--output'; isPath; 2}, ...
-           {'--script'; isPath; 2}];
-  given(4, :) = [variables, results, {seed, output, script}];
-  for word = given
-    if ~word{2}(word{4})
-      error ('DEcalioc:newScriptModel:badValue', ...
-             '%s must name %s, got %s.', word{1}, wanted{word{3}}, word{4});
+% FILES: words of the script that are files below its folder, and those of what
+% it includes. VARIABLES: what "variable NAME index VALUE" declares in TEXT.
+function [files, variables, text] = scriptFiles (script)
+  if ~isfile (script)
+    error ('DEcalioc:scriptFiles:missingFile', ...
+           '--script must name a LIGGGHTS script, got %s: no such file.', ...
+           script);
+  end
+  folder = fileparts (make_absolute_filename (script));
+  [~, base, ending] = fileparts (script);
+  % what lies elsewhere stays where it is
+  isBelow = @(w) w(1) ~= '/' && isempty (strfind (w, '..')) && ...
+                 isfile (fullfile (folder, w));
+  files = cell (1, 0);
+  open = {[base, ending]};
+  text = '';
+  while ~isempty (open)
+    part = checkReadText (fullfile (folder, open{1}));
+    text = [text, part, "\n"];
+    part = regexprep (part, '#[^\n]*', '');
+    included = regexp (part, '^[ \t]*include[ \t]+(\S+)', 'tokens', ...
+                       'lineanchors');
+    new = setdiff (unique (strsplit (strtrim (part))), ...
+                   [files, {'', [base, ending]}])(:)';
+    new = new(cellfun (isBelow, new));
+    files = [files, new];
+    open = [open(2:end), intersect([cell(1, 0), included{:}], new)(:)'];
+  end
+  variables = struct ();
+  found = regexp (text, '^[ \t]*variable[ \t]+(\w+)[ \t]+index[ \t]+(\S+)', ...
+                  'tokens', 'lineanchors');
+  for k = 1:numel (found)
+    value = str2double (found{k}{2});
+    if isfinite (value) && ~isfield (variables, found{k}{1})
+      variables.(found{k}{1}) = value;
     end
   end
 end
 
-% Of texts NAME=NUMBER or, for COUNT 2, NAME=LOW:HIGH: 1 x n names, COUNT x n
-% numbers.
+% These become text of programs: bash, awk, Octave.
+function checkWords (variables, seed, results, output, script)
+  isName = @(w) ~isempty (regexp (w, '^[A-Za-z_]\w*$', 'once'));
+  isPath = @(w) ~isempty (regexp (w, '^(?!-)[\w.+-]+(/[\w.+-]+)*$')) && ...
+                isempty (strfind (w, '..'));
+  name = 'a variable of the script (letters, digits, _)';
+  path = 'a plain path below the run (letters, digits, _ - + . /)';
+  rules = {'--vary and --set', variables, isName, name; ...
+           '--target', results, @(w) ~any (w < 32), 'one line of text'; ...
+           '--seed', {seed}, isName, name; ...
+           '--output', {output}, isPath, path; ...
+           '--script', {script}, isPath, path};
+  for rule = rules'
+    bad = rule{2}(~cellfun (rule{3}, rule{2}));
+    if ~isempty (bad)
+      error ('DEcalioc:newScriptModel:badValue', ...
+             '%s must name %s, got %s.', rule{1}, rule{4}, bad{1});
+    end
+  end
+end
+
+% Of texts NAME=NUMBER, or NAME=LOW:HIGH for COUNT 2; COUNT x n numbers.
 function [names, numbers] = namedNumbers (texts, option, count)
   names = cell (1, numel (texts));
   numbers = zeros (count, numel (texts));
-  examples = {'NAME=0.3', 'NAME=0.2:0.8'};
   for k = 1:numel (texts)
     equals = find (texts{k} == '=', 1, 'last');
     words = strsplit (texts{k}(equals + 1:end), ':');
@@ -80,22 +112,10 @@ function [names, numbers] = namedNumbers (texts, option, count)
         ~all (isfinite (values))
       error ('DEcalioc:newScriptModel:badValue', ...
              '%s must be given as %s, got %s.', option, ...
-             examples{count}, texts{k});
+             {'NAME=0.3', 'NAME=0.2:0.8'}{count}, texts{k});
     end
     names{k} = texts{k}(1:equals - 1);
     numbers(:, k) = values;
-  end
-end
-
-function text = orElse (text, default)
-  if isempty (text)
-    text = default;
-  end
-end
-
-function s = dropField (s, name)
-  if isfield (s, name)
-    s = rmfield (s, name);
   end
 end
 
@@ -117,61 +137,52 @@ function makeFolder (root, target, given, words, files, variables, results)
              name{1}, strtrim (why));
     end
   end
-  lines = {["# Variables of the script, SI units. A run appends its own ", ...
-            "values: the\n# last line that names a variable counts.\n"]};
-  for name = fieldnames (variables)'
-    lines{end + 1} = sprintf ("variable %s equal %.17g\n", name{1}, ...
-                              variables.(name{1}));
-  end
-  lines{end + 1} = "variable runSeed equal 10007    # a prime above 10,000\n";
-  writeAtomic (fullfile (source, 'data.head'), [lines{:}]);
-  table = sprintf ('%s,length,,,,\n', results{:});
+  lines = [fieldnames(variables)'; struct2cell(variables)'];
+  writeAtomic (fullfile (source, 'data.head'), ...
+               ["# Variables of the script, SI units. A run appends its ", ...
+                "own values: the\n# last line that names a variable ", ...
+                "counts.\n", ...
+                sprintf("variable %s equal %.17g\n", lines{:}), ...
+                "variable runSeed equal 10007    # a prime above 10,000\n"]);
   writeAtomic (fullfile (source, 'results.csv'), ...
-               ["name,kind,unit,series,at,text\n", table]);
+               ["name,kind,unit,series,at,text\n", ...
+                sprintf("%s,length,,,,\n", results{:})]);
   fillTemplate (source, target, struct ());
 end
 
 function words = caseWords (words, names, limits, results, measured)
-  list = @(format, values) strjoin (arrayfun (@(v) sprintf (format, v), ...
-                                              values, 'UniformOutput', ...
-                                              false), ', ');
+  list = @(values) sprintf ('%.10g, ', values)(1:end - 2);
   quoted = @(texts) ['''', strjoin(strrep (texts, '''', ''''''), ...
                                    ''', '''), ''''];
   words.SAMPLES = sprintf ('%d', 2 * numel (names) + 6);
   words.NAMES = quoted (results);
-  words.VALUES = list ('%.10g', measured);
-  words.TOLS = list ('%g', 0.05 * ones (size (measured)));
+  words.VALUES = list (measured);
+  words.TOLS = list (0.05 * ones (size (measured)));
   words.ASSIGN = quoted (names);
-  words.LOW = list ('%.10g', limits(1, :));
-  words.HIGH = list ('%.10g', limits(2, :));
+  words.LOW = list (limits(1, :));
+  words.HIGH = list (limits(2, :));
+  % templates/scriptCase/loadInput.FORM is no program before it is filled in
   words.FORM = 'm';
 end
 
 function notes = notesOn (text, words, variables)
-  notes = {};
   isUsed = @(name) ~isempty (regexp (text, ['(\$\{|v_)', name, '\>'], 'once'));
-  if ~isUsed (words.SEED)
-    notes{end + 1} = sprintf (['the script does not use ${%s}: all its ' ...
-                               'packings will be the same one. Put it ' ...
-                               'there as the seed of fix insert, or name ' ...
-                               'its variable with --seed.'], words.SEED);
-  end
-  if isempty (strfind (text, 'RUN COMPLETE'))
-    notes{end + 1} = ['the script does not end with print "RUN ' ...
-                      'COMPLETE": a run that breaks off may then be taken ' ...
-                      'for a whole one.'];
-  end
+  notes = {['the script does not use ${', words.SEED, '}: all its packings ' ...
+            'will be the same one. Put it there as the seed of fix insert, ' ...
+            'or name its variable with --seed.'], ...
+           ['the script does not end with print "RUN COMPLETE": a run that ' ...
+            'breaks off may then be taken for a whole one.']};
+  notes = notes([~isUsed(words.SEED), isempty(strfind (text, 'RUN COMPLETE'))]);
   for name = fieldnames (variables)'
     if ~isUsed (name{1})
-      notes{end + 1} = sprintf (['the script does not use ${%s}: it will ' ...
-                                 'change nothing.'], name{1});
+      notes{end + 1} = ['the script does not use ${', name{1}, '}: it will ' ...
+                        'change nothing.'];
     end
     again = ['^[ \t]*variable[ \t]+', name{1}, '[ \t]+equal'];
     if ~isempty (regexp (text, again, 'once', 'lineanchors'))
-      notes{end + 1} = sprintf (['the script sets %s itself, as a ' ...
-                                 'variable of style equal: LIGGGHTS will ' ...
-                                 'stop. Write index for equal there.'], ...
-                                name{1});
+      notes{end + 1} = ['the script sets ', name{1}, ' itself, as a ' ...
+                        'variable of style equal: LIGGGHTS will stop. ' ...
+                        'Write index for equal there.'];
     end
   end
 end
@@ -179,11 +190,17 @@ end
 %!shared folder, given, root
 %! root = fileparts (fileparts (which ('startToolbox')));
 %! folder = tempname ();
-%! mkdir (folder);
-%! writeAtomic (fullfile (folder, 'in.mine'), ...
-%!              ["variable mu index 0.3\nvariable seed index 10007\n", ...
-%!               "print \"${mu} ${seed} ${depth}\" file out\n", ...
-%!               "print \"RUN COMPLETE\"\n"]);
+%! mkdir (fullfile (folder, 'meshes'));
+%! put = @(name, text) writeAtomic (fullfile (folder, name), text);
+%! put ('in.mine', ["variable mu index 0.3 0.4 # first counts\n", ...
+%!                  "variable seed index 10007\nvariable name index abc\n", ...
+%!                  "# not.this\nfix a all mesh/surface file meshes/a.stl ", ...
+%!                  "\ninclude more.inc\nprint \"${mu} ${seed} ${depth}\" ", ...
+%!                  "file out\nprint \"RUN COMPLETE\"\n"]);
+%! put ('more.inc', ["variable r index 1e-3\nread_data grains.data\n", ...
+%!                   "variable r index 2\nprint ${r}\n"]);
+%! cellfun (@(name) put (name, 'x'), ...
+%!          {'meshes/a.stl', 'grains.data', 'not.this'});
 %! given = struct ('model', 'Mine', 'script', fullfile (folder, 'in.mine'), ...
 %!                 'output', 'out', 'seed', 'seed', ...
 %!                 'vary', {{'mu=0.2:0.8'}}, 'set', {{'depth=0.1'}}, ...
@@ -191,14 +208,16 @@ end
 %!test
 %! target = fullfile (folder, 'DEMmodels', 'Mine');
 %! [words, notes] = newScriptModel (root, target, given);
-%! assert (notes, {});
+%! assert (isempty (notes));
 %! d = headDefaults (fullfile (target, 'data.head'));
-%! assert (d, struct ('mu', 0.5, 'depth', 0.1, 'runSeed', 10007));
+%! assert (d, struct ('mu', 0.5, 'r', 1e-3, 'depth', 0.1, 'runSeed', 10007));
 %! assert ({resultInfo(target).name}, {'run-out (m)', 'it''s'});
 %! assert (words.NAMES, '''run-out (m)'', ''it''''s''');
 %! assert ({words.LOW, words.HIGH}, {'0.2', '0.8'});
 %! text = fileread (fullfile (target, 'runscript'));
 %! assert (~isempty (strfind (text, '"seed"')));
+%! copied = {'in.mine', 'more.inc', 'grains.data', 'meshes/a.stl', 'not.this'};
+%! assert (isfile (fullfile (target, copied)), logical ([1, 1, 1, 1, 0]));
 %!test
 %! % what would go wrong later is said at once
 %! other = given;
@@ -207,24 +226,25 @@ end
 %! writeAtomic (given.script, ["variable mu equal 0.3\n", ...
 %!                             "print \"${mu} ${depth}\" file out\n"]);
 %! [~, notes] = newScriptModel (root, fullfile (folder, 'Other'), other);
-%! marks = {'${runSeed}', 'RUN COMPLETE', 'mu itself', '${ghost}'};
+%! marks = {'${runSeed}', 'RUN COMPLETE', '${ghost}', 'mu itself'};
 %! assert (numel (notes), 4);
 %! for k = 1:4
 %!   assert (any (~cellfun (@isempty, strfind (notes, marks{k}))), marks{k});
 %! end
 %!test
-%! bad = {'vary', {}, 'missingField'; 'vary', {'mu=0.2'}, 'badValue'; ...
-%!        'set', {'0.2'}, 'badValue'; 'set', {'mu=x'}, 'badValue'};
-%! for row = bad'
+%! wrong = {'newScriptModel:missingField', 'vary', {}; ...
+%!          'newScriptModel:badValue', 'vary', {'mu=0.2'}; ...
+%!          'newScriptModel:badValue', 'set', {'0.2'}; ...
+%!          'newScriptModel:badValue', 'set', {'mu=x'}; ...
+%!          'scriptFiles:missingFile', 'script', '/nowhere/in.x'};
+%! none = fullfile (folder, 'None');
+%! for row = wrong'
 %!   caught = '';
 %!   try
-%!     newScriptModel (root, fullfile (folder, 'None'), ...
-%!                     setfield (given, row{1}, row{2}));
+%!     newScriptModel (root, none, setfield (given, row{2:3}));
 %!   catch err
 %!     caught = err.identifier;
 %!   end
-%!   assert (caught, ['DEcalioc:newScriptModel:', row{3}]);
+%!   assert (caught, ['DEcalioc:', row{1}]);
 %! end
-%! assert (~isfolder (fullfile (folder, 'None')));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
+%! assert (~isfolder (none));

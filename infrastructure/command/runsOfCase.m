@@ -7,8 +7,8 @@
 %         seconds (NaN: not known), message, results, isCurrent (its key is
 %         what the case gives today). States: 'ok', 'failed', 'timeout',
 %         'invalid' (as in its record), 'ended' (not evaluated yet), 'running',
-%         'waiting' (prepared, or in a queue), 'lost' (its guard is
-%         gone; it will be run again)
+%         'waiting' (prepared, or in a queue), 'lost' (its guard is gone: to be
+%         run again)
 %
 % Reads files alone; works beside a running Octave and on a machine that is not
 % the one of the runs, of which it then takes their word.
@@ -17,27 +17,23 @@ function runs = runsOfCase (Case)
   runs = struct ('model', {}, 'folder', {}, 'job', {}, 'state', {}, ...
                  'seconds', {}, 'message', {}, 'results', {}, ...
                  'isCurrent', {});
-  isThere = cellfun (@isfolder, {Case.models.folder});
-  if ~all (isThere)
+  if ~all (cellfun (@isfolder, {Case.models.folder}))
     return
   end
-  h = hashModels (Case);
+  Case.hashes = hashModels (Case);
   sent = cell (0, 1);
   for name = executorNames ()
-    batches = batchLedger (Case.store, name{1});
-    sent = vertcat (sent, batches.folders);
+    sent = vertcat (sent, batchLedger (Case.store, name{1}).folders);
   end
-  holder = lockHolder (Case.folder);
-  isHere = strcmp (holder.host, {'', gethostname()});
+  isHere = any (strcmp (lockHolder (Case.folder).host, {'', gethostname()}));
   for k = 1:numel (Case.models)
     place = fullfile (Case.store, 'optim', Case.models(k).name);
-    names = runFoldersOf (Case, Case.models(k).name, h(k));
-    for i = 1:numel (names)
-      run = oneRun (fullfile (place, names{i}), sent, any (isHere));
+    for name = runFoldersOf (Case, Case.models(k).name)'
+      run = oneRun (fullfile (place, name{1}), sent, isHere);
       if ~isempty (run)
         run.model = k;
         run.isCurrent = ~isempty (countsToday (run.job, run.folder, ...
-                                               Case, h(k)));
+                                               Case, Case.hashes(k)));
         runs(end + 1) = orderfields (run, runs);
       end
     end
@@ -46,24 +42,22 @@ end
 
 % [] where the folder is half made.
 function run = oneRun (folder, sent, isHere)
-  record = readRecord (fullfile (folder, 'record.json'));
-  run = struct ('model', 0, 'folder', folder, 'job', record, 'state', '', ...
+  run = struct ('model', 0, 'folder', folder, 'job', [], 'state', '', ...
                 'seconds', NaN, 'message', '', 'results', [], ...
                 'isCurrent', false);
-  if ~isempty (record)
-    run.state = record.status;
-    run.seconds = record.seconds;
-    run.message = record.message;
-    run.results = record.results;
+  run.job = readRecord (fullfile (folder, 'record.json'));
+  if ~isempty (run.job)
+    run.state = run.job.status;
+    for field = {'seconds', 'message', 'results'}
+      run.(field{1}) = run.job.(field{1});
+    end
     return
   end
   run.job = readRecord (fullfile (folder, 'job.json'));
+  mark = readEndMark (folder);
   if isempty (run.job)
     run = [];
-    return
-  end
-  mark = readEndMark (folder);
-  if ~isempty (mark)
+  elseif ~isempty (mark)
     run.state = 'ended';
     run.seconds = mark.seconds;
   else
@@ -73,13 +67,13 @@ end
 
 function state = stateOf (folder, isSent, isHere)
   [pids, isAlive] = runPids (folder);
+  hasBegun = ~isempty (pids);
   if isSent
-    claimed = exist (fullfile (folder, 'batch.claim'), 'file');
-    states = {'waiting', 'running'};
-    state = states{1 + (claimed > 0)};
-  elseif isempty (pids)
+    hasBegun = exist (fullfile (folder, 'batch.claim'), 'file') > 0;
+  end
+  if ~hasBegun
     state = 'waiting';
-  elseif isHere && ~isAlive
+  elseif ~isSent && isHere && ~isAlive
     state = 'lost';
   else
     state = 'running';

@@ -11,13 +11,15 @@
 
 function status = sayCheck (root, folder, args)
   options = commandOptions (args, struct ('try', 'flag'));
-  choice = chosenLiggghts (root);
+  choice = useLiggghts (root);
   Case = withEffects (loadCase (root, folder));
   printf ('case      %s: no mistake found\n', folder);
   cellfun (@(text) printf ('WARNING   %s.\n', text), Case.notes, ...
            'UniformOutput', false);
   sayModels (Case);
-  sayChoice (choice);
+  printf ('LIGGGHTS  %s %s\n          why: %s\n          %s\n', ...
+          givenField (choice, 'program', 'none'), choice.version, ...
+          choice.why, choice.how);
   sayEffects (Case);
   status = 0;
   if options.try
@@ -31,10 +33,8 @@ end
 function sayModels (Case)
   for k = 1:numel (Case.models)
     m = Case.models(k);
-    place = m.folder;
-    if isempty (place)
-      place = 'no folder; its runs are those of runs.csv';
-    end
+    place = givenField (m, 'folder', ...
+                        'no folder; its runs are those of runs.csv');
     printf ('model     %s: %d targets, %d CPU a run (%s)\n', m.name, ...
             m.nTargets, m.cpu, place);
     sayMeasured (Case.targets([Case.targets.model] == k));
@@ -45,36 +45,25 @@ end
 function sayMeasured (targets)
   curve = [targets.curve];
   for c = unique (curve(curve > 0))
-    curvePoints = targets(curve == c);
     printf ('          curve %s: %d points, one requirement\n', ...
-            curvePoints(1).series, numel (curvePoints));
+            targets(find (curve == c, 1)).series, sum (curve == c));
   end
-  repeated = targets([targets.scatter]);
-  if ~isempty (repeated)
-    printf ('          mean of repeated trials: %s\n', ...
-            strjoin ({repeated.name}, ', '));
-  end
-  unknown = targets(isnan ([targets.value]));
-  if ~isempty (unknown)
-    printf ('          not measured yet, predicted only: %s\n', ...
-            strjoin ({unknown.name}, ', '));
-  end
+  sayList ('mean of repeated trials', {targets([targets.scatter]).name});
+  sayList ('not measured yet, predicted only', ...
+           {targets(isnan ([targets.value])).name});
 end
 
-function sayChoice (choice)
-  program = choice.program;
-  if isempty (program)
-    program = 'none';
+function sayList (what, names)
+  if ~isempty (names)
+    printf ('          %s: %s\n', what, strjoin (names, ', '));
   end
-  printf ('LIGGGHTS  %s %s\n          why: %s\n          %s\n', program, ...
-          choice.version, choice.why, choice.how);
 end
 
 function sayEffects (Case)
   for coarse = Case.coarse
     printf ('levels    %s: %s; the last one counts\n', coarse.variable, ...
-            strjoin (cellfun (@num2str, num2cell (coarse.levels), ...
-                              'UniformOutput', false), ', '));
+            strjoin (arrayfun (@num2str, coarse.levels, ...
+                               'UniformOutput', false), ', '));
   end
   if ~isempty (Case.effects)
     printf ('effects   %s\n', strjoin ({Case.effects.name}, ', '));
@@ -126,7 +115,7 @@ function sayCosts (Case)
   end
   printf ('runs      plan: %d new, %d taken from the store\n', ...
           n - sum (f.isDone), sum (f.isDone));
-  sayOldRuns (Case, @(text) printf ('%s\n', text), f.told);
+  sayOldRuns (Case, @(text) printf ('%s\n', text), f.library);
   printf ('          then at most %d sets (optim.maxFunEvals), each a run', ...
           o.maxFunEvals);
   printf (' of %d model(s)\n', numel (Case.models));
@@ -151,13 +140,7 @@ end
 %!test
 %! raw = standInCase (tempname ());
 %! writeLoadInput (raw.folder);
-%! here = cd (raw.folder);
-%! clear loadInput loadEffects
-%! text = evalc ('status = sayCheck (raw.root, raw.folder, {});');
-%! cd (here);
-%! clear loadInput loadEffects
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (raw.folder, 's');
+%! [status, text] = startCommand (raw.folder, 'check');
 %! assert (status, 0);
 %! for line = {'no mistake found', 'First: 2 targets, 1 CPU a run', ...
 %!             'plan: 16 new, 0 taken from the store', 'cost      not known'}

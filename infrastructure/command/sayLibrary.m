@@ -60,24 +60,18 @@ function sayRig (input, kinds)
   for kind = kinds
     names = strsplit (kind.names, ' ');
     for k = 1:numel (names)
-      own = kind.runs(:, 6 + k);
-      if isfield (range, names{k})
-        own = [own; range.(names{k})(:)];
-      end
-      range.(names{k}) = [min(own), max(own)];
+      values = [kind.runs(:, 6 + k); givenField(range, names{k}, [])(:)];
+      range.(names{k}) = [min(values), max(values)];
     end
   end
-  names = setdiff (fieldnames (range), {'runSeed', 'RLTS', 'SIMTS'})';
-  for name = names
-    r = range.(name{1});
+  for name = setdiff (fieldnames (range), {'runSeed', 'RLTS', 'SIMTS'})'
     printf ('    %-22s %s\n', name{1}, ...
-            strjoin (cellfun (@(x) sprintf ('%.6g', x), ...
-                              num2cell (unique (r)), 'UniformOutput', ...
-                              false), ' to '));
+            sprintf (' to %.6g', unique (range.(name{1})))(5:end));
   end
   for origin = unique ({kinds.origin})
-    own = kinds(strcmp ({kinds.origin}, origin{1}));
-    printf ('    of %s: %d\n', origin{1}, sum (cellfun (@rows, {own.runs})));
+    ofCase = kinds(strcmp ({kinds.origin}, origin{1}));
+    printf ('    of %s: %d\n', origin{1}, ...
+            sum (cellfun (@rows, {ofCase.runs})));
   end
 end
 
@@ -93,10 +87,10 @@ function status = forget (args)
   [store, model] = words{1:2};
   kinds = readLibrary (store, model, struct ('input', ''));
   chosen = zeros (0, 1);
-  for kind = kinds
-    if strcmp (kind.origin, origin) && ~isempty (origin)
-      chosen = [chosen; kind.runs(:, 1)];
-    end
+  if ~isempty (origin)
+    ofCase = kinds(strcmp ({kinds.origin}, origin));
+    chosen = vertcat (chosen, cellfun (@(r) r(:, 1), {ofCase.runs}, ...
+                                       'UniformOutput', false){:});
   end
   for word = words(3:end)
     ends = sscanf (word{1}, '%d:%d');

@@ -13,14 +13,13 @@
 % Errors: DEcalioc:sayNew:missingField, :badValue, :exists; those of
 % commandOptions, fillTemplate and newScriptModel
 
-function status = sayNew (root, folder, args)
+function status = sayNew (root, ~, args)
   status = 0;
   spec = struct ('model', 'one', 'curve', 'flag', 'script', 'one', ...
-                 'vary', 'many', ...
-                 'set', 'many', 'target', 'many', 'output', 'one', ...
-                 'seed', 'one');
+                 'vary', 'many', 'set', 'many', 'target', 'many', ...
+                 'output', 'one', 'seed', 'one');
   [given, words] = commandOptions (args, spec);
-  target = placeOf (given, words, folder);
+  target = placeOf (given, words);
   isCase = isfile (fullfile (target, 'loadInput.m'));
   if isempty (given.model)
     refuseIf (isCase, target, 'is a case already');
@@ -34,7 +33,7 @@ function status = sayNew (root, folder, args)
   sayMade (target, given, isCase);
 end
 
-function target = placeOf (given, words, folder)
+function target = placeOf (given, words)
   if ~isempty (given.model) && ~checkIs ('folder', given.model)
     error ('DEcalioc:sayNew:badValue', ...
            ['--model must be a plain name (letters, digits, _ - + .), got ' ...
@@ -65,6 +64,11 @@ function copyNew (root, target, names)
   for name = names
     file = fullfile (target, name{1});
     if ~isfile (file)
+      % what a killed call has left of it (writeAtomic)
+      found = {dir(target).name};
+      ofFile = ['^', regexptranslate('escape', name{1}), '\.\d+\.tmp$'];
+      cellfun (@(old) unlink (fullfile (target, old)), ...
+               found(~cellfun (@isempty, regexp (found, ofFile))));
       writeAtomic (file, fileread (fullfile (root, name{1})));
     end
   end
@@ -72,32 +76,28 @@ end
 
 function makeModel (root, target, model, given)
   isThere = isfolder (model);
-  template = fullfile (root, 'templates', 'case');
+  template = 'case';
   notes = {};
   if ~isempty (given.script)
+    template = 'scriptCase';
     if isThere
       % of a call that was killed: the script's words are needed all the same
       model = tempname ();
+      tidy = onCleanup (@() system (['rm -rf ', shellQuote(model)]));
     end
     [words, notes] = newScriptModel (root, model, given);
-    template = fullfile (root, 'templates', 'scriptCase');
   elseif ~isThere
     newTemplateModel (root, model, given);
   end
   if given.curve
-    template = fullfile (root, 'templates', 'curve', 'case');
-  end
-  if isThere && ~isempty (given.script)
-    system (['rm -rf ', shellQuote(model)]);
+    template = fullfile ('curve', 'case');
   end
   words.MODEL = given.model;
   if ~isfile (fullfile (target, 'loadInput.m'))
-    makeForm (template, target, words);
+    makeForm (fullfile (root, 'templates', template), target, words);
   end
   copyNew (root, target, {'loadEffects.m'});
-  for k = 1:numel (notes)
-    printf ('NOTE: %s\n', notes{k});
-  end
+  cellfun (@(note) printf ('NOTE: %s\n', note), notes);
 end
 
 function newTemplateModel (root, model, given)
@@ -121,12 +121,8 @@ function makeForm (template, target, words)
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(draft)]));
   fillTemplate (template, draft, words);
   last = 'loadInput.m';
-  for name = [setdiff(readdir (draft)', {'.', '..', last}), {last}]
-    file = fullfile (target, name{1});
-    if ~isfile (file)
-      writeAtomic (file, fileread (fullfile (draft, name{1})));
-    end
-  end
+  names = setdiff (readdir (draft)', {'.', '..', last});
+  copyNew (draft, target, [names, {last}]);
 end
 
 function sayMade (target, given, wasCase)
@@ -160,15 +156,7 @@ end
 %! there = make_absolute_filename ('plain case');
 %! assert (~isempty (strfind (text, ['check --try ''', there, ''''])));
 %! assert (isfile (fullfile (there, 'loadInput.m')));
-%! caught = '';
-%! try
-%!   sayNew (root, base, {'plain case'});
-%! catch err
-%!   caught = err.identifier;
-%! end
-%! assert (caught, 'DEcalioc:sayNew:exists');
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (there, 's');
+%!error id=DEcalioc:sayNew:exists sayNew (root, base, {'plain case'});
 %!test
 %! % a model: its name is in the files; what a killed call left out comes later
 %! place = fullfile (base, 'my case');
@@ -199,6 +187,3 @@ end
 %!error id=DEcalioc:sayNew:badValue sayNew (root, base, {'--curve', 'x'});
 %!error id=DEcalioc:sayNew:missingField sayNew (root, base, {'--script', 'x'});
 %!error id=DEcalioc:sayNew:badValue sayNew (root, base, {'--model', '../x'});
-%!test
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (base, 's');

@@ -84,12 +84,8 @@ function sayRuns (s)
 end
 
 function text = leftText (s)
-  text = inWords (s.left);
-  if strcmp (s.stage, 'plan') || isempty (s.stage)
-    text = [text, ' until the plan is done'];
-  else
-    text = [text, ' at most'];
-  end
+  bounds = {' at most', ' until the plan is done'};
+  text = [inWords(s.left), bounds{1 + any(strcmp (s.stage, {'plan', ''}))}];
 end
 
 % What was found is the set of the result, not another one that came near.
@@ -145,5 +141,3 @@ end
 %! [~, text] = startCommand (raw.folder, 'status');
 %! assert (! isempty (strfind (text, 'Go on with decalioc diagnose')), text);
 %! assert (! isempty (strfind (text, 'then 2 runs of 1 sets; a start')));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (raw.folder, 's');

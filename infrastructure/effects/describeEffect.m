@@ -13,7 +13,6 @@
 %           limits        2 x v (laboratory: 2 x 1)
 %           priorScale    1 x v, a usual distance from neutral
 %           unit, label   texts for axes and tables
-%           confusedWith  cell of effects that look alike
 %           group         name of the family that observables can hardly split
 %           laboratory    true: acts on results, needs no DEM run
 %           kinds         cell of the kinds of results it acts on (laboratory)
@@ -36,34 +35,28 @@ function effect = describeEffect (given)
   end
   effect = struct ('name', given.name, 'question', '', 'variables', {{}}, ...
                    'neutral', [], 'limits', [], 'priorScale', [], ...
-                   'unit', '', 'label', given.name, ...
-                   'confusedWith', {{}}, 'group', given.name, ...
+                   'unit', '', 'label', given.name, 'group', given.name, ...
                    'laboratory', false, 'kinds', {{}}, 'transform', [], ...
                    'source', '');
   names = fieldnames (effect);
   for k = find (isfield (given, names)).'
     effect.(names{k}) = given.(names{k});
   end
-  if isempty (effect.priorScale)
-    effect.priorScale = 2 * max (abs (effect.limits - effect.neutral), [], 1);
-  end
-  checkShapes (effect);
-  effect.limits = orderedLimits (effect.limits, effect.neutral);
-end
-
-function checkShapes (effect)
   v = numel (effect.variables);
   if effect.laboratory
     v = 1;
   end
-  isRight = isequal (size (effect.neutral), [1, v]) && ...
-            isequal (size (effect.limits), [2, v]);
-  if ~isRight
+  if ~isequal (size (effect.neutral), [1, v]) || ...
+     ~isequal (size (effect.limits), [2, v])
     error ('DEcalioc:describeEffect:badShape', ...
            ['describeEffect: effect %s must have neutral 1 x %d and ' ...
             'limits 2 x %d, got %d x %d and %d x %d.'], effect.name, v, v, ...
            size (effect.neutral), size (effect.limits));
   end
+  if isempty (effect.priorScale)
+    effect.priorScale = 2 * max (abs (effect.limits - effect.neutral), [], 1);
+  end
+  effect.limits = orderedLimits (effect.limits, effect.neutral);
 end
 
 %!test % defaults of a plain effect

@@ -1,8 +1,6 @@
 % EFFECTBIAS  Candidate effect of the laboratory: offset of measured heights.
 %
-% CALL: EFFECT = effectBias ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectBias (), see describeEffect
 function effect = effectBias ()
   given.name = 'bias';
   given.question = 'Is the zero of the height gauge off?';
@@ -10,7 +8,6 @@ function effect = effectBias ()
   given.limits = [-0.002; 0.002];
   given.unit = 'm';
   given.label = 'offset of measured heights';
-  given.confusedWith = {'fill', 'tilt'};
   given.group = 'gauge';
   given.laboratory = true;
   given.kinds = {'height'};

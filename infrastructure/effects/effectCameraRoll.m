@@ -1,8 +1,6 @@
 % EFFECTCAMERAROLL  Candidate effect of the laboratory: roll of the camera.
 %
-% CALL: EFFECT = effectCameraRoll ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectCameraRoll (), see describeEffect
 function effect = effectCameraRoll ()
   given.name = 'cameraRoll';
   given.question = 'Was the camera level?';
@@ -10,7 +8,6 @@ function effect = effectCameraRoll ()
   given.limits = [-2; 2];
   given.unit = 'deg';
   given.label = 'roll of the camera';
-  given.confusedWith = {'tilt'};
   given.group = 'alignment';
   given.laboratory = true;
   given.kinds = {'angle', 'angleFalling', 'height'};

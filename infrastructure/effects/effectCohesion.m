@@ -1,8 +1,6 @@
 % EFFECTCOHESION  Candidate effect: cohesion energy density between grains.
 %
-% CALL: EFFECT = effectCohesion ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectCohesion (), see describeEffect
 function effect = effectCohesion ()
   given.name = 'cohesion';
   given.question = 'Do dry grains stick to each other?';
@@ -11,11 +9,7 @@ function effect = effectCohesion ()
   given.limits = [0; 6e4];
   given.unit = 'J/m3';
   given.label = 'cohesion energy density between grains';
-  given.confusedWith = {'liquidBridge', 'wallAdhesion'};
   given.group = 'adhesion';
-  given.source = ['simplified JKR: attraction = energy density x ' ...
-                  'contact area'];
+  given.source = 'simplified JKR: attraction = energy density x contact area';
   effect = describeEffect (given);
 end
-
-%!assert (effectCohesion ().limits, [0; 6e4])

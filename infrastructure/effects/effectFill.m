@@ -1,21 +1,14 @@
 % EFFECTFILL  Candidate effect: factor on the filled mass.
 %
-% CALL: EFFECT = effectFill ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectFill (), see describeEffect
 function effect = effectFill ()
   given.name = 'fill';
-  given.question = ['Was as much material filled in as the protocol' ...
-                    ' says?'];
+  given.question = 'Was as much material filled in as the protocol says?';
   given.variables = {'fillFactor'};
   given.neutral = 1;
   given.limits = [0.85; 1.15];
   given.unit = '-';
   given.label = 'factor on the filled mass';
-  given.confusedWith = {'moistDensity'};
-  given.group = 'fill';
   given.source = 'weighing and levelling errors of hand filling';
   effect = describeEffect (given);
 end
-
-%!assert (effectFill ().limits, [0.85; 1.15])

@@ -1,8 +1,6 @@
 % EFFECTGAIN  Candidate effect of the laboratory: relative error of the balance.
 %
-% CALL: EFFECT = effectGain ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectGain (), see describeEffect
 function effect = effectGain ()
   given.name = 'gain';
   given.question = 'Does the balance show too much or too little?';
@@ -10,7 +8,6 @@ function effect = effectGain ()
   given.limits = [-0.05; 0.05];
   given.unit = '-';
   given.label = 'relative error of the balance';
-  given.confusedWith = {'moistDensity', 'opening'};
   given.group = 'mass';
   given.laboratory = true;
   given.kinds = {'density', 'mass', 'rate'};

@@ -1,8 +1,6 @@
 % EFFECTLIQUIDBRIDGE  Candidate effect: liquid volume per grain volume.
 %
-% CALL: EFFECT = effectLiquidBridge ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectLiquidBridge (), see describeEffect
 function effect = effectLiquidBridge ()
   given.name = 'liquidBridge';
   given.question = ['Is the material moist, with liquid bridges ' ...
@@ -12,12 +10,9 @@ function effect = effectLiquidBridge ()
   given.limits = [0; 0.02];
   given.unit = '-';
   given.label = 'liquid volume per grain volume';
-  given.confusedWith = {'cohesion', 'wallAdhesion'};
   given.group = 'adhesion';
   given.source = ['Soulie 2006 capillary force, Nase 2001 viscous' ...
                   ' force; LIGGGHTS easo/capillary/viscous; walls' ...
                   ' stay dry'];
   effect = describeEffect (given);
 end
-
-%!assert (effectLiquidBridge ().limits, [0; 0.02])

@@ -1,8 +1,6 @@
 % EFFECTMEANSIZE  Candidate effect: factor on grain size.
 %
-% CALL: EFFECT = effectMeanSize ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectMeanSize (), see describeEffect
 function effect = effectMeanSize ()
   given.name = 'meanSize';
   given.question = 'Are the grains larger or smaller than assumed?';
@@ -11,10 +9,7 @@ function effect = effectMeanSize ()
   given.limits = [0.85; 1.2];
   given.unit = '-';
   given.label = 'factor on grain size';
-  given.confusedWith = {'opening', 'sizeSpread'};
   given.group = 'size';
   given.source = 'Beverloo 1961: the discharge feels (D - k d)';
   effect = describeEffect (given);
 end
-
-%!assert (effectMeanSize ().limits, [0.85; 1.2])

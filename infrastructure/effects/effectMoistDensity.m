@@ -1,22 +1,16 @@
 % EFFECTMOISTDENSITY  Candidate effect: factor on grain density.
 %
-% CALL: EFFECT = effectMoistDensity ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectMoistDensity (), see describeEffect
 function effect = effectMoistDensity ()
   given.name = 'moistDensity';
-  given.question = ['Have the grains taken up water and become ' ...
-                    'heavier?'];
+  given.question = 'Have the grains taken up water and become heavier?';
   given.variables = {'densityFactor'};
   given.neutral = 1;
   given.limits = [0.95; 1.2];
   given.unit = '-';
   given.label = 'factor on grain density';
-  given.confusedWith = {'gain', 'fill'};
   given.group = 'mass';
   given.source = ['wood and grain take up 5 to 20 % of their mass' ...
                   ' from moist air'];
   effect = describeEffect (given);
 end
-
-%!assert (effectMoistDensity ().limits, [0.95; 1.2])

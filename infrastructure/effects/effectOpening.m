@@ -1,8 +1,6 @@
 % EFFECTOPENING  Candidate effect: factor on the opening.
 %
-% CALL: EFFECT = effectOpening ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectOpening (), see describeEffect
 function effect = effectOpening ()
   given.name = 'opening';
   given.question = 'Is the opening as wide as the drawing says?';
@@ -11,10 +9,6 @@ function effect = effectOpening ()
   given.limits = [0.92; 1.08];
   given.unit = '-';
   given.label = 'factor on the opening';
-  given.confusedWith = {'meanSize', 'moistDensity', 'gain', 'timeOffset'};
-  given.group = 'opening';
   given.source = 'Beverloo 1961';
   effect = describeEffect (given);
 end
-
-%!assert (effectOpening ().limits, [0.92; 1.08])

@@ -1,22 +1,15 @@
 % EFFECTRESTITUTION  Candidate effect: factor on ln (restitution).
 %
-% CALL: EFFECT = effectRestitution ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectRestitution (), see describeEffect
 function effect = effectRestitution ()
   given.name = 'restitution';
-  given.question = ['Are impacts softer (more damped) or livelier ' ...
-                    'than assumed?'];
+  given.question = 'Are impacts softer (more damped) or livelier than assumed?';
   given.variables = {'dampingFactor'};
   given.neutral = 1;
   given.limits = [0.3; 4];
   given.unit = '-';
   given.label = 'factor on ln (restitution)';
-  given.confusedWith = {'drag'};
-  given.group = 'restitution';
   given.source = ['Yan et al. 2015: little influence on angle of ' ...
                   'repose and discharge'];
   effect = describeEffect (given);
 end
-
-%!assert (effectRestitution ().limits, [0.3; 4])

@@ -1,8 +1,6 @@
 % EFFECTROLLING  Candidate effect: added rolling friction.
 %
-% CALL: EFFECT = effectRolling ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectRolling (), see describeEffect
 function effect = effectRolling ()
   given.name = 'rolling';
   given.question = ['Do the grains resist rolling more than the ' ...
@@ -12,11 +10,8 @@ function effect = effectRolling ()
   given.limits = [0; 0.4];
   given.unit = '-';
   given.label = 'added rolling friction';
-  given.confusedWith = {'shape', 'cohesion'};
   given.group = 'grain shape';
   given.source = ['Wensrich and Katterfeld 2012 (rolling friction' ...
                   ' as a stand-in for shape)'];
   effect = describeEffect (given);
 end
-
-%!assert (effectRolling ().limits, [0; 0.4])

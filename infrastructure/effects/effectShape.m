@@ -1,8 +1,6 @@
 % EFFECTSHAPE  Candidate effect: length over width of the grains.
 %
-% CALL: EFFECT = effectShape ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectShape (), see describeEffect
 function effect = effectShape ()
   given.name = 'shape';
   given.question = 'Are the grains elongated instead of round?';
@@ -11,11 +9,8 @@ function effect = effectShape ()
   given.limits = [1; 1.6];
   given.unit = '-';
   given.label = 'length over width of the grains';
-  given.confusedWith = {'rolling'};
   given.group = 'grain shape';
   given.source = ['two-sphere clumps of one volume with the ' ...
                   'sphere; LIGGGHTS fix multisphere'];
   effect = describeEffect (given);
 end
-
-%!assert (effectShape ().limits, [1; 1.6])

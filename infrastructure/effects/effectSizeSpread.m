@@ -1,8 +1,6 @@
 % EFFECTSIZESPREAD  Candidate effect: relative spread of the grain size.
 %
-% CALL: EFFECT = effectSizeSpread ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectSizeSpread (), see describeEffect
 function effect = effectSizeSpread ()
   given.name = 'sizeSpread';
   given.question = 'Do the grains differ in size?';
@@ -11,11 +9,7 @@ function effect = effectSizeSpread ()
   given.limits = [0; 0.2];
   given.unit = '-';
   given.label = 'standard deviation over mean of the grain size';
-  given.confusedWith = {'meanSize'};
   given.group = 'size';
-  given.source = ['three sizes by number 1:2:1, Sauter diameter ' ...
-                  'kept'];
+  given.source = 'three sizes by number 1:2:1, Sauter diameter kept';
   effect = describeEffect (given);
 end
-
-%!assert (effectSizeSpread ().limits, [0; 0.2])

@@ -1,8 +1,6 @@
 % EFFECTSPEEDERROR  Candidate effect of the laboratory: error of the speed.
 %
-% CALL: EFFECT = effectSpeedError ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectSpeedError (), see describeEffect
 function effect = effectSpeedError ()
   given.name = 'speedError';
   given.question = 'Does the drum turn as fast as its display says?';
@@ -10,7 +8,6 @@ function effect = effectSpeedError ()
   given.limits = [-0.25; 0.25];
   given.unit = '-';
   given.label = 'relative error of the speed';
-  given.confusedWith = {'timeOffset'};
   given.group = 'speed';
   given.laboratory = true;
   given.kinds = {'speed'};

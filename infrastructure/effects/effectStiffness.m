@@ -1,22 +1,15 @@
 % EFFECTSTIFFNESS  Candidate effect: factor on Young's modulus.
 %
-% CALL: EFFECT = effectStiffness ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectStiffness (), see describeEffect
 function effect = effectStiffness ()
   given.name = 'stiffness';
-  given.question = ['Are the grains stiffer or softer than in the ' ...
-                    'model?'];
+  given.question = 'Are the grains stiffer or softer than in the model?';
   given.variables = {'stiffnessFactor'};
   given.neutral = 1;
   given.limits = [0.4; 4];
   given.unit = '-';
   given.label = 'factor on Young''s modulus';
-  given.confusedWith = {'cohesion'};
-  given.group = 'stiffness';
   given.source = ['Yan et al. 2015; moduli are lowered in DEM to ' ...
                   'lengthen the time step'];
   effect = describeEffect (given);
 end
-
-%!assert (effectStiffness ().limits, [0.4; 4])

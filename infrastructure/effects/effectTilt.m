@@ -1,8 +1,6 @@
 % EFFECTTILT  Candidate effect: tilt of the rig.
 %
-% CALL: EFFECT = effectTilt ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectTilt (), see describeEffect
 function effect = effectTilt ()
   given.name = 'tilt';
   given.question = 'Does the rig stand level?';
@@ -11,11 +9,7 @@ function effect = effectTilt ()
   given.limits = [-2; 2];
   given.unit = 'deg';
   given.label = 'tilt of the rig';
-  given.confusedWith = {'cameraRoll'};
   given.group = 'alignment';
-  given.source = ['geometry; the levelling of a rig is good to a ' ...
-                  'degree or two'];
+  given.source = 'geometry; the levelling of a rig is good to a degree or two';
   effect = describeEffect (given);
 end
-
-%!assert (effectTilt ().limits, [-2; 2])

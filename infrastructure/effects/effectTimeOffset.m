@@ -1,8 +1,6 @@
 % EFFECTTIMEOFFSET  Candidate effect of the laboratory: offset of the clock.
 %
-% CALL: EFFECT = effectTimeOffset ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectTimeOffset (), see describeEffect
 function effect = effectTimeOffset ()
   given.name = 'timeOffset';
   given.question = 'Does the clock start too late or too early?';
@@ -10,7 +8,6 @@ function effect = effectTimeOffset ()
   given.limits = [-0.03; 0.03];
   given.unit = 's';
   given.label = 'offset of the clock';
-  given.confusedWith = {'speedError', 'opening'};
   given.group = 'clock';
   given.laboratory = true;
   given.kinds = {'time'};

@@ -1,8 +1,6 @@
 % EFFECTVIBRATION  Candidate effect: peak acceleration over gravity, 60 Hz.
 %
-% CALL: EFFECT = effectVibration ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectVibration (), see describeEffect
 function effect = effectVibration ()
   given.name = 'vibration';
   given.question = 'Does the rig stand on a vibrating floor?';
@@ -11,11 +9,6 @@ function effect = effectVibration ()
   given.limits = [0; 0.8];
   given.unit = '-';
   given.label = 'peak acceleration over gravity, 60 Hz';
-  given.confusedWith = {'rolling', 'restitution'};
-  given.group = 'vibration';
-  given.source = ['Janda et al. 2009: vibration below 1 g unclogs' ...
-                  ' and compacts'];
+  given.source = 'Janda et al. 2009: vibration below 1 g unclogs and compacts';
   effect = describeEffect (given);
 end
-
-%!assert (effectVibration ().limits, [0; 0.8])

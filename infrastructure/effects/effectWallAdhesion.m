@@ -1,8 +1,6 @@
 % EFFECTWALLADHESION  Candidate effect: cohesion energy density at the walls.
 %
-% CALL: EFFECT = effectWallAdhesion ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectWallAdhesion (), see describeEffect
 function effect = effectWallAdhesion ()
   given.name = 'wallAdhesion';
   given.question = 'Does the material stick to the walls?';
@@ -11,10 +9,7 @@ function effect = effectWallAdhesion ()
   given.limits = [0; 6e4];
   given.unit = 'J/m3';
   given.label = 'cohesion energy density at the walls';
-  given.confusedWith = {'cohesion', 'wallFriction'};
   given.group = 'adhesion';
   given.source = 'simplified JKR on wall contacts only';
   effect = describeEffect (given);
 end
-
-%!assert (effectWallAdhesion ().limits, [0; 6e4])

@@ -1,8 +1,6 @@
 % EFFECTWALLFRICTION  Candidate effect: factor on wall friction.
 %
-% CALL: EFFECT = effectWallFriction ()
-%
-% EFFECT  scalar struct, see describeEffect
+% CALL: EFFECT = effectWallFriction (), see describeEffect
 function effect = effectWallFriction ()
   given.name = 'wallFriction';
   given.question = ['Is the wall smoother or rougher than the one ' ...
@@ -12,11 +10,8 @@ function effect = effectWallFriction ()
   given.limits = [0.1; 1.7];
   given.unit = '-';
   given.label = 'factor on wall friction';
-  given.confusedWith = {'wallAdhesion'};
   given.group = 'wall';
   given.source = ['friction of one plastic on polished and rough ' ...
                   'steel differs by a factor of 2 to 3'];
   effect = describeEffect (given);
 end
-
-%!assert (effectWallFriction ().limits, [0.1; 1.7])

@@ -1,19 +1,19 @@
 % EFFECTSOFMODEL  Says which effects a bench can express, before any run.
 %
 % CALL: [CAN, REASON] = effectsOfModel (FOLDER, EFFECTS)
+%       [CAN, REASON] = effectsOfModel (FOLDER, EFFECTS, INFO)
 %
 % FOLDER   model folder
 % EFFECTS  1 x e struct array of resolveEffects, or []
-% CAN      1 x e logical: data.head declares all variables of the effect; for
-%          an effect of the laboratory: results.csv holds a result of a kind
-%          that it acts on
+% INFO     1 x T struct array, what the results are (default: resultInfo)
+% CAN      1 x e logical: data.head declares all variables of the effect; an
+%          effect of the laboratory acts on one of the results
 % REASON   1 x e cell of texts, '' where CAN is true
-%
-% Files that data.head includes count as part of it.
-function [can, reason] = effectsOfModel (folder, effects)
-  head = checkHead (folder);
-  declared = {head.name};
-  info = resultInfo (folder);
+function [can, reason] = effectsOfModel (folder, effects, info)
+  if nargin < 3
+    info = resultInfo (folder);
+  end
+  declared = {checkHead(folder).name};
   [~, model] = fileparts (folder);
   reason = repmat ({''}, 1, numel (effects));
   for k = 1:numel (effects)

@@ -29,8 +29,6 @@ function [names, files] = listEffects (folders)
   end
   [names, first] = unique (names, 'first');
   files = files(first);
-  names = names(:).';
-  files = files(:).';
 end
 
 %!test % sorted, no helper function among them

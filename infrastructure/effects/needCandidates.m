@@ -14,23 +14,19 @@ function needCandidates (Case)
     return
   end
   folders = fullfile (Case.folder, 'effects');
-  names = listEffects (folders);
-  can = true (1, numel (names));
+  effects = cellfun (@(name) getEffect (name, folders), ...
+                     listEffects (folders), 'UniformOutput', false);
+  effects = [effects{:}];
   models = Case.models(isfolder ({Case.models.folder}));
-  if ~isempty (models)
-    can(:) = false;
-  end
-  for k = 1:numel (names)
-    effect = getEffect (names{k}, folders);
-    for m = models
-      can(k) = can(k) || effectsOfModel (m.folder, effect);
-    end
+  can = repmat (isempty (models), 1, numel (effects));
+  for model = models
+    can = can | effectsOfModel (model.folder, effects);
   end
   error ('DEcalioc:needCandidates:missingField', ...
          ['loadEffects.m must list what the model may lack, got an empty ' ...
           'list. Your models can express these; copy the line to ' ...
           'loadEffects.m and strike out what cannot be (docs/effects.md):' ...
-          '\n  effects = {''%s''};'], strjoin (names(can), ''', '''));
+          '\n  effects = {''%s''};'], strjoin ({effects(can).name}, ''', '''));
 end
 
 %!test

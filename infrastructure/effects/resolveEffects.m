@@ -1,117 +1,221 @@
-% RESOLVEEFFECTS  Completes the user's list of candidate effects.
+% RESOLVEEFFECTS  Checks and completes the user's list of candidate effects.
 %
 % CALL: EFFECTS = resolveEffects (LIST)
-%       EFFECTS = resolveEffects (LIST, FOLDERS)
+%       [EFFECTS, P] = resolveEffects (LIST, FOLDERS, MODELVARS, ASSIGN)
 %
-% LIST     what loadEffects gives: [] or {}; a name; a cell of names and
-%          structs; a struct array. A struct needs a name; what it does not
-%          give (or gives empty) comes from the library's file of that name. A
-%          name that the library lacks needs neutral, limits, and variables
-%          or, with laboratory = true, transform.
-% FOLDERS  text or cell of folders that are looked in before the library
-% EFFECTS  1 x e struct array with the fields of describeEffect, [] if LIST is
-%          empty
+%   LIST       what loadEffects gives: [] or {}; a name; a cell of names and
+%              structs; a struct array. A struct needs a name; what it does not
+%              give (or gives empty) comes from the library's file of that
+%              name. A name that the library lacks needs neutral, limits, and
+%              variables or, with laboratory = true, transform.
+%   FOLDERS    text or cell of folders that are looked in before the library
+%   MODELVARS  scalar struct of loadInput; ASSIGN  cell of names. An effect may
+%              share a variable with MODELVARS where its neutral value is the
+%              same, never with ASSIGN or with another effect.
+%   EFFECTS    1 x e struct array with the fields of describeEffect, [] where
+%              LIST is empty or has faults
+%   P          1 x n faults, see checkFault; not asked for, the first is thrown
 %
-% Throws DEcalioc:resolveEffects:unknownName, DEcalioc:resolveEffects:badType,
-% DEcalioc:resolveEffects:badValue (a name or a variable twice).
+% Reasons: badEffects unknownField badEffectName reservedName duplicateEffect
+% unknownEffect brokenEffect overwrittenVariable duplicateEffectVariable, and
+% those of checkEffectNumbers
 %
 % See also: getEffect, listEffects, loadEffects
-function effects = resolveEffects (list, folders)
+function [effects, p] = resolveEffects (list, folders, modelVars, assign)
+  if nargin < 4
+    [modelVars, assign] = deal (struct (), {});
+  end
   if nargin < 2
     folders = {};
   end
-  entries = asCell (list);
-  known = listEffects (folders);
-  effects = [];
+  [p, entries] = asEntries (list);
+  library = listEffects (folders);
+  [names, fields, complete] = deal ({});
   for k = 1:numel (entries)
-    effects = [effects, complete(entries{k}, known, folders)];
+    field = sprintf ('effects(%d)', k);
+    [q, entry] = checkEntry (entries{k}, field, names);
+    p = [p, q];
+    if isstruct (entry)
+      names{end + 1} = entry.name;
+      [q, entry] = fromLibrary (entry, field, folders, library);
+      p = [p, q];
+      if isempty (q)
+        p = [p, checkEffectNumbers(entry, field)];
+        fields{end + 1} = [field, '.variables'];
+        complete{end + 1} = entry;
+      end
+    end
   end
-  checkUnique (effects);
+  p = [p, checkShared(complete, fields, modelVars, assign)];
+  effects = [];
+  if isempty (p)
+    effects = cellfun (@describeEffect, complete, 'UniformOutput', false);
+    effects = [effects{:}];
+  elseif nargout < 2
+    error (p(1).id, 'resolveEffects: %s', p(1).message);
+  end
 end
 
-function entries = asCell (list)
-  if isempty (list)
-    entries = {};
-  elseif ischar (list)
+function [p, entries] = asEntries (list)
+  p = checkFault ();
+  entries = {};
+  if checkIs ('nothing', list)
+    return
+  elseif checkIs ('text', list)
     entries = {list};
   elseif isstruct (list)
-    entries = num2cell (list(:).');
+    entries = num2cell (list(:)');
   elseif iscell (list)
-    entries = list(:).';
+    entries = list(:)';
   else
-    error ('DEcalioc:resolveEffects:badType', ...
-           ['resolveEffects: LIST must be a cell of names and structs or a ' ...
-            'struct array, got %s.'], class (list));
+    p = badEntry ('effects', '[], or a struct array', list);
   end
 end
 
-function effect = complete (entry, known, folders)
+function p = badEntry (field, expected, got)
+  p = checkFault ('badEffects', field, ...
+                  [expected, ' with at least the field name'], ...
+                  checkShow (got), ...
+                  'Take loadEffects.m of the toolbox as a pattern.');
+end
+
+% ENTRY comes back as a struct with a good name and without empty fields, or
+% as [].
+function [p, entry] = checkEntry (entry, field, names)
   if ischar (entry)
     entry = struct ('name', entry);
   end
-  if ~isstruct (entry) || ~isfield (entry, 'name') || ~ischar (entry.name)
-    error ('DEcalioc:resolveEffects:badType', ...
-           'resolveEffects: each entry of LIST must be a name or have one.');
+  if ~checkIs ('struct', entry) || ~isfield (entry, 'name')
+    p = badEntry (field, 'a name, or a struct', entry);
+    entry = [];
+    return
   end
-  given = fieldnames (entry);
-  empty = structfun (@isempty, entry);
-  entry = rmfield (entry, given(empty & ~strcmp (given, 'name')));
-  if any (strcmp (known, entry.name))
-    base = getEffect (entry.name, folders);
+  known = {'name', 'variables', 'neutral', 'limits', 'label', 'unit', ...
+           'group', 'laboratory', 'question', 'priorScale', 'benches', ...
+           'confusedWith', 'kinds', 'transform', 'source'};
+  p = [checkFields(entry, field, known), ...
+       checkEffectName(entry.name, [field, '.name'], names)];
+  if ~checkIs ('name', entry.name)
+    entry = [];
+    return
+  end
+  isGiven = structfun (@(value) ~checkIs ('nothing', value), entry);
+  entry = rmfield (entry, fieldnames (entry)(~isGiven));
+end
+
+function p = checkEffectName (name, field, names)
+  p = checkFault ();
+  if ~checkIs ('name', name)
+    p = checkFault ('badEffectName', field, ...
+                    'a name of letters, digits and _', ...
+                    checkShow (name), 'Write a short name.');
+  elseif any (strcmp (name, {'null', 'unlisted'}))
+    p = checkFault ('reservedName', field, ...
+                    'a name that is none of gap.json''s own', name, ...
+                    'Call it something else.');
+  elseif any (strcmp (name, names))
+    p = checkFault ('duplicateEffect', field, 'names that differ', ...
+                    [name, ' a second time'], ...
+                    'Take one of the two out.');
+  end
+end
+
+% What a name of the library stands for is filled in.
+function [p, entry] = fromLibrary (entry, field, folders, library)
+  p = checkFault ();
+  if any (strcmp (entry.name, library))
+    try
+      base = getEffect (entry.name, folders);
+    catch err
+      p = checkFault ('brokenEffect', [field, '.name'], ...
+                      sprintf ('a library file of %s that runs', ...
+                               entry.name), checkShow (err.message), ...
+                      'Call getEffect at the Octave prompt until it runs.');
+      return
+    end
     if isfield (entry, 'limits') && ~isfield (entry, 'priorScale')
       base = rmfield (base, 'priorScale');
     end
     entry = mergeFields (base, entry);
-  elseif ~all (isfield (entry, {'neutral', 'limits'})) || ...
-         ~any (isfield (entry, {'variables', 'transform'}))
-    error ('DEcalioc:resolveEffects:unknownName', ...
-           ['resolveEffects: %s is not in the library (%s), so it must ' ...
-            'have neutral, limits, and variables or (of the laboratory) ' ...
-            'transform.'], entry.name, strjoin (known, ', '));
-  end
-  effect = describeEffect (entry);
-end
-
-function checkUnique (effects)
-  if isempty (effects)
-    return
-  end
-  names = {effects.name};
-  variables = [effects.variables];
-  isTwice = @(texts) numel (unique (texts)) < numel (texts);
-  if isTwice (names) || isTwice (variables)
-    error ('DEcalioc:resolveEffects:badValue', ...
-           ['resolveEffects: names and variables of the effects must ' ...
-            'differ, got %s with %s.'], strjoin (names, ', '), ...
-           strjoin (variables, ', '));
+  elseif ~any (isfield (entry, {'variables', 'neutral', 'limits'}))
+    cure = checkNearest (entry.name, library);
+    if isempty (cure)
+      cure = 'Give it variables, neutral and limits.';
+    end
+    p = checkFault ('unknownEffect', [field, '.name'], ...
+                    'an effect of the library, or one with variables', ...
+                    entry.name, cure);
   end
 end
 
-%!assert (isempty (resolveEffects ([])))
-%!assert (isempty (resolveEffects ({})))
+function p = checkShared (entries, fields, modelVars, assign)
+  p = checkFault ();
+  earlier = {};
+  hasNames = @(e) isfield (e, 'variables') && iscell (e.variables);
+  for k = find (cellfun (hasNames, entries))
+    names = entries{k}.variables(:)';
+    neutral = NaN (1, numel (names));
+    if isfield (entries{k}, 'neutral') && ...
+        isequal (size (entries{k}.neutral), size (neutral))
+      neutral = entries{k}.neutral;
+    end
+    for j = find (cellfun (@(n) checkIs ('name', n), names))
+      p = [p, checkVariable(names{j}, neutral(j), fields{k}, ...
+                            earlier, modelVars, assign)];
+      earlier = [earlier, names(j)];
+    end
+  end
+end
 
-%!test % a name, a name with limits, an effect of one's own in four fields
-%! own = struct ('name', 'lid', 'variables', {{'lidMass'}}, 'neutral', 0, ...
-%!               'limits', [0; 3]);
-%! near = struct ('name', 'tilt', 'limits', [0; 1]);
-%! e = resolveEffects ({'cohesion', near, own});
-%! assert ({e.name}, {'cohesion', 'tilt', 'lid'});
-%! assert (e(2).limits, [0; 1]);
-%! assert (e(2).priorScale, 2);
-%! assert (e(2).variables, {'tiltAngle'});
-%! assert (e(3).group, 'lid');
+function p = checkVariable (name, neutral, field, earlier, modelVars, assign)
+  p = checkFault ();
+  if any (strcmp (name, earlier))
+    p = checkFault ('duplicateEffectVariable', field, ...
+                    'variables of no other effect', name, ...
+                    'Give each effect a variable of its own.');
+  elseif any (strcmp (name, assign))
+    p = checkFault ('overwrittenVariable', field, ...
+                    'variables that are not calibrated', ...
+                    [name, ', which assign names too'], ...
+                    'Take it out of assign or out of effects.');
+  elseif isfield (modelVars, name) && ~isequal (modelVars.(name), neutral)
+    p = checkFault ('overwrittenVariable', field, ...
+                    ['neutral values as in modelVars: ', ...
+                     checkShow(modelVars.(name))], ...
+                    [name, ' with ', checkShow(neutral)], ...
+                    'Take it out of modelVars.');
+  end
+end
 
-%!test % an effect of the laboratory of one's own
-%! own = struct ('name', 'zero', 'laboratory', true, 'neutral', 0, ...
-%!               'limits', [-1; 1], 'transform', @(Z, s, info) Z + s);
-%! assert (resolveEffects (own).transform (1, 2, []), 3);
-
-%!test % a struct array with empty fields
-%! list = struct ('name', {'tilt', 'drag'}, 'limits', {[], [0; 5]});
-%! e = resolveEffects (list);
-%! assert (e(1).limits, getEffect ('tilt').limits);
-%! assert (e(2).limits, [0; 5]);
-
-%!error id=DEcalioc:resolveEffects:unknownName resolveEffects ({'noSuchEffect'})
-%!error id=DEcalioc:resolveEffects:badType resolveEffects (7)
-%!error id=DEcalioc:resolveEffects:badValue resolveEffects ({'tilt', 'tilt'})
+%!shared e
+%! e = struct ('name', 'lid', 'variables', {{'k'}}, 'neutral', 0, ...
+%!             'limits', [0; 1e5]);
+%!function ids = idsOf (varargin)
+%!  [~, p] = resolveEffects (varargin{:});
+%!  ids = strrep ({p.id}, 'DEcalioc:checkCase:', '');
+%!endfunction
+%!test
+%! [~, p] = resolveEffects (e, {}, struct ('k', 0), {'a'});
+%! assert (isempty (p));
+%!assert (idsOf ('tlt'), {'unknownEffect'})
+%!assert (idsOf (setfield (e, 'name', 'unlisted')), {'reservedName'})
+%!assert (idsOf (e, {}, struct (), {'k'}), {'overwrittenVariable'})
+%!assert (idsOf (e, {}, struct ('k', 3), {}), {'overwrittenVariable'})
+%!assert (idsOf ([e, e]), {'duplicateEffect', 'duplicateEffectVariable'})
+%!assert (isempty (resolveEffects ([])) && isempty (resolveEffects ({})))
+%!test
+%! % a name, a name with limits, an effect of one's own in four fields
+%! found = resolveEffects ({'cohesion', struct('name', 'tilt', 'limits', ...
+%!                                             [0; 1], 'unit', ''), e});
+%! assert ({found.name}, {'cohesion', 'tilt', 'lid'});
+%! assert (found(2).limits, [0; 1]);
+%! assert (found(2).priorScale, 2);
+%! assert (found(2).variables, {'tiltAngle'});
+%! assert (found(2).unit, 'deg');
+%! assert (found(3).group, 'lid');
+%!test
+%! % an effect of the laboratory of one's own
+%! zero = struct ('name', 'zero', 'laboratory', true, 'neutral', 0, ...
+%!                'limits', [-1; 1], 'transform', @(Z, s, info) Z + s);
+%! assert (resolveEffects (zero).transform (1, 2, []), 3);
+%!error id=DEcalioc:checkCase:badEffects resolveEffects (7)

@@ -27,7 +27,12 @@ end
 
 function phi = strengthOf (effect, values)
   move = values - effect.neutral;
-  [up, down] = fullMove (effect);
+  down = effect.limits(1, :) - effect.neutral;
+  up = effect.limits(2, :) - effect.neutral;
+  if effect.range(1) >= 0
+    far = abs (down) > abs (up);
+    up(far) = down(far);
+  end
   share = move ./ up;
   if effect.range(1) < 0
     back = move .* up < 0;
@@ -35,18 +40,8 @@ function phi = strengthOf (effect, values)
     share(back) = other(back);
   end
   share(~isfinite (share)) = 0;
-  [~, which] = max (abs (share), [], 2);
-  phi = share(sub2ind (size (share), (1:rows (share))', which));
-end
-
-function [up, down] = fullMove (effect)
-  lo = effect.limits(1, :) - effect.neutral;
-  up = effect.limits(2, :) - effect.neutral;
-  down = lo;
-  if effect.range(1) >= 0
-    far = abs (lo) > abs (up);
-    up(far) = lo(far);
-  end
+  [~, most] = max (abs (share), [], 2);
+  phi = share(sub2ind (size (share), (1:rows (share))', most));
 end
 
 %!shared effects

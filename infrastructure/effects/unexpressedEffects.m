@@ -14,8 +14,14 @@ function texts = unexpressedEffects (Case)
   names = {Case.effects.name};
   can = false (numel (models), numel (names));
   for k = 1:numel (models)
-    can(k, :) = effectsOfModel (models(k).folder, Case.effects) | ...
-                onCurves (models(k), Case);
+    can(k, :) = effectsOfModel (models(k).folder, Case.effects);
+    if isfield (models, 'readings') && ~isempty (models(k).readings)
+      % measured.csv may read a curve at places that results.csv does not list
+      mine = strcmp ({Case.targets.modelName}, models(k).name);
+      can(k, :) = can(k, :) | ...
+                  effectsOfModel (models(k).folder, Case.effects, ...
+                                  targetInfo (Case)(mine));
+    end
   end
   nowhere = ~any (can, 1);
   if any (nowhere)
@@ -25,22 +31,6 @@ function texts = unexpressedEffects (Case)
   for k = find (any (~can & ~nowhere, 2)).'
     texts{end + 1} = sprintf ('%s cannot express %s', models(k).name, ...
                               strjoin (names(~can(k, :) & ~nowhere), ', '));
-  end
-end
-
-% measured.csv may read a curve at places that results.csv does not list.
-function can = onCurves (model, Case)
-  can = false (1, numel (Case.effects));
-  if ~isfield (model, 'readings') || isempty (model.readings)
-    return
-  end
-  info = targetInfo (Case)(strcmp ({Case.targets.modelName}, model.name));
-  trial = 1:numel (info);
-  for j = find ([Case.effects.laboratory])
-    act = Case.effects(j).transform;
-    can(j) = ~isempty (act) && ...
-             any (arrayfun (@(x) ~isequal (act (trial, x, info), trial), ...
-                            Case.effects(j).limits(:)));
   end
 end
 

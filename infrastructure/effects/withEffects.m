@@ -7,17 +7,18 @@
 %   LIST  the candidates, as loadEffects gives them (default: those of
 %         loadEffects.m of the case or of the toolbox); may be empty
 %
-% Errors: DEcalioc:withEffects:brokenEffects, those of checkEffects and
-% checkDeclared (DEcalioc:checkCase:...). An effect of the library may be one
-% that no model of the case has; of the user's own ones that is a mistake.
+% Errors: DEcalioc:withEffects:brokenEffects, those of resolveEffects
+% and checkDeclared (DEcalioc:checkCase:...). An effect of the library may be
+% one that no model of the case has; of the user's own ones that is a mistake.
 
 function Case = withEffects (Case, list)
   if nargin < 2
     list = ownList ();
   end
   folders = {fullfile(Case.folder, 'effects'), Case.folder};
-  stopAt (checkEffects (list, folders, Case.modelVars, Case.names));
-  Case.effects = resolveEffects (list, folders);
+  [Case.effects, faults] = resolveEffects (list, folders, Case.modelVars, ...
+                                           Case.names);
+  stopAt (faults);
   Case.effectVars = {Case.coarse.variable};
   for effect = Case.effects
     Case.effectVars = [Case.effectVars, effect.variables(:)'];

@@ -2,9 +2,7 @@
 %
 % CALL: FLIGHT = batchAttach (JOBS, STORE, QUEUE)
 %
-%   JOBS    1 x n struct array, see newJobs
-%   STORE   folder of the run store (text)
-%   QUEUE   see newQueue
+%   JOBS, QUEUE  see batchExecute;  STORE  folder of the run store (text)
 %   FLIGHT  scalar struct
 %     status   1 x n char: 'q' to be submitted, 'o' submitted and open,
 %              'e' ended and to be evaluated, 's' settled (has a record)
@@ -15,7 +13,7 @@
 %     since    1 x n time (s, clock of toc) at which the queue first said that
 %              the run has ended, NaN = it has not
 %     records  1 x n cell of run records
-%     state    1 x n char, what the queue last said of the job, see batchJudge
+%     state    1 x n char, what the queue last said of the job, see batchLook
 %     word     1 x n cell, the same in its own words
 %     batches  1 x b struct array: name, path, n (tasks), left (runs without a
 %              record at the start), cpu, minutes, isSent
@@ -37,27 +35,24 @@ function flight = batchAttach (jobs, store, queue)
                    'silent', false, 'waitsFor', '', 'message', '');
   flight.batches = struct ('name', {}, 'path', {}, 'n', {}, 'left', {}, ...
                            'cpu', {}, 'minutes', {}, 'isSent', {});
-  ledger = batchLedger (store, queue.name);
-  for b = 1:numel (ledger)
-    isOpen = cellfun (@isAttachable, ledger(b).folders);
-    [isOurs, task] = ismember ({jobs.key}, ledger(b).keys(isOpen));
-    isOurs = isOurs & flight.status == 'q';
+  for sent = batchLedger (store, queue.name)
+    isOpen = cellfun (@isAttachable, sent.folders);
     if ~any (isOpen)
-      batchDiscard (ledger(b).path);
+      batchDiscard (sent.path);
     end
+    sent.keys(~isOpen) = {''};
+    [isOurs, task] = ismember ({jobs.key}, sent.keys);
+    isOurs = isOurs & flight.status == 'q';
     if ~any (isOurs)
       continue
     end
-    places = find (isOpen);
-    task(isOurs) = places(task(isOurs));
-    flight.batches(end + 1) = struct ('name', ledger(b).name, ...
-                                      'path', ledger(b).path, ...
+    flight.batches(end + 1) = struct ('name', sent.name, 'path', sent.path, ...
                                       'n', numel (isOpen), ...
                                       'left', sum (isOpen), 'cpu', NaN, ...
                                       'minutes', NaN, 'isSent', true);
     flight.batch(isOurs) = numel (flight.batches);
     flight.task(isOurs) = task(isOurs);
-    flight.folder(isOurs) = ledger(b).folders(task(isOurs));
+    flight.folder(isOurs) = sent.folders(task(isOurs));
     flight.status(isOurs) = 'o';
     flight.isOld(isOurs) = true;
   end
@@ -69,29 +64,22 @@ function flight = batchAttach (jobs, store, queue)
 end
 
 function yes = isAttachable (folder)
-  yes = exist (fullfile (folder, 'job.json'), 'file') == 2 && ...
-        ~exist (fullfile (folder, 'record.json'), 'file') && ...
-        ~exist (fullfile (folder, 'batch.claim', 'void'), 'file');
+  has = @(varargin) isfile (fullfile (folder, varargin{:}));
+  yes = has ('job.json') && ~has ('record.json') && ...
+        ~has ('batch.claim', 'void');
 end
 
-%!function store = ledgerWith (lines, folders, files)
-%!  store = tempname ();
-%!  mkdir (fullfile (store, 'optim', '.q', 'decalioc-1'));
-%!  for k = 1:numel (folders)
-%!    mkdir (store, folders{k});
-%!    fclose (fopen (fullfile (store, folders{k}, 'job.json'), 'w'));
-%!    if ! isempty (files{k})
-%!      fclose (fopen (fullfile (store, folders{k}, files{k}), 'w'));
-%!    end
-%!  end
-%!  place = fullfile (store, 'optim', '.q', 'decalioc-1');
-%!  fid = fopen (fullfile (place, 'tasks'), 'w');
-%!  fprintf (fid, strrep (lines, 'STORE', store));
-%!  fclose (fid);
-%!endfunction
 %!test
-%! store = ledgerWith ("k1\tSTORE/1\nk2\tSTORE/2\nk3\tSTORE/3\n", ...
-%!                     {'1', '2'}, {'', 'record.json'});
+%! store = tempname ();
+%! batch = fullfile (store, 'optim', '.q', 'decalioc-1');
+%! mkdir (batch);
+%! lines = arrayfun (@(k) sprintf ("k%d\t%s/%d\n", k, store, k), 1:3, ...
+%!                   'UniformOutput', false);
+%! writeAtomic (fullfile (batch, 'tasks'), [lines{:}]);
+%! for file = {'1/job.json', '2/job.json', '2/record.json'}
+%!   [~, ~] = mkdir (fileparts (fullfile (store, file{1})));
+%!   writeAtomic (fullfile (store, file{1}), '');
+%! end
 %! jobs = struct ('key', {'k0', 'k1', 'k2', 'k3'});
 %! queue = struct ('name', 'q', 'title', 'Queue');
 %! f = batchAttach (jobs, store, queue);
@@ -100,7 +88,6 @@ end
 %! assert (f.folder{2}, [store, '/1']);
 %! assert ([f.batches.n, f.batches.left], [3, 1]);
 %! assert (! isempty (f.message));
-%! confirm_recursive_rmdir (false, 'local');
 %! rmdir (store, 's');
 %! f = batchAttach (jobs, store, queue);
 %! assert (f.status, 'qqqq');

@@ -23,7 +23,13 @@
 
 function records = batchExecute (queue, jobs, Case, report)
   opt = queue.options (Case.options);
-  opt.arraySize = startQueue (queue);
+  [opt.arraySize, fault] = queue.start ();
+  if ~isempty (fault)
+    error ('DEcalioc:batchExecute:missingFile', ...
+           ['batchExecute: this machine must be one of a cluster with %s, ' ...
+            'got: %s. Start on a machine where jobs can be submitted, or ' ...
+            'set Input.executor = ''local''.'], queue.title, fault);
+  end
   watch = tic ();
   flight = batchAttach (jobs, Case.store, queue);
   reported = struct ();
@@ -49,14 +55,26 @@ function records = batchExecute (queue, jobs, Case, report)
 end
 
 function flight = collect (flight, jobs, Case)
-  ended = find (flight.status == 'e');
-  if ~isempty (ended)
-    found = collectRuns (jobs(ended), flight.folder(ended), Case);
-    flight.records(ended) = num2cell (found);
+  ended = flight.status == 'e';
+  if any (ended)
+    flight.records(ended) = num2cell (collectRuns (jobs(ended), ...
+                                                   flight.folder(ended), Case));
     flight.status(ended) = 's';
     setLimits (flight, jobs, Case);
   end
-  flight = batchRetire (flight);
+  flight = retire (flight);
+end
+
+% Removes the folders of batches of which no run is open, here or elsewhere.
+function flight = retire (flight)
+  held = flight.batch(flight.status == 'o' | flight.status == 'e');
+  for b = setdiff (flight.batch(flight.batch > 0), held)
+    isGone = flight.batch == b;
+    if flight.batches(b).left == sum (isGone)
+      batchDiscard (flight.batches(b).path);
+    end
+    flight.batch(isGone) = 0;
+  end
 end
 
 function setLimits (flight, jobs, Case)
@@ -103,7 +121,9 @@ function flight = send (flight, queue, opt, root)
     isAlone = ~any (flight.status == 'o' & flight.batch ~= b);
     flight.batches(b).isSent = strcmp (verdict, 'sent');
     if strcmp (verdict, 'refused') && isAlone
-      flight = batchRetire (flight, b);
+      cellfun (@batchVoid, flight.folder(flight.status == 'o' & ...
+                                         flight.batch == b));
+      batchDiscard (flight.batches(b).path);
       error ('DEcalioc:batchExecute:submitRefused', ...
              ['batchExecute: %s must accept %d job(s), got: %s. Correct ' ...
               'Input.%s (where there is a limit on the number of jobs: ' ...
@@ -116,16 +136,6 @@ function flight = send (flight, queue, opt, root)
   end
 end
 
-function n = startQueue (queue)
-  [n, fault] = queue.start ();
-  if ~isempty (fault)
-    error ('DEcalioc:batchExecute:missingFile', ...
-           ['batchExecute: this machine must be one of a cluster with %s, ' ...
-            'got: %s. Start on a machine where jobs can be submitted, or ' ...
-            'set Input.executor = ''local''.'], queue.title, fault);
-  end
-end
-
 function state = stateOf (flight)
   isOpen = flight.status == 'o';
   status = cellfun (@(r) r.status, flight.records(flight.status == 's'), ...
@@ -135,3 +145,43 @@ function state = stateOf (flight)
                   'failed', sum (~strcmp (status, 'ok')), ...
                   'running', running, 'pending', sum (isOpen) - running);
 end
+
+%!function [ok, text, isPassing] = submit (batch, opt, task)
+%!  % a queue that starts all tasks of an array on this machine at once
+%!  words = strjoin (cellfun (@shellQuote, task, 'UniformOutput', false), ' ');
+%!  for k = 1:batch.n
+%!    system (sprintf ('T=%d J=1 setsid bash %s > /dev/null 2>&1 &', k, words));
+%!  end
+%!  [ok, text, isPassing] = deal (true, '', false);
+%!endfunction
+%!function [ok, text, tasks] = look (names, sizes)
+%!  [ok, text] = deal (true, '');
+%!  tasks = struct ('state', arrayfun (@(n) {repmat('r', 1, n)}, sizes), ...
+%!                  'word', arrayfun (@(n) {repmat({''}, 1, n)}, sizes));
+%!endfunction
+%!shared queue, traits, Case, jobs
+%! traits = struct ('name', 'q', 'title', 'Queue', 'words', {{}}, 'task', ...
+%!                  {{'T', 'J'}}, 'start', @() deal (2, ''), 'submit', ...
+%!                  @submit, 'look', @look);
+%! queue = newQueue (traits);
+%! [Case, jobs] = slurmTestCase (tempname (), [1, 9, 3], 0);
+%! Case.options.q = struct ('poll', 0.1);
+%!test
+%! % arrays of two tasks at most; nothing is left of them
+%! text = evalc (['r = batchExecute (queue, jobs, Case, ', ...
+%!                '@(s) printf (''%d/%d '', s.done, s.total));']);
+%! assert ({r.key}, {jobs.key});
+%! assert ({r.status}, {'ok', 'failed', 'ok'});
+%! assert ([r.results], [2, 1, 5, 6], 1e-12);
+%! assert (strncmp (text, '0/3 ', 4) && strcmp (text(end - 3:end), '3/3 '));
+%! place = fullfile (Case.store, 'optim', '.q');
+%! assert (readdir (place), {'.'; '..'});
+%!error <Queue, got: no master>
+%! queue.start = @() deal (0, 'no master');
+%! batchExecute (queue, jobs, Case, @(s) []);
+%!error id=DEcalioc:batchExecute:submitRefused
+%! traits.submit = @(batch, opt, task) deal (false, 'no', false);
+%! traits.look = @(names, sizes) deal (true, '', struct ('state', '-'));
+%! queue = newQueue (setfield (traits, 'start', @() deal (2, '')));
+%! Case.store = tempname ();
+%! batchExecute (queue, jobs, Case, @(s) []);

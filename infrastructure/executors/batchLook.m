@@ -5,8 +5,10 @@
 %   FLIGHT  see batchAttach; runs that have ended become 'e' (to be evaluated),
 %           's' (record made here: killed, cancelled, node lost, the queue's
 %           time limit) or 'q' (to be submitted again)
-%   JOBS    1 x n struct array, see newJobs
-%   QUEUE   see newQueue
+%   JOBS    see batchExecute
+%   QUEUE   see newQueue; its states of a task (char): 'p' it waits, 'r' it runs
+%           or may still do something, 't' ended at the queue's time limit, 'e'
+%           ended, '-' unknown to the queue; '?' here: it did not answer
 %   GRACE   how long files may take to appear (s)
 %   NOW     time (s)
 
@@ -21,8 +23,7 @@ function flight = batchLook (flight, jobs, queue, grace, now)
   flight = noteSilence (flight, ok, text, queue.title);
   for k = 1:numel (used)
     for i = find (flight.status == 'o' & flight.batch == used(k))
-      flight.state(i) = '?';
-      flight.word{i} = '';
+      [flight.state(i), flight.word{i}] = deal ('?', '');
       if ok
         flight.state(i) = tasks(k).state(flight.task(i));
         flight.word{i} = tasks(k).word{flight.task(i)};
@@ -35,11 +36,7 @@ end
 
 function flight = lookAtRun (flight, i, job, grace, now, title)
   folder = flight.folder{i};
-  mark = readEndMark (folder);
-  reason = '';
-  if ~isempty (mark)
-    reason = mark.reason;
-  end
+  reason = givenField (readEndMark (folder), 'reason', '');
   state = flight.state(i);
   hasEnded = ~any (state == 'pr?') || strcmp (reason, 'killed');
   if ~hasEnded || state == '?'
@@ -48,7 +45,7 @@ function flight = lookAtRun (flight, i, job, grace, now, title)
     flight.since(i) = now;
   end
   age = max ([0, now - flight.since(i)]);
-  verdict = batchJudge (reason, state, age, grace, flight.isOld(i));
+  verdict = judge (reason, state, age, grace, flight.isOld(i));
   switch verdict
     case 'collect'
       flight.status(i) = 'e';
@@ -65,16 +62,37 @@ function flight = lookAtRun (flight, i, job, grace, now, title)
   end
 end
 
+% What has become of a submitted run. REASON: third word of end.mark, '' = there
+% is none. AGE (s): how long STATE has been one of an ended job, or end.mark has
+% said 'killed'. A run that ended by itself or by its time limit is collected,
+% whatever the queue says; one killed while nobody watched is for a new start.
+function verdict = judge (reason, state, age, grace, isOld)
+  isLive = any (state == 'pr?');
+  isKilled = strcmp (reason, 'killed');
+  if ~isempty (reason) && ~isKilled
+    verdict = 'collect';
+  elseif isLive && ~isKilled || age < grace && (isLive || ~isKilled)
+    verdict = 'wait';
+  elseif state == 't'
+    verdict = 'timeout';
+  elseif isOld
+    verdict = 'again';
+  else
+    verdict = 'failed';
+  end
+end
+
 function text = describe (flight, i, title)
   word = flight.word{i};
   if isempty (word)
     word = 'the job is no longer known';
   end
+  batch = flight.batches(flight.batch(i));
   who = contentOf (fullfile (flight.folder{i}, 'batch.claim', 'who'));
   if isempty (who)
-    who = [flight.batches(flight.batch(i)).name, ', never started'];
+    who = [batch.name, ', never started'];
   end
-  output = contentOf (fullfile (flight.batches(flight.batch(i)).path, ...
+  output = contentOf (fullfile (batch.path, ...
                                 sprintf ('%d.out', flight.task(i))));
   text = strtrim (sprintf ('%s: %s, job %s; %s', title, word, who, output));
 end
@@ -118,7 +136,7 @@ end
 %!  mkdir (store);
 %!  jobs = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
 %!                 'effects', [], 'replicate', 1, 'seed', 10007, ...
-%!                 'key', num2cell (sprintf ('%d', 1:n)));
+%!                 'key', num2cell (char ('a' + (0:n - 1))));
 %!  flight = batchAttach (jobs, store, slurmExecutor ());
 %!  flight.status(:) = 'o';
 %!  flight.batch(:) = 1;
@@ -135,10 +153,6 @@ end
 %!  tidy = slurmFake ('false', text);
 %!  flight = batchLook (flight, jobs, slurmExecutor (), 30, now);
 %!endfunction
-%!function remove (flight)
-%!  confirm_recursive_rmdir (false, 'local');
-%!  rmdir (flight.batches.path, 's');
-%!endfunction
 %!test
 %! % no answer is no evidence, however long; the user is told once
 %! [f, jobs] = flightOf (2);
@@ -152,7 +166,6 @@ end
 %! f = lookAt (f, jobs, 'echo "b|1|RUNNING|None"', 1e6 + 1);
 %! assert (f.status, 'oe');
 %! assert (! isempty (strfind (f.message, 'again')));
-%! remove (f);
 %!test
 %! % the grace time counts from the first word of the end
 %! [f, jobs] = flightOf (2);
@@ -167,15 +180,6 @@ end
 %! assert (! isempty (strfind (r(1).message, 'NODE_FAIL (NodeDown)')));
 %! assert (isfile (fullfile (f.folder{1}, 'batch.claim', 'void')));
 %! assert (isfile (fullfile (f.folder{1}, 'record.json')));
-%! remove (f);
-%!test
-%! % cancelled while nobody looked: submitted again
-%! [f, jobs] = flightOf (1);
-%! f.isOld(:) = true;
-%! f = lookAt (f, jobs, 'true', 0);
-%! f = lookAt (f, jobs, 'true', 31);
-%! assert (f.status, 'q');
-%! remove (f);
 %!test
 %! % why nothing runs is said once
 %! [f, jobs] = flightOf (2);
@@ -184,4 +188,34 @@ end
 %! f.message = '';
 %! f = lookAt (f, jobs, 'printf "b|%d|PENDING|Resources\n" 1 2', 0);
 %! assert (f.message, '');
-%! remove (f);
+%!test
+%! % end mark, state in the queue, for how long ended (s), is it of an earlier
+%! % start; what becomes of it: open, to evaluate, failed, timeout, to queue.
+%! % The queue may believe in a job whose keeper was killed
+%! cases = {'finished', 'RUNNING', 0, false, 'e'; ...
+%!          'timeout', 'FAILED', 0, true, 'e'; ...
+%!          '', 'RUNNING', 1e6, false, 'o'; '', 'PENDING', 1e6, true, 'o'; ...
+%!          '', 'FAILED', 29, false, 'o'; '', 'FAILED', 30, false, 'f'; ...
+%!          '', '', 29, true, 'o'; '', '', 30, true, 'q'; ...
+%!          '', 'TIMEOUT', 30, false, 't'; ...
+%!          'killed', 'RUNNING', 1, false, 'o'; ...
+%!          'killed', 'RUNNING', 30, false, 'f'; ...
+%!          'killed', 'FAILED', 0, false, 'f'; ...
+%!          'killed', 'FAILED', 0, true, 'q'; ...
+%!          'killed', 'TIMEOUT', 0, true, 't'};
+%! [f, jobs] = flightOf (rows (cases));
+%! f.since = -[cases{:, 3}];
+%! f.isOld = [cases{:, 4}];
+%! said = '';
+%! for k = 1:rows (cases)
+%!   if ~isempty (cases{k, 1})
+%!     writeAtomic (fullfile (f.folder{k}, 'end.mark'), ...
+%!                  sprintf ("1 1.0 %s\n", cases{k, 1}));
+%!   end
+%!   said = [said, repmat(sprintf ("echo 'b|%d|%s|'\n", k, cases{k, 2}), 1, ...
+%!                        ~isempty (cases{k, 2}))];
+%! end
+%! f = lookAt (f, jobs, said, 0);
+%! became = f.status;
+%! became(became == 's') = cellfun (@(r) r.status(1), f.records(became == 's'));
+%! assert (became, [cases{:, 5}]);

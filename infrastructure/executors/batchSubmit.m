@@ -2,12 +2,10 @@
 %
 % CALL: FLIGHT = batchSubmit (FLIGHT, PICKS, JOBS, CASE, QUEUE, OPT)
 %
-%   FLIGHT  see batchAttach
-%   PICKS   1 x k indices into JOBS, models with the same number of CPUs
-%   JOBS    1 x n struct array, see newJobs
-%   CASE    see newCase
-%   QUEUE   see newQueue
-%   OPT     see newQueue
+%   FLIGHT            see batchAttach
+%   PICKS             1 x k indices into JOBS, models with the same CPUs
+%   JOBS, CASE        see batchExecute
+%   QUEUE, OPT        see newQueue
 %
 % Makes the run folders and a batch folder <store>/optim/.<queue>/<name> whose
 % file tasks tells which task of the array is which run. The name is unique and
@@ -22,23 +20,25 @@ function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
   limits = [models(k).timeout];
   minutes = batchMinutes (opt.time, limits);
   % the guard ends a run before the queue does: exactly, with an end mark
-  unset = isnan (limits);
-  limits(unset) = arrayfun (@defaultLimit, models(k(unset)));
+  limits = max (limits, arrayfun (@defaultLimit, models(k)));
   seconds = max (1, floor (min (limits, 60 * minutes - 10)));
   lines = cell (1, numel (picks));
   for i = 1:numel (picks)
     job = jobs(picks(i));
     folder = prepareRun (job, Case);
-    checkPath (folder);
+    if any (ismember (folder, "\t\n\r"))
+      error ('DEcalioc:batchSubmit:badValue', ...
+             ['batchSubmit: the path of the run store must be free of tabs ' ...
+              'and line breaks, got %s. Rename the folder.'], folder);
+    end
     writeAtomic (fullfile (folder, 'limit'), ...
                  sprintf ("%d\n", seconds(i)), false);
     flight.folder{picks(i)} = folder;
     lines{i} = sprintf ("%s\t%s\n", job.key, folder);
   end
   batch = struct ('name', newName (lines), 'path', '', ...
-                  'n', numel (picks), 'left', numel (picks), ...
-                  'cpu', models(k(1)).cpu, 'minutes', minutes, ...
-                  'isSent', false);
+                  'n', numel (picks), 'left', numel (picks), 'cpu', ...
+                  models(k(1)).cpu, 'minutes', minutes, 'isSent', false);
   batch.path = fullfile (Case.store, 'optim', ['.', queue.name], batch.name);
   [~, ~] = mkdir (batch.path);
   before = cellfun (@(line) sprintf ("%s\n[ $? = 0 ] || return\n", line), ...
@@ -51,14 +51,6 @@ function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
   flight.status(picks) = 'o';
   flight.isOld(picks) = false;
   flight.since(picks) = NaN;
-end
-
-function checkPath (folder)
-  if any (ismember (folder, "\t\n\r"))
-    error ('DEcalioc:batchSubmit:badValue', ...
-           ['batchSubmit: the path of the run store must be free of tabs ' ...
-            'and line breaks, got %s. Rename the folder.'], folder);
-  end
 end
 
 function name = newName (lines)
@@ -108,12 +100,9 @@ end
 %! assert (again.status, 'ooo');
 %! assert (again.folder, later.folder);
 %! assert (again.isOld, [true, true, true]);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (Case.folder, 's');
 %!error id=DEcalioc:batchSubmit:badValue
 %! [Case, jobs] = slurmTestCase (tempname (), 1, 0);
 %! Case.store = [Case.store, "\tx"];
-%! queue = struct ('name', 'q', 'title', 'Queue');
-%! flight = batchAttach (jobs, Case.store, queue);
-%! batchSubmit (flight, 1, jobs, Case, queue, ...
-%!              slurmExecutor ().options (struct ()));
+%! queue = slurmExecutor ();
+%! batchSubmit (batchAttach (jobs, Case.store, queue), 1, jobs, Case, ...
+%!              queue, queue.options (struct ()));

@@ -5,8 +5,6 @@
 %   FOLDER  run folder (text)
 %
 % Takes the claim that batchTask.sh needs, or marks the one there as void.
-%
-% Errors: DEcalioc:writeAtomic:cannotWrite
 
 function batchVoid (folder)
   claim = fullfile (folder, 'batch.claim');
@@ -19,30 +17,27 @@ end
 %! mkdir (folder);
 %! batchVoid (folder);
 %! batchVoid (folder);
-%! assert (exist (fullfile (folder, 'batch.claim', 'void'), 'file'), 2);
+%! assert (isfile (fullfile (folder, 'batch.claim', 'void')));
 %! script = fullfile (fileparts (which ('batchVoid')), 'batchTask.sh');
-%! fid = fopen (fullfile (folder, 'tasks'), 'w');
-%! fprintf (fid, "key\t%s\n", folder);
-%! fclose (fid);
+%! put = @(name, text) writeAtomic (fullfile (folder, name), text);
+%! free = @() rmdir (fullfile (folder, 'batch.claim'), 's');
+%! put ('tasks', sprintf ("key\t%s\n", folder));
 %! line = 'T=%d J=1 bash %s %s true T J 2> /dev/null';
 %! run = @(k) system (sprintf (line, k, shellQuote (script), folder));
-%! assert (run (1), 94);
-%! assert (run (2), 95);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (fullfile (folder, 'batch.claim'), 's');
-%! fid = fopen (fullfile (folder, 'true'), 'w');
-%! fclose (fid);
+%! assert ([run(1), run(2)], [94, 95]);
+%! free ();
+%! put ('true', '');
 %! assert (run (1), 0);
 %! who = fileread (fullfile (folder, 'batch.claim', 'who'));
 %! assert (strncmp (who, '1_1 on ', 7));
 %! assert (run (1), 94);
 %! % what goes before a run sets its environment; where a line fails, the run
 %! % is not started and says why
-%! writeAtomic (fullfile (folder, 'true'), "echo $X >> said\n");
+%! put ('true', "echo $X >> said\n");
 %! before = {"export X=5\n", "ls /nowhere # gone\n[ $? = 0 ] || return\n"};
 %! for k = 1:2
-%!   rmdir (fullfile (folder, 'batch.claim'), 's');
-%!   writeAtomic (fullfile (folder, 'before'), before{k});
+%!   free ();
+%!   put ('before', before{k});
 %!   status(k) = run (1);
 %! end
 %! assert (status, [0, 98]);
@@ -50,4 +45,3 @@ end
 %! assert (readEndMark (folder).code, 98);
 %! assert (~ isempty (strfind (fileread (fullfile (folder, 'stderr.txt')), ...
 %!                             '/nowhere')));
-%! rmdir (folder, 's');

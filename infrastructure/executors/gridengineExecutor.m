@@ -5,22 +5,22 @@
 %   QUEUE  scalar struct, see newQueue
 
 function queue = gridengineExecutor ()
-  own.name = 'gridengine';
-  own.title = 'Grid Engine';
-  own.words = {'queue', 'project', 'environment'};
-  own.option = '^-([a-zA-Z_]+)( .*)?$';
-  own.example = '-l mem_free=2G';
-  own.reserved = {'t', 'N', 'wd', 'cwd', 'o', 'e', 'j', 'i', 'S', 'b', 'V', ...
-                  'r', 'terse', 'sync', 'now', 'pe', 'q', 'P', 'help', ...
-                  'verify', 'shell', 'inherit'};
-  own.isShort = false;
-  own.program = 'qsub';
-  own.task = {'SGE_TASK_ID', 'JOB_ID'};
-  own.start = @askCluster;
-  own.submit = @submit;
-  own.look = @look;
-  own.cancel = @cancel;
-  queue = newQueue (own);
+  traits.name = 'gridengine';
+  traits.title = 'Grid Engine';
+  traits.words = {'queue', 'project', 'environment'};
+  traits.option = '^-([a-zA-Z_]+)( .*)?$';
+  traits.example = '-l mem_free=2G';
+  traits.reserved = {'t', 'N', 'wd', 'cwd', 'o', 'e', 'j', 'i', 'S', 'b', ...
+                     'V', 'r', 'terse', 'sync', 'now', 'pe', 'q', 'P', ...
+                     'help', 'verify', 'shell', 'inherit'};
+  traits.isShort = false;
+  traits.program = 'qsub';
+  traits.task = {'SGE_TASK_ID', 'JOB_ID'};
+  traits.start = @askCluster;
+  traits.submit = @submit;
+  traits.look = @look;
+  traits.cancel = @cancel;
+  queue = newQueue (traits);
 end
 
 % Tasks that one array may have: max_aj_tasks of the global configuration. A
@@ -49,46 +49,28 @@ function [ok, text] = cancel (names)
 end
 
 function [ok, text, isPassing] = submit (batch, opt, task)
+  slots = {};
+  named = {'-q', opt.queue; '-P', opt.project}';
+  named(:, cellfun ('isempty', named(2, :))) = [];
+  if batch.cpu > 1 || ~isempty (opt.environment)
+    % the slots of one job on one host: what the environment must be set up for
+    slots = {'-pe', givenField(opt, 'environment', 'smp'), ...
+             sprintf('%d', batch.cpu)};
+  end
+  % '-l mem_free=2G' are two words
+  extra = regexp (opt.extra, '^(\S+) *(.*)$', 'tokens', 'once');
+  extra = strtrim ([cell(1, 0), extra{:}])(:)';
   words = [{'-V', '-terse', '-r', 'n', '-j', 'y', '-S', '/bin/bash', ...
             '-wd', '/', '-N', batch.name, '-t', sprintf('1-%d', batch.n), ...
             '-l', sprintf('h_rt=%d', 60 * batch.minutes), ...
-            '-o', logName(batch.path)}, ...
-           named('-q', opt.queue), named('-P', opt.project), ...
-           parallel(batch.cpu, opt.environment), split(opt.extra), task];
+            '-o', logName(batch.path)}, named(:)', slots, ...
+           extra(~cellfun ('isempty', extra)), task];
   words = cellfun (@shellQuote, words, 'UniformOutput', false);
   % a session of its own: Ctrl-C shall not interrupt qsub half-way
   [status, text] = system (['setsid --wait qsub ', strjoin(words, ' '), ...
                             ' 2>&1 < /dev/null']);
   ok = status == 0;
   isPassing = ~isempty (regexp (text, 'commlib|send message', 'once'));
-end
-
-function words = named (option, value)
-  words = {};
-  if ~isempty (value)
-    words = {option, value};
-  end
-end
-
-% The slots of one job on one host: what the environment must be set up for.
-function words = parallel (cpu, environment)
-  words = {};
-  if cpu > 1 || ~isempty (environment)
-    environment = [environment, repmat('smp', 1, isempty (environment))];
-    words = {'-pe', environment, sprintf('%d', cpu)};
-  end
-end
-
-% '-l mem_free=2G' are two words
-function words = split (extra)
-  words = cell (1, 0);
-  for k = 1:numel (extra)
-    [option, value] = strtok (extra{k}, ' ');
-    words{end + 1} = option;
-    if ~isempty (value)
-      words{end + 1} = strtrim (value);
-    end
-  end
 end
 
 % Grid Engine takes $, : and , in a path for signs of its own: no log then.
@@ -121,14 +103,10 @@ function tasks = ofArray (parts, n)
   for k = 1:rows (parts)
     t = numbersOf (parts{k, 2});
     t = t(t <= n);
-    tasks.state(t) = 'r';
-    if any (parts{k, 1} == 'q')
-      tasks.state(t) = 'p';
-    end
-    tasks.word(t) = parts(k, 1);
-    if any (parts{k, 1} == 'E')
-      tasks.word(t) = {[parts{k, 1}, ' (see qstat -explain E)']};
-    end
+    tasks.state(t) = merge (any (parts{k, 1} == 'q'), 'p', 'r');
+    isFault = any (parts{k, 1} == 'E');
+    tasks.word(t) = {[parts{k, 1}, repmat(' (see qstat -explain E)', 1, ...
+                                          isFault)]};
   end
 end
 

@@ -1,8 +1,8 @@
 % NEWQUEUE  The executor of a queue, of what the queue alone knows.
 %
-% CALL: QUEUE = newQueue (OWN)
+% CALL: QUEUE = newQueue (TRAITS)
 %
-%   OWN    scalar struct
+%   TRAITS    scalar struct
 %     name      name of the executor (text)
 %     title     name of the queue as users write it (text)
 %     words     1 x n cell, names of its fields that hold a text
@@ -21,9 +21,13 @@
 %               job array; what the program said; it may take it later. BATCH is
 %               an element of FLIGHT.batches (batchAttach), TASK the program
 %               that a task runs, and its arguments (1 x n cell)
-%     look      [OK, TEXT, TASKS] = look (NAMES, SIZES), see slurmLook
+%     look      [OK, TEXT, TASKS] = look (NAMES, SIZES): asks once about arrays
+%               (1 x b cell of names, numbers of tasks). OK: false = no answer,
+%               which says nothing about the jobs; TEXT what was said; TASKS 1 x
+%               b struct: state (1 x n char, see batchLook) and word (1 x n
+%               cell, the queue's own words) of each task
 %     cancel    [OK, TEXT] = cancel (NAMES): empties the queue of these arrays
-%   QUEUE  OWN with check, isHere, sets, execute (see describeExecutor) and
+%   QUEUE  TRAITS with check, isHere, sets, execute (see describeExecutor) and
 %     options   OPT = options (CASE.options) fills in what the user left out of
 %               Input.<name>
 %     send      [VERDICT, TEXT] = send (BATCH, OPT, TASK): 'sent'; 'later' (the
@@ -39,27 +43,27 @@
 %     grace        how long to wait for the files of a run that the queue says
 %                  has ended (s), longer than the attribute cache of a network
 %                  file system; 30
-%     and those of OWN.words, '' = the queue's default
+%     and those of TRAITS.words, '' = the queue's default
 
-function queue = newQueue (own)
-  queue = own;
+function queue = newQueue (traits)
+  queue = traits;
   queue.isHere = false;
-  queue.check = @(given) checkQueue (given, own);
-  queue.options = @(options) optionsOf (options, own);
-  queue.sets = @(options) optionsOf (options, own).sets;
-  queue.send = @(batch, opt, task) sendOnce (own, batch, opt, task);
+  queue.check = @(given) checkQueue (given, traits);
+  queue.options = @(options) optionsOf (options, traits);
+  queue.sets = @(options) optionsOf (options, traits).sets;
+  queue.send = @(batch, opt, task) sendOnce (traits, batch, opt, task);
   queue.execute = @(jobs, Case, report) batchExecute (queue, jobs, Case, ...
                                                       report);
 end
 
 % The program may give up on a job that the queue did accept: the queue is asked
 % before a batch is called not sent.
-function [verdict, text] = sendOnce (own, batch, opt, task)
-  [ok, text, isPassing] = own.submit (batch, opt, task);
+function [verdict, text] = sendOnce (traits, batch, opt, task)
+  [ok, text, isPassing] = traits.submit (batch, opt, task);
   text = strtrim (text);
   verdict = 'sent';
   if ~ok
-    [answers, ~, tasks] = own.look ({batch.name}, batch.n);
+    [answers, ~, tasks] = traits.look ({batch.name}, batch.n);
     isThere = answers && any (tasks.state ~= '-');
     if ~answers || (~isThere && isPassing)
       verdict = 'later';
@@ -69,11 +73,11 @@ function [verdict, text] = sendOnce (own, batch, opt, task)
   end
 end
 
-function opt = optionsOf (options, own)
-  given = givenField (options, own.name, []);
+function opt = optionsOf (options, traits)
+  given = givenField (options, traits.name, []);
   opt = struct ('extra', {{}}, 'before', {{}}, 'time', NaN, ...
                 'maxInFlight', 200, 'sets', 8, 'poll', 10, 'grace', 30);
-  for word = own.words
+  for word = traits.words
     opt.(word{1}) = '';
   end
   if isempty (given)
@@ -90,18 +94,23 @@ function opt = optionsOf (options, own)
 end
 
 % GIVEN anything; [] or a struct with the fields of OPT, each optional.
-function p = checkQueue (given, own)
+function p = checkQueue (given, traits)
   p = checkFault ();
-  field = ['Input.', own.name];
+  field = ['Input.', traits.name];
   if checkIs ('nothing', given)
     return
   end
   if ~checkIs ('struct', given)
     p = checkFault ('notStruct', field, 'one struct', checkShow (given), ...
                     sprintf ('Write %s.%s = ''name''; and so on.', field, ...
-                             own.words{1}));
+                             traits.words{1}));
     return
   end
+  forExtra = sprintf ('Write for example %s.extra = ''%s'';', field, ...
+                      traits.example);
+  forBefore = sprintf (['Write for example %s.before = {''module load ' ...
+                        'openmpi''};'], field);
+  texts = 'a text or a cell of texts';
   rules = {'time', 'badQueueTime', 1, 1e7, 'number', false, ...
            'Set the minutes that one job may take.'; ...
            'poll', 'badQueueWait', 0, 1e5, 'number', false, ...
@@ -111,138 +120,104 @@ function p = checkQueue (given, own)
            'sets', 'badQueueLimit', 1, 1e6, 'integer', false, ...
            'Set the parameter sets tried at a time after the plan.'; ...
            'maxInFlight', 'badQueueLimit', 1, 1e6, 'integer', false, ...
-           'Set the number of jobs that may wait or run at a time.'};
-  known = [own.words, {'extra', 'before'}];
-  p = [checkFields(given, field, known, rules), ...
-       checkExtra(given, field, own), checkBefore(given, field)];
-  for word = own.words
-    p = [p, checkWord(given, field, word{1})];
+           'Set the number of jobs that may wait or run at a time.'; ...
+           'extra', 'badQueueExtra', texts, @areTexts, 'other', false, ...
+           forExtra; ...
+           'before', 'badQueueBefore', texts, @areTexts, 'other', false, ...
+           forBefore};
+  for word = traits.words
+    rules(end + 1, :) = {word{1}, 'badQueueName', ...
+                         'a name as the queue shows it', @isWord, 'other', ...
+                         false, 'Write it without blanks, or leave it out.'};
+  end
+  p = checkFields (given, field, {}, rules);
+  if isfield (given, 'extra') && areTexts (given.extra)
+    p = [p, checkExtra(cellstr (given.extra)(:)', field, traits, forExtra)];
   end
 end
 
-function p = checkWord (given, prefix, name)
-  p = checkFault ();
-  if ~isfield (given, name) || checkIs ('nothing', given.(name))
-    return
-  end
-  word = given.(name);
+function yes = isWord (word)
   plain = ['A':'Z', 'a':'z', '0':'9', '_-+.,:@/'];
-  if ~checkIs ('text', word) || ~all (ismember (word, plain)) || ...
-      word(1) == '-'
-    p = checkFault ('badQueueName', [prefix, '.', name], ...
-                    'a name as the queue shows it', checkShow (word), ...
-                    'Write it without blanks, or leave it out.');
-  end
+  yes = checkIs ('text', word) && all (ismember (word, plain)) && ...
+        word(1) ~= '-';
 end
 
-function [p, texts] = checkTexts (given, prefix, name, reason, cure)
-  p = checkFault ();
-  texts = cell (1, 0);
-  if ~isfield (given, name) || checkIs ('nothing', given.(name))
-    return
-  end
-  texts = given.(name);
+function yes = areTexts (texts)
   if ischar (texts)
     texts = {texts};
   end
-  if ~iscell (texts) || ~all (cellfun (@(w) checkIs ('text', w), texts(:)'))
-    p = checkFault (reason, [prefix, '.', name], ...
-                    'a text or a cell of texts', ...
-                    checkShow (given.(name)), cure);
-    texts = cell (1, 0);
-  end
-  texts = texts(:)';
+  yes = iscell (texts) && all (cellfun (@(w) checkIs ('text', w), texts(:)));
 end
 
 % What DEcalioc sets itself is how the runs are found again and kept apart.
-function p = checkExtra (given, prefix, own)
-  cure = sprintf ('Write for example %s.extra = ''%s'';', prefix, own.example);
-  [p, words] = checkTexts (given, prefix, 'extra', 'badQueueExtra', cure);
+function p = checkExtra (words, field, traits, cure)
+  p = checkFault ();
+  names = regexp (words, traits.option, 'tokens', 'once');
+  isSame = @(name) any (strcmp (name, traits.reserved));
+  if traits.isShort
+    isSame = @(name) any (strncmp (name, traits.reserved, numel (name)));
+  end
   for k = 1:numel (words)
-    name = regexp (words{k}, own.option, 'tokens', 'once');
-    isBad = isempty (name) || any (words{k} == 0 | words{k} == "\n");
-    if ~isBad && own.isShort
-      isBad = any (strncmp (name{1}, own.reserved, numel (name{1})));
-    elseif ~isBad
-      isBad = any (strcmp (name{1}, own.reserved));
-    end
-    if isBad
+    if isempty (names{k}) || isSame (names{k}{1})
       p(end + 1) = checkFault ('badQueueExtra', ...
-                               sprintf ('%s.extra{%d}', prefix, k), ...
+                               sprintf ('%s.extra{%d}', field, k), ...
                                ['one option, which DEcalioc does not set ' ...
                                 'itself'], checkShow (words{k}), cure);
     end
   end
 end
 
-function p = checkBefore (given, prefix)
-  cure = sprintf (['Write for example %s.before = {''module load ' ...
-                   'openmpi''};'], prefix);
-  p = checkTexts (given, prefix, 'before', 'badQueueBefore', cure);
-end
-
-%!test
-%! queue = newQueue (struct ('name', 'q', 'words', {{'group'}}));
-%! assert (queue.options (struct ('q', struct ('group', 'a'))).group, 'a');
-%! assert (queue.options (struct ()).group, '');
 %!test
 %! % not accepted: the queue has it all the same, does not answer, has it not
-%! own = struct ('name', 'q', 'words', {{}});
-%! said = {};
+%! traits = struct ('name', 'q', 'words', {{}});
+%! verdicts = {};
 %! for state = 'p?-'
-%!   own.submit = @(batch, opt, task) deal (false, "no\n", true);
-%!   own.look = @(names, sizes) deal (state ~= '?', '', ...
+%!   traits.submit = @(batch, opt, task) deal (false, "no\n", true);
+%!   traits.look = @(names, sizes) deal (state ~= '?', '', ...
 %!                                    struct ('state', state));
-%!   said{end + 1} = newQueue (own).send (struct ('name', 'a', 'n', 1), 0, 0);
+%!   queue = newQueue (traits);
+%!   verdicts{end + 1} = queue.send (struct ('name', 'a', 'n', 1), 0, 0);
 %! end
-%! assert (said, {'sent', 'later', 'later'});
-%! own.submit = @(batch, opt, task) deal (false, "no\n", false);
-%! queue = newQueue (own);
+%! assert (verdicts, {'sent', 'later', 'later'});
+%! traits.submit = @(batch, opt, task) deal (false, "no\n", false);
+%! queue = newQueue (traits);
 %! [verdict, text] = queue.send (struct ('name', 'a', 'n', 1), 0, 0);
 %! assert ({verdict, text}, {'refused', 'no'});
-%!function p = check (given, own)
-%!  p = newQueue (own).check (given);
-%!endfunction
-%!shared own, ids
-%! own = struct ('name', 'q', 'words', {{'partition', 'account'}}, ...
-%!               'example', '--mem=2G', ...
-%!               'option', '^--([a-z-]+)(=.*)?$', 'isShort', true, ...
+
+%!test
+%! traits = struct ('name', 'q', 'words', {{'partition', 'account'}}, ...
+%!               'example', '--mem=2G', 'option', ...
+%!               '^--([a-z-]+)(=.*)?$', 'isShort', true, ...
 %!               'reserved', {{'array', 'job-name'}});
-%! ids = @(p) strrep ({p.id}, 'DEcalioc:checkCase:', '');
-%!assert (isempty (check (struct ('partition', 'main', 'time', 30, ...
-%!        'before', {{'module load a'}}, 'extra', '--qos=a b'), own)))
-%!assert (isempty (check ([], own)))
-%!assert (ids (check (3, own)), {'notStruct'})
-%!assert (ids (check (struct ('tiem', 1), own)), {'unknownField'})
-%!assert (ids (check (struct ('account', 'a;b'), own)), ...
-%!        {'badQueueName'})
-%!assert (ids (check (struct ('extra', {{1}}), own)), ...
-%!        {'badQueueExtra'})
-%!assert (ids (check (struct ('before', 7), own)), ...
-%!        {'badQueueBefore'})
-%!assert (ids (check (struct ('poll', NaN), own)), {'badQueueWait'})
-%!assert (ids (check (struct ('sets', 0), own)), {'badQueueLimit'})
-%!test
+%! check = newQueue (traits).check;
+%! assert (isempty (check ([])));
+%! assert (isempty (check (struct ('partition', 'main', 'time', 30, ...
+%!                                 'before', {{'module load a'}}, ...
+%!                                 'extra', '--qos=a b'))));
 %! % reserved, also abbreviated where the program completes names; a file name
-%! bad = @(text) check (struct ('extra', {{'--qos=a', text}}), own);
-%! assert (ids (bad ('--array=1-3')), {'badQueueExtra'});
-%! assert (ids (bad ('--job=x')), {'badQueueExtra'});
-%! assert (ids (bad ('job.sh')), {'badQueueExtra'});
-%! own.isShort = false;
-%! assert (isempty (check (struct ('extra', '--job=x'), own)));
-%!function o = options (given, words)
-%!  own = struct ('name', 'q', 'words', {words});
-%!  o = newQueue (own).options (struct ('q', given));
-%!endfunction
+%! for bad = {3, 'notStruct'; struct('tiem', 1), 'unknownField'; ...
+%!            struct('account', 'a;b'), 'badQueueName'; ...
+%!            struct('extra', {{1}}), 'badQueueExtra'; ...
+%!            struct('before', 7), 'badQueueBefore'; ...
+%!            struct('poll', NaN), 'badQueueWait'; ...
+%!            struct('sets', 0), 'badQueueLimit'; ...
+%!            struct('extra', {{'--qos=a', '--array=3'}}), 'badQueueExtra'; ...
+%!            struct('extra', '--job=x'), 'badQueueExtra'; ...
+%!            struct('extra', 'job.sh'), 'badQueueExtra'}'
+%!   assert ({check(bad{1}).id}, {['DEcalioc:checkCase:', bad{2}]});
+%! end
+%! traits.isShort = false;
+%! assert (isempty (newQueue (traits).check (struct ('extra', '--job=x'))));
+
 %!test
-%! o = options (struct (), {'partition'});
-%! assert (o.partition, '');
-%! assert (isempty (o.extra));
+%! queue = newQueue (struct ('name', 'q', 'words', {{'partition'}}));
+%! o = queue.options (struct ());
+%! assert ({o.partition, o.extra}, {'', {}});
 %! assert ([o.time, o.maxInFlight, o.sets, o.poll, o.grace], ...
 %!         [NaN, 200, 8, 10, 30]);
-%!test
-%! o = options (struct ('time', 90, 'extra', {{'--mem=2G'; '--qos=a'}}, ...
-%!                      'before', 'module load a', 'poll', []), {});
+%! o = queue.options (struct ('q', struct ('time', 90, 'poll', [], ...
+%!   'partition', 'a', 'before', 'module load a', ...
+%!   'extra', {{'--mem=2G'; '--qos=a'}})));
 %! assert (o.extra, {'--mem=2G', '--qos=a'});
-%! assert (o.before, {'module load a'});
+%! assert ({o.partition, o.before}, {'a', {'module load a'}});
 %! assert ([o.time, o.poll], [90, 10]);

@@ -5,9 +5,6 @@
 %   V     scalar struct of numbers, one field a variable
 %   TEXT  lines 'variable NAME equal VALUE', 17 significant digits, so that no
 %         step of a parameter is too small to arrive
-%
-% See also: appendVariables, writeCalibrationJson
-
 function text = headLines (v)
   text = '';
   for name = fieldnames (v)'

@@ -12,8 +12,6 @@
 %   LINES   n x 1, line number of each row in the file
 %
 % Errors: DEcalioc:readCsvTable:missingFile, DEcalioc:readCsvTable:badShape
-%
-% See also: importRuns
 
 function [header, cells, lines] = readCsvTable (file)
   [id, message] = fopen (file, 'r');
@@ -95,12 +93,8 @@ function [fields, row, lines, delimiter] = splitFields (text)
     skipped = 1;
   else
     plain = first(~quoted(1:numel (first)));
-    delimiter = ',';
-    for other = [';', "\t"]
-      if any (plain == other) && ~any (plain == ',')
-        delimiter = other;
-      end
-    end
+    kinds = ",\t;,";
+    delimiter = kinds(find ([ismember(kinds(1:3), plain), true], 1));
   end
   isEnd = text == "\n" & ~quoted;
   if isempty (text) || ~isEnd(end)
@@ -139,31 +133,25 @@ function fields = clean (fields, delimiter, text)
   fields(cellfun ('isempty', fields)) = {''};
 end
 
-%!function file = written (text)
+%!function [header, cells, lines] = read (text)
 %!  file = tempname ();
-%!  id = fopen (file, 'w');
-%!  fwrite (id, text);
-%!  fclose (id);
+%!  writeAtomic (file, text);
+%!  [header, cells, lines] = readCsvTable (file);
 %!endfunction
 %!test
 %! bom = char ([239, 187, 191]);
-%! file = written ([bom, 'a,"b, c"', "\r\n", ' 1 ,"x ""y"""', ...
-%!                  "\r\n\r\n", '2,']);
-%! [header, cells, lines] = readCsvTable (file);
-%! delete (file);
+%! [header, cells, lines] = read ([bom, 'a,"b, c"', "\r\n", ...
+%!                                 ' 1 ,"x ""y"""', "\r\n\r\n", '2,']);
 %! assert (header, {'a', 'b, c'});
 %! assert (cells, {'1', 'x "y"'; '2', ''});
 %! assert (lines, [2; 4]);
-%!test
-%! file = written ("a;b\n1,5;2\n");
-%! [header, cells] = readCsvTable (file);
-%! delete (file);
+%! [~, cells] = read ("a;b\n1,5;2\n");
 %! assert (cells, {'1.5', '2'});
-%! file = written ("\"a\";\"b, c\"\n\"-1,5e-3\";\"x, y\"\n");
-%! [header, cells] = readCsvTable (file);
-%! delete (file);
-%! assert (header, {'a', 'b, c'});
-%! assert (cells, {'-1.5e-3', 'x, y'});
+%! [header, cells] = read ("\"a\";\"b, c\"\n\"-1,5e-3\";\"x, y\"\n");
+%! assert ({header, cells}, {{'a', 'b, c'}, {'-1.5e-3', 'x, y'}});
+%! % remarks before the header
+%! [header, cells, lines] = read ("# of: sand\r\n# by: me\na,b\n1,2\n");
+%! assert ({header, cells, lines}, {{'a', 'b'}, {'1', '2'}, 4});
 %!test
 %! % what Excel makes: its line sep=, rows of separators alone, UTF-16, tabs
 %! plain = "a;b\r\n1,5;2\r\n;;;\r\n3;\r\n;\r\n";
@@ -172,26 +160,12 @@ end
 %! big = [char([254, 255]), char(reshape (flipud (pairs), 1, []))];
 %! forms = {plain, ["sep=;\r\n", plain], wide, big, strrep(plain, ';', "\t")};
 %! for k = 1:numel (forms)
-%!   file = written (forms{k});
-%!   [header, cells, lines] = readCsvTable (file);
-%!   unlink (file);
-%!   assert (header, {'a', 'b'});
-%!   assert (cells, {'1.5', '2'; '3', ''});
+%!   [header, cells, lines] = read (forms{k});
+%!   assert ({header, cells}, {{'a', 'b'}, {'1.5', '2'; '3', ''}});
 %!   assert (lines, [2; 4] + (k == 2));
 %! end
-%!error <save it with semicolons> readCsvTable (written ("a,b\n0,5,2\n"));
-%!error <UTF-16> readCsvTable (written (["a", 0, ";", 0, "b", 0]));
+%!error <save it with semicolons> read ("a,b\n0,5,2\n")
+%!error <UTF-16> read (["a", 0, ";", 0, "b", 0])
 %!error id=DEcalioc:readCsvTable:missingFile readCsvTable ('/no/such/file')
-%!error id=DEcalioc:readCsvTable:badShape
-%! readCsvTable (written ("a,b\n1\n"));
-%!error id=DEcalioc:readCsvTable:badShape readCsvTable (written (''));
-
-%!test
-%! % remarks before the header
-%! file = tempname ();
-%! writeAtomic (file, "# material: sand\r\n# by: me\na,b\n1,2\n");
-%! [header, cells, lines] = readCsvTable (file);
-%! assert (header, {'a', 'b'});
-%! assert (cells, {'1', '2'});
-%! assert (lines, 4);
-%! unlink (file);
+%!error id=DEcalioc:readCsvTable:badShape read ("a,b\n1\n")
+%!error id=DEcalioc:readCsvTable:badShape read ('')

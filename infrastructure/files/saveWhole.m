@@ -22,5 +22,4 @@ end
 %! assert (saveWhole ('-binary', file, kept));
 %! assert (isequaln (load (file), kept));
 %! assert (saveWhole ('-text', file, kept));
-%! unlink (file);
 %!assert (! saveWhole ('-text', [tempname(), '/a'], struct ('a', 1)))

@@ -6,8 +6,6 @@
 %   WORD  TEXT in single quotes, each single quote inside written as '\''
 %
 % Errors: DEcalioc:shellQuote:badType
-%
-% See also: prepareRun, executeLocal
 
 function word = shellQuote (text)
   if ~ischar (text) || any (text == 0)

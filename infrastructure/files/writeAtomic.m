@@ -12,8 +12,6 @@
 % their checksums and by end.mark (see guard.sh).
 %
 % Errors: DEcalioc:writeAtomic:cannotWrite (full disk, read-only folder)
-%
-% See also: readRecord, failedRecord
 
 function writeAtomic (file, text, isKept)
   draft = sprintf ('%s.%d.tmp', file, getpid ());
@@ -61,5 +59,4 @@ end
 %! writeAtomic (file, 'three');
 %! assert (fileread (file), 'three');
 %! assert (isempty (glob ([file, '.*'])));
-%! unlink (file);
 %!error id=DEcalioc:writeAtomic:cannotWrite writeAtomic ('/nowhere/x', 'a')

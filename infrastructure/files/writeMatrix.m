@@ -9,8 +9,6 @@
 %
 % Every number is written with 17 significant digits, so reading it gives the
 % same bits.
-%
-% See also: writeAtomic
 
 function writeMatrix (file, M, names)
   head = '';
@@ -28,4 +26,3 @@ end
 %! assert (csvread (file), M);
 %! writeMatrix (file, M, {'a', 'b'});
 %! assert (strncmp (fileread (file), "a,b\n3.14159265358979", 20));
-%! unlink (file);

@@ -6,20 +6,17 @@
 % TRIANGLES  3 x 3 x n, coordinates (m) x corners x triangles
 %
 % Throws DEcalioc:writeStl:badShape, DEcalioc:writeAtomic:cannotWrite.
-%
-% See also: makeDrum
 function writeStl (file, triangles)
   if size (triangles, 1) ~= 3 || size (triangles, 2) ~= 3
     error ('DEcalioc:writeStl:badShape', ...
            'writeStl: TRIANGLES must be 3 x 3 x n, got %d x %d x %d.', ...
            size (triangles, 1), size (triangles, 2), size (triangles, 3));
   end
-  count = size (triangles, 3);
-  parts = cell (1, count);
-  for k = 1:count
+  parts = cell (1, size (triangles, 3));
+  for k = 1:numel (parts)
     corners = triangles(:, :, k);
-    normal = cross (corners(:, 2) - corners(:, 1), ...
-                    corners(:, 3) - corners(:, 1));
+    edges = corners(:, 2:3) - corners(:, 1);
+    normal = cross (edges(:, 1), edges(:, 2));
     normal = normal / norm (normal);
     parts{k} = [sprintf("  facet normal %.9g %.9g %.9g\n", normal), ...
                 "    outer loop\n", ...
@@ -33,7 +30,6 @@ end
 %! file = tempname ();
 %! writeStl (file, [0, 1, 0; 0, 0, 1; 0, 0, 0]);
 %! text = fileread (file);
-%! delete (file);
 %! assert (numel (strfind (text, 'vertex')), 3);
 %! assert (~isempty (strfind (text, 'facet normal 0 0 1')));
 

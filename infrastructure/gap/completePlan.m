@@ -6,9 +6,10 @@
 %   PROBLEM  see newProblem;  CASE  see newCase
 %   SAY      function handle that takes one line of text
 %
-% A diagnosis wants 6 (d + 1) neutral sets, 40 at most, if it may run them;
-% without new runs it takes what is there. A bench all of whose runs gave no
-% result, d + 3 or more, is not waited for: enterRuns leaves it out.
+% A diagnosis wants 4 (d + 1) neutral sets, 40 at most, if it may run them, and
+% mends its surrogates where that was not enough (diagnoseMatrices); without new
+% runs it takes what is there. A bench all of whose runs gave no result, d + 3
+% or more, is not waited for: enterRuns leaves it out.
 
 function state = completePlan (state, problem, Case, say)
   data = state.data;
@@ -18,7 +19,8 @@ function state = completePlan (state, problem, Case, say)
            sum (isnan (data.Z) & ~isna (data.Z), 1) >= d + 3;
   neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDead, 2);
   have = rows (unique (data.X(neutral, :), 'rows'));
-  wanted = max (Case.options.numOfSam, min (40, 6 * d + 6));
+  wanted = max (Case.options.numOfSam, ...
+                min (40, gapOptions ([]).neutral * (d + 1)));
   if isfield (data, 'level')
     atLast = neutral & ~any (data.level, 2);
     wanted = max (wanted, have + d + 3 - sum (atLast));

@@ -36,6 +36,7 @@ function diagnosis = diagnoseCase (root, folder)
   [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state = struct ('data', data, 'budget', budget, 'evaluate', evaluate);
+  state = completeBenches (state, problem, Case, say);
   state = completePlan (state, problem, Case, say);
   state.seconds = count.seconds;
 
@@ -57,6 +58,7 @@ function diagnosis = diagnoseCase (root, folder)
     others = diagnosis.others.conditions;
 
     % what remains
+    diagnosis.nextFile = writeNextTest (diagnosis.next, Case);
     diagnosis.verdict = writeGapJson (diagnosis, Case);
     writeGapTables (diagnosis, Case);
     sayDiagnosis (diagnosis, Case, say);
@@ -72,6 +74,7 @@ end
 function diagnosis = diagnoseOne (Case, given, state, shares, say)
   [part, state, own] = livingPart (Case, state);
   options = gapBudget (part, state.budget, given, state.seconds);
+  given.tests = @() caseTests (Case, say);
   evaluate = newEvaluate (part, say);
   left = state.budget.left / state.budget.perSet;
   options.maxNewRuns = min (options.maxNewRuns, floor (left / shares));

@@ -22,7 +22,8 @@
 %     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)
 %     which    of describeVerdict, and expected (calibrateVerdict)
 %     howFar   of proveCause ([] where nothing can be compared)
-%     next     of nextTest
+%     next     of adviseTests; GIVEN.tests may hold a handle that makes tests of
+%              other benches
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
 %              model is likely to miss in both conditions (takeReference)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
@@ -34,7 +35,7 @@
 % Errors: those of newGapProblem, enterRuns, strengthOfValues and fitEmulator
 %
 % See also: diagnoseGap, locateGap, caseEvidence, judgeCase, proveCause,
-% nextTest
+% adviseTests
 
 function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   if nargin < 3
@@ -65,7 +66,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   verdict = doubtName (verdict, diagnosis, study.models);
   diagnosis.which = describeVerdict (w, verdict, study.models, gapProblem);
   diagnosis.which.expected = calibrateVerdict (study);
-  diagnosis.next = nextTest (gapProblem, study.em, w, verdict.P);
+  [diagnosis.next, state] = adviseTests (study, w, verdict, state);
   diagnosis.change = [];
   if ~isempty (study.em.change)
     diagnosis.change = struct ('size', study.em.change.size, 'lack', ...
@@ -142,7 +143,7 @@ function data = withNewRuns (data, state, known, gapProblem)
 end
 
 function kept = tested (em)
-  kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
+  kept = [em.effect.laboratory] | [em.effect.runs] >= 1;
 end
 
 function study = studyOf (gapProblem, em, options)
@@ -192,8 +193,7 @@ function verdict = doubtName (verdict, diagnosis, models)
     verdict.guard = 'surrogate';
     verdict.reason = sprintf ('the runs of %s contradict their surrogate', ...
                               strjoin (names, ' and '));
-  elseif ~isempty (far) && far.verifiedByDEM && ...
-         max (abs (far.remaining)) > models.options.leftAt
+  elseif ~isempty (far) && far.stillMisses
     verdict.guard = 'cure';
     verdict.reason = sprintf (['DEM runs with %s still miss a target by ' ...
                                '%.1f standard deviations'], ...

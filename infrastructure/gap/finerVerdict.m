@@ -39,3 +39,19 @@ function level = finerVerdict (surrogates, problem, given, options, diagnosis)
   level.holds = strcmp (level.verdict, diagnosis.which.verdict) && ...
                 isequal (level.effects, diagnosis.which.effects);
 end
+
+%!test
+%! % no levels; a change; levels that tell nothing of a finer one
+%! problem.coarse = [];
+%! diagnosis.gapProblem.reference = [];
+%! diagnosis.where.params = 0.5;
+%! verdict = @() finerVerdict (struct ('level', []), problem, struct (), [], ...
+%!                             diagnosis);
+%! assert (isempty (verdict ()));
+%! problem.coarse = struct ('variables', {{'size'}}, 'levels', [4; 2], ...
+%!                          'column', 1);
+%! level = finerVerdict (struct ('level', []), problem, struct (), [], ...
+%!                       diagnosis);
+%! assert ({level.shift, level.verdict, level.holds}, {NaN, '', false});
+%! diagnosis.gapProblem.reference = 1;
+%! assert (isempty (finerVerdict ([], problem, struct (), [], diagnosis)));

@@ -40,14 +40,14 @@ function [data, count] = gatherRuns (Case)
 end
 
 function [data, count] = fromStore (Case, data, count)
-  h = hashModels (Case);
+  Case.hashes = hashModels (Case);
   inputs = zeros (0, columns (data.X) + columns (data.E) + 1);
   Z = data.Z;
   stages = {};
   seconds = NaN (1, numel (Case.models));
   for k = 1:numel (Case.models)
     own = [Case.targets.model] == k;
-    [records, effects] = runsOf (Case, k, h(k));
+    [records, effects] = runsOf (Case, k, Case.hashes(k));
     isLast = cellfun (@(e) atLastLevel (e, Case.coarse), effects);
     spent = cellfun (@(r) r.seconds, records(isLast));
     spent = spent(isfinite (spent));
@@ -84,7 +84,7 @@ end
 % Runs of model K that count, and the effect values (1 x v) of each. What was
 % evaluated by another getResults, or not at all, is evaluated first.
 function [records, effects] = runsOf (Case, k, h)
-  names = runFoldersOf (Case, Case.models(k).name, h, 'model');
+  names = runFoldersOf (Case, Case.models(k).name, 'model');
   records = cell (1, numel (names));
   effects = cell (1, numel (names));
   stale = false (1, numel (names));
@@ -111,23 +111,16 @@ end
 
 % Record of a run whose simulation has ended well, [] for all others.
 function record = endedRun (folder)
-  found = readRecord (fullfile (folder, 'record.json'));
-  if isempty (found)
-    found = unevaluatedJob (folder);
-    if ~isempty (found)
-      found.status = 'ok';
-    end
-  end
+  found = readRun (folder);
   record = [];
-  if ~isfield (found, 'status') || strcmp (found.stage, 'cure') || ...
-     ~any (strcmp (found.status, {'ok', 'invalid'}))
+  if isempty (found) || strcmp (found.stage, 'cure') || ...
+     ~any (strcmp (givenField (found, 'status', 'ok'), {'ok', 'invalid'}))
     return
   end
-  record = newRecord (found, folder);
+  record = setfield (newRecord (found, folder), 'status', 'ok');
   for name = intersect (fieldnames (record), fieldnames (found))'
     record.(name{1}) = found.(name{1});
   end
-  record.folder = folder;
 end
 
 function known = isKnown (imported, data)
@@ -142,3 +135,17 @@ function known = isKnown (imported, data)
     end
   end
 end
+
+%!test
+%! % models that are there and a store that is empty: only runs.csv counts
+%! raw = standInCase (tempname ());
+%! Case = newCase (raw);
+%! writeAtomic (fullfile (raw.folder, 'runs.csv'), ...
+%!              ["model,a,b,First_1,First_2,Second_1\n", ...
+%!               "First,2,3,7,1,\nFirst,4,5,8,2,\n"]);
+%! [data, count] = gatherRuns (Case);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (raw.folder, 's');
+%! assert (data.X, [2, 3; 4, 5]);
+%! assert ([count.store, count.imported], [0, 2]);
+%! assert (isnan (count.seconds));

@@ -39,7 +39,6 @@ end
 %!  file = tempname ();
 %!  writeAtomic (file, text);
 %!  values = readResults (file, names);
-%!  unlink (file);
 %!endfunction
 %!assert (tryText ("1.5 -2e-3\n", {'a', 'b'}), [1.5, -2e-3])
 %!assert (tryText ("1,2\n3", {'a', 'b', 'c'}), [1, 2, 3])

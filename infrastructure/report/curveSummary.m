@@ -4,34 +4,30 @@
 %
 %   CASE      see newCase
 %   RESIDUAL  T x 1 or 1 x T, residuals of the targets
-%   CURVES    1 x C struct: name (of the series), model, own (numbers of its
+%   CURVES    1 x C struct: name (of the series), own (numbers of its
 %             calibrated targets), share (root mean square of residual over
 %             tolerance: the curve is met up to 1)
 
 function curves = curveSummary (Case, residual)
-  curves = struct ('name', {}, 'model', {}, 'own', {}, 'share', {});
-  if ~isfield (Case.targets, 'curve')
-    return
-  end
+  curves = struct ('name', {}, 'own', {}, 'share', {});
   number = [Case.targets.curve] .* strcmp ({Case.targets.role}, 'calibrate');
   for c = unique (number(number > 0))
-    own = find (number == c);
-    T = Case.targets(own);
-    r = reshape (residual(own), 1, []);
-    curves(end + 1) = struct ('name', T(1).series, 'model', T(1).modelName, ...
-                              'own', own, 'share', ...
+    points = find (number == c);
+    T = Case.targets(points);
+    r = reshape (residual(points), 1, []);
+    curves(end + 1) = struct ('name', T(1).series, 'own', points, 'share', ...
                               sqrt (mean ((r ./ [T.tol]).^2)));
   end
 end
 
 %!test
 %! Case.targets = struct ('curve', {0, 1, 1, 1}, 'series', 'w', ...
-%!                        'modelName', 'A', 'tol', {0.1, 0.2, 0.1, 0.1}, ...
+%!                        'tol', {0.1, 0.2, 0.1, 0.1}, ...
 %!                        'isAbsolute', false, ...
 %!                        'role', {'calibrate', 'calibrate', 'calibrate', ...
 %!                                 'unmeasured'});
 %! c = curveSummary (Case, [9; 0.2; -0.1; NaN]);
 %! assert (c.own, [2, 3]);
 %! assert (c.share, 1, 1e-12);
-%! Case.targets = rmfield (Case.targets, 'curve');
+%! [Case.targets.curve] = deal (0);
 %! assert (isempty (curveSummary (Case, zeros (4, 1))));

@@ -3,7 +3,7 @@
 % CALL: VALUE = jsonAt (ROOT, PATH)
 %
 %   ROOT   what jsondecode returned
-%   PATH   cell of field names and indices, from outside in
+%   PATH   cell of field names and indices, from outside in; [] leads nowhere
 %   VALUE  [] where a name or an index is missing (an older file, a null)
 %
 % Objects with equal fields are a struct array after decoding, others a cell:
@@ -13,19 +13,17 @@ function value = jsonAt (root, path)
   value = root;
   for k = 1:numel (path)
     step = path{k};
-    if ischar (step)
-      if ~isstruct (value) || ~isscalar (value) || ~isfield (value, step)
-        value = [];
-        return
-      end
+    isName = ischar (step) && isscalar (value) && isfield (value, step);
+    isIndex = isnumeric (step) && isscalar (step) && step <= numel (value);
+    if isName
       value = value.(step);
-    elseif step > numel (value)
+    elseif isIndex && iscell (value)
+      value = value{step};
+    elseif isIndex
+      value = value(step);
+    else
       value = [];
       return
-    elseif iscell (value)
-      value = value{step};
-    else
-      value = value(step);
     end
   end
 end

@@ -9,22 +9,19 @@
 
 function text = levelLine (level, targets)
   kept = find (~level.dropped(:)');
-  curve = zeros (1, numel (targets));
-  if isfield (targets, 'curve')
-    curve = [targets.curve];
-  end
+  curve = [targets.curve];
   parts = {};
   scalars = kept(curve(kept) == 0);
-  share = abs (level.shift(scalars)) ./ [targets(scalars).tol];
+  share = abs (level.shift(scalars)(:)') ./ [targets(scalars).tol];
   [~, order] = sort (share, 'descend');
   for t = scalars(order(1:min (end, 4)))
     parts{end + 1} = sprintf ('%s %+.3g +- %.2g', targets(t).name, ...
                               level.shift(t), level.shiftSd(t));
   end
   for k = setdiff (curve(kept), 0)
-    own = kept(curve(kept) == k);
-    parts{end + 1} = sprintf ('%s rms %.3g', targets(own(1)).series, ...
-                              norm (level.shift(own)) / sqrt (numel (own)));
+    points = kept(curve(kept) == k);
+    rms = sqrt (mean (level.shift(points).^2));
+    parts{end + 1} = sprintf ('%s rms %.3g', targets(points(1)).series, rms);
   end
   n = sum (level.dropped);
   if n > 0
@@ -41,6 +38,11 @@ end
 %!                 'dropped', false (1, 4));
 %! assert (levelLine (level, targets), ...
 %!         'b -2 +- 0.25; a +0.1 +- 0.25; c rms 3.54');
+%! % as it comes from a file; the order is that of shift over tolerance
+%! targets(1).tol = 0.01;
+%! level.shift = level.shift';
+%! assert (levelLine (level, targets), ...
+%!         'a +0.1 +- 0.25; b -2 +- 0.25; c rms 3.54');
 %! level.dropped(1) = true;
 %! assert (levelLine (level, targets), ...
 %!         'b -2 +- 0.25; c rms 3.54; dropped for 1 of 4 targets');

@@ -25,5 +25,3 @@ end
 %! writeAtomic (fullfile (Case.folder, 'results', 'library.csv'), ...
 %!              "# abc\nnumber,run,model,case\n1,7,M,/a\n1,8,M,/b\n");
 %! assert (strncmp (libraryLine (Case), '2 runs of 2 cases in /s', 23));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (Case.folder, 's');

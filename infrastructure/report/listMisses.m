@@ -3,28 +3,27 @@
 % CALL: MISSES = listMisses (C, GAP)
 %
 %   C, GAP   see decideCase
-%   MISSES   1 x n struct, see decideCase; the points of a curve are one entry,
-%            its worst point. Without a calibration those of the diagnosis, with
-%            the numbers of its fit in units of noise (share) alone
+%   MISSES   1 x n struct of the calibrated targets and the held-out ones:
+%            model, name, unit, measured, simulated, miss, allowed, role, met
+%            (1, 0; NaN: not measured), share (of what is allowed), largest
+%            first; the points of a curve are one entry, its worst point.
+%            Without a calibration those of the diagnosis, with the numbers of
+%            its fit in units of noise (share) alone
 
 function misses = listMisses (c, gap)
   misses = struct ('model', {}, 'name', {}, 'unit', {}, 'measured', {}, ...
                    'simulated', {}, 'miss', {}, 'allowed', {}, 'role', {}, ...
                    'met', {}, 'share', {});
+  targets = jsonAt (c, {'targets'});
+  if isempty (c)
+    targets = jsonAt (gap, {'where', 'targets'});
+  end
+  for t = 1:numel (targets)
+    misses(t) = missOf (jsonAt (targets, {t}));
+  end
   if ~isempty (c)
-    for t = 1:numel (c.targets)
-      misses = addTarget (misses, jsonAt (c.targets, {t}));
-    end
     misses = judgeHeldOut (misses, c);
     misses = foldCurves (misses, c);
-  else
-    targets = jsonAt (gap, {'where', 'targets'});
-    for t = 1:numel (targets)
-      T = jsonAt (targets, {t});
-      T.share = abs (T.z) / 2;
-      T.residual = NaN;
-      misses = addTarget (misses, T);
-    end
   end
   if ~isempty (misses)
     share = [misses.share];
@@ -34,14 +33,13 @@ function misses = listMisses (c, gap)
   end
 end
 
-function misses = addTarget (misses, T)
+function m = missOf (T)
   field = @(name, other) fieldOf (T, name, other);
   m = struct ('model', T.model, 'name', T.name, 'unit', field ('unit', ''), ...
               'measured', field ('target', NaN), ...
-              'simulated', field ('result', NaN), 'miss', NaN, ...
-              'allowed', field ('allowed', NaN), 'role', T.role, ...
-              'met', NaN, 'share', field ('share', NaN));
-  m.simulated = field ('estimate', m.simulated);
+              'simulated', field ('estimate', field ('result', NaN)), ...
+              'miss', NaN, 'allowed', field ('allowed', NaN), ...
+              'role', T.role, 'met', NaN, 'share', abs (field ('z', NaN)) / 2);
   m.miss = m.simulated - m.measured;
   residual = field ('residual', NaN);
   tol = field ('tol', NaN);
@@ -56,7 +54,6 @@ function misses = addTarget (misses, T)
     end
     m.met = double (field ('met', m.met > 0));
   end
-  misses(end + 1) = m;
 end
 
 function value = fieldOf (T, name, other)
@@ -73,37 +70,37 @@ function misses = judgeHeldOut (misses, c)
     h = jsonAt (held, {k});
     at = find (strcmp ({misses.name}, h.name) & ...
                ~strcmp ({misses.role}, 'calibrate'), 1);
-    if isempty (at) || ~isnumeric (h.interval90) || isempty (h.inside)
-      continue
+    if ~isempty (at) && isnumeric (h.interval90) && ~isempty (h.inside)
+      m = misses(at);
+      m.met = double (h.inside);
+      m.simulated = h.result;
+      m.miss = h.result - m.measured;
+      m.allowed = diff (h.interval90) / 2;
+      m.share = abs (m.miss) / m.allowed;
+      misses(at) = m;
     end
-    half = diff (h.interval90) / 2;
-    misses(at).met = double (h.inside);
-    misses(at).simulated = h.result;
-    misses(at).miss = h.result - misses(at).measured;
-    misses(at).allowed = half;
-    misses(at).share = abs (misses(at).miss) / half;
   end
 end
 
 function misses = foldCurves (misses, c)
-  curve = cell (1, numel (misses));
+  curve = repmat ({''}, 1, numel (misses));
   for t = 1:numel (misses)
     name = jsonAt (c, {'targets', t, 'curve'});
-    curve{t} = '';
     if ischar (name) && ~isempty (name)
       curve{t} = [misses(t).model, ': ', name];
     end
   end
   keep = cellfun (@isempty, curve);
   for name = unique (curve(~keep))
-    own = find (strcmp (name{1}, curve) & strcmp ({misses.role}, 'calibrate'));
-    if isempty (own)
+    members = find (strcmp (name{1}, curve) & ...
+                    strcmp ({misses.role}, 'calibrate'));
+    if isempty (members)
       keep(strcmp (name{1}, curve)) = true;
       continue
     end
-    share = sqrt (mean ([misses(own).share].^2));
-    [~, worst] = max ([misses(own).share]);
-    at = own(worst);
+    share = sqrt (mean ([misses(members).share].^2));
+    [~, worst] = max ([misses(members).share]);
+    at = members(worst);
     misses(at).share = share;
     misses(at).name = jsonAt (c, {'targets', at, 'curve'});
     keep(at) = true;

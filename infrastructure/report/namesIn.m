@@ -1,9 +1,8 @@
-% NAMESIN  Names in a field of a verdict, as a row.
+% NAMESIN  Names in a field of decoded JSON, as a row.
 %
 % CALL: NAMES = namesIn (WHICH, FIELD)
 %
-%   WHICH  struct of describeVerdict, or which of gap.json
-%   FIELD  text, e.g. 'effects'
+%   WHICH  struct;  FIELD  text, e.g. 'effects'
 %   NAMES  1 x n cell of text; empty where the field is, or is not there
 
 function names = namesIn (which, field)

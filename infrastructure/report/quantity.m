@@ -19,13 +19,10 @@ function text = quantity (x, unit, range)
     unit = '';
   end
   [factor, unit] = prefixed (x, unit);
-  text = number (x / factor, 3);
-  if ~isempty (unit)
-    text = [text, ' ', unit];
-  end
+  text = strtrim ([number(x / factor), ' ', unit]);
   if nargin > 2 && numel (range) == 2 && all (isfinite (range))
-    text = sprintf ('%s (%s to %s)', text, number (range(1) / factor, 3), ...
-                    number (range(2) / factor, 3));
+    text = sprintf ('%s (%s to %s)', text, number (range(1) / factor), ...
+                    number (range(2) / factor));
   end
 end
 
@@ -34,6 +31,9 @@ function [factor, unit] = prefixed (x, unit)
   if any (strcmp (unit, {'kg', 'kg/s'}))
     unit = unit(2:end);
     factor = 1e-3;
+  elseif strcmp (unit, 'm3') && abs (x) < 1e-3
+    [factor, unit] = deal (1e-6, 'cm3');
+    return
   elseif ~any (strcmp (strtok (unit, '/'), {'J', 'Pa', 'N', 'W', 'm', 's'}))
     return
   end
@@ -52,17 +52,17 @@ function [factor, unit] = prefixed (x, unit)
   factor = factor * 10^power;
 end
 
-function text = number (x, digits)
-  if abs (x) >= 10^digits && abs (x) < 1e6
+function text = number (x)
+  text = sprintf ('%.3g', x);
+  if abs (x) >= 1000 && abs (x) < 1e6
     text = sprintf ('%.0f', x);
-  else
-    text = sprintf ('%.*g', digits, x);
   end
 end
 
 %!assert (quantity (42059, 'J/m3', [26000, 60000]), '42.1 kJ/m3 (26 to 60)')
 %!assert (quantity (0.00153, 'm'), '1.53 mm')
 %!assert (quantity (0.0121, 'kg'), '12.1 g')
+%!assert (quantity (2.8e-5, 'm3'), '28 cm3')
 %!assert (quantity (1250, 'kg/m3'), '1250 kg/m3')
 %!assert (quantity (-1.5, 'deg', [-2, -0.5]), '-1.5 deg (-2 to -0.5)')
 %!assert (quantity (0.5243, '-', [NaN, 1]), '0.524')

@@ -5,8 +5,6 @@
 %   CASE   see newCase
 %   SAY    function handle that takes one line of text
 %   STATE  see newState; given while a calibration is under way
-%
-% An error is said in one line.
 
 function reportPage (Case, say, state)
   try
@@ -45,4 +43,3 @@ end
 %! writeAtomic (fullfile (raw.folder, 'results'), 'a file');
 %! text = evalc ('reportPage (Case, @(t) printf ("%s\n", t))');
 %! assert (! isempty (strfind (text, 'could not be written')));
-%! rmdir (raw.folder, 's');

@@ -15,36 +15,35 @@
 % with these, too: what was lost with them.
 
 function reportSurrogateFit (surrogates, data, problem, say, rest)
+  tell = @(varargin) say (sprintf (varargin{:}));
   say ('');
   say ('Kriging models (each run left out in turn)');
-  say (sprintf ('  %-28s %6s %9s   %s', 'target', 'Q2', 'noise (%)', ...
-                'range of the responses'));
+  tell ('  %-28s %6s %9s   %s', 'target', 'Q2', 'noise (%)', ...
+        'range of the responses');
   shown = shownTargets (struct ('targets', ...
                                 struct ('curve', num2cell (problem.curve), ...
                                         'at', num2cell (problem.coordinate))));
   for t = shown
     s = surrogates(t);
-    say (sprintf ('  %-28s %6.2f %9.2f   %.4g to %.4g', ...
-                  problem.targetNames{t}, s.Q2, ...
-                  100 * sqrt (s.noiseVar) / abs (mean (s.z)), ...
-                  min (s.z), max (s.z)));
+    tell ('  %-28s %6.2f %9.2f   %.4g to %.4g', problem.targetNames{t}, ...
+          s.Q2, 100 * sqrt (s.noiseVar) / abs (mean (s.z)), min (s.z), ...
+          max (s.z));
   end
   if numel (shown) < numel (surrogates)
-    say (sprintf ('  (of %d points on curves three each)', ...
-                  sum (problem.curve > 0)));
+    tell ('  (of %d points on curves three each)', sum (problem.curve > 0));
   end
   if rows (data.X) > 2000                % see fitSurrogates
-    say (sprintf (['  WARNING: of %d runs 2000 are fitted, the nearest to ' ...
-                   'the targets and others'], rows (data.X)));
+    tell (['  WARNING: of %d runs 2000 are fitted, the nearest to ' ...
+           'the targets and others'], rows (data.X));
   end
   if nargin > 4 && rows (rest.X) > 0
-    sayLoss (surrogates, rest, problem, say);
+    sayLoss (surrogates, rest, problem, tell);
   end
-  warnOf (surrogates, data, problem, shown, say);
+  warnOf (surrogates, data, problem, shown, tell);
 end
 
-function sayLoss (surrogates, rest, problem, say)
-  off = NaN (1, numel (surrogates));
+function sayLoss (surrogates, rest, problem, tell)
+  share = NaN (2, numel (surrogates));
   for t = 1:numel (surrogates)
     s = surrogates(t);
     P = rest.X;
@@ -52,32 +51,30 @@ function sayLoss (surrogates, rest, problem, say)
       P(:, end + 1) = unitLevel (problem.coarse, rest.E, t);
     end
     miss = rest.Z(:, t) - predictSurrogate (s, P);
-    off(t) = sqrt (mean (miss(isfinite (miss)).^2));
+    rms = sqrt ([mean(miss(isfinite (miss)).^2); s.noiseVar]);
+    share(:, t) = 100 * rms / (max (s.z) - min (s.z));
   end
-  range_ = arrayfun (@(s) max (s.z) - min (s.z), surrogates);
-  [share, t] = max (off ./ range_);
-  if ~isnan (share)
-    say (sprintf (['  The %d runs left out are off the surrogates by %.2g ' ...
-                   '%% of the range at most (rms, %s; the scatter of a run ' ...
-                   'is %.2g %%)'], rows (rest.X), 100 * share, ...
-                  problem.targetNames{t}, ...
-                  100 * sqrt (surrogates(t).noiseVar) / range_(t)));
+  [most, t] = max (share(1, :));
+  if ~isnan (most)
+    tell (['  The %d runs left out are off the surrogates by %.2g ' ...
+           '%% of the range at most (rms, %s; the scatter of a run ' ...
+           'is %.2g %%)'], rows (rest.X), most, problem.targetNames{t}, ...
+          share(2, t));
   end
 end
 
-function warnOf (surrogates, data, problem, shown, say)
+function warnOf (surrogates, data, problem, shown, tell)
   for t = shown
     name = problem.targetNames{t};
     z = data.Z(:, t);
     if problem.value(t) < min (z) || problem.value(t) > max (z)
-      say (sprintf (['  WARNING: the target %g of %s is outside the range ' ...
-                     'of the plan (%.4g to %.4g)'], problem.value(t), name, ...
-                    min (z), max (z)));
+      tell (['  WARNING: the target %g of %s is outside the range ' ...
+             'of the plan (%.4g to %.4g)'], problem.value(t), name, min (z), ...
+            max (z));
     end
     if ~(surrogates(t).Q2 > 0.5)
-      say (sprintf (['  WARNING: the surrogate of %s predicts poorly (Q2 ' ...
-                     '%.2f): more samples, or a wider box'], name, ...
-                    surrogates(t).Q2));
+      tell (['  WARNING: the surrogate of %s predicts poorly (Q2 ' ...
+             '%.2f): more samples, or a wider box'], name, surrogates(t).Q2);
     end
   end
 end

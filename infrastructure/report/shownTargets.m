@@ -7,22 +7,16 @@
 %          curve the first one, the middle one and the last one
 
 function shown = shownTargets (Case)
-  shown = 1:numel (Case.targets);
-  if ~isfield (Case.targets, 'curve')
-    return
-  end
   curve = [Case.targets.curve];
-  keep = curve == 0;
+  shown = find (curve == 0);
   for c = unique (curve(curve > 0))
-    own = find (curve == c);
-    [~, order] = sort ([Case.targets(own).at]);
-    few = round (linspace (1, numel (own), min (3, numel (own))));
-    keep(own(order(few))) = true;
+    points = find (curve == c);
+    [~, order] = sort ([Case.targets(points).at]);
+    few = round (linspace (1, numel (points), min (3, numel (points))));
+    shown = union (shown, points(order(few)));
   end
-  shown = shown(keep);
 end
 
-%!assert (shownTargets (struct ('targets', struct ('name', {'a'}))), 1)
 %!test
 %! Case.targets = struct ('curve', {0, 1, 1, 1, 1, 1, 2}, ...
 %!                        'at', {NaN, 5, 4, 3, 2, 1, 7});

@@ -15,34 +15,32 @@
 function v = writeCalibrationJson (c, Case)
   named = @(values) cell2struct (values, Case.names, 1);
   out = struct ('params', named (num2cell (c.params(:))));
-  out.interval90 = named (num2rows (c.interval90'));
-  out.limits = named (num2rows (Case.limits'));
+  out.interval90 = named (num2cell (c.interval90, 1)');
+  out.intervalNote = c.intervalNote;
+  out.limits = named (num2cell (Case.limits, 1)');
   out.targets = targetsOf (c, Case);
-  out.converged = c.converged;
-  out.reason = c.reason;
-  out.limit = c.limit;
-  out.conflict = c.conflict(:)';
+  out = mergeFields (out, c, {'converged', 'reason', 'limit', 'conflict'});
   out.untested = [];
   if ~isempty (c.untested)
     out.untested = named (num2cell (c.untested(:)));
   end
   out.known = knownOf (Case);
-  out.labels = named (parameterWords (Case)(:));
-  out.runs = c.runs;
-  out.probability = c.probability;
-  out.demRuns = c.demRuns;
-  out.coreSeconds = c.coreSeconds;
-  out.atLimit = c.atLimit(:)';
-  out.notIdentified = c.notIdentified(:)';
-  out.unfixed = c.identifiability.text(:)';
-  out.next = num2cell (c.identifiability.next(:)');
-  out.sensitivity = named (num2rows (c.sensitivity));
+  out.labels = named (labelsOf (Case));
+  out = mergeFields (out, c, {'runs', 'probability', 'demRuns', ...
+                              'coreSeconds', 'atLimit', 'notIdentified'});
+  out.unfixed = c.identifiability.text;
+  out.next = num2cell (c.identifiability.next);
+  out.sensitivity = named (num2cell (num2cell (c.sensitivity), 2));
   out.correlation = c.correlation;
-  out.surrogates = surrogatesOf (c, Case);
-  out.holdout = num2cell (c.holdout(:)');
-  out.levels = num2cell (c.levels(:)');
-  out.warnings = c.warnings(:)';
-  out.history = num2cell (c.history(:)');
+  noiseSd = num2cell (sqrt ([c.surrogates.noiseVar]));
+  out.surrogates = num2cell (struct ('model', {Case.targets.modelName}, ...
+                                     'target', {Case.targets.name}, ...
+                                     'Q2', {c.surrogates.Q2}, ...
+                                     'noiseSd', noiseSd));
+  out.holdout = num2cell (c.holdout);
+  out.levels = num2cell (c.levels);
+  out.warnings = c.warnings;
+  out.history = num2cell (c.history);
   out.input = inputOf (Case);
   out.version = toolboxVersion (Case.root);
   out.date = strftime ('%Y-%m-%d %H:%M', localtime (time ()));
@@ -57,37 +55,24 @@ function v = writeCalibrationJson (c, Case)
   [~, ~] = unlink (fullfile (folder, 'progress.json'));
 end
 
-% Rows of a matrix as a cell, each an array of the JSON file.
-function parts = num2rows (M)
-  parts = cell (rows (M), 1);
-  for k = 1:rows (M)
-    parts{k} = num2cell (M(k, :));
-  end
-end
-
 function targets = targetsOf (c, Case)
-  targets = cell (1, numel (Case.targets));
-  units = regexprep ({targetInfo(Case).unit}, '^-$', '');
-  for t = 1:numel (Case.targets)
-    T = Case.targets(t);
-    targets{t} = struct ('model', T.modelName, 'name', T.name, ...
-                         'role', T.role, 'target', T.value, 'sd', T.sd, ...
-                         'tol', T.tol, 'unit', units{t}, ...
-                         'result', c.results(t), ...
-                         'residual', c.residual(t), ...
-                         'noiseSd', c.noiseSd(t), ...
-                         'interval90', {num2cell(c.resultInterval90(:, t)')});
-    targets{t}.allowed = halfWidth (T);
-    targets{t}.estimate = c.estimate(t);
-    targets{t}.met = [];
-    if strcmp (T.role, 'calibrate')
-      targets{t}.met = c.met(t);
-    end
-    targets{t}.curve = '';
-    if isfield (T, 'curve') && T.curve > 0
-      targets{t}.curve = T.series;
-    end
-  end
+  T = Case.targets;
+  met = num2cell (c.met(:)');
+  met(~strcmp ({T.role}, 'calibrate')) = {[]};
+  curve = {T.series};
+  curve([T.curve] == 0) = {''};
+  row = @(values) num2cell (values(:)');
+  targets = struct ('model', {T.modelName}, 'name', {T.name}, ...
+                    'role', {T.role}, 'target', {T.value}, 'sd', {T.sd}, ...
+                    'tol', {T.tol}, ...
+                    'unit', regexprep ({targetInfo(Case).unit}, '^-$', ''), ...
+                    'result', row (c.results), 'residual', row (c.residual), ...
+                    'noiseSd', row (c.noiseSd), ...
+                    'interval90', num2cell (c.resultInterval90, 1), ...
+                    'allowed', arrayfun (@halfWidth, T, ...
+                                         'UniformOutput', false), ...
+                    'estimate', row (c.estimate), 'met', met, 'curve', curve);
+  targets = num2cell (targets);
 end
 
 % Parameters that were measured by themselves.
@@ -99,33 +84,51 @@ function known = knownOf (Case)
   end
 end
 
-function surrogates = surrogatesOf (c, Case)
-  surrogates = cell (1, numel (Case.targets));
-  for t = 1:numel (Case.targets)
-    s = c.surrogates(t);
-    surrogates{t} = struct ('model', Case.targets(t).modelName, ...
-                            'target', Case.targets(t).name, ...
-                            'Q2', s.Q2, 'noiseSd', sqrt (s.noiseVar));
+% What each parameter is, with its unit, d x 1 cell: from the remark behind the
+% variable in data.head of a model (unit, words), else from the names that the
+% models of the toolbox use; '' where nobody says it.
+function labels = labelsOf (Case)
+  labels = cellfun (@usualWords, Case.names(:), 'UniformOutput', false);
+  folders = {Case.models.folder};
+  heads = cellfun (@checkHead, folders(~cellfun (@isempty, folders)), ...
+                   'UniformOutput', false);
+  for head = fliplr ([heads{:}])
+    words = regexp (head.remark, '^([^,]*),[ \t]*(.+)$', 'tokens', 'once');
+    j = strcmp (Case.names, head.name);
+    if ~isempty (words) && any (j)
+      labels{j} = withUnit (strtrim (words{2}), strtrim (words{1}));
+    end
+  end
+end
+
+function text = usualWords (name)
+  known = struct ('density', 'density of %s (kg/m3)', ...
+                  'radius', 'radius of %s (m)', ...
+                  'youngsModulus', 'Young''s modulus of %s (Pa)', ...
+                  'poissonsRatio', 'Poisson''s ratio of %s', ...
+                  'coefRestitution', 'restitution %s', ...
+                  'coefRollingFriction', 'rolling friction %s', ...
+                  'coefFriction', 'friction %s', ...
+                  'cohesion', 'cohesion energy density %s (J/m3)');
+  ends = struct ('PP', 'between grains', 'PW', 'of grains and walls', ...
+                 'P', 'the grains', 'W', 'the walls');
+  text = '';
+  parts = regexp (name, '^(\w+?)(PP|PW|P|W)$', 'tokens', 'once');
+  if ~isempty (parts) && isfield (known, parts{1})
+    text = sprintf (known.(parts{1}), ends.(parts{2}));
   end
 end
 
 % What decides the result, so that it can be repeated.
 function input = inputOf (Case)
-  models = cell (1, numel (Case.models));
-  keys = keysOf (Case);
-  for k = 1:numel (models)
-    models{k} = struct ('name', Case.models(k).name, ...
-                        'cpu', Case.models(k).cpu, 'key', keys{k});
-  end
-  input = struct ('models', {models}, 'modelVars', Case.modelVars, ...
-                  'options', Case.options);
-end
-
-function keys = keysOf (Case)
   keys = repmat ({''}, 1, numel (Case.models));
   if all (cellfun (@isfolder, {Case.models.folder}))
     keys = {hashModels(Case).input};
   end
+  models = struct ('name', {Case.models.name}, 'cpu', {Case.models.cpu}, ...
+                   'key', keys);
+  input = struct ('models', {num2cell(models)}, 'modelVars', Case.modelVars, ...
+                  'options', Case.options);
 end
 
 function writeTables (c, Case, folder)
@@ -135,10 +138,10 @@ function writeTables (c, Case, folder)
                Case.names);
   writeMatrix (fullfile (folder, 'posterior.csv'), c.posterior, Case.names);
   v = Case.modelVars;
-  for own = Case.coarse
-    v.(own.variable) = own.levels(end);
+  for level = Case.coarse
+    v.(level.variable) = level.levels(end);
   end
-  v = designVariables (v, c.params, Case.names);
+  v = assignParams (v, c.params, Case.names);
   writeAtomic (fullfile (folder, 'calibrated.head'), headLines (v));
   place = fullfile (folder, 'surrogates');
   [~, ~] = mkdir (place);
@@ -147,3 +150,36 @@ function writeTables (c, Case, folder)
                    c.surrogates(t));
   end
 end
+
+%!test
+%! % the set, and what its parameters are, in words; with and without a remark
+%! [problem, state] = smallCalibration ();
+%! state.final = mergeFields (confirmSet (state, problem), ...
+%!                            struct ('untested', []));
+%! raw = standInCase (tempname ());
+%! [raw.Input.model, raw.Input.cpu] = deal ({'First'}, 1);
+%! [raw.optim.targetVal, raw.optim.tolRes] = deal ({[4, 2]}, 0.02);
+%! Case = newCase (raw);
+%! writeAtomic (fullfile (Case.models.folder, 'data.head'), ...
+%!   ["variable lid equal 2 # kg, mass of the lid\n", ...
+%!    "variable radiusP equal 1  # m\nvariable a equal 1\n"]);
+%! c = newCalibration (state, problem, Case);
+%! read = @(name) fullfile (Case.folder, 'results', name);
+%! words = {'mass of the lid (kg)', 'friction of grains and walls'; ...
+%!          'radius of the grains (m)', ''};
+%! names = {'lid', 'coefFrictionPW'; 'radiusP', 'a'};
+%! for k = 1:2
+%!   Case.names = names(k, :);
+%!   v = writeCalibrationJson (c, Case);
+%!   out = jsondecode (fileread (read ('calibration.json')));
+%!   assert (struct2cell (out.labels)', words(k, :));
+%! end
+%! assert (out.verdict.word, v.word);
+%! assert ([out.targets.allowed], [0.08, 0.04], 1e-12);
+%! assert ([out.targets.met], c.met);
+%! assert (out.targets(2).interval90, c.resultInterval90(:, 2), 1e-12);
+%! assert (out.params.a, c.params(2), 1e-12);
+%! assert (out.interval90.a, c.interval90(:, 2), 1e-12);
+%! assert (out.sensitivity.a', c.sensitivity(2, :), 1e-12);
+%! assert (headDefaults (read ('calibrated.head')).radiusP, c.params(1));
+%! assert (size (dlmread (read ('posterior.csv'), ',', 1, 0)), [1000, 2]);

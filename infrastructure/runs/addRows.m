@@ -6,17 +6,16 @@
 % DATA       struct of newData; with level (see diagnoseCase) the new rows are
 %            of the last level
 % X          n x d parameters; Z  n x T responses (NaN: failed)
-% REPLICATE  n x 1; STAGE  text; E  n x v effect values (default: zeros)
+% REPLICATE  n x 1; STAGE  text; E  n x v effect values (default: those of the
+%            first row, or zeros)
 %
 % Errors: DEcalioc:addRows:badShape
 
 function data = addRows (data, X, Z, replicate, stage, E)
   n = size (X, 1);
   if nargin < 6
-    E = zeros (n, columns (data.E));
-    if ~isempty (data.E)
-      E = repmat (data.E(1, :), n, 1);
-    end
+    first = [data.E; zeros(1, columns (data.E))];
+    E = repmat (first(1, :), n, 1);
   end
   if columns (X) ~= columns (data.X) || columns (Z) ~= columns (data.Z) || ...
      rows (Z) ~= n || numel (replicate) ~= n

@@ -3,34 +3,32 @@
 % CALL: MODELS = addSeconds (MODELS, RECORDS)
 %
 %   MODELS   1 x M struct array, Case.models; to its field seconds the seconds
-%            of the model's records that ended well are appended; where the
-%            case has levels (its field coarse), of those at the last one:
-%            coarse runs say nothing of how long a fine one may take
+%            of the model's records that ended well are appended; of a case with
+%            levels those at the last one: coarse runs say nothing of how long a
+%            fine one may take
 %   RECORDS  1 x n struct array, see newRecord
 
 function models = addSeconds (models, records)
   isOk = strcmp ({records.status}, 'ok');
   for k = 1:numel (models)
     mine = isOk & strcmp ({records.model}, models(k).name);
-    if isfield (models, 'coarse')
-      mine(mine) = arrayfun (@(r) atLastLevel (r.effects, models(k).coarse), ...
-                             records(mine));
-    end
+    mine(mine) = arrayfun (@(r) atLastLevel (r.effects, models(k).coarse), ...
+                           records(mine));
     models(k).seconds = [models(k).seconds, records(mine).seconds];
   end
 end
 
 %!test
-%! models = struct ('name', {'A', 'B'}, 'seconds', {[], 7});
+%! models = struct ('name', {'A', 'B'}, 'seconds', {[], 7}, 'coarse', []);
 %! records = struct ('model', {'A', 'A', 'B'}, 'seconds', {1, 2, 3}, ...
-%!                   'status', {'ok', 'timeout', 'ok'});
+%!                   'status', {'ok', 'timeout', 'ok'}, 'effects', []);
 %! models = addSeconds (models, records);
 %! assert ({models.seconds}, {1, [7, 3]});
 
 %!test
 %! % of a case with levels only the runs at the last one count
-%! model = struct ('name', 'a', 'seconds', 5);
-%! model.coarse = struct ('levels', [3, 1]);
+%! model = struct ('name', 'a', 'seconds', 5, ...
+%!                 'coarse', struct ('levels', [3, 1]));
 %! run = @(e, s) struct ('model', 'a', 'status', 'ok', 'effects', e, ...
 %!                       'seconds', s);
 %! known = addSeconds (model, [run(3, 1), run(1, 7), run([], 9)]);

@@ -5,8 +5,8 @@
 %   PLACE   folder (text) with orders: files *.order that hold k (number of the
 %           run), job (see newJobs), folder (see takeRunFolder) and hasEnded
 %           (the folder has an end mark)
-%   CASE    see newCase; root, store, models, modelVars, names and effectVars
-%           are read
+%   CASE    see newCase; root, store, models, modelVars, names, effectVars and
+%           hashes (see hashModels) are read
 %   OWNER   process number of the Octave that carries out the plan
 %   ANSWER  [] where there was no order, else a struct: k, record (see
 %           newRecord; [] of a run that is under way now), fault ([] or message
@@ -61,8 +61,9 @@ end
 %! folder = fullfile (Case.store, 'optim', 'First', '0001');
 %! makeRunFolder (folder);
 %! order = struct ('k', 7, 'job', job, 'folder', folder, 'hasEnded', false);
+%! file = fullfile (place, '1.order');
 %! % once to start it, once to evaluate it
-%! save ('-binary', fullfile (place, '1.order'), '-struct', 'order');
+%! saveWhole ('-binary', file, order);
 %! answer = carryRun (place, Case, getpid ());
 %! assert ({answer.k, answer.record, answer.fault}, {7, [], []});
 %! assert (numel (readdir (place)), 2);
@@ -70,14 +71,12 @@ end
 %!   pause (0.05);
 %! end
 %! order.hasEnded = true;
-%! save ('-binary', fullfile (place, '2.order'), '-struct', 'order');
+%! saveWhole ('-binary', file, order);
 %! answer = carryRun (place, Case, getpid ());
 %! assert (answer.record.results, [3, 2], 1e-12);
 %! % a fault is told
 %! order.hasEnded = false;
 %! Case.models(1).folder = '/nowhere';
-%! save ('-binary', fullfile (place, '3.order'), '-struct', 'order');
+%! saveWhole ('-binary', file, order);
 %! answer = carryRun (place, Case, getpid ());
 %! assert (answer.fault.identifier, 'DEcalioc:copyModel:cannotWrite');
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (place, 's');

@@ -15,6 +15,7 @@
 % See also: judgeRun, evaluateRun
 
 function records = collectRuns (jobs, folders, Case, alone)
+  Case.hashes = hashModels (Case);
   [todo, places] = arrayfun (@(j, f) judgeRun (j, f{1}, Case), jobs, ...
                              folders, 'UniformOutput', false);
   records = [];
@@ -41,7 +42,7 @@ end
 % After its worker has gone down: once more, unless its time was up.
 function record = evaluateAlone (todo, place)
   reason = '';
-  if ~wasLate (todo)
+  if ~isfile (lateMark (todo))
     try
       record = inWorkers ({todo}, {place}){1};
       return
@@ -50,16 +51,12 @@ function record = evaluateAlone (todo, place)
                 'could not be written)'];
     end
   end
-  if wasLate (todo)
+  if isfile (lateMark (todo))
     reason = sprintf (['getResults had not ended after %g s, its limit ' ...
                        '(Input.timeout, or 20 times the simulation)'], ...
                       place.limit);
   end
   record = failedRecord (todo, todo.folder, 'invalid', reason, 'output');
-end
-
-function yes = wasLate (record)
-  yes = isfile (lateMark (record));
 end
 
 function file = lateMark (record)

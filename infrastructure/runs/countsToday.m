@@ -41,9 +41,7 @@ function values = effectsInHead (folder, Case, values)
   end
   head = headDefaults (file);
   for j = 1:numel (values)
-    if isfield (head, Case.effectVars{j})
-      values(j) = head.(Case.effectVars{j});
-    end
+    values(j) = givenField (head, Case.effectVars{j}, values(j));
   end
 end
 

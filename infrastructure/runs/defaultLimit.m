@@ -24,8 +24,8 @@ end
 %!shared done, model
 %! done = struct ('model', {'A', 'A', 'B', 'A', 'A'}, 'seconds', ...
 %!                {10, 20, 1, 900, 30}, 'status', ...
-%!                {'ok', 'ok', 'ok', 'timeout', 'ok'});
-%! model = struct ('name', 'A', 'timeout', NaN, 'seconds', []);
+%!                {'ok', 'ok', 'ok', 'timeout', 'ok'}, 'effects', []);
+%! model = struct ('name', 'A', 'timeout', NaN, 'seconds', [], 'coarse', []);
 %!test
 %! assert (defaultLimit (model, done), 400);
 %! assert (defaultLimit (setfield (model, 'name', 'B'), done), NaN);

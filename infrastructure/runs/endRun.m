@@ -22,45 +22,33 @@ function endRun (folder)
   end
 end
 
-%!function pid = session (folder, text)
+%!function pid = session (folder)
+%!  [~, ~] = mkdir (folder);
 %!  system (sprintf ('cd %s && setsid sleep 1000 & echo $! > %s/number', ...
 %!                   folder, folder));
 %!  pid = str2double (fileread (fullfile (folder, 'number')));
-%!  writeAtomic (fullfile (folder, 'pid'), sprintf (text, pid, pid));
+%!endfunction
+%!function yes = survives (pid, folder, text)
+%!  writeAtomic (fullfile (folder, 'pid'), sprintf (text, pid));
+%!  endRun (folder);
+%!  pause (0.3);
+%!  yes = ~isempty (processStart (pid));
 %!endfunction
 %!test
 %! % a pid file from before a restart names a process that is not ours
 %! folder = tempname ();
-%! mkdir (folder);
-%! ours = session (folder, '%d 999999999');
-%! endRun (folder);
-%! pause (0.3);
-%! assert (~isempty (processStart (ours)));
-%! [~, mark] = processStart (ours);
-%! writeAtomic (fullfile (folder, 'pid'), sprintf ('%d 9 1%s', ours, mark));
-%! endRun (folder);
-%! pause (0.3);
-%! assert (~isempty (processStart (ours)));
+%! ours = session (folder);
+%! assert (survives (ours, folder, '%d 999999999'));
+%! [~, mark] = processStart (ours);         % it is no setsid any more
+%! assert (survives (ours, folder, ['%d 9 1', mark]));
 %! % the guard itself
-%! writeAtomic (fullfile (folder, 'pid'), sprintf ('%d 9 %s', ours, mark));
-%! endRun (folder);
-%! pause (0.3);
-%! assert (isempty (processStart (ours)));
+%! assert (! survives (ours, folder, ['%d 9 ', mark]));
 %! % what a guard that is gone has left behind, and a session of others
 %! ended = ['999999999 %d 1 ', strsplit(mark, ' '){2}, ' bash'];
-%! left = session (folder, ended);
+%! left = session (folder);
 %! endRun (tempname ());
 %! assert (~isempty (processStart (left)));
-%! system (sprintf ('setsid sleep 1000 & echo $! > %s/other', folder));
-%! other = str2double (fileread (fullfile (folder, 'other')));
-%! writeAtomic (fullfile (folder, 'pid'), sprintf (ended, other));
-%! endRun (folder);
-%! pause (0.3);
-%! assert (~isempty (processStart (other)));
+%! other = session (tempname ());
+%! assert (survives (other, folder, ended));
 %! kill (other, 9);
-%! writeAtomic (fullfile (folder, 'pid'), sprintf (ended, left));
-%! endRun (folder);
-%! pause (0.3);
-%! assert (isempty (processStart (left)));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
+%! assert (! survives (left, folder, ended));

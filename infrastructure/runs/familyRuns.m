@@ -1,29 +1,29 @@
 % FAMILYRUNS  All runs of a store that differ from a case in its inputs alone.
 %
-% CALL: [FOUND, TOLD] = familyRuns (CASE, H, AGAIN)
+% CALL: [FOUND, TALLY] = familyRuns (CASE, H, AGAIN)
 %
 %   CASE   see newCase;  H  see hashModels
 %   AGAIN  1 x M cell of k x 2 (model, number): records that have changed
 %   FOUND  struct: inputs n x (d + v), run n x 6 (model, number, seed,
 %          replicate, state, first digits of the key, see readLibrary), Z n x T
 %          (NaN: of another model, or no result), funs, origin n x 1 cell
-%   TOLD   see libraryRuns, with nothing used yet
+%   TALLY   see libraryRuns, with nothing used yet
 %
 % Same model folder, CPUs and LIGGGHTS, and the same value of every variable but
 % design variables, levels and seed; what a run did not set is what data.head
 % declares.
-%
-% See also: libraryRuns, readLibrary
 
-function [found, told] = familyRuns (Case, h, again)
+function [found, tally] = familyRuns (Case, h, again)
   d = numel (Case.names) + numel (Case.effectVars);
   found = struct ('inputs', zeros (0, d), 'run', zeros (0, 6), ...
                   'Z', zeros (0, numel (Case.targets)), ...
                   'funs', {cell(0, 1)}, 'origin', {cell(0, 1)});
-  told = nothing ();
+  tally = struct ('used', 0, 'origin', {{}}, 'count', []);
+  tally.passed = struct ('model', {}, 'why', {}, 'count', {});
+  tally.other = struct ('model', {}, 'number', {}, 'count', {});
   for k = 1:numel (Case.models)
-    own = [Case.targets.model] == k;
-    at = [Case.targets(own).index];
+    isOfModel = [Case.targets.model] == k;
+    index = [Case.targets(isOfModel).index];
     kinds = readLibrary (Case.store, Case.models(k).name, h(k), ...
                          again{k}(:, 2:end));
     other = zeros (0, 1);
@@ -34,14 +34,14 @@ function [found, told] = familyRuns (Case, h, again)
         continue
       end
       [inputs, isOf, why] = inputsOf (kind, Case, h(k));
-      told.passed = booked (told.passed, Case.models(k).name, why, ...
-                            sum (~isOf));
+      tally.passed = booked (tally.passed, Case.models(k).name, why, ...
+                             sum (~isOf));
       runs = kind.runs(isOf, :);
       n = rows (runs);
       Z = NaN (n, numel (Case.targets));
       first = 6 + numel (strsplit (kind.names, ' '));
-      isOk = runs(:, 2) == 1 & columns (runs) >= first + max (at);
-      Z(isOk, own) = runs(isOk, first + at);
+      isOk = runs(:, 2) == 1 & columns (runs) >= first + max (index);
+      Z(isOk, isOfModel) = runs(isOk, first + index);
       found.inputs = [found.inputs; inputs(isOf, :)];
       found.run = [found.run; k * ones(n, 1), runs(:, [1, 5, 6, 2, 3])];
       found.Z = [found.Z; Z];
@@ -49,16 +49,10 @@ function [found, told] = familyRuns (Case, h, again)
       found.origin = [found.origin; repmat({kind.origin}, n, 1)];
     end
     if ~isempty (other)
-      told.other(end + 1) = struct ('model', k, 'number', max (other), ...
-                                    'count', numel (other));
+      tally.other(end + 1) = struct ('model', k, 'number', max (other), ...
+                                     'count', numel (other));
     end
   end
-end
-
-function told = nothing ()
-  told = struct ('used', 0, 'origin', {{}}, 'count', []);
-  told.passed = struct ('model', {}, 'why', {}, 'count', {});
-  told.other = struct ('model', {}, 'number', {}, 'count', {});
 end
 
 % Inputs of the runs of a kind as this case has them, and which runs differ in
@@ -72,19 +66,20 @@ function [inputs, isOf, why] = inputsOf (kind, Case, h)
   isOf = true (n, 1);
   why = '';
   for name = unique ([names, free, fieldnames(Case.modelVars)'])
-    was = repmat (valueOf (name{1}, struct (), h), n, 1);
-    at = find (strcmp (names, name{1}));
-    if ~isempty (at)
-      was = values(:, at);
+    declared = givenField (h.defaults, name{1}, NaN);
+    was = repmat (declared, n, 1);
+    column = find (strcmp (names, name{1}));
+    if ~isempty (column)
+      was = values(:, column);
     end
-    now = valueOf (name{1}, Case.modelVars, h);
+    now = givenField (Case.modelVars, name{1}, declared);
     isFree = strcmp (free, name{1});
     if any (isFree)
       inputs(:, isFree) = was;
       fits = isfinite (was);
-      for own = Case.coarse(strcmp ({Case.coarse.variable}, name{1}))
-        fits = ismember (was, own.levels);
-        now = own.levels(end);
+      for coarse = Case.coarse(strcmp ({Case.coarse.variable}, name{1}))
+        fits = ismember (was, coarse.levels);
+        now = coarse.levels(end);
       end
     elseif any (strcmp (name{1}, {'runSeed', 'RLTS', 'SIMTS'}))
       continue                          % they follow of the others
@@ -96,7 +91,7 @@ function [inputs, isOf, why] = inputsOf (kind, Case, h)
     end
     isOf = isOf & fits;
   end
-  today = designVariables (Case.modelVars, Case.limits(2, :), Case.names);
+  today = assignParams (Case.modelVars, Case.limits(2, :), Case.names);
   if isfield (today, 'SIMTS') ~= any (strcmp (names, 'SIMTS'))
     isOf(:) = false;
     why = 'another time step';
@@ -104,24 +99,15 @@ function [inputs, isOf, why] = inputsOf (kind, Case, h)
 end
 
 function passed = booked (passed, model, why, n)
-  at = find (strcmp ({passed.model}, model) & strcmp ({passed.why}, why));
-  if ~isempty (at)
-    passed(at).count = passed(at).count + n;
+  k = find (strcmp ({passed.model}, model) & strcmp ({passed.why}, why));
+  if ~isempty (k)
+    passed(k).count = passed(k).count + n;
   elseif n > 0
     passed(end + 1) = struct ('model', model, 'why', why, 'count', n);
   end
 end
 
-function value = valueOf (name, vars, h)
-  value = NaN;
-  if isfield (vars, name)
-    value = vars.(name);
-  elseif isfield (h.defaults, name)
-    value = h.defaults.(name);
-  end
-end
-
-%!function [found, told, Case] = of (store, names, modelVars)
+%!function [found, tally, Case] = of (store, names, modelVars)
 %!  raw = standInCase (tempname ());
 %!  raw.Input.store = store;
 %!  raw.assign = names;
@@ -129,17 +115,17 @@ end
 %!  raw.modelVars = modelVars;
 %!  Case = newCase (raw);
 %!  none = repmat ({zeros(0, 1)}, 1, 2);
-%!  [found, told] = familyRuns (Case, hashModels (Case), none);
+%!  [found, tally] = familyRuns (Case, hashModels (Case), none);
 %!endfunction
 
 %!test
 %! % one parameter is fixed here and was free there, and the other way round
 %! first = newCase (standInCase (tempname ()));
 %! evaluateDEM ([1, 2; 3, 4; 5, 6], first);
-%! [found, told, Case] = of (first.store, {'a'}, struct ('b', 6));
-%! assert ({found.inputs, told.passed.count}, {[5; 5], 2, 2});
+%! [found, tally, Case] = of (first.store, {'a'}, struct ('b', 6));
+%! assert ({found.inputs, tally.passed.count}, {[5; 5], 2, 2});
 %! assert (found.Z, [11, 30, NaN; NaN, NaN, -1], 1e-12);
-%! assert (strfind (told.passed(1).why, 'their b is not 6'), 1);
+%! assert (strfind (tally.passed(1).why, 'their b is not 6'), 1);
 %! evaluateDEM (7, Case);
 %! found = of (first.store, {'a', 'b'}, struct ());
 %! assert (sum (all (found.inputs == [7, 6], 2)), 2);
@@ -155,5 +141,5 @@ end
 %! found = familyRuns (Case, hashModels (Case), repmat ({zeros(0, 1)}, 1, 2));
 %! assert (sum (all (found.inputs == [2, 2, 3], 2)), 2);
 %! assert (rows (found.inputs), 10);
-%! [found, told] = of (first.store, {'a', 'e'}, struct ('b', 6));
+%! [found, tally] = of (first.store, {'a', 'e'}, struct ('b', 6));
 %! assert (found.inputs, [5, 0; 7, 0; 5, 0; 7, 0]);

@@ -1,98 +1,53 @@
 % FINDRUNS  Finds the runs of a list of jobs that are in the store already.
 %
-% CALL: RECORDS = findRuns (JOBS, CASE)
+% CALL: RUNS = findRuns (JOBS, CASE)
 %
-%   JOBS     1 x n struct array, see newJobs
-%   CASE     see newCase
-%   RECORDS  1 x n cell: the record of the run with the job's key, or a struct
-%            with the field folder alone where its simulation has ended but
-%            was not evaluated, or [] where it must be run
+%   JOBS  1 x n struct array, see newJobs
+%   CASE  see newCase
+%   RUNS  1 x n cell, see readRun: the run with the job's key, or []
 %
 % Of several runs with one key the first of these: ok, ended without a valid
 % result, ended but not evaluated, failed.
 
-function records = findRuns (jobs, Case)
-  records = cell (1, numel (jobs));
-  h = [];
+function runs = findRuns (jobs, Case)
+  runs = cell (1, numel (jobs));
+  Case.hashes = hashModels (Case);
   for model = unique ({jobs.model})
     mine = find (strcmp ({jobs.model}, model{1}));
-    isShared = ~strcmp (Case.store, Case.folder);
-    if isempty (h) && isShared
-      h = hashModels (Case);
-    end
-    own = strcmp (model{1}, {Case.models.name});
-    names = runFoldersOf (Case, model{1}, h(own & isShared), jobs(mine));
-    found = scan (fullfile (Case.store, 'optim', model{1}), names);
-    if isempty (found.keys)
-      continue
-    end
-    if isempty (h) && ~all (ismember ({jobs(mine).key}, found.keys))
-      h = hashModels (Case);
-    end
+    h = Case.hashes(strcmp ({Case.models.name}, model{1}));
+    names = runFoldersOf (Case, model{1}, jobs(mine));
+    [found, keys, worth] = scan (fullfile (Case.store, 'optim', model{1}), ...
+                                 names);
     for i = mine
-      keys = {jobs(i).key, olderKey(jobs(i), Case, h, found.keys)};
-      hits = find (ismember (found.keys, keys));
+      hits = find (strcmp (keys, jobs(i).key));
+      if isempty (hits) && ~isempty (h.older)
+        [~, older] = runKey (runVariables (jobs(i), Case), Case.effectVars, h);
+        hits = find (strcmp (keys, older));
+      end
       if ~isempty (hits)
-        [~, best] = max (found.worth(hits));
-        records{i} = found.records{hits(best)};
+        [~, best] = max (worth(hits));
+        runs{i} = found{hits(best)};
       end
     end
   end
 end
 
-% Key that earlier versions gave to a job that is not among those KNOWN.
-function key = olderKey (job, Case, h, known)
-  key = 'none';
-  if ~ismember (job.key, known)
-    isOfModel = strcmp (job.model, {Case.models.name});
-    [~, older] = runKey (runVariables (job, Case), Case.effectVars, ...
-                         h(isOfModel));
-    if ~isempty (older)
-      key = older;
-    end
-  end
-end
-
-function found = scan (place, names)
-  n = numel (names);
-  found = struct ('keys', {cell(1, n)}, 'records', {cell(1, n)}, ...
-                  'worth', zeros (1, n));
-  for i = 1:n
-    folder = fullfile (place, names{i});
-    record = readRecord (fullfile (folder, 'record.json'));
-    if isempty (record)
-      [record, found.keys{i}] = unevaluated (folder);
-      found.worth(i) = 2 * ~isempty (record);
-    else
-      record.folder = folder;
-      found.keys{i} = record.key;
-      found.worth(i) = 1 + 3 * strcmp (record.status, 'ok') + ...
-                       2 * strcmp (record.status, 'invalid');
-    end
-    found.records{i} = record;
-  end
-end
-
-function [record, key] = unevaluated (folder)
-  record = [];
-  key = '';
-  job = unevaluatedJob (folder);
-  if ~isempty (job)
-    key = job.key;
-    record = struct ('folder', folder);
+function [runs, keys, worth] = scan (place, names)
+  runs = cellfun (@(name) readRun ([place, '/', name]), names, ...
+                  'UniformOutput', false);
+  keys = repmat ({''}, size (names));
+  worth = zeros (size (names));
+  for i = find (~cellfun (@isempty, runs))'
+    keys{i} = runs{i}.key;
+    status = givenField (runs{i}, 'status', 'ended');
+    worth(i) = 1 + [3, 2, 1] * strcmp (status, {'ok'; 'invalid'; 'ended'});
   end
 end
 
 %!test
 %! % a run that was found under the build, though its model does not call it
 %! Case = newCase (standInCase (tempname ()));
-%! before = getenv ('PATH');
-%! restore = onCleanup (@() setenv ('PATH', before));
-%! bin = tempname ();
-%! mkdir (bin);
-%! writeAtomic (fullfile (bin, 'liggghts'), 'a build');
-%! system (['chmod +x ', fullfile(bin, 'liggghts')]);
-%! setenv ('PATH', [bin, ':', before]);
+%! tidy = slurmFake ('', '', {'liggghts', 'other'});
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! h = hashModels (Case)(2);
 %! old = job;
@@ -102,7 +57,7 @@ end
 %! assert (findRuns (job, Case){1}.key, old.key);
 %! assert ([runsOfCase(Case).isCurrent], true);
 %! % cron has no HOME, and the build is not found: the same runs all the same
-%! setenv ('PATH', before);
+%! clear tidy
 %! assert (strcmp (newJobs (Case, [1, 2], [], 1, 'plan')(2).key, job.key));
 %!test
 %! % a simulation that ended but was not evaluated goes before one that failed
@@ -116,4 +71,4 @@ end
 %!     failedRecord (job, folder, status{1}, 'too slow', 'time');
 %!   end
 %! end
-%! assert (findRuns (job, Case){1}, struct ('folder', folder));
+%! assert (findRuns (job, Case){1}.folder, folder);

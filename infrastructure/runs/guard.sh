@@ -95,7 +95,10 @@ setsid bash ./runscript > stdout.txt 2> stderr.txt < /dev/null &
 run=$!
 trap 'why=timeout; end_session' USR1
 trap 'why=killed; end_session' TERM INT HUP
-echo "$$ $run $(mark)" > pid || end_session    # a full disk: without a mark, too
+if ! echo "$$ $run $(mark)" > pid; then        # a full disk
+  why=killed
+  end_session
+fi
 watcher &
 watching=$!
 

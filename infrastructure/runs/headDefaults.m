@@ -35,7 +35,6 @@ end
 %! assert (d.a, 7);
 %! assert (isnan (d.b));
 %! assert (sort (fieldnames (d)), {'a'; 'b'});
-%! unlink (file);
 %!test
 %! file = tempname ();
 %! other = [file, '.effects'];
@@ -43,7 +42,5 @@ end
 %! writeAtomic (other, "variable glue equal 3\nvariable a equal 1\n");
 %! writeAtomic (file, ["include ", base, ending, "\nvariable a equal 2\n"]);
 %! d = headDefaults (file);
-%! unlink (file);
-%! unlink (other);
 %! assert ([d.glue, d.a], [3, 2]);
 %!error id=DEcalioc:headDefaults:missingFile headDefaults ('/nowhere')

@@ -1,6 +1,6 @@
 % IMPORTEXISTING  Takes in runs that exist: of a shared store and of runs.csv.
 %
-% CALL: [DATA, REST, TOLD] = importExisting (CASE, PROBLEM, SAY)
+% CALL: [DATA, REST, TALLY] = importExisting (CASE, PROBLEM, SAY)
 %       importExisting (CASE, PROBLEM, SAY, true)    only looks, see libraryRuns
 %
 %   CASE  see newCase;  PROBLEM  see newProblem
@@ -9,30 +9,33 @@
 %         nothing. Rows of runs.csv with an effect switched on are left out:
 %         they belong to the diagnosis; of more than 1000, those of thinRuns are
 %         taken
-%   REST  struct X, Z, E: the others, which tell what is lost with them
-%   TOLD  see libraryRuns
+%   REST  as DATA: the others, which tell what is lost with them
+%   TALLY  see libraryRuns
 
-function [data, rest, told] = importExisting (Case, problem, say, varargin)
+function [data, rest, tally] = importExisting (Case, problem, say, varargin)
   [data, rest] = ofTable (Case, problem, say);
   whole = Case;
   Case.effects = [];                     % those of the diagnosis are off
   Case.effectVars = {Case.coarse.variable};
-  [own, told, left] = libraryRuns (Case, problem, varargin{:});
-  for name = fieldnames (own)'
-    data.(name{1}) = [own.(name{1}); data.(name{1})];
-  end
-  for name = fieldnames (left)'
-    rest.(name{1}) = [rest.(name{1}); left.(name{1})];
-  end
+  [found, tally, left] = libraryRuns (Case, problem, varargin{:});
+  data = joined (found, data);
+  rest = joined (rest, left);
   if isempty (varargin)
-    sayOldRuns (whole, say, told);
+    sayOldRuns (whole, say, tally);
+  end
+end
+
+function both = joined (first, second)
+  both = first;
+  for name = fieldnames (first)'
+    both.(name{1}) = [first.(name{1}); second.(name{1})];
   end
 end
 
 function [data, rest] = ofTable (Case, problem, say)
   v = numel (Case.coarse);
   data = newData (numel (Case.names), numel (Case.targets), v);
-  rest = struct ('X', data.X, 'Z', data.Z, 'E', data.E);
+  rest = data;
   file = fullfile (Case.folder, 'runs.csv');
   if ~isfile (file)
     return
@@ -45,11 +48,9 @@ function [data, rest] = ofTable (Case, problem, say)
                 sum (isPlain), sum (~isPlain)));
   found = keepRows (found, isPlain);
   [use, text] = thinRuns (found, problem, 1000);
-  rest = struct ('X', found.X(~use, :), 'Z', found.Z(~use, :), ...
-                 'E', found.E(~use, 1:v));
-  found = keepRows (found, use);
-  data = addRows (data, found.X, found.Z, found.replicate, 'import', ...
-                  found.E(:, 1:v));
+  found.E = found.E(:, 1:v);
+  data = keepRows (found, use);
+  rest = keepRows (found, ~use);
   if ~isempty (text)
     say (['  WARNING: ', text]);
   end
@@ -79,10 +80,10 @@ end
 %! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
 %!   ["model,seed,a,b,First_1,First_2,Second_1\n", ...
 %!    "First,1,7,2,9,14,\nSecond,1,7,2,,,5\n"]);
-%! [data, ~, told] = importExisting (Case, newProblem (Case), @(text) []);
+%! [data, ~, tally] = importExisting (Case, newProblem (Case), @(text) []);
 %! assert (data.X, [1, 2; 3, 4; 7, 2]);
 %! assert (data.stage, {'library'; 'library'; 'import'});
-%! assert (told.used, 4);
+%! assert (tally.used, 4);
 %!test
 %! % more rows than a surrogate holds: a part is taken, and that is said
 %! Case = newCase (standInCase (tempname ()));

@@ -25,18 +25,17 @@ function [data, ignored] = importRuns (file, Case)
   table = struct ('file', file, 'lines', lines, 'cells', {cells});
   model = modelNumbers (table, column.model, Case);
   X = numbers (table, column.names, Case.names);
-  if any (isnan (X(:)))
-    bad = find (any (isnan (X), 2), 1);
+  bad = find (any (isnan (X), 2), 1);
+  if ~isempty (bad)
     error ('DEcalioc:importRuns:badValue', ...
            'importRuns: line %d of %s must give every design variable.', ...
            lines(bad), file);
   end
-  E = repmat (neutralEffects (Case), rows (X), 1);
   given = column.effects > 0;
-  values = numbers (table, column.effects(given), Case.effectVars(given));
-  kept = E(:, given);
-  values(isnan (values)) = kept(isnan (values));
-  E(:, given) = values;
+  E = NaN (rows (X), numel (given));
+  E(:, given) = numbers (table, column.effects(given), Case.effectVars(given));
+  neutral = repmat (neutralEffects (Case), rows (X), 1);
+  E(isnan (E)) = neutral(isnan (E));
   targets = numbers (table, column.targets, {Case.targets.name});
   seed = NaN (rows (X), 1);
   if column.seed > 0
@@ -75,25 +74,25 @@ function [column, ignored] = findColumns (header, Case, file)
   ignored = setdiff (header, known);
 end
 
-function model = modelNumbers (table, at, Case)
+function model = modelNumbers (table, column, Case)
   names = {Case.models.name};
-  if at == 0
+  if column == 0
     model = ones (rows (table.cells), 1);
     return
   end
-  [found, model] = ismember (table.cells(:, at), names);
+  [~, model] = ismember (table.cells(:, column), names);
   model = reshape (model, [], 1);
-  if ~all (found)
-    bad = find (~found, 1);
+  bad = find (model == 0, 1);
+  if ~isempty (bad)
     error ('DEcalioc:importRuns:unknownName', ...
            'importRuns: model in line %d of %s must be one of %s, got %s.', ...
            table.lines(bad), table.file, strjoin (names, ', '), ...
-           table.cells{bad, at});
+           table.cells{bad, column});
   end
 end
 
-function values = numbers (table, at, names)
-  texts = table.cells(:, at);
+function values = numbers (table, column, names)
+  texts = table.cells(:, column);
   values = reshape (str2double (texts), size (texts));
   blank = cellfun ('isempty', texts);
   wrong = isnan (values) & ~blank & ~strcmpi (texts, 'nan') & ...
@@ -102,11 +101,10 @@ function values = numbers (table, at, names)
   if any ([texts{:}] == ',')
     wrong = wrong | ~cellfun ('isempty', strfind (texts, ','));
   end
-  wrong = wrong | imag (values) ~= 0;
+  [row, col] = find (wrong | imag (values) ~= 0, 1);
   values = real (values);
   values(isinf (values)) = NaN;
-  if any (wrong(:))
-    [row, col] = find (wrong, 1);
+  if ~isempty (row)
     error ('DEcalioc:importRuns:badValue', ...
            ['importRuns: %s in line %d of %s must be a number with a ' ...
             'decimal point, no complex one, got ''%s''.'], ...
@@ -114,23 +112,49 @@ function values = numbers (table, at, names)
   end
 end
 
-%!function data = imported (text)
-%!  Case = newCase (standInCase (tempname ()));
+%!function [data, ignored] = imported (text, isEffect)
+%!  raw = standInCase (tempname ());
+%!  Case = newCase (raw);
+%!  if nargin > 1
+%!    Case.effectVars = {'coh'};
+%!    Case.effects = struct ('neutral', 5);
+%!  end
 %!  file = fullfile (Case.folder, 'runs.csv');
-%!  writeAtomic (file, ["model;a;b;First_1;First_2;Second_1\n", text]);
-%!  data = importRuns (file, Case);
+%!  writeAtomic (file, text);
+%!  [data, ignored] = importRuns (file, Case);
 %!endfunction
-%!assert (imported ("First;0,5;2;3;4;\n").X, [0.5, 2])
-%!error id=DEcalioc:importRuns:badValue imported ("First;1.234,5;2;3;4;\n")
-%!error id=DEcalioc:importRuns:badValue imported ("First;1+2i;2;3;4;\n")
-%!error id=DEcalioc:importRuns:badValue imported ("First;3i;2;3;4;\n")
+%!shared head
+%! head = "model;a;b;First_1;First_2;Second_1\n";
+%!assert (imported ([head, "First;0,5;2;3;4;\n"]).X, [0.5, 2])
 %!test
-%! data = imported ("First;0,5;2;3;4;\n;;;;;\nFirst;0,5;2;3;5;\n;;;\n");
+%! data = imported ([head, "First;0,5;2;3;4;\n;;;;;\nFirst;0,5;2;3;5;\n;;;\n"]);
 %! assert (data.replicate, [1; 2]);
 %! assert (data.Z(:, 2), [4; 5]);
+%!test
+%! % other order, no effects, a comment column, an exact repeat
+%! [data, ignored] = imported ( ...
+%!   ["note,Second_1,a,b,First_1,First_2,model,seed\n", ...
+%!    "x,30,1,2,,,Second,7\n", "x,30,1,2,,,Second,7\n", ...
+%!    ",31,1,2,,,Second,8\n", "y,,1,2,5,6,First,9\n"], true);
+%! assert (ignored, {'note'});
+%! assert (data.X, [1, 2; 1, 2]);
+%! assert (data.E, [5; 5]);
+%! assert (isequaln (data.Z, [5, 6, 30; NaN, NaN, 31]));
+%!test
+%! commas = strrep (head, ';', ',');
+%! for bad = {"model,a,First_1,First_2,Second_1\n", 'missingField'; ...
+%!            [commas, "X,1,2,,,3\n"], 'unknownName'; ...
+%!            [commas, "Second,a,2,,,3\n"], 'badValue'; ...
+%!            [commas, "First,1.234,5,2,3+2i,4\n"], 'badValue'; ...
+%!            [commas, "First,3i,2,3,4,\n"], 'badValue'; ...
+%!            [commas, "First,\"0,5\",2,3,4,\n"], 'badValue'}'
+%!   id = '';
+%!   try
+%!     imported (bad{1});
+%!   catch err
+%!     id = err.identifier;
+%!   end
+%!   assert (id, ['DEcalioc:importRuns:', bad{2}]);
+%! end
 %!error id=DEcalioc:importRuns:badValue
-%! Case = newCase (standInCase (tempname ()));
-%! file = fullfile (Case.folder, 'runs.csv');
-%! writeAtomic (file, ["model,a,b,First_1,First_2,Second_1\n", ...
-%!                     "First,\"0,5\",2,3,4,\n"]);
-%! importRuns (file, Case);
+%! imported ([head, "First;1.234,5;2;3;4;\n"]);

@@ -7,8 +7,6 @@
 % LIMITS  2 x d  box
 % BEYOND  share of the box that a set may lie beyond a limit (0)
 % ISIN    n x 1  logical, which rows
-%
-% See also: findConflict, surestSet, newPlan
 
 function [X, isIn] = insideLimits (X, limits, beyond)
   if nargin > 2

@@ -12,16 +12,12 @@
 %           (replicate 2, 3 ...); an exact repeat, same seed and results, counts
 %           once
 %   ROW     n x 1, number of the row of each run; 0: an exact repeat
-%
-% See also: importRuns, libraryRuns
 
 function [data, row] = joinModels (inputs, model, seed, Z, Case)
   whole = [inputs, model, seed, Z];
   whole(isnan (whole)) = pi * 1e300;
   [~, once] = unique (whole, 'rows', 'first');
-  once = sort (once);
-  once = [once; find(isnan (seed))];
-  keep = unique (once);
+  keep = unique ([once(:); find(isnan (seed))]);
   [inputs, model, Z] = deal (inputs(keep, :), model(keep), Z(keep, :));
   [~, ~, group] = unique (inputs, 'rows', 'first');
   n = rows (inputs);
@@ -40,8 +36,8 @@ function [data, row] = joinModels (inputs, model, seed, Z, Case)
   data.E = inputs(first(order), d + 1:end);
   data.Z = NA (numel (first), columns (Z));
   for k = 1:numel (Case.models)
-    own = [Case.targets.model] == k;
-    data.Z(row(model == k), own) = Z(model == k, own);
+    isOfModel = [Case.targets.model] == k;
+    data.Z(row(model == k), isOfModel) = Z(model == k, isOfModel);
   end
   data.replicate = replicate(first(order));
   data.stage = repmat ({'import'}, numel (first), 1);

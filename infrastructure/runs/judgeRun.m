@@ -4,7 +4,7 @@
 %
 %   JOB     see newJobs
 %   FOLDER  run folder with an end mark
-%   CASE    see newCase; root, store and models are read
+%   CASE    see newCase; store, models and hashes (see hashModels) are read
 %   RECORD  see newRecord, with the status 'ok' where getResults can be called
 %   PLACE   see evaluateRun; its limit is the model's Input.timeout, without it
 %           20 times as long as the simulation took, at least 10 minutes
@@ -17,29 +17,16 @@ function [record, place] = judgeRun (job, folder, Case)
   model = Case.models(k);
   [~, name] = fileparts (folder);
   record = judgeEnd (newRecord (job, folder));
-  record.funs = hashOfFuns (model);
+  record.funs = hashModels (Case)(k).funs;
   place = struct ('base', Case.store, 'name', name, ...
                   'funs', fullfile (model.folder, 'OctaveFuns'), ...
-                  'count', model.nTargets, ...
-                  'limit', evaluationLimit (model, record));
-  if isfield (model, 'readings') && ~isempty (model.readings)
+                  'count', model.nTargets, 'limit', model.timeout);
+  if isnan (place.limit)
+    place.limit = max (600, 20 * record.seconds);
+  end
+  if ~isempty (model.readings)
     place.readings = model.readings;
     place.info = resultInfo (model.folder);
-  end
-end
-
-function key = hashOfFuns (model)
-  if isfield (model, 'funs')
-    key = model.funs;
-  else
-    key = hashEvaluation (model);
-  end
-end
-
-function seconds = evaluationLimit (model, record)
-  seconds = model.timeout;
-  if isnan (seconds)
-    seconds = max (600, 20 * record.seconds);
   end
 end
 
@@ -48,11 +35,14 @@ function record = judgeEnd (record)
   record.seconds = mark.seconds;
   output = tailOf (fullfile (record.folder, 'stdout.txt'));
   wasStopped = ~isempty (strfind (output, 'SIGINT/SIGTERM caught'));
+  % by HUP, INT, KILL or TERM. A crash (SEGV, ABRT, FPE) is the program's own
+  % and would come again with the same seed
+  fromOutside = ismember (mark.code, 128 + [1, 2, 9, 15]);
   if strcmp (mark.reason, 'timeout')
     record = blame (record, 'timeout', 'time', ...
                     sprintf ('ended at its time limit after %g s', ...
                              mark.seconds));
-  elseif strcmp (mark.reason, 'killed') || wasStopped || fromOutside (mark)
+  elseif strcmp (mark.reason, 'killed') || wasStopped || fromOutside
     record = blame (record, 'failed', 'killed', ...
                     sprintf ('ended from outside (exit status %d)', ...
                              mark.code));
@@ -65,12 +55,6 @@ function record = judgeEnd (record)
   else
     record.status = 'ok';
   end
-end
-
-% Ended by HUP, INT, KILL or TERM. A crash (SEGV, ABRT, FPE) is the program's
-% own and would come again with the same seed.
-function yes = fromOutside (mark)
-  yes = ismember (mark.code, 128 + [1, 2, 9, 15]);
 end
 
 function record = blame (record, status, cause, message)

@@ -2,7 +2,7 @@
 %
 % CALL: DATA = keepRows (DATA, WHICH)
 %
-% DATA   struct of newData, n rows
+% DATA   struct of newData, n rows; or any whose fields have n rows
 % WHICH  n x 1 logical, or row numbers
 
 function data = keepRows (data, which)

@@ -1,6 +1,6 @@
 % LIBRARYRUNS  Runs of a shared store that are samples of this case.
 %
-% CALL: [DATA, TOLD, REST] = libraryRuns (CASE, PROBLEM)
+% CALL: [DATA, TALLY, REST] = libraryRuns (CASE, PROBLEM)
 %       [...] = libraryRuns (CASE, PROBLEM, true)   only looks, writes nothing
 %
 %   CASE  see newCase, without effects;  PROBLEM  see newProblem
@@ -8,25 +8,23 @@
 %         LIGGGHTS that differ from those of the case in nothing but design
 %         variables, levels and seed; chosen by nearRows. Empty where
 %         Input.store is the case folder
-%   TOLD  struct: used (runs), origin (1 x c cell of case folders), count (1 x
+%   TALLY  struct: used (runs), origin (1 x c cell of case folders), count (1 x
 %         c), passed (1 x p struct model, why, count: runs that another
 %         value of a variable shuts out), other (1 x o struct model, number,
 %         count: runs of another rig or build, and the newest of them)
-%   REST  struct X, Z, E: rows in reach that a surrogate cannot hold
+%   REST  as DATA: rows in reach that a surrogate cannot hold
 %
 % Which runs were taken is kept in results/library.csv: later starts of the same
 % input take the same ones, so that they find their own runs again. Each is
 % read from its record; the index only says where to look. Runs that another
 % getResults evaluated are evaluated again, 300 at most.
-%
-% See also: readLibrary, joinModels, nearRows, trustLibrary, importExisting
 
-function [data, told, rest] = libraryRuns (Case, problem, isLook)
-  d = numel (Case.names);
-  v = numel (Case.effectVars);
-  data = newData (d, numel (Case.targets), v);
-  rest = struct ('X', data.X, 'Z', data.Z, 'E', data.E);
-  told = struct ('used', 0, 'origin', {{}}, 'count', []);
+function [data, tally, rest] = libraryRuns (Case, problem, isLook)
+  data = newData (numel (Case.names), numel (Case.targets), ...
+                  numel (Case.effectVars));
+  rest = data;
+  tally = struct ('used', 0, 'origin', {{}}, 'count', []);
+  isLook = nargin > 2 && isLook;
   isThere = cellfun (@isfolder, {Case.models.folder});
   if strcmp (Case.store, Case.folder) || ~all (isThere)
     return
@@ -36,39 +34,31 @@ function [data, told, rest] = libraryRuns (Case, problem, isLook)
   [fixed, mark] = fixedRuns (file, Case, h);
   again = repmat ({zeros(0, 2)}, 1, numel (Case.models));
   for attempt = 1:3
-    [found, told] = familyRuns (Case, h, again);
+    [found, tally] = familyRuns (Case, h, again);
     [table, row] = joinModels (found.inputs, found.run(:, 1), ...
                                found.run(:, 3), found.Z, Case);
-    found = cut (found, row > 0);
+    found = keepRows (found, row > 0);
     row = row(row > 0);
     [use, table] = chosen (table, row, found.run, problem, fixed);
-    taken = cut (found, use(row));
-    again = changed (taken, Case, h, nargin > 2);
-    if all (cellfun (@isempty, again)) || nargin > 2
+    taken = keepRows (found, use(row));
+    again = changed (taken, Case, h, isLook);
+    if isLook || all (cellfun (@isempty, again))
       break
     end
   end
-  if ~all (cellfun (@isempty, again)) && nargin < 3
+  if ~isLook
     lost = ismember (found.run(:, 1:2), vertcat (again{:}), 'rows');
     use(row(lost)) = false;
-    taken = cut (found, use(row));
+    taken = keepRows (found, use(row));
   end
   data = keepRows (table, use);
   [~, reach] = insideLimits (table.X, problem.limits, 0.5);
-  left = reach & ~use;
-  rest = struct ('X', table.X(left, :), 'Z', table.Z(left, :), ...
-                 'E', table.E(left, :));
-  told.used = rows (taken.run);
-  [told.origin, ~, which] = unique (taken.origin);
-  told.count = accumarray (which(:), 1)';
-  if nargin < 3
+  rest = keepRows (table, reach & ~use);
+  tally.used = rows (taken.run);
+  [tally.origin, ~, which] = unique (taken.origin);
+  tally.count = accumarray (which(:), 1)';
+  if ~isLook
     keepList (file, mark, taken, Case);
-  end
-end
-
-function found = cut (found, which)
-  for name = fieldnames (found)'
-    found.(name{1}) = found.(name{1})(which, :);
   end
 end
 
@@ -118,12 +108,12 @@ function r = recordOf (run, Case)
 end
 
 function yes = agrees (r, run, z, k, Case)
-  own = [Case.targets.model] == k;
-  at = [Case.targets(own).index];
+  isOfModel = [Case.targets.model] == k;
+  index = [Case.targets(isOfModel).index];
   yes = strcmp (r.status, {'ok', 'invalid', 'failed'}{run(5)}) && ...
         sscanf (r.key(1:7), '%x') == run(6);
-  if yes && run(5) == 1 && numel (r.results) >= max (at)
-    yes = isequaln (r.results(at), z(own));
+  if yes && run(5) == 1 && numel (r.results) >= max (index)
+    yes = isequaln (r.results(index), z(isOfModel));
   end
 end
 
@@ -167,12 +157,12 @@ end
 %!test
 %! % those in the box or near it; the second packing of a set is another row
 %! [Case, problem] = another (store);
-%! [data, told] = libraryRuns (Case, problem, true);
+%! [data, tally] = libraryRuns (Case, problem, true);
 %! assert (~isfolder (fullfile (Case.folder, 'results')));
 %! assert (sortrows ([data.X, data.Z, data.replicate]), ...
 %!         [3, 4, 7, 12, -1, 1; 5, 6, 11, 30, -1, 1; ...
 %!          9, 9, 18, 81, 0, 1; 9, 9, 18, 81, 0, 2], 1e-12);
-%! assert ({told.used, told.count, told.origin}, {8, 8, {store}});
+%! assert ({tally.used, tally.count, tally.origin}, {8, 8, {store}});
 %! assert (unique (data.stage), {'library'});
 %! % the next start takes the same ones, though there are more by then
 %! again = libraryRuns (Case, problem);
@@ -203,9 +193,9 @@ end
 %! assert (sorted (data), sorted (clean), 1e-9);
 %! head = fullfile (Case.models(2).folder, 'data.head');
 %! writeAtomic (head, [fileread(head), "\n"]);
-%! [data, told] = libraryRuns (Case, problem);
+%! [data, tally] = libraryRuns (Case, problem);
 %! assert (all (isna (data.Z(:, 3))));
-%! assert ([told.other.model], 2);
+%! assert ([tally.other.model], 2);
 %! % by itself it is no library
 %! Case.store = Case.folder;
 %! assert (isempty (libraryRuns (Case, problem).X));

@@ -10,16 +10,13 @@
 %            of more than 300 those of thinRuns
 %
 % What is gained by more: docs/benchmarks.md, The next material.
-%
-% See also: libraryRuns, insideLimits, thinRuns
 
 function use = nearRows (table, problem, beyond)
   if nargin < 3 || isempty (beyond)
     beyond = 0.5;
   end
-  most = 300;
   [~, use] = insideLimits (table.X, problem.limits, beyond);
-  use(use) = thinRuns (keepRows (table, use), problem, most);
+  use(use) = thinRuns (keepRows (table, use), problem, 300);
 end
 
 %!test

@@ -2,7 +2,6 @@
 %
 % CALL: E = neutralEffects (CASE)
 %
-%   CASE  see newCase
 %   E     1 x v, columns as CASE.effectVars; effects of the laboratory act on
 %         results and have no variables
 
@@ -12,9 +11,8 @@ function E = neutralEffects (Case)
     E = [E, coarse.levels(end)];
   end
   for k = 1:numel (Case.effects)
-    effect = Case.effects(k);
-    if ~(isfield (effect, 'laboratory') && effect.laboratory)
-      E = [E, effect.neutral(:)'];
+    if ~givenField (Case.effects(k), 'laboratory', false)
+      E = [E, Case.effects(k).neutral(:)'];
     end
   end
 end

@@ -17,6 +17,5 @@ end
 
 %!test
 %! data = newData (3, 2);
-%! assert (size (data.X), [0, 3]);
-%! assert (size (data.Z), [0, 2]);
-%! assert (size (data.E), [0, 0]);
+%! assert ({size(data.X), size(data.Z), size(data.E)}, ...
+%!         {[0, 3], [0, 2], [0, 0]});

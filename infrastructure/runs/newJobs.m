@@ -2,7 +2,6 @@
 %
 % CALL: JOBS = newJobs (CASE, P, E, REPLICATE, STAGE)
 %
-%   CASE       see newCase
 %   P          n x d parameter sets
 %   E          n x v effect values, columns as CASE.effectVars; [] = neutral
 %   REPLICATE  n x 1 or scalar, number of the replicate (1, 2, ...)

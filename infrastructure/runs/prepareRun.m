@@ -18,14 +18,13 @@ function folder = prepareRun (job, Case, folder)
     folder = takeRunFolder (Case.store, job.model);
   end
   copyModel (folder, Case.models(k).folder);
-  appendVariables (folder, runVariables (job, Case));
+  head = fullfile (folder, 'data.head');
+  writeAtomic (head, [fileread(head), "\n", ...
+                      headLines(runVariables (job, Case))], false);
   writeSet (folder, job.params, job.planRow);
   writeAtomic (fullfile (folder, 'cpu'), ...
                sprintf ("%d\n", Case.models(k).cpu), false);
-  limit = Case.models(k).timeout;
-  if isnan (limit)
-    limit = defaultLimit (Case.models(k));
-  end
+  limit = max (Case.models(k).timeout, defaultLimit (Case.models(k)));
   if ~isnan (limit)
     writeAtomic (fullfile (folder, 'limit'), sprintf ("%d\n", ceil (limit)), ...
                  false);

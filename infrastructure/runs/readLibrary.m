@@ -20,8 +20,6 @@
 % else: what it lacks is read, and where it is missing or torn it is made anew.
 % Two that write it at once lose nothing: the next reader finds what is missing.
 % Who uses a run looks into its record (libraryRuns).
-%
-% See also: libraryRuns, runFoldersOf, sayLibrary
 
 function kinds = readLibrary (store, model, h, again)
   if nargin < 4
@@ -88,22 +86,17 @@ function line = lineOf (folder, number, h)
   if isempty (r) || ~isfield (r, 'key')
     return
   end
-  line = struct ('input', '', 'funs', r.funs, 'origin', '', 'names', '', ...
-                 'run', []);
+  % to be tried again with another rig
+  [input, text, origin] = deal ('', '', ['?', h.input]);
   if isfield (r, 'variables')
-    [line.input, text, line.origin] = deal (r.input, r.variables, r.origin);
-  else
-    line.origin = ['?', h.input];         % to be tried again with another rig
-    text = '';
-    if isfield (h, 'defaults')
-      text = provenVariables (r, folder, h);
-    end
+    [input, text, origin] = deal (r.input, r.variables, r.origin);
+  elseif isfield (h, 'defaults')
+    text = provenVariables (r, folder, h);
     if ~isempty (text)
-      line.input = h.input;
-      line.origin = '';
+      [input, origin] = deal (h.input, '');
     end
   end
-  line.names = strjoin (regexp (text, '\w+(?==)', 'match'), ' ');
+  names = strjoin (regexp (text, '\w+(?==)', 'match'), ' ');
   values = sscanf (regexprep (text, '\|\w+=', ' '), '%f')';
   states = struct ('ok', 1, 'invalid', 2, 'failed', 3, 'forgotten', -1);
   state = 0;
@@ -112,8 +105,10 @@ function line = lineOf (folder, number, h)
   end
   cpu = str2double (checkReadText ([folder, '/cpu']));
   head = sscanf (r.key(1:7), '%x');
-  line.run = [number, state, head, r.seconds * max(cpu, 1), r.seed, ...
-              r.replicate, values, r.results];
+  line = struct ('input', input, 'funs', r.funs, 'origin', origin, ...
+                 'names', names, 'runs', ...
+                 [number, state, head, r.seconds * max(cpu, 1), r.seed, ...
+                  r.replicate, values, r.results]);
 end
 
 % Of a record that does not say it: its data.head ends in all its variables, in
@@ -127,12 +122,12 @@ function text = provenVariables (r, folder, h)
   last = find (strcmp (found(:, 1), 'runSeed'), 1, 'last');
   found = found(1:last, :);
   for first = 1:rows (found)
-    own = struct ();
+    variables = struct ();
     for pair = found(first:end, :)'
-      own.(pair{1}) = str2double (pair{2});
+      variables.(pair{1}) = str2double (pair{2});
     end
-    for off = {{}, fieldnames(own)'}
-      [key, older, words] = runKey (own, off{1}, h);
+    for off = {{}, fieldnames(variables)'}
+      [key, older, words] = runKey (variables, off{1}, h);
       if any (strcmp (r.key, {key, older}))
         text = words;
         return
@@ -142,30 +137,19 @@ function text = provenVariables (r, folder, h)
 end
 
 function kinds = withLines (kinds, found)
-  place = containers.Map ('KeyType', 'char', 'ValueType', 'double');
+  every = [kinds, found];
+  marks = arrayfun (@markOf, every, 'UniformOutput', false);
+  [~, first, group] = unique (marks, 'first');
+  [first, order] = sort (first);
+  kinds = every(first);
   for k = 1:numel (kinds)
-    place(signOf (kinds(k), columns (kinds(k).runs))) = k;
-  end
-  number = zeros (1, numel (found));
-  for i = 1:numel (found)
-    sign = signOf (found(i), columns (found(i).run));
-    if ~isKey (place, sign)
-      k = numel (kinds) + 1;
-      kinds(k) = struct ('input', found(i).input, 'funs', found(i).funs, ...
-                         'origin', found(i).origin, 'names', found(i).names, ...
-                         'runs', zeros (0, columns (found(i).run)));
-      place(sign) = k;
-    end
-    number(i) = place(sign);
-  end
-  for k = unique (number)
-    kinds(k).runs = vertcat (kinds(k).runs, found(number == k).run);
+    kinds(k).runs = vertcat (every(group == order(k)).runs);
   end
 end
 
-function text = signOf (kind, nColumns)
+function text = markOf (kind)
   text = sprintf ('%s|%s|%s|%s|%d', kind.input, kind.funs, kind.origin, ...
-                  kind.names, nColumns);
+                  kind.names, columns (kind.runs));
 end
 
 %!shared Case, h
@@ -185,7 +169,6 @@ end
 %! more = readLibrary (Case.store, 'First', h);
 %! assert (rows (more.runs), 3);
 %! assert (readLibrary (Case.store, 'First', h), more);
-%! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fullfile (Case.store, 'optim', 'First', '0003'), 's');
 %! assert (rows (readLibrary (Case.store, 'First', h).runs), 2);
 %!test

@@ -37,4 +37,3 @@ end
 %!   writeAtomic (file, broken{1});
 %!   assert (isempty (readRecord (file)));
 %! end
-%! unlink (file);

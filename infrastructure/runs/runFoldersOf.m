@@ -1,40 +1,35 @@
 % RUNFOLDERSOF  Run folders of a model that a case must look into.
 %
-% CALL: NAMES = runFoldersOf (CASE, MODEL, H)           those of this case
-%       NAMES = runFoldersOf (CASE, MODEL, H, JOBS)     those with their keys
-%       NAMES = runFoldersOf (CASE, MODEL, H, 'model')  those of the same model
+% CALL: NAMES = runFoldersOf (CASE, MODEL)           those of this case
+%       NAMES = runFoldersOf (CASE, MODEL, JOBS)     those with their keys
+%       NAMES = runFoldersOf (CASE, MODEL, 'model')  those of the same model
 %
 %   CASE   see newCase;  MODEL  name of the model (text)
-%   H      element of hashModels for it ([]: found here)
 %   JOBS   1 x n struct array, see newJobs
 %   NAMES  n x 1 cell; all where Input.store is the case folder, else without
 %          those of which the index of the store knows that they are others, or
 %          (of the model) have no result
-%
-% See also: listRunFolders, readLibrary, findRuns, runsOfCase, gatherRuns
 
-function names = runFoldersOf (Case, model, h, jobs)
+function names = runFoldersOf (Case, model, jobs)
   names = listRunFolders (Case.store, model);
   k = strcmp (model, {Case.models.name});
   if strcmp (Case.store, Case.folder) || ~isfolder (Case.models(k).folder)
     return
   end
-  if isempty (h)
-    h = hashModels (Case)(k);
-  end
+  h = hashModels (Case)(k);
   isOther = @(kind) kind.origin(1) ~= '?' && ...
                     ~strcmp (kind.origin, Case.folder);
-  if nargin > 3 && ischar (jobs)
-    own = {h.input, h.older, ''};
-    isOther = @(kind) ~any (strcmp (kind.input, own)) | ...
+  if nargin > 2 && ischar (jobs)
+    inputs = {h.input, h.older, ''};
+    isOther = @(kind) ~any (strcmp (kind.input, inputs)) | ...
                       ~ismember (kind.runs(:, 2), [1, 2]);
-  elseif nargin > 3
+  elseif nargin > 2
     heads = headsOf (jobs, Case, h);
     isOther = @(kind) ~ismember (kind.runs(:, 3), heads);
   end
   other = zeros (0, 1);
   for kind = readLibrary (Case.store, model, h)
-    if nargin > 3 || ~isempty (kind.origin)
+    if nargin > 2 || ~isempty (kind.origin)
       other = [other; kind.runs(isOther (kind) & kind.runs(:, 1) > 0, 1)];
     end
   end
@@ -60,14 +55,14 @@ end
 %! raw.Input.store = first.store;
 %! Case = newCase (raw);
 %! evaluateDEM ([5, 6], Case);
-%! assert (runFoldersOf (first, 'First', []), {'0001'; '0002'; '0003'});
-%! assert (runFoldersOf (Case, 'First', []), {'0003'});
+%! assert (runFoldersOf (first, 'First'), {'0001'; '0002'; '0003'});
+%! assert (runFoldersOf (Case, 'First'), {'0003'});
 %! job = newJobs (Case, [3, 4], [], 1, 'plan')(1);
-%! assert (numel (runFoldersOf (Case, 'First', [], job)), 1);
+%! assert (numel (runFoldersOf (Case, 'First', job)), 1);
 %! assert (findRuns (job, Case){1}.results, [7, 12], 1e-12);
 %! % of the same model: whoever made them, with a result
-%! assert (numel (runFoldersOf (Case, 'First', [], 'model')), 3);
+%! assert (numel (runFoldersOf (Case, 'First', 'model')), 3);
 %! head = fullfile (Case.models(1).folder, 'data.head');
 %! writeAtomic (head, [fileread(head), "\n"]);
-%! assert (isempty (runFoldersOf (Case, 'First', [], 'model')));
-%! assert (runFoldersOf (Case, 'First', []), {'0003'});
+%! assert (isempty (runFoldersOf (Case, 'First', 'model')));
+%! assert (runFoldersOf (Case, 'First'), {'0003'});

@@ -19,45 +19,43 @@
 % them; a job beyond them is a failed record with the cause 'budget'.
 
 function [records, isReused, nNew] = runJobs (jobs, Case, report)
-  for k = 1:numel (Case.models)
-    Case.models(k).funs = hashEvaluation (Case.models(k));
-  end
+  Case.hashes = hashModels (Case);
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   [records, open] = fromStore (jobs, records, Case);
   isReused = ~open;
-  execute = executorOf (Case);
-  tell = @(state) report (setfield (state, 'reused', sum (isReused)));
+  show = @(state) report (setfield (state, 'reused', sum (isReused)));
   if ~any (open)
-    tell (struct ('total', 0, 'done', 0, 'failed', 0, 'running', 0));
+    show (struct ('total', 0, 'done', 0, 'failed', 0, 'running', 0));
   end
   overBudget = open & cumsum (open) > Case.options.maxNewRuns;
-  records(overBudget) = withoutRun (records(overBudget));
+  [records(overBudget).cause] = deal ('budget');
+  [records(overBudget).message] = ...
+    deal ('not run: Input.maxNewRuns is reached');
   open = open & ~overBudget;
-  [records, open] = carryOut (jobs, records, open, Case, tell);
+  [records, open] = carryOut (jobs, records, open, Case, show);
   nNew = sum (open);
   for attempt = 1:2
     again = open & strcmp ({records.cause}, 'killed');
     if any (again)
-      records(again) = execute (jobs(again), Case, tell);
+      records(again) = execute (jobs(again), Case, show);
     end
   end
   Case.models = addSeconds (Case.models, records(open));
   Case.options.maxNewRuns = Case.options.maxNewRuns - nNew;
-  [records, nSecond] = withOtherSeed (jobs, records, Case, execute, tell);
+  [records, nSecond] = withOtherSeed (jobs, records, Case, show);
   nNew = nNew + nSecond;
 end
 
 % What another case on the same store is about to run is waited for. ISMADE:
 % runs that were made here.
-function [records, isMade] = carryOut (jobs, records, open, Case, tell)
-  execute = executorOf (Case);
+function [records, isMade] = carryOut (jobs, records, open, Case, show)
   isMade = false (size (open));
   while any (open)
     waiting = find (open);
     [isMine, hold] = claimRuns (jobs(waiting), Case);
     mine = waiting(isMine);
     if ~isempty (mine)
-      records(mine) = execute (jobs(mine), Case, tell);
+      records(mine) = execute (jobs(mine), Case, show);
     end
     hold = {};
     isMade(mine) = true;
@@ -69,15 +67,30 @@ function [records, isMade] = carryOut (jobs, records, open, Case, tell)
   end
 end
 
-function execute = executorOf (Case)
-  execute = describeExecutor (Case.options.executor).execute;
+% False where another Octave of this machine is about to make that very run of a
+% shared store. HOLD: the runs are free when it is cleared. A claim is a lock
+% that names the key of the run. One of another machine, which nobody here can
+% ask, does not count.
+function [isMine, hold] = claimRuns (jobs, Case)
+  isMine = true (1, numel (jobs));
+  hold = {};
+  if strcmp (Case.store, Case.folder)
+    return
+  end
+  for i = 1:numel (jobs)
+    folder = fullfile (Case.store, 'optim', jobs(i).model);
+    [~, ~] = mkdir (folder);
+    name = ['claim-', jobs(i).key];
+    try
+      hold{end + 1} = lockCase (folder, name);
+    catch
+      isMine(i) = ~strcmp (lockHolder (folder, name).state, 'alive');
+    end
+  end
 end
 
-function records = withoutRun (records)
-  for i = 1:numel (records)
-    records(i).cause = 'budget';
-    records(i).message = 'not run: Input.maxNewRuns is reached';
-  end
+function records = execute (jobs, Case, show)
+  records = describeExecutor (Case.options.executor).execute (jobs, Case, show);
 end
 
 function [records, open] = fromStore (jobs, records, Case)
@@ -86,11 +99,11 @@ function [records, open] = fromStore (jobs, records, Case)
   stale = false (size (open));
   for i = find (~open)
     r = found{i};
-    again = {'failed', 'timeout', 'forgotten'};
-    if isfield (r, 'status') && any (strcmp (r.status, again))
+    funs = Case.hashes(strcmp (jobs(i).model, {Case.models.name})).funs;
+    if any (strcmp (givenField (r, 'status', ''), ...
+                    {'failed', 'timeout', 'forgotten'}))
       open(i) = true;
-    elseif ~isfield (r, 'funs') || ...
-           ~strcmp (r.funs, funsOf (jobs(i).model, Case))
+    elseif ~strcmp (givenField (r, 'funs', ''), funs)
       stale(i) = true;
     else
       records(i) = takeOver (records(i), r, jobs(i));
@@ -99,11 +112,8 @@ function [records, open] = fromStore (jobs, records, Case)
   if any (stale)
     folders = cellfun (@(r) r.folder, found(stale), 'UniformOutput', false);
     records(stale) = collectRuns (jobs(stale), folders, Case);
+    open(stale) = strcmp ({records(stale).cause}, 'killed');
   end
-end
-
-function key = funsOf (model, Case)
-  key = Case.models(strcmp (model, {Case.models.name})).funs;
 end
 
 % A stored run may have been made for another stage or row of the plan.
@@ -115,7 +125,7 @@ function record = takeOver (record, stored, job)
   record.planRow = job.planRow;
 end
 
-function [records, nNew] = withOtherSeed (jobs, records, Case, execute, tell)
+function [records, nNew] = withOtherSeed (jobs, records, Case, show)
   failed = find (~strcmp ({records.status}, 'ok') & ...
                  ~ismember ({records.cause}, {'killed', 'budget'}));
   nNew = 0;
@@ -123,30 +133,38 @@ function [records, nNew] = withOtherSeed (jobs, records, Case, execute, tell)
     return
   end
   other = jobs(failed);
-  h = hashModels (Case);
   for i = 1:numel (other)
     k = strcmp (other(i).model, {Case.models.name});
     other(i).seed = runSeed (other(i).params, other(i).replicate + 0.5, ...
                              Case.options.seed);
     [other(i).key, ~, other(i).variables] = ...
-      runKey (runVariables (other(i), Case), Case.effectVars, h(k));
+      runKey (runVariables (other(i), Case), Case.effectVars, ...
+              Case.hashes(k));
   end
   [second, open] = fromStore (other, records(failed), Case);
   open = open & cumsum (open) <= Case.options.maxNewRuns;
   nNew = sum (open);
   if any (open)
-    second(open) = execute (other(open), Case, tell);
+    second(open) = execute (other(open), Case, show);
   end
   cured = strcmp ({second.status}, 'ok');
   records(failed(cured)) = second(cured);
 end
 
+%!function [Case, jobs] = planOf (P, store)
+%!  raw = standInCase (tempname ());
+%!  if nargin > 1
+%!    raw.Input.store = store;
+%!  end
+%!  Case = newCase (raw);
+%!  jobs = newJobs (Case, P, [], 1, 'plan');
+%!endfunction
 %!shared quiet
 %! quiet = @(state) [];
 %!test
-%! % a second call finds all runs, whatever the stage and the row
-%! Case = newCase (standInCase (tempname ()));
-%! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan');
+%! % a second call finds all runs, whatever the stage and the row; so does
+%! % another case that points at the same store
+%! [Case, jobs] = planOf ([1, 2; 3, 4]);
 %! first = runJobs (jobs, Case, quiet);
 %! [second, isReused] = runJobs (newJobs (Case, [3, 4; 1, 2], [], 1, ...
 %!                                        'verify'), Case, quiet);
@@ -154,70 +172,54 @@ end
 %! assert ({second.folder}, {first([3, 4, 1, 2]).folder});
 %! assert (second(1).results, first(3).results);
 %! assert (second(1).stage, 'verify');
+%! [other, jobs] = planOf ([1, 2], Case.folder);
+%! [second, isReused] = runJobs (jobs, other, quiet);
+%! assert (all (isReused));
+%! assert ({second.folder}, {first(1:2).folder});
+%! % a finished simulation whose record was lost is evaluated, not repeated
+%! writeAtomic (fullfile (first(1).folder, 'record.json'), 'torn');
+%! again = runJobs (jobs(1), Case, quiet);
+%! assert ({again.folder, again.results}, {first(1).folder, first(1).results});
 %!test
 %! % a change in getResults asks for a new evaluation, not for a new run
-%! Case = newCase (standInCase (tempname ()));
-%! jobs = newJobs (Case, [1, 2], [], 1, 'plan')(2);
-%! runJobs (jobs, Case, quiet);
+%! [Case, jobs] = planOf ([1, 2]);
+%! runJobs (jobs(2), Case, quiet);
 %! file = fullfile (Case.models(2).folder, 'OctaveFuns', 'getResults.m');
-%! text = fileread (file);
 %! pause (1.1);
-%! writeAtomic (file, strrep (text, '(load (file)'')', ...
+%! writeAtomic (file, strrep (fileread (file), '(load (file)'')', ...
 %!                            '(100 * load (file)'')'));
-%! r = runJobs (jobs, Case, quiet);
-%! assert (r.results, -100, 1e-12);
+%! assert (runJobs (jobs(2), Case, quiet).results, -100, 1e-12);
 %! assert (numel (listRunFolders (Case.store, 'Second')), 1);
 %!test
 %! % a run that was killed is run again as it is, and counts once
-%! Case = newCase (standInCase (tempname ()));
+%! Case = planOf ([1, 2]);
 %! run = fullfile (Case.models(2).folder, 'runscript');
 %! flag = tempname ();
 %! writeAtomic (run, ["[ -e ", flag, " ] || { touch ", flag, ...
 %!                    "; kill -9 $$; }\n", fileread(run)]);
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! r = runJobs (job, Case, quiet);
-%! assert (r.status, 'ok');
-%! assert (r.key, job.key);
-%! unlink (flag);
+%! assert ({r.status, r.key}, {'ok', job.key});
+%! % so is one that nobody has evaluated yet
+%! job = newJobs (Case, [3, 2], [], 1, 'plan')(2);
+%! folder = prepareRun (job, Case);
+%! writeAtomic (fullfile (folder, 'end.mark'), "143 1.0 finished\n");
+%! assert (runJobs (job, Case, quiet).results, 1, 1e-12);
 %!test
 %! % the second start finds the run with the other seed as well
-%! Case = newCase (standInCase (tempname ()));
+%! [Case, jobs] = planOf ([1, 2]);
 %! run = fullfile (Case.models(2).folder, 'runscript');
-%! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
-%! spoil = sprintf ('grep -q %d data.head && echo nan > out', job.seed);
+%! spoil = sprintf ('grep -q %d data.head && echo nan > out', jobs(2).seed);
 %! writeAtomic (run, [strtrim(fileread (run)), "\n", spoil, "\n:\n"]);
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! r = runJobs (job, Case, quiet);
 %! assert (r.status, 'ok');
 %! assert (r.seed != job.seed);
-%! again = runJobs (job, Case, quiet);
-%! assert (again.folder, r.folder);
+%! assert (runJobs (job, Case, quiet).folder, r.folder);
 %! assert (numel (listRunFolders (Case.store, 'Second')), 2);
 %!test
-%! % a finished simulation whose record was lost is evaluated, not repeated
-%! Case = newCase (standInCase (tempname ()));
-%! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
-%! r = runJobs (job, Case, quiet);
-%! writeAtomic (fullfile (r.folder, 'record.json'), 'torn');
-%! again = runJobs (job, Case, quiet);
-%! assert (again.folder, r.folder);
-%! assert (again.results, r.results);
-%!test
-%! % two cases that point at one store share its runs
-%! raw = standInCase (tempname ());
-%! Case = newCase (raw);
-%! jobs = newJobs (Case, [1, 2], [], 1, 'plan');
-%! first = runJobs (jobs, Case, quiet);
-%! other = standInCase (tempname ());
-%! other.Input.store = raw.folder;
-%! Case = newCase (other);
-%! [second, isReused] = runJobs (newJobs (Case, [1, 2], [], 1, 'plan'), ...
-%!                               Case, quiet);
-%! assert (all (isReused));
-%! assert ({second.folder}, {first.folder});
-%!test
 %! % tries with another seed are runs too; a job that has none left stays failed
-%! Case = newCase (standInCase (tempname ()));
+%! Case = planOf ([1, 2]);
 %! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), "exit 1\n");
 %! Case.options.maxNewRuns = 5;
 %! [r, ~, nNew] = runJobs (newJobs (Case, [1, 2; 3, 4], [], 1, 'plan'), ...
@@ -225,3 +227,24 @@ end
 %! assert ({r.status}, {'ok', 'failed', 'ok', 'failed'});
 %! assert (nNew, 5);
 %! assert (numel (listRunFolders (Case.store, 'Second')), 3);
+%!test
+%! % a run that another makes meanwhile is waited for, and not made again
+%! Case = planOf ([1, 2], tempname ());
+%! file = fullfile (Case.folder, 'case.mat');
+%! writeAtomic (fullfile (Case.models(1).folder, 'runscript'), ...
+%!   ["touch ", file, ".on; sleep 3\n", ...
+%!    fileread(fullfile (Case.models(1).folder, 'runscript'))]);
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
+%! save ('-binary', file, 'Case', 'job');
+%! code = sprintf (['addpath (''%s''); startToolbox (''%s''); ', ...
+%!                  'load (''%s''); runJobs (job, Case, @(s) []);'], ...
+%!                 fullfile (Case.root, 'infrastructure'), Case.root, file);
+%! system (['octave-cli --norc --eval ', shellQuote(code), ...
+%!          ' > /dev/null 2>&1 &']);
+%! while ~isfile ([file, '.on'])
+%!   pause (0.2);
+%! end
+%! [r, ~, nNew] = runJobs (job, Case, @(s) []);
+%! assert ({r.status, nNew}, {'ok', 0});
+%! assert (numel (listRunFolders (Case.store, 'First')), 1);
+%! assert (isempty (glob (fullfile (Case.store, 'optim', 'First', 'claim*'))));

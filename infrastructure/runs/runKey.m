@@ -28,14 +28,14 @@ function [key, older, text] = runKey (variables, effectVars, h)
     end
   end
   key = hash ('sha256', [h.input, text]);
-  older = '';
-  if isfield (h, 'older') && ~isempty (h.older)
-    older = hash ('sha256', [h.older, text]);
+  older = h.older;
+  if ~isempty (older)
+    older = hash ('sha256', [older, text]);
   end
 end
 
 %!shared h, v
-%! h = struct ('input', 'x', 'funs', 'y', 'defaults', struct ('e', 0));
+%! h = struct ('input', 'x', 'older', '', 'defaults', struct ('e', 0));
 %! v = struct ('a', 1, 'b', 2);
 %!assert (numel (runKey (v, {}, h)), 64)
 %!test

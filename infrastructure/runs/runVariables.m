@@ -12,7 +12,7 @@ function v = runVariables (job, Case)
   for k = 1:numel (Case.effectVars)
     v.(Case.effectVars{k}) = job.effects(k);
   end
-  v = designVariables (v, job.params, Case.names);
+  v = assignParams (v, job.params, Case.names);
   v.runSeed = job.seed;
 end
 

@@ -1,19 +1,19 @@
 % SAYOLDRUNS  Says how many finished runs of the store count no longer, and why.
 %
-% CALL: sayOldRuns (CASE, SAY, TOLD)
+% CALL: sayOldRuns (CASE, SAY, TALLY)
 %
-%   CASE  see newCase;  TOLD  see libraryRuns
+%   CASE  see newCase;  TALLY  see libraryRuns
 %   SAY   function handle that takes one line of text
 %
 % Of a store that cases share: how many of its runs are samples here, too. The
 % reason is that of the newest of them. Runs of a diagnosis belong to its
 % effects and are left out.
 
-function sayOldRuns (Case, say, told)
+function sayOldRuns (Case, say, tally)
   if ~all (cellfun (@isfolder, {Case.models.folder}))
     return
   elseif ~strcmp (Case.store, Case.folder)
-    sayLibrary (told, Case, say);
+    sayLibrary (tally, Case, say);
     return
   end
   h = hashModels (Case);
@@ -37,38 +37,35 @@ function sayOldRuns (Case, say, told)
   end
 end
 
-function sayLibrary (told, Case, say)
+function sayLibrary (tally, Case, say)
   say (sprintf ('library   %s: %d runs of %d cases are samples here', ...
-                Case.store, told.used, numel (told.origin)));
-  [~, order] = sort (-told.count);
+                Case.store, tally.used, numel (tally.origin)));
+  [~, order] = sort (-tally.count);
   for k = order(1:min (end, 3))
-    name = [told.origin{k}, repmat('(no case noted)', 1, ...
-                                   isempty (told.origin{k}))];
-    say (sprintf ('          %d of %s', told.count(k), name));
+    name = [tally.origin{k}, repmat('(no case noted)', 1, ...
+                                    isempty (tally.origin{k}))];
+    say (sprintf ('          %d of %s', tally.count(k), name));
   end
-  for own = told.passed
-    say (sprintf ('          %s: %d runs passed over, %s', own.model, ...
-                  own.count, own.why));
+  for part = tally.passed
+    say (sprintf ('          %s: %d runs passed over, %s', part.model, ...
+                  part.count, part.why));
   end
-  for own = told.other
-    model = Case.models(own.model);
+  for part = tally.other
+    model = Case.models(part.model);
     folder = fullfile (Case.store, 'optim', model.name, ...
-                       sprintf ('%04d', own.number));
+                       sprintf ('%04d', part.number));
     job = readRecord (fullfile (folder, 'record.json'));
     say (sprintf (['          %s: %d runs of another rig or build passed ' ...
-                   'over. The newest (%s): %s'], model.name, own.count, ...
+                   'over. The newest (%s): %s'], model.name, part.count, ...
                   folder, whyOld (job, folder, Case, model)));
   end
 end
 
 function job = finishedRun (folder)
-  job = readRecord (fullfile (folder, 'record.json'));
-  if isempty (job)
-    job = unevaluatedJob (folder);
-  elseif ~any (strcmp (job.status, {'ok', 'invalid'}))
-    job = [];
-  end
-  if ~isempty (job) && any (strcmp (job.stage, {'gap', 'cure'}))
+  job = readRun (folder);
+  if ~isempty (job) && ...
+     (~any (strcmp (givenField (job, 'status', 'ok'), {'ok', 'invalid'})) || ...
+      any (strcmp (job.stage, {'gap', 'cure'})))
     job = [];
   end
 end
@@ -101,6 +98,7 @@ function names = otherFiles (model, run)
   command = ['cd ', shellQuote(model), ' && find -L . ', skip{:}, ...
              '-type f ! -name data.head ! -name "README*" ', ...
              '! -name "picture.*" ! -name log.liggghts ', ...
+             '! -name settings.csv ! -name scatter.csv ! -name photo.jpg ', ...
              '-exec sh -c ''for f; do cmp -s "$f" "$0/$f" || echo "$f"; ', ...
              'done'' ', shellQuote(run), ' {} +'];
   [~, text] = system (command);
@@ -123,35 +121,31 @@ function text = otherVariables (job, folder, Case)
   end
 end
 
-%!function text = said (Case)
-%!  text = evalc ('sayOldRuns (Case, @(t) printf (''%s\n'', t), [])');
+%!function text = said (Case, tally)
+%!  text = evalc ('sayOldRuns (Case, @(t) printf (''%s\n'', t), tally)');
 %!endfunction
 %!test
 %! Case = newCase (standInCase (tempname ()));
 %! evaluateDEM ([1, 2; 3, 4], Case);
-%! assert (said (Case), '');
+%! assert (said (Case, []), '');
 %! other = Case;
 %! other.modelVars.c = 3;
-%! assert (~isempty (strfind (said (other), 'its c is not 3')));
+%! assert (~isempty (strfind (said (other, []), 'its c is not 3')));
 %! other = Case;
 %! other.models(1).cpu = 2;
-%! text = said (other);
+%! text = said (other, []);
 %! assert (~isempty (strfind (text, 'First: 2 finished')));
 %! assert (~isempty (strfind (text, 'took 1 CPUs, Input.cpu is 2')));
 %! assert (isempty (strfind (text, 'Second')));
 %! script = fullfile (Case.models(1).folder, 'runscript');
 %! writeAtomic (script, [fileread(script), "# liggghts\n"]);
-%! assert (~isempty (strfind (said (Case), 'changed since: runscript')));
+%! assert (~isempty (strfind (said (Case, []), 'changed since: runscript')));
 %! % another build
 %! evaluateDEM ([1, 2; 3, 4], Case);
-%! bin = tempname ();
-%! mkdir (bin);
-%! writeAtomic (fullfile (bin, 'liggghts'), 'a build');
-%! system (['chmod +x ', fullfile(bin, 'liggghts')]);
-%! before = getenv ('PATH');
-%! setenv ('PATH', [bin, ':', before]);
-%! text = said (Case);
-%! setenv ('PATH', before);
+%! writeAtomic (fullfile (Case.models(1).folder, 'photo.jpg'), 'no matter');
+%! tidy = slurmFake ('', '', {'liggghts', 'other'});
+%! text = said (Case, []);
+%! clear tidy
 %! assert (~isempty (strfind (text, '4 finished')));
 %! assert (~isempty (strfind (text, 'another LIGGGHTS')));
 %!test
@@ -163,8 +157,8 @@ end
 %! Case = newCase (raw);
 %! script = fullfile (Case.models(1).folder, 'runscript');
 %! writeAtomic (script, [fileread(script), "# new\n"]);
-%! [~, told] = libraryRuns (Case, newProblem (Case), true);
-%! text = evalc ('sayOldRuns (Case, @(t) printf (''%s\n'', t), told)');
+%! [~, tally] = libraryRuns (Case, newProblem (Case), true);
+%! text = said (Case, tally);
 %! for words = {'2 runs of 1 cases are samples here', ...
 %!              ['2 of ', first.folder], 'First: 2 runs of another rig', ...
 %!              'changed since: runscript'}

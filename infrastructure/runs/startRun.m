@@ -18,12 +18,49 @@ function startRun (folder, root, owner)
     owner = getpid ();
   end
   guard = fullfile (root, 'infrastructure', 'runs', 'guard.sh');
-  command = sprintf ('setsid bash %s %s %d > /dev/null 2>&1 < /dev/null &', ...
-                     shellQuote (guard), shellQuote (folder), owner);
-  status = system (command);
+  % setsid forks and comes back: the status of a command with & is always 0
+  words = {shellQuote(guard), shellQuote(folder)};
+  status = system (sprintf (['[ -r %s ] && [ -d %s ] && command -v bash > ' ...
+                             '/dev/null && setsid --fork bash %s %s %d ' ...
+                             '> /dev/null 2>&1 < /dev/null'], words{:}, ...
+                            words{:}, owner));
   if status ~= 0
     error ('DEcalioc:startRun:runFailed', ...
            'startRun: the shell must start %s, it gave status %d.', ...
            guard, status);
   end
 end
+
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'runscript'), ...
+%!              "sleep 0.5\necho $PPID > out\n");
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! startRun (folder, root);
+%! assert (isempty (readEndMark (folder)));
+%! while isempty (readEndMark (folder))
+%!   pause (0.05);
+%! end
+%! assert (readEndMark (folder).reason, 'finished');
+%! assert (load (fullfile (folder, 'out')), runPids (folder)(1));
+%! % where the guard cannot note itself (a full disk), the run does not count
+%! for file = {'pid', 'end.mark'}
+%!   unlink (fullfile (folder, file{1}));
+%! end
+%! mkdir (fullfile (folder, 'pid'));
+%! startRun (folder, root);
+%! while isempty (readEndMark (folder))
+%!   pause (0.05);
+%! end
+%! assert (readEndMark (folder).reason, 'killed');
+%! % what cannot start is said, not waited for
+%! ids = {};
+%! for places = {'/nowhere', folder; root, '/nowhere'}
+%!   try
+%!     startRun (places{:});
+%!   catch err
+%!     ids{end + 1} = err.identifier;
+%!   end
+%! end
+%! assert (ids, repmat ({'DEcalioc:startRun:runFailed'}, 1, 2));

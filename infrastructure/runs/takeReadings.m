@@ -20,22 +20,16 @@
 function [row, fault] = takeReadings (results, readings, info)
   row = NaN (1, numel (readings));
   [items, fault] = itemsOf (results, readings, info);
-  for k = 1:numel (readings) * isempty (fault)
+  k = 0;
+  while isempty (fault) && k < numel (readings)
+    k = k + 1;
     [row(k), fault] = readOne (items, readings(k), info);
-    if ~isempty (fault)
-      return
-    end
   end
 end
 
 function [value, fault] = readOne (items, r, info)
   fault = '';
-  found = [];
-  for name = {r.result, r.series}
-    if isempty (found) && isfield (items, name{1})
-      found = items.(name{1});
-    end
-  end
+  found = givenField (items, r.result, givenField (items, r.series, []));
   if isempty (found)
     found = seriesOf (items, r.series, info);
   end
@@ -143,13 +137,12 @@ end
 %! assert (takeReadings ([7, 2, 4], byName, info), 4);
 %! [~, fault] = takeReadings ({7, 2}, r, info);
 %! assert (fault, 'getResults returned 2 results, results.csv names 3');
-%!test
 %! % one curve alone
 %! assert (takeReadings ([1, 1; 2, 4; 3, 9], r(1:2), []), [2.5, 9]);
 %!test
-%! [~, fault] = takeReadings (struct ('mass', 7), r, []);
-%! assert (! isempty (strfind (fault, 'must return w')));
-%! [~, fault] = takeReadings (struct ('mass', 'x', 'w', 1), r, []);
-%! assert (! isempty (strfind (fault, 'mass must be a real number')));
-%! [~, fault] = takeReadings (struct ('mass', [1, 2; 2, 3], 'w', 1), r, []);
-%! assert (! isempty (strfind (fault, 'must say where')));
+%! for bad = {struct('mass', 7), 'must return w'; ...
+%!            struct('mass', 'x', 'w', 1), 'mass must be a real number'; ...
+%!            struct('mass', [1, 2; 2, 3], 'w', 1), 'must say where'}'
+%!   [~, fault] = takeReadings (bad{1}, r, []);
+%!   assert (! isempty (strfind (fault, bad{2})), fault);
+%! end

@@ -7,8 +7,6 @@
 %   NUMBER  number that is tried first (default: one above the last); NUMBER
 %           returned is the one that was free
 %   FOLDER  path of the folder, which is there now and empty
-%
-% Errors: those of makeRunFolder
 
 function [folder, number] = takeRunFolder (store, model, number)
   if nargin < 3
@@ -32,5 +30,3 @@ end
 %! assert (isfolder (folder));
 %! [~, number] = takeRunFolder (store, 'M', number);
 %! assert (number, 2);
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (store, 's');

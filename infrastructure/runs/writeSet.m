@@ -22,5 +22,3 @@ end
 %! writeSet (folder, [0.1, 1/3], 0);
 %! assert (csvread (fullfile (folder, 'params.csv')), [0.1, 1/3]);
 %! assert (! isfile (fullfile (folder, 'ExPlan.txt')));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');

@@ -4,10 +4,10 @@
 %
 %   TABLE    struct X (n x d), E (n x v), Z (n x T), see importRuns
 %   PROBLEM  value, sd and calibrate (1 x T) are read, see newProblem
-%   MOST   runs that are kept at most
-%   USE    n x 1 logical: all, or one half of MOST those nearest to the targets,
-%          in standard deviations, the other half spread over the box
-%   TEXT   what is left out, for the user; '' where all are kept
+%   MOST     runs that are kept at most
+%   USE      n x 1 logical: all, or half of MOST those nearest to the targets,
+%            in standard deviations, the other half spread over the box
+%   TEXT     what is left out, for the user; '' where all are kept
 %
 % A Kriging model costs the square of its runs in memory and the cube in time.
 
@@ -18,10 +18,12 @@ function [use, text] = thinRuns (table, problem, most)
   if n <= most
     return
   end
-  use = nearest (smoothed (table), problem, floor (most / 2));
   inputs = [table.X, table.E];
   width = max (inputs, [], 1) - min (inputs, [], 1);
-  use = spread (inputs ./ (width + (width == 0)), use, most);
+  width = width + (width == 0);
+  near = smoothed ((inputs - mean (inputs, 1)) ./ width, table.Z);
+  use = nearest (near, problem, floor (most / 2));
+  use = spread (inputs ./ width, use, most);
   text = sprintf (['%d of %d runs are used, the %d nearest to the targets ' ...
                    'and others spread over the box; %d are left out: a ' ...
                    'surrogate holds no more. What it says of places far ' ...
@@ -31,14 +33,9 @@ end
 
 % Responses without their scatter, by a square law through 5000 runs at most:
 % chosen by what they scattered to, runs would all seem to give the targets.
-function Z = smoothed (table)
-  U = [table.X, table.E];
-  n = rows (U);
-  width = max (U, [], 1) - min (U, [], 1);
-  U = (U - mean (U, 1)) ./ (width + (width == 0));
+function Z = smoothed (U, Z)
   [i, j] = find (triu (ones (columns (U))));
-  H = [ones(n, 1), U, U(:, i) .* U(:, j)];
-  Z = table.Z;
+  H = [ones(rows (U), 1), U, U(:, i) .* U(:, j)];
   for t = 1:columns (Z)
     known = find (isfinite (Z(:, t)));
     if numel (known) > 3 * columns (H)

@@ -1,14 +1,14 @@
-% CONDITIONSURROGATE  Surrogate from an stk model with known parameters.
+% CONDITIONSURROGATE  Surrogate from runs and known parameters.
 %
-% CALL: SURROGATE = conditionSurrogate (MODEL, BASE)
+% CALL: SURROGATE = conditionSurrogate (CHOICE, BASE)
 %
-% MODEL  stk prior model in the unit box and the standardised response, all
-%        parameters known
+% CHOICE  struct: trend, covariance (names of fitSurrogate), param and
+%         lognoisevariance of the stk model in the unit box and the standardised
+%         response
 % BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), unit (n x d, X in
 %        the unit box; level as one more column), y (n x 1, standardised z),
-%        shift, scale; optional level (n x 1) and noiseLaw (1 x 2: log variance
-%        at level 0, its slope)
-% SURROGATE  struct of fitSurrogate
+%        shift, scale; optional level (n x 1), prior (see prepareFit) and
+%        noiseLaw (1 x 2: log variance at level 0, its slope)
 %
 % The covariance is factored once; leave-one-out residuals in closed form
 % (Dubrule 1983): with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1 the residual is
@@ -19,11 +19,11 @@
 % with deviation 1.2, as much as 2 / 1.2^2 freedoms tell), at least a third of
 % the rows beyond the trend.
 
-function surrogate = conditionSurrogate (model, base)
+function surrogate = conditionSurrogate (choice, base)
   base = mergeFields (struct ('level', [], 'noiseLaw', [], 'prior', []), base);
   n = numel (base.y);
-  covariance = model.covariance_type;
-  K = feval (covariance, model.param, base.unit, base.unit, -1);
+  model = modelOf (choice, columns (base.unit));
+  K = feval (model.covariance_type, model.param, base.unit, base.unit, -1);
   noise = exp (model.lognoisevariance(:));
   K = K + diag (noise .* ones (n, 1)) + ...
       1e-12 * exp (model.param(1)) * full (eye (n));
@@ -41,23 +41,23 @@ function surrogate = conditionSurrogate (model, base)
   looStd = alpha ./ sqrt (q);
 
   surrogate = struct ('name', base.name, 'model', model);
-  surrogate.X = base.X;
-  surrogate.z = base.z;
-  surrogate.limits = base.limits;
-  surrogate.level = base.level;
-  surrogate.noiseLaw = base.noiseLaw;
-  surrogate.prior = base.prior;
+  for field = {'X', 'z', 'limits', 'level', 'noiseLaw', 'prior', 'shift', ...
+               'scale'}
+    surrogate.(field{1}) = base.(field{1});
+  end
   surrogate.noiseVar = mean (noise) * base.scale^2;
+  surrogate.theta = model.param(:);
   if ~isempty (base.noiseLaw)
     surrogate.noiseVar = exp (base.noiseLaw(1)) * base.scale^2;
+    surrogate.theta = [model.param(:); base.noiseLaw(:)];
+  elseif isscalar (noise)
+    surrogate.theta = [model.param(:); model.lognoisevariance];
   end
   surrogate.looResidual = loo * base.scale;
   surrogate.looStd = looStd;
   surrogate.Q2 = 1 - sum (loo.^2) / sum ((base.y - mean (base.y)).^2);
-  surrogate.trend = trendName (columns (H), columns (base.unit));
-  surrogate.covariance = covarianceName (covariance);
-  surrogate.shift = base.shift;
-  surrogate.scale = base.scale;
+  surrogate.trend = choice.trend;
+  surrogate.covariance = choice.covariance;
   surrogate.factor = max (1, mean (looStd.^2) - 2 * sqrt (2 / n));
   surrogate.df = max ([3, sum(noise .* q) + 2 / 1.2^2, ...
                        (n - size (H, 2)) / 3]);
@@ -70,21 +70,12 @@ function surrogate = conditionSurrogate (model, base)
   surrogate.warning = qualityWarning (surrogate);
 end
 
-function text = trendName (nTerms, d)
-  if nTerms == 1
-    text = 'constant';
-  elseif nTerms == d + 1
-    text = 'affine';
-  else
-    text = 'quadratic';
-  end
-end
-
-function text = covarianceName (covariance)
-  if ~ischar (covariance)
-    covariance = func2str (covariance);
-  end
-  text = regexprep (covariance, {'^stk_', '_aniso$', 'cov'}, '');
+function model = modelOf (choice, d)
+  kernel = regexprep (choice.covariance, '^(matern|gauss)', '$1cov');
+  model = stk_model (['stk_' kernel '_aniso'], d);
+  model.lm = feval (['stk_lm_' choice.trend]);
+  model.param = choice.param;
+  model.lognoisevariance = choice.lognoisevariance;
 end
 
 function text = qualityWarning (surrogate)
@@ -97,24 +88,23 @@ function text = qualityWarning (surrogate)
   end
 end
 
-%!shared X, z, lim
-%! pkg load stk
+%!shared X, z, lim, s
 %! rand ('twister', 3);
 %! randn ('twister', 3);
 %! lim = [0, 10; 2, 30];
 %! X = lim(1, :) + rand (14, 2) .* (lim(2, :) - lim(1, :));
 %! z = 3 + X(:, 1) + sin (X(:, 2) / 5) + 0.02 * randn (14, 1);
+%! s = fitSurrogate (X, z, lim);
 
 %!test
 %! % closed form equals brute force with the same parameters
-%! s = fitSurrogate (X, z, lim);
 %! i = 5;
 %! k = true (14, 1);
 %! k(i) = false;
 %! base = struct ('name', '', 'X', X(k, :), 'z', z(k), 'limits', lim, ...
 %!                'unit', s.solver.unit(k, :), 'y', s.solver.y(k), ...
 %!                'shift', s.shift, 'scale', s.scale);
-%! r = conditionSurrogate (s.model, base);
+%! r = conditionSurrogate (mergeFields (s, s.model), base);
 %! r.factor = 1;
 %! [m, v] = predictSurrogate (r, X(i, :));
 %! assert (s.looResidual(i), z(i) - m, 1e-6);
@@ -122,7 +112,6 @@ end
 
 %!test
 %! % the same as the posterior of stk
-%! s = fitSurrogate (X, z, lim);
 %! s.factor = 1;
 %! P = lim(1, :) + rand (6, 2) .* (lim(2, :) - lim(1, :));
 %! [m, v] = predictSurrogate (s, P);

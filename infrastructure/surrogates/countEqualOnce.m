@@ -2,7 +2,7 @@
 %
 % CALL: [Z, ISREPEAT] = countEqualOnce (DATA, BENCH)
 %
-% DATA      struct of newData: X n x d, Z n x T, E n x v (may lack)
+% DATA      struct of newData: X n x d, Z n x T, E n x v
 % BENCH     1 x T, number of the model of each target
 % Z         n x T, NaN for the results of a model that repeat, to the last bit,
 %           those of an earlier run at the same set
@@ -15,11 +15,7 @@
 
 function [Z, isRepeat] = countEqualOnce (data, bench)
   Z = data.Z;
-  inputs = data.X;
-  if isfield (data, 'E')
-    inputs = [inputs, data.E];
-  end
-  [~, ~, set] = unique (inputs, 'rows');
+  [~, ~, set] = unique ([data.X, data.E], 'rows');
   isKnown = isfinite (Z);
   for k = unique (bench)
     ofBench = bench == k;

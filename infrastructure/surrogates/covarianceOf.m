@@ -2,7 +2,6 @@
 %
 % CALL: [K, D] = covarianceOf (SURROGATE, U, V)
 %
-% SURROGATE  scalar struct of fitSurrogate
 % U, V       n x d and m x d, sets in the unit box
 % K          n x m, of the standardised response
 % D          n x (d + 1), where V are the runs (solver.unit): K alpha,
@@ -27,15 +26,14 @@ function [K, D] = covarianceOf (surrogate, U, V)
   D = exp (theta(1)) * [k * alpha, 2 * w2 .* near];
 end
 
-function r2 = squares (U, V, w)
-  A = U .* w;
-  B = V .* w;
+function r2 = squares (U, V, rates)
+  A = U .* rates;
+  B = V .* rates;
   r2 = max (sum (A.^2, 2) + sum (B.^2, 2)' - 2 * A * B', 0);
 end
 
 %!test
 %! % as stk has it; the slopes as differences have it
-%! pkg load stk
 %! X = [0, 0.1; 1, 0; 0.2, 1; 1, 0.9; 0.4, 0.3];
 %! s = fitSurrogate (X, [1; 4; 2; 5; 9], [0, 0; 1, 1], ...
 %!                   struct ('covariance', 'matern32'));

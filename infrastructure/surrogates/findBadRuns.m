@@ -1,7 +1,6 @@
 % FINDBADRUNS  Finds runs that are off by far more than runs scatter.
 %
-% CALL: BAD = findBadRuns (X, Z, KIND, SURROGATES, OLD)
-% CALL: BAD = findBadRuns (X, Z, KIND, SURROGATES, OLD, LEVEL)
+% CALL: BAD = findBadRuns (X, Z, KIND, SURROGATES, OLD [, LEVEL])
 %
 %   X           n x d, parameter sets
 %   Z           n x T, responses (NaN: none)
@@ -14,10 +13,9 @@
 %   LEVEL       1 x T cell, n x 1 how coarse the runs are, or [] (see unitLevel)
 %   BAD         n x T logical: all responses of a run share one judgement
 %
-% A wrong start state, a lost wall: such a run is neither failed nor scatter. It
-% is left out where the responses of its model are likelier so: with the
-% restricted likelihoods l of all runs and of all but run i, each at its own
-% parameters, run i is bad where the weighted sum over the responses of
+% A wrong start state, a lost wall: such a run is neither failed nor scatter.
+% With the restricted likelihoods l of all runs and of all but run i, each at
+% its own parameters, run i is bad where the weighted sum over the responses of
 %
 %   l(all but i) - log (6 s) - l(all)    exceeds    log (0.9 / 0.1)
 %
@@ -98,21 +96,17 @@ function [now, isMore] = leaveMoreOut (task, now, most, odds)
 end
 
 % What the fits to all runs but OUT say: the log density of all runs, the good
-% ones by the surrogates, the bad ones wide; and the good ones by how far they
-% lie from what the others predict, in its deviations.
+% ones by the surrogates, the bad ones wide; and the good ones by farOff.
 function judged = leaveOut (task, out)
   judged = struct ('out', out, 'evidence', 0);
   far = zeros (rows (task.X), 1);
   for t = 1:columns (task.Z)
-    s = fitted (task, t, out);
+    old = task.surrogates(t);
+    s = fitRows (task.X, task.Z(:, t), task.level, ~out, old.limits, ...
+                 struct ('trend', old.trend, 'covariance', old.covariance));
     fit = prepareFit (s.solver.unit, s.solver.y, s.trend, s.covariance, ...
                       [], s);
-    theta = [s.model.param; s.model.lognoisevariance(1)];
-    if ~isempty (s.noiseLaw)
-      theta(end:end + 1) = s.noiseLaw;
-    end
-    gain = -fit.cost (theta) - ...
-           columns (fit.W) * log (s.scale) - ...
+    gain = -fit.cost (s.theta) - columns (fit.W) * log (s.scale) - ...
            sum (out) * log (6 * std (task.Z(~out, t)));
     judged.evidence = judged.evidence + task.weight(t) * gain;
     far(~out) = max (far(~out), farOff (s, task.least(t)));
@@ -126,71 +120,60 @@ function far = farOff (s, least)
   far = abs (s.looStd) .* (abs (s.looResidual) > least);
 end
 
-function s = fitted (task, t, out)
-  old = task.surrogates(t);
-  options = struct ('trend', old.trend, 'covariance', old.covariance);
-  if ~isempty (task.level)
-    options = levelOptions (options, task.level(~out), columns (task.X));
-  end
-  s = fitSurrogate (task.X(~out, :), task.Z(~out, t), old.limits, options);
-end
-
-%!shared X, Z, limits, fit, kind
-%! pkg load stk
+%!function bad = found (X, Z, kind, old)
+%!  limits = [0, 0, 0; 1, 1, 1];
+%!  for t = columns (Z):-1:1
+%!    s(t) = fitSurrogate (X, Z(:, t), limits);
+%!  end
+%!  bad = findBadRuns (X, Z, kind, s, old);
+%!endfunction
+%!shared X, Z, kind, none
 %! rand ('twister', 3);
 %! randn ('twister', 3);
-%! limits = [0, 0, 0; 1, 1, 1];
 %! X = rand (16, 3);
 %! Z = [3 + 2 * X(:, 1) - X(:, 3), 1 + X(:, 1) + X(:, 2)] .* ...
 %!     (1 + 0.01 * randn (16, 2));
-%! fit = @(Z) [fitSurrogate(X, Z(:, 1), limits), ...
-%!             fitSurrogate(X, Z(:, 2), limits)];
 %! kind = struct ('model', [1, 1], 'weight', [1, 1], 'least', [0, 0]);
+%! none = false (16, 2);
 
 %!test
 %! % nothing is wrong
-%! bad = findBadRuns (X, Z, kind, fit (Z), false (16, 2));
-%! assert (~ any (bad(:)));
+%! assert (found (X, Z, kind, none), none);
 
 %!test
 %! % two wrong runs; what is found stays found, a run that is good comes back
 %! W = Z;
 %! W([4, 9], :) = W([4, 9], :) .* [1.3, 0.7; 0.75, 1.25];
-%! bad = findBadRuns (X, W, kind, fit (W), false (16, 2));
+%! bad = found (X, W, kind, none);
 %! assert (find (bad(:, 1))', [4, 9]);
 %! assert (bad(:, 1), bad(:, 2));
-%! wrong = false (16, 2);
+%! wrong = none;
 %! wrong(2, :) = true;
-%! again = findBadRuns (X, W, kind, fit (W), bad | wrong);
-%! assert (again, bad);
+%! assert (found (X, W, kind, bad | wrong), bad);
 
 %!test
 %! % each model of its own; a failed run is none of its business
 %! W = Z;
 %! W(5, 1) = 2 * W(5, 1);
 %! W(7, 2) = NaN;
-%! kind.model = [1, 2];
-%! bad = findBadRuns (X, W, kind, fit (W), false (16, 2));
-%! assert (find (bad)', 5);
+%! assert (find (found (X, W, setfield (kind, 'model', [1, 2]), none))', 5);
+
 %!test
 %! % what is off by less than matters is not wrong
-%! kind.model = [1, 1];
 %! W = Z;
 %! W(4, :) = 1.08 * W(4, :);
-%! bad = findBadRuns (X, W, kind, fit (W), false (16, 2));
-%! assert (find (bad(:, 1)), 4);
-%! kind.least = [1, 1];
-%! bad = findBadRuns (X, W, kind, fit (W), false (16, 2));
-%! assert (! any (bad(:)));
+%! assert (find (found (X, W, kind, none)(:, 1)), 4);
+%! assert (found (X, W, setfield (kind, 'least', [1, 1]), none), none);
+
 %!test
 %! % many points of a curve are one response: off by 3 deviations is no proof
-%! kind.least = zeros (1, 20);
-%! kind.model = ones (1, 20);
-%! kind.weight = ones (1, 20) / 20;
 %! randn ('twister', 5);
 %! curve = repmat (Z(:, 1) + 0.05 * (1:16 == 4)', 1, 20);
-%! s = fitSurrogate (X, curve(:, 1), limits);
-%! bad = findBadRuns (X, curve, kind, repmat (s, 1, 20), false (16, 20));
-%! kind.weight = ones (1, 20);
-%! alone = findBadRuns (X, curve, kind, repmat (s, 1, 20), false (16, 20));
+%! kind = struct ('model', ones (1, 20), 'weight', ones (1, 20) / 20, ...
+%!                'least', zeros (1, 20));
+%! s = repmat (fitSurrogate (X, curve(:, 1), [0, 0, 0; 1, 1, 1]), 1, 20);
+%! none = false (16, 20);
+%! bad = findBadRuns (X, curve, kind, s, none);
+%! kind.weight(:) = 1;
+%! alone = findBadRuns (X, curve, kind, s, none);
 %! assert ([any(bad(:)), any(alone(:))], [false, true]);

@@ -29,23 +29,17 @@ function s = fitLevels (X, z, level, limits, options)
   for cut = sort (unique (level(ok & level > 0)), 'descend')'
     keep = ok & level < cut;
     quick = struct ('trend', s.trend, 'covariance', s.covariance);
-    coarse = fitPart (X, z, level, ok & ~keep, limits, quick);
-    fine = fitPart (X, z, level, keep, limits, quick);
+    coarse = fitRows (X, z, level, ok & ~keep, limits, quick);
+    fine = fitRows (X, z, level, keep, limits, quick);
     apart = likelihoodOf (coarse, X(ok & ~keep, :), z(ok & ~keep), ...
                           level(ok & ~keep), s) + ...
             likelihoodOf (fine, X(keep, :), z(keep), level(keep), s);
     if apart > together + 3
-      s = fitPart (X, z, level, keep, limits, ...
-                   struct ('name', s.name));
+      s = fitRows (X, z, level, keep, limits, struct ('name', s.name));
       s.dropped = unique (level(ok & ~keep))';
       return
     end
   end
-end
-
-function s = fitPart (X, z, level, rowsOf, limits, options)
-  options = levelOptions (options, level(rowsOf), columns (X));
-  s = fitSurrogate (X(rowsOf, :), z(rowsOf), limits, options);
 end
 
 % Log likelihood of runs by the parameters of surrogate S. The coefficients of
@@ -73,7 +67,6 @@ function L = likelihoodOf (s, X, z, level, whole)
 end
 
 %!shared X, level, lim, truth
-%! pkg load stk
 %! rand ('twister', 5);
 %! randn ('twister', 5);
 %! X = rand (20, 2);

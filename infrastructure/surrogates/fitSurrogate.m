@@ -11,7 +11,6 @@
 %   covariance  'matern32', 'matern52', 'gauss' or 'choose' ('choose')
 %   start       surrogate of an earlier fit: its choice is kept, its
 %               parameters are the start ([])
-%   maxFit      rows used at most to estimate the parameters (150)
 %   noise       n x 1 known variances of the single runs ([]: estimated)
 %   unit        scalar, the size that counts: a response that is the same in all
 %               runs is known to a millionth of it (NaN: of the response)
@@ -28,7 +27,8 @@
 %
 % Parameters: least cost of prepareFit, by fminunc. Choice: leave-one-out log
 % predictive density, trend first; an affine trend and matern52 are left only
-% for a gain above 1.5: the best score is partly luck.
+% for a gain above 1.5: the best score is partly luck. Of more rows 150 estimate
+% the parameters, and 60 while the model is chosen.
 %
 % Errors: DEcalioc:fitSurrogate:badShape, DEcalioc:fitSurrogate:runFailed
 
@@ -44,8 +44,8 @@ function surrogate = fitSurrogate (X, z, limits, options)
   end
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...
-                                 'maxFit', 150, 'noise', [], 'level', [], ...
-                                 'unit', NaN, 'prior', []), options);
+                                 'noise', [], 'level', [], 'unit', NaN, ...
+                                 'prior', []), options);
   ok = isfinite (z);
   options.level = ofRows (options.level, ok);
   if sum (ok) < 2
@@ -55,25 +55,20 @@ function surrogate = fitSurrogate (X, z, limits, options)
   end
   base = standardise (X(ok, :), z(ok), limits, options);
   if ~isempty (options.start)
-    surrogate = refit (base, options);
+    surrogate = refit (base, options.start);
   elseif isConstant (base.z)
-    surrogate = conditionSurrogate (constantModel (base), base);
+    surrogate = conditionSurrogate (constantChoice (base), base);
   else
     surrogate = chooseModel (base, options);
   end
 end
 
 function base = standardise (X, z, limits, options)
-  base.name = options.name;
-  base.X = X;
-  base.z = z;
-  base.limits = limits;
-  base.level = options.level;
-  base.noiseLaw = [];
-  base.prior = options.prior;
+  base = struct ('name', options.name, 'X', X, 'z', z, 'limits', limits, ...
+                 'level', options.level, 'noiseLaw', [], ...
+                 'prior', options.prior, 'maxFit', 150, ...
+                 'shift', mean (z), 'scale', std (z));
   base.unit = [(X - limits(1, :)) ./ diff(limits), options.level];
-  base.shift = mean (z);
-  base.scale = std (z);
   if isConstant (z)
     sizes = [options.unit, abs(base.shift), 1];
     base.scale = sizes(find (sizes > 0, 1));
@@ -83,71 +78,51 @@ function base = standardise (X, z, limits, options)
 end
 
 % A response that no run has moved is expected to stay where it is.
-function model = constantModel (base)
-  d = columns (base.unit);
-  model = emptyModel ('constant', 'matern52', d);
-  model.param = zeros (d + 1, 1);
-  model.param(1) = 2 * log (1e-6);
-  model.lognoisevariance = 2 * log (1e-6);
+function choice = constantChoice (base)
+  small = 2 * log (1e-6);
+  choice = struct ('trend', 'constant', 'covariance', 'matern52', ...
+                   'param', [small; zeros(columns (base.unit), 1)], ...
+                   'lognoisevariance', small);
 end
 
-function surrogate = refit (base, options)
-  old = options.start;
-  model = old.model;
+function surrogate = refit (base, old)
+  choice = mergeFields (old, old.model);
   base.prior = old.prior;
   if ~isConstant (base.z)
-    [model, base.noiseLaw] = estimate (old.trend, old.covariance, base, ...
-                                       options, startOf (old, base));
+    start = old.theta;
+    nNoise = numel (start) - numel (old.model.param);
+    if isConstant (old.z) || nNoise ~= 1 + ~isempty (base.level)
+      start = [];
+    end
+    [choice, base.noiseLaw] = estimate (old.trend, old.covariance, base, start);
   end
-  surrogate = conditionSurrogate (model, base);
+  surrogate = conditionSurrogate (choice, base);
   surrogate.nChoice = old.nChoice;
 end
 
-% Parameters of an earlier fit; [] where they do not fit this one.
-function theta = startOf (old, base)
-  theta = [];
-  noise = old.model.lognoisevariance;
-  if ~isempty (old.noiseLaw)
-    noise = old.noiseLaw;
-  end
-  if ~isConstant (old.z) && numel (noise) == 1 + ~isempty (base.level)
-    theta = [old.model.param(:); noise(:)];
-  end
-end
-
 function best = chooseModel (base, options)
-  small = setfield (options, 'maxFit', min (options.maxFit, 60));
-  few = thinned (base, 200);
+  few = base;                          % enough for the choice of the model
+  few.maxFit = 60;
+  use = spreadRows (rows (base.X), 200);
+  for name = {'X', 'z', 'unit', 'level', 'y', 'knownNoise'}
+    few.(name{1}) = ofRows (base.(name{1}), use);
+  end
   [trends, covariances, default] = candidateModels (few, options);
-  best = better ([], trends{default}, covariances{1}, few, small);
-  for i = setdiff (1:numel (trends), default)
-    best = better (best, trends{i}, covariances{1}, few, small);
+  best = [];
+  for i = [default, setdiff(1:numel (trends), default)]
+    best = better (best, trends{i}, covariances{1}, few);
   end
   for i = 2:numel (covariances)
-    best = better (best, best.trend, covariances{i}, few, small);
+    best = better (best, best.trend, covariances{i}, few);
   end
   few.prior = [];
   if ~isempty (best.prior)
-    best = better (best, best.trend, best.covariance, few, small);
+    best = better (best, best.trend, best.covariance, few);
   end
   n = rows (base.X);
-  if n > small.maxFit
-    options.start = best;
-    best = refit (base, options);
+  if n > few.maxFit
+    best = refit (base, best);
     best.nChoice = n;
-  end
-end
-
-function few = thinned (base, most)   % enough for the choice of the model
-  [n, few] = deal (rows (base.X), base);
-  if n > most
-    use = unique (round (linspace (1, n, most)));
-    few.X = base.X(use, :);
-    few.z = base.z(use);
-    few.unit = base.unit(use, :);
-    few.level = ofRows (base.level, use);
-    few.y = base.y(use);
-    few.knownNoise = ofRows (base.knownNoise, use);
   end
 end
 
@@ -156,10 +131,10 @@ function [trends, covariances, default] = candidateModels (base, options)
   trends = {options.trend};
   if strcmp (options.trend, 'choose')
     trends = {'constant', 'affine', 'quadratic'};
-    enough = n >= [3, d + 4, 1.5 * (d + 1) * (d + 2)];
+    enough = n >= [0, d + 4, 1.5 * (d + 1) * (d + 2)];
     % two levels have a straight line between them, and no square
     enough(3) = enough(3) && ~(numel (unique (base.level)) == 2);
-    trends = trends(enough | [~any(enough), false, false]);
+    trends = trends(enough);
   end
   covariances = {options.covariance};
   if strcmp (options.covariance, 'choose')
@@ -168,17 +143,21 @@ function [trends, covariances, default] = candidateModels (base, options)
   default = min (2, numel (trends));
 end
 
-function best = better (best, trend, covariance, base, options)
-  [model, base.noiseLaw] = estimate (trend, covariance, base, options, []);
-  new = conditionSurrogate (model, base);
+function use = spreadRows (n, most)
+  use = unique (round (linspace (1, n, min (n, most))));
+end
+
+function best = better (best, trend, covariance, base)
+  [choice, base.noiseLaw] = estimate (trend, covariance, base, []);
+  new = conditionSurrogate (choice, base);
   if isempty (best) || new.score > best.score + 1.5
     best = new;
   end
 end
 
-function [model, noiseLaw] = estimate (trend, covariance, base, options, theta)
+function [choice, noiseLaw] = estimate (trend, covariance, base, theta)
   [n, d] = size (base.unit);
-  use = unique (round (linspace (1, n, min (n, options.maxFit))));
+  use = spreadRows (n, base.maxFit);
   noise = ofRows (base.knownNoise, use);
   fit = prepareFit (base.unit(use, :), base.y(use), trend, covariance, ...
                     noise, struct ('level', ofRows (base.level, use), ...
@@ -190,33 +169,25 @@ function [model, noiseLaw] = estimate (trend, covariance, base, options, theta)
   settings = optimset ('GradObj', 'on', 'TolFun', 1e-5, 'TolX', 1e-4, ...
                        'MaxIter', 100);
   theta = fminunc (fit.cost, theta, settings);
-  model = emptyModel (trend, covariance, d);
-  model.param = theta(1:d + 1);
-  model.lognoisevariance = log (base.knownNoise);
+  choice = struct ('trend', trend, 'covariance', covariance, ...
+                   'param', theta(1:d + 1), ...
+                   'lognoisevariance', log (base.knownNoise));
   noiseLaw = [];
   if ~isempty (fit.level)
     noiseLaw = theta(d + 2:end)';
-    model.lognoisevariance = noiseLaw(1) + noiseLaw(2) * base.level;
+    choice.lognoisevariance = noiseLaw(1) + noiseLaw(2) * base.level;
   elseif isempty (noise)
-    model.lognoisevariance = theta(end);
+    choice.lognoisevariance = theta(end);
   end
 end
 
 function list = ofRows (list, rowsOf)
   if ~isempty (list)
-    list = list(rowsOf);
+    list = list(rowsOf, :);
   end
 end
 
-function model = emptyModel (trend, covariance, d)
-  kernel = regexprep (covariance, '^(matern|gauss)', '$1cov');
-  model = stk_model (['stk_' kernel '_aniso'], d);
-  model.lm = feval (['stk_lm_' trend]);
-  model.lognoisevariance = NaN;
-end
-
 %!shared X, z, lim
-%! pkg load stk
 %! rand ('twister', 2);
 %! randn ('twister', 2);
 %! lim = [0, 0, 0; 1, 1, 1];

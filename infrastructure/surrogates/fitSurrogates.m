@@ -5,30 +5,24 @@
 %
 % DATA        struct of newData: X n x d, Z n x T (NaN: failed), E n x v
 % PROBLEM     struct of newProblem
-% OLD         1 x T surrogates of an earlier fit: choice of trend and
-%             covariance kept, only parameters estimated again (much faster);
-%             chosen anew when the runs have grown by a fifth
+% OLD         1 x T surrogates of an earlier fit: their trend and covariance are
+%             kept (much faster) until the runs have grown by a fifth
 % MOST        runs that are fitted at most (2000), chosen by thinRuns: memory
 % SURROGATES  1 x T struct array of fitSurrogate
 %
 % Rows with effect values other than those of the first row belong to another
 % model and are left out. Not so where E holds the levels of PROBLEM.coarse:
-% then the level is one more input of the surrogate, which predicts at the level
-% that counts. A level whose runs make the others harder to foretell is dropped
-% (fitLevels). Runs that are all of one level are taken as they are.
+% then the level is one more input of the surrogate (fitLevels), unless the runs
+% are all of one level. Equal replicates count as one run (countEqualOnce).
 %
 % With options.method 'published' of PROBLEM the trend is affine, the covariance
 % matern52, and every run counts.
 %
-% Equal replicates count as one run (countEqualOnce).
-%
 % Runs that are off by far more than runs scatter are left out (findBadRuns);
-% leftOut (n x 1 logical, rows of DATA) says which. Not judged where the scatter
-% is known to follow the response, for there a wide run may be a good one.
-%
-% The noise is estimated with each fit. Where 8 and more degrees of freedom of
-% replicates show that the scatter follows the response (estimateNoise), each
-% row has its own variance, and noiseVar is that at the target.
+% leftOut (n x 1 logical, rows of DATA) says which. Not judged where replicates
+% show that the scatter follows the response (estimateNoise), for there a wide
+% run may be a good one: each row has its own variance then, and noiseVar is
+% that at the target.
 %
 % The variance of a prediction holds what the parameters of the surrogates leave
 % open (parameterSpread).
@@ -41,12 +35,8 @@ function surrogates = fitSurrogates (data, problem, old, most)
     most = 2000;
   end
   data.Z = countEqualOnce (data, problem.bench);
-  isLevelled = isfield (problem, 'coarse') && ~isempty (problem.coarse);
-  same = rowsToFit (data, problem, isLevelled, most);
-  level = cell (1, columns (data.Z));
-  if isLevelled
-    level = levelsOf (data.E(same, :), data.Z(same, :), problem);
-  end
+  same = rowsToFit (data, problem, most);
+  level = levelsOf (data.E(same, :), data.Z(same, :), problem);
   leftOut = false (size (data.Z));
   if ~isempty (old) && ~isempty (old(1).leftOut)
     known = horzcat (old.leftOut);
@@ -71,18 +61,13 @@ function surrogates = fitSurrogates (data, problem, old, most)
 end
 
 % Those of one model, and no more than memory holds.
-function same = rowsToFit (data, problem, isLevelled, most)
-  n = rows (data.X);
-  same = true (n, 1);
-  E = zeros (n, 0);
-  if isfield (data, 'E') && ~isempty (data.E)
-    E = data.E;
-  end
-  if ~isLevelled && ~isempty (E)
-    same = all (E == E(1, :), 2);
+function same = rowsToFit (data, problem, most)
+  same = true (rows (data.X), 1);
+  if isempty (problem.coarse) && ~isempty (data.E)
+    same = all (data.E == data.E(1, :), 2);
   end
   if sum (same) > most
-    table = struct ('X', data.X(same, :), 'E', E(same, :), ...
+    table = struct ('X', data.X(same, :), 'E', data.E(same, :), ...
                     'Z', data.Z(same, :));
     same(same) = thinRuns (table, problem, most);
   end
@@ -92,6 +77,9 @@ end
 % none can be seen as all finished runs are of one level.
 function level = levelsOf (E, Z, problem)
   level = cell (1, columns (Z));
+  if isempty (problem.coarse)
+    return
+  end
   for t = 1:numel (level)
     coarseness = unitLevel (problem.coarse, E, t);
     if any (coarseness) && numel (unique (coarseness(isfinite (Z(:, t))))) > 1
@@ -111,13 +99,13 @@ function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
   X = runs.X;
   Z = runs.Z;
   Z(bad) = NaN;
-  noise = estimateNoise (struct ('X', X, 'Z', Z), problem);
+  law = estimateNoise (X, Z);
   isPublished = strcmp (problem.options.method, 'published');
   anyFollows = isPublished;            % every run counts
   for t = 1:numel (problem.value)
     options = struct ('name', problem.targetNames{t}, 'unit', ...
                       problem.tol(t) * abs (problem.scale(t)));
-    if isfield (problem, 'prior') && ~isempty (problem.prior)
+    if ~isempty (problem.prior)
       options.prior = problem.prior{t};
     end
     if isPublished
@@ -128,24 +116,19 @@ function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
       options.start = old(t);
     end
     if ~isempty (runs.level{t})
-      surrogates(t) = fitLevels (X, Z(:, t), runs.level{t}, problem.limits, ...
-                                 options);
-      continue
-    end
-    follows = noise.heteroscedastic(t) && noise.df(t) >= 8;
-    if follows
-      options.noise = noise.varianceAt{t}(Z(isfinite (Z(:, t)), t));
+      s = fitLevels (X, Z(:, t), runs.level{t}, problem.limits, options);
+    elseif isempty (law{t})
+      s = fitSurrogate (X, Z(:, t), problem.limits, options);
+    else
+      known = Z(isfinite (Z(:, t)), t);
+      options.noise = law{t}(known);
       anyFollows = true;
+      s = fitSurrogate (X, Z(:, t), problem.limits, options);
+      % not measured yet: where the runs are
+      usual = [problem.value(t), median(known)];
+      s.noiseVar = law{t}(usual(1 + isnan (usual(1))));
     end
-    surrogates(t) = fitSurrogate (X, Z(:, t), problem.limits, options);
-    if follows
-      level = problem.value(t);
-      if isnan (level)
-        % not measured yet: where the runs are
-        level = median (Z(isfinite (Z(:, t)), t));
-      end
-      surrogates(t).noiseVar = noise.varianceAt{t}(level);
-    end
+    surrogates(t) = s;
   end
 end
 
@@ -162,62 +145,55 @@ function kind = kindOfTarget (problem)
   kind.least(isnan (kind.least)) = 0;      % not measured yet
 end
 
-%!test
-%! pkg load stk
+%!function problem = problemOf (value)
+%!  names = {'a', 'b'}(1:numel (value));
+%!  limits = [zeros(1, numel (value)); ones(1, numel (value))];
+%!  C = struct ('names', {names}, 'limits', limits, ...
+%!              'targets', struct ('value', num2cell (value), 'tol', 0.01));
+%!  problem = newProblem (C, []);
+%!endfunction
+%!function data = planned (X, Z)
+%!  data = addRows (newData (columns (X), columns (Z)), X, Z, ...
+%!                  ones (rows (X), 1), 'plan');
+%!endfunction
+%!shared X
 %! rand ('twister', 1);
-%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 1], ...
-%!             'targets', struct ('value', {1, 2}, 'tol', 0.01));
-%! problem = newProblem (C, []);
-%! X = rand (10, 2);
-%! data = addRows (newData (2, 2), X, [sum(X, 2), X(:, 1)], ones (10, 1), ...
-%!                 'plan');
-%! s = fitSurrogates (data, problem);
+%! randn ('twister', 1);
+%! X = rand (90, 2);
+
+%!test
+%! data = planned (X(1:10, :), [sum(X(1:10, :), 2), X(1:10, 1)]);
+%! s = fitSurrogates (data, problemOf ([1, 2]));
 %! assert (size (s), [1, 2]);
 %! assert (s(2).name, 'target_2');
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
-%! s = fitSurrogates (data, problem, s);
+%! s = fitSurrogates (data, problemOf ([1, 2]), s);
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
 
 %!test
 %! % rows of another model keep their place in what is left out
-%! pkg load stk
-%! rand ('twister', 1);
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 1, 'tol', 0.01));
-%! X = rand (14, 1);
-%! Z = 1 + X + 0.01 * sin (40 * X);
-%! Z([2, 9]) = [7, 5];
-%! data = addRows (newData (1, 1), X, Z, ones (14, 1), 'plan');
-%! data.E = zeros (14, 1);
-%! data.E(2) = 1;
-%! s = fitSurrogates (data, newProblem (C, []));
+%! data = planned (X(1:14, 1), 1 + X(1:14, 1) + 0.01 * sin (40 * X(1:14, 1)));
+%! data.Z([2, 9]) = [7, 5];
+%! data.E = double ((1:14)' == 2);
+%! s = fitSurrogates (data, problemOf (1));
 %! assert (find (s.leftOut)', 9);
-%! assert (find (fitSurrogates (data, newProblem (C, []), s).leftOut)', 9);
+%! assert (find (fitSurrogates (data, problemOf (1), s).leftOut)', 9);
 
 %!test
 %! % scatter in proportion to the response (12 sets of 4 runs)
-%! rand ('twister', 1);
-%! randn ('twister', 1);
-%! X = kron (rand (12, 1), ones (4, 1));
-%! Z = (1 + 9 * X) .* (1 + 0.05 * randn (48, 1));
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 2, 'tol', 0.01));
-%! data = addRows (newData (1, 1), X, Z, ones (48, 1), 'plan');
-%! s = fitSurrogates (data, newProblem (C, []));
+%! P = kron (X(1:12, 1), ones (4, 1));
+%! Z = (1 + 9 * P) .* (1 + 0.05 * randn (48, 1));
+%! s = fitSurrogates (planned (P, Z), problemOf (2));
 %! assert (sqrt (s.noiseVar), 0.1, 0.04);
 %! assert (numel (s.model.lognoisevariance), 48);
 
 %!test
 %! % more runs than memory holds: a part is fitted, at all levels
-%! rand ('twister', 1);
-%! X = rand (90, 1);
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 2, 'tol', 0.01));
-%! data = addRows (newData (1, 1), X, 1 + X, ones (90, 1), 'plan');
-%! s = fitSurrogates (data, newProblem (C, []), [], 30);
+%! data = planned (X(:, 1), 1 + X(:, 1));
+%! problem = problemOf (2);
+%! s = fitSurrogates (data, problem, [], 30);
 %! assert ({numel(s.z), size(s.leftOut)}, {30, [90, 1]});
 %! assert (predictSurrogate (s, 0.4), 1.4, 1e-3);
-%! problem = newProblem (C, []);
 %! problem.coarse = struct ('levels', [2; 1], 'column', 1);
 %! data.E = repmat ([2; 1; 1], 30, 1);
 %! data.Z += 0.1 * (data.E - 1);

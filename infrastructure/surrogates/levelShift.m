@@ -15,7 +15,7 @@ function [shift, sd, noiseSd] = levelShift (s, p, level)
   if level == 0
     [shift, sd, noiseSd] = deal (0, 0, sqrt (s.noiseVar));
   elseif ~isempty (s.level) && ~any (s.dropped == level)
-    [S, m] = posteriorCovariance (s, [p, level; p, 0]);
+    [m, ~, S] = krigingPosterior (s, [p, level; p, 0]);
     shift = s.scale * (m(1) - m(2));
     sd = s.scale * sqrt (s.factor * max (0, [1, -1] * S * [1; -1]));
     noiseSd = sqrt (noiseAt (s, level));
@@ -23,7 +23,6 @@ function [shift, sd, noiseSd] = levelShift (s, p, level)
 end
 
 %!test
-%! pkg load stk
 %! rand ('twister', 5);
 %! X = rand (16, 2);
 %! level = [ones(8, 1); zeros(8, 1)];

@@ -18,12 +18,7 @@ function surrogate = loadSurrogate (file)
     kept.unit = [kept.unit, kept.level];
   end
   kept.y = (kept.z - kept.shift) / kept.scale;
-  kernel = regexprep (kept.covariance, '^(matern|gauss)', '$1cov');
-  model = stk_model (['stk_' kernel '_aniso'], columns (kept.unit));
-  model.lm = feval (['stk_lm_' kept.trend]);
-  model.param = kept.param;
-  model.lognoisevariance = kept.lognoisevariance;
-  surrogate = conditionSurrogate (model, kept);
+  surrogate = conditionSurrogate (kept, kept);
 end
 
 %!error id=DEcalioc:loadSurrogate:missingFile loadSurrogate ('no such file');

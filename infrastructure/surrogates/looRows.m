@@ -2,7 +2,6 @@
 %
 % CALL: R = looRows (SURROGATES)
 %
-%   SURROGATES  1 x T struct array of fitSurrogates
 %   R           n x T, standardised; 0 x T where the surrogates stand on
 %               different runs and cannot be laid side by side
 

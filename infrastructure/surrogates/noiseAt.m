@@ -2,7 +2,6 @@
 %
 % CALL: V = noiseAt (SURROGATE, LEVEL)
 %
-%   SURROGATE  scalar struct of fitSurrogate
 %   LEVEL      n x 1, how coarse (unitLevel; 0 is the level that counts)
 %   V          n x 1, in squared units of the response; of a surrogate without
 %              levels its noiseVar

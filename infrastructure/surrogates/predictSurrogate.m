@@ -2,8 +2,7 @@
 %
 % CALL: [M, V] = predictSurrogate (SURROGATES, P)
 %
-% SURROGATES  1 x T struct array of fitSurrogate
-% P           n x d  parameter sets; n x (d + 1) with a level, see krigingTerms
+% P           n x d  parameter sets; with a level, see krigingPosterior
 % M, V        n x T  mean of the response and its variance (the noise of a run
 %             is not in it: add surrogates(t).noiseVar to predict a run)
 %
@@ -18,10 +17,9 @@ function [m, v] = predictSurrogate (surrogates, P)
            'predictSurrogate: P must be n x %d, got %d x %d.', ...
            size (surrogates(1).limits, 2), size (P));
   end
-  n = size (P, 1);
+  n = rows (P);
   T = numel (surrogates);
-  m = zeros (n, T);
-  v = zeros (n, T);
+  [m, v] = deal (zeros (n, T));
   chunk = 2000;
   for first = 1:chunk:n
     part = first:min (n, first + chunk - 1);
@@ -42,19 +40,16 @@ end
 
 function [m, v] = predictOne (surrogate, P)
   if nargout > 1
-    [m, B, C] = krigingTerms (surrogate, P);
-    prior = exp (surrogate.model.param(1));
-    v = prior - sum (B.^2, 1)' + sum (C.^2, 1)';
+    [m, v] = krigingPosterior (surrogate, P);
     v = surrogate.factor * surrogate.scale^2 * max (v, 0);
   else
-    m = krigingTerms (surrogate, P);
+    m = krigingPosterior (surrogate, P);
   end
   m = surrogate.shift + surrogate.scale * m;
 end
 
 %!test
 %! % an affine response without noise is met everywhere
-%! pkg load stk
 %! rand ('twister', 1);
 %! X = rand (12, 3);
 %! s = fitSurrogate (X, X * [1; 2; 3], [0, 0, 0; 1, 1, 1]);

@@ -1,7 +1,6 @@
 % PREPAREFIT  The likelihood of a Kriging model, by its parameters.
 %
-% CALL: FIT = prepareFit (U, Y, TREND, KERNEL, NOISE)
-% CALL: FIT = prepareFit (U, Y, TREND, KERNEL, NOISE, OF)
+% CALL: FIT = prepareFit (U, Y, TREND, KERNEL, NOISE [, OF])
 %
 % U       n x d  inputs in the unit box; Y  n x 1 standardised response
 % TREND   'constant', 'affine' or 'quadratic'; KERNEL  see correlationOf
@@ -18,11 +17,9 @@
 %         THETA (d + 2) x 1: log variance, log 1/range (d), log noise variance;
 %         (d + 1) x 1 with NOISE, (d + 3) x 1 with LEVEL: its slope by the level
 %
-% The restricted likelihood equals stk_param_relik up to the prior; written for
-% few runs, where the calls around the algebra cost more than the algebra. With
-% few runs per parameter the plain likelihood lets the noise collapse to zero;
-% the prior (a factor of e and more either way) costs nothing when the data
-% speak.
+% The restricted likelihood equals stk_param_relik up to the prior, in less time
+% for few runs. With few runs per parameter the plain likelihood lets the noise
+% collapse to zero; the prior costs nothing when the data speak.
 
 function fit = prepareFit (U, y, trend, kernel, noise, of)
   if nargin < 6
@@ -49,10 +46,10 @@ function fit = prepareFit (U, y, trend, kernel, noise, of)
   fit.sd = [2; ones(d, 1); 1.2];
   if ~isempty (of.prior)
     known = isfinite (of.prior);
-    w = 1 ./ (1 ./ fit.sd(known).^2 + 1 / 0.5^2);
-    fit.mean(known) = w .* (fit.mean(known) ./ fit.sd(known).^2 + ...
-                            of.prior(known) / 0.5^2);
-    fit.sd(known) = sqrt (w);
+    variance = 1 ./ (1 ./ fit.sd(known).^2 + 1 / 0.5^2);
+    fit.mean(known) = variance .* (fit.mean(known) ./ fit.sd(known).^2 + ...
+                                   of.prior(known) / 0.5^2);
+    fit.sd(known) = sqrt (variance);
   end
   if ~isempty (noise)
     fit.mean(end) = [];
@@ -108,7 +105,6 @@ function [C, g] = penalisedLikelihood (theta, fit)
 end
 
 %!shared X, z, names
-%! pkg load stk
 %! rand ('twister', 1);
 %! X = rand (9, 2);
 %! z = X(:, 1) - X(:, 2) .^ 2;

@@ -2,7 +2,6 @@
 %
 % CALL: NAMES = saveSurrogates (SURROGATES, FOLDER)
 %
-% SURROGATES  1 x T struct array, see fitSurrogate
 % FOLDER      folder that holds them, made where it is missing (text)
 % NAMES       1 x T cellstr, KM_fun_<i>. Of each there are two files:
 %             <name>.txt, runs and parameters for loadSurrogate, and <name>.m,
@@ -20,7 +19,7 @@ function names = saveSurrogates (surrogates, folder)
   end
 end
 
-% The posterior mean of krigingTerms, written out.
+% The posterior mean of krigingPosterior, written out.
 function text = functionOf (name, s)
   d = columns (s.limits);
   n = rows (s.solver.unit);
@@ -73,20 +72,17 @@ end
 
 %!test
 %! % read again, and called: each trend, each covariance, a level
-%! pkg load stk
 %! rand ('twister', 1);
 %! X = rand (16, 2) .* [2, 30] + [1, -10];
 %! z = 3 + X(:, 1).^2 + sin (X(:, 2) / 5);
 %! limits = [1, -10; 3, 20];
 %! trends = {'constant', 'affine', 'quadratic', 'affine'};
 %! kernels = {'gauss', 'matern32', 'matern52', 'matern52'};
+%! levels = {[], [], [], mod(1:16, 2)'};
 %! for t = 1:4
-%!   options = struct ('trend', trends{t}, 'covariance', kernels{t}, ...
-%!                     'name', 'a name');
-%!   if t == 4
-%!     options.level = mod (1:16, 2)';
-%!   end
-%!   s(t) = fitSurrogate (X, z, limits, options);
+%!   s(t) = fitSurrogate (X, z, limits, ...
+%!                        struct ('trend', trends{t}, 'level', levels{t}, ...
+%!                                'covariance', kernels{t}, 'name', 'a name'));
 %! end
 %! folder = fullfile (tempname (), 'KrigingFuns');
 %! names = saveSurrogates (s, folder);

@@ -11,10 +11,10 @@
 % calls   n x n logical, row calls column
 %
 % A call is the name of another file as a word of the code, a handle of it, or
-% the text that feval, str2func, cellfun, arrayfun or parcellfun is given. A
-% text that they put a name together from, [PREFIX, ...], calls all functions
-% that begin so. Comments, other texts, tests, fields and local variables do not
-% count.
+% the word that the text begins with which feval, str2func, cellfun, arrayfun,
+% parcellfun or evalc is given. A text that they put a name together from,
+% [PREFIX, ...], calls all functions that begin so. Comments, other texts,
+% tests, fields and local variables do not count.
 %
 % See also: showGraph
 
@@ -71,8 +71,8 @@ function yes = isNamed (names, text)
   lines = regexp (text, '^(?!\s*[%#]).*$', 'match', 'lineanchors', ...
                   'dotexceptnewline');
   found = regexp (lines, ['\<(?:feval|str2func|cellfun|arrayfun|' ...
-                          'parcellfun)\s*\(\s*(?:\w+,\s*)?(\[?)\s*' ...
-                          '[''"](\w+)[''"]'], 'tokens');
+                          'parcellfun|evalc)\s*\(\s*(?:\w+,\s*)?' ...
+                          '(\[?)\s*[''"](\w+)(?=[''"]| \()'], 'tokens');
   for token = [found{:}]
     if isempty (token{1}{1})
       yes = yes | strcmp (names, token{1}{2});
@@ -125,7 +125,7 @@ end
 %! write ('infrastructure/lower/named.m', ["function y = named ()\n", ...
 %!   "  y = feval ('side', str2func ( ...\n ['dee', 'pest']));\n", ...
 %!   "  % feval ('alone')\n  z = ['alone', 'top'];\n", ...
-%!   "  parcellfun (2, 'base');\n", ...
+%!   "  parcellfun (2, 'base');\n  evalc ('top (2)');\n", ...
 %!   "end\n%! feval ('top');\n"]);
 %! [names, places, calls] = folderCalls (root);
 %! confirm_recursive_rmdir (false, 'local');
@@ -138,5 +138,5 @@ end
 %! [from, to] = find (calls);
 %! made = sort (strcat (names(from), {' '}, names(to)));
 %! assert (made, {'base side'; 'named base'; 'named deepest'; ...
-%!                'named side'; 'side deepest'; 'start base'; 'start top'; ...
-%!                'top side'});
+%!                'named side'; 'named top'; 'side deepest'; ...
+%!                'start base'; 'start top'; 'top side'});

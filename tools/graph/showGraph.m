@@ -10,8 +10,9 @@
 % The table of mayCall is the rule: whom each folder may call besides itself.
 % The subfolders of a folder call each other one way only. What is different on
 % purpose stands in the table of declared, and is printed. A function without a
-% caller is one that no other calls, and that no page of docs/ and no model
-% names: those are for the user. The helpers of tests/ are looked at too.
+% caller is one that no other calls, and that no page of docs/, no model and no
+% program in bin/ names: those are for the user. The helpers of tests/ are
+% looked at too.
 %
 % See also: folderCalls
 
@@ -32,7 +33,7 @@ function failed = showGraph (root)
   [calls, excused, stale] = excuse (names, calls);
   faults = [upward(rule, names, places, calls), ...
             mutual(names, places, calls), stale, ...
-            withoutCaller(root, names, places, calls | excused), ...
+            withoutCaller(root, names, calls | excused), ...
             withoutTest(root)];
   printf ('%s\n', faults{:});
   failed = double (~isempty (faults));
@@ -65,7 +66,7 @@ function list = declared ()
           'getEffect', 'effect[A-Z]\w*', 'found by its file'; ...
           'describeExecutor', '\w+Executor', 'found by its file'; ...
           'describeExecutor', 'execute[A-Z]\w*', 'found by its file'; ...
-          'chooseInfill', 'infill[A-Z]\w*', 'found by its file'; ...
+          'improveByInfill', 'infill[A-Z]\w*', 'found by its file'; ...
           'checkFindModels', 'checkDryRunWorker', 'in an Octave of its own'};
 end
 
@@ -129,17 +130,19 @@ function faults = faultLines (what, names, places, calls)
                      from(:)', to(:)', 'UniformOutput', false);
 end
 
-function faults = withoutCaller (root, names, places, calls)
+function faults = withoutCaller (root, names, calls)
   pages = [glob(fullfile (root, 'docs', '*.md')); ...
            glob(fullfile (root, 'README.md'))];
   spans = regexp (cellfun (@fileread, pages, 'UniformOutput', false), ...
                   '```.*?```|`[^`]+`', 'match');
   models = [glob(fullfile (root, 'DEMmodels', '*', '*', '*.m')); ...
             glob(fullfile (root, 'templates', '*', '*', '*', '*', '*.m'))];
-  texts = [{''}, spans{:}, cellfun(@fileread, models, 'UniformOutput', false)'];
+  programs = [models; glob(fullfile (root, 'bin', '*'))];
+  texts = [{''}, spans{:}, cellfun(@fileread, programs, ...
+                                   'UniformOutput', false)'];
   % an identifier of an error names its function without a call
   texts = regexprep (strjoin (texts, "\n"), 'DEcalioc:\w+', '');
-  alone = names(~any (calls, 1)' & ~strcmp (places, 'main'));
+  alone = names(~any (calls, 1));
   isSaid = cellfun (@(n) isWordOf (n, texts), alone);
   faults = strcat ({'Without a caller: '}, alone(~isSaid))';
 end
@@ -171,65 +174,75 @@ function yes = isWordOf (name, text)
         ~isempty (regexp (text, ['\<', name, '\>'], 'once'));
 end
 
-%!shared scratch
-%! % the toolbox itself, in a copy into which faults are planted
+%!function [failed, said] = graphOf (root)
+%!  said = evalc ('failed = showGraph (root);');
+%!  said = strsplit (said, "\n");
+%!endfunction
+
+%!test
+%! % the toolbox itself, in a copy into which faults are planted: functions of
+%! % names that stand nowhere, not even here
 %! scratch = tempname ();
 %! mkdir (scratch);
 %! root = fileparts (fileparts (fileparts (which ('showGraph'))));
 %! for part = {'infrastructure', 'tests', 'docs', 'templates', 'tools', ...
-%!             'DEMmodels', 'benchmarks', 'Makefile', 'README.md', '*.m'}
+%!             'DEMmodels', 'benchmarks', 'bin', 'Makefile', 'README.md', '*.m'}
 %!   copyfile (fullfile (root, part{1}), scratch);
 %! end
-
-%!function said = faultsWith (scratch, file, code)
-%!  % what is said of the copy with one more function, of a name that stands
-%!  % nowhere, not even here
-%!  name = ['nobody', 'CallsMe'];
-%!  file = fullfile (scratch, file, [name, '.m']);
-%!  writeAtomic (file, sprintf ("function %s ()\n  %s;\nend\n", name, code));
-%!  said = evalc ('failed = showGraph (scratch);');
-%!  unlink (file);
-%!  said = regexp (said, '^(Upward|Both|Without|Declared,).*$', 'match', ...
-%!                 'lineanchors', 'dotexceptnewline');
-%!  assert (failed, 1);
-%!endfunction
-
-%!test
-%! % sound as it is, with what is declared
-%! said = evalc ('failed = showGraph (scratch);');
-%! assert (failed, 0, said);
-%! assert (! isempty (strfind (said, 'Declared: readInput calls loadInput')));
-%!test
-%! % a subfolder calls back into its neighbour, by a handle
-%! said = faultsWith (scratch, 'infrastructure/gap/which', 'f = @locateGap');
-%! assert (any (strcmp (said, ['Both ways: gap/which/nobody', ...
-%!                             'CallsMe calls gap/where/locateGap'])));
-%!test
-%! % a call up by name, in three ways
-%! for code = {'feval (''runJobs'')', 'f = str2func ([''runJ'', name])', ...
-%!             'parcellfun (2, ''runJobs'', {})'}
-%!   said = faultsWith (scratch, 'infrastructure/files', code{1});
-%!   assert (any (strcmp (said, ['Upward: files/nobody', ...
-%!                               'CallsMe calls runs/runJobs'])));
+%! [failed, said] = graphOf (scratch);
+%! assert (failed == 0, strjoin (said, "\n"));
+%! assert (any (strncmp (said, 'Declared: readInput calls loadInput', 30)));
+%!
+%! folders = strsplit (genpath (fullfile (scratch, 'infrastructure')), ...
+%!                     pathsep ());
+%! folders = folders(cellfun (@(f) numel (glob (fullfile (f, '*.m'))) > 0, ...
+%!                             folders));
+%! assert (numel (folders) > 15);
+%! inside = @(place) fullfile (scratch, 'infrastructure', place);
+%! nobody = ['nobody', 'CallsMe'];
+%! wanted = {};
+%! % without a caller: in whatever folder
+%! for k = 1:numel (folders)
+%!   plant = {folders{k}, sprintf('%s%d', nobody, k), 'x = 1'};
+%!   writeAtomic (fullfile (plant{1}, [plant{2}, '.m']), ...
+%!                sprintf ("function %s ()\n  %s;\nend\n", plant{2:3}));
+%!   wanted{end + 1} = ['Without a caller: ', plant{2}];
 %! end
-%!test
-%! % no caller: in a subfolder, among the published ones, for tests
-%! for folder = {'infrastructure/report/page', 'infrastructure'}
-%!   assert (faultsWith (scratch, folder{1}, 'x = 1'), ...
-%!           {['Without a caller: nobody', 'CallsMe']});
+%! % upward by name, in four ways; a subfolder calls back into its neighbour,
+%! % by a handle; a helper of the tests without a test
+%! up = {'feval (''runJobs'')', 'f = str2func ([''runJ'', name])', ...
+%!       'parcellfun (2, ''runJobs'', {})', 'evalc (''runJobs (1)'')'};
+%! wanted = [wanted, {['Both ways: gap/which/', nobody, 'E calls ', ...
+%!                     'gap/where/locateGap'], ['Without a test: ', nobody]}];
+%! plants = {inside('gap/which'), 'E', 'f = @locateGap'; ...
+%!           fullfile(scratch, 'tests'), '', 'x = 1'};
+%! for k = 1:4
+%!   plants(end + 1, :) = {inside('files'), char('A' + k - 1), up{k}};
+%!   wanted{end + 1} = ['Upward: files/', nobody, plants{end, 2}, ...
+%!                      ' calls runs/runJobs'];
 %! end
-%! assert (faultsWith (scratch, 'tests', 'x = 1'), ...
-%!         {['Without a test: nobody', 'CallsMe']});
-%!error id=DEcalioc:showGraph:unknownName
-%! mkdir (fullfile (scratch, 'infrastructure', 'new'));
-%! faultsWith (scratch, 'infrastructure/new', 'x = 1');
-%!test
+%! for plant = plants'
+%!   name = [nobody, plant{2}];
+%!   writeAtomic (fullfile (plant{1}, [name, '.m']), ...
+%!                sprintf ("function %s ()\n  %s;\nend\n", name, plant{3}));
+%! end
 %! % an exception of nothing
+%! unlink (fullfile (inside ('case/check'), 'checkDryRunWorker.m'));
+%! wanted{end + 1} = ['Declared, but not there: checkFindModels ', ...
+%!                    'checkDryRunWorker'];
+%! [failed, said] = graphOf (scratch);
+%! assert (failed, 1);
+%! assert (cell (1, 0), setdiff (wanted, said));
+%!
+%! % a folder that is in no layer
+%! mkdir (inside ('new'));
+%! writeAtomic (fullfile (inside ('new'), 'x.m'), "function x ()\nend\n");
+%! caught = '';
+%! try
+%!   graphOf (scratch);
+%! catch err
+%!   caught = err.identifier;
+%! end
 %! confirm_recursive_rmdir (false, 'local');
-%! rmdir (fullfile (scratch, 'infrastructure', 'new'), 's');
-%! unlink (fullfile (scratch, 'infrastructure', 'case', 'check', ...
-%!                   'checkDryRunWorker.m'));
-%! said = faultsWith (scratch, 'infrastructure', 'x = 1');
-%! first = 'Declared, but not there: checkFindModels ';
-%! assert (any (strncmp (said, first, numel (first))));
 %! rmdir (scratch, 's');
+%! assert (caught, 'DEcalioc:showGraph:unknownName');

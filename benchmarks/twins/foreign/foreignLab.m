@@ -1,11 +1,14 @@
 % FOREIGNLAB  A laboratory of published laws that the diagnosis does not know.
 %
 % CALL: LAB = foreignLab (KIND, NUMBER)
+%       LAB = foreignLab (KIND, NUMBER, CHANGE)
 %
 %   KIND    'blind' (four laws: silo, drums, columns, benchtop) or 'develop'
 %           (two others: chute, taps)
 %   NUMBER  whole number from 1: the laws in turn, their constants a little
 %           different each time
+%   CHANGE  struct of values (as many as there are now) at which its benches are
+%           set up otherwise: opening, speed, load ..., fields of c in lab*.m
 %   LAB     struct
 %     name      text
 %     gapProblem   as newGapProblem wants it, value still NaN
@@ -33,7 +36,10 @@
 %
 % See also: standInGap, foreignPlan, foreignNoise, foreignTwins
 
-function lab = foreignLab (kind, number)
+function lab = foreignLab (kind, number, change)
+  if nargin < 3
+    change = struct ();
+  end
   makers = struct ('blind', {{@labSilo, @labDrums, @labColumns, ...
                               @labBenchtop}}, ...
                    'develop', {{@labChute, @labTaps}});
@@ -56,7 +62,7 @@ function lab = foreignLab (kind, number)
   rand ('twister', seed);
   vary = @(x) x .* (0.9 + 0.2 * rand (size (x)));
   list = makers.(kind);
-  spec = list{1 + mod(number - 1, numel (list))} (vary);
+  spec = list{1 + mod(number - 1, numel (list))} (vary, change);
   lab = build (spec, sprintf ('%s%d', spec.name, number));
 end
 
@@ -157,6 +163,13 @@ end
 %! assert (a.bare (theta), b.bare (theta));
 %! assert (norm (a.bare (theta) - c.bare (theta)) > 1e-3);
 %! assert (c.name, 'drums6');
+%!test % another setting: other results of that bench, the others as they were
+%! a = foreignLab ('blind', 1);
+%! b = foreignLab ('blind', 1, struct ('load', [3, 4, 5, 6] * 1000));
+%! theta = 0.4 * ones (1, 4);
+%! change = b.bare (theta) - a.bare (theta);
+%! assert (change(1:11), zeros (1, 11));
+%! assert (all (change(12:15) > 0));
 %!test % typical scatter: that of runs, standard deviation of 4000 within 15 %
 %! % (t with 4 degrees of freedom: the standard error is about 3 %)
 %! for number = 1:4

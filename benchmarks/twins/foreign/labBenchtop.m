@@ -1,8 +1,9 @@
 % LABBENCHTOP  Foreign laboratory: five small tests with two results each.
 %
-% CALL: SPEC = labBenchtop (VARY)
+% CALL: SPEC = labBenchtop (VARY, CHANGE)
 %
 %   VARY  handle, x = VARY (x): constants a little different
+%   CHANGE  struct: where the benches stand otherwise, see foreignLab
 %   SPEC  struct, see foreignLab
 %
 % Cone, funnel, shear cell, tapping, drum: ten results, three parameters, so
@@ -10,12 +11,17 @@
 %
 % See also: foreignLab
 
-function spec = labBenchtop (vary)
+function spec = labBenchtop (vary, change)
   c = struct ('base', vary (0.3), 'slide', vary (0.35), 'soon', vary (0.25), ...
               'roll', vary (0.4), 'turn', vary (0.2), 'C', vary (0.58), ...
               'k', vary (1.4), 'jam', vary (3.5), 'arch', vary (0.0014), ...
               'stick', vary (60), 'dense', vary (0.13), 'rise', vary (1), ...
               'power', vary (0.6), 'lift', vary (1.5), 'from', vary (0.1));
+  c.width = [0.015, 0.025];
+  c.load = [400, 1600];
+  c.taps = [0, 200];
+  c.speed = [2, 6];
+  c = mergeFields (c, change);
   spec.name = 'benchtop';
   spec.parameters = {'friction', 0.2, 0.8; 'rolling', 0, 0.4; ...
                      'wallFriction', 0.1, 0.6};
@@ -27,7 +33,7 @@ function spec = labBenchtop (vary)
   spec.bench = kron (1:5, [1, 1]);
   spec.benchNames = {'cone', 'funnel', 'shear', 'tapping', 'drum'};
   spec.series = [0, 0, 1, 1, 2, 2, 3, 3, 4, 4];
-  spec.coordinate = [0, 0, 0.015, 0.025, 400, 1600, 0, 200, 2, 6];
+  spec.coordinate = [0, 0, c.width, c.load, c.taps, c.speed];
   weighed = [0, 1, 1, 1, 0, 0, 1, 1, 0, 0];
   spec.laboratory = {'balanceGain', [], 0.05 * diag(weighed), false};
   spec.law = @(P, E) results (c, P, E);
@@ -54,14 +60,13 @@ function Z = results (c, P, E)
   law = struct ('C', c.C * (1 + 0.25 * exp(-P.friction / 0.3)) .* ...
                 (1 - 0.12 * P.wallFriction), ...
                 'k', c.k + 0.5 * tanh (P.rolling / 0.2), 'jam', c.jam);
-  opening = [0.015, 0.025] - c.arch * both;
+  opening = c.width - c.arch * both;
   rate = dischargeRate (opening, 0.0025 * coarse, 2500 * loose, law);
-  taps = [0, 200];
   gain = c.dense * (1 + 0.6 * both + 0.3 * P.rolling);
-  density = 2500 * (loose + gain .* tappedShare (taps, 15, 0.4));
+  density = 2500 * (loose + gain .* tappedShare (c.taps, 15, 0.4));
   tau = c.stick * (pull + 0.95 * damp) + ...
-        [400, 1600] .* inside .* (1 + 0.05 * pull);
-  froude = [2, 6].^2 * 0.06 / 9.81;
+        c.load .* inside .* (1 + 0.05 * pull);
+  froude = c.speed.^2 * 0.06 / 9.81;
   turning = struct ('rise', c.rise * (0.6 + 0.5 * P.friction), ...
                     'power', c.power, 'from', c.from, ...
                     'lift', c.lift * (1 + 0.3 * dull));

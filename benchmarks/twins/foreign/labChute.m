@@ -1,8 +1,9 @@
 % LABCHUTE  Foreign laboratory to develop on: a chute, slots and a shear tester.
 %
-% CALL: SPEC = labChute (VARY)
+% CALL: SPEC = labChute (VARY, CHANGE)
 %
 %   VARY  handle, x = VARY (x): constants a little different
+%   CHANGE  struct: where the benches stand otherwise, see foreignLab
 %   SPEC  struct, see foreignLab
 %
 % Flow down a chute of five slopes that stops below an angle, slots that an arch
@@ -10,7 +11,7 @@
 %
 % See also: foreignLab, chuteFlow, slotRate
 
-function spec = labChute (vary)
+function spec = labChute (vary, change)
   c = struct ('base', vary (0.18), 'slide', vary (0.25), 'soon', vary (0.4), ...
               'roll', vary (0.2), 'turn', vary (0.2), 'flow', vary (0.4), ...
               'fade', vary (4), 'C', vary (1), 'k', vary (1.3), ...
@@ -18,6 +19,7 @@ function spec = labChute (vary)
   c.tangent = tand ([28, 30, 32, 34, 36]);
   c.width = [12, 16, 22, 30] / 1000;
   c.load = [250, 700, 1500];
+  c = mergeFields (c, change);
   spec.name = 'chute';
   spec.parameters = {'friction', 0.2, 0.7; 'rolling', 0, 0.3; ...
                      'restitution', 0.2, 0.9; 'wallFriction', 0.1, 0.6};

@@ -1,8 +1,9 @@
 % LABCOLUMNS  Foreign laboratory: collapsing columns, a heap, shear, pouring.
 %
-% CALL: SPEC = labColumns (VARY)
+% CALL: SPEC = labColumns (VARY, CHANGE)
 %
 %   VARY  handle, x = VARY (x): constants a little different
+%   CHANGE  struct: where the benches stand otherwise, see foreignLab
 %   SPEC  struct, see foreignLab
 %
 % Run-out of columns of five aspect ratios by power laws with a kink that moves
@@ -12,7 +13,7 @@
 %
 % See also: foreignLab, runOutLength, fallSlowing
 
-function spec = labColumns (vary)
+function spec = labColumns (vary, change)
   c = struct ('base', vary (0.28), 'slide', vary (0.35), 'soon', vary (0.3), ...
               'roll', vary (0.35), 'turn', vary (0.15), ...
               'factor', vary (2.1), 'kink', vary (2.2), 'time', vary (3.1), ...
@@ -20,6 +21,7 @@ function spec = labColumns (vary)
   c.aspect = [0.6, 1.2, 2.4, 4.8, 8];
   c.load = [300, 900, 1800];
   c.fall = [0.1, 0.3, 0.6];
+  c = mergeFields (c, change);
   spec.name = 'columns';
   spec.parameters = {'friction', 0.2, 0.9; 'rolling', 0, 0.35; ...
                      'wallFriction', 0.1, 0.7; 'restitution', 0.2, 0.9; ...

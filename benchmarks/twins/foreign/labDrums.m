@@ -1,8 +1,9 @@
 % LABDRUMS  Foreign laboratory: a drum at six speeds, a heap and a tilting box.
 %
-% CALL: SPEC = labDrums (VARY)
+% CALL: SPEC = labDrums (VARY, CHANGE)
 %
 %   VARY  handle, x = VARY (x): constants a little different
+%   CHANGE  struct: where the benches stand otherwise, see foreignLab
 %   SPEC  struct, see foreignLab
 %
 % Slopes by Froude number with a kink where grains are thrown; what sticks fades
@@ -11,12 +12,13 @@
 %
 % See also: foreignLab, drumTangent, reposeTangent
 
-function spec = labDrums (vary)
+function spec = labDrums (vary, change)
   c = struct ('base', vary (0.32), 'slide', vary (0.3), 'soon', vary (0.3), ...
               'roll', vary (0.3), 'turn', vary (0.15), 'rise', vary (0.8), ...
               'power', vary (0.55), 'lift', vary (1.2), 'from', vary (0.09), ...
               'fade', vary (0.06), 'stick', vary (0.2));
   c.speed = [1, 2, 3, 4.5, 6, 8];
+  c = mergeFields (c, change);
   spec.name = 'drums';
   spec.parameters = {'friction', 0.15, 0.9; 'rolling', 0, 0.3; ...
                      'restitution', 0.2, 0.9};

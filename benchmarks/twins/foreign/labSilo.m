@@ -1,8 +1,9 @@
 % LABSILO  Foreign laboratory: a silo with five openings, and a shear cell.
 %
-% CALL: SPEC = labSilo (VARY)
+% CALL: SPEC = labSilo (VARY, CHANGE)
 %
 %   VARY  handle, x = VARY (x): constants a little different
+%   CHANGE  struct: where the benches stand otherwise, see foreignLab
 %   SPEC  struct, see foreignLab
 %
 % Rates by Beverloo with jamming, stress by Janssen, shear by Mohr and Coulomb.
@@ -11,7 +12,7 @@
 %
 % See also: foreignLab, dischargeRate, wallStress
 
-function spec = labSilo (vary)
+function spec = labSilo (vary, change)
   c = struct ('C', vary (0.55), 'k', vary (1.3), 'jam', vary (4), ...
               'arch', vary (0.0016), 'K', vary (0.4), 'stick', vary (45), ...
               'base', vary (0.3), 'slide', vary (0.35), 'soon', vary (0.3), ...
@@ -19,6 +20,7 @@ function spec = labSilo (vary)
   c.opening = [16, 20, 25, 31, 38] / 1000;
   c.depth = [0.1, 0.2, 0.4, 0.8];
   c.load = [200, 500, 1000, 2000];
+  c = mergeFields (c, change);
   spec.name = 'silo';
   spec.parameters = {'friction', 0.2, 0.8; 'rolling', 0.02, 0.4; ...
                      'wallFriction', 0.1, 0.6; 'restitution', 0.2, 0.8};

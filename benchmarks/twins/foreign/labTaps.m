@@ -1,8 +1,9 @@
 % LABTAPS  Foreign laboratory to develop on: tapping, a penetrometer, a cone.
 %
-% CALL: SPEC = labTaps (VARY)
+% CALL: SPEC = labTaps (VARY, CHANGE)
 %
 %   VARY  handle, x = VARY (x): constants a little different
+%   CHANGE  struct: where the benches stand otherwise, see foreignLab
 %   SPEC  struct, see foreignLab
 %
 % Density over the logarithm of taps, force of a penetrometer as a power of
@@ -10,13 +11,14 @@
 %
 % See also: foreignLab, tappedShare
 
-function spec = labTaps (vary)
+function spec = labTaps (vary, change)
   c = struct ('base', vary (0.3), 'slide', vary (0.3), 'soon', vary (0.3), ...
               'roll', vary (0.35), 'turn', vary (0.2), 'gap', vary (0.1), ...
               'set', vary (20), 'step', vary (0.35), 'power', vary (1.3), ...
               'force', vary (3));
   c.taps = [0, 10, 30, 100, 300, 1000];
   c.depth = [10, 20, 40];
+  c = mergeFields (c, change);
   spec.name = 'taps';
   spec.parameters = {'friction', 0.2, 0.8; 'rolling', 0, 0.4; ...
                      'restitution', 0.2, 0.9};

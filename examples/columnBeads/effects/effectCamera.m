@@ -16,7 +16,6 @@ function effect = effectCamera ()
   given.limits = [-0.1; 0.1];
   given.unit = 'column heights';
   given.label = 'floor read too high';
-  given.confusedWith = {'fill'};
   given.group = 'camera';
   given.laboratory = true;
   given.kinds = {'height'};

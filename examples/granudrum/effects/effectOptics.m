@@ -17,7 +17,6 @@ function effect = effectOptics ()
   given.priorScale = 2;
   given.unit = 'mm';
   given.label = 'offset of the surface in the picture, normal to it';
-  given.confusedWith = {'fill'};
   given.group = 'optics';
   given.laboratory = true;
   given.kinds = {'height'};

@@ -10,124 +10,99 @@
 %   FAULTS    1 x n struct array with the fields id ('DEcalioc:checkCase:...')
 %             and message (what, where, expected, got, cure); empty where all
 %             is good
-%   FOUND     scalar struct of what the checks have read and newCase needs:
-%             groups (of measured.csv, see groupMeasured; [] without one), sizes
-%             (1 x M, targets of each model; [] where they make no sense)
+%   FOUND     scalar struct of what newCase needs of it: groups, conditions,
+%             sizes (see checkMeasuredTable), paramMean, paramSd (see
+%             checkMeasured)
 %
 % Never throws, starts no DEM run, makes no folder of the case, evaluates no
 % text of the user. With 'noPrograms' no other program is started either: the
 % results of getResults are not counted, bash does not read the runscript, and
-% the place for the runs is not looked at. docs/inputs.md has a table of the
-% identifiers.
+% the place for the runs is not looked at. Reasons: see docs/inputs.md.
 
 function [faults, found] = checkCase (raw, mode)
   if nargin < 2
     mode = 'full';
   end
   found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
-  [faults, raw] = checkRaw (raw);
-  if ~isempty (raw)
-    [p, ~] = attempt (@() checkAlone (raw));
-    [q, found] = attempt (@() checkTogether (raw, mode));
-    faults = [faults, p, q];
-  end
-  if isempty (faults)
-    faults = checkFault ();
-  end
-end
-
-% An error in the checks themselves is a fault as well, not an exception.
-function [p, found] = attempt (check)
-  try
-    [p, found] = check ();
-  catch err
-    found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
-    where = '';
-    if ~isempty (err.stack)
-      where = sprintf (' (%s, line %d)', err.stack(1).name, ...
-                       err.stack(1).line);
-    end
-    p = checkFault ('checkFailed', 'The input', ...
-                    'values that the checks understand', ...
-                    [err.message, where], ...
-                    'Compare loadInput.m with the one of the toolbox.');
-  end
-end
-
-% Parts that are not usable at all become [].
-function [p, raw] = checkRaw (raw)
-  p = checkFault ();
-  if ~checkIs ('struct', raw)
-    p = checkFault ('badRaw', 'The input', 'one struct', checkShow (raw), ...
-                    'Call loadCase, or newCase as its help says.');
-    raw = [];
+  [faults, raw, isUsable] = checkRaw (raw);
+  if ~isUsable
     return
   end
-  for name = {'Input', 'optim', 'modelVars'}
-    [q, raw] = checkPart (raw, name{1}, @(v) checkIs ('struct', v), ...
-                          'one struct');
-    p = [p, q];
+  try
+    faults = [faults, checkSettings(raw.Input, raw.optim), ...
+              checkVariables(raw.modelVars, raw.assign, raw.paramLims, ...
+                             givenField (raw.Input, 'numOfSam', []))];
+    [p, found] = checkTogether (raw, mode, found);
+    faults = [faults, p];
+  catch err
+    % an error in the checks themselves is a fault as well, not an exception
+    got = err.message;
+    if ~isempty (err.stack)
+      got = sprintf ('%s (%s, line %d)', got, err.stack(1).name, ...
+                     err.stack(1).line);
+    end
+    p = checkFault ('checkFailed', 'The input', ...
+                    'values that the checks understand', got, ...
+                    'Compare loadInput.m with the one of the toolbox.');
+    faults = [faults, p];
   end
-  for name = {'assign', 'paramLims'}
-    [q, raw] = checkPart (raw, name{1}, @(v) true, 'a value');
-    p = [p, q];
-  end
-  for name = {'folder', 'root'}
-    [q, raw] = checkPart (raw, name{1}, @(v) checkIs ('text', v), ...
-                          'the path of a folder');
-    p = [p, q];
+  if isempty (faults)
+    faults = checkFault ();          % joined, empty ones have lost their fields
   end
 end
 
-function [p, raw] = checkPart (raw, name, isGood, expected)
+% Parts of loadInput that are not usable at all become [].
+function [p, raw, isUsable] = checkRaw (raw)
+  isUsable = checkIs ('struct', raw);
+  if ~isUsable
+    p = checkFault ('badRaw', 'The input', 'one struct', checkShow (raw), ...
+                    'Call loadCase, or newCase as its help says.');
+    return
+  end
   p = checkFault ();
+  one = 'one struct';
+  path = 'the path of a folder';
+  parts = {'Input', 'struct', one; 'optim', 'struct', one; ...
+           'modelVars', 'struct', one; 'assign', '', 'a value'; ...
+           'paramLims', '', 'a value'; 'folder', 'text', path; ...
+           'root', 'text', path};
   cure = 'Compare loadInput.m with the one of the toolbox.';
-  if ~isfield (raw, name)
-    p = checkFault ('missingOutput', name, expected, 'nothing', cure);
-    raw.(name) = [];
-  elseif ~isGood (raw.(name))
-    p = checkFault ('notStruct', name, expected, ...
-                    checkShow (raw.(name)), cure);
-    raw.(name) = [];
+  for part = parts'
+    [name, kind, expected] = part{:};
+    if ~isfield (raw, name)
+      p(end + 1) = checkFault ('missingOutput', name, expected, 'nothing', ...
+                               cure);
+      raw.(name) = [];
+    elseif ~isempty (kind) && ~checkIs (kind, raw.(name))
+      p(end + 1) = checkFault ('notStruct', name, expected, ...
+                               checkShow (raw.(name)), cure);
+      raw.(name) = [];
+    end
   end
-end
-
-% Checks that look at the values alone.
-function [p, found] = checkAlone (raw)
-  found = [];
-  numOfSam = [];
-  if isstruct (raw.Input)
-    numOfSam = givenField (raw.Input, 'numOfSam', []);
-  end
-  p = [checkSettings(raw.Input, raw.optim), ...
-       checkVariables(raw.modelVars, raw.assign, raw.paramLims, numOfSam)];
+  isUsable = ischar (raw.folder) && ischar (raw.root);
 end
 
 % Checks that compare the values with files and with each other.
-function [p, found] = checkTogether (raw, mode)
+function [p, found] = checkTogether (raw, mode, found)
   p = checkFault ();
-  found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
-  models = checkFindModels (struct (), '', '', mode);
-  if isstruct (raw.Input) && ischar (raw.folder) && ischar (raw.root)
-    models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
-    if needsModels (raw)
-      executor = givenField (raw.Input, 'executor', 'local');
-      how = struct ('programs', strcmp (mode, 'full'), 'onCluster', ...
-                    checkIs ('text', executor) && ...
-                    ~describeExecutor (executor).isHere);
-      p = checkModels (models, raw.folder, raw.root, how);
-    end
+  models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
+  % with a table of finished runs and no new ones they need not be there
+  if ~(isequal (givenField (raw.Input, 'maxNewRuns', Inf), 0) && ...
+       isfile (fullfile (raw.folder, 'runs.csv')))
+    executor = givenField (raw.Input, 'executor', 'local');
+    isFar = checkIs ('text', executor) && ~describeExecutor (executor).isHere;
+    how = struct ('programs', strcmp (mode, 'full'), 'onCluster', isFar);
+    p = checkModels (models, raw.folder, raw.root, how);
   end
   [ofLevels, names, fields] = checkLevels (raw, numel (models));
   [names, fields, kinds] = variablesOf (raw, names, fields);
   p = [p, checkDeclared(names, fields, kinds, models)];
   if isstruct (raw.optim)
-    [q, found] = checkAllTargets (raw, models, names);
-    p = [p, q, checkCorrelation(raw.optim, found.sizes)];
-    if isstruct (raw.modelVars) && iscell (raw.assign)
-      p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign(:)', models)];
-    end
-    p = [p, checkMeasured(raw.optim, raw.assign, raw.paramLims)];
+    [q, found] = checkMeasuredTable (raw, models, names);
+    p = [p, q];
+    [r, found.paramMean, found.paramSd] = ...
+      checkMeasured (raw.optim, raw.assign, raw.paramLims);
+    p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign, models), r];
   end
   p = [p, ofLevels];
   if strcmp (mode, 'full')
@@ -135,25 +110,59 @@ function [p, found] = checkTogether (raw, mode)
   end
 end
 
-% measured.csv goes before what optim says of the targets.
-function [p, found] = checkAllTargets (raw, models, names)
-  found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
-  file = '';
-  if ischar (raw.folder)
-    file = fullfile (raw.folder, 'measured.csv');
-  end
-  if isfile (file)
-    [p, found] = checkMeasuredTable (raw, models, names);
+% Radius, density, Young's modulus and Poisson's ratio must be among the model
+% or the design variables where optim.WRL > 0, or where percentRayleigh is one
+% and a data.head would keep its own time step otherwise. With optim.WRL > 0
+% percentRayleigh too, where a data.head sets SIMTS to 0 and has no
+% percentRayleigh to go by.
+function p = checkRayleigh (optim, modelVars, assign, models)
+  p = checkFault ();
+  if ~isstruct (modelVars) || ~iscell (assign)
     return
   end
-  [p, found.sizes] = checkTargets (raw.optim, models);
-  p = [p, checkPerTarget(raw.optim, found.sizes, names)];
+  isText = cellfun (@(a) checkIs ('text', a), assign(:)');
+  given = [fieldnames(modelVars)', assign(isText)(:)'];
+  isWished = isfield (optim, 'WRL') && checkIs ('number', optim.WRL) && ...
+             optim.WRL > 0;
+  isLost = any (strcmp (given, 'percentRayleigh')) && ...
+           any (arrayfun (@ownStep, models) > 0);
+  if ~isWished && ~isLost
+    return
+  end
+  needed = {'radiusP', 'densityP', 'youngsModulusP', 'poissonsRatioP'};
+  hasOwnShare = @(m) ~isempty (valueIn (m.head, 'percentRayleigh'));
+  if isWished && any (arrayfun (@(m) ownStep (m) == 0 && ~hasOwnShare (m), ...
+                                models))
+    needed{end + 1} = 'percentRayleigh';
+  end
+  for k = find (~ismember (needed, given))
+    name = needed{k};
+    p(end + 1) = checkFault ('missingRayleigh', ['modelVars.', name], ...
+                             'a number, or a design variable', ...
+                             'neither', cure (name, models));
+  end
 end
 
-% With a table of finished runs and no new ones the models need not be there.
-function yes = needsModels (raw)
-  yes = ~(isequal (givenField (raw.Input, 'maxNewRuns', Inf), 0) && ...
-          isfile (fullfile (raw.folder, 'runs.csv')));
+% SIMTS of data.head (s); NaN where it has none.
+function step = ownStep (model)
+  step = str2double (valueIn (model.head, 'SIMTS'));
+end
+
+% The last line that names it counts; '' where none does.
+function value = valueIn (head, name)
+  value = '';
+  if ~isempty (head) && any (strcmp ({head.name}, name))
+    value = head(strcmp ({head.name}, name))(end).value;
+  end
+end
+
+function text = cure (name, models)
+  value = valueIn ([models.head], name);
+  text = sprintf ('Set modelVars.%s = %s; as data.head does.', name, value);
+  if isnan (str2double (value))
+    text = ['Set modelVars.', name, '; without it optim.WRL must be 0 and ' ...
+            'percentRayleigh not set.'];
+  end
 end
 
 % Those of assign and modelVars, and those of the levels, which are given.
@@ -178,18 +187,10 @@ function [names, fields, kinds] = variablesOf (raw, names, fields)
 end
 
 function p = checkPlace (raw, models)
-  p = checkFault ();
-  if ~ischar (raw.folder) || ~isstruct (raw.Input)
-    return
-  end
-  store = givenField (raw.Input, 'store', '');
-  if ~checkIs ('text', store)
-    store = raw.folder;
-  end
-  nRuns = countOr (raw.Input, 'numOfSam', 20);
-  if isstruct (raw.optim)
-    nRuns = nRuns + countOr (raw.optim, 'maxFunEvals', 40);
-  end
+  store = {raw.folder, givenField(raw.Input, 'store', '')};
+  store = store{1 + checkIs('text', store{2})};
+  nRuns = countOr (raw.Input, 'numOfSam', 20) + ...
+          countOr (raw.optim, 'maxFunEvals', 40);
   nRuns = min (nRuns, countOr (raw.Input, 'maxNewRuns', Inf));
   p = checkStore (store, raw.folder, models, nRuns);
 end
@@ -201,7 +202,33 @@ function n = countOr (s, name, default)
   end
 end
 
+%!function [text, n] = rayleighFaults (head, vars, WRL)
+%!  raw = standInCase (tempname ());
+%!  raw.modelVars = vars;
+%!  raw.optim.WRL = WRL;
+%!  for model = raw.Input.model
+%!    file = fullfile (raw.folder, 'DEMmodels', model{1}, 'data.head');
+%!    writeAtomic (file, [fileread(file), head]);
+%!  end
+%!  p = checkCase (raw, 'noPrograms');
+%!  p = p(strcmp ({p.id}, 'DEcalioc:checkCase:missingRayleigh'));
+%!  [text, n] = deal (strjoin ([{''}, p.message], ''), numel (p));
+%!endfunction
 %!assert (checkCase (3).id, 'DEcalioc:checkCase:badRaw')
 %!test
 %! p = checkCase (struct ('Input', 1));
 %! assert (all (strncmp ({p.id}, 'DEcalioc:checkCase:', 19)));
+%!test
+%! % the second: a share of the Rayleigh time would be lost beside a fixed step
+%! own = "variable radiusP equal 2e-3\nvariable SIMTS equal 0\n";
+%! fixed = "variable SIMTS equal 1e-5\n";
+%! most = struct ('youngsModulusP', 5e6, 'poissonsRatioP', 0.3, ...
+%!                'densityP', 700);
+%! share = struct ('percentRayleigh', 0.2, 'radiusP', 2e-3, ...
+%!                 'youngsModulusP', 5e6, 'poissonsRatioP', 0.3);
+%! [text, n] = rayleighFaults (own, most, 0.5);
+%! assert ({n, isempty(strfind (text, 'radiusP = 2e-3;'))}, {2, false});
+%! [text, n] = rayleighFaults (fixed, share, 0);
+%! assert ({n, isempty(strfind (text, 'densityP'))}, {1, false});
+%! assert (rayleighFaults (own, struct (), 0), '');
+%! assert (rayleighFaults (fixed, setfield (share, 'densityP', 700), 0), '');

@@ -13,8 +13,6 @@
 % properties that the Rayleigh time takes may be fixed without a declaration.
 % No input script may set a variable anew below the line that includes
 % data.head: what is written there would be lost.
-%
-% Reasons: unknownVariable variableStyle overwrittenInScript
 
 function p = checkDeclared (names, fields, kinds, models)
   p = checkFault ();
@@ -26,38 +24,32 @@ function p = checkDeclared (names, fields, kinds, models)
   if isempty (models) || any (cellfun (@isempty, {models.head}))
     return
   end
-  head = [models.head];
-  known = unique ({head.name});
+  heads = [models.head];
+  known = unique ({heads.name});
   free = {'radiusP', 'densityP', 'youngsModulusP', 'poissonsRatioP', ...
           'percentRayleigh'};
-  for k = find (~ismember (names, known))
-    if ~(strcmp (kinds{k}, 'fixed') && any (strcmp (names{k}, free)))
-      p = [p, unknown(names{k}, fields{k}, known, models)];
+  isFree = strcmp (kinds, 'fixed') & ismember (names, free);
+  places = strjoin (strcat ('DEMmodels/', {models.name}, '/data.head'), ' or ');
+  for k = find (~ismember (names, known) & ~isFree)
+    cure = checkNearest (names{k}, known);
+    if isempty (cure)
+      cure = 'Declare it there, and use it in the input script.';
     end
+    p(end + 1) = checkFault ('unknownVariable', fields{k}, ...
+                             ['a variable that ', places, ' declares'], ...
+                             names{k}, cure);
   end
-end
-
-function p = unknown (name, field, known, models)
-  cure = checkNearest (name, known);
-  if isempty (cure)
-    cure = 'Declare it there, and use it in the input script.';
-  end
-  where = strjoin (strcat ('DEMmodels/', {models.name}, '/data.head'), ' or ');
-  p = checkFault ('unknownVariable', field, ...
-                  ['a variable that ', where, ' declares'], name, cure);
 end
 
 function p = checkStyles (names, fields, model)
   p = checkFault ();
-  for k = 1:numel (model.head)
-    place = find (strcmp (model.head(k).name, names), 1);
-    style = model.head(k).style;
-    if ~isempty (place) && ~strcmp (style, 'equal')
+  for line = model.head
+    place = find (strcmp (line.name, names), 1);
+    if ~isempty (place) && ~strcmp (line.style, 'equal')
       p(end + 1) = checkFault ('variableStyle', fields{place}, ...
-                               sprintf (['a variable of style equal in ' ...
-                                         'DEMmodels/%s/data.head'], ...
-                                        model.name), ...
-                               ['variable ', names{place}, ' ', style], ...
+                               ['a variable of style equal in DEMmodels/', ...
+                                model.name, '/data.head'], ...
+                               ['variable ', line.name, ' ', line.style], ...
                                'Write there: variable NAME equal VALUE');
     end
   end
@@ -65,16 +57,14 @@ end
 
 function p = checkScripts (names, fields, model)
   p = checkFault ();
-  files = glob (fullfile (escape (model.folder), 'in.*'))';
-  for k = 1:numel (files)
-    [~, base, ext] = fileparts (files{k});
-    again = setBelow (checkReadText (files{k}));
-    for i = find (ismember (names, again))
+  pattern = regexprep (model.folder, '([][*?\\])', '\\$1');
+  for file = glob (fullfile (pattern, 'in.*'))'
+    [~, base, ext] = fileparts (file{1});
+    for i = find (ismember (names, setBelow (checkReadText (file{1}))))
       p(end + 1) = checkFault ('overwrittenInScript', fields{i}, ...
-                               sprintf (['no line that sets it below ' ...
-                                         'include data.head in %s'], ...
-                                        ['DEMmodels/', model.name, '/', ...
-                                         base, ext]), ...
+                               ['no line that sets it below include ' ...
+                                'data.head in DEMmodels/', model.name, ...
+                                '/', base, ext], ...
                                ['variable ', names{i}, ' equal ...'], ...
                                'Move that line to data.head.');
     end
@@ -101,33 +91,24 @@ function names = setBelow (text)
   end
 end
 
-function path = escape (path)
-  path = regexprep (path, '([][*?\\])', '\\$1');
-end
-
-%!shared model
+%!shared model, reasons
 %! head = struct ('name', {'densityP', 'mu', 'kind'}, ...
 %!                'style', {'equal', 'equal', 'string'}, 'value', '1');
-%! model = struct ('name', 'Toy', 'folder', '/nowhere', 'head', head);
+%! model = struct ('name', 'Toy', 'folder', tempname (), 'head', head);
+%! reasons = @(p) strrep ({p.id}, 'DEcalioc:checkCase:', '');
 %!assert (isempty (checkDeclared ({'mu'}, {'assign{1}'}, {'design'}, model)))
 %!assert (isempty (checkDeclared ({'radiusP'}, {'modelVars.radiusP'}, ...
 %!                                {'fixed'}, model)))
 %!test
 %! p = checkDeclared ({'Mu', 'kind'}, {'assign{1}', 'assign{2}'}, ...
 %!                    {'design', 'design'}, model);
-%! assert ({p.id}, strcat ('DEcalioc:checkCase:', ...
-%!         {'variableStyle', 'unknownVariable'}));
+%! assert (reasons (p), {'variableStyle', 'unknownVariable'});
 %! assert (! isempty (strfind (p(2).message, 'Did you mean mu?')));
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
-%! fid = fopen (fullfile (folder, 'in.Toy'), 'w');
-%! fputs (fid, ["include data.head\nvariable densityP equal 7\n", ...
-%!              "variable mu equal ${mu}*2\n"]);
-%! fclose (fid);
-%! model.folder = folder;
+%! mkdir (model.folder);
+%! writeAtomic (fullfile (model.folder, 'in.Toy'), ...
+%!              ["include data.head\nvariable densityP equal 7\n", ...
+%!               "variable mu equal ${mu}*2\n"]);
 %! p = checkDeclared ({'mu', 'densityP'}, {'a', 'b'}, ...
 %!                    {'design', 'fixed'}, model);
-%! assert ({p.id}, {'DEcalioc:checkCase:overwrittenInScript'});
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
+%! assert (reasons (p), {'overwrittenInScript'});

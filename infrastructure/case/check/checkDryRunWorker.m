@@ -16,8 +16,7 @@ function checkDryRunWorker ()
   addpath (fullfile (model, 'OctaveFuns'));
   [~, ~] = mkdir (fullfile ('optim', name, 'empty'));
   sample = fullfile (model, 'sample');
-  count = NaN;
-  text = '';
+  [count, text] = deal (NaN, '');
   if isfolder (sample)
     copy = fullfile ('optim', name, 'sample');     % copyfile runs names: $(x)
     system (['cp -rL -- ', shellQuote(sample), ' ', shellQuote(copy)]);
@@ -32,8 +31,7 @@ function checkDryRunWorker ()
 end
 
 function [count, text, fields] = callOnce (name, folder)
-  text = '';
-  fields = {};
+  [text, fields] = deal ('', {});
   try
     results = getResults (name, folder);
     count = numel (results);
@@ -43,15 +41,37 @@ function [count, text, fields] = callOnce (name, folder)
     end
   catch err
     count = NaN;
-    text = lasting (err.message);
+    % only a fault that does not come from the missing files is worth telling
+    marks = 'parse error|called with too many|invalid use of script';
+    if ~isempty (regexp (err.message, marks, 'once'))
+      text = strrep (err.message, "\n", ' ');
+    end
   end
 end
 
-% Only a fault that does not come from the missing files is worth telling.
-function text = lasting (message)
-  text = '';
-  marks = {'parse error', 'called with too many', 'invalid use of script'};
-  if any (cellfun (@(m) ~isempty (strfind (message, m)), marks))
-    text = strrep (message, "\n", ' ');
-  end
-end
+%!function answer = askFor (code)
+%!  here = pwd ();
+%!  tidy = onCleanup (@() cd (here));
+%!  work = tempname ();
+%!  mkdir (fullfile (work, 'OctaveFuns'));
+%!  mkdir (fullfile (work, 'sample'));
+%!  writeAtomic (fullfile (work, 'sample', 'out'), '7');
+%!  writeAtomic (fullfile (work, 'OctaveFuns', 'getResults.m'), code);
+%!  cd (work);
+%!  setenv ('DECALIOC_DRY_MODEL', work);
+%!  setenv ('DECALIOC_DRY_NAME', 'Toy');
+%!  checkDryRunWorker ();
+%!  rmpath (fullfile (work, 'OctaveFuns'));
+%!  clear -global path
+%!  answer = fileread ('answer');
+%!endfunction
+%!test
+%! % from the sample; where that throws, from a folder without files
+%! head = "function res = getResults (model, name)\nglobal path\n";
+%! file = 'fileread ([path, ''optim/'', model, ''/'', name, ''/out''])';
+%! code = [head, 'res = struct (''a'', ', file, ', ''b'', 2); end'];
+%! assert (askFor (code), "2\n\na b \n");
+%! assert (askFor ([head, 'if ! strcmp (name, ''empty''), x (1)(2); end, ', ...
+%!                  "\nres = {1}; end"]), "1\n\n\n");
+%! answer = askFor ("function res = getResults ()\nres = {1};\nend\n");
+%! assert (~isempty (regexp (answer, '^NaN\n.*called with too many')), answer);

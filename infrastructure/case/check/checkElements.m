@@ -1,53 +1,64 @@
 % CHECKELEMENTS  Lists what a field holds that is given per model and target.
 %
-% CALL: [VALUES, FIELDS, SIZES] = checkElements (VALUE, PREFIX)
+% CALL: [VALUES, FIELDS, GIVEN] = checkElements (VALUE, FIELD, KIND)
 %
-%   VALUE   anything; good are a cell of M vectors of real numbers, or of M
-%           cells, or one vector of real numbers
-%   PREFIX  how the user writes it, e.g. 'optim.tolRes' (text)
+%   VALUE   anything
+%   FIELD   how the user writes it, e.g. 'optim.tolRes' (text)
+%   KIND    what is good: 'cell' (of vectors of numbers, or 'estimate'),
+%           'column' (of all numbers, or a cell), 'texts' (a cell of cells)
 %   VALUES  1 x n cell, all elements, model by model
 %   FIELDS  1 x n cell, how each is written, e.g. 'optim.tolRes{1}(2)'
-%   SIZES   1 x M, elements of each model of the cell; the number of all for
-%           one vector; [] where VALUE is of no good kind
+%   GIVEN   1 x M, elements of each model; of a column one number; [] where
+%           VALUE is of another kind: the rest is what is wrong in it, then
 
-function [values, fields, sizes] = checkElements (value, prefix)
-  [values, fields] = deal (cell (1, 0));
-  sizes = [];
-  if checkIs ('vector', value)
-    values = num2cell (double (value(:)'));
-    fields = numbered ([prefix, '(%d)'], numel (value));
-    sizes = numel (value);
-  elseif iscell (value) && isvector (value) && ...
-         all (cellfun (@isPart, value(:)'))
-    for k = 1:numel (value)
-      part = value{k}(:)';
-      form = sprintf ('%s{%d}(%%d)', prefix, k);
-      if iscell (part)
-        form = sprintf ('%s{%d}{%%d}', prefix, k);
-      else
-        part = num2cell (double (part));
-      end
-      values = [values, part];
-      fields = [fields, numbered(form, numel (part))];
+function [values, fields, given] = checkElements (value, field, kind)
+  [values, fields, given] = deal ({value}, {field}, []);
+  isColumn = strcmp (kind, 'column') && checkIs ('vector', value);
+  if ~isColumn && ~(iscell (value) && isvector (value))
+    return
+  elseif ~isColumn
+    values = value(:)';
+    values(strcmp (kind, 'cell') & strcmp (values, 'estimate')) = {NaN};
+    fields = numbered ([field, '{%d}'], numel (values));
+    bad = find (~cellfun (@(v) isPart (v, kind), values), 1);
+    if ~isempty (bad)
+      [values, fields] = deal (values(bad), fields(bad));
+      return
     end
-    sizes = cellfun (@numel, value(:)');
+  end
+  given = cellfun (@numel, values);
+  isText = strcmp (kind, 'texts');
+  forms = {'(%d)', '{%d}'};
+  for k = 1:numel (values)
+    fields{k} = numbered ([fields{k}, forms{1 + isText}], given(k));
+    if ~isText
+      values{k} = num2cell (double (values{k}(:)'));
+    end
+    values{k} = values{k}(:)';
+  end
+  values = [cell(1, 0), values{:}];
+  fields = [cell(1, 0), fields{:}];
+end
+
+function yes = isPart (v, kind)
+  if strcmp (kind, 'texts')
+    yes = iscell (v) && (isvector (v) || isempty (v));
+  else
+    yes = checkIs ('vector', v) || (~iscell (v) && isequal (v, []));
   end
 end
 
-function yes = isPart (v)
-  yes = checkIs ('vector', v) || isequal (v, []) || ...
-        (iscell (v) && (isvector (v) || isempty (v)));
-end
-
-function fields = numbered (form, n)
-  fields = arrayfun (@(i) sprintf (form, i), 1:n, 'UniformOutput', false);
+function names = numbered (form, n)
+  names = arrayfun (@(i) sprintf (form, i), 1:n, 'UniformOutput', false);
 end
 
 %!test
-%! [v, f, n] = checkElements ({[1, 2], 3, {'x'}}, 'a');
-%! assert (v, {1, 2, 3, 'x'});
-%! assert (f, {'a{1}(1)', 'a{1}(2)', 'a{2}(1)', 'a{3}{1}'});
-%! assert (n, [2, 1, 1]);
-%! [v, f, n] = checkElements ([1; 2], 'a');
+%! [v, f, n] = checkElements ({[1, 2], 3, []}, 'a', 'column');
+%! assert ({v, n}, {{1, 2, 3}, [2, 1, 0]});
+%! assert (f, {'a{1}(1)', 'a{1}(2)', 'a{2}(1)'});
+%! [v, f, n] = checkElements ([1; 2], 'a', 'column');
 %! assert ({v, f, n}, {{1, 2}, {'a(1)', 'a(2)'}, 2});
-%! assert (isempty (nthargout (3, @checkElements, {'x'}, 'a')));
+%! [v, f, n] = checkElements ({{'x', 'y'}}, 'a', 'texts');
+%! assert ({v, f, n}, {{'x', 'y'}, {'a{1}{1}', 'a{1}{2}'}, 2});
+%! [v, f, n] = checkElements ({1, 'x'}, 'a', 'cell');
+%! assert ({v, f, n}, {{'x'}, {'a{2}'}, []});

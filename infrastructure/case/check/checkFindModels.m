@@ -20,60 +20,45 @@ function models = checkFindModels (Input, folder, root, mode)
   names = modelNames (Input);
   models = struct ('name', names, 'folder', '', 'head', [], 'cpu', NaN, ...
                    'count', NaN, 'message', '', 'fields', {{}});
+  cpu = givenField (Input, 'cpu', []);
   for k = 1:numel (models)
+    if checkIs ('vector', cpu) && numel (cpu) >= k
+      models(k).cpu = double (cpu(k));
+    end
     if ~isempty (names{k})
       models(k).folder = findModel (names{k}, folder, root);
     end
-    if ~isempty (models(k).folder)
-      models(k).head = checkHead (models(k).folder);
-      if strcmp (mode, 'full')
-        [models(k).count, models(k).message, models(k).fields] = ...
-          dryRun (models(k).folder, names{k});
-      end
+    if isempty (models(k).folder)
+      continue
     end
-    if isfield (Input, 'cpu') && checkIs ('vector', Input.cpu) && ...
-        numel (Input.cpu) >= k
-      models(k).cpu = double (Input.cpu(k));
+    models(k).head = checkHead (models(k).folder);
+    if strcmp (mode, 'full') && ...
+       isfile (fullfile (models(k).folder, 'OctaveFuns', 'getResults.m'))
+      [models(k).count, models(k).message, models(k).fields] = ...
+        dryRun (models(k).folder, names{k});
     end
   end
 end
 
+% '' for a name that is not usable.
 function names = modelNames (Input)
   names = cell (1, 0);
-  if ~isfield (Input, 'model')
-    return
+  if isfield (Input, 'model') && ischar (Input.model)
+    names = {Input.model};
+  elseif isfield (Input, 'model') && iscell (Input.model) && ...
+         isvector (Input.model)
+    names = Input.model(:)';
   end
-  names = Input.model;
-  if ischar (names)
-    names = {names};
-  end
-  if ~iscell (names) || ~isvector (names)
-    names = cell (1, 0);
-    return
-  end
-  names = names(:)';
-  for k = 1:numel (names)
-    if ~checkIs ('folder', names{k})
-      names{k} = '';
-    end
-  end
+  names(~cellfun (@(n) checkIs ('folder', n), names)) = {''};
 end
 
 % Counts the results without a run: getResults is called by another Octave,
-% which a crash or a loop in it does not carry away (limit 20 s).
+% which a crash or a loop in it does not carry away (limit 20 s). COUNT NaN
+% where it gives no answer.
 function [count, message, fields] = dryRun (folder, name)
-  count = NaN;
-  message = '';
-  fields = {};
-  if ~isfile (fullfile (folder, 'OctaveFuns', 'getResults.m'))
-    return
-  end
   work = tempname ();
-  [made, ~] = mkdir (work);
-  if ~made
-    return
-  end
-  cleaner = onCleanup (@() removeFolder (work));
+  [~, ~] = mkdir (work);
+  tidy = onCleanup (@() system (['rm -rf ', shellQuote(work)]));
   here = fileparts (mfilename ('fullpath'));
   files = fullfile (fileparts (fileparts (here)), 'files');
   octave = fullfile (OCTAVE_EXEC_HOME (), 'bin', 'octave-cli');
@@ -89,25 +74,15 @@ function [count, message, fields] = dryRun (folder, name)
                      shellQuote (name), shellQuote (octave), ...
                      shellQuote (here), shellQuote (files));
   [~, ~] = system (command);
-  [count, message, fields] = readAnswer (fullfile (work, 'answer'));
-end
-
-function removeFolder (folder)
-  confirm_recursive_rmdir (false, 'local');
-  [~, ~] = rmdir (folder, 's');
-end
-
-function [count, message, fields] = readAnswer (file)
-  count = NaN;
-  lines = strsplit (checkReadText (file), "\n", 'CollapseDelimiters', false);
+  lines = strsplit (checkReadText (fullfile (work, 'answer')), "\n", ...
+                    'CollapseDelimiters', false);
   lines(end + 1:3) = {''};
-  number = str2double (lines{1});
-  if number >= 1
-    count = number;
+  count = str2double (lines{1});
+  if ~(count >= 1)
+    count = NaN;
   end
   message = strtrim (lines{2});
-  fields = strsplit (strtrim (lines{3}), ' ');
-  fields = fields(~cellfun (@isempty, fields));
+  fields = regexp (lines{3}, '\S+', 'match');
 end
 
 %!function m = tryModel (code)
@@ -117,8 +92,6 @@ end
 %!                         'getResults.m'), code);
 %!  m = checkFindModels (struct ('model', 'Toy', 'cpu', 2), folder, folder, ...
 %!                       'full');
-%!  confirm_recursive_rmdir (false, 'local');
-%!  rmdir (folder, 's');
 %!endfunction
 %!test
 %! m = tryModel (["function res = getResults (model, folderName)\n", ...

@@ -2,23 +2,22 @@
 %
 % CALL: HEAD = checkHead (FOLDER)
 %       HEAD = checkHead (FOLDER, NAME)
+%       HEAD = checkHead (FOLDER, NAME, DEPTH)
 %
 %   FOLDER  model folder (text)
-%   NAME    file in it ('data.head')
+%   NAME    file in it ('data.head');  DEPTH  of the file that includes it (0)
 %   HEAD    1 x n struct array, in the order of the file: name, style ('equal',
 %           'string', ...), value, remark behind # (texts). Files that data.head
 %           includes are read too.
 
-function head = checkHead (folder, name)
+function head = checkHead (folder, name, depth)
   if nargin < 2
     name = 'data.head';
   end
-  head = readHead (folder, name, 0);
-end
-
-function head = readHead (folder, name, depth)
-  head = struct ('name', cell (1, 0), 'style', '', 'value', '', ...
-                 'remark', '');
+  if nargin < 3
+    depth = 0;
+  end
+  head = struct ('name', cell (1, 0), 'style', '', 'value', '', 'remark', '');
   text = checkReadText (fullfile (folder, name));
   found = regexp (text, ...
                   ['^[ \t]*(variable|include)[ \t]+(\S+)' ...
@@ -32,7 +31,7 @@ function head = readHead (folder, name, depth)
                               'value', strtrim (words{4}), ...
                               'remark', strtrim (words{5}));
     elseif depth < 3
-      inside = readHead (folder, words{2}, depth + 1);
+      inside = checkHead (folder, words{2}, depth + 1);
       head(end + 1:end + numel (inside)) = inside;
     end
   end
@@ -41,18 +40,14 @@ end
 %!test
 %! folder = tempname ();
 %! mkdir (folder);
-%! fid = fopen (fullfile (folder, 'data.head'), 'w');
-%! fputs (fid, ["variable a equal 5e6 # Pa\r\n# variable no equal 1\n", ...
-%!              "\tvariable  b string x\ninclude more.inc\nvariable c\n"]);
-%! fclose (fid);
-%! fid = fopen (fullfile (folder, 'more.inc'), 'w');
-%! fputs (fid, 'variable d equal 2*${a}');
-%! fclose (fid);
+%! put = @(name, text) writeAtomic (fullfile (folder, name), text);
+%! put ('data.head', ["variable a equal 5e6 # Pa\r\n", ...
+%!                    "# variable no equal 1\n\tvariable  b string x\n", ...
+%!                    "include more.inc\nvariable c\n"]);
+%! put ('more.inc', 'variable d equal 2*${a}');
 %! head = checkHead (folder);
 %! assert ({head.name}, {'a', 'b', 'd', 'c'});
 %! assert ({head.style}, {'equal', 'string', 'equal', ''});
 %! assert ({head.value}, {'5e6', 'x', '2*${a}', ''});
 %! assert ({head.remark}, {'Pa', '', '', ''});
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
 %!assert (size (checkHead ('/nowhere')), [1, 0])

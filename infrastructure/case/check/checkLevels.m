@@ -9,31 +9,20 @@
 %           with a fault in Input.coarse
 %   FIELDS  1 x v cell, how the user writes each
 %
-% Input.coarse{k}: [] or a struct with the fields variable (a name) and levels
-% (two and more different numbers, rising or falling; the last one counts). All
-% models that have levels have as many. A level is no design variable; where
-% modelVars names it, with the last level; one variable has the same levels for
-% all models that share it; method 'published' knows no levels.
-%
-% Reasons: badCoarse coarseCount badLevels levelCount levelAssigned levelFixed
-% levelsDiffer levelMethod
+% Input.coarse{k}: [] or a struct with the fields variable and levels (the last
+% one counts). All models that have levels have as many; one variable has the
+% same levels for all models that share it.
 
 function [p, names, fields] = checkLevels (raw, n)
   [names, fields] = deal (cell (1, 0));
-  p = checkFault ();
-  if ~isstruct (raw.Input) || ~isfield (raw.Input, 'coarse') || ...
-     checkIs ('nothing', raw.Input.coarse)
+  coarse = givenField (raw.Input, 'coarse', {});
+  [p, isGiven] = checkShape (coarse, n);
+  if isempty (coarse) || ~isempty (p)
     return
   end
-  coarse = raw.Input.coarse;
-  p = checkShape (coarse, n);
-  if ~isempty (p)
-    return
-  end
-  isGiven = ~cellfun (@(c) checkIs ('nothing', c), coarse(:)');
-  fields = arrayfun (@(k) sprintf ('Input.coarse{%d}.variable', k), ...
-                     find (isGiven), 'UniformOutput', false);
   given = [coarse{isGiven}];
+  fields = arrayfun (@(k) sprintf ('Input.coarse{%d}.variable', k), ...
+                     find (isGiven(:)'), 'UniformOutput', false);
   names = {given.variable};
   for k = 1:numel (given)
     p = [p, checkVariable(given(k), raw)];
@@ -47,8 +36,8 @@ function [p, names, fields] = checkLevels (raw, n)
                                 'a run.']);
     end
   end
-  if ~isempty (given) && isstruct (raw.optim) && ...
-     isfield (raw.optim, 'method') && isequal (raw.optim.method, 'published')
+  if ~isempty (given) && ...
+     isequal (givenField (raw.optim, 'method', ''), 'published')
     p(end + 1) = checkFault ('levelMethod', 'optim.method', ...
                              'robust, where Input.coarse gives levels', ...
                              checkShow (raw.optim.method), ...
@@ -56,10 +45,11 @@ function [p, names, fields] = checkLevels (raw, n)
   end
 end
 
-function p = checkShape (coarse, n)
+function [p, isGiven] = checkShape (coarse, n)
   cure = ['Write Input.coarse{1} = struct (''variable'', ''scaleP'', ' ...
           '''levels'', [1.6, 1.25, 1]); or leave it out.'];
   p = checkFault ();
+  isGiven = [];
   if ~iscell (coarse)
     p = checkFault ('badCoarse', 'Input.coarse', ...
                     'a cell, one element a model', checkShow (coarse), cure);
@@ -70,11 +60,11 @@ function p = checkShape (coarse, n)
                     sprintf ('at most %d element(s), one a model', n), ...
                     sprintf ('%d elements', numel (coarse)), cure);
   end
-  counts = zeros (1, 0);
-  for k = find (~cellfun (@(c) checkIs ('nothing', c), coarse(:)'))
-    [q, counts(end + 1)] = checkOne (coarse{k}, k, cure);
-    p = [p, q];
+  isGiven = ~cellfun (@(c) checkIs ('nothing', c), coarse);
+  for k = find (isGiven(:)')
+    p = [p, checkOne(coarse{k}, sprintf ('Input.coarse{%d}', k), cure)];
   end
+  counts = cellfun (@(c) numel (givenField (c, 'levels', [])), coarse(isGiven));
   if isempty (p) && any (counts ~= counts(1:min (1, end)))
     p = checkFault ('levelCount', 'Input.coarse', ...
                     'as many levels for each model that has some', ...
@@ -83,9 +73,7 @@ function p = checkShape (coarse, n)
   end
 end
 
-function [p, n] = checkOne (given, k, cure)
-  n = 0;
-  field = sprintf ('Input.coarse{%d}', k);
+function p = checkOne (given, field, cure)
   if ~checkIs ('struct', given) || ~isfield (given, 'variable') || ...
      ~checkIs ('name', given.variable) || ~isfield (given, 'levels')
     p = checkFault ('badCoarse', field, ...
@@ -95,63 +83,42 @@ function [p, n] = checkOne (given, k, cure)
   end
   p = checkFields (given, field, {'variable', 'levels'});
   levels = given.levels;
-  if checkIs ('vector', levels) && all (isfinite (levels)) && ...
-     numel (levels) > 1 && abs (sum (sign (diff (levels)))) == ...
-     numel (levels) - 1
-    n = numel (levels);
-    return
+  if ~checkIs ('vector', levels) || ~all (isfinite (levels)) || ...
+     numel (levels) < 2 || ...
+     abs (sum (sign (diff (levels)))) < numel (levels) - 1
+    p(end + 1) = checkFault ('badLevels', [field, '.levels'], ...
+                             'two and more numbers, rising or falling', ...
+                             checkShow (levels), ...
+                             ['Put the coarsest and cheapest first, the ' ...
+                              'one that counts last.']);
   end
-  p(end + 1) = checkFault ('badLevels', [field, '.levels'], ...
-                           'two and more numbers, rising or falling', ...
-                           checkShow (levels), ...
-                           ['Put the coarsest and cheapest first, the one ' ...
-                            'that counts last.']);
 end
 
 function p = checkVariable (given, raw)
   p = checkFault ();
   name = given.variable;
+  last = given.levels(end);
   if iscell (raw.assign) && any (strcmp (name, raw.assign))
     p = checkFault ('levelAssigned', 'Input.coarse', ...
                     'a variable that is not in assign', name, ...
                     'A variable is either calibrated or a level.');
-  elseif isstruct (raw.modelVars) && isfield (raw.modelVars, name) && ...
-         ~isequal (raw.modelVars.(name), given.levels(end))
+  elseif isfield (raw.modelVars, name) && ~isequal (raw.modelVars.(name), last)
     p = checkFault ('levelFixed', ['modelVars.', name], ...
-                    sprintf ('the last level, %g', given.levels(end)), ...
+                    sprintf ('the last level, %g', last), ...
                     checkShow (raw.modelVars.(name)), ...
-                    ['Take it out: the last level is the one that the ', ...
-                     'calibration is for.']);
+                    'Take it out: the calibration is for the last level.');
   end
 end
 
-%!function id = firstOf (coarse, change)
-%!  raw = struct ('Input', struct ('coarse', {coarse}), 'modelVars', ...
-%!                struct (), 'optim', struct (), 'assign', {{'a', 'b'}});
-%!  if nargin > 1
-%!    raw = change (raw);
-%!  end
-%!  p = checkLevels (raw, 2);
-%!  id = '-';
-%!  if ! isempty (p)
-%!    id = regexprep (p(1).id, '.*:', '');
-%!  end
-%!endfunction
 %!test
-%! good = struct ('variable', 'scaleP', 'levels', [2, 1]);
-%! more = setfield (good, 'levels', [3, 2, 1]);
-%! fix = @(v) @(raw) setfield (raw, 'modelVars', 'scaleP', v);
-%! assert (firstOf ({[], good}), '-');
-%! assert (firstOf (good), 'badCoarse');
-%! assert (firstOf ({3}), 'badCoarse');
-%! assert (firstOf ({good, good, good}), 'coarseCount');
-%! assert (firstOf ({good, more}), 'levelCount');
-%! for levels = {1, [1, 2, 1], [1, NaN], 'a', [1, 1]}
-%!   assert (firstOf ({setfield(good, 'levels', levels{1})}), 'badLevels');
+%! raw = struct ('modelVars', struct (), 'optim', struct (), 'assign', {{'a'}});
+%! level = @(values) struct ('variable', 'scaleP', 'levels', values);
+%! for good = {{}, {[], level([2, 1])}, {level([1; 2]), level([1, 2])}}
+%!   raw.Input = struct ('coarse', good);
+%!   [p, names] = checkLevels (raw, 2);
+%!   assert ({isempty(p), numel(names)}, {true, numel([good{1}{:}])});
 %! end
-%! assert (firstOf ({setfield(good, 'variable', 'a')}), 'levelAssigned');
-%! assert (firstOf ({good}, fix (2)), 'levelFixed');
-%! assert (firstOf ({good}, fix (1)), '-');
-%! assert (firstOf ({good, setfield(good, 'levels', [3, 1])}), 'levelsDiffer');
-%! assert (firstOf ({good}, @(raw) setfield (raw, 'optim', 'method', ...
-%!                                           'published')), 'levelMethod');
+%! for bad = {1, [1, 2, 1], [1, NaN], 'a', [1, 1]}
+%!   raw.Input.coarse = {level(bad{1})};
+%!   assert (checkLevels (raw, 2).id, 'DEcalioc:checkCase:badLevels');
+%! end

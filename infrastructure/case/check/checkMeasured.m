@@ -1,101 +1,99 @@
 % CHECKMEASURED  Checks the parameters that were measured by themselves.
 %
-% CALL: P = checkMeasured (OPTIM, ASSIGN, PARAMLIMS)
+% CALL: [P, MIDDLE, SD] = checkMeasured (OPTIM, ASSIGN, PARAMLIMS)
 %
-%   OPTIM      scalar struct, the optim of loadInput
-%   ASSIGN     anything; good is a cell of d names
-%   PARAMLIMS  anything; good is 2 x d
-%   P          1 x n faults, see checkFault
+%   OPTIM       scalar struct, the optim of loadInput
+%   ASSIGN      anything; good is a cell of d names
+%   PARAMLIMS   anything; good is 2 x d
+%   P           1 x n faults, see checkFault
+%   MIDDLE, SD  1 x d, value and standard uncertainty, NaN: not measured; []
+%               where they make no sense
 %
-% optim.paramMean and optim.paramSd: value and standard uncertainty, 1 x d with
-% NaN for what was not measured, or a struct with a field for each parameter
-% that was.
-%
-% Reasons: badParamMean badParamSd paramCount unknownParam paramPair
-% paramOutside
+% optim.paramMean and paramSd: 1 x d with NaN for what was not measured, or a
+% struct with a field for each parameter that was.
 
-function p = checkMeasured (optim, assign, paramLims)
+function [p, middle, sd] = checkMeasured (optim, assign, paramLims)
+  [middle, sd] = deal ([]);
   names = {};
   if iscell (assign) && isvector (assign) && ...
       all (cellfun (@(a) checkIs ('name', a), assign))
     names = assign(:)';
   end
-  rules = struct ('name', {'paramMean', 'paramSd'}, ...
-                  'reason', {'badParamMean', 'badParamSd'}, ...
-                  'expected', {'a finite number', ...
-                               'a finite number above 0'}, ...
-                  'isGood', {@(v) isfinite(v), @(v) v > 0 & isfinite(v)});
+  % name, expected, whether a number is good
+  rules = {'paramMean', 'a finite number, or NaN', @(v) ~isinf (v); ...
+           'paramSd', 'a finite number above 0, or NaN', ...
+           @(v) ~isinf (v) && ~(v <= 0)};
   p = checkFault ();
-  for rule = rules
-    if isfield (optim, rule.name) && ~checkIs ('nothing', optim.(rule.name))
-      p = [p, checkOne(optim.(rule.name), rule, names)];
+  for rule = rules'
+    if isfield (optim, rule{1}) && ~checkIs ('nothing', optim.(rule{1}))
+      p = [p, checkOne(optim.(rule{1}), names, rule{:})];
     else
-      optim.(rule.name) = [];
+      optim.(rule{1}) = [];
     end
   end
   if isfield (optim, 'perCondition') && iscellstr (optim.perCondition)
-    for own = setdiff (optim.perCondition(:)', names)
-      p(end + 1) = checkFault ('unknownParam', 'optim.perCondition', ...
-                               'design variables of assign', own{1}, ...
-                               checkNearest (own{1}, names));
-    end
+    p = [p, checkKnown(optim.perCondition(:)', names, ...
+                       'optim.perCondition, ', '')];
   end
   if isempty (p) && ~isempty (names)
-    p = checkPairs (rowByName (optim.paramMean, names), ...
-                    rowByName (optim.paramSd, names), names, paramLims);
+    middle = rowByName (optim.paramMean, names);
+    sd = rowByName (optim.paramSd, names);
+    p = checkPairs (middle, sd, names, paramLims);
   end
 end
 
-function p = checkOne (value, rule, names)
-  field = ['optim.', rule.name];
+function row = rowByName (value, names)
+  row = NaN (1, numel (names));
+  if isstruct (value)
+    for j = find (isfield (value, names))
+      row(j) = double (value.(names{j}));
+    end
+  else
+    row(1:numel (value)) = double (value(:)');
+  end
+end
+
+function p = checkOne (value, names, name, expected, isGood)
+  field = ['optim.', name];
+  reason = ['bad', upper(name(1)), name(2:end)];
   cure = ['Write optim.paramMean.densityP = 650; optim.paramSd.densityP = ' ...
           '5; for what was measured.'];
-  p = checkFault ();
-  if checkIs ('struct', value)
+  isNamed = checkIs ('struct', value);
+  if isNamed
     given = fieldnames (value)';
     fields = strcat (field, '.', given);
-    values = cellfun (@(n) value.(n), given, 'UniformOutput', false);
+    values = struct2cell (value)';
   elseif checkIs ('vector', value)
-    fields = arrayfun (@(j) sprintf ('%s(%d)', field, j), ...
-                       1:numel (value), 'UniformOutput', false);
-    values = num2cell (value(:)');
+    [values, fields] = checkElements (value, field, 'column');
   else
-    p = checkFault (rule.reason, field, ...
+    p = checkFault (reason, field, ...
                     'one number a parameter, or a struct of numbers', ...
                     checkShow (value), cure);
     return
   end
-  for j = find (~cellfun (@(v) isMissing (v) || (checkIs ('number', v) && ...
-                                                 rule.isGood (v)), values))
-    p(end + 1) = checkFault (rule.reason, fields{j}, ...
-                             [rule.expected, ', or NaN'], ...
+  p = checkFault ();
+  for j = find (~cellfun (@(v) checkIs ('vector', v) && isscalar (v) && ...
+                          isGood (v), values))
+    p(end + 1) = checkFault (reason, fields{j}, expected, ...
                              checkShow (values{j}), cure);
   end
-  p = [p, checkWhose(value, field, names, cure)];
-end
-
-function yes = isMissing (v)
-  yes = checkIs ('vector', v) && isscalar (v) && isnan (v);
-end
-
-function p = checkWhose (value, field, names, cure)
-  p = checkFault ();
-  if isempty (names)
-    return
+  if isNamed && ~isempty (names)
+    p = [p, checkKnown(given, names, [field, '.'], cure)];
+  elseif ~isempty (names) && numel (value) ~= numel (names)
+    p(end + 1) = checkFault ('paramCount', field, ...
+                             sprintf ('%d value(s), one a name in assign', ...
+                                      numel (names)), ...
+                             sprintf ('%d', numel (value)), cure);
   end
-  if isstruct (value)
-    given = fieldnames (value)';
-    for k = find (~ismember (given, names))
-      hint = checkNearest (given{k}, names);
-      p(end + 1) = checkFault ('unknownParam', [field, '.', given{k}], ...
-                               'a design variable of assign', ...
-                               'another name', strtrim ([hint, ' ', cure]));
-    end
-  elseif numel (value) ~= numel (names)
-    p = checkFault ('paramCount', field, ...
-                    sprintf ('%d value(s), one a name in assign', ...
-                             numel (names)), ...
-                    sprintf ('%d', numel (value)), cure);
+end
+
+function p = checkKnown (given, names, prefix, cure)
+  p = checkFault ();
+  for name = given(~ismember (given, names))
+    p(end + 1) = checkFault ('unknownParam', [prefix, name{1}], ...
+                             'a design variable of assign', 'another name', ...
+                             strtrim ([checkNearest(name{1}, names), ' ', ...
+                                       cure]));
   end
 end
 
@@ -128,6 +126,9 @@ end
 %!                              {'rho', 'mu'}, [500, 0; 800, 1]).id};
 %! assert (isempty (ids ([600, NaN], [5; NaN])));
 %! assert (isempty (ids (struct ('mu', 1.2), struct ('mu', 0.1))));
+%! given = struct ('paramMean', struct ('mu', 1.2), 'paramSd', [NaN; 0.1]);
+%! [~, middle, sd] = checkMeasured (given, {'rho', 'mu'}, []);
+%! assert ([middle; sd], [NaN, 1.2; NaN, 0.1]);
 %! assert (isempty (ids ([], [])));
 %! assert (ids (600, [5, NaN]), {'DEcalioc:checkCase:paramCount'});
 %! assert (ids ([600, 0.4], [5, NaN]), {'DEcalioc:checkCase:paramPair'});

@@ -1,8 +1,9 @@
-% CHECKMEASUREDTABLE  Checks measured.csv, where a case has one.
+% CHECKMEASUREDTABLE  Checks the targets: of measured.csv, or else of optim.
 %
 % CALL: [P, FOUND] = checkMeasuredTable (RAW, MODELS, TAKEN)
 %
-%   RAW     see readInput: optim and what readConditions reads
+%   RAW     see readInput: optim, what readConditions reads, and further, names
+%           of the last of MODELS, whose targets are in tables of gap/next
 %   MODELS  1 x M struct array, see checkFindModels
 %   TAKEN   cell of names that a target may not have: variables
 %   P       1 x n faults, see checkFault
@@ -11,13 +12,38 @@
 %
 % The table stands in the place of the fields of optim that are given target by
 % target. optim.tolRes may be one number: the tolerance where tol is empty.
-%
-% Reasons: measuredTwice measuredTol measuredModel measuredName measuredResult
-% noCalibrateTarget, and those of readConditions and groupMeasured
+% Targets of further models have the model's name in front: optim's are free.
 
 function [p, found] = checkMeasuredTable (raw, models, taken)
-  optim = raw.optim;
   found = struct ('sizes', [], 'groups', [], 'conditions', {{}});
+  if isfile (fullfile (raw.folder, 'measured.csv'))
+    [p, found] = checkTable (raw, models, taken, found);
+    p = [p, checkTargets(raw.optim, models, taken, found.sizes)];
+    return
+  end
+  isFurther = ismember ({models.name}, givenField (raw, 'further', {}));
+  [p, found.sizes] = checkTargets (raw.optim, models(~isFurther), taken);
+  if ~any (isFurther)
+    return
+  end
+  [lines, q] = readConditions (raw, {models.name}, 'further');
+  if ~isempty (q) || isempty (lines)
+    p = [p, q];
+    return
+  end
+  [found.groups, q] = groupMeasured (lines, {models.name});
+  p = [p, q];
+  names = strcat ({models([found.groups.model]).name}, '_', ...
+                  {found.groups.name});
+  [found.groups.name] = names{:};
+  if ~isempty (found.sizes)
+    count = @(k) sum ([found.groups.model] == k);
+    found.sizes = [found.sizes, arrayfun(count, find (isFurther))];
+  end
+end
+
+function [p, found] = checkTable (raw, models, taken, found)
+  optim = raw.optim;
   p = checkTwice (optim);
   [lines, q] = readConditions (raw, {models.name});
   p = [p, q];
@@ -49,8 +75,8 @@ end
 
 function p = checkTwice (optim)
   p = checkFault ();
-  fields = {'targetVal', 'targetName', 'targetStd', 'trials', 'role'};
   isGiven = @(f) isfield (optim, f) && ~checkIs ('nothing', optim.(f));
+  fields = {'targetVal', 'targetName', 'targetStd', 'trials', 'role'};
   given = fields(cellfun (isGiven, fields));
   if isGiven ('tolRes') && ~(checkIs ('number', optim.tolRes) && ...
                              optim.tolRes > 0 && optim.tolRes < 1)
@@ -58,9 +84,8 @@ function p = checkTwice (optim)
   end
   for name = given
     p(end + 1) = checkFault ('measuredTwice', ['optim.', name{1}], ...
-                             ['nothing, for measured.csv in the case ' ...
-                              'folder says it (tolRes: one number ' ...
-                              'between 0 and 1)'], ...
+                             ['nothing, for measured.csv says it (tolRes: ' ...
+                              'one number between 0 and 1)'], ...
                              checkShow (optim.(name{1})), ...
                              'Take the field out, or measured.csv away.');
   end
@@ -114,10 +139,7 @@ function p = checkResults (groups, models)
   for g = groups
     m = models(g.model);
     [names, series] = namesOf (m.folder);
-    known = unique ([names, m.fields]);
-    if ~isempty (g.series)
-      known = unique ([known, series]);
-    end
+    known = [names, m.fields, series(1:end * ~isempty (g.series))];
     if isempty (m.folder) || (isempty (known) && isnan (m.count)) || ...
        any (ismember ({g.result, g.series}, known))
       continue
@@ -125,7 +147,7 @@ function p = checkResults (groups, models)
     p(end + 1) = checkFault ('measuredResult', ...
                              sprintf ('measured.csv, line %d', g.line), ...
                              ['a result of ', m.name, ': ', ...
-                              strjoin(known, ', ')], ...
+                              strjoin(unique (known), ', ')], ...
                              checkShow (g.result), ...
                              strtrim ([checkNearest(g.result, known), ...
                                        ' Name it in results.csv of the ' ...
@@ -148,58 +170,69 @@ function [names, series] = namesOf (folder)
   end
 end
 
-%!function p = check (text, optim, model)
+%!function reasons = check (text, optim, model)
 %!  folder = tempname ();
 %!  mkdir (folder);
-%!  if nargin < 3
-%!    model = struct ('name', 'Toy', 'folder', folder, 'count', 1, ...
-%!                    'fields', {{'a', 'w'}});
-%!  end
 %!  writeAtomic (fullfile (folder, 'measured.csv'), text);
 %!  raw = struct ('folder', folder, 'Input', struct (), 'optim', optim);
 %!  p = checkMeasuredTable (raw, model, {'densityP'});
-%!  confirm_recursive_rmdir (false, 'local');
-%!  rmdir (folder, 's');
+%!  reasons = arrayfun (@(q) q.id(20:end), p, 'UniformOutput', false);
 %!endfunction
-%!function same (p, reason)
-%!  assert (p(1).id, ['DEcalioc:checkCase:', reason]);
-%!endfunction
+%!shared model, tolRes, none
+%! folder = tempname ();
+%! mkdir (folder);
+%! model = struct ('name', 'Toy', 'folder', folder, 'count', 1, ...
+%!                 'fields', {{'a', 'w'}});
+%! tolRes = struct ('tolRes', 0.1);
+%! none = struct ();
 %!test
-%! assert (isempty (check ("name,value,tol\na,1,0.1\n", struct ())));
-%! assert (isempty (check ("name,value\na,1\n", struct ('tolRes', 0.1))));
-%! assert (isempty (check ("name,series,at,value\n,w,1,3\n,w,2,4\n", ...
-%!                         struct ('tolRes', 0.1))));
-%!test
-%! same (check ("name,value\na,1\n", struct ()), 'measuredTol');
-%! same (check ("name,value\na,0\n", struct ('tolRes', 0.1)), 'measuredTol');
-%! same (check ("name,value\na,1\n", struct ('tolRes', {{0.1}})), ...
-%!       'measuredTwice');
-%! same (check ("name,value,tol\na,1,0.1\n", struct ('targetVal', 3)), ...
-%!       'measuredTwice');
-%! same (check ("name,value,tol\nb,1,0.1\n", struct ()), 'measuredResult');
-%! same (check ("name,value,tol\na,,0.1\n", struct ()), 'noCalibrateTarget');
-%! same (check ("name,value,tol,role\na,1,0.1,holdout\n", struct ()), ...
-%!       'noCalibrateTarget');
+%! for good = {"name,value,tol\na,1,0.1\n", none; ...
+%!             "name,value\na,1\n", tolRes; ...
+%!             "name,series,at,value\n,w,1,3\n,w,2,4\n", tolRes}'
+%!   assert (isempty (check (good{:}, model)), good{1});
+%! end
+%! bad = {'measuredTol', "name,value\na,1\n", none; ...
+%!        'measuredTol', "name,value\na,0\n", tolRes; ...
+%!        'measuredTwice', "name,value\na,1\n", struct('tolRes', {{0.1}}); ...
+%!        'measuredTwice', "name,value,tol\na,1,0.1\n", ...
+%!        struct('targetVal', 3); ...
+%!        'measuredResult', "name,value,tol\nb,1,0.1\n", none; ...
+%!        'noCalibrateTarget', "name,value,tol\na,,0.1\n", none; ...
+%!        'noCalibrateTarget', "name,value,tol,role\na,1,0.1,holdout\n", none};
+%! for row = bad'
+%!   assert (check (row{2:3}, model){1}, row{1});
+%! end
 %!test
 %! models = struct ('name', {'Toy', 'Drum'}, 'folder', '', 'count', NaN, ...
 %!                  'fields', {{}});
 %! text = "model,name,value,tol\nToy,a,1,0.1\n";
-%! same (check (text, struct (), models), 'measuredModel');
-%! assert (isempty (check ([text, "Drum,a,1,0.1\n"], struct (), models)));
-%! same (check ([text, "Drum,densityP,1,0.1\n"], struct (), models), ...
-%!       'measuredName');
+%! assert (check (text, none, models), {'measuredModel'});
+%! assert (isempty (check ([text, "Drum,a,1,0.1\n"], none, models)));
+%! assert (check ([text, "Drum,densityP,1,0.1\n"], none, models), ...
+%!         {'measuredName'});
 %!test
 %! % what results.csv names as a series is no result of its own
-%! folder = tempname ();
-%! mkdir (folder);
-%! writeAtomic (fullfile (folder, 'results.csv'), ...
+%! writeAtomic (fullfile (model.folder, 'results.csv'), ...
 %!              "name,kind,unit,series,at,text\ntop,height,m,w,1,t\n");
-%! model = struct ('name', 'Toy', 'folder', folder, 'count', 1, ...
-%!                 'fields', {{}});
-%! assert (isempty (check ("name,value,tol\ntop,1,0.1\n", struct (), model)));
+%! model.fields = {};
+%! assert (isempty (check ("name,value\ntop,1\n", tolRes, model)));
 %! assert (isempty (check ("name,series,at,value\n,w,1,3\n,w,2,4\n", ...
-%!                         struct ('tolRes', 0.1), model)));
-%! faults = check ("name,value,tol\nw,1,0.1\n", struct (), model);
+%!                         tolRes, model)));
+%! assert (check ("name,value\nw,1\n", tolRes, model){1}, 'measuredResult');
+%!test
+%! folder = tempname ();
+%! mkdir (fullfile (folder, 'gap', 'next'));
+%! file = fullfile (folder, 'gap', 'next', 'B.csv');
+%! writeAtomic (file, "model,name,value,tol\nB,w,3,0.1\nB,w,5,0.1\nB,v,,0.1\n");
+%! raw = struct ('folder', folder, 'further', {{'B'}});
+%! raw.optim = struct ('targetVal', {{[1, 2]}}, 'tolRes', 0.1);
+%! models = struct ('name', {'A', 'B'}, 'count', {2, 5});
+%! [p, found] = checkMeasuredTable (raw, models, {});
+%! assert (isempty (p));
+%! assert (found.sizes, [2, 1]);
+%! assert ({found.groups.name, found.groups.value}, {'B_w', 4});
+%! writeAtomic (file, "model,name,value,tol\nB,w,x3,0.1\n");
+%! p = checkMeasuredTable (raw, models, {});
+%! assert (p.id, 'DEcalioc:checkCase:measuredNumber');
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
-%! same (faults, 'measuredResult');

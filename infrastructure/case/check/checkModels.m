@@ -1,16 +1,17 @@
-% CHECKMODELS  Checks that every model folder is there and complete.
+% CHECKMODELS  Checks that every model folder is there, complete and can run.
 %
 % CALL: P = checkModels (MODELS, FOLDER, ROOT, HOW)
 %
 %   MODELS  1 x M struct array, see checkFindModels
 %   FOLDER  case folder (text)
 %   ROOT    folder of the toolbox (text)
-%   HOW     scalar struct, see checkRunscript
+%   HOW     scalar struct of booleans: onCluster (runs start on another machine:
+%           programs are not looked for), programs (bash may be started)
 %   P       1 x n faults, see checkFault
 %
-% Reasons: missingModel modelWithRun missingInputFile missingHead emptyHead
-% missingRunscript missingGetResults brokenGetResults, and those of
-% checkRunscript
+% bash reads the runscript (bash -n), nothing in it is run. Of the programs,
+% liggghts, mpirun and mpiexec are looked for wherever they stand, any other
+% where the script is one plain command, as in the user document.
 
 function p = checkModels (models, folder, root, how)
   p = checkFault ();
@@ -18,33 +19,29 @@ function p = checkModels (models, folder, root, how)
     if isempty (models(k).folder)
       p = [p, missing(models(k).name, k, folder, root)];
     else
-      p = [p, checkFolder(models(k)), checkHeadFile(models(k)), ...
-           checkEvaluation(models(k)), checkStart(models(k), how)];
+      p = [p, checkFolder(models(k)), checkFiles(models(k))];
+      if isfile (fullfile (models(k).folder, 'runscript'))
+        p = [p, checkRunscript(models(k), how)];
+      end
     end
   end
 end
 
 function p = missing (name, k, folder, root)
-  there = [folderNames(fullfile (folder, 'DEMmodels')), ...
-           folderNames(fullfile (root, 'DEMmodels'))];
-  cure = checkNearest (name, there);
+  places = {fullfile(folder, 'DEMmodels'), fullfile(root, 'DEMmodels')};
+  found = cellfun (@folderNames, places, 'UniformOutput', false);
+  cure = checkNearest (name, [found{:}]);
   if isempty (cure)
     cure = 'Copy the model folder there, or correct the name.';
   end
   p = checkFault ('missingModel', sprintf ('Input.model{%d}', k), ...
-                  sprintf ('a folder in %s or %s', ...
-                           fullfile (folder, 'DEMmodels'), ...
-                           fullfile (root, 'DEMmodels')), ...
-                  sprintf ('%s, which is in neither', name), cure);
+                  sprintf ('a folder in %s or %s', places{:}), ...
+                  [name, ', which is in neither'], cure);
 end
 
-function names = folderNames (folder)
-  names = cell (1, 0);
-  if isfolder (folder)
-    entries = dir (folder);
-    names = {entries([entries.isdir]).name};
-    names = names(~strncmp (names, '.', 1));
-  end
+function names = folderNames (place)
+  names = readdir (place)';
+  names = names(isfolder (fullfile (place, names)) & ~strncmp (names, '.', 1));
 end
 
 % What a run leaves behind would be taken for the result of the next one. A
@@ -62,21 +59,19 @@ function p = checkFolder (model)
   end
   [~, answer] = system (['LC_ALL=C find -L ', shellQuote(model.folder), ...
                          ' -depth 2>&1 > /dev/null']);
-  loop = regexp (answer, ...
-                 '^find: File system loop detected; ''([^\n]*)'' is', ...
-                 'tokens', 'once', 'lineanchors');
+  loop = regexp (answer, '^find: File system loop detected; ''(.*)'' is', ...
+                 'tokens', 'once', 'lineanchors', 'dotexceptnewline');
   if ~isempty (loop)
     p(end + 1) = checkFault ('missingInputFile', field, ...
                              'files and folders that can be copied', ...
-                             sprintf ('a link that leads back (%s)', ...
-                                      loop{1}), 'Remove that link.');
+                             ['a link that leads back (', loop{1}, ')'], ...
+                             'Remove that link.');
   end
-  names = readdir (model.folder);
-  for k = 1:numel (names)
-    path = fullfile (model.folder, names{k});
+  for name = readdir (model.folder)'
+    path = fullfile (model.folder, name{1});
     if ~isempty (lstat (path)) && isempty (stat (path))
       p(end + 1) = checkFault ('missingInputFile', ...
-                               [field, '/', names{k}], ...
+                               [field, '/', name{1}], ...
                                'files that can be read', ...
                                'a link that leads nowhere', ...
                                'Copy the model with cp -rL.');
@@ -84,64 +79,171 @@ function p = checkFolder (model)
   end
 end
 
-function p = checkHeadFile (model)
+function p = checkFiles (model)
   p = checkFault ();
-  field = ['DEMmodels/', model.name, '/data.head'];
-  expected = 'lines such as: variable densityP equal 700';
-  cure = ['Declare every variable of the model there, and let in.Model ' ...
-          'include it.'];
-  if ~isfile (fullfile (model.folder, 'data.head'))
-    p = checkFault ('missingHead', field, expected, 'no such file', cure);
-  elseif isempty (model.head)
-    p = checkFault ('emptyHead', field, expected, ...
-                    'a file without any such line', cure);
+  field = @(name) ['DEMmodels/', model.name, '/', name];
+  lines = 'lines such as: variable densityP equal 700';
+  call = 'a function res = getResults (model, folderName)';
+  files = {'data.head', 'missingHead', lines, ...
+           ['Declare every variable of the model there, and let in.Model ' ...
+            'include it.']; ...
+           'OctaveFuns/getResults.m', 'missingGetResults', call, ...
+           ['Write it: it reads the files of a finished run and returns a ' ...
+            'cell of numbers.']; ...
+           'runscript', 'missingRunscript', ...
+           'a bash script that starts the DEM run', ...
+           'Write for example: liggghts < in.Model'};
+  isThere = isfile (fullfile (model.folder, files(:, 1)));
+  for k = find (~isThere)'
+    p(end + 1) = checkFault (files{k, 2}, field (files{k, 1}), files{k, 3}, ...
+                             'no such file', files{k, 4});
+  end
+  if isThere(1) && isempty (model.head)
+    p(end + 1) = checkFault ('emptyHead', field (files{1}), lines, ...
+                             'a file without any such line', files{1, 4});
+  end
+  if isThere(2) && ~isempty (model.message)
+    p(end + 1) = checkFault ('brokenGetResults', field (files{2}), call, ...
+                             checkShow (model.message), ...
+                             'Call it at the Octave prompt until it runs.');
   end
 end
 
-function p = checkEvaluation (model)
-  p = checkFault ();
-  field = ['DEMmodels/', model.name, '/OctaveFuns/getResults.m'];
-  expected = 'a function res = getResults (model, folderName)';
-  if ~isfile (fullfile (model.folder, 'OctaveFuns', 'getResults.m'))
-    p = checkFault ('missingGetResults', field, expected, ...
-                    'no such file', ...
-                    ['Write it: it reads the files of a finished run and ' ...
-                     'returns a cell of numbers.']);
-  elseif ~isempty (model.message)
-    p = checkFault ('brokenGetResults', field, expected, ...
-                    checkShow (model.message), ...
-                    'Call it at the Octave prompt until it runs.');
-  end
-end
-
-function p = checkStart (model, how)
+function p = checkRunscript (model, how)
+  field = ['DEMmodels/', model.name, '/runscript'];
   file = fullfile (model.folder, 'runscript');
-  if ~isfile (file)
-    p = checkFault ('missingRunscript', ...
-                    ['DEMmodels/', model.name, '/runscript'], ...
-                    'a bash script that starts the DEM run', ...
-                    'no such file', ...
-                    'Write for example: liggghts < in.Model');
+  text = checkReadText (file);
+  lines = commandLines (text);
+  example = 'Write for example: liggghts < in.Model';
+  [status, out] = deal (0, '');
+  if how.programs
+    [status, out] = system (['LC_ALL=C bash -n ', shellQuote(file), ' 2>&1']);
+  end
+  complaint = checkShow (strrep (strtok (out, "\n"), [file, ': '], ''));
+  table = {isempty(lines), 'emptyRunscript', 'a command', ...
+           'a file without any', example; ...
+           any(text == "\r"), 'windowsLineEnds', ...
+           'lines that end in a line feed alone', 'Windows line ends', ...
+           'Run: sed -i ''s/\r$//'' runscript'; ...
+           any(text == 0), 'badRunscript', 'a bash script', ...
+           'a binary file', example; ...
+           status ~= 0, 'badRunscript', 'a script that bash can read', ...
+           complaint, 'Try it with: bash -n runscript'};
+  first = find ([table{:, 1}], 1);
+  if ~isempty (first)
+    p = checkFault (table{first, 2}, field, table{first, 3:5});
+  else
+    p = [checkPrograms(field, lines, how.onCluster), ...
+         checkCommand(field, lines, model)];
+  end
+end
+
+% Lines that hold a command; a trailing comment is cut off.
+function lines = commandLines (text)
+  lines = strsplit (strrep (text, "\\\n", ' '), "\n");
+  lines = strtrim (regexprep (lines, '(^|\s)#.*$', ''));
+  lines = lines(~cellfun (@isempty, lines));
+end
+
+function p = checkPrograms (field, lines, onCluster)
+  p = checkFault ();
+  text = strjoin (lines, "\n");
+  setsPath = ['PATH=|module |source |\. /|command -v|which |type |hash |', ...
+              'conda|spack'];
+  if onCluster || ~isempty (regexp (text, setsPath, 'once'))
     return
   end
-  p = checkRunscript (model, how);
+  for name = unique (programs (lines))
+    if isempty (file_in_path (getenv ('PATH'), name{1}))
+      cure = 'Install it, or write its full path.';
+      if strcmp (name{1}, 'liggghts')
+        cure = ['Build it with: make liggghts; or write the full path of ' ...
+                'yours.'];
+      end
+      p(end + 1) = checkFault ('missingProgram', field, ...
+                               ['a program ', name{1}, ' on the PATH'], ...
+                               'none', cure);
+    end
+  end
 end
 
+function names = programs (lines)
+  words = strsplit (strjoin (lines, ' '), {' ', "\t", ';', '&', '|', '(', ...
+                                           ')', '<', '>'});
+  words = cellfun (@withDefault, words, 'UniformOutput', false);
+  names = words(ismember (words, {'liggghts', 'mpirun', 'mpiexec'}));
+  if isscalar (lines) && ~any (ismember (lines{1}, ';&|()<>$`"''={}!'))
+    names{end + 1} = strtok (lines{1});
+  elseif isscalar (lines)
+    plain = regexp (lines{1}, '^([\w.+-]+)\s*<\s*[\w./+-]+$', 'tokens', ...
+                    'once');
+    names = [names, plain];
+  end
+  builtin = {'exec', 'true', 'false', 'exit', 'echo', 'printf', 'cd', ...
+             'export', 'time', 'set', 'test', 'eval', ':', '.', '['};
+  names = names(cellfun (@(n) ~any (n == '/'), names) & ...
+                ~ismember (names, builtin));
+end
+
+% ${LIGGGHTS:-liggghts} stands for liggghts where LIGGGHTS is not set.
+function word = withDefault (word)
+  parts = regexp (word, '^\$\{(\w+):?-(\w+)\}$', 'tokens', 'once');
+  if numel (parts) == 2 && isempty (getenv (parts{1}))
+    word = parts{2};
+  end
+end
+
+function p = checkCommand (field, lines, model)
+  p = checkFault ();
+  name = regexp (lines{1}, 'liggghts.*(?:<|\s-i|\s-in)\s*([\w.+-]+)\s*$', ...
+                 'tokens', 'once');
+  if isscalar (lines) && ~isempty (name) && ...
+     ~isfile (fullfile (model.folder, name{1}))
+    p = checkFault ('missingInputFile', field, ...
+                    'an input file that is in the model folder', name{1}, ...
+                    'Correct the name; upper and lower case differ.');
+  end
+  n = regexp (lines, ...
+              '\<(?:mpirun|mpiexec)\>.*\s(?:-n|-np|--np|-c)\s+(\d+)\s', ...
+              'tokens', 'once');
+  n = [n{:}];
+  n = n(find (str2double (n) > model.cpu, 1));
+  if ~isempty (n)
+    p(end + 1) = checkFault ('rankMismatch', field, ...
+                             sprintf ('at most Input.cpu = %d rank(s)', ...
+                                      model.cpu), ['mpirun with ', n{1}], ...
+                             ['Set Input.cpu of this model to ', n{1}, '.']);
+  end
+end
+
+%!shared model
+%! model = struct ('name', 'First', 'head', 1, 'message', '', 'cpu', 1, ...
+%!                 'folder', fullfile (standInCase (tempname ()).folder, ...
+%!                                     'DEMmodels', 'First'));
+%!assert (checkModels (struct ('name', {'Lft', ''}, 'folder', ''), ...
+%!                     '/nowhere', '/nowhere', struct ()).id, ...
+%!        'DEcalioc:checkCase:missingModel')
 %!test
-%! m = struct ('name', {'Lft', ''}, 'folder', '', 'head', [], 'message', '');
-%! p = checkModels (m, '/nowhere', '/nowhere', struct ());
-%! assert ({p.id}, {'DEcalioc:checkCase:missingModel'});
+%! table = {"# a comment\nawk 1 data.head > out", false, ''; ...
+%!          'noSuchDEM < in.x', true, ''; ...
+%!          "# nothing\n\n", false, 'emptyRunscript'; ...
+%!          "if true; then\n", false, 'badRunscript'; ...
+%!          "true\r\n", false, 'windowsLineEnds'; ...
+%!          'noSuchDEM in.x', false, 'missingProgram'; ...
+%!          'noSuchDEM < in.x', false, 'missingProgram'; ...
+%!          'mpirun -np 4 liggghts -in x', true, 'rankMismatch'; ...
+%!          'liggghts < in.x', true, 'missingInputFile'};
+%! for row = table'
+%!   writeAtomic (fullfile (model.folder, 'runscript'), row{1});
+%!   p = checkModels (model, '', '', ...
+%!                    struct ('programs', true, 'onCluster', row{2}));
+%!   assert (isempty (p) == isempty (row{3}), row{1});
+%!   if ! isempty (p)
+%!     assert (p(end).id, ['DEcalioc:checkCase:', row{3}]);
+%!   end
+%! end
 %!test
 %! % a link to a folder above, of which no copy can be made
-%! raw = standInCase (tempname ());
-%! folder = fullfile (raw.folder, 'DEMmodels', 'First');
-%! symlink ('..', fullfile (folder, 'OctaveFuns', 'again'));
-%! m = struct ('name', 'First', 'folder', folder, 'head', 1, 'message', '');
-%! p = checkModels (m, raw.folder, raw.root, ...
-%!                  struct ('onCluster', true, 'programs', false));
+%! symlink ('..', fullfile (model.folder, 'OctaveFuns', 'again'));
+%! p = checkModels (model, '', '', struct ('onCluster', true, 'programs', 0));
 %! assert (~isempty (strfind (p(1).message, 'a link that leads back')));
-%!test
-%! m = struct ('name', 'x', 'folder', '/nowhere', 'head', [], 'message', '');
-%! p = checkModels (m, '/nowhere', '/nowhere', struct ());
-%! assert ({p.id}, strcat ('DEcalioc:checkCase:', ...
-%!         {'missingHead', 'missingGetResults', 'missingRunscript'}));

@@ -29,4 +29,3 @@ end
 %! fwrite (fid, [97, 228, 10], 'uint8');
 %! fclose (fid);
 %! assert (checkReadText (file), "a?\n");
-%! unlink (file);

@@ -28,12 +28,12 @@ function text = describe (value)
       numel (value) <= 6
     text = numbers (value);
   else
-    text = sprintf ('a %s %s', sizeOf (value), kindOf (value));
+    text = sprintf ('%d x ', size (value));
+    text = sprintf ('a %s %s', text(1:end - 3), kindOf (value));
   end
 end
 
 function text = printable (text)
-  text = text(:)';
   if numel (text) > 60
     text = [text(1:57), '...'];
   end
@@ -41,25 +41,12 @@ function text = printable (text)
 end
 
 function text = kindOf (value)
-  if isnumeric (value)
-    text = 'matrix';
-    if ~isa (value, 'double')
-      text = ['matrix of class ', class(value)];
-    elseif iscomplex (value)
-      text = 'complex matrix';
-    end
-  elseif isstruct (value)
-    text = 'struct';
-  elseif iscell (value)
-    text = 'cell';
-  else
-    text = class (value);
+  text = class (value);
+  if isa (value, 'double')
+    text = [repmat('complex ', 1, iscomplex (value)), 'matrix'];
+  elseif isnumeric (value)
+    text = ['matrix of class ', text];
   end
-end
-
-function text = sizeOf (value)
-  text = sprintf ('%d x ', size (value));
-  text = text(1:end - 3);
 end
 
 function text = numbers (value)
@@ -71,29 +58,27 @@ function text = numbers (value)
   end
   value = double (full (value(:))).';
   if iscomplex (value)
-    words = arrayfun (@(z) sprintf ('%.6g%+.6gi', real (z), imag (z)), ...
-                      value, 'UniformOutput', false);
+    text = sprintf ('%.6g%+.6gi, ', [real(value); imag(value)]);
   else
-    words = arrayfun (@(z) sprintf ('%.6g', z), value, ...
-                      'UniformOutput', false);
+    text = sprintf ('%.6g, ', value);
   end
-  text = strjoin (words, ', ');
-  if numel (words) > 1
+  text = text(1:end - 2);
+  if numel (value) > 1
     text = ['[', text, ']'];
   end
   text = [kind, text];
 end
 
-%!assert (checkShow (3.5), '3.5')
-%!assert (checkShow ([1; NaN]), '[1, NaN]')
-%!assert (checkShow (int8 (3)), 'int8 3')
-%!assert (checkShow (2 + 1i), '2+1i')
-%!assert (checkShow ("a\nb"), '''a?b''')
-%!assert (checkShow (''), '''''')
-%!assert (checkShow ({1, 2}), 'a 1 x 2 cell')
-%!assert (checkShow (struct ()), 'a 1 x 1 struct')
-%!assert (checkShow ([]), 'an empty matrix')
-%!assert (checkShow (@sin), 'the function handle sin')
-%!assert (checkShow (zeros (2, 3, 4)), 'a 2 x 3 x 4 matrix')
+%!test
+%! table = {3.5, '3.5'; [1; NaN], '[1, NaN]'; int8(3), 'int8 3'; ...
+%!          2 + 1i, '2+1i'; "a\nb", '''a?b'''; '', ''''''; ...
+%!          {1, 2}, 'a 1 x 2 cell'; struct(), 'a 1 x 1 struct'; ...
+%!          [], 'an empty matrix'; @sin, 'the function handle sin'; ...
+%!          zeros(2, 3, 4), 'a 2 x 3 x 4 matrix'; true, 'logical 1'; ...
+%!          [1, 2i], '[1+0i, 0+2i]'; int8(ones (3)), ...
+%!          'a 3 x 3 matrix of class int8'};
+%! for row = table'
+%!   assert (checkShow (row{1}), row{2});
+%! end
 %!assert (checkShow (containers.Map ()), 'an object of class containers.Map')
 %!assert (numel (checkShow (repmat ('x', 1, 1000))) < 80)

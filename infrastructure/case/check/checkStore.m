@@ -10,50 +10,41 @@
 %
 % Space needed: 20 MB, and for each run the size of the model's folder and
 % 0.1 MB of output.
-%
-% Reasons: badFolder badStore storeNotWritable folderNotWritable diskSpace
 
 function p = checkStore (store, folder, models, nRuns)
   there = existing (store);
   above = existing (folder);
   sizes = {models(~cellfun (@isempty, {models.folder})).folder};
   [isOpen, free, used] = ask ({above, there}, sizes);
+  need = 20 + nRuns * (used + 0.1 * numel (models));
+  p = [checkFolder(above, isOpen(1), ['The case folder ', folder], ...
+                   'folderNotWritable', 'Start in a folder of your own.'), ...
+       checkFolder(there, isOpen(2), 'Input.store', 'storeNotWritable', ...
+                   'Correct its permissions, or set another Input.store.')];
   if any (folder == pathsep ())
     p = checkFault ('badFolder', ['The case folder ', folder], ...
                     ['a path without a colon, which parts the folders of ' ...
                      'the path of Octave'], 'one with it', ...
                     'Rename the folder.');
-    return
-  end
-  p = [checkFolder(above, isOpen(1), ['The case folder ', folder], ...
-                   'folderNotWritable', 'Start in a folder of your own.'), ...
-       checkFolder(there, isOpen(2), 'Input.store', 'storeNotWritable', ...
-                   'Correct its permissions, or set another Input.store.')];
-  if ~isempty (p)
+  elseif ~isempty (p)
     p = p(1);
-    return
-  end
-  need = 20 + nRuns * (used + 0.1 * numel (models));
-  if free < need
+  elseif free < need
     p = checkFault ('diskSpace', 'Input.store', ...
                     sprintf ('%.0f MB of free space in %s for %d runs', ...
                              need, there, nRuns), ...
                     sprintf ('%.0f MB', free), ...
                     ['Free some space, set Input.store to another disk, ' ...
                      'or lower Input.numOfSam.']);
-  else
-    p = checkFault ();
   end
 end
 
 function p = checkFolder (there, isOpen, field, reason, cure)
   p = checkFault ();
   if ~isfolder (there)
-    p = checkFault ('badStore', field, 'a folder', ...
-                    sprintf ('the file %s', there), cure);
+    p = checkFault ('badStore', field, 'a folder', ['the file ', there], cure);
   elseif ~isOpen
     p = checkFault (reason, field, 'a folder that can be written to', ...
-                    sprintf ('no permission for %s', there), cure);
+                    ['no permission for ', there], cure);
   end
 end
 
@@ -102,9 +93,8 @@ end
 %! assert (p.id, 'DEcalioc:checkCase:diskSpace');
 %!test
 %! file = tempname ();
-%! fclose (fopen (file, 'w'));
+%! writeAtomic (file, '');
 %! p = checkStore (fullfile (file, 'x'), tempdir (), none, 1);
 %! assert (p.id, 'DEcalioc:checkCase:badStore');
-%! unlink (file);
 %!assert (checkStore ('/proc/x', tempdir (), none, 1).id, ...
 %!        'DEcalioc:checkCase:storeNotWritable')

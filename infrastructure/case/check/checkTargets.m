@@ -1,17 +1,113 @@
-% CHECKTARGETS  Checks the target values of optim and how many there are.
+% CHECKTARGETS  Checks the fields of optim that are given target by target.
 %
-% CALL: [P, SIZES] = checkTargets (OPTIM, MODELS)
+% CALL: [P, SIZES] = checkTargets (OPTIM, MODELS, TAKEN)
+%       P = checkTargets (OPTIM, MODELS, TAKEN, SIZES)
 %
 %   OPTIM   scalar struct, the optim of loadInput
-%   MODELS  1 x M struct array, see checkFindModels; its field count is the
-%           number of results that getResults returns (NaN: not known)
+%   MODELS  1 x M struct array, see checkFindModels
+%   TAKEN   cell of names that a target may not have: variables
 %   P       1 x n faults, see checkFault
-%   SIZES   1 x M, targets of each model; [] where they make no sense
-%
-% Reasons: missingField badTargets targetCount ambiguousTargets
-% nonFiniteTarget zeroTarget
+%   SIZES   1 x M, targets of each model; [] where they make no sense. Given,
+%           they are those of measured.csv, which says all but optim.correlation
 
-function [p, sizes] = checkTargets (optim, models)
+function [p, sizes] = checkTargets (optim, models, taken, sizes)
+  rules = rulesOf (taken);
+  if nargin > 3
+    p = checkFault ();
+    rules = rules(strcmp ({rules.name}, 'correlation'));
+  else
+    [p, sizes] = checkValues (optim, models);
+  end
+  for rule = rules
+    isNeeded = strcmp (rule.name, 'tolRes');
+    if isfield (optim, rule.name) && ...
+       (isNeeded || ~checkIs ('nothing', optim.(rule.name)))
+      p = [p, checkOne(optim.(rule.name), rule, sizes)];
+    elseif isNeeded
+      p(end + 1) = checkFault ('missingField', 'optim.tolRes', ...
+                               'one tolerance a target', 'nothing', rule.cure);
+    end
+  end
+end
+
+% kind: see checkElements. isGood: of one element. fits: whether g elements do
+% for a model of n targets. forAll: one number may stand for all targets. whole:
+% P of all elements, once each is good.
+function rules = rulesOf (taken)
+  isText = @(t) checkIs ('text', t);
+  isName = @(t) numel (t) <= 60 && ~any (ismember (t, ',;"''\')) && ...
+                ~any (t([1, end]) == ' ');
+  isRole = @(t) any (strcmp (t, {'calibrate', 'holdout'}));
+  orText = @(isGood) @(t) checkIs ('nothing', t) || (isText (t) && isGood (t));
+  none = @(values, fields, sizes) checkFault ();
+  names = @(values, fields, sizes) checkNames (values, fields, ...
+                                               [taken, {'model', 'seed'}]);
+  upTo = @(g, n) g <= n;
+  orOne = @(g, n) g == n | g <= 1;
+  rules = {'tolRes', 'column', 'a number between 0 and 1', ...
+           @(v) v > 0 & v < 1, @(g, n) g == n, true, none, ...
+           'Write optim.tolRes{1}(1) = 0.01; and so on (one percent).'; ...
+           'targetStd', 'column', 'a finite number from 0', ...
+           @(v) v >= 0 & isfinite (v), @(g, n) g == n | g == 0, false, none, ...
+           'Set the standard uncertainty, in the unit of the target.'; ...
+           'trials', 'column', 'a number above 0 or Inf', ...
+           @(v) v > 0, orOne, true, none, ...
+           'Write optim.trials{1}(1) = 5; for the mean of 5 trials.'; ...
+           'targetName', 'texts', ...
+           'a text of at most 60 characters without comma, ; or quotes', ...
+           orText(isName), upTo, false, names, ...
+           'Write optim.targetName{1}{1} = ''bulk density'';'; ...
+           'role', 'texts', '''calibrate'' or ''holdout''', ...
+           orText(isRole), upTo, false, @checkRoles, ...
+           'Write optim.role{1}{2} = ''holdout'';'; ...
+           'correlation', 'cell', ...
+           'a finite number from 0 (NaN: independent), or ''estimate''', ...
+           @(v) isnan (v) | (v >= 0 & isfinite (v)), orOne, false, none, ...
+           ['Write optim.correlation{1} = 2; (errors of model 1 are alike ' ...
+            'over 2 units of at), or = ''estimate'';']};
+  rules = cell2struct (rules', {'name', 'kind', 'expected', 'isGood', ...
+                                'fits', 'forAll', 'whole', 'cure'})';
+end
+
+function p = checkOne (value, rule, sizes)
+  field = ['optim.', rule.name];
+  reason = ['bad', upper(rule.name(1)), rule.name(2:end)];
+  [values, fields, given] = checkElements (value, field, rule.kind);
+  isText = strcmp (rule.kind, 'texts');
+  if isempty (given)
+    expected = {'a cell of numbers, {k}(i) for target i of model k', ...
+                'a cell of cells, {k}{i} for target i of model k'};
+    p = checkFault (reason, fields{1}, expected{1 + isText}, ...
+                    checkShow (values{1}), rule.cure);
+    return
+  end
+  p = checkFault ();
+  for i = find (~cellfun (rule.isGood, values))
+    p(end + 1) = checkFault (reason, fields{i}, rule.expected, ...
+                             checkShow (values{i}), rule.cure);
+  end
+  isSound = isempty (p);
+  if ~isempty (sizes) && ~countFits (iscell (value), given, rule, sizes)
+    words = {'as many values as targets', 'at most one a target'};
+    p(end + 1) = checkFault ([rule.name, 'Count'], field, ...
+                             [words{1 + isText}, ': ', checkShow(sizes)], ...
+                             checkShow (given), rule.cure);
+  end
+  if isSound
+    p = [p, rule.whole(values, fields, sizes)];
+  end
+end
+
+function yes = countFits (isCell, given, rule, sizes)
+  if isCell
+    given(end + 1:numel (sizes)) = 0;
+    yes = numel (given) == numel (sizes) && all (rule.fits (given, sizes));
+  else
+    yes = given == sum (sizes) || (given == 1 && rule.forAll);
+  end
+end
+
+function [p, sizes] = checkValues (optim, models)
   sizes = [];
   field = 'optim.targetVal';
   expected = 'a cell of numbers, {k}(i) for result i of model k';
@@ -20,106 +116,102 @@ function [p, sizes] = checkTargets (optim, models)
     p = checkFault ('missingField', field, expected, 'nothing', cure);
     return
   end
-  value = optim.targetVal;
-  [values, fields, given] = checkElements (value, field);
-  if isempty (given) || any (given == 0) || ...
-     (iscell (value) && any (cellfun (@iscell, value)))
-    p = checkFault ('badTargets', field, expected, checkShow (value), cure);
+  [values, fields, given] = checkElements (optim.targetVal, field, 'column');
+  if isempty (given) || any (given == 0)
+    p = checkFault ('badTargets', field, expected, ...
+                    checkShow (optim.targetVal), cure);
     return
   end
-  p = checkValues ([values{:}], fields);
-  if isempty (models)
-    return
+  p = checkFault ();
+  for i = find (~isfinite ([values{:}]))
+    p(end + 1) = checkFault ('nonFiniteTarget', fields{i}, ...
+                             'a finite number', checkShow (values{i}), ...
+                             'Set the measured value.');
   end
-  if iscell (value)
-    [q, sizes] = countCells (given, models);
-  else
-    [q, sizes] = countColumn (given, models);
+  for i = find ([values{:}] == 0)
+    p(end + 1) = checkFault ('zeroTarget', fields{i}, ...
+                             'a number that is not 0', '0', ...
+                             ['Give it in measured.csv with an absolute ' ...
+                              'tolerance, or let getResults return a ' ...
+                              'shifted value.']);
   end
-  p = [p, q];
+  if ~isempty (models)
+    isOfModel = iscell (optim.targetVal) || isscalar (models);
+    [q, sizes] = checkCount (isOfModel, given, models);
+    p = [p, q];
+  end
 end
 
-function p = checkValues (values, fields)
+function [p, sizes] = checkCount (isOfModel, given, models)
   p = checkFault ();
-  for i = 1:numel (values)
-    if ~isfinite (values(i))
-      p(end + 1) = checkFault ('nonFiniteTarget', fields{i}, ...
-                               'a finite number', checkShow (values(i)), ...
-                               'Set the measured value.');
-    elseif values(i) == 0
-      p(end + 1) = checkFault ('zeroTarget', fields{i}, ...
-                               'a number that is not 0', '0', ...
-                               ['Give it in measured.csv with an ' ...
-                                'absolute tolerance, or let getResults ' ...
-                                'return a shifted value.']);
+  counts = [models.count];
+  sizes = [];
+  texts = arrayfun (@(m) sprintf (['%d value(s), as many as getResults of ' ...
+                                   '%s returns'], m.count, m.name), ...
+                    models, 'UniformOutput', false);
+  field = 'optim.targetVal';
+  cure = 'Give one target for each result, in the order of getResults.';
+  if isOfModel && numel (given) == numel (models)
+    sizes = given;
+    for k = find (~isnan (counts) & counts ~= given)
+      p(end + 1) = checkFault ('targetCount', sprintf ('%s{%d}', field, k), ...
+                               texts{k}, sprintf ('%d', given(k)), cure);
+    end
+  elseif isOfModel
+    p = checkFault ('targetCount', field, ...
+                    sprintf ('%d cell(s), one a model', numel (models)), ...
+                    sprintf ('%d', numel (given)), ...
+                    'Write optim.targetVal{k}(i) for every model k.');
+  elseif any (isnan (counts))
+    p = checkFault ('ambiguousTargets', field, ...
+                    'a cell with the targets of each model', ...
+                    ['one column, and getResults of ', ...
+                     models(find (isnan (counts), 1)).name, ...
+                     ' does not tell how many are its own'], ...
+                    ['Take the line optim.targetVal = horzcat (...) out ' ...
+                     'of loadInput.m.']);
+  elseif given ~= sum (counts)
+    p = checkFault ('targetCount', field, ...
+                    strjoin (texts, ' and '), sprintf ('%d', given), cure);
+  else
+    sizes = counts;
+  end
+end
+
+function p = checkNames (names, fields, taken)
+  p = checkFault ();
+  for i = find (~cellfun (@isempty, names))
+    if any (strcmp (names{i}, names(1:i - 1)))
+      p(end + 1) = checkFault ('duplicateTargetName', fields{i}, ...
+                               'names that differ', ...
+                               [checkShow(names{i}), ' twice'], ...
+                               'Rename one of the two.');
+    elseif any (strcmp (names{i}, taken))
+      p(end + 1) = checkFault ('takenTargetName', fields{i}, ...
+                               'a name that no variable has', ...
+                               checkShow (names{i}), ...
+                               'Rename the target: both are columns.');
     end
   end
 end
 
-function [p, sizes] = countCells (given, models)
+function p = checkRoles (roles, ~, sizes)
   p = checkFault ();
-  sizes = given;
-  if numel (given) ~= numel (models)
-    sizes = [];
-    p = checkFault ('targetCount', 'optim.targetVal', ...
-                    sprintf ('%d cell(s), one a model', numel (models)), ...
-                    sprintf ('%d', numel (given)), ...
-                    'Write optim.targetVal{k}(i) for every model k.');
-    return
+  if ~isempty (sizes) && sum (strcmp (roles, 'holdout')) >= sum (sizes)
+    p = checkFault ('noCalibrateTarget', 'optim.role', ...
+                    'at least one target to calibrate on', ...
+                    '''holdout'' for all', ...
+                    'Set one of them to ''calibrate''.');
   end
-  for k = find (~isnan ([models.count]) & [models.count] ~= given)
-    p(end + 1) = checkFault ('targetCount', ...
-                             sprintf ('optim.targetVal{%d}', k), ...
-                             expectedCount (models(k)), ...
-                             sprintf ('%d', given(k)), countCure ());
-  end
-end
-
-function [p, sizes] = countColumn (given, models)
-  p = checkFault ();
-  counts = [models.count];
-  sizes = counts;
-  if isscalar (models)
-    sizes = given;
-  elseif any (isnan (counts))
-    sizes = [];
-    p = checkFault ('ambiguousTargets', 'optim.targetVal', ...
-                    'a cell with the targets of each model', ...
-                    sprintf (['one column of %d for %d models, and ' ...
-                              'getResults of %s does not tell how many ' ...
-                              'are its own'], given, numel (models), ...
-                             models(find (isnan (counts), 1)).name), ...
-                    ['Take the line optim.targetVal = horzcat (...) out ' ...
-                     'of loadInput.m.']);
-    return
-  end
-  if ~any (isnan (counts)) && given ~= sum (counts)
-    sizes = [];
-    texts = arrayfun (@expectedCount, models, 'UniformOutput', false);
-    p = checkFault ('targetCount', 'optim.targetVal', ...
-                    strjoin (texts, ' and '), sprintf ('%d', given), ...
-                    countCure ());
-  end
-end
-
-function text = expectedCount (model)
-  text = sprintf ('%d value(s), as many as getResults of %s returns', ...
-                  model.count, model.name);
-end
-
-function text = countCure ()
-  text = 'Give one target for each result, in the order of getResults.';
 end
 
 %!test
+%! % targets of each model: as given, or counted by getResults
 %! models = struct ('name', {'A', 'B'}, 'count', {2, 1});
-%! [p, n] = checkTargets (struct ('targetVal', {{[1, 2], 3}}), models);
-%! assert ({isempty(p), n}, {true, [2, 1]});
-%! [p, n] = checkTargets (struct ('targetVal', [1; 2; 3]), models);
-%! assert ({isempty(p), n}, {true, [2, 1]});
-%! p = checkTargets (struct ('targetVal', {{[0, NaN], [3, 4]}}), models);
-%! assert ({p.id}, strcat ('DEcalioc:checkCase:', ...
-%!         {'zeroTarget', 'nonFiniteTarget', 'targetCount'}));
-%! models(2).count = NaN;
-%! p = checkTargets (struct ('targetVal', [1; 2; 3]), models);
-%! assert (p.id, 'DEcalioc:checkCase:ambiguousTargets');
+%! for value = {{[1, 2], 3}, [1; 2; 3]}
+%!   optim = struct ('targetVal', value, 'tolRes', 0.1);
+%!   [p, sizes] = checkTargets (optim, models, {});
+%!   assert ({isempty(p), sizes}, {true, [2, 1]});
+%! end
+%! p = checkTargets (optim, struct ('name', 'A', 'count', 2), {});
+%! assert (p.id, 'DEcalioc:checkCase:targetCount');

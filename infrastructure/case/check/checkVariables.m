@@ -7,21 +7,16 @@
 %   PARAMLIMS  anything; good is 2 x d, lower limits above upper ones
 %   NUMOFSAM   anything; good is an integer, the samples of the plan
 %   P          1 x n faults, see checkFault
-%
-% Reasons: badAssign badVariableName duplicateVariable reservedName
-% overwrittenVariable similarVariable badModelVar impossibleValue limitsShape
-% limitsCount limitsNotFinite badLimits tooFewSamples
 
 function p = checkVariables (modelVars, assign, paramLims, numOfSam)
-  fixed = {};
+  p = checkFault ();
+  [fixed, names] = deal ({});
   if isstruct (modelVars)
     fixed = fieldnames (modelVars)';
   end
-  names = {};
   if iscell (assign) && isvector (assign)
     names = assign(:)';
   end
-  p = checkFault ();
   if isempty (names)
     p = checkFault ('badAssign', 'assign', ...
                     'a cell of names of variables', checkShow (assign), ...
@@ -36,8 +31,8 @@ function p = checkVariables (modelVars, assign, paramLims, numOfSam)
     end
     p = [p, q];
   end
-  for k = 1:numel (fixed)
-    p = [p, checkModelVar(fixed{k}, modelVars.(fixed{k}))];
+  for name = fixed
+    p = [p, checkModelVar(name{1}, modelVars.(name{1}))];
   end
   p = [p, checkLimits(paramLims, names, numOfSam)];
 end
@@ -60,6 +55,7 @@ end
 function p = checkTwice (field, name, earlier, fixed)
   p = checkFault ();
   others = [earlier, fixed];
+  same = others(strcmpi (name, others));
   if any (strcmp (name, earlier))
     p = checkFault ('duplicateVariable', field, 'every variable once', ...
                     [name, ' a second time'], ...
@@ -73,11 +69,10 @@ function p = checkTwice (field, name, earlier, fixed)
                     'a variable that is set in one place', ...
                     sprintf ('%s, which modelVars.%s sets too', name, name), ...
                     sprintf ('Take modelVars.%s out.', name));
-  elseif any (strcmpi (name, others))
-    same = others{find(strcmpi (name, others), 1)};
+  elseif ~isempty (same)
     p = checkFault ('similarVariable', field, ...
                     'names that differ by more than their case', ...
-                    [name, ' beside ', same], ...
+                    [name, ' beside ', same{1}], ...
                     'Write both as data.head does, or take one out.');
   end
 end
@@ -85,35 +80,33 @@ end
 function p = checkModelVar (name, value)
   field = ['modelVars.', name];
   p = checkName (field, name);
-  if ~checkIs ('number', value)
+  if checkIs ('number', value)
+    p = [p, checkPhysics(name, double (value), field)];
+  else
     p(end + 1) = checkFault ('badModelVar', field, 'a finite number', ...
                              checkShow (value), ...
                              'Set one number in the SI unit of data.head.');
-  else
-    p = [p, checkPhysics(name, double (value), field)];
   end
 end
 
 % What a variable of a known name may be. The ranges of restitution and
 % Poisson's ratio are those that LIGGGHTS takes.
 function p = checkPhysics (name, values, field)
-  positive = 'a number above 0';
-  table = {'density', positive, @(v) v > 0; ...
-           'radius', positive, @(v) v > 0; ...
-           'youngsModulus', positive, @(v) v > 0; ...
+  table = {'density|radius|youngsModulus', 'a number above 0', ...
+           @(v) v > 0; ...
            'poissonsRatio', 'a number from 0 to 0.5', ...
            @(v) v >= 0 & v <= 0.5; ...
            'coefRestitution', 'a number above 0.05, at most 1', ...
            @(v) v > 0.05 & v <= 1; ...
-           'coefFriction', 'a number from 0', @(v) v >= 0; ...
-           'coefRollingFriction', 'a number from 0', @(v) v >= 0; ...
+           'coef(Rolling)?Friction', 'a number from 0', @(v) v >= 0; ...
            'percentRayleigh', 'a number above 0, at most 1', ...
            @(v) v > 0 & v <= 1};
   p = checkFault ();
-  if checkIs ('name', name)
-    k = find (strcmp (table(:, 1), regexprep (name, '(PP|PW|WW|P|W)$', '')));
-    if ~isempty (k) && ~all (table{k, 3}(values))
-      p = checkFault ('impossibleValue', field, table{k, 2}, ...
+  for row = table'
+    kind = ['^(', row{1}, ')(PP|PW|WW|P|W)?$'];
+    if checkIs ('name', name) && ~isempty (regexp (name, kind)) && ...
+       ~all (row{3} (values))
+      p = checkFault ('impossibleValue', field, row{2}, ...
                       checkShow (values), 'Mind the SI unit (m, kg, s, Pa).');
     end
   end

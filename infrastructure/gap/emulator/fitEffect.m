@@ -12,7 +12,9 @@
 %           it, the rest is independent. A second column: the variance of what
 %           the level of the run does to the effect, alike in the same way
 %   GRID    struct decay (1 x a), misfit (1 x b): FIT has only a score then, of
-%           these values (default: values of its own, and all of FIT)
+%           these values (without them: values of its own, and all of FIT); size
+%           (scalar, what s below may be: the mean square that the effect adds
+%           to responses like this one; without it: not known)
 %   FIT     struct: coef (q x 1), covariance (q x q, of the coefficients),
 %           misfit (variance per strength squared that no polynomial makes),
 %           score (log of the mean marginal likelihood), looStd (n x 1,
@@ -25,7 +27,9 @@
 % polynomial cannot follow is part of the prediction's variance, not of the
 % noise. Mean and covariance are averages over s, g and m with their marginal
 % likelihoods: few runs do not tell these values, and the likeliest ones alone
-% often say that an effect is exactly nothing. A singular value decomposition
+% often say that an effect is exactly nothing. One run alone would leave s open
+% to all that is larger: log s is normal around that of SIZE, deviation 2, which
+% counts less the more runs there are. A singular value decomposition
 % makes each trial cheap (Rasmussen and Williams 2006, 2.7, 5.4).
 %
 % Errors: DEcalioc:fitEffect:badShape
@@ -39,9 +43,12 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
   if nargin < 5
     base = 0;
   end
-  onlyScore = nargin > 5;
+  if nargin < 6
+    grid = struct ();
+  end
+  onlyScore = isfield (grid, 'decay');
   if ~onlyScore
-    grid = struct ('decay', [0.03, 0.1, 0.3, 1], 'misfit', [0, 1, 4, 16, 64]);
+    [grid.decay, grid.misfit] = deal ([0.03, 0.1, 0.3, 1], [0, 1, 4, 16, 64]);
   end
   noise = covarianceOfRuns (Q, noise, base .* ones (rows (r), 1), ...
                             sign (r(:, 2)));
@@ -50,13 +57,17 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
   B = polyRows (powers, Q);
   degree = sum (powers, 2)' - min (sum (powers, 2));
   scales = mean (diag (noise)) * 4.^(-2:9)';
+  likely = zeros (size (scales));
+  if isfield (grid, 'size')
+    likely = -log (scales / grid.size).^2 / 8;
+  end
   trials = [];
   for m = grid.misfit
     L = chol (noise + m * unit * diag (strength2), 'lower');
     penalty = sum (log (diag (L))) + 0.5 * log1p (m);
     for g = grid.decay
       trial = tryScales (L \ B, L \ r(:, 1), sqrt (g.^degree), scales);
-      trial.score = trial.score - penalty;
+      trial.score = trial.score - penalty + likely;
       trial.L = L;
       trial.misfit = m * unit;
       trials = [trials, trial];
@@ -97,21 +108,21 @@ function fit = average (fit, trials, scales, B, r)
   w = exp (scores - max (scores(:)));
   w(w < 0.01) = 0;
   w = w / sum (w(:));
-  q = columns (B);
-  fit.coef = zeros (q, 1);
-  second = zeros (q);
+  fit.coef = zeros (columns (B), 1);
+  second = zeros (columns (B));
   fit.misfit = 0;
-  [i, j] = find (w);
-  for k = 1:numel (i)
-    one = trials(j(k));
-    c = scales(i(k));
+  for k = find (any (w, 1))
+    % all scales of one trial at once
+    one = trials(k);
+    i = find (w(:, k));
+    [own, c] = deal (w(i, k), scales(i));
     spread = 1 + c * one.s.^2;
-    coef = one.half * (c * one.s .* one.part ./ spread)';
-    C = c * (diag (one.weight.^2) - ...
-             (one.half .* (c * one.s.^2 ./ spread)) * one.half');
-    fit.coef = fit.coef + w(i(k), j(k)) * coef;
-    second = second + w(i(k), j(k)) * (C + coef * coef');
-    fit.misfit = fit.misfit + w(i(k), j(k)) * one.misfit;
+    coefs = one.half * (c .* one.s .* one.part ./ spread)';
+    shrunk = (own .* c.^2)' * (one.s.^2 ./ spread);
+    fit.coef = fit.coef + coefs * own;
+    second = second + (own' * c) * diag (one.weight.^2) - ...
+             (one.half .* shrunk) * one.half' + (coefs .* own') * coefs';
+    fit.misfit = fit.misfit + sum (own) * one.misfit;
   end
   fit.covariance = second - fit.coef * fit.coef';
   [~, best] = max (w(:));

@@ -65,7 +65,7 @@ function em = fitEmulator (gapProblem, data, options, old)
                  'level', data.level);
   [runs.mean, runs.variance] = atOwnLevel (em.surrogates, data);
   others = sum (~isBase);
-  if ~isOneRunOff (old, base) || abs (others - old.noiseRuns) > 0.1 * others
+  if ~isOneRunOff (old, base) || abs (others - old.noiseRuns) > 0.25 * others
     % the noise follows from the effects' runs, and they from the noise
     em = runNoise (em, gapProblem, data);
     alone = sum (abs (phi) >= 1e-9, 2) == 1;

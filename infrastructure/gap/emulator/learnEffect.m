@@ -19,7 +19,7 @@
 %             varPowers                    quadratic for its logarithm
 %             looStd (1 x T cell)
 %             unbent     1: too few runs to tell the bend, see predictHypothesis
-%             strongest            largest |phi| of the runs
+%             strongest            largest |phi| of the runs with a result
 %
 % The error of the baseline is smooth in the parameters and the same in all
 % runs: left to the effect it would come back as a signature that every
@@ -41,7 +41,8 @@ function e = learnEffect (em, effect, runs)
               'variance', runs.variance, 'size2', zeros (1, T), ...
               'bend', 1, ...
               'success', [], 'unbent', 0, ...
-              'strongest', max ([abs(Q(:, end)); 0.1]));
+              'strongest', 0.1);
+  e.strongest = max ([abs(Q(any (isfinite (runs.Z), 2), end)); 0.1]);
   e.varPowers = polyPowers (em.p + 1, 2);
   e.points = boxPoints (em.p + 1, 6 * rows (e.varPowers));
   e.points(:, end) = e.range(1) + (e.points(:, end) + 1) / 2 * diff (e.range);
@@ -64,11 +65,15 @@ function e = learnEffect (em, effect, runs)
   Q = bent (Q, e.bend);
   e.coef = zeros (rows (e.powers), T);
   B = polyRows (e.powers, e.points) ./ e.points(:, end);
+  % an effect that moves some responses may well move the others
+  loudness = mean (e.size2 ./ em.noiseVar);
   for t = 1:T
     ok = isfinite (e.R(:, t));
     if any (ok)
       fit = fitEffect (e.powers, Q(ok, :), [e.R(ok, t), Q(ok, end)], ...
-                       em.noiseVar(t), reshape (e.variance(ok, t, :), [], 2));
+                       em.noiseVar(t), ...
+                       reshape (e.variance(ok, t, :), [], 2), ...
+                       struct ('size', em.noiseVar(t) * (1 + loudness)));
     else
       first = sum (e.powers, 2) == 1;
       fit = struct ('coef', zeros (rows (e.powers), 1), 'misfit', 0, ...

@@ -33,7 +33,8 @@
 %              deviations, NaN: not run
 %     params   2 x p, without and with the effect;  phi  1 x h, strengths
 %     remaining 1 x n, deviation of each used target after the cure, in its
-%       standard deviations
+%       standard deviations;  stillMisses  logical: of DEM runs, and one of
+%       these beyond leftAt of gapOptions
 %
 % All draws share the measurement and the runs without the effect, so that
 % cause and placebo are compared in pairs.
@@ -81,6 +82,8 @@ function cure = measureCure (study, sets, first, group)
   cure.phi = sets(at).Q(em.p + 1:end);
   noise = diag (noiseBudget (gapProblem, em).covariance)';
   cure.remaining = devs(at).r(used) ./ sqrt (noise(gapProblem.used));
+  cure.stillMisses = cure.verifiedByDEM && ...
+                     max (abs (cure.remaining)) > options.leftAt;
 end
 
 function devs = deviationsOf (study, sets)

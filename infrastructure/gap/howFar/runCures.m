@@ -85,3 +85,25 @@ function [set, state] = runSet (study, set, state)
   used = gapProblem.used;
   set.worstZ = max (abs (mean (set.Z(:, used), 1) - M(used)) ./ sd(used));
 end
+
+%!test
+%! % seven runs are two seeds for each of three sets; five are not enough for
+%! % that, so that surrogates stand in and nothing is run
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]);
+%! study = labStudy (given, data);
+%! runs = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
+%! for left = [7, 5]
+%!   options = gapOptions (struct ('maxNewRuns', left, 'verifyRuns', 5));
+%!   state = newGapState (data, study.gapProblem, options, runs);
+%!   [sets, state] = runCures (study, {1, 2}, state);
+%!   assert ({sets.h}, {zeros(1, 0), 1, 2});
+%!   isRun = left == 7;
+%!   assert ([sets.verified], [isRun, isRun, isRun]);
+%!   assert (cellfun (@rows, {sets.Z}), 2 * isRun * [1, 1, 1]);
+%!   assert (state.spent, 6 * isRun);
+%! end
+%! % a set more, beside those that were compared before
+%! more = runCures (study, {3}, setfield (state, 'left', 5), sets);
+%! assert ({more.h}, {zeros(1, 0), 1, 2, 3});
+%! assert ([more.verified], [false, false, false, true]);

@@ -7,16 +7,18 @@
 %   W           struct of caseEvidence (members, posterior, kind)
 %   P           1 x H, probabilities of the hypotheses
 %   TESTS       1 x m struct, best first: test (text), targets, gain (bits about
-%               which kind of cause it is), cost, gainPerCost
+%               which kind of cause it is), cost, gainPerCost, between (1 x 2
+%               cell: kinds that it tells apart most), model (name of the
+%               bench); and variable ('': as the bench stands), value, trials,
+%               runs of DEM that it rests on, lines, as of tryTests
 %
 % Candidates: every simulated but unmeasured setting (bench and coordinate; a
 % curve as a whole), and every bench measured once more.
 %
 % A kind of cause is an effect or something that resembles it (its sibling); a
-% pair is a kind of its own, and so is no gap at all. With N_c the posterior
-% predictive of kind c, a mixture of its hypotheses,
-% gain = H (sum_c P_c N_c) - sum_c P_c H (N_c) by 1000 draws (Lindley 1956; Box
-% and Hill 1967).
+% pair is a kind of its own, and so is no gap at all (likelyKinds, where it also
+% stands what is asked once the kind is known). The gain is the expected
+% information about it (mixtureInformation; Box and Hill 1967).
 %
 % What a second measurement meets again, the error of the surrogate and the
 % unknown part of a sibling, was in the first one too: its share of the residual
@@ -25,51 +27,28 @@
 
 function tests = nextTest (gapProblem, em, w, P)
   tests = candidates (gapProblem);
-  [keep, P] = likelyOnes (w, P);
+  [keep, P, kinds, names] = likelyKinds (w, P, {em.effect.name});
   noise = noiseBudget (gapProblem, em);
   noise.white = [];
   if any (strcmp (w.kind(keep), 'sibling'))
     noise.white = whitenEmulator (em, gapProblem.used, noise);
   end
-  kinds = kindsOf (w, keep);
   for i = 1:numel (tests)
     at = tests(i).targets;
     parts = struct ('mean', {}, 'cov', {});
     for k = 1:numel (keep)
       parts(k) = predictive (gapProblem, em, w, keep(k), at, noise);
     end
-    tests(i).gain = information (parts, P, kinds) / log (2);
+    [tests(i).gain, pair] = mixtureInformation (parts, P, kinds);
+    tests(i).between = names(pair);
     tests(i).gainPerCost = tests(i).gain / tests(i).cost;
   end
   [~, order] = sort (-[tests.gainPerCost]);
   tests = tests(order);
 end
 
-% The hypotheses among which a test could tell. Where only misfits of no shape
-% are likely, the likeliest of them stays: nothing is left to tell.
-function [keep, P] = likelyOnes (w, P)
-  listed = ~strcmp (w.kind, 'discrepancy');
-  listed = find (listed & ~cellfun (@(p) isempty (p.Q), w.posterior));
-  P = P / max (sum (P(listed)), realmin);
-  keep = listed(P(listed) > 0.005);
-  if isempty (keep)
-    [~, best] = max (P(listed));
-    keep = listed(best);
-    P(keep) = 1;
-  end
-  P = P(keep) / sum (P(keep));
-end
-
-% Those with the same members are of one kind.
-function kinds = kindsOf (w, keep)
-  texts = cellfun (@(m) mat2str (sort (m)), w.members(keep), ...
-                   'UniformOutput', false);
-  [~, ~, kinds] = unique (texts);
-end
-
 function tests = candidates (gapProblem)
-  tests = struct ('test', {}, 'targets', {}, 'gain', {}, 'cost', {}, ...
-                  'gainPerCost', {});
+  tests = [];
   settings = [gapProblem.bench(:), gapProblem.coordinate(:), ...
               gapProblem.curve(:)];
   settings(gapProblem.curve > 0, 2) = 0;
@@ -81,18 +60,21 @@ function tests = candidates (gapProblem)
       names = sprintf ('%s to %s', gapProblem.targetNames{at([1, end])});
     end
     text = sprintf ('%s: measure %s', gapProblem.benchNames{row(1)}, names);
-    tests(end + 1) = newTest (text, at, gapProblem.benchCost(row(1)));
+    tests = [tests, newTest(text, at, gapProblem, row(1))];
   end
   for b = unique (gapProblem.bench(gapProblem.used))
     at = gapProblem.used(gapProblem.bench(gapProblem.used) == b);
     text = ['measure ', gapProblem.benchNames{b}, ' once more'];
-    tests(end + 1) = newTest (text, at, gapProblem.benchCost(b));
+    tests = [tests, newTest(text, at, gapProblem, b)];
   end
 end
 
-function test = newTest (text, targets, cost)
+function test = newTest (text, targets, gapProblem, bench)
   test = struct ('test', text, 'targets', targets, 'gain', 0, ...
-                 'cost', cost, 'gainPerCost', 0);
+                 'cost', gapProblem.benchCost(bench), 'gainPerCost', 0, ...
+                 'between', {{}}, 'model', gapProblem.benchNames{bench}, ...
+                 'variable', '', 'value', [], 'trials', 1, ...
+                 'lines', {{}}, 'runs', 0);
 end
 
 function part = predictive (gapProblem, em, w, h, at, noise)
@@ -121,25 +103,6 @@ function part = predictive (gapProblem, em, w, h, at, noise)
   part.cov = D' * D + left + S;
 end
 
-% Mutual information of the kind and a Gaussian mixture: E [log N_c - log N].
-function bits = information (parts, P, kinds)
-  draws = integrationPoints (1000, numel (parts(1).mean), 23).normal;
-  roots = arrayfun (@(part) chol (part.cov), parts, 'UniformOutput', false);
-  bits = 0;
-  for k = 1:numel (parts)
-    X = parts(k).mean + draws * roots{k};
-    L = zeros (rows (X), numel (parts));
-    for j = 1:numel (parts)
-      R = (X - parts(j).mean) / roots{j};
-      L(:, j) = -0.5 * sum (R.^2, 2) - sum (log (diag (roots{j}))) + log (P(j));
-    end
-    own = kinds == kinds(k);
-    bits = bits + P(k) * mean (logSumExp (L(:, own)) - ...
-                               log (sum (P(own))) - logSumExp (L));
-  end
-  bits = max (bits, 0);
-end
-
 %!test
 %! % two causes that only the unmeasured target tells apart: nearly one bit
 %! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], ...
@@ -155,6 +118,7 @@ end
 %! assert (tests(1).targets, 2);
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
+%! assert (tests(1).between, {'a', 'b'});
 %! % points of one curve are measured together
 %! two = gapProblem;
 %! [two.value(3), two.coordinate] = deal (NaN, [0, 1, 2]);
@@ -171,8 +135,8 @@ end
 %! tests = nextTest (gapProblem, em, w, [0, 0, 1]);
 %! assert ([tests.gain], zeros (1, numel (tests)), 1e-12);
 %!test
-%! % an effect and what resembles it are one kind: once more tells nothing of
-%! % them, and next to nothing where surrogates err alike both times
+%! % once the kind is known: is it this one, or its sibling? Next to nothing is
+%! % told where surrogates err alike both times
 %! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], 'varPowers', [0, 0], ...
 %!             'coef', {[3, 3, 0], [3, 0, 3]}, 'varOverPsi2', 0, 'bend', 1);
 %! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
@@ -184,7 +148,9 @@ end
 %! w.kind = {'single', 'sibling'};
 %! w.posterior = {struct('Q', [0, 1], 'weight', 1), ...
 %!                struct('Q', [0, 1, 0, 0.6], 'weight', 1)};
-%! assert (nextTest (gapProblem, em, w, [0.5, 0.5]).gain, 0, 1e-12);
+%! own = nextTest (gapProblem, em, w, [0.5, 0.5]);
+%! assert (own.between, {'a', 'something like a'});
+%! assert (own.gain > 0 && own.gain < 0.3);
 %! w.members = {1, 2};
 %! fresh = nextTest (gapProblem, em, w, [0.5, 0.5]).gain;
 %! w.kind = {'single', 'single'};

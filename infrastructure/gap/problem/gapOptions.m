@@ -15,9 +15,21 @@
 %     covariance   of the baseline Kriging ('matern52'; 'choose' tries more)
 %     trend        of the same ('choose')
 %     maxNewRuns   DEM runs that the diagnosis may spend in all (0)
-%     screenRuns   runs an effect gets for screening (4)
-%     survivors    effects that get a plan of their own (3)
-%     planRuns     runs a survivor has in the end ([]: 5 (p + 1))
+%     neutral      sets without an effect that a case runs first, for each
+%                  parameter and one (4: fewer make most surrogates vague, and
+%                  where four are too few runs that mend them are added)
+%     batch        runs between two looks at the evidence (5: fewer cost more
+%                  fits, more are chosen on older knowledge)
+%     batches      batches that a diagnosis foresees (6: one in ten needs more
+%                  than five)
+%     standsAt     probability of an effect at which no more runs are made for
+%                  it (0.9: as nameAt)
+%     standsRuns   runs that it and its likeliest rival need for that (4: with
+%                  fewer, chance names one in twenty wrongly)
+%     mostRuns     runs of an effect from which on batches add none (12: its
+%                  bend is known from 8 on, see learnEffect)
+%     worthAt      bits about the cause below which a batch is not run (0.03: a
+%                  probability of 0.95 that moves by less than 0.02)
 %     verifyRuns   seeds at each compared set when the cure is checked (5)
 %   the thresholds of the verdict, all of them here (docs/gap-method.md):
 %     level        chance of a false alarm (0.05)
@@ -26,13 +38,17 @@
 %     caution      power of the likelihood in intervals of strengths (0.6: at 1
 %                  they hold the strength of left-out LIGGGHTS runs of
 %                  hiddenEffect in 76 % where they should in 90 %)
-%     nameAt       probability at which a cause is named, a group or partners
-%                  given (0.8): two wrong ones in ten would be too many, and the
-%                  calibrated precision at 0.8 is above 0.95
-%     exclude      Bayes factor against a look-alike that a name alone needs (3:
-%                  "positive" of Kass and Raftery 1995)
-%     lookAlike    extent (newHypothesis) of that look-alike: cosine 0.9, fixed.
-%                  A cause that differs less is, for calibration, that cause
+%     nameAt       probability that it is this effect, or a cause whose mark is
+%                  nearly the same, at which it is named (0.9: chosen on
+%                  development draws, docs/gap-figures.md)
+%     groupAt      probability at which effects, what resembles them with them,
+%                  are a group (0.8)
+%     exclude      Bayes factor against a look-alike at which the name is said
+%                  to be this very effect (3: "positive" of Kass and Raftery
+%                  1995)
+%     lookAlike    extent (newHypothesis) of that look-alike: cosine 0.9, fixed;
+%                  from this cosine on a mark is nearly the same. A cause that
+%                  differs less is, for calibration, that cause
 %     leastPoints  effective points below which no number is believed (200: an
 %                  error of 0.07 in the logarithm of the evidence)
 %     misfitAt     probability of discrepancies, or of a sibling that has twice
@@ -44,8 +60,8 @@
 %                  half of a signature is the other)
 %     partnerAt    probability of a pair at which its other member is a partner
 %                  (0.05: what 0.95 would not leave out)
-%     gluedAt      posterior mass at the end of the range of a strength that
-%                  withholds a name (0.5: likelier outside than inside)
+%     gluedAt      posterior mass at the end of the range of a strength from
+%                  which this is said (0.5: likelier outside than inside)
 %     confusedAt   chance to mistake one effect for another at which they form a
 %                  group (0.1, see confusion)
 %     caveatAt     probability of siblings at which a group says so (0.1)
@@ -66,13 +82,19 @@
 %     looEffectAt  the same mean square for the runs of an effect, from six on
 %                  (2.5: fewer runs)
 %     vagueAt      share of the variance that is the surrogates' at which they
-%                  hide a gap (0.5: more than all else together)
+%                  hide a gap, or that of the likeliest effect's mark at which
+%                  it needs more runs (0.5: more than all else together)
 %     blameAt      share of targets with such surrogates at which these are to
 %                  blame (0.2: a few are left to the noise budget)
 %     conflictAt   p at which two benches contradict each other (0.01: six
 %                  benches make 15 pairs)
 %     pairAt       probability at which a pair of effects gets runs of its own
 %                  (0.2: four runs cost as much as screening one effect)
+%     adviseAt     bits about the kind of cause below which no measurement is
+%                  advised, and none sought (0.2: a yes or no that is right in
+%                  three of four cases)
+%     testRuns     most runs of tests that the case does not have (72: twelve
+%                  tests with four runs, the best two with twelve more)
 %     fitMargin    misfit that a fit may leave because it ends early (0.02: ten
 %                  times the step in log density at which fitHypothesis ends)
 %
@@ -82,9 +104,12 @@ function options = gapOptions (given)
   options = struct ('seed', 1, 'points', 400, 'effective', 400, ...
                     'most', 12000, 'bootstrap', 999, 'twins', 400, ...
                     'trials', 160, 'covariance', 'matern52', ...
-                    'trend', 'choose', 'maxNewRuns', 0, 'screenRuns', 4, ...
-                    'survivors', 3, 'planRuns', [], 'verifyRuns', 5, ...
-                    'level', 0.05, 'nameAt', 0.8, 'exclude', 3, ...
+                    'trend', 'choose', 'maxNewRuns', 0, 'neutral', 4, ...
+                    'batch', 5, 'batches', 6, 'standsAt', 0.9, ...
+                    'standsRuns', 4, 'mostRuns', 12, 'worthAt', 0.03, ...
+                    'verifyRuns', 5, ...
+                    'level', 0.05, 'nameAt', 0.9, 'groupAt', 0.8, ...
+                    'exclude', 3, ...
                     'leastPoints', 200, 'surplus', 1.15, 'caution', 0.6, ...
                     'lookAlike', [tan(acos (0.9)), 1e-6], ...
                     'misfitAt', 0.5, 'othersAt', 0.1, 'alikeAt', 0.7, ...
@@ -93,7 +118,8 @@ function options = gapOptions (given)
                     'blindAt', 0.9, 'hiddenAt', 0.9, 'limitAt', 0.98, ...
                     'looMeanAt', 2, 'looMostAt', 5, 'looEffectAt', 2.5, ...
                     'vagueAt', 0.5, 'blameAt', 0.2, 'conflictAt', 0.01, ...
-                    'pairAt', 0.2, 'fitMargin', 0.02);
+                    'pairAt', 0.2, 'adviseAt', 0.2, 'testRuns', 72, ...
+                    'fitMargin', 0.02);
   if isstruct (given)
     fields = fieldnames (given);
     for k = 1:numel (fields)
@@ -103,4 +129,4 @@ function options = gapOptions (given)
 end
 
 %!assert (gapOptions ([]).level, 0.05)
-%!assert (gapOptions (struct ('nameAt', 0.9)).nameAt, 0.9)
+%!assert (gapOptions (struct ('nameAt', 0.7)).nameAt, 0.7)

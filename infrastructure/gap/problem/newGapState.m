@@ -34,3 +34,17 @@ function [Z, budget] = inStandardUnits (evaluate, gapProblem, varargin)
   [Z, budget] = evaluate (varargin{:});
   Z = Z(:, gapProblem.kept) ./ gapProblem.unit;
 end
+
+%!test
+%! % results come in standard units, of the targets that are kept
+%! gapProblem = struct ('kept', [1, 3], 'unit', [2, 5]);
+%! data = rmfield (addRows (newData (1, 2, 1), 0.5, [1, 2], 1, 'plan', 0), ...
+%!                 'stage');
+%! options = struct ('maxNewRuns', 4, 'verifyRuns', 3);
+%! state = newGapState (data, gapProblem, options, @(X, E, r) [X, E, X + E]);
+%! assert ({state.left, state.repeats, state.data.stage}, {4, 3, {'import'}});
+%! Z = state.evaluate (2, 8, 1, 'gap', state.budget);
+%! assert (Z, [1, 2]);
+%! % nothing may be run
+%! state = newGapState (data, gapProblem, options, []);
+%! assert (isempty (state.evaluate));

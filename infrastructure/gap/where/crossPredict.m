@@ -29,7 +29,8 @@ function cross = crossPredict (study, from, to)
   J = reshape (vertcat (J{:})', numel (to), em.p);
   S = diag (V) + J * (A \ J');
   r = gapProblem.value(to) * other.W' - M;
-  cross.p = chiSquareTail (r * (S \ r'), numel (to));
+  % the upper tail of chi-square
+  cross.p = gammainc (r * (S \ r') / 2, numel (to) / 2, 'upper');
   back = other.back;
   cross.mean = M * back';
   cross.sd = sqrt (diag (back * S * back'))';

@@ -31,7 +31,6 @@ function expected = calibrateVerdict (study)
   causes(plan.cause == 0) = {zeros(1, 0)};
   twins = drawTwins (models, causes, plan.d, models.options.seed + 1000);
   fits = fitLibrary (models, twins.Y);
-  fits.exclude = excludeMany (models, fits);
   s = struct ('named', [], 'right', [], 'top', [], 'cause', [], 'd', []);
   for removed = unique (plan.removed)
     at = find (plan.removed == removed);
@@ -92,25 +91,11 @@ function fits = withoutFits (models, fits, Y, at, k, whole)
   holds = cellfun (@(m) any (m == k), {hypotheses.members});
   fits.of(holds) = [];
   fits.logE(:, holds) = [];
-  fits.exclude(:, k) = [];
   row = models.list(end);
   U = [fits.of{row.from}.U(at, :), repmat(row.starts, numel (at), 1)];
   fit = fitHypothesis (row.white, row.h, Y(at, :) * row.white.W', U, ...
                        models.prior);
   fits.logE(at, end) = fit.logE;
-end
-
-% Log Bayes factor of each effect against its look-alike: n x K.
-function exclude = excludeMany (models, fits)
-  n = rows (fits.Z);
-  exclude = zeros (n, 0);
-  for j = models.singles
-    own = models.list(j);
-    h = newHypothesis ('sibling', own.h.members, models.options.lookAlike);
-    alike = fitHypothesis (own.white, h, fits.Z, ...
-                           [fits.of{j}.U, zeros(n, 1)], models.prior);
-    exclude(:, end + 1) = fits.of{j}.logE - alike.logE;
-  end
 end
 
 % What caseEvidence gives, without pairs and without integration.
@@ -124,13 +109,18 @@ function w = laplaceCase (models, fits, i)
   if w.gate.p < models.options.level
     w.screen = screenEffects (models.white, fits.calibrated.Q(i, :));
   end
-  w.atLimit = zeros (size (w.logE));
+  [w.atLimit, w.alike] = deal (zeros (size (w.logE)));
   w.phi = NaN (size (w.logE));
+  % of a sibling its mode
+  for j = find (strcmp (w.kind, 'sibling'))
+    w.alike(j) = fits.of{j}.Q(i, end) <= models.options.lookAlike(1);
+  end
   for j = models.singles
     w.phi(j) = fits.of{j}.Q(i, models.white.p + 1);
+    w.alike(j) = 1;
   end
-  [~, w.top] = max (w.logE(models.singles));
-  w.exclude = fits.exclude(i, w.top);
+  % whether it is this very effect is not tried
+  [w.top, w.exclude] = deal ([], 0);
 end
 
 % NaN where there is nothing to count.

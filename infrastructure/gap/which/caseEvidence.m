@@ -13,6 +13,9 @@
 %     atLimit (1 x H, posterior mass glued to the end of the range of a
 %       strength)
 %     posterior (1 x H cell: Q, weight: samples of each hypothesis)
+%     alike (1 x H, share of each hypothesis in which the mark on the targets
+%       has a cosine of 0.9 or more with that of its members: 1 for effects, of
+%       a sibling its posterior of the angle, else 0)
 %     top (members of the likeliest listed hypothesis), exclude (log Bayes
 %       factor of top against a look-alike of cosine 0.9)
 %     gate (struct of omnibusTest), screen (struct of screenEffects)
@@ -32,11 +35,11 @@ function w = caseEvidence (models, fits, i)
       list(j) = integrate (models, list(j));
     end
   end
-  w = collect (w, list);
+  w = collect (w, list, models.options.lookAlike(1));
   [w.top, w.exclude] = againstLookAlike (models, w, list, z);
 end
 
-function w = collect (w, list)
+function w = collect (w, list, tangent)
   hypotheses = [list.h];
   w.kind = {hypotheses.kind};
   w.members = {hypotheses.members};
@@ -45,6 +48,13 @@ function w = collect (w, list)
   end
   w.phi = vertcat (list.phi);
   w.posterior = {list.posterior};
+  w.alike = double (ismember (w.kind, {'single', 'pair'}));
+  for h = find (strcmp (w.kind, 'sibling'))
+    sample = w.posterior{h};
+    if ~isempty (sample.Q)
+      w.alike(h) = sample.weight' * (sample.Q(:, end) <= tangent);
+    end
+  end
 end
 
 function one = integrate (models, one)
@@ -78,7 +88,7 @@ function one = integrate (models, one)
   one.atLimit = max (r.weight' * ends);
 end
 
-% A name alone needs data that a look-alike does not explain as well.
+% To be this very effect takes data that a look-alike does not explain as well.
 function [top, exclude] = againstLookAlike (models, w, list, z)
   listed = strcmp (w.kind, 'single') | strcmp (w.kind, 'pair');
   logP = w.logPrior + w.logE;

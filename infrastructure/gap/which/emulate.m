@@ -12,3 +12,16 @@ function em = emulate (gapProblem, data, options, varargin)
   em = takeReference (fitEmulator (gapProblem, data, options, old{:}), ...
                       gapProblem);
 end
+
+%!test
+%! % without a reference that of fitEmulator; what another one has learned of
+%! % the surrogates is taken on
+%! [given, data] = smallGapLab ();
+%! given.value = mean (data.Z);
+%! gapProblem = newGapProblem (given);
+%! options = gapOptions (struct ('trend', 'affine'));
+%! em = emulate (gapProblem, data, options);
+%! assert (em.coef, fitEmulator (gapProblem, data, options).coef);
+%! assert (isempty (em.change));
+%! again = emulate (gapProblem, data, options, em);
+%! assert (again.coef, em.coef, 1e-9);

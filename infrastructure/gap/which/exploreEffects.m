@@ -1,4 +1,4 @@
-% EXPLOREEFFECTS  Runs candidate effects: a few for all, a plan for survivors.
+% EXPLOREEFFECTS  Runs candidate effects until it is clear which one it is.
 %
 % CALL: [STATE, EM] = exploreEffects (GAPPROBLEM, OPTIONS, STATE, EM)
 %
@@ -6,140 +6,170 @@
 %   STATE                of newGapState
 %   EM                   of fitEmulator, fitted to STATE.data
 %
-% First OPTIONS.screenRuns for every effect that has fewer; then, if there is a
-% gap at all, OPTIONS.planRuns for the OPTIONS.survivors likeliest ones, in two
-% rounds, placed by the posterior. Runs that verify the cure are set aside
-% before, and four runs of the likeliest pair made. Nothing is run without
-% STATE.evaluate. In a case with levels these runs are of the first one, but for
-% one a round and survivor, at the mean of its posterior.
+% First every effect that has no such run yet once at full strength at the
+% fitted null model, both ends where it acts both ways; one that gives no result
+% there at half, a quarter and an eighth of it. Then, if there is a gap at all,
+% batches of OPTIONS.batch runs (proposeRuns), until the verdict stands or the
+% next batch would tell next to nothing (OPTIONS.worthAt). Runs that verify the
+% cure are set aside before. Nothing is run without STATE.evaluate. In a case
+% with levels these runs are of the first one, but for those at a mode. A second
+% start finds its runs and asks for no other.
 
 function [state, em] = exploreEffects (gapProblem, options, state, em)
   if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
     return
   end
-  reserve = min (4 * options.verifyRuns, floor (state.left / 3));
+  reserve = min (3 * options.verifyRuns, floor (state.left / 3));
   state.left = state.left - reserve;
   theta = calibrateNull (gapProblem, em, options);
-  wanted = zeros (1, numel (em.effect));
-  wanted(~[em.effect.laboratory]) = options.screenRuns;
-  state = runEffects (gapProblem, state, em, theta, wanted, []);
+  state = runEach (gapProblem, state, theta);
   em = emulate (gapProblem, state.data, options, em);
-  full = options.planRuns;
-  if isempty (full)
-    full = 5 * (em.p + 1);
-  end
-  for share = [0.5, 1]
-    [wanted, posteriors] = survivors (gapProblem, options, em, ...
-                                      ceil (share * full));
-    if ~any (wanted)
+  reference = [];
+  while state.left > 0
+    [now, reference] = weighNow (gapProblem, options, em, reference);
+    if isempty (now) || stands (now, options)
       break
     end
-    state = runEffects (gapProblem, state, em, theta, wanted, posteriors);
+    batch = proposeRuns (gapProblem, options, state, em, now);
+    if batch.bits < options.worthAt
+      break
+    end
+    state = runLevels (gapProblem, state, batch);
     em = emulate (gapProblem, state.data, options, em);
   end
-  [state, em] = runBestPair (gapProblem, options, state, em);
   state.left = state.left + reserve;
 end
 
-% Pairs are not merely added: where one is likely, four runs of both effects
-% show what they do together.
-function [state, em] = runBestPair (gapProblem, options, state, em)
-  [w, verdict, usable] = weighNow (gapProblem, options, em);
-  if isempty (w) || state.left < 4
-    return
-  end
-  pairs = find (strcmp (w.kind, 'pair'));
-  [most, at] = max ([verdict.P(pairs), 0]);
-  if most < options.pairAt || isempty (w.posterior{pairs(at)}.Q)
-    return
-  end
-  members = usable(w.members{pairs(at)});
-  if any ([em.effect(members).laboratory])
-    return
-  end
-  posterior = w.posterior{pairs(at)};
-  middle = posterior.weight' * posterior.Q;
-  top = vertcat (gapProblem.effects(members).range)(:, 2)';
-  phi = zeros (4, numel (em.effect));
-  phi(:, members) = [middle(em.p + (1:2)); top; top .* [1, 0.5]; ...
-                     top .* [0.5, 1]];
-  theta = repmat (middle(1:em.p), 4, 1);
-  state = spendRuns (state, gapProblem, theta, phi, ones (4, 1));
-  em = emulate (gapProblem, state.data, options, em);
-end
-
-function [w, verdict, usable] = weighNow (gapProblem, options, em)
-  w = [];
-  verdict = [];
-  usable = find ([em.effect.laboratory] | [em.effect.runs] >= 2);
-  if isempty (usable)
-    return
-  end
-  library = withoutEffects (em, setdiff (1:numel (em.effect), usable));
-  quick = options;
-  quick.twins = min (options.twins, 99);
-  models = makeHypotheses (gapProblem, library, quick);
-  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
-  models = omnibusReference (models);
-  w = caseEvidence (models, fits, 1);
-  verdict = judgeCase (w, models);
-  if w.gate.p > 2 * options.level
-    w = [];
+% Every end of every range once, and weaker where no run gave a whole result;
+% where that is so of most of them, the effects are not to blame.
+function state = runEach (gapProblem, state, theta)
+  for share = [1, 0.5, 0.25, 0.125]
+    have = strengthOfValues (gapProblem.effects, state.data.E);
+    alone = sum (abs (have) > 1e-9, 2) == 1;
+    have = have(alone & all (isfinite (state.data.Z), 2), :);
+    phi = share * missingEnds (gapProblem.effects, have, 0.5 * (share == 1));
+    n = rows (phi);
+    if share == 1
+      first = n;
+    elseif n > first / 2 && n > 1
+      return
+    end
+    state = runLevels (gapProblem, state, ...
+                       struct ('theta', repmat (theta, n, 1), 'phi', phi, ...
+                               'isFine', false (n, 1)));
   end
 end
 
-function state = runEffects (gapProblem, state, em, theta, wanted, posteriors)
-  K = numel (em.effect);
-  hasLevels = isfield (state.data, 'level');
-  all = strengthOfValues (gapProblem.effects, state.data.E);
-  half = diff (gapProblem.limits) / 2;
-  X = (state.data.X - mean (gapProblem.limits)) ./ half;
-  Theta = zeros (0, em.p);
-  Phi = zeros (0, K);
-  isFine = false (0, 1);
-  for k = find (wanted > 0)
-    own = abs (all(:, k)) > 1e-9 & sum (abs (all) > 1e-9, 2) == 1;
-    posterior = [];
-    if ~isempty (posteriors)
-      posterior = posteriors{k};
+% The ends of which no run HAVE reaches more than the share LEAST.
+function phi = missingEnds (effects, have, least)
+  K = numel (effects);
+  phi = zeros (0, K);
+  for k = find (~[effects.laboratory])
+    ends = effects(k).range;
+    for limit = ends(ends ~= 0)
+      if ~any (have(:, k) / limit > max (least - 1e-9, 1e-9))
+        phi(end + 1, :) = limit * ((1:K) == k);
+      end
     end
-    n = max (wanted(k) - sum (own), 0);
-    Q = planEffectRuns (n, [X(own, :), all(own, k)], theta, posterior, ...
-                        gapProblem.effects(k).range);
-    isFine = [isFine; repmat(~hasLevels, n, 1)];
-    if hasLevels && n > 0 && ~isempty (posterior)
-      Q(end, :) = posterior.weight' * posterior.Q(:, 1:em.p + 1);
-      isFine(end) = true;
-    end
-    Theta = [Theta; Q(:, 1:end - 1)];
-    rows_ = zeros (n, K);
-    rows_(:, k) = Q(:, end);
-    Phi = [Phi; rows_];
   end
+end
+
+function state = runLevels (gapProblem, state, batch)
+  fine = batch.isFine | ~isfield (state.data, 'level');
   stages = {'gap', 'coarse'};
-  for at = {isFine, ~isFine}
-    state = spendRuns (state, gapProblem, Theta(at{1}, :), Phi(at{1}, :), ...
-                       ones (sum (at{1}), 1), stages{1});
+  for at = {fine, ~fine}
+    state = spendRuns (state, gapProblem, batch.theta(at{1}, :), ...
+                       batch.phi(at{1}, :), ones (sum (at{1}), 1), stages{1});
     stages(1) = [];
   end
 end
 
-function [wanted, posteriors] = survivors (gapProblem, options, em, runs)
-  K = numel (em.effect);
-  wanted = zeros (1, K);
-  posteriors = cell (1, K);
-  [w, verdict, usable] = weighNow (gapProblem, options, em);
-  if isempty (w)
+% What is known now, roughly; [] where nothing can be told or there is no gap.
+% Some runs more hardly change what the gate compares with: it is drawn once.
+function [now, reference] = weighNow (gapProblem, options, em, reference)
+  now = [];
+  usable = find ([em.effect.laboratory] | [em.effect.runs] >= 1);
+  if isempty (usable)
     return
   end
-  singles = find (strcmp (w.kind, 'single'));
-  likely = verdict.total;
-  likely([em.effect(usable).laboratory]) = -Inf;
-  [~, order] = sort (-likely);
-  order = order(isfinite (likely(order)));
-  for i = order(1:min (options.survivors, numel (order)))
-    k = usable(i);
-    wanted(k) = runs;
-    posteriors{k} = w.posterior{singles(i)};
+  library = withoutEffects (em, setdiff (1:numel (em.effect), usable));
+  options.twins = min (options.twins, 59);
+  [options.points, options.effective, options.most] = deal (300, 100, 2000);
+  models = makeHypotheses (gapProblem, library, options);
+  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+  if isempty (reference)
+    models = omnibusReference (models);
+    reference = models.reference;
+  end
+  models.reference = reference;
+  w = caseEvidence (models, fits, 1);
+  if w.gate.p <= 2 * options.level
+    now = struct ('w', w, 'verdict', judgeCase (w, models), ...
+                  'models', models, 'fits', fits, 'usable', usable);
+    now.runs = [library.effect.runs];
+    now.runs([library.effect.laboratory]) = Inf;
+    now.isVague = vagueShare (now, now.verdict.top) >= options.vagueAt;
   end
 end
+
+% The likeliest effect is likely enough, it and the next likely one have been
+% run often enough to believe it, and its mark is known better than the rest.
+function yes = stands (now, options)
+  [total, order] = sort (-now.verdict.total);
+  two = order(1:min (2, numel (order)));
+  yes = -total(1) >= options.standsAt && ...
+        all (now.runs(two) >= options.standsRuns) && ...
+        (now.runs(two(1)) >= options.mostRuns || ~now.isVague);
+end
+
+% Share of the variance of a target that comes with effect K where it fits best.
+function share = vagueShare (now, k)
+  white = now.models.white;
+  fit = now.fits.of{now.models.singles(k)};
+  [~, with] = predictGap (white, k, fit.Q(1, 1:white.p + 1));
+  [~, without] = predictGap (white, [], now.fits.calibrated.Q(1, 1:white.p));
+  share = 1 - mean (min (without ./ with, 1));
+end
+
+%!function [given, data, run] = laboratory (strength)
+%!  [given, data, means] = smallGapLab ();
+%!  data = keepRows (data, all (data.E == 0, 2));
+%!  effects = newGapProblem (setfield (given, 'value', ones (1, 12))).effects;
+%!  run = @(X, E, varargin) means (X, strengthOfValues (effects, E)) + ...
+%!                          0.2 * randn (rows (X), 12);
+%!  randn ('twister', 3);
+%!  given.value = means ([0.4, 0.6], strength) + 0.2 * randn (1, 12);
+%!endfunction
+%!function [state, em] = explored (given, data, run)
+%!  options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60));
+%!  gapProblem = newGapProblem (given);
+%!  state = newGapState (data, setfield (gapProblem, 'unit', ones (1, 12)), ...
+%!                       options, run);
+%!  em = fitEmulator (gapProblem, data, options);
+%!  [state, em] = exploreEffects (gapProblem, options, state, ...
+%!                                takeReference (em, gapProblem));
+%!endfunction
+%!test
+%! % one strong cause that looks like nothing else: each effect once, four runs
+%! % of it and of the next likely one
+%! pkg load stk
+%! [given, data, run] = laboratory ([0, 0, 0.7, 0, 0]);
+%! [state, em] = explored (given, data, run);
+%! assert (all ([em.effect(1:4).runs] >= 1));
+%! assert (em.effect(3).runs >= 4);
+%! assert (state.spent < 25);
+%!test
+%! % no gap: each effect once
+%! pkg load stk
+%! [given, data, run] = laboratory (zeros (1, 5));
+%! state = explored (given, data, run);
+%! assert (state.spent, 4);
+%!test
+%! % what gives no result above a strength of 0.4 is run at a quarter
+%! pkg load stk
+%! [given, data, run] = laboratory (zeros (1, 5));
+%! jams = @(X, E, varargin) run (X, E) + 0 ./ (E(:, 3) < 0.46);
+%! [state, em] = explored (given, data, jams);
+%! assert (em.effect(3).runs, 1);
+%! assert (em.effect(3).strongest, 0.25, 1e-9);
+%! assert ([state.spent, state.failed], [6, 2]);

@@ -107,6 +107,26 @@ function step = cutStep (step)
   step = step ./ max (1, max (abs (step), [], 2) / 2);
 end
 
+% Many positive definite systems at once, A n x d x d, by Gaussian elimination
+% without pivoting, and the logarithm of each determinant.
+function [X, logDet] = solveMany (A, G)
+  d = columns (G);
+  logDet = zeros (rows (G), 1);
+  for k = 1:d
+    logDet = logDet + log (A(:, k, k));
+    below = k + 1:d;
+    factor = A(:, below, k) ./ A(:, k, k);
+    A(:, below, below) = A(:, below, below) - factor .* A(:, k, below);
+    G(:, below) = G(:, below) - factor .* G(:, k);
+  end
+  X = zeros (size (G));
+  for k = d:-1:1
+    above = reshape (A(:, k, k + 1:d), rows (G), d - k);
+    left = G(:, k) - sum (above .* X(:, k + 1:d), 2);
+    X(:, k) = left ./ A(:, k, k);
+  end
+end
+
 %!shared white, prior
 %! white = handMadeHypotheses ().white;
 %! prior = struct ('mean', 0, 'sd', Inf);

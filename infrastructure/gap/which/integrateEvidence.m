@@ -91,6 +91,27 @@ function sample = extend (sample, proposal, target, n, seed)
   sample.count(end + 1) = n;
 end
 
+% Log density L (n x 1) of a proposal, 0.9 of a mixture of Student densities (7
+% degrees of freedom, as integrationPoints draws) and 0.1 of the prior; EACH
+% (n x m) that of its parts, without their shares.
+function [L, each] = proposalDensity (parts, U)
+  d = columns (U);
+  each = zeros (rows (U), numel (parts));
+  for m = 1:numel (parts)
+    each(:, m) = studentDensity (parts(m), U);
+  end
+  prior = log (0.1) - 0.5 * sum (U.^2, 2) - d / 2 * log (2 * pi);
+  L = logSumExp ([prior, log(0.9 * [parts.share]) + each]);
+end
+
+function L = studentDensity (part, U)
+  nu = 7;
+  d = columns (U);
+  distance = sum (((U - part.mean) / part.root').^2, 2);
+  L = gammaln ((nu + d) / 2) - gammaln (nu / 2) - d / 2 * log (nu * pi) - ...
+      sum (log (diag (part.root))) - (nu + d) / 2 * log1p (distance / nu);
+end
+
 function [logW, result] = weigh (sample)
   N = sum (sample.count);
   mixture = logSumExp (sample.logQ + log (sample.count / N));
@@ -105,9 +126,8 @@ end
 function proposal = moments (sample, logW, old)
   d = columns (sample.U);
   w = flattened (logW, 12 * d);
-  for m = numel (old):-1:1
-    near(:, m) = log (old(m).share) + studentDensity (old(m), sample.U);
-  end
+  [~, near] = proposalDensity (old, sample.U);
+  near = log ([old.share]) + near;
   near = exp (near - logSumExp (near));
   parts = old([]);
   for m = 1:numel (old)

@@ -7,24 +7,29 @@
 %   VERDICT  struct
 %     kind      'no gap', 'named', 'group', 'none of the listed' or 'undecided'
 %     effects   numbers of the effects it names (one or two, or a group)
-%     lookAlike logical: or something that resembles them
+%     lookAlike logical: or something that resembles them; of a name: these
+%               targets do not tell whether it is this very effect
 %     partners  numbers of effects one of which acts together with a named one
-%     guard     what withheld a name: '', 'range', 'integral', 'look-alike',
-%               'group', 'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
+%     guard     what withheld a name: '', 'integral', 'look-alike', 'group',
+%               'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
 %     reason    text, one sentence
 %     P         1 x H, probability of each hypothesis of W
 %     include   1 x K, probability that the effect takes part
 %     resemble  1 x K, that something not listed which resembles it does
+%     alike     1 x K, that it is this effect, alone or with another one, or a
+%               cause whose mark on the targets is nearly the same (W.alike)
 %     null, unlisted (siblings and discrepancies) probabilities
 %     likely    1 x m, fewest effects (by include + resemble) that hold 95 % of
 %               what all have together;  top  scalar, the likeliest one
 %
 % P ~ prior * exp (log evidence). What is a gap is W.gate's matter; then:
 % 'none of the listed' where misfits that resemble no effect, or that resemble
-% one without being it, are likelier than not; a name where one effect (or pair)
-% has probability nameAt, no other explains the data without it with a tenth of
-% that, and the data exclude a look-alike of cosine 0.9; a group where that is
-% not so but the effects left, or what resembles them, have nameAt together.
+% one without being it, are likelier than not; a name where alike of one effect
+% (or of two) reaches nameAt and no other explains the data without it with a
+% tenth of that; a group where that is not so but effects, or what resembles
+% them, have groupAt together. What kind of cause it is and whether it is this
+% very one are two claims: the second needs data that exclude a look-alike of
+% cosine 0.9, which a perfect model passes half of the time only from d = 6 on.
 
 function verdict = judgeCase (w, models)
   verdict = openVerdict (w, numel (models.names));
@@ -57,10 +62,10 @@ function verdict = openVerdict (w, K)
                     'lookAlike', false, 'partners', zeros (1, 0), ...
                     'guard', '', 'reason', 'no single cause is likely enough');
   verdict.P = exp (logP - logSumExp (logP));
-  verdict.include = zeros (1, K);
-  verdict.resemble = zeros (1, K);
+  [verdict.include, verdict.resemble, verdict.alike] = deal (zeros (1, K));
   for h = 1:numel (verdict.P)
     at = w.members{h};
+    verdict.alike(at) = verdict.alike(at) + w.alike(h) * verdict.P(h);
     if strcmp (w.kind{h}, 'sibling')
       verdict.resemble(at) = verdict.resemble(at) + verdict.P(h);
     else
@@ -79,7 +84,6 @@ end
 
 function verdict = nameCause (verdict, w, models)
   options = models.options;
-  strong = find (verdict.total >= options.nameAt);
   top = verdict.top;
   if verdict.resemble(top) > max (options.misfitAt, ...
                                   2 * verdict.include(top))
@@ -87,6 +91,11 @@ function verdict = nameCause (verdict, w, models)
     verdict.reason = sprintf (['something resembles %s, but the data say ' ...
                                'it is not that'], models.names{top});
     return
+  end
+  strong = find (verdict.alike >= options.nameAt);
+  isSure = ~isempty (strong);
+  if ~isSure
+    strong = find (verdict.total >= options.groupAt);
   end
   if isempty (strong)
     verdict = nameGroup (verdict, w, models);
@@ -98,43 +107,46 @@ function verdict = nameCause (verdict, w, models)
     strong = top;
     others = rivalsOf (w, verdict, strong, options);
   end
-  best = bestWith (w, verdict, strong);
-  if w.atLimit(best) > options.gluedAt
-    verdict.guard = 'range';
-    verdict.reason = sprintf (['%s would have to be stronger than its ' ...
-                               'plausible range'], models.names{top});
-  elseif any (others)
+  if any (others)
     verdict.kind = 'group';
     verdict.guard = 'group';
     verdict.effects = sort ([strong, find(others)]);
     verdict.reason = ['the likeliest one looks too much like the others to ' ...
                       'be named alone'];
-  else
-    verdict = nameOrResemble (verdict, w, models, strong);
-    verdict.partners = partnersOf (w, verdict, strong, options);
+    return
   end
+  verdict = sayCause (verdict, w, models, strong, isSure);
+  verdict.partners = partnersOf (w, verdict, strong, options);
 end
 
-function verdict = nameOrResemble (verdict, w, models, strong)
+% A name, or where only what resembles the effect more loosely makes it likely
+% a group of one; and whether it is this very one.
+function verdict = sayCause (verdict, w, models, strong, isSure)
+  options = models.options;
+  missing = [models.siblings{strong}];
+  isExcluded = all (ismember (strong, w.top)) && ...
+               w.exclude >= log (options.exclude);
   verdict.kind = 'named';
   verdict.effects = strong;
-  missing = [models.siblings{strong}];
-  excluded = all (ismember (strong, w.top)) && ...
-             w.exclude >= log (models.options.exclude);
-  verdict.reason = sprintf ('probability %.2f', ...
-                            min (verdict.include(strong)));
-  verdict.lookAlike = ~isempty (missing) || ~excluded;
-  if verdict.lookAlike
+  verdict.lookAlike = ~isempty (missing) || ~isExcluded || ~isSure;
+  verdict.reason = sprintf ('probability %.2f', min (verdict.alike(strong)));
+  if ~isSure
     verdict.kind = 'group';
     verdict.guard = 'look-alike';
-  end
-  if ~isempty (missing)
+    verdict.reason = sprintf (['that it is this one, or one whose mark is ' ...
+                               'nearly the same, has a probability of ' ...
+                               '%.2f'], min (verdict.alike(strong)));
+  elseif ~isempty (missing)
     verdict.reason = ['it cannot be told from ', strjoin(missing, ', '), ...
                       ', which is not listed or has no runs'];
-  elseif ~excluded
-    verdict.reason = sprintf (['the data do not exclude a cause nine ' ...
-                               'tenths alike (odds %.1f to 1)'], ...
+  elseif ~isExcluded
+    verdict.reason = sprintf (['a cause of nearly the same mark (cosine ' ...
+                               '0.9) is not excluded (odds %.1f to 1)'], ...
                               exp (min (w.exclude, 9)));
+  end
+  if max (w.atLimit(bestWith (w, verdict, strong))) > options.gluedAt
+    verdict.reason = [verdict.reason, '; it stands at the end of its ' ...
+                      'plausible range, or beyond'];
   end
 end
 
@@ -161,32 +173,6 @@ function best = bestWith (w, verdict, strong)
   [~, best] = max (verdict.P - 2 * ~holding);
 end
 
-% The fewest likely effects that have nameAt together: three, or more where the
-% noise takes each of them for the likeliest one.
-function verdict = nameGroup (verdict, w, models)
-  [~, order] = sort (-verdict.total);
-  top = verdict.top;
-  singles = find (strcmp (w.kind, 'single'));
-  d = abs (w.phi(singles(top))) * w.screen.size(top);
-  alike = confusion (w.screen.cosine(top, :), d) > models.options.confusedAt;
-  for n = 2:numel (order)
-    set = order(1:n);
-    if n > 3 && ~all (alike(setdiff (set, top)))
-      return
-    end
-    holding = cellfun (@(m) any (any (set == m(:))), w.members);
-    together = sum (verdict.P(holding));
-    if together >= models.options.nameAt
-      verdict.kind = 'group';
-      verdict.guard = 'group';
-      verdict.effects = sort (set);
-      verdict.lookAlike = sum (verdict.resemble(set)) > models.options.caveatAt;
-      verdict.reason = sprintf ('one of them with probability %.2f', together);
-      return
-    end
-  end
-end
-
 %!shared w, models, like
 %! models = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}});
 %! models.options = gapOptions ([]);
@@ -201,19 +187,18 @@ end
 %! [w.phi, w.atLimit, w.ess] = deal (0.5 * ones (9, 1), zeros (1, 9), ...
 %!                                   400 * ones (1, 9));
 %! [w.top, w.exclude] = deal (1, log (20));
+%! w.alike = [0, 1, 1, 1, 1, 0.3, 0.3, 0.3, 0];
 %! like = @(at, logE) setfield (w, 'logE', setfield (w.logE, {at}, logE));
 %!test
 %! % what a change of the evidence makes of the verdict: a gate that is shut, as
-%! % likely as another, any misfit, what resembles a but is not it, a look-alike
-%! % not excluded, glued to the end of its range, a collapsed integral
+%! % likely as another, any misfit, what resembles a but is not it, half of it
+%! % what resembles a too loosely, a collapsed integral
 %! cases = {w, 'named', 1, ''; ...
 %!          setfield(w, 'gate', struct ('p', 0.2)), 'no gap', [], 'gate'; ...
 %!          like(3, 9), 'group', [1, 2], 'group'; ...
 %!          like(9, 12), 'none of the listed', [], ''; ...
 %!          like(6, 14), 'none of the listed', [], ''; ...
-%!          setfield(w, 'exclude', 0.5), 'group', 1, 'look-alike'; ...
-%!          setfield(w, 'atLimit', 0.9 * ones (1, 9)), 'undecided', [], ...
-%!          'range'; ...
+%!          like(6, 10.5), 'group', 1, 'look-alike'; ...
 %!          setfield(w, 'ess', setfield (w.ess, {2}, 30)), 'undecided', [], ...
 %!          'integral'}';
 %! for one = cases
@@ -225,13 +210,22 @@ end
 %! end
 %! assert (! isempty (strfind (judgeCase (like (6, 14), models).reason, ...
 %!                             'resembles a')));
-%! known = setfield (models, 'siblings', {{'d'}, {}, {}});
-%! assert (judgeCase (w, known).kind, 'group');
 %!test
-%! % three that look alike, which stopped the judgement of an older version
-%! x = like (2:4, [9, 8, 8]);
-%! x.screen.cosine = 0.99 + 0.01 * eye (3);
-%! assert (judgeCase (x, models).effects, [1, 2, 3]);
+%! % what kind of cause it is stands; that it is this very one is said where a
+%! % look-alike is excluded, and where no other cause of its family is left out
+%! v = judgeCase (setfield (w, 'exclude', 0.5), models);
+%! assert ({v.kind, v.effects, v.lookAlike, v.guard}, {'named', 1, true, ''});
+%! known = setfield (models, 'siblings', {{'d'}, {}, {}});
+%! v = judgeCase (w, known);
+%! assert ({v.kind, v.lookAlike}, {'named', true});
+%! assert (! isempty (strfind (v.reason, 'told from d')));
+%! % by hand: the effect, its pair, three tenths of its sibling
+%! assert (v.alike(1), v.P * [0; 1; 0; 0; 1; 0.3; 0; 0; 0], 1e-12);
+%!test
+%! % a true cause may stand at the end of its range: named, and said
+%! v = judgeCase (setfield (w, 'atLimit', 0.9 * ones (1, 9)), models);
+%! assert (v.kind, 'named');
+%! assert (! isempty (strfind (v.reason, 'end of its plausible range')));
 %!test
 %! % one effect is sure, and one of the two others acts with it
 %! x = like ([2, 4, 5], [5, 15, 15.5]);
@@ -244,7 +238,7 @@ end
 %! % probabilities of an effect, of what is not listed, the fewest of all
 %! x = struct ('logPrior', log ([0.5, 0.3, 0.1, 0.1]), 'logE', zeros (1, 4), ...
 %!             'kind', {w.kind([1, 2, 6, 9])}, 'members', {{[], 1, 1, []}}, ...
-%!             'gate', struct ('p', 1), 'ess', NaN);
+%!             'alike', [0, 1, 0.3, 0], 'gate', struct ('p', 1), 'ess', NaN);
 %! v = judgeCase (x, setfield (models, 'names', {'a'}));
 %! assert ([v.total, v.include, v.unlisted, v.likely], [0.4, 0.3, 0.2, 1], ...
 %!         1e-12);

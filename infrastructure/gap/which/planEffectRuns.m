@@ -11,14 +11,13 @@
 %   Q          N x (p + 1)
 %
 % Without a posterior the first two runs stand at THETA with full and half
-% strength (other sign where signed), the rest around it. Otherwise: greedy
-% maximin distance to what exists, half of the candidates from the posterior, so
-% that runs made for any reason are counted.
+% strength (other sign where signed), the rest around it. Otherwise: posterior
+% draws far from what exists (greedy maximin distance), so that runs made for
+% any reason are counted.
 
 function Q = planEffectRuns (n, have, theta, posterior, range)
   p = numel (theta);
   u = integrationPoints (400, 2 * p + 2, 17).uniform;
-  wide = [2 * u(:, 1:p) - 1, strengthOf(u(:, p + 1), range)];
   if isempty (posterior)
     near = max (min (theta + 0.8 * (u(:, p + 2:2 * p + 1) - 0.5), 1), -1);
     pool = [near, strengthOf(u(:, end), range)];
@@ -29,7 +28,7 @@ function Q = planEffectRuns (n, have, theta, posterior, range)
     fixed = fixed(rows (have) + 1:end, :);
   else
     at = lookUp (posterior.weight, u(1:200, end));
-    pool = [wide(1:200, :); posterior.Q(at, 1:p + 1)];
+    pool = posterior.Q(at, 1:p + 1);
     fixed = zeros (0, p + 1);
   end
   Q = fixed(1:min (n, rows (fixed)), :);

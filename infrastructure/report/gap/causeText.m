@@ -2,32 +2,21 @@
 %
 % CALL: TEXT = causeText (WHICH)
 %
-%   WHICH  struct of describeVerdict, or which of gap.json: effects, and where
-%          they are there together, lookAlike, siblings
+%   WHICH  which of gap.json: effects, and where they are there together,
+%          lookAlike, siblings
 %   TEXT   'a', 'a and b' (together), 'a or b', each perhaps with ', or
-%          something that looks like it'; '' where no effect is told
+%          something that looks like it'
 
 function text = causeText (which)
-  text = '';
-  effects = namesIn (which, 'effects');
-  if isempty (effects)
-    return
+  is = @(field) isequal (jsonAt (which, {field}), true);
+  joints = {' or ', ' and '};
+  objects = {'it', 'them'};
+  own = strjoin (namesIn (which, 'effects'), joints{1 + is('together')});
+  text = strjoin ([{own}, namesIn(which, 'siblings')], ' or ');
+  if is ('lookAlike')
+    text = [text, ', or something that looks like ', ...
+            objects{1 + is('together')}];
   end
-  joint = ' or ';
-  it = 'it';
-  if isTrue (which, 'together')
-    joint = ' and ';
-    it = 'them';
-  end
-  text = strjoin ([{strjoin(effects, joint)}, namesIn(which, 'siblings')], ...
-                  ' or ');
-  if isTrue (which, 'lookAlike')
-    text = [text, ', or something that looks like ', it];
-  end
-end
-
-function is = isTrue (which, field)
-  is = isfield (which, field) && isequal (which.(field), true);
 end
 
 %!test
@@ -40,4 +29,3 @@ end
 %!         'tilt or drag, or something that looks like it');
 %! assert (causeText (struct ('effects', 'tilt', 'siblings', {{'gain'}})), ...
 %!         'tilt or gain');
-%! assert (causeText (struct ('effects', [])), '');

@@ -12,12 +12,10 @@ function text = closedText (gap)
   if ~ischar (effect) || isempty (effect)
     return
   end
-  how = 'on the surrogates, not yet by DEM runs';
-  if isequal (jsonAt (far, {'verifiedByDEM'}), true)
-    how = 'by DEM runs';
-  end
-  text = sprintf ('With %s (%s): of the gap on the fitted targets %s', ...
-                  effect, how, partText (far));
+  how = {'on the surrogates, not yet by DEM runs', 'by DEM runs'};
+  isVerified = isequal (jsonAt (far, {'verifiedByDEM'}), true);
+  text = ['With ', effect, ' (', how{1 + isVerified}, ...
+          '): of the gap on the fitted targets ', partText(far)];
   held = jsonAt (far, {'heldOut'});
   if isstruct (held)
     text = [text, '; on the held-out ones ', partText(held)];
@@ -29,8 +27,8 @@ end
 function text = partText (part)
   closure = jsonAt (part, {'closure'});
   if isempty (closure) || ~isfinite (closure)
-    text = 'it cannot be judged';
     removable = jsonAt (part, {'removable'});
+    text = 'it cannot be judged';
     if isequal (removable, true)
       text = [text, ' from so few targets: the fit has as many unknowns'];
     elseif isequal (removable, false)
@@ -50,14 +48,14 @@ function text = rivalText (far)
   text = '';
   rivals = {};
   for k = 1:numel (jsonAt (far, {'placebos'}))
-    closure = jsonAt (far, {'placebos', k, 'closure'});
-    isRival = jsonAt (far, {'placebos', k, 'against'});
+    placebo = jsonAt (far, {'placebos', k});
+    closure = jsonAt (placebo, {'closure'});
+    isRival = jsonAt (placebo, {'against'});
     if isempty (isRival)
-      isRival = ~isempty (closure) && ~isempty (far.closure) && ...
-                closure >= 0.8 * min (far.closure, 1);
+      isRival = any (closure >= 0.8 * min (far.closure, 1));
     end
     if isRival
-      rivals{end + 1} = jsonAt (far, {'placebos', k, 'effect'});
+      rivals{end + 1} = placebo.effect;
     end
   end
   if ~isempty (rivals)

@@ -57,9 +57,9 @@ function sayCorrelation (targets, names, say)
   lengths = [targets.correlation];
   words = {};
   for k = unique ([targets(lengths ~= 0).model])
-    own = unique (lengths([targets.model] == k & lengths ~= 0));
-    word = sprintf ('length %s', strjoin (cellstr (num2str (own(:))), ', '));
-    if any (isnan (own))
+    known = unique (lengths([targets.model] == k & lengths ~= 0));
+    word = sprintf ('length %s', strjoin (cellstr (num2str (known(:))), ', '));
+    if any (isnan (known))
       word = 'length to be estimated';
     end
     words{end + 1} = sprintf ('%s (%s)', names{k}, word);
@@ -69,44 +69,25 @@ function sayCorrelation (targets, names, say)
   end
 end
 
-%!function lines = said (Case)
-%!  box = containers.Map ('lines', '');
-%!  Case.folder = 'here';
-%!  Case.effects = [];
-%!  count = struct ('store', 1, 'noResult', 7, 'imported', 2, 'ignored', {{}});
-%!  sayGapCase (Case, struct ('X', [1; 2]), count, {'so'}, ...
-%!              @(text) keep (box, text));
-%!  lines = box('lines');
-%!endfunction
-%!function keep (box, text)
-%!  box('lines') = [box('lines'), text, "\n"];
-%!endfunction
-%!function Case = plainCase ()
-%!  Case.models = struct ('name', {'A', 'B'});
-%!  Case.names = {'mu', 'rho'};
-%!  [Case.paramMean, Case.paramSd] = deal (NaN (1, 2));
-%!  Case.targets = struct ('name', {'x', 'y', 'z'}, 'model', {1, 1, 2}, ...
-%!                         'trials', 1, 'correlation', 0);
-%!endfunction
 %!test
-%! Case = plainCase ();
-%! text = said (Case);
+%! Case = struct ('folder', 'here', 'effects', [], 'names', {{'mu', 'rho'}}, ...
+%!                'paramMean', NaN (1, 2), 'paramSd', NaN (1, 2));
+%! Case.models = struct ('name', {'A', 'B'});
+%! Case.targets = struct ('name', {'x', 'y', 'z'}, 'model', {1, 1, 2}, ...
+%!                        'trials', 1, 'correlation', 0);
+%! data = struct ('X', [1; 2]);
+%! count = struct ('store', 1, 'noResult', 7, 'imported', 2, 'ignored', {{}});
+%! text = evalc ('sayGapCase (Case, data, count, {"so"}, @disp)');
 %! assert (isempty (regexp (text, 'trials|series|measured')));
 %! assert (! isempty (strfind (text, 'note: so')));
 %! assert (! isempty (strfind (text, 'that gave no result: 7')));
-%! Case.targets(1).trials = 5;
-%! Case.targets(3).trials = Inf;
-%! assert (! isempty (strfind (said (Case), ['trials behind a value: 5 ', ...
-%!         '(x); scatter of the trials is in targetStd (z)'])));
-%!test
-%! Case = plainCase ();
-%! [Case.targets(1:2).correlation] = deal (2.5);
-%! [Case.targets(3).correlation] = NaN;
-%! assert (! isempty (strfind (said (Case), ['errors alike along a ', ...
-%!         'series: A (length 2.5), B (length to be estimated)'])));
-%!test
-%! Case = plainCase ();
-%! Case.paramMean(2) = 650;
-%! Case.paramSd(2) = 5;
-%! assert (! isempty (strfind (said (Case), ...
-%!                             'measured parameters: rho 650 +- 5')));
+%! [Case.targets.trials] = deal (5, 1, Inf);
+%! [Case.targets.correlation] = deal (2.5, 2.5, NaN);
+%! [Case.paramMean(2), Case.paramSd(2)] = deal (650, 5);
+%! text = evalc ('sayGapCase (Case, data, count, {"so"}, @disp)');
+%! for line = {['trials behind a value: 5 (x); scatter of the trials is ', ...
+%!              'in targetStd (z)'], ...
+%!             ['errors alike along a series: A (length 2.5), B (length ', ...
+%!              'to be estimated)'], 'measured parameters: rho 650 +- 5'}
+%!   assert (! isempty (strfind (text, line{1})), line{1});
+%! end

@@ -2,14 +2,13 @@
 %
 % CALL: HTML = htmlKey (ENTRIES)
 %
-%   ENTRIES  n x 3 cell: kind of layer (see addLayer), colour, meaning (HTML)
+%   ENTRIES  n x 3 cell: kind of layer (see newFigure), colour, meaning (HTML)
 
 function html = htmlKey (entries)
   items = cell (1, rows (entries));
   for k = 1:rows (entries)
     items{k} = ['<li><svg viewBox="0 0 26 14" width="26" height="14" ', ...
-                'aria-hidden="true">', sample(entries{k, 1}, ...
-                                              entries{k, 2}), ...
+                'aria-hidden="true">', sample(entries{k, 1:2}), ...
                 '</svg> ', entries{k, 3}, '</li>'];
   end
   html = ['<ul class="key" aria-label="Key of the figures">', items{:}, ...
@@ -17,29 +16,25 @@ function html = htmlKey (entries)
 end
 
 function svg = sample (kind, colour)
-  symbols = struct ('dots', 6, 'disc', 6, 'ring', 5, 'diamond', 12, ...
-                    'cross', 1, 'square', 4, 'triangle', 8, 'xbar', 6, ...
-                    'ybar', 6);
+  drawn = ['"var(--', colour, ')"/>'];
   switch kind
     case {'area', 'box'}
-      svg = ['<rect x="1" y="2" width="24" height="10" fill="var(--', ...
-             colour, ')"/>'];
+      svg = ['<rect x="1" y="2" width="24" height="10" fill=', drawn];
     case 'line'
-      svg = ['<path d="M1 7h24" stroke-width="2" stroke="var(--', colour, ...
-             ')"/>'];
+      svg = ['<path d="M1 7h24" stroke-width="2" stroke=', drawn];
     case 'dash'
       svg = ['<path d="M1 7h24" stroke-width="1.5" stroke-dasharray="6 4" ', ...
-             'stroke="var(--', colour, ')"/>'];
+             'stroke=', drawn];
     otherwise
-      bar = '';
+      symbols = struct ('dots', 6, 'disc', 6, 'ring', 5, 'diamond', 12, ...
+                        'triangle', 8, 'xbar', 6, 'ybar', 6);
+      svg = sprintf (['<use href="#gpPt%d" color="var(--%s)" transform=', ...
+                      '"translate(13,7) scale(%d)"/>'], symbols.(kind), ...
+                     colour, 4 - 2 * strcmp (kind, 'dots'));
       if any (strcmp (kind, {'xbar', 'ybar'}))
-        bar = ['<path d="M3 7h20M3 4v6M23 4v6" stroke-width="1.5" ', ...
-               'stroke="var(--', colour, ')"/>'];
+        svg = ['<path d="M3 7h20M3 4v6M23 4v6" stroke-width="1.5" ', ...
+               'stroke=', drawn, svg];
       end
-      size = 4 - 2 * strcmp (kind, 'dots');
-      svg = sprintf (['%s<use href="#gpPt%d" color="var(--%s)" transform=', ...
-                      '"translate(13,7) scale(%d)"/>'], bar, ...
-                     symbols.(kind), colour, size);
   end
 end
 

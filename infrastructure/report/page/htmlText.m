@@ -2,31 +2,32 @@
 %
 % CALL: HTML = htmlText (TEXT)
 %
-%   TEXT  row of char, UTF-8 (other bytes are taken as Latin-1)
+%   TEXT  row of char, UTF-8 (other bytes are taken as Latin-1), or a cell of
+%         such
 %   HTML  the same, safe between tags and in double quotes
 
 function html = htmlText (text)
+  if iscell (text)
+    html = cellfun (@htmlText, text, 'UniformOutput', false);
+    return
+  end
   html = text(:)';
   bytes = uint8 (html);
   if any (bytes > 127)
     try
-      unicode2native (native2unicode (bytes, 'UTF-8'), 'UTF-8');
-      valid = isequal (unicode2native (native2unicode (bytes, 'UTF-8'), ...
-                                       'UTF-8')(:)', bytes);
+      known = unicode2native (native2unicode (bytes, 'UTF-8'), 'UTF-8');
     catch
-      valid = false;
+      known = [];
     end
-    if ~valid
+    if ~isequal (known(:)', bytes)
       html(bytes > 127) = '?';
     end
   end
   html(html < 32) = ' ';
-  html = strrep (html, '&', '&amp;');
-  html = strrep (html, '<', '&lt;');
-  html = strrep (html, '>', '&gt;');
-  html = strrep (html, '"', '&quot;');
+  html = regexprep (html, {'&', '<', '>', '"'}, ...
+                    {'&amp;', '&lt;', '&gt;', '&quot;'});
 end
 
 %!assert (htmlText ('a < "b" & c'), 'a &lt; &quot;b&quot; &amp; c')
 %!assert (htmlText (char ([195, 188])), char ([195, 188]))
-%!assert (htmlText (["a\nb", char(252)]), 'a b?')
+%!assert (htmlText ({["a\nb", char(252)], ''}), {'a b?', ''})

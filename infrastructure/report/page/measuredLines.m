@@ -103,5 +103,3 @@ end
 %! assert (numel (lines), 1);
 %! assert (diff (lines{1}(:, 2)) / diff (lines{1}(:, 1)), -tand (30), 1e-12);
 %! assert (isempty (measuredLines (Case, 1, 'column.dump', 1, grains)));
-%! delete (fullfile (folder, 'results.csv'));
-%! rmdir (folder);

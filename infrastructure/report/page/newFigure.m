@@ -1,25 +1,39 @@
-% NEWFIGURE  A figure of the report, with nothing drawn in it yet.
+% NEWFIGURE  A figure of the report.
 %
-% CALL: F = newFigure (TITLE, XLABEL, YLABEL, ALT)
+% CALL: F = newFigure (TITLE, XLABEL, YLABEL, ALT, LAYERS)
 %
-%   TITLE           text above the figure
-%   XLABEL, YLABEL  texts at the axes, with their units
-%   ALT             what the figure shows, in a sentence, for those who cannot
-%                   see it
-%   F               scalar struct: also size (1 x 2, px), xlim, ylim (1 x 2,
-%                   NaN: as the data want), xnames, ynames (cell of texts for
-%                   positions 1, 2, ...; empty: numbers), xlog (false), caption
-%                   (true: the title stands above it), whole (false; true:
-%                   ticks of x at whole numbers), equal (false: scales
-%                   of both axes may differ), layers
+%   TITLE   text above the figure
+%   XLABEL  text at the axis, with its unit
+%   YLABEL  the same; or 1 x n cell: names of rows, from the top, which lie at
+%           y = n, n - 1, ... 1
+%   ALT     what the figure shows, in a sentence, for those who cannot see it
+%   LAYERS  m x 3 cell, from the back (default none): kind, data, colour of
+%           page.css. Kinds and the columns of their data: 'area' (x, low,
+%           high), 'box' (x, y, xlo, xhi, ylo, yhi), 'xbar', 'ybar' (x, y, low,
+%           high), and with x, y: 'line', 'dash', 'dots', 'disc', 'ring',
+%           'diamond', 'triangle'. Rows that are not finite are left out
+%   F       scalar struct: these; size (1 x 2, px), xlim, ylim (1 x 2, NaN: as
+%           the data want), ynames, caption (true: the title stands above it),
+%           whole (true: ticks of x at whole numbers alone)
 
-function f = newFigure (title, xlabel, ylabel, alt)
-  f = struct ('title', title, 'xlabel', xlabel, 'ylabel', ylabel, ...
-              'alt', alt, 'size', [340, 230], 'xlim', [NaN, NaN], ...
-              'ylim', [NaN, NaN], 'xnames', {{}}, 'ynames', {{}}, ...
-              'caption', true, 'xlog', false, 'whole', false, ...
-              'equal', false, 'layers', []);
-  f.layers = struct ('kind', {}, 'data', {}, 'colour', {});
+function f = newFigure (title, xlabel, ylabel, alt, layers)
+  f = struct ('title', title, 'xlabel', xlabel, 'ylabel', '', 'alt', alt, ...
+              'size', [340, 230], 'xlim', [NaN, NaN], 'ylim', [NaN, NaN], ...
+              'ynames', {{}}, 'caption', true, 'whole', false, ...
+              'layers', {cell(0, 3)});
+  if nargin > 4
+    f.layers = layers;
+  end
+  if iscell (ylabel)
+    f.ynames = fliplr (ylabel(:)');
+    f.ylim = [0.4, numel(ylabel) + 0.6];
+  else
+    f.ylabel = ylabel;
+  end
 end
 
-%!assert (isempty (newFigure ('t', 'x', 'y', 'a').layers))
+%!test
+%! f = newFigure ('t', 'x', {'first', 'second'}, 'a');
+%! assert (f.ynames, {'second', 'first'});
+%! assert (f.ylim, [0.4, 2.6]);
+%! assert (isempty (f.layers));

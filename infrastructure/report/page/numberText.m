@@ -3,9 +3,9 @@
 % CALL: TEXT = numberText (X, KIND)
 %
 %   X     scalar real
-%   KIND  'plain' (4 significant digits), 'percent' (X is a share: 3 digits),
-%         'probability' (two decimals), 'z' (one decimal), 'count',
-%         'hours' (X in core seconds)
+%   KIND  'plain' (4 significant digits, default), 'percent' (X is a share: 3
+%         digits), 'probability' (two decimals), 'z' (one decimal), 'change'
+%         (3 digits), both with their sign, 'count'
 %   TEXT  a dash where X is not finite
 
 function text = numberText (x, kind)
@@ -16,40 +16,19 @@ function text = numberText (x, kind)
     text = '&ndash;';
     return
   end
-  switch kind
-    case 'percent'
-      text = [short(100 * x, 3), '&thinsp;%'];
-    case 'probability'
-      text = probability (x);
-    case 'z'
-      text = sprintf ('%+.1f', x);
-    case 'count'
-      text = sprintf ('%d', x);
-    case 'hours'
-      text = short (x / 3600, 3);
-    otherwise
-      text = short (x, 4);
-  end
-  text = strrep (text, '-', '&minus;');
-end
-
-function text = short (x, digits)
-  text = sprintf ('%.*g', digits, x);
-  parts = regexp (text, '^(.*)e([+-])0*(\d+)$', 'tokens', 'once');
-  if ~isempty (parts)
-    sign = strrep (parts{2}, '+', '');
-    text = [parts{1}, '&middot;10<sup>', sign, parts{3}, '</sup>'];
-  end
-end
-
-function text = probability (p)
-  if p > 0 && p < 0.005
+  forms = struct ('plain', '%.4g', 'percent', '%.3g', 'probability', '%.2f', ...
+                  'z', '%+.1f', 'change', '%+.3g', 'count', '%d');
+  if strcmp (kind, 'percent')
+    text = [sprintf(forms.(kind), 100 * x), '&thinsp;%'];
+  elseif strcmp (kind, 'probability') && x > 0 && x < 0.005
     text = '&lt; 0.01';
-  elseif p < 1 && p > 0.995
+  elseif strcmp (kind, 'probability') && x < 1 && x > 0.995
     text = '&gt; 0.99';
   else
-    text = sprintf ('%.2f', p);
+    text = sprintf (forms.(kind), x);
   end
+  text = regexprep (text, 'e\+?(-?)0*(\d+)', '&middot;10<sup>$1$2</sup>');
+  text = strrep (text, '-', '&minus;');
 end
 
 %!assert (numberText (1234.56), '1235')

@@ -4,24 +4,28 @@
 %
 %   CASE  see newCase
 %   PAGE  scalar struct:
-%         Case        CASE, with its candidate effects where there is a gap/
-%         sources     struct of decoded files, [] where there is none:
-%                     calibration, progress, gap (JSON); gapTargets,
-%                     gapEffects, gapConflicts (CSV, struct arrays)
-%         surrogates  1 x T struct array or []: the last ones, else those after
-%                     the plan
-%         posterior   n x d, sample of the sets that fit; 0 x d: none yet
-%         plan        n x d, parameter sets of the plan
-%         runs        see pageRuns
-%         units       1 x T cell of texts, '' where it is not known
-%         found       1 x d, the best set so far; 0 x d: none yet
-%         reach       T x 2, least and largest mean response of each surrogate
-%                     over the runs and 500 points of the box; NaN: no surrogate
-%         verdict     see decideCase
-%         showsEffect logical: beside the targets what the effect makes of them
-%         isRunning   a calibration is under way, or was broken off
+%     Case        CASE, with its candidate effects where there is a gap/
+%     sources     struct of decoded files, [] where there is none: calibration,
+%                 progress, gap (JSON); gapTargets (CSV, struct array)
+%     surrogates  1 x T struct array or []: the last ones, else those after the
+%                 plan
+%     posterior   n x d, sample of the sets that fit;  plan  n x d, parameter
+%                 sets of the plan;  found  1 x d, the best set so far; 0 x d:
+%                 none yet
+%     runs        1 x n struct array, all that the store knows in the order of
+%                 their starts: model, name (of the folder), stage, params (1 x
+%                 d), effects, replicate, seed, status ('ok', 'failed',
+%                 'timeout', 'invalid', 'not ended'), cause, message, results,
+%                 seconds, started (s since 1970; NaN: unknown); [] for none
+%     units       1 x T cell of texts, '' where it is not known
+%     reach       T x 2, least and largest mean response of each surrogate over
+%                 the runs and 500 points of the box; NaN: no surrogate
+%     verdict     see decideCase
+%     isChange    logical: the diagnosis is one of a change;  showsEffect
+%                 beside the targets stands what the effect makes of them
 %
-% A file that is not there, or cannot be read, leaves its field empty.
+% A file that is not there, or cannot be read, leaves its field empty. Nothing
+% is run, evaluated or changed.
 
 function page = pageData (Case)
   results = fullfile (Case.folder, 'results');
@@ -29,113 +33,87 @@ function page = pageData (Case)
   s.calibration = readJsonFile (fullfile (results, 'calibration.json'));
   s.progress = readJsonFile (fullfile (results, 'progress.json'));
   s.gap = readJsonFile (fullfile (gap, 'gap.json'));
-  s.gapTargets = readTable (fullfile (gap, 'targets.csv'));
-  s.gapEffects = readTable (fullfile (gap, 'effects.csv'));
-  page.isRunning = isempty (s.calibration) || ~isempty (s.progress);
-  if page.isRunning
-    s.calibration = [];
+  s.gapTargets = quietly (@() readTable (fullfile (gap, 'targets.csv')));
+  if ~isempty (s.gap) && isempty (Case.effects)
+    full = quietly (@() withEffects (Case));
+    if ~isempty (full)
+      Case = full;
+    end
   end
-  if ~isempty (s.gap)
-    Case = candidates (Case);
+  page.posterior = readMatrix (fullfile (results, 'posterior.csv'), 1, Case);
+  places = {fullfile(results, 'surrogates'), ...
+            fullfile(Case.folder, 'KrigingFuns')};
+  if isempty (s.calibration) || ~isempty (s.progress)
+    s.calibration = [];                 % under way, or broken off
+    page.posterior = page.posterior([], :);
+    places(1) = [];
   end
   page.sources = s;
   page.Case = Case;
-  page.surrogates = readSurrogates (Case, page.isRunning);
-  page.posterior = readMatrix (fullfile (results, 'posterior.csv'), 1, Case);
-  if page.isRunning
-    page.posterior = zeros (0, numel (Case.names));
+  page.surrogates = [];
+  for place = fliplr (places)
+    found = quietly (@() readSurrogates (place{1}, Case));
+    if ~isempty (found)
+      page.surrogates = found;
+    end
   end
   page.plan = readMatrix (fullfile (Case.folder, ...
                                     'ExperimentalPlan_DoE.csv'), 0, Case);
-  page.runs = pageRuns (Case);
+  page.runs = allRuns (Case);
   page.units = regexprep ({targetInfo(Case).unit}, '^-$', '');
   page.found = foundSet (s, Case.names);
   page.reach = reachOf (page.surrogates, Case);
   page.verdict = decideCase (s.calibration, s.gap, ~isempty (page.runs) || ...
                              ~isempty (page.plan));
+  page.isChange = ~isempty (jsonAt (s.gap, {'reference'}));
   % beside the reference that was calibrated the effect of a change is no fit
-  isOther = ~isempty (jsonAt (s.gap, {'reference'})) && ...
-            ~isempty (s.calibration);
+  isOther = page.isChange && ~isempty (s.calibration);
   page.showsEffect = ~isOther && ...
                      ~isempty (jsonAt (page.verdict, {'cause', 'closed'}));
 end
 
-function Case = candidates (Case)
+% What F gives, [] where it fails.
+function value = quietly (f)
   try
-    if isempty (Case.effects)
-      Case = withEffects (Case);
-    end
+    value = f ();
   catch
-    % without its list of effects the diagnosis is shown all the same
+    value = [];
   end
 end
 
 function list = readTable (file)
-  list = [];
-  try
-    if ~isfile (file)
-      return
-    end
-    [head, cells] = readCsvTable (file);
-    numbers = num2cell (str2double (cells));
-    isText = cellfun (@isnan, numbers) & ~cellfun (@isempty, cells);
-    numbers(isText) = cells(isText);
-    list = cell2struct (numbers, head, 2);
-  catch
-    list = [];
-  end
+  [head, cells] = readCsvTable (file);
+  values = num2cell (str2double (cells));
+  isText = cellfun (@isnan, values) & ~cellfun (@isempty, cells);
+  values(isText) = cells(isText);
+  list = cell2struct (values, strrep (head, 'target', 'name'), 2);
 end
 
 function M = readMatrix (file, nHead, Case)
-  M = zeros (0, numel (Case.names));
-  try
-    if isfile (file)
-      M = dlmread (file, ',', nHead, 0);
-    end
-  catch
-    M = zeros (0, numel (Case.names));
+  d = numel (Case.names);
+  M = quietly (@() dlmread (file, ',', nHead, 0));
+  if columns (M) < d
+    M = zeros (0, d);
   end
-  if columns (M) < numel (Case.names)
-    M = zeros (0, numel (Case.names));
-  end
-  M = M(:, 1:numel (Case.names));       % levels stand behind
+  M = M(:, 1:d);                        % levels stand behind
 end
 
-function surrogates = readSurrogates (Case, isRunning)
-  places = {fullfile(Case.folder, 'results', 'surrogates'), ...
-            fullfile(Case.folder, 'KrigingFuns')};
-  if isRunning
-    places = places(2);
-  end
+function surrogates = readSurrogates (folder, Case)
   surrogates = [];
-  for k = 1:numel (places)
-    surrogates = fromFolder (places{k}, Case);
-    if ~isempty (surrogates)
-      return
-    end
+  for t = 1:numel (Case.targets)
+    file = fullfile (folder, sprintf ('KM_fun_%d.txt', t));
+    surrogates = [surrogates, loadSurrogate(file)];
   end
-end
-
-function surrogates = fromFolder (folder, Case)
-  surrogates = [];
-  try
-    for t = 1:numel (Case.targets)
-      file = fullfile (folder, sprintf ('KM_fun_%d.txt', t));
-      surrogates = [surrogates, loadSurrogate(file)];
-    end
-    if any (cellfun (@columns, {surrogates.X}) ~= numel (Case.names))
-      surrogates = [];                  % of another box
-    end
-  catch
-    surrogates = [];
+  if any (cellfun (@columns, {surrogates.X}) ~= numel (Case.names))
+    surrogates = [];                    % of another box
   end
 end
 
 function p = foundSet (sources, names)
   p = zeros (0, numel (names));
-  for source = {'calibration', 'progress'}
-    params = jsonAt (sources, {source{1}, 'params'});
-    if isstruct (params) && all (isfield (params, names)) && isempty (p)
+  for source = {sources.progress, sources.calibration}
+    params = jsonAt (source, {1, 'params'});
+    if all (isfield (params, names))
       p = cellfun (@(n) params.(n), names);
     end
   end
@@ -154,11 +132,63 @@ function reach = reachOf (surrogates, Case)
   end
 end
 
+% In a store that other cases share, only the own runs inside the limits count.
+function runs = allRuns (Case)
+  runs = [];
+  slack = 1e-9 * diff (Case.limits);
+  if strcmp (Case.store, Case.folder)
+    slack = Inf;
+  end
+  for model = {Case.models.name}
+    for name = runFoldersOf (Case, model{1})(:)'
+      run = oneRun (fullfile (Case.store, 'optim', model{1}, name{1}), name{1});
+      if ~isempty (run) && numel (run.params) == numel (Case.names) && ...
+         all (run.params >= Case.limits(1, :) - slack & ...
+              run.params <= Case.limits(2, :) + slack)
+        runs = [runs, run];
+      end
+    end
+  end
+  if ~isempty (runs)
+    [~, order] = sort ([runs.started]);
+    runs = runs(order);
+  end
+end
+
+function run = oneRun (folder, name)
+  run = [];
+  record = readRecord (fullfile (folder, 'record.json'));
+  if isempty (record)
+    record = readRecord (fullfile (folder, 'job.json'));
+  end
+  if isempty (record)
+    return
+  end
+  run = struct ('model', '', 'name', '', 'stage', '', 'params', [], ...
+                'effects', [], 'replicate', 1, 'seed', NaN, ...
+                'status', 'not ended', 'cause', '', 'message', '', ...
+                'results', [], 'seconds', NaN, 'started', NaN);
+  for field = fieldnames (run)'
+    if ~isempty (jsonAt (record, field))
+      run.(field{1}) = record.(field{1});
+    end
+  end
+  run.name = name;
+  run.params = run.params(:)';
+  % the end mark is written at the end; a run without one began with its job
+  mark = stat (fullfile (folder, 'end.mark'));
+  job = stat (fullfile (folder, 'job.json'));
+  if ~isempty (mark) && isfinite (run.seconds)
+    run.started = mark.mtime - run.seconds;
+  elseif ~isempty (job)
+    run.started = job.mtime;
+  end
+end
+
 %!test
 %! % a case of which nothing has been run
 %! Case = newCase (standInCase (tempname ()));
 %! page = pageData (Case);
-%! assert (page.isRunning);
 %! assert (isempty (page.sources.calibration));
 %! assert (size (page.plan), [0, 2]);
 %! assert (isempty (page.runs));
@@ -172,5 +202,15 @@ end
 %! page = pageData (Case);
 %! assert (isempty (page.sources.gap));
 %! assert (isempty (page.surrogates));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (Case.folder, 's');
+%! % what fails is tried once more, with another seed
+%! writeAtomic (fullfile (Case.folder, 'DEMmodels', 'Second', 'runscript'), ...
+%!              "exit 3\n");
+%! evaluateDEM ([1, 2; 3, 4], Case);
+%! prepareRun (newJobs (Case, [5, 6], [], 1, 'plan')(1), Case);
+%! runs = pageData (Case).runs;
+%! assert (numel (runs), 7);
+%! assert (sum (strcmp ({runs.status}, 'ok')), 2);
+%! assert (sum (strcmp ({runs.status}, 'failed')), 4);
+%! assert (sum (strcmp ({runs.status}, 'not ended')), 1);
+%! assert (all (diff ([runs.started]) >= 0));
+%! assert (sum (arrayfun (@(r) isequal (r.params, [3, 4]), runs)), 3);

@@ -21,18 +21,11 @@ function html = pageNumber (page, kind, source, varargin)
             pageNumber(page, kind, source, varargin{:}, 2)];
     return
   end
-  steps = cellfun (@textOf, varargin, 'UniformOutput', false);
+  steps = cellfun (@num2str, varargin, 'UniformOutput', false);
   html = sprintf (['<data value="%.17g" data-kind="%s" ', ...
                    'data-from="%s">%s</data>'], x(1), kind, ...
                   htmlText (strjoin ([{source}, steps], '/')), ...
                   numberText (x(1), kind));
-end
-
-function text = textOf (step)
-  text = step;
-  if ~ischar (step)
-    text = sprintf ('%d', step);
-  end
 end
 
 %!test

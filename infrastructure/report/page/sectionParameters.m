@@ -1,31 +1,35 @@
-% SECTIONPARAMETERS  Part of the report: parameters and how well they are known.
+% SECTIONPARAMETERS  Parts of the report: parameters and how well they are
+% known; which parameter moves which target.
 %
-% CALL: [TITLE, HTML] = sectionParameters (PAGE), see writePage and pageData
+% CALL: LIST = sectionParameters (), see writePage
 %
 % What is known of a parameter, in a word: fixed; dead (no calibrated target has
 % a total Sobol index of 0.05 or more for it); trade-off (not fixed, and a
 % correlation above 0.7 with another one); flat direction; at a limit; a
 % compromise (its value lies outside its interval).
 
-function [title, html] = sectionParameters (page)
-  title = 'Parameters';
+function list = sectionParameters ()
+  list = {'sectionparameters', 'Parameters', @parameters, {}; ...
+          'sectionsensitivity', 'Sensitivity', @sensitivity, ...
+          {'sources', 'calibration', 'sensitivity'}};
+end
+
+function html = parameters (page)
   names = page.Case.names;
   c = page.sources.calibration;
   if isempty (c)
     html = boxTable (page);
     return
   end
+  at = @(varargin) pageNumber (page, 'plain', 'calibration', varargin{:});
   figures = [];
   cells = cell (numel (names), 7);
   for j = 1:numel (names)
-    [word, text, class] = parameterState (c, names, j);
+    [class, word, text] = parameterState (c, names, j);
     figures = [figures, boxFigure(page, j, word)];
-    at = @(varargin) pageNumber (page, 'plain', 'calibration', varargin{:});
-    label = jsonAt (c, {'labels', names{j}});
-    if ischar (label) && ~isempty (label)
+    label = char (jsonAt (c, {'labels', names{j}}));
+    if ~isempty (label)
       label = ['<br><span class="none">', htmlText(label), '</span>'];
-    else
-      label = '';
     end
     cells(j, :) = {[htmlText(names{j}), label], at('params', names{j}), ...
                    at('interval90', names{j}, 1), ...
@@ -34,9 +38,9 @@ function [title, html] = sectionParameters (page)
                    ['<span class="words"><span class="', class, '">', ...
                     word, '</span>: ', text, '</span>']};
   end
-  key = htmlKey ({'area', 'midblue', 'how the sets that fit spread'; ...
-                  'xbar', 'blue', 'value and 90 % interval'; ...
-                  'box', 'palegrey', 'box (limits of the case)'});
+  key = {'area', 'midblue', 'how the sets that fit spread'; ...
+         'xbar', 'blue', 'value and 90 % interval'; ...
+         'box', 'palegrey', 'box (limits of the case)'};
   html = [htmlFigures(figures, key), ...
           htmlTable('Parameters: value, 90&thinsp;% interval, box', ...
                     {'parameter', 'value', 'from', 'to', 'lower limit', ...
@@ -47,18 +51,14 @@ end
 
 function html = boxTable (page)
   html = '';
-  if ~isempty (page.sources.gap)
-    return                  % the diagnosis has a table of its own
-  end
   Case = page.Case;
-  cells = cell (numel (Case.names), 3);
-  for j = 1:numel (Case.names)
-    cells(j, :) = {htmlText(Case.names{j}), ...
-                   numberText(Case.limits(1, j)), ...
-                   numberText(Case.limits(2, j))};
+  if isempty (page.sources.gap)         % the diagnosis has a table of its own
+    row = @(j) {htmlText(Case.names{j}), numberText(Case.limits(1, j)), ...
+                numberText(Case.limits(2, j))};
+    html = htmlTable ('The box in which the parameters are looked for', ...
+                      {'parameter', 'lower limit', 'upper limit'}, row, ...
+                      numel (Case.names));
   end
-  html = htmlTable ('The box in which the parameters are looked for', ...
-                    {'parameter', 'lower limit', 'upper limit'}, cells);
 end
 
 function f = boxFigure (page, j, word)
@@ -69,94 +69,83 @@ function f = boxFigure (page, j, word)
   known = c.interval90.(name)(:)';
   alt = sprintf (['%s is %.4g, 90 %% interval %.4g to %.4g, in the box ', ...
                   '%.4g to %.4g: %s'], name, value, known, limits, word);
-  f = newFigure ([name, ': ', word], '', '', alt);
+  f = newFigure ([name, ': ', word], '', '', alt, ...
+                 {'box', [limits(1), 0.5, limits, -0.25, 1.05], 'palegrey'; ...
+                  'area', histogram(page.posterior(:, j), limits), ...
+                  'midblue'; ...
+                  'xbar', [value, -0.12, known], 'blue'; ...
+                  'diamond', [value, -0.12], 'blue'});
   f.size = [340, 96];
   f.xlim = limits + 0.03 * diff (limits) * [-1, 1];
   f.ylim = [-0.25, 1.05];
   f.ynames = {' '};
-  f = addLayer (f, 'box', [limits(1), 0.5, limits, -0.25, 1.05], 'palegrey');
-  sample = page.posterior(:, j);
-  if numel (sample) > 20
-    f = addLayer (f, 'area', histogram (sample, limits), 'midblue');
-  end
-  f = addLayer (f, 'xbar', [value, -0.12, known], 'blue');
-  f = addLayer (f, 'diamond', [value, -0.12], 'blue');
 end
 
-function table = histogram (sample, limits)
-  edges = linspace (limits(1), limits(2), 26)(:);
-  counts = histc (sample(:), edges);
-  counts(end - 1) = counts(end - 1) + counts(end);
-  counts = counts(1:end - 1) / max (counts);
-  x = reshape ([edges(1:end - 1), edges(2:end)]', [], 1);
-  y = reshape ([counts, counts]', [], 1);
-  table = [x, 0 * y, y];
+function area = histogram (sample, limits)
+  area = zeros (0, 3);
+  if numel (sample) > 20
+    edges = linspace (limits(1), limits(2), 26)';
+    counts = histc (sample, edges);
+    counts(end - 1) = counts(end - 1) + counts(end);
+    counts = counts(1:end - 1) / max (counts);
+    x = repelem (edges, 2)(2:end - 1);
+    area = [x, 0 * x, repelem(counts, 2)];
+  end
 end
 
 function html = looseOnes (c)
   html = '';
-  items = cellstr (jsonAt (c, {'unfixed'}));
-  items = items(~cellfun (@isempty, items));
-  if isempty (items)
-    return
+  items = strcat ('<li>', htmlText (namesIn (c, 'unfixed')), '</li>');
+  if ~isempty (items)
+    html = ['<h3>Directions that the targets leave open</h3>', ...
+            '<p>Moved together like this, the parameters change no target ', ...
+            'beyond its noise:</p><ul>', items{:}, '</ul>'];
   end
-  items = cellfun (@(t) ['<li>', htmlText(t), '</li>'], items(:)', ...
-                   'UniformOutput', false);
-  html = ['<h3>Directions that the targets leave open</h3>', ...
-          '<p>Moved together like this, the parameters change no target ', ...
-          'beyond its noise:</p><ul>', items{:}, '</ul>'];
 end
 
 % What fixes parameter J of NAMES, or why nothing does; TEXT is HTML.
-function [word, text, class] = parameterState (c, names, j)
+function [class, word, text] = parameterState (c, names, j)
   name = names{j};
-  loose = any (strcmp (name, cellstr (jsonAt (c, {'notIdentified'}))));
+  value = c.params.(name);
+  isLoose = any (strcmp (name, namesIn (c, 'notIdentified')));
   share = sensitivityOf (c, name);
-  [partner, r] = partnerOf (c, names, j);
-  limits = jsonAt (c, {'limits', name});
-  class = 'ok';
-  if any (strcmp (name, cellstr (jsonAt (c, {'atLimit'}))))
-    side = 'lower';
-    if numel (limits) == 2 && c.params.(name) > mean (limits)
-      side = 'upper';
-    end
-    word = 'at a limit';
-    text = sprintf ('at its %s limit; the best value may lie beyond', side);
+  [partner, link] = partnerOf (c, names, j);
+  class = 'unsure';
+  if any (strcmp (name, namesIn (c, 'atLimit')))
+    sides = {'lower', 'upper'};
+    limits = jsonAt (c, {'limits', name});
+    isUpper = numel (limits) == 2 && value > mean (limits);
     class = 'off';
-  elseif loose && ~isempty (share) && max (share) < 0.05
+    word = 'at a limit';
+    text = sprintf ('at its %s limit; the best value may lie beyond', ...
+                    sides{1 + isUpper});
+  elseif isLoose && ~isempty (share) && max (share) < 0.05
     word = 'dead';
     text = 'no target responds to it';
-    class = 'unsure';
-  elseif loose && ~isempty (partner)
+  elseif isLoose && ~isempty (partner)
     word = 'trade-off';
-    text = sprintf (['only together with %s (correlation %s): more of one ', ...
-                     'is made up for by the other'], htmlText (partner), ...
-                    numberText (r, 'plain'));
-    class = 'unsure';
-  elseif loose
+    text = ['only together with ', partner, link, ...
+            ': more of one is made up for by the other'];
+  elseif isLoose
     word = 'flat direction';
     text = 'other values fit as well, together with other parameters';
-    class = 'unsure';
-  elseif isOutside (c, name)
+  elseif isOutside (value, jsonAt (c, {'interval90', name}))
     word = 'a compromise';
     text = ['the value lies outside its interval: no set meets all ', ...
             'targets, and this one misses least; the interval is of the ', ...
             'sets that are likeliest, each target weighed by its noise'];
-    class = 'unsure';
   else
+    class = 'ok';
     word = 'fixed';
     text = ['by ', strongest(c, share)];
     if ~isempty (partner)
-      text = sprintf ('%s; linked to %s (correlation %s)', text, ...
-                      htmlText (partner), numberText (r, 'plain'));
+      text = [text, '; linked to ', partner, link];
     end
   end
 end
 
-function yes = isOutside (c, name)
-  range = jsonAt (c, {'interval90', name});
-  value = c.params.(name);
-  yes = numel (range) == 2 && isnumeric (range) && ...
+function yes = isOutside (value, range)
+  yes = isnumeric (range) && numel (range) == 2 && ...
         (value < range(1) || value > range(2));
 end
 
@@ -170,19 +159,17 @@ function share = sensitivityOf (c, name)
   end
 end
 
-function [partner, r] = partnerOf (c, names, j)
-  partner = '';
-  r = NaN;
+function [partner, link] = partnerOf (c, names, j)
+  [partner, link] = deal ('');
   R = jsonAt (c, {'correlation'});
-  if ~isequal (size (R), numel (names) * [1, 1])
-    return
-  end
-  row = R(j, :);
-  row(j) = 0;
-  [most, k] = max (abs (row));
-  if most > 0.7
-    partner = names{k};
-    r = row(k);
+  if isequal (size (R), numel (names) * [1, 1])
+    r = R(j, :);
+    r(j) = 0;
+    [most, k] = max (abs (r));
+    if most > 0.7
+      partner = htmlText (names{k});
+      link = [' (correlation ', numberText(r(k)), ')'];
+    end
   end
 end
 
@@ -191,11 +178,36 @@ function text = strongest (c, share)
   [~, order] = sort (-share);
   order = order(share(order) >= 0.1);
   if ~isempty (order)
-    order = order(1:min (end, 3));
-    known = arrayfun (@(t) htmlText (jsonAt (c, {'targets', t, 'name'})), ...
-                      order, 'UniformOutput', false);
-    text = strjoin (known, ', ');
+    known = arrayfun (@(t) jsonAt (c, {'targets', t, 'name'}), ...
+                      order(1:min (end, 3)), 'UniformOutput', false);
+    text = htmlText (strjoin (known, ', '));
   end
+end
+
+function html = sensitivity (page)
+  html = '';
+  names = page.Case.names;
+  share = page.sources.calibration.sensitivity;
+  if ~all (isfield (share, names))
+    return
+  end
+  shown = shownTargets (page.Case);
+  cells = htmlText (names(:));
+  for i = 1:numel (shown)
+    for j = 1:numel (names)
+      html = pageNumber (page, 'probability', 'calibration', 'sensitivity', ...
+                         names{j}, shown(i));
+      if share.(names{j})(shown(i)) >= 0.3
+        html = ['<strong>', html, '</strong>'];
+      end
+      cells{j, i + 1} = html;
+    end
+  end
+  html = ['<p>Share of the variance of each response over the box that a ', ...
+          'parameter makes, alone and with others.</p>', ...
+          htmlTable('Share of the variance', ...
+                    [{'parameter'}, ...
+                     htmlText({page.Case.targets(shown).name})], cells)];
 end
 
 %!test
@@ -215,7 +227,8 @@ end
 %!   '"f": [0.2, 0], "g": [0.2, 0], "h": [0.2, 0]}, "correlation": ', ...
 %!   '[[1,0,0,0,0,0], [0,1,0,0,0,0], [0,0,1,0,-0.9,0], [0,0,0,1,0,0], ', ...
 %!   '[0,0,-0.9,0,1,0], [0,0,0,0,0,1]]}']);
-%! [~, html] = sectionParameters (page);
+%! parameters = sectionParameters (){1, 3};
+%! html = parameters (page);
 %! found = regexp (html, '<span class="(ok|unsure|off)">([^<]*)<', 'tokens');
 %! assert (cellfun (@(f) f{2}, found, 'UniformOutput', false), ...
 %!         {'fixed', 'dead', 'trade-off', 'at a limit', 'trade-off', ...
@@ -224,11 +237,5 @@ end
 %!   assert (! isempty (strfind (html, text{1})));
 %! end
 %! page.sources.calibration.correlation = [];
-%! [~, html] = sectionParameters (page);
+%! html = parameters (page);
 %! assert (numel (strfind (html, '>flat direction<')), 2);
-%!test
-%! page = situationPage ('met, one parameter open');
-%! [~, html] = sectionParameters (page);
-%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
-%! assert (! isempty (strfind (text, 'a 4 3.9 4.1 0 10 fixed : by sum')));
-%! assert (! isempty (strfind (text, 'b 3 2.9 3.1 0 10 flat direction')));

@@ -1,13 +1,16 @@
 % SECTIONPARTICLES  Part of the report: the grains at the set that was found.
 %
-% CALL: [TITLE, HTML] = sectionParticles (PAGE), see writePage and pageData
+% CALL: LIST = sectionParticles (), see writePage
 %
 % Drawn are the dumps (readDump) that a run at the found set has left, from the
 % side, with the free surface and the measured inclinations of results.csv, each
 % beside photo.jpg of the model folder, if there is one.
 
-function [title, html] = sectionParticles (page)
-  title = 'Grains at the set';
+function list = sectionParticles ()
+  list = {'sectionparticles', 'Grains at the set', @particles, {}};
+end
+
+function html = particles (page)
   html = '';
   [params, what] = setToShow (page);
   for k = 1:numel (page.Case.models)
@@ -16,19 +19,15 @@ function [title, html] = sectionParticles (page)
       html = [html, picturesOf(page, k, params)];
     end
   end
-  if isempty (strfind (html, '<svg'))
-    html = wrapped (html);
-  else
-    key = htmlKey ({'line', 'red', 'free surface, seen from the side'; ...
-                    'dash', 'ink', 'measured inclination'});
-    html = ['<p>The last picture of a run with ', what, ', from the side.', ...
-            '</p>', key, '<div class="panels">', html, '</div>'];
+  lead = '';
+  if ~isempty (strfind (html, '<svg'))
+    lead = ['<p>The last picture of a run with ', what, ', from the side.', ...
+            '</p>', htmlKey({'line', 'red', ...
+                             'free surface, seen from the side'; ...
+                             'dash', 'ink', 'measured inclination'})];
   end
-end
-
-function html = wrapped (html)
   if ~isempty (html)
-    html = ['<div class="panels">', html, '</div>'];
+    html = [lead, '<div class="panels">', html, '</div>'];
   end
 end
 
@@ -39,7 +38,7 @@ function html = photoOf (model)
   if isempty (model.folder) || ~isfile (file)
     return
   end
-  [id, ~] = fopen (file, 'r');
+  id = fopen (file, 'r');
   bytes = fread (id, [1, Inf], '*uint8');
   fclose (id);
   name = htmlText ([model.name, ': the experiment']);
@@ -65,14 +64,11 @@ function html = picturesOf (page, k, params)
   name = Case.models(k).name;
   runs = page.runs(strcmp ({page.runs.model}, name) & ...
                    strcmp ({page.runs.status}, 'ok'));
-  counts = arrayfun (@(r) any (strcmp (r.stage, {'gap', 'cure'})) || ...
-                     atLastLevel (r.effects, Case.coarse), runs);
-  runs = runs(counts);
-  if isempty (runs)
-    return
-  end
-  off = abs (vertcat (runs.params) - params) ./ diff (Case.limits);
-  at = find (all (off < 1e-9, 2), 1, 'last');
+  slack = 1e-9 * diff (Case.limits);
+  isAtSet = @(r) all (abs (r.params - params) < slack);
+  counts = @(r) any (strcmp (r.stage, {'gap', 'cure'})) || ...
+                atLastLevel (r.effects, Case.coarse);
+  at = find (arrayfun (@(r) isAtSet (r) && counts (r), runs), 1, 'last');
   if isempty (at)
     return
   end
@@ -91,7 +87,7 @@ function html = onePicture (file, Case, k, left)
     grains = readDump (file){end};
     lines = measuredLines (Case, k, file, left, grains);
     [~, base] = fileparts (file);
-    title = sprintf ('%s: %s', Case.models(k).name, base);
+    title = [Case.models(k).name, ': ', base];
     html = ['<figure><figcaption>', htmlText(title), '</figcaption>', ...
             grainPicture(grains, lines, title), "</figure>\n"];
   catch
@@ -104,14 +100,10 @@ end
 function svg = grainPicture (grains, lines, title)
   [~, order] = sort (grains(:, 2), 'descend');
   grains = grains(order(max (1, end - 2999):end), :);
-  low = min (grains(:, [1, 3]) - grains(:, 4), [], 1);
-  high = max (grains(:, [1, 3]) + grains(:, 4), [], 1);
-  for k = 1:numel (lines)
-    low = min ([low; lines{k}], [], 1);
-    high = max ([high; lines{k}], [], 1);
-  end
+  low = min ([grains(:, [1, 3]) - grains(:, 4); vertcat(lines{:})], [], 1);
+  high = max ([grains(:, [1, 3]) + grains(:, 4); vertcat(lines{:})], [], 1);
   width = 340;
-  scale = min ((width - 8) ./ (high(1) - low(1)), 260 / (high(2) - low(2)));
+  scale = min ([width - 8, 260] ./ (high - low));
   height = ceil ((high(2) - low(2)) * scale) + 8;
   left = (width - (high(1) - low(1)) * scale) / 2;
   px = @(x) left + (x - low(1)) * scale;
@@ -119,13 +111,12 @@ function svg = grainPicture (grains, lines, title)
   M = [px(grains(:, 1)), pz(grains(:, 3)), grains(:, 4) * scale];
   circles = sprintf ('<circle cx="%.1f" cy="%.1f" r="%.1f"/>', M');
   x = linspace (low(1), high(1), 120);
-  z = silhouette (grains, x);
-  surface = pathOf (px (x), pz (z));
+  surface = pathOf (px (x), pz (silhouette (grains, x)));
   dashed = '';
   for k = 1:numel (lines)
-    dashed = [dashed, '<polyline fill="none" stroke="var(--ink)" ', ...
-              'stroke-width="2" stroke-dasharray="7 5" points="', ...
-              points(px (lines{k}(:, 1)'), pz (lines{k}(:, 2)')), '"/>'];
+    dashed = [dashed, '<path fill="none" stroke="var(--ink)" ', ...
+              'stroke-width="2" stroke-dasharray="7 5" d="', ...
+              pathOf(px (lines{k}(:, 1)), pz (lines{k}(:, 2))), '"/>'];
   end
   alt = sprintf ('%s: %d grains from the side, %.3g m wide, %.3g m high', ...
                  title, rows (grains), high - low);
@@ -152,10 +143,6 @@ function text = pathOf (x, y)
   end
 end
 
-function text = points (x, y)
-  text = strtrim (sprintf ('%.1f,%.1f ', [x(:), y(:)]'));
-end
-
 %!test
 %! % the sample of the heap in the place of a run
 %! root = fileparts (which ('DEcalioc'));
@@ -172,16 +159,15 @@ end
 %!                     'name', '0001', 'stage', 'plan', 'effects', []);
 %! page.found = 0.5;
 %! page.sources.gap = [];
-%! [~, html] = sectionParticles (page);
+%! particles = sectionParticles (){3};
+%! html = particles (page);
 %! assert (numel (strfind (html, '<circle')) > 100);
 %! assert (numel (strfind (html, 'stroke-dasharray')), 2);
 %! page.runs.params = 0.6;
-%! [~, html] = sectionParticles (page);
+%! html = particles (page);
 %! assert (html, '');
 %! % the photo stands there with or without a run
 %! page.Case.models.folder = folder;
 %! writeAtomic (fullfile (folder, 'photo.jpg'), 'abc');
-%! [~, html] = sectionParticles (page);
+%! html = particles (page);
 %! assert (! isempty (strfind (html, 'src="data:image/jpeg;base64,YWJj"')));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (Case.store, 's');

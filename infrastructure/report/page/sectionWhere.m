@@ -1,33 +1,33 @@
 % SECTIONWHERE  Part of the report: where the measurements are missed.
 %
-% CALL: [TITLE, HTML] = sectionWhere (PAGE), see writePage and pageData
+% CALL: LIST = sectionWhere (), see writePage
 
-function [title, html] = sectionWhere (page)
-  title = 'Where the model misses';
-  html = '';
-  where = jsonAt (page.sources.gap, {'where'});
-  if isempty (where) || isempty (jsonAt (where, {'targets'}))
-    return
-  end
-  html = [leadIn(page, where), mapTable(page, where), curves(page, where), ...
-          targetTable(page, where), hidden(page, where)];
+function list = sectionWhere ()
+  list = {'sectionwhere', 'Where the model misses', @where, ...
+          {'sources', 'gap', 'where', 'targets'}};
+end
+
+function html = where (page)
+  found = page.sources.gap.where;
+  html = [leadIn(page, found), curves(page), targetTable(page, found), ...
+          hidden(page, found)];
 end
 
 function html = leadIn (page, where)
   models = {'the calibrated model', 'what the reference foretells'};
-  model = models{1 + ~isempty(jsonAt (page.sources.gap, {'reference'}))};
-  html = ['<p>Noise alone would make ', model, ' miss these ', ...
-          'measurements by as much with p&nbsp;=&nbsp;', ...
-          pageNumber(page, 'plain', 'gap', 'where', 'p'), '.'];
-  limits = jsonAt (where, {'atLimit'});
-  if ~isempty (limits)
-    html = [html, ' To come this close the parameters go to their limit: ', ...
-            htmlText(strjoin (cellstr (limits)(:)', ', ')), '.'];
-  end
   never = namesIn (where, 'neverRun');
-  html = [html, outOf('None of its runs gave a result', ...
-                      setdiff (namesIn (where, 'out'), never)), ...
-          outOf('It was never run to its end', never)];
+  lists = {'To come this close the parameters go to their limit', ...
+           namesIn(where, 'atLimit'); ...
+           'None of its runs gave a result, so it takes no part', ...
+           setdiff(namesIn (where, 'out'), never); ...
+           'It was never run to its end, so it takes no part', never};
+  html = ['<p>Noise alone would make ', models{1 + page.isChange}, ...
+          ' miss these measurements by as much with p&nbsp;=&nbsp;', ...
+          pageNumber(page, 'plain', 'gap', 'where', 'p'), '.'];
+  for one = lists(~cellfun (@isempty, lists(:, 2)), :)'
+    html = [html, ' ', one{1}, ': ', ...
+            htmlText(strjoin (one{2}(:)', ', ')), '.'];
+  end
   if isfield (where, 'surrogateShare')
     html = [html, ' Of the noise, ', ...
             pageNumber(page, 'percent', 'gap', 'where', 'surrogateShare'), ...
@@ -36,113 +36,40 @@ function html = leadIn (page, where)
   html = [html, '</p>'];
 end
 
-function html = outOf (reason, benches)
-  html = '';
-  if ~isempty (benches)
-    html = [' ', reason, ', so it takes no part: ', ...
-            htmlText(strjoin (benches(:)', ', ')), '.'];
-  end
-end
-
-% One row a bench, one cell a target: deviation in units of its noise.
-function html = mapTable (page, where)
-  n = numel (where.targets);
-  models = cell (1, n);
-  for t = 1:n
-    models{t} = jsonAt (where.targets, {t, 'model'});
-  end
-  benches = unique (models, 'stable');
-  width = max (cellfun (@(b) sum (strcmp (b, models)), benches));
-  lines = '';
-  for b = 1:numel (benches)
-    mine = find (strcmp (benches{b}, models));
-    cells = '';
-    for t = mine
-      cells = [cells, mapCell(page, where, t)];
-    end
-    cells = [cells, repmat('<td></td>', 1, width - numel (mine))];
-    lines = [lines, '<tr><th scope="row">', htmlText(benches{b}), '</th>', ...
-             cells, "</tr>\n"];
-  end
-  html = ['<h3>Map of benches and targets</h3><div class="scroll" ', ...
-          'role="region" tabindex="0" aria-label="Map of benches and ', ...
-          'targets"><table class="map"><caption><span>Measured less ', ...
-          'simulated, in units of the noise; beyond 2 coloured, beyond 3 ', ...
-          'strongly.</span></caption><thead><tr><th scope="col">bench</th>', ...
-          sprintf(['<th scope="col" class="text" colspan="%d">', ...
-                   'targets</th>'], width), ...
-          '</tr></thead><tbody>', lines, "</tbody></table></div>\n"];
-end
-
-function html = mapCell (page, where, t)
-  z = abs (jsonAt (where.targets, {t, 'z'}));
-  level = sum ([z, NaN](1) >= 1:3);
-  class = '';
-  if level > 0
-    class = sprintf (' class="z%d"', level);
-  end
-  held = '';
-  if strcmp (jsonAt (where.targets, {t, 'role'}), 'holdout')
-    held = ', held out';
-  end
-  html = ['<td', class, '>', htmlText(jsonAt (where.targets, {t, 'name'})), ...
-          held, '<br>', pageNumber(page, 'z', 'gap', 'where', 'targets', ...
-                                   t, 'z'), '</td>'];
-end
-
-function html = curves (page, where)
-  html = '';
-  figures = curveFigures (page, where);
-  if ~isempty (figures)
-    key = htmlKey ({'ybar', 'ink', 'measured &plusmn; 1 sd'; ...
-                    'line', 'blue', 'simulated with the fitted parameters'; ...
-                    'area', 'paleblue', ...
-                    'its noise (90 %: packing and surrogate)'});
-    html = ['<h3>Measured against simulated</h3>', ...
-            htmlFigures(figures, key)];
-  end
-end
-
 function html = targetTable (page, where)
-  table = page.sources.gapTargets;
-  n = numel (where.targets);
-  cells = cell (n, 9);
-  for t = 1:n
-    target = jsonAt (where.targets, {t});
-    at = @(kind, field) pageNumber (page, kind, 'gap', 'where', 'targets', ...
-                                    t, field);
-    row = 0;
-    if isfield (table, 'target')
-      row = find (strcmp ({table.target}, target.name) & ...
-                  strcmp ({table.model}, target.model), 1);
-    end
-    numbers = repmat ({'&ndash;'}, 1, 3);
-    if ~isempty (row) && row > 0
-      numbers = {pageNumber(page, 'plain', 'gapTargets', row, 'measured'), ...
-                 pageNumber(page, 'plain', 'gapTargets', row, ...
-                            'sd_measured'), ...
-                 pageNumber(page, 'plain', 'gapTargets', row, 'predicted')};
-    end
-    cells(t, :) = {[htmlText(target.model), ': ', htmlText(target.name)], ...
-                   htmlText(target.role), numbers{:}, at('z', 'z'), ...
-                   at('plain', 'p'), at('percent', 'unabsorbed'), ...
-                   remark(target)};
-  end
-  html = htmlTable (['All targets of the diagnosis; p: how often noise ', ...
+  html = htmlTable (['All targets of the diagnosis; misses beyond 2 are ', ...
+                     'coloured, beyond 3 strongly; p: how often noise ', ...
                      'alone makes one of the fitted (or held-out) ones as ', ...
                      'odd'], ...
                     {'target', 'role', 'measured', '&plusmn; (sd)', ...
                      'simulated', 'miss / noise', 'p', ...
-                     'parameters cannot hide', 'remark'}, cells);
+                     'parameters cannot hide', 'remark'}, ...
+                    @(t) targetRow (page, jsonAt (where.targets, {t}), t), ...
+                    numel (where.targets));
 end
 
-function text = remark (target)
-  text = '';
-  if isfield (target, 'p') && ~isempty (target.p) && target.p < 0.05
-    text = '<span class="off">off</span>';
-  elseif isfield (target, 'blind') && isequal (target.blind, true)
-    text = '<span class="unsure">blind: parameters can hide an error</span>';
+function cells = targetRow (page, target, t)
+  at = @(kind, field) pageNumber (page, kind, 'gap', 'where', 'targets', t, ...
+                                  field);
+  numbers = repmat ({'&ndash;'}, 1, 3);
+  row = targetAt (page.sources.gapTargets, target);
+  if ~isempty (row)
+    numbers = cellfun (@(field) pageNumber (page, 'plain', 'gapTargets', ...
+                                            row, field), ...
+                       {'measured', 'sd_measured', 'predicted'}, ...
+                       'UniformOutput', false);
   end
+  remark = '';
+  if isequal (jsonAt (target, {'p'}) < 0.05, true)
+    remark = '<span class="off">off</span>';
+  elseif isequal (jsonAt (target, {'blind'}), true)
+    remark = '<span class="unsure">blind: parameters can hide an error</span>';
+  end
+  cells = {htmlText([target.model, ': ', target.name]), ...
+           htmlText(target.role), numbers{:}, ...
+           sprintf('<span class="z%d">%s</span>', ...
+                   sum (max ([abs(target.z), 0]) >= 1:3), at ('z', 'z')), ...
+           at('plain', 'p'), at('percent', 'unabsorbed'), remark};
 end
 
 function html = hidden (page, where)
@@ -152,17 +79,14 @@ function html = hidden (page, where)
     return
   end
   names = fieldnames (params);
-  limits = page.Case.limits;
   cells = cell (numel (names), 4);
-  for j = 1:numel (names)
-    known = find (strcmp (names{j}, page.Case.names), 1);
-    box = {'', ''};
-    if ~isempty (known)
-      box = {numberText(limits(1, known)), numberText(limits(2, known))};
-    end
-    cells(j, :) = {htmlText(names{j}), ...
+  for k = 1:numel (names)
+    box = page.Case.limits(:, strcmp (names{k}, page.Case.names))(:)';
+    box = arrayfun (@numberText, box, 'UniformOutput', false);
+    box(end + 1:2) = {''};
+    cells(k, :) = {htmlText(names{k}), ...
                    pageNumber(page, 'plain', 'gap', 'where', 'params', ...
-                              names{j}), box{:}};
+                              names{k}), box{:}};
   end
   html = htmlTable ('Parameters of the best fit without any effect', ...
                     {'parameter', 'value', 'lower limit', 'upper limit'}, ...
@@ -174,71 +98,78 @@ end
 
 % Results of one series (results.csv of the model) as a curve over where they
 % were measured.
-function figures = curveFigures (page, where)
+function html = curves (page)
+  html = '';
   figures = [];
-  table = page.sources.gapTargets;
-  if ~isfield (table, {'model', 'target', 'measured', 'predicted'})
+  table = onSeries (page.sources.gapTargets, page);
+  if isempty (table)
     return
   end
-  benches = unique ({table.model}, 'stable');
-  for b = 1:numel (benches)
-    mine = table(strcmp ({table.model}, benches{b}));
-    [series, at, unit] = seriesOf (page.Case, benches{b}, mine);
-    for name = unique (series(~cellfun (@isempty, series)))
-      points = find (strcmp (series, name{1}) & isfinite (at));
+  for bench = unique ({table.model}, 'stable')
+    mine = table(strcmp ({table.model}, bench{1}));
+    for name = unique ({mine.series})
+      points = mine(strcmp ({mine.series}, name{1}));
       if numel (points) > 2
-        figures = [figures, curve(mine(points), at(points), ...
-                                  sprintf ('%s: %s', benches{b}, name{1}), ...
-                                  unit{points(1)})];
+        figures = [figures, curve(points, [bench{1}, ': ', name{1}])];
       end
     end
   end
+  if ~isempty (figures)
+    key = {'ybar', 'ink', 'measured &plusmn; 1 sd'; ...
+           'line', 'blue', 'simulated with the fitted parameters'; ...
+           'area', 'paleblue', 'its noise (90 %: packing and surrogate)'};
+    html = ['<h3>Measured against simulated</h3>', htmlFigures(figures, key)];
+  end
 end
 
-function [series, at, unit] = seriesOf (Case, bench, mine)
-  series = repmat ({''}, 1, numel (mine));
-  at = NaN (1, numel (mine));
-  unit = series;
-  k = find (strcmp (bench, {Case.models.name}), 1);
-  if isempty (k)
-    return
-  end
-  isOwn = [Case.targets.model] == k;
-  info = targetInfo (Case)(isOwn);
-  own = Case.targets(isOwn);
-  for i = 1:numel (mine)
-    t = find (strcmp (mine(i).target, {own.name}), 1);
-    if ~isempty (t)
-      r = info(t);
-      series{i} = r.series;
-      at(i) = r.at;
-      unit{i} = strrep (r.unit, '-', '');
+% The rows that belong to a series, with series, at and unit.
+function table = onSeries (rows, page)
+  table = [];
+  info = targetInfo (page.Case);
+  for row = rows(:)'
+    t = targetAt (page.Case.targets, row);
+    if ~isempty (t) && ~isempty (info(t).series) && isfinite (info(t).at)
+      [row.series, row.at] = deal (info(t).series, info(t).at);
+      row.unit = page.units{t};
+      table = [table, row];
     end
   end
 end
 
-function f = curve (points, at, title, unit)
-  [at, order] = sort (at);
+function f = curve (points, title)
+  unit = points(1).unit;
+  [at, order] = sort ([points.at]');
   points = points(order);
   measured = [points.measured]';
   simulated = [points.predicted]';
   sd = [points.sd_measured]';
   noise = 1.64 * hypot ([points.sd_trial]', [points.sd_surrogate]');
-  alt = sprintf ('%s: measured and simulated at %d points', title, ...
-                 numel (at));
-  f = newFigure (title, 'where it was measured', unit, alt);
-  at = at(:);
-  f = addLayer (f, 'area', [at, simulated - noise, simulated + noise], ...
-                'paleblue');
-  f = addLayer (f, 'line', [at, simulated], 'blue');
-  f = addLayer (f, 'ybar', [at, measured, measured - sd, measured + sd], ...
-                'ink');
+  f = newFigure (title, 'where it was measured', unit, ...
+                 sprintf ('%s: measured and simulated at %d points', title, ...
+                          numel (at)), ...
+                 {'area', [at, simulated - noise, simulated + noise], ...
+                  'paleblue'; 'line', [at, simulated], 'blue'; ...
+                  'ybar', [at, measured, measured - sd, measured + sd], ...
+                  'ink'});
 end
 
 %!test
+%! % a curve over where it was measured, in its unit
 %! page = situationPage ('missed, named');
-%! [~, html] = sectionWhere (page);
-%! text = regexprep (html, '(<[^>]*>|\s)+', ' ');
-%! assert (! isempty (strfind (text, 'p&nbsp;=&nbsp; 0.001')));
-%! assert (! isempty (strfind (text, 'First: sum calibrate')));
-%! assert (numel (strfind (html, 'class="z3"')), 2);
+%! page.Case.targets = struct ('name', {'w@1', 'w@2', 'w@3', 'x'}, ...
+%!   'modelName', 'First', 'model', 1, 'index', {1, 2, 3, 4}, 'result', 'w', ...
+%!   'series', {'w', 'w', 'w', ''}, 'at', {1, 2, 3, NaN}, 'unit', 'kg m-3');
+%! page.units = repmat ({'kg m-3'}, 1, 4);
+%! page.sources.gapTargets = struct ('model', 'First', 'name', ...
+%!   {'w@3', 'w@2', 'w@1', 'x'}, 'measured', 7, 'predicted', 8, ...
+%!   'sd_measured', 0.1, 'sd_trial', 0.3, 'sd_surrogate', 0.4);
+%! where = sectionWhere (){3};
+%! html = where (page);
+%! assert (numel (strfind (html, '<figcaption>')), 1);
+%! for text = {'First: w: measured and simulated at 3 points', 'kg m-3', ...
+%!             'First: sum', '<span class="off">off</span>'}
+%!   assert (! isempty (strfind (html, text{1})), text{1});
+%! end
+%! % two points are no curve
+%! page.sources.gapTargets(1) = [];
+%! assert (isempty (strfind (where (page), '<figcaption>')));

@@ -11,15 +11,24 @@
 % started (s since 1970), the design variables, the effect variables, the
 % targets (empty where the run has no such result), message.
 %
-% A part that cannot be drawn says so and leaves the others alone.
+% A part is a row of what section* returns: id, title, function handle
+% HTML = f (PAGE), see pageData, and where in PAGE (jsonAt) there must be
+% something for it. One that cannot be drawn says so, and leaves the others
+% alone.
 
 function file = writePage (Case)
   page = pageData (Case);
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
   writeRunTable (page);
-  [links, parts] = sectionsOf (page);
-  [verdict, word] = pageVerdict (page);
+  targets = sectionTargets ();
+  parameters = sectionParameters ();
+  list = [targets(1, :); sectionCauses(); parameters(1, :); ...
+          sectionParticles(); sectionWhere(); sectionCure(); ...
+          sectionSurrogates(); targets(2, :); parameters(2, :); sectionRuns()];
+  [links, parts] = sectionsOf (page, list);
+  [~, base, ending] = fileparts (Case.folder);
+  name = htmlText (['Case ', base, ending]);
   style = fullfile (fileparts (mfilename ('fullpath')), 'page.css');
   html = {"<!DOCTYPE html>\n", '<html lang="en"><head>', ...
           '<meta charset="utf-8">', ...
@@ -29,156 +38,167 @@ function file = writePage (Case)
           '<meta name="viewport" content="width=device-width, ', ...
           'initial-scale=1">', ...
           '<meta name="generator" content="DEcalioc">', ...
-          '<title>', htmlText([word, ': ', caseName(Case)]), ...
+          '<title>', htmlText(page.verdict.word), ': ', name, ...
           "</title>\n<style>\n", fileread(style), "</style>\n</head>\n", ...
           '<body><a class="skip" href="#main">To the content</a>', "\n", ...
-          houseSymbols(), headerOf(page, verdict), ...
+          houseSymbols(), '<header><h1>', name, '</h1>', ...
+          '<p class="where">', ...
+          htmlText(strjoin ({Case.models.name}, ', ')), ' &middot; ', ...
+          htmlText(pageDate (page)), "</p>\n", measuredBy(Case.folder), ...
+          verdictBox(page), "</header>\n", ...
           '<nav aria-label="Contents"><ul>', links, "</ul></nav>\n", ...
-          '<main id="main">', "\n", parts, "</main>\n", footerOf(page), ...
+          '<main id="main">', "\n", parts, "</main>\n", ...
+          '<footer><p>DEcalioc ', htmlText(toolboxVersion (Case.root)), ...
+          '. Page made on ', minuteOf(time ()), ...
+          " from the files of the case folder.</p></footer>\n", ...
           "</body>\n</html>\n"};
   file = fullfile (folder, 'report.html');
   writeAtomic (file, [html{:}]);
 end
 
-function [links, parts] = sectionsOf (page)
-  links = '';
-  parts = '';
-  for section = pageSections ()
-    name = func2str (section{1});
+function text = minuteOf (seconds)
+  text = strftime ('%Y-%m-%d %H:%M', localtime (seconds));
+end
+
+function [links, parts] = sectionsOf (page, list)
+  [links, parts] = deal ('');
+  for section = list'
+    [id, title, show, needed] = section{:};
+    html = '';
     try
-      [title, html] = section{1} (page);
+      if ~isempty (jsonAt (page, needed))
+        html = show (page);
+      end
     catch err
-      title = regexprep (name, '^section', '');
       html = ['<p class="off">This part could not be made: ', ...
               htmlText(err.message), '</p>'];
     end
     if ~isempty (html)
-      id = lower (name);
       links = [links, '<li><a href="#', id, '">', title, '</a></li>'];
-      head = ['<h2 id="h-', id, '">', title, "</h2>\n"];
-      if ~any (strcmp (name, {'sectionTargets', 'sectionWhich', ...
-                              'sectionChange'}))
-        html = ['<details><summary>', head, '</summary>', html, '</details>'];
-        head = '';
+      html = {['<h2 id="h-', id, '">', title, "</h2>\n"], html};
+      if ~any (strcmp (title, {'Targets', 'What the model lacks', ...
+                               'What has changed'}))
+        html = {'<details><summary>', html{1}, '</summary>', html{2}, ...
+                '</details>'};
       end
       parts = [parts, '<section id="', id, '" aria-labelledby="h-', id, ...
-               '">', head, html, "</section>\n"];
+               '">', html{:}, "</section>\n"];
     end
   end
 end
 
-function html = headerOf (page, verdict)
-  Case = page.Case;
-  html = ['<header><h1>', htmlText(caseName (Case)), '</h1>', ...
-          '<p class="where">', ...
-          htmlText(strjoin ({Case.models.name}, ', ')), ' &middot; ', ...
-          htmlText(pageDate (page)), "</p>\n", ...
-          measuredBy(Case.folder), verdict, "</header>\n"];
+% The first screen. Nothing is decided here, see decideCase.
+function html = verdictBox (page)
+  v = page.verdict;
+  gap = '';
+  if ~isempty (v.gap)
+    gap = ['<p>', htmlText(v.gap), '</p>'];
+  end
+  % commands, files and fields as code
+  action = regexprep (htmlText (v.action), ...
+                      ['(decalioc (run|diagnose|status)|', ...
+                       '\<(results|gap|docs)/[\w.]+\w|', ...
+                       '\<(Input|optim)\.\w+|\<load\w+\.m|', ...
+                       '\<runs\.csv|\<data\.head)'], '<code>$1</code>');
+  html = ['<div class="verdict ', v.class, '"><p><span class="word">', ...
+          htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
+          uses('Use it for', v.usableFor), uses('Not for', v.notFor), ...
+          '<h2>What to do now</h2><p>', action, "</p></div>\n"];
+  facts = strcat ('<div><dt>', htmlText ({v.numbers.label}), '</dt><dd>', ...
+                  htmlText ({v.numbers.text}), '</dd></div>');
+  if ~isempty (facts)
+    html = [html, '<div class="lead"><dl class="facts">', facts{:}, ...
+            "</dl>\n<div>", picture(page), "</div></div>\n"];
+  end
+end
+
+function html = uses (title, texts)
+  html = '';
+  if ~isempty (texts)
+    items = strcat ('<li>', htmlText (texts), '</li>');
+    html = ['<p><strong>', title, '</strong></p><ul>', items{:}, '</ul>'];
+  end
+end
+
+% The bench that misses most.
+function html = picture (page)
+  html = '';
+  [f, key] = benchFigure (page, page.verdict.worst);
+  if ~isempty (f)
+    f.title = ['Where it deviates most: ', f.title];
+    f.size(1) = 480;
+    html = [htmlFigures(f, {}, 'one'), htmlKey(key)];
+  end
 end
 
 % Remarks before the header of measured.csv: material, rig, date, who.
 function html = measuredBy (folder)
   html = '';
   file = fullfile (folder, 'measured.csv');
+  words = {};
   if isfile (file)
-    found = regexp (fileread (file), '^#[ \t]*([^\r\n]*)', 'tokens', ...
+    words = regexp (fileread (file), '^#[ \t]*([^\r\n]*)', 'tokens', ...
                     'lineanchors');
-    words = cellfun (@(t) htmlText(t{1}), found, 'UniformOutput', false);
-    if ~isempty (words)
-      html = ['<p class="where">Measured: ', ...
-              strjoin(words, ' &middot; '), "</p>\n"];
-    end
   end
-end
-
-function name = caseName (Case)
-  [~, base, ending] = fileparts (Case.folder);
-  name = ['Case ', base, ending];
-end
-
-function html = footerOf (page)
-  html = ['<footer><p>DEcalioc ', ...
-          htmlText(toolboxVersion (page.Case.root)), ...
-          '. Page made on ', htmlText(strftime ('%Y-%m-%d %H:%M', ...
-                                                localtime (time ()))), ...
-          " from the files of the case folder.</p></footer>\n"];
-end
-
-% The parts in their order: [TITLE, HTML] = section (PAGE); HTML is '' where a
-% case has nothing to show there.
-function sections = pageSections ()
-  sections = {@sectionTargets, @sectionWhich, @sectionChange, ...
-              @sectionParameters, @sectionParticles, @sectionWhere, ...
-              @sectionHowFar, @sectionNextTest, @sectionPlan, ...
-              @sectionSlices, @sectionLeaveOneOut, @sectionSteps, ...
-              @sectionSensitivity, @sectionRuns, @sectionSettings};
+  if ~isempty (words)
+    html = ['<p class="where">Measured: ', ...
+            strjoin(htmlText ([words{:}]), ' &middot; '), "</p>\n"];
+  end
 end
 
 % When the result is from.
 function text = pageDate (page)
-  text = 'no result yet';
-  for source = {'progress', 'calibration'}
-    date = jsonAt (page.sources, {source{1}, 'date'});
-    if ischar (date)
-      text = date;
+  s = page.sources;
+  text = [char(jsonAt (s, {'calibration', 'date'})), ...
+          char(jsonAt (s, {'progress', 'date'}))];
+  if isempty (text) && isempty (s.gap)
+    text = 'no result yet';
+  elseif ~isempty (s.gap)
+    if ~isempty (text)
+      text = ['calibrated ', text, ', '];
     end
-  end
-  file = fullfile (page.Case.folder, 'gap', 'gap.json');
-  if ~isempty (page.sources.gap) && isfile (file)
-    made = strftime ('%Y-%m-%d %H:%M', localtime (stat (file).mtime));
-    text = [strrep(['calibrated ', text, ', '], ...
-                   'calibrated no result yet, ', ''), 'diagnosed ', made];
+    file = fullfile (page.Case.folder, 'gap', 'gap.json');
+    text = [text, 'diagnosed ', minuteOf(stat (file).mtime)];
   end
 end
 
 % The symbols of all figures, by the names of gnuplot, once a page.
 function svg = houseSymbols ()
-  line = 'stroke="currentColor"';
-  fill = 'fill="currentColor"';
   svg = ['<svg width="0" height="0" class="symbols" aria-hidden="true">', ...
-         '<defs>', ...
-         '<path id="gpPt1" stroke-width=".4" ', line, ...
-         ' d="M-1-1 1 1M1-1-1 1"/>', ...
-         '<rect id="gpPt4" ', fill, ' x="-1" y="-1" width="2" height="2"/>', ...
-         '<circle id="gpPt5" fill="none" stroke-width=".35" ', line, ...
-         ' r="1"/>', ...
-         '<circle id="gpPt6" ', fill, ' r="1"/>', ...
-         '<path id="gpPt8" ', fill, ' d="M0-1.33-1.33.67 1.33.67z"/>', ...
-         '<path id="gpPt12" ', fill, ' d="M0-1.5 1.5 0 0 1.5-1.5 0z"/>', ...
-         "</defs></svg>\n"];
+         '<defs><circle id="gpPt5" fill="none" stroke-width=".35" ', ...
+         'stroke="currentColor" r="1"/>', ...
+         '<circle id="gpPt6" fill="currentColor" r="1"/>', ...
+         '<path id="gpPt8" fill="currentColor" ', ...
+         'd="M0-1.33-1.33.67 1.33.67z"/>', ...
+         '<path id="gpPt12" fill="currentColor" ', ...
+         'd="M0-1.5 1.5 0 0 1.5-1.5 0z"/>', "</defs></svg>\n"];
 end
 
 function writeRunTable (page)
   Case = page.Case;
-  nEffects = numel (Case.effectVars);
   head = [{'model', 'folder', 'stage', 'status', 'cause', 'replicate', ...
            'seed', 'seconds', 'started'}, Case.names, Case.effectVars, ...
           {Case.targets.name}, {'message'}];
-  lines = {strjoin(cellfun (@masked, head, 'UniformOutput', false), ',')};
+  lines = {csvLine(head)};
   for run = page.runs
-    effects = NaN (1, nEffects);
+    effects = NaN (1, numel (Case.effectVars));
     n = numel (run.effects);
-    if n == nEffects || n == numel (Case.coarse)
+    if n == numel (effects) || n == numel (Case.coarse)
       effects(1:n) = run.effects;
     end
     numbers = [run.replicate, run.seed, run.seconds, run.started, ...
                run.params, effects, resultsOf(run, Case)];
-    texts = arrayfun (@(x) sprintf ('%.17g', x), numbers, ...
-                      'UniformOutput', false);
-    texts(isnan (numbers)) = {''};
-    words = cellfun (@masked, {run.model, run.name, run.stage, run.status, ...
-                               run.cause}, 'UniformOutput', false);
-    lines{end + 1} = strjoin ([words, texts, {masked(run.message)}], ',');
+    message = regexprep (run.message, '[\x00-\x1f]', ' ');
+    lines{end + 1} = csvLine ([{run.model, run.name, run.stage, run.status, ...
+                                run.cause}, num2cell(numbers), {message}]);
   end
-  [~, ~] = mkdir (fullfile (Case.folder, 'results'));
   writeAtomic (fullfile (Case.folder, 'results', 'runTable.csv'), ...
                [strjoin(lines, "\n"), "\n"]);
 end
 
 function z = resultsOf (run, Case)
   z = NaN (1, numel (Case.targets));
-  own = find (strcmp ({Case.targets.modelName}, run.model));
-  for t = own
+  for t = find (strcmp ({Case.targets.modelName}, run.model))
     index = Case.targets(t).index;
     if strcmp (run.status, 'ok') && numel (run.results) >= index
       z(t) = run.results(index);
@@ -186,29 +206,20 @@ function z = resultsOf (run, Case)
   end
 end
 
-function text = masked (text)
-  text = text(:)';
-  text(text < 32) = ' ';
-  if any (ismember (text, ',;"'))
-    text = ['"', strrep(text, '"', '""'), '"'];
-  end
-end
-
 %!test
 %! % before anything has been run; a text of the user that means something in
-%! % HTML
+%! % HTML; commands are set as code
 %! raw = standInCase (tempname ());
 %! raw.optim.targetName = {{'a <b> & c'}};
 %! file = writePage (newCase (raw));
 %! html = fileread (file);
 %! assert (! isempty (strfind (html, 'a &lt;b&gt; &amp; c')));
 %! assert (isempty (strfind (html, '<b>')));
+%! assert (! isempty (strfind (html, '<code>decalioc run</code>')));
 %! assert (numel (strfind (html, ['content="default-src ''none''; ', ...
 %!   'style-src ''unsafe-inline''; img-src data:"'])), 1);
 %! assert (isempty (regexp (html, '<(script|link|img)', 'once')));
 %! assert (isempty (strfind (html, 'could not be made')));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (raw.folder, 's');
 %!test
 %! raw = standInCase (tempname ());
 %! raw.optim.targetName = {{'sum (N)', 'product'}};
@@ -223,5 +234,3 @@ end
 %! assert (sort (sums), [3; 7], 1e-12);
 %! second = find (strcmp (cells(:, 1), 'Second'));
 %! assert (all (cellfun (@isempty, cells(second, strcmp (head, 'product')))));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (Case.folder, 's');

@@ -1,0 +1,213 @@
+% NEXTTESTSTUDY  Does the advised test name the cause that was left open?
+%
+% CALL: octave-cli benchmarks/nextTestStudy.m KIND NUMBERS CSV
+%
+%   KIND     blind or develop, of foreignLab
+%   NUMBERS  laboratories, e.g. 201:260: one case each (their laws in turn,
+%            other constants than in other studies)
+%   CSV      table, to which one row a case is added; cases that stand in it are
+%            not made again
+%
+% Laboratories of foreign laws with benches to choose from (twins/testsOfLab):
+% all benches, or in every second case all but the last, belong to the case; it,
+% and other settings of the others, are what it could measure next. A case is
+% drawn from its number: one cause with a signal to noise of 4, 5, 6 or 8. It is
+% diagnosed from an empty store, as planStudy does it. Withheld are cases whose
+% verdict is a group or undecided, unless only a look-alike that nobody listed
+% keeps the name back: then the kind of cause is known. There the advised test
+% is measured with the truth, three trials, and the diagnosis goes on with it:
+% all runs so far, those that were made to seek the test, the neutral runs and
+% half of those of each effect on the new bench (completeBenches), and what the
+% plan then asks for. Beside it, in the same cases, the bench that tells most of
+% those measured already, once more, with as many further runs as the plan asks
+% for.
+%
+% Right is a name of the true cause, or a verdict that it is this one or
+% something that looks like it. The table also holds d, the verdict before, what
+% was expected of the test, and log2 of how much likelier the truth is after it.
+%
+% See also: adviseTests, testsOfLab, foreignLab, planStudy
+
+1;
+
+function runStudy (kind, numbers, file)
+  addpath (fileparts (mfilename ('fullpath')));
+  startBenchmarks ();
+  pkg ('load', 'stk');
+  if ~isfile (file)
+    append (file, ['kind,number,laboratory,truth,d,before,sets,test,gain,', ...
+                   'between,after,setsAfter,right,wrong,bits,onceBench,', ...
+                   'onceGain,once,onceRight,onceWrong']);
+  end
+  done = regexp (fileread (file), '^\w+,\w+', 'match', 'lineanchors');
+  for number = numbers
+    if ~any (strcmp (done, sprintf ('%s,%d', kind, number)))
+      append (file, oneCase (kind, number));
+    end
+  end
+  sayShares (file);
+end
+
+function append (file, line)
+  id = fopen (file, 'a');
+  fprintf (id, '%s\n', line);
+  fclose (id);
+  printf ('%s\n', line);
+end
+
+function line = oneCase (kind, number)
+  lab = testsOfLab (kind, number, mod (number, 2));
+  names = {lab.gapProblem.effects.name};
+  twin = drawCase (lab, number);
+  given = setfield (lab.gapProblem, 'value', twin.y);
+  if twin.d < 4                  % nothing there can reach what was drawn
+    line = sprintf ('%s,%d,%s,%s,%.4g,,,too weak%s', kind, number, lab.name, ...
+                    names{twin.cause}, twin.d, repmat (',', 1, 12));
+    return
+  end
+  first = diagnoseLab (setfield (given, 'tests', @() lab.tests), ...
+                       neutralRuns (lab), runsOfLab (lab.run, lab.gapProblem));
+  cells = {kind, number, lab.name, names{twin.cause}, twin.d, ...
+           said(first), rows(first.data.X)};
+  which = first.which;
+  if ~any (strcmp (which.verdict, {'group', 'undecided'})) || ...
+     strcmp (which.guard, 'look-alike')
+    cells(8:20) = {'not withheld', '', '', '', '', '', '', '', '', '', '', ...
+                   '', ''};
+  else
+    cells = [cells, withheld(lab, twin, given, first, names{twin.cause})];
+  end
+  line = rowText (cells);
+end
+
+% At 4, 5, 6 or 8, by an effect that can reach it, if there is one.
+function twin = drawCase (lab, number)
+  rand ('twister', 830000 + number);
+  randn ('twister', 830000 + number);
+  K = numel (lab.gapProblem.effects);
+  p = columns (lab.gapProblem.limits);
+  levels = [4, 5, 6, 8];
+  level = levels(1 + mod (number, 4));
+  twin = struct ('theta', 0.1 + 0.8 * rand (1, p), 'phi', zeros (1, K));
+  lab.noise = sqrt (lab.noiseSd.^2 + lab.gapProblem.sd.^2);
+  space = twinsSpace (lab, twin.theta);
+  order = strongFirst (randperm (K), lab, space, twin.theta, level);
+  twin.cause = order(1);
+  twin.phi(twin.cause) = twinsStrength (lab, space, twin.cause, level);
+  twin.d = space.visible (lab.means (twin.theta, twin.phi) - space.base);
+  twin.y = lab.measure (twin.theta, twin.phi);
+end
+
+function data = neutralRuns (lab)
+  n = min (4 * (columns (lab.gapProblem.limits) + 1), 40);
+  data = foreignPlan (lab, n, 0);
+end
+
+function text = said (d)
+  text = [d.which.verdict, ':', strjoin(d.which.effects, '+')];
+end
+
+% What the advised test makes of a case, and the same bench once more.
+function cells = withheld (lab, twin, given, first, truth)
+  tests = first.next;
+  best = tests(1);
+  once = tests(find ([tests.runs] == 0, 1));
+  again = onceMore (lab, twin, given, first, once);
+  after = first;
+  if best.gain >= gapOptions ([]).adviseAt
+    after = again;
+    if best.runs > 0
+      at = find (strcmp ({lab.tests.model}, best.model), 1);
+      after = withTest (lab.tests(at), twin, first);
+    elseif ~strcmp (best.test, once.test)
+      after = onceMore (lab, twin, given, first, best);
+    end
+  end
+  p = @(d) max (d.which.posterior.(truth) + d.which.resembles.(truth), 1e-3);
+  cells = [{best.test, best.gain, strjoin(best.between, ' or '), ...
+            said(after), rows(after.data.X)}, judged(after, truth), ...
+           {log2(p (after) / p (first)), once.model, once.gain, ...
+            said(again)}, judged(again, truth)];
+end
+
+function cells = judged (d, truth)
+  isName = strcmp (d.which.verdict, 'named') || ...
+           (strcmp (d.which.verdict, 'group') && ...
+            strcmp (d.which.guard, 'look-alike'));
+  isTrue = isequal (cellstr (d.which.effects), {truth});
+  cells = {double(isName && isTrue), double(isName && ~isTrue)};
+end
+
+% Three trials of the truth; the sets of the case on the new bench, and the runs
+% that were made to seek it.
+function d = withTest (test, twin, first)
+  y = mean (test.run (repmat (twin.theta, 3, 1), ...
+                      repmat (twin.phi, 3, 1)), 1);
+  y = y + test.sd .* randn (size (y));
+  given = setfield (test.joined, 'value', [twin.y, y]);
+  runs = runsOfLab (test.run, given);
+  data = first.data;
+  T = columns (data.Z);
+  some = someSets (data, given.effects);
+  Z = NA (rows (data.X), numel (y));
+  Z(some, :) = runs (data.X(some, :), data.E(some, :));
+  data.Z = [data.Z, Z];
+  seen = test.seen ();
+  n = rows (seen.X);
+  data.X = [data.X; seen.X];
+  data.E = [data.E; seen.E];
+  data.Z = [data.Z; NA(n, T), seen.Z];
+  data.replicate = [data.replicate; ones(n, 1)];
+  d = diagnoseLab (given, data, runsOfLab (test.both, given));
+end
+
+% All neutral sets, half of those of each effect, eight at least.
+function some = someSets (data, effects)
+  dem = ~[effects.laboratory];
+  isOff = data.E == [effects(dem).neutral];
+  some = all (isOff, 2);
+  for k = 1:columns (isOff)
+    own = find (~isOff(:, k));
+    n = min (numel (own), max (8, ceil (numel (own) / 2)));
+    some(own(round (linspace (1, numel (own), n)))) = true;
+  end
+end
+
+% The same bench again: the mean of both, of twice the trials.
+function d = onceMore (lab, twin, given, first, test)
+  own = given.bench == find (strcmp (given.benchNames, test.model));
+  again = lab.measure (twin.theta, twin.phi);
+  given.value(own) = (twin.y(own) + again(own)) / 2;
+  given.sd(own) = given.sd(own) / sqrt (2);
+  given.trials = 1 + own;
+  d = diagnoseLab (given, first.data, runsOfLab (lab.run, lab.gapProblem));
+end
+
+function sayShares (file)
+  [header, cells] = readCsvTable (file);
+  isOut = ismember (cells(:, strcmp (header, 'test')), ...
+                    {'not withheld', 'too weak'});
+  printf ('%d cases of d >= 4\n', ...
+          sum (~strcmp (cells(:, strcmp (header, 'test')), 'too weak')));
+  cells = cells(~isOut, :);
+  of = @(name) str2double (cells(:, strcmp (header, name)));
+  isAdvised = of ('gain') >= 0.2;
+  printf ('%d withheld cases, advice in %d\n', rows (cells), sum (isAdvised));
+  sayShare ('advised test: named rightly, of all', of ('right'));
+  sayShare ('  where there is advice', of ('right')(isAdvised));
+  sayShare ('  wrongly, of all', of ('wrong'));
+  sayShare ('once more: named rightly', of ('onceRight'));
+  sayShare ('  wrongly', of ('onceWrong'));
+  printf (['expected %.2f bit in the mean; log2 of how much likelier the ', ...
+           'true cause is then: %.2f\n'], mean (of ('gain')(isAdvised)), ...
+          mean (of ('bits')(isAdvised)));
+end
+
+function sayShare (text, is)
+  [lo, hi] = binomialInterval (sum (is), numel (is));
+  printf ('%-40s %d / %d = %.0f %% (%.0f - %.0f)\n', text, sum (is), ...
+          numel (is), 100 * mean (is), 100 * lo, 100 * hi);
+end
+
+args = argv ();
+runStudy (args{1}, str2num (args{2}), args{3});

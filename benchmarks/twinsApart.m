@@ -1,0 +1,59 @@
+% TWINSAPART  Which strong twins have a listed effect of nearly the same mark.
+%
+% CALL: octave-cli benchmarks/twinsApart.m
+%
+% Draws the cases of foreignTwins.m blind again, without a diagnosis, and reads
+% the verdicts of results/foreign-blind.csv. Prints how often single causes with
+% d >= 4 are named where another listed effect has a mark of cosine 0.9 with the
+% true one, and where none has; and how often each effect that is named or
+% grouped has such a mark.
+%
+% See also: foreignTwins, twinsMark
+
+1;
+
+addpath (fileparts (mfilename ('fullpath')));
+root = startBenchmarks ();
+labs = foreignLaboratories ('blind');
+twins = twinsDraw (labs, 105, twinsMix ('foreign blind'));
+[header, cells] = readCsvTable (fullfile (root, 'benchmarks', 'results', ...
+                                          'foreign-blind.csv'));
+column = @(name) cells(:, strcmp (header, name))';
+verdict = column ('verdict');
+said = column ('effects');
+isRight = strcmp (column ('right'), '1');
+n = numel (twins);
+[apart, alike] = deal (NaN (1, n));
+for i = 1:n
+  t = twins(i);
+  lab = labs(t.lab);
+  names = {lab.gapProblem.effects.name};
+  if strcmp (t.class, 'single')
+    apart(i) = max (twinsMark (t, setdiff (1:numel (names), t.cause), lab));
+  end
+  if ~isempty (said{i}) && t.d > 0
+    [~, numbers] = ismember (strsplit (said{i}, ' '), names);
+    alike(i) = min (twinsMark (t, numbers, lab));
+  end
+end
+d = [twins.d];
+isStrong = strcmp ({twins.class}, 'single') & d >= 3.9;
+isNamed = strcmp (verdict, 'named');
+isGroup = strcmp (verdict, 'group');
+lines = {'single, d >= 4, no other mark of cosine 0.9: named rightly', ...
+         isNamed & isRight, isStrong & apart < 0.9; ...
+         'single, d >= 4, another mark of cosine 0.9: named rightly', ...
+         isNamed & isRight, isStrong & apart >= 0.9; ...
+         'the same: named, or a group, all of the true kind', ...
+         (isNamed | isGroup) & alike >= 0.9, isStrong & apart >= 0.9; ...
+         'single, d >= 4: named, or a group, all of the true kind', ...
+         (isNamed | isGroup) & alike >= 0.9, isStrong; ...
+         'names of single causes, off the list, look-alikes: true kind', ...
+         alike >= 0.9, isNamed & d > 0 & ~strcmp({twins.class}, 'pair')};
+for i = 1:rows (lines)
+  k = sum (lines{i, 2} & lines{i, 3});
+  m = sum (lines{i, 3});
+  [lo, hi] = binomialInterval (k, m);
+  printf ('%-62s %3d / %3d  [%3.0f, %3.0f]\n', lines{i, 1}, k, m, 100 * lo, ...
+          100 * hi);
+end

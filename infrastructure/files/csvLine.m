@@ -1,0 +1,21 @@
+% CSVLINE  A line of a CSV file, which readCsvTable reads back.
+%
+% CALL: LINE = csvLine (FIELDS)
+%
+%   FIELDS  1 x n cell of texts (quoted where they must be) and numbers (17
+%           digits, so that reading gives the same bits; NaN: an empty field)
+
+function line = csvLine (fields)
+  for k = 1:numel (fields)
+    field = fields{k};
+    if isnumeric (field)
+      fields{k} = repmat (sprintf ('%.17g', field), 1, ~isnan (field));
+    elseif any (ismember (field, [',;"', "\n"]))
+      fields{k} = ['"', strrep(field, '"', '""'), '"'];
+    end
+  end
+  line = strjoin (fields, ',');
+end
+
+%!assert (csvLine ({'a', 'b;c', 0.1, NaN, 3, '"x", y', ''}), ...
+%!        'a,"b;c",0.10000000000000001,,3,"""x"", y",')

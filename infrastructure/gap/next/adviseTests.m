@@ -1,0 +1,85 @@
+% ADVISETESTS  Ranks what could be measured next, on other benches, too.
+%
+% CALL: [TESTS, STATE] = adviseTests (STUDY, W, VERDICT, STATE)
+%
+%   STUDY    struct gapProblem, em, models, fits, see runCures. Where gapProblem
+%            has a field tests, it is a handle without arguments that gives the
+%            CANDIDATES of tryTests: tests that the case does not have
+%   W        of caseEvidence;  VERDICT  of judgeCase
+%   STATE    of newGapState; comes back with the runs in its budget
+%   TESTS    1 x m struct of nextTest. First those that tell options.adviseAt or
+%            more, best per cost first, then the others; last those that were
+%            given up after four runs. The first one is the advice, where it
+%            tells so much
+%
+% Tests of other benches cost runs, so they are tried only where it is open
+% which kind of cause it is, or whether it is the likeliest one itself: a group,
+% an undecided verdict, or a name beside which a look-alike stands; not where
+% surrogates or integrals are to blame.
+
+function [tests, state] = adviseTests (study, w, verdict, state)
+  options = study.models.options;
+  gapProblem = study.gapProblem;
+  tests = nextTest (gapProblem, study.em, w, verdict.P);
+  isOpen = (any (strcmp (verdict.kind, {'group', 'undecided'})) || ...
+            (strcmp (verdict.kind, 'named') && verdict.lookAlike)) && ...
+           ~any (strcmp (verdict.guard, {'surrogate', 'integral'}));
+  if isfield (gapProblem, 'tests') && isOpen && state.budget.left >= 4
+    [fresh, state] = tryTests (gapProblem.tests, study, w, verdict.P, state);
+    tests = [tests, fresh];
+  end
+  isFirm = [tests.runs] == 0 | [tests.runs] > 4;
+  place = 1 + (~isFirm | [tests.gain] < options.adviseAt) + ~isFirm;
+  [~, order] = sortrows ([place; -[tests.gainPerCost]]');
+  tests = tests(order);
+end
+
+%!test
+%! % two causes that look alike here; of three tests that the case does not have
+%! % the one that parts them is advised, given back it tells them apart
+%! pkg load stk
+%! [given, data, means] = smallGapLab ();
+%! randn ('twister', 4);
+%! truth = [0.6, 0, 0, 0, 0];
+%! given.value = means ([0.4, 0.6], truth) + 0.28 * randn (1, 12);
+%! % other benches: cohesion and bridge apart, one that nothing moves
+%! % and one that fails
+%! laws = {@(X, E) [5 + 4 * E(:, 1), 7 - 3 * E(:, 2) + X(:, 1)], ...
+%!         @(X, E) [5 + X(:, 1), 7 + X(:, 2)], @(X, E) NaN(rows (X), 2)};
+%! for k = 1:3
+%!   [f, budget] = newEvaluate (@(P, E, r) laws{k}(P, E) + ...
+%!                              0.2 * randn (rows (P), 2));
+%!   effects = struct ('offset', cell (1, 5), 'matrix', zeros (2));
+%!   [effects.offset] = deal ([0, 0]);
+%!   list(k) = struct ('test', sprintf ('bench %d', k), 'model', 'Other', ...
+%!                     'variable', 'v', 'value', k, 'trials', 3, 'cost', 1, ...
+%!                     'origin', [NaN, NaN], 'noise', [0.2, 0.2], ...
+%!                     'size', [5, 7], 'sd', [0.1, 0.1], ...
+%!                     'effects', effects, 'isExpressed', true (1, 5), ...
+%!                     'evaluate', f, 'lines', {{}});
+%! end
+%! given.tests = @() list;
+%! study = labStudy (given, data, struct ('twins', 60));
+%! study.models = omnibusReference (study.models);
+%! w = caseEvidence (study.models, study.fits, 1);
+%! verdict = judgeCase (w, study.models);
+%! assert (verdict.kind, 'group');
+%! state.budget = budget;
+%! [tests, state] = adviseTests (study, w, verdict, state);
+%! assert (tests(1).test, 'bench 1');
+%! assert (tests(1).gain > 0.6);
+%! assert (sort (tests(1).between), {'bridge', 'cohesion'});
+%! assert (tests(1).runs, 16);
+%! at = find (strcmp ({tests.test}, 'bench 2'));
+%! assert (tests(at).gain < 0.2);
+%! assert (~any (strcmp ({tests.test}, 'bench 3')));
+%! assert (state.budget.new, 3 * 4 + 12 * (1 + (tests(at).runs > 4)));
+%! % a sure verdict, a budget that is used up: nothing is run
+%! sure = verdict;
+%! [sure.kind, sure.lookAlike] = deal ('named', false);
+%! [~, after] = adviseTests (study, w, sure, state);
+%! assert (after.budget.new, state.budget.new);
+%! state.budget.left = 3;
+%! [tests, after] = adviseTests (study, w, verdict, state);
+%! assert (after.budget.new, state.budget.new);
+%! assert (all ([tests.runs] == 0));

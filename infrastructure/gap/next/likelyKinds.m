@@ -1,0 +1,89 @@
+% LIKELYKINDS  Hypotheses among which a further measurement could tell.
+%
+% CALL: [KEEP, P, KINDS, NAMES] = likelyKinds (W, P, EFFECTS)
+%
+%   W        struct of caseEvidence (members, posterior, kind)
+%   P        1 x H, probabilities of the hypotheses
+%   EFFECTS  1 x K cell, names of the effects
+%   KEEP     1 x h, hypotheses of more than 0.005 of what is listed, which no
+%            discrepancy is, and that have a posterior; P their probabilities,
+%            of sum 1
+%   KINDS    1 x h, kind of cause of each, likeliest first: those with the same
+%            members, so an effect and its sibling, are of one kind
+%   NAMES    1 x c cell, name of each kind: 'cohesion', 'cohesion + drag',
+%            'no gap'
+%
+% Where the kind is open by less than options.adviseAt (bits), another question
+% is: is the likeliest it itself, or its sibling? The siblings of the first kind
+% are a kind of their own then, the last one, 'something like cohesion'. All are
+% of one kind where that is known, too.
+%
+% Where only misfits of no shape are likely, the likeliest of the others stays:
+% nothing is left to tell.
+
+function [keep, P, kinds, names] = likelyKinds (w, P, effects)
+  listed = ~strcmp (w.kind, 'discrepancy');
+  listed = find (listed & ~cellfun (@(p) isempty (p.Q), w.posterior));
+  P = P / max (sum (P(listed)), realmin);
+  keep = listed(P(listed) > 0.005);
+  if isempty (keep)
+    [~, best] = max (P(listed));
+    keep = listed(best);
+    P(keep) = 1;
+  end
+  P = P(keep) / sum (P(keep));
+  texts = cellfun (@(m) mat2str (sort (m)), w.members(keep), ...
+                   'UniformOutput', false);
+  [~, first, kinds] = unique (texts, 'first');
+  kinds = reshape (kinds, size (keep));
+  weight = accumarray (kinds(:), P(:));
+  [~, order] = sort (-weight);
+  rank(order) = 1:numel (order);
+  kinds = rank(kinds);
+  names = cell (1, numel (order));
+  for c = 1:numel (order)
+    members = w.members{keep(first(order(c)))};
+    names{c} = strjoin (effects(members), ' + ');
+    if isempty (members)
+      names{c} = 'no gap';
+    end
+  end
+  least = gapOptions ([]).adviseAt;
+  isLike = strcmp (w.kind(keep), 'sibling') & kinds == 1;
+  if entropyOf (P, kinds) < least && any (isLike)
+    names{end + 1} = ['something like ', names{1}];
+    kinds(isLike) = numel (names);
+  end
+  if entropyOf (P, kinds) < least
+    kinds(:) = 1;
+    names = names(1);
+  end
+end
+
+function bits = entropyOf (P, kinds)
+  weight = accumarray (kinds(:), P(:));
+  weight = weight(weight > 0);
+  bits = -sum (weight .* log2 (weight));
+end
+
+%!test
+%! w.kind = {'null', 'single', 'pair', 'sibling', 'discrepancy', 'single'};
+%! w.members = {[], 1, [2, 1], 1, [], 2};
+%! w.posterior = repmat ({struct('Q', 1)}, 1, 6);
+%! P = [0.05, 0.2, 0.1, 0.2, 0.4, 0.05];
+%! [keep, P, kinds, names] = likelyKinds (w, P, {'a', 'b'});
+%! assert (keep, [1, 2, 3, 4, 6]);
+%! assert (P, [1, 4, 2, 4, 1] / 12, 1e-12);
+%! assert (kinds([2, 4]), [1, 1]);
+%! assert (names([1, 2]), {'a', 'b + a'});
+%! assert (sort (names(3:4)), {'b', 'no gap'});
+%! % the kind is known, but not whether it is it itself; both are known
+%! [keep, ~, kinds, names] = likelyKinds (w, [0.005, 0.6, 0.01, 0.38, 0, ...
+%!                                            0.005], {'a', 'b'});
+%! assert (names{kinds(keep == 2)}, 'a');
+%! assert (names{kinds(keep == 4)}, 'something like a');
+%! [~, ~, kinds, names] = likelyKinds (w, [0, 0.99, 0, 0.01, 0, 0], {'a', 'b'});
+%! assert ({kinds, names}, {[1, 1], {'a'}});
+%! [keep, P] = likelyKinds (w, [0, 0, 0, 0, 1, 0], {'a', 'b'});
+%! assert (numel (keep), 1);
+%! assert (P, 1);

@@ -1,0 +1,217 @@
+% PROPOSERUNS  The next batch of runs, by what they tell about the cause.
+%
+% CALL: BATCH = proposeRuns (GAPPROBLEM, OPTIONS, STATE, EM, NOW)
+%
+%   GAPPROBLEM, OPTIONS, STATE, EM  as of exploreEffects
+%   NOW    struct w, verdict (caseEvidence, judgeCase), models, fits, usable
+%          (numbers of their effects in EM), runs (of each, Inf: none needed),
+%          isVague (the mark of the likeliest one needs more runs)
+%   BATCH  struct theta (n x p), phi (n x K), isFine (n x 1 logical: at the last
+%          level, where a case has levels), bits (scalar, expected information
+%          about the cause; Inf: runs that a name needs, whatever they tell)
+%
+% Candidates: of each of the four likeliest effects that has less than
+% OPTIONS.mostRuns its mode and the posterior draws farthest from its runs (of
+% one that isVague the farthest of all its range and box); the
+% model without an effect at the mode of the likeliest; a likely pair at its
+% middle. What a run z of hypothesis h tells: y, the measurement, is known. Were
+% h the cause, the error of its surrogate were what y says of it,
+% z ~ N (M + R (R + S)^-1 (y - M), what that leaves); else y says nothing of it,
+% z ~ N (M, R + noise). With the probability of h, that of the two that z is
+% expected to give back is the information (mixtureInformation). R is the
+% variance of the surrogates and of the amplitude (predictHypothesis), S that of
+% measurement, packing and where h would stand. Runs of the same effect in one
+% batch tell in part the same.
+
+function batch = proposeRuns (gapProblem, options, state, em, now)
+  pool = candidates (gapProblem, options, em, now);
+  noise = noiseBudget (gapProblem, em);
+  for i = 1:numel (pool)
+    pool(i).parts = twoStories (gapProblem, em, noise, pool(i));
+  end
+  K = numel (em.effect);
+  batch = struct ('theta', zeros (0, em.p), 'phi', zeros (0, K), 'isFine', ...
+                  false (0, 1), 'bits', 0);
+  taken = zeros (1, numel (pool));
+  while rows (batch.theta) < min (options.batch, state.left) && ~all (taken)
+    bits = -Inf (size (taken));
+    for i = find (~taken)
+      bits(i) = told (pool(i), sum (strcmp ({pool(taken > 0).what}, ...
+                                            pool(i).what)));
+    end
+    [most, best] = max (bits);
+    if most < options.worthAt / options.batch && ~isempty (batch.theta)
+      return
+    end
+    taken(best) = 1;
+    one = pool(best);
+    phi = zeros (1, K);
+    phi(one.members) = one.q(em.p + 1:end);
+    batch.theta(end + 1, :) = one.q(1:em.p);
+    batch.phi(end + 1, :) = phi;
+    batch.isFine(end + 1, 1) = one.isMode;
+    batch.bits = batch.bits + most;
+  end
+end
+
+function pool = candidates (gapProblem, options, em, now)
+  w = now.w;
+  p = em.p;
+  pool = struct ('what', {}, 'members', {}, 'q', {}, 'P', {}, 'isMode', {}, ...
+                 'spread', {}, 'story', {}, 'lacks', {});
+  [total, order] = sort (-now.verdict.total);
+  order = order(1:min (4, numel (order)));
+  isSure = -total(1) >= options.standsAt;
+  singles = find (strcmp (w.kind, 'single'));
+  for i = order(:)'
+    k = now.usable(i);
+    isVague = now.isVague && i == order(1);
+    mode_ = now.fits.of{now.models.singles(i)}.Q(1, 1:p + 1);
+    posterior = w.posterior{singles(i)};
+    blank = struct ('what', em.effect(k).name, 'members', k, 'q', mode_, ...
+                    'P', now.verdict.total(i), 'isMode', true, ...
+                    'spread', posterior, 'story', k, 'lacks', 0);
+    if i == order(1)
+      pool(end + 1) = setfield (setfield (blank, 'members', []), 'what', '');
+      pool(end).q = mode_(1:p);
+    end
+    if now.runs(i) >= options.mostRuns || isempty (posterior.Q)
+      continue
+    end
+    if isSure && any (i == order(1:2))
+      blank.lacks = max (options.standsRuns - now.runs(i), ...
+                         options.batch * isVague);
+    end
+    pool(end + 1) = blank;
+    n = 3;
+    if isVague
+      % where it is fitted badly, its posterior says little of where to run it
+      n = options.batch;
+      posterior = wholeBox (options, p, gapProblem.effects(k).range);
+    end
+    Q = planEffectRuns (n, [em.effect(k).Q; mode_], mode_(1:p), posterior, ...
+                        gapProblem.effects(k).range);
+    for q = Q'
+      pool(end + 1) = setfield (setfield (blank, 'q', q'), 'isMode', false);
+    end
+  end
+  pool = [pool, likelyPair(options, em, now)];
+end
+
+function sample = wholeBox (options, p, range)
+  n = 400;
+  u = integrationPoints (n, p + 1, options.seed).uniform;
+  sample = struct ('Q', [2 * u(:, 1:p) - 1, ...
+                         range(1) + u(:, end) * diff(range)], ...
+                   'weight', ones (n, 1) / n);
+end
+
+% Pairs are not merely added: where one is likely, runs of both effects show
+% what they do together.
+function pool = likelyPair (options, em, now)
+  pool = [];
+  pairs = find (strcmp (now.w.kind, 'pair'));
+  [most, at] = max ([now.verdict.P(pairs), 0]);
+  if most < options.pairAt || isempty (now.w.posterior{pairs(at)}.Q)
+    return
+  end
+  members = now.usable(now.w.members{pairs(at)});
+  posterior = now.w.posterior{pairs(at)};
+  if any ([em.effect(members).laboratory])
+    return
+  end
+  middle = posterior.weight' * posterior.Q(:, 1:em.p + 2);
+  pool = struct ('what', 'pair', 'members', members, 'q', middle, 'P', most, ...
+                 'isMode', true, 'spread', posterior, 'story', members, ...
+                 'lacks', 0);
+  full = middle;
+  for i = 1:2
+    full(em.p + i) = em.effect(members(i)).strongest * ...
+                     sign (middle(em.p + i) + realmin);
+  end
+  pool(2) = setfield (setfield (pool, 'q', full), 'isMode', false);
+end
+
+% The result of the run if its hypothesis is the cause, and if it is not.
+function parts = twoStories (gapProblem, em, noise, one)
+  at = gapProblem.used;
+  p = em.p;
+  Q = one.spread.Q(:, 1:p + numel (one.story));
+  M = predictGap (em, one.story, Q)(:, at);
+  D = (M - one.spread.weight' * M) .* sqrt (one.spread.weight);
+  story = one.q;
+  if isempty (one.members)
+    story = one.spread.weight' * Q;
+    story(1:p) = one.q;
+  end
+  [mean_, R] = outcome (em, one.story, story, at);
+  whole = R + noise.covariance(at, at) + D' * D;
+  [own, R] = outcome (em, one.members, one.q, at);
+  run_ = diag (em.noiseVar(at));
+  gain = R / whole;
+  r = gapProblem.value(at) - mean_;
+  left = R - gain * R;
+  parts = struct ('mean', {own + r * gain', own}, ...
+                  'cov', {(left + left') / 2 + run_, R + run_});
+end
+
+% Mean of a hypothesis and covariance of the error of its surrogates.
+function [M, R] = outcome (em, members, q, at)
+  p = em.p;
+  M = predictGap (em, members, q)(at);
+  X = em.limits(1, :) + (q(1:p) + 1) / 2 .* diff (em.limits);
+  [~, v] = predictSurrogate (em.surrogates, X);
+  sd = sqrt (v + em.fitVar)(at);
+  R = (sd' * sd) .* em.correlation(at, at);
+  for i = 1:numel (members)
+    e = em.effect(members(i));
+    phi = q(p + i);
+    S = predictGap (em, members(i), q([1:p, p + i]))(at) - ...
+        predictGap (em, [], q(1:p))(at);
+    if any (e.varOverPsi2(:))
+      psi = sign (phi) * abs (phi)^e.bend;
+      coef = polyRows (e.varPowers, e.points) \ ...
+             log (max (e.varOverPsi2(:, at), realmin));
+      sd = abs (psi) * exp (polyRows (e.varPowers, [q(1:p), psi]) * coef / 2);
+      R = R + (sd' * sd) .* em.alongCurve(at, at);
+    end
+    far = log (max (abs (phi), 0.02) / e.strongest);
+    R = R + e.unbent^2 * (0.25 + far^2) * (S' * S);
+  end
+end
+
+% Bits of a run where N of the same effect are in the batch already.
+function bits = told (one, n)
+  if n < one.lacks
+    bits = 1e3 - n + one.isMode;
+    return
+  end
+  parts = one.parts;
+  parts(1).mean = parts(2).mean + 0.5^n * (parts(1).mean - parts(2).mean);
+  parts(1).cov = parts(2).cov + 0.5^n * (parts(1).cov - parts(2).cov);
+  P = min (max (one.P, 1e-6), 1 - 1e-6);
+  bits = mixtureInformation (parts, [P, 1 - P], [1, 2]);
+end
+
+%!test
+%! % the likeliest effect has one run and needs more before a name; the others
+%! % have enough, as it has later: what is left tells little
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]);
+%! study = labStudy (given, data, struct ('maxNewRuns', 30, 'twins', 60));
+%! options = study.models.options;
+%! state = newGapState (data, study.gapProblem, options, @(X, E, r) 0);
+%! models = omnibusReference (study.models);
+%! w = caseEvidence (models, study.fits, 1);
+%! now = struct ('w', w, 'verdict', judgeCase (w, models), 'models', models, ...
+%!               'fits', study.fits, 'usable', 1:5, 'isVague', false, ...
+%!               'runs', [1, 9, 9, 9, Inf]);
+%! % as likely as a name asks
+%! now.verdict.total = [0.96, 0.02, 0.01, 0.01, 0];
+%! batch = proposeRuns (study.gapProblem, options, state, study.em, now);
+%! assert (sum (batch.phi(:, 1) ~= 0) >= options.standsRuns - 1);
+%! assert (batch.bits > 100);
+%! assert (all (abs (batch.theta(:)) <= 1));
+%! now.runs(1) = 9;
+%! batch = proposeRuns (study.gapProblem, options, state, study.em, now);
+%! assert (batch.bits < 1);

@@ -1,0 +1,51 @@
+% DIAGNOSEDTARGETS  What a diagnosis says of each target, a row a target.
+%
+% CALL: LIST = diagnosedTargets (DIAGNOSIS)
+%
+%   DIAGNOSIS  of diagnoseMatrices
+%   LIST       1 x n struct array, first the fitted targets, then the held-out
+%              ones: target (number), model, name, role, measured, predicted,
+%              residual, z, p, absorbability (0 of those held out), blind,
+%              size, see locateGap
+
+function list = diagnosedTargets (diagnosis)
+  where = diagnosis.where;
+  gapProblem = diagnosis.gapProblem;
+  t = [gapProblem.used(:); gapProblem.heldOut(:)]';
+  isHeld = [false(1, numel (gapProblem.used)), ...
+            true(1, numel (gapProblem.heldOut))];
+  roles = {'calibrate', 'holdout'};
+  measured = gapProblem.value(t)(:)';
+  residual = [where.residual(:)', ...
+              measured(isHeld) - where.held.mean(:)'];
+  predicted = measured - residual;
+  predicted(isHeld) = where.held.mean;
+  held = where.held.z(:)';
+  of = @(fitted, held) num2cell ([fitted(:)', held(:)']);
+  list = struct ('target', num2cell (t), ...
+                 'model', gapProblem.benchNames(gapProblem.bench(t))(:)', ...
+                 'name', gapProblem.targetNames(t)(:)', ...
+                 'role', roles(1 + isHeld), 'measured', num2cell (measured), ...
+                 'predicted', num2cell (predicted), ...
+                 'residual', num2cell (residual), 'z', of (where.t, held), ...
+                 'p', of (where.pTarget, where.held.p), ...
+                 'absorbability', of (where.absorbability, 0 * held), ...
+                 'blind', of (where.blind, false (size (held))), ...
+                 'size', of (where.size, abs (held)));
+end
+
+%!test
+%! d.gapProblem = struct ('used', [1, 3], 'heldOut', 2, 'value', [7, 8, 9], ...
+%!                        'bench', [1, 1, 2], 'benchNames', {{'A', 'B'}}, ...
+%!                        'targetNames', {{'x', 'y', 'z'}});
+%! d.where = struct ('residual', [1, 2], 't', [3, 4], 'pTarget', [0.1, 0.2], ...
+%!                   'absorbability', [0.5, 0.99], 'blind', [false, true], ...
+%!                   'size', [3, 4]);
+%! d.where.held = struct ('mean', 8.5, 'z', -2, 'p', 0.04);
+%! list = diagnosedTargets (d);
+%! assert ({list.name}, {'x', 'z', 'y'});
+%! assert ({list.model}, {'A', 'B', 'A'});
+%! assert ([list.predicted], [6, 7, 8.5]);
+%! assert ([list.residual], [1, 2, -0.5]);
+%! assert ({list.role}, {'calibrate', 'calibrate', 'holdout'});
+%! assert ([list.size], [3, 4, 2]);

@@ -1,0 +1,33 @@
+% READRUN  Record of a run, or its job where it has ended but has no record.
+%
+% CALL: RUN = readRun (FOLDER)
+%
+%   RUN     see newRecord; without record.json, or where that is torn, the job
+%           (see newJobs: no status) of a simulation that has come to its end;
+%           else []. Its field folder is FOLDER
+
+function run = readRun (folder)
+  run = readRecord ([folder, '/record.json']);
+  if isempty (run)
+    if strcmp (givenField (readEndMark (folder), 'reason', ''), 'finished')
+      run = readRecord ([folder, '/job.json']);
+    end
+  end
+  if ~isempty (run)
+    run.folder = folder;
+  end
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
+%! folder = prepareRun (job, Case);
+%! assert (isempty (readRun (folder)));
+%! writeAtomic (fullfile (folder, 'end.mark'), "143 1.0 killed\n");
+%! assert (isempty (readRun (folder)));
+%! writeAtomic (fullfile (folder, 'end.mark'), "0 1.0 finished\n");
+%! run = readRun (folder);
+%! assert ({run.key, run.folder, isfield(run, 'status')}, ...
+%!         {job.key, folder, false});
+%! failedRecord (job, folder, 'invalid', 'x', 'output');
+%! assert (readRun (folder).status, 'invalid');
