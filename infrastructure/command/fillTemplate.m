@@ -15,9 +15,7 @@ function fillTemplate (source, target, words)
            ['fillTemplate: %s must not exist yet. Nothing is overwritten; ' ...
             'take another name.'], target);
   end
-  parent = fileparts (make_absolute_filename (target));
-  [~, ~] = mkdir (parent);
-  draft = tempname (parent, '.new-');
+  draft = newDraft (make_absolute_filename (target));
   command = sprintf ('cp -rL %s %s 2>&1 && chmod -R u+w %s', ...
                      shellQuote (source), shellQuote (draft), ...
                      shellQuote (draft));
@@ -31,6 +29,16 @@ function fillTemplate (source, target, words)
   if err ~= 0
     refuse (target, text);
   end
+end
+
+% A folder beside the target, named after it, so that a call that was killed
+% (nothing tidies then) leaves what the next one finds.
+function draft = newDraft (target)
+  [parent, name, ext] = fileparts (target);
+  [~, ~] = mkdir (parent);
+  start = fullfile (parent, ['.', name, ext, '.new-']);
+  system (['rm -rf ', shellQuote(start), '*']);
+  draft = sprintf ('%s%d', start, getpid ());
 end
 
 function refuse (target, text)
@@ -78,6 +86,15 @@ end
 %! assert (fileread (fullfile (to, 'in.Mine')), 'a Mine @X@');
 %! assert (fileread (fullfile (to, 'sub', 'b')), 'Mine');
 %! assert (numel (readdir (fullfile (base, 'a b'))), 3);
+%!test
+%! % what a killed call has left goes, another folder's draft stays
+%! base = tempname ();
+%! mkdir (fullfile (base, 'from'));
+%! writeAtomic (fullfile (base, 'from', 'file'), 'text');
+%! mkdir (fullfile (base, '.to.new-12'));
+%! mkdir (fullfile (base, '.to2.new-1'));
+%! fillTemplate (fullfile (base, 'from'), fullfile (base, 'to'), struct ());
+%! assert (sort (readdir (base)'), {'.', '..', '.to2.new-1', 'from', 'to'});
 %!error id=DEcalioc:fillTemplate:exists
 %! fillTemplate (pwd (), pwd (), struct ());
 %!error id=DEcalioc:fillTemplate:cannotWrite
