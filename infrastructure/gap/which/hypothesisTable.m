@@ -15,7 +15,7 @@
 %     pairPrior  probability of each pair of effects
 %
 % Order and priors of the rows are known here alone. Pairs are too many to be
-% listed for every data set: listHypotheses adds the likely ones.
+% listed for every data set: caseEvidence adds the likely ones.
 %
 % No gap has 0.4, pairs 0.1 (none with less than two effects). The rest is
 % shared as if four more causes existed that nobody has listed, half of which

@@ -192,6 +192,30 @@ function text = strengthText (s, smallest, gapProblem)
   end
 end
 
+% Of each family of docs/effects.md one member: the others look alike on most
+% benches.
+function text = tellApart (names)
+  known = {{'rolling', 'shape'}, ...
+           ['measure the bulk density: clumps pack denser, rolling ' ...
+            'friction looser']; ...
+           {'cohesion', 'liquidBridge', 'wallAdhesion'}, ...
+           ['repeat a test after a rest (moisture, charge), or along a ' ...
+            'smooth wall']; ...
+           {'sizeSpread', 'meanSize'}, 'measure a series of openings'; ...
+           {'tilt', 'cameraRoll'}, ...
+           'put a level on the camera, or turn the test round'; ...
+           {'moistDensity', 'gain'}, ...
+           'put a reference weight on the balance'};
+  parts = {};
+  for i = 1:rows (known)
+    if any (ismember (names, known{i, 1}))
+      parts{end + 1} = sprintf ('%s: %s', strjoin (known{i, 1}, ', '), ...
+                                known{i, 2});
+    end
+  end
+  text = strjoin (parts, '; ');
+end
+
 %!test
 %! % where no gap is told, nothing is said of how far it is closed
 %! list = verdictCase ();
@@ -201,3 +225,12 @@ end
 %! text = verdictConsole (s, newCase (raw));
 %! assert (! isempty (strfind (text, 'WHICH: No gap seen')));
 %! assert (isempty (strfind (text, 'HOW FAR')));
+%! % where no test tells, what is known of the families of the effects
+%! s.gap.next = [];
+%! s.gap.which.effects = {'cohesion', 'gain'};
+%! text = verdictConsole (s, newCase (raw));
+%! assert (! isempty (regexp (text, ['Nothing is advised: [^;]*after a ' ...
+%!                            'rest[^;]*; moistDensity[^;]*balance\n'])), text);
+%! s.gap.which.effects = {'drag'};
+%! text = verdictConsole (s, newCase (raw));
+%! assert (! isempty (strfind (text, "tells 0.2 bit. \n")), text);
