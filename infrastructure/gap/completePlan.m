@@ -1,4 +1,4 @@
-% COMPLETEPLAN  Runs the plan of a case where too few neutral runs are there.
+% COMPLETEPLAN  Runs what the plan of a case lacks for a diagnosis.
 %
 % CALL: STATE = completePlan (STATE, PROBLEM, CASE, SAY)
 %
@@ -6,12 +6,14 @@
 %   PROBLEM  see newProblem;  CASE  see newCase
 %   SAY      function handle that takes one line of text
 %
-% A diagnosis wants 4 (d + 1) neutral sets, 40 at most, if it may run them, and
-% mends its surrogates where that was not enough (diagnoseMatrices); without new
-% runs it takes what is there. A bench all of whose runs gave no result, d + 3
-% or more, is not waited for: enterRuns leaves it out.
+% First sets that benches lack which joined the case later (completeBenches).
+% Then neutral sets: a diagnosis wants 4 (d + 1), 40 at most, if it may run
+% them, and mends its surrogates where that was not enough (diagnoseMatrices);
+% without new runs it takes what is there. A bench all of whose runs gave no
+% result, d + 3 or more, is not waited for: enterRuns leaves it out.
 
 function state = completePlan (state, problem, Case, say)
+  state = completeBenches (state, problem, Case, say);
   data = state.data;
   d = numel (Case.names);
   phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
@@ -36,16 +38,111 @@ function state = completePlan (state, problem, Case, say)
   state = addRuns (state, problem, P, repmat (phi, n, 1), 'plan', ones (n, 1));
 end
 
+% Of the sets that most benches have, but not all, these get the missing runs:
+% neutral ones until there are those of a plan, and half of those of each
+% effect, eight at least, of all strengths: one that has no runs on a bench
+% could be anything there, and fewer than eight do not tell how it bends
+% (learnEffect). The other runs of a set come from the store. Rows of one bench
+% alone, runs of tests (tryTests), stay as they are.
+function state = completeBenches (state, problem, Case, say)
+  data = state.data;
+  model = [Case.targets.model];
+  M = numel (Case.models);
+  wasRun = false (rows (data.X), M);
+  for k = 1:M
+    wasRun(:, k) = ~any (isna (data.Z(:, model == k)), 2);
+  end
+  n = sum (wasRun, 2);
+  at = wantedSets (data.E, n == M, n < M & n >= M / 2, Case);
+  missing = M - n(at);
+  at = at(cumsum (missing) <= state.budget.left);
+  if isempty (at)
+    return
+  end
+  say (sprintf ('%d sets on benches that are new', numel (at)));
+  new = setfield (state, 'data', keepRows (data, []));
+  new = addRuns (new, problem, data.X(at, :), data.E(at, :), 'gap', ...
+                 data.replicate(at));
+  state.budget = new.budget;
+  whole = @(d) [d.X, d.E, d.replicate];
+  [isThere, from] = ismember (whole (keepRows (data, at)), ...
+                              whole (new.data), 'rows');
+  state.data.Z(at(isThere), :) = new.data.Z(from(isThere), :);
+end
+
+function at = wantedSets (E, isWhole, isOpen, Case)
+  phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
+  isOff = E == phi;
+  neutral = all (isOff, 2);
+  plan = gapOptions ([]).neutral * (numel (Case.names) + 1);
+  plan = max (Case.options.numOfSam, min (40, plan));
+  at = find (neutral & isOpen);
+  at = at(1:min (end, max (plan - sum (neutral & isWhole), 0)));
+  last = 0;
+  for effect = Case.effects
+    v = numel (effect.variables);
+    own = last + (1:v);
+    last = last + v;
+    if v == 0
+      continue
+    end
+    others = setdiff (1:columns (E), own);
+    alone = all (isOff(:, others), 2) & ~neutral;
+    open = find (alone & isOpen);
+    wanted = max (8, ceil (sum (alone & (isOpen | isWhole)) / 2));
+    wanted = min (wanted - sum (alone & isWhole), numel (open));
+    strength = max (abs (E(open, own) - phi(own)) ./ ...
+                    max (abs (effect.limits - phi(own))), [], 2);
+    [~, order] = sort (-strength);
+    some = order(round (linspace (1, numel (order), max (wanted, 0))));
+    at = [at; open(some(:))];
+  end
+end
+
 %!test
-%! % sets there, sets missing, a bench that has never given a result
+%! % two benches that all sets have, a third that joined: of 20 neutral sets 12
+%! % are wanted, of 15 of the effect eight, the strongest among them
+%! pkg load stk
+%! Case = struct ('names', {{'a'}}, 'coarse', [], 'limits', [0; 1], ...
+%!                'folder', '');
+%! Case.options = struct ('numOfSam', 12, 'seed', 1);
+%! Case.models = struct ('name', {'A', 'B', 'C'});
+%! Case.targets = struct ('model', {1, 2, 3, 3});
+%! Case.effects = struct ('name', 'e', 'variables', {{'e'}}, 'neutral', 0, ...
+%!                        'limits', [0; 2], 'laboratory', false);
+%! [state.evaluate, state.budget] = newEvaluate ( ...
+%!   @(P, E, r) [P, P + E, r, P]);
+%! state.budget.perSet = 1;
+%! X = (1:35)' / 36;
+%! E = [zeros(20, 1); 2 * (1:15)' / 15];
+%! state.data = addRows (newData (1, 4, 1), X, [X, X + E, NA(35, 2)], ...
+%!                       ones (35, 1), 'plan', E);
+%! % a run of a test: on the new bench alone
+%! state.data = addRows (state.data, 0.5, [NA, NA, 1, 0.5], 1, 'next', 0);
+%! full = completePlan (state, Case, Case, @(t) []);
+%! known = isfinite (full.data.Z(:, 3));
+%! assert (rows (full.data.X), 36);
+%! assert ([sum(known(1:20)), sum(known(21:35)), known(36)], [12, 8, 1]);
+%! assert (known(35));
+%! assert (full.data.Z(known, 4), full.data.X(known), 1e-12);
+%! assert (full.budget.new, 20);
+%! % once done nothing is wanted; a budget that ends cuts off
+%! again = completePlan (full, Case, Case, @(t) []);
+%! assert (again.budget.new, 20);
+%! state.budget.left = 9;
+%! few = completePlan (state, Case, Case, @(t) []);
+%! assert (sum (isfinite (few.data.Z(1:35, 3))), 9);
+%!test
+%! % a bench that has never given a result is not waited for, once it is sure
 %! pkg load stk
 %! Case = struct ('names', {{'a'}}, 'effects', [], 'coarse', [], ...
-%!                'limits', [0; 1], 'folder', '');
+%!                'limits', [0; 1], 'folder', '', 'models', ...
+%!                struct ('name', {'A', 'B'}), 'targets', ...
+%!                struct ('model', {1, 2}));
 %! Case.options = struct ('numOfSam', 12, 'seed', 1);
 %! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) [P, P]);
 %! state.data = addRows (newData (1, 2), (1:12)' / 13, ...
-%!                       [(1:12)', NaN(12, 1)], ...
-%!                 ones (12, 1), 'plan');
+%!                       [(1:12)', NaN(12, 1)], ones (12, 1), 'plan');
 %! assert (rows (completePlan (state, Case, Case, @(t) []).data.X), 12);
-%! state.data.Z(:, 2) = NA;
-%! assert (rows (completePlan (state, Case, Case, @(t) []).data.X), 24);
+%! state.data = keepRows (state.data, 1:3);
+%! assert (rows (completePlan (state, Case, Case, @(t) []).data.X), 15);

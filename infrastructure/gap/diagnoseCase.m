@@ -9,6 +9,8 @@
 %
 % The main script diagnoseGap carries it out.
 %
+% Errors: DEcalioc:needCandidates:missingField
+%
 % See also: diagnoseGap, startMain, diagnoseMatrices
 
 function diagnosis = diagnoseCase (root, folder)
@@ -36,7 +38,6 @@ function diagnosis = diagnoseCase (root, folder)
   [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state = struct ('data', data, 'budget', budget, 'evaluate', evaluate);
-  state = completeBenches (state, problem, Case, say);
   state = completePlan (state, problem, Case, say);
   state.seconds = count.seconds;
 
@@ -44,15 +45,11 @@ function diagnosis = diagnoseCase (root, folder)
   % lie in gap/ itself
   others = [];
   for c = max (numel (Case.conditions), 1):-1:1
-    given = gapProblemOf (Case, c);
-    if ~isempty (problem.coarse)
-      given = levelCandidate (given, surrogates, levelled, problem);
-    end
+    [given, finer] = finerLevel (gapProblemOf (Case, c), surrogates, ...
+                                 levelled, problem);
     diagnosis = diagnoseOne (Case, given, state, c, say);
-    diagnosis.level = finerVerdict (surrogates, problem, given, ...
-                                    gapOptions (struct ('seed', ...
-                                                        Case.options.seed)), ...
-                                    diagnosis);
+    options = gapOptions (struct ('seed', Case.options.seed));
+    diagnosis.level = finer (diagnosis, options);
     [state.data, state.budget] = deal (diagnosis.data, diagnosis.budget);
     diagnosis.others = compareConditions (diagnosis, others);
     others = diagnosis.others.conditions;
@@ -134,3 +131,100 @@ function putAside (folder, name)
     end
   end
 end
+
+% Without candidates there is nothing to choose from: said before any run, with
+% a list of what the models of the case can express, to be copied.
+function needCandidates (Case)
+  if ~isempty (Case.effects)
+    return
+  end
+  folders = fullfile (Case.folder, 'effects');
+  effects = cellfun (@(name) getEffect (name, folders), ...
+                     listEffects (folders), 'UniformOutput', false);
+  effects = [effects{:}];
+  models = Case.models(isfolder ({Case.models.folder}));
+  can = repmat (isempty (models), 1, numel (effects));
+  for model = models
+    can = can | effectsOfModel (model.folder, effects);
+  end
+  error ('DEcalioc:needCandidates:missingField', ...
+         ['loadEffects.m must list what the model may lack, got an empty ' ...
+          'list. Your models can express these; copy the line to ' ...
+          'loadEffects.m and strike out what cannot be (docs/effects.md):' ...
+          '\n  effects = {''%s''};'], strjoin ({effects(can).name}, ''', '''));
+end
+
+% Of a change: one more condition before the OTHERS (1 x C struct name, verdict,
+% effects (cellstr), lookAlike, p, and of each effect probability, strength and
+% interval90, shares of its range), and the ORDER of two conditions of one
+% cause, by how much of it there is (1 x m struct effect, more, less,
+% probability).
+function s = compareConditions (diagnosis, others)
+  s = struct ('conditions', others, 'order', ...
+              struct ('effect', {}, 'more', {}, 'less', {}, 'probability', {}));
+  if isempty (diagnosis.gapProblem.reference)
+    return
+  end
+  which = diagnosis.which;
+  one = struct ('name', diagnosis.gapProblem.reference.condition, ...
+                'verdict', which.verdict, 'effects', {which.effects}, ...
+                'lookAlike', which.lookAlike, 'p', which.gateP, ...
+                'probability', [], 'strength', [], 'interval90', []);
+  for name = which.effects
+    own = which.strength(strcmp ({which.strength.name}, name{1}));
+    one.probability(end + 1) = ...
+      which.posterior.(matlab.lang.makeValidName (name{1}));
+    one.strength(end + 1) = own.value;
+    one.interval90(end + 1, :) = own.interval90;
+  end
+  s.conditions = [one, others];
+  for i = 1:numel (s.conditions)
+    for j = 1:i - 1
+      s.order = [s.order, orderOf(s.conditions(j), s.conditions(i))];
+    end
+  end
+end
+
+% The probability takes the strengths as normal, with the widths of their
+% intervals: they are from one set of surrogates, whose common error it counts
+% twice.
+function order = orderOf (a, b)
+  order = [];
+  for name = intersect (a.effects, b.effects)
+    i = find (strcmp (a.effects, name{1}));
+    j = find (strcmp (b.effects, name{1}));
+    sd = sqrt (widthOf (a.interval90(i, :))^2 + widthOf (b.interval90(j, :))^2);
+    p = 1 - normalTail ((a.strength(i) - b.strength(j)) / sd);
+    names = {a.name, b.name};
+    if p < 0.5
+      names = names([2, 1]);
+      p = 1 - p;
+    end
+    order = [order, struct('effect', name{1}, 'more', names{1}, ...
+                           'less', names{2}, 'probability', p)];
+  end
+end
+
+function sd = widthOf (interval)
+  sd = max (diff (interval) / 3.29, realmin);
+end
+
+%!test
+%! % without candidates it stops before any run, and says what the model can do
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder);
+%! writeAtomic (fullfile (raw.folder, 'loadEffects.m'), ...
+%!              "function effects = loadEffects ()\neffects = [];\nend\n");
+%! head = fullfile (raw.folder, 'DEMmodels', 'First', 'data.head');
+%! writeAtomic (head, [fileread(head), "variable cohesionPP equal 0\n", ...
+%!                     "variable cohesionPW equal 0\n"]);
+%! home = cd (raw.folder);
+%! back = onCleanup (@() cd (home));
+%! try
+%!   diagnoseCase (fileparts (which ('DEcalioc')), raw.folder);
+%! catch err
+%!   assert (err.identifier, 'DEcalioc:needCandidates:missingField');
+%! end
+%! assert (! isempty (strfind (err.message, '''cohesion''')));
+%! assert (isempty (strfind (err.message, 'speedError')));
+%! assert (! isfolder (fullfile (raw.folder, 'optim')));

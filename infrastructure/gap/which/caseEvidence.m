@@ -110,12 +110,12 @@ function [top, exclude] = againstLookAlike (models, w, list, z)
   end
 end
 
-% All hypotheses for data set I, by Laplace's formula: the rows of MODELS.list and,
-% behind the single effects, pairs: h (newHypothesis), white, z (the data in its
-% coordinates), modes (struct U, A), and what is collected.
-% Pairs, where there may be a gap: each of the two likeliest effects with the four
-% whose signatures take most out of what it leaves. All pairs share the prior
-% probability of pairs, also those that are not tried.
+% All hypotheses for data set I, by Laplace's formula: the rows of MODELS.list
+% and, behind the single effects, pairs: h (newHypothesis), white, z (the data
+% in its coordinates), modes (struct U, A), and what is collected.
+% Pairs, where there may be a gap: each of the two likeliest effects with the
+% four whose signatures take most out of what it leaves. All pairs share the
+% prior probability of pairs, also those that are not tried.
 function list = listHypotheses (models, fits, i, w)
   for j = numel (models.list):-1:1
     row = models.list(j);
@@ -191,8 +191,8 @@ end
 %! models = handMadeHypotheses ();
 %! models.reference = zeros (99, 1);
 %! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
-%! assert (w.kind, {'null', 'single', 'single', 'pair', 'sibling', 'sibling', ...
-%!                  'discrepancy'});
+%! assert (w.kind, {'null', 'single', 'single', 'pair', 'sibling', ...
+%!                  'sibling', 'discrepancy'});
 %! assert (sum (exp (w.logPrior)), 1, 1e-12);
 %! [~, best] = max (w.logPrior + w.logE);
 %! assert (w.members{best}, 1);

@@ -2,7 +2,7 @@
 %
 % CALL: TEXT = levelText (LEVEL)
 %
-%   LEVEL  of finerVerdict, or what gap.json says of it
+%   LEVEL  of finerLevel, or what gap.json says of it
 %   TEXT   one sentence
 
 function text = levelText (level)
