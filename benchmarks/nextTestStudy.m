@@ -9,24 +9,23 @@
 %            not made again
 %
 % Laboratories of foreign laws with benches to choose from (twins/testsOfLab):
-% all benches, or in every second case all but the last, belong to the case; it,
-% and other settings of the others, are what it could measure next. A case is
-% drawn from its number: one cause with a signal to noise of 4, 5, 6 or 8. It is
-% diagnosed from an empty store, as planStudy does it. Withheld are cases whose
-% verdict is a group or undecided, unless only a look-alike that nobody listed
-% keeps the name back: then the kind of cause is known. There the advised test
-% is measured with the truth, three trials, and the diagnosis goes on with it:
-% all runs so far, those that were made to seek the test, the neutral runs and
-% half of those of each effect on the new bench (completeBenches), and what the
-% plan then asks for. Beside it, in the same cases, the bench that tells most of
-% those measured already, once more, with as many further runs as the plan asks
-% for.
+% benches held back, and other settings of those of the case, are what it could
+% measure next. A case is drawn from its number (twins/testCase): one cause with
+% a signal to noise of 4, 5, 6 or 8. It is diagnosed from an empty store, as
+% planStudy does it. Withheld are cases whose verdict is a group or undecided,
+% unless only a look-alike that nobody listed keeps the name back: then the kind
+% of cause is known. There the advised test is measured with the truth, three
+% trials, and the diagnosis goes on with it: all runs so far, those that were
+% made to seek the test, the neutral runs and half of those of each effect on
+% the new bench (completeBenches), and what the plan then asks for. Beside it,
+% in the same cases, the bench that tells most of those measured already, once
+% more, with as many further runs as the plan asks for.
 %
 % Right is a name of the true cause, or a verdict that it is this one or
 % something that looks like it. The table also holds d, the verdict before, what
 % was expected of the test, and log2 of how much likelier the truth is after it.
 %
-% See also: adviseTests, testsOfLab, foreignLab, planStudy
+% See also: adviseTests, testCase, testCeiling, planStudy
 
 1;
 
@@ -56,9 +55,8 @@ function append (file, line)
 end
 
 function line = oneCase (kind, number)
-  lab = testsOfLab (kind, number, mod (number, 2));
+  [lab, twin] = testCase (kind, number);
   names = {lab.gapProblem.effects.name};
-  twin = drawCase (lab, number);
   given = setfield (lab.gapProblem, 'value', twin.y);
   if twin.d < 4                  % nothing there can reach what was drawn
     line = sprintf ('%s,%d,%s,%s,%.4g,,,too weak%s', kind, number, lab.name, ...
@@ -78,24 +76,6 @@ function line = oneCase (kind, number)
     cells = [cells, withheld(lab, twin, given, first, names{twin.cause})];
   end
   line = rowText (cells);
-end
-
-% At 4, 5, 6 or 8, by an effect that can reach it, if there is one.
-function twin = drawCase (lab, number)
-  rand ('twister', 830000 + number);
-  randn ('twister', 830000 + number);
-  K = numel (lab.gapProblem.effects);
-  p = columns (lab.gapProblem.limits);
-  levels = [4, 5, 6, 8];
-  level = levels(1 + mod (number, 4));
-  twin = struct ('theta', 0.1 + 0.8 * rand (1, p), 'phi', zeros (1, K));
-  lab.noise = sqrt (lab.noiseSd.^2 + lab.gapProblem.sd.^2);
-  space = twinsSpace (lab, twin.theta);
-  order = strongFirst (randperm (K), lab, space, twin.theta, level);
-  twin.cause = order(1);
-  twin.phi(twin.cause) = twinsStrength (lab, space, twin.cause, level);
-  twin.d = space.visible (lab.means (twin.theta, twin.phi) - space.base);
-  twin.y = lab.measure (twin.theta, twin.phi);
 end
 
 function data = neutralRuns (lab)

@@ -9,10 +9,11 @@
 %          number of benches), gapProblem, means, run, measure, noiseSd,
 %          isSigned; and tests (1 x m struct, candidates of tryTests, first the
 %          benches held back, then one and another value of each setting of the
-%          case's), each also with run (handle Z = run (THETA, PHI)), both
-%          (the same, of the case's benches and this one), seen (handle: the
-%          runs that evaluate has made, struct X, E, Z) and joined
-%          (gapProblem of the case with this test, three trials)
+%          case's), each also with run and means (handles Z = run (THETA, PHI),
+%          with noise and without), both (as run, of the case's benches and
+%          this one), seen (handle: the runs that evaluate has made, struct X,
+%          E, Z) and joined (gapProblem of the case with this test, three
+%          trials)
 %
 % See also: nextTestStudy
 
@@ -88,7 +89,7 @@ function test = candidate (lab, other, at, origin, setting)
                  'sd', part.gapProblem.sd, ...
                  'effects', part.gapProblem.effects, ...
                  'isExpressed', true (1, K), 'lines', {{}});
-  test.run = part.run;
+  [test.run, test.means] = deal (part.run, part.means);
   test.both = @(theta, phi) [lab.run(theta, phi), part.run(theta, phi)];
   runs = runsOfLab (part.run, part.gapProblem);
   % the handle that the diagnosis gets cannot give more than results back

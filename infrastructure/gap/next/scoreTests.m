@@ -13,8 +13,9 @@
 %     doubt   1 x G, what the surrogates of the test, once it is measured, will
 %             leave open of each explanation: variance over that of a reading of
 %             all trials
-%           and come back with gain (bits about the kind of cause) and pair
-%           (kinds that it tells apart most, see mixtureInformation)
+%           and come back with gain (bits about the kind of cause), pair
+%           (kinds that it tells apart most, see mixtureInformation) and promise
+%           (the gain if the means of the runs were the true ones)
 %   CAUSES  1 x h struct, the hypotheses: P (sum 1), group (explanation that its
 %           mean comes from), kind (number), extent (a sibling's root mean
 %           square size over that of its effect; 0: none)
@@ -35,13 +36,18 @@
 function tests = scoreTests (tests, causes)
   for i = 1:numel (tests)
     groups = groupsOf (tests(i));
-    parts = struct ('mean', {}, 'cov', {});
-    for cause = causes
-      parts(end + 1) = predictive (groups, cause);
-    end
-    [tests(i).gain, tests(i).pair] = ...
-      mixtureInformation (parts, [causes.P], [causes.kind]);
+    [tests(i).gain, tests(i).pair] = gainOf (groups, causes);
+    groups.mean = groups.own;
+    tests(i).promise = gainOf (groups, causes);
   end
+end
+
+function [gain, pair] = gainOf (groups, causes)
+  parts = struct ('mean', {}, 'cov', {});
+  for cause = causes
+    parts(end + 1) = predictive (groups, cause);
+  end
+  [gain, pair] = mixtureInformation (parts, [causes.P], [causes.kind]);
 end
 
 function part = predictive (groups, cause)
@@ -79,7 +85,7 @@ function groups = groupsOf (test)
   posterior = max (V - test.noise.^2, 0);
   reading = test.noise.^2 / test.trials + test.sd.^2;
   sd = sqrt (posterior + reading);
-  groups = struct ('mean', middle + share .* (M - middle), ...
+  groups = struct ('mean', middle + share .* (M - middle), 'own', M, ...
                    'left', share .* E, 'cov', (sd' * sd) .* C, ...
                    'doubt', test.doubt, 'reading', reading);
 end

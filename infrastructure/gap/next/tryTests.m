@@ -21,12 +21,12 @@
 %
 % Compared are the null model and the three likeliest kinds of cause. Each
 % candidate has four runs, one at the mode of each: their differences hold what
-% the cause does there and what the other parameters do that it has. The best
-% two, where they tell half of adviseAt, have three more of each, at draws of
-% the posterior. At most options.testRuns in all.
+% the cause does there and what the other parameters do that it has. What is
+% left of options.testRuns goes in two halves to the three and then to the two
+% that promise most, at draws of the posterior (sequential halving; Karnin,
+% Koren and Somekh 2013): four runs alone seldom tell a test from scatter.
 %
-% What is asked says likelyKinds: which kind, or whether it is the likeliest one
-% itself.
+% likelyKinds says what is asked: which kind, or whether it is the likeliest.
 
 function [tests, state] = tryTests (make, study, w, P, state)
   options = study.models.options;
@@ -38,10 +38,10 @@ function [tests, state] = tryTests (make, study, w, P, state)
   afford = min (state.budget.left, options.testRuns);
   most = max (floor ((afford - 24) / 4), floor (min (afford, 24) / 4));
   for candidate = make ()
-    if numel (tests) >= most || ~isPossible (candidate, sets)
+    if numel (tests) >= most || ~all (candidate.isExpressed([sets.number]))
       continue
     end
-    [test, state] = runSets (candidate, study, sets, state, 'modes');
+    [test, state] = runSets (candidate, study, sets, state, 0);
     if ~isempty (test)
       tests = [tests, test];
     end
@@ -50,16 +50,26 @@ function [tests, state] = tryTests (make, study, w, P, state)
     return
   end
   tests = scoreTests (tests, causes);
-  worth = [tests.gain] ./ [tests.cost];
-  worth([tests.gain] < options.adviseAt / 2) = 0;
-  [~, order] = sort (-worth);
-  for i = order(1:min (2, nnz (worth)))
-    if state.budget.left >= 3 * numel (sets)
-      [tests(i), state] = runSets (tests(i), study, sets, state, 'draws');
+  for rounds = [2, 1]
+    spent = numel (vertcat (tests.group));
+    room = floor ((afford - spent) / rounds / numel (sets));
+    best = bestOf (tests, min (rounds + 1, room), options.adviseAt / 2);
+    for i = best
+      [tests(i), state] = runSets (tests(i), study, sets, state, ...
+                                   min (floor (room / numel (best)), 3));
       tests(i) = scoreTests (tests(i), causes);
     end
   end
   tests = asNext (tests, names);
+end
+
+% None, where the best one is sure: scatter takes little of what it promises.
+function best = bestOf (tests, n, least)
+  [~, best] = sort (-[tests.promise] ./ [tests.cost]);
+  first = tests(best(1));
+  isSure = numel (first.group) > 4 && first.gain > 0.8 * first.promise;
+  best = best([tests(best).promise] >= least & ~isSure);
+  best = best(1:min (n, numel (best)));
 end
 
 % Sets of the explanations: the mode, and draws of the posterior. CAUSES is
@@ -116,47 +126,49 @@ function set = setOf (study, w, h, options)
   white = study.models.white;
   n = numel (white.columns);
   noise = noiseBudget (study.gapProblem, study.em).covariance;
-  noise = noise(white.columns, white.columns);
-  own = sum ((white.W(1:n, :) * noise) .* white.W(1:n, :), 2)';
+  own = sum ((white.W(1:n, :) * noise(white.columns, white.columns)) .* ...
+             white.W(1:n, :), 2)';
   [~, V] = predictGap (white, members, set.mode);
   set.doubt = max (median (V(1:n) ./ own) - 1, 0);
   [~, set.number] = ismember (study.models.names(members), ...
                               {study.gapProblem.effects.name});
   posterior = w.posterior{h};
-  set.draws = repmat (set.mode, 3, 1);
+  n = options.testRuns / 4;
+  set.draws = repmat (set.mode, n, 1);
   if ~isempty (posterior.Q)
-    u = integrationPoints (3, 1, options.seed + h).uniform;
+    u = integrationPoints (n, 1, options.seed + h).uniform;
     at = sum (cumsum (posterior.weight)' < u, 2) + 1;
     at = min (at, rows (posterior.Q));
     set.draws = posterior.Q(at, columns_);
   end
 end
 
-function yes = isPossible (candidate, sets)
-  yes = all (candidate.isExpressed([sets.number]));
-end
-
-% With the results of further runs; [] where a run was not made or gave none.
-function [test, state] = runSets (test, study, sets, state, which)
+% With the results of MORE further runs of each explanation, 0: of the first one
+% of each; [] where a first run was not made or gave no result. Equal draws have
+% packings of their own.
+function [test, state] = runSets (test, study, sets, state, more)
   gapProblem = study.gapProblem;
+  isFirst = more == 0;
+  known = 0;
+  if ~isFirst
+    known = rows (test.Z) / numel (sets);
+  end
   Q = zeros (0, study.em.p + numel (gapProblem.effects));
-  group = zeros (0, 1);
+  [group, packing] = deal (zeros (0, 1));
   for g = 1:numel (sets)
     own = sets(g).mode;
-    if strcmp (which, 'draws')
-      own = sets(g).draws;
+    if ~isFirst
+      own = sets(g).draws(known - 1 + (1:more), :);
     end
     row = zeros (rows (own), columns (Q));
     row(:, [1:study.em.p, study.em.p + sets(g).number]) = own;
     Q = [Q; row];
     group = [group; g * ones(rows (own), 1)];
+    packing = [packing; known + (1:rows (own))'];
   end
-  [Z, state] = results (test, gapProblem, Q, state);
-  isFirst = strcmp (which, 'modes');
+  [Z, state] = results (test, gapProblem, Q, packing, state);
   if ~all (isfinite (Z(:))) || rows (Z) < rows (Q)
-    if isFirst
-      test = [];
-    end
+    test = test(~isFirst);
     return
   end
   if isFirst
@@ -167,22 +179,21 @@ function [test, state] = runSets (test, study, sets, state, which)
   test.group = [test.group; group];
   if isFirst
     test = withNoise (test, study);
-    [test.gain, test.pair] = deal (0, []);
+    [test.gain, test.pair, test.promise] = deal (0, [], 0);
   end
 end
 
 % The bench has one model, the diagnosis any number: only its counts go on.
-function [Z, state] = results (test, gapProblem, Q, state)
+function [Z, state] = results (test, gapProblem, Q, packing, state)
   p = columns (gapProblem.limits);
   phi = Q(:, p + 1:end);
   X = mean (gapProblem.limits) + Q(:, 1:p) .* diff (gapProblem.limits) / 2;
   E = valuesOfStrength (gapProblem.effects, phi);
-  n = rows (X);
   own = struct ('data', newData (p, numel (test.origin), columns (E)), ...
                 'budget', state.budget, 'evaluate', test.evaluate);
   [own.budget.perSet, own.budget.seconds, own.budget.levels] = ...
     deal (1, {[]}, []);
-  own = addRuns (own, gapProblem, X, E, 'next', ones (n, 1));
+  own = addRuns (own, gapProblem, X, E, 'next', packing);
   for name = {'left', 'new', 'reused', 'failed', 'coreSeconds'}
     state.budget.(name{1}) = own.budget.(name{1});
   end
@@ -228,14 +239,12 @@ end
 function list = asNext (tests, names)
   list = [];
   for test = tests
-    one = struct ('test', test.test, 'targets', [], 'gain', test.gain, ...
-                  'cost', test.cost, ...
-                  'gainPerCost', test.gain / test.cost, ...
-                  'between', {names(test.pair)});
-    for name = {'model', 'variable', 'value', 'trials', 'lines'}
+    one = struct ('targets', [], 'gainPerCost', test.gain / test.cost, ...
+                  'between', {names(test.pair)}, 'runs', rows (test.Z));
+    for name = {'test', 'gain', 'cost', 'model', 'variable', 'value', ...
+                'trials', 'lines'}
       one.(name{1}) = test.(name{1});
     end
-    one.runs = rows (test.Z);
     list = [list, one];
   end
 end

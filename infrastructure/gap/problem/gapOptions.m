@@ -94,7 +94,8 @@
 %                  advised, and none sought (0.2: a yes or no that is right in
 %                  three of four cases)
 %     testRuns     most runs of tests that the case does not have (72: twelve
-%                  tests with four runs, the best two with twelve more)
+%                  tests with four runs, half of the rest for the best three,
+%                  half for the best two)
 %     fitMargin    misfit that a fit may leave because it ends early (0.02: ten
 %                  times the step in log density at which fitHypothesis ends)
 %
