@@ -46,7 +46,14 @@ function html = parameters (page)
                     {'parameter', 'value', 'from', 'to', 'lower limit', ...
                      'upper limit', ...
                      '<span class="words">what is known</span>'}, cells), ...
-          looseOnes(c)];
+          intervalNote(c), looseOnes(c)];
+end
+
+function html = intervalNote (c)
+  html = char (jsonAt (c, {'intervalNote'}));
+  if ~isempty (html)
+    html = ['<p>The intervals are ', htmlText(html), '.</p>'];
+  end
 end
 
 function html = boxTable (page)
@@ -237,5 +244,7 @@ end
 %!   assert (! isempty (strfind (html, text{1})));
 %! end
 %! page.sources.calibration.correlation = [];
+%! page.sources.calibration.intervalNote = 'not to be used';
 %! html = parameters (page);
+%! assert (! isempty (strfind (html, 'intervals are not to be used.</p>')));
 %! assert (numel (strfind (html, '>flat direction<')), 2);
