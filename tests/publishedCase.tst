@@ -155,5 +155,8 @@
 %!   assert (! c.converged);
 %!   assert (strncmp (c.reason, 'published method', 16));
 %!   assert (! isempty (strfind (c.reason, 'a robust calibration would')));
-%!   assert (! isempty (strfind (out, '2 rows beyond the targets, all are')));
+%!   for word = {'2 rows beyond the targets, all are', ...
+%!               'set that was found: residuals (%)'}
+%!     assert (! isempty (strfind (out, word{1})));
+%!   end
 %! end
