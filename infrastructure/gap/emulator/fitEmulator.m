@@ -20,7 +20,7 @@
 %       looMax, Q2, range (all 1 x T), correlation (T x T, of errors within a
 %       bench)
 %     surrogates (1 x T struct of fitSurrogate), base (struct X, Z: its runs)
-%     success, effect.success   of learnSuccess: where a bench gives a result
+%     success, effect.success   where a bench gives a result (learnSuccess)
 %     levelShare  share of an effect that changes between the first and the last
 %       level, a standard deviation (levelShare)
 %
@@ -85,7 +85,7 @@ function em = fitEmulator (gapProblem, data, options, old)
   end
   em.effect = learnAll (em, gapProblem.effects, runs, 1:columns (phi), ...
                         old.effect);
-  em.joint = jointEffects (em, runs);
+  em.joint = learnJoint (em, runs);
   [em.success, own] = learnSuccess (gapProblem.bench, theta, phi, data.Z);
   for k = 1:numel (own)
     em.effect(k).success = own{k};
@@ -131,20 +131,6 @@ function effects = learnAll (em, candidates, runs, numbers, old)
   end
 end
 
-function joint = jointEffects (em, runs)
-  joint = [];
-  simulated = find (~[em.effect.laboratory] & [em.effect.runs] > 0);
-  if numel (simulated) < 2
-    return
-  end
-  isOn = abs (runs.phi) >= 1e-9;
-  for pair = nchoosek (simulated, 2)'
-    own = runsOf (runs, all (isOn(:, pair), 2) & sum (isOn, 2) == 2);
-    own.phi = own.phi(:, pair);
-    joint = [joint, learnJoint(em, pair', own)];
-  end
-end
-
 % The same runs in another order give other last digits, and then other sets to
 % verify: a second start finds its runs in the order in which they ended.
 function data = inOrder (data)
@@ -177,15 +163,58 @@ function theta = scaled (X, limits)
   theta = 2 * (X - limits(1, :)) ./ (limits(2, :) - limits(1, :)) - 1;
 end
 
+% Logistic regression of success (NaN: none, NA: not run) on 1 and parameters
+% (BASE; zeros where no run of the bench has failed), and |phi| and phi of each
+% effect (OWN): where the measurement went through, strengths at which the model
+% jams are unlikely. Maximum posterior with coefficients N (0, 3^2), the
+% intercept free, by Newton's method. Strengths count threefold, so that within
+% its range an effect may lead from sure to impossible.
+function [base, own] = learnSuccess (bench, theta, phi, Z)
+  p = columns (theta);
+  K = columns (phi);
+  F = [ones(rows (theta), 1), theta, 3 * abs(phi), 3 * phi];
+  B = max (bench);
+  coef = zeros (columns (F), B);
+  for b = 1:B
+    own = Z(:, bench == b);
+    isRun = ~any (isna (own), 2);
+    none = all (isnan (own), 2) & isRun;
+    if any (none) && any (isRun & ~none)
+      coef(:, b) = logistic (F(isRun, :), ~none(isRun));
+    end
+  end
+  base = coef(1:p + 1, :);
+  own = cell (1, K);
+  for k = 1:K
+    own{k} = 3 * coef(p + 1 + [k, K + k], :);
+  end
+end
+
+function coef = logistic (F, yes)
+  precision = [1e-4; ones(columns (F) - 1, 1)] / 9;
+  share = mean (yes);
+  coef = [log(share / (1 - share)); zeros(columns (F) - 1, 1)];
+  for step = 1:50
+    p = 1 ./ (1 + exp (-F * coef));
+    g = F' * (yes - p) - precision .* coef;
+    H = F' * (max (p .* (1 - p), 1e-6) .* F) + diag (precision);
+    move = H \ g;
+    move = move / max (1, norm (move) / 4);
+    coef = coef + move;
+    if norm (move) < 1e-6
+      return
+    end
+  end
+end
+
 %!test
 %! % means of the emulator agree with the laboratory within its own variances
 %! % (mean of 24 x 50 squared errors over variances: 4 deviations allowed)
 %! rand ('twister', 1); randn ('twister', 1);
 %! lab = standInGap (0);
-%! given = setfield (lab.gapProblem, 'value', ones (1, 24));
-%! gapProblem = newGapProblem (given);
-%! data = lab.plan (30, 10);
-%! em = fitEmulator (gapProblem, data, gapOptions (struct ('trend', 'affine')));
+%! lab.gapProblem.value = ones (1, 24);
+%! em = fitEmulator (newGapProblem (lab.gapProblem), lab.plan (30, 10), ...
+%!                   gapOptions (struct ('trend', 'affine')));
 %! theta = rand (50, 4);
 %! phi = [zeros(50, 2), rand(50, 1), zeros(50, 7)];
 %! budget = struct ('covariance', diag (lab.noiseSd .^ 2), ...
@@ -199,7 +228,23 @@ end
 %! assert (em.effect(9).laboratory && em.effect(9).runs == 0);
 %!error id=DEcalioc:fitEmulator:badValue
 %! lab = standInGap (0);
-%! given = setfield (lab.gapProblem, 'value', ones (1, 24));
-%! gapProblem = newGapProblem (given);
-%! fitEmulator (gapProblem, lab.plan (4, 2), ...
-%!              gapOptions (struct ('trend', 'affine')));
+%! lab.gapProblem.value = ones (1, 24);
+%! fitEmulator (newGapProblem (lab.gapProblem), lab.plan (4, 2), struct ());
+%!test
+%! % a bench jams where the effect is strong, never without (seeded)
+%! rand ('twister', 1);
+%! X = rand (60, 1);
+%! E = [zeros(30, 1); rand(30, 1)];
+%! Z = [X + E, X + 0.1 * rand(60, 1)];
+%! Z(E > 0.6, 2) = NaN;
+%! effect = struct ('name', 'e', 'variables', {{'e'}}, 'neutral', 0, ...
+%!                  'limits', [0; 1]);
+%! given = struct ('value', [1, 1], 'sd', [1, 1], 'limits', [0; 1], ...
+%!                 'bench', [1, 2], 'effects', effect);
+%! data = struct ('X', X, 'E', E, 'Z', Z, 'replicate', 1 + 0 * X);
+%! em = fitEmulator (newGapProblem (given), data, gapOptions ([]));
+%! assert (em.success(:, 1), [0; 0]);
+%! p = @(phi) 1 / (1 + exp (-em.success(1, 2) - ...
+%!                          [phi, phi] * em.effect.success(:, 2)));
+%! assert ([p(0), p(0.1)] > [0.95, 0.9]);
+%! assert (p(1) < 0.2);

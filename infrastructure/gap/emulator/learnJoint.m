@@ -1,19 +1,35 @@
 % LEARNJOINT  Learns what two effects do together beyond what each does alone.
 %
-% CALL: JOINT = learnJoint (EM, PAIR, RUNS)
+% CALL: JOINT = learnJoint (EM, RUNS)
 %
 %   EM     struct of fitEmulator with its effects
-%   PAIR   1 x 2, numbers of two effects that DEM runs
-%   RUNS   runs with both on, see learnEffect; phi n x 2
-%   JOINT  struct members, powers, coef (q x T), bend, points, varOverPsi2
-%          (M x T: variance over the product of the bent strengths squared),
-%          varPowers, laboratory (false), runs
+%   RUNS   all runs, see learnEffect; phi n x K
+%   JOINT  1 x J struct, of each pair of effects that DEM runs: members, powers,
+%          coef (q x T), bend, points, varOverPsi2 (M x T: variance over the
+%          product of the bent strengths squared), varPowers, laboratory
+%          (false), runs
 %
 % Without a run the two add up, within 0.3 of the geometric mean of their sizes:
 % nobody knows yet. Runs with both effects on (rows of a factorial plan) replace
 % that guess by a product term that may change with the parameters.
 
-function joint = learnJoint (em, pair, runs)
+function joint = learnJoint (em, runs)
+  joint = [];
+  simulated = find (~[em.effect.laboratory] & [em.effect.runs] > 0);
+  if numel (simulated) < 2
+    return
+  end
+  isOn = abs (runs.phi) >= 1e-9;
+  for pair = nchoosek (simulated, 2)'
+    at = all (isOn(:, pair), 2) & sum (isOn, 2) == 2;
+    own = struct ('theta', runs.theta(at, :), 'phi', runs.phi(at, pair), ...
+                  'Z', runs.Z(at, :), 'mean', runs.mean(at, :), ...
+                  'variance', runs.variance(at, :));
+    joint = [joint, ofPair(em, pair', own)];
+  end
+end
+
+function joint = ofPair (em, pair, runs)
   p = em.p;
   T = columns (em.coef);
   one = em.effect(pair(1));
@@ -60,14 +76,17 @@ end
 %! em = struct ('p', 1, 'coef', zeros (1, 2), 'noiseVar', [0.01, 0.01], ...
 %!              'range', [4, 1]);
 %! em.effect = struct ('powers', [0, 1], 'coef', {[4, 0], [4, 1]}, ...
-%!                     'bend', 1, 'varOverPsi2', 1e-4 * [1, 1]);
-%! none = learnJoint (em, [1, 2], struct ('Z', zeros (0, 2)));
+%!                     'bend', 1, 'varOverPsi2', 1e-4 * [1, 1], ...
+%!                     'laboratory', false, 'runs', 8);
+%! none = struct ('theta', 0, 'phi', [1, 0], 'Z', [1, 1], 'mean', [1, 1], ...
+%!                'variance', [0, 0]);
+%! none = learnJoint (em, none);
 %! assert (none.varOverPsi2, [0.09 * 16, 0], 1e-9);
 %! Q = [2 * rand(8, 1) - 1, 0.3 + 0.7 * rand(8, 2)];
 %! Z = [4 * Q(:, 2) + 4 * Q(:, 3) + 4 * Q(:, 2) .* Q(:, 3), Q(:, 3)] + ...
 %!     0.1 * randn (8, 2);
 %! runs = struct ('theta', Q(:, 1), 'phi', Q(:, 2:3), 'Z', Z, ...
 %!                'mean', 0 * Z, 'variance', 0 * Z);
-%! joint = learnJoint (em, [1, 2], runs);
+%! joint = learnJoint (em, runs);
 %! assert (joint.coef(1, 1), 4, 0.6);
 %! assert (joint.varOverPsi2(1) < none.varOverPsi2(1));

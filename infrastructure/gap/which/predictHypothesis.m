@@ -6,7 +6,7 @@
 %   U         n x d, normal coordinates (fromNormal)
 %   M, V      n x T, mean and variance of the whitened results
 %   L         n x 1, log probability that all benches give a result (see
-%             learnSuccess; 0 where no run has failed)
+%             fitEmulator; 0 where no run has failed)
 %   J         1 x d cell of n x T, slopes of M along U
 %   G         n x T, slope of log V along the last coordinate where H has a
 %             spread, else 0
