@@ -40,8 +40,10 @@ function records = executeLocal (jobs, Case, report)
   tidy = onCleanup (@() leave (book));
   while ~all (plan.status == 'd')
     try
-      % a run has two steps, and each answer may cost a turn without a step
-      turns = num2cell (1:24 + 4 * sum (plan.status ~= 'd'));
+      % a run has two steps; what is open when the turns end, the next call does
+      plan.turns = 64;
+      book('plan') = plan;
+      turns = num2cell (1:plan.turns);
       [~] = parcellfun (plan.workers, turn, turns, 'CumFunc', hand, ...
                         'UniformOutput', false, 'VerboseLevel', 0);
     catch err
@@ -65,7 +67,7 @@ function plan = newPlan (jobs, Case)
                  'born', zeros (1, n), 'usual', NaN (1, n), 'last', last, ...
                  'records', repmat (newRecord (jobs(1), ''), 1, n), ...
                  'place', tempname (), 'workers', min ([8, nproc(), n + 1]), ...
-                 'start', tic (), 'guardsSeen', 0, 'losses', 0);
+                 'start', tic (), 'guardsSeen', 0, 'losses', 0, 'turns', 0);
   mkdir (plan.place);
 end
 
@@ -77,7 +79,9 @@ function none = handOut (book, answers, Case, report)
   for answer = answers
     plan = bookAnswer (plan, answer, Case, report);
   end
-  isKept = true;
+  % with its last turns given out the call must end: nobody would take an order
+  plan.turns = plan.turns - 1;
+  isKept = plan.turns > plan.workers + 1;
   while isKept && ~all (plan.status == 'd')
     plan = lookAtRuns (plan, Case, report);
     [plan, k] = nextStep (plan, Case);
@@ -237,3 +241,9 @@ end
 %! assert (text, '1/4 2/4 3/4 4/4 ');
 %! assert ({r.key}, {jobs.key});
 %! assert ([r.results], [3, 2, -1, 7, 12, -1], 1e-12);
+%!test
+%! % more steps than one call of parcellfun has turns
+%! Case = newCase (standInCase (tempname ()));
+%! jobs = newJobs (Case, (1:20)' * [1, 1], [], 1, 'plan');
+%! r = executeLocal (jobs, Case, @(s) []);
+%! assert (all (strcmp ({r.status}, 'ok')));
