@@ -34,7 +34,8 @@
 %                 and perCondition (1 x p logical, parameters that are other
 %                 ones there); the diagnosis is one of the change then ([])
 %   GAPPROBLEM  the same with every field present, rows as rows, and used,
-%     heldOut, possible (numbers of targets), kept, unit (see enterRuns)
+%     heldOut, possible (numbers of targets), kept, unit (see enterRuns),
+%     paramPrior (struct mean, sd: 1 x p in [-1, 1]; sd Inf: uniform)
 %
 % Errors: DEcalioc:newGapProblem:missingField, :badShape, :badValue
 %
@@ -60,6 +61,7 @@ function gapProblem = newGapProblem (given)
   gapProblem.used = find (isfinite (gapProblem.value) & ~gapProblem.held);
   gapProblem.heldOut = find (isfinite (gapProblem.value) & gapProblem.held);
   gapProblem.possible = find (~isfinite (gapProblem.value));
+  gapProblem.paramPrior = priorOf (gapProblem);
   gapProblem.kept = 1:T;
   gapProblem.unit = ones (1, T);
   if isempty (gapProblem.used)
@@ -67,6 +69,15 @@ function gapProblem = newGapProblem (given)
            ['newGapProblem: VALUE must hold at least one measured value ' ...
             'that is not held out, got none.']);
   end
+end
+
+function prior = priorOf (gapProblem)
+  half = diff (gapProblem.limits) / 2;
+  prior.mean = (gapProblem.paramMean - mean (gapProblem.limits)) ./ half;
+  prior.sd = gapProblem.paramSd ./ half;
+  without = ~isfinite (prior.mean) | ~isfinite (prior.sd);
+  prior.mean(without) = 0;
+  prior.sd(without) = Inf;
 end
 
 function gapProblem = withDefaults (given, T, p)
@@ -199,6 +210,10 @@ end
 %! gapProblem = newGapProblem (given);
 %! assert (gapProblem.used, 1);
 %! assert (gapProblem.heldOut, 2);
+%! given.limits = [0, 2; 1, 6];
+%! [given.paramMean, given.paramSd] = deal ([0.75, NaN], [0.1, NaN]);
+%! assert (newGapProblem (given).paramPrior, ...
+%!         struct ('mean', [0.5, 0], 'sd', [0.2, Inf]), 1e-12);
 %!test
 %! % what is no description, and names that would write over each other, or over
 %! % a probability

@@ -8,7 +8,7 @@
 %   EM                         of fitEmulator, then of takeReference
 
 function em = emulate (gapProblem, data, options, varargin)
-  old = cellfun (@simulationOf, varargin, 'UniformOutput', false);
+  old = cellfun (@takeReference, varargin, 'UniformOutput', false);
   em = takeReference (fitEmulator (gapProblem, data, options, old{:}), ...
                       gapProblem);
 end

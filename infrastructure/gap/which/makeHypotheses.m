@@ -19,7 +19,7 @@ function models = makeHypotheses (gapProblem, em, options, targets)
   end
   budget = noiseBudget (gapProblem, em);
   models.white = whitenEmulator (em, targets, budget);
-  models.prior = parameterPrior (gapProblem);
+  models.prior = gapProblem.paramPrior;
   kinds = discrepancyKinds (gapProblem, em, budget, models.white);
   starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
   models = hypothesisTable (models, kinds, starts);

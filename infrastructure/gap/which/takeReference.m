@@ -1,8 +1,9 @@
 % TAKEREFERENCE  Turns an emulator into that of a change from a reference.
 %
 % CALL: EM = takeReference (EM, GAPPROBLEM)
+% CALL: EM = takeReference (EM)        the one of the simulation again
 %
-%   EM          struct of fitEmulator, of the simulation as it is
+%   EM          struct of fitEmulator, or what this has made of it
 %   GAPPROBLEM  struct of newGapProblem; without reference EM stays as it is
 %   EM          coef then foretells what is measured in the other condition
 %               where nothing has changed; surrogateVar and fitVar are nearly 0,
@@ -33,10 +34,10 @@
 
 function em = takeReference (em, gapProblem)
   em = simulationOf (em);
-  reference = gapProblem.reference;
-  if isempty (reference)
+  if nargin < 2 || isempty (gapProblem.reference)
     return
   end
+  reference = gapProblem.reference;
   own = noiseBudget (gapProblem, em);
   before = noiseBudget (ofReference (gapProblem), em);
   at = find (isfinite (reference.value));
@@ -58,6 +59,15 @@ function em = takeReference (em, gapProblem)
   weight = weight / sum (weight);
   em = mixed (em, gapProblem, own, [parts{:}], weight, at);
   em.change.size = sqrt (weight * (sizes.^2)');
+end
+
+function em = simulationOf (em)
+  if ~isempty (em.change)
+    for name = fieldnames (em.change.plain)'
+      em.(name{1}) = em.change.plain.(name{1});
+    end
+  end
+  [em.change, em.known] = deal ([]);
 end
 
 function gapProblem = ofReference (gapProblem)
@@ -96,7 +106,7 @@ end
 function part = fitReference (em, gapProblem, before, lack, at)
   before.covariance = before.covariance + lack;
   white = whitenEmulator (withoutEffects (em), at, before);
-  prior = parameterPrior (gapProblem);
+  prior = gapProblem.paramPrior;
   starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
   null = newHypothesis ('null');
   unknowns = viewHypothesis (white, null, prior).unknowns;
@@ -196,8 +206,9 @@ end
 %! assert (told, given.reference.value, 1);
 %! assert (abs (new.change.lack(3:4) - [5, -4]) < 1);
 %! assert (diag (new.change.covariance)'(3:4) > 1.5);
-%! assert (isempty (simulationOf (new).change));
-%! assert (simulationOf (new).coef, em.coef);
+%! plain = takeReference (new);
+%! assert ({plain.coef, plain.known, plain.change}, {em.coef, [], []});
+%! assert (takeReference (plain), plain);
 %!test
 %! % no lack: the model is believed, and the reference tells the parameter
 %! given.reference.value = [1.5, 0.5, 0, 0];
