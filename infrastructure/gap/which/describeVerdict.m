@@ -24,7 +24,8 @@
 %                 scale halved, doubled
 %     numbers     struct error (largest, of the logarithms of the evidences that
 %                 matter), ess (least effective number of points)
-%     hypotheses  struct array, likeliest first
+%     hypotheses  1 x H struct members (cellstr), kind, probability, likeliest
+%                 first
 
 function named = describeVerdict (w, verdict, models, gapProblem)
   names = models.names;
@@ -72,16 +73,10 @@ function numbers = numbersOf (w, verdict)
 end
 
 function list = hypothesesOf (w, verdict, names)
-  [~, order] = sort (-verdict.P);
-  list = struct ('members', {}, 'kind', {}, 'probability', {}, ...
-                 'logEvidence', {}, 'error', {}, 'ess', {});
-  for h = order
-    list(end + 1) = struct ('members', {names(w.members{h})}, ...
-                            'kind', w.kind{h}, ...
-                            'probability', verdict.P(h), ...
-                            'logEvidence', w.logE(h), 'error', w.error(h), ...
-                            'ess', w.ess(h));
-  end
+  [P, order] = sort (verdict.P, 'descend');
+  members = cellfun (@(m) names(m), w.members(order), 'UniformOutput', false);
+  list = struct ('members', members, 'kind', w.kind(order), ...
+                 'probability', num2cell (P));
 end
 
 % From the likeliest hypothesis that holds the effect and was integrated.
