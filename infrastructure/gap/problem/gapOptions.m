@@ -63,7 +63,7 @@
 %     gluedAt      posterior mass at the end of the range of a strength from
 %                  which this is said (0.5: likelier outside than inside)
 %     confusedAt   chance to mistake one effect for another at which they form a
-%                  group (0.1, see confusion)
+%                  group (0.1, see nameCause)
 %     caveatAt     probability of siblings at which a group says so (0.1)
 %     leftAt       standard deviations by which DEM runs with the named effect
 %                  may miss a target, and from which one miss is a gap to close

@@ -115,8 +115,8 @@ function groups = confusedGroups (screen, models)
   for k = 1:K
     d = screen.size(k) / 2;
     linked(k, :) = d > 0 & screen.size > 0 & ...
-                   confusion (screen.cosine(k, :), d) > ...
-                   models.options.confusedAt;
+                   normalTail (d * sqrt (max (1 - screen.cosine(k, :), 0) / ...
+                                         2)) > models.options.confusedAt;
   end
   linked = linked & linked';
   groups = {};

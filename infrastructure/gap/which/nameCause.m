@@ -121,13 +121,15 @@ function rival = rivalsOf (w, verdict, strong, options)
 end
 
 % The fewest likely effects that have groupAt together: two or three; more where
-% the noise takes each of them for the likeliest one.
+% the noise takes each of them for the likeliest one: of two Gaussians whose
+% means are the signatures half their distance decides.
 function verdict = nameGroup (verdict, w, models)
   [~, order] = sort (-verdict.total);
   top = verdict.top;
   singles = find (strcmp (w.kind, 'single'));
   d = abs (w.phi(singles(top))) * w.screen.size(top);
-  alike = confusion (w.screen.cosine(top, :), d) > models.options.confusedAt;
+  half = d * sqrt (max (1 - w.screen.cosine(top, :), 0) / 2);
+  alike = normalTail (half) > models.options.confusedAt;
   for n = 2:numel (order)
     set = order(1:n);
     if n > 3 && ~all (alike(setdiff (set, top)))
