@@ -1,7 +1,6 @@
 % GAPPROBLEMOF  The problem of a case, with what the diagnosis adds to it.
 %
-% CALL: [GIVEN, NOTES] = gapProblemOf (CASE)
-% CALL: [GIVEN, NOTES] = gapProblemOf (CASE, C)
+% CALL: [GIVEN, NOTES] = gapProblemOf (CASE [, C])
 %
 %   CASE   see newCase, effects as of resolveEffects
 %   C      number of a condition of CASE: its values are the measured ones then,
@@ -60,6 +59,26 @@ function [given, note] = withGuessedSd (given)
   end
 end
 
+% Of a change: values of the condition; those of the reference are in the field
+% reference, see newGapProblem.
+function given = withCondition (given, Case, c)
+  names = {'value', 'sd', 'trials', 'scatter'};
+  for name = names
+    given.reference.(name{1}) = given.(name{1});
+  end
+  given.reference.perCondition = Case.perCondition;
+  given.reference.condition = Case.conditions{c};
+  for t = 1:numel (Case.targets)
+    own = Case.targets(t).changed(c);
+    if own.sd == 0
+      own.sd = given.sd(t);
+    end
+    for name = names
+      given.(name{1})(t) = own.(name{1});
+    end
+  end
+end
+
 function [given, note] = withCorrelation (given)
   note = {};
   lengths = given.correlation;
@@ -112,21 +131,15 @@ function e = oneEffect (effect, info, given, library)
     e.scale = min (max (max (ratio), 0.1), 2);
   end
   if effect.laboratory
-    [top, other] = furtherLimit (effect.limits);
+    ends = effect.limits([2, 1]);
+    [~, further] = max (abs (ends));
+    top = ends(further);
     [e.offset, e.matrix] = linearPart (effect, top, info, given.bench);
-    e.range = [min(other / top, 0), 1];
+    e.range = [min(ends(3 - further) / top, 0), 1];
     e.strongest = top;
     e.limits = zeros (2, 0);
     e.variables = {};
     e.neutral = [];
-  end
-end
-
-function [top, other] = furtherLimit (limits)
-  top = limits(2);
-  other = limits(1);
-  if abs (other) > abs (top)
-    [top, other] = deal (other, top);
   end
 end
 
@@ -167,9 +180,8 @@ end
 %! kinds = {'angle', 'mass'};
 %! for k = 1:2
 %!   mkdir (Case.models(k).folder);
-%!   id = fopen (fullfile (Case.models(k).folder, 'results.csv'), 'w');
-%!   fprintf (id, 'name,kind,unit,series,at,text\nr,%s,,,,x\n', kinds{k});
-%!   fclose (id);
+%!   writeAtomic (fullfile (Case.models(k).folder, 'results.csv'), ...
+%!     sprintf ("name,kind,unit,series,at,text\nr,%s,,,,x\n", kinds{k}));
 %! end
 %! Case.folder = folder;
 %! Case.names = {'mu'};
@@ -177,27 +189,21 @@ end
 %! [Case.paramMean, Case.paramSd] = deal (0.4, 0.1);
 %! Case.effects = resolveEffects ({'cameraRoll', 'gain', 'cohesion'});
 %! [given, notes] = gapProblemOf (Case);
+%! assert (effectsOfModel (Case.models(2).folder, Case.effects(2)));
 %! % limits of the user's own: only too little, and mostly too little
 %! Case.effects(2).limits = [-0.05; 0];
 %! little = gapProblemOf (Case).effects(2);
 %! Case.effects(2).limits = [-0.05; 0.01];
 %! mostly = gapProblemOf (Case).effects(2);
-%! Case.effects(2).limits = [-0.05; 0];
-%! can = effectsOfModel (Case.models(2).folder, Case.effects(2));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
 %! assert (given.effects(1).offset, [2, 0]);
 %! assert (given.effects(2).matrix, [0, 0; 0, 0.05], 1e-12);
 %! assert (little.matrix(2, 2), -0.05, 1e-12);
 %! assert ([little.range, mostly.range], [0, 1, -0.2, 1], 1e-12);
 %! assert ([little.strongest, mostly.strongest], [-0.05, -0.05]);
-%! assert (can);
 %! assert (ismember ('liquidBridge', given.effects(3).siblings));
-%! assert (given.sd, [0.1, 0.1]);
-%! assert (given.sdKnown, [true, false]);
 %! assert (newGapProblem (given).sdKnown, [true, false]);
-%! assert (given.trials, [3, Inf]);
-%! assert (given.benchCost, [1, 7]);
+%! assert ({given.sd, given.trials, given.benchCost}, ...
+%!         {[0.1, 0.1], [3, Inf], [1, 7]});
 %! assert ([given.paramMean, given.paramSd], [0.4, 0.1]);
 %! assert (numel (notes), 1);
 %! assert (! isempty (strfind (notes{1}, ['no measurement uncertainty ', ...
@@ -219,9 +225,7 @@ end
 %! [Case.paramMean, Case.paramSd] = deal (NaN);
 %! Case.effects = [];
 %! given = gapProblemOf (Case);
-%! C = diag ([1, 4, 4]);
-%! C(1, 2) = C(2, 1) = 2 / e;
-%! assert (given.covariance, C, 1e-5);
+%! assert (given.covariance, [1, 2 / e, 0; 2 / e, 4, 0; 0, 0, 4], 1e-5);
 %! assert (given.estimateSeries, false (1, 3));
 %! % to be estimated: no covariance yet
 %! [Case.targets.correlation] = deal (NaN);
@@ -235,5 +239,12 @@ end
 %! assert (! isempty (regexp (notes{1}, 'optim.correlation .* of A$')));
 %! [Case.targets(2).value, Case.targets(2).role] = deal (1, 'holdout');
 %! assert (gapProblemOf (Case).estimateSeries, false (1, 3));
-%! confirm_recursive_rmdir (false, 'local');
-%! rmdir (folder, 's');
+%! % of a change: its condition, with the sd of the reference where it has none
+%! [Case.perCondition, Case.conditions] = deal (true, {'moist'});
+%! [Case.targets.changed] = deal (struct ('value', 7, 'sd', 0, 'trials', 3, ...
+%!                                        'scatter', true));
+%! given = gapProblemOf (Case, 1);
+%! assert ([given.value; given.sd; given.trials; given.scatter], ...
+%!         [7, 7, 7; 1, 2, 2; 3, 3, 3; 1, 1, 1]);
+%! assert ({given.reference.value, given.reference.condition}, ...
+%!         {[1, 1, 1], 'moist'});
