@@ -12,7 +12,8 @@
 % same numbers from the 152 other sets of that fixed plan. The case is
 % examples/hiddenEffect with nothing held out, diagnosed by bin/decalioc; of the
 % runs of an earlier case in WORK it takes the neutral plan, which is the same
-% for all, as if it had made them.
+% for all. Sets are those of the plan, of the effects and those that verify;
+% newRuns, coreMinutes and minutes do not hold a plan that was taken.
 %
 % Where the verdict leaves open which kind of cause it is (group or undecided,
 % but for a look-alike that nobody listed), the advised test, if it tells 0.2
@@ -32,7 +33,7 @@ function runStudy (numbers, work, file)
   pkg ('load', 'stk');
   if ~isfile (file)
     append (file, ['row,truth,strength,d,fixedPlan,said,sets,newRuns,', ...
-                   'coreMinutes,minutes,test,gain,between,after,setsAfter,', ...
+                   'coreMinutes,minutes,test,gain,between,after,runsAfter,', ...
                    'right,wrong,onceBench,onceGain,once,onceRight,onceWrong']);
   end
   done = str2double (regexp (fileread (file), '^\d+', 'match', 'lineanchors'));
@@ -60,9 +61,10 @@ function line = oneCase (number, given, data, work, root)
   first = diagnosed (folder, root);
   minutes = (time () - start) / 60;
   spent = first.demRuns;
+  plan = 30;                            % its neutral sets, Input.numOfSam
   cells = [{number}, truth.cells, ...
-           {said(first), spent.sets, spent.new, spent.coreSeconds / 60, ...
-            minutes}];
+           {said(first), plan + spent.sets, spent.new, ...
+            spent.coreSeconds / 60, minutes}];
   if ~any (strcmp (first.which.verdict, {'group', 'undecided'})) || ...
      strcmp (first.which.guard, 'look-alike')
     cells(11:22) = {'not withheld', '', '', '', '', '', '', '', '', '', '', ''};
@@ -120,7 +122,7 @@ function takePlan (folder, work, given)
   end
   from = fileparts (fileparts (done{1}));
   for file = glob (fullfile (from, 'optim', '*', '*', 'record.json'))'
-    record = readJsonFile (file{1});
+    record = readRecord (file{1});
     if strcmp (record.stage, 'plan') && ...
        isequal (record.effects(:)', [dem.neutral])
       to = fullfile (folder, 'optim', record.model);
@@ -169,7 +171,7 @@ function cells = withheld (first, truth, folder, root)
     end
   end
   cells = [{best.test, best.gain, strjoin(cellstr (best.between)', ' or '), ...
-            said(after), after.demRuns.sets}, judged(after, truth), ...
+            said(after), after.demRuns.new}, judged(after, truth), ...
            {once.model, once.gain, said(again)}, judged(again, truth)];
 end
 
