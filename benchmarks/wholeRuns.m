@@ -1,6 +1,7 @@
 % WHOLERUNS  Whole diagnoses on LIGGGHTS from an empty store, next tests too.
 %
 % CALL: octave-cli benchmarks/wholeRuns.m ROWS WORK CSV
+%       octave-cli benchmarks/wholeRuns.m ROWS WORK CSV plan
 %
 %   ROWS  rows of the stored campaign examples/hiddenEffect, e.g. 31,69
 %   WORK  folder of the cases (WORK/ROW), kept; a case that lies there goes on
@@ -23,13 +24,19 @@
 % tells most of those measured already, once more. Right is a name of the true
 % cause, or a verdict that it is this one or something that looks like it.
 %
+% With the word plan no next test is sought: the toolbox is copied to
+% WORK/toolbox, without the files that say what an experimenter can change.
+%
 % See also: fillTest, leftOut, nextTestStudy, planStudy
 
 1;
 
-function runStudy (numbers, work, file)
+function runStudy (numbers, work, file, isPlan)
   addpath (fileparts (mfilename ('fullpath')));
   root = startBenchmarks ();
+  if isPlan
+    root = withoutSettings (root, fullfile (work, 'toolbox'));
+  end
   pkg ('load', 'stk');
   if ~isfile (file)
     append (file, ['row,truth,strength,d,fixedPlan,said,sets,newRuns,', ...
@@ -39,7 +46,17 @@ function runStudy (numbers, work, file)
   done = str2double (regexp (fileread (file), '^\d+', 'match', 'lineanchors'));
   [given, data] = storedCampaign ('hiddenEffect', root);
   for number = setdiff (numbers, done, 'stable')
-    append (file, oneCase (number, given, data, work, root));
+    append (file, oneCase (number, given, data, work, root, isPlan));
+  end
+end
+
+function to = withoutSettings (root, to)
+  if ~isfolder (to)
+    [~, ~] = mkdir (fileparts (to));
+    system (sprintf (['git -C %s archive --prefix=toolbox/ HEAD | ', ...
+                      'tar -x -C %s'], root, fileparts (to)));
+    system (sprintf (['rm -f %s/DEMmodels/*/settings.csv ', ...
+                      '%s/DEMmodels/*/scatter.csv'], to, to));
   end
 end
 
@@ -50,7 +67,7 @@ function append (file, line)
   printf ('%s\n', line);
 end
 
-function line = oneCase (number, given, data, work, root)
+function line = oneCase (number, given, data, work, root, isPlan)
   truth = truthOf (number, given, data, root);
   folder = fullfile (work, sprintf ('%d', number));
   if ~isfile (fullfile (folder, 'loadInput.m'))
@@ -65,7 +82,9 @@ function line = oneCase (number, given, data, work, root)
   cells = [{number}, truth.cells, ...
            {said(first), plan + spent.sets, spent.new, ...
             spent.coreSeconds / 60, minutes}];
-  if ~any (strcmp (first.which.verdict, {'group', 'undecided'})) || ...
+  if isPlan
+    cells(11:22) = {'not sought', '', '', '', '', '', '', '', '', '', '', ''};
+  elseif ~any (strcmp (first.which.verdict, {'group', 'undecided'})) || ...
      strcmp (first.which.guard, 'look-alike')
     cells(11:22) = {'not withheld', '', '', '', '', '', '', '', '', '', '', ''};
   else
@@ -215,4 +234,4 @@ end
 
 args = argv ();
 runStudy (str2num (['[', args{1}, ']']), make_absolute_filename (args{2}), ...
-          make_absolute_filename (args{3}));
+          make_absolute_filename (args{3}), numel (args) > 3);
