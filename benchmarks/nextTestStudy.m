@@ -17,7 +17,7 @@
 % of cause is known. There the advised test is measured with the truth, three
 % trials, and the diagnosis goes on with it: all runs so far, those that were
 % made to seek the test, the neutral runs and half of those of each effect on
-% the new bench (completeBenches), and what the plan then asks for. Beside it,
+% the new bench (completePlan), and what the plan then asks for. Beside it,
 % in the same cases, the bench that tells most of those measured already, once
 % more, with as many further runs as the plan asks for.
 %

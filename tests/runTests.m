@@ -27,6 +27,9 @@ function files = testFiles (root, pattern)
   files = files(cellfun (hasTests, files));
   if ~isempty (pattern)
     files = files(~cellfun (@isempty, strfind (files, pattern)));
+    if isempty (files)
+      error ('runTests: no file with tests has ''%s'' in its path.', pattern);
+    end
     return
   end
   changed = strsplit (getenv ('CHANGED'), "\n");
