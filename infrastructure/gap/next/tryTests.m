@@ -67,7 +67,7 @@ end
 function best = bestOf (tests, n, least)
   [~, best] = sort (-[tests.promise] ./ [tests.cost]);
   first = tests(best(1));
-  isSure = numel (first.group) > 4 && first.gain > 0.8 * first.promise;
+  isSure = numel (first.group) >= 16 && first.gain > 0.8 * first.promise;
   best = best([tests(best).promise] >= least & ~isSure);
   best = best(1:min (n, numel (best)));
 end
