@@ -34,24 +34,17 @@ function runStudy (kind, numbers, file)
   startBenchmarks ();
   pkg ('load', 'stk');
   if ~isfile (file)
-    append (file, ['kind,number,laboratory,truth,d,before,sets,test,gain,', ...
-                   'between,after,setsAfter,right,wrong,bits,onceBench,', ...
-                   'onceGain,once,onceRight,onceWrong']);
+    appendLine (file, ['kind,number,laboratory,truth,d,before,sets,test,', ...
+                       'gain,between,after,setsAfter,right,wrong,bits,', ...
+                       'onceBench,onceGain,once,onceRight,onceWrong']);
   end
   done = regexp (fileread (file), '^\w+,\w+', 'match', 'lineanchors');
   for number = numbers
     if ~any (strcmp (done, sprintf ('%s,%d', kind, number)))
-      append (file, oneCase (kind, number));
+      appendLine (file, oneCase (kind, number));
     end
   end
   sayShares (file);
-end
-
-function append (file, line)
-  id = fopen (file, 'a');
-  fprintf (id, '%s\n', line);
-  fclose (id);
-  printf ('%s\n', line);
 end
 
 function line = oneCase (kind, number)

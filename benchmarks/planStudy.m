@@ -28,21 +28,15 @@ function runStudy (kind, numbers, neutral, file)
   if exist (file, 'file')
     done = regexp (fileread (file), '^\w+,\w+', 'match', 'lineanchors');
   else
-    append (file, ['kind,number,laboratory,parameters,targets,effects,', ...
-                   'class,truth,d,strength,neutral,sets,failed,verdict,', ...
-                   'said,guard,lookAlike,outcome,seconds']);
+    appendLine (file, ['kind,number,laboratory,parameters,targets,effects,', ...
+                       'class,truth,d,strength,neutral,sets,failed,', ...
+                       'verdict,said,guard,lookAlike,outcome,seconds']);
   end
   for number = numbers
     if ~any (strcmp (done, sprintf ('%s,%d', kind, number)))
-      append (file, oneCase (kind, number, neutral));
+      appendLine (file, oneCase (kind, number, neutral));
     end
   end
-end
-
-function append (file, line)
-  id = fopen (file, 'a');
-  fprintf (id, '%s\n', line);
-  fclose (id);
 end
 
 function line = oneCase (kind, number, neutral)

@@ -39,14 +39,14 @@ function runStudy (numbers, work, file, isPlan)
   end
   pkg ('load', 'stk');
   if ~isfile (file)
-    append (file, ['row,truth,strength,d,fixedPlan,said,sets,newRuns,', ...
-                   'coreMinutes,minutes,test,gain,between,after,runsAfter,', ...
-                   'right,wrong,onceBench,onceGain,once,onceRight,onceWrong']);
+    appendLine (file, ['row,truth,strength,d,fixedPlan,said,sets,newRuns,', ...
+                       'coreMinutes,minutes,test,gain,between,after,', ...
+                       'runsAfter,right,wrong,onceBench,onceGain,once,onceRight,onceWrong']);
   end
   done = str2double (regexp (fileread (file), '^\d+', 'match', 'lineanchors'));
   [given, data] = storedCampaign ('hiddenEffect', root);
   for number = setdiff (numbers, done, 'stable')
-    append (file, oneCase (number, given, data, work, root, isPlan));
+    appendLine (file, oneCase (number, given, data, work, root, isPlan));
   end
 end
 
@@ -58,13 +58,6 @@ function to = withoutSettings (root, to)
     system (sprintf (['rm -f %s/DEMmodels/*/settings.csv ', ...
                       '%s/DEMmodels/*/scatter.csv'], to, to));
   end
-end
-
-function append (file, line)
-  id = fopen (file, 'a');
-  fprintf (id, '%s\n', line);
-  fclose (id);
-  printf ('%s\n', line);
 end
 
 function line = oneCase (number, given, data, work, root, isPlan)
