@@ -41,7 +41,8 @@ function runStudy (numbers, work, file, isPlan)
   if ~isfile (file)
     appendLine (file, ['row,truth,strength,d,fixedPlan,said,sets,newRuns,', ...
                        'coreMinutes,minutes,test,gain,between,after,', ...
-                       'runsAfter,right,wrong,onceBench,onceGain,once,onceRight,onceWrong']);
+                       'runsAfter,right,wrong,onceBench,onceGain,once,', ...
+                       'onceRight,onceWrong']);
   end
   done = str2double (regexp (fileread (file), '^\d+', 'match', 'lineanchors'));
   [given, data] = storedCampaign ('hiddenEffect', root);
