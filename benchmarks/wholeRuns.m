@@ -76,10 +76,10 @@ function line = oneCase (number, given, data, work, root, isPlan)
   cells = [{number}, truth.cells, ...
            {said(first), plan + spent.sets, spent.new, ...
             spent.coreSeconds / 60, minutes}];
+  [~, isOpen] = testOutcome (first.which, truth.cause);
   if isPlan
     cells(11:22) = {'not sought', '', '', '', '', '', '', '', '', '', '', ''};
-  elseif ~any (strcmp (first.which.verdict, {'group', 'undecided'})) || ...
-     strcmp (first.which.guard, 'look-alike')
+  elseif ~isOpen
     cells(11:22) = {'not withheld', '', '', '', '', '', '', '', '', '', '', ''};
   else
     cells = [cells, withheld(first, truth, folder, root)];
@@ -184,16 +184,10 @@ function cells = withheld (first, truth, folder, root)
     end
   end
   cells = [{best.test, best.gain, strjoin(cellstr (best.between)', ' or '), ...
-            said(after), after.demRuns.new}, judged(after, truth), ...
-           {once.model, once.gain, said(again)}, judged(again, truth)];
-end
-
-function cells = judged (g, truth)
-  isName = strcmp (g.which.verdict, 'named') || ...
-           (strcmp (g.which.verdict, 'group') && ...
-            strcmp (g.which.guard, 'look-alike'));
-  isTrue = isequal (cellstr (g.which.effects), {truth.cause});
-  cells = {double(isName && isTrue), double(isName && ~isTrue)};
+            said(after), after.demRuns.new}, ...
+           testOutcome(after.which, truth.cause), ...
+           {once.model, once.gain, said(again)}, ...
+           testOutcome(again.which, truth.cause)];
 end
 
 function copyCase (folder, copy)
@@ -208,14 +202,13 @@ function g = onceMore (test, truth, folder, root)
   copyCase (folder, copy);
   given = storedCampaign ('hiddenEffect', root);
   text = fileread (fullfile (copy, 'loadInput.m'));
-  own = given.bench == find (strcmp (given.benchNames, test.model));
+  b = find (strcmp (given.benchNames, test.model));
+  own = given.bench == b;
   y = truth.y;
   bench = fullfile (root, 'DEMmodels', test.model);
-  run = fullfile (copy, 'gap', 'truth');
-  z = truthRuns (bench, truth.values, 1, run);
+  z = truthRuns (bench, truth.values, 1, fullfile (copy, 'gap', 'truth'));
   randn ('twister', 9000 + truth.number);
   y(own) = (y(own) + z + given.sd(own) .* randn (1, sum (own))) / 2;
-  b = find (strcmp (given.benchNames, test.model));
   line = sprintf ('optim.targetStd{%d} = %s;', b, ...
                   mat2str (given.sd(own) / sqrt (2), 6));
   old = sprintf ('optim.targetStd\\{%d\\} = [^;]*;', b);
