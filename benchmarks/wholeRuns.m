@@ -2,6 +2,7 @@
 %
 % CALL: octave-cli benchmarks/wholeRuns.m ROWS WORK CSV
 %       octave-cli benchmarks/wholeRuns.m ROWS WORK CSV plan
+%       octave-cli benchmarks/wholeRuns.m ROWS WORK CSV stored [BENCHES]
 %
 %   ROWS  rows of the stored campaign examples/hiddenEffect, e.g. 31,69
 %   WORK  folder of the cases (WORK/ROW), kept; a case that lies there goes on
@@ -27,14 +28,20 @@
 % With the word plan no next test is sought: the toolbox is copied to
 % WORK/toolbox, without the files that say what an experimenter can change.
 %
+% With the word stored a case begins with the 152 other sets (runs.csv) instead
+% of an empty store, and those that are withheld without a new run go on to the
+% next test; all share the runs of WORK/store. "Once more" has no new runs: none
+% that verify could take a name away. BENCHES: how many of the case's benches,
+% collapse, shear cell, heap, it has (3); d in the table is that of all three.
+%
 % See also: fillTest, leftOut, nextTestStudy, planStudy
 
 1;
 
-function runStudy (numbers, work, file, isPlan)
+function runStudy (numbers, work, file, mode, benches)
   addpath (fileparts (mfilename ('fullpath')));
   root = startBenchmarks ();
-  if isPlan
+  if strcmp (mode, 'plan')
     root = withoutSettings (root, fullfile (work, 'toolbox'));
   end
   pkg ('load', 'stk');
@@ -46,8 +53,9 @@ function runStudy (numbers, work, file, isPlan)
   end
   done = str2double (regexp (fileread (file), '^\d+', 'match', 'lineanchors'));
   [given, data] = storedCampaign ('hiddenEffect', root);
+  study = struct ('work', work, 'root', root, 'mode', mode);
   for number = setdiff (numbers, done, 'stable')
-    appendLine (file, oneCase (number, given, data, work, root, isPlan));
+    appendLine (file, oneCase (number, given, data, study, benches));
   end
 end
 
@@ -61,30 +69,39 @@ function to = withoutSettings (root, to)
   end
 end
 
-function line = oneCase (number, given, data, work, root, isPlan)
+function line = oneCase (number, given, data, study, benches)
+  [work, root, mode] = deal (study.work, study.root, study.mode);
   truth = truthOf (number, given, data, root);
   folder = fullfile (work, sprintf ('%d', number));
+  isStored = strcmp (mode, 'stored');
   if ~isfile (fullfile (folder, 'loadInput.m'))
-    makeCase (folder, truth, given, root);
-    takePlan (folder, work, given);
+    leftOutFolder (folder, truth, given, root, benches * isStored);
   end
   start = time ();
   first = diagnosed (folder, root);
+  if isStored && isOpenCase (first, truth)
+    setInput (folder, 'Input.maxNewRuns', 600);
+    first = diagnosed (folder, root);
+  end
   minutes = (time () - start) / 60;
   spent = first.demRuns;
-  plan = 30;                            % its neutral sets, Input.numOfSam
+  plan = 30 * ~isStored;                % its neutral sets, Input.numOfSam
   cells = [{number}, truth.cells, ...
            {said(first), plan + spent.sets, spent.new, ...
             spent.coreSeconds / 60, minutes}];
-  [~, isOpen] = testOutcome (first.which, truth.cause);
-  if isPlan
+  isOpen = isOpenCase (first, truth);
+  if strcmp (mode, 'plan')
     cells(11:22) = {'not sought', '', '', '', '', '', '', '', '', '', '', ''};
   elseif ~isOpen
     cells(11:22) = {'not withheld', '', '', '', '', '', '', '', '', '', '', ''};
   else
-    cells = [cells, withheld(first, truth, folder, root)];
+    cells = [cells, withheld(first, truth, folder, root, isStored)];
   end
   line = rowText (cells);
+end
+
+function is = isOpenCase (g, truth)
+  [~, is] = testOutcome (g.which, truth.cause);
 end
 
 % The set that is left out: values of all variables, measured values, and what
@@ -101,48 +118,11 @@ function truth = truthOf (number, given, data, root)
   of = @(name) own{strcmp(header, name)};
   truth = struct ('number', number, 'values', ...
                   cell2struct (num2cell (values(:)), names(:), 1), 'cause', ...
-                  of ('cause'), 'y', data.Z(number, :) + given.sd .* noise);
+                  of ('cause'), 'y', data.Z(number, :) + given.sd .* noise, ...
+                  'inputs', values);
   truth.values.readTime = 0.4;      % of the shear cell, see its loadInput.m
   truth.cells = {of('cause'), phi(phi ~= 0), str2double(of ('d')), ...
                  [of('verdict'), ':', of('effects')]};
-end
-
-function makeCase (folder, truth, given, root)
-  source = fullfile (root, 'examples', 'hiddenEffect');
-  [~, ~] = mkdir (folder);
-  copyfile (fullfile (source, 'loadEffects.m'), folder);
-  writeValues (folder, fileread (fullfile (source, 'loadInput.m')), truth.y, ...
-               given);
-end
-
-function writeValues (folder, text, y, given)
-  for b = 1:max (given.bench)
-    line = sprintf ('optim.targetVal{%d} = %s;', b, ...
-                    mat2str (y(given.bench == b), 8));
-    text = regexprep (text, sprintf ('optim.targetVal\\{%d\\} = [^;]*;', b), ...
-                      line);
-  end
-  writeAtomic (fullfile (folder, 'loadInput.m'), ...
-               strrep (text, '''holdout''', '''calibrate'''));
-end
-
-% The neutral plan of another case here.
-function takePlan (folder, work, given)
-  dem = given.effects(~[given.effects.laboratory]);
-  done = glob (fullfile (work, '*', 'gap', 'gap.json'));
-  if isempty (done)
-    return
-  end
-  from = fileparts (fileparts (done{1}));
-  for file = glob (fullfile (from, 'optim', '*', '*', 'record.json'))'
-    record = readRecord (file{1});
-    if strcmp (record.stage, 'plan') && ...
-       isequal (record.effects(:)', [dem.neutral])
-      to = fullfile (folder, 'optim', record.model);
-      [~, ~] = mkdir (to);
-      copyfile (fileparts (file{1}), to);
-    end
-  end
 end
 
 function g = diagnosed (folder, root)
@@ -163,13 +143,13 @@ function text = said (g)
   end
 end
 
-function cells = withheld (first, truth, folder, root)
+function cells = withheld (first, truth, folder, root, isStored)
   tests = arrayfun (@(k) jsonAt (first.next, {k}), 1:numel (first.next), ...
                     'UniformOutput', false);
   runs = cellfun (@(t) t.runs, tests);
   best = tests{1};
   once = tests{find(runs == 0, 1)};
-  again = onceMore (once, truth, folder, root);
+  again = onceMore (once, truth, folder, root, isStored);
   after = first;
   if best.gain >= gapOptions ([]).adviseAt
     after = again;
@@ -180,7 +160,7 @@ function cells = withheld (first, truth, folder, root)
       fillTest (fullfile (copy, 'gap', 'next'), best.model, truth.values);
       after = diagnosed (copy, root);
     elseif ~strcmp (best.test, once.test)
-      after = onceMore (best, truth, folder, root);
+      after = onceMore (best, truth, folder, root, isStored);
     end
   end
   cells = [{best.test, best.gain, strjoin(cellstr (best.between)', ' or '), ...
@@ -197,11 +177,10 @@ function copyCase (folder, copy)
 end
 
 % The same bench again, another packing: the mean of both.
-function g = onceMore (test, truth, folder, root)
+function g = onceMore (test, truth, folder, root, isStored)
   copy = [folder, '-', test.model];
   copyCase (folder, copy);
   given = storedCampaign ('hiddenEffect', root);
-  text = fileread (fullfile (copy, 'loadInput.m'));
   b = find (strcmp (given.benchNames, test.model));
   own = given.bench == b;
   y = truth.y;
@@ -209,16 +188,22 @@ function g = onceMore (test, truth, folder, root)
   z = truthRuns (bench, truth.values, 1, fullfile (copy, 'gap', 'truth'));
   randn ('twister', 9000 + truth.number);
   y(own) = (y(own) + z + given.sd(own) .* randn (1, sum (own))) / 2;
-  line = sprintf ('optim.targetStd{%d} = %s;', b, ...
-                  mat2str (given.sd(own) / sqrt (2), 6));
-  old = sprintf ('optim.targetStd\\{%d\\} = [^;]*;', b);
-  text = regexprep (text, old, line);
-  trials = sprintf ('\n  optim.trials{%d} = 2 * ones (1, %d);', b, sum (own));
-  text = strrep (text, line, [line, trials]);
-  writeValues (copy, text, y, given);
+  setInput (copy, sprintf ('optim.targetVal{%d}', b), y(own));
+  setInput (copy, sprintf ('optim.targetStd{%d}', b), given.sd(own) / sqrt (2));
+  setInput (copy, sprintf ('optim.trials{%d}', b), 2 * ones (1, sum (own)));
+  if isStored
+    setInput (copy, 'Input.maxNewRuns', 0);
+  end
   g = diagnosed (copy, root);
 end
 
 args = argv ();
+[mode, benches] = deal ('', 3);
+if numel (args) > 3
+  mode = args{4};
+end
+if numel (args) > 4
+  benches = str2double (args{5});
+end
 runStudy (str2num (['[', args{1}, ']']), make_absolute_filename (args{2}), ...
-          make_absolute_filename (args{3}), numel (args) > 3);
+          make_absolute_filename (args{3}), mode, benches);

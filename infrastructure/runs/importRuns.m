@@ -21,9 +21,10 @@
 
 function [data, ignored] = importRuns (file, Case)
   [header, cells, lines] = readCsvTable (file);
-  [column, ignored] = findColumns (header, Case, file);
+  column = findColumns (header, Case, file);
   table = struct ('file', file, 'lines', lines, 'cells', {cells});
   model = modelNumbers (table, column.model, Case);
+  ignored = checkColumns (header, Case, model, file);
   X = numbers (table, column.names, Case.names);
   bad = find (any (isnan (X), 2), 1);
   if ~isempty (bad)
@@ -36,7 +37,10 @@ function [data, ignored] = importRuns (file, Case)
   E(:, given) = numbers (table, column.effects(given), Case.effectVars(given));
   neutral = repmat (neutralEffects (Case), rows (X), 1);
   E(isnan (E)) = neutral(isnan (E));
-  targets = numbers (table, column.targets, {Case.targets.name});
+  targets = NaN (rows (X), numel (Case.targets));
+  given = column.targets > 0;
+  targets(:, given) = numbers (table, column.targets(given), ...
+                               {Case.targets(given).name});
   seed = NaN (rows (X), 1);
   if column.seed > 0
     seed = numbers (table, column.seed, {'seed'});
@@ -45,7 +49,7 @@ function [data, ignored] = importRuns (file, Case)
   data = joinModels ([X, E], model, seed, targets, Case);
 end
 
-function [column, ignored] = findColumns (header, Case, file)
+function column = findColumns (header, Case, file)
   [~, first] = unique (header, 'first');
   twice = setdiff (1:numel (header), first);
   if ~isempty (twice)
@@ -58,9 +62,16 @@ function [column, ignored] = findColumns (header, Case, file)
   [~, column.names] = ismember (Case.names, header);
   [~, column.effects] = ismember (Case.effectVars, header);
   [~, column.targets] = ismember ({Case.targets.name}, header);
-  needed = [{'model'}, Case.names, {Case.targets.name}];
-  if numel (Case.models) == 1
-    needed = needed(2:end);
+end
+
+% The columns of a model that has no rows here may be missing: a bench that
+% joined the case later.
+function ignored = checkColumns (header, Case, model, file)
+  targets = {Case.targets.name};
+  isHere = ismember ([Case.targets.model], model);
+  needed = [{'model'}, Case.names, targets(isHere)];
+  if isscalar (Case.models)
+    needed(1) = [];
   end
   missing = needed(~ismember (needed, header));
   if ~isempty (missing)
@@ -69,8 +80,7 @@ function [column, ignored] = findColumns (header, Case, file)
             'found: %s.'], file, strjoin (needed, ', '), ...
            strjoin (missing, ', '), strjoin (header, ', '));
   end
-  known = [{'model', 'seed'}, Case.names, Case.effectVars, ...
-           {Case.targets.name}];
+  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets];
   ignored = setdiff (header, known);
 end
 
@@ -141,8 +151,15 @@ end
 %! assert (data.E, [5; 5]);
 %! assert (isequaln (data.Z, [5, 6, 30; NaN, NaN, 31]));
 %!test
+%! % a bench that joined the case later has no columns, and was not run
+%! data = imported ("model,a,b,First_1,First_2\nFirst,1,2,5,6\n");
+%! assert (data.Z(1:2), [5, 6]);
+%! assert (isna (data.Z(3)));
+%!test
 %! commas = strrep (head, ';', ',');
-%! for bad = {"model,a,First_1,First_2,Second_1\n", 'missingField'; ...
+%! for bad = {"model,a,First_1,First_2\nFirst,1,2,3\n", 'missingField'; ...
+%!            "model,a,b,First_1\nFirst,1,2,3\n", 'missingField'; ...
+%!            "a,b,First_1,First_2\n1,2,3,4\n", 'missingField'; ...
 %!            [commas, "X,1,2,,,3\n"], 'unknownName'; ...
 %!            [commas, "Second,a,2,,,3\n"], 'badValue'; ...
 %!            [commas, "First,1.234,5,2,3+2i,4\n"], 'badValue'; ...
