@@ -30,37 +30,65 @@
 
 function [tests, state] = tryTests (make, study, w, P, state)
   options = study.models.options;
-  tests = [];
   [causes, sets, names] = explanations (study, w, P, options);
-  if isempty (causes)
-    return
-  end
-  afford = min (state.budget.left, options.testRuns);
-  most = max (floor ((afford - 24) / 4), floor (min (afford, 24) / 4));
-  for candidate = make ()
-    if numel (tests) >= most || ~all (candidate.isExpressed([sets.number]))
-      continue
-    end
-    [test, state] = runSets (candidate, study, sets, state, 0);
-    if ~isempty (test)
-      tests = [tests, test];
-    end
-  end
+  ask = struct ('causes', {causes}, 'sets', {sets}, 'afford', ...
+                min (state.budget.left, options.testRuns));
+  [tests, ask, state] = firstRuns (make, study, ask, state);
   if isempty (tests)
     return
   end
-  tests = scoreTests (tests, causes);
+  tests = scoreTests (tests, ask.causes);
   for rounds = [2, 1]
     spent = numel (vertcat (tests.group));
-    room = floor ((afford - spent) / rounds / numel (sets));
+    room = floor ((ask.afford - spent) / rounds / numel (ask.sets));
     best = bestOf (tests, min (rounds + 1, room), options.adviseAt / 2);
     for i = best
-      [tests(i), state] = runSets (tests(i), study, sets, state, ...
+      [tests(i), state] = runSets (tests(i), study, ask.sets, state, ...
                                    min (floor (room / numel (best)), 3));
-      tests(i) = scoreTests (tests(i), causes);
+      tests(i) = scoreTests (tests(i), ask.causes);
     end
   end
   tests = asNext (tests, names);
+end
+
+% One run of each explanation with each candidate. Where the null model ran and
+% an explanation did not, with the first candidate, this is taken for one that
+% the program cannot have, as cohesion beside liquid bridges: the tests go on
+% without it, and find the other runs again.
+function [tests, ask, state] = firstRuns (make, study, ask, state)
+  tests = [];
+  if isempty (ask.causes)
+    return
+  end
+  most = max (floor ((ask.afford - 24) / 4), floor (min (ask.afford, 24) / 4));
+  for candidate = make ()
+    if numel (tests) >= most || ...
+       ~all (candidate.isExpressed([ask.sets.number]))
+      continue
+    end
+    [test, state] = runSets (candidate, study, ask.sets, state, 0);
+    if isempty (tests) && test.ran(1) && ~all (test.ran)
+      ask = without (ask, test.ran);
+      if isscalar (unique ([ask.causes.kind]))
+        return
+      end
+      [test, state] = runSets (candidate, study, ask.sets, state, 0);
+    end
+    if ~isempty (test.Z)
+      tests = [tests, test];
+    end
+  end
+end
+
+function ask = without (ask, ran)
+  ask.sets = ask.sets(ran);
+  ask.causes = ask.causes(ran([ask.causes.group]));
+  number = cumsum (ran);
+  total = sum ([ask.causes.P]);
+  for i = 1:numel (ask.causes)
+    ask.causes(i).group = number(ask.causes(i).group);
+    ask.causes(i).P = ask.causes(i).P / total;
+  end
 end
 
 % None, where the best one is sure: scatter takes little of what it promises.
@@ -72,79 +100,9 @@ function best = bestOf (tests, n, least)
   best = best(1:min (n, numel (best)));
 end
 
-% Sets of the explanations: the mode, and draws of the posterior. CAUSES is
-% empty where nothing of weight is open.
-function [causes, sets, names] = explanations (study, w, P, options)
-  causes = [];
-  sets = setOf (study, w, find (strcmp (w.kind, 'null'), 1), options);
-  [keep, P, kinds, names] = likelyKinds (w, P, study.models.names);
-  if isscalar (names)
-    return
-  end
-  group = explanationOf (w, keep, P);
-  own = group <= 3;
-  [group, keep, kinds] = deal (group(own), keep(own), kinds(own));
-  P = P(own) / sum (P(own));
-  causes = struct ('P', num2cell (P), 'group', num2cell (group + 1), ...
-                   'kind', num2cell (kinds), 'extent', 0);
-  for g = 1:max (group)
-    [~, at] = max (P .* (group == g));
-    sets(end + 1) = setOf (study, w, keep(at), options);
-  end
-  for i = find (strcmp (w.kind(keep), 'sibling'))
-    posterior = w.posterior{keep(i)};
-    causes(i).extent = sqrt (posterior.weight' * posterior.Q(:, end).^2);
-  end
-end
-
-% Explanation of each hypothesis: the null model (0) or one of the likely sets
-% of effects, of which a sibling has those of its effect.
-function group = explanationOf (w, keep, P)
-  texts = cellfun (@(m) mat2str (sort (m)), w.members(keep), ...
-                   'UniformOutput', false);
-  [~, ~, number] = unique (texts);
-  weight = accumarray (number(:), P(:));
-  weight(number(strcmp (w.kind(keep), 'null'))) = Inf;
-  [~, order] = sort (-weight);
-  rank(order) = (1:numel (order)) - isinf (max (weight));
-  group = rank(number(:)');
-end
-
-% DOUBT: variance that comes with the surrogates over that of a measurement,
-% median over the targets, where the explanation fits best.
-function set = setOf (study, w, h, options)
-  members = w.members{h};
-  p = study.em.p;
-  columns_ = 1:p + numel (members);
-  Q = study.fits.calibrated.Q(1, :);
-  if ~isempty (members)
-    Q = fitEffects (study.models, study.fits, 1, members, ...
-                    study.models.prior).Q;
-  end
-  set = struct ('mode', Q(1, columns_), 'draws', [], 'number', [], ...
-                'doubt', []);
-  white = study.models.white;
-  n = numel (white.columns);
-  noise = noiseBudget (study.gapProblem, study.em).covariance;
-  own = sum ((white.W(1:n, :) * noise(white.columns, white.columns)) .* ...
-             white.W(1:n, :), 2)';
-  [~, V] = predictGap (white, members, set.mode);
-  set.doubt = max (median (V(1:n) ./ own) - 1, 0);
-  [~, set.number] = ismember (study.models.names(members), ...
-                              {study.gapProblem.effects.name});
-  posterior = w.posterior{h};
-  n = options.testRuns / 4;
-  set.draws = repmat (set.mode, n, 1);
-  if ~isempty (posterior.Q)
-    u = integrationPoints (n, 1, options.seed + h).uniform;
-    at = sum (cumsum (posterior.weight)' < u, 2) + 1;
-    at = min (at, rows (posterior.Q));
-    set.draws = posterior.Q(at, columns_);
-  end
-end
-
 % With the results of MORE further runs of each explanation, 0: of the first one
-% of each; [] where a first run was not made or gave no result. Equal draws have
+% of each; its Z is empty where a first run was not made or gave no result. RAN:
+% each explanation gave results, or its runs were not made. Equal draws have
 % packings of their own.
 function [test, state] = runSets (test, study, sets, state, more)
   gapProblem = study.gapProblem;
@@ -167,17 +125,20 @@ function [test, state] = runSets (test, study, sets, state, more)
     packing = [packing; known + (1:rows (own))'];
   end
   [Z, state] = results (test, gapProblem, Q, packing, state);
-  if ~all (isfinite (Z(:))) || rows (Z) < rows (Q)
-    test = test(~isFirst);
-    return
-  end
   if isFirst
+    test.ran = true (1, numel (sets));
     [test.Z, test.group] = deal (zeros (0, columns (Z)), zeros (0, 1));
-    test.doubt = [sets.doubt];
+  end
+  if isFirst && rows (Z) == rows (Q)
+    test.ran = all (isfinite (Z), 2)';
+  end
+  if ~all (isfinite (Z(:))) || rows (Z) < rows (Q)
+    return
   end
   test.Z = [test.Z; Z];
   test.group = [test.group; group];
   if isFirst
+    test.doubt = [sets.doubt];
     test = withNoise (test, study);
     [test.gain, test.pair, test.promise] = deal (0, [], 0);
   end
@@ -248,3 +209,32 @@ function list = asNext (tests, names)
     list = [list, one];
   end
 end
+
+%!test
+%! % an explanation that no bench can have does not stop the others
+%! pkg load stk
+%! [given, data, means] = smallGapLab ();
+%! randn ('twister', 4);
+%! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]) + 0.28 * randn (1, 12);
+%! study = labStudy (given, data, struct ('twins', 60));
+%! study.models = omnibusReference (study.models);
+%! w = caseEvidence (study.models, study.fits, 1);
+%! P = judgeCase (w, study.models).P;
+%! [causes, sets] = explanations (study, w, P, study.models.options);
+%! assert (numel (sets), 4);
+%! never = sets(4).number;
+%! others = setdiff (1:4, never);
+%! law = @(X, E) [5 + 4 * E(:, 1), 7 - 3 * E(:, 2) + X(:, 1)] + ...
+%!               0 ./ ~(all (E(:, never), 2) & ~any (E(:, others), 2));
+%! [f, state.budget] = newEvaluate (@(X, E, r) law (X, E) + ...
+%!                                             0.2 * randn (rows (X), 2));
+%! effects = struct ('offset', cell (1, 5), 'matrix', zeros (2));
+%! [effects.offset] = deal ([0, 0]);
+%! one = struct ('test', 'a bench', 'model', 'Other', 'variable', '', ...
+%!               'value', [], 'trials', 3, 'cost', 1, 'origin', [NaN, NaN], ...
+%!               'noise', [0.2, 0.2], 'size', [5, 7], 'sd', [0.1, 0.1], ...
+%!               'effects', effects, 'isExpressed', true (1, 5), ...
+%!               'evaluate', f, 'lines', {{}});
+%! tests = tryTests (@() one, study, w, P, state);
+%! assert (numel (tests), 1);
+%! assert (tests.gain > 0.2);

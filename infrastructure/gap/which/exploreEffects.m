@@ -13,7 +13,8 @@
 % next batch would tell next to nothing (OPTIONS.worthAt). Runs that verify the
 % cure are set aside before. Nothing is run without STATE.evaluate. In a case
 % with levels these runs are of the first one, but for those at a mode. A second
-% start finds its runs and asks for no other.
+% start finds these runs; it makes others only where the first one ended because
+% OPTIONS.maxNewRuns was spent.
 
 function [state, em] = exploreEffects (gapProblem, options, state, em)
   if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
