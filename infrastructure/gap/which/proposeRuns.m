@@ -197,54 +197,48 @@ function bits = told (one, n)
   bits = mixtureInformation (parts, [P, 1 - P], [1, 2]);
 end
 
+%!function [study, state, now] = after (strengths, runs)
+%!  [given, data, means] = smallGapLab ();
+%!  given.value = means ([0.4, 0.6], strengths);
+%!  study = labStudy (given, data, struct ('maxNewRuns', 30, 'twins', 60));
+%!  state = newGapState (data, study.gapProblem, study.models.options, ...
+%!                       @(X, E, r) 0);
+%!  models = omnibusReference (study.models);
+%!  w = caseEvidence (models, study.fits, 1);
+%!  now = struct ('w', w, 'verdict', judgeCase (w, models), 'models', ...
+%!                models, 'fits', study.fits, 'usable', 1:5, 'isVague', ...
+%!                false, 'runs', runs);
+%!endfunction
+%!function batch = proposed (study, state, now)
+%!  batch = proposeRuns (study.gapProblem, study.models.options, state, ...
+%!                       study.em, now);
+%!endfunction
 %!test
 %! % the likeliest effect has one run and needs more before a name; the others
 %! % have enough, as it has later: what is left tells little
-%! [given, data, means] = smallGapLab ();
-%! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]);
-%! study = labStudy (given, data, struct ('maxNewRuns', 30, 'twins', 60));
-%! options = study.models.options;
-%! state = newGapState (data, study.gapProblem, options, @(X, E, r) 0);
-%! models = omnibusReference (study.models);
-%! w = caseEvidence (models, study.fits, 1);
-%! now = struct ('w', w, 'verdict', judgeCase (w, models), 'models', models, ...
-%!               'fits', study.fits, 'usable', 1:5, 'isVague', false, ...
-%!               'runs', [1, 9, 9, 9, Inf]);
+%! [study, state, now] = after ([0.6, 0, 0, 0, 0], [1, 9, 9, 9, Inf]);
 %! % as likely as a name asks
 %! now.verdict.total = [0.96, 0.02, 0.01, 0.01, 0];
-%! batch = proposeRuns (study.gapProblem, options, state, study.em, now);
-%! assert (sum (batch.phi(:, 1) ~= 0) >= options.standsRuns - 1);
+%! batch = proposed (study, state, now);
+%! assert (sum (batch.phi(:, 1) ~= 0) >= study.models.options.standsRuns - 1);
 %! assert (batch.bits > 100);
 %! assert (all (abs (batch.theta(:)) <= 1));
 %! now.runs(1) = 9;
-%! batch = proposeRuns (study.gapProblem, options, state, study.em, now);
-%! assert (batch.bits < 1);
+%! assert (proposed (study, state, now).bits < 1);
 %!test
 %! % a likely pair is run, but not where runs of it gave no result
-%! [given, data, means] = smallGapLab ();
-%! given.value = means ([0.4, 0.6], [0.6, 0, 0.5, 0, 0]);
-%! study = labStudy (given, data, struct ('maxNewRuns', 30, 'twins', 60));
-%! options = study.models.options;
-%! state = newGapState (data, study.gapProblem, options, @(X, E, r) 0);
-%! models = omnibusReference (study.models);
-%! w = caseEvidence (models, study.fits, 1);
-%! now = struct ('w', w, 'verdict', judgeCase (w, models), 'models', models, ...
-%!               'fits', study.fits, 'usable', 1:5, 'isVague', false, ...
-%!               'runs', 9 * ones (1, 5));
-%! pair = find (strcmp (w.kind, 'pair'));
+%! [study, state, now] = after ([0.6, 0, 0.5, 0, 0], 9 * ones (1, 5));
+%! pair = find (strcmp (now.w.kind, 'pair'));
 %! [~, best] = max (now.verdict.P(pair));
-%! members = w.members{pair(best)};
+%! members = now.w.members{pair(best)};
 %! now.verdict.P = 0.01 + 0 * now.verdict.P;
 %! now.verdict.P(pair(best)) = 0.5;
-%! both = @() any (all (proposeRuns (study.gapProblem, options, state, ...
-%!                                   study.em, now).phi(:, members) ~= 0, 2));
-%! assert (both ());
+%! hasBoth = @(batch) any (all (batch.phi(:, members) ~= 0, 2));
+%! assert (hasBoth (proposed (study, state, now)));
 %! state.data.X(end + 1, :) = state.data.X(1, :);
 %! phi = zeros (1, 5);
 %! phi(members) = 0.5;
 %! state.data.E(end + 1, :) = valuesOfStrength (study.gapProblem.effects, phi);
 %! state.data.Z(end + 1, :) = NaN;
 %! state.data.replicate(end + 1) = 1;
-%! both = any (all (proposeRuns (study.gapProblem, options, state, ...
-%!                               study.em, now).phi(:, members) ~= 0, 2));
-%! assert (~both);
+%! assert (~hasBoth (proposed (study, state, now)));
