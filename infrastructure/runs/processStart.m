@@ -37,13 +37,26 @@ end
 
 %!assert (processStart (2^30), '')
 %!test
-%! % a process that has ended but is still listed
+%! % a process that has ended but is still listed: its parent, by then no shell
+%! % any more, never asks for it
 %! file = tempname ();
-%! system (sprintf ('sh -c ''sleep 0 & echo $! > %s; exec sleep 2'' &', file));
-%! pause (0.5);
-%! pid = str2double (fileread (file));
-%! assert (isfolder (sprintf ('/proc/%d', pid)));
-%! assert (processStart (pid), '');
+%! system (sprintf (['sh -c ''sleep 60 & echo $! $$ > %s; ' ...
+%!   'exec sleep 61'' > /dev/null 2>&1 &'], file));
+%! while ~isfile (file) || numel (sscanf (fileread (file), '%d')) < 2
+%!   pause (0.05);
+%! end
+%! pids = sscanf (fileread (file), '%d');
+%! of = @(pid, name) fileread (sprintf ('/proc/%d/%s', pid, name));
+%! while ~strcmp (of (pids(2), 'comm'), "sleep\n")
+%!   pause (0.05);
+%! end
+%! kill (pids(1), 9);
+%! while ~any (strfind (of (pids(1), 'stat'), ') Z '))
+%!   pause (0.05);
+%! end
+%! start = processStart (pids(1));
+%! kill (pids(2), 9);
+%! assert (start, '');
 %! [start, mark] = processStart (getpid ());
 %! words = strsplit (mark, ' ');
 %! assert ({words{1}, numel(words{2})}, {start, 36});
