@@ -177,6 +177,7 @@ function verdict = blameSurrogates (verdict, study, side)
     verdict.kind = 'surrogate';
     verdict.guard = 'surrogate';
     verdict.effects = zeros (1, 0);
+    verdict.sameKind = false;
     verdict.reason = reason;
   end
 end

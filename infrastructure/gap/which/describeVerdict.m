@@ -5,12 +5,10 @@
 %   W, VERDICT, MODELS, GAPPROBLEM  of caseEvidence, judgeCase, makeHypotheses,
 %                                   newGapProblem
 %   NAMED   struct
-%     verdict, reason, guard, lookAlike, effects, partners, likely (cellstr)
+%     verdict, reason, guard, lookAlike, sameKind, effects, partners, likely
+%       (cellstr), see judgeCase
 %     together    logical: the effects act together (a pair, also one whose name
 %                 was withheld), else it is one of them
-%     sameKind    logical: several effects, one of which it is, and whose marks
-%                 on the targets are nearly the same (cosine 0.9): which one it
-%                 is, these targets do not tell
 %     gateP, exclude (odds against a look-alike of cosine 0.9)
 %     posterior   struct null, each effect, unlisted
 %     alike       struct of each effect: that it takes part, or a cause whose
@@ -31,13 +29,13 @@ function named = describeVerdict (w, verdict, models, gapProblem)
   names = models.names;
   named = struct ('verdict', verdict.kind, 'reason', verdict.reason, ...
                   'guard', verdict.guard, 'lookAlike', verdict.lookAlike, ...
+                  'sameKind', verdict.sameKind, ...
                   'effects', {names(verdict.effects)}, ...
                   'partners', {names(verdict.partners)}, ...
                   'likely', {names(verdict.likely)}, 'gateP', w.gate.p, ...
                   'exclude', exp (min (w.exclude, 50)));
   named.together = numel (verdict.effects) > 1 && ...
                    ~strcmp (verdict.guard, 'group');
-  named.sameKind = isOneKind (w, verdict, models);
   named.posterior.null = verdict.null;
   [named.resembles, named.alike] = deal (struct ());
   for k = 1:numel (names)
@@ -58,12 +56,6 @@ function named = describeVerdict (w, verdict, models, gapProblem)
   named.priorSpread = priorSpread (w, verdict, models);
   named.numbers = numbersOf (w, verdict);
   named.hypotheses = hypothesesOf (w, verdict, names);
-end
-
-function is = isOneKind (w, verdict, models)
-  cosine = w.screen.cosine(verdict.effects, verdict.effects);
-  is = strcmp (verdict.guard, 'group') && numel (verdict.effects) > 1 && ...
-       all (abs (cosine(:)) >= cos (atan (models.options.lookAlike(1))));
 end
 
 function numbers = numbersOf (w, verdict)
@@ -176,14 +168,6 @@ end
 %! assert (named.numbers.ess >= 200);
 %! assert (named.hypotheses(1).members, {'a'});
 %! assert (isfield (named.posterior, 'unlisted'));
-%! % a group is of one kind where every two of it are alike
-%! verdict = setfield (judgeCase (w, models), 'guard', 'group');
-%! verdict.effects = [1, 2];
-%! for cosine = [0.8, 0.95]
-%!   w.screen.cosine = [1, cosine; cosine, 1];
-%!   named = describeVerdict (w, verdict, models, gapProblem);
-%!   assert (named.sameKind, cosine > 0.9);
-%! end
 %! % where no integral of an effect says anything, its strength is not known
 %! [w.posterior{2:end}] = deal (struct ('Q', [], 'weight', []));
 %! named = describeVerdict (w, judgeCase (w, models), models, gapProblem);

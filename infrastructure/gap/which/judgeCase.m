@@ -9,6 +9,9 @@
 %     effects   numbers of the effects it names (one or two, or a group)
 %     lookAlike logical: or something that resembles them; of a name: these
 %               targets do not tell whether it is this very effect
+%     sameKind  logical: several effects, one of which it is, and whose marks on
+%               the targets are nearly the same (cosine 0.9): which one it is,
+%               these targets do not tell
 %     partners  numbers of effects one of which acts together with a named one
 %     guard     what withheld a name: '', 'integral', 'look-alike', 'group',
 %               'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
@@ -53,14 +56,22 @@ function verdict = judgeCase (w, models)
                                'that has runs could explain it'], w.gate.p);
   else
     verdict = nameCause (verdict, w, models);
+    verdict.sameKind = isOneKind (w, verdict, models.options);
   end
+end
+
+function is = isOneKind (w, verdict, options)
+  cosine = w.screen.cosine(verdict.effects, verdict.effects);
+  is = strcmp (verdict.guard, 'group') && ...
+       all (abs (cosine(:)) >= cos (atan (options.lookAlike(1))));
 end
 
 function verdict = openVerdict (w, K)
   logP = w.logPrior + w.logE;
   verdict = struct ('kind', 'undecided', 'effects', zeros (1, 0), ...
-                    'lookAlike', false, 'partners', zeros (1, 0), ...
-                    'guard', '', 'reason', 'no single cause is likely enough');
+                    'lookAlike', false, 'sameKind', false, ...
+                    'partners', zeros (1, 0), 'guard', '', 'reason', ...
+                    'no single cause is likely enough');
   verdict.P = exp (logP - logSumExp (logP));
   [verdict.include, verdict.resemble, verdict.alike] = deal (zeros (1, K));
   for h = 1:numel (verdict.P)
@@ -116,7 +127,13 @@ end
 %!   assert (isequal (v.effects, one{3}) || isempty ([v.effects, one{3}]));
 %!   assert (v.lookAlike, strcmp (one{4}, 'look-alike'));
 %!   assert (sum (v.P), 1, 1e-12);
+%!   assert (v.sameKind, strcmp (one{4}, 'group'));
 %! end
+%! % a group is of one kind where every two of it are alike
+%! less = like (3, 9);
+%! less.screen.cosine(1, 2) = 0.89;
+%! v = judgeCase (less, models);
+%! assert ({v.effects, v.sameKind}, {[1, 2], false});
 %! assert (! isempty (strfind (judgeCase (like (6, 14), models).reason, ...
 %!                             'resembles a')));
 %!test
