@@ -8,7 +8,8 @@
 %                3): null, each effect, pairs, unlisted), interval (K x 3:
 %                strength of each effect, median and 90 %), gateP, exclude,
 %                seconds, total (1 x K, effect or sibling), lookAlike (the
-%                verdict says: or something that looks like it)
+%                verdict says: or something that looks like it), sameKind (it
+%                says: one kind of cause, see judgeCase)
 %
 % One emulator and one calibration of the verdict a laboratory; the laboratories
 % are shared out to the cores. Only twinsOfLab knows the diagnosis.

@@ -17,6 +17,8 @@ function twinsScore (name, twins, verdicts, labs)
   s.odds = [cases.odds];
   s.score = scoresOf (twins, verdicts);
   s.mark = [cases.mark];
+  s.kind = [cases.kind];
+  s.isKind = [cases.isKind];
   writeCases ([name, '.csv'], twins, verdicts, labs, s);
   addScores ([name, '-scores.csv'], s.score);
   printf ('median %.2f s a diagnosis, longest %.2f s\n', ...
@@ -27,6 +29,8 @@ end
 % odds: posterior odds of the true one, or of something that resembles it, above
 % 20 to 1. dLeast: d of the weakest cause alone. mark: of a name, largest cosine
 % of the true mark, without what parameters absorb, with that of a named effect.
+% kind: the verdict says what kind of cause it is, by a name or by a group whose
+% marks are nearly the same; isKind: each effect it says has such a mark.
 function c = caseOf (twin, verdict, lab)
   words = @(numbers) arrayfun (@num2str, numbers, 'UniformOutput', false);
   cause = twin.cause(twin.cause > 0);
@@ -36,9 +40,13 @@ function c = caseOf (twin, verdict, lab)
               'interval', [], 'odds', false, 'lab', twin.lab, ...
               'cosine', twin.cosine, 'dLeast', min ([twin.dEach, Inf]), ...
               'gateP', verdict.gateP, 'lookAlike', verdict.lookAlike, ...
-              'mark', NaN, 'causeName', '');
-  if strcmp (verdict.kind, 'named') && twin.d > 0
-    c.mark = max (twinsMark (twin, verdict.effects, lab));
+              'mark', NaN, 'causeName', '', 'kind', false, 'isKind', false);
+  isNamed = strcmp (verdict.kind, 'named');
+  c.kind = isNamed || verdict.sameKind;
+  if c.kind && twin.d > 0
+    marks = twinsMark (twin, verdict.effects, lab);
+    c.isKind = all (marks >= 0.9 | ismember (verdict.effects, cause));
+    c.mark = max ([marks(isNamed, :), NaN]);
   end
   if ~isempty (cause)
     c.causeName = strjoin ({lab.gapProblem.effects(cause).name}, ' ');
@@ -94,7 +102,7 @@ function writeCases (file, twins, verdicts, labs, s)
   id = fopen (file, 'w');
   fprintf (id, ['case,lab,class,cause,removed,d,phi,verdict,effects,top,', ...
                 'right,covered,odds20,lookAlike,like,cosine,gateP,', ...
-                'excludeOdds,mark,', ...
+                'excludeOdds,mark,kind,isKind,', ...
                 'pNull,pTop,pPair,pUnlisted,logScore,brier,seconds\n']);
   for i = 1:numel (twins)
     t = twins(i);
@@ -112,8 +120,9 @@ function writeCases (file, twins, verdicts, labs, s)
              s.covered(i), s.odds(i), v.lookAlike);
     fprintf (id, '%s,%.2f,', strjoin (names(t.like(t.like > 0)), ' '), ...
              t.cosine);
-    fprintf (id, '%.4g,%.4g,%.2f,%.4g,%.4g,%.4g,%.4g,%.3f,%.3f,%.2f\n', ...
-             v.gateP, exp (min (v.exclude, 20)), s.mark(i), v.P(1), ...
+    fprintf (id, '%.4g,%.4g,%.2f,%d,%d,', v.gateP, ...
+             exp (min (v.exclude, 20)), s.mark(i), s.kind(i), s.isKind(i));
+    fprintf (id, '%.4g,%.4g,%.4g,%.4g,%.3f,%.3f,%.2f\n', v.P(1), ...
              v.P(1 + v.top), ...
              v.P(end - 1), v.P(end), s.score(i, 1:2), v.seconds);
   end
@@ -128,7 +137,8 @@ end
 %!                'phi', [0, 0], 'd', 0, 'dEach', [], 'like', 0, 'cosine', NaN);
 %! verdict = struct ('kind', 'named', 'effects', 2, 'top', 2, 'P', ...
 %!                   [0.1, 0, 0.9, 0, 0], 'interval', zeros (2, 3), 'gateP', ...
-%!                   0.01, 'exclude', 0.5, 'seconds', 1, 'lookAlike', true);
+%!                   0.01, 'exclude', 0.5, 'seconds', 1, 'lookAlike', true, ...
+%!                   'sameKind', false);
 %! evalc ('twinsScore (name, twin, verdict, labs);');
 %! scores = fileread ([name, '-scores.csv']);
 %! cases = fileread ([name, '.csv']);
