@@ -10,14 +10,14 @@
 % RLTS, the Rayleigh time (s), is added, and with percentRayleigh also
 % SIMTS = percentRayleigh * RLTS, the time step (s).
 %
-% Errors: DEcalioc:designVariables:badShape
+% Errors: DEcalioc:assignParams:badShape
 %
 % See also: getRayleigh, writeHead
 
 function modelVars = assignParams (modelVars, params, assign)
   if numel (params) ~= numel (assign)
-    error ('DEcalioc:designVariables:badShape', ...
-           ['designVariables: PARAMS must hold one value for each of the ' ...
+    error ('DEcalioc:assignParams:badShape', ...
+           ['assignParams: PARAMS must hold one value for each of the ' ...
             '%d names in assign, got %d.'], numel (assign), numel (params));
   end
   for k = 1:numel (assign)
@@ -41,5 +41,5 @@ end
 %! assert (v.coefFrictionPP, 0.5);
 %! assert (v.SIMTS, 0.35 * getRayleigh (2e-3, 700, 5e6, 0.3), eps);
 %!assert (assignParams (struct ('b', 1), 3, {'a'}), struct ('b', 1, 'a', 3))
-%!error id=DEcalioc:designVariables:badShape
+%!error id=DEcalioc:assignParams:badShape
 %! assignParams (struct (), 1:2, {'a'});
