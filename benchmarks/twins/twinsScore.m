@@ -46,7 +46,9 @@ function c = caseOf (twin, verdict, lab)
   if c.kind && twin.d > 0
     marks = twinsMark (twin, verdict.effects, lab);
     c.isKind = all (marks >= 0.9 | ismember (verdict.effects, cause));
-    c.mark = max ([marks(isNamed, :), NaN]);
+    if isNamed
+      c.mark = max (marks);
+    end
   end
   if ~isempty (cause)
     c.causeName = strjoin ({lab.gapProblem.effects(cause).name}, ' ');
@@ -146,3 +148,19 @@ end
 %! assert (~isempty (strfind (scores, 'false naming on null,1,1,1.0000')));
 %! assert (~isempty (strfind (cases, '1,here,null,,0,0.000,,named,b,b,0,0')));
 %! assert (~isempty (strfind (scores, 'gate p < 0.05 on null,1,1,1.0000')));
+%!test % a group of one kind, each of which has the mark of the true cause
+%! name = tempname ();
+%! labs = foreignLab ('develop', 2);
+%! labs.noise = sqrt (labs.noiseSd.^2 + labs.gapProblem.sd.^2);
+%! mix = setfield (twinsMix ('foreign develop'), 'classes', {'single'});
+%! twin = twinsDraw (labs, 1, setfield (mix, 'shares', []));
+%! verdict = struct ('kind', 'group', 'effects', twin.cause * [1, 1], 'top', ...
+%!                   twin.cause, 'P', ones (1, numel (twin.phi) + 3) / 9, ...
+%!                   'interval', zeros (numel (twin.phi), 3), 'total', ...
+%!                   zeros (size (twin.phi)), 'gateP', 0.01, 'exclude', ...
+%!                   0.5, 'seconds', 1, 'lookAlike', false, 'sameKind', true);
+%! evalc ('twinsScore (name, twin, verdict, labs);');
+%! [header, cells] = readCsvTable ([name, '.csv']);
+%! delete ([name, '-scores.csv'], [name, '.csv']);
+%! assert (cells(ismember (header, {'mark', 'kind', 'isKind'})), ...
+%!         {'NaN', '1', '1'});
