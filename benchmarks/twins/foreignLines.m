@@ -31,17 +31,16 @@ function lines = foreignLines (s, cases)
             '90 % interval of strength holds it', s.covered, s.single, ...
             '0.85 - 0.95'}; ...
            kindLines(s, strong, {cases.causeName}); ...
-           effectLines(s, {cases.causeName}); pairLines(s); outLines(s); ...
-           lookLines(s); labLines(s)];
+           effectLines('named rightly', s.right & s.named, strong, ...
+                       {cases.causeName}); ...
+           pairLines(s); outLines(s); lookLines(s); labLines(s)];
 end
 
-function lines = effectLines (s, names)
+function lines = effectLines (label, hits, strong, names)
   lines = cell (0, 4);
-  strong = s.single & s.d >= 3.9;
   for name = unique (names(strong))
-    here = strong & strcmp (names, name{1});
-    lines(end + 1, :) = {['named rightly, d >= 4: ', name{1}], ...
-                         s.right & s.named, here, ''};
+    lines(end + 1, :) = {[label, ', d >= 4: ', name{1}], hits, ...
+                         strong & strcmp(names, name{1}), ''};
   end
 end
 
@@ -55,11 +54,7 @@ function lines = kindLines (s, strong, names)
            'off the list: wrong kind', s.kind & ~s.isKind, s.off, ...
            '<= 0.10'; ...
            'look-alike: wrong kind', s.kind & ~s.isKind, s.look, '<= 0.10'};
-  for name = unique (names(strong))
-    here = strong & strcmp (names, name{1});
-    lines(end + 1, :) = {['kind said rightly, d >= 4: ', name{1}], isRight, ...
-                         here, ''};
-  end
+  lines = [lines; effectLines('kind said rightly', isRight, strong, names)];
 end
 
 function lines = nullLines (s)
