@@ -4,8 +4,8 @@
 %       octave-cli benchmarks/foreignTwins.m ... pairs SETS [STEP] [MOST]
 %
 % CASES  per laboratory (105): 4 laboratories of 105 are 420
-% ONLY   nulls: cases without a gap, for the level of the test; pairs: cases of
-%        two causes
+% ONLY   nulls: cases without a gap, for the level of the test; singles: of one
+%        cause; pairs: of two
 % SETS   diagnose the pairs both of whose causes have a d of 4 the whole way: so
 %        many new parameter sets of the laboratory for each (twinsWhole). Each
 %        verdict is kept in results/S-whole: started again it goes on, with
@@ -76,7 +76,7 @@ function verdicts = diagnoseWhole (kind, labs, twins, numbers, sets, place)
 end
 
 args = argv ();
-isOnly = ismember (args, {'nulls', 'pairs'});
+isOnly = ismember (args, {'nulls', 'singles', 'pairs'});
 only = [args{isOnly}];
 args = args(~isOnly);
 kind = 'blind';

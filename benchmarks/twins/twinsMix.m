@@ -2,8 +2,8 @@
 %
 % CALL: MIX = twinsMix (KIND)
 %
-%   KIND  'foreign blind', 'foreign develop', or these with ' nulls' or ' pairs'
-%         behind, see foreignTwins
+%   KIND  'foreign blind', 'foreign develop', or these with ' nulls', ' singles'
+%         or ' pairs' behind, see foreignTwins
 %   MIX   struct: seed, classes (cellstr) and shares (of all cases; the last
 %         class takes what is left), levels (struct: signal to noise of each
 %         class in turn), cosines (of look-alikes in turn)
@@ -15,6 +15,8 @@
 function mix = twinsMix (kind)
   seeds = {'foreign blind', 13006; 'foreign develop', 14001; ...
            'foreign blind nulls', 15001; 'foreign develop nulls', 16001; ...
+           'foreign blind singles', 20001; ...
+           'foreign develop singles', 21001; ...
            'foreign blind pairs', 18002; 'foreign develop pairs', 19001};
   at = strcmp (kind, seeds(:, 1));
   if ~any (at)
@@ -28,7 +30,7 @@ function mix = twinsMix (kind)
   mix.levels = struct ('null', 0, 'single', 1:12, ...
                        'pair', [4, 4, 5, 6, 8, 3], ...
                        'off', [3, 5, 8, 12], 'look', [3, 5, 8, 12]);
-  only = regexp (kind, '(null|pair)s$', 'tokens', 'once');
+  only = regexp (kind, '(null|single|pair)s$', 'tokens', 'once');
   if ~isempty (only)
     mix.classes = only;
     mix.shares = [];
@@ -37,11 +39,13 @@ end
 
 %!test % every study has random numbers of its own
 %! kinds = {'foreign blind', 'foreign develop', 'foreign blind nulls', ...
-%!          'foreign develop nulls', 'foreign blind pairs', ...
+%!          'foreign develop nulls', 'foreign blind singles', ...
+%!          'foreign develop singles', 'foreign blind pairs', ...
 %!          'foreign develop pairs'};
 %! seeds = cellfun (@(kind) twinsMix (kind).seed, kinds);
 %! assert (numel (unique (seeds)), numel (kinds));
 %! assert (twinsMix ('foreign blind nulls').classes, {'null'});
+%! assert (twinsMix ('foreign blind singles').classes, {'single'});
 %! assert (twinsMix ('foreign develop pairs').classes, {'pair'});
 %! assert (numel (twinsMix ('foreign develop').classes), 5);
 %!error id=DEcalioc:twinsMix:unknownName twinsMix ('dark')
