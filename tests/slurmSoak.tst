@@ -107,7 +107,8 @@
 %! assert ({r.cause}, {'killed', 'killed'});
 %! assert (! isempty (strfind (r(1).message, 'PREEMPTED')));
 
-% the whole program gives the same calibration, to the last digit
+% with as many sets at once the whole program gives the same calibration, to the
+% last digit
 %!testif ; soakReady ()
 %! found = cell (1, 2);
 %! for k = 1:2
@@ -116,7 +117,8 @@
 %!   standInCase (folder);
 %!   writeLoadInput (folder, ...
 %!     sprintf (['Input.executor = ''%s''; ', ...
-%!               'Input.slurm = struct (''poll'', 0.5);'], executor));
+%!               'Input.slurm = struct (''poll'', 0.5, ''sets'', 2);'], ...
+%!              executor));
 %!   [status, out, err] = startProgram (folder);
 %!   assert (status == 0, '%s', [out, err]);
 %!   file = fullfile (folder, 'results', 'calibration.json');
