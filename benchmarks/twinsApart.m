@@ -1,12 +1,15 @@
 % TWINSAPART  Which strong twins have a listed effect of nearly the same mark.
 %
-% CALL: octave-cli benchmarks/twinsApart.m
+% CALL: octave-cli benchmarks/twinsApart.m [singles CASES]
 %
-% Draws the cases of foreignTwins.m blind again, without a diagnosis, and reads
-% the verdicts of results/foreign-blind.csv. Prints how often single causes with
-% d >= 4 are named where another listed effect has a mark of cosine 0.9 with the
-% true one, and where none has; and how often each effect that is named or
-% grouped has such a mark.
+%   CASES  per laboratory, of foreignTwins.m blind CASES singles (default: the
+%          cases of foreignTwins.m blind)
+%
+% Draws the cases again, without a diagnosis, and reads the verdicts of
+% results/foreign-blind.csv or foreign-blind-singles.csv. Prints how often
+% single causes with d >= 4 are named where another listed effect has a mark of
+% cosine 0.9 with the true one, and where none has; and how often each effect
+% that is named or grouped has such a mark.
 %
 % See also: foreignTwins, twinsMark
 
@@ -14,10 +17,15 @@
 
 addpath (fileparts (mfilename ('fullpath')));
 root = startBenchmarks ();
+[study, perLab] = deal ('foreign blind', 105);
+if ~isempty (argv ())
+  study = ['foreign blind ', argv(){1}];
+  perLab = str2double (argv (){2});
+end
 labs = foreignLaboratories ('blind');
-twins = twinsDraw (labs, 105, twinsMix ('foreign blind'));
+twins = twinsDraw (labs, perLab, twinsMix (study));
 [header, cells] = readCsvTable (fullfile (root, 'benchmarks', 'results', ...
-                                          'foreign-blind.csv'));
+                                          [strrep(study, ' ', '-'), '.csv']));
 column = @(name) cells(:, strcmp (header, name))';
 verdict = column ('verdict');
 said = column ('effects');

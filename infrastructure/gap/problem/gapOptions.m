@@ -36,9 +36,8 @@
 %     surplus      variance of data without a gap over what the budget says
 %                  (1.15; at 1 laboratories of formulas alarm in 9 %)
 %     caution      power of the likelihood in intervals of strengths (0.4: at 1
-%                  they hold the strength of left-out LIGGGHTS runs of
-%                  hiddenEffect in 80 % where they should in 90 %, that of
-%                  laboratories of other laws in 66 %; at 0.4 both in 91 %)
+%                  they hold that of laboratories of other laws in 66 % where
+%                  they should in 90 %; benchmarks/intervalCaution.m)
 %     nameAt       probability that it is this effect, or a cause whose mark is
 %                  nearly the same, at which it is named (0.9: chosen on
 %                  development draws, docs/gap-figures.md)
