@@ -64,7 +64,7 @@ end
 % From elsewhere, as Octave does not take its own folder off the path.
 function leavePath (folder)
   if any (strcmp (folder, strsplit (path (), pathsep ())))
-    here = cd (tempdir ());
+    here = cd (fileparts (mfilename ('fullpath')));
     rmpath (folder);
     cd (here);
   end
@@ -80,6 +80,14 @@ end
 %! cd (here);
 %! assert (result.said, [root, folder]);
 %! assert (! any (strcmp (folder, strsplit (path (), pathsep ()))));
+%!test
+%! % without a warning in the folder of temporary files, too
+%! lastwarn ('');
+%! here = cd (tempdir ());
+%! root = fileparts (fileparts (which ('startMain')));
+%! startMain (@(root, folder) struct ('said', ''), root);
+%! cd (here);
+%! assert (lastwarn (), '');
 %!error id=DEcalioc:a:b
 %! startMain (@(root, folder) error ('DEcalioc:a:b', 'c'), ...
 %!            fileparts (fileparts (which ('startMain'))));
