@@ -14,11 +14,12 @@
 function [values, fields, given] = checkElements (value, field, kind)
   [values, fields, given] = deal ({value}, {field}, []);
   isColumn = strcmp (kind, 'column') && checkIs ('vector', value);
-  if ~isColumn && ~(iscell (value) && isvector (value))
+  if ~isColumn && ~(iscell (value) && isvector (value) && ~isempty (value))
     return
   elseif ~isColumn
     values = value(:)';
-    values(strcmp (kind, 'cell') & strcmp (values, 'estimate')) = {NaN};
+    isWord = cellfun (@(v) isequal (v, 'estimate'), values);
+    values(strcmp (kind, 'cell') & isWord) = {NaN};
     fields = numbered ([field, '{%d}'], numel (values));
     bad = find (~cellfun (@(v) isPart (v, kind), values), 1);
     if ~isempty (bad)
@@ -62,3 +63,9 @@ end
 %! assert ({v, f, n}, {{'x', 'y'}, {'a{1}{1}', 'a{1}{2}'}, 2});
 %! [v, f, n] = checkElements ({1, 'x'}, 'a', 'cell');
 %! assert ({v, f, n}, {{'x'}, {'a{2}'}, []});
+%! % nothing at all is of another kind; a text of two lines is no word
+%! [v, f, n] = checkElements (cell (1, 0), 'a', 'cell');
+%! assert ({v, f, n}, {{cell(1, 0)}, {'a'}, []});
+%! lastwarn ('');
+%! [~, f] = checkElements ({1, ['ab'; 'cd']}, 'a', 'cell');
+%! assert ({f, lastwarn()}, {{'a{2}'}, ''});
