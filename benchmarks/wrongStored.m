@@ -1,0 +1,106 @@
+% WRONGSTORED  Plans of stored LIGGGHTS runs: which runs are taken for wrong.
+%
+% CALL: octave-cli benchmarks/wrongStored.m SHARE PLANS
+%
+% SHARE  of wrong runs, 0 or 0.12;  PLANS  numbers, e.g. 101:140: drawn of each
+%        store
+%
+% Runs of DEM scatter with wide tails, and what one run measures scatters
+% together: an avalanche changes slope, height and mass at once. Each plan is a
+% random part of the runs of a store: results/reposeRuns.csv (the template
+% Repose, two parameters, 121 runs: decalioc new --model Repose, Input.numOfSam
+% 120, decalioc run, decalioc export), and the neutral runs of
+% examples/hiddenEffect and benchmarks/drumAndBins. All ended well. In a wrong
+% run every response of one bench is off by 10 to 40 % either way. Prints how
+% many of these findBadRuns leaves out, how many good ones, and by how much the
+% surrogates miss the good runs that are not in the plan (root mean square, in
+% standard deviations of a response, mean over responses and plans).
+%
+% See also: wrongRuns, findBadRuns
+
+1;
+
+function store = repose (root)
+  [header, cells] = readCsvTable (fullfile (root, 'benchmarks', 'results', ...
+                                            'reposeRuns.csv'));
+  values = @(names) str2double (cells(:, ismember (header, names)));
+  names = {'coefFrictionPP', 'coefRollingFrictionPP'};
+  Case = struct ('names', {names}, 'limits', [0.2, 0.02; 0.8, 0.3]);
+  Case.targets = struct ('name', header(end - 2:end), ...
+                         'value', {30.5, 0.012, 0.0173}, ...
+                         'tol', {0.06, 0.04, 0.08}, 'sd', 0, 'model', 1, ...
+                         'role', 'calibrate');
+  store = struct ('X', values (names), 'Z', values (header(end - 2:end)), ...
+                  'problem', newProblem (Case));
+end
+
+function store = campaign (name, root)
+  [given, data] = storedCampaign (name, root);
+  neutral = [given.effects(~[given.effects.laboratory]).neutral];
+  use = all (data.E == neutral, 2) & all (isfinite (data.Z), 2);
+  Case = struct ('names', {given.names}, 'limits', given.limits);
+  Case.targets = struct ('name', given.targetNames, ...
+                         'value', num2cell (given.value), 'tol', 0.05, ...
+                         'sd', 0, 'model', num2cell (given.bench), ...
+                         'role', 'calibrate');
+  store = struct ('X', data.X(use, :), 'Z', data.Z(use, :), ...
+                  'problem', newProblem (Case));
+end
+
+% Planted, found, good ones left out (a run of a bench is one), and the miss.
+function count = onePlan (store, n, share, number)
+  rand ('twister', number);
+  randn ('twister', number);
+  pick = randperm (rows (store.X))(1:n);
+  Z = store.Z(pick, :);
+  bench = store.problem.bench;
+  wrong = false (size (Z));
+  for b = unique (bench)
+    own = bench == b;
+    at = rand (n, 1) < share;
+    wrong(at, own) = true;
+    off = 1 + (0.1 + 0.3 * rand (n, sum (own))) .* sign (randn (n, sum (own)));
+    Z(at, own) = Z(at, own) .* off(at, :);
+  end
+  data = mergeFields (newData (columns (store.X), columns (Z), 0), ...
+                      struct ('X', store.X(pick, :), 'Z', Z, ...
+                              'E', zeros (n, 0), 'replicate', ones (n, 1)));
+  surrogates = fitSurrogates (data, store.problem);
+  left = horzcat (surrogates.leftOut);
+  others = setdiff (1:rows (store.X), pick);
+  miss = predictSurrogate (surrogates, store.X(others, :)) - ...
+         store.Z(others, :);
+  [~, first] = unique (bench, 'first');
+  left = left(:, first);
+  wrong = wrong(:, first);
+  count = [sum(wrong(:)), sum(left(wrong)), sum(left(~wrong)), ...
+           mean(sqrt (mean (miss.^2, 1)) ./ std (store.Z))];
+end
+
+args = argv ();
+addpath (fileparts (mfilename ('fullpath')));
+root = startBenchmarks ();
+pkg ('load', 'stk');
+share = str2double (args{1});
+numbers = str2num (args{2});
+plans = numel (numbers);
+stores = {'repose', 10; 'repose', 25; 'hiddenEffect', 25; 'drumAndBins', 25};
+for i = 1:rows (stores)
+  [name, n] = stores{i, :};
+  if strcmp (name, 'repose')
+    store = repose (root);
+  else
+    store = campaign (name, root);
+  end
+  count = zeros (plans, 4);
+  for k = 1:plans
+    count(k, :) = onePlan (store, n, share, numbers(k));
+  end
+  hit = sum (count(:, 3) > 0);
+  [lo, hi] = binomialInterval (hit, plans);
+  printf (['%-13s %2d runs: %d of %d wrong ones found; good ones left out ', ...
+           'in %d of %d plans (%.0f - %.0f %%), %.2f a plan; others are ', ...
+           'missed by %.3f\n'], name, n, ...
+          sum (count(:, 2)), sum (count(:, 1)), hit, plans, 100 * lo, ...
+          100 * hi, mean (count(:, 3:4)));
+end
