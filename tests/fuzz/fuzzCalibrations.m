@@ -16,7 +16,8 @@
 % and parameter), and in others, with other names or the rows of the plan in
 % another order. A failure is an error that is none of DEcalioc or is not due, a
 % warning, a number that is NaN or out of bounds where it may not be, and
-% another set (by more than 1 % of the box).
+% another set (by more than 1 % of the box; with fewer targets than parameters
+% many sets are as good: by more than a tolerance of a response).
 %
 % See also: fuzzSeeds, fuzzDiagnoses, calibrateStandIn
 
@@ -40,7 +41,7 @@ function [found, count] = tryOne (seed, count)
   if isempty (other) || ~isempty (found)
     return
   end
-  [text, isClose] = compared (first, other);
+  [text, isClose] = compared (first, other, lab);
   count.close = count.close + isClose;
   if ~isempty (text)
     found = {sprintf('%s changes the result: %s', strjoin (how, ', '), text)};
@@ -192,7 +193,7 @@ function found = wrongNumbers (r)
   end
 end
 
-function [text, isClose] = compared (a, b)
+function [text, isClose] = compared (a, b, lab)
   [text, isClose] = deal ('', false);
   if isfield (a, 'refused') || isfield (b, 'refused')
     if ~(isfield (a, 'refused') && isfield (b, 'refused'))
@@ -201,6 +202,11 @@ function [text, isClose] = compared (a, b)
     return
   end
   off = max (abs (a.params - b.params));
+  [half, own] = tolerances (lab);
+  if sum (own) < numel (a.params)
+    apart = abs (meansOf (lab, a.params) - meansOf (lab, b.params)) ./ half;
+    off = min (off, 0.01 * max (apart(own)));
+  end
   isClose = a.converged ~= b.converged && off <= 0.01;
   if off > 0.01
     words = {'not converged', 'converged'};
@@ -219,11 +225,15 @@ function count = counted (count, r, lab)
     return
   end
   count.converged = count.converged + r.converged;
-  value = [lab.targets.value];
-  half = [lab.targets.tol] .* abs (value);
+  [half, own] = tolerances (lab);
+  off = abs (meansOf (lab, r.params) - [lab.targets.value]) ./ half;
+  count.wrong = count.wrong + (r.converged && any (off(own) > 2));
+end
+
+% Of each response, and which ones are fitted.
+function [half, own] = tolerances (lab)
+  half = [lab.targets.tol] .* abs ([lab.targets.value]);
   isAbsolute = [lab.targets.isAbsolute];
   half(isAbsolute) = [lab.targets(isAbsolute).tol] * 5;
   own = strcmp ({lab.targets.role}, 'calibrate');
-  off = abs (meansOf (lab, r.params) - value) ./ half;
-  count.wrong = count.wrong + (r.converged && any (off(own) > 2));
 end
