@@ -50,7 +50,7 @@ test:                  ## all set-up, then the tests; ends in "N passed, N faile
 	@tools/liggghts/build.sh
 	@CASE=. tools/octave.sh tests/runTests.m $${ONLY:+"$$ONLY"}
 
-soak:                  ## all tests, in their long form: for hours
+soak:                  ## all tests, in their long form: 1.5 hours on 2 cores
 	@DECALIOC_SOAK=1 $(MAKE) --no-print-directory test
 
 bench:                 ## list the programs that measure
