@@ -7,32 +7,18 @@
 %
 % Runs of DEM scatter with wide tails, and what one run measures scatters
 % together: an avalanche changes slope, height and mass at once. Each plan is a
-% random part of the runs of a store: results/reposeRuns.csv (the template
-% Repose, two parameters, 121 runs: decalioc new --model Repose, Input.numOfSam
-% 120, decalioc run, decalioc export), and the neutral runs of
-% examples/hiddenEffect and benchmarks/drumAndBins. All ended well. In a wrong
+% random part of the runs of a store: 121 runs of the template Repose with two
+% parameters (storedRepose), and the neutral runs of examples/hiddenEffect and
+% benchmarks/drumAndBins. All ended well. In a wrong
 % run every response of one bench is off by 10 to 40 % either way. Prints how
-% many of these findBadRuns leaves out, how many good ones, and by how much the
+% many of these findBadRuns leaves out, how many good ones, by how much the
 % surrogates miss the good runs that are not in the plan (root mean square, in
-% standard deviations of a response, mean over responses and plans).
+% standard deviations of a response, mean over responses and plans), and how
+% many of these the 90 % intervals of a run hold.
 %
 % See also: wrongRuns, findBadRuns
 
 1;
-
-function store = repose (root)
-  [header, cells] = readCsvTable (fullfile (root, 'benchmarks', 'results', ...
-                                            'reposeRuns.csv'));
-  values = @(names) str2double (cells(:, ismember (header, names)));
-  names = {'coefFrictionPP', 'coefRollingFrictionPP'};
-  Case = struct ('names', {names}, 'limits', [0.2, 0.02; 0.8, 0.3]);
-  Case.targets = struct ('name', header(end - 2:end), ...
-                         'value', {30.5, 0.012, 0.0173}, ...
-                         'tol', {0.06, 0.04, 0.08}, 'sd', 0, 'model', 1, ...
-                         'role', 'calibrate');
-  store = struct ('X', values (names), 'Z', values (header(end - 2:end)), ...
-                  'problem', newProblem (Case));
-end
 
 function store = campaign (name, root)
   [given, data] = storedCampaign (name, root);
@@ -43,16 +29,16 @@ function store = campaign (name, root)
                          'value', num2cell (given.value), 'tol', 0.05, ...
                          'sd', 0, 'model', num2cell (given.bench), ...
                          'role', 'calibrate');
-  store = struct ('X', data.X(use, :), 'Z', data.Z(use, :), ...
+  store = struct ('data', struct ('X', data.X(use, :), 'Z', data.Z(use, :)), ...
                   'problem', newProblem (Case));
 end
 
-% Planted, found, good ones left out (a run of a bench is one), and the miss.
+% Planted, found, good ones left out (a run of a bench is one), miss, coverage.
 function count = onePlan (store, n, share, number)
   rand ('twister', number);
   randn ('twister', number);
-  pick = randperm (rows (store.X))(1:n);
-  Z = store.Z(pick, :);
+  pick = randperm (rows (store.data.X))(1:n);
+  Z = store.data.Z(pick, :);
   bench = store.problem.bench;
   wrong = false (size (Z));
   for b = unique (bench)
@@ -62,19 +48,22 @@ function count = onePlan (store, n, share, number)
     off = 1 + (0.1 + 0.3 * rand (n, sum (own))) .* sign (randn (n, sum (own)));
     Z(at, own) = Z(at, own) .* off(at, :);
   end
-  data = mergeFields (newData (columns (store.X), columns (Z), 0), ...
-                      struct ('X', store.X(pick, :), 'Z', Z, ...
+  data = mergeFields (newData (columns (store.data.X), columns (Z), 0), ...
+                      struct ('X', store.data.X(pick, :), 'Z', Z, ...
                               'E', zeros (n, 0), 'replicate', ones (n, 1)));
   surrogates = fitSurrogates (data, store.problem);
   left = horzcat (surrogates.leftOut);
-  others = setdiff (1:rows (store.X), pick);
-  miss = predictSurrogate (surrogates, store.X(others, :)) - ...
-         store.Z(others, :);
+  others = setdiff (1:rows (store.data.X), pick);
+  [expected, variance] = predictSurrogate (surrogates, store.data.X(others, :));
+  miss = expected - store.data.Z(others, :);
+  wide = arrayfun (@(df) studentQuantile (0.95, df), [surrogates.df]) .* ...
+         sqrt (variance + [surrogates.noiseVar]);
   [~, first] = unique (bench, 'first');
   left = left(:, first);
   wrong = wrong(:, first);
   count = [sum(wrong(:)), sum(left(wrong)), sum(left(~wrong)), ...
-           mean(sqrt (mean (miss.^2, 1)) ./ std (store.Z))];
+           mean(sqrt (mean (miss.^2, 1)) ./ std (store.data.Z)), ...
+           mean(mean (abs (miss) < wide))];
 end
 
 args = argv ();
@@ -88,11 +77,11 @@ stores = {'repose', 10; 'repose', 25; 'hiddenEffect', 25; 'drumAndBins', 25};
 for i = 1:rows (stores)
   [name, n] = stores{i, :};
   if strcmp (name, 'repose')
-    store = repose (root);
+    store = storedRepose (root);
   else
     store = campaign (name, root);
   end
-  count = zeros (plans, 4);
+  count = zeros (plans, 5);
   for k = 1:plans
     count(k, :) = onePlan (store, n, share, numbers(k));
   end
@@ -100,7 +89,7 @@ for i = 1:rows (stores)
   [lo, hi] = binomialInterval (hit, plans);
   printf (['%-13s %2d runs: %d of %d wrong ones found; good ones left out ', ...
            'in %d of %d plans (%.0f - %.0f %%), %.2f a plan; others are ', ...
-           'missed by %.3f\n'], name, n, ...
+           'missed by %.3f, intervals hold %.2f\n'], name, n, ...
           sum (count(:, 2)), sum (count(:, 1)), hit, plans, 100 * lo, ...
-          100 * hi, mean (count(:, 3:4)));
+          100 * hi, mean (count(:, 3:5)));
 end

@@ -1,0 +1,71 @@
+% REPOSESEEDS  Calibrations of a LIGGGHTS model from other seeds: are they true?
+%
+% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK
+%
+%   SEEDS  of plan and packings (Input.seed), e.g. 11:30
+%   WORK   folder of the cases (WORK/SEED), kept; a case that lies there goes on
+%
+% Each is the template Repose as decalioc new --model Repose makes it: two
+% parameters, angle of repose and mass on the plate to 6 and 4 %, where the set
+% that gave the values is known. What a set truly gives, is said by surrogates
+% of 121 other runs (results/reposeRuns.csv), whose own uncertainty at the set
+% is printed beside, all in tolerances.
+%
+% See also: wrongStored, peers
+
+1;
+
+function found = oneCase (seed, work, root)
+  folder = fullfile (work, sprintf ('%d', seed));
+  decalioc = fullfile (root, 'bin', 'decalioc');
+  if ~isfolder (folder)
+    call (sprintf ('cd %s && %s new --model Repose %d', shellQuote (work), ...
+                   shellQuote (decalioc), seed));
+    file = fullfile (folder, 'loadInput.m');
+    writeAtomic (file, strrep (fileread (file), 'Input.seed = 1;', ...
+                               sprintf ('Input.seed = %d;', seed)));
+  end
+  call (sprintf ('%s run %s', shellQuote (decalioc), shellQuote (folder)));
+  found = jsondecode (fileread (fullfile (folder, 'results', ...
+                                          'calibration.json')));
+end
+
+% Exit status 2: not all targets are met.
+function call (line)
+  [status, text] = system ([line, ' 2>&1']);
+  if ~any (status == [0, 2])
+    error ('DEcalioc:reposeSeeds:runFailed', ...
+           'reposeSeeds: %s must end well, got status %d: %s', line, ...
+           status, text);
+  end
+end
+
+args = argv ();
+addpath (fileparts (mfilename ('fullpath')));
+root = startBenchmarks ();
+pkg ('load', 'stk');
+work = make_absolute_filename (args{2});
+[~, ~] = mkdir (work);
+store = storedRepose (root);
+problem = store.problem;
+truth = fitSurrogates (store.data, problem);
+use = problem.calibrate;
+[isTrue, isMet, stated] = deal ([]);
+for seed = str2num (args{1})
+  c = oneCase (seed, work, root);
+  [z, v] = predictSurrogate (truth, cellfun (@(n) c.params.(n), ...
+                                             problem.names));
+  part = problem.tol(use) .* problem.value(use);
+  off = abs (z(use) - problem.value(use)) ./ part;
+  isTrue(end + 1) = all (off < 1);
+  isMet(end + 1) = c.converged;
+  stated(end + 1) = c.probability;
+  printf ('%4d  calibrated %d, probability %.3f, truly off by %s (sd %s)\n', ...
+          seed, c.converged, c.probability, sprintf ('%.2f ', off), ...
+          sprintf ('%.2f ', sqrt (v(use)) ./ part));
+end
+[lo, hi] = binomialInterval (sum (isTrue & isMet), sum (isMet));
+printf (['%d of %d are called calibrated, with a probability of %.2f in ', ...
+         'the mean; %d of these truly are (%.0f - %.0f %%)\n'], ...
+        sum (isMet), numel (isMet), mean (stated(isMet == 1)), ...
+        sum (isTrue & isMet), 100 * lo, 100 * hi);
