@@ -48,9 +48,8 @@ function count = onePlan (store, n, share, number)
     off = 1 + (0.1 + 0.3 * rand (n, sum (own))) .* sign (randn (n, sum (own)));
     Z(at, own) = Z(at, own) .* off(at, :);
   end
-  data = mergeFields (newData (columns (store.data.X), columns (Z), 0), ...
-                      struct ('X', store.data.X(pick, :), 'Z', Z, ...
-                              'E', zeros (n, 0), 'replicate', ones (n, 1)));
+  data = addRows (newData (columns (store.data.X), columns (Z)), ...
+                  store.data.X(pick, :), Z, ones (n, 1), 'plan');
   surrogates = fitSurrogates (data, store.problem);
   left = horzcat (surrogates.leftOut);
   others = setdiff (1:rows (store.data.X), pick);

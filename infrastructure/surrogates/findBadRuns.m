@@ -207,4 +207,7 @@ end
 %! s = repmat (fitSurrogate (X, curve(:, 1), [0, 0, 0; 1, 1, 1]), 1, 20);
 %! none = false (16, 20);
 %! bad = findBadRuns (X, curve, kind, s, none);
-%! assert (any (bad(:)), false);
+%! far = repmat (Z(:, 1) + 0.5 * (1:16 == 4)', 1, 20);
+%! s(:) = fitSurrogate (X, far(:, 1), [0, 0, 0; 1, 1, 1]);
+%! alone = findBadRuns (X, far, kind, s, none);
+%! assert ([any(bad(:)), any(alone(:))], [false, true]);
