@@ -16,7 +16,7 @@
 % variance where the standardised residuals are larger than chance allows. df is
 % what the smoother leaves to the noise, trace (noise Q) = n - trace (hat), and
 % what the prior of the fit knows of the noise (prepareFit: log variance normal
-% with deviation 1.2, as much as 2 / 1.2^2 freedoms tell), at least a third of
+% with deviation 1.6, as much as 2 / 1.6^2 freedoms tell), at least a third of
 % the rows beyond the trend.
 
 function surrogate = conditionSurrogate (choice, base)
@@ -59,7 +59,7 @@ function surrogate = conditionSurrogate (choice, base)
   surrogate.trend = choice.trend;
   surrogate.covariance = choice.covariance;
   surrogate.factor = max (1, mean (looStd.^2) - 2 * sqrt (2 / n));
-  surrogate.df = max ([3, sum(noise .* q) + 2 / 1.2^2, ...
+  surrogate.df = max ([3, sum(noise .* q) + 2 / 1.6^2, ...
                        (n - size (H, 2)) / 3]);
   surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd.^2);
   surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...

@@ -42,8 +42,8 @@ function fit = prepareFit (U, y, trend, kernel, noise, of)
   if strcmp (trend, 'constant')
     beyond = 1;
   end
-  fit.mean = [log(beyond); -log(1.5) * ones(d, 1); 2 * log(0.1)];
-  fit.sd = [2; ones(d, 1); 1.2];
+  fit.mean = [log(beyond); -log(1.5) * ones(d, 1); 2 * log(0.3)];
+  fit.sd = [2; ones(d, 1); 1.6];
   if ~isempty (of.prior)
     known = isfinite (of.prior);
     variance = 1 ./ (1 ./ fit.sd(known).^2 + 1 / 0.5^2);
