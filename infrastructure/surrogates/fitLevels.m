@@ -77,7 +77,7 @@ end
 %!test
 %! % coarse runs that are off by a fifth and bent tell of the fine ones
 %! z = truth (X) .* (1 + 0.2 * level .* (1 + X(:, 1)));
-%! few = [1:9, 19, 20];
+%! few = [1:9, 18:20];
 %! s = fitLevels (X(few, :), z(few), level(few), lim, struct ());
 %! assert (isempty (s.dropped));
 %! V = rand (50, 2);
