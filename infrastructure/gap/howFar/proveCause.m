@@ -11,8 +11,10 @@
 %   CURE        of measureCure, for the cause that VERDICT tells then; []
 %               where there is nothing to compare
 %
-% Compared are the named cause and the likeliest other effect, a placebo; or the
-% two likeliest of a group. Where these runs turn up another cause, a pair say,
+% Compared are the named cause and the likeliest other effect, a placebo; where
+% no other one is likely, the one whose mark on the targets is most like that of
+% the cause, as one that cannot imitate it proves nothing. Of a group, its two
+% likeliest. Where these runs turn up another cause, a pair say,
 % it is compared too: a name must not be judged by the cure of another one.
 % Where DEM still misses a target, the surrogates of the cause were wrong there:
 % fitted again with these runs they give a nearer set, which is run, twice at
@@ -21,7 +23,7 @@
 function [verdict, w, cure, state] = proveCause (verdict, study, state)
   cure = [];
   w = study.w;
-  causes = comparedCauses (verdict);
+  causes = comparedCauses (verdict, w.screen, study.models.options);
   if isempty (causes)
     return
   end
@@ -89,7 +91,7 @@ function is = isAmong (h, list)
 end
 
 % The cause and a placebo, or the two likeliest of a group.
-function causes = comparedCauses (verdict)
+function causes = comparedCauses (verdict, screen, options)
   causes = {};
   if isempty (verdict.include) || strcmp (verdict.kind, 'surrogate')
     return
@@ -105,6 +107,11 @@ function causes = comparedCauses (verdict)
     causes = {verdict.effects};
   end
   others = order(~ismember (order, [causes{:}, verdict.effects]));
+  if all (verdict.total(others) < options.rivalAt)
+    alike = max (screen.cosine([causes{:}], others), [], 1);
+    [~, order] = sort (-alike .* isfinite (screen.smallest(others)));
+    others = others(order);
+  end
   missing = min (2 - numel (causes), numel (others));
   causes = [causes, num2cell(others(1:missing))];
 end
@@ -143,3 +150,24 @@ end
 %! assert (cure.closure > 0.9);
 %! assert (~any (strcmp ({cure.placebos.effect}, 'size')));
 %! assert (state.left, 16 - 4 * 3);
+
+%!test
+%! % no other effect is likely: the placebo is the one most like the cause, and
+%! % the likeliest one again where that has 0.05
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
+%! study = labStudy (given, data, struct ('twins', 99));
+%! study.models = omnibusReference (study.models);
+%! study.w = caseEvidence (study.models, study.fits, 1);
+%! verdict = judgeCase (study.w, study.models);
+%! [verdict.kind, verdict.effects, verdict.top] = deal ('named', 3, 3);
+%! state = newGapState (data, study.gapProblem, gapOptions ([]), []);
+%! placebos = cell (1, 2);
+%! for i = 1:2
+%!   verdict.total = [0, [0.01, 0.06](i), 0.9, 0, 0];
+%!   [~, ~, cure] = proveCause (verdict, study, state);
+%!   placebos{i} = cure.placebos.effect;
+%! end
+%! [~, like] = max (study.w.screen.cosine(3, [1, 2, 4, 5]));
+%! assert (like, 3);
+%! assert (placebos, {'size', 'bridge'});
