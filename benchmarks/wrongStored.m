@@ -1,6 +1,7 @@
 % WRONGSTORED  Plans of stored LIGGGHTS runs: which runs are taken for wrong.
 %
 % CALL: octave-cli benchmarks/wrongStored.m SHARE PLANS
+% CALL: octave-cli benchmarks/wrongStored.m noise
 %
 % SHARE  of wrong runs, 0 or 0.12;  PLANS  numbers, e.g. 101:140: drawn of each
 %        store
@@ -16,7 +17,10 @@
 % standard deviations of a response, mean over responses and plans), and how
 % many of these the 90 % intervals of a run hold.
 %
-% See also: wrongRuns, findBadRuns
+% With noise: what a run scatters by, over the spread of the response, as
+% prepareFit expects it: surrogates of all runs of a store.
+%
+% See also: wrongRuns, findBadRuns, prepareFit
 
 1;
 
@@ -65,21 +69,47 @@ function count = onePlan (store, n, share, number)
            mean(mean (abs (miss) < wide))];
 end
 
+function store = storeOf (name, root)
+  if strcmp (name, 'repose')
+    store = storedRepose (root);
+  else
+    store = campaign (name, root);
+  end
+end
+
+function sayNoise (root)
+  ratio = [];
+  for name = {'repose', 'hiddenEffect', 'drumAndBins'}
+    store = storeOf (name{1}, root);
+    n = rows (store.data.X);
+    data = addRows (newData (columns (store.data.X), ...
+                             columns (store.data.Z)), ...
+                    store.data.X, store.data.Z, ones (n, 1), 'plan');
+    surrogates = fitSurrogates (data, store.problem);
+    own = sqrt ([surrogates.noiseVar]) ./ std (store.data.Z);
+    printf ('%-13s %3d runs: %s\n', name{1}, n, sprintf ('%.2f ', own));
+    ratio = [ratio, own];
+  end
+  printf (['%d responses: geometric mean %.2f, deviation of the log ' ...
+           'variance %.2f\n'], numel (ratio), exp (mean (log (ratio))), ...
+          2 * std (log (ratio)));
+end
+
 args = argv ();
 addpath (fileparts (mfilename ('fullpath')));
 root = startBenchmarks ();
 pkg ('load', 'stk');
+if strcmp (args{1}, 'noise')
+  sayNoise (root);
+  return
+end
 share = str2double (args{1});
 numbers = str2num (args{2});
 plans = numel (numbers);
 stores = {'repose', 10; 'repose', 25; 'hiddenEffect', 25; 'drumAndBins', 25};
 for i = 1:rows (stores)
   [name, n] = stores{i, :};
-  if strcmp (name, 'repose')
-    store = storedRepose (root);
-  else
-    store = campaign (name, root);
-  end
+  store = storeOf (name, root);
   count = zeros (plans, 5);
   for k = 1:plans
     count(k, :) = onePlan (store, n, share, numbers(k));
