@@ -19,9 +19,9 @@
 %
 % The restricted likelihood equals stk_param_relik up to the prior, in less time
 % for few runs. With few runs per parameter the plain likelihood lets the noise
-% collapse to zero; the prior costs nothing when the data speak. Its noise is 0.3
-% of the spread of a response, with a deviation of 1.6 of the log variance: 32
-% responses of stored LIGGGHTS runs have 0.4 and 1.6 (benchmarks/wrongStored.m).
+% collapse to zero; the prior costs nothing when the data speak. Its noise
+% is 0.3 of the spread of a response, the log variance with a deviation of 1.6:
+% 32 responses of stored LIGGGHTS runs have 0.4 and 1.6 (wrongStored noise).
 
 function fit = prepareFit (U, y, trend, kernel, noise, of)
   if nargin < 6
