@@ -69,14 +69,16 @@ end
 
 % With one of SHARES equal parts of what may still be run.
 function diagnosis = diagnoseOne (Case, given, state, shares, say)
-  [part, state, own] = livingPart (Case, state);
-  options = gapBudget (part, state.budget, given, state.seconds);
+  isAlive = livingModels (Case, state.data);
+  state.budget.perSet = sum (isAlive);
+  options = gapBudget (partOfCase (Case, isAlive), state.budget, given, ...
+                       state.seconds);
   given.tests = @() caseTests (Case, say);
-  evaluate = newEvaluate (part, say);
+  evaluate = state.evaluate;
   left = state.budget.left / state.budget.perSet;
   options.maxNewRuns = min (options.maxNewRuns, floor (left / shares));
   if options.maxNewRuns > 0
-    state.evaluate = @(varargin) inColumns (evaluate, own, varargin{:});
+    state.evaluate = @(varargin) evaluate (varargin{:}, isAlive);
   else
     state.evaluate = [];
   end
@@ -98,28 +100,11 @@ function [data, levelled] = atLevels (data, Case, problem)
   data.E = data.E(:, v + 1:end);
 end
 
-% The case without the models that gave no result, which enterRuns leaves out,
-% and the budget of its runs; OWN, 1 x T logical: the targets of the others.
-function [part, state, own] = livingPart (Case, state)
+% Those that gave a result; enterRuns leaves out the others.
+function isAlive = livingModels (Case, data)
   model = [Case.targets.model];
   isAlive = ismember (1:numel (Case.models), ...
-                      model(any (isfinite (state.data.Z), 1)));
-  own = isAlive(model);
-  number = cumsum (isAlive);
-  part = Case;
-  part.models = Case.models(isAlive);
-  state.budget.perSet = sum (isAlive);
-  state.budget.seconds = state.budget.seconds(isAlive);
-  part.targets = Case.targets(own);
-  for t = 1:sum (own)
-    part.targets(t).model = number(part.targets(t).model);
-  end
-end
-
-function [Z, budget] = inColumns (evaluate, own, varargin)
-  [found, budget] = evaluate (varargin{:});
-  Z = NaN (rows (found), numel (own));
-  Z(:, own) = found;
+                      model(any (isfinite (data.Z), 1)));
 end
 
 function putAside (folder, name)
