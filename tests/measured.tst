@@ -66,8 +66,8 @@
 %! assert (all (moved.Z(:, 4) ~= data.Z(:, 4)));
 
 %!test
-%! % diagnosis: the effect alone is said (that its runs contradict its surrogate,
-%! % which hangs on where they stand, leaves it a group of one), the unmeasured
+%! % diagnosis: the effect alone is said (a group of one where its runs
+%! % contradict its surrogate, which hangs on where they stand), the unmeasured
 %! % setting offered with cost
 %! root = fileparts (which ('DEcalioc'));
 %! [status, out, err] = startProgram (folder, ...
