@@ -1,6 +1,6 @@
 % ADDRUNS  Makes runs and adds them to the data: the one door for all runs.
 %
-% CALL: STATE = addRuns (STATE, PROBLEM, P, E, STAGE [, REPLICATE [, IS]])
+% CALL: STATE = addRuns (STATE, PROBLEM, P, E, STAGE [, REPLICATE])
 %
 %   STATE      struct: data (newData), evaluate and budget (newEvaluate)
 %   PROBLEM    see newProblem; limits and fine are read
@@ -8,20 +8,17 @@
 %   E          n x v, values of the level and effect variables; []: PROBLEM.fine
 %   STAGE      what they are for (text), see newData
 %   REPLICATE  n x 1 (default: see replicateNumbers)
-%   IS         1 x M logical, the models that run (all), see newEvaluate
 %
 % A set of which a run was not made leaves no trace in the data.
 
-function state = addRuns (state, problem, P, E, stage, varargin)
+function state = addRuns (state, problem, P, E, stage, replicate)
   if rows (E) < rows (P)
     E = repmat (problem.fine, rows (P), 1);
   end
-  if isempty (varargin)
-    varargin = {replicateNumbers(state.data, P, problem.limits)};
+  if nargin < 6
+    replicate = replicateNumbers (state.data, P, problem.limits);
   end
-  replicate = varargin{1};
-  [Z, state.budget] = state.evaluate (P, E, replicate, stage, state.budget, ...
-                                      varargin{2:end});
+  [Z, state.budget] = state.evaluate (P, E, replicate, stage, state.budget);
   isTried = ~any (isna (Z), 2);
   state.data = addRows (state.data, P(isTried, :), Z(isTried, :), ...
                         replicate(isTried), stage, E(isTried, :));

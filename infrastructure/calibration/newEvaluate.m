@@ -5,12 +5,10 @@
 %
 %   F         handle Z = F (P, E, REPLICATE), or with a fourth argument, STAGE;
 %             []: nothing to run, EVALUATE is []
-%   EVALUATE  [Z, BUDGET] = EVALUATE (P, E, REPLICATE, STAGE, BUDGET [, IS]),
-%             see addRuns: P n x d, E n x v (levels and effects, or effects
-%             alone), REPLICATE n x 1, Z n x T, NaN where a run failed, NA
-%             (isna) where a run of the set was not made, as the budget has none
-%             left; IS 1 x M logical, the models that run: NaN for the others
-%             (default all; a formula does all it has)
+%   EVALUATE  [Z, BUDGET] = EVALUATE (P, E, REPLICATE, STAGE, BUDGET), see
+%             addRuns: P n x d, E n x v (levels and effects, or effects alone),
+%             REPLICATE n x 1, Z n x T, NaN where a run failed, NA (isna) where
+%             a run of the set was not made because the budget has none left
 %   BUDGET    scalar struct, in runs (one a model and set): left, perSet, new,
 %             reused (from the store), failed; coreSeconds; seconds (1 x M cell,
 %             of the runs that ended well, see addSeconds); levels (n x (v + 1):
@@ -33,23 +31,20 @@ function [evaluate, budget] = newEvaluate (source, say)
       budget.left = 0;
       budget.isUsedUp = true;
     end
-    evaluate = @(P, E, replicate, stage, budget, varargin) ...
-      bookedRuns ({P, E, replicate, stage}, budget, source, say, varargin{:});
+    evaluate = @(P, E, replicate, stage, budget) ...
+      bookedRuns ({P, E, replicate, stage}, budget, source, say);
   else
     takesStage = nargin (source) < 0 || nargin (source) > 3;
-    evaluate = @(P, E, replicate, stage, budget, varargin) ...
+    evaluate = @(P, E, replicate, stage, budget) ...
       counted (source ({P, E, replicate, stage}{1:3 + takesStage}), budget);
   end
 end
 
-function [Z, budget] = bookedRuns (wanted, budget, Case, say, is)
+function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   [P, E, replicate, stage] = wanted{:};
   if any (cellfun (@isempty, {Case.models.folder}))
     Z = NA (rows (P), numel (Case.targets));
     return
-  end
-  if nargin < 5
-    is = true (1, numel (Case.models));
   end
   if any (strcmp (stage, {'infill', 'verify', 'replicate'}))
     stage = 'calibration';             % in the records these are one
@@ -58,27 +53,24 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say, is)
   if columns (E) < numel (plain)             % effects alone: at the last level
     E = [repmat(plain(1:end - columns (E)), rows (P), 1), E];
   end
-  [part, own] = partOfCase (Case, is);
-  part.options.maxNewRuns = budget.left;
-  [part.models.seconds] = budget.seconds{is};
-  tell = newProgress (stage, say);
-  Z = NaN (rows (P), numel (own));
-  [Z(:, own), records, isReused, nNew] = ...
-    evaluateDEM (P, part, replicate, stage, tell, E);
+  Case.options.maxNewRuns = budget.left;
+  [Case.models.seconds] = budget.seconds{:};
+  [Z, records, isReused, nNew] = evaluateDEM (P, Case, replicate, stage, ...
+                                              newProgress (stage, say), E);
   shaped = @(list) reshape (list, size (records));
   isLeftOut = shaped (strcmp ({records.cause}, 'budget'));
   isGood = shaped (strcmp ({records.status}, 'ok'));
-  Z(isnan (Z) & own & any (isLeftOut, 2)) = NA;
-  budget.seconds(is) = {addSeconds(part.models, records(:)').seconds};
+  Z(isnan (Z) & any (isLeftOut, 2)) = NA;
+  budget.seconds = {addSeconds(Case.models, records(:)').seconds};
   budget.isUsedUp = budget.isUsedUp || any (isLeftOut(:));
   budget.new = budget.new + nNew;
   budget.left = budget.left - nNew;
   budget.reused = budget.reused + sum (isReused(:));
   budget.failed = budget.failed + sum (~isGood(:) & ~isLeftOut(:));
-  seconds = shaped ([records.seconds]) .* [part.models.cpu];
+  seconds = shaped ([records.seconds]) .* [Case.models.cpu];
   budget.coreSeconds = budget.coreSeconds + sum (seconds(isfinite (seconds)));
   v = numel (Case.coarse);
-  if v > 0 && all (is)
+  if v > 0
     whole = all (isGood, 2);
     budget.levels = [budget.levels; E(whole, 1:v), sum(seconds(whole, :), 2)];
   end
@@ -110,14 +102,6 @@ end
 %! % one of the two runs of a set is not in the budget: it was not tried
 %! assert (Z, [3, 2, -1; 11, 30, NA; NA, NA, NA], 1e-12);
 %! assert (numel (listRunFolders (Case.store, 'First')), 3);
-%!test
-%! % one model of two, as where the other one's results stand in a table
-%! Case = newCase (standInCase (tempname ()));
-%! [evaluate, budget] = newEvaluate (Case, @(text) []);
-%! [Z, budget] = evaluate ([1, 2], [], 1, 'gap', budget, [false, true]);
-%! assert (isequaln (Z, [NaN, NaN, -1]) && budget.new == 1);
-%! assert (isempty (listRunFolders (Case.store, 'First')));
-%! assert (cellfun (@isempty, budget.seconds), [true, false]);
 %!test
 %! % runs of later calls have the limit that the earlier ones gave
 %! Case = newCase (standInCase (tempname ()));

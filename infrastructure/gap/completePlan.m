@@ -42,8 +42,8 @@ end
 % neutral ones until there are those of a plan, and half of those of each
 % effect, eight at least, of all strengths: one that has no runs on a bench
 % could be anything there, and fewer than eight do not tell how it bends
-% (learnEffect). What a set has, from the store or a table, is not run again.
-% Rows of one bench alone, runs of tests (tryTests), stay as they are.
+% (learnEffect). The other runs of a set come from the store. Rows of one bench
+% alone, runs of tests (tryTests), stay as they are.
 function state = completeBenches (state, problem, Case, say)
   data = state.data;
   model = [Case.targets.model];
@@ -60,24 +60,14 @@ function state = completeBenches (state, problem, Case, say)
     return
   end
   say (sprintf ('%d sets on benches that are new', numel (at)));
-  for has = unique (wasRun(at, :), 'rows')'
-    sets = at(all (wasRun(at, :) == has', 2));
-    state = runOpen (state, problem, sets, ~has', ~has(model)');
-  end
-end
-
-% The runs that SETS, rows of the data, lack on the benches IS, 1 x M, with the
-% targets OWN.
-function state = runOpen (state, problem, sets, is, own)
-  data = state.data;
   new = setfield (state, 'data', keepRows (data, []));
-  new = addRuns (new, problem, data.X(sets, :), data.E(sets, :), 'gap', ...
-                 data.replicate(sets), is);
+  new = addRuns (new, problem, data.X(at, :), data.E(at, :), 'gap', ...
+                 data.replicate(at));
   state.budget = new.budget;
   whole = @(d) [d.X, d.E, d.replicate];
-  [isThere, from] = ismember (whole (keepRows (data, sets)), ...
+  [isThere, from] = ismember (whole (keepRows (data, at)), ...
                               whole (new.data), 'rows');
-  state.data.Z(sets(isThere), own) = new.data.Z(from(isThere), own);
+  state.data.Z(at(isThere), :) = new.data.Z(from(isThere), :);
 end
 
 function at = wantedSets (E, isWhole, isOpen, Case)
@@ -136,12 +126,6 @@ end
 %! assert (known(35));
 %! assert (full.data.Z(known, 4), full.data.X(known), 1e-12);
 %! assert (full.budget.new, 20);
-%! % only the bench that they lack is run: the others may stand in a table
-%! asked = setfield (state, 'evaluate', @(P, E, r, stage, budget, is) ...
-%!                   deal (P * [7, 7, 3, 3] * isequal (is, [0, 0, 1]), budget));
-%! asked = completePlan (asked, Case, Case, @(t) []);
-%! assert (asked.data.Z(1:35, 1:2), state.data.Z(1:35, 1:2));
-%! assert (asked.data.Z(known(1:35), 3), 3 * X(known(1:35)), 1e-12);
 %! % once done nothing is wanted; a budget that ends cuts off
 %! again = completePlan (full, Case, Case, @(t) []);
 %! assert (again.budget.new, 20);

@@ -69,16 +69,14 @@ end
 
 % With one of SHARES equal parts of what may still be run.
 function diagnosis = diagnoseOne (Case, given, state, shares, say)
-  isAlive = livingModels (Case, state.data);
-  state.budget.perSet = sum (isAlive);
-  options = gapBudget (partOfCase (Case, isAlive), state.budget, given, ...
-                       state.seconds);
+  [part, state, own] = livingPart (Case, state);
+  options = gapBudget (part, state.budget, given, state.seconds);
   given.tests = @() caseTests (Case, say);
-  evaluate = state.evaluate;
+  evaluate = newEvaluate (part, say);
   left = state.budget.left / state.budget.perSet;
   options.maxNewRuns = min (options.maxNewRuns, floor (left / shares));
   if options.maxNewRuns > 0
-    state.evaluate = @(varargin) evaluate (varargin{:}, isAlive);
+    state.evaluate = @(varargin) inColumns (evaluate, own, varargin{:});
   else
     state.evaluate = [];
   end
@@ -100,11 +98,28 @@ function [data, levelled] = atLevels (data, Case, problem)
   data.E = data.E(:, v + 1:end);
 end
 
-% Those that gave a result; enterRuns leaves out the others.
-function isAlive = livingModels (Case, data)
+% The case without the models that gave no result, which enterRuns leaves out,
+% and the budget of its runs; OWN, 1 x T logical: the targets of the others.
+function [part, state, own] = livingPart (Case, state)
   model = [Case.targets.model];
   isAlive = ismember (1:numel (Case.models), ...
-                      model(any (isfinite (data.Z), 1)));
+                      model(any (isfinite (state.data.Z), 1)));
+  own = isAlive(model);
+  number = cumsum (isAlive);
+  part = Case;
+  part.models = Case.models(isAlive);
+  state.budget.perSet = sum (isAlive);
+  state.budget.seconds = state.budget.seconds(isAlive);
+  part.targets = Case.targets(own);
+  for t = 1:sum (own)
+    part.targets(t).model = number(part.targets(t).model);
+  end
+end
+
+function [Z, budget] = inColumns (evaluate, own, varargin)
+  [found, budget] = evaluate (varargin{:});
+  Z = NaN (rows (found), numel (own));
+  Z(:, own) = found;
 end
 
 function putAside (folder, name)
