@@ -48,7 +48,6 @@ end
 function verdict = sayCause (verdict, w, models, strong, isSure)
   options = models.options;
   missing = [models.siblings{strong}];
-  missing = [missing, vagueRivals(w, models, strong)];
   isExcluded = all (ismember (strong, w.top)) && ...
                w.exclude >= log (options.exclude);
   verdict.kind = 'named';
@@ -63,7 +62,7 @@ function verdict = sayCause (verdict, w, models, strong, isSure)
                                '%.2f'], min (verdict.alike(strong)));
   elseif ~isempty (missing)
     verdict.reason = ['it cannot be told from ', strjoin(missing, ', '), ...
-                      ', which is not listed or has too few runs'];
+                      ', which is not listed or has no runs'];
   elseif ~isExcluded
     verdict.reason = sprintf (['a cause of nearly the same mark (cosine ' ...
                                '0.9) is not excluded (odds %.1f to 1)'], ...
@@ -73,14 +72,6 @@ function verdict = sayCause (verdict, w, models, strong, isSure)
     verdict.reason = [verdict.reason, '; it stands at the end of its ' ...
                       'plausible range, or beyond'];
   end
-end
-
-% Listed ones that look like it as far as their few runs tell: one whose mark
-% could be anything is unlikely for that alone.
-function names = vagueRivals (w, models, strong)
-  alike = max (w.screen.cosine(strong, :), [], 1) >= models.options.alikeAt;
-  alike(strong) = false;
-  names = models.names(alike & w.screen.vague);
 end
 
 % Effects one of which acts together with the strong one, likelier than not.
@@ -160,8 +151,7 @@ end
 %!shared w, verdict, models, named
 %! w.members = {1, [1, 2], [1, 3], 2, []};
 %! w.kind = {'single', 'pair', 'pair', 'single', 'discrepancy'};
-%! w.screen = struct ('cosine', eye (3), 'size', [10, 10, 10], 'vague', ...
-%!                    false (1, 3));
+%! w.screen = struct ('cosine', eye (3), 'size', [10, 10, 10]);
 %! [w.phi, w.atLimit, w.top, w.exclude] = deal (0.5 * ones (5, 1), ...
 %!                                              zeros (1, 5), 1, 9);
 %! models = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}});
@@ -205,7 +195,7 @@ end
 %! w.kind = repmat ({'single'}, 1, 4);
 %! w.phi = 0.5 * ones (4, 1);
 %! w.screen = struct ('cosine', 0.99 + 0.01 * eye (4), ...
-%!                    'size', 10 * ones (1, 4), 'vague', false (1, 4));
+%!                    'size', 10 * ones (1, 4));
 %! P = [0.3, 0.28, 0.26, 0.16];
 %! [verdict.P, verdict.total, verdict.alike, verdict.include] = deal (P);
 %! verdict.resemble = zeros (1, 4);

@@ -18,8 +18,6 @@
 %     smallest      1 x K, smallest |strength| seen in 80 % of cases at 5 %
 %                   false alarms: ||u (phi)|| = 2.49; Inf: cannot be seen
 %     strength      1 x K, first estimate of phi;  gain 1 x K, drop of chi2
-%     vague         1 x K logical, the signature at full strength is known less
-%                   well than a measured value
 %     cosine        K x K, isolability: cosines of the signatures, their
 %                   absolute values where one of the two acts both ways
 
@@ -39,7 +37,6 @@ function screen = screenEffects (white, theta, z)
   [screen.size, screen.absorbedShare, screen.strength, screen.gain] = ...
     deal (blank);
   screen.smallest = blank + Inf;
-  screen.vague = blank > 0;
   both = false (1, K);
   for k = 1:K
     range = white.effect(k).range;
@@ -73,7 +70,6 @@ function screen = oneSide (screen, white, k, phi, theta, sd)
   if sqrt (energy(end)) >= screen.size(k)
     screen.U(:, k) = U(end, :)';
     screen.size(k) = sqrt (energy(end));
-    screen.vague(k) = extra(end) > columns (S);
     whole = sum (S(end, :).^2);
     screen.absorbedShare(k) = 1 - sum (U(end, :).^2) / max (whole, realmin);
   end
