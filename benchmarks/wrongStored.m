@@ -33,8 +33,10 @@ function store = campaign (name, root)
                          'value', num2cell (given.value), 'tol', 0.05, ...
                          'sd', 0, 'model', num2cell (given.bench), ...
                          'role', 'calibrate');
-  store = struct ('data', struct ('X', data.X(use, :), 'Z', data.Z(use, :)), ...
-                  'problem', newProblem (Case));
+  [X, Z] = deal (data.X(use, :), data.Z(use, :));
+  data = addRows (newData (columns (X), columns (Z)), X, Z, ...
+                  ones (rows (X), 1), 'plan');
+  store = struct ('data', data, 'problem', newProblem (Case));
 end
 
 % Planted, found, good ones left out (a run of a bench is one), miss, coverage.
@@ -52,8 +54,7 @@ function count = onePlan (store, n, share, number)
     off = 1 + (0.1 + 0.3 * rand (n, sum (own))) .* sign (randn (n, sum (own)));
     Z(at, own) = Z(at, own) .* off(at, :);
   end
-  data = addRows (newData (columns (store.data.X), columns (Z)), ...
-                  store.data.X(pick, :), Z, ones (n, 1), 'plan');
+  data = setfield (keepRows (store.data, pick), 'Z', Z);
   surrogates = fitSurrogates (data, store.problem);
   left = horzcat (surrogates.leftOut);
   others = setdiff (1:rows (store.data.X), pick);
@@ -81,13 +82,10 @@ function sayNoise (root)
   ratio = [];
   for name = {'repose', 'hiddenEffect', 'drumAndBins'}
     store = storeOf (name{1}, root);
-    n = rows (store.data.X);
-    data = addRows (newData (columns (store.data.X), ...
-                             columns (store.data.Z)), ...
-                    store.data.X, store.data.Z, ones (n, 1), 'plan');
-    surrogates = fitSurrogates (data, store.problem);
+    surrogates = fitSurrogates (store.data, store.problem);
     own = sqrt ([surrogates.noiseVar]) ./ std (store.data.Z);
-    printf ('%-13s %3d runs: %s\n', name{1}, n, sprintf ('%.2f ', own));
+    printf ('%-13s %3d runs: %s\n', name{1}, rows (store.data.X), ...
+            sprintf ('%.2f ', own));
     ratio = [ratio, own];
   end
   printf (['%d responses: geometric mean %.2f, deviation of the log ' ...
