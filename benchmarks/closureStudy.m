@@ -111,8 +111,8 @@ function c = oneCase (lab, twin, level)
   low = given.limits(1, :);
   runs = @(X, E, r) lab.run ((X - low) ./ diff (given.limits), ...
                              strengthOfValues (gapProblem.effects, E));
-  state = struct ('data', lab.data, 'evaluate', runs, 'left', 20, ...
-                  'spent', 0, 'failed', 0, 'repeats', 5);
+  state = newGapState (lab.data, setfield (gapProblem, 'unit', 1), ...
+                       setfield (options, 'maxNewRuns', 20), runs);
   others = setdiff (1:numel (gapProblem.effects), twin.cause);
   [~, order] = sort (-fits.logE(1 + others));
   causes = [{twin.cause}, num2cell(others(order(1:2)))];
