@@ -230,10 +230,8 @@ function [state, em] = improveSurrogates (gapProblem, options, state)
     if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)
       return
     end
-    spread = integrationPoints (n, em.p, options.seed + round_).uniform - 0.5;
-    near = min (max (theta + 0.8 / round_ * spread, -1), 1);
-    state = spendRuns (state, gapProblem, near, ...
-                       zeros (n, numel (gapProblem.effects)), ones (n, 1));
+    state = runNearNull (gapProblem, state, theta, n, 0.8 / round_, ...
+                         options.seed + round_);
   end
 end
 

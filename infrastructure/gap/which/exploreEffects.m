@@ -8,13 +8,14 @@
 %
 % First every effect that has no such run yet once at full strength at the
 % fitted null model, both ends where it acts both ways; one that gives no result
-% there at half, a quarter and an eighth of it. Then, if there is a gap at all,
-% batches of OPTIONS.batch runs (proposeRuns), until the verdict stands or the
-% next batch would tell next to nothing (OPTIONS.worthAt). Runs that verify the
-% cure are set aside before. Nothing is run without STATE.evaluate. In a case
-% with levels these runs are of the first one, but for those at a mode. A second
-% start finds these runs; it makes others only where the first one ended because
-% OPTIONS.maxNewRuns was spent.
+% there at half, a quarter and an eighth of it. Then, where it is in doubt
+% whether there is a gap, neutral sets near the null model (runsToSeek). If
+% there is one, batches of OPTIONS.batch runs (proposeRuns), until the verdict
+% stands or the next batch would tell next to nothing (OPTIONS.worthAt). Runs
+% that verify the cure are set aside before. Nothing is run without
+% STATE.evaluate. In a case with levels the runs of effects are of the first
+% one, but for those at a mode. A second start finds these runs; it makes others
+% only where the first one ended because OPTIONS.maxNewRuns was spent.
 
 function [state, em] = exploreEffects (gapProblem, options, state, em)
   if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
@@ -28,17 +29,46 @@ function [state, em] = exploreEffects (gapProblem, options, state, em)
   reference = [];
   while state.left > 0
     [now, reference] = weighNow (gapProblem, options, em, reference);
-    if isempty (now) || stands (now, options)
+    if isempty (now)
       break
     end
-    batch = proposeRuns (gapProblem, options, state, em, now);
-    if batch.bits < options.worthAt
+    theta = now.fits.calibrated.Q;
+    n = runsToSeek (gapProblem, options, state, theta, now.w.gate.p);
+    if n > 0
+      state = runNearNull (gapProblem, state, theta, n, 0.5, ...
+                           options.seed + rows (state.data.X));
+      % what the gate compares with is another one then
+      reference = [];
+    elseif now.w.gate.p > 2 * options.level || stands (now, options)
       break
+    else
+      batch = proposeRuns (gapProblem, options, state, em, now);
+      if batch.bits < options.worthAt
+        break
+      end
+      state = runLevels (gapProblem, state, batch);
     end
-    state = runLevels (gapProblem, state, batch);
     em = emulate (gapProblem, state.data, options, em);
   end
   state.left = state.left + reserve;
+end
+
+% Neither a gap nor none: surrogates that few runs have told hide one. Counted
+% are the neutral sets that lie near THETA, whoever asked for them.
+function n = runsToSeek (gapProblem, options, state, theta, p)
+  n = 0;
+  if p < options.level || p >= options.seekAt
+    return
+  end
+  data = state.data;
+  low = gapProblem.limits(1, :);
+  own = 2 * (data.X - low) ./ diff (gapProblem.limits) - 1;
+  isNear = all (abs (own - theta) < 0.5, 2) & ...
+           all (abs (strengthOfValues (gapProblem.effects, data.E)) < 1e-9, 2);
+  if isfield (data, 'level')
+    isNear = isNear & ~any (data.level, 2);
+  end
+  n = max (min (options.batch, options.seekRuns - sum (isNear)), 0);
 end
 
 % Every end of every range once, and weaker where no run gave a whole result;
@@ -85,7 +115,7 @@ function state = runLevels (gapProblem, state, batch)
   end
 end
 
-% What is known now, roughly; [] where nothing can be told or there is no gap.
+% What is known now, roughly; [] where nothing can be told.
 % Some runs more hardly change what the gate compares with: it is drawn once.
 function [now, reference] = weighNow (gapProblem, options, em, reference)
   now = [];
@@ -104,13 +134,11 @@ function [now, reference] = weighNow (gapProblem, options, em, reference)
   end
   models.reference = reference;
   w = caseEvidence (models, fits, 1);
-  if w.gate.p <= 2 * options.level
-    now = struct ('w', w, 'verdict', judgeCase (w, models), ...
-                  'models', models, 'fits', fits, 'usable', usable);
-    now.runs = [library.effect.runs];
-    now.runs([library.effect.laboratory]) = Inf;
-    now.isVague = vagueShare (now, now.verdict.top) >= options.vagueAt;
-  end
+  now = struct ('w', w, 'verdict', judgeCase (w, models), ...
+                'models', models, 'fits', fits, 'usable', usable);
+  now.runs = [library.effect.runs];
+  now.runs([library.effect.laboratory]) = Inf;
+  now.isVague = vagueShare (now, now.verdict.top) >= options.vagueAt;
 end
 
 % The likeliest effect is likely enough, it and the next likely one have been
@@ -141,11 +169,11 @@ end
 %!  randn ('twister', 3);
 %!  given.value = means ([0.4, 0.6], strength) + 0.2 * randn (1, 12);
 %!endfunction
-%!function [state, em] = explored (given, data, run)
-%!  options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60));
-%!  gapProblem = newGapProblem (given);
-%!  state = newGapState (data, setfield (gapProblem, 'unit', ones (1, 12)), ...
-%!                       options, run);
+%!function [state, em] = explored (given, data, run, seekRuns = 10)
+%!  options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60, ...
+%!                                'seekRuns', seekRuns));
+%!  gapProblem = setfield (newGapProblem (given), 'unit', ones (1, 12));
+%!  state = newGapState (data, gapProblem, options, run);
 %!  em = fitEmulator (gapProblem, data, options);
 %!  [state, em] = exploreEffects (gapProblem, options, state, ...
 %!                                takeReference (em, gapProblem));
@@ -174,3 +202,23 @@ end
 %! assert (em.effect(3).runs, 1);
 %! assert (em.effect(3).strongest, 0.25, 1e-9);
 %! assert ([state.spent, state.failed], [6, 2]);
+%!test
+%! % a weak cause behind surrogates of nine runs (seeded): in doubt neutral sets
+%! % near the null come first, then those of effects
+%! pkg load stk
+%! [given, data, run] = laboratory ([0, 0, 0.15, 0, 0]);
+%! few = keepRows (data, 1:9);
+%! [state, em] = explored (given, few, run);
+%! isNeutral = all (state.data.E == 0, 2);
+%! new = state.data.X(14:20, :);
+%! assert (sum (isNeutral), 9 + 7);
+%! assert (isNeutral(14:20)');
+%! assert (state.spent > 4 + 7);
+%! assert (all (range (new) < 0.5));
+%! % three of the plan lay near it already; a second start asks for no more
+%! options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60));
+%! again = exploreEffects (newGapProblem (given), options, ...
+%!                         setfield (state, 'left', 60), em);
+%! assert (again.spent, state.spent);
+%! state = explored (given, few, run, 0);
+%! assert (sum (all (state.data.E == 0, 2)), 9);
