@@ -137,17 +137,31 @@ function [now, reference] = weighNow (gapProblem, options, em, reference)
   now = struct ('w', w, 'verdict', judgeCase (w, models), ...
                 'models', models, 'fits', fits, 'usable', usable);
   now.runs = [library.effect.runs];
-  now.runs([library.effect.laboratory]) = Inf;
+  now.tried = arrayfun (@(e) rows (e.Q), library.effect);
+  isLaboratory = [library.effect.laboratory];
+  [now.runs(isLaboratory), now.tried(isLaboratory)] = deal (Inf);
   now.isVague = vagueShare (now, now.verdict.top) >= options.vagueAt;
+  now.rival = alikeRival (w.screen, now.verdict.top, options.alikeAt);
+end
+
+% The effect most like the likeliest one, if any is ([]: none): with few runs
+% its mark could be anything, and it is unlikely for that alone.
+function rival = alikeRival (screen, top, least)
+  cosine = abs (screen.cosine(top, :));
+  cosine(top) = 0;
+  [most, rival] = max (cosine);
+  rival = rival(most >= least);
 end
 
 % The likeliest effect is likely enough, it and the next likely one have been
-% run often enough to believe it, and its mark is known better than the rest.
+% run often enough to believe it, so has the one most like it, and its mark is
+% known better than the rest.
 function yes = stands (now, options)
   [total, order] = sort (-now.verdict.total);
   two = order(1:min (2, numel (order)));
   yes = -total(1) >= options.standsAt && ...
         all (now.runs(two) >= options.standsRuns) && ...
+        all (now.tried(now.rival) >= options.alikeRuns) && ...
         (now.runs(two(1)) >= options.mostRuns || ~now.isVague);
 end
 
@@ -187,6 +201,14 @@ end
 %! assert (all ([em.effect(1:4).runs] >= 1));
 %! assert (em.effect(3).runs >= 4);
 %! assert (state.spent < 25);
+%!test
+%! % one that another effect resembles is not believed before that one has runs
+%! % that tell its bend, however unlikely it is
+%! pkg load stk
+%! [given, data, run] = laboratory ([0.6, 0, 0, 0, 0]);
+%! [state, em] = explored (given, data, run);
+%! assert (all ([em.effect(1:2).runs] >= 8));
+%! assert (any ([em.effect(3:4).runs] < 8));
 %!test
 %! % no gap: each effect once
 %! pkg load stk

@@ -5,23 +5,25 @@
 %   GAPPROBLEM, OPTIONS, STATE, EM  as of exploreEffects
 %   NOW    struct w, verdict (caseEvidence, judgeCase), models, fits, usable
 %          (numbers of their effects in EM), runs (of each, Inf: none needed),
-%          isVague (the mark of the likeliest one needs more runs)
+%          tried (the same with those that gave no result),
+%          isVague (the mark of the likeliest one needs more runs), rival (the
+%          one most like it; [])
 %   BATCH  struct theta (n x p), phi (n x K), isFine (n x 1 logical: at the last
 %          level, where a case has levels), bits (scalar, expected information
 %          about the cause; Inf: runs that a name needs, whatever they tell)
 %
-% Candidates: of each of the four likeliest effects that has less than
-% OPTIONS.mostRuns its mode and the posterior draws farthest from its runs (of
-% one that isVague the farthest of all its range and box); the
-% model without an effect at the mode of the likeliest; a likely pair at its
-% middle. What a run z of hypothesis h tells: y, the measurement, is known. Were
-% h the cause, the error of its surrogate were what y says of it,
-% z ~ N (M + R (R + S)^-1 (y - M), what that leaves); else y says nothing of it,
-% z ~ N (M, R + noise). With the probability of h, that of the two that z is
-% expected to give back is the information (mixtureInformation). R is the
-% variance of the surrogates and of the amplitude (predictHypothesis), S that of
-% measurement, packing and where h would stand. Runs of the same effect in one
-% batch tell in part the same.
+% Candidates: of each of the four likeliest effects, and of the one most like
+% the likeliest, that has less than OPTIONS.mostRuns its mode and the posterior
+% draws farthest from its runs (of one that isVague the farthest of all its
+% range and box); the model without an effect at the mode of the likeliest; a
+% likely pair at its middle. What a run z of hypothesis h tells: y, the
+% measurement, is known. Were h the cause, the error of its surrogate were what
+% y says of it, z ~ N (M + R (R + S)^-1 (y - M), what that leaves); else y says
+% nothing of it, z ~ N (M, R + noise). With the probability of h, that of the
+% two that z is expected to give back is the information (mixtureInformation). R
+% is the variance of the surrogates and of the amplitude (predictHypothesis), S
+% that of measurement, packing and where h would stand. Runs of the same effect
+% in one batch tell in part the same.
 
 function batch = proposeRuns (gapProblem, options, state, em, now)
   pool = candidates (gapProblem, options, state, em, now);
@@ -60,7 +62,7 @@ function pool = candidates (gapProblem, options, state, em, now)
   pool = struct ('what', {}, 'members', {}, 'q', {}, 'P', {}, 'isMode', {}, ...
                  'spread', {}, 'story', {}, 'lacks', {});
   [total, order] = sort (-now.verdict.total);
-  order = order(1:min (4, numel (order)));
+  order = unique ([order(1:min (4, numel (order))), now.rival], 'stable');
   isSure = -total(1) >= options.standsAt;
   singles = find (strcmp (w.kind, 'single'));
   for i = order(:)'
@@ -78,9 +80,11 @@ function pool = candidates (gapProblem, options, state, em, now)
     if now.runs(i) >= options.mostRuns || isempty (posterior.Q)
       continue
     end
-    if isSure && any (i == order(1:2))
-      blank.lacks = max (options.standsRuns - now.runs(i), ...
-                         options.batch * isVague);
+    if isSure
+      blank.lacks = max ([(options.standsRuns - now.runs(i)) * ...
+                          any(i == order(1:2)), ...
+                          (options.alikeRuns - now.tried(i)) * ...
+                          any(i == now.rival), options.batch * isVague]);
     end
     pool(end + 1) = blank;
     n = 3;
@@ -207,7 +211,7 @@ end
 %!  w = caseEvidence (models, study.fits, 1);
 %!  now = struct ('w', w, 'verdict', judgeCase (w, models), 'models', ...
 %!                models, 'fits', study.fits, 'usable', 1:5, 'isVague', ...
-%!                false, 'runs', runs);
+%!                false, 'runs', runs, 'tried', runs, 'rival', []);
 %!endfunction
 %!function batch = proposed (study, state, now)
 %!  batch = proposeRuns (study.gapProblem, study.models.options, state, ...
