@@ -2,7 +2,8 @@
 %
 % CALL: STATE = completePlan (STATE, PROBLEM, CASE, SAY)
 %
-%   STATE    see addRuns: data of gatherRuns
+%   STATE    see addRuns: data of gatherRuns; part, a handle IS -> EVALUATE of
+%            some models alone (newPartEvaluate)
 %   PROBLEM  see newProblem;  CASE  see newCase
 %   SAY      function handle that takes one line of text
 %
@@ -13,7 +14,7 @@
 % result, d + 3 or more, is not waited for: enterRuns leaves it out.
 
 function state = completePlan (state, problem, Case, say)
-  state = completeBenches (state, problem, Case, say);
+  state = completeBenches (state, Case, say);
   data = state.data;
   d = numel (Case.names);
   phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
@@ -42,9 +43,9 @@ end
 % neutral ones until there are those of a plan, and half of those of each
 % effect, eight at least, of all strengths: one that has no runs on a bench
 % could be anything there, and fewer than eight do not tell how it bends
-% (learnEffect). The other runs of a set come from the store. Rows of one bench
-% alone, runs of tests (tryTests), stay as they are.
-function state = completeBenches (state, problem, Case, say)
+% (learnEffect). What a set has, from the store or a table, is not run again.
+% Rows of one bench alone, runs of tests (tryTests), stay as they are.
+function state = completeBenches (state, Case, say)
   data = state.data;
   model = [Case.targets.model];
   M = numel (Case.models);
@@ -60,14 +61,14 @@ function state = completeBenches (state, problem, Case, say)
     return
   end
   say (sprintf ('%d sets on benches that are new', numel (at)));
-  new = setfield (state, 'data', keepRows (data, []));
-  new = addRuns (new, problem, data.X(at, :), data.E(at, :), 'gap', ...
-                 data.replicate(at));
-  state.budget = new.budget;
-  whole = @(d) [d.X, d.E, d.replicate];
-  [isThere, from] = ismember (whole (keepRows (data, at)), ...
-                              whole (new.data), 'rows');
-  state.data.Z(at(isThere), :) = new.data.Z(from(isThere), :);
+  for has = unique (wasRun(at, :), 'rows')'
+    sets = at(all (wasRun(at, :) == has', 2));
+    evaluate = state.part (~has');
+    [Z, state.budget] = evaluate (data.X(sets, :), data.E(sets, :), ...
+                                  data.replicate(sets), 'gap', state.budget);
+    own = ~has(model);
+    state.data.Z(sets, own) = Z(:, own);
+  end
 end
 
 function at = wantedSets (E, isWhole, isOpen, Case)
@@ -112,6 +113,9 @@ end
 %!                        'limits', [0; 2], 'laboratory', false);
 %! [state.evaluate, state.budget] = newEvaluate ( ...
 %!   @(P, E, r) [P, P + E, r, P]);
+%! % no other bench may be run, and what it has stays
+%! alone = newEvaluate (@(P, E, r) [7 * P, 7 * P, r, P]);
+%! state.part = @(is) {alone}{1 * isequal (is, [0, 0, 1])};
 %! state.budget.perSet = 1;
 %! X = (1:35)' / 36;
 %! E = [zeros(20, 1); 2 * (1:15)' / 15];
@@ -122,6 +126,7 @@ end
 %! full = completePlan (state, Case, Case, @(t) []);
 %! known = isfinite (full.data.Z(:, 3));
 %! assert (rows (full.data.X), 36);
+%! assert (full.data.Z(:, 1:2), state.data.Z(:, 1:2));
 %! assert ([sum(known(1:20)), sum(known(21:35)), known(36)], [12, 8, 1]);
 %! assert (known(35));
 %! assert (full.data.Z(known, 4), full.data.X(known), 1e-12);

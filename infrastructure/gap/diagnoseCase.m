@@ -22,6 +22,7 @@ function diagnosis = diagnoseCase (root, folder)
   needCandidates (Case);
   problem = newProblem (Case);
   [evaluate, budget] = newEvaluate (Case, say);
+  part = @(is) newPartEvaluate (Case, is, say);
 
   % the runs that there are
   [data, count] = gatherRuns (Case);
@@ -37,7 +38,8 @@ function diagnosis = diagnoseCase (root, folder)
   notes = [notes(:)', {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
   [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
-  state = struct ('data', data, 'budget', budget, 'evaluate', evaluate);
+  state = struct ('data', data, 'budget', budget, 'evaluate', evaluate, ...
+                  'part', part);
   state = completePlan (state, problem, Case, say);
   state.seconds = count.seconds;
 
@@ -67,18 +69,20 @@ function diagnosis = diagnoseCase (root, folder)
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
 end
 
-% With one of SHARES equal parts of what may still be run.
+% With one of SHARES equal parts of what may still be run. Models that gave no
+% result are left out, as enterRuns does.
 function diagnosis = diagnoseOne (Case, given, state, shares, say)
-  [part, state, own] = livingPart (Case, state);
-  options = gapBudget (part, state.budget, given, state.seconds);
+  model = [Case.targets.model];
+  isAlive = ismember (1:numel (Case.models), ...
+                      model(any (isfinite (state.data.Z), 1)));
+  state.budget.perSet = sum (isAlive);
+  options = gapBudget (Case, state.budget, given, state.seconds);
   given.tests = @() caseTests (Case, say);
-  evaluate = newEvaluate (part, say);
   left = state.budget.left / state.budget.perSet;
   options.maxNewRuns = min (options.maxNewRuns, floor (left / shares));
+  state.evaluate = [];
   if options.maxNewRuns > 0
-    state.evaluate = @(varargin) inColumns (evaluate, own, varargin{:});
-  else
-    state.evaluate = [];
+    state.evaluate = state.part (isAlive);
   end
   diagnosis = diagnoseMatrices (given, state.data, options, state);
 end
@@ -96,30 +100,6 @@ function [data, levelled] = atLevels (data, Case, problem)
     end
   end
   data.E = data.E(:, v + 1:end);
-end
-
-% The case without the models that gave no result, which enterRuns leaves out,
-% and the budget of its runs; OWN, 1 x T logical: the targets of the others.
-function [part, state, own] = livingPart (Case, state)
-  model = [Case.targets.model];
-  isAlive = ismember (1:numel (Case.models), ...
-                      model(any (isfinite (state.data.Z), 1)));
-  own = isAlive(model);
-  number = cumsum (isAlive);
-  part = Case;
-  part.models = Case.models(isAlive);
-  state.budget.perSet = sum (isAlive);
-  state.budget.seconds = state.budget.seconds(isAlive);
-  part.targets = Case.targets(own);
-  for t = 1:sum (own)
-    part.targets(t).model = number(part.targets(t).model);
-  end
-end
-
-function [Z, budget] = inColumns (evaluate, own, varargin)
-  [found, budget] = evaluate (varargin{:});
-  Z = NaN (rows (found), numel (own));
-  Z(:, own) = found;
 end
 
 function putAside (folder, name)
