@@ -7,16 +7,19 @@
 %               of a run's results within a bench, and alongCurve, that of
 %               neighbours on a curve of eight points or more: exp (-distance /
 %               length), 1 on the diagonal, else 0; the length makes it nearest
-%               to the sample (least squares)
+%               to the sample (least squares). A response without scatter has
+%               that of a thousandth of its range: no polynomial follows it
+%               better
 %   GAPPROBLEM  struct of newGapProblem;  DATA  struct X, E, Z, level
 
 function em = runNoise (em, gapProblem, data)
   [measured, df, residual] = ofRepeats ([data.X, data.E, data.level], ...
                                         data.Z);
-  nugget = max ([em.surrogates.noiseVar], (1e-8 * em.range).^2);
+  nugget = [em.surrogates.noiseVar];
   weight = df ./ (df + 5);
   measured(df == 0) = 0;
-  em.noiseVar = weight .* measured + (1 - weight) .* nugget;
+  em.noiseVar = max (weight .* measured + (1 - weight) .* nugget, ...
+                     (1e-3 * em.range).^2);
   em.noiseFreedom = df + [em.surrogates.df];
   known = isfinite (gapProblem.noiseSd);
   em.noiseVar(known) = gapProblem.noiseSd(known).^2;
@@ -88,6 +91,11 @@ end
 %! em = runNoise (em, gapProblem, data);
 %! assert (em.noiseVar, [2 / 7 + 50 / 7, 2 / 6 + 50 / 6, 9], 1e-12);
 %! assert (em.noiseFreedom, [5, 4, Inf]);
+%! % nothing scatters, in repeats or between them
+%! [em.surrogates.noiseVar] = deal (0);
+%! em.range = [5, 5, 5];
+%! data.Z(:) = 1;
+%! assert (runNoise (em, gapProblem, data).noiseVar, [25e-6, 25e-6, 9], 1e-12);
 %!function em = withResiduals (R, curve)
 %!  T = columns (R);
 %!  curve.noiseSd = NaN (1, T);
