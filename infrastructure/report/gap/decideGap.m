@@ -55,7 +55,7 @@ end
 
 function cause = noGap (cause, gap)
   cause.closed = '';
-  missed = strjoin (offTargets (gap, 'holdout'), ', ');
+  missed = strjoin (missedTargets (gap, 'holdout'), ', ');
   unseen = strjoin (cause.cannotSee, ', ');
   if isempty (missed) && isempty (unseen)
     [cause.kind, cause.word, cause.class] = deal ('none', 'No gap seen', ...
@@ -104,16 +104,6 @@ function cause = stillOpen (cause, gap, isBeyond)
     cause.sentence = [cause.sentence, lead, likely, '.'];
   end
   cause.action = testOf (gap);
-end
-
-function names = offTargets (gap, roles)
-  names = {};
-  for k = 1:numel (gap.where.targets)
-    T = jsonAt (gap.where.targets, {k});
-    if any (jsonAt (T, {'p'}) < 0.05) && any (strcmp (T.role, roles))
-      names{end + 1} = T.name;
-    end
-  end
 end
 
 function cause = found (cause, gap, effects, isBeyond)
@@ -220,7 +210,7 @@ end
 
 function [text, isBeyond] = whereText (gap)
   models = jsonAt (gap, {'where', 'models'});
-  off = offTargets (gap, {'calibrate', 'holdout'});
+  off = missedTargets (gap, {'calibrate', 'holdout'});
   isBeyond = ~isequal (jsonAt (gap, {'where', 'p'}) >= 0.05, true) || ...
              ~isempty (off);
   if ~isBeyond
