@@ -10,9 +10,9 @@
 %   LINES    cellstr, what is foreseen, and what the budget leaves out
 %
 % Foreseen at most: each effect once, twice where it acts both ways; 6 batches
-% of 5; 5 seeds of each of three compared sets; 12 to mend surrogates. The runs
-% end as soon as the answer stands (exploreEffects), and without a gap after the
-% first ones. Where Input.maxNewRuns allows less, a third of it is kept to
+% of 5; 5 seeds of each of three compared sets; 12 to mend surrogates or to seek
+% a gap. The runs end as soon as the answer stands (exploreEffects), and without
+% a gap after the first ones and those that sought it. Where Input.maxNewRuns allows less, a third of it is kept to
 % verify; effects for which nothing is left are the last of the list, and are
 % named.
 
@@ -34,8 +34,9 @@ function [options, lines] = gapBudget (Case, budget, given, seconds)
   options.maxNewRuns = max (min (left, wanted), 0);
   lines = {sprintf(['foreseen at most: %d sets (%d to mend surrogates, %d ' ...
                     'for %d effects once each, %d to tell the likeliest ' ...
-                    'apart, %d to verify); %d where there is no gap'], ...
-                   wanted, share(1:2), numel (names), share(3:4), share(2))};
+                    'apart, %d to verify); %d to %d where there is no gap'], ...
+                   wanted, share(1:2), numel (names), share(3:4), ...
+                   share(2) + [0, options.seekRuns])};
   if isfinite (seconds)
     hours = options.maxNewRuns * seconds / 3600;
     lines{end + 1} = sprintf ('that is %.1f core-hours at %.0f s a set', ...
