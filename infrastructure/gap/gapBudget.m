@@ -13,8 +13,8 @@
 % of 5; 5 seeds of each of three compared sets; 12 to mend surrogates or to seek
 % a gap. The runs end as soon as the answer stands (exploreEffects), and without
 % a gap after the first ones and those that sought it. Where Input.maxNewRuns
-% allows less, a third of it is kept to verify; effects for which nothing is left
-% are the last of the list, and are named.
+% allows less, a third of it is kept to verify; effects for which nothing is
+% left are the last of the list, and are named.
 
 function [options, lines] = gapBudget (Case, budget, given, seconds)
   left = floor (budget.left / budget.perSet);
