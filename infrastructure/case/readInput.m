@@ -78,6 +78,8 @@ end
 %! writeAtomic (fullfile (folder, 'loadInput.m'), ...
 %!              'function [a, b, c, d, e] = loadInput (), a = nope; end');
 %! addpath (folder);
+%! % that of an earlier test may still be in memory
+%! clear loadInput
 %! unwind_protect
 %!   try
 %!     loadCase (folder, folder);
