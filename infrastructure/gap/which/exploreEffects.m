@@ -53,11 +53,13 @@ function [state, em] = exploreEffects (gapProblem, options, state, em)
   state.left = state.left + reserve;
 end
 
-% Neither a gap nor none: surrogates that few runs have told hide one. Counted
-% are the neutral sets that lie near THETA, whoever asked for them.
+% Neither a gap nor none: surrogates that few runs have told hide one, but not
+% that of a change, whose reference knows them better. Counted are the neutral
+% sets that lie near THETA, whoever asked for them.
 function n = runsToSeek (gapProblem, options, state, theta, p)
   n = 0;
-  if p < options.level || p >= options.seekAt
+  if p < options.level || p >= options.seekAt || ...
+     ~isempty (gapProblem.reference)
     return
   end
   data = state.data;
@@ -183,9 +185,9 @@ end
 %!  randn ('twister', 3);
 %!  given.value = means ([0.4, 0.6], strength) + 0.2 * randn (1, 12);
 %!endfunction
-%!function [state, em] = explored (given, data, run, seekRuns = 10)
-%!  options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60, ...
-%!                                'seekRuns', seekRuns));
+%!function [state, em] = explored (given, data, run, more = struct ())
+%!  options = gapOptions (mergeFields (struct ('trend', 'affine', ...
+%!                                             'maxNewRuns', 60), more));
 %!  gapProblem = setfield (newGapProblem (given), 'unit', ones (1, 12));
 %!  state = newGapState (data, gapProblem, options, run);
 %!  em = fitEmulator (gapProblem, data, options);
@@ -230,17 +232,19 @@ end
 %! pkg load stk
 %! [given, data, run] = laboratory ([0, 0, 0.15, 0, 0]);
 %! few = keepRows (data, 1:9);
+%! neutral = @(state) all (state.data.E == 0, 2)';
 %! [state, em] = explored (given, few, run);
-%! isNeutral = all (state.data.E == 0, 2);
-%! new = state.data.X(14:20, :);
-%! assert (sum (isNeutral), 9 + 7);
-%! assert (isNeutral(14:20)');
-%! assert (state.spent > 4 + 7);
-%! assert (all (range (new) < 0.5));
+%! assert (find (neutral (state)), [1:9, 14:20]);
+%! assert (all (range (state.data.X(14:20, :)) < 0.5));
 %! % three of the plan lay near it already; a second start asks for no more
 %! options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60));
 %! again = exploreEffects (newGapProblem (given), options, ...
 %!                         setfield (state, 'left', 60), em);
 %! assert (again.spent, state.spent);
-%! state = explored (given, few, run, 0);
-%! assert (sum (all (state.data.E == 0, 2)), 9);
+%! % whatever its p, none of a change
+%! more = struct ('seekAt', 1.1, 'level', 0);
+%! assert (sum (neutral (explored (given, few, run, more))) > 9);
+%! given.reference = struct ('value', given.value, 'sd', given.sd, 'trials', ...
+%!                           ones (1, 12), 'scatter', false (1, 12), ...
+%!                           'perCondition', [false, false]);
+%! assert (sum (neutral (explored (given, few, run, more))), 9);
