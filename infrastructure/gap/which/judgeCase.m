@@ -35,18 +35,43 @@
 % cosine 0.9, which a perfect model passes half of the time only from d = 6 on.
 
 function verdict = judgeCase (w, models)
-  verdict = openVerdict (w, numel (models.names));
+  verdict = judged (w, models);
   weak = w.ess < models.options.leastPoints & verdict.P > 0.01;
+  if any (weak) && ~strcmp (verdict.guard, 'gate') && ...
+     mayDecide (w, models, verdict, weak)
+    verdict = openVerdict (w, numel (models.names));
+    verdict.guard = 'integral';
+    verdict.reason = sprintf (['an integral rests on %.0f effective ' ...
+                               'points; raise options.most'], ...
+                              min (w.ess(weak)));
+  end
+end
+
+% The likeliest hypothesis must be integrated well; of another one it is enough
+% that three errors of its logarithm, or a factor of e, make no other verdict.
+function yes = mayDecide (w, models, verdict, weak)
+  [~, best] = max (verdict.P);
+  yes = weak(best) || any (w.ess(weak) < 1);
+  far = max (3 ./ sqrt (w.ess(weak)), 1);
+  for step = {-far, far}
+    if yes
+      return
+    end
+    moved = w;
+    moved.logE(weak) = w.logE(weak) + step{1};
+    other = judged (moved, models);
+    yes = ~strcmp (other.kind, verdict.kind) || ...
+          ~isequal (other.effects, verdict.effects);
+  end
+end
+
+function verdict = judged (w, models)
+  verdict = openVerdict (w, numel (models.names));
   if w.gate.p >= models.options.level
     verdict.kind = 'no gap';
     verdict.guard = 'gate';
     verdict.reason = sprintf (['data without a gap give as much evidence ' ...
                                'for a cause with p = %.2f'], w.gate.p);
-  elseif any (weak)
-    verdict.guard = 'integral';
-    verdict.reason = sprintf (['an integral rests on %.0f effective ' ...
-                               'points; raise options.most'], ...
-                              min (w.ess(weak)));
   elseif verdict.misfit >= models.options.misfitAt
     verdict.kind = 'none of the listed';
     verdict.reason = sprintf (['there is a gap (p = %.3f) that no listed ' ...
@@ -136,6 +161,18 @@ end
 %! assert ({v.effects, v.sameKind}, {[1, 2], false});
 %! assert (! isempty (strfind (judgeCase (like (6, 14), models).reason, ...
 %!                             'resembles a')));
+%!test
+%! % a poor integral of a lesser hypothesis takes a name away where it may make
+%! % another verdict: b has 0.08 of the probability of a, 0.1 are a rival's
+%! poor = @(w, at, ess) setfield (w, 'ess', setfield (w.ess, {at}, ess));
+%! for c = {like(5, 7), 41, 'named'; like(3, 6.5), 41, 'undecided'; ...
+%!          like(5, 7), 0, 'undecided'; like(3, 6.5), 400, 'named'}'
+%!   at = find (c{1}.logE ~= w.logE);
+%!   v = judgeCase (poor (c{1}, at, c{2}), models);
+%!   assert (v.P(at) > 0.01);
+%!   assert (v.kind, c{3});
+%!   assert (strcmp (v.guard, 'integral'), strcmp (c{3}, 'undecided'));
+%! end
 %!test
 %! % what kind of cause it is stands; that it is this very one is said where a
 %! % look-alike is excluded, and where no other cause of its family is left out
