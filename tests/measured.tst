@@ -66,8 +66,8 @@
 %! assert (all (moved.Z(:, 4) ~= data.Z(:, 4)));
 
 %!test
-%! % diagnosis: the effect is named (seeded: with three seeds of four its runs
-%! % contradict its surrogate), the unmeasured setting offered with cost
+%! % diagnosis: the effect is named, though one target never scatters; the
+%! % unmeasured setting is offered with cost
 %! root = fileparts (which ('DEcalioc'));
 %! [status, out, err] = startProgram (folder, ...
 %!                        shellQuote (fullfile (root, 'diagnoseGap.m')));

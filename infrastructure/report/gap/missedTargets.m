@@ -10,31 +10,26 @@
 % See also: decideGap
 
 function names = missedTargets (gap, roles)
-  n = numel (gap.where.targets);
-  all_ = arrayfun (@(k) jsonAt (gap.where.targets, {k}), 1:n, ...
-                   'UniformOutput', false);
-  all_ = all_(cellfun (@(T) any (strcmp (T.role, roles)), all_));
-  isOff = cellfun (@(T) any (jsonAt (T, {'p'}) < 0.05), all_);
-  part = cellfun (@(T) regexp (T.name, '^(.+)@([^@]+)$', 'tokens', 'once'), ...
-                  all_, 'UniformOutput', false);
-  series = repmat ({''}, size (all_));
-  isPoint = ~cellfun (@isempty, part);
-  series(isPoint) = cellfun (@(p) p{1}, part(isPoint), ...
-                             'UniformOutput', false);
+  targets = arrayfun (@(k) jsonAt (gap.where.targets, {k}), ...
+                      1:numel (gap.where.targets), 'UniformOutput', false);
+  targets = targets(cellfun (@(T) any (strcmp (T.role, roles)), targets));
+  isOff = cellfun (@(T) any (jsonAt (T, {'p'}) < 0.05), targets);
   names = {};
-  for k = find (isOff)
-    own = strcmp (series, series{k}) & isPoint;
-    if ~isPoint(k) || sum (own) < 3
-      names{end + 1} = all_{k}.name;
-      continue
-    end
-    at = cellfun (@(p) str2double (p{2}), part(own & isOff));
-    text = sprintf ('%s (%d of %d points, %g to %g)', series{k}, ...
-                    numel (at), sum (own), min (at), max (at));
-    if ~any (strcmp (names, text))
-      names{end + 1} = text;
+  if ~any (isOff)
+    return
+  end
+  names = cellfun (@(T) T.name, targets, 'UniformOutput', false);
+  at = str2double (regexprep (names, '^.*@', ''));
+  curve = regexprep (names, '@[^@]*$', '');
+  for name = unique (curve(~strcmp (curve, names)))
+    own = strcmp (curve, name{1}) & ~strcmp (names, name{1});
+    if sum (own) >= 3
+      off = at(own & isOff);
+      names(own) = {sprintf('%s (%d of %d points, %g to %g)', name{1}, ...
+                            numel (off), sum (own), min (off), max (off))};
     end
   end
+  names = unique (names(isOff), 'stable');
 end
 
 %!test
