@@ -12,9 +12,9 @@
 % The measurement is the row of storedRuns.csv with the reading errors that
 % leftOut draws for it, so leftOut-hiddenEffect.csv holds the verdict on the
 % same numbers from the 152 other sets of that fixed plan. The case is
-% examples/hiddenEffect with nothing held out, diagnosed by bin/decalioc; of the
-% runs of an earlier case in WORK it takes the neutral plan, which is the same
-% for all. Sets are those of the plan, of the effects and those that verify;
+% examples/hiddenEffect with nothing held out and a plan of the 20 sets that a
+% diagnosis wants, diagnosed by bin/decalioc; of the runs of an earlier case in
+% WORK it takes that plan, which is the same for all. Sets are those of the plan, of the effects and those that verify;
 % newRuns, coreMinutes and minutes do not hold a plan that was taken.
 %
 % Where the verdict leaves open which kind of cause it is (group or undecided,
@@ -74,8 +74,12 @@ function line = oneCase (number, given, data, study, benches)
   truth = truthOf (number, given, data, root);
   folder = fullfile (work, sprintf ('%d', number));
   isStored = strcmp (mode, 'stored');
+  plan = ~isStored * gapOptions ([]).neutral * (1 + numel (given.names));
   if ~isfile (fullfile (folder, 'loadInput.m'))
     leftOutFolder (folder, truth, given, root, benches * isStored);
+    if ~isStored
+      setInput (folder, 'Input.numOfSam', plan);
+    end
   end
   start = time ();
   first = diagnosed (folder, root);
@@ -85,7 +89,6 @@ function line = oneCase (number, given, data, study, benches)
   end
   minutes = (time () - start) / 60;
   spent = first.demRuns;
-  plan = 30 * ~isStored;                % its neutral sets, Input.numOfSam
   cells = [{number}, truth.cells, ...
            {said(first), plan + spent.sets, spent.new, ...
             spent.coreSeconds / 60, minutes}];
