@@ -14,8 +14,9 @@
 % same numbers from the 152 other sets of that fixed plan. The case is
 % examples/hiddenEffect with nothing held out and a plan of the 20 sets that a
 % diagnosis wants, diagnosed by bin/decalioc; of the runs of an earlier case in
-% WORK it takes that plan, which is the same for all. Sets are those of the plan, of the effects and those that verify;
-% newRuns, coreMinutes and minutes do not hold a plan that was taken.
+% WORK it takes that plan, which is the same for all. Sets are those of the
+% plan, of the effects and those that verify; newRuns, coreMinutes and minutes
+% do not hold a plan that was taken.
 %
 % Where the verdict leaves open which kind of cause it is (group or undecided,
 % but for a look-alike that nobody listed), the advised test, if it tells 0.2
