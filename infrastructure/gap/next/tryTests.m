@@ -22,9 +22,10 @@
 % Compared are the null model and the three likeliest kinds of cause. Each
 % candidate has four runs, one at the mode of each: their differences hold what
 % the cause does there and what the other parameters do that it has. What is
-% left of options.testRuns goes in two halves to the three and then to the two
-% that promise most, at draws of the posterior (sequential halving; Karnin,
-% Koren and Somekh 2013): four runs alone seldom tell a test from scatter.
+% left of options.testRuns goes to all once more, in halves to the three and
+% the two that promise most, at draws of the posterior (sequential halving;
+% Karnin, Koren and Somekh 2013): four runs alone seldom tell a test from
+% scatter, sixteen not always.
 %
 % likelyKinds says what is asked: which kind, or whether it is the likeliest.
 
@@ -38,13 +39,10 @@ function [tests, state] = tryTests (make, study, w, P, state)
     return
   end
   tests = scoreTests (tests, ask.causes);
-  for rounds = [2, 1]
-    spent = numel (vertcat (tests.group));
-    room = floor ((ask.afford - spent) / rounds / numel (ask.sets));
-    best = bestOf (tests, min (rounds + 1, room), options.adviseAt / 2);
+  for rounds = [3, 2, 1]
+    [best, more] = whichNext (tests, ask, rounds, options.adviseAt / 2);
     for i = best
-      [tests(i), state] = runSets (tests(i), study, ask.sets, state, ...
-                                   min (floor (room / numel (best)), 3));
+      [tests(i), state] = runSets (tests(i), study, ask.sets, state, more);
       tests(i) = scoreTests (tests(i), ask.causes);
     end
   end
@@ -89,6 +87,22 @@ function ask = without (ask, ran)
     ask.causes(i).group = number(ask.causes(i).group);
     ask.causes(i).P = ask.causes(i).P / total;
   end
+end
+
+% Tests that are run again, and how often: all of them once, as long as that
+% leaves as much for the best; then half of what is left for three of them, the
+% rest for two.
+function [best, more] = whichNext (tests, ask, rounds, least)
+  n = numel (tests);
+  room = floor ((ask.afford - numel (vertcat (tests.group))) / ...
+                numel (ask.sets));
+  if rounds == 3
+    [best, more] = deal (1:n * (room >= 2 * n), 1);
+    return
+  end
+  room = floor (room / rounds);
+  best = bestOf (tests, min (rounds + 1, room), least);
+  more = floor (room / max (numel (best), 1));
 end
 
 % None, where the best one is sure: scatter takes little of what it promises.

@@ -101,9 +101,9 @@
 %     adviseAt     bits about the kind of cause below which no measurement is
 %                  advised, and none sought (0.2: a yes or no that is right in
 %                  three of four cases)
-%     testRuns     most runs of tests that the case does not have (72: twelve
-%                  tests with four runs, half of the rest for the best three,
-%                  half for the best two)
+%     testRuns     most runs of tests that the case does not have (120: of six
+%                  tests all have eight, the best three twenty, the best two
+%                  36)
 %     fitMargin    misfit that a fit may leave because it ends early (0.02: ten
 %                  times the step in log density at which fitHypothesis ends)
 %
@@ -129,7 +129,7 @@ function options = gapOptions (given)
                     'limitAt', 0.98, 'looMeanAt', 2, 'looMostAt', 5, ...
                     'looEffectAt', 2.5, 'vagueAt', 0.5, 'blameAt', 0.2, ...
                     'conflictAt', 0.01, 'pairAt', 0.2, 'adviseAt', 0.2, ...
-                    'testRuns', 72, 'fitMargin', 0.02);
+                    'testRuns', 120, 'fitMargin', 0.02);
   if isstruct (given)
     fields = fieldnames (given);
     for k = 1:numel (fields)
