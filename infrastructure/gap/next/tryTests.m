@@ -21,11 +21,11 @@
 %
 % Compared are the null model and the three likeliest kinds of cause. Each
 % candidate has four runs, one at the mode of each: their differences hold what
-% the cause does there and what the other parameters do that it has. What is
-% left of options.testRuns goes to all once more, in halves to the three and
-% the two that promise most, at draws of the posterior (sequential halving;
-% Karnin, Koren and Somekh 2013): four runs alone seldom tell a test from
-% scatter, sixteen not always.
+% the cause does there and what the other parameters do that it has. All get
+% four more at draws of the posterior, as long as that leaves as much for the
+% best; of the rest of options.testRuns half goes to the three that promise
+% most, half to two (sequential halving; Karnin, Koren and Somekh 2013): four
+% runs seldom tell a test from scatter, sixteen not always.
 %
 % likelyKinds says what is asked: which kind, or whether it is the likeliest.
 
@@ -89,13 +89,9 @@ function ask = without (ask, ran)
   end
 end
 
-% Tests that are run again, and how often: all of them once, as long as that
-% leaves as much for the best; then half of what is left for three of them, the
-% rest for two.
 function [best, more] = whichNext (tests, ask, rounds, least)
-  n = numel (tests);
-  room = floor ((ask.afford - numel (vertcat (tests.group))) / ...
-                numel (ask.sets));
+  [n, spent] = deal (numel (tests), numel (vertcat (tests.group)));
+  room = floor ((ask.afford - spent) / numel (ask.sets));
   if rounds == 3
     [best, more] = deal (1:n * (room >= 2 * n), 1);
     return
