@@ -9,7 +9,7 @@
 %   STATE    of newGapState; comes back with the runs in its budget
 %   TESTS    1 x m struct of nextTest. First those that tell options.adviseAt or
 %            more, best per cost first, then the others; last those that were
-%            given up after four runs. The first one is the advice, where it
+%            given up early (isFirm). The first one is the advice, where it
 %            tells so much
 %
 % Tests of other benches cost runs, so they are tried only where it is open
@@ -28,7 +28,7 @@ function [tests, state] = adviseTests (study, w, verdict, state)
     [fresh, state] = tryTests (gapProblem.tests, study, w, verdict.P, state);
     tests = [tests, fresh];
   end
-  isFirm = [tests.runs] == 0 | [tests.runs] > 4;
+  isFirm = [tests.isFirm];
   place = 1 + (~isFirm | [tests.gain] < options.adviseAt) + ~isFirm;
   [~, order] = sortrows ([place; -[tests.gainPerCost]]');
   tests = tests(order);

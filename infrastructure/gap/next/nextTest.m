@@ -10,7 +10,7 @@
 %               which kind of cause it is), cost, gainPerCost, between (1 x 2
 %               cell: kinds that it tells apart most), model (name of the
 %               bench); and variable ('': as the bench stands), value, trials,
-%               runs of DEM that it rests on, lines, as of tryTests
+%               runs of DEM that it rests on, lines, isFirm, as of tryTests
 %
 % Candidates: every simulated but unmeasured setting (bench and coordinate; a
 % curve as a whole), and every bench measured once more.
@@ -74,7 +74,7 @@ function test = newTest (text, targets, gapProblem, bench)
                  'cost', gapProblem.benchCost(bench), 'gainPerCost', 0, ...
                  'between', {{}}, 'model', gapProblem.benchNames{bench}, ...
                  'variable', '', 'value', [], 'trials', 1, ...
-                 'lines', {{}}, 'runs', 0);
+                 'lines', {{}}, 'runs', 0, 'isFirm', true);
 end
 
 function part = predictive (gapProblem, em, w, h, at, noise)

@@ -103,7 +103,7 @@
 %                  three of four cases)
 %     testRuns     most runs of tests that the case does not have (120: of six
 %                  tests all have eight, the best three twenty, the best two
-%                  36)
+%                  32)
 %     fitMargin    misfit that a fit may leave because it ends early (0.02: ten
 %                  times the step in log density at which fitHypothesis ends)
 %

@@ -17,7 +17,8 @@ function v = writeGapJson (diagnosis, Case)
   out.howFar = howFarOf (diagnosis.howFar, diagnosis.gapProblem);
   out.fingerprint = fingerprintOf (diagnosis);
   out.next = num2cell (rmfield (diagnosis.next(:)', ...
-                                {'targets', 'gainPerCost', 'lines'}));
+                                {'targets', 'gainPerCost', 'lines', ...
+                                 'isFirm'}));
   out.level = jsonAt (diagnosis, {'level'});
   out.reference = changeOf (diagnosis);
   out.demRuns = struct ('sets', diagnosis.runs.spent, ...
