@@ -69,12 +69,12 @@ end
 %! assert (tests(1).test, 'bench 1');
 %! assert (tests(1).gain > 0.6);
 %! assert (sort (tests(1).between), {'bridge', 'cohesion'});
-%! assert (tests(1).runs >= 16);
+%! assert (tests(1).runs, 20);
 %! at = find (strcmp ({tests.test}, 'bench 2'));
 %! assert (tests(at).gain < 0.2);
 %! assert (~any (strcmp ({tests.test}, 'bench 3')));
 %! % four of each, of the third in vain
-%! assert (tests(at).runs >= 8);
+%! assert (any (tests(at).runs == [8, 20]));
 %! assert (state.budget.new, 4 + tests(1).runs + tests(at).runs);
 %! % a sure verdict, a budget that is used up: nothing is run
 %! sure = verdict;

@@ -231,6 +231,7 @@ end
 %! w = caseEvidence (study.models, study.fits, 1);
 %! P = judgeCase (w, study.models).P;
 %! [causes, sets] = explanations (study, w, P, study.models.options);
+%! assert (numel (sets), 4);
 %! never = sets(4).number;
 %! others = setdiff (1:4, never);
 %! law = @(X, E) [5 + 4 * E(:, 1), 7 - 3 * E(:, 2) + X(:, 1)] + ...
