@@ -74,7 +74,8 @@ function lab = linearLab ()
   lab.em.surrogateVar(:) = 0;
   lab.em.correlation = eye (T);
   for k = 1:K
-    lab.em.effect(k).varOverPsi2(:) = 0;
+    lab.em.effect(k).misfit(:) = 0;
+    lab.em.effect(k).root(:) = 0;
   end
   lab.noise = sqrt (1.25) * ones (1, T);
   lab.data = data;

@@ -213,7 +213,8 @@ function verdict = judgeSurer (study)
   em.surrogateVar = em.surrogateVar / 20;
   em.fitVar = em.fitVar / 20;
   for k = 1:numel (em.effect)
-    em.effect(k).varOverPsi2 = em.effect(k).varOverPsi2 / 20;
+    em.effect(k).misfit = em.effect(k).misfit / 20;
+    em.effect(k).root = em.effect(k).root / sqrt (20);
   end
   sure = studyOf (study.gapProblem, em, study.models.options);
   verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);

@@ -29,8 +29,10 @@
 % likelihoods: few runs do not tell these values, and the likeliest ones alone
 % often say that an effect is exactly nothing. One run alone would leave s open
 % to all that is larger: log s is normal around that of SIZE, deviation 2, which
-% counts less the more runs there are. A singular value decomposition
-% makes each trial cheap (Rasmussen and Williams 2006, 2.7, 5.4).
+% counts less the more runs there are; g and m have the prior g^-2 (1 + m)^-3:
+% an effect is much the same all over the box. Few runs do not tell that, runs
+% of LIGGGHTS do (benchmarks/markScore.m). A singular value decomposition makes
+% each trial cheap (Rasmussen and Williams 2006, 2.7, 5.4).
 %
 % Errors: DEcalioc:fitEffect:badShape
 
@@ -64,10 +66,10 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
   trials = [];
   for m = grid.misfit
     L = chol (noise + m * unit * diag (strength2), 'lower');
-    penalty = sum (log (diag (L))) + 0.5 * log1p (m);
+    penalty = sum (log (diag (L))) + 3 * log1p (m);
     for g = grid.decay
       trial = tryScales (L \ B, L \ r(:, 1), sqrt (g.^degree), scales);
-      trial.score = trial.score - penalty + likely;
+      trial.score = trial.score - penalty - 2 * log (g) + likely;
       trial.L = L;
       trial.misfit = m * unit;
       trials = [trials, trial];

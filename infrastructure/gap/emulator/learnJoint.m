@@ -5,9 +5,9 @@
 %   EM     struct of fitEmulator with its effects
 %   RUNS   all runs, see learnEffect; phi n x K
 %   JOINT  1 x J struct, of each pair of effects that DEM runs: members, powers,
-%          coef (q x T), bend, points, varOverPsi2 (M x T: variance over the
-%          product of the bent strengths squared), varPowers, laboratory
-%          (false), runs
+%          coef (q x T), bend, misfit (1 x T: variance over the product of the
+%          bent strengths squared), root and ofTarget (empty, see learnEffect),
+%          laboratory (false), runs
 %
 % Without a run the two add up, within 0.3 of the geometric mean of their sizes:
 % nobody knows yet. Runs with both effects on (rows of a factorial plan) replace
@@ -39,8 +39,8 @@ function joint = ofPair (em, pair, runs)
   guess = 0.3^2 * alone (one) .* alone (two) + least;
   joint = struct ('members', pair, 'powers', zeros (0, p + 2), ...
                   'coef', zeros (0, T), 'bend', [1, 1], 'laboratory', false, ...
-                  'runs', rows (runs.Z), 'points', zeros (1, p + 2), ...
-                  'varOverPsi2', guess, 'varPowers', zeros (1, p + 2));
+                  'runs', rows (runs.Z), 'misfit', guess, ...
+                  'root', zeros (0, 0), 'ofTarget', zeros (0, T));
   if rows (runs.Z) == 0
     return
   end
@@ -48,13 +48,14 @@ function joint = ofPair (em, pair, runs)
   psi = sign (phi) .* abs (phi).^[one.bend, two.bend];
   joint.powers = [[zeros(1, p); eye(p)], ones(p + 1, 2)];
   joint.coef = zeros (p + 1, T);
+  joint.root = zeros (p + 1, 0);
   m = runs.mean;
   v = runs.variance;
   for i = 1:2
     e = em.effect(pair(i));
-    q = [runs.theta, psi(:, i)];
-    m = m + polyRows (e.powers, q) * e.coef;
-    v = v + psi(:, i).^2 .* mean (e.varOverPsi2, 1);
+    B = polyRows (e.powers, [runs.theta, psi(:, i)]);
+    m = m + B * e.coef;
+    v = v + (B * e.root).^2 * e.ofTarget + psi(:, i).^2 .* e.misfit;
   end
   product = prod (psi, 2);
   for t = 1:T
@@ -65,7 +66,7 @@ function joint = ofPair (em, pair, runs)
                        em.noiseVar(t) + v(ok, t));
       joint.coef(:, t) = fit.coef;
       own = fit.covariance(1) + fit.misfit + least(t);
-      joint.varOverPsi2(t) = min (own, guess(t));
+      joint.misfit(t) = min (own, guess(t));
     end
   end
 end
@@ -76,12 +77,13 @@ end
 %! em = struct ('p', 1, 'coef', zeros (1, 2), 'noiseVar', [0.01, 0.01], ...
 %!              'range', [4, 1]);
 %! em.effect = struct ('powers', [0, 1], 'coef', {[4, 0], [4, 1]}, ...
-%!                     'bend', 1, 'varOverPsi2', 1e-4 * [1, 1], ...
+%!                     'bend', 1, 'misfit', 1e-4 * [1, 1], ...
+%!                     'root', zeros (1, 0), 'ofTarget', zeros (0, 2), ...
 %!                     'laboratory', false, 'runs', 8);
 %! none = struct ('theta', 0, 'phi', [1, 0], 'Z', [1, 1], 'mean', [1, 1], ...
 %!                'variance', [0, 0]);
 %! none = learnJoint (em, none);
-%! assert (none.varOverPsi2, [0.09 * 16, 0], 1e-9);
+%! assert (none.misfit, [0.09 * 16, 0], 1e-9);
 %! Q = [2 * rand(8, 1) - 1, 0.3 + 0.7 * rand(8, 2)];
 %! Z = [4 * Q(:, 2) + 4 * Q(:, 3) + 4 * Q(:, 2) .* Q(:, 3), Q(:, 3)] + ...
 %!     0.1 * randn (8, 2);
@@ -89,4 +91,4 @@ end
 %!                'mean', 0 * Z, 'variance', 0 * Z);
 %! joint = learnJoint (em, runs);
 %! assert (joint.coef(1, 1), 4, 0.6);
-%! assert (joint.varOverPsi2(1) < none.varOverPsi2(1));
+%! assert (joint.misfit(1) < none.misfit(1));

@@ -23,10 +23,10 @@ function share = levelShare (em, coarse, runs)
     e = coarse(k);
     phi = runs.phi(own, k);
     psi = sign (phi) .* abs (phi).^e.bend;
-    miss = runs.Z(own, :) - runs.mean(own, :) - ...
-           polyRows (e.powers, [runs.theta(own, :), psi]) * e.coef;
+    B = polyRows (e.powers, [runs.theta(own, :), psi]);
+    miss = runs.Z(own, :) - runs.mean(own, :) - B * e.coef;
     known = em.noiseVar + runs.variance(own, :) + ...
-            psi.^2 .* median (e.varOverPsi2, 1);
+            (B * e.root).^2 * e.ofTarget + psi.^2 .* e.misfit;
     ok = isfinite (miss);
     miss(~ok) = 0;
     weight = ok ./ em.range.^2;
@@ -45,7 +45,8 @@ end
 %! % effects half as large at the last level, or the same (no noise)
 %! em = struct ('noiseVar', 1e-6, 'range', 1);
 %! e = struct ('laboratory', false, 'runs', 4, 'bend', 1, 'powers', [0, 1], ...
-%!             'coef', 2, 'varOverPsi2', 1e-6, 'size2', 4);
+%!             'coef', 2, 'misfit', 1e-6, 'root', zeros (1, 0), ...
+%!             'ofTarget', zeros (0, 1), 'size2', 4);
 %! runs = struct ('theta', [0; 0.5], 'phi', [1; 0.5], 'Z', [1; 0.5], ...
 %!                'mean', [0; 0], 'variance', [0; 0]);
 %! assert (levelShare (em, e, runs), sqrt ((2 * 0.09 + 0.25) / 3), 1e-3);

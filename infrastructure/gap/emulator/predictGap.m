@@ -87,12 +87,13 @@ function added = addPart (part, whole, added)
       coefs{end + 1} = e.powers(:, p + i) .* e.coef;
     end
   end
-  parts = timesCoefs (polyRows (powers, q), coefs);
+  B = polyRows (powers, q);
+  parts = timesCoefs (B, coefs);
   strength = prod (psi, 2);
   added.S = added.S + strength .* parts{1};
-  if ~isempty (added.V) && ~isempty (e.varCoef)
-    added.V = added.V + ...
-              prod (psi.^2, 2) .* exp (polyRows (e.varPowers, q) * e.varCoef);
+  if ~isempty (added.V)
+    added.V = added.V + strength.^2 .* ...
+              (e.misfit + (B * e.root).^2 * e.ofTarget);
   end
   for j = 1:numel (parts) - 1
     factor = strength;
@@ -144,8 +145,8 @@ end
 %! white.effect(1).bend = 0.5;
 %! white.joint = struct ('members', [1, 2], 'powers', [0, 1, 1; 1, 1, 1], ...
 %!                       'coef', [1, 0, 2, 0; 0, 3, 0, 0], 'bend', [1, 1], ...
-%!                       'varPowers', [0, 0, 0], 'varCoef', log (4) * ...
-%!                       ones (1, 4), 'laboratory', false);
+%!                       'misfit', 4 * ones (1, 4), 'root', zeros (2, 0), ...
+%!                       'ofTarget', zeros (0, 4), 'laboratory', false);
 %! q = [0.5, 0.25, 0.7];
 %! [M, V, ~, J] = predictGap (white, [1, 2], q);
 %! assert (M, [1.5 + 0.35, 0.5 + 1.5 * 0.35, 2 + 0.7, 2 - 2.8], 1e-12);

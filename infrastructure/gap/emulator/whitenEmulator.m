@@ -9,19 +9,19 @@
 %             that runs have told, or nobody)
 %   ROTATION  n x n orthogonal, applied after whitening (default: none)
 %   WHITE     struct like EM, results replaced by z = (y(COLUMNS)) * W', plus
-%     W (n x n), back (its inverse), columns, varCoef (log variance of z),
-%     effect.varCoef and joint.varCoef (log of the extra variance / psi^2), nu
-%     (1 x n: degrees of freedom of the variances, Welch and Satterthwaite),
-%     parity (n x m: the directions that parameters cannot absorb, at the middle
-%     of the box), isTarget (1 x n: 1; see below)
+%     W (n x n), back (its inverse), columns, varCoef (log variance of z without
+%     effects), effect and joint with misfit, root and ofTarget of z
+%     (learnEffect), nu (1 x n: degrees of freedom of the variances, Welch and
+%     Satterthwaite), parity (n x m: the directions that parameters cannot
+%     absorb, at the middle of the box), isTarget (1 x n: 1; see below)
 %
 % What a reference says of the parameters (EM.known, see takeReference) comes as
 % further coordinates: z = 0 measured, root theta - offset predicted, variance
 % 1, moved by no effect. W and back are (n + m) x n and n x (n + m) then.
 %
-% W whitens NOISE plus the mean surrogate variance, so a variance of z is near 1
-% and only its change over the box is modelled (quadratic in the logarithm,
-% correlations of z neglected).
+% W whitens NOISE plus the mean surrogate variance, so a variance of z without
+% effects is near 1 and only its change over the box is modelled (quadratic in
+% the logarithm, correlations of z neglected).
 
 function white = whitenEmulator (em, targets, noise, rotation)
   n = numel (targets);
@@ -81,11 +81,8 @@ function white = withKnown (white, known)
 end
 
 function e = withNone (e, m)
-  e.coef = [e.coef, zeros(rows (e.coef), m)];
-  if ~isempty (e.varCoef)
-    % the constant comes first: next to nothing
-    none = [repmat(-40, 1, m); zeros(rows (e.varCoef) - 1, m)];
-    e.varCoef = [e.varCoef, none];
+  for name = {'coef', 'misfit', 'ofTarget'}
+    e.(name{1}) = [e.(name{1}), zeros(rows (e.(name{1})), m)];
   end
 end
 
@@ -103,17 +100,32 @@ function v = alongRow (D, w, C)
   v = sum ((weighted * C) .* weighted, 2);
 end
 
-% Errors of an effect's signature are alike along a curve.
+% Errors of an effect's signature are alike along a curve: of targets t and s
+% with coefficients of covariance R_t^2 and R_s^2 that of both is C(t, s) R_t
+% R_s. What makes less than a thousandth of a variance is left out.
 function e = oneEffect (e, targets, W, C)
+  [n, m] = deal (rows (W), numel (targets));
   e.coef = e.coef(:, targets) * W';
-  e.varCoef = [];
-  if any (e.varOverPsi2(:))
-    D = sqrt (e.varOverPsi2(:, targets));
-    V = zeros (size (D));
-    for i = 1:rows (W)
-      V(:, i) = alongRow (D, W(i, :), C);
-    end
-    e.varCoef = polyRows (e.varPowers, e.points) \ log (max (V, 1e-12));
+  D = sqrt (e.misfit(targets));
+  e.misfit = zeros (1, n);
+  for i = 1:n
+    e.misfit(i) = alongRow (D, W(i, :), C);
+  end
+  if isempty (e.root)
+    e.ofTarget = zeros (0, n);
+    return
+  end
+  q = rows (e.root);
+  R = reshape (e.root, q^2, [])(:, targets);
+  F = chol (C + 1e-9 * eye (m), 'lower');
+  [e.root, e.ofTarget] = deal (zeros (q, 0), zeros (0, n));
+  for i = 1:n
+    part = reshape (R * (W(i, :)' .* F), q, q * m);
+    [U, D] = eig (part * part');
+    [d, order] = sort (diag (D), 'descend');
+    many = find (cumsum (d) >= 0.999 * sum (d), 1);
+    e.root = [e.root, U(:, order(1:many)) .* sqrt(max (d(1:many)', 0))];
+    e.ofTarget(end + (1:many), i) = 1;
   end
 end
 
@@ -150,3 +162,27 @@ end
 %! % a measurement uncertainty that nobody has stated
 %! noise.unknown = [0, 4];
 %! assert (whitenEmulator (em, 1:2, noise).nu(2) < 3.01);
+%!test
+%! % variance of an effect: what the coefficients of two targets of one curve
+%! % make of it, by hand
+%! em = handMadeEmulator ([1, 2; 1, 0]);
+%! em.noiseFreedom = [8, 8];
+%! em.alongCurve = [1, 0.8; 0.8, 1];
+%! R = {[2, 1; 1, 3], [1, 0; 0, 0.5]};
+%! em.effect = struct ('powers', [0, 1; 1, 1], 'coef', [1, 2; 3, 4], 'bend', ...
+%!                     1, 'misfit', [0.3, 0.1], 'root', [R{:}], ...
+%!                     'ofTarget', kron (eye (2), [1; 1]));
+%! noise = struct ('covariance', [4, 1; 1, 1], 'estimated', [0, 0], ...
+%!                'unknown', [0, 0]);
+%! white = whitenEmulator (em, 1:2, noise);
+%! [~, V] = predictGap (white, 1, [0.5, 0.6]);
+%! [~, V0] = predictGap (white, [], 0.5);
+%! b = 0.6 * [1, 0.5];
+%! D = sqrt (em.effect.misfit);
+%! for t = 2:-1:1
+%!   for s = 2:-1:1
+%!     K(t, s) = em.alongCurve(t, s) * (b * R{t} * R{s} * b' + ...
+%!                                      0.36 * D(t) * D(s));
+%!   end
+%! end
+%! assert (V - V0, diag (white.W * K * white.W')', 1e-3 * (V - V0));

@@ -176,13 +176,10 @@ function [M, R] = outcome (em, members, q, at)
     phi = q(p + i);
     S = predictGap (em, members(i), q([1:p, p + i]))(at) - ...
         predictGap (em, [], q(1:p))(at);
-    if any (e.varOverPsi2(:))
-      psi = sign (phi) * abs (phi)^e.bend;
-      coef = polyRows (e.varPowers, e.points) \ ...
-             log (max (e.varOverPsi2(:, at), realmin));
-      sd = abs (psi) * exp (polyRows (e.varPowers, [q(1:p), psi]) * coef / 2);
-      R = R + (sd' * sd) .* em.alongCurve(at, at);
-    end
+    psi = sign (phi) * abs (phi)^e.bend;
+    B = polyRows (e.powers, [q(1:p), psi]);
+    sd = sqrt ((B * e.root).^2 * e.ofTarget + psi^2 * e.misfit)(at);
+    R = R + (sd' * sd) .* em.alongCurve(at, at);
     far = log (max (abs (phi), 0.02) / e.strongest);
     R = R + e.unbent^2 * (0.25 + far^2) * (S' * S);
   end
