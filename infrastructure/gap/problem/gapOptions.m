@@ -26,8 +26,8 @@
 %                  it (0.9: as nameAt)
 %     standsRuns   runs that it and its likeliest rival need for that (4: with
 %                  fewer, chance names one in twenty wrongly)
-%     alikeRuns    runs that the effect most like it needs for that, from a
-%                  cosine of alikeAt on (8: from there on its bend is known)
+%     alikeRuns    runs that it and the effect most like it need for that, from
+%                  a cosine of alikeAt on (8: from there on a bend is known)
 %     mostRuns     runs of an effect from which on batches add none (12: its
 %                  bend is known from 8 on, see learnEffect)
 %     worthAt      bits about the cause below which a batch is not run (0.03: a

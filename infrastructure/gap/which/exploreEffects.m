@@ -143,28 +143,28 @@ function [now, reference] = weighNow (gapProblem, options, em, reference)
   isLaboratory = [library.effect.laboratory];
   [now.runs(isLaboratory), now.tried(isLaboratory)] = deal (Inf);
   now.isVague = vagueShare (now, now.verdict.top) >= options.vagueAt;
-  now.rival = alikeRival (w.screen, now.verdict.top, options.alikeAt);
+  now.alike = alikeTwo (w.screen, now.verdict.top, options.alikeAt);
 end
 
-% The effect most like the likeliest one, if any is ([]: none): with few runs
-% its mark could be anything, and it is unlikely for that alone. One that does
-% the opposite, and cannot do it the other way round, is none.
-function rival = alikeRival (screen, top, least)
+% The likeliest effect and the one most like it, if any is ([]: none): with few
+% runs its mark could be anything, and it is unlikely for that alone. One that
+% does the opposite, and cannot do it the other way round, is none.
+function two = alikeTwo (screen, top, least)
   cosine = screen.cosine(top, :);
   cosine(top) = 0;
   [most, rival] = max (cosine);
-  rival = rival(most >= least);
+  two = [top, rival](1:2 * (most >= least));
 end
 
 % The likeliest effect is likely enough, it and the next likely one have been
-% run often enough to believe it, so has the one most like it, and its mark is
-% known better than the rest.
+% run often enough to believe it, it and one much like it so often that their
+% bends are known, and its mark is known better than the rest.
 function yes = stands (now, options)
   [total, order] = sort (-now.verdict.total);
   two = order(1:min (2, numel (order)));
   yes = -total(1) >= options.standsAt && ...
         all (now.runs(two) >= options.standsRuns) && ...
-        all (now.tried(now.rival) >= options.alikeRuns) && ...
+        all (now.tried(now.alike) >= options.alikeRuns) && ...
         (now.runs(two(1)) >= options.mostRuns || ~now.isVague);
 end
 

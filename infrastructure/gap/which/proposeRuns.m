@@ -6,8 +6,8 @@
 %   NOW    struct w, verdict (caseEvidence, judgeCase), models, fits, usable
 %          (numbers of their effects in EM), runs (of each, Inf: none needed),
 %          tried (the same with those that gave no result),
-%          isVague (the mark of the likeliest one needs more runs), rival (the
-%          one most like it; [])
+%          isVague (the mark of the likeliest one needs more runs), alike (the
+%          likeliest and the one most like it, or [])
 %   BATCH  struct theta (n x p), phi (n x K), isFine (n x 1 logical: at the last
 %          level, where a case has levels), bits (scalar, expected information
 %          about the cause; Inf: runs that a name needs, whatever they tell)
@@ -62,7 +62,7 @@ function pool = candidates (gapProblem, options, state, em, now)
   pool = struct ('what', {}, 'members', {}, 'q', {}, 'P', {}, 'isMode', {}, ...
                  'spread', {}, 'story', {}, 'lacks', {});
   [total, order] = sort (-now.verdict.total);
-  order = unique ([order(1:min (4, numel (order))), now.rival], 'stable');
+  order = unique ([order(1:min (4, numel (order))), now.alike], 'stable');
   isSure = -total(1) >= options.standsAt;
   singles = find (strcmp (w.kind, 'single'));
   for i = order(:)'
@@ -84,7 +84,7 @@ function pool = candidates (gapProblem, options, state, em, now)
       blank.lacks = max ([(options.standsRuns - now.runs(i)) * ...
                           any(i == order(1:2)), ...
                           (options.alikeRuns - now.tried(i)) * ...
-                          any(i == now.rival), options.batch * isVague]);
+                          any(i == now.alike), options.batch * isVague]);
     end
     pool(end + 1) = blank;
     n = 3;
@@ -208,7 +208,7 @@ end
 %!  w = caseEvidence (models, study.fits, 1);
 %!  now = struct ('w', w, 'verdict', judgeCase (w, models), 'models', ...
 %!                models, 'fits', study.fits, 'usable', 1:5, 'isVague', ...
-%!                false, 'runs', runs, 'tried', runs, 'rival', []);
+%!                false, 'runs', runs, 'tried', runs, 'alike', []);
 %!endfunction
 %!function batch = proposed (study, state, now)
 %!  batch = proposeRuns (study.gapProblem, study.models.options, state, ...
