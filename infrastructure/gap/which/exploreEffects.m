@@ -153,7 +153,7 @@ function two = alikeTwo (screen, top, least)
   cosine = screen.cosine(top, :);
   cosine(top) = 0;
   [most, rival] = max (cosine);
-  two = [top, rival](1:2 * (most >= least));
+  two = [top(most >= least), rival(most >= least)];
 end
 
 % The likeliest effect is likely enough, it and the next likely one have been
