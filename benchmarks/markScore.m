@@ -114,27 +114,26 @@ function table = ofLaboratory (kind, number, n)
     data.Z = [data.Z; lab.run(near, phi)];
     data.replicate = [data.replicate; ones(n, 1)];
   end
-  [problem, white, ~, own] = learned (problem, data);
+  [problem, white] = learned (problem, data);
   at = problem.used;
   table = [];
   for k = dem
     phi = 0.6 * ((1:K) == k);
     z = lab.means (other, phi)(problem.kept(at)) ./ problem.unit(at);
     table(end + 1, :) = scoreOf (white, k, [2 * other - 1, 0.6], ...
-                                 z * white.W', own, own);
+                                 z * white.W', white.own, white.own);
   end
 end
 
-function [problem, white, em, own] = learned (problem, data)
+function [problem, white, em] = learned (problem, data)
   options = gapOptions ([]);
   [problem, data] = enterRuns (problem, data, options);
   em = fitEmulator (problem, data, options);
   budget = noiseBudget (problem, em);
   at = problem.used;
   white = whitenEmulator (em, at, budget);
-  own = sum ((white.W * budget.covariance(at, at)) .* white.W, 2)';
-  % variances of WHITE hold that noise
-  white.own = own;
+  % the noise that variances of WHITE hold
+  white.own = sum ((white.W * budget.covariance(at, at)) .* white.W, 2)';
 end
 
 % Z has the noise NOISE, of which EXPECTED is not in it but expected.
