@@ -55,7 +55,7 @@ function joint = ofPair (em, pair, runs)
     e = em.effect(pair(i));
     B = polyRows (e.powers, [runs.theta, psi(:, i)]);
     m = m + B * e.coef;
-    v = v + (B * e.root).^2 * e.ofTarget + psi(:, i).^2 .* e.misfit;
+    v = v + effectVariance (e, B, psi(:, i));
   end
   product = prod (psi, 2);
   for t = 1:T

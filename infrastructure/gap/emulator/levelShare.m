@@ -26,7 +26,7 @@ function share = levelShare (em, coarse, runs)
     B = polyRows (e.powers, [runs.theta(own, :), psi]);
     miss = runs.Z(own, :) - runs.mean(own, :) - B * e.coef;
     known = em.noiseVar + runs.variance(own, :) + ...
-            (B * e.root).^2 * e.ofTarget + psi.^2 .* e.misfit;
+            effectVariance (e, B, psi);
     ok = isfinite (miss);
     miss(~ok) = 0;
     weight = ok ./ em.range.^2;

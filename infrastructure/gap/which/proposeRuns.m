@@ -178,7 +178,7 @@ function [M, R] = outcome (em, members, q, at)
         predictGap (em, [], q(1:p))(at);
     psi = sign (phi) * abs (phi)^e.bend;
     B = polyRows (e.powers, [q(1:p), psi]);
-    sd = sqrt ((B * e.root).^2 * e.ofTarget + psi^2 * e.misfit)(at);
+    sd = sqrt (effectVariance (e, B, psi))(at);
     R = R + (sd' * sd) .* em.alongCurve(at, at);
     far = log (max (abs (phi), 0.02) / e.strongest);
     R = R + e.unbent^2 * (0.25 + far^2) * (S' * S);
