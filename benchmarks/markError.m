@@ -47,15 +47,11 @@ function [text, row] = oneLaboratory (number)
   phi = 0.6 * ((1:numel (given.effects)) == k);
   given.value = lab.measure (theta, phi);
   gapProblem = newGapProblem (given);
-  data = withRuns (foreignPlan (lab, min (4 * (p + 1), 40), 0), gapProblem, ...
-                   lab, theta, k);
-  options = gapOptions ([]);
-  [gapProblem, data] = enterRuns (gapProblem, data, options);
-  em = fitEmulator (gapProblem, data, options);
-  noise = noiseBudget (gapProblem, em);
+  data = withRuns (foreignPlan (lab, neutralSets (p), 0), gapProblem, lab, ...
+                   theta, k);
+  [gapProblem, white] = learnWhite (gapProblem, data);
   at = gapProblem.used;
-  white = whitenEmulator (em, at, noise);
-  own = sum ((white.W * noise.covariance(at, at)) .* white.W, 2)';
+  own = white.own;
   truth = @(phi) (lab.means (theta, phi)(gapProblem.kept(at)) ./ ...
                   gapProblem.unit(at)) * white.W';
   [M, V] = predictGap (white, k, [2 * theta - 1, phi(k)]);

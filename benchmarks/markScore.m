@@ -77,9 +77,8 @@ function table = ofCampaign (given, stored, n, draw)
       tests = [tests; own(n + 1:end), repmat(k, numel (own) - n, 1)];
     end
   end
-  [problem, white, em] = learned (problem, keepRows (stored, isKnown));
+  [problem, white] = learnWhite (problem, keepRows (stored, isKnown));
   at = problem.used;
-  noise = sum (white.W.^2 .* em.noiseVar(at), 2)';
   table = [];
   limits = problem.limits;
   for one = tests'
@@ -87,7 +86,8 @@ function table = ofCampaign (given, stored, n, draw)
     if all (isfinite (z))
       theta = 2 * (stored.X(one(1), :) - limits(1, :)) ./ diff (limits) - 1;
       q = [theta, phi(one(1), one(2))];
-      table(end + 1, :) = scoreOf (white, one(2), q, z * white.W', noise, 0);
+      z = z * white.W';
+      table(end + 1, :) = scoreOf (white, one(2), q, z, white.ofRun, 0);
     end
   end
 end
@@ -104,7 +104,7 @@ function table = ofLaboratory (kind, number, n)
   other = min (max (set + 0.2 * sign (rand (1, p) - 0.5), 0.02), 0.98);
   given.value = lab.measure (set, zeros (1, K));
   problem = newGapProblem (given);
-  data = foreignPlan (lab, min (4 * (p + 1), 40), 0);
+  data = foreignPlan (lab, neutralSets (p), 0);
   for k = dem
     near = set + 0.2 * (rand (n, p) - 0.5);
     near(1, :) = set;
@@ -114,7 +114,7 @@ function table = ofLaboratory (kind, number, n)
     data.Z = [data.Z; lab.run(near, phi)];
     data.replicate = [data.replicate; ones(n, 1)];
   end
-  [problem, white] = learned (problem, data);
+  [problem, white] = learnWhite (problem, data);
   at = problem.used;
   table = [];
   for k = dem
@@ -123,17 +123,6 @@ function table = ofLaboratory (kind, number, n)
     table(end + 1, :) = scoreOf (white, k, [2 * other - 1, 0.6], ...
                                  z * white.W', white.own, white.own);
   end
-end
-
-function [problem, white, em] = learned (problem, data)
-  options = gapOptions ([]);
-  [problem, data] = enterRuns (problem, data, options);
-  em = fitEmulator (problem, data, options);
-  budget = noiseBudget (problem, em);
-  at = problem.used;
-  white = whitenEmulator (em, at, budget);
-  % the noise that variances of WHITE hold
-  white.own = sum ((white.W * budget.covariance(at, at)) .* white.W, 2)';
 end
 
 % Z has the noise NOISE, of which EXPECTED is not in it but expected.

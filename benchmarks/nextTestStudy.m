@@ -71,7 +71,7 @@ function line = oneCase (kind, number)
 end
 
 function data = neutralRuns (lab)
-  n = min (4 * (columns (lab.gapProblem.limits) + 1), 40);
+  n = neutralSets (columns (lab.gapProblem.limits));
   data = foreignPlan (lab, n, 0);
 end
 

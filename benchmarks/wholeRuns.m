@@ -75,7 +75,7 @@ function line = oneCase (number, given, data, study, benches)
   truth = truthOf (number, given, data, root);
   folder = fullfile (work, sprintf ('%d', number));
   isStored = strcmp (mode, 'stored');
-  plan = ~isStored * gapOptions ([]).neutral * (1 + numel (given.names));
+  plan = ~isStored * neutralSets (numel (given.names));
   if ~isfile (fullfile (folder, 'loadInput.m'))
     leftOutFolder (folder, truth, given, root, benches * isStored);
     if ~isStored

@@ -8,9 +8,9 @@
 %   SAY      function handle that takes one line of text
 %
 % First sets that benches lack which joined the case later (completeBenches).
-% Then neutral sets: a diagnosis wants 4 (d + 1), 40 at most, if it may run
-% them, and mends its surrogates where that was not enough (diagnoseMatrices);
-% without new runs it takes what is there. A bench all of whose runs gave no
+% Then neutral sets: a diagnosis wants those of neutralSets, if it may run them,
+% and mends its surrogates where that was not enough (diagnoseMatrices); without
+% new runs it takes what is there. A bench all of whose runs gave no
 % result, d + 3 or more, is not waited for: enterRuns leaves it out.
 
 function state = completePlan (state, problem, Case, say)
@@ -22,8 +22,7 @@ function state = completePlan (state, problem, Case, say)
            sum (isnan (data.Z) & ~isna (data.Z), 1) >= d + 3;
   neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDead, 2);
   have = rows (unique (data.X(neutral, :), 'rows'));
-  wanted = max (Case.options.numOfSam, ...
-                min (40, gapOptions ([]).neutral * (d + 1)));
+  wanted = max (Case.options.numOfSam, neutralSets (d));
   if isfield (data, 'level')
     atLast = neutral & ~any (data.level, 2);
     wanted = max (wanted, have + d + 3 - sum (atLast));
@@ -75,8 +74,7 @@ function at = wantedSets (E, isWhole, isOpen, Case)
   phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
   isOff = E == phi;
   neutral = all (isOff, 2);
-  plan = gapOptions ([]).neutral * (numel (Case.names) + 1);
-  plan = max (Case.options.numOfSam, min (40, plan));
+  plan = max (Case.options.numOfSam, neutralSets (numel (Case.names)));
   at = find (neutral & isOpen);
   at = at(1:min (end, max (plan - sum (neutral & isWhole), 0)));
   last = 0;

@@ -39,9 +39,9 @@ function [tests, state] = tryTests (make, study, w, P, state)
   end
   tests = scoreTests (tests, ask.causes);
   for rounds = [3, 2, 1]
-    [best, more] = whichNext (tests, ask, rounds, options.adviseAt / 2);
+    [best, extra] = whichNext (tests, ask, rounds, options.adviseAt / 2);
     for i = best
-      [tests(i), state] = runSets (tests(i), study, ask.sets, state, more);
+      [tests(i), state] = runSets (tests(i), study, ask.sets, state, extra);
       tests(i) = scoreTests (tests(i), ask.causes);
       tests(i).isFirm = rounds < 3;
     end
@@ -89,16 +89,16 @@ function ask = without (ask, ran)
   end
 end
 
-function [best, more] = whichNext (tests, ask, rounds, least)
+function [best, extra] = whichNext (tests, ask, rounds, least)
   [n, spent] = deal (numel (tests), numel (vertcat (tests.group)));
   room = floor ((ask.afford - spent) / numel (ask.sets));
   if rounds == 3
-    [best, more] = deal (1:n * (room >= 2 * n), 1);
+    [best, extra] = deal (1:n * (room >= 2 * n), 1);
     return
   end
   room = floor (room / rounds);
   best = bestOf (tests, min (rounds + 1, room), least);
-  more = min (floor (room / max (numel (best), 1)), 3);
+  extra = min (floor (room / max (numel (best), 1)), 3);
 end
 
 % None, where the best one is sure: scatter takes little of what it promises.
@@ -114,9 +114,9 @@ end
 % of each; its Z is empty where a first run was not made or gave no result. RAN:
 % each explanation gave results, or its runs were not made. Equal draws have
 % packings of their own.
-function [test, state] = runSets (test, study, sets, state, more)
+function [test, state] = runSets (test, study, sets, state, extra)
   gapProblem = study.gapProblem;
-  isFirst = more == 0;
+  isFirst = extra == 0;
   known = 0;
   if ~isFirst
     known = rows (test.Z) / numel (sets);
@@ -126,7 +126,7 @@ function [test, state] = runSets (test, study, sets, state, more)
   for g = 1:numel (sets)
     own = sets(g).mode;
     if ~isFirst
-      own = sets(g).draws(known - 1 + (1:more), :);
+      own = sets(g).draws(known - 1 + (1:extra), :);
     end
     row = zeros (rows (own), columns (Q));
     row(:, [1:study.em.p, study.em.p + sets(g).number]) = own;
