@@ -92,8 +92,7 @@ function added = addPart (part, whole, added)
   strength = prod (psi, 2);
   added.S = added.S + strength .* parts{1};
   if ~isempty (added.V)
-    added.V = added.V + strength.^2 .* ...
-              (e.misfit + (B * e.root).^2 * e.ofTarget);
+    added.V = added.V + strength.^2 .* effectVariance (e, B, 1);
   end
   for j = 1:numel (parts) - 1
     factor = strength;
