@@ -40,9 +40,11 @@ function [gapProblem, lengths] = correlateSeries (gapProblem, em, options)
     lengths(gapProblem.series == s & gapProblem.estimateSeries) = L;
   end
   known = gapProblem.covariance;
+  sd = gapProblem.sd;
+  sd(~isfinite (sd)) = 0;
   gapProblem.covariance = ...
-    measurementCovariance (gapProblem.sd, gapProblem.series, ...
-                           gapProblem.coordinate, lengths);
+    measurementCovariance (sd, gapProblem.series, gapProblem.coordinate, ...
+                           lengths);
   if ~isempty (known)
     free = lengths' == 0 & lengths == 0;
     gapProblem.covariance(free) = known(free);
@@ -92,6 +94,7 @@ end
 %! given.series = given.bench;
 %! given.coordinate = [x, x];
 %! given.value(7) = NaN;
+%! given.sd(7) = NaN;
 %! given.estimateSeries = true (1, 60);
 %! study = labStudy (given, data);
 %! [gapProblem, lengths] = correlateSeries (study.gapProblem, study.em, ...
@@ -100,6 +103,7 @@ end
 %! assert (lengths(31), 0);
 %! assert (gapProblem.covariance(1, 2) > 0.004);
 %! assert (gapProblem.covariance(31, 32), 0);
+%! assert (isfinite (gapProblem.covariance(7, :)));
 %!test
 %! % of a curve one point is measured, of the other one is calibrated to
 %! x = linspace (0, 1, 6);

@@ -134,6 +134,7 @@ function data = withNewRuns (data, state, known, gapProblem)
     own = state.data.(name{1})(new, :);
     if strcmp (name{1}, 'level')
       own = zeros (numel (new), columns (data.level));
+      own(:, gapProblem.kept) = state.data.level(new, :);
     elseif strcmp (name{1}, 'Z')
       own = NaN (numel (new), columns (data.Z));
       own(:, gapProblem.kept) = state.data.Z(new, :) .* gapProblem.unit;

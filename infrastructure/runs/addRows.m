@@ -30,7 +30,7 @@ function data = addRows (data, X, Z, replicate, stage, E)
   data.replicate = [data.replicate; replicate(:)];
   data.stage = [data.stage; repmat({stage}, n, 1)];
   if isfield (data, 'level')
-    data.level(end + n, :) = 0;
+    data.level(end + 1:end + n, :) = 0;
   end
 end
 
@@ -41,3 +41,11 @@ end
 
 %!error id=DEcalioc:addRows:badShape
 %! addRows (newData (2, 1), [1, 2, 3], 1, 1, 'plan');
+
+%!test
+%! % no run could be made: the last one, a coarse one, stays one
+%! data = addRows (newData (1, 2), 1, [5, 6], 1, 'plan');
+%! data.level = [1, 1];
+%! none = addRows (data, zeros (0, 1), zeros (0, 2), zeros (0, 1), 'gap');
+%! assert (none.level, [1, 1]);
+%! assert (addRows (none, 2, [5, 6], 1, 'gap').level, [1, 1; 0, 0]);

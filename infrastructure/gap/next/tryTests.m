@@ -13,7 +13,7 @@
 %              large as the scatter of a run
 %     effects  1 x K struct offset, matrix: what effects of the laboratory do to
 %              these results (newEffect)
-%     isExpressed  1 x K logical, effects that the bench can have
+%     isExpressed  1 x K logical, effects that the bench can have (K + 1: none)
 %     evaluate of newEvaluate, of this bench alone;  lines  cellstr, goes on
 %   STUDY, W, STATE  see adviseTests;  P  1 x H, probabilities of W
 %   TESTS   1 x n struct as of nextTest, of those that ran; isFirm: chosen to
@@ -60,8 +60,8 @@ function [tests, ask, state] = firstRuns (make, study, ask, state)
   end
   most = max (floor ((ask.afford - 24) / 4), floor (min (ask.afford, 24) / 4));
   for candidate = make ()
-    if numel (tests) >= most || ...
-       ~all (candidate.isExpressed([ask.sets.number]))
+    canHave = ismember ([ask.sets.number], find (candidate.isExpressed));
+    if numel (tests) >= most || ~all (canHave)
       continue
     end
     [test, state] = runSets (candidate, study, ask.sets, state, 0);
@@ -170,7 +170,7 @@ function [Z, state] = results (test, gapProblem, Q, packing, state)
   end
   Z = own.data.Z;
   phi = phi(1:rows (Z), :);
-  for k = find ([gapProblem.effects.laboratory])
+  for k = find ([gapProblem.effects(1:numel (test.effects)).laboratory])
     effect = test.effects(k);
     Z = Z + phi(:, k) .* (effect.offset + Z * effect.matrix);
   end
@@ -238,11 +238,12 @@ end
 %!               0 ./ ~(all (E(:, never), 2) & ~any (E(:, others), 2));
 %! [f, state.budget] = newEvaluate (@(X, E, r) law (X, E) + ...
 %!                                             0.2 * randn (rows (X), 2));
-%! effects = struct ('offset', repmat ({[0, 0]}, 1, 5), 'matrix', zeros (2));
+%! % a fifth effect, as a finer level, is not known to the test
+%! effects = struct ('offset', repmat ({[0, 0]}, 1, 4), 'matrix', zeros (2));
 %! one = struct ('test', 'a bench', 'model', 'Other', 'variable', '', ...
 %!               'value', [], 'trials', 3, 'cost', 1, 'origin', [NaN, NaN], ...
 %!               'noise', [0.2, 0.2], 'size', [5, 7], 'sd', [0.1, 0.1], ...
-%!               'effects', effects, 'isExpressed', true (1, 5), ...
+%!               'effects', effects, 'isExpressed', true (1, 4), ...
 %!               'evaluate', f, 'lines', {{}});
 %! tests = tryTests (@() one, study, w, P, state);
 %! assert (numel (tests), 1);

@@ -82,7 +82,7 @@ function pool = candidates (gapProblem, options, state, em, now)
     end
     if isSure
       blank.lacks = max ([(options.standsRuns - now.runs(i)) * ...
-                          any(i == order(1:2)), ...
+                          any(i == order(1:min (2, end))), ...
                           (options.alikeRuns - now.tried(i)) * ...
                           any(i == now.alike), options.batch * isVague]);
     end
@@ -243,3 +243,7 @@ end
 %! state.data.Z(end + 1, :) = NaN;
 %! state.data.replicate(end + 1) = 1;
 %! assert (~hasBoth (proposed (study, state, now)));
+%!test % an effect that is alone in the list
+%! [study, state, now] = after ([0.6, 0, 0, 0, 0], 1);
+%! [now.usable, now.verdict.total] = deal (1, 0.96);
+%! assert (proposed (study, state, now).bits > 100);

@@ -113,7 +113,7 @@ function part = fitReference (em, gapProblem, before, lack, at)
   Z = repmat (gapProblem.reference.value(at) * white.W', rows (starts), 1);
   fit = fitHypothesis (white, null, Z, toNormal (unknowns, starts), prior);
   [part.logE, best] = max (fit.logE);
-  part.logE = part.logE + log (abs (det (white.W)));
+  part.logE = part.logE + sum (log (svd (white.W)));
   part.Q = fit.Q(best, :);
   [M, V, ~, J] = predictGap (white, [], part.Q);
   J = reshape (vertcat (J{:})', numel (at), em.p) ./ sqrt (V');
@@ -224,3 +224,18 @@ end
 %! assert (isempty (new.known.root));
 %! assert (polyval (polyfit ([-1, 0, 1], predictGap (new, [], ...
 %!                  [-1; 0; 1])(:, 1)', 1), 1) > 1);
+
+%!test
+%! % 150 targets known to a thousandth of their range: no determinant is left,
+%! % but its logarithm (seeded; 0.3 of the range was drawn)
+%! em = handMadeEmulator ([zeros(1, 150); 3 * (1:150) / 150]);
+%! em.range = 1000 * ones (1, 150);
+%! em.noiseVar(:) = 1e-6;
+%! given = newGapProblem (struct ('value', zeros (1, 150), 'sd', ...
+%!                                ones (1, 150), 'limits', [0; 1], 'bench', ...
+%!                                ones (1, 150)));
+%! randn ('twister', 1);
+%! given.reference = struct ('value', 300 * randn (1, 150), 'sd', ...
+%!                           ones (1, 150), 'trials', ones (1, 150), ...
+%!                           'scatter', false (1, 150), 'perCondition', false);
+%! assert (takeReference (em, given).change.size, 0.3, 0.06);
