@@ -91,8 +91,7 @@ function prints = fingerprints (study)
                    (gapProblem.value(at) - without(at)) ./ sd(at), ...
                    'effects', zeros (K, numel (at)));
   for k = 1:K
-    fit = study.fits.of{study.models.singles(k)};
-    with = predictGap (em, k, fit.Q(1, 1:em.p + 1));
+    with = predictGap (em, k, fitCure (study, k));
     prints.effects(k, :) = (with(at) - without(at)) ./ sd(at);
   end
 end

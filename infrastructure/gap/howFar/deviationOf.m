@@ -13,6 +13,7 @@
 %     Sigma  n x n, what the fit took for the noise of each target
 %     J      n x q, slopes along the unknowns that the fit was free to move
 %     s      1 x n, what the effects add
+%     scatter  1 x n, variance of the mean of the runs (0: not run)
 %     nu     scalar, degrees of freedom of Sigma
 %
 % The fit has bent to the noise: with K what it moves by an error of the used
@@ -60,6 +61,7 @@ function d = deviationOf (study, set, draws)
     noise = d.Sigma;
     surrogate(:) = 0;
   end
+  d.scatter = diag (run)';
   roots = {(eye (numel (targets)) - K) * rootOf(noise), ...
            K * rootOf(surrogate), d.J * C * knownRoot, rootOf(run)};
   d.F = zeros (numel (targets));

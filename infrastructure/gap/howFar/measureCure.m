@@ -32,9 +32,10 @@
 %     worstZ   largest deviation of the DEM mean from the surrogate in standard
 %              deviations, NaN: not run
 %     params   2 x p, without and with the effect;  phi  1 x h, strengths
-%     remaining 1 x n, deviation of each used target after the cure, in its
-%       standard deviations;  stillMisses  logical: of DEM runs, and one of
-%       these beyond leftAt of gapOptions
+%     remaining 1 x n, deviation of each used target after the cure, in
+%       standard deviations of measurement, packing and the mean of the runs;
+%       stillMisses  logical: of DEM runs, and one of these beyond leftAt of
+%       gapOptions
 %
 % All draws share the measurement and the runs without the effect, so that
 % cause and placebo are compared in pairs.
@@ -81,7 +82,8 @@ function cure = measureCure (study, sets, first, group)
                 [sets(1).Q; sets(at).Q(1:em.p)] .* half;
   cure.phi = sets(at).Q(em.p + 1:end);
   noise = diag (noiseBudget (gapProblem, em).covariance)';
-  cure.remaining = devs(at).r(used) ./ sqrt (noise(gapProblem.used));
+  cure.remaining = devs(at).r(used) ./ ...
+                   sqrt (noise(gapProblem.used) + devs(at).scatter(used));
   cure.stillMisses = cure.verifiedByDEM && ...
                      max (abs (cure.remaining)) > options.leftAt;
 end
@@ -223,3 +225,22 @@ end
 %! cure = measureCure (study, sets, 3, 3);
 %! assert (cure.placebos.difference, 0, 0.01);
 %! assert (cure.placebos.against);
+%!test
+%! % the right cause at the right set: however sure the measurement is, the
+%! % scatter of the runs misses nothing (seeded)
+%! [given, data, means] = smallGapLab ();
+%! truth = [0.1, 0.3];
+%! given.value = means ((truth + 1) / 2, [0, 0, 0.6, 0, 0]);
+%! [given.sd(:), given.trials] = deal (0.01, Inf);
+%! study = labStudy (given, data);
+%! set = @(h, Q, phi) struct ('h', h, 'Q', Q, 'Z', ...
+%!   means (repmat ((truth + 1) / 2, 5, 1), repmat (phi, 5, 1)) + ...
+%!   0.2 * randn (5, 12), 'worstZ', 1, 'verified', true);
+%! randn ('twister', 1);
+%! sets = [set(zeros (1, 0), truth, zeros (1, 5)), ...
+%!         set(3, [truth, 0.6], [0, 0, 0.6, 0, 0])];
+%! cure = measureCure (study, sets, 3, 3);
+%! assert (~cure.stillMisses);
+%! assert (max (abs (cure.remaining)) > 1);
+%! sets(2).Z = sets(2).Z + 1;
+%! assert (measureCure (study, sets, 3, 3).stillMisses);

@@ -25,11 +25,9 @@ function [sets, state] = runCures (study, causes, state, sets)
   else
     sets = blank;
   end
-  flat = setfield (study.models.prior, 'flat', true);
   for h = causes
     blank.h = h{1};
-    Q = fitEffects (study.models, study.fits, 1, h{1}, flat).Q;
-    blank.Q = Q(1:study.em.p + numel (h{1}));
+    blank.Q = fitCure (study, h{1});
     sets(end + 1) = blank;
   end
   new = known + 1:numel (sets);

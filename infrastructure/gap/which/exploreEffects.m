@@ -46,11 +46,13 @@ function [state, em] = exploreEffects (gapProblem, options, state, em)
       if batch.bits < options.worthAt
         break
       end
-      state = runLevels (gapProblem, state, batch);
+      state = runBatch (gapProblem, state, batch);
     end
     em = emulate (gapProblem, state.data, options, em);
   end
   state.left = state.left + reserve;
+  % not from what the runs before told: as a second start fits it
+  em = emulate (gapProblem, state.data, options);
 end
 
 % Neither a gap nor none: surrogates that few runs have told hide one, but not
@@ -71,50 +73,6 @@ function n = runsToSeek (gapProblem, options, state, theta, p)
     isNear = isNear & ~any (data.level, 2);
   end
   n = max (min (options.batch, options.seekRuns - sum (isNear)), 0);
-end
-
-% Every end of every range once, and weaker where no run gave a whole result;
-% where that is so of most of them, the effects are not to blame.
-function state = runEach (gapProblem, state, theta)
-  for share = [1, 0.5, 0.25, 0.125]
-    have = strengthOfValues (gapProblem.effects, state.data.E);
-    alone = sum (abs (have) > 1e-9, 2) == 1;
-    have = have(alone & all (isfinite (state.data.Z), 2), :);
-    phi = share * missingEnds (gapProblem.effects, have, 0.5 * (share == 1));
-    n = rows (phi);
-    if share == 1
-      first = n;
-    elseif n > first / 2 && n > 1
-      return
-    end
-    state = runLevels (gapProblem, state, ...
-                       struct ('theta', repmat (theta, n, 1), 'phi', phi, ...
-                               'isFine', false (n, 1)));
-  end
-end
-
-% The ends of which no run HAVE reaches more than the share LEAST.
-function phi = missingEnds (effects, have, least)
-  K = numel (effects);
-  phi = zeros (0, K);
-  for k = find (~[effects.laboratory])
-    ends = effects(k).range;
-    for limit = ends(ends ~= 0)
-      if ~any (have(:, k) / limit > max (least - 1e-9, 1e-9))
-        phi(end + 1, :) = limit * ((1:K) == k);
-      end
-    end
-  end
-end
-
-function state = runLevels (gapProblem, state, batch)
-  fine = batch.isFine | ~isfield (state.data, 'level');
-  stages = {'gap', 'coarse'};
-  for at = {fine, ~fine}
-    state = spendRuns (state, gapProblem, batch.theta(at{1}, :), ...
-                       batch.phi(at{1}, :), ones (sum (at{1}), 1), stages{1});
-    stages(1) = [];
-  end
 end
 
 % What is known now, roughly; [] where nothing can be told.

@@ -1,0 +1,70 @@
+% RUNEACH  Runs every end of the range of every effect once.
+%
+% CALL: STATE = runEach (GAPPROBLEM, STATE, THETA)
+%
+%   GAPPROBLEM, STATE  of newGapProblem, newGapState
+%   THETA              1 x p, in [-1, 1], where they are run
+%
+% An end that a run with a whole result has reached to more than half is not run
+% again. One that gives none at full strength is run at a half, a quarter and an
+% eighth, each once, wherever it was that it failed; but where more than half of
+% all ends fail, the effects are not to blame.
+
+function state = runEach (gapProblem, state, theta)
+  ends = endsOf (gapProblem.effects);
+  n = rows (ends);
+  for share = [1, 0.5, 0.25, 0.125]
+    phi = strengthOfValues (gapProblem.effects, state.data.E);
+    phi(sum (abs (phi) > 1e-9, 2) ~= 1, :) = 0;
+    isWhole = all (isfinite (state.data.Z), 2);
+    least = 0.5 * (share == 1);
+    isMissing = false (1, n);
+    for i = 1:n
+      % shares of this end, and of no other
+      own = (phi * ends(i, :)') / sumsq (ends(i, :));
+      isTried = abs (log2 (max (own, 1e-9) / share)) < 0.5;
+      isMissing(i) = ~any (own(isWhole) > max (least, 1e-9)) && ~any (isTried);
+    end
+    missing = find (isMissing);
+    if share < 1 && numel (missing) > max (n / 2, 1)
+      return
+    end
+    batch = struct ('theta', repmat (theta, numel (missing), 1), ...
+                    'phi', share * ends(missing, :), ...
+                    'isFine', false (numel (missing), 1));
+    state = runBatch (gapProblem, state, batch);
+  end
+end
+
+function ends = endsOf (effects)
+  K = numel (effects);
+  ends = zeros (0, K);
+  for k = find (~[effects.laboratory])
+    for limit = effects(k).range(effects(k).range ~= 0)
+      ends(end + 1, :) = limit * ((1:K) == k);
+    end
+  end
+end
+
+%!test
+%! % each end once; what jams above 0.4 at a half and a quarter, too, and none of
+%! % that again from another set
+%! [given, data, means] = smallGapLab ();
+%! given.value = ones (1, 12);
+%! gapProblem = newGapProblem (given);
+%! data = keepRows (data, all (data.E == 0, 2));
+%! run = @(X, E, varargin) means (X, [E, zeros(rows (E), 1)]) + ...
+%!                         0 ./ (E(:, 3) < 0.46);
+%! options = gapOptions (struct ('maxNewRuns', 60));
+%! state = newGapState (data, gapProblem, options, run);
+%! state = runEach (gapProblem, state, [0.1, 0.2]);
+%! assert ([state.spent, state.failed], [6, 2]);
+%! again = runEach (gapProblem, state, [0.2, 0.1]);
+%! assert (again.spent, 6);
+%! % one that never works is tried four times in all
+%! never = @(X, E, varargin) means (X, [E, zeros(rows (E), 1)]) + ...
+%!                           0 ./ ~E(:, 2);
+%! state = newGapState (data, gapProblem, options, never);
+%! state = runEach (gapProblem, state, [0.1, 0.2]);
+%! assert ([state.spent, state.failed], [7, 4]);
+%! assert (runEach (gapProblem, state, [0.2, 0.1]).spent, 7);
