@@ -47,8 +47,8 @@ function ends = endsOf (effects)
 end
 
 %!test
-%! % each end once; what jams above 0.4 at a half and a quarter, too, and none of
-%! % that again from another set
+%! % each end once; what jams above 0.4 at a half and a quarter, too, and none
+%! % of that again from another set
 %! [given, data, means] = smallGapLab ();
 %! given.value = ones (1, 12);
 %! gapProblem = newGapProblem (given);
