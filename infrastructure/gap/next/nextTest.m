@@ -23,7 +23,8 @@
 % What a second measurement meets again, the error of the surrogate and the
 % unknown part of a sibling, was in the first one too: its share of the residual
 % stays, R (R + S)^-1 r, and only what is left open of it, R - R (R + S)^-1 R,
-% is uncertain. Packing and reading (S) are fresh.
+% is uncertain. Packing and reading (S) are fresh; a reading without sd is taken
+% for as sure as a run.
 
 function tests = nextTest (gapProblem, em, w, P)
   tests = candidates (gapProblem);
@@ -83,7 +84,10 @@ function part = predictive (gapProblem, em, w, h, at, noise)
   Q = posterior.Q(:, 1:em.p + numel (members));
   M = predictGap (em, members, Q)(:, at);
   S = noise.covariance(at, at);
-  R = diag (mean (em.surrogateVar(:, at), 1) + em.fitVar(at));
+  isBare = isnan (gapProblem.value(at)) & ~(gapProblem.sd(at) > 0);
+  S = S + diag (isBare .* em.noiseVar(at));
+  R = diag (mean (em.surrogateVar(:, at), 1) + em.fitVar(at)) + ...
+      effectError (em, members, posterior.weight' * Q)(at, at);
   if strcmp (w.kind{h}, 'sibling')
     [~, ~, added] = predictGap (noise.white, members, Q);
     free = noise.white.parity;
@@ -107,7 +111,8 @@ end
 %! % two causes that only the unmeasured target tells apart: nearly one bit
 %! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], ...
 %!             'coef', {[5, 9, 1], [5, -9, 1]}, 'bend', 1, ...
-%!             'misfit', zeros (1, 3), 'root', zeros (1, 0));
+%!             'misfit', zeros (1, 3), 'root', zeros (1, 0), 'ofTarget', ...
+%!             zeros (0, 3), 'unbent', 0, 'strongest', 1);
 %! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
 %! gapProblem = newGapProblem (struct ('value', [5, NaN, 1], ...
 %!                                     'sd', ones (1, 3), ...
@@ -120,6 +125,15 @@ end
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
 %! assert (tests(1).between, {'a', 'b'});
+%! % marks that nobody knows tell nothing apart
+%! vague = em;
+%! [vague.effect.misfit] = deal ([0, 1e4, 0]);
+%! assert (nextTest (gapProblem, vague, w, [0.5, 0.5])(1).gain < 0.05);
+%! bare = gapProblem;
+%! bare.sd(2) = NaN;
+%! vague.noiseVar(2) = 1e4;
+%! vague.effect = e;
+%! assert (nextTest (bare, vague, w, [0.5, 0.5])(1).gain < 0.05);
 %! % points of one curve are measured together
 %! two = gapProblem;
 %! [two.value(3), two.coordinate] = deal (NaN, [0, 1, 2]);
@@ -140,7 +154,8 @@ end
 %! % told where surrogates err alike both times
 %! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], ...
 %!             'coef', {[3, 3, 0], [3, 0, 3]}, 'bend', 1, ...
-%!             'misfit', zeros (1, 3), 'root', zeros (1, 0));
+%!             'misfit', zeros (1, 3), 'root', zeros (1, 0), 'ofTarget', ...
+%!             zeros (0, 3), 'unbent', 0, 'strongest', 1);
 %! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
 %! em.noiseVar(:) = 0.01;
 %! given = struct ('value', [3, 3, 0], 'sd', ones (1, 3), ...

@@ -171,18 +171,7 @@ function [M, R] = outcome (em, members, q, at)
   [~, v] = predictSurrogate (em.surrogates, X);
   sd = sqrt (v + em.fitVar)(at);
   R = (sd' * sd) .* em.correlation(at, at);
-  for i = 1:numel (members)
-    e = em.effect(members(i));
-    phi = q(p + i);
-    S = predictGap (em, members(i), q([1:p, p + i]))(at) - ...
-        predictGap (em, [], q(1:p))(at);
-    psi = sign (phi) * abs (phi)^e.bend;
-    B = polyRows (e.powers, [q(1:p), psi]);
-    sd = sqrt (effectVariance (e, B, psi))(at);
-    R = R + (sd' * sd) .* em.alongCurve(at, at);
-    far = log (max (abs (phi), 0.02) / e.strongest);
-    R = R + e.unbent^2 * (0.25 + far^2) * (S' * S);
-  end
+  R = R + effectError (em, members, q)(at, at);
 end
 
 % Bits of a run where N of the same effect are in the batch already.

@@ -1,0 +1,34 @@
+% EFFECTERROR  Covariance of what surrogates of effects may be wrong by.
+%
+% CALL: R = effectError (EM, MEMBERS, Q)
+%
+%   EM       struct of fitEmulator
+%   MEMBERS  1 x h, numbers of the effects
+%   Q        1 x (p + h), parameters in [-1, 1] and strengths
+%   R        T x T: of each its surrogate, alike along a curve, and what few
+%            runs leave open of its size (predictHypothesis)
+
+function R = effectError (em, members, q)
+  p = em.p;
+  R = zeros (columns (em.coef));
+  for i = 1:numel (members)
+    e = em.effect(members(i));
+    phi = q(p + i);
+    S = predictGap (em, members(i), q([1:p, p + i])) - ...
+        predictGap (em, [], q(1:p));
+    psi = sign (phi) * abs (phi)^e.bend;
+    sd = sqrt (effectVariance (e, polyRows (e.powers, [q(1:p), psi]), psi));
+    R = R + (sd' * sd) .* em.alongCurve;
+    far = log (max (abs (phi), 0.02) / e.strongest);
+    R = R + e.unbent^2 * (0.25 + far^2) * (S' * S);
+  end
+end
+
+%!test
+%! % of its surrogate 3^2 on target 2; of its size 0.5 of what it adds
+%! e = struct ('name', 'a', 'powers', [0, 1], 'coef', [4, 0], 'bend', 1, ...
+%!             'unbent', 1, 'strongest', 1, 'misfit', [0, 9], ...
+%!             'root', zeros (1, 0), 'ofTarget', zeros (0, 2));
+%! em = setfield (handMadeEmulator ([0, 0; 1, 0]), 'effect', e);
+%! assert (effectError (em, 1, [0, 1]), [4, 0; 0, 9], 1e-12);
+%! assert (effectError (em, [], 0), zeros (2));
