@@ -40,45 +40,6 @@ function [words, notes] = newScriptModel (root, target, given)
   notes = notesOn (text, words, variables);
 end
 
-% FILES: words of the script that are files below its folder, and those of what
-% it includes. VARIABLES: what "variable NAME index VALUE" declares in TEXT.
-function [files, variables, text] = scriptFiles (script)
-  if ~isfile (script)
-    error ('DEcalioc:scriptFiles:missingFile', ...
-           '--script must name a LIGGGHTS script, got %s: no such file.', ...
-           script);
-  end
-  folder = fileparts (make_absolute_filename (script));
-  [~, base, ending] = fileparts (script);
-  % what lies elsewhere stays where it is
-  isBelow = @(w) w(1) ~= '/' && isempty (strfind (w, '..')) && ...
-                 isfile (fullfile (folder, w));
-  files = cell (1, 0);
-  open = {[base, ending]};
-  text = '';
-  while ~isempty (open)
-    part = checkReadText (fullfile (folder, open{1}));
-    text = [text, part, "\n"];
-    part = regexprep (part, '#[^\n]*', '');
-    included = regexp (part, '^[ \t]*include[ \t]+(\S+)', 'tokens', ...
-                       'lineanchors');
-    new = setdiff (unique (strsplit (strtrim (part))), ...
-                   [files, {'', [base, ending]}])(:)';
-    new = new(cellfun (isBelow, new));
-    files = [files, new];
-    open = [open(2:end), intersect([cell(1, 0), included{:}], new)(:)'];
-  end
-  variables = struct ();
-  found = regexp (text, '^[ \t]*variable[ \t]+(\w+)[ \t]+index[ \t]+(\S+)', ...
-                  'tokens', 'lineanchors');
-  for k = 1:numel (found)
-    value = str2double (found{k}{2});
-    if isfinite (value) && ~isfield (variables, found{k}{1})
-      variables.(found{k}{1}) = value;
-    end
-  end
-end
-
 % These become text of programs: bash, awk, Octave.
 function checkWords (variables, seed, results, output, script)
   isName = @(w) ~isempty (regexp (w, '^[A-Za-z_]\w*$', 'once'));
@@ -108,10 +69,12 @@ function [names, numbers] = namedNumbers (texts, option, count)
     equals = find (texts{k} == '=', 1, 'last');
     words = strsplit (texts{k}(equals + 1:end), ':');
     values = str2double (words);
+    % str2double takes a comma for a separator of thousands: 0,2 would be 2
     if isempty (equals) || equals < 2 || numel (values) ~= count || ...
-        ~all (isfinite (values))
+        ~all (isfinite (values)) || ~isreal (values) || any ([words{:}] == ',')
       error ('DEcalioc:newScriptModel:badValue', ...
-             '%s must be given as %s, got %s.', option, ...
+             ['%s must be given as %s, got %s. Write numbers with a ' ...
+              'decimal point, without commas and units.'], option, ...
              {'NAME=0.3', 'NAME=0.2:0.8'}{count}, texts{k});
     end
     names{k} = texts{k}(1:equals - 1);
@@ -236,6 +199,10 @@ end
 %!          'newScriptModel:badValue', 'vary', {'mu=0.2'}; ...
 %!          'newScriptModel:badValue', 'set', {'0.2'}; ...
 %!          'newScriptModel:badValue', 'set', {'mu=x'}; ...
+%!          'newScriptModel:badValue', 'set', {'density=2,6'}; ...
+%!          'newScriptModel:badValue', 'set', {'density=2i'}; ...
+%!          'newScriptModel:badValue', 'vary', {'mu=0,2:0,8'}; ...
+%!          'newScriptModel:badValue', 'target', {'a=1,5'}; ...
 %!          'scriptFiles:missingFile', 'script', '/nowhere/in.x'};
 %! none = fullfile (folder, 'None');
 %! for row = wrong'
