@@ -10,8 +10,8 @@
 % Nothing that is there is overwritten; what a killed call has left out is made
 % by the next one.
 %
-% Errors: DEcalioc:sayNew:missingField, :badValue, :exists; those of
-% commandOptions, fillTemplate and newScriptModel
+% Errors: DEcalioc:sayNew:missingField, :badValue, :exists, :cannotWrite; those
+% of commandOptions, fillTemplate and newScriptModel
 
 function status = sayNew (root, ~, args)
   status = 0;
@@ -23,7 +23,7 @@ function status = sayNew (root, ~, args)
   isCase = isfile (fullfile (target, 'loadInput.m'));
   if isempty (given.model)
     refuseIf (isCase, target, 'is a case already');
-    [~, ~] = mkdir (target);
+    makePlace (target);
     copyNew (root, target, {'loadEffects.m', 'loadInput.m'});
   else
     model = fullfile (target, 'DEMmodels', given.model);
@@ -57,6 +57,15 @@ function refuseIf (isBad, path, why)
   if isBad
     error ('DEcalioc:sayNew:exists', ...
            '%s %s. Nothing is overwritten; take another name.', path, why);
+  end
+end
+
+function makePlace (target)
+  [isMade, why] = mkdir (target);
+  if ~isMade
+    error ('DEcalioc:sayNew:cannotWrite', ...
+           ['decalioc new: %s must be a folder that can be made, got: %s. ' ...
+            'Choose a folder of your own.'], target, why);
   end
 end
 
@@ -187,3 +196,19 @@ end
 %!error id=DEcalioc:sayNew:badValue sayNew (root, base, {'--curve', 'x'});
 %!error id=DEcalioc:sayNew:missingField sayNew (root, base, {'--script', 'x'});
 %!error id=DEcalioc:sayNew:badValue sayNew (root, base, {'--model', '../x'});
+%!test
+%! % places where no folder can be made
+%! file = fullfile (base, 'a file');
+%! writeAtomic (file, 'x');
+%! for place = {fullfile(file, 'x'), file, '/proc/x'}
+%!   text = '';
+%!   try
+%!     sayNew (root, base, place);
+%!   catch err
+%!     text = [err.identifier, err.message];
+%!   end
+%!   assert (strncmp (text, 'DEcalioc:sayNew:cannotWrite', 27), text);
+%!   assert (~isempty (strfind (text, [place{1}, ' must be a folder that'])));
+%!   assert (~isempty (strfind (text, 'Choose a folder of your own')));
+%! end
+%! assert (fileread (file), 'x');
