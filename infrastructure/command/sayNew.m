@@ -44,13 +44,29 @@ function target = placeOf (given, words)
   elseif given.curve && (isempty (given.model) || ~isempty (given.script))
     error ('DEcalioc:sayNew:badValue', ...
            '--curve goes with --model NAME, without --script.');
-  elseif isempty (words) && isempty (given.model) || numel (words) > 1
+  elseif isempty (given.script)
+    refuseUnread (given);
+  end
+  if isempty (words) && isempty (given.model) || numel (words) > 1
     error ('DEcalioc:sayNew:missingField', ...
            ['one FOLDER for the case is needed, got %d. decalioc new ' ...
             '--help shows the call.'], numel (words));
   end
   words{end + 1} = given.model;
   target = make_absolute_filename (words{1});
+end
+
+% What only the model of a script takes would be lost without a word.
+function refuseUnread (given)
+  names = {'vary', 'set', 'target', 'output', 'seed'};
+  names = names(~cellfun (@(n) isempty (given.(n)), names));
+  if ~isempty (names)
+    error ('DEcalioc:sayNew:missingField', ...
+           ['--vary, --set, --target, --output and --seed go with --script ' ...
+            'FILE, got --%s without it. Add --script FILE, or leave these ' ...
+            'out and edit loadInput.m of the case.'], ...
+           strjoin (names, ', --'));
+  end
 end
 
 function refuseIf (isBad, path, why)
@@ -212,3 +228,18 @@ end
 %!   assert (~isempty (strfind (text, 'Choose a folder of your own')));
 %! end
 %! assert (fileread (file), 'x');
+%!test
+%! % what would be read by nothing
+%! unread = {'--vary', 'mu=0.2:0.8'; '--set', 'density=2'; ...
+%!           '--target', 'a=1'; '--output', 'out'; '--seed', 'seed'};
+%! for pair = unread'
+%!   text = '';
+%!   try
+%!     sayNew (root, base, [{'--model', 'Unread'}, pair']);
+%!   catch err
+%!     text = [err.identifier, err.message];
+%!   end
+%!   assert (strncmp (text, 'DEcalioc:sayNew:missingField', 28), text);
+%!   assert (~isempty (strfind (text, ['got ', pair{1}, ' without'])), text);
+%! end
+%! assert (~isfolder (fullfile (pwd (), 'Unread')));
