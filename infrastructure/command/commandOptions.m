@@ -34,10 +34,14 @@ function [options, k] = take (options, spec, args, k)
   [name, value] = strtok (args{k}, '=');
   field = strrep (name(3:end), '-', '_');
   if ~isfield (spec, field)
+    known = 'This command has none';
+    if ~isempty (fieldnames (spec))
+      names = strcat ('--', strrep (fieldnames (spec)', '_', '-'));
+      known = ['Known are: ', strjoin(names, ', ')];
+    end
     error ('DEcalioc:commandOptions:unknownName', ...
-           '%s is not an option here. Known are: %s.', name, ...
-           strjoin (strcat ('--', strrep (fieldnames (spec)', '_', '-')), ...
-                    ', '));
+           ['%s is not an option here. %s. decalioc COMMAND --help shows ' ...
+            'the call.'], name, known);
   end
   if strcmp (spec.(field), 'flag')
     options.(field) = true;
@@ -71,5 +75,9 @@ end
 %! o = commandOptions ({}, spec);
 %! assert ({o.model, o.vary, o.no_run}, {'', {}, false});
 %!error id=DEcalioc:commandOptions:unknownName commandOptions ({'--x'}, spec)
+%!error <x is not an option here. Known are: --model, --vary, --no-run. decal>
+%! commandOptions ({'--x=3'}, spec)
+%!error <x is not an option here. This command has none. decalioc COMMAND -->
+%! commandOptions ({'--x'}, struct ())
 %!error id=DEcalioc:commandOptions:missingField ...
 %! commandOptions ({'--model'}, spec)
