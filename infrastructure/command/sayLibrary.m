@@ -8,10 +8,13 @@
 %   ARGS    cell of texts: the store (default: DECALIOC_STORE, else FOLDER); to
 %           forget also the model and numbers or ranges FIRST:LAST, or --case
 %           with the case folder; --back takes them into use again
-%   STATUS  0; 2 where the store holds no runs
+%   STATUS  0; 2 where the store holds no runs (decalioc runs)
 %
 % A run that is forgotten has the status 'forgotten' in its record, and that
 % alone has changed: it counts in no case, and its folder stays.
+%
+% Errors: DEcalioc:sayLibrary:missingField, :badValue (a number), :missingFile
+% (no such store or model), :unknownName (no run is one of those)
 
 function status = sayLibrary (root, folder, args, toForget)
   if nargin > 3
@@ -85,20 +88,19 @@ function status = forget (args)
             '(7 12:20) or --case FOLDER; decalioc runs STORE lists them.']);
   end
   [store, model] = words{1:2};
-  kinds = readLibrary (store, model, struct ('input', ''));
-  chosen = zeros (0, 1);
-  if ~isempty (origin)
-    ofCase = kinds(strcmp ({kinds.origin}, origin));
-    chosen = vertcat (chosen, cellfun (@(r) r(:, 1), {ofCase.runs}, ...
-                                       'UniformOutput', false){:});
+  ranges = rangesOf (words(3:end));
+  if ~isfolder (fullfile (store, 'optim', model))
+    error ('DEcalioc:sayLibrary:missingFile', ...
+           ['decalioc forget: the store %s must hold runs of the model %s, ' ...
+            'got no folder %s. decalioc runs STORE lists the models.'], ...
+           store, model, fullfile (store, 'optim', model));
   end
-  for word = words(3:end)
-    ends = sscanf (word{1}, '%d:%d');
-    if isempty (ends)
-      error ('DEcalioc:sayLibrary:badValue', ...
-             'decalioc forget: %s must be a number or FIRST:LAST.', word{1});
-    end
-    chosen = [chosen; (ends(1):ends(end))'];
+  if isempty (origin)
+    chosen = str2double (listRunFolders (store, model));
+    chosen = chosen(any (chosen >= ranges(:, 1)' & chosen <= ranges(:, 2)', 2));
+  else
+    chosen = runsOfCases (readLibrary (store, model, struct ('input', '')), ...
+                          origin);
   end
   changed = [];
   for number = unique (chosen)'
@@ -108,10 +110,47 @@ function status = forget (args)
     end
   end
   readLibrary (store, model, struct ('input', ''), changed);
+  if isempty (changed)
+    refuseNone (store, model, options.back);
+  end
   words = {'out of use; --back takes them in again', 'in use again'};
   printf ('%d runs of %s are %s. Nothing was deleted.\n', numel (changed), ...
           model, words{1 + options.back});
   status = 0;
+end
+
+function refuseNone (store, model, isBack)
+  what = {'to take out of use', 'that was forgotten, to take in again'};
+  error ('DEcalioc:sayLibrary:unknownName', ...
+         ['decalioc forget: a finished run of %s %s must be named, got ' ...
+          'none. decalioc runs %s lists the cases; the folders of %s have ' ...
+          'the numbers of the runs.'], model, what{1 + isBack}, ...
+         shellQuote (store), fullfile (store, 'optim', model));
+end
+
+% ORIGIN is named as decalioc runs does, or as seen from the current folder.
+function chosen = runsOfCases (kinds, origin)
+  folder = make_absolute_filename (tilde_expand (origin));
+  folders = {origin, folder, canonicalize_file_name(folder)};
+  isOf = ismember ({kinds.origin}, folders) & ~strcmp ({kinds.origin}, '');
+  chosen = vertcat (zeros (0, 1), cellfun (@(r) r(:, 1), {kinds(isOf).runs}, ...
+                                           'UniformOutput', false){:});
+end
+
+% Of texts NUMBER or FIRST:LAST; n x 2, the first and the last number.
+function ranges = rangesOf (words)
+  ranges = zeros (numel (words), 2);
+  for k = 1:numel (words)
+    parts = regexp (words{k}, '^(\d+)(:\d+)?$', 'tokens', 'once');
+    ends = str2double (strrep (parts, ':', ''));
+    ends = ends(isfinite (ends));
+    if isempty (ends) || ends(end) < ends(1)
+      error ('DEcalioc:sayLibrary:badValue', ...
+             ['decalioc forget: a run must be given as a number or as ' ...
+              'FIRST:LAST, got %s. For example: 7 12:20'], words{k});
+    end
+    ranges(k, :) = ends([1, end]);
+  end
 end
 
 % Writes the mark into the record, or takes it out.
@@ -154,3 +193,37 @@ end
 %!error id=DEcalioc:sayLibrary:missingField sayLibrary ('', '', {'x'}, true)
 %!error id=DEcalioc:sayLibrary:badValue
 %! sayLibrary ('', '', {'/nowhere', 'M', 'x'}, true)
+%!test
+%! % what is no number of a run changes nothing, and is said
+%! Case = newCase (standInCase (tempname ()));
+%! evaluateDEM ([1, 2; 3, 4], Case);
+%! store = Case.store;
+%! before = readLibrary (store, 'First', struct ('input', ''));
+%! bad = {'badValue', {store, 'First', '1-2'}; ...
+%!        'badValue', {store, 'First', '1,2'}; ...
+%!        'badValue', {store, 'First', '1.5'}; ...
+%!        'badValue', {store, 'First', '2:1'}; ...
+%!        'badValue', {store, 'First', '1', 'x'}; ...
+%!        'badValue', {store, 'First', '1:'}; ...
+%!        'missingFile', {'/nowhere', 'First', '1'}; ...
+%!        'missingFile', {store, 'Frist', '1'}; ...
+%!        'unknownName', {store, 'First', '3:9999999999999'}; ...
+%!        'unknownName', {store, 'First', '--back', '1'}; ...
+%!        'unknownName', {store, 'First', '--case', '/nowhere'}};
+%! for row = bad'
+%!   caught = '';
+%!   try
+%!     evalc ('sayLibrary ('''', '''', row{2}, true);');
+%!   catch err
+%!     caught = err.identifier;
+%!   end
+%!   assert (caught, ['DEcalioc:sayLibrary:', row{1}]);
+%! end
+%! assert (readLibrary (store, 'First', struct ('input', '')), before);
+%! % a case may be named as the user sees it
+%! here = cd (fileparts (Case.folder));
+%! back = onCleanup (@() cd (here));
+%! [~, name] = fileparts (Case.folder);
+%! text = evalc (['sayLibrary ('''', '''', {store, ''First'', ''--case'', ', ...
+%!                '[''./'', name, ''/'']}, true);']);
+%! assert (strncmp (text, '2 runs of First are out of use', 30), text);
