@@ -168,6 +168,7 @@
 %!     [status, out] = startCommand (base, ['cancel ', place]);
 %!     assert (status, 0);
 %!     assert (says (out, 'its Octave was ended'));
+%!     assert (~says (out, '; 0 run(s) ended here'), out);
 %!   else
 %!     system (sprintf ('kill -s %s -- -%d', sign{1}, pid));
 %!   end

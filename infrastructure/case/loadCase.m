@@ -2,10 +2,12 @@
 %
 % CALL: CASE = loadCase ()
 %       CASE = loadCase (ROOT, FOLDER)
+%       CASE = loadCase (ROOT, FOLDER, 'reading')
 %
 %   ROOT    folder of the toolbox (text, default: the one of this file)
 %   FOLDER  case folder, looked in before the toolbox (text, default pwd)
-%   CASE    scalar struct, see newCase
+%   CASE    scalar struct, see newCase; with 'reading' no run can be made of it,
+%           and what only runs need (programs, a place) may be missing
 %
 % A program loads its case once and hands it on. Without arguments it is that of
 % the current folder, for published functions that users call with no case at
@@ -14,7 +16,8 @@
 % Errors: those of readInput and checkCase
 
 function Case = loadCase (varargin)
-  Case = newCase (readInput (varargin{:}));
+  raw = readInput (varargin{1:min(nargin, 2)});
+  Case = newCase (raw, varargin{3:nargin});
 end
 
 %!test

@@ -1,6 +1,7 @@
 % NEWCASE  Makes a case of what the user gave, with all defaults filled in.
 %
 % CALL: CASE = newCase (RAW)
+%       CASE = newCase (RAW, 'reading')
 %
 %   RAW   struct with the fields Input, optim, modelVars, assign, paramLims
 %         (as loadInput.m returns them), folder (case folder) and root (toolbox
@@ -11,10 +12,11 @@
 %
 % checkCase looks at RAW first. Its faults are raised together, as one
 % error under the identifier of the first. A measured.csv in the case folder
-% takes the place of the fields of optim that are given target by target.
+% takes the place of the fields of optim that are given target by target. With
+% 'reading' what only a run needs may be missing.
 
-function Case = newCase (raw)
-  [faults, found] = checkCase (raw);
+function Case = newCase (raw, varargin)
+  [faults, found] = checkCase (raw, varargin{:});
   if ~isempty (faults)
     error (faults(1).id, '%s', listFaults (faults));
   end
@@ -196,3 +198,23 @@ end
 %! % a word that holds it is another one; no folder, no note
 %! writeAtomic (fullfile (folder, 'insert.in'), 'seed ${runSeeds}');
 %! assert (numel (newCase (raw).notes), 1);
+%!test
+%! % who reads alone needs no program and no place; mistakes are mistakes
+%! raw = standInCase (tempname ());
+%! raw.Input.store = '/proc/x';
+%! raw.optim.targetVal = [400; 0.025; 3];     % getResults tells whose they are
+%! raw.optim.tolRes = [0.01; 0.01; 0.02];
+%! writeAtomic (fullfile (raw.folder, 'DEMmodels', 'First', 'runscript'), ...
+%!              "noSuchDEM < in.First\n");
+%! writeAtomic (fullfile (raw.folder, 'DEMmodels', 'First', 'in.First'), 'x');
+%! ids = {checkCase(raw).id};
+%! assert (ids, strcat ('DEcalioc:checkCase:', ...
+%!                      {'missingProgram', 'storeNotWritable'}));
+%! assert (size (checkCase (raw, 'reading')), [1, 0]);
+%! home = getenv ('PATH');
+%! setenv ('PATH', '/usr/bin:/bin');
+%! tidy = onCleanup (@() setenv ('PATH', home));
+%! raw.Input.executor = 'slurm';
+%! assert ([newCase(raw, 'reading').targets.model], [1, 1, 2]);
+%! raw.Input.numOfSam = 0;
+%! assert ({checkCase(raw, 'reading').id}, {'DEcalioc:checkCase:badNumOfSam'});

@@ -11,12 +11,12 @@
 
 function status = sayStatus (root, folder, args)
   commandOptions (args, struct ());
-  useLiggghts (root);
-  Case = withEffects (loadCase (root, folder));
+  [Case, note] = caseToRead (root, folder);
   s = caseStatus (Case, @costFunction);
   printf ('case    %s\n', folder);
   printf ('state   %s\n', stateText (s));
   sayRuns (s);
+  printf ('%s', note);
   printf ('%s', regexprep (libraryLine (Case), '^(.+)$', 'library $1\n'));
   for k = 1:numel (s.failures)
     printf ('        %s\n', s.failures{k});

@@ -1,6 +1,7 @@
 % CHECKCASE  Finds all faults of a user's input before anything is run.
 %
 % CALL: [FAULTS, FOUND] = checkCase (RAW)
+%       [FAULTS, FOUND] = checkCase (RAW, 'reading')
 %       [FAULTS, FOUND] = checkCase (RAW, 'noPrograms')
 %
 %   RAW       what the user gave: a struct with the fields Input, optim,
@@ -15,9 +16,11 @@
 %             checkMeasured)
 %
 % Never throws, starts no DEM run, makes no folder of the case, evaluates no
-% text of the user. With 'noPrograms' no other program is started either: the
-% results of getResults are not counted, bash does not read the runscript, and
-% the place for the runs is not looked at. Reasons: see docs/inputs.md.
+% text of the user. With 'reading', for what reads the files of a case alone, a
+% program that runs need is no fault where it is not there, bash does not read
+% the runscript, and the place for the runs is not looked at. With 'noPrograms'
+% no other program is started at all: the results of getResults are not counted
+% either. Reasons: see docs/inputs.md.
 
 function [faults, found] = checkCase (raw, mode)
   if nargin < 2
@@ -45,6 +48,9 @@ function [faults, found] = checkCase (raw, mode)
                     'values that the checks understand', got, ...
                     'Compare loadInput.m with the one of the toolbox.');
     faults = [faults, p];
+  end
+  if strcmp (mode, 'reading') && ~isempty (faults)
+    faults(strcmp ({faults.id}, 'DEcalioc:checkCase:missingProgram')) = [];
   end
   if isempty (faults)
     faults = checkFault ();          % joined, empty ones have lost their fields

@@ -5,7 +5,7 @@
 %   INPUT   scalar struct, the Input of loadInput
 %   FOLDER  case folder (text)
 %   ROOT    folder of the toolbox (text)
-%   MODE    'full', or 'noPrograms': getResults is not called
+%   MODE    see checkCase; with 'noPrograms' getResults is not called
 %   MODELS  1 x M struct array: name; folder ('' where there is none, or the
 %           name is not usable); head (see checkHead); cpu (NaN where not
 %           usable); count (number of results, NaN where not known); message
@@ -32,7 +32,7 @@ function models = checkFindModels (Input, folder, root, mode)
       continue
     end
     models(k).head = checkHead (models(k).folder);
-    if strcmp (mode, 'full') && ...
+    if ~strcmp (mode, 'noPrograms') && ...
        isfile (fullfile (models(k).folder, 'OctaveFuns', 'getResults.m'))
       [models(k).count, models(k).message, models(k).fields] = ...
         dryRun (models(k).folder, names{k});
