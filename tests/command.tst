@@ -187,6 +187,22 @@
 %! assert (status, 0);
 %! assert (says (out, 'no Octave worked in it; 0 run(s)'));
 
+%!test
+%! % Ctrl-C at a terminal, before the first run and with runs under way: it ends,
+%! % and says what is kept
+%! folder = standIn (base, 'stopped');
+%! writeAtomic (fullfile (folder, 'hold'), '');
+%! program = shellQuote (fullfile (root, 'bin', 'decalioc'));
+%! call = shellQuote ([program, ' run ', shellQuote(folder)]);
+%! for delay = [1.5, 5, 7]
+%!   [~, out] = system (sprintf (['(sleep %g; printf ''\003''; sleep 9) | ', ...
+%!                                'timeout 60 script -qec %s /dev/null'], ...
+%!                               delay, call));
+%!   assert (says (out, 'stopped. Finished runs are kept'), out);
+%!   waitFor (@() says (nthargout (2, @startCommand, base, ...
+%!                                 'status stopped'), ' 0 running'));
+%! end
+
 % --- the report: of writePage, or what is missing
 %!test
 %! folder = standIn (base, 'page');
