@@ -159,9 +159,44 @@
 %! Case = newCase (read ());
 %! assert ({Case.models.name}, {'Cup', 'Bin', 'Bin_w_2m'});
 %! assert (numel (Case.targets), 9);
-%! assert ({Case.targets([6, 9]).name}, {'Bin_bin1', 'Bin_w_2m_bin1'});
+%! assert ({Case.targets([6, 9]).name}, {'bin1', 'Bin_w_2m_bin1'});
 %! assert ([Case.targets(9).value, Case.targets(9).trials], [3.1, 2]);
 %! assert (Case.models(3).folder, fullfile (place, 'DEMmodels', 'Bin_w_2m'));
+%! clear back loadInput
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
+
+%!test
+%! % tables that name no model, as one is enough: runs.csv and measured.csv of
+%! % the one model still hold when a test has joined it
+%! folder = tempname ();
+%! raw = standInCase (folder);
+%! place = fullfile (folder, 'gap', 'next');
+%! mkdir (fullfile (place, 'DEMmodels'));
+%! rename (fullfile (folder, 'DEMmodels', 'Second'), ...
+%!         fullfile (place, 'DEMmodels', 'First_x'));
+%! writeLoadInput (folder, ['Input.model = {''First''}; Input.cpu = 1; ', ...
+%!                          'optim = struct (''tolRes'', 0.1);']);
+%! put (folder, 'measured.csv', {'name,value', 'slope,7', 'area,12'});
+%! put (place, 'First_x.csv', {'model,name,value', 'First_x,slope,1'});
+%! put (folder, 'runs.csv', {'a,b,slope,area', '1,2,3,4'});
+%! for name = {'DEMmodels/First', 'gap/next/DEMmodels/First_x'}
+%!   put (folder, [name{1}, '/results.csv'], ...
+%!        [{'name,kind,unit,series,at,text', 'slope,,,,,'}, ...
+%!         repmat({'area,,,,,'}, 1, strcmp (name{1}, 'DEMmodels/First'))]);
+%! end
+%! here = cd (folder);
+%! back = onCleanup (@() cd (here));
+%! clear loadInput
+%! Case = loadCase (raw.root, folder);
+%! assert ({Case.models.name}, {'First', 'First_x'});
+%! assert ({Case.targets.name}, {'slope', 'area', 'First_x_slope'});
+%! assert ([Case.targets.model], [1, 1, 2]);
+%! assert (importRuns (fullfile (folder, 'runs.csv'), Case).Z(1:2), [3, 4]);
+%! % the test says itself which model it is of
+%! put (place, 'First_x.csv', {'name,value', 'slope,1'});
+%! assert ([loadCase(raw.root, folder).targets.model], [1, 1, 2]);
+%! assert (costInput ({}).value, [7; 12; 1]);
 %! clear back loadInput
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');

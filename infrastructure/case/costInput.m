@@ -38,7 +38,8 @@ function Case = ofFolder (raw)
   Case.options.WRL = givenField (raw.optim, 'WRL', 0);
   if isfile (fullfile (raw.folder, 'measured.csv'))
     names = cellstr (raw.Input.model)(:)';
-    found.groups = groupMeasured (readConditions (raw, names), names);
+    found.groups = groupMeasured (readConditions (raw, names), names, ...
+                                  raw.further);
     Case.targets = newTargets (raw.optim, names, found);
   else
     values = checkElements (raw.optim.targetVal, 'optim.targetVal', 'column');

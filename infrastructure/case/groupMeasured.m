@@ -1,9 +1,10 @@
 % GROUPMEASURED  Makes targets of the lines of measured.csv.
 %
-% CALL: [GROUPS, FAULTS, CONDITIONS] = groupMeasured (LIST, MODELS)
+% CALL: [GROUPS, FAULTS, CONDITIONS] = groupMeasured (LIST, MODELS, FURTHER)
 %
 %   LIST      struct array of readMeasured
 %   MODELS    cell of the names of the models
+%   FURTHER   cell, those of further models (filledTests; default none)
 %   GROUPS    1 x T struct, sorted by model, else in the order of the table:
 %             line (first one), model, name (of the target), result (name of
 %             the result or curve), series, at, unit, value, sd, trials,
@@ -23,9 +24,13 @@
 % badly), joined with the sd of the lines, which is what they have in common.
 % The value of a point of a curve is named <name or series>@<at>, unless the
 % name stands in one place only. Where several models have a target of one name,
-% it is <model>_<name>: a name is a column of runs.csv.
+% it is <model>_<name>: a name is a column of runs.csv, so further models leave
+% those of the others as they are.
 
-function [groups, p, conditions] = groupMeasured (list, models)
+function [groups, p, conditions] = groupMeasured (list, models, further)
+  if nargin < 3
+    further = {};
+  end
   p = checkFault ();
   isOther = ~ismember ({list.condition}, {'', 'reference'});
   conditions = unique ({list(isOther).condition}, 'stable');
@@ -41,7 +46,7 @@ function [groups, p, conditions] = groupMeasured (list, models)
                                 others);
   p = [p, q];
   [~, order] = sort ([groups.model]);
-  groups = distinctNames (groups(order), models);
+  groups = distinctNames (groups(order), models, further);
   series = arrayfun (@(g) sprintf ('%d|%s', g.model, g.series), groups, ...
                      'UniformOutput', false);
   [~, number] = ismember (series, unique (series, 'stable'));
@@ -88,11 +93,13 @@ function [groups, p] = withConditions (groups, keys, others)
   end
 end
 
-function groups = distinctNames (groups, models)
+function groups = distinctNames (groups, models, further)
   names = {groups.name};
   of = [groups.model];
-  for k = 1:numel (groups)
-    if of(k) > 0 && any (strcmp (names, names{k}) & of ~= of(k))
+  isLate = of > 0;
+  isLate(isLate) = ismember (models(of(isLate)), further);
+  for k = find (of > 0)
+    if any (strcmp (names, names{k}) & of ~= of(k) & isLate <= isLate(k))
       groups(k).name = [models{of(k)}, '_', names{k}];
     end
   end

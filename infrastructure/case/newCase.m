@@ -27,6 +27,7 @@ function Case = newCase (raw, varargin)
   store = tilde_expand (givenField (Input, 'store', raw.folder));
   Case.store = make_absolute_filename (store);
   Case.models = newModels (raw);
+  Case.further = givenField (raw, 'further', {});
   Case.names = raw.assign(:)';
   Case.limits = double (raw.paramLims);
   Case.paramMean = found.paramMean;

@@ -8,7 +8,8 @@
 %   MODELS, LIST, FAULTS  see readMeasured
 %
 % After measured.csv come the lines with a value of the tests in RAW.further
-% (readInput); with 'further' these are all.
+% (readInput); with 'further' these are all. A line that names no model is of
+% the test, or of the one model of the case besides the tests.
 %
 % With a reference the lines of that case (of its own reference, where it has
 % conditions) come first, as the condition reference; the others are the
@@ -20,7 +21,9 @@ function [list, p] = readConditions (raw, models, which)
   if nargin > 2
     return
   end
-  [list, q] = readChecked (raw.folder, models);
+  own = find (~ismember (models, givenField (raw, 'further', {})));
+  own = sum (own(isscalar (own)));
+  [list, q] = readChecked (raw.folder, models, own);
   p = [q, p];
   if ~isempty (list)
     list = [list, further];
@@ -36,7 +39,7 @@ function [list, p] = readConditions (raw, models, which)
                              'Take one of the two out.');
     return
   end
-  [before, q] = readChecked (tilde_expand (reference), models);
+  [before, q] = readChecked (tilde_expand (reference), models, own);
   p = [p, q];
   if ~isempty (before)
     before = before(ismember ({before.condition}, {'', 'reference'}));
@@ -48,8 +51,9 @@ end
 
 % In a column condition one is the reference, there is another one, and no line
 % is without.
-function [list, p] = readChecked (folder, models)
-  [list, p, header] = readMeasured (fullfile (folder, 'measured.csv'), models);
+function [list, p] = readChecked (folder, models, own)
+  [list, p, header] = readMeasured (fullfile (folder, 'measured.csv'), ...
+                                    models, own);
   if isempty (list) || ~any (strcmp (header, 'condition'))
     return
   end
@@ -80,7 +84,8 @@ function [list, p] = furtherLines (raw, models)
   p = checkFault ();
   for name = givenField (raw, 'further', {})
     file = fullfile (raw.folder, 'gap', 'next', [name{1}, '.csv']);
-    [own, q] = readMeasured (file, models);
+    [own, q] = readMeasured (file, models, ...
+                             sum (find (strcmp (models, name{1}), 1)));
     p = [p, q];
     if ~isempty (own)
       list = [list, own(isfinite ([own.value]))];

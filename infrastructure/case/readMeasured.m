@@ -1,9 +1,11 @@
 % READMEASURED  Reads the table of measured values, measured.csv.
 %
-% CALL: [LIST, FAULTS, HEADER] = readMeasured (FILE, MODELS)
+% CALL: [LIST, FAULTS, HEADER] = readMeasured (FILE, MODELS, ALONE)
 %
 %   FILE      path of the table, in any form that readCsvTable takes
 %   MODELS    1 x M cell, names of the models; '' where a name is not usable
+%   ALONE     number of the model of a line that names none (0: it must name
+%             one; default 1 where there is one model, else 0)
 %   LIST      1 x n struct, one element a line: line (number in the file),
 %             model (number), name, series, unit (texts), at (NaN: none), value
 %             (NaN: not measured yet), sd (0: not given), repeats (trials that
@@ -19,7 +21,10 @@
 % there are several. tol is a share of the value (0.02 or 2%) or absolute (0.5
 % abs); of the value 0 it is always absolute.
 
-function [list, p, header] = readMeasured (file, models)
+function [list, p, header] = readMeasured (file, models, alone)
+  if nargin < 3
+    alone = double (isscalar (models));
+  end
   [list, header] = deal ([], {});
   try
     [header, cells, lines] = readCsvTable (file);
@@ -39,7 +44,8 @@ function [list, p, header] = readMeasured (file, models)
   for k = 1:rows (cells)
     text = repmat ({''}, size (known));
     text(column) = cells(k, :);
-    [row, q] = readRow (cell2struct (text(:), known(:)), lines(k), models);
+    [row, q] = readRow (cell2struct (text(:), known(:)), lines(k), models, ...
+                        alone);
     list = [list, row];
     p = [p, q];
   end
@@ -75,10 +81,10 @@ function p = checkHeader (header, known, n)
 end
 
 % ROW comes as texts.
-function [row, p] = readRow (row, line, models)
+function [row, p] = readRow (row, line, models, alone)
   where = sprintf ('measured.csv, line %d', line);
   row.line = line;
-  [row.model, p] = modelOf (row.model, models, where);
+  [row.model, p] = modelOf (row.model, models, alone, where);
   rules = {'value', NaN, @isfinite, ...
            'a number, or nothing: not measured yet'; ...
            'sd', 0, @(v) v >= 0 & isfinite (v), 'a number from 0'; ...
@@ -99,11 +105,11 @@ function [row, p] = readRow (row, line, models)
   p = [p, q, places];
 end
 
-function [k, p] = modelOf (name, models, where)
+function [k, p] = modelOf (name, models, alone, where)
   p = checkFault ();
   k = find (strcmp (name, models), 1);
-  if isempty (name) && isscalar (models)
-    k = 1;
+  if isempty (name) && alone > 0
+    k = alone;
   elseif isempty (k) && ~isempty (models)
     p = checkFault ('measuredModel', [where, ', model'], ...
                     ['one of ', strjoin(models, ', ')], checkShow (name), ...

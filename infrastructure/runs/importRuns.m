@@ -2,11 +2,13 @@
 %
 % CALL: [DATA, IGNORED] = importRuns (FILE, CASE)
 %
-%   FILE     path; header model, seed (optional), the design variables, the
+%   FILE     path; header model (optional where the case has one, besides those
+%            in CASE.further), seed (optional), the design variables, the
 %            effect variables (optional: neutral), the targets, in any order;
 %            a field is empty where the column does not belong to the row's
 %            model; one row a run (see readCsvTable for the accepted forms)
-%   CASE     struct with names, effectVars, effects, targets, models
+%   CASE     struct with names, effectVars, effects, targets, models, further
+%            (optional)
 %   DATA     struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
 %            run), replicate (n x 1), stage (n x 1 cell, 'import')
 %   IGNORED  cellstr, columns that the case does not know
@@ -70,7 +72,8 @@ function ignored = checkColumns (header, Case, model, file)
   targets = {Case.targets.name};
   isHere = ismember ([Case.targets.model], model);
   needed = [{'model'}, Case.names, targets(isHere)];
-  if isscalar (Case.models)
+  further = givenField (Case, 'further', {});
+  if sum (~ismember ({Case.models.name}, further)) == 1
     needed(1) = [];
   end
   missing = needed(~ismember (needed, header));
@@ -155,6 +158,13 @@ end
 %! data = imported ("model,a,b,First_1,First_2\nFirst,1,2,5,6\n");
 %! assert (data.Z(1:2), [5, 6]);
 %! assert (isna (data.Z(3)));
+%!test
+%! % a test that joined the case leaves the table of its one model as it was
+%! raw = standInCase (tempname ());
+%! Case = setfield (newCase (raw), 'further', {'Second'});
+%! file = fullfile (raw.folder, 'runs.csv');
+%! writeAtomic (file, "a,b,First_1,First_2\n1,2,5,6\n");
+%! assert (importRuns (file, Case).Z(1:2), [5, 6]);
 %!test
 %! commas = strrep (head, ';', ',');
 %! for bad = {"model,a,First_1,First_2,Second_1\n", 'missingField'; ...

@@ -52,7 +52,8 @@ function [p, found] = checkTable (raw, models, taken, found)
                                    'DEcalioc:checkCase:measuredCondition')))
     return
   end
-  [groups, q, conditions] = groupMeasured (lines, {models.name});
+  [groups, q, conditions] = groupMeasured (lines, {models.name}, ...
+                                           givenField (raw, 'further', {}));
   p = [p, q, checkTolerances(groups, lines, optim), ...
        checkNames(groups, [taken, {'model', 'seed'}]), ...
        checkResults(groups, models)];
