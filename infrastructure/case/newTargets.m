@@ -16,9 +16,9 @@ function targets = newTargets (optim, names, found)
   elseif groups(1).model > 1
     n = groups(1).model - 1;
     first = fromCells (optim, names(1:n), found.sizes(1:n));
-    groups = [first, rmfield(groups, {'line', 'each'})];
+    groups = [first, rmfield(groups, {'line', 'file', 'each'})];
   else
-    groups = rmfield (groups, 'line');
+    groups = rmfield (groups, {'line', 'file'});
   end
   counts = arrayfun (@(k) sum ([groups.model] == k), 1:numel (names));
   lengths = perTarget (asLengths (givenField (optim, 'correlation', {})), ...

@@ -23,7 +23,7 @@ function [list, p] = readConditions (raw, models, which)
   end
   own = find (~ismember (models, givenField (raw, 'further', {})));
   own = sum (own(isscalar (own)));
-  [list, q] = readChecked (raw.folder, models, own);
+  [list, q] = readChecked (raw.folder, models, own, 'measured.csv');
   p = [q, p];
   if ~isempty (list)
     list = [list, further];
@@ -39,7 +39,8 @@ function [list, p] = readConditions (raw, models, which)
                              'Take one of the two out.');
     return
   end
-  [before, q] = readChecked (tilde_expand (reference), models, own);
+  [before, q] = readChecked (tilde_expand (reference), models, own, ...
+                             fullfile (reference, 'measured.csv'));
   p = [p, q];
   if ~isempty (before)
     before = before(ismember ({before.condition}, {'', 'reference'}));
@@ -51,9 +52,9 @@ end
 
 % In a column condition one is the reference, there is another one, and no line
 % is without.
-function [list, p] = readChecked (folder, models, own)
+function [list, p] = readChecked (folder, models, own, shown)
   [list, p, header] = readMeasured (fullfile (folder, 'measured.csv'), ...
-                                    models, own);
+                                    models, own, shown);
   if isempty (list) || ~any (strcmp (header, 'condition'))
     return
   end
@@ -61,7 +62,7 @@ function [list, p] = readChecked (folder, models, own)
   isName = cellfun (@(c) checkIs ('name', c), conditions);
   for k = find (~isName)
     p(end + 1) = checkFault ('measuredCondition', ...
-                             sprintf ('measured.csv, line %d, condition', ...
+                             sprintf ('%s, line %d, condition', shown, ...
                                       list(k).line), ...
                              ['a name of letters, digits and underscores; ' ...
                               'reference where nothing has changed yet'], ...
@@ -71,7 +72,7 @@ function [list, p] = readChecked (folder, models, own)
   isReference = strcmp (conditions, 'reference');
   if all (isName) && (all (isReference) || ~any (isReference))
     p(end + 1) = checkFault ('measuredCondition', ...
-                             'measured.csv, condition', ...
+                             [shown, ', condition'], ...
                              'reference and at least one other condition', ...
                              strjoin (unique (conditions), ', '), ...
                              ['Call reference what was measured before the ' ...
@@ -83,9 +84,9 @@ function [list, p] = furtherLines (raw, models)
   list = [];
   p = checkFault ();
   for name = givenField (raw, 'further', {})
-    file = fullfile (raw.folder, 'gap', 'next', [name{1}, '.csv']);
-    [own, q] = readMeasured (file, models, ...
-                             sum (find (strcmp (models, name{1}), 1)));
+    file = fullfile ('gap', 'next', [name{1}, '.csv']);
+    [own, q] = readMeasured (fullfile (raw.folder, file), models, ...
+                             sum (find (strcmp (models, name{1}), 1)), file);
     p = [p, q];
     if ~isempty (own)
       list = [list, own(isfinite ([own.value]))];
@@ -125,3 +126,24 @@ end
 %! end
 %! tables = {"name,value\na,1\n", table('reference', 'wet')};
 %! assert (reasonsOf (true, tables{:}), {'measuredCondition'});
+%!test
+%! % each fault names the table in which it is
+%! folder = tempname ();
+%! mkdir (fullfile (folder, 'gap', 'next'));
+%! raw = struct ('folder', folder, 'Input', struct (), 'further', {{'B'}});
+%! own = fullfile (folder, 'measured.csv');
+%! test = fullfile (folder, 'gap', 'next', 'B.csv');
+%! first = @(raw) nthargout (2, @readConditions, raw, {'A', 'B'})(1).message;
+%! starts = @(raw, words) strncmp (first (raw), words, numel (words));
+%! writeAtomic (own, "name,value\na,1\n");
+%! for bad = {"name,value\na,1x\n", 'gap/next/B.csv, line 2, value: '; ...
+%!            "name,vale\na,1\n", 'gap/next/B.csv: '; "", 'gap/next/B.csv: '}'
+%!   writeAtomic (test, bad{1});
+%!   assert (starts (raw, bad{2}), first (raw));
+%! end
+%! writeAtomic (test, "name,value\na,1\n");
+%! before = tempname ();
+%! mkdir (before);
+%! writeAtomic (fullfile (before, 'measured.csv'), "name,value\na,1x\n");
+%! raw.Input.reference = before;
+%! assert (starts (raw, fullfile (before, 'measured.csv, line 2, value: ')));

@@ -1,19 +1,20 @@
-% READMEASURED  Reads the table of measured values, measured.csv.
+% READMEASURED  Reads a table of measured values, as measured.csv.
 %
-% CALL: [LIST, FAULTS, HEADER] = readMeasured (FILE, MODELS, ALONE)
+% CALL: [LIST, FAULTS, HEADER] = readMeasured (FILE, MODELS, ALONE, SHOWN)
 %
 %   FILE      path of the table, in any form that readCsvTable takes
 %   MODELS    1 x M cell, names of the models; '' where a name is not usable
 %   ALONE     number of the model of a line that names none (0: it must name
 %             one; default 1 where there is one model, else 0)
+%   SHOWN     name of the table in FAULTS (text, default measured.csv)
 %   LIST      1 x n struct, one element a line: line (number in the file),
-%             model (number), name, series, unit (texts), at (NaN: none), value
-%             (NaN: not measured yet), sd (0: not given), repeats (trials that
-%             the value is the mean of; Inf: sd holds their scatter; NaN: not
-%             given), role ('': not given), tol (NaN: not given), isAbsolute
-%             (logical: tol has the unit of the value), saysTol (logical: there
-%             is one, good or bad), condition ('': not given); [] where the
-%             table as a whole is no use
+%             file (SHOWN), model (number), name, series, unit (texts), at
+%             (NaN: none), value (NaN: not measured yet), sd (0: not given),
+%             repeats (trials that the value is the mean of; Inf: sd holds
+%             their scatter; NaN: not given), role ('': not given), tol (NaN:
+%             not given), isAbsolute (logical: tol has the unit of the value),
+%             saysTol (logical: there is one, good or bad), condition ('': not
+%             given); [] where the table as a whole is no use
 %   FAULTS    1 x p faults, see checkFault
 %   HEADER    1 x m cell, names of the columns
 %
@@ -21,22 +22,25 @@
 % there are several. tol is a share of the value (0.02 or 2%) or absolute (0.5
 % abs); of the value 0 it is always absolute.
 
-function [list, p, header] = readMeasured (file, models, alone)
+function [list, p, header] = readMeasured (file, models, alone, shown)
   if nargin < 3
     alone = double (isscalar (models));
+  end
+  if nargin < 4
+    shown = 'measured.csv';
   end
   [list, header] = deal ([], {});
   try
     [header, cells, lines] = readCsvTable (file);
   catch err
-    p = checkFault ('measuredTable', 'measured.csv', ...
+    p = checkFault ('measuredTable', shown, ...
                     'a table with a header line', ...
                     err.message, 'Save it as CSV with one header line.');
     return
   end
   known = {'model', 'name', 'value', 'sd', 'unit', 'repeats', 'role', ...
            'series', 'at', 'tol', 'condition'};
-  p = checkHeader (header, known, rows (cells));
+  p = checkHeader (header, known, rows (cells), shown);
   if ~isempty (p)
     return
   end
@@ -44,18 +48,20 @@ function [list, p, header] = readMeasured (file, models, alone)
   for k = 1:rows (cells)
     text = repmat ({''}, size (known));
     text(column) = cells(k, :);
-    [row, q] = readRow (cell2struct (text(:), known(:)), lines(k), models, ...
-                        alone);
+    row = cell2struct (text(:), known(:));
+    row.line = lines(k);
+    row.file = shown;
+    [row, q] = readRow (row, models, alone);
     list = [list, row];
     p = [p, q];
   end
 end
 
-function p = checkHeader (header, known, n)
+function p = checkHeader (header, known, n, shown)
   p = checkFault ();
   cure = ['The columns are ', strjoin(known, ', '), '.'];
   for k = find (~ismember (header, known))
-    p(end + 1) = checkFault ('measuredColumn', 'measured.csv', ...
+    p(end + 1) = checkFault ('measuredColumn', shown, ...
                              'columns that are known', ...
                              checkShow (header{k}), ...
                              strtrim ([checkNearest(header{k}, known), ...
@@ -63,27 +69,26 @@ function p = checkHeader (header, known, n)
   end
   [~, once] = unique (header);
   for k = setdiff (1:numel (header), once)
-    p(end + 1) = checkFault ('measuredColumn', 'measured.csv', ...
+    p(end + 1) = checkFault ('measuredColumn', shown, ...
                              'each column once', ...
                              [checkShow(header{k}), ' twice'], cure);
   end
   if ~any (strcmp (header, 'value')) || ...
      ~any (ismember (header, {'name', 'series'}))
-    p(end + 1) = checkFault ('measuredColumn', 'measured.csv', ...
+    p(end + 1) = checkFault ('measuredColumn', shown, ...
                              'the columns name (or series) and value', ...
                              strjoin (header, ', '), cure);
   end
   if n == 0
-    p(end + 1) = checkFault ('measuredTable', 'measured.csv', ...
+    p(end + 1) = checkFault ('measuredTable', shown, ...
                              'at least one measured value', ...
                              'a header alone', cure);
   end
 end
 
 % ROW comes as texts.
-function [row, p] = readRow (row, line, models, alone)
-  where = sprintf ('measured.csv, line %d', line);
-  row.line = line;
+function [row, p] = readRow (row, models, alone)
+  where = sprintf ('%s, line %d', row.file, row.line);
   [row.model, p] = modelOf (row.model, models, alone, where);
   rules = {'value', NaN, @isfinite, ...
            'a number, or nothing: not measured yet'; ...

@@ -56,7 +56,7 @@ function [p, found] = checkTable (raw, models, taken, found)
                                            givenField (raw, 'further', {}));
   p = [p, q, checkTolerances(groups, lines, optim), ...
        checkNames(groups, [taken, {'model', 'seed'}]), ...
-       checkResults(groups, models)];
+       checkMeasuredResults(groups, models)];
   if ~any (strcmp ({groups.role}, 'calibrate'))
     p(end + 1) = checkFault ('noCalibrateTarget', 'measured.csv', ...
                              'at least one target to calibrate on', ...
@@ -65,13 +65,27 @@ function [p, found] = checkTable (raw, models, taken, found)
   end
   sizes = arrayfun (@(k) sum ([groups.model] == k), 1:numel (models));
   for k = find (sizes == 0)
-    p(end + 1) = checkFault ('measuredModel', 'measured.csv', ...
-                             ['a line of the model ', models(k).name], ...
-                             'none', ...
-                             'Add one, or take it out of Input.model.');
+    p = [p, withoutLine(models(k).name, raw, p)];
   end
   found = struct ('sizes', sizes, 'groups', groups, ...
                   'conditions', {conditions});
+end
+
+% Of a further model whose table is at fault P says more.
+function p = withoutLine (name, raw, p)
+  table = 'measured.csv';
+  cure = 'Add one, or take it out of Input.model.';
+  if any (strcmp (name, givenField (raw, 'further', {})))
+    table = fullfile ('gap', 'next', [name, '.csv']);
+    cure = 'Write its name into the column model, or leave that out.';
+  end
+  isSaid = ~isempty (p) && ~strcmp (table, 'measured.csv') && ...
+           any (strncmp ({p.message}, table, numel (table)));
+  p = checkFault ();
+  if ~isSaid
+    p = checkFault ('measuredModel', table, ['a line of the model ', name], ...
+                    'none', cure);
+  end
 end
 
 function p = checkTwice (optim)
@@ -100,10 +114,11 @@ function p = checkTolerances (groups, lines, optim)
   end
   isAsked = strcmp ({groups.role}, 'calibrate') & isnan ([groups.tol]);
   for g = groups(isAsked)
-    isBad = any ([lines([lines.line] == g.line).saysTol]);
+    isSame = [lines.line] == g.line & strcmp ({lines.file}, g.file);
+    isBad = any ([lines(isSame).saysTol]);
     if ~isBad && (isnan (default) || g.value == 0)
       p(end + 1) = checkFault ('measuredTol', ...
-                               sprintf ('measured.csv, line %d, tol', ...
+                               sprintf ('%s, line %d, tol', g.file, ...
                                         g.line), ...
                                ['a tolerance (0.02 or 2%; of the value 0 ' ...
                                 'in its unit)'], 'nothing', ...
@@ -117,7 +132,7 @@ function p = checkNames (groups, taken)
   p = checkFault ();
   names = {groups.name};
   for k = 1:numel (groups)
-    where = sprintf ('measured.csv, line %d, name', groups(k).line);
+    where = sprintf ('%s, line %d, name', groups(k).file, groups(k).line);
     if any (strcmp (names{k}, names(1:k - 1)))
       p(end + 1) = checkFault ('measuredName', where, ...
                                'a name for each target', ...
@@ -130,47 +145,6 @@ function p = checkNames (groups, taken)
                                checkShow (names{k}), ...
                                'Rename the target: both are columns.');
     end
-  end
-end
-
-% What is known of the results: results.csv, and the fields that getResults
-% returned without a run. A series of results.csv is measured as a series only.
-function p = checkResults (groups, models)
-  p = checkFault ();
-  for g = groups
-    m = models(g.model);
-    [names, series] = namesOf (m.folder);
-    known = [names, m.fields, series(1:end * ~isempty (g.series))];
-    if isempty (m.folder) || (isempty (known) && isnan (m.count)) || ...
-       any (ismember ({g.result, g.series}, known))
-      continue
-    end
-    choice = strjoin (unique (known), ', ');
-    if isempty (known)
-      choice = 'none of them has a name';
-    end
-    p(end + 1) = checkFault ('measuredResult', ...
-                             sprintf ('measured.csv, line %d', g.line), ...
-                             ['a result of ', m.name, ': ', choice], ...
-                             checkShow (g.result), ...
-                             strtrim ([checkNearest(g.result, known), ...
-                                       ' Name it in results.csv of the ' ...
-                                       'model, or let getResults return ' ...
-                                       'a struct with this field.']));
-  end
-end
-
-function [names, series] = namesOf (folder)
-  [names, series] = deal ({});
-  try
-    info = resultInfo (folder);
-  catch
-    return
-  end
-  if ~isempty (info)
-    names = {info.name};
-    series = unique ({info.series});
-    series = series(~cellfun (@isempty, series));
   end
 end
 
@@ -215,15 +189,6 @@ end
 %! assert (check ([text, "Drum,densityP,1,0.1\n"], none, models), ...
 %!         {'measuredName'});
 %!test
-%! % what results.csv names as a series is no result of its own
-%! writeAtomic (fullfile (model.folder, 'results.csv'), ...
-%!              "name,kind,unit,series,at,text\ntop,height,m,w,1,t\n");
-%! model.fields = {};
-%! assert (isempty (check ("name,value\ntop,1\n", tolRes, model)));
-%! assert (isempty (check ("name,series,at,value\n,w,1,3\n,w,2,4\n", ...
-%!                         tolRes, model)));
-%! assert (check ("name,value\nw,1\n", tolRes, model){1}, 'measuredResult');
-%!test
 %! folder = tempname ();
 %! mkdir (fullfile (folder, 'gap', 'next'));
 %! file = fullfile (folder, 'gap', 'next', 'B.csv');
@@ -238,5 +203,6 @@ end
 %! writeAtomic (file, "model,name,value,tol\nB,w,x3,0.1\n");
 %! p = checkMeasuredTable (raw, models, {});
 %! assert (p.id, 'DEcalioc:checkCase:measuredNumber');
+%! assert (! isempty (strfind (p.message, 'gap/next/B.csv, line 2, value')));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');

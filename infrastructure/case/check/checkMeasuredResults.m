@@ -1,0 +1,68 @@
+% CHECKMEASUREDRESULTS  Compares what was measured with the results of a model.
+%
+% CALL: P = checkMeasuredResults (GROUPS, MODELS)
+%
+%   GROUPS  of groupMeasured
+%   MODELS  1 x M struct array, see checkFindModels
+%   P       1 x n faults, see checkFault
+%
+% What is known of the results: results.csv, and the fields that getResults
+% returned without a run. A series of results.csv is measured as a series only.
+
+function p = checkMeasuredResults (groups, models)
+  p = checkFault ();
+  for g = groups
+    m = models(g.model);
+    [names, series] = namesOf (m.folder);
+    known = [names, m.fields, series(1:end * ~isempty (g.series))];
+    if isempty (m.folder) || (isempty (known) && isnan (m.count)) || ...
+       any (ismember ({g.result, g.series}, known))
+      continue
+    end
+    choice = strjoin (unique (known), ', ');
+    if isempty (known)
+      choice = 'none of them has a name';
+    end
+    p(end + 1) = checkFault ('measuredResult', ...
+                             sprintf ('%s, line %d', g.file, g.line), ...
+                             ['a result of ', m.name, ': ', choice], ...
+                             checkShow (g.result), ...
+                             strtrim ([checkNearest(g.result, known), ...
+                                       ' Name it in results.csv of the ' ...
+                                       'model, or let getResults return ' ...
+                                       'a struct with this field.']));
+  end
+end
+
+function [names, series] = namesOf (folder)
+  [names, series] = deal ({});
+  try
+    info = resultInfo (folder);
+  catch
+    return
+  end
+  if ~isempty (info)
+    names = {info.name};
+    series = unique ({info.series});
+    series = series(~cellfun (@isempty, series));
+  end
+end
+
+%!function reasons = check (text, model)
+%!  file = tempname ();
+%!  writeAtomic (file, text);
+%!  groups = groupMeasured (readMeasured (file, {'Toy'}), {'Toy'});
+%!  p = checkMeasuredResults (groups, model);
+%!  reasons = arrayfun (@(q) q.id(20:end), p, 'UniformOutput', false);
+%!endfunction
+%!shared model
+%! folder = tempname ();
+%! mkdir (folder);
+%! model = struct ('name', 'Toy', 'folder', folder, 'count', 1, 'fields', {{}});
+%!test
+%! % what results.csv names as a series is no result of its own
+%! writeAtomic (fullfile (model.folder, 'results.csv'), ...
+%!              "name,kind,unit,series,at,text\ntop,height,m,w,1,t\n");
+%! assert (isempty (check ("name,value\ntop,1\n", model)));
+%! assert (isempty (check ("name,series,at,value\n,w,1,3\n,w,2,4\n", model)));
+%! assert (check ("name,value\nw,1\n", model), {'measuredResult'});
