@@ -25,7 +25,7 @@ function calibration = calibrateCase (root, folder)
   end
   Case = loadCase (root, folder);
   restore = seedRandom (Case.options.seed);
-  problem = newProblem (Case, @costFunction);
+  problem = newProblem (Case, ownCost ());
   reportCase (Case, say, problem);
 
   % experimental plan and DEM simulation

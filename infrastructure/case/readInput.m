@@ -24,7 +24,9 @@ function raw = readInput (root, folder)
     folder = pwd ();
   end
   raw = struct ('root', root, 'folder', folder);
-  if isempty (which ('loadInput'))
+  % which would parse it, outside of try
+  file = file_in_loadpath ('loadInput.m');
+  if isempty (file)
     error ('DEcalioc:readInput:missingFile', ...
            ['readInput: a file loadInput.m is expected in %s or %s. Copy ' ...
             'the one of the toolbox and edit it.'], folder, root);
@@ -36,7 +38,7 @@ function raw = readInput (root, folder)
     error ('DEcalioc:readInput:brokenInput', ...
            ['readInput: %s must return [Input, optim, modelVars, assign, ' ...
             'paramLims], but running it gave: %s'], ...
-           which ('loadInput'), whereAndWhat (err));
+           file, whereAndWhat (err));
   end
   place = getenv ('DECALIOC_STORE');
   if ~isempty (place) && isstruct (raw.Input) && ...
@@ -65,31 +67,38 @@ function raw = withFurther (raw)
 end
 
 function text = whereAndWhat (err)
-  text = err.message;
-  if ~isempty (err.stack)
+  text = strtrim (err.message);
+  % of a file that does not parse the message says where
+  if ~isempty (err.stack) && ~strncmp (text, 'parse error', 11)
     text = sprintf ('%s (%s, line %d)', text, err.stack(1).name, ...
                     err.stack(1).line);
   end
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
-%! writeAtomic (fullfile (folder, 'loadInput.m'), ...
-%!              'function [a, b, c, d, e] = loadInput (), a = nope; end');
-%! addpath (folder);
-%! % that of an earlier test may still be in memory
+%! % it fails, or does not even parse
+%! for bad = {'a = nope;', 'nope'; 'a = [1, ;', 'parse error near line 1'}'
+%!   folder = tempname ();
+%!   mkdir (folder);
+%!   file = fullfile (folder, 'loadInput.m');
+%!   writeAtomic (file, ['function [a, b, c, d, e] = loadInput (), ', ...
+%!                       bad{1}, ' end']);
+%!   addpath (folder);
+%!   % that of an earlier test may still be in memory
+%!   clear loadInput
+%!   unwind_protect
+%!     try
+%!       loadCase (folder, folder);
+%!     catch err
+%!     end
+%!     assert (err.identifier, 'DEcalioc:readInput:brokenInput');
+%!     assert (! isempty (strfind (err.message, bad{2})));
+%!     assert (! isempty (strfind (err.message, file)));
+%!   unwind_protect_cleanup
+%!     rmpath (folder);
+%!   end_unwind_protect
+%! end
 %! clear loadInput
-%! unwind_protect
-%!   try
-%!     loadCase (folder, folder);
-%!   catch err
-%!   end
-%!   assert (err.identifier, 'DEcalioc:readInput:brokenInput');
-%!   assert (! isempty (strfind (err.message, 'nope')));
-%! unwind_protect_cleanup
-%!   rmpath (folder);
-%! end_unwind_protect
 %!test
 %! raw = readInput ();
 %! assert (raw.root, fileparts (fileparts (which ('startToolbox'))));

@@ -7,12 +7,14 @@
 %   ARGS    cell of texts: '--try' makes one run of each model
 %   STATUS  0; 2 where a trial run has failed
 %
-% Errors: those of loadCase and withEffects, which list all mistakes
+% Errors: those of loadCase and withEffects, which list all mistakes, and of
+% ownCost
 
 function status = sayCheck (root, folder, args)
   options = commandOptions (args, struct ('try', 'flag'));
   choice = useLiggghts (root);
   Case = withEffects (loadCase (root, folder));
+  ownCost ();
   printf ('case      %s: no mistake found\n', folder);
   cellfun (@(text) printf ('WARNING   %s.\n', text), Case.notes, ...
            'UniformOutput', false);

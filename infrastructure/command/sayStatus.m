@@ -12,7 +12,7 @@
 function status = sayStatus (root, folder, args)
   commandOptions (args, struct ());
   [Case, note] = caseToRead (root, folder);
-  s = caseStatus (Case, @costFunction);
+  s = caseStatus (Case, ownCost ());
   printf ('case    %s\n', folder);
   printf ('state   %s\n', stateText (s));
   sayRuns (s);

@@ -28,7 +28,9 @@ end
 
 function list = ownList ()
   list = [];
-  if isempty (which ('loadEffects'))
+  % which would parse it, outside of try
+  file = file_in_loadpath ('loadEffects.m');
+  if isempty (file)
     return
   end
   try
@@ -36,7 +38,7 @@ function list = ownList ()
   catch err
     error ('DEcalioc:withEffects:brokenEffects', ...
            ['withEffects: %s must return a struct array of effects, but ' ...
-            'running it gave: %s'], which ('loadEffects'), err.message);
+            'running it gave: %s'], file, strtrim (err.message));
   end
 end
 
@@ -78,6 +80,8 @@ end
 %!        "'limits', [0; 1])"];
 %! assert (withOwn (['{''tilt'', ', own, '}']).effectVars, {'tiltAngle', 'e'});
 %!assert (numel (withOwn ("{'gain', 'tilt'}").effects), 2)
+%!error id=DEcalioc:withEffects:brokenEffects withOwn ('nope')
+%!error id=DEcalioc:withEffects:brokenEffects withOwn ("{'gain', ")
 %!error id=DEcalioc:checkCase:unknownVariable
 %! withOwn (["struct ('name', 'own', 'variables', {{'ee'}}, 'neutral', 0, ", ...
 %!           "'limits', [0; 1])"]);
