@@ -92,8 +92,29 @@ function [row, fault] = asRow (results, place)
     fault = sprintf ('getResults returned %d results, %d are expected', ...
                      numel (row), place.count);
   elseif ~isempty (bad)
-    fault = sprintf ('result %d is %g: output is missing or not sane', ...
-                     bad, row(bad));
+    fault = sprintf ('result %d%s is %g: output is missing or not sane', ...
+                     bad, nameOf (bad, numel (row), place), row(bad));
+  end
+end
+
+% ' (name)' by measured.csv or the results.csv of the model, '' without.
+function text = nameOf (k, n, place)
+  text = '';
+  if isfield (place, 'readings')
+    r = place.readings(k);
+    text = sprintf (' (%s)', r.result);
+    if ~isnan (r.at)
+      text = sprintf (' (%s at %g)', r.result, r.at);
+    end
+    return
+  end
+  try
+    info = resultInfo (fileparts (place.funs));
+    if numel (info) == n
+      text = sprintf (' (%s)', info(k).name);
+    end
+  catch
+    % a table that cannot be read names nothing
   end
 end
 
@@ -131,3 +152,23 @@ end
 %! assert (message (), plain);
 %! writeAtomic (file, lines (0.118));
 %! assert (! isempty (strfind (message (), [plain, ' (overlap of 0.118'])));
+%! % with a name: of results.csv, of measured.csv
+%! unlink (file);
+%! funs = fullfile (folder, 'OctaveFuns');
+%! mkdir (funs);
+%! movefile (fullfile (folder, 'getResults.m'), funs);
+%! writeAtomic (fullfile (folder, 'results.csv'), ...
+%!              "name,kind,unit,series,at,text\nslope,angle,deg,,,t\n");
+%! place.funs = funs;
+%! message = @() evaluateRun (record, place).message;
+%! assert (message (), strrep (plain, 'result 1', 'result 1 (slope)'));
+%! place.info = [];
+%! place.readings = struct ('result', 'w', 'series', 'w', 'at', 0.9);
+%! put = @(value) writeAtomic (fullfile (funs, 'getResults.m'), ...
+%!                             ["function r = getResults (model, name)\n", ...
+%!                              "r.w = ", value, ";\nend\n"]);
+%! put ('NaN');
+%! message = @() evaluateRun (record, place).message;
+%! assert (message (), strrep (plain, 'result 1', 'result 1 (w at 0.9)'));
+%! put ('[0.1, 1; 0.8, 2]');
+%! assert (message (), 'w at 0.9 lies beyond the curve (0.1 to 0.8)');

@@ -10,7 +10,7 @@
 %             none) and at (place on it)
 %   INFO      see resultInfo; [] without results.csv
 %   ROW       1 x m; a curve is interpolated to the place linearly, NaN beyond
-%             its ends
+%             its ends, which is a fault
 %   FAULT     '' or what is wrong with RESULTS
 %
 % A reading is the result of its name, else a point of the curve with the name
@@ -110,10 +110,12 @@ function [value, fault] = pointOf (curve, r)
   near = find (abs (x - r.at) <= 1e-9 * max (abs ([x; r.at])), 1);
   if ~isempty (near)
     value = y(near);
+  elseif ~isempty (x) && (r.at < x(1) || r.at > x(end))
+    fault = sprintf ('%s at %g lies beyond the curve (%g to %g)', r.result, ...
+                     r.at, x(1), x(end));
   elseif numel (x) > 1
     value = interp1 (x, y, r.at);
   end
-  value(isna (value)) = NaN;
 end
 
 %!shared r
@@ -126,7 +128,9 @@ end
 %! assert (fault, '');
 %! % beyond the end of the curve there is nothing
 %! s.w(1, :) = [];
-%! assert (takeReadings (s, r, []), [2.5, NaN, 7]);
+%! [row, fault] = takeReadings (s, r([1, 3, 2]), []);
+%! assert (row, [2.5, 7, NaN]);
+%! assert (fault, 'w at 3 lies beyond the curve (1 to 2)');
 %!test
 %! % a cell in the order of results.csv, and single results on a series
 %! info = struct ('name', {'mass', 'run 1', 'run 2'}, ...
