@@ -188,8 +188,8 @@
 %! assert (says (out, 'no Octave worked in it; 0 run(s)'));
 
 %!test
-%! % Ctrl-C at a terminal, before the first run and with runs under way: it ends,
-%! % and says what is kept
+%! % Ctrl-C at a terminal, before the first run and with runs under way: it
+%! % ends, and says what is kept
 %! folder = standIn (base, 'stopped');
 %! writeAtomic (fullfile (folder, 'hold'), '');
 %! program = shellQuote (fullfile (root, 'bin', 'decalioc'));
