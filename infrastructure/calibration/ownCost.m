@@ -10,14 +10,17 @@
 % Errors: DEcalioc:ownCost:brokenCost
 
 function cost = ownCost ()
+  file = file_in_loadpath ('costFunction.m');
   try
     cost = @costFunction;
-    nargin (cost);
+    if ~isempty (file)                   % who calls it hears that it is missing
+      nargin (cost);
+    end
   catch err
     error ('DEcalioc:ownCost:brokenCost', ...
            ['ownCost: %s must be a function residual = costFunction ' ...
             '(params, evaluateFunc, varargin), but reading it gave: %s'], ...
-           file_in_loadpath ('costFunction.m'), strtrim (err.message));
+           file, strtrim (err.message));
   end
 end
 
