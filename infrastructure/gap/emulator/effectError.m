@@ -6,7 +6,7 @@
 %   MEMBERS  1 x h, numbers of the effects
 %   Q        1 x (p + h), parameters in [-1, 1] and strengths
 %   R        T x T: of each its surrogate, alike along a curve, and what few
-%            runs leave open of its size (predictHypothesis)
+%            runs leave open of its size (amplitudeSd)
 
 function R = effectError (em, members, q)
   p = em.p;
@@ -19,8 +19,7 @@ function R = effectError (em, members, q)
     psi = sign (phi) * abs (phi)^e.bend;
     sd = sqrt (effectVariance (e, polyRows (e.powers, [q(1:p), psi]), psi));
     R = R + (sd' * sd) .* em.alongCurve;
-    far = log (max (abs (phi), 0.02) / e.strongest);
-    R = R + e.unbent^2 * (0.25 + far^2) * (S' * S);
+    R = R + amplitudeSd (e, phi)^2 * (S' * S);
   end
 end
 

@@ -76,13 +76,6 @@ function L = logSuccess (white, members, Q)
   L = -sum (log1p (exp (-min (max (x, -30), 30))), 2);
 end
 
-% Exponents from 0.3 to 3 are usual: a deviation of 1 in the exponent, and 0.5
-% for what else three or four runs do not tell.
-function g = amplitudeSd (effects, phi)
-  far = log (max (abs (phi), 0.02) ./ [effects.strongest]);
-  g = max ([effects.unbent] .* sqrt (0.25 + far.^2), [], 2);
-end
-
 %!shared white, prior
 %! white = handMadeHypotheses ().white;
 %! prior = struct ('mean', 0, 'sd', Inf);
