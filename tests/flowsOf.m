@@ -8,7 +8,8 @@
 %            the tests takes in, and those of the folders that have changed
 %
 % tests/flows.csv has a line for each flow: its name, whether it is in every
-% run (yes or no), and the folders that ask for it.
+% run (yes or no), and the folders that ask for it. A name that ends in a slash
+% stands for all flows of that folder below tests/.
 %
 % See also: runTests
 
@@ -18,15 +19,27 @@ function flows = flowsOf (root, changed)
   flows = cell (1, 0);
   for line = lines(2:end)
     cells = strsplit (line{1}, ',');
-    folders = strsplit (strtrim ([cells{3}, ' tests/', cells{1}, '.tst']));
+    names = namesOf (root, cells{1});
+    folders = strsplit (strtrim ([cells{3}, sprintf(' tests/%s.tst', ...
+                                                    names{:})]));
     isAsked = any (strcmp (changed, '.'));
     for folder = folders
       isAsked = isAsked || any (strncmp (folder{1}, changed, ...
                                          numel (folder{1})));
     end
     if strcmp (cells{2}, 'yes') || isAsked
-      flows{end + 1} = fullfile (root, 'tests', [cells{1}, '.tst']);
+      flow = @(name) fullfile (root, 'tests', [name, '.tst']);
+      flows = [flows, cellfun(flow, names, 'UniformOutput', false)];
     end
+  end
+end
+
+function names = namesOf (root, name)
+  names = {name};
+  if name(end) == '/'
+    files = glob (fullfile (root, 'tests', name, '*.tst'));
+    [~, names] = cellfun (@fileparts, files(:)', 'UniformOutput', false);
+    names = cellfun (@(n) [name, n], names, 'UniformOutput', false);
   end
 end
 
