@@ -42,27 +42,27 @@ function list = ofCalibration ()
   known.known.a = struct ('mean', 1, 'sd', 0.1);
   list(end + 1) = at ('a known value deviates', known, []);
   for limit = {'maxFunEvals', 'maxNewRuns', 'maxIter'}
-    list(end + 1) = at (limit{1}, ended (off, limit{1}, outside ()), []);
+    list(end + 1) = at (limit{1}, ended (off, limit{1}, 'outside', 2), []);
   end
   list(end + 1) = at ('conflict, never run', ...
-                      setfield (conflict (off), 'runs', 0), []);
+                      conflict (setfield (off, 'runs', 0)), []);
   list(end + 1) = at ('conflict', conflict (off), []);
   list(end + 1) = at ('conflict at a limit', ...
                       setfield (conflict (off), 'atLimit', {{'a'}}), []);
-  failing = ended (off, 'maxIter', 'every DEM run at the set failed');
-  list(end + 1) = at ('every run fails', setfield (failing, 'runs', 0), []);
-  alone = ended (near, 'maxNewRuns', 'no DEM run confirms the set');
-  alone.runs = 0;
+  failing = ended (off, 'maxIter', 'allFailed', 0);
+  list(end + 1) = at ('every run fails', failing, []);
+  alone = ended (near, 'maxNewRuns', 'notRun', 0);
   list(end + 1) = at ('surrogates alone', alone, []);
   alone.input.models = struct ('name', {'First', 'Second'}, 'key', '');
   list(end + 1) = at ('imported runs alone', alone, []);
   list(end + 1) = at ('too few replicates', few (near), []);
-  scatter = 'met by the mean response, but the scatter leaves only 70 %';
-  list(end + 1) = at ('scatter', ended (near, 'maxFunEvals', scatter), []);
+  scatter = ended (setfield (near, 'probability', 0.7), 'maxFunEvals', ...
+                   'unsure', 2);
+  list(end + 1) = at ('scatter', scatter, []);
   curve = off;
   [curve.targets(1:2).curve] = deal ('w');
   list(end + 1) = at ('a curve is missed', curve, []);
-  old = rmfield (off, {'limit', 'conflict', 'known', 'untested'});
+  old = rmfield (off, {'ending', 'limit', 'conflict', 'known', 'untested'});
   old.targets = rmfield (old.targets, {'met', 'allowed', 'curve', 'unit'});
   list(end + 1) = at ('an older file', old, []);
   list(end + 1) = at ('nothing', [], []);
@@ -70,7 +70,7 @@ end
 
 function list = withGap ()
   met = result (true, [0, 0, 0]);
-  off = ended (result (false, [0.2, 0, 0]), 'maxFunEvals', outside ());
+  off = ended (result (false, [0.2, 0, 0]), 'maxFunEvals', 'outside', 2);
   near = few (result (false, [0, 0, 0]));
   none = gapOf ('no gap', {}, 'gate');
   beyond = none;
@@ -147,9 +147,9 @@ function c = result (converged, residual)
                            'met', abs (residual(t)) <= 0.02, 'curve', '');
   end
   c.converged = converged;
-  c.reason = 'all targets met with a probability of 99 %; runs at this set: 3';
-  [c.limit, c.conflict, c.known, c.untested] = deal ('', {}, struct (), []);
-  [c.runs, c.probability, c.coreSeconds] = deal (2, 0.99 * converged, 60);
+  [c.known, c.untested, c.conflict] = deal (struct (), [], {});
+  [c.probability, c.coreSeconds] = deal (0.99 * converged, 60);
+  c = ended (c, '', 'converged', 2);
   c.demRuns = struct ('plan', 8, 'infill', 2, 'verify', 4, 'failed', 0, ...
                       'reused', 0);
   [c.atLimit, c.notIdentified, c.unfixed, c.next, c.holdout, c.levels] = ...
@@ -165,30 +165,22 @@ function c = result (converged, residual)
   c.version = '1';
 end
 
-% The limit that bit follows, see confirmSet.
-function text = outside ()
-  text = 'the mean response at the best set is outside a tolerance';
-end
-
 function c = few (c)
-  c = ended (c, 'maxFunEvals', ['only 1 of 3 runs were made at the set: ', ...
-                                'optim.maxFunEvals (40) is used up']);
+  c = ended (c, 'maxFunEvals', 'fewRuns', 1);
 end
 
-function c = ended (c, limit, reason)
-  ends = struct ('maxFunEvals', 'optim.maxFunEvals (40) is used up', ...
-                 'maxNewRuns', 'Input.maxNewRuns allows no further run', ...
-                 'maxIter', 'optim.maxIter (3) sets turned out wrong');
-  c.limit = limit;
-  c.reason = reason;
-  if strncmp (reason, 'the mean', 8) || strncmp (reason, 'no DEM', 6)
-    c.reason = [reason, '; ', ends.(limit)];
-  end
+function c = ended (c, limit, code, runs)
+  [c.runs, c.limit] = deal (runs, limit);
+  options = struct ('maxFunEvals', 40, 'maxIter', 3, 'replicates', 3);
+  ending = newEnding (code, mergeFields (struct ('runs', runs), c, ...
+                                         {'probability', 'conflict', ...
+                                          'limit'}), options);
+  [c.ending, c.reason] = deal (rmfield (ending, 'text'), ending.text);
 end
 
 function c = conflict (c)
-  c = ended (c, 'maxFunEvals', 'no set of the box meets: sum');
   c.conflict = {'sum'};
+  c = ended (c, 'maxFunEvals', 'conflict', c.runs);
 end
 
 function c = held (c, inside)

@@ -111,23 +111,24 @@ function [book, isEnd] = publishedEnd (p, why, book, problem)
   state.found = mergeFields (state.found, ...
                              describeSet (state.surrogates, problem, p));
   final = confirmSet (state, problem);
+  code = 'unsure';
   if final.converged
-    rest = 'call this set calibrated, too';
+    code = 'converged';
   elseif final.probability < problem.options.wrong
-    rest = 'go on to other sets';
-  else
-    rest = sprintf (['make more runs at this set, until the probability ' ...
-                     'that it meets the targets, now %.0f %%, is %.0f %%'], ...
-                    100 * final.probability, 100 * problem.options.confidence);
+    code = 'wrong';
   end
+  chances = round (100 * [final.probability, problem.options.confidence]);
+  rest = sentence (['rest.', code], struct ('probability', chances(1), ...
+                                            'wanted', chances(2)));
   final.met = final.n > 0 & abs (final.residual') <= problem.tol;
   final.converged = all (final.met(problem.calibrate));
   final.untested = zeros (0, numel (p));
   if final.converged
     final.limit = '';
   end
-  final.reason = ['published method, one run a set: ', why, '; a robust ' ...
-                  'calibration would ', rest];
+  final.ending = newEnding ('published', ...
+                            struct ('stopped', why, 'rest', rest));
+  final.reason = final.ending.text;
   state.final = final;
   book.state = state;
 end

@@ -9,8 +9,9 @@
 %        residualSd T x 1, interval90 2 x T (of the true response), estimate
 %        1 x T (its middle), met 1 x T (the estimate is within its tolerance;
 %        the points of a curve as one), probability, within, converged,
-%        conflict, reason, limit ('maxFunEvals', 'maxNewRuns', 'maxIter': what
-%        ended the search; '': converged)
+%        conflict, ending (see newEnding), reason (its text), limit
+%        ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search; '':
+%        converged)
 %
 % The truth at the set is known from the surrogate, which holds its runs; where
 % the two disagree by more than options.apart standard errors the runs stand
@@ -51,7 +52,8 @@ function final = confirmSet (state, problem)
   elseif left > 0
     final.limit = 'maxIter';
   end
-  final.reason = explain (final, state, problem);
+  final.ending = endingOf (final, state, problem);
+  final.reason = final.ending.text;
 end
 
 function [Z, nEqual] = runsAt (state, p, problem)
@@ -88,45 +90,31 @@ function final = judge (final, m, v, df, problem)
                     final.probability >= problem.options.confidence;
 end
 
-% A conflict comes first: no limit that is raised would help.
-function text = explain (final, state, problem)
-  sure = 100 * final.probability;
-  if final.converged
-    text = sprintf (['all targets met with a probability of %.0f %%; runs ' ...
-                     'at this set: %d'], sure, final.n);
-    return
-  end
+% How it ended. A conflict comes first: no limit that is raised would help.
+function ending = endingOf (final, state, problem)
   options = problem.options;
-  ended = struct ('maxIter', 'optim.maxIter (%g) sets turned out wrong', ...
-                  'maxFunEvals', 'optim.maxFunEvals (%g) is used up', ...
-                  'maxNewRuns', 'Input.maxNewRuns allows no further run');
-  ended = ended.(final.limit);
-  if ~strcmp (final.limit, 'maxNewRuns')
-    ended = sprintf (ended, options.(final.limit));
-  end
-  if ~final.within && ~isempty (final.conflict)
-    text = sprintf ('no set of the box meets: %s', ...
-                    strjoin (final.conflict, ', '));
-  elseif final.n == 0 && any (sameSet (state.data.X, final.params, ...
-                                       problem.limits))
-    text = 'every DEM run at the set failed';
+  hasRun = sameSet (state.data.X, final.params, problem.limits);
+  if final.converged
+    code = 'converged';
+  elseif ~final.within && ~isempty (final.conflict)
+    code = 'conflict';
+  elseif final.n == 0 && any (hasRun)
+    code = 'allFailed';
   elseif final.n == 0
-    text = ['no DEM run confirms the set found on the surrogates: ', ended];
+    code = 'notRun';
   elseif ~final.within
-    text = sprintf (['the mean response at the best set is outside a ' ...
-                     'tolerance; runs there: %d; %s'], final.n, ended);
+    code = 'outside';
   elseif final.n < options.replicates && final.equal > 0
-    text = sprintf (['the %d runs at the set are equal to the last digit ' ...
-                     'and count as one: the model does not use runSeed'], ...
-                    final.n + final.equal);
+    code = 'equalRuns';
   elseif final.n < options.replicates
-    text = sprintf ('only %d of %d runs were made at the set: %s', final.n, ...
-                    options.replicates, ended);
+    code = 'fewRuns';
   else
-    text = sprintf (['met by the mean response, but the scatter leaves ' ...
-                     'only %.0f %% probability; runs at this set: %d; %s'], ...
-                    sure, final.n, ended);
+    code = 'unsure';
   end
+  numbers = struct ('runs', final.n);
+  numbers = mergeFields (numbers, final, {'equal', 'probability', ...
+                                          'conflict', 'limit'});
+  ending = newEnding (code, numbers, options);
 end
 
 %!shared problem, state

@@ -3,7 +3,8 @@
 % CALL: C = newCalibration (STATE, PROBLEM, CASE)
 %
 %   STATE  see newState, with its field final
-%   C      scalar struct: params, residual, noiseSd, converged, reason, limit,
+%   C      scalar struct: params, residual, noiseSd, converged, ending,
+%          reason, limit,
 %          conflict, met, estimate, probability, results, resultInterval90 (of
 %          the set, see confirmSet), runs (there), untested (calibrateOnDEM);
 %          interval90 2 x d, correlation d x d, posterior (n x d, sample),
@@ -25,8 +26,8 @@ function c = newCalibration (state, problem, Case)
               'runs', final.n, 'interval90', known.interval90, ...
               'posterior', known.sample, 'correlation', known.correlation);
   c.intervalNote = intervalNote (state.data, problem);
-  for name = {'params', 'residual', 'noiseSd', 'converged', 'reason', ...
-              'limit', 'conflict', 'met', 'estimate', 'untested', ...
+  for name = {'params', 'residual', 'noiseSd', 'converged', 'ending', ...
+              'reason', 'limit', 'conflict', 'met', 'estimate', 'untested', ...
               'probability'}
     c.(name{1}) = final.(name{1});
   end

@@ -8,6 +8,8 @@
 %     word      the verdict in a few words;  class 'good', 'bad' or 'open'
 %     sentence  why, one sentence
 %     gap       what the diagnosis adds, one sentence; '': none was made
+%     todo      struct code (of action.* in words.txt), field, names (1 x n
+%               cells of texts): what action says, for programs
 %     usable    logical: the calibrated set may be used;  usableFor, notFor
 %               1 x n cells of texts;  action  what to do now, one sentence
 %     numbers   1 x n struct label, text (with units)
@@ -20,17 +22,16 @@
 % a candidate could not be seen.
 
 function v = decideCase (c, gap, isBegun)
-  v = struct ('word', 'No result yet', 'class', 'open', 'sentence', ...
-              'Nothing of this case has been run.', 'gap', '', ...
+  v = struct ('word', '', 'class', 'open', 'sentence', '', 'gap', '', ...
               'usable', false, 'usableFor', {{}}, 'notFor', {{}}, ...
-              'action', 'Start decalioc run in the case folder.', ...
-              'numbers', [], 'met', 0, 'of', 0, ...
+              'action', '', 'todo', [], 'numbers', [], 'met', 0, 'of', 0, ...
               'misses', listMisses (c, gap), 'worst', '', 'cause', []);
   if nargin > 2 && isBegun
-    v.word = 'Not finished';
-    v.sentence = ['The calibration is under way, or it was broken off: ', ...
-                  'what is shown is what its files hold.'];
-    v.action = 'Started again, it goes on where it stopped: decalioc run.';
+    v = withWords (v, 'case.begun');
+    v = withAction (v, newAction ('goOn'));
+  else
+    v = withWords (v, 'case.nothing');
+    v = withAction (v, newAction ('start'));
   end
   models = {v.misses.model, ''};
   v.worst = models{1};
@@ -41,6 +42,15 @@ function v = decideCase (c, gap, isBegun)
     v = withGap (v, c, decideGap (gap));
   end
   v.numbers = keyNumbers (v, c);
+end
+
+function v = withWords (v, code)
+  [v.word, v.sentence] = deal (sentence ([code, '.word']), ...
+                               sentence ([code, '.sentence']));
+end
+
+function v = withAction (v, todo)
+  [v.todo, v.action] = deal (rmfield (todo, 'text'), todo.text);
 end
 
 function numbers = keyNumbers (v, c)
@@ -93,29 +103,28 @@ function v = ofCalibration (v, c)
   v.usable = isequal (c.converged, true);
   v.sentence = [upper(c.reason(1)), c.reason(2:end), '.'];
   if v.usable
-    [v.word, v.class] = deal ('Calibrated', 'good');
+    [v.word, v.class] = deal (sentence ('case.calibrated.word'), 'good');
     benches = strjoin (unique ({used.model}, 'stable'), ', ');
-    v.usableFor{end + 1} = ['flows like those that were measured (', ...
-                            benches, '): all targets are met'];
+    v.usableFor{end + 1} = sentence ('usableFor.like', ...
+                                     struct ('tests', benches));
     right = {held([held.met] == 1).name};
     if ~isempty (right)
-      v.usableFor{end + 1} = ['what was never fitted and is predicted: ', ...
-                              strjoin(right, ', ')];
+      v.usableFor{end + 1} = sentence ('usableFor.predicted', ...
+                                       struct ('names', {right}));
     end
-    v.action = ['Use the set: results/calibrated.head holds the lines for ', ...
-                'a data.head.'];
+    v = withAction (v, newAction ('use'));
   else
-    [v.word, v.class] = deal ('Not calibrated', 'bad');
+    [v.word, v.class] = deal (sentence ('case.notCalibrated.word'), 'bad');
     v.notFor{end + 1} = notCalibrated (used, c);
-    v.action = wayOn (c);
+    v = withAction (v, wayOn (c));
   end
   wrong = {held([held.met] == 0).name};
   if ~isempty (wrong)
-    v.notFor{end + 1} = ['what was never fitted and is missed: ', ...
-                         strjoin(wrong, ', ')];
+    v.notFor{end + 1} = sentence ('notFor.wrong', ...
+                                  struct ('names', {wrong}));
     if v.usable
       v.class = 'open';
-      v.action = askGap ();
+      v = withAction (v, newAction ('diagnose'));
     end
   end
   v.notFor = [v.notFor, looseOnes(c), knownOnes(c)];
@@ -124,49 +133,45 @@ end
 function text = notCalibrated (used, c)
   missed = {used([used.met] == 0).name};
   if ~isempty (missed)
-    text = ['anything that depends on what is missed: ', ...
-            strjoin(missed, ', ')];
+    text = sentence ('notFor.missed', struct ('names', {missed}));
   elseif isequal (jsonAt (c, {'runs'}), 0)
-    text = 'anything yet: the targets are met on the surrogates alone';
+    text = sentence ('notFor.noRun');
   else
-    text = 'anything yet: the runs do not make sure that the targets are met';
+    text = sentence ('notFor.unsure');
   end
 end
 
-function text = askGap ()
-  text = ['Ask what the model lacks: list candidates in loadEffects.m and ', ...
-          'start decalioc diagnose.'];
+% The one thing that can be done about parameter values that are not confirmed.
+% What went wrong decides, not which budget ended; older files say the latter
+% alone.
+function todo = wayOn (c)
+  limit = jsonAt (c, {'limit'});
+  switch givenField (jsonAt (c, {'ending'}), 'code', limit)
+    case 'allFailed'
+      todo = newAction ('mendModel');
+    case 'published'
+      todo = newAction ('robust');
+    case 'conflict'
+      todo = newAction ('diagnose', {}, atLimit (c));
+    otherwise
+      todo = raiseLimit (c, limit);
+  end
 end
 
-% The one thing that can be done about a set that is not confirmed.
-function text = wayOn (c)
-  limit = jsonAt (c, {'limit'});
-  if ~isempty (strfind (c.reason, 'every DEM run'))
-    text = ['Look at why runs fail (Runs and failures; decalioc status), ', ...
-            'mend the model, then start decalioc run again.'];
-  elseif strncmp (c.reason, 'published method', 16)
-    text = ['Leave out optim.method and start decalioc run again: a ', ...
-            'robust calibration takes these runs and goes on.'];
-  elseif strncmp (c.reason, 'no set of the box', 17) || ...
-         strcmp (limit, 'maxIter')
-    text = [askGap(), orWiden(c)];
+function todo = raiseLimit (c, limit)
+  if strcmp (limit, 'maxIter')
+    todo = newAction ('diagnose', {}, atLimit (c));
   elseif isImported (c)
-    text = ['Run this set with your DEM code, add the run to runs.csv and ', ...
-            'start decalioc run again.'];
+    todo = newAction ('runOutside');
   else
     fields = {'optim.maxFunEvals', 'Input.maxNewRuns'};
-    text = ['Raise ', fields{1 + strcmp(limit, 'maxNewRuns')}, ...
-            ' and start decalioc run again.', orWiden(c)];
+    todo = newAction ('raise', fields(1 + strcmp (limit, 'maxNewRuns')), ...
+                      atLimit (c));
   end
 end
 
-function text = orWiden (c)
-  text = '';
-  limits = namesIn (c, 'atLimit');
-  if ~isempty (limits)
-    text = [' Or widen the limits of ', strjoin(worded (c, limits), ', '), ...
-            ', if the material allows.'];
-  end
+function names = atLimit (c)
+  names = worded (c, namesIn (c, 'atLimit'));
 end
 
 function yes = isImported (c)
@@ -178,9 +183,9 @@ end
 
 function texts = looseOnes (c)
   loose = worded (c, namesIn (c, 'notIdentified'));
-  texts = {['flows in which ', strjoin(loose, ', '), ' matter', ...
-            repmat('s', 1, isscalar (loose)), ': these targets leave it ', ...
-            'open, other values fit as well']};
+  texts = {sentence('notFor.loose', ...
+                    struct ('names', {loose}, ...
+                            's', repmat ('s', 1, isscalar (loose))))};
   texts = texts(~isempty (loose));
 end
 
@@ -202,10 +207,9 @@ function texts = knownOnes (c)
     measured = jsonAt (c, {'known', name{1}});
     value = c.params.(name{1});
     if ~isempty (measured) && abs (value - measured.mean) > 3 * measured.sd
-      texts{end + 1} = sprintf (['flows in which %s matters: it was ' ...
-                                 'measured as %.4g +- %.2g, and the set ' ...
-                                 'has %.4g'], worded (c, name){1}, ...
-                                measured.mean, measured.sd, value);
+      values = mergeFields (measured, struct ('name', worded (c, name){1}));
+      values.found = value;
+      texts{end + 1} = sentence ('notFor.known', values);
     end
   end
 end
@@ -213,25 +217,28 @@ end
 function v = withGap (v, c, cause)
   v.cause = cause;
   if isempty (c)
-    v = mergeFields (v, cause, {'word', 'class', 'sentence', 'action'});
-    v.notFor = {'anything yet: no calibration was made'};
-    if isempty (v.action)
-      v.action = 'Calibrate the model: decalioc run.';
-    end
+    v = mergeFields (v, cause, {'word', 'class', 'sentence'});
+    v.notFor = {sentence('notFor.noCalibration')};
+    v = withAction (v, orElse (cause.todo, newAction ('calibrate')));
     return
   end
   v.gap = cause.sentence;
-  isAsked = strncmp (v.action, askGap (), numel (askGap ()));
+  isAsked = strcmp (v.todo.code, 'diagnose');
+  isSilent = any (strcmp (cause.kind, {'no verdict', 'cannot tell'}));
   if v.usable && ~strcmp (cause.kind, 'none')
     v.class = 'open';
     v.notFor = [v.notFor, cause.notFor];
-    v.action = cause.action;
+    v = withAction (v, orElse (cause.todo, newAction ('use')));
   elseif ~v.usable && strcmp (cause.kind, 'none') && isAsked
-    v.action = cause.without;
-  elseif ~v.usable && ~isempty (cause.action) && ...
-         (isAsked || ~any (strcmp (cause.kind, {'no verdict', ...
-                                                'cannot tell'})))
-    v.action = cause.action;
+    v = withAction (v, cause.without);
+  elseif ~v.usable && ~isempty (cause.todo) && (isAsked || ~isSilent)
+    v = withAction (v, cause.todo);
+  end
+end
+
+function todo = orElse (todo, other)
+  if isempty (todo)
+    todo = other;
   end
 end
 

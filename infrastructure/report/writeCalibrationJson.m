@@ -19,7 +19,9 @@ function v = writeCalibrationJson (c, Case)
   out.intervalNote = c.intervalNote;
   out.limits = named (num2cell (Case.limits, 1)');
   out.targets = targetsOf (c, Case);
-  out = mergeFields (out, c, {'converged', 'reason', 'limit', 'conflict'});
+  out = mergeFields (out, c, {'converged', 'ending', 'reason', 'limit', ...
+                              'conflict'});
+  out.ending = rmfield (out.ending, 'text');
   out.untested = [];
   if ~isempty (c.untested)
     out.untested = named (num2cell (c.untested(:)));
@@ -49,7 +51,8 @@ function v = writeCalibrationJson (c, Case)
   writeTables (c, Case, folder);
   v = decideCase (jsondecode (jsonencode (out)), ...
                   readJsonFile (fullfile (Case.folder, 'gap', 'gap.json')));
-  out.verdict = rmfield (v, 'cause');
+  out.action = v.todo;
+  out.verdict = rmfield (v, {'cause', 'todo'});
   writeAtomic (fullfile (folder, 'calibration.json'), ...
                [jsonencode(out), "\n"]);
   [~, ~] = unlink (fullfile (folder, 'progress.json'));

@@ -1,45 +1,54 @@
 % CLOSEDTEXT  How much of the gap the cause takes away, in words.
 %
-% CALL: TEXT = closedText (GAP)
+% CALL: [TEXT, CODE] = closedText (GAP [, ISCHANGE])
 %
 %   GAP   decoded gap/gap.json
+%   ISCHANGE  logical (false): said of a change, see sentence
 %   TEXT  one sentence, and one about rivals where there are; '': not tried
+%   CODE  of closed.* in words.txt, for the fitted targets: 'share', 'all',
+%         'nothing', 'tooFew', 'noise', 'unknown'; '': not tried
 
-function text = closedText (gap)
+function [text, code] = closedText (gap, isChange)
   far = jsonAt (gap, {'howFar'});
   effect = jsonAt (far, {'effect'});
-  text = '';
+  [text, code] = deal ('');
   if ~ischar (effect) || isempty (effect)
     return
   end
-  how = {'on the surrogates, not yet by DEM runs', 'by DEM runs'};
   isVerified = isequal (jsonAt (far, {'verifiedByDEM'}), true);
-  text = ['With ', effect, ' (', how{1 + isVerified}, ...
-          '): of the gap on the fitted targets ', partText(far)];
+  how = {'closed.onSurrogates', 'closed.byDEM'};
+  code = codeOf (far);
+  values = struct ('effect', effect, 'how', sentence (how{1 + isVerified}), ...
+                   'part', partText (far));
+  text = sentence ('closed.fitted', values, nargin > 1 && isChange);
   held = jsonAt (far, {'heldOut'});
   if isstruct (held)
-    text = [text, '; on the held-out ones ', partText(held)];
+    text = [text, '; ', ...
+            sentence('closed.heldOut', struct ('part', partText (held)))];
   end
   text = [text, '.', rivalText(far)];
 end
 
-% No gap, and a gap whose closing cannot be told, are two things.
 function text = partText (part)
+  share = round (100 * jsonAt (part, {'closure'}));
+  text = sentence (['closed.', codeOf(part)], struct ('share', share));
+end
+
+% No gap, and a gap whose closing cannot be told, are two things.
+function code = codeOf (part)
   closure = jsonAt (part, {'closure'});
-  if isempty (closure) || ~isfinite (closure)
-    removable = jsonAt (part, {'removable'});
-    text = 'it cannot be judged';
-    if isequal (removable, true)
-      text = [text, ' from so few targets: the fit has as many unknowns'];
-    elseif isequal (removable, false)
-      text = 'none is beyond noise';
-    end
-  elseif closure >= 0.995
-    text = 'all is closed';
-  elseif closure <= 0.005
-    text = 'nothing is closed';
-  else
-    text = sprintf ('%.0f %% is closed', 100 * closure);
+  removable = jsonAt (part, {'removable'});
+  code = 'share';
+  if any (closure >= 0.995)
+    code = 'all';
+  elseif any (closure <= 0.005)
+    code = 'nothing';
+  elseif ~any (isfinite (closure)) && isequal (removable, true)
+    code = 'tooFew';
+  elseif ~any (isfinite (closure)) && isequal (removable, false)
+    code = 'noise';
+  elseif ~any (isfinite (closure))
+    code = 'unknown';
   end
 end
 
@@ -59,8 +68,7 @@ function text = rivalText (far)
     end
   end
   if ~isempty (rivals)
-    text = [' As much is closed by ', strjoin(rivals, ', '), ...
-            ': the fit alone does not prove the cause.'];
+    text = [' ', sentence('closed.rivals', struct ('names', {rivals}))];
   end
 end
 

@@ -11,10 +11,8 @@ function sayHowFar (cure, gapProblem, say)
     return
   end
   tell = @(varargin) say (sprintf (varargin{:}));
-  if ~isempty (gapProblem.reference)
-    tell = @(varargin) say (strrep (sprintf (varargin{:}), 'of the gap', ...
-                                    'of the change'));
-  end
+  nouns = {'gap', 'change'};
+  of = nouns{1 + ~isempty(gapProblem.reference)};
   how = {'on the surrogates, not yet by DEM', 'by DEM'};
   noise = '';
   if cure.free ~= 0
@@ -25,36 +23,37 @@ function sayHowFar (cure, gapProblem, say)
   tell ('HOW FAR with %s (%s): deviation %.1f %% -> %.1f %% of the range%s', ...
         cure.effect, how{1 + cure.verifiedByDEM}, ...
         100 * [cure.before, cure.after], noise);
-  sayClosure ('calibrated targets', cure, tell);
+  sayClosure ('calibrated targets', cure, of, tell);
   if ~isempty (cure.heldOut)
-    sayHeldOut (gapProblem, cure, tell);
+    sayHeldOut (gapProblem, cure, of, tell);
   end
   for p = cure.placebos
-    sayPlacebo (p, cure.verifiedByDEM, tell);
+    sayPlacebo (p, cure.verifiedByDEM, of, tell);
   end
 end
 
-function sayClosure (name, c, tell)
+function sayClosure (name, c, of, tell)
   if c.free == 0
     text = 'cannot be judged from so few: the fit has as many unknowns';
   elseif ~isfinite (c.closure)
     text = sprintf ('too near noise for a share (p = %.2g, largest z %.1f)', ...
                     c.gapP, c.largestZ);
   elseif c.closure >= 0.995
-    text = sprintf ('all of the gap closed (90 %%: from %.0f %%)', ...
+    text = sprintf ('all of the %s closed (90 %%: from %.0f %%)', of, ...
                     100 * min (1, c.interval90(1)));
   else
-    text = sprintf ('%.0f %% of the gap closed (90 %%: %.0f to %.0f)', ...
-                    100 * [c.closure, c.interval90(:)']);
+    share = 100 * [c.closure, c.interval90(:)'];
+    text = sprintf ('%.0f %% of the %s closed (90 %%: %.0f to %.0f)', ...
+                    share(1), of, share(2:3));
   end
   tell ('  %-26s %s', name, text);
 end
 
 % A share of few numbers says little: then each of them.
-function sayHeldOut (gapProblem, cure, tell)
+function sayHeldOut (gapProblem, cure, of, tell)
   held = cure.targets(ismember ([cure.targets.target], gapProblem.heldOut));
   if numel (held) > 8
-    sayClosure ('held-out targets', cure.heldOut, tell);
+    sayClosure ('held-out targets', cure.heldOut, of, tell);
     return
   end
   tell ('  %-28s %11s %11s %11s %9s', 'held out', 'measured', 'without', ...
@@ -66,13 +65,13 @@ function sayHeldOut (gapProblem, cure, tell)
   end
 end
 
-function sayPlacebo (p, isByDEM, tell)
+function sayPlacebo (p, isByDEM, of, tell)
   if ~isfinite (p.closure)
     return
   end
   share = sprintf ('%.0f %%', 100 * p.closure);
   if p.closure >= 0.995
-    share = 'all of the gap';
+    share = ['all of the ', of];
   elseif p.closure <= 0.005
     share = 'nothing';
   end

@@ -28,6 +28,9 @@ function v = writeGapJson (diagnosis, Case)
   gap = jsondecode (jsonencode (out));
   v = decideCase (readJsonFile (fullfile (Case.folder, 'results', ...
                                           'calibration.json')), gap);
+  out.cause = struct ('code', v.cause.code, 'kind', v.cause.kind);
+  out.closure = struct ('code', v.cause.closure);
+  out.action = v.todo;
   out.verdict = v;
   writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
   if ~isempty (gap.howFar.effect)

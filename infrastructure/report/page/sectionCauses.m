@@ -202,7 +202,10 @@ function html = conditions (change, at)
 end
 
 function cells = conditionRow (one)
-  word = regexprep (one.verdict, '^no gap$', 'nothing has changed');
+  word = one.verdict;
+  if strcmp (word, 'no gap')
+    word = lower (sentence ('cause.none.word', struct (), true));
+  end
   cells = htmlText ({one.name, word, strjoin(namesIn (one, 'effects'), ', ')});
 end
 

@@ -1,0 +1,46 @@
+% NEWENDING  How a calibration ended: a code with its numbers.
+%
+% CALL: ENDING = newEnding (CODE, NUMBERS [, OPTIONS])
+%
+%   CODE     'converged', 'conflict', 'allFailed', 'notRun', 'outside',
+%            'equalRuns', 'fewRuns', 'unsure', 'published', see ending.* of
+%            words.txt
+%   NUMBERS  struct with some of: runs (at the set), equal, probability,
+%            conflict (cellstr of targets), limit ('maxFunEvals', 'maxNewRuns',
+%            'maxIter': the budget that ended the search; '': none), stopped,
+%            rest
+%   OPTIONS  struct with the limits (optim.maxFunEvals ...), replicates
+%   ENDING   struct: code, and the numbers; text, the sentence for them
+%
+% Whoever decides what to do next looks at code and limit, never at text.
+
+function ending = newEnding (code, numbers, options)
+  if nargin < 3
+    options = struct ();
+  end
+  ending = mergeFields (struct ('code', code, 'runs', 0, 'equal', 0, ...
+                                'probability', 0, 'conflict', {{}}, ...
+                                'limit', ''), numbers);
+  values = ending;
+  values.probability = round (100 * values.probability);
+  values.equal = values.equal + values.runs;
+  values.wanted = givenField (options, 'replicates', 1);
+  values.limited = '';
+  if ~isempty (ending.limit)
+    values.most = givenField (options, ending.limit, NaN);
+    values.limited = sentence (['limit.', ending.limit], values);
+  end
+  ending.text = sentence (['ending.', code], values);
+end
+
+%!test
+%! ending = newEnding ('outside', struct ('runs', 2, 'limit', 'maxIter'), ...
+%!                     struct ('maxIter', 3));
+%! assert ({ending.code, ending.limit, ending.runs}, {'outside', 'maxIter', 2});
+%! assert (! isempty (strfind (ending.text, 'optim.maxIter (3)')));
+%!test
+%! % every code has a sentence
+%! for code = {'converged', 'conflict', 'allFailed', 'notRun', 'outside', ...
+%!             'equalRuns', 'fewRuns', 'unsure'}
+%!   assert (! isempty (newEnding (code{1}, struct ()).text));
+%! end
