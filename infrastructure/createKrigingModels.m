@@ -81,7 +81,7 @@ function M = readTable (file)
            'createKrigingModels: %s must be a CSV file, it is missing.', ...
            file);
   end
-  text = fileread (file);
+  text = readText (file);
   first = strtok (text, "\n");
   skip = double (any (isletter (regexprep (first, 'NaN|Inf|[eE]', ''))));
   M = dlmread (file, ',', skip, 0, 'emptyvalue', NaN);

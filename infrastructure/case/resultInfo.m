@@ -10,7 +10,7 @@
 %         series (results of one series belong to one curve, '' for none); at
 %         (where on that curve: speed, time, position; NaN for none); text
 %
-% Throws DEcalioc:resultInfo:badShape.
+% Throws DEcalioc:resultInfo:badShape, those of readCsvTable.
 %
 % See also: effectsOfModel, describeEffect
 function info = resultInfo (folder)
@@ -19,18 +19,16 @@ function info = resultInfo (folder)
   if exist (file, 'file') ~= 2
     return
   end
-  lines = strsplit (strtrim (fileread (file)), "\n")(2:end);
   fields = {'name', 'kind', 'unit', 'series', 'at', 'text'};
-  for k = 1:numel (lines)
-    words = strsplit (strtrim (lines{k}), ',', 'CollapseDelimiters', false);
-    if numel (words) ~= 6
-      error ('DEcalioc:resultInfo:badShape', ...
-             'resultInfo: line %d of %s must have 6 columns, got %d.', ...
-             k + 1, file, numel (words));
-    end
-    row = cell2struct (words(:), fields(:));
-    row.at = str2double (row.at);
-    info = [info, row];
+  [header, cells] = readCsvTable (file);
+  if numel (header) ~= 6
+    error ('DEcalioc:resultInfo:badShape', ...
+           'resultInfo: %s must have the 6 columns %s, got %d.', file, ...
+           strjoin (fields, ', '), numel (header));
+  end
+  for k = 1:rows (cells)
+    info = [info, setfield(cell2struct (cells(k, :), fields, 2), 'at', ...
+                           str2double (cells{k, 5}))];
   end
 end
 

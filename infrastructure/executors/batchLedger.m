@@ -21,11 +21,13 @@ function batches = batchLedger (store, name)
     if name{1}(1) == '.' || ~isfile (file)
       continue
     end
-    lines = regexp (fileread (file), '^([^\t\n]+)\t([^\n]+)$', ...
-                    'tokens', 'lineanchors');
-    lines = vertcat (cell (0, 2), lines{:});
+    % not regexp: the bytes of a path need be no UTF-8
+    [keys, folders] = strtok (ostrsplit (fileread (file), "\n")', "\t");
+    isWhole = cellfun (@numel, folders) > 1 & ~cellfun (@isempty, keys);
+    folders = cellfun (@(f) f(2:end), folders(isWhole), ...
+                       'UniformOutput', false);
     batches(end + 1) = struct ('name', name{1}, 'path', folder, ...
-                               'keys', {lines(:, 1)}, 'folders', {lines(:, 2)});
+                               'keys', {keys(isWhole)}, 'folders', {folders});
   end
 end
 

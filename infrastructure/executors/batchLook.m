@@ -101,7 +101,7 @@ function text = contentOf (file)
   text = '';
   fid = fopen (file, 'r');
   if fid >= 0
-    text = strtrim (fread (fid, [1, 500], 'uint8=>char'));
+    text = asUtf8 (strtrim (fread (fid, [1, 500], 'uint8=>char')));
     fclose (fid);
   end
 end

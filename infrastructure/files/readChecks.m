@@ -21,7 +21,7 @@ function checks = readChecks (folder)
     error ('DEcalioc:readChecks:missingFile', ...
            'readChecks: FOLDER must hold output_checks.csv, got %s.', folder);
   end
-  words = regexp (fileread (file), '(\w+),(\S+)', 'tokens');
+  words = regexp (readText (file), '(\w+),(\S+)', 'tokens');
   checks = struct ();
   for k = 1:numel (words)
     checks.(words{k}{1}) = str2double (words{k}{2});

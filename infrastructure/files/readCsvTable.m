@@ -2,11 +2,10 @@
 %
 % CALL: [HEADER, CELLS, LINES] = readCsvTable (FILE)
 %
-%   FILE    path of the file: UTF-8 with or without BOM, lines ended by LF,
-%           CR LF or CR, or UTF-16 with BOM; fields separated by comma (or by
-%           semicolon or tab, with decimal commas then; or as a first line
-%           sep=; says), quoted fields with doubled quotes inside; lines that
-%           begin with # before the header are remarks
+%   FILE    path of the file, text as readText takes it; fields separated by
+%           comma (or by semicolon or tab, with decimal commas then; or as a
+%           first line sep=; says), quoted fields with doubled quotes inside;
+%           lines that begin with # before the header are remarks
 %   HEADER  1 x c cellstr, column names without outer blanks
 %   CELLS   n x c cellstr, fields without outer blanks; empty rows are left out
 %   LINES   n x 1, line number of each row in the file
@@ -19,12 +18,16 @@ function [header, cells, lines] = readCsvTable (file)
     error ('DEcalioc:readCsvTable:missingFile', ...
            'readCsvTable: FILE must be readable, got %s: %s.', file, message);
   end
-  text = fread (id, [1, Inf], '*char');
   fclose (id);
-  text = asUtf8 (text, file);
-  remark = regexp (text, '^(#[^\r\n]*(\r\n|\n|\r))+', 'match', 'once');
+  text = readText (file);
+  if any (text == 0)
+    error ('DEcalioc:readCsvTable:badShape', ...
+           ['readCsvTable: %s must be text in UTF-8, got NUL bytes (UTF-16 ' ...
+            'without its mark, or no text). Save it as CSV UTF-8.'], file);
+  end
+  remark = regexp (text, '^(#[^\n]*\n)+', 'match', 'once');
   [fields, row, lines, delimiter] = splitFields (text(numel (remark) + 1:end));
-  lines = lines + numel (regexp (remark, '\r\n|\n|\r'));
+  lines = lines + sum (remark == "\n");
   if isempty (fields)
     error ('DEcalioc:readCsvTable:badShape', ...
            'readCsvTable: %s must have a header line, got an empty file.', ...
@@ -60,28 +63,10 @@ function refuseRow (file, line, wanted, got, delimiter)
           'got %d.%s'], line, file, wanted, got, cure);
 end
 
-% Excel's "Unicode text" is UTF-16.
-function text = asUtf8 (text, file)
-  marks = {char([239, 187, 191]), 'UTF-8'; char([255, 254]), 'UTF-16LE'; ...
-           char([254, 255]), 'UTF-16BE'};
-  k = find (cellfun (@(m) strncmp (text, m, numel (m)), marks(:, 1)), 1);
-  if ~isempty (k)
-    text = text(numel (marks{k, 1}) + 1:end);
-    if k > 1
-      text = reshape (native2unicode (uint8 (text), marks{k, 2}), 1, []);
-    end
-  end
-  if any (text == 0)
-    error ('DEcalioc:readCsvTable:badShape', ...
-           ['readCsvTable: %s must be text in UTF-8, got NUL bytes (UTF-16 ' ...
-            'without its mark, or no text). Save it as CSV UTF-8.'], file);
-  end
-end
-
 % All fields (cell, n x 1), the number of the row that each belongs to, the line
 % of each row. Rows without any text are left out.
 function [fields, row, lines, delimiter] = splitFields (text)
-  text = [strrep(strrep (text, "\r\n", "\n"), "\r", "\n"), "\n"];
+  text = [text, "\n"];
   quoted = mod (cumsum (text == '"'), 2) == 1;
   first = text(1:find ([text == "\n" & ~quoted, true], 1) - 1);
   given = regexp (first, '^"?sep=(.)"?;*,*\s*$', 'tokens', 'once');
@@ -164,6 +149,11 @@ end
 %!   assert ({header, cells}, {{'a', 'b'}, {'1.5', '2'; '3', ''}});
 %!   assert (lines, [2; 4] + (k == 2));
 %! end
+%!test
+%! % Excel's plain CSV is Windows-1252
+%! [header, cells] = read (["a;H", char(246), "he\n30 ", char(176), ";1,5\n"]);
+%! assert (header{2}, ['H', char([195, 182]), 'he']);
+%! assert (cells, {['30 ', char([194, 176])], '1.5'});
 %!error <save it with semicolons> read ("a,b\n0,5,2\n")
 %!error <UTF-16> read (["a", 0, ";", 0, "b", 0])
 %!error id=DEcalioc:readCsvTable:missingFile readCsvTable ('/no/such/file')

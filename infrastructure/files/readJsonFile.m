@@ -9,7 +9,7 @@ function value = readJsonFile (file)
   value = [];
   try
     if isfile (file)
-      value = jsondecode (fileread (file));
+      value = jsondecode (readText (file));
     end
   catch
     % half a file of another program: as if there were none

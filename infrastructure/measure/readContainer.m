@@ -13,7 +13,7 @@
 % See also: readResults, readChecks
 
 function res = readContainer (folder)
-  textOf = @(name) textOfFile (fullfile (folder, name));
+  textOf = @(name) readText (fullfile (folder, name));
   checks = textOf ('output_checks.csv');
   count = @(name) str2double ([regexp(checks, ['^', name, ',(\S+)$'], ...
                                       'tokens', 'once', 'lineanchors'){:}]);
@@ -25,13 +25,6 @@ function res = readContainer (folder)
   end
   if ~(count ('spheresOut') + count ('spheresEnd') == kept)
     res{2} = NaN;
-  end
-end
-
-function text = textOfFile (file)
-  text = '';
-  if isfile (file)
-    text = fileread (file);
   end
 end
 

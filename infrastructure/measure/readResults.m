@@ -13,12 +13,7 @@
 % See also: readDump, readCsvTable, resultInfo
 function values = readResults (file, names)
   values = NaN (1, numel (names));
-  fid = fopen (file, 'r');
-  if fid < 0
-    return
-  end
-  text = fread (fid, Inf, 'uint8=>char').';
-  fclose (fid);
+  text = readText (file);
   plain = sscanf (strrep (text, ',', ' '), '%f').';
   isPlain = isempty (regexp (text, '[^\s,\d.eE+-]', 'once')) || ...
             all (isnan (plain));

@@ -58,7 +58,7 @@ function record = evaluate (record, place)
     results = getResults (record.model, place.name);
     [record.results, fault] = asRow (results, place);
   catch err
-    fault = ['getResults gave an error: ', err.message];
+    fault = asUtf8 (['getResults gave an error: ', err.message]);
   end
   path = [];
   if ~isempty (fault)

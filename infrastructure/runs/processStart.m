@@ -25,6 +25,7 @@ function [start, mark] = processStart (pid)
   if ~ischar (stat)
     return
   end
+  stat(stat > 127) = '?';                   % the command, in any encoding
   fields = strsplit (strtrim (regexprep (stat, '^.*\)', '')), ' ');
   if ~any (strcmp (fields{1}, {'Z', 'X'}))
     start = fields{20};

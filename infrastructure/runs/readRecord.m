@@ -12,7 +12,7 @@ function record = readRecord (file)
   if fid < 0
     return
   end
-  text = fread (fid, Inf, 'uint8=>char')';
+  text = asUtf8 (fread (fid, [1, Inf], 'uint8=>char'));
   fclose (fid);
   parts = regexp (text, '^\{"sha256":"(\w{64})","record":(\{.*\})\}\n$', ...
                   'tokens', 'once');

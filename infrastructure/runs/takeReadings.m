@@ -15,7 +15,7 @@
 %
 % A reading is the result of its name, else a point of the curve with the name
 % of its series, else a point between the single results that results.csv puts
-% on that series.
+% on that series. One number is no curve: it would count at every place.
 
 function [row, fault] = takeReadings (results, readings, info)
   row = NaN (1, numel (readings));
@@ -24,7 +24,26 @@ function [row, fault] = takeReadings (results, readings, info)
   while isempty (fault) && k < numel (readings)
     k = k + 1;
     [row(k), fault] = readOne (items, readings(k), info);
+    if isempty (fault) && isSpread (items, readings, k, info)
+      fault = sprintf (['%s must be a curve (n x 2: place, value), since ' ...
+                        'measured.csv asks for its value at %g; the run ' ...
+                        'gave one number'], readings(k).result, ...
+                       readings(k).at);
+    end
   end
+end
+
+% A finite number that stands for the whole of a curve. A result with a name of
+% its own, or with its place in results.csv, belongs to one place.
+function yes = isSpread (items, readings, k, info)
+  r = readings(k);
+  found = givenField (items, r.result, givenField (items, r.series, []));
+  hasPlace = ~isempty (info) && ...
+             any (strcmp ({info.name}, r.result) & [info.at] == r.at);
+  isOwn = isfield (items, r.result) && ~strcmp (r.result, r.series) && ...
+          sum (strcmp ({readings.result}, r.result)) == 1;
+  yes = ~isnan (r.at) && isscalar (found) && isfinite (found) && ...
+        ~hasPlace && ~isOwn;
 end
 
 function [value, fault] = readOne (items, r, info)
@@ -144,9 +163,29 @@ end
 %! % one curve alone
 %! assert (takeReadings ([1, 1; 2, 4; 3, 9], r(1:2), []), [2.5, 9]);
 %!test
+%! curve = [1, 2; 4, 3];
 %! for bad = {struct('mass', 7), 'must return w'; ...
 %!            struct('mass', 'x', 'w', 1), 'mass must be a real number'; ...
-%!            struct('mass', [1, 2; 2, 3], 'w', 1), 'must say where'}'
+%!            struct('mass', 7, 'w', 5), 'w must be a curve'; ...
+%!            struct('mass', curve, 'w', curve), 'must say where'}'
 %!   [~, fault] = takeReadings (bad{1}, r, []);
 %!   assert (! isempty (strfind (fault, bad{2})), fault);
 %! end
+%!test
+%! % one number for a curve: by the name of the result, of its series, shared;
+%! % NaN is no result, and a number with its place in results.csv is one
+%! at = @(result, series, places) struct ('result', result, 'series', series, ...
+%!                                        'at', num2cell (places));
+%! isFault = @(items, r, info) ~isempty (nthargout (2, @takeReadings, items, ...
+%!                                                  r, info));
+%! assert (isFault (struct ('w', 5), at ('w', 'w', 2), []));
+%! assert (isFault (struct ('w', 5), at ('v', 'w', 2), []));
+%! assert (isFault (struct ('v', 5), at ('v', 'w', [1, 2]), []));
+%! assert (isFault ({5}, at ('w', 'w', [1, 2]), ...
+%!                  struct ('name', 'w', 'series', '', 'at', NaN)));
+%! assert (! isFault (struct ('v', 5), at ('v', 'w', 2), []));
+%! assert (! isFault (struct ('w', NaN), at ('w', 'w', [1, 2]), []));
+%! assert (! isFault (struct ('w', 5), at ('w', '', NaN), []));
+%! info = struct ('name', 'w', 'series', 'w', 'at', 2);
+%! assert (! isFault (struct ('w', 5), at ('w', 'w', 2), info));
+%! assert (isFault (struct ('w', 5), at ('w', 'w', 3), info));

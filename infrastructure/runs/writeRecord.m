@@ -14,7 +14,9 @@
 function writeRecord (file, record)
   names = fieldnames (record);
   for k = 1:numel (names)
-    if ~ischar (record.(names{k}))
+    if ischar (record.(names{k}))
+      record.(names{k}) = asUtf8 (record.(names{k}));
+    else
       record.(names{k}) = strtrim (sprintf ('%.17g ', record.(names{k})));
     end
   end
@@ -30,3 +32,8 @@ end
 %! back = readRecord (file);
 %! assert ({back.model, back.params}, {r.model, r.params});
 %! assert (isempty (back.seconds));
+%!test
+%! % an error of getResults, whose file is in Windows-1252
+%! file = tempname ();
+%! writeRecord (file, struct ('message', ['H', char(246), 'he']));
+%! assert (readRecord (file).message, ['H', char([195, 182]), 'he']);

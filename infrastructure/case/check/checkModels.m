@@ -80,8 +80,9 @@ function p = checkFolder (model)
 end
 
 function p = checkFiles (model)
-  p = checkFault ();
   field = @(name) ['DEMmodels/', model.name, '/', name];
+  p = checkPlainText (fullfile (model.folder, 'data.head'), ...
+                      field ('data.head'));
   lines = 'lines such as: variable densityP equal 700';
   call = 'a function res = getResults (model, folderName)';
   files = {'data.head', 'missingHead', lines, ...
@@ -94,13 +95,13 @@ function p = checkFiles (model)
            'a bash script that starts the DEM run', ...
            'Write for example: liggghts < in.Model'};
   isThere = isfile (fullfile (model.folder, files(:, 1)));
+  if isThere(1) && isempty (model.head) && isempty (p)
+    p(end + 1) = checkFault ('emptyHead', field (files{1}), lines, ...
+                             'a file without any such line', files{1, 4});
+  end
   for k = find (~isThere)'
     p(end + 1) = checkFault (files{k, 2}, field (files{k, 1}), files{k, 3}, ...
                              'no such file', files{k, 4});
-  end
-  if isThere(1) && isempty (model.head)
-    p(end + 1) = checkFault ('emptyHead', field (files{1}), lines, ...
-                             'a file without any such line', files{1, 4});
   end
   if isThere(2) && ~isempty (model.message)
     p(end + 1) = checkFault ('brokenGetResults', field (files{2}), call, ...
@@ -120,6 +121,7 @@ function p = checkRunscript (model, how)
     [status, out] = system (['LC_ALL=C bash -n ', shellQuote(file), ' 2>&1']);
   end
   complaint = checkShow (strrep (strtok (out, "\n"), [file, ': '], ''));
+  p = checkPlainText (file, field);
   table = {isempty(lines), 'emptyRunscript', 'a command', ...
            'a file without any', example; ...
            any(text == "\r"), 'windowsLineEnds', ...
@@ -130,9 +132,9 @@ function p = checkRunscript (model, how)
            status ~= 0, 'badRunscript', 'a script that bash can read', ...
            complaint, 'Try it with: bash -n runscript'};
   first = find ([table{:, 1}], 1);
-  if ~isempty (first)
+  if isempty (p) && ~isempty (first)
     p = checkFault (table{first, 2}, field, table{first, 3:5});
-  else
+  elseif isempty (p)
     p = [checkPrograms(field, lines, how.onCluster), ...
          checkCommand(field, lines, model)];
   end
@@ -229,6 +231,7 @@ end
 %!          "# nothing\n\n", false, 'emptyRunscript'; ...
 %!          "if true; then\n", false, 'badRunscript'; ...
 %!          "true\r\n", false, 'windowsLineEnds'; ...
+%!          [char([239, 187, 191]), "awk 1 x"], false, 'badEncoding'; ...
 %!          'noSuchDEM in.x', false, 'missingProgram'; ...
 %!          'noSuchDEM < in.x', false, 'missingProgram'; ...
 %!          'mpirun -np 4 liggghts -in x', true, 'rankMismatch'; ...
@@ -238,9 +241,7 @@ end
 %!   p = checkModels (model, '', '', ...
 %!                    struct ('programs', true, 'onCluster', row{2}));
 %!   assert (isempty (p) == isempty (row{3}), row{1});
-%!   if ! isempty (p)
-%!     assert (p(end).id, ['DEcalioc:checkCase:', row{3}]);
-%!   end
+%!   assert (isempty (p) || strcmp (p(end).id(20:end), row{3}));
 %! end
 %!test
 %! % a link to a folder above, of which no copy can be made

@@ -137,7 +137,7 @@ function html = measuredBy (folder)
   file = fullfile (folder, 'measured.csv');
   words = {};
   if isfile (file)
-    words = regexp (fileread (file), '^#[ \t]*([^\r\n]*)', 'tokens', ...
+    words = regexp (readText (file), '^#[ \t]*([^\n]*)', 'tokens', ...
                     'lineanchors');
   end
   if ~isempty (words)
