@@ -1,4 +1,4 @@
-% READTEXT  Reads a text file, whatever encoding and line ends it was saved with.
+% READTEXT  Reads a text file, whatever its encoding and line ends are.
 %
 % CALL: TEXT = readText (FILE)
 %

@@ -174,8 +174,8 @@ end
 %!test
 %! % one number for a curve: by the name of the result, of its series, shared;
 %! % NaN is no result, and a number with its place in results.csv is one
-%! at = @(result, series, places) struct ('result', result, 'series', series, ...
-%!                                        'at', num2cell (places));
+%! at = @(result, series, places) struct ('result', result, 'series', ...
+%!                                        series, 'at', num2cell (places));
 %! isFault = @(items, r, info) ~isempty (nthargout (2, @takeReadings, items, ...
 %!                                                  r, info));
 %! assert (isFault (struct ('w', 5), at ('w', 'w', 2), []));
