@@ -7,7 +7,8 @@
 %   FURTHER   cell, those of further models (filledTests; default none)
 %   GROUPS    1 x T struct, sorted by model, else in the order of the table:
 %             line, file (first), model, name (of the target), result (name of
-%             the result or curve), series, at, unit, value, sd, trials,
+%             the result or curve), series, at, unit, given (unit of the
+%             table, see checkUnits), value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
 %             isAbsolute, curve (number of its series, 0: none), each
 %             (1 x n, the trials), changed (1 x C struct value, sd, trials,
@@ -36,12 +37,11 @@ function [groups, p, conditions] = groupMeasured (list, models, further)
   conditions = unique ({list(isOther).condition}, 'stable');
   others = cellfun (@(c) list(strcmp ({list.condition}, c)), conditions, ...
                     'UniformOutput', false);
-  list = list(~isOther);
-  groups = [];
-  for trials = byQuantity (list)
-    p = [p, checkAlike(trials{1})];
-    groups = [groups, oneTarget(trials{1}, list)];
-  end
+  list = withPlaces (list(~isOther));
+  trials = byQuantity (list);
+  faults = cellfun (@checkAlike, trials, 'UniformOutput', false);
+  p = [p, faults{:}];
+  groups = cellfun (@oneTarget, trials);
   [groups, q] = withConditions (groups, unique (keysOf (list), 'stable'), ...
                                 others);
   p = [p, q];
@@ -62,9 +62,20 @@ end
 
 % The lines of each quantity: 1 x n cell.
 function parts = byQuantity (list)
-  keys = keysOf (list);
-  parts = cellfun (@(key) list(strcmp (keys, key)), ...
-                   unique (keys, 'stable'), 'UniformOutput', false);
+  [~, first, number] = unique (keysOf (list), 'first');
+  [~, order] = sort (first);
+  rows = accumarray (number(:), 1:numel (list), [], @(k) {sort(k)});
+  parts = cellfun (@(k) list(k), rows(order)', 'UniformOutput', false);
+end
+
+% Beside each line on how many places of its curve its name stands.
+function list = withPlaces (list)
+  names = arrayfun (@(o) sprintf ('%d|%s', o.model, o.name), list, ...
+                    'UniformOutput', false);
+  [~, ~, number] = unique (names);
+  pairs = unique ([number(:), [list.at]'], 'rows');
+  count = num2cell (accumarray (pairs(:, 1), 1)(number));
+  [list.places] = count{:};
 end
 
 % The same quantities in the other conditions.
@@ -85,7 +96,7 @@ function [groups, p] = withConditions (groups, keys, others)
                                   'take the line out.']);
         continue
       end
-      target = oneTarget (trials{1}, trials{1});
+      target = oneTarget (withPlaces (trials{1}));
       for name = fieldnames (none)'
         groups(same).changed(c).(name{1}) = target.(name{1});
       end
@@ -96,6 +107,9 @@ end
 function groups = distinctNames (groups, models, further)
   names = {groups.name};
   of = [groups.model];
+  if all (of == of(1))
+    return
+  end
   isLate = of > 0;
   isLate(isLate) = ismember (models(of(isLate)), further);
   for k = find (of > 0)
@@ -108,6 +122,9 @@ end
 % What one trial says holds for all: it must not say two things.
 function p = checkAlike (trials)
   p = checkFault ();
+  if isscalar (trials)
+    return
+  end
   for field = {'role', 'tol', 'isAbsolute', 'unit'}
     given = trials(isGiven (trials, field{1}));
     for trial = given(2:end)
@@ -132,16 +149,20 @@ function given = isGiven (trials, field)
 end
 
 function value = firstOf (trials, field)
-  first = [find(isGiven (trials, field), 1), 1];
+  first = 1;
+  if numel (trials) > 1
+    first = [find(isGiven (trials, field), 1), 1];
+  end
   value = trials(first(1)).(field);
 end
 
-function g = oneTarget (trials, list)
+function g = oneTarget (trials)
   one = trials(1);
   g = struct ('line', one.line, 'file', one.file, 'model', one.model, ...
-              'name', targetName (one, list), 'result', one.name, ...
+              'name', targetName (one), 'result', one.name, ...
               'series', one.series, 'at', one.at, ...
-              'unit', firstOf (trials, 'unit'), 'value', NaN, ...
+              'unit', firstOf (trials, 'unit'), ...
+              'given', givenField (one, 'given', one.unit), 'value', NaN, ...
               'sd', max ([trials.sd]), 'trials', 1, 'scatter', false, ...
               'role', firstOf (trials, 'role'), ...
               'tol', firstOf (trials, 'tol'), ...
@@ -175,16 +196,14 @@ function g = oneTarget (trials, list)
   end
 end
 
-function name = targetName (row, list)
+function name = targetName (row)
   name = row.name;
   if isempty (row.series)
     return
   end
-  isSame = strcmp ({list.name}, name) & [list.model] == row.model;
-  places = unique ([list(isSame).at]);
   if isempty (name)
     name = row.series;
-  elseif numel (places) == 1
+  elseif row.places == 1
     return
   end
   name = sprintf ('%s@%.6g', name, row.at);

@@ -23,10 +23,12 @@ function targets = newTargets (optim, names, found)
   counts = arrayfun (@(k) sum ([groups.model] == k), 1:numel (names));
   lengths = perTarget (asLengths (givenField (optim, 'correlation', {})), ...
                        counts, -1);
-  targets = [];
+  seen = zeros (size (counts));
+  targets = cell (1, numel (groups));
   for j = 1:numel (groups)
     g = groups(j);
-    index = sum ([groups(1:j).model] == g.model);
+    seen(g.model) = seen(g.model) + 1;
+    index = seen(g.model);
     t = mergeFields (struct ('model', g.model, ...
                              'modelName', names{g.model}, 'index', index, ...
                              'correlation', lengths{g.model}(index)), g);
@@ -38,8 +40,9 @@ function targets = newTargets (optim, names, found)
       lengthOf = [0, NaN];
       t.correlation = lengthOf(1 + (t.curve > 0));
     end
-    targets = [targets, t];
+    targets{j} = t;
   end
+  targets = [targets{:}];
 end
 
 % The published loadInput returns the values of all models as one column.
@@ -58,7 +61,8 @@ function groups = fromCells (optim, models, counts)
                   'sd', sds{k}(i), 'tol', tols{k}(i), ...
                   'role', textOf (roles, k, i, 'calibrate'), ...
                   'trials', trials{k}(i), 'isAbsolute', false, ...
-                  'scatter', false, 'unit', '', 'result', '', ...
+                  'scatter', false, 'unit', '', 'given', '', ...
+                  'result', '', ...
                   'series', '', 'at', NaN, 'curve', 0, 'changed', []);
       groups = [groups, g];
     end

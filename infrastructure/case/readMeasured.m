@@ -45,16 +45,15 @@ function [list, p, header] = readMeasured (file, models, alone, shown)
     return
   end
   [~, column] = ismember (header, known);
-  for k = 1:rows (cells)
-    text = repmat ({''}, size (known));
-    text(column) = cells(k, :);
-    row = cell2struct (text(:), known(:));
-    row.line = lines(k);
-    row.file = shown;
-    [row, q] = readRow (row, models, alone);
-    list = [list, row];
-    p = [p, q];
-  end
+  texts = repmat ({''}, rows (cells), numel (known));
+  texts(:, column) = cells;
+  list = cell2struct (texts, known, 2)';
+  numbers = num2cell (lines);
+  [list.line] = numbers{:};
+  [list.file] = deal (shown);
+  [list, faults] = arrayfun (@(row) readRow (row, models, alone), list, ...
+                             'UniformOutput', false);
+  [list, p] = deal ([list{:}], [p, faults{:}]);
 end
 
 function p = checkHeader (header, known, n, shown)
@@ -185,7 +184,8 @@ function p = checkPlace (row, where)
                     'A point of a curve needs its curve and its place on it.');
   end
   for name = {row.name, row.series}
-    if numel (name{1}) > 60 || any (ismember (name{1}, ',;"''\')) || ...
+    if numel (name{1}) > 60 || ...
+       ~isempty (regexp (name{1}, '[,;"''\\]', 'once')) || ...
        (~isempty (name{1}) && ~checkIs ('text', name{1}))
       p(end + 1) = checkFault ('measuredName', [where, ', name'], ...
                                ['a text of at most 60 characters without ' ...

@@ -31,8 +31,9 @@ function [p, found] = checkMeasuredTable (raw, models, taken)
     p = [p, q];
     return
   end
+  [lines, r] = checkUnits (lines, models);
   [found.groups, q] = groupMeasured (lines, {models.name});
-  p = [p, q];
+  p = [p, r, q];
   names = strcat ({models([found.groups.model]).name}, '_', ...
                   {found.groups.name});
   [found.groups.name] = names{:};
@@ -52,11 +53,12 @@ function [p, found] = checkTable (raw, models, taken, found)
                                    'DEcalioc:checkCase:measuredCondition')))
     return
   end
+  [lines, r] = checkUnits (lines, models);
   [groups, q, conditions] = groupMeasured (lines, {models.name}, ...
                                            givenField (raw, 'further', {}));
-  p = [p, q, checkTolerances(groups, lines, optim), ...
+  p = [p, r, q, checkTolerances(groups, lines, optim), ...
        checkNames(groups, [taken, {'model', 'seed'}]), ...
-       checkMeasuredResults(groups, models, lines)];
+       checkMeasuredResults(groups, models)];
   if ~any (strcmp ({groups.role}, 'calibrate'))
     p(end + 1) = checkFault ('noCalibrateTarget', 'measured.csv', ...
                              'at least one target to calibrate on', ...
@@ -131,15 +133,17 @@ end
 function p = checkNames (groups, taken)
   p = checkFault ();
   names = {groups.name};
-  for k = 1:numel (groups)
+  [~, first] = unique (names, 'first');
+  isTwice = ~ismember (1:numel (names), first);
+  for k = find (isTwice | ismember (names, taken))
     where = sprintf ('%s, line %d, name', groups(k).file, groups(k).line);
-    if any (strcmp (names{k}, names(1:k - 1)))
+    if isTwice(k)
       p(end + 1) = checkFault ('measuredName', where, ...
                                'a name for each target', ...
                                [checkShow(names{k}), ' twice'], ...
                                ['The names are columns of runs.csv: ' ...
                                 'rename one of the two.']);
-    elseif any (strcmp (names{k}, taken))
+    else
       p(end + 1) = checkFault ('measuredName', where, ...
                                'a name that no variable has', ...
                                checkShow (names{k}), ...
@@ -195,7 +199,7 @@ end
 %! writeAtomic (file, "model,name,value,tol\nB,w,3,0.1\nB,w,5,0.1\nB,v,,0.1\n");
 %! raw = struct ('folder', folder, 'further', {{'B'}});
 %! raw.optim = struct ('targetVal', {{[1, 2]}}, 'tolRes', 0.1);
-%! models = struct ('name', {'A', 'B'}, 'count', {2, 5});
+%! models = struct ('name', {'A', 'B'}, 'count', {2, 5}, 'folder', '');
 %! [p, found] = checkMeasuredTable (raw, models, {});
 %! assert (isempty (p));
 %! assert (found.sizes, [2, 1]);
