@@ -24,9 +24,7 @@
 % with n - 1 degrees of freedom (GUM, type A; few trials know their own scatter
 % badly), joined with the sd of the lines, which is what they have in common.
 % The value of a point of a curve is named <name or series>@<at>, unless the
-% name stands in one place only. Where several models have a target of one name,
-% it is <model>_<name>: a name is a column of runs.csv, so further models leave
-% those of the others as they are.
+% name stands in one place only; see distinctNames.
 
 function [groups, p, conditions] = groupMeasured (list, models, further)
   if nargin < 3
@@ -104,21 +102,6 @@ function [groups, p] = withConditions (groups, keys, others)
   end
 end
 
-function groups = distinctNames (groups, models, further)
-  names = {groups.name};
-  of = [groups.model];
-  if all (of == of(1))
-    return
-  end
-  isLate = of > 0;
-  isLate(isLate) = ismember (models(of(isLate)), further);
-  for k = find (of > 0)
-    if any (strcmp (names, names{k}) & of ~= of(k) & isLate <= isLate(k))
-      groups(k).name = [models{of(k)}, '_', names{k}];
-    end
-  end
-end
-
 % What one trial says holds for all: it must not say two things.
 function p = checkAlike (trials)
   p = checkFault ();
@@ -149,11 +132,10 @@ function given = isGiven (trials, field)
 end
 
 function value = firstOf (trials, field)
-  first = 1;
   if numel (trials) > 1
-    first = [find(isGiven (trials, field), 1), 1];
+    trials = trials([find(isGiven (trials, field)), 1]);
   end
-  value = trials(first(1)).(field);
+  value = trials(1).(field);
 end
 
 function g = oneTarget (trials)
@@ -233,8 +215,7 @@ end
 %! list(2).name = 'b';
 %! list(2).value = NaN;
 %! g = groupMeasured (list, {'A', 'B'});
-%! assert ([g.trials], [5, 1]);
-%! assert ([g.scatter], [false, false]);
+%! assert ([g.trials; g.scatter], [5, 1; 0, 0]);
 %! assert ({g.role}, {'calibrate', 'unmeasured'});
 %! assert ({g.name}, {'a', 'b'});
 %!test

@@ -3,7 +3,7 @@
 %!test
 %! folder = reportedCase ('units');
 %! [status, out] = startCommand (folder, 'check');
-%! assert (status, 0, out);
+%! assert (status == 0, out);
 %! assert (! isempty (strfind (out, 'converted to the unit of results.csv')));
 %! lines = readMeasured (fullfile (folder, 'measured.csv'), {'Heap'});
 %! model = struct ('name', 'Heap', ...
