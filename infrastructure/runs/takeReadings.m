@@ -20,67 +20,95 @@
 function [row, fault] = takeReadings (results, readings, info)
   row = NaN (1, numel (readings));
   [items, fault] = itemsOf (results, readings, info);
+  [~, first, which] = unique (strcat ({readings.result}, "\n", ...
+                                      {readings.series}));
   k = 0;
-  while isempty (fault) && k < numel (readings)
+  while isempty (fault) && k < numel (first)
     k = k + 1;
-    [row(k), fault] = readOne (items, readings(k), info);
-    if isempty (fault) && isSpread (items, readings, k, info)
-      fault = sprintf (['%s must be a curve (n x 2: place, value), since ' ...
-                        'measured.csv asks for its value at %g; the run ' ...
-                        'gave one number'], readings(k).result, ...
-                       readings(k).at);
-    end
+    mine = find (which == k);
+    [row(mine), fault] = readMany (items, readings(mine), info);
   end
 end
 
-% A finite number that stands for the whole of a curve. A result with a name of
-% its own, or with its place in results.csv, belongs to one place.
-function yes = isSpread (items, readings, k, info)
-  r = readings(k);
-  found = givenField (items, r.result, givenField (items, r.series, []));
-  hasPlace = ~isempty (info) && ...
-             any (strcmp ({info.name}, r.result) & [info.at] == r.at);
-  isOwn = isfield (items, r.result) && ~strcmp (r.result, r.series) && ...
-          sum (strcmp ({readings.result}, r.result)) == 1;
-  yes = ~isnan (r.at) && isscalar (found) && isfinite (found) && ...
-        ~hasPlace && ~isOwn;
-end
-
-function [value, fault] = readOne (items, r, info)
-  fault = '';
-  found = givenField (items, r.result, givenField (items, r.series, []));
+% READINGS of one result or curve.
+function [row, fault] = readMany (items, readings, info)
+  r = readings(1);
+  [row, fault] = deal (NaN, '');
+  found = itemOf (items, r.result);
   if isempty (found)
+    found = itemOf (items, r.series);
+  end
+  isSeries = isempty (found);
+  if isSeries
     found = seriesOf (items, r.series, info);
   end
-  value = found;
   if isempty (found)
-    value = NaN;
     fault = sprintf (['getResults must return %s, named by a field of ' ...
                       'its struct or by results.csv'], r.result);
-  elseif ~isscalar (found)
-    [value, fault] = pointOf (found, r);
+  elseif isscalar (found)
+    row = found;
+    at = unplaced (found, items, readings, info);
+    if ~isempty (at)
+      fault = sprintf (['%s must be a curve (n x 2: place, value), since ' ...
+                        'measured.csv asks for its value at %g; the run ' ...
+                        'gave one number'], r.result, at(1));
+    end
+  else
+    found = double (found(all (isfinite (found), 2), :));
+    if ~isSeries
+      fault = faultOfTurn (found(:, 1), r);
+    end
+    [row, fault] = pointsOf (found, readings, fault);
   end
 end
 
-% One struct, whatever the form. Names of results need not be identifiers.
+% Places for which the finite number FOUND is taken, but which it does not belong
+% to. A result with a name of its own, or with its place in results.csv, belongs
+% to one place.
+function at = unplaced (found, items, readings, info)
+  r = readings(1);
+  at = [readings.at];
+  at = at(~isnan (at));
+  if ~isempty (info)
+    at = setdiff (at, [info(strcmp({info.name}, r.result)).at]);
+  end
+  isOwn = ~isempty (itemOf (items, r.result)) && ...
+          ~strcmp (r.result, r.series) && isscalar (readings);
+  if isOwn || ~isfinite (found)
+    at = [];
+  end
+end
+
+function fault = faultOfTurn (x, r)
+  fault = '';
+  place = turnsBack (x);
+  if ~isnan (place)
+    fault = sprintf (['the curve %s turns back at %.6g: return loading and ' ...
+                      'unloading as two curves (docs/inputs.md, Curves ' ...
+                      'that turn back)'], r.result, place);
+  end
+end
+
+% Names and values, whatever the form.
 function [items, fault] = itemsOf (results, readings, info)
   fault = '';
-  items = results;
-  if ~isstruct (results) || ~isscalar (results)
+  if isstruct (results) && isscalar (results)
+    items = struct ('names', {fieldnames(results)'}, ...
+                    'values', {struct2cell(results)'});
+  else
     [items, fault] = byOrder (results, readings, info);
   end
   isGood = @(x) (isnumeric (x) || islogical (x)) && isreal (x) && ...
                 (isscalar (x) || columns (x) == 2);
-  bad = find (~structfun (isGood, items), 1);
+  bad = find (~cellfun (isGood, items.values), 1);
   if ~isempty (bad)
     fault = sprintf (['%s must be a real number or a curve (n x 2: ' ...
-                      'place, value)'], fieldnames (items){bad});
+                      'place, value)'], items.names{bad});
   end
 end
 
 % One curve alone, or all results in the order of results.csv.
 function [items, fault] = byOrder (results, readings, info)
-  items = struct ();
   fault = '';
   names = {};
   if ~isempty (info)
@@ -96,10 +124,16 @@ function [items, fault] = byOrder (results, readings, info)
   if numel (names) ~= numel (results)
     fault = sprintf (['getResults returned %d results, results.csv ' ...
                       'names %d'], numel (results), numel (names));
-    return
+    [names, results] = deal ({});
   end
-  for k = 1:numel (names)
-    items.(names{k}) = results{k};
+  items = struct ('names', {names}, 'values', {results(:)'});
+end
+
+function value = itemOf (items, name)
+  value = [];
+  k = find (strcmp (items.names, name), 1);
+  if ~isempty (k)
+    value = items.values{k};
   end
 end
 
@@ -109,31 +143,40 @@ function curve = seriesOf (items, series, info)
     return
   end
   for r = info(strcmp ({info.series}, series))
-    if isfield (items, r.name) && isscalar (items.(r.name))
-      curve(end + 1, :) = [r.at, items.(r.name)];
+    value = itemOf (items, r.name);
+    if isscalar (value)
+      curve(end + 1, :) = [r.at, value];
     end
   end
 end
 
-function [value, fault] = pointOf (curve, r)
-  fault = '';
-  value = NaN;
-  if isnan (r.at)
+function [row, fault] = pointsOf (curve, readings, fault)
+  at = [readings.at];
+  row = NaN (size (at));
+  if any (isnan (at))
     fault = sprintf (['%s is a curve: measured.csv must say where on it ' ...
-                      '(series, at)'], r.result);
-    return
+                      '(series, at)'], readings(1).result);
   end
-  curve = double (curve(all (isfinite (curve), 2), :));
   [x, last] = unique (curve(:, 1), 'last');
   y = curve(last, 2);
-  near = find (abs (x - r.at) <= 1e-9 * max (abs ([x; r.at])), 1);
-  if ~isempty (near)
-    value = y(near);
-  elseif ~isempty (x) && (r.at < x(1) || r.at > x(end))
-    fault = sprintf ('%s at %g lies beyond the curve (%g to %g)', r.result, ...
-                     r.at, x(1), x(end));
-  elseif numel (x) > 1
-    value = interp1 (x, y, r.at);
+  if ~isempty (fault) || isempty (x)
+    return
+  end
+  % what is next to a point but for rounding is that point
+  for step = [0, 1]
+    near = min (max (lookup (x, at) + step, 1), numel (x));
+    isNear = abs (x(near)(:)' - at) <= 1e-9 * max (max (abs (x)), abs (at));
+    at(isNear) = x(near(isNear));
+  end
+  beyond = find (at < x(1) | at > x(end), 1);
+  if ~isempty (beyond)
+    fault = sprintf ('%s at %g lies beyond the curve (%g to %g)', ...
+                     readings(1).result, at(beyond), x(1), x(end));
+  end
+  if isscalar (x)
+    row(at == x) = y;
+  else
+    row = interp1 (x, y, at, 'linear', NaN);
   end
 end
 
@@ -141,7 +184,7 @@ end
 %! r = struct ('result', {'w', 'w', 'mass'}, 'series', {'w', 'w', ''}, ...
 %!             'at', {1.5, 3, NaN});
 %!test
-%! s = struct ('mass', 7, 'w', [3, 9; 1, 1; 2, 4]);
+%! s = struct ('mass', 7, 'w', [3, 9; 2, 4; 1, 1]);
 %! [row, fault] = takeReadings (s, r, []);
 %! assert (row, [2.5, 9, 7]);
 %! assert (fault, '');
@@ -160,8 +203,13 @@ end
 %! assert (takeReadings ([7, 2, 4], byName, info), 4);
 %! [~, fault] = takeReadings ({7, 2}, r, info);
 %! assert (fault, 'getResults returned 2 results, results.csv names 3');
-%! % one curve alone
+%! % one curve alone; loading and unloading are two
 %! assert (takeReadings ([1, 1; 2, 4; 3, 9], r(1:2), []), [2.5, 9]);
+%! [row, fault] = takeReadings ([1, 1; 2, 4; 3, 9; 2, 1], r(1:2), []);
+%! assert (row, [NaN, NaN]);
+%! assert (strncmp (fault, 'the curve w turns back at 3: return', 34));
+%! % one place twice, as a solver writes it that prints the last step again
+%! assert (takeReadings ([1, 1; 2, 4; 2, 4; 3, 9], r(1:2), []), [2.5, 9]);
 %!test
 %! curve = [1, 2; 4, 3];
 %! for bad = {struct('mass', 7), 'must return w'; ...

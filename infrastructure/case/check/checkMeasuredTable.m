@@ -33,7 +33,7 @@ function [p, found] = checkMeasuredTable (raw, models, taken)
   end
   [lines, r] = checkUnits (lines, models);
   [found.groups, q] = groupMeasured (lines, {models.name});
-  p = [p, r, q];
+  p = [p, r, q, checkTurns(lines)];
   names = strcat ({models([found.groups.model]).name}, '_', ...
                   {found.groups.name});
   [found.groups.name] = names{:};
@@ -56,7 +56,7 @@ function [p, found] = checkTable (raw, models, taken, found)
   [lines, r] = checkUnits (lines, models);
   [groups, q, conditions] = groupMeasured (lines, {models.name}, ...
                                            givenField (raw, 'further', {}));
-  p = [p, r, q, checkTolerances(groups, lines, optim), ...
+  p = [p, r, q, checkTurns(lines), checkTolerances(groups, lines, optim), ...
        checkNames(groups, [taken, {'model', 'seed'}]), ...
        checkMeasuredResults(groups, models)];
   if ~any (strcmp ({groups.role}, 'calibrate'))
