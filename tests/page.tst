@@ -71,7 +71,7 @@
 %! sources.gapTargets = pageData (second).sources.gapTargets;
 %! assert (numel (numbersOf (html)) > 100);
 %! check (html, sources);
-%! for text = {'One of these: cohesion, liquidBridge', ...
+%! for text = {'One of these causes: cohesion, liquidBridge', ...
 %!             'measure Shear once more', 'Cannot be seen', 'placebo tilt'}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! end

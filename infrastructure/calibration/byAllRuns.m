@@ -174,4 +174,5 @@ end
 %!                                                      problem, [1, 2]));
 %! out = judged (state, problem);
 %! assert (out.final.n, 1);
-%! assert (out.final.reason, 'no set of the box meets: y');
+%! assert (out.final.ending.code, 'conflict');
+%! assert (out.final.ending.conflict, {'y'});

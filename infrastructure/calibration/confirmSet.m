@@ -166,7 +166,7 @@ end
 %! final = confirmSet (s, problem);
 %! assert ([final.n, final.equal], [1, 1]);
 %! assert (! final.converged);
-%! assert (! isempty (strfind (final.reason, 'does not use runSeed')));
+%! assert (final.ending.code, 'equalRuns');
 %! s = runAndFit (s, problem, 0.5, 'replicate');
 %! assert (abs (s.data.X(end) - 0.5) > 0 && abs (s.data.X(end) - 0.5) < 0.01);
 
@@ -176,11 +176,10 @@ end
 %! small.options.maxFunEvals = 0;
 %! final = confirmSet (state, small);
 %! assert (final.limit, 'maxFunEvals');
-%! assert (~isempty (strfind (final.reason, 'optim.maxFunEvals (0) is')));
+%! assert (~isempty (strfind (final.reason, 'optim.maxFunEvals (0)')));
 %! s = state;
 %! [s.budget.left, s.budget.isUsedUp] = deal (0, true);
-%! assert (~isempty (strfind (confirmSet (s, small).reason, ...
-%!                            'Input.maxNewRuns allows no')));
+%! assert (confirmSet (s, small).ending.limit, 'maxNewRuns');
 %! s.found.conflict = {'x'};
-%! assert (confirmSet (s, small).reason, 'no set of the box meets: x');
+%! assert (confirmSet (s, small).ending.code, 'conflict');
 %! assert (confirmSet (s, small).met, true);

@@ -101,7 +101,7 @@ function v = ofCalibration (v, c)
   v.met = sum ([used.met] == 1);
   v.of = numel (used);
   v.usable = isequal (c.converged, true);
-  v.sentence = [upper(c.reason(1)), c.reason(2:end), '.'];
+  v.sentence = c.reason;
   if v.usable
     [v.word, v.class] = deal (sentence ('case.calibrated.word'), 'good');
     benches = strjoin (unique ({used.model}, 'stable'), ', ');
