@@ -30,7 +30,11 @@ function runs = runsOfCase (Case)
     place = fullfile (Case.store, 'optim', Case.models(k).name);
     for name = runFoldersOf (Case, Case.models(k).name)'
       run = oneRun (fullfile (place, name{1}), sent, isHere);
-      if ~isempty (run)
+      % what another case has under way on the same store is not ours; what has
+      % ended is told apart by the index (runFoldersOf)
+      isOpen = ~isempty (run) && ...
+               any (strcmp (run.state, {'running', 'waiting', 'lost', 'ended'}));
+      if ~isempty (run) && (~isOpen || isOwnRun (run.job, Case))
         run.model = k;
         run.isCurrent = ~isempty (countsToday (run.job, run.folder, ...
                                                Case, Case.hashes(k)));

@@ -33,7 +33,7 @@ function status = sayCancel (root, folder, args)
   Case = caseAfter (isAlive, root, folder);
   runs = runsOfCase (Case);
   isOpen = ismember ({runs.state}, {'running', 'waiting'});
-  arrays = cancelArrays (Case, runs(isOpen));
+  [arrays, queues] = cancelArrays (Case, runs(isOpen));
   running = runs(strcmp ({runs.state}, 'running') & [runs.isCurrent]);
   cellfun (@endRun, {running.folder}, 'UniformOutput', false);
   for look = 1:50
@@ -46,8 +46,8 @@ function status = sayCancel (root, folder, args)
   ended = sum (~left) + sum (cellfun (@(f) isKilledSince (f, start), ...
                                       {runs(~isOpen).folder}));
   words = {'no Octave worked in it', 'its Octave was ended'};
-  printf ('%s; %d run(s) ended here, %d job array(s) on Slurm\n', ...
-          words{1 + isAlive}, ended, arrays);
+  printf ('%s; %d run(s) ended here, %d job array(s)%s\n', ...
+          words{1 + isAlive}, ended, arrays, queues);
   printf ('Finished runs are kept; the same command goes on.\n');
   status = 0;
 end
@@ -86,8 +86,9 @@ function stopProcess (holder, folder)
   end
 end
 
-function n = cancelArrays (Case, runs)
+function [n, queues] = cancelArrays (Case, runs)
   n = 0;
+  titles = {};
   for name = executorNames ()
     batches = batchLedger (Case.store, name{1});
     isOurs = arrayfun (@(b) any (ismember (b.folders, {runs.folder})), batches);
@@ -102,7 +103,9 @@ function n = cancelArrays (Case, runs)
               'answers.'], queue.title, strtrim (text));
     end
     n = n + sum (isOurs);
+    titles{end + 1} = queue.title;
   end
+  queues = repmat ([' on ', strjoin(titles, ' and ')], 1, n > 0);
 end
 
 %!function [Case, folder, cancel] = oneRun ()

@@ -1,11 +1,12 @@
 % COMPLETEPLAN  Runs what the plan of a case lacks for a diagnosis.
 %
-% CALL: STATE = completePlan (STATE, PROBLEM, CASE, SAY)
+% CALL: STATE = completePlan (STATE, PROBLEM, CASE, SAY, OPTIONS)
 %
 %   STATE    see addRuns: data of gatherRuns; part, a handle IS -> EVALUATE of
 %            some models alone (newPartEvaluate)
 %   PROBLEM  see newProblem;  CASE  see newCase
 %   SAY      function handle that takes one line of text
+%   OPTIONS  see gapOptions
 %
 % First sets that benches lack which joined the case later (completeBenches).
 % Then neutral sets: a diagnosis wants those of neutralSets, if it may run them,
@@ -13,16 +14,16 @@
 % new runs it takes what is there. A bench all of whose runs gave no
 % result, d + 3 or more, is not waited for: enterRuns leaves it out.
 
-function state = completePlan (state, problem, Case, say)
-  state = completeBenches (state, Case, say);
-  data = state.data;
+function state = completePlan (state, problem, Case, say, options)
   d = numel (Case.names);
+  wanted = max (Case.options.numOfSam, neutralSets (d, options));
+  state = completeBenches (state, Case, say, wanted);
+  data = state.data;
   phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
   isDead = ~any (isfinite (data.Z), 1) & ...
            sum (isnan (data.Z) & ~isna (data.Z), 1) >= d + 3;
   neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDead, 2);
   have = rows (unique (data.X(neutral, :), 'rows'));
-  wanted = max (Case.options.numOfSam, neutralSets (d));
   if isfield (data, 'level')
     atLast = neutral & ~any (data.level, 2);
     wanted = max (wanted, have + d + 3 - sum (atLast));
@@ -44,7 +45,7 @@ end
 % could be anything there, and fewer than eight do not tell how it bends
 % (learnEffect). What a set has, from the store or a table, is not run again.
 % Rows of one bench alone, runs of tests (tryTests), stay as they are.
-function state = completeBenches (state, Case, say)
+function state = completeBenches (state, Case, say, wanted)
   data = state.data;
   model = [Case.targets.model];
   M = numel (Case.models);
@@ -53,7 +54,8 @@ function state = completeBenches (state, Case, say)
     wasRun(:, k) = ~any (isna (data.Z(:, model == k)), 2);
   end
   n = sum (wasRun, 2);
-  at = wantedSets (data.E, n == M, n < M & n >= M / 2, Case);
+  at = wantedSets (data.E, n == M, n < M & n >= M / 2, Case, ...
+                  wanted);
   missing = M - n(at);
   at = at(cumsum (missing) <= state.budget.left);
   if isempty (at)
@@ -70,11 +72,10 @@ function state = completeBenches (state, Case, say)
   end
 end
 
-function at = wantedSets (E, isWhole, isOpen, Case)
+function at = wantedSets (E, isWhole, isOpen, Case, plan)
   phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
   isOff = E == phi;
   neutral = all (isOff, 2);
-  plan = max (Case.options.numOfSam, neutralSets (numel (Case.names)));
   at = find (neutral & isOpen);
   at = at(1:min (end, max (plan - sum (neutral & isWhole), 0)));
   last = 0;
@@ -121,7 +122,7 @@ end
 %!                       ones (35, 1), 'plan', E);
 %! % a run of a test: on the new bench alone
 %! state.data = addRows (state.data, 0.5, [NA, NA, 1, 0.5], 1, 'next', 0);
-%! full = completePlan (state, Case, Case, @(t) []);
+%! full = completePlan (state, Case, Case, @(t) [], gapOptions ([]));
 %! known = isfinite (full.data.Z(:, 3));
 %! assert (rows (full.data.X), 36);
 %! assert (full.data.Z(:, 1:2), state.data.Z(:, 1:2));
@@ -130,10 +131,10 @@ end
 %! assert (full.data.Z(known, 4), full.data.X(known), 1e-12);
 %! assert (full.budget.new, 20);
 %! % once done nothing is wanted; a budget that ends cuts off
-%! again = completePlan (full, Case, Case, @(t) []);
+%! again = completePlan (full, Case, Case, @(t) [], gapOptions ([]));
 %! assert (again.budget.new, 20);
 %! state.budget.left = 9;
-%! few = completePlan (state, Case, Case, @(t) []);
+%! few = completePlan (state, Case, Case, @(t) [], gapOptions ([]));
 %! assert (sum (isfinite (few.data.Z(1:35, 3))), 9);
 %!test
 %! % a bench that has never given a result is not waited for, once it is sure
@@ -146,6 +147,8 @@ end
 %! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) [P, P]);
 %! state.data = addRows (newData (1, 2), (1:12)' / 13, ...
 %!                       [(1:12)', NaN(12, 1)], ones (12, 1), 'plan');
-%! assert (rows (completePlan (state, Case, Case, @(t) []).data.X), 12);
+%! assert (rows (completePlan (state, Case, Case, @(t) [], ...
+%!                              gapOptions ([])).data.X), 12);
 %! state.data = keepRows (state.data, 1:3);
-%! assert (rows (completePlan (state, Case, Case, @(t) []).data.X), 15);
+%! assert (rows (completePlan (state, Case, Case, @(t) [], ...
+%!                              gapOptions ([])).data.X), 15);

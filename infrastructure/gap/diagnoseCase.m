@@ -40,7 +40,8 @@ function diagnosis = diagnoseCase (root, folder)
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state = struct ('data', data, 'budget', budget, 'evaluate', evaluate, ...
                   'part', part);
-  state = completePlan (state, problem, Case, say);
+  options = gapOptions (struct ('seed', Case.options.seed));
+  state = completePlan (state, problem, Case, say, options);
   state.seconds = count.seconds;
 
   % where, which, how far, next test: of the first condition last, for its files
@@ -50,14 +51,13 @@ function diagnosis = diagnoseCase (root, folder)
     [given, finer] = finerLevel (gapProblemOf (Case, c), surrogates, ...
                                  levelled, problem);
     diagnosis = diagnoseOne (Case, given, state, c, say);
-    options = gapOptions (struct ('seed', Case.options.seed));
     diagnosis.level = finer (diagnosis, options);
     [state.data, state.budget] = deal (diagnosis.data, diagnosis.budget);
     diagnosis.others = compareConditions (diagnosis, others);
     others = diagnosis.others.conditions;
 
     % what remains
-    diagnosis.nextFile = writeNextTest (diagnosis.next, Case);
+    diagnosis.nextFile = writeNextTest (diagnosis.next, Case, options);
     diagnosis.verdict = writeGapJson (diagnosis, Case);
     writeGapTables (diagnosis, Case);
     sayDiagnosis (diagnosis, Case, say);

@@ -20,7 +20,7 @@
 function [tests, state] = adviseTests (study, w, verdict, state)
   options = study.models.options;
   gapProblem = study.gapProblem;
-  tests = nextTest (gapProblem, study.em, w, verdict.P);
+  tests = nextTest (gapProblem, study.em, w, verdict.P, options);
   isOpen = (any (strcmp (verdict.kind, {'group', 'undecided'})) || ...
             (strcmp (verdict.kind, 'named') && verdict.lookAlike)) && ...
            ~any (strcmp (verdict.guard, {'surrogate', 'integral'}));

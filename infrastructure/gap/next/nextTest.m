@@ -1,11 +1,11 @@
 % NEXTTEST  Ranks further measurements by what they would tell about the cause.
 %
-% CALL: TESTS = nextTest (GAPPROBLEM, EM, W, P)
+% CALL: TESTS = nextTest (GAPPROBLEM, EM, W, P, OPTIONS)
 %
 %   GAPPROBLEM  struct of newGapProblem
 %   EM          struct of fitEmulator, the effects as in W
 %   W           struct of caseEvidence (members, posterior, kind)
-%   P           1 x H, probabilities of the hypotheses
+%   P           1 x H, probabilities of the hypotheses;  OPTIONS  see gapOptions
 %   TESTS       1 x m struct, best first: test (text), targets, gain (bits about
 %               which kind of cause it is), cost, gainPerCost, between (1 x 2
 %               cell: kinds that it tells apart most), model (name of the
@@ -26,9 +26,9 @@
 % is uncertain. Packing and reading (S) are fresh; a reading without sd is taken
 % for as sure as a run.
 
-function tests = nextTest (gapProblem, em, w, P)
+function tests = nextTest (gapProblem, em, w, P, options)
   tests = candidates (gapProblem);
-  [keep, P, kinds, names] = likelyKinds (w, P, {em.effect.name});
+  [keep, P, kinds, names] = likelyKinds (w, P, {em.effect.name}, options);
   noise = noiseBudget (gapProblem, em);
   noise.white = [];
   if any (strcmp (w.kind(keep), 'sibling'))
@@ -107,6 +107,8 @@ function part = predictive (gapProblem, em, w, h, at, noise)
   part.cov = D' * D + left + S;
 end
 
+%!shared options
+%! options = gapOptions ([]);
 %!test
 %! % two causes that only the unmeasured target tells apart: nearly one bit
 %! e = struct ('name', {'a', 'b'}, 'powers', [0, 1], ...
@@ -120,7 +122,7 @@ end
 %! w.members = {1, 2};
 %! w.kind = {'single', 'single'};
 %! w.posterior = repmat ({struct('Q', [0, 1], 'weight', 1)}, 1, 2);
-%! tests = nextTest (gapProblem, em, w, [0.5, 0.5]);
+%! tests = nextTest (gapProblem, em, w, [0.5, 0.5], options);
 %! assert (tests(1).targets, 2);
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
@@ -128,26 +130,26 @@ end
 %! % marks that nobody knows tell nothing apart
 %! vague = em;
 %! [vague.effect.misfit] = deal ([0, 1e4, 0]);
-%! assert (nextTest (gapProblem, vague, w, [0.5, 0.5])(1).gain < 0.05);
+%! assert (nextTest (gapProblem, vague, w, [0.5, 0.5], options)(1).gain < 0.05);
 %! bare = gapProblem;
 %! bare.sd(2) = NaN;
 %! vague.noiseVar(2) = 1e4;
 %! vague.effect = e;
-%! assert (nextTest (bare, vague, w, [0.5, 0.5])(1).gain < 0.05);
+%! assert (nextTest (bare, vague, w, [0.5, 0.5], options)(1).gain < 0.05);
 %! % points of one curve are measured together
 %! two = gapProblem;
 %! [two.value(3), two.coordinate] = deal (NaN, [0, 1, 2]);
 %! two.bench = [1, 2, 2];
 %! two.possible = [2, 3];
 %! two.used = 1;
-%! assert (numel (nextTest (two, em, w, [0.5, 0.5])), 3);
+%! assert (numel (nextTest (two, em, w, [0.5, 0.5], options)), 3);
 %! two.curve = [0, 1, 1];
-%! tests = nextTest (two, em, w, [0.5, 0.5]);
+%! tests = nextTest (two, em, w, [0.5, 0.5], options);
 %! assert ({tests.targets}, {[2, 3], 1});
-%! tests = nextTest (gapProblem, em, w, [0.5, 0.5]);
+%! tests = nextTest (gapProblem, em, w, [0.5, 0.5], options);
 %! w.kind{3} = 'discrepancy';
 %! w.posterior{3} = struct ('Q', [], 'weight', []);
-%! tests = nextTest (gapProblem, em, w, [0, 0, 1]);
+%! tests = nextTest (gapProblem, em, w, [0, 0, 1], options);
 %! assert ([tests.gain], zeros (1, numel (tests)), 1e-12);
 %!test
 %! % once the kind is known: is it this one, or its sibling? Next to nothing is
@@ -165,14 +167,14 @@ end
 %! w.kind = {'single', 'sibling'};
 %! w.posterior = {struct('Q', [0, 1], 'weight', 1), ...
 %!                struct('Q', [0, 1, 0, 0.6], 'weight', 1)};
-%! own = nextTest (gapProblem, em, w, [0.5, 0.5]);
+%! own = nextTest (gapProblem, em, w, [0.5, 0.5], options);
 %! assert (own.between, {'a', 'something like a'});
 %! assert (own.gain > 0 && own.gain < 0.3);
 %! w.members = {1, 2};
-%! fresh = nextTest (gapProblem, em, w, [0.5, 0.5]).gain;
+%! fresh = nextTest (gapProblem, em, w, [0.5, 0.5], options).gain;
 %! w.kind = {'single', 'single'};
 %! w.posterior{2} = w.posterior{1};
-%! sure = nextTest (gapProblem, em, w, [0.5, 0.5]).gain;
+%! sure = nextTest (gapProblem, em, w, [0.5, 0.5], options).gain;
 %! em.surrogateVar(:) = 100;
-%! assert (nextTest (gapProblem, em, w, [0.5, 0.5]).gain < 0.1 * sure);
+%! assert (nextTest (gapProblem, em, w, [0.5, 0.5], options).gain < 0.1 * sure);
 %! assert (fresh < sure);

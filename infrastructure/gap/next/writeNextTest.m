@@ -1,9 +1,9 @@
 % WRITENEXTTEST  Writes the advised test ready to be filled in.
 %
-% CALL: FILE = writeNextTest (TESTS, CASE)
+% CALL: FILE = writeNextTest (TESTS, CASE, OPTIONS)
 %
 %   TESTS  of adviseTests
-%   CASE   see newCase
+%   CASE   see newCase;  OPTIONS  see gapOptions
 %   FILE   path of the table, '' where no test of another bench is advised
 %
 % Writes gap/next/NAME.csv: rows of measured.csv without values, for the model
@@ -11,12 +11,12 @@
 % the test belongs to the case from the next start on (filledTests). What was
 % tried and is not advised is removed; tables with values stay.
 
-function file = writeNextTest (tests, Case)
+function file = writeNextTest (tests, Case, options)
   file = '';
   place = fullfile (Case.folder, 'gap', 'next');
   best = tests(1:min (1, numel (tests)));
   isAdvised = ~isempty (best) && ~isempty (best.lines) && ...
-              best.gain >= gapOptions ([]).adviseAt && best.isFirm;
+              best.gain >= options.adviseAt && best.isFirm;
   kept = filledTests (Case.folder);
   if any (~cellfun (@isempty, {tests.lines}))
     removeOthers (place, [kept, {best(isAdvised).model}]);
@@ -63,19 +63,23 @@ end
 %!                'cost', 1, 'lines', ...
 %!                {repmat({'A_x_2,w,,,,,kg,0.05'}, 1, 3)});
 %! % given up early: not advised, B is what was advised before
-%! assert (writeNextTest (setfield (test, 'isFirm', false), Case), '');
+%! options = gapOptions ([]);
+%! assert (writeNextTest (setfield (test, 'isFirm', false), Case, options), '');
 %! assert (! isfile (fullfile (place, 'B.csv')));
 %! mkdir (fullfile (place, 'DEMmodels', 'A_x_2'));
-%! file = writeNextTest (test, Case);
+%! file = writeNextTest (test, Case, options);
 %! [header, cells] = readCsvTable (file);
 %! assert (size (cells), [3, 8]);
 %! words = '# measure A with x of 2, 3 trials: tells a from b ';
 %! assert (strncmp (fileread (file), words, numel (words)));
 %! assert (isfolder (fullfile (place, 'DEMmodels', 'A_x_2')));
 %! assert (isfile (fullfile (place, 'C.csv')));
+%! % what is worth advising is for the options to say
+%! few = setfield (test, 'gain', 0.1);
+%! assert (~isempty (writeNextTest (few, Case, struct ('adviseAt', 0.05))));
 %! % filled in, it stays
 %! writeAtomic (file, strrep (fileread (file), 'w,,,,', 'w,,,7,'));
-%! writeNextTest (setfield (test, 'gain', 0.1), Case);
+%! writeNextTest (setfield (test, 'gain', 0.1), Case, options);
 %! assert (filledTests (Case.folder), {'A_x_2', 'C'});
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.folder, 's');
