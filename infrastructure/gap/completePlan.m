@@ -55,7 +55,7 @@ function state = completeBenches (state, Case, say, wanted)
   end
   n = sum (wasRun, 2);
   at = wantedSets (data.E, n == M, n < M & n >= M / 2, Case, ...
-                  wanted);
+                   wanted);
   missing = M - n(at);
   at = at(cumsum (missing) <= state.budget.left);
   if isempty (at)

@@ -17,8 +17,7 @@
 function [causes, sets, names] = explanations (study, w, P, options)
   causes = [];
   sets = setOf (study, w, find (strcmp (w.kind, 'null'), 1), options);
-  [keep, P, kinds, names] = likelyKinds (w, P, study.models.names, ...
-                                          options);
+  [keep, P, kinds, names] = likelyKinds (w, P, study.models);
   if isscalar (names)
     return
   end

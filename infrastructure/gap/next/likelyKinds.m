@@ -1,11 +1,11 @@
 % LIKELYKINDS  Hypotheses among which a further measurement could tell.
 %
-% CALL: [KEEP, P, KINDS, NAMES] = likelyKinds (W, P, EFFECTS, OPTIONS)
+% CALL: [KEEP, P, KINDS, NAMES] = likelyKinds (W, P, MODELS)
 %
 %   W        struct of caseEvidence (members, posterior, kind)
 %   P        1 x H, probabilities of the hypotheses
-%   EFFECTS  1 x K cell, names of the effects
-%   OPTIONS  see gapOptions
+%   MODELS   scalar struct: names (1 x K cell, of the effects), options (see
+%            gapOptions)
 %   KEEP     1 x h, hypotheses of more than 0.005 of what is listed, which no
 %            discrepancy is, and that have a posterior; P their probabilities,
 %            of sum 1
@@ -22,7 +22,7 @@
 % Where only misfits of no shape are likely, the likeliest of the others stays:
 % nothing is left to tell.
 
-function [keep, P, kinds, names] = likelyKinds (w, P, effects, options)
+function [keep, P, kinds, names] = likelyKinds (w, P, models)
   listed = ~strcmp (w.kind, 'discrepancy');
   listed = find (listed & ~cellfun (@(p) isempty (p.Q), w.posterior));
   P = P / max (sum (P(listed)), realmin);
@@ -44,12 +44,12 @@ function [keep, P, kinds, names] = likelyKinds (w, P, effects, options)
   names = cell (1, numel (order));
   for c = 1:numel (order)
     members = w.members{keep(first(order(c)))};
-    names{c} = strjoin (effects(members), ' + ');
+    names{c} = strjoin (models.names(members), ' + ');
     if isempty (members)
       names{c} = 'no gap';
     end
   end
-  least = options.adviseAt;
+  least = models.options.adviseAt;
   isLike = strcmp (w.kind(keep), 'sibling') & kinds == 1;
   if entropyOf (P, kinds) < least && any (isLike)
     names{end + 1} = ['something like ', names{1}];
@@ -68,11 +68,12 @@ function bits = entropyOf (P, kinds)
 end
 
 %!test
+%! models = struct ('names', {{'a', 'b'}}, 'options', gapOptions ([]));
 %! w.kind = {'null', 'single', 'pair', 'sibling', 'discrepancy', 'single'};
 %! w.members = {[], 1, [2, 1], 1, [], 2};
 %! w.posterior = repmat ({struct('Q', 1)}, 1, 6);
 %! P = [0.05, 0.2, 0.1, 0.2, 0.4, 0.05];
-%! [keep, P, kinds, names] = likelyKinds (w, P, {'a', 'b'}, gapOptions ([]));
+%! [keep, P, kinds, names] = likelyKinds (w, P, models);
 %! assert (keep, [1, 2, 3, 4, 6]);
 %! assert (P, [1, 4, 2, 4, 1] / 12, 1e-12);
 %! assert (kinds([2, 4]), [1, 1]);
@@ -80,14 +81,11 @@ end
 %! assert (sort (names(3:4)), {'b', 'no gap'});
 %! % the kind is known, but not whether it is it itself; both are known
 %! [keep, ~, kinds, names] = likelyKinds (w, [0.005, 0.6, 0.01, 0.38, 0, ...
-%!                                            0.005], {'a', 'b'}, ...
-%!                                        gapOptions ([]));
+%!                                            0.005], models);
 %! assert (names{kinds(keep == 2)}, 'a');
 %! assert (names{kinds(keep == 4)}, 'something like a');
-%! [~, ~, kinds, names] = likelyKinds (w, [0, 0.99, 0, 0.01, 0, 0], ...
-%!                                   {'a', 'b'}, gapOptions ([]));
+%! [~, ~, kinds, names] = likelyKinds (w, [0, 0.99, 0, 0.01, 0, 0], models);
 %! assert ({kinds, names}, {[1, 1], {'a'}});
-%! [keep, P] = likelyKinds (w, [0, 0, 0, 0, 1, 0], {'a', 'b'}, ...
-%!                          gapOptions ([]));
+%! [keep, P] = likelyKinds (w, [0, 0, 0, 0, 1, 0], models);
 %! assert (numel (keep), 1);
 %! assert (P, 1);

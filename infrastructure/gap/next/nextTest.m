@@ -28,7 +28,9 @@
 
 function tests = nextTest (gapProblem, em, w, P, options)
   tests = candidates (gapProblem);
-  [keep, P, kinds, names] = likelyKinds (w, P, {em.effect.name}, options);
+  [keep, P, kinds, names] = likelyKinds (w, P, ...
+                                         struct ('names', {{em.effect.name}}, ...
+                                                 'options', options));
   noise = noiseBudget (gapProblem, em);
   noise.white = [];
   if any (strcmp (w.kind(keep), 'sibling'))
