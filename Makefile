@@ -17,7 +17,7 @@ CASE ?= .
 ONLY ?=
 export LIGGGHTS OCTAVE CASE ONLY
 
-.PHONY: help setup liggghts run gap test soak bench lint graph format index dist demo clean liggghts-clean
+.PHONY: help setup liggghts run gap test soak bench lint graph format index dist site demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -72,6 +72,10 @@ index:                 ## write docs/functions.md: the functions that a user may
 
 dist:                  ## make the Octave package dist/decalioc-VERSION.tar.gz
 	@tools/dist.sh
+
+site:                  ## build the manual: dist/site and dist/decalioc-manual.pdf
+	@tools/setup.sh site
+	@tools/site/build.sh
 
 clean:                 ## remove what tests and crashes leave, never a result
 	@rm -f fntests.log tests/fntests.log octave-workspace log.liggghts

@@ -45,6 +45,9 @@ findings=0
 check mh_style || findings=1
 check mh_lint || findings=1
 check mh_metric --ci || findings=1
+# camelCase names are words to it: those that it takes for mistakes
+git ls-files -z '*.m' '*.tst' '*.sh' '*.md' '*.txt' '*.head' '*.yml' 2> /dev/null |
+  xargs -0 --no-run-if-empty codespell -L acces,upto,fro,atleast,testof,nnumber,loadin || findings=1
 shellcheck -x --severity=warning .ci/run "${shell[@]}" || findings=1
 "$venv/bin/python3" tools/assertTexts.py "${octave[@]}" || findings=1
 # What is small depends on the unit: eps (x) is relative, eps alone is not.

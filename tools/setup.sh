@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a task needs; silent when all are there.
-# CALL: tools/setup.sh TASK...       (run, build, test, lint)
+# CALL: tools/setup.sh TASK...       (run, build, test, lint, site)
 set -euo pipefail
 
 packagesOf () {
@@ -10,8 +10,9 @@ packagesOf () {
     build) echo g++ make patch xz-utils libopenmpi-dev libjpeg-dev libpng-dev ;;
     test)  echo slurm-wlm munge gridengine-master gridengine-exec \
                 gridengine-client chromium python3-venv ;;    # small clusters, a browser
-    lint)  echo octave python3-venv shellcheck ;;
-    *)     echo "setup.sh: unknown task '$1' (run, build, test, lint)" >&2; exit 1 ;;
+    lint)  echo octave python3-venv shellcheck codespell ;;
+    site)  echo python3-venv chromium ;;
+    *)     echo "setup.sh: unknown task '$1' (run, build, test, lint, site)" >&2; exit 1 ;;
   esac
 }
 
