@@ -43,7 +43,7 @@ gap:                   ## diagnose the gap: all set-up, then diagnoseGap.m
 
 demo:                  ## calibrate and diagnose stored runs in ./decalioc-demo, without LIGGGHTS (CHANGE=1: before and after)
 	@tools/setup.sh run
-	@tools/demo.sh decalioc-demo $(CHANGE)
+	@tools/demo.sh decalioc-demo$(if $(CHANGE),-change) $(CHANGE)
 
 test:                  ## all set-up, then the tests; ends in "N passed, N failed"
 	@tools/setup.sh run test

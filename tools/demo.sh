@@ -1,13 +1,19 @@
 #!/bin/bash
 # A calibration that misses its measurements, and the diagnosis of why: the
 # stored runs of examples/hiddenEffect, without LIGGGHTS, in a minute or two.
-# CALL: tools/demo.sh [FOLDER [CHANGE]]   (default: decalioc-demo; must not exist
-# yet); with CHANGE the case of examples/whatChanged, before and after
+# CALL: tools/demo.sh [FOLDER [CHANGE]]   (default: decalioc-demo; where it is
+# there already, decalioc-demo-2 and so on); with CHANGE the case of
+# examples/whatChanged, before and after
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-folder=${1:-decalioc-demo}
+wanted=${1:-decalioc-demo}
+folder=$wanted
+for ((n = 2; ; n++)); do
+  [ -e "$folder" ] || break
+  folder=$wanted-$n
+done
 mkdir -- "$folder" || {
-  echo "demo.sh: a folder that does not exist yet is needed, got $folder. Name another one." >&2
+  echo "demo.sh: a folder must be made here, got no $folder. Name another place." >&2
   exit 1
 }
 cp "$root"/examples/hiddenEffect/load*.m "$folder"
@@ -19,5 +25,12 @@ if [ -n "${2:-}" ]; then
 fi
 sed -i 's/\(Input.maxNewRuns = \)[^;]*;.*/\10;                 % runs.csv alone/' "$folder/loadInput.m"
 
+echo "This is a demonstration in $folder. Its measurements were simulated with LIGGGHTS, so that"
+echo "the truth is known, and no simulation is made now: 153 stored runs are read."
+if [ -n "${2:-}" ]; then
+  echo "Planted: cohesion of 15 kJ/m3 in 'moist', 40 kJ/m3 in 'wet'. The model knows no cohesion."
+else
+  echo "Planted: cohesion of 50 kJ/m3. The model that is calibrated knows no cohesion, so it misses."
+fi
 "$root/bin/decalioc" run "$folder" || [ $? -eq 2 ]      # 2: targets not met
 "$root/bin/decalioc" diagnose "$folder"
