@@ -43,6 +43,7 @@ function calibration = calibrateCase (root, folder)
   % optimisation on the Kriging models
   [state.found, history] = calibrateOnKriging (state.surrogates, problem);
   reportIterations (state.found, history, Case, say);
+  state.found = stayAtRuns (state, problem);
 
   % optimisation on the DEM models
   if strcmp (problem.options.method, 'robust')

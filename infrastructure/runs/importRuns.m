@@ -10,7 +10,8 @@
 %   CASE     struct with names, effectVars, effects, targets, models, further
 %            (optional)
 %   DATA     struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
-%            run), replicate (n x 1), stage (n x 1 cell, 'import')
+%            run, or a field left empty beside others), replicate (n x 1),
+%            stage (n x 1 cell, 'import')
 %   IGNORED  cellstr, columns that the case does not know
 %
 % Rows of different models with the same variables become one row of DATA; a
@@ -49,6 +50,31 @@ function [data, ignored] = importRuns (file, Case)
   end
   targets(model ~= [Case.targets.model]) = NaN;
   data = joinModels ([X, E], model, seed, targets, Case);
+  data = filledUp (data, [Case.targets.model]);
+end
+
+% Stages of a campaign that measure one target each: a row that lacks some of
+% its model's results has not been run for them, and those of rows of one set
+% are put side by side. A row without any result is a run that failed.
+function data = filledUp (data, model)
+  Z = data.Z;
+  for k = unique (model)
+    mine = Z(:, model == k);
+    isPart = any (isfinite (mine), 2) & any (isnan (mine), 2);
+    mine(isPart & isnan (mine)) = NA;
+    Z(:, model == k) = mine;
+  end
+  if isequaln (isna (Z), isna (data.Z))
+    return
+  end
+  [~, ~, set] = unique ([data.X, data.E], 'rows');
+  for t = 1:columns (Z)
+    [~, order] = sortrows ([set, ~isfinite(Z(:, t)) + isna(Z(:, t))]);
+    [~, place] = sortrows ([set, (1:rows (Z))']);
+    Z(place, t) = Z(order, t);
+  end
+  data.Z = Z;
+  data = keepRows (data, ~all (isna (Z), 2));
 end
 
 function column = findColumns (header, Case, file)
@@ -153,6 +179,12 @@ end
 %! assert (data.X, [1, 2; 1, 2]);
 %! assert (data.E, [5; 5]);
 %! assert (isequaln (data.Z, [5, 6, 30; NaN, NaN, 31]));
+%!test
+%! % rows that lack a target, and one that failed
+%! data = imported ([head, "First;1;2;5;;\nFirst;3;4;;6;\nFirst;1;2;;7;\n", ...
+%!                   "First;1;2;8;;\nFirst;9;9;;;\n"]);
+%! assert (data.X, [1, 2; 3, 4; 1, 2; 9, 9]);
+%! assert (data.Z(:, 1:2), [5, 7; NA, 6; 8, NA; NaN, NaN]);
 %!test
 %! % a bench that joined the case later has no columns, and was not run
 %! data = imported ("model,a,b,First_1,First_2\nFirst,1,2,5,6\n");
