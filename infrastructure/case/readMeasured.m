@@ -33,9 +33,11 @@ function [list, p, header] = readMeasured (file, models, alone, shown)
   try
     [header, cells, lines] = readCsvTable (file);
   catch err
+    cure = 'Save it as CSV with one header line.';
+    isClear = ~strcmp (err.identifier, 'DEcalioc:readCsvTable:unclearPoint');
     p = checkFault ('measuredTable', shown, ...
-                    'a table with a header line', ...
-                    err.message, 'Save it as CSV with one header line.');
+                    'a table with a header line and clear numbers', ...
+                    err.message, repmat (cure, 1, isClear));
     return
   end
   known = {'model', 'name', 'value', 'sd', 'unit', 'repeats', 'role', ...

@@ -6,11 +6,13 @@
 %           comma (or by semicolon or tab, with decimal commas then; or as a
 %           first line sep=; says), quoted fields with doubled quotes inside;
 %           lines that begin with # before the header are remarks
-%   HEADER  1 x c cellstr, column names without outer blanks
+%   HEADER  1 x c cellstr, column names without outer blanks; columns without
+%           name and content are left out
 %   CELLS   n x c cellstr, fields without outer blanks; empty rows are left out
 %   LINES   n x 1, line number of each row in the file
 %
-% Errors: DEcalioc:readCsvTable:missingFile, DEcalioc:readCsvTable:badShape
+% Errors: DEcalioc:readCsvTable:missingFile, DEcalioc:readCsvTable:badShape,
+% DEcalioc:readCsvTable:unclearPoint (1.002 beside decimal commas)
 
 function [header, cells, lines] = readCsvTable (file)
   [id, message] = fopen (file, 'r');
@@ -33,6 +35,9 @@ function [header, cells, lines] = readCsvTable (file)
            'readCsvTable: %s must have a header line, got an empty file.', ...
            file);
   end
+  if delimiter ~= ',' && any (text == ',')
+    fields = withPoints (fields, row, lines, file);
+  end
   header = fields(row == 1)';
   % Excel ends rows with separators of columns that are empty
   before = [0; cumsum(accumarray (row, 1))];
@@ -50,6 +55,29 @@ function [header, cells, lines] = readCsvTable (file)
   cells = reshape (fields(~spare), numel (header), [])';
   cells(1, :) = [];
   lines(1) = [];
+  isBlank = strcmp (header, '') & all (cellfun ('isempty', cells), 1);
+  [header, cells] = deal (header(~isBlank), cells(:, ~isBlank));
+end
+
+% Decimal commas become points. Beside them 1.002 may be a thousand and two.
+function fields = withPoints (fields, row, lines, file)
+  tail = '([eE][-+]?\d+)?( ?(%|abs))?$';
+  isComma = ~cellfun ('isempty', regexp (fields, ['^[-+]?\d*(\.\d{3})*,\d*', ...
+                                                  tail], 'once'));
+  if ~any (isComma)
+    return
+  end
+  k = find (~cellfun ('isempty', ...
+                      regexp (fields, ['^[-+]?[1-9]\d{0,2}(\.\d{3})+', tail], ...
+                              'once')), 1);
+  if ~isempty (k)
+    error ('DEcalioc:readCsvTable:unclearPoint', ...
+           ['readCsvTable: numbers of %s must be clear, got %s in line %d, ' ...
+            'where others have a decimal comma: a thousand or a decimal ' ...
+            'point? Write %s or %s.'], file, fields{k}, lines(row(k)), ...
+           strrep (fields{k}, '.', ''), strrep (fields{k}, '.', ','));
+  end
+  fields(isComma) = strrep (strrep (fields(isComma), '.', ''), ',', '.');
 end
 
 function refuseRow (file, line, wanted, got, delimiter)
@@ -89,7 +117,7 @@ function [fields, row, lines, delimiter] = splitFields (text)
   isCut(1:numel (text)) = isEnd(1:numel (text)) | text == delimiter & ~quoted;
   cuts = find (isCut);
   fields = cellslices (text, [1, cuts(1:end - 1) + 1], cuts - 1)';
-  fields = clean (fields, delimiter, text);
+  fields = clean (fields, text);
   row = cumsum ([1; isEnd(cuts(1:end - 1))']);
   number = cumsum ([1, text == "\n"]) + skipped;
   starts = [1, find(isEnd) + 1];
@@ -101,7 +129,7 @@ function [fields, row, lines, delimiter] = splitFields (text)
   lines = lines(full);
 end
 
-function fields = clean (fields, delimiter, text)
+function fields = clean (fields, text)
   % each of these takes a second for 100,000 rows
   if any (isspace (text) & text ~= "\n")
     fields = strtrim (fields);
@@ -111,9 +139,6 @@ function fields = clean (fields, delimiter, text)
     fields(isQuoted) = cellfun (@(f) strtrim (strrep (f(2:end - 1), '""', ...
                                                       '"')), ...
                                 fields(isQuoted), 'UniformOutput', false);
-  end
-  if delimiter ~= ',' && any (text == ',')
-    fields = regexprep (fields, '^([-+]?\d*),(\d*([eE][-+]?\d+)?)$', '$1.$2');
   end
   fields(cellfun ('isempty', fields)) = {''};
 end
@@ -154,6 +179,17 @@ end
 %! [header, cells] = read (["a;H", char(246), "he\n30 ", char(176), ";1,5\n"]);
 %! assert (header{2}, ['H', char([195, 182]), 'he']);
 %! assert (cells, {['30 ', char([194, 176])], '1.5'});
+%!test
+%! % a thousand dot; columns without name and content
+%! [header, cells] = read ("a;;b;;\n26,5;;1.002,25;;\n,5;;0.75;;\n");
+%! assert (header, {'a', 'b'});
+%! assert (cells, {'26.5', '1002.25'; '.5', '0.75'});
+%! [~, cells] = read ("a;b\n3;1.002\n");
+%! assert (cells, {'3', '1.002'});
+%! [~, cells] = read ("a;tol\n1,500;2,5 %\n1;0,5 abs\n");
+%! assert (cells, {'1.500', '2.5 %'; '1', '0.5 abs'});
+%!error id=DEcalioc:readCsvTable:unclearPoint read ("a;b\n26,5;\n;1.002\n")
+%!error <Write 1002 or 1,002> read ("a\tb\n26,5\t\n\t1.002\n")
 %!error <save it with semicolons> read ("a,b\n0,5,2\n")
 %!error <UTF-16> read (["a", 0, ";", 0, "b", 0])
 %!error id=DEcalioc:readCsvTable:missingFile readCsvTable ('/no/such/file')
