@@ -5,7 +5,7 @@
 %   FACTORLIMITS  2 x d, lower and upper limit of each factor
 %   N             number of samples
 %   PATHEXPLAN    folder in which ExperimentalPlan_DoE.csv is written, one row
-%                 a sample, at full precision; empty: no file
+%                 a sample, rounded as the runs are (toDigits); empty: no file
 %   SEED          seed of the draw (default 1): same seed, same plan
 %   PLAN          N x d
 %
@@ -31,7 +31,8 @@ function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
     plan = double (stk_sampling_maximinlhs (N, d, factorLimits, 1000));
   end
   if nargin > 2 && ~isempty (pathExPlan) && N > 0
-    writeMatrix (fullfile (pathExPlan, 'ExperimentalPlan_DoE.csv'), plan);
+    writeMatrix (fullfile (pathExPlan, 'ExperimentalPlan_DoE.csv'), ...
+                 toDigits (plan));
   end
 end
 

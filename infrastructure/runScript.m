@@ -26,6 +26,10 @@ function [results, record] = runScript (matr, model, Case, job)
     job.planRow = matr(end - 1);
   end
   record = findRuns (job, Case){1};
+  while strcmp (givenField (record, 'status', ''), 'forgotten')
+    job = nextPacking (job, Case);
+    record = findRuns (job, Case){1};
+  end
   if ~strcmp (givenField (record, 'status', ''), 'ok')
     folder = prepareRun (job, Case);
     [~, name] = fileparts (folder);

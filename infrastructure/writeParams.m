@@ -8,7 +8,7 @@
 %   FOLDERNAME  name of the run's folder (text)
 %   BASE        folder that holds optim/ (text, default pwd)
 %
-% Makes params.csv (full precision) and, for a run of the plan, ExPlan.txt.
+% Makes params.csv (15 digits) and, for a run of the plan, ExPlan.txt.
 %
 % See also: writeSet, writeHead, Start
 

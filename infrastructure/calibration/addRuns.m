@@ -9,7 +9,8 @@
 %   STAGE      what they are for (text), see newData
 %   REPLICATE  n x 1 (default: see replicateNumbers)
 %
-% A set of which a run was not made leaves no trace in the data.
+% A set of which a run was not made leaves no trace in the data. The others have
+% there the numbers that were run (toDigits).
 
 function state = addRuns (state, problem, P, E, stage, replicate)
   if rows (E) < rows (P)
@@ -20,8 +21,8 @@ function state = addRuns (state, problem, P, E, stage, replicate)
   end
   [Z, state.budget] = state.evaluate (P, E, replicate, stage, state.budget);
   isTried = ~any (isna (Z), 2);
-  state.data = addRows (state.data, P(isTried, :), Z(isTried, :), ...
-                        replicate(isTried), stage, E(isTried, :));
+  state.data = addRows (state.data, toDigits (P(isTried, :)), Z(isTried, :), ...
+                        replicate(isTried), stage, toDigits (E(isTried, :)));
 end
 
 %!test

@@ -2,10 +2,11 @@
 %
 % CALL: FOUND = describeSet (SURROGATES, PROBLEM, P)
 %
-% P      1 x d
+% P      1 x d; it is rounded as its runs will be (toDigits)
 % FOUND  struct: params, residual (T + extra) x 1, probability, within
 
 function found = describeSet (surrogates, problem, p)
+  p = toDigits (p);
   m = predictSurrogate (surrogates, p);
   full = problem.cost (p(:), @(varargin) m(:));
   [probability, share] = meetProbability (surrogates, problem, p);

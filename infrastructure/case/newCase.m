@@ -29,7 +29,8 @@ function Case = newCase (raw, varargin)
   Case.models = newModels (raw);
   Case.further = givenField (raw, 'further', {});
   Case.names = raw.assign(:)';
-  Case.limits = double (raw.paramLims);
+  % no set that lies on a limit is beyond it when it is rounded
+  Case.limits = toDigits (double (raw.paramLims));
   Case.paramMean = found.paramMean;
   Case.paramSd = found.paramSd;
   Case.modelVars = raw.modelVars;
@@ -110,7 +111,8 @@ function coarse = newCoarse (given)
     if isempty (number)
       number = numel (coarse) + 1;
       coarse(number) = struct ('variable', level.variable, 'levels', ...
-                               double (level.levels(:)'), 'models', []);
+                               toDigits (double (level.levels(:)')), ...
+                               'models', []);
     end
     coarse(number).models(end + 1) = k;
   end

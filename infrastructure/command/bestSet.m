@@ -20,7 +20,8 @@ function best = bestSet (Case, runs, cost)
   if isempty (runs)
     return
   end
-  sets = cellfun (@(j) j.params(:)', {runs.job}, 'UniformOutput', false);
+  sets = cellfun (@(j) toDigits (j.params(:)'), {runs.job}, ...
+                  'UniformOutput', false);
   [X, ~, which] = unique (vertcat (sets{:}), 'rows');
   [Z, count] = meansOf (runs, which, rows (X), Case.targets);
   problem = newProblem (Case, cost);

@@ -10,8 +10,9 @@
 %              'finished' (a result is newer than all runs), 'tried' (one set
 %              at most has been run, by check --try), 'new'
 %     stage    'plan', 'calibration', 'gap', or '' where there is no run
-%     models   1 x M struct array: name, done, failed, running, waiting, old
-%              (runs that no longer count), seconds (median, NaN: not known)
+%     models   1 x M struct array: name, done, failed, running, waiting, lost
+%              (broken off, see runsOfCase), old (runs that no longer count),
+%              seconds (median, NaN: not known)
 %     plan     1 x 2, runs of the plan that are done, and all of them
 %     sets     1 x 2, sets run after the plan, and optim.maxFunEvals (which
 %              counts a set once more for each repeat);  later  their runs
@@ -67,7 +68,8 @@ function yes = isReplaced (jobs, runs)
 end
 
 function n = numberOfSets (runs)
-  sets = cellfun (@(j) j.params(:)', {runs.job}, 'UniformOutput', false);
+  sets = cellfun (@(j) toDigits (j.params(:)'), {runs.job}, ...
+                  'UniformOutput', false);
   n = rows (unique (vertcat (sets{:}), 'rows'));
 end
 
@@ -113,7 +115,8 @@ function models = countsOf (Case, runs, seconds)
     states = {ofModel([ofModel.isCurrent]).state};
     count = @(varargin) sum (ismember (states, varargin));
     models(k).done = count ('ok', 'ended');
-    models(k).failed = count ('failed', 'timeout', 'invalid', 'lost');
+    models(k).failed = count ('failed', 'timeout', 'invalid');
+    models(k).lost = count ('lost');
     models(k).running = count ('running');
     models(k).waiting = count ('waiting');
     models(k).old = sum (~[ofModel.isCurrent]);
@@ -121,7 +124,7 @@ function models = countsOf (Case, runs, seconds)
 end
 
 function lines = failuresOf (runs, Case)
-  bad = runs(ismember ({runs.state}, {'failed', 'timeout', 'invalid', 'lost'}));
+  bad = runs(ismember ({runs.state}, {'failed', 'timeout', 'invalid'}));
   words = arrayfun (@(r) sprintf ('%s: %s %s', Case.models(r.model).name, ...
                                   r.state, r.message), bad, ...
                     'UniformOutput', false);

@@ -7,8 +7,8 @@
 %         seconds (NaN: not known), message, results, isCurrent (its key is
 %         what the case gives today). States: 'ok', 'failed', 'timeout',
 %         'invalid' (as in its record), 'ended' (not evaluated yet), 'running',
-%         'waiting' (prepared, or in a queue), 'lost' (its guard is gone: to be
-%         run again)
+%         'waiting' (prepared, or in a queue), 'lost' (ended from outside, by
+%         decalioc cancel say, or its guard is gone: to be run again)
 %
 % Reads files alone; works beside a running Octave and on a machine that is not
 % the one of the runs, of which it then takes their word.
@@ -61,6 +61,8 @@ function run = oneRun (folder, sent, isHere)
   mark = readEndMark (folder);
   if isempty (run.job)
     run = [];
+  elseif strcmp (givenField (mark, 'reason', ''), 'killed')
+    run.state = 'lost';
   elseif ~isempty (mark)
     run.state = 'ended';
     run.seconds = mark.seconds;

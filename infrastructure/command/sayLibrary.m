@@ -11,7 +11,8 @@
 %   STATUS  0; 2 where the store holds no runs (decalioc runs)
 %
 % A run that is forgotten has the status 'forgotten' in its record, and that
-% alone has changed: it counts in no case, and its folder stays.
+% alone has changed: it counts in no case, and its folder stays. Where a case
+% needs it, a run with another seed takes its place (runJobs).
 %
 % Errors: DEcalioc:sayLibrary:missingField, :badValue (a number), :missingFile
 % (no such store or model), :unknownName (no run is one of those)
@@ -113,7 +114,8 @@ function status = forget (args)
   if isempty (changed)
     refuseNone (store, model, options.back);
   end
-  words = {'out of use; --back takes them in again', 'in use again'};
+  words = {['out of use; --back takes them in again. A start that needs ' ...
+            'them makes them with another packing'], 'in use again'};
   printf ('%d runs of %s are %s. Nothing was deleted.\n', numel (changed), ...
           model, words{1 + options.back});
   status = 0;

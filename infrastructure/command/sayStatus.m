@@ -76,6 +76,9 @@ function sayRuns (s)
     if ~isnan (m.seconds)
       printf ('; %s a run', inWords (m.seconds));
     end
+    if m.lost > 0
+      printf ('; %d broken off, to be made again', m.lost);
+    end
     if m.old > 0
       printf ('; %d of an earlier model or input, left aside', m.old);
     end

@@ -51,6 +51,11 @@ function [effects, p] = resolveEffects (list, folders, modelVars, assign)
   if isempty (p)
     effects = cellfun (@describeEffect, complete, 'UniformOutput', false);
     effects = [effects{:}];
+    % as the runs with them will be made
+    for k = 1:numel (effects)
+      effects(k).neutral = toDigits (effects(k).neutral);
+      effects(k).limits = toDigits (effects(k).limits);
+    end
   elseif nargout < 2
     error (p(1).id, 'resolveEffects: %s', p(1).message);
   end

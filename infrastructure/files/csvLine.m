@@ -2,14 +2,14 @@
 %
 % CALL: LINE = csvLine (FIELDS)
 %
-%   FIELDS  1 x n cell of texts (quoted where they must be) and numbers (17
-%           digits, so that reading gives the same bits; NaN: an empty field)
+%   FIELDS  1 x n cell of texts (quoted where they must be) and numbers (as
+%           exactNumber writes them; NaN: an empty field)
 
 function line = csvLine (fields)
   for k = 1:numel (fields)
     field = fields{k};
     if isnumeric (field)
-      fields{k} = repmat (sprintf ('%.17g', field), 1, ~isnan (field));
+      fields{k} = repmat (exactNumber (field), 1, ~isnan (field));
     elseif any (ismember (field, [',;"', "\n"]))
       fields{k} = ['"', strrep(field, '"', '""'), '"'];
     end
@@ -18,4 +18,4 @@ function line = csvLine (fields)
 end
 
 %!assert (csvLine ({'a', 'b;c', 0.1, NaN, 3, '"x", y', ''}), ...
-%!        'a,"b;c",0.10000000000000001,,3,"""x"", y",')
+%!        'a,"b;c",0.1,,3,"""x"", y",')

@@ -3,12 +3,11 @@
 % CALL: TEXT = headLines (V)
 %
 %   V     scalar struct of numbers, one field a variable
-%   TEXT  lines 'variable NAME equal VALUE', 17 significant digits, so that no
-%         step of a parameter is too small to arrive
+%   TEXT  lines 'variable NAME equal VALUE', 15 significant digits (toDigits)
 function text = headLines (v)
   text = '';
   for name = fieldnames (v)'
-    text = [text, sprintf('variable %s equal %.17g\n', name{1}, v.(name{1}))];
+    text = [text, sprintf('variable %s equal %.15g\n', name{1}, v.(name{1}))];
   end
 end
 

@@ -7,16 +7,16 @@
 %   M      n x m real
 %   NAMES  cell of m column names for a head line (default: no head line)
 %
-% Every number is written with 17 significant digits, so reading it gives the
-% same bits.
+% Reading the file gives the same bits (exactNumber).
 
 function writeMatrix (file, M, names)
   head = '';
   if nargin > 2
     head = [strjoin(names(:)', ','), "\n"];
   end
-  line = [strjoin(repmat ({'%.17g'}, 1, columns (M)), ','), "\n"];
-  writeAtomic (file, [head, sprintf(line, M.')]);
+  line = [strjoin(repmat ({'%s'}, 1, columns (M)), ','), "\n"];
+  texts = arrayfun (@exactNumber, M.', 'UniformOutput', false);
+  writeAtomic (file, [head, sprintf(line, texts{:})]);
 end
 
 %!test

@@ -54,7 +54,7 @@ function [data, count] = fromStore (Case, data, count)
     seconds(k) = sum (spent) / numel (spent) * Case.models(k).cpu;
     for i = 1:numel (records)
       record = records{i};
-      row = [record.params(:)', effects{i}, record.replicate];
+      row = [toDigits([record.params(:)', effects{i}]), record.replicate];
       at = find (all (inputs == row, 2), 1);
       if isempty (at)
         at = rows (inputs) + 1;

@@ -27,7 +27,7 @@ function effects = countsToday (job, folder, Case, h)
     trial = job;
     trial.effects = trials{k}();
     [key, older] = runKey (runVariables (trial, Case), Case.effectVars, h);
-    if any (strcmp (job.key, {key, older}))
+    if any (strcmp (job.key, [{key}, older]))
       effects = {trial.effects};
       return
     end

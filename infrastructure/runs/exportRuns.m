@@ -9,8 +9,7 @@
 %          and seed (n x M, of the runs, where one was tried with another seed)
 %   N      scalar, rows written: one for each model and row of DATA that has a
 %          result, or has ended without one (a bin that jams): its fields are
-%          empty then; numbers have 17 digits, so that reading gives the same
-%          bits
+%          empty then; reading gives the same bits (exactNumber)
 %
 % Columns: model, seed, design variables, effect variables, targets. importRuns
 % reads the file back.
@@ -67,7 +66,7 @@ end
 %!endfunction
 %!test
 %! % there and back: same bits, replicates and holes kept
-%! data.X = [0.1, 700; 0.1, 700; 1 / 3, pi];
+%! data.X = [0.1, 700; 0.1, 700; toDigits([1 / 3, pi])];
 %! data.E = [0; 0; 1e4];
 %! data.Z = [1, 2, 3; 1.5, NaN, NaN; 4, 5, 6 + eps(6)];
 %! data.replicate = [1; 2; 1];

@@ -59,20 +59,20 @@ end
 % nothing else.
 function [inputs, isOf, why] = inputsOf (kind, Case, h)
   names = strsplit (kind.names, ' ');
-  values = kind.runs(:, 7:6 + numel (names));
+  values = toDigits (kind.runs(:, 7:6 + numel (names)));
   n = rows (values);
   free = [Case.names, Case.effectVars];
   inputs = zeros (n, numel (free));
   isOf = true (n, 1);
   why = '';
   for name = unique ([names, free, fieldnames(Case.modelVars)'])
-    declared = givenField (h.defaults, name{1}, NaN);
+    declared = toDigits (givenField (h.defaults, name{1}, NaN));
     was = repmat (declared, n, 1);
     column = find (strcmp (names, name{1}));
     if ~isempty (column)
       was = values(:, column);
     end
-    now = givenField (Case.modelVars, name{1}, declared);
+    now = toDigits (givenField (Case.modelVars, name{1}, declared));
     isFree = strcmp (free, name{1});
     if any (isFree)
       inputs(:, isFree) = was;

@@ -20,9 +20,8 @@ function runs = findRuns (jobs, Case)
                                  names);
     for i = mine
       hits = find (strcmp (keys, jobs(i).key));
-      if isempty (hits) && ~isempty (h.older)
-        [~, older] = runKey (runVariables (jobs(i), Case), Case.effectVars, h);
-        hits = find (strcmp (keys, older));
+      if isempty (hits)
+        hits = find (ismember (keys, olderKeys (jobs(i), Case, h)));
       end
       if ~isempty (hits)
         [~, best] = max (worth(hits));
@@ -51,7 +50,8 @@ end
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! h = hashModels (Case)(2);
 %! old = job;
-%! [key, old.key] = runKey (runVariables (job, Case), {}, h);
+%! [key, older] = runKey (runVariables (job, Case), {}, h);
+%! old.key = older{1};
 %! assert (key, job.key);
 %! failedRecord (old, prepareRun (old, Case), 'invalid', 'x', 'output');
 %! assert (findRuns (job, Case){1}.key, old.key);

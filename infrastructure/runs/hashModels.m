@@ -6,8 +6,8 @@
 %         its field hashes
 %   H     1 x M struct array: input (files of the model that the simulation
 %         reads, number of CPUs, LIGGGHTS build where the model calls it), older
-%         (the same with the build where it does not call it, as versions until
-%         0.9.0 had it; else ''), funs (files of OctaveFuns, which only
+%         (1 x n cell: the same with the build where it does not call it, as
+%         versions until 0.9.0 had it), funs (files of OctaveFuns, which only
 %         evaluate; with measured.csv also which results it reads, and where on
 %         a curve), defaults (values declared in data.head; of effect variables
 %         that it does not declare the neutral ones)
@@ -32,14 +32,14 @@ function h = hashModels (Case)
   [~, build] = system ('b=$(command -v liggghts) && sha256sum < "$b"');
   build = strtok (build);
   neutral = neutralEffects (Case);
-  h = struct ('input', cell (1, numel (Case.models)), 'older', '', ...
+  h = struct ('input', cell (1, numel (Case.models)), 'older', {{}}, ...
               'funs', '', 'defaults', []);
   for k = 1:numel (Case.models)
     folder = Case.models(k).folder;
     text = sprintf ('%s|%d|', hashFolder (folder, aside), Case.models(k).cpu);
     h(k).input = hash ('sha256', [text, build]);
     if ~isempty (build) && ~callsLiggghts (folder)
-      h(k).older = h(k).input;
+      h(k).older = {h(k).input};
       h(k).input = hash ('sha256', text);
     end
     h(k).funs = hashEvaluation (Case.models(k));

@@ -49,7 +49,7 @@ function [data, ignored] = importRuns (file, Case)
     seed = numbers (table, column.seed, {'seed'});
   end
   targets(model ~= [Case.targets.model]) = NaN;
-  data = joinModels ([X, E], model, seed, targets, Case);
+  data = joinModels (toDigits ([X, E]), model, seed, targets, Case);
   data = filledUp (data, [Case.targets.model]);
 end
 

@@ -35,14 +35,11 @@ function record = judgeEnd (record)
   record.seconds = mark.seconds;
   output = tailOf (fullfile (record.folder, 'stdout.txt'));
   wasStopped = ~isempty (strfind (output, 'SIGINT/SIGTERM caught'));
-  % by HUP, INT, KILL or TERM. A crash (SEGV, ABRT, FPE) is the program's own
-  % and would come again with the same seed
-  fromOutside = ismember (mark.code, 128 + [1, 2, 9, 15]);
   if strcmp (mark.reason, 'timeout')
     record = blame (record, 'timeout', 'time', ...
                     sprintf ('ended at its time limit after %g s', ...
                              mark.seconds));
-  elseif strcmp (mark.reason, 'killed') || wasStopped || fromOutside
+  elseif strcmp (mark.reason, 'killed') || wasStopped
     record = blame (record, 'failed', 'killed', ...
                     sprintf ('ended from outside (exit status %d)', ...
                              mark.code));

@@ -8,7 +8,12 @@
 %   STAGE      what the runs are for (text): 'plan', 'infill', 'verify' ...
 %   JOBS       1 x (n M) struct array, the models of a row side by side:
 %              model, stage, planRow, params, effects, replicate, seed, key,
-%              input, variables (what KEY is made of), origin (case folder)
+%              input, variables (what KEY is made of), origin (case folder),
+%              attempt (0; see nextPacking), drawn (1 x (d + v), the set and its
+%              effects as they were given; [] where they have 15 digits)
+%
+% Here a set gets the numbers that its run is made with, those of 15 digits
+% (toDigits).
 %
 % Errors: DEcalioc:newJobs:badShape
 
@@ -22,13 +27,16 @@ function jobs = newJobs (Case, P, E, replicate, stage)
            'newJobs: P must be n x %d and E n x %d, got %d x %d, %d x %d.', ...
            numel (Case.names), numel (Case.effectVars), size (P), size (E));
   end
+  drawn = [P, E];
+  [P, E] = deal (toDigits (P), toDigits (E));
   replicate = replicate(:) .* ones (n, 1);
   h = hashModels (Case);
   M = numel (Case.models);
   jobs = repmat (struct ('model', '', 'stage', stage, 'planRow', 0, ...
                          'params', [], 'effects', [], 'replicate', 1, ...
                          'seed', 0, 'key', '', 'input', '', ...
-                         'variables', '', 'origin', Case.folder), 1, n * M);
+                         'variables', '', 'origin', Case.folder, ...
+                         'attempt', 0, 'drawn', []), 1, n * M);
   for i = 1:n
     for k = 1:M
       job = jobs((i - 1) * M + k);
@@ -37,8 +45,11 @@ function jobs = newJobs (Case, P, E, replicate, stage)
       job.params = P(i, :);
       job.effects = E(i, :);
       job.replicate = replicate(i);
-      job.seed = runSeed (job.params, job.replicate, Case.options.seed);
+      job.seed = jobSeed (job, Case);
       job.input = h(k).input;
+      if ~isequal (drawn(i, :), [P(i, :), E(i, :)])
+        job.drawn = drawn(i, :);
+      end
       [job.key, ~, job.variables] = ...
         runKey (runVariables (job, Case), Case.effectVars, h(k));
       jobs((i - 1) * M + k) = job;

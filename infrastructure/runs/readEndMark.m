@@ -4,8 +4,8 @@
 %
 %   FOLDER  folder of the run (text)
 %   MARK    struct with code (exit status), seconds and reason ('finished',
-%           'timeout', 'killed'); [] where the run has not ended, or where the
-%           mark is not whole
+%           'timeout', 'killed' from outside); [] where the run has not ended,
+%           or where the mark is not whole
 
 function mark = readEndMark (folder)
   mark = [];
@@ -15,6 +15,11 @@ function mark = readEndMark (folder)
   if ~isempty (t)
     mark = struct ('code', str2double (t{1}), ...
                    'seconds', str2double (t{2}), 'reason', t{3});
+    % by HUP, INT, KILL or TERM. A crash (SEGV, ABRT, FPE) is the program's own
+    % and would come again with the same seed
+    if any (mark.code == 128 + [1, 2, 9, 15]) && strcmp (t{3}, 'finished')
+      mark.reason = 'killed';
+    end
   end
 end
 

@@ -128,7 +128,7 @@ function text = provenVariables (r, folder, h)
     end
     for off = {{}, fieldnames(variables)'}
       [key, older, words] = runKey (variables, off{1}, h);
-      if any (strcmp (r.key, {key, older}))
+      if any (strcmp (r.key, [{key}, older]))
         text = words;
         return
       end

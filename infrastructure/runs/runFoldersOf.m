@@ -20,7 +20,7 @@ function names = runFoldersOf (Case, model, jobs)
   isOther = @(kind) kind.origin(1) ~= '?' && ...
                     ~strcmp (kind.origin, Case.folder);
   if nargin > 2 && ischar (jobs)
-    inputs = {h.input, h.older, ''};
+    inputs = [{h.input, ''}, h.older];
     isOther = @(kind) ~any (strcmp (kind.input, inputs)) | ...
                       ~ismember (kind.runs(:, 2), [1, 2]);
   elseif nargin > 2
@@ -40,10 +40,8 @@ end
 function heads = headsOf (jobs, Case, h)
   heads = [];
   for job = jobs
-    [~, older] = runKey (runVariables (job, Case), Case.effectVars, h);
-    heads(end + 1) = sscanf (job.key(1:7), '%x');
-    if ~isempty (older)
-      heads(end + 1) = sscanf (older(1:7), '%x');
+    for key = [{job.key}, olderKeys(job, Case, h)]
+      heads(end + 1) = sscanf (key{1}(1:7), '%x');
     end
   end
 end

@@ -13,7 +13,8 @@
 % A run that was killed from outside is tried again as it is, up to twice, and
 % counts once. A run that failed by itself is tried once more with another seed,
 % since an unlucky packing may be the cause. What then still fails is a record
-% that says so.
+% that says so. In the place of a run that the user has taken out of use
+% (decalioc forget) one with another seed is made.
 %
 % At most CASE.options.maxNewRuns runs are made, those with another seed among
 % them; a job beyond them is a failed record with the cause 'budget'.
@@ -21,7 +22,7 @@
 function [records, isReused, nNew] = runJobs (jobs, Case, report)
   Case.hashes = hashModels (Case);
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
-  [records, open] = fromStore (jobs, records, Case);
+  [records, open, jobs] = fromStore (jobs, records, Case);
   isReused = ~open;
   show = @(state) report (setfield (state, 'reused', sum (isReused)));
   if ~any (open)
@@ -93,20 +94,24 @@ function records = execute (jobs, Case, show)
   records = describeExecutor (Case.options.executor).execute (jobs, Case, show);
 end
 
-function [records, open] = fromStore (jobs, records, Case)
+% JOBS: with another seed where the run was taken out of use.
+function [records, open, jobs] = fromStore (jobs, records, Case)
   found = findRuns (jobs, Case);
-  open = cellfun (@isempty, found);
+  states = cellfun (@(r) givenField (r, 'status', ''), found, ...
+                    'UniformOutput', false);
+  isOut = strcmp (states, 'forgotten');
+  if any (isOut)
+    jobs(isOut) = arrayfun (@(job) nextPacking (job, Case), jobs(isOut));
+    [records, open, jobs] = fromStore (jobs, records, Case);
+    return
+  end
+  open = cellfun (@isempty, found) | ismember (states, {'failed', 'timeout'});
   stale = false (size (open));
   for i = find (~open)
-    r = found{i};
     funs = Case.hashes(strcmp (jobs(i).model, {Case.models.name})).funs;
-    if any (strcmp (givenField (r, 'status', ''), ...
-                    {'failed', 'timeout', 'forgotten'}))
-      open(i) = true;
-    elseif ~strcmp (givenField (r, 'funs', ''), funs)
-      stale(i) = true;
-    else
-      records(i) = takeOver (records(i), r, jobs(i));
+    stale(i) = ~strcmp (givenField (found{i}, 'funs', ''), funs);
+    if ~stale(i)
+      records(i) = takeOver (records(i), found{i}, jobs(i));
     end
   end
   if any (stale)
@@ -132,16 +137,8 @@ function [records, nNew] = withOtherSeed (jobs, records, Case, show)
   if isempty (failed)
     return
   end
-  other = jobs(failed);
-  for i = 1:numel (other)
-    k = strcmp (other(i).model, {Case.models.name});
-    other(i).seed = runSeed (other(i).params, other(i).replicate + 0.5, ...
-                             Case.options.seed);
-    [other(i).key, ~, other(i).variables] = ...
-      runKey (runVariables (other(i), Case), Case.effectVars, ...
-              Case.hashes(k));
-  end
-  [second, open] = fromStore (other, records(failed), Case);
+  other = arrayfun (@(job) nextPacking (job, Case), jobs(failed));
+  [second, open, other] = fromStore (other, records(failed), Case);
   open = open & cumsum (open) <= Case.options.maxNewRuns;
   nNew = sum (open);
   if any (open)

@@ -6,36 +6,48 @@
 %   EFFECTVARS  cell of names of effect variables
 %   H           scalar struct, one element of hashModels
 %   KEY         64 hexadecimal digits
-%   OLDER       the key that earlier versions gave to this run, or ''
+%   OLDER       1 x n cell, the keys that earlier versions gave to this run
 %   TEXT        '|name=value' of each variable that counts, names sorted; KEY is
 %               the hash of H.input and TEXT, so a record that holds both proves
 %               them
+%
+% Numbers count with 15 digits, as they are written for the run (toDigits);
+% earlier versions wrote 17.
 %
 % An effect variable with the value that data.head declares anyway does not
 % count: a run of the plain model stays the same run when candidate effects
 % are added to the case later.
 
 function [key, older, text] = runKey (variables, effectVars, h)
+  text = textOf (variables, effectVars, h, @toDigits);
+  texts = unique ({text, textOf(variables, effectVars, h, @(x) x)});
+  inputs = [{h.input}, h.older];
+  key = hash ('sha256', [h.input, text]);
+  older = cell (1, 0);
+  for input = inputs
+    older = [older, strcat(input, texts)];
+  end
+  older = cellfun (@(text) hash ('sha256', text), ...
+                   setdiff (older, [h.input, text]), 'UniformOutput', false);
+end
+
+function text = textOf (variables, effectVars, h, rounded)
   names = sort (fieldnames (variables));
   text = '';
   for k = 1:numel (names)
     name = names{k};
-    value = variables.(name);
+    value = rounded (variables.(name));
     isOff = any (strcmp (name, effectVars)) && ...
-            isfield (h.defaults, name) && h.defaults.(name) == value;
+            isfield (h.defaults, name) && ...
+            rounded (h.defaults.(name)) == value;
     if ~isOff
       text = [text, sprintf('|%s=%.17g', name, value)];
     end
   end
-  key = hash ('sha256', [h.input, text]);
-  older = h.older;
-  if ~isempty (older)
-    older = hash ('sha256', [older, text]);
-  end
 end
 
 %!shared h, v
-%! h = struct ('input', 'x', 'older', '', 'defaults', struct ('e', 0));
+%! h = struct ('input', 'x', 'older', {{}}, 'defaults', struct ('e', 0));
 %! v = struct ('a', 1, 'b', 2);
 %!assert (numel (runKey (v, {}, h)), 64)
 %!test
@@ -46,5 +58,17 @@ end
 %! assert (! isequal (runKey (w, {'e'}, h), runKey (v, {}, h)));
 %!test
 %! w = v;
-%! w.a = 1 + eps;
+%! w.a = 1 + 1e-14;
 %! assert (! isequal (runKey (w, {}, h), runKey (v, {}, h)));
+%!test
+%! % numbers of 17 digits: the run that an earlier version made is known
+%! [key, older] = runKey (v, {}, h);
+%! assert (older, cell (1, 0));
+%! w = v;
+%! w.a = 1 + eps;
+%! [same, older] = runKey (w, {}, h);
+%! assert (same, key);
+%! assert (older, {hash('sha256', sprintf ('x|a=%.17g|b=2', 1 + eps))});
+%! h.older = {'y'};
+%! [~, older] = runKey (w, {}, h);
+%! assert (numel (older), 3);

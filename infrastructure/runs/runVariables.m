@@ -5,7 +5,7 @@
 %   JOB   see newJobs
 %   CASE  see newCase
 %   V     scalar struct: model variables, design variables, effect variables,
-%         RLTS, SIMTS, runSeed
+%         RLTS, SIMTS, runSeed; as they are, see headLines and runKey
 
 function v = runVariables (job, Case)
   v = Case.modelVars;

@@ -3,13 +3,13 @@
 % CALL: writeSet (FOLDER, PARAMS, PLANROW)
 %
 % FOLDER   folder of the run (text)
-% PARAMS   1 x d, written to params.csv at full precision
+% PARAMS   1 x d, written to params.csv with 15 digits (toDigits)
 % PLANROW  row of the plan, written to ExPlan.txt; 0 = no run of the plan, no
 %          such file
 
 function writeSet (folder, params, planRow)
   writeAtomic (fullfile (folder, 'params.csv'), ...
-               [sprintf('%.17g,', params)(1:end - 1), "\n"], false);
+               [sprintf('%.15g,', params)(1:end - 1), "\n"], false);
   if planRow ~= 0
     writeAtomic (fullfile (folder, 'ExPlan.txt'), sprintf ("%d\n", planRow), ...
                  false);
