@@ -29,6 +29,7 @@ function [words, notes] = newScriptModel (root, target, given)
   output = givenField (given, 'output', 'output_results');
   checkWords ([names, fixed], seed, results, output, [base, ending]);
   [files, variables, text] = scriptFiles (given.script);
+  files = setdiff (files, output);     % of a trial by hand, no run's own
   chosen = [names, fixed; num2cell([mean(limits, 1), values])];
   variables = mergeFields (variables, struct (chosen{:}));
   words = struct ('MODEL', given.model, 'SCRIPT', [base, ending], ...

@@ -57,13 +57,18 @@ function record = evaluate (record, place)
   try
     results = getResults (record.model, place.name);
     [record.results, fault] = asRow (results, place);
+    record.cause = 'output';
   catch err
-    fault = asUtf8 (['getResults gave an error: ', err.message]);
+    fault = asUtf8 (['getResults gave an error: ', err.message, ...
+                     errorPlace(err, place.funs)]);
+    % it would come again with another packing
+    record.cause = 'evaluation';
   end
   path = [];
-  if ~isempty (fault)
+  if isempty (fault)
+    record.cause = '';
+  else
     record.status = 'invalid';
-    record.cause = 'output';
     record.message = [fault, checksReason(record.folder)];
   end
 end

@@ -12,7 +12,8 @@
 %
 % A run that was killed from outside is tried again as it is, up to twice, and
 % counts once. A run that failed by itself is tried once more with another seed,
-% since an unlucky packing may be the cause. What then still fails is a record
+% since an unlucky packing may be the cause; not where getResults gave an error:
+% once that is corrected, the run that there is gets evaluated. What then still fails is a record
 % that says so. In the place of a run that the user has taken out of use
 % (decalioc forget) one with another seed is made.
 %
@@ -132,7 +133,8 @@ end
 
 function [records, nNew] = withOtherSeed (jobs, records, Case, show)
   failed = find (~strcmp ({records.status}, 'ok') & ...
-                 ~ismember ({records.cause}, {'killed', 'budget'}));
+                 ~ismember ({records.cause}, ...
+                            {'killed', 'budget', 'evaluation'}));
   nNew = 0;
   if isempty (failed)
     return

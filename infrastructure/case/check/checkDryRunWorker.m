@@ -3,9 +3,11 @@
 % CALL: checkDryRunWorker ()
 %
 % For the Octave that checkFindModels starts in a folder of its own. The
-% environment holds DECALIOC_DRY_MODEL (model folder) and DECALIOC_DRY_NAME
-% (its name). What was found goes to the file answer: the number of results
-% or NaN, and below it why getResults can never work.
+% environment holds DECALIOC_DRY_MODEL (model folder), DECALIOC_DRY_NAME (its
+% name) and DECALIOC_DRY_FRESH (1: to look for what a trial by hand has left,
+% too). What was found goes to the file answer, a line each: the number of
+% results or NaN; why getResults can never work; the names of its results; then
+% index, value and file of each element of leftoverResults.
 
 function checkDryRunWorker ()
   %| pragma Justify (metric, "globals", "getResults of users read it");
@@ -13,7 +15,8 @@ function checkDryRunWorker ()
   path = [pwd(), '/'];
   model = getenv ('DECALIOC_DRY_MODEL');
   name = getenv ('DECALIOC_DRY_NAME');
-  addpath (fullfile (model, 'OctaveFuns'));
+  funs = fullfile (model, 'OctaveFuns');
+  addpath (funs);
   [~, ~] = mkdir (fullfile ('optim', name, 'empty'));
   sample = fullfile (model, 'sample');
   [count, text] = deal (NaN, '');
@@ -25,9 +28,15 @@ function checkDryRunWorker ()
   if isnan (count)
     [count, text, fields] = callOnce (name, 'empty');
   end
-  writeAtomic ([path, 'answer'], ...
-               sprintf ("%g\n%s\n%s\n", count, text, ...
-                        strjoin ([fields, {''}], ' ')));
+  answer = sprintf ("%g\n%s\n%s\n", count, text, ...
+                    strjoin ([fields, {''}], ' '));
+  writeAtomic ([path, 'answer'], answer);
+  rmpath (funs);
+  if strcmp (getenv ('DECALIOC_DRY_FRESH'), '1')
+    left = struct2cell (leftoverResults (model, name)(:));
+    writeAtomic ([path, 'answer'], ...
+                 [answer, sprintf("%d %.5g %s\n", left{:})]);
+  end
 end
 
 function [count, text, fields] = callOnce (name, folder)
@@ -43,9 +52,26 @@ function [count, text, fields] = callOnce (name, folder)
     count = NaN;
     % only a fault that does not come from the missing files is worth telling
     marks = 'parse error|called with too many|invalid use of script';
-    if ~isempty (regexp (err.message, marks, 'once'))
-      text = strrep (err.message, "\n", ' ');
+    if ~isempty (regexp (err.message, marks, 'once')) || isMisspelt (err)
+      text = regexprep (err.message, ' near line \d+, column \d+', '');
+      text = strrep ([text, errorPlace(err, 'OctaveFuns')], ...
+                     "\n", ' ');
     end
+  end
+end
+
+% A name that no line of the file gives a value: a function that is not there.
+% A variable may be without one only because a file of the run is missing.
+function yes = isMisspelt (err)
+  name = regexp (err.message, '^''(\w+)'' undefined', 'tokens', 'once');
+  k = find (~cellfun (@isempty, strfind ({err.stack.file}, 'OctaveFuns')), 1);
+  yes = ~isempty (name) && ~isempty (k);
+  if yes
+    code = checkReadText (err.stack(k).file);
+    sets = ['\<', name{1}, '\>[^=\n]*=[^=]|for\s*\(?\s*', name{1}, '\>|', ...
+            'function[^\n]*\<', name{1}, '\>|', ...
+            '(load|eval|evalin|assignin|source|run)\>'];
+    yes = isempty (regexp (code, sets, 'once'));
   end
 end
 
@@ -61,7 +87,6 @@ end
 %!  setenv ('DECALIOC_DRY_MODEL', work);
 %!  setenv ('DECALIOC_DRY_NAME', 'Toy');
 %!  checkDryRunWorker ();
-%!  rmpath (fullfile (work, 'OctaveFuns'));
 %!  clear -global path
 %!  answer = fileread ('answer');
 %!endfunction
@@ -75,3 +100,12 @@ end
 %!                  "\nres = {1}; end"]), "1\n\n\n");
 %! answer = askFor ("function res = getResults ()\nres = {1};\nend\n");
 %! assert (~isempty (regexp (answer, '^NaN\n.*called with too many')), answer);
+%!test
+%! % a function that is not there is told of, with its line; a variable that is
+%! % not there as a file is missing is not
+%! head = "function res = getResults (model, name)\n";
+%! answer = askFor ([head, "res = num2cell (readResutls ('x'));\nend"]);
+%! assert (answer, ["NaN\n'readResutls' undefined (getResults.m, line 2)\n", ...
+%!                  "\n"]);
+%! code = [head, "if isfile ('none'), x = 1; end\nres = {x};\nend"];
+%! assert (askFor (code), "NaN\n\n\n");

@@ -10,7 +10,9 @@
 %           name is not usable); head (see checkHead); cpu (NaN where not
 %           usable); count (number of results, NaN where not known); message
 %           (why getResults cannot be used, or ''); fields (names of the results
-%           where it returns a struct)
+%           where it returns a struct); left (k x 3 cell of texts: index, value
+%           and file of results without a run, see leftoverResults; looked for
+%           with 'full' alone)
 %
 % getResults reads the files of the model's sample/, if it has one. Where that
 % throws, an empty run folder is tried: published files then return NaN for each
@@ -19,7 +21,8 @@
 function models = checkFindModels (Input, folder, root, mode)
   names = modelNames (Input);
   models = struct ('name', names, 'folder', '', 'head', [], 'cpu', NaN, ...
-                   'count', NaN, 'message', '', 'fields', {{}});
+                   'count', NaN, 'message', '', 'fields', {{}}, ...
+                   'left', {cell(0, 3)});
   cpu = givenField (Input, 'cpu', []);
   for k = 1:numel (models)
     if checkIs ('vector', cpu) && numel (cpu) >= k
@@ -34,8 +37,7 @@ function models = checkFindModels (Input, folder, root, mode)
     models(k).head = checkHead (models(k).folder);
     if ~strcmp (mode, 'noPrograms') && ...
        isfile (fullfile (models(k).folder, 'OctaveFuns', 'getResults.m'))
-      [models(k).count, models(k).message, models(k).fields] = ...
-        dryRun (models(k).folder, names{k});
+      models(k) = dryRun (models(k), strcmp (mode, 'full'));
     end
   end
 end
@@ -54,35 +56,37 @@ end
 
 % Counts the results without a run: getResults is called by another Octave,
 % which a crash or a loop in it does not carry away (limit 20 s). COUNT NaN
-% where it gives no answer.
-function [count, message, fields] = dryRun (folder, name)
+% where it gives no answer. What lies on the path here, does so there.
+function model = dryRun (model, isFull)
   work = tempname ();
   [~, ~] = mkdir (work);
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(work)]));
-  here = fileparts (mfilename ('fullpath'));
-  files = fullfile (fileparts (fileparts (here)), 'files');
   octave = fullfile (OCTAVE_EXEC_HOME (), 'bin', 'octave-cli');
   if ~isfile (octave)
     octave = 'octave-cli';
   end
   command = sprintf (['cd %s && OCTAVE_HISTFILE=/dev/null ' ...
                       'DECALIOC_DRY_MODEL=%s DECALIOC_DRY_NAME=%s ' ...
+                      'DECALIOC_DRY_FRESH=%d ' ...
                       'timeout -k 2 20 %s --norc --quiet --no-gui ' ...
-                      '--path %s --path %s --eval checkDryRunWorker ' ...
+                      '--path %s --eval checkDryRunWorker ' ...
                       '> /dev/null 2>&1 < /dev/null'], shellQuote (work), ...
-                     shellQuote (make_absolute_filename (folder)), ...
-                     shellQuote (name), shellQuote (octave), ...
-                     shellQuote (here), shellQuote (files));
+                     shellQuote (make_absolute_filename (model.folder)), ...
+                     shellQuote (model.name), isFull, shellQuote (octave), ...
+                     shellQuote (path ()));
   [~, ~] = system (command);
   lines = strsplit (checkReadText (fullfile (work, 'answer')), "\n", ...
                     'CollapseDelimiters', false);
   lines(end + 1:3) = {''};
-  count = str2double (lines{1});
-  if ~(count >= 1)
-    count = NaN;
+  model.count = str2double (lines{1});
+  if ~(model.count >= 1)
+    model.count = NaN;
   end
-  message = strtrim (lines{2});
-  fields = regexp (lines{3}, '\S+', 'match');
+  model.message = strtrim (lines{2});
+  model.fields = regexp (lines{3}, '\S+', 'match');
+  left = regexp (strjoin (lines(4:end), "\n"), '^(\d+) (\S+) (.*)$', ...
+                 'tokens', 'lineanchors', 'dotexceptnewline');
+  model.left = vertcat (cell (0, 3), left{:});
 end
 
 %!function m = tryModel (code)
@@ -113,3 +117,16 @@ end
 %! assert ([m.cpu], [1, 2, NaN]);
 %! assert (isnan ([m.count]), true (1, 3));
 %!assert (isempty (checkFindModels (struct (), '/nowhere', '/nowhere', 'full')))
+%!test
+%! % results without a run are looked for with 'full' alone
+%! folder = tempname ();
+%! model = fullfile (folder, 'DEMmodels', 'Toy');
+%! mkdir (fullfile (model, 'OctaveFuns'));
+%! writeAtomic (fullfile (model, 'OctaveFuns', 'getResults.m'), ...
+%!   ["function res = getResults (model, name)\nglobal path\n", ...
+%!    "res = {load([path, 'optim/', model, '/', name, '/out 1'])};\nend\n"]);
+%! writeAtomic (fullfile (model, 'out 1'), '4.29');
+%! find = @(mode) checkFindModels (struct ('model', 'Toy', 'cpu', 2), ...
+%!                                 folder, folder, mode).left;
+%! assert (find ('full'), {'1', '4.29', 'out 1'});
+%! assert (find ('reading'), cell (0, 3));

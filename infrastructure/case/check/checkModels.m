@@ -19,7 +19,8 @@ function p = checkModels (models, folder, root, how)
     if isempty (models(k).folder)
       p = [p, missing(models(k).name, k, folder, root)];
     else
-      p = [p, checkFolder(models(k)), checkFiles(models(k))];
+      p = [p, checkFolder(models(k)), checkFiles(models(k)), ...
+           checkLeftovers(models(k).name, models(k).left)];
       if isfile (fullfile (models(k).folder, 'runscript'))
         p = [p, checkRunscript(models(k), how)];
       end
@@ -40,12 +41,12 @@ function p = missing (name, k, folder, root)
 end
 
 function names = folderNames (place)
-  names = readdir (place)';
-  names = names(isfolder (fullfile (place, names)) & ~strncmp (names, '.', 1));
+  names = setdiff (readdir (place), {'.', '..'})';
+  names = names(isfolder (fullfile (place, names)));
 end
 
-% What a run leaves behind would be taken for the result of the next one. A
-% link that leads nowhere is what cp -r makes of a relative one.
+% The folder of a run is no model. A link that leads nowhere is what cp -r makes
+% of a relative one.
 function p = checkFolder (model)
   p = checkFault ();
   field = ['DEMmodels/', model.name];
@@ -221,7 +222,8 @@ end
 %!shared model
 %! model = struct ('name', 'First', 'head', 1, 'message', '', 'cpu', 1, ...
 %!                 'folder', fullfile (standInCase (tempname ()).folder, ...
-%!                                     'DEMmodels', 'First'));
+%!                                     'DEMmodels', 'First'), ...
+%!                 'left', {cell(0, 3)});
 %!assert (checkModels (struct ('name', {'Lft', ''}, 'folder', ''), ...
 %!                     '/nowhere', '/nowhere', struct ()).id, ...
 %!        'DEcalioc:checkCase:missingModel')
