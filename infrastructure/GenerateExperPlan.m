@@ -2,7 +2,8 @@
 %
 % CALL: PLAN = GenerateExperPlan (FACTORLIMITS, N, PATHEXPLAN, SEED)
 %
-%   FACTORLIMITS  2 x d, lower and upper limit of each factor
+%   FACTORLIMITS  2 x d, lower and upper limit of each factor; a third row of
+%                 ones where one is to be even in logarithms
 %   N             number of samples
 %   PATHEXPLAN    folder in which ExperimentalPlan_DoE.csv is written, one row
 %                 a sample, rounded as the runs are (toDigits); empty: no file
@@ -19,7 +20,7 @@ function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
   if nargin < 4
     seed = 1;
   end
-  if rows (factorLimits) ~= 2
+  if ~any (rows (factorLimits) == [2, 3])
     error ('DEcalioc:GenerateExperPlan:badShape', ...
            ['GenerateExperPlan: FACTORLIMITS must be 2 x d, ' ...
             'got %d x %d.'], size (factorLimits));
@@ -28,7 +29,9 @@ function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
   d = columns (factorLimits);
   plan = zeros (0, d);
   if N > 0
-    plan = double (stk_sampling_maximinlhs (N, d, factorLimits, 1000));
+    box = [zeros(1, d); ones(1, d)];
+    plan = fromUnit (double (stk_sampling_maximinlhs (N, d, box, 1000)), ...
+                     factorLimits);
   end
   if nargin > 2 && ~isempty (pathExPlan) && N > 0
     writeMatrix (fullfile (pathExPlan, 'ExperimentalPlan_DoE.csv'), ...

@@ -3,8 +3,8 @@
 % CALL: STATE = addRuns (STATE, PROBLEM, P, E, STAGE [, REPLICATE])
 %
 %   STATE      struct: data (newData), evaluate and budget (newEvaluate)
-%   PROBLEM    see newProblem; limits and fine are read
-%   P          n x d, sets
+%   PROBLEM    see newProblem; limits, allowed and fine are read
+%   P          n x d, sets; what is not allowed is not run, see toAllowed
 %   E          n x v, values of the level and effect variables; []: PROBLEM.fine
 %   STAGE      what they are for (text), see newData
 %   REPLICATE  n x 1 (default: see replicateNumbers)
@@ -16,6 +16,7 @@ function state = addRuns (state, problem, P, E, stage, replicate)
   if rows (E) < rows (P)
     E = repmat (problem.fine, rows (P), 1);
   end
+  P = toAllowed (P, problem);
   if nargin < 6
     replicate = replicateNumbers (state.data, P, problem.limits);
   end

@@ -123,6 +123,8 @@ function X = setsThatRan (state, problem)
   data = runsThatCount (state.data, problem);
   isOurs = ~strcmp (data.stage, 'import') & all (isfinite (data.Z), 2);
   X = insideLimits (unique (data.X(isOurs, :), 'rows'), problem.limits);
+  [yes, nearest] = isAllowed (X, problem);
+  X = X(yes & all (X == nearest, 2), :);
 end
 
 % The set in hand stays where another one is hardly better.

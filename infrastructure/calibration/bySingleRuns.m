@@ -62,12 +62,10 @@ end
 % Where a run fails, it is the difference of the surrogates.
 function [J, book] = differencesOnDEM (p, f, kept, book, problem)
   surrogates = book.state.surrogates;
-  lo = problem.limits(1, :);
-  width = diff (problem.limits);
-  u = (p - lo) ./ width;
+  u = toUnit (p, problem.limits);
   step = stepsOf (surrogates, problem, p);
   step(u + step > 1) = -step(u + step > 1);
-  P = lo + (u + full (diag (step))) .* width;
+  P = fromUnit (u + full (diag (step)), problem.limits);
   [Z, book] = onceOnDEM (P, book, problem);
   J = zeros (numel (f), numel (p));
   for j = 1:numel (p)

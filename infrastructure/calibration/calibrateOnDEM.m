@@ -49,15 +49,13 @@ end
 % nonlin_residmin hands nothing on from one evaluation to the next: the nested
 % functions share BOOK.
 function [p, why, book] = searchOnDEM (way, problem, book)
-  lo = problem.limits(1, :);
-  width = diff (problem.limits);
-  d = numel (lo);
+  d = columns (problem.limits);
   most = max (0, problem.options.maxIter - book.wrong);
   settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
                        'dfdp', @slopes, 'weights', way.weights, ...
                        'MaxIter', most, 'TolFun', problem.options.tolfun, ...
                        'user_interaction', @watch);
-  u = (book.state.found.params - lo) ./ width;
+  u = toUnit (book.state.found.params, problem.limits);
   u = min (max (u, 0), 1)';
   why = 'the search for active limits of the parameters failed';
   try
@@ -77,7 +75,7 @@ function [p, why, book] = searchOnDEM (way, problem, book)
   p = inBox (u);
 
   function p = inBox (unit)
-    p = lo + unit(:)' .* width;
+    p = toAllowed (fromUnit (unit(:)', problem.limits), problem);
   end
 
   function f = residual (unit)

@@ -118,7 +118,7 @@ function lines = curveWarnings (state, problem, number)
 end
 
 function names = limitsTouched (params, problem)
-  u = (params(:)' - problem.limits(1, :)) ./ diff (problem.limits);
+  u = toUnit (params(:)', problem.limits);
   near = problem.options.atLimit;
   names = problem.names(u < near | u > 1 - near);
 end

@@ -25,14 +25,15 @@ end
 
 function yes = areMet (surrogates, problem, group)
   limits = problem.limits;
-  P = [mean(limits, 1); insideLimits(surrogates(1).X, limits); ...
-       double(stk_sampling_halton_rr2 (1000, columns (limits), limits))];
+  P = toAllowed ([boxCentre(limits); ...
+                  insideLimits(surrogates(1).X, limits); ...
+                  sampleBox(1000, limits)], problem);
   problem.calibrate(:) = false;
   problem.calibrate(group) = true;
   loss = @(P) worstExcess (surrogates, problem, P);
   [~, i] = min (loss (P));
   radii = [0.3, 0.2, 0.1, 0.05, 0.03, 0.02];
-  yes = loss (shrinkingSearch (loss, P(i, :), radii, 100, limits)) <= ...
+  yes = loss (shrinkingSearch (loss, P(i, :), radii, 100, problem)) <= ...
         problem.options.apart;
 end
 

@@ -68,10 +68,10 @@ function [P, E] = chooseInfill (state, problem, n, round)
   name = problem.options.infill;
   propose = str2func (['infill', upper(name(1)), name(2:end)]);
   if isempty (problem.coarse)
-    P = propose (state, problem, n, round);
+    P = toAllowed (propose (state, problem, n, round), problem);
     E = zeros (rows (P), 0);
   else
-    P = propose (state, problem, max (n, 5), round);
+    P = toAllowed (propose (state, problem, max (n, 5), round), problem);
     [P, E] = chooseLevels (state.surrogates, problem, unique (P, 'rows'), n, ...
                            pricesOf (state, problem));
   end

@@ -41,9 +41,9 @@ end
 
 function C = candidateSets (surrogates, problem, found)
   d = columns (problem.limits);
-  sample = double (stk_sampling_halton_rr2 (1000, d, problem.limits));
+  sample = toAllowed (sampleBox (1000, problem.limits), problem);
   near = double (stk_sampling_halton_rr2 (100, d, [-ones(1, d); ones(1, d)]));
-  P = [sample; setsAround(found.params, 0.15 * near, problem.limits)];
+  P = [sample; setsAround(found.params, 0.15 * near, problem)];
   [r, s] = residualSpread (surrogates, problem, P);
   [share, spread] = toleranceShare (problem, r, s);
   optimist = max (share - 2 * spread, 0);

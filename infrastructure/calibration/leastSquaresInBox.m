@@ -5,7 +5,7 @@
 %   F         handle r = f (p), p 1 x d, r a column
 %   J         handle of its Jacobian by the parameters in the unit box
 %   P         1 x d, the start; the solution
-%   LIMITS    2 x d, the box
+%   LIMITS    2 x d, the box (toUnit)
 %   SETTINGS  of optimset: MaxIter, TolFun
 %   NITER     iterations; 0 where the start leaves no residual
 %
@@ -19,10 +19,8 @@
 % Errors: those of F and of nonlin_residmin
 
 function [p, niter] = leastSquaresInBox (f, J, p, limits, settings)
-  lo = limits(1, :);
-  width = diff (limits);
-  u = min (max ((p - lo) ./ width, 0), 1)';
-  inBox = @(u) lo + u' .* width;
+  u = min (max (toUnit (p, limits), 0), 1)';
+  inBox = @(u) fromUnit (u', limits);
   r = @(u) f (inBox (u));
   niter = 0;
   if sumsq (r (u)) > eps (1)

@@ -17,7 +17,8 @@ function [probability, share, r] = meetProbability (surrogates, problem, P)
   probability = allMet (r, s, problem, [surrogates.df]);
   if isfield (problem, 'avoid')
     for i = 1:rows (problem.avoid)
-      u = (P - problem.avoid(i, :)) ./ diff (problem.limits);
+      u = toUnit (P, problem.limits) - ...
+          toUnit (problem.avoid(i, :), problem.limits);
       probability = probability .* (1 - exp (-100 * sum (u.^2, 2)));
     end
   end

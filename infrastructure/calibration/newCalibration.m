@@ -68,7 +68,7 @@ end
 % target that is not measured yet) or 'measure directly', name, gain (share of
 % the total relative variance of the parameters that it should take away)).
 function weak = weakness (surrogates, problem, known)
-  U = (known.sample - problem.limits(1, :)) ./ diff (problem.limits);
+  U = toUnit (known.sample, problem.limits);
   weak.notIdentified = problem.names(~known.identified);
   [V, D] = eig (cov (U));
   loose = sqrt (diag (D)) > problem.options.loose / sqrt (12);
@@ -115,12 +115,9 @@ end
 % response gives zeros.
 function total = totalIndices (surrogates, problem)
   d = columns (problem.limits);
-  U = double (stk_sampling_halton_rr2 (1024, 2 * d, ...
-                                       [zeros(1, 2 * d); ones(1, 2 * d)]));
-  lo = problem.limits(1, :);
-  width = diff (problem.limits);
-  A = lo + U(:, 1:d) .* width;
-  B = lo + U(:, d + 1:end) .* width;
+  U = sampleBox (1024, [zeros(1, 2 * d); ones(1, 2 * d)]);
+  A = fromUnit (U(:, 1:d), problem.limits);
+  B = fromUnit (U(:, d + 1:end), problem.limits);
   fA = predictSurrogate (surrogates, A);
   fB = predictSurrogate (surrogates, B);
   centre = mean ([fA; fB], 1);

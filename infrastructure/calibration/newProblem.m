@@ -11,7 +11,8 @@
 %       relative residual (result - target) / target
 %
 % PROBLEM, the same for calibration and diagnosis: names 1 x d cellstr, limits
-% 2 x d, paramMean, paramSd 1 x d (measured by themselves; NaN: not);
+% 2 x d, or 3 x d (toUnit), allowed (isAllowed; []: all sets of the box),
+% paramMean, paramSd 1 x d (measured by themselves; NaN: not);
 % of the targets, 1 x T: targetNames cellstr, value (NaN: not measured yet), sd,
 % tol, trials, scatter, correlation (see docs/data.md), held (logical: never
 % fitted), calibrate (logical: measured and fitted), bench (number of the
@@ -42,6 +43,7 @@ function problem = newProblem (Case, cost)
   for name = {'names', 'limits', 'paramMean', 'paramSd'}
     problem.(name{1}) = Case.(name{1});
   end
+  problem.allowed = givenField (Case, 'allowed', []);
   info = targets;
   if isfield (Case, 'models')
     problem.benchNames = {Case.models.name};
@@ -152,7 +154,7 @@ end
 
 function [standard, nExtra] = probeCost (problem)
   T = numel (problem.value);
-  p = mean (problem.limits, 1)';
+  p = toAllowed (boxCentre (problem.limits), problem)';
   standard = true;
   isKnown = isfinite (problem.value(:));
   for factor = [0.7, 1.1]

@@ -8,8 +8,8 @@
 %             d, sample NSAMPLE x d, identified 1 x d logical (the interval is
 %             narrower than options.loose of the box)
 %
-% Flat prior on the box, times a normal one for parameters that were measured
-% by themselves (PROBLEM.paramMean, paramSd). Each calibrated target is Student
+% Flat prior on the box, on its allowed sets alone, times a normal one for
+% parameters that were measured by themselves (PROBLEM.paramMean, paramSd). Each calibrated target is Student
 % distributed about the surrogate mean with the variance of the surrogate there,
 % plus the scatter of one run (the experiment is one packing, or the mean of
 % PROBLEM.trials), plus the uncertainty of the measurement. The points of a
@@ -28,7 +28,7 @@ function known = parameterPosterior (surrogates, problem, nSample)
   restore = seedRandom (problem.options.seed);
   d = columns (problem.limits);
   [curves, nFree] = curveErrors (surrogates, problem);
-  U = rand (nSample, d + nFree);
+  U = allowedRows (rand (nSample, d + nFree), problem);
   likelihood = @(U) logLikelihood (surrogates, problem, U, curves);
   fit = likelihood (U);
   heat = 0;
@@ -43,7 +43,7 @@ end
 
 function fit = logLikelihood (surrogates, problem, U, curves)
   d = columns (problem.limits);
-  P = problem.limits(1, :) + U(:, 1:d) .* diff (problem.limits);
+  [isIn, P] = isAllowed (fromUnit (U(:, 1:d), problem.limits), problem);
   [m, v] = predictSurrogate (surrogates, P);
   z = (P - problem.paramMean) ./ problem.paramSd;
   fit = -0.5 * sumsq (z(:, isfinite (problem.paramSd)), 2);
@@ -57,6 +57,24 @@ function fit = logLikelihood (surrogates, problem, U, curves)
     fit = fit + c.logLikelihood (m(:, c.points), v(:, c.points), ...
                                  U(:, d + c.free));
   end
+  fit(~isIn) = -Inf;
+end
+
+% Places of the prior: those that are not allowed are drawn again; where they
+% are a hundred times as many, the allowed ones stand for them.
+function U = allowedRows (U, problem)
+  d = columns (problem.limits);
+  isIn = @(U) isAllowed (fromUnit (U(:, 1:d), problem.limits), problem);
+  wrong = find (~isIn (U));
+  for k = 1:100
+    if isempty (wrong)
+      return
+    end
+    U(wrong, :) = rand (numel (wrong), columns (U));
+    wrong(isIn (U(wrong, :))) = [];
+  end
+  sample = toUnit (problem.allowed.sample, problem.limits);
+  U(wrong, 1:d) = sample(1 + mod (0:numel (wrong) - 1, rows (sample)), :);
 end
 
 function [heat, weight] = nextHeat (heat, fit)
@@ -107,12 +125,11 @@ function [U, fit] = moveParticles (U, fit, heat, nMoves, likelihood)
 end
 
 function known = summarise (U, problem)
-  width = diff (problem.limits);
-  known.sample = problem.limits(1, :) + U .* width;
+  [~, known.sample] = isAllowed (fromUnit (U, problem.limits), problem);
   known.interval90 = quantile (known.sample, [0.05; 0.95], 1, 7);
   known.correlation = corr (U);
-  known.identified = diff (known.interval90, 1, 1) < ...
-                     problem.options.loose * width;
+  known.identified = diff (toUnit (known.interval90, problem.limits)) < ...
+                     problem.options.loose;
 end
 
 % Variance of a measured value about the mean response: the packing of the

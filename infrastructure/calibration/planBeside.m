@@ -12,36 +12,56 @@
 
 function plan = planBeside (X, n, Case, least)
   if isempty (X)
-    plan = GenerateExperPlan (Case.limits, n, Case.folder, Case.options.seed);
+    plan = newPlanOf (n, Case);
   else
-    [plan, gap] = augmentPlan (X, n, Case.limits);
+    [plan, gap] = augmentPlan (X, n, Case);
     if nargin > 3
-      [~, alone] = augmentPlan (X([], :), Case.options.numOfSam + 1, ...
-                                Case.limits);
-      isBare = gap > alone(end) | (1:n)' <= least;
+      [~, alone] = augmentPlan (X([], :), Case.options.numOfSam + 1, Case);
+      isBare = gap > alone(end) | (1:rows (gap))' <= least;
       plan = plan(isBare, :);
     end
   end
 end
 
+function plan = newPlanOf (n, Case)
+  if isempty (givenField (Case, 'allowed', []))
+    plan = GenerateExperPlan (Case.limits, n, Case.folder, Case.options.seed);
+  else
+    plan = augmentPlan (zeros (0, columns (Case.limits)), n, Case);
+  end
+end
+
 % Greedy maximin in the unit box over a space-filling sample; the distance to
-% the walls counts half a step, so rows do not crowd there.
-function [P, gap] = augmentPlan (X, n, limits)
-  d = columns (limits);
-  width = diff (limits);
-  U = (X - limits(1, :)) ./ width;
-  C = double (stk_sampling_halton_rr2 (2000, d, [zeros(1, d); ones(1, d)]));
+% the walls counts half a step, so rows do not crowd there. Fewer than N rows
+% where there are not so many allowed sets.
+function [P, gap] = augmentPlan (X, n, Case)
+  U = toUnit (X, Case.limits);
+  C = candidates (Case);
+  if ~isempty (givenField (Case, 'allowed', []))
+    n = min (n, rows (C));
+  end
+  P = zeros (n, columns (C));
   wall = 2 * min (min (C, 1 - C), [], 2);
   nearest = wall;
   for i = 1:rows (U)
     nearest = min (nearest, sqrt (sum ((C - U(i, :)).^2, 2)));
   end
-  P = zeros (n, d);
   gap = zeros (n, 1);
   for k = 1:n
     [gap(k), best] = max (nearest);
-    P(k, :) = limits(1, :) + C(best, :) .* width;
+    P(k, :) = fromUnit (C(best, :), Case.limits);
     nearest = min (nearest, sqrt (sum ((C - C(best, :)).^2, 2)));
+  end
+end
+
+% Sets to choose from, in the unit box.
+function C = candidates (Case)
+  d = columns (Case.limits);
+  C = sampleBox (2000, [zeros(1, d); ones(1, d)]);
+  if ~isempty (givenField (Case, 'allowed', []))
+    [yes, P] = isAllowed (fromUnit (C, Case.limits), Case);
+    P = unique ([P(yes, :); Case.allowed.sample], 'rows', 'stable');
+    C = toUnit (P, Case.limits);
   end
 end
 

@@ -30,7 +30,7 @@ function P = besideEqualRuns (P, data, problem)
   if any (isRepeat) && any (again)
     step = zeros (size (P));
     step(again, :) = 0.02 * (rand (sum (again), columns (P)) - 0.5);
-    P = setsAround (P, step, problem.limits);
+    P = setsAround (P, step, problem);
   end
 end
 

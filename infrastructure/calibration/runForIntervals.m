@@ -13,8 +13,8 @@ function state = runForIntervals (state, problem)
     return
   end
   sample = parameterPosterior (state.surrogates, problem).sample;
-  width = diff (problem.limits);
   X = state.data.X;
+  U = toUnit (sample, problem.limits);
   distance = Inf (rows (sample), 1);
   n = rows (X) + problem.options.intervalRuns;
   for k = 1:n
@@ -22,7 +22,8 @@ function state = runForIntervals (state, problem)
       [~, farthest] = max (distance);
       X(k, :) = sample(farthest, :);
     end
-    distance = min (distance, sumsq ((sample - X(k, :)) ./ width, 2));
+    step = U - toUnit (X(k, :), problem.limits);
+    distance = min (distance, sumsq (step, 2));
   end
   P = X(rows (state.data.X) + 1:end, :);
   state = runAndFit (state, problem, P, 'interval');

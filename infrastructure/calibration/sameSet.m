@@ -4,11 +4,12 @@
 %
 % X       n x d, parameter sets
 % P       1 x d
-% LIMITS  2 x d, the box; what differs by less than 1e-12 of it is rounding
+% LIMITS  2 x d, the box (toUnit); what differs by less than 1e-12 of it is
+%         rounding
 % YES     n x 1 logical
 
 function yes = sameSet (X, p, limits)
-  yes = all (abs (X - p) <= 1e-12 * diff (limits), 2);
+  yes = all (abs (X - p) <= 1e-12 * boxWidth (limits, p), 2);
 end
 
 %!assert (sameSet ([1, 2; 1, 2 + 1e-14; 1, 2.1], [1, 2], [0, 0; 1, 9]), ...

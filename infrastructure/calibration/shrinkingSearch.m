@@ -1,23 +1,23 @@
 % SHRINKINGSEARCH  Looks for a better set around a set, ever nearer.
 %
-% CALL: P = shrinkingSearch (LOSS, P, RADII, N, LIMITS [, BESIDE])
+% CALL: P = shrinkingSearch (LOSS, P, RADII, N, BOX [, BESIDE])
 %
 % LOSS    handle: P m x d -> m x 1, Inf where a set is out of the question
 % P       1 x d, the start; comes back as the best set that was seen
 % RADII   1 x k, half widths of the neighbourhoods, as parts of the box
 % N       sets per neighbourhood (a low-discrepancy sequence)
-% LIMITS  2 x d, the box
+% BOX     struct of newProblem, or its limits, see setsAround
 % BESIDE  m x d, sets that are looked at beside each neighbourhood (none)
 
-function p = shrinkingSearch (loss, p, radii, n, limits, beside)
+function p = shrinkingSearch (loss, p, radii, n, box, beside)
   if nargin < 6
-    beside = zeros (0, columns (limits));
+    beside = zeros (0, columns (p));
   end
-  d = columns (limits);
+  d = columns (p);
   unit = double (stk_sampling_halton_rr2 (n, d, [-ones(1, d); ones(1, d)]));
   value = loss (p);
   for radius = radii
-    P = [setsAround(p, radius * unit, limits); beside];
+    P = [setsAround(p, radius * unit, box); beside];
     [least, i] = min (loss (P));
     if least < value
       value = least;

@@ -27,15 +27,15 @@ function p = surestSet (surrogates, problem, pool)
   if isPreferred && best >= problem.options.even
     loss = @(P) preferenceIfSure (P, surrogates, problem, best);
     p = shrinkingSearch (loss, p, [0.2, 0.1, 0.05, 0.05, 0.02, 0.02], 200, ...
-                         problem.limits, pool);
+                         problem, pool);
   end
 end
 
 function [p, probability] = mostProbable (surrogates, problem, pool)
   d = columns (problem.limits);
-  sample = double (stk_sampling_halton_rr2 (300, d, problem.limits));
+  sample = sampleBox (300, problem.limits);
   centroid = insideLimits (mean (surrogates(1).X, 1), problem.limits);
-  P = [pool; centroid; sample];
+  P = toAllowed ([pool; centroid; sample], problem);
   [~, order] = sort (sum (loss (surrogates, problem, P).^2, 2));
   P = P(order(1:10), :);
   settings = optimset ('MaxIter', 20, 'TolFun', 1e-2);
@@ -43,6 +43,7 @@ function [p, probability] = mostProbable (surrogates, problem, pool)
     P(k, :) = leastSquaresInBox (@(p) loss (surrogates, problem, p)', ...
                                  @(p) slope (surrogates, problem, p), ...
                                  P(k, :), problem.limits, settings);
+    P(k, :) = toAllowed (P(k, :), problem);
   end
   step = double (stk_sampling_halton_rr2 (30, d, [-ones(1, d); ones(1, d)]));
   for radius = 0.3 * 0.75.^(0:15)
@@ -51,7 +52,7 @@ function [p, probability] = mostProbable (surrogates, problem, pool)
     P = best;
     for k = 1:3
       P = [P; setsAround(best(k, :), radius * circshift (step, k, 2), ...
-                         problem.limits)];
+                         problem)];
     end
     step = -circshift (step, 1, 2);
   end

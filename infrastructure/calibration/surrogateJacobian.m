@@ -13,14 +13,12 @@
 
 function [J, G] = surrogateJacobian (surrogates, problem, p)
   d = numel (p);
-  lo = problem.limits(1, :);
-  width = problem.limits(2, :) - lo;
-  u = (p - lo) ./ width;
+  u = toUnit (p, problem.limits);
   h = 1e-3;
   up = min (u + h * full (eye (d)), 1);
   dn = max (u - h * full (eye (d)), 0);
   step = diag (up - dn);
-  P = lo + [up; dn] .* width;
+  P = fromUnit ([up; dn], problem.limits);
   use = problem.calibrate;
   scaled = @(r) r(:, use) ./ problem.part(use);
   slopes = @(f) ((f(1:d, :) - f(d + 1:end, :)) ./ step)';

@@ -27,7 +27,7 @@ function given = costInput (handedOn)
   scale([Case.targets.isAbsolute]) = 1;
   given = struct ('value', value, 'scale', scale, ...
                   'modelVars', Case.modelVars, 'names', {Case.names}, ...
-                  'limits', Case.limits, 'WRL', Case.options.WRL);
+                  'limits', Case.limits(1:2, :), 'WRL', Case.options.WRL);
 end
 
 % The same of a case that nobody has checked: a cost function that users call

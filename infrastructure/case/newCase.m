@@ -29,8 +29,9 @@ function Case = newCase (raw, varargin)
   Case.models = newModels (raw);
   Case.further = givenField (raw, 'further', {});
   Case.names = raw.assign(:)';
-  % no set that lies on a limit is beyond it when it is rounded
-  Case.limits = toDigits (double (raw.paramLims));
+  Case.limits = found.box.limits;
+  Case.allowed = found.box.allowed;
+  Case.bySelf = found.box.bySelf;
   Case.paramMean = found.paramMean;
   Case.paramSd = found.paramSd;
   Case.modelVars = raw.modelVars;

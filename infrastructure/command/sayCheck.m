@@ -22,6 +22,7 @@ function status = sayCheck (root, folder, args)
   printf ('LIGGGHTS  %s %s\n          why: %s\n          %s\n', ...
           givenField (choice, 'program', 'none'), choice.version, ...
           choice.why, choice.how);
+  sayBox (Case);
   sayEffects (Case);
   status = 0;
   if options.try
@@ -66,6 +67,32 @@ function sayList (what, names)
   end
 end
 
+% In which scale, and where, the sets lie.
+function sayBox (Case)
+  why = {'as Input.scale says', ['its limits are more than a factor of 100 ' ...
+                                 'apart; Input.scale says otherwise']};
+  for j = find (any (Case.limits(3:end, :), 1))
+    printf ('scale     %s: counted in logarithms, %s\n', Case.names{j}, ...
+            why{1 + Case.bySelf(j)});
+  end
+  if isempty (Case.allowed)
+    return
+  end
+  for j = find (~cellfun (@isempty, Case.allowed.values))
+    values = Case.allowed.values{j};
+    printf ('values    %s: %s\n', Case.names{j}, ...
+            strjoin (arrayfun (@(v) sprintf ('%g', v), values, ...
+                               'UniformOutput', false), ', '));
+  end
+  for text = Case.allowed.texts
+    printf ('allowed   %s\n', text{1});
+  end
+  if ~isempty (Case.allowed.texts)
+    printf ('          %.2g %% of the sets between the limits\n', ...
+            100 * Case.allowed.share);
+  end
+end
+
 function sayEffects (Case)
   for coarse = Case.coarse
     printf ('levels    %s: %s; the last one counts\n', coarse.variable, ...
@@ -85,7 +112,7 @@ function records = tryModels (Case)
   f = foresee (Case, struct ('model', {}, 'job', {}, 'state', {}, ...
                              'seconds', {}));
   if isempty (f.plan)
-    f.plan = mean (Case.limits, 1);
+    f.plan = toAllowed (boxCentre (Case.limits), Case);
   end
   jobs = newJobs (Case, f.plan(1, :), [], 1, 'plan');
   records = runJobs (jobs, Case, newProgress ('trial', ...

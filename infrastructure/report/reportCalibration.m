@@ -102,7 +102,7 @@ function sayParameters (c, Case, tell)
         'upper', '90 % of the sets that fit');
   for j = 1:numel (Case.names)
     tell ('  %-24s %11.5g %11.5g %11.5g   %.4g to %.4g', Case.names{j}, ...
-          c.params(j), Case.limits(:, j), c.interval90(:, j));
+          c.params(j), Case.limits(1:2, j), c.interval90(:, j));
   end
   if ~isempty (c.intervalNote)
     tell ('  %s.', c.intervalNote);

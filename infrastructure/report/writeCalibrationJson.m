@@ -17,7 +17,13 @@ function v = writeCalibrationJson (c, Case)
   out = struct ('params', named (num2cell (c.params(:))));
   out.interval90 = named (num2cell (c.interval90, 1)');
   out.intervalNote = c.intervalNote;
-  out.limits = named (num2cell (Case.limits, 1)');
+  out.limits = named (num2cell (Case.limits(1:2, :), 1)');
+  words = {'linear', 'log'};
+  out.scale = named (words(1 + any (Case.limits(3:end, :), 1))');
+  out.constraints = {};
+  if ~isempty (Case.allowed)
+    out.constraints = Case.allowed.texts;
+  end
   out.targets = targetsOf (c, Case);
   out = mergeFields (out, c, {'converged', 'ending', 'reason', 'limit', ...
                               'conflict'});

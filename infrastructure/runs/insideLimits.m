@@ -4,13 +4,14 @@
 %       [X, ISIN] = insideLimits (X, LIMITS, BEYOND)
 %
 % X       n x d  sets; runs that were taken in may lie outside
-% LIMITS  2 x d  box
+% LIMITS  2 x d  box (toUnit)
 % BEYOND  share of the box that a set may lie beyond a limit (0)
 % ISIN    n x 1  logical, which rows
 
 function [X, isIn] = insideLimits (X, limits, beyond)
   if nargin > 2
-    limits = limits + beyond * [-1; 1] .* diff (limits);
+    limits = fromUnit ([-beyond; 1 + beyond] .* ones (1, columns (limits)), ...
+                       limits);
   end
   isIn = all (X >= limits(1, :) & X <= limits(2, :), 2);
   X = X(isIn, :);

@@ -54,7 +54,7 @@ function L = likelihoodOf (s, X, z, level, whole)
   if n < d + 3
     source = whole;
   end
-  U = (X - s.limits(1, :)) ./ diff (s.limits);
+  U = toUnit (X, s.limits);
   if ~isempty (source.level)
     U(:, d + 1) = level;
   end

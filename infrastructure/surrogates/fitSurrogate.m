@@ -68,7 +68,7 @@ function base = standardise (X, z, limits, options)
                  'level', options.level, 'noiseLaw', [], ...
                  'prior', options.prior, 'maxFit', 150, ...
                  'shift', mean (z), 'scale', std (z));
-  base.unit = [(X - limits(1, :)) ./ diff(limits), options.level];
+  base.unit = [toUnit(X, limits), options.level];
   if isConstant (z)
     sizes = [options.unit, abs(base.shift), 1];
     base.scale = sizes(find (sizes > 0, 1));

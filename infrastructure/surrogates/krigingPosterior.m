@@ -12,8 +12,7 @@ function [m, v, S] = krigingPosterior (surrogate, P)
   s = surrogate.solver;
   model = surrogate.model;
   d = columns (surrogate.limits);
-  U = (P(:, 1:d) - surrogate.limits(1, :)) ./ ...
-      (surrogate.limits(2, :) - surrogate.limits(1, :));
+  U = toUnit (P(:, 1:d), surrogate.limits);
   if ~isempty (surrogate.level)
     U(:, d + 1) = 0;
     U(:, d + 1:columns (P)) = P(:, d + 1:end);

@@ -13,7 +13,7 @@ function surrogate = loadSurrogate (file)
             'it is missing.'], file);
   end
   kept = load (file, 'kept').kept;
-  kept.unit = (kept.X - kept.limits(1, :)) ./ diff (kept.limits);
+  kept.unit = toUnit (kept.X, kept.limits);
   if isfield (kept, 'level')
     kept.unit = [kept.unit, kept.level];
   end

@@ -8,8 +8,9 @@
 %          target of the same name ([] where there is none); {} without a folder
 %
 % Ranges are known of the parameters that have the same name there, in their own
-% units: with other limits they are other shares of the box. A surrogate with
-% levels, or of known noise, says nothing.
+% units: with other limits they are other shares of the box; of one that counts
+% in logarithms here or there alone nothing is known. A surrogate with levels,
+% or of known noise, says nothing.
 
 function prior = similarPriors (Case)
   prior = cell (1, 0);
@@ -37,10 +38,19 @@ function prior = similarPriors (Case)
                       struct ('trend', 'affine', 'covariance', 'matern52'));
     prior{t} = NaN (numel (Case.names) + 2, 1);
     prior{t}([1, end]) = [s.model.param(1); s.model.lognoisevariance];
-    width = diff (Case.limits)(isThere) ./ diff (s.limits)(column(isThere));
+    width = widthsOf (Case.limits)(:, isThere) ./ ...
+            widthsOf (s.limits)(:, column(isThere));
     prior{t}(1 + find (isThere)) = s.model.param(1 + column(isThere))(:) + ...
-                                   log (width(:));
+                                   log (max (width, [], 1)(:));
   end
+end
+
+% In a parameter's own unit, and in logarithms; NaN where it does not count so.
+function w = widthsOf (limits)
+  isLog = any (limits(3:end, :), 1);
+  w = [limits(2, :) - limits(1, :); log(limits(2, :) ./ limits(1, :))];
+  w(1, isLog) = NaN;
+  w(2, ~isLog) = NaN;
 end
 
 %!assert (similarPriors (struct ('options', struct ())), cell (1, 0))

@@ -13,7 +13,7 @@
 %             is good
 %   FOUND     scalar struct of what newCase needs of it: groups, conditions,
 %             sizes (see checkMeasuredTable), paramMean, paramSd (see
-%             checkMeasured)
+%             checkMeasured), box (see checkBox)
 %
 % Never throws, starts no DEM run, makes no folder of the case, evaluates no
 % text of the user. With 'reading', for what reads the files of a case alone, a
@@ -103,6 +103,8 @@ function [p, found] = checkTogether (raw, mode, found)
   [ofLevels, names, fields] = checkLevels (raw, numel (models));
   [names, fields, kinds] = variablesOf (raw, names, fields);
   p = [p, checkDeclared(names, fields, kinds, models)];
+  [ofBox, box] = checkBox (raw);
+  p = [p, ofBox];
   if isstruct (raw.optim)
     [q, found] = checkMeasuredTable (raw, models, names);
     p = [p, q];
@@ -111,6 +113,7 @@ function [p, found] = checkTogether (raw, mode, found)
     p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign, models), r];
   end
   p = [p, ofLevels];
+  found.box = box;
   if strcmp (mode, 'full')
     p = [p, checkPlace(raw, models)];
   end

@@ -15,7 +15,8 @@ function [p, unread] = checkSettings (Input, optim)
       [p, nModels] = checkModelNames (Input.model);
     end
     [q, queues] = checkExecutors (Input);
-    [r, mine] = checkFields (Input, 'Input', [{'coarse'}, queues], ...
+    known = {'coarse', 'scale', 'values', 'constraints'};
+    [r, mine] = checkFields (Input, 'Input', [known, queues], ...
                              ofInput (), nModels);
     unread = strcat ('Input.', mine);
     p = [r, p, checkEnough(Input), q];

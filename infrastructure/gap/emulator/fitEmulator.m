@@ -39,7 +39,7 @@ function em = fitEmulator (gapProblem, data, options, old)
   p = columns (gapProblem.limits);
   data = inOrder (data);
   phi = strengthOfValues (gapProblem.effects, data.E);
-  theta = scaled (data.X, gapProblem.limits);
+  theta = 2 * toUnit (data.X, gapProblem.limits) - 1;
   isBase = all (abs (phi) < 1e-9, 2);
   if sum (isBase) < p + 3
     error ('DEcalioc:fitEmulator:badValue', ...
@@ -157,10 +157,6 @@ function [m, v] = atOwnLevel (surrogates, data)
         predictSurrogate (s, [data.X(known, :), level(known)]);
     end
   end
-end
-
-function theta = scaled (X, limits)
-  theta = 2 * (X - limits(1, :)) ./ (limits(2, :) - limits(1, :)) - 1;
 end
 
 % Logistic regression of success (NaN: none, NA: not run) on 1 and parameters

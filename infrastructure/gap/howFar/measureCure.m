@@ -77,9 +77,7 @@ function cure = measureCure (study, sets, first, group)
   cure = rmfield (cure, 'share');
   cure.verifiedByDEM = all ([sets([1, at]).verified]);
   cure.worstZ = max ([sets([1, at]).worstZ]);
-  half = diff (gapProblem.limits) / 2;
-  cure.params = mean (gapProblem.limits) + ...
-                [sets(1).Q; sets(at).Q(1:em.p)] .* half;
+  cure.params = paramsOf ([sets(1).Q; sets(at).Q(1:em.p)], gapProblem.limits);
   cure.phi = sets(at).Q(em.p + 1:end);
   noise = diag (noiseBudget (gapProblem, em).covariance)';
   cure.remaining = devs(at).r(used) ./ ...

@@ -5,7 +5,7 @@
 %   GIVEN       struct; required fields
 %     value    1 x T, measured values; NaN = simulated but not (yet) measured
 %     sd       1 x T, standard uncertainty of value
-%     limits   2 x p, box of the calibrated parameters
+%     limits   2 x p, or 3 x p, box of the calibrated parameters (toUnit)
 %     bench    1 x T, number of the bench that each target belongs to
 %   optional fields (default)
 %     targetNames (t1 ...), benchNames (bench1 ...), names (p1 ...) cellstr
@@ -72,9 +72,10 @@ function gapProblem = newGapProblem (given)
 end
 
 function prior = priorOf (gapProblem)
-  half = diff (gapProblem.limits) / 2;
-  prior.mean = (gapProblem.paramMean - mean (gapProblem.limits)) ./ half;
-  prior.sd = gapProblem.paramSd ./ half;
+  mean_ = gapProblem.paramMean;
+  limits = gapProblem.limits;
+  prior.mean = 2 * toUnit (mean_, limits) - 1;
+  prior.sd = 2 * gapProblem.paramSd ./ boxWidth (limits, mean_);
   without = ~isfinite (prior.mean) | ~isfinite (prior.sd);
   prior.mean(without) = 0;
   prior.sd(without) = Inf;
@@ -105,7 +106,7 @@ function gapProblem = withDefaults (given, T, p)
     end
     gapProblem.(fields{k}) = value;
   end
-  gapProblem.limits = reshape (gapProblem.limits, 2, p);
+  gapProblem.limits = reshape (gapProblem.limits, [], p);
   gapProblem.held = logical (gapProblem.held);
   gapProblem.sdKnown = logical (gapProblem.sdKnown);
   gapProblem.estimateSeries = logical (gapProblem.estimateSeries);
@@ -134,7 +135,8 @@ function checkShapes (gapProblem, T, p)
              numel (gapProblem.(name{1})));
     end
   end
-  if numel (gapProblem.names) ~= p || ~all (diff (gapProblem.limits) > 0)
+  limits = gapProblem.limits;
+  if numel (gapProblem.names) ~= p || ~all (limits(1, :) < limits(2, :))
     error ('DEcalioc:newGapProblem:badValue', ...
            ['newGapProblem: LIMITS must be 2 x %d with the lower limit ' ...
             'first in every column.'], numel (gapProblem.names));

@@ -34,8 +34,7 @@ function where = locateGap (study)
   known = study.fits.calibrated;
   fit = struct ('Q', known.Q(1, :), 'U', known.U(1, :), 'chi2', known.chi2(1));
   where.theta = fit.Q;
-  where.params = mean (gapProblem.limits) + ...
-                 where.theta .* diff (gapProblem.limits) / 2;
+  where.params = paramsOf (where.theta, gapProblem.limits);
   where.chi2 = fit.chi2;
   [where.p, simulated] = lackOfFit (models, fit);
   [M, V, ~, J] = predictGap (white, [], where.theta);

@@ -15,9 +15,8 @@
 %     reason         text, '' where neither
 
 function side = sideSignals (gapProblem, em, theta, options)
-  half = diff (gapProblem.limits) / 2;
   side.atLimit = gapProblem.names(abs (theta) > options.limitAt);
-  value = mean (gapProblem.limits) + theta .* half;
+  value = paramsOf (theta, gapProblem.limits);
   [~, v] = predictSurrogate (em.surrogates, value);
   v = (v + em.fitVar) * isempty (em.change);
   fixed = diag (noiseBudget (gapProblem, em).covariance)';

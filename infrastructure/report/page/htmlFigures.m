@@ -140,7 +140,9 @@ function text = axisLines (side, range, names, f)
   scale = 0;
   if isempty (names)
     isX = side == 'x';
-    at = niceTicks (range, max (2, round (f.size(2 - isX) / (60 + 20 * isX))));
+    n = max (2, round (f.size(2 - isX) / (60 + 20 * isX)));
+    ticks = {@niceTicks, @logTicks};
+    at = ticks{1 + f.([side, 'log'])} (range, n);
     if isX && f.whole
       at = unique (round (at));
     end
@@ -155,6 +157,18 @@ function text = axisLines (side, range, names, f)
   text = sprintf (["set %srange [%.10g:%.10g]\n", ...
                    'set %stics nomirror scale %g (%s)'], side, range, side, ...
                   scale, strjoin (spots, ', '));
+  text = [text, repmat(["\nset logscale ", side], 1, f.([side, 'log']))];
+end
+
+% Powers of ten inside RANGE, at most about N; below two of them 1, 2 and 5.
+function at = logTicks (range, n)
+  ends = log10 (range) + 1e-9 * [-1, 1];
+  powers = ceil (ends(1)):floor (ends(2));
+  at = 10.^powers(1:ceil (numel (powers) / n):end);
+  if numel (powers) < 3
+    at = [1; 2; 5] * 10.^(floor (ends(1)):floor (ends(2)));
+    at = at(log10 (at) >= ends(1) & log10 (at) <= ends(2))(:)';
+  end
 end
 
 % Multiples of 1, 2 or 5 times a power of ten inside RANGE, about N.

@@ -126,7 +126,7 @@ function reach = reachOf (surrogates, Case)
   for t = 1:numel (surrogates)
     s = surrogates(t);
     isInside = all (s.X >= limits(1, :) & s.X <= limits(2, :), 2);
-    P = [limits(1, :) + u .* diff(limits); s.X(isInside, :)];
+    P = [fromUnit(u, limits); s.X(isInside, :)];
     m = predictSurrogate (s, P);
     reach(t, :) = [min(m), max(m)];
   end
@@ -135,7 +135,7 @@ end
 % In a store that other cases share, only the own runs inside the limits count.
 function runs = allRuns (Case)
   runs = [];
-  slack = 1e-9 * diff (Case.limits);
+  slack = 1e-9 * diff (Case.limits(1:2, :));
   if strcmp (Case.store, Case.folder)
     slack = Inf;
   end

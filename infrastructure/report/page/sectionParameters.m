@@ -71,27 +71,27 @@ end
 function f = boxFigure (page, j, word)
   c = page.sources.calibration;
   name = page.Case.names{j};
-  limits = page.Case.limits(:, j)';
+  box = page.Case.limits(:, j);
+  limits = box(1:2)';
   value = c.params.(name);
   known = c.interval90.(name)(:)';
   alt = sprintf (['%s is %.4g, 90 %% interval %.4g to %.4g, in the box ', ...
                   '%.4g to %.4g: %s'], name, value, known, limits, word);
   f = newFigure ([name, ': ', word], '', '', alt, ...
                  {'box', [limits(1), 0.5, limits, -0.25, 1.05], 'palegrey'; ...
-                  'area', histogram(page.posterior(:, j), limits), ...
+                  'area', histogram(page.posterior(:, j), box), ...
                   'midblue'; ...
                   'xbar', [value, -0.12, known], 'blue'; ...
                   'diamond', [value, -0.12], 'blue'});
   f.size = [340, 96];
-  f.xlim = limits + 0.03 * diff (limits) * [-1, 1];
-  f.ylim = [-0.25, 1.05];
-  f.ynames = {' '};
+  f.xlim = fromUnit ([-0.03; 1.03], box)';
+  [f.xlog, f.ylim, f.ynames] = deal (any (box(3:end)), [-0.25, 1.05], {' '});
 end
 
-function area = histogram (sample, limits)
+function area = histogram (sample, box)
   area = zeros (0, 3);
   if numel (sample) > 20
-    edges = linspace (limits(1), limits(2), 26)';
+    edges = fromUnit (linspace (0, 1, 26)', box);
     counts = histc (sample, edges);
     counts(end - 1) = counts(end - 1) + counts(end);
     counts = counts(1:end - 1) / max (counts);

@@ -59,8 +59,10 @@ function f = pairFigure (page, j, i, layers)
                           names{j}, rows (page.plan)), layers);
   f.size = [260, 210];
   f.caption = false;
-  f.xlim = page.Case.limits(:, j)';
-  f.ylim = page.Case.limits(:, i)';
+  f.xlim = page.Case.limits(1:2, j)';
+  f.ylim = page.Case.limits(1:2, i)';
+  f.xlog = any (page.Case.limits(3:end, j));
+  f.ylog = any (page.Case.limits(3:end, i));
 end
 
 % Cuts through the found set (before there is one: through the box centre).
@@ -69,7 +71,7 @@ function html = slices (page)
   centre = page.found;
   what = 'the set that was found';
   if isempty (centre)
-    centre = mean (page.Case.limits, 1);
+    centre = boxCentre (page.Case.limits);
     what = 'the centre of the box (no set has been found yet)';
   end
   for t = shownTargets (page.Case)
@@ -106,17 +108,17 @@ function f = slice (page, t, j, centre)
   T = page.Case.targets(t);
   limits = page.Case.limits;
   name = page.Case.names{j};
-  x = linspace (limits(1, j), limits(2, j), 31)';
+  x = fromUnit (linspace (0, 1, 31)', limits(:, j));
   P = repmat (centre, 31, 1);
   P(:, j) = x;
   [m, v] = predictSurrogate (s, P);
   inner = studentQuantile (0.95, s.df) * sqrt (v);
   outer = studentQuantile (0.95, s.df) * sqrt (v + s.noiseVar);
   z = carriedOver (s);
-  others = (s.X - centre) ./ diff (limits);
+  others = toUnit (s.X, limits) - toUnit (centre, limits);
   others(:, j) = 0;
   isNear = all (abs (others) <= 0.25, 2);
-  ends = limits(:, j);
+  ends = limits(1:2, j);
   half = halfWidth (T);
   range = [m - outer; m + outer; z; T.value];
   range = [min(range), max(range)];
@@ -136,6 +138,7 @@ function f = slice (page, t, j, centre)
                   'dash', [centre([j; j])(:), range'], 'ink'});
   f.caption = false;
   f.xlim = ends';
+  f.xlog = any (limits(3:end, j));
   f.ylim = range;
 end
 

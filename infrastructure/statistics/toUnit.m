@@ -1,0 +1,29 @@
+% TOUNIT  Parameter sets in the unit box.
+%
+% CALL: U = toUnit (X, LIMITS)
+%
+% X       n x d, parameter sets
+% LIMITS  2 x d, the box; a third row (0 or 1) where a parameter counts in
+%         logarithms, between positive limits
+% U       n x d, 0 at the lower and 1 at the upper limits
+%
+% The one map between parameters and the box that everything works in, with
+% fromUnit. In logarithms nothing lies farther below the box than its width:
+% a value of 0 does not.
+
+function U = toUnit (X, limits)
+  lo = limits(1, :);
+  U = (X - lo) ./ (limits(2, :) - lo);
+  for j = find (any (limits(3:end, :), 1))
+    span = log (limits(2, j) / lo(j));
+    U(:, j) = max (log (max (X(:, j), 0) / lo(j)) / span, -1);
+  end
+end
+
+%!assert (toUnit ([1, 5; 2, 7], [1, 4; 3, 8]), [0, 0.25; 0.5, 0.75]);
+%!test
+%! limits = [1e5, 0; 1e9, 2; 1, 0];
+%! assert (toUnit ([1e5, 0; 1e7, 1; 1e9, 2], limits), [0; 0.5; 1] * [1, 1], ...
+%!         eps (1));
+%! assert (toUnit ([0, 1; -3, 1], limits), [-1, 0.5; -1, 0.5]);
+%!assert (toUnit (zeros (0, 2), [1, 1; 2, 2; 1, 0]), zeros (0, 2));
