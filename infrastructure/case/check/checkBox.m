@@ -81,7 +81,7 @@ function [p, values] = checkValues (Input, names, limits)
                                ['two or more numbers between the limits, ' ...
                                 'or ''integer'''], checkShow (given{j}), cure);
     else
-      values{j} = unique (double (v(:)'));
+      values{j} = unique (toDigits (double (v(:)')));
     end
   end
 end
