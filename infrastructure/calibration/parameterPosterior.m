@@ -9,15 +9,15 @@
 %             narrower than options.loose of the box)
 %
 % Flat prior on the box, on its allowed sets alone, times a normal one for
-% parameters that were measured by themselves (PROBLEM.paramMean, paramSd). Each calibrated target is Student
-% distributed about the surrogate mean with the variance of the surrogate there,
-% plus the scatter of one run (the experiment is one packing, or the mean of
-% PROBLEM.trials), plus the uncertainty of the measurement. The points of a
-% curve are one observation with a covariance, see curveErrors; where the length
-% of their errors or their size is not known, it is sampled together with the
-% parameters. Sampled by tempering: particles of the prior are reweighted,
-% resampled and moved by Metropolis steps until the full likelihood is reached
-% (Del Moral, Doucet and Jasra 2006).
+% parameters that were measured by themselves (PROBLEM.paramMean, paramSd). Each
+% calibrated target is Student distributed about the surrogate mean with the
+% variance of the surrogate there, plus the scatter of one run (the experiment
+% is one packing, or the mean of PROBLEM.trials), plus the uncertainty of the
+% measurement. The points of a curve are one observation with a covariance, see
+% curveErrors; where the length of their errors or their size is not known, it
+% is sampled together with the parameters. Sampled by tempering: particles of
+% the prior are reweighted, resampled and moved by Metropolis steps until the
+% full likelihood is reached (Del Moral, Doucet and Jasra 2006).
 
 function known = parameterPosterior (surrogates, problem, nSample)
   % a prediction costs the square of the runs for each target
