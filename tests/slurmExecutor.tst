@@ -107,7 +107,7 @@
 %! folder = fullfile (home, 'unsent');
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 0);
 %! queue = slurmExecutor ();
-%! flight = batchAttach (jobs, Case.store, queue);
+%! flight = batchAttach (jobs, Case, queue);
 %! opt = queue.options (Case.options);
 %! flight = batchSubmit (flight, 1:2, jobs, Case, queue, opt);
 %! r = slurmExecutor ().execute (jobs, Case, @(s) []);

@@ -81,7 +81,7 @@ function sayPrograms (line)
 end
 
 function [isGood, text] = trialRun (root)
-  place = tempname ();
+  place = privateFolder ();
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(place)]));
   model = fullfile (place, 'DEMmodels', 'Trial');
   evalc ('sayNew (root, place, {''--model'', ''Trial'', place})');

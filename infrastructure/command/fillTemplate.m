@@ -38,7 +38,7 @@ function draft = newDraft (target)
   [~, ~] = mkdir (parent);
   start = fullfile (parent, ['.', name, ext, '.new-']);
   system (['rm -rf ', shellQuote(start), '*']);
-  draft = sprintf ('%s%d', start, getpid ());
+  draft = draftName (start);
 end
 
 function refuse (target, text)

@@ -85,8 +85,9 @@ end
 
 % In a draft beside it, so that the model is there whole or not at all.
 function makeFolder (root, target, given, words, files, variables, results)
-  source = tempname ();
-  tidy = onCleanup (@() system (['rm -rf ', shellQuote(source)]));
+  place = privateFolder ();
+  tidy = onCleanup (@() system (['rm -rf ', shellQuote(place)]));
+  source = fullfile (place, 'source');
   fillTemplate (fullfile (root, 'templates', 'script'), source, words);
   from = fileparts (make_absolute_filename (given.script));
   for name = [{words.SCRIPT}, files]

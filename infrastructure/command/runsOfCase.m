@@ -72,14 +72,14 @@ function run = oneRun (folder, sent, isHere)
 end
 
 function state = stateOf (folder, isSent, isHere)
-  [pids, isAlive] = runPids (folder);
+  [pids, ~, ~, isGone] = runPids (folder);
   hasBegun = ~isempty (pids);
   if isSent
     hasBegun = exist (fullfile (folder, 'batch.claim'), 'file') > 0;
   end
   if ~hasBegun
     state = 'waiting';
-  elseif ~isSent && isHere && ~isAlive
+  elseif ~isSent && isHere && isGone
     state = 'lost';
   else
     state = 'running';

@@ -107,8 +107,9 @@ function makeModel (root, target, model, given)
     template = 'scriptCase';
     if isThere
       % of a call that was killed: the script's words are needed all the same
-      model = tempname ();
-      tidy = onCleanup (@() system (['rm -rf ', shellQuote(model)]));
+      place = privateFolder ();
+      tidy = onCleanup (@() system (['rm -rf ', shellQuote(place)]));
+      model = fullfile (place, 'model');
     end
     [words, notes] = newScriptModel (root, model, given);
   elseif ~isThere
@@ -126,8 +127,9 @@ function makeModel (root, target, model, given)
 end
 
 function newTemplateModel (root, model, given)
-  draft = tempname ();
-  tidy = onCleanup (@() system (['rm -rf ', shellQuote(draft)]));
+  place = privateFolder ();
+  tidy = onCleanup (@() system (['rm -rf ', shellQuote(place)]));
+  draft = fullfile (place, 'draft');
   fillTemplate (fullfile (root, 'templates', 'model'), draft, ...
                 struct ('MODEL', given.model));
   if given.curve
@@ -142,8 +144,9 @@ end
 
 % The form comes last: with it the folder is a case.
 function makeForm (template, target, words)
-  draft = tempname ();
-  tidy = onCleanup (@() system (['rm -rf ', shellQuote(draft)]));
+  place = privateFolder ();
+  tidy = onCleanup (@() system (['rm -rf ', shellQuote(place)]));
+  draft = fullfile (place, 'draft');
   fillTemplate (template, draft, words);
   last = 'loadInput.m';
   names = setdiff (readdir (draft)', {'.', '..', last});

@@ -1,8 +1,8 @@
 % BATCHATTACH  Starts the book of a plan: which runs are in the queue already.
 %
-% CALL: FLIGHT = batchAttach (JOBS, STORE, QUEUE)
+% CALL: FLIGHT = batchAttach (JOBS, CASE, QUEUE)
 %
-%   JOBS, QUEUE  see batchExecute;  STORE  folder of the run store (text)
+%   JOBS, CASE, QUEUE  see batchExecute
 %   FLIGHT  scalar struct
 %     status   1 x n char: 'q' to be submitted, 'o' submitted and open,
 %              'e' ended and to be evaluated, 's' settled (has a record)
@@ -21,10 +21,11 @@
 %     waitsFor reason for waiting that the user knows already (text)
 %     message  text for the user, '' = nothing new
 %
-% A run whose record is written, whose folder is gone, or which was given up
-% (batchVoid) is not attached.
+% A run whose record is written, whose folder is gone, which was given up
+% (batchVoid) or which is that of another case is not attached: of that one's
+% jobs the queue may say nothing here.
 
-function flight = batchAttach (jobs, store, queue)
+function flight = batchAttach (jobs, Case, queue)
   n = numel (jobs);
   none = repmat ({''}, 1, n);
   flight = struct ('status', repmat ('q', 1, n), 'isOld', false (1, n), ...
@@ -35,11 +36,12 @@ function flight = batchAttach (jobs, store, queue)
                    'silent', false, 'waitsFor', '', 'message', '');
   flight.batches = struct ('name', {}, 'path', {}, 'n', {}, 'left', {}, ...
                            'cpu', {}, 'minutes', {}, 'isSent', {});
-  for sent = batchLedger (store, queue.name)
+  for sent = batchLedger (Case.store, queue.name)
     isOpen = cellfun (@isAttachable, sent.folders);
     if ~any (isOpen)
       batchDiscard (sent.path);
     end
+    isOpen(isOpen) = cellfun (@(f) isOwn (f, Case), sent.folders(isOpen));
     sent.keys(~isOpen) = {''};
     [isOurs, task] = ismember ({jobs.key}, sent.keys);
     isOurs = isOurs & flight.status == 'q';
@@ -69,6 +71,10 @@ function yes = isAttachable (folder)
         ~has ('batch.claim', 'void');
 end
 
+function yes = isOwn (folder, Case)
+  yes = isOwnRun (readRecord (fullfile (folder, 'job.json')), Case);
+end
+
 %!test
 %! store = tempname ();
 %! batch = fullfile (store, 'optim', '.q', 'decalioc-1');
@@ -82,13 +88,17 @@ end
 %! end
 %! jobs = struct ('key', {'k0', 'k1', 'k2', 'k3'});
 %! queue = struct ('name', 'q', 'title', 'Queue');
-%! f = batchAttach (jobs, store, queue);
+%! Case = struct ('store', store, 'folder', '/a');
+%! assert (batchAttach (jobs, Case, queue).status, 'qqqq');
+%! assert (isfolder (batch));
+%! Case.folder = store;
+%! f = batchAttach (jobs, Case, queue);
 %! assert (f.status, 'qoqq');
 %! assert (f.task, [0, 1, 0, 0]);
 %! assert (f.folder{2}, [store, '/1']);
 %! assert ([f.batches.n, f.batches.left], [3, 1]);
 %! assert (! isempty (f.message));
 %! rmdir (store, 's');
-%! f = batchAttach (jobs, store, queue);
+%! f = batchAttach (jobs, Case, queue);
 %! assert (f.status, 'qqqq');
 %! assert (isempty (f.batches) && isempty (f.message));

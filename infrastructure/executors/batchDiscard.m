@@ -9,9 +9,10 @@
 
 function batchDiscard (folder)
   confirm_recursive_rmdir (false, 'local');
-  aside = fullfile (fileparts (folder), '.ended');
-  [~, ~] = rename (folder, aside);
-  [~, ~] = rmdir (aside, 's');
+  aside = draftName (fullfile (fileparts (folder), '.ended'));
+  if rename (folder, aside) == 0
+    [~, ~] = rmdir (aside, 's');
+  end
 end
 
 %!test

@@ -31,7 +31,7 @@ function records = batchExecute (queue, jobs, Case, report)
             'set Input.executor = ''local''.'], queue.title, fault);
   end
   watch = tic ();
-  flight = batchAttach (jobs, Case.store, queue);
+  flight = batchAttach (jobs, Case, queue);
   reported = struct ();
   while true
     flight = batchLook (flight, jobs, queue, opt.grace, toc (watch));

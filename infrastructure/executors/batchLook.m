@@ -137,7 +137,8 @@ end
 %!  jobs = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
 %!                 'effects', [], 'replicate', 1, 'seed', 10007, ...
 %!                 'key', num2cell (char ('a' + (0:n - 1))));
-%!  flight = batchAttach (jobs, store, slurmExecutor ());
+%!  Case = struct ('store', store, 'folder', store);
+%!  flight = batchAttach (jobs, Case, slurmExecutor ());
 %!  flight.status(:) = 'o';
 %!  flight.batch(:) = 1;
 %!  flight.task = 1:n;

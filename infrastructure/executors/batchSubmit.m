@@ -40,7 +40,9 @@ function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
                   'n', numel (picks), 'left', numel (picks), 'cpu', ...
                   models(k(1)).cpu, 'minutes', minutes, 'isSent', false);
   batch.path = fullfile (Case.store, 'optim', ['.', queue.name], batch.name);
-  [~, ~] = mkdir (batch.path);
+  % the queue writes into it as this user, whatever link it finds there
+  [~, ~] = mkdir (fileparts (batch.path));
+  privateFolder (batch.path);
   before = cellfun (@(line) sprintf ("%s\n[ $? = 0 ] || return\n", line), ...
                     opt.before, 'UniformOutput', false);
   writeAtomic (fullfile (batch.path, 'before'), [before{:}]);
@@ -79,7 +81,7 @@ end
 %! queue = struct ('name', 'q', 'title', 'Queue');
 %! opt = slurmExecutor ().options (struct ('slurm', struct ( ...
 %!                            'before', {{'module load a', 'b=1'}})));
-%! flight = batchAttach (jobs, Case.store, queue);
+%! flight = batchAttach (jobs, Case, queue);
 %! flight = batchSubmit (flight, [1, 3], jobs, Case, queue, opt);
 %! assert (flight.status, 'oqo');
 %! assert (flight.task([1, 3]), [1, 2]);
@@ -96,7 +98,7 @@ end
 %! assert (fileread (fullfile (later.folder{2}, 'limit')), "200\n");
 %! assert (later.batches(2).minutes, 24 * 60);
 %! % a new start knows of all
-%! again = batchAttach (jobs, Case.store, queue);
+%! again = batchAttach (jobs, Case, queue);
 %! assert (again.status, 'ooo');
 %! assert (again.folder, later.folder);
 %! assert (again.isOld, [true, true, true]);
@@ -104,5 +106,5 @@ end
 %! [Case, jobs] = slurmTestCase (tempname (), 1, 0);
 %! Case.store = [Case.store, "\tx"];
 %! queue = slurmExecutor ();
-%! batchSubmit (batchAttach (jobs, Case.store, queue), 1, jobs, Case, ...
+%! batchSubmit (batchAttach (jobs, Case, queue), 1, jobs, Case, ...
 %!              queue, queue.options (struct ()));

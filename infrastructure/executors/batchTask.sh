@@ -18,12 +18,17 @@ IFS=$'\t' read -r _ folder <<< "$line"
 [ -n "$folder" ] || exit 95
 cd "$folder" || exit 96
 mkdir batch.claim 2> /dev/null || exit 94
+rm -f -- stdout.txt stderr.txt         # not through links in their place
+set -C
 echo "${job}_$task on $HOSTNAME" > batch.claim/who
-set --                                # sourced lines would see the parameters
+exec 3> stdout.txt 4> stderr.txt
+set +C --                             # sourced lines would see the parameters
 # shellcheck source=/dev/null
-if [ -s "$batch/before" ] && ! . "$batch/before" > stdout.txt 2> stderr.txt; then
-  echo "ERROR: a line of Input.<executor>.before failed" >> stdout.txt
-  echo '98 0.0 finished' > end.mark.tmp && mv end.mark.tmp end.mark
+if [ -s "$batch/before" ] && ! . "$batch/before" >&3 2>&4; then
+  echo "ERROR: a line of Input.<executor>.before failed" >&3
+  draft=end.mark.$RANDOM$RANDOM.$RANDOM$RANDOM.tmp
+  set -C
+  echo '98 0.0 finished' > "$draft" && mv -T -- "$draft" end.mark
   exit 98
 fi
 cd "$folder" || exit 96

@@ -66,9 +66,8 @@ function plan = newPlan (jobs, Case)
                  'status', repmat ('q', 1, n), 'folders', {cell(1, n)}, ...
                  'born', zeros (1, n), 'usual', NaN (1, n), 'last', last, ...
                  'records', repmat (newRecord (jobs(1), ''), 1, n), ...
-                 'place', tempname (), 'workers', min ([8, nproc(), n + 1]), ...
+                 'place', privateFolder (), 'workers', min ([8, nproc(), n + 1]), ...
                  'start', tic (), 'guardsSeen', 0, 'losses', 0, 'turns', 0);
-  mkdir (plan.place);
 end
 
 % A worker is free. It is kept until there is something for it to do, or until
@@ -223,8 +222,11 @@ function leave (book)
     for folder = plan.folders(plan.status == 'b' | plan.status == 'r')
       endRun (folder{1});
       if isempty (runPids (folder{1}))     % its guard is on the way perhaps
-        system (['echo 0 2> /dev/null > ', ...
-                 shellQuote(fullfile (folder{1}, 'limit'))]);
+        try
+          writeAtomic (fullfile (folder{1}, 'limit'), "0\n", false);
+        catch
+          % a full disk: the guard sees that this Octave is gone
+        end
       end
     end
   end

@@ -14,7 +14,7 @@
 % Errors: DEcalioc:writeAtomic:cannotWrite (full disk, read-only folder)
 
 function writeAtomic (file, text, isKept)
-  draft = sprintf ('%s.%d.tmp', file, getpid ());
+  draft = draftName (file);
   [fid, why] = fopen (draft, 'w');
   if fid < 0
     refuse (file, why);
@@ -59,4 +59,11 @@ end
 %! writeAtomic (file, 'three');
 %! assert (fileread (file), 'three');
 %! assert (isempty (glob ([file, '.*'])));
+%! % a link that bears its name is replaced, not followed
+%! other = tempname ();
+%! writeAtomic (other, 'precious');
+%! link = tempname ();
+%! symlink (other, link);
+%! writeAtomic (link, 'mine');
+%! assert ({fileread(other), fileread(link)}, {'precious', 'mine'});
 %!error id=DEcalioc:writeAtomic:cannotWrite writeAtomic ('/nowhere/x', 'a')

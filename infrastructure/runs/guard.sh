@@ -19,6 +19,10 @@ for path in "/proc/$$/fd"/*; do
 done
 
 cd -- "$1" || exit 97
+# What this script writes is new: nothing is opened through a link that somebody
+# who shares the store has put in its place.
+rm -f -- stdout.txt stderr.txt pid
+set -C
 watch=${2:-}
 read -r DECALIOC_CPU 2> /dev/null < cpu || DECALIOC_CPU=1
 export DECALIOC_CPU                  # a runscript may hand it to mpirun
@@ -66,14 +70,16 @@ is_alive () {                        # a process that ended may still be listed
   [[ $stat != [ZX]* ]]
 }
 
-mark () {                            # start, boot and command: processStart.m
-  local stat name boot fields
+mark () {              # start, boot, command, PID namespace: processStart.m
+  local stat name boot fields space
   read -r stat < "/proc/$$/stat"
   name=${stat#*(}
   name=${name%)*}
   read -r boot 2> /dev/null < /proc/sys/kernel/random/boot_id || boot=-
   read -r -a fields <<< "${stat##*) }"
-  echo "${fields[19]} $boot ${name// /_}"
+  space=$(readlink "/proc/$$/ns/pid" 2> /dev/null)
+  space=${space//[!0-9]/}
+  echo "${fields[19]} $boot ${name// /_} ${space:--}"
 }
 
 watcher () {                         # waits without starting a process a second
@@ -112,9 +118,10 @@ kill "$watching" 2> /dev/null
 pkill -KILL -s "$run"
 
 ds=$(($(uptime_ds) - start))
-printf '%d %d.%d %s\n' "$code" $((ds / 10)) $((ds % 10)) "$why" > end.mark.tmp ||
+draft=end.mark.$RANDOM$RANDOM.$RANDOM$RANDOM.tmp
+printf '%d %d.%d %s\n' "$code" $((ds / 10)) $((ds % 10)) "$why" > "$draft" ||
   exit 98
 # The mark says that the files of the run are whole, after a power cut, too.
 find . -type f -size +0 \( -newer job.json -o -name job.json -o \
   -name data.head -o -name params.csv \) -exec sync -- {} + 2> /dev/null
-mv end.mark.tmp end.mark
+mv -T -- "$draft" end.mark

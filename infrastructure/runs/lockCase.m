@@ -1,29 +1,34 @@
 % LOCKCASE  Keeps a second Octave out of a case folder.
 %
 % CALL: LOCK = lockCase (FOLDER)
-%       LOCK = lockCase (FOLDER, NAME)
+%       LOCK = lockCase (FOLDER, NAME, NOTE)
 %
 %   FOLDER  case folder (text)
 %   NAME    file of the lock in it (default 'decalioc.lock')
+%   NOTE    what it is for (text, further lines of the lock; default '')
 %   LOCK    onCleanup object; the folder is free again when it is cleared
 %
-% The lock is a file in FOLDER, which names host, process, its
-% start, boot and command. A lock whose process is gone is taken over, and so is
-% an empty one.
+% The lock is a file in FOLDER, which names host, process, its start, boot,
+% command and PID namespace. A lock whose process is gone for sure (lockHolder)
+% is taken over, and so is an empty one.
 % Not flock, as in tools/lint.sh: Octave would need a helper to hold it, whose
 % pipe the runs inherit; those outlive a kill -9 and would keep the case locked.
 %
 % Errors: DEcalioc:lockCase:inUse, DEcalioc:lockCase:cannotWrite,
 % DEcalioc:lockCase:noLinks
 
-function lock = lockCase (folder, name)
+function lock = lockCase (folder, name, note)
   if nargin < 2
     name = 'decalioc.lock';
   end
+  if nargin < 3
+    note = '';
+  end
   file = fullfile (folder, name);
-  draft = sprintf ('%s.%d', file, getpid ());
+  draft = draftName (file);
   [~, mark] = processStart (getpid ());
-  text = sprintf ('%s %d %s', gethostname (), getpid (), mark);
+  text = strtrim (sprintf ("%s %d %s\n%s", gethostname (), getpid (), mark, ...
+                           note));
   try
     writeAtomic (draft, [text, "\n"], false);
   catch
@@ -61,17 +66,20 @@ end
 function takeOver (file, draft, holder)
   folder = fileparts (file);
   if ~strcmp (holder.state, 'gone')
+    where = {'', ', which cannot be seen from here'};
     error ('DEcalioc:lockCase:inUse', ...
-           ['lockCase: another DEcalioc works in %s (process %d on %s). ' ...
+           ['lockCase: another DEcalioc works in %s (process %d on %s%s). ' ...
             'Wait for it or use a case folder of its own. If that process ' ...
-            'is gone for sure, delete %s.'], folder, holder.pid, ...
-           holder.host, file);
+            'is gone for sure (a container that was removed, a machine that ' ...
+            'was restarted), take the lock away: rm %s'], folder, ...
+           holder.pid, holder.host, ...
+           where{1 + strcmp(holder.state, 'unknown')}, shellQuote (file));
   end
   % only one of two that see the same stale lock may take it away
-  aside = [draft, '.stale'];
+  aside = draftName (file);
   if rename (file, aside) == 0
-    [~, name, number] = fileparts (aside);
-    if ~strcmp (lockHolder (folder, [name, number]).text, holder.text)
+    [~, name, ending] = fileparts (aside);
+    if ~strcmp (lockHolder (folder, [name, ending]).text, holder.text)
       link (aside, file);
     end
     forget (aside);
@@ -103,7 +111,10 @@ end
 %! assert (! isfile (file));
 %! % the process of this lock is gone; process 1 started at another time; what a
 %! % power cut has left shut the case for ever
-%! for text = {sprintf("%s 1 12345678901\n", gethostname ()), ''}
+%! [~, mark] = processStart (getpid ());
+%! mark = strjoin ([{gethostname(), '1', '12345678901'}, ...
+%!                  strsplit(mark, ' ')(2:end)], ' ');
+%! for text = {[mark, "\n"], ''}
 %!   writeAtomic (file, text{1});
 %!   lock = lockCase (folder);
 %!   mine = sprintf ('%s %d ', gethostname (), getpid ());

@@ -1,25 +1,33 @@
 % PROCESSSTART  When a process started, as a mark that tells it from others.
 %
-% CALL: [START, MARK] = processStart (PID)
+% CALL: [START, MARK, ISSURE] = processStart (PID)
 %
-%   PID    process number
-%   START  start of the process in ticks since boot (text); '' where there is
-%          no such process, or where it has ended and is only not yet cleared
-%          away (a zombie)
-%   MARK   START, the boot and the command in one text, as guard.sh writes
-%          them: after a restart of the machine or of a container the same
-%          number and even the same ticks may be those of another process
+%   PID     process number
+%   START   start of the process in ticks since boot (text); '' where there is
+%           no such process, where it has ended and is only not yet cleared
+%           away (a zombie), or where it cannot be seen
+%   MARK    START, the boot, the command and the PID namespace in one text, as
+%           guard.sh writes them: after a restart of the machine, or in another
+%           container, the same number and even the same ticks may be those of
+%           another process
+%   ISSURE  logical; false where START is '' though there may be such a process:
+%           /proc hides it (hidepid) or is that of another namespace
 %
-% Source: proc(5), fields 2, 3 and 22 of /proc/PID/stat, and
-% /proc/sys/kernel/random/boot_id.
+% Source: proc(5), fields 2, 3 and 22 of /proc/PID/stat,
+% /proc/sys/kernel/random/boot_id; pid_namespaces(7).
 
-function [start, mark] = processStart (pid)
+function [start, mark, isSure] = processStart (pid)
   start = '';
   mark = '';
-  fid = fopen (sprintf ('/proc/%d/stat', pid), 'r');
+  fid = -1;
+  if strcmp (readlink ('/proc/self'), sprintf ('%d', getpid ()))
+    fid = fopen (sprintf ('/proc/%d/stat', pid), 'r');
+  end
   if fid < 0
+    isSure = isGone (pid);
     return
   end
+  isSure = true;
   stat = fgetl (fid);
   fclose (fid);
   if ~ischar (stat)
@@ -32,7 +40,20 @@ function [start, mark] = processStart (pid)
     name = regexprep (stat, {'^\d+ \(', '\)[^)]*$', '\s'}, {'', '', '_'});
     % '-' where the kernel does not tell, as guard.sh has it
     boot = strtok ([checkReadText('/proc/sys/kernel/random/boot_id'), '-']);
-    mark = strjoin ({start, boot, name}, ' ');
+    space = [regexprep(readlink ('/proc/self/ns/pid'), '\D', ''), '-'];
+    space = space(1:max (1, end - 1));
+    mark = strjoin ({start, boot, name, space}, ' ');
+  end
+end
+
+% A process that is hidden gets no signal 0 either, for another reason; the
+% words depend on the language.
+function yes = isGone (pid)
+  yes = false;
+  if pid > 0
+    [err, why] = kill (pid, 0);
+    [~, none] = kill (2^30, 0);             % above all numbers there can be
+    yes = err ~= 0 && strcmp (why, none);
   end
 end
 
@@ -60,5 +81,14 @@ end
 %! assert (start, '');
 %! [start, mark] = processStart (getpid ());
 %! words = strsplit (mark, ' ');
-%! assert ({words{1}, numel(words{2})}, {start, 36});
+%! assert ({words{1}, numel(words{2}), numel(words)}, {start, 36, 4});
+%! assert (~isempty (regexp (words{4}, '^(\d+|-)$', 'once')));
 %! assert (strncmp (words{3}, 'octave', 6));
+%!test
+%! % nobody; one whose number nobody has; this one
+%! [~, ~, isSure] = processStart (NaN);
+%! assert (isSure, false);
+%! [~, ~, isSure] = processStart (2^30);
+%! assert (isSure, true);
+%! [~, ~, isSure] = processStart (getpid ());
+%! assert (isSure, true);

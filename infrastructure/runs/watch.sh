@@ -16,5 +16,7 @@ sleep "$3"
 read -r stat 2> /dev/null < "/proc/$1/stat" || exit
 read -r state _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ start _ <<< "${stat##*) }"
 [[ $state != [ZX] && $start = "$2" ]] || exit
+rm -f -- "$4"          # not through a link in its place
+set -C
 : > "$4"
 kill -KILL "$1"

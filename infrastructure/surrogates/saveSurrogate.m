@@ -15,7 +15,7 @@ function saveSurrogate (file, surrogate)
               'covariance', 'param', 'lognoisevariance', 'shift', 'scale'}
     kept.(name{1}) = surrogate.(name{1});
   end
-  draft = [file, '.save'];
+  draft = draftName (file);
   tidy = onCleanup (@() unlink (draft));
   if ~saveWhole ('-text', draft, struct ('kept', kept))
     error ('DEcalioc:writeAtomic:cannotWrite', ...

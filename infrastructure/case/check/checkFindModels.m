@@ -58,8 +58,7 @@ end
 % which a crash or a loop in it does not carry away (limit 20 s). COUNT NaN
 % where it gives no answer. What lies on the path here, does so there.
 function model = dryRun (model, isFull)
-  work = tempname ();
-  [~, ~] = mkdir (work);
+  work = privateFolder ();
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(work)]));
   octave = fullfile (OCTAVE_EXEC_HOME (), 'bin', 'octave-cli');
   if ~isfile (octave)

@@ -40,8 +40,7 @@ function html = htmlFigures (figures, key, class)
 end
 
 function svgs = drawn (figures)
-  folder = tempname ();
-  mkdir (folder);
+  folder = privateFolder ();
   tidy = onCleanup (@() removeFolder (folder));
   script = {'set encoding utf8'};
   files = cell (1, numel (figures));
