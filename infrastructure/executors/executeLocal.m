@@ -221,13 +221,6 @@ function leave (book)
     parcellfun_set_nproc (0);
     for folder = plan.folders(plan.status == 'b' | plan.status == 'r')
       endRun (folder{1});
-      if isempty (runPids (folder{1}))     % its guard is on the way perhaps
-        try
-          writeAtomic (fullfile (folder{1}, 'limit'), "0\n", false);
-        catch
-          % a full disk: the guard sees that this Octave is gone
-        end
-      end
     end
   end
   confirm_recursive_rmdir (false, 'local');

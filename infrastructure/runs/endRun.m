@@ -20,6 +20,13 @@ function endRun (folder)
                       'done 2> /dev/null'], pids(2), ...
                      shellQuote (canonicalize_file_name (folder))));
   end
+  try
+    if isempty (pids) && isfolder (folder)  % its guard is on the way perhaps
+      writeAtomic (fullfile (folder, 'limit'), "0\n", false);
+    end
+  catch
+    % a full disk: the guard sees that its Octave is gone
+  end
 end
 
 %!function pid = session (folder)
