@@ -75,6 +75,7 @@ function rows = places ()
   rows = {'diskSpace', '', @hugeModel, 'Input.store'; ...
           'storeNotWritable', 'Input.store', '/proc/store', ''; ...
           'badStore', '', @storeIsFile, 'Input.store'; ...
+          'storeUmask', '', @groupStore, 'umask 002'; ...
           'folderNotWritable', '', @readOnlyFolder, '/proc'; ...
           'badFolder', '', @colonFolder, 'a:b'; ...
           'missingModel', 'Input.maxNewRuns', 0, 'Input.model{1}'};
@@ -125,6 +126,13 @@ function raw = storeIsFile (raw)
 end
 
 % The models stay where they are, only the case moves.
+function raw = groupStore (raw)
+  raw.Input.store = tempname ();
+  mkdir (raw.Input.store);
+  system (['chmod 2775 ', raw.Input.store]);
+  umask (22);                        % as that of most users
+end
+
 function raw = readOnlyFolder (raw)
   raw.root = raw.folder;
   raw.folder = '/proc';

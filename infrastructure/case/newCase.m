@@ -81,7 +81,8 @@ end
 
 function o = newOptions (Input, optim)
   ofInput = {'maxCPU', []; 'numOfSam', []; 'seed', 1; 'executor', 'local'; ...
-             'maxNewRuns', Inf; 'replicates', 1; 'intervals', false};
+             'maxNewRuns', Inf; 'replicates', 1; 'intervals', false; ...
+             'waitHours', 24};
   ofOptim = {'tolfun', 0.002; 'maxIter', 3; 'maxFunEvals', 40; 'WRL', 0; ...
              'method', 'robust'; 'infill', 'thompson'; 'confidence', 0.95};
   for default = ofInput'

@@ -15,6 +15,10 @@ function status = sayStatus (root, folder, args)
   s = caseStatus (Case, ownCost ());
   printf ('case    %s\n', folder);
   printf ('state   %s\n', stateText (s));
+  if strcmp (s.state, 'running')
+    waits = readText (fullfile (folder, 'decalioc.waits'));
+    printf ('%s', regexprep (waits, '^(.+)$', "waits   $1\n"));
+  end
   sayRuns (s);
   printf ('%s', note);
   printf ('%s', regexprep (libraryLine (Case), '^(.+)$', 'library $1\n'));

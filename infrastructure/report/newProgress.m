@@ -15,6 +15,9 @@ function report = newProgress (stage, say)
   function tell (state)
     if isfield (state, 'message') && ~isempty (state.message)
       say (['  ', state.message]);
+      if state.total == 0                  % it waits, see waitForRuns
+        return
+      end
     end
     if (state.done == state.total || time () - said >= 1) && ...
        (state.total > 0 || state.reused > 0)

@@ -27,6 +27,7 @@ function record = evaluateRun (record, place)
     end
   end
   writeRecord (fullfile (record.folder, 'record.json'), record);
+  tidyDrafts (record.folder);
 end
 
 % Octave cannot interrupt its own call: a shell kills the process when the time

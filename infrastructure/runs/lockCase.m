@@ -43,6 +43,10 @@ function lock = lockCase (folder, name, note)
     [status, why] = link (draft, file);
     if status == 0
       lock = onCleanup (@() release (folder, name, text));
+      if nargin < 2                        % that of a case, for a whole start
+        tidyDrafts (folder);
+        tidyDrafts (fullfile (folder, 'results'));
+      end
       return
     end
     holder = lockHolder (folder, name);

@@ -48,13 +48,22 @@ function [records, isReused, nNew] = runJobs (jobs, Case, report)
   nNew = nNew + nSecond;
 end
 
-% What another case on the same store is about to run is waited for. ISMADE:
-% runs that were made here.
+% What another case on the same store is about to run is waited for, as long as
+% Input.waitHours says. ISMADE: runs that were made here.
 function [records, isMade] = carryOut (jobs, records, open, Case, show)
   isMade = false (size (open));
+  wait = struct ('number', 0, 'since', time (), 'said', -Inf);
+  note = fullfile (Case.folder, 'decalioc.waits');
+  tidy = onCleanup (@() nthargout (1, @unlink, note));
+  for model = unique ({jobs(open).model})
+    tidyDrafts (fullfile (Case.store, 'optim', model{1}));
+  end
   while any (open)
     waiting = find (open);
-    [isMine, hold] = claimRuns (jobs(waiting), Case);
+    [isMine, hold, holder] = claimRuns (jobs(waiting), Case);
+    if time () - wait.since > 3600 * Case.options.waitHours
+      isMine(:) = true;                    % it may be suspended
+    end
     mine = waiting(isMine);
     if ~isempty (mine)
       records(mine) = execute (jobs(mine), Case, show);
@@ -63,30 +72,8 @@ function [records, isMade] = carryOut (jobs, records, open, Case, show)
     isMade(mine) = true;
     open(mine) = false;
     if any (open)
-      pause (1);
+      wait = waitForRuns (wait, sum (open), holder, Case, show);
       [records(open), open(open)] = fromStore (jobs(open), records(open), Case);
-    end
-  end
-end
-
-% False where another Octave of this machine is about to make that very run of a
-% shared store. HOLD: the runs are free when it is cleared. A claim is a lock
-% that names the key of the run. One of another machine, which nobody here can
-% ask, does not count.
-function [isMine, hold] = claimRuns (jobs, Case)
-  isMine = true (1, numel (jobs));
-  hold = {};
-  if strcmp (Case.store, Case.folder)
-    return
-  end
-  for i = 1:numel (jobs)
-    folder = fullfile (Case.store, 'optim', jobs(i).model);
-    [~, ~] = mkdir (folder);
-    name = ['claim-', jobs(i).key];
-    try
-      hold{end + 1} = lockCase (folder, name);
-    catch
-      isMine(i) = ~strcmp (lockHolder (folder, name).state, 'alive');
     end
   end
 end

@@ -15,12 +15,16 @@ function p = checkStore (store, folder, models, nRuns)
   there = existing (store);
   above = existing (folder);
   sizes = {models(~cellfun (@isempty, {models.folder})).folder};
-  [isOpen, free, used] = ask ({above, there}, sizes);
+  inside = fullfile (store, 'optim', [{''}, {models.name}]);
+  inside = inside(isfolder (inside));
+  [isOpen, free, used, isKept] = ask ([{above, there}, inside], sizes);
   need = 20 + nRuns * (used + 0.1 * numel (models));
   p = [checkFolder(above, isOpen(1), ['The case folder ', folder], ...
                    'folderNotWritable', 'Start in a folder of your own.'), ...
-       checkFolder(there, isOpen(2), 'Input.store', 'storeNotWritable', ...
-                   'Correct its permissions, or set another Input.store.')];
+       checkFolder([{there}, inside]{[find(~isOpen(2:end), 1), 1](1)}, ...
+                   all (isOpen(2:end)), 'Input.store', 'storeNotWritable', ...
+                   ['Correct its permissions (of a group: ' ...
+                    'docs/next-material.md), or set another Input.store.'])];
   if any (folder == pathsep ())
     p = checkFault ('badFolder', ['The case folder ', folder], ...
                     ['a path without a colon, which parts the folders of ' ...
@@ -28,6 +32,12 @@ function p = checkStore (store, folder, models, nRuns)
                     'Rename the folder.');
   elseif ~isempty (p)
     p = p(1);
+  elseif isKept
+    p = checkFault ('storeUmask', 'Input.store', ...
+                    'new folders in which its group may write, too', ...
+                    'a umask that keeps the group out', ...
+                    ['Say umask 002 before the start, or give the store a ' ...
+                     'default ACL (docs/next-material.md).']);
   elseif free < need
     p = checkFault ('diskSpace', 'Input.store', ...
                     sprintf ('%.0f MB of free space in %s for %d runs', ...
@@ -58,13 +68,18 @@ end
 
 % Asks the shell once: which FOLDERS can be written to (only trying tells: root
 % may write anywhere but on a read-only disk), how much is free in the last one
-% and how much the folders MODELS hold (MB).
-function [isOpen, free, used] = ask (folders, models)
+% and how much the folders MODELS hold (MB). ISKEPT: the second is that of a
+% group (setgid), into whose new folders only their owner could write.
+function [isOpen, free, used, isKept] = ask (folders, models)
   quoted = strjoin (cellfun (@shellQuote, folders, ...
                              'UniformOutput', false), ' ');
   command = ['LC_ALL=C; export LC_ALL; for d in ', quoted, '; do ' ...
              't=$(mktemp "$d/.decalioc.XXXXXX") && rm -f -- "$t" && ' ...
-             'echo open || echo shut; done; df -Pk "$d" | tail -n 1; '];
+             'echo open || echo shut; done; df -Pk "$d" | tail -n 1; ' ...
+             's=', shellQuote(folders{2}), '; case $(stat -c %A "$s") in ' ...
+             'd????w[sS]*) t=$(mktemp -u "$s/.decalioc.XXXXXX") && ' ...
+             'mkdir "$t" && case $(stat -c %A "$t") in d????w*) ;; ' ...
+             '*) echo kept;; esac; rmdir "$t";; esac; '];
   for k = 1:numel (models)
     command = [command, 'du -skL --apparent-size ', ...
                shellQuote(models{k}), '; '];
@@ -72,7 +87,8 @@ function [isOpen, free, used] = ask (folders, models)
   [~, out] = system (['{ ', command, ' } 2> /dev/null']);
   isOpen = strcmp (regexp (out, '^(open|shut)$', 'match', ...
                            'lineanchors'), 'open');
-  isOpen(end + 1:2) = true;
+  isOpen(end + 1:numel (folders)) = true;
+  isKept = ~isempty (regexp (out, '^kept$', 'once', 'lineanchors'));
   free = Inf;
   found = regexp (out, '(\d+)\s+\d+%\s+/', 'tokens', 'once');
   if ~isempty (found)
@@ -83,12 +99,12 @@ function [isOpen, free, used] = ask (folders, models)
 end
 
 %!shared none
-%! none = struct ('folder', cell (1, 0));
+%! none = struct ('name', cell (1, 0), 'folder', '');
 %!assert (isempty (checkStore (tempname (), tempdir (), none, 1)))
 %!assert (checkStore (tempname (), '/tmp/a:b', none, 1).id, ...
 %!        'DEcalioc:checkCase:badFolder')
 %!test
-%! model = struct ('folder', fileparts (which ('checkStore')));
+%! model = struct ('name', 'M', 'folder', fileparts (which ('checkStore')));
 %! p = checkStore (tempname (), tempdir (), model, 1e15);
 %! assert (p.id, 'DEcalioc:checkCase:diskSpace');
 %!test
@@ -98,3 +114,15 @@ end
 %! assert (p.id, 'DEcalioc:checkCase:badStore');
 %!assert (checkStore ('/proc/x', tempdir (), none, 1).id, ...
 %!        'DEcalioc:checkCase:storeNotWritable')
+%!test
+%! % a store of a group: what a umask makes of its new folders
+%! store = tempname ();
+%! mkdir (store);
+%! before = umask (22);
+%! back = onCleanup (@() umask (before));
+%! assert (isempty (checkStore (store, tempdir (), none, 1)));
+%! system (['chmod 2775 ', store]);
+%! assert (checkStore (store, tempdir (), none, 1).id, ...
+%!         'DEcalioc:checkCase:storeUmask');
+%! umask (2);
+%! assert (isempty (checkStore (store, tempdir (), none, 1)));
