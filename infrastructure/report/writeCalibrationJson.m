@@ -151,13 +151,24 @@ function writeTables (c, Case, folder)
     v.(level.variable) = level.levels(end);
   end
   v = assignParams (v, c.params, Case.names);
-  writeAtomic (fullfile (folder, 'calibrated.head'), headLines (v));
+  writeAtomic (fullfile (folder, 'calibrated.head'), ...
+               [titleOf(c), headLines(v)]);
   place = fullfile (folder, 'surrogates');
   [~, ~] = mkdir (place);
   for t = 1:numel (c.surrogates)
     saveSurrogate (fullfile (place, sprintf ('KM_fun_%d.txt', t)), ...
                    c.surrogates(t));
   end
+end
+
+% Whoever finds the file alone sees what it is.
+function text = titleOf (c)
+  word = 'CALIBRATED';
+  if ~c.converged
+    word = 'NOT CALIBRATED';
+  end
+  text = sprintf ("# %s (%s): %s\n", word, strftime ('%Y-%m-%d', localtime (time ())), ...
+                  strrep (c.reason, "\n", ' '));
 end
 
 %!test

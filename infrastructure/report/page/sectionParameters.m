@@ -9,7 +9,7 @@
 % compromise (its value lies outside its interval).
 
 function list = sectionParameters ()
-  list = {'sectionparameters', 'Parameters', @parameters, {}; ...
+  list = {'sectionparameters', 'Values of the parameters', @parameters, {}; ...
           'sectionsensitivity', 'Sensitivity', @sensitivity, ...
           {'sources', 'calibration', 'sensitivity'}};
 end
@@ -46,7 +46,22 @@ function html = parameters (page)
                     {'parameter', 'value', 'from', 'to', 'lower limit', ...
                      'upper limit', ...
                      '<span class="words">what is known</span>'}, cells), ...
-          intervalNote(c), looseOnes(c)];
+          intervalNote(c), looseOnes(c), toCopy(page, c)];
+end
+
+% The lines that go into a model.
+function html = toCopy (page, c)
+  file = fullfile (page.Case.folder, 'results', 'calibrated.head');
+  html = '';
+  if ~isfile (file)
+    return
+  end
+  folders = {page.Case.models.folder};
+  folders = folders(~cellfun (@isempty, folders));
+  lines = unique (cellfun (@(f) propertyLines (f, c.params), folders, ...
+                           'UniformOutput', false), 'stable');
+  html = ['<details class="open" open><summary>To copy into a model</summary><pre>', ...
+          htmlText([fileread(file), lines{:}]), '</pre></details>'];
 end
 
 function html = intervalNote (c)
@@ -104,9 +119,10 @@ function html = looseOnes (c)
   html = '';
   items = strcat ('<li>', htmlText (namesIn (c, 'unfixed')), '</li>');
   if ~isempty (items)
-    html = ['<h3>Directions that the targets leave open</h3>', ...
-            '<p>Moved together like this, the parameters change no target ', ...
-            'beyond its noise:</p><ul>', items{:}, '</ul>'];
+    html = ['<h3>Combinations that the tests leave open</h3>', ...
+            '<p>Values that fit spread over more than half of what the limits ', ...
+            'allow where the parameters move together like this:</p><ul>', ...
+            items{:}, '</ul>'];
   end
 end
 
