@@ -7,7 +7,7 @@
 %   S     scalar struct:
 %     holder   see lockHolder
 %     state    'running', 'unknown' (the lock names another machine), 'stopped',
-%              'finished' (a result is newer than all runs), 'tried' (one set
+%              'finished' (a result, and no run begun after it), 'tried' (one set
 %              at most has been run, by check --try), 'new'
 %     stage    'plan', 'calibration', 'gap', or '' where there is no run
 %     models   1 x M struct array: name, done, failed, running, waiting, lost
@@ -20,6 +20,7 @@
 %              number of runs
 %     left     seconds until the plan (in the stage of the plan) or at most
 %              until the end (later) of the calibration; NaN: not known
+%     changed  see storedResult
 %     best     see bestSet; verdict  see decideCase: of a result, once there
 %              is one; set  1 x d, the set of results/calibration.json; []
 
@@ -30,7 +31,8 @@ function s = caseStatus (Case, cost)
   f.isDone = f.isDone | isReplaced (f.jobs, current);
   s.holder = lockHolder (Case.folder);
   s.stage = lastStage (runs);
-  s.state = stateOf (Case, s.holder, runs);
+  stored = storedResult (Case);
+  s.state = stateOf (Case, s.holder, runs, stored);
   s.models = countsOf (Case, runs, f.seconds);
   s.plan = [sum(f.isDone), numel(f.isDone)];
   later = current(strcmp (stagesOf (current), 'calibration'));
@@ -43,11 +45,11 @@ function s = caseStatus (Case, cost)
   s.left = secondsLeft (s, f, Case);
   s.best = bestSet (Case, runs, cost);
   [s.verdict, s.set] = deal ([]);
-  c = readJsonFile (fullfile (Case.folder, 'results', 'calibration.json'));
-  gap = readJsonFile (fullfile (Case.folder, 'gap', 'gap.json'));
+  c = stored.calibration;
+  s.changed = stored.changed;
   if strcmp (s.state, 'finished') && ...
-     (isfield (c, 'reason') || isfield (gap, 'which'))
-    s.verdict = decideCase (c, gap);
+     (isfield (c, 'reason') || isfield (stored.gap, 'which'))
+    s.verdict = decideStored (stored);
   end
   if ~isempty (s.verdict) && all (isfield (jsonAt (c, {'params'}), Case.names))
     s.set = cellfun (@(n) c.params.(n), Case.names);
@@ -84,16 +86,14 @@ function stage = lastStage (runs)
   end
 end
 
-function state = stateOf (Case, holder, runs)
+function state = stateOf (Case, holder, runs, stored)
   states = struct ('alive', 'running', 'unknown', 'unknown', ...
                    'gone', 'stopped', 'none', 'stopped');
   state = states.(holder.state);
   if ~strcmp (state, 'stopped')
     return
   end
-  result = timeOf ({fullfile(Case.folder, 'results', 'calibration.json'), ...
-                    fullfile(Case.folder, 'gap', 'gap.json')});
-  if result > 0 && result >= timeOf (strcat ({runs.folder}, '/job.json'))
+  if isWhole (Case, runs, stored)
     state = 'finished';
   elseif isempty (runs)
     state = 'new';
@@ -103,9 +103,14 @@ function state = stateOf (Case, holder, runs)
   end
 end
 
-% When the newest of the files was written (s), 0 where none is there.
-function seconds = timeOf (files)
-  seconds = max ([0, cellfun(@(f) stat (f).mtime, files(isfile (files)))]);
+% There is a result, and nothing was begun after it: by what the files say, as
+% the times of a case that was copied or checked out are those of the copy.
+function yes = isWhole (Case, runs, stored)
+  hasResult = ~isempty (stored.calibration) || ~isempty (stored.gap);
+  isOpen = isfile (fullfile (Case.folder, 'results', 'progress.json'));
+  [~, names] = cellfun (@fileparts, {runs.folder}, 'UniformOutput', false);
+  isLater = str2double (names) > stored.lastRuns([runs.model]);
+  yes = hasResult && ~isOpen && ~any (isLater);
 end
 
 function models = countsOf (Case, runs, seconds)

@@ -17,7 +17,19 @@ function status = sayReport (root, folder, args)
   Case = caseOf (root, folder, args);
   writePage (Case);
   printf ('page  %s\n', fullfile (folder, 'results', 'report.html'));
-  status = 0;
+  status = 2 * sayChanged (Case);
+end
+
+% True where the result in the files is of an earlier input, which is said.
+function yes = sayChanged (Case)
+  stored = storedResult (Case);
+  yes = ~isempty (stored.changed);
+  if yes
+    v = decideStored (stored);
+    printf ('NOTE  %s. %s\n', v.word, v.action);
+  elseif ~isempty (stored.gapChanged)
+    printf ('NOTE  %s\n', decideStored (stored).gap);
+  end
 end
 
 % Not to runs.csv of the case itself: the next start would take it in.
@@ -36,6 +48,7 @@ function status = sayExport (root, folder, args)
   end
   n = exportRuns (file, Case, gatherRuns (Case));
   printf ('%d runs  %s\n', n, file);
+  sayChanged (Case);
   status = 0;
 end
 

@@ -40,8 +40,23 @@ function sayModels (Case)
                         'no folder; its runs are those of runs.csv');
     printf ('model     %s: %d targets, %d CPU a run (%s)\n', m.name, ...
             m.nTargets, m.cpu, place);
+    sayNamed (m, Case.store);
     sayMeasured (Case.targets([Case.targets.model] == k));
   end
+end
+
+% What the scripts of a model name outside its folder.
+function sayNamed (model, store)
+  if isempty (model.folder)
+    return
+  end
+  [files, open] = namedFiles (model.folder, fullfile (store, 'optim', ...
+                                                      model.name, '0001'));
+  cellfun (@(file) printf (['          %s: named by its scripts; a change ' ...
+                            'there asks for new runs\n'], file), files);
+  cellfun (@(text) printf (['          %s: named by its scripts, but a ' ...
+                            'change there is NOT noticed: forget the runs ' ...
+                            'then (decalioc forget)\n'], text), open);
 end
 
 % What measured.csv makes of the targets of a model.

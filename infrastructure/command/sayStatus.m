@@ -5,7 +5,7 @@
 %   ROOT    folder of the toolbox (text)
 %   FOLDER  case folder (text)
 %   ARGS    cell of texts; no option is known
-%   STATUS  0
+%   STATUS  0; 2 where the result is of an earlier input
 %
 % Writes nothing, so it can look on beside a running Octave.
 
@@ -34,7 +34,7 @@ function status = sayStatus (root, folder, args)
   else
     sayResult (s, Case);
   end
-  status = 0;
+  status = 2 * ~(isempty (s.verdict) || isempty (s.changed));
 end
 
 function text = stateText (s)
@@ -51,6 +51,10 @@ function text = stateText (s)
                       s.stage, commands{1 + strcmp(s.stage, 'gap')});
     case 'finished'
       text = 'finished; decalioc report shows the result';
+      if ~isempty (s.verdict) && ~isempty (s.changed)
+        text = sprintf ('finished, but since then changed: %s. %s', ...
+                        strjoin (s.changed, ', '), s.verdict.action);
+      end
     case 'tried'
       text = 'one set has been tried. Start with decalioc run';
     otherwise

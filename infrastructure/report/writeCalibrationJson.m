@@ -49,14 +49,16 @@ function v = writeCalibrationJson (c, Case)
   out.levels = num2cell (c.levels);
   out.warnings = c.warnings;
   out.history = num2cell (c.history);
-  out.input = inputOf (Case);
+  out.input = resultInput (Case);
   out.version = toolboxVersion (Case.root);
   out.date = strftime ('%Y-%m-%d %H:%M', localtime (time ()));
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
   writeTables (c, Case, folder);
-  v = decideCase (jsondecode (jsonencode (out)), ...
-                  readJsonFile (fullfile (Case.folder, 'gap', 'gap.json')));
+  stored = storedResult (Case);
+  stored.calibration = jsondecode (jsonencode (out));
+  stored.changed = {};
+  v = decideStored (stored);
   out.action = v.todo;
   out.verdict = rmfield (v, {'cause', 'todo'});
   writeAtomic (fullfile (folder, 'calibration.json'), ...
@@ -126,18 +128,6 @@ function text = usualWords (name)
   if ~isempty (parts) && isfield (known, parts{1})
     text = sprintf (known.(parts{1}), ends.(parts{2}));
   end
-end
-
-% What decides the result, so that it can be repeated.
-function input = inputOf (Case)
-  keys = repmat ({''}, 1, numel (Case.models));
-  if all (cellfun (@isfolder, {Case.models.folder}))
-    keys = {hashModels(Case).input};
-  end
-  models = struct ('name', {Case.models.name}, 'cpu', {Case.models.cpu}, ...
-                   'key', keys);
-  input = struct ('models', {num2cell(models)}, 'modelVars', Case.modelVars, ...
-                  'options', Case.options);
 end
 
 function writeTables (c, Case, folder)

@@ -5,9 +5,11 @@
 %   CASE  see newCase; whoever needs the hashes several times hands them on in
 %         its field hashes
 %   H     1 x M struct array: input (files of the model that the simulation
-%         reads, number of CPUs, LIGGGHTS build where the model calls it), older
-%         (1 x n cell: the same with the build where it does not call it, as
-%         versions until 0.9.0 had it), funs (files of OctaveFuns, which only
+%         reads, number of CPUs, LIGGGHTS build where the model calls it, files
+%         outside it that its scripts name), older (1 x n cell: the same as
+%         versions until 0.9.0 had it, with the build where it does not call it
+%         or without the files outside), files (as input, without the build),
+%         build ('' where it is not called, or not there), funs (files of OctaveFuns, which only
 %         evaluate; with measured.csv also which results it reads, and where on
 %         a curve), defaults (values declared in data.head; of effect variables
 %         that it does not declare the neutral ones)
@@ -33,21 +35,36 @@ function h = hashModels (Case)
   build = strtok (build);
   neutral = neutralEffects (Case);
   h = struct ('input', cell (1, numel (Case.models)), 'older', {{}}, ...
-              'funs', '', 'defaults', []);
+              'funs', '', 'files', '', 'build', '', 'defaults', []);
   for k = 1:numel (Case.models)
     folder = Case.models(k).folder;
     text = sprintf ('%s|%d|', hashFolder (folder, aside), Case.models(k).cpu);
-    h(k).input = hash ('sha256', [text, build]);
-    if ~isempty (build) && ~callsLiggghts (folder)
-      h(k).older = {h(k).input};
-      h(k).input = hash ('sha256', text);
-    end
+    outside = hashOutside (Case, k);
+    h(k).files = hash ('sha256', [text, outside]);
+    h(k).build = repmat (build, 1, callsLiggghts (folder));
+    h(k).input = hash ('sha256', [text, h(k).build, outside]);
+    h(k).older = setdiff ({hash('sha256', [text, h(k).build]), ...
+                           hash('sha256', [text, build])}, h(k).input);
     h(k).funs = hashEvaluation (Case.models(k));
     h(k).defaults = headDefaults (fullfile (folder, 'data.head'));
     % a model without the effect has it off: its runs stay the same ones
     for v = find (~isfield (h(k).defaults, Case.effectVars))
       h(k).defaults.(Case.effectVars{v}) = neutral(v);
     end
+  end
+end
+
+% Contents of what the scripts name outside the model, in no order, as paths
+% change with the folder of a case; '' where they name nothing.
+function text = hashOutside (Case, k)
+  place = fullfile (Case.store, 'optim', Case.models(k).name, '0001');
+  files = namedFiles (Case.models(k).folder, place);
+  text = '';
+  if ~isempty (files)
+    list = cellfun (@shellQuote, files, 'UniformOutput', false);
+    [~, sums] = system (['sha256sum -- ', strjoin(list, ' '), ' 2> /dev/null']);
+    sums = regexp (sums, '^\\?([0-9a-f]{64}) ', 'tokens', 'lineanchors');
+    text = ['|', strjoin(sort ([sums{:}]), ' ')];
   end
 end
 

@@ -87,7 +87,7 @@ function text = whyOld (job, folder, Case, model)
   elseif ~isnan (cpu) && cpu ~= model.cpu
     text = sprintf ('it took %d CPUs, Input.cpu is %d', cpu, model.cpu);
   else
-    text = otherVariables (job, folder, Case);
+    text = otherVariables (job, folder, Case, model);
   end
 end
 
@@ -105,13 +105,19 @@ function names = otherFiles (model, run)
   names = regexp (text, '(?<=\./)[^\n]+', 'match');
 end
 
-function text = otherVariables (job, folder, Case)
+function text = otherVariables (job, folder, Case, model)
   if numel (job.effects) ~= numel (Case.effectVars)
     job.effects = neutralEffects (Case);
   end
   then = headDefaults (fullfile (folder, 'data.head'));
   now = runVariables (job, Case);
   text = 'it was made with another LIGGGHTS than the one that is found now';
+  outside = namedFiles (model.folder, folder);
+  if ~isempty (outside)
+    text = sprintf (['it was made with another form of what the scripts ' ...
+                     'name (%s), or with another LIGGGHTS'], ...
+                    strjoin (outside, ', '));
+  end
   for name = fieldnames (now)'
     value = now.(name{1});
     if ~isfield (then, name{1}) || ...

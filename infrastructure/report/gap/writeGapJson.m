@@ -25,9 +25,13 @@ function v = writeGapJson (diagnosis, Case)
                         'failedSets', diagnosis.runs.failed);
   out.demRuns = mergeFields (out.demRuns, diagnosis.budget, ...
                              {'new', 'reused', 'failed', 'coreSeconds'});
+  out.input = resultInput (Case);
   gap = jsondecode (jsonencode (out));
-  v = decideCase (readJsonFile (fullfile (Case.folder, 'results', ...
-                                          'calibration.json')), gap);
+  stored = storedResult (Case);
+  if ~isempty (stored.changed)
+    stored.calibration = [];             % of an earlier input
+  end
+  v = decideCase (stored.calibration, gap);
   out.cause = struct ('code', v.cause.code, 'kind', v.cause.kind);
   out.closure = struct ('code', v.cause.closure);
   out.action = v.todo;

@@ -30,9 +30,7 @@
 function page = pageData (Case)
   results = fullfile (Case.folder, 'results');
   gap = fullfile (Case.folder, 'gap');
-  s.calibration = readJsonFile (fullfile (results, 'calibration.json'));
-  s.progress = readJsonFile (fullfile (results, 'progress.json'));
-  s.gap = readJsonFile (fullfile (gap, 'gap.json'));
+  [s, stored] = sourcesOf (Case, results);
   s.gapTargets = quietly (@() readTable (fullfile (gap, 'targets.csv')));
   if ~isempty (s.gap) && isempty (Case.effects)
     full = quietly (@() withEffects (Case));
@@ -43,8 +41,7 @@ function page = pageData (Case)
   page.posterior = readMatrix (fullfile (results, 'posterior.csv'), 1, Case);
   places = {fullfile(results, 'surrogates'), ...
             fullfile(Case.folder, 'KrigingFuns')};
-  if isempty (s.calibration) || ~isempty (s.progress)
-    s.calibration = [];                 % under way, or broken off
+  if isempty (s.calibration)
     page.posterior = page.posterior([], :);
     places(1) = [];
   end
@@ -63,13 +60,30 @@ function page = pageData (Case)
   page.units = regexprep ({targetInfo(Case).unit}, '^-$', '');
   page.found = foundSet (s, Case.names);
   page.reach = reachOf (page.surrogates, Case);
-  page.verdict = decideCase (s.calibration, s.gap, ~isempty (page.runs) || ...
-                             ~isempty (page.plan));
+  page.verdict = decideStored (stored, ~isempty (page.runs) || ...
+                               ~isempty (page.plan));
   page.isChange = ~isempty (jsonAt (s.gap, {'reference'}));
   % beside the reference that was calibrated the effect of a change is no fit
   isOther = page.isChange && ~isempty (s.calibration);
   page.showsEffect = ~isOther && ...
                      ~isempty (jsonAt (page.verdict, {'cause', 'closed'}));
+end
+
+% No calibration while one is under way, or was broken off; no diagnosis of an
+% earlier input beside a calibration of today's.
+function [s, stored] = sourcesOf (Case, results)
+  stored = storedResult (Case);
+  s.progress = readJsonFile (fullfile (results, 'progress.json'));
+  if ~isempty (s.progress)
+    stored.calibration = [];
+  end
+  if isempty (stored.calibration)
+    stored.changed = stored.gapChanged;
+  end
+  [s.calibration, s.gap] = deal (stored.calibration, stored.gap);
+  if isempty (stored.changed) && ~isempty (stored.gapChanged)
+    s.gap = [];
+  end
 end
 
 % What F gives, [] where it fails.

@@ -1,0 +1,195 @@
+% NAMEDFILES  Files outside a model that its scripts name.
+%
+% CALL: [FILES, OPEN] = namedFiles (FOLDER, PLACE)
+%
+%   FOLDER  model folder (text)
+%   PLACE   path that a run folder of it has or would have (text): what relative
+%           names are seen from
+%   FILES   1 x n cell of paths, sorted: files that the runscript, an input
+%           script (in.*) or a script that one of these names calls, reads or
+%           includes, and programs on the PATH that a shell script calls
+%   OPEN    1 x m cell of texts: what is named and not among FILES, since it is
+%           a folder, too large (100 MB), or its name holds a variable that is
+%           set nowhere here
+%
+% Variables are those that the script sets to a plain text, or the environment;
+% $PWD is PLACE, $(dirname "$0") the folder of the script. What a script writes
+% (behind > and tee, the last word of cp and mv) is no input. Programs that
+% every system has (commonPrograms), and liggghts, whose build has a place of
+% its own in the key, are left out. Modules that a Python file imports from its
+% own folder belong to it.
+
+function [files, open] = namedFiles (folder, place)
+  [files, open] = deal (cell (1, 0));
+  inputs = glob (fullfile (regexprep (folder, '([][*?\\])', '\\$1'), 'in.*'))';
+  queue = [{fullfile(folder, 'runscript')}, inputs];
+  k = 0;
+  while k < numel (queue)
+    k = k + 1;
+    [found, left] = namesIn (queue{k}, folder, place);
+    queue = [queue, setdiff(found, queue)];
+    open = [open, left];
+  end
+  isInside = strncmp (queue, [folder, '/'], numel (folder) + 1);
+  files = unique (queue(~isInside))(:)';
+  sizes = cellfun (@(f) stat (f).size, files);
+  open = unique ([open, files(sizes > 1e8)])(:)';
+  files = files(sizes <= 1e8);
+end
+
+function [found, open] = namesIn (script, folder, place)
+  [found, open] = deal (cell (1, 0));
+  text = checkReadText (script);
+  if isempty (text) || numel (text) > 1e5 || any (text == 0)
+    return                                      % a mesh, a program: no script
+  end
+  isShell = ~isempty (regexp (script, '(/runscript|\.sh)$', 'once')) || ...
+            ~isempty (regexp (text, '^#![^\n]*sh\s', 'once'));
+  [words, bases] = scriptWords (text, script, folder, place);
+  commands = cell (1, 0);
+  if isShell
+    commands = commandsOf (text);
+  end
+  runs = [fileparts(fileparts (place)), '/'];
+  for word = words
+    w = word{1};
+    if any (w == '$')
+      isName = ~isempty (regexp (w, '\$\{?[A-Za-z_]\w*\}?/', 'once'));
+      open = [open, repmat({w}, 1, isShell && isName)];
+      continue
+    end
+    file = fileOf (w, bases, any (strcmp (w, commands)));
+    if isfolder (file)
+      open = [open, repmat({file}, 1, isWorthSaying (file, place))];
+    elseif ~isempty (file) && ~strncmp (file, runs, numel (runs))
+      found{end + 1} = file;
+    end
+  end
+  found = [found, importsOf(text, script)];
+end
+
+% Where W is; '' where nowhere, or where it is of no account.
+function file = fileOf (w, bases, isCommand)
+  file = '';
+  if w(1) == '/'
+    bases = {''};
+  end
+  for base = bases
+    path = plainPath ([base{1}, '/', w]);
+    if exist (path, 'file') && ~strcmp (path, '/')
+      file = path;
+      break
+    end
+  end
+  if isempty (file) && isCommand && ~any (w == '/') && ...
+     ~any (strcmp (w, [{'liggghts'}, commonPrograms()]))
+    file = file_in_path (getenv ('PATH'), w);
+    file = [file, ''];
+  end
+  if ~isempty (regexp (file, '^/(dev|proc|sys)/', 'once')) || ...
+     (any (strcmp (fileparts (file), {'/bin', '/usr/bin'})) && ...
+      any (strcmp (regexprep (file, '^.*/', ''), commonPrograms ())))
+    file = '';
+  end
+end
+
+function yes = isWorthSaying (file, place)
+  common = '^/(usr|bin|lib|lib64|etc|var|tmp|dev|proc|sys|home|root)?(/[^/]*)?$';
+  yes = isempty (regexp (file, common, 'once')) && ...
+        ~strncmp ([place, '/'], [file, '/'], numel (file) + 1);
+end
+
+% First words of commands, and every word behind a program that starts another.
+function names = commandsOf (text)
+  parts = strtrim (regexp (text, '[^;&|()`\n]+', 'match'));
+  names = cell (1, 0);
+  starters = {'mpirun', 'mpiexec', 'srun', 'exec', 'nohup', 'time', 'nice', ...
+              'env', 'stdbuf', 'timeout', 'setsid', 'xvfb-run', 'taskset', ...
+              'then', 'do', 'else', 'if', 'while', '!', '{'};
+  for part = parts
+    words = regexp (part{1}, '[^\s"'']+', 'match');
+    while ~isempty (words)
+      names(end + 1) = words(1);
+      isMore = any (strcmp (words{1}, starters)) || words{1}(1) == '-' || ...
+               any (words{1} == '=') || any (isdigit (words{1}(1)));
+      words = words(2:end * isMore);
+    end
+  end
+end
+
+function files = importsOf (text, script)
+  files = cell (1, 0);
+  if isempty (regexp (script, '\.py$', 'once'))
+    return
+  end
+  names = regexp (text, '^\s*(?:from|import)\s+(\w+)', 'tokens', 'lineanchors');
+  for name = [cell(1, 0), names{:}]
+    file = fullfile (fileparts (script), [name{1}, '.py']);
+    if isfile (file)
+      files{end + 1} = file;
+    end
+  end
+end
+
+%!function [files, open] = named (script, more)
+%!  place = tempname ();
+%!  model = fullfile (place, 'case', 'DEMmodels', 'M');
+%!  mkdir (model);
+%!  put = @(name, text) writeAtomic (fullfile (place, name), text);
+%!  put ('case/DEMmodels/M/runscript', strrep (script, '@', place));
+%!  for file = more'
+%!    [~, ~] = mkdir (fileparts (fullfile (place, file{1})));
+%!    put (file{1}, strrep (file{2}, '@', place));
+%!  end
+%!  run = fullfile (place, 'case', 'optim', 'M', '0001');
+%!  [files, open] = namedFiles (model, run);
+%!  files = strrep (files, [place, '/'], '');
+%!  open = strrep (open, [place, '/'], '');
+%!endfunction
+%!test
+%! % nothing outside: the files of the model, common programs, output
+%! inside = {'case/DEMmodels/M/go.sh', "awk 1 data.head > @/log\n"; ...
+%!           'case/DEMmodels/M/data.head', "variable a equal 1\n"; ...
+%!           'log', 'x'; 'all.txt', 'x'; 'last', 'x'};
+%! [files, open] = named (["#!/bin/bash\n. ./go.sh # see @/log\n", ...
+%!                         "liggghts -in in.M | tee @/log\n", ...
+%!                         "echo end >> @/all.txt 2> /dev/null\n", ...
+%!                         "cp out @/last\n"], inside);
+%! assert ({files, open}, {cell(1, 0), cell(1, 0)});
+%!test
+%! % seen from the run folder, by full path, by variables, in another folder
+%! more = {'solver.sh', "python3 \"$(dirname \"$0\")/tool/t.py\"\n"; ...
+%!         'tool/t.py', "import helper\nfrom numpy import x\n"; ...
+%!         'tool/helper.py', 'x = 1'; 'abs', 'x'; 'lib/a b', 'x'; ...
+%!         'lib/run', 'x'; 'bin/dem', 'x'; 'here', 'x'};
+%! assert (named ("bash ../../../../solver.sh\n", more), ...
+%!         {'solver.sh', 'tool/helper.py', 'tool/t.py'});
+%! assert (named ("exec @/abs < data.head\n", more), {'abs'});
+%! assert (named ("LIB=@/lib\nexport BIN=@/bin\n$LIB/run; ${BIN}/dem\n", ...
+%!                more), {'bin/dem', 'lib/run'});
+%! assert (named ("${DEM:-@/bin/dem} x\n", more), {'bin/dem'});
+%! assert (named ("cd ../../../../lib && ./run\n", more), {'lib/run'});
+%! assert (named ("cat $PWD/../../../../here\n", more), {'here'});
+%!test
+%! % of an input script; what cannot be followed is said
+%! more = {'case/DEMmodels/M/in.M', ["include @/common.in\n", ...
+%!                                   "fix m all mesh file ../../../../a.stl\n"]; ...
+%!         'common.in', "include ../../../../deep.in\n"; 'deep.in', 'x'; ...
+%!         'a.stl', 'x'; 'data/x', 'y'};
+%! [files, open] = named ("liggghts < in.M\ncp -r @/data .\n$NOWHERE/x\n", more);
+%! assert (files, {'a.stl', 'common.in', 'deep.in'});
+%! assert (any (strcmp (open, '$NOWHERE/x')));
+%!test
+%! % a program on the PATH
+%! before = getenv ('PATH');
+%! tidy = onCleanup (@() setenv ('PATH', before));
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'my-dem'), 'x');
+%! system (['chmod +x ', shellQuote(fullfile (folder, 'my-dem'))]);
+%! setenv ('PATH', [folder, ':', before]);
+%! for script = {"my-dem < in.M\n", "mpirun -np 4 my-dem -i x\n", ...
+%!               "x=1 nice -n 5 my-dem\n", "if my-dem x; then echo; fi\n"}
+%!   assert (named (script{1}, cell (0, 2)), {fullfile(folder, 'my-dem')});
+%! end
+%! assert (named ("echo my-dem\n", cell (0, 2)), cell (1, 0));

@@ -1,0 +1,59 @@
+% CHANGEDINPUT  Parts of the input that have changed since a result was made.
+%
+% CALL: PARTS = changedInput (RESULT, CASE, NOW)
+%
+%   RESULT  decoded results/calibration.json or gap/gap.json, or []
+%   NOW     see resultInput, of the case as it is
+%   PARTS   1 x n cell of words, such as 'targets'; none where RESULT is of
+%           today's input, or of a version until 0.9.0, which does not say it
+%
+% The LIGGGHTS build counts where there is one now (a page may be looked at on a
+% machine without), effects in a diagnosis and where they are loaded (a
+% calibration does not).
+
+function parts = changedInput (result, now)
+  words = {'targets', 'targets'; 'limits', 'parameters or limits'; ...
+           'model', 'model'; 'LIGGGHTS', 'LIGGGHTS'; ...
+           'levels', 'Input.coarse'; 'costFunction', 'costFunction.m'; ...
+           'runsTable', 'runs.csv'; 'settings', 'settings'; ...
+           'effects', 'effects'};
+  parts = cell (1, 0);
+  was = jsonAt (result, {'input', 'digest'});
+  if isempty (was)
+    return
+  end
+  now = now.digest;
+  for name = {'LIGGGHTS', 'effects'}
+    if isempty (strtrim (now.(name{1})))
+      now.(name{1}) = givenField (was, name{1}, '');
+    end
+  end
+  if ~isfield (result, 'which')
+    words(end, :) = [];
+  end
+  % before and behind a mark, as an empty text has many shapes
+  as = @(text) ['<', text, '>'];
+  isSame = cellfun (@(name) strcmp (as (givenField (was, name, '')), ...
+                                    as (now.(name))), words(:, 1));
+  parts = words(~isSame, 2)';
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! now = resultInput (Case);
+%! now.digest.effects = 'e';
+%! was = jsondecode (jsonencode (struct ('input', now)));
+%! assert (changedInput (was, now), cell (1, 0));
+%! assert (changedInput ([], now), cell (1, 0));
+%! assert (changedInput (struct ('reason', 'x'), now), cell (1, 0));
+%! was.input.digest.targets = 'x';
+%! was.input.digest.effects = 'x';
+%! assert (changedInput (was, now), {'targets'});
+%! was.which = 1;
+%! assert (changedInput (was, now), {'targets', 'effects'});
+%! % on a machine without LIGGGHTS that part is not known
+%! was.input.digest.LIGGGHTS = 'build';
+%! now.digest.LIGGGHTS = '';
+%! assert (changedInput (was, now), {'targets', 'effects'});
+%! now.digest.LIGGGHTS = 'other';
+%! assert (changedInput (was, now), {'targets', 'LIGGGHTS', 'effects'});

@@ -1,0 +1,90 @@
+% RESULTINPUT  What decides a result, as it is kept beside it.
+%
+% CALL: INPUT = resultInput (CASE)
+%
+%   CASE   see newCase
+%   INPUT  scalar struct: models (1 x M cell of structs name, cpu, key, lastRun:
+%          number of the last run folder), modelVars, options, digest (scalar
+%          struct of texts, one a part of the input: differs where the part
+%          does)
+%
+% See also: changedInput
+
+function input = resultInput (Case)
+  hashes = repmat (struct ('input', '', 'files', '', 'funs', '', ...
+                           'build', ''), 1, numel (Case.models));
+  if all (cellfun (@isfolder, {Case.models.folder}))
+    hashes = hashModels (Case);
+  end
+  last = cellfun (@(name) getLastFoldersNumber (Case.store, name), ...
+                  {Case.models.name});
+  models = struct ('name', {Case.models.name}, 'cpu', {Case.models.cpu}, ...
+                   'key', {hashes.input}, 'lastRun', num2cell (last));
+  input = struct ('models', {num2cell(models)}, 'modelVars', Case.modelVars, ...
+                  'options', Case.options, 'digest', digestOf (Case, hashes));
+end
+
+function d = digestOf (Case, hashes)
+  T = Case.targets;
+  files = {'costFunction.m', 'runs.csv'};
+  texts = cellfun (@(name) checkReadText (fullfile (Case.folder, name)), ...
+                   files, 'UniformOutput', false);
+  d.targets = mark ({T.modelName}, {T.name}, [T.value], [T.sd], [T.tol], ...
+                    {T.role}, {T.series}, [T.at], Case.conditions);
+  d.limits = mark (Case.names, Case.limits, Case.paramMean, Case.paramSd, ...
+                   Case.perCondition);
+  d.model = mark ({hashes.files}, {hashes.funs}, ...
+                  orderfields (toRounded (Case.modelVars)));
+  d.LIGGGHTS = strjoin ({hashes.build}, ' ');
+  d.levels = mark (Case.coarse);
+  d.costFunction = mark (texts{1});
+  d.runsTable = mark (texts{2});
+  d.settings = mark (settingsOf (Case.options));
+  d.effects = '';                        % '' where the case is without them
+  if ~isempty (Case.effects)
+    d.effects = mark (effectsOf (Case.effects));
+  end
+end
+
+% The options that change the way to the result, not where its runs are made.
+function s = settingsOf (options)
+  names = {'numOfSam', 'seed', 'replicates', 'intervals', 'similar', ...
+           'tolfun', 'maxIter', 'maxFunEvals', 'WRL', 'method', 'infill', ...
+           'confidence'};
+  s = cellfun (@(name) options.(name), names, 'UniformOutput', false);
+end
+
+function list = effectsOf (effects)
+  list = {};
+  for e = effects
+    list{end + 1} = {e.name, e.variables, e.neutral, e.limits};
+  end
+end
+
+function v = toRounded (v)
+  v = structfun (@toDigits, v, 'UniformOutput', false);
+end
+
+function text = mark (varargin)
+  text = hash ('sha256', jsonencode (varargin))(1:16);
+end
+
+%!test
+%! % each part by itself; what only says where runs are made is none
+%! Case = newCase (standInCase (tempname ()));
+%! d = resultInput (Case).digest;
+%! assert (resultInput (Case).digest, d);
+%! differ = @(C) fieldnames (d)(~strcmp (struct2cell (d), ...
+%!                              struct2cell (resultInput (C).digest)))';
+%! other = Case;
+%! other.options.maxCPU = 7;
+%! other.options.executor = 'slurm';
+%! assert (differ (other), cell (1, 0));
+%! other.targets(2).value = 77;
+%! assert (differ (other), {'targets'});
+%! other.limits(1) = -1;
+%! other.options.seed = 9;
+%! other.modelVars.x = 3;
+%! assert (differ (other), {'targets', 'limits', 'model', 'settings'});
+%! writeAtomic (fullfile (Case.folder, 'runs.csv'), 'x');
+%! assert (differ (Case), {'runsTable'});

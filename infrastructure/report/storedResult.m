@@ -1,0 +1,66 @@
+% STOREDRESULT  The results in the files of a case, and whether they still hold.
+%
+% CALL: S = storedResult (CASE)
+%
+%   CASE  see newCase
+%   S     scalar struct: calibration, gap (decoded results/calibration.json and
+%         gap/gap.json; [] where there is none), changed (1 x n cell of words:
+%         what has changed since the result was made, see changedInput; of the
+%         calibration, where there is none of the diagnosis), gapChanged (of the
+%         diagnosis), lastRuns (1 x M, number of the last run folder of each
+%         model that one of them knows; Inf: of a version that did not note it)
+%
+% See also: decideStored
+
+function s = storedResult (Case)
+  files = {fullfile('results', 'calibration.json'), ...
+           fullfile('gap', 'gap.json')};
+  found = cellfun (@(f) readJsonFile (fullfile (Case.folder, f)), files, ...
+                   'UniformOutput', false);
+  s = struct ('calibration', found(1), 'gap', found(2));
+  now = resultInput (Case);
+  s.gapChanged = changedInput (s.gap, now);
+  s.changed = s.gapChanged;
+  if ~isempty (s.calibration)
+    s.changed = changedInput (s.calibration, now);
+  end
+  s.lastRuns = lastRuns (found, {Case.models.name});
+end
+
+function last = lastRuns (results, names)
+  last = -Inf (1, numel (names));
+  for result = results
+    models = jsonAt (result{1}, {'input', 'models'});
+    if iscell (models)
+      models = [models{:}];
+    end
+    for model = reshape (models, 1, [])
+      k = strcmp (givenField (model, 'name', ''), names);
+      last(k) = max (last(k), givenField (model, 'lastRun', -Inf));
+    end
+  end
+  last(isinf (last)) = Inf;
+end
+
+%!test
+%! Case = newCase (standInCase (tempname ()));
+%! s = storedResult (Case);
+%! assert ({s.calibration, s.gap, s.changed}, {[], [], cell(1, 0)});
+%! assert (s.lastRuns, [Inf, Inf]);
+%! put = @(name, value) writeAtomic (fullfile (Case.folder, name), ...
+%!                                   jsonencode (value));
+%! mkdir (fullfile (Case.folder, 'results'));
+%! mkdir (fullfile (Case.folder, 'gap'));
+%! evaluateDEM ([1, 2; 3, 4], Case);
+%! put ('results/calibration.json', struct ('input', resultInput (Case)));
+%! s = storedResult (Case);
+%! assert ({s.changed, s.lastRuns}, {cell(1, 0), [2, 2]});
+%! evaluateDEM ([5, 6], Case);
+%! was = struct ('input', resultInput (Case), 'which', struct ());
+%! was.input.digest.settings = 'x';
+%! put ('gap/gap.json', was);
+%! Case.limits(1) = -1;
+%! s = storedResult (Case);
+%! assert (s.changed, {'parameters or limits'});
+%! assert (s.gapChanged, {'parameters or limits', 'settings'});
+%! assert (s.lastRuns, [3, 3]);
