@@ -1,4 +1,4 @@
-% LIBRARYLINE  Which runs of other cases a calibration started from, in words.
+% LIBRARYLINE  Which earlier runs a calibration started from, in words.
 %
 % CALL: TEXT = libraryLine (CASE)
 %
@@ -15,6 +15,10 @@ function text = libraryLine (Case)
     text = sprintf (['%d runs of %d cases in %s were samples already ' ...
                      '(results/library.csv)'], numel (origin), ...
                     numel (unique ([origin{:}])), Case.store);
+  end
+  if ~isempty (text) && strcmp (Case.store, givenField (Case, 'folder', ''))
+    text = sprintf (['%d runs of earlier starts were samples already ' ...
+                     '(results/library.csv)'], numel (origin));
   end
 end
 

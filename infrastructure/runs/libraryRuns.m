@@ -6,9 +6,12 @@
 %   CASE  see newCase, without effects;  PROBLEM  see newProblem
 %   DATA  see newData, stage 'library': runs of the same model folder, CPUs and
 %         LIGGGHTS that differ from those of the case in nothing but design
-%         variables, levels and seed; chosen by nearRows. Empty where
-%         Input.store is the case folder
-%   TALLY  struct: used (runs), origin (1 x c cell of case folders), count (1 x
+%         variables, levels and seed; chosen by nearRows. Where Input.store is
+%         the case folder these are its own runs, made under other limits,
+%         targets, samples or another seed; none as long as nothing of that has
+%         changed, for then it finds its runs again
+%   TALLY  struct: used (runs), outside (1 x 2, runs outside the limits: near
+%         them, and too far away to be of use), origin (1 x c cell of case folders), count (1 x
 %         c), passed (1 x p struct model, why, count: runs that another
 %         value of a variable shuts out), other (1 x o struct model, number,
 %         count: runs of another rig or build, and the newest of them)
@@ -23,15 +26,20 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
   data = newData (numel (Case.names), numel (Case.targets), ...
                   numel (Case.effectVars));
   rest = data;
-  tally = struct ('used', 0, 'origin', {{}}, 'count', []);
+  tally = struct ('used', 0, 'outside', [0, 0], 'origin', {{}}, 'count', []);
   isLook = nargin > 2 && isLook;
-  isThere = cellfun (@isfolder, {Case.models.folder});
-  if strcmp (Case.store, Case.folder) || ~all (isThere)
+  if ~all (cellfun (@isfolder, {Case.models.folder}))
     return
   end
   h = hashModels (Case);
   file = fullfile (Case.folder, 'results', 'library.csv');
   [fixed, mark] = fixedRuns (file, Case, h);
+  if isequal (fixed, [0, 0]) && strcmp (Case.store, Case.folder)
+    none.run = zeros (0, 2);
+    none.origin = {};
+    keepList (file, mark, none, Case, isLook);
+    return
+  end
   again = repmat ({zeros(0, 2)}, 1, numel (Case.models));
   for attempt = 1:3
     [found, tally] = familyRuns (Case, h, again);
@@ -53,13 +61,13 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
   end
   data = keepRows (table, use);
   [~, reach] = insideLimits (table.X, problem.limits, 0.5);
+  [~, isIn] = insideLimits (table.X, problem.limits, 0);
   rest = keepRows (table, reach & ~use);
   tally.used = rows (taken.run);
+  tally.outside = [sum(use(row) & ~isIn(row)), sum(~reach(row))];
   [tally.origin, ~, which] = unique (taken.origin);
   tally.count = accumarray (which(:), 1)';
-  if ~isLook
-    keepList (file, mark, taken, Case);
-  end
+  keepList (file, mark, taken, Case, isLook);
 end
 
 function [use, table] = chosen (table, row, run, problem, fixed)
@@ -127,11 +135,38 @@ function [fixed, mark] = fixedRuns (file, Case, h)
   text = checkReadText (file);
   if strncmp (text, mark, numel (mark))
     pairs = regexp (text, '^(\d+),(\d+),', 'tokens', 'lineanchors');
-    fixed = [0, 0; reshape(str2double ([pairs{:}]), 2, [])'];
+    fixed = [0, 0];
+    if ~isempty (pairs)
+      fixed = [fixed; reshape(str2double ([pairs{:}]), 2, [])'];
+    end
+  elseif isempty (text) && strcmp (Case.store, Case.folder) && ...
+         isPlanOf (Case)
+    fixed = [0, 0];
   end
 end
 
-function keepList (file, mark, taken, Case)
+% Of a case that has kept no list: no plan was drawn yet, or one of its limits
+% and samples (failed rows are not in the file).
+function yes = isPlanOf (Case)
+  file = fullfile (Case.folder, 'ExperimentalPlan_DoE.csv');
+  [d, n] = deal (numel (Case.names), Case.options.numOfSam);
+  yes = ~isfile (file);
+  if ~yes
+    P = csvread (file);
+    P = P(:, 1:min (d, end));
+    yes = columns (P) == d && rows (P) >= n / 2 && rows (P) <= n;
+  end
+  if yes && isfile (file)
+    [~, isIn] = insideLimits (P, Case.limits, 0);
+    width = max (P, [], 1) - min (P, [], 1);
+    yes = all (isIn) && all (width >= (1 - 6 / n) * diff (Case.limits));
+  end
+end
+
+function keepList (file, mark, taken, Case, isLook)
+  if isLook
+    return
+  end
   [~, ~] = mkdir (fileparts (file));
   cells = [num2cell(taken.run(:, 1:2)), ...
            {Case.models(taken.run(:, 1)).name}', taken.origin]';
@@ -196,6 +231,20 @@ end
 %! [data, tally] = libraryRuns (Case, problem);
 %! assert (all (isna (data.Z(:, 3))));
 %! assert ([tally.other.model], 2);
-%! % by itself it is no library
-%! Case.store = Case.folder;
-%! assert (isempty (libraryRuns (Case, problem).X));
+%!test
+%! % its own runs: not those of its plan, but after the limits have changed
+%! raw = standInCase (tempname ());
+%! Case = newCase (raw);
+%! quiet = @() libraryRuns (Case, newProblem (Case));
+%! assert (isempty (quiet ().X));
+%! evaluateDEM (P(1:3, :), Case);
+%! assert (isempty (quiet ().X));
+%! Case.limits = [2, 2; 5, 5];
+%! [data, tally] = libraryRuns (Case, newProblem (Case));
+%! assert (sortrows (data.X), [1, 2; 3, 4; 5, 6]);
+%! assert ({tally.used, tally.outside}, {6, [4, 0]});
+%! Case.limits = [2.9, 3.9; 3.1, 4.1];
+%! [data, tally] = libraryRuns (Case, newProblem (Case));
+%! assert ({data.X, tally.used, tally.outside}, {[3, 4], 2, [0, 4]});
+%! evaluateDEM ([3, 4.05], Case);
+%! assert (libraryRuns (Case, newProblem (Case)), data);

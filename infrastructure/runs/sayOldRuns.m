@@ -5,7 +5,8 @@
 %   CASE  see newCase;  TALLY  see libraryRuns
 %   SAY   function handle that takes one line of text
 %
-% Of a store that cases share: how many of its runs are samples here, too. The
+% Of a store that cases share: how many of its runs are samples here, too; of
+% the case's own: how many of other limits, targets, samples or seed are. The
 % reason is that of the newest of them. Runs of a diagnosis belong to its
 % effects and are left out.
 
@@ -15,6 +16,9 @@ function sayOldRuns (Case, say, tally)
   elseif ~strcmp (Case.store, Case.folder)
     sayLibrary (tally, Case, say);
     return
+  end
+  if ~isempty (tally)
+    sayOwn (tally, say);
   end
   h = hashModels (Case);
   for k = 1:numel (Case.models)
@@ -34,6 +38,16 @@ function sayOldRuns (Case, say, tally)
                     folder, whyOld (jobs{last}, folder, Case, ...
                                     Case.models(k))));
     end
+  end
+end
+
+function sayOwn (tally, say)
+  [near, far] = deal (tally.outside(1), tally.outside(2));
+  if tally.used + far > 0
+    say (sprintf (['own runs  the input has changed: %d finished runs of ' ...
+                   'earlier starts are samples here, too (%d inside the ' ...
+                   'limits, %d near them); %d too far outside are not'], ...
+                  tally.used, tally.used - near, near, far));
   end
 end
 
