@@ -36,6 +36,7 @@ function state = calibrateOnDEM (state, problem, say)
     [book, isEnd] = way.judge (p, why, book);
   end
   state = book.state;
+  state.final = endingCause (state.final, state, problem);
   state.reason = state.final.reason;
 end
 

@@ -3,7 +3,8 @@
 % CALL: ENDING = newEnding (CODE, NUMBERS [, OPTIONS])
 %
 %   CODE     'converged', 'conflict', 'allFailed', 'notRun', 'outside',
-%            'equalRuns', 'fewRuns', 'unsure', 'published', see ending.* of
+%            'equalRuns', 'fewRuns', 'unsure', 'published', those of
+%            endingCause, see ending.* of
 %            words.txt
 %   NUMBERS  struct with some of: runs (at the set), equal, probability,
 %            conflict (cellstr of targets), limit ('maxFunEvals', 'maxNewRuns',

@@ -10,8 +10,8 @@
 %             REPLICATE n x 1, Z n x T, NaN where a run failed, NA (isna) where
 %             a run of the set was not made because the budget has none left
 %   BUDGET    scalar struct, in runs (one a model and set): left, perSet, new,
-%             reused (from the store), failed; coreSeconds; seconds (1 x M cell,
-%             of the runs that ended well, see addSeconds); levels (n x (v + 1):
+%             reused (from the store), failed, of them cutOff (at a time
+%             limit); coreSeconds; seconds (1 x M cell, see addSeconds); levels (n x (v + 1):
 %             levels of a set that was run, its core-seconds); isUsedUp: a run
 %             that was wanted was not made. It travels in the state
 %
@@ -19,7 +19,7 @@
 
 function [evaluate, budget] = newEvaluate (source, say)
   budget = struct ('left', Inf, 'perSet', 1, 'new', 0, 'reused', 0, ...
-                   'failed', 0, 'coreSeconds', 0, 'seconds', {{[]}}, ...
+                   'failed', 0, 'cutOff', 0, 'coreSeconds', 0, 'seconds', {{[]}}, ...
                    'levels', [], 'isUsedUp', false);
   if isempty (source)
     evaluate = [];
@@ -67,6 +67,7 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   budget.left = budget.left - nNew;
   budget.reused = budget.reused + sum (isReused(:));
   budget.failed = budget.failed + sum (~isGood(:) & ~isLeftOut(:));
+  budget.cutOff = budget.cutOff + sum (strcmp ({records.cause}, 'time'));
   seconds = shaped ([records.seconds]) .* [Case.models.cpu];
   budget.coreSeconds = budget.coreSeconds + sum (seconds(isfinite (seconds)));
   v = numel (Case.coarse);

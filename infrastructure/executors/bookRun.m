@@ -21,13 +21,14 @@ function plan = bookRun (plan, k, record, Case, report)
                   'running', sum (isOn), 'seconds', toc (plan.start)));
 end
 
-% Runs under way get a limit once three runs of their model have ended well.
+% Runs under way get a limit once three runs of their model have ended, and a
+% higher one where others have taken longer since.
 function setLimits (done, jobs, folders, Case)
   for i = 1:numel (jobs)
     k = strcmp (jobs(i).model, {Case.models.name});
     limit = defaultLimit (Case.models(k), done);
     file = fullfile (folders{i}, 'limit');
-    if ~isnan (limit) && ~isfile (file)
+    if limit > str2double (['0', strtrim(checkReadText (file))])
       writeAtomic (file, sprintf ("%d\n", ceil (limit)), false);
     end
   end

@@ -147,8 +147,12 @@ end
 function todo = wayOn (c)
   limit = jsonAt (c, {'limit'});
   switch givenField (jsonAt (c, {'ending'}), 'code', limit)
-    case 'allFailed'
+    case {'allFailed', 'manyFailed'}
       todo = newAction ('mendModel');
+    case 'cutOff'
+      todo = newAction ('moreTime', {sprintf('%g', c.ending.seconds)});
+    case 'jump'
+      todo = newAction ('jump', cellstr (c.ending.names)(:)', atLimit (c));
     case 'published'
       todo = newAction ('robust');
     case 'conflict'

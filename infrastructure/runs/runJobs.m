@@ -12,10 +12,11 @@
 %
 % A run that was killed from outside is tried again as it is, up to twice, and
 % counts once. A run that failed by itself is tried once more with another seed,
-% since an unlucky packing may be the cause; not where getResults gave an error:
-% once that is corrected, the run that there is gets evaluated. What then still fails is a record
-% that says so. In the place of a run that the user has taken out of use
-% (decalioc forget) one with another seed is made.
+% since an unlucky packing may be the cause, with twice the time where it was cut
+% off at a limit that was learned (defaultLimit); not where getResults gave an
+% error: once that is corrected, the run that there is gets evaluated. What then
+% still fails is a record that says so. In the place of a run that the user has
+% taken out of use (decalioc forget) one with another seed is made.
 %
 % At most CASE.options.maxNewRuns runs are made, those with another seed among
 % them; a job beyond them is a failed record with the cause 'budget'.
@@ -131,10 +132,21 @@ function [records, nNew] = withOtherSeed (jobs, records, Case, show)
   open = open & cumsum (open) <= Case.options.maxNewRuns;
   nNew = sum (open);
   if any (open)
+    Case.models = morePatience (Case.models, records(failed(open)));
     second(open) = execute (other(open), Case, show);
   end
   cured = strcmp ({second.status}, 'ok');
   records(failed(cured)) = second(cured);
+end
+
+% Runs that were cut off at their limit get twice the time when they are tried
+% again.
+function models = morePatience (models, records)
+  records = records(strcmp ({records.cause}, 'time'));
+  for k = 1:numel (models)
+    mine = records(strcmp ({records.model}, models(k).name));
+    models(k).least = 2 * max ([mine.seconds, 0]);
+  end
 end
 
 %!function [Case, jobs] = planOf (P, store)
