@@ -13,7 +13,7 @@
 
 function [jump, names] = jumpsPast (state, problem)
   data = runsThatCount (state.data, problem);
-  U = (data.X - problem.limits(1, :)) ./ diff (problem.limits);
+  U = toUnit (data.X, problem.limits);
   jump = struct ('from', NaN, 'to', NaN, 'where', '', 'beyond', '');
   isJump = false (size (problem.calibrate));
   widest = 0;
