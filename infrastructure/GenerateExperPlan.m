@@ -4,7 +4,8 @@
 %
 %   FACTORLIMITS  2 x d, lower and upper limit of each factor; a third row of
 %                 ones where one is to be even in logarithms
-%   N             number of samples
+%   N             number of samples; beyond 500 the best of fewer plans is
+%                 taken, beyond 15,000 the first
 %   PATHEXPLAN    folder in which ExperimentalPlan_DoE.csv is written, one row
 %                 a sample, rounded as the runs are (toDigits); empty: no file
 %   SEED          seed of the draw (default 1): same seed, same plan
@@ -30,8 +31,14 @@ function plan = GenerateExperPlan (factorLimits, N, pathExPlan, seed)
   plan = zeros (0, d);
   if N > 0
     box = [zeros(1, d); ones(1, d)];
-    plan = fromUnit (double (stk_sampling_maximinlhs (N, d, box, 1000)), ...
-                     factorLimits);
+    % a try compares all pairs of rows
+    tries = min (1000, floor (2.5e8 / N^2));
+    if tries > 0
+      plan = stk_sampling_maximinlhs (N, d, box, tries);
+    else
+      plan = stk_sampling_randomlhs (N, d, box);
+    end
+    plan = fromUnit (double (plan), factorLimits);
   end
   if nargin > 2 && ~isempty (pathExPlan) && N > 0
     writeMatrix (fullfile (pathExPlan, 'ExperimentalPlan_DoE.csv'), ...

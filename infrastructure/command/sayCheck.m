@@ -151,6 +151,10 @@ function isGood = sayTrial (records, Case)
       end
       printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), ...
               measured);
+      ratio = unitRatio (r.results(T.index), T.value);
+      if ~isempty (ratio)
+        printf ('WARNING   %s: %s. Are both in one unit?\n', T.name, ratio);
+      end
     end
   end
 end

@@ -116,7 +116,7 @@ function v = ofCalibration (v, c)
   else
     [v.word, v.class] = deal (sentence ('case.notCalibrated.word'), 'bad');
     v.notFor{end + 1} = notCalibrated (used, c);
-    v = withAction (v, wayOn (c));
+    v = withAction (v, wayOn (c, used));
   end
   wrong = {held([held.met] == 0).name};
   if ~isempty (wrong)
@@ -144,8 +144,13 @@ end
 % The one thing that can be done about parameter values that are not confirmed.
 % What went wrong decides, not which budget ended; older files say the latter
 % alone.
-function todo = wayOn (c)
+function todo = wayOn (c, used)
   limit = jsonAt (c, {'limit'});
+  units = otherUnits (used([used.met] == 0));
+  if ~isempty (units)
+    todo = newAction ('units', units);
+    return
+  end
   switch givenField (jsonAt (c, {'ending'}), 'code', limit)
     case {'allFailed', 'manyFailed'}
       todo = newAction ('mendModel');
@@ -159,6 +164,17 @@ function todo = wayOn (c)
       todo = newAction ('diagnose', {}, atLimit (c));
     otherwise
       todo = raiseLimit (c, limit);
+  end
+end
+
+% 'mass differ by a factor of about 1000, as between g and kg ...'
+function texts = otherUnits (missed)
+  texts = {};
+  for m = missed
+    ratio = unitRatio (m.simulated, m.measured);
+    if ~isempty (ratio)
+      texts{end + 1} = [m.name, ' differ by ', ratio];
+    end
   end
 end
 

@@ -159,7 +159,7 @@ function yes = isPlanOf (Case)
   if yes && isfile (file)
     [~, isIn] = insideLimits (P, Case.limits, 0);
     width = max (P, [], 1) - min (P, [], 1);
-    yes = all (isIn) && all (width >= (1 - 6 / n) * diff (Case.limits));
+    yes = all (isIn) && all (width >= (1 - 6 / n) * diff (Case.limits(1:2, :)));
   end
 end
 
