@@ -44,7 +44,7 @@ function Case = newCase (raw, varargin)
   Case.perCondition = ismember (Case.names, ...
                                 givenField (raw.optim, 'perCondition', {}));
   Case.options = newOptions (Input, raw.optim);
-  Case.notes = caseNotes (raw, Case.models);
+  Case.notes = [caseNotes(raw, Case.models), unusedNotes(Case)];
   for k = 1:numel (Case.models)
     ofModel = Case.targets([Case.targets.model] == k);
     Case.models(k).nTargets = numel (ofModel);
@@ -136,6 +136,26 @@ function notes = caseNotes (raw, models)
 end
 
 % data.head only declares it.
+% The properties of the Rayleigh time are used here (assignParams).
+function notes = unusedNotes (Case)
+  notes = {};
+  folders = {Case.models.folder};
+  if ~all (cellfun (@isfolder, folders))
+    return
+  end
+  names = setdiff ([Case.names, fieldnames(Case.modelVars)', ...
+                    {Case.coarse.variable}], ...
+                   {'radiusP', 'densityP', 'youngsModulusP', ...
+                    'poissonsRatioP', 'percentRayleigh'});
+  places = cellfun (@(name) fullfile (Case.store, 'optim', name, '0001'), ...
+                    {Case.models.name}, 'UniformOutput', false);
+  for name = unusedVariables (names, folders, places)
+    notes{end + 1} = ['no file of the models uses the variable ', name{1}, ...
+                      ': it changes nothing. Put ${', name{1}, '} where it ' ...
+                      'belongs, or take it out of loadInput.m'];
+  end
+end
+
 function yes = usesSeed (folder)
   yes = system (['grep -RIqw --exclude=data.head runSeed ', ...
                  shellQuote(folder), ' 2> /dev/null']) == 0;
