@@ -201,7 +201,7 @@ function plan = afterLoss (plan, err, Case, report)
             'calls in a row have lost one, got: %s. Is the memory full? ' ...
             'Finished runs are kept.'], err.message);
   end
-  parcellfun_set_nproc (0);                % the other workers end here, too
+  endWorkers ();                           % the living ones end here, too
   [~] = cellfun (@(f) unlink (fullfile (plan.place, f)), readdir (plan.place));
   for k = find (plan.status == 'b')
     plan.status(k) = 'r';
@@ -218,7 +218,7 @@ end
 function leave (book)
   plan = book('plan');
   if any (plan.status ~= 'd')              % nothing more is to be started
-    parcellfun_set_nproc (0);
+    endWorkers ();
     for folder = plan.folders(plan.status == 'b' | plan.status == 'r')
       endRun (folder{1});
     end
