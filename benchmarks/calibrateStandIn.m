@@ -6,6 +6,7 @@
 %          wrong without failing, every response off by 10 to 40 % either way;
 %          S.levels (optional): L x 1, the last one counts, with S.atLevel
 %          (handle (P, level) -> n x T) and S.seconds (1 x L, cost of a run)
+%          S.allowed (optional): see isAllowed
 % seed     integer; fail  share of the runs that give NaN
 %          S.library: rows of newData of other calibrations on the same bench;
 %          S.beyond: see nearRows
@@ -24,6 +25,7 @@ function result = calibrateStandIn (S, seed, fail, options)
   d = numel (S.names);
   T = numel (S.value);
   Case = struct ('names', {S.names}, 'limits', S.limits);
+  Case.allowed = givenField (S, 'allowed', []);
   Case.targets = struct ('name', S.targetNames, 'value', num2cell (S.value), ...
                          'tol', 0.01, 'sd', 0, 'role', 'calibrate', ...
                          'model', num2cell (S.model));
@@ -31,7 +33,8 @@ function result = calibrateStandIn (S, seed, fail, options)
   evaluate = @(P, E, replicate) noisy (S, P, fail, E);
   levels = [];
   n = planSize (d);
-  X = double (stk_sampling_maximinlhs (n, d, S.limits, 500));
+  X = double (stk_sampling_maximinlhs (n, d, [zeros(1, d); ones(1, d)], 500));
+  X = toAllowed (fromUnit (X, S.limits), Case);
   E = zeros (n, 0);
   if isfield (S, 'levels')               % all rows at the cheapest, see newPlan
     Case.coarse = struct ('variable', 'scale', 'levels', S.levels(:)', ...
