@@ -26,8 +26,9 @@
 % leftOut ([], see fitSurrogates), dropped ([], see fitLevels), warning.
 %
 % Parameters: least cost of prepareFit, by fminunc. Choice: leave-one-out log
-% predictive density, trend first; an affine trend and matern52 are left only
-% for a gain above 1.5: the best score is partly luck. Of more rows 150 estimate
+% predictive density, trend first, bends of the inputs (bendInputs, the fourth
+% row of limits, see toUnit) last; an affine trend, matern52 and straight inputs
+% are left only for a gain above 1.5: the best score is partly luck. Of more rows 150 estimate
 % the parameters, and 60 while the model is chosen.
 %
 % Errors: DEcalioc:fitSurrogate:badShape, DEcalioc:fitSurrogate:runFailed
@@ -46,6 +47,9 @@ function surrogate = fitSurrogate (X, z, limits, options)
                                  'covariance', 'choose', 'start', [], ...
                                  'noise', [], 'level', [], 'unit', NaN, ...
                                  'prior', []), options);
+  if ~isempty (options.start)
+    limits = options.start.limits;           % as it bends its inputs
+  end
   ok = isfinite (z);
   options.level = ofRows (options.level, ok);
   if sum (ok) < 2
@@ -119,11 +123,30 @@ function best = chooseModel (base, options)
   if ~isempty (best.prior)
     best = better (best, best.trend, best.covariance, few);
   end
+  if numel (covariances) > 1
+    best = withBends (best, few);
+  end
   n = rows (base.X);
   if n > few.maxFit
+    base = bent (base, best.limits);
     best = refit (base, best);
     best.nChoice = n;
   end
+end
+
+% Where the slope of the response changes much along an input, two bends of it
+% are tried, too.
+function best = withBends (best, few)
+  for choice = bendInputs (best)
+    limits = best.limits;
+    limits(4, choice(1)) = choice(2);
+    best = better (best, best.trend, best.covariance, bent (few, limits));
+  end
+end
+
+function base = bent (base, limits)
+  base.limits = limits;
+  base.unit = [toUnit(base.X, limits), base.level];
 end
 
 function [trends, covariances, default] = candidateModels (base, options)

@@ -47,10 +47,11 @@ end
 
 % In a parameter's own unit, and in logarithms; NaN where it does not count so.
 function w = widthsOf (limits)
-  isLog = any (limits(3:end, :), 1);
+  isLog = any (limits(3:min (end, 3), :), 1);
   w = [limits(2, :) - limits(1, :); log(limits(2, :) ./ limits(1, :))];
   w(1, isLog) = NaN;
   w(2, ~isLog) = NaN;
+  w(:, any (limits(4:end, :), 1)) = NaN;
 end
 
 %!assert (similarPriors (struct ('options', struct ())), cell (1, 0))
