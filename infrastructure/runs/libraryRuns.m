@@ -158,8 +158,8 @@ function yes = isPlanOf (Case)
   end
   if yes && isfile (file)
     [~, isIn] = insideLimits (P, Case.limits, 0);
-    width = max (P, [], 1) - min (P, [], 1);
-    yes = all (isIn) && all (width >= (1 - 6 / n) * diff (Case.limits(1:2, :)));
+    U = toUnit (P, Case.limits);
+    yes = all (isIn) && all (max (U, [], 1) - min (U, [], 1) >= 1 - 6 / n);
   end
 end
 
