@@ -7,13 +7,21 @@
 %        any run. Effects that no bench can express come first.
 function texts = unexpressedEffects (Case)
   texts = {};
-  models = Case.models(isfolder ({Case.models.folder}));
+  models = Case.models;
   if isempty (Case.effects) || isempty (models)
     return
   end
   names = {Case.effects.name};
   can = false (numel (models), numel (names));
   for k = 1:numel (models)
+    if ~isfolder (models(k).folder)
+      % its runs are in a table, whose columns are no matter here
+      mine = strcmp ({Case.targets.modelName}, models(k).name);
+      can(k, :) = effectsOfModel ('', Case.effects, ...
+                                  targetInfo (Case)(mine)) | ...
+                  ~[Case.effects.laboratory];
+      continue
+    end
     can(k, :) = effectsOfModel (models(k).folder, Case.effects);
     if isfield (models, 'readings') && ~isempty (models(k).readings)
       % measured.csv may read a curve at places that results.csv does not list

@@ -69,7 +69,11 @@ function text = hashOutside (Case, k)
 end
 
 function key = hashEvaluation (model)
-  key = hashFolder (fullfile (model.folder, 'OctaveFuns'), {});
+  funs = fullfile (model.folder, 'OctaveFuns');
+  key = '';                            % runs of a table alone need none
+  if isfolder (funs)
+    key = hashFolder (funs, {});
+  end
   r = model.readings;
   if ~isempty (r)
     words = [{r.result}; {r.series}];

@@ -161,7 +161,8 @@ function [offset, matrix] = linearPart (effect, top, info, bench)
   end
   n = numel (info);
   offset = effect.transform (zeros (1, n), top, info);
-  unit = effect.transform (eye (n), top, info);
+  % not the diagonal matrix that eye is, which subtracts no row
+  unit = effect.transform (full (eye (n)), top, info);
   matrix = unit(1:T, 1:T) - offset(1:T) - eye (T);
   offset = offset(1:T);
 end
