@@ -46,7 +46,10 @@ function h = hashModels (Case)
     h(k).older = setdiff ({hash('sha256', [text, h(k).build]), ...
                            hash('sha256', [text, build])}, h(k).input);
     h(k).funs = hashEvaluation (Case.models(k));
-    h(k).defaults = headDefaults (fullfile (folder, 'data.head'));
+    h(k).defaults = struct ();         % of runs of a table nothing is asked
+    if isfile (fullfile (folder, 'data.head'))
+      h(k).defaults = headDefaults (fullfile (folder, 'data.head'));
+    end
     % a model without the effect has it off: its runs stay the same ones
     for v = find (~isfield (h(k).defaults, Case.effectVars))
       h(k).defaults.(Case.effectVars{v}) = neutral(v);

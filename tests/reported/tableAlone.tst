@@ -1,0 +1,20 @@
+% Issue 53, strangers 5 and 12: runs of a table alone; of the model there is only
+% results.csv, or nothing at all; a candidate that can act on nothing.
+
+%!test
+%! folder = reportedCase ('tableAlone');
+%! [status, out] = startCommand (folder, 'check');
+%! assert (status == 0, out);
+%! assert (! isempty (strfind (out, 'runs.csv  6 sets taken in')), out);
+%! assert (isempty (strfind (out, 'WARNING')), out);
+%! [status, out] = startCommand (folder, 'run');
+%! assert (any (status == [0, 2]), out);
+%! assert (isfile (fullfile (folder, 'results', 'calibration.json')));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (fullfile (folder, 'DEMmodels'), 's');
+%! writeAtomic (fullfile (folder, 'loadEffects.m'), ...
+%!              ["function effects = loadEffects ()\n", ...
+%!               "  effects = {'speedError'};\nend\n"]);
+%! [status, out] = startCommand (folder, 'check');
+%! assert (status == 0, out);
+%! assert (! isempty (strfind (out, 'can express speedError')), out);
