@@ -12,7 +12,8 @@
 %     stage    'plan', 'calibration', 'gap', or '' where there is no run
 %     models   1 x M struct array: name, done, failed, running, waiting, lost
 %              (broken off, see runsOfCase), old (runs that no longer count),
-%              seconds (median, NaN: not known)
+%              unread (done, but to be read anew at the next start), seconds
+%              (median, NaN: not known)
 %     plan     1 x 2, runs of the plan that are done, and all of them
 %     sets     1 x 2, sets run after the plan, and optim.maxFunEvals (which
 %              counts a set once more for each repeat);  later  their runs
@@ -120,6 +121,7 @@ function models = countsOf (Case, runs, seconds)
     states = {ofModel([ofModel.isCurrent]).state};
     count = @(varargin) sum (ismember (states, varargin));
     models(k).done = count ('ok', 'ended');
+    models(k).unread = count ('ended');
     models(k).failed = count ('failed', 'timeout', 'invalid');
     models(k).lost = count ('lost');
     models(k).running = count ('running');

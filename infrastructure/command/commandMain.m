@@ -46,7 +46,7 @@ function status = sayExport (root, folder, args)
            ['the table cannot be %s: the next start would take it in, and ' ...
             'the runs are in the store already. Take another name.'], file);
   end
-  n = exportRuns (file, Case, gatherRuns (Case));
+  n = exportRuns (file, Case, gatherRuns (Case, true));
   printf ('%d runs  %s\n', n, file);
   sayChanged (Case);
   status = 0;
@@ -131,6 +131,11 @@ function result = carryOut (root, folder, words)
                      'doctor', @sayDoctor, 'runs', @sayLibrary, ...
                      'forget', @(varargin) sayLibrary (varargin{:}, true));
   command = commands.(words{1});
+  place = getenv ('DECALIOC_CALLED_IN');
+  if ~isempty (place) && any (strcmp (words{1}, {'new', 'doctor', 'runs', ...
+                                                 'forget'}))
+    folder = place;                     % see bin/decalioc
+  end
   result.exitStatus = command (root, folder, words(2:end));
 end
 

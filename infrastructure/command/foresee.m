@@ -35,7 +35,7 @@ function f = foresee (Case, runs)
     keys = cellfun (@(r) r.key, {runs(isEnded).job}, 'UniformOutput', false);
     f.isDone = ismember ({f.jobs.key}, keys);
   end
-  isOk = strcmp ({runs.state}, 'ok');
+  isOk = ismember ({runs.state}, {'ok', 'ended'}) & isfinite ([runs.seconds]);
   for k = 1:numel (Case.models)
     seconds = [runs(isOk & [runs.model] == k).seconds];
     f.seconds(k) = median ([seconds, NaN(1, isempty (seconds))]);

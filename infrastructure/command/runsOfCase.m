@@ -6,9 +6,10 @@
 %   RUNS  1 x n struct array: model (number), folder, job (see newJobs), state,
 %         seconds (NaN: not known), message, results, isCurrent (its key is
 %         what the case gives today). States: 'ok', 'failed', 'timeout',
-%         'invalid' (as in its record), 'ended' (not evaluated yet), 'running',
-%         'waiting' (prepared, or in a queue), 'lost' (ended from outside, by
-%         decalioc cancel say, or its guard is gone: to be run again)
+%         'invalid' (as in its record), 'ended' (not evaluated yet, or not as the
+%         case asks today: readingOf), 'running', 'waiting' (prepared, or in a
+%         queue), 'lost' (ended from outside, by decalioc cancel say, or its
+%         guard is gone: to be run again)
 %
 % Reads files alone; works beside a running Octave and on a machine that is not
 % the one of the runs, of which it then takes their word.
@@ -29,7 +30,7 @@ function runs = runsOfCase (Case)
   for k = 1:numel (Case.models)
     place = fullfile (Case.store, 'optim', Case.models(k).name);
     for name = runFoldersOf (Case, Case.models(k).name)'
-      run = oneRun (fullfile (place, name{1}), sent, isHere);
+      run = oneRun (fullfile (place, name{1}), sent, isHere, Case.hashes(k));
       % what another case has under way on the same store is not ours; what has
       % ended is told apart by the index (runFoldersOf)
       isOpen = ~isempty (run) && ...
@@ -45,12 +46,12 @@ function runs = runsOfCase (Case)
 end
 
 % [] where the folder is half made.
-function run = oneRun (folder, sent, isHere)
+function run = oneRun (folder, sent, isHere, h)
   run = struct ('model', 0, 'folder', folder, 'job', [], 'state', '', ...
                 'seconds', NaN, 'message', '', 'results', [], ...
                 'isCurrent', false);
-  run.job = readRecord (fullfile (folder, 'record.json'));
-  if ~isempty (run.job)
+  run.job = readingOf (readRecord (fullfile (folder, 'record.json')), h);
+  if isRunRecord (run.job) && isfield (run.job, 'status')
     run.state = run.job.status;
     for field = {'seconds', 'message', 'results'}
       run.(field{1}) = run.job.(field{1});
@@ -59,7 +60,7 @@ function run = oneRun (folder, sent, isHere)
   end
   run.job = readRecord (fullfile (folder, 'job.json'));
   mark = readEndMark (folder);
-  if isempty (run.job)
+  if ~isRunRecord (run.job)
     run = [];
   elseif strcmp (givenField (mark, 'reason', ''), 'killed')
     run.state = 'lost';

@@ -19,24 +19,35 @@
 
 function status = sayLibrary (root, folder, args, toForget)
   if nargin > 3
-    status = forget (args);
+    status = forget (args, folder);
     return
   end
   [~, words] = commandOptions (args, struct ());
   words = [words, {getenv('DECALIOC_STORE'), folder}];
   first = find (~cellfun (@isempty, words), 1);
-  store = words{first};
+  store = absoluteFrom (folder, words{first});
   names = readdir (fullfile (store, 'optim'));
   names = names(~strncmp (names, '.', 1));
   status = 2;
   for name = names'
     kinds = readLibrary (store, name{1}, struct ('input', ''));
     status = 0;
-    sayModel (name{1}, kinds);
+    sayModel (name{1}, onceEach (kinds));
   end
   if status > 0
     printf ('%s holds no runs\n', store);
   end
+end
+
+% A run that answered several questions is in several kinds.
+function kinds = onceEach (kinds)
+  seen = zeros (0, 1);
+  for k = 1:numel (kinds)
+    runs = kinds(k).runs;
+    kinds(k).runs = runs(~ismember (runs(:, 1), seen), :);
+    seen = [seen; kinds(k).runs(:, 1)];
+  end
+  kinds = kinds(~cellfun (@isempty, {kinds.runs}));
 end
 
 function sayModel (name, kinds)
@@ -72,14 +83,15 @@ function sayRig (input, kinds)
     printf ('    %-22s %s\n', name{1}, ...
             sprintf (' to %.6g', unique (range.(name{1})))(5:end));
   end
-  for origin = unique ({kinds.origin})
-    ofCase = kinds(strcmp ({kinds.origin}, origin{1}));
-    printf ('    of %s: %d\n', origin{1}, ...
+  labels = caseLabels (kinds);
+  for label = unique (labels)
+    ofCase = kinds(strcmp (labels, label{1}));
+    printf ('    of %s: %d\n', label{1}, ...
             sum (cellfun (@rows, {ofCase.runs})));
   end
 end
 
-function status = forget (args)
+function status = forget (args, here)
   [options, words] = commandOptions (args, struct ('case', 'one', ...
                                                    'back', 'flag'));
   origin = options.('case');
@@ -89,6 +101,7 @@ function status = forget (args)
             '(7 12:20) or --case FOLDER; decalioc runs STORE lists them.']);
   end
   [store, model] = words{1:2};
+  store = absoluteFrom (here, store);
   ranges = rangesOf (words(3:end));
   if ~isfolder (fullfile (store, 'optim', model))
     error ('DEcalioc:sayLibrary:missingFile', ...
@@ -101,7 +114,7 @@ function status = forget (args)
     chosen = chosen(any (chosen >= ranges(:, 1)' & chosen <= ranges(:, 2)', 2));
   else
     chosen = runsOfCases (readLibrary (store, model, struct ('input', '')), ...
-                          origin);
+                          origin, here);
   end
   changed = [];
   for number = unique (chosen)'
@@ -110,7 +123,6 @@ function status = forget (args)
       changed(end + 1) = number;
     end
   end
-  readLibrary (store, model, struct ('input', ''), changed);
   if isempty (changed)
     refuseNone (store, model, options.back);
   end
@@ -130,11 +142,32 @@ function refuseNone (store, model, isBack)
          shellQuote (store), fullfile (store, 'optim', model));
 end
 
-% ORIGIN is named as decalioc runs does, or as seen from the current folder.
-function chosen = runsOfCases (kinds, origin)
-  folder = make_absolute_filename (tilde_expand (origin));
-  folders = {origin, folder, canonicalize_file_name(folder)};
-  isOf = ismember ({kinds.origin}, folders) & ~strcmp ({kinds.origin}, '');
+% The case is named by its folder, as decalioc runs does or as seen from here,
+% or by the first digits of its id. Runs of earlier versions have no owner.
+function chosen = runsOfCases (kinds, name, here)
+  folder = absoluteFrom (here, name);
+  folders = {name, folder, canonicalize_file_name(folder)};
+  isAt = ismember ({kinds.origin}, folders) & ~strcmp ({kinds.origin}, '');
+  hasOwner = ~strcmp ({kinds.owner}, '');
+  id = caseId (folder);
+  if isempty (id) && ~isempty (regexp (name, '^[0-9a-f]{8,32}$', 'once'))
+    id = name;
+  end
+  if ~isempty (id)
+    isOf = strncmp ({kinds.owner}, id, numel (id));
+  else
+    isOf = isAt & hasOwner;
+    owners = unique ({kinds(isOf).owner});
+    if numel (owners) > 1
+      error ('DEcalioc:sayLibrary:badValue', ...
+             ['decalioc forget: --case must name one case, got %s, at which ' ...
+              '%d cases have been (containers?). Name one by its id: %s'], ...
+             name, numel (owners), ...
+             strjoin (cellfun (@(o) o(1:min (8, end)), owners, ...
+                               'UniformOutput', false), ', '));
+    end
+  end
+  isOf = isOf | (isAt & ~hasOwner);
   chosen = vertcat (zeros (0, 1), cellfun (@(r) r(:, 1), {kinds(isOf).runs}, ...
                                            'UniformOutput', false){:});
 end
@@ -159,13 +192,13 @@ end
 function done = marked (folder, isBack)
   file = fullfile (folder, 'record.json');
   r = readRecord (file);
-  done = ~isempty (r) && strcmp (r.status, 'forgotten') == isBack;
+  done = isRunRecord (r) && ...
+         strcmp (givenField (r, 'status', ''), 'forgotten') == isBack;
   if ~done
     return
   end
   if isBack
-    parts = regexp (r.message, '^was (\w+)\. (.*)$', 'tokens', 'once');
-    [r.status, r.message] = parts{:};
+    [r.status, r.message] = beforeForgotten (r.message);
   else
     r.message = sprintf ('was %s. %s', r.status, r.message);
     r.status = 'forgotten';

@@ -13,13 +13,16 @@
 % Errors: DEcalioc:sayNew:missingField, :badValue, :exists, :cannotWrite; those
 % of commandOptions, fillTemplate and newScriptModel
 
-function status = sayNew (root, ~, args)
+function status = sayNew (root, folder, args)
   status = 0;
   spec = struct ('model', 'one', 'curve', 'flag', 'script', 'one', ...
                  'vary', 'many', 'set', 'many', 'target', 'many', ...
                  'output', 'one', 'seed', 'one');
   [given, words] = commandOptions (args, spec);
-  target = placeOf (given, words);
+  if ~isempty (given.script)
+    given.script = absoluteFrom (folder, given.script);
+  end
+  target = placeOf (given, words, folder);
   isCase = isfile (fullfile (target, 'loadInput.m'));
   if isempty (given.model)
     refuseIf (isCase, target, 'is a case already');
@@ -33,7 +36,7 @@ function status = sayNew (root, ~, args)
   sayMade (target, given, isCase);
 end
 
-function target = placeOf (given, words)
+function target = placeOf (given, words, folder)
   if ~isempty (given.model) && ~checkIs ('folder', given.model)
     error ('DEcalioc:sayNew:badValue', ...
            ['--model must be a plain name (letters, digits, _ - + .), got ' ...
@@ -53,7 +56,7 @@ function target = placeOf (given, words)
             '--help shows the call.'], numel (words));
   end
   words{end + 1} = given.model;
-  target = make_absolute_filename (words{1});
+  target = absoluteFrom (folder, words{1});
 end
 
 % What only the model of a script takes would be lost without a word.

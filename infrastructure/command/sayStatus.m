@@ -87,6 +87,9 @@ function sayRuns (s)
     if m.lost > 0
       printf ('; %d broken off, to be made again', m.lost);
     end
+    if m.unread > 0 && ~strcmp (s.state, 'running')
+      printf ('; %d to be read at the next start', m.unread);
+    end
     if m.old > 0
       printf ('; %d of an earlier model or input, left aside', m.old);
     end

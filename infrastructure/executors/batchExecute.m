@@ -112,9 +112,21 @@ function flight = launch (flight, jobs, Case, queue, opt)
   end
 end
 
+% What a job carries out first, as one word that a queue hands on as it is: not
+% a file beside the runs, to which others may be able to write.
+function word = beforeOf (lines)
+  word = {};
+  if ~isempty (lines)
+    lines = cellfun (@(line) sprintf ("%s\n[ $? = 0 ] || return\n", line), ...
+                     lines, 'UniformOutput', false);
+    word = {base64_encode(uint8 ([lines{:}]))};
+  end
+end
+
 function flight = send (flight, queue, opt, root)
   task = {fullfile(root, 'infrastructure', 'executors', 'batchTask.sh'), '', ...
-          fullfile(root, 'infrastructure', 'runs', 'guard.sh'), queue.task{:}};
+          fullfile(root, 'infrastructure', 'runs', 'guard.sh'), ...
+          queue.task{:}, beforeOf(opt.before){:}};
   for b = find (~[flight.batches.isSent])
     task{2} = flight.batches(b).path;
     [verdict, text] = queue.send (flight.batches(b), opt, task);

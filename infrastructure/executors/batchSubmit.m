@@ -10,7 +10,7 @@
 % Makes the run folders and a batch folder <store>/optim/.<queue>/<name> whose
 % file tasks tells which task of the array is which run. The name is unique and
 % becomes the job name: the array is found by it even when its number was never
-% heard of. The file before holds OPT.before. Nothing is sent yet.
+% heard of. Nothing is sent yet.
 %
 % Errors: DEcalioc:batchSubmit:badValue, those of prepareRun
 
@@ -43,9 +43,6 @@ function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
   % the queue writes into it as this user, whatever link it finds there
   [~, ~] = mkdir (fileparts (batch.path));
   privateFolder (batch.path);
-  before = cellfun (@(line) sprintf ("%s\n[ $? = 0 ] || return\n", line), ...
-                    opt.before, 'UniformOutput', false);
-  writeAtomic (fullfile (batch.path, 'before'), [before{:}]);
   writeAtomic (fullfile (batch.path, 'tasks'), [lines{:}]);
   flight.batches(end + 1) = batch;
   flight.batch(picks) = numel (flight.batches);
@@ -88,9 +85,6 @@ end
 %! assert (fileread (fullfile (flight.folder{3}, 'limit')), "7\n");
 %! assert (flight.batches.isSent, false);
 %! assert (flight.batches.minutes, 3);
-%! assert (fileread (fullfile (flight.batches.path, 'before')), ...
-%!         ["module load a\n[ $? = 0 ] || return\n", ...
-%!          "b=1\n[ $? = 0 ] || return\n"]);
 %! % without a limit of the user's, the one that earlier runs teach
 %! Case.models.timeout = NaN;
 %! Case.models.seconds = [10, 10, 10];

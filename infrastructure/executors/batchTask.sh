@@ -1,18 +1,21 @@
 #!/bin/bash
-# batchTask.sh BATCH GUARD TASK JOB
+# batchTask.sh BATCH GUARD TASK JOB [BEFORE]
 #
 # One task of a job array: looks up its run in BATCH/tasks, claims it, carries
-# out BATCH/before and hands over to GUARD, which carries out the run and leaves
+# out BEFORE and hands over to GUARD, which carries out the run and leaves
 # end.mark. TASK and JOB name the environment variables in which the queue gives
 # the number of the task and that of the job.
+#
+# BEFORE is what Input.<executor>.before says, in base64: it goes with the job, as
+# BATCH lies in a store that others may write to.
 #
 # A line of BATCH/tasks:  key TAB run folder
 # Claiming is making the folder batch.claim: only one can. So a run that was
 # submitted twice, requeued, or given up by Octave is not run (again).
 #
 # Exit status: 94 run claimed already, 95 no such line, 96 no such folder,
-# 98 a line of BATCH/before failed, otherwise that of the guard.
-batch=$1 guard=$2 task=${!3:?} job=${!4:-}
+# 98 a line of BEFORE failed, otherwise that of the guard.
+batch=$1 guard=$2 task=${!3:?} job=${!4:-} before=$(base64 -d <<< "${5:-}")
 line=$(sed -n "${task}p" "$batch/tasks") || exit 95
 IFS=$'\t' read -r _ folder <<< "$line"
 [ -n "$folder" ] || exit 95
@@ -22,9 +25,10 @@ rm -f -- stdout.txt stderr.txt         # not through links in their place
 set -C
 echo "${job}_$task on $HOSTNAME" > batch.claim/who
 exec 3> stdout.txt 4> stderr.txt
-set +C --                             # sourced lines would see the parameters
-# shellcheck source=/dev/null
-if [ -s "$batch/before" ] && ! . "$batch/before" >&3 2>&4; then
+set +C
+# a function, as its lines may return
+prepare () { set --; eval "$before"; }
+if [ -n "$before" ] && ! prepare >&3 2>&4; then
   echo "ERROR: a line of Input.<executor>.before failed" >&3
   draft=end.mark.$RANDOM$RANDOM.$RANDOM$RANDOM.tmp
   set -C

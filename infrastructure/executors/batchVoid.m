@@ -22,8 +22,9 @@ end
 %! put = @(name, text) writeAtomic (fullfile (folder, name), text);
 %! free = @() rmdir (fullfile (folder, 'batch.claim'), 's');
 %! put ('tasks', sprintf ("key\t%s\n", folder));
-%! line = 'T=%d J=1 bash %s %s true T J 2> /dev/null';
-%! run = @(k) system (sprintf (line, k, shellQuote (script), folder));
+%! line = 'T=%d J=1 bash %s %s true T J %s 2> /dev/null';
+%! run = @(k, varargin) system (sprintf (line, k, shellQuote (script), ...
+%!                                       folder, [varargin{:}]));
 %! assert ([run(1), run(2)], [94, 95]);
 %! free ();
 %! put ('true', '');
@@ -34,13 +35,14 @@ end
 %! % what goes before a run sets its environment; where a line fails, the run
 %! % is not started and says why
 %! put ('true', "echo $X >> said\n");
+%! put ('before', "touch planted\n");      % of earlier versions: not sourced
 %! before = {"export X=5\n", "ls /nowhere # gone\n[ $? = 0 ] || return\n"};
 %! for k = 1:2
 %!   free ();
-%!   put ('before', before{k});
-%!   status(k) = run (1);
+%!   status(k) = run (1, base64_encode (uint8 (before{k})));
 %! end
 %! assert (status, [0, 98]);
+%! assert (! isfile (fullfile (folder, 'planted')));
 %! assert (fileread (fullfile (folder, 'said')), "5\n");
 %! assert (readEndMark (folder).code, 98);
 %! assert (~ isempty (strfind (fileread (fullfile (folder, 'stderr.txt')), ...

@@ -1,8 +1,10 @@
 % GATHERRUNS  Collects every finished run of a case that still counts.
 %
 % CALL: [DATA, COUNT] = gatherRuns (CASE)
+%       [DATA, COUNT] = gatherRuns (CASE, true)
 %
-%   CASE   see newCase
+%   CASE   see newCase; with true only runs that the case has made itself: of a
+%          store that cases share, those of the others are evidence, too
 %   DATA   struct X (n x d), E (n x v, as CASE.effectVars), Z (n x T, NaN = no
 %          result, NA = not run), replicate (n x 1), stage (n x 1 cell)
 %   COUNT  of runs at the last level, struct: store (runs from the store),
@@ -19,7 +21,11 @@
 % diagnoseMatrices, and rows of runs.csv that repeat a run of the store bit by
 % bit.
 
-function [data, count] = gatherRuns (Case)
+function [data, count] = gatherRuns (Case, isOwn)
+  which = {'model'};
+  if nargin > 1 && isOwn
+    which = {};
+  end
   d = numel (Case.names);
   T = numel (Case.targets);
   v = numel (Case.effectVars);
@@ -27,7 +33,7 @@ function [data, count] = gatherRuns (Case)
   count = struct ('store', 0, 'noResult', 0, 'imported', 0, ...
                   'ignored', {{}}, 'seconds', NaN);
   if all (cellfun (@(f) isfolder (f), {Case.models.folder}))
-    [data, count] = fromStore (Case, data, count);
+    [data, count] = fromStore (Case, data, count, which);
   end
   file = fullfile (Case.folder, 'runs.csv');
   if isfile (file)
@@ -39,7 +45,7 @@ function [data, count] = gatherRuns (Case)
   end
 end
 
-function [data, count] = fromStore (Case, data, count)
+function [data, count] = fromStore (Case, data, count, which)
   Case.hashes = hashModels (Case);
   inputs = zeros (0, columns (data.X) + columns (data.E) + 1);
   Z = data.Z;
@@ -47,7 +53,8 @@ function [data, count] = fromStore (Case, data, count)
   seconds = NaN (1, numel (Case.models));
   for k = 1:numel (Case.models)
     own = [Case.targets.model] == k;
-    [records, effects] = runsOf (Case, k, Case.hashes(k));
+    names = runFoldersOf (Case, Case.models(k).name, which{:});
+    [records, effects] = runsOf (names, Case, k, Case.hashes(k));
     isLast = cellfun (@(e) atLastLevel (e, Case.coarse), effects);
     spent = cellfun (@(r) r.seconds, records(isLast));
     spent = spent(isfinite (spent));
@@ -83,14 +90,13 @@ end
 
 % Runs of model K that count, and the effect values (1 x v) of each. What was
 % evaluated by another getResults, or not at all, is evaluated first.
-function [records, effects] = runsOf (Case, k, h)
-  names = runFoldersOf (Case, Case.models(k).name, 'model');
+function [records, effects] = runsOf (names, Case, k, h)
   records = cell (1, numel (names));
   effects = cell (1, numel (names));
   stale = false (1, numel (names));
   for i = 1:numel (names)
     folder = fullfile (Case.store, 'optim', Case.models(k).name, names{i});
-    records{i} = endedRun (folder);
+    records{i} = endedRun (folder, h);
     effects{i} = countsToday (records{i}, folder, Case, h);
     stale(i) = ~isempty (effects{i}) && ~strcmp (records{i}.funs, h.funs);
   end
@@ -110,11 +116,12 @@ function [records, effects] = runsOf (Case, k, h)
 end
 
 % Record of a run whose simulation has ended well, [] for all others.
-function record = endedRun (folder)
-  found = readRun (folder);
+function record = endedRun (folder, h)
+  found = readRun (folder, h);
   record = [];
   if isempty (found) || strcmp (found.stage, 'cure') || ...
-     ~any (strcmp (givenField (found, 'status', 'ok'), {'ok', 'invalid'}))
+     ~any (strcmp (givenField (found, 'status', 'ended'), ...
+                   {'ok', 'invalid', 'ended'}))
     return
   end
   record = setfield (newRecord (found, folder), 'status', 'ok');

@@ -8,13 +8,12 @@
 % See also: libraryRuns, sayStatus, sectionRuns
 
 function text = libraryLine (Case)
-  text = checkReadText (fullfile (Case.folder, 'results', 'library.csv'));
-  origin = regexp (text, '^\d+,\d+,[^,\n]*,([^\n]*)', 'tokens', 'lineanchors');
+  [~, ~, cases] = readTaken (Case.folder);
   text = '';
-  if ~isempty (origin)
+  if ~isempty (cases)
     text = sprintf (['%d runs of %d cases in %s were samples already ' ...
-                     '(results/library.csv)'], numel (origin), ...
-                    numel (unique ([origin{:}])), Case.store);
+                     '(results/library.csv)'], numel (cases), ...
+                    numel (unique (cases)), Case.store);
   end
   if ~isempty (text) && strcmp (Case.store, givenField (Case, 'folder', ''))
     text = sprintf (['%d runs of earlier starts were samples already ' ...

@@ -5,8 +5,8 @@
 %   PLACE   folder (text) with orders: files *.order that hold k (number of the
 %           run), job (see newJobs), folder (see takeRunFolder) and hasEnded
 %           (the folder has an end mark)
-%   CASE    see newCase; root, store, models, modelVars, names, effectVars and
-%           hashes (see hashModels) are read
+%   CASE    see newCase; root, folder, store, models, modelVars, names,
+%           effectVars and hashes (see hashModels) are read
 %   OWNER   process number of the Octave that carries out the plan
 %   ANSWER  [] where there was no order, else a struct: k, record (see
 %           newRecord; [] of a run that is under way now), fault ([] or message

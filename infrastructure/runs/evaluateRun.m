@@ -26,7 +26,7 @@ function record = evaluateRun (record, place)
       cd (before{2});
     end
   end
-  writeRecord (fullfile (record.folder, 'record.json'), record);
+  keepRecord (record);
   tidyDrafts (record.folder);
 end
 
@@ -51,12 +51,12 @@ function record = evaluate (record, place)
   global path
   path = [place.base, '/'];
   addpath (place.funs);
-  tidy = onCleanup (@() rmpath (place.funs));
   watch = startWatch (fullfile (record.folder, 'getResults.late'), place.limit);
   % a file that was corrected within the second would not be read again
   clear ('-functions', 'getResults');
   try
     results = getResults (record.model, place.name);
+    rmpath (place.funs);                % its helpers shadow nothing of ours
     [record.results, fault] = asRow (results, place);
     record.cause = 'output';
   catch err

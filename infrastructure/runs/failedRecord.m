@@ -20,7 +20,7 @@ function record = failedRecord (job, folder, status, message, cause)
   record.status = status;
   record.message = message;
   record.cause = cause;
-  writeRecord (fullfile (folder, 'record.json'), record);
+  keepRecord (record);
 end
 
 %!test

@@ -3,10 +3,13 @@
 % CALL: [FOUND, TALLY] = familyRuns (CASE, H, AGAIN)
 %
 %   CASE   see newCase;  H  see hashModels
-%   AGAIN  1 x M cell of k x 2 (model, number): records that have changed
-%   FOUND  struct: inputs n x (d + v), run n x 6 (model, number, seed,
-%          replicate, state, first digits of the key, see readLibrary), Z n x T
-%          (NaN: of another model, or no result), funs, origin n x 1 cell
+%   AGAIN  k x 2 (model, number): records that are to be read, whatever the
+%          index says
+%   FOUND  struct: inputs n x (d + v), run n x 5 (model, number, seed,
+%          replicate, state, see readLibrary), Z n x T (NaN: of another model,
+%          or no result), isRead n x 1 logical (false: the run ended well, but
+%          has not answered what this case asks), origin n x 1 cell
+%          (caseLabels)
 %   TALLY   see libraryRuns, with nothing used yet
 %
 % Same model folder, CPUs and LIGGGHTS, and the same value of every variable but
@@ -15,20 +18,29 @@
 
 function [found, tally] = familyRuns (Case, h, again)
   d = numel (Case.names) + numel (Case.effectVars);
-  found = struct ('inputs', zeros (0, d), 'run', zeros (0, 6), ...
+  found = struct ('inputs', zeros (0, d), 'run', zeros (0, 5), ...
                   'Z', zeros (0, numel (Case.targets)), ...
-                  'funs', {cell(0, 1)}, 'origin', {cell(0, 1)});
+                  'isRead', false (0, 1), 'origin', {cell(0, 1)});
   tally = struct ('used', 0, 'origin', {{}}, 'count', []);
   tally.passed = struct ('model', {}, 'why', {}, 'count', {});
   tally.other = struct ('model', {}, 'number', {}, 'count', {});
   for k = 1:numel (Case.models)
     isOfModel = [Case.targets.model] == k;
     index = [Case.targets(isOfModel).index];
-    kinds = readLibrary (Case.store, Case.models(k).name, h(k), ...
-                         again{k}(:, 2:end));
+    [kinds, torn] = readLibrary (Case.store, Case.models(k).name, h(k), ...
+                                 again(again(:, 1) == k, 2));
+    tally.passed = booked (tally.passed, Case.models(k).name, ...
+                           'their records cannot be read', numel (torn));
     other = zeros (0, 1);
-    for kind = kinds
-      kind.runs = kind.runs(ismember (kind.runs(:, 2), [1, 2, 3]), :);
+    seen = zeros (0, 1);
+    if ~isempty (kinds)
+      labels = caseLabels (kinds);
+      [kinds.label] = labels{:};
+    end
+    for kind = inOrder (kinds, h(k))
+      isNew = ~ismember (kind.runs(:, 1), seen);
+      seen = [seen; kind.runs(isNew, 1)];
+      kind.runs = kind.runs(isNew & ismember (kind.runs(:, 2), 1:3), :);
       if ~strcmp (kind.input, h(k).input)
         other = [other; kind.runs(:, 1)];
         continue
@@ -39,14 +51,13 @@ function [found, tally] = familyRuns (Case, h, again)
       runs = kind.runs(isOf, :);
       n = rows (runs);
       Z = NaN (n, numel (Case.targets));
-      first = 6 + numel (strsplit (kind.names, ' '));
-      isOk = runs(:, 2) == 1 & columns (runs) >= first + max (index);
-      Z(isOk, isOfModel) = runs(isOk, first + index);
+      isOk = runs(:, 2) == 1 & answers (kind, h(k)) == 2;
+      Z(isOk, isOfModel) = runs(isOk, end - h(k).count + index);
       found.inputs = [found.inputs; inputs(isOf, :)];
-      found.run = [found.run; k * ones(n, 1), runs(:, [1, 5, 6, 2, 3])];
+      found.run = [found.run; k * ones(n, 1), runs(:, [1, 5, 6, 2])];
       found.Z = [found.Z; Z];
-      found.funs = [found.funs; repmat({kind.funs}, n, 1)];
-      found.origin = [found.origin; repmat({kind.origin}, n, 1)];
+      found.isRead = [found.isRead; runs(:, 2) == 3 | answers(kind, h(k)) > 0];
+      found.origin = [found.origin; repmat({kind.label}, n, 1)];
     end
     if ~isempty (other)
       tally.other(end + 1) = struct ('model', k, 'number', max (other), ...
@@ -55,10 +66,23 @@ function [found, tally] = familyRuns (Case, h, again)
   end
 end
 
+% The question of the case first.
+function kinds = inOrder (kinds, h)
+  [~, order] = sort (arrayfun (@(kind) ~answers (kind, h), kinds));
+  kinds = kinds(order);
+end
+
+% 0 another question, or one for more or fewer results; 1 no results; 2 results
+function code = answers (kind, h)
+  n = columns (kind.runs) - 6 - sum (kind.names == ' ') - ~isempty (kind.names);
+  code = strcmp (kind.funs, h.funs) * ((n == 0) + 2 * (n == h.count));
+end
+
 % Inputs of the runs of a kind as this case has them, and which runs differ in
 % nothing else.
 function [inputs, isOf, why] = inputsOf (kind, Case, h)
   names = strsplit (kind.names, ' ');
+  names = names(~cellfun (@isempty, names));
   values = toDigits (kind.runs(:, 7:6 + numel (names)));
   n = rows (values);
   free = [Case.names, Case.effectVars];
@@ -114,8 +138,7 @@ end
 %!  raw.paramLims = raw.paramLims(:, 1:numel (names));
 %!  raw.modelVars = modelVars;
 %!  Case = newCase (raw);
-%!  none = repmat ({zeros(0, 1)}, 1, 2);
-%!  [found, tally] = familyRuns (Case, hashModels (Case), none);
+%!  [found, tally] = familyRuns (Case, hashModels (Case), zeros (0, 2));
 %!endfunction
 
 %!test
@@ -138,7 +161,7 @@ end
 %! evaluateDEM ([2, 3], setfield (Case, 'modelVars', struct ('e', 2)));
 %! Case.coarse = struct ('variable', 'e', 'levels', [3, 0], 'models', 1:2);
 %! Case.effectVars = {'e'};
-%! found = familyRuns (Case, hashModels (Case), repmat ({zeros(0, 1)}, 1, 2));
+%! found = familyRuns (Case, hashModels (Case), zeros (0, 2));
 %! assert (sum (all (found.inputs == [2, 2, 3], 2)), 2);
 %! assert (rows (found.inputs), 10);
 %! [found, tally] = of (first.store, {'a', 'e'}, struct ('b', 6));

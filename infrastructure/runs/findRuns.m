@@ -4,7 +4,8 @@
 %
 %   JOBS  1 x n struct array, see newJobs
 %   CASE  see newCase
-%   RUNS  1 x n cell, see readRun: the run with the job's key, or []
+%   RUNS  1 x n cell, see readRun: the run with the job's key, or []; with the
+%         reading that the case asks for
 %
 % Of several runs with one key the first of these: ok, ended without a valid
 % result, ended but not evaluated, failed.
@@ -17,7 +18,7 @@ function runs = findRuns (jobs, Case)
     h = Case.hashes(strcmp ({Case.models.name}, model{1}));
     names = runFoldersOf (Case, model{1}, jobs(mine));
     [found, keys, worth] = scan (fullfile (Case.store, 'optim', model{1}), ...
-                                 names);
+                                 names, h);
     for i = mine
       hits = find (strcmp (keys, jobs(i).key));
       if isempty (hits)
@@ -31,8 +32,8 @@ function runs = findRuns (jobs, Case)
   end
 end
 
-function [runs, keys, worth] = scan (place, names)
-  runs = cellfun (@(name) readRun ([place, '/', name]), names, ...
+function [runs, keys, worth] = scan (place, names, h)
+  runs = cellfun (@(name) readRun ([place, '/', name], h), names, ...
                   'UniformOutput', false);
   keys = repmat ({''}, size (names));
   worth = zeros (size (names));

@@ -9,10 +9,11 @@
 %         outside it that its scripts name), older (1 x n cell: the same as
 %         versions until 0.9.0 had it, with the build where it does not call it
 %         or without the files outside), files (as input, without the build),
-%         build ('' where it is not called, or not there), funs (files of OctaveFuns, which only
-%         evaluate; with measured.csv also which results it reads, and where on
-%         a curve), defaults (values declared in data.head; of effect variables
-%         that it does not declare the neutral ones)
+%         build ('' where it is not called, or not there), funs (files of
+%         OctaveFuns, which only evaluate; with measured.csv also which results
+%         it reads, and where on a curve), count (how many results are asked
+%         for), defaults (values declared in data.head; of effect variables that
+%         it does not declare the neutral ones)
 %
 % A model calls LIGGGHTS where its runscript, a file that the runscript names or
 % one that this names holds the word, in capitals or not.
@@ -35,7 +36,8 @@ function h = hashModels (Case)
   build = strtok (build);
   neutral = neutralEffects (Case);
   h = struct ('input', cell (1, numel (Case.models)), 'older', {{}}, ...
-              'funs', '', 'files', '', 'build', '', 'defaults', []);
+              'funs', '', 'files', '', 'build', '', ...
+              'count', {Case.models.nTargets}, 'defaults', []);
   for k = 1:numel (Case.models)
     folder = Case.models(k).folder;
     text = sprintf ('%s|%d|', hashFolder (folder, aside), Case.models(k).cpu);

@@ -3,14 +3,18 @@
 % CALL: YES = isOwnRun (JOB, CASE)
 %
 %   JOB   job or record of the run, see newJobs
+%         may also be a kind of readLibrary
 %   CASE  see newCase; where Input.store is the case folder all runs are its
-%         own, else those that name it as their origin. A job of versions until
-%         0.9.0 names none and is nobody's
+%         own, else those with its id (caseId). A job of earlier versions names
+%         the folder alone, or nothing, and is nobody's then
 %   YES   logical
 
 function yes = isOwnRun (job, Case)
+  owner = givenField (job, 'owner', '');
   yes = strcmp (Case.store, Case.folder) || ...
-        strcmp (givenField (job, 'origin', ''), Case.folder);
+        (isempty (owner) && ...
+         strcmp (givenField (job, 'origin', ''), Case.folder)) || ...
+        (~isempty (owner) && strcmp (owner, caseId (Case.folder)));
 end
 
 %!test
@@ -20,3 +24,10 @@ end
 %! assert (! isOwnRun (struct ('key', 'x'), Case));
 %! Case.store = '/a';
 %! assert (isOwnRun (struct ('key', 'x'), Case));
+%! % two cases that were at one folder
+%! folder = tempname ();
+%! mkdir (folder);
+%! Case = struct ('store', '/s', 'folder', folder);
+%! job = struct ('origin', folder, 'owner', caseId (folder, true));
+%! assert (isOwnRun (job, Case));
+%! assert (! isOwnRun (setfield (job, 'owner', fliplr (job.owner)), Case));

@@ -11,16 +11,16 @@
 %         targets, samples or another seed; none as long as nothing of that has
 %         changed, for then it finds its runs again
 %   TALLY  struct: used (runs), outside (1 x 2, runs outside the limits: near
-%         them, and too far away to be of use), origin (1 x c cell of case folders), count (1 x
-%         c), passed (1 x p struct model, why, count: runs that another
+%         them, and too far away to be of use), origin (1 x c cell of case
+%         folders), count (1 x c), passed (1 x p struct model, why, count: runs that another
 %         value of a variable shuts out), other (1 x o struct model, number,
 %         count: runs of another rig or build, and the newest of them)
 %   REST  as DATA: rows in reach that a surrogate cannot hold
 %
 % Which runs were taken is kept in results/library.csv: later starts of the same
 % input take the same ones, so that they find their own runs again. Each is
-% read from its record; the index only says where to look. Runs that another
-% getResults evaluated are evaluated again, 300 at most.
+% read from its record; the index only says where to look. Runs that were not
+% asked yet what this case asks (readingOf) are, 300 at most.
 
 function [data, tally, rest] = libraryRuns (Case, problem, isLook)
   data = newData (numel (Case.names), numel (Case.targets), ...
@@ -32,33 +32,42 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
     return
   end
   h = hashModels (Case);
-  file = fullfile (Case.folder, 'results', 'library.csv');
-  [fixed, mark] = fixedRuns (file, Case, h);
-  if isequal (fixed, [0, 0]) && strcmp (Case.store, Case.folder)
+  mark = markOf (Case, h);
+  [fixed, known] = readTaken (Case.folder);
+  isAlone = strcmp (Case.store, Case.folder);
+  isFirst = ~strcmp (known, mark) && ...
+            ~(isempty (known) && isAlone && isPlanOf (Case));
+  if ~isFirst && isempty (fixed) && isAlone
     none.run = zeros (0, 2);
     none.origin = {};
-    keepList (file, mark, none, Case, isLook);
+    keepList (mark, none, Case, isLook);
     return
   end
-  again = repmat ({zeros(0, 2)}, 1, numel (Case.models));
-  for attempt = 1:3
-    [found, tally] = familyRuns (Case, h, again);
+  kept = repmat ({fixed}, 1, double (~isFirst));
+  [fresh, tried] = deal (zeros (0, 2));
+  for attempt = 1:6
+    [found, tally] = familyRuns (Case, h, fresh);
     [table, row] = joinModels (found.inputs, found.run(:, 1), ...
                                found.run(:, 3), found.Z, Case);
     found = keepRows (found, row > 0);
     row = row(row > 0);
-    [use, table] = chosen (table, row, found.run, problem, fixed);
+    [use, table] = chosen (table, row, found.run, problem, kept);
     taken = keepRows (found, use(row));
-    again = changed (taken, Case, h, isLook);
-    if isLook || all (cellfun (@isempty, again))
+    % what is taken is as its record says, whatever the index does
+    new = setdiff (taken.run(:, 1:2), fresh, 'rows');
+    fresh = [fresh; new];
+    if isempty (new)
+      new = setdiff (taken.run(~taken.isRead & ~isLook, 1:2), tried, 'rows');
+      tried = [tried; new];
+      readAnew (new, Case);
+    end
+    if isempty (new)
       break
     end
   end
-  if ~isLook
-    lost = ismember (found.run(:, 1:2), vertcat (again{:}), 'rows');
-    use(row(lost)) = false;
-    taken = keepRows (found, use(row));
-  end
+  found.row = row;
+  [use, table] = sound (use, table, found, fresh, isLook);
+  taken = keepRows (found, use(row));
   data = keepRows (table, use);
   [~, reach] = insideLimits (table.X, problem.limits, 0.5);
   [~, isIn] = insideLimits (table.X, problem.limits, 0);
@@ -67,82 +76,56 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
   tally.outside = [sum(use(row) & ~isIn(row)), sum(~reach(row))];
   [tally.origin, ~, which] = unique (taken.origin);
   tally.count = accumarray (which(:), 1)';
-  keepList (file, mark, taken, Case, isLook);
+  keepList (mark, taken, Case, isLook);
 end
 
-function [use, table] = chosen (table, row, run, problem, fixed)
+% Without runs whose record was not read, or gave no answer. For who only looks
+% one that will be read anew at the start stands with 0.
+function [use, table] = sound (use, table, found, fresh, isLook)
+  row = found.row;
+  isFresh = ismember (found.run(:, 1:2), fresh, 'rows');
+  use(row(~isFresh | (~found.isRead & ~isLook))) = false;
+  for i = find (isLook & ~found.isRead & found.run(:, 5) == 1)'
+    isOpen = isnan (table.Z(row(i), :)) & ~isna (table.Z(row(i), :));
+    table.Z(row(i), isOpen) = 0;
+  end
+end
+
+% KEPT holds the runs that an earlier start has taken, or nothing.
+function [use, table] = chosen (table, row, run, problem, kept)
   table.replicate(row) = max (table.replicate(row), run(:, 4));
   table.stage(:) = {'library'};
-  if isempty (fixed)
+  if isempty (kept)
     use = nearRows (table, problem);
   else
     use = false (rows (table.X), 1);
-    use(row(ismember (run(:, 1:2), fixed, 'rows'))) = true;
+    use(row(ismember (run(:, 1:2), kept{1}, 'rows'))) = true;
   end
 end
 
-% Runs that are to be read again, 1 x M cell of n x 2 (model, number): records
-% that say something else than the index, or are evaluated anew here.
-function again = changed (taken, Case, h, isLook)
-  again = repmat ({zeros(0, 2)}, 1, numel (Case.models));
-  for k = 1:numel (again)
-    stale = {};
-    for i = find (taken.run(:, 1) == k)'
-      r = recordOf (taken.run(i, :), Case);
-      isSame = ~isempty (r) && strcmp (r.funs, taken.funs{i}) && ...
-               agrees (r, taken.run(i, :), taken.Z(i, :), k, Case);
-      isStale = isSame && taken.run(i, 5) < 3 && ~strcmp (r.funs, h(k).funs);
-      if isStale && ~isLook
-        stale{end + 1} = r;
-      end
-      if ~isSame || isStale
-        again{k}(end + 1, :) = taken.run(i, 1:2);
-      end
-    end
-    if ~isempty (stale)
-      jobs = [stale{:}];
-      collectRuns (jobs, {jobs.folder}, Case);
+% What the runs say to the question of this case; it is kept in their records.
+function readAnew (runs, Case)
+  jobs = [];
+  for run = runs'
+    folder = fullfile (Case.store, 'optim', Case.models(run(1)).name, ...
+                       sprintf ('%04d', run(2)));
+    record = readRun (folder);
+    if ~isempty (record)
+      jobs = [jobs, newRecord(record, folder)];
     end
   end
-end
-
-function r = recordOf (run, Case)
-  folder = fullfile (Case.store, 'optim', Case.models(run(1)).name, ...
-                     sprintf ('%04d', run(2)));
-  r = readRecord ([folder, '/record.json']);
-  if ~isempty (r)
-    r.folder = folder;
+  if ~isempty (jobs)
+    collectRuns (jobs, {jobs.folder}, Case);
   end
 end
 
-function yes = agrees (r, run, z, k, Case)
-  isOfModel = [Case.targets.model] == k;
-  index = [Case.targets(isOfModel).index];
-  yes = strcmp (r.status, {'ok', 'invalid', 'failed'}{run(5)}) && ...
-        sscanf (r.key(1:7), '%x') == run(6);
-  if yes && run(5) == 1 && numel (r.results) >= max (index)
-    yes = isequaln (r.results(index), z(isOfModel));
-  end
-end
-
-function [fixed, mark] = fixedRuns (file, Case, h)
+% The input that the list of runs holds for.
+function mark = markOf (Case, h)
   what = {{h.input}, {h.funs}, Case.names, Case.limits, Case.modelVars, ...
           [Case.targets.value], [Case.targets.sd], [Case.targets.tol], ...
           {Case.targets.role}, Case.options.numOfSam, Case.options.seed, ...
           Case.store, Case.coarse};
   mark = ['# ', hash('sha256', jsonencode (what))];
-  fixed = [];
-  text = checkReadText (file);
-  if strncmp (text, mark, numel (mark))
-    pairs = regexp (text, '^(\d+),(\d+),', 'tokens', 'lineanchors');
-    fixed = [0, 0];
-    if ~isempty (pairs)
-      fixed = [fixed; reshape(str2double ([pairs{:}]), 2, [])'];
-    end
-  elseif isempty (text) && strcmp (Case.store, Case.folder) && ...
-         isPlanOf (Case)
-    fixed = [0, 0];
-  end
 end
 
 % Of a case that has kept no list: no plan was drawn yet, or one of its limits
@@ -163,10 +146,11 @@ function yes = isPlanOf (Case)
   end
 end
 
-function keepList (file, mark, taken, Case, isLook)
+function keepList (mark, taken, Case, isLook)
   if isLook
     return
   end
+  file = fullfile (Case.folder, 'results', 'library.csv');
   [~, ~] = mkdir (fileparts (file));
   cells = [num2cell(taken.run(:, 1:2)), ...
            {Case.models(taken.run(:, 1)).name}', taken.origin]';
@@ -213,11 +197,10 @@ end
 %! [Case, problem] = another (store);
 %! clean = libraryRuns (Case, problem);
 %! delete (fullfile (Case.folder, 'results', 'library.csv'));
-%! file = fullfile (store, 'optim', 'First', 'library.index');
-%! index = load (file);
-%! kinds = index.kinds;
-%! kinds(1).runs(:, 10) = 99;
-%! save ('-binary', file, 'kinds');
+%! file = fullfile (store, 'optim', 'First', sprintf ('.index-%d', geteuid ()));
+%! [kinds, marks] = readIndex (file);
+%! kinds(1).runs(:, [5, 6, 10]) = 99;
+%! writeIndex (file, kinds, marks);
 %! sorted = @(data) sortrows ([data.X, data.Z, data.replicate]);
 %! assert (sorted (libraryRuns (Case, problem)), sorted (clean));
 %! funs = fullfile (Case.models(1).folder, 'OctaveFuns', 'getResults.m');
@@ -231,6 +214,16 @@ end
 %! [data, tally] = libraryRuns (Case, problem);
 %! assert (all (isna (data.Z(:, 3))));
 %! assert ([tally.other.model], 2);
+%!test
+%! % the first case of an empty store, started again: it has taken none, and
+%! % takes none, though there are runs of its own by then
+%! [Case, problem] = another (tempname ());
+%! libraryRuns (Case, problem);
+%! evaluateDEM (P, Case);
+%! [data, tally] = libraryRuns (Case, problem);
+%! assert ({rows(data.X), tally.used, tally.count}, {0, 0, zeros(1, 0)});
+%! delete (fullfile (Case.folder, 'results', 'library.csv'));
+%! assert (rows (libraryRuns (Case, problem).X), 3);
 %!test
 %! % its own runs: not those of its plan, but after the limits have changed
 %! raw = standInCase (tempname ());

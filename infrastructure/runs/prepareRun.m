@@ -29,6 +29,7 @@ function folder = prepareRun (job, Case, folder)
     writeAtomic (fullfile (folder, 'limit'), sprintf ("%d\n", ceil (limit)), ...
                  false);
   end
+  job.owner = caseId (Case.folder);
   writeRecord (fullfile (folder, 'job.json'), job);
 end
 

@@ -1,114 +1,132 @@
 % READLIBRARY  Table of all runs of a model that a store holds, by its index.
 %
-% CALL: KINDS = readLibrary (STORE, MODEL)
-%       KINDS = readLibrary (STORE, MODEL, H, AGAIN)
+% CALL: [KINDS, TORN] = readLibrary (STORE, MODEL)
+%       [KINDS, TORN] = readLibrary (STORE, MODEL, H, AGAIN)
 %
 %   STORE  folder that holds optim/ (text);  MODEL  its name (text)
 %   H      element of hashModels: records of versions until 0.9.0 do not say
 %          what their key is made of; those whose key proves that they belong to
 %          H are taken in, the others are a kind with the input ''. It may hold
 %          its input alone, '' where no case is at hand
-%   AGAIN  numbers of runs whose records have changed (default: none)
+%   AGAIN  numbers of runs that are read again in any case (default: none)
 %   KINDS  1 x K struct array of runs with the same variables: input (see
-%          hashModels), funs (hash of the evaluation), origin (case folder),
-%          names (text, v variables that count, runSeed among them),
+%          hashModels), funs (digest of the question, see readingOf: a run that
+%          answered several is in several kinds), origin (case folder), owner
+%          (which case, see caseId; ''), names (text, v variables that count,
+%          runSeed among them),
 %          runs n x (6 + v + m): number of the run folder, state (1 ok, 2
 %          invalid, 3 failed by itself, 0 of no use, -1 forgotten), first 7
 %          digits of the key, core-seconds, seed, replicate, values, results
+%   TORN   k x 1, numbers of the runs whose record is torn, or says what no run
+%          says (isRunRecord)
 %
-% The index, optim/MODEL/library.index, is made of the records and holds nothing
-% else: what it lacks is read, and where it is missing or torn it is made anew.
+% The index, optim/MODEL/.index-USER, is made of the records and holds nothing
+% else: a record that is not the one it has read (size and time of writing) is
+% read again, and where it is missing, torn or not this user's it is made anew.
 % Two that write it at once lose nothing: the next reader finds what is missing.
 % Who uses a run looks into its record (libraryRuns).
 
-function kinds = readLibrary (store, model, h, again)
+function [kinds, torn] = readLibrary (store, model, h, again)
   if nargin < 4
     again = [];
   end
   place = fullfile (store, 'optim', model);
-  file = fullfile (place, 'library.index');
-  numbers = str2double (listRunFolders (store, model));
-  numbers = numbers(isfinite (numbers));
-  kinds = loadIndex (file);
-  isChanged = false;
-  for k = 1:numel (kinds)
-    stays = ismember (kinds(k).runs(:, 1), numbers) & ...
-            ~ismember (kinds(k).runs(:, 1), again);
-    isChanged = isChanged || ~all (stays);
-    kinds(k).runs = kinds(k).runs(stays, :);
-  end
+  file = fullfile (place, sprintf ('.index-%d', geteuid ()));
+  marks = marksOf (place);
+  [kinds, known] = readIndex (file);
   isOpen = strncmp ({kinds.origin}, '?', 1) & ...
            ~strcmp ({kinds.origin}, ['?', h.input]);
-  kinds(cellfun (@isempty, {kinds.runs}) | isOpen) = [];
-  known = cellfun (@(r) r(:, 1), {kinds.runs}, 'UniformOutput', false);
-  new = setdiff (numbers, vertcat (zeros (0, 1), known{:}));
-  found = cell (1, numel (new));
-  for i = 1:numel (new)
-    folder = sprintf ('%s/%04d', place, new(i));   % fullfile is slow
-    found{i} = lineOf (folder, new(i), h);
+  isSame = sameMarks (marks, known) & ~ismember (marks(:, 1), again) & ...
+           ~ismember (marks(:, 1), numbersOf (kinds(isOpen)));
+  for k = 1:numel (kinds)
+    stays = ismember (kinds(k).runs(:, 1), marks(isSame, 1));
+    kinds(k).runs = kinds(k).runs(stays, :);
   end
-  found = [found{:}];
-  if ~isempty (found) || isChanged
-    kinds = withLines (kinds, found);
-    saveIndex (file, kinds);
-  end
-end
-
-function kinds = loadIndex (file)
-  kinds = struct ('input', {}, 'funs', {}, 'origin', {}, 'names', {}, ...
-                  'runs', {});
-  if ~isfile (file)
-    return
-  end
-  try
-    index = load (file);
-    if isequal (fieldnames (index.kinds), fieldnames (kinds))
-      kinds = index.kinds;
+  if ~all (isSame) || rows (known) ~= rows (marks)
+    found = cell (1, sum (~isSame));
+    for number = marks(~isSame, 1)'
+      folder = sprintf ('%s/%04d', place, number);   % fullfile is slow
+      found{end + 1} = linesOf (folder, number, h);
     end
-  catch
-    % torn: made anew of the records
+    kinds = withLines (kinds, [found{:}]);
+    writeIndex (file, kinds, marks);
   end
+  kinds = reshape (kinds, 1, []);
+  torn = setdiff (marks(:, 1), numbersOf (kinds));
 end
 
-% No fault where the store can be read alone: the next start reads the records.
-function saveIndex (file, kinds)
-  draft = sprintf ('%s.%d', file, getpid ());
-  if saveWhole ('-binary', draft, struct ('kinds', kinds))
-    [~, ~] = rename (draft, file);
-  end
-  [~, ~] = unlink (draft);
+% Number, size and time of writing of each record, asked of all at once.
+function marks = marksOf (place)
+  [~, text] = system (['cd ', shellQuote(place), ' 2> /dev/null && ' ...
+                       'find . -maxdepth 1 -regex "\./[0-9]+" -printf ' ...
+                       '"%f/record.json\0" | LC_ALL=C xargs -0 -r stat -L ' ...
+                       '-c "%n %s %.9Y" 2> /dev/null']);
+  marks = sscanf (text, '%f/record.json %f %f');
+  marks = reshape (marks(1:3 * floor (end / 3)), 3, [])';
+  [~, once] = unique (marks(:, 1));
+  marks = marks(once, :);
 end
 
-% [] where there is no record yet.
-function line = lineOf (folder, number, h)
-  line = [];
+function isSame = sameMarks (marks, known)
+  [isSame, at] = ismember (marks(:, 1), known(:, 1));
+  isSame(isSame) = all (marks(isSame, 2:3) == known(at(isSame), 2:3), 2);
+end
+
+function numbers = numbersOf (kinds)
+  numbers = cellfun (@(r) r(:, 1), {kinds.runs}, 'UniformOutput', false);
+  numbers = vertcat (zeros (0, 1), numbers{:});
+end
+
+% A line for each question that the run has answered; [] where there is no
+% record yet, or none that is sane and keeps the promise of its key.
+function lines = linesOf (folder, number, h)
+  lines = [];
   r = readRecord ([folder, '/record.json']);
-  if isempty (r) || ~isfield (r, 'key')
+  if ~isRunRecord (r) || ~isfield (r, 'status')
     return
   end
   % to be tried again with another rig
   [input, text, origin] = deal ('', '', ['?', h.input]);
-  if isfield (r, 'variables')
+  if isfield (r, 'variables') && ~isempty (r.variables)
     [input, text, origin] = deal (r.input, r.variables, r.origin);
+    if ~strcmp (r.key, hash ('sha256', [input, text]))
+      return
+    end
   elseif isfield (h, 'defaults')
     text = provenVariables (r, folder, h);
     if ~isempty (text)
       [input, origin] = deal (h.input, '');
     end
   end
-  names = strjoin (regexp (text, '\w+(?==)', 'match'), ' ');
+  names = regexp (text, '\w+(?==)', 'match');
   values = sscanf (regexprep (text, '\|\w+=', ' '), '%f')';
+  if numel (values) ~= numel (names)
+    return
+  end
+  names = strjoin (names, ' ');
+  cpu = str2double (checkReadText ([folder, '/cpu']));
+  numbers = [sscanf(r.key(1:7), '%x'), r.seconds * max(cpu, 1), r.seed, ...
+             r.replicate, values];
+  readings = num2cell (givenField (r, 'readings', [])(:)');
+  if ~any (strcmp (r.status, {'ok', 'invalid'}))
+    readings = {};                      % it counts for no question
+  end
+  for reading = [{r}, readings]
+    lines = [lines, struct('input', input, 'funs', ...
+                           givenField (reading{1}, 'funs', ''), ...
+                           'origin', origin, 'owner', ...
+                           givenField (r, 'owner', ''), 'names', names, ...
+                           'runs', [number, stateOf(reading{1}), numbers, ...
+                                    reading{1}.results])];
+  end
+end
+
+function state = stateOf (r)
   states = struct ('ok', 1, 'invalid', 2, 'failed', 3, 'forgotten', -1);
   state = 0;
   if isfield (states, r.status) && ~any (strcmp (r.cause, {'killed', 'budget'}))
     state = states.(r.status);
   end
-  cpu = str2double (checkReadText ([folder, '/cpu']));
-  head = sscanf (r.key(1:7), '%x');
-  line = struct ('input', input, 'funs', r.funs, 'origin', origin, ...
-                 'names', names, 'runs', ...
-                 [number, state, head, r.seconds * max(cpu, 1), r.seed, ...
-                  r.replicate, values, r.results]);
 end
 
 % Of a record that does not say it: its data.head ends in all its variables, in
@@ -137,7 +155,8 @@ function text = provenVariables (r, folder, h)
 end
 
 function kinds = withLines (kinds, found)
-  every = [kinds, found];
+  every = [kinds(:)', found];
+  every(cellfun (@isempty, {every.runs})) = [];
   marks = arrayfun (@markOf, every, 'UniformOutput', false);
   [~, first, group] = unique (marks, 'first');
   [first, order] = sort (first);
@@ -148,8 +167,8 @@ function kinds = withLines (kinds, found)
 end
 
 function text = markOf (kind)
-  text = sprintf ('%s|%s|%s|%s|%d', kind.input, kind.funs, kind.origin, ...
-                  kind.names, columns (kind.runs));
+  text = sprintf ('%s|%s|%s|%s|%s|%d', kind.input, kind.funs, kind.origin, ...
+                  kind.owner, kind.names, columns (kind.runs));
 end
 
 %!shared Case, h
@@ -157,7 +176,8 @@ end
 %! h = hashModels (Case)(1);
 %!test
 %! evaluateDEM ([1, 2; 3, 4], Case);
-%! file = fullfile (Case.store, 'optim', 'First', 'library.index');
+%! file = fullfile (Case.store, 'optim', 'First', ...
+%!                  sprintf ('.index-%d', geteuid ()));
 %! kinds = readLibrary (Case.store, 'First', h);
 %! assert ({kinds.input, kinds.names, kinds.origin}, ...
 %!         {h.input, 'a b runSeed', Case.folder});
@@ -169,19 +189,39 @@ end
 %! more = readLibrary (Case.store, 'First', h);
 %! assert (rows (more.runs), 3);
 %! assert (readLibrary (Case.store, 'First', h), more);
+%! % a record that has changed since, whoever has changed it
+%! changed = fullfile (Case.store, 'optim', 'First', '0003', 'record.json');
+%! r = readRecord (changed);
+%! writeRecord (changed, setfield (r, 'status', 'forgotten'));
+%! assert (readLibrary (Case.store, 'First', h).runs(3, 2), -1);
+%! writeRecord (changed, r);
+%! assert (readLibrary (Case.store, 'First', h), more);
 %! rmdir (fullfile (Case.store, 'optim', 'First', '0003'), 's');
 %! assert (rows (readLibrary (Case.store, 'First', h).runs), 2);
 %!test
 %! % a record of 0.9.0 that its key proves, one of another model
 %! record = fullfile (Case.store, 'optim', 'First', '0001', 'record.json');
-%! file = fullfile (Case.store, 'optim', 'First', 'library.index');
 %! old = rmfield (readRecord (record), {'input', 'variables', 'origin'});
 %! writeRecord (record, old);
-%! unlink (file);
 %! kinds = readLibrary (Case.store, 'First', h);
 %! assert ({kinds.names}, {'a b runSeed', 'a b runSeed'});
-%! assert ({kinds.origin}, {'', Case.folder});
+%! assert (sort ({kinds.origin}), {'', Case.folder});
 %! old.key(1) = merge (old.key(1) == 'a', 'b', 'a');
 %! writeRecord (record, old);
-%! kinds = readLibrary (Case.store, 'First', h, 1);
+%! kinds = readLibrary (Case.store, 'First', h);
 %! assert (sort ({kinds.input}), {'', h.input});
+%!test
+%! % a run that answered two questions; a record that does not keep its promise
+%! raw = standInCase (tempname ());
+%! Case = newCase (raw);
+%! h = hashModels (Case)(1);
+%! evaluateDEM ([1, 2; 3, 4], Case);
+%! file = fullfile (Case.store, 'optim', 'First', '0001', 'record.json');
+%! r = readRecord (file);
+%! keepRecord (setfield (setfield (r, 'funs', 'g'), 'results', 7));
+%! kinds = readLibrary (Case.store, 'First', h);
+%! assert (sort ({kinds.funs}), sort ({'g', h.funs}));
+%! assert (numel (kinds(strcmp ({kinds.funs}, 'g')).runs), 10);
+%! writeRecord (file, setfield (r, 'variables', strrep (r.variables, '1', '2')));
+%! kinds = readLibrary (Case.store, 'First', h);
+%! assert (rows (vertcat (kinds.runs)), 1);

@@ -2,6 +2,9 @@
 %
 % CALL: RECORD = readRecord (FILE)
 %
+% What it says need not be sane where others can write to the store: see
+% isRunRecord.
+%
 %   FILE    path (text)
 %   RECORD  scalar struct as it was written; [] where there is no file, or
 %           where it is truncated or altered (its checksum is wrong)
@@ -19,11 +22,19 @@ function record = readRecord (file)
   if isempty (parts) || ~strcmp (hash ('sha256', parts{2}), parts{1})
     return
   end
-  record = jsondecode (parts{2});
+  record = asNumbers (jsondecode (parts{2}));
+  if isstruct (record) && isstruct (givenField (record, 'readings', []))
+    record.readings = arrayfun (@asNumbers, record.readings);
+  end
+end
+
+function record = asNumbers (record)
   numbers = {'planRow', 'params', 'effects', 'replicate', 'seed', ...
              'results', 'seconds'};
   for k = find (isfield (record, numbers))
-    record.(numbers{k}) = sscanf (record.(numbers{k}), '%f')';
+    if ischar (record.(numbers{k}))
+      record.(numbers{k}) = sscanf (record.(numbers{k}), '%f')';
+    end
   end
 end
 

@@ -1,20 +1,29 @@
 % READRUN  Record of a run, or its job where it has ended but has no record.
 %
 % CALL: RUN = readRun (FOLDER)
+%       RUN = readRun (FOLDER, H)
 %
+%   H       element of hashModels: the question of the case, see readingOf
 %   RUN     see newRecord; without record.json, or where that is torn, the job
 %           (see newJobs: no status) of a simulation that has come to its end;
 %           else []. Its field folder is FOLDER
 
-function run = readRun (folder)
+function run = readRun (folder, h)
   run = readRecord ([folder, '/record.json']);
-  if isempty (run)
+  if ~isRunRecord (run) || ~isfield (run, 'status')
+    run = [];
     if strcmp (givenField (readEndMark (folder), 'reason', ''), 'finished')
       run = readRecord ([folder, '/job.json']);
+    end
+    if ~isRunRecord (run)
+      run = [];
     end
   end
   if ~isempty (run)
     run.folder = folder;
+    if nargin > 1
+      run = readingOf (run, h);
+    end
   end
 end
 

@@ -17,8 +17,7 @@ function names = runFoldersOf (Case, model, jobs)
     return
   end
   h = hashModels (Case)(k);
-  isOther = @(kind) kind.origin(1) ~= '?' && ...
-                    ~strcmp (kind.origin, Case.folder);
+  isOther = @(kind) kind.origin(1) ~= '?' && ~isOwnRun (kind, Case);
   if nargin > 2 && ischar (jobs)
     inputs = [{h.input, ''}, h.older];
     isOther = @(kind) ~any (strcmp (kind.input, inputs)) | ...

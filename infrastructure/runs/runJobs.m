@@ -23,6 +23,7 @@
 
 function [records, isReused, nNew] = runJobs (jobs, Case, report)
   Case.hashes = hashModels (Case);
+  caseId (Case.folder, true);           % before the workers ask for it
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   [records, open, jobs] = fromStore (jobs, records, Case);
   isReused = ~open;

@@ -3,7 +3,8 @@
 % CALL: writeRecord (FILE, RECORD)
 %
 %   FILE    path (text)
-%   RECORD  scalar struct of texts and numeric row vectors
+%   RECORD  scalar struct of texts and numeric row vectors; its field readings,
+%           if it has one, a struct array of such
 %
 % {"sha256": checksum of what follows, "record": {...}}. Numbers are written
 % as text with 17 significant digits, separated by spaces, because neither
@@ -12,17 +13,23 @@
 % run's files, which are on the disk (guard.sh).
 
 function writeRecord (file, record)
-  names = fieldnames (record);
-  for k = 1:numel (names)
-    if ischar (record.(names{k}))
-      record.(names{k}) = asUtf8 (record.(names{k}));
-    else
-      record.(names{k}) = strtrim (sprintf ('%.17g ', record.(names{k})));
-    end
+  if isfield (record, 'readings')
+    record.readings = arrayfun (@asTexts, record.readings);
   end
+  record = asTexts (record);
   body = jsonencode (record);
   text = sprintf ('{"sha256":"%s","record":%s}\n', hash ('sha256', body), body);
   writeAtomic (file, text, false);
+end
+
+function record = asTexts (record)
+  for name = fieldnames (record)'
+    if ischar (record.(name{1}))
+      record.(name{1}) = asUtf8 (record.(name{1}));
+    elseif isnumeric (record.(name{1}))
+      record.(name{1}) = strtrim (sprintf ('%.17g ', record.(name{1})));
+    end
+  end
 end
 
 %!test
@@ -32,6 +39,13 @@ end
 %! back = readRecord (file);
 %! assert ({back.model, back.params}, {r.model, r.params});
 %! assert (isempty (back.seconds));
+%! r.readings = struct ('funs', {'f', 'g'}, 'results', {[1/3, 2], 5});
+%! for n = [2, 1]
+%!   r.readings = r.readings(1:n);
+%!   writeRecord (file, r);
+%!   back = readRecord (file);
+%!   assert ({back.readings.results}, {r.readings.results});
+%! end
 %!test
 %! % an error of getResults, whose file is in Windows-1252
 %! file = tempname ();

@@ -112,7 +112,7 @@ function [p, found] = checkTogether (raw, mode, found)
       checkMeasured (raw.optim, raw.assign, raw.paramLims);
     p = [p, checkRayleigh(raw.optim, raw.modelVars, raw.assign, models), r];
   end
-  p = [p, ofLevels];
+  p = [p, ofLevels, checkShadow(raw.folder, raw.root)];
   found.box = box;
   if strcmp (mode, 'full')
     p = [p, checkPlace(raw, models)];

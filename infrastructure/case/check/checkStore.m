@@ -94,8 +94,9 @@ function [isOpen, free, used, isKept] = ask (folders, models)
   if ~isempty (found)
     free = str2double (found{1}) / 1024;
   end
-  found = regexp (out, '^(\d+)\t', 'tokens', 'lineanchors');
-  used = sum (str2double ([found{:}])) / 1024;
+  % without a model there is no size: str2double ([]) would be NaN
+  found = regexp (out, '^\d+(?=\t)', 'match', 'lineanchors');
+  used = sum (str2double (found)) / 1024;
 end
 
 %!shared none
@@ -106,6 +107,9 @@ end
 %!test
 %! model = struct ('name', 'M', 'folder', fileparts (which ('checkStore')));
 %! p = checkStore (tempname (), tempdir (), model, 1e15);
+%! assert (p.id, 'DEcalioc:checkCase:diskSpace');
+%! % a model that was not found: the output of its runs counts all the same
+%! p = checkStore (tempname (), tempdir (), struct ('folder', ''), 1e15);
 %! assert (p.id, 'DEcalioc:checkCase:diskSpace');
 %!test
 %! file = tempname ();

@@ -14,7 +14,8 @@
 %                 none yet
 %     runs        1 x n struct array, all that the store knows in the order of
 %                 their starts: model, name (of the folder), stage, params (1 x
-%                 d), effects, replicate, seed, status ('ok', 'failed',
+%                 d), effects, replicate, seed, status ('ok': ended well,
+%                 without results where they are to be read anew; 'failed',
 %                 'timeout', 'invalid', 'not ended'), cause, message, results,
 %                 seconds, started (s since 1970; NaN: unknown); [] for none
 %     units       1 x T cell of texts, '' where it is not known
@@ -153,9 +154,15 @@ function runs = allRuns (Case)
   if strcmp (Case.store, Case.folder)
     slack = Inf;
   end
-  for model = {Case.models.name}
-    for name = runFoldersOf (Case, model{1})(:)'
-      run = oneRun (fullfile (Case.store, 'optim', model{1}, name{1}), name{1});
+  if ~all (cellfun (@isfolder, {Case.models.folder}))
+    return
+  end
+  h = hashModels (Case);
+  for k = 1:numel (Case.models)
+    model = Case.models(k).name;
+    for name = runFoldersOf (Case, model)(:)'
+      run = oneRun (fullfile (Case.store, 'optim', model, name{1}), name{1}, ...
+                    h(k));
       if ~isempty (run) && numel (run.params) == numel (Case.names) && ...
          all (run.params >= Case.limits(1, :) - slack & ...
               run.params <= Case.limits(2, :) + slack)
@@ -169,13 +176,13 @@ function runs = allRuns (Case)
   end
 end
 
-function run = oneRun (folder, name)
+function run = oneRun (folder, name, h)
   run = [];
-  record = readRecord (fullfile (folder, 'record.json'));
-  if isempty (record)
+  record = readingOf (readRecord (fullfile (folder, 'record.json')), h);
+  if ~isRunRecord (record)
     record = readRecord (fullfile (folder, 'job.json'));
   end
-  if isempty (record)
+  if ~isRunRecord (record)
     return
   end
   run = struct ('model', '', 'name', '', 'stage', '', 'params', [], ...
@@ -186,6 +193,10 @@ function run = oneRun (folder, name)
     if ~isempty (jsonAt (record, field))
       run.(field{1}) = record.(field{1});
     end
+  end
+  if strcmp (run.status, 'ended')
+    run.status = 'ok';
+    run.message = 'to be read anew: OctaveFuns or measured.csv have changed';
   end
   run.name = name;
   run.params = run.params(:)';
