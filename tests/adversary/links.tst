@@ -72,10 +72,10 @@
 %!   symlink (target, fullfile (folder, name{1}));
 %! end
 %! writeAtomic (fullfile (batch, 'tasks'), sprintf ("k\t%s\n", folder));
-%! writeAtomic (fullfile (batch, 'before'), "echo hello\nfalse\n");
 %! here = fileparts (which ('batchExecute'));
-%! status = system (sprintf ('T=1 bash %s %s guard T J', ...
-%!                           shellQuote (fullfile (here, 'batchTask.sh')), batch));
+%! status = system (sprintf ('T=1 bash %s %s guard T J %s', ...
+%!                           shellQuote ([here, '/batchTask.sh']), batch, ...
+%!                           base64_encode (uint8 ("echo hello\nfalse\n"))));
 %! assert (status, 98);
 %! assert (fileread (target), 'precious');
 %! assert (fileread (fullfile (folder, 'stdout.txt'))(1:6), "hello\n");
