@@ -8,11 +8,14 @@
 %          (handle (P, level) -> n x T) and S.seconds (1 x L, cost of a run)
 %          S.allowed (optional): see isAllowed
 % seed     integer; fail  share of the runs that give NaN
+%          S.tol (optional): 1 x T, relative tolerances (0.01); S.chance, S.part
+%          (optional, bentStandIn): a run gives S.part of S.flow with a chance;
 %          S.library: rows of newData of other calibrations on the same bench;
 %          S.beyond: see nearRows
 % options  struct of Case.options (what is missing has its default)
 % result   struct: runs (all, failed ones too), plan, infill, verify, failed,
-%          worst (largest true relative residual of the set handed back),
+%          worst (largest true relative residual of the set handed back), right
+%          (within all tolerances),
 %          firstObserved, firstTrue (run that first looked, was right; NaN),
 %          converged, probability, params, state, problem, cost (in runs at the
 %          level that counts)
@@ -27,8 +30,8 @@ function result = calibrateStandIn (S, seed, fail, options)
   Case = struct ('names', {S.names}, 'limits', S.limits);
   Case.allowed = givenField (S, 'allowed', []);
   Case.targets = struct ('name', S.targetNames, 'value', num2cell (S.value), ...
-                         'tol', 0.01, 'sd', 0, 'role', 'calibrate', ...
-                         'model', num2cell (S.model));
+                         'tol', num2cell (toleranceOf (S)), 'sd', 0, ...
+                         'role', 'calibrate', 'model', num2cell (S.model));
   Case.options = options;
   evaluate = @(P, E, replicate) noisy (S, P, fail, E);
   levels = [];
@@ -51,12 +54,20 @@ function result = calibrateStandIn (S, seed, fail, options)
   end
   state = addRuns (state, problem, X, E, 'plan');
   state.surrogates = fitSurrogates (state.data, problem);
+  state = repeatSuspects (state, problem);
   state.found = calibrateOnKriging (state.surrogates, problem);
   state = improveByInfill (state, problem, @(text) []);
   state = calibrateOnDEM (state, problem, @(text) []);
   result = score (S, state);
   result.state = state;
   result.problem = problem;
+end
+
+function tol = toleranceOf (S)
+  tol = 0.01 * ones (1, numel (S.value));
+  if isfield (S, 'tol')
+    tol = S.tol;
+  end
 end
 
 % As calibrateCase does it.
@@ -81,6 +92,10 @@ function Z = noisy (S, P, fail, E)
   else
     Z = S.response (P);
   end
+  if isfield (S, 'chance')
+    isOther = rand (rows (P), 1) < S.chance (P);
+    Z = S.flow (P) .* (1 + isOther * (S.part - 1));
+  end
   Z = Z .* (1 + S.noise .* randn (size (Z)));
   if isfield (S, 'wrong')
     isWrong = rand (rows (Z), 1) < S.wrong;
@@ -92,6 +107,7 @@ end
 
 function result = score (S, state)
   off = @(Z) max (abs (Z ./ S.value - 1), [], 2);
+  share = @(Z) max (abs (Z ./ S.value - 1) ./ toleranceOf (S), [], 2);
   isNew = ~strcmp (state.data.stage, 'library');
   result.runs = sum (isNew);
   result.plan = sum (strcmp (state.data.stage, 'plan'));
@@ -100,8 +116,9 @@ function result = score (S, state)
                   result.infill;
   result.failed = sum (any (isnan (state.data.Z), 2));
   result.worst = off (S.response (state.final.params));
-  result.firstObserved = first (off (state.data.Z) < 0.01);
-  result.firstTrue = first (off (S.response (state.data.X)) < 0.01);
+  result.right = share (S.response (state.final.params)) < 1;
+  result.firstObserved = first (share (state.data.Z) < 1);
+  result.firstTrue = first (share (S.response (state.data.X)) < 1);
   result.converged = state.final.converged;
   result.probability = state.final.probability;
   result.params = state.final.params;

@@ -10,6 +10,7 @@
 %       saturates, rolling friction counts by its root, and effects multiply:
 %       'silo': 4 parameters, 3 targets of 2 models; 'shear': 3 parameters, 2
 %       targets, 0.5 %; 'drum': 6 parameters, 4 targets of 2 models
+%       or a name of bentStandIn: bends, jumps, peaks, decades, two outcomes
 % seed  integer: silo, shear and drum have another truth with each one, every
 %       third within a tenth of the box of an edge in all parameters
 % S     struct: name, names 1 x d, limits 2 x d, targetNames, value 1 x T,
@@ -22,6 +23,11 @@
 % See also: calibrateStandIn
 
 function S = standIn (name, seed)
+  if any (strcmp (name, {'exponential', 'threshold', 'peak', 'decades', ...
+                         'clogging'}))
+    S = bentStandIn (name, seed);
+    return
+  end
   S.name = name;
   S.noise = 0.01;
   switch name

@@ -38,6 +38,7 @@ function calibration = calibrateCase (root, folder)
 
   % Kriging models
   [~, ~, state.surrogates] = createKrigingModels (state.data, problem);
+  state = repeatSuspects (state, problem, say);
   reportSurrogateFit (state.surrogates, state.data, problem, say, rest);
 
   % optimisation on the Kriging models

@@ -70,23 +70,17 @@ function lines = droppedLevels (state, problem)
   end
 end
 
-% Which runs the surrogates leave out, and by which result one sees it best.
+% Which runs the surrogates leave out, and which look wrong but count, as nobody
+% could run them once more.
 function lines = badRuns (state, problem)
-  lines = {};
-  bad = horzcat (state.surrogates.leftOut);
-  for i = find (any (bad, 2))'
-    targets = find (bad(i, :));
-    s = state.surrogates(targets);
-    m = predictSurrogate (s, state.data.X(i, :));
-    off = (state.data.Z(i, targets) - m) ./ sqrt ([s.noiseVar]);
-    [~, k] = max (abs (off));
-    where = namedValues (problem.names, state.data.X(i, :), '%.4g');
-    lines{end + 1} = sprintf (['the run at %s is left out: %s is %.4g ' ...
-                               'where the other runs say %.4g, %.0f times ' ...
-                               'the scatter of a run. Look at it'], ...
-                              where, s(k).name, state.data.Z(i, targets(k)), ...
-                              m(k), abs (off(k)));
-  end
+  bad = any (horzcat (state.surrogates.leftOut), 2);
+  lines = strcat (suspectLines (state, problem, find (bad)), ...
+                  {', and so does a second run there: it is left out'});
+  open = openSuspects (state, problem);
+  lines = [lines, ...
+           strcat(suspectLines (state, problem, find (open)), ...
+                  {['. It could not be run once more with another seed, so ' ...
+                    'it counts: it may be wrong, or show the way. Repeat it']})];
 end
 
 function lines = warningsOf (state, problem, targets)
@@ -94,7 +88,8 @@ function lines = warningsOf (state, problem, targets)
   for t = targets
     s = state.surrogates(t);
     value = problem.value(t);
-    ends = [min(s.z), max(s.z)];
+    z = [s.z; s.aside];                  % a run that is left out was one, too
+    ends = [min(z), max(z)];
     if value < ends(1) || value > ends(2)
       lines{end + 1} = sprintf (['target %s = %g lies outside what the ' ...
                                  'runs reached (%g to %g)'], s.name, value, ...
@@ -157,9 +152,15 @@ end
 %! assert (numel (those (lines, 'and 1 more warnings of the 2')), 1);
 
 %!test
-%! % a run that ended well but is wrong is named, with what the others say
+%! % a run that ended well but is wrong is named, with what the others say; one
+%! % that nobody has run once more counts
 %! wrong = state;
 %! wrong.data.Z(3, :) = 1.5 * state.data.Z(3, :);
+%! wrong.surrogates = fitSurrogates (wrong.data, problem);
+%! lines = checkSurrogates (wrong, problem);
+%! assert (numel (those (lines, 'so it counts: it may be wrong')), 1);
+%! wrong.data = addRows (wrong.data, state.data.X(3, :), state.data.Z(3, :), ...
+%!                       2, 'repeat');
 %! wrong.surrogates = fitSurrogates (wrong.data, problem);
 %! hit = those (checkSurrogates (wrong, problem), 'is left out');
 %! assert (numel (hit), 1);

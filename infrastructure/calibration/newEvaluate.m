@@ -46,7 +46,7 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
     Z = NA (rows (P), numel (Case.targets));
     return
   end
-  if any (strcmp (stage, {'infill', 'verify', 'replicate'}))
+  if any (strcmp (stage, {'infill', 'verify', 'replicate', 'repeat'}))
     stage = 'calibration';             % in the records these are one
   end
   plain = neutralEffects (Case);

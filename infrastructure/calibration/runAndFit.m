@@ -7,7 +7,7 @@
 % STAGE  'infill', 'verify', 'replicate' or 'interval'
 % E      n x v, see addRuns (PROBLEM.fine)
 %
-% Never more rows than the budget has: what is over is left out.
+% Runs that look wrong then are run once more (repeatSuspects). Never more rows than the budget has: what is over is left out.
 
 function state = runAndFit (state, problem, P, stage, E)
   n = min (rows (P), budgetLeft (state, problem));
@@ -20,6 +20,7 @@ function state = runAndFit (state, problem, P, stage, E)
   P = besideEqualRuns (P(1:n, :), state.data, problem);
   state = addRuns (state, problem, P, E(1:n, :), stage);
   state.surrogates = fitSurrogates (state.data, problem, state.surrogates);
+  state = repeatSuspects (state, problem);
 end
 
 % Where a model has shown that it does not use runSeed, another packing is one

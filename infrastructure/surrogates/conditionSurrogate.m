@@ -66,7 +66,8 @@ function surrogate = conditionSurrogate (choice, base)
                              'A', A, 'R', R, 'beta', beta, ...
                              'alpha', alpha, 'open', []);
   surrogate.nChoice = n;
-  [surrogate.leftOut, surrogate.dropped] = deal ([]);
+  [surrogate.leftOut, surrogate.suspect, surrogate.aside, ...
+   surrogate.dropped] = deal ([]);
   surrogate.warning = qualityWarning (surrogate);
 end
 

@@ -1,57 +1,74 @@
 % FINDBADRUNS  Finds runs that are off by far more than runs scatter.
 %
-% CALL: BAD = findBadRuns (X, Z, KIND, SURROGATES, OLD [, LEVEL])
+% CALL: [BAD, SUSPECT] = findBadRuns (X, Z, KIND, SURROGATES, OLD [, LEVEL])
 %
 %   X           n x d, parameter sets
 %   Z           n x T, responses (NaN: none)
 %   KIND        scalar struct of 1 x T: model (number of the model that each
 %               response belongs to), weight (1; 1 / n for the n points of a
 %               curve, which are one response), least (deviation that is too
-%               small to be wrong, say the tolerance, in units of the response)
+%               small to be wrong, say the tolerance, in units of the response),
+%               judges (logical: the response is fitted; a run is never bad for
+%               one that is held out or not measured)
 %   SURROGATES  1 x T struct of fitSurrogate, fitted to all rows but OLD
 %   OLD         n x T logical, runs found bad before
 %   LEVEL       1 x T cell, n x 1 how coarse the runs are, or [] (see unitLevel)
 %   BAD         n x T logical: all responses of a run share one judgement
+%   SUSPECT     n x T logical: would be bad, but nobody has run the set once
+%               more
 %
 % A wrong start state, a lost wall: such a run is neither failed nor scatter.
 % With the restricted likelihoods l of all runs and of all but run i, each at
-% its own parameters, run i is bad where the weighted sum over the responses of
+% its own parameters, run i is suspect where the weighted sum over the responses
+% of
 %
 %   l(all but i) - log (6 s) - l(all)    exceeds    log (0.98 / 0.02)
 %
 % that is against a run that may lie anywhere within 6 standard deviations s of
 % the others (Box and Tiao 1968: a small share of runs of another, wide
-% distribution). What one run measures scatters together, as an avalanche
-% changes slope, height and mass of a heap at once: responses whose residuals
-% are alike count as fewer (weightsOf, benchmarks/wrongStored.m). Added and
-% taken back one by one, two at once where one hides the other. A run that is
-% nowhere off by more than KIND.least is never bad: it does no harm, and may be
-% the one that shows a bend. At most a quarter of the runs; at least d + 3 stay.
+% distribution). It is bad only where another run at the same set is what the
+% others foretell: a lone run may be the one that shows a peak or a jump, and
+% never are all runs of a set bad. What one run measures scatters together, as
+% an avalanche changes slope, height and mass of a heap at once: responses whose
+% residuals are alike count as fewer (weightsOf, benchmarks/wrongStored.m).
+% Added and taken back one by one, two at once where one hides the other. A run
+% that is nowhere off by more than KIND.least is never bad: it does no harm. The
+% scatter of a run is taken for no less than the prior of stored runs lets
+% expect (leastNoise): ten points on a curve that waves look free of noise. At
+% most a quarter of the runs; at least d + 3 stay.
 
-function bad = findBadRuns (X, Z, kind, surrogates, old, level)
+function [bad, suspect] = findBadRuns (X, Z, kind, surrogates, old, level)
   bad = old;
+  suspect = false (size (old));
   if nargin < 6
     level = cell (size (kind.model));
   end
   for m = unique (kind.model)
     ofModel = kind.model == m;
-    rowsOf = all (isfinite (Z(:, ofModel)), 2);
-    task = struct ('X', X(rowsOf, :), 'Z', Z(rowsOf, ofModel), ...
-                   'surrogates', {surrogates(ofModel)}, 'level', [], ...
-                   'weight', kind.weight(ofModel), ...
-                   'least', kind.least(ofModel));
+    judges = find (ofModel & kind.judges);
+    bad(:, ofModel) = false;
+    rowsOf = any (isfinite (Z(:, judges)), 2);
+    if ~any (rowsOf)
+      continue
+    end
+    task = struct ('X', X(rowsOf, :), 'Z', Z(rowsOf, judges), ...
+                   'surrogates', {surrogates(judges)}, 'level', [], ...
+                   'weight', kind.weight(judges), ...
+                   'least', kind.least(judges));
     coarse = [level{ofModel}];   % of one model: the same for all its responses
     if ~isempty (coarse)
       task.level = coarse(rowsOf, 1);
     end
-    out = judge (task, any (old(rowsOf, ofModel), 2));
-    bad(:, ofModel) = false;
+    [~, ~, task.set] = unique ([task.X, task.level], 'rows');
+    [out, doubt] = judge (task, any (old(rowsOf, judges), 2));
     bad(rowsOf, ofModel) = repmat (out, 1, sum (ofModel));
+    suspect(rowsOf, ofModel) = repmat (doubt, 1, sum (ofModel));
   end
 end
 
-function out = judge (task, out)
+function [out, suspect] = judge (task, out)
   T = numel (task.surrogates);
+  suspect = false (size (out));
   far = arrayfun (@(t) max (farOff (task.surrogates(t), task.least(t))), 1:T);
   if ~any (out) && all (far < 2)
     return
@@ -73,13 +90,30 @@ function out = judge (task, out)
   while isMore
     [now, isMore] = leaveMoreOut (task, now, most, odds);
   end
-  out = now.out;
+  suspect = now.out & isAlone (task.set, true (n, 1));
+  out = now.out & ~suspect & isForetold (task, now);
+end
+
+% Rows of KEPT that are the only kept ones of their set.
+function yes = isAlone (set, kept)
+  n = accumarray (set, kept);
+  yes = n(set) == 1;
+end
+
+% Another run at the set is where the others say, within 3 deviations.
+function yes = isForetold (task, now)
+  agrees = ~now.out & now.far < 3;
+  yes = accumarray (task.set, agrees)(task.set) > 0;
 end
 
 % All responses together count as sum (w)^2 / sum (w w' R^2) ones; R is the rank
 % correlation of the residuals, so that one wrong run does not make it, and R^2
-% less what it has by chance.
+% less what it has by chance. Runs that lack a response tell nothing of it.
 function w = weightsOf (w, residual)
+  residual = residual(all (isfinite (residual), 2), :);
+  if rows (residual) < 4
+    return
+  end
   chance = 1 / (rows (residual) - 1);
   R2 = (spearman (residual).^2 - chance) / (1 - chance);
   R2(~(R2 > 0)) = 0;
@@ -97,10 +131,12 @@ function [now, isMore] = leaveMoreOut (task, now, most, odds)
   end
   for pick = {now.order(1), now.order(2), now.order(1:2)}
     n = numel (pick{1});
-    if sum (before.out) + n > most
+    out = setfield (before.out, {pick{1}}, true);
+    isLost = accumarray (task.set, ~out) == 0 & accumarray (task.set, 1) > 1;
+    if sum (out) > most || any (isLost)
       continue
     end
-    tried = leaveOut (task, setfield (before.out, {pick{1}}, true));
+    tried = leaveOut (task, out);
     gain = tried.evidence - before.evidence - (n - 1) * odds;
     if gain > best
       best = gain;
@@ -113,22 +149,41 @@ end
 % What the fits to all runs but OUT say: the log density of all runs, the good
 % ones by the surrogates, the bad ones wide; and the good ones by farOff.
 function judged = leaveOut (task, out)
-  judged = struct ('out', out, 'gain', [], 'residual', []);
-  far = zeros (rows (task.X), 1);
+  n = rows (task.X);
+  judged = struct ('out', out, 'gain', [], 'far', zeros (n, 1), ...
+                   'residual', NaN (n, columns (task.Z)));
   for t = 1:columns (task.Z)
     old = task.surrogates(t);
-    s = fitRows (task.X, task.Z(:, t), task.level, ~out, old.limits, ...
+    z = task.Z(:, t);
+    isKnown = isfinite (z);
+    use = isKnown & ~out;
+    s = fitRows (task.X, z, task.level, use, old.limits, ...
                  struct ('trend', old.trend, 'covariance', old.covariance));
+    s = leastNoise (s);
     fit = prepareFit (s.solver.unit, s.solver.y, s.trend, s.covariance, ...
                       [], s);
     judged.gain(t) = -fit.cost (s.theta) - columns (fit.W) * log (s.scale) - ...
-                     sum (out) * log (6 * std (task.Z(~out, t)));
-    judged.residual(:, t) = s.looResidual;
-    far(~out) = max (far(~out), farOff (s, task.least(t)));
+                     sum (out & isKnown) * log (6 * std (z(use)));
+    judged.residual(use, t) = s.looResidual;
+    judged.far(use) = max (judged.far(use), farOff (s, task.least(t)));
   end
+  judged.residual = judged.residual(~out, :);
   judged.evidence = judged.gain * task.weight';
-  [far, judged.order] = sort (far, 'descend');
+  [far, judged.order] = sort (judged.far, 'descend');
   judged.worst = far(1);
+end
+
+% The scatter of a run is at least that which two deviations of its prior (of
+% prepareFit) leave.
+function s = leastNoise (s)
+  least = 2 * (log (0.3) - 1.6);
+  if isempty (s.noiseLaw) && isscalar (s.model.lognoisevariance) && ...
+     s.model.lognoisevariance < least && ~isConstant (s.z)
+    choice = mergeFields (s, s.model);
+    choice.lognoisevariance = least;
+    base = mergeFields (s, struct ('unit', s.solver.unit, 'y', s.solver.y));
+    s = conditionSurrogate (choice, base);
+  end
 end
 
 % How far each run lies from what the others predict, in its deviations.
@@ -141,7 +196,9 @@ end
 %!  for t = columns (Z):-1:1
 %!    s(t) = fitSurrogate (X, Z(:, t), limits);
 %!  end
-%!  bad = findBadRuns (X, Z, kind, s, old);
+%!  kind.judges = true (1, columns (Z));
+%!  [bad, suspect] = findBadRuns (X, Z, kind, s, old);
+%!  bad = bad | suspect;
 %!endfunction
 %!shared X, Z, kind, none
 %! rand ('twister', 3);
@@ -206,8 +263,40 @@ end
 %!                'least', zeros (1, 20));
 %! s = repmat (fitSurrogate (X, curve(:, 1), [0, 0, 0; 1, 1, 1]), 1, 20);
 %! none = false (16, 20);
-%! bad = findBadRuns (X, curve, kind, s, none);
+%! kind.judges = true (1, 20);
+%! [~, bad] = findBadRuns (X, curve, kind, s, none);
 %! far = repmat (Z(:, 1) + 0.5 * (1:16 == 4)', 1, 20);
 %! s(:) = fitSurrogate (X, far(:, 1), [0, 0, 0; 1, 1, 1]);
-%! alone = findBadRuns (X, far, kind, s, none);
+%! [~, alone] = findBadRuns (X, far, kind, s, none);
 %! assert ([any(bad(:)), any(alone(:))], [false, true]);
+%!test
+%! % a run alone at its set is suspect; bad where a second one is as the others
+%! % foretell; both count where they agree; not judged by what is held out
+%! kind = struct ('model', [1, 1], 'weight', [1, 1], 'least', [0, 0]);
+%! none = false (16, 2);
+%! W = [Z; Z(4, :)];
+%! W(4, 1) = 2 * W(4, 1);
+%! P = X([1:16, 4], :);
+%! kind.judges = [true, true];
+%! for t = 1:2
+%!   s(t) = fitSurrogate (P, W(:, t), [0, 0, 0; 1, 1, 1]);
+%! end
+%! [bad, suspect] = findBadRuns (P, W, kind, s, false (17, 2));
+%! assert (find (bad(:, 1))', 4);
+%! assert (! any (suspect(:)));
+%! W(17, 1) = 0.99 * W(4, 1);
+%! [bad, suspect] = findBadRuns (P, W, kind, s, false (17, 2));
+%! assert (! any ([bad(:); suspect(:)]));
+%! kind.judges = [false, true];
+%! [bad, suspect] = findBadRuns (X, W(1:16, :), kind, s, none);
+%! assert (! any ([bad(:); suspect(:)]));
+%!test
+%! % runs that lack a response count for those they have
+%! kind = struct ('model', [1, 1], 'weight', [1, 1], 'least', [0, 0]);
+%! none = false (16, 2);
+%! W = Z;
+%! W(1:6, 1) = NaN;
+%! W(11:16, 2) = NaN;
+%! W(12, 1) = 1.4 * W(12, 1);
+%! bad = found (X, W, kind, none);
+%! assert (find (bad(:, 1))', 12);

@@ -18,8 +18,10 @@
 % With options.method 'published' of PROBLEM the trend is affine, the covariance
 % matern52, and every run counts.
 %
-% Runs that are off by far more than runs scatter are left out (findBadRuns);
-% leftOut (n x 1 logical, rows of DATA) says which. Not judged where replicates
+% Runs that are off by far more than runs scatter, and than another run of their
+% set, are left out (findBadRuns): leftOut (n x 1 logical, rows of DATA) says
+% which, aside (k x 1) what they gave, suspect (n x 1 logical) which would be if
+% the set were run once more. Not judged where replicates
 % show that the scatter follows the response (estimateNoise), for there a wide
 % run may be a good one: each row has its own variance then, and noiseVar is
 % that at the target.
@@ -37,7 +39,7 @@ function surrogates = fitSurrogates (data, problem, old, most)
   data.Z = countEqualOnce (data, problem.bench);
   same = rowsToFit (data, problem, most);
   level = levelsOf (data.E(same, :), data.Z(same, :), problem);
-  leftOut = false (size (data.Z));
+  [leftOut, suspect] = deal (false (size (data.Z)));
   if ~isempty (old) && ~isempty (old(1).leftOut)
     known = horzcat (old.leftOut);
     leftOut(1:rows (known), :) = known;
@@ -46,8 +48,9 @@ function surrogates = fitSurrogates (data, problem, old, most)
   bad = leftOut(same, :);
   [surrogates, follows] = fitGood (runs, bad, problem, old);
   if ~follows
-    now = findBadRuns (runs.X, withoutDropped (runs, surrogates), ...
-                       kindOfTarget (problem), surrogates, bad, level);
+    [now, doubt] = findBadRuns (runs.X, withoutDropped (runs, surrogates), ...
+                                kindOfTarget (problem), surrogates, bad, level);
+    suspect(same, :) = doubt;
     if ~isequal (now, bad)
       surrogates = fitGood (runs, now, problem, []);
       bad = now;
@@ -56,6 +59,8 @@ function surrogates = fitSurrogates (data, problem, old, most)
   leftOut(same, :) = bad;
   for t = 1:numel (surrogates)
     surrogates(t).leftOut = leftOut(:, t);
+    surrogates(t).suspect = suspect(:, t);
+    surrogates(t).aside = data.Z(any (leftOut, 2), t);
     surrogates(t).solver.open = parameterSpread (surrogates(t));
   end
 end
@@ -141,6 +146,7 @@ function kind = kindOfTarget (problem)
     points = problem.curve == number;
     kind.weight(points) = 1 / sum (points);
   end
+  kind.judges = problem.calibrate;
   kind.least = problem.tol .* abs (problem.scale);
   kind.least(isnan (kind.least)) = 0;      % not measured yet
 end
@@ -176,7 +182,10 @@ end
 %! data.Z([2, 9]) = [7, 5];
 %! data.E = double ((1:14)' == 2);
 %! s = fitSurrogates (data, problemOf (1));
-%! assert (find (s.leftOut)', 9);
+%! assert ({find(s.suspect)', any(s.leftOut)}, {9, false});
+%! data = addRows (data, X(9, 1), 1 + X(9, 1), 2, 'repeat');
+%! s = fitSurrogates (data, problemOf (1));
+%! assert ({find(s.leftOut)', s.aside, any(s.suspect)}, {9, 5, false});
 %! assert (find (fitSurrogates (data, problemOf (1), s).leftOut)', 9);
 
 %!test
