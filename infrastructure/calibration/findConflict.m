@@ -90,8 +90,8 @@ end
 %! [problem, ~, s] = smallCalibration ();
 %! problem.value(1) = 9;
 %! assert (findConflict (s, problem), {'x'});
-%! [s.aside] = deal ([4; 8.9], [2; 2]);
-%! assert (findConflict (s, problem), {});
+%! [s.aside] = deal ([4; 8.95], [2; 2]);
+%! assert (isempty (findConflict (s, problem)));
 %! s(1).aside(2) = 12;
 %! assert (isempty (findConflict (s, problem)));
 %! s(1).aside(2) = 7;

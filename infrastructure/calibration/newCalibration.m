@@ -8,7 +8,8 @@
 %          conflict, met, estimate, probability, results, resultInterval90 (of
 %          the set, see confirmSet), runs (there), untested (calibrateOnDEM);
 %          interval90 2 x d, correlation d x d, posterior (n x d, sample),
-%          intervalNote, notIdentified (cellstr of parameters whose interval is
+%          intervalNote, intervalCode (note and code of knownParameters),
+%          notIdentified (cellstr of parameters whose interval is
 %          wider than options.loose of the box), identifiability (weakness
 %          below), sensitivity d x T (total Sobol indices); demRuns,
 %          coreSeconds, atLimit, warnings, levels (describeLevels below),
@@ -19,13 +20,13 @@
 
 function c = newCalibration (state, problem, Case)
   final = state.final;
-  known = parameterPosterior (state.surrogates, problem);
+  known = knownParameters (state, problem);
   M = numel (Case.models);
   count = @(varargin) M * sum (ismember (state.data.stage, varargin));
   c = struct ('results', final.result, 'resultInterval90', final.interval90, ...
               'runs', final.n, 'interval90', known.interval90, ...
               'posterior', known.sample, 'correlation', known.correlation);
-  c.intervalNote = intervalNote (state.data, problem);
+  [c.intervalNote, c.intervalCode] = deal (known.note, known.code);
   for name = {'params', 'residual', 'noiseSd', 'converged', 'ending', ...
               'reason', 'limit', 'conflict', 'met', 'estimate', 'untested', ...
               'probability'}
@@ -38,6 +39,13 @@ function c = newCalibration (state, problem, Case)
   c.coreSeconds = state.budget.coreSeconds;
   [c.warnings, c.atLimit] = checkSurrogates (state, problem);
   c.identifiability = weakness (state.surrogates, problem, known);
+  if strcmp (known.code, 'no fit')       % nor is anything else said of them
+    c.posterior = known.sample([], :);
+    c.correlation = full (eye (columns (known.sample)));
+    c.identifiability.text = {};
+    c.identifiability.directions = zeros (columns (known.sample), 0);
+    c.identifiability.next = c.identifiability.next([]);
+  end
   c.notIdentified = c.identifiability.notIdentified;
   c.sensitivity = totalIndices (state.surrogates, problem);
   c.holdout = predictHoldout (state, problem);
@@ -46,19 +54,6 @@ function c = newCalibration (state, problem, Case)
     c.(name{1}) = state.(name{1});
   end
   c.exitStatus = 2 * ~final.converged;
-end
-
-% Why intervals of the parameters should not be used as such; '': they may be.
-function text = intervalNote (data, problem)
-  text = '';
-  wanted = problem.options.intervalRuns;
-  enough = problem.options.curveRuns * columns (problem.limits);
-  if any (problem.curve(problem.calibrate) > 0) && ...
-     sum (strcmp (data.stage, 'interval')) < wanted && rows (data.X) < enough
-    text = sprintf (['not to be used as intervals: %d runs are too few for ' ...
-                     'a curve. Input.intervals = true makes %d more, or ' ...
-                     'have %d runs in all'], rows (data.X), wanted, enough);
-  end
 end
 
 % What the targets cannot fix, and what would fix it: notIdentified, directions

@@ -19,7 +19,8 @@ end
 %! [problem, state] = smallCalibration ();
 %! assert (openSuspects (state, problem), false (12, 1));
 %! state.surrogates(1).suspect([2, 5]) = true;
-%! state.data = addRows (state.data, state.data.X(5, :), [NaN, NaN], 2, 'repeat');
+%! state.data = addRows (state.data, state.data.X(5, :), NaN (1, 2), 2, ...
+%!                       'repeat');
 %! state.surrogates(1).suspect(13) = false;
 %! state.surrogates(2).suspect(13) = false;
 %! assert (find (openSuspects (state, problem)), 2);

@@ -28,13 +28,16 @@ function known = parameterPosterior (surrogates, problem, nSample)
   restore = seedRandom (problem.options.seed);
   d = columns (problem.limits);
   [curves, nFree] = curveErrors (surrogates, problem);
-  U = allowedRows (rand (nSample, d + nFree), problem);
+  % many to begin with: a small part of the box may be all that fits
+  nFirst = nSample * max (1, min (20, floor (1e6 / ...
+                                             sumsq ([surrogates.nChoice]))));
+  U = allowedRows (rand (nFirst, d + nFree), problem);
   likelihood = @(U) logLikelihood (surrogates, problem, U, curves);
   fit = likelihood (U);
   heat = 0;
   while heat < 1
-    [heat, weight] = nextHeat (heat, fit);
-    U = U(resample (weight), :);
+    [heat, weight] = nextHeat (heat, fit, nSample);
+    U = U(resample (weight, nSample), :);
     [U, fit] = moveParticles (U, likelihood (U), heat, 8 - 4 * isLarge, ...
                               likelihood);
   end
@@ -77,30 +80,29 @@ function U = allowedRows (U, problem)
   U(wrong, 1:d) = sample(1 + mod (0:numel (wrong) - 1, rows (sample)), :);
 end
 
-function [heat, weight] = nextHeat (heat, fit)
+function [heat, weight] = nextHeat (heat, fit, nSample)
   % the largest step that keeps half of the particles effective
   range = [0, 1 - heat];
-  [weight, isEven] = weights (fit, range(2));
+  [weight, isEven] = weights (fit, range(2), nSample);
   if isEven
     heat = 1;
     return
   end
   for i = 1:30
     step = sum (range) / 2;
-    [weight, isEven] = weights (fit, step);
+    [weight, isEven] = weights (fit, step, nSample);
     range(2 - isEven) = step;
   end
   heat = heat + step;
 end
 
-function [weight, isEven] = weights (fit, step)
+function [weight, isEven] = weights (fit, step, nSample)
   weight = exp (step * (fit - max (fit)));
   weight = weight / sum (weight);
-  isEven = 1 / sum (weight.^2) >= numel (fit) / 2;
+  isEven = 1 / sum (weight.^2) >= nSample / 2;
 end
 
-function rowsKept = resample (weight)
-  n = numel (weight);
+function rowsKept = resample (weight, n)
   edges = [0; cumsum(weight)];
   edges(end) = 1 + eps (1);
   rowsKept = lookup (edges, ((0:n - 1)' + rand ()) / n);
@@ -130,15 +132,6 @@ function known = summarise (U, problem)
   known.correlation = corr (U);
   known.identified = diff (toUnit (known.interval90, problem.limits)) < ...
                      problem.options.loose;
-end
-
-% Variance of a measured value about the mean response: the packing of the
-% trials that were averaged, and the uncertainty of the measurement; where that
-% comes from the scatter of the trials it holds their packings already, and the
-% larger counts.
-function v = errorVariance (noiseVar, problem, t)
-  parts = [noiseVar / problem.trials(t), problem.sd(t)^2];
-  v = merge (problem.scatter(t), max (parts), sum (parts));
 end
 
 %!function [problem, s] = linear (names, X, z, sd)

@@ -7,7 +7,8 @@
 % STAGE  'infill', 'verify', 'replicate' or 'interval'
 % E      n x v, see addRuns (PROBLEM.fine)
 %
-% Runs that look wrong then are run once more (repeatSuspects). Never more rows than the budget has: what is over is left out.
+% Runs that look wrong then are run once more (repeatSuspects). Never more rows
+% than the budget has: what is over is left out.
 
 function state = runAndFit (state, problem, P, stage, E)
   n = min (rows (P), budgetLeft (state, problem));

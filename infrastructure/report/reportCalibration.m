@@ -101,11 +101,15 @@ function sayParameters (c, Case, tell)
   tell ('  %-24s %11s %11s %11s   %s', 'parameter', 'value', 'lower', ...
         'upper', '90 % of the sets that fit');
   for j = 1:numel (Case.names)
-    tell ('  %-24s %11.5g %11.5g %11.5g   %.4g to %.4g', Case.names{j}, ...
-          c.params(j), Case.limits(1:2, j), c.interval90(:, j));
+    range = sprintf ('%.4g to %.4g', c.interval90(:, j));
+    if any (isnan (c.interval90(:, j)))
+      range = 'not printed';
+    end
+    tell ('  %-24s %11.5g %11.5g %11.5g   %s', Case.names{j}, c.params(j), ...
+          Case.limits(1:2, j), range);
   end
   if ~isempty (c.intervalNote)
-    tell ('  %s.', c.intervalNote);
+    tell ('  The intervals are %s.', c.intervalNote);
   end
 end
 

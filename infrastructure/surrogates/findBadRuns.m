@@ -1,9 +1,10 @@
 % FINDBADRUNS  Finds runs that are off by far more than runs scatter.
 %
-% CALL: [BAD, SUSPECT] = findBadRuns (X, Z, KIND, SURROGATES, OLD [, LEVEL])
+% CALL: [BAD, SUSPECT] = findBadRuns (RUNS, KIND, SURROGATES, OLD)
 %
-%   X           n x d, parameter sets
-%   Z           n x T, responses (NaN: none)
+%   RUNS        scalar struct: X (n x d, parameter sets), Z (n x T, responses;
+%               NaN: none), level (1 x T cell, n x 1 how coarse the runs are, or
+%               [], see unitLevel)
 %   KIND        scalar struct of 1 x T: model (number of the model that each
 %               response belongs to), weight (1; 1 / n for the n points of a
 %               curve, which are one response), least (deviation that is too
@@ -12,7 +13,6 @@
 %               one that is held out or not measured)
 %   SURROGATES  1 x T struct of fitSurrogate, fitted to all rows but OLD
 %   OLD         n x T logical, runs found bad before
-%   LEVEL       1 x T cell, n x 1 how coarse the runs are, or [] (see unitLevel)
 %   BAD         n x T logical: all responses of a run share one judgement
 %   SUSPECT     n x T logical: would be bad, but nobody has run the set once
 %               more
@@ -27,35 +27,30 @@
 % that is against a run that may lie anywhere within 6 standard deviations s of
 % the others (Box and Tiao 1968: a small share of runs of another, wide
 % distribution). It is bad only where another run at the same set is what the
-% others foretell: a lone run may be the one that shows a peak or a jump, and
-% never are all runs of a set bad. What one run measures scatters together, as
-% an avalanche changes slope, height and mass of a heap at once: responses whose
-% residuals are alike count as fewer (weightsOf, benchmarks/wrongStored.m).
-% Added and taken back one by one, two at once where one hides the other. A run
-% that is nowhere off by more than KIND.least is never bad: it does no harm. The
-% scatter of a run is taken for no less than the prior of stored runs lets
-% expect (leastNoise): ten points on a curve that waves look free of noise. At
-% most a quarter of the runs; at least d + 3 stay.
+% others foretell, and off it by 6 scatters: a lone run may be the one that
+% shows a peak or a jump, and never are all runs of a set bad. Responses whose
+% residuals are alike count as fewer (alikeWeights): an
+% avalanche changes slope, height and mass of a heap at once. Added and taken
+% back one by one, two at once where one hides the other. A run that is nowhere
+% off by more than KIND.least is never bad: it does no harm. At most a quarter
+% of the runs; at least d + 3 stay.
 
-function [bad, suspect] = findBadRuns (X, Z, kind, surrogates, old, level)
+function [bad, suspect] = findBadRuns (runs, kind, surrogates, old)
   bad = old;
   suspect = false (size (old));
-  if nargin < 6
-    level = cell (size (kind.model));
-  end
   for m = unique (kind.model)
     ofModel = kind.model == m;
     judges = find (ofModel & kind.judges);
     bad(:, ofModel) = false;
-    rowsOf = any (isfinite (Z(:, judges)), 2);
+    rowsOf = any (isfinite (runs.Z(:, judges)), 2);
     if ~any (rowsOf)
       continue
     end
-    task = struct ('X', X(rowsOf, :), 'Z', Z(rowsOf, judges), ...
+    task = struct ('X', runs.X(rowsOf, :), 'Z', runs.Z(rowsOf, judges), ...
                    'surrogates', {surrogates(judges)}, 'level', [], ...
                    'weight', kind.weight(judges), ...
                    'least', kind.least(judges));
-    coarse = [level{ofModel}];   % of one model: the same for all its responses
+    coarse = [runs.level{ofModel}];      % the same for all of one model
     if ~isempty (coarse)
       task.level = coarse(rowsOf, 1);
     end
@@ -69,18 +64,17 @@ end
 function [out, suspect] = judge (task, out)
   T = numel (task.surrogates);
   suspect = false (size (out));
-  far = arrayfun (@(t) max (farOff (task.surrogates(t), task.least(t))), 1:T);
+  far = arrayfun (@(t) max (abs (task.surrogates(t).looStd)), 1:T);
   if ~any (out) && all (far < 2)
     return
   end
   odds = log (0.98 / 0.02);
-  now = leaveOut (task, out);
-  task.weight = weightsOf (task.weight, now.residual);
-  now.evidence = now.gain * task.weight';
+  now = fitWithout (task, out);
+  task.weight = alikeWeights (task.weight, now.residual);
   % a run that was bad before may fit now that more is known
   for i = find (out)'
-    tried = leaveOut (task, setfield (now.out, {i}, false));
-    if now.evidence - tried.evidence < odds
+    tried = fitWithout (task, setfield (now.out, {i}, false));
+    if evidence (now, task) - evidence (tried, task) < odds
       now = tried;
     end
   end
@@ -100,25 +94,19 @@ function yes = isAlone (set, kept)
   yes = n(set) == 1;
 end
 
-% Another run at the set is where the others say, within 3 deviations.
+% Other runs of the set are where all others say, within 3 deviations, and the
+% run is off them by 6 scatters: runs of DEM scatter with wide tails.
 function yes = isForetold (task, now)
-  agrees = ~now.out & now.far < 3;
-  yes = accumarray (task.set, agrees)(task.set) > 0;
+  yes = false (size (now.out));
+  for i = find (now.out)'
+    mates = task.set == task.set(i) & ~now.out & now.far < 3;
+    off = abs (task.Z(i, :) - mean (task.Z(mates, :), 1));
+    yes(i) = any (mates) && any (off > 6 * now.noiseSd);
+  end
 end
 
-% All responses together count as sum (w)^2 / sum (w w' R^2) ones; R is the rank
-% correlation of the residuals, so that one wrong run does not make it, and R^2
-% less what it has by chance. Runs that lack a response tell nothing of it.
-function w = weightsOf (w, residual)
-  residual = residual(all (isfinite (residual), 2), :);
-  if rows (residual) < 4
-    return
-  end
-  chance = 1 / (rows (residual) - 1);
-  R2 = (spearman (residual).^2 - chance) / (1 - chance);
-  R2(~(R2 > 0)) = 0;
-  R2(1:numel (w) + 1:end) = 1;
-  w = w * sum (w) / (w * R2 * w');
+function e = evidence (judged, task)
+  e = judged.gain * task.weight';
 end
 
 % The worst run, the second worst, or both, whichever gains most.
@@ -126,18 +114,19 @@ function [now, isMore] = leaveMoreOut (task, now, most, odds)
   before = now;
   best = odds;
   isMore = false;
-  if now.worst < 2
+  [far, order] = sort (now.far, 'descend');
+  if far(1) < 2
     return
   end
-  for pick = {now.order(1), now.order(2), now.order(1:2)}
+  for pick = {order(1), order(2), order(1:2)}
     n = numel (pick{1});
     out = setfield (before.out, {pick{1}}, true);
     isLost = accumarray (task.set, ~out) == 0 & accumarray (task.set, 1) > 1;
     if sum (out) > most || any (isLost)
       continue
     end
-    tried = leaveOut (task, out);
-    gain = tried.evidence - before.evidence - (n - 1) * odds;
+    tried = fitWithout (task, out);
+    gain = evidence (tried, task) - evidence (before, task) - (n - 1) * odds;
     if gain > best
       best = gain;
       now = tried;
@@ -146,58 +135,17 @@ function [now, isMore] = leaveMoreOut (task, now, most, odds)
   end
 end
 
-% What the fits to all runs but OUT say: the log density of all runs, the good
-% ones by the surrogates, the bad ones wide; and the good ones by farOff.
-function judged = leaveOut (task, out)
-  n = rows (task.X);
-  judged = struct ('out', out, 'gain', [], 'far', zeros (n, 1), ...
-                   'residual', NaN (n, columns (task.Z)));
-  for t = 1:columns (task.Z)
-    old = task.surrogates(t);
-    z = task.Z(:, t);
-    isKnown = isfinite (z);
-    use = isKnown & ~out;
-    s = fitRows (task.X, z, task.level, use, old.limits, ...
-                 struct ('trend', old.trend, 'covariance', old.covariance));
-    s = leastNoise (s);
-    fit = prepareFit (s.solver.unit, s.solver.y, s.trend, s.covariance, ...
-                      [], s);
-    judged.gain(t) = -fit.cost (s.theta) - columns (fit.W) * log (s.scale) - ...
-                     sum (out & isKnown) * log (6 * std (z(use)));
-    judged.residual(use, t) = s.looResidual;
-    judged.far(use) = max (judged.far(use), farOff (s, task.least(t)));
-  end
-  judged.residual = judged.residual(~out, :);
-  judged.evidence = judged.gain * task.weight';
-  [far, judged.order] = sort (judged.far, 'descend');
-  judged.worst = far(1);
-end
-
-% The scatter of a run is at least that which two deviations of its prior (of
-% prepareFit) leave.
-function s = leastNoise (s)
-  least = 2 * (log (0.3) - 1.6);
-  if isempty (s.noiseLaw) && isscalar (s.model.lognoisevariance) && ...
-     s.model.lognoisevariance < least && ~isConstant (s.z)
-    choice = mergeFields (s, s.model);
-    choice.lognoisevariance = least;
-    base = mergeFields (s, struct ('unit', s.solver.unit, 'y', s.solver.y));
-    s = conditionSurrogate (choice, base);
-  end
-end
-
-% How far each run lies from what the others predict, in its deviations.
-function far = farOff (s, least)
-  far = abs (s.looStd) .* (abs (s.looResidual) > least);
-end
-
+%!function [bad, suspect] = judged (X, Z, kind, s, old)
+%!  kind.judges = givenField (kind, 'judges', true (1, columns (Z)));
+%!  runs = struct ('X', X, 'Z', Z, 'level', {cell(1, columns (Z))});
+%!  [bad, suspect] = findBadRuns (runs, kind, s, old);
+%!endfunction
 %!function bad = found (X, Z, kind, old)
 %!  limits = [0, 0, 0; 1, 1, 1];
 %!  for t = columns (Z):-1:1
 %!    s(t) = fitSurrogate (X, Z(:, t), limits);
 %!  end
-%!  kind.judges = true (1, columns (Z));
-%!  [bad, suspect] = findBadRuns (X, Z, kind, s, old);
+%!  [bad, suspect] = judged (X, Z, kind, s, old);
 %!  bad = bad | suspect;
 %!endfunction
 %!shared X, Z, kind, none
@@ -263,11 +211,10 @@ end
 %!                'least', zeros (1, 20));
 %! s = repmat (fitSurrogate (X, curve(:, 1), [0, 0, 0; 1, 1, 1]), 1, 20);
 %! none = false (16, 20);
-%! kind.judges = true (1, 20);
-%! [~, bad] = findBadRuns (X, curve, kind, s, none);
+%! [~, bad] = judged (X, curve, kind, s, none);
 %! far = repmat (Z(:, 1) + 0.5 * (1:16 == 4)', 1, 20);
 %! s(:) = fitSurrogate (X, far(:, 1), [0, 0, 0; 1, 1, 1]);
-%! [~, alone] = findBadRuns (X, far, kind, s, none);
+%! [~, alone] = judged (X, far, kind, s, none);
 %! assert ([any(bad(:)), any(alone(:))], [false, true]);
 %!test
 %! % a run alone at its set is suspect; bad where a second one is as the others
@@ -277,18 +224,17 @@ end
 %! W = [Z; Z(4, :)];
 %! W(4, 1) = 2 * W(4, 1);
 %! P = X([1:16, 4], :);
-%! kind.judges = [true, true];
 %! for t = 1:2
 %!   s(t) = fitSurrogate (P, W(:, t), [0, 0, 0; 1, 1, 1]);
 %! end
-%! [bad, suspect] = findBadRuns (P, W, kind, s, false (17, 2));
+%! [bad, suspect] = judged (P, W, kind, s, false (17, 2));
 %! assert (find (bad(:, 1))', 4);
 %! assert (! any (suspect(:)));
 %! W(17, 1) = 0.99 * W(4, 1);
-%! [bad, suspect] = findBadRuns (P, W, kind, s, false (17, 2));
+%! [bad, suspect] = judged (P, W, kind, s, false (17, 2));
 %! assert (! any ([bad(:); suspect(:)]));
 %! kind.judges = [false, true];
-%! [bad, suspect] = findBadRuns (X, W(1:16, :), kind, s, none);
+%! [bad, suspect] = judged (X, W(1:16, :), kind, s, none);
 %! assert (! any ([bad(:); suspect(:)]));
 %!test
 %! % runs that lack a response count for those they have

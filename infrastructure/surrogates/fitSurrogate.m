@@ -23,7 +23,8 @@
 % (see conditionSurrogate), looResidual and looStd (n x 1), Q2, trend,
 % covariance, and what predictSurrogate needs: solver, shift, scale, factor, df,
 % score (leave-one-out log density), nChoice (runs at the choice of the model),
-% leftOut, suspect, aside ([], see fitSurrogates), dropped ([], see fitLevels), warning.
+% leftOut, suspect, aside ([], see fitSurrogates), dropped ([], see fitLevels),
+% warning.
 %
 % Parameters: least cost of prepareFit, by fminunc. Choice: leave-one-out log
 % predictive density, trend first, bends of the inputs (bendInputs, the fourth

@@ -48,8 +48,8 @@ function surrogates = fitSurrogates (data, problem, old, most)
   bad = leftOut(same, :);
   [surrogates, follows] = fitGood (runs, bad, problem, old);
   if ~follows
-    [now, doubt] = findBadRuns (runs.X, withoutDropped (runs, surrogates), ...
-                                kindOfTarget (problem), surrogates, bad, level);
+    [now, doubt] = findBadRuns (withoutDropped (runs, surrogates), ...
+                                kindOfTarget (problem), surrogates, bad);
     suspect(same, :) = doubt;
     if ~isequal (now, bad)
       surrogates = fitGood (runs, now, problem, []);
@@ -93,10 +93,10 @@ function level = levelsOf (E, Z, problem)
   end
 end
 
-function Z = withoutDropped (runs, surrogates)
-  Z = runs.Z;
+function runs = withoutDropped (runs, surrogates)
   for t = find (~cellfun (@isempty, {surrogates.dropped}))
-    Z(ismember (runs.level{t}, surrogates(t).dropped), t) = NaN;
+    isDropped = ismember (runs.level{t}, surrogates(t).dropped);
+    runs.Z(isDropped, t) = NaN;
   end
 end
 

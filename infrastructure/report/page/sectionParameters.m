@@ -4,9 +4,9 @@
 % CALL: LIST = sectionParameters (), see writePage
 %
 % What is known of a parameter, in a word: fixed; dead (no calibrated target has
-% a total Sobol index of 0.05 or more for it); trade-off (not fixed, and a
-% correlation above 0.7 with another one); flat direction; at a limit; a
-% compromise (its value lies outside its interval).
+% a total Sobol index of 0.05 or more for it); trade-off (not fixed, correlation
+% above 0.7 with another one); flat direction; at a limit; a compromise (its
+% value lies outside its interval); not known (no interval is printed).
 
 function list = sectionParameters ()
   list = {'sectionparameters', 'Values of the parameters', @parameters, {}; ...
@@ -90,6 +90,7 @@ function f = boxFigure (page, j, word)
   limits = box(1:2)';
   value = c.params.(name);
   known = c.interval90.(name)(:)';
+  known(isnan (known)) = value;         % not printed
   alt = sprintf (['%s is %.4g, 90 %% interval %.4g to %.4g, in the box ', ...
                   '%.4g to %.4g: %s'], name, value, known, limits, word);
   f = newFigure ([name, ': ', word], '', '', alt, ...
@@ -142,6 +143,8 @@ function [class, word, text] = parameterState (c, names, j)
     word = 'at a limit';
     text = sprintf ('at its %s limit; the best value may lie beyond', ...
                     sides{1 + isUpper});
+  elseif strcmp (jsonAt (c, {'intervalCode'}), 'no fit')
+    [word, text] = deal ('not known', 'no interval is printed, see below');
   elseif isLoose && ~isempty (share) && max (share) < 0.05
     word = 'dead';
     text = 'no target responds to it';
@@ -154,9 +157,8 @@ function [class, word, text] = parameterState (c, names, j)
     text = 'other values fit as well, together with other parameters';
   elseif isOutside (value, jsonAt (c, {'interval90', name}))
     word = 'a compromise';
-    text = ['the value lies outside its interval: no set meets all ', ...
-            'targets, and this one misses least; the interval is of the ', ...
-            'sets that are likeliest, each target weighed by its noise'];
+    text = ['the value lies outside its interval: it misses least; the ', ...
+            'interval is of the likeliest, each target weighed by its noise'];
   else
     class = 'ok';
     word = 'fixed';

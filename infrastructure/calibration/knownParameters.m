@@ -1,0 +1,160 @@
+% KNOWNPARAMETERS  Intervals of the parameters, held against the set and runs.
+%
+% CALL: KNOWN = knownParameters (STATE, PROBLEM)
+%
+%   KNOWN  struct of parameterPosterior and
+%          fits    share of the sample that fits (below)
+%          code    '' where interval90 may be used; 'no fit': fewer than
+%                  options.fit of the sample fit, interval90 is NaN and nothing
+%                  is identified; 'few runs' (of a curve), 'unseen' (noise that
+%                  nobody has seen), 'compromise' (the set misses a target and
+%                  lies outside): note says what the interval is then
+%          note    text that goes on after 'the intervals are ', '': none
+%
+% A set of the sample fits where its expected response is within the tolerance
+% of each target, or within 2.5 standard deviations of what a measured value is
+% off by (errorVariance). Near a run, what this run gave beyond what the
+% surrogate says there is added to what the surrogate says of the set.
+%
+% Where the reported set itself fits, interval90 is wide enough to hold it: it
+% is one of the sets of which the interval speaks.
+
+function known = knownParameters (state, problem)
+  known = parameterPosterior (state.surrogates, problem);
+  p = state.found.params;
+  [allowed, unseen] = allowedMiss (state.surrogates, problem);
+  known.fits = mean (doesFit (known.sample, state, problem, allowed));
+  [known.code, known.note] = deal ('');
+  isOutside = p < known.interval90(1, :) | p > known.interval90(2, :);
+  [code, note] = curveNote (state.data, problem);
+  if known.fits < problem.options.fit
+    known.interval90(:) = NaN;
+    known.identified(:) = true;
+    [known.code, known.note] = deal ('no fit', noFit (known.fits));
+  elseif ~isempty (note)
+    [known.code, known.note] = deal (code, note);
+  elseif any (unseen)
+    [known.code, known.note] = deal ('unseen', unseenNote (problem, unseen));
+  end
+  if any (isOutside) && ~strcmp (known.code, 'no fit')
+    known = withSet (known, p, state, problem, allowed);
+  end
+end
+
+function known = withSet (known, p, state, problem, allowed)
+  if doesFit (p, state, problem, allowed)
+    known.interval90 = [min(known.interval90(1, :), p); ...
+                        max(known.interval90(2, :), p)];
+    known.identified = diff (known.interval90, 1, 1) < ...
+                       problem.options.loose * diff (problem.limits);
+  elseif isempty (known.code)
+    known.code = 'compromise';
+    known.note = ['of the likeliest sets, each target weighed by its noise; ' ...
+                  'the value outside misses a target, if by less than others'];
+  end
+end
+
+% T columns: how far a response may be off, of all that are calibrated, and of
+% which of them no noise was seen.
+function [allowed, unseen] = allowedMiss (surrogates, problem)
+  T = numel (surrogates);
+  [allowed, unseen] = deal (Inf (1, T), false (1, T));
+  for t = find (problem.calibrate & problem.curve == 0)
+    [v, unseen(t)] = errorVariance (surrogates(t).noiseVar, problem, t);
+    allowed(t) = max (problem.tol(t) * abs (problem.scale(t)), 2.5 * sqrt (v));
+  end
+end
+
+function yes = doesFit (P, state, problem, allowed)
+  use = isfinite (allowed);
+  m = predictSurrogate (state.surrogates, P);
+  miss = m + nearestMiss (P, state, problem) - problem.value;
+  yes = all (abs (miss(:, use)) <= allowed(use), 2);
+end
+
+% What the runs nearest to each set gave beyond the surrogate there, less what
+% a run scatters by; 0 where no run is within a tenth of the box.
+function off = nearestMiss (P, state, problem)
+  data = runsThatCount (state.data, problem);
+  [sets, ~, set] = unique (data.X, 'rows');
+  width = diff (problem.limits);
+  off = zeros (rows (P), numel (problem.value));
+  near = zeros (rows (P), rows (sets));
+  for i = 1:rows (sets)
+    near(:, i) = max (abs ((P - sets(i, :)) ./ width), [], 2);
+  end
+  [least, i] = min (near, [], 2);
+  m = predictSurrogate (state.surrogates, sets);
+  for t = find (problem.calibrate)
+    isKnown = isfinite (data.Z(:, t));
+    n = accumarray (set(isKnown), 1, [rows(sets), 1]);
+    z = accumarray (set(isKnown), data.Z(isKnown, t), [rows(sets), 1]);
+    beyond = z ./ max (n, 1) - m(:, t);
+    scatter = 3 * sqrt (state.surrogates(t).noiseVar ./ max (n, 1));
+    beyond = sign (beyond) .* max (abs (beyond) - scatter, 0) .* (n > 0);
+    off(:, t) = beyond(i) .* (least < 0.1);
+  end
+end
+
+function text = noFit (share)
+  text = sprintf (['not printed: of the sets that the surrogates hold for ' ...
+                   'likely only %.0f %% meet the targets; too few runs are ' ...
+                   'where the targets are met'], 100 * share);
+end
+
+function text = unseenNote (problem, unseen)
+  text = sprintf (['of measured values that are good to a tenth of their ' ...
+                   'tolerance, as no scatter was seen (%s): give ' ...
+                   'optim.targetStd, or repeat runs'], ...
+                  strjoin (problem.targetNames(unseen), ', '));
+end
+
+% Why intervals of the parameters should not be used as such; '': they may be.
+function [code, text] = curveNote (data, problem)
+  [code, text] = deal ('');
+  wanted = problem.options.intervalRuns;
+  enough = problem.options.curveRuns * columns (problem.limits);
+  if any (problem.curve(problem.calibrate) > 0) && ...
+     sum (strcmp (data.stage, 'interval')) < wanted && rows (data.X) < enough
+    code = 'few runs';
+    text = sprintf (['not to be used as intervals: %d runs are too few for ' ...
+                     'a curve. Input.intervals = true makes %d more, or ' ...
+                     'have %d runs in all'], rows (data.X), wanted, enough);
+  end
+end
+
+%!test
+%! [problem, state, s] = smallCalibration ();
+%! state.found.params = mean (parameterPosterior (s, problem).sample);
+%! known = knownParameters (state, problem);
+%! assert (known.fits > 0.9);
+%! assert (known.code, '');
+%! % a set that fits is in its own interval
+%! [~, order] = sort (known.sample(:, 2));
+%! state.found.params = known.sample(order(965), :);
+%! known = knownParameters (state, problem);
+%! assert (known.interval90(2, 2), state.found.params(2));
+%! % one that does not is no part of it, and that is said
+%! state.found.params = [1, 2];
+%! known = knownParameters (state, problem);
+%! assert (known.code, 'compromise');
+%! assert (known.interval90(2, 2) < 2);
+%!test
+%! % runs near the sets of the sample contradict the surrogate
+%! [problem, state] = smallCalibration ();
+%! P = knownParameters (state, problem).sample(1:20:end, :);
+%! Z = predictSurrogate (state.surrogates, P) + [1, 0];
+%! state.data = addRows (state.data, P, Z, ones (rows (P), 1), 'infill');
+%! known = knownParameters (state, problem);
+%! assert (known.code, 'no fit');
+%! assert (all (isnan (known.interval90(:))));
+%! assert (strncmp (known.note, 'not printed: ', 13));
+%!test
+%! % no noise, and none given: a quarter of the tolerance
+%! [problem, state, ~, f] = smallCalibration ();
+%! state.data.Z = f (state.data.X);
+%! state.surrogates = fitSurrogates (state.data, problem);
+%! known = knownParameters (state, problem);
+%! assert (known.code, 'unseen');
+%! problem.sd = 0.3 * problem.tol .* problem.value;
+%! assert (! strcmp (knownParameters (state, problem).code, 'unseen'));
