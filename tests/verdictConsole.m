@@ -41,6 +41,18 @@ function own = foundOf (c, v, Case)
   if isfield (c.targets, 'met')
     own.met = arrayfun (@(t) isequal (t.met, true), c.targets(:)');
   end
+  words = {'missed', 'met'};
+  own.state = words(1 + own.met);
+  own.state(own.met ~= (abs (own.residual') <= [c.targets.tol])) = {'open'};
+  if isfield (c.targets, 'state')
+    own.state = {c.targets.state};
+    own.met = strcmp (own.state, 'met');
+  end
+  own.estimate = own.results;
+  for t = 1:numel (c.targets)
+    both = [givenField(c.targets(t), 'estimate', []), own.results(t)];
+    own.estimate(t) = both(1);
+  end
   own.identifiability = struct ('text', {cellstr(c.unfixed)(1:0)}, ...
                                 'next', []);
   for field = {'runs', 'correlation', 'demRuns', 'coreSeconds', 'holdout', ...

@@ -50,8 +50,7 @@ function state = confirmingRuns (state, final, problem)
   stage = merge (final.n > 0, 'replicate', 'verify');
   p = state.found.params;
   state = runAndFit (state, problem, repmat (p, n, 1), stage);
-  problem.avoid = failedSets (state.data, problem);
-  state = describedAt (state, problem, p);
+  state = describedAt (state, withCare (state, problem), p);
 end
 
 function state = describedAt (state, problem, p)
@@ -82,6 +81,9 @@ function why = whyOver (book, problem)
     why = 'its runs are equal';
   elseif ismember (final.params, failedSets (book.state.data, problem), 'rows')
     why = 'its runs fail';
+  elseif final.outcomes.onceMore < options.confidence && ...
+         final.outcomes.alone >= options.confidence
+    why = 'too few runs are left to bound how often they end in another way';
   elseif isOut && isLast
     why = 'clearly outside, and no other set is in reach';
   end

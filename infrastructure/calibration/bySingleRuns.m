@@ -119,6 +119,8 @@ function [book, isEnd] = publishedEnd (p, why, book, problem)
   rest = sentence (['rest.', code], struct ('probability', chances(1), ...
                                             'wanted', chances(2)));
   final.met = final.n > 0 & abs (final.residual') <= problem.tol;
+  final.state(final.met) = {'met'};
+  final.state(~final.met) = {'missed'};
   final.converged = all (final.met(problem.calibrate));
   final.untested = zeros (0, numel (p));
   if final.converged

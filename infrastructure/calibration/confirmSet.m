@@ -7,8 +7,14 @@
 %        mean; the surrogate mean if n = 0), sd 1 x T (standard error of that
 %        mean), noiseSd 1 x T (noise of one run), residual T x 1 (of the mean),
 %        residualSd T x 1, interval90 2 x T (of the true response), estimate
-%        1 x T (its middle), met 1 x T (the estimate is within its tolerance;
-%        the points of a curve as one), probability, within, converged,
+%        1 x T (its middle), state 1 x T cell: 'met' where the mean of the
+%        runs and the estimate are within the tolerance, 'missed' where neither
+%        is, else 'open' (the points of a curve as one), met 1 x T (state is
+%        'met'; without runs: the estimate is within), probability, within (the
+%        estimate, with a run), converged, outcomes (struct: usual and other,
+%        runs at the set that ended as most do and in another way, result 1 x T
+%        of the others (NaN: none), share expected of other ones, onceMore
+%        (probability after all runs that the budget allows, none of them odd)),
 %        conflict, ending (see newEnding), reason (its text), limit
 %        ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search; '':
 %        converged)
@@ -44,7 +50,9 @@ function final = confirmSet (state, problem)
     few = alone & scatter > noiseSd;
     df(few) = min (df(few), max (n - 1, 1));
   end
-  final = judge (final, m, v, df, problem);
+  problem.odd = oddRuns (state, problem);
+  final = judge (final, m, v, df, problem, budgetLeft (state, problem));
+  final.outcomes = mergeFields (final.outcomes, otherRuns (state, problem, n));
   final.conflict = state.found.conflict;
   [left, final.limit] = budgetLeft (state, problem);
   if final.converged
@@ -67,22 +75,55 @@ function [Z, nEqual] = runsAt (state, p, problem)
   Z = Z(all (isfinite (Z), 2), :);
 end
 
-function final = judge (final, m, v, df, problem)
+% Of N runs at the set that count, those that ended in another way, beside those
+% that were left out.
+function outcomes = otherRuns (state, problem, n)
+  p = state.found.params;
+  outcomes = struct ('usual', n, 'other', 0, 'result', NaN (size (problem.tol)));
+  if isempty (problem.odd)
+    return
+  end
+  here = sameSet (problem.odd.X, p, problem.limits);
+  outcomes.other = sum (here);
+  outcomes.usual = sum (sameSet (problem.odd.all, p, problem.limits)) - ...
+                   outcomes.other;
+  if any (here)
+    outcomes.result = predictSurrogate (state.surrogates, p) + ...
+                      mean (problem.odd.jump(here, :), 1);
+  end
+end
+
+function final = judge (final, m, v, df, problem, left)
   full = problem.cost (final.params(:), @(varargin) final.result(:));
   T = numel (problem.value);
   final.residual = full(1:T)(:);
   [r, slope] = targetResidual (problem, final.params, m);
   final.residualSd = (abs (slope) .* final.sd)';
   s = abs (slope) .* sqrt (v);
-  final.probability = allMet (r, s, problem, df);
+  at = final.params;
+  [final.probability, share] = mixtureMet (r, s, problem, df, at);
+  if ~isempty (problem.odd)
+    problem.odd.further = left;
+  end
+  final.outcomes = struct ('share', share, 'onceMore', ...
+                           mixtureMet (r, s, problem, df, at), ...
+                           'alone', allMet (r, s, problem, df));
   half = arrayfun (@(df) studentQuantile (0.95, df), df) .* sqrt (v);
   final.interval90 = [m - half; m + half];
   share = toleranceShare (problem, r);
   final.estimate = m;
+  byRuns = toleranceShare (problem, final.residual');
+  final.state = repmat ({'open'}, 1, T);
   final.met = false (1, T);
   groups = requirementsOf (problem);
   for g = 1:numel (groups)
-    final.met(groups{g}) = share(g) <= 1;
+    within = [share(g), byRuns(g)] <= 1;
+    final.met(groups{g}) = within(1) && (within(2) || final.n == 0);
+    if final.n > 0 && all (within)
+      final.state(groups{g}) = {'met'};
+    elseif final.n > 0 && ~any (within)
+      final.state(groups{g}) = {'missed'};
+    end
   end
   final.within = final.n > 0 && all (share <= 1);
   final.converged = final.within && ...
@@ -90,20 +131,31 @@ function final = judge (final, m, v, df, problem)
                     final.probability >= problem.options.confidence;
 end
 
-% How it ended. A conflict comes first: no limit that is raised would help.
-function ending = endingOf (final, state, problem)
-  options = problem.options;
-  hasRun = sameSet (state.data.X, final.params, problem.limits);
-  if final.converged
-    code = 'converged';
-  elseif ~final.within && ~isempty (final.conflict)
+% Why no set is within. A conflict comes first: no limit that is raised would
+% help.
+function code = outsideCode (final, hasRun)
+  if ~isempty (final.conflict)
     code = 'conflict';
-  elseif final.n == 0 && any (hasRun)
+  elseif final.n == 0 && hasRun
     code = 'allFailed';
   elseif final.n == 0
     code = 'notRun';
-  elseif ~final.within
+  else
     code = 'outside';
+  end
+end
+
+function ending = endingOf (final, state, problem)
+  options = problem.options;
+  hasRun = sameSet (state.data.X, final.params, problem.limits);
+  isMixed = final.outcomes.alone >= options.confidence && ...
+            final.probability < options.confidence;
+  if final.converged
+    code = 'converged';
+  elseif ~final.within
+    code = outsideCode (final, any (hasRun));
+  elseif isMixed
+    code = 'twoOutcomes';
   elseif final.n < options.replicates && final.equal > 0
     code = 'equalRuns';
   elseif final.n < options.replicates
@@ -114,6 +166,7 @@ function ending = endingOf (final, state, problem)
   numbers = struct ('runs', final.n);
   numbers = mergeFields (numbers, final, {'equal', 'probability', ...
                                           'conflict', 'limit'});
+  numbers = mergeFields (numbers, final.outcomes, {'usual', 'other', 'share'});
   ending = newEnding (code, numbers, options);
 end
 

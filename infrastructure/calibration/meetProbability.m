@@ -11,10 +11,11 @@
 %
 % PROBLEM.avoid (k x d, optional) holds sets at which runs failed again and
 % again: the probability falls to 0 within a tenth of the box around them.
+% PROBLEM.odd: see mixtureMet.
 
 function [probability, share, r] = meetProbability (surrogates, problem, P)
   [r, s] = residualSpread (surrogates, problem, P);
-  probability = allMet (r, s, problem, [surrogates.df]);
+  probability = mixtureMet (r, s, problem, [surrogates.df], P);
   if isfield (problem, 'avoid')
     for i = 1:rows (problem.avoid)
       u = toUnit (P, problem.limits) - ...

@@ -15,7 +15,7 @@
 % finished is left (failedSets).
 
 function [state, wasWrong] = moveTo (state, problem, p)
-  problem.avoid = failedSets (state.data, problem);
+  problem = withCare (state, problem);
   here = describeSet (state.surrogates, problem, state.found.params);
   there = here;
   if here.probability >= problem.options.confidence

@@ -5,7 +5,8 @@
 %   STATE  see newState, with its field final
 %   C      scalar struct: params, residual, noiseSd, converged, ending,
 %          reason, limit,
-%          conflict, met, estimate, probability, results, resultInterval90 (of
+%          conflict, met, state, estimate, outcomes, probability, results,
+%          resultSd (standard error of the mean), resultInterval90 (of
 %          the set, see confirmSet), runs (there), untested (calibrateOnDEM);
 %          interval90 2 x d, correlation d x d, posterior (n x d, sample),
 %          intervalNote, intervalCode (note and code of knownParameters),
@@ -24,11 +25,12 @@ function c = newCalibration (state, problem, Case)
   M = numel (Case.models);
   count = @(varargin) M * sum (ismember (state.data.stage, varargin));
   c = struct ('results', final.result, 'resultInterval90', final.interval90, ...
-              'runs', final.n, 'interval90', known.interval90, ...
+              'resultSd', final.sd, 'runs', final.n, 'interval90', known.interval90, ...
               'posterior', known.sample, 'correlation', known.correlation);
   [c.intervalNote, c.intervalCode] = deal (known.note, known.code);
   for name = {'params', 'residual', 'noiseSd', 'converged', 'ending', ...
-              'reason', 'limit', 'conflict', 'met', 'estimate', 'untested', ...
+              'reason', 'limit', 'conflict', 'met', 'state', 'estimate', ...
+              'outcomes', 'untested', ...
               'probability'}
     c.(name{1}) = final.(name{1});
   end

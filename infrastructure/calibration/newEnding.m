@@ -3,13 +3,14 @@
 % CALL: ENDING = newEnding (CODE, NUMBERS [, OPTIONS])
 %
 %   CODE     'converged', 'conflict', 'allFailed', 'notRun', 'outside',
-%            'equalRuns', 'fewRuns', 'unsure', 'published', those of
-%            endingCause, see ending.* of
+%            'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes', 'published',
+%            those of endingCause, see ending.* of
 %            words.txt
 %   NUMBERS  struct with some of: runs (at the set), equal, probability,
 %            conflict (cellstr of targets), limit ('maxFunEvals', 'maxNewRuns',
-%            'maxIter': the budget that ended the search; '': none), stopped,
-%            rest
+%            'maxIter': the budget that ended the search; '': none), usual,
+%            other (runs at the set that end as most do, in another way), share
+%            (expected of other ones), stopped, rest
 %   OPTIONS  struct with the limits (optim.maxFunEvals ...), replicates
 %   ENDING   struct: code, and the numbers; text, the sentence for them
 %
@@ -21,8 +22,11 @@ function ending = newEnding (code, numbers, options)
   end
   ending = mergeFields (struct ('code', code, 'runs', 0, 'equal', 0, ...
                                 'probability', 0, 'conflict', {{}}, ...
-                                'limit', ''), numbers);
+                                'limit', '', 'usual', 0, 'other', 0, ...
+                                'share', 0), numbers);
   values = ending;
+  values.share = round (100 * values.share);
+  values.all = values.usual + values.other;
   values.probability = round (100 * values.probability);
   values.equal = values.equal + values.runs;
   values.wanted = givenField (options, 'replicates', 1);
@@ -42,6 +46,6 @@ end
 %!test
 %! % every code has a sentence
 %! for code = {'converged', 'conflict', 'allFailed', 'notRun', 'outside', ...
-%!             'equalRuns', 'fewRuns', 'unsure'}
+%!             'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes'}
 %!   assert (! isempty (newEnding (code{1}, struct ()).text));
 %! end

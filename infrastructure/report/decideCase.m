@@ -66,7 +66,14 @@ function numbers = keyNumbers (v, c)
     elseif ~v.usable && v.met == v.of
       label = 'targets within tolerance so far, not surely';
     end
-    numbers(end + 1) = number (label, sprintf ('%d of %d', v.met, v.of));
+    isOpen = strcmp ({v.misses.state}, 'open') & [v.misses.runs] > 0;
+    texts = {sprintf('%d of %d', v.met, v.of), ...
+             sprintf('%d of %d, %d open', v.met, v.of, sum (isOpen))};
+    numbers(end + 1) = number (label, texts{1 + any(isOpen)});
+    for m = v.misses(isOpen)
+      [~, text] = missTexts (m);
+      numbers(end + 1) = number (['open: ', m.name], text);
+    end
   end
   chance = jsonAt (c, {'probability'});
   if ~isempty (v.cause) && ~isempty (v.cause.amount)
@@ -76,23 +83,6 @@ function numbers = keyNumbers (v, c)
     numbers(end + 1) = number ('chance that all targets are met', ...
                                texts{1 + (chance > 0.995)});
   end
-end
-
-function texts = missTexts (m)
-  label = 'largest miss: ';
-  if m.met == 1 || (isnan (m.met) && m.share < 1)
-    label = 'largest deviation: ';
-  end
-  held = repmat (' (never fitted)', 1, strcmp (m.role, 'holdout'));
-  text = ['simulated ', quantity(m.simulated, m.unit)];
-  if isfinite (m.measured)
-    allowed = quantity (m.measured, m.unit, ...
-                        m.measured + m.allowed * [-1, 1]);
-    text = [text, ', measured ', strrep(allowed, ' (', ' (allowed ')];
-  elseif ~isfinite (m.simulated)
-    text = sprintf ('%.1f times its noise', 2 * m.share);
-  end
-  texts = {[label, m.name, held], text};
 end
 
 function v = ofCalibration (v, c)
@@ -105,7 +95,8 @@ function v = ofCalibration (v, c)
   if v.usable
     [v.word, v.class] = deal (sentence ('case.calibrated.word'), 'good');
     benches = strjoin (unique ({used.model}, 'stable'), ', ');
-    v.usableFor{end + 1} = sentence ('usableFor.like', ...
+    codes = {'usableFor.like', 'usableFor.likeOpen'};
+    v.usableFor{end + 1} = sentence (codes{1 + (v.met < v.of)}, ...
                                      struct ('tests', benches));
     right = {held([held.met] == 1).name};
     if ~isempty (right)
@@ -160,6 +151,8 @@ function todo = wayOn (c, used)
       todo = newAction ('jump', cellstr (c.ending.names)(:)', atLimit (c));
     case 'published'
       todo = newAction ('robust');
+    case 'twoOutcomes'
+      todo = newAction ('lookOutcomes');
     case 'conflict'
       todo = newAction ('diagnose', {}, atLimit (c));
     otherwise

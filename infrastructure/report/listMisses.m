@@ -13,7 +13,8 @@
 function misses = listMisses (c, gap)
   misses = struct ('model', {}, 'name', {}, 'unit', {}, 'measured', {}, ...
                    'simulated', {}, 'miss', {}, 'allowed', {}, 'role', {}, ...
-                   'met', {}, 'share', {});
+                   'met', {}, 'share', {}, 'state', {}, 'mean', {}, ...
+                   'meanSd', {}, 'runs', {});
   targets = jsonAt (c, {'targets'});
   if isempty (c)
     targets = jsonAt (gap, {'where', 'targets'});
@@ -22,6 +23,7 @@ function misses = listMisses (c, gap)
     misses(t) = missOf (jsonAt (targets, {t}));
   end
   if ~isempty (c)
+    misses = withRuns (misses, c);
     misses = judgeHeldOut (misses, c);
     misses = foldCurves (misses, c);
   end
@@ -39,7 +41,9 @@ function m = missOf (T)
               'measured', field ('target', NaN), ...
               'simulated', field ('estimate', field ('result', NaN)), ...
               'miss', NaN, 'allowed', field ('allowed', NaN), ...
-              'role', T.role, 'met', NaN, 'share', abs (field ('z', NaN)) / 2);
+              'role', T.role, 'met', NaN, 'share', abs (field ('z', NaN)) / 2, ...
+              'state', '', 'mean', field ('result', NaN), ...
+              'meanSd', field ('resultSd', NaN), 'runs', 0);
   m.miss = m.simulated - m.measured;
   residual = field ('residual', NaN);
   tol = field ('tol', NaN);
@@ -53,6 +57,19 @@ function m = missOf (T)
       m.share = abs (m.miss) / m.allowed;
     end
     m.met = double (field ('met', m.met > 0));
+    m.state = field ('state', '');
+  end
+end
+
+% Where runs were made, met and missed are said of what they and all runs
+% together agree on; the others are open.
+function misses = withRuns (misses, c)
+  n = jsonAt (c, {'runs'});
+  for k = 1:numel (misses) * ~isempty (n)
+    misses(k).runs = n;
+    if n > 0 && strcmp (misses(k).state, 'open')
+      misses(k).met = NaN;
+    end
   end
 end
 

@@ -34,6 +34,7 @@ function v = writeCalibrationJson (c, Case)
   end
   out.known = knownOf (Case);
   out.labels = named (labelsOf (Case));
+  out.outcomes = c.outcomes;
   out = mergeFields (out, c, {'runs', 'probability', 'demRuns', ...
                               'coreSeconds', 'atLimit', 'notIdentified'});
   out.unfixed = c.identifiability.text;
@@ -70,6 +71,8 @@ function targets = targetsOf (c, Case)
   T = Case.targets;
   met = num2cell (c.met(:)');
   met(~strcmp ({T.role}, 'calibrate')) = {[]};
+  state = c.state;
+  state(~strcmp ({T.role}, 'calibrate')) = {''};
   curve = {T.series};
   curve([T.curve] == 0) = {''};
   row = @(values) num2cell (values(:)');
@@ -82,7 +85,9 @@ function targets = targetsOf (c, Case)
                     'interval90', num2cell (c.resultInterval90, 1), ...
                     'allowed', arrayfun (@halfWidth, T, ...
                                          'UniformOutput', false), ...
-                    'estimate', row (c.estimate), 'met', met, 'curve', curve);
+                    'estimate', row (c.estimate), 'met', met, ...
+                    'state', state, 'resultSd', row (c.resultSd), ...
+                    'curve', curve);
   targets = num2cell (targets);
 end
 

@@ -85,13 +85,13 @@ function html = resultTable (page)
   misses = page.verdict.misses;
   misses = misses(~strcmp ({misses.role}, 'unmeasured'));
   head = {'target', '<span class="words short">met?</span>', 'measured', ...
-          'simulated', 'allowed &plusmn;', 'with the effect', ...
-          'the box reaches'};
-  shown = [1:5, 7];
+          meanHead(page), 'all runs together', 'allowed &plusmn;', ...
+          'with the effect', 'the box reaches'};
+  shown = [1:6, 8];
   why = '';
   if page.showsEffect && ...
      ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}))
-    shown = 1:7;
+    shown = 1:8;
     why = ['<p>With the effect: ', lower(whyTwoSets ()(1)), ...
            whyTwoSets()(2:end), '</p>'];
   end
@@ -107,7 +107,7 @@ function cells = resultRow (page, m)
   place = [' <span class="none">', htmlText(m.model)];
   if isempty (t)
     cells = {[htmlText(m.name), place, ', curve</span>'], metWord(m), '', ...
-             '', '', '', [numberText(m.share), ' times what is allowed']};
+             '', '', '', '', [numberText(m.share), ' times what is allowed']};
     return
   end
   at = @(field) pageNumber (page, 'plain', 'calibration', 'targets', t, field);
@@ -118,15 +118,28 @@ function cells = resultRow (page, m)
   cure = {'howFar', 'targets'};
   k = targetAt (jsonAt (page.sources.gap, cure), m);
   cells = {[nameOf(page, t), place, '</span>'], metWord(m), at('target'), ...
-           at(simulated), numberText(m.allowed), ...
+           at('result'), at(simulated), numberText(m.allowed), ...
            pageNumber(page, 'plain', 'gap', cure{:}, k, 'after'), ...
            [numberText(page.reach(t, 1)), ' to ', ...
             numberText(page.reach(t, 2))]};
 end
 
+function text = meanHead (page)
+  n = jsonAt (page.sources.calibration, {'runs'});
+  text = 'DEM, no run there';
+  if isequal (n, 1)
+    text = 'DEM, one run';
+  elseif ~isempty (n) && n > 0
+    text = sprintf ('DEM, mean of %d runs', n);
+  end
+end
+
 function html = metWord (m)
   [class, word] = deal ('', 'not measured');
-  if m.met == 0
+  [~, open] = missTexts (m);
+  if ~isempty (open)
+    word = ['open: ', open];
+  elseif m.met == 0
     [class, word] = deal (' off', 'missed');
   elseif m.met == 1 && strcmp (m.role, 'holdout')
     [class, word] = deal (' ok', 'predicted');

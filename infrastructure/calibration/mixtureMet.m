@@ -1,0 +1,74 @@
+% MIXTUREMET  Probability that all is met where some runs end in another way.
+%
+% CALL: [P, SHARE] = mixtureMet (R, S, PROBLEM, DF, AT)
+%
+%   R, S, DF  see allMet: of the usual outcome; PROBLEM.odd  see oddRuns; without
+%             it, or where it is [], P is that of allMet; its field further
+%             (optional): so many more runs at the set that end as usual
+%   AT        n x d, the sets
+%   P         n x 1: the mean over both outcomes is within all tolerances
+%   SHARE     n x 1, expected share of runs that end in the other way
+%
+% The share q of the other outcome at a set is Beta (a, b + 1) distributed: a odd
+% runs and b others, each counted by exp (-(u / 0.15)^2 / 2) at u box widths (the
+% diagonal is sqrt (d)). So far from all odd runs nothing changes, and at a set
+% next to one it takes many runs without another odd one to bound q: the mean
+% over both outcomes moves by q times the jump.
+
+function [p, share] = mixtureMet (r, s, problem, df, at)
+  share = zeros (rows (at), 1);
+  odd = givenField (problem, 'odd', []);
+  isNear = false (rows (at), 1);
+  if ~isempty (odd)
+    W = weights (at, odd.X, problem);
+    a = sum (W, 2);
+    b = sum (weights (at, odd.all, problem), 2) - a + ...
+        givenField (odd, 'further', 0);
+    share = a ./ (a + max (b, 0) + 1);
+    isNear = a > 0.02;
+  end
+  p = zeros (rows (at), 1);
+  p(~isNear) = allMet (r(~isNear, :), s(~isNear, :), problem, df);
+  if ~any (isNear)
+    return
+  end
+  [~, slope] = targetResidual (problem, at(isNear, :), ...
+                               repmat (problem.value, sum (isNear), 1));
+  jump = slope .* ((W(isNear, :) * odd.jump) ./ a(isNear));
+  levels = ((1:8) - 0.5) / 8;
+  for level = levels
+    q = betaincinv (level, a(isNear), max (b(isNear), 0) + 1);
+    p(isNear) = p(isNear) + allMet (r(isNear, :) + q .* jump, ...
+                                    s(isNear, :), problem, df) / 8;
+  end
+end
+
+function W = weights (at, X, problem)
+  width = diff (problem.limits) * sqrt (columns (X));
+  W = zeros (rows (at), rows (X));
+  for i = 1:rows (X)
+    W(:, i) = exp (-sumsq ((at - X(i, :)) ./ width, 2) / (2 * 0.15^2));
+  end
+end
+
+%!shared problem, p
+%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
+%!             'targets', struct ('value', 2, 'tol', 0.05));
+%! problem = newProblem (C, []);
+%! p = mixtureMet (0, 0.01, problem, 1e6, 0.5);
+%!test
+%! % no odd run, or far away: one outcome
+%! assert (p, 1, 1e-4);
+%! problem.odd = struct ('X', 0, 'all', [0; 0; 0.5; 0.5], 'jump', -2);
+%! assert (mixtureMet (0, 0.01, problem, 1e6, 0.9), p, 1e-6);
+%!test
+%! % one of n runs at the set gives nothing: the share is Beta (1, n), and must
+%! % be below 0.05: 1 - 0.95^n
+%! for n = [5, 60]
+%!   problem.odd = struct ('X', 0.5, 'all', 0.5 * ones (n, 1), 'jump', -2);
+%!   [p, share] = mixtureMet (0, 1e-6, problem, 1e6, 0.5);
+%!   assert (p, 1 - 0.95^n, 0.07);
+%!   assert (share, 1 / (n + 1), 1e-9);
+%! end
+%! problem.odd.further = 200;
+%! assert (mixtureMet (0, 1e-6, problem, 1e6, 0.5), 1, 1e-3);

@@ -1,0 +1,84 @@
+% ODDRUNS  Runs that ended in another way than the others at their set do.
+%
+% CALL: ODD = oddRuns (STATE, PROBLEM)
+%
+%   ODD  struct: X k x d, jump k x T (result less what the surrogates say), of
+%        the odd runs; all n x d, the sets of all runs that have a result; [] where
+%        no run is odd
+%
+% Odd are runs that were left out, as a second run at their set is what the
+% others foretell (findBadRuns), and the smaller part of three or more runs at
+% one set which a gap parts: wider than four times what either part spans, and
+% than all tolerances. A bin that flows or clogs, a heap that holds or slides.
+
+function odd = oddRuns (state, problem)
+  odd = [];
+  data = runsThatCount (state.data, problem);
+  isLeft = any (horzcat (state.surrogates.leftOut), 2);
+  isLeft(end + 1:rows (state.data.X), 1) = false;
+  isLeft = isLeft(all (state.data.E == problem.fine, 2));
+  known = all (isfinite (data.Z(:, problem.calibrate)), 2);
+  X = data.X(known, :);
+  Z = data.Z(known, :);
+  isOdd = isLeft(known) | isSplit (X, Z, problem);
+  if any (isOdd)
+    odd = struct ('X', X(isOdd, :), 'all', X);
+    odd.jump = Z(isOdd, :) - usualOf (X, Z, isOdd, state.surrogates);
+  end
+end
+
+% What the others gave at the set of each odd run, else the surrogates.
+function U = usualOf (X, Z, isOdd, surrogates)
+  rowsOf = find (isOdd)';
+  U = predictSurrogate (surrogates, X(isOdd, :));
+  for k = 1:numel (rowsOf)
+    mates = all (X == X(rowsOf(k), :), 2) & ~isOdd;
+    if any (mates)
+      U(k, :) = mean (Z(mates, :), 1);
+    end
+  end
+end
+
+function isOdd = isSplit (X, Z, problem)
+  isOdd = false (rows (X), 1);
+  [~, ~, set] = unique (X, 'rows');
+  for k = find (accumarray (set, 1)' > 2)
+    own = find (set == k);
+    for t = find (problem.calibrate)
+      isOdd(own) = isOdd(own) | smallerPart (Z(own, t), problem.tol(t) * ...
+                                             abs (problem.scale(t)));
+    end
+  end
+end
+
+function isPart = smallerPart (z, tolerance)
+  [sorted, order] = sort (z);
+  n = numel (z);
+  isPart = false (n, 1);
+  [gap, at] = max (diff (sorted));
+  spans = [sorted(at) - sorted(1), sorted(end) - sorted(at + 1)];
+  if 2 * at ~= n && gap > 4 * max (spans) && gap > 2 * tolerance
+    part = 1:at;
+    if 2 * at > n
+      part = at + 1:n;
+    end
+    isPart(order(part)) = true;
+  end
+end
+
+%!test
+%! [problem, state, ~, f] = smallCalibration ();
+%! assert (isempty (oddRuns (state, problem)));
+%! Z = f ([0.5, 1]) .* (1 + 0.003 * [1, 0; -1, 0; 0, 1; 0, 0]);
+%! Z(2, :) = 0.3 * Z(2, :);
+%! state.data = addRows (state.data, repmat ([0.5, 1], 4, 1), Z, (1:4)', ...
+%!                       'replicate');
+%! for t = 1:2
+%!   state.surrogates(t).leftOut(16, 1) = false;
+%! end
+%! odd = oddRuns (state, problem);
+%! assert ({odd.X, size(odd.all)}, {[0.5, 1], [16, 2]});
+%! assert (odd.jump, -0.7 * f ([0.5, 1]), 0.05);
+%! % a run that was left out is one
+%! state.surrogates(1).leftOut(3) = true;
+%! assert (rows (oddRuns (state, problem).X), 2);

@@ -1,0 +1,11 @@
+% Issue 47, 2 and 8: two stages of one campaign, each with one target, and a run
+% that is off by 40 scatters: the calibration ended in a crash.
+
+%!test
+%! folder = reportedCase ('stages');
+%! [status, out] = startCommand (folder, 'run');
+%! assert (status == 2, out);
+%! assert (! isempty (strfind (out, '24 runs taken in')));
+%! % nothing can be run once more: it counts, and that is said
+%! assert (! isempty (regexp (out, ['gave angle = 34.72; the other runs ' ...
+%!                                  'foretell 30.*so it counts'])), out);
