@@ -45,8 +45,8 @@ function known = withSet (known, p, state, problem, allowed)
   if doesFit (p, state, problem, allowed)
     known.interval90 = [min(known.interval90(1, :), p); ...
                         max(known.interval90(2, :), p)];
-    known.identified = diff (known.interval90, 1, 1) < ...
-                       problem.options.loose * diff (problem.limits);
+    known.identified = diff (toUnit (known.interval90, problem.limits)) < ...
+                       problem.options.loose;
   elseif isempty (known.code)
     known.code = 'compromise';
     known.note = ['of the likeliest sets, each target weighed by its noise; ' ...
@@ -77,11 +77,12 @@ end
 function off = nearestMiss (P, state, problem)
   data = runsThatCount (state.data, problem);
   [sets, ~, set] = unique (data.X, 'rows');
-  width = diff (problem.limits);
+  U = toUnit (P, problem.limits);
+  V = toUnit (sets, problem.limits);
   off = zeros (rows (P), numel (problem.value));
   near = zeros (rows (P), rows (sets));
   for i = 1:rows (sets)
-    near(:, i) = max (abs ((P - sets(i, :)) ./ width), [], 2);
+    near(:, i) = max (abs (U - V(i, :)), [], 2);
   end
   [least, i] = min (near, [], 2);
   m = predictSurrogate (state.surrogates, sets);

@@ -44,10 +44,12 @@ function [p, share] = mixtureMet (r, s, problem, df, at)
 end
 
 function W = weights (at, X, problem)
-  width = diff (problem.limits) * sqrt (columns (X));
-  W = zeros (rows (at), rows (X));
-  for i = 1:rows (X)
-    W(:, i) = exp (-sumsq ((at - X(i, :)) ./ width, 2) / (2 * 0.15^2));
+  U = toUnit (at, problem.limits);
+  V = toUnit (X, problem.limits);
+  size = 0.15 * sqrt (columns (X));
+  W = zeros (rows (U), rows (V));
+  for i = 1:rows (V)
+    W(:, i) = exp (-sumsq ((U - V(i, :)) / size, 2) / 2);
   end
 end
 
