@@ -73,17 +73,21 @@
 %! end
 
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
-%! % each effect at both ends of its limits runs on the small shear cell or slot
-%! % bin, and the grains end elsewhere
-%! null.Shear = benchTrial ('Shear', benchScale ('Shear'));
-%! null.SlotBin = benchTrial ('SlotBin', benchScale ('SlotBin'));
+%! % each effect at both ends of its limits runs on the first small bench that
+%! % expresses it, and the grains end elsewhere; the column stands on a slope
+%! order = {'Shear', 'SlotBin', 'Heap', 'Collapse'};
+%! for bench = order
+%!   small.(bench{1}) = benchScale (bench{1});
+%! end
+%! small.Collapse.tiltCommanded = 10;
+%! for bench = order
+%!   null.(bench{1}) = benchTrial (bench{1}, small.(bench{1}));
+%! end
+%! can = @(b, e) effectsOfModel (fullfile (root, 'DEMmodels', b), e);
 %! for e = ofDem ()
-%!   bench = 'Shear';
-%!   if ~effectsOfModel (fullfile (root, 'DEMmodels', bench), e)
-%!     bench = 'SlotBin';
-%!   end
+%!   bench = order{find (cellfun (@(b) can (b, e), order), 1)};
 %!   for end_ = find (any (e.limits ~= e.neutral, 2))'
-%!     set = withEffect (benchScale (bench), e, e.limits(end_, :));
+%!     set = withEffect (small.(bench), e, e.limits(end_, :));
 %!     [text, fault] = benchTrial (bench, set);
 %!     assert (fault, '');
 %!     assert (~isequal (text, null.(bench)), e.name);
@@ -100,9 +104,11 @@
 %! set.dragRate = 5;
 %! [~, fault] = benchTrial ('SlotBin', set);
 %! assert (fault, '');
-%! set.liquidContent = 0.01;
-%! [~, fault] = benchTrial ('SlotBin', set);
-%! assert (~isempty (strfind (fault, 'cohesion and liquidContent together')));
+%! for other = {'liquidContent', 'adhesionPP'}
+%!   both = setfield (set, other{1}, 0.01);
+%!   [~, fault] = benchTrial ('SlotBin', both);
+%!   assert (~isempty (strfind (fault, 'has one of them at a time')));
+%! end
 
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
 %! % single grains at the stop of a short floor are kept and do no harm; a front
@@ -132,6 +138,9 @@
 %! row = [];
 %! for k = 1:rows (cells)
 %!   one = withEffect (struct (), getEffect (cells{k, 1}), value(k, 2));
+%!   if strcmp (cells{k, 1}, 'tiltShare')
+%!     one.tiltCommanded = 10;
+%!   end
 %!   for seed = [10099, 10103, 10111, 10133](1:1 + 3 * (abs (value(k, 7)) < 6))
 %!     one.runSeed = seed;
 %!     bench{end + 1} = cells{k, 3};

@@ -1,7 +1,7 @@
 % EFFECTSIGNS  Measures what each effect does to each result of each bench.
 %
 % CALL: effectSigns (WORK, BENCHES, NNULL, NFULL)
-%       effectSigns (WORK, BENCHES, NNULL, NFULL, ONLYFINISHED)
+%       effectSigns (WORK, BENCHES, NNULL, NFULL, ONLYFINISHED, NAMES)
 %
 % WORK     text, folder of the runs; finished runs in it are reused
 % BENCHES  cell of names of benches
@@ -9,42 +9,54 @@
 % NFULL    number of seeds at full strength (the limit farther from neutral,
 %          the upper one where both are as far)
 % ONLYFINISHED  true: no run is made, the finished ones count (default false)
+% NAMES    cell of names of effects: of all others the lines of the table stay
 %
 % Writes benchmarks/results/effectSigns.csv (effect, strength, bench, target,
 % change, noiseSd, z = change / noiseSd, sign: 0 where the change is below two
 % standard errors; target none and sign failed where no run came to its end) and
 % benchNoise.csv (bench, target, unit, mean, sd of one run, relative sd,
 % spheres, CPU seconds). An effect of the laboratory acts on the means of the
-% null runs, no run is made for it.
+% null runs, no run is made for it. A share of a commanded tilt is measured where
+% one is commanded: 10 degrees, also in the runs without the effect.
 %
 % About an hour of one core with 8 and 2 seeds.
 %
 % See also: benchRun, effectTable
-function effectSigns (work, benches, nNull, nFull, onlyFinished)
+function effectSigns (work, benches, nNull, nFull, onlyFinished, names)
   if nargin < 5
     onlyFinished = false;
+  end
+  if nargin < 6
+    names = listEffects ();
   end
   place = struct ('work', work, 'onlyFinished', onlyFinished);
   root = startBenchmarks ();
   folder = fullfile (root, 'benchmarks', 'results');
   effects = resolveEffects (listEffects ());
+  kept = linesBut (fullfile (folder, 'effectSigns.csv'), names);
   signs = fopen (fullfile (folder, 'effectSigns.csv'), 'w');
   noise = fopen (fullfile (folder, 'benchNoise.csv'), 'w');
-  fprintf (signs, "effect,strength,bench,target,change,noiseSd,z,sign\n");
+  fprintf (signs, "effect,strength,bench,target,change,noiseSd,z,sign\n%s", ...
+           kept);
   fprintf (noise, "bench,target,unit,mean,sd,relativeSd,spheres,seconds\n");
   for b = 1:numel (benches)
     source = fullfile (root, 'DEMmodels', benches{b});
     info = resultInfo (source);
-    [null, cost] = runsOf (place, benches{b}, '', 0, 1:nNull);
-    writeNoise (noise, benches{b}, info, null, cost);
+    [plain, cost] = runsOf (place, benches{b}, {}, 0, 1:nNull);
+    writeNoise (noise, benches{b}, info, plain, cost);
     can = effectsOfModel (source, effects);
-    for e = effects(can)
+    for e = effects(can & ismember ({effects.name}, names))
       strength = fullStrength (e);
+      null = plain;
       if e.laboratory
         full = e.transform (mean (null), strength, info);
         full = repmat (full, size (null, 1), 1);
+      elseif strcmp (e.name, 'tiltShare')
+        null = runsOf (place, benches{b}, {'tiltCommanded'}, 10, 1:nNull);
+        full = runsOf (place, benches{b}, {e.variables{1}, ...
+                                           'tiltCommanded'}, [strength, 10], (1:nFull) + 4);
       else
-        full = runsOf (place, benches{b}, e.variables{1}, strength, ...
+        full = runsOf (place, benches{b}, e.variables(1), strength, ...
                        (1:nFull) + 4);
       end
       writeSigns (signs, {e.name, strength, benches{b}}, info, {null, full});
@@ -54,6 +66,12 @@ function effectSigns (work, benches, nNull, nFull, onlyFinished)
   fclose (noise);
 end
 
+function text = linesBut (file, names)
+  lines = strsplit (fileread (file), "\n")(2:end - 1);
+  isKept = ~ismember (strtok (lines, ','), names);
+  text = sprintf ("%s\n", lines{isKept});
+end
+
 function strength = fullStrength (effect)
   distance = abs (effect.limits(:, 1) - effect.neutral(1));
   far = 2 - (distance(1) > 1.001 * distance(2));
@@ -61,16 +79,17 @@ function strength = fullStrength (effect)
 end
 
 % COST: spheres and CPU seconds, means over the runs
-function [results, cost] = runsOf (place, bench, name, value, which)
+function [results, cost] = runsOf (place, bench, names, values, which)
   results = [];
   cost = zeros (0, 2);
   for seed = benchSeeds (which)
     variables = struct ('runSeed', seed);
-    if ~isempty (name)
-      variables.(name) = value;
+    for k = 1:numel (names)
+      variables.(names{k}) = values(k);
     end
     folder = fullfile (place.work, ...
-                       sprintf ('%s-%s-%g-%d', bench, name, value, seed));
+                       sprintf ('%s-%s%s-%d', bench, strjoin (names, '-'), ...
+                                sprintf ('-%g', values), seed));
     if ~place.onlyFinished || isfile (fullfile (folder, 'output_checks.csv'))
       [row, time] = benchRun (folder, bench, variables);
       if isfile (fullfile (folder, 'output_checks.csv'))

@@ -48,7 +48,7 @@ unpackAndMend () {
   cd "$work/source"
   patch -p1 < "$here/gcc12.patch"
   rm src/dump_mesh_vtk.{cpp,h}      # includes VTK also where VTK is not wanted
-  cp "$here"/{build.mk,precompiled.h} src/
+  cp "$here"/{build.mk,precompiled.h,cohesion_model_dmt.h} src/
   cp "$here/contact_models.whitelist" src/style_contact_model.whitelist
   cd src
   LC_ALL=C sh Make.sh style
@@ -87,7 +87,18 @@ installProgram () {
     echo "compiler: $(g++ --version | head -n 1)"
     echo "contact models compiled for speed:"
     cat "$here/contact_models.whitelist"; } > "$work/done/about.txt"
+  takeIdentity
   mv -T "$work/done" "$folder"
+}
+
+# Where the program of the former sources is here, its runs are runs of this one:
+# keys of runs (hashModels) take what "identity" holds for the build.
+takeIdentity () {
+  local former
+  former=$(buildFolder formerSources)
+  [ -x "$former/bin/liggghts" ] || return 0
+  if [ -f "$former/identity" ]; then cat "$former/identity"
+  else sha256sum < "$former/bin/liggghts" | cut -c 1-64; fi > "$work/done/identity"
 }
 
 # Runs at the end of the script, also of an interrupted one.
@@ -108,7 +119,7 @@ fi
 if "$here/path.sh" > /dev/null 2>&1; then exit; fi
 
 "$here/../setup.sh" build
-folder=$(buildFolder) || {
+folder=$(buildFolder sources) || {
   echo "build.sh: g++ does not accept the flags '$flags'." >&2
   exit 1
 }

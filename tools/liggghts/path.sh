@@ -11,7 +11,7 @@ fail () { echo "path.sh: $*" >&2; exit 1; }
 
 case ${LIGGGHTS:-} in
   '')
-    folder=$(buildFolder) || folder=
+    folder=$(buildFolder sources) || folder=
     [ -x "$folder/bin/liggghts" ] ||
       fail "LIGGGHTS is not built yet. Run 'make liggghts', or set LIGGGHTS=/path/to/liggghts."
     echo "$folder/bin"

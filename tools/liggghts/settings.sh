@@ -13,7 +13,23 @@ tarballSha=c18721d9a870c5170f03b91e4f1ffe13335c66ed1f0ff2c64ebd3be91c37867a
 # less on the processor.
 flags=${LIGGGHTS_CXXFLAGS:--O3 -march=native -ffp-contract=off}
 
-# Prints the folder that a build with these settings has, or would get.
+# What is built: the files that change the program.
+sources () {
+  cat "$here"/{gcc12.patch,contact_models.whitelist,build.mk,precompiled.h} \
+      "$here/cohesion_model_dmt.h"
+}
+
+# The same before the law DMT was added, which moved no digit of a run (measured):
+# runs of that program count as runs of this one, see "identity" in build.sh. A
+# later change that moves no digit either adds a list here; one that does clears it.
+formerSources () {
+  cat "$here/gcc12.patch"
+  grep -v COHESION_DMT "$here/contact_models.whitelist"
+  cat "$here"/{build.mk,precompiled.h}
+}
+
+# Prints the folder that a build of these sources has, or would get: buildFolder
+# sources, or formerSources.
 # The name changes with all that changes the program, also with the processor:
 # -march=native on another one would end in "illegal instruction".
 buildFolder () {
@@ -22,7 +38,7 @@ buildFolder () {
   target=$(g++ $flags -Q --help=target 2>/dev/null) || return 1
   key=$( { echo "$tarballSha $flags $target"
            g++ -dumpfullversion
-           cat "$here"/{gcc12.patch,contact_models.whitelist,build.mk,precompiled.h}
+           "$1"
          } | sha256sum | cut -c 1-12)
   echo "$cache/liggghts-$key"
 }
