@@ -16,7 +16,8 @@
 % the surrogates do not know of the mean response is as smooth as the curve. The
 % leave-one-out residuals hold both.
 %
-% Covariance: sd_i sd_j exp (-distance / length) of the measurement; of one
+% Covariance: sd_i sd_j exp (-distance / length) of the measurement, less what
+% the sessions make of it (PROBLEM.shared), which the whole curve shares; of one
 % packing, its standard deviations times the rough correlation; of the
 % surrogates, sqrt (v_i v_j) times the smooth one. The last two are widened to
 % the variance of a Student variable. No Student density of the whole curve: its
@@ -33,6 +34,8 @@ function [curves, nFree] = curveErrors (surrogates, problem)
     own = surrogates(points);
     c = struct ('points', points, 'value', problem.value(points), ...
                 'sd', problem.sd(points), 'distance', abs (place' - place));
+    c.shared = givenField (problem, 'shared', 0 * problem.sd)(points);
+    c.own = sqrt (max (c.sd.^2 - c.shared.^2, 0));
     c.packingVar = [own.noiseVar] ./ problem.trials(points);
     c.scatter = any (problem.scatter(points));
     [c.rough, c.smooth] = correlations (looRows (own), c.distance);
@@ -100,12 +103,12 @@ function fit = curveLikelihood (c, m, v, free)
   packing = c.packingVar;
   if c.scatter
     % the scatter of the trials holds their packings
-    packing = max (packing - c.sd.^2, 0);
+    packing = max (packing - c.own.^2, 0);
   end
   df = max (c.df, 3);
   wider = df / (df - 2);
   packingSd = sqrt (wider * packing);
-  fixed = (packingSd' * packingSd) .* c.rough;
+  fixed = (packingSd' * packingSd) .* c.rough + c.shared' * c.shared;
   surrogateSd = sqrt (wider * v + eps (max (c.value.^2)));
   S = [];
   for i = 1:n
@@ -128,10 +131,11 @@ function S = covariance (c, free)
   if c.length > 0
     R = exp (-c.distance / c.length);
   end
+  sd = c.own;
   if ~c.sdKnown
-    c.sd = c.half * 0.02 * 100^free(end);
+    sd = c.half * 0.02 * 100^free(end);
   end
-  S = (c.sd' * c.sd) .* surely (R);
+  S = (sd' * sd) .* surely (R);
 end
 
 %!function c = errors (E)
@@ -193,9 +197,11 @@ end
 %! assert (density (struct ('sd', 0), 0.5, 3, 0.5), f (10.8), 1e-5);
 
 %!test
-%! % two points that move together weigh as one
+%! % two points that move together weigh as one, also by the day they are of
 %! fall = @(changes) density (changes, [2, 2], [0, 0], zeros (1, 0)) - ...
 %!                   density (changes, [5, 5], [0, 0], zeros (1, 0));
 %! sure = struct ('trials', [Inf, Inf]);
 %! assert (fall (sure), 0.5, 1e-3);
 %! assert (fall (setfield (sure, 'correlation', [0, 0])), 1, 1e-3);
+%! sure.shared = [3, 3];
+%! assert (fall (setfield (sure, 'correlation', [0, 0])), 0.5, 1e-3);

@@ -44,7 +44,7 @@ function [gapProblem, lengths] = correlateSeries (gapProblem, em, options)
   sd(~isfinite (sd)) = 0;
   gapProblem.covariance = ...
     measurementCovariance (sd, gapProblem.series, gapProblem.coordinate, ...
-                           lengths);
+                           lengths, gapProblem.shared);
   if ~isempty (known)
     free = lengths' == 0 & lengths == 0;
     gapProblem.covariance(free) = known(free);

@@ -115,8 +115,8 @@ end
 function gapProblem = ofTargets (gapProblem, kept)
   names = {'value', 'sd', 'bench', 'held', 'series', 'coordinate', ...
            'noiseSd', 'targetNames', 'trials', 'estimateSeries', 'sdKnown', ...
-           'scatter', 'curve', 'tol', 'scale', 'correlation', 'calibrate', ...
-           'seriesNames', 'part'};
+           'scatter', 'shared', 'curve', 'tol', 'scale', 'correlation', ...
+           'calibrate', 'seriesNames', 'part'};
   for name = names(isfield (gapProblem, names))
     gapProblem.(name{1}) = gapProblem.(name{1})(kept);
   end
@@ -127,7 +127,7 @@ function gapProblem = ofTargets (gapProblem, kept)
     gapProblem.coarse.column = gapProblem.coarse.column(kept);
   end
   if ~isempty (gapProblem.reference)
-    for name = {'value', 'sd', 'trials', 'scatter'}
+    for name = {'value', 'sd', 'trials', 'scatter', 'shared'}
       gapProblem.reference.(name{1}) = gapProblem.reference.(name{1})(kept);
     end
   end

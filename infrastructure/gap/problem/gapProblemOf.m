@@ -59,26 +59,6 @@ function [given, note] = withGuessedSd (given)
   end
 end
 
-% Of a change: values of the condition; those of the reference are in the field
-% reference, see newGapProblem.
-function given = withCondition (given, Case, c)
-  names = {'value', 'sd', 'trials', 'scatter'};
-  for name = names
-    given.reference.(name{1}) = given.(name{1});
-  end
-  given.reference.perCondition = Case.perCondition;
-  given.reference.condition = Case.conditions{c};
-  for t = 1:numel (Case.targets)
-    own = Case.targets(t).changed(c);
-    if own.sd == 0
-      own.sd = given.sd(t);
-    end
-    for name = names
-      given.(name{1})(t) = own.(name{1});
-    end
-  end
-end
-
 function [given, note] = withCorrelation (given)
   note = {};
   lengths = given.correlation;
@@ -91,9 +71,10 @@ function [given, note] = withCorrelation (given)
   given.estimateSeries = hasNeighbour & isnan (lengths);
   lengths(~hasNeighbour | isnan (lengths)) = 0;
   given.covariance = [];
-  if any (lengths > 0)
+  if any (lengths > 0 | given.shared > 0)
     given.covariance = measurementCovariance (given.sd, given.series, ...
-                                              given.coordinate, lengths);
+                                              given.coordinate, lengths, ...
+                                              given.shared);
   end
   lost = setdiff (given.bench(isAsked), given.bench(hasNeighbour));
   if ~isempty (lost)

@@ -7,7 +7,7 @@
 %   GAPPROBLEM  the same in the new units
 
 function gapProblem = inUnits (gapProblem, unit)
-  for name = {'value', 'sd', 'noiseSd'}
+  for name = {'value', 'sd', 'shared', 'noiseSd'}
     gapProblem.(name{1}) = gapProblem.(name{1}) ./ unit;
   end
   if ~isempty (gapProblem.reference)
@@ -31,7 +31,8 @@ end
 %! effect = struct ('name', 'e', 'laboratory', true, 'offset', [1, 2], ...
 %!                  'matrix', [0.1, 2; 0, 0.3]);
 %! given = struct ('value', [8, 9], 'sd', [1, 1], 'limits', [0; 1], ...
-%!                 'bench', [1, 1], 'covariance', [4, 1; 1, 4]);
+%!                 'bench', [1, 1], 'covariance', [4, 1; 1, 4], ...
+%!                 'shared', [0.5, 0]);
 %! given.effects = effect;
 %! old = newGapProblem (given);
 %! unit = [1e-3, 50];
@@ -40,5 +41,6 @@ end
 %! e = new.effects;
 %! moved = m ./ unit + e.offset + (m ./ unit) * e.matrix;
 %! assert (moved .* unit, m + effect.offset + m * effect.matrix, 1e-12);
+%! assert (new.shared, [500, 0], 1e-9);
 %! assert (new.covariance .* (unit' * unit), given.covariance, 1e-12);
 %! assert (inUnits (new, 1 ./ unit).value, old.value, 1e-12);
