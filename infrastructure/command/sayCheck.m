@@ -119,6 +119,10 @@ function sayEffects (Case)
     cellfun (@(text) printf ('          %s\n', text), ...
              unexpressedEffects (Case), 'UniformOutput', false);
   end
+  if ~isempty (Case.conditions)
+    cellfun (@(text) printf ('%s\n', text), askChange (Case), ...
+             'UniformOutput', false);
+  end
 end
 
 % The first set of the plan, from which a calibration takes it out of the store;

@@ -20,6 +20,11 @@
 %                         n x T results, info 1 x T struct array of resultInfo;
 %                         affine in Z, linear in strength
 %           source        where range and sign come from
+%           usually       'yes' or 'unlikely' (properties of the grains
+%                         themselves): whether it can have changed between two
+%                         measurements of the same grains
+%           canChange     '' (as usually), 'yes', 'unlikely' or 'no': what the
+%                         user says of it, see changeWords
 %
 % Which benches see it is measured: benchmarks/results/effectSigns.csv.
 %
@@ -37,7 +42,7 @@ function effect = describeEffect (given)
                    'neutral', [], 'limits', [], 'priorScale', [], ...
                    'unit', '', 'label', given.name, 'group', given.name, ...
                    'laboratory', false, 'kinds', {{}}, 'transform', [], ...
-                   'source', '');
+                   'source', '', 'usually', 'yes', 'canChange', '');
   names = fieldnames (effect);
   for k = find (isfield (given, names)).'
     effect.(names{k}) = given.(names{k});

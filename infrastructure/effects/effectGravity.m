@@ -12,5 +12,6 @@ function effect = effectGravity ()
   given.label = 'factor on gravity';
   given.source = ['the speed of a centrifuge is known to a few per cent; ' ...
                   'give limits of your own for another planet'];
+  given.usually = 'unlikely';
   effect = describeEffect (given);
 end

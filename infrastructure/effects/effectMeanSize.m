@@ -11,5 +11,6 @@ function effect = effectMeanSize ()
   given.label = 'factor on grain size';
   given.group = 'size';
   given.source = 'Beverloo 1961: the discharge feels (D - k d)';
+  given.usually = 'unlikely';
   effect = describeEffect (given);
 end

@@ -11,5 +11,6 @@ function effect = effectRestitution ()
   given.label = 'factor on ln (restitution)';
   given.source = ['Yan et al. 2015: little influence on angle of ' ...
                   'repose and discharge'];
+  given.usually = 'unlikely';
   effect = describeEffect (given);
 end

@@ -13,5 +13,6 @@ function effect = effectRolling ()
   given.group = 'grain shape';
   given.source = ['Wensrich and Katterfeld 2012 (rolling friction' ...
                   ' as a stand-in for shape)'];
+  given.usually = 'unlikely';
   effect = describeEffect (given);
 end

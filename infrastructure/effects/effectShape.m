@@ -12,5 +12,6 @@ function effect = effectShape ()
   given.group = 'grain shape';
   given.source = ['two-sphere clumps of one volume with the ' ...
                   'sphere; LIGGGHTS fix multisphere'];
+  given.usually = 'unlikely';
   effect = describeEffect (given);
 end

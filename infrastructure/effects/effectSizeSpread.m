@@ -11,5 +11,6 @@ function effect = effectSizeSpread ()
   given.label = 'standard deviation over mean of the grain size';
   given.group = 'size';
   given.source = 'three sizes by number 1:2:1, Sauter diameter kept';
+  given.usually = 'unlikely';
   effect = describeEffect (given);
 end

@@ -11,5 +11,6 @@ function effect = effectStiffness ()
   given.label = 'factor on Young''s modulus';
   given.source = ['Yan et al. 2015; moduli are lowered in DEM to ' ...
                   'lengthen the time step'];
+  given.usually = 'unlikely';
   effect = describeEffect (given);
 end

@@ -16,7 +16,7 @@
 %              LIST is empty or has faults
 %   P          1 x n faults, see checkFault; not asked for, the first is thrown
 %
-% Reasons: badEffects unknownField badEffectName reservedName duplicateEffect
+% Reasons: effectCanChange badEffects unknownField badEffectName reservedName duplicateEffect
 % unknownEffect brokenEffect overwrittenVariable duplicateEffectVariable, and
 % those of checkEffectNumbers
 %
@@ -98,7 +98,10 @@ function [p, entry] = checkEntry (entry, field, names)
   known = {'name', 'variables', 'neutral', 'limits', 'label', 'unit', ...
            'group', 'laboratory', 'question', 'priorScale', 'benches', ...
            'confusedWith', 'kinds', 'transform', 'source'};
-  p = [checkFields(entry, field, known), ...
+  change = {'canChange', 'effectCanChange', '''yes'', ''unlikely'' or ''no''', ...
+            @(v) any (strcmp (v, {'yes', 'unlikely', 'no'})), 'other', ...
+            false, 'Say whether it can differ from the reference.'};
+  p = [checkFields(entry, field, known, change), ...
        checkEffectName(entry.name, [field, '.name'], names)];
   if ~checkIs ('name', entry.name)
     entry = [];
@@ -203,6 +206,7 @@ end
 %! [~, p] = resolveEffects (e, {}, struct ('k', 0), {'a'});
 %! assert (isempty (p));
 %!assert (idsOf ('tlt'), {'unknownEffect'})
+%!assert (idsOf (setfield (e, 'canChange', 'maybe')), {'effectCanChange'})
 %!assert (idsOf (setfield (e, 'name', 'unlisted')), {'reservedName'})
 %!assert (idsOf (e, {}, struct (), {'k'}), {'overwrittenVariable'})
 %!assert (idsOf (e, {}, struct ('k', 3), {}), {'overwrittenVariable'})

@@ -3,7 +3,9 @@
 % CALL: CASE = withEffects (CASE)
 %       CASE = withEffects (CASE, LIST)
 %
-%   CASE  see newCase; comes back with effects and their variables in effectVars
+%   CASE  see newCase; comes back with effects, their variables in effectVars, and
+%         unchanged (cell: names of those that, of a change, the user says cannot
+%         have changed; they are no effects then)
 %   LIST  the candidates, as loadEffects gives them (default: those of
 %         loadEffects.m of the case or of the toolbox); may be empty
 %
@@ -19,6 +21,12 @@ function Case = withEffects (Case, list)
   [Case.effects, faults] = resolveEffects (list, folders, Case.modelVars, ...
                                            Case.names);
   stopAt (faults);
+  Case.unchanged = {};
+  if ~isempty (givenField (Case, 'conditions', {})) && ~isempty (Case.effects)
+    isOut = strcmp (changeWords (Case.effects), 'no');
+    Case.unchanged = {Case.effects(isOut).name};
+    Case.effects = Case.effects(~isOut);
+  end
   Case.effectVars = {Case.coarse.variable};
   for effect = Case.effects
     Case.effectVars = [Case.effectVars, effect.variables(:)'];
@@ -80,6 +88,14 @@ end
 %!        "'limits', [0; 1])"];
 %! assert (withOwn (['{''tilt'', ', own, '}']).effectVars, {'tiltAngle', 'e'});
 %!assert (numel (withOwn ("{'gain', 'tilt'}").effects), 2)
+%!test
+%! % what cannot have changed is no candidate of a change, but one of a gap
+%! Case = newCase (standInCase (tempname ()));
+%! list = {'gain', struct('name', 'tilt', 'canChange', 'no')};
+%! assert (numel (withEffects (Case, list).effects), 2);
+%! Case.conditions = {'moist'};
+%! Case = withEffects (Case, list);
+%! assert ({Case.effects.name, Case.unchanged{:}}, {'gain', 'tilt'});
 %!error id=DEcalioc:withEffects:brokenEffects withOwn ('nope')
 %!error id=DEcalioc:withEffects:brokenEffects withOwn ("{'gain', ")
 %!error id=DEcalioc:checkCase:unknownVariable

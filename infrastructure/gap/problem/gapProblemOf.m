@@ -34,8 +34,14 @@ function [given, notes] = gapProblemOf (Case, c)
   end
   library = libraryGroups (Case);
   info = targetInfo (Case);
-  for effect = Case.effects
-    given.effects = [given.effects, oneEffect(effect, info, given, library)];
+  [~, factors] = changeWords (Case.effects);
+  isChange = ~isempty (givenField (Case, 'conditions', {}));
+  for k = 1:numel (Case.effects)
+    e = oneEffect (Case.effects(k), info, given, library);
+    if isChange
+      e.factor = factors(k);
+    end
+    given.effects = [given.effects, e];
   end
 end
 
@@ -102,7 +108,7 @@ function e = oneEffect (effect, info, given, library)
               'limits', effect.limits, 'laboratory', effect.laboratory, ...
               'siblings', {{}}, 'offset', zeros (1, T), ...
               'offsetSd', zeros (1, T), 'matrix', zeros (T), ...
-              'strongest', 1, 'range', [], 'scale', 2);
+              'strongest', 1, 'range', [], 'scale', 2, 'factor', 1);
   same = strcmp ({library.group}, effect.group) & ...
          ~strcmp ({library.name}, effect.name);
   e.siblings = {library(same).name};

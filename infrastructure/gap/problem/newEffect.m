@@ -15,6 +15,8 @@
 %     strongest  scalar, value of the effect at phi = 1 (laboratory only; 1)
 %     range     1 x 2, strength phi: [0, 1], or [-1, 1] where neutral lies
 %               inside the limits or the laboratory may err both ways
+%     factor    what its prior probability is multiplied by, against that of
+%               the others (1)
 %     scale     prior scale of |phi| (2, nearly flat: the limits
 %               are what is plausible): phi is half-normal (normal, where
 %               signed), cut to the range
@@ -34,7 +36,7 @@ function effect = newEffect (given, T)
                    'limits', zeros (2, 0), 'laboratory', false, ...
                    'siblings', {{}}, 'offset', zeros (1, T), ...
                    'offsetSd', zeros (1, T), 'matrix', zeros (T), ...
-                   'strongest', 1, 'range', [], 'scale', 2);
+                   'strongest', 1, 'range', [], 'scale', 2, 'factor', 1);
   fields = fieldnames (effect);
   for k = 1:numel (fields)
     if isfield (given, fields{k}) && ~isempty (given.(fields{k}))

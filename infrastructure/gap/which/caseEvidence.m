@@ -159,7 +159,7 @@ function list = pairsOf (models, fits, i, screen)
   for m = rows (pairs):-1:1
     fit = fitEffects (models, fits, i, pairs(m, :), models.prior);
     list(m) = entry (newHypothesis ('pair', pairs(m, :)), models.white, ...
-                     models.pairPrior, fit, 1);
+                     models.pairPrior(pairs(m, 1), pairs(m, 2)), fit, 1);
   end
 end
 

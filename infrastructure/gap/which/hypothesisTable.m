@@ -2,7 +2,8 @@
 %
 % CALL: MODELS = hypothesisTable (MODELS, KINDS, STARTS)
 %
-%   MODELS  struct white (whitenEmulator), prior (see viewHypothesis)
+%   MODELS  struct white (whitenEmulator), prior (see viewHypothesis), factor
+%           (1 x K, of the prior of each effect, see newEffect; default 1)
 %   KINDS   1 x m struct of discrepancyKinds
 %   STARTS  s x p, starts of the null fit, parameters in [-1, 1]
 %   MODELS  the same with
@@ -12,7 +13,7 @@
 %       prior   probability;  from  row whose fits it starts from (0: none)
 %       starts  m x d, normal coordinates of the unknowns beyond those
 %     singles    1 x K, rows of the single effects
-%     pairPrior  probability of each pair of effects
+%     pairPrior  K x K, probability of each pair of effects
 %
 % Order and priors of the rows are known here alone. Pairs are too many to be
 % listed for every data set: caseEvidence adds the likely ones.
@@ -20,13 +21,15 @@
 % No gap has 0.4, pairs 0.1 (none with less than two effects). The rest is
 % shared as if four more causes existed that nobody has listed, half of which
 % resemble a listed one: a list of 2 is believed to be incomplete, one of 40 to
-% hold the cause.
+% hold the cause. An effect that is unlikely beforehand (its factor)
+% counts as that part of a cause, in pairs too; not what resembles it.
 
 function models = hypothesisTable (models, kinds, starts)
   white = models.white;
   prior = models.prior;
   K = numel (white.effect);
-  weights = priorWeights (K);
+  factor = givenField (models, 'factor', ones (1, K));
+  weights = priorWeights (K, sum (factor));
   null = newHypothesis ('null');
   unknowns = viewHypothesis (white, null, prior).unknowns;
   list = struct ('h', null, 'white', white, 'prior', weights.null, 'from', ...
@@ -34,7 +37,7 @@ function models = hypothesisTable (models, kinds, starts)
   for k = 1:K
     one = newHypothesis ('single', k);
     list(end + 1) = struct ('h', one, 'white', white, ...
-                            'prior', weights.single / K, 'from', 1, ...
+                            'prior', weights.single * factor(k), 'from', 1, ...
                             'starts', startsOf (white, one, prior));
   end
   for k = 1:K
@@ -49,16 +52,19 @@ function models = hypothesisTable (models, kinds, starts)
   end
   models.list = list;
   models.singles = 1 + (1:K);
-  models.pairPrior = weights.pair / max (K * (K - 1) / 2, 1);
+  both = triu (factor' * factor, 1);
+  models.pairPrior = weights.pair * (both + both') / ...
+                     max (sum (both(:)), realmin);
 end
 
-% Probability of each kind of explanation, all of its members together.
-function weights = priorWeights (K)
+% Probability of each kind of explanation, all of its members together; of the
+% single effects that of one whose factor is 1. N: their factors together.
+function weights = priorWeights (K, n)
   pair = 0.1 * (K > 1);
   rest = 0.6 - pair;
   alike = 2 * (K > 0);
-  whole = K + alike + 2;
-  weights = struct ('null', 0.4, 'single', rest * K / whole, 'pair', pair, ...
+  whole = n + alike + 2;
+  weights = struct ('null', 0.4, 'single', rest / whole, 'pair', pair, ...
                     'sibling', rest * alike / whole, ...
                     'discrepancy', rest * 2 / whole);
 end
@@ -85,10 +91,22 @@ end
 %!   models.white.effect = repmat (one, 1, K);
 %!   models = hypothesisTable (models, kinds, 0);
 %!   assert (sum ([models.list.prior]) + ...
-%!           models.pairPrior * K * (K - 1) / 2, 1, 1e-12);
+%!           sum (triu (models.pairPrior)(:)), 1, 1e-12);
 %!   last(K + 1) = models.list(end).prior;
 %!   assert (numel (models.list), 2 + 2 * K);
 %!   assert (numel (models.singles), K);
 %! end
 %! assert (last(1), 0.6, 1e-12);
 %! assert (last(11) < last(3));
+%!test
+%! % two of three are unlikely: as a part of a cause each, alone and in pairs
+%! models = handMadeHypotheses ();
+%! kinds = setfield (models.list(end), 'weight', 1);
+%! models.white.effect = repmat (models.white.effect(1), 1, 3);
+%! models.factor = [1, 0.05, 0.05];
+%! models = hypothesisTable (models, kinds, 0);
+%! p = [models.list.prior];
+%! assert (sum (p) + sum (triu (models.pairPrior)(:)), 1, 1e-12);
+%! assert (p(3:4) / p(2), [0.05, 0.05], 1e-12);
+%! assert (models.pairPrior(2, 3) / models.pairPrior(1, 3), 0.05, 1e-12);
+%! assert (p(5), p(6));

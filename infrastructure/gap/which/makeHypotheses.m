@@ -22,8 +22,12 @@ function models = makeHypotheses (gapProblem, em, options, targets)
   models.prior = gapProblem.paramPrior;
   kinds = discrepancyKinds (gapProblem, em, budget, models.white);
   starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
-  models = hypothesisTable (models, kinds, starts);
   models.names = {em.effect.name};
+  models.factor = ones (1, numel (models.names));
+  for e = gapProblem.effects
+    models.factor(strcmp (models.names, e.name)) = e.factor;
+  end
+  models = hypothesisTable (models, kinds, starts);
   models.siblings = siblingsOf (gapProblem, models.names);
   models.options = options;
   models.reference = [];
@@ -45,6 +49,9 @@ end
 %! given.paramSd = [0.1, NaN, NaN, NaN];
 %! models = labStudy (given, lab.plan (30, 3)).models;
 %! assert (models.prior.sd, [0.2, Inf, Inf, Inf], 1e-12);
+%! given.effects(1).factor = 0.05;
+%! rare = labStudy (given, lab.plan (30, 3)).models;
+%! assert (rare.list(2).prior / rare.list(3).prior, 0.05, 1e-12);
 %! hypotheses = [models.list.h];
 %! assert (sum (strcmp ({hypotheses.kind}, 'discrepancy')), 6);
 %! assert (models.siblings{1}, cell (1, 0));

@@ -20,7 +20,7 @@ function v = writeGapJson (diagnosis, Case)
                                 {'targets', 'gainPerCost', 'lines', ...
                                  'isFirm'}));
   out.level = jsonAt (diagnosis, {'level'});
-  out.reference = changeOf (diagnosis);
+  out.reference = changeOf (diagnosis, Case);
   out.demRuns = struct ('sets', diagnosis.runs.spent, ...
                         'failedSets', diagnosis.runs.failed);
   out.demRuns = mergeFields (out.demRuns, diagnosis.budget, ...
@@ -160,7 +160,7 @@ function s = howFarOf (cure, gapProblem)
   end
 end
 
-function s = changeOf (diagnosis)
+function s = changeOf (diagnosis, Case)
   s = [];
   reference = diagnosis.gapProblem.reference;
   if isempty (reference)
@@ -170,6 +170,9 @@ function s = changeOf (diagnosis)
               'lack', diagnosis.change.size, 'targets', {{}}, ...
               'conditions', {num2cell(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});
+  s.canChange = cell2struct ([changeWords(Case.effects), ...
+                              repmat({'no'}, 1, numel (Case.unchanged))], ...
+                             [{Case.effects.name}, Case.unchanged], 2);
   list = diagnosedTargets (diagnosis);
   for T = list(strcmp ({list.role}, 'calibrate'))
     change = struct ('model', T.model, 'name', T.name, ...
