@@ -1,6 +1,7 @@
 % GROUPMEASURED  Makes targets of the lines of measured.csv.
 %
-% CALL: [GROUPS, FAULTS, CONDITIONS] = groupMeasured (LIST, MODELS, FURTHER)
+% CALL: [GROUPS, FAULTS, CONDITIONS, SESSIONS] = ...
+%         groupMeasured (LIST, MODELS, FURTHER)
 %
 %   LIST      struct array of readMeasured
 %   MODELS    cell of the names of the models
@@ -11,37 +12,43 @@
 %             table, see checkUnits), value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
 %             isAbsolute, curve (number of its series, 0: none), each
-%             (1 x n, the trials), changed (1 x C struct value, sd, trials,
-%             scatter, each other condition; value NaN: not measured)
+%             (1 x n, the trials), shared (part of sd that the sessions make),
+%             sessions (cell), changed (1 x C struct value, sd, trials, scatter,
+%             shared, sameSessions (logical: measured in those of the
+%             reference), each other condition; value NaN: not measured)
 %   FAULTS    1 x p faults, see checkFault; reasons: measuredRepeats
 %             measuredCondition
 %   CONDITIONS  1 x C cell, names of the conditions but for the reference, of
 %             which all the other fields are; none where LIST has no conditions
+%   SESSIONS  see sessionRatio
 %
 % Lines with the same model, name, series and at are repeated trials. Their
 % value is the mean; its standard uncertainty is t s / sqrt (n), s the standard
 % deviation of the n lines and t the 84 % quantile of Student's distribution
 % with n - 1 degrees of freedom (GUM, type A; few trials know their own scatter
 % badly), joined with the sd of the lines, which is what they have in common.
+% Where lines have sessions, see meanOfSessions.
 % The value of a point of a curve is named <name or series>@<at>, unless the
 % name stands in one place only; see distinctNames.
 
-function [groups, p, conditions] = groupMeasured (list, models, further)
+function [groups, p, conditions, sessions] = groupMeasured (list, models, ...
+                                                            further)
   if nargin < 3
     further = {};
   end
   p = checkFault ();
+  sessions = sessionRatio (list);
   isOther = ~ismember ({list.condition}, {'', 'reference'});
   conditions = unique ({list(isOther).condition}, 'stable');
   others = cellfun (@(c) list(strcmp ({list.condition}, c)), conditions, ...
                     'UniformOutput', false);
   list = withPlaces (list(~isOther));
   trials = byQuantity (list);
-  faults = cellfun (@checkAlike, trials, 'UniformOutput', false);
-  p = [p, faults{:}];
-  groups = cellfun (@oneTarget, trials);
+  [groups, faults] = cellfun (@(t) measuredTarget (t, sessions), trials, ...
+                              'UniformOutput', false);
+  [groups, p] = deal ([groups{:}], [p, faults{:}]);
   [groups, q] = withConditions (groups, unique (keysOf (list), 'stable'), ...
-                                others);
+                                others, sessions);
   p = [p, q];
   [~, order] = sort ([groups.model]);
   groups = distinctNames (groups(order), models, further);
@@ -77,9 +84,10 @@ function list = withPlaces (list)
 end
 
 % The same quantities in the other conditions.
-function [groups, p] = withConditions (groups, keys, others)
+function [groups, p] = withConditions (groups, keys, others, sessions)
   p = checkFault ();
-  none = struct ('value', NaN, 'sd', 0, 'trials', 1, 'scatter', false);
+  none = struct ('value', NaN, 'sd', 0, 'trials', 1, 'scatter', false, ...
+                 'shared', 0, 'sameSessions', false);
   [groups.changed] = deal (repmat (none, 1, numel (others)));
   for c = 1:numel (others)
     for trials = byQuantity (others{c})
@@ -94,7 +102,9 @@ function [groups, p] = withConditions (groups, keys, others)
                                   'take the line out.']);
         continue
       end
-      target = oneTarget (withPlaces (trials{1}));
+      target = measuredTarget (withPlaces (trials{1}), sessions);
+      target.sameSessions = sessions.given && ...
+                            isequal (target.sessions, groups(same).sessions);
       for name = fieldnames (none)'
         groups(same).changed(c).(name{1}) = target.(name{1});
       end
@@ -102,100 +112,11 @@ function [groups, p] = withConditions (groups, keys, others)
   end
 end
 
-% What one trial says holds for all: it must not say two things.
-function p = checkAlike (trials)
-  p = checkFault ();
-  if isscalar (trials)
-    return
-  end
-  for field = {'role', 'tol', 'isAbsolute', 'unit'}
-    given = trials(isGiven (trials, field{1}));
-    for trial = given(2:end)
-      if ~isequaln (trial.(field{1}), given(1).(field{1}))
-        where = sprintf ('%s, line %d, %s', trial.file, trial.line, field{1});
-        p(end + 1) = checkFault ('measuredRepeats', where, ...
-                                 sprintf (['what line %d has: it is the ' ...
-                                           'same quantity'], given(1).line), ...
-                                 checkShow (trial.(field{1})), ...
-                                 'Give it once, or alike in every trial.');
-      end
-    end
-  end
-end
-
-function given = isGiven (trials, field)
-  if strcmp (field, 'isAbsolute')
-    field = 'tol';
-  end
-  given = ~arrayfun (@(o) isempty (o.(field)) || ...
-                     any (isnan (double (o.(field)))), trials);
-end
-
-function value = firstOf (trials, field)
-  if numel (trials) > 1
-    trials = trials([find(isGiven (trials, field)), 1]);
-  end
-  value = trials(1).(field);
-end
-
-function g = oneTarget (trials)
-  one = trials(1);
-  g = struct ('line', one.line, 'file', one.file, 'model', one.model, ...
-              'name', targetName (one), 'result', one.name, ...
-              'series', one.series, 'at', one.at, ...
-              'unit', firstOf (trials, 'unit'), ...
-              'given', givenField (one, 'given', one.unit), 'value', NaN, ...
-              'sd', max ([trials.sd]), 'trials', 1, 'scatter', false, ...
-              'role', firstOf (trials, 'role'), ...
-              'tol', firstOf (trials, 'tol'), ...
-              'isAbsolute', firstOf (trials, 'isAbsolute'), 'curve', 0, ...
-              'each', zeros (1, 0));
-  if isempty (g.role)
-    g.role = 'calibrate';
-  end
-  if isempty (g.result)
-    g.result = g.series;
-  end
-  trials = trials(isfinite ([trials.value]));
-  if isempty (trials)
-    g.role = 'unmeasured';
-    return
-  end
-  weight = [trials.repeats];
-  weight(isnan (weight)) = 1;
-  finite = min (weight, 1e6);
-  value = [trials.value];
-  g.each = value;
-  g.value = value * finite' / sum (finite);
-  g.trials = sum (weight);
-  g.sd = mean ([trials.sd]);
-  n = numel (trials);
-  if n > 1
-    s = sqrt (finite / mean (finite) * (value - g.value)'.^2 / (n - 1));
-    g.sd = hypot (-studentQuantile (0.1587, n - 1) * s / sqrt (n), g.sd);
-    g.scatter = s > 0;
-    g.isAbsolute = g.isAbsolute || g.value == 0;
-  end
-end
-
-function name = targetName (row)
-  name = row.name;
-  if isempty (row.series)
-    return
-  end
-  if isempty (name)
-    name = row.series;
-  elseif row.places == 1
-    return
-  end
-  name = sprintf ('%s@%.6g', name, row.at);
-end
-
 %!shared line
 %! line = struct ('line', 2, 'model', 1, 'name', 'a', 'series', '', ...
 %!                'unit', 'kg', 'at', NaN, 'value', 1, 'sd', 0, ...
 %!                'repeats', NaN, 'role', 'calibrate', 'tol', 0.1, ...
-%!                'isAbsolute', false, 'condition', '', 'file', 't.csv');
+%!                'isAbsolute', false, 'condition', '', 'file', 't.csv', 'session', '');
 %!test
 %! % three trials: t = 1.32 for two degrees of freedom
 %! list = repmat (line, 1, 3);
@@ -248,3 +169,20 @@ end
 %! assert (conditions, {'moist'});
 %! assert ({g.value, g.changed.value, g.changed.trials}, {1, 3, 2});
 %! assert (p.id, 'DEcalioc:checkCase:measuredCondition');
+%!test
+%! % two sessions in each of two conditions; one condition shares them
+%! list = repmat (line, 1, 12);
+%! [list.condition] = deal ('reference', 'reference', 'reference', ...
+%!                          'reference', 'a', 'a', 'a', 'a', 'b', 'b', 'b', 'b');
+%! [list.session] = deal ('mon', 'mon', 'tue', 'tue', 'mon', 'mon', 'tue', ...
+%!                        'tue', 'wed', 'wed', 'wed', 'wed');
+%! values = num2cell ([1, 2, 5, 6, 3, 4, 7, 8, 1, 2, 1, 2]);
+%! [list.value] = values{:};
+%! [g, ~, ~, sessions] = groupMeasured (list, {'A'});
+%! assert (sessions.names, {'mon', 'tue'});
+%! assert (sessions.df, 2);
+%! assert ({g.value, g.sessions}, {3.5, {'mon', 'tue'}}, 1e-12);
+%! assert (g.shared > 0.8 * g.sd && g.shared < g.sd);
+%! assert ([g.changed.sameSessions], [true, false]);
+%! assert (g.scatter);
+%! assert (g.changed(2).sd > g.changed(1).sd);

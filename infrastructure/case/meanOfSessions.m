@@ -5,7 +5,9 @@
 %   TRIALS  1 x n struct of readMeasured, measured lines of one quantity
 %   RATIO   standard deviation between sessions over that of a trial within one
 %   VALUE   mean, in which a session of few trials counts less
-%   SD      standard uncertainty of VALUE by the scatter (0: not known)
+%   SD      standard uncertainty of VALUE (0: not known); where the lines of a
+%           session tell its scatter, their sd is what they have in common, as in
+%           groupMeasured, and counts beside it
 %   SHARED  the part of it that the sessions make, which more trials in them
 %           would leave as it is
 %
@@ -20,6 +22,7 @@
 
 function [value, sd, shared] = meanOfSessions (trials, ratio)
   [within, means, counts, df] = trialScatter (trials);
+  common = mean ([trials.sd]) * isfinite (df);
   n = numel (means);
   if within > 0
     weight = 1 ./ (ratio^2 + 1 ./ counts);
@@ -31,6 +34,7 @@ function [value, sd, shared] = meanOfSessions (trials, ratio)
     shared = sd;
   end
   value = means * weight' / sum (weight);
+  sd = hypot (sd, common);
 end
 
 % Of few trials that know their own scatter badly, see groupMeasured.
@@ -59,6 +63,9 @@ end
 %! trials = of ('a', 1, 'a', 3, 'b', 5);
 %! [value, sd, shared] = meanOfSessions (trials, 0);
 %! assert ([value, shared], [3, 0], 1e-12);
+%! [trials.sd] = deal (0.7);
+%! [~, with] = meanOfSessions (trials, 0);
+%! assert (with, hypot (sd, 0.7), 1e-12);
 %!test
 %! % one line a session: its sd and repeats tell the scatter of a trial
 %! trials = of ('a', 1, 'b', 2);

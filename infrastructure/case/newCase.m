@@ -41,6 +41,7 @@ function Case = newCase (raw, varargin)
   Case.effectVars = {Case.coarse.variable};
   Case.targets = newTargets (raw.optim, {Case.models.name}, found);
   Case.conditions = found.conditions;
+  Case.sessions = found.sessions;
   Case.perCondition = ismember (Case.names, ...
                                 givenField (raw.optim, 'perCondition', {}));
   Case.options = newOptions (Input, raw.optim);

@@ -13,8 +13,8 @@
 %             repeats (trials that the value is the mean of; Inf: sd holds
 %             their scatter; NaN: not given), role ('': not given), tol (NaN:
 %             not given), isAbsolute (logical: tol has the unit of the value),
-%             saysTol (logical: there is one, good or bad), condition ('': not
-%             given); [] where the table as a whole is no use
+%             saysTol (logical: there is one, good or bad), condition,
+%             session ('': not given); [] where the table as a whole is no use
 %   FAULTS    1 x p faults, see checkFault
 %   HEADER    1 x m cell, names of the columns
 %
@@ -41,7 +41,7 @@ function [list, p, header] = readMeasured (file, models, alone, shown)
     return
   end
   known = {'model', 'name', 'value', 'sd', 'unit', 'repeats', 'role', ...
-           'series', 'at', 'tol', 'condition'};
+           'series', 'at', 'tol', 'condition', 'session'};
   p = checkHeader (header, known, rows (cells), shown);
   if ~isempty (p)
     return

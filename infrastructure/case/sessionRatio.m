@@ -17,7 +17,9 @@
 
 function sessions = sessionRatio (list)
   sessions = struct ('given', false, 'names', {{}}, 'ratio', 0, 'df', 0);
-  list = list(isfinite ([list.value]));
+  if ~isempty (list)
+    list = list(isfinite ([list.value]));
+  end
   if isempty (list) || all (cellfun (@isempty, {list.session}))
     return
   end

@@ -43,6 +43,10 @@ function sayModels (Case)
     sayNamed (m, Case.store);
     sayMeasured (Case.targets([Case.targets.model] == k));
   end
+  note = sessionNote (Case);
+  if ~isempty (note)
+    printf ('sessions  %s\n', note);
+  end
 end
 
 % What the scripts of a model name outside its folder.
@@ -203,3 +207,33 @@ end
 %!             'plan: 16 new, 0 taken from the store', 'cost      not known'}
 %!   assert (! isempty (strfind (text, line{1})), text);
 %! end
+
+%!test
+%! % of a change: sessions, and what can have changed, are asked for
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder, 'optim = struct (''maxIter'', 3);');
+%! put = @(name, text) writeAtomic (fullfile (raw.folder, name), text);
+%! put ('DEMmodels/First/results.csv', ["name,kind,unit,series,at,text\n", ...
+%!      "sum,mass,kg,,,x\nproduct,mass,kg,,,x\n"]);
+%! put ('DEMmodels/Second/results.csv', ["name,kind,unit,series,at,text\n", ...
+%!      "less,mass,kg,,,x\n"]);
+%! put ('loadEffects.m', ["function e = loadEffects ()\n", ...
+%!      "e = {'rolling', 'gain'};\nend\n"]);
+%! lines = ["condition,model,name,value,tol,session\n", ...
+%!          "reference,First,sum,7,0.01,mon\nreference,First,sum,7.1,,mon\n", ...
+%!          "reference,First,sum,6.8,,tue\nreference,First,product,12,1%%,\n", ...
+%!          "reference,Second,less,1,0.1,\nmoist,First,sum,8,,wed\n"];
+%! put ('measured.csv', sprintf (lines));
+%! [status, both] = startCommand (raw.folder, 'check');
+%! assert (status, 0);
+%! put ('measured.csv', strrep (sprintf (lines), 'tue', 'mon'));
+%! [~, one] = startCommand (raw.folder, 'check');
+%! put ('measured.csv', regexprep (sprintf (lines), ',\w*$', '', ...
+%!                                 'lineanchors'));
+%! [~, none] = startCommand (raw.folder, 'check');
+%! has = @(text, line) assert (! isempty (strfind (text, line)), text);
+%! has (both, 'sessions  sessions differ by');
+%! has (one, 'taken to differ by 2.5 times');
+%! has (none, 'repeat the reference on another day, and name the days');
+%! has (both, 'unlikely to have changed, 0.05 as likely as those above: rolling');
+%! has (both, 'Not said of: rolling, gain');

@@ -35,7 +35,9 @@ function diagnosis = diagnoseCase (root, folder)
     levelled = keepRows (levelled, thinRuns (levelled, problem, 1000));
     surrogates = fitSurrogates (levelled, problem);
   end
-  notes = [notes(:)', {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
+  sessions = sessionNote (Case);
+  notes = [notes(:)', {sessions}(~isempty (sessions)), ...
+           {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
   [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state = struct ('data', data, 'budget', budget, 'evaluate', evaluate, ...

@@ -26,7 +26,8 @@ function [faults, found] = checkCase (raw, mode)
   if nargin < 2
     mode = 'full';
   end
-  found = struct ('groups', [], 'sizes', [], 'conditions', {{}});
+  found = struct ('groups', [], 'sizes', [], 'conditions', {{}}, ...
+                  'sessions', sessionRatio ([]));
   [faults, raw, isUsable] = checkRaw (raw);
   if ~isUsable
     return

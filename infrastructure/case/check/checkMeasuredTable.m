@@ -8,14 +8,15 @@
 %   TAKEN   cell of names that a target may not have: variables
 %   P       1 x n faults, see checkFault
 %   FOUND   struct sizes (1 x M, targets of each model; [] where they make no
-%           sense), groups and conditions, see groupMeasured
+%           sense), groups, conditions and sessions, see groupMeasured
 %
 % The table stands in the place of the fields of optim that are given target by
 % target. optim.tolRes may be one number: the tolerance where tol is empty.
 % Targets of further models have the model's name in front: optim's are free.
 
 function [p, found] = checkMeasuredTable (raw, models, taken)
-  found = struct ('sizes', [], 'groups', [], 'conditions', {{}});
+  found = struct ('sizes', [], 'groups', [], 'conditions', {{}}, ...
+                  'sessions', sessionRatio ([]));
   if isfile (fullfile (raw.folder, 'measured.csv'))
     [p, found] = checkTable (raw, models, taken, found);
     p = [p, checkTargets(raw.optim, models, taken, found.sizes)];
@@ -54,8 +55,8 @@ function [p, found] = checkTable (raw, models, taken, found)
     return
   end
   [lines, r] = checkUnits (lines, models);
-  [groups, q, conditions] = groupMeasured (lines, {models.name}, ...
-                                           givenField (raw, 'further', {}));
+  [groups, q, conditions, sessions] = ...
+    groupMeasured (lines, {models.name}, givenField (raw, 'further', {}));
   p = [p, r, q, checkTurns(lines), checkTolerances(groups, lines, optim), ...
        checkNames(groups, [taken, {'model', 'seed'}]), ...
        checkMeasuredResults(groups, models)];
@@ -70,7 +71,7 @@ function [p, found] = checkTable (raw, models, taken, found)
     p = [p, withoutLine(models(k).name, raw, p)];
   end
   found = struct ('sizes', sizes, 'groups', groups, ...
-                  'conditions', {conditions});
+                  'conditions', {conditions}, 'sessions', sessions);
 end
 
 % Of a further model whose table is at fault P says more.
