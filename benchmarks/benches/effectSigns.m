@@ -79,7 +79,7 @@ function text = linesBut (file, names, benches)
   lines = strsplit (fileread (file), "\n")(2:end - 1);
   words = cellfun (@(l) strsplit (l, ','), lines, 'UniformOutput', false);
   isNew = cellfun (@(w) any (strcmp (w{1}, names)) && ...
-                        any (strcmp (w{3}, benches)), words);
+                   any (strcmp (w{3}, benches)), words);
   text = sprintf ("%s\n", lines{~isNew});
 end
 

@@ -3,9 +3,10 @@
 % CALL: EFFECTS = loadEffects ()
 %
 % sliding is a change of the beads, so it acts at the walls, too; wallFriction
-% is one of the tank. The beads are the same in all series. The two liquids: water, and an oil of 0.032 N/m and 0.1
-% Pa s. Cohesion: with a Young's modulus of 2 MPa 4e4 J/m3 pulls two beads of 8
-% mm together with 1.4 times their weight.
+% is one of the tank. The beads are the same in all series. The two liquids:
+% water, and an oil of 0.032 N/m and 0.1 Pa s. Cohesion: with a Young's modulus
+% of 2 MPa 4e4 J/m3 pulls two beads of 8 mm together with 1.4 times their
+% weight.
 %
 % See also: effectCamera, listEffects, diagnoseGap
 

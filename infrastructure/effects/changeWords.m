@@ -21,7 +21,8 @@ function [words, factors] = changeWords (effects)
     end
   end
   [~, at] = ismember (words, {'yes', 'unlikely', 'no'});
-  factors = [1, 0.05, 0](at);
+  factors = [1, 0.05, 0];
+  factors = factors(at);
 end
 
 %!test
