@@ -20,7 +20,8 @@
 %              each effect adds where it is fitted alone, the parameters with
 %              it, to the measurements that are not held out)
 %     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)
-%     which    of describeVerdict, and expected (calibrateVerdict)
+%     which    of describeVerdict, and expected (calibrateVerdict), cause
+%              (weighCauses: what may have made it; GIVEN.causes)
 %     howFar   of proveCause ([] where nothing can be compared)
 %     next     of adviseTests; GIVEN.tests may hold a handle that makes tests of
 %              other benches
@@ -66,6 +67,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   verdict = doubtName (verdict, diagnosis, study.models);
   diagnosis.which = describeVerdict (w, verdict, study.models, gapProblem);
   diagnosis.which.expected = calibrateVerdict (study);
+  diagnosis.which.cause = causesOfVerdict (verdict, study);
   [diagnosis.next, state] = adviseTests (study, w, verdict, state);
   diagnosis.change = [];
   if ~isempty (study.em.change)

@@ -32,6 +32,7 @@ function [given, notes] = gapProblemOf (Case, c)
   if isempty (Case.effects)
     return
   end
+  given.causes = listCauses (fullfile (Case.folder, 'causes'));
   library = libraryGroups (Case);
   info = targetInfo (Case);
   [~, factors] = changeWords (Case.effects);

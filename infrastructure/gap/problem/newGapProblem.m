@@ -31,6 +31,7 @@
 %     paramMean, paramSd   1 x p, values measured independently (NaN: none)
 %     benchCost   1 x B, cost of one measurement on each bench (1)
 %     effects     1 x K struct, see newEffect ([])
+%     causes      1 x n struct of listCauses, what may make several effects ([])
 %     reference   struct, the same measured where every effect is neutral:
 %                 value, sd, trials, scatter (1 x T; NaN: not measured there),
 %                 and perCondition (1 x p logical, parameters that are other
@@ -96,7 +97,7 @@ function gapProblem = withDefaults (given, T, p)
                        'noiseSd', NaN (1, T), ...
                        'paramMean', NaN (1, p), 'paramSd', NaN (1, p), ...
                        'benchCost', ones (1, B), 'effects', [], ...
-                       'reference', []);
+                       'causes', [], 'reference', []);
   gapProblem.targetNames = numbered ('t', T);
   gapProblem.benchNames = numbered ('bench', B);
   gapProblem.names = numbered ('p', p);

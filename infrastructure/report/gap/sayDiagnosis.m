@@ -10,7 +10,8 @@
 
 function sayDiagnosis (diagnosis, Case, say)
   tell = @(varargin) say (sprintf (varargin{:}));
-  sayPlain (diagnosis.verdict, say);
+  sayPlain (diagnosis.verdict, ...
+            madeByText (jsonAt (diagnosis, {'which', 'cause'})), say);
   sayWhere (diagnosis, tell);
   if isfile (fullfile (Case.folder, 'results', 'calibration.json'))
     say (['  ', whyTwoSets()]);
@@ -69,11 +70,14 @@ function sayConditions (others, tell)
   end
 end
 
-function sayPlain (v, say)
+function sayPlain (v, madeBy, say)
   cause = v.cause;
   say ('');
   say (['MISSES  ', cause.where]);
   say (['CAUSE   ', cause.sentence]);
+  if ~isempty (madeBy)
+    say (['        ', madeBy]);
+  end
   if ~isempty (cause.closed)
     say (['CLOSED  ', cause.closed]);
   end

@@ -96,6 +96,7 @@ function s = whichOf (diagnosis)
                                     diagnosis.gapProblem);
   end
   s = mergeFields (s, w, {'priorSpread', 'expected'});
+  s.cause = num2cell (w.cause);
 end
 
 % What cannot be seen has no interval: its runs say nothing of its strength.

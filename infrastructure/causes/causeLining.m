@@ -1,0 +1,16 @@
+% CAUSELINING  What a person may ask for: a worn lining.
+%
+% CALL: CAUSE = causeLining (), see describeCause
+function cause = causeLining ()
+  given.name = 'lining';
+  given.label = 'a worn lining';
+  given.question = ['Has the lining of the walls been worn, polished or ' ...
+                    'renewed?'];
+  given.members = { ...
+                   {'wallFriction'}, '', 0, 0.6; ...
+                   {'opening'}, '', 0.2, 0.3; ...
+                   {'wallAdhesion', 'wallPullOff'}, '', 0.05, 0.1};
+  given.source = ['a lining is polished or roughened, an edge of an exit ' ...
+                  'is worn away'];
+  cause = describeCause (given);
+end
