@@ -114,8 +114,8 @@ function logE = evidence (field, members, at)
       logE(i, j) = logNormal (field.rho - m, C);
     end
   end
-  logE = logSumExp ((logE + log ([0.2, 0.5, 0.3]))(:)') - ...
-         log (numel (amounts));
+  logE = logE + log ([0.2, 0.5, 0.3]);
+  logE = logSumExp (logE(:)') - log (numel (amounts));
 end
 
 % Mean of the mark, and a column for what each share leaves open.
