@@ -4,7 +4,7 @@
 %!test
 %! folder = reportedCase ('peak');
 %! [status, out] = startCommand (folder, 'run');
-%! assert (! isempty (regexp (out, 'gave M_1 = 6.8\d*; .*it is run once more')));
+%! assert (! isempty (regexp (out, 'gave M_1 = [67].\d*; .*it is run once more')));
 %! assert (isempty (strfind (out, 'is left out')), out);
 %! assert (isempty (strfind (out, 'No parameter values within your limits')));
 %! assert (status == 0, out);
