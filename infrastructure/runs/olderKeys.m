@@ -17,8 +17,8 @@ function keys = olderKeys (job, Case, h)
     job.params = drawn(1:d);
     job.effects = drawn(d + 1:end);
     job.seed = jobSeed (job, Case);
-    [~, more] = runKey (runVariables (job, Case), Case.effectVars, h);
-    keys = [keys, more];
+    [~, older] = runKey (runVariables (job, Case), Case.effectVars, h);
+    keys = [keys, older];
   end
 end
 
