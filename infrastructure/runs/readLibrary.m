@@ -43,10 +43,11 @@ function [kinds, torn] = readLibrary (store, model, h, again)
     kinds(k).runs = kinds(k).runs(stays, :);
   end
   if ~all (isSame) || rows (known) ~= rows (marks)
-    found = cell (1, sum (~isSame));
-    for number = marks(~isSame, 1)'
-      folder = sprintf ('%s/%04d', place, number);   % fullfile is slow
-      found{end + 1} = linesOf (folder, number, h);
+    new = marks(~isSame, 1);
+    found = cell (1, numel (new));
+    for i = 1:numel (new)
+      folder = sprintf ('%s/%04d', place, new(i));   % fullfile is slow
+      found{i} = linesOf (folder, new(i), h);
     end
     kinds = withLines (kinds, [found{:}]);
     writeIndex (file, kinds, marks);
