@@ -152,11 +152,12 @@
 
 %!test
 %! % whatever Octave writes for others goes through writeAtomic, but for the
-%! % log, which must not stop a calibration, and saveWhole, which reads back
+%! % log, which must not stop a calibration, saveWhole, which reads back, and
+%! % caseId, whose file holds its own number
 %! root = fileparts (which ('startToolbox'));
 %! [~, found] = system (['cd ', shellQuote(root), ' && grep -rlE ', ...
 %!   '"^[^%]*(fopen [(].*''[wa]''|[^_]save [(]|csvwrite|dlmwrite)" ', ...
 %!   '--include="*.m" . | LC_ALL=C sort']);
 %! assert (strsplit (strtrim (found), "\n"), ...
 %!         {'./files/saveWhole.m', './files/writeAtomic.m', ...
-%!          './report/sayLine.m'});
+%!          './report/sayLine.m', './runs/caseId.m'});

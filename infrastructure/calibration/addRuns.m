@@ -16,14 +16,15 @@ function state = addRuns (state, problem, P, E, stage, replicate)
   if rows (E) < rows (P)
     E = repmat (problem.fine, rows (P), 1);
   end
-  P = toAllowed (P, problem);
+  P = toDigits (toAllowed (P, problem));
+  E = toDigits (E);
   if nargin < 6
     replicate = replicateNumbers (state.data, P, problem.limits);
   end
   [Z, state.budget] = state.evaluate (P, E, replicate, stage, state.budget);
   isTried = ~any (isna (Z), 2);
-  state.data = addRows (state.data, toDigits (P(isTried, :)), Z(isTried, :), ...
-                        replicate(isTried), stage, toDigits (E(isTried, :)));
+  state.data = addRows (state.data, P(isTried, :), Z(isTried, :), ...
+                        replicate(isTried), stage, E(isTried, :));
 end
 
 %!test

@@ -98,9 +98,8 @@ function off = nearestMiss (P, state, problem)
 end
 
 function text = noFit (share)
-  text = sprintf (['not printed: of the sets that the surrogates hold for ' ...
-                   'likely only %.0f %% meet the targets; too few runs are ' ...
-                   'where the targets are met'], 100 * share);
+  text = sprintf (['not printed: of the values that the runs hold for likely ' ...
+                   'only %.0f %% would meet the targets'], 100 * share);
 end
 
 function text = unseenNote (problem, unseen)
