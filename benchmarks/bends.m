@@ -88,7 +88,7 @@ if strcmp (given{1}, 'report')
 end
 names = given(1);
 if strcmp (given{1}, 'all')
-  names = {'exponential', 'threshold', 'peak', 'decades', 'clogging'};
+  names = {'exponential', 'threshold', 'peak', 'decades', 'ordered', 'clogging'};
 end
 file = given{3};
 if ~isfile (file)

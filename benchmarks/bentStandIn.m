@@ -6,7 +6,9 @@
 %       'exponential': a response that grows 20- to 60-fold over the box;
 %       'threshold': one that jumps within 4 to 12 % of the box;
 %       'peak': one that is flat but for a peak of half width 5 to 20 %;
-%       'decades': one parameter over four decades;
+%       'decades': one parameter over four decades, in logarithms;
+%       'ordered': a run fails where the first is not below the second, and
+%       such sets are not allowed;
 %       'clogging': as bends go none, but a run ends in another way with a
 %       chance that grows from 0 to 60 % along a parameter: it gives 10 to 60 %
 %       of what it gives else
@@ -39,16 +41,23 @@ function S = bentStandIn (name, seed)
                          2 + P(:, 1) + P(:, 2)];
     case 'decades'
       S.names = {'E', 'mu'};
-      S.limits = [1e5, 0.1; 1e9, 0.9];
+      S.limits = [1e5, 0.1; 1e9, 0.9; 1, 0];
       S.response = @(P) [20 + 5 * log10(P(:, 1)) + 10 * P(:, 2), ...
                          100 * exp(-3 * P(:, 2)) ./ ...
                          (1 + P(:, 1) / 1e7).^0.3];
+    case 'ordered'
+      S.response = @(P) [3 + P(:, 1) + 2 * P(:, 2), ...
+                         3 + 2 * P(:, 1) - P(:, 2) / 2] + ...
+                        0 ./ (P(:, 1) < P(:, 2));
+      sample = sort (sampleBox (300, S.limits), 2);
+      S.allowed = struct ('values', {{[], []}}, 'sample', sample, ...
+                          'rules', {{@(P) P(:, 1) < P(:, 2)}});
     case 'clogging'
       S = clogging (S, shape);
     otherwise
       error ('DEcalioc:bentStandIn:unknownName', ...
              ['bentStandIn: NAME must be exponential, threshold, peak, ' ...
-              'decades or clogging, got %s.'], name);
+              'decades, ordered or clogging, got %s.'], name);
   end
   S = withTruth (S, shape);
 end
@@ -66,11 +75,11 @@ end
 % The truth anywhere in the box; with a peak on its flank, where it can be seen.
 function S = withTruth (S, shape)
   u = shape(3:4);
-  lo = S.limits(1, :);
-  S.truth = lo + u .* diff (S.limits);
-  if strcmp (S.name, 'decades')
-    S.truth(1) = 10^(5 + 4 * u(1));
-  elseif strcmp (S.name, 'peak')
+  if strcmp (S.name, 'ordered')
+    u = sort (u);
+  end
+  S.truth = fromUnit (u, S.limits);
+  if strcmp (S.name, 'peak')
     half = (0.05 + 0.15 * shape(2)) * (0.3 + u(1));
     S.truth(1) = 0.15 + 0.7 * shape(1) + half * sign (u(1) - 0.5);
     S.truth(1) = min (max (S.truth(1), 0), 1);
@@ -82,7 +91,8 @@ function S = withTruth (S, shape)
 end
 
 %!test  % inside the box, and every parameter moves a response
-%! for name = {'exponential', 'threshold', 'peak', 'decades', 'clogging'}
+%! for name = {'exponential', 'threshold', 'peak', 'decades', 'ordered', ...
+%!              'clogging'}
 %!   for seed = 1:5
 %!     S = bentStandIn (name{1}, seed);
 %!     assert (all (S.truth >= S.limits(1, :) & S.truth <= S.limits(2, :)));

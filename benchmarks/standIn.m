@@ -23,7 +23,7 @@
 % See also: calibrateStandIn
 
 function S = standIn (name, seed)
-  if any (strcmp (name, {'exponential', 'threshold', 'peak', 'decades', ...
+  if any (strcmp (name, {'exponential', 'threshold', 'peak', 'decades', 'ordered', ...
                          'clogging'}))
     S = bentStandIn (name, seed);
     return

@@ -91,7 +91,7 @@ function o = methodOptions ()
   % rounds without a set that meets all before it is said: runs may show a way
   o.conflicts = 2;
   % of the sets that the intervals of the parameters are of, this share must fit
-  o.fit = 0.9;
+  o.fit = 0.8;
   % of the box: nearer to its wall a parameter stands at it; a wider interval
   % does not identify; how well a parameter measures by itself
   [o.atLimit, o.loose, o.direct] = deal (0.005, 0.5, 0.05);
