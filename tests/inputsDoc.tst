@@ -21,7 +21,8 @@
 %! % every reason of the bad inputs stands in the table, and the other way round
 %! reasons = unique ([badInputs()(:, 1); badEffects()(:, 1)])';
 %! assert (isempty (setdiff (reasons, inTable ())));
-%! untested = setdiff (inTable (), [reasons, {'checkFailed'}]);
+%! % (checkShadow tests its own: the file would stand in the way of the others)
+%! untested = setdiff (inTable (), [reasons, {'checkFailed', 'shadow'}]);
 %! assert (isempty (untested), strjoin ([untested, {''}], ' '));
 
 %!test

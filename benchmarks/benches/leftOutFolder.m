@@ -40,7 +40,7 @@ function giveRuns (folder, truth, names, source)
   [header, cells] = readCsvTable (table);
   inputs = str2double (cells(:, 3:find (strcmp (header, 'bulkDensity')) - 1));
   lines = strsplit (strtrim (fileread (table)), "\n");
-  isTruth = all (inputs == truth.inputs, 2);
+  isTruth = all (toDigits (inputs) == toDigits (truth.inputs), 2);
   if ~any (isTruth)
     error ('leftOutFolder: no row of %s has the inputs of the truth', table);
   end

@@ -142,7 +142,8 @@ end
 function notes = unusedNotes (Case)
   notes = {};
   folders = {Case.models.folder};
-  if ~all (cellfun (@isfolder, folders))
+  % of a case that only imports runs nobody sees what its program uses
+  if ~all (cellfun (@(f) isfile (fullfile (f, 'runscript')), folders))
     return
   end
   names = setdiff ([Case.names, fieldnames(Case.modelVars)', ...

@@ -28,7 +28,8 @@
 %! assert (again(out).seed ~= first(out).seed);
 %! assert (again(out).status, 'ok');
 %! assert (~isequal (again(out).results, first(out).results));
-%! assert (isequal (again(~out), first(~out)));
+%! % whose case made it stands in the store only
+%! assert (isequal (rmfield (again(~out), 'owner'), rmfield (first(~out), 'owner')));
 %! % a later start finds that one; so does the published call
 %! [third, isReused] = runJobs (jobs, Case, @(state) []);
 %! assert (all (isReused));
