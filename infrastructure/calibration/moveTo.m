@@ -43,7 +43,7 @@ end
 %! other = p + [0.05, 0];
 %! [out, wasWrong] = moveTo (state, problem, other);
 %! assert (! wasWrong);
-%! assert (out.found.params, p);
+%! assert (out.found.params, toDigits (p));
 %! assert (out.found.probability, meetProbability (s, problem, p), 1e-12);
 %! state.data = addRows (state.data, repmat (p, 2, 1), NaN (2, 2), [1; 2], ...
 %!                       'verify');

@@ -109,7 +109,7 @@ end
 %! p = checkStore (tempname (), tempdir (), model, 1e15);
 %! assert (p.id, 'DEcalioc:checkCase:diskSpace');
 %! % a model that was not found: the output of its runs counts all the same
-%! p = checkStore (tempname (), tempdir (), struct ('folder', ''), 1e15);
+%! p = checkStore (tempname (), tempdir (), struct ('name', 'M', 'folder', ''), 1e15);
 %! assert (p.id, 'DEcalioc:checkCase:diskSpace');
 %!test
 %! file = tempname ();
