@@ -184,7 +184,7 @@ end
 %!test
 %! % a form; a second call changes nothing
 %! text = quietly (root, base, {'plain case'});
-%! there = make_absolute_filename ('plain case');
+%! there = fullfile (base, 'plain case');
 %! assert (~isempty (strfind (text, ['check --try ''', there, ''''])));
 %! assert (isfile (fullfile (there, 'loadInput.m')));
 %!error id=DEcalioc:sayNew:exists sayNew (root, base, {'plain case'});

@@ -11,9 +11,17 @@ function path = absoluteFrom (folder, name)
     path = fullfile (folder, path);
   end
   path = make_absolute_filename (path);
+  % of an absolute name the steps upwards stay in it
+  steps = '';
+  while ~strcmp (path, steps)
+    steps = path;
+    path = regexprep (path, '/(?!\.\./)[^/]+/\.\.(/|$)', '/', 'once');
+  end
+  path = regexprep (path, '(.)/$', '$1');
 end
 
 %!assert (absoluteFrom ('/a', 'b/../c'), '/a/c')
+%!assert (absoluteFrom ('/a/b', '../../c/'), '/c')
 %!assert (absoluteFrom ('/a', '/b'), '/b')
 %!assert (absoluteFrom ('/a', ''), '/a')
 %!assert (absoluteFrom ('', 'b'), fullfile (pwd (), 'b'))
