@@ -230,7 +230,7 @@ end
 %! assert (budget.left, 4);
 %! head = fileread (fullfile (Case.folder, 'gap', 'next', 'DEMmodels', ...
 %!                            'First_w_45mm', 'data.head'));
-%! assert (! isempty (strfind (head, 'variable w equal 0.044999')));
+%! assert (! isempty (strfind (head, 'variable w equal 0.045')));
 %! Case.conditions = {'wet'};
 %! assert (isempty (caseTests (Case, @(text) [])));
 %! confirm_recursive_rmdir (false, 'local');
