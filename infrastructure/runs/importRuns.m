@@ -216,5 +216,7 @@ end
 %!   end
 %!   assert (id, ['DEcalioc:importRuns:', bad{2}]);
 %! end
-%!error id=DEcalioc:importRuns:badValue
-%! imported ([head, "First;1.234,5;2;3;4;\n"]);
+%!test
+%! % a thousand dot before a decimal comma says itself what it is
+%! data = imported ([head, "First;1.234,5;2;3;4;\n"]);
+%! assert (data.X(1), 1234.5);

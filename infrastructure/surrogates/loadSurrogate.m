@@ -66,7 +66,7 @@ function yes = fits (kept)
   sizes = [numel(kept.z), columns(kept.limits), ...
            numel(kept.shift), numel(kept.scale), numel(kept.param)];
   yes = n > 0 && isequal (sizes, [n, d, 1, 1, 1 + d + v]) && ...
-        any (rows (kept.limits) == [2, 3]) && ...       % see toUnit
+        any (rows (kept.limits) == 2:4) && ...          % see toUnit
         any (numel (kept.lognoisevariance) == [1, n]) && ...
         (v == 0 || rows (level) == n) && any (numel (law) == [0, 2]);
 end
@@ -74,7 +74,7 @@ end
 function yes = isSane (kept)
   numbers = [kept.X(:); kept.z(:); kept.limits(:); kept.param(:); ...
              kept.shift; kept.scale];
-  [lo, isLog] = deal (kept.limits(1, :), any (kept.limits(3:end, :), 1));
+  [lo, isLog] = deal (kept.limits(1, :), any (kept.limits(3:min (3, end), :), 1));
   yes = all (isfinite (numbers)) && all (kept.limits(2, :) > lo) && ...
         all (lo(isLog) > 0) && kept.scale > 0;
 end
