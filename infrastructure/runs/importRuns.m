@@ -50,7 +50,10 @@ function [data, ignored] = importRuns (file, Case)
   end
   targets(model ~= [Case.targets.model]) = NaN;
   data = joinModels (toDigits ([X, E]), model, seed, targets, Case);
-  data = filledUp (data, [Case.targets.model]);
+  % a seed says that a row is one run, in which a missing result is one
+  if column.seed == 0
+    data = filledUp (data, [Case.targets.model]);
+  end
 end
 
 % Stages of a campaign that measure one target each: a row that lacks some of

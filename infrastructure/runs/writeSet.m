@@ -20,5 +20,5 @@ end
 %! folder = tempname ();
 %! mkdir (folder);
 %! writeSet (folder, [0.1, 1/3], 0);
-%! assert (csvread (fullfile (folder, 'params.csv')), [0.1, 1/3]);
+%! assert (csvread (fullfile (folder, 'params.csv')), toDigits ([0.1, 1/3]));
 %! assert (! isfile (fullfile (folder, 'ExPlan.txt')));
