@@ -1,7 +1,7 @@
 % Issue 47, 17 and 18: a target in grams, limits of +-1e308, a plan of 1e5 sets.
 
 %!test
-%! folder = reportedCase ('changedLimits');
+%! folder = reportedCase ('stale');
 %! file = fullfile (folder, 'loadInput.m');
 %! text = fileread (file);
 %! writeAtomic (file, strrep (text, '[0.0 0.0; 1.0 2.0]', ...

@@ -11,7 +11,7 @@
 %!  writeAtomic (file, text);
 %!endfunction
 %!test
-%! folder = reportedCase ('changedLimits');
+%! folder = reportedCase ('stale');
 %! startCommand (folder, 'run');
 %! n = numel (listRunFolders (folder, 'M'));
 %! assert (n >= 9);

@@ -2,7 +2,7 @@
 % separators of columns that are empty.
 
 %!test
-%! folder = reportedCase ('emptyColumns');
+%! folder = reportedCase ('emptyColumns', 'pile');
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status == 0, out);
 %! assert (! isempty (strfind (out, 'runs.csv  6 sets taken in')), out);

@@ -14,7 +14,7 @@
 %!  raw.paramLims = [0, 0; 1, 2];
 %!endfunction
 %!shared folder, Case, jobs
-%! folder = reportedCase ('forget');
+%! folder = reportedCase ('stale');
 %! Case = newCase (rawOf (folder));
 %! jobs = newJobs (Case, [0.2, 0.4; 0.6, 1.2], [], 1, 'plan');
 %!test

@@ -2,7 +2,7 @@
 % that is off by 40 scatters: the calibration ended in a crash.
 
 %!test
-%! folder = reportedCase ('stages');
+%! folder = reportedCase ('stages', 'pile');
 %! [status, out] = startCommand (folder, 'run');
 %! assert (status == 2, out);
 %! assert (! isempty (strfind (out, '24 runs taken in')));

@@ -2,7 +2,7 @@
 % results.csv, or nothing at all; a candidate that can act on nothing.
 
 %!test
-%! folder = reportedCase ('tableAlone');
+%! folder = reportedCase ('tableAlone', 'pile');
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status == 0, out);
 %! assert (! isempty (strfind (out, 'runs.csv  6 sets taken in')), out);

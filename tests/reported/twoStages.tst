@@ -2,7 +2,7 @@
 % one target, half the other. One angle is wrong.
 
 %!test
-%! folder = reportedCase ('twoStages');
+%! folder = reportedCase ('twoStages', 'pile');
 %! [status, out] = startCommand (folder, 'run');
 %! assert (status == 2, out);
 %! c = jsondecode (fileread (fullfile (folder, 'results', ...
