@@ -14,7 +14,7 @@
 % 2 x d, or 3 x d (toUnit), allowed (isAllowed; []: all sets of the box),
 % paramMean, paramSd 1 x d (measured by themselves; NaN: not);
 % of the targets, 1 x T: targetNames cellstr, value (NaN: not measured yet), sd,
-% tol, trials, scatter, shared, correlation (see docs/data.md), held (logical: never
+% tol, trials, scatter, shared, correlation (see newTargets), held (logical: never
 % fitted), calibrate (logical: measured and fitted), bench (number of the
 % model), scale (what residual and tol are parts of: the value, 1 where they are
 % absolute), curve (number of the measured curve, 0: none), series (number of

@@ -6,9 +6,33 @@
 %   RAW   struct with the fields Input, optim, modelVars, assign, paramLims
 %         (as loadInput.m returns them), folder (case folder) and root (toolbox
 %         folder), see readInput
-%   CASE  scalar struct; its fields are described in docs/data.md. It has no
-%         effects yet: withEffects adds them; the variables of its levels stand
-%         first in effectVars, as they do in the data
+%   CASE  scalar struct (d parameters, M models, v variables of effects):
+%     root, folder, store  folders of the toolbox, of the case, of optim/
+%     names         1 x d cell, the parameters
+%     limits        2 x d; a third row, 0 or 1, where some count in logarithms
+%                   (toUnit)
+%     bySelf        1 x d logical: they do so because of their limits
+%     allowed       see checkAllowed; []: all values
+%     paramMean, paramSd  1 x d; NaN: not measured separately
+%     perCondition  1 x d logical
+%     modelVars     struct, fixed model variables
+%     coarse        1 x v struct, the levels: variable, levels, models (numbers)
+%     effects       1 x e struct, see describeEffect; [] until withEffects
+%     effectVars    1 x v cell, their variables; those of the levels stand first,
+%                   as in the columns E of the data
+%     models        1 x M: name, cpu, timeout, cost as in loadInput; folder ('':
+%                   none), nTargets (results of a run), readings (of
+%                   measured.csv: 1 x n struct result, series, at; else []),
+%                   seconds (1 x n, good runs of this start; negative: cut off),
+%                   coarse
+%     further       cell, names of the last models: measured next tests
+%     targets       see newTargets
+%     conditions    cell, names of the conditions of measured.csv
+%     sessions      see sessionRatio: given, names, ratio, df
+%     options       the other fields of Input and optim, and sets (at a time
+%                   after the plan), see newOptions
+%     notes         cell of texts, warnings for the user
+%     hashes        see hashModels; only in the copy for a round of runs
 %
 % checkCase looks at RAW first. Its faults are raised together, as one
 % error under the identifier of the first. A measured.csv in the case folder

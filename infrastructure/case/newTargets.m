@@ -7,7 +7,18 @@
 %   FOUND    scalar struct: groups of measured.csv, which go before
 %            optim.targetVal, and sizes, see checkCase. Where there are both,
 %            the groups are of further models (filledTests)
-%   TARGETS  1 x T struct in the order of the models, see docs/data.md
+%   TARGETS  1 x T struct in the order of the models: model (number), modelName,
+%            index (which result of the run), and name, value, sd, tol, role,
+%            trials, correlation as in optim. From measured.csv also:
+%     role        'unmeasured': only predicted, value NaN
+%     isAbsolute  tol and residual have the unit of the value
+%     scatter     sd comes from repeated trials and includes their packings
+%     curve       number of the curve (0: none)
+%     each        1 x n, the repeated trials
+%     shared      part of sd that its sessions (cell of names) make
+%     changed     1 x C struct, in each of Case.conditions: value, sd, trials,
+%                 scatter, shared, sameSessions
+%     result, series, at, unit ('', NaN: none), given (unit in measured.csv)
 
 function targets = newTargets (optim, names, found)
   groups = found.groups;

@@ -7,10 +7,13 @@
 %   REPLICATE  n x 1 or scalar, number of the replicate (1, 2, ...)
 %   STAGE      what the runs are for (text): 'plan', 'infill', 'verify' ...
 %   JOBS       1 x (n M) struct array, the models of a row side by side:
-%              model, stage, planRow, params, effects, replicate, seed, key,
-%              input, variables (what KEY is made of), origin (case folder),
-%              attempt (0; see nextPacking), drawn (1 x (d + v), the set and its
-%              effects as they were given; [] where they have 15 digits)
+%              model, stage, planRow (0: none), params, effects, replicate,
+%              seed (a prime from 10,007, from params, replicate and
+%              Input.seed), key (64 digits, the hash of: input, hash of the
+%              model's input, and variables, |name=value of each), origin (case
+%              folder), attempt (0; see nextPacking), drawn (1 x (d + v), the
+%              set and its effects as they were given; [] where they have 15
+%              digits)
 %
 % Here a set gets the numbers that its run is made with, those of 15 digits
 % (toDigits).

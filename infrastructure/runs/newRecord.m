@@ -4,9 +4,20 @@
 %
 %   JOB     see newJobs
 %   FOLDER  folder of the run (text)
-%   RECORD  the job's fields, and: folder, status ('ok', 'failed', 'timeout',
-%           'invalid'), message, cause, results (1 x m), seconds, funs (hash
-%           of the evaluation that made the results)
+%   RECORD  the job's fields, and:
+%     folder    run folder; owner: id of the case (decalioc.id)
+%     status    'ok'; 'failed' (broke off); 'timeout'; 'invalid' (unusable
+%               results); 'forgotten' (by decalioc forget)
+%     message   what happened, with the first line of output that complains
+%     cause     '', 'exit', 'killed' (from outside), 'time', 'output',
+%               'evaluation' (an error in getResults), 'budget' (not run:
+%               Input.maxNewRuns)
+%     results   1 x m; empty or partly NaN unless 'ok'
+%     seconds   wall-clock time of the simulation
+%     funs      hash of OctaveFuns/ and, with measured.csv, of the results and
+%               places that it reads
+%     readings  answers to other questions (of other cases, or before a change):
+%               funs, status, message, cause, results; the last 50
 
 function record = newRecord (job, folder)
   % versions until 0.9 did not note input, variables and origin
