@@ -12,8 +12,8 @@ mkdir -p "$package/inst"
 
 # What a user needs; links are followed, so that the models are whole.
 parts=(DEcalioc.m diagnoseGap.m costFunction.m loadInput.m loadEffects.m VERSION LICENSE
-       README.md CHANGELOG.md CITATION.cff Makefile bin share docs infrastructure DEMmodels
-       examples templates tools)
+       README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff Makefile bin share docs
+       infrastructure DEMmodels examples templates tools)
 list () { git ls-files -z -- "${parts[@]}"; }
 git rev-parse 2> /dev/null || list () { find "${parts[@]}" \( -type f -o -type l \) -print0; }
 list | tar --create --dereference --null --files-from=- | tar --extract --directory="$package/inst"

@@ -5,10 +5,10 @@
 % NSEEDS  number of packings of effectSigns, for the text
 %
 % From benchmarks/results/benchNoise.csv: the tables of results in
-% DEMmodels/<bench>/README.md and the table of benches in docs/benches.md, where
+% DEMmodels/<bench>/README.md and the table of benches in DEMmodels/README.md, where
 % the line "Sees:" of that README tells what a bench sees; from
 % effectSigns.csv: the signs in benchmarks/results/effectSigns.md; from
-% benchChecks.csv: its table in docs/benches.md. What stands between two marks
+% benchChecks.csv: its table in DEMmodels/README.md. What stands between two marks
 % "<!-- made by benchTables: NAME -->" is replaced.
 %
 % See also: effectSigns, benchChecks, effectTable
@@ -20,7 +20,7 @@ function benchTables (nSeeds)
     file = fullfile (root, 'DEMmodels', bench{1}, 'README.md');
     writeAtomic (file, benchText (fileread (file), own, nSeeds));
   end
-  file = fullfile (root, 'docs', 'benches.md');
+  file = fullfile (root, 'DEMmodels', 'README.md');
   text = fileread (file);
   text = between (text, 'benches', noiseTable (root, noise));
   text = between (text, 'checks', ...
@@ -53,7 +53,7 @@ function text = noiseTable (root, noise)
     own = noise(strcmp (noise(:, 1), bench{1}), :);
     share = @(name, r) sprintf ('%s %.2g %%', name, 100 * str2double (r));
     parts = cellfun (share, own(:, 2), own(:, 6), 'UniformOutput', false);
-    text = [text, sprintf(['| [%s](../DEMmodels/%s/README.md) | %s | %s ', ...
+    text = [text, sprintf(['| [%s](%s/README.md) | %s | %s ', ...
                            "| %s | %s |\n"], bench{1}, bench{1}, ...
                           seenBy(root, bench{1}), own{1, 7:8}, ...
                           strjoin (parts', ', '))];

@@ -9,7 +9,7 @@
 %
 % targetStd is a measurement uncertainty as large as the scatter of one run over
 % packings (DEMmodels/Drum/README.md and, for the bins, the later figures of
-% docs/benches.md; remaining1 the larger of the two there).
+% DEMmodels/README.md; remaining1 the larger of the two there).
 %
 % See also: campaign, loadEffects
 

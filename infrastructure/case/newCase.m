@@ -30,7 +30,7 @@
 %     conditions    cell, names of the conditions of measured.csv
 %     sessions      see sessionRatio: given, names, ratio, df
 %     options       the other fields of Input and optim, and sets (at a time
-%                   after the plan), see newOptions
+%                   after the plan)
 %     notes         cell of texts, warnings for the user
 %     hashes        see hashModels; only in the copy for a round of runs
 %
