@@ -212,7 +212,7 @@
 %! v = decide (of ('missed, held out far off'));
 %! assert (v.cause.closure, 'all');
 %! assert (! isempty (strfind (v.cause.closed, says ('closed.unknown'))));
-%! assert (! isempty (strfind (v.cause.closed, 'drag would close as much')));
+%! assert (! isempty (strfind (v.cause.closed, 'drag would close the same share')));
 %! assert (! isempty (strfind (v.numbers(3).text, '41 kJ/m3 (31 to 58)')));
 %! v = decide (of ('missed, as many unknowns as targets'));
 %! assert (v.cause.closure, 'tooFew');
