@@ -3,13 +3,14 @@
 # lists them; exit status 1 where it has grown beyond what was asked for: 9,000 in
 # the user guide, 20,000 in all.
 # CALL: tools/words.sh
-# A word holds a letter or a digit, so bars of tables and marks of lists are none;
-# examples count. Not counted are docs/functions.md, which `make index` makes of help
-# texts, and the pages for those who change the code.
+# A word holds a letter or a digit, so bars of tables and marks of lists are none. Not
+# counted are blocks to type in or to compare with (their tests read them),
+# docs/functions.md, which `make index` makes of help texts, and the pages for those
+# who change the code.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-wordsOf () { tr -s '[:space:]' '\n' < "$1" | grep -c '[[:alnum:]]'; }
+wordsOf () { sed '/^ *```/,/^ *```/d' "$1" | tr -s '[:space:]' '\n' | grep -c '[[:alnum:]]'; }
 
 pagesOf () {     # below the heading of docs/README.md that begins with this text
   sed -n "/^## $1/,/^## /{/^## $1/p;/^## /!p}" docs/README.md |
