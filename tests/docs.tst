@@ -1,6 +1,7 @@
 % Pages that tell a user what to type are followed literally: each block of
-% commands is given to bash, in the order of the page. The blocks that calibrate
-% or diagnose take minutes and are given only where DECALIOC_SOAK=1.
+% commands is given to bash, in the order of the page, and a line to be changed is
+% put into the file named before it. The blocks that calibrate or diagnose take
+% minutes and are given only where DECALIOC_SOAK=1.
 
 %!function blocks = commandsOf (page)
 %!  % commands in the blocks of a page; those of a list are indented
@@ -9,6 +10,31 @@
 %!  found = regexp (text, '^ *```(\w*)\n(.*?)\n *```', 'tokens', 'lineanchors');
 %!  found = vertcat (found{:});
 %!  blocks = found(cellfun (@isempty, found(:, 1)), 2)';
+%!endfunction
+
+%!function [blocks, files] = stepsOf (page)
+%!  % all blocks of a page; of a line to be changed the file that is named last
+%!  root = fileparts (fileparts (which ('startProgram')));
+%!  text = fileread (fullfile (root, 'docs', page));
+%!  [found, at] = regexp (text, '^ *```(\w*)\n(.*?)\n *```', 'tokens', ...
+%!                        'start', 'lineanchors');
+%!  found = vertcat (found{:});
+%!  blocks = found(:, 2)';
+%!  files = repmat ({''}, size (blocks));
+%!  for k = find (~cellfun (@isempty, found(:, 1)))'
+%!    named = regexp (text(1:at(k)), '`(\w+/[\w./]+)`', 'tokens');
+%!    files(k) = named{end};
+%!  end
+%!endfunction
+
+%!function changeLine (file, line)
+%!  % as in an editor: what stands left of the value finds the line
+%!  left = regexp (line, '^\s*(variable \w+|\S+)', 'tokens', 'once'){1};
+%!  lines = strsplit (fileread (file), "\n");
+%!  isIt = strncmp (strtrim (lines), [left, ' '], numel (left) + 1);
+%!  assert (sum (isIt), 1, left);
+%!  lines{isIt} = line;
+%!  writeAtomic (file, strjoin (lines, "\n"));
 %!endfunction
 
 %!function [status, out] = follow (folder, block)
@@ -29,13 +55,15 @@
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
 %! folder = fullfile (tempname (), 'a user''s');
 %! mkdir (folder);
-%! blocks = commandsOf ('quickstart.md');
-%! assert (numel (blocks) >= 10);
+%! [blocks, files] = stepsOf ('quickstart.md');
+%! assert (numel (blocks) >= 11 && sum (~cellfun (@isempty, files)) >= 2);
 %! assert (strncmp (blocks{1}, 'make setup', 10));   % what tests stand on
-%! for block = blocks(2:end)
-%!   if ~takesLong (block{1})
-%!     [status, out] = follow (folder, block{1});
-%!     assert (status == 0, [block{1}, "\n", out]);
+%! for k = 2:numel (blocks)
+%!   if ~isempty (files{k})
+%!     changeLine (fullfile (folder, files{k}), blocks{k});
+%!   elseif ~takesLong (blocks{k})
+%!     [status, out] = follow (folder, blocks{k});
+%!     assert (status == 0, [blocks{k}, "\n", out]);
 %!   end
 %! end
 %! case_ = fullfile (folder, 'Repose');
