@@ -3,14 +3,13 @@
 # lists them; exit status 1 where it has grown beyond what was asked for: 9,000 in
 # the user guide, 20,000 in all.
 # CALL: tools/words.sh
-# A word holds a letter or a digit, so bars of tables and marks of lists are none. Not
-# counted are blocks to type in or to compare with (their tests read them),
-# docs/functions.md, which `make index` makes of help texts, and the pages for those
-# who change the code.
+# A word holds a letter: numbers and bars of tables are none. Not counted are blocks to
+# type in or to compare with, docs/functions.md, which `make index` makes of help
+# texts, and the pages for those who change the code.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-wordsOf () { sed '/^ *```/,/^ *```/d' "$1" | tr -s '[:space:]' '\n' | grep -c '[[:alnum:]]'; }
+wordsOf () { sed '/^ *```/,/^ *```/d' "$1" | tr -s '[:space:]' '\n' | grep -c '[[:alpha:]]'; }
 
 pagesOf () {     # below the heading of docs/README.md that begins with this text
   sed -n "/^## $1/,/^## /{/^## $1/p;/^## /!p}" docs/README.md |
