@@ -32,7 +32,7 @@
 %!  left = regexp (line, '^\s*(variable \w+|\S+)', 'tokens', 'once'){1};
 %!  lines = strsplit (fileread (file), "\n");
 %!  isIt = strncmp (strtrim (lines), [left, ' '], numel (left) + 1);
-%!  assert (sum (isIt), 1, left);
+%!  assert (sum (isIt) == 1, left);
 %!  lines{isIt} = line;
 %!  writeAtomic (file, strjoin (lines, "\n"));
 %!endfunction
