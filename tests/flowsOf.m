@@ -1,11 +1,12 @@
 % FLOWSOF  The flows that a run of the tests takes in.
 %
-% CALL: FLOWS = flowsOf (ROOT, CHANGED)
+% CALL: [FLOWS, ALWAYS] = flowsOf (ROOT, CHANGED)
 %
 %   ROOT     folder of the toolbox (text)
 %   CHANGED  cell of paths of files that have changed, below ROOT; {'.'}: all
 %   FLOWS    1 x n cell of paths, the slowest first: those that every run of
 %            the tests takes in, and those of the folders that have changed
+%   ALWAYS   1 x n logical: every run of the tests takes it in
 %
 % tests/flows.csv has a line for each flow: its name, whether it is in every
 % run (yes or no), and the folders that ask for it. A name that ends in a slash
@@ -13,10 +14,11 @@
 %
 % See also: runTests
 
-function flows = flowsOf (root, changed)
+function [flows, always] = flowsOf (root, changed)
   lines = strsplit (strtrim (fileread (fullfile (root, 'tests', ...
                                                  'flows.csv'))), "\n");
   flows = cell (1, 0);
+  always = false (1, 0);
   for line = lines(2:end)
     cells = strsplit (line{1}, ',');
     names = namesOf (root, cells{1});
@@ -30,6 +32,7 @@ function flows = flowsOf (root, changed)
     if strcmp (cells{2}, 'yes') || isAsked
       flow = @(name) fullfile (root, 'tests', [name, '.tst']);
       flows = [flows, cellfun(flow, names, 'UniformOutput', false)];
+      always(end + 1:numel (flows)) = strcmp (cells{2}, 'yes');
     end
   end
 end
@@ -61,5 +64,7 @@ end
 %! added = @(file) setdiff (flowsOf (root, {file}), flowsOf (root, {}));
 %! flow = @(name) {fullfile(root, 'tests', [name, '.tst'])};
 %! assert (added ('README.md'), cell (1, 0));
+%! [flows, always] = flowsOf (root, {'tests/levels.tst'});
+%! assert (flows(~always), flow ('levels'));
 %! assert (added ('infrastructure/effects/effectTilt.m'), flow ('effects'));
 %! assert (added ('tests/levels.tst'), flow ('levels'));

@@ -17,7 +17,8 @@
 
 1;
 
-function files = testFiles (root, pattern)
+% IFTIME: 1 x n logical, files that are there only for what has changed.
+function [files, ifTime] = testFiles (root, pattern)
   [~, list] = system (['cd ', shellQuote(root), ' && find "$PWD" ', ...
                        '\( -name optim -o -name .git \) -prune -o ', ...
                        '\( -name "*.m" -o -name "*.tst" \) -print | sort']);
@@ -27,6 +28,7 @@ function files = testFiles (root, pattern)
   files = files(cellfun (hasTests, files));
   if ~isempty (pattern)
     files = files(~cellfun (@isempty, strfind (files, pattern)));
+    ifTime = false (size (files));
     if isempty (files)
       error ('runTests: no file with tests has ''%s'' in its path.', pattern);
     end
@@ -37,17 +39,20 @@ function files = testFiles (root, pattern)
     changed = {'.'};
   end
   isFlow = ~cellfun (@isempty, regexp (files, '\.tst$'));
-  part = [root, '/benchmarks/'];
-  isStudy = strncmp (files, part, numel (part));
-  if any (strcmp (changed, '.') | strncmp (changed, 'benchmarks/', 11))
-    isStudy(:) = false;
-  end
-  files = [flowsOf(root, changed), files(~isFlow & ~isStudy)];
+  isStudy = strncmp (files, [root, '/benchmarks/'], numel (root) + 12);
+  [flows, always] = flowsOf (root, changed);
+  studies = files(isStudy & any (strcmp (changed, '.') | ...
+                                 strncmp (changed, 'benchmarks/', 11)));
+  needed = [flows(always), files(~isFlow & ~isStudy)];
+  files = [needed, flows(~always), studies];
+  ifTime = 1:numel (files) > numel (needed);
 end
 
-% Claims a line of the list by making a folder, which only one process can.
+% Claims a line of the list by making a folder, which only one process can. A
+% file behind a question mark is not begun after the deadline.
 function runQueue (root, queue)
   lines = strsplit (fileread (fullfile (queue, 'files')), "\n");
+  deadline = str2double (fileread (fullfile (queue, 'deadline')));
   for k = 1:numel (lines)
     claim = fullfile (queue, sprintf ('%d', k));
     if isfolder (claim) || system (['mkdir ', claim, ' 2> /dev/null']) ~= 0
@@ -55,12 +60,17 @@ function runQueue (root, queue)
     end
     files = strsplit (lines{k}, "\t");
     counts = zeros (numel (files), 3);
-    said = '';
+    [said, late] = deal ('');
     for i = 1:numel (files)
-      [counts(i, :), text] = runFile (files{i}, root);
+      if files{i}(1) == '?' && time () > deadline
+        late = [late, sprintf(' %s', files{i}(numel (root) + 3:end))];
+        continue
+      end
+      [counts(i, :), text] = runFile (strrep (files{i}, '?', ''), root);
       said = [said, repmat(text, 1, counts(i, 2) > 0)];
     end
     saveText (fullfile (claim, 'failed'), said);
+    saveText (fullfile (claim, 'late'), late);
     saveText (fullfile (claim, 'counts'), sprintf ('%d ', sum (counts, 1)));
   end
 end
@@ -93,36 +103,47 @@ end
 
 % Flows that start a batch system go one after another. Every Octave says on
 % leaving that it ignores something, which is no news.
-function [counts, failing, said] = shareOut (root, files)
+function found = shareOut (root, files, ifTime)
   hasQueue = ~cellfun (@isempty, regexp (files, '/(executors|slurm\w*)\.tst$'));
+  files(ifTime) = strcat ('?', files(ifTime));
   files = [{strjoin(files(hasQueue), "\t")}, files(~hasQueue)];
   files = files(~cellfun (@isempty, files));
   queue = tempname ();
   mkdir (queue);
+  minutes = str2double (getenv ('MINUTES'));
+  minutes(isnan (minutes)) = Inf;
+  saveText (fullfile (queue, 'deadline'), ...
+            sprintf ('%.0f', time () + 60 * minutes));
   saveText (fullfile (queue, 'files'), strjoin (files, "\n"));
   tool = shellQuote (fullfile (root, 'tools', 'octave.sh'));
   one = sprintf ('{ %s tests/runTests.m --queue %s 2>&1 | %s; }', tool, ...
                  queue, 'grep --line-buffered -v "^error: ignoring const"');
   n = min ([nproc(), 4, numel(files)]);
   system ([strjoin(repmat ({one}, 1, n), ' & '), ' & wait']);
-  counts = zeros (1, 3);
-  failing = {};
-  said = '';
+  found = gather (queue, files, root);
+  rmdir (queue, 's');
+end
+
+% FOUND: struct; counts (passed, failed, skipped), failing (cell of files), said
+% (text of the failures), late (text: files that were not begun).
+function found = gather (queue, files, root)
+  found = struct ('counts', zeros (1, 3), 'failing', {{}}, 'said', '', ...
+                  'late', '');
   for k = 1:numel (files)
     claim = fullfile (queue, sprintf ('%d', k));
-    found = [0, 1, 0];
+    counts = [0, 1, 0];
     text = sprintf ("%s: its Octave has ended in the middle\n", files{k});
     if isfile (fullfile (claim, 'counts'))
-      found = sscanf (fileread (fullfile (claim, 'counts')), '%d')';
+      counts = sscanf (fileread (fullfile (claim, 'counts')), '%d')';
       text = fileread (fullfile (claim, 'failed'));
+      found.late = [found.late, fileread(fullfile (claim, 'late'))];
     end
-    said = [said, repmat(text, 1, found(2) > 0)];
-    counts = counts + found;
-    if found(2) > 0
-      failing{end + 1} = strrep (files{k}, [root, '/'], '');
+    found.counts = found.counts + counts;
+    if counts(2) > 0
+      found.said = [found.said, text];
+      found.failing{end + 1} = strrep (files{k}, [root, '/'], '');
     end
   end
-  rmdir (queue, 's');
 end
 
 history_save (false);
@@ -135,18 +156,25 @@ scratch = tempname ();
 mkdir (scratch);
 setenv ('TMPDIR', scratch);
 home = cd (scratch);
+failed = 0;
 if numel (args) > 1 && strcmp (args{end - 1}, '--queue')
   runQueue (root, args{end});
-  counts = zeros (1, 3);
 else
-  [counts, failing, said] = shareOut (root, testFiles (root, strjoin (args)));
-  if ~isempty (failing)
+  [files, ifTime] = testFiles (root, strjoin (args));
+  found = shareOut (root, files, ifTime);
+  if ~isempty (found.failing)
     % once more: a log that is cut keeps its end
-    printf ("\nFailed: %s\n%s", strjoin (failing, ', '), said);
+    printf ("\nFailed: %s\n%s", strjoin (found.failing, ', '), found.said);
   end
-  skipped = repmat (sprintf (', %d skipped', counts(3)), 1, counts(3) > 0);
-  printf ("%d passed, %d failed%s\n", counts(1:2), skipped);
+  if ~isempty (found.late)
+    printf ("\nNot begun, MINUTES=%s were over:%s\n", getenv ('MINUTES'), ...
+            found.late);
+  end
+  failed = found.counts(2);
+  skipped = repmat (sprintf (', %d skipped', found.counts(3)), 1, ...
+                    found.counts(3) > 0);
+  printf ("%d passed, %d failed%s\n", found.counts(1:2), skipped);
 end
 cd (home);
 rmdir (scratch, 's');
-exit (double (counts(2) > 0));
+exit (double (failed > 0));
