@@ -15,7 +15,7 @@
 
 function status = sayNew (root, folder, args)
   status = 0;
-  spec = struct ('model', 'one', 'curve', 'flag', 'script', 'one', ...
+  spec = struct ('model', 'one', 'bench', 'one', 'curve', 'flag', 'script', 'one', ...
                  'vary', 'many', 'set', 'many', 'target', 'many', ...
                  'output', 'one', 'seed', 'one');
   [given, words] = commandOptions (args, spec);
@@ -23,11 +23,29 @@ function status = sayNew (root, folder, args)
     given.script = absoluteFrom (folder, given.script);
   end
   target = placeOf (given, words, folder);
+  ask = @(question, default, rule) default;
+  if isempty (given.model) && strcmp (getenv ('DECALIOC_ASKS'), 'yes')
+    ask = @askPerson;
+    if isempty (given.bench)
+      given.bench = askBench (root, ask);
+    end
+  end
   isCase = isfile (fullfile (target, 'loadInput.m'));
   if isempty (given.model)
     refuseIf (isCase, target, 'is a case already');
+  end
+  if ~isempty (given.bench)
+    words = newBenchCase (root, given.bench, ask);
+    makePlace (target);
+    makeForm (fullfile (root, 'templates', 'benchCase'), target, words);
+  elseif isempty (given.model)
     makePlace (target);
     copyNew (root, target, {'loadEffects.m', 'loadInput.m'});
+    printf (['This is the case of the publication, a container of 1,200 ' ...
+             'grains that is lifted.\nFor your own grains: decalioc new ' ...
+             '--bench Heap,Drum FOLDER takes test rigs of the toolbox ' ...
+             '(decalioc benches\ndescribes them), decalioc new --model ' ...
+             'NAME makes a model of your own to be edited.\n\n']);
   else
     model = fullfile (target, 'DEMmodels', given.model);
     refuseIf (isCase && isfolder (model), model, 'is there already');
@@ -44,6 +62,10 @@ function target = placeOf (given, words, folder)
   elseif ~isempty (given.script) && isempty (given.model)
     error ('DEcalioc:sayNew:missingField', ...
            '--script needs a name for the model: --model NAME.');
+  elseif ~isempty (given.bench) && ~isempty (given.model)
+    error ('DEcalioc:sayNew:badValue', ...
+           ['--bench takes test rigs of the toolbox as they are, --model ' ...
+            'makes a model of your own: give one of the two.']);
   elseif given.curve && (isempty (given.model) || ~isempty (given.script))
     error ('DEcalioc:sayNew:badValue', ...
            '--curve goes with --model NAME, without --script.');
@@ -156,6 +178,26 @@ function makeForm (template, target, words)
   copyNew (draft, target, [names, {last}]);
 end
 
+% At a terminal. An empty answer takes the default.
+function text = askPerson (question, default, rule)
+  shown = repmat ([' [', default, ']'], 1, ~isempty (default));
+  do
+    text = strtrim (input ([question, shown, ': '], 's'));
+    if isempty (text)
+      text = default;
+    end
+  until rule (text)
+end
+
+function bench = askBench (root, ask)
+  sayBenches (root, '', {});
+  bench = ask (['test rigs, with commas between (none: the published ' ...
+                'container)'], 'Heap', @(text) ~isempty (text));
+  if strcmp (bench, 'none')
+    bench = '';
+  end
+end
+
 function sayMade (target, given, wasCase)
   if ~isempty (given.model)
     printf ('model  %s\n', fullfile (target, 'DEMmodels', given.model));
@@ -213,6 +255,26 @@ end
 %! % a second model in the same case
 %! text = quietly (root, base, {'--model', 'Other', place});
 %! assert (~isempty (strfind (text, 'has its loadInput.m already')));
+%!test
+%! % test rigs of the toolbox: the input is whole but for what was measured
+%! place = fullfile (base, 'rigs');
+%! quietly (root, base, {'--bench', 'Heap,Drum', place});
+%! file = fullfile (place, 'measured.csv');
+%! [header, cells] = readCsvTable (file);
+%! at = strcmp (header, 'value');
+%! assert (rows (cells), 13);
+%! assert (all (cellfun (@isempty, cells(:, at))));
+%! [status, text] = startCommand (place, 'check');
+%! assert (status, 1);
+%! assert (~isempty (strfind (text, 'measured.csv')), text);
+%! text = strrep (fileread (file), 'Heap,slope,,', 'Heap,slope,31,');
+%! writeAtomic (file, strrep (text, 'Drum,slope1,,', 'Drum,slope1,36,'));
+%! [status, text] = startCommand (place, 'check');
+%! assert (status, 0);
+%!error id=DEcalioc:sayNew:badValue ...
+%! sayNew (root, base, {'--bench', 'Heap', '--model', 'M'});
+%!error id=DEcalioc:newBenchCase:unknownName ...
+%! sayNew (root, base, {'--bench', 'Heep', 'x'});
 %!error id=DEcalioc:sayNew:missingField sayNew (root, base, {});
 %!error id=DEcalioc:sayNew:missingField sayNew (root, base, {'a', 'b'});
 %!error id=DEcalioc:sayNew:badValue sayNew (root, base, {'--curve', 'x'});

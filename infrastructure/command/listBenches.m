@@ -1,0 +1,62 @@
+% LISTBENCHES  The test rigs that the toolbox brings.
+%
+% CALL: BENCHES = listBenches (ROOT)
+%
+%   ROOT     folder of the toolbox (text)
+%   BENCHES  1 x n struct array: name, folder, title (first line of its README
+%            behind the colon), sees, results (see resultInfo), mean and sd (1 x
+%            T, of one run at the values of data.head), sizes (1 x s struct
+%            array, the variables of the rig, see checkHead), picture (path)
+%
+% A folder of DEMmodels/ is one where it has results.csv, scatter.csv and
+% picture.svg.
+
+function benches = listBenches (root)
+  files = glob (fullfile (root, 'DEMmodels', '*', 'scatter.csv'));
+  benches = [];
+  for file = files(:)'
+    folder = fileparts (file{1});
+    picture = fullfile (folder, 'picture.svg');
+    info = resultInfo (folder);
+    if isfile (picture) && ~isempty (info)
+      [~, name] = fileparts (folder);
+      readme = fileread (fullfile (folder, 'README.md'));
+      [~, cells] = readCsvTable (file{1});
+      numbers = str2double (cells(:, 2:3))';
+      benches = [benches, ...
+                 struct('name', name, 'folder', folder, ...
+                        'title', said (readme, '^# [^:\n]*: ([^\n]*)'), ...
+                        'sees', said (readme, '^Sees: ([^\n]*)'), ...
+                        'results', info, 'mean', numbers(1, :), ...
+                        'sd', numbers(2, :), 'sizes', sizesOf (folder), ...
+                        'picture', picture)];
+    end
+  end
+end
+
+function text = said (readme, pattern)
+  found = regexp (readme, pattern, 'tokens', 'once', 'lineanchors');
+  text = [found{:}];
+end
+
+% What is left out says how a run is made and read, not what the rig is like.
+function sizes = sizesOf (folder)
+  head = checkHead (folder);
+  text = fileread (fullfile (folder, 'data.head'));
+  part = text(strfind (text, '# --- the bench'):end);
+  names = regexp (part, '^variable (\S+)', 'tokens', 'lineanchors');
+  names = [names{:}];
+  names = names(cellfun (@isempty, regexp (names, '^(rest|skip|read|glue)')));
+  sizes = head(ismember ({head.name}, names));
+end
+
+%!test
+%! benches = listBenches (fileparts (fileparts (which ('startToolbox'))));
+%! assert ({benches.name}, {'Collapse', 'Drum', 'Heap', 'Shear', 'SlotBin'});
+%! heap = benches(3);
+%! assert (heap.title, 'heap by a lifted tube');
+%! assert ({heap.sizes.name}, {'tubeRadius', 'plateRadius', 'heapSolid', ...
+%!                             'liftSpeed', 'liftHeight'});
+%! assert (heap.sizes(1).value, '0.015');
+%! assert (size (heap.mean), size (heap.results));
+%! assert (~any (cellfun (@isempty, {benches.sees})));

@@ -1,0 +1,34 @@
+% SAYBENCHES  Describes the test rigs of the toolbox.
+%
+% CALL: STATUS = sayBenches (ROOT, FOLDER, ARGS)
+%
+%   ROOT    folder of the toolbox (text); FOLDER, ARGS  not used
+%   STATUS  0
+%
+% See also: listBenches, newBenchCase
+
+function status = sayBenches (root, ~, ~)
+  status = 0;
+  for bench = listBenches (root)
+    printf ("%-10s %s: %s\n", bench.name, bench.title, bench.sees);
+    printf ("%10s results: %s\n", '', resultsOf (bench));
+    printf ("%10s picture: %s\n", '', bench.picture);
+  end
+  printf ("\ndecalioc new --bench NAME,NAME FOLDER makes a case of them.\n");
+end
+
+function text = resultsOf (bench)
+  words = cell (1, numel (bench.results));
+  for k = 1:numel (words)
+    one = bench.results(k);
+    unit = repmat ([' (', one.unit, ')'], 1, ~strcmp (one.unit, '-'));
+    words{k} = [one.name, unit];
+  end
+  text = strjoin (words, ', ');
+end
+
+%!test
+%! text = evalc ('sayBenches (fileparts (fileparts (which (''startToolbox''))), '''', {});');
+%! assert (~isempty (strfind (text, 'massOnPlate (kg)')));
+%! assert (~isempty (regexp (text, '^Heap +heap by a lifted tube: static', ...
+%!                           'once', 'lineanchors')));
