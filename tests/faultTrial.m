@@ -50,9 +50,7 @@ function [pid, log] = launch (folder)
 end
 
 function waitFor (pid)
-  while isfolder (sprintf ('/proc/%d', pid)) && ~isZombie (pid)
-    pause (0.1);
-  end
+  waitUntil (@() ~isfolder (sprintf ('/proc/%d', pid)) || isZombie (pid), 900);
 end
 
 function yes = isZombie (pid)

@@ -81,14 +81,22 @@ function saveText (file, text)
   fclose (fid);
 end
 
+% A file that never ends would keep all others from being told: its Octave is
+% killed after 15 minutes (an hour in the long form) with all that it started.
 function [counts, text] = runFile (file, root)
   start = tic ();
+  limit = 900 * (1 + 3 * strcmp (getenv ('DECALIOC_SOAK'), '1'));
+  [~, guard] = system (sprintf ( ...
+    'setsid bash %s %d %d %s > /dev/null 2>&1 & echo $!', ...
+    shellQuote (fullfile (root, 'tests', 'endTests.sh')), limit, getpid (), ...
+    getenv ('TMPDIR')));
   log = tempname ();
   % a function of an example or a model is found by its own test only
   before = addpath (fileparts (file), '-end');
   fid = fopen (log, 'w');
   [passed, total, ~, skipped] = test (file, 'quiet', fid);
   fclose (fid);
+  system (['kill -- -', strtrim(guard), ' 2> /dev/null']);
   path (before);
   counts = [passed, total - passed, skipped];
   text = sprintf ("%-56s %3d of %3d  %4.0f s\n", ...
@@ -116,8 +124,10 @@ function found = shareOut (root, files, ifTime)
             sprintf ('%.0f', time () + 60 * minutes));
   saveText (fullfile (queue, 'files'), strjoin (files, "\n"));
   tool = shellQuote (fullfile (root, 'tools', 'octave.sh'));
-  one = sprintf ('{ %s tests/runTests.m --queue %s 2>&1 | %s; }', tool, ...
-                 queue, 'grep --line-buffered -v "^error: ignoring const"');
+  % one that was killed is followed by another, for the files that are left
+  one = sprintf (['{ while %s tests/runTests.m --queue %s; [ $? -gt 1 ]; ', ...
+                  'do :; done 2>&1 | %s; }'], tool, queue, ...
+                 'grep --line-buffered -v "^error: ignoring const"');
   n = min ([nproc(), 4, numel(files)]);
   system ([strjoin(repmat ({one}, 1, n), ' & '), ' & wait']);
   found = gather (queue, files, root);
@@ -132,7 +142,7 @@ function found = gather (queue, files, root)
   for k = 1:numel (files)
     claim = fullfile (queue, sprintf ('%d', k));
     counts = [0, 1, 0];
-    text = sprintf ("%s: its Octave has ended in the middle\n", files{k});
+    text = sprintf ("%s: its Octave ended in the middle, or had no end in time\n", files{k});
     if isfile (fullfile (claim, 'counts'))
       counts = sscanf (fileread (fullfile (claim, 'counts')), '%d')';
       text = fileread (fullfile (claim, 'failed'));

@@ -64,9 +64,7 @@
 %!                              'before', {{lateFiles(folder)}});
 %! meddle (folder, cluster, n);
 %! outcome = runJobs (jobs, Case, @(s) []);
-%! while ~isfile (fullfile (folder, 'over'))   % the node comes back late
-%!   pause (0.5);
-%! end
+%! waitUntil (@() isfile (fullfile (folder, 'over')));  % the node comes late
 %! setenv ('SLURM_CONF', config);
 %! assert ({outcome.status}, repmat ({'ok'}, 1, n));
 %! sums = sum (vertcat (jobs.params), 2)';

@@ -93,9 +93,7 @@ end
 %! jobs = newJobs (Case, [1, 2; 3, 4; 5, 6; 7, 8], [], 1, 'plan')(1:2:end);
 %! folders = arrayfun (@(j) prepareRun (j, Case), jobs, 'UniformOutput', false);
 %! startRun (folders{1}, Case.root);
-%! while isempty (readEndMark (folders{1}))
-%!   pause (0.1);
-%! end
+%! waitUntil (@() ~isempty (readEndMark (folders{1})));
 %! [~, mark] = processStart (getpid ());
 %! writeAtomic (fullfile (folders{2}, 'pid'), ...
 %!              sprintf ("%d 1 %s\n", getpid (), mark));

@@ -121,9 +121,7 @@ end
 %! % a run whose Octave is this one; a case in which one works elsewhere
 %! [Case, folder, cancel] = oneRun ();
 %! startRun (folder, Case.root);
-%! while isempty (runPids (folder))
-%!   pause (0.1);
-%! end
+%! waitUntil (@() ~isempty (runPids (folder)));
 %! assert (~isempty (strfind (cancel (), '; 1 run(s) ended here, 0 job')));
 %! assert (readEndMark (folder).reason, 'killed');
 %! writeAtomic (fullfile (Case.folder, 'decalioc.lock'), "elsewhere 1 1\n");
@@ -149,12 +147,7 @@ end
 %!test
 %! % a mistake that loadInput.m has got since does not keep it alive
 %! [Case, ~, cancel] = oneRun ();
-%! [~, pid] = system ('setsid sleep 321 > /dev/null 2>&1 & echo $!');
-%! pid = str2double (pid);
-%! mark = '';
-%! while isempty (regexp (mark, ' sleep$', 'once'))     % no shell any more
-%!   [~, mark] = processStart (pid);
-%! end
+%! [pid, mark] = startSleep (321);
 %! writeAtomic (fullfile (Case.folder, 'decalioc.lock'), ...
 %!              sprintf ('%s %d %s', gethostname (), pid, mark));
 %! writeLoadInput (Case.folder, 'nope (');

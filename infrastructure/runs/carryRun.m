@@ -67,9 +67,7 @@ end
 %! answer = carryRun (place, Case, getpid ());
 %! assert ({answer.k, answer.record, answer.fault}, {7, [], []});
 %! assert (numel (readdir (place)), 2);
-%! while isempty (readEndMark (folder))
-%!   pause (0.05);
-%! end
+%! waitUntil (@() ~isempty (readEndMark (folder)));
 %! order.hasEnded = true;
 %! saveWhole ('-binary', file, order);
 %! answer = carryRun (place, Case, getpid ());

@@ -64,18 +64,12 @@ end
 %! file = tempname ();
 %! system (sprintf (['sh -c ''sleep 60 & echo $! $$ > %s; ' ...
 %!   'exec sleep 61'' > /dev/null 2>&1 &'], file));
-%! while ~isfile (file) || numel (sscanf (fileread (file), '%d')) < 2
-%!   pause (0.05);
-%! end
+%! waitUntil (@() isfile (file) && numel (sscanf (fileread (file), '%d')) == 2);
 %! pids = sscanf (fileread (file), '%d');
 %! of = @(pid, name) fileread (sprintf ('/proc/%d/%s', pid, name));
-%! while ~strcmp (of (pids(2), 'comm'), "sleep\n")
-%!   pause (0.05);
-%! end
+%! waitUntil (@() strcmp (of (pids(2), 'comm'), "sleep\n"));
 %! kill (pids(1), 9);
-%! while ~any (strfind (of (pids(1), 'stat'), ') Z '))
-%!   pause (0.05);
-%! end
+%! waitUntil (@() any (strfind (of (pids(1), 'stat'), ') Z ')));
 %! start = processStart (pids(1));
 %! kill (pids(2), 9);
 %! assert (start, '');

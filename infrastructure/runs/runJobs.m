@@ -240,9 +240,7 @@ end
 %!                 fullfile (Case.root, 'infrastructure'), Case.root, file);
 %! system (['octave-cli --norc --eval ', shellQuote(code), ...
 %!          ' > /dev/null 2>&1 &']);
-%! while ~isfile ([file, '.on'])
-%!   pause (0.2);
-%! end
+%! waitUntil (@() isfile ([file, '.on']));
 %! [r, ~, nNew] = runJobs (job, Case, @(s) []);
 %! assert ({r.status, nNew}, {'ok', 0});
 %! assert (numel (listRunFolders (Case.store, 'First')), 1);

@@ -39,9 +39,7 @@ end
 %! root = fileparts (fileparts (which ('startToolbox')));
 %! startRun (folder, root);
 %! assert (isempty (readEndMark (folder)));
-%! while isempty (readEndMark (folder))
-%!   pause (0.05);
-%! end
+%! waitUntil (@() ~isempty (readEndMark (folder)));
 %! assert (readEndMark (folder).reason, 'finished');
 %! assert (load (fullfile (folder, 'out')), runPids (folder)(1));
 %! % where the guard cannot note itself (a full disk), the run does not count
@@ -50,9 +48,7 @@ end
 %! end
 %! mkdir (fullfile (folder, 'pid'));
 %! startRun (folder, root);
-%! while isempty (readEndMark (folder))
-%!   pause (0.05);
-%! end
+%! waitUntil (@() ~isempty (readEndMark (folder)));
 %! assert (readEndMark (folder).reason, 'killed');
 %! % what cannot start is said, not waited for
 %! ids = {};

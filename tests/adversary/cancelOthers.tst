@@ -47,9 +47,7 @@
 %! job = newJobs (B, [1, 2], [], 1, 'plan')(1);
 %! folder = prepareRun (job, B);
 %! startRun (folder, B.root);
-%! while isempty (runPids (folder))
-%!   pause (0.05);
-%! end
+%! waitUntil (@() ~isempty (runPids (folder)));
 %! old = prepareRun (rmfield (newJobs (B, [2, 2], [], 1, 'plan')(1), ...
 %!                            {'origin', 'input', 'variables'}), B);
 %! inQueue (B, 'slurm', 'decalioc-bbbbbbbbbbb1');

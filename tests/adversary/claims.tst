@@ -1,24 +1,15 @@
 % A case waits for runs that another one, suspended, is about to make on the same
 % store: it says for whom, and takes over after the time that the user set.
 
-%!function pid = stopped ()
-%!  [~, pid] = system ('setsid sleep 60 > /dev/null 2>&1 & echo $!');
-%!  pid = str2double (pid);
-%!  mark = '';
-%!  while isempty (regexp (mark, ' sleep ', 'once'))    % no shell any more
-%!    [~, mark] = processStart (pid);
-%!  end
-%!  kill (pid, 19);
-%!endfunction
 %!test
 %! raw = standInCase (tempname ());
 %! raw.Input.store = tempname ();
 %! raw.Input.waitHours = 13 / 3600;
 %! Case = newCase (raw);
 %! jobs = newJobs (Case, [1, 2], [], 1, 'plan');
-%! pid = stopped ();
+%! [pid, mark] = startSleep (60);
+%! kill (pid, 19);
 %! tidy = onCleanup (@() kill (pid, 9));
-%! [~, mark] = processStart (pid);
 %! place = fullfile (Case.store, 'optim', 'First');
 %! mkdir (place);
 %! claim = fullfile (place, ['claim-', jobs(1).key]);

@@ -21,9 +21,7 @@
 %! system (sprintf (['unshare -p -f --kill-child --mount-proc octave-cli ', ...
 %!                   '--norc --quiet %s --eval "%s" > /dev/null 2>&1 & ', ...
 %!                   'echo $! > %s/number'], paths, take, folder));
-%! while ~isfile (fullfile (folder, 'on'))
-%!   pause (0.1);
-%! end
+%! waitUntil (@() isfile (fullfile (folder, 'on')));
 %! assert (lockHolder (folder).state, 'unknown');
 %! inside ('-p -f --mount-proc', sprintf ('lockCase (''%s'');', folder));
 %! text = fileread (fullfile (folder, 'out'));
