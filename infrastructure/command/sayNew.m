@@ -55,6 +55,17 @@ function status = sayNew (root, folder, args)
 end
 
 function target = placeOf (given, words, folder)
+  checkModel (given);
+  if isempty (words) && isempty (given.model) || numel (words) > 1
+    error ('DEcalioc:sayNew:missingField', ...
+           ['one FOLDER for the case is needed, got %d. decalioc new ' ...
+            '--help shows the call.'], numel (words));
+  end
+  words{end + 1} = given.model;
+  target = absoluteFrom (folder, words{1});
+end
+
+function checkModel (given)
   if ~isempty (given.model) && ~checkIs ('folder', given.model)
     error ('DEcalioc:sayNew:badValue', ...
            ['--model must be a plain name (letters, digits, _ - + .), got ' ...
@@ -72,13 +83,6 @@ function target = placeOf (given, words, folder)
   elseif isempty (given.script)
     refuseUnread (given);
   end
-  if isempty (words) && isempty (given.model) || numel (words) > 1
-    error ('DEcalioc:sayNew:missingField', ...
-           ['one FOLDER for the case is needed, got %d. decalioc new ' ...
-            '--help shows the call.'], numel (words));
-  end
-  words{end + 1} = given.model;
-  target = absoluteFrom (folder, words{1});
 end
 
 % What only the model of a script takes would be lost without a word.
