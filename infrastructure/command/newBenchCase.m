@@ -39,7 +39,8 @@ function benches = chosen (benches, names)
   names = strtrim (strsplit (names, ','));
   [isKnown, at] = ismember (names, {benches.name});
   if ~all (isKnown)
-    name = names{find (~isKnown, 1)};
+    name = names(~isKnown);
+    name = name{1};
     error ('DEcalioc:newBenchCase:unknownName', ...
            ['--bench must name test rigs of the toolbox, %s, with commas ' ...
             'between; got ''%s''. %s decalioc benches describes them.'], ...

@@ -185,12 +185,13 @@ end
 % At a terminal. An empty answer takes the default.
 function text = askPerson (question, default, rule)
   shown = repmat ([' [', default, ']'], 1, ~isempty (default));
-  do
+  text = NaN;
+  while ~ischar (text) || ~rule (text)
     text = strtrim (input ([question, shown, ': '], 's'));
     if isempty (text)
       text = default;
     end
-  until rule (text)
+  end
 end
 
 function bench = askBench (root, ask)
