@@ -1,0 +1,100 @@
+% FORMCASE  Diagnoses one stored case, with its form and with others.
+%
+% CALL: LINES = formCase (PART, NUMBER, GIVEN, EM, TRUTH, HOW)
+% CALL: HEADER = formCase ()
+%
+%   PART, NUMBER  text and number of the case
+%   GIVEN         for newGapProblem;  EM  of fitEmulator
+%   TRUTH         struct X (1 x p), phi (1 x K); isUnlisted: the cause is off
+%                 the list
+%   HOW           struct options (gapOptions), reference (omnibusReference)
+%   LINES         1 x n cell of rows of the table of formStudy
+%
+% See also: formStudy, turnMark
+
+function lines = formCase (part, number, given, em, truth, how)
+  if nargin == 0
+    lines = ['part,case,class,cause,tangent,way,d,verdict,effects,class90,', ...
+             'pSaid,top,pTop,pTrue,p,decides'];
+    return
+  end
+  lines = {};
+  gapProblem = setfield (newGapProblem (given), 'unit', 1);
+  em = takeReference (em, gapProblem);
+  usable = [em.effect.laboratory] | [em.effect.runs] >= 3;
+  em = withoutEffects (em, find (~usable));
+  models = makeHypotheses (gapProblem, em, how.options);
+  [truth, d] = described (gapProblem, models, truth);
+  ways = {'rival', 'smooth'};
+  way = ways{1 + mod(number, 2)};
+  tangents = 0;
+  if strcmp (truth.class, 'single') && d >= 3
+    tangents = [0, 0.35, 0.6];
+  end
+  Y = repmat (gapProblem.value(gapProblem.used), numel (tangents), 1);
+  for i = 2:numel (tangents)
+    phi = struct ('at', truth.at, 'strength', truth.strength);
+    Y(i, :) = Y(i, :) + tangents(i) * ...
+                        turnMark (models, gapProblem, truth.theta, phi, way, ...
+                                  7000 + number);
+  end
+  models.reference = how.reference;
+  fits = fitLibrary (models, Y);
+  for i = 1:numel (tangents)
+    own = setfield (gapProblem, 'value', {gapProblem.used}, Y(i, :));
+    study = struct ('gapProblem', own, 'em', em, 'models', models, 'fits', ...
+                    fits);
+    start = sprintf ('%s,%d,%s,%s,%g,%s,%.2f', part, number, truth.class, ...
+                     strjoin (truth.names, ' '), tangents(i), way, d);
+    lines{end + 1} = [start, answerOf(study, i, truth)];
+  end
+end
+
+function [truth, d] = described (gapProblem, models, truth)
+  truth.theta = 2 * toUnit (truth.X, gapProblem.limits) - 1;
+  names = {gapProblem.effects(abs (truth.phi) > 1e-9).name};
+  [isThere, at] = ismember (names, models.names);
+  truth.names = names;
+  classes = {'null', 'single', 'pair'};
+  truth.class = classes{1 + numel(names)};
+  if ~all (isThere) || (isfield (truth, 'isUnlisted') && truth.isUnlisted)
+    truth.class = 'unlisted';
+  end
+  truth.at = at;
+  truth.strength = truth.phi(abs (truth.phi) > 1e-9);
+  d = 0;
+  if any (strcmp (truth.class, {'single', 'pair'}))
+    white = models.white;
+    [~, ~, S] = predictGap (white, at, [truth.theta, truth.strength]);
+    [~, V, ~, J] = predictGap (white, [], truth.theta);
+    slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
+    N = parityProjection (slopes, zeros (numel (V), 1)).N;
+    d = norm (N' * (S ./ sqrt (V))');
+  end
+end
+
+function text = answerOf (study, i, truth)
+  models = study.models;
+  w = caseEvidence (models, study.fits, i);
+  verdict = judgeCase (w, models);
+  [class90, decides] = deal (verdict.effects, {});
+  if isfield (verdict, 'class')
+    [verdict, decides] = withoutReadings (verdict, study);
+    class90 = verdict.class;
+  end
+  holding = @(set) sum (verdict.P(cellfun (@(m) any (ismember (m, set)), ...
+                                           w.members)));
+  said = [arrayfun(holding, verdict.effects), 1];
+  if strcmp (verdict.kind, 'group')
+    said = holding (verdict.effects);
+  end
+  pTrue = 0;
+  if any (strcmp (truth.class, {'single', 'pair'}))
+    pTrue = max (arrayfun (holding, truth.at));
+  end
+  text = sprintf (',%s,%s,%s,%.4f,%s,%.4f,%.4f,%.3g,%s', verdict.kind, ...
+                  strjoin (models.names(verdict.effects), ' '), ...
+                  strjoin (models.names(class90), ' '), min (said), ...
+                  models.names{verdict.top}, holding (verdict.top), pTrue, ...
+                  w.gate.p, strjoin (decides, ' '));
+end
