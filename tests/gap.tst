@@ -5,7 +5,7 @@
 %!  y = means ([0.4, 0.6], phi) + 0.2 * sqrt (2) * randn (1, 12);
 %!endfunction
 %!function options = quick ()
-%!  options = struct ('trials', 0, 'twins', 99, 'bootstrap', 199, ...
+%!  options = struct ('twins', 99, 'bootstrap', 199, ...
 %!                    'trend', 'affine');
 %!endfunction
 

@@ -1,7 +1,7 @@
 % Flows of the diagnosis at its door: units, benches without any result.
 
 %!function options = quick ()
-%!  options = struct ('trials', 0, 'twins', 99, 'bootstrap', 199, ...
+%!  options = struct ('twins', 99, 'bootstrap', 199, ...
 %!                    'trend', 'affine');
 %!endfunction
 

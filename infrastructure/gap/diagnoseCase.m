@@ -48,11 +48,14 @@ function diagnosis = diagnoseCase (root, folder)
 
   % where, which, how far, next test: of the first condition last, for its files
   % lie in gap/ itself
-  others = [];
-  for c = max (numel (Case.conditions), 1):-1:1
+  [others, changed] = deal ([], 0);
+  many = max (numel (Case.conditions), 1);
+  for c = many:-1:1
     [given, finer] = finerLevel (gapProblemOf (Case, c), surrogates, ...
                                  levelled, problem);
-    diagnosis = diagnoseOne (Case, given, state, c, say);
+    % Holm's correction: conditions that have changed leave their share to others
+    diagnosis = diagnoseOne (Case, given, state, [c, many - changed], say);
+    changed = changed + ~strcmp (diagnosis.which.guard, 'gate');
     diagnosis.level = finer (diagnosis, options);
     [state.data, state.budget] = deal (diagnosis.data, diagnosis.budget);
     diagnosis.others = compareConditions (diagnosis, others);
@@ -71,8 +74,9 @@ function diagnosis = diagnoseCase (root, folder)
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
 end
 
-% With one of SHARES equal parts of what may still be run. Models that gave no
-% result are left out, as enterRuns does.
+% With one of SHARES(1) equal parts of what may still be run, and one of SHARES(2)
+% of the chance of a false alarm. Models that gave no result are left out, as
+% enterRuns does.
 function diagnosis = diagnoseOne (Case, given, state, shares, say)
   model = [Case.targets.model];
   isAlive = ismember (1:numel (Case.models), ...
@@ -81,7 +85,8 @@ function diagnosis = diagnoseOne (Case, given, state, shares, say)
   options = gapBudget (Case, state.budget, given, state.seconds);
   given.tests = @() caseTests (Case, say);
   left = state.budget.left / state.budget.perSet;
-  options.maxNewRuns = min (options.maxNewRuns, floor (left / shares));
+  options.maxNewRuns = min (options.maxNewRuns, floor (left / shares(1)));
+  options.level = options.level / shares(2);
   state.evaluate = [];
   if options.maxNewRuns > 0
     state.evaluate = state.part (isAlive);
@@ -167,11 +172,16 @@ function s = compareConditions (diagnosis, others)
   end
 end
 
-% The probability takes the strengths as normal, with the widths of their
+% Of one cause, or one class, in both: an error of the form of a law is the same
+% in all conditions, so it can make another cause of it, but not more or less of
+% one. The probability takes the strengths as normal, with the widths of their
 % intervals: they are from one set of surrogates, whose common error it counts
 % twice.
 function order = orderOf (a, b)
   order = [];
+  if ~isequal (sort (a.effects), sort (b.effects))
+    return
+  end
   for name = intersect (a.effects, b.effects)
     i = find (strcmp (a.effects, name{1}));
     j = find (strcmp (b.effects, name{1}));

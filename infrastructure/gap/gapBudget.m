@@ -10,7 +10,7 @@
 %   LINES    cellstr, what is foreseen, and what the budget leaves out
 %
 % Foreseen at most: each effect once, twice where it acts both ways; 6 batches
-% of 5; 5 seeds of each of three compared sets; 12 to mend surrogates or to seek
+% of 5; 5 seeds of each of four compared sets; 12 to mend surrogates or to seek
 % a gap. The runs end as soon as the answer stands (exploreEffects), and without
 % a gap after the first ones and those that sought it. Where Input.maxNewRuns
 % allows less, a third of it is kept to verify; effects for which nothing is
@@ -29,7 +29,7 @@ function [options, lines] = gapBudget (Case, budget, given, seconds)
     end
   end
   share = [12, sum(ends), options.batches * options.batch * ~isempty(ends), ...
-           3 * options.verifyRuns];
+           4 * options.verifyRuns];
   wanted = sum (share);
   options.maxNewRuns = max (min (left, wanted), 0);
   lines = {sprintf(['foreseen at most: %d sets (%d to mend surrogates, %d ' ...
@@ -69,7 +69,7 @@ end
 %!   options = gapBudget (Case, budget, given, NaN);
 %!   sets(end + 1) = options.maxNewRuns;
 %! end
-%! assert (sets, 12 + [11, 21, 41] + 30 + 15);
+%! assert (sets, 12 + [11, 21, 41] + 30 + 20);
 %!test
 %! % what is left out is said
 %! budget.left = 26;

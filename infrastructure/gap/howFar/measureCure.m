@@ -1,12 +1,12 @@
 % MEASURECURE  Answers HOW FAR the gap shrinks once an effect is modelled.
 %
-% CALL: CURE = measureCure (STUDY, SETS, FIRST, GROUP)
+% CALL: CURE = measureCure (STUDY, SETS, FIRST, ALIKE)
 %
 %   STUDY     struct gapProblem, em, models
 %   SETS     struct array of runCures: the null model first, then each
 %            effect
 %   FIRST    effect numbers of the cause, one of SETS
-%   GROUP    numbers of effects that are no placebos
+%   ALIKE    numbers of the effects of its class (nameCause)
 %   CURE     struct
 %     effect   text, names of the effects that were added
 %     before, after, floor, floorAfter   of the used targets: root mean square
@@ -16,9 +16,9 @@
 %     heldOut  the same on the held-out targets ([] if there are none)
 %     targets  1 x n struct target (number), before, after (means of the
 %              model), sdBefore, sd (of the measured value less these)
-%     placebos 1 x m struct: effects that are not members of the group, refitted
-%              alike: effect, closure, interval90, heldOut (closure),
-%              verifiedByDEM, and
+%     placebos 1 x m struct: the other effects, refitted alike: effect, closure,
+%              interval90, heldOut (closure), verifiedByDEM, inClass (of ALIKE),
+%              and
 %       expected    closure that it would have if the cause is right: the square
 %                   of the cosine of what the two add, as far as parameters
 %                   cannot hide it
@@ -40,7 +40,7 @@
 % All draws share the measurement and the runs without the effect, so that
 % cause and placebo are compared in pairs.
 
-function cure = measureCure (study, sets, first, group)
+function cure = measureCure (study, sets, first, alike)
   gapProblem = study.gapProblem;
   em = study.em;
   names = study.models.names;
@@ -61,16 +61,18 @@ function cure = measureCure (study, sets, first, group)
   cure.targets = targetsOf (gapProblem, targets, devs(1), devs(at));
   cure.placebos = struct ('effect', {}, 'closure', {}, 'interval90', {}, ...
                           'heldOut', {}, 'verifiedByDEM', {}, ...
+                          'inClass', {}, ...
                           'expected', {}, 'difference', {}, ...
                           'difference90', {}, 'logRatio', {}, 'against', {});
   for i = setdiff (2:numel (sets), at)
-    if any (ismember (sets(i).h, group))
+    if any (ismember (sets(i).h, first))
       continue
     end
     own = placeboOf (cure, devs([1, at, i]), used, held, ...
                      {scale, options});
     own.effect = strjoin (names(sets(i).h), ' + ');
     own.verifiedByDEM = sets(i).verified;
+    own.inClass = all (ismember (sets(i).h, alike));
     own.against = own.against && all ([sets([1, at, i]).verified]);
     cure.placebos(end + 1) = orderfields (own, cure.placebos);
   end

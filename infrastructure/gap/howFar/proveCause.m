@@ -11,11 +11,13 @@
 %   CURE        of measureCure, for the cause that VERDICT tells then; []
 %               where there is nothing to compare
 %
-% Compared are the named cause and the likeliest other effect, a placebo; where
-% no other one is likely, the one whose mark on the targets is most like that of
-% the cause, as one that cannot imitate it proves nothing. Of a group, its two
-% likeliest. Where these runs turn up another cause, a pair say,
-% it is compared too: a name must not be judged by the cure of another one.
+% Compared are the likeliest cause and those that are less likely by a factor of
+% exp (classNats) at most, three in all, each with as many runs at the set where
+% it fits: evidence that counts the runs of one alone would favour it. Where no
+% other one is likely, the one whose mark on the targets is most like that of the
+% cause is a placebo, as one that cannot imitate it proves nothing. Where these
+% runs turn up another cause, a pair say, it is compared too: a name must not be
+% judged by the cure of another one.
 % Where DEM still misses a target, the surrogates of the cause were wrong there:
 % fitted again with these runs they give a nearer set, which is run, twice at
 % most. DEM runs are spent on a name or a group only.
@@ -23,17 +25,15 @@
 function [verdict, w, cure, state] = proveCause (verdict, study, state)
   cure = [];
   w = study.w;
-  causes = comparedCauses (verdict, w.screen, study.models.options);
+  causes = comparedCauses (verdict, w, study.models.options);
   if isempty (causes)
     return
   end
   if ~isSaid (verdict)
     state.evaluate = [];
   end
-  group = [causes{1}, verdict.effects];
   [sets, state] = runCures (study, causes, state);
-  isPlacebo = cellfun (@(h) ~any (ismember (h, group)), causes);
-  if all ([sets([true, ~isPlacebo]).verified])
+  if all ([sets.verified])
     [verdict, w] = withCures (study, state.data);
   end
   retries = 2 * all ([sets.verified]);
@@ -41,9 +41,8 @@ function [verdict, w, cure, state] = proveCause (verdict, study, state)
     cause = causeOf (verdict, causes);
     if ~isAmong (cause, {sets.h})
       [sets, state] = runCures (study, {cause}, state, sets);
-      group = [group, cause];
     end
-    cure = measureCure (study, sets, cause, group);
+    cure = measureCure (study, sets, cause, verdict.class);
     if retries < 1 || state.left < 2 || ~isSaid (verdict) || ...
        ~cure.stillMisses
       return
@@ -90,30 +89,29 @@ function is = isAmong (h, list)
   is = any (cellfun (@(own) isequal (own, h), list));
 end
 
-% The cause and a placebo, or the two likeliest of a group.
-function causes = comparedCauses (verdict, screen, options)
+% The cause and its rivals; at least one other effect, as a placebo.
+function causes = comparedCauses (verdict, w, options)
   causes = {};
   if isempty (verdict.include) || strcmp (verdict.kind, 'surrogate')
     return
   end
-  [~, order] = sort (-verdict.total);
-  members = verdict.top;
-  if strcmp (verdict.kind, 'group')
-    members = order(ismember (order, verdict.effects));
-    members = members(1:min (2, numel (members)));
-  end
-  causes = num2cell (members);
+  [~, order] = sort (-verdict.include);
+  first = verdict.top;
   if strcmp (verdict.kind, 'named')
-    causes = {verdict.effects};
+    first = verdict.effects;
+  elseif strcmp (verdict.kind, 'group')
+    first = order(find (ismember (order, verdict.effects), 1));
   end
-  others = order(~ismember (order, [causes{:}, verdict.effects]));
-  if all (verdict.total(others) < options.rivalAt)
-    alike = max (screen.cosine([causes{:}], others), [], 1);
-    [~, order] = sort (-alike .* isfinite (screen.smallest(others)));
-    others = others(order);
+  others = order(~ismember (order, first));
+  near = natsBehind (w, verdict, first)(others) <= options.classNats;
+  isMember = ismember (others, verdict.effects) | near;
+  rivals = others(isMember)(1:min (2, sum (isMember)));
+  if isempty (rivals) && ~isempty (others)
+    alike = max (w.screen.cosine(first, others), [], 1);
+    [~, best] = max (alike .* isfinite (w.screen.smallest(others)));
+    rivals = others(best);
   end
-  missing = min (2 - numel (causes), numel (others));
-  causes = [causes, num2cell(others(1:missing))];
+  causes = [{first}, num2cell(rivals)];
 end
 
 % What is said in the end; of a group its likeliest member that was run.
@@ -152,8 +150,9 @@ end
 %! assert (state.left, 16 - 4 * 3);
 
 %!test
-%! % no other effect is likely: the placebo is the one most like the cause, and
-%! % the likeliest one again where that has 0.05
+%! % no other effect is likely: the placebo is the one most like the cause; one
+%! % within 6 nats is compared instead, and an effect of its class is known as
+%! % such
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
 %! study = labStudy (given, data, struct ('twins', 99));
@@ -161,13 +160,16 @@ end
 %! study.w = caseEvidence (study.models, study.fits, 1);
 %! verdict = judgeCase (study.w, study.models);
 %! [verdict.kind, verdict.effects, verdict.top] = deal ('named', 3, 3);
+%! verdict.class = [2, 3];
 %! state = newGapState (data, study.gapProblem, gapOptions ([]), []);
 %! placebos = cell (1, 2);
 %! for i = 1:2
-%!   verdict.total = [0, [0.01, 0.06](i), 0.9, 0, 0];
+%!   verdict.include = [0, 0, 0.9, 0, 0];
+%!   verdict.P(1 + (1:5)) = [0, [1e-5, 0.06](i), 0.9, 0, 0];
 %!   [~, ~, cure] = proveCause (verdict, study, state);
-%!   placebos{i} = cure.placebos.effect;
+%!   placebos{i} = cure.placebos;
 %! end
 %! [~, like] = max (study.w.screen.cosine(3, [1, 2, 4, 5]));
 %! assert (like, 3);
-%! assert (placebos, {'size', 'bridge'});
+%! assert ({placebos{1}.effect, placebos{2}.effect}, {'size', 'bridge'});
+%! assert ([placebos{1}.inClass, placebos{2}.inClass], [false, true]);

@@ -31,14 +31,14 @@ function [causes, sets, names] = explanations (study, w, P, options)
     [~, at] = max (P .* (group == g));
     sets(end + 1) = setOf (study, w, keep(at), options);
   end
-  for i = find (strcmp (w.kind(keep), 'sibling'))
+  for i = find (~strcmp (w.kind(keep), 'null'))
     posterior = w.posterior{keep(i)};
     causes(i).extent = sqrt (posterior.weight' * posterior.Q(:, end).^2);
   end
 end
 
 % Explanation of each hypothesis: the null model (0) or one of the likely sets
-% of effects, of which a sibling has those of its effect.
+% of effects.
 function group = explanationOf (w, keep, P)
   texts = cellfun (@(m) mat2str (sort (m)), w.members(keep), ...
                    'UniformOutput', false);

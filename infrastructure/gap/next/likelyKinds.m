@@ -10,14 +10,12 @@
 %            discrepancy is, and that have a posterior; P their probabilities,
 %            of sum 1
 %   KINDS    1 x h, kind of cause of each, likeliest first: those with the same
-%            members, so an effect and its sibling, are of one kind
+%            members are of one kind
 %   NAMES    1 x c cell, name of each kind: 'cohesion', 'cohesion + drag',
 %            'no gap'
 %
-% Where the kind is open by less than options.adviseAt (bits), another question
-% is: is the likeliest it itself, or its sibling? The siblings of the first kind
-% are a kind of their own then, the last one, 'something like cohesion'. All are
-% of one kind where that is known, too.
+% Where the kind is open by less than options.adviseAt (bits), all are of one
+% kind: nothing is left to ask.
 %
 % Where only misfits of no shape are likely, the likeliest of the others stays:
 % nothing is left to tell.
@@ -50,11 +48,6 @@ function [keep, P, kinds, names] = likelyKinds (w, P, models)
     end
   end
   least = models.options.adviseAt;
-  isLike = strcmp (w.kind(keep), 'sibling') & kinds == 1;
-  if entropyOf (P, kinds) < least && any (isLike)
-    names{end + 1} = ['something like ', names{1}];
-    kinds(isLike) = numel (names);
-  end
   if entropyOf (P, kinds) < least
     kinds(:) = 1;
     names = names(1);
@@ -69,22 +62,18 @@ end
 
 %!test
 %! models = struct ('names', {{'a', 'b'}}, 'options', gapOptions ([]));
-%! w.kind = {'null', 'single', 'pair', 'sibling', 'discrepancy', 'single'};
-%! w.members = {[], 1, [2, 1], 1, [], 2};
+%! w.kind = {'null', 'single', 'pair', 'pair', 'discrepancy', 'single'};
+%! w.members = {[], 1, [2, 1], [1, 2], [], 2};
 %! w.posterior = repmat ({struct('Q', 1)}, 1, 6);
 %! P = [0.05, 0.2, 0.1, 0.2, 0.4, 0.05];
 %! [keep, P, kinds, names] = likelyKinds (w, P, models);
 %! assert (keep, [1, 2, 3, 4, 6]);
 %! assert (P, [1, 4, 2, 4, 1] / 12, 1e-12);
-%! assert (kinds([2, 4]), [1, 1]);
-%! assert (names([1, 2]), {'a', 'b + a'});
+%! assert (kinds([3, 4]), [1, 1]);
+%! assert (names([1, 2]), {'b + a', 'a'});
 %! assert (sort (names(3:4)), {'b', 'no gap'});
-%! % the kind is known, but not whether it is it itself; both are known
-%! [keep, ~, kinds, names] = likelyKinds (w, [0.005, 0.6, 0.01, 0.38, 0, ...
-%!                                            0.005], models);
-%! assert (names{kinds(keep == 2)}, 'a');
-%! assert (names{kinds(keep == 4)}, 'something like a');
-%! [~, ~, kinds, names] = likelyKinds (w, [0, 0.99, 0, 0.01, 0, 0], models);
+%! % the kind is known
+%! [~, ~, kinds, names] = likelyKinds (w, [0, 0.99, 0, 0, 0, 0.01], models);
 %! assert ({kinds, names}, {[1, 1], {'a'}});
 %! [keep, P] = likelyKinds (w, [0, 0, 0, 0, 1, 0], models);
 %! assert (numel (keep), 1);

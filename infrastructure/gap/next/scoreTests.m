@@ -17,8 +17,8 @@
 %           (kinds that it tells apart most, see mixtureInformation) and promise
 %           (the gain if the means of the runs were the true ones)
 %   CAUSES  1 x h struct, the hypotheses: P (sum 1), group (explanation that its
-%           mean comes from), kind (number), extent (a sibling's root mean
-%           square size over that of its effect; 0: none)
+%           mean comes from), kind (number), extent (root mean square of the
+%           error of its form over its effect; 0: none)
 %
 % A run of another explanation lies where it differs by signature and refit.
 % What scatter makes of a difference is taken out: the groups' means of target t
@@ -28,8 +28,8 @@
 % an error stays in the prediction's variance. Scatter and spread over the
 % posterior: that of the groups about their means, with a guess that counts as
 % four runs: the scatter, and once more scatter and reading together, for a
-% prediction is no surer than the measurements that it rests on. A sibling does
-% what its effect does, and something of size extent along no known direction.
+% prediction is no surer than the measurements that it rests on. An effect does
+% what its law says, and something of size extent along no known direction.
 % Once the test is measured, surrogates stand where runs stand now: their doubt
 % is added.
 
@@ -126,7 +126,7 @@ end
 %! vague = runsOf ([0, 0; 60, 0; 0, 60], 1, 0);
 %! vague.doubt(:) = 1e6;
 %! assert (scoreTests (vague, known ()).gain < 0.01);
-%! % an effect and its sibling are one kind: nothing to tell between them
+%! % two of one kind: nothing to tell between them
 %! causes = setfield (known (), {3}, 'kind', 2);
 %! causes(3).group = 2;
 %! causes(3).extent = 0.5;

@@ -10,8 +10,6 @@
 %     bootstrap    repetitions of the fit test (999)
 %     twins        twins without a gap, drawn from the surrogates, that the gate
 %                  compares with (400)
-%     trials       twins with a known cause that tell how often the verdict is
-%                  right (160; 0 = none)
 %     covariance   of the baseline Kriging ('matern52'; 'choose' tries more)
 %     trend        of the same ('choose')
 %     maxNewRuns   DEM runs that the diagnosis may spend in all (0)
@@ -44,22 +42,20 @@
 %     caution      power of the likelihood in intervals of strengths (0.4: at 1
 %                  they hold that of laboratories of other laws in 66 % where
 %                  they should in 90 %; benchmarks/intervalCaution.m)
-%     nameAt       probability that it is this effect, or a cause whose mark is
-%                  nearly the same, at which it is named (0.9: chosen on
-%                  development draws, docs/gap-figures.md)
-%     groupAt      probability at which effects, what resembles them with them,
-%                  are a group (0.8)
-%     exclude      Bayes factor against a look-alike at which the name is said
-%                  to be this very effect (3: "positive" of Kass and Raftery
-%                  1995)
-%     lookAlike    extent (newHypothesis) of that look-alike: cosine 0.9, fixed;
-%                  from this cosine on a mark is nearly the same. A cause that
-%                  differs less is, for calibration, that cause
+%     nameAt       probability that the effect takes part at which it is named
+%                  (0.9: chosen on development draws, docs/gap-figures.md)
+%     groupAt      probability at which effects are a class or a group (0.8)
+%     classNats    log of the factor by which an effect may be less likely than
+%                  the likeliest one and is not told from it yet (6), and
+%     classAt      cosine of their marks from which that makes them a class
+%                  (0.85: half of what an error of form makes of one has the
+%                  tangent to the other; docs/gap-figures.md)
+%     vagueRun     variance that comes with the surrogate of an effect, over all
+%                  noise, above which it tells nothing between two effects (0.25)
 %     leastPoints  effective points below which no number is believed (200: an
 %                  error of 0.07 in the logarithm of the evidence)
-%     misfitAt     probability of discrepancies, or of a sibling that has twice
-%                  its effect's, at which the cause is off the list (0.5:
-%                  likelier than not)
+%     misfitAt     probability of discrepancies at which the cause is off the
+%                  list (0.5: likelier than not)
 %     othersAt     share of a named effect's probability that none may have that
 %                  explains the data without it (0.1)
 %     alikeAt      cosine from which a partner counts as such another one (0.7:
@@ -72,7 +68,6 @@
 %                  which this is said (0.5: likelier outside than inside)
 %     confusedAt   chance to mistake one effect for another at which they form a
 %                  group (0.1, see nameCause)
-%     caveatAt     probability of siblings at which a group says so (0.1)
 %     leftAt       standard deviations by which DEM runs with the named effect
 %                  may miss a target, and from which one miss is a gap to close
 %                  (4: by chance 1 of 1000 with 16 targets)
@@ -112,20 +107,19 @@
 function options = gapOptions (given)
   options = struct ('seed', 1, 'points', 400, 'effective', 400, ...
                     'most', 12000, 'bootstrap', 999, 'twins', 400, ...
-                    'trials', 160, 'covariance', 'matern52', ...
-                    'trend', 'choose', 'maxNewRuns', 0, 'neutral', 4, ...
+                    'covariance', 'matern52', 'trend', 'choose', ...
+                    'maxNewRuns', 0, 'neutral', 4, ...
                     'batch', 5, 'batches', 6, 'standsAt', 0.9, ...
                     'standsRuns', 4, 'alikeRuns', 8, 'mostRuns', 12, ...
                     'worthAt', 0.03, 'seekAt', 0.5, 'seekRuns', 10, ...
                     'verifyRuns', 5, ...
                     'level', 0.05, 'nameAt', 0.9, 'groupAt', 0.8, ...
-                    'exclude', 3, ...
+                    'classNats', 6, 'classAt', 0.85, 'vagueRun', 0.25, ...
                     'leastPoints', 200, 'surplus', 1.15, 'caution', 0.4, ...
-                    'lookAlike', [tan(acos (0.9)), 1e-6], ...
                     'misfitAt', 0.5, 'othersAt', 0.1, 'alikeAt', 0.7, ...
                     'partnerAt', 0.05, 'rivalAt', 0.05, ...
                     'gluedAt', 0.5, 'leftAt', 4, 'confusedAt', 0.1, ...
-                    'caveatAt', 0.1, 'blindAt', 0.9, 'hiddenAt', 0.9, ...
+                    'blindAt', 0.9, 'hiddenAt', 0.9, ...
                     'limitAt', 0.98, 'looMeanAt', 2, 'looMostAt', 5, ...
                     'looEffectAt', 2.5, 'vagueAt', 0.5, 'blameAt', 0.2, ...
                     'conflictAt', 0.01, 'pairAt', 0.2, 'adviseAt', 0.2, ...

@@ -6,7 +6,7 @@
 %   C      number of a condition of CASE: its values are the measured ones then,
 %          those of CASE.targets the reference; without conditions no matter
 %   GIVEN  struct for newGapProblem: that of newProblem (CASE), and sdKnown,
-%          covariance, estimateSeries, effects
+%          covariance, estimateSeries, reading, effects
 %   NOTES  cellstr, what had to be assumed
 %
 % Errors that are alike along a series of results.csv (optim.correlation) make
@@ -29,12 +29,13 @@ function [given, notes] = gapProblemOf (Case, c)
   [given, lost] = withCorrelation (given);
   notes = [note, lost];
   given.effects = [];
+  info = targetInfo (Case);
+  given.reading = readingsOf (info, given);
   if isempty (Case.effects)
     return
   end
   given.causes = listCauses (fullfile (Case.folder, 'causes'));
   library = libraryGroups (Case);
-  info = targetInfo (Case);
   [~, factors] = changeWords (Case.effects);
   isChange = ~isempty (givenField (Case, 'conditions', {}));
   for k = 1:numel (Case.effects)
@@ -173,8 +174,7 @@ end
 %!     sprintf ("name,kind,unit,series,at,text\nr,%s,,,,x\n", kinds{k}));
 %! end
 %! Case.folder = folder;
-%! Case.names = {'mu'};
-%! Case.limits = [0; 1];
+%! [Case.names, Case.limits] = deal ({'mu'}, [0; 1]);
 %! [Case.paramMean, Case.paramSd] = deal (0.4, 0.1);
 %! Case.effects = resolveEffects ({'cameraRoll', 'gain', 'cohesion'});
 %! [given, notes] = gapProblemOf (Case);
@@ -209,8 +209,7 @@ end
 %! writeAtomic (fullfile (folder, 'results.csv'), ...
 %!              ["name,kind,unit,series,at,text\na,rate,kg/s,w,10,x\n", ...
 %!               "b,rate,kg/s,w,15,x\nc,mass,kg,,,x\n"]);
-%! Case.names = {'mu'};
-%! Case.limits = [0; 1];
+%! [Case.names, Case.limits] = deal ({'mu'}, [0; 1]);
 %! [Case.paramMean, Case.paramSd] = deal (NaN);
 %! Case.effects = [];
 %! given = gapProblemOf (Case);

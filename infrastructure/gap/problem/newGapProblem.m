@@ -25,6 +25,7 @@
 %                 holds their packings: the larger of the two counts (false)
 %     shared      1 x T, the part of sd that a whole series shares, as its
 %                 values are of the same sessions (0)
+%     reading     1 x T cellstr, what one rule reads off ('': nobody says it)
 %     curve       1 x T, targets with one number > 0 are measured together, as
 %                 one curve (0)
 %     noiseSd     1 x T, known noise of one run (NaN: from data)
@@ -101,6 +102,7 @@ function gapProblem = withDefaults (given, T, p)
   gapProblem.targetNames = numbered ('t', T);
   gapProblem.benchNames = numbered ('bench', B);
   gapProblem.names = numbered ('p', p);
+  gapProblem.reading = repmat ({''}, 1, T);
   fields = fieldnames (given);
   for k = 1:numel (fields)
     value = given.(fields{k});
@@ -123,7 +125,8 @@ end
 function checkShapes (gapProblem, T, p)
   wide = {'value', 'sd', 'bench', 'held', 'series', 'coordinate', ...
           'noiseSd', 'targetNames', 'trials', 'estimateSeries', ...
-          'sdKnown', 'scatter', 'curve', 'shared'};
+          'sdKnown', 'scatter', 'curve', 'shared', ...
+          'reading'};
   for k = 1:numel (wide)
     if numel (gapProblem.(wide{k})) ~= T
       error ('DEcalioc:newGapProblem:badShape', ...

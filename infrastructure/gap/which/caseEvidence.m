@@ -6,18 +6,15 @@
 %   FITS       struct of fitLibrary
 %   I          scalar, row of the data set
 %   W          struct; H hypotheses: null, singles, pairs of the likeliest,
-%              siblings, discrepancies
+%              discrepancies
 %     kind (1 x H cell), members (1 x H cell: effects), logPrior, logE, error,
 %     ess (1 x H; NaN where Laplace's formula was enough, see below)
 %     phi (H x 1: median of the first strength)
 %     atLimit (1 x H, posterior mass glued to the end of the range of a
 %       strength)
 %     posterior (1 x H cell: Q, weight: samples of each hypothesis)
-%     alike (1 x H, share of each hypothesis in which the mark on the targets
-%       has a cosine of 0.9 or more with that of its members: 1 for effects, of
-%       a sibling its posterior of the angle, else 0)
-%     top (members of the likeliest listed hypothesis), exclude (log Bayes
-%       factor of top against a look-alike of cosine 0.9)
+%     vague (1 x K, variance that comes with the surrogate of the effect where
+%       it fits best alone, over all noise, in the mean of the targets)
 %     gate (struct of omnibusTest), screen (struct of screenEffects)
 %
 % Integrated are the null model, every single effect, and all others that
@@ -35,11 +32,11 @@ function w = caseEvidence (models, fits, i)
       list(j) = integrate (models, list(j));
     end
   end
-  w = collect (w, list, models.options.lookAlike(1));
-  [w.top, w.exclude] = againstLookAlike (models, w, list, z);
+  w = collect (w, list);
+  w.vague = vagueOf (models, fits, i);
 end
 
-function w = collect (w, list, tangent)
+function w = collect (w, list)
   hypotheses = [list.h];
   w.kind = {hypotheses.kind};
   w.members = {hypotheses.members};
@@ -48,12 +45,18 @@ function w = collect (w, list, tangent)
   end
   w.phi = vertcat (list.phi);
   w.posterior = {list.posterior};
-  w.alike = double (ismember (w.kind, {'single', 'pair'}));
-  for h = find (strcmp (w.kind, 'sibling'))
-    sample = w.posterior{h};
-    if ~isempty (sample.Q)
-      w.alike(h) = sample.weight' * (sample.Q(:, end) <= tangent);
-    end
+end
+
+% Where it is emulated badly, an effect is unlikely for that, or likely.
+function vague = vagueOf (models, fits, i)
+  white = models.white;
+  vague = zeros (1, numel (models.singles));
+  at = white.isTarget > 0;
+  for k = 1:numel (vague)
+    Q = fits.of{models.singles(k)}.Q(i, 1:white.p + 1);
+    [~, V] = predictGap (white, k, Q);
+    [~, V0] = predictGap (white, [], Q(1:white.p));
+    vague(k) = mean (V(at) ./ V0(at)) - 1;
   end
 end
 
@@ -86,28 +89,6 @@ function one = integrate (models, one)
   phi = r.Q(:, p + (1:numel (members)));
   ends = phi > hi - margin | (lo < 0 & phi < lo + margin);
   one.atLimit = max (r.weight' * ends);
-end
-
-% To be this very effect takes data that a look-alike does not explain as well.
-function [top, exclude] = againstLookAlike (models, w, list, z)
-  listed = strcmp (w.kind, 'single') | strcmp (w.kind, 'pair');
-  logP = w.logPrior + w.logE;
-  logP(~listed) = -Inf;
-  [best, at] = max (logP);
-  top = w.members{at};
-  exclude = 0;
-  if ~isfinite (best)
-    return
-  end
-  alike = list(at);
-  alike.h = newHypothesis ('sibling', top, models.options.lookAlike);
-  U = [alike.modes(1).U, 0];
-  fit = fitHypothesis (models.white, alike.h, z, U, models.prior);
-  alike.modes = struct ('U', fit.U, 'A', squeeze (fit.A));
-  alike = integrate (models, alike);
-  if isfinite (alike.logE)
-    exclude = w.logE(at) - alike.logE;
-  end
 end
 
 % All hypotheses for data set I, by Laplace's formula: the rows of MODELS.list
@@ -185,18 +166,17 @@ end
 %!         + log (normalTail (-1.5 * sqrt (10)) - normalTail (sqrt (10) / 2));
 %! assert (w.logE(1), exact, 5 * w.error(1));
 %! assert (w.kind([1, 2, 3]), {'null', 'single', 'single'});
-%! assert (sum (strcmp (w.kind, 'sibling')), 2);
+%! assert (w.kind{4}, 'discrepancy');
 %!test
 %! % a strong signal along effect a: it wins, its strength is found
 %! models = handMadeHypotheses ();
 %! models.reference = zeros (99, 1);
 %! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
-%! assert (w.kind, {'null', 'single', 'single', 'pair', 'sibling', ...
-%!                  'sibling', 'discrepancy'});
+%! assert (w.kind, {'null', 'single', 'single', 'pair', 'discrepancy'});
+%! assert (w.vague, [0, 0], 1e-12);
 %! assert (sum (exp (w.logPrior)), 1, 1e-12);
 %! [~, best] = max (w.logPrior + w.logE);
 %! assert (w.members{best}, 1);
-%! assert (w.top, 1);
 %! assert (w.phi(best), 0.7, 0.1);
 %!test
 %! % a misfit along no effect: a discrepancy wins over null and effects

@@ -5,19 +5,20 @@
 %   W, VERDICT, MODELS, GAPPROBLEM  of caseEvidence, judgeCase, makeHypotheses,
 %                                   newGapProblem
 %   NAMED   struct
-%     verdict, reason, guard, lookAlike, sameKind, effects, partners, likely
-%       (cellstr), see judgeCase
+%     verdict, reason, guard, lookAlike, sameKind, effects, class, decides,
+%       partners, likely (cellstr), see judgeCase
 %     together    logical: the effects act together (a pair, also one whose name
 %                 was withheld), else it is one of them
-%     gateP, exclude (odds against a look-alike of cosine 0.9)
+%     gateP       p of the gate
 %     posterior   struct null, each effect, unlisted
-%     alike       struct of each effect: that it takes part, or a cause whose
-%                 mark on the targets is nearly the same (judgeCase)
-%     resembles   struct of each effect: something like it, but not it
 %     cannotSee, siblings (cellstr), groups (cell of cellstr: effects that the
 %       noise takes for one another, each pair of them)
 %     strength    1 x K struct name, value, interval90 (NaN where the integral
-%                 failed), range, variables, values
+%                 failed), range, variables, values, and says: what the interval
+%                 is: 'amount' (of a named effect), 'least' (the same, at the end
+%                 of its range: so much or more), 'bound' (of another effect: not
+%                 more than its upper end), 'nothing' (no runs of the effect
+%                 stand where it would be that strong and fit)
 %     priorSpread probability of the likeliest single effect with its prior
 %                 scale halved, doubled
 %     numbers     struct error (largest, of the logarithms of the evidences that
@@ -31,25 +32,25 @@ function named = describeVerdict (w, verdict, models, gapProblem)
                   'guard', verdict.guard, 'lookAlike', verdict.lookAlike, ...
                   'sameKind', verdict.sameKind, ...
                   'effects', {names(verdict.effects)}, ...
+                  'class', {names(verdict.class)}, ...
+                  'decides', {verdict.decides}, ...
                   'partners', {names(verdict.partners)}, ...
-                  'likely', {names(verdict.likely)}, 'gateP', w.gate.p, ...
-                  'exclude', exp (min (w.exclude, 50)));
+                  'likely', {names(verdict.likely)}, 'gateP', w.gate.p);
   named.together = numel (verdict.effects) > 1 && ...
-                   ~strcmp (verdict.guard, 'group');
+                   ~any (strcmp (verdict.guard, {'group', 'class', 'runs', ...
+                                                 'readings'}));
   named.posterior.null = verdict.null;
-  [named.resembles, named.alike] = deal (struct ());
   for k = 1:numel (names)
     field = matlab.lang.makeValidName (names{k});
     named.posterior.(field) = verdict.include(k);
-    named.resembles.(field) = verdict.resemble(k);
-    named.alike.(field) = verdict.alike(k);
   end
   named.posterior.unlisted = verdict.unlisted;
   named.cannotSee = names(isinf (w.screen.smallest));
   named.siblings = [models.siblings{verdict.effects}];
   named.groups = confusedGroups (w.screen, models);
   named.strength = struct ('name', {}, 'value', {}, 'interval90', {}, ...
-                           'range', {}, 'variables', {}, 'values', {});
+                           'range', {}, 'variables', {}, 'values', {}, ...
+                           'says', {});
   for k = 1:numel (names)
     named.strength(k) = strengthOf (w, verdict, k, models, gapProblem);
   end
@@ -74,10 +75,10 @@ end
 % From the likeliest hypothesis that holds the effect and was integrated.
 function s = strengthOf (w, verdict, k, models, gapProblem)
   holding = find (cellfun (@(m) any (m == k), w.members) & ...
-                  ~cellfun (@(p) isempty (p.Q), w.posterior) & ...
-                  ~strcmp (w.kind, 'sibling'));
+                  ~cellfun (@(p) isempty (p.Q), w.posterior));
   [~, at] = max (verdict.P(holding));
   q = NaN (1, 3);
+  says = 'nothing';
   if ~isempty (holding) && w.ess(holding(at)) >= models.options.leastPoints
     h = holding(at);
     posterior = w.posterior{h};
@@ -86,6 +87,15 @@ function s = strengthOf (w, verdict, k, models, gapProblem)
     own = models.white.effect(k);
     q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
     q(1) = weightedQuantile (phi, posterior.weight, 0.5);
+    theta = posterior.Q(:, 1:models.white.p);
+    if any (verdict.effects == k) && strcmp (verdict.kind, 'named')
+      says = 'amount';
+      if w.atLimit(h) > models.options.gluedAt
+        says = 'least';
+      end
+    elseif isBounded (own, q, phi, theta, posterior.cautious)
+      says = 'bound';
+    end
   end
   at = find (strcmp ({gapProblem.effects.name}, models.names{k}), 1);
   effect = gapProblem.effects(at);
@@ -97,7 +107,32 @@ function s = strengthOf (w, verdict, k, models, gapProblem)
   end
   s = struct ('name', models.names{k}, 'value', q(1), 'interval90', q(2:3), ...
               'range', effect.range, 'variables', {variables}, ...
-              'values', values);
+              'values', values, 'says', says);
+end
+
+% What surrogates say of strengths at which the effect was never run, or at
+% parameters far from those with which it would fit, bounds nothing. A run is
+% near within a quarter of the range and of the box; an end of the range is no
+% bound and needs none.
+function is = isBounded (e, q, phi, theta, weight)
+  is = true;
+  if e.laboratory
+    return
+  end
+  ends = q(2:3);
+  step = diff (e.range) / 4;
+  inside = find (abs (ends) < abs (e.range) - 1e-9 & ends ~= 0);
+  hasResult = any (isfinite (e.Z), 2);
+  for i = inside
+    at = abs (phi - ends(i)) < step;
+    if ~any (at)
+      at = abs (phi - ends(i)) <= min (abs (phi - ends(i))) + 1e-9;
+    end
+    middle = weight(at)' * theta(at, :) / max (sum (weight(at)), realmin);
+    isNear = abs (e.Q(:, end) - ends(i)) <= step & ...
+             all (abs (e.Q(:, 1:end - 1) - middle) <= 0.5, 2) & hasResult;
+    is = is && any (isNear);
+  end
 end
 
 % Complete linkage: in a group each is mistaken for each at half strength.
@@ -169,6 +204,29 @@ end
 %! assert (named.hypotheses(1).members, {'a'});
 %! assert (isfield (named.posterior, 'unlisted'));
 %! % where no integral of an effect says anything, its strength is not known
+%! assert (named.strength(1).says, 'amount');
+%! assert (named.class, {'a'});
 %! [w.posterior{2:end}] = deal (struct ('Q', [], 'weight', []));
 %! named = describeVerdict (w, judgeCase (w, models), models, gapProblem);
 %! assert (isnan ([named.strength.value]));
+%!test
+%! % an upper end is a bound where the effect was run about as strong, at
+%! % parameters with which it would fit; at the end of the range none is asked
+%! models = handMadeHypotheses ();
+%! models.reference = (-2:0.1:20)';
+%! gapProblem = struct ('effects', newEffect (struct ('name', 'a', ...
+%!                   'laboratory', true), 4));
+%! gapProblem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
+%!                                            true), 4);
+%! [models.white.effect.laboratory] = deal (false);
+%! [models.white.effect.Z] = deal (1);
+%! said = cell (1, 3);
+%! runs = {[0.5, 0.5], [0.5, 1], [-0.5, 0.5]};
+%! for i = 1:3
+%!   [models.white.effect.Q] = deal (runs{i});
+%!   w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
+%!   named = describeVerdict (w, judgeCase (w, models), models, gapProblem);
+%!   said{i} = named.strength(1).says;
+%! end
+%! assert (named.strength(1).interval90(2) < 0.75);
+%! assert (said, {'bound', 'nothing', 'nothing'});

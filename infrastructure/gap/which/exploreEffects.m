@@ -21,7 +21,7 @@ function [state, em] = exploreEffects (gapProblem, options, state, em)
   if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
     return
   end
-  reserve = min (3 * options.verifyRuns, floor (state.left / 3));
+  reserve = min (4 * options.verifyRuns, floor (state.left / 3));
   state.left = state.left - reserve;
   theta = calibrateNull (gapProblem, em, options);
   state = runEach (gapProblem, state, theta);
@@ -101,6 +101,18 @@ function [now, reference] = weighNow (gapProblem, options, em, reference)
   [now.runs(isLaboratory), now.tried(isLaboratory)] = deal (Inf);
   now.isVague = vagueShare (now, now.verdict.top) >= options.vagueAt;
   now.alike = alikeTwo (w.screen, now.verdict.top, options.alikeAt);
+  now.rivals = rivalsOf (now, options);
+end
+
+% Effects that the data do not part yet, and whose marks are known too badly
+% where they fit to part them: the better emulated one would win. [] where there
+% is nothing to part.
+function rivals = rivalsOf (now, options)
+  top = now.verdict.top;
+  near = natsBehind (now.w, now.verdict, top) <= options.classNats;
+  isOpen = now.w.vague > options.vagueRun & now.runs < options.mostRuns;
+  near(top) = any (near);
+  rivals = find (near & isOpen);
 end
 
 % The likeliest effect and the one most like it, if any is ([]: none): with few
@@ -115,11 +127,12 @@ end
 
 % The likeliest effect is likely enough, it and the next likely one have been
 % run often enough to believe it, it and one much like it so often that their
-% bends are known, and its mark is known better than the rest.
+% bends are known, its mark is known better than the rest, and those of the
+% effects that are not parted from it, too.
 function yes = stands (now, options)
-  [total, order] = sort (-now.verdict.total);
+  [total, order] = sort (-now.verdict.include);
   two = order(1:min (2, numel (order)));
-  yes = -total(1) >= options.standsAt && ...
+  yes = -total(1) >= options.standsAt && isempty (now.rivals) && ...
         all (now.runs(two) >= options.standsRuns) && ...
         all (now.tried(now.alike) >= options.alikeRuns) && ...
         (now.runs(two(1)) >= options.mostRuns || ~now.isVague);

@@ -89,10 +89,19 @@ function at = lookAt (view, Z, U)
     at.A(:, a, :) = sum (weighted(:, :, a) .* slopes, 2);
     at.A(:, a, a) = at.A(:, a, a) + view.pull(a);
   end
-  if ~isempty (view.h.spread)
-    x = (Z - M).^2 ./ V;
-    at.g(:, d) = at.g(:, d) + 0.5 * sum ((weight .* x - 1) .* G, 2);
-    at.A(:, d, d) = at.A(:, d, d) + 0.5 * sum (nu ./ (nu + 3) .* G.^2, 2);
+  if ~isempty (G)
+    at = withVariance (at, G, weight .* (Z - M).^2 ./ V - 1, nu ./ (nu + 3));
+  end
+end
+
+% What the slopes G of the logarithm of the variances add.
+function at = withVariance (at, G, excess, less)
+  own = find (~cellfun (@isscalar, G));
+  for a = own
+    at.g(:, a) = at.g(:, a) + 0.5 * sum (excess .* G{a}, 2);
+    for b = own
+      at.A(:, a, b) = at.A(:, a, b) + 0.5 * sum (less .* G{a} .* G{b}, 2);
+    end
   end
 end
 
@@ -148,9 +157,9 @@ end
 %! % several data sets at once give what each gives alone
 %! h = newHypothesis ('single', 1);
 %! Z = [1, 0.3, 3, 3; -2, -0.6, 1, 1];
-%! both = fitHypothesis (white, h, Z, zeros (2, 3), prior);
+%! both = fitHypothesis (white, h, Z, zeros (2, 4), prior);
 %! for i = 1:2
-%!   one = fitHypothesis (white, h, Z(i, :), [0, 0, 0], prior);
+%!   one = fitHypothesis (white, h, Z(i, :), zeros (1, 4), prior);
 %!   assert (both.Q(i, :), one.Q, 1e-9);
 %!   assert (both.logE(i), one.logE, 1e-9);
 %! end

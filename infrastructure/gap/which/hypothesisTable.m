@@ -7,8 +7,8 @@
 %   KINDS   1 x m struct of discrepancyKinds
 %   STARTS  s x p, starts of the null fit, parameters in [-1, 1]
 %   MODELS  the same with
-%     list       1 x H struct: the null model, each single effect, each sibling,
-%                each discrepancy
+%     list       1 x H struct: the null model, each single effect, each
+%                discrepancy
 %       h       of newHypothesis;  white  in whose coordinates it is fitted
 %       prior   probability;  from  row whose fits it starts from (0: none)
 %       starts  m x d, normal coordinates of the unknowns beyond those
@@ -19,10 +19,10 @@
 % listed for every data set: caseEvidence adds the likely ones.
 %
 % No gap has 0.4, pairs 0.1 (none with less than two effects). The rest is
-% shared as if four more causes existed that nobody has listed, half of which
-% resemble a listed one: a list of 2 is believed to be incomplete, one of 40 to
-% hold the cause. An effect that is unlikely beforehand (its factor)
-% counts as that part of a cause, in pairs too; not what resembles it.
+% shared as if two more causes existed that nobody has listed: a list of 2 is
+% believed to be incomplete, one of 40 to hold the cause. A cause of another
+% form than that of its law is that cause (newHypothesis). An effect that is
+% unlikely beforehand (its factor) counts as that part of a cause, in pairs too.
 
 function models = hypothesisTable (models, kinds, starts)
   white = models.white;
@@ -39,11 +39,6 @@ function models = hypothesisTable (models, kinds, starts)
     list(end + 1) = struct ('h', one, 'white', white, ...
                             'prior', weights.single * factor(k), 'from', 1, ...
                             'starts', startsOf (white, one, prior));
-  end
-  for k = 1:K
-    list(end + 1) = struct ('h', newHypothesis ('sibling', k), ...
-                            'white', white, 'prior', weights.sibling / K, ...
-                            'from', 1 + k, 'starts', 0);
   end
   for kind = kinds
     list(end + 1) = struct ('h', kind.h, 'white', kind.white, ...
@@ -62,14 +57,12 @@ end
 function weights = priorWeights (K, n)
   pair = 0.1 * (K > 1);
   rest = 0.6 - pair;
-  alike = 2 * (K > 0);
-  whole = n + alike + 2;
+  whole = n + 2;
   weights = struct ('null', 0.4, 'single', rest / whole, 'pair', pair, ...
-                    'sibling', rest * alike / whole, ...
                     'discrepancy', rest * 2 / whole);
 end
 
-% Of the strength and the amplitude of a single effect.
+% Of the strength, the amplitude and the form error of a single effect.
 function U = startsOf (white, h, prior)
   range = white.effect(h.members).range;
   phi = [0.15; 0.6] * range(2);
@@ -77,8 +70,8 @@ function U = startsOf (white, h, prior)
     phi = 0.6 * range(:);
   end
   unknowns = viewHypothesis (white, h, prior).unknowns;
-  Q = [zeros(2, white.p), phi, zeros(2, 1)];
-  U = toNormal (unknowns, Q)(:, white.p + [1, 2]);
+  Q = [zeros(2, white.p), phi, zeros(2, 1), h.extent / 2 * ones(2, 1)];
+  U = toNormal (unknowns, Q)(:, white.p + 1:end);
 end
 
 %!test
@@ -93,7 +86,7 @@ end
 %!   assert (sum ([models.list.prior]) + ...
 %!           sum (triu (models.pairPrior)(:)), 1, 1e-12);
 %!   last(K + 1) = models.list(end).prior;
-%!   assert (numel (models.list), 2 + 2 * K);
+%!   assert (numel (models.list), 2 + K);
 %!   assert (numel (models.singles), K);
 %! end
 %! assert (last(1), 0.6, 1e-12);
@@ -109,4 +102,3 @@ end
 %! assert (sum (p) + sum (triu (models.pairPrior)(:)), 1, 1e-12);
 %! assert (p(3:4) / p(2), [0.05, 0.05], 1e-12);
 %! assert (models.pairPrior(2, 3) / models.pairPrior(1, 3), 0.05, 1e-12);
-%! assert (p(5), p(6));

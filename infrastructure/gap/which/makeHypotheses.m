@@ -7,7 +7,7 @@
 %   OPTIONS     struct of gapOptions
 %   TARGETS     1 x n, targets to use (default GAPPROBLEM.used)
 %   MODELS      struct
-%     white      whitened emulator of the targets
+%     white      whitened emulator of the targets (formError)
 %     prior      mean, sd (1 x p, parameters in [-1, 1]; sd Inf: uniform)
 %     list, singles, pairPrior  of hypothesisTable
 %     names, siblings (1 x K cells), options
@@ -18,7 +18,7 @@ function models = makeHypotheses (gapProblem, em, options, targets)
     targets = gapProblem.used;
   end
   budget = noiseBudget (gapProblem, em);
-  models.white = whitenEmulator (em, targets, budget);
+  models.white = formError (gapProblem, em, budget, targets);
   models.prior = gapProblem.paramPrior;
   kinds = discrepancyKinds (gapProblem, em, budget, models.white);
   starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
@@ -54,4 +54,5 @@ end
 %! assert (rare.list(2).prior / rare.list(3).prior, 0.05, 1e-12);
 %! hypotheses = [models.list.h];
 %! assert (sum (strcmp ({hypotheses.kind}, 'discrepancy')), 6);
+%! assert (sum (models.white.shape), 1, 1e-9);
 %! assert (models.siblings{1}, cell (1, 0));

@@ -7,7 +7,8 @@
 %          (numbers of their effects in EM), runs (of each, Inf: none needed),
 %          tried (the same with those that gave no result),
 %          isVague (the mark of the likeliest one needs more runs), alike (the
-%          likeliest and the one most like it, or [])
+%          likeliest and the one most like it, or []), rivals (need more runs,
+%          equally many, to be parted)
 %   BATCH  struct theta (n x p), phi (n x K), isFine (n x 1 logical: at the last
 %          level, where a case has levels), bits (scalar, expected information
 %          about the cause; Inf: runs that a name needs, whatever they tell)
@@ -61,8 +62,10 @@ function pool = candidates (gapProblem, options, state, em, now)
   p = em.p;
   pool = struct ('what', {}, 'members', {}, 'q', {}, 'P', {}, 'isMode', {}, ...
                  'spread', {}, 'story', {}, 'lacks', {});
-  [total, order] = sort (-now.verdict.total);
-  order = unique ([order(1:min (4, numel (order))), now.alike], 'stable');
+  [total, order] = sort (-now.verdict.include);
+  order = unique ([order(1:min (4, numel (order))), now.alike, ...
+                   now.rivals], 'stable');
+  level = 1 + min ([now.runs(now.rivals), Inf]);
   isSure = -total(1) >= options.standsAt;
   singles = find (strcmp (w.kind, 'single'));
   for i = order(:)'
@@ -71,7 +74,7 @@ function pool = candidates (gapProblem, options, state, em, now)
     mode_ = now.fits.of{now.models.singles(i)}.Q(1, 1:p + 1);
     posterior = w.posterior{singles(i)};
     blank = struct ('what', em.effect(k).name, 'members', k, 'q', mode_, ...
-                    'P', now.verdict.total(i), 'isMode', true, ...
+                    'P', now.verdict.include(i), 'isMode', true, ...
                     'spread', posterior, 'story', k, 'lacks', 0);
     if i == order(1)
       pool(end + 1) = setfield (setfield (blank, 'members', []), 'what', '');
@@ -85,6 +88,9 @@ function pool = candidates (gapProblem, options, state, em, now)
                           any(i == order(1:min (2, end))), ...
                           (options.alikeRuns - now.tried(i)) * ...
                           any(i == now.alike), options.batch * isVague]);
+    end
+    if any (i == now.rivals)
+      blank.lacks = max (blank.lacks, level - now.runs(i));
     end
     pool(end + 1) = blank;
     n = 3;
@@ -197,7 +203,8 @@ end
 %!  w = caseEvidence (models, study.fits, 1);
 %!  now = struct ('w', w, 'verdict', judgeCase (w, models), 'models', ...
 %!                models, 'fits', study.fits, 'usable', 1:5, 'isVague', ...
-%!                false, 'runs', runs, 'tried', runs, 'alike', []);
+%!                false, 'runs', runs, 'tried', runs, 'alike', [], ...
+%!                'rivals', []);
 %!endfunction
 %!function batch = proposed (study, state, now)
 %!  batch = proposeRuns (study.gapProblem, study.models.options, state, ...
@@ -207,14 +214,19 @@ end
 %! % the likeliest effect has one run and needs more before a name; the others
 %! % have enough, as it has later: what is left tells little
 %! [study, state, now] = after ([0.6, 0, 0, 0, 0], [1, 9, 9, 9, Inf]);
-%! % as likely as a name asks
-%! now.verdict.total = [0.96, 0.02, 0.01, 0.01, 0];
+%! now.verdict.include = [0.96, 0.02, 0.01, 0.01, 0];
 %! batch = proposed (study, state, now);
 %! assert (sum (batch.phi(:, 1) ~= 0) >= study.models.options.standsRuns - 1);
 %! assert (batch.bits > 100);
 %! assert (all (abs (batch.theta(:)) <= 1));
 %! now.runs(1) = 9;
 %! assert (proposed (study, state, now).bits < 1);
+%!test
+%! % of effects that are not parted the one with fewest runs first, at its mode
+%! [study, state, now] = after ([0.6, 0, 0, 0, 0], [5, 3, 9, 9, Inf]);
+%! batch = proposed (study, state, setfield (now, 'rivals', [1, 2]));
+%! assert ([batch.theta(1, :), batch.phi(1, 2)], ...
+%!         study.fits.of{study.models.singles(2)}.Q(1:3), 1e-9);
 %!test
 %! % a likely pair is run, but not where runs of it gave no result
 %! [study, state, now] = after ([0.6, 0, 0.5, 0, 0], 9 * ones (1, 5));
@@ -234,5 +246,5 @@ end
 %! assert (~hasBoth (proposed (study, state, now)));
 %!test % an effect that is alone in the list
 %! [study, state, now] = after ([0.6, 0, 0, 0, 0], 1);
-%! [now.usable, now.verdict.total] = deal (1, 0.96);
+%! [now.usable, now.verdict.include] = deal (1, 0.96);
 %! assert (proposed (study, state, now).bits > 100);

@@ -25,10 +25,10 @@
 % The size s is integrated: on a grid, by its prior (a misfit of 0.08 of the
 % range, a factor of e) and the evidence of r; mean and covariance are those of
 % the mixture. C: independent errors in units of the ranges, along a curve alike
-% over a third of it. A lack that is an error of scale grows with what changes:
-% its share of the value (0.3 at most) times the change of the target, alike on
-% a bench, is added to the covariance. After Kennedy and O'Hagan (2001), for two
-% conditions instead of one.
+% over a third of it. A lack that is an error of scale grows with what changes;
+% that is an error of the form of its cause (formError), and nothing here is
+% taken from the change. After Kennedy and O'Hagan (2001), for two conditions
+% instead of one.
 %
 % Parameters of GAPPROBLEM.reference.perCondition are other ones in the two.
 
@@ -154,21 +154,11 @@ function em = mixed (em, gapProblem, own, parts, weight, at)
   em.change.coef(isConstant, :) = em.change.coef(isConstant, :) + ...
                                   reference.value(at) * K';
   em.change.lack = lack;
-  em.change.covariance = own.covariance + left + ...
-                         scaleError (gapProblem, em, lack);
+  em.change.covariance = own.covariance + left;
   em.coef = em.coef + em.change.coef;
   em.surrogateVar = repmat ((1e-6 * em.range).^2, rows (em.points), 1);
   em.fitVar = zeros (size (em.fitVar));
   em.known = knownOf (A, g, same);
-end
-
-function S = scaleError (gapProblem, em, lack)
-  value = gapProblem.reference.value;
-  change = gapProblem.value - value;
-  share = min (abs (lack) ./ max (abs (value), 0.1 * em.range), 0.3);
-  s = share .* change;
-  s(~isfinite (s)) = 0;
-  S = (s' * s) .* (gapProblem.bench' == gapProblem.bench);
 end
 
 % What is known of the parameters that both conditions share, whatever the
@@ -206,6 +196,9 @@ end
 %! assert (told, given.reference.value, 1);
 %! assert (abs (new.change.lack(3:4) - [5, -4]) < 1);
 %! assert (diag (new.change.covariance)'(3:4) > 1.5);
+%! % the change under test tells nothing of how sure it is
+%! other = takeReference (em, setfield (given, 'value', 100 * ones (1, 4)));
+%! assert (other.change.covariance, new.change.covariance);
 %! plain = takeReference (new);
 %! assert ({plain.coef, plain.known, plain.change}, {em.coef, [], []});
 %! assert (takeReference (plain), plain);

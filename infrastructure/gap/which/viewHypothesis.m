@@ -13,7 +13,8 @@
 % the amplitude error of their surrogates (predictHypothesis); the size of
 % H.spread where it has one. Parameters are uniform in the box, or normal and
 % cut to it where they were measured; strengths are normal around neutral, cut
-% to the range of the effect; a size is log-normal.
+% to the range of the effect; the size of a form error is half-normal, that of a
+% discrepancy log-normal.
 
 function view = viewHypothesis (white, h, prior)
   m = numel (h.members);
@@ -25,14 +26,20 @@ function view = viewHypothesis (white, h, prior)
   end
   amplitude = ones (1, m > 0);
   spread = ones (1, ~isempty (h.spread));
+  isScale = strcmp (h.spread, 'discrepancy');
+  middle = 0;
+  if isScale
+    middle = log (h.extent(1));
+  end
   box = ones (1, white.p);
   of = struct ('lo', [-box, range(1, :), -Inf * amplitude, 0 * spread], ...
                'hi', [box, range(2, :), Inf * amplitude, Inf * spread], ...
                'mean', [prior.mean, zeros(1, m), 0 * amplitude, ...
-                        log(h.extent(1)) * spread], ...
+                        middle * spread], ...
                'sd', [prior.sd, scale, amplitude, ...
-                      h.extent(2) * spread]);
-  of.isScale = [false(1, white.p + m), amplitude == 0, spread == 1];
+                      h.extent(end) * spread]);
+  of.isScale = [false(1, white.p + m), amplitude == 0, ...
+                spread & isScale];
   below = @(x) 1 - normalTail ((x - of.mean) ./ of.sd);
   of.pLo = below (of.lo);
   of.pHi = below (of.hi);
@@ -42,11 +49,15 @@ end
 %!test
 %! white = handMadeHypotheses ().white;
 %! prior = struct ('mean', 0, 'sd', Inf);
-%! h = newHypothesis ('sibling', 2);
+%! h = newHypothesis ('single', 2);
 %! u = viewHypothesis (white, h, prior).unknowns;
 %! assert (u.lo, [-1, 0, -Inf, 0]);
 %! assert (u.hi, [1, 1, Inf, Inf]);
-%! assert (u.isScale, [false, false, false, true]);
+%! assert (u.sd(4), 0.42);
+%! assert (u.isScale, [false, false, false, false]);
+%! kind = newHypothesis ('discrepancy', zeros (1, 0), [0.1, 1]);
+%! assert (viewHypothesis (white, kind, prior).unknowns.isScale, ...
+%!         [false, true]);
 %! assert (u.pHi(2), 0.97725, 1e-5);
 %! null = viewHypothesis (white, newHypothesis ('null'), prior);
 %! assert (numel (null.unknowns.lo), 1);

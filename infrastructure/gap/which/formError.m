@@ -1,0 +1,105 @@
+% FORMERROR  Whitens an emulator so that errors of form have no correlations.
+%
+% CALL: WHITE = formError (GAPPROBLEM, EM, BUDGET, TARGETS)
+%
+%   GAPPROBLEM, EM, BUDGET  of newGapProblem, fitEmulator, noiseBudget
+%   TARGETS  1 x n, targets to look at
+%   WHITE    struct of whitenEmulator, its coordinates turned, with shape (1 x n,
+%            sum 1; 0 without effects): how the error of form is shared among
+%            them
+%
+% What an effect does is not what its law in the library makes of it. The error
+% is normal, its size that of the mark times the tangent of an angle (see
+% newHypothesis), its covariance the same for all effects and pairs, and for all
+% conditions of a case:
+%   half of it towards other listed marks, N w w' N' / |w|^2 in the mean over
+%   all pairs of effects, w the part of one mark at right angles to the other;
+%   half of it smooth along benches and curves, scaled as the marks are.
+% Marks are seen ones: N, the directions that parameters cannot absorb in the
+% middle of the box, in units of the noise. Those that cannot be seen (size
+% below 1) tell no direction.
+
+function white = formError (gapProblem, em, budget, targets)
+  white = whitenEmulator (em, targets, budget);
+  own = white.isTarget > 0;
+  W = white.W(own, :);
+  S = marksOf (em, targets);
+  N = white.parity;
+  V = N(own, :)' * W * S';
+  if isempty (S)
+    white.shape = zeros (size (own));
+    return
+  end
+  smooth = W * smoothOver (gapProblem, targets, S) * W';
+  smooth = N(own, :)' * smooth * N(own, :);
+  C = unitTrace (smooth) + unitTrace (towardsOthers (V));
+  C = unitTrace (N(own, :) * C * N(own, :)');
+  [U, L] = eig ((C + C') / 2);
+  white = whitenEmulator (em, targets, budget, U');
+  white.shape = zeros (size (own));
+  white.shape(own) = max (diag (L)', 0);
+end
+
+function C = unitTrace (C)
+  C = C / max (trace (C), realmin);
+end
+
+% At full strength in the middle of the box, one a row.
+function S = marksOf (em, targets)
+  S = zeros (0, numel (targets));
+  for e = em.effect
+    psi = min (e.scale, e.range(2))^e.bend;
+    B = polyRows (e.powers, [zeros(1, em.p), psi]);
+    S(end + 1, :) = B * e.coef(:, targets);
+  end
+end
+
+function C = towardsOthers (V)
+  V = V(:, sum (V.^2, 1) > 1);
+  C = zeros (rows (V));
+  for k = 1:columns (V)
+    u = V(:, k) / norm (V(:, k));
+    R = V - u * (u' * V);
+    R = R(:, sum (R.^2, 1) > 0.04 * sum (V.^2, 1));
+    R = R ./ sqrt (sum (R.^2, 1));
+    C = C + R * R';
+  end
+end
+
+% Half alike on a bench, the rest alike over a third of a curve, or alone.
+function C = smoothOver (gapProblem, targets, S)
+  bench = gapProblem.bench(targets);
+  series = gapProblem.series(targets);
+  C = 0.5 * (bench' == bench) + 0.1 * eye (numel (targets));
+  x = gapProblem.coordinate(targets);
+  near = zeros (size (C));
+  for s = setdiff (series, 0)
+    at = series == s;
+    length_ = (max (x(at)) - min (x(at))) / 3;
+    near(at, at) = exp (-abs (x(at)' - x(at)) / max (length_, realmin));
+  end
+  near = near + diag (series == 0);
+  size_ = sqrt (mean (S.^2, 1));
+  C = (C + 0.4 * near) .* (size_' * size_);
+end
+
+%!test
+%! % noise stays white; a form error is diagonal; half of it is towards the
+%! % other effect, here target 4 for the first one
+%! em = handMadeEmulator ([1, 2, 3, 0; 1, 0, 0, 0]);
+%! em.range = ones (1, 4);
+%! e = struct ('name', 'a', 'powers', [0, 1], 'coef', [0, 0, 9, 0], 'bend', ...
+%!             1, 'range', [0, 1], 'scale', 1, 'unbent', 0, 'strongest', 1, ...
+%!             'misfit', zeros (1, 4), 'root', zeros (1, 0), 'ofTarget', ...
+%!             zeros (0, 4));
+%! em.effect = [e, setfield(e, 'coef', [0, 0, 9, 9])];
+%! given = struct ('value', 1:4, 'sd', ones (1, 4), 'limits', [0; 1], ...
+%!                 'bench', [1, 1, 1, 2]);
+%! budget = struct ('covariance', eye (4), 'estimated', zeros (1, 4), ...
+%!                  'unknown', zeros (1, 4));
+%! white = formError (newGapProblem (given), em, budget, 1:4);
+%! assert (white.W * white.W', eye (4), 1e-9);
+%! assert (sum (white.shape), 1, 1e-9);
+%! C = white.back * diag (white.shape) * white.back';
+%! assert (C(1, 1), 0, 1e-9);        % the parameter takes it
+%! assert (C(4, 4) > 0.25 && C(3, 3) > 0.1);

@@ -1,0 +1,96 @@
+% WITHOUTREADINGS  Asks whether a name survives without one kind of reading.
+%
+% CALL: [VERDICT, DECIDES] = withoutReadings (VERDICT, STUDY)
+%
+%   VERDICT  of judgeCase; one that names effects becomes a group where these
+%            are not the likeliest ones without one kind of reading: with the
+%            effect that is then (guard 'readings', field decides)
+%   STUDY    struct gapProblem, em, models of newGapProblem, fitEmulator,
+%            makeHypotheses
+%   DECIDES  cellstr, as VERDICT.decides: GAPPROBLEM.reading of those that decide
+%
+% A kind of reading (times, angles, lengths, each curve) is read off by one rule,
+% and errors of the rule are in all of them. What rests on one kind alone, rests
+% on that rule. Not asked where the others are no more than the parameters,
+% or where nobody says what kind it is.
+
+function [verdict, decides] = withoutReadings (verdict, study)
+  decides = {};
+  if ~strcmp (verdict.kind, 'named')
+    return
+  end
+  gapProblem = study.gapProblem;
+  targets = study.models.white.columns;
+  readings = gapProblem.reading(targets);
+  joined = verdict.effects;
+  for reading = setdiff (readings, {''})(:)'
+    rest = targets(~strcmp (readings, reading{1}));
+    if numel (rest) > study.em.p + 1 && numel (rest) < numel (targets)
+      first = likeliest (study, verdict, rest);
+      if ~isequal (first, verdict.effects)
+        decides = [decides, reading];
+        joined = [joined, first];
+      end
+    end
+  end
+  verdict.decides = decides;
+  if ~isempty (decides)
+    verdict.kind = 'group';
+    verdict.guard = 'readings';
+    verdict.effects = unique (joined);
+    verdict.class = unique ([verdict.class, joined]);
+    verdict.reason = sprintf ('without %s another one is likelier', ...
+                              strjoin (decides, ', or '));
+  end
+end
+
+% As many effects as are named, the likeliest by the targets that are left (by
+% Laplace's formula): the named ones, or with one of them another one of the
+% five likeliest.
+function first = likeliest (study, verdict, targets)
+  models = makeHypotheses (study.gapProblem, study.em, ...
+                           study.models.options, targets);
+  first = verdict.effects;
+  [~, order] = sort (-verdict.include);
+  tried = unique ([first, order(1:min (5, end))]);
+  % no others are fitted
+  models.list = models.list([1, models.singles(tried)]);
+  models.singles(:) = 0;
+  models.singles(tried) = 1 + (1:numel (tried));
+  fits = fitLibrary (models, study.gapProblem.value(targets));
+  others = setdiff (tried, first);
+  best = fitEffects (models, fits, 1, first, models.prior).logSum;
+  for k = others
+    for i = 1:numel (verdict.effects)
+      members = verdict.effects;
+      members(i) = k;
+      fit = fitEffects (models, fits, 1, sort (members), models.prior);
+      if fit.logSum > best
+        best = fit.logSum;
+        first = sort (members);
+      end
+    end
+  end
+end
+
+%!test
+%! % a cause that every bench shows, and one that one reading alone makes: the
+%! % times, which the others contradict
+%! pkg load stk
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
+%! given.reading = repmat ({'length'}, 1, 12);
+%! study = labStudy (given, data, struct ('twins', 60));
+%! study.models = omnibusReference (study.models);
+%! verdict = judgeCase (caseEvidence (study.models, study.fits, 1), study.models);
+%! assert (verdict.kind, 'named');
+%! given.reading(1:2:12) = {'time'};
+%! study.gapProblem = newGapProblem (given);
+%! [same, decides] = withoutReadings (verdict, study);
+%! assert ({same.kind, decides}, {'named', {}});
+%! % named is what the times alone say
+%! wrong = setfield (verdict, 'effects', 4);
+%! [v, decides] = withoutReadings (wrong, study);
+%! assert ({v.kind, v.guard}, {'group', 'readings'});
+%! assert (v.effects, [3, 4]);
+%! assert (decides, {'length', 'time'});
