@@ -118,12 +118,11 @@ for number = str2double (words{1}):str2double (words{2})
                               given.trials, 'scatter', given.scatter, ...
                               'perCondition', false (1, columns (data.X)));
     end
-    diagnosis = diagnoseMatrices (own, runs, struct ('trials', 0, ...
-                                                     'bootstrap', 199));
+    diagnosis = diagnoseMatrices (own, runs, struct ('bootstrap', 199));
     which = diagnosis.which;
     p = which.posterior.null;
     if ~isempty (at)
-      p = which.posterior.(truth) + which.resembles.(truth);
+      p = which.posterior.(truth);
     end
     closure = NaN;
     if ~isempty (diagnosis.howFar)

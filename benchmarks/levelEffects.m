@@ -84,7 +84,7 @@ for seed = str2num (words{1})
   names = names([end, 1:end - 1]);
   for kind = fieldnames (runs)'
     d = diagnoseMatrices (given, runs.(kind{1}), ...
-                          struct ('trials', 0, 'bootstrap', 49));
+                          struct ('bootstrap', 49));
     found = d.which.effects;
     right = any (strcmp (names{truth + 1}, found)) || ...
             (truth == 0 && isempty (found));

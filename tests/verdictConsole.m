@@ -100,10 +100,9 @@ function d = withCauses (d, which)
   for field = {'effects', 'siblings', 'partners'}
     d.which.(field{1}) = namesIn (which, field{1});
   end
-  d.which.resembles = struct ('cohesion', 0.1, 'drag', 0);
-  d.which.expected = struct ('top1', NaN, 'n', 0);
   d.which.strength = struct ('name', names, 'value', 0.5, ...
-                             'interval90', [0.3, 0.7], 'values', [5; 3; 7]);
+                             'interval90', [0.3, 0.7], 'values', [5; 3; 7], ...
+                             'says', 'bound');
   d.screen = struct ('gain', [2, 1], 'smallest', [0.2, 0.4]);
   d.screen.smallest(ismember (names, namesIn (which, 'cannotSee'))) = Inf;
 end

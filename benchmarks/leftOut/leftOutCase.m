@@ -8,8 +8,8 @@
 %             cause (cellstr), phi (strengths), d (signal to noise), verdict,
 %             effects (cellstr), lookAlike, guard, top (name), pTop, pTrue,
 %             pNull (probabilities: of top, of the cause or what resembles it,
-%             of no gap), interval (1 x 3, of the first cause), gateP, exclude,
-%             ess, seconds
+%             of no gap), interval (1 x 3, of the first cause), gateP, ess,
+%             seconds
 %
 % The measurement is the row plus normal noise of the stated uncertainty (seeded
 % by the row). All rows with the same inputs are taken out of the runs.
@@ -77,12 +77,12 @@ function one = describe (w, verdict, models, truth)
                 'effects', {models.names(verdict.effects)}, ...
                 'lookAlike', verdict.lookAlike, 'guard', verdict.guard, ...
                 'top', models.names{verdict.top}, ...
-                'pTop', verdict.total(verdict.top), 'pTrue', 0, ...
+                'pTop', verdict.include(verdict.top), 'pTrue', 0, ...
                 'pNull', verdict.null, 'interval', NaN (1, 3), ...
-                'gateP', w.gate.p, 'exclude', w.exclude, 'ess', min (w.ess));
+                'gateP', w.gate.p, 'ess', min (w.ess));
   numbers = truth.at(truth.at > 0);
   if ~isempty (numbers)
-    one.pTrue = max (verdict.total(numbers));
+    one.pTrue = max (verdict.include(numbers));
     one.interval = strengthAlone (w, models, numbers(1));
   end
 end

@@ -37,7 +37,7 @@ function verdict = diagnoseOne (source, lab, twin, number, sets)
   start = tic ();
   rand ('twister', 90000 + number);
   randn ('twister', 90000 + number);
-  options = struct ('maxNewRuns', sets, 'trials', 0, 'bootstrap', 99);
+  options = struct ('maxNewRuns', sets, 'bootstrap', 99);
   given = setfield (lab.gapProblem, 'value', twin.y);
   effects = newGapProblem (given).effects;
   runs = runsOf (source, lab.gapProblem, effects);
@@ -63,12 +63,11 @@ function v = verdictOf (verdict, names, seconds)
                     verdict.posterior.unlisted], ...
               'total', zeros (1, K), 'interval', NaN (K, 3), ...
               'gateP', verdict.gateP, ...
-              'exclude', log (max (verdict.exclude, eps)), ...
               'ess', verdict.numbers.ess, 'seconds', seconds);
   for k = 1:K
     if isfield (verdict.posterior, names{k})
       v.P(1 + k) = verdict.posterior.(names{k});
-      v.total(k) = v.P(1 + k) + verdict.resembles.(names{k});
+      v.total(k) = v.P(1 + k);
     end
     listed = find (strcmp ({verdict.strength.name}, names{k}), 1);
     if ~isempty (listed)

@@ -6,7 +6,8 @@
 %   ISCHANGE  logical (false): said of a change, see sentence
 %   TEXT  one sentence, and one about rivals where there are; '': not tried
 %   CODE  of closed.* in words.txt, for the fitted targets: 'share', 'all',
-%         'nothing', 'tooFew', 'noise', 'unknown'; '': not tried
+%         'nothing', 'tooFew', 'noise', 'unsure' (its interval is wider than
+%         half), 'unknown'; '': not tried
 
 function [text, code] = closedText (gap, isChange)
   far = jsonAt (gap, {'howFar'});
@@ -40,7 +41,9 @@ function code = codeOf (part)
   closure = jsonAt (part, {'closure'});
   removable = jsonAt (part, {'removable'});
   code = 'share';
-  if any (closure >= 0.995)
+  if any (diff (jsonAt (part, {'interval90'})) > 0.5)
+    code = 'unsure';
+  elseif any (closure >= 0.995)
     code = 'all';
   elseif any (closure <= 0.005)
     code = 'nothing';
@@ -81,6 +84,9 @@ end
 %! [text, code] = closedText (struct ('howFar', far));
 %! assert (code, 'all');
 %! assert (! isempty (strfind (text, sentence ('closed.noise'))));
+%! far.interval90 = [0.5, 1.1];
+%! assert (nthargout (2, @closedText, struct ('howFar', far)), 'unsure');
+%! far = rmfield (far, 'interval90');
 %! far.heldOut = [];
 %! [far.closure, far.removable] = deal ([], true);
 %! assert (nthargout (2, @closedText, struct ('howFar', far)), 'tooFew');

@@ -169,8 +169,10 @@ function text = plainReason (verdict)
   guard = jsonAt (verdict, {'guard'});
   isUnlisted = strcmp (guard, 'look-alike') && ...
                isempty (namesIn (verdict, 'siblings'));
-  if isUnlisted || any (strcmp (guard, {'group', 'integral'}))
-    text = sentence (['guard.', guard]);
+  if isUnlisted || any (strcmp (guard, {'group', 'class', 'runs', ...
+                                        'readings', 'integral'}))
+    values = struct ('names', {namesIn(verdict, 'decides')});
+    text = sentence (['guard.', guard], values);
   else
     text = verdict.reason;
   end

@@ -157,35 +157,11 @@ function sayWhich (diagnosis, tell)
                         diagnosis.gapProblem));
   end
   tell ('  %-20s %11.3f', 'none of the listed', w.posterior.unlisted);
-  % of what is not listed, the part that resembles a listed effect
-  for name = fieldnames (w.resembles)'
-    if w.resembles.(name{1}) > 0.02
-      tell ('    resembling %-9s %9.3f', name{1}, w.resembles.(name{1}));
-    end
-  end
-  sayExpected (w.expected, tell);
-end
-
-function sayExpected (e, tell)
-  if ~isfinite (e.top1)
-    return
-  end
-  tell ('  On %d data sets of the same design with a known cause:', e.n);
-  words = {'top1', 'the likeliest effect is right'; ...
-           'precision', 'a name is right'; ...
-           'falseName', 'without a gap a name is given'; ...
-           'wrongUnlisted', ...
-           'with the cause missing from the list one is given'};
-  for pair = words'
-    if isfinite (e.(pair{1}))
-      tell ('    %s in %.0f %%', pair{2}, 100 * e.(pair{1}));
-    end
-  end
 end
 
 function text = strengthText (s, smallest, gapProblem)
   text = 'cannot be seen';
-  if isinf (smallest) || isempty (s.values)
+  if isinf (smallest) || isempty (s.values) || strcmp (s.says, 'nothing')
     return
   end
   e = gapProblem.effects(strcmp ({gapProblem.effects.name}, s.name));
@@ -193,6 +169,9 @@ function text = strengthText (s, smallest, gapProblem)
     text = effectText (e.label, e.unit, s.values);
   else
     text = sprintf ('%.2f of its range (%.2f to %.2f)', s.value, s.interval90);
+  end
+  if strcmp (s.says, 'least')
+    text = sentence ('strength.least', struct ('amount', text));
   end
 end
 

@@ -38,6 +38,9 @@ function sayClosure (name, c, of, tell)
   elseif ~isfinite (c.closure)
     text = sprintf ('too near noise for a share (p = %.2g, largest z %.1f)', ...
                     c.gapP, c.largestZ);
+  elseif diff (c.interval90) > 0.5
+    text = sprintf ('cannot be told: %.0f %% of the %s (90 %%: %.0f to %.0f)', ...
+                    100 * c.closure, of, 100 * c.interval90);
   elseif c.closure >= 0.995
     text = sprintf ('all of the %s closed (90 %%: from %.0f %%)', of, ...
                     100 * min (1, c.interval90(1)));

@@ -79,12 +79,10 @@ end
 function s = whichOf (diagnosis)
   w = diagnosis.which;
   s = struct ('verdict', w.verdict, 'reason', w.reason, 'p', w.gateP);
-  s = mergeFields (s, w, {'guard', 'effects', 'together', 'sameKind', ...
-                          'lookAlike'});
-  s.oddsAgainstLookAlike = w.exclude;
+  s = mergeFields (s, w, {'guard', 'effects', 'class', 'decides', ...
+                          'together', 'sameKind', 'lookAlike'});
   s = mergeFields (s, w, {'partners', 'likely', 'posterior'});
   s.probability = rmfield (w.posterior, {'null', 'unlisted'});
-  s = mergeFields (s, w, {'alike', 'resembles'});
   s.integration = w.numbers;
   s.cannotSee = [w.cannotSee, diagnosis.screen.untested];
   s = mergeFields (s, w, {'groups', 'siblings'});
@@ -95,18 +93,19 @@ function s = whichOf (diagnosis)
                                     diagnosis.screen.smallest(k), ...
                                     diagnosis.gapProblem);
   end
-  s = mergeFields (s, w, {'priorSpread', 'expected'});
+  s = mergeFields (s, w, {'priorSpread'});
   s.cause = num2cell (w.cause);
 end
 
-% What cannot be seen has no interval: its runs say nothing of its strength.
+% What cannot be seen, or has no runs where it would fit, has no interval: its
+% runs say nothing of its strength.
 function s = strengthOf (strength, smallest, gapProblem)
-  isSeen = isfinite (smallest);
+  isSeen = isfinite (smallest) && ~strcmp (strength.says, 'nothing');
   strength.interval90(~isSeen) = NaN;
   strength.values(2:3, ~isSeen(ones (1, columns (strength.values)))) = NaN;
   s = struct ('value', strength.value, 'interval90', strength.interval90, ...
               'smallestSeen', smallest, 'variables', struct (), ...
-              'seen', isSeen);
+              'seen', isSeen, 'says', strength.says);
   for j = 1:numel (strength.variables)
     s.variables.(strength.variables{j}) = strength.values(:, j)';
   end
@@ -117,6 +116,10 @@ function s = strengthOf (strength, smallest, gapProblem)
   end
   if columns (strength.values) == 1
     [s.text, s.amount] = effectText (s.label, s.unit, strength.values(:, 1));
+    if strcmp (strength.says, 'least')
+      s.text = sentence ('strength.least', struct ('amount', s.text));
+      s.amount = sentence ('strength.least', struct ('amount', s.amount));
+    end
   end
 end
 
@@ -201,7 +204,7 @@ end
 %! % a planted cause: it has the print of the gap, another one has not
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0, 0]);
-%! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'trials', 0, ...
+%! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, ...
 %!                                            'twins', 60));
 %! P = d.fingerprint;
 %! far = @(name) norm (P.effects(strcmp (d.screen.names, name), :) - ...

@@ -60,7 +60,7 @@ function lines = effectLines (diagnosis)
             'smallest_seen,absorbed_share,gain_chi2']};
   for k = 1:numel (screen.names)
     s = w.strength(k);
-    if isinf (screen.smallest(k))
+    if isinf (screen.smallest(k)) || strcmp (s.says, 'nothing')
       s.interval90(:) = NaN;
     end
     name = matlab.lang.makeValidName (s.name);
@@ -86,7 +86,7 @@ end
 %! given.benchNames = {'A, "old"', 'B', 'C'};
 %! given.targetNames = [{'mass, "wet"'}, arrayfun(@(k) sprintf ('t%d', k), ...
 %!                                                2:12, 'UniformOutput', 0)];
-%! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'trials', 0, ...
+%! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, ...
 %!                                            'twins', 60));
 %! d.next = struct ('test', 'do "x"', 'gain', 0.5, 'cost', 2, ...
 %!                  'gainPerCost', 0.25);
