@@ -12,6 +12,8 @@
 %     phi (H x 1: median of the first strength)
 %     atLimit (1 x H, posterior mass glued to the end of the range of a
 %       strength)
+%     turned (1 x H, posterior mass of an error of form with a tangent above
+%       options.turnedAt: then what it does is rather another cause's)
 %     posterior (1 x H cell: Q, weight: samples of each hypothesis)
 %     vague (1 x K, variance that comes with the surrogate of the effect where
 %       it fits best alone, over all noise, in the mean of the targets)
@@ -40,7 +42,7 @@ function w = collect (w, list)
   hypotheses = [list.h];
   w.kind = {hypotheses.kind};
   w.members = {hypotheses.members};
-  for field = {'logPrior', 'logE', 'error', 'ess', 'atLimit'}
+  for field = {'logPrior', 'logE', 'error', 'ess', 'atLimit', 'turned'}
     w.(field{1}) = [list.(field{1})];
   end
   w.phi = vertcat (list.phi);
@@ -89,6 +91,7 @@ function one = integrate (models, one)
   phi = r.Q(:, p + (1:numel (members)));
   ends = phi > hi - margin | (lo < 0 & phi < lo + margin);
   one.atLimit = max (r.weight' * ends);
+  one.turned = r.weight' * (r.Q(:, end) > settings.turnedAt);
 end
 
 % All hypotheses for data set I, by Laplace's formula: the rows of MODELS.list
@@ -114,7 +117,7 @@ function one = entry (h, white, prior, fit, i)
                 'modes', modesOf (fit, i), ...
                 'logPrior', log (prior), 'logE', fit.logSum(i), ...
                 'error', NaN, 'ess', NaN, 'phi', NaN, 'atLimit', 0, ...
-                'posterior', struct ('Q', [], 'weight', [], ...
+                'turned', 0, 'posterior', struct ('Q', [], 'weight', [], ...
                                      'cautious', []));
 end
 

@@ -17,8 +17,11 @@
 %               'readings', 'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
 %     reason    text, one sentence
 %     P         1 x H, probability of each hypothesis of W
-%     include   1 x K, probability that the effect takes part
-%     null, unlisted (discrepancies) probabilities
+%     include   1 x K, probability that the effect takes part, about as its law
+%               has it
+%     null, unlisted (discrepancies, and effects that would have to be turned
+%               farther than half of the way to another cause, see caseEvidence)
+%               probabilities
 %     likely    1 x m, fewest effects that hold 95 % of what all have together;
 %               top  scalar, the likeliest one
 %
@@ -89,10 +92,12 @@ function verdict = openVerdict (w, K)
   verdict.include = zeros (1, K);
   for h = 1:numel (verdict.P)
     at = w.members{h};
-    verdict.include(at) = verdict.include(at) + verdict.P(h);
+    verdict.include(at) = verdict.include(at) + ...
+                          verdict.P(h) * (1 - w.turned(h));
   end
   verdict.null = verdict.P(1);
-  verdict.unlisted = sum (verdict.P(strcmp (w.kind, 'discrepancy')));
+  isOther = max (w.turned, strcmp (w.kind, 'discrepancy'));
+  verdict.unlisted = sum (verdict.P .* isOther);
   [~, verdict.top] = max ([verdict.include, 0]);
   [sorted, order] = sort (-verdict.include);
   most = cumsum (-sorted);
@@ -111,6 +116,7 @@ end
 %!                    'size', [10, 10, 10]);
 %! [w.phi, w.atLimit, w.ess] = deal (0.5 * ones (6, 1), zeros (1, 6), ...
 %!                                   400 * ones (1, 6));
+%! w.turned = zeros (1, 6);
 %! w.vague = zeros (1, 3);
 %! like = @(at, logE) setfield (w, 'logE', setfield (w.logE, {at}, logE));
 %!test
@@ -161,6 +167,12 @@ end
 %! assert (v.kind, 'named');
 %! assert (! isempty (strfind (v.reason, 'end of its plausible range')));
 %!test
+%! % one that explains the data only where it does something else than its law
+%! % says is no listed cause
+%! v = judgeCase (setfield (w, 'turned', [0, 0.9, 0, 0, 0, 0]), models);
+%! assert (v.kind, 'none of the listed');
+%! assert (v.include(1) < 0.15);
+%!test
 %! % one effect is sure, and one of the two others acts with it
 %! x = like ([2, 4, 5], [5, 15, 15.5]);
 %! x.members(4:5) = {[1, 2], [1, 3]};
@@ -172,6 +184,6 @@ end
 %! % probabilities of an effect, of what is not listed, the fewest of all
 %! x = struct ('logPrior', log ([0.5, 0.4, 0.1]), 'logE', zeros (1, 3), ...
 %!             'kind', {w.kind([1, 2, 6])}, 'members', {{[], 1, []}}, ...
-%!             'gate', struct ('p', 1), 'ess', NaN);
+%!             'gate', struct ('p', 1), 'ess', NaN, 'turned', zeros (1, 3));
 %! v = judgeCase (x, setfield (models, 'names', {'a'}));
 %! assert ([v.include, v.unlisted, v.likely], [0.4, 0.1, 1], 1e-12);
