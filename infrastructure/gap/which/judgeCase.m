@@ -16,12 +16,11 @@
 %     guard     what withheld a name: '', 'integral', 'class', 'runs', 'group',
 %               'readings', 'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
 %     reason    text, one sentence
-%     P         1 x H, probability of each hypothesis of W
-%     include   1 x K, probability that the effect takes part, about as its law
-%               has it
-%     null, unlisted (discrepancies, and effects that would have to be turned
-%               farther than half of the way to another cause, see caseEvidence)
-%               probabilities
+%     P         1 x H, probability of each hypothesis of W; of one with effects
+%               less where it needs them to do something else than their laws say
+%               (turned, see caseEvidence)
+%     include   1 x K, probability that the effect takes part
+%     null, unlisted (discrepancies, and what P lacks) probabilities
 %     likely    1 x m, fewest effects that hold 95 % of what all have together;
 %               top  scalar, the likeliest one
 %
@@ -88,16 +87,16 @@ function verdict = openVerdict (w, K)
                     'lookAlike', false, 'sameKind', false, ...
                     'partners', zeros (1, 0), 'guard', '', 'reason', ...
                     'no single cause is likely enough');
-  verdict.P = exp (logP - logSumExp (logP));
+  whole = exp (logP - logSumExp (logP));
+  verdict.P = whole .* (1 - w.turned);
   verdict.include = zeros (1, K);
   for h = 1:numel (verdict.P)
     at = w.members{h};
-    verdict.include(at) = verdict.include(at) + ...
-                          verdict.P(h) * (1 - w.turned(h));
+    verdict.include(at) = verdict.include(at) + verdict.P(h);
   end
   verdict.null = verdict.P(1);
   isOther = max (w.turned, strcmp (w.kind, 'discrepancy'));
-  verdict.unlisted = sum (verdict.P .* isOther);
+  verdict.unlisted = sum (whole .* isOther);
   [~, verdict.top] = max ([verdict.include, 0]);
   [sorted, order] = sort (-verdict.include);
   most = cumsum (-sorted);
