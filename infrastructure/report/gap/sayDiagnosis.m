@@ -161,7 +161,10 @@ end
 
 function text = strengthText (s, smallest, gapProblem)
   text = 'cannot be seen';
-  if isinf (smallest) || isempty (s.values) || strcmp (s.says, 'nothing')
+  if isinf (smallest) || isempty (s.values)
+    return
+  elseif strcmp (s.says, 'nothing')
+    text = sentence ('strength.unknown');
     return
   end
   e = gapProblem.effects(strcmp ({gapProblem.effects.name}, s.name));

@@ -108,9 +108,10 @@ function html = strengthText (page, name)
   strength = jsonAt (page.sources.gap, at);
   if isempty (strength)
     html = '';
-  elseif any (strcmp (name, page.verdict.cause.cannotSee)) || ...
-         isequal (jsonAt (strength, {'says'}), 'nothing')
+  elseif any (strcmp (name, page.verdict.cause.cannotSee))
     html = 'cannot be seen';
+  elseif isequal (jsonAt (strength, {'says'}), 'nothing')
+    html = sentence ('strength.unknown');
   elseif ~isempty (jsonAt (strength, {'text'}))
     html = sprintf ('<span title="%.2g of its range">%s</span>', ...
                     strength.value, htmlText (strength.text));
