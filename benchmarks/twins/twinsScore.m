@@ -58,7 +58,7 @@ function c = caseOf (twin, verdict, lab)
   end
   if strcmp (twin.class, 'single')
     c.interval = verdict.interval(cause, 2:3);
-    p = verdict.include(cause);
+    p = verdict.total(cause);
     c.odds = p > 20 * (1 - p);
   end
 end
