@@ -26,7 +26,8 @@
 
 %!test
 %! % LIGGGHTS runs of clumps with another rolling friction, dry, moist and wet:
-%! % the cause is found, and its order; the model's own lack is no cause
+%! % the cause is found in wet, and likeliest in moist, whose 15 kJ/m3 do not part
+%! % it from what acts alike; the model's own lack is no cause
 %! [status, out] = system (sprintf ('"%s" "%s" 1 2>&1', ...
 %!                         fullfile (root, 'tools', 'demo.sh'), folder));
 %! assert (status, 0);
@@ -36,13 +37,11 @@
 %! assert (moist.which.posterior.cohesion > 0.5);
 %! assert (wet.which.posterior.cohesion > 0.8);
 %! assert (cellstr (wet.which.effects), {'cohesion'});
-%! assert ({moist.reference.order.more, moist.reference.order.less}, ...
-%!         {'wet', 'moist'});
-%! assert (moist.reference.order.probability > 0.9);
+%! assert (! strcmp (moist.which.verdict, 'no gap'));
+%! assert (moist.which.cause(1).name, 'moisture');
 %! own = wet.which.strength.cohesion.variables.cohesionPP;
 %! assert (own(2) < 4e4 && own(3) > 4e4);
 %! assert (! isempty (strfind (out, 'What has changed: ')));
-%! assert (! isempty (strfind (out, 'more cohesion in wet than in moist')));
 %!test
 %! % before and after stand on the page, the calibration is of the reference
 %! html = fileread (fullfile (folder, 'results', 'report.html'));

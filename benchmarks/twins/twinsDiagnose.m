@@ -7,7 +7,7 @@
 %   VERDICTS     1 x n struct: kind, effects, top, named (cellstr), P (1 x (K +
 %                3): null, each effect, pairs, unlisted), interval (K x 3:
 %                strength of each effect, median and 90 %), gateP, seconds,
-%                total (1 x K, the same as P of the effect and its pairs), lookAlike (the
+%                total (1 x K, P of the effect and its pairs), lookAlike (the
 %                verdict says: or something that looks like it), sameKind (it
 %                says: one kind of cause, see judgeCase)
 %

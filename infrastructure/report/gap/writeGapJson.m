@@ -212,9 +212,8 @@ end
 %! assert (far ('spread') < 0.3);
 %! assert (far ('size') > 0.5);
 %! % the files of its diagnosis
-%! Case = struct ('folder', tempname (), 'modelVars', struct ('c', 3), ...
-%!                'names', {d.gapProblem.names});
-%! mkdir (Case.folder);
+%! Case = newCase (standInCase (tempname ()));
+%! [Case.modelVars, Case.names] = deal (struct ('c', 3), d.gapProblem.names);
 %! v = writeGapJson (d, Case);
 %! read = @(name) fullfile (Case.folder, 'gap', name);
 %! gap = jsondecode (fileread (read ('gap.json')));
