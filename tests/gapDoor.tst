@@ -33,7 +33,8 @@
 %! assert (lastwarn (), '');
 %! assert (other.which.verdict, 'named');
 %! assert (other.which.effects, first.which.effects);
-%! assert (other.which.gateP, first.which.gateP);
+%! % far beyond what was drawn, from its tail: a power of the statistic
+%! assert (other.which.gateP, first.which.gateP, -0.05);
 %! assert (other.where.p, first.where.p);
 %! assert (other.where.t, first.where.t, 1e-4);
 %! assert (other.where.residual ./ unit, first.where.residual, 1e-4);
