@@ -90,9 +90,8 @@
 %! assert (d.which.verdict, 'none of the listed');
 
 %!test
-%! % a weak effect: the gap is seen, the cause is not certain
+%! % a weak effect: nothing is said, or what it is; never another one
 %! g = given;
-%! found = {};
 %! for seed = [5, 7, 11, 12]
 %!   g.value = measured (means, [0, 0, 0, 0.08, 0], seed);
 %!   gapProblem = newGapProblem (g);
@@ -102,9 +101,9 @@
 %!     models = omnibusReference (makeHypotheses (gapProblem, em, options));
 %!   end
 %!   w = caseEvidence (models, fitLibrary (models, g.value), 1);
-%!   found{end + 1} = judgeCase (w, models).kind;
+%!   v = judgeCase (w, models);
+%!   assert (isempty (v.effects) || any (v.effects == 4));
 %! end
-%! assert (any (strcmp (found, 'undecided')));
 
 %!test
 %! % the surrogates are to blame: a clear effect, few neutral runs far from it,

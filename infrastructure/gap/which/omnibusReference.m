@@ -24,9 +24,8 @@ function models = omnibusReference (models, statistic)
   while rows (models.reference) < most
     m = min (n, most - rows (models.reference));
     seed = models.options.seed + 500 + rows (models.reference);
-    twins = drawTwins (models, cell (1, m), zeros (m, 1), seed, ...
-                       models.options.surplus);
-    fits = fitLibrary (models, twins.Y);
+    Y = drawTwins (models, m, seed, models.options.surplus);
+    fits = fitLibrary (models, Y);
     models.reference = [models.reference; ...
                         omnibusTest(models, fits.logE).statistic];
     if nargin > 1 && isClear (models.reference >= statistic, ...
@@ -57,8 +56,8 @@ end
 %! models = handMadeHypotheses ();
 %! models.options.surplus = 1;
 %! models = omnibusReference (models);
-%! twins = drawTwins (models, cell (1, 200), zeros (200, 1), 77);
-%! p = omnibusTest (models, fitLibrary (models, twins.Y).logE).p;
+%! Y = drawTwins (models, 200, 77);
+%! p = omnibusTest (models, fitLibrary (models, Y).logE).p;
 %! assert (mean (p < 0.05) > 0.005 && mean (p < 0.05) < 0.11);
 %!test
 %! % no doubt after a hundred: none of them, or many, reach it
