@@ -66,7 +66,11 @@ function numbers = numbersOf (w, verdict)
 end
 
 function list = hypothesesOf (w, verdict, names)
-  [P, order] = sort (verdict.P, 'descend');
+  P = verdict.P;
+  % what an effect would have to turn too far for is rather something unlisted
+  other = find (strcmp (w.kind, 'discrepancy'), 1);
+  P(other) = P(other) + 1 - sum (P);
+  [P, order] = sort (P, 'descend');
   members = cellfun (@(m) names(m), w.members(order), 'UniformOutput', false);
   list = struct ('members', members, 'kind', w.kind(order), ...
                  'probability', num2cell (P));
