@@ -12,12 +12,15 @@
 %     absorbability (T x 1): share of a target's own signal that the parameters
 %       can take up; above 0.9 the target is a blind spot
 %
-% Parity space of fault detection (Gertler 1998): the left null space of J.
+% Parity space of fault detection (Gertler 1998): the left null space of J, less
+% directions along which half the box moves the results by a hundredth of a
+% standard deviation or less: these hide nothing, and where no parameter moves
+% anything, slopes are rounding.
 
 function parity = parityProjection (J, R)
   [U, S, ~] = svd (J);
   s = diag (S(1:min (size (S)), 1:min (size (S))));
-  rank_ = sum (s > 1e-8 * max ([s; realmin]));
+  rank_ = sum (s > max ([1e-8 * s; 0.01]));
   parity.N = U(:, rank_ + 1:end);
   parity.rho = parity.N' * R;
   parity.unabsorbed = sum (parity.rho.^2);
@@ -36,3 +39,8 @@ end
 %! parity = parityProjection (eye (2), [1; 2]);
 %! assert (isempty (parity.rho));
 %! assert (parity.unabsorbed, 0);
+%!test
+%! % parameters that move nothing but for rounding hide nothing
+%! parity = parityProjection ([1e-13, -2e-13], 5);
+%! assert ([parity.rho^2, parity.absorbed], [25, 0], 1e-12);
+%! assert (parity.absorbability, 0);

@@ -9,7 +9,7 @@
 %             fitEmulator; 0 where no run has failed)
 %   J         1 x d cell of n x T, slopes of M along U
 %   G         1 x d cell of n x T, slopes of log V along U where H has a spread
-%             (along its size and the strengths), else 0
+%             (along its size and the strengths), else []: none
 %
 % Few runs do not tell how an effect bends: its signature is S exp (a g), a ~ N
 % (0, 1) an unknown, g its deviation, which grows away from the strongest run.
@@ -57,7 +57,7 @@ function [M, V, L, J, G] = predictHypothesis (view, U)
   V = V + part;
   if nargout > 3
     J{last + 1} = 0;
-    G = repmat ({0}, 1, last + 1);
+    G = cell (1, last + 1);
     share = part ./ V;
     G{end} = 2 * share .* slope(:, end) ./ max (Q(:, end), 1e-6);
     for i = 1:numel (h.members)
@@ -129,7 +129,7 @@ end
 %!   step = 1e-6 * ((1:4) == j);
 %!   [~, up] = predictHypothesis (view, U + step);
 %!   [~, down] = predictHypothesis (view, U - step);
-%!   assert (G{j} + zeros (1, 4), log (up ./ down) / 2e-6, 1e-6);
+%!   assert ([G{j}, zeros(1, 4 * isempty (G{j}))], log (up ./ down) / 2e-6, 1e-6);
 %! end
 %! % of a pair what each does, though together they do nothing
 %! white.effect(2).coef = [0, 0, -4, -4];
