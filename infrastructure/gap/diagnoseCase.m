@@ -141,66 +141,6 @@ function needCandidates (Case)
           '\n  effects = {''%s''};'], strjoin ({effects(can).name}, ''', '''));
 end
 
-% Of a change: one more condition before the OTHERS (1 x C struct name, verdict,
-% effects (cellstr), lookAlike, p, and of each effect probability, strength and
-% interval90, shares of its range), and the ORDER of two conditions of one
-% cause, by how much of it there is (1 x m struct effect, more, less,
-% probability).
-function s = compareConditions (diagnosis, others)
-  s = struct ('conditions', others, 'order', ...
-              struct ('effect', {}, 'more', {}, 'less', {}, 'probability', {}));
-  if isempty (diagnosis.gapProblem.reference)
-    return
-  end
-  which = diagnosis.which;
-  one = struct ('name', diagnosis.gapProblem.reference.condition, ...
-                'verdict', which.verdict, 'effects', {which.effects}, ...
-                'lookAlike', which.lookAlike, 'p', which.gateP, ...
-                'probability', [], 'strength', [], 'interval90', []);
-  for name = which.effects
-    own = which.strength(strcmp ({which.strength.name}, name{1}));
-    one.probability(end + 1) = ...
-      which.posterior.(matlab.lang.makeValidName (name{1}));
-    one.strength(end + 1) = own.value;
-    one.interval90(end + 1, :) = own.interval90;
-  end
-  s.conditions = [one, others];
-  for i = 1:numel (s.conditions)
-    for j = 1:i - 1
-      s.order = [s.order, orderOf(s.conditions(j), s.conditions(i))];
-    end
-  end
-end
-
-% Of one cause, or one class, in both: an error of the form of a law is the same
-% in all conditions, so it can make another cause of it, but not more or less of
-% one. The probability takes the strengths as normal, with the widths of their
-% intervals: they are from one set of surrogates, whose common error it counts
-% twice.
-function order = orderOf (a, b)
-  order = [];
-  if ~isequal (sort (a.effects), sort (b.effects))
-    return
-  end
-  for name = intersect (a.effects, b.effects)
-    i = find (strcmp (a.effects, name{1}));
-    j = find (strcmp (b.effects, name{1}));
-    sd = sqrt (widthOf (a.interval90(i, :))^2 + widthOf (b.interval90(j, :))^2);
-    p = 1 - normalTail ((a.strength(i) - b.strength(j)) / sd);
-    names = {a.name, b.name};
-    if p < 0.5
-      names = names([2, 1]);
-      p = 1 - p;
-    end
-    order = [order, struct('effect', name{1}, 'more', names{1}, ...
-                           'less', names{2}, 'probability', p)];
-  end
-end
-
-function sd = widthOf (interval)
-  sd = max (diff (interval) / 3.29, realmin);
-end
-
 %!test
 %! % without candidates it stops before any run, and says what the model can do
 %! raw = standInCase (tempname ());
