@@ -198,8 +198,8 @@ function reportIterations (found, history, Case, say)
         sprintf (' %.3f', 100 * found.residual(1:T)), ...
         100 * found.probability);
   if ~isempty (found.conflict)
-    tell ('  WARNING: no set of the box meets together: %s', ...
-          strjoin (found.conflict, ', '));
+    tell (['  WARNING: no parameter values within your limits meet ' ...
+           'together: %s'], strjoin (found.conflict, ', '));
   end
   say ('');
   say ('Optimisation on the DEM models');

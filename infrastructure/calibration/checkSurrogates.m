@@ -21,7 +21,7 @@ function [lines, touched] = checkSurrogates (state, problem)
   d = numel (problem.names);
   if nTargets < d
     lines{end + 1} = sprintf (['%d targets cannot fix %d parameters: other ' ...
-                               'sets meet them as well'], nTargets, d);
+                               'values meet them as well'], nTargets, d);
   end
   isOurs = ~ismember (state.data.stage, {'import', 'library'});
   failed = sum (any (isnan (state.data.Z(isOurs, :)), 2));

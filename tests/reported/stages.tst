@@ -8,4 +8,4 @@
 %! assert (! isempty (strfind (out, '24 runs taken in')));
 %! % nothing can be run once more: it counts, and that is said
 %! assert (! isempty (regexp (out, ['gave angle = 34.72; the other runs ' ...
-%!                                  'foretell 30.*so it counts'])), out);
+%!                                  'predict 30.*so it counts'])), out);
