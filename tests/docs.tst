@@ -265,3 +265,16 @@
 %!           ~isempty (strfind (list, ['(', name, '.md)'])), name);
 %! end
 %! assert (numel (strsplit (fileread (fullfile (root, 'README.md')))) < 950);
+
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'python3'))
+%! % phrases that the manual does without are found across lines, not in code
+%! root = fileparts (fileparts (which ('startProgram')));
+%! page = [tempname(), '.md'];
+%! writeAtomic (page, ["Noise makes as\nmuch. `a box` [x](a-set.md)\n\n", ...
+%!                     "```\nthe sets\n```\n\n* There\n  are misses.\n"]);
+%! [status, out] = system (sprintf ('python3 %s %s 2>&1', ...
+%!   shellQuote (fullfile (root, 'tools', 'phrases.py')), shellQuote (page)));
+%! unlink (page);
+%! assert (status == 1, out);
+%! found = regexp (out, ':(\d+): "([^"]*)"', 'tokens');
+%! assert (vertcat (found{:}), {'1', 'as much'; '8', 'There are'});

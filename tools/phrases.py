@@ -1,11 +1,13 @@
 """Finds phrases that the manual does without: tools/phrases.txt lists them.
 
-CALL: tools/phrases.py      exit status 1 for any finding
+CALL: tools/phrases.py           exit status 1 for any finding
+      tools/phrases.py PAGE...   other pages, as of the user guide
 
 Read are README.md, CONTRIBUTING.md, docs/*.md and the sentences of words.txt, a
 paragraph at a time, so that a line break hides nothing. What programs print or
 read (code, names of files) and the addresses of links are left aside.
 """
+import os
 import pathlib
 import re
 import sys
@@ -55,9 +57,10 @@ def guide():
 
 def main():
     rules = list(phrases(ROOT / 'tools/phrases.txt'))
-    inGuide = guide()
-    pages = [ROOT / 'README.md', ROOT / 'CONTRIBUTING.md', SENTENCES]
-    pages += sorted((ROOT / 'docs').glob('*.md'))
+    given = [pathlib.Path(page).resolve() for page in sys.argv[1:]]
+    inGuide = given or guide()
+    pages = given or [ROOT / 'README.md', ROOT / 'CONTRIBUTING.md', SENTENCES,
+                      *sorted((ROOT / 'docs').glob('*.md'))]
     bad = False
     for page in pages:
         if page == MADE:
@@ -67,7 +70,7 @@ def main():
         if page == SENTENCES:                # its remarks are for programmers
             text = re.sub(r'^#.*', blank, text, flags=re.M)
         for line, phrase, better in sorted(findings(text, own)):
-            print(f'{page.relative_to(ROOT)}:{line}: "{phrase}": {better}')
+            print(f'{os.path.relpath(page, ROOT)}:{line}: "{phrase}": {better}')
             bad = True
     sys.exit(bad)
 
