@@ -1,6 +1,6 @@
 #!/bin/bash
-# Checks the style (miss_hit.cfg) of all Octave code, the shell code, and which
-# folder calls which (tools/graph).
+# Checks the style (miss_hit.cfg) of all Octave code, the shell code, spelling and
+# phrases of the manual, and which folder calls which (tools/graph).
 # CALL: tools/lint.sh          (or: make lint); exit status 1 for any finding
 #       tools/lint.sh --fix    (or: make format); lays out the Octave code first
 set -euo pipefail
@@ -50,6 +50,7 @@ git ls-files -z '*.m' '*.tst' '*.sh' '*.md' '*.txt' '*.head' '*.yml' 2> /dev/nul
   xargs -0 --no-run-if-empty codespell -L acces,upto,fro,atleast,testof,nnumber,loadin || findings=1
 shellcheck -x --severity=warning .ci/run "${shell[@]}" || findings=1
 "$venv/bin/python3" tools/assertTexts.py "${octave[@]}" || findings=1
+"$venv/bin/python3" tools/phrases.py || findings=1
 # What is small depends on the unit: eps (x) is relative, eps alone is not.
 noEps=(infrastructure/{gap,surrogates,calibration})
 if grep -rnwE --include='*.m' 'eps' "${noEps[@]}" |

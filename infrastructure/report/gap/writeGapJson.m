@@ -6,9 +6,77 @@
 %   CASE       see newCase; the files go to its folder gap/
 %   V          see decideCase: what is written as verdict
 %
-% The fields are described in docs/gap.md. gap/calibrated.head gets the model
-% variables, and the parameters and variables of the effect (or pair) as they
-% were fitted together; it is not written where no cure was tried.
+% gap/calibrated.head gets the model variables, and the parameters and variables of
+% the effect (or pair) as they were fitted together; it is not written where no cure
+% was tried.
+%
+% Fields of gap.json. Strengths: 0 neutral, 1 the limit further from it (DEM
+% effects both ways: 1 upper, -1 lower). {name: x}: one x for each name.
+%
+%   cause {code, kind}, closure {code}, action {code, field, widen}: codes for
+%     programs; they stay, sentences change (report/words/words.txt)
+%   where
+%     p, noiseFloor (relative), params, atLimit, absorbed, unabsorbed
+%     out (tests without any result), neverRun (without a finished run)
+%     surrogateShare (of the noise)
+%     targets  [{model, name, role, z, unabsorbed (0..1, what parameters cannot
+%              hide), blind, p (chance that noise gives a miss this large in any
+%              fitted, or in any target not used in the fit), size (miss over
+%              noise; z also counts what the fit hides)}]
+%     models   [{model, p, size}], of the whole test
+%   which
+%     verdict, reason, p, guard, effects, together, sameKind, lookAlike, likely,
+%     class, decides (kinds of readings), groups, cannotSee
+%     partners (probably act with the named one)
+%     siblings (look-alikes not listed or without runs)
+%     posterior, probability  {null, each effect, unlisted}; probability counts an
+%              effect alone and in pairs
+%     integration {error, ess}
+%     cause    [{name, label, question, probability, effects}], what may have made
+%              it; name empty: none of these
+%     strength {effect: {value, interval90 (none if unseen), smallestSeen,
+%              variables {name: [median, lo, hi]}, seen, says (amount: of a named
+%              effect; least: so much or more; bound: not more than the upper end;
+%              nothing: no runs where it would fit), label, unit, text, amount (in
+%              its unit)}}
+%     priorSpread (of the likeliest, with prior scales halved, doubled)
+%   howFar
+%     effect, before, after (deviations, in shares of each target's range)
+%     floor, floorAfter (of noise alone), closure, interval90
+%     gapP (chance of before by noise), largestZ (of the worst target, over noise)
+%     removable (one of these two shows a gap; else, or with too few targets,
+%              closure is null)
+%     heldOut  {the same}
+%     placebos [{effect, closure, interval90, heldOut, verifiedByDEM, inClass,
+%              expected (its closure if the cause is right), difference,
+%              difference90 (closure of the cause less this one), logRatio (log
+%              density of data not used in the fit, cause over placebo), against
+%              (the cause)}]
+%     targets  [{model, name, role, measured, before, after, sdBefore, sd (of
+%              measured less before, after)}]
+%     verifiedByDEM, worstZ, params {name: [without, with]}
+%     strength {effect: in shares of its range}, values {variable: in the refit}
+%   fingerprint, all over noise
+%     targets, measured (less simulated without an effect), effects {effect: what
+%     it would add, fitted alone}
+%   next  [{test, gain (bits about the kind of cause), cost, model, variable,
+%     value (empty: as it stands), trials, runs (behind the gain), between (two
+%     kinds)}], first those worth advising, by gain per optim.cost; last those given
+%     up early. An empty value (or curve) of measured.csv is a test, too.
+%   level, with levels
+%     variables, value (the last), finer, shift, shiftSd (expected change at the
+%     finer level), verdict, effects with that shift (empty: unknown), holds
+%   reference, with conditions, else empty
+%     condition (of all other fields), lack (what the model misses in both, in
+%     shares of what parameters move)
+%     targets  [{model, name, reference, measured, foretold (without a change),
+%              modelled (with the effect)}]
+%     conditions  [{name, verdict, effects, lookAlike, p, probability, strength,
+%              interval90}], order [{effect, more, less, probability}]
+%     canChange  {candidate: yes, unlikely, no}
+%   demRuns  sets, failedSets, new, reused, failed, coreSeconds
+%   input, verdict: as in calibration.json (docs/data.md); cause of the verdict has
+%     kind, word, sentence, where, closed, action, cannotSee
 
 function v = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
