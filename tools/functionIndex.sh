@@ -31,7 +31,7 @@ readers () {
       -exec cat {} +; } | named
 }
 
-others () { cat docs/extend.md docs/effects.md docs/gap.md docs/inputs.md | named; }
+others () { cat CONTRIBUTING.md docs/{extend,effects,gap,inputs}.md | named; }
 
 index () {
   echo '# Functions
@@ -54,7 +54,7 @@ effects of the library ([effects.md](effects.md)).
   echo '
 ## For executors, effects and the diagnosis of matrices
 
-[extend.md](extend.md#an-executor), [gap.md](gap.md#on-matrices-for-other-dem-codes).'
+[CONTRIBUTING.md](../CONTRIBUTING.md#an-executor), [gap.md](gap.md#on-matrices-for-other-dem-codes).'
   mapfile -t files < <(comm -23 <(others) <(readers))
   table "${files[@]}"
 }
