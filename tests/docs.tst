@@ -248,6 +248,17 @@
 %! assert (isempty (bad), strjoin ([bad, {''}], "\n"));
 
 %!test
+%! % the files that CONTRIBUTING.md sends a newcomer to are there
+%! root = fileparts (fileparts (which ('startProgram')));
+%! text = fileread (fullfile (root, 'CONTRIBUTING.md'));
+%! files = regexp (text, '`((infrastructure|tests)/[\w/]*\.?\w*)`', 'tokens');
+%! files = cellfun (@(f) f{1}, files, 'UniformOutput', false);
+%! files(~cellfun (@isempty, strfind (files, 'NAME'))) = [];
+%! assert (numel (files) >= 8);
+%! there = cellfun (@(f) exist (fullfile (root, f)) > 0, files);
+%! assert (all (there), strjoin ([files(~there), {''}], ' '));
+
+%!test
 %! % a link to nowhere is found
 %! page = [tempname(), '.md'];
 %! writeAtomic (page, "# A b\n[x](#a-b) [y](#c) [z](no.md) [w](http://a)\n");
