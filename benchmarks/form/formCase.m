@@ -15,7 +15,7 @@
 function lines = formCase (part, number, given, em, truth, how)
   if nargin == 0
     lines = ['part,case,class,cause,tangent,way,d,verdict,effects,class90,', ...
-             'pSaid,top,pTop,pTrue,p,decides'];
+             'pSaid,top,pTop,pTrue,p,pairs,turn,unlisted,decides'];
     return
   end
   lines = {};
@@ -92,9 +92,23 @@ function text = answerOf (study, i, truth)
   if any (strcmp (truth.class, {'single', 'pair'}))
     pTrue = max (arrayfun (holding, truth.at));
   end
-  text = sprintf (',%s,%s,%s,%.4f,%s,%.4f,%.4f,%.3g,%s', verdict.kind, ...
+  isPair = strcmp (w.kind, 'pair');
+  text = sprintf (',%s,%s,%s,%.4f,%s,%.4f,%.4f,%.3g,%.4f,%.2f,%.4f,%s', ...
+                  verdict.kind, ...
                   strjoin (models.names(verdict.effects), ' '), ...
                   strjoin (models.names(class90), ' '), min (said), ...
                   models.names{verdict.top}, holding (verdict.top), pTrue, ...
-                  w.gate.p, strjoin (decides, ' '));
+                  w.gate.p, sum (verdict.P(isPair)), turnOf (w), ...
+                  verdict.unlisted, strjoin (decides, ' '));
+end
+
+% Of the likeliest hypothesis with effects the tangent of its form error.
+function t = turnOf (w)
+  logP = w.logPrior + w.logE - 1e9 * cellfun (@isempty, w.members);
+  [~, best] = max (logP);
+  t = NaN;
+  if ~isempty (w.posterior{best}.Q)
+    t = weightedQuantile (w.posterior{best}.Q(:, end), ...
+                          w.posterior{best}.weight, 0.5);
+  end
 end
