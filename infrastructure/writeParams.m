@@ -25,5 +25,5 @@ end
 %! folder = fullfile (base, 'optim', 'M', '0001');
 %! mkdir (folder);
 %! writeParams ('M', [0.1, 1/3, 4, 1], '0001', base);
-%! assert (csvread (fullfile (folder, 'params.csv')), [0.1, 1/3]);
+%! assert (csvread (fullfile (folder, 'params.csv')), [0.1, 1/3], 1e-15);
 %! assert (str2double (fileread (fullfile (folder, 'ExPlan.txt'))), 4);
