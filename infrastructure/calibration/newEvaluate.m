@@ -13,14 +13,16 @@
 %             reused (from the store), failed, of them cutOff (at a time
 %             limit); coreSeconds; seconds (1 x M cell, see addSeconds); levels (n x (v + 1):
 %             levels of a set that was run, its core-seconds); isUsedUp: a run
-%             that was wanted was not made. It travels in the state
+%             that was wanted was not made; lost (1 x n struct, runs without a
+%             result: E (1 x v, effects), message). It travels in the state
 %
 % Without a model folder (a case of imported runs alone) all is NA.
 
 function [evaluate, budget] = newEvaluate (source, say)
   budget = struct ('left', Inf, 'perSet', 1, 'new', 0, 'reused', 0, ...
                    'failed', 0, 'cutOff', 0, 'coreSeconds', 0, 'seconds', {{[]}}, ...
-                   'levels', [], 'isUsedUp', false);
+                   'levels', [], 'isUsedUp', false, 'lost', ...
+                   struct ('E', {}, 'message', {}));
   if isempty (source)
     evaluate = [];
   elseif isstruct (source)
@@ -68,12 +70,27 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   budget.reused = budget.reused + sum (isReused(:));
   budget.failed = budget.failed + sum (~isGood(:) & ~isLeftOut(:));
   budget.cutOff = budget.cutOff + sum (strcmp ({records.cause}, 'time'));
+  budget.lost = [budget.lost, ...
+                 lostRuns(records, ~isGood & ~isLeftOut, ...
+                          E(:, numel (Case.coarse) + 1:end))];
   seconds = shaped ([records.seconds]) .* [Case.models.cpu];
   budget.coreSeconds = budget.coreSeconds + sum (seconds(isfinite (seconds)));
   v = numel (Case.coarse);
   if v > 0
     whole = all (isGood, 2);
     budget.levels = [budget.levels; E(whole, 1:v), sum(seconds(whole, :), 2)];
+  end
+end
+
+function lost = lostRuns (records, isLost, E)
+  lost = struct ('E', {}, 'message', {});
+  if isempty (E)                             % no effect, no level
+    E = zeros (rows (isLost), 0);
+  end
+  [row, model] = find (isLost);
+  for i = 1:numel (row)
+    message = records(row(i), model(i)).message;
+    lost(end + 1) = struct ('E', E(row(i), :), 'message', message);
   end
 end
 
@@ -111,6 +128,13 @@ end
 %! limit = @(name) isfile (fullfile (Case.store, 'optim', 'First', name, ...
 %!                                   'limit'));
 %! assert (limit (runs{4}));
+%!test
+%! % which effects a run had that gave nothing, and what it said
+%! Case = newCase (standInCase (tempname ()));
+%! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), "exit 7\n");
+%! [Z, budget] = made (Case, {[1, 2]});
+%! assert (isna (Z) | isnan (Z), [false, false, true]);
+%! assert ({budget.lost.E, budget.lost.message}, {zeros(1, 0), 'exit status 7'});
 %!test
 %! % models that are not there: no run; a formula: any number
 %! Case.options.maxNewRuns = 16;

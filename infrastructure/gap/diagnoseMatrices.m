@@ -19,7 +19,7 @@
 %              (measured less simulated without any effect), effects K x n (what
 %              each effect adds where it is fitted alone, the parameters with
 %              it, to the measurements that are not held out)
-%     screen   of screenEffects, names (1 x K), untested (cellstr, no runs)
+%     screen   of screenEffects, names (1 x K), untested (of untestedEffects)
 %     which    of describeVerdict, and cause (weighCauses: what may have made it;
 %              GIVEN.causes)
 %     howFar   of proveCause ([] where nothing can be compared)
@@ -60,7 +60,8 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   verdict = blameSurrogates (verdict, study, diagnosis.where.side);
   diagnosis.screen = w.screen;
   diagnosis.screen.names = study.models.names;
-  diagnosis.screen.untested = {em.effect(~kept).name};
+  diagnosis.screen.untested = untestedEffects ({em.effect(~kept).name}, ...
+                                               gapProblem.effects, state);
   diagnosis.fingerprint = fingerprints (study);
   study.w = w;
   [verdict, w, diagnosis.howFar, state] = proveCause (verdict, study, state);

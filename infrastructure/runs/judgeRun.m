@@ -65,7 +65,8 @@ function record = blame (record, status, cause, message)
     lines = strsplit (strtrim (output), "\n");
     complaint = lines{end};
   end
-  record.message = strtrim (sprintf ('%s; %s', message, complaint));
+  record.message = regexprep (sprintf ('%s; %s', message, complaint), ...
+                              ';?\s*$', '');
 end
 
 % Models of this toolbox print RUN COMPLETE in the last line of their input.

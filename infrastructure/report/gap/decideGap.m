@@ -19,6 +19,7 @@
 %     notFor    cell of texts: what a calibrated set is not to be used for
 %     amount    struct label, text: the effect in its unit; []: none
 %     cannotSee 1 x n cell, candidates that could not be seen
+%     untested  1 x u cell of sentences, on candidates whose runs all failed
 %
 % Where there is a reference, all is said of the change from it.
 
@@ -32,16 +33,15 @@ function cause = decideGap (gap)
   cause = struct ('kind', 'open', 'code', '', 'word', '', 'sentence', '', ...
                   'class', 'open', 'where', where, 'closed', closed, ...
                   'closure', closure, 'todo', [], 'without', [], 'notFor', {{}}, 'amount', [], ...
-                  'cannotSee', {namesIn(verdict, 'cannotSee')});
+                  'cannotSee', {namesIn(verdict, 'cannotSee')}, ...
+                  'untested', {untestedOf(verdict, say)});
   isSeen = ~all (ismember (effects, cause.cannotSee));
   if strcmp (verdict.verdict, 'no gap')
     cause = noGap (cause, gap, say);
   elseif any (strcmp (verdict.verdict, {'named', 'group'})) && isSeen
     cause = found (cause, gap, effects, isBeyond, say);
   elseif strcmp (verdict.verdict, 'none of the listed')
-    [cause.kind, cause.class] = deal ('unlisted', 'bad');
-    cause = inWordsOf (cause, 'unlisted', struct (), say);
-    cause.todo = newAction ('listMore');
+    cause = unlisted (cause, gap, say);
   elseif strcmp (verdict.verdict, 'surrogate')
     cause.kind = 'no verdict';
     cause = inWordsOf (cause, 'noVerdict', verdict, say);
@@ -60,10 +60,34 @@ function cause = inWordsOf (cause, code, values, say)
   cause.sentence = say ([code, '.sentence'], values);
 end
 
+% None of those that could be tested, where the runs of others have failed.
+function cause = unlisted (cause, gap, say)
+  if isempty (cause.untested)
+    [cause.kind, cause.class] = deal ('unlisted', 'bad');
+    cause = inWordsOf (cause, 'unlisted', struct (), say);
+    cause.todo = newAction ('listMore');
+  else
+    cause = inWordsOf (cause, 'untested', struct (), say);
+    cause.todo = newAction ('mendEffect', {gap.which.untested.name});
+  end
+end
+
+function texts = untestedOf (verdict, say)
+  texts = cell (1, 0);
+  for one = jsonAt (verdict, {'untested'})(:)'
+    codes = {'failed', 'failedWhy'};
+    texts{end + 1} = say (codes{2 - isempty(one.why)}, one);
+  end
+end
+
 function cause = noGap (cause, gap, say)
   cause.closed = '';
   missed = struct ('names', {missedTargets(gap, 'holdout')});
-  unseen = struct ('names', {cause.cannotSee});
+  failed = cell (1, 0);
+  if ~isempty (cause.untested)
+    failed = {gap.which.untested.name};
+  end
+  unseen = struct ('names', {[cause.cannotSee, failed]});
   if isempty (missed.names) && isempty (unseen.names)
     [cause.kind, cause.class] = deal ('none', 'good');
     cause = inWordsOf (cause, 'none', struct (), say);
@@ -75,6 +99,9 @@ function cause = noGap (cause, gap, say)
     cause = inWordsOf (cause, 'blind', unseen, say);
     cause.notFor = {say('notFor.unseen', unseen)};
     cause.todo = newAction ('seeThem', unseen.names);
+    if isempty (cause.cannotSee)
+      cause.todo = newAction ('mendEffect', failed);
+    end
   else
     cause = inWordsOf (cause, 'heldOut', missed, say);
     cause.notFor = {say('notFor.heldOut', missed)};
@@ -208,7 +235,8 @@ end
 %! kinds = {'met, no gap', 'none'; 'met, blind', 'cannot tell'; ...
 %!          'met, named', 'found'; 'missed, several', 'several'; ...
 %!          'missed, none listed', 'unlisted'; 'missed, undecided', 'open'; ...
-%!          'missed, surrogate', 'no verdict'};
+%!          'missed, surrogate', 'no verdict'; ...
+%!          'missed, untested', 'open'; 'met, untested', 'cannot tell'};
 %! list = verdictCase ();
 %! for row = kinds'
 %!   gap = list(strcmp ({list.name}, row{1})).gap;

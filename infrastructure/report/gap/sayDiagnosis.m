@@ -86,6 +86,7 @@ function sayPlain (v, madeBy, say)
     say (['        Cannot be seen here, so neither found nor excluded: ', ...
           strjoin(cause.cannotSee, ', ')]);
   end
+  cellfun (@(text) say (['        ', text]), cause.untested);
 end
 
 function sayWhere (diagnosis, tell)

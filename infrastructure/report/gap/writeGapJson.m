@@ -27,6 +27,7 @@
 %   which
 %     verdict, reason, p, guard, effects, together, sameKind, lookAlike, likely,
 %     class, decides (kinds of readings), groups, cannotSee
+%     untested [{name, runs, why}], candidates of which all runs failed
 %     partners (probably act with the named one)
 %     siblings (look-alikes not listed or without runs)
 %     posterior, probability  {null, each effect, unlisted}; probability counts an
@@ -76,7 +77,7 @@
 %     canChange  {candidate: yes, unlikely, no}
 %   demRuns  sets, failedSets, new, reused, failed, coreSeconds
 %   input, verdict: as in calibration.json (docs/data.md); cause of the verdict has
-%     kind, word, sentence, where, closed, action, cannotSee
+%     kind, word, sentence, where, closed, action, cannotSee, untested
 
 function v = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
@@ -152,7 +153,10 @@ function s = whichOf (diagnosis)
   s = mergeFields (s, w, {'partners', 'likely', 'posterior'});
   s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   s.integration = w.numbers;
-  s.cannotSee = [w.cannotSee, diagnosis.screen.untested];
+  untested = diagnosis.screen.untested;
+  hasFailed = [untested.runs] > 0;
+  s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
+  s.untested = num2cell (untested(hasFailed));
   s = mergeFields (s, w, {'groups', 'siblings'});
   s.strength = struct ();
   for k = 1:numel (w.strength)

@@ -11,7 +11,7 @@
 % variables of page.css, so that the figures follow the colours of the page; the
 % symbols are defined once a page.
 %
-% Errors: DEcalioc:htmlFigures:runFailed
+% Errors: those of drawSvg
 
 function html = htmlFigures (figures, key, class)
   html = '';
@@ -40,30 +40,12 @@ function html = htmlFigures (figures, key, class)
 end
 
 function svgs = drawn (figures)
-  folder = privateFolder ();
-  tidy = onCleanup (@() removeFolder (folder));
   script = {'set encoding utf8'};
-  files = cell (1, numel (figures));
   for k = 1:numel (figures)
-    files{k} = fullfile (folder, sprintf ('%d.svg', k));
-    script = [script, figureLines(figures(k), files{k})];
+    script = [script, figureLines(figures(k), sprintf ('%d.svg', k))];
   end
-  program = fullfile (folder, 'all.gp');
-  writeAtomic (program, [strjoin(script, "\n"), "\nunset output\n"]);
-  [status, text] = system (['gnuplot ', shellQuote(program), ...
-                            ' 2>&1 < /dev/null']);
-  if status ~= 0
-    error ('DEcalioc:htmlFigures:runFailed', ...
-           ['htmlFigures: gnuplot must draw the figures, got: %s. On ', ...
-            'Debian: apt-get install gnuplot-nox.'], strtrim (text));
-  end
-  svgs = cellfun (@(file, f) cleanSvg (fileread (file), f), files, ...
+  svgs = cellfun (@cleanSvg, drawSvg (script, numel (figures)), ...
                   num2cell (figures), 'UniformOutput', false);
-end
-
-function removeFolder (folder)
-  confirm_recursive_rmdir (false, 'local');
-  rmdir (folder, 's');
 end
 
 function lines = figureLines (f, file)
@@ -88,7 +70,7 @@ function lines = figureLines (f, file)
   end
   lines = [{'reset', sprintf(['set terminal svg noenhanced size %d,%d ', ...
                               'font ''sans-serif,12'''], f.size), ...
-            ['set output ''', strrep(file, '''', ''''''), ''''], ...
+            ['set output ''', file, ''''], ...
             ['set border 3 lc', coloured('axis')], ...
             ['set grid lc', coloured('grid'), ' lt 1 lw 1'], ...
             'set key off', 'set style fill solid 1 noborder', ...

@@ -138,6 +138,8 @@ function html = remarks (page, verdict)
     html = [html, '<p>', one{1}, ': ', ...
             htmlText(strjoin (one{2}(:)', ', ')), '.</p>'];
   end
+  untested = strcat ('<p>', htmlText (page.verdict.cause.untested), '</p>');
+  html = [html, untested{:}];
   level = jsonAt (page.sources.gap, {'level'});
   if isstruct (level)
     html = [html, '<p>The verdict was ', htmlText(levelText (level)), '</p>'];
