@@ -72,8 +72,8 @@ function lines = failuresOf (Case, model)
   names = listRunFolders (Case.store, model);
   for i = 1:numel (names)
     folder = fullfile (Case.store, 'optim', model, names{i});
-    record = readRecord (fullfile (folder, 'record.json'));
-    if ~isempty (record) && ~strcmp (record.status, 'ok')
+    record = readSane (fullfile (folder, 'record.json'));
+    if ~strcmp (givenField (record, 'status', 'ok'), 'ok')
       lines{end + 1} = sprintf ('  %s/%s  %-8s %s', model, names{i}, ...
                                 record.status, record.message);
     end

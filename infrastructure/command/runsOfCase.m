@@ -50,17 +50,17 @@ function run = oneRun (folder, sent, isHere, h)
   run = struct ('model', 0, 'folder', folder, 'job', [], 'state', '', ...
                 'seconds', NaN, 'message', '', 'results', [], ...
                 'isCurrent', false);
-  run.job = readingOf (readRecord (fullfile (folder, 'record.json')), h);
-  if isRunRecord (run.job) && isfield (run.job, 'status')
+  run.job = readingOf (readSane (fullfile (folder, 'record.json')), h);
+  if isfield (run.job, 'status')
     run.state = run.job.status;
     for field = {'seconds', 'message', 'results'}
       run.(field{1}) = run.job.(field{1});
     end
     return
   end
-  run.job = readRecord (fullfile (folder, 'job.json'));
+  run.job = readSane (fullfile (folder, 'job.json'));
   mark = readEndMark (folder);
-  if ~isRunRecord (run.job)
+  if isempty (run.job)
     run = [];
   elseif strcmp (givenField (mark, 'reason', ''), 'killed')
     run.state = 'lost';

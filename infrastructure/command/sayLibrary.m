@@ -191,9 +191,8 @@ end
 % Writes the mark into the record, or takes it out.
 function done = marked (folder, isBack)
   file = fullfile (folder, 'record.json');
-  r = readRecord (file);
-  done = isRunRecord (r) && ...
-         strcmp (givenField (r, 'status', ''), 'forgotten') == isBack;
+  r = readSane (file);
+  done = isfield (r, 'status') && strcmp (r.status, 'forgotten') == isBack;
   if ~done
     return
   end

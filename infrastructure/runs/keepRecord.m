@@ -13,8 +13,8 @@
 
 function kept = keepRecord (record)
   file = [record.folder, '/record.json'];
-  old = readRecord (file);
-  job = readRecord ([record.folder, '/job.json']);
+  old = readSane (file);
+  job = readSane ([record.folder, '/job.json']);
   kept = record;
   for name = {'stage', 'planRow', 'origin', 'owner'}
     made = givenField (old, name{1}, givenField (job, name{1}, []));
@@ -30,13 +30,14 @@ end
 
 function kept = withReadings (kept, old)
   fields = {'funs', 'status', 'message', 'cause', 'results'};
-  pick = @(r) cell2struct (cellfun (@(n) r.(n), fields, 'UniformOutput', ...
-                                    false), fields, 2);
+  pick = @(r) cell2struct (cellfun (@(n) givenField (r, n, ''), fields, ...
+                                    'UniformOutput', false), fields, 2);
   isForgotten = strcmp (old.status, 'forgotten');
   if isForgotten
     [old.status, old.message] = beforeForgotten (old.message);
   end
-  readings = [pick(old); reshape(givenField (old, 'readings', []), [], 1)];
+  others = givenField (old, 'readings', struct ('funs', {}));
+  readings = [pick(old); arrayfun(pick, others(:))];
   stays = ismember ({readings.status}, {'ok', 'invalid'}) & ...
           ~ismember ({readings.funs}, {'', kept.funs});
   readings = readings(stays);
@@ -58,8 +59,9 @@ end
 %! folder = tempname ();
 %! mkdir (folder);
 %! job = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
-%!               'effects', [], 'replicate', 1, 'seed', 10007, 'key', 'k', ...
-%!               'origin', '/a', 'owner', 'x');
+%!               'effects', [], 'replicate', 1, 'seed', 10007, 'key', ...
+%!               repmat ('a', 1, 64), 'input', '', 'variables', '', ...
+%!               'origin', '/a', 'owner', repmat ('b', 1, 32));
 %! writeRecord (fullfile (folder, 'job.json'), job);
 %! new = newRecord (setfield (job, 'origin', '/b'), folder);
 %! r = put (new, 'f', [1, 2], 'ok');
@@ -77,3 +79,16 @@ end
 %! r = put (new, 'g', 7, 'ok');
 %! assert ({r.status, r.message, r.results}, {'forgotten', 'was ok. ', 7});
 %! assert ({r.readings.status}, {'ok', 'ok'});
+%! % what was no record is no answer, whatever its checksum says; a field more
+%! file = fullfile (folder, 'record.json');
+%! for bad = {'x', struct('status', 'ok')}
+%!   body = [jsonencode(rmfield (r, 'readings'))(1:end - 1), ...
+%!           ',"readings":', jsonencode(bad{1}), '}'];
+%!   writeAtomic (file, sprintf ('{"sha256":"%s","record":%s}\n', ...
+%!                               hash ('sha256', body), body));
+%!   assert (isfield (put (new, 'g', 7, 'ok'), 'readings'), false);
+%! end
+%! r = put (new, 'h', 4, 'ok');
+%! r.readings.more = 1;
+%! writeRecord (file, r);
+%! assert (put (new, 'f', 5, 'ok').readings(2).results, 7);

@@ -82,8 +82,8 @@ end
 % record yet, or none that is sane and keeps the promise of its key.
 function lines = linesOf (folder, number, h)
   lines = [];
-  r = readRecord ([folder, '/record.json']);
-  if ~isRunRecord (r) || ~isfield (r, 'status')
+  r = readSane ([folder, '/record.json']);
+  if ~isfield (r, 'status')
     return
   end
   % to be tried again with another rig

@@ -9,14 +9,11 @@
 %           else []. Its field folder is FOLDER
 
 function run = readRun (folder, h)
-  run = readRecord ([folder, '/record.json']);
-  if ~isRunRecord (run) || ~isfield (run, 'status')
+  run = readSane ([folder, '/record.json']);
+  if ~isfield (run, 'status')
     run = [];
     if strcmp (givenField (readEndMark (folder), 'reason', ''), 'finished')
-      run = readRecord ([folder, '/job.json']);
-    end
-    if ~isRunRecord (run)
-      run = [];
+      run = readSane ([folder, '/job.json']);
     end
   end
   if ~isempty (run)

@@ -68,7 +68,10 @@ function sayLibrary (tally, Case, say)
     model = Case.models(part.model);
     folder = fullfile (Case.store, 'optim', model.name, ...
                        sprintf ('%04d', part.number));
-    job = readRecord (fullfile (folder, 'record.json'));
+    job = readSane (fullfile (folder, 'record.json'));
+    if isempty (job)
+      continue
+    end
     say (sprintf (['          %s: %d runs of another rig or build are not ' ...
                    'used. The newest (%s): %s'], model.name, part.count, ...
                   folder, whyOld (job, folder, Case, model)));

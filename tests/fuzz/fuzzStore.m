@@ -116,7 +116,22 @@ function how = lieIn (file)
   else
     r.(name) = value;
   end
-  writeRecord (file, r);
+  writeLie (file, r);
+end
+
+% As writeRecord, which takes no readings that are none.
+function writeLie (file, r)
+  isPlain = ~isfield (r, 'readings') || isstruct (r.readings);
+  if isPlain
+    writeRecord (file, r);
+    return
+  end
+  writeRecord (file, rmfield (r, 'readings'));
+  body = regexp (fileread (file), '"record":(\{.*)\}\}\n$', 'tokens', ...
+                 'once'){1};
+  body = [body, ',"readings":', jsonencode(r.readings), '}'];
+  writeBytes (file, uint8 (sprintf ('{"sha256":"%s","record":%s}\n', ...
+                                    hash ('sha256', body), body)));
 end
 
 function [text, isSaid] = looked (what, file, lab)

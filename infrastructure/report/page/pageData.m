@@ -178,11 +178,11 @@ end
 
 function run = oneRun (folder, name, h)
   run = [];
-  record = readingOf (readRecord (fullfile (folder, 'record.json')), h);
-  if ~isRunRecord (record)
-    record = readRecord (fullfile (folder, 'job.json'));
+  record = readingOf (readSane (fullfile (folder, 'record.json')), h);
+  if isempty (record)
+    record = readSane (fullfile (folder, 'job.json'));
   end
-  if ~isRunRecord (record)
+  if isempty (record)
     return
   end
   run = struct ('model', '', 'name', '', 'stage', '', 'params', [], ...
