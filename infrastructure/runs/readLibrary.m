@@ -87,9 +87,13 @@ function lines = linesOf (folder, number, h)
     return
   end
   % to be tried again with another rig
-  [input, text, origin] = deal ('', '', ['?', h.input]);
+  input = '';
+  text = '';
+  origin = ['?', h.input];
   if isfield (r, 'variables') && ~isempty (r.variables)
-    [input, text, origin] = deal (r.input, r.variables, r.origin);
+    input = r.input;
+    text = r.variables;
+    origin = r.origin;
     if ~strcmp (r.key, hash ('sha256', [input, text]))
       return
     end
@@ -99,14 +103,12 @@ function lines = linesOf (folder, number, h)
       [input, origin] = deal (h.input, '');
     end
   end
-  names = regexp (text, '\w+(?==)', 'match');
+  names = strtrim (regexprep (text, '\|(\w+)=[^|]*', '$1 '));
   values = sscanf (regexprep (text, '\|\w+=', ' '), '%f')';
-  if numel (values) ~= numel (names)
+  if numel (values) ~= sum (text == '=')
     return
   end
-  names = strjoin (names, ' ');
-  cpu = str2double (checkReadText ([folder, '/cpu']));
-  numbers = [sscanf(r.key(1:7), '%x'), r.seconds * max(cpu, 1), r.seed, ...
+  numbers = [sscanf(r.key(1:7), '%x'), r.seconds * cpuOf(folder), r.seed, ...
              r.replicate, values];
   readings = num2cell (givenField (r, 'readings', [])(:)');
   if ~any (strcmp (r.status, {'ok', 'invalid'}))
@@ -122,11 +124,21 @@ function lines = linesOf (folder, number, h)
   end
 end
 
+function n = cpuOf (folder)
+  n = [];
+  fid = fopen ([folder, '/cpu'], 'r');
+  if fid >= 0
+    n = fscanf (fid, '%d', 1);
+    fclose (fid);
+  end
+  n = max ([n, 1]);
+end
+
 function state = stateOf (r)
-  states = struct ('ok', 1, 'invalid', 2, 'failed', 3, 'forgotten', -1);
-  state = 0;
-  if isfield (states, r.status) && ~any (strcmp (r.cause, {'killed', 'budget'}))
-    state = states.(r.status);
+  state = [1, 2, 3, -1](strcmp (r.status, {'ok', 'invalid', 'failed', ...
+                                           'forgotten'}));
+  if isempty (state) || any (strcmp (r.cause, {'killed', 'budget'}))
+    state = 0;
   end
 end
 
