@@ -130,7 +130,8 @@ function sayBest (best, Case)
     printf ('        %-24s %d points: %.2f of the tolerance\n', ...
             curves(k).name, numel (curves(k).own), curves(k).share);
   end
-  for t = setdiff (1:numel (Case.targets), [curves.own])
+  isMeasured = isfinite ([Case.targets.value]);       % others are tests to come
+  for t = setdiff (find (isMeasured), [curves.own])
     T = Case.targets(t);
     isHeld = strcmp (T.role, 'holdout');
     printf (['        %-24s %.5g, measured %.5g: %+.1f %% ' ...

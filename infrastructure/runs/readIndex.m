@@ -54,7 +54,7 @@ function [kinds, marks] = cut (head, numbers, kinds, marks)
     sizes = [sizes; vertcat(list.rows), vertcat(list.columns)];
   end
   last = cumsum (prod (sizes, 2));
-  if last(end) ~= numel (numbers) || head.form ~= 1
+  if last(end) ~= numel (numbers) || head.form ~= 1 || ~isSane (list)
     return
   end
   first = [1; last(1:end - 1) + 1];
@@ -65,6 +65,16 @@ function [kinds, marks] = cut (head, numbers, kinds, marks)
       kinds(k).(name{1}) = list(k).(name{1});
     end
     kinds(k).runs = part (k + 1);
+  end
+end
+
+% Of each kind the texts, and columns for its variables and a result.
+function yes = isSane (list)
+  yes = true;
+  for kind = list(:)'
+    texts = {kind.input, kind.funs, kind.origin, kind.owner, kind.names};
+    yes = yes && all (cellfun ('isclass', texts, 'char')) && ...
+          kind.columns >= 7 + sum (kind.names == ' ');
   end
 end
 
@@ -96,6 +106,12 @@ end
 %!   fclose (fid);
 %!   [back, known] = readIndex (file);
 %!   assert ({size(back), known}, {[0, 0], zeros(0, 3)});
+%! end
+%! % of the right sum, but of another form
+%! bad = {'runs', magic(3), 'origin', 5, 'runs', zeros(0, 0), 'names', 1};
+%! for k = 1:2:numel (bad)
+%!   writeIndex (file, setfield (kinds(1), bad{k:k + 1}), marks);
+%!   assert (isempty (readIndex (file)));
 %! end
 %! writeIndex (file, kinds, marks);
 %! system (['chmod g+w ', file]);

@@ -135,8 +135,8 @@ function n = cpuOf (folder)
 end
 
 function state = stateOf (r)
-  state = [1, 2, 3, -1](strcmp (r.status, {'ok', 'invalid', 'failed', ...
-                                           'forgotten'}));
+  states = [1, 2, 3, -1];
+  state = states(strcmp (r.status, {'ok', 'invalid', 'failed', 'forgotten'}));
   if isempty (state) || any (strcmp (r.cause, {'killed', 'budget'}))
     state = 0;
   end
