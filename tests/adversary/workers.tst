@@ -34,7 +34,7 @@
 %!   end
 %! end
 %! said = fileread (fullfile (folder, 'log'));
-%! assert (strtrim (fileread (fullfile (folder, 'end'))), '0', said);
+%! assert (strcmp (strtrim (fileread (fullfile (folder, 'end'))), '0'), said);
 %! assert (killed, nKills);
 %! % each set has its results, and no finished run was made twice
 %! Z = csvread (fullfile (folder, 'answer.csv'));
