@@ -130,11 +130,14 @@ function best = bestWith (w, verdict, strong)
 end
 
 % The class of the likeliest one, where it has groupAt together; else the fewest
-% likely effects that have: two or three.
+% likely effects that have: two or three, or more of a long list, up to a third:
+% beyond that a group says less than the probabilities of its members.
 function verdict = nameGroup (verdict, w, models)
   [~, order] = sort (-verdict.include);
-  sets = {verdict.class, order(1:min (2, end)), order(1:min (3, end))};
-  guards = {'class', 'group', 'group'};
+  most = min (max (3, floor (numel (order) / 3)), numel (order));
+  sets = [{verdict.class}, arrayfun(@(n) order(1:n), 2:most, ...
+                                    'UniformOutput', false)];
+  guards = [{'class'}, repmat({'group'}, 1, most - 1)];
   for i = find (cellfun (@numel, sets) > 1)
     holding = cellfun (@(m) any (ismember (sets{i}, m)), w.members);
     together = sum (verdict.P(holding));
@@ -203,4 +206,18 @@ end
 %! assert ({v.class, v.effects, v.guard}, {[1, 2], [1, 3], 'group'});
 %! [v.P, v.include] = deal ([0.4, 0.3, 0.05]);
 %! v.kind = 'undecided';
+%! assert (nameCause (v, w, models).kind, 'undecided');
+%!test
+%! % no two or three of twelve, but four, that hold 0.8; five are too many
+%! w.members = num2cell (1:12);
+%! w.kind = repmat ({'single'}, 1, 12);
+%! w.screen.cosine = eye (12);
+%! w.vague = zeros (1, 12);
+%! v = setfield (verdict, 'top', 2);
+%! v.P = [0.2, 0.25, 0.05, 0.2, 0.02, 0.2, 0.01 * ones(1, 6)];
+%! v.include = v.P;
+%! v = nameCause (v, w, models);
+%! assert ({v.kind, v.effects, v.guard}, {'group', [1, 2, 4, 6], 'group'});
+%! v.P([1, 2, 3, 4, 6]) = [0.17, 0.2, 0.15, 0.17, 0.17];
+%! [v.include, v.kind] = deal (v.P, 'undecided');
 %! assert (nameCause (v, w, models).kind, 'undecided');
