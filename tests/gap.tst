@@ -227,4 +227,4 @@
 %! assert (gap.which.verdict, 'named');
 %! assert (gap.which.effects, {'own3'});
 %! assert (gap.demRuns.sets, 0);
-%! assert (! isempty (strfind (text, 'NEXT TEST')));
+%! assert (! isempty (strfind (text, 'What can be measured next')));

@@ -82,7 +82,7 @@
 %! next = g.next(strcmp ({g.next.test}, 'Bin: measure wide'));
 %! assert (numel (next), 1);
 %! assert (next.gain >= 0);
-%! table = fileread (fullfile (folder, 'gap', 'next.csv'));
-%! assert (! isempty (regexp (table, '"Bin: measure wide",[-.e\d]+,4,')));
+%! table = fileread (fullfile (folder, 'results', 'tables', 'next.csv'));
+%! assert (! isempty (regexp (table, 'Bin: measure wide,[-.e\d]+,4')));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');

@@ -59,7 +59,7 @@
 %! assert (! isempty (strfind (html, 'ERROR: &lt;grains&gt; lost')));
 %! assert (! isempty (strfind (html, 'results/posterior.csv')));
 %! for name = {'targets', 'parameters', 'plan', 'slices', 'leaveoneout', ...
-%!             'steps', 'sensitivity', 'runs', 'settings'}
+%!             'steps', 'sensitivity', 'methods', 'runs', 'settings'}
 %!   assert (! isempty (strfind (html, ['id="section', name{1}, '"'])));
 %! end
 
@@ -68,11 +68,10 @@
 %! html = fileread (pages{2});
 %! json = fullfile (second.folder, 'gap', 'gap.json');
 %! sources = struct ('gap', jsondecode (fileread (json)));
-%! sources.gapTargets = pageData (second).sources.gapTargets;
 %! assert (numel (numbersOf (html)) > 100);
 %! check (html, sources);
 %! for text = {'One of these causes: cohesion, liquidBridge', ...
-%!             'measure Shear once more', 'Cannot be seen', 'placebo tilt'}
+%!             'measure Shear once more', 'cannot be seen by', 'tilt instead'}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! end
 
@@ -91,8 +90,18 @@
 %! end
 
 %!test
-%! % files beside the page
+%! % files beside the page: each table as CSV, each figure as SVG with its colours
 %! results = fullfile (first.folder, 'results');
+%! [head, cells] = readCsvTable (fullfile (results, 'tables', 'targets.csv'));
+%! assert (head{1}, 'result');
+%! assert (rows (cells), 3);
+%! svgs = glob (fullfile (results, 'figures', '*.svg'));
+%! assert (numel (svgs) > 5);
+%! for file = svgs'
+%!   svg = fileread (file{1});
+%!   assert (isempty (strfind (svg, 'var(--')), file{1});
+%!   assert (! isempty (strfind (svg, 'xmlns="http://www.w3.org/2000/svg"')));
+%! end
 %! sample = dlmread (fullfile (results, 'posterior.csv'), ',', 1, 0);
 %! assert (size (sample), [1000, 2]);
 %! assert (all (all (sample >= 0 & sample <= 10)));

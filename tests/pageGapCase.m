@@ -4,7 +4,7 @@
 %
 %   FOLDER  folder to be made (text)
 %   CASE    see newCase: examples/hiddenEffect, with hiddenEffect.json of this
-%           folder as its gap.json; gap/targets.csv is made of it
+%           folder as its gap.json, with measured values that give its misses
 %
 % See also: pageCase
 
@@ -30,17 +30,12 @@ end
 
 function writeTargets (Case)
   file = fullfile (Case.folder, 'gap', 'gap.json');
-  targets = jsondecode (fileread (file)).where.targets;
-  lines = {['model,target,role,measured,predicted,residual,z,p,', ...
-            'sd_measured,sd_trial,sd_surrogate']};
-  for t = 1:numel (targets)
+  gap = jsondecode (fileread (file));
+  for t = 1:numel (gap.where.targets)
     T = Case.targets(t);
-    miss = targets(t).z * 2 * T.sd;
-    lines{end + 1} = sprintf ('%s,%s,%s,%.10g,%.10g,%.10g,%g,%g,%g,%g,%g', ...
-                              T.modelName, T.name, T.role, T.value, ...
-                              T.value - miss, miss, targets(t).z, ...
-                              targets(t).p, T.sd, T.sd, T.sd);
+    gap.where.targets(t).measured = T.value;
+    gap.where.targets(t).predicted = T.value - gap.where.targets(t).z * 2 * T.sd;
+    [gap.where.targets(t).sdMeasured, gap.where.targets(t).sdPredicted] = deal (T.sd);
   end
-  writeAtomic (fullfile (Case.folder, 'gap', 'targets.csv'), ...
-               [strjoin(lines, "\n"), "\n"]);
+  writeAtomic (file, jsonencode (gap));
 end

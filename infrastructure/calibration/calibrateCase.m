@@ -16,7 +16,7 @@
 
 function calibration = calibrateCase (root, folder)
   useLiggghts (root);
-  say = @(text) sayLine (text, fullfile (folder, 'Octave_logfile.txt'));
+  say = newSay (fullfile (folder, 'Octave_logfile.txt'));
 
   % input
   lock = lockCase (folder);
@@ -57,7 +57,7 @@ function calibration = calibrateCase (root, folder)
 
   calibration = newCalibration (state, problem, Case);
   calibration.verdict = writeCalibrationJson (calibration, Case);
-  reportCalibration (calibration, Case, say);
+  reportCalibration (Case, say);
   reportPage (Case, say);
 end
 
@@ -119,16 +119,17 @@ function reportSurrogateFit (surrogates, data, problem, say, rest)
   tell = @(varargin) say (sprintf (varargin{:}));
   say ('');
   say ('Kriging models (each run left out in turn)');
-  tell ('  %-28s %6s %9s   %s', 'target', 'Q2', 'noise (%)', ...
-        'range of the responses');
+  tell ('  %-28s %6s %9s   %s', 'result', 'Q2', 'noise (%)', ...
+        'range of the runs, measured');
   shown = shownTargets (struct ('targets', ...
                                 struct ('curve', num2cell (problem.curve), ...
                                         'at', num2cell (problem.coordinate))));
   for t = shown
     s = surrogates(t);
-    tell ('  %-28s %6.2f %9.2f   %.4g to %.4g', problem.targetNames{t}, ...
+    tell ('  %-28s %6.2f %9.2f   %.4g to %.4g, %.4g%s', problem.targetNames{t}, ...
           s.Q2, 100 * sqrt (s.noiseVar) / abs (mean (s.z)), min (s.z), ...
-          max (s.z));
+          max (s.z), problem.value(t), ...
+          repmat (' outside', 1, problem.value(t) < min (s.z) | problem.value(t) > max (s.z)));
   end
   if numel (shown) < numel (surrogates)
     tell ('  (of %d points on curves three each)', sum (problem.curve > 0));
@@ -140,7 +141,6 @@ function reportSurrogateFit (surrogates, data, problem, say, rest)
   if rows (rest.X) > 0
     sayLoss (surrogates, rest, problem, tell);
   end
-  warnOf (surrogates, data, problem, shown, tell);
 end
 
 function sayLoss (surrogates, rest, problem, tell)
@@ -164,22 +164,6 @@ function sayLoss (surrogates, rest, problem, tell)
   end
 end
 
-function warnOf (surrogates, data, problem, shown, tell)
-  for t = shown
-    name = problem.targetNames{t};
-    z = data.Z(:, t);
-    if problem.value(t) < min (z) || problem.value(t) > max (z)
-      tell (['  WARNING: the target %g of %s is outside the range ' ...
-             'of the plan (%.4g to %.4g)'], problem.value(t), name, min (z), ...
-            max (z));
-    end
-    if ~(surrogates(t).Q2 > 0.5)
-      tell (['  WARNING: the surrogate of %s predicts poorly (Q2 ' ...
-             '%.2f): more samples, or a wider box'], name, surrogates(t).Q2);
-    end
-  end
-end
-
 % The chance is that of the set it is said of, not that of the last iteration.
 function reportIterations (found, history, Case, say)
   T = numel (Case.targets);
@@ -188,18 +172,18 @@ function reportIterations (found, history, Case, say)
   say ('Optimisation on the Kriging models');
   for k = 1:numel (history)
     tell ('  iteration %d: residuals (%%)%s', history(k).iteration, ...
-          residualText (history(k).residual(1:T), ' %.3f'));
+          residualText (history(k).residual(1:T), {Case.targets.name}));
   end
-  what = {'surest set', 'set that was found'};
+  what = {'likeliest values', 'values that were found'};
   tell ('  starts: %d, these iterations from: %s', numel (found.starts), ...
         found.start);
   tell (['  %s: residuals (%%)%s; chance that all targets are met: ' ...
          '%.0f %%'], what{1 + strcmp(Case.options.method, 'published')}, ...
-        sprintf (' %.3f', 100 * found.residual(1:T)), ...
+        residualText (found.residual(1:T), {Case.targets.name}), ...
         100 * found.probability);
   if ~isempty (found.conflict)
-    tell (['  WARNING: no parameter values within your limits meet ' ...
-           'together: %s'], strjoin (found.conflict, ', '));
+    tell ('  no parameter values within your limits meet together: %s', ...
+          strjoin (found.conflict, ', '));
   end
   say ('');
   say ('Optimisation on the DEM models');

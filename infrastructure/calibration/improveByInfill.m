@@ -32,6 +32,7 @@ function state = improveByInfill (state, problem, say)
     else
       round = round + 1;
       n = min (free, max (1, floor (problem.options.sets)));
+      say (whyMore (state, problem, n));
       [P, E] = chooseInfill (state, problem, n, round);
       state = oneRound (state, problem, P, E, round, say);
       continue

@@ -57,8 +57,9 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   end
   Case.options.maxNewRuns = budget.left;
   [Case.models.seconds] = budget.seconds{:};
+  further = furtherRuns (stage, rows (P), budget, Case);
   [Z, records, isReused, nNew] = evaluateDEM (P, Case, replicate, stage, ...
-                                              newProgress (stage, say), E);
+                                              newProgress (stage, say, further), E);
   shaped = @(list) reshape (list, size (records));
   isLeftOut = shaped (strcmp ({records.cause}, 'budget'));
   isGood = shaped (strcmp ({records.status}, 'ok'));
@@ -109,6 +110,19 @@ end
 %!    [Z, budget] = evaluate (P{1}, [], 1, 'verify', budget);
 %!  end
 %!endfunction
+% Runs that may follow these N sets, at most.
+function n = furtherRuns (stage, sets, budget, Case)
+  o = Case.options;
+  rows_ = sets * budget.perSet;
+  made = budget.new + budget.reused + rows_;
+  n = max ((o.numOfSam + o.maxFunEvals) * budget.perSet - made, 0);
+  if strcmp (stage, 'gap')
+    n = Inf;
+  end
+  n = max (min (n, budget.left - rows_), 0);
+  n(~isfinite (n)) = 0;
+end
+
 %!test
 %! Case = newCase (standInCase (tempname ()));
 %! Case.options.maxNewRuns = 5;

@@ -7,7 +7,8 @@
 %   S          struct
 %     conditions  1 x C struct, this one first: name, verdict, effects (cellstr),
 %                 lookAlike, p, and of each effect probability, strength and
-%                 interval90 (shares of its range), says (describeVerdict)
+%                 interval90 (shares of its range), says (describeVerdict), text (in
+%                 its unit)
 %     order       1 x m struct effect, more, less (names of two conditions of one
 %                 cause, or of one class), probability (that more is more of it)
 %
@@ -29,7 +30,7 @@ function s = compareConditions (diagnosis, others)
                 'verdict', which.verdict, 'effects', {which.effects}, ...
                 'lookAlike', which.lookAlike, 'p', which.gateP, ...
                 'probability', [], 'strength', [], 'interval90', [], ...
-                'says', {cell(1, 0)});
+                'says', {cell(1, 0)}, 'text', {cell(1, 0)});
   for name = which.effects
     own = which.strength(strcmp ({which.strength.name}, name{1}));
     one.probability(end + 1) = ...
@@ -37,12 +38,27 @@ function s = compareConditions (diagnosis, others)
     one.strength(end + 1) = own.value;
     one.interval90(end + 1, :) = own.interval90;
     one.says{end + 1} = own.says;
+    one.text{end + 1} = textOf (own, givenField (diagnosis.gapProblem, 'effects', []));
   end
   s.conditions = [one, others];
   for i = 1:numel (s.conditions)
     for j = 1:i - 1
       s.order = [s.order, orderOf(s.conditions(j), s.conditions(i))];
     end
+  end
+end
+
+function text = textOf (strength, effects)
+  text = strength.name;
+  e = [];
+  if isfield (effects, 'label')
+    e = effects(strcmp ({effects.name}, strength.name));
+  end
+  if ~isempty (e) && columns (strength.values) == 1 && ~strcmp (strength.says, 'nothing')
+    text = effectText (e.label, e.unit, strength.values(:, 1));
+  end
+  if strcmp (strength.says, 'least')
+    text = sentence ('strength.least', struct ('amount', text));
   end
 end
 

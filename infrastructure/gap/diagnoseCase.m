@@ -14,7 +14,7 @@
 % See also: diagnoseGap, startMain, diagnoseMatrices
 
 function diagnosis = diagnoseCase (root, folder)
-  say = @(text) sayLine (text, fullfile (folder, 'Octave_logfile.txt'));
+  say = newSay (fullfile (folder, 'Octave_logfile.txt'));
   lock = lockCase (folder);
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
@@ -63,9 +63,8 @@ function diagnosis = diagnoseCase (root, folder)
 
     % what remains
     diagnosis.nextFile = writeNextTest (diagnosis.next, Case, options);
-    diagnosis.verdict = writeGapJson (diagnosis, Case);
-    writeGapTables (diagnosis, Case);
-    sayDiagnosis (diagnosis, Case, say);
+    writeGapJson (diagnosis, Case);
+    sayDiagnosis (Case, say, diagnosis.nextFile);
     if c > 1
       putAside (fullfile (Case.folder, 'gap'), Case.conditions{c});
     end
@@ -129,16 +128,38 @@ function needCandidates (Case)
   effects = cellfun (@(name) getEffect (name, folders), ...
                      listEffects (folders), 'UniformOutput', false);
   effects = [effects{:}];
+  names = expressible (Case, effects);
+  if isempty (names)
+    error ('DEcalioc:needCandidates:missingField', ...
+           ['loadEffects.m must list what the model may lack, got an empty list. None of ' ...
+            'the known causes can be expressed by this case: no model declares their ' ...
+            'variables, and runs.csv has no such columns. Write one of your own ' ...
+            '(docs/extend.md).']);
+  end
+  list = ["'", strjoin(names, "', '"), "'"];
+  error ('DEcalioc:needCandidates:missingField', ...
+         ['loadEffects.m must list what the model may lack, got an empty ' ...
+          'list. This case can express these; copy the line to ' ...
+          'loadEffects.m and strike out what cannot be (docs/effects.md):' ...
+          '\n  effects = {%s};'], list);
+end
+
+% By its models, or by the columns of imported runs.
+function names = expressible (Case, effects)
   models = Case.models(isfolder ({Case.models.folder}));
-  can = repmat (isempty (models), 1, numel (effects));
+  can = false (1, numel (effects));
   for model = models
     can = can | effectsOfModel (model.folder, effects);
   end
-  error ('DEcalioc:needCandidates:missingField', ...
-         ['loadEffects.m must list what the model may lack, got an empty ' ...
-          'list. Your models can express these; copy the line to ' ...
-          'loadEffects.m and strike out what cannot be (docs/effects.md):' ...
-          '\n  effects = {''%s''};'], strjoin ({effects(can).name}, ''', '''));
+  if isempty (models)
+    file = fullfile (Case.folder, 'runs.csv');
+    head = {};
+    if isfile (file)
+      head = readCsvTable (file);
+    end
+    can = arrayfun (@(e) e.laboratory || all (ismember (e.variables, head)), effects);
+  end
+  names = {effects(can).name};
 end
 
 %!test

@@ -12,7 +12,7 @@
 %             the cure. Those are no DATA of a later start, or it would verify
 %             another set
 %   DIAGNOSIS struct
-%     where    of locateGap
+%     options  of gapOptions;  where  of locateGap
 %     fingerprint  struct: the measured gap beside the one that each candidate
 %              would make, in standard deviations of the noise of a target:
 %              target 1 x n (numbers of the measured ones), measured 1 x n
@@ -54,6 +54,7 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   [state, em] = exploreEffects (gapProblem, options, state, em);
   kept = tested (em);
   study = studyOf (gapProblem, withoutEffects (em, find (~kept)), options);
+  diagnosis.options = options;
   diagnosis.where = locateGap (study);
   w = caseEvidence (study.models, study.fits, 1);
   verdict = judgeCase (w, study.models);

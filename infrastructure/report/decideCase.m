@@ -33,8 +33,7 @@ function v = decideCase (c, gap, isBegun)
     v = withWords (v, 'case.nothing');
     v = withAction (v, newAction ('start'));
   end
-  models = {v.misses.model, ''};
-  v.worst = models{1};
+  v.worst = worstTest (v.misses, gap);
   if ~isempty (c)
     v = ofCalibration (v, c);
   end
@@ -42,6 +41,29 @@ function v = decideCase (c, gap, isBegun)
     v = withGap (v, c, decideGap (gap));
   end
   v.numbers = keyNumbers (v, c);
+end
+
+% One answer to where: that of the diagnosis, else the test of the headline.
+function name = worstTest (misses, gap)
+  models = jsonAt (gap, {'where', 'models'});
+  name = '';
+  if isfield (models, 'size') && ~isempty (models)
+    [~, k] = max ([models.size]);
+    name = models(k).model;
+  elseif ~isempty (misses)
+    name = misses(headline (misses, '')).model;
+  end
+end
+
+% What is missed most over its noise, of the test NAME where it misses; a target
+% that no single run can meet is none.
+function k = headline (misses, name)
+  isFit = ~[misses.isStrict] & ~strcmp ({misses.role}, 'unmeasured');
+  isMissed = isFit & [misses.met] == 0;
+  isHere = strcmp ({misses.model}, name);
+  k = [find(isMissed & isHere, 1), find(isMissed, 1), find(isFit & isHere, 1), ...
+       find(isFit, 1), 1];
+  k = k(1);
 end
 
 function v = withWords (v, code)
@@ -57,7 +79,7 @@ function numbers = keyNumbers (v, c)
   number = @(label, text) struct ('label', label, 'text', text);
   numbers = number ({}, {});
   if ~isempty (v.misses)
-    numbers(end + 1) = number (missTexts (v.misses(1)){:});
+    numbers(end + 1) = number (missTexts (v.misses(headline (v.misses, v.worst))){:});
   end
   if v.of > 0
     label = 'targets met';
@@ -195,7 +217,12 @@ function yes = isImported (c)
 end
 
 function texts = looseOnes (c)
-  loose = worded (c, namesIn (c, 'notIdentified'));
+  loose = namesIn (c, 'notIdentified');
+  if numel (loose) > 1 && numel (loose) == numel (fieldnames (c.params))
+    texts = {sentence('notFor.allLoose')};
+    return
+  end
+  loose = worded (c, loose);
   texts = {sentence('notFor.loose', ...
                     struct ('names', {loose}, ...
                             's', repmat ('s', 1, isscalar (loose))))};

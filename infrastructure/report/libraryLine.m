@@ -17,7 +17,7 @@ function text = libraryLine (Case)
   end
   if ~isempty (text) && strcmp (Case.store, givenField (Case, 'folder', ''))
     text = sprintf (['%d runs of earlier starts were samples already ' ...
-                     '(results/library.csv)'], numel (origin));
+                     '(results/library.csv)'], numel (cases));
   end
 end
 
@@ -28,3 +28,5 @@ end
 %! writeAtomic (fullfile (Case.folder, 'results', 'library.csv'), ...
 %!              "# abc\nnumber,run,model,case\n1,7,M,/a\n1,8,M,/b\n");
 %! assert (strncmp (libraryLine (Case), '2 runs of 2 cases in /s', 23));
+%! Case.store = Case.folder;
+%! assert (strncmp (libraryLine (Case), '2 runs of earlier starts', 24));

@@ -4,21 +4,21 @@
 %
 %   C, GAP   see decideCase
 %   MISSES   1 x n struct of the calibrated targets and the held-out ones:
-%            model, name, unit, measured, simulated, miss, allowed, role, met
-%            (1, 0; NaN: not measured), share (of what is allowed), largest
-%            first; the points of a curve are one entry, its worst point.
-%            Without a calibration those of the diagnosis, with the numbers of
-%            its fit in units of noise (share) alone
+%            model, name, unit, measured, simulated, miss, allowed (the user's
+%            tolerance), role, met (1, 0; NaN: not measured), share (of what is
+%            allowed), z (over its noise: of the measurement, of one run and of
+%            the expected mean), scatter (of one run), isStrict (the tolerance
+%            lies below that: no single measurement can confirm it), state,
+%            mean, meanSd, runs; largest z first. The points of a curve are one
+%            entry, its worst point. Without a calibration those of the
+%            diagnosis, with z alone
 
 function misses = listMisses (c, gap)
-  misses = struct ('model', {}, 'name', {}, 'unit', {}, 'measured', {}, ...
-                   'simulated', {}, 'miss', {}, 'allowed', {}, 'role', {}, ...
-                   'met', {}, 'share', {}, 'state', {}, 'mean', {}, ...
-                   'meanSd', {}, 'runs', {});
   targets = jsonAt (c, {'targets'});
   if isempty (c)
     targets = jsonAt (gap, {'where', 'targets'});
   end
+  misses = missOf (struct ('model', '', 'name', '', 'role', ''))([]);
   for t = 1:numel (targets)
     misses(t) = missOf (jsonAt (targets, {t}));
   end
@@ -28,9 +28,10 @@ function misses = listMisses (c, gap)
     misses = foldCurves (misses, c);
   end
   if ~isempty (misses)
-    share = [misses.share];
-    share(isnan (share)) = -1;
-    [~, order] = sortrows ([strcmp({misses.role}, 'unmeasured')', -share']);
+    size_ = abs ([misses.z]);
+    size_(isnan (size_)) = [misses(isnan (size_)).share];
+    size_(isnan (size_)) = -1;
+    [~, order] = sortrows ([strcmp({misses.role}, 'unmeasured')', -size_']);
     misses = misses(order);
   end
 end
@@ -42,6 +43,8 @@ function m = missOf (T)
               'simulated', field ('estimate', field ('result', NaN)), ...
               'miss', NaN, 'allowed', field ('allowed', NaN), ...
               'role', T.role, 'met', NaN, 'share', abs (field ('z', NaN)) / 2, ...
+              'z', field ('z', NaN), 'scatter', field ('noiseSd', 0), ...
+              'isStrict', false, ...
               'state', '', 'mean', field ('result', NaN), ...
               'meanSd', field ('resultSd', NaN), 'runs', 0);
   m.miss = m.simulated - m.measured;
@@ -59,6 +62,12 @@ function m = missOf (T)
     m.met = double (field ('met', m.met > 0));
     m.state = field ('state', '');
   end
+  ofMean = diff (field ('interval90', [0, 0])(:)') / 3.29;
+  noise = norm ([field('sd', 0), m.scatter, ofMean]);
+  if isnan (m.z) && isfinite (noise) && noise > 0
+    m.z = m.miss / noise;
+  end
+  m.isStrict = strcmp (T.role, 'calibrate') && m.allowed < m.scatter;
 end
 
 % Where runs were made, met and missed are said of what they and all runs
@@ -80,7 +89,8 @@ function value = fieldOf (T, name, other)
   end
 end
 
-% Held out: inside where a measurement should lie; share is of its half width.
+% Held out: inside where a measurement should lie, or nearer than what the user
+% allows.
 function misses = judgeHeldOut (misses, c)
   held = jsonAt (c, {'holdout'});
   for k = 1:numel (held)
@@ -89,11 +99,11 @@ function misses = judgeHeldOut (misses, c)
                ~strcmp ({misses.role}, 'calibrate'), 1);
     if ~isempty (at) && isnumeric (h.interval90) && ~isempty (h.inside)
       m = misses(at);
-      m.met = double (h.inside);
       m.simulated = h.result;
       m.miss = h.result - m.measured;
-      m.allowed = diff (h.interval90) / 2;
       m.share = abs (m.miss) / m.allowed;
+      m.met = double (h.inside || m.share <= 1);
+      m.z = m.miss * 3.29 / diff (h.interval90);
       misses(at) = m;
     end
   end
@@ -119,6 +129,7 @@ function misses = foldCurves (misses, c)
     [~, worst] = max ([misses(members).share]);
     at = members(worst);
     misses(at).share = share;
+    misses(at).isStrict = all ([misses(members).isStrict]);
     misses(at).name = jsonAt (c, {'targets', at, 'curve'});
     keep(at) = true;
   end
@@ -134,7 +145,8 @@ end
 %! m = listMisses (s.c, []);
 %! assert ({m.name}, {'difference', 'sum', 'product'});
 %! assert ([m.met], [0, 1, 1]);
-%! assert ([m(1).miss, m(1).allowed, m(1).share], [-4, 0.2, 20], 1e-12);
+%! assert ([m(1).miss, m(1).allowed, m(1).share], [-4, 0.02, 200], 1e-12);
+%! assert (m(1).z, -4 * 3.29 / 0.4, 1e-9);
 %! s = of ('a curve is missed');
 %! m = listMisses (s.c, []);
 %! assert ({m.name}, {'w', 'difference'});
@@ -142,3 +154,13 @@ end
 %! % a diagnosis alone knows z
 %! s = of ('gap alone, named');
 %! assert ([listMisses([], s.gap).share], [3.1, 1.75, 0.1], 1e-12);
+%! % a tolerance below the scatter of a run; one tolerance, the user's
+%! s = of ('met');
+%! s.c.targets(2).noiseSd = 0.3;
+%! m = listMisses (s.c, []);
+%! assert ([m.isStrict], strcmp ({m.name}, 'product'));
+%! s = of ('met, held out inside');
+%! s.c.holdout.inside = false;
+%! s.c.holdout.result = 1.01;
+%! m = listMisses (s.c, []);
+%! assert (m(strcmp ({m.name}, 'difference')).met, 1);

@@ -1,14 +1,22 @@
 % NEWPROGRESS  Makes the function that reports how a stage goes.
 %
-% CALL: REPORT = newProgress (STAGE, SAY)
+% CALL: REPORT = newProgress (STAGE, SAY [, FURTHER])
 %
 %   STAGE   what is going on (text)
 %   SAY     function handle that takes one line of text
 %   REPORT  function handle for runJobs: says how many runs are done, failed,
-%           running and reused, and the time left, at most once a second;
+%           running and reused, and the time left (and in all, where FURTHER
+%           runs may follow), at most once a second, at a terminal in one place;
 %           a message of the executor (a cluster that does not answer) at once
 
-function report = newProgress (stage, say)
+function report = newProgress (stage, say, further)
+  if nargin < 3
+    further = 0;
+  end
+  move = say;
+  if takesClass (say)
+    move = @(text) say (text, 'moving');
+  end
   said = -Inf;                       % when: the nested function remembers it
   report = @tell;
 
@@ -22,13 +30,23 @@ function report = newProgress (stage, say)
     if (state.done == state.total || time () - said >= 1) && ...
        (state.total > 0 || state.reused > 0)
       said = time ();
-      say (textOf (state, stage));
+      lines = {say, move};
+      lines{1 + (state.done < state.total)} (textOf (state, stage, further));
     end
   end
 
 end
 
-function text = textOf (state, stage)
+% The handle of newSay does; that of a builtin function has no number.
+function yes = takesClass (say)
+  try
+    yes = nargin (say) == -2;
+  catch
+    yes = false;
+  end
+end
+
+function text = textOf (state, stage, further)
   text = sprintf ('  %s: %d of %d runs done', stage, state.done, state.total);
   if state.failed > 0
     text = sprintf ('%s, %d failed', text, state.failed);
@@ -42,6 +60,10 @@ function text = textOf (state, stage)
     left = state.seconds / done * (state.total - done);
     text = sprintf ('%s, %d running, about %s left', text, state.running, ...
                     inWords (left));
+    if further > 0
+      text = sprintf ('%s, at most %s in all', text, ...
+                      inWords (left + state.seconds / done * further));
+    end
   end
   if state.total == 0
     text = sprintf ('  %s: all %d runs are in the store', stage, state.reused);
@@ -54,5 +76,7 @@ end
 %!                 'reused', 0, 'seconds', 20);
 %! assert (evalc ('report (state)'), ['  plan: 2 of 10 runs done, 1 ', ...
 %!         "failed, 2 running, about 47 s left\n"]);
+%! further = newProgress ('plan', @disp, 90);
+%! assert (! isempty (regexp (evalc ('further (state)'), 'left, at most \d+ min in all')));
 %! state.message = 'no answer';
 %! assert (evalc ('report (state)'), "  no answer\n");

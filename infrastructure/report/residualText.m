@@ -1,20 +1,22 @@
-% RESIDUALTEXT  Residuals in percent as text, as long as they are few.
+% RESIDUALTEXT  Residuals in percent as text, each with its name.
 %
-% CALL: TEXT = residualText (RESIDUAL, FORM)
+% CALL: TEXT = residualText (RESIDUAL, NAMES)
 %
-% RESIDUAL  T x 1; NaN: not measured yet
-% FORM      of sprintf, for one number
-% TEXT      all of them up to ten, else the largest and how many there are
+%   RESIDUAL  T x 1; NaN: not measured yet;  NAMES  1 x T cell
+%   TEXT      ' force -13.8, mass 0.9 and 3 smaller ones': the four largest
 
-function text = residualText (residual, form)
-  residual = 100 * residual(isfinite (residual));
-  if numel (residual) <= 10
-    text = sprintf (form, residual);
-  else
-    text = sprintf ([' up to', form, ' in %d targets'], ...
-                    max (abs (residual)), numel (residual));
+function text = residualText (residual, names)
+  known = find (isfinite (residual(:)'));
+  [~, order] = sort (-abs (residual(known)));
+  shown = known(order(1:min (4, end)));
+  parts = arrayfun (@(t) sprintf ('%s %.3g', names{t}, 100 * residual(t)), shown, ...
+                    'UniformOutput', false);
+  text = [' ', strjoin(parts, ', ')];
+  if numel (known) > numel (shown)
+    text = sprintf ('%s and %d smaller ones', text, numel (known) - numel (shown));
   end
 end
 
-%!assert (residualText ([0.01; NaN; -0.2], ' %.1f'), ' 1.0 -20.0')
-%!assert (residualText (-0.01 * (1:12)', ' %.0f'), ' up to 12 in 12 targets')
+%!assert (residualText ([0.01; NaN; -0.2], {'a', 'b', 'c'}), ' c -20, a 1')
+%!assert (residualText (-0.01 * (1:6)', {'a', 'b', 'c', 'd', 'e', 'f'}), ...
+%!        ' f -6, e -5, d -4, c -3 and 2 smaller ones')

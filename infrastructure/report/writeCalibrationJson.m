@@ -33,7 +33,8 @@ function v = writeCalibrationJson (c, Case)
     out.untested = named (num2cell (c.untested(:)));
   end
   out.known = knownOf (Case);
-  out.labels = named (labelsOf (Case));
+  [labels, units] = paramLabels (Case);
+  out.labels = named (cellfun (@withUnit, labels, units, 'UniformOutput', false));
   out.outcomes = c.outcomes;
   out = mergeFields (out, c, {'runs', 'probability', 'demRuns', ...
                               'coreSeconds', 'atLimit', 'notIdentified'});
@@ -97,41 +98,6 @@ function known = knownOf (Case)
   for j = find (isfinite (Case.paramMean) & isfinite (Case.paramSd))
     known.(Case.names{j}) = struct ('mean', Case.paramMean(j), ...
                                     'sd', Case.paramSd(j));
-  end
-end
-
-% What each parameter is, with its unit, d x 1 cell: from the remark behind the
-% variable in data.head of a model (unit, words), else from the names that the
-% models of the toolbox use; '' where nobody says it.
-function labels = labelsOf (Case)
-  labels = cellfun (@usualWords, Case.names(:), 'UniformOutput', false);
-  folders = {Case.models.folder};
-  heads = cellfun (@checkHead, folders(~cellfun (@isempty, folders)), ...
-                   'UniformOutput', false);
-  for head = fliplr ([heads{:}])
-    words = regexp (head.remark, '^([^,]*),[ \t]*(.+)$', 'tokens', 'once');
-    j = strcmp (Case.names, head.name);
-    if ~isempty (words) && any (j)
-      labels{j} = withUnit (strtrim (words{2}), strtrim (words{1}));
-    end
-  end
-end
-
-function text = usualWords (name)
-  known = struct ('density', 'density of %s (kg/m3)', ...
-                  'radius', 'radius of %s (m)', ...
-                  'youngsModulus', 'Young''s modulus of %s (Pa)', ...
-                  'poissonsRatio', 'Poisson''s ratio of %s', ...
-                  'coefRestitution', 'restitution %s', ...
-                  'coefRollingFriction', 'rolling friction %s', ...
-                  'coefFriction', 'friction %s', ...
-                  'cohesion', 'cohesion energy density %s (J/m3)');
-  ends = struct ('PP', 'between grains', 'PW', 'of grains and walls', ...
-                 'P', 'the grains', 'W', 'the walls');
-  text = '';
-  parts = regexp (name, '^(\w+?)(PP|PW|P|W)$', 'tokens', 'once');
-  if ~isempty (parts) && isfield (known, parts{1})
-    text = sprintf (known.(parts{1}), ends.(parts{2}));
   end
 end
 

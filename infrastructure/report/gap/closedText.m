@@ -28,7 +28,23 @@ function [text, code] = closedText (gap, isChange)
     text = [text, '; ', ...
             sentence('closed.heldOut', struct ('part', partText (held, isChange)))];
   end
-  text = [text, '.', rivalText(far)];
+  text = [text, '.', outsideText(far), rivalText(far)];
+end
+
+% Within noise is not yet within what the user allows.
+function text = outsideText (far)
+  text = '';
+  names = {};
+  for k = 1:numel (jsonAt (far, {'targets'}))
+    T = jsonAt (far, {'targets', k});
+    allowed = jsonAt (T, {'allowed'});
+    if strcmp (jsonAt (T, {'role'}), 'calibrate') && any (abs (T.after - T.measured) > allowed)
+      names{end + 1} = T.name;
+    end
+  end
+  if ~isempty (names)
+    text = [' ', sentence('closed.outside', struct ('names', {names}))];
+  end
 end
 
 function text = partText (part, isChange)

@@ -7,7 +7,7 @@
 %     kind      'none', 'cannot tell', 'found', 'several', 'unlisted', 'open',
 %               'no verdict'
 %     code      finer than kind, of cause.* in words.txt: 'none', 'blind',
-%               'heldOut', 'named', 'alike', 'likely', 'several', 'sameKind',
+%               'heldOut', 'mixed', 'named', 'alike', 'likely', 'several', 'sameKind',
 %               'unlisted', 'open', 'faint', 'noVerdict'
 %     word, sentence, class  as in decideCase
 %     where     where the model misses, one sentence
@@ -37,7 +37,7 @@ function cause = decideGap (gap)
                   'untested', {untestedOf(verdict, say)});
   isSeen = ~all (ismember (effects, cause.cannotSee));
   if strcmp (verdict.verdict, 'no gap')
-    cause = noGap (cause, gap, say);
+    cause = noGap (cause, gap, isBeyond, say);
   elseif any (strcmp (verdict.verdict, {'named', 'group'})) && isSeen
     cause = found (cause, gap, effects, isBeyond, say);
   elseif strcmp (verdict.verdict, 'none of the listed')
@@ -51,6 +51,9 @@ function cause = decideGap (gap)
   end
   if isempty (cause.notFor) && ~strcmp (cause.kind, 'none')
     cause.notFor = {say('notFor.missing', cause)};
+  end
+  if numel (jsonAt (gap, {'reference', 'conditions'})) > 1
+    cause.sentence = sprintf ('%s: %s', gap.reference.condition, cause.sentence);
   end
 end
 
@@ -80,7 +83,7 @@ function texts = untestedOf (verdict, say)
   end
 end
 
-function cause = noGap (cause, gap, say)
+function cause = noGap (cause, gap, isBeyond, say)
   cause.closed = '';
   missed = struct ('names', {missedTargets(gap, 'holdout')});
   failed = cell (1, 0);
@@ -88,24 +91,45 @@ function cause = noGap (cause, gap, say)
     failed = {gap.which.untested.name};
   end
   unseen = struct ('names', {[cause.cannotSee, failed]});
-  if isempty (missed.names) && isempty (unseen.names)
+  if isempty (missed.names) && isempty (unseen.names) && ~isBeyond
     [cause.kind, cause.class] = deal ('none', 'good');
     cause = inWordsOf (cause, 'none', struct (), say);
+    cause.sentence = [cause.sentence, seenFrom(gap, say)];
     cause.without = newAction ('measureBetter');
     return
   end
   cause.kind = 'cannot tell';
-  if isempty (missed.names)
+  if ~isempty (missed.names)
+    cause = inWordsOf (cause, 'heldOut', missed, say);
+    cause.notFor = {say('notFor.heldOut', missed)};
+    cause.todo = newAction ('fitToo', missed.names);
+  elseif isBeyond
+    cause = inWordsOf (cause, 'mixed', struct (), say);
+    cause.todo = testOf (gap);
+  else
     cause = inWordsOf (cause, 'blind', unseen, say);
+    cause.sentence = [cause.sentence, seenFrom(gap, say)];
     cause.notFor = {say('notFor.unseen', unseen)};
     cause.todo = newAction ('seeThem', unseen.names);
     if isempty (cause.cannotSee)
       cause.todo = newAction ('mendEffect', failed);
     end
-  else
-    cause = inWordsOf (cause, 'heldOut', missed, say);
-    cause.notFor = {say('notFor.heldOut', missed)};
-    cause.todo = newAction ('fitToo', missed.names);
+  end
+end
+
+% What would have been seen in 8 of 10 cases; older files do not say it.
+function text = seenFrom (gap, say)
+  strength = jsonAt (gap, {'which', 'strength'});
+  parts = {};
+  for name = fieldnames (strength)'
+    from = jsonAt (strength, {name{1}, 'seenFrom'});
+    if ~isempty (from)
+      parts{end + 1} = sprintf ('%s %s', jsonAt (strength, {name{1}, 'label'}), from);
+    end
+  end
+  text = '';
+  if ~isempty (parts)
+    text = [' ', say('seenFrom', struct ('names', {parts}))];
   end
 end
 
@@ -117,7 +141,8 @@ function cause = stillOpen (cause, gap, isBeyond, say)
     [cause.kind, cause.closed] = deal ('cannot tell', '');
   end
   values = struct ('why', plainReason (gap.which), ...
-                   'names', {namesIn(gap.which, 'likely')});
+                   'names', {setdiff(namesIn (gap.which, 'likely'), ...
+                                     cause.cannotSee, 'stable')});
   cause = inWordsOf (cause, code, values, say);
   if ~isempty (values.names)
     cause.sentence = [cause.sentence, ' ', say([code, '.likely'], values)];
@@ -154,11 +179,17 @@ function cause = found (cause, gap, effects, isBeyond, say)
   tried = jsonAt (gap, {'howFar', 'effect'});
   if several
     cause.todo = testOf (gap);
+    return
   elseif isempty (tried)
     cause.todo = newAction ('model');
   else
-    cause.todo = newAction ('takeModel', {tried});
+    folder = char (jsonAt (gap, {'reference', 'folder'}));
+    if isempty (folder)
+      folder = 'gap';
+    end
+    cause.todo = newAction ('takeModel', {tried}, {}, [folder, '/calibrated.head']);
   end
+  cause.todo.text = strtrim ([plantAdvice(effects), ' ', cause.todo.text]);
 end
 
 function code = codeOfFound (verdict, effects)
@@ -208,7 +239,7 @@ end
 % A test that tells next to nothing is not named.
 function todo = testOf (gap)
   first = jsonAt (gap, {'next', 1});
-  if any (jsonAt (first, {'gain'}) >= 0.2)
+  if any (jsonAt (first, {'gain'}) >= thresholdOf (gap, 'adviseAt', 0.2))
     todo = newAction ('test', {first.test});
   else
     todo = newAction ('otherSetting');
@@ -218,7 +249,8 @@ end
 function [text, isBeyond] = whereText (gap, isChange)
   models = jsonAt (gap, {'where', 'models'});
   off = missedTargets (gap, {'calibrate', 'holdout'});
-  isBeyond = ~isequal (jsonAt (gap, {'where', 'p'}) >= 0.05, true) || ...
+  level = thresholdOf (gap, 'level', 0.05);
+  isBeyond = ~isequal (jsonAt (gap, {'where', 'p'}) >= level, true) || ...
              ~isempty (off);
   codes = {'nowhere', 'all', 'some'};
   code = codes{1 + isBeyond * (1 + ~isempty (off))};

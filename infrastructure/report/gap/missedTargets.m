@@ -13,7 +13,8 @@ function names = missedTargets (gap, roles)
   targets = arrayfun (@(k) jsonAt (gap.where.targets, {k}), ...
                       1:numel (gap.where.targets), 'UniformOutput', false);
   targets = targets(cellfun (@(T) any (strcmp (T.role, roles)), targets));
-  isOff = cellfun (@(T) any (jsonAt (T, {'p'}) < 0.05), targets);
+  level = thresholdOf (gap, 'level', 0.05);
+  isOff = cellfun (@(T) any (jsonAt (T, {'p'}) < level), targets);
   names = {};
   if ~any (isOff)
     return

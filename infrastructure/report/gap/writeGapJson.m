@@ -13,16 +13,18 @@
 % Fields of gap.json. Strengths: 0 neutral, 1 the limit further from it (DEM
 % effects both ways: 1 upper, -1 lower). {name: x}: one x for each name.
 %
-%   cause {code, kind}, closure {code}, action {code, field, widen}: codes for
+%   cause {code, kind}, closure {code}, action {code, field, widen, file}: codes for
 %     programs; they stay, sentences change (report/words/words.txt)
 %   where
-%     p, noiseFloor (relative), params, atLimit, absorbed, unabsorbed
+%     p, noiseFloor (relative), params, atLimit, odd (a test that contradicts all
+%              others)
 %     out (tests without any result), neverRun (without a finished run)
 %     surrogateShare (of the noise)
 %     targets  [{model, name, role, z, unabsorbed (0..1, what parameters cannot
 %              hide), blind, p (chance that noise gives a miss this large in any
 %              fitted, or in any target not used in the fit), size (miss over
-%              noise; z also counts what the fit hides)}]
+%              noise; z also counts what the fit hides), measured, sdMeasured,
+%              predicted, sdPredicted}]
 %     models   [{model, p, size}], of the whole test
 %   which
 %     verdict, reason, p, guard, effects, together, sameKind, lookAlike, likely,
@@ -39,7 +41,8 @@
 %              variables {name: [median, lo, hi]}, seen, says (amount: of a named
 %              effect; least: so much or more; bound: not more than the upper end;
 %              nothing: no runs where it would fit), label, unit, text, amount (in
-%              its unit)}}
+%              its unit), seenFrom (the smallest that would be seen in 8 of 10
+%              cases)}}
 %     priorSpread (of the likeliest, with prior scales halved, doubled)
 %   howFar
 %     effect, before, after (deviations, in shares of each target's range)
@@ -53,8 +56,8 @@
 %              difference90 (closure of the cause less this one), logRatio (log
 %              density of data not used in the fit, cause over placebo), against
 %              (the cause)}]
-%     targets  [{model, name, role, measured, before, after, sdBefore, sd (of
-%              measured less before, after)}]
+%     targets  [{model, name, role, measured, allowed, before, after, sdBefore, sd
+%              (of measured less before, after)}]
 %     verifiedByDEM, worstZ, params {name: [without, with]}
 %     strength {effect: in shares of its range}, values {variable: in the refit}
 %   fingerprint, all over noise
@@ -68,13 +71,14 @@
 %     variables, value (the last), finer, shift, shiftSd (expected change at the
 %     finer level), verdict, effects with that shift (empty: unknown), holds
 %   reference, with conditions, else empty
-%     condition (of all other fields), lack (what the model misses in both, in
-%     shares of what parameters move)
+%     condition (of all other fields), folder (of its files), lack (what the model
+%     misses in both, in shares of what parameters move)
 %     targets  [{model, name, reference, measured, foretold (without a change),
-%              modelled (with the effect)}]
+%              modelled (with the effect), z, sd (of measured less foretold)}]
 %     conditions  [{name, verdict, effects, lookAlike, p, probability, strength,
-%              interval90}], order [{effect, more, less, probability}]
+%              interval90, text}], order [{effect, more, less, probability}]
 %     canChange  {candidate: yes, unlikely, no}
+%   thresholds  level, adviseAt (gapOptions): those that the report uses
 %   demRuns  sets, failedSets, new, reused, failed, coreSeconds
 %   input, verdict: as in calibration.json (docs/data.md); cause of the verdict has
 %     kind, word, sentence, where, closed, action, cannotSee, untested
@@ -83,7 +87,8 @@ function v = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
   [~, ~] = mkdir (folder);
   out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
-  out.howFar = howFarOf (diagnosis.howFar, diagnosis.gapProblem);
+  out.howFar = howFarOf (diagnosis.howFar, diagnosis.gapProblem, Case);
+  out.thresholds = mergeFields (struct (), diagnosis.options, {'level', 'adviseAt'});
   out.fingerprint = fingerprintOf (diagnosis);
   out.next = num2cell (rmfield (diagnosis.next(:)', ...
                                 {'targets', 'gainPerCost', 'lines', ...
@@ -107,7 +112,7 @@ function v = writeGapJson (diagnosis, Case)
   out.verdict = v;
   writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
   if ~isempty (gap.howFar.effect)
-    writeHeadOf (gap.howFar, Case);
+    writeHeadOf (gap, Case);
   end
 end
 
@@ -125,7 +130,8 @@ end
 function s = whereOf (diagnosis)
   where = diagnosis.where;
   gapProblem = diagnosis.gapProblem;
-  noise = sqrt (diag (where.budget.covariance))';
+  budget = where.budget;
+  noise = sqrt (diag (budget.covariance))';
   ok = isfinite (gapProblem.value) & gapProblem.value ~= 0;
   s = struct ('p', where.p, 'noiseFloor', ...
               sqrt (mean ((noise(ok) ./ gapProblem.value(ok)).^2)));
@@ -133,16 +139,20 @@ function s = whereOf (diagnosis)
                                      'role', T.role, 'z', T.z, ...
                                      'unabsorbed', 1 - T.absorbability, ...
                                      'blind', T.blind, 'p', T.p, ...
-                                     'size', T.size), ...
+                                     'size', T.size, 'measured', T.measured, ...
+                                     'sdMeasured', budget.measurement(T.target), ...
+                                     'predicted', T.predicted, 'sdPredicted', ...
+                                     hypot (budget.trial(T.target), ...
+                                            budget.surrogate(T.target))), ...
                         diagnosedTargets (diagnosis), 'UniformOutput', false);
   s.models = arrayfun (@(b) struct ('model', gapProblem.benchNames{b.bench}, ...
                                     'p', b.p, 'size', b.size), ...
                        where.benches, 'UniformOutput', false);
   s.params = cell2struct (num2cell (where.params(:)), gapProblem.names(:), 1);
   s.atLimit = where.side.atLimit;
+  s.odd = gapProblem.benchNames(where.conflict.odd);
   s = mergeFields (s, where, {'out', 'neverRun'});
   s.surrogateShare = mean (where.side.share(gapProblem.used));
-  s = mergeFields (s, where, {'absorbed', 'unabsorbed'});
 end
 
 function s = whichOf (diagnosis)
@@ -186,16 +196,32 @@ function s = strengthOf (strength, smallest, gapProblem)
   if isfield (e, 'label')
     [s.label, s.unit] = deal (e.label, e.unit);
   end
+  s.seenFrom = '';
   if columns (strength.values) == 1
     [s.text, s.amount] = effectText (s.label, s.unit, strength.values(:, 1));
     if strcmp (strength.says, 'least')
       s.text = sentence ('strength.least', struct ('amount', s.text));
       s.amount = sentence ('strength.least', struct ('amount', s.amount));
     end
+    s.seenFrom = seenFrom (e, s, smallest);
   end
 end
 
-function s = howFarOf (cure, gapProblem)
+% The strength in its unit that would be seen in 8 of 10 cases (screenEffects).
+function text = seenFrom (e, s, smallest)
+  text = '';
+  if isempty (e) || ~isfinite (smallest)
+    return
+  end
+  value = e.strongest * smallest;
+  if ~e.laboratory
+    value = valuesOfStrength (e, smallest);
+  end
+  [~, amount] = effectText (s.label, s.unit, [value(1), NaN, NaN]);
+  text = sentence ('strength.seen', struct ('amount', amount));
+end
+
+function s = howFarOf (cure, gapProblem, Case)
   s = struct ('effect', '', 'before', NaN, 'after', NaN, 'floor', NaN, ...
               'closure', NaN, 'interval90', [NaN, NaN], 'heldOut', [], ...
               'placebos', {{}}, 'targets', {{}}, 'verifiedByDEM', false);
@@ -215,7 +241,8 @@ function s = howFarOf (cure, gapProblem)
   s.targets = struct ('model', gapProblem.benchNames(gapProblem.bench(t)), ...
                       'name', gapProblem.targetNames(t), ...
                       'role', roles(1 + ismember (t, gapProblem.heldOut)), ...
-                      'measured', num2cell (gapProblem.value(t)));
+                      'measured', num2cell (gapProblem.value(t)), ...
+                      'allowed', allowedOf (Case, gapProblem, t));
   for field = {'before', 'after', 'sdBefore', 'sd'}
     [s.targets.(field{1})] = cure.targets.(field{1});
   end
@@ -236,6 +263,19 @@ function s = howFarOf (cure, gapProblem)
   end
 end
 
+% Of each target what the user allows; NaN for one that is not of the case.
+function allowed = allowedOf (Case, gapProblem, t)
+  allowed = repmat ({NaN}, 1, numel (t));
+  for k = 1:numel (t)
+    T = struct ('name', gapProblem.targetNames{t(k)}, ...
+                'model', gapProblem.benchNames{gapProblem.bench(t(k))});
+    own = targetAt (givenField (Case, 'targets', []), T);
+    if ~isempty (own)
+      allowed{k} = halfWidth (Case.targets(own));
+    end
+  end
+end
+
 function s = changeOf (diagnosis, Case)
   s = [];
   reference = diagnosis.gapProblem.reference;
@@ -243,18 +283,20 @@ function s = changeOf (diagnosis, Case)
     return
   end
   s = struct ('condition', reference.condition, ...
+              'folder', conditionFolder (Case, reference.condition), ...
               'lack', diagnosis.change.size, 'targets', {{}}, ...
               'conditions', {num2cell(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});
   s.canChange = cell2struct ([changeWords(Case.effects), ...
                               repmat({'no'}, 1, numel (Case.unchanged))], ...
                              [{Case.effects.name}, Case.unchanged], 2);
+  sd = sqrt (diag (diagnosis.where.budget.covariance));
   list = diagnosedTargets (diagnosis);
   for T = list(strcmp ({list.role}, 'calibrate'))
     change = struct ('model', T.model, 'name', T.name, ...
                      'reference', reference.value(T.target), ...
                      'measured', T.measured, 'foretold', T.predicted, ...
-                     'modelled', NaN);
+                     'modelled', NaN, 'z', T.z, 'sd', sd(T.target));
     if ~isempty (diagnosis.howFar)
       at = [diagnosis.howFar.targets.target] == T.target;
       change.modelled = diagnosis.howFar.targets(at).after;
@@ -263,11 +305,25 @@ function s = changeOf (diagnosis, Case)
   end
 end
 
-function writeHeadOf (far, Case)
+% The first condition is in gap/ itself (diagnoseCase).
+function folder = conditionFolder (Case, name)
+  folder = 'gap';
+  if ~strcmp (name, Case.conditions{1})
+    folder = ['gap/', name];
+  end
+end
+
+function writeHeadOf (gap, Case)
+  far = gap.howFar;
   v = assignParams (Case.modelVars, ...
                     cellfun (@(name) far.params.(name)(2), Case.names), ...
                     Case.names);
-  text = sprintf ("# parameters fitted together with %s\n", far.effect);
+  condition = jsonAt (gap, {'reference', 'condition'});
+  if ~isempty (condition)
+    condition = [condition, ': '];
+  end
+  text = sprintf ("# %sparameters fitted together with %s (gap/gap.json)\n", ...
+                  condition, far.effect);
   writeAtomic (fullfile (Case.folder, 'gap', 'calibrated.head'), ...
                [text, headLines(mergeFields (v, far.values))]);
 end
@@ -290,6 +346,9 @@ end
 %! read = @(name) fullfile (Case.folder, 'gap', name);
 %! gap = jsondecode (fileread (read ('gap.json')));
 %! assert (gap.verdict.word, v.word);
+%! assert ([gap.where.targets.measured]', d.gapProblem.value(d.gapProblem.used)(:), 1e-9);
+%! assert (gap.thresholds.level, 0.05);
+%! assert (! isempty (regexp (gap.which.strength.spread.seenFrom, ' or more$')));
 %! assert (gap.howFar.effect, 'spread');
 %! head = headDefaults (read ('calibrated.head'));
 %! assert (head.c, 3);

@@ -69,11 +69,12 @@ function r = oneRow (page, m)
   if page.showsEffect && ~isempty (cure)
     r.with = (cure.after - measured) / unit;
   end
-  name = m.unit;
-  if isempty (name) && ~isempty (t)
-    name = page.units{t};
+  unit_ = m.unit;
+  if isempty (unit_) && ~isempty (t)
+    unit_ = page.targets(t).unit;
   end
-  r.label = labelOf (m.name, quantity (measured, name));
+  r.label = labelOf (m.name, strtrim (sprintf ('%.4g %s', measured, ...
+                                               regexprep (unit_, '^-$', ''))));
   if ~isempty (t)
     r.reach = (page.reach(t, :) - measured) / unit;
     if isfield (Case.targets, 'each')
@@ -93,8 +94,8 @@ end
 
 function key = keyOf (page)
   key = {'line', 'ink', 'measured'; 'box', 'palegreen', 'allowed'; ...
-         'box', 'palegrey', 'what the box of the parameters reaches'; ...
-         'diamond', 'blue', 'simulated with the set'};
+         'box', 'palegrey', 'what your limits reach'; ...
+         'diamond', 'blue', 'simulated with the calibrated values'};
   if page.showsEffect
     effect = jsonAt (page.sources.gap, {'howFar', 'effect'});
     key(end + 1, :) = {'triangle', 'amber', ['fitted with ', htmlText(effect)]};
@@ -111,7 +112,7 @@ end
 %!   'met', 0, 'share', 3);
 %! page.Case.targets = struct ('name', 'h', 'modelName', 'B', ...
 %!                             'each', [1.9, 2.1]);
-%! page.units = {'m'};
+%! page.targets = struct ('label', '', 'unit', 'm');
 %! page.reach = [NaN, NaN];
 %! page.sources.gap.howFar.effect = 'tilt';
 %! page.sources.gap.howFar.targets = struct ('model', 'B', 'name', 'h', ...

@@ -4,12 +4,14 @@
 %
 %   FIGURES  1 x n struct array, see newFigure
 %   KEY      entries of htmlKey, optional
-%   CLASS    how wide: 'panels' (default), 'pairs', 'wide', 'one'
+%   CLASS    how wide: 'panels' (default), 'pairs', 'wide', 'one', 'corner' (each
+%            at its place)
 %   HTML     SVG elements with their captions, below the key
 %
 % One start of gnuplot draws all. Texts stay texts. The colours become
 % variables of page.css, so that the figures follow the colours of the page; the
-% symbols are defined once a page.
+% symbols are defined once a page. A pointer that rests on a symbol or a bar sees
+% its values.
 %
 % Errors: those of drawSvg
 
@@ -34,7 +36,11 @@ function html = htmlFigures (figures, key, class)
       svgs{k} = ['<figcaption>', htmlText(figures(k).title), ...
                  '</figcaption>', svgs{k}];
     end
-    svgs{k} = ['<figure>', svgs{k}, "</figure>\n"];
+    place = '';
+    if ~isempty (figures(k).place)
+      place = sprintf (' style="grid-area:%d/%d"', figures(k).place);
+    end
+    svgs{k} = ['<figure', place, '>', svgs{k}, "</figure>\n"];
   end
   html = [html, '<div class="', class, '"', scroll, '>', svgs{:}, "</div>\n"];
 end
@@ -174,7 +180,8 @@ end
 % One svg element without head, definitions, empty groups, names.
 function svg = cleanSvg (text, f)
   body = regexp (text, '</defs>(.*)</svg>', 'tokens', 'once'){1};
-  body = regexprep (body, {'<title>[^<]*</title>', ' id="[^"]*"'}, '');
+  body = withHovers (body, f);
+  body = regexprep (body, {'<title>(gnuplot_plot_|\$)[^<]*</title>', ' id="[^"]*"'}, '');
   body = regexprep (body, '\s*\n\s*', "\n");
   was = '';
   while ~strcmp (was, body)
@@ -200,6 +207,50 @@ function svg = cleanSvg (text, f)
                  strtrim (body));
 end
 
+% The plots of gnuplot are named $D1, $D2 ..., the layers that have data; 60
+% symbols at most get their values.
+function body = withHovers (body, f)
+  shapes = struct ('box', 'polygon', 'disc', 'use', 'diamond', 'use', 'triangle', 'use', ...
+                   'ring', 'use', 'dots', 'use', 'xbar', 'use', 'ybar', 'use');
+  parts = strsplit (body, '<g id="gnuplot_plot_');
+  n = 0;
+  for k = 1:rows (f.layers)
+    M = f.layers{k, 2};
+    M = M(all (isfinite (M), 2), :);
+    n = n + ~isempty (M);
+    at = find (~cellfun (@isempty, strfind (parts, sprintf ('<title>$D%d</title>', n))), 1);
+    if isempty (M) || isempty (at) || ~isfield (shapes, f.layers{k, 1})
+      continue
+    end
+    form = ['<', shapes.(f.layers{k, 1}), ' [^>]*/>'];
+    [marks, between] = regexp (parts{at}, form, 'match', 'split');
+    if numel (marks) ~= rows (M) || rows (M) > 60
+      continue
+    end
+    for i = 1:rows (M)
+      x = M(i, 1);
+      if strcmp (f.layers{k, 1}, 'box')
+        x = M(i, 3 + (M(i, 3) == 0 | isempty (f.ynames)));
+      end
+      marks{i} = sprintf ('%s><title>%s</title></%s>', marks{i}(1:end - 2), ...
+                          htmlText (valueText (x, M(i, 2), f)), shapes.(f.layers{k, 1}));
+    end
+    pieces = [between; [marks, {''}]];
+    parts{at} = [pieces{:}];
+  end
+  body = strjoin (parts, '<g id="gnuplot_plot_');
+end
+
+function text = valueText (x, y, f)
+  text = sprintf ('%s %.4g', f.xlabel, x);
+  if isempty (f.ynames)
+    text = sprintf ('%s, %s %.4g', text, f.ylabel, y);
+  elseif y == round (y) && y >= 1 && y <= numel (f.ynames)
+    text = sprintf ('%s: %.4g', f.ynames{y}, x);
+  end
+  text = strtrim (text);
+end
+
 % Of gnuplot a colour is but a mark that stands for a variable of page.css.
 function names = houseColours ()
   names = {'ink', 'axis', 'grid', 'blue', 'red', 'green', 'sky', 'amber', ...
@@ -220,6 +271,7 @@ end
 %! assert (! isempty (strfind (svg, 'var(--paleblue)')));
 %! assert (! isempty (strfind (svg, 'mu ''x''')));
 %! assert (isempty (strfind (svg, 'rgb(')));
+%! assert (! isempty (strfind (svg, '<title>mu ''x'' 1, y `a` 2</title>')));
 %! opened = numel (regexp (svg, '<g[ >]'));
 %! assert (numel (strfind (svg, '</g>')), opened);
 %! % nothing in it: axes all the same

@@ -15,13 +15,14 @@
 %   F       scalar struct: these; size (1 x 2, px), xlim, ylim (1 x 2, NaN: as
 %           the data want), ynames, caption (true: the title stands above it),
 %           whole (true: ticks of x at whole numbers alone), xlog, ylog (true:
-%           a logarithmic axis; xlim, ylim are positive then)
+%           a logarithmic axis; xlim, ylim are positive then), place ([] or row and
+%           column in a corner plot)
 
 function f = newFigure (title, xlabel, ylabel, alt, layers)
   f = struct ('title', title, 'xlabel', xlabel, 'ylabel', '', 'alt', alt, ...
               'size', [340, 230], 'xlim', [NaN, NaN], 'ylim', [NaN, NaN], ...
               'ynames', {{}}, 'caption', true, 'whole', false, ...
-              'xlog', false, 'ylog', false, ...
+              'xlog', false, 'ylog', false, 'place', [], ...
               'layers', {cell(0, 3)});
   if nargin > 4
     f.layers = layers;

@@ -1,34 +1,17 @@
-% NUMBERTEXT  A number as the report shows it, as HTML.
+% NUMBERTEXT  A number as the page shows it, as HTML.
 %
 % CALL: TEXT = numberText (X, KIND)
 %
-%   X     scalar real
-%   KIND  'plain' (4 significant digits, default), 'percent' (X is a share: 3
-%         digits), 'probability' (two decimals), 'z' (one decimal), 'change'
-%         (3 digits), both with their sign, 'count'
-%   TEXT  a dash where X is not finite
+%   X, KIND  see plainNumber ('plain' without KIND)
+%   TEXT     a dash where X is not finite
 
 function text = numberText (x, kind)
   if nargin < 2
     kind = 'plain';
   end
-  if isempty (x) || ~isfinite (x)
-    text = '&ndash;';
-    return
-  end
-  forms = struct ('plain', '%.4g', 'percent', '%.3g', 'probability', '%.2f', ...
-                  'z', '%+.1f', 'change', '%+.3g', 'count', '%d');
-  if strcmp (kind, 'percent')
-    text = [sprintf(forms.(kind), 100 * x), '&thinsp;%'];
-  elseif strcmp (kind, 'probability') && x > 0 && x < 0.005
-    text = '&lt; 0.01';
-  elseif strcmp (kind, 'probability') && x < 1 && x > 0.995
-    text = '&gt; 0.99';
-  else
-    text = sprintf (forms.(kind), x);
-  end
+  text = strrep (htmlText (plainNumber (x, kind)), ' %', '&thinsp;%');
   text = regexprep (text, 'e\+?(-?)0*(\d+)', '&middot;10<sup>$1$2</sup>');
-  text = strrep (text, '-', '&minus;');
+  text = strrep (regexprep (text, '^-$', '&ndash;'), '-', '&minus;');
 end
 
 %!assert (numberText (1234.56), '1235')

@@ -1,64 +1,104 @@
-% SECTIONPARTICLES  Part of the report: the grains at the set that was found.
+% SECTIONPARTICLES  Part of the report: the grains, with what was measured on them.
 %
 % CALL: LIST = sectionParticles (), see writePage
+%       HTML = sectionParticles (PAGE, MODEL): the pictures of one model, MODEL its
+%              number; '' where there are none
 %
-% Drawn are the dumps (readDump) that a run at the found set has left, from the
-% side, with the free surface and the measured inclinations of results.csv, each
-% beside photo.jpg of the model folder, if there is one.
+% Drawn are the dumps (readDump) that a run with the calibrated values has left,
+% from the side, with the free surface and the measured inclinations of
+% results.csv. pictures.csv of the case folder lays the experiment over them, at
+% one scale: model, photo (file; empty: photo.jpg of the model folder), left,
+% bottom, width (of the photo: m, in the coordinates of the grains), profile
+% (file with a head and two columns, x and z in m: the measured surface). A photo
+% without these numbers stands beside the grains.
 
-function list = sectionParticles ()
-  list = {'sectionparticles', 'Grains at the set', @particles, {}};
+function list = sectionParticles (page, model)
+  if nargin > 1
+    list = panelsOf (page, model);
+    return
+  end
+  list = {'sectionparticles', 'Grains with these values', @particles, {}};
 end
 
 function html = particles (page)
   html = '';
-  [params, what] = setToShow (page);
+  [~, what] = setToShow (page);
   for k = 1:numel (page.Case.models)
-    html = [html, photoOf(page.Case.models(k))];
-    if ~isempty (params) && ~isempty (page.runs)
-      html = [html, picturesOf(page, k, params)];
-    end
+    html = [html, panelsOf(page, k)];
   end
-  lead = '';
   if ~isempty (strfind (html, '<svg'))
-    lead = ['<p>The last picture of a run with ', what, ', from the side.', ...
-            '</p>', htmlKey({'line', 'red', ...
-                             'free surface, seen from the side'; ...
-                             'dash', 'ink', 'measured inclination'})];
-  end
-  if ~isempty (html)
-    html = [lead, '<div class="panels">', html, '</div>'];
+    key = {'line', 'red', 'free surface, seen from the side'; ...
+           'dash', 'ink', 'measured inclination'; 'dash', 'amber', 'measured profile'};
+    key = key([true, true, ~isempty(strfind (html, 'var(--amber)'))], :);
+    html = ['<p>The last picture of a run with ', what, ', from the side.</p>', ...
+            htmlKey(key), html];
   end
 end
 
-% The experiment, where the model folder holds a photo.jpg of it.
-function html = photoOf (model)
+function html = panelsOf (page, k)
+  [params, ~] = setToShow (page);
+  real = experimentOf (page.Case, k);
   html = '';
-  file = fullfile (model.folder, 'photo.jpg');
-  if isempty (model.folder) || ~isfile (file)
-    return
+  if ~isempty (real.photo) && ~isfinite (real.height)
+    name = htmlText ([page.Case.models(k).name, ': the experiment']);
+    html = ['<figure><figcaption>', name, '</figcaption><img alt="', name, ...
+            '" src="', real.photo, '"></figure>'];
   end
-  id = fopen (file, 'r');
-  bytes = fread (id, [1, Inf], '*uint8');
-  fclose (id);
-  name = htmlText ([model.name, ': the experiment']);
-  html = ['<figure><figcaption>', name, '</figcaption><img alt="', name, ...
-          '" src="data:image/jpeg;base64,', ...
-          matlab.net.base64encode(bytes), '"></figure>'];
+  if ~isempty (params) && ~isempty (page.runs)
+    html = [html, picturesOf(page, k, params, real)];
+  end
+  if ~isempty (html)
+    html = ['<div class="panels">', html, '</div>'];
+  end
+end
+
+% What pictures.csv, or photo.jpg of the model folder, shows of the experiment.
+function real = experimentOf (Case, k)
+  real = struct ('photo', '', 'left', 0, 'bottom', 0, 'width', NaN, ...
+                 'height', NaN, 'profile', []);
+  photo = '';
+  if ~isempty (Case.models(k).folder)
+    photo = fullfile (Case.models(k).folder, 'photo.jpg');
+  end
+  table = fullfile (givenField (Case, 'folder', ''), 'pictures.csv');
+  if isfile (table)
+    [head, cells] = readCsvTable (table);
+    row = strcmp (cells(:, strcmp (head, 'model')), Case.models(k).name);
+    own = @(name) [cells{find(row, 1), strcmp(head, name)}, ''];
+    for name = {'left', 'bottom', 'width'}
+      real.(name{1}) = str2double (own (name{1}));
+    end
+    if ~isempty (own ('photo'))
+      photo = fullfile (Case.folder, own ('photo'));
+    end
+    file = fullfile (Case.folder, own ('profile'));
+    if ~isempty (own ('profile')) && isfile (file)
+      real.profile = str2double (nthargout (2, @readCsvTable, file))(:, 1:2);
+    end
+  end
+  if isfile (photo)
+    id = fopen (photo, 'r');
+    bytes = fread (id, [1, Inf], '*uint8');
+    fclose (id);
+    kinds = {'jpeg', 'png'};
+    real.photo = ['data:image/', kinds{1 + isequal(bytes(2:min (4, end)), uint8 ('PNG'))}, ...
+                  ';base64,', matlab.net.base64encode(bytes)];
+    real.height = real.width * (imageSize (bytes) * [0; 1]) / (imageSize (bytes) * [1; 0]);
+  end
 end
 
 function [params, what] = setToShow (page)
   params = page.found;
-  what = 'the set that was found';
+  what = 'the calibrated values';
   names = page.Case.names;
   fitted = jsonAt (page.sources.gap, {'howFar', 'params'});
   if isempty (params) && isstruct (fitted) && all (isfield (fitted, names))
     params = cellfun (@(n) fitted.(n)(end), names);
-    what = 'the parameters fitted together with the effect';
+    what = 'the values fitted together with the cause';
   end
 end
 
-function html = picturesOf (page, k, params)
+function html = picturesOf (page, k, params, real)
   html = '';
   Case = page.Case;
   name = Case.models(k).name;
@@ -76,12 +116,12 @@ function html = picturesOf (page, k, params)
   files = dir (fullfile (folder, '*.dump'));
   for i = 1:numel (files)
     html = [html, onePicture(fullfile (folder, files(i).name), Case, k, ...
-                             numel (files) - i)];
+                             numel (files) - i, real)];
   end
 end
 
 % LEFT  dumps of this run that come later
-function html = onePicture (file, Case, k, left)
+function html = onePicture (file, Case, k, left, real)
   html = '';
   try
     grains = readDump (file){end};
@@ -89,19 +129,25 @@ function html = onePicture (file, Case, k, left)
     [~, base] = fileparts (file);
     title = [Case.models(k).name, ': ', base];
     html = ['<figure><figcaption>', htmlText(title), '</figcaption>', ...
-            grainPicture(grains, lines, title), "</figure>\n"];
+            grainPicture(grains, lines, title, real), "</figure>\n"];
   catch
     % a dump of another form: no picture
   end
 end
 
 % Grains from the side as an SVG element; LINES, cell of m x 2 (x, z), dashed on
-% top. Of more than 3000 grains the nearest to the viewer are drawn.
-function svg = grainPicture (grains, lines, title)
+% top, the experiment REAL over them. Of more than 3000 grains the nearest to the
+% viewer are drawn.
+function svg = grainPicture (grains, lines, title, real)
   [~, order] = sort (grains(:, 2), 'descend');
   grains = grains(order(max (1, end - 2999):end), :);
-  low = min ([grains(:, [1, 3]) - grains(:, 4); vertcat(lines{:})], [], 1);
-  high = max ([grains(:, [1, 3]) + grains(:, 4); vertcat(lines{:})], [], 1);
+  corners = zeros (0, 2);
+  if isfinite (real.height)
+    corners = [real.left, real.bottom] + [0, 0; real.width, real.height];
+  end
+  extra = [vertcat(lines{:}); real.profile; corners];
+  low = min ([grains(:, [1, 3]) - grains(:, 4); extra], [], 1);
+  high = max ([grains(:, [1, 3]) + grains(:, 4); extra], [], 1);
   width = 340;
   scale = min ([width - 8, 260] ./ (high - low));
   height = ceil ((high(2) - low(2)) * scale) + 8;
@@ -110,11 +156,19 @@ function svg = grainPicture (grains, lines, title)
   pz = @(z) height - 4 - (z - low(2)) * scale;
   M = [px(grains(:, 1)), pz(grains(:, 3)), grains(:, 4) * scale];
   circles = sprintf ('<circle cx="%.1f" cy="%.1f" r="%.1f"/>', M');
+  photo = '';
+  if ~isempty (corners)
+    photo = sprintf (['<image href="%s" x="%.1f" y="%.1f" width="%.1f" height="%.1f" ', ...
+                      'opacity=".55"/>'], real.photo, px (corners(1)), pz (corners(4)), ...
+                     diff (corners) * scale);
+  end
   x = linspace (low(1), high(1), 120);
   surface = pathOf (px (x), pz (silhouette (grains, x)));
+  colours = [repmat({'ink'}, 1, numel (lines)), {'amber'}];
   dashed = '';
-  for k = 1:numel (lines)
-    dashed = [dashed, '<path fill="none" stroke="var(--ink)" ', ...
+  lines{end + 1} = real.profile;
+  for k = find (~cellfun (@isempty, lines))
+    dashed = [dashed, '<path fill="none" stroke="var(--', colours{k}, ')" ', ...
               'stroke-width="2" stroke-dasharray="7 5" d="', ...
               pathOf(px (lines{k}(:, 1)), pz (lines{k}(:, 2))), '"/>'];
   end
@@ -123,10 +177,10 @@ function svg = grainPicture (grains, lines, title)
   svg = sprintf (['<svg viewBox="0 0 %d %d" width="%d" height="%d" ', ...
                   'role="img" aria-label="%s"><title>%s</title>', ...
                   '<g fill="var(--midblue)" stroke="var(--blue)" ', ...
-                  'stroke-width=".5">%s</g><path fill="none" ', ...
+                  'stroke-width=".5">%s</g>%s<path fill="none" ', ...
                   'stroke="var(--red)" stroke-width="2" d="%s"/>%s', ...
                   '</svg>'], width, height, width, height, htmlText (alt), ...
-                 htmlText (title), circles, surface, dashed);
+                 htmlText (title), circles, photo, surface, dashed);
 end
 
 % A line that is broken where there is nothing.
@@ -149,7 +203,7 @@ end
 %! heap = fullfile (root, 'DEMmodels', 'Heap');
 %! Case = struct ('models', struct ('name', 'Heap', 'folder', heap), ...
 %!                'names', {{'a'}}, 'limits', [0; 1], 'store', tempname (), ...
-%!                'coarse', []);
+%!                'coarse', [], 'folder', tempname ());
 %! Case.targets = struct ('model', 1, 'index', {1, 2}, 'value', {30, 0.02});
 %! folder = fullfile (Case.store, 'optim', 'Heap', '0001');
 %! mkdir (folder);
@@ -171,3 +225,17 @@ end
 %! writeAtomic (fullfile (folder, 'photo.jpg'), 'abc');
 %! html = particles (page);
 %! assert (! isempty (strfind (html, 'src="data:image/jpeg;base64,YWJj"')));
+%! % with its place it lies over the grains, and so does a measured profile
+%! page.runs.params = 0.5;
+%! mkdir (page.Case.folder);
+%! writeAtomic (fullfile (folder, 'photo.jpg'), ...
+%!   char ([137, double('PNG'), 13, 10, 26, 10, 0, 0, 0, 13, double('IHDR'), 0, 0, 1, 44, ...
+%!          0, 0, 0, 200, 8]));
+%! writeAtomic (fullfile (page.Case.folder, 'pictures.csv'), ...
+%!              ["model,photo,left,bottom,width,profile\n", ...
+%!               "Heap,,-0.05,0,0.1,cone.csv\n"]);
+%! writeAtomic (fullfile (page.Case.folder, 'cone.csv'), "x,z\n-0.05,0\n0,0.03\n0.05,0\n");
+%! html = particles (page);
+%! assert (! isempty (strfind (html, '<image href="data:image/png;base64,')));
+%! assert (isempty (strfind (html, '<img')));
+%! assert (! isempty (strfind (html, 'stroke="var(--amber)"')));

@@ -4,15 +4,15 @@
 % CALL: LIST = sectionSurrogates (), see writePage
 
 function list = sectionSurrogates ()
-  list = {'sectionplan', 'Plan and sets that fit', @plan, {}; ...
-          'sectionslices', 'Responses through the set', @slices, ...
+  list = {'sectionplan', 'Runs, and values that fit', @plan, {}; ...
+          'sectionslices', 'Results along each parameter', @slices, ...
           {'surrogates'}; ...
           'sectionleaveoneout', 'Leave-one-out', @leaveOneOut, ...
           {'surrogates'}};
 end
 
-% Every pair of parameters: the plan, the sets run later, the sets that fit, the
-% set that was found.
+% Every pair of parameters: the plan, what was run later, the values that fit, the
+% calibrated ones; on the diagonal how the values that fit spread.
 function html = plan (page)
   html = '';
   X = page.plan;
@@ -20,23 +20,29 @@ function html = plan (page)
   if ~isempty (page.surrogates)
     later = laterSets (page, vertcat (page.surrogates.X));
   end
-  if (isempty (X) && isempty (later)) || columns (X) < 2
+  if isempty (X) && isempty (later) && isempty (page.posterior)
     return
   end
-  sets = {'ring', 'grey', sprintf('plan (%d sets)', rows (X)), X; ...
-          'triangle', 'amber', sprintf('run later or imported (%d sets)', ...
+  sets = {'ring', 'grey', sprintf('plan (%d runs)', rows (X)), X; ...
+          'triangle', 'amber', sprintf('run later or imported (%d runs)', ...
                                        rows (later)), later; ...
           'dots', 'sky', ...
-          'sets that fit (<code>results/posterior.csv</code>)', ...
+          'values that fit (<code>results/posterior.csv</code>)', ...
           page.posterior(1:min (end, 200), :); ...
-          'diamond', 'red', 'the set that was found', page.found};
+          'diamond', 'red', 'the calibrated values', page.found};
   isSeen = ~cellfun (@isempty, sets(:, 4));
-  isSeen(1) = true;
-  [j, i] = find (triu (true (numel (page.Case.names)), 1));
   layers = sets([3, 1, 2, 4], [1, 4, 2]);
-  figures = arrayfun (@(j, i) pairFigure (page, j, i, layers), j', i', ...
-                      'UniformOutput', false);
-  html = htmlFigures ([figures{:}], sets(isSeen, 1:3), 'pairs');
+  d = numel (page.Case.names);
+  figures = [];
+  for i = 1:d
+    for j = 1:i - 1
+      figures = [figures, pairFigure(page, j, i, layers)];
+    end
+    figures = [figures, marginFigure(page, i)];
+  end
+  key = [sets(isSeen, 1:3); {'area', 'midblue', 'spread of the values that fit'; ...
+                             'xbar', 'blue', 'value and 90 % interval'}];
+  html = htmlFigures (figures, key, 'corner');
 end
 
 % The last runs come after the last surrogates.
@@ -51,12 +57,12 @@ end
 
 function f = pairFigure (page, j, i, layers)
   names = page.Case.names;
-  layers(:, 2) = cellfun (@(X) X(:, [j, i]), layers(:, 2), ...
+  layers(:, 2) = cellfun (@(X) X(:, min ([j, i], columns (X))), layers(:, 2), ...
                           'UniformOutput', false);
   f = newFigure (sprintf ('%s, %s', names{i}, names{j}), names{j}, names{i}, ...
-                 sprintf (['%s against %s: %d sets of the plan, the sets ', ...
-                           'that fit and the set found'], names{i}, ...
-                          names{j}, rows (page.plan)), layers);
+                 sprintf ('%s against %s: runs, values that fit, calibrated values', ...
+                          names{i}, names{j}), layers);
+  f.place = [i, j];
   f.size = [260, 210];
   f.caption = false;
   f.xlim = page.Case.limits(1:2, j)';
@@ -65,14 +71,46 @@ function f = pairFigure (page, j, i, layers)
   f.ylog = any (page.Case.limits(3:end, i));
 end
 
+function f = marginFigure (page, j)
+  name = page.Case.names{j};
+  box = page.Case.limits(:, j);
+  value = jsonAt (page.sources.calibration, {'params', name});
+  known = jsonAt (page.sources.calibration, {'interval90', name})(:)';
+  bar = zeros (0, 4);
+  if isscalar (value)
+    known(isnan (known) | isempty (known)) = value;    % not printed
+    bar = [value, -0.12, known([1, end])];
+  end
+  f = newFigure (name, name, '', sprintf ('How the values of %s that fit spread', name), ...
+                 {'area', histogram(page.posterior(:, j:end), box), 'midblue'; ...
+                  'xbar', bar, 'blue'; 'diamond', bar(:, 1:2), 'blue'});
+  f.place = [j, j];
+  f.size = [260, 210];
+  f.caption = false;
+  f.xlim = box(1:2)';
+  [f.xlog, f.ylim, f.ynames] = deal (any (box(3:end)), [-0.25, 1.05], {' '});
+end
+
+function area = histogram (sample, box)
+  area = zeros (0, 3);
+  if rows (sample) > 20
+    edges = fromUnit (linspace (0, 1, 26)', box);
+    counts = histc (sample(:, 1), edges);
+    counts(end - 1) = counts(end - 1) + counts(end);
+    counts = counts(1:end - 1) / max (counts);
+    x = repelem (edges, 2)(2:end - 1);
+    area = [x, 0 * x, repelem(counts, 2)];
+  end
+end
+
 % Cuts through the found set (before there is one: through the box centre).
 function html = slices (page)
   html = '';
   centre = page.found;
-  what = 'the set that was found';
+  what = 'the calibrated values';
   if isempty (centre)
     centre = boxCentre (page.Case.limits);
-    what = 'the centre of the box (no set has been found yet)';
+    what = 'the centre of the limits (nothing has been found yet)';
   end
   for t = shownTargets (page.Case)
     figures = [];
@@ -95,9 +133,9 @@ function html = slices (page)
          'area', 'midblue', 'its 90 % interval'; ...
          'area', 'paleblue', '90 % of single runs'; ...
          'area', 'palegreen', 'tolerance about the measured value'; ...
-         'disc', 'red', 'runs near the set (within a quarter of the box)'; ...
+         'disc', 'red', 'runs nearby (within a quarter of the limits)'; ...
          'ring', 'grey', 'other runs'; ...
-         'dash', 'ink', 'measured, and where the set lies'};
+         'dash', 'ink', 'measured, and the calibrated value'};
   html = ['<p>One parameter moves, the others stay at ', what, '; left ', ...
           'out are those that make less than a tenth of its variance.', ...
           coarse, '</p>', htmlKey(key), html];
@@ -124,7 +162,7 @@ function f = slice (page, t, j, centre)
   range = [min(range), max(range)];
   range = range + 0.04 * max (diff (range), 1e-12) * [-1, 1];
   f = newFigure ([T.name, ', ', name], name, ...
-                 withUnit (T.name, page.units{t}), ...
+                 withUnit (T.name, page.targets(t).unit), ...
                  sprintf ('%s along %s: mean response from %.4g to %.4g', ...
                           T.name, name, m(1), m(end)), ...
                  {'area', [x, m - outer, m + outer], 'paleblue'; ...
@@ -159,9 +197,21 @@ function html = leaveOneOut (page)
           'of the variance that is predicted: 1 is perfect, 0 no better ', ...
           'than the mean; below 0.5 do not trust the surrogate.</p>', ...
           htmlFigures([figures{:}], key, 'pairs'), ...
-          htmlTable('Surrogates', ...
-                    {'target', 'Q2', 'scatter of one run (sd)', 'runs'}, ...
-                    @(t) qualityRow (page, t), numel (page.surrogates))];
+          quality(page)];
+end
+
+function html = quality (page)
+  n = numel (page.surrogates);
+  cells = cell (n, 4);
+  for t = 1:n
+    s = page.surrogates(t);
+    one = page.Case.targets(t);
+    own = struct ('model', givenField (one, 'modelName', ''), 'name', one.name);
+    cells(t, :) = {targetCell(page, own), s.Q2, sqrt(s.noiseVar), numel(s.z)};
+  end
+  html = tableHtml (newTable (page, 'surrogates', 'Fitted surfaces', ...
+                              {'result', '', 'name'; 'Q2', '', 'probability'; ...
+                               'scatter of a run', '', 'error'; 'runs', '', 'count'}, cells));
 end
 
 function f = crossFigure (page, t)
@@ -177,27 +227,15 @@ function f = crossFigure (page, t)
   f.size = [260, 190];
 end
 
-function cells = qualityRow (page, t)
-  s = page.surrogates(t);
-  numbers = {numberText(s.Q2), numberText(sqrt (s.noiseVar))};
-  if ~isempty (page.sources.calibration)
-    at = @(field) pageNumber (page, 'plain', 'calibration', 'surrogates', t, ...
-                              field);
-    numbers = {at('Q2'), at('noiseSd')};
-  end
-  cells = {htmlText(page.Case.targets(t).name), numbers{:}, ...
-           sprintf('%d', numel (s.z))};
-end
-
 %!test
 %! [problem, state, s] = smallCalibration ();
 %! page.Case = struct ('names', {{'a', 'b'}}, 'limits', problem.limits, ...
 %!                     'coarse', [], 'targets', ...
-%!                     struct ('name', {'x', 'y'}, 'value', {4, 2}, ...
+%!                     struct ('name', {'x', 'y'}, 'modelName', 'M', 'value', {4, 2}, ...
 %!                             'tol', 0.02, 'isAbsolute', false, ...
 %!                             'curve', 0));
 %! page.surrogates = s;
-%! page.units = {'mm', ''};
+%! page.targets = struct ('label', {'', ''}, 'unit', {'mm', ''});
 %! page.found = [0.5, 1];
 %! page.sources.calibration = [];
 %! parts = sectionSurrogates ()(:, 3);
@@ -220,5 +258,5 @@ end
 %!                     'gap'}, 'status', {'ok', 'ok', 'failed', 'ok'}, ...
 %!                     'params', {[1, 1], [4, 4], [5, 5], [6, 6]});
 %! html = parts{1} (page);
-%! assert (! isempty (strfind (html, 'plan (2 sets)')));
-%! assert (! isempty (strfind (html, 'run later or imported (2 sets)')));
+%! assert (! isempty (strfind (html, 'plan (2 runs)')));
+%! assert (! isempty (strfind (html, 'run later or imported (2 runs)')));

@@ -9,8 +9,11 @@ function list = sectionTargets ()
 end
 
 function html = targets (page)
-  if isempty (page.sources.calibration)
-    html = askedFor (page);
+  html = '';
+  c = page.sources.calibration;
+  if isempty (c)
+    % the diagnosis has a table of its own
+    html = tableHtml (page.tables.targets)(1:end * isempty (page.sources.gap));
     return
   end
   [figures, key] = deal ([], {});
@@ -19,7 +22,7 @@ function html = targets (page)
     [f, key] = benchFigure (page, name{1});     % the worst one stands on top
     figures = [figures, f];
   end
-  html = [htmlFigures(figures, key), curves(page), resultTable(page), ...
+  html = [htmlFigures(figures, key), curves(page), tableHtml(page.tables.targets), ...
           predictions(page)];
 end
 
@@ -49,7 +52,7 @@ function f = curveFigure (page, points)
                   '%.4g to %.4g and %.4g'], T(1).series, numel (at), ...
                  value(1), simulated(1), value(end), simulated(end));
   f = newFigure (sprintf ('%s: %s', T(1).modelName, T(1).series), ...
-                 'where it was measured', page.units{points(1)}, alt, ...
+                 'where it was measured', page.targets(points(1)).unit, alt, ...
                  {'area', [at, value - half, value + half], 'palegreen'; ...
                   'area', [at, vertcat(read ('interval90'){:})], 'midblue'; ...
                   'line', [at, simulated], 'blue'; ...
@@ -59,109 +62,20 @@ function f = curveFigure (page, points)
   end
 end
 
-function html = askedFor (page)
-  html = '';
-  targets = page.Case.targets;
-  if isempty (page.sources.gap)         % the diagnosis has a table of its own
-    kinds = {'percent', 'plain'};
-    row = @(t) {nameOf(page, t), htmlText(targets(t).modelName), ...
-                numberText(targets(t).value), numberText(targets(t).sd), ...
-                numberText(targets(t).tol, kinds{1 + targets(t).isAbsolute})};
-    html = htmlTable ('What is to be met; there is no result yet', ...
-                      {'target', 'model', 'measured', 'uncertainty (sd)', ...
-                       'tolerance'}, row, numel (targets));
-  end
-end
-
-function text = nameOf (page, t)
-  words = struct ('calibrate', '', 'holdout', ', held out', ...
-                  'unmeasured', ', not measured yet');
-  T = page.Case.targets(t);
-  text = [htmlText(withUnit (T.name, page.units{t})), words.(T.role)];
-end
-
-% One row a target; a curve is one, as decideCase has it.
-function html = resultTable (page)
-  misses = page.verdict.misses;
-  misses = misses(~strcmp ({misses.role}, 'unmeasured'));
-  head = {'target', '<span class="words short">met?</span>', 'measured', ...
-          meanHead(page), 'all runs together', 'allowed &plusmn;', ...
-          'with the effect', 'the box reaches'};
-  shown = [1:6, 8];
-  why = '';
-  if page.showsEffect && ...
-     ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}))
-    shown = 1:8;
-    why = ['<p>With the effect: ', lower(whyTwoSets ()(1)), ...
-           whyTwoSets()(2:end), '</p>'];
-  end
-  html = [htmlTable(['Measured and simulated, the largest miss first; ', ...
-                     'allowed of a held-out target: where a measurement ', ...
-                     'lies in 90&thinsp;% of cases'], head(shown), ...
-                    @(k) resultRow (page, misses(k))(shown), ...
-                    numel (misses)), why];
-end
-
-function cells = resultRow (page, m)
-  t = targetAt (page.Case.targets, m);
-  place = [' <span class="none">', htmlText(m.model)];
-  if isempty (t)
-    cells = {[htmlText(m.name), place, ', curve</span>'], metWord(m), '', ...
-             '', '', '', '', [numberText(m.share), ' times what is allowed']};
-    return
-  end
-  at = @(field) pageNumber (page, 'plain', 'calibration', 'targets', t, field);
-  simulated = 'estimate';
-  if isempty (jsonAt (page.sources.calibration, {'targets', t, simulated}))
-    simulated = 'result';
-  end
-  cure = {'howFar', 'targets'};
-  k = targetAt (jsonAt (page.sources.gap, cure), m);
-  cells = {[nameOf(page, t), place, '</span>'], metWord(m), at('target'), ...
-           at('result'), at(simulated), numberText(m.allowed), ...
-           pageNumber(page, 'plain', 'gap', cure{:}, k, 'after'), ...
-           [numberText(page.reach(t, 1)), ' to ', ...
-            numberText(page.reach(t, 2))]};
-end
-
-function text = meanHead (page)
-  n = jsonAt (page.sources.calibration, {'runs'});
-  text = 'DEM, no run there';
-  if isequal (n, 1)
-    text = 'DEM, one run';
-  elseif ~isempty (n) && n > 0
-    text = sprintf ('DEM, mean of %d runs', n);
-  end
-end
-
-function html = metWord (m)
-  [class, word] = deal ('', 'not measured');
-  [~, open] = missTexts (m);
-  if ~isempty (open)
-    word = ['open: ', open];
-  elseif m.met == 0
-    [class, word] = deal (' off', 'missed');
-  elseif m.met == 1 && strcmp (m.role, 'holdout')
-    [class, word] = deal (' ok', 'predicted');
-  elseif m.met == 1
-    [class, word] = deal (' ok', 'met');
-  end
-  html = sprintf ('<span class="words short%s">%s</span>', class, word);
-end
-
 % What nobody has measured yet.
 function html = predictions (page)
   held = jsonAt (page.sources.calibration, {'holdout'});
   open = find (arrayfun (@(k) isempty (jsonAt (held, {k, 'inside'})), ...
                          1:numel (held)));
-  at = @(k, field) pageNumber (page, 'plain', 'calibration', 'holdout', k, ...
-                               field);
-  row = @(k) {htmlText(jsonAt (held, {k, 'name'})), at(k, 'result'), ...
-              at(k, 'interval90')};
-  html = htmlTable ('Not measured yet: what the set predicts', ...
-                    {'target', 'predicted', ...
-                     '90&thinsp;% interval of a measurement'}, ...
-                    @(i) row (open(i)), numel (open));
+  cells = arrayfun (@(k) {jsonAt(held, {k, 'name'}), ...
+                          {'calibration', 'holdout', k, 'result'}, ...
+                          {'calibration', 'holdout', k, 'interval90'}}, open, ...
+                    'UniformOutput', false);
+  html = tableHtml (newTable (page, 'predictions', ...
+                              'Not measured yet: what these values predict', ...
+                              {'result', '', ''; 'predicted', '', 'plain'; ...
+                               '90 % interval of a measurement', '', 'plain'}, ...
+                              vertcat (cell (0, 3), cells{:})));
 end
 
 function html = steps (page)
@@ -187,13 +101,14 @@ function html = steps (page)
   end
   key = {'area', 'palegreen', 'tolerance'; ...
          'area', 'palegrey', 'scatter of one run (1 sd)'; ...
-         'disc', 'blue', ['residual of the set in hand (surrogates, ', ...
+         'disc', 'blue', ['residual (fitted surfaces, ', ...
                           'corrected by the runs)']};
+  cells = arrayfun (@(k) stepRow (page, source, list{k}, k), 1:n, 'UniformOutput', false);
   html = [htmlFigures(figures, key), ...
-          htmlTable('Steps', {'step', 'sets run so far, repeats counted', ...
-                              'chance that all targets are met', ...
-                              'residuals, in the order of the targets'}, ...
-                    @(k) stepRow (page, source, list{k}, k), n)];
+          tableHtml(newTable (page, 'steps', 'Steps', ...
+                              {'step', '', ''; 'sets run so far, repeats counted', '', ...
+                               'count'; 'chance that all targets are met', '', ...
+                               'probability'}, vertcat (cells{:})))];
 end
 
 function f = stepFigure (page, t, runs, r)
@@ -220,14 +135,9 @@ function f = stepFigure (page, t, runs, r)
 end
 
 function cells = stepRow (page, source, step, k)
-  at = @(kind, varargin) pageNumber (page, kind, source, 'history', k, ...
-                                     varargin{:});
-  residuals = arrayfun (@(t) at ('percent', 'residual', t), ...
-                        shownTargets (page.Case), 'UniformOutput', false);
-  cells = {sprintf('%s %d', regexprep (htmlText (step.stage), '^DEM$', ...
-                                       'stage on DEM'), step.iteration), ...
-           at('count', 'runs'), at('probability', 'probability'), ...
-           strjoin(residuals, ', ')};
+  at = @(field) {source, 'history', k, field};
+  name = sprintf ('%s %d', regexprep (step.stage, '^DEM$', 'stage on DEM'), step.iteration);
+  cells = {name, at('runs'), at('probability')};
 end
 
 %!test

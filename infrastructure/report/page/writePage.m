@@ -11,22 +11,26 @@
 % started (s since 1970), the design variables, the effect variables, the
 % targets (empty where the run has no such result), message.
 %
+% Each table is also results/tables/NAME.csv, each figure results/figures/*.svg.
+%
 % A part is a row of what section* returns: id, title, function handle
-% HTML = f (PAGE), see pageData, and where in PAGE (jsonAt) there must be
-% something for it. One that cannot be drawn says so, and leaves the others
-% alone.
+% HTML = f (PAGE), see pageData, with tables (statementTables), and where in PAGE
+% (jsonAt) there must be something for it. One that cannot be drawn says so, and
+% leaves the others alone.
 
 function file = writePage (Case)
   page = pageData (Case);
+  page.tables = statementTables (page);
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
   writeRunTable (page);
   targets = sectionTargets ();
   parameters = sectionParameters ();
   causes = sectionCauses ();
-  list = [parameters(1, :); causes([2, 1], :); targets(1, :); sectionParticles(); ...
+  list = [causes(2, :); parameters(1, :); causes(1, :); targets(1, :); sectionParticles(); ...
           sectionWhere(); sectionCure(); ...
-          sectionSurrogates(); targets(2, :); parameters(2, :); sectionRuns()];
+          sectionSurrogates(); targets(2, :); parameters(2, :); sectionMethods(); ...
+          sectionRuns()];
   [links, parts] = sectionsOf (page, list);
   [~, base, ending] = fileparts (Case.folder);
   name = htmlText (['Case ', base, ending]);
@@ -46,7 +50,7 @@ function file = writePage (Case)
           '<p class="where">', ...
           htmlText(strjoin ({Case.models.name}, ', ')), ' &middot; ', ...
           htmlText(pageDate (page)), "</p>\n", measuredBy(Case.folder), ...
-          verdictBox(page), "</header>\n", ...
+          verdictBox(page), facts(page), "</header>\n", ...
           '<nav aria-label="Contents"><ul>', links, "</ul></nav>\n", ...
           '<main id="main">', "\n", parts, "</main>\n", ...
           '<footer><p>DEcalioc ', htmlText(toolboxVersion (Case.root)), ...
@@ -55,6 +59,7 @@ function file = writePage (Case)
           "</body>\n</html>\n"};
   file = fullfile (folder, 'report.html');
   writeAtomic (file, [html{:}]);
+  writeExports (page.tables, [html{:}], fileread (style), folder);
 end
 
 function text = minuteOf (seconds)
@@ -101,16 +106,39 @@ function html = verdictBox (page)
                        '\<(results|gap|docs)/[\w.]+\w|', ...
                        '\<(Input|optim)\.\w+|\<load\w+\.m|', ...
                        '\<runs\.csv|\<data\.head)'], '<code>$1</code>');
+  said = conditionTexts (page.sources.gap);
+  items = arrayfun (@(one) sprintf ('%s: %s, probability %s', one.name, one.text, ...
+                                    plainNumber (one.probability, 'probability')), said, ...
+                    'UniformOutput', false);
+  items = regexprep (items, ', probability -$', '');
   html = ['<div class="verdict ', v.class, '"><p><span class="word">', ...
           htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
+          uses('What has changed', items), ...
           uses('Use it for', v.usableFor), uses('Not for', v.notFor), ...
           '<h2>What to do now</h2><p>', action, "</p></div>\n"];
-  facts = strcat ('<div><dt>', htmlText ({v.numbers.label}), '</dt><dd>', ...
-                  htmlText ({v.numbers.text}), '</dd></div>');
-  if ~isempty (facts)
-    html = [html, '<div class="lead"><dl class="facts">', facts{:}, ...
-            "</dl>\n<div>", picture(page), "</div></div>\n"];
+end
+
+% The numbers, and the pictures of the test that misses most: the grains under
+% what was measured where the case has them.
+function html = facts (page)
+  numbers = page.verdict.numbers;
+  html = '';
+  if isempty (numbers)
+    return
   end
+  items = strcat ('<div><dt>', htmlText ({numbers.label}), '</dt><dd>', ...
+                  htmlText ({numbers.text}), '</dd></div>');
+  k = find (strcmp (page.verdict.worst, {page.Case.models.name}));
+  grains = '';
+  if ~isempty (k)
+    grains = sectionParticles (page, k);
+  end
+  html = ['<div class="lead"><dl class="facts">', items{:}, "</dl>\n<div>", ...
+          picture(page), '</div>'];
+  if ~isempty (grains)
+    html = [html, '<div>', grains, '</div>'];
+  end
+  html = [html, "</div>\n"];
 end
 
 function html = uses (title, texts)
@@ -127,23 +155,16 @@ function html = picture (page)
   [f, key] = benchFigure (page, page.verdict.worst);
   if ~isempty (f)
     f.title = ['Where it deviates most: ', f.title];
-    f.size(1) = 480;
+    f.size(1) = 520;
     html = [htmlFigures(f, {}, 'one'), htmlKey(key)];
   end
 end
 
-% Remarks before the header of measured.csv: material, rig, date, who.
 function html = measuredBy (folder)
   html = '';
-  file = fullfile (folder, 'measured.csv');
-  words = {};
-  if isfile (file)
-    words = regexp (readText (file), '^#[ \t]*([^\n]*)', 'tokens', ...
-                    'lineanchors');
-  end
+  words = measuredRemarks (folder);
   if ~isempty (words)
-    html = ['<p class="where">Measured: ', ...
-            strjoin(htmlText ([words{:}]), ' &middot; '), "</p>\n"];
+    html = ['<p class="where">Measured: ', strjoin(htmlText (words), ' &middot; '), "</p>\n"];
   end
 end
 
@@ -173,6 +194,31 @@ function svg = houseSymbols ()
          'd="M0-1.33-1.33.67 1.33.67z"/>', ...
          '<path id="gpPt12" fill="currentColor" ', ...
          'd="M0-1.5 1.5 0 0 1.5-1.5 0z"/>', "</defs></svg>\n"];
+end
+
+% Figures for a paper: in the light colours of the page, which stand in its style.
+function writeExports (tables, html, style, folder)
+  names = fieldnames (tables)';
+  places = fullfile (folder, {'tables', 'figures'});
+  [~, ~] = cellfun (@mkdir, places, 'UniformOutput', false);
+  for name = names(~structfun (@(T) isempty (T) || isempty (T.cells), tables)')
+    writeAtomic (fullfile (places{1}, [name{1}, '.csv']), tableCsv (tables.(name{1})));
+  end
+  symbols = regexp (houseSymbols (), '<defs>.*</defs>', 'match', 'once');
+  colours = regexp (strtok (style, '@'), '--(\w+): (#\w+);', 'tokens');
+  html = [strrep(html, '<header>', '<section id="sectionfirst">'), '<section id="'];
+  parts = regexp (html, '<section id="section(\w+)"(.*?)(?=<section id=")', 'tokens');
+  for k = 1:numel (parts)
+    svgs = regexp (parts{k}{2}, '<svg viewBox="[^"]*" width[^>]* role="img".*?</svg>', 'match');
+    for i = 1:numel (svgs)
+      svg = strrep (svgs{i}, '<svg ', '<svg xmlns="http://www.w3.org/2000/svg" ');
+      svg = regexprep (svg, '(<svg [^>]*>)', ['$1', symbols], 'once');
+      for c = colours
+        svg = strrep (svg, ['var(--', c{1}{1}, ')'], c{1}{2});
+      end
+      writeAtomic (fullfile (places{2}, sprintf ('%s-%d.svg', parts{k}{1}, i)), svg);
+    end
+  end
 end
 
 function writeRunTable (page)

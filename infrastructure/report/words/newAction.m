@@ -1,16 +1,20 @@
 % NEWACTION  What to do next: a code, what it is about, and the sentence.
 %
-% CALL: TODO = newAction (CODE [, FIELD [, WIDEN]])
+% CALL: TODO = newAction (CODE [, FIELD [, WIDEN [, FILE]]])
 %
 %   CODE   of action.* in words.txt (text)
 %   FIELD  cellstr ({}): what is to be changed, run or modelled
 %   WIDEN  cellstr ({}): parameters at their limits, which may be widened
-%   TODO   struct: code, field, widen, text (the sentence)
+%   FILE   text (''), where the lines for a model are
+%   TODO   struct: code, field, widen, file, text (the sentence)
 
-function todo = newAction (code, field, widen)
-  todo = struct ('code', code, 'field', {{}}, 'widen', {{}}, 'text', '');
+function todo = newAction (code, field, widen, file)
+  todo = struct ('code', code, 'field', {{}}, 'widen', {{}}, 'file', '', 'text', '');
   if nargin > 1
     todo.field = field;
+  end
+  if nargin > 3
+    todo.file = file;
   end
   todo.text = sentence (['action.', code], todo);
   if nargin > 2 && ~isempty (widen)

@@ -61,7 +61,8 @@ function text = fill (place, values, code)
   elseif ischar (value)
     text = value;
   else
-    text = sprintf ('%.10g', value);
+    forms = {'%.4g', '%d'};
+    text = sprintf (forms{1 + (value == round (value))}, value);
   end
   if numel (words) == 3
     text = [text, ' ', words{2 + ~isequal(value, 1)}];

@@ -1,0 +1,23 @@
+% SAYTABLES  Says tables of a result.
+%
+% CALL: sayTables (PAGE, SAY, NAMES)
+%
+%   PAGE   see shownResult
+%   SAY    function handle that takes one line of text
+%   NAMES  cellstr, see statementTables; what has no rows is left out
+
+function sayTables (page, say, names)
+  tables = statementTables (page, names);
+  for name = names
+    lines = tableText (tables.(name{1}));
+    if ~isempty (lines)
+      cellfun (@(line) say (line), [lines, {''}]);
+    end
+  end
+end
+
+%!test
+%! page = situationPage ('met');
+%! text = evalc ('sayTables (page, @disp, {''parameters'', ''levels''})');
+%! assert (strncmp (text, "Values of the parameters\n  parameter", 30));
+%! assert (text(end - 1:end), "\n\n");

@@ -1,0 +1,44 @@
+% CONDITIONTEXTS  What has changed in each condition of a case, a line each.
+%
+% CALL: LIST = conditionTexts (GAP)
+%
+%   GAP   decoded gap/gap.json
+%   LIST  1 x C struct name, text (what has changed, with its interval),
+%         probability (NaN: nothing is named), file ('' where no cause was
+%         fitted), the surest first; none for a case without conditions
+
+function list = conditionTexts (gap)
+  list = struct ('name', {}, 'text', {}, 'probability', {}, 'file', {});
+  conditions = jsonAt (gap, {'reference', 'conditions'});
+  for k = 1:numel (conditions)
+    one = jsonAt (conditions, {k});
+    effects = namesIn (one, 'effects');
+    texts = namesIn (one, 'text');
+    texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
+    own = struct ('name', one.name, 'text', strjoin (texts, '; '), ...
+                  'probability', max ([jsonAt(one, {'probability'})(:)', NaN]), ...
+                  'file', '');
+    if isempty (effects)
+      codes = {'open', 'none'};
+      own.text = sentence (['cause.', codes{1 + strcmp(one.verdict, 'no gap')}, ...
+                            '.word'], struct (), true);
+    else
+      own.file = strjoin ([{'gap'}, {one.name}(1:end * (k > 1)), {'calibrated.head'}], '/');
+    end
+    list(k) = own;
+  end
+  p = [list.probability];
+  p(isnan (p)) = -1;
+  [~, order] = sort (-p);
+  list = list(order);
+end
+
+%!test
+%! assert (isempty (conditionTexts (struct ('reference', []))));
+%! gap.reference.conditions = struct ('name', {'dry', 'wet'}, 'verdict', ...
+%!   {'no gap', 'named'}, 'effects', {{}, {'cohesion'}}, 'probability', {[], 0.9}, ...
+%!   'text', {{}, {'cohesion 4 kJ/m3'}});
+%! list = conditionTexts (gap);
+%! assert ({list.name}, {'wet', 'dry'});
+%! assert ({list.file}, {'gap/wet/calibrated.head', ''});
+%! assert (list(2).text, sentence ('cause.none.word', struct (), true));

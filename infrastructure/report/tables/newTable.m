@@ -1,0 +1,65 @@
+% NEWTABLE  What is said of one matter, once: for console, page and file.
+%
+% CALL: T = newTable (PAGE, NAME, TITLE, COLUMNS, CELLS [, NOTES])
+%
+%   PAGE     see shownResult: its sources hold the numbers
+%   NAME     of its file results/tables/NAME.csv
+%   TITLE    what the table shows
+%   COLUMNS  c x 3 or c x 4 cell: label, unit (''), kind of its numbers (see
+%            plainNumber; 'words': sentences), and 'page' where the console has
+%            no room for it
+%   CELLS    n x c cell, the first column names the row. Text; a number, or two,
+%            an interval; {SOURCE, STEP, ...}, the steps that lead to it in
+%            PAGE.sources; or a scalar struct of value (one of these) and sd (a
+%            number or steps, its standard error), class (of page.css), title
+%            (tooltip), code (name in scripts), unit (of the row)
+%   NOTES    cellstr ({}), sentences below it
+%   T        scalar struct name, title, columns, cells (of structs with all these
+%            and from, sdFrom: 'gap/where/p'), notes; without rows it is shown
+%            nowhere
+%
+% See also: tableText, tableHtml, tableCsv
+
+function T = newTable (page, name, title, columns, cells, notes)
+  if nargin < 6
+    notes = {};
+  end
+  columns(:, end + 1:4) = {''};
+  cells = reshape (cells, [], rows (columns));
+  T = struct ('name', name, 'title', title, 'columns', {columns}, ...
+              'cells', {cellfun(@(c) cellOf (c, page), cells, 'UniformOutput', false)}, ...
+              'notes', {notes(:)'});
+end
+
+function c = cellOf (given, page)
+  c = struct ('value', '', 'from', '', 'sd', [], 'sdFrom', '', 'class', '', ...
+              'title', '', 'code', '', 'unit', '');
+  if isstruct (given)
+    c = mergeFields (c, given);
+  else
+    c.value = given;
+  end
+  [c.value, c.from] = numberAt (c.value, page);
+  [c.sd, c.sdFrom] = numberAt (c.sd, page);
+end
+
+function [x, from] = numberAt (x, page)
+  from = '';
+  if iscell (x)
+    from = strjoin (cellfun (@num2str, x, 'UniformOutput', false), '/');
+    x = jsonAt (page.sources, x);
+    x = x(1:end * isnumeric (x));
+  end
+  if ~ischar (x) && (isempty (x) || ~all (isfinite (x(:))))
+    [x, from] = deal (NaN, '');
+  end
+end
+
+%!test
+%! page.sources.gap = struct ('p', 0.25, 'range', [1; 2]);
+%! T = newTable (page, 'x', 'X', {'a', '', ''; 'b', 'N', 'plain'}, ...
+%!               {'r', {'gap', 'p'}; struct('value', 's', 'code', 'k'), {'gap', 'none'}});
+%! assert (size (T.columns), [2, 4]);
+%! assert ({T.cells{1, 2}.value, T.cells{1, 2}.from}, {0.25, 'gap/p'});
+%! assert ({T.cells{2, 1}.value, T.cells{2, 1}.code}, {'s', 'k'});
+%! assert (isnan (T.cells{2, 2}.value));
