@@ -30,8 +30,9 @@ function html = toCopy (page, c)
   folders = folders(~cellfun (@isempty, folders));
   lines = unique (cellfun (@(f) propertyLines (f, c.params), folders, ...
                            'UniformOutput', false), 'stable');
+  text = strsplit ([fileread(file), lines{:}], "\n");
   html = ['<details class="open" open><summary>To copy into a model</summary><pre>', ...
-          htmlText([fileread(file), lines{:}]), '</pre></details>'];
+          strjoin(htmlText (text), "\n"), '</pre></details>'];
 end
 
 %!test

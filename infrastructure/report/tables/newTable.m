@@ -17,8 +17,6 @@
 %   T        scalar struct name, title, columns, cells (of structs with all these
 %            and from, sdFrom: 'gap/where/p'), notes; without rows it is shown
 %            nowhere
-%
-% See also: tableText, tableHtml, tableCsv
 
 function T = newTable (page, name, title, columns, cells, notes)
   if nargin < 6
