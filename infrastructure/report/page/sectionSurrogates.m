@@ -78,7 +78,8 @@ function f = marginFigure (page, j)
   known = jsonAt (page.sources.calibration, {'interval90', name})(:)';
   bar = zeros (0, 4);
   if isscalar (value)
-    known(isnan (known) | isempty (known)) = value;    % not printed
+    known = [known, repmat(value, 1, 2 * isempty (known))];
+    known(isnan (known)) = value;       % not printed
     bar = [value, -0.12, known([1, end])];
   end
   f = newFigure (name, name, '', sprintf ('How the values of %s that fit spread', name), ...
