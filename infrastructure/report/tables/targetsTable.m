@@ -75,7 +75,8 @@ function notes = notesOf (page, misses, hasEffect)
   for m = misses([misses.isStrict])
     notes{end + 1} = sentence ('table.strict', ...
                                struct ('name', m.name, 'scatter', m.scatter, 'allowed', ...
-                                       strtrim (sprintf ('%.4g %s', m.allowed, m.unit))));
+                                       strtrim (sprintf ('%.4g %s', m.allowed, ...
+                                                         targetCell (page, m).unit))));
   end
   for m = misses(~[misses.isStrict])
     [~, open] = missTexts (m);
