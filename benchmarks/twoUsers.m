@@ -1,11 +1,12 @@
 % TWOUSERS  Two users, two cases, one store: kills, cancels, forgets, changes.
 %
-% CALL: octave-cli benchmarks/twoUsers.m [EVENTS [SEED [FOLDER]]]
+% CALL: octave-cli benchmarks/twoUsers.m [EVENTS [SEED [PAIRS [MINUTES]]]]
 %
-%   EVENTS  how many (default 60), a quarter of them for the first pair
-%   SEED    of what happens and when (default 1), as far as a machine repeats
-%           itself
-%   FOLDER  to work in (default: a new one)
+%   EVENTS   how many (default 60), a quarter of them for the first pair
+%   SEED     of what happens and when (default 1), as far as a machine repeats
+%            itself
+%   PAIRS    'apart shared' (default), or one of them
+%   MINUTES  after which a pair gets no more events (default: none)
 %
 % Two cases (userCase) work at the same time on one store (setgid, umask 002).
 % As root they belong to two users (numbers 1001 and 1002, group 2000, setpriv),
@@ -30,9 +31,9 @@
 % measured values by the formula without scatter, and has no result farther from
 % that of the set found alone than its tolerance.
 %
-% Writes benchmarks/results/twoUsers.csv: pair, event, kind, user, second,
-% records, lost, touched, repeated (the three must be 0), what was said; and
-% twoUsers-sets.csv: pair, user, the set alone and after all, largest miss and
+% Writes benchmarks/results/twoUsers-PAIR.csv: pair, event, kind, user, second,
+% records, lost, touched, repeated (these three must be 0), what was said; and
+% twoUsers-PAIR-sets.csv: pair, user, the set alone and after all, largest miss,
 % largest difference to alone (in tolerances), same, new runs of a last start.
 %
 % See also: storeWatch, userCase, faultTrial
@@ -89,16 +90,16 @@ end
 function texts = harmed (user, before, now)
   texts = {};
   % it may have ended by itself
-  if before.works && ~now.works && endOf (user) ~= 0
+  if before.works && ~now.works && ~any (endOf (user) == [0, 2])
     texts{end + 1} = sprintf ('its start ended with status %d', endOf (user));
   end
   if before.works && now.works && ~isempty (before.lock) && ...
      ~strcmp (before.lock, now.lock)
     texts{end + 1} = 'its lock is another one';
   end
-  isId = @(k) k == 3 && isempty (before.files{3});
-  for k = find (~strcmp (before.files, now.files))
-    texts(end + 1:end + ~isId (k)) = {'a file of it has changed'};
+  isThere = ~cellfun (@isempty, before.files);      % the id, from some time on
+  if ~isequal (before.files(isThere), now.files(isThere))
+    texts{end + 1} = 'a file of it has changed';
   end
   if ~isequal (before.out, now.out)
     texts{end + 1} = 'other runs of it are out of use';
@@ -108,6 +109,9 @@ end
 % One event, and what the store and the other case are like after it.
 function [pair, row] = oneEvent (pair, n, kind)
   k = randi (2);
+  isBad = @(user) ~works (user) && ~any (endOf (user) == [0, 2]);
+  ended = repmat ({'a start ended with an error'}, 1, ...
+                  sum (arrayfun (isBad, pair.users)));
   if any (strcmp (kind, {'kill', 'cancel'})) && ~works (pair.users(k))
     pair.users(k) = asUser (pair.users(k));
   end
@@ -120,7 +124,7 @@ function [pair, row] = oneEvent (pair, n, kind)
   [pair.seen, faults] = storeWatch (pair.store, pair.seen, ...
                                     struct ('owner', owners, 'time', ...
                                             {pair.users.hit}));
-  faults.touched = [faults.touched, ...
+  faults.touched = [faults.touched, ended, ...
                     harmed(other, before, stateOf (other, pair.seen))];
   texts = [{said}(~isempty (said)), faults.lost, faults.touched, ...
            faults.repeated];
@@ -191,55 +195,56 @@ end
 function row = setRow (pair, alone, k, nNew)
   [P, Z, isGood] = setOf (pair.users(k));
   [P0, Z0, wasGood] = setOf (alone.users(k));
-  isSame = isGood && wasGood && max (abs (Z - Z0)) <= 1;
-  if strcmp (pair.name, 'apart')
-    isSame = isGood && wasGood && isequal (P, P0);
-  end
+  isEqual = max (abs (Z - Z0)) <= strcmp (pair.name, 'shared');
+  isSame = isGood && wasGood && isEqual;
   row = sprintf ('%s,%d,%.15g,%.15g,%.15g,%.15g,%.3f,%.3f,%d,%d', ...
                  pair.name, k, P0, P, max (abs (Z - 100)), ...
                  max (abs (Z - Z0)), isSame, nNew);
 end
 
 function kinds = drawKinds (name, n)
-  shares = struct ('apart', {{'kill', 'kill', 'cancel'}}, 'shared', ...
-                   {{'kill', 'kill', 'cancel', 'forget', 'change'}});
-  kinds = shares.(name)(mod (0:n - 1, numel (shares.(name))) + 1);
+  kinds = {'kill', 'kill', 'cancel', 'forget', 'change'};
+  kinds = kinds(1:3 + 2 * strcmp (name, 'shared'));
+  kinds = kinds(mod (0:n - 1, numel (kinds)) + 1);
   kinds = kinds(randperm (n));
+end
+
+function [pair, lines] = manyEvents (pair, n, minutes)
+  lines = {};
+  kinds = drawKinds (pair.name, n);
+  for i = 1:n
+    if time () - pair.began > 60 * minutes
+      break
+    end
+    [pair, lines{end + 1}] = oneEvent (pair, i, kinds{i});
+    printf ('%s\n', lines{end});
+    fflush (stdout);
+  end
 end
 
 history_save (false);
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
-words = [argv()', {'60', '1', tempname()}(numel (argv ()) + 1:end)];
-n = str2double (words{1});
-place = words{3};
-[~, ~] = mkdir (place);
-rand ('twister', str2double (words{2}));
+words = [argv()', {'60', '1', 'apart shared', 'Inf'}(numel (argv ()) + 1:end)];
+numbers = str2double (words);
+rand ('twister', numbers(2));
+place = tempname ();
+mkdir (place);
 alone = newPair (fullfile (place, 'alone'), 'alone');
 alone.users = arrayfun (@asUser, alone.users);
-waitFor (alone.users);
-[events, sets] = deal ({});
-for name = {'apart', 'shared'}
+for name = strsplit (words{3}, ' ')
   pair = newPair (fullfile (place, name{1}), name{1});
   pair.users = arrayfun (@asUser, pair.users);
-  count = n - round (n / 4);
-  if strcmp (name{1}, 'apart')
-    count = round (n / 4);
-  end
-  kinds = drawKinds (name{1}, count);
-  for i = 1:numel (kinds)
-    [pair, events{end + 1}] = oneEvent (pair, i, kinds{i});
-    printf ('%s\n', events{end});
-    fflush (stdout);
-  end
+  n = round (numbers(1) * [0.25, 0.75] * strcmp (name{1}, {'apart'; 'shared'}));
+  [pair, events] = manyEvents (pair, n, numbers(4));
   [pair, nNew] = toTheEnd (pair);
-  for k = 1:2
-    sets{end + 1} = setRow (pair, alone, k, nNew(k));
-    printf ('%s\n', sets{end});
-  end
+  waitFor (alone.users);
+  sets = arrayfun (@(k) setRow (pair, alone, k, nNew(k)), 1:2, ...
+                   'UniformOutput', false);
+  printf ('%s\n', sets{:});
+  call = sprintf ('octave-cli benchmarks/twoUsers.m %s', strjoin (words, ' '));
+  columns = 'pair,event,kind,user,second,records,lost,touched,repeated,said';
+  resultTable (['twoUsers-', name{1}, '.csv'], call, columns, events);
+  columns = 'pair,user,alone_a,alone_b,end_a,end_b,miss,difference,same,new';
+  resultTable (['twoUsers-', name{1}, '-sets.csv'], call, columns, sets);
 end
-call = sprintf ('octave-cli benchmarks/twoUsers.m %s %s', words{1:2});
-columns = 'pair,event,kind,user,second,records,lost,touched,repeated,said';
-resultTable ('twoUsers.csv', call, columns, events);
-columns = 'pair,user,alone_a,alone_b,end_a,end_b,miss,difference,same,new';
-resultTable ('twoUsers-sets.csv', call, columns, sets);

@@ -10,7 +10,7 @@
 
 function s = readOctaveText (file)
   s = struct ();
-  text = fileread (file);
+  text = asUtf8 (fileread (file));
   [first, last, parts] = regexp (text, ...
                                  '^# name: (\w+)\r?\n# type: ([\w ]+)\r?\n', ...
                                  'start', 'end', 'tokens', 'lineanchors');
@@ -72,6 +72,11 @@ end
 %! save ('-text', file, 'kept');
 %! s = readOctaveText (file);
 %! assert (s, kept);
+%! % a byte that is no UTF-8
+%! text = fileread (file);
+%! text(strfind (text, 'a b') + 1) = char (200);
+%! writeAtomic (file, text);
+%! assert (readOctaveText (file).X, kept.X);
 %! % what is no text, scalar or matrix is not there
 %! other = struct ('f', @sin, 'c', {{1}}, 'x', 1);
 %! save ('-text', file, 'other');

@@ -47,10 +47,7 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
   [fresh, tried] = deal (zeros (0, 2));
   for attempt = 1:6
     [found, tally] = familyRuns (Case, h, fresh);
-    [table, row] = joinModels (found.inputs, found.run(:, 1), ...
-                               found.run(:, 3), found.Z, Case);
-    found = keepRows (found, row > 0);
-    row = row(row > 0);
+    [found, table, row] = joined (found, kept, Case);
     [use, table] = chosen (table, row, found.run, problem, kept);
     taken = keepRows (found, use(row));
     % what is taken is as its record says, whatever the index does
@@ -77,6 +74,19 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
   [tally.origin, ~, which] = unique (taken.origin);
   tally.count = accumarray (which(:), 1)';
   keepList (mark, taken, Case, isLook);
+end
+
+% Rows of the runs; a run that was not taken joins none of which one was.
+function [found, table, row] = joined (found, kept, Case)
+  join = @(f) joinModels (f.inputs, f.run(:, 1), f.run(:, 3), f.Z, Case);
+  [table, row] = join (found);
+  if ~isempty (kept)
+    isTaken = ismember (found.run(:, 1:2), kept{1}, 'rows');
+    found = keepRows (found, isTaken | ~ismember (row, row(isTaken)));
+    [table, row] = join (found);
+  end
+  found = keepRows (found, row > 0);
+  row = row(row > 0);
 end
 
 % Without runs whose record was not read, or gave no answer. For who only looks
@@ -191,6 +201,17 @@ end
 %! problem.limits(1, :) = 0;
 %! Case.limits(1, :) = 0;
 %! assert (rows (libraryRuns (Case, problem).X), 6);
+
+%!test
+%! % nor is a run of another model of a set of the list that comes later
+%! [Case, problem] = another (store);
+%! file = fullfile (store, 'optim', 'Second', '0002', 'record.json');
+%! r = readRecord (file);
+%! writeRecord (file, setfield (r, 'status', 'forgotten'));
+%! [data, tally] = libraryRuns (Case, problem);
+%! writeRecord (file, r);
+%! [again, now] = libraryRuns (Case, problem);
+%! assert ({now.used, again}, {tally.used, data});
 
 %!test
 %! % another rig; an index that lies; a getResults that has changed
