@@ -68,7 +68,6 @@ function sayPlain (v, madeBy, say)
     say ([line{:}]);
   end
   cellfun (@(text) say (['        ', text]), cause.untested);
-  cellfun (@(text) say (['        ', text]), cause.untested);
 end
 
 function text = upperFirst (text)
