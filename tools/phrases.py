@@ -67,8 +67,8 @@ def main():
             continue
         own = [(p, b) for where, p, b in rules if where == 'all' or page in inGuide]
         text = page.read_text()
-        if page == SENTENCES:                # its remarks are for programmers
-            text = re.sub(r'^#.*', blank, text, flags=re.M)
+        if page == SENTENCES:        # its remarks and codes are for programmers
+            text = re.sub(r'^(#.*|[a-z][\w.-]*(/changed)?:)', blank, text, flags=re.M)
         for line, phrase, better in sorted(findings(text, own)):
             print(f'{os.path.relpath(page, ROOT)}:{line}: "{phrase}": {better}')
             bad = True
