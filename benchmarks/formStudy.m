@@ -1,6 +1,6 @@
 % FORMSTUDY  Diagnoses stored cases whose causes have another form than any law.
 %
-% CALL: octave-cli benchmarks/formStudy.m CSV STEP [PARTS] [FOLDER] [CLASSES]
+% CALL: octave-cli benchmarks/formStudy.m CSV STEP [PARTS] [FOLDER] [CASES]
 %
 %   CSV     file to write, one row a case; its figures are printed
 %   STEP    every STEP-th row of a campaign, every STEP-th case of a study
@@ -8,8 +8,8 @@
 %           cases of the former, b of the latter, c changes (default hdsbc)
 %   FOLDER  keeps fitted surrogates and what the gate compares with, for a second
 %           call of the same code
-%   CLASSES of sealed cases, words as in results/blind-truth.csv with a space
-%           between (default: all)
+%   CASES   of the sealed ones, a space between: classes, or numbers, as in
+%           results/blind-truth.csv (default: all)
 %
 % No new run of DEM. Left-out runs of hiddenEffect and drumAndBins, the sealed
 % cases of both (results/blind-*, blindbins-*), and changes from a reference: a
@@ -94,8 +94,9 @@ function list = sealedCases (stem, name, root, step, how)
   first = withValues (given, values(strcmp ({values.case}, truths(1).case)));
   how = withReference (how, stem, newGapProblem (first), whole);
   list = {};
-  if ~isempty (how.classes)
-    truths = truths(ismember ({truths.class}, how.classes));
+  if ~isempty (how.cases)
+    truths = truths(ismember ({truths.class}, how.cases) | ...
+                    ismember ({truths.case}, how.cases));
   end
   for t = truths(1:step:end)
     own = withValues (given, values(strcmp ({values.case}, t.case)));
@@ -168,7 +169,7 @@ words = argv ();
 if isempty (words{3})
   words{3} = 'hdsbc';
 end
-how = struct ('folder', words{4}, 'classes', ...
+how = struct ('folder', words{4}, 'cases', ...
               {strsplit(words{5}, ' ')(1:end * ~isempty (words{5}))}, ...
               'options', ...
               gapOptions (struct ('points', 300, 'effective', 150, 'most', ...

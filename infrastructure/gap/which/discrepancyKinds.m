@@ -1,12 +1,12 @@
 % DISCREPANCYKINDS  Describes misfits that resemble no listed effect.
 %
-% CALL: KINDS = discrepancyKinds (GAPPROBLEM, EM, BUDGET, WHITE)
+% CALL: KINDS = discrepancyKinds (GAPPROBLEM, EM, BUDGET, TARGETS)
 %
 %   GAPPROBLEM, EM, BUDGET  of newGapProblem, fitEmulator, noiseBudget
-%   WHITE  struct of whitenEmulator for the same targets
+%   TARGETS  1 x n, targets to look at
 %   KINDS  1 x m struct: name, weight (sum 1), h (newHypothesis), white
-%          (whitened so that the misfit has independent coordinates, with shape:
-%          1 x n, its variances at size 1)
+%          (of whitenEmulator, turned so that the misfit has independent
+%          coordinates, with shape: 1 x n, its variances at size 1)
 %
 % y = m (theta) + delta + noise, delta ~ N (0, size^2 C), size log-normal. C is
 % (half of the weight) shaped like the listed effects, since an unknown cause
@@ -14,13 +14,14 @@
 % signatures; or independent errors on all targets; or on one bench alone. After
 % Kennedy and O'Hagan (2001).
 
-function kinds = discrepancyKinds (gapProblem, em, budget, white)
-  targets = white.columns;
+function kinds = discrepancyKinds (gapProblem, em, budget, targets)
   benches = unique (gapProblem.bench(targets));
   R = diag (em.range(targets).^2);
   S = signatures (em, targets);
   % a misfit has no effects
   em = withoutEffects (em);
+  % not turned: what turns them starts from here
+  white = whitenEmulator (em, targets, budget);
   make = @(C, extent, name, weight) ...
     oneKind (em, white, budget, C, ...
              struct ('name', name, 'weight', weight, ...
@@ -67,8 +68,7 @@ end
 %!                                     'limits', [0; 1], 'bench', [1, 1, 2]));
 %! budget = struct ('covariance', eye (3), 'estimated', [0, 0, 0], ...
 %!                 'unknown', [0, 0, 0]);
-%! white = whitenEmulator (em, 1:3, budget);
-%! kinds = discrepancyKinds (gapProblem, em, budget, white);
+%! kinds = discrepancyKinds (gapProblem, em, budget, 1:3);
 %! assert (numel (kinds), 3);
 %! assert (sum ([kinds.weight]), 1, 1e-12);
 %! W = kinds(1).white.W;

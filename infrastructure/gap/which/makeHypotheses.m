@@ -20,7 +20,7 @@ function models = makeHypotheses (gapProblem, em, options, targets)
   budget = noiseBudget (gapProblem, em);
   models.white = formError (gapProblem, em, budget, targets);
   models.prior = gapProblem.paramPrior;
-  kinds = discrepancyKinds (gapProblem, em, budget, models.white);
+  kinds = discrepancyKinds (gapProblem, em, budget, targets);
   starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
   models.names = {em.effect.name};
   models.factor = ones (1, numel (models.names));
@@ -55,4 +55,11 @@ end
 %! hypotheses = [models.list.h];
 %! assert (sum (strcmp ({hypotheses.kind}, 'discrepancy')), 6);
 %! assert (sum (models.white.shape), 1, 1e-9);
+%! % a misfit of the first bench moves no target of another one, whichever way
+%! % the coordinates of the effects are turned
+%! row = models.list(find (strcmp ({hypotheses.kind}, 'discrepancy'))(2));
+%! C = row.white.back * diag (row.white.shape) * row.white.back';
+%! isOff = lab.gapProblem.bench ~= lab.gapProblem.bench(1);
+%! assert (max (abs (C(isOff, isOff)(:))) < 1e-9 * max (abs (C(:))));
+%! assert (C(1, 1) > 0);
 %! assert (models.siblings{1}, cell (1, 0));
