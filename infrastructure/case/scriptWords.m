@@ -30,12 +30,13 @@ function [words, bases] = scriptWords (text, script, folder, place)
   words = unique (regexp (text, '[\w./+~${}@%-]+', 'match'));
   words = regexprep (words, '^~(?=/)', getenv ('HOME'));
   words = words(~cellfun (@isempty, regexp (words, '[A-Za-z]', 'once')));
-  moves = regexp (text, '(?:^|[;&|(]|then|do)\s*(?:cd|pushd)\s+"?([^\s"'';&|)]+)', ...
+  moves = regexp (text, '(?:^|[;&|(]|then|do)\s*(?:cd|pushd)\s+(?:--\s+)?["'']?([^\s"'';&|)]+)', ...
                   'tokens', 'lineanchors');
   moves = [cell(1, 0), moves{:}];
   isRelative = ~strncmp (moves, '/', 1);
+  inModel = strcat (folder, '/', moves(isRelative));
   moves(isRelative) = strcat (place, '/', moves(isRelative));
-  bases = [{folder, place}, moves];
+  bases = [{folder, place}, moves, inModel];
 end
 
 % Shell variables that are set to a plain text, or are in the environment.
@@ -68,4 +69,4 @@ end
 %!   assert (any (strcmp (words, word{1})), word{1});
 %! end
 %! assert (~any (ismember ({'out', 'no/more'}, words)));
-%! assert (bases, {'/m', '/s/0001', '/s/0001/../lib'});
+%! assert (bases, {'/m', '/s/0001', '/s/0001/../lib', '/m/../lib'});

@@ -5,8 +5,9 @@
 %   ROOT    folder of the toolbox (text)
 %   TARGET  model folder to be made (text)
 %   GIVEN   scalar struct: model (name), script (path), output (file with the
-%           results, '': output_results), seed ('': runSeed), and cells of texts
-%           vary (NAME=LOW:HIGH), set and target (NAME=NUMBER)
+%           results, '': output_results), seed ('': runSeed), mean (share of its
+%           rows, see readResults; '': 0), and cells of texts vary
+%           (NAME=LOW:HIGH), set and target (NAME=NUMBER, target with :UNIT)
 %   WORDS   scalar struct of texts for templates/scriptCase
 %   NOTES   cell of sentences for the user
 %
@@ -17,42 +18,111 @@
 function [words, notes] = newScriptModel (root, target, given)
   [names, limits] = namedNumbers (given.vary, '--vary', 2);
   [fixed, values] = namedNumbers (given.set, '--set', 1);
-  [results, measured] = namedNumbers (given.target, '--target', 1);
+  [results, measured, units] = namedNumbers (given.target, '--target', 1);
   if isempty (names) || isempty (results)
     error ('DEcalioc:newScriptModel:missingField', ...
            ['--script needs at least one parameter and one measured value, ' ...
             'got %d and %d. For example: --vary mu=0.2:0.8 --target ' ...
             'height=0.0057'], numel (names), numel (results));
   end
-  [~, base, ending] = fileparts (given.script);
   seed = givenField (given, 'seed', 'runSeed');
   output = givenField (given, 'output', 'output_results');
-  checkWords ([names, fixed], seed, results, output, [base, ending]);
-  [files, variables, text] = scriptFiles (given.script);
-  files = setdiff (files, output);     % of a trial by hand, no run's own
-  chosen = [names, fixed; num2cell([mean(limits, 1), values])];
-  variables = mergeFields (variables, struct (chosen{:}));
-  words = struct ('MODEL', given.model, 'SCRIPT', [base, ending], ...
-                  'SEED', seed, 'OUTPUT', output);
+  [~, base, ending] = fileparts (given.script);
+  checkWords (results, seed, output, [base, ending]);
+  share = shareOf (givenField (given, 'mean', '0'));
+  found = scriptFiles (given.script);
+  found.files = setdiff (found.files, fullfile (fileparts (found.scripts{1}), ...
+                                                output));
+  tree = scriptTree (found, fileparts (found.scripts{1}), ...
+                     [readdir(fullfile (root, 'templates', 'script'))', ...
+                      {'data.head', 'results.csv'}]);
+  at = find (ismember (tree.from, found.scripts));
+  texts = cellfun (@fileread, tree.from(at), 'UniformOutput', false);
+  [texts, all, edits] = editScripts (texts, [names, fixed], given.seed);
+  checkNames (all, seed);
+  chosen = [all; num2cell([mean(limits, 1), values])];
+  variables = mergeFields (found.variables, struct (chosen{:}));
   % the seed of the packing has a name of its own in data.head
   variables = rmfield (variables, intersect (fieldnames (variables), seed));
-  makeFolder (root, target, given, words, files, variables, results);
-  words = caseWords (words, names, limits, results, measured);
-  notes = notesOn (text, words, variables);
+  words = struct ('MODEL', given.model, 'SCRIPT', [base, ending], 'SEED', seed, ...
+                  'OUTPUT', output, 'PLACE', placeText (found, tree), ...
+                  'RESULTS', [tree.place, repmat('/', 1, ~isempty (tree.place)), ...
+                              output], 'SHARE', sprintf ('%.10g', share));
+  tree.texts = cell (size (tree.from));
+  tree.texts(at) = texts;
+  makeFolder (root, target, words, tree, variables, resultLines (results, units));
+  words = caseWords (words, all(1:numel (names)), limits, results, measured);
+  trial = fullfile (fileparts (found.scripts{1}), output);
+  notes = strcat ([edits, modelNotes(target), ...
+                   trialNote(trial, results, share)], '.');
+end
+
+function share = shareOf (text)
+  share = str2double (text);
+  if ~(share >= 0 && share <= 1)
+    error ('DEcalioc:newScriptModel:badValue', ...
+           ['--mean must be a share of the rows between 0 and 1 (0.2: the ' ...
+            'mean of the last fifth), got %s.'], text);
+  end
+end
+
+% What a trial by hand has left shows whether its results will be found.
+function note = trialNote (file, names, share)
+  note = cell (1, 0);
+  if isfile (file)
+    values = readResults (file, names, share);
+    parts = arrayfun (@(k) sprintf ('%s = %g', names{k}, values(k)), ...
+                      1:numel (names), 'UniformOutput', false);
+    how = {'the last row and line of a name count', ...
+           sprintf('the mean of the last %g of its rows counts', share)};
+    note = {['a trial has left ', file, ', which is read as: ', ...
+             strjoin(parts, ', '), ' (', how{1 + (share > 0)}, ...
+             repmat('; NaN: not found there', 1, any (isnan (values))), ')']};
+  end
+end
+
+% Where LIGGGHTS is started, and the folders that it writes to.
+function text = placeText (found, tree)
+  text = '';
+  if ~isempty (tree.place)
+    text = sprintf ('cd -- ''%s'' || exit\n', tree.place);
+  end
+  start = fileparts (found.scripts{1});
+  folders = unique (cellfun (@fileparts, found.written, 'UniformOutput', false));
+  folders = folders(strncmp (folders, [start, '/'], numel (start) + 1));
+  folders = cellfun (@(f) shellQuote (f(numel (start) + 2:end)), folders, ...
+                     'UniformOutput', false);
+  if ~isempty (folders)
+    text = sprintf ('%smkdir -p -- %s\n', text, strjoin (folders, ' '));
+  end
+end
+
+function text = resultLines (names, units)
+  lines = [names; units];
+  text = ["name,kind,unit,series,at,text\n", sprintf("%s,,%s,,,\n", lines{:})];
 end
 
 % These become text of programs: bash, awk, Octave.
-function checkWords (variables, seed, results, output, script)
-  isName = @(w) ~isempty (regexp (w, '^[A-Za-z_]\w*$', 'once'));
-  isPath = @(w) ~isempty (regexp (w, '^(?!-)[\w.+-]+(/[\w.+-]+)*$')) && ...
-                isempty (strfind (w, '..'));
-  name = 'a variable of the script (letters, digits, _)';
-  path = 'a plain path below the run (letters, digits, _ - + . /)';
-  rules = {'--vary and --set', variables, isName, name; ...
-           '--target', results, @(w) ~any (w < 32), 'one line of text'; ...
-           '--seed', {seed}, isName, name; ...
+function checkWords (results, seed, output, script)
+  isPath = @(w) ~isempty (regexp (w, '^(?!-)[^''"\\\n@$/]+(/[^''"\\\n@$/]+)*$', ...
+                                  'once')) && isempty (strfind (w, '..'));
+  path = 'a plain path below the run, without quotes, $ and @';
+  rules = {'--target', results, @(w) ~any (w < 32 | w == '"'), ...
+           'one line of text without quotes'; ...
            '--output', {output}, isPath, path; ...
            '--script', {script}, isPath, path};
+  refuseBad (rules);
+  checkNames ({}, seed);
+end
+
+function checkNames (variables, seed)
+  isName = @(w) ~isempty (regexp (w, '^[A-Za-z_]\w*$', 'once'));
+  name = 'a variable of the script (letters, digits, _)';
+  refuseBad ({'--vary and --set', variables, isName, name; ...
+              '--seed', {seed}, isName, name});
+end
+
+function refuseBad (rules)
   for rule = rules'
     bad = rule{2}(~cellfun (rule{3}, rule{2}));
     if ~isempty (bad)
@@ -62,44 +132,53 @@ function checkWords (variables, seed, results, output, script)
   end
 end
 
-% Of texts NAME=NUMBER, or NAME=LOW:HIGH for COUNT 2; COUNT x n numbers.
-function [names, numbers] = namedNumbers (texts, option, count)
-  names = cell (1, numel (texts));
+% Of texts NAME=NUMBER, which a target may have a unit behind (2.5:N), or
+% NAME=LOW:HIGH for COUNT 2; COUNT x n numbers.
+function [names, numbers, units] = namedNumbers (texts, option, count)
+  [names, units] = deal (cell (1, numel (texts)));
+  units(:) = {''};
   numbers = zeros (count, numel (texts));
   for k = 1:numel (texts)
     equals = find (texts{k} == '=', 1, 'last');
     words = strsplit (texts{k}(equals + 1:end), ':');
+    if strcmp (option, '--target') && numel (words) == 2
+      units{k} = words{2};
+      words(2) = [];
+    end
     values = str2double (words);
     % str2double takes a comma for a separator of thousands: 0,2 would be 2
     if isempty (equals) || equals < 2 || numel (values) ~= count || ...
-        ~all (isfinite (values)) || ~isreal (values) || any ([words{:}] == ',')
+        ~all (isfinite (values)) || ~isreal (values) || ...
+        any ([words{:}, units{k}] == ',')
       error ('DEcalioc:newScriptModel:badValue', ...
              ['%s must be given as %s, got %s. Write numbers with a ' ...
-              'decimal point, without commas and units.'], option, ...
+              'decimal point, without commas; the unit of a target stands ' ...
+              'behind a colon (force=2.5:N).'], option, ...
              {'NAME=0.3', 'NAME=0.2:0.8'}{count}, texts{k});
     end
-    names{k} = texts{k}(1:equals - 1);
+    names{k} = strtrim (texts{k}(1:equals - 1));
     numbers(:, k) = values;
   end
 end
 
 % In a draft beside it, so that the model is there whole or not at all.
-function makeFolder (root, target, given, words, files, variables, results)
+function makeFolder (root, target, words, tree, variables, results)
   place = privateFolder ();
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(place)]));
   source = fullfile (place, 'source');
   fillTemplate (fullfile (root, 'templates', 'script'), source, words);
-  from = fileparts (make_absolute_filename (given.script));
-  for name = [{words.SCRIPT}, files]
-    copy = fullfile (source, name{1});
+  for k = 1:numel (tree.from)
+    copy = fullfile (source, tree.to{k});
     [~, ~] = mkdir (fileparts (copy));
-    [status, why] = system (['cp -L -- ', ...
-                             shellQuote(fullfile (from, name{1})), ' ', ...
+    [status, why] = system (['cp -L -- ', shellQuote(tree.from{k}), ' ', ...
                              shellQuote(copy), ' 2>&1']);
     if status ~= 0
       error ('DEcalioc:newScriptModel:cannotWrite', ...
              '%s, which the script names, must be copied, got: %s', ...
-             name{1}, strtrim (why));
+             tree.from{k}, strtrim (why));
+    end
+    if ~isempty (tree.texts{k})
+      writeAtomic (copy, tree.texts{k});
     end
   end
   writeAtomic (fullfile (source, 'data.head'), ...
@@ -107,9 +186,7 @@ function makeFolder (root, target, given, words, files, variables, results)
                 "own values: the\n# last line that names a variable ", ...
                 "counts.\n", headLines(variables), ...
                 "variable runSeed equal 10007    # a prime above 10,000\n"]);
-  writeAtomic (fullfile (source, 'results.csv'), ...
-               ["name,kind,unit,series,at,text\n", ...
-                sprintf("%s,length,,,,\n", results{:})]);
+  writeAtomic (fullfile (source, 'results.csv'), results);
   fillTemplate (source, target, struct ());
 end
 
@@ -126,28 +203,6 @@ function words = caseWords (words, names, limits, results, measured)
   words.HIGH = list (limits(2, :));
   % templates/scriptCase/loadInput.FORM is no program before it is filled in
   words.FORM = 'm';
-end
-
-function notes = notesOn (text, words, variables)
-  isUsed = @(name) ~isempty (regexp (text, ['(\$\{|v_)', name, '\>'], 'once'));
-  notes = {['the script does not use ${', words.SEED, '}: all its packings ' ...
-            'will be the same one. Put it there as the seed of fix insert, ' ...
-            'or name its variable with --seed.'], ...
-           ['the script does not end with print "RUN COMPLETE": a run that ' ...
-            'breaks off may then be taken for a whole one.']};
-  notes = notes([~isUsed(words.SEED), isempty(strfind (text, 'RUN COMPLETE'))]);
-  for name = fieldnames (variables)'
-    if ~isUsed (name{1})
-      notes{end + 1} = ['the script does not use ${', name{1}, '}: it will ' ...
-                        'change nothing.'];
-    end
-    again = ['^[ \t]*variable[ \t]+', name{1}, '[ \t]+equal'];
-    if ~isempty (regexp (text, again, 'once', 'lineanchors'))
-      notes{end + 1} = ['the script sets ', name{1}, ' itself, as a ' ...
-                        'variable of style equal: LIGGGHTS will stop. ' ...
-                        'Write index for equal there.'];
-    end
-  end
 end
 
 %!shared folder, given, root
@@ -189,7 +244,7 @@ end
 %! writeAtomic (given.script, ["variable mu equal 0.3\n", ...
 %!                             "print \"${mu} ${depth}\" file out\n"]);
 %! [~, notes] = newScriptModel (root, fullfile (folder, 'Other'), other);
-%! marks = {'${runSeed}', 'RUN COMPLETE', '${ghost}', 'mu itself'};
+%! marks = {'${runSeed}', 'RUN COMPLETE', '${ghost}', 'mu has the style index'};
 %! assert (numel (notes), 4);
 %! for k = 1:4
 %!   assert (any (~cellfun (@isempty, strfind (notes, marks{k}))), marks{k});
@@ -203,6 +258,9 @@ end
 %!          'newScriptModel:badValue', 'set', {'density=2i'}; ...
 %!          'newScriptModel:badValue', 'vary', {'mu=0,2:0,8'}; ...
 %!          'newScriptModel:badValue', 'target', {'a=1,5'}; ...
+%!          'newScriptModel:badValue', 'target', {'a=1:N:m'}; ...
+%!          'newScriptModel:badValue', 'mean', '2'; ...
+%!          'scriptProperty:unknownName', 'vary', {'friction 1-2=0:1'}; ...
 %!          'scriptFiles:missingFile', 'script', '/nowhere/in.x'};
 %! none = fullfile (folder, 'None');
 %! for row = wrong'

@@ -54,6 +54,9 @@ function sayNamed (model, store)
   if isempty (model.folder)
     return
   end
+  [notes, codes] = modelNotes (model.folder);
+  notes = notes(~strcmp (codes, 'unused'));    % said above, of all models
+  cellfun (@(text) printf ('WARNING   %s: %s.\n', model.name, text), notes);
   [files, open] = namedFiles (model.folder, fullfile (store, 'optim', ...
                                                       model.name, '0001'));
   cellfun (@(file) printf (['          %s: named by its scripts; a change ' ...
@@ -120,8 +123,12 @@ function sayEffects (Case)
   end
   if ~isempty (Case.effects)
     printf ('effects   %s\n', strjoin ({Case.effects.name}, ', '));
-    cellfun (@(text) printf ('          %s\n', text), ...
-             unexpressedEffects (Case), 'UniformOutput', false);
+    [texts, nowhere] = unexpressedEffects (Case);
+    cellfun (@(text) printf ('          %s\n', text), texts);
+    if all (nowhere)
+      printf (['WARNING   no candidate of loadEffects.m can act here: ' ...
+               'decalioc diagnose will not begin.\n']);
+    end
   end
   if ~isempty (Case.conditions)
     cellfun (@(text) printf ('%s\n', text), askChange (Case), ...

@@ -5,7 +5,7 @@
 %   MODEL       name of the model's folder below optim/ (text)
 %   FOLDERNAME  name of the run's folder (text)
 %   RES         cell of scalars, one a line of results.csv of the model, read
-%               from the file @OUTPUT@ of the run; NaN where it is missing
+%               from the file @RESULTS@ of the run; NaN where it is missing
 %
 % See also: readResults, resultInfo, readDump
 
@@ -15,5 +15,6 @@ function res = getResults (model, folderName)
   here = fileparts (fileparts (mfilename ('fullpath')));
   names = {resultInfo(here).name};
   folder = [path, 'optim/', model, '/', folderName, '/'];
-  res = num2cell (readResults ([folder, '@OUTPUT@'], names));
+  share = str2double ('@SHARE@');      % of rows: the last ones whose mean counts
+  res = num2cell (readResults ([folder, '@RESULTS@'], names, share));
 end
