@@ -1,12 +1,14 @@
 % UNEXPRESSEDEFFECTS  Which candidate effects which benches cannot express.
 %
-% CALL: TEXTS = unexpressedEffects (CASE)
+% CALL: [TEXTS, NOWHERE] = unexpressedEffects (CASE)
 %
-% CASE   see newCase; effects as of resolveEffects
-% TEXTS  1 x n cell, one line a bench that misses an effect; to be said before
-%        any run. Effects that no bench can express come first.
-function texts = unexpressedEffects (Case)
+% CASE     see newCase; effects as of resolveEffects
+% TEXTS    1 x n cell, one line a bench that misses an effect; to be said before
+%          any run. Effects that no bench can express come first.
+% NOWHERE  1 x e logical: no bench can express the effect
+function [texts, nowhere] = unexpressedEffects (Case)
   texts = {};
+  nowhere = false (1, numel (Case.effects));
   models = Case.models;
   if isempty (Case.effects) || isempty (models)
     return
@@ -52,6 +54,8 @@ end
 %! texts = unexpressedEffects (Case);
 %! assert (texts, {'no bench can express speedError', ...
 %!                 'Heap cannot express opening'});
+%! [~, nowhere] = unexpressedEffects (Case);
+%! assert (nowhere, logical ([0, 0, 1]));
 
 %!assert (unexpressedEffects (struct ('models', struct ('folder', {}), ...
 %!                                    'effects', [])), {})

@@ -19,7 +19,7 @@ function diagnosis = diagnoseCase (root, folder)
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
   Case = withEffects (loadCase (root, folder));
-  needCandidates (Case);
+  [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);
   [evaluate, budget] = newEvaluate (Case, say);
   part = @(is) newPartEvaluate (Case, is, say);
@@ -37,7 +37,7 @@ function diagnosis = diagnoseCase (root, folder)
   end
   sessions = sessionNote (Case);
   notes = [notes(:)', {sessions}(~isempty (sessions)), ...
-           {leftOut}(~isempty (leftOut)), unexpressedEffects(Case)];
+           {leftOut}(~isempty (leftOut)), idle, unexpressedEffects(Case)];
   [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state = struct ('data', data, 'budget', budget, 'evaluate', evaluate, ...
@@ -118,9 +118,27 @@ function putAside (folder, name)
   end
 end
 
+% An effect of the laboratory that can act on no result is no candidate
+% (speedError without a curve over speed): NOTE says so.
+function [Case, note] = withoutIdle (Case)
+  [note, names] = deal ({}, '');
+  if ~isempty (Case.effects)
+    [~, nowhere] = unexpressedEffects (Case);
+    isIdle = nowhere & [Case.effects.laboratory];
+    names = strjoin ({Case.effects(isIdle).name}, ', ');
+    note = repmat ({['no result can show ', names, ', which is left out']}, ...
+                   1, any (isIdle));
+    Case.effects = Case.effects(~isIdle);
+  end
+  what = [repmat('an empty list', 1, isempty (names)), ...
+          repmat([names, ', which no result can show'], 1, ~isempty (names))];
+  needCandidates (Case, what);
+end
+
 % Without candidates there is nothing to choose from: said before any run, with
-% a list of what the models of the case can express, to be copied.
-function needCandidates (Case)
+% a list of what the models of the case can express, to be copied. WHAT is what
+% the list is.
+function needCandidates (Case, what)
   if ~isempty (Case.effects)
     return
   end
@@ -131,17 +149,17 @@ function needCandidates (Case)
   names = expressible (Case, effects);
   if isempty (names)
     error ('DEcalioc:needCandidates:missingField', ...
-           ['loadEffects.m must list what the model may lack, got an empty list. None of ' ...
+           ['loadEffects.m must list what the model may lack, got %s. None of ' ...
             'the known causes can be expressed by this case: no model declares their ' ...
             'variables, and runs.csv has no such columns. Write one of your own ' ...
-            '(docs/extend.md).']);
+            '(docs/extend.md).'], what);
   end
   list = ["'", strjoin(names, "', '"), "'"];
   error ('DEcalioc:needCandidates:missingField', ...
-         ['loadEffects.m must list what the model may lack, got an empty ' ...
-          'list. This case can express these; copy the line to ' ...
+         ['loadEffects.m must list what the model may lack, got %s. ' ...
+          'This case can express these; copy the line to ' ...
           'loadEffects.m and strike out what cannot be (docs/effects.md):' ...
-          '\n  effects = {%s};'], list);
+          '\n  effects = {%s};'], what, list);
 end
 
 % By its models, or by the columns of imported runs.
@@ -181,3 +199,13 @@ end
 %! assert (! isempty (strfind (err.message, '''cohesion''')));
 %! assert (isempty (strfind (err.message, 'speedError')));
 %! assert (! isfolder (fullfile (raw.folder, 'optim')));
+%! % nor with one that can act on no result
+%! writeAtomic (fullfile (raw.folder, 'loadEffects.m'), ...
+%!              "function e = loadEffects ()\ne = {'speedError'};\nend\n");
+%! clear loadEffects;
+%! try
+%!   diagnoseCase (fileparts (which ('DEcalioc')), raw.folder);
+%! catch err
+%!   assert (err.identifier, 'DEcalioc:needCandidates:missingField');
+%! end
+%! assert (! isempty (strfind (err.message, 'got speedError, which no result')));

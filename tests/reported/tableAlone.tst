@@ -18,3 +18,7 @@
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status == 0, out);
 %! assert (! isempty (strfind (out, 'can express speedError')), out);
+%! assert (! isempty (strfind (out, 'no candidate of loadEffects.m can')), out);
+%! [status, out] = startCommand (folder, 'diagnose');
+%! assert (status == 1, out);
+%! assert (! isempty (strfind (out, 'got speedError, which no result')), out);
