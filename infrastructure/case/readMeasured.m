@@ -19,8 +19,10 @@
 %   HEADER    1 x m cell, names of the columns
 %
 % Columns, in any order: name or series, and value, are needed; model, where
-% there are several. tol is a share of the value (0.02 or 2%) or absolute (0.5
-% abs); of the value 0 it is always absolute.
+% there are several. tol is a share of the value (0.02, 2%, +-2 %) or absolute
+% (0.5 abs, 1 deg with a unit of the value); of the value 0 it is always absolute.
+% Columns comment, remark and note are for people. "value [deg]" gives the unit of
+% all lines; - and n/a stand for nothing.
 
 function [list, p, header] = readMeasured (file, models, alone, shown)
   if nargin < 3
@@ -40,6 +42,7 @@ function [list, p, header] = readMeasured (file, models, alone, shown)
                     err.message, repmat (cure, 1, isClear));
     return
   end
+  [header, cells] = forPrograms (header, cells);
   known = {'model', 'name', 'value', 'sd', 'unit', 'repeats', 'role', ...
            'series', 'at', 'tol', 'condition', 'session'};
   p = checkHeader (header, known, rows (cells), shown);
@@ -56,6 +59,23 @@ function [list, p, header] = readMeasured (file, models, alone, shown)
   [list, faults] = arrayfun (@(row) readRow (row, models, alone), list, ...
                              'UniformOutput', false);
   [list, p] = deal ([list{:}], [p, faults{:}]);
+end
+
+% Without the columns for people; a unit behind value is that of each line.
+function [header, cells] = forPrograms (header, cells)
+  isRemark = ismember (lower (header), {'comment', 'comments', 'remark', ...
+                                        'remarks', 'note', 'notes'});
+  [header, cells] = deal (header(~isRemark), cells(:, ~isRemark));
+  cells(isNoResult (cells)) = {''};
+  units = regexp (header, '^value\s*[[(]([^])]*)[])]$', 'tokens', 'once');
+  k = find (~cellfun (@isempty, units), 1);
+  if ~isempty (k)
+    header{k} = 'value';
+    if ~any (strcmp (header, 'unit'))
+      header{end + 1} = 'unit';
+      cells(:, end + 1) = units{k};
+    end
+  end
 end
 
 function p = checkHeader (header, known, n, shown)
@@ -107,7 +127,7 @@ function [row, p] = readRow (row, models, alone)
                              'Leave it empty for calibrate.');
   end
   row.saysTol = ~isempty (row.tol);
-  [row.tol, row.isAbsolute, q] = toleranceOf (row.tol, row.value, where);
+  [row.tol, row.isAbsolute, q] = toleranceOf (row, where);
   p = [p, q, places];
 end
 
@@ -144,17 +164,21 @@ function [value, p] = numberOf (text, rule, where)
   end
 end
 
-function [tol, isAbsolute, p] = toleranceOf (text, value, where)
+function [tol, isAbsolute, p] = toleranceOf (row, where)
   p = checkFault ();
+  [text, value] = deal (row.tol, row.value);
   isAbsolute = value == 0;
   tol = NaN;
   if isempty (text)
     return
   end
-  words = regexp (text, '^(\S+?)\s*(%|abs|)$', 'tokens', 'once');
+  plain = regexprep (text, ['^(\+/?-|', char([194, 177]), ')\s*'], '');
+  words = regexp (plain, '^([-+.,\deE]+?)\s*(%|abs|[^\s\d%.,][^\s%]*|)$', ...
+                  'tokens', 'once');
   if ~isempty (words)
-    tol = str2double (strrep (words{1}, ',', '.'));
-    isAbsolute = isAbsolute || strcmp (words{2}, 'abs');
+    [factor, hasUnit] = factorOf (words{2}, row.unit);
+    tol = factor * str2double (strrep (words{1}, ',', '.'));
+    isAbsolute = isAbsolute || hasUnit;
   end
   isPercent = ~isempty (words) && strcmp (words{2}, '%');
   if isPercent
@@ -166,9 +190,19 @@ function [tol, isAbsolute, p] = toleranceOf (text, value, where)
     tol = NaN;
     p = checkFault ('measuredTol', [where, ', tol'], ...
                     ['a share of the value between 0 and 1 (0.02 or 2%), ' ...
-                     'or 0.5 abs in the unit of the value'], ...
+                     'or 0.5 abs (0.5 deg) in the unit of the value'], ...
                     checkShow (text), ...
                     'The tolerance of the value 0 is absolute.');
+  end
+end
+
+% By what a tolerance with WORD behind it is multiplied; 1 deg is in the unit of
+% the value, or one that can be converted to it.
+function [factor, hasUnit] = factorOf (word, unit)
+  factor = 1;
+  hasUnit = ~any (strcmp (word, {'', '%'}));
+  if hasUnit && ~strcmp (word, 'abs')
+    factor = unitFactor (word, unit);
   end
 end
 
@@ -214,6 +248,17 @@ end
 %! assert ([r.line], [2, 3, 4]);
 %! assert ([r.at], [NaN, 2, NaN]);
 %! assert ({r.role}, {'', '', ''});
+%!test
+%! % tolerances with units and signs, remarks, no result, the unit in the header
+%! [r, p] = table (["name,value [deg],tol,Comment\na,30,1 deg,x\nb,-,+-2 %,\n", ...
+%!                  "c,30,+/-0.5 abs,y\nd,30,5%,\n"], {'Drum'});
+%! assert (isempty (p));
+%! assert ([r.tol], [1, 0.02, 0.5, 0.05]);
+%! assert ([r.isAbsolute], logical ([1, 0, 1, 0]));
+%! assert ([r.value], [30, NaN, 30, 30]);
+%! assert (unique ({r.unit}), {'deg'});
+%! [~, p] = table ("name,value,unit,tol\na,3,kg,1 deg\n", {'Drum'});
+%! assert (p.id, 'DEcalioc:checkCase:measuredTol');
 %!test
 %! bad = {'Drum,a,1.2.3,,,,,,', 'Number'; 'Drum,a,1,-1,,,,,', 'Number'; ...
 %!        'Drum,a,1,,0,,,,', 'Number'; 'Dram,a,1,,,,,,', 'Model'; ...

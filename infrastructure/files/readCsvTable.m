@@ -4,8 +4,10 @@
 %
 %   FILE    path of the file, text as readText takes it; fields separated by
 %           comma (or by semicolon or tab, with decimal commas then; or as a
-%           first line sep=; says), quoted fields with doubled quotes inside;
-%           lines that begin with # before the header are remarks
+%           first line sep=; says; or by blanks alone, where all rows have as
+%           many words), quoted fields with doubled quotes inside; lines that
+%           begin with # before the header are remarks; the last of them is the
+%           header where the row below it holds numbers alone, as of numpy
 %   HEADER  1 x c cellstr, column names without outer blanks; columns without
 %           name and content are left out
 %   CELLS   n x c cellstr, fields without outer blanks; empty rows are left out
@@ -27,8 +29,9 @@ function [header, cells, lines] = readCsvTable (file)
            ['readCsvTable: %s must be text in UTF-8, got NUL bytes (UTF-16 ' ...
             'without its mark, or no text). Save it as CSV UTF-8.'], file);
   end
-  remark = regexp (text, '^(#[^\n]*\n)+', 'match', 'once');
-  [fields, row, lines, delimiter] = splitFields (text(numel (remark) + 1:end));
+  remark = remarksOf (text);
+  body = regexprep (text(numel (remark) + 1:end), '^#', ' ');
+  [fields, row, lines, delimiter] = splitFields (byTabs (body));
   lines = lines + sum (remark == "\n");
   if isempty (fields)
     error ('DEcalioc:readCsvTable:badShape', ...
@@ -57,6 +60,36 @@ function [header, cells, lines] = readCsvTable (file)
   lines(1) = [];
   isBlank = strcmp (header, '') & all (cellfun ('isempty', cells), 1);
   [header, cells] = deal (header(~isBlank), cells(:, ~isBlank));
+end
+
+% The remarks before the header; np.savetxt writes the header as one, too.
+function remark = remarksOf (text)
+  remark = regexp (text, '^(#[^\n]*\n)+', 'match', 'once');
+  next = regexp (text(numel (remark) + 1:end), '^[^\n]*', 'match', 'once');
+  isNumbers = ~isempty (regexp (next, '^[-+.\d][-+.\deE\s,;]*$', 'once'));
+  if isNumbers && ~isempty (remark)
+    starts = [0, find(remark == "\n")];
+    last = remark(starts(end - 1) + 1:end);
+    count = @(line) numel (regexp (line, '[^\s,;#]+', 'match'));
+    remark = remark(1:end - numel (last) * (count (last) == count (next)));
+  end
+end
+
+% Blanks alone between the columns become tabs; those before a unit in brackets
+% do not part.
+function text = byTabs (text)
+  first = regexp (text, '^[^\n]*', 'match', 'once');
+  isPart = any (ismember (first, [',;"', "\t"]));
+  if isPart || isempty (strfind (strtrim (first), ' '))
+    return
+  end
+  lines = strtrim (strsplit (text, "\n"));
+  lines = regexprep (lines, {' +(?=[[(][^])]*[])])', ' +'}, {"\1", "\t"});
+  counts = cellfun (@(line) sum (line == "\t"), ...
+                    lines(~cellfun (@isempty, lines)));
+  if numel (counts) > 1 && all (counts == counts(1))
+    text = strrep (strjoin (lines, "\n"), "\1", ' ');
+  end
 end
 
 % Decimal commas become points. Beside them 1.002 may be a thousand and two.
@@ -188,6 +221,20 @@ end
 %! assert (cells, {'3', '1.002'});
 %! [~, cells] = read ("a;tol\n1,500;2,5 %\n1;0,5 abs\n");
 %! assert (cells, {'1.500', '2.5 %'; '1', '0.5 abs'});
+%!test
+%! % numpy's header, blanks between columns, units behind a blank
+%! for text = {"# by me\n# a b c\n1 2 3\n4 5 6\n", "# a,b,c\n1,2,3\n4,5,6\n", ...
+%!             "a  b c\n 1 2   3\n4 5 6\n\n"}
+%!   [header, cells] = read (text{1});
+%!   assert ({header, cells}, {{'a', 'b', 'c'}, {'1', '2', '3'; '4', '5', '6'}});
+%! end
+%! [header, cells] = read ("a [deg] b (m/s)\n0,5 2\n");
+%! assert ({header, cells}, {{'a [deg]', 'b (m/s)'}, {'0.5', '2'}});
+%! [header, cells] = read ("run out\n1\n2\n");
+%! assert ({header, cells}, {{'run out'}, {'1'; '2'}});
+%! % a remark of other words stays one
+%! [header, cells] = read ("# my heap of 2026\na,b\n1,2\n");
+%! assert (header, {'a', 'b'});
 %!error id=DEcalioc:readCsvTable:unclearPoint read ("a;b\n26,5;\n;1.002\n")
 %!error <Write 1002 or 1,002> read ("a\tb\n26,5\t\n\t1.002\n")
 %!error <save it with semicolons> read ("a,b\n0,5,2\n")

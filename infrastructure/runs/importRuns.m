@@ -6,7 +6,9 @@
 %            in CASE.further), seed (optional), the design variables, the
 %            effect variables (optional: neutral), the targets, in any order;
 %            a field is empty where the column does not belong to the row's
-%            model; one row a run (see readCsvTable for the accepted forms)
+%            model, and empty or -, n/a, None ... (isNoResult) without a result;
+%            a unit may stand behind a name (aor [deg]); one row a run (see
+%            readCsvTable for the accepted forms)
 %   CASE     struct with names, effectVars, effects, targets, models, further
 %            (optional)
 %   DATA     struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
@@ -24,6 +26,7 @@
 
 function [data, ignored] = importRuns (file, Case)
   [header, cells, lines] = readCsvTable (file);
+  header = importHeader (header, Case, file);
   column = findColumns (header, Case, file);
   table = struct ('file', file, 'lines', lines, 'cells', {cells});
   model = modelNumbers (table, column.model, Case);
@@ -137,8 +140,7 @@ function values = numbers (table, column, names)
   texts = table.cells(:, column);
   values = reshape (str2double (texts), size (texts));
   blank = cellfun ('isempty', texts);
-  wrong = isnan (values) & ~blank & ~strcmpi (texts, 'nan') & ...
-          ~strcmpi (texts, 'na');
+  wrong = isnan (values) & ~blank & ~isNoResult (texts);
   % str2double takes a comma for a separator of thousands: 0,45 would be 45
   if any ([texts{:}] == ',')
     wrong = wrong | ~cellfun ('isempty', strfind (texts, ','));
@@ -219,6 +221,11 @@ end
 %!   end
 %!   assert (id, ['DEcalioc:importRuns:', bad{2}]);
 %! end
+%!test
+%! % no result, in the words of spreadsheets and Python; units in the header
+%! data = imported (["model,a [m],b,First_1 [deg],First_2,Second_1\n", ...
+%!                   "First,1,2,5,-,\nFirst,1,3,n/a,None,\nFirst,1,4,5,6,\n"]);
+%! assert (isequaln (data.Z(:, 1:2), [5, NA; NaN, NaN; 5, 6]));
 %!test
 %! % a thousand dot before a decimal comma says itself what it is
 %! data = imported ([head, "First;1.234,5;2;3;4;\n"]);

@@ -1,0 +1,91 @@
+% SAYIMPORT  Shows how a table of runs is understood, before anything is run.
+%
+% CALL: STATUS = sayImport (ROOT, FOLDER, ARGS)
+%
+%   ROOT    folder of the toolbox (text);  FOLDER  case folder (text)
+%   ARGS    1 x 1 cell: path of the table
+%   STATUS  0; 2 where the case takes none of its rows
+%
+% Nothing is written: as runs.csv in the case folder the table is taken in.
+%
+% Errors: those of commandOptions, caseToRead and importRuns, which say what is
+% to be mended
+
+function status = sayImport (root, folder, args)
+  [~, words] = commandOptions (args, struct ());
+  file = words{1};
+  Case = caseToRead (root, folder);
+  data = importRuns (file, Case);
+  [header, cells] = readCsvTable (file);
+  [names, kinds] = importHeader (header, Case, file);
+  printf ('table     %s: %d rows, %d columns\n\n', file, rows (cells), ...
+          columns (cells));
+  sayRow ('column', 'is', 'numbers', 'lowest', 'highest', 'first row');
+  for k = 1:numel (names)
+    sayColumn (header{k}, whatIs (names{k}, kinds{k}, Case), cells(:, k));
+  end
+  [~, isIn] = insideLimits (data.X, Case.limits);
+  isPlain = all (data.E == neutralEffects (Case), 2);
+  printf ('\nsets      %d; %d of them between the limits of the case', ...
+          rows (data.X), sum (isIn));
+  printf ('%s\n', repmat (sprintf (', %d with an effect', sum (~isPlain)), 1, ...
+                          any (~isPlain)));
+  for t = 1:numel (Case.targets)
+    printf ('          %s: %d results, %d without one\n', Case.targets(t).name, ...
+            sum (isfinite (data.Z(:, t))), ...
+            sum (isnan (data.Z(:, t)) & ~isna (data.Z(:, t))));
+  end
+  if ~strcmp (make_absolute_filename (file), fullfile (folder, 'runs.csv'))
+    printf ('\nNext: copy it to %s. decalioc run takes it in.\n', ...
+            fullfile (folder, 'runs.csv'));
+  end
+  status = 2 * isempty (data.X);
+end
+
+function sayColumn (name, what, texts)
+  values = str2double (texts);
+  values = values(isfinite (values));
+  ends = {'', ''};
+  if ~isempty (values)
+    ends = {sprintf('%g', min (values)), sprintf('%g', max (values))};
+  end
+  first = '';
+  if ~isempty (texts)
+    first = texts{1};
+  end
+  sayRow (name, what, sprintf ('%d', numel (values)), ends{:}, first);
+end
+
+function sayRow (varargin)
+  printf ('  %-22s %-30s %8s %10s %10s  %s\n', varargin{:});
+end
+
+% In words, with the measured value of a result.
+function text = whatIs (name, kind, Case)
+  text = kind;
+  switch kind
+    case 'ignored'
+      text = 'not known to the case: not used';
+    case 'result'
+      T = Case.targets(find (strcmp (name, {Case.targets.name}), 1));
+      text = sprintf ('result, measured %g', T.value);
+  end
+end
+
+%!test
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder);
+%! writeAtomic (fullfile (raw.folder, 'my runs.csv'), ...
+%!              ["model;a [m];b;First_1;First_2;note\n", ...
+%!               "First;0,5;0,2;3;n/a;x\nFirst;0,6;90;3;4;y\n"]);
+%! command = ['cd ', shellQuote(raw.folder), ' && ', ...
+%!            shellQuote(fullfile (fileparts (fileparts (which ('startToolbox'))), ...
+%!                                 'bin', 'decalioc'))];
+%! [status, out] = system ([command, ' import ''my runs.csv'' . 2>&1']);
+%! assert (status == 0, out);
+%! for part = {'a \[m\] +parameter +2 +0.5 +0.6', 'First_1 +result, measured', ...
+%!             'note +not known to the case', 'sets +2; 1 of them between', ...
+%!             'First_2: 1 results', 'copy it to '}
+%!   assert (! isempty (regexp (out, part{1}, 'once')), out);
+%! end
+%! assert (! isfile (fullfile (raw.folder, 'runs.csv')));
