@@ -250,6 +250,24 @@ end
 %!   assert (any (~cellfun (@isempty, strfind (notes, marks{k}))), marks{k});
 %! end
 %!test
+%! % results that a trial has left show how they will be read
+%! other = given;
+%! other.target = {'force=2.5:N'};
+%! forms = {"t,force [N]\n0,1\n1,3\n", "force 1\nother 2\nforce 3\n", ...
+%!          "# Fix print output for fix p\n0 1\n1 3\n", ...
+%!          "# Time-averaged data for fix v\n# TimeStep v_force\n1 1\n9 3\n", ...
+%!          "Step Atoms force\n0 5 1\n10 5 3\nLoop time of 2\n"};
+%! for k = 1:numel (forms)
+%!   writeAtomic (fullfile (folder, 'out'), forms{k});
+%!   target = fullfile (folder, sprintf ('Form%d', k));
+%!   [~, notes] = newScriptModel (root, target, other);
+%!   assert (any (~cellfun (@isempty, strfind (notes, 'force = 3 ('))), forms{k});
+%!   assert (resultInfo (target).unit, 'N');
+%! end
+%! other.mean = '1';
+%! [~, notes] = newScriptModel (root, fullfile (folder, 'Mean'), other);
+%! assert (any (~cellfun (@isempty, strfind (notes, 'force = 2 ('))));
+%!test
 %! wrong = {'newScriptModel:missingField', 'vary', {}; ...
 %!          'newScriptModel:badValue', 'vary', {'mu=0.2'}; ...
 %!          'newScriptModel:badValue', 'set', {'0.2'}; ...

@@ -19,9 +19,13 @@ function status = sayCheck (root, folder, args)
   cellfun (@(text) printf ('WARNING   %s.\n', text), Case.notes, ...
            'UniformOutput', false);
   sayModels (Case);
-  printf ('LIGGGHTS  %s %s\n          why: %s\n          %s\n', ...
-          givenField (choice, 'program', 'none'), choice.version, ...
-          choice.why, choice.how);
+  % a case of imported runs alone starts nothing
+  isRun = any (isfile (fullfile ({Case.models.folder}, 'runscript')));
+  if isRun
+    printf ('LIGGGHTS  %s %s\n          why: %s\n          %s\n', ...
+            givenField (choice, 'program', 'none'), choice.version, ...
+            choice.why, choice.how);
+  end
   sayBox (Case);
   sayEffects (Case);
   status = 0;
@@ -30,7 +34,7 @@ function status = sayCheck (root, folder, args)
     lock = lockCase (folder);
     status = 2 * ~sayTrial (tryModels (Case), Case);
   end
-  sayCosts (Case);
+  sayCosts (Case, isRun);
 end
 
 function sayModels (Case)
@@ -174,12 +178,15 @@ function isGood = sayTrial (records, Case)
   end
 end
 
-function sayCosts (Case)
+function sayCosts (Case, isRun)
   f = foresee (Case, runsOfCase (Case));
   n = numel (f.isDone);
   o = Case.options;
   if f.imported > 0
     printf ('runs.csv  %d sets taken in\n', f.imported);
+  end
+  if ~isRun
+    return
   end
   printf ('runs      plan: %d new, %d taken from the store\n', ...
           n - sum (f.isDone), sum (f.isDone));
