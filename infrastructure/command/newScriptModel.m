@@ -88,12 +88,18 @@ function text = placeText (found, tree)
     text = sprintf ('cd -- ''%s'' || exit\n', tree.place);
   end
   start = fileparts (found.scripts{1});
+  above = fileparts (start);
   folders = unique (cellfun (@fileparts, found.written, 'UniformOutput', false));
-  folders = folders(strncmp (folders, [start, '/'], numel (start) + 1));
-  folders = cellfun (@(f) shellQuote (f(numel (start) + 2:end)), folders, ...
-                     'UniformOutput', false);
-  if ~isempty (folders)
-    text = sprintf ('%smkdir -p -- %s\n', text, strjoin (folders, ' '));
+  isBelow = strncmp (folders, [start, '/'], numel (start) + 1);
+  isBeside = strncmp (folders, [above, '/'], numel (above) + 1) & ~isBelow & ...
+             ~strcmp (folders, start);
+  names = [cellfun(@(f) f(numel (start) + 2:end), folders(isBelow), ...
+                   'UniformOutput', false), ...
+           cellfun(@(f) ['..', f(numel (above) + 1:end)], folders(isBeside), ...
+                   'UniformOutput', false)];
+  if ~isempty (names)
+    names = cellfun (@shellQuote, names, 'UniformOutput', false);
+    text = sprintf ('%smkdir -p -- %s\n', text, strjoin (names, ' '));
   end
 end
 

@@ -17,7 +17,9 @@ function tree = scriptTree (found, start, taken)
   start = top;
   script = found.scripts{1};
   tree.from = unique ([{script}, found.files]);
-  while ~all (areBelow (tree.from, top))
+  % what is written to ../post must not leave the folder of the run
+  beside = found.written(areBelow (found.written, fileparts (top)));
+  while ~all (areBelow ([tree.from, beside], top))
     top = fileparts (top);
   end
   cut = numel (regexprep (top, '/$', '')) + 1;
@@ -44,15 +46,19 @@ function yes = areBelow (paths, top)
 end
 
 %!function tree = of (start, files, taken)
-%!  found = struct ('scripts', {{[start, '/in.x']}}, 'files', {files});
+%!  found = struct ('scripts', {{[start, '/in.x']}}, 'files', {files}, ...
+%!                  'written', {{'/elsewhere/x', '/a/post/d1'}});
 %!  tree = scriptTree (found, start, taken);
 %!endfunction
 %!test
-%! t = of ('/a/b', {'/a/b/m/x.stl'}, {'data.head'});
+%! t = of ('/c/b', {'/c/b/m/x.stl'}, {'data.head'});
 %! assert ({t.place, t.to}, {'', {'in.x', 'm/x.stl'}});
+%! % with a folder beside it that is written to
+%! t = of ('/a/b', {'/a/b/m/x.stl'}, {'data.head'});
+%! assert ({t.place, t.to}, {'b', {'b/in.x', 'b/m/x.stl'}});
 %! t = of ('/a/it''s/c', {'/a/STL/x.stl', '/a/it''s/c/y'}, {});
 %! assert ({t.place, t.to}, {'it_s/c', {'STL/x.stl', 'it_s/c/in.x', ...
 %!                                      'it_s/c/y'}});
-%! t = of ('/a/b', {'/a/b/data.head'}, {'data.head'});
+%! t = of ('/d/b', {'/d/b/data.head'}, {'data.head'});
 %! assert ({t.place, t.to}, {'script', {'script/data.head', 'script/in.x'}});
 %! assert (of ('/a', {'/b/x'}, {}).to, {'a/in.x', 'b/x'});
