@@ -251,7 +251,7 @@ end
 %!test
 %! % tolerances with units and signs, remarks, no result, the unit in the header
 %! [r, p] = table (["name,value [deg],tol,Comment\na,30,1 deg,x\nb,-,+-2 %,\n", ...
-%!                  "c,30,+/-0.5 abs,y\nd,30,5%,\n"], {'Drum'});
+%!                  "c,30,+/-0.5 abs,y\nz,30,5%,\n"], {'Drum'});
 %! assert (isempty (p));
 %! assert ([r.tol], [1, 0.02, 0.5, 0.05]);
 %! assert ([r.isAbsolute], logical ([1, 0, 1, 0]));
