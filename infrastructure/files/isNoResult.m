@@ -6,9 +6,11 @@
 %   YES    logical, of its size: -, --, n/a, NA, NaN, None, null, #N/A, ?
 
 function yes = isNoResult (texts)
-  yes = ismember (lower (texts), {'-', '--', 'n/a', 'na', 'nan', 'none', 'null', ...
-                                  '#n/a', '?'});
+  words = {'-', '--', 'n/a', 'na', 'nan', 'none', 'null', '#n/a', '?'};
+  % of no columns, too, the size is that of TEXTS
+  yes = reshape (ismember (lower (texts(:)), words), size (texts));
 end
 
 %!assert (isNoResult ({'-', 'N/A', 'None', '', '0', '-1'}), ...
 %!        logical ([1, 1, 1, 0, 0, 0]))
+%!assert (size (isNoResult (cell (3, 0))), [3, 0])
