@@ -175,7 +175,9 @@ function names = expressible (Case, effects)
     if isfile (file)
       head = readCsvTable (file);
     end
-    can = arrayfun (@(e) e.laboratory || all (ismember (e.variables, head)), effects);
+    inTable = arrayfun (@(e) ~e.laboratory && all (ismember (e.variables, head)), ...
+                        effects);
+    can = inTable | effectsOfModel ('', effects, targetInfo (Case));
   end
   names = {effects(can).name};
 end
