@@ -156,7 +156,7 @@
 %!   assert (! c.converged);
 %!   assert (c.ending.code, 'published');
 %!   for word = {'2 rows beyond the targets, all are', ...
-%!               'set that was found: residuals (%)'}
+%!               'values that were found: residuals (%)'}
 %!     assert (! isempty (strfind (out, word{1})));
 %!   end
 %! end
