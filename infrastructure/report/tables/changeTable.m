@@ -29,10 +29,10 @@ function [T, conditions] = changeTable (page)
                  reference.condition, '', 'plain'; 'change +- noise', '', 'change'; ...
                  'modelled change', '', 'change'; 'change / noise', '', 'z'}, cells, ...
                 {sentence('table.change')});
-  conditions = conditionsOf (page, reference);
+  conditions = conditionNames (page, reference);
 end
 
-function T = conditionsOf (page, reference)
+function T = conditionNames (page, reference)
   list = conditionTexts (page.sources.gap);
   notes = {};
   for k = 1:numel (jsonAt (reference, {'order'}))
