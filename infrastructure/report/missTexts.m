@@ -17,10 +17,9 @@ function [texts, open] = missTexts (m)
   held = repmat (' (never fitted)', 1, strcmp (m.role, 'holdout'));
   text = simulatedText (m);
   if isfinite (m.measured)
-    range = m.measured + m.allowed * [-1, 1];
-    text = sprintf ('%s, measured %s (allowed %.4g to %.4g)', text, ...
-                    inUnit (m.measured, m), range);
-    text = strrep (text, ' (allowed NaN to NaN)', '');
+    text = [text, ', measured ', ...
+            quantity(m.measured, m.unit, ...
+                     m.measured + m.allowed * [-1, 1], 'allowed ')];
   elseif ~isfinite (m.simulated)
     text = sprintf ('%.1f times its noise', 2 * m.share);
   end
@@ -44,7 +43,7 @@ function text = runsSay (n)
 end
 
 function text = simulatedText (m)
-  text = ['simulated ', inUnit(m.simulated, m)];
+  text = ['simulated ', quantity(m.simulated, m.unit)];
   if m.runs > 0 && isfinite (m.mean) && isfinite (m.simulated)
     runs = 'one run';
     if m.runs > 1
@@ -52,22 +51,11 @@ function text = simulatedText (m)
     end
     give = '';
     if isfinite (m.meanSd)
-      give = sprintf (' +- %.2g', m.meanSd);
+      give = [' +- ', quantity(m.meanSd, m.unit)];
     end
-    text = sprintf ('DEM, %s %.4g%s; all runs together %s', runs, m.mean, ...
-                    [give, inUnit([], m)], inUnit (m.simulated, m));
-  end
-end
-
-% In the unit of the table, as a quantity has one unit.
-function text = inUnit (x, m)
-  unit = m.unit;
-  if strcmp (unit, '-')
-    unit = '';
-  end
-  text = regexprep (sprintf ('%.4g %s', x, unit), ' $', '');
-  if isempty (x)
-    text = regexprep ([' ', unit], ' $', '');
+    text = sprintf ('DEM, %s %s%s; all runs together %s', runs, ...
+                    quantity (m.mean, m.unit), give, ...
+                    quantity (m.simulated, m.unit));
   end
 end
 
@@ -79,7 +67,7 @@ end
 %!test
 %! [texts, open] = missTexts (m);
 %! assert (texts, {'largest deviation: force', ...
-%!                 ['DEM, mean of 3 runs 5.33 +- 0.3 N; all runs together ' ...
+%!                 ['DEM, mean of 3 runs 5.33 N +- 300 mN; all runs together ' ...
 %!                  '5.8 N, measured 6 N (allowed 5.7 to 6.3)']});
 %! assert (open, '3 runs say missed, all runs together say met');
 %!test

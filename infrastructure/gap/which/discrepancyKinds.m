@@ -17,7 +17,7 @@
 function kinds = discrepancyKinds (gapProblem, em, budget, targets)
   benches = unique (gapProblem.bench(targets));
   R = diag (em.range(targets).^2);
-  S = signatures (em, targets);
+  S = middleMarks (em, targets);
   % a misfit has no effects
   em = withoutEffects (em);
   % not turned: what turns them starts from here
@@ -49,15 +49,6 @@ function kind = oneKind (em, white, budget, C, kind)
   kind.white = whitenEmulator (em, white.columns, budget, U');
   kind.white.shape = zeros (size (isTarget));
   kind.white.shape(isTarget) = max (diag (L)', 0);
-end
-
-function S = signatures (em, targets)
-  S = zeros (0, numel (targets));
-  for e = em.effect
-    psi = min (e.scale, e.range(2))^e.bend;
-    B = polyRows (e.powers, [zeros(1, em.p), psi]);
-    S(end + 1, :) = B * e.coef(:, targets);
-  end
 end
 
 %!test
