@@ -110,7 +110,7 @@ plan = campaignPlan (Case, gapProblem.effects, wanted (sets));
 say = @(text) sayLine (text, fullfile (work, 'campaign.log'));
 lock = lockCase (work);
 records = runAll (plan, Case, say);
-data = recordTable (plan, records, Case);
+data = tableOfRecords (plan, records, Case);
 file = fullfile (root, 'benchmarks', 'drumAndBins', ...
                  'storedRuns.csv');
 printf ('%d rows in %s\n', exportRuns (file, Case, data), file);

@@ -63,5 +63,12 @@ if grep -rnE --include='*.m' "\\b\w+\('\w+'\)\.\w+" infrastructure | grep -vE ':
   echo 'A field of what a map holds: take it out of the map first' >&2
   findings=1
 fi
+# Of two functions with one name, one hides the other.
+twice=$(printf '%s\n' "${octave[@]}" | grep -E '^(infrastructure|benchmarks|tests)/.*\.m$' |
+  grep -v '/\(DEMmodels\|loadInput\|loadEffects\|OctaveFuns\)' | sed 's|.*/||' | sort | uniq -d)
+[ -z "$twice" ] || {
+  echo "Two functions have one name: $twice" >&2
+  findings=1
+}
 tools/graph/graph.sh || findings=1
 exit $findings

@@ -35,7 +35,7 @@ function blindCampaign (root, work)
   end
   records = reshape (records, numel (Case.models), rows (plan.X)).';
   file = fullfile (root, 'benchmarks', 'blind', 'storedRuns.csv');
-  exportRuns (file, Case, recordTable (plan, records, Case));
+  exportRuns (file, Case, tableOfRecords (plan, records, Case));
   lines = strsplit (strtrim (fileread (file)), "\n");
   old = strtrim (fileread (fullfile (folder, 'storedRuns.csv')));
   writeAtomic (file, [strjoin([{old}, lines(2:end)], "\n"), "\n"]);

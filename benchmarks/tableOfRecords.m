@@ -1,6 +1,6 @@
-% RECORDTABLE  Run records of a campaign as the table that exportRuns takes.
+% TABLEOFRECORDS  Run records of a campaign as the table that exportRuns takes.
 %
-% CALL: DATA = recordTable (PLAN, RECORDS, CASE)
+% CALL: DATA = tableOfRecords (PLAN, RECORDS, CASE)
 %
 %   PLAN     struct with X (n x d), E (n x v), replicate (n x 1)
 %   RECORDS  n x M struct array, see newRecord
@@ -10,7 +10,7 @@
 %
 % See also: campaign, blindCampaign
 
-function data = recordTable (plan, records, Case)
+function data = tableOfRecords (plan, records, Case)
   data = struct ('X', plan.X, 'E', plan.E, 'replicate', plan.replicate);
   data.Z = NaN (rows (plan.X), numel (Case.targets));
   data.ended = ismember (reshape ({records.status}, size (records)), ...
