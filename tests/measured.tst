@@ -43,7 +43,7 @@
 %! assert (c.holdout.name, 'wide');
 %! assert (c.holdout.result, 3 * c.params.a, 0.1);
 %! assert (diff (c.holdout.interval90) > 0);
-%! assert (! isempty (strfind (out, 'discharge                    50 points')));
+%! assert (! isempty (strfind (out, 'discharge (50 points)')));
 %! assert (! isempty (strfind (out, 'not measured: wide predicted')));
 %! assert (isfile (fullfile (folder, 'results', 'report.html')));
 

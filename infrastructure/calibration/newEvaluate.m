@@ -71,9 +71,10 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   budget.reused = budget.reused + sum (isReused(:));
   budget.failed = budget.failed + sum (~isGood(:) & ~isLeftOut(:));
   budget.cutOff = budget.cutOff + sum (strcmp ({records.cause}, 'time'));
-  budget.lost = [budget.lost, ...
-                 lostRuns(records, ~isGood & ~isLeftOut, ...
-                          E(:, numel (Case.coarse) + 1:end))];
+  lost = lostRuns (records, ~isGood & ~isLeftOut, ...
+                   E(:, numel (Case.coarse) + 1:end));
+  % two empty structs in brackets lose their fields
+  budget.lost(end + 1:end + numel (lost)) = lost;
   seconds = shaped ([records.seconds]) .* [Case.models.cpu];
   budget.coreSeconds = budget.coreSeconds + sum (seconds(isfinite (seconds)));
   v = numel (Case.coarse);

@@ -9,9 +9,9 @@
 %            allowed), z (over its noise: of the measurement, of one run and of
 %            the expected mean), scatter (of one run), isStrict (the tolerance
 %            lies below that: no single measurement can confirm it), state,
-%            mean, meanSd, runs; largest z first. The points of a curve are one
-%            entry, its worst point. Without a calibration those of the
-%            diagnosis, with z alone
+%            mean, meanSd, runs, points (of a curve: they are one entry, its
+%            worst point; else 1); largest z first. Without a calibration those
+%            of the diagnosis, with z alone
 
 function misses = listMisses (c, gap)
   targets = jsonAt (c, {'targets'});
@@ -46,7 +46,7 @@ function m = missOf (T)
               'z', field ('z', NaN), 'scatter', field ('noiseSd', 0), ...
               'isStrict', false, ...
               'state', '', 'mean', field ('result', NaN), ...
-              'meanSd', field ('resultSd', NaN), 'runs', 0);
+              'meanSd', field ('resultSd', NaN), 'runs', 0, 'points', 1);
   m.miss = m.simulated - m.measured;
   residual = field ('residual', NaN);
   tol = field ('tol', NaN);
@@ -129,6 +129,7 @@ function misses = foldCurves (misses, c)
     [~, worst] = max ([misses(members).share]);
     at = members(worst);
     misses(at).share = share;
+    misses(at).points = numel (members);
     misses(at).isStrict = all ([misses(members).isStrict]);
     misses(at).name = jsonAt (c, {'targets', at, 'curve'});
     keep(at) = true;

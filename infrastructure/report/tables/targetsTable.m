@@ -34,7 +34,8 @@ function cells = rowOf (page, m)
   [class, word] = wordOf (m);
   word = struct ('value', word, 'class', class);
   if isempty (t)
-    name = struct ('value', [m.name, ' (curve)'], 'title', m.model);
+    name = struct ('value', sprintf ('%s (%d points)', m.name, m.points), ...
+                   'title', m.model);
     cells = {name, NaN, NaN, NaN, NaN, z, word, NaN, NaN, NaN};
     return
   end
