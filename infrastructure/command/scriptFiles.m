@@ -104,7 +104,7 @@ end
 
 % A file that the command must find.
 function found = takeRead (found, word, command, isScript)
-  for name = expandWord (word, found.values)
+  for name = namesOf (found, word)
     path = pathIn (found, name{1});
     if strcmp (name{1}, 'SELF') || any (strcmp (path, found.written))
       continue
@@ -116,7 +116,7 @@ function found = takeRead (found, word, command, isScript)
     paths = paths(isfile (paths));
     what = sprintf ('%s (%s in %s)', name{1}, command, ...
                     regexprep (found.stack{end}, '^.*/', ''));
-    if any (name{1} == '$')
+    if any (name{1} == '$') && isempty (paths)
       found.open{end + 1} = what;
     elseif isempty (paths)
       found.missing{end + 1} = what;
@@ -126,6 +126,14 @@ function found = takeRead (found, word, command, isScript)
     for next = paths(1:end * isScript)
       found = follow (found, next{1});
     end
+  end
+end
+
+% What a word stands for; itself where a file has just that name.
+function names = namesOf (found, word)
+  names = {word};
+  if ~isfile (pathIn (found, word))
+    names = expandWord (word, found.values);
   end
 end
 
