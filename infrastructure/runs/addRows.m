@@ -9,6 +9,9 @@
 % REPLICATE  n x 1; STAGE  text; E  n x v effect values (default: those of the
 %            first row, or zeros)
 %
+% Parameters are rounded to the digits that a set is run with (toDigits), so that
+% equal sets are equal, wherever they come from.
+%
 % Errors: DEcalioc:addRows:badShape
 
 function data = addRows (data, X, Z, replicate, stage, E)
@@ -24,7 +27,7 @@ function data = addRows (data, X, Z, replicate, stage, E)
             '%d x %d, %d x %d and %d x %d.'], columns (data.X), ...
            columns (data.Z), size (X), size (Z), size (replicate));
   end
-  data.X = [data.X; X];
+  data.X = [data.X; toDigits(X)];
   data.E = [data.E; E];
   data.Z = [data.Z; Z];
   data.replicate = [data.replicate; replicate(:)];
@@ -37,6 +40,8 @@ end
 %!test
 %! data = addRows (newData (2, 1), [1, 2; 3, 4], [5; NaN], [1; 1], 'plan');
 %! assert (data.X, [1, 2; 3, 4]);
+%! twice = addRows (data, [1 / 3, 0; 1 / 3 + eps(1/3), 0], [1; 1], [1; 2], 'plan');
+%! assert (twice.X(3, :), twice.X(4, :), 0);
 %! assert (data.stage, {'plan'; 'plan'});
 
 %!error id=DEcalioc:addRows:badShape
