@@ -47,6 +47,7 @@
 %!   writeLoadInput (folder, 'optim.targetStd = {[0.02, 0.05], 0.02};');
 %!   text = "function effects = loadEffects ()\neffects = {'gain'};\nend\n";
 %!   writeAtomic (fullfile (folder, 'loadEffects.m'), text);
+%!   weighedResults (folder);
 %!   for words = {'run', 'diagnose', 'report', 'export'}
 %!     call = [words{1}, ' ', both{k}];
 %!     before = finishedRuns (folder);

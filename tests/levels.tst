@@ -112,6 +112,7 @@
 %!                         'optim.targetStd = {[0.02, 0.05], 0.02};']);
 %! text = "function effects = loadEffects ()\neffects = {'gain'};\nend\n";
 %! writeAtomic (fullfile (other, 'loadEffects.m'), text);
+%! weighedResults (other);
 %! rand ('twister', 3);
 %! randn ('twister', 3);
 %! X = 10 * rand (40, 2);
