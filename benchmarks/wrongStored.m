@@ -59,7 +59,8 @@ function count = onePlan (store, n, share, number)
   end
   data = setfield (keepRows (store.data, pick), 'Z', Z);
   state = newState (data, fitSurrogates (data, store.problem), []);
-  state.evaluate = newEvaluate (@(P, E, r) repeated (P, store));
+  [state.evaluate, state.budget] = newEvaluate (@(P, E, r) ...
+                                               repeated (P, store));
   state = repeatSuspects (state, store.problem);
   surrogates = state.surrogates;
   left = horzcat (surrogates.leftOut)(1:n, :);
