@@ -60,7 +60,7 @@ function count = onePlan (store, n, share, number)
   data = setfield (keepRows (store.data, pick), 'Z', Z);
   state = newState (data, fitSurrogates (data, store.problem), []);
   [state.evaluate, state.budget] = newEvaluate (@(P, E, r) ...
-                                               repeated (P, store));
+                                                repeated (P, store));
   state = repeatSuspects (state, store.problem);
   surrogates = state.surrogates;
   left = horzcat (surrogates.leftOut)(1:n, :);
