@@ -88,8 +88,8 @@ function list = sealedCases (stem, name, root, step, how)
   end
   gapProblem = newGapProblem (given);
   whole = emulatorOf (stem, how.folder, gapProblem, data, how.options, {});
-  table = @(what) tableOf (fullfile (root, 'benchmarks', 'results', ...
-                                     [stem, '-', what, '.csv']));
+  table = @(what) tableRows (fullfile (root, 'benchmarks', 'results', ...
+                                       [stem, '-', what, '.csv']));
   [truths, values] = deal (table ('truth'), table ('cases'));
   first = withValues (given, values(strcmp ({values.case}, truths(1).case)));
   how = withReference (how, stem, newGapProblem (first), whole);
@@ -112,11 +112,6 @@ function list = sealedCases (stem, name, root, step, how)
     list = [list, formCase(stem, str2double (t.case), own, ...
                            withoutEffects(whole, off), truth, how)];
   end
-end
-
-function list = tableOf (file)
-  [header, cells] = readCsvTable (file);
-  list = cell2struct (cells, header, 2)';
 end
 
 function given = withValues (given, lines)

@@ -23,35 +23,27 @@
 
 function list = casesOf (words, folder)
   files = strsplit (words, '+');
-  list = tableOf (fullfile (folder, files{1}));
+  list = tableRows (fullfile (folder, files{1}));
   if numel (files) > 1
-    truth = tableOf (fullfile (folder, files{2}));
+    truth = tableRows (fullfile (folder, files{2}));
     [~, at] = ismember ({list.case}, {truth.case});
     [list.class] = truth(at).class;
     [list.cause] = truth(at).cause;
   end
 end
 
-function list = tableOf (file)
-  [header, cells] = readCsvTable (file);
-  list = cell2struct (cells, header, 2)';
-end
-
 function [stated, isRight] = statedOf (list)
-  p = {list.(ifElse (isfield (list, 'gateP'), 'gateP', 'p'))};
-  counts = cellfun (@str2double, p) < 0.05 & ~strcmp ({list.class}, 'null');
+  field = 'p';
+  if isfield (list, 'gateP')
+    field = 'gateP';
+  end
+  counts = cellfun (@str2double, {list.(field)}) < 0.05 & ~strcmp ({list.class}, 'null');
   list = list(counts);
   stated = cellfun (@str2double, {list.pTop});
   isListed = ismember ({list.class}, {'single', 'pair'});
   isRight = isListed & cellfun (@(top, cause) ...
                                 any (strcmp (top, strsplit (cause, ' '))), ...
                                 {list.top}, {list.cause});
-end
-
-function word = ifElse (yes, word, other)
-  if ~yes
-    word = other;
-  end
 end
 
 function lines = curveOf (name, stated, isRight)

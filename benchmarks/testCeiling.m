@@ -64,12 +64,4 @@ function [now, again, best, name] = reach (kind, number)
   end
 end
 
-function sayShare (text, is, among)
-  k = sum (is & among);
-  n = sum (among);
-  [lo, hi] = binomialInterval (k, n);
-  printf ('%-42s %d / %d = %.0f %% (%.0f - %.0f)\n', text, k, n, ...
-          100 * k / max (n, 1), 100 * lo, 100 * hi);
-end
-
 sayCeiling (argv ()');

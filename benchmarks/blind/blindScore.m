@@ -18,9 +18,9 @@
 % See also: blind, blindLines
 
 function cases = blindScore (stem, truth, lab)
-  truths = tableOf (truth);
-  answers = tableOf ([stem, '-answers.csv']);
-  strengths = tableOf ([regexprep(stem, '-where$', ''), '-strengths.csv']);
+  truths = tableRows (truth);
+  answers = tableRows ([stem, '-answers.csv']);
+  strengths = tableRows ([regexprep(stem, '-where$', ''), '-strengths.csv']);
   truths = truths(ismember ({truths.case}, {answers.case}));
   for i = 1:numel (truths)
     answer = answers(find (strcmp ({answers.case}, truths(i).case), 1));
@@ -29,12 +29,6 @@ function cases = blindScore (stem, truth, lab)
   end
   s = scoreDiagnoses ([stem, '-scores.csv'], cases, @blindLines);
   writeCases ([stem, '-cases-scored.csv'], cases, s);
-end
-
-% 1 x n struct, all fields text.
-function list = tableOf (file)
-  [header, cells] = readCsvTable (file);
-  list = cell2struct (cells, header, 2)';
 end
 
 function c = caseOf (truth, answer, strengths, lab)

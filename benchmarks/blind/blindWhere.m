@@ -14,8 +14,7 @@
 % See also: blind, blindTable, locateGap
 
 function blindWhere (stem, lab)
-  [header, cells] = readCsvTable ([stem, '-cases.csv']);
-  rowsOf = cell2struct (cells, header, 2)';
+  rowsOf = tableRows ([stem, '-cases.csv']);
   [header, answers] = readCsvTable ([stem, '-answers.csv']);
   for i = 1:rows (answers)
     number = answers{i, strcmp(header, 'case')};

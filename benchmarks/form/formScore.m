@@ -11,8 +11,7 @@
 % See also: formStudy
 
 function formScore (file)
-  [header, cells] = readCsvTable (file);
-  c = cell2struct (cells, header, 2)';
+  c = tableRows (file);
   num = @(name) cellfun (@str2double, {c.(name)});
   is = @(name, word) strcmp ({c.(name)}, word);
   [d, tangent, pTop, p] = deal (num ('d'), num ('tangent'), num ('pTop'), ...
@@ -32,34 +31,26 @@ function formScore (file)
     few(i) = numel (class_) <= 3;
     top(i) = any (strcmp (c(i).top, cause));
   end
-  say ('alarm without a gap', ~is ('verdict', 'no gap'), without);
-  say ('name without a gap', named, without);
-  say ('name, cause off the list', named, is ('class', 'unlisted'));
+  sayShare ('alarm without a gap', ~is ('verdict', 'no gap'), without);
+  sayShare ('name without a gap', named, without);
+  sayShare ('name, cause off the list', named, is ('class', 'unlisted'));
   for t = unique (tangent)
     at = tangent == t;
     printf ('tangent %g\n', t);
-    say ('  names that are right', right, named & listed & at);
-    say ('  names and classes that hold the cause', holds, ...
-         (named | grouped) & listed & at);
-    say ('  d >= 4: named rightly', named & right, alone & d >= 4 & at);
-    say ('  d >= 4: named, or in three at most', (named | grouped) & holds & ...
-         few, alone & d >= 4 & at);
-    say ('  d >= 4: named, or in the class', (named | grouped) & holds, ...
-         alone & d >= 4 & at);
-    say ('  d >= 4: likeliest', top, alone & d >= 4 & at);
+    sayShare ('  names that are right', right, named & listed & at);
+    sayShare ('  names and classes that hold the cause', holds, ...
+              (named | grouped) & listed & at);
+    sayShare ('  d >= 4: named rightly', named & right, alone & d >= 4 & at);
+    sayShare ('  d >= 4: named, or in three at most', (named | grouped) & holds & ...
+              few, alone & d >= 4 & at);
+    sayShare ('  d >= 4: named, or in the class', (named | grouped) & holds, ...
+              alone & d >= 4 & at);
+    sayShare ('  d >= 4: likeliest', top, alone & d >= 4 & at);
   end
   edges = [0, 0.3, 0.5, 0.7, 0.8, 0.9, 0.97, 1.001];
   for i = 1:numel (edges) - 1
     in = pTop >= edges(i) & pTop < edges(i + 1) & listed & p < 0.05;
-    say (sprintf ('stated %.2f to %.2f (mean %.2f)', edges(i:i + 1), ...
-                  mean (pTop(in))), top, in);
+    sayShare (sprintf ('stated %.2f to %.2f (mean %.2f)', edges(i:i + 1), ...
+                       mean (pTop(in))), top, in);
   end
-end
-
-function say (name, hits, counted)
-  k = sum (hits & counted);
-  n = sum (counted);
-  [lo, hi] = binomialInterval (k, n);
-  printf ('%-42s %3d / %3d = %3.0f %%  (%.0f - %.0f)\n', name, k, n, ...
-          100 * k / max (n, 1), 100 * lo, 100 * hi);
 end

@@ -17,9 +17,9 @@ function [texts, open] = missTexts (m)
   held = repmat (' (never fitted)', 1, strcmp (m.role, 'holdout'));
   text = simulatedText (m);
   if isfinite (m.measured)
-    allowed = quantity (m.measured, m.unit, ...
-                        m.measured + m.allowed * [-1, 1]);
-    text = [text, ', measured ', strrep(allowed, ' (', ' (allowed ')];
+    text = [text, ', measured ', ...
+            quantity(m.measured, m.unit, ...
+                     m.measured + m.allowed * [-1, 1], 'allowed ')];
   elseif ~isfinite (m.simulated)
     text = sprintf ('%.1f times its noise', 2 * m.share);
   end

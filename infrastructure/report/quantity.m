@@ -1,16 +1,20 @@
 % QUANTITY  A value with its unit as one says it, and its interval.
 %
-% CALL: TEXT = quantity (X, UNIT, RANGE)
+% CALL: TEXT = quantity (X, UNIT, RANGE, WORD)
 %
 %   X      scalar
 %   UNIT   text, SI; '' or '-': a plain number
 %   RANGE  1 x 2, optional: ' (from to)' is added unless it is not finite
+%   WORD   text, optional: what the range is, said before it: 'allowed '
 %   TEXT   '41.9 kJ/m3 (25.9 to 60)'; '1.5 mm'; '-' where X is not finite
 %
 % Prefixes are taken where the unit begins with one that takes them. Three
 % digits.
 
-function text = quantity (x, unit, range)
+function text = quantity (x, unit, range, word)
+  if nargin < 4
+    word = '';
+  end
   text = '-';
   if isempty (x) || ~isfinite (x)
     return
@@ -21,8 +25,8 @@ function text = quantity (x, unit, range)
   [factor, unit] = prefixed (x, unit);
   text = strtrim ([number(x / factor), ' ', unit]);
   if nargin > 2 && numel (range) == 2 && all (isfinite (range))
-    text = sprintf ('%s (%s to %s)', text, number (range(1) / factor), ...
-                    number (range(2) / factor));
+    text = sprintf ('%s (%s%s to %s)', text, word, ...
+                    number (range(1) / factor), number (range(2) / factor));
   end
 end
 
@@ -69,3 +73,4 @@ end
 %!assert (quantity (NaN, 'm'), '-')
 %!assert (quantity (0, 'kg'), '0 kg')
 %!assert (quantity (1234, ''), '1234')
+%!assert (quantity (6, 'N', [5.7, 6.3], 'allowed '), '6 N (allowed 5.7 to 6.3)')

@@ -115,7 +115,7 @@ function test = candidate (Case, bench, say)
   if bench.origin > 0
     test.origin = find ([Case.targets.model] == bench.origin);
   else
-    [test.noise, test.size] = scatterOf (bench.source);
+    [test.noise, test.size] = runScatter (bench.source);
   end
   given = gapProblemOf (own);
   test.effects = struct ('offset', {}, 'matrix', {});
@@ -150,15 +150,6 @@ function lines = measuredLines (own, bench, trials)
                      info(k).unit, tol}, ',');
     lines = [lines, repmat({line}, 1, trials)];
   end
-end
-
-function [sd, means] = scatterOf (folder)
-  [~, cells] = readCsvTable (fullfile (folder, 'scatter.csv'));
-  values = str2double (cells(:, 2:3));
-  names = {resultInfo(folder).name};
-  [~, row] = ismember (names, cells(:, 1));
-  means = values(row, 1)';
-  sd = values(row, 2)';
 end
 
 % The case of this bench alone.

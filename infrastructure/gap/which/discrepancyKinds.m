@@ -18,7 +18,7 @@ function kinds = discrepancyKinds (gapProblem, em, budget, white)
   targets = white.columns;
   benches = unique (gapProblem.bench(targets));
   R = diag (em.range(targets).^2);
-  S = signatures (em, targets);
+  S = middleMarks (em, targets);
   % a misfit has no effects
   em = withoutEffects (em);
   make = @(C, extent, name, weight) ...
@@ -48,15 +48,6 @@ function kind = oneKind (em, white, budget, C, kind)
   kind.white = whitenEmulator (em, white.columns, budget, U');
   kind.white.shape = zeros (size (isTarget));
   kind.white.shape(isTarget) = max (diag (L)', 0);
-end
-
-function S = signatures (em, targets)
-  S = zeros (0, numel (targets));
-  for e = em.effect
-    psi = min (e.scale, e.range(2))^e.bend;
-    B = polyRows (e.powers, [zeros(1, em.p), psi]);
-    S(end + 1, :) = B * e.coef(:, targets);
-  end
 end
 
 %!test

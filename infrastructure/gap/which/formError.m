@@ -23,7 +23,7 @@ function white = formError (gapProblem, em, budget, targets)
   white = whitenEmulator (em, targets, budget);
   own = white.isTarget > 0;
   W = white.W(own, :);
-  S = marksOf (em, targets);
+  S = middleMarks (em, targets);
   N = white.parity;
   V = N(own, :)' * W * S';
   if isempty (S)
@@ -46,16 +46,6 @@ end
 
 function C = unitTrace (C)
   C = C / max (trace (C), realmin);
-end
-
-% At full strength in the middle of the box, one a row.
-function S = marksOf (em, targets)
-  S = zeros (0, numel (targets));
-  for e = em.effect
-    psi = min (e.scale, e.range(2))^e.bend;
-    B = polyRows (e.powers, [zeros(1, em.p), psi]);
-    S(end + 1, :) = B * e.coef(:, targets);
-  end
 end
 
 function C = towardsOthers (V)

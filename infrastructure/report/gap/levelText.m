@@ -22,9 +22,11 @@ function text = levelText (level)
     text = [text, 'it would be the same.'];
   else
     effects = cellstr (level.effects);
-    text = sprintf ('%sit would be: %s (%s).', text, level.verdict, ...
-                    strjoin (effects(:)', ', '));
-    text = strrep (text, ' ()', '');
+    names = '';
+    if ~all (cellfun (@isempty, effects(:)))
+      names = sprintf (' (%s)', strjoin (effects(:)', ', '));
+    end
+    text = [text, 'it would be: ', level.verdict, names, '.'];
   end
 end
 
