@@ -139,6 +139,7 @@ end
 function found = gather (queue, files, root)
   found = struct ('counts', zeros (1, 3), 'failing', {{}}, 'said', '', ...
                   'late', '');
+  files = strrep (strrep (files, '?', ''), [root, '/'], '');
   for k = 1:numel (files)
     claim = fullfile (queue, sprintf ('%d', k));
     counts = [0, 1, 0];
@@ -151,7 +152,7 @@ function found = gather (queue, files, root)
     found.counts = found.counts + counts;
     if counts(2) > 0
       found.said = [found.said, text];
-      found.failing{end + 1} = strrep (files{k}, [root, '/'], '');
+      found.failing{end + 1} = files{k};
     end
   end
 end

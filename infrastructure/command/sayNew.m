@@ -23,11 +23,11 @@ function status = sayNew (root, folder, args)
     given.script = absoluteFrom (folder, given.script);
   end
   target = placeOf (given, words, folder);
-  ask = @(question, default, rule) default;
+  ask = {};
   if isempty (given.model) && strcmp (getenv ('DECALIOC_ASKS'), 'yes')
-    ask = @askPerson;
+    ask = {@askPerson};
     if isempty (given.bench)
-      given.bench = askBench (root, ask);
+      given.bench = askBench (root);
     end
   end
   isCase = isfile (fullfile (target, 'loadInput.m'));
@@ -35,7 +35,7 @@ function status = sayNew (root, folder, args)
     refuseIf (isCase, target, 'is a case already');
   end
   if ~isempty (given.bench)
-    words = newBenchCase (root, given.bench, ask);
+    words = newBenchCase (root, given.bench, ask{:});
     makePlace (target);
     makeForm (fullfile (root, 'templates', 'benchCase'), target, words);
   elseif isempty (given.model)
@@ -194,10 +194,10 @@ function text = askPerson (question, default, rule)
   end
 end
 
-function bench = askBench (root, ask)
+function bench = askBench (root)
   sayBenches (root, '', {});
-  bench = ask (['test rigs, with commas between (none: the published ' ...
-                'container)'], 'Heap', @(text) ~isempty (text));
+  bench = askPerson (['test rigs, with commas between (none: the published ' ...
+                      'container)'], 'Heap', @(text) ~isempty (text));
   if strcmp (bench, 'none')
     bench = '';
   end
