@@ -13,7 +13,8 @@
 % runs and b others, each counted by exp (-(u / 0.15)^2 / 2) at u box widths (the
 % diagonal is sqrt (d)). So far from all odd runs nothing changes, and at a set
 % next to one it takes many runs without another odd one to bound q: the mean
-% over both outcomes moves by q times the jump.
+% over both outcomes moves by q times the jump. All this with PROBLEM.odd.chance
+% (default 1), else the odd runs are wrong ones and tell nothing.
 
 function [p, share] = mixtureMet (r, s, problem, df, at)
   share = zeros (rows (at), 1);
@@ -24,7 +25,8 @@ function [p, share] = mixtureMet (r, s, problem, df, at)
     a = sum (W, 2);
     b = sum (weights (at, odd.all, problem), 2) - a + ...
         givenField (odd, 'further', 0);
-    share = a ./ (a + max (b, 0) + 1);
+    chance = givenField (odd, 'chance', 1);
+    share = chance * a ./ (a + max (b, 0) + 1);
     isNear = a > 0.02;
   end
   p = zeros (rows (at), 1);
@@ -36,10 +38,12 @@ function [p, share] = mixtureMet (r, s, problem, df, at)
                                repmat (problem.value, sum (isNear), 1));
   jump = slope .* ((W(isNear, :) * odd.jump) ./ a(isNear));
   levels = ((1:8) - 0.5) / 8;
+  p(isNear) = (1 - chance) * allMet (r(isNear, :), s(isNear, :), problem, df);
   for level = levels
     q = betaincinv (level, a(isNear), max (b(isNear), 0) + 1);
-    p(isNear) = p(isNear) + allMet (r(isNear, :) + q .* jump, ...
-                                    s(isNear, :), problem, df) / 8;
+    p(isNear) = p(isNear) + chance / 8 * ...
+                            allMet (r(isNear, :) + q .* jump, s(isNear, :), ...
+                                    problem, df);
   end
 end
 
@@ -72,5 +76,8 @@ end
 %!   assert (p, 1 - 0.95^n, 0.07);
 %!   assert (share, 1 / (n + 1), 1e-9);
 %! end
+%! problem.odd.chance = 0;
+%! assert (mixtureMet (0, 1e-6, problem, 1e6, 0.5), 1, 1e-3);
+%! problem.odd.chance = 1;
 %! problem.odd.further = 200;
 %! assert (mixtureMet (0, 1e-6, problem, 1e6, 0.5), 1, 1e-3);

@@ -3,13 +3,19 @@
 % CALL: ODD = oddRuns (STATE, PROBLEM)
 %
 %   ODD  struct: X k x d, jump k x T (result less what the surrogates say), of
-%        the odd runs; all n x d, the sets of all runs that have a result; [] where
-%        no run is odd
+%        the odd runs; all n x d, the sets of all runs that have a result; chance
+%        (that they are an outcome of the model, and no wrong runs); [] where no
+%        run is odd
 %
 % Odd are runs that were left out, as a second run at their set is what the
 % others foretell (findBadRuns), and the smaller part of three or more runs at
 % one set which a gap parts: wider than four times what either part spans, and
 % than all tolerances. A bin that flows or clogs, a heap that holds or slides.
+%
+% Such an outcome moves a result the same way each time; a wrong run (start state,
+% lost wall) moves it either way. Odds of 9 to 1 before; for each requirement in
+% which odd runs are off by more than 4 scatters, twice as much for each further
+% run on the same side, a hundredth once there are runs on both sides.
 
 function odd = oddRuns (state, problem)
   odd = [];
@@ -24,7 +30,22 @@ function odd = oddRuns (state, problem)
   if any (isOdd)
     odd = struct ('X', X(isOdd, :), 'all', X);
     odd.jump = Z(isOdd, :) - usualOf (X, Z, isOdd, state.surrogates);
+    odd.chance = chanceOf (odd.jump, sqrt ([state.surrogates.noiseVar]), problem);
   end
+end
+
+function chance = chanceOf (jump, noiseSd, problem)
+  odds = 9;
+  side = sign (jump) .* (abs (jump) > 4 * noiseSd);
+  for group = requirementsOf (problem)
+    own = sum (side(:, group{1}), 2);      % of a curve: of most of its points
+    if any (own > 0) && any (own < 0)
+      odds = odds / 100;
+    else
+      odds = odds * 2^max (0, sum (own ~= 0) - 1);
+    end
+  end
+  chance = odds / (1 + odds);
 end
 
 % What the others gave at the set of each odd run, else the surrogates.
@@ -79,6 +100,13 @@ end
 %! odd = oddRuns (state, problem);
 %! assert ({odd.X, size(odd.all)}, {[0.5, 1], [16, 2]});
 %! assert (odd.jump, -0.7 * f ([0.5, 1]), 0.05);
+%! assert (odd.chance, 0.9, 1e-9);
 %! % a run that was left out is one
 %! state.surrogates(1).leftOut(3) = true;
-%! assert (rows (oddRuns (state, problem).X), 2);
+%! odd = oddRuns (state, problem);
+%! assert (rows (odd.X), 2);
+%! % two on one side, on both sides
+%! state.data.Z(3, :) = 0.3 * f (state.data.X(3, :));
+%! assert (oddRuns (state, problem).chance > 0.9);
+%! state.data.Z(3, :) = 1.7 * f (state.data.X(3, :));
+%! assert (oddRuns (state, problem).chance < 0.01);

@@ -6,7 +6,9 @@
 % LAW   1 x T cell: handle, response -> variance of one run there; [] where 8 or
 %       more degrees of freedom of replicates do not show that the scatter
 %       follows the response: the slope of log sd on log |mean| over the groups
-%       is positive by more than 2 of its standard deviations
+%       is positive by more than 2 of its standard deviations, which are larger
+%       where the groups lie farther from the line than chi squared ones do: a
+%       group with a wrong run tells of no law
 %
 % The law is c |response|^(2 slope), the slope limited to 2, with the c for
 % which it gives the sum of squares that the groups have.
@@ -44,7 +46,8 @@ function slope = slopeOf (m, ss, n)
   if std (A(:, 2)) >= 0.05
     b = (weight .* A) \ (weight .* y);
     S = inv (A' * (weight.^2 .* A));
-    slope = b(2) * (b(2) > 2 * sqrt (S(2, 2)));
+    beyond = max (1, sumsq (weight .* (y - A * b)) / max (1, sum (use) - 2));
+    slope = b(2) * (b(2) > 2 * sqrt (beyond * S(2, 2)));
   end
 end
 

@@ -27,7 +27,7 @@
 % that is against a run that may lie anywhere within 6 standard deviations s of
 % the others (Box and Tiao 1968: a small share of runs of another, wide
 % distribution). It is bad only where another run at the same set is what the
-% others foretell, and off it by 6 scatters: a lone run may be the one that
+% others foretell, and off it by 4 scatters: a lone run may be the one that
 % shows a peak or a jump, and never are all runs of a set bad. Responses whose
 % residuals are alike count as fewer (alikeWeights): an
 % avalanche changes slope, height and mass of a heap at once. Added and taken
@@ -41,8 +41,11 @@ function [bad, suspect] = findBadRuns (runs, kind, surrogates, old)
   for m = unique (kind.model)
     ofModel = kind.model == m;
     judges = find (ofModel & kind.judges);
-    bad(:, ofModel) = false;
     rowsOf = any (isfinite (runs.Z(:, judges)), 2);
+    if isempty (judges)
+      continue
+    end
+    bad(:, ofModel) = false;
     if ~any (rowsOf)
       continue
     end
@@ -95,13 +98,13 @@ function yes = isAlone (set, kept)
 end
 
 % Other runs of the set are where all others say, within 3 deviations, and the
-% run is off them by 6 scatters: runs of DEM scatter with wide tails.
+% run is off them by 4 scatters: runs of DEM scatter with wide tails.
 function yes = isForetold (task, now)
   yes = false (size (now.out));
   for i = find (now.out)'
     mates = task.set == task.set(i) & ~now.out & now.far < 3;
     off = abs (task.Z(i, :) - mean (task.Z(mates, :), 1));
-    yes(i) = any (mates) && any (off > 6 * now.noiseSd);
+    yes(i) = any (mates) && any (off > 4 * now.noiseSd);
   end
 end
 

@@ -21,10 +21,10 @@
 % Runs that are off by far more than runs scatter, and than another run of their
 % set, are left out (findBadRuns): leftOut (n x 1 logical, rows of DATA) says
 % which, aside (k x 1) what they gave, suspect (n x 1 logical) which would be if
-% the set were run once more. Not judged where replicates
-% show that the scatter follows the response (estimateNoise), for there a wide
-% run may be a good one: each row has its own variance then, and noiseVar is
-% that at the target.
+% the set were run once more. A target does not judge where replicates show that
+% its scatter follows the response (estimateNoise), for there a wide run may be a
+% good one: each row has its own variance then, and noiseVar is that at the
+% target.
 %
 % The variance of a prediction holds what the parameters of the surrogates leave
 % open (parameterSpread).
@@ -47,9 +47,11 @@ function surrogates = fitSurrogates (data, problem, old, most)
   runs = struct ('X', data.X(same, :), 'Z', data.Z(same, :), 'level', {level});
   bad = leftOut(same, :);
   [surrogates, follows] = fitGood (runs, bad, problem, old);
-  if ~follows
+  kind = kindOfTarget (problem);
+  kind.judges = kind.judges & ~follows;
+  if any (kind.judges)
     [now, doubt] = findBadRuns (withoutDropped (runs, surrogates), ...
-                                kindOfTarget (problem), surrogates, bad);
+                                kind, surrogates, bad);
     suspect(same, :) = doubt;
     if ~isequal (now, bad)
       surrogates = fitGood (runs, now, problem, []);
@@ -100,13 +102,14 @@ function runs = withoutDropped (runs, surrogates)
   end
 end
 
-function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
+function [surrogates, follows] = fitGood (runs, bad, problem, old)
   X = runs.X;
   Z = runs.Z;
   Z(bad) = NaN;
   law = estimateNoise (X, Z);
   isPublished = strcmp (problem.options.method, 'published');
-  anyFollows = isPublished;            % every run counts
+  % published: every run counts
+  follows = repmat (isPublished, 1, numel (problem.value));
   for t = 1:numel (problem.value)
     options = struct ('name', problem.targetNames{t}, 'unit', ...
                       problem.tol(t) * abs (problem.scale(t)));
@@ -127,7 +130,7 @@ function [surrogates, anyFollows] = fitGood (runs, bad, problem, old)
     else
       known = Z(isfinite (Z(:, t)), t);
       options.noise = law{t}(known);
-      anyFollows = true;
+      follows(t) = true;
       s = fitSurrogate (X, Z(:, t), problem.limits, options);
       % not measured yet: where the runs are
       usual = [problem.value(t), median(known)];
