@@ -9,7 +9,8 @@
 %                        off at a time limit: what lies there is not known
 %          'manyFailed'  a third or more, and three at least, failed otherwise
 %          'jump'        a response passes its target in a jump (jumpsPast):
-%                        more runs find no set in it
+%                        more runs find no set in it. A run that looks wrong
+%                        and was not made once more proves no jump
 
 function final = endingCause (final, state, problem)
   if final.converged || strcmp (final.ending.code, 'published')
@@ -21,6 +22,7 @@ function final = endingCause (final, state, problem)
                     'cutOff', cutOff, 'failed', budget.failed - cutOff, ...
                     'total', budget.new + budget.reused, ...
                     'seconds', ceil (-min ([budget.seconds{:}, 0])));
+  state.data = keepRows (state.data, ~openSuspects (state, problem));
   [jump, names] = jumpsPast (state, problem);
   code = '';
   if cutOff >= max (2, 0.2 * numbers.total)
@@ -64,3 +66,6 @@ end
 %! problem.value = [3.5, 1.5];
 %! f = endingCause (final, s, problem);
 %! assert ({f.ending.code, f.ending.names}, {'jump', {'y'}});
+%! s.surrogates(1).suspect(14) = true;
+%! s.surrogates(2).suspect(14) = false;
+%! assert (endingCause (final, s, problem), final);

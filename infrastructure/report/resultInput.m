@@ -3,10 +3,10 @@
 % CALL: INPUT = resultInput (CASE)
 %
 %   CASE   see newCase
-%   INPUT  scalar struct: models (1 x M cell of structs name, cpu, key, lastRun:
-%          number of the last run folder), modelVars, options, digest (scalar
-%          struct of texts, one a part of the input: differs where the part
-%          does)
+%   INPUT  scalar struct: models (1 x M cell of structs name, cpu, key ('': it has
+%          no runscript), lastRun: number of the last run folder), modelVars,
+%          options, digest (scalar struct of texts, one a part of the input:
+%          differs where the part does)
 %
 % See also: changedInput
 
@@ -16,10 +16,13 @@ function input = resultInput (Case)
   if all (cellfun (@isfolder, {Case.models.folder}))
     hashes = hashModels (Case);
   end
+  % a model that nothing can run has none
+  keys = {hashes.input};
+  keys(~isfile (fullfile ({Case.models.folder}, 'runscript'))) = {''};
   last = cellfun (@(name) getLastFoldersNumber (Case.store, name), ...
                   {Case.models.name});
   models = struct ('name', {Case.models.name}, 'cpu', {Case.models.cpu}, ...
-                   'key', {hashes.input}, 'lastRun', num2cell (last));
+                   'key', keys, 'lastRun', num2cell (last));
   input = struct ('models', {num2cell(models)}, 'modelVars', Case.modelVars, ...
                   'options', Case.options, 'digest', digestOf (Case, hashes));
 end

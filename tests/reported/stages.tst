@@ -9,3 +9,6 @@
 %! % nothing can be run once more: it counts, and that is said
 %! assert (! isempty (regexp (out, ['gave angle = 34.72; the other runs ' ...
 %!                                  'predict 30.*so it counts'])), out);
+%! % one odd run is no jump
+%! assert (isempty (strfind (out, 'jumps past')), out);
+%! assert (! isempty (strfind (out, 'add the run to runs.csv')), out);

@@ -10,6 +10,7 @@
 %! [status, out] = startCommand (folder, 'run');
 %! assert (any (status == [0, 2]), out);
 %! assert (isfile (fullfile (folder, 'results', 'calibration.json')));
+%! assert (! isempty (strfind (out, 'add the run to runs.csv')), out);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fullfile (folder, 'DEMmodels'), 's');
 %! writeAtomic (fullfile (folder, 'loadEffects.m'), ...
