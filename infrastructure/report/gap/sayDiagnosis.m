@@ -53,13 +53,17 @@ function sayDiagnosis (Case, say, nextFile)
   if ischar (own) && ~isempty (own)
     v.action = own;
   end
-  sayPlain (v, madeByText (jsonAt (gap, {'which', 'cause'})), say);
+  found = {conditionTexts(gap).line};
+  sayPlain (v, found(1:end * (numel (found) > 1)), ...
+            madeByText (jsonAt (gap, {'which', 'cause'})), say);
 end
 
-function sayPlain (v, madeBy, say)
+% FOUND: a line a condition, where there are several.
+function sayPlain (v, found, madeBy, say)
   cause = v.cause;
   say ('');
   say (upperFirst (cause.word), cause.class);
+  cellfun (@(line) say (['FOUND   ', line]), found);
   lines = {'MISSES  ', cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...
            'CLOSED  ', cause.closed; 'NEXT    ', v.action; ...
            '        ', sentence('cause.unseen', struct ('names', {cause.cannotSee}))};

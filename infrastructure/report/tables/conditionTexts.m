@@ -3,27 +3,38 @@
 % CALL: LIST = conditionTexts (GAP)
 %
 %   GAP   decoded gap/gap.json
-%   LIST  1 x C struct name, text (what has changed, with its interval),
-%         probability (NaN: nothing is named), file ('' where no cause was
-%         fitted), the surest first; none for a case without conditions
+%   LIST  1 x C struct name, text (what has changed, with its interval; of a
+%         group 'A or B'), probability (of a group: that it is one of them; NaN:
+%         nothing is named), file ('' where no cause was fitted), line (name, text
+%         and probability), the surest first; none for a case without conditions
 
 function list = conditionTexts (gap)
-  list = struct ('name', {}, 'text', {}, 'probability', {}, 'file', {});
+  list = struct ('name', {}, 'text', {}, 'probability', {}, 'file', {}, ...
+                 'line', {});
   conditions = jsonAt (gap, {'reference', 'conditions'});
   for k = 1:numel (conditions)
     one = jsonAt (conditions, {k});
     effects = namesIn (one, 'effects');
     texts = namesIn (one, 'text');
     texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
-    own = struct ('name', one.name, 'text', strjoin (texts, '; '), ...
-                  'probability', max ([jsonAt(one, {'probability'})(:)', NaN]), ...
-                  'file', '');
+    p = [jsonAt(one, {'probability'})(:)', NaN];
+    own = struct ('name', one.name, 'text', strjoin (texts, ' and '), ...
+                  'probability', max (p), 'file', '', 'line', '');
+    if strcmp (one.verdict, 'group')
+      own.text = strjoin (texts, ' or ');
+      own.probability = min (1, sum (p(1:end - 1)));
+    end
     if isempty (effects)
       codes = {'open', 'none'};
       own.text = sentence (['cause.', codes{1 + strcmp(one.verdict, 'no gap')}, ...
                             '.word'], struct (), true);
     else
       own.file = strjoin ([{'gap'}, {one.name}(1:end * (k > 1)), {'calibrated.head'}], '/');
+    end
+    own.line = [own.name, ': ', own.text];
+    if isfinite (own.probability)
+      own.line = [own.line, ', probability ', ...
+                  plainNumber(own.probability, 'probability')];
     end
     list(k) = own;
   end
@@ -42,3 +53,9 @@ end
 %! assert ({list.name}, {'wet', 'dry'});
 %! assert ({list.file}, {'gap/wet/calibrated.head', ''});
 %! assert (list(2).text, sentence ('cause.none.word', struct (), true));
+%! assert (list(1).line, 'wet: cohesion 4 kJ/m3, probability 0.90');
+%! gap.reference.conditions = struct ('name', 'wet', 'verdict', 'group', ...
+%!   'effects', {{'cohesion', 'tilt'}}, 'probability', [0.7, 0.2], ...
+%!   'text', {{'cohesion 4 kJ/m3', 'tilt 3 deg'}});
+%! assert (conditionTexts (gap).line, ...
+%!         'wet: cohesion 4 kJ/m3 or tilt 3 deg, probability 0.90');
