@@ -21,8 +21,8 @@
 % Columns, in any order: name or series, and value, are needed; model, where
 % there are several. tol is a share of the value (0.02, 2%, +-2 %) or absolute
 % (0.5 abs, 1 deg with a unit of the value); of the value 0 it is always absolute.
-% Columns comment, remark and note are for people. "value [deg]" gives the unit of
-% all lines; - and n/a stand for nothing.
+% sd may be a share (2%), and a value may have its unit behind it. Further forms
+% of the table: see measuredColumns.
 
 function [list, p, header] = readMeasured (file, models, alone, shown)
   if nargin < 3
@@ -42,9 +42,11 @@ function [list, p, header] = readMeasured (file, models, alone, shown)
                     err.message, repmat (cure, 1, isClear));
     return
   end
-  [header, cells] = forPrograms (header, cells);
   known = {'model', 'name', 'value', 'sd', 'unit', 'repeats', 'role', ...
            'series', 'at', 'tol', 'condition', 'session'};
+  if ~isempty (cells)
+    [header, cells, lines] = measuredColumns (header, cells, lines, known);
+  end
   p = checkHeader (header, known, rows (cells), shown);
   if ~isempty (p)
     return
@@ -61,26 +63,14 @@ function [list, p, header] = readMeasured (file, models, alone, shown)
   [list, p] = deal ([list{:}], [p, faults{:}]);
 end
 
-% Without the columns for people; a unit behind value is that of each line.
-function [header, cells] = forPrograms (header, cells)
-  isRemark = ismember (lower (header), {'comment', 'comments', 'remark', ...
-                                        'remarks', 'note', 'notes'});
-  [header, cells] = deal (header(~isRemark), cells(:, ~isRemark));
-  cells(isNoResult (cells)) = {''};
-  units = regexp (header, '^value\s*[[(]([^])]*)[])]$', 'tokens', 'once');
-  k = find (~cellfun (@isempty, units), 1);
-  if ~isempty (k)
-    header{k} = 'value';
-    if ~any (strcmp (header, 'unit'))
-      header{end + 1} = 'unit';
-      cells(:, end + 1) = units{k};
-    end
-  end
-end
-
 function p = checkHeader (header, known, n, shown)
   p = checkFault ();
-  cure = ['The columns are ', strjoin(known, ', '), '.'];
+  cure = ['The columns are ', strjoin(known, ', '), '; one for people is ' ...
+          'called remark.'];
+  if any (~cellfun (@isempty, regexpi (header, '^(std|stdev)\>')))
+    cure = ['sd is the standard uncertainty of the value: std / sqrt (n) of ' ...
+            'the mean of n trials. ', cure];
+  end
   for k = find (~ismember (header, known))
     p(end + 1) = checkFault ('measuredColumn', shown, ...
                              'columns that are known', ...
@@ -117,6 +107,8 @@ function [row, p] = readRow (row, models, alone)
            'repeats', NaN, @(v) v > 0, 'a number above 0, or Inf'; ...
            'at', NaN, @isfinite, 'a number'};
   places = checkPlace (row, where);
+  row.role = lower (row.role);
+  row = withUnits (row);
   for rule = rules'
     [row.(rule{1}), q] = numberOf (row.(rule{1}), rule, where);
     p = [p, q];
@@ -147,6 +139,28 @@ function [k, p] = modelOf (name, models, alone, where)
   end
 end
 
+% The unit behind value, and that or the % behind sd.
+function row = withUnits (row)
+  form = '^([-+.\d]+(?:[eE][-+]?\d+)?)\s*([^-+\s.,\d].*)$';
+  words = regexp (row.value, form, 'tokens', 'once');
+  if ~isempty (words)
+    factor = unitFactor (words{2}, row.unit);
+    if isempty (row.unit) && ~isnan (unitFactor (words{2}, 'm'))
+      [row.value, row.unit] = words{:};
+    elseif isequal (factor, 1)
+      row.value = words{1};
+    end
+  end
+  words = regexp (row.sd, form, 'tokens', 'once');
+  if ~isempty (words) && strcmp (words{2}, '%') && ~strcmp (row.unit, '%')
+    share = abs (str2double (row.value)) / 100;
+    row.sd = exactNumber (str2double (words{1}) * share);
+  elseif ~isempty (words) && unitFactor (words{2}, row.unit) > 0
+    factor = unitFactor (words{2}, row.unit);
+    row.sd = exactNumber (factor * str2double (words{1}));
+  end
+end
+
 function [value, p] = numberOf (text, rule, where)
   [name, value, isGood, expected] = rule{:};
   p = checkFault ();
@@ -159,8 +173,20 @@ function [value, p] = numberOf (text, rule, where)
     value = number;
   else
     p = checkFault ('measuredNumber', [where, ', ', name], expected, ...
-                    checkShow (text), ['Decimal commas need semicolons ' ...
-                                       'between the columns.']);
+                    checkShow (text), cureOf (text, name));
+  end
+end
+
+function cure = cureOf (text, name)
+  cure = 'Leave it empty where no number was found.';
+  if any (text == ',')
+    cure = 'Decimal commas need semicolons between the columns.';
+  elseif ~isempty (regexp (text, [char([194, 177]), '|\+/?-'], 'once'))
+    cure = ['Write the mean here and its standard uncertainty in the column ' ...
+            'sd.'];
+  elseif any (strcmp (name, {'value', 'sd'})) && ...
+      ~isempty (regexp (text, '^[-+.\d]+\s*[A-Za-z%]', 'once'))
+    cure = 'Write its unit into the column unit.';
   end
 end
 

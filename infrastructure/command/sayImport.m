@@ -16,13 +16,14 @@ function status = sayImport (root, folder, args)
   file = words{1};
   Case = caseToRead (root, folder);
   data = importRuns (file, Case);
-  [header, cells] = readCsvTable (file);
-  [names, kinds] = importHeader (header, Case, file);
+  table = readRunsTable (file, Case);
+  cells = table.cells;
   printf ('table     %s: %d rows, %d columns\n\n', file, rows (cells), ...
           columns (cells));
   sayRow ('column', 'is', 'numbers', 'lowest', 'highest', 'first row');
-  for k = 1:numel (names)
-    sayColumn (header{k}, whatIs (names{k}, kinds{k}, Case), cells(:, k));
+  for k = 1:numel (table.names)
+    sayColumn (table.header{k}, whatIs (table.names{k}, table.kinds{k}, Case), ...
+               cells(:, k));
   end
   [~, isIn] = insideLimits (data.X, Case.limits);
   isPlain = all (data.E == neutralEffects (Case), 2);
@@ -66,6 +67,12 @@ function text = whatIs (name, kind, Case)
   switch kind
     case 'ignored'
       text = 'not known to the case: not used';
+    case 'trial'
+      text = ['a run of ', name];
+    case 'runs'
+      text = 'runs that a row is the mean of';
+    case 'scatter'
+      text = ['scatter of these runs, ', name];
     case 'result'
       T = Case.targets(find (strcmp (name, {Case.targets.name}), 1));
       text = sprintf ('result, measured %g', T.value);

@@ -3,14 +3,23 @@
 % CALL: YES = isNoResult (TEXTS)
 %
 %   TEXTS  cell of texts: fields of a table
-%   YES    logical, of its size: -, --, n/a, NA, NaN, None, null, #N/A, ?
+%   YES    logical, of its size: -, --, n/a, n.a., n.d., NA, NaN, None, null,
+%          missing, failed, ?, /, and the errors of spreadsheets: #N/A, #DIV/0!
 
 function yes = isNoResult (texts)
-  words = {'-', '--', 'n/a', 'na', 'nan', 'none', 'null', '#n/a', '?'};
+  words = {'-', '--', 'n/a', 'n.a.', 'n.d.', 'k.a.', 'na', 'nan', 'none', ...
+           'null', 'missing', 'failed', '?', '/', char([226, 128, 147]), ...
+           char([226, 128, 148]), '1.#qnan', '-1.#ind', '-nan', '-nan(ind)'};
   % of no columns, too, the size is that of TEXTS
   yes = reshape (ismember (lower (texts(:)), words), size (texts));
+  if any ([texts{:}] == '#')
+    isError = ~cellfun ('isempty', regexp (texts, '^#[A-Z/0]+[!?]?$', 'once'));
+    yes = yes | isError;
+  end
 end
 
 %!assert (isNoResult ({'-', 'N/A', 'None', '', '0', '-1'}), ...
 %!        logical ([1, 1, 1, 0, 0, 0]))
 %!assert (size (isNoResult (cell (3, 0))), [3, 0])
+%!assert (isNoResult ({'#DIV/0!', '#VALUE!', '#NV', '# 1', '-nan', 'n.d.'}), ...
+%!        logical ([1, 1, 1, 0, 1, 1]))

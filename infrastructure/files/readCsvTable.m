@@ -3,11 +3,11 @@
 % CALL: [HEADER, CELLS, LINES] = readCsvTable (FILE)
 %
 %   FILE    path of the file, text as readText takes it; fields separated by
-%           comma (or by semicolon or tab, with decimal commas then; or as a
-%           first line sep=; says; or by blanks alone, where all rows have as
-%           many words), quoted fields with doubled quotes inside; lines that
-%           begin with # before the header are remarks; the last of them is the
-%           header where the row below it holds numbers alone, as of numpy
+%           comma, or by semicolon, tab or bar, or as a first line sep=; says, or
+%           by blanks alone, where all rows have as many words; quoted fields
+%           with doubled quotes inside; numbers as clearNumbers takes them;
+%           remarks and titles as in plainTable; a header that stands again below
+%           is left out, and so are the quoted names of rows that R writes
 %   HEADER  1 x c cellstr, column names without outer blanks; columns without
 %           name and content are left out
 %   CELLS   n x c cellstr, fields without outer blanks; empty rows are left out
@@ -29,18 +29,16 @@ function [header, cells, lines] = readCsvTable (file)
            ['readCsvTable: %s must be text in UTF-8, got NUL bytes (UTF-16 ' ...
             'without its mark, or no text). Save it as CSV UTF-8.'], file);
   end
-  remark = remarksOf (text);
-  body = regexprep (text(numel (remark) + 1:end), '^#', ' ');
-  [fields, row, lines, delimiter] = splitFields (byTabs (body));
-  lines = lines + sum (remark == "\n");
+  [fields, row, lines, delimiter, isNamed] = splitFields (plainTable (text));
   if isempty (fields)
     error ('DEcalioc:readCsvTable:badShape', ...
            'readCsvTable: %s must have a header line, got an empty file.', ...
            file);
   end
-  if delimiter ~= ',' && any (text == ',')
-    fields = withPoints (fields, row, lines, file);
-  end
+  fields = clearNumbers (fields, ...
+                         @(k) sprintf ('line %d of %s', lines(row(k)), file), ...
+                         delimiter == ',');
+  [fields, row] = withRowNames (fields, row, isNamed);
   header = fields(row == 1)';
   % Excel ends rows with separators of columns that are empty
   before = [0; cumsum(accumarray (row, 1))];
@@ -56,61 +54,19 @@ function [header, cells, lines] = readCsvTable (file)
     refuseRow (file, lines(bad), numel (header), sum (row == bad), delimiter);
   end
   cells = reshape (fields(~spare), numel (header), [])';
-  cells(1, :) = [];
-  lines(1) = [];
+  isHeader = all (strcmp (cells, repmat (cells(1, :), rows (cells), 1)), 2);
+  [cells, lines] = deal (cells(~isHeader, :), lines(~isHeader));
   isBlank = strcmp (header, '') & all (cellfun ('isempty', cells), 1);
   [header, cells] = deal (header(~isBlank), cells(:, ~isBlank));
 end
 
-% The remarks before the header; np.savetxt writes the header as one, too.
-function remark = remarksOf (text)
-  remark = regexp (text, '^(#[^\n]*\n)+', 'match', 'once');
-  next = regexp (text(numel (remark) + 1:end), '^[^\n]*', 'match', 'once');
-  isNumbers = ~isempty (regexp (next, '^[-+.\d][-+.\deE\s,;]*$', 'once'));
-  if isNumbers && ~isempty (remark)
-    starts = [0, find(remark == "\n")];
-    last = remark(starts(end - 1) + 1:end);
-    count = @(line) numel (regexp (line, '[^\s,;#]+', 'match'));
-    remark = remark(1:end - numel (last) * (count (last) == count (next)));
+% R writes no name above the names of its rows, which are quoted.
+function [fields, row] = withRowNames (fields, row, isNamed)
+  count = accumarray (row, 1);
+  if all (isNamed) && numel (count) > 1 && all (count(2:end) == count(1) + 1)
+    fields = [{''}; fields];
+    row = [1; row];
   end
-end
-
-% Blanks alone between the columns become tabs; those before a unit in brackets
-% do not part.
-function text = byTabs (text)
-  first = regexp (text, '^[^\n]*', 'match', 'once');
-  isPart = any (ismember (first, [',;"', "\t"]));
-  if isPart || isempty (strfind (strtrim (first), ' '))
-    return
-  end
-  lines = strtrim (strsplit (text, "\n"));
-  lines = regexprep (lines, {' +(?=[[(][^])]*[])])', ' +'}, {"\1", "\t"});
-  counts = cellfun (@(line) sum (line == "\t"), ...
-                    lines(~cellfun (@isempty, lines)));
-  if numel (counts) > 1 && all (counts == counts(1))
-    text = strrep (strjoin (lines, "\n"), "\1", ' ');
-  end
-end
-
-% Decimal commas become points. Beside them 1.002 may be a thousand and two.
-function fields = withPoints (fields, row, lines, file)
-  tail = '([eE][-+]?\d+)?( ?(%|abs))?$';
-  isComma = ~cellfun ('isempty', regexp (fields, ['^[-+]?\d*(\.\d{3})*,\d*', ...
-                                                  tail], 'once'));
-  if ~any (isComma)
-    return
-  end
-  k = find (~cellfun ('isempty', ...
-                      regexp (fields, ['^[-+]?[1-9]\d{0,2}(\.\d{3})+', tail], ...
-                              'once')), 1);
-  if ~isempty (k)
-    error ('DEcalioc:readCsvTable:unclearPoint', ...
-           ['readCsvTable: numbers of %s must be clear, got %s in line %d, ' ...
-            'where others have a decimal comma: a thousand or a decimal ' ...
-            'point? Write %s or %s.'], file, fields{k}, lines(row(k)), ...
-           strrep (fields{k}, '.', ''), strrep (fields{k}, '.', ','));
-  end
-  fields(isComma) = strrep (strrep (fields(isComma), '.', ''), ',', '.');
 end
 
 function refuseRow (file, line, wanted, got, delimiter)
@@ -125,22 +81,22 @@ function refuseRow (file, line, wanted, got, delimiter)
 end
 
 % All fields (cell, n x 1), the number of the row that each belongs to, the line
-% of each row. Rows without any text are left out.
-function [fields, row, lines, delimiter] = splitFields (text)
-  text = [text, "\n"];
+% of each row, whether it begins with a quote. Rows without any text are left out.
+function [fields, row, lines, delimiter, isNamed] = splitFields (text)
+  skipped = numel (regexp (text, '^([ \t]*\n)*', 'match', 'once'));
+  text = [text(skipped + 1:end), "\n"];
   quoted = mod (cumsum (text == '"'), 2) == 1;
   first = text(1:find ([text == "\n" & ~quoted, true], 1) - 1);
   given = regexp (first, '^"?sep=(.)"?;*,*\s*$', 'tokens', 'once');
-  skipped = 0;
   if ~isempty (given)
     delimiter = given{1};
     text = text(numel (first) + 2:end);
     quoted = quoted(numel (first) + 2:end);
-    skipped = 1;
+    skipped = skipped + 1;
   else
     plain = first(~quoted(1:numel (first)));
-    kinds = ",\t;,";
-    delimiter = kinds(find ([ismember(kinds(1:3), plain), true], 1));
+    kinds = ",\t;|,";
+    delimiter = kinds(find ([ismember(kinds(1:4), plain), true], 1));
   end
   isEnd = text == "\n" & ~quoted;
   if isempty (text) || ~isEnd(end)
@@ -150,6 +106,7 @@ function [fields, row, lines, delimiter] = splitFields (text)
   isCut(1:numel (text)) = isEnd(1:numel (text)) | text == delimiter & ~quoted;
   cuts = find (isCut);
   fields = cellslices (text, [1, cuts(1:end - 1) + 1], cuts - 1)';
+  isNamed = strncmp (fields, '"', 1);
   fields = clean (fields, text);
   row = cumsum ([1; isEnd(cuts(1:end - 1))']);
   number = cumsum ([1, text == "\n"]) + skipped;
@@ -158,7 +115,9 @@ function [fields, row, lines, delimiter] = splitFields (text)
   full = accumarray (row, ~cellfun ('isempty', fields)) > 0;
   fields = fields(full(row));
   order = cumsum (full);
+  isNamed = isNamed(full(row));
   row = order(row(full(row)));
+  isNamed = isNamed(diff ([0; row]) > 0);
   lines = lines(full);
 end
 

@@ -4,12 +4,16 @@
 %
 %   HEADER  1 x c cell of names, as the table has them
 %   CASE    see importRuns;  FILE  path of the table, for the error (text)
-%   NAMES   1 x c cell: of "aor [deg]" or "aor (deg)" the name, where the case
-%           knows it
-%   KINDS   1 x c cell: model, seed, parameter, effect, result, ignored
+%   NAMES   1 x c cell: of "aor [deg]", "aor (deg)", "aor / deg", "aor in deg"
+%           and "AOR" the name, where the case knows it; of trial and scatter that
+%           of the result
+%   KINDS   1 x c cell: model, seed, parameter, effect, result; trial (angle 1,
+%           angle_2, angle.3: one of several runs of the row); runs (n) and
+%           scatter (sd where there is one result, sd angle, angle_sd): see
+%           spreadRuns; ignored
 %
 % Errors: DEcalioc:importRuns:badValue (another unit than that of the target,
-% which would be another number)
+% which would be another number; sd of several results)
 
 function [names, kinds] = importHeader (header, Case, file)
   targets = {Case.targets.name};
@@ -19,20 +23,90 @@ function [names, kinds] = importHeader (header, Case, file)
           repmat({'result'}, size (targets)), {'ignored'}];
   names = header;
   for k = find (~ismember (header, known))
-    parts = regexp (header{k}, '^(.*?)\s*[[(]([^])]*)[])]$', 'tokens', 'once');
-    if ~isempty (parts) && any (strcmp (parts{1}, known))
-      names{k} = parts{1};
-      checkUnit (parts{1}, parts{2}, Case.targets, file);
+    free = known(~ismember (known, names));
+    [name, unit] = knownName (header{k}, free);
+    if ~isempty (name)
+      names{k} = name;
+      checkUnit (name, unit, Case.targets, file);
     end
   end
   [~, at] = ismember (names, known);
   at(at == 0) = numel (kind);
   kinds = kind(at);
+  for k = find (strcmp (kinds, 'ignored'))
+    [names{k}, kinds{k}, unit] = severalRuns (names{k}, targets, file);
+    checkUnit (names{k}, unit, Case.targets, file);
+  end
+  % one column angle 1 is no list of trials, but a name
+  for k = find (strcmp (kinds, 'trial'))
+    if sum (strcmp (names, names{k}) & ismember (kinds, {'trial', 'result'})) == 1
+      [names{k}, kinds{k}] = deal (header{k}, 'ignored');
+    end
+  end
+  % the number of runs without their scatter, or this alone, says nothing
+  if ~any (strcmp (kinds, 'runs'))
+    kinds(strcmp (kinds, 'scatter')) = {'ignored'};
+  end
+end
+
+% '' where TEXT is none of the known names; the unit behind it.
+function [name, unit] = knownName (text, known)
+  [name, unit] = deal ('');
+  forms = {'^(.*?)()$', '^(.*?)\s*[[(]([^])]*)[])]$', ...
+           '^(.*?)\s*[/,;]\s*(\S+)$', '^(.*?)\s+in\s+(\S+)$'};
+  for form = forms
+    parts = regexp (regexprep (text, '\s+', ' '), form{1}, 'tokens', 'once');
+    if isempty (parts)
+      continue
+    end
+    k = find (strcmp (known, parts{1}));
+    if isempty (k)
+      k = find (strcmpi (known, parts{1}));
+    end
+    if isscalar (k)
+      [name, unit] = deal (known{k}, [parts{2:end}]);
+      return
+    end
+  end
+end
+
+function [name, kind, unit] = severalRuns (text, targets, file)
+  [name, kind, unit] = deal (text, 'ignored', '');
+  if any (strcmp (text, {'n', 'N'}))
+    kind = 'runs';
+    return
+  end
+  parts = regexp (text, '^(.*?)\s*[[(]([^])\d]+)[])]$', 'tokens', 'once');
+  if ~isempty (parts)
+    [text, unit] = parts{:};
+  end
+  trial = regexp (text, '^(.*?)[ _#(]+\d+\)?$|^([^@]*)\.\d+$', 'tokens', 'once');
+  scatter = regexp (text, ['^(?:sd|std|stdev)[ _.]*(.*)$|', ...
+                           '^(.*?)[ _.]*(?:sd|std|stdev)$'], 'tokens', 'once');
+  if ~isempty (trial) && ~isempty (knownName ([trial{:}], targets))
+    [name, kind] = deal (knownName ([trial{:}], targets), 'trial');
+  elseif ~isempty (scatter)
+    of = strtrim ([scatter{:}, '']);
+    known = knownName (of, targets);
+    if isempty (of) && isscalar (targets)
+      known = targets{1};
+    elseif isempty (of)
+      error ('DEcalioc:importRuns:badValue', ...
+             ['importRuns: %s of %s must say of which result it is, got %s ' ...
+              'for %s. Name the column sd %s.'], text, file, text, ...
+             strjoin (targets, ', '), targets{1});
+    end
+    if ~isempty (known)
+      [name, kind] = deal (known, 'scatter');
+    end
+  end
+  unit = repmat (unit, 1, ~strcmp (kind, 'ignored'));
 end
 
 function checkUnit (name, given, targets, file)
   t = find (strcmp (name, {targets.name}), 1);
-  if isempty (t) || isempty (givenField (targets(t), 'unit', ''))
+  if isempty (given) || isempty (t) || ...
+      isempty (givenField (targets(t), 'unit', ''))
     return
   end
   unit = targets(t).unit;
@@ -51,5 +125,17 @@ end
 %!                                 'seed'}, Case, 'f');
 %! assert (names, {'a', 'x', 'm [kg]', 'w', 'note', 'seed'});
 %! assert (kinds, {'parameter', 'result', 'result', 'effect', 'ignored', 'seed'});
+%!test
+%! for text = {'X', 'x / mm', 'x/mm', 'x in mm', "x\n[mm]"}
+%!   assert (importHeader (text, Case, 'f'), {'x'});
+%! end
+%! [names, kinds] = importHeader ({'x 1', 'X_2 [mm]', 'n', 'sd x', 'm [kg] std'}, ...
+%!                                Case, 'f');
+%! assert (names([1, 2, 4, 5]), {'x', 'x', 'x', 'm [kg]'});
+%! assert (kinds, {'trial', 'trial', 'runs', 'scatter', 'scatter'});
+%! % a single one is a name; a point of a curve is no trial
+%! [~, kinds] = importHeader ({'x 1', 'x@0.25'}, Case, 'f');
+%! assert (kinds, {'ignored', 'ignored'});
 %!error <must be in mm, as results.csv of its model says, got m>
 %! importHeader ({'x [m]'}, Case, 'f');
+%!error <sd of f must say of which result> importHeader ({'n', 'sd'}, Case, 'f');

@@ -7,8 +7,8 @@
 %            effect variables (optional: neutral), the targets, in any order;
 %            a field is empty where the column does not belong to the row's
 %            model, and empty or -, n/a, None ... (isNoResult) without a result;
-%            a unit may stand behind a name (aor [deg]); one row a run (see
-%            readCsvTable for the accepted forms)
+%            a unit may stand behind a name (aor [deg]); one row a run, or
+%            several (see spreadRuns; readRunsTable for the accepted forms)
 %   CASE     struct with names, effectVars, effects, targets, models, further
 %            (optional)
 %   DATA     struct X (n x d), E (n x v), Z (n x T, NaN = no result, NA = not
@@ -25,10 +25,9 @@
 %         DEcalioc:importRuns:badValue      not a number, or twice a column
 
 function [data, ignored] = importRuns (file, Case)
-  [header, cells, lines] = readCsvTable (file);
-  header = importHeader (header, Case, file);
+  table = spreadRuns (readRunsTable (file, Case));
+  [header, lines] = deal (table.names, table.lines);
   column = findColumns (header, Case, file);
-  table = struct ('file', file, 'lines', lines, 'cells', {cells});
   model = modelNumbers (table, column.model, Case);
   ignored = checkColumns (header, Case, model, file);
   X = numbers (table, column.names, Case.names);
@@ -112,8 +111,10 @@ function ignored = checkColumns (header, Case, model, file)
   if ~isempty (missing)
     error ('DEcalioc:importRuns:missingField', ...
            ['importRuns: %s must have the columns %s; missing: %s. Columns ' ...
-            'found: %s.'], file, strjoin (needed, ', '), ...
-           strjoin (missing, ', '), strjoin (header, ', '));
+            'found: %s.%s'], file, strjoin (needed, ', '), ...
+           strjoin (missing, ', '), strjoin (header, ', '), ...
+           repmat (' The first line must name the columns.', 1, ...
+                   numel (missing) == numel (needed)));
   end
   known = [{'model', 'seed'}, Case.names, Case.effectVars, targets];
   ignored = setdiff (header, known);
@@ -125,12 +126,15 @@ function model = modelNumbers (table, column, Case)
     model = ones (rows (table.cells), 1);
     return
   end
-  [~, model] = ismember (table.cells(:, column), names);
+  [~, model] = ismember (lower (table.cells(:, column)), lower (names));
   model = reshape (model, [], 1);
+  if isscalar (names)
+    model(cellfun (@isempty, table.cells(:, column))) = 1;
+  end
   bad = find (model == 0, 1);
   if ~isempty (bad)
     error ('DEcalioc:importRuns:unknownName', ...
-           'importRuns: model in line %d of %s must be one of %s, got %s.', ...
+           'importRuns: model in line %d of %s must be one of %s, got ''%s''.', ...
            table.lines(bad), table.file, strjoin (names, ', '), ...
            table.cells{bad, column});
   end
@@ -149,10 +153,28 @@ function values = numbers (table, column, names)
   values = real (values);
   values(isinf (values)) = NaN;
   if ~isempty (row)
+    text = texts{row, col};
     error ('DEcalioc:importRuns:badValue', ...
            ['importRuns: %s in line %d of %s must be a number with a ' ...
-            'decimal point, no complex one, got ''%s''.'], ...
-           names{col}, table.lines(row), table.file, texts{row, col});
+            'decimal point, no complex one, got ''%s''.%s'], ...
+           names{col}, table.lines(row), table.file, text, ...
+           cureOf (text, names{col}));
+  end
+end
+
+function cure = cureOf (text, name)
+  cures = {[char([194, 177]), '|\+/?-'], ...
+           sprintf([' Write the mean alone, the number of runs in a column n ' ...
+                    'and their scatter in a column sd %s.'], name); ...
+           '^\s*[<>~=]', ' Leave it empty where no number was found.'; ...
+           '^[-+.\d]+(e[-+]?\d+)?\s*[^-+\s.,\d]', ...
+           sprintf(' Put the unit into the header: %s [...].', name); ...
+           '^[A-Za-z]', ' Leave the field empty, or take the line out.'};
+  cure = '';
+  for k = rows (cures):-1:1
+    if ~isempty (regexp (text, cures{k, 1}, 'once', 'ignorecase'))
+      cure = cures{k, 2};
+    end
   end
 end
 
@@ -212,7 +234,7 @@ end
 %!            [commas, "Second,a,2,,,3\n"], 'badValue'; ...
 %!            [commas, "First,1.234,5,2,3+2i,4\n"], 'badValue'; ...
 %!            [commas, "First,3i,2,3,4,\n"], 'badValue'; ...
-%!            [commas, "First,\"0,5\",2,3,4,\n"], 'badValue'}'
+%!            [commas, "First,\"0;5\",2,3,4,\n"], 'badValue'}'
 %!   id = '';
 %!   try
 %!     imported (bad{1});
@@ -230,3 +252,5 @@ end
 %! % a thousand dot before a decimal comma says itself what it is
 %! data = imported ([head, "First;1.234,5;2;3;4;\n"]);
 %! assert (data.X(1), 1234.5);
+%! commas = strrep (head, ';', ',');
+%! assert (imported ([commas, "First,\"0,5\",2,3,4,\n"]).X(1), 0.5);
