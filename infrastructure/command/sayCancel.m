@@ -18,6 +18,7 @@
 function status = sayCancel (root, folder, args)
   commandOptions (args, struct ());
   start = time ();
+  cancelMain (folder);
   holder = lockHolder (folder);
   if strcmp (holder.state, 'unknown')
     error ('DEcalioc:sayCancel:otherHost', ...
@@ -50,6 +51,33 @@ function status = sayCancel (root, folder, args)
           words{1 + isAlive}, ended, arrays, queues);
   printf ('Finished runs are kept; the same command goes on.\n');
   status = 0;
+end
+
+% The Octave of decalioc submit; it gets a minute to end.
+function cancelMain (folder)
+  [job, state] = submittedJob (folder);
+  if ~any (strcmp (state, {'waiting', 'running', 'unknown'}))
+    return
+  end
+  queue = describeExecutor (job.executor);
+  emptyQueue (queue, {job.name});
+  for look = 1:60
+    [~, state] = submittedJob (folder);
+    if ~any (strcmp (state, {'waiting', 'running'}))
+      break
+    end
+    pause (1);
+  end
+  printf ('the job %s of decalioc submit was cancelled\n', job.name);
+end
+
+function emptyQueue (queue, names)
+  [ok, text] = queue.cancel (names);
+  if ~ok
+    error ('DEcalioc:cancelArrays:runFailed', ...
+           ['%s must cancel the jobs, got: %s. Try again when the queue ' ...
+            'answers.'], queue.title, strtrim (text));
+  end
 end
 
 % Where the case cannot be loaded, what has been done is said all the same.
@@ -96,12 +124,7 @@ function [n, queues] = cancelArrays (Case, runs)
       continue
     end
     queue = describeExecutor (name{1});
-    [ok, text] = queue.cancel ({batches(isOurs).name});
-    if ~ok
-      error ('DEcalioc:cancelArrays:runFailed', ...
-             ['%s must cancel the jobs, got: %s. Try again when the queue ' ...
-              'answers.'], queue.title, strtrim (text));
-    end
+    emptyQueue (queue, {batches(isOurs).name});
     n = n + sum (isOurs);
     titles{end + 1} = queue.title;
   end

@@ -100,35 +100,15 @@ function flight = launch (flight, jobs, Case, queue, opt)
     return
   end
   picks = waiting(1:min (numel (waiting), floor (free)));
-  [~, k] = ismember ({jobs(picks).model}, {Case.models.name});
-  cpus = [Case.models(k).cpu];
-  for cpu = unique (cpus)
-    same = picks(cpus == cpu);
-    for first = 1:opt.arraySize:numel (same)
-      part = same(first:min (numel (same), first + opt.arraySize - 1));
-      flight = batchSubmit (flight, part, jobs, Case, queue, opt);
-      flight = send (flight, queue, opt, Case.root);
-    end
-  end
-end
-
-% What a job carries out first, as one word that a queue hands on as it is: not
-% a file beside the runs, to which others may be able to write.
-function word = beforeOf (lines)
-  word = {};
-  if ~isempty (lines)
-    lines = cellfun (@(line) sprintf ("%s\n[ $? = 0 ] || return\n", line), ...
-                     lines, 'UniformOutput', false);
-    word = {base64_encode(uint8 ([lines{:}]))};
+  for part = batchParts (picks, jobs, Case, opt)
+    flight = batchSubmit (flight, part{1}, jobs, Case, queue, opt);
+    flight = send (flight, queue, opt, Case.root);
   end
 end
 
 function flight = send (flight, queue, opt, root)
-  task = {fullfile(root, 'infrastructure', 'executors', 'batchTask.sh'), '', ...
-          fullfile(root, 'infrastructure', 'runs', 'guard.sh'), ...
-          queue.task{:}, beforeOf(opt.before){:}};
   for b = find (~[flight.batches.isSent])
-    task{2} = flight.batches(b).path;
+    task = batchCall (flight.batches(b).path, queue, opt, root);
     [verdict, text] = queue.send (flight.batches(b), opt, task);
     isAlone = ~any (flight.status == 'o' & flight.batch ~= b);
     flight.batches(b).isSent = strcmp (verdict, 'sent');

@@ -58,20 +58,6 @@ function name = newName (lines)
   name = ['decalioc-', hash('md5', text)(1:12)];
 end
 
-% Time limit that is asked of a queue for an array: the field time (min);
-% without it the longest limit of its runs and two minutes more, one day where a
-% run has none. A job never goes without: a queue might keep a lost one for a
-% year.
-function minutes = batchMinutes (asked, limits)
-  if ~isnan (asked)
-    minutes = ceil (asked);
-  elseif any (~isfinite (limits))
-    minutes = 24 * 60;
-  else
-    minutes = ceil (max (limits) / 60) + 2;
-  end
-end
-
 %!test
 %! [Case, jobs] = slurmTestCase (tempname (), 1:3, 0);
 %! Case.models.timeout = 7;

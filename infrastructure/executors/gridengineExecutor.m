@@ -17,6 +17,7 @@ function queue = gridengineExecutor ()
   traits.program = 'qsub';
   traits.task = {'SGE_TASK_ID', 'JOB_ID'};
   traits.start = @askCluster;
+  traits.call = @callOf;
   traits.submit = @submit;
   traits.look = @look;
   traits.cancel = @cancel;
@@ -48,7 +49,7 @@ function [ok, text] = cancel (names)
   ok = isempty (strfind (text, 'qmaster'));
 end
 
-function [ok, text, isPassing] = submit (batch, opt, task)
+function words = callOf (batch, opt, task)
   slots = {};
   named = {'-q', opt.queue; '-P', opt.project}';
   named(:, cellfun ('isempty', named(2, :))) = [];
@@ -60,14 +61,18 @@ function [ok, text, isPassing] = submit (batch, opt, task)
   % '-l mem_free=2G' are two words
   extra = regexp (opt.extra, '^(\S+) *(.*)$', 'tokens', 'once');
   extra = strtrim ([cell(1, 0), extra{:}])(:)';
-  words = [{'-V', '-terse', '-r', 'n', '-j', 'y', '-S', '/bin/bash', ...
-            '-wd', '/', '-N', batch.name, '-t', sprintf('1-%d', batch.n), ...
+  words = [{'qsub', '-V', '-terse', '-r', 'n', '-j', 'y', ...
+            '-S', '/bin/bash', '-wd', '/', '-N', batch.name, '-t', sprintf('1-%d', batch.n), ...
             '-l', sprintf('h_rt=%d', 60 * batch.minutes), ...
             '-o', logName(batch.path)}, named(:)', slots, ...
            extra(~cellfun ('isempty', extra)), task];
-  words = cellfun (@shellQuote, words, 'UniformOutput', false);
+end
+
+function [ok, text, isPassing] = submit (batch, opt, task)
+  words = cellfun (@shellQuote, callOf (batch, opt, task), ...
+                   'UniformOutput', false);
   % a session of its own: Ctrl-C shall not interrupt qsub half-way
-  [status, text] = system (['setsid --wait qsub ', strjoin(words, ' '), ...
+  [status, text] = system (['setsid --wait ', strjoin(words, ' '), ...
                             ' 2>&1 < /dev/null']);
   ok = status == 0;
   isPassing = ~isempty (regexp (text, 'commlib|send message', 'once'));

@@ -17,6 +17,8 @@
 %               task, of the one that holds the job's number}
 %     start     [N, FAULT] = start (): tasks that an array may have at most;
 %               why the queue cannot be used here, '' = it can
+%     call      WORDS = call (BATCH, OPT, TASK): the command that submits one job
+%               array (1 x m cell), see submit
 %     submit    [OK, TEXT, ISPASSING] = submit (BATCH, OPT, TASK): submits one
 %               job array; what the program said; it may take it later. BATCH is
 %               an element of FLIGHT.batches (batchAttach), TASK the program

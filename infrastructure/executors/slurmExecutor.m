@@ -19,6 +19,7 @@ function queue = slurmExecutor ()
   traits.program = 'sbatch';
   traits.task = {'SLURM_ARRAY_TASK_ID', 'SLURM_ARRAY_JOB_ID'};
   traits.start = @askCluster;
+  traits.call = @callOf;
   traits.submit = @submit;
   traits.look = @look;
   traits.cancel = @cancel;
@@ -49,24 +50,28 @@ function [ok, text] = cancel (names)
   ok = status == 0;
 end
 
-function [ok, text, isPassing] = submit (batch, opt, task)
+function words = callOf (batch, opt, task)
   named = {'--partition=', opt.partition; '--account=', opt.account};
   named(cellfun ('isempty', named(:, 2)), :) = [];
-  words = [{'--parsable'}, opt.extra, ...
+  words = [{'sbatch', '--parsable'}, opt.extra, ...
            strcat(named(:, 1), named(:, 2))', ...
            {['--job-name=', batch.name], '--no-requeue', '--export=ALL', ...
             '--nodes=1', sprintf('--ntasks=%d', batch.cpu), ...
             '--cpus-per-task=1', sprintf('--time=%d', batch.minutes), ...
             sprintf('--array=1-%d', batch.n), ['--chdir=', batch.path], ...
             ['--output=', logName(batch.path)]}, task];
-  words = cellfun (@shellQuote, words, 'UniformOutput', false);
+end
+
+function [ok, text, isPassing] = submit (batch, opt, task)
+  words = cellfun (@shellQuote, callOf (batch, opt, task), ...
+                   'UniformOutput', false);
   % variables of a job in which Octave itself may be running would be taken as
   % options of the new one
   script = ['for name in "${!SLURM_@}"; do [ $name = SLURM_CONF ] || ' ...
             'unset $name; done; exec sbatch "$@" 2>&1 < /dev/null'];
   % a session of its own: Ctrl-C shall not interrupt sbatch half-way
   [status, text] = system (['setsid --wait bash -c ', shellQuote(script), ...
-                            ' sbatch ', strjoin(words, ' ')]);
+                            ' ', strjoin(words, ' ')]);
   ok = status == 0;
   signs = ['contact slurm controller|timed out|temporarily|standby|' ...
            'not connected|onnection|Zero Bytes|Unexpected message|uthentic'];
