@@ -4,6 +4,7 @@
 #           'system' = the one on the PATH, or the path of a program
 # OCTAVE    which Octave (default: octave-cli)
 # CASE      which calibration: a folder with a loadInput.m (default: this folder)
+# PREFIX    where make install puts the command (default: ~/.local)
 # ONLY      which tests: those whose file's path holds this text (default: all)
 
 SHELL := /bin/bash
@@ -15,18 +16,25 @@ LIGGGHTS ?=
 OCTAVE ?= octave-cli
 CASE ?= .
 ONLY ?=
-export LIGGGHTS OCTAVE CASE ONLY
+PREFIX ?= $(HOME)/.local
+export LIGGGHTS OCTAVE CASE ONLY PREFIX
 
-.PHONY: help setup liggghts run gap test soak bench lint graph format index dist site demo clean liggghts-clean
+.PHONY: help setup install uninstall liggghts run gap test soak bench lint graph format index dist site demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
 	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/  \1\t\2/p' Makefile | expand -t 18
 	@echo 'Variables: LIGGGHTS=/path/to/liggghts or LIGGGHTS=system, OCTAVE=program,'
-	@echo '  CASE=folder (for run and gap), ONLY=text (for test: files whose path holds it)'
+	@echo '  CASE=folder (for run and gap), PREFIX=folder (for install), ONLY=text (for test: files whose path holds it)'
 
 setup:                 ## install all Debian packages, also those for test and lint
 	@tools/setup.sh run build test lint
+
+install:               ## put command, completion and man page below PREFIX (~/.local)
+	@tools/install.sh "$$PREFIX"
+
+uninstall:             ## remove what make install has put there
+	@tools/install.sh "$$PREFIX" remove
 
 liggghts:              ## build LIGGGHTS, once per machine
 	@tools/liggghts/build.sh
