@@ -55,7 +55,7 @@
 %! [status, out] = startCommand (base, '--help');
 %! assert (status, 0);
 %! commands = regexp (out, '^  (\w+) ', 'tokens', 'lineanchors');
-%! assert (numel (commands), 13);
+%! assert (numel (commands), 15);
 %! % what 2 means, of each command that gives it
 %! marks = {'run: not all', 'diagnose: no verdict', 'doctor: something', ...
 %!          'check --try: the trial run failed', 'runs: the store is empty'};
@@ -77,6 +77,16 @@
 %! end
 %! [status, out] = startCommand (base, 'check');
 %! assert (says (out, 'holds no loadInput.m'));
+%! % the command or option that was meant
+%! meant = {'stauts', 'status'; 'chek --try', 'check'; 'verion', 'version'; ...
+%!          'nonsense', ''; 'doctor --no-rum', '--no-run'; ...
+%!          ['run --afersh ', shellQuote(standIn (base, 'near'))], '--afresh'};
+%! for row = meant'
+%!   [status, out] = startCommand (base, row{1});
+%!   assert (status, 1);
+%!   found = regexp (out, ' Did you mean ([a-z-]*)\?', 'tokens', 'once');
+%!   assert (strcmp ([found{:}, ''], row{2}), out);
+%! end
 
 % --- mistakes in the input; another LIGGGHTS that is not there
 %!test
@@ -104,12 +114,12 @@
 %! assert (status, 0);
 %! assert (says (out, 'WARNING   optim.weights in loadInput.m is read by'));
 %! assert (says (out, 'WARNING   no file of DEMmodels/First uses runSeed'));
-%! assert (says (out, 'plan: 16 new, 0 taken from the store'));
+%! assert (says (out, ' runs, 16 new, 0 taken from the store'));
 %! assert (says (out, 'not known'));
 %! [status, out] = startCommand (base, 'check --try ''my case''');
 %! assert (status, 0);
 %! assert (says (out, 'trial     Second: ok'));
-%! assert (says (out, 'plan: 14 new, 2 taken from the store'));
+%! assert (says (out, ' runs, 14 new, 2 taken from the store'));
 %! [~, out] = startCommand (base, 'status ''my case''');
 %! assert (says (out, 'one set has been tried'));
 %! [status, out] = startCommand (base, 'run ''my case''');
@@ -203,6 +213,40 @@
 %!                                 'status stopped'), ' 0 running'));
 %! end
 
+% --- a command that is told of the end; a live view that Ctrl-C ends
+%!test
+%! folder = standIn (base, 'told');
+%! note = fullfile (base, 'a note');
+%! how = shellQuote (sprintf ('cat > %s; echo "$1 $2" >> %s; exit 7', ...
+%!                            shellQuote (note), shellQuote (note)));
+%! [status, out] = startCommand (base, ['run --notify ', how, ' told']);
+%! assert (status, 0);
+%! assert (says (out, '--notify ended with status 7'), out);
+%! lines = strsplit (fileread (note), "\n");
+%! assert (lines(1:2), {['decalioc run in ', folder, ': all targets are met'], ...
+%!                      ['0 ', folder]});
+%! writeAtomic (fullfile (folder, 'loadInput.m'), 'nope (');
+%! [status, out] = startCommand (base, ['run told --notify=', how]);
+%! assert (status, 1);
+%! assert (says (fileread (note), 'could not be done'));
+%! [status, out] = startCommand (base, 'run told --notify');
+%! assert (status == 1 && says (out, 'needs a command'), out);
+%!test
+%! folder = standIn (base, 'watched');
+%! [pid, mark] = startSleep (300);
+%! writeAtomic (fullfile (folder, 'decalioc.lock'), ...
+%!              sprintf ('%s %d %s', gethostname (), pid, mark));
+%! program = shellQuote (fullfile (root, 'bin', 'decalioc'));
+%! call = shellQuote ([program, ' watch ', shellQuote(folder), ...
+%!                     '; echo "left $?"']);
+%! [status, out] = system (sprintf ([...
+%!   '(sleep 20; printf ''\003''; sleep 15) | timeout 90 script -qec %s ' ...
+%!   '/dev/null'], call));
+%! kill (pid, 9);
+%! assert (says (out, 'state   running'), out);
+%! assert (says (out, 'left 0'), out);
+%! assert (~says (out, 'error'), out);
+
 % --- the report: of writePage, or what is missing
 %!test
 %! folder = standIn (base, 'page');
@@ -229,8 +273,8 @@
 %!  [~, out] = system (['bash -c ', shellQuote(text)]);
 %!  out = strtrim (out);
 %!endfunction
-%!assert (reply ('decalioc s', 1), 'status')
-%!assert (reply ('decalioc check --', 2), '--try --help')
+%!assert (reply ('decalioc st', 1), 'status')
+%!assert (reply ('decalioc check --', 2), '--try --dry-run --help')
 %!assert (reply ('decalioc new --mo', 2), '--model')
 
 %!test

@@ -35,13 +35,15 @@ function [options, k] = take (options, spec, args, k)
   field = strrep (name(3:end), '-', '_');
   if ~isfield (spec, field)
     known = 'This command has none';
+    hint = '';
     if ~isempty (fieldnames (spec))
       names = strcat ('--', strrep (fieldnames (spec)', '_', '-'));
       known = ['Known are: ', strjoin(names, ', ')];
+      hint = regexprep (checkNearest (name, names), '.$', '? ');
     end
     error ('DEcalioc:commandOptions:unknownName', ...
-           ['%s is not an option here. %s. decalioc COMMAND --help shows ' ...
-            'the call.'], name, known);
+           ['%s is not an option here. %s%s. decalioc COMMAND --help shows ' ...
+            'the call.'], name, hint, known);
   end
   if strcmp (spec.(field), 'flag')
     options.(field) = true;
@@ -79,5 +81,7 @@ end
 %! commandOptions ({'--x=3'}, spec)
 %!error <x is not an option here. This command has none. decalioc COMMAND -->
 %! commandOptions ({'--x'}, struct ())
+%!error <mdel is not an option here. Did you mean --model\? Known are: --mod>
+%! commandOptions ({'--mdel', 'A'}, spec)
 %!error id=DEcalioc:commandOptions:missingField ...
 %! commandOptions ({'--model'}, spec)

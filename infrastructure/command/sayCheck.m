@@ -4,16 +4,23 @@
 %
 %   ROOT    folder of the toolbox (text)
 %   FOLDER  case folder (text)
-%   ARGS    cell of texts: '--try' makes one run of each model
+%   ARGS    cell of texts: '--try' makes one run of each model, '--dry-run'
+%           shows what a queue would get; the queue need not be here then
 %   STATUS  0; 2 where a trial run has failed
 %
-% Errors: those of loadCase and withEffects, which list all mistakes, and of
-% ownCost
+% Errors: DEcalioc:sayCheck:badValue (both options); those of loadCase and
+% withEffects, which list all mistakes, and of ownCost
 
 function status = sayCheck (root, folder, args)
-  options = commandOptions (args, struct ('try', 'flag'));
+  options = commandOptions (args, struct ('try', 'flag', 'dry_run', 'flag'));
+  if options.try && options.dry_run
+    error ('DEcalioc:sayCheck:badValue', ...
+           ['check takes --try, which makes runs, or --dry-run, which makes ' ...
+            'none, got both. Call it once with each.']);
+  end
   choice = useLiggghts (root);
-  Case = withEffects (loadCase (root, folder));
+  how = repmat ({'reading'}, 1, options.dry_run);
+  Case = withEffects (loadCase (root, folder, how{:}));
   ownCost ();
   printf ('case      %s: no mistake found\n', folder);
   cellfun (@(text) printf ('WARNING   %s.\n', text), Case.notes, ...
@@ -35,6 +42,9 @@ function status = sayCheck (root, folder, args)
     status = 2 * ~sayTrial (tryModels (Case), Case);
   end
   sayCosts (Case, isRun);
+  if options.dry_run
+    sayDryRun (Case);
+  end
 end
 
 function sayModels (Case)
@@ -188,12 +198,12 @@ function sayCosts (Case, isRun)
   if ~isRun
     return
   end
-  printf ('runs      plan: %d new, %d taken from the store\n', ...
-          n - sum (f.isDone), sum (f.isDone));
+  m = numel (Case.models);
+  printf ('runs      plan: %s, %d new, %d taken from the store\n', ...
+          asRuns (rows (f.plan), m), n - sum (f.isDone), sum (f.isDone));
   sayOldRuns (Case, @(text) printf ('%s\n', text), f.library);
-  printf ('          then at most %d sets (optim.maxFunEvals), each a run', ...
-          o.maxFunEvals);
-  printf (' of %d model(s)\n', numel (Case.models));
+  printf ('          then at most %s (optim.maxFunEvals)\n', ...
+          asRuns (o.maxFunEvals, m));
   if isfinite (o.maxNewRuns)
     printf ('          at most %d new runs in a start (Input.maxNewRuns)\n', ...
             o.maxNewRuns);
@@ -212,13 +222,40 @@ function sayCosts (Case, isRun)
   end
 end
 
+% What the runs of the plan that are missing would be started with.
+function sayDryRun (Case)
+  f = foresee (Case, runsOfCase (Case));
+  jobs = f.jobs(~f.isDone);
+  what = describeExecutor (Case.options.executor);
+  if isempty (jobs)
+    printf ('dry run   nothing would be started: the plan has all its runs\n');
+  elseif what.isHere
+    printf (['dry run   nothing is started. %d runs would start on this ' ...
+             'machine, on %d CPUs; Input.executor = ''slurm'' or ' ...
+             '''gridengine'' submits them to a queue\n'], numel (jobs), ...
+            Case.options.maxCPU);
+  else
+    printf ('%s', batchPreview (what, jobs, Case));
+  end
+end
+
+% All is counted in runs; a parameter set is run once with each model.
+function text = asRuns (sets, models)
+  text = sprintf ('%d parameter set%s x %d model%s = %d run%s', ...
+                  sets, repmat ('s', 1, sets ~= 1), ...
+                  models, repmat ('s', 1, models ~= 1), ...
+                  sets * models, repmat ('s', 1, sets * models ~= 1));
+end
+
 %!test
 %! raw = standInCase (tempname ());
 %! writeLoadInput (raw.folder);
 %! [status, text] = startCommand (raw.folder, 'check');
 %! assert (status, 0);
 %! for line = {'no mistake found', 'First: 2 targets, 1 CPU a run', ...
-%!             'plan: 16 new, 0 taken from the store', 'cost      not known'}
+%!             'plan: 8 parameter sets x 2 models = 16 runs, 16 new, 0 taken from', ...
+%!             'most 40 parameter sets x 2 models = 80 runs', ...
+%!             'cost      not known'}
 %!   assert (! isempty (strfind (text, line{1})), text);
 %! end
 
@@ -251,3 +288,41 @@ end
 %! has (none, 'repeat the reference on another day, and name the days');
 %! has (both, 'unlikely to have changed, 0.05 as likely as those above: rolling');
 %! has (both, 'Not said of: rolling, gain');
+
+%!test
+%! % what a queue would get, on a machine that has none
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder, ['Input.executor = ''slurm''; ', ...
+%!                              'Input.slurm.partition = ''long'';']);
+%! tools = tempname ();
+%! mkdir (tools);
+%! link = ['for f in /usr/bin/* /bin/*; do case ${f##*/} in sbatch|squeue) ;; ', ...
+%!         '*) ln -sf "$f" "$0"/ ;; esac; done'];
+%! system (['bash -c ', shellQuote(link), ' ', tools]);
+%! before = getenv ('PATH');
+%! back = onCleanup (@() setenv ('PATH', before));
+%! setenv ('PATH', tools);
+%! root = fileparts (fileparts (fileparts (which ('sayCheck'))));
+%! here = cd (raw.folder);
+%! there = onCleanup (@() cd (here));
+%! clear loadInput
+%! text = evalc ('sayCheck (root, raw.folder, {''--dry-run''});');
+%! for part = {'no sbatch and squeue on the PATH', '--partition=long', ...
+%!             '--array=1-16', 'job script: ', 'runscript'}
+%!   assert (! isempty (strfind (text, part{1})), text);
+%! end
+%! assert (glob (fullfile (raw.folder, 'optim', '*')), cell (0, 0));
+%! said = '';
+%! try
+%!   sayCheck (root, raw.folder, {});
+%! catch err
+%!   said = err.message;
+%! end
+%! assert (! isempty (strfind (said, 'a program sbatch on the PATH')), said);
+%! clear back there
+%! clear loadInput
+%! writeLoadInput (raw.folder);
+%! [~, text] = startCommand (raw.folder, 'check --dry-run');
+%! assert (! isempty (strfind (text, '16 runs would start on this machine')));
+%! [status, text] = startCommand (raw.folder, 'check --try --dry-run');
+%! assert (status, 1);
