@@ -39,6 +39,8 @@ function cause = decideGap (gap)
   if strcmp (verdict.verdict, 'no gap')
     cause = noGap (cause, gap, isBeyond, say);
   elseif any (strcmp (verdict.verdict, {'named', 'group'})) && isSeen
+    % what is named is not what could not be seen
+    cause.cannotSee = setdiff (cause.cannotSee, effects, 'stable');
     cause = found (cause, gap, effects, isBeyond, say);
   elseif strcmp (verdict.verdict, 'none of the listed')
     cause = unlisted (cause, gap, say);
@@ -274,3 +276,9 @@ end
 %!   gap = list(strcmp ({list.name}, row{1})).gap;
 %!   assert (decideGap (jsondecode (jsonencode (gap))).kind, row{2});
 %! end
+%!test
+%! list = verdictCase ();
+%! gap = list(strcmp ({list.name}, 'missed, several')).gap;
+%! gap = jsondecode (jsonencode (gap));
+%! gap.which.cannotSee = [gap.which.effects(1); {'other'}];
+%! assert (decideGap (gap).cannotSee(:)', {'other'});
