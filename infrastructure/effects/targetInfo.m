@@ -7,8 +7,8 @@
 %         text; '' and NaN where nobody says it
 %
 % From results.csv of the model: the row of the result with that number or, of a
-% case with measured.csv, with that name, else of its series. What measured.csv
-% says of unit, series and at goes before it.
+% case with measured.csv, with that name, else of its series, or with the name of
+% its series. What measured.csv says of unit, series and at goes before it.
 
 function info = targetInfo (Case)
   blank = struct ('name', '', 'kind', '', 'unit', '', 'series', '', ...
@@ -31,7 +31,8 @@ function info = oneInfo (T, own, info)
   end
   if ~isempty (own)
     row = [find(strcmp ({own.name}, T.result)), ...
-           find(strcmp ({own.series}, T.series) & ~isempty (T.series))];
+           find(strcmp ({own.series}, T.series) & ~isempty (T.series)), ...
+           find(strcmp ({own.name}, T.series))];
     if ~isempty (row)
       info = own(row(1));
     end
@@ -55,7 +56,7 @@ end
 %! Case.models = struct ('name', 'A', 'folder', folder);
 %! Case.targets = struct ('model', 1, 'index', {1, 2, 3, 4}, ...
 %!                        'name', {'w@1', 'w@2', 'r', 'z'}, ...
-%!                        'result', {'w', 'w', 'r', 'z'}, ...
+%!                        'result', {'w', 'w at 2', 'r', 'z'}, ...
 %!                        'series', {'w', 'w', '', ''}, ...
 %!                        'at', {1, 2, NaN, NaN}, ...
 %!                        'unit', {'', 'g', '', 'm'});

@@ -142,9 +142,11 @@ function cause = stillOpen (cause, gap, isBeyond, say)
     code = 'faint';
     [cause.kind, cause.closed] = deal ('cannot tell', '');
   end
-  values = struct ('why', plainReason (gap.which), ...
-                   'names', {setdiff(namesIn (gap.which, 'likely'), ...
-                                     cause.cannotSee, 'stable')});
+  likely = namesIn (gap.which, 'likely');
+  likely = likely(1:min (end, 3));
+  values = struct ('why', plainReason (gap.which), 'names', {likely});
+  % nothing is most likely and cannot be seen at once
+  cause.cannotSee = setdiff (cause.cannotSee, likely, 'stable');
   cause = inWordsOf (cause, code, values, say);
   if ~isempty (values.names)
     cause.sentence = [cause.sentence, ' ', say([code, '.likely'], values)];
@@ -282,3 +284,11 @@ end
 %! gap = jsondecode (jsonencode (gap));
 %! gap.which.cannotSee = [gap.which.effects(1); {'other'}];
 %! assert (decideGap (gap).cannotSee(:)', {'other'});
+%! % the most likely one is said, though it cannot be seen for sure
+%! gap = list(strcmp ({list.name}, 'missed, undecided')).gap;
+%! gap = jsondecode (jsonencode (gap));
+%! gap.which.likely = {'drag'; 'tilt'; 'fill'; 'gain'};
+%! gap.which.cannotSee = {'drag'; 'gain'};
+%! cause = decideGap (gap);
+%! assert (~isempty (strfind (cause.sentence, 'drag, tilt, fill')), cause.sentence);
+%! assert (cause.cannotSee(:)', {'gain'});
