@@ -52,10 +52,10 @@ startToolbox (make_absolute_filename (root), pwd ());
 powder = [argv(){:}];
 [~, rig] = fileparts (pwd ());
 [head, cells] = readCsvTable ('engineer.csv');
-column = @(name) cells(:, strcmp (head, name));
-said = @(powder, series) column ('engineer'){ ...
-  strcmp (column ('powder'), powder) & ...
-  strcmp (column ('series'), sprintf ('%d', series))};
+isOf = @(name, text) strcmp (cells(:, strcmp (head, name)), text);
+words = cells(:, strcmp (head, 'engineer'));
+said = @(powder, series) [words{isOf('powder', powder) & ...
+                                isOf('series', sprintf ('%d', series))}];
 files = [{'gap/gap.json'}, glob('gap/*/gap.json')'];
 list = {};
 if isfile ('verdict.json')

@@ -143,6 +143,9 @@ function cause = stillOpen (cause, gap, isBeyond, say)
     [cause.kind, cause.closed] = deal ('cannot tell', '');
   end
   likely = namesIn (gap.which, 'likely');
+  if ~isBeyond
+    likely = setdiff (likely, cause.cannotSee, 'stable');
+  end
   likely = likely(1:min (end, 3));
   values = struct ('why', plainReason (gap.which), 'names', {likely});
   % nothing is most likely and cannot be seen at once
