@@ -3,17 +3,17 @@
 # Control groups are not needed. Needs podman, buildah, and root or a user with
 # sub-ids. Not part of `make test`: it takes ten minutes and 4 GB.
 # CALL: tests/try-container.sh [BASE]
-#   BASE  the image to begin with (debian:12). Where no registry can be reached,
+#   BASE  the image to begin with (that of Containerfile). Where no registry can be reached,
 #         make one: debootstrap bookworm DIR && tar -C DIR -c . | podman import - NAME
 # STORAGE_DRIVER=vfs where overlay file systems are not allowed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-base=${1:-debian:12}
+base=(${1:+--build-arg "BASE=$1"})
 
 driver=(${STORAGE_DRIVER:+--storage-driver "$STORAGE_DRIVER"})
 inImage () { buildah "${driver[@]}" "$@"; }
 
-podman "${driver[@]}" build --isolation chroot --build-arg "BASE=$base" --tag decalioc "$root"
+podman "${driver[@]}" build --isolation chroot "${base[@]}" --tag decalioc "$root"
 container=$(inImage from --pull-never localhost/decalioc)
 place=$(mktemp -d)
 chmod 1777 "$place"                # the user of the image is not the one here
