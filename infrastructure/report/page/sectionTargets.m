@@ -136,7 +136,11 @@ end
 
 function cells = stepRow (page, source, step, k)
   at = @(field) {source, 'history', k, field};
-  name = sprintf ('%s %d', regexprep (step.stage, '^DEM$', 'stage on DEM'), step.iteration);
+  stage = step.stage;
+  if strcmp (stage, 'DEM')
+    stage = sentence ('table.stageDEM');
+  end
+  name = sprintf ('%s %d', stage, step.iteration);
   cells = {name, at('runs'), at('probability')};
 end
 

@@ -26,8 +26,10 @@ function T = settingsTable (page)
   end
   for name = fieldnames (Case.options)'
     value = Case.options.(name{1});
-    if isnumeric (value) && isscalar (value)
-      value = strrep (sprintf ('%g', value), 'Inf', 'no limit');
+    if isequal (value, Inf)
+      value = sentence ('table.noLimit');
+    elseif isnumeric (value) && isscalar (value)
+      value = sprintf ('%g', value);
     end
     if ischar (value)
       cells(end + 1, :) = {'option', name{1}, value};
