@@ -41,11 +41,11 @@ function [bad, suspect] = findBadRuns (runs, kind, surrogates, old)
   for m = unique (kind.model)
     ofModel = kind.model == m;
     judges = find (ofModel & kind.judges);
-    rowsOf = any (isfinite (runs.Z(:, judges)), 2);
     if isempty (judges)
       continue
     end
     bad(:, ofModel) = false;
+    rowsOf = any (isfinite (runs.Z(:, judges)), 2);
     if ~any (rowsOf)
       continue
     end
