@@ -1,8 +1,8 @@
-% docs/inputs.md and the checks name the same faults and the same fields.
+% The pages and the checks name the same faults and the same fields.
 
 %!function names = inTable ()
-%!  text = fileread (fullfile (rootOf (), 'docs', 'inputs.md'));
-%!  text = text(strfind (text, "| reason |"):end);
+%!  text = fileread (fullfile (rootOf (), 'docs', 'identifiers.md'));
+%!  text = text(strfind (text, "| reason |"):strfind (text, '## Others'));
 %!  names = {};
 %!  for row = strsplit (text, "\n")
 %!    if strncmp (row{1}, '| `', 3)

@@ -4,8 +4,8 @@
 # the user guide, 20,000 in all.
 # CALL: tools/words.sh
 # A word holds a letter: numbers and bars of tables are none. Not counted are blocks to
-# type in or to compare with, docs/functions.md, which `make index` makes of help
-# texts, and the pages for those who change the code.
+# type in or to compare with, the two indexes (functions.md, which `make index` makes of
+# help texts, and identifiers.md), and the pages for those who change the code.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -13,7 +13,7 @@ wordsOf () { sed '/^ *```/,/^ *```/d' "$1" | tr -s '[:space:]' '\n' | grep -c '[
 
 pagesOf () {     # below the heading of docs/README.md that begins with this text
   sed -n "/^## $1/,/^## /{/^## $1/p;/^## /!p}" docs/README.md |
-    grep -oE '\([a-z-]+\.md\)' | tr -d '()' | sed 's|^|docs/|' | grep -v functions.md
+    grep -oE '\([a-z-]+\.md\)' | tr -d '()' | sed 's|^|docs/|' | grep -vE '(functions|identifiers).md'
 }
 
 half () {        # its name, pages
