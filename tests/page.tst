@@ -70,7 +70,7 @@
 %! sources = struct ('gap', jsondecode (fileread (json)));
 %! assert (numel (numbersOf (html)) > 100);
 %! check (html, sources);
-%! for text = {'One of these causes: cohesion, liquidBridge', ...
+%! for text = {'One of these causes: cohesion, liquid bridge', ...
 %!             'measure Shear once more', 'cannot be seen by'}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! end

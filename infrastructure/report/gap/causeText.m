@@ -11,8 +11,8 @@ function text = causeText (which)
   is = @(field) isequal (jsonAt (which, {field}), true);
   joints = {' or ', ' and '};
   objects = {'it', 'them'};
-  own = strjoin (namesIn (which, 'effects'), joints{1 + is('together')});
-  text = strjoin ([{own}, namesIn(which, 'siblings')], ' or ');
+  own = strjoin (plainName (namesIn (which, 'effects')), joints{1 + is('together')});
+  text = strjoin ([{own}, plainName(namesIn (which, 'siblings'))], ' or ');
   if is ('lookAlike')
     text = [text, ', or something that looks like ', ...
             objects{1 + is('together')}];

@@ -20,7 +20,7 @@ function [text, code] = closedText (gap, isChange)
   isVerified = isequal (jsonAt (far, {'verifiedByDEM'}), true);
   how = {'closed.onSurrogates', 'closed.byDEM'};
   code = codeOf (far);
-  values = struct ('effect', effect, 'how', sentence (how{1 + isVerified}), ...
+  values = struct ('effect', plainName (effect), 'how', sentence (how{1 + isVerified}), ...
                    'part', partText (far, isChange));
   text = sentence ('closed.fitted', values);
   held = jsonAt (far, {'heldOut'});

@@ -92,7 +92,7 @@ function cause = noGap (cause, gap, isBeyond, say)
   if ~isempty (cause.untested)
     failed = {gap.which.untested.name};
   end
-  unseen = struct ('names', {[cause.cannotSee, failed]});
+  unseen = struct ('names', {plainName([cause.cannotSee, failed])});
   if isempty (missed.names) && isempty (unseen.names) && ~isBeyond
     [cause.kind, cause.class] = deal ('none', 'good');
     cause = inWordsOf (cause, 'none', struct (), say);
@@ -112,7 +112,7 @@ function cause = noGap (cause, gap, isBeyond, say)
     cause = inWordsOf (cause, 'blind', unseen, say);
     cause.sentence = [cause.sentence, seenFrom(gap, say)];
     cause.notFor = {say('notFor.unseen', unseen)};
-    cause.todo = newAction ('seeThem', unseen.names);
+    cause.todo = newAction ('seeThem', cause.cannotSee);
     if isempty (cause.cannotSee)
       cause.todo = newAction ('mendEffect', failed);
     end
@@ -147,7 +147,7 @@ function cause = stillOpen (cause, gap, isBeyond, say)
     likely = setdiff (likely, cause.cannotSee, 'stable');
   end
   likely = likely(1:min (end, 3));
-  values = struct ('why', plainReason (gap.which), 'names', {likely});
+  values = struct ('why', plainReason (gap.which), 'names', {plainName(likely)});
   % nothing is most likely and cannot be seen at once
   cause.cannotSee = setdiff (cause.cannotSee, likely, 'stable');
   cause = inWordsOf (cause, code, values, say);
@@ -171,7 +171,7 @@ function cause = found (cause, gap, effects, isBeyond, say)
                    effects, 'UniformOutput', false);
   amounts = cellfun (@(n, s) amountOf (verdict, n, s), effects, known, ...
                      'UniformOutput', false);
-  values = struct ('names', {effects}, 'cause', causeText (verdict), ...
+  values = struct ('names', {plainName(effects)}, 'cause', causeText (verdict), ...
                    'amounts', strjoin (amounts, '; '), ...
                    'why', plainReason (verdict));
   cause = inWordsOf (cause, code, values, say);
@@ -179,10 +179,12 @@ function cause = found (cause, gap, effects, isBeyond, say)
                          'text', values.amounts);
   if numel (effects) == 1 && ~isempty (jsonAt (known{1}, {'amount'}))
     cause.amount.text = known{1}.amount;
-    values.names = {known{1}.label};
-    cause.amount.label = say ('amount', values);
+    cause.amount.label = say ('amount', struct ('names', {{known{1}.label}}));
+  elseif several
+    cause.amount.text = strjoin (cellfun (@(n) chanceOf (verdict, n), effects, ...
+                                          'UniformOutput', false), ', ');
   end
-  cause.notFor = {say('notFor.found', struct ('names', {effects}))};
+  cause.notFor = {say('notFor.found', values)};
   tried = jsonAt (gap, {'howFar', 'effect'});
   if several
     cause.todo = testOf (gap);
@@ -214,19 +216,29 @@ end
 
 % In its unit; older files know the share of its range alone.
 function text = amountOf (verdict, name, known)
-  text = name;
+  text = plainName (name);
   strength = jsonAt (known, {'text'});
   if strncmpi (strength, name, numel (name))
     text = strength;
   elseif ~isempty (strength)
-    text = [name, ', ', strength];
+    text = [text, ', ', strength];
   end
-  field = matlab.lang.makeValidName (name);
-  p = [jsonAt(verdict, {'alike', field}), ...
-       jsonAt(verdict, {'posterior', field})];
+  p = probabilityOf (verdict, name);
   if ~isempty (p)
     text = sprintf ('%s, probability %.2f', text, p(1));
   end
+end
+
+% 'mean size 0.31', for the few words beside a large number.
+function text = chanceOf (verdict, name)
+  p = probabilityOf (verdict, name);
+  text = strtrim (sprintf ('%s %s', plainName (name), sprintf ('%.2f', p(1:min (end, 1)))));
+end
+
+function p = probabilityOf (verdict, name)
+  field = matlab.lang.makeValidName (name);
+  p = [jsonAt(verdict, {'alike', field}), ...
+       jsonAt(verdict, {'posterior', field})];
 end
 
 % The words of the method stay in the field reason.

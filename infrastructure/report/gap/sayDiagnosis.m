@@ -66,7 +66,7 @@ function sayPlain (v, found, madeBy, say)
   cellfun (@(line) say (['FOUND   ', line]), found);
   lines = {'MISSES  ', cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...
            'CLOSED  ', cause.closed; 'NEXT    ', v.action; ...
-           '        ', sentence('cause.unseen', struct ('names', {cause.cannotSee}))};
+           '        ', sentence('cause.unseen', struct ('names', {plainName(cause.cannotSee)}))};
   lines{6, 2} = lines{6, 2}(1:end * ~isempty (cause.cannotSee));
   for line = lines(~cellfun (@isempty, lines(:, 2)), :)'
     say ([line{:}]);

@@ -16,7 +16,11 @@ function html = parameters (page)
   if isempty (c) && ~isempty (page.sources.gap)
     return
   end
-  html = [tableHtml(page.tables.parameters), toCopy(page, c)];
+  T = page.tables.parameters;
+  if ~isempty (c)
+    T.title = 'With what is known of each';      % the heading says the rest
+  end
+  html = [tableHtml(T), toCopy(page, c)];
 end
 
 % The lines that go into a model.
