@@ -111,7 +111,7 @@ function writeTables (c, Case, folder)
   for level = Case.coarse
     v.(level.variable) = level.levels(end);
   end
-  v = assignParams (v, c.params, Case.names);
+  v = assignParams (v, asKnown (c, Case.limits), Case.names);
   writeAtomic (fullfile (folder, 'calibrated.head'), ...
                [titleOf(c), headLines(v)]);
   place = fullfile (folder, 'surrogates');
@@ -120,6 +120,18 @@ function writeTables (c, Case, folder)
     saveSurrogate (fullfile (place, sprintf ('KM_fun_%d.txt', t)), ...
                    c.surrogates(t));
   end
+end
+
+% With the digits that are known: to a hundredth of the interval, without one of the
+% limits, but at least four. What was run to the last digit stands in the JSON.
+function params = asKnown (c, limits)
+  width = diff (c.interval90(1:2, :), 1, 1);
+  none = ~(width > 0);
+  width(none) = diff (limits(1:2, none), 1, 1);
+  params = c.params;
+  on = params ~= 0;
+  step = 10.^floor (log10 (min (width(on) / 100, abs (params(on)) / 1000)));
+  params(on) = step .* round (params(on) ./ step);
 end
 
 % Whoever finds the file alone sees what it is.
@@ -162,5 +174,6 @@ end
 %! assert (out.params.a, c.params(2), 1e-12);
 %! assert (out.interval90.a, c.interval90(:, 2), 1e-12);
 %! assert (out.sensitivity.a', c.sensitivity(2, :), 1e-12);
-%! assert (headDefaults (read ('calibrated.head')).radiusP, c.params(1));
+%! assert (headDefaults (read ('calibrated.head')).radiusP, c.params(1), ...
+%!         1e-3 * c.params(1));
 %! assert (size (dlmread (read ('posterior.csv'), ',', 1, 0)), [1000, 2]);
