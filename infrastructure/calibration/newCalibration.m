@@ -90,14 +90,21 @@ function weak = weakness (surrogates, problem, known)
   weak.next = next(order);
 end
 
+% 'a', or 'more a with less b (1 to 0.6, in parts of their limits)'.
 function text = inWords (v, names)
   v = v / max (abs (v));
   [~, order] = sort (abs (v), 'descend');
-  order = order(abs (v(order)) > 0.3);
+  order = order(abs (v(order)) > 0.3)(:)';
   v = v * sign (v(order(1)));
-  parts = arrayfun (@(j) sprintf ('%+.1f %s', v(j), names{j}), order, ...
+  words = {'more ', 'less '};
+  parts = arrayfun (@(j) [words{1 + (v(j) < 0)}, names{j}], order, ...
                     'UniformOutput', false);
-  text = [strjoin(parts(:)', ' '), ' (in box widths)'];
+  text = names{order(1)};
+  if ~isscalar (order)
+    shares = arrayfun (@(x) sprintf ('%.1g', x), abs (v(order)), 'UniformOutput', false);
+    text = sprintf ('%s (%s, in parts of their limits)', strjoin (parts, ' with '), ...
+                    strjoin (shares, ' to '));
+  end
 end
 
 % Linear Bayes: measuring y with variance s2 takes cov (p, y)^2 / (var (y) + s2)

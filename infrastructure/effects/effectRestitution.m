@@ -8,7 +8,7 @@ function effect = effectRestitution ()
   given.neutral = 1;
   given.limits = [0.3; 4];
   given.unit = '-';
-  given.label = 'factor on ln (restitution)';
+  given.label = 'factor on the damping of impacts, ln (restitution)';
   given.source = ['Yan et al. 2015: little influence on angle of ' ...
                   'repose and discharge'];
   given.usually = 'unlikely';

@@ -126,7 +126,8 @@ function text = seenFrom (gap, say)
   for name = fieldnames (strength)'
     from = jsonAt (strength, {name{1}, 'seenFrom'});
     if ~isempty (from)
-      parts{end + 1} = sprintf ('%s %s', jsonAt (strength, {name{1}, 'label'}), from);
+      label = regexprep (jsonAt (strength, {name{1}, 'label'}), '^factor on ', '');
+      parts{end + 1} = sprintf ('%s %s', label, from);
     end
   end
   text = '';
