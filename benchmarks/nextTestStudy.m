@@ -25,7 +25,7 @@
 % something that looks like it. The table also holds d, the verdict before, what
 % was expected of the test, and log2 of how much likelier the truth is after it.
 %
-% See also: adviseTests, testCase, testCeiling, planStudy
+% See also: adviseTests, testCase, planStudy
 
 1;
 

@@ -12,7 +12,7 @@
 % foreignLab takes its four laws in turn; any 32 numbers in a row hold each law
 % with each d, all benches and all but one.
 %
-% See also: nextTestStudy, testCeiling
+% See also: nextTestStudy
 
 function [lab, twin] = testCase (kind, number)
   lab = testsOfLab (kind, number, mod (floor (number / 4), 2));

@@ -31,8 +31,9 @@
 % to all that is larger: log s is normal around that of SIZE, deviation 2, which
 % counts less the more runs there are; g and m have the prior g^-2 (1 + m)^-3:
 % an effect is much the same all over the box. Few runs do not tell that, runs
-% of LIGGGHTS do (benchmarks/markScore.m). A singular value decomposition makes
-% each trial cheap (Rasmussen and Williams 2006, 2.7, 5.4).
+% of LIGGGHTS do (closed study markScore.m, benchmarks/README.md). A singular
+% value decomposition makes each trial cheap (Rasmussen and Williams 2006, 2.7,
+% 5.4).
 %
 % Errors: DEcalioc:fitEffect:badShape
 

@@ -41,7 +41,7 @@
 %                  (1.15; at 1 laboratories of formulas alarm in 9 %)
 %     caution      power of the likelihood in intervals of strengths (0.4: at 1
 %                  they hold that of laboratories of other laws in 66 % where
-%                  they should in 90 %; benchmarks/intervalCaution.m)
+%                  they should in 90 %; closed study intervalCaution.m)
 %     nameAt       probability that the effect takes part at which it is named
 %                  (0.9: chosen on development draws, docs/gap-figures.md)
 %     groupAt      probability at which effects are a class or a group (0.8)
