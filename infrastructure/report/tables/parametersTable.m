@@ -81,10 +81,8 @@ function [class, word, text] = stateOf (page, names, j)
   else
     class = 'ok';
   end
-  sides = {'lower', 'upper'};
-  isUpper = value > mean (page.Case.limits(1:2, j));
   values = struct ('partner', [partner, link], 'by', strongest (c, share), ...
-                   'side', sides{1 + isUpper}, 'linked', '');
+                   'linked', '');
   if ~isempty (partner)
     values.linked = sentence ('known.linked', values);
   end
