@@ -151,7 +151,7 @@ end
 %! assert (words, {'fixed', 'dead', 'trade-off', 'at a limit', 'trade-off', ...
 %!                 'a compromise'});
 %! known = strjoin (cellfun (@(c) c.value, T.cells(:, 5)', 'UniformOutput', false));
-%! for text = {'by t1', 'only together with g', 'at its upper limit'}
+%! for text = {'by t1', 'only together with g', sentence('known.atLimit.text')}
 %!   assert (! isempty (strfind (known, text{1})), text{1});
 %! end
 %! page.sources.calibration.correlation = [];
