@@ -1,0 +1,116 @@
+% SWAPSCORE  Lays the answers to lawSwap beside the truth.
+%
+% CALL: swapScore (ROOT, STEM)
+%
+%   ROOT  folder of the toolbox
+%   STEM  path without ending: STEM-truth.csv, STEM-cases.csv and
+%         STEM-answers.csv are read, STEM-scored.csv is written
+%
+% d is the norm of what the parameters cannot absorb of the measured change, in
+% units of the whole noise, less what packings and readings add to it. A case is
+% nearer to a rival where the mark of an effect that is not its cause has the
+% larger cosine with that. Prints shares with 95 % Clopper-Pearson intervals.
+%
+% See also: lawSwap, sayShare
+
+function swapScore (root, stem)
+  truths = tableRows ([stem, '-truth.csv']);
+  answers = tableRows ([stem, '-answers.csv']);
+  lab = labOf (root);
+  lines = {['case,form,cause,strength,d,own,rival,nearest,verdict,effects,' ...
+            'class,pSaid,top,p']};
+  for i = 1:numel (truths)
+    t = truths(i);
+    a = answers(strcmp ({answers.case}, t.case));
+    s(i) = scoreOf (t, a, markOf (lab, t, stem));
+    lines{end + 1} = sprintf ('%s,%s,%s,%s,%.2f,%.2f,%.2f,%s,%s,%s,%s,%s,%s,%s', ...
+                              t.case, t.form, t.cause, t.strength, s(i).d, ...
+                              s(i).own, s(i).rival, s(i).nearest, a.verdict, ...
+                              a.effects, a.class90, a.pSaid, a.top, a.p);
+  end
+  writeAtomic ([stem, '-scored.csv'], [strjoin(lines, "\n"), "\n"]);
+  printf ('%s\n', lines{:});
+  sayShares (s);
+end
+
+function sayShares (s)
+  isNull = [s.isNull];
+  seen = ~isNull & ~[s.none];
+  strong = seen & [s.d] >= 4;
+  nearer = [s.rival] > [s.own];
+  sayShare ('nothing has changed: alarm', ~[s.none], isNull);
+  sayShare ('nothing has changed: name', [s.named], isNull);
+  sayShare ('d >= 4: seen', ~[s.none], ~isNull & [s.d] >= 4);
+  for part = {'all that is seen', seen; 'd >= 4', strong; ...
+              'nearer to a rival', seen & nearer; ...
+              'nearer to its own law', seen & ~nearer}'
+    of = part{2};
+    printf ('%s\n', part{1});
+    sayShare ('  a plain name that is wrong', [s.named] & ~[s.right], of);
+    sayShare ('  a plain name that is right', [s.named] & [s.right], of);
+    sayShare ('  a group that holds the cause', [s.grouped] & [s.holds], of);
+    sayShare ('  of names and groups those that hold the cause', [s.holds], ...
+              of & ([s.named] | [s.grouped]));
+  end
+end
+
+function s = scoreOf (t, a, mark)
+  cause = strsplit (t.cause, ' ');
+  said = strsplit (a.effects, ' ');
+  s = mark;
+  s.isNull = isempty (t.cause);
+  s.none = strcmp (a.verdict, 'no gap');
+  s.named = strcmp (a.verdict, 'named');
+  s.grouped = strcmp (a.verdict, 'group');
+  s.right = ~isempty (a.effects) && all (ismember (said, cause));
+  s.holds = any (ismember (cause, [said, strsplit(a.class90, ' ')]));
+end
+
+function lab = labOf (root)
+  [given, data] = formChange (root);
+  given.sd = given.sd / sqrt (2);
+  options = gapOptions ([]);
+  lab.given = given;
+  lab.problem = newGapProblem (given);
+  lab.em = fitEmulator (lab.problem, data, options);
+  lab.models = makeHypotheses (lab.problem, lab.em, options);
+end
+
+function mark = markOf (lab, t, stem)
+  rows_ = tableRows ([stem, '-cases.csv']);
+  rows_ = rows_(strcmp ({rows_.case}, t.case));
+  change = zeros (1, numel (lab.given.value));
+  for k = 1:numel (lab.given.value)
+    isIt = strcmp ({rows_.name}, lab.given.targetNames{k}) & ...
+           strcmp ({rows_.model}, lab.given.benchNames{lab.given.bench(k)});
+    two = str2double ({rows_(isIt).value});
+    if numel (two) == 2
+      change(k) = diff (two);
+    end
+  end
+  X = cellfun (@(n) str2double (t.(n)), lab.given.names);
+  q = 2 * toUnit (X, lab.given.limits) - 1;
+  white = lab.models.white;
+  [~, V, ~, J] = predictGap (white, [], q);
+  slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
+  N = parityProjection (slopes, zeros (numel (V), 1)).N;
+  used = white.columns;
+  seen = N' * (change(used) * white.W' ./ sqrt (V))';
+  mark = cosines (lab, t, q, N, V, seen);
+  mark.d = sqrt (max (sum (seen.^2) - columns (N), 0));
+end
+
+function mark = cosines (lab, t, q, N, V, seen)
+  names = {lab.problem.effects.name};
+  c = zeros (1, numel (names));
+  for k = 1:numel (names)
+    [~, ~, S] = predictGap (lab.models.white, k, ...
+                            [q, lab.problem.effects(k).range(2)]);
+    m = N' * (S ./ sqrt (V))';
+    c(k) = abs (seen' * m) / max (norm (seen) * norm (m), realmin);
+  end
+  isOwn = ismember (names, strsplit (t.cause, ' '));
+  [rival, at] = max (c .* ~isOwn);
+  mark = struct ('own', max ([0, c(isOwn)]), 'rival', rival, 'nearest', ...
+                 names{at});
+end
