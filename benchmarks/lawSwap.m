@@ -16,8 +16,9 @@
 %         shares
 %
 % Tables lie in benchmarks/results. Draw, answer and score are committed each
-% before the next one begins. Fewer CASES than were drawn are the first of them. Every form is drawn equally often, its strength
-% evenly between a fifth of its range and all of it.
+% before the next one begins. Fewer CASES than were drawn are the first of them.
+% Every form is drawn equally often, its strength evenly between a fifth of its
+% range and all of it.
 %
 % See also: swapForms, formChange, formCase
 

@@ -19,10 +19,9 @@ function Z = swapRun (truth, given, folder)
   for c = 1:2
     one = zeros (2, numel (given.value));
     for trial = 1:2
+      own = fullfile (folder, sprintf ('%d-%d-%d', truth.number, c, trial));
       one(trial, :) = onePacking (truth, given, root, forms(c), ...
-                                  truth.seeds(c, trial), ...
-                                  fullfile (folder, sprintf ('%d-%d-%d', ...
-                                            truth.number, c, trial)));
+                                  truth.seeds(c, trial), own);
     end
     Z(c, :) = mean (one, 1);
   end
