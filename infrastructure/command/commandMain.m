@@ -20,38 +20,6 @@ function status = sayReport (root, folder, args)
   status = 2 * sayChanged (Case);
 end
 
-% True where the result in the files is of an earlier input, which is said.
-function yes = sayChanged (Case)
-  stored = storedResult (Case);
-  yes = ~isempty (stored.changed);
-  if yes
-    v = decideStored (stored);
-    printf ('NOTE  %s. %s\n', v.word, v.action);
-  elseif ~isempty (stored.gapChanged)
-    printf ('NOTE  %s\n', decideStored (stored).gap);
-  end
-end
-
-% Not to runs.csv of the case itself: the next start would take it in.
-function status = sayExport (root, folder, args)
-  [Case, words] = caseOf (root, folder, args);
-  file = fullfile (folder, 'results', 'runs.csv');
-  if isempty (words)
-    [~, ~] = mkdir (fullfile (folder, 'results'));
-  else
-    file = words{1};
-  end
-  if strcmp (make_absolute_filename (file), fullfile (folder, 'runs.csv'))
-    error ('DEcalioc:sayExport:exists', ...
-           ['the table cannot be %s: the next start would take it in, and ' ...
-            'the runs are in the store already. Take another name.'], file);
-  end
-  n = exportRuns (file, Case, gatherRuns (Case, true));
-  printf ('%d runs  %s\n', n, file);
-  sayChanged (Case);
-  status = 0;
-end
-
 % The trial is a run of the model that decalioc new --model makes, with few
 % grains. Status 2 where something that is needed is missing or does not work.
 function status = sayDoctor (root, folder, args)
