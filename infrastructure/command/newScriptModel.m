@@ -7,8 +7,10 @@
 %   GIVEN   scalar struct: model (name), script (path), output (file with the
 %           results, '': output_results), seed ('': runSeed), mean (share of its
 %           rows, see readResults; '': 0), and cells of texts vary
-%           (NAME=LOW:HIGH), set and target (NAME=NUMBER, target with :UNIT)
-%   WORDS   scalar struct of texts for templates/scriptCase
+%           (NAME=LOW:HIGH), set and target (NAME=NUMBER, target with :UNIT),
+%           curve (PLACE:NAME=FILE, see scriptCurves)
+%   WORDS   scalar struct of texts for templates/scriptCase, with a curve for
+%           templates/scriptCurveCase
 %   NOTES   cell of sentences for the user
 %
 % Errors: DEcalioc:newScriptModel:missingField (a parameter or a target),
@@ -19,7 +21,8 @@ function [words, notes] = newScriptModel (root, target, given)
   [names, limits] = namedNumbers (given.vary, '--vary', 2);
   [fixed, values] = namedNumbers (given.set, '--set', 1);
   [results, measured, units] = namedNumbers (given.target, '--target', 1);
-  if isempty (names) || isempty (results)
+  curves = scriptCurves (givenCell (given, 'curve'));
+  if isempty (names) || isempty (results) && isempty (curves)
     error ('DEcalioc:newScriptModel:missingField', ...
            ['--script needs at least one parameter and one measured value, ' ...
             'got %d and %d. For example: --vary mu=0.2:0.8 --target ' ...
@@ -44,14 +47,17 @@ function [words, notes] = newScriptModel (root, target, given)
   variables = mergeFields (found.variables, struct (chosen{:}));
   % the seed of the packing has a name of its own in data.head
   variables = rmfield (variables, intersect (fieldnames (variables), seed));
-  words = struct ('MODEL', given.model, 'SCRIPT', [base, ending], 'SEED', seed, ...
+  words = struct ('CURVES', curveWords (curves), 'MODEL', given.model, 'SCRIPT', ...
+                  [base, ending], 'SEED', seed, ...
                   'OUTPUT', output, 'PLACE', placeText (found, tree), ...
                   'RESULTS', [tree.place, repmat('/', 1, ~isempty (tree.place)), ...
                               output], 'SHARE', sprintf ('%.10g', share));
   tree.texts = cell (size (tree.from));
   tree.texts(at) = texts;
-  makeFolder (root, target, words, tree, variables, resultLines (results, units));
+  makeFolder (root, target, words, tree, variables, ...
+              resultLines ([results, {curves.name}], [units, {curves.unit}]));
   words = caseWords (words, all(1:numel (names)), limits, results, measured);
+  words.ROWS = measuredRows (given.model, results, measured, units, curves);
   trial = fullfile (fileparts (found.scripts{1}), output);
   notes = strcat ([edits, modelNotes(target), ...
                    trialNote(trial, results, share)], '.');
@@ -167,12 +173,48 @@ function [names, numbers, units] = namedNumbers (texts, option, count)
   end
 end
 
+function list = givenCell (given, name)
+  list = {};
+  if isfield (given, name)
+    list = given.(name);
+  end
+end
+
+function text = curveWords (curves)
+  rows_ = [{curves.place}; {curves.name}];
+  text = strjoin (strsplit (strtrim (sprintf ('''%s'', ''%s''\n', rows_{:})), "\n"), '; ');
+  text = text(1:end * ~isempty (curves));
+end
+
+% Lines of measured.csv: single results, then the points of the curves.
+function text = measuredRows (model, results, measured, units, curves)
+  rows_ = [repmat({model}, 1, numel (results)); results; num2cell(measured); units];
+  text = sprintf ('%s,%s,,,%.10g,,%s,,\n', rows_{:});
+  for c = curves
+    for point = c.points'
+      sd = '';
+      if numel (point) > 2
+        sd = sprintf ('%.10g', point(3));
+      end
+      text = [text, sprintf('%s,,%s,%.10g,%.10g,%s,%s,,\n', model, c.name, ...
+                            point(1:2), sd, c.unit)];
+    end
+  end
+  text = strtrim (text);
+end
+
 % In a draft beside it, so that the model is there whole or not at all.
 function makeFolder (root, target, words, tree, variables, results)
   place = privateFolder ();
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(place)]));
   source = fullfile (place, 'source');
   fillTemplate (fullfile (root, 'templates', 'script'), source, words);
+  if ~isempty (words.CURVES)
+    own = fullfile (place, 'own');
+    fillTemplate (fullfile (root, 'templates', 'scriptCurve'), own, words);
+    name = fullfile ('OctaveFuns', 'getResults.m');
+    writeAtomic (fullfile (source, name), fileread (fullfile (own, name)));
+  end
   for k = 1:numel (tree.from)
     copy = fullfile (source, tree.to{k});
     [~, ~] = mkdir (fileparts (copy));

@@ -18,9 +18,14 @@ function status = sayNew (root, folder, args)
   spec = struct ('model', 'one', 'bench', 'one', 'curve', 'flag', 'script', 'one', ...
                  'vary', 'many', 'set', 'many', 'target', 'many', ...
                  'output', 'one', 'mean', 'one', 'seed', 'one');
+  if any (strncmp (args, '--script', 8))
+    spec.curve = 'many';
+  end
   [given, words] = commandOptions (args, spec);
   if ~isempty (given.script)
     given.script = absoluteFrom (folder, given.script);
+    given.curve = cellfun (@(text) withPath (text, folder), given.curve, ...
+                           'UniformOutput', false);
   end
   target = placeOf (given, words, folder);
   ask = {};
@@ -77,11 +82,20 @@ function checkModel (given)
     error ('DEcalioc:sayNew:badValue', ...
            ['--bench takes test rigs of the toolbox as they are, --model ' ...
             'makes a model of your own: give one of the two.']);
-  elseif given.curve && (isempty (given.model) || ~isempty (given.script))
+  elseif isequal (given.curve, true) && isempty (given.model)
     error ('DEcalioc:sayNew:badValue', ...
-           '--curve goes with --model NAME, without --script.');
+           ['--curve goes with --model NAME; with --script, too, it names the ' ...
+            'curve: --curve time:force=points.csv.']);
   elseif isempty (given.script)
     refuseUnread (given);
+  end
+end
+
+% PLACE:NAME=FILE, the file from the folder of the call.
+function text = withPath (text, folder)
+  [name, file] = strtok (text, '=');
+  if numel (file) > 1
+    text = [name, '=', absoluteFrom(folder, file(2:end))];
   end
 end
 
@@ -141,10 +155,13 @@ function makeModel (root, target, model, given)
       model = fullfile (place, 'model');
     end
     [words, notes] = newScriptModel (root, model, given);
+    if ~isempty (given.curve)
+      template = 'scriptCurveCase';
+    end
   elseif ~isThere
     newTemplateModel (root, model, given);
   end
-  if given.curve
+  if isequal (given.curve, true)
     template = fullfile ('curve', 'case');
   end
   words.MODEL = given.model;
