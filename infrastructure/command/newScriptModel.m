@@ -211,7 +211,8 @@ function makeFolder (root, target, words, tree, variables, results)
   fillTemplate (fullfile (root, 'templates', 'script'), source, words);
   if ~isempty (words.CURVES)
     own = fullfile (place, 'own');
-    fillTemplate (fullfile (root, 'templates', 'scriptCurve'), own, words);
+    fillTemplate (fullfile (root, 'templates', 'scriptCurve'), own, ...
+                  setfield (words, 'FORM', 'm'));
     name = fullfile ('OctaveFuns', 'getResults.m');
     writeAtomic (fullfile (source, name), fileread (fullfile (own, name)));
   end
