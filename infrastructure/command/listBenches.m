@@ -51,8 +51,9 @@ end
 
 %!test
 %! benches = listBenches (fileparts (fileparts (which ('startToolbox'))));
-%! assert ({benches.name}, {'Collapse', 'Drum', 'Heap', 'Shear', 'SlotBin'});
-%! heap = benches(3);
+%! assert ({benches.name}, {'Collapse', 'Doser', 'Drum', 'Heap', 'Shear', ...
+%!                         'SlotBin'});
+%! heap = benches(4);
 %! assert (heap.title, 'heap by a lifted tube');
 %! assert ({heap.sizes.name}, {'tubeRadius', 'plateRadius', 'heapSolid', ...
 %!                             'liftSpeed', 'liftHeight'});

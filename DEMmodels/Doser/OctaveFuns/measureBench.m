@@ -1,0 +1,32 @@
+% MEASUREBENCH  Reads how much a screw doses in a turn, at tilts and speeds.
+%
+% CALL: RESULTS = measureBench (FOLDER)
+%
+% FOLDER   folder of a finished run
+% RESULTS  scalar struct, a field per result of results.csv; no fields if the
+%          run is not sane
+%
+% Logarithms of masses, each with half a grain more than what has left, so that a
+% blocked exit is a number. One filling of a pitch has 0.6 of its volume as solid.
+% A grain between the turning screw and the cone may overlap by half its
+% diameter, the bed at rest by what readChecks allows.
+%
+% Throws what readChecks throws for a missing file.
+%
+% See also: readChecks
+function results = measureBench (folder)
+  results = struct ();
+  checks = readChecks (folder);
+  if ~checks.sane || checks.overlapTurn > 0.5
+    return
+  end
+  table = dlmread (fullfile (folder, 'dosed.csv'), ',', 1, 0);
+  isRead = table(:, 1) > 0;
+  dosed = log (table(isRead, 4) + 0.5 * checks.massGrain);
+  middle = dosed(2);
+  results.level = middle - log (0.6 * checks.pitchVolume * checks.densityGrain);
+  names = {'tilt0', 'speed15', 'speed45', 'speed90', 'tilt90'};
+  for k = 1:5
+    results.(names{k}) = dosed(k + (k > 1)) - middle;
+  end
+end
