@@ -2,7 +2,8 @@
 %
 % CALL: octave-cli ../freezeVerdict.m POWDER   (in the folder of the rig)
 %
-%   POWDER  name of the powder, '' where the rig has one
+%   POWDER  name of the powder and of its case in the folder of the rig; '' where
+%           the rig has one powder and is the case
 %
 % One entry a series: rig, powder, series, changed, p, class, named, cause,
 % verdict (named, class, none of the listed, nothing, undecided, cannot tell),
@@ -56,7 +57,8 @@ isOf = @(name, text) strcmp (cells(:, strcmp (head, name)), text);
 words = cells(:, strcmp (head, 'engineer'));
 said = @(powder, series) [words{isOf('powder', powder) & ...
                                 isOf('series', sprintf ('%d', series))}];
-files = [{'gap/gap.json'}, glob('gap/*/gap.json')'];
+files = [{fullfile(powder, 'gap', 'gap.json')}, ...
+         glob(fullfile (powder, 'gap', '*', 'gap.json'))'];
 list = {};
 if isfile ('verdict.json')
   old = jsondecode (fileread ('verdict.json'), 'makeValidName', false);
