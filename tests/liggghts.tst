@@ -23,7 +23,9 @@
 %! c = jsondecode (fileread (fullfile (folder, 'results', ...
 %!                                     'calibration.json')));
 %! assert (c.converged);
-%! assert (all (abs ([c.targets.residual]) <= [0.01, 0.05]));
+%! % the mean response; the mean of few runs alone scatters by up to 4 %
+%! off = abs ([c.targets.estimate] ./ [c.targets.target] - 1);
+%! assert (all (off <= [0.01, 0.05]), sprintf (' %g', [off, [c.targets.residual]]));
 %! assert (c.params.densityP, 705, 25);
 %! % what LIGGGHTS left behind is a whole run
 %! record = readRecord (fullfile (folder, 'optim', 'SmallBin', '0001', ...
