@@ -39,3 +39,33 @@ function front = frontOf (beads, least)
     last = own(min ([gap, numel(own)]));
   end
 end
+
+%!test
+%! % a ring of beads inside the cylinder, then one at 0.1 m with rings behind it
+%! % and a lone bead far out; what comes back in is not seen
+%! folder = tempname ();
+%! mkdir (folder);
+%! checks = {'spheresStart,96', 'spheresOut,0', 'spheresEnd,96', 'settled,1', ...
+%!           'overlapMax,0.01', 'timeStep,0.001', 'wallRadius,0.0615', ...
+%!           'stepLift,100'};
+%! writeAtomic (fullfile (folder, 'output_checks.csv'), ...
+%!              sprintf ("%s\n", checks{:}));
+%! a = (0:23)' * pi / 12 + 0.1;
+%! rings = @(R) [kron(R, cos (a)), kron(R, sin (a))];
+%! text = '';
+%! for k = 1:3
+%!   P = rings ([0.01; 0.03; 0.05; 0.05]);
+%!   if k == 2
+%!     P = rings ([0.07; 0.08; 0.09; 0.096]);
+%!     P(1, :) = [0.3, 0.04];
+%!   end
+%!   text = [text, sprintf(['ITEM: TIMESTEP\n%d\nITEM: NUMBER OF ATOMS\n96\n', ...
+%!                          'ITEM: BOX BOUNDS ff ff ff\n-1 1\n-1 1\n0 1\n', ...
+%!                          'ITEM: ATOMS id x y z radius \n'], 50 * k + 50), ...
+%!           sprintf("1 %g %g 0.004 0.004\n", P')];
+%! end
+%! writeAtomic (fullfile (folder, 'front.dump'), text);
+%! front = measureBench (folder).timeFront;
+%! delete (fullfile (folder, '*'));
+%! rmdir (folder);
+%! assert (front, [0, 0.0615; 0, 0.0615; 0.05, 0.1; 0.1, 0.1], 1e-6);
