@@ -29,15 +29,16 @@ end
 
 function front = frontOf (beads, least)
   r = hypot (beads(:, 1), beads(:, 2));
+  radius = median (beads(:, 4));
   sector = ceil ((atan2 (beads(:, 2), beads(:, 1)) / pi + 1) * 12);
-  reach = accumarray (max (sector, 1), r, [24, 1], @lastBefore, 0);
-  front = mean (max (reach + median (beads(:, 4)), least));
+  reach = accumarray (max (sector, 1), r, [24, 1], ...
+                      @(own) lastBefore (own, 6 * radius), 0);
+  front = mean (max (reach + radius, least));
+end
 
-  function last = lastBefore (own)
-    own = sort (own);
-    gap = find (diff (own) > 6 * median (beads(:, 4)), 1);
-    last = own(min ([gap, numel(own)]));
-  end
+function last = lastBefore (own, gap)
+  own = sort (own);
+  last = own(min ([find(diff (own) > gap, 1), numel(own)]));
 end
 
 %!test
