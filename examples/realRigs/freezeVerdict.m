@@ -28,6 +28,9 @@ function one = entryOf (gap, rig, powder, engineer)
                 'verdict', kinds{at, 2}, 'probability', which.posterior, ...
                 'decides', strjoin (listOf (which.decides), ', '), ...
                 'strength', '', 'engineer', engineer(powder, series));
+  if strcmp (gap.cause.kind, 'cannot tell')
+    one.verdict = 'cannot tell';
+  end
   effects = listOf (which.effects);
   if strcmp (which.verdict, 'group')
     one.class = union (one.class, effects, 'stable');
