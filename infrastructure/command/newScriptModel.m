@@ -21,7 +21,7 @@ function [words, notes] = newScriptModel (root, target, given)
   [names, limits] = namedNumbers (given.vary, '--vary', 2);
   [fixed, values] = namedNumbers (given.set, '--set', 1);
   [results, measured, units] = namedNumbers (given.target, '--target', 1);
-  curves = scriptCurves (givenCell (given, 'curve'));
+  curves = scriptCurves (givenField (given, 'curve', {}));
   if isempty (names) || isempty (results) && isempty (curves)
     error ('DEcalioc:newScriptModel:missingField', ...
            ['--script needs at least one parameter and one measured value, ' ...
@@ -173,17 +173,10 @@ function [names, numbers, units] = namedNumbers (texts, option, count)
   end
 end
 
-function list = givenCell (given, name)
-  list = {};
-  if isfield (given, name)
-    list = given.(name);
-  end
-end
-
 function text = curveWords (curves)
-  rows_ = [{curves.place}; {curves.name}];
-  text = strjoin (strsplit (strtrim (sprintf ('''%s'', ''%s''\n', rows_{:})), "\n"), '; ');
-  text = text(1:end * ~isempty (curves));
+  rows_ = arrayfun (@(c) sprintf ('''%s'', ''%s''', c.place, c.name), curves, ...
+                    'UniformOutput', false);
+  text = strjoin (rows_, '; ');
 end
 
 % Lines of measured.csv: single results, then the points of the curves.

@@ -73,9 +73,7 @@ end
 
 % What the values are worth, in front of them.
 function text = remarks (c, list, sign)
-  words = {'NOT CALIBRATED', 'CALIBRATED'};
-  lines = {sprintf('%s (%s): %s', words{1 + isequal(c.converged, true)}, c.date, ...
-                   strrep (c.reason, "\n", ' '))};
+  lines = {resultTitle(c, c.date)};
   for one = list(strcmp ({list.from}, 'calibrated'))
     known = 'no interval';
     if all (isfinite (one.interval))
@@ -88,13 +86,9 @@ function text = remarks (c, list, sign)
 end
 
 function card = cardOf (c, list)
-  tests = num2cell (c.targets(:)');
-  if iscell (c.targets)
-    tests = c.targets(:)';
-  end
   fields = {'model', 'name', 'unit', 'target', 'sd', 'result', 'resultSd', 'role', 'state'};
-  tests = cellfun (@(t) mergeFields (struct (), t, fields), tests, ...
-                   'UniformOutput', false);
+  tests = arrayfun (@(k) mergeFields (struct (), jsonAt (c, {'targets', k}), fields), ...
+                    1:numel (c.targets), 'UniformOutput', false);
   card = struct ('converged', c.converged, 'reason', c.reason, 'date', c.date, ...
                  'version', c.version, 'values', {num2cell(list)}, 'tests', {tests});
 end

@@ -113,7 +113,8 @@ function writeTables (c, Case, folder)
   end
   v = assignParams (v, asKnown (c, Case.limits), Case.names);
   writeAtomic (fullfile (folder, 'calibrated.head'), ...
-               [titleOf(c), headLines(v)]);
+               ['# ', resultTitle(c, strftime ('%Y-%m-%d', localtime (time ()))), ...
+                "\n", headLines(v)]);
   place = fullfile (folder, 'surrogates');
   [~, ~] = mkdir (place);
   for t = 1:numel (c.surrogates)
@@ -132,16 +133,6 @@ function params = asKnown (c, limits)
   on = params ~= 0;
   step = 10.^floor (log10 (min (width(on) / 100, abs (params(on)) / 1000)));
   params(on) = step .* round (params(on) ./ step);
-end
-
-% Whoever finds the file alone sees what it is.
-function text = titleOf (c)
-  word = 'CALIBRATED';
-  if ~c.converged
-    word = 'NOT CALIBRATED';
-  end
-  text = sprintf ("# %s (%s): %s\n", word, strftime ('%Y-%m-%d', localtime (time ())), ...
-                  strrep (c.reason, "\n", ' '));
 end
 
 %!test
@@ -174,6 +165,8 @@ end
 %! assert (out.params.a, c.params(2), 1e-12);
 %! assert (out.interval90.a, c.interval90(:, 2), 1e-12);
 %! assert (out.sensitivity.a', c.sensitivity(2, :), 1e-12);
+%! % within half of the last digit that is known
+%! step = 10^floor (log10 (min (diff (c.interval90(:, 1)) / 100, c.params(1) / 1000)));
 %! assert (headDefaults (read ('calibrated.head')).radiusP, c.params(1), ...
-%!         1e-3 * c.params(1));
+%!         0.5 * step + 1e-12);
 %! assert (size (dlmread (read ('posterior.csv'), ',', 1, 0)), [1000, 2]);
