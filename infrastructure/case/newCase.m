@@ -170,12 +170,17 @@ function notes = unusedNotes (Case)
   if ~all (cellfun (@(f) isfile (fullfile (f, 'runscript')), folders))
     return
   end
+  [others, beyond] = cellfun (@(f) stagesOf (f, 'all'), folders, ...
+                              'UniformOutput', false);
+  [others, first] = unique ([{Case.models.name}, others{:}]);
+  folders = [folders, beyond{:}];
+  folders = folders(first);
   names = setdiff ([Case.names, fieldnames(Case.modelVars)', ...
                     {Case.coarse.variable}], ...
                    {'radiusP', 'densityP', 'youngsModulusP', ...
                     'poissonsRatioP', 'percentRayleigh'});
   places = cellfun (@(name) fullfile (Case.store, 'optim', name, '0001'), ...
-                    {Case.models.name}, 'UniformOutput', false);
+                    others, 'UniformOutput', false);
   for name = unusedVariables (names, folders, places)
     notes{end + 1} = ['no file of the models uses the variable ', name{1}, ...
                       ': it changes nothing. Put ${', name{1}, '} where it ' ...
@@ -186,6 +191,8 @@ end
 function yes = usesSeed (folder)
   yes = system (['grep -RIqw --exclude=data.head runSeed ', ...
                  shellQuote(folder), ' 2> /dev/null']) == 0;
+  [~, stages] = stagesOf (folder);       % their packing is that of the model
+  yes = yes || any (cellfun (@usesSeed, stages));
 end
 
 %!shared raw, level

@@ -54,12 +54,22 @@ function sayModels (Case)
                         'no folder; its runs are those of runs.csv');
     printf ('model     %s: %d targets, %d CPU a run (%s)\n', m.name, ...
             m.nTargets, m.cpu, place);
+    sayStages (m);
     sayNamed (m, Case.store);
     sayMeasured (Case.targets([Case.targets.model] == k));
   end
   note = sessionNote (Case);
   if ~isempty (note)
     printf ('sessions  %s\n', note);
+  end
+end
+
+function sayStages (model)
+  [names, folders] = stagesOf (model.folder);
+  for k = 1:numel (names)
+    printf ('          starts from %s, run once for a set and a packing (%s)\n', ...
+            names{k}, folders{k});
+    sayStages (struct ('folder', folders{k}));
   end
 end
 

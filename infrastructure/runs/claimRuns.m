@@ -7,7 +7,8 @@
 %           own
 %   ISMINE  1 x n logical, false where another Octave of this machine is about
 %           to make that very run. One that cannot be seen from here (another
-%           machine), whom nobody can ask, does not count
+%           machine), whom nobody can ask, does not count, nor does this case:
+%           it claims a run, then the one that this starts from
 %   HOLD    the runs are free when it is cleared
 %   HOLDER  of the last that is not, see lockHolder; its note names the case
 %
@@ -28,7 +29,8 @@ function [isMine, hold, holder] = claimRuns (jobs, Case)
       hold{end + 1} = lockCase (folder, name, Case.folder);
     catch
       other = lockHolder (folder, name);
-      isMine(i) = ~strcmp (other.state, 'alive');
+      isMine(i) = ~strcmp (other.state, 'alive') || ...
+                  other.pid == getpid () && strcmp (other.note, Case.folder);
       if ~isMine(i)
         holder = other;
       end
@@ -45,5 +47,8 @@ end
 %! [isMine, ~, holder] = claimRuns (jobs, Case);
 %! assert (isMine, [false, true]);
 %! assert ({holder.note, holder.pid}, {'/a', getpid()});
+%! Case.folder = '/a';
+%! assert (claimRuns (jobs(1), Case));
+%! Case.folder = '/b';
 %! hold = {};
 %! assert (claimRuns (jobs, Case), [true, true]);

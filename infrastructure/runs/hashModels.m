@@ -6,14 +6,15 @@
 %         its field hashes
 %   H     1 x M struct array: input (files of the model that the simulation
 %         reads, number of CPUs, LIGGGHTS build where the model calls it, files
-%         outside it that its scripts name), older (1 x n cell: the same as
-%         versions until 0.9.0 had it, with the build where it does not call it
-%         or without the files outside), files (as input, without the build),
-%         build ('' where it is not called, or not there), funs (files of
-%         OctaveFuns, which only evaluate; with measured.csv also which results
-%         it reads, and where on a curve), count (how many results are asked
-%         for), defaults (values declared in data.head; of effect variables that
-%         it does not declare the neutral ones)
+%         outside it that its scripts name, the same of the models that it starts
+%         from), older (1 x n cell: the same as versions until 0.9.0 had it, with
+%         the build where it does not call it or without the files outside),
+%         files (as input, without the build), build ('' where it is not called,
+%         or not there), funs (files of OctaveFuns, which only evaluate; with
+%         measured.csv also which results it reads, and where on a curve), count
+%         (how many results are asked for), defaults (values declared in
+%         data.head; of effect variables that it does not declare the neutral
+%         ones)
 %
 % A model calls LIGGGHTS where its runscript, a file that the runscript names or
 % one that this names holds the word, in capitals or not.
@@ -40,13 +41,16 @@ function h = hashModels (Case)
   for k = 1:numel (Case.models)
     folder = Case.models(k).folder;
     text = sprintf ('%s|%d|', hashFolder (folder, aside), Case.models(k).cpu);
-    outside = hashOutside (Case, k);
+    outside = [hashOutside(Case, k), hashStages(Case, k)];
     h(k).files = hash ('sha256', [text, outside]);
     h(k).build = repmat (build, 1, callsLiggghts (folder));
     h(k).input = hash ('sha256', [text, h(k).build, outside]);
     h(k).older = setdiff ({hash('sha256', [text, h(k).build]), ...
                            hash('sha256', [text, build])}, h(k).input);
-    h(k).funs = hashEvaluation (Case.models(k));
+    h(k).funs = 'stage';               % asked for its state alone
+    if Case.models(k).nTargets > 0
+      h(k).funs = hashEvaluation (Case.models(k));
+    end
     h(k).defaults = struct ();         % of runs of a table nothing is asked
     if isfile (fullfile (folder, 'data.head'))
       h(k).defaults = headDefaults (fullfile (folder, 'data.head'));
@@ -69,6 +73,19 @@ function text = hashOutside (Case, k)
     [~, sums] = system (['sha256sum -- ', strjoin(list, ' '), ' 2> /dev/null']);
     sums = regexp (sums, '^\\?([0-9a-f]{64}) ', 'tokens', 'lineanchors');
     text = ['|', strjoin(sort ([sums{:}]), ' ')];
+  end
+end
+
+% Of the models whose last state it starts from: a change there is one of its runs.
+function text = hashStages (Case, k)
+  text = '';
+  [names, folders] = stagesOf (Case.models(k).folder);
+  for i = 1:numel (names)
+    of = [find(strcmp (names{i}, {Case.models.name}), 1), k];
+    stage = Case.models(of(1));
+    [stage.name, stage.folder, stage.nTargets] = deal (names{i}, folders{i}, 0);
+    text = [text, '|', ...
+            hashModels(setfield (Case, 'models', stage)).input];
   end
 end
 

@@ -11,7 +11,8 @@
 %     message   what happened, with the first line of output that complains
 %     cause     '', 'exit', 'killed' (from outside), 'time', 'output',
 %               'evaluation' (an error in getResults), 'budget' (not run:
-%               Input.maxNewRuns)
+%               Input.maxNewRuns), 'stage' (the run that it starts from failed;
+%               folder is that of it)
 %     results   1 x m; empty or partly NaN unless 'ok'
 %     seconds   wall-clock time of the simulation
 %     funs      hash of OctaveFuns/ and, with measured.csv, of the results and

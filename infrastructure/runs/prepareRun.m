@@ -3,12 +3,15 @@
 % CALL: FOLDER = prepareRun (JOB, CASE)
 %       prepareRun (JOB, CASE, FOLDER)     in a folder that is taken already
 %
-%   JOB     scalar struct, see newJobs
+%   JOB     scalar struct, see newJobs; starts (optional): cell of run folders
+%           that it starts from, of the same store (see stagesOf)
 %   CASE    see newCase
 %   FOLDER  path of the folder: the model's files, data.head with the run's
 %           variables, params.csv, ExPlan.txt, cpu (which guard.sh hands to the
 %           runscript as DECALIOC_CPU); job.json is written last, so a folder
 %           without it is half-made and nobody's
+%
+% Errors: DEcalioc:prepareRun:missingField
 %
 % See also: startRun, takeRunFolder, copyModel
 
@@ -21,6 +24,20 @@ function folder = prepareRun (job, Case, folder)
   head = fullfile (folder, 'data.head');
   writeAtomic (head, [fileread(head), "\n", ...
                       headLines(runVariables (job, Case))], false);
+  stages = givenField (job, 'starts', {});
+  names = stagesOf (Case.models(k).folder);
+  if numel (stages) ~= numel (names)
+    error ('DEcalioc:prepareRun:missingField', ...
+           ['prepareRun: a run of %s starts from runs of %s, which evaluateDEM ' ...
+            'and the calibration make, not runScript.'], job.model, ...
+           strjoin (names, ', '));
+  end
+  for name = stages(:)'
+    [place, number] = fileparts (name{1});
+    [~, model] = fileparts (place);
+    % of the same store, wherever that is moved to
+    symlink (['../../', model, '/', number], fullfile (folder, model));
+  end
   writeSet (folder, job.params, job.planRow);
   writeAtomic (fullfile (folder, 'cpu'), ...
                sprintf ("%d\n", Case.models(k).cpu), false);

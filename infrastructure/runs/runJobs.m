@@ -18,11 +18,17 @@
 % still fails is a record that says so. In the place of a run that the user has
 % taken out of use (decalioc forget) one with another seed is made.
 %
+% A model may start from the last state of another one (stagesOf): that is run
+% first, once for a set and a packing, and is a run of the store like any other.
+% One that fails takes with it what starts from it (cause 'stage').
+%
 % At most CASE.options.maxNewRuns runs are made, those with another seed among
-% them; a job beyond them is a failed record with the cause 'budget'.
+% them; a job beyond them is a failed record with the cause 'budget'. A stage that
+% is no model of the case is part of the runs that start from it.
 
 function [records, isReused, nNew] = runJobs (jobs, Case, report)
   Case.hashes = hashModels (Case);
+  Case = withStages (Case);
   caseId (Case.folder, true);           % before the workers ask for it
   records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
   [records, open, jobs] = fromStore (jobs, records, Case);
@@ -80,8 +86,78 @@ function [records, isMade] = carryOut (jobs, records, open, Case, show)
   end
 end
 
+% A run that starts from the state of others (stagesOf) waits for them.
 function records = execute (jobs, Case, show)
-  records = describeExecutor (Case.options.executor).execute (jobs, Case, show);
+  [jobs.starts] = deal ({});
+  records = repmat (newRecord (jobs(1), ''), 1, numel (jobs));
+  stages = arrayfun (@(job) stageJobs (job, Case), jobs, ...
+                     'UniformOutput', false);
+  needed = [stages{:}];
+  isOpen = true (1, numel (jobs));
+  if ~isempty (needed)
+    [~, first] = unique ({needed.key}, 'first');
+    needed = needed(sort (first));
+    [found, places] = runStages (needed, jobs, Case, show);
+    [isMade, at] = ismember ({places.key}, {jobs.key});
+    records(at(isMade)) = found(isMade);
+    isOpen(at(isMade)) = false;
+    for i = find (isOpen & ~cellfun (@isempty, stages))
+      mine = found(ismember ({needed.key}, {stages{i}.key}));
+      jobs(i).starts = {mine.folder};
+      [records(i), isOpen(i)] = afterStages (jobs(i), mine);
+    end
+  end
+  if any (isOpen)
+    executor = describeExecutor (Case.options.executor);
+    records(isOpen) = executor.execute (jobs(isOpen), Case, show);
+  end
+end
+
+% Of the models that the one of a job starts from: the same values, the same seed.
+function stages = stageJobs (job, Case)
+  stages = repmat (job, 1, 0);
+  of = strcmp (job.model, {Case.models.name});
+  for name = stagesOf (Case.models(of).folder)
+    k = find (strcmp (name{1}, {Case.models.name}));
+    stage = job;
+    [stage.model, stage.input] = deal (name{1}, Case.hashes(k).input);
+    [stage.key, ~, stage.variables] = runKey (runVariables (stage, Case), ...
+                                              Case.effectVars, Case.hashes(k));
+    stages(end + 1) = stage;
+  end
+end
+
+% NEEDED in the store, among JOBS or run now. PLACES: as NEEDED, but with the job
+% that takes the place of a run out of use. No second try with another seed: what
+% starts from it gets one, and with it another stage.
+function [found, places] = runStages (needed, jobs, Case, show)
+  found = repmat (newRecord (needed(1), ''), 1, numel (needed));
+  [found, open, places] = fromStore (needed, found, Case);
+  [isAsked, at] = ismember ({places.key}, {jobs.key});
+  isAsked = isAsked & open;
+  if any (isAsked)
+    found(isAsked) = execute (jobs(at(isAsked)), Case, show);
+  end
+  rest = open & ~isAsked;
+  if any (rest)
+    found(rest) = carryOut (places(rest), found(rest), true (1, sum (rest)), ...
+                            Case, show);
+  end
+end
+
+function [record, isOpen] = afterStages (job, stages)
+  record = newRecord (job, '');
+  bad = find (~strcmp ({stages.status}, 'ok'), 1);
+  isOpen = isempty (bad);
+  if ~isOpen
+    record.folder = stages(bad).folder;
+    record.message = sprintf ('it starts from %s, which gave no state: %s', ...
+                              stages(bad).model, stages(bad).message);
+    record.cause = 'stage';
+    if strcmp (stages(bad).cause, 'killed')
+      record.cause = 'killed';
+    end
+  end
 end
 
 % JOBS: with another seed where the run was taken out of use.
@@ -245,3 +321,50 @@ end
 %! assert ({r.status, nNew}, {'ok', 0});
 %! assert (numel (listRunFolders (Case.store, 'First')), 1);
 %! assert (isempty (glob (fullfile (Case.store, 'optim', 'First', 'claim*'))));
+%!test
+%! % a stage: run once for a set and a packing, for both that start from it; found
+%! % again; one that fails is named, and another packing of it is tried
+%! Case = newCase (standInCase (tempname ()));
+%! place = fullfile (Case.folder, 'DEMmodels');
+%! put = @(name, text) writeAtomic (fullfile (place, name), text);
+%! [~, ~] = mkdir (fullfile (place, 'Fill'));
+%! put ('Fill/data.head', "variable a equal 1\n");
+%! put ('Fill/runscript', ["awk '$2 == \"a\" { a = $4 } $2 == \"runSeed\" ", ...
+%!      "{ s = $4 } END { if (a > 5) exit 3; print a, s }' data.head > state\n"]);
+%! for name = {'First', 'Second'}
+%!   put ([name{1}, '/startsFrom'], 'Fill');
+%!   put ([name{1}, '/runscript'], ...
+%!        [fileread(fullfile (place, name{1}, 'runscript')), ...
+%!         "cp Fill/state seen\n"]);
+%! end
+%! jobs = newJobs (Case, [1, 2; 3, 4; 6, 1], [], 1, 'plan');
+%! [r, ~, nNew] = runJobs (jobs, Case, quiet);
+%! assert ({r.status}, [repmat({'ok'}, 1, 4), repmat({'failed'}, 1, 2)]);
+%! assert (nNew, 8);
+%! assert (r(3).results, [7, 12], 1e-12);
+%! assert (load (fullfile (r(3).folder, 'seen')), [3, r(3).seed]);
+%! assert (~isempty (strfind (r(5).message, 'from Fill, which gave no state: exit')));
+%! assert (r(5).cause, 'stage');
+%! assert (numel (listRunFolders (Case.store, 'Fill')), 4);
+%! [~, isReused, nNew] = runJobs (jobs(1:4), Case, quiet);
+%! assert (isReused && nNew == 0);
+%! % a run that was lost starts from the stage that is there
+%! unlink (fullfile (r(1).folder, 'record.json'));
+%! unlink (fullfile (r(1).folder, 'end.mark'));
+%! again = runJobs (jobs(1), Case, quiet);
+%! assert (~strcmp (again.folder, r(1).folder));
+%! assert (numel (listRunFolders (Case.store, 'Fill')), 4);
+%!test
+%! % a stage that is a model of the case, too: one run is both
+%! Case = newCase (standInCase (tempname ()));
+%! put = @(name, text) writeAtomic (fullfile (Case.models(2).folder, name), text);
+%! put ('startsFrom', "First # its last state\n");
+%! put ('runscript', [fileread(fullfile (Case.models(2).folder, 'runscript')), ...
+%!                    "paste First/out out > both\n"]);
+%! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan');
+%! [r, ~, nNew] = runJobs (jobs, Case, quiet);
+%! assert ({r.status}, repmat ({'ok'}, 1, 4));
+%! assert (nNew, 4);
+%! assert (numel (listRunFolders (Case.store, 'First')), 2);
+%! assert (canonicalize_file_name (fullfile (r(4).folder, 'First')), ...
+%!         canonicalize_file_name (r(3).folder));

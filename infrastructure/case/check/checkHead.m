@@ -8,7 +8,8 @@
 %   NAME    file in it ('data.head');  DEPTH  of the file that includes it (0)
 %   HEAD    1 x n struct array, in the order of the file: name, style ('equal',
 %           'string', ...), value, remark behind # (texts). Files that data.head
-%           includes are read too.
+%           includes are read too, and before them the data.head of the models
+%           that it starts from (stagesOf).
 
 function head = checkHead (folder, name, depth)
   if nargin < 2
@@ -18,6 +19,13 @@ function head = checkHead (folder, name, depth)
     depth = 0;
   end
   head = struct ('name', cell (1, 0), 'style', '', 'value', '', 'remark', '');
+  if strcmp (name, 'data.head') && depth < 3
+    % the models that it starts from take the same variables
+    [~, stages] = stagesOf (folder);
+    for stage = stages
+      head = [head, checkHead(stage{1}, name, depth + 1)];
+    end
+  end
   text = checkReadText (fullfile (folder, name));
   found = regexp (text, ...
                   ['^[ \t]*(variable|include)[ \t]+(\S+)' ...

@@ -24,6 +24,7 @@ function p = checkModels (models, folder, root, how)
       if isfile (fullfile (models(k).folder, 'runscript'))
         p = [p, checkRunscript(models(k), how)];
       end
+      p = [p, checkStages(models(k), {models.name}, how)];
     end
   end
 end
@@ -43,6 +44,43 @@ end
 function names = folderNames (place)
   names = setdiff (readdir (place), {'.', '..'})';
   names = names(isfolder (fullfile (place, names)));
+end
+
+% The models that it starts from: complete but for getResults, and no circle. Those
+% among NAMES are checked as models of the case.
+function p = checkStages (model, names, how)
+  p = checkFault ();
+  field = ['DEMmodels/', model.name, '/startsFrom'];
+  [stages, folders] = stagesOf (model.folder);
+  for k = 1:numel (stages)
+    stage = model;
+    [stage.name, stage.folder, stage.message] = deal (stages{k}, folders{k}, '');
+    if ~checkIs ('folder', stages{k}) || ~isfolder (folders{k})
+      p(end + 1) = checkFault ('missingStage', field, ...
+                               'names of models beside it, one a line', ...
+                               checkShow (stages{k}), ...
+                               'Put that model there, or correct the name.');
+    elseif any (strcmp (model.folder, ...
+                        nthargout (2, @stagesOf, folders{k}, 'all')))
+      p(end + 1) = checkFault ('stageCircle', field, ...
+                               'models that do not start from this one', ...
+                               stages{k}, 'Take the name out of one of them.');
+    elseif exist (fullfile (model.folder, stages{k}), 'file')
+      p(end + 1) = checkFault ('stageName', field, ...
+                               ['no file of that name in the model: in a run ' ...
+                                'the last state stands there'], stages{k}, ...
+                               'Rename that file, or the model of that name.');
+    elseif ~any (strcmp (stages{k}, names))
+      stage.head = checkHead (stage.folder);
+      q = [checkFolder(stage), checkFiles(stage)];
+      if isfile (fullfile (stage.folder, 'runscript'))
+        q = [q, checkRunscript(stage, how)];
+      end
+      q = [q, checkStages(stage, names, how)];
+      isResults = strcmp ({q.id}, 'DEcalioc:checkCase:missingGetResults');
+      p = [p, q(~isResults)];
+    end
+  end
 end
 
 % The folder of a run is no model. A link that leads nowhere is what cp -r makes
@@ -250,3 +288,26 @@ end
 %! symlink ('..', fullfile (model.folder, 'OctaveFuns', 'again'));
 %! p = checkModels (model, '', '', struct ('onCluster', true, 'programs', 0));
 %! assert (~isempty (strfind (p(1).message, 'a link that leads back')));
+%!test
+%! % models that it starts from: not there, in a circle, with a file in their place,
+%! % incomplete; getResults is asked of none of them
+%! raw = standInCase (tempname ());
+%! place = fullfile (raw.folder, 'DEMmodels');
+%! model.folder = fullfile (place, 'First');
+%! put = @(name, text) writeAtomic (fullfile (place, name), text);
+%! how = struct ('onCluster', true, 'programs', 0);
+%! ask = @() {checkModels(model, '', '', how).id};
+%! put ('First/startsFrom', "Fill\n");
+%! assert (ask (), {'DEcalioc:checkCase:missingStage'});
+%! mkdir (fullfile (place, 'Fill'));
+%! assert (ask (), {'DEcalioc:checkCase:missingHead', ...
+%!                  'DEcalioc:checkCase:missingRunscript'});
+%! put ('Fill/data.head', "variable a equal 1\n");
+%! put ('Fill/runscript', "true\n");
+%! assert (isempty (checkModels (model, '', '', how)));
+%! put ('Fill/startsFrom', 'Second');
+%! put ('Second/startsFrom', 'First');
+%! assert (ask (), {'DEcalioc:checkCase:stageCircle'});
+%! unlink (fullfile (place, 'Second', 'startsFrom'));
+%! put ('First/Fill', '');
+%! assert (ask (), {'DEcalioc:checkCase:stageName'});
