@@ -4,7 +4,7 @@
 %
 %   ROOT         folder of the toolbox (text)
 %   FOLDER       case folder, in which Octave works (text)
-%   CALIBRATION  struct, see newCalibration
+%   CALIBRATION  struct, see newCalibration; of one cost alone see reportCost
 %
 % The main script DEcalioc carries it out. What is handed on here is the same in
 % all functions of this folder: STATE (newState) with DATA (newData) and
@@ -24,6 +24,10 @@ function calibration = calibrateCase (root, folder)
     moveAside (folder);
   end
   Case = loadCase (root, folder);
+  if costAlone (Case)
+    calibration = reportCost (Case, say);
+    return
+  end
   restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, ownCost ());
   reportCase (Case, say, problem);

@@ -58,8 +58,8 @@ end
 
 % The published loadInput returns the values of all models as one column.
 function groups = fromCells (optim, models, counts)
-  values = perTarget (optim.targetVal, counts, NaN);
-  tols = perTarget (optim.tolRes, counts, 0);
+  values = perTarget (givenField (optim, 'targetVal', 0), counts, NaN);
+  tols = perTarget (givenField (optim, 'tolRes', 0), counts, 0);
   sds = perTarget (givenField (optim, 'targetStd', []), counts, 0);
   trials = perTarget (givenField (optim, 'trials', []), counts, 1);
   names = givenField (optim, 'targetName', {});

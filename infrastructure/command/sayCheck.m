@@ -21,7 +21,10 @@ function status = sayCheck (root, folder, args)
   choice = useLiggghts (root);
   how = repmat ({'reading'}, 1, options.dry_run);
   Case = withEffects (loadCase (root, folder, how{:}));
-  ownCost ();
+  isCost = costAlone (Case);
+  if ~isCost
+    ownCost ();
+  end
   printf ('case      %s: no mistake found\n', folder);
   cellfun (@(text) printf ('WARNING   %s.\n', text), Case.notes, ...
            'UniformOutput', false);
@@ -36,6 +39,11 @@ function status = sayCheck (root, folder, args)
   sayBox (Case);
   sayEffects (Case);
   status = 0;
+  if isCost
+    b = bestKnown (Case);
+    printf ('cost      %s: the smallest of %d sets counts\n', b.name, b.sets);
+    return
+  end
   if options.try
     % before the costs: the trial tells how long a run takes
     lock = lockCase (folder);

@@ -47,7 +47,11 @@ function sayRuns (Case, file)
 end
 
 function sayMaterial (Case, program, words)
-  calibration = storedResult (Case).calibration;
+  if costAlone (Case)
+    calibration = readJsonFile (fullfile (Case.folder, 'results', 'best.json'));
+  else
+    calibration = storedResult (Case).calibration;
+  end
   if isempty (calibration)
     error ('DEcalioc:sayExport:missingFile', ...
            ['there are no values yet: %s is missing. Calibrate first: decalioc ' ...

@@ -76,6 +76,9 @@ function text = whatIs (name, kind, Case)
     case 'result'
       T = Case.targets(find (strcmp (name, {Case.targets.name}), 1));
       text = sprintf ('result, measured %g', T.value);
+      if costAlone (Case)
+        text = 'cost: the smallest counts';
+      end
   end
 end
 

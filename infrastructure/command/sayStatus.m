@@ -12,6 +12,12 @@
 function status = sayStatus (root, folder, args)
   commandOptions (args, struct ());
   [Case, note] = caseToRead (root, folder);
+  if costAlone (Case)
+    b = bestKnown (Case);
+    printf ('case    %s\nstate   %s\n', folder, b.reason);
+    status = 0;
+    return
+  end
   s = caseStatus (Case, ownCost ());
   printf ('case    %s\n', folder);
   printf ('state   %s\n', stateText (s));

@@ -9,7 +9,7 @@
 %
 % The main script diagnoseGap carries it out.
 %
-% Errors: DEcalioc:needCandidates:missingField
+% Errors: DEcalioc:needCandidates:missingField, DEcalioc:refuseCost:costAlone
 %
 % See also: diagnoseGap, startMain, diagnoseMatrices
 
@@ -19,6 +19,7 @@ function diagnosis = diagnoseCase (root, folder)
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
   Case = withEffects (loadCase (root, folder));
+  refuseCost (Case);
   [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);
   [evaluate, budget] = newEvaluate (Case, say);
@@ -71,6 +72,15 @@ function diagnosis = diagnoseCase (root, folder)
   end
   reportPage (Case, say);
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
+end
+
+function refuseCost (Case)
+  if costAlone (Case)
+    error ('DEcalioc:refuseCost:costAlone', ...
+           ['diagnose needs the results that miss, got one cost (optim.role ' ...
+            '''smallest''), which does not say which of them does. Put them into ' ...
+            'runs.csv, a column each, and their measured values into loadInput.m.']);
+  end
 end
 
 % With one of SHARES(1) equal parts of what may still be run, and one of SHARES(2)

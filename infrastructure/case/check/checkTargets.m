@@ -12,7 +12,10 @@
 
 function [p, sizes] = checkTargets (optim, models, taken, sizes)
   rules = rulesOf (taken);
-  if nargin > 3
+  if asksForCost (optim)
+    [p, sizes] = checkCost (optim, models, rules);
+    return
+  elseif nargin > 3
     p = checkFault ();
     rules = rules(strcmp ({rules.name}, 'correlation'));
   else
@@ -27,6 +30,35 @@ function [p, sizes] = checkTargets (optim, models, taken, sizes)
       p(end + 1) = checkFault ('missingField', 'optim.tolRes', ...
                                'one tolerance a target', 'nothing', rule.cure);
     end
+  end
+end
+
+function yes = asksForCost (optim)
+  roles = givenField (optim, 'role', {});
+  yes = false;
+  for k = 1:numel (roles) * iscell (roles)
+    yes = yes || any (strcmp (roles{k}, 'smallest'));
+  end
+end
+
+% One cost, of which the smallest counts, stands alone: nothing is measured.
+function [p, sizes] = checkCost (optim, models, rules)
+  sizes = 1;
+  p = checkFault ();
+  value = givenField (optim, 'targetVal', 0);
+  isAlone = isequal (optim.role, {{'smallest'}}) && isscalar (models) && ...
+            any (cellfun (@(v) isequal (v, value), {0, {0}}));
+  if ~isAlone
+    p = checkFault ('costAlone', 'optim.role', ...
+                    '''smallest'' for the one result of one model, a cost', ...
+                    checkShow (optim.role), ...
+                    ['Write optim.role = {{''smallest''}}; and leave ' ...
+                     'optim.targetVal out, or give the results that the cost is ' ...
+                     'made of.']);
+  end
+  if isfield (optim, 'targetName')
+    rule = rules(strcmp ({rules.name}, 'targetName'));
+    p = [p, checkOne(optim.targetName, rule, sizes)];
   end
 end
 

@@ -19,6 +19,10 @@
 % leaves the others alone.
 
 function file = writePage (Case)
+  if costAlone (Case)
+    file = costPage (Case, bestKnown (Case));
+    return
+  end
   page = pageData (Case);
   page.tables = statementTables (page);
   folder = fullfile (Case.folder, 'results');

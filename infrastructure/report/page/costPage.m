@@ -1,0 +1,19 @@
+% COSTPAGE  Writes the page of a case of one cost: results/report.html.
+%
+% CALL: FILE = costPage (CASE, B)
+%
+%   CASE  see newCase;  B  see bestKnown
+%   FILE  path of the page (text)
+
+function file = costPage (Case, b)
+  texts = strcat ('<p>', htmlText (costTexts (b)), '</p>');
+  [~, base, ending] = fileparts (Case.folder);
+  body = ['<div class="verdict open"><p><span class="word">Best set known</span>. ', ...
+          htmlText(sprintf ('Smallest %s: %.5g, of %d sets.', b.name, b.cost, ...
+                            b.sets)), '</p>', texts{:}, "</div>\n", ...
+          tableHtml(costTable (Case, b))];
+  file = fullfile (Case.folder, 'results', 'report.html');
+  writeAtomic (file, plainPage (Case.root, ['Case ', base, ending], ...
+                                [strjoin({Case.models.name}, ', '), ', ', b.date], ...
+                                body));
+end

@@ -1,0 +1,28 @@
+% REPORTCOST  Says and writes the best set known of a case of one cost.
+%
+% CALL: RESULT = reportCost (CASE, SAY)
+%
+%   CASE    see newCase, costAlone
+%   SAY     function handle that takes one line of text, or with it the class of a
+%           verdict, see sayLine
+%   RESULT  see bestKnown, with exitStatus 2: nothing is confirmed
+%
+% Writes results/best.json (RESULT), best.head (lines of a data.head) and the page.
+
+function b = reportCost (Case, say)
+  b = bestKnown (Case);
+  folder = fullfile (Case.folder, 'results');
+  [~, ~] = mkdir (folder);
+  writeAtomic (fullfile (folder, 'best.json'), [jsonencode(b), "\n"]);
+  values = assignParams (Case.modelVars, cellfun (@(n) b.params.(n), Case.names), ...
+                         Case.names);
+  writeAtomic (fullfile (folder, 'best.head'), ...
+               ['# ', resultTitle(b, b.date), "\n", headLines(values)]);
+  cellfun (say, tableText (costTable (Case, b)), 'UniformOutput', false);
+  say ('');
+  say (['BEST SET KNOWN: ', sprintf('smallest %s %.5g, of %d sets', b.name, b.cost, ...
+                                    b.sets)], 'open');
+  cellfun (@(text) say (['  ', text]), costTexts (b), 'UniformOutput', false);
+  say (['Report: ', costPage(Case, b)]);
+  b.exitStatus = 2;
+end
