@@ -62,5 +62,12 @@ end
 %! assert (b.cost, 0.4, 1e-12);
 %! assert ([b.sets, b.failed, b.outside], [3, 1, 1]);
 %! assert (cellfun (@(n) n.cost, b.next), [0.41, 0.45]);
-%! Case.limits = [10, 10; 11, 11];
-%! fail ('bestKnown (Case)', 'DEcalioc:bestKnown:noRuns');
+%!error id=DEcalioc:bestKnown:noRuns
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'runs.csv'), "a,cost\n1,0.5\n");
+%! Case = struct ('folder', folder, 'names', {{'a'}}, 'limits', [2; 5], ...
+%!                'effectVars', {{}}, 'effects', [], 'coarse', struct ('variable', {}), ...
+%!                'models', struct ('name', 'M'), 'further', {{}});
+%! Case.targets = struct ('name', 'cost', 'model', 1, 'unit', '', 'role', 'smallest');
+%! bestKnown (Case);
