@@ -4,8 +4,10 @@
 %
 %   ROOT    folder of the toolbox (text)
 %   FOLDER  case folder (text)
-%   ARGS    cell of texts: a file; '--for' PROGRAM of materialLines, or 'card' (JSON:
-%           values, where they are from, what they were measured against)
+%   ARGS    cell of texts: a file; '--for' PROGRAM of materialLines, or 'card' (a
+%           JSON and a page: materialCard), with that '--with' FOLDER: a further case
+%           of the material, or 'store': those on the store with the same first remark
+%           in measured.csv
 %   STATUS  0
 %
 % A table of runs cannot be runs.csv of the case itself: the next start would take
@@ -15,7 +17,7 @@
 % DEcalioc:materialLines:unknownName
 
 function status = sayExport (root, folder, args)
-  [options, words] = commandOptions (args, struct ('for', 'one'));
+  [options, words] = commandOptions (args, struct ('for', 'one', 'with', 'many'));
   program = options.('for');
   [Case, note] = caseToRead (root, folder);
   printf ('%s', note);
@@ -23,7 +25,7 @@ function status = sayExport (root, folder, args)
   if isempty (program)
     sayRuns (Case, fileOf (words, Case, 'runs.csv'));
   else
-    sayMaterial (Case, program, words);
+    sayMaterial (Case, program, words, options.with);
   end
   sayChanged (Case);
   status = 0;
@@ -46,7 +48,7 @@ function sayRuns (Case, file)
   printf ('%d runs  %s\n', n, file);
 end
 
-function sayMaterial (Case, program, words)
+function sayMaterial (Case, program, words, others)
   if costAlone (Case)
     calibration = readJsonFile (fullfile (Case.folder, 'results', 'best.json'));
   else
@@ -60,8 +62,12 @@ function sayMaterial (Case, program, words)
   end
   list = materialValues (Case, calibration);
   if strcmp (program, 'card')
-    text = [jsonencode(cardOf (calibration, list)), "\n"];
+    card = materialCard (list, withOthers (Case, calibration, others));
     name = 'material.json';
+    text = [jsonencode(card), "\n"];
+    page = regexprep (fileOf (words, Case, name), '(\.json)?$', '.html', 'once');
+    writeAtomic (page, cardPage (Case.root, card));
+    printf ('page    %s\n', page);
   else
     sign = '#';
     if strcmp (program, 'mercury')
@@ -72,7 +78,10 @@ function sayMaterial (Case, program, words)
   end
   file = fileOf (words, Case, name);
   writeAtomic (file, text);
-  printf ('%svalues  %s\n', text, file);
+  if ~strcmp (program, 'card')
+    printf ('%s', text);
+  end
+  printf ('values  %s\n', file);
 end
 
 % What the values are worth, in front of them.
@@ -89,12 +98,51 @@ function text = remarks (c, list, sign)
   text = strjoin ([lines, {''}], "\n");
 end
 
-function card = cardOf (c, list)
-  fields = {'model', 'name', 'unit', 'target', 'sd', 'result', 'resultSd', 'role', 'state'};
-  tests = arrayfun (@(k) mergeFields (struct (), jsonAt (c, {'targets', k}), fields), ...
-                    1:numel (c.targets), 'UniformOutput', false);
-  card = struct ('converged', c.converged, 'reason', c.reason, 'date', c.date, ...
-                 'version', c.version, 'values', {num2cell(list)}, 'tests', {tests});
+% Of other cases their files are read, none of their programs is called: who shares a
+% store need not be trusted.
+function results = withOthers (Case, calibration, others)
+  own = canonicalize_file_name (Case.folder);
+  results = resultOf (Case.folder, calibration);
+  isAll = strcmp (others, 'store');
+  places = cellfun (@canonicalize_file_name, others(~isAll), 'UniformOutput', false);
+  if any (isAll)
+    [origins, marks] = casesOf (Case);
+    same = cellfun (@(m) isequal (m(1:min (end, 1)), ...
+                                  results.remarks(1:min (end, 1))), marks);
+    places = [places, origins(same)];
+  end
+  for place = setdiff (places(cellfun (@ischar, places)), own)
+    c = readJsonFile (fullfile (place{1}, 'results', 'calibration.json'));
+    if isstruct (givenField (c, 'params', []))
+      results(end + 1) = resultOf (place{1}, c);
+    elseif any (strcmp (place{1}, others))
+      error ('DEcalioc:sayExport:missingFile', ...
+             '%s holds no results/calibration.json. Calibrate it first.', place{1});
+    end
+  end
+end
+
+function r = resultOf (folder, calibration)
+  [~, base, ending] = fileparts (folder);
+  r = struct ('name', [base, ending], 'remarks', {measuredRemarks(folder)}, ...
+              'calibration', calibration);
+end
+
+function [places, remarks] = casesOf (Case)
+  names = cell (1, 0);
+  for model = Case.models
+    kinds = readLibrary (Case.store, model.name, struct ('input', ''));
+    names = [names, {kinds.origin}];
+  end
+  places = cell (1, 0);
+  for name = unique (names)
+    place = canonicalize_file_name (name{1});
+    if ischar (place) && isfolder (place)
+      places{end + 1} = place;
+    end
+  end
+  places = unique (places);
+  remarks = cellfun (@measuredRemarks, places, 'UniformOutput', false);
 end
 
 %!test
@@ -104,3 +152,37 @@ end
 %! assert (status == 1 && ~isempty (strfind (text, 'there are no values yet')), text);
 %! [status, text] = startCommand (raw.folder, 'export --for');
 %! assert (status == 1, text);
+%!test
+%! % a card of two cases: one that is named, and those of the store with one remark
+%! raw = standInCase (tempname ());
+%! other = standInCase (tempname ());
+%! store = sprintf ('Input.store = ''%s'';', raw.folder);
+%! places = {raw.folder, other.folder};
+%! json = ['{"params":{"a":%g,"b":3},"interval90":{"a":[3.5,4.5],"b":null},', ...
+%!         '"converged":true,"reason":"all met","date":"2026-01-01","version":"1",', ...
+%!         '"targets":[{"model":"First","name":"x","unit":"","target":7,"sd":0.1,', ...
+%!         '"result":7.1,"resultSd":0.2,"role":"calibrate","state":"met"}],', ...
+%!         '"sensitivity":{"a":[0.9],"b":[0.05]}}'];
+%! for k = 1:2
+%!   writeLoadInput (places{k}, store);
+%!   [~, ~] = mkdir (fullfile (places{k}, 'results'));
+%!   writeAtomic (fullfile (places{k}, 'results', 'calibration.json'), ...
+%!                sprintf (json, 3 + k / 10));
+%!   raws = {raw, other}{k};
+%!   raws.Input.store = raw.folder;
+%!   evaluateDEM ([1, 2 + k], newCase (raws));
+%! end
+%! card = @() jsondecode (fileread (fullfile (raw.folder, 'results', ...
+%!                                            'material.json')));
+%! for words = {['--with ', other.folder], '--with store'}
+%!   [status, text] = startCommand (raw.folder, ['export --for card ', words{1}]);
+%!   assert (status == 0, text);
+%!   made = card ();
+%!   assert (numel (made.cases), 2);
+%!   a = made.values(strcmp ({made.values.name}, 'a'));
+%!   assert ({a.value, a.by, a.agrees, numel(a.others)}, {3.1, {'x'}, true, 1});
+%! end
+%! page = fileread (fullfile (raw.folder, 'results', 'material.html'));
+%! assert (~isempty (strfind (page, 'calibrated in')), page);
+%! [status, text] = startCommand (raw.folder, 'export --for card --with /tmp');
+%! assert (status == 1 && ~isempty (strfind (text, 'holds no results')), text);

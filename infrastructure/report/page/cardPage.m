@@ -1,0 +1,78 @@
+% CARDPAGE  The page of a material card: values, evidence, tests.
+%
+% CALL: HTML = cardPage (ROOT, CARD)
+%
+%   ROOT  folder of the toolbox (text);  CARD  see materialCard
+%   HTML  one file (text)
+
+function html = cardPage (root, card)
+  page = struct ('sources', struct ());
+  values = card.values;
+  cells = cell (numel (values), 4);
+  for k = 1:numel (values)
+    v = values{k};
+    name = struct ('value', v.name, 'code', v.name, 'unit', v.unit);
+    if ~isempty (v.label)
+      name.value = v.label;
+    end
+    [class, text] = evidence (v);
+    cells(k, :) = {name, v.value, v.interval, struct('value', text, 'class', class)};
+  end
+  T = newTable (page, 'values', 'Values of the material, and the evidence for each', ...
+                {'value of', '', 'name'; 'value', '', 'plain'; ...
+                 '90 % interval', '', 'plain'; 'evidence', '', 'words'}, cells);
+  cells = cell (numel (card.tests), 6);
+  for k = 1:numel (card.tests)
+    t = card.tests{k};
+    role = repmat (' (not fitted)', 1, strcmp (t.role, 'holdout'));
+    cells(k, :) = {struct('value', [t.name, role], 'unit', t.unit), t.model, t.case, ...
+                   struct('value', numberOf (t.target), 'sd', numberOf (t.sd)), ...
+                   struct('value', numberOf (t.result), 'sd', numberOf (t.resultSd)), ...
+                   t.state};
+  end
+  tests = newTable (page, 'tests', 'What it was measured against', ...
+                    {'result', '', 'name'; 'test rig', '', ''; 'case', '', ''; ...
+                     'measured', '', 'plain'; 'simulated', '', 'plain'; '', '', ''}, ...
+                    cells);
+  lines = cellfun (@(c) [c.name, ' (', strjoin(c.models, ', '), '): ', ...
+                         resultTitle(c, c.date)], card.cases, 'UniformOutput', false);
+  items = strcat ('<li>', htmlText (lines), '</li>');
+  html = plainPage (root, 'Material card', strjoin (card.material, ', '), ...
+                    [tableHtml(T), tableHtml(tests), '<h2>Cases</h2><ul>', items{:}, ...
+                     '</ul>']);
+end
+
+function x = numberOf (x)
+  if ~isnumeric (x) || isempty (x)
+    x = NaN;
+  end
+end
+
+function [class, text] = evidence (v)
+  class = 'unsure';
+  switch v.from
+    case 'given'
+      text = sprintf ('given by the user in %s', v.case);
+      return
+    case 'model'
+      text = sprintf ('as the model of %s has it: nobody measured it', v.case);
+      return
+  end
+  words = {'fitted, not confirmed', 'calibrated'};
+  text = sprintf ('%s in %s (%s)', words{1 + v.confirmed}, v.case, ...
+                  strjoin (v.models, ', '));
+  if ~isempty (v.by)
+    text = [text, ', seen by ', strjoin(v.by, ', ')];
+  end
+  others = cellfun (@(o) sprintf ('%s: %.4g', o.case, o.value), v.others, ...
+                    'UniformOutput', false);
+  if ~isempty (others)
+    text = [text, '; also ', strjoin(others, ', ')];
+  end
+  if isequal (v.agrees, false)
+    class = 'off';
+    text = [text, '. The intervals do not overlap'];
+  elseif v.confirmed
+    class = 'ok';
+  end
+end
