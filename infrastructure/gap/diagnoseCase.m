@@ -47,18 +47,28 @@ function diagnosis = diagnoseCase (root, folder)
   state = completePlan (state, problem, Case, say, options);
   state.seconds = count.seconds;
 
+  many = max (numel (Case.conditions), 1);
+  problems = cell (2, many);
+  for c = 1:many
+    [problems{:, c}] = finerLevel (gapProblemOf (Case, c), surrogates, ...
+                                   levelled, problem);
+  end
+  [state, made] = exploreAll (Case, problems(1, :), state);
+
   % where, which, how far, next test: of the first condition last, for its files
   % lie in gap/ itself
   [others, changed] = deal ([], 0);
-  many = max (numel (Case.conditions), 1);
   for c = many:-1:1
-    [given, finer] = finerLevel (gapProblemOf (Case, c), surrogates, ...
-                                 levelled, problem);
+    [given, finer] = problems{:, c};
     % Holm's correction: conditions that have changed leave their share to others
-    diagnosis = diagnoseOne (Case, given, state, [c, many - changed], say);
+    [options, own] = shareOf (Case, given, state, [c, many - changed]);
+    options.explore = many == 1;
+    given.tests = @() caseTests (Case, say);
+    diagnosis = diagnoseMatrices (given, state.data, options, own);
+    diagnosis.runs = addFields (diagnosis.runs, made(c));
     changed = changed + ~strcmp (diagnosis.which.guard, 'gate');
     diagnosis.level = finer (diagnosis, options);
-    [state.data, state.budget] = deal (diagnosis.data, diagnosis.budget);
+    state.budget = diagnosis.budget;
     diagnosis.others = compareConditions (diagnosis, others);
     others = diagnosis.others.conditions;
 
@@ -83,16 +93,36 @@ function refuseCost (Case)
   end
 end
 
+% All conditions have their runs before one is judged: all by the same runs, in
+% whatever order, and as a second start judges them. MADE (1 x many struct spent,
+% failed) are those of each; a single one makes its own as it is judged.
+function [state, made] = exploreAll (Case, problems, state)
+  many = numel (problems);
+  made = repmat (struct ('spent', 0, 'failed', 0), 1, many);
+  for c = many:-1:1 + (many == 1)
+    [options, own] = shareOf (Case, problems{c}, state, [c, 1]);
+    explored = exploreGap (problems{c}, state.data, options, own);
+    made(c) = struct ('spent', explored.state.spent, ...
+                      'failed', explored.state.failed);
+    [state.data, state.budget] = deal (explored.data, explored.state.budget);
+  end
+end
+
+function runs = addFields (runs, made)
+  for name = fieldnames (made)'
+    runs.(name{1}) = runs.(name{1}) + made.(name{1});
+  end
+end
+
 % With one of SHARES(1) equal parts of what may still be run, and one of SHARES(2)
 % of the chance of a false alarm. Models that gave no result are left out, as
 % enterRuns does.
-function diagnosis = diagnoseOne (Case, given, state, shares, say)
+function [options, state] = shareOf (Case, given, state, shares)
   model = [Case.targets.model];
   isAlive = ismember (1:numel (Case.models), ...
                       model(any (isfinite (state.data.Z), 1)));
   state.budget.perSet = sum (isAlive);
   options = gapBudget (Case, state.budget, given, state.seconds);
-  given.tests = @() caseTests (Case, say);
   left = state.budget.left / state.budget.perSet;
   options.maxNewRuns = min (options.maxNewRuns, floor (left / shares(1)));
   options.level = options.level / shares(2);
@@ -100,7 +130,6 @@ function diagnosis = diagnoseOne (Case, given, state, shares, say)
   if options.maxNewRuns > 0
     state.evaluate = state.part (isAlive);
   end
-  diagnosis = diagnoseMatrices (given, state.data, options, state);
 end
 
 % The effects of each run apart from how coarse it is for each target (level, n

@@ -46,12 +46,9 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
     evaluate = [];
   end
   options = gapOptions (options);
-  [gapProblem, known] = enterRuns (newGapProblem (given), data, options);
-  state = newGapState (known, gapProblem, options, evaluate);
-  [state, em] = improveSurrogates (gapProblem, options, state);
-  gapProblem = correlateSeries (gapProblem, em, options);
-  em = takeReference (em, gapProblem);
-  [state, em] = exploreEffects (gapProblem, options, state, em);
+  explored = exploreGap (given, data, options, evaluate);
+  [gapProblem, known, em, state] = deal (explored.gapProblem, explored.known, ...
+                                         explored.em, explored.state);
   kept = tested (em);
   study = studyOf (gapProblem, withoutEffects (em, find (~kept)), options);
   diagnosis.options = options;
@@ -131,21 +128,6 @@ function diagnosis = inGivenUnits (diagnosis, gapProblem)
   diagnosis.gapProblem = inUnits (gapProblem, 1 ./ unit);
 end
 
-function data = withNewRuns (data, state, known, gapProblem)
-  new = rows (known.X) + 1:rows (state.data.X);
-  for name = fieldnames (data)'
-    own = state.data.(name{1})(new, :);
-    if strcmp (name{1}, 'level')
-      own = zeros (numel (new), columns (data.level));
-      own(:, gapProblem.kept) = state.data.level(new, :);
-    elseif strcmp (name{1}, 'Z')
-      own = NaN (numel (new), columns (data.Z));
-      own(:, gapProblem.kept) = state.data.Z(new, :) .* gapProblem.unit;
-    end
-    data.(name{1}) = [data.(name{1}); own];
-  end
-end
-
 function kept = tested (em)
   kept = [em.effect.laboratory] | [em.effect.runs] >= 1;
 end
@@ -222,22 +204,6 @@ function verdict = judgeSurer (study)
   end
   sure = studyOf (study.gapProblem, em, study.models.options);
   verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);
-end
-
-% Where the surrogates are to blame, runs near the fitted set come first.
-function [state, em] = improveSurrogates (gapProblem, options, state)
-  for round_ = 1:3
-    em = emulate (gapProblem, state.data, options);
-    theta = calibrateNull (gapProblem, em, options);
-    side = sideSignals (gapProblem, em, theta, options);
-    n = min (2 * em.p + 2, floor (state.left / 2));
-    isGood = ~side.blameSurrogate && ~side.vague;
-    if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)
-      return
-    end
-    state = runNearNull (gapProblem, state, theta, n, 0.8 / round_, ...
-                         options.seed + round_);
-  end
 end
 
 %!test

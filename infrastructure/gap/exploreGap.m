@@ -1,0 +1,77 @@
+% EXPLOREGAP  Makes the runs that a diagnosis wants before it judges.
+%
+% CALL: EXPLORED = exploreGap (GIVEN, DATA, OPTIONS, EVALUATE)
+%
+%   GIVEN, DATA, OPTIONS, EVALUATE  see diagnoseMatrices; with OPTIONS.explore
+%             false nothing is run
+%   EXPLORED  struct
+%     gapProblem, known  of enterRuns (with correlateSeries)
+%     em       of emulate, fitted to all runs
+%     state    of newGapState, with these runs; what is left may verify a cure
+%     data     DATA with the new runs
+%
+% First runs that mend surrogates which contradict their own runs, then those of
+% the effects (exploreEffects). A diagnosis of several conditions explores each
+% before it judges any: what the runs for one tell of an effect counts in all.
+%
+% Errors: those of newGapProblem, enterRuns and fitEmulator
+%
+% See also: diagnoseMatrices, diagnoseCase, exploreEffects
+
+function explored = exploreGap (given, data, options, evaluate)
+  options = gapOptions (options);
+  [gapProblem, known] = enterRuns (newGapProblem (given), data, options);
+  state = newGapState (known, gapProblem, options, evaluate);
+  allowed = state.evaluate;
+  if ~options.explore
+    state.evaluate = [];
+  end
+  [state, em] = improveSurrogates (gapProblem, options, state);
+  gapProblem = correlateSeries (gapProblem, em, options);
+  em = takeReference (em, gapProblem);
+  [state, em] = exploreEffects (gapProblem, options, state, em);
+  state.evaluate = allowed;
+  explored = struct ('gapProblem', gapProblem, 'known', known, 'em', em, ...
+                     'state', state, 'data', ...
+                     withNewRuns (data, state, known, gapProblem));
+end
+
+% Where the surrogates are to blame, runs near the fitted set come first.
+function [state, em] = improveSurrogates (gapProblem, options, state)
+  for round_ = 1:3
+    em = emulate (gapProblem, state.data, options);
+    theta = calibrateNull (gapProblem, em, options);
+    side = sideSignals (gapProblem, em, theta, options);
+    n = min (2 * em.p + 2, floor (state.left / 2));
+    isGood = ~side.blameSurrogate && ~side.vague;
+    if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)
+      return
+    end
+    state = runNearNull (gapProblem, state, theta, n, 0.8 / round_, ...
+                         options.seed + round_);
+  end
+end
+
+%!test
+%! % runs are made, within what is allowed, and none where none may be made
+%! pkg load stk
+%! [given, data, means] = smallGapLab ();
+%! randn ('twister', 1);
+%! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0, 0]) + 0.2 * randn (1, 12);
+%! neutral = all (data.E == 0, 2);
+%! for field = {'X', 'E', 'Z', 'replicate'}
+%!   data.(field{1}) = data.(field{1})(neutral, :);
+%! end
+%! options = struct ('twins', 60, 'bootstrap', 49, 'trend', 'affine', ...
+%!                   'maxNewRuns', 30);
+%! run = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
+%! one = exploreGap (given, data, options, run);
+%! n = rows (one.data.X) - rows (data.X);
+%! assert (n > 4 && n <= 30);
+%! assert ([one.state.spent, rows(one.data.Z)], [n, n + rows(data.Z)]);
+%! assert (~isempty (one.state.evaluate));
+%! options.explore = false;
+%! two = exploreGap (given, one.data, options, run);
+%! assert (two.state.spent, 0);
+%! assert (isequaln (two.data, one.data));
+%! assert (~isempty (two.state.evaluate));

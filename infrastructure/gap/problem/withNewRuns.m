@@ -1,0 +1,31 @@
+% WITHNEWRUNS  The runs of a diagnosis, in the units and columns of its user.
+%
+% CALL: DATA = withNewRuns (DATA, STATE, KNOWN, GAPPROBLEM)
+%
+%   DATA        as given to the diagnosis;  KNOWN  what enterRuns made of it
+%   STATE       of newGapState, whose rows beyond KNOWN are new
+%   GAPPROBLEM  of enterRuns: kept and unit are read
+%   DATA        the same with the new rows, NaN for targets that are left out
+
+function data = withNewRuns (data, state, known, gapProblem)
+  new = rows (known.X) + 1:rows (state.data.X);
+  for name = fieldnames (data)'
+    own = state.data.(name{1})(new, :);
+    if strcmp (name{1}, 'level')
+      own = zeros (numel (new), columns (data.level));
+      own(:, gapProblem.kept) = state.data.level(new, :);
+    elseif strcmp (name{1}, 'Z')
+      own = NaN (numel (new), columns (data.Z));
+      own(:, gapProblem.kept) = state.data.Z(new, :) .* gapProblem.unit;
+    end
+    data.(name{1}) = [data.(name{1}); own];
+  end
+end
+
+%!test
+%! data = struct ('X', 1, 'E', zeros (1, 0), 'Z', [3, 4], 'replicate', 1);
+%! known = setfield (data, 'Z', 8);
+%! state.data = struct ('X', [1; 2], 'E', zeros (2, 0), 'Z', [8; 10], ...
+%!                      'replicate', [1; 1]);
+%! own = withNewRuns (data, state, known, struct ('kept', 2, 'unit', 0.5));
+%! assert ({own.X, own.Z}, {[1; 2], [3, 4; NaN, 5]});
