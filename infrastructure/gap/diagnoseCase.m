@@ -22,36 +22,15 @@ function diagnosis = diagnoseCase (root, folder)
   refuseCost (Case);
   [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);
-  [evaluate, budget] = newEvaluate (Case, say);
-  part = @(is) newPartEvaluate (Case, is, say);
-
-  % the runs that there are
-  [data, count] = gatherRuns (Case);
-  [data, levelled] = atLevels (data, Case, problem);
-  [use, leftOut] = thinRuns (data, problem, 1000);
-  data = keepRows (data, use);
-  [given, notes] = gapProblemOf (Case, 1);
-  surrogates = [];
-  if ~isempty (problem.coarse)
-    levelled = keepRows (levelled, thinRuns (levelled, problem, 1000));
-    surrogates = fitSurrogates (levelled, problem);
-  end
-  sessions = sessionNote (Case);
-  notes = [notes(:)', {sessions}(~isempty (sessions)), ...
-           {leftOut}(~isempty (leftOut)), idle, unexpressedEffects(Case)];
-  [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
-  sayGapCase (Case, data, count, [notes, foreseen], say);
-  state = struct ('data', data, 'budget', budget, 'evaluate', evaluate, ...
-                  'part', part);
-  options = gapOptions (struct ('seed', Case.options.seed));
-  state = completePlan (state, problem, Case, say, options);
-  state.seconds = count.seconds;
+  [state, plain] = runsThere (Case, problem, idle, say);
+  state = completePlan (state, problem, Case, say, ...
+                        gapOptions (struct ('seed', Case.options.seed)));
 
   many = max (numel (Case.conditions), 1);
   problems = cell (2, many);
   for c = 1:many
-    [problems{:, c}] = finerLevel (gapProblemOf (Case, c), surrogates, ...
-                                   levelled, problem);
+    [problems{:, c}] = finerLevel (gapProblemOf (Case, c), plain.surrogates, ...
+                                   plain.data, problem);
   end
   [state, made] = exploreAll (Case, problems(1, :), state);
 
@@ -82,6 +61,31 @@ function diagnosis = diagnoseCase (root, folder)
   end
   reportPage (Case, say);
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
+end
+
+% The state of a diagnosis with the runs that there are; PLAIN (struct data,
+% surrogates: of runs without an effect at all levels, where a case has levels).
+% What is known of them, and NOTES, are said.
+function [state, plain] = runsThere (Case, problem, notes, say)
+  [evaluate, budget] = newEvaluate (Case, say);
+  [data, count] = gatherRuns (Case);
+  [data, levelled] = atLevels (data, Case, problem);
+  [use, leftOut] = thinRuns (data, problem, 1000);
+  data = keepRows (data, use);
+  plain = struct ('data', levelled, 'surrogates', []);
+  if ~isempty (problem.coarse)
+    plain.data = keepRows (levelled, thinRuns (levelled, problem, 1000));
+    plain.surrogates = fitSurrogates (plain.data, problem);
+  end
+  [given, own] = gapProblemOf (Case, 1);
+  sessions = sessionNote (Case);
+  notes = [own(:)', {sessions}(~isempty (sessions)), ...
+           {leftOut}(~isempty (leftOut)), notes, unexpressedEffects(Case)];
+  [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
+  sayGapCase (Case, data, count, [notes, foreseen], say);
+  state = struct ('data', data, 'budget', budget, 'evaluate', evaluate, ...
+                  'part', @(is) newPartEvaluate (Case, is, say), ...
+                  'seconds', count.seconds);
 end
 
 function refuseCost (Case)
