@@ -51,7 +51,7 @@ function lines = formCase (part, number, given, em, truth, how)
 end
 
 function [truth, d] = described (gapProblem, models, truth)
-  truth.theta = 2 * toUnit (truth.X, gapProblem.limits) - 1;
+  truth.theta = toSymmetric (truth.X, gapProblem.limits);
   names = {gapProblem.effects(abs (truth.phi) > 1e-9).name};
   [isThere, at] = ismember (names, models.names);
   truth.names = names;

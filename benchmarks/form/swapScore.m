@@ -89,7 +89,7 @@ function mark = markOf (lab, t, stem)
     end
   end
   X = cellfun (@(n) str2double (t.(n)), lab.given.names);
-  q = 2 * toUnit (X, lab.given.limits) - 1;
+  q = toSymmetric (X, lab.given.limits);
   white = lab.models.white;
   [~, V, ~, J] = predictGap (white, [], q);
   slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');

@@ -53,8 +53,7 @@ end
 
 function truth = truthOf (gapProblem, models, data, i)
   phi = strengthOfValues (gapProblem.effects, data.E(i, :));
-  theta = 2 * (data.X(i, :) - gapProblem.limits(1, :)) ./ ...
-          diff (gapProblem.limits) - 1;
+  theta = toSymmetric (data.X(i, :), gapProblem.limits);
   names = {gapProblem.effects(abs (phi) > 1e-9).name};
   [has, numbers] = ismember (names, models.names);
   truth = struct ('names', {names}, 'phi', phi(abs (phi) > 1e-9), 'd', 0);

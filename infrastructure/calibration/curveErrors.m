@@ -70,8 +70,8 @@ function [rough, smooth] = correlations (E, distance)
     long = logspace (log10 (steps(1)), log10 (steps(2)), 12);
     [a, b, share] = ndgrid (short, long, [0.01, 0.03, 0.1, 0.3, 0.6, 1]);
     fits = arrayfun (@(a, b, share) ...
-                     likelihood (E, share * exp (-distance / a) + ...
-                                 (1 - share) * exp (-(distance / b).^2)), ...
+                     correlationFit (E, share * exp (-distance / a) + ...
+                                     (1 - share) * exp (-(distance / b).^2)), ...
                      a(:), b(:), share(:));
     [~, best] = max (fits);
     rough = exp (-distance / a(best));
@@ -83,17 +83,6 @@ end
 % That rounding does not make a correlation singular.
 function R = surely (R)
   R(1:rows (R) + 1:end) = 1 + 1e-6;
-end
-
-% Logarithmic, with the variance of the largest likelihood.
-function fit = likelihood (E, R)
-  [n, m] = size (E);
-  [root, flaw] = chol (surely (R), 'lower');
-  fit = -Inf;
-  if ~flaw
-    fit = -n * m / 2 * log (sum (sumsq (root \ E')) / (n * m)) - ...
-          n * sum (log (diag (root)));
-  end
 end
 
 % Normal log density at each set, see above.

@@ -56,9 +56,7 @@ end
 function draw = drawSurrogate (surrogate, P, n)
   [m, ~, S] = krigingPosterior (surrogate, P);
   S = (S + S') / 2 + 1e-8 * mean (diag (S)) * full (eye (rows (S)));
-  [Q, D] = eig (S);
-  root = Q .* sqrt (max (diag (D), 0))';
-  draw = m + root * randn (rows (S), n);
+  draw = m + covarianceRoot (S) * randn (rows (S), n);
   draw = surrogate.shift + surrogate.scale * draw;
 end
 

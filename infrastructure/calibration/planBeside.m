@@ -40,18 +40,9 @@ function [P, gap] = augmentPlan (X, n, Case)
   if ~isempty (givenField (Case, 'allowed', []))
     n = min (n, rows (C));
   end
-  P = zeros (n, columns (C));
   wall = 2 * min (min (C, 1 - C), [], 2);
-  nearest = wall;
-  for i = 1:rows (U)
-    nearest = min (nearest, sqrt (sum ((C - U(i, :)).^2, 2)));
-  end
-  gap = zeros (n, 1);
-  for k = 1:n
-    [gap(k), best] = max (nearest);
-    P(k, :) = fromUnit (C(best, :), Case.limits);
-    nearest = min (nearest, sqrt (sum ((C - C(best, :)).^2, 2)));
-  end
+  [at, gap] = farPoints (C, U, n, wall);
+  P = fromUnit (C(at, :), Case.limits);
 end
 
 % Sets to choose from, in the unit box.

@@ -13,20 +13,10 @@ function state = runForIntervals (state, problem)
     return
   end
   sample = parameterPosterior (state.surrogates, problem).sample;
-  X = state.data.X;
-  U = toUnit (sample, problem.limits);
-  distance = Inf (rows (sample), 1);
-  n = rows (X) + problem.options.intervalRuns;
-  for k = 1:n
-    if k > rows (X)
-      [~, farthest] = max (distance);
-      X(k, :) = sample(farthest, :);
-    end
-    step = U - toUnit (X(k, :), problem.limits);
-    distance = min (distance, sumsq (step, 2));
-  end
-  P = X(rows (state.data.X) + 1:end, :);
-  state = runAndFit (state, problem, P, 'interval');
+  far = farPoints (toUnit (sample, problem.limits), ...
+                   toUnit (state.data.X, problem.limits), ...
+                   problem.options.intervalRuns);
+  state = runAndFit (state, problem, sample(far, :), 'interval');
   state = moveTo (state, problem);
 end
 

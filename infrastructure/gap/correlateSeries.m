@@ -62,19 +62,11 @@ function L = estimateCorrelation (residual, sd, coordinate)
   end
   lengths = logspace (log10 (min (steps) / 3), log10 (max (at) - min (at)), 60);
   D = abs (at - at');
-  fit = arrayfun (@(l) likelihoodOf (z, exp (-D / l)), lengths);
+  fit = arrayfun (@(l) correlationFit (z', exp (-D / l)), lengths);
   [best, i] = max (fit);
-  if best - likelihoodOf (z, eye (numel (z))) > 1.92
+  if best - correlationFit (z', eye (numel (z))) > 1.92
     L = lengths(i);
   end
-end
-
-function fit = likelihoodOf (z, R)
-  n = numel (z);
-  R(1:n + 1:end) = 1 + 1e-6;
-  root = chol (R, 'lower');
-  w = root \ z;
-  fit = -n / 2 * log (w' * w / n) - sum (log (diag (root)));
 end
 
 %!test

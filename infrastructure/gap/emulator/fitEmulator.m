@@ -39,7 +39,7 @@ function em = fitEmulator (gapProblem, data, options, old)
   p = columns (gapProblem.limits);
   data = inOrder (data);
   phi = strengthOfValues (gapProblem.effects, data.E);
-  theta = 2 * toUnit (data.X, gapProblem.limits) - 1;
+  theta = toSymmetric (data.X, gapProblem.limits);
   isBase = all (abs (phi) < 1e-9, 2);
   if sum (isBase) < p + 3
     error ('DEcalioc:fitEmulator:badValue', ...

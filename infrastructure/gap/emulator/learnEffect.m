@@ -87,14 +87,11 @@ function e = learnEffect (em, effect, runs)
     e.coef(:, t) = fit.coef;
     e.looStd{t} = fit.looStd;
     e.misfit(t) = fit.misfit + (1e-8 * em.range(t))^2;
-    e.root(:, (t - 1) * n + (1:n)) = symmetricRoot (fit.covariance);
+    % symmetric roots of two targets of a curve belong together
+    % (whitenEmulator), whatever the order and the signs of their axes
+    [root, U] = covarianceRoot (fit.covariance);
+    e.root(:, (t - 1) * n + (1:n)) = root * U';
   end
-end
-
-% Of two targets of a curve these belong together (whitenEmulator).
-function R = symmetricRoot (C)
-  [U, D] = eig ((C + C') / 2);
-  R = (U .* sqrt (max (diag (D)', 0))) * U';
 end
 
 function size2 = sizesOf (em, e)
@@ -112,7 +109,7 @@ function size2 = sizesOf (em, e)
 end
 
 function Q = bent (Q, bend)
-  Q(:, end) = sign (Q(:, end)) .* abs (Q(:, end)).^bend;
+  Q(:, end) = bentStrength (Q(:, end), bend);
 end
 
 function bend = bestBend (e, noiseVar)

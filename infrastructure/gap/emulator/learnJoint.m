@@ -45,7 +45,7 @@ function joint = ofPair (em, pair, runs)
     return
   end
   phi = runs.phi;
-  psi = sign (phi) .* abs (phi).^[one.bend, two.bend];
+  psi = bentStrength (phi, [one.bend, two.bend]);
   joint.powers = [[zeros(1, p); eye(p)], ones(p + 1, 2)];
   joint.coef = zeros (p + 1, T);
   joint.root = zeros (p + 1, 0);

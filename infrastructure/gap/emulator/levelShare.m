@@ -22,7 +22,7 @@ function share = levelShare (em, coarse, runs)
     end
     e = coarse(k);
     phi = runs.phi(own, k);
-    psi = sign (phi) .* abs (phi).^e.bend;
+    psi = bentStrength (phi, e.bend);
     B = polyRows (e.powers, [runs.theta(own, :), psi]);
     miss = runs.Z(own, :) - runs.mean(own, :) - B * e.coef;
     known = em.noiseVar + runs.variance(own, :) + ...

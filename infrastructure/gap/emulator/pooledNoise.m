@@ -37,7 +37,7 @@ end
 function score = scoresOf (em, e, factors)
   coarse = struct ('decay', [0.1, 0.5], 'misfit', [0, 8]);
   Q = e.Q;
-  Q(:, end) = sign (Q(:, end)) .* abs (Q(:, end)).^e.bend;
+  Q(:, end) = bentStrength (Q(:, end), e.bend);
   score = zeros (columns (e.R), numel (factors));
   for t = find (sum (isfinite (e.R), 1) >= 6)
     ok = isfinite (e.R(:, t));

@@ -51,7 +51,7 @@ function [psi, slope] = bentStrengths (white, h, phi)
   for i = 1:numel (h)
     bend(i) = white.effect(h(i)).bend;
   end
-  psi = sign (phi) .* abs (phi).^bend;
+  psi = bentStrength (phi, bend);
   slope = bend .* max (abs (phi), 0.01).^(bend - 1);
 end
 

@@ -44,7 +44,7 @@ function d = deviationOf (study, set, draws)
   known = known(free, free) + told(:, free)' * told(:, free);
   knownRoot = sqrt (known);
   if ~isempty (told)
-    knownRoot = rootOf (known);
+    knownRoot = covarianceRoot (known);
   end
   own = d.J(used, :)' / d.Sigma(used, used);
   C = pinv (own * d.J(used, :) + known);
@@ -62,8 +62,8 @@ function d = deviationOf (study, set, draws)
     surrogate(:) = 0;
   end
   d.scatter = diag (run)';
-  roots = {(eye (numel (targets)) - K) * rootOf(noise), ...
-           K * rootOf(surrogate), d.J * C * knownRoot, rootOf(run)};
+  roots = {(eye (numel (targets)) - K) * covarianceRoot(noise), ...
+           K * covarianceRoot(surrogate), d.J * C * knownRoot, covarianceRoot(run)};
   d.F = zeros (numel (targets));
   for root = roots
     d.F = d.F + root{1} * root{1}';
@@ -89,12 +89,6 @@ function C = ofRuns (em, Z, targets)
   own = (n - 1) * var (Z(:, targets), 0, 1);
   sd = sqrt ((own + 4 * em.noiseVar(targets)) / (n + 3) / n);
   C = (sd' * sd) .* em.correlation(targets, targets);
-end
-
-% C = R * R', where rounding and fitted variances have left it indefinite too.
-function R = rootOf (C)
-  [U, L] = eig ((C + C') / 2);
-  R = U .* sqrt (max (diag (L)', 0));
 end
 
 %!shared study, draws

@@ -158,7 +158,7 @@ end
 function [Z, state] = results (test, gapProblem, Q, packing, state)
   p = columns (gapProblem.limits);
   phi = Q(:, p + 1:end);
-  X = paramsOf (Q(:, 1:p), gapProblem.limits);
+  X = fromSymmetric (Q(:, 1:p), gapProblem.limits);
   E = valuesOfStrength (gapProblem.effects, phi);
   own = struct ('data', newData (p, numel (test.origin), columns (E)), ...
                 'budget', state.budget, 'evaluate', test.evaluate);

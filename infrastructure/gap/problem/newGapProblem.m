@@ -78,7 +78,7 @@ end
 function prior = priorOf (gapProblem)
   mean_ = gapProblem.paramMean;
   limits = gapProblem.limits;
-  prior.mean = 2 * toUnit (mean_, limits) - 1;
+  prior.mean = toSymmetric (mean_, limits);
   prior.sd = 2 * gapProblem.paramSd ./ boxWidth (limits, mean_);
   without = ~isfinite (prior.mean) | ~isfinite (prior.sd);
   prior.mean(without) = 0;

@@ -18,7 +18,7 @@ function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
   if isempty (state.evaluate) || n < 1
     return
   end
-  X = paramsOf (theta(1:n, :), gapProblem.limits);
+  X = fromSymmetric (theta(1:n, :), gapProblem.limits);
   E = valuesOfStrength (gapProblem.effects, phi(1:n, :));
   before = rows (state.data.X);
   if strcmp (stage, 'coarse')

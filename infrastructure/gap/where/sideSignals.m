@@ -16,7 +16,7 @@
 
 function side = sideSignals (gapProblem, em, theta, options)
   side.atLimit = gapProblem.names(abs (theta) > options.limitAt);
-  value = paramsOf (theta, gapProblem.limits);
+  value = fromSymmetric (theta, gapProblem.limits);
   [~, v] = predictSurrogate (em.surrogates, value);
   v = (v + em.fitVar) * isempty (em.change);
   fixed = diag (noiseBudget (gapProblem, em).covariance)';

@@ -65,7 +65,7 @@ function n = runsToSeek (gapProblem, options, state, theta, p)
     return
   end
   data = state.data;
-  own = 2 * toUnit (data.X, gapProblem.limits) - 1;
+  own = toSymmetric (data.X, gapProblem.limits);
   isNear = all (abs (own - theta) < 0.5, 2) & ...
            all (abs (strengthOfValues (gapProblem.effects, data.E)) < 1e-9, 2);
   if isfield (data, 'level')

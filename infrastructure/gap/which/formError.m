@@ -63,16 +63,9 @@ end
 % Half alike on a bench, the rest alike over a third of a curve, or alone.
 function C = smoothOver (gapProblem, targets, S)
   bench = gapProblem.bench(targets);
-  series = gapProblem.series(targets);
   C = 0.5 * (bench' == bench) + 0.1 * eye (numel (targets));
-  x = gapProblem.coordinate(targets);
-  near = zeros (size (C));
-  for s = setdiff (series, 0)
-    at = series == s;
-    length_ = (max (x(at)) - min (x(at))) / 3;
-    near(at, at) = exp (-abs (x(at)' - x(at)) / max (length_, realmin));
-  end
-  near = near + diag (series == 0);
+  near = fadingAlong (gapProblem.series(targets), ...
+                      gapProblem.coordinate(targets));
   size_ = sqrt (mean (S.^2, 1));
   C = (C + 0.4 * near) .* (size_' * size_);
 end

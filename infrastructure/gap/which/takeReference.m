@@ -83,14 +83,8 @@ function gapProblem = ofReference (gapProblem)
 end
 
 function C = lackShape (em, gapProblem)
-  T = numel (gapProblem.value);
-  C = eye (T);
-  for s = setdiff (gapProblem.series, 0)
-    own = find (gapProblem.series == s);
-    x = gapProblem.coordinate(own);
-    apart = abs (x' - x) / max ((max (x) - min (x)) / 3, realmin);
-    C(own, own) = 0.8 * exp (-apart) + 0.2 * eye (numel (own));
-  end
+  alike = fadingAlong (gapProblem.series, gapProblem.coordinate);
+  C = 0.8 * alike + 0.2 * eye (columns (alike));
   C = C .* (em.range' * em.range);
 end
 
