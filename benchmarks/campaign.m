@@ -105,7 +105,7 @@ folder = fullfile (root, 'benchmarks', 'drumAndBins');
 cd (folder);
 Case = withEffects (loadCase (root, folder));
 Case.store = work;
-gapProblem = newGapProblem (gapProblemOf (Case));
+gapProblem = newProblem (Case);
 plan = campaignPlan (Case, gapProblem.effects, wanted (sets));
 say = @(text) sayLine (text, fullfile (work, 'campaign.log'));
 lock = lockCase (work);

@@ -2,7 +2,7 @@
 %
 % CALL: [CHANGE, COUNT, LINES] = campaignTable (GAPPROBLEM, DATA)
 %
-%   GAPPROBLEM  struct of newGapProblem
+%   GAPPROBLEM  struct of newProblem
 %   DATA        struct X, E, Z, replicate, see importRuns
 %   CHANGE      K x T: change of the mean from strength 0 to 1 in the middle of
 %               the box, over the standard deviation of one run; NaN where fewer
@@ -62,7 +62,7 @@ end
 %!   effects(k) = struct ('name', names{k}, 'variables', {names(k)}, ...
 %!                        'neutral', 0, 'limits', [0; 1]);
 %! end
-%! gapProblem = newGapProblem (struct ('value', [1, 1], 'sd', [0.2, 0.2], ...
+%! gapProblem = newProblem (struct ('value', [1, 1], 'sd', [0.2, 0.2], ...
 %!                                     'limits', [0, 0; 1, 1], ...
 %!                                     'bench', [1, 1], 'effects', effects));
 %! X = rand (20, 2);

@@ -77,7 +77,7 @@ addpath (here);
 root = startBenchmarks ();
 [given, data] = storedCampaign ('hiddenEffect', root);
 given.held(:) = false;
-given = newGapProblem (given);
+given = newProblem (given);
 before = cd (fullfile (root, 'examples', 'hiddenEffect'));
 Case = withEffects (loadCase (root, pwd ()));
 pairs = importRuns (fullfile (here, 'results', 'changePairs.csv'), Case);

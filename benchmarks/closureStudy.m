@@ -69,7 +69,7 @@ function lab = linearLab ()
   phi = [zeros(30, K); kron(eye (K), (1:12)' / 12)];
   data = struct ('X', theta, 'E', phi, 'Z', lab.means (theta, phi), ...
                  'replicate', ones (rows (theta), 1));
-  lab.em = fitEmulator (newGapProblem (lab.gapProblem), data, ...
+  lab.em = fitEmulator (newProblem (lab.gapProblem), data, ...
                         gapOptions (struct ('trend', 'affine')));
   lab.em.surrogateVar(:) = 0;
   lab.em.correlation = eye (T);
@@ -103,7 +103,7 @@ end
 
 function c = oneCase (lab, twin, level)
   given = setfield (lab.gapProblem, 'value', twin.y);
-  gapProblem = newGapProblem (given);
+  gapProblem = newProblem (given);
   options = gapOptions ([]);
   models = makeHypotheses (gapProblem, lab.em, options);
   fits = fitLibrary (models, twin.y(gapProblem.used));

@@ -58,7 +58,7 @@ end
 function list = leftOutCases (name, root, step, how)
   [given, data] = storedCampaign (name, root);
   given.held(:) = false;
-  gapProblem = newGapProblem (given);
+  gapProblem = newProblem (given);
   whole = emulatorOf (name, how.folder, gapProblem, data, how.options, {});
   how = withReference (how, name, gapProblem, whole);
   inputs = [data.X, data.E];
@@ -86,13 +86,13 @@ function list = sealedCases (stem, name, root, step, how)
                                  'storedRuns.csv'), Case);
     cd (home);
   end
-  gapProblem = newGapProblem (given);
+  gapProblem = newProblem (given);
   whole = emulatorOf (stem, how.folder, gapProblem, data, how.options, {});
   table = @(what) tableRows (fullfile (root, 'benchmarks', 'results', ...
                                        [stem, '-', what, '.csv']));
   [truths, values] = deal (table ('truth'), table ('cases'));
   first = withValues (given, values(strcmp ({values.case}, truths(1).case)));
-  how = withReference (how, stem, newGapProblem (first), whole);
+  how = withReference (how, stem, newProblem (first), whole);
   list = {};
   if ~isempty (how.cases)
     truths = truths(ismember ({truths.class}, how.cases) | ...
@@ -130,7 +130,7 @@ end
 
 function list = changeCases (root, step, how)
   [given, data, pairs] = formChange (root);
-  gapProblem = newGapProblem (given);
+  gapProblem = newProblem (given);
   phi = strengthOfValues (gapProblem.effects, data.E);
   isWhole = all (isfinite (data.Z), 2) & ismember (data.X, pairs.X, 'rows') & ...
             ~any (phi(:, end - 2:end), 2);
@@ -147,7 +147,7 @@ function list = changeCases (root, step, how)
                             'scatter', gapProblem.scatter, 'perCondition', ...
                             false (1, columns (data.X)));
     if isempty (list)
-      how = withReference (how, 'change', newGapProblem (own), whole);
+      how = withReference (how, 'change', newProblem (own), whole);
     end
     isSame = all ([data.X, data.E] == [data.X(i, :), data.E(i, :)], 2);
     em = emulatorOf (sprintf ('change-%d', i), how.folder, gapProblem, ...

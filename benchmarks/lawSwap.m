@@ -95,7 +95,7 @@ function answerSwaps (root)
   how.options = gapOptions (struct ('points', 300, 'effective', 150, 'most', ...
                                     3000, 'leastPoints', 75));
   [given, data] = formChange (root);
-  gapProblem = newGapProblem (given);
+  gapProblem = newProblem (given);
   whole = fitEmulator (gapProblem, data, how.options);
   rows_ = tableRows ([stemOf(root), '-cases.csv']);
   numbers = unique (cellfun (@str2double, {rows_.case}));
@@ -115,7 +115,7 @@ function answerSwaps (root)
 end
 
 function reference = referenceOf (own, em, how)
-  gapProblem = newGapProblem (own);
+  gapProblem = newProblem (own);
   em = takeReference (em, gapProblem);
   models = makeHypotheses (gapProblem, em, how.options, ...
                            find (isfinite (gapProblem.value)));

@@ -4,7 +4,7 @@
 %
 %   NAME   case in examples/ or benchmarks/; its runs: storedRuns.csv
 %   ROOT   folder of the toolbox
-%   GIVEN  struct for newGapProblem;  DATA  all runs, see importRuns
+%   GIVEN  struct for newProblem;  DATA  all runs, see importRuns
 %
 % See also: leftOutCampaign
 
@@ -18,7 +18,7 @@ function [given, data] = storedCampaign (name, root)
   back = onCleanup (@() enter (before));
   Case = withEffects (loadCase (root, folder));
   data = importRuns (fullfile (folder, 'storedRuns.csv'), Case);
-  given = gapProblemOf (Case);
+  given = newProblem (Case);
 end
 
 % What was loaded in another folder would stay: Octave does not look again.
@@ -43,7 +43,7 @@ end
 %! root = startBenchmarks ();
 %! storedCampaign ('hiddenEffect', root);
 %! [given, data] = storedCampaign ('drumAndBins', root);
-%! phi = strengthOfValues (newGapProblem (given).effects, data.E);
+%! phi = strengthOfValues (newProblem (given).effects, data.E);
 %!test
 %! assert (given.benchNames, {'Drum', 'SlotBin'});
 %! assert (given.bench, [ones(1, 9), 2 * ones(1, 6)]);

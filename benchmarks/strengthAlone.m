@@ -23,7 +23,7 @@ end
 %! [given, data] = smallGapLab ();
 %! options = gapOptions ([]);
 %! given.value = mean (data.Z);
-%! problem = newGapProblem (given);
+%! problem = newProblem (given);
 %! models = makeHypotheses (problem, fitEmulator (problem, data, options), ...
 %!                          options);
 %! models = omnibusReference (models);

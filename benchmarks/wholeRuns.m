@@ -112,7 +112,7 @@ end
 % the fixed plan said of them.
 function truth = truthOf (number, given, data, root)
   values = [data.X(number, :), data.E(number, :)];
-  phi = strengthOfValues (newGapProblem (given).effects, data.E(number, :));
+  phi = strengthOfValues (newProblem (given).effects, data.E(number, :));
   dem = given.effects(~[given.effects.laboratory]);
   names = [given.names(:)', [dem.variables]];
   noise = integrationPoints (1, columns (data.Z), 8000 + number).normal;

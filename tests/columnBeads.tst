@@ -12,7 +12,7 @@
 %!   Case = withEffects (loadCase (root, folder));
 %!   data = importRuns (fullfile (folder, 'storedRuns.csv'), Case);
 %!   for c = 1:numel (Case.conditions)
-%!     given = gapProblemOf (Case, c);
+%!     given = newProblem (Case, [], c);
 %!     d = diagnoseMatrices (given, data, struct ('bootstrap', 49));
 %!     printf ('%s: %s (%s), p %.2g, class %s, decides %s\n', ...
 %!             Case.conditions{c}, d.which.verdict, ...

@@ -94,7 +94,7 @@
 %! g = given;
 %! for seed = [5, 7, 11, 12]
 %!   g.value = measured (means, [0, 0, 0, 0.08, 0], seed);
-%!   gapProblem = newGapProblem (g);
+%!   gapProblem = newProblem (g);
 %!   options = gapOptions (quick ());
 %!   if seed == 5
 %!     em = fitEmulator (gapProblem, data, options);

@@ -2,7 +2,7 @@
 %
 % CALL: STUDY = labStudy (GIVEN, DATA, OPTIONS)
 %
-%   GIVEN    struct for newGapProblem;  DATA  struct X, E, Z, replicate
+%   GIVEN    struct for newProblem;  DATA  struct X, E, Z, replicate
 %   OPTIONS  struct of gapOptions (default: trend 'affine')
 %   STUDY    struct gapProblem, em, models, fits
 %
@@ -13,7 +13,7 @@ function study = labStudy (given, data, options)
     options = struct ();
   end
   options = gapOptions (mergeFields (struct ('trend', 'affine'), options));
-  study.gapProblem = newGapProblem (given);
+  study.gapProblem = newProblem (given);
   study.em = fitEmulator (study.gapProblem, data, options);
   study.models = makeHypotheses (study.gapProblem, study.em, options);
   used = study.gapProblem.used;

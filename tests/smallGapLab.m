@@ -2,7 +2,7 @@
 %
 % CALL: [GIVEN, DATA, MEANS] = smallGapLab ()
 %
-%   GIVEN   struct for newGapProblem, value still NaN: 3 benches with 4 targets
+%   GIVEN   struct for newProblem, value still NaN: 3 benches with 4 targets
 %           each, 2 parameters, 4 effects of DEM (the first two look alike), 1
 %           of the laboratory
 %   DATA    struct X, E, Z, replicate: 14 neutral runs, 10 of each effect

@@ -5,7 +5,7 @@
 %   CURVATURE  scalar, 0 = all responses linear, 0.3 = mildly nonlinear (0.3)
 %   SEED       scalar, number of the laboratory: each has laws of its own (11)
 %   LAB        struct
-%     gapProblem  as newGapProblem wants it, value still NaN; 24 targets on 4
+%     gapProblem  as newProblem wants it, value still NaN; 24 targets on 4
 %              benches, 4 parameters, 8 effects that DEM would run, 2 of the
 %              laboratory
 %     means    handle, Z = means (THETA, PHI): n x 24 results without noise;

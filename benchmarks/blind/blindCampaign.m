@@ -23,7 +23,7 @@ function blindCampaign (root, work)
   [~, ~] = mkdir (work);
   lock = lockCase (work);
   useLiggghts (root);
-  gapProblem = newGapProblem (gapProblemOf (Case));
+  gapProblem = newProblem (Case);
   plan = fewer (campaignPlan (Case, gapProblem.effects, wanted ()));
   say = @(text) sayLine (text, fullfile (work, 'campaign.log'));
   jobs = newJobs (Case, plan.X, plan.E, plan.replicate, 'gap');
@@ -57,7 +57,7 @@ end
 function names = mostRun ()
   root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
   [given, data] = storedCampaign ('hiddenEffect', root);
-  phi = strengthOfValues (newGapProblem (given).effects, data.E);
+  phi = strengthOfValues (newProblem (given).effects, data.E);
   many = sum (abs (phi) > 1e-9, 1) >= 12;
   names = {given.effects(many).name};
 end

@@ -151,7 +151,7 @@ end
 %!   given.effects(k).name = names{k};
 %! end
 %! options = gapOptions ([]);
-%! problem = newGapProblem (given);
+%! problem = newProblem (given);
 %! em = fitEmulator (problem, data, options);
 %! lab = struct ('trials', 2, 'sd', given.sd, 'gapProblem', problem, ...
 %!               'em', em, 'models', makeHypotheses (problem, em, options), ...

@@ -8,7 +8,7 @@
 %         'yade-whole', collapse and heap, computed with YADE; else collapse,
 %         shear cell and heap (campaign hiddenEffect, three trials)
 %   LAB   struct: trials (each value is the mean of so many), sd (1 x T,
-%         reading error of one trial), gapProblem (of newGapProblem), models (of
+%         reading error of one trial), gapProblem (of newProblem), models (of
 %         makeHypotheses, from the stored campaign), em (fitEmulator), and
 %     draw      handle, TRUTHS = DRAW (LAB, N)
 %     shares    struct, share of each class of blindDraw; the rest: lookAlike
@@ -54,7 +54,7 @@ function lab = blindLab (root, stem)
   given.trials = lab.trials;
   given.sd = given.sd / sqrt (lab.trials);
   options = gapOptions ([]);
-  lab.gapProblem = newGapProblem (given);
+  lab.gapProblem = newProblem (given);
   lab.em = fitEmulator (lab.gapProblem, data, options);
   lab.models = makeHypotheses (lab.gapProblem, lab.em, options);
 end

@@ -2,7 +2,7 @@
 %
 % CALL: Z = blindRun (LAB, TRUTH, TRIAL, WORK)
 %
-%   LAB    struct with gapProblem (of newGapProblem)
+%   LAB    struct with gapProblem (of newProblem)
 %   TRUTH  one of blindDraw;  TRIAL  number of the trial
 %   WORK   folder of the runs; finished runs in it are used again
 %   Z      1 x T, results without reading errors, laboratory effects included;

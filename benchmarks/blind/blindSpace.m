@@ -42,7 +42,7 @@ end
 %! [given, data] = smallGapLab ();
 %! given.value = mean (data.Z);
 %! options = gapOptions ([]);
-%! gapProblem = newGapProblem (given);
+%! gapProblem = newProblem (given);
 %! em = fitEmulator (gapProblem, data, options);
 %! lab = struct ('em', em, ...
 %!               'models', makeHypotheses (gapProblem, em, options));

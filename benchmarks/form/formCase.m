@@ -4,7 +4,7 @@
 % CALL: HEADER = formCase ()
 %
 %   PART, NUMBER  text and number of the case
-%   GIVEN         for newGapProblem;  EM  of fitEmulator
+%   GIVEN         for newProblem;  EM  of fitEmulator
 %   TRUTH         struct X (1 x p), phi (1 x K); isUnlisted: the cause is off
 %                 the list
 %   HOW           struct options (gapOptions), reference (omnibusReference)
@@ -19,7 +19,7 @@ function lines = formCase (part, number, given, em, truth, how)
     return
   end
   lines = {};
-  gapProblem = setfield (newGapProblem (given), 'unit', 1);
+  gapProblem = setfield (newProblem (given), 'unit', 1);
   em = takeReference (em, gapProblem);
   usable = [em.effect.laboratory] | [em.effect.runs] >= 3;
   em = withoutEffects (em, find (~usable));

@@ -3,7 +3,7 @@
 % CALL: [GIVEN, DATA, PAIRS] = formChange (ROOT)
 %
 %   ROOT   folder of the toolbox
-%   GIVEN  struct for newGapProblem, with three effects more: sliding, wall and
+%   GIVEN  struct for newProblem, with three effects more: sliding, wall and
 %          rolling friction raised by half of the box
 %   DATA   all runs of hiddenEffect. Ten neutral ones for each friction are
 %          there once more, as runs of that effect: a set whose friction was

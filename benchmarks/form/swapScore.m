@@ -71,7 +71,7 @@ function lab = labOf (root)
   given.sd = given.sd / sqrt (2);
   options = gapOptions ([]);
   lab.given = given;
-  lab.problem = newGapProblem (given);
+  lab.problem = newProblem (given);
   lab.em = fitEmulator (lab.problem, data, options);
   lab.models = makeHypotheses (lab.problem, lab.em, options);
 end

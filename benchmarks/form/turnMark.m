@@ -2,7 +2,7 @@
 %
 % CALL: SHIFT = turnMark (MODELS, GAPPROBLEM, THETA, PHI, WAY, SEED)
 %
-%   MODELS, GAPPROBLEM  of makeHypotheses, newGapProblem
+%   MODELS, GAPPROBLEM  of makeHypotheses, newProblem
 %   THETA    1 x p, parameters in [-1, 1];  PHI  struct at (number of the
 %            cause), strength
 %   WAY      'rival': towards another listed effect, drawn by SEED; 'smooth':

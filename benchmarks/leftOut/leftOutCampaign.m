@@ -4,7 +4,7 @@
 %
 %   NAME      'hiddenEffect' (examples/) or 'drumAndBins' (benchmarks/)
 %   ROOT      folder of the toolbox
-%   CAMPAIGN  struct name, given (for newGapProblem; nothing is held out), data
+%   CAMPAIGN  struct name, given (for newProblem; nothing is held out), data
 %             (all runs), em (fitEmulator on all), reference (of
 %             omnibusReference), isWhole (1 x n logical: every result is there)
 %
@@ -13,7 +13,7 @@
 function campaign = leftOutCampaign (name, root)
   [given, data] = storedCampaign (name, root);
   given.held(:) = false;
-  gapProblem = newGapProblem (given);
+  gapProblem = newProblem (given);
   options = gapOptions ([]);
   em = fitEmulator (gapProblem, data, options);
   models = omnibusReference (makeHypotheses (gapProblem, em, options));

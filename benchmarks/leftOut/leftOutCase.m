@@ -27,7 +27,7 @@ function cases = leftOutCase (campaign, numbers)
     noise = integrationPoints (1, columns (data.Z), 8000 + i).normal;
     given = campaign.given;
     given.value = data.Z(i, :) + given.sd .* noise;
-    gapProblem = newGapProblem (given);
+    gapProblem = newProblem (given);
     em = fitEmulator (gapProblem, without (data, same), options, campaign.em);
     kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
     em = withoutEffects (em, find (~kept));

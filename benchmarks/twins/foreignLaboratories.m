@@ -24,7 +24,7 @@ function labs = foreignLaboratories (kind)
                   'isSigned', lab.isSigned);
     given = lab.gapProblem;
     given.value = mean (one.data.Z);
-    one.em = fitEmulator (newGapProblem (given), one.data, gapOptions ([]));
+    one.em = fitEmulator (newProblem (given), one.data, gapOptions ([]));
     surrogate = mean (one.em.surrogateVar, 1);
     one.noise = sqrt (lab.gapProblem.sd.^2 + lab.noiseSd.^2 + surrogate);
     labs(i) = one;

@@ -11,7 +11,7 @@
 
 function runs = runsOfLab (run, given, kept)
   given.value = zeros (size (given.sd));
-  effects = newGapProblem (given).effects;
+  effects = newProblem (given).effects;
   if nargin < 3
     kept = 1:numel (effects);
   end

@@ -52,7 +52,7 @@ function lab = partOf (full, at)
   lab = full;
   given = full.gapProblem;
   given.value = zeros (1, numel (full.noiseSd));
-  given.effects = newGapProblem (given).effects;
+  given.effects = newProblem (given).effects;
   [~, ~, given.bench] = unique (given.bench(at));
   given.bench = given.bench(:)';
   given.benchNames = given.benchNames(unique (full.gapProblem.bench(at)));
@@ -178,6 +178,6 @@ end
 %! assert (size (Z), [1, 4]);
 %! assert (lab.tests(1).seen ().Z, Z);
 %! given = setfield (lab.tests(1).joined, 'value', [ones(1, 15)]);
-%! gapProblem = newGapProblem (given);
+%! gapProblem = newProblem (given);
 %! assert (gapProblem.benchNames, {'silo', 'stress', 'shear'});
 %! assert (gapProblem.trials(12:15), 3 * ones (1, 4));

@@ -15,7 +15,7 @@ function verdicts = twinsOfLab (lab, cases)
   options = gapOptions ([]);
   given = lab.gapProblem;
   given.value = lab.middle;
-  gapProblem = newGapProblem (given);
+  gapProblem = newProblem (given);
   if isempty (lab.em)
     lab.em = fitEmulator (gapProblem, lab.data, options);
   end

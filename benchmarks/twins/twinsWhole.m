@@ -39,7 +39,7 @@ function verdict = diagnoseOne (source, lab, twin, number, sets)
   randn ('twister', 90000 + number);
   options = struct ('maxNewRuns', sets, 'bootstrap', 99);
   given = setfield (lab.gapProblem, 'value', twin.y);
-  effects = newGapProblem (given).effects;
+  effects = newProblem (given).effects;
   runs = runsOf (source, lab.gapProblem, effects);
   d = diagnoseMatrices (given, lab.data, options, runs);
   verdict = verdictOf (d.which, {effects.name}, toc (start));

@@ -33,8 +33,8 @@ function [curves, nFree] = curveErrors (surrogates, problem)
     steps = diff (unique (place));
     own = surrogates(points);
     c = struct ('points', points, 'value', problem.value(points), ...
-                'sd', problem.sd(points), 'distance', abs (place' - place));
-    c.shared = givenField (problem, 'shared', 0 * problem.sd)(points);
+                'sd', problem.statedSd(points), 'distance', abs (place' - place));
+    c.shared = givenField (problem, 'shared', 0 * problem.statedSd)(points);
     c.own = sqrt (max (c.sd.^2 - c.shared.^2, 0));
     c.packingVar = [own.noiseVar] ./ problem.trials(points);
     c.scatter = any (problem.scatter(points));
@@ -139,7 +139,7 @@ end
 %!  [c, nFree] = curveErrors (s, problem);
 %!  assert ([nFree, c.free], [2, 1, 2]);
 %!  problem.correlation(:) = 0.5;
-%!  problem.sd(:) = 0.1;
+%!  problem.statedSd(:) = 0.1;
 %!  [~, nFree] = curveErrors (s, problem);
 %!  assert (nFree, 0);
 %!  problem.curve(:) = 0;

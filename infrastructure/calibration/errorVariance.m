@@ -12,10 +12,10 @@
 %             was not seen is not zero
 
 function [v, isUnseen] = errorVariance (noiseVar, problem, t)
-  parts = [noiseVar / problem.trials(t), problem.sd(t)^2];
+  parts = [noiseVar / problem.trials(t), problem.statedSd(t)^2];
   v = merge (problem.scatter(t), max (parts), sum (parts));
   least = (problem.tol(t) * problem.scale(t) / 10)^2;
-  isUnseen = problem.sd(t) == 0 && v < least;
+  isUnseen = problem.statedSd(t) == 0 && v < least;
   if isUnseen
     v = least;
   end

@@ -165,5 +165,5 @@ end
 %! state.surrogates = fitSurrogates (state.data, problem);
 %! known = knownParameters (state, problem);
 %! assert (known.code, 'unseen');
-%! problem.sd = 0.3 * problem.tol .* problem.value;
+%! problem.statedSd = 0.3 * problem.tol .* problem.value;
 %! assert (! strcmp (knownParameters (state, problem).code, 'unseen'));

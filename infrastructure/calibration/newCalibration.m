@@ -75,7 +75,7 @@ function weak = weakness (surrogates, problem, known)
   next = struct ('kind', {}, 'name', {}, 'gain', {});
   for t = find (~problem.calibrate)
     [m, v] = predictSurrogate (surrogates(t), known.sample);
-    s2 = mean (v) + surrogates(t).noiseVar + problem.sd(t)^2;
+    s2 = mean (v) + surrogates(t).noiseVar + problem.statedSd(t)^2;
     kind = merge (isnan (problem.value(t)), 'measure', 'held-out target');
     next(end + 1) = struct ('kind', kind, 'name', surrogates(t).name, ...
                             'gain', gainOf (U, m, s2));
@@ -145,7 +145,7 @@ function hold = predictHoldout (state, problem)
   for t = find (~problem.calibrate)
     s = state.surrogates(t);
     value = problem.value(t);
-    sd = sqrt (v(t) + s.noiseVar / problem.trials(t) + problem.sd(t)^2);
+    sd = sqrt (v(t) + s.noiseVar / problem.trials(t) + problem.statedSd(t)^2);
     half = studentQuantile (0.95, s.df) * sd;
     own = struct ('name', s.name, 'target', value, 'result', m(t), 'sd', sd, ...
                   'interval90', [m(t) - half; m(t) + half], ...

@@ -2,7 +2,7 @@
 %
 % CALL: [GAPPROBLEM, LENGTHS] = correlateSeries (GAPPROBLEM, EM, OPTIONS)
 %
-%   GAPPROBLEM   struct of newGapProblem; estimateSeries (1 x T) marks targets
+%   GAPPROBLEM   struct of newProblem; estimateSeries (1 x T) marks targets
 %   EM, OPTIONS  of fitEmulator, gapOptions
 %   GAPPROBLEM   the same with covariance;  LENGTHS  1 x T, 0: independent
 %

@@ -29,7 +29,7 @@ function diagnosis = diagnoseCase (root, folder)
   many = max (numel (Case.conditions), 1);
   problems = cell (2, many);
   for c = 1:many
-    [problems{:, c}] = finerLevel (gapProblemOf (Case, c), plain.surrogates, ...
+    [problems{:, c}] = finerLevel (newProblem (Case, [], c), plain.surrogates, ...
                                    plain.data, problem);
   end
   [state, made] = exploreAll (Case, problems(1, :), state);
@@ -77,7 +77,7 @@ function [state, plain] = runsThere (Case, problem, notes, say)
     plain.data = keepRows (levelled, thinRuns (levelled, problem, 1000));
     plain.surrogates = fitSurrogates (plain.data, problem);
   end
-  [given, own] = gapProblemOf (Case, 1);
+  [given, own] = newProblem (Case, [], 1);
   sessions = sessionNote (Case);
   notes = [own(:)', {sessions}(~isempty (sessions)), ...
            {leftOut}(~isempty (leftOut)), notes, unexpressedEffects(Case)];

@@ -2,7 +2,7 @@
 %
 % CALL: DIAGNOSIS = diagnoseMatrices (GIVEN, DATA, OPTIONS, EVALUATE)
 %
-%   GIVEN     struct of newGapProblem: measured values, benches, limits, effects
+%   GIVEN     struct of newProblem: measured values, benches, limits, effects
 %   DATA      struct X (n x p), E (n x v, variables of all effects that DEM
 %             runs), Z (n x T, NaN = none), replicate (n x 1): all finished runs
 %   OPTIONS   struct of gapOptions, [] = defaults
@@ -33,7 +33,7 @@
 % Order: WHERE, WHICH, HOW FAR, NEXT TEST. Random numbers come from
 % OPTIONS.seed; the caller's random state is left as it was.
 %
-% Errors: those of newGapProblem, enterRuns, strengthOfValues and fitEmulator
+% Errors: those of newProblem, enterRuns, strengthOfValues and fitEmulator
 %
 % See also: diagnoseGap, locateGap, caseEvidence, judgeCase, proveCause,
 % adviseTests

@@ -14,13 +14,13 @@
 % the effects (exploreEffects). A diagnosis of several conditions explores each
 % before it judges any: what the runs for one tell of an effect counts in all.
 %
-% Errors: those of newGapProblem, enterRuns and fitEmulator
+% Errors: those of newProblem, enterRuns and fitEmulator
 %
 % See also: diagnoseMatrices, diagnoseCase, exploreEffects
 
 function explored = exploreGap (given, data, options, evaluate)
   options = gapOptions (options);
-  [gapProblem, known] = enterRuns (newGapProblem (given), data, options);
+  [gapProblem, known] = enterRuns (newProblem (given), data, options);
   state = newGapState (known, gapProblem, options, evaluate);
   allowed = state.evaluate;
   if ~options.explore

@@ -2,7 +2,7 @@
 %
 % CALL: [GIVEN, JUDGE] = finerLevel (GIVEN, SURROGATES, DATA, PROBLEM)
 %
-%   GIVEN       of gapProblemOf
+%   GIVEN       of newProblem
 %   SURROGATES  1 x T struct of fitSurrogates, of plain runs at all levels
 %   DATA        these runs, E n x v
 %   PROBLEM     see newProblem; it may have no levels

@@ -3,7 +3,7 @@
 % CALL: [OPTIONS, LINES] = gapBudget (CASE, BUDGET, GIVEN, SECONDS)
 %
 %   CASE     see newCase;  BUDGET  see newEvaluate
-%   GIVEN    of gapProblemOf
+%   GIVEN    of newProblem
 %   SECONDS  scalar, core time of one set so far (NaN: not known)
 %   OPTIONS  of gapOptions: maxNewRuns counts parameter sets, each of them a run
 %            of every model
@@ -24,8 +24,7 @@ function [options, lines] = gapBudget (Case, budget, given, seconds)
   for effect = reshape (given.effects, 1, [])
     if ~effect.laboratory
       names{end + 1} = effect.name;
-      range = newEffect (effect, numel (given.value)).range;
-      ends(end + 1) = 1 + (range(1) < 0);
+      ends(end + 1) = 1 + (effect.range(1) < 0);
     end
   end
   share = [12, sum(ends), options.batches * options.batch * ~isempty(ends), ...
@@ -57,15 +56,15 @@ end
 %!shared Case, effect, budget
 %! Case.options.seed = 1;
 %! Case.names = {'a', 'b', 'c', 'd'};
-%! effect = struct ('name', 'e', 'variables', {{'e'}}, 'neutral', 0, ...
-%!                  'limits', [0; 1], 'laboratory', false);
+%! effect = newEffect (struct ('name', 'e', 'variables', {{'e'}}, ...
+%!                             'neutral', 0, 'limits', [0; 1]), 1);
 %! budget = struct ('left', 3000, 'perSet', 2);
 %!test
 %! % 10, 20 and 40 effects; the third one acts both ways
 %! sets = [];
 %! for K = [10, 20, 40]
 %!   given = struct ('value', 1, 'effects', repmat (effect, 1, K));
-%!   given.effects(3).limits = [-1; 1];
+%!   given.effects(3).range = [-1, 1];
 %!   options = gapBudget (Case, budget, given, NaN);
 %!   sets(end + 1) = options.maxNewRuns;
 %! end

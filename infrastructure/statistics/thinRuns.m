@@ -3,7 +3,7 @@
 % CALL: [USE, TEXT] = thinRuns (TABLE, PROBLEM, MOST)
 %
 %   TABLE    struct X (n x d), E (n x v), Z (n x T), see importRuns
-%   PROBLEM  value, sd and calibrate (1 x T) are read, see newProblem
+%   PROBLEM  value, statedSd and calibrate (1 x T) are read, see newProblem
 %   MOST     runs that are kept at most
 %   USE      n x 1 logical: all, or half of MOST those nearest to the targets,
 %            in standard deviations, the other half spread over the box
@@ -46,7 +46,7 @@ function Z = smoothed (U, Z)
 end
 
 function use = nearest (Z, problem, most)
-  sd = problem.sd;
+  sd = problem.statedSd;
   spread = std (Z(all (isfinite (Z), 2), :), 0, 1);
   bare = ~(isfinite (sd) & sd > 0);
   if isempty (spread)
@@ -85,7 +85,7 @@ function use = spread (U, use, most)
 end
 
 %!test
-%! problem = struct ('value', [1, 2], 'sd', [0.1, 0.2], ...
+%! problem = struct ('value', [1, 2], 'statedSd', [0.1, 0.2], ...
 %!                   'calibrate', [true, true]);
 %! [a, b] = ndgrid (linspace (0, 1, 40));
 %! table = struct ('X', [a(:), b(:)], 'E', zeros (1600, 0), ...
@@ -107,7 +107,7 @@ end
 %! table = struct ('X', rand (8000, 1), 'E', zeros (8000, 0));
 %! e = 0.05 * randn (8000, 1);
 %! table.Z = 1 + table.X + e;
-%! problem = struct ('value', 1.5, 'sd', 0.01, 'calibrate', true);
+%! problem = struct ('value', 1.5, 'statedSd', 0.01, 'calibrate', true);
 %! use = thinRuns (table, problem, 400);
 %! near = use & abs (table.X - 0.5) < 0.05;
 %! assert (sum (near) > 150 && std (e(near)) > 0.04);

@@ -5,7 +5,7 @@
 %   SEED  integer
 %   LAB   struct, all in units of its own (parameters in [0, 1], effects with
 %         the limits 0 and 1, targets with spans near 1):
-%     given   for newGapProblem;  data  X, E, Z, replicate;  options
+%     given   for newProblem;  data  X, E, Z, replicate;  options
 %     evaluate  handle Z = f (X, E, replicate), mostly []
 %     truth   text: what makes the gap, '' where there is none
 %     broken  text: what is wrong with it, '' where a verdict is due

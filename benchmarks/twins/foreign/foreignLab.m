@@ -11,7 +11,7 @@
 %           set up otherwise: opening, speed, load ..., fields of c in lab*.m
 %   LAB     struct
 %     name      text
-%     gapProblem   as newGapProblem wants it, value still NaN
+%     gapProblem   as newProblem wants it, value still NaN
 %     means     handle, Z = means (THETA, PHI): n x T results without noise;
 %               THETA n x p in [0, 1], PHI n x K strengths
 %     bare      handle, Z = bare (THETA): the laws, told nothing of effects
@@ -26,7 +26,7 @@
 % laboratory come from lab*.m in this folder, as struct SPEC: name, parameters
 % (p x 3 cell: name, limits), effects (cell: name, neutral, limits, siblings),
 % laboratory (cell: name, offset, matrix, whether the law itself holds it),
-% benchNames, bench, series, coordinate (as newGapProblem), law (handle Z = law
+% benchNames, bench, series, coordinate (as newProblem), law (handle Z = law
 % (P, E) of structs of n x 1 values), relative and floor (1 x T, scatter of a
 % run; where isLevel it follows the result), df (of Student's t, Inf: normal),
 % rho (correlation of a run's results within a bench), precision (measurement

@@ -1,4 +1,4 @@
-% FOREIGNPROBLEM  Describes a laboratory the way newGapProblem wants it.
+% FOREIGNPROBLEM  Describes a laboratory the way newProblem wants it.
 %
 % CALL: GAPPROBLEM = foreignProblem (SPEC, SD)
 %
@@ -6,7 +6,7 @@
 %   SD          1 x T, standard uncertainty of the measurement
 %   GAPPROBLEM  struct, value still NaN
 %
-% See also: foreignLab, newGapProblem
+% See also: foreignLab, newProblem
 
 function gapProblem = foreignProblem (spec, sd)
   T = numel (spec.bench);
@@ -43,6 +43,6 @@ end
 %!   given = lab.gapProblem;
 %!   given.value = lab.means (0.5 * ones (1, columns (given.limits)), ...
 %!                            zeros (1, numel (given.effects)));
-%!   gapProblem = newGapProblem (given);
+%!   gapProblem = newProblem (given);
 %!   assert (numel (gapProblem.effects), numel (given.effects));
 %! end

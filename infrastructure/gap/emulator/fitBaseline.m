@@ -76,7 +76,7 @@ end
 %! data.level = zeros (size (data.Z));
 %! off = all (data.E == 0, 2);
 %! data.Z(:, 2) = 5 * ~off;
-%! em = fitBaseline (struct (), newGapProblem (given), data, off, ...
+%! em = fitBaseline (struct (), newProblem (given), data, off, ...
 %!                   gapOptions (struct ('trend', 'affine')), []);
 %! assert (em.range(2), 8);
 %! z = data.Z(off, 1);

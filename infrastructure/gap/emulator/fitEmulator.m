@@ -3,7 +3,7 @@
 % CALL: EM = fitEmulator (GAPPROBLEM, DATA, OPTIONS)
 % CALL: EM = fitEmulator (GAPPROBLEM, DATA, OPTIONS, OLD)
 %
-%   GAPPROBLEM  struct of newGapProblem
+%   GAPPROBLEM  struct of newProblem
 %   DATA        struct X (n x p), E (n x v), Z (n x T, NaN = none), replicate;
 %               level (n x T, how coarse each run is, see unitLevel: 0 at the
 %               level that counts, which is that of all where it is missing)
@@ -209,7 +209,7 @@ end
 %! rand ('twister', 1); randn ('twister', 1);
 %! lab = standInGap (0);
 %! lab.gapProblem.value = ones (1, 24);
-%! em = fitEmulator (newGapProblem (lab.gapProblem), lab.plan (30, 10), ...
+%! em = fitEmulator (newProblem (lab.gapProblem), lab.plan (30, 10), ...
 %!                   gapOptions (struct ('trend', 'affine')));
 %! theta = rand (50, 4);
 %! phi = [zeros(50, 2), rand(50, 1), zeros(50, 7)];
@@ -225,7 +225,7 @@ end
 %!error id=DEcalioc:fitEmulator:badValue
 %! lab = standInGap (0);
 %! lab.gapProblem.value = ones (1, 24);
-%! fitEmulator (newGapProblem (lab.gapProblem), lab.plan (4, 2), struct ());
+%! fitEmulator (newProblem (lab.gapProblem), lab.plan (4, 2), struct ());
 %!test
 %! % a bench jams where the effect is strong, never without (seeded)
 %! rand ('twister', 1);
@@ -238,7 +238,7 @@ end
 %! given = struct ('value', [1, 1], 'sd', [1, 1], 'limits', [0; 1], ...
 %!                 'bench', [1, 2], 'effects', effect);
 %! data = struct ('X', X, 'E', E, 'Z', Z, 'replicate', 1 + 0 * X);
-%! em = fitEmulator (newGapProblem (given), data, gapOptions ([]));
+%! em = fitEmulator (newProblem (given), data, gapOptions ([]));
 %! assert (em.success(:, 1), [0; 0]);
 %! p = @(phi) 1 / (1 + exp (-em.success(1, 2) - ...
 %!                          [phi, phi] * em.effect.success(:, 2)));

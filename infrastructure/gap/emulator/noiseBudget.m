@@ -2,7 +2,7 @@
 %
 % CALL: BUDGET = noiseBudget (GAPPROBLEM, EM)
 %
-%   GAPPROBLEM  struct of newGapProblem
+%   GAPPROBLEM  struct of newProblem
 %   EM          struct of fitEmulator
 %   BUDGET      struct
 %     covariance  T x T, measurement plus the packing of the real trials; of a
@@ -46,7 +46,7 @@ function budget = noiseBudget (gapProblem, em)
 end
 
 %!test
-%! gapProblem = newGapProblem (struct ('value', [1, 2], 'sd', [3, 0], ...
+%! gapProblem = newProblem (struct ('value', [1, 2], 'sd', [3, 0], ...
 %!                                     'limits', [0; 1], 'bench', [1, 1]));
 %! em = struct ('noiseVar', [16, 4], 'correlation', [1, 0.5; 0.5, 1], ...
 %!              'range', [1, 1], 'surrogateVar', [25, 8], 'fitVar', [0, 0], ...

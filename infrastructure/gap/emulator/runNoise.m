@@ -10,7 +10,7 @@
 %               to the sample (least squares). A response without scatter has
 %               that of a thousandth of its range: no polynomial follows it
 %               better
-%   GAPPROBLEM  struct of newGapProblem;  DATA  struct X, E, Z, level
+%   GAPPROBLEM  struct of newProblem;  DATA  struct X, E, Z, level
 
 function em = runNoise (em, gapProblem, data)
   [measured, df, residual] = ofRepeats ([data.X, data.E, data.level], ...

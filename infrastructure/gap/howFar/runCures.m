@@ -2,7 +2,7 @@
 %
 % CALL: [SETS, STATE] = runCures (STUDY, CAUSES, STATE, SETS)
 %
-%   STUDY    struct gapProblem, em, models, fits: of newGapProblem, fitEmulator,
+%   STUDY    struct gapProblem, em, models, fits: of newProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
 %            targets only

@@ -117,7 +117,7 @@ function test = candidate (Case, bench, say)
   else
     [test.noise, test.size] = runScatter (bench.source);
   end
-  given = gapProblemOf (own);
+  given = newProblem (own);
   test.effects = struct ('offset', {}, 'matrix', {});
   test.isExpressed = true (1, numel (Case.effects));
   for k = 1:numel (Case.effects)

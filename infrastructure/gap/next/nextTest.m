@@ -2,7 +2,7 @@
 %
 % CALL: TESTS = nextTest (GAPPROBLEM, EM, W, P, OPTIONS)
 %
-%   GAPPROBLEM  struct of newGapProblem
+%   GAPPROBLEM  struct of newProblem
 %   EM          struct of fitEmulator, the effects as in W
 %   W           struct of caseEvidence (members, posterior, kind)
 %   P           1 x H, probabilities of the hypotheses;  OPTIONS  see gapOptions
@@ -114,7 +114,7 @@ end
 %!             'misfit', zeros (1, 3), 'root', zeros (1, 0), 'ofTarget', ...
 %!             zeros (0, 3), 'unbent', 0, 'strongest', 1);
 %! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
-%! gapProblem = newGapProblem (struct ('value', [5, NaN, 1], ...
+%! gapProblem = newProblem (struct ('value', [5, NaN, 1], ...
 %!                                     'sd', ones (1, 3), ...
 %!                                     'bench', [1, 2, 1], 'limits', [0; 1]));
 %! w.members = {1, 2};
@@ -160,7 +160,7 @@ end
 %! em.noiseVar(:) = 0.01;
 %! given = struct ('value', [3, 3, 0], 'sd', ones (1, 3), ...
 %!                 'bench', [1, 1, 1], 'limits', [0; 1]);
-%! gapProblem = newGapProblem (given);
+%! gapProblem = newProblem (given);
 %! w.kind = {'single', 'single'};
 %! w.posterior = repmat ({struct('Q', [0, 1, 0, 0.6], 'weight', 1)}, 1, 2);
 %! w.members = {1, 2};

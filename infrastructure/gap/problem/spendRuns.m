@@ -4,7 +4,7 @@
 %
 %   STATE       of newGapState; comes back with the rows added. Rows beyond
 %               what is left, or that evaluate gives as NA, are left out
-%   GAPPROBLEM  struct of newGapProblem
+%   GAPPROBLEM  struct of newProblem
 %   THETA       n x p, parameters in [-1, 1];  PHI  n x K, strengths
 %   REPLICATE   n x 1
 %   STAGE       'gap' (default), 'cure', see diagnoseMatrices, or 'coarse': as
@@ -49,7 +49,7 @@ end
 
 %!function [state, gapProblem] = before (n, left, evaluate)
 %!  lab = standInGap (0);
-%!  gapProblem = newGapProblem (setfield (lab.gapProblem, 'value', ...
+%!  gapProblem = newProblem (setfield (lab.gapProblem, 'value', ...
 %!                                        ones (1, 24)));
 %!  options = gapOptions (struct ('maxNewRuns', left));
 %!  state = newGapState (lab.plan (n, 0), gapProblem, options, evaluate);

@@ -2,7 +2,7 @@
 %
 % CALL: WHERE = locateGap (STUDY)
 %
-%   STUDY    struct gapProblem, em, models, fits: of newGapProblem, fitEmulator,
+%   STUDY    struct gapProblem, em, models, fits: of newProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   WHERE    struct
 %     theta (1 x p in [-1, 1]), params (1 x p), chi2, p (lack of fit: share of

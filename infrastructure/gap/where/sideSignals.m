@@ -2,7 +2,7 @@
 %
 % CALL: SIDE = sideSignals (GAPPROBLEM, EM, THETA, OPTIONS)
 %
-%   GAPPROBLEM, EM, OPTIONS  of newGapProblem, fitEmulator, gapOptions
+%   GAPPROBLEM, EM, OPTIONS  of newProblem, fitEmulator, gapOptions
 %   THETA           1 x p, fitted null model, parameters in [-1, 1]
 %   SIDE            struct
 %     atLimit        cellstr, parameters driven to a limit of their box

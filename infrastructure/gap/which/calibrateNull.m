@@ -2,7 +2,7 @@
 %
 % CALL: THETA = calibrateNull (GAPPROBLEM, EM, OPTIONS)
 %
-%   GAPPROBLEM, EM, OPTIONS  of newGapProblem, fitEmulator, gapOptions
+%   GAPPROBLEM, EM, OPTIONS  of newProblem, fitEmulator, gapOptions
 %   THETA                    1 x p, parameters in [-1, 1]
 
 function theta = calibrateNull (gapProblem, em, options)

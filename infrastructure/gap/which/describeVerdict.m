@@ -3,7 +3,7 @@
 % CALL: NAMED = describeVerdict (W, VERDICT, MODELS, GAPPROBLEM)
 %
 %   W, VERDICT, MODELS, GAPPROBLEM  of caseEvidence, judgeCase, makeHypotheses,
-%                                   newGapProblem
+%                                   newProblem
 %   NAMED   struct
 %     verdict, reason, guard, lookAlike, sameKind, effects, class, decides,
 %       partners, likely (cellstr), see judgeCase

@@ -2,7 +2,7 @@
 %
 % CALL: KINDS = discrepancyKinds (GAPPROBLEM, EM, BUDGET, TARGETS)
 %
-%   GAPPROBLEM, EM, BUDGET  of newGapProblem, fitEmulator, noiseBudget
+%   GAPPROBLEM, EM, BUDGET  of newProblem, fitEmulator, noiseBudget
 %   TARGETS  1 x n, targets to look at
 %   KINDS  1 x m struct: name, weight (sum 1), h (newHypothesis), white
 %          (of whitenEmulator, turned so that the misfit has independent
@@ -55,7 +55,7 @@ end
 %! % rotated coordinates: noise stays white, the discrepancy is diagonal
 %! em = handMadeEmulator ([1, 2, 3; 1, 0, 2]);
 %! em.range = [1, 2, 3];
-%! gapProblem = newGapProblem (struct ('value', [1, 2, 3], 'sd', [1, 1, 1], ...
+%! gapProblem = newProblem (struct ('value', [1, 2, 3], 'sd', [1, 1, 1], ...
 %!                                     'limits', [0; 1], 'bench', [1, 1, 2]));
 %! budget = struct ('covariance', eye (3), 'estimated', [0, 0, 0], ...
 %!                 'unknown', [0, 0, 0]);

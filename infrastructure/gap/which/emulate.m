@@ -18,7 +18,7 @@ end
 %! % the surrogates is taken on
 %! [given, data] = smallGapLab ();
 %! given.value = mean (data.Z);
-%! gapProblem = newGapProblem (given);
+%! gapProblem = newProblem (given);
 %! options = gapOptions (struct ('trend', 'affine'));
 %! em = emulate (gapProblem, data, options);
 %! assert (em.coef, fitEmulator (gapProblem, data, options).coef);

@@ -2,7 +2,7 @@
 %
 % CALL: [STATE, EM] = exploreEffects (GAPPROBLEM, OPTIONS, STATE, EM)
 %
-%   GAPPROBLEM, OPTIONS  of newGapProblem, gapOptions
+%   GAPPROBLEM, OPTIONS  of newProblem, gapOptions
 %   STATE                of newGapState
 %   EM                   of fitEmulator, fitted to STATE.data
 %
@@ -151,7 +151,7 @@ end
 %!  pkg load stk
 %!  [given, data, means] = smallGapLab ();
 %!  data = keepRows (data, all (data.E == 0, 2));
-%!  effects = newGapProblem (setfield (given, 'value', ones (1, 12))).effects;
+%!  effects = newProblem (setfield (given, 'value', ones (1, 12))).effects;
 %!  run = @(X, E, varargin) means (X, strengthOfValues (effects, E)) + ...
 %!                          0.2 * randn (rows (X), 12);
 %!  randn ('twister', 3);
@@ -160,7 +160,7 @@ end
 %!function [state, em] = explored (given, data, run, more = struct ())
 %!  options = gapOptions (mergeFields (struct ('trend', 'affine', ...
 %!                                             'maxNewRuns', 60), more));
-%!  gapProblem = setfield (newGapProblem (given), 'unit', ones (1, 12));
+%!  gapProblem = setfield (newProblem (given), 'unit', ones (1, 12));
 %!  state = newGapState (data, gapProblem, options, run);
 %!  em = fitEmulator (gapProblem, data, options);
 %!  [state, em] = exploreEffects (gapProblem, options, state, ...
@@ -208,7 +208,7 @@ end
 %! assert (all (range (state.data.X(14:20, :)) < 0.5));
 %! % three of the plan lay near it already; a second start asks for no more
 %! options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60));
-%! again = exploreEffects (newGapProblem (given), options, ...
+%! again = exploreEffects (newProblem (given), options, ...
 %!                         setfield (state, 'left', 60), em);
 %! assert (again.spent, state.spent);
 %! % whatever its p, none of a change

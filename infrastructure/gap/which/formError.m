@@ -2,7 +2,7 @@
 %
 % CALL: WHITE = formError (GAPPROBLEM, EM, BUDGET, TARGETS)
 %
-%   GAPPROBLEM, EM, BUDGET  of newGapProblem, fitEmulator, noiseBudget
+%   GAPPROBLEM, EM, BUDGET  of newProblem, fitEmulator, noiseBudget
 %   TARGETS  1 x n, targets to look at
 %   WHITE    struct of whitenEmulator, its coordinates turned, with shape (1 x n,
 %            sum 1; 0 without effects): how the error of form is shared among
@@ -84,7 +84,7 @@ end
 %!                 'bench', [1, 1, 1, 2]);
 %! budget = struct ('covariance', eye (4), 'estimated', zeros (1, 4), ...
 %!                  'unknown', zeros (1, 4));
-%! white = formError (newGapProblem (given), em, budget, 1:4);
+%! white = formError (newProblem (given), em, budget, 1:4);
 %! assert (white.W * white.W', eye (4), 1e-9);
 %! assert (sum (white.shape), 1, 1e-9);
 %! C = white.back * diag (white.shape) * white.back';
@@ -92,5 +92,5 @@ end
 %! assert (C(4, 4) > 0.25 && C(3, 3) > 0.1);
 %! % coordinates do not hang on rounding, also where there is no error
 %! em.coef(1:end, :) = em.coef .* (1 + 1e-13 * [1, -1, 1, -1]);
-%! again = formError (newGapProblem (given), em, budget, 1:4);
+%! again = formError (newProblem (given), em, budget, 1:4);
 %! assert (abs (again.W * white.back), eye (4), 1e-6);

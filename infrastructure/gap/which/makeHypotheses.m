@@ -2,7 +2,7 @@
 %
 % CALL: MODELS = makeHypotheses (GAPPROBLEM, EM, OPTIONS, TARGETS)
 %
-%   GAPPROBLEM  struct of newGapProblem
+%   GAPPROBLEM  struct of newProblem
 %   EM          struct of fitEmulator; its effects are the library
 %   OPTIONS     struct of gapOptions
 %   TARGETS     1 x n, targets to use (default GAPPROBLEM.used)

@@ -2,7 +2,7 @@
 %
 % CALL: STATE = runBatch (GAPPROBLEM, STATE, BATCH)
 %
-%   GAPPROBLEM, STATE  of newGapProblem, newGapState
+%   GAPPROBLEM, STATE  of newProblem, newGapState
 %   BATCH              struct theta (n x p, in [-1, 1]), phi (n x K, strengths),
 %                      isFine (n x 1 logical; of a case without levels all are)
 

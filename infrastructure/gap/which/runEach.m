@@ -2,7 +2,7 @@
 %
 % CALL: STATE = runEach (GAPPROBLEM, STATE, THETA)
 %
-%   GAPPROBLEM, STATE  of newGapProblem, newGapState
+%   GAPPROBLEM, STATE  of newProblem, newGapState
 %   THETA              1 x p, in [-1, 1], where they are run
 %
 % An end that a run with a whole result has reached to more than half is not run
@@ -51,7 +51,7 @@ end
 %! % of that again from another set
 %! [given, data, means] = smallGapLab ();
 %! given.value = ones (1, 12);
-%! gapProblem = newGapProblem (given);
+%! gapProblem = newProblem (given);
 %! data = keepRows (data, all (data.E == 0, 2));
 %! run = @(X, E, varargin) means (X, [E, zeros(rows (E), 1)]) + ...
 %!                         0 ./ (E(:, 3) < 0.46);

@@ -2,7 +2,7 @@
 %
 % CALL: STATE = runNearNull (GAPPROBLEM, STATE, THETA, N, WIDTH, SEED)
 %
-%   GAPPROBLEM, STATE  of newGapProblem, newGapState
+%   GAPPROBLEM, STATE  of newProblem, newGapState
 %   THETA   1 x p, the fitted null model, parameters in [-1, 1]
 %   N       number of sets;  WIDTH  of the box around THETA, of these units
 %   SEED    another one gives other sets
@@ -20,7 +20,7 @@ end
 %! % in the middle, and at a limit of the box; another seed, other sets
 %! lab = standInGap (0);
 %! given = setfield (lab.gapProblem, 'value', ones (1, 24));
-%! gapProblem = setfield (newGapProblem (given), 'unit', ones (1, 24));
+%! gapProblem = setfield (newProblem (given), 'unit', ones (1, 24));
 %! state = newGapState (lab.plan (5, 0), gapProblem, ...
 %!                      gapOptions (struct ('maxNewRuns', 9)), ...
 %!                      @(X, E, r) ones (rows (X), 24));

@@ -4,7 +4,7 @@
 % CALL: EM = takeReference (EM)        the one of the simulation again
 %
 %   EM          struct of fitEmulator, or what this has made of it
-%   GAPPROBLEM  struct of newGapProblem; without reference EM stays as it is
+%   GAPPROBLEM  struct of newProblem; without reference EM stays as it is
 %   EM          coef then foretells what is measured in the other condition
 %               where nothing has changed; surrogateVar and fitVar are nearly 0,
 %               as what surrogates miss is the same in both; and
@@ -178,7 +178,7 @@ end
 %! em = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 0]);
 %! em.range = 10 * ones (1, 4);
 %! em.noiseVar(:) = 1e-6;
-%! given = newGapProblem (struct ('value', zeros (1, 4), 'sd', ones (1, 4), ...
+%! given = newProblem (struct ('value', zeros (1, 4), 'sd', ones (1, 4), ...
 %!                                'limits', [0; 1], 'bench', ones (1, 4)));
 %! own = struct ('value', [1.5, 0.5, 5, -4], 'sd', ones (1, 4), 'trials', ...
 %!               ones (1, 4), 'scatter', false (1, 4), 'perCondition', false);
@@ -218,7 +218,7 @@ end
 %! em = handMadeEmulator ([zeros(1, 150); 3 * (1:150) / 150]);
 %! em.range = 1000 * ones (1, 150);
 %! em.noiseVar(:) = 1e-6;
-%! given = newGapProblem (struct ('value', zeros (1, 150), 'sd', ...
+%! given = newProblem (struct ('value', zeros (1, 150), 'sd', ...
 %!                                ones (1, 150), 'limits', [0; 1], 'bench', ...
 %!                                ones (1, 150)));
 %! randn ('twister', 1);

@@ -4,7 +4,7 @@
 %
 %   MODELS, SCREEN  of makeHypotheses, screenEffects (of the measured values)
 %   THETA           1 x p, calibrated null model, parameters in [-1, 1]
-%   GAPPROBLEM      of newGapProblem; causes (struct of listCauses, [] for none),
+%   GAPPROBLEM      of newProblem; causes (struct of listCauses, [] for none),
 %                   effects, reference
 %   LIST            1 x n struct, the likeliest first: name, label, question,
 %                   probability (if there is a gap at all; they add up to one),

@@ -5,7 +5,7 @@
 %   VERDICT  of judgeCase; one that names effects becomes a group where these
 %            are not the likeliest ones without one kind of reading: with the
 %            effect that is then (guard 'readings', field decides)
-%   STUDY    struct gapProblem, em, models of newGapProblem, fitEmulator,
+%   STUDY    struct gapProblem, em, models of newProblem, fitEmulator,
 %            makeHypotheses
 %   DECIDES  cellstr, as VERDICT.decides: GAPPROBLEM.reading of those that decide
 %
@@ -85,7 +85,7 @@ end
 %! verdict = judgeCase (caseEvidence (study.models, study.fits, 1), study.models);
 %! assert (verdict.kind, 'named');
 %! given.reading(1:2:12) = {'time'};
-%! study.gapProblem = newGapProblem (given);
+%! study.gapProblem = newProblem (given);
 %! [same, decides] = withoutReadings (verdict, study);
 %! assert ({same.kind, decides}, {'named', {}});
 %! % named is what the times alone say

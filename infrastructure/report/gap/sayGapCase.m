@@ -2,7 +2,7 @@
 %
 % CALL: sayGapCase (CASE, DATA, COUNT, NOTES, SAY)
 %
-%   CASE   see newCase;  DATA, COUNT  of gatherRuns;  NOTES  of gapProblemOf
+%   CASE   see newCase;  DATA, COUNT  of gatherRuns;  NOTES  of newProblem
 %   SAY    function handle that takes one line of text
 %
 % What was taken into account beyond values and uncertainties has a line each.

@@ -2,7 +2,7 @@
 %
 % CALL: [GAPPROBLEM, DATA] = enterRuns (GAPPROBLEM, DATA, OPTIONS)
 %
-%   GAPPROBLEM  struct of newGapProblem, in the units of the user
+%   GAPPROBLEM  struct of newProblem, in the units of the user
 %   DATA        struct X, E, Z (NaN: no result, NA: not run), replicate, and
 %               level, see fitEmulator (all 0 where missing)
 %   OPTIONS     struct of gapOptions
@@ -108,34 +108,7 @@ function [gapProblem, kept, out, neverRun] = ...
             'is left. Look at the failed runs.'], strjoin (out, ', '));
   end
   if ~isempty (dead)
-    gapProblem = newGapProblem (ofTargets (gapProblem, kept));
-  end
-end
-
-function gapProblem = ofTargets (gapProblem, kept)
-  names = {'value', 'sd', 'bench', 'held', 'series', 'coordinate', ...
-           'noiseSd', 'targetNames', 'trials', 'estimateSeries', 'sdKnown', ...
-           'scatter', 'shared', 'reading', 'curve', 'tol', 'scale', ...
-           'correlation', 'calibrate', 'seriesNames', 'part'};
-  for name = names(isfield (gapProblem, names))
-    gapProblem.(name{1}) = gapProblem.(name{1})(kept);
-  end
-  if ~isempty (gapProblem.covariance)
-    gapProblem.covariance = gapProblem.covariance(kept, kept);
-  end
-  if isfield (gapProblem, 'coarse') && ~isempty (gapProblem.coarse)
-    gapProblem.coarse.column = gapProblem.coarse.column(kept);
-  end
-  if ~isempty (gapProblem.reference)
-    for name = {'value', 'sd', 'trials', 'scatter', 'shared'}
-      gapProblem.reference.(name{1}) = gapProblem.reference.(name{1})(kept);
-    end
-  end
-  for k = 1:numel (gapProblem.effects)
-    e = gapProblem.effects(k);
-    gapProblem.effects(k).offset = e.offset(kept);
-    gapProblem.effects(k).offsetSd = e.offsetSd(kept);
-    gapProblem.effects(k).matrix = e.matrix(kept, kept);
+    gapProblem = newProblem (ofTargets (gapProblem, kept));
   end
 end
 
@@ -175,7 +148,7 @@ end
 %! data = struct ('X', X, 'E', zeros (6, 0), 'replicate', ones (6, 1), ...
 %!                'Z', X .* [1e-9, 1, 1e12]);
 %!test
-%! [p, d] = enterRuns (newGapProblem (given), data, gapOptions ([]));
+%! [p, d] = enterRuns (newProblem (given), data, gapOptions ([]));
 %! assert (p.sd(1) > 0.7 && p.sd(1) < 1.42);
 %! assert (p.value, given.value ./ p.unit);
 %! assert (d.Z .* p.unit, data.Z);
@@ -183,21 +156,21 @@ end
 %!test
 %! % no run of a bench gave a result: the other is diagnosed
 %! data.Z(:, 3) = NaN;
-%! [p, d] = enterRuns (newGapProblem (given), data, gapOptions ([]));
+%! [p, d] = enterRuns (newProblem (given), data, gapOptions ([]));
 %! assert (p.out, {'bench2'});
 %! assert (p.neverRun, cell (1, 0));
 %! assert (p.kept, [1, 2]);
 %! assert (p.used, [1, 2]);
 %! assert (columns (d.Z), 2);
 %! data.Z(:, 3) = NA;
-%! p = enterRuns (newGapProblem (given), data, gapOptions ([]));
+%! p = enterRuns (newProblem (given), data, gapOptions ([]));
 %! assert ({p.out, p.neverRun}, {{'bench2'}, {'bench2'}});
 %!test
 %! % a run that is there twice counts once, a repeat does not
 %! data.Z(4, 3) = NaN;
 %! more = structfun (@(A) A([1:6, 4, 2], :), data, 'UniformOutput', false);
 %! more.Z(8, 1) = 2 * more.Z(8, 1);
-%! [~, d] = enterRuns (newGapProblem (given), more, gapOptions ([]));
+%! [~, d] = enterRuns (newProblem (given), more, gapOptions ([]));
 %! assert (d.X, data.X([1:6, 2]));
 %!test
 %! % what is no table of runs
@@ -207,7 +180,7 @@ end
 %!          'Z', @(Z) setfield(Z, {2, 2}, Inf), 'gives Inf for t2'; ...
 %!          'X', @(X) setfield(X, {2}, NaN), 'run 2 has a parameter'; ...
 %!          'Z', @(Z) Z', 'DATA.Z must be 6 x 3'}';
-%! problem = newGapProblem (given);
+%! problem = newProblem (given);
 %! for one = wrong
 %!   bad = setfield (data, one{1}, one{2} (data.(one{1})));
 %!   fail ('enterRuns (problem, bad, gapOptions ([]));', one{3});

@@ -5,7 +5,7 @@
 %   GIVEN  struct of newProblem (CASE), of the reference
 %   CASE   see newCase;  C  number of its condition
 %   GIVEN  the same with value, sd, trials, scatter, shared of the condition;
-%          those of the reference are in the field reference, see newGapProblem
+%          those of the reference are in the field reference, see newProblem
 %
 % A condition without an uncertainty has that of the reference. What sessions
 % make (shared) is in both where both were measured in the same ones, and then

@@ -2,13 +2,15 @@
 %
 % CALL: GAPPROBLEM = inUnits (GAPPROBLEM, UNIT)
 %
-%   GAPPROBLEM  struct of newGapProblem
+%   GAPPROBLEM  struct of newProblem
 %   UNIT        1 x T, what one new unit of each target is in the old one
 %   GAPPROBLEM  the same in the new units
 
 function gapProblem = inUnits (gapProblem, unit)
-  for name = {'value', 'sd', 'shared', 'noiseSd'}
-    gapProblem.(name{1}) = gapProblem.(name{1}) ./ unit;
+  for field = problemFields ()
+    if field.hasUnit
+      gapProblem.(field.name) = gapProblem.(field.name) ./ unit;
+    end
   end
   if ~isempty (gapProblem.reference)
     for name = {'value', 'sd'}
@@ -34,7 +36,7 @@ end
 %!                 'bench', [1, 1], 'covariance', [4, 1; 1, 4], ...
 %!                 'shared', [0.5, 0]);
 %! given.effects = effect;
-%! old = newGapProblem (given);
+%! old = newProblem (given);
 %! unit = [1e-3, 50];
 %! new = inUnits (old, unit);
 %! m = [5, 7];
