@@ -112,8 +112,7 @@ function c = oneCase (lab, twin, level)
   low = given.limits(1, :);
   runs = @(X, E, r) lab.run ((X - low) ./ diff (given.limits), ...
                              strengthOfValues (gapProblem.effects, E));
-  state = newGapState (lab.data, setfield (gapProblem, 'unit', 1), ...
-                       setfield (options, 'maxNewRuns', 20), runs);
+  state = newGapState (lab.data, setfield (options, 'maxNewRuns', 20), runs);
   others = setdiff (1:numel (gapProblem.effects), twin.cause);
   [~, order] = sort (-fits.logE(1 + others));
   causes = [{twin.cause}, num2cell(others(order(1:2)))];

@@ -12,7 +12,7 @@
 % A case is drawn from its number: of ten 6 have one effect, 1 two, 1 an effect
 % that is taken off the list, 2 no gap; d of the measurement (twinsDraw, without
 % the surrogates) is 4 to 10. The diagnosis makes its own runs, as many as
-% gapBudget foresees, as a case would; sets are all of them, those that verify
+% foreseeSets counts, as a case would; sets are all of them, those that verify
 % and the neutral ones too. For an earlier plan this file is run in a worktree
 % of an earlier commit.
 %

@@ -8,10 +8,8 @@
 % See also: planStudy, nextTestStudy
 
 function d = diagnoseLab (given, data, runs)
-  Case = struct ('names', {given.names}, 'options', struct ('seed', 1), ...
-                 'coarse', []);
-  options = gapBudget (Case, struct ('left', 1e4, 'perSet', 1), given, NaN);
-  options.trials = 0;
+  options = gapOptions ([]);
+  options.maxNewRuns = foreseeSets (newProblem (given).effects, 1e4, options);
   options.bootstrap = 99;
   d = diagnoseMatrices (given, data, options, runs);
 end

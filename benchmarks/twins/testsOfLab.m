@@ -172,7 +172,7 @@ end
 %! theta = 0.5 * ones (1, 4);
 %! K = numel (lab.gapProblem.effects);
 %! [f, budget] = deal (lab.tests(1).evaluate, struct ('left', 9, 'new', 0, ...
-%!   'perSet', 1, 'failed', 0, 'isUsedUp', false));
+%!   'models', true, 'failed', 0, 'isUsedUp', false));
 %! Z = f (mean (lab.gapProblem.limits), [lab.gapProblem.effects( ...
 %!        ~[lab.gapProblem.effects.laboratory]).neutral], 1, 'next', budget);
 %! assert (size (Z), [1, 4]);

@@ -3,14 +3,17 @@
 % CALL: STATE = addRuns (STATE, PROBLEM, P, E, STAGE [, REPLICATE])
 %
 %   STATE      struct: data (newData), evaluate and budget (newEvaluate)
-%   PROBLEM    see newProblem; limits, allowed and fine are read
+%   PROBLEM    see newProblem; limits, allowed, fine, kept and unit are read
 %   P          n x d, sets; what is not allowed is not run, see toAllowed
-%   E          n x v, values of the level and effect variables; []: PROBLEM.fine
+%   E          n x v, values of the level and effect variables; []: PROBLEM.fine.
+%              Columns more than the data have, in front, are levels: the data
+%              hold them as level, see fitEmulator
 %   STAGE      what they are for (text), see newData
 %   REPLICATE  n x 1 (default: see replicateNumbers)
 %
-% A set of which a run was not made leaves no trace in the data. The others have
-% there the numbers that were run (toDigits).
+% Rows beyond BUDGET.sets are left out. A set of which a run was not made leaves
+% no trace in the data. The others have there the numbers that were run
+% (toDigits).
 
 function state = addRuns (state, problem, P, E, stage, replicate)
   if rows (E) < rows (P)
@@ -21,20 +24,48 @@ function state = addRuns (state, problem, P, E, stage, replicate)
   if nargin < 6
     replicate = replicateNumbers (state.data, P, problem.limits);
   end
+  n = min (rows (P), state.budget.sets);
+  [P, E, replicate] = deal (P(1:n, :), E(1:n, :), replicate(1:n)(:));
   [Z, state.budget] = state.evaluate (P, E, replicate, stage, state.budget);
+  Z = Z(:, problem.kept) ./ problem.unit;
   isTried = ~any (isna (Z), 2);
-  state.data = addRows (state.data, P(isTried, :), Z(isTried, :), ...
-                        replicate(isTried), stage, E(isTried, :));
+  [P, E, Z] = deal (P(isTried, :), E(isTried, :), Z(isTried, :));
+  v = columns (E) - columns (state.data.E);
+  state.data = addRows (state.data, P, Z, replicate(isTried), stage, ...
+                        E(:, v + 1:end));
+  if v > 0
+    state.data.level(end - rows (E) + 1:end, :) = unitLevel (problem.coarse, ...
+                                                             E(:, 1:v));
+  end
+  % a set that fails was run twice, see runJobs
+  nFailed = sum (any (isnan (Z), 2));
+  state.budget.sets = max (state.budget.sets - n - nFailed, 0);
 end
 
 %!test
 %! state.data = newData (1, 1, 1);
 %! [state.evaluate, state.budget] = newEvaluate ( ...
 %!   @(P, E, r) merge (r > 2, NA, P + E));
-%! problem = struct ('limits', [0; 9], 'fine', 0);
+%! problem = struct ('limits', [0; 9], 'fine', 0, 'kept', 1, 'unit', 1);
 %! state = addRuns (state, problem, [1; 1; 1; 2], [0; 5; 0; 0], 'plan');
 %! assert ([state.data.X, state.data.E, state.data.Z, ...
 %!          state.data.replicate], [1, 0, 1, 1; 1, 5, 6, 2; 2, 0, 2, 1]);
 %! assert (state.budget.isUsedUp);
 %! state = addRuns (state, problem, 3, [], 'plan');
 %! assert (state.data.E(end), 0);
+%!test
+%! % results come in the units of the problem, of its targets, as many as may be;
+%! % a failed set has taken the runs of two; levels are no effects
+%! problem = struct ('limits', [0; 9], 'kept', [1, 3], 'unit', [2, 4]);
+%! problem.coarse = struct ('levels', [5; 3], 'column', [1, 0]);
+%! state.data = newData (1, 2, 1);
+%! state.data.level = zeros (0, 2);
+%! [state.evaluate, state.budget] = newEvaluate ( ...
+%!   @(P, E, r) [P + sum(E, 2), 0 * P, merge(P > 1, 8 * P, NaN)]);
+%! state.budget.sets = 5;
+%! state = addRuns (state, problem, [1; 2; 3], [5, 7; 3, 7; 4, 7], 'gap');
+%! assert (state.data.Z(2:3, :), [6, 4; 7, 6]);
+%! assert ([state.data.E, state.data.level], [7, 1, 0; 7, 0, 0; 7, 0.5, 0]);
+%! assert (state.budget.sets, 1);
+%! state = addRuns (state, problem, [4; 5], [7; 7], 'gap');
+%! assert ([rows(state.data.X), state.data.level(end, :)], [4, 0, 0]);

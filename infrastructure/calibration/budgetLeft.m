@@ -20,7 +20,7 @@ function [n, limit, seconds] = budgetLeft (state, problem)
                            'rows');
     n = n + sum (1 - min (1, seconds(level) / seconds(end)));
   end
-  sets = floor (state.budget.left / state.budget.perSet);
+  sets = setsLeft (state.budget);
   limit = 'maxFunEvals';
   if sets < 1 && state.budget.isUsedUp
     limit = 'maxNewRuns';
@@ -50,8 +50,8 @@ end
 %! state = newState (addRows (newData (1, 1), [1; 2], [1; 2], [1; 1], ...
 %!                           'verify'));
 %! problem = struct ('coarse', [], 'options', struct ('maxFunEvals', 9));
-%! left = @(perSet, left, isUsedUp) budgetLeft (setfield (state, 'budget', ...
-%!   struct ('perSet', perSet, 'left', left, 'isUsedUp', isUsedUp, ...
+%! left = @(M, left, isUsedUp) budgetLeft (setfield (state, 'budget', ...
+%!   struct ('models', true (1, M), 'left', left, 'isUsedUp', isUsedUp, ...
 %!           'levels', [])), problem);
 %! assert ([left(1, Inf, false), left(2, 7, false), left(2, 1, false), ...
 %!          left(2, 1, true)], [7, 3, 7, 0]);

@@ -9,24 +9,26 @@
 %             addRuns: P n x d, E n x v (levels and effects, or effects alone),
 %             REPLICATE n x 1, Z n x T, NaN where a run failed, NA (isna) where
 %             a run of the set was not made because the budget has none left
-%   BUDGET    scalar struct, in runs (one a model and set): left, perSet, new,
+%   BUDGET    scalar struct, in runs (one a model and set): left; models (1 x M
+%             logical, those that a set runs: Z is NaN for the others); new,
 %             reused (from the store), failed, of them cutOff (at a time
 %             limit); coreSeconds; seconds (1 x M cell, see addSeconds); levels (n x (v + 1):
-%             levels of a set that was run, its core-seconds); isUsedUp: a run
+%             levels of a set that was run, its core-seconds); sets (that a diagnosis
+%             may still ask for, those of the store too: Inf); isUsedUp: a run
 %             that was wanted was not made; lost (1 x n struct, runs without a
 %             result: E (1 x v, effects), message). It travels in the state
 %
 % Without a model folder (a case of imported runs alone) all is NA.
 
 function [evaluate, budget] = newEvaluate (source, say)
-  budget = struct ('left', Inf, 'perSet', 1, 'new', 0, 'reused', 0, ...
+  budget = struct ('left', Inf, 'models', true, 'sets', Inf, 'new', 0, 'reused', 0, ...
                    'failed', 0, 'cutOff', 0, 'coreSeconds', 0, 'seconds', {{[]}}, ...
                    'levels', [], 'isUsedUp', false, 'lost', ...
                    struct ('E', {}, 'message', {}));
   if isempty (source)
     evaluate = [];
   elseif isstruct (source)
-    budget.perSet = numel (source.models);
+    budget.models = true (size (source.models));
     budget.left = source.options.maxNewRuns;
     budget.seconds = {source.models.seconds};
     if any (cellfun (@isempty, {source.models.folder}))
@@ -44,8 +46,11 @@ end
 
 function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   [P, E, replicate, stage] = wanted{:};
+  is = budget.models;
+  isOwn = is([Case.targets.model]);
+  Case = ofModels (Case, is);
   if any (cellfun (@isempty, {Case.models.folder}))
-    Z = NA (rows (P), numel (Case.targets));
+    Z = NA (rows (P), numel (isOwn));
     return
   end
   if any (strcmp (stage, {'infill', 'verify', 'replicate', 'repeat'}))
@@ -56,15 +61,16 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
     E = [repmat(plain(1:end - columns (E)), rows (P), 1), E];
   end
   Case.options.maxNewRuns = budget.left;
-  [Case.models.seconds] = budget.seconds{:};
-  further = furtherRuns (stage, rows (P), budget, Case);
-  [Z, records, isReused, nNew] = evaluateDEM (P, Case, replicate, stage, ...
-                                              newProgress (stage, say, further), E);
+  [Case.models.seconds] = budget.seconds{is};
+  progress = newProgress (stage, say, furtherRuns (stage, rows (P), budget, Case));
+  Z = NaN (rows (P), numel (isOwn));
+  [Z(:, isOwn), records, isReused, nNew] = evaluateDEM (P, Case, replicate, ...
+                                                        stage, progress, E);
   shaped = @(list) reshape (list, size (records));
   isLeftOut = shaped (strcmp ({records.cause}, 'budget'));
   isGood = shaped (strcmp ({records.status}, 'ok'));
-  Z(isnan (Z) & any (isLeftOut, 2)) = NA;
-  budget.seconds = {addSeconds(Case.models, records(:)').seconds};
+  Z(isnan (Z) & any (isLeftOut, 2) & isOwn) = NA;
+  budget.seconds(is) = {addSeconds(Case.models, records(:)').seconds};
   budget.isUsedUp = budget.isUsedUp || any (isLeftOut(:));
   budget.new = budget.new + nNew;
   budget.left = budget.left - nNew;
@@ -84,6 +90,15 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   end
 end
 
+% The case of some of its models.
+function Case = ofModels (Case, is)
+  isOwn = is([Case.targets.model]);
+  number = num2cell (cumsum (is)([Case.targets(isOwn).model]));
+  Case.models = Case.models(is);
+  Case.targets = Case.targets(isOwn);
+  [Case.targets.model] = number{:};
+end
+
 function lost = lostRuns (records, isLost, E)
   lost = struct ('E', {}, 'message', {});
   if isempty (E)                             % no effect, no level
@@ -98,7 +113,7 @@ end
 
 function [Z, budget] = counted (Z, budget)
   isTried = ~any (isna (Z), 2);
-  n = sum (isTried) * budget.perSet;
+  n = sum (isTried) * sum (budget.models);
   budget.new = budget.new + n;
   budget.left = budget.left - n;
   budget.failed = budget.failed + sum (any (isnan (Z(isTried, :)), 2));
@@ -114,9 +129,9 @@ end
 % Runs that may follow these N sets, at most.
 function n = furtherRuns (stage, sets, budget, Case)
   o = Case.options;
-  rows_ = sets * budget.perSet;
+  rows_ = sets * sum (budget.models);
   made = budget.new + budget.reused + rows_;
-  n = max ((o.numOfSam + o.maxFunEvals) * budget.perSet - made, 0);
+  n = max ((o.numOfSam + o.maxFunEvals) * sum (budget.models) - made, 0);
   if strcmp (stage, 'gap')
     n = Inf;
   end
@@ -155,8 +170,22 @@ end
 %! Case.options.maxNewRuns = 16;
 %! Case.models = struct ('folder', {'a', ''}, 'seconds', []);
 %! [~, budget] = newEvaluate (Case);
-%! assert ([budget.left, budget.perSet], [0, 2]);
+%! assert ({budget.left, budget.models}, {0, [true, true]});
 %! [f, budget] = newEvaluate (@(P, E, r, stage) [P + E, merge(r > 1, NaN, r)]);
 %! [Z, budget] = f ([1; 2], [3; 4], [1; 2], 'plan', budget);
 %! assert (Z, [4, 1; 6, NaN]);
 %! assert ([budget.new, budget.failed, budget.isUsedUp], [2, 1, 0]);
+%!test
+%! % the second of two models alone; what the whole case runs then finds its runs
+%! Case = newCase (standInCase (tempname ()));
+%! [evaluate, budget] = newEvaluate (Case, @(text) []);
+%! budget.models = [false, true];
+%! [Z, budget] = evaluate ([1, 2; 3, 4], [], 1, 'plan', budget);
+%! assert (Z, [NaN, NaN, -1; NaN, NaN, -1], 1e-12);
+%! assert (budget.new, 2);
+%! assert (cellfun (@numel, budget.seconds), [0, 2]);
+%! assert (isempty (listRunFolders (Case.store, 'First')));
+%! budget.models = [true, true];
+%! [Z, budget] = evaluate ([1, 2; 3, 4], [], 1, 'plan', budget);
+%! assert (Z, [3, 2, -1; 7, 12, -1], 1e-12);
+%! assert ([budget.new, budget.reused], [4, 2]);

@@ -2,8 +2,7 @@
 %
 % CALL: STATE = completePlan (STATE, PROBLEM, CASE, SAY, OPTIONS)
 %
-%   STATE    see addRuns: data of gatherRuns; part, a handle IS -> EVALUATE of
-%            some models alone (newPartEvaluate)
+%   STATE    see addRuns: data of gatherRuns
 %   PROBLEM  see newProblem;  CASE  see newCase
 %   SAY      function handle that takes one line of text
 %   OPTIONS  see gapOptions
@@ -28,8 +27,7 @@ function state = completePlan (state, problem, Case, say, options)
     atLast = neutral & ~any (data.level, 2);
     wanted = max (wanted, have + d + 3 - sum (atLast));
   end
-  missing = min (wanted - have, ...
-                 floor (state.budget.left / state.budget.perSet));
+  missing = min (wanted - have, setsLeft (state.budget));
   if missing < 1
     return
   end
@@ -64,12 +62,14 @@ function state = completeBenches (state, Case, say, wanted)
   say (sprintf ('%d sets on benches that are new', numel (at)));
   for has = unique (wasRun(at, :), 'rows')'
     sets = at(all (wasRun(at, :) == has', 2));
-    evaluate = state.part (~has');
-    [Z, state.budget] = evaluate (data.X(sets, :), data.E(sets, :), ...
-                                  data.replicate(sets), 'gap', state.budget);
+    state.budget.models = ~has';
+    [Z, state.budget] = state.evaluate (data.X(sets, :), data.E(sets, :), ...
+                                        data.replicate(sets), 'gap', ...
+                                        state.budget);
     own = ~has(model);
     state.data.Z(sets, own) = Z(:, own);
   end
+  state.budget.models(:) = true;
 end
 
 function at = wantedSets (E, isWhole, isOpen, Case, plan)
@@ -99,6 +99,12 @@ function at = wantedSets (E, isWhole, isOpen, Case, plan)
   end
 end
 
+%!function [Z, budget] = thirdAlone (P, E, r, stage, budget)
+%!  % no other bench may be run, and what it has stays
+%!  assert (budget.models, [false, false, true]);
+%!  Z = [7 * P, 7 * P, r, P];
+%!  [budget.new, budget.left] = deal (budget.new + rows (P), budget.left - rows (P));
+%!endfunction
 %!test
 %! % two benches that all sets have, a third that joined: of 20 neutral sets 12
 %! % are wanted, of 15 of the effect eight, the strongest among them
@@ -110,12 +116,10 @@ end
 %! Case.targets = struct ('model', {1, 2, 3, 3});
 %! Case.effects = struct ('name', 'e', 'variables', {{'e'}}, 'neutral', 0, ...
 %!                        'limits', [0; 2], 'laboratory', false);
-%! [state.evaluate, state.budget] = newEvaluate ( ...
-%!   @(P, E, r) [P, P + E, r, P]);
-%! % no other bench may be run, and what it has stays
-%! alone = newEvaluate (@(P, E, r) [7 * P, 7 * P, r, P]);
-%! state.part = @(is) {alone}{1 * isequal (is, [0, 0, 1])};
-%! state.budget.perSet = 1;
+%! [~, state.budget] = newEvaluate ([]);
+%! state.budget.models = true (1, 3);
+%! state.evaluate = @thirdAlone;
+%! [Case.kept, Case.unit] = deal (1:4, 1);
 %! X = (1:35)' / 36;
 %! E = [zeros(20, 1); 2 * (1:15)' / 15];
 %! state.data = addRows (newData (1, 4, 1), X, [X, X + E, NA(35, 2)], ...
@@ -145,6 +149,7 @@ end
 %!                struct ('model', {1, 2}));
 %! Case.options = struct ('numOfSam', 12, 'seed', 1);
 %! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) [P, P]);
+%! [Case.kept, Case.unit] = deal (1:2, 1);
 %! state.data = addRows (newData (1, 2), (1:12)' / 13, ...
 %!                       [(1:12)', NaN(12, 1)], ones (12, 1), 'plan');
 %! assert (rows (completePlan (state, Case, Case, @(t) [], ...

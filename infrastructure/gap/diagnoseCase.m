@@ -22,9 +22,9 @@ function diagnosis = diagnoseCase (root, folder)
   refuseCost (Case);
   [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);
-  [state, plain] = runsThere (Case, problem, idle, say);
-  state = completePlan (state, problem, Case, say, ...
-                        gapOptions (struct ('seed', Case.options.seed)));
+  options = gapOptions (struct ('seed', Case.options.seed));
+  [state, plain] = runsThere (Case, problem, options, idle, say);
+  state = completePlan (state, problem, Case, say, options);
 
   many = max (numel (Case.conditions), 1);
   problems = cell (2, many);
@@ -32,7 +32,7 @@ function diagnosis = diagnoseCase (root, folder)
     [problems{:, c}] = finerLevel (newProblem (Case, [], c), plain.surrogates, ...
                                    plain.data, problem);
   end
-  [state, made] = exploreAll (Case, problems(1, :), state);
+  [state, made] = exploreAll (Case, problems(1, :), state, options);
 
   % where, which, how far, next test: of the first condition last, for its files
   % lie in gap/ itself
@@ -40,19 +40,19 @@ function diagnosis = diagnoseCase (root, folder)
   for c = many:-1:1
     [given, finer] = problems{:, c};
     % Holm's correction: conditions that have changed leave their share to others
-    [options, own] = shareOf (Case, given, state, [c, many - changed]);
-    options.explore = many == 1;
+    [share, own] = shareOf (Case, given, state, options, [c, many - changed]);
+    share.explore = many == 1;
     given.tests = @() caseTests (Case, say);
-    diagnosis = diagnoseMatrices (given, state.data, options, own);
+    diagnosis = diagnoseMatrices (given, state.data, share, own);
     diagnosis.runs = addFields (diagnosis.runs, made(c));
     changed = changed + ~strcmp (diagnosis.which.guard, 'gate');
-    diagnosis.level = finer (diagnosis, options);
+    diagnosis.level = finer (diagnosis, share);
     state.budget = diagnosis.budget;
     diagnosis.others = compareConditions (diagnosis, others);
     others = diagnosis.others.conditions;
 
     % what remains
-    diagnosis.nextFile = writeNextTest (diagnosis.next, Case, options);
+    diagnosis.nextFile = writeNextTest (diagnosis.next, Case, share);
     writeGapJson (diagnosis, Case);
     sayDiagnosis (Case, say, diagnosis.nextFile);
     if c > 1
@@ -66,8 +66,8 @@ end
 % The state of a diagnosis with the runs that there are; PLAIN (struct data,
 % surrogates: of runs without an effect at all levels, where a case has levels).
 % What is known of them, and NOTES, are said.
-function [state, plain] = runsThere (Case, problem, notes, say)
-  [evaluate, budget] = newEvaluate (Case, say);
+function [state, plain] = runsThere (Case, problem, options, notes, say)
+  [state.evaluate, state.budget] = newEvaluate (Case, say);
   [data, count] = gatherRuns (Case);
   [data, levelled] = atLevels (data, Case, problem);
   [use, leftOut] = thinRuns (data, problem, 1000);
@@ -81,11 +81,10 @@ function [state, plain] = runsThere (Case, problem, notes, say)
   sessions = sessionNote (Case);
   notes = [own(:)', {sessions}(~isempty (sessions)), ...
            {leftOut}(~isempty (leftOut)), notes, unexpressedEffects(Case)];
-  [~, foreseen] = gapBudget (Case, budget, given, count.seconds);
+  [~, foreseen] = foreseeSets (given.effects, setsLeft (state.budget), ...
+                               options, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
-  state = struct ('data', data, 'budget', budget, 'evaluate', evaluate, ...
-                  'part', @(is) newPartEvaluate (Case, is, say), ...
-                  'seconds', count.seconds);
+  state.data = data;
 end
 
 function refuseCost (Case)
@@ -100,14 +99,13 @@ end
 % All conditions have their runs before one is judged: all by the same runs, in
 % whatever order, and as a second start judges them. MADE (1 x many struct spent,
 % failed) are those of each; a single one makes its own as it is judged.
-function [state, made] = exploreAll (Case, problems, state)
+function [state, made] = exploreAll (Case, problems, state, options)
   many = numel (problems);
   made = repmat (struct ('spent', 0, 'failed', 0), 1, many);
   for c = many:-1:1 + (many == 1)
-    [options, own] = shareOf (Case, problems{c}, state, [c, 1]);
-    explored = exploreGap (problems{c}, state.data, options, own);
-    made(c) = struct ('spent', explored.state.spent, ...
-                      'failed', explored.state.failed);
+    [share, own] = shareOf (Case, problems{c}, state, options, [c, 1]);
+    explored = exploreGap (problems{c}, state.data, share, own);
+    made(c) = runsMade (explored.state, explored.known);
     [state.data, state.budget] = deal (explored.data, explored.state.budget);
   end
 end
@@ -121,18 +119,16 @@ end
 % With one of SHARES(1) equal parts of what may still be run, and one of SHARES(2)
 % of the chance of a false alarm. Models that gave no result are left out, as
 % enterRuns does.
-function [options, state] = shareOf (Case, given, state, shares)
+function [options, state] = shareOf (Case, given, state, options, shares)
   model = [Case.targets.model];
-  isAlive = ismember (1:numel (Case.models), ...
-                      model(any (isfinite (state.data.Z), 1)));
-  state.budget.perSet = sum (isAlive);
-  options = gapBudget (Case, state.budget, given, state.seconds);
-  left = state.budget.left / state.budget.perSet;
-  options.maxNewRuns = min (options.maxNewRuns, floor (left / shares(1)));
+  state.budget.models = ismember (1:numel (Case.models), ...
+                                  model(any (isfinite (state.data.Z), 1)));
+  left = setsLeft (state.budget);
+  options.maxNewRuns = min (foreseeSets (given.effects, left, options), ...
+                            floor (left / shares(1)));
   options.level = options.level / shares(2);
-  state.evaluate = [];
-  if options.maxNewRuns > 0
-    state.evaluate = state.part (isAlive);
+  if options.maxNewRuns < 1
+    state.evaluate = [];
   end
 end
 
@@ -144,9 +140,7 @@ function [data, levelled] = atLevels (data, Case, problem)
   levelled = keepRows (data, all (isPlain, 2));
   levelled.E = levelled.E(:, 1:v);
   if v > 0
-    for t = 1:columns (data.Z)
-      data.level(:, t) = unitLevel (problem.coarse, data.E(:, 1:v), t);
-    end
+    data.level = unitLevel (problem.coarse, data.E(:, 1:v));
   end
   data.E = data.E(:, v + 1:end);
 end

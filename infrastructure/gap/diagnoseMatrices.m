@@ -74,8 +74,8 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
                                study.em.change.lack .* gapProblem.unit);
   end
   diagnosis = inGivenUnits (diagnosis, gapProblem);
-  diagnosis.runs = struct ('spent', state.spent, 'failed', state.failed, ...
-                           'left', state.left);
+  diagnosis.runs = runsMade (state, known);
+  diagnosis.runs.left = state.budget.sets;
   diagnosis.budget = state.budget;
   diagnosis.data = withNewRuns (data, state, known, gapProblem);
 end

@@ -21,7 +21,7 @@
 function explored = exploreGap (given, data, options, evaluate)
   options = gapOptions (options);
   [gapProblem, known] = enterRuns (newProblem (given), data, options);
-  state = newGapState (known, gapProblem, options, evaluate);
+  state = newGapState (known, options, evaluate);
   allowed = state.evaluate;
   if ~options.explore
     state.evaluate = [];
@@ -42,7 +42,7 @@ function [state, em] = improveSurrogates (gapProblem, options, state)
     em = emulate (gapProblem, state.data, options);
     theta = calibrateNull (gapProblem, em, options);
     side = sideSignals (gapProblem, em, theta, options);
-    n = min (2 * em.p + 2, floor (state.left / 2));
+    n = min (2 * em.p + 2, floor (state.budget.sets / 2));
     isGood = ~side.blameSurrogate && ~side.vague;
     if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)
       return
@@ -68,10 +68,10 @@ end
 %! one = exploreGap (given, data, options, run);
 %! n = rows (one.data.X) - rows (data.X);
 %! assert (n > 4 && n <= 30);
-%! assert ([one.state.spent, rows(one.data.Z)], [n, n + rows(data.Z)]);
+%! assert ([one.state.budget.new, rows(one.data.Z)], [n, n + rows(data.Z)]);
 %! assert (~isempty (one.state.evaluate));
 %! options.explore = false;
 %! two = exploreGap (given, one.data, options, run);
-%! assert (two.state.spent, 0);
+%! assert (two.state.budget.new, 0);
 %! assert (isequaln (two.data, one.data));
 %! assert (~isempty (two.state.evaluate));

@@ -12,7 +12,7 @@
 %               the levels tell nothing of it, or where the user has a candidate
 %               of that name
 %   JUDGE       handle: LEVEL = JUDGE (DIAGNOSIS, OPTIONS), of diagnoseMatrices
-%               (reached at the last level) and gapBudget
+%               (reached at the last level) and gapOptions
 %   LEVEL       [] where the case has no levels; else variables (1 x v cell),
 %               value and finer (1 x v: the last level, and one that is finer by
 %               as much as the last is finer than the one before), shift and
@@ -81,7 +81,7 @@ function level = finerVerdict (surrogates, problem, given, options, diagnosis)
     given.covariance = given.covariance + diag (level.shiftSd.^2);
   end
   % the verdict is wanted, not what else a diagnosis tells
-  [options.maxNewRuns, options.trials, options.bootstrap] = deal (0, 0, 1);
+  [options.maxNewRuns, options.bootstrap] = deal (0, 1);
   there = diagnoseMatrices (given, diagnosis.data, options, []);
   level.verdict = there.which.verdict;
   level.effects = there.which.effects;

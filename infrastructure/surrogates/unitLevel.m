@@ -1,6 +1,7 @@
 % UNITLEVEL  How coarse runs are, as an input of a surrogate.
 %
 % CALL: U = unitLevel (COARSE, E, T)
+%       U = unitLevel (COARSE, E)        n x T, of all targets
 %
 %   COARSE  scalar struct of newProblem: levels L x v, column 1 x T
 %   E       n x v, values of the level variables
@@ -10,6 +11,12 @@
 %           levels
 
 function u = unitLevel (coarse, E, t)
+  if nargin < 3
+    all_ = 1:numel (coarse.column);
+    u = arrayfun (@(t) unitLevel (coarse, E, t), all_, 'UniformOutput', false);
+    u = [u{:}];
+    return
+  end
   c = coarse.column(t);
   u = zeros (rows (E), 1);
   if c > 0
@@ -22,3 +29,4 @@ end
 %! coarse = struct ('levels', [4; 3; 2], 'column', [1, 0]);
 %! assert (unitLevel (coarse, [4; 3; 2; 1.5], 1), [1; 0.5; 0; -0.25]);
 %! assert (unitLevel (coarse, [4; 3], 2), [0; 0]);
+%! assert (unitLevel (coarse, [4; 3]), [1, 0; 0.5, 0]);

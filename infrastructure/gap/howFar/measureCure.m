@@ -209,7 +209,7 @@ end
 %! study = labStudy (given, data);
 %! runs = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
 %! options = gapOptions (struct ('maxNewRuns', 99, 'verifyRuns', 5));
-%! state = newGapState (data, study.gapProblem, options, runs);
+%! state = newGapState (data, options, runs);
 %! sets = runCures (study, {3, 4}, state);
 %! cure = measureCure (study, sets, 3, 3);
 %! assert (cure.closure, 1, 0.03);

@@ -43,7 +43,7 @@ function [verdict, w, cure, state] = proveCause (verdict, study, state)
       [sets, state] = runCures (study, {cause}, state, sets);
     end
     cure = measureCure (study, sets, cause, verdict.class);
-    if retries < 1 || state.left < 2 || ~isSaid (verdict) || ...
+    if retries < 1 || state.budget.sets < 2 || ~isSaid (verdict) || ...
        ~cure.stillMisses
       return
     end
@@ -139,7 +139,7 @@ end
 %! runs = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
 %!        0.05 * randn (rows (X), 12);
 %! options = gapOptions (struct ('maxNewRuns', 16, 'verifyRuns', 3));
-%! state = newGapState (data, study.gapProblem, options, runs);
+%! state = newGapState (data, options, runs);
 %! [verdict, ~, cure, state] = proveCause (verdict, study, state);
 %! assert (verdict.kind, 'named');
 %! assert (verdict.effects, [3, 4]);
@@ -147,7 +147,7 @@ end
 %! assert (cure.verifiedByDEM);
 %! assert (cure.closure > 0.9);
 %! assert (~any (strcmp ({cure.placebos.effect}, 'size')));
-%! assert (state.left, 16 - 4 * 3);
+%! assert (state.budget.sets, 16 - 4 * 3);
 
 %!test
 %! % no other effect is likely: the placebo is the one most like the cause; one
@@ -161,7 +161,7 @@ end
 %! verdict = judgeCase (study.w, study.models);
 %! [verdict.kind, verdict.effects, verdict.top] = deal ('named', 3, 3);
 %! verdict.class = [2, 3];
-%! state = newGapState (data, study.gapProblem, gapOptions ([]), []);
+%! state = newGapState (data, gapOptions ([]), []);
 %! placebos = cell (1, 2);
 %! for i = 1:2
 %!   verdict.include = [0, 0, 0.9, 0, 0];

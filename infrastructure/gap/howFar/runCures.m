@@ -31,9 +31,9 @@ function [sets, state] = runCures (study, causes, state, sets)
     sets(end + 1) = blank;
   end
   new = known + 1:numel (sets);
-  verify = ~isempty (state.evaluate) && state.left >= 2 * numel (new);
+  verify = ~isempty (state.evaluate) && state.budget.sets >= 2 * numel (new);
   if verify
-    state.repeats = min (state.repeats, floor (state.left / numel (new)));
+    state.repeats = min (state.repeats, floor (state.budget.sets / numel (new)));
   end
   for i = new
     if verify
@@ -93,15 +93,15 @@ end
 %! runs = @(X, E, r) means (X, [E, zeros(rows (E), 1)]);
 %! for left = [7, 5]
 %!   options = gapOptions (struct ('maxNewRuns', left, 'verifyRuns', 5));
-%!   state = newGapState (data, study.gapProblem, options, runs);
+%!   state = newGapState (data, options, runs);
 %!   [sets, state] = runCures (study, {1, 2}, state);
 %!   assert ({sets.h}, {zeros(1, 0), 1, 2});
 %!   isRun = left == 7;
 %!   assert ([sets.verified], [isRun, isRun, isRun]);
 %!   assert (cellfun (@rows, {sets.Z}), 2 * isRun * [1, 1, 1]);
-%!   assert (state.spent, 6 * isRun);
+%!   assert (state.budget.new, 6 * isRun);
 %! end
 %! % a set more, beside those that were compared before
-%! more = runCures (study, {3}, setfield (state, 'left', 5), sets);
+%! more = runCures (study, {3}, setfield (state, 'budget', 'sets', 5), sets);
 %! assert ({more.h}, {zeros(1, 0), 1, 2, 3});
 %! assert ([more.verified], [false, false, false, true]);

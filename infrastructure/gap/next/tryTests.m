@@ -162,9 +162,11 @@ function [Z, state] = results (test, gapProblem, Q, packing, state)
   E = valuesOfStrength (gapProblem.effects, phi);
   own = struct ('data', newData (p, numel (test.origin), columns (E)), ...
                 'budget', state.budget, 'evaluate', test.evaluate);
-  [own.budget.perSet, own.budget.seconds, own.budget.levels] = ...
-    deal (1, {[]}, []);
-  own = addRuns (own, gapProblem, X, E, 'next', packing);
+  [own.budget.models, own.budget.sets, own.budget.seconds, ...
+   own.budget.levels] = deal (true, Inf, {[]}, []);
+  bench = struct ('limits', gapProblem.limits, 'allowed', gapProblem.allowed, ...
+                  'kept', 1:numel (test.origin), 'unit', 1);
+  own = addRuns (own, bench, X, E, 'next', packing);
   for name = {'left', 'new', 'reused', 'failed', 'coreSeconds'}
     state.budget.(name{1}) = own.budget.(name{1});
   end

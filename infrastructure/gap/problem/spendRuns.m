@@ -2,8 +2,7 @@
 %
 % CALL: STATE = spendRuns (STATE, GAPPROBLEM, THETA, PHI, REPLICATE, STAGE)
 %
-%   STATE       of newGapState; comes back with the rows added. Rows beyond
-%               what is left, or that evaluate gives as NA, are left out
+%   STATE       of newGapState; comes back with the rows that addRuns adds
 %   GAPPROBLEM  struct of newProblem
 %   THETA       n x p, parameters in [-1, 1];  PHI  n x K, strengths
 %   REPLICATE   n x 1
@@ -14,37 +13,17 @@ function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
   if nargin < 6
     stage = 'gap';
   end
-  n = min (rows (theta), state.left);
-  if isempty (state.evaluate) || n < 1
+  n = rows (theta);
+  if isempty (state.evaluate) || min (n, state.budget.sets) < 1
     return
   end
-  X = fromSymmetric (theta(1:n, :), gapProblem.limits);
-  E = valuesOfStrength (gapProblem.effects, phi(1:n, :));
-  before = rows (state.data.X);
+  E = valuesOfStrength (gapProblem.effects, phi);
   if strcmp (stage, 'coarse')
-    state = addCoarse (state, gapProblem, X, E, replicate(1:n)(:));
-  else
-    state = addRuns (state, gapProblem, X, E, stage, replicate(1:n)(:));
+    E = [repmat(gapProblem.coarse.levels(1, :), n, 1), E];
+    stage = 'gap';
   end
-  Z = state.data.Z(before + 1:end, :);
-  nFailed = sum (any (isnan (Z), 2));
-  state.left = max (state.left - n - nFailed, 0);
-  state.spent = state.spent + rows (Z);
-  state.failed = state.failed + nFailed;
-end
-
-function state = addCoarse (state, gapProblem, X, E, replicate)
-  atLast = state.evaluate;
-  values = gapProblem.coarse.levels(1, :);
-  state.evaluate = @(X, E, varargin) ...
-    atLast (X, [repmat(values, rows (E), 1), E], varargin{:});
-  before = rows (state.data.X);
-  state = addRuns (state, gapProblem, X, E, 'gap', replicate);
-  state.evaluate = atLast;
-  for t = 1:numel (gapProblem.value)
-    level = unitLevel (gapProblem.coarse, values, t);
-    state.data.level(before + 1:end, t) = level;
-  end
+  state = addRuns (state, gapProblem, fromSymmetric (theta, gapProblem.limits), ...
+                   E, stage, replicate);
 end
 
 %!function [state, gapProblem] = before (n, left, evaluate)
@@ -52,7 +31,7 @@ end
 %!  gapProblem = newProblem (setfield (lab.gapProblem, 'value', ...
 %!                                        ones (1, 24)));
 %!  options = gapOptions (struct ('maxNewRuns', left));
-%!  state = newGapState (lab.plan (n, 0), gapProblem, options, evaluate);
+%!  state = newGapState (lab.plan (n, 0), options, evaluate);
 %!endfunction
 %!test
 %! lab = standInGap (0);
@@ -61,7 +40,7 @@ end
 %! [state, gapProblem] = before (5, 4, f);
 %! state = spendRuns (state, gapProblem, zeros (3, 4), zeros (3, 10), ...
 %!                    ones (3, 1));
-%! assert ([state.spent, state.left, rows(state.data.Z)], [3, 1, 8]);
+%! assert ([state.budget.new, state.budget.sets, rows(state.data.Z)], [3, 1, 8]);
 %! assert (state.data.X(6, :), 0.5 * ones (1, 4));
 %! state = spendRuns (state, gapProblem, zeros (9, 4), zeros (9, 10), ...
 %!                    ones (9, 1), 'cure');
@@ -72,7 +51,7 @@ end
 %! [state, gapProblem] = before (5, 9, @(X, E, r) [NaN; 1; NaN] * ones (1, 24));
 %! state = spendRuns (state, gapProblem, zeros (3, 4), zeros (3, 10), ...
 %!                    ones (3, 1));
-%! assert ([state.spent, state.failed, state.left], [3, 2, 4]);
+%! assert ([state.budget.new, state.budget.failed, state.budget.sets], [3, 2, 4]);
 %!test % coarse runs are made at the first level and known as such
 %! [state, gapProblem] = before (5, 9, @(X, E, r) E(:, 1) * ones (1, 24));
 %! gapProblem.coarse = struct ('levels', [2; 1], 'column', ones (1, 24));

@@ -18,16 +18,16 @@
 % only where the first one ended because OPTIONS.maxNewRuns was spent.
 
 function [state, em] = exploreEffects (gapProblem, options, state, em)
-  if isempty (state.evaluate) || state.left < 1 || isempty (em.effect)
+  if isempty (state.evaluate) || state.budget.sets < 1 || isempty (em.effect)
     return
   end
-  reserve = min (4 * options.verifyRuns, floor (state.left / 3));
-  state.left = state.left - reserve;
+  reserve = min (4 * options.verifyRuns, floor (state.budget.sets / 3));
+  state.budget.sets = state.budget.sets - reserve;
   theta = calibrateNull (gapProblem, em, options);
   state = runEach (gapProblem, state, theta);
   em = emulate (gapProblem, state.data, options, em);
   reference = [];
-  while state.left > 0
+  while state.budget.sets > 0
     [now, reference] = weighNow (gapProblem, options, em, reference);
     if isempty (now)
       break
@@ -50,7 +50,7 @@ function [state, em] = exploreEffects (gapProblem, options, state, em)
     end
     em = emulate (gapProblem, state.data, options, em);
   end
-  state.left = state.left + reserve;
+  state.budget.sets = state.budget.sets + reserve;
   % not from what the runs before told: as a second start fits it
   em = emulate (gapProblem, state.data, options);
 end
@@ -161,7 +161,7 @@ end
 %!  options = gapOptions (mergeFields (struct ('trend', 'affine', ...
 %!                                             'maxNewRuns', 60), more));
 %!  gapProblem = setfield (newProblem (given), 'unit', ones (1, 12));
-%!  state = newGapState (data, gapProblem, options, run);
+%!  state = newGapState (data, options, run);
 %!  em = fitEmulator (gapProblem, data, options);
 %!  [state, em] = exploreEffects (gapProblem, options, state, ...
 %!                                takeReference (em, gapProblem));
@@ -172,7 +172,7 @@ end
 %! [state, em] = explored (given, data, run);
 %! assert (all ([em.effect(1:4).runs] >= 1));
 %! assert (em.effect(3).runs >= 4);
-%! assert (state.spent < 25);
+%! assert (state.budget.new < 25);
 %!test
 %! % one that another effect resembles is not believed before that one has runs
 %! % that tell its bend, however unlikely; what does the opposite is no such one
@@ -188,7 +188,7 @@ end
 %! % no gap: each effect once
 %! [given, data, run] = laboratory (zeros (1, 5));
 %! state = explored (given, data, run);
-%! assert (state.spent, 4);
+%! assert (state.budget.new, 4);
 %!test
 %! % what gives no result above a strength of 0.4 is run at a quarter
 %! [given, data, run] = laboratory (zeros (1, 5));
@@ -196,7 +196,7 @@ end
 %! [state, em] = explored (given, data, jams);
 %! assert (em.effect(3).runs, 1);
 %! assert (em.effect(3).strongest, 0.25, 1e-9);
-%! assert ([state.spent, state.failed], [6, 2]);
+%! assert ([state.budget.new, state.budget.failed], [6, 2]);
 %!test
 %! % a weak cause behind surrogates of nine runs (seeded): in doubt neutral sets
 %! % near the null come first, then those of effects
@@ -209,8 +209,8 @@ end
 %! % three of the plan lay near it already; a second start asks for no more
 %! options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60));
 %! again = exploreEffects (newProblem (given), options, ...
-%!                         setfield (state, 'left', 60), em);
-%! assert (again.spent, state.spent);
+%!                         setfield (state, 'budget', 'sets', 60), em);
+%! assert (again.budget.new, state.budget.new);
 %! % whatever its p, none of a change
 %! more = struct ('seekAt', 1.1, 'level', 0);
 %! assert (sum (neutral (explored (given, few, run, more))) > 9);

@@ -36,7 +36,7 @@ function batch = proposeRuns (gapProblem, options, state, em, now)
   batch = struct ('theta', zeros (0, em.p), 'phi', zeros (0, K), 'isFine', ...
                   false (0, 1), 'bits', 0);
   taken = zeros (1, numel (pool));
-  while rows (batch.theta) < min (options.batch, state.left) && ~all (taken)
+  while rows (batch.theta) < min (options.batch, state.budget.sets) && ~all (taken)
     bits = -Inf (size (taken));
     for i = find (~taken)
       bits(i) = told (pool(i), sum (strcmp ({pool(taken > 0).what}, ...
@@ -197,7 +197,7 @@ end
 %!  [given, data, means] = smallGapLab ();
 %!  given.value = means ([0.4, 0.6], strengths);
 %!  study = labStudy (given, data, struct ('maxNewRuns', 30, 'twins', 60));
-%!  state = newGapState (data, study.gapProblem, study.models.options, ...
+%!  state = newGapState (data, study.models.options, ...
 %!                       @(X, E, r) 0);
 %!  models = omnibusReference (study.models);
 %!  w = caseEvidence (models, study.fits, 1);

@@ -56,15 +56,15 @@ end
 %! run = @(X, E, varargin) means (X, [E, zeros(rows (E), 1)]) + ...
 %!                         0 ./ (E(:, 3) < 0.46);
 %! options = gapOptions (struct ('maxNewRuns', 60));
-%! state = newGapState (data, gapProblem, options, run);
+%! state = newGapState (data, options, run);
 %! state = runEach (gapProblem, state, [0.1, 0.2]);
-%! assert ([state.spent, state.failed], [6, 2]);
+%! assert ([state.budget.new, state.budget.failed], [6, 2]);
 %! again = runEach (gapProblem, state, [0.2, 0.1]);
-%! assert (again.spent, 6);
+%! assert (again.budget.new, 6);
 %! % one that never works is tried four times in all
 %! never = @(X, E, varargin) means (X, [E, zeros(rows (E), 1)]) + ...
 %!                           0 ./ ~E(:, 2);
-%! state = newGapState (data, gapProblem, options, never);
+%! state = newGapState (data, options, never);
 %! state = runEach (gapProblem, state, [0.1, 0.2]);
-%! assert ([state.spent, state.failed], [7, 4]);
-%! assert (runEach (gapProblem, state, [0.2, 0.1]).spent, 7);
+%! assert ([state.budget.new, state.budget.failed], [7, 4]);
+%! assert (runEach (gapProblem, state, [0.2, 0.1]).budget.new, 7);

@@ -1,13 +1,13 @@
-% GAPBUDGET  Shares out the DEM runs that a diagnosis may still make.
+% FORESEESETS  How many parameter sets a diagnosis will ask for at most.
 %
-% CALL: [OPTIONS, LINES] = gapBudget (CASE, BUDGET, GIVEN, SECONDS)
+% CALL: [SETS, LINES] = foreseeSets (EFFECTS, LEFT, OPTIONS [, SECONDS])
 %
-%   CASE     see newCase;  BUDGET  see newEvaluate
-%   GIVEN    of newProblem
+%   EFFECTS  1 x K struct of newProblem;  LEFT  scalar, sets that may be run
+%            (setsLeft), each of them a run of every model
+%   OPTIONS  of gapOptions
 %   SECONDS  scalar, core time of one set so far (NaN: not known)
-%   OPTIONS  of gapOptions: maxNewRuns counts parameter sets, each of them a run
-%            of every model
-%   LINES    cellstr, what is foreseen, and what the budget leaves out
+%   SETS     scalar, no more than LEFT
+%   LINES    cellstr, what is foreseen, and what LEFT leaves out
 %
 % Foreseen at most: each effect once, twice where it acts both ways; 6 batches
 % of 5; 5 seeds of each of four compared sets; 12 to mend surrogates or to seek
@@ -16,12 +16,13 @@
 % allows less, a third of it is kept to verify; effects for which nothing is
 % left are the last of the list, and are named.
 
-function [options, lines] = gapBudget (Case, budget, given, seconds)
-  left = floor (budget.left / budget.perSet);
-  options = gapOptions (struct ('seed', Case.options.seed));
+function [sets, lines] = foreseeSets (effects, left, options, seconds)
+  if nargin < 4
+    seconds = NaN;
+  end
   names = {};
   ends = zeros (1, 0);
-  for effect = reshape (given.effects, 1, [])
+  for effect = reshape (effects, 1, [])
     if ~effect.laboratory
       names{end + 1} = effect.name;
       ends(end + 1) = 1 + (effect.range(1) < 0);
@@ -30,14 +31,14 @@ function [options, lines] = gapBudget (Case, budget, given, seconds)
   share = [12, sum(ends), options.batches * options.batch * ~isempty(ends), ...
            4 * options.verifyRuns];
   wanted = sum (share);
-  options.maxNewRuns = max (min (left, wanted), 0);
+  sets = max (min (left, wanted), 0);
   lines = {sprintf(['foreseen at most: %d sets (%d to mend surrogates, %d ' ...
                     'for %d effects once each, %d to tell the likeliest ' ...
                     'apart, %d to verify); %d to %d where there is no gap'], ...
                    wanted, share(1:2), numel (names), share(3:4), ...
                    share(2) + [0, options.seekRuns])};
   if isfinite (seconds)
-    hours = options.maxNewRuns * seconds / 3600;
+    hours = sets * seconds / 3600;
     lines{end + 1} = sprintf ('that is %.1f core-hours at %.0f s a set', ...
                               hours, seconds);
   end
@@ -53,28 +54,24 @@ function [options, lines] = gapBudget (Case, budget, given, seconds)
   end
 end
 
-%!shared Case, effect, budget
-%! Case.options.seed = 1;
-%! Case.names = {'a', 'b', 'c', 'd'};
+%!shared effect, options
 %! effect = newEffect (struct ('name', 'e', 'variables', {{'e'}}, ...
 %!                             'neutral', 0, 'limits', [0; 1]), 1);
-%! budget = struct ('left', 3000, 'perSet', 2);
+%! options = gapOptions ([]);
 %!test
 %! % 10, 20 and 40 effects; the third one acts both ways
 %! sets = [];
 %! for K = [10, 20, 40]
-%!   given = struct ('value', 1, 'effects', repmat (effect, 1, K));
-%!   given.effects(3).range = [-1, 1];
-%!   options = gapBudget (Case, budget, given, NaN);
-%!   sets(end + 1) = options.maxNewRuns;
+%!   effects = repmat (effect, 1, K);
+%!   effects(3).range = [-1, 1];
+%!   sets(end + 1) = foreseeSets (effects, 1500, options);
 %! end
 %! assert (sets, 12 + [11, 21, 41] + 30 + 20);
 %!test
 %! % what is left out is said
-%! budget.left = 26;
-%! given = struct ('value', 1, 'effects', repmat (effect, 1, 10));
-%! given.effects(10).name = 'last';
-%! [options, lines] = gapBudget (Case, budget, given, 30);
-%! assert (options.maxNewRuns, 13);
+%! effects = repmat (effect, 1, 10);
+%! effects(10).name = 'last';
+%! [sets, lines] = foreseeSets (effects, 13, options, 30);
+%! assert (sets, 13);
 %! assert (~isempty (strfind (lines{2}, '0.1 core-hours at 30 s a set')));
 %! assert (~isempty (strfind (lines{end}, 'already: last')));
