@@ -9,6 +9,7 @@
 function points = boxPoints (d, n)
   points = 2 * double (stk_sampling_halton_rr2 (n, d)) - 1;
   outer = 1:3:n;
+  % density of an arcsine, as the nodes of Chebyshev polynomials have
   points(outer, :) = sin (pi / 2 * points(outer, :));
 end
 

@@ -33,10 +33,12 @@ function em = fitBaseline (em, gapProblem, data, isBase, options, start)
   em.Q2 = [fits.Q2];
   em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
   em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
+  % four points a term of the largest polynomial
   em.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
   X = fromUnit ((em.points + 1) / 2, em.limits);
   [average, em.surrogateVar] = predictSurrogate (fits, X);
   noise = [fits.noiseVar] + mean (em.surrogateVar);
+  % the lowest degree whose error nobody sees: a fiftieth of noise and surrogate
   for degree = 2:4
     em.powers = polyPowers (p, degree);
     [em.coef, em.fitVar] = leastSquares (em.points, average, em.powers);
@@ -65,6 +67,7 @@ function [coef, errorVar] = leastSquares (points, values, powers)
   B = polyRows (powers, points);
   coef = B \ values;
   n = rows (B);
+  % unbiased, as many degrees of freedom as points less terms
   errorVar = sum ((values - B * coef).^2) / max (n - columns (B), 1);
 end
 

@@ -55,18 +55,23 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
   end
   noise = covarianceOfRuns (Q, noise, base .* ones (rows (r), 1), ...
                             sign (r(:, 2)));
+  % in squares of the strength, as the misfit is; relative to the largest
   strength2 = max (r(:, 2).^2, 1e-16 * max (r(:, 2).^2));
   unit = mean (diag (noise)) / mean (strength2);
   B = polyRows (powers, Q);
   degree = sum (powers, 2)' - min (sum (powers, 2));
+  % from a sixteenth of the noise, where an effect is not seen, to 4^9 times it,
+  % where the prior no longer pulls
   scales = mean (diag (noise)) * 4.^(-2:9)';
   likely = zeros (size (scales));
   if isfield (grid, 'size')
+    % normal in the logarithm, deviation 2
     likely = -log (scales / grid.size).^2 / 8;
   end
   trials = [];
   for m = grid.misfit
     L = chol (noise + m * unit * diag (strength2), 'lower');
+    % determinant of the noise, and the prior of the misfit
     penalty = sum (log (diag (L))) + 3 * log1p (m);
     for g = grid.decay
       trial = tryScales (L \ B, L \ r(:, 1), sqrt (g.^degree), scales);
@@ -88,12 +93,14 @@ function C = covarianceOfRuns (Q, noise, base, way)
   root = sqrt (base);
   root(:, 2:end) = root(:, 2:end) .* way;
   plane = [ones(rows (Q), 1), Q(:, 1:p)];
+  % a square has the mean 1 / 3 in [-1, 1]: 0.4 + 0.9 / 3 = 0.7 in the mean
   shared = (plane .* [0.4, 0.9 / p * ones(1, p)]) * plane';
   C = (root * root') .* shared + diag (noise + 0.3 * sum (base, 2));
 end
 
 % Log marginal likelihood of every scale of the coefficients.
 function trial = tryScales (B, y, weight, scales)
+  % along the axes of B each scale costs a sum instead of an inverse
   [U, S, V] = svd (B .* weight, 'econ');
   s = diag (S)';
   part = (U' * y)';
@@ -109,6 +116,7 @@ end
 function fit = average (fit, trials, scales, B, r)
   scores = [trials.score];
   w = exp (scores - max (scores(:)));
+  % what is a hundredth as likely as the best one only costs time
   w(w < 0.01) = 0;
   w = w / sum (w(:));
   fit.coef = zeros (columns (B), 1);
@@ -127,6 +135,7 @@ function fit = average (fit, trials, scales, B, r)
              (one.half .* shrunk) * one.half' + (coefs .* own') * coefs';
     fit.misfit = fit.misfit + sum (own) * one.misfit;
   end
+  % law of total variance: within the trials, and between their means
   fit.covariance = second - fit.coef * fit.coef';
   [~, best] = max (w(:));
   [i, j] = ind2sub (size (w), best);
@@ -135,6 +144,8 @@ end
 
 function z = leaveOut (trial, scale, B, r)
   B = B .* trial.weight;
+  % all runs left out, each once, from one inverse (Dubrule 1983, J. Math. Geol.
+  % 15; Rasmussen and Williams 2006, 5.4.2)
   inverse = inv (trial.L * trial.L' + scale * (B * B'));
   z = (inverse * r) ./ sqrt (diag (inverse));
 end

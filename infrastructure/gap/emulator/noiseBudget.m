@@ -23,6 +23,7 @@
 function budget = noiseBudget (gapProblem, em)
   sd = gapProblem.sd;
   sd(~isfinite (sd)) = 0;
+  % a measurement without any error would leave no inverse
   least = (1e-4 * em.range).^2;
   measured = diag (sd.^2);
   if ~isempty (gapProblem.covariance)

@@ -21,10 +21,12 @@ function parity = parityProjection (J, R)
   [U, S, ~] = svd (J);
   s = diag (S(1:min (size (S)), 1:min (size (S))));
   rank_ = sum (s > max ([1e-8 * s; 0.01]));
+  % left singular vectors beyond the rank: no parameter moves along them
   parity.N = U(:, rank_ + 1:end);
   parity.rho = parity.N' * R;
   parity.unabsorbed = sum (parity.rho.^2);
   parity.absorbed = sum (R.^2) - parity.unabsorbed;
+  % diagonal of the projection on the slopes, the leverage of regression
   parity.absorbability = sum (U(:, 1:rank_).^2, 2);
 end
 

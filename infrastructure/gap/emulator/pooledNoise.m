@@ -25,7 +25,9 @@ function [variance, freedom] = pooledNoise (em, effects)
   w = exp (score - max (score, [], 2));
   w = w ./ sum (w, 2);
   middle = sum (w .* x, 2)';
+  % and what the steps of the grid leave open, as of a uniform density
   spread = sum (w .* (x - middle').^2, 2)' + diff (x)(1)^2 / 12;
+  % mean of a log-normal density, and the freedom that has its width
   variance = em.noiseVar .* exp (middle + spread / 2);
   freedom = 2 ./ spread;
   known = isinf (em.noiseFreedom);

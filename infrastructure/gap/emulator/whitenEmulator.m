@@ -27,6 +27,7 @@ function white = whitenEmulator (em, targets, noise, rotation)
   n = numel (targets);
   along = em.alongCurve(targets, targets);
   misfit = sqrt (em.fitVar(targets));
+  % what the polynomial misses is alike along a curve
   fixed = noise.covariance(targets, targets) + (misfit' * misfit) .* along;
   D = sqrt (em.surrogateVar(:, targets));
   C = em.correlation(targets, targets);
@@ -40,6 +41,7 @@ function white = whitenEmulator (em, targets, noise, rotation)
                   'columns', targets, 'varPowers', em.varPowers, ...
                   'success', em.success);
   other = setdiff (1:columns (em.success), em.bench(targets));
+  % of benches that are not looked at nobody asks whether they gave a result
   white.success(:, other) = 0;
   white.coef = em.coef(:, targets) * W';
   V = zeros (rows (D), n);
@@ -47,11 +49,13 @@ function white = whitenEmulator (em, targets, noise, rotation)
   for i = 1:n
     V(:, i) = base(i) + alongRow (D, W(i, :), C);
   end
+  % the logarithm keeps variances positive wherever the quadratic is taken
   white.varCoef = polyRows (em.varPowers, em.points) \ log (V);
   white.effect = arrayfun (@(e) oneEffect (e, targets, W, along), em.effect);
   white.joint = arrayfun (@(e) oneEffect (e, targets, W, along), em.joint);
   total = diag (fixed)' + meanD.^2;
   estimated = noise.estimated(targets) + meanD.^2;
+  % Satterthwaite (1946): squares of the parts over their degrees of freedom
   doubt = estimated.^2 ./ em.noiseFreedom(targets) + ...
           noise.unknown(targets).^2 / 3;
   white.nu = freedom (W, total, doubt);
@@ -74,6 +78,7 @@ function white = withKnown (white, known)
   end
   white.coef = [white.coef, coef];
   white.varCoef = [white.varCoef, zeros(rows (white.varCoef), m)];
+  % as good as normal
   white.nu = [white.nu, repmat(1e6, 1, m)];
   white.isTarget = [white.isTarget, zeros(1, m)];
   white.effect = arrayfun (@(e) withNone (e, m), white.effect);
@@ -117,6 +122,7 @@ function e = oneEffect (e, targets, W, C)
   end
   q = rows (e.root);
   R = reshape (e.root, q^2, [])(:, targets);
+  % neighbours on a curve may be alike to the last digit
   F = chol (C + 1e-9 * eye (m), 'lower');
   [e.root, e.ofTarget] = deal (zeros (q, 0), zeros (0, n));
   for i = 1:n
@@ -132,6 +138,7 @@ end
 % A noise of which only a guess is known counts as estimated from four trials.
 function nu = freedom (W, total, doubt)
   part = (W.^2) * total';
+  % three at least: the variance of a Student density ends at two
   nu = max (part.^2 ./ max ((W.^4) * doubt', realmin), 3)';
 end
 

@@ -69,6 +69,7 @@ function [p, z, m] = chanceOf (d, metric, hiddenAt)
   nu = min (d.nu, 1e4);
   p = 1;
   if m > 0
+    % upper tail of Fisher's F: q / m with m and nu degrees of freedom
     p = betainc (nu / (nu + q), nu / 2, m / 2);
   end
   sd = sqrt (max (diag (d.F), 1e-3 * diag (inv (metric))))';

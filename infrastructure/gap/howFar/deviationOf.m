@@ -35,6 +35,7 @@ function d = deviationOf (study, set, draws)
   back = [inv(white.W(isTarget, :)), zeros(numel (targets), sum (~isTarget))];
   d.Sigma = back * diag (V) * back';
   d.s = S * back';
+  % the harmonic mean: what is known least decides
   d.nu = 1 / mean (1 ./ white.nu);
   J = reshape (vertcat (J{:})', columns (white.coef), numel (set.Q));
   free = isFree (white, set, study.models.options.limitAt);
@@ -87,6 +88,7 @@ end
 function C = ofRuns (em, Z, targets)
   n = rows (Z);
   own = (n - 1) * var (Z(:, targets), 0, 1);
+  % what the emulator knows of the noise counts as four degrees of freedom more
   sd = sqrt ((own + 4 * em.noiseVar(targets)) / (n + 3) / n);
   C = (sd' * sd) .* em.correlation(targets, targets);
 end

@@ -27,6 +27,7 @@ function cross = crossPredict (study, from, to)
   view.white = other;
   [M, V, ~, J] = predictHypothesis (view, fit.U(best, :));
   J = reshape (vertcat (J{:})', numel (to), em.p);
+  % what FROM leaves open of the parameters comes through the slopes
   S = diag (V) + J * (A \ J');
   r = gapProblem.value(to) * other.W' - M;
   % the upper tail of chi-square

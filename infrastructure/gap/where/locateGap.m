@@ -74,6 +74,7 @@ function errors = rawErrors (white, V, J)
   errors.back = white.back;
   errors.Sigma = errors.back * diag (V) * errors.back';
   Jraw = errors.back * J;
+  % parameters that no target sees have no variance to pass on
   C = pinv (J' * diag (1 ./ V) * J);
   errors.Omega = errors.Sigma - Jraw * C * Jraw';
 end
@@ -110,6 +111,7 @@ function benches = misfitOfBenches (Omega, residual, sure, fake, bench)
   fakes = zeros (rows (fake), numel (groups));
   for b = 1:numel (groups)
     at = bench == groups(b);
+    % directions that the fit has taken up tell nothing of a bench
     inner = pinv (Omega(at, at), 1e-3);
     own(b) = residual(at) * inner * residual(at)';
     fakes(:, b) = sum ((fake(:, at) * inner) .* fake(:, at), 2);

@@ -19,6 +19,7 @@ function Y = drawTwins (models, n, seed, surplus)
   unknowns = viewHypothesis (white, null, models.prior).unknowns;
   theta = parametersOf (white, fromNormal (unknowns, randn (n, white.p)));
   [M, V] = predictGap (white, [], theta);
+  % one estimated variance a target: normal over the root of chi-square / nu
   chi2 = 2 * randg (repmat (min (white.nu, 1e4) / 2, n, 1));
   noise = randn (n, T) ./ sqrt (chi2 ./ min (white.nu, 1e4));
   Y = (M + sqrt (surplus * V) .* noise) * white.back';

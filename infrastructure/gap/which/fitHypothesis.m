@@ -26,6 +26,7 @@ function fit = fitHypothesis (white, h, Z, U, prior)
   view = viewHypothesis (white, h, prior);
   view.pull = ones (1, columns (U));
   if isfield (prior, 'flat')
+    % a trace of the prior: A stays regular where no target sees a parameter
     view.pull(isinf (view.unknowns.sd)) = 1e-4;
   end
   % far from the data Student's likelihood is flat: the normal one comes first
@@ -57,6 +58,8 @@ function at = climb (view, Z, U)
     at = replaced (at, active(better), new, better);
     d = d .* (0.2 * better + 10 * ~better);
     damping(active) = d;
+    % ends where a step gains next to nothing (gapConstants: fitMargin), or none
+    % does at any damping
     active = active((~better & d < 1e4) | gain > 0.002);
   end
 end
@@ -78,6 +81,8 @@ function at = lookAt (view, Z, U)
   slope = weight .* (Z - M) ./ V;
   at.A = zeros (rows (U), d, d);
   nu = min (view.nu, 1e4);
+  % expected curvature of Student's likelihood against the normal one (Lange,
+  % Little and Taylor 1989, J. Am. Stat. Assoc. 84); beyond 1e4 it is normal
   less = (nu + 1) ./ (nu + 3);
   slopes = zeros ([size(M), d]);
   for a = 1:d
@@ -113,6 +118,7 @@ function step = damped (A, g, damping)
 end
 
 function step = cutStep (step)
+  % two deviations of the prior at most: farther the quadratic says nothing
   step = step ./ max (1, max (abs (step), [], 2) / 2);
 end
 
@@ -120,6 +126,8 @@ end
 % without pivoting, and the logarithm of each determinant.
 function [X, logDet] = solveMany (A, G)
   d = columns (G);
+  % positive definite: elimination is stable without pivoting (Golub and Van Loan
+  % 2013, 4.2)
   logDet = zeros (rows (G), 1);
   for k = 1:d
     logDet = logDet + log (A(:, k, k));

@@ -55,6 +55,7 @@ end
 
 function proposal = startProposal (modes)
   for m = numel (modes):-1:1
+    % a proposal narrower than its target has weights without bound: a fifth wider
     C = inv (modes(m).A);
     parts(m) = struct ('mean', modes(m).U, 'root', ...
                        chol (1.2 * (C + C') / 2, 'lower'), ...
@@ -105,6 +106,7 @@ function [L, each] = proposalDensity (parts, U)
 end
 
 function L = studentDensity (part, U)
+  % heavier tails than the target, for the same reason
   nu = 7;
   d = columns (U);
   distance = sum (((U - part.mean) / part.root').^2, 2);
@@ -114,10 +116,13 @@ end
 
 function [logW, result] = weigh (sample)
   N = sum (sample.count);
+  % balance heuristic (Veach and Guibas 1995): a point counts against all that
+  % could have drawn it, so that a lucky draw of a bad proposal weighs little
   mixture = logSumExp (sample.logQ + log (sample.count / N));
   logW = sample.logP - mixture;
   total = logSumExp (logW');
   w = exp (logW - total);
+  % effective number after Kish (1965)
   result = struct ('logE', total - log (N), 'ess', 1 / sum (w.^2), ...
                    'points', N, 'weight', w);
   result.error = sqrt (max (sum (w.^2) - 1 / N, 0));
@@ -134,9 +139,11 @@ function proposal = moments (sample, logW, old)
     own = w .* near(:, m);
     share = sum (own);
     own = own / share;
+    % fewer points than that tell no covariance: the part ends, the first never
     if 1 / sum (own.^2) > 4 * d || m == 1
       middle = own' * sample.U;
       D = (sample.U - middle) .* sqrt (own);
+      % wider again, and open in every direction
       C = 1.15 * (D' * D) + 1e-5 * eye (d);
       parts(end + 1) = struct ('mean', middle, 'root', chol (C, 'lower'), ...
                                'share', max (share, 0.05));

@@ -27,6 +27,7 @@ function gate = omnibusTest (models, logE)
   if ~isempty (models.reference)
     n = numel (models.reference);
     gate.p = (1 + sum (models.reference' >= gate.statistic, 2)) / (1 + n);
+    % below a fiftieth the count of a few twins is too coarse
     far = gate.p < 0.02 & n >= 40;
     if any (far)
       gate.p(far) = min (gate.p(far), ...
@@ -41,6 +42,7 @@ function p = tailOf (reference, x)
   sorted = sort (reference);
   from = mean (sorted(n - m:n - m + 1));
   beyond = sorted(n - m + 1:n) - from;
+  % first two probability-weighted moments
   b0 = mean (beyond);
   b1 = ((m - 1:-1:0) / (m - 1)) * beyond / m;
   shape = max (2 - b0 / (b0 - 2 * b1), 0);

@@ -98,6 +98,7 @@ function L = logSuccess (white, members, Q)
     phi = Q(:, p + i);
     x = x + [abs(phi), phi] * white.effect(members(i)).success(:, at);
   end
+  % beyond 30 a chance of 1e-13 is none, and exp does not overflow
   L = -sum (log1p (exp (-min (max (x, -30), 30))), 2);
 end
 

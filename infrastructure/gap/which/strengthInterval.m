@@ -22,6 +22,7 @@ function q = strengthInterval (phi, weight, range, scale)
   weight = weight(:) / sum (weight);
   middle = weight' * phi;
   spread = sqrt (weight' * (phi - middle).^2);
+  % Silverman (1986), 3.4.2, with the effective number of points
   width = max (0.9 * spread * sum (weight.^2)^0.2, 0.005);
   kernel = @(x) exp (-0.5 * ((grid - x') / width).^2);
   density = (kernel (phi) + kernel (2 * range(1) - phi) + ...
