@@ -20,7 +20,7 @@ function effects = loadEffects ()
   effects(8).variables = {'windowFrictionFactor'};
   effects(8).neutral = 1;
   effects(8).limits = [0.1; 1.7];
-  effects(8).unit = '-';
-  effects(8).label = 'factor on the friction of the end windows';
+  effects(8).unit = 'factor';
+  effects(8).label = 'the friction of the end windows';
   effects(8).group = 'wall';
 end

@@ -12,7 +12,8 @@
 %           neutral       1 x v, values that switch it off (laboratory: 0)
 %           limits        2 x v (laboratory: 2 x 1)
 %           priorScale    1 x v, a usual distance from neutral
-%           unit, label   texts for axes and tables
+%           unit, label   texts for axes and tables; unit 'factor' is said as
+%                 '3 % larger than modelled', 'share' as '3 %'
 %           group         name of the family that observables can hardly split
 %           laboratory    true: acts on results, needs no DEM run
 %           kinds         cell of the kinds of results it acts on (laboratory)

@@ -8,7 +8,7 @@ function effect = effectBlockedExit ()
   given.neutral = 0;
   given.limits = [0; 0.5];
   given.unit = '-';
-  given.label = 'blocked share of the left slot';
+  given.label = 'blocked share of an exit';
   given.source = ['a lump, a bridge of grains, or a slide that does not ' ...
                   'open all the way'];
   effect = describeEffect (given);

@@ -7,8 +7,8 @@ function effect = effectFill ()
   given.variables = {'fillFactor'};
   given.neutral = 1;
   given.limits = [0.85; 1.15];
-  given.unit = '-';
-  given.label = 'factor on the filled mass';
+  given.unit = 'factor';
+  given.label = 'the filled mass';
   given.source = 'weighing and levelling errors of hand filling';
   effect = describeEffect (given);
 end

@@ -8,8 +8,8 @@ function effect = effectGravity ()
   given.variables = {'gravityFactor'};
   given.neutral = 1;
   given.limits = [0.8; 1.2];
-  given.unit = '-';
-  given.label = 'factor on gravity';
+  given.unit = 'factor';
+  given.label = 'gravity';
   given.source = ['the speed of a centrifuge is known to a few per cent; ' ...
                   'give limits of your own for another planet'];
   given.usually = 'unlikely';

@@ -8,7 +8,7 @@ function effect = effectLidWeight ()
   given.neutral = 0;
   given.limits = [-100; 100];
   given.unit = 'Pa';
-  given.label = 'load beside the one that is set';
+  given.label = 'load in addition to the one that is set';
   given.group = 'load';
   given.source = ['a lid of 5 mm of steel weighs 390 Pa; it is often ' ...
                   'weighed, and forgotten or counted twice'];

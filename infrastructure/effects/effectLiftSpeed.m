@@ -8,8 +8,8 @@ function effect = effectLiftSpeed ()
   given.variables = {'liftFactor'};
   given.neutral = 1;
   given.limits = [0.3; 3];
-  given.unit = '-';
-  given.label = 'factor on the lifting speed';
+  given.unit = 'factor';
+  given.label = 'the lifting speed';
   given.source = 'a hand lifts several times faster or slower than it is told';
   effect = describeEffect (given);
 end

@@ -7,8 +7,8 @@ function effect = effectMoistDensity ()
   given.variables = {'densityFactor'};
   given.neutral = 1;
   given.limits = [0.95; 1.2];
-  given.unit = '-';
-  given.label = 'factor on grain density';
+  given.unit = 'factor';
+  given.label = 'grain density';
   given.group = 'mass';
   given.source = ['wood and grain take up 5 to 20 % of their mass' ...
                   ' from moist air'];

@@ -7,8 +7,8 @@ function effect = effectOpening ()
   given.variables = {'openingFactor'};
   given.neutral = 1;
   given.limits = [0.92; 1.08];
-  given.unit = '-';
-  given.label = 'factor on the opening';
+  given.unit = 'factor';
+  given.label = 'the opening';
   given.source = 'Beverloo 1961';
   effect = describeEffect (given);
 end

@@ -7,8 +7,8 @@ function effect = effectRestitution ()
   given.variables = {'dampingFactor'};
   given.neutral = 1;
   given.limits = [0.3; 4];
-  given.unit = '-';
-  given.label = 'factor on the damping of impacts, ln (restitution)';
+  given.unit = 'factor';
+  given.label = 'the damping of impacts, ln (restitution)';
   given.source = ['Yan et al. 2015: little influence on angle of ' ...
                   'repose and discharge'];
   given.usually = 'unlikely';

@@ -7,8 +7,8 @@ function effect = effectStiffness ()
   given.variables = {'stiffnessFactor'};
   given.neutral = 1;
   given.limits = [0.4; 4];
-  given.unit = '-';
-  given.label = 'factor on Young''s modulus';
+  given.unit = 'factor';
+  given.label = 'Young''s modulus';
   given.source = ['Yan et al. 2015; moduli are lowered in DEM to ' ...
                   'lengthen the time step'];
   given.usually = 'unlikely';

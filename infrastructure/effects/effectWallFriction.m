@@ -8,8 +8,8 @@ function effect = effectWallFriction ()
   given.variables = {'wallFrictionFactor'};
   given.neutral = 1;
   given.limits = [0.1; 1.7];
-  given.unit = '-';
-  given.label = 'factor on wall friction';
+  given.unit = 'factor';
+  given.label = 'wall friction';
   given.group = 'wall';
   given.source = ['friction of one plastic on polished and rough ' ...
                   'steel differs by a factor of 2 to 3'];

@@ -8,7 +8,7 @@
 %     conditions  1 x C struct, this one first: name, verdict, effects (cellstr),
 %                 lookAlike, p, and of each effect probability, strength and
 %                 interval90 (shares of its range), says (describeVerdict), text (in
-%                 its unit)
+%                 its unit); code and kind of the verdict come from writeGapJson
 %     order       1 x m struct effect, more, less (names of two conditions of one
 %                 cause, or of one class), probability (that more is more of it)
 %
@@ -30,7 +30,7 @@ function s = compareConditions (diagnosis, others)
                 'verdict', which.verdict, 'effects', {which.effects}, ...
                 'lookAlike', which.lookAlike, 'p', which.gateP, ...
                 'probability', [], 'strength', [], 'interval90', [], ...
-                'says', {cell(1, 0)}, 'text', {cell(1, 0)});
+                'says', {cell(1, 0)}, 'text', {cell(1, 0)}, 'code', '', 'kind', '');
   for name = which.effects
     own = which.strength(strcmp ({which.strength.name}, name{1}));
     one.probability(end + 1) = ...

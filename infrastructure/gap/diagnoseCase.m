@@ -49,11 +49,9 @@ function diagnosis = diagnoseCase (root, folder)
     diagnosis.level = finer (diagnosis, share);
     state.budget = diagnosis.budget;
     diagnosis.others = compareConditions (diagnosis, others);
-    others = diagnosis.others.conditions;
-
     % what remains
     diagnosis.nextFile = writeNextTest (diagnosis.next, Case, share);
-    writeGapJson (diagnosis, Case);
+    [~, others] = writeGapJson (diagnosis, Case);
     sayDiagnosis (Case, say, diagnosis.nextFile);
     if c > 1
       putAside (fullfile (Case.folder, 'gap'), Case.conditions{c});
@@ -147,8 +145,7 @@ end
 
 function putAside (folder, name)
   [~, ~] = mkdir (folder, name);
-  for file = [{'gap.json', 'calibrated.head'}, ...
-              {dir(fullfile (folder, '*.csv')).name}]
+  for file = {'gap.json', 'calibrated.head'}
     if isfile (fullfile (folder, file{1}))
       movefile (fullfile (folder, file{1}), fullfile (folder, name, file{1}));
     end

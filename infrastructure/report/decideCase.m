@@ -234,8 +234,7 @@ function names = worded (c, names)
   for k = 1:numel (names)
     label = jsonAt (c, {'labels', names{k}});
     if ischar (label) && ~isempty (label)
-      names{k} = sprintf ('%s (%s)', regexprep (label, ' \([^)]*\)$', ''), ...
-                          names{k});
+      names{k} = sprintf ('%s (%s)', label, names{k});
     end
   end
 end

@@ -33,8 +33,7 @@ function v = writeCalibrationJson (c, Case)
     out.untested = named (num2cell (c.untested(:)));
   end
   out.known = knownOf (Case);
-  [labels, units] = paramLabels (Case);
-  out.labels = named (cellfun (@withUnit, labels, units, 'UniformOutput', false));
+  out.labels = named (paramLabels (Case));
   out.outcomes = c.outcomes;
   out = mergeFields (out, c, {'runs', 'probability', 'demRuns', ...
                               'coreSeconds', 'atLimit', 'notIdentified'});
@@ -149,8 +148,8 @@ end
 %!    "variable radiusP equal 1  # m\nvariable a equal 1\n"]);
 %! c = newCalibration (state, problem, Case);
 %! read = @(name) fullfile (Case.folder, 'results', name);
-%! words = {'mass of the lid (kg)', 'friction of grains and walls'; ...
-%!          'radius of the grains (m)', ''};
+%! words = {'mass of the lid', 'friction of grains and walls'; ...
+%!          'radius of the grains', ''};
 %! names = {'lid', 'coefFrictionPW'; 'radiusP', 'a'};
 %! for k = 1:2
 %!   Case.names = names(k, :);

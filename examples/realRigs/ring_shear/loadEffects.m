@@ -18,7 +18,7 @@ function effects = loadEffects ()
   [effects.variables, effects.neutral, effects.unit, effects.label, ...
    effects.group] = deal ([]);
   [effects.canChange] = deal ('yes');
-  sliding = {'sliding', [0.4; 2.5], {'slidingFactor'}, 1, '-', ...
-             'factor on the sliding friction of the beads', 'friction', 'yes'};
+  sliding = {'sliding', [0.4; 2.5], {'slidingFactor'}, 1, 'factor', ...
+             'the sliding friction of the beads', 'friction', 'yes'};
   effects = [effects, cell2struct(sliding, fieldnames (effects), 2).'];
 end

@@ -5,7 +5,8 @@
 %   W, VERDICT, MODELS, GAPPROBLEM  of caseEvidence, judgeCase, makeHypotheses,
 %                                   newProblem
 %   NAMED   struct
-%     verdict, reason, guard, lookAlike, sameKind, effects, class, decides,
+%     verdict, reason, guard, lookAlike, sameKind, effects (of a group the likeliest
+%       first), class, decides,
 %       partners, likely (cellstr), see judgeCase
 %     together    logical: the effects act together (a pair, also one whose name
 %                 was withheld), else it is one of them
@@ -19,8 +20,6 @@
 %                 of its range: so much or more), 'bound' (of another effect: not
 %                 more than its upper end), 'nothing' (no runs of the effect
 %                 stand where it would be that strong and fit)
-%     priorSpread probability of the likeliest single effect with its prior
-%                 scale halved, doubled
 %     numbers     struct error (largest, of the logarithms of the evidences that
 %                 matter), ess (least effective number of points)
 %     hypotheses  1 x H struct members (cellstr), kind, probability, likeliest
@@ -28,6 +27,10 @@
 
 function named = describeVerdict (w, verdict, models, gapProblem)
   names = models.names;
+  if strcmp (verdict.kind, 'group')      % the likeliest first
+    [~, order] = sort (-verdict.include(verdict.effects));
+    verdict.effects = verdict.effects(order);
+  end
   named = struct ('verdict', verdict.kind, 'reason', verdict.reason, ...
                   'guard', verdict.guard, 'lookAlike', verdict.lookAlike, ...
                   'sameKind', verdict.sameKind, ...
@@ -54,7 +57,6 @@ function named = describeVerdict (w, verdict, models, gapProblem)
   for k = 1:numel (names)
     named.strength(k) = strengthOf (w, verdict, k, models, gapProblem);
   end
-  named.priorSpread = priorSpread (w, verdict, models);
   named.numbers = numbersOf (w, verdict);
   named.hypotheses = hypothesesOf (w, verdict, names);
 end
@@ -164,32 +166,6 @@ function groups = confusedGroups (screen, models)
       free(members) = false;
     end
   end
-end
-
-% A wide prior kills any effect (Lindley), so its width is varied: the samples
-% of the top single are weighed anew with half and double the scale.
-function spread = priorSpread (w, verdict, models)
-  spread = [NaN, NaN];
-  h = find (cellfun (@(m) isequal (m, verdict.top), w.members), 1);
-  if isempty (h) || isempty (w.posterior{h}.Q)
-    return
-  end
-  posterior = w.posterior{h};
-  phi = posterior.Q(:, models.white.p + 1);
-  e = models.white.effect(verdict.top);
-  shrink = [0.5, 2];
-  P = verdict.P;
-  for i = 1:2
-    ratio = density (phi, shrink(i) * e.scale, e.range) ./ ...
-            density (phi, e.scale, e.range);
-    factor = sum (posterior.weight .* ratio);
-    spread(i) = P(h) * factor / (1 - P(h) + P(h) * factor);
-  end
-end
-
-function f = density (phi, scale, range)
-  mass = normalTail (range(1) / scale) - normalTail (range(2) / scale);
-  f = exp (-0.5 * (phi / scale).^2) / (scale * mass);
 end
 
 %!test

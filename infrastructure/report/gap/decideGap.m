@@ -126,8 +126,7 @@ function text = seenFrom (gap, say)
   for name = fieldnames (strength)'
     from = jsonAt (strength, {name{1}, 'seenFrom'});
     if ~isempty (from)
-      label = regexprep (jsonAt (strength, {name{1}, 'label'}), '^factor on ', '');
-      parts{end + 1} = sprintf ('%s %s', label, from);
+      parts{end + 1} = [jsonAt(strength, {name{1}, 'label'}), ' ', from];
     end
   end
   text = '';

@@ -26,8 +26,10 @@ function names = missedTargets (gap, roles)
     own = strcmp (curve, name{1}) & ~strcmp (names, name{1});
     if sum (own) >= 3
       off = at(own & isOff);
-      names(own) = {sprintf('%s (%d of %d points, %g to %g)', name{1}, ...
-                            numel (off), sum (own), min (off), max (off))};
+      codes = {'points', 'point'};
+      values = struct ('name', name{1}, 'n', numel (off), 'of', sum (own), ...
+                       'from', min (off), 'to', max (off));
+      names(own) = {sentence(['curve.', codes{1 + isscalar(off)}], values)};
     end
   end
   names = unique (names(isOff), 'stable');
@@ -41,5 +43,7 @@ end
 %! gap.where.targets = struct ('name', name, 'role', role, 'p', p);
 %! assert (missedTargets (gap, 'calibrate'), ...
 %!         {'c (2 of 3 points, 1 to 4)', 'x', 'd@1'});
+%! gap.where.targets(1).p = 0.5;
+%! assert (missedTargets (gap, 'calibrate'){2}, 'c (1 of 3 points, at 4)');
 %! assert (missedTargets (gap, {'calibrate', 'holdout'}){end}, 'y');
 %! assert (missedTargets (gap, 'other'), {});

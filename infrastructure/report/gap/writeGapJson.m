@@ -1,10 +1,12 @@
 % WRITEGAPJSON  Writes the diagnosis for other programs: gap/gap.json.
 %
-% CALL: V = writeGapJson (DIAGNOSIS, CASE)
+% CALL: [V, CONDITIONS] = writeGapJson (DIAGNOSIS, CASE)
 %
 %   DIAGNOSIS  of diagnoseMatrices
 %   CASE       see newCase; the files go to its folder gap/
 %   V          see decideCase: what is written as verdict
+%   CONDITIONS of compareConditions, with code and kind of the verdict; [] for a case
+%              without a reference
 %
 % gap/calibrated.head gets the model variables, and the parameters and variables of
 % the effect (or pair) as they were fitted together; it is not written where no cure
@@ -16,7 +18,7 @@
 %   cause {code, kind}, closure {code}, action {code, field, widen, file}: codes for
 %     programs; they stay, sentences change (report/words/words.txt)
 %   where
-%     p, noiseFloor (relative), params, atLimit, odd (a test that contradicts all
+%     p, params, atLimit, odd (a test that contradicts all
 %              others)
 %     out (tests without any result), neverRun (without a finished run)
 %     surrogateShare (of the noise)
@@ -34,7 +36,6 @@
 %     siblings (look-alikes not listed or without runs)
 %     posterior, probability  {null, each effect, unlisted}; probability counts an
 %              effect alone and in pairs
-%     integration {error, ess}
 %     cause    [{name, label, question, probability, effects}], what may have made
 %              it; name empty: none of these
 %     strength {effect: {value, interval90 (none if unseen), smallestSeen,
@@ -43,22 +44,16 @@
 %              nothing: no runs where it would fit), label, unit, text, amount (in
 %              its unit), seenFrom (the smallest that would be seen in 8 of 10
 %              cases)}}
-%     priorSpread (of the likeliest, with prior scales halved, doubled)
 %   howFar
 %     effect, before, after (deviations, in shares of each target's range)
-%     floor, floorAfter (of noise alone), closure, interval90
-%     gapP (chance of before by noise), largestZ (of the worst target, over noise)
-%     removable (one of these two shows a gap; else, or with too few targets,
-%              closure is null)
-%     heldOut  {the same}
-%     placebos [{effect, closure, interval90, heldOut, verifiedByDEM, inClass,
-%              expected (its closure if the cause is right), difference,
-%              difference90 (closure of the cause less this one), logRatio (log
-%              density of data not used in the fit, cause over placebo), against
-%              (the cause)}]
+%     floor (of noise alone), closure, interval90
+%     removable (a gap shows; else, or with too few targets, closure is null)
+%     heldOut  {these six, of the test data not used in the fit}
+%     placebos [{effect, closure, heldOut, logRatio (log density of data not used in
+%              the fit, cause over placebo), against (the cause)}]
 %     targets  [{model, name, role, measured, allowed, before, after, sdBefore, sd
 %              (of measured less before, after)}]
-%     verifiedByDEM, worstZ, params {name: [without, with]}
+%     verifiedByDEM, params {name: [without, with]}
 %     strength {effect: in shares of its range}, values {variable: in the refit}
 %   fingerprint, all over noise
 %     targets, measured (less simulated without an effect), effects {effect: what
@@ -75,15 +70,16 @@
 %     misses in both, in shares of what parameters move)
 %     targets  [{model, name, reference, measured, foretold (without a change),
 %              modelled (with the effect), z, sd (of measured less foretold)}]
-%     conditions  [{name, verdict, effects, lookAlike, p, probability, strength,
-%              interval90, text}], order [{effect, more, less, probability}]
+%     conditions  [{name, verdict, code, kind (as in cause), effects, lookAlike, p,
+%              probability, strength, interval90, text}], order [{effect, more, less,
+%              probability}]
 %     canChange  {candidate: yes, unlikely, no}
 %   thresholds  level, adviseAt (gapOptions): those that the report uses
 %   demRuns  sets, failedSets, new, reused, failed, coreSeconds
 %   input, verdict: as in calibration.json (docs/data.md); cause of the verdict has
 %     kind, word, sentence, where, closed, action, cannotSee, untested
 
-function v = writeGapJson (diagnosis, Case)
+function [v, conditions] = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
   [~, ~] = mkdir (folder);
   out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
@@ -110,6 +106,11 @@ function v = writeGapJson (diagnosis, Case)
   out.closure = struct ('code', v.cause.closure);
   out.action = v.todo;
   out.verdict = v;
+  conditions = jsonAt (diagnosis, {'others', 'conditions'});
+  if ~isempty (conditions)
+    [conditions(1).code, conditions(1).kind] = deal (v.cause.code, v.cause.kind);
+    out.reference.conditions = num2cell (conditions);
+  end
   writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
   if ~isempty (gap.howFar.effect)
     writeHeadOf (gap, Case);
@@ -131,10 +132,7 @@ function s = whereOf (diagnosis)
   where = diagnosis.where;
   gapProblem = diagnosis.gapProblem;
   budget = where.budget;
-  noise = sqrt (diag (budget.covariance))';
-  ok = isfinite (gapProblem.value) & gapProblem.value ~= 0;
-  s = struct ('p', where.p, 'noiseFloor', ...
-              sqrt (mean ((noise(ok) ./ gapProblem.value(ok)).^2)));
+  s = struct ('p', where.p);
   s.targets = arrayfun (@(T) struct ('model', T.model, 'name', T.name, ...
                                      'role', T.role, 'z', T.z, ...
                                      'unabsorbed', 1 - T.absorbability, ...
@@ -162,7 +160,6 @@ function s = whichOf (diagnosis)
                           'together', 'sameKind', 'lookAlike'});
   s = mergeFields (s, w, {'partners', 'likely', 'posterior'});
   s.probability = rmfield (w.posterior, {'null', 'unlisted'});
-  s.integration = w.numbers;
   untested = diagnosis.screen.untested;
   hasFailed = [untested.runs] > 0;
   s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
@@ -175,7 +172,6 @@ function s = whichOf (diagnosis)
                                     diagnosis.screen.smallest(k), ...
                                     diagnosis.gapProblem);
   end
-  s = mergeFields (s, w, {'priorSpread'});
   s.cause = num2cell (w.cause);
 end
 
@@ -228,14 +224,14 @@ function s = howFarOf (cure, gapProblem, Case)
   if isempty (cure)
     return
   end
-  s = mergeFields (s, cure, {'effect', 'before', 'after', 'floor', ...
-                             'floorAfter', 'closure', 'interval90', 'gapP', ...
-                             'largestZ', 'removable', 'heldOut', ...
-                             'verifiedByDEM', 'worstZ'});
-  if isfield (s.heldOut, 'free')
-    s.heldOut = rmfield (s.heldOut, 'free');
+  share = {'before', 'after', 'floor', 'closure', 'interval90', 'removable'};
+  s = mergeFields (s, cure, [share, {'effect', 'verifiedByDEM'}]);
+  if isstruct (cure.heldOut)
+    s.heldOut = mergeFields (struct (), cure.heldOut, share);
   end
-  s.placebos = num2cell (cure.placebos);
+  s.placebos = arrayfun (@(p) mergeFields (struct (), p, {'effect', 'closure', 'heldOut', ...
+                                                          'logRatio', 'against'}), ...
+                         cure.placebos(:)', 'UniformOutput', false);
   t = [cure.targets.target];
   roles = {'calibrate', 'holdout'};
   s.targets = struct ('model', gapProblem.benchNames(gapProblem.bench(t)), ...

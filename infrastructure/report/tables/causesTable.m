@@ -44,7 +44,7 @@ function cells = rowOf (page, which, name)
     strength = jsonAt (which, {'strength', name});
     label = jsonAt (strength, {'label'});
     if ~isempty (label)
-      own.value = regexprep (label, '^(factor on|relative error of) ', '');
+      own.value = label;
     end
     how = strengthWords (which, strength, name);
     from = char (jsonAt (strength, {'seenFrom'}));

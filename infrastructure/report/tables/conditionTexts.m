@@ -24,10 +24,13 @@ function list = conditionTexts (gap)
       own.text = strjoin (texts, ' or ');
       own.probability = min (1, sum (p(1:end - 1)));
     end
-    if isempty (effects)
-      codes = {'open', 'none'};
-      own.text = sentence (['cause.', codes{1 + strcmp(one.verdict, 'no gap')}, ...
-                            '.word'], struct (), true);
+    % a cause that cannot be seen is listed, and not said; older files have no code
+    codes = {'open', 'none'};
+    code = givenField (one, 'code', codes{1 + strcmp(one.verdict, 'no gap')});
+    kind = givenField (one, 'kind', '');
+    if isempty (effects) || any (strcmp (kind, {'cannot tell', 'no verdict'}))
+      own.text = sentence (['cause.', code, '.word'], struct (), true);
+      own.probability = NaN;
     else
       own.file = strjoin ([{'gap'}, {one.name}(1:end * (k > 1)), {'calibrated.head'}], '/');
     end
@@ -54,6 +57,10 @@ end
 %! assert ({list.file}, {'gap/wet/calibrated.head', ''});
 %! assert (list(2).text, sentence ('cause.none.word', struct (), true));
 %! assert (list(1).line, 'wet: cohesion 4 kJ/m3, probability 0.90');
+%! % what the verdict on a condition says is said here, too
+%! gap.reference.conditions(1).code = 'mixed';
+%! gap.reference.conditions(1).kind = 'cannot tell';
+%! assert (conditionTexts (gap)(2).line, 'dry: These tests cannot tell');
 %! gap.reference.conditions = struct ('name', 'wet', 'verdict', 'group', ...
 %!   'effects', {{'cohesion', 'tilt'}}, 'probability', [0.7, 0.2], ...
 %!   'text', {{'cohesion 4 kJ/m3', 'tilt 3 deg'}});
