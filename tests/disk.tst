@@ -109,29 +109,6 @@
 %!   clear free
 %! end
 
-%!testif ; geteuid () == 0 && ~isempty (file_in_path (getenv ('PATH'), 'gnuplot'))
-%! % a folder of temporary files that is full before the figures of the page, or
-%! % by them: the message names it, and TMPDIR
-%! lines = {'set terminal svg', 'set output ''1.svg''', 'plot sin (x)'};
-%! for kB = [0, 12]
-%!   folder = tempname ();
-%!   free = smallDisk (folder, 256);
-%!   fill (folder);
-%!   system (sprintf ('truncate -s -%dk %s/ballast', kB, folder));
-%!   before = getenv ('TMPDIR');
-%!   setenv ('TMPDIR', folder);
-%!   caught = '';
-%!   try
-%!     drawSvg (lines, 1);
-%!   catch err
-%!     caught = err.message;
-%!   end
-%!   setenv ('TMPDIR', before);
-%!   assert (~isempty (strfind (caught, folder)), caught);
-%!   assert (~isempty (strfind (caught, 'set TMPDIR')), caught);
-%!   clear free
-%! end
-
 %!testif ; mayMount ()
 %! % power cut: what the disk has received at a moment is looked at after a new
 %! % start. Names reach this disk a second after they are given, contents that

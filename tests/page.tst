@@ -42,7 +42,7 @@
 %!   for name = unique ([regexp(html, 'var\(--(\w+)\)', 'tokens'){:}])
 %!     assert (numel (strfind (html, ['--', name{1}, ':'])), 2);
 %!   end
-%!   for name = unique ([regexp(html, 'href="#(gpPt\d+)"', 'tokens'){:}])
+%!   for name = unique ([regexp(html, 'href="#(p-\w+)"', 'tokens'){:}])
 %!     assert (numel (strfind (html, ['id="', name{1}, '"'])), 1);
 %!   end
 %! end

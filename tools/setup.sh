@@ -6,10 +6,10 @@ set -euo pipefail
 packagesOf () {
   case $1 in
     run)   echo octave octave-stk octave-optim octave-parallel octave-struct \
-                gnuplot-nox fonts-freefont-otf openmpi-bin procps ;;
+                openmpi-bin procps ;;
     build) echo g++ make patch xz-utils libopenmpi-dev libjpeg-dev libpng-dev ;;
     test)  echo slurm-wlm munge gridengine-master gridengine-exec \
-                gridengine-client chromium python3-venv ;;    # small clusters, a browser
+                gridengine-client chromium gnuplot-nox python3-venv ;;    # small clusters, a browser
     lint)  echo octave python3-venv shellcheck codespell ;;
     site)  echo python3-venv chromium ;;
     *)     echo "setup.sh: unknown task '$1' (run, build, test, lint, site)" >&2; exit 1 ;;

@@ -5,37 +5,19 @@
 %   ENTRIES  n x 3 cell: kind of layer (see newFigure), colour, meaning (HTML)
 
 function html = htmlKey (entries)
-  items = cell (1, rows (entries));
-  for k = 1:rows (entries)
-    items{k} = ['<li><svg viewBox="0 0 26 14" width="26" height="14" ', ...
-                'aria-hidden="true">', sample(entries{k, 1:2}), ...
-                '</svg> ', entries{k, 3}, '</li>'];
-  end
-  html = ['<ul class="key" aria-label="Key of the figures">', items{:}, ...
-          "</ul>\n"];
+  items = cellfun (@(kind, colour, meaning) ['<li><svg viewBox="0 0 26 14" width="26" ', ...
+                                             'height="14" aria-hidden="true">', ...
+                                             sample(kind, colour), '</svg> ', meaning, ...
+                                             '</li>'], ...
+                   entries(:, 1), entries(:, 2), entries(:, 3), 'UniformOutput', false);
+  html = ['<ul class="key" aria-label="Key of the figures">', items{:}, "</ul>\n"];
 end
 
 function svg = sample (kind, colour)
-  drawn = ['"var(--', colour, ')"/>'];
-  switch kind
-    case {'area', 'box'}
-      svg = ['<rect x="1" y="2" width="24" height="10" fill=', drawn];
-    case 'line'
-      svg = ['<path d="M1 7h24" stroke-width="2" stroke=', drawn];
-    case 'dash'
-      svg = ['<path d="M1 7h24" stroke-width="1.5" stroke-dasharray="6 4" ', ...
-             'stroke=', drawn];
-    otherwise
-      symbols = struct ('dots', 6, 'disc', 6, 'ring', 5, 'diamond', 12, ...
-                        'triangle', 8, 'xbar', 6, 'ybar', 6);
-      svg = sprintf (['<use href="#gpPt%d" color="var(--%s)" transform=', ...
-                      '"translate(13,7) scale(%d)"/>'], symbols.(kind), ...
-                     colour, 4 - 2 * strcmp (kind, 'dots'));
-      if any (strcmp (kind, {'xbar', 'ybar'}))
-        svg = ['<path d="M3 7h20M3 4v6M23 4v6" stroke-width="1.5" ', ...
-               'stroke=', drawn, svg];
-      end
-  end
+  known = struct ('area', [1, 2, 12; 25, 2, 12], 'box', [1, 2, 1, 25, 2, 12], ...
+                  'line', [1, 7; 25, 7], 'dash', [1, 7; 25, 7], 'xbar', [13, 7, 3, 23], ...
+                  'ybar', [13, 7, 1, 13]);
+  svg = layerSvg (kind, givenField (known, kind, [13, 7]), colour, @(x) x, @(y) y){1};
 end
 
 %!test

@@ -163,14 +163,14 @@ function svg = grainPicture (grains, lines, title, real)
                      diff (corners) * scale);
   end
   x = linspace (low(1), high(1), 120);
-  surface = pathOf (px (x), pz (silhouette (grains, x)));
+  surface = svgPath (px (x), pz (silhouette (grains, x)));
   colours = [repmat({'ink'}, 1, numel (lines)), {'amber'}];
   dashed = '';
   lines{end + 1} = real.profile;
   for k = find (~cellfun (@isempty, lines))
     dashed = [dashed, '<path fill="none" stroke="var(--', colours{k}, ')" ', ...
               'stroke-width="2" stroke-dasharray="7 5" d="', ...
-              pathOf(px (lines{k}(:, 1)), pz (lines{k}(:, 2))), '"/>'];
+              svgPath(px (lines{k}(:, 1)), pz (lines{k}(:, 2))), '"/>'];
   end
   alt = sprintf ('%s: %d grains from the side, %.3g m wide, %.3g m high', ...
                  title, rows (grains), high - low);
@@ -181,20 +181,6 @@ function svg = grainPicture (grains, lines, title, real)
                   'stroke="var(--red)" stroke-width="2" d="%s"/>%s', ...
                   '</svg>'], width, height, width, height, htmlText (alt), ...
                  htmlText (title), circles, photo, surface, dashed);
-end
-
-% A line that is broken where there is nothing.
-function text = pathOf (x, y)
-  text = '';
-  pen = 'M';
-  for k = 1:numel (x)
-    if isfinite (y(k))
-      text = [text, sprintf('%s%.1f %.1f', pen, x(k), y(k))];
-      pen = 'L';
-    else
-      pen = 'M';
-    end
-  end
 end
 
 %!test
