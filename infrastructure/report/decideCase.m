@@ -26,13 +26,11 @@ function v = decideCase (c, gap, isBegun)
               'usable', false, 'usableFor', {{}}, 'notFor', {{}}, ...
               'action', '', 'todo', [], 'numbers', [], 'met', 0, 'of', 0, ...
               'misses', listMisses (c, gap), 'worst', '', 'cause', []);
-  if nargin > 2 && isBegun
-    v = withWords (v, 'case.begun');
-    v = withAction (v, newAction ('goOn'));
-  else
-    v = withWords (v, 'case.nothing');
-    v = withAction (v, newAction ('start'));
-  end
+  isBegun = nargin > 2 && isBegun;
+  codes = {'case.nothing', 'start'; 'case.begun', 'goOn'};
+  v.word = sentence ([codes{1 + isBegun, 1}, '.word']);
+  v.sentence = sentence ([codes{1 + isBegun, 1}, '.sentence']);
+  v = withAction (v, newAction (codes{1 + isBegun, 2}));
   v.worst = worstTest (v.misses, gap);
   if ~isempty (c)
     v = ofCalibration (v, c);
@@ -66,45 +64,35 @@ function k = headline (misses, name)
   k = k(1);
 end
 
-function v = withWords (v, code)
-  [v.word, v.sentence] = deal (sentence ([code, '.word']), ...
-                               sentence ([code, '.sentence']));
-end
-
 function v = withAction (v, todo)
   [v.todo, v.action] = deal (rmfield (todo, 'text'), todo.text);
 end
 
+% Label and text of each.
 function numbers = keyNumbers (v, c)
-  number = @(label, text) struct ('label', label, 'text', text);
-  numbers = number ({}, {});
+  list = cell (0, 2);
   if ~isempty (v.misses)
-    numbers(end + 1) = number (missTexts (v.misses(headline (v.misses, v.worst))){:});
+    list = missTexts (v.misses(headline (v.misses, v.worst)));
   end
   if v.of > 0
-    label = 'targets met';
-    if isequal (jsonAt (c, {'runs'}), 0)
-      label = 'targets met, on the surrogates alone';
-    elseif ~v.usable && v.met == v.of
-      label = 'targets within tolerance so far, not surely';
-    end
-    isOpen = strcmp ({v.misses.state}, 'open') & [v.misses.runs] > 0;
-    texts = {sprintf('%d of %d', v.met, v.of), ...
-             sprintf('%d of %d, %d open', v.met, v.of, sum (isOpen))};
-    numbers(end + 1) = number (label, texts{1 + any(isOpen)});
-    for m = v.misses(isOpen)
-      [~, text] = missTexts (m);
-      numbers(end + 1) = number (['open: ', m.name], text);
-    end
+    open = v.misses(strcmp ({v.misses.state}, 'open') & [v.misses.runs] > 0);
+    labels = {'targets met', 'targets within tolerance so far, not surely', ...
+              'targets met, on the fitted surfaces alone'};
+    hasNoRun = isequal (jsonAt (c, {'runs'}), 0);
+    isUnsure = ~v.usable && v.met == v.of;
+    text = [sprintf('%d of %d', v.met, v.of), ...
+            repmat(sprintf (', %d open', numel (open)), 1, ~isempty (open))];
+    says = eachOf (@(m) {['open: ', m.name]; nthargout(2, @missTexts, m)}, open);
+    list = [list; {labels{1 + max(2 * hasNoRun, isUnsure)}, text}; [says{:}]'];
   end
   chance = jsonAt (c, {'probability'});
   if ~isempty (v.cause) && ~isempty (v.cause.amount)
-    numbers(end + 1) = v.cause.amount;
+    list = [list; {v.cause.amount.label, v.cause.amount.text}];
   elseif ~isempty (chance)
     texts = {sprintf('%.0f %%', 100 * chance), '> 99 %'};
-    numbers(end + 1) = number ('chance that all targets are met', ...
-                               texts{1 + (chance > 0.995)});
+    list = [list; {'chance that all targets are met', texts{1 + (chance > 0.995)}}];
   end
+  numbers = struct ('label', list(:, 1)', 'text', list(:, 2)');
 end
 
 function v = ofCalibration (v, c)
@@ -114,126 +102,87 @@ function v = ofCalibration (v, c)
   v.of = numel (used);
   v.usable = isequal (c.converged, true);
   v.sentence = c.reason;
+  right = {held([held.met] == 1).name};
+  wrong = {held([held.met] == 0).name};
   if v.usable
     [v.word, v.class] = deal (sentence ('case.calibrated.word'), 'good');
-    benches = strjoin (unique ({used.model}, 'stable'), ', ');
     codes = {'usableFor.like', 'usableFor.likeOpen'};
-    v.usableFor{end + 1} = sentence (codes{1 + (v.met < v.of)}, ...
-                                     struct ('tests', benches));
-    right = {held([held.met] == 1).name};
-    if ~isempty (right)
-      v.usableFor{end + 1} = sentence ('usableFor.predicted', ...
-                                       struct ('names', {right}));
-    end
+    v.usableFor = listSentences ({codes{1 + (v.met < v.of)}, ...
+                                  unique({used.model}, 'stable'); ...
+                                  'usableFor.predicted', right});
     v = withAction (v, newAction ('use'));
   else
     [v.word, v.class] = deal (sentence ('case.notCalibrated.word'), 'bad');
-    v.notFor{end + 1} = notCalibrated (used, c);
+    v.notFor = {notCalibrated(used, c)};
     v = withAction (v, wayOn (c, used));
   end
-  wrong = {held([held.met] == 0).name};
-  if ~isempty (wrong)
-    v.notFor{end + 1} = sentence ('notFor.wrong', ...
-                                  struct ('names', {wrong}));
-    if v.usable
-      v.class = 'open';
-      v = withAction (v, newAction ('diagnose'));
-    end
+  if v.usable && ~isempty (wrong)
+    v.class = 'open';
+    v = withAction (v, newAction ('diagnose'));
   end
-  v.notFor = [v.notFor, looseOnes(c), knownOnes(c)];
+  v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong}), looseOnes(c), knownOnes(c)];
 end
 
 function text = notCalibrated (used, c)
   missed = {used([used.met] == 0).name};
-  if ~isempty (missed)
-    text = sentence ('notFor.missed', struct ('names', {missed}));
-  elseif isequal (jsonAt (c, {'runs'}), 0)
-    text = sentence ('notFor.noRun');
-  else
-    text = sentence ('notFor.unsure');
-  end
+  codes = {'notFor.unsure', 'notFor.noRun', 'notFor.missed'};
+  hasNoRun = isequal (jsonAt (c, {'runs'}), 0);
+  text = sentence (codes{1 + max(hasNoRun, 2 * ~isempty (missed))}, missed);
 end
 
 % The one thing that can be done about parameter values that are not confirmed.
-% What went wrong decides, not which budget ended; older files say the latter
-% alone.
+% What went wrong decides, not which budget ended.
 function todo = wayOn (c, used)
-  limit = jsonAt (c, {'limit'});
   units = otherUnits (used([used.met] == 0));
+  limit = jsonAt (c, {'limit'});
+  code = givenField (jsonAt (c, {'ending'}), 'code', limit);
+  plain = struct ('allFailed', 'mendModel', 'manyFailed', 'mendModel', ...
+                  'published', 'robust', 'twoOutcomes', 'lookOutcomes');
+  widen = worded (c, namesIn (c, 'atLimit'));
   if ~isempty (units)
     todo = newAction ('units', units);
-    return
-  end
-  switch givenField (jsonAt (c, {'ending'}), 'code', limit)
-    case {'allFailed', 'manyFailed'}
-      todo = newAction ('mendModel');
-    case 'cutOff'
-      todo = newAction ('moreTime', {sprintf('%g', c.ending.seconds)});
-    case 'jump'
-      todo = newAction ('jump', cellstr (c.ending.names)(:)', atLimit (c));
-    case 'published'
-      todo = newAction ('robust');
-    case 'twoOutcomes'
-      todo = newAction ('lookOutcomes');
-    case 'conflict'
-      todo = newAction ('diagnose', {}, atLimit (c));
-    otherwise
-      todo = raiseLimit (c, limit);
+  elseif isfield (plain, code)
+    todo = newAction (plain.(code));
+  elseif strcmp (code, 'cutOff')
+    todo = newAction ('moreTime', {sprintf('%g', c.ending.seconds)});
+  elseif strcmp (code, 'jump')
+    todo = newAction ('jump', cellstr (c.ending.names)(:)', widen);
+  elseif any (strcmp ({code, limit}, {'conflict', 'maxIter'}))
+    todo = newAction ('diagnose', {}, widen);
+  elseif isImported (c)
+    todo = newAction ('runOutside');
+  else
+    fields = {'optim.maxFunEvals', 'Input.maxNewRuns'};
+    todo = newAction ('raise', fields(1 + strcmp (limit, 'maxNewRuns')), widen);
   end
 end
 
 % 'mass differ by a factor of about 1000, as between g and kg ...'
 function texts = otherUnits (missed)
-  texts = {};
-  for m = missed
-    ratio = unitRatio (m.simulated, m.measured);
-    if ~isempty (ratio)
-      texts{end + 1} = [m.name, ' differ by ', ratio];
-    end
-  end
-end
-
-function todo = raiseLimit (c, limit)
-  if strcmp (limit, 'maxIter')
-    todo = newAction ('diagnose', {}, atLimit (c));
-  elseif isImported (c)
-    todo = newAction ('runOutside');
-  else
-    fields = {'optim.maxFunEvals', 'Input.maxNewRuns'};
-    todo = newAction ('raise', fields(1 + strcmp (limit, 'maxNewRuns')), ...
-                      atLimit (c));
-  end
-end
-
-function names = atLimit (c)
-  names = worded (c, namesIn (c, 'atLimit'));
+  ratio = @(m) unitRatio (m.simulated, m.measured);
+  texts = eachOf (@(m) [m.name, ' differ by ', ratio(m)], ...
+                  missed(~arrayfun (@(m) isempty (ratio (m)), missed)));
 end
 
 function yes = isImported (c)
-  models = jsonAt (c, {'input', 'models'});
-  hasKey = arrayfun (@(k) ~isempty (jsonAt (models, {k, 'key'})), ...
-                     1:numel (models));
-  yes = ~isempty (models) && ~any (hasKey);
+  models = jsonList (c, {'input', 'models'});
+  yes = ~isempty (models) && all (cellfun (@(m) isempty (jsonAt (m, {'key'})), models));
 end
 
 function texts = looseOnes (c)
   loose = namesIn (c, 'notIdentified');
-  if numel (loose) > 1 && numel (loose) == numel (fieldnames (c.params))
-    texts = {sentence('notFor.allLoose')};
-    return
+  texts = {sentence('notFor.allLoose')};
+  if numel (loose) < 2 || numel (loose) < numel (fieldnames (c.params))
+    values = struct ('names', {worded(c, loose)}, 's', repmat ('s', 1, isscalar (loose)));
+    texts = repmat ({sentence('notFor.loose', values)}, 1, ~isempty (loose));
   end
-  loose = worded (c, loose);
-  texts = {sentence('notFor.loose', ...
-                    struct ('names', {loose}, ...
-                            's', repmat ('s', 1, isscalar (loose))))};
-  texts = texts(~isempty (loose));
 end
 
 % 'friction between grains (coefFrictionPP)', where the words are known.
 function names = worded (c, names)
   for k = 1:numel (names)
-    label = jsonAt (c, {'labels', names{k}});
-    if ischar (label) && ~isempty (label)
+    label = char (jsonAt (c, {'labels', names{k}}));
+    if ~isempty (label)
       names{k} = sprintf ('%s (%s)', label, names{k});
     end
   end
@@ -243,12 +192,11 @@ end
 function texts = knownOnes (c)
   texts = {};
   for name = fieldnames (c.params)'
-    measured = jsonAt (c, {'known', name{1}});
+    known = jsonAt (c, {'known', name{1}});
     value = c.params.(name{1});
-    if ~isempty (measured) && abs (value - measured.mean) > 3 * measured.sd
-      values = mergeFields (measured, struct ('name', worded (c, name){1}));
-      values.found = value;
-      texts{end + 1} = sentence ('notFor.known', values);
+    if ~isempty (known) && abs (value - known.mean) > 3 * known.sd
+      [known.name, known.found] = deal (worded (c, name){1}, value);
+      texts{end + 1} = sentence ('notFor.known', known);
     end
   end
 end
@@ -263,12 +211,13 @@ function v = withGap (v, c, cause)
   end
   v.gap = cause.sentence;
   isAsked = strcmp (v.todo.code, 'diagnose');
+  isNone = strcmp (cause.kind, 'none');
   isSilent = any (strcmp (cause.kind, {'no verdict', 'cannot tell'}));
-  if v.usable && ~strcmp (cause.kind, 'none')
+  if v.usable && ~isNone
     v.class = 'open';
     v.notFor = [v.notFor, cause.notFor];
     v = withAction (v, orElse (cause.todo, newAction ('use')));
-  elseif ~v.usable && strcmp (cause.kind, 'none') && isAsked
+  elseif ~v.usable && isNone && isAsked
     v = withAction (v, cause.without);
   elseif ~v.usable && ~isempty (cause.todo) && (isAsked || ~isSilent)
     v = withAction (v, cause.todo);

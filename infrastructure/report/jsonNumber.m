@@ -9,7 +9,7 @@ function x = jsonNumber (root, path, x)
     x = NaN;
   end
   found = jsonAt (root, path);
-  if isnumeric (found) && ~isempty (found)
+  if (isnumeric (found) || islogical (found)) && ~isempty (found)
     x = found(1);
   end
 end

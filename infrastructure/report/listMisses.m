@@ -14,30 +14,29 @@
 %            of the diagnosis, with z alone
 
 function misses = listMisses (c, gap)
-  targets = jsonAt (c, {'targets'});
+  targets = jsonList (c, {'targets'});
   if isempty (c)
-    targets = jsonAt (gap, {'where', 'targets'});
+    targets = jsonList (gap, {'where', 'targets'});
   end
-  misses = missOf (struct ('model', '', 'name', '', 'role', ''))([]);
-  for t = 1:numel (targets)
-    misses(t) = missOf (jsonAt (targets, {t}));
+  misses = missOf (struct ('model', '', 'name', '', 'role', ''), [])([]);
+  for k = 1:numel (targets)
+    misses(k) = missOf (targets{k}, jsonAt (c, {'runs'}));
   end
-  if ~isempty (c)
-    misses = withRuns (misses, c);
-    misses = judgeHeldOut (misses, c);
-    misses = foldCurves (misses, c);
+  if isempty (misses)
+    return
   end
-  if ~isempty (misses)
-    size_ = abs ([misses.z]);
-    size_(isnan (size_)) = [misses(isnan (size_)).share];
-    size_(isnan (size_)) = -1;
-    [~, order] = sortrows ([strcmp({misses.role}, 'unmeasured')', -size_']);
-    misses = misses(order);
-  end
+  misses = foldCurves (judgeHeldOut (misses, c), c);
+  size_ = abs ([misses.z]);
+  size_(isnan (size_)) = [misses(isnan (size_)).share];
+  size_(isnan (size_)) = -1;
+  [~, order] = sortrows ([strcmp({misses.role}, 'unmeasured')', -size_']);
+  misses = misses(order);
 end
 
-function m = missOf (T)
-  field = @(name, other) fieldOf (T, name, other);
+% Where N runs were made, met and missed are said of what they and all runs
+% together agree on; the others are open.
+function m = missOf (T, n)
+  field = @(name, other) givenField (T, name, other);
   m = struct ('model', T.model, 'name', T.name, 'unit', field ('unit', ''), ...
               'measured', field ('target', NaN), ...
               'simulated', field ('estimate', field ('result', NaN)), ...
@@ -46,7 +45,7 @@ function m = missOf (T)
               'z', field ('z', NaN), 'scatter', field ('noiseSd', 0), ...
               'isStrict', false, ...
               'state', '', 'mean', field ('result', NaN), ...
-              'meanSd', field ('resultSd', NaN), 'runs', 0, 'points', 1);
+              'meanSd', field ('resultSd', NaN), 'runs', max ([n, 0]), 'points', 1);
   m.miss = m.simulated - m.measured;
   residual = field ('residual', NaN);
   tol = field ('tol', NaN);
@@ -54,13 +53,11 @@ function m = missOf (T)
     m.allowed = abs (m.measured) * tol;
   end
   if strcmp (T.role, 'calibrate') && isfinite (residual)
-    m.met = double (abs (residual) <= tol);
-    m.share = abs (residual) / tol;
-    if isfinite (m.miss) && m.allowed > 0
-      m.share = abs (m.miss) / m.allowed;
-    end
-    m.met = double (field ('met', m.met > 0));
+    shares = [abs(m.miss(m.allowed > 0)) / m.allowed, abs(residual) / tol];
+    m.share = shares(find (isfinite (shares), 1));
+    m.met = double (field ('met', abs (residual) <= tol));
     m.state = field ('state', '');
+    m.met(m.runs > 0 && strcmp (m.state, 'open')) = NaN;
   end
   ofMean = diff (field ('interval90', [0, 0])(:)') / 3.29;
   noise = norm ([field('sd', 0), m.scatter, ofMean]);
@@ -70,31 +67,11 @@ function m = missOf (T)
   m.isStrict = strcmp (T.role, 'calibrate') && m.allowed < m.scatter;
 end
 
-% Where runs were made, met and missed are said of what they and all runs
-% together agree on; the others are open.
-function misses = withRuns (misses, c)
-  n = jsonAt (c, {'runs'});
-  for k = 1:numel (misses) * ~isempty (n)
-    misses(k).runs = n;
-    if n > 0 && strcmp (misses(k).state, 'open')
-      misses(k).met = NaN;
-    end
-  end
-end
-
-function value = fieldOf (T, name, other)
-  value = other;
-  if isfield (T, name) && ~isempty (T.(name))
-    value = T.(name);
-  end
-end
-
 % Held out: inside where a measurement should lie, or nearer than what the user
 % allows.
 function misses = judgeHeldOut (misses, c)
-  held = jsonAt (c, {'holdout'});
-  for k = 1:numel (held)
-    h = jsonAt (held, {k});
+  for held = jsonList (c, {'holdout'})
+    h = held{1};
     at = find (strcmp ({misses.name}, h.name) & ...
                ~strcmp ({misses.role}, 'calibrate'), 1);
     if ~isempty (at) && isnumeric (h.interval90) && ~isempty (h.inside)
@@ -109,29 +86,20 @@ function misses = judgeHeldOut (misses, c)
   end
 end
 
+% A fitted curve is its worst point, met by its root mean square.
 function misses = foldCurves (misses, c)
-  curve = repmat ({''}, 1, numel (misses));
-  for t = 1:numel (misses)
-    name = jsonAt (c, {'targets', t, 'curve'});
-    if ischar (name) && ~isempty (name)
-      curve{t} = [misses(t).model, ': ', name];
-    end
-  end
-  keep = cellfun (@isempty, curve);
-  for name = unique (curve(~keep))
-    members = find (strcmp (name{1}, curve) & ...
-                    strcmp ({misses.role}, 'calibrate'));
-    if isempty (members)
-      keep(strcmp (name{1}, curve)) = true;
-      continue
-    end
-    share = sqrt (mean ([misses(members).share].^2));
+  name = eachOf (@(t) char (jsonAt (c, {'targets', t, 'curve'})), 1:numel (misses));
+  curve = strcat ({misses.model}, {': '}, name);
+  isPoint = ~cellfun (@isempty, name) & strcmp ({misses.role}, 'calibrate');
+  keep = ~ismember (curve, curve(isPoint));
+  for one = unique (curve(isPoint))
+    members = find (isPoint & strcmp (curve, one{1}));
     [~, worst] = max ([misses(members).share]);
     at = members(worst);
-    misses(at).share = share;
+    misses(at).share = sqrt (mean ([misses(members).share].^2));
     misses(at).points = numel (members);
     misses(at).isStrict = all ([misses(members).isStrict]);
-    misses(at).name = jsonAt (c, {'targets', at, 'curve'});
+    misses(at).name = name{at};
     keep(at) = true;
   end
   misses = misses(keep);

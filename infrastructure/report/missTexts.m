@@ -10,10 +10,8 @@
 %          met'; else ''
 
 function [texts, open] = missTexts (m)
-  label = 'largest miss: ';
-  if m.met == 1 || (isnan (m.met) && m.share < 1)
-    label = 'largest deviation: ';
-  end
+  isSmall = m.met == 1 || (isnan (m.met) && m.share < 1);
+  labels = {'largest miss: ', 'largest deviation: '};
   held = repmat (' (never fitted)', 1, strcmp (m.role, 'holdout'));
   text = simulatedText (m);
   if isfinite (m.measured)
@@ -23,39 +21,25 @@ function [texts, open] = missTexts (m)
   elseif ~isfinite (m.simulated)
     text = sprintf ('%.1f times its noise', 2 * m.share);
   end
-  texts = {[label, m.name, held], text};
+  texts = {[labels{1 + isSmall}, m.name, held], text};
   open = '';
   if strcmp (m.state, 'open') && m.runs > 0
-    says = {'met', 'missed'};
-    if m.share > 1                     % of a curve the root mean square
-      says = fliplr (says);
-    end
-    open = sprintf ('%s %s, all runs together say %s', runsSay (m.runs), ...
-                    says{2}, says{1});
-  end
-end
-
-function text = runsSay (n)
-  text = sprintf ('%d runs say', n);
-  if n == 1
-    text = '1 run says';
+    runs = {sprintf('%d runs say', m.runs), '1 run says'};
+    says = {'missed', 'met'};
+    isMissed = m.share > 1;            % of a curve the root mean square
+    open = sprintf ('%s %s, all runs together say %s', runs{1 + (m.runs == 1)}, ...
+                    says{1 + isMissed}, says{2 - isMissed});
   end
 end
 
 function text = simulatedText (m)
-  text = ['simulated ', quantity(m.simulated, m.unit)];
+  all_ = quantity (m.simulated, m.unit);
+  text = ['simulated ', all_];
   if m.runs > 0 && isfinite (m.mean) && isfinite (m.simulated)
-    runs = 'one run';
-    if m.runs > 1
-      runs = sprintf ('mean of %d runs', m.runs);
-    end
-    give = '';
-    if isfinite (m.meanSd)
-      give = [' +- ', quantity(m.meanSd, m.unit)];
-    end
-    text = sprintf ('DEM, %s %s%s; all runs together %s', runs, ...
-                    quantity (m.mean, m.unit), give, ...
-                    quantity (m.simulated, m.unit));
+    runs = {'one run', sprintf('mean of %d runs', m.runs)};
+    error_ = repmat ([' +- ', quantity(m.meanSd, m.unit)], 1, isfinite (m.meanSd));
+    text = sprintf ('DEM, %s %s%s; all runs together %s', runs{1 + (m.runs > 1)}, ...
+                    quantity (m.mean, m.unit), error_, all_);
   end
 end
 

@@ -7,13 +7,9 @@
 %   NAMES  cellstr, see statementTables; what has no rows is left out
 
 function sayTables (page, say, names)
-  tables = statementTables (page, names);
-  for name = names
-    lines = tableText (tables.(name{1}));
-    if ~isempty (lines)
-      cellfun (@(line) say (line), [lines, {''}]);
-    end
-  end
+  tables = struct2cell (statementTables (page, names))';
+  lines = eachOf (@tableText, tables);
+  cellfun (@(own) cellfun (say, [own, {''}]), lines(~cellfun (@isempty, lines)));
 end
 
 %!test

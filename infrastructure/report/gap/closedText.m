@@ -14,37 +14,37 @@ function [text, code] = closedText (gap, isChange)
   effect = jsonAt (far, {'effect'});
   [text, code] = deal ('');
   isChange = nargin > 1 && isChange;
-  if ~ischar (effect) || isempty (effect)
+  if isempty (effect)
     return
   end
-  isVerified = isequal (jsonAt (far, {'verifiedByDEM'}), true);
-  how = {'closed.onSurrogates', 'closed.byDEM'};
   code = codeOf (far);
-  values = struct ('effect', plainName (effect), 'how', sentence (how{1 + isVerified}), ...
-                   'part', partText (far, isChange));
-  text = sentence ('closed.fitted', values);
+  text = sentence ('closed.fitted', struct ('effect', plainName (effect), 'how', ...
+                                            judgedHow (far), 'part', ...
+                                            partText (far, isChange)));
   held = jsonAt (far, {'heldOut'});
   if isstruct (held)
     text = [text, '; ', ...
             sentence('closed.heldOut', struct ('part', partText (held, isChange)))];
   end
-  text = [text, '.', outsideText(far), rivalText(far)];
+  targets = jsonList (far, {'targets'});
+  placebos = jsonList (far, {'placebos'});
+  outside = targets(cellfun (@isOutside, targets));
+  rivals = placebos(cellfun (@(p) isRival (p, far), placebos));
+  rest = listSentences ({'closed.outside', eachOf(@(T) T.name, outside); ...
+                         'closed.rivals', eachOf(@(p) p.effect, rivals)});
+  text = [text, '.', strcat({' '}, rest){:}];
 end
 
 % Within noise is not yet within what the user allows.
-function text = outsideText (far)
-  text = '';
-  names = {};
-  for k = 1:numel (jsonAt (far, {'targets'}))
-    T = jsonAt (far, {'targets', k});
-    allowed = jsonAt (T, {'allowed'});
-    if strcmp (jsonAt (T, {'role'}), 'calibrate') && any (abs (T.after - T.measured) > allowed)
-      names{end + 1} = T.name;
-    end
-  end
-  if ~isempty (names)
-    text = [' ', sentence('closed.outside', struct ('names', {names}))];
-  end
+function yes = isOutside (T)
+  yes = strcmp (jsonAt (T, {'role'}), 'calibrate') && ...
+        any (abs (T.after - T.measured) > jsonAt (T, {'allowed'}));
+end
+
+% One that does as well.
+function yes = isRival (placebo, far)
+  isAsGood = any (jsonAt (placebo, {'closure'}) >= 0.8 * min (far.closure, 1));
+  yes = givenField (placebo, 'against', isAsGood);
 end
 
 function text = partText (part, isChange)
@@ -54,41 +54,19 @@ end
 
 % No gap, and a gap whose closing cannot be told, are two things.
 function code = codeOf (part)
-  closure = jsonAt (part, {'closure'});
-  removable = jsonAt (part, {'removable'});
-  code = 'share';
+  closure = jsonNumber (part, {'closure'});
+  codes = {'tooFew', 'noise', 'unknown'};
+  removable = jsonNumber (part, {'removable'});
   if any (diff (jsonAt (part, {'interval90'})) > 0.5)
     code = 'unsure';
-  elseif any (closure >= 0.995)
+  elseif ~isfinite (closure)
+    code = codes{1 + (removable == 0) + 2 * isnan(removable)};
+  elseif closure >= 0.995
     code = 'all';
-  elseif any (closure <= 0.005)
+  elseif closure <= 0.005
     code = 'nothing';
-  elseif ~any (isfinite (closure)) && isequal (removable, true)
-    code = 'tooFew';
-  elseif ~any (isfinite (closure)) && isequal (removable, false)
-    code = 'noise';
-  elseif ~any (isfinite (closure))
-    code = 'unknown';
-  end
-end
-
-% The placebo that does as well is the rival.
-function text = rivalText (far)
-  text = '';
-  rivals = {};
-  for k = 1:numel (jsonAt (far, {'placebos'}))
-    placebo = jsonAt (far, {'placebos', k});
-    closure = jsonAt (placebo, {'closure'});
-    isRival = jsonAt (placebo, {'against'});
-    if isempty (isRival)
-      isRival = any (closure >= 0.8 * min (far.closure, 1));
-    end
-    if isRival
-      rivals{end + 1} = placebo.effect;
-    end
-  end
-  if ~isempty (rivals)
-    text = [' ', sentence('closed.rivals', struct ('names', {rivals}))];
+  else
+    code = 'share';
   end
 end
 

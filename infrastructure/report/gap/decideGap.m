@@ -24,30 +24,33 @@
 % Where there is a reference, all is said of the change from it.
 
 function cause = decideGap (gap)
-  verdict = gap.which;
+  which = gap.which;
   isChange = ~isempty (jsonAt (gap, {'reference'}));
   say = @(code, values) sentence (['cause.', code], values, isChange);
-  effects = namesIn (verdict, 'effects');
+  effects = namesIn (which, 'effects');
   [where, isBeyond] = whereText (gap, isChange);
   [closed, closure] = closedText (gap, isChange);
+  untested = jsonList (which, {'untested'});
+  codes = {'failedWhy', 'failed'};
   cause = struct ('kind', 'open', 'code', '', 'word', '', 'sentence', '', ...
                   'class', 'open', 'where', where, 'closed', closed, ...
                   'closure', closure, 'todo', [], 'without', [], 'notFor', {{}}, 'amount', [], ...
-                  'cannotSee', {namesIn(verdict, 'cannotSee')}, ...
-                  'untested', {untestedOf(verdict, say)});
+                  'cannotSee', {namesIn(which, 'cannotSee')}, ...
+                  'untested', {eachOf(@(u) say (codes{1 + isempty(u.why)}, u), untested)});
+  failed = eachOf (@(u) u.name, untested);
   isSeen = ~all (ismember (effects, cause.cannotSee));
-  if strcmp (verdict.verdict, 'no gap')
-    cause = noGap (cause, gap, isBeyond, say);
-  elseif any (strcmp (verdict.verdict, {'named', 'group'})) && isSeen
-    % what is named is not what could not be seen
-    cause.cannotSee = setdiff (cause.cannotSee, effects, 'stable');
+  if strcmp (which.verdict, 'no gap')
+    cause = noGap (cause, gap, isBeyond, failed, say);
+  elseif any (strcmp (which.verdict, {'named', 'group'})) && isSeen
     cause = found (cause, gap, effects, isBeyond, say);
-  elseif strcmp (verdict.verdict, 'none of the listed')
-    cause = unlisted (cause, gap, say);
-  elseif strcmp (verdict.verdict, 'surrogate')
-    cause.kind = 'no verdict';
-    cause = inWordsOf (cause, 'noVerdict', verdict, say);
-    cause.todo = newAction ('moreRuns', {'Input.maxNewRuns'});
+  elseif strcmp (which.verdict, 'none of the listed') && isempty (failed)
+    cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
+    cause.class = 'bad';
+  elseif strcmp (which.verdict, 'none of the listed')
+    cause = said (cause, say, 'open', 'untested', {}, newAction ('mendEffect', failed));
+  elseif strcmp (which.verdict, 'surrogate')
+    cause = said (cause, say, 'no verdict', 'noVerdict', which, ...
+                  newAction ('moreRuns', {'Input.maxNewRuns'}));
   else
     cause = stillOpen (cause, gap, isBeyond, say);
   end
@@ -59,209 +62,149 @@ function cause = decideGap (gap)
   end
 end
 
-function cause = inWordsOf (cause, code, values, say)
-  cause.code = code;
+function cause = said (cause, say, kind, code, values, todo)
+  [cause.kind, cause.code, cause.todo] = deal (kind, code, todo);
   cause.word = say ([code, '.word'], values);
   cause.sentence = say ([code, '.sentence'], values);
 end
 
-% None of those that could be tested, where the runs of others have failed.
-function cause = unlisted (cause, gap, say)
-  if isempty (cause.untested)
-    [cause.kind, cause.class] = deal ('unlisted', 'bad');
-    cause = inWordsOf (cause, 'unlisted', struct (), say);
-    cause.todo = newAction ('listMore');
-  else
-    cause = inWordsOf (cause, 'untested', struct (), say);
-    cause.todo = newAction ('mendEffect', {gap.which.untested.name});
-  end
-end
-
-function texts = untestedOf (verdict, say)
-  texts = cell (1, 0);
-  for one = jsonAt (verdict, {'untested'})(:)'
-    codes = {'failed', 'failedWhy'};
-    texts{end + 1} = say (codes{2 - isempty(one.why)}, one);
-  end
-end
-
-function cause = noGap (cause, gap, isBeyond, say)
+function cause = noGap (cause, gap, isBeyond, failed, say)
   cause.closed = '';
-  missed = struct ('names', {missedTargets(gap, 'holdout')});
-  failed = cell (1, 0);
-  if ~isempty (cause.untested)
-    failed = {gap.which.untested.name};
-  end
-  unseen = struct ('names', {plainName([cause.cannotSee, failed])});
-  if isempty (missed.names) && isempty (unseen.names) && ~isBeyond
-    [cause.kind, cause.class] = deal ('none', 'good');
-    cause = inWordsOf (cause, 'none', struct (), say);
-    cause.sentence = [cause.sentence, seenFrom(gap, say)];
-    cause.without = newAction ('measureBetter');
-    return
-  end
-  cause.kind = 'cannot tell';
-  if ~isempty (missed.names)
-    cause = inWordsOf (cause, 'heldOut', missed, say);
+  missed = missedTargets (gap, 'holdout');
+  unseen = plainName ([cause.cannotSee, failed]);
+  if ~isempty (missed)
+    cause = said (cause, say, 'cannot tell', 'heldOut', missed, newAction ('fitToo', missed));
     cause.notFor = {say('notFor.heldOut', missed)};
-    cause.todo = newAction ('fitToo', missed.names);
   elseif isBeyond
-    cause = inWordsOf (cause, 'mixed', struct (), say);
-    cause.todo = testOf (gap);
+    cause = said (cause, say, 'cannot tell', 'mixed', {}, testOf (gap));
+  elseif isempty (unseen)
+    cause = said (cause, say, 'none', 'none', {}, []);
+    [cause.class, cause.without] = deal ('good', newAction ('measureBetter'));
+    cause.sentence = [cause.sentence, seenFrom(gap, say)];
   else
-    cause = inWordsOf (cause, 'blind', unseen, say);
+    todo = newAction ('seeThem', cause.cannotSee);
+    if isempty (cause.cannotSee)
+      todo = newAction ('mendEffect', failed);
+    end
+    cause = said (cause, say, 'cannot tell', 'blind', unseen, todo);
     cause.sentence = [cause.sentence, seenFrom(gap, say)];
     cause.notFor = {say('notFor.unseen', unseen)};
-    cause.todo = newAction ('seeThem', cause.cannotSee);
-    if isempty (cause.cannotSee)
-      cause.todo = newAction ('mendEffect', failed);
-    end
   end
 end
 
-% What would have been seen in 8 of 10 cases; older files do not say it.
+% What would have been seen in 8 of 10 cases.
 function text = seenFrom (gap, say)
-  strength = jsonAt (gap, {'which', 'strength'});
-  parts = {};
-  for name = fieldnames (strength)'
-    from = jsonAt (strength, {name{1}, 'seenFrom'});
-    if ~isempty (from)
-      parts{end + 1} = [jsonAt(strength, {name{1}, 'label'}), ' ', from];
-    end
-  end
+  strength = struct2cell (givenField (gap.which, 'strength', struct ()))';
+  isKnown = cellfun (@(s) ~isempty (jsonAt (s, {'seenFrom'})), strength);
+  parts = eachOf (@(s) [s.label, ' ', s.seenFrom], strength(isKnown));
   text = '';
   if ~isempty (parts)
-    text = [' ', say('seenFrom', struct ('names', {parts}))];
+    text = [' ', say('seenFrom', parts)];
   end
 end
 
 % A gap whose cause is open; where no measurement is missed, not even that.
 function cause = stillOpen (cause, gap, isBeyond, say)
-  code = 'open';
+  [kind, code, likely] = deal ('open', 'open', namesIn (gap.which, 'likely'));
   if ~isBeyond
-    code = 'faint';
-    [cause.kind, cause.closed] = deal ('cannot tell', '');
-  end
-  likely = namesIn (gap.which, 'likely');
-  if ~isBeyond
+    [kind, code, cause.closed] = deal ('cannot tell', 'faint', '');
     likely = setdiff (likely, cause.cannotSee, 'stable');
   end
   likely = likely(1:min (end, 3));
-  values = struct ('why', plainReason (gap.which), 'names', {plainName(likely)});
   % nothing is most likely and cannot be seen at once
   cause.cannotSee = setdiff (cause.cannotSee, likely, 'stable');
-  cause = inWordsOf (cause, code, values, say);
-  if ~isempty (values.names)
+  values = struct ('why', plainReason (gap.which), 'names', {plainName(likely)});
+  cause = said (cause, say, kind, code, values, testOf (gap));
+  if ~isempty (likely)
     cause.sentence = [cause.sentence, ' ', say([code, '.likely'], values)];
   end
-  cause.todo = testOf (gap);
 end
 
 function cause = found (cause, gap, effects, isBeyond, say)
-  verdict = gap.which;
+  which = gap.which;
   if ~isBeyond
-    cause.where = say ('where.together', struct ());
+    cause.where = say ('where.together', {});
   end
-  code = codeOfFound (verdict, effects);
+  % what is named is not what could not be seen
+  cause.cannotSee = setdiff (cause.cannotSee, effects, 'stable');
+  code = codeOfFound (which, effects);
   several = any (strcmp (code, {'several', 'sameKind'}));
   kinds = {'found', 'several'};
-  cause.kind = kinds{1 + several};
-  known = cellfun (@(n) jsonAt (verdict, {'strength', ...
-                                          matlab.lang.makeValidName(n)}), ...
-                   effects, 'UniformOutput', false);
-  amounts = cellfun (@(n, s) amountOf (verdict, n, s), effects, known, ...
-                     'UniformOutput', false);
-  values = struct ('names', {plainName(effects)}, 'cause', causeText (verdict), ...
-                   'amounts', strjoin (amounts, '; '), ...
-                   'why', plainReason (verdict));
-  cause = inWordsOf (cause, code, values, say);
-  cause.amount = struct ('label', say ('amount', values), ...
-                         'text', values.amounts);
-  if numel (effects) == 1 && ~isempty (jsonAt (known{1}, {'amount'}))
-    cause.amount.text = known{1}.amount;
-    cause.amount.label = say ('amount', struct ('names', {{known{1}.label}}));
+  amounts = strjoin (eachOf (@(name) amountOf (which, name), effects), '; ');
+  values = struct ('names', {plainName(effects)}, 'amounts', amounts, ...
+                   'why', plainReason (which));
+  todo = testOf (gap);
+  tried = jsonAt (gap, {'howFar', 'effect'});
+  if ~several && isempty (tried)
+    todo = newAction ('model');
+  elseif ~several
+    folder = givenField (jsonAt (gap, {'reference'}), 'folder', 'gap');
+    todo = newAction ('takeModel', {tried}, {}, [folder, '/calibrated.head']);
+  end
+  if ~several
+    todo.text = strtrim ([plantAdvice(effects), ' ', todo.text]);
+  end
+  cause = said (cause, say, kinds{1 + several}, code, values, todo);
+  cause.amount = struct ('label', say ('amount', values), 'text', amounts);
+  only = jsonAt (which, {'strength', fieldOf(effects{1})});
+  if numel (effects) == 1 && ~isempty (jsonAt (only, {'amount'}))
+    cause.amount = struct ('label', say ('amount', {only.label}), 'text', only.amount);
   elseif several
-    cause.amount.text = strjoin (cellfun (@(n) chanceOf (verdict, n), effects, ...
-                                          'UniformOutput', false), ', ');
+    % 'mean size 0.31', for the few words beside a large number
+    chance = @(name) strtrim (sprintf ('%s %s', plainName (name), ...
+                                       sprintf ('%.2f', probabilityOf (which, name))));
+    cause.amount.text = strjoin (eachOf (chance, effects), ', ');
   end
   cause.notFor = {say('notFor.found', values)};
-  tried = jsonAt (gap, {'howFar', 'effect'});
-  if several
-    cause.todo = testOf (gap);
-    return
-  elseif isempty (tried)
-    cause.todo = newAction ('model');
-  else
-    folder = char (jsonAt (gap, {'reference', 'folder'}));
-    if isempty (folder)
-      folder = 'gap';
-    end
-    cause.todo = newAction ('takeModel', {tried}, {}, [folder, '/calibrated.head']);
-  end
-  cause.todo.text = strtrim ([plantAdvice(effects), ' ', cause.todo.text]);
 end
 
-function code = codeOfFound (verdict, effects)
-  is = @(field) isequal (jsonAt (verdict, {field}), true);
-  if strcmp (verdict.verdict, 'named')
-    codes = {'named', 'alike'};
-    code = codes{1 + is('lookAlike')};
-  elseif isscalar (effects) || is ('together')
-    code = 'likely';
-  else
-    codes = {'several', 'sameKind'};
-    code = codes{1 + is('sameKind')};
+function code = codeOfFound (which, effects)
+  is = @(field) isequal (jsonAt (which, {field}), true);
+  codes = {'named', 'alike'; 'several', 'sameKind'};
+  code = 'likely';
+  if strcmp (which.verdict, 'named')
+    code = codes{1, 1 + is('lookAlike')};
+  elseif ~isscalar (effects) && ~is ('together')
+    code = codes{2, 1 + is('sameKind')};
   end
 end
 
-% In its unit; older files know the share of its range alone.
-function text = amountOf (verdict, name, known)
-  text = plainName (name);
-  strength = jsonAt (known, {'text'});
-  if strncmpi (strength, name, numel (name))
-    text = strength;
-  elseif ~isempty (strength)
-    text = [text, ', ', strength];
-  end
-  p = probabilityOf (verdict, name);
+% In its unit; a label that begins with the name says it.
+function text = amountOf (which, name)
+  strength = char (jsonAt (which, {'strength', fieldOf(name), 'text'}));
+  parts = {plainName(name), strength};
+  parts = parts(1 + strncmpi (strength, name, numel (name)):end);
+  text = strjoin (parts(~cellfun (@isempty, parts)), ', ');
+  p = probabilityOf (which, name);
   if ~isempty (p)
-    text = sprintf ('%s, probability %.2f', text, p(1));
+    text = sprintf ('%s, probability %.2f', text, p);
   end
 end
 
-% 'mean size 0.31', for the few words beside a large number.
-function text = chanceOf (verdict, name)
-  p = probabilityOf (verdict, name);
-  text = strtrim (sprintf ('%s %s', plainName (name), sprintf ('%.2f', p(1:min (end, 1)))));
+function p = probabilityOf (which, name)
+  p = [jsonAt(which, {'alike', fieldOf(name)}), jsonAt(which, {'posterior', fieldOf(name)})];
+  p = p(1:min (end, 1));
 end
 
-function p = probabilityOf (verdict, name)
-  field = matlab.lang.makeValidName (name);
-  p = [jsonAt(verdict, {'alike', field}), ...
-       jsonAt(verdict, {'posterior', field})];
+function name = fieldOf (name)
+  name = matlab.lang.makeValidName (name);
 end
 
 % The words of the method stay in the field reason.
-function text = plainReason (verdict)
-  guard = jsonAt (verdict, {'guard'});
-  isUnlisted = strcmp (guard, 'look-alike') && ...
-               isempty (namesIn (verdict, 'siblings'));
-  if isUnlisted || any (strcmp (guard, {'group', 'class', 'runs', ...
-                                        'readings', 'integral'}))
-    values = struct ('names', {namesIn(verdict, 'decides')});
-    text = sentence (['guard.', guard], values);
-  else
-    text = verdict.reason;
+function text = plainReason (which)
+  guard = char (jsonAt (which, {'guard'}));
+  text = which.reason;
+  if any (strcmp (guard, {'group', 'class', 'runs', 'readings', 'integral'})) || ...
+     (strcmp (guard, 'look-alike') && isempty (namesIn (which, 'siblings')))
+    text = sentence (['guard.', guard], namesIn (which, 'decides'));
   end
 end
 
 % A test that tells next to nothing is not named.
 function todo = testOf (gap)
-  first = jsonAt (gap, {'next', 1});
-  if any (jsonAt (first, {'gain'}) >= thresholdOf (gap, 'adviseAt', 0.2))
-    todo = newAction ('test', {first.test});
-  else
-    todo = newAction ('otherSetting');
+  todo = newAction ('otherSetting');
+  if any (jsonAt (gap, {'next', 1, 'gain'}) >= thresholdOf (gap, 'adviseAt', 0.2))
+    todo = newAction ('test', {jsonAt(gap, {'next', 1, 'test'})});
   end
 end
 
@@ -269,17 +212,15 @@ function [text, isBeyond] = whereText (gap, isChange)
   models = jsonAt (gap, {'where', 'models'});
   off = missedTargets (gap, {'calibrate', 'holdout'});
   level = thresholdOf (gap, 'level', 0.05);
-  isBeyond = ~isequal (jsonAt (gap, {'where', 'p'}) >= level, true) || ...
-             ~isempty (off);
+  isBeyond = ~isequal (jsonAt (gap, {'where', 'p'}) >= level, true) || ~isempty (off);
   codes = {'nowhere', 'all', 'some'};
-  code = codes{1 + isBeyond * (1 + ~isempty (off))};
   values = struct ('names', {off}, 'most', '');
   if isBeyond && isfield (models, 'size') && numel (models) > 1
     [~, k] = max ([models.size]);
-    values.most = sentence ('cause.where.most', ...
-                            struct ('test', models(k).model));
+    values.most = sentence ('cause.where.most', struct ('test', models(k).model));
   end
-  text = sentence (['cause.where.', code], values, isChange);
+  text = sentence (['cause.where.', codes{1 + isBeyond * (1 + ~isempty (off))}], values, ...
+                   isChange);
 end
 
 %!test

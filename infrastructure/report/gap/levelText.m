@@ -7,27 +7,21 @@
 
 function text = levelText (level)
   names = cellstr (level.variables);
-  text = ['reached at ', namedValues(names, level.value, '%.3g'), '. At '];
-  finer = namedValues (names, level.finer, '%.3g');
   rms = @(x) norm (x) / sqrt (numel (x));
-  if isempty (level.verdict)
-    text = [text, finer, ' it is open: the runs at the coarser levels ', ...
-            'say nothing of it.'];
-    return
+  code = 'level.open';
+  effects = cellstr (level.effects)(:)';
+  effects = strjoin (effects(~cellfun (@isempty, effects)), ', ');
+  values = struct ('at', namedValues (names, level.value, '%.3g'), ...
+                   'finer', namedValues (names, level.finer, '%.3g'), ...
+                   'shift', sprintf ('%.3g', rms (level.shift)), ...
+                   'sd', sprintf ('%.2g', rms (level.shiftSd)), ...
+                   'verdict', level.verdict, ...
+                   'effects', repmat ([' (', effects, ')'], 1, ~isempty (effects)));
+  if ~isempty (level.verdict)
+    codes = {'level.other', 'level.same'};
+    code = codes{1 + level.holds};
   end
-  text = sprintf (['%s%s, where the runs of all levels predict a shift of ' ...
-                   'the responses by %.3g +- %.2g (root mean square), '], ...
-                  text, finer, rms (level.shift), rms (level.shiftSd));
-  if level.holds
-    text = [text, 'it would be the same.'];
-  else
-    effects = cellstr (level.effects);
-    names = '';
-    if ~all (cellfun (@isempty, effects(:)))
-      names = sprintf (' (%s)', strjoin (effects(:)', ', '));
-    end
-    text = [text, 'it would be: ', level.verdict, names, '.'];
-  end
+  text = sentence (code, values);
 end
 
 %!test
@@ -36,7 +30,7 @@ end
 %!                 'effects', {{'tilt'}}, 'holds', true);
 %! assert (levelText (level), ...
 %!         ['reached at scaleP = 2. At scaleP = 1.33, where the runs of ', ...
-%!          'all levels predict a shift of the responses by 3.54 +- 1 ', ...
+%!          'all levels predict a shift of the results by 3.54 +- 1 ', ...
 %!          '(root mean square), it would be the same.']);
 %! level.holds = false;
 %! assert (! isempty (strfind (levelText (level), 'be: named (tilt).')));

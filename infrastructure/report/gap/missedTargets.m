@@ -10,8 +10,7 @@
 % See also: decideGap
 
 function names = missedTargets (gap, roles)
-  targets = arrayfun (@(k) jsonAt (gap.where.targets, {k}), ...
-                      1:numel (gap.where.targets), 'UniformOutput', false);
+  targets = jsonList (gap, {'where', 'targets'});
   targets = targets(cellfun (@(T) any (strcmp (T.role, roles)), targets));
   level = thresholdOf (gap, 'level', 0.05);
   isOff = cellfun (@(T) any (jsonAt (T, {'p'}) < level), targets);
@@ -19,12 +18,12 @@ function names = missedTargets (gap, roles)
   if ~any (isOff)
     return
   end
-  names = cellfun (@(T) T.name, targets, 'UniformOutput', false);
-  at = str2double (regexprep (names, '^.*@', ''));
-  curve = regexprep (names, '@[^@]*$', '');
-  for name = unique (curve(~strcmp (curve, names)))
-    own = strcmp (curve, name{1}) & ~strcmp (names, name{1});
-    if sum (own) >= 3
+  names = eachOf (@(T) T.name, targets);
+  [curve, at] = strtok (names, '@');
+  at = cellfun (@(t) str2double (t(2:end)), at);
+  for name = unique (curve(isfinite (at)))
+    own = strcmp (curve, name{1}) & isfinite (at);
+    if sum (own) >= 3 && any (own & isOff)
       off = at(own & isOff);
       codes = {'points', 'point'};
       values = struct ('name', name{1}, 'n', numel (off), 'of', sum (own), ...

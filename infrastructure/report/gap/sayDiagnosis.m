@@ -14,32 +14,29 @@ function sayDiagnosis (Case, say, nextFile)
   page = shownResult (Case);
   gap = page.sources.gap;
   v = page.verdict;
-  condition = jsonAt (gap, {'reference', 'condition'});
+  condition = char (jsonAt (gap, {'reference', 'condition'}));
   if ~isempty (condition)
-    say ('');
-    say (['CONDITION ', condition, ' beside the reference']);
+    cellfun (say, {'', ['CONDITION ', condition, ', compared with the reference']});
   end
   say ('');
   sayTables (page, say, {'where'});
   if ~isempty (page.sources.calibration)
-    say (['  ', sentence('table.twoSets')]);
-    say ('');
+    cellfun (say, {['  ', sentence('table.twoSets')], ''});
   end
   sayTables (page, say, {'causes', 'change'});
   if ~isempty (v.cause.closed)
     sayTables (page, say, {'howfar', 'beforeafter'});
   end
   if ~isempty (jsonAt (gap, {'level'}))
-    say (['LEVEL: ', levelText(gap.level)]);
-    say ('');
+    cellfun (say, {['LEVEL: ', levelText(gap.level)], ''});
   end
   sayTables (page, say, {'next'});
   if nargin > 2 && ~isempty (nextFile)
-    say (['  Fill in what was measured: ', nextFile]);
-    say ('  and start decalioc diagnose again: the test is part of the case.');
-    say ('');
+    cellfun (say, {['  Fill in what was measured: ', nextFile], ...
+                   '  and start decalioc diagnose again: the test is part of the case.', ''});
   end
-  if numel (jsonAt (gap, {'reference', 'conditions'})) > 1
+  found = {conditionTexts(gap).line};
+  if numel (found) > 1
     sayTables (page, say, {'conditions'});
   end
   d = jsonAt (gap, {'demRuns'});
@@ -49,11 +46,7 @@ function sayDiagnosis (Case, say, nextFile)
   end
   say (['Details: ', fullfile(Case.folder, 'gap', 'gap.json')]);
   % beside a calibration of an earlier input the diagnosis has an action of its own
-  own = jsonAt (gap, {'verdict', 'action'});
-  if ischar (own) && ~isempty (own)
-    v.action = own;
-  end
-  found = {conditionTexts(gap).line};
+  v.action = givenField (jsonAt (gap, {'verdict'}), 'action', v.action);
   sayPlain (v, found(1:end * (numel (found) > 1)), ...
             madeByText (jsonAt (gap, {'which', 'cause'})), say);
 end
@@ -62,18 +55,11 @@ end
 function sayPlain (v, found, madeBy, say)
   cause = v.cause;
   say ('');
-  say (upperFirst (cause.word), cause.class);
-  cellfun (@(line) say (['FOUND   ', line]), found);
+  say ([upper(cause.word(1)), cause.word(2:end)], cause.class);
+  unseen = listSentences ({'cause.unseen', plainName(cause.cannotSee)});
   lines = {'MISSES  ', cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...
-           'CLOSED  ', cause.closed; 'NEXT    ', v.action; ...
-           '        ', sentence('cause.unseen', struct ('names', {plainName(cause.cannotSee)}))};
-  lines{6, 2} = lines{6, 2}(1:end * ~isempty (cause.cannotSee));
-  for line = lines(~cellfun (@isempty, lines(:, 2)), :)'
-    say ([line{:}]);
-  end
-  cellfun (@(text) say (['        ', text]), cause.untested);
-end
-
-function text = upperFirst (text)
-  text = [upper(text(1)), text(2:end)];
+           'CLOSED  ', cause.closed; 'NEXT    ', v.action};
+  lines = lines(~cellfun (@isempty, lines(:, 2)), :);
+  cellfun (say, [strcat({'FOUND   '}, found), strcat(lines(:, 1), lines(:, 2))', ...
+                 strcat({'        '}, [unseen, cause.untested(:)'])]);
 end

@@ -9,64 +9,49 @@
 
 function sayGapCase (Case, data, count, notes, say)
   say ('');
-  say (sprintf ('diagnoseGap: %s', Case.folder));
-  say (sprintf ('  models: %s', strjoin ({Case.models.name}, ', ')));
-  names = {};
-  if ~isempty (Case.effects)
-    names = {Case.effects.name};
-  end
-  say (sprintf ('  candidate effects: %s', strjoin (names, ', ')));
-  say (sprintf (['  runs: %d from the store, %d rows from runs.csv, %d ' ...
-                 'sets in all'], count.store, count.imported, rows (data.X)));
+  effects = givenField (Case, 'effects', struct ('name', {}));
+  lines = {sprintf('diagnoseGap: %s', Case.folder), ...
+           ['  models: ', strjoin({Case.models.name}, ', ')], ...
+           ['  candidate effects: ', strjoin({effects.name}, ', ')], ...
+           sprintf('  runs: %d from the store, %d rows from runs.csv, %d sets in all', ...
+                   count.store, count.imported, rows (data.X))};
   if count.noResult > 0
-    say (sprintf ('  runs of the store that gave no result: %d', ...
-                  count.noResult));
+    lines{end + 1} = sprintf ('  runs of the store that gave no result: %d', count.noResult);
   end
-  if ~isempty (count.ignored)
-    say (['  columns of runs.csv that are not understood: ', ...
-          strjoin(count.ignored, ', ')]);
-  end
-  sayTrials (Case.targets, say);
-  sayCorrelation (Case.targets, {Case.models.name}, say);
-  measured = measuredParams (Case);
-  if ~isempty (measured)
-    say (['  measured parameters: ', measured]);
-  end
-  for k = 1:numel (notes)
-    say (['  note: ', notes{k}]);
-  end
+  known = {'columns of runs.csv that are not understood', strjoin(count.ignored, ', '); ...
+           'trials behind a value', trialsOf(Case.targets); ...
+           'errors alike along a series', ...
+           seriesOf(Case.targets, {Case.models.name}); ...
+           'measured parameters', measuredParams(Case)};
+  known = known(~cellfun (@isempty, known(:, 2)), :);
+  lines = [lines, strcat({'  '}, known(:, 1), {': '}, known(:, 2))', ...
+           strcat({'  note: '}, notes(:)')];
+  cellfun (say, lines);
 end
 
-function sayTrials (targets, say)
+function text = trialsOf (targets)
   trials = [targets.trials];
   words = {};
   for n = unique (trials(trials ~= 1))
-    word = sprintf ('%g', n);
-    if isinf (n)
-      word = 'scatter of the trials is in targetStd';
-    end
-    words{end + 1} = sprintf ('%s (%s)', word, ...
+    forms = {sprintf('%g', n), 'scatter of the trials is in targetStd'};
+    words{end + 1} = sprintf ('%s (%s)', forms{1 + isinf(n)}, ...
                               strjoin ({targets(trials == n).name}, ', '));
   end
-  if ~isempty (words)
-    say (['  trials behind a value: ', strjoin(words, '; ')]);
-  end
+  text = strjoin (words, '; ');
 end
 
-function sayCorrelation (targets, names, say)
+function text = seriesOf (targets, names)
   lengths = [targets.correlation];
   words = {};
   for k = unique ([targets(lengths ~= 0).model])
     known = unique (lengths([targets.model] == k & lengths ~= 0));
-    word = sprintf ('length %s', strjoin (cellstr (num2str (known(:))), ', '));
+    word = ['length ', strjoin(cellstr (num2str (known(:))), ', ')];
     if any (isnan (known))
       word = 'length to be estimated';
     end
     words{end + 1} = sprintf ('%s (%s)', names{k}, word);
   end
-  if ~isempty (words)
-    say (['  errors alike along a series: ', strjoin(words, ', ')]);
-  end
+  text = strjoin (words, ', ');
 end
 
 %!test

@@ -119,60 +119,51 @@ end
 
 function s = fingerprintOf (diagnosis)
   prints = diagnosis.fingerprint;
-  names = diagnosis.gapProblem.targetNames(prints.target);
-  s = struct ('targets', {names}, 'measured', prints.measured, ...
-              'effects', struct ());
-  for k = 1:rows (prints.effects)
-    name = matlab.lang.makeValidName (diagnosis.screen.names{k});
-    s.effects.(name) = prints.effects(k, :);
-  end
+  names = fieldsOf (diagnosis.screen.names(1:rows (prints.effects)));
+  s = struct ('targets', {diagnosis.gapProblem.targetNames(prints.target)}, ...
+              'measured', prints.measured, 'effects', ...
+              cell2struct (num2cell (prints.effects, 2), names(:), 1));
+end
+
+function names = fieldsOf (names)
+  names = matlab.lang.makeValidName (names);
 end
 
 function s = whereOf (diagnosis)
   where = diagnosis.where;
   gapProblem = diagnosis.gapProblem;
-  budget = where.budget;
-  s = struct ('p', where.p);
-  s.targets = arrayfun (@(T) struct ('model', T.model, 'name', T.name, ...
-                                     'role', T.role, 'z', T.z, ...
-                                     'unabsorbed', 1 - T.absorbability, ...
-                                     'blind', T.blind, 'p', T.p, ...
-                                     'size', T.size, 'measured', T.measured, ...
-                                     'sdMeasured', budget.measurement(T.target), ...
-                                     'predicted', T.predicted, 'sdPredicted', ...
-                                     hypot (budget.trial(T.target), ...
-                                            budget.surrogate(T.target))), ...
-                        diagnosedTargets (diagnosis), 'UniformOutput', false);
-  s.models = arrayfun (@(b) struct ('model', gapProblem.benchNames{b.bench}, ...
-                                    'p', b.p, 'size', b.size), ...
-                       where.benches, 'UniformOutput', false);
+  sd = where.budget;
+  target = @(T) mergeFields (struct ('unabsorbed', 1 - T.absorbability, ...
+                                     'sdMeasured', sd.measurement(T.target), ...
+                                     'sdPredicted', hypot (sd.trial(T.target), ...
+                                                           sd.surrogate(T.target))), ...
+                             T, {'model', 'name', 'role', 'z', 'blind', 'p', 'size', ...
+                                 'measured', 'predicted'});
+  s = struct ('p', where.p, 'atLimit', {where.side.atLimit}, ...
+              'targets', {eachOf(target, diagnosedTargets (diagnosis))}, ...
+              'odd', {gapProblem.benchNames(where.conflict.odd)}, ...
+              'out', {where.out}, 'neverRun', {where.neverRun}, ...
+              'surrogateShare', mean (where.side.share(gapProblem.used)));
+  s.models = eachOf (@(b) struct ('model', gapProblem.benchNames{b.bench}, ...
+                                  'p', b.p, 'size', b.size), where.benches);
   s.params = cell2struct (num2cell (where.params(:)), gapProblem.names(:), 1);
-  s.atLimit = where.side.atLimit;
-  s.odd = gapProblem.benchNames(where.conflict.odd);
-  s = mergeFields (s, where, {'out', 'neverRun'});
-  s.surrogateShare = mean (where.side.share(gapProblem.used));
 end
 
 function s = whichOf (diagnosis)
   w = diagnosis.which;
-  s = struct ('verdict', w.verdict, 'reason', w.reason, 'p', w.gateP);
-  s = mergeFields (s, w, {'guard', 'effects', 'class', 'decides', ...
-                          'together', 'sameKind', 'lookAlike'});
-  s = mergeFields (s, w, {'partners', 'likely', 'posterior'});
-  s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   untested = diagnosis.screen.untested;
   hasFailed = [untested.runs] > 0;
+  s = mergeFields (struct ('p', w.gateP), w, ...
+                   {'verdict', 'reason', 'guard', 'effects', 'class', 'decides', ...
+                    'together', 'sameKind', 'lookAlike', 'partners', 'likely', ...
+                    'posterior', 'groups', 'siblings'});
+  s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
   s.untested = num2cell (untested(hasFailed));
-  s = mergeFields (s, w, {'groups', 'siblings'});
-  s.strength = struct ();
-  for k = 1:numel (w.strength)
-    name = matlab.lang.makeValidName (w.strength(k).name);
-    s.strength.(name) = strengthOf (w.strength(k), ...
-                                    diagnosis.screen.smallest(k), ...
-                                    diagnosis.gapProblem);
-  end
   s.cause = num2cell (w.cause);
+  strengths = eachOf (@(k) strengthOf (w.strength(k), diagnosis.screen.smallest(k), ...
+                                       diagnosis.gapProblem), 1:numel (w.strength));
+  s.strength = cell2struct (strengths, fieldsOf ({w.strength.name}), 2);
 end
 
 % What cannot be seen, or has no runs where it would fit, has no interval: its
@@ -181,18 +172,14 @@ function s = strengthOf (strength, smallest, gapProblem)
   isSeen = isfinite (smallest) && ~strcmp (strength.says, 'nothing');
   strength.interval90(~isSeen) = NaN;
   strength.values(2:3, ~isSeen(ones (1, columns (strength.values)))) = NaN;
-  s = struct ('value', strength.value, 'interval90', strength.interval90, ...
-              'smallestSeen', smallest, 'variables', struct (), ...
-              'seen', isSeen, 'says', strength.says);
-  for j = 1:numel (strength.variables)
-    s.variables.(strength.variables{j}) = strength.values(:, j)';
-  end
+  s = mergeFields (struct ('smallestSeen', smallest, 'seen', isSeen, 'label', ...
+                           strength.name, 'unit', '', 'text', '', 'amount', '', ...
+                           'seenFrom', ''), strength, {'value', 'interval90', 'says'});
+  s.variables = cell2struct (num2cell (strength.values', 2), strength.variables(:), 1);
   e = gapProblem.effects(strcmp ({gapProblem.effects.name}, strength.name));
-  [s.label, s.unit, s.text, s.amount] = deal (strength.name, '', '', '');
   if isfield (e, 'label')
-    [s.label, s.unit] = deal (e.label, e.unit);
+    s = mergeFields (s, e, {'label', 'unit'});
   end
-  s.seenFrom = '';
   if columns (strength.values) == 1
     [s.text, s.amount] = effectText (s.label, s.unit, strength.values(:, 1));
     if strcmp (strength.says, 'least')
@@ -218,57 +205,43 @@ function text = seenFrom (e, s, smallest)
 end
 
 function s = howFarOf (cure, gapProblem, Case)
-  s = struct ('effect', '', 'before', NaN, 'after', NaN, 'floor', NaN, ...
-              'closure', NaN, 'interval90', [NaN, NaN], 'heldOut', [], ...
-              'placebos', {{}}, 'targets', {{}}, 'verifiedByDEM', false);
   if isempty (cure)
+    s = struct ('effect', '', 'placebos', {{}}, 'targets', {{}});
     return
   end
   share = {'before', 'after', 'floor', 'closure', 'interval90', 'removable'};
-  s = mergeFields (s, cure, [share, {'effect', 'verifiedByDEM'}]);
+  s = mergeFields (struct (), cure, [share, {'effect', 'verifiedByDEM'}]);
   if isstruct (cure.heldOut)
     s.heldOut = mergeFields (struct (), cure.heldOut, share);
   end
-  s.placebos = arrayfun (@(p) mergeFields (struct (), p, {'effect', 'closure', 'heldOut', ...
-                                                          'logRatio', 'against'}), ...
-                         cure.placebos(:)', 'UniformOutput', false);
-  t = [cure.targets.target];
-  roles = {'calibrate', 'holdout'};
-  s.targets = struct ('model', gapProblem.benchNames(gapProblem.bench(t)), ...
-                      'name', gapProblem.targetNames(t), ...
-                      'role', roles(1 + ismember (t, gapProblem.heldOut)), ...
-                      'measured', num2cell (gapProblem.value(t)), ...
-                      'allowed', allowedOf (Case, gapProblem, t));
-  for field = {'before', 'after', 'sdBefore', 'sd'}
-    [s.targets.(field{1})] = cure.targets.(field{1});
-  end
-  s.targets = num2cell (s.targets);
+  s.placebos = eachOf (@(p) mergeFields (struct (), p, {'effect', 'closure', 'heldOut', ...
+                                                        'logRatio', 'against'}), ...
+                       cure.placebos);
+  s.targets = eachOf (@(T) targetOf (T, gapProblem, Case), cure.targets);
   names = strsplit (cure.effect, ' + ');
   s.strength = cell2struct (num2cell (cure.phi(:)), names(:), 1);
   s.values = struct ();
   for k = 1:numel (names)
     e = gapProblem.effects(strcmp ({gapProblem.effects.name}, names{k}));
     E = valuesOfStrength (e, cure.phi(k));
-    for j = 1:numel (E)
-      s.values.(e.variables{j}) = E(j);
-    end
+    s.values = mergeFields (s.values, cell2struct (num2cell (E(:)), ...
+                                                   e.variables(1:numel (E))(:), 1));
   end
-  s.params = struct ();
-  for j = 1:numel (gapProblem.names)
-    s.params.(gapProblem.names{j}) = cure.params(:, j)';
-  end
+  s.params = cell2struct (num2cell (cure.params, 1)', gapProblem.names(:), 1);
 end
 
-% Of each target what the user allows; NaN for one that is not of the case.
-function allowed = allowedOf (Case, gapProblem, t)
-  allowed = repmat ({NaN}, 1, numel (t));
-  for k = 1:numel (t)
-    T = struct ('name', gapProblem.targetNames{t(k)}, ...
-                'model', gapProblem.benchNames{gapProblem.bench(t(k))});
-    own = targetAt (givenField (Case, 'targets', []), T);
-    if ~isempty (own)
-      allowed{k} = halfWidth (Case.targets(own));
-    end
+% What the user allows is NaN for a target that is not of the case.
+function s = targetOf (T, gapProblem, Case)
+  t = T.target;
+  roles = {'calibrate', 'holdout'};
+  s = struct ('model', gapProblem.benchNames{gapProblem.bench(t)}, ...
+              'name', gapProblem.targetNames{t}, ...
+              'role', roles{1 + ismember(t, gapProblem.heldOut)}, ...
+              'measured', gapProblem.value(t), 'allowed', NaN);
+  s = mergeFields (s, T, {'before', 'after', 'sdBefore', 'sd'});
+  own = targetAt (givenField (Case, 'targets', []), s);
+  if ~isempty (own)
+    s.allowed = halfWidth (Case.targets(own));
   end
 end
 
@@ -278,8 +251,9 @@ function s = changeOf (diagnosis, Case)
   if isempty (reference)
     return
   end
+  folders = {['gap/', reference.condition], 'gap'};   % the first one's is gap/ itself
   s = struct ('condition', reference.condition, ...
-              'folder', conditionFolder (Case, reference.condition), ...
+              'folder', folders{1 + strcmp(reference.condition, Case.conditions{1})}, ...
               'lack', diagnosis.change.size, 'targets', {{}}, ...
               'conditions', {num2cell(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});
@@ -289,10 +263,9 @@ function s = changeOf (diagnosis, Case)
   sd = sqrt (diag (diagnosis.where.budget.covariance));
   list = diagnosedTargets (diagnosis);
   for T = list(strcmp ({list.role}, 'calibrate'))
-    change = struct ('model', T.model, 'name', T.name, ...
-                     'reference', reference.value(T.target), ...
-                     'measured', T.measured, 'foretold', T.predicted, ...
-                     'modelled', NaN, 'z', T.z, 'sd', sd(T.target));
+    change = mergeFields (struct ('reference', reference.value(T.target), 'foretold', ...
+                                  T.predicted, 'modelled', NaN, 'sd', sd(T.target)), ...
+                          T, {'model', 'name', 'measured', 'z'});
     if ~isempty (diagnosis.howFar)
       at = [diagnosis.howFar.targets.target] == T.target;
       change.modelled = diagnosis.howFar.targets(at).after;
@@ -301,25 +274,13 @@ function s = changeOf (diagnosis, Case)
   end
 end
 
-% The first condition is in gap/ itself (diagnoseCase).
-function folder = conditionFolder (Case, name)
-  folder = 'gap';
-  if ~strcmp (name, Case.conditions{1})
-    folder = ['gap/', name];
-  end
-end
-
 function writeHeadOf (gap, Case)
   far = gap.howFar;
   v = assignParams (Case.modelVars, ...
-                    cellfun (@(name) far.params.(name)(2), Case.names), ...
-                    Case.names);
-  condition = jsonAt (gap, {'reference', 'condition'});
-  if ~isempty (condition)
-    condition = [condition, ': '];
-  end
+                    cellfun (@(name) far.params.(name)(2), Case.names), Case.names);
+  condition = char (jsonAt (gap, {'reference', 'condition'}));
   text = sprintf ("# %sparameters fitted together with %s (gap/gap.json)\n", ...
-                  condition, far.effect);
+                  [condition, repmat(': ', 1, ~isempty (condition))], far.effect);
   writeAtomic (fullfile (Case.folder, 'gap', 'calibrated.head'), ...
                [text, headLines(mergeFields (v, far.values))]);
 end

@@ -13,7 +13,7 @@ function html = allRuns (page)
          'box', 'red', 'failed, too long, or no valid result'; ...
          'box', 'grey', 'not ended'};
   none = '';
-  if isempty (page.tables.failures)
+  if isempty (page.tables.failures.cells)
     none = '<p>No run failed.</p>';
   end
   html = [htmlFigures(timeline (page.runs), key, 'wide'), tableHtml(page.tables.runs), ...

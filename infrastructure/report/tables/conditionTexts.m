@@ -9,42 +9,41 @@
 %         and probability), the surest first; none for a case without conditions
 
 function list = conditionTexts (gap)
-  list = struct ('name', {}, 'text', {}, 'probability', {}, 'file', {}, ...
-                 'line', {});
-  conditions = jsonAt (gap, {'reference', 'conditions'});
-  for k = 1:numel (conditions)
-    one = jsonAt (conditions, {k});
-    effects = namesIn (one, 'effects');
-    texts = namesIn (one, 'text');
-    texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
-    p = [jsonAt(one, {'probability'})(:)', NaN];
-    own = struct ('name', one.name, 'text', strjoin (texts, ' and '), ...
-                  'probability', max (p), 'file', '', 'line', '');
-    if strcmp (one.verdict, 'group')
-      own.text = strjoin (texts, ' or ');
-      own.probability = min (1, sum (p(1:end - 1)));
-    end
-    % a cause that cannot be seen is listed, and not said; older files have no code
-    codes = {'open', 'none'};
-    code = givenField (one, 'code', codes{1 + strcmp(one.verdict, 'no gap')});
-    kind = givenField (one, 'kind', '');
-    if isempty (effects) || any (strcmp (kind, {'cannot tell', 'no verdict'}))
-      own.text = sentence (['cause.', code, '.word'], struct (), true);
-      own.probability = NaN;
-    else
-      own.file = strjoin ([{'gap'}, {one.name}(1:end * (k > 1)), {'calibrated.head'}], '/');
-    end
-    own.line = [own.name, ': ', own.text];
-    if isfinite (own.probability)
-      own.line = [own.line, ', probability ', ...
-                  plainNumber(own.probability, 'probability')];
-    end
-    list(k) = own;
+  list = struct ('name', {}, 'text', {}, 'probability', {}, 'file', {}, 'line', {});
+  for one = jsonList (gap, {'reference', 'conditions'})
+    % the files of the first one lie in gap/ itself
+    place = repmat ([one{1}.name, '/'], 1, ~isempty (list));
+    list(end + 1) = textsOf (one{1}, ['gap/', place, 'calibrated.head']);
   end
   p = [list.probability];
   p(isnan (p)) = -1;
   [~, order] = sort (-p);
   list = list(order);
+end
+
+function own = textsOf (one, file)
+  effects = namesIn (one, 'effects');
+  texts = namesIn (one, 'text');
+  texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
+  p = [jsonAt(one, {'probability'})(:)', NaN];
+  own = struct ('name', one.name, 'text', strjoin (texts, ' and '), ...
+                'probability', max (p), 'file', file, 'line', '');
+  if strcmp (one.verdict, 'group')
+    own.text = strjoin (texts, ' or ');
+    own.probability = min (1, sum (p(1:end - 1)));
+  end
+  % a cause that cannot be seen is listed, and not said; older files have no code
+  codes = {'open', 'none'};
+  code = givenField (one, 'code', codes{1 + strcmp(one.verdict, 'no gap')});
+  kind = givenField (one, 'kind', '');
+  if isempty (effects) || any (strcmp (kind, {'cannot tell', 'no verdict'}))
+    own.text = sentence (['cause.', code, '.word'], struct (), true);
+    [own.probability, own.file] = deal (NaN, '');
+  end
+  own.line = [own.name, ': ', own.text];
+  if isfinite (own.probability)
+    own.line = [own.line, ', probability ', plainNumber(own.probability, 'probability')];
+  end
 end
 
 %!test

@@ -3,27 +3,19 @@
 % CALL: T = failuresTable (PAGE)
 %
 %   PAGE  see pageData
-%   T     see newTable, the most frequent reason first, 20 at most; [] for none
+%   T     see newTable, the most frequent reason first, 20 at most; no rows for none
 
 function T = failuresTable (page)
-  T = [];
-  runs = givenField (page, 'runs', []);
-  if isempty (runs)
-    return
-  end
-  bad = runs(~ismember ({runs.status}, {'ok', 'not ended'}));
-  if isempty (bad)
-    return
-  end
+  bad = givenField (page, 'runs', struct ('status', {}, 'message', {}));
+  bad = bad(~ismember ({bad.status}, {'ok', 'not ended'}));
   reasons = strcat ({bad.status}, {': '}, {bad.message});
   [kinds, first, number] = unique (reasons, 'first');
-  count = accumarray (number(:), 1);
+  count = accumarray (number(:), 1, [numel(kinds), 1]);
   [~, order] = sort (-count);
-  order = order(1:min (end, 20))';
-  places = strcat ({bad(first(order)).model}, '/', {bad(first(order)).name});
+  row = @(k) {kinds{k}, count(k), [bad(first(k)).model, '/', bad(first(k)).name]};
   T = newTable (page, 'failures', 'Why runs failed, the most frequent reason first', ...
                 {'reason', '', 'words'; 'runs', '', 'count'; 'first of them', '', ''}, ...
-                [kinds(order)(:), num2cell(count(order)(:)), places(:)]);
+                eachOf (row, order(1:min (end, 20))));
 end
 
 %!test

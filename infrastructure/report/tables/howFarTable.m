@@ -14,32 +14,30 @@ function [T, each] = howFarTable (page)
   if isempty (effect) || isempty (jsonAt (far, {'before'}))
     return
   end
-  data = {'fitted', 'not fitted'};
   at = @(varargin) [{'gap', 'howFar'}, varargin];
-  row = @(k, varargin) {effect, data{k}, at(varargin{:}, 'before'), ...
-                        at(varargin{:}, 'after'), at(varargin{:}, 'floor'), ...
-                        at(varargin{:}, 'closure'), at(varargin{:}, 'interval90'), ''};
-  cells = row (1);
-  held = jsonAt (far, {'heldOut'});
-  if isstruct (held)
-    cells(2, :) = row (2, 'heldOut');
-  end
+  own = @(data, varargin) {effect, data, at(varargin{:}, 'before'), ...
+                           at(varargin{:}, 'after'), at(varargin{:}, 'floor'), ...
+                           at(varargin{:}, 'closure'), at(varargin{:}, 'interval90'), ''};
+  other = @(k, data, field, text) {[jsonAt(far, {'placebos', k, 'effect'}), ' instead'], ...
+                                   data, NaN, NaN, NaN, at('placebos', k, field), NaN, text};
+  rows_ = {own('fitted'), own('not fitted', 'heldOut')};
+  rows_ = rows_(1:end - ~isstruct (jsonAt (far, {'heldOut'})));
   for k = 1:numel (jsonAt (far, {'placebos'}))
-    placebo = jsonAt (far, {'placebos', k});
-    name = sprintf ('%s instead', placebo.effect);
-    cells = [cells; {name, data{1}, NaN, NaN, NaN, at('placebos', k, 'closure'), NaN, ''; ...
-                     name, data{2}, NaN, NaN, NaN, at('placebos', k, 'heldOut'), NaN, ...
-                     favours(far, placebo)}];
+    rows_ = [rows_, {other(k, 'fitted', 'closure', ''), ...
+                     other(k, 'not fitted', 'heldOut', ...
+                           favours (far, jsonAt (far, {'placebos', k})))}];
   end
-  how = {'closed.onSurrogates', 'closed.byDEM'};
-  isVerified = isequal (jsonAt (far, {'verifiedByDEM'}), true);
-  T = newTable (page, 'howfar', ['How much of the gap is closed, ', ...
-                                 sentence(how{1 + isVerified})], ...
+  T = newTable (page, 'howfar', ['How much of the gap is closed, ', judgedHow(far)], ...
                 {'with', '', ''; 'data', '', ''; 'before', '', 'percent'; ...
                  'after', '', 'percent'; 'noise alone', '', 'percent'; ...
                  'closed', '', 'percent'; '90 % interval', '', 'percent'; ...
-                 'remark', '', 'words'}, cells, {sentence('table.howFar')});
-  each = eachOf (page, far, at);
+                 'remark', '', 'words'}, rows_, {sentence('table.howFar')});
+  row = @(k) {targetCell(page, jsonAt (far, {'targets', k})), at('targets', k, 'measured'), ...
+              at('targets', k, 'before'), at('targets', k, 'after'), at('targets', k, 'sd')};
+  each = newTable (page, 'beforeafter', 'Each result before and after', ...
+                   {'result', '', 'name'; 'measured', '', 'plain'; ...
+                    'without', '', 'plain'; 'with', '', 'plain'; ...
+                    'noise (sd)', '', 'error'}, eachOf (row, 1:numel (jsonAt (far, {'targets'}))));
 end
 
 % How much more likely the cause makes test data that were not fitted: said where
@@ -47,34 +45,19 @@ end
 function text = favours (far, placebo)
   text = '';
   ratio = jsonAt (placebo, {'logRatio'});
-  closure = jsonAt (far, {'heldOut', 'closure'});
-  if isempty (ratio) || isempty (closure) || closure <= 0.005
+  if isempty (ratio) || ~any (jsonAt (far, {'heldOut', 'closure'}) > 0.005)
     return
   end
-  values = struct ('cause', far.effect, 'other', placebo.effect);
+  names = {far.effect, placebo.effect};
   if ratio < 0
-    values = struct ('cause', placebo.effect, 'other', far.effect);
+    names = fliplr (names);
   end
-  values.times = sprintf ('%.3g', min (exp (abs (ratio)), 1000));
+  values = struct ('cause', names{1}, 'other', names{2}, ...
+                   'times', sprintf ('%.3g', exp (abs (ratio))));
   if abs (ratio) > log (1000)           % beyond it the shape of noise decides
     values.times = 'more than 1000';
   end
   text = sentence ('table.favours', values);
-end
-
-function each = eachOf (page, far, at)
-  targets = jsonAt (far, {'targets'});
-  n = numel (targets);
-  cells = cell (n, 5);
-  for k = 1:n
-    cells(k, :) = {targetCell(page, jsonAt (targets, {k})), at('targets', k, 'measured'), ...
-                   at('targets', k, 'before'), at('targets', k, 'after'), ...
-                   at('targets', k, 'sd')};
-  end
-  each = newTable (page, 'beforeafter', 'Each result before and after', ...
-                   {'result', '', 'name'; 'measured', '', 'plain'; ...
-                    'without', '', 'plain'; 'with', '', 'plain'; ...
-                    'noise (sd)', '', 'error'}, cells);
 end
 
 %!test

@@ -3,30 +3,20 @@
 % CALL: T = levelsTable (PAGE)
 %
 %   PAGE  see shownResult
-%   T     see newTable; [] for a case without levels
+%   T     see newTable; no rows for a case without levels
 
 function T = levelsTable (page)
-  T = [];
-  levels = jsonAt (page.sources.calibration, {'levels'});
-  if isempty (levels)
-    return
-  end
+  levels = jsonList (page.sources.calibration, {'levels'});
   n = numel (levels);
-  cells = cell (n, 4);
-  for k = 1:n
-    level = jsonAt (levels, {k});
-    what = 'the level that counts';
-    if k < n
-      what = levelLine (level, page.Case.targets);
-    end
-    cells(k, :) = {namedValues({page.Case.coarse.variable}, level.value), ...
-                   {'calibration', 'levels', k, 'runs'}, ...
-                   {'calibration', 'levels', k, 'seconds'}, what};
-  end
+  shifts = [eachOf(@(level) levelLine (level, page.Case.targets), levels(1:n - 1)), ...
+            {'the level that counts'}];
+  row = @(k) {namedValues({page.Case.coarse.variable}, levels{k}.value), ...
+              {'calibration', 'levels', k, 'runs'}, ...
+              {'calibration', 'levels', k, 'seconds'}, shifts{k}};
   T = newTable (page, 'levels', ...
                 'Runs at each level, and what it does to the results with these values', ...
                 {'level', '', ''; 'runs', '', 'count'; 'a run', 'core-s', 'plain'; ...
-                 'shift', '', 'words'}, cells);
+                 'shift', '', 'words'}, eachOf (row, 1:n));
 end
 
 %!test
@@ -38,4 +28,4 @@ end
 %! T = levelsTable (page);
 %! assert (T.cells{2, 4}.value, 'the level that counts');
 %! assert ({T.cells{1, 1}.value, T.cells{1, 2}.value}, {'size = 2', 5});
-%! assert (isempty (levelsTable (situationPage ('met'))));
+%! assert (isempty (levelsTable (situationPage ('met')).cells));

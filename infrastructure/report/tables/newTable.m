@@ -8,11 +8,11 @@
 %   COLUMNS  c x 3 or c x 4 cell: label, unit (''), kind of its numbers (see
 %            plainNumber; 'words': sentences), and 'page' where the console has
 %            no room for it
-%   CELLS    n x c cell, the first column names the row. Text; a number, or two,
-%            an interval; {SOURCE, STEP, ...}, the steps that lead to it in
-%            PAGE.sources; or a scalar struct of value (one of these) and sd (a
-%            number or steps, its standard error), class (of page.css), title
-%            (tooltip), code (name in scripts), unit (of the row)
+%   CELLS    n x c cell, or 1 x n cell of its rows; the first column names the row.
+%            Text; a number, or two, an interval; {SOURCE, STEP, ...}, the steps
+%            that lead to it in PAGE.sources; or a scalar struct of value (one of
+%            these) and sd (a number or steps, its standard error), class (of
+%            page.css), title (tooltip), code (name in scripts), unit (of the row)
 %   NOTES    cellstr ({}), sentences below it
 %   T        scalar struct name, title, columns, cells (of structs with all these
 %            and from, sdFrom: 'gap/where/p'), notes; without rows it is shown
@@ -23,7 +23,9 @@ function T = newTable (page, name, title, columns, cells, notes)
     notes = {};
   end
   columns(:, end + 1:4) = {''};
-  cells = reshape (cells, [], rows (columns));
+  if all (cellfun (@iscell, cells(:)))
+    cells = vertcat (cell (0, rows (columns)), cells{:});
+  end
   T = struct ('name', name, 'title', title, 'columns', {columns}, ...
               'cells', {cellfun(@(c) cellOf (c, page), cells, 'UniformOutput', false)}, ...
               'notes', {notes(:)'});

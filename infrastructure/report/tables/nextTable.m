@@ -3,23 +3,18 @@
 % CALL: T = nextTable (PAGE)
 %
 %   PAGE  see shownResult
-%   T     see newTable, ten tests at most; [] without a diagnosis
+%   T     see newTable, ten tests at most; no rows without a diagnosis
 
 function T = nextTable (page)
-  tests = jsonAt (page.sources.gap, {'next'});
-  n = min (numel (tests), 10);
-  cells = cell (n, 3);
-  for k = 1:n
-    cells(k, :) = {nthargout(2, @nextText, jsonAt (tests, {k})), ...
-                   {'gap', 'next', k, 'gain'}, {'gap', 'next', k, 'cost'}};
-  end
-  notes = {sentence('table.next')};
-  if n > 0 && jsonAt (tests, {1, 'gain'}) < thresholdOf (page.sources.gap, 'adviseAt', 0.2)
-    notes = [{sentence('table.nextLittle')}, notes];
-  end
+  tests = jsonList (page.sources.gap, {'next'});
+  row = @(k) {nthargout(2, @nextText, tests{k}), {'gap', 'next', k, 'gain'}, ...
+              {'gap', 'next', k, 'cost'}};
+  notes = {sentence('table.nextLittle'), sentence('table.next')};
+  isLittle = isequal (jsonNumber (tests, {1, 'gain'}) < ...
+                      thresholdOf (page.sources.gap, 'adviseAt', 0.2), true);
   T = newTable (page, 'next', 'What can be measured next, the best first', ...
                 {'test', '', 'words'; 'gain', 'bit', 'probability'; 'cost', '', 'plain'}, ...
-                cells, notes);
+                eachOf (row, 1:min (numel (tests), 10)), notes(2 - isLittle:end));
 end
 
 %!test

@@ -14,85 +14,69 @@
 function [T, words] = parametersTable (page)
   names = page.Case.names;
   c = page.sources.calibration;
-  d = numel (names);
-  words = cell (1, d);
-  cells = cell (d, 5);
-  for j = 1:d
-    own = struct ('value', names{j}, 'code', names{j}, 'unit', page.params(j).unit);
-    if ~isempty (page.params(j).label)
-      own.value = page.params(j).label;
-    end
-    range = page.Case.limits(1:2, j);
-    cells(j, :) = {own, NaN, NaN, range, ''};
-    if ~isempty (c)
-      [class, words{j}, text] = stateOf (page, names, j);
-      at = @(field) {'calibration', field, names{j}};
-      cells(j, 2:5) = {at('params'), at('interval90'), at('limits'), ...
-                       struct('value', [words{j}, ': ', text], 'class', class)};
-    end
-  end
-  columns = {'parameter', '', 'name'; 'value', '', 'plain'; '90 % interval', '', 'plain'; ...
-             'limits', '', 'plain'; 'what is known', '', 'words'};
-  title = 'Values of the parameters';
   if isempty (c)
-    title = 'Limits in which the parameters are looked for';
-    columns = columns([1, 4], :);
-    cells = cells(:, [1, 4]);
+    row = @(j) {nameOf(page, j), page.Case.limits(1:2, j)};
+    T = newTable (page, 'parameters', 'Limits in which the parameters are looked for', ...
+                  {'parameter', '', 'name'; 'limits', '', 'plain'}, ...
+                  eachOf (row, 1:numel (names)));
+    return
   end
-  T = newTable (page, 'parameters', title, columns, cells, notesOf (c));
+  states = eachOf (@(j) stateOf (c, names, j), 1:numel (names));
+  words = cellfun (@(s) s.word, states, 'UniformOutput', false);
+  at = @(field, j) {'calibration', field, names{j}};
+  row = @(j) {nameOf(page, j), at('params', j), at('interval90', j), at('limits', j), ...
+              struct('value', [words{j}, ': ', states{j}.text], 'class', states{j}.class)};
+  T = newTable (page, 'parameters', 'Values of the parameters', ...
+                {'parameter', '', 'name'; 'value', '', 'plain'; ...
+                 '90 % interval', '', 'plain'; 'limits', '', 'plain'; ...
+                 'what is known', '', 'words'}, eachOf (row, 1:numel (names)), notesOf (c));
+end
+
+function own = nameOf (page, j)
+  name = page.Case.names{j};
+  own = struct ('value', givenField (page.params(j), 'label', name), 'code', name, ...
+                'unit', page.params(j).unit);
 end
 
 function notes = notesOf (c)
-  notes = {};
   note = char (jsonAt (c, {'intervalNote'}));
-  if ~isempty (note)
-    notes = {['The intervals are ', note, '.']};
-  end
-  for text = namesIn (c, 'unfixed')
-    notes{end + 1} = sentence ('table.unfixed', struct ('names', text{1}));
-  end
+  loose = namesIn (c, 'unfixed');
   next = jsonAt (c, {'next', 1});
-  if ~isempty (namesIn (c, 'unfixed')) && ~isempty (next)
+  notes = [repmat({['The intervals are ', note, '.']}, 1, ~isempty (note)), ...
+           eachOf(@(text) sentence ('table.unfixed', {text}), loose)];
+  if ~isempty (loose) && ~isempty (next)
     notes{end + 1} = sentence ('table.fixBy', next);
   end
 end
 
 % What fixes parameter J of NAMES, or why nothing does.
-function [class, word, text] = stateOf (page, names, j)
-  c = page.sources.calibration;
+function s = stateOf (c, names, j)
   name = names{j};
-  value = c.params.(name);
   isLoose = any (strcmp (name, namesIn (c, 'notIdentified')));
   share = sensitivityOf (c, name);
-  [partner, link] = partnerOf (c, names, j);
-  [class, code] = deal ('unsure', 'fixed');
+  partner = partnerOf (c, names, j);
+  range = [jsonAt(c, {'interval90', name})(:)', -Inf, Inf];
+  class = 'unsure';
   if any (strcmp (name, namesIn (c, 'atLimit')))
     [class, code] = deal ('off', 'atLimit');
   elseif strcmp (jsonAt (c, {'intervalCode'}), 'no fit')
     code = 'notKnown';
-  elseif isLoose && ~isempty (share) && max (share) < 0.05
+  elseif isLoose && any (max (share) < 0.05)
     code = 'dead';
-  elseif isLoose && ~isempty (partner)
-    code = 'tradeOff';
   elseif isLoose
-    code = 'flat';
-  elseif isOutside (value, jsonAt (c, {'interval90', name}))
+    codes = {'flat', 'tradeOff'};
+    code = codes{2 - isempty(partner)};
+  elseif c.params.(name) < range(1) || c.params.(name) > range(2)
     code = 'compromise';
   else
-    class = 'ok';
+    [class, code] = deal ('ok', 'fixed');
   end
-  values = struct ('partner', [partner, link], 'by', strongest (c, share), ...
-                   'linked', '');
+  values = struct ('partner', partner, 'by', strongest (c, share), 'linked', '');
   if ~isempty (partner)
     values.linked = sentence ('known.linked', values);
   end
-  [word, text] = deal (sentence (['known.', code, '.word']), ...
-                       sentence (['known.', code, '.text'], values));
-end
-
-function yes = isOutside (value, range)
-  yes = isnumeric (range) && numel (range) == 2 && ...
-        (value < range(1) || value > range(2));
+  s = struct ('class', class, 'word', sentence (['known.', code, '.word']), ...
+              'text', sentence (['known.', code, '.text'], values));
 end
 
 % Shares of the variance of the calibrated targets, NaN for the held-out ones.
@@ -105,29 +89,23 @@ function share = sensitivityOf (c, name)
   end
 end
 
-function [partner, link] = partnerOf (c, names, j)
-  [partner, link] = deal ('');
+function text = partnerOf (c, names, j)
+  text = '';
   R = jsonAt (c, {'correlation'});
   if isequal (size (R), numel (names) * [1, 1])
-    r = R(j, :);
-    r(j) = 0;
-    [most, k] = max (abs (r));
+    R(j, j) = 0;
+    [most, k] = max (abs (R(j, :)));
     if most > 0.7
-      partner = names{k};
-      link = sprintf (' (correlation %.4g)', r(k));
+      text = sprintf ('%s (correlation %.4g)', names{k}, R(j, k));
     end
   end
 end
 
 function text = strongest (c, share)
-  text = 'the targets';
   [~, order] = sort (-share);
   order = order(share(order) >= 0.1);
-  if ~isempty (order)
-    known = arrayfun (@(t) jsonAt (c, {'targets', t, 'name'}), ...
-                      order(1:min (end, 3)), 'UniformOutput', false);
-    text = strjoin (known, ', ');
-  end
+  known = eachOf (@(t) jsonAt (c, {'targets', t, 'name'}), order(1:min (end, 3)));
+  text = strjoin ([known, repmat({'the targets'}, 1, isempty (known))], ', ');
 end
 
 %!test

@@ -7,111 +7,81 @@
 %         each session, rival causes and what would part them, what was not shown
 
 function T = recordTable (page)
-  list = [digests(page); measured(page.Case); rivals(page); notShown(page)];
   T = newTable (page, 'record', 'Record of this result', ...
-                {'matter', '', ''; 'what is known', '', 'words'}, list);
+                {'matter', '', ''; 'what is known', '', 'words'}, ...
+                [digests(page), measured(page.Case), rivals(page.sources.gap), ...
+                 {{'what was not shown', notShown(page)}}]);
 end
 
 function list = digests (page)
-  list = cell (0, 2);
   result = page.sources.calibration;
   if isempty (result)
     result = page.sources.gap;
   end
-  parts = jsonAt (result, {'input', 'digest'});
-  if isstruct (parts)
-    texts = cellfun (@(n) [n, ' ', char(parts.(n))], fieldnames (parts)', ...
-                     'UniformOutput', false);
-    texts = texts(~cellfun (@isempty, struct2cell (parts)'));
-    list(end + 1, :) = {'digest of the input', strjoin(texts, ', ')};
-  end
-  models = jsonAt (result, {'input', 'models'});
-  for k = 1:numel (models)
-    one = jsonAt (models, {k});
-    list(end + 1, :) = {['input of ', one.name], ['sha256 ', char(one.key)]};
+  parts = givenField (jsonAt (result, {'input'}), 'digest', struct ());
+  texts = eachOf (@(n) [n, ' ', char(parts.(n))], fieldnames (parts));
+  texts = texts(~cellfun (@isempty, struct2cell (parts)'));
+  list = repmat ({{'digest of the input', strjoin(texts, ', ')}}, 1, ~isempty (texts));
+  for one = jsonList (result, {'input', 'models'})
+    list{end + 1} = {['input of ', one{1}.name], ['sha256 ', char(one{1}.key)]};
   end
   runs = givenField (page, 'runs', []);
   if ~isempty (runs)
     text = jsonencode ({{runs.model}, {runs.name}, {runs.seed}, {runs.status}, ...
                         vertcat(runs.params), {runs.results}});
-    list(end + 1, :) = {'digest of the runs', ...
-                        sprintf('%d runs, sha256 %s', numel (runs), hash ('sha256', text))};
+    list{end + 1} = {'digest of the runs', ...
+                     sprintf('%d runs, sha256 %s', numel (runs), hash ('sha256', text))};
   end
 end
 
 % The remarks before the head of measured.csv say who, when, on which rig.
 function list = measured (Case)
-  list = cell (0, 2);
   words = measuredRemarks (Case.folder);
-  if ~isempty (words)
-    list(end + 1, :) = {'measured', strjoin(words, '; ')};
-  end
+  list = repmat ({{'measured', strjoin(words, '; ')}}, 1, ~isempty (words));
   for T = Case.targets
     n = numel (givenField (T, 'each', []));
     sessions = cellstr (givenField (T, 'sessions', {}))(:)';
     sessions = sessions(~cellfun (@isempty, sessions));
-    if n > 0 || ~isempty (sessions)
-      text = sprintf ('%d trials', n);
-      if ~isempty (sessions)
-        names = unique (sessions);
-        counts = cellfun (@(s) sprintf ('%s %d', s, sum (strcmp (sessions, s))), names, ...
-                          'UniformOutput', false);
-        text = [text, '; by session: ', strjoin(counts, ', ')];
-      end
-      list(end + 1, :) = {['trials of ', T.name], text};
-    end
+    counts = eachOf (@(s) sprintf ('%s %d', s, sum (strcmp (sessions, s))), ...
+                     unique (sessions));
+    text = [sprintf('%d trials', n), ...
+            repmat(['; by session: ', strjoin(counts, ', ')], 1, ~isempty (counts))];
+    list = [list, repmat({{['trials of ', T.name], text}}, 1, n > 0 || ~isempty (counts))];
   end
 end
 
-function list = rivals (page)
-  list = cell (0, 2);
-  gap = page.sources.gap;
-  effects = namesIn (jsonAt (gap, {'which'}), 'effects');
-  posterior = jsonAt (gap, {'which', 'posterior'});
-  if isempty (posterior)
-    return
-  end
-  names = setdiff (fieldnames (posterior)', [effects, {'null', 'unlisted'}], 'stable');
-  p = cellfun (@(n) posterior.(n), names);
-  names = names(p >= 0.02);
-  p = p(p >= 0.02);
-  tests = jsonAt (gap, {'next'});
-  for k = 1:numel (names)
-    text = ['probability ', plainNumber(p(k), 'probability')];
-    parts = arrayfun (@(i) any (strcmp (names{k}, namesIn (jsonAt (tests, {i}), 'between'))), ...
-                      1:numel (tests));
-    if any (parts)
-      text = [text, '; told apart by: ', jsonAt(tests, {find(parts, 1), 'test'})];
-    else
-      text = [text, '; no test that was looked at tells it apart'];
+function list = rivals (gap)
+  list = {};
+  posterior = givenField (jsonAt (gap, {'which'}), 'posterior', struct ());
+  own = [namesIn(jsonAt (gap, {'which'}), 'effects'), {'null', 'unlisted'}];
+  tests = jsonList (gap, {'next'});
+  for name = setdiff (fieldnames (posterior)', own, 'stable')
+    p = posterior.(name{1});
+    parts = tests(cellfun (@(t) any (strcmp (name{1}, namesIn (t, 'between'))), tests));
+    text = 'no test that was looked at tells it apart';
+    if ~isempty (parts)
+      text = ['told apart by: ', parts{1}.test];
     end
-    list(end + 1, :) = {['rival cause ', names{k}], text};
+    text = ['probability ', plainNumber(p, 'probability'), '; ', text];
+    list = [list, repmat({{['rival cause ', name{1}], text}}, 1, p >= 0.02)];
   end
 end
 
-function list = notShown (page)
-  parts = {};
+function text = notShown (page)
   c = page.sources.calibration;
   gap = page.sources.gap;
-  v = page.verdict;
-  codes = {'record.open', {v.misses(isnan ([v.misses.met]) & [v.misses.runs] > 0).name}; ...
-           'record.strict', {v.misses([v.misses.isStrict]).name}; ...
-           'record.loose', namesIn(c, 'notIdentified'); ...
-           'record.unseen', plainName(namesIn (jsonAt (gap, {'which'}), 'cannotSee'))};
-  for one = codes(~cellfun (@isempty, codes(:, 2)), :)'
-    parts{end + 1} = sentence (one{1}, struct ('names', {one{2}}));
-  end
-  if isequal (jsonAt (c, {'runs'}), 0)
-    parts{end + 1} = sentence ('table.noRun');
-  end
-  if ~isempty (jsonAt (gap, {'howFar', 'effect'})) && ...
-     ~isequal (jsonAt (gap, {'howFar', 'verifiedByDEM'}), true)
-    parts{end + 1} = sentence ('record.surfaces', struct ('cause', gap.howFar.effect));
-  end
-  if isempty (parts)
-    parts = {'-'};
-  end
-  list = {'what was not shown', strjoin(parts, ' ')};
+  misses = page.verdict.misses;
+  cause = jsonAt (gap, {'howFar', 'effect'});
+  isProved = isequal (jsonAt (gap, {'howFar', 'verifiedByDEM'}), true);
+  isOpen = isnan ([misses.met]) & [misses.runs] > 0;
+  parts = [listSentences({'record.open', {misses(isOpen).name}; ...
+                          'record.strict', {misses([misses.isStrict]).name}; ...
+                          'record.loose', namesIn(c, 'notIdentified'); ...
+                          'record.unseen', ...
+                          plainName(namesIn (jsonAt (gap, {'which'}), 'cannotSee'))}), ...
+           repmat({sentence('table.noRun')}, 1, isequal (jsonAt (c, {'runs'}), 0)), ...
+           listSentences({'record.surfaces', repmat({cause}, 1, ~isempty (cause) && ~isProved)})];
+  text = strjoin ([parts, repmat({'-'}, 1, isempty (parts))], ' ');
 end
 
 %!test

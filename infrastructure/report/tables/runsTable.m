@@ -3,34 +3,24 @@
 % CALL: T = runsTable (PAGE)
 %
 %   PAGE  see pageData
-%   T     see newTable; [] where nothing is known of runs
+%   T     see newTable; no rows where nothing is known of runs
 
 function T = runsTable (page)
-  T = [];
-  runs = givenField (page, 'runs', []);
-  if isempty (runs)
-    return
-  end
+  runs = givenField (page, 'runs', struct ('model', {}));
   states = {'ok', 'failed', 'timeout', 'invalid', 'not ended'};
-  models = unique ({runs.model});
-  cells = cell (numel (models), numel (states) + 2);
-  for k = 1:numel (models)
-    own = runs(strcmp ({runs.model}, models{k}));
-    counts = cellfun (@(state) sum (strcmp ({own.status}, state)), states, ...
-                      'UniformOutput', false);
-    seconds = [own(strcmp ({own.status}, 'ok')).seconds];
-    seconds = seconds(isfinite (seconds));
-    middle = NaN;
-    if ~isempty (seconds)
-      middle = median (seconds);
-    end
-    cells(k, :) = [models(k), counts, {middle}];
-  end
-  columns = [{'model'}, states, {'median time'}]';
-  columns(:, 2:3) = {''};
-  columns(2:end, 3) = {'count'};
-  columns(end, 2:3) = {'s', 'plain'};
-  T = newTable (page, 'runs', 'Runs in the store', columns, cells);
+  columns = [{'model'; 'ok'; 'failed'; 'timeout'; 'invalid'; 'not ended'}, ...
+             repmat({'', 'count'}, 6, 1); {'median time', 's', 'plain'}];
+  columns{1, 3} = '';
+  T = newTable (page, 'runs', 'Runs in the store', columns, ...
+                eachOf (@(model) rowOf (runs(strcmp ({runs.model}, model)), states), ...
+                        unique ({runs.model})));
+end
+
+function cells = rowOf (own, states)
+  seconds = [own(strcmp ({own.status}, 'ok')).seconds];
+  seconds = [seconds(isfinite (seconds)), NaN(1, ~any (isfinite (seconds)))];
+  cells = [{own(1).model}, eachOf(@(s) sum (strcmp ({own.status}, s)), states), ...
+           {median(seconds)}];
 end
 
 %!test
@@ -38,4 +28,4 @@ end
 %! page.sources = [];
 %! T = runsTable (page);
 %! assert (cellfun (@(c) c.value, T.cells(2:end)), [2, 1, 0, 0, 0, 2]);
-%! assert (isempty (runsTable (struct ('sources', []))));
+%! assert (isempty (runsTable (struct ('sources', [])).cells));

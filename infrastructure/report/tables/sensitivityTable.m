@@ -13,23 +13,15 @@ function T = sensitivityTable (page)
   if isempty (share) || ~all (isfield (share, names))
     return
   end
-  shown = shownTargets (page.Case);
-  cells = cell (numel (shown), numel (names) + 1);
-  for i = 1:numel (shown)
-    t = shown(i);
-    one = page.Case.targets(t);
-    own = struct ('model', one.modelName, 'name', one.name, 'role', one.role);
-    cells{i, 1} = targetCell (page, own);
-    for j = 1:numel (names)
-      isMuch = share.(names{j})(t) >= 0.3;
-      cells{i, j + 1} = struct ('value', {{'calibration', 'sensitivity', names{j}, t}}, ...
-                                'class', repmat ('z2', 1, isMuch));
-    end
-  end
-  columns = [{'result', '', 'name'}; names(:), repmat({'', 'probability'}, numel (names), 1)];
+  cellOf = @(name, t) struct ('value', {{'calibration', 'sensitivity', name, t}}, 'class', ...
+                              repmat ('z2', 1, share.(name)(t) >= 0.3));
+  row = @(t) [{targetCell(page, page.Case.targets(t))}, ...
+              eachOf(@(name) cellOf (name, t), names)];
   T = newTable (page, 'sensitivity', ...
                 'Which parameter drives which result: share of its variance within the limits', ...
-                columns, cells);
+                [{'result', '', 'name'}; names(:), ...
+                 repmat({'', 'probability'}, numel (names), 1)], ...
+                eachOf (row, shownTargets (page.Case)));
 end
 
 %!test

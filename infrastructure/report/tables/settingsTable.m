@@ -8,40 +8,39 @@
 
 function T = settingsTable (page)
   Case = page.Case;
-  cells = cell (0, 3);
-  for k = 1:numel (Case.models)
-    model = Case.models(k);
-    key = char (jsonAt (page.sources.calibration, {'input', 'models', k, 'key'}));
-    % no path of this machine: the page is mailed
-    folder = strrep (strrep (model.folder, Case.folder, 'case'), Case.root, 'DEcalioc');
-    if isempty (folder)
-      folder = 'none: imported runs';
-    end
-    cells(end + 1, :) = {'model', model.name, ...
-                         sprintf('%d CPU, %s, input %s', model.cpu, folder, ...
-                                 key(1:min (end, 16)))};
-  end
-  for name = fieldnames (Case.modelVars)'
-    cells(end + 1, :) = {'model variable', name{1}, Case.modelVars.(name{1})};
-  end
-  for name = fieldnames (Case.options)'
-    value = Case.options.(name{1});
-    if isequal (value, Inf)
-      value = sentence ('table.noLimit');
-    elseif isnumeric (value) && isscalar (value)
-      value = sprintf ('%g', value);
-    end
-    if ischar (value)
-      cells(end + 1, :) = {'option', name{1}, value};
-    end
-  end
-  version = jsonAt (page.sources.calibration, {'version'});
-  if ischar (version)
-    cells(end + 1, :) = {'version', 'DEcalioc', version};
-  end
-  cells(end + 1, :) = {'version', 'Octave', OCTAVE_VERSION()};
+  c = page.sources.calibration;
+  numbers = cellfun (@(x) isnumeric (x) && isscalar (x), struct2cell (Case.options));
+  texts = cellfun (@ischar, struct2cell (Case.options));
+  names = fieldnames (Case.options);
+  versions = {{'version', 'DEcalioc', char(jsonAt (c, {'version'}))}, ...
+              {'version', 'Octave', OCTAVE_VERSION()}};
   T = newTable (page, 'settings', 'Models, fixed model variables, options, versions', ...
-                {'kind', '', ''; 'name', '', ''; 'value', '', ''}, cells);
+                {'kind', '', ''; 'name', '', ''; 'value', '', ''}, ...
+                [eachOf(@(k) modelRow (Case, c, k), 1:numel (Case.models)), ...
+                 eachOf(@(n) {'model variable', n, Case.modelVars.(n)}, ...
+                        fieldnames (Case.modelVars)), ...
+                 eachOf(@(n) {'option', n, optionText(Case.options.(n))}, ...
+                        names(numbers | texts)), ...
+                 versions(1 + ~ischar (jsonAt (c, {'version'})):end)]);
+end
+
+function cells = modelRow (Case, c, k)
+  model = Case.models(k);
+  key = char (jsonAt (c, {'input', 'models', k, 'key'}));
+  % no path of this machine: the page is mailed
+  folder = strrep (strrep (model.folder, Case.folder, 'case'), Case.root, 'DEcalioc');
+  folder = [folder, repmat('none: imported runs', 1, isempty (folder))];
+  cells = {'model', model.name, sprintf('%d CPU, %s, input %s', model.cpu, folder, ...
+                                        key(1:min (end, 16)))};
+end
+
+function text = optionText (value)
+  text = value;
+  if isequal (value, Inf)
+    text = sentence ('table.noLimit');
+  elseif isnumeric (value)
+    text = sprintf ('%g', value);
+  end
 end
 
 %!test

@@ -4,7 +4,7 @@
 %
 %   PAGE    see shownResult, or pageData
 %   NAMES   cellstr of those that are wanted (all)
-%   TABLES  struct of newTable, or [] where there is nothing to say
+%   TABLES  struct of newTable; [], or without rows, where there is nothing to say
 %
 % Console, page and results/tables/*.csv show these and make none of their own.
 

@@ -3,23 +3,23 @@
 % CALL: C = targetCell (PAGE, TARGET)
 %
 %   PAGE    see shownResult
-%   TARGET  scalar struct with model and name; role, where it is to be said
+%   TARGET  scalar struct with model (or modelName) and name; role, where it is said
 %   C       cell of newTable: words of results.csv where there are, code name,
 %           unit; the model is its tooltip
 
 function c = targetCell (page, target)
   words = struct ('holdout', ' (not fitted)', 'unmeasured', ' (not measured)');
   mark = givenField (words, givenField (target, 'role', ''), '');
-  c = struct ('value', '', 'code', [target.name, mark], 'unit', '', ...
-              'title', target.model);
+  if isfield (target, 'modelName')
+    target.model = target.modelName;
+  end
+  known = struct ('label', '', 'unit', '');
   t = targetAt (page.Case.targets, target);
   if ~isempty (t)
-    [c.value, c.unit] = deal (page.targets(t).label, page.targets(t).unit);
+    known = page.targets(t);
   end
-  if isempty (c.value)
-    c.value = target.name;
-  end
-  c.value = [c.value, mark];
+  c = struct ('value', [givenField(known, 'label', target.name), mark], ...
+              'code', [target.name, mark], 'unit', known.unit, 'title', target.model);
 end
 
 %!test

@@ -13,22 +13,21 @@ function T = targetsTable (page)
   end
   misses = page.verdict.misses;
   misses = misses(~strcmp ({misses.role}, 'unmeasured'));
-  cells = arrayfun (@(m) rowOf (page, m), misses, 'UniformOutput', false);
-  columns = {'result', '', 'name'; 'measured', '', 'plain'; meanHead(page), '', 'plain'; ...
+  runs = jsonNumber (page.sources.calibration, {'runs'}, 1);
+  means = {'DEM, one run', sprintf('DEM, mean of %d runs', runs)};
+  columns = {'result', '', 'name'; 'measured', '', 'plain'; means{1 + (runs > 1)}, '', 'plain'; ...
              'expected mean', '', 'plain'; 'allowed +-', '', 'plain'; ...
              'miss / noise', '', 'z'; '', '', ''; 'scatter of a run', '', 'error'; ...
              'with the effect', '', 'plain'; 'your limits reach', '', 'plain'};
   columns(8:10, 4) = {'page'};
-  cells = vertcat (cell (0, 10), cells{:});
-  isShown = true (1, 10);
-  isShown(3) = ~isequal (jsonAt (page.sources.calibration, {'runs'}), 0);
-  isShown(9) = page.showsEffect && ...
-               ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}));
+  hasEffect = page.showsEffect && ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}));
+  isShown = [true(1, 2), runs > 0, true(1, 5), hasEffect, true];
   T = newTable (page, 'targets', 'Measured and simulated, the largest miss over noise first', ...
-                columns(isShown, :), cells(:, isShown), notesOf (page, misses, isShown(9)));
+                columns(isShown, :), eachOf (@(m) rowOf (page, m, isShown), misses), ...
+                notesOf (page, misses, runs == 0, hasEffect));
 end
 
-function cells = rowOf (page, m)
+function cells = rowOf (page, m, isShown)
   t = targetAt (page.Case.targets, m);
   z = struct ('value', m.z, 'class', zClass (m.z));
   [class, word] = wordOf (m);
@@ -37,86 +36,53 @@ function cells = rowOf (page, m)
     name = struct ('value', sprintf ('%s (%d points)', m.name, m.points), ...
                    'title', m.model);
     cells = {name, NaN, NaN, NaN, NaN, z, word, NaN, NaN, NaN};
+    cells = cells(isShown);
     return
   end
   at = @(field) {'calibration', 'targets', t, field};
-  estimate = 'estimate';
-  if isempty (jsonAt (page.sources, at (estimate)))
-    estimate = 'result';
-  end
+  estimates = {'estimate', 'result'};
+  estimate = estimates{1 + isempty(jsonAt (page.sources, at ('estimate')))};
   own = struct ('value', {at('result')}, 'sd', {at('resultSd')});
-  reach = NaN;
-  if isfield (page, 'reach')
-    reach = page.reach(t, :);
-  end
-  cure = {'howFar', 'targets'};
-  k = targetAt (jsonAt (page.sources.gap, cure), m);
+  reach = givenField (page, 'reach', NaN (t, 2));
+  k = targetAt (jsonAt (page.sources.gap, {'howFar', 'targets'}), m);
   cells = {targetCell(page, m), at('target'), own, at(estimate), m.allowed, z, word, ...
-           at('noiseSd'), [{'gap'}, cure, {k, 'after'}], reach};
+           at('noiseSd'), {'gap', 'howFar', 'targets', k, 'after'}, reach(t, :)};
+  cells = cells(isShown);
 end
 
 function [class, word] = wordOf (m)
-  [class, word] = deal ('', 'not measured');
   [~, open] = missTexts (m);
-  if m.isStrict && ~(abs (m.z) >= 2)
-    [class, word] = deal ('unsure', 'too strict');
-  elseif ~isempty (open)
-    [class, word] = deal ('unsure', 'open');
-  elseif m.met == 0
-    [class, word] = deal ('off', 'missed');
-  elseif m.met == 1 && strcmp (m.role, 'holdout')
-    [class, word] = deal ('ok', 'predicted');
-  elseif m.met == 1
-    [class, word] = deal ('ok', 'met');
-  end
+  words = {'unsure', 'too strict', m.isStrict && ~(abs (m.z) >= 2); ...
+           'unsure', 'open', ~isempty(open); 'off', 'missed', m.met == 0; ...
+           'ok', 'predicted', m.met == 1 && strcmp(m.role, 'holdout'); ...
+           'ok', 'met', m.met == 1; '', 'not measured', true};
+  k = find ([words{:, 3}], 1);
+  [class, word] = words{k, 1:2};
 end
 
-function notes = notesOf (page, misses, hasEffect)
-  notes = {sentence('table.targets')};
-  for m = misses([misses.isStrict])
-    notes{end + 1} = sentence ('table.strict', ...
-                               struct ('name', m.name, 'scatter', m.scatter, 'allowed', ...
-                                       strtrim (sprintf ('%.4g %s', m.allowed, ...
-                                                         targetCell (page, m).unit))));
-  end
-  for m = misses(~[misses.isStrict])
-    [~, open] = missTexts (m);
-    if ~isempty (open)
-      notes{end + 1} = [m.name, ': ', open];
-    end
-  end
-  for m = misses(isnan ([misses.mean]) & [misses.share] > 0)
-    notes{end + 1} = sprintf ('%s: %.2g times what is allowed, root mean square', ...
-                              m.name, m.share);
-  end
-  if isequal (jsonAt (page.sources.calibration, {'runs'}), 0)
-    notes{end + 1} = sentence ('table.noRun');
-  end
-  if hasEffect
-    notes{end + 1} = ['With the effect: ', sentence('table.twoSets')];
-  end
-end
-
-function text = meanHead (page)
-  n = jsonAt (page.sources.calibration, {'runs'});
-  text = 'DEM, one run';
-  if ~isempty (n) && n > 1
-    text = sprintf ('DEM, mean of %d runs', n);
-  end
+function notes = notesOf (page, misses, hasNoRun, hasEffect)
+  allowed = @(m) strtrim (sprintf ('%.4g %s', m.allowed, targetCell (page, m).unit));
+  strict = eachOf (@(m) sentence ('table.strict', ...
+                                  struct ('name', m.name, 'scatter', m.scatter, ...
+                                          'allowed', allowed (m))), ...
+                   misses([misses.isStrict]));
+  plain = misses(~[misses.isStrict]);
+  says = eachOf (@(m) nthargout (2, @missTexts, m), plain);
+  open = strcat ({plain.name}, {': '}, says)(~cellfun (@isempty, says));
+  curves = eachOf (@(m) sprintf ('%s: %.2g times what is allowed, root mean square', ...
+                                 m.name, m.share), ...
+                   misses(isnan ([misses.mean]) & [misses.share] > 0));
+  notes = [{sentence('table.targets')}, strict, open, curves, ...
+           repmat({sentence('table.noRun')}, 1, hasNoRun), ...
+           repmat({['With the effect: ', sentence('table.twoSets')]}, 1, hasEffect)];
 end
 
 function T = askedFor (page)
-  targets = page.Case.targets;
-  cells = cell (numel (targets), 5);
-  for t = 1:numel (targets)
-    one = targets(t);
-    own = struct ('model', one.modelName, 'name', one.name, 'role', one.role);
-    cells(t, :) = {targetCell(page, own), one.modelName, one.value, one.sd, ...
-                   halfWidth(one)};
-  end
+  row = @(one) {targetCell(page, one), one.modelName, one.value, one.sd, halfWidth(one)};
   T = newTable (page, 'targets', 'What is to be met; there is no result yet', ...
                 {'result', '', 'name'; 'model', '', ''; 'measured', '', 'plain'; ...
-                 'uncertainty (sd)', '', 'error'; 'allowed +-', '', 'plain'}, cells);
+                 'uncertainty (sd)', '', 'error'; 'allowed +-', '', 'plain'}, ...
+                eachOf (row, page.Case.targets));
 end
 
 %!test

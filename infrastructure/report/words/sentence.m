@@ -3,7 +3,8 @@
 % CALL: TEXT = sentence (CODE [, VALUES [, ISCHANGE]])
 %
 %   CODE      code of words.txt, such as 'ending.outside' (text)
-%   VALUES    scalar struct with what the sentence names (default: nothing)
+%   VALUES    scalar struct with what the sentence names (default: nothing); a cell
+%             of texts is its field names
 %   ISCHANGE  logical (false): said of a change from a reference, not of what
 %             the model lacks; such words stand there behind CODE/changed, where
 %             they differ
@@ -20,6 +21,8 @@
 function text = sentence (code, values, isChange)
   if nargin < 2
     values = struct ();
+  elseif iscell (values)
+    values = struct ('names', {values});
   end
   text = '';
   if nargin > 2 && isChange

@@ -1,0 +1,14 @@
+% JUDGEDHOW  By what it was judged how far a cause closes the gap.
+%
+% CALL: TEXT = judgedHow (FAR)
+%
+%   FAR   howFar of gap.json
+%   TEXT  'by DEM runs', or that only the fitted surfaces say it
+
+function text = judgedHow (far)
+  codes = {'closed.onSurrogates', 'closed.byDEM'};
+  text = sentence (codes{1 + isequal(jsonAt (far, {'verifiedByDEM'}), true)});
+end
+
+%!assert (judgedHow (struct ('verifiedByDEM', true)), sentence ('closed.byDEM'))
+%!assert (judgedHow ([]), sentence ('closed.onSurrogates'))
