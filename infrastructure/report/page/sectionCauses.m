@@ -11,16 +11,15 @@ function list = sectionCauses ()
 end
 
 function html = causes (page)
-  posterior = page.sources.gap.which.posterior;
+  which = page.sources.gap.which;
   cause = page.verdict.cause;
-  [~, order] = sort (-cellfun (@(n) posterior.(n), fieldnames (posterior)));
-  posterior = orderfields (posterior, order);
+  [~, order] = sort (-cell2mat (struct2cell (which.posterior)));
+  posterior = orderfields (which.posterior, order);
   level = jsonAt (page.sources.gap, {'level'});
   if isstruct (level)
     level = ['The verdict was ', levelText(level)];
   end
-  said = {cause.sentence, cause.closed, ...
-          madeByText(jsonAt (page.sources.gap.which, {'cause'})), char(level)};
+  said = {cause.sentence, cause.closed, madeByText(jsonAt (which, {'cause'})), char(level)};
   html = ['<p><strong>', htmlText(cause.word), '</strong>. ', ...
           htmlText(strjoin (said(~cellfun (@isempty, said)), ' ')), '</p>', ...
           shapes(page, posterior), tableHtml(page.tables.causes)];
@@ -28,97 +27,61 @@ end
 
 % The measured gap beside what each of the likeliest causes would make of it.
 function html = shapes (page, posterior)
-  html = htmlFigures (bars (page, posterior));
-  if strcmp (page.verdict.cause.kind, 'none')
-    return
-  end
   prints = jsonAt (page.sources.gap, {'fingerprint'});
-  names = jsonAt (prints, {'targets'});
-  if isempty (names)
+  names = jsonList (prints, {'targets'});
+  if strcmp (page.verdict.cause.kind, 'none') || isempty (names)
+    html = htmlFigures (bars (page, posterior));
     return
   end
-  known = setdiff (fieldnames (prints.effects), page.verdict.cause.cannotSee);
-  chance = cellfun (@(name) max ([jsonAt(posterior, {name}), 0]), known);
-  [~, order] = sort (-chance);
-  known = known(order(1:min (3, end)))(:)';
+  % the likeliest first
+  known = fieldnames (posterior)';
+  known = known(isfield (prints.effects, known) & ...
+                ~ismember (known, page.verdict.cause.cannotSee))(1:min (3, end));
   n = numel (names);
   y = (n:-1:1)';
   measured = prints.measured(:);
-  f = newFigure ('The measured gap', 'in sd of the noise', ...
-                 cellstr (names), 'The measured gap', ...
+  f = newFigure ('The gap, and what causes would make of it', 'in sd of the noise', names, ...
+                 ['The measured gap beside that of ', strjoin(known, ', ')], ...
                  {'box', [0 * y, y, min(0, measured), max(0, measured), ...
                           y - 0.36, y + 0.36], 'grey'; ...
                   'line', [0, 0.4; 0, n + 0.6], 'ink'});
   f.size = [360, 74 + 22 * n];
   symbols = {'diamond', 'blue'; 'triangle', 'amber'; 'ring', 'red'};
-  key = {'box', 'grey', 'measured gap'};
-  for k = 1:numel (known)
-    f.layers(end + 1, :) = {symbols{k, 1}, ...
-                            [prints.effects.(known{k})(:), y], symbols{k, 2}};
-    key(end + 1, :) = {symbols{k, :}, htmlText(known{k})};
-  end
-  why = '';
-  if ~isempty (known)
-    f.title = 'The gap, and what causes would make of it';
-    f.alt = ['The measured gap beside that of ', strjoin(known, ', ')];
-    why = ['<p>A cause explains the gap where its symbols stand at the ', ...
-           'ends of the bars; two causes look alike where their symbols ', ...
-           'lie on each other.</p>'];
-  end
-  html = [why, htmlFigures([f, bars(page, posterior)], key)];
+  symbols = symbols(1:numel (known), :);
+  marks = eachOf (@(name) [prints.effects.(name)(:), y], known);
+  f.layers = [f.layers; symbols(:, 1), marks(:), symbols(:, 2)];
+  why = sentence ('figure.causes');
+  html = ['<p>', htmlText(why), '</p>', ...
+          htmlFigures([f, bars(page, posterior)], ...
+                      [{'box', 'grey', 'measured gap'}; symbols, htmlText(known)'])];
 end
 
 function f = bars (page, posterior)
-  p = vertcat (struct2cell (posterior){:});
-  p = p(1:min (end, max (6, sum (p >= 0.005))));
-  n = numel (p);
-  labels = labelsOf (page, posterior)(1:n);
+  p = cell2mat (struct2cell (posterior));
+  n = min (numel (p), max (6, sum (p >= 0.005)));
   y = (n:-1:1)';
-  f = newFigure ('Probability of each cause', 'probability', labels, ...
-                 sprintf ('%s is likeliest, probability %.2f', labels{1}, ...
-                          p(1)), ...
-                 {'box', [0 * y, y, 0 * y, p, y - 0.32, y + 0.32], 'blue'});
+  labels = fieldnames (posterior)';
+  for name = {'null', 'unlisted'}
+    labels(strcmp (labels, name{1})) = {sentence(['cause.', name{1}, '.row'], ...
+                                                 struct (), page.isChange)};
+  end
+  f = newFigure ('Probability of each cause', 'probability', labels(1:n), ...
+                 sprintf ('%s is likeliest, probability %.2f', labels{1}, p(1)), ...
+                 {'box', [0 * y, y, 0 * y, p(1:n), y - 0.32, y + 0.32], 'blue'});
   f.size = [340, 54 + 22 * n];
   f.xlim = [0, 1];
 end
 
-function labels = labelsOf (page, posterior)
-  labels = fieldnames (posterior)';
-  for name = {'null', 'unlisted'}
-    labels(strcmp (labels, name{1})) = {sentence(['cause.', name{1}, '.row'], struct (), ...
-                                                 page.isChange)};
-  end
-end
-
 function html = change (page)
   reference = page.sources.gap.reference;
-  html = [tableHtml(page.tables.conditions), ...
-          '<p>The measurements of <b>', htmlText(reference.condition), ...
-          '</b> beside those of the reference. What the model lacks in ', ...
-          'both drops out. Its likely size, in shares of what the parameters ', ...
-          'move: ', pageNumber(page, 'percent', 'gap', 'reference', 'lack'), '.</p>', ...
-          beforehand(reference), ...
-          tableHtml(page.tables.change)];
-end
-
-% What the user, or the library, took for likely beforehand.
-function html = beforehand (reference)
-  html = '';
-  words = jsonAt (reference, {'canChange'});
-  if isempty (words)
-    return
-  end
-  names = fieldnames (words);
-  what = {'unlikely', ['Taken as unlikely to have changed, as properties of ', ...
-                       'the grains']; ...
-          'no', 'Taken as not changed'};
-  for one = what'
-    own = names(strcmp (struct2cell (words), one{1}));
-    if ~isempty (own)
-      html = [html, '<p>', one{2}, ': ', htmlText(strjoin (own', ', ')), ...
-              '. (<code>canChange</code> in loadEffects.m.)</p>'];
-    end
-  end
+  words = givenField (reference, 'canChange', struct ());
+  names = fieldnames (words)';
+  of = @(word) names(strcmp (struct2cell (words)', word));
+  lack = plainNumber (jsonAt (reference, {'lack'}), 'percent');
+  notes = [{sentence('change.what', struct ('name', reference.condition, 'lack', lack))}, ...
+           listSentences({'change.unlikely', of('unlikely'); 'change.no', of('no')})];
+  notes = strcat ('<p>', htmlText (notes), '</p>');
+  html = [tableHtml(page.tables.conditions), notes{:}, tableHtml(page.tables.change)];
 end
 
 %!test

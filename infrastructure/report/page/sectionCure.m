@@ -12,9 +12,8 @@ end
 
 function html = howFar (page)
   html = '';
-  cure = page.sources.gap.howFar;
-  effect = jsonAt (cure, {'effect'});
-  if isempty (effect) || isempty (page.verdict.cause.closed)
+  far = page.sources.gap.howFar;
+  if isempty (jsonAt (far, {'effect'})) || isempty (page.verdict.cause.closed)
     return                               % nothing was tried, or there is no gap
   end
   key = {'box', 'grey', 'without the cause'; 'box', 'blue', 'with it'; ...
@@ -23,86 +22,66 @@ function html = howFar (page)
          'ring', 'ink', 'gap closed by another one'; ...
          'dash', 'green', 'the whole gap'};
   html = ['<p>', htmlText(page.verdict.cause.closed), '</p>', ...
-          htmlFigures([deviations(cure), ...
-                       closures(cure, effect, cure, 'closure'), ...
-                       closures(cure, effect, jsonAt (cure, {'heldOut'}), ...
-                                'heldOut')], key), ...
+          htmlFigures([deviations(far), closures(far, far, 'closure', 'fitted data'), ...
+                       closures(far, jsonAt (far, {'heldOut'}), 'heldOut', ...
+                                'data not fitted')], key), ...
           tableHtml(page.tables.howfar), tableHtml(page.tables.beforeafter), ...
-          paramTable(page, cure)];
+          paramTable(page, far)];
 end
 
-function f = deviations (cure)
-  sets = {cure};
-  held = jsonAt (cure, {'heldOut'});
-  if isstruct (held)
-    sets{2} = held;
-  end
+function f = deviations (far)
+  sets = [{far}, repmat({jsonAt(far, {'heldOut'})}, 1, isstruct (jsonAt (far, {'heldOut'})))];
   n = numel (sets);
-  names = {'fitted', 'not fitted'};
   [factor, unit] = deal (100, '% of the range');
-  if cure.before >= 10
+  if far.before >= 10
     [factor, unit] = deal (1, 'times the range');
   end
-  alt = sprintf ('deviation before %.3g, after %.3g, of noise alone %.3g %s', ...
-                 factor * [cure.before, cure.after, cure.floor], unit);
+  names = {'fitted', 'not fitted'};
+  x = cellfun (@(s) factor * [s.before; s.after; s.floor], sets, 'UniformOutput', false);
   f = newFigure ('Deviation of the targets', ['rms deviation (', unit, ')'], names(1:n), ...
-                 alt);
+                 sprintf ('deviation before %.3g, after %.3g, of noise alone %.3g %s', ...
+                          x{1}, unit));
   f.size = [340, 80 + 46 * n];
-  most = 0;
   for k = 1:n
     y = n + 1 - k;
-    x = factor * [sets{k}.before, sets{k}.after, sets{k}.floor];
     f.layers = [f.layers; ...
-                {'box', [0, y, 0, x(1), y + 0.03, y + 0.36], 'grey'; ...
-                 'box', [0, y, 0, x(2), y - 0.36, y - 0.03], 'blue'; ...
-                 'dash', [x(3), y - 0.42; x(3), y + 0.42], 'ink'}];
-    most = max ([most, x]);
+                {'box', [0, y, 0, x{k}(1), y + 0.03, y + 0.36], 'grey'; ...
+                 'box', [0, y, 0, x{k}(2), y - 0.36, y - 0.03], 'blue'; ...
+                 'dash', [x{k}(3), y - 0.42; x{k}(3), y + 0.42], 'ink'}];
   end
-  f.xlim = [0, 1.05 * most];
+  f.xlim = [0, 1.05 * max(vertcat (x{:}))];
 end
 
 % Share of the gap that the effect and each placebo close; PART  of gap.json,
-% FIELD  of a placebo: on the calibrated targets, or the held-out ones.
-function f = closures (cure, effect, part, field)
+% FIELD  of a placebo: of which data.
+function f = closures (far, part, field, data)
   f = [];
-  titles = struct ('closure', 'Gap closed, fitted data', ...
-                   'heldOut', 'Gap closed, data not fitted');
-  title = titles.(field);
-  known = jsonAt (part, {'closure'});
-  if isempty (known) || ~isfinite (known)
+  known = jsonNumber (part, {'closure'});
+  if ~isfinite (known)
     return
   end
-  names = {effect};
-  x = 100 * known;
-  placebos = jsonAt (cure, {'placebos'});
-  for k = 1:numel (placebos)
-    names{end + 1} = [jsonAt(placebos, {k, 'effect'}), ' instead'];
-    share = [jsonAt(placebos, {k, field}), NaN];
-    x(end + 1) = 100 * share(1);
-  end
+  placebos = jsonList (far, {'placebos'});
+  names = [{far.effect}, eachOf(@(p) [p.effect, ' instead'], placebos)];
+  x = 100 * cellfun (@(p) jsonNumber (p, {field}), placebos);
   n = numel (names);
-  f = newFigure (title, 'gap closed (%)', names, ...
-                 sprintf ('%s: %s closes %.3g %%', title, effect, x(1)), ...
+  f = newFigure (['Gap closed, ', data], 'gap closed (%)', names, ...
+                 sprintf ('Gap closed, %s: %s closes %.3g %%', data, far.effect, 100 * known), ...
                  {'dash', [100, 0.4; 100, n + 0.6], 'green'; ...
                   'line', [0, 0.4; 0, n + 0.6], 'grey'; ...
-                  'ring', [x(2:end)', (n - 1:-1:1)'], 'ink'; ...
-                  'xbar', [x(1), n, 100 * part.interval90(:)'], 'blue'});
+                  'ring', [x', (n - 1:-1:1)'], 'ink'; ...
+                  'xbar', [100 * known, n, 100 * part.interval90(:)'], 'blue'});
   f.size = [340, 66 + 26 * n];
 end
 
-function html = paramTable (page, cure)
-  html = '';
-  if ~isstruct (jsonAt (cure, {'params'}))
-    return
-  end
-  names = fieldnames (cure.params)';
+function html = paramTable (page, far)
   at = @(n, k) {'gap', 'howFar', 'params', n, k};
-  cells = cellfun (@(n) {n, at(n, 1), at(n, 2)}, names, 'UniformOutput', false);
   note = {sentence('table.twoSets')};
   html = tableHtml (newTable (page, 'refitted', ...
                               'Parameters fitted without and with the cause', ...
                               {'parameter', '', ''; 'without', '', 'plain'; ...
-                               'with', '', 'plain'}, vertcat (cells{:}), ...
+                               'with', '', 'plain'}, ...
+                              eachOf (@(n) {n, at(n, 1), at(n, 2)}, ...
+                                      fieldnames (givenField (far, 'params', struct ()))), ...
                               note(~isempty (page.sources.calibration))));
 end
 

@@ -30,10 +30,8 @@ function html = methods (page)
   end
   if ~isempty (gap)
     names = setdiff (fieldnames (gap.which.posterior)', {'null', 'unlisted'}, 'stable');
-    how = {'closed.onSurrogates', 'closed.byDEM'};
-    isVerified = isequal (jsonAt (gap, {'howFar', 'verifiedByDEM'}), true);
     values = struct ('names', {names}, 'verdict', page.verdict.cause.sentence, ...
-                     'how', sentence (how{1 + isVerified}));
+                     'how', judgedHow (jsonAt (gap, {'howFar'})));
     texts{end + 1} = sentence ('methods.diagnosis', values);
   end
   texts = strcat ('<p>', htmlText (texts), '</p>');

@@ -9,11 +9,10 @@ function list = sectionTargets ()
 end
 
 function html = targets (page)
-  html = '';
   c = page.sources.calibration;
   if isempty (c)
     % the diagnosis has a table of its own
-    html = tableHtml (page.tables.targets)(1:end * isempty (page.sources.gap));
+    html = repmat (tableHtml (page.tables.targets), 1, isempty (page.sources.gap));
     return
   end
   [figures, key] = deal ([], {});
@@ -23,92 +22,75 @@ function html = targets (page)
     figures = [figures, f];
   end
   html = [htmlFigures(figures, key), curves(page), tableHtml(page.tables.targets), ...
-          predictions(page)];
+          predictions(page, jsonList (c, {'holdout'}))];
 end
 
 function html = curves (page)
   list = curveSummary (page.Case, zeros (1, numel (page.Case.targets)));
-  figures = arrayfun (@(one) curveFigure (page, one.own), list, ...
-                      'UniformOutput', false);
-  html = htmlFigures ([figures{:}], {'area', 'palegreen', 'allowed'; ...
-                                     'dots', 'ink', 'measured'; ...
-                                     'line', 'blue', 'simulated'; ...
-                                     'area', 'midblue', 'its 90 % interval'});
+  html = htmlFigures ([eachOf(@(one) curveFigure (page, one.own), list){:}], ...
+                      {'area', 'palegreen', 'allowed'; 'dots', 'ink', 'measured'; ...
+                       'line', 'blue', 'simulated'; 'area', 'midblue', 'its 90 % interval'});
 end
 
 % A measured curve and what the found set gives; POINTS  numbers of targets.
 function f = curveFigure (page, points)
-  [at, order] = sort ([page.Case.targets(points).at]);
+  [at, order] = sort ([page.Case.targets(points).at]');
   points = points(order);
   T = page.Case.targets(points);
-  at = at(:);
-  read = @(field) arrayfun (@(t) jsonAt (page.sources.calibration, ...
-                                         {'targets', t, field})(:)', ...
-                            points(:), 'UniformOutput', false);
-  simulated = vertcat (read ('result'){:});
-  half = arrayfun (@halfWidth, T)';
-  value = [T.value]';
+  read = @(field) vertcat (eachOf (@(t) jsonAt (page.sources.calibration, ...
+                                                {'targets', t, field})(:)', points){:});
+  [half, value] = deal (arrayfun (@halfWidth, T)', [T.value]');
+  [simulated, range] = deal (read ('result'), read ('interval90'));
   alt = sprintf (['%s: measured and found at %d points, from %.4g and ', ...
                   '%.4g to %.4g and %.4g'], T(1).series, numel (at), ...
                  value(1), simulated(1), value(end), simulated(end));
   f = newFigure (sprintf ('%s: %s', T(1).modelName, T(1).series), ...
                  'where it was measured', page.targets(points(1)).unit, alt, ...
                  {'area', [at, value - half, value + half], 'palegreen'; ...
-                  'area', [at, vertcat(read ('interval90'){:})], 'midblue'; ...
+                  'area', [at(1:rows (range)), range], 'midblue'; ...
                   'line', [at, simulated], 'blue'; ...
                   'dots', [at, value], 'ink'});
-  if columns (f.layers{2, 2}) < 3       % an older file
-    f.layers(2, :) = [];
-  end
 end
 
 % What nobody has measured yet.
-function html = predictions (page)
-  held = jsonAt (page.sources.calibration, {'holdout'});
-  open = find (arrayfun (@(k) isempty (jsonAt (held, {k, 'inside'})), ...
-                         1:numel (held)));
-  cells = arrayfun (@(k) {jsonAt(held, {k, 'name'}), ...
-                          {'calibration', 'holdout', k, 'result'}, ...
-                          {'calibration', 'holdout', k, 'interval90'}}, open, ...
-                    'UniformOutput', false);
+function html = predictions (page, held)
+  row = @(k) {held{k}.name, {'calibration', 'holdout', k, 'result'}, ...
+              {'calibration', 'holdout', k, 'interval90'}};
+  open = find (cellfun (@(h) isempty (h.inside), held));
   html = tableHtml (newTable (page, 'predictions', ...
                               'Not measured yet: what these values predict', ...
                               {'result', '', ''; 'predicted', '', 'plain'; ...
                                '90 % interval of a measurement', '', 'plain'}, ...
-                              vertcat (cell (0, 3), cells{:})));
+                              eachOf (row, open)));
 end
 
 function html = steps (page)
   html = '';
-  source = 'calibration';
-  if isempty (page.sources.calibration)
-    source = 'progress';
-  end
-  history = jsonAt (page.sources, {source, 'history'});
-  n = numel (history);
+  sources = {'calibration', 'progress'};
+  source = sources{1 + isempty(page.sources.calibration)};
+  list = jsonList (page.sources, {source, 'history'});
+  n = numel (list);
   if n < 1
     return
   end
-  list = arrayfun (@(k) jsonAt (history, {k}), 1:n, 'UniformOutput', false);
-  figures = [];
+  figures = {};
   if n > 2
-    R = cellfun (@(s) s.residual(:), list, 'UniformOutput', false);
-    R = [R{:}];
+    R = [eachOf(@(s) s.residual(:), list){:}];
     runs = cellfun (@(s) s.runs, list);
-    for t = shownTargets (page.Case)
-      figures = [figures, stepFigure(page, t, runs, 100 * R(t, :))];
-    end
+    figures = eachOf (@(t) stepFigure (page, t, runs, 100 * R(t, :)), ...
+                      shownTargets (page.Case));
   end
   key = {'area', 'palegreen', 'tolerance'; ...
          'area', 'palegrey', 'scatter of one run (1 sd)'; ...
-         'disc', 'blue', ['residual (fitted surfaces, ', ...
-                          'corrected by the runs)']};
-  cells = arrayfun (@(k) stepRow (page, source, list{k}, k), 1:n, 'UniformOutput', false);
-  html = [htmlFigures(figures, key), ...
+         'disc', 'blue', 'residual (fitted surfaces, corrected by the runs)'};
+  at = @(field, k) {source, 'history', k, field};
+  row = @(k) {sprintf('%s %d', sentence (['stage.', list{k}.stage]), list{k}.iteration), ...
+              at('runs', k), at('probability', k)};
+  html = [htmlFigures([figures{:}], key), ...
           tableHtml(newTable (page, 'steps', 'Steps', ...
                               {'step', '', ''; 'sets run so far, repeats counted', '', ...
                                'count'; 'chance that all targets are met', '', ...
-                               'probability'}, vertcat (cells{:})))];
+                               'probability'}, eachOf (row, 1:n)))];
 end
 
 function f = stepFigure (page, t, runs, r)
@@ -132,16 +114,6 @@ function f = stepFigure (page, t, runs, r)
                           'disc', [runs(:), r(:)], 'blue'}]);
   f.xlim = width';
   f.whole = true;
-end
-
-function cells = stepRow (page, source, step, k)
-  at = @(field) {source, 'history', k, field};
-  stage = step.stage;
-  if strcmp (stage, 'DEM')
-    stage = sentence ('table.stageDEM');
-  end
-  name = sprintf ('%s %d', stage, step.iteration);
-  cells = {name, at('runs'), at('probability')};
 end
 
 %!test

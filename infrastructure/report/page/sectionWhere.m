@@ -9,25 +9,20 @@ end
 
 function html = where (page)
   found = page.sources.gap.where;
-  html = ['<p>', htmlText(sentence ('where.chance', struct (), page.isChange)), ' ', ...
-          pageNumber(page, 'p', 'gap', 'where', 'p'), '.</p>', ...
-          curves(page), tableHtml(page.tables.where), hidden(page, found)];
+  p = plainNumber (jsonAt (found, {'p'}), 'p');
+  html = ['<p>', htmlText(sentence ('where.chance', struct ('p', p), page.isChange)), '</p>', ...
+          curves(page), tableHtml(page.tables.where), fitted(page, found)];
 end
 
-function html = hidden (page, where)
-  html = '';
-  if ~isstruct (jsonAt (where, {'params'}))
-    return
-  end
-  names = page.Case.names(isfield (where.params, page.Case.names));
-  cells = cellfun (@(n) {n, {'gap', 'where', 'params', n}, ...
-                         page.Case.limits(1:2, strcmp (n, page.Case.names))}, names, ...
-                   'UniformOutput', false);
+function html = fitted (page, where)
+  names = page.Case.names(isfield (jsonAt (where, {'params'}), page.Case.names));
+  row = @(n) {n, {'gap', 'where', 'params', n}, ...
+              page.Case.limits(1:2, strcmp (n, page.Case.names))};
   note = {sentence('table.twoSets')};
   html = tableHtml (newTable (page, 'fitted', ...
                               'Parameters of the best fit without any cause', ...
                               {'parameter', '', ''; 'value', '', 'plain'; ...
-                               'limits', '', 'plain'}, vertcat (cell (0, 3), cells{:}), ...
+                               'limits', '', 'plain'}, eachOf (row, names), ...
                               note(~isempty (page.sources.calibration))));
 end
 
@@ -35,18 +30,12 @@ end
 % were measured.
 function html = curves (page)
   html = '';
+  points = onSeries (page);
   figures = [];
-  table = onSeries (page);
-  if isempty (table)
-    return
-  end
-  for bench = unique ({table.model}, 'stable')
-    mine = table(strcmp ({table.model}, bench{1}));
-    for name = unique ({mine.series})
-      points = mine(strcmp ({mine.series}, name{1}));
-      if numel (points) > 2
-        figures = [figures, curve(points, [bench{1}, ': ', name{1}])];
-      end
+  for name = unique ({points.title}, 'stable')
+    own = points(strcmp ({points.title}, name{1}));
+    if numel (own) > 2
+      figures = [figures, curve(own, name{1})];
     end
   end
   if ~isempty (figures)
@@ -57,34 +46,27 @@ function html = curves (page)
   end
 end
 
-% The targets that belong to a series, with series, at and unit.
-function table = onSeries (page)
-  table = [];
+% The targets that belong to a series, with title of the figure, at and unit.
+function points = onSeries (page)
+  points = struct ('title', {}, 'at', {}, 'unit', {}, 'T', {});
   info = targetInfo (page.Case);
-  rows_ = page.sources.gap.where.targets;
-  for k = 1:numel (rows_)
-    row = jsonAt (rows_, {k});
-    t = targetAt (page.Case.targets, row);
+  for target = jsonList (page.sources.gap, {'where', 'targets'})
+    t = targetAt (page.Case.targets, target{1});
     if ~isempty (t) && ~isempty (info(t).series) && isfinite (info(t).at) && ...
-       ~isempty (jsonAt (row, {'predicted'}))
-      row = mergeFields (struct (), row, {'model', 'measured', 'predicted', ...
-                                          'sdMeasured', 'sdPredicted'});
-      [row.series, row.at] = deal (info(t).series, info(t).at);
-      row.unit = page.targets(t).unit;
-      table = [table, row];
+       ~isempty (jsonAt (target{1}, {'predicted'}))
+      points(end + 1) = struct ('title', [target{1}.model, ': ', info(t).series], ...
+                                'at', info(t).at, 'unit', page.targets(t).unit, ...
+                                'T', target{1});
     end
   end
 end
 
 function f = curve (points, title)
-  unit = points(1).unit;
   [at, order] = sort ([points.at]');
-  points = points(order);
-  measured = [points.measured]';
-  simulated = [points.predicted]';
-  sd = [points.sdMeasured]';
-  noise = 1.64 * [points.sdPredicted]';
-  f = newFigure (title, 'where it was measured', unit, ...
+  of = @(field) arrayfun (@(p) p.T.(field), points(order))';
+  [measured, simulated, sd] = deal (of ('measured'), of ('predicted'), of ('sdMeasured'));
+  noise = 1.64 * of ('sdPredicted');
+  f = newFigure (title, 'where it was measured', points(1).unit, ...
                  sprintf ('%s: measured and simulated at %d points', title, ...
                           numel (at)), ...
                  {'area', [at, simulated - noise, simulated + noise], ...

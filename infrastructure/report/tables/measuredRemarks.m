@@ -7,16 +7,16 @@
 
 function words = measuredRemarks (folder)
   file = fullfile (folder, 'measured.csv');
-  words = {};
+  words = cell (1, 0);
   if isfile (file)
     found = regexp (readText (file), '^#[ \t]*([^\n]*)', 'tokens', 'lineanchors');
-    words = [found{:}];
+    words = [words, found{:}];
   end
 end
 
 %!test
 %! folder = tempname ();
 %! mkdir (folder);
-%! assert (measuredRemarks (folder), {});
+%! assert (measuredRemarks (folder), cell (1, 0));
 %! writeAtomic (fullfile (folder, 'measured.csv'), "# A. Miller, 2026\n#wet\nname,value\n");
 %! assert (measuredRemarks (folder), {'A. Miller, 2026', 'wet'});
