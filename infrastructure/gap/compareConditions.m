@@ -54,6 +54,9 @@ function text = textOf (strength, effects)
   if isfield (effects, 'label')
     e = effects(strcmp ({effects.name}, strength.name));
   end
+  if ~isempty (e)
+    text = e.label;
+  end
   if ~isempty (e) && columns (strength.values) == 1 && ~strcmp (strength.says, 'nothing')
     text = effectText (e.label, e.unit, strength.values(:, 1));
   end

@@ -80,8 +80,9 @@ function numbers = keyNumbers (v, c)
               'targets met, on the fitted surfaces alone'};
     hasNoRun = isequal (jsonAt (c, {'runs'}), 0);
     isUnsure = ~v.usable && v.met == v.of;
+    forms = {', %d open', ' by the runs with these values, %d more by all runs together'};
     text = [sprintf('%d of %d', v.met, v.of), ...
-            repmat(sprintf (', %d open', numel (open)), 1, ~isempty (open))];
+            repmat(sprintf (forms{1 + v.usable}, numel (open)), 1, ~isempty (open))];
     says = eachOf (@(m) {['open: ', m.name]; nthargout(2, @missTexts, m)}, open);
     list = [list; {labels{1 + max(2 * hasNoRun, isUnsure)}, text}; [says{:}]'];
   end

@@ -92,7 +92,7 @@ end
 %! howFar = sectionCure (){1, 3};
 %! html = howFar (page);
 %! text = regexprep (html, '<[^>]*>', ' ');
-%! for part = {'tilt instead', 'a +4 +4.2', 'This is another set'}
+%! for part = {'tilt instead', 'a +4 +4.2', 'These are not the calibrated values'}
 %!   assert (! isempty (regexp (text, part{1}, 'once')), part{1});
 %! end
 %! assert (numel (strfind (html, '<figcaption>')), 3);

@@ -27,11 +27,7 @@ function html = particles (page)
     html = [html, panelsOf(page, k)];
   end
   if ~isempty (strfind (html, '<svg'))
-    key = {'line', 'red', 'free surface, seen from the side'; ...
-           'dash', 'ink', 'measured inclination'; 'dash', 'amber', 'measured profile'};
-    key = key([true, true, ~isempty(strfind (html, 'var(--amber)'))], :);
-    html = ['<p>The last picture of a run with ', what, ', from the side.</p>', ...
-            htmlKey(key), html];
+    html = ['<p>The last picture of a run with ', what, ', from the side.</p>', html];
   end
 end
 
@@ -44,11 +40,17 @@ function html = panelsOf (page, k)
     html = ['<figure><figcaption>', name, '</figcaption><img alt="', name, ...
             '" src="', real.photo, '"></figure>'];
   end
+  drawn = '';
   if ~isempty (params) && ~isempty (page.runs)
-    html = [html, picturesOf(page, k, params, real)];
+    drawn = picturesOf (page, k, params, real);
   end
-  if ~isempty (html)
-    html = ['<div class="panels">', html, '</div>'];
+  if ~isempty ([html, drawn])
+    html = ['<div class="panels">', html, drawn, '</div>'];
+  end
+  if ~isempty (drawn)
+    key = {'line', 'red', 'free surface of the grains'; ...
+           'dash', 'ink', 'measured inclination'; 'dash', 'amber', 'measured profile'};
+    html = [html, htmlKey(key([true, true, ~isempty(real.profile)], :))];
   end
 end
 

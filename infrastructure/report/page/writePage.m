@@ -134,7 +134,7 @@ function html = facts (page)
     grains = sectionParticles (page, k);
   end
   html = ['<div class="lead"><dl class="facts">', items{:}, "</dl>\n<div>", ...
-          picture(page), '</div>'];
+          picture(page, 520 - 160 * ~isempty(grains)), '</div>'];
   if ~isempty (grains)
     html = [html, '<div>', grains, '</div>'];
   end
@@ -150,12 +150,12 @@ function html = uses (title, texts)
 end
 
 % The bench that misses most.
-function html = picture (page)
+function html = picture (page, width)
   html = '';
   [f, key] = benchFigure (page, page.verdict.worst);
   if ~isempty (f)
     f.title = ['Where it deviates most: ', f.title];
-    f.size(1) = 520;
+    f.size(1) = width;
     html = [htmlFigures(f, {}, 'one'), htmlKey(key)];
   end
 end

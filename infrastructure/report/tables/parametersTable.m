@@ -42,10 +42,16 @@ function notes = notesOf (c)
   note = char (jsonAt (c, {'intervalNote'}));
   loose = namesIn (c, 'unfixed');
   next = jsonAt (c, {'next', 1});
-  notes = [repmat({['The intervals are ', note, '.']}, 1, ~isempty (note)), ...
-           eachOf(@(text) sentence ('table.unfixed', {text}), loose)];
+  if numel (loose) == numel (fieldnames (c.params))
+    open = {sentence('table.allOpen')};
+  else
+    open = eachOf (@(text) sentence ('table.unfixed', {text}), loose);
+  end
+  notes = [repmat({['The intervals are ', note, '.']}, 1, ~isempty (note)), open];
+  codes = {'measure directly', 'fixBy.direct'; 'measure', 'fixBy.measure'; ...
+           'held-out target', 'fixBy.fit'};
   if ~isempty (loose) && ~isempty (next)
-    notes{end + 1} = sentence ('table.fixBy', next);
+    notes{end + 1} = sentence (codes{strcmp (codes(:, 1), next.kind), 2}, next);
   end
 end
 
