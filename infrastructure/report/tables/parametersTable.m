@@ -48,10 +48,11 @@ function notes = notesOf (c)
     open = eachOf (@(text) sentence ('table.unfixed', {text}), loose);
   end
   notes = [repmat({['The intervals are ', note, '.']}, 1, ~isempty (note)), open];
-  codes = {'measure directly', 'fixBy.direct'; 'measure', 'fixBy.measure'; ...
-           'held-out target', 'fixBy.fit'};
+  codes = {'fixBy.direct', 'fixBy.measure', 'fixBy.fit'};
+  kinds = {'measure directly', 'measure', 'held-out target'};
   if ~isempty (loose) && ~isempty (next)
-    notes{end + 1} = sentence (codes{strcmp (codes(:, 1), next.kind), 2}, next);
+    k = strcmp (kinds, next.kind);
+    notes{end + 1} = sentence (codes{k}, next);
   end
 end
 
