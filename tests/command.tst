@@ -55,10 +55,11 @@
 %! [status, out] = startCommand (base, '--help');
 %! assert (status, 0);
 %! commands = regexp (out, '^  (\w+) ', 'tokens', 'lineanchors');
-%! assert (numel (commands), 16);
+%! assert (numel (commands), 17);
 %! % what 2 means, of each command that gives it
 %! marks = {'run: not all', 'diagnose: no verdict', 'doctor: something', ...
-%!          'check --try: the trial run failed', 'runs: the store is empty'};
+%!          'check --try: the trial run failed', 'runs: the store is empty', ...
+%!          'plan: no test'};
 %! assert (all (cellfun (@(m) says (out, m), marks)), out);
 %! for name = [commands{:}]
 %!   [status, text] = startCommand (base, [name{1}, ' --help']);
@@ -279,3 +280,27 @@
 %!test
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (base), 's');
+
+% --- the report in a browser of this machine
+%!function text = asked (port, path, host)
+%!  request = sprintf ('GET %s HTTP/1.1\\r\\nHost: %s\\r\\n\\r\\n', path, host);
+%!  [~, text] = system (sprintf (['bash -c ''exec 3<>/dev/tcp/127.0.0.1/%d; ' ...
+%!                                'printf "%s" >&3; cat <&3'' 2>&1'], port, request));
+%!endfunction
+%!test
+%! % the page and no other file, to no other name, and until it is ended
+%! folder = standIn (base, 'served');
+%! pid = background (folder, ['report --serve=0 ', shellQuote(folder)]);
+%! log = fullfile (folder, 'said');
+%! waitUntil (@() ~isempty (regexp (fileread (log), '127.0.0.1:\d+/')));
+%! port = str2double (regexp (fileread (log), '127.0.0.1:(\d+)/', ...
+%!                            'tokens', 'once'){1});
+%! text = asked (port, '/', 'localhost');
+%! assert (says (text, '200 OK') && says (text, 'Refresh: '), text);
+%! assert (says (text, fileread (fullfile (folder, 'results', 'report.html'))));
+%! assert (says (asked (port, '/', 'elsewhere.example'), '403 Forbidden'));
+%! assert (says (asked (port, '/../loadInput.m', '127.0.0.1'), '404 Not Found'));
+%! kill (pid, SIG ().TERM);
+%! waitUntil (@() kill (pid, 0) ~= 0);
+%! [status, out] = startCommand (folder, 'report --serve=x');
+%! assert (status == 1 && says (out, '--serve expects a port'), out);
