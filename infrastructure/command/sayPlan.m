@@ -100,15 +100,15 @@ function isThere = sayRegimes (application, benches)
 end
 
 function sayPower (table)
-  single = unique ({table(cellfun (@isempty, strfind ({table.benches}, ...
+  alone = unique ({table(cellfun (@isempty, strfind ({table.benches}, ...
                                                       '+'))).benches});
   printf (['Which test fixes which parameter: the value is known to +- this ' ...
            'share of its range (45 %%: not at all)\n']);
-  sayRows (table(strcmp ({table.kind}, 'parameter')), single, ...
+  sayRows (table(strcmp ({table.kind}, 'parameter')), alone, ...
            @(row) sprintf ('%.0f %%', 100 * row.share));
   printf (['\nWhich test shows which cause: the least that is seen in 8 of 10 ' ...
            'cases, as a share of its range (-: not seen)\n']);
-  sayRows (table(strcmp ({table.kind}, 'cause')), single, @leastOf);
+  sayRows (table(strcmp ({table.kind}, 'cause')), alone, @leastOf);
   printf (['\nBy all results of a test, of grains of 4 mm with the measurement ' ...
            'errors of examples/hiddenEffect and\nbenchmarks/drumAndBins ' ...
            '(benchmarks/benchPower.m). Empty: not studied, as the whole Doser.\n' ...
@@ -122,13 +122,13 @@ function text = leastOf (row)
   end
 end
 
-function sayRows (list, single, show)
-  printf ('  %-24s%s  best two\n', '', sprintf ('%10s', single{:}));
+function sayRows (list, alone, show)
+  printf ('  %-24s%s  best two\n', '', sprintf ('%10s', alone{:}));
   for name = unique ({list.name}, 'stable')
     own = list(strcmp ({list.name}, name{1}));
-    cells = repmat ({''}, 1, numel (single));
-    for k = 1:numel (single)
-      at = strcmp ({own.benches}, single{k});
+    cells = repmat ({''}, 1, numel (alone));
+    for k = 1:numel (alone)
+      at = strcmp ({own.benches}, alone{k});
       if any (at)
         cells{k} = show (own(at));
       end
