@@ -100,8 +100,8 @@ function isThere = sayRegimes (application, benches)
 end
 
 function sayPower (table)
-  alone = unique ({table(cellfun (@isempty, strfind ({table.benches}, ...
-                                                      '+'))).benches});
+  isAlone = cellfun (@isempty, strfind ({table.benches}, '+'));
+  alone = unique ({table(isAlone).benches});
   printf (['Which test fixes which parameter: the value is known to +- this ' ...
            'share of its range (45 %%: not at all)\n']);
   sayRows (table(strcmp ({table.kind}, 'parameter')), alone, ...
