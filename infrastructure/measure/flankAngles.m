@@ -15,8 +15,7 @@
 % the maximum. A flank is what lies between 20 % and 80 % of it, chosen by the
 % stations, not by the heights, so that bumps of grains do not tilt the line: foot
 % and rounded tip are left out. The uncertainty is the larger one of half of the
-% difference and that of the two lines, whose residuals are correlated along the
-% flank (as many independent ones as n (1 - r) / (1 + r), r that of neighbours).
+% difference and that of the two lines (lineWithSd).
 %
 % See also: silhouette, pictureOutline, surfaceLine
 
@@ -32,9 +31,9 @@ function heap = flankAngles (x, z)
   height = median (high(1:ceil (numel (high) / 20)));
   heap.height = height;
   tip = round (mean (find (z > 0.9 * height)));
-  [left, leftSd, leftFoot] = flank (x(1:tip), z(1:tip), height);
-  [right, rightSd, rightFoot] = flank (-fliplr (x(tip:end)), ...
-                                       fliplr (z(tip:end)), height);
+  [left, leftSd, leftFoot] = flankLine (x(1:tip), z(1:tip), height);
+  [right, rightSd, rightFoot] = flankLine (-fliplr (x(tip:end)), ...
+                                           fliplr (z(tip:end)), height);
   heap.left = left;
   heap.right = right;
   heap.difference = left - right;
@@ -42,36 +41,6 @@ function heap = flankAngles (x, z)
   heap.sd = max (abs (heap.difference) / 2, hypot (leftSd, rightSd) / 2);
   heap.radius = (-rightFoot(1) - leftFoot(1)) / 2;
   heap.radiusSd = hypot (leftFoot(2), rightFoot(2)) / 2;
-end
-
-% Of a flank that rises along X; FOOT: where it meets the base, and its sd.
-function [angle, sd, foot] = flank (x, z, height)
-  [angle, sd, foot] = deal (NaN, NaN, [NaN, NaN]);
-  k = crossing (z, 0.2 * height):crossing (z, 0.8 * height);
-  if numel (k) < 5
-    return
-  end
-  middle = mean (x(k));
-  A = [x(k)' - middle, ones(numel (k), 1)];
-  line = A \ z(k)';
-  rest = z(k)' - A * line;
-  r = min (max (0, rest(1:end - 1)' * rest(2:end) / max (rest' * rest, realmin)), ...
-           0.99);
-  n = max (numel (k) * (1 - r) / (1 + r), 3);
-  lineVar = rest' * rest / numel (k) / (n - 2) * ...
-            [numel(k) / sumsq(A(:, 1)), 1];
-  angle = atand (line(1));
-  sd = 180 / pi * sqrt (lineVar(1)) / (1 + line(1)^2);
-  run = line(2) / line(1);
-  footSd = hypot (sqrt (lineVar(2)), run * sqrt (lineVar(1))) / line(1);
-  foot = [middle - run, footSd];
-end
-
-% Bumps cross a height several times: the middle of the first and the last time.
-function k = crossing (z, height)
-  first = find (z >= height, 1);
-  last = find (z < height, 1, 'last');
-  k = max (1, round (mean ([first, last])));
 end
 
 %!function [x, z] = drawn (left, right, bump)
