@@ -43,14 +43,11 @@ function card = materialCard (list, results)
                               'from', 'calibrated', 'label', '', 'unit', '');
     end
   end
-  card.values = arrayfun (@(one) valueOf (one, results), list, ...
-                          'UniformOutput', false);
+  card.values = eachOf (@(one) valueOf (one, results), list);
 end
 
 function names = modelsOf (c)
-  list = jsonAt (c, {'input', 'models'});
-  names = arrayfun (@(k) jsonAt (list, {k, 'name'}), 1:numel (list), ...
-                    'UniformOutput', false);
+  names = eachOf (@(m) m.name, jsonList (c, {'input', 'models'}));
 end
 
 function v = valueOf (one, results)

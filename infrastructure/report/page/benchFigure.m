@@ -69,12 +69,9 @@ function r = oneRow (page, m)
   if page.showsEffect && ~isempty (cure)
     r.with = (cure.after - measured) / unit;
   end
-  unit_ = m.unit;
-  if isempty (unit_) && ~isempty (t)
-    unit_ = page.targets(t).unit;
-  end
   r.label = labelOf (m.name, strtrim (sprintf ('%.4g %s', measured, ...
-                                               regexprep (unit_, '^-$', ''))));
+                                               givenField (m, 'unit', ...
+                                                           targetCell (page, m).unit))));
   if ~isempty (t)
     r.reach = (page.reach(t, :) - measured) / unit;
     if isfield (Case.targets, 'each')

@@ -7,39 +7,33 @@
 
 function html = cardPage (root, card)
   page = struct ('sources', struct ());
-  values = card.values;
-  cells = cell (numel (values), 4);
-  for k = 1:numel (values)
-    v = values{k};
-    name = struct ('value', v.name, 'code', v.name, 'unit', v.unit);
-    if ~isempty (v.label)
-      name.value = v.label;
-    end
-    [class, text] = evidence (v);
-    cells(k, :) = {name, v.value, v.interval, struct('value', text, 'class', class)};
-  end
   T = newTable (page, 'values', 'Values of the material, and the evidence for each', ...
                 {'value of', '', 'name'; 'value', '', 'plain'; ...
-                 '90 % interval', '', 'plain'; 'evidence', '', 'words'}, cells);
-  cells = cell (numel (card.tests), 6);
-  for k = 1:numel (card.tests)
-    t = card.tests{k};
-    role = repmat (' (not fitted)', 1, strcmp (t.role, 'holdout'));
-    cells(k, :) = {struct('value', [t.name, role], 'unit', t.unit), t.model, t.case, ...
-                   struct('value', numberOf (t.target), 'sd', numberOf (t.sd)), ...
-                   struct('value', numberOf (t.result), 'sd', numberOf (t.resultSd)), ...
-                   t.state};
-  end
-  tests = newTable (page, 'tests', 'What it was measured against', ...
+                 '90 % interval', '', 'plain'; 'evidence', '', 'words'}, ...
+                eachOf (@valueRow, card.values));
+  tests = newTable (page, 'tests', 'Measurements behind them', ...
                     {'result', '', 'name'; 'test rig', '', ''; 'case', '', ''; ...
                      'measured', '', 'plain'; 'simulated', '', 'plain'; '', '', ''}, ...
-                    cells);
-  lines = cellfun (@(c) [c.name, ' (', strjoin(c.models, ', '), '): ', ...
-                         resultTitle(c, c.date)], card.cases, 'UniformOutput', false);
+                    eachOf (@testRow, card.tests));
+  lines = eachOf (@(c) [c.name, ' (', strjoin(c.models, ', '), '): ', ...
+                        resultTitle(c, c.date)], card.cases);
   items = strcat ('<li>', htmlText (lines), '</li>');
   html = plainPage (root, 'Material card', strjoin (card.material, ', '), ...
                     [tableHtml(T), tableHtml(tests), '<h2>Cases</h2><ul>', items{:}, ...
                      '</ul>']);
+end
+
+function cells = valueRow (v)
+  name = struct ('value', givenField (v, 'label', v.name), 'code', v.name, 'unit', v.unit);
+  [class, text] = evidence (v);
+  cells = {name, v.value, v.interval, struct('value', text, 'class', class)};
+end
+
+function cells = testRow (t)
+  role = repmat (' (not fitted)', 1, strcmp (t.role, 'holdout'));
+  cells = {struct('value', [t.name, role], 'unit', t.unit), t.model, t.case, ...
+           struct('value', numberOf (t.target), 'sd', numberOf (t.sd)), ...
+           struct('value', numberOf (t.result), 'sd', numberOf (t.resultSd)), t.state};
 end
 
 function x = numberOf (x)

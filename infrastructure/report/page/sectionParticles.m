@@ -21,28 +21,20 @@ function list = sectionParticles (page, model)
 end
 
 function html = particles (page)
-  html = '';
   [~, what] = setToShow (page);
-  for k = 1:numel (page.Case.models)
-    html = [html, panelsOf(page, k)];
-  end
+  html = [eachOf(@(k) panelsOf (page, k), 1:numel (page.Case.models)){:}];
   if ~isempty (strfind (html, '<svg'))
     html = ['<p>The last picture of a run with ', what, ', from the side.</p>', html];
   end
 end
 
 function html = panelsOf (page, k)
-  [params, ~] = setToShow (page);
   real = experimentOf (page.Case, k);
-  html = '';
+  [html, drawn] = deal ('', picturesOf (page, k, real));
   if ~isempty (real.photo) && ~isfinite (real.height)
     name = htmlText ([page.Case.models(k).name, ': the experiment']);
     html = ['<figure><figcaption>', name, '</figcaption><img alt="', name, ...
             '" src="', real.photo, '"></figure>'];
-  end
-  drawn = '';
-  if ~isempty (params) && ~isempty (page.runs)
-    drawn = picturesOf (page, k, params, real);
   end
   if ~isempty ([html, drawn])
     html = ['<div class="panels">', html, drawn, '</div>'];
@@ -100,25 +92,24 @@ function [params, what] = setToShow (page)
   end
 end
 
-function html = picturesOf (page, k, params, real)
+function html = picturesOf (page, k, real)
   html = '';
   Case = page.Case;
   name = Case.models(k).name;
-  runs = page.runs(strcmp ({page.runs.model}, name) & ...
-                   strcmp ({page.runs.status}, 'ok'));
+  params = setToShow (page);
   slack = 1e-9 * diff (Case.limits(1:2, :));
-  isAtSet = @(r) all (abs (r.params - params) < slack);
-  counts = @(r) any (strcmp (r.stage, {'gap', 'cure'})) || ...
-                atLastLevel (r.effects, Case.coarse);
-  at = find (arrayfun (@(r) isAtSet (r) && counts (r), runs), 1, 'last');
-  if isempty (at)
+  isShown = @(r) strcmp (r.model, name) && strcmp (r.status, 'ok') && ...
+                 all (abs (r.params - params) < slack) && ...
+                 (any (strcmp (r.stage, {'gap', 'cure'})) || ...
+                  atLastLevel (r.effects, Case.coarse));
+  if isempty (params) || isempty (page.runs)
     return
   end
-  folder = fullfile (Case.store, 'optim', name, runs(at).name);
-  files = dir (fullfile (folder, '*.dump'));
-  for i = 1:numel (files)
-    html = [html, onePicture(fullfile (folder, files(i).name), Case, k, ...
-                             numel (files) - i, real)];
+  run = page.runs(find (arrayfun (isShown, page.runs), 1, 'last'));
+  if ~isempty (run)
+    files = dir (fullfile (Case.store, 'optim', name, run.name, '*.dump'));
+    html = [eachOf(@(i) onePicture (fullfile (files(i).folder, files(i).name), Case, k, ...
+                                    numel (files) - i, real), 1:numel (files)){:}];
   end
 end
 

@@ -12,10 +12,7 @@ function html = allRuns (page)
   key = {'box', 'blue', 'ended well'; ...
          'box', 'red', 'failed, too long, or no valid result'; ...
          'box', 'grey', 'not ended'};
-  none = '';
-  if isempty (page.tables.failures.cells)
-    none = '<p>No run failed.</p>';
-  end
+  none = repmat ('<p>No run failed.</p>', 1, isempty (page.tables.failures.cells));
   html = [htmlFigures(timeline (page.runs), key, 'wide'), tableHtml(page.tables.runs), ...
           '<p>', htmlText(libraryLine (page.Case)), '</p>', ...
           '<p>Every run is in <code>results/runTable.csv</code>.</p>', ...
@@ -67,20 +64,17 @@ function lane = lanes (from, to)
 end
 
 function html = settings (page)
-  word = 'run';
-  if ~isempty (page.sources.gap) && isempty (page.sources.calibration)
-    word = 'diagnose';
-  end
-  warnings = strcat ('<li>', ...
-                     htmlText (namesIn (page.sources.calibration, ...
-                                        'warnings')), '</li>');
-  if ~isempty (warnings)
-    warnings = [{'<h3>Notes</h3><ul>'}, warnings, {'</ul>'}];
-  end
+  words = {'run', 'diagnose'};
+  isGap = ~isempty (page.sources.gap) && isempty (page.sources.calibration);
+  notes = strcat ('<li>', htmlText (namesIn (page.sources.calibration, 'warnings')), '</li>');
   html = ['<p>The same case with the same seed asks for the same runs ', ...
-          'again, and takes those in the store: <code>decalioc ', word, ...
-          '</code> in the case folder.</p>', warnings{:}, ...
+          'again, and takes those in the store: <code>decalioc ', words{1 + isGap}, ...
+          '</code> in the case folder.</p>', titled('Notes', notes), ...
           tableHtml(page.tables.settings), fileList(page)];
+end
+
+function html = titled (title, items)
+  html = repmat (['<h3>', title, '</h3><ul>', items{:}, '</ul>'], 1, ~isempty (items));
 end
 
 function html = fileList (page)
@@ -102,10 +96,7 @@ function html = fileList (page)
                      files(:, 1));
   items = strcat ('<li><code>', files(isThere, 1), {'</code>: '}, ...
                   files(isThere, 2), '</li>');
-  html = '';
-  if ~isempty (items)
-    html = ['<h3>Files in the case folder</h3><ul>', items{:}, '</ul>'];
-  end
+  html = titled ('Files in the case folder', items);
 end
 
 %!function page = withTables (runs)

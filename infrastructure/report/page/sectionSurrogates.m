@@ -23,25 +23,21 @@ function html = plan (page)
   if isempty (X) && isempty (later) && isempty (page.posterior)
     return
   end
-  sets = {'ring', 'grey', sprintf('plan (%d runs)', rows (X)), X; ...
-          'triangle', 'amber', sprintf('run later or imported (%d runs)', ...
-                                       rows (later)), later; ...
-          'dots', 'sky', ...
-          'values that fit (<code>results/posterior.csv</code>)', ...
-          page.posterior(1:min (end, 200), :); ...
-          'diamond', 'red', 'the calibrated values', page.found};
-  isSeen = ~cellfun (@isempty, sets(:, 4));
-  layers = sets([3, 1, 2, 4], [1, 4, 2]);
-  d = numel (page.Case.names);
+  sets = {'dots', page.posterior(1:min (end, 200), :), 'sky', ...
+          'values that fit (<code>results/posterior.csv</code>)'; ...
+          'ring', X, 'grey', sprintf('plan (%d runs)', rows (X)); ...
+          'triangle', later, 'amber', sprintf('run later or imported (%d runs)', rows (later)); ...
+          'diamond', page.found, 'red', 'the calibrated values'};
+  isSeen = ~cellfun (@isempty, sets(:, 2));
   figures = [];
-  for i = 1:d
+  for i = 1:numel (page.Case.names)
     for j = 1:i - 1
-      figures = [figures, pairFigure(page, j, i, layers)];
+      figures = [figures, pairFigure(page, j, i, sets(:, 1:3))];
     end
     figures = [figures, marginFigure(page, i)];
   end
-  key = [sets(isSeen, 1:3); {'area', 'midblue', 'spread of the values that fit'; ...
-                             'xbar', 'blue', 'value and 90 % interval'}];
+  key = [sets(isSeen, [1, 3, 4]); {'area', 'midblue', 'spread of the values that fit'; ...
+                                   'xbar', 'blue', 'value and 90 % interval'}];
   html = htmlFigures (figures, key, 'corner');
 end
 
@@ -57,18 +53,15 @@ end
 
 function f = pairFigure (page, j, i, layers)
   names = page.Case.names;
-  layers(:, 2) = cellfun (@(X) X(:, min ([j, i], columns (X))), layers(:, 2), ...
-                          'UniformOutput', false);
+  limits = page.Case.limits;
+  layers(:, 2) = eachOf (@(X) X(:, min ([j, i], columns (X))), layers(:, 2));
   f = newFigure (sprintf ('%s, %s', names{i}, names{j}), names{j}, names{i}, ...
                  sprintf ('%s against %s: runs, values that fit, calibrated values', ...
                           names{i}, names{j}), layers);
-  f.place = [i, j];
-  f.size = [260, 210];
-  f.caption = false;
-  f.xlim = page.Case.limits(1:2, j)';
-  f.ylim = page.Case.limits(1:2, i)';
-  f.xlog = any (page.Case.limits(3:end, j));
-  f.ylog = any (page.Case.limits(3:end, i));
+  f = mergeFields (f, struct ('place', [i, j], 'size', [260, 210], 'caption', false, ...
+                              'xlim', limits(1:2, j)', 'ylim', limits(1:2, i)', ...
+                              'xlog', any (limits(3:end, j)), ...
+                              'ylog', any (limits(3:end, i))));
 end
 
 function f = marginFigure (page, j)
@@ -78,18 +71,16 @@ function f = marginFigure (page, j)
   known = jsonAt (page.sources.calibration, {'interval90', name})(:)';
   bar = zeros (0, 4);
   if isscalar (value)
-    known = [known, repmat(value, 1, 2 * isempty (known))];
     known(isnan (known)) = value;       % not printed
-    bar = [value, -0.12, known([1, end])];
+    known = [known, value];
+    bar = [value, -0.12, min(known), max(known)];
   end
   f = newFigure (name, name, '', sprintf ('How the values of %s that fit spread', name), ...
                  {'area', histogram(page.posterior(:, j:end), box), 'midblue'; ...
                   'xbar', bar, 'blue'; 'diamond', bar(:, 1:2), 'blue'});
-  f.place = [j, j];
-  f.size = [260, 210];
-  f.caption = false;
-  f.xlim = box(1:2)';
-  [f.xlog, f.ylim, f.ynames] = deal (any (box(3:end)), [-0.25, 1.05], {' '});
+  f = mergeFields (f, struct ('place', [j, j], 'size', [260, 210], 'caption', false, ...
+                              'xlim', box(1:2)', 'xlog', any (box(3:end)), ...
+                              'ylim', [-0.25, 1.05], 'ynames', {{' '}}));
 end
 
 function area = histogram (sample, box)
@@ -113,23 +104,16 @@ function html = slices (page)
     centre = boxCentre (page.Case.limits);
     what = 'the centre of the limits (nothing has been found yet)';
   end
+  names = page.Case.names;
+  c = page.sources.calibration;
   for t = shownTargets (page.Case)
-    figures = [];
-    for j = 1:numel (page.Case.names)
-      share = jsonAt (page.sources.calibration, ...
-                      {'sensitivity', page.Case.names{j}, t});
-      if isempty (share) || share >= 0.1
-        figures = [figures, slice(page, t, j, centre)];
-      end
-    end
+    share = cellfun (@(name) jsonNumber (c, {'sensitivity', name, t}, 1), names);
+    figures = eachOf (@(j) slice (page, t, j, centre), find (share >= 0.1));
     html = [html, '<h3>', htmlText(page.Case.targets(t).name), '</h3>', ...
-            htmlFigures(figures)];
+            htmlFigures([figures{:}])];
   end
-  coarse = '';
-  if ~isempty (page.Case.coarse)
-    coarse = [' Runs at coarser levels are shown where the surrogate ', ...
-              'carries them over to the last one.'];
-  end
+  coarse = repmat ([' Runs at coarser levels are shown where the surrogate ', ...
+                    'carries them over to the last one.'], 1, ~isempty (page.Case.coarse));
   key = {'line', 'blue', 'mean response (Kriging)'; ...
          'area', 'midblue', 'its 90 % interval'; ...
          'area', 'paleblue', '90 % of single runs'; ...
@@ -137,9 +121,9 @@ function html = slices (page)
          'disc', 'red', 'runs nearby (within a quarter of the limits)'; ...
          'ring', 'grey', 'other runs'; ...
          'dash', 'ink', 'measured, and the calibrated value'};
-  html = ['<p>One parameter moves, the others stay at ', what, '; left ', ...
-          'out are those that make less than a tenth of its variance.', ...
-          coarse, '</p>', htmlKey(key), html];
+  html = ['<p>One parameter moves, the others stay at ', what, '. Parameters that make ', ...
+          'less than a tenth of the variance are left out.', coarse, '</p>', ...
+          htmlKey(key), html];
 end
 
 function f = slice (page, t, j, centre)
@@ -192,27 +176,17 @@ end
 function html = leaveOneOut (page)
   key = {'dots', 'blue', 'a run, and its prediction from all others'; ...
          'dash', 'ink', 'where both are equal'};
-  figures = arrayfun (@(t) crossFigure (page, t), shownTargets (page.Case), ...
-                      'UniformOutput', false);
+  figures = eachOf (@(t) crossFigure (page, t), shownTargets (page.Case));
+  row = @(t, s) {targetCell(page, page.Case.targets(t)), s.Q2, sqrt(s.noiseVar), numel(s.z)};
   html = ['<p>Each run is predicted from all the others. Q2 is the share ', ...
           'of the variance that is predicted: 1 is perfect, 0 no better ', ...
-          'than the mean; below 0.5 do not trust the surrogate.</p>', ...
+          'than the mean; below 0.5 do not trust the fitted surface.</p>', ...
           htmlFigures([figures{:}], key, 'pairs'), ...
-          quality(page)];
-end
-
-function html = quality (page)
-  n = numel (page.surrogates);
-  cells = cell (n, 4);
-  for t = 1:n
-    s = page.surrogates(t);
-    one = page.Case.targets(t);
-    own = struct ('model', givenField (one, 'modelName', ''), 'name', one.name);
-    cells(t, :) = {targetCell(page, own), s.Q2, sqrt(s.noiseVar), numel(s.z)};
-  end
-  html = tableHtml (newTable (page, 'surrogates', 'Fitted surfaces', ...
+          tableHtml(newTable (page, 'surrogates', 'Fitted surfaces', ...
                               {'result', '', 'name'; 'Q2', '', 'probability'; ...
-                               'scatter of a run', '', 'error'; 'runs', '', 'count'}, cells));
+                               'scatter of a run', '', 'error'; 'runs', '', 'count'}, ...
+                              eachOf (@(t) row (t, page.surrogates(t)), ...
+                                      1:numel (page.surrogates))))];
 end
 
 function f = crossFigure (page, t)
