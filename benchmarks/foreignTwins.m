@@ -1,17 +1,10 @@
 % FOREIGNTWINS  Twin study on published laws that the diagnosis does not know.
 %
 % CALL: octave-cli benchmarks/foreignTwins.m [blind|develop] [CASES] [ONLY]
-%       octave-cli benchmarks/foreignTwins.m ... pairs SETS [STEP] [MOST]
 %
 % CASES  per laboratory (105): 4 laboratories of 105 are 420
 % ONLY   nulls: cases without a gap, for the level of the test; singles: of one
 %        cause; pairs: of two
-% SETS   diagnose the pairs both of whose causes have a d of 4 the whole way: so
-%        many new parameter sets of the laboratory for each (twinsWhole). Each
-%        verdict is kept in results/S-whole: started again it goes on, with
-%        another STEP too
-% STEP   of these cases every so-manyth (1), MOST  and of those the first (all):
-%        one case takes 2 minutes
 %
 % Draws data sets with a known cause ("twins") from laboratories that the
 % diagnosis knows only through noisy runs, writes the truth and its SHA-256,
@@ -29,7 +22,7 @@
 
 1;
 
-function runForeign (kind, perLab, only, whole)
+function runForeign (kind, perLab, only)
   addpath (fileparts (mfilename ('fullpath')));
   root = startBenchmarks ();
   results = fullfile (root, 'benchmarks', 'results');
@@ -45,34 +38,8 @@ function runForeign (kind, perLab, only, whole)
   printf ('%s: %d cases, %d laboratories, code %s\n', study, numel (twins), ...
           numel (labs), strtrim (version));
   printf ('truth frozen: SHA-256 %s\n', digest);
-  if whole.sets > 0
-    numbers = find (cellfun (@min, {twins.dEach}) >= 3.9 & [twins.d] >= 3.9);
-    numbers = numbers(1:whole.step:end);
-    numbers = numbers(1:min (end, whole.most));
-    twins = twins(numbers);
-    name = [name, '-whole'];
-    verdicts = diagnoseWhole (kind, labs, twins, numbers, whole.sets, ...
-                              name);
-  else
-    verdicts = twinsDiagnose (labs, twins);
-  end
+  verdicts = twinsDiagnose (labs, twins);
   twinsScore (name, twins, verdicts, labs);
-end
-
-% Shared out to the cores in turn: a laboratory may be quicker than the others.
-function verdicts = diagnoseWhole (kind, labs, twins, numbers, sets, place)
-  [~, ~] = mkdir (place);
-  n = nproc ();
-  share = 1 + mod (0:numel (twins) - 1, n);
-  slim = rmfield (labs, {'means', 'measure', 'em'});
-  split = @(list) arrayfun (@(i) list(share == i), 1:n, 'UniformOutput', false);
-  all_ = @(value) repmat ({value}, 1, n);
-  parts = parcellfun (n, @twinsWhole, all_ (kind), all_ (slim), ...
-                      split (twins), split (numbers), all_ (sets), ...
-                      all_ (place), 'UniformOutput', false, 'VerboseLevel', 0);
-  for i = 1:n
-    verdicts(share == i) = parts{i};
-  end
 end
 
 args = argv ();
@@ -87,9 +54,4 @@ end
 if numel (args) > 1
   perLab = str2double (args{2});
 end
-whole = struct ('sets', 0, 'step', 1, 'most', Inf);
-names = fieldnames (whole);
-for k = 3:numel (args)
-  whole.(names{k - 2}) = str2double (args{k});
-end
-runForeign (kind, perLab, only, whole);
+runForeign (kind, perLab, only);

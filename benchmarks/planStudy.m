@@ -16,7 +16,7 @@
 % and the neutral ones too. For an earlier plan this file is run in a worktree
 % of an earlier commit.
 %
-% See also: foreignLab, twinsWhole, exploreEffects
+% See also: foreignLab, exploreEffects
 
 1;
 
