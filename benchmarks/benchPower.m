@@ -45,14 +45,14 @@ function benches = benchesOf (name, root)
   campaign = leftOutCampaign (name, root);
   given = campaign.given;
   em = campaign.em;
-  gapProblem = newGapProblem (given);
+  problem = newProblem (given);
   points = 0.8 * boxPoints (em.p, 15);
   benches = [];
   for b = 1:numel (given.benchNames)
     white = whitenEmulator (em, find (given.bench == b), ...
-                            noiseBudget (gapProblem, em));
+                            noiseBudget (problem, em));
     one = struct ('name', given.benchNames{b}, 'parameters', {given.names}, ...
-                  'effects', gapProblem.effects, 'J', {{}}, 'marks', {{}});
+                  'effects', problem.effects, 'J', {{}}, 'marks', {{}});
     for i = 1:rows (points)
       [one.J{i}, one.marks{i}] = marksAt (white, points(i, :));
     end

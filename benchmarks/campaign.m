@@ -105,8 +105,8 @@ folder = fullfile (root, 'benchmarks', 'drumAndBins');
 cd (folder);
 Case = withEffects (loadCase (root, folder));
 Case.store = work;
-gapProblem = newProblem (Case);
-plan = campaignPlan (Case, gapProblem.effects, wanted (sets));
+problem = newProblem (Case);
+plan = campaignPlan (Case, problem.effects, wanted (sets));
 say = @(text) sayLine (text, fullfile (work, 'campaign.log'));
 lock = lockCase (work);
 records = runAll (plan, Case, say);
@@ -116,5 +116,5 @@ file = fullfile (root, 'benchmarks', 'drumAndBins', ...
 printf ('%d rows in %s\n', exportRuns (file, Case, data), file);
 sayCounts (plan, records, Case);
 sayCost (Case);
-[~, ~, lines] = campaignTable (gapProblem, data);
+[~, ~, lines] = campaignTable (problem, data);
 printf ('%s\n', lines{:});

@@ -1,8 +1,8 @@
 % CAMPAIGNTABLE  What each effect does to each target, in noise of a run.
 %
-% CALL: [CHANGE, COUNT, LINES] = campaignTable (GAPPROBLEM, DATA)
+% CALL: [CHANGE, COUNT, LINES] = campaignTable (PROBLEM, DATA)
 %
-%   GAPPROBLEM  struct of newProblem
+%   PROBLEM     struct of newProblem
 %   DATA        struct X, E, Z, replicate, see importRuns
 %   CHANGE      K x T: change of the mean from strength 0 to 1 in the middle of
 %               the box, over the standard deviation of one run; NaN where fewer
@@ -14,9 +14,9 @@
 %
 % See also: campaign, fitEmulator
 
-function [change, count, lines] = campaignTable (gapProblem, data)
-  em = fitEmulator (gapProblem, data, gapOptions ([]));
-  phi = strengthOfValues (gapProblem.effects, data.E);
+function [change, count, lines] = campaignTable (problem, data)
+  em = fitEmulator (problem, data, gapOptions ([]));
+  phi = strengthOfValues (problem.effects, data.E);
   K = numel (em.effect);
   middle = zeros (1, em.p);
   noise = sqrt (em.noiseVar);
@@ -31,13 +31,13 @@ function [change, count, lines] = campaignTable (gapProblem, data)
   end
   change(count < 3) = NaN;
   lines = {['| target | noise of a run | ', ...
-            strjoin({gapProblem.effects.name}, ' | '), ' |'], ...
+            strjoin({problem.effects.name}, ' | '), ' |'], ...
            repmat('|---', 1, K + 2)};
   lines{2}(end + 1) = '|';
   for t = 1:numel (noise)
     texts = arrayfun (@textOf, change(:, t)', 'UniformOutput', false);
     lines{end + 1} = sprintf ('| %s | %.2g | %s |', ...
-                              gapProblem.targetNames{t}, noise(t), ...
+                              problem.targetNames{t}, noise(t), ...
                               strjoin (texts, ' | '));
   end
 end
@@ -62,7 +62,7 @@ end
 %!   effects(k) = struct ('name', names{k}, 'variables', {names(k)}, ...
 %!                        'neutral', 0, 'limits', [0; 1]);
 %! end
-%! gapProblem = newProblem (struct ('value', [1, 1], 'sd', [0.2, 0.2], ...
+%! problem = newProblem (struct ('value', [1, 1], 'sd', [0.2, 0.2], ...
 %!                                     'limits', [0, 0; 1, 1], ...
 %!                                     'bench', [1, 1], 'effects', effects));
 %! X = rand (20, 2);
@@ -75,7 +75,7 @@ end
 %!          0.2 * randn (44, 2);
 %! data.Z(41:44, 2) = NaN;
 %! data.replicate = [ones(20, 1); 2 * ones(12, 1); ones(12, 1)];
-%! [change, count, lines] = campaignTable (gapProblem, data);
+%! [change, count, lines] = campaignTable (problem, data);
 %! assert (count, [8, 8; 4, 0]);
 %! assert (change(1, 1) > 8 && change(1, 1) < 30);
 %! assert (abs (change(1, 2)) < 5);

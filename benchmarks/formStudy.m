@@ -26,28 +26,28 @@
 1;
 
 % Study with surrogates of which DATA are known, kept in FOLDER under NAME.
-function em = emulatorOf (name, folder, gapProblem, data, options, old)
+function em = emulatorOf (name, folder, problem, data, options, old)
   file = fullfile (folder, [name, '.mat']);
   if ~isempty (folder) && exist (file, 'file') == 2
     em = load (file).em;
     return
   end
-  em = fitEmulator (gapProblem, data, options, old{:});
+  em = fitEmulator (problem, data, options, old{:});
   if ~isempty (folder)
     save ('-binary', file, 'em');
   end
 end
 
 % What the gate compares with, for the CASES of one campaign.
-function how = withReference (how, name, gapProblem, em)
+function how = withReference (how, name, problem, em)
   file = fullfile (how.folder, [name, '-reference.mat']);
   if ~isempty (how.folder) && exist (file, 'file') == 2
     how.reference = load (file).reference;
     return
   end
-  em = takeReference (em, gapProblem);
-  models = makeHypotheses (gapProblem, em, how.options, ...
-                           find (isfinite (gapProblem.value)));
+  em = takeReference (em, problem);
+  models = makeHypotheses (problem, em, how.options, ...
+                           find (isfinite (problem.value)));
   reference = omnibusReference (models).reference;
   how.reference = reference;
   if ~isempty (how.folder)
@@ -58,9 +58,9 @@ end
 function list = leftOutCases (name, root, step, how)
   [given, data] = storedCampaign (name, root);
   given.held(:) = false;
-  gapProblem = newProblem (given);
-  whole = emulatorOf (name, how.folder, gapProblem, data, how.options, {});
-  how = withReference (how, name, gapProblem, whole);
+  problem = newProblem (given);
+  whole = emulatorOf (name, how.folder, problem, data, how.options, {});
+  how = withReference (how, name, problem, whole);
   inputs = [data.X, data.E];
   list = {};
   numbers = find (all (isfinite (data.Z), 2))';
@@ -69,10 +69,10 @@ function list = leftOutCases (name, root, step, how)
     noise = integrationPoints (1, columns (data.Z), 8000 + i).normal;
     own.value = data.Z(i, :) + given.sd .* noise;
     rest = keepRows (data, ~all (inputs == inputs(i, :), 2));
-    em = emulatorOf (sprintf ('%s-%d', name, i), how.folder, gapProblem, ...
+    em = emulatorOf (sprintf ('%s-%d', name, i), how.folder, problem, ...
                      rest, how.options, {whole});
     truth = struct ('X', data.X(i, :), 'phi', ...
-                    strengthOfValues (gapProblem.effects, data.E(i, :)));
+                    strengthOfValues (problem.effects, data.E(i, :)));
     list = [list, formCase(name, i, own, em, truth, how)];
   end
 end
@@ -86,8 +86,8 @@ function list = sealedCases (stem, name, root, step, how)
                                  'storedRuns.csv'), Case);
     cd (home);
   end
-  gapProblem = newProblem (given);
-  whole = emulatorOf (stem, how.folder, gapProblem, data, how.options, {});
+  problem = newProblem (given);
+  whole = emulatorOf (stem, how.folder, problem, data, how.options, {});
   table = @(what) tableRows (fullfile (root, 'benchmarks', 'results', ...
                                        [stem, '-', what, '.csv']));
   [truths, values] = deal (table ('truth'), table ('cases'));
@@ -130,11 +130,11 @@ end
 
 function list = changeCases (root, step, how)
   [given, data, pairs] = formChange (root);
-  gapProblem = newProblem (given);
-  phi = strengthOfValues (gapProblem.effects, data.E);
+  problem = newProblem (given);
+  phi = strengthOfValues (problem.effects, data.E);
   isWhole = all (isfinite (data.Z), 2) & ismember (data.X, pairs.X, 'rows') & ...
             ~any (phi(:, end - 2:end), 2);
-  whole = emulatorOf ('change', how.folder, gapProblem, data, how.options, {});
+  whole = emulatorOf ('change', how.folder, problem, data, how.options, {});
   list = {};
   numbers = find (isWhole)';
   for i = numbers(1:step:end)
@@ -143,14 +143,14 @@ function list = changeCases (root, step, how)
     own = given;
     own.value = data.Z(i, :) + given.sd .* noise(1, :);
     own.reference = struct ('value', pairs.Z(j, :) + given.sd .* noise(2, :), ...
-                            'sd', given.sd, 'trials', gapProblem.trials, ...
-                            'scatter', gapProblem.scatter, 'perCondition', ...
+                            'sd', given.sd, 'trials', problem.trials, ...
+                            'scatter', problem.scatter, 'perCondition', ...
                             false (1, columns (data.X)));
     if isempty (list)
       how = withReference (how, 'change', newProblem (own), whole);
     end
     isSame = all ([data.X, data.E] == [data.X(i, :), data.E(i, :)], 2);
-    em = emulatorOf (sprintf ('change-%d', i), how.folder, gapProblem, ...
+    em = emulatorOf (sprintf ('change-%d', i), how.folder, problem, ...
                      keepRows (data, ~isSame), how.options, {whole});
     truth = struct ('X', data.X(i, :), 'phi', phi(i, :));
     list = [list, formCase('change', i, own, em, truth, how)];

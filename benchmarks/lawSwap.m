@@ -95,14 +95,14 @@ function answerSwaps (root)
   how.options = gapOptions (struct ('points', 300, 'effective', 150, 'most', ...
                                     3000, 'leastPoints', 75));
   [given, data] = formChange (root);
-  gapProblem = newProblem (given);
-  whole = fitEmulator (gapProblem, data, how.options);
+  problem = newProblem (given);
+  whole = fitEmulator (problem, data, how.options);
   rows_ = tableRows ([stemOf(root), '-cases.csv']);
   numbers = unique (cellfun (@str2double, {rows_.case}));
   lines = {formCase()};
   for i = numbers
     own = measured (given, rows_(strcmp ({rows_.case}, sprintf ('%d', i))), ...
-                    gapProblem);
+                    problem);
     if i == numbers(1)
       how.reference = referenceOf (own, whole, how);
     end
@@ -115,14 +115,14 @@ function answerSwaps (root)
 end
 
 function reference = referenceOf (own, em, how)
-  gapProblem = newProblem (own);
-  em = takeReference (em, gapProblem);
-  models = makeHypotheses (gapProblem, em, how.options, ...
-                           find (isfinite (gapProblem.value)));
+  problem = newProblem (own);
+  em = takeReference (em, problem);
+  models = makeHypotheses (problem, em, how.options, ...
+                           find (isfinite (problem.value)));
   reference = omnibusReference (models).reference;
 end
 
-function given = measured (given, lines, gapProblem)
+function given = measured (given, lines, problem)
   values = NaN (2, numel (given.value));
   for one = lines
     bench = find (strcmp (given.benchNames, one.model));
@@ -133,9 +133,9 @@ function given = measured (given, lines, gapProblem)
   sd = given.sd / sqrt (2);
   given.value = values(2, :);
   given.sd = sd;
-  given.trials = 2 * ones (size (gapProblem.trials));
+  given.trials = 2 * ones (size (problem.trials));
   given.reference = struct ('value', values(1, :), 'sd', sd, 'trials', ...
-                            given.trials, 'scatter', gapProblem.scatter, ...
+                            given.trials, 'scatter', problem.scatter, ...
                             'perCondition', false (1, columns (given.limits)));
 end
 

@@ -49,15 +49,15 @@ end
 
 function line = oneCase (kind, number)
   [lab, twin] = testCase (kind, number);
-  names = {lab.gapProblem.effects.name};
-  given = setfield (lab.gapProblem, 'value', twin.y);
+  names = {lab.problem.effects.name};
+  given = setfield (lab.problem, 'value', twin.y);
   if twin.d < 4                  % nothing there can reach what was drawn
     line = sprintf ('%s,%d,%s,%s,%.4g,,,too weak%s', kind, number, lab.name, ...
                     names{twin.cause}, twin.d, repmat (',', 1, 12));
     return
   end
   first = diagnoseLab (setfield (given, 'tests', @() lab.tests), ...
-                       neutralRuns (lab), runsOfLab (lab.run, lab.gapProblem));
+                       neutralRuns (lab), runsOfLab (lab.run, lab.problem));
   cells = {kind, number, lab.name, names{twin.cause}, twin.d, ...
            said(first), rows(first.data.X)};
   [~, isOpen] = testOutcome (first.which, names{twin.cause});
@@ -71,7 +71,7 @@ function line = oneCase (kind, number)
 end
 
 function data = neutralRuns (lab)
-  n = neutralSets (columns (lab.gapProblem.limits));
+  n = neutralSets (columns (lab.problem.limits));
   data = foreignPlan (lab, n, 0);
 end
 
@@ -145,7 +145,7 @@ function d = onceMore (lab, twin, given, first, test)
   given.value(own) = (twin.y(own) + again(own)) / 2;
   given.sd(own) = given.sd(own) / sqrt (2);
   given.trials = 1 + own;
-  d = diagnoseLab (given, first.data, runsOfLab (lab.run, lab.gapProblem));
+  d = diagnoseLab (given, first.data, runsOfLab (lab.run, lab.problem));
 end
 
 function sayShares (file)

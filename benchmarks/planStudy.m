@@ -44,10 +44,10 @@ function line = oneCase (kind, number, neutral)
   rand ('twister', 300000 + number);
   randn ('twister', 300000 + number);
   twin = drawCase (lab, number);
-  p = columns (lab.gapProblem.limits);
+  p = columns (lab.problem.limits);
   n0 = min (neutral * (p + 1), 40);
   data = lab.plan (n0, 0);
-  given = setfield (lab.gapProblem, 'value', twin.y);
+  given = setfield (lab.problem, 'value', twin.y);
   kept = setdiff (1:numel (given.effects), twin.removed);
   dem = find (~[given.effects.laboratory]);
   data.E = data.E(:, ismember (dem, kept));
@@ -55,7 +55,7 @@ function line = oneCase (kind, number, neutral)
   start = cputime ();
   d = diagnoseLab (given, data, runsOfLab (lab.run, given, kept));
   seconds = cputime () - start;
-  names = {lab.gapProblem.effects.name};
+  names = {lab.problem.effects.name};
   cells = {kind, number, lab.name, p, numel(twin.y), numel(dem), ...
            twin.class, strjoin(names(twin.cause), ' '), twin.d, ...
            num2str(twin.phi(twin.cause)), n0, n0 + d.runs.spent, ...
@@ -67,8 +67,8 @@ end
 
 % Strong enough to be seen: effects that reach the level come first.
 function twin = drawCase (lab, number)
-  K = numel (lab.gapProblem.effects);
-  p = columns (lab.gapProblem.limits);
+  K = numel (lab.problem.effects);
+  p = columns (lab.problem.limits);
   classes = {'single', 'null', 'single', 'pair', 'single', 'single', 'off', ...
              'null', 'single', 'single'};
   levels = [4, 5, 6, 8, 10, 5, 4];
@@ -76,13 +76,13 @@ function twin = drawCase (lab, number)
   twin = struct ('class', classes{1 + mod(turn, 10)}, 'cause', ...
                  zeros (1, 0), 'removed', 0, 'phi', zeros (1, K), ...
                  'theta', 0.1 + 0.8 * rand (1, p), 'd', 0, 'y', []);
-  lab.noise = sqrt (lab.noiseSd.^2 + lab.gapProblem.sd.^2);
+  lab.noise = sqrt (lab.noiseSd.^2 + lab.problem.sd.^2);
   space = twinsSpace (lab, twin.theta);
   level = levels(1 + mod (number, 7));
   order = randperm (K);
   order = strongFirst (order, lab, space, twin.theta, level);
   if strcmp (twin.class, 'off')
-    order = order(~[lab.gapProblem.effects(order).laboratory]);
+    order = order(~[lab.problem.effects(order).laboratory]);
     twin.removed = order(1);
   end
   count = struct ('null', 0, 'single', 1, 'off', 1, 'pair', 2);

@@ -6,24 +6,24 @@
 %!          'develop', 1; 'develop', 2};
 %!  for i = 1:rows (list)
 %!    lab = foreignLab (list{i, :});
-%!    check (lab, columns (lab.gapProblem.limits), ...
-%!           numel (lab.gapProblem.effects), numel (lab.noiseSd));
+%!    check (lab, columns (lab.problem.limits), ...
+%!           numel (lab.problem.effects), numel (lab.noiseSd));
 %!  end
 %!endfunction
 
 %!function layout (lab, p, K, T)
-%!  gapProblem = lab.gapProblem;
+%!  problem = lab.problem;
 %!  assert (p >= 3 && p <= 6 && K >= 6 && K <= 12);
 %!  assert (size (lab.bare (rand (5, p))), [5, T]);
-%!  assert (cellfun (@numel, {gapProblem.bench, gapProblem.sd, ...
-%!                            gapProblem.series, gapProblem.coordinate}), ...
+%!  assert (cellfun (@numel, {problem.bench, problem.sd, ...
+%!                            problem.series, problem.coordinate}), ...
 %!          T * ones (1, 4));
-%!  assert (unique (gapProblem.bench), 1:numel (gapProblem.benchNames));
-%!  assert (numel (gapProblem.names), p);
-%!  assert (all (lab.noiseSd > 0) && all (gapProblem.sd > 0));
+%!  assert (unique (problem.bench), 1:numel (problem.benchNames));
+%!  assert (numel (problem.names), p);
+%!  assert (all (lab.noiseSd > 0) && all (problem.sd > 0));
 %!  assert (numel (lab.isSigned), K);
-%!  assert (numel (unique ({gapProblem.effects.name})), K);
-%!  assert (all ([gapProblem.effects(~lab.isSigned).laboratory] == 0));
+%!  assert (numel (unique ({problem.effects.name})), K);
+%!  assert (all ([problem.effects(~lab.isSigned).laboratory] == 0));
 %!endfunction
 
 %!function neutral (lab, p, K, T)
@@ -33,7 +33,7 @@
 
 %!function everyEffectActs (lab, p, K, T)
 %!  theta = 0.5 * ones (1, p);
-%!  whole = sqrt (lab.noiseSd.^2 + lab.gapProblem.sd.^2);
+%!  whole = sqrt (lab.noiseSd.^2 + lab.problem.sd.^2);
 %!  for k = 1:K
 %!    for side = [1, -ones(1, lab.isSigned(k))]
 %!      shape = lab.means (theta, side * ((1:K) == k)) - lab.bare (theta);

@@ -94,11 +94,11 @@
 %! g = given;
 %! for seed = [5, 7, 11, 12]
 %!   g.value = measured (means, [0, 0, 0, 0.08, 0], seed);
-%!   gapProblem = newProblem (g);
+%!   problem = newProblem (g);
 %!   options = gapOptions (quick ());
 %!   if seed == 5
-%!     em = fitEmulator (gapProblem, data, options);
-%!     models = omnibusReference (makeHypotheses (gapProblem, em, options));
+%!     em = fitEmulator (problem, data, options);
+%!     models = omnibusReference (makeHypotheses (problem, em, options));
 %!   end
 %!   w = caseEvidence (models, fitLibrary (models, g.value), 1);
 %!   v = judgeCase (w, models);
@@ -161,7 +161,7 @@
 %! % looking at four of them is allowed for
 %! held = d.where.held;
 %! assert (held.p, 1 - (1 - 2 * normalTail (abs (held.z))).^4, 1e-9);
-%! assert (d.gapProblem.used, 1:8);
+%! assert (d.problem.used, 1:8);
 %! % a second start finds these runs in another order, and asks for no other
 %! store = containers.Map ('KeyType', 'char', 'ValueType', 'any');
 %! evaluate = @(X, E, r, stage) storedRuns (X, E, r, stage, means, store);

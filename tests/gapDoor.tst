@@ -49,6 +49,6 @@
 %! own.Z(:, 1:4) = NaN;
 %! d = diagnoseMatrices (given, own, quick ());
 %! assert (d.where.out, {'bench1'});
-%! assert (d.gapProblem.targetNames{1}, 't5');
+%! assert (d.problem.targetNames{1}, 't5');
 %! assert (d.data, own);
 %! assert (any (strcmp ('spread', d.which.effects)));

@@ -4,7 +4,7 @@
 %
 %   GIVEN    struct for newProblem;  DATA  struct X, E, Z, replicate
 %   OPTIONS  struct of gapOptions (default: trend 'affine')
-%   STUDY    struct gapProblem, em, models, fits
+%   STUDY    struct problem, em, models, fits
 %
 % See also: standInGap, smallGapLab, diagnoseMatrices
 
@@ -13,11 +13,11 @@ function study = labStudy (given, data, options)
     options = struct ();
   end
   options = gapOptions (mergeFields (struct ('trend', 'affine'), options));
-  study.gapProblem = newProblem (given);
-  study.em = fitEmulator (study.gapProblem, data, options);
-  study.models = makeHypotheses (study.gapProblem, study.em, options);
-  used = study.gapProblem.used;
-  study.fits = fitLibrary (study.models, study.gapProblem.value(used));
+  study.problem = newProblem (given);
+  study.em = fitEmulator (study.problem, data, options);
+  study.models = makeHypotheses (study.problem, study.em, options);
+  used = study.problem.used;
+  study.fits = fitLibrary (study.models, study.problem.value(used));
 end
 
 %!test

@@ -5,7 +5,7 @@
 %   CURVATURE  scalar, 0 = all responses linear, 0.3 = mildly nonlinear (0.3)
 %   SEED       scalar, number of the laboratory: each has laws of its own (11)
 %   LAB        struct
-%     gapProblem  as newProblem wants it, value still NaN; 24 targets on 4
+%     problem     as newProblem wants it, value still NaN; 24 targets on 4
 %              benches, 4 parameters, 8 effects that DEM would run, 2 of the
 %              laboratory
 %     means    handle, Z = means (THETA, PHI): n x 24 results without noise;
@@ -30,7 +30,7 @@ function lab = standInGap (curvature, seed)
   restore = seedRandom (seed);
   law = drawLaw (curvature);
   lab.noiseSd = 0.15 + 0.1 * rand (1, 24);
-  lab.gapProblem = describe (lab.noiseSd, law);
+  lab.problem = describe (lab.noiseSd, law);
   lab.means = @(theta, phi) results (law, theta, phi);
   lab.plan = @(n0, nk) planOf (lab, n0, nk);
 end
@@ -66,7 +66,7 @@ function Z = results (law, theta, phi)
   Z = Z + phi(:, 9) .* (Z .* law.gain) + phi(:, 10) .* law.bias;
 end
 
-function gapProblem = describe (noiseSd, law)
+function problem = describe (noiseSd, law)
   names = {'cohesion', 'liquid', 'wallAdhesion', 'spread', 'size', ...
            'stiffness', 'drag', 'tilt'};
   siblings = [{{'liquid'}, {'cohesion'}}, repmat({{}}, 1, 6)];
@@ -84,13 +84,13 @@ function gapProblem = describe (noiseSd, law)
                         'neutral', [], 'limits', zeros (2, 0), ...
                         'siblings', {{}}, 'laboratory', true, ...
                         'offset', law.bias, 'matrix', []);
-  gapProblem = struct ('value', NaN (1, 24), 'sd', noiseSd, ...
-                       'bench', law.bench, ...
-                       'limits', [zeros(1, 4); ones(1, 4)], 'effects', effects);
-  gapProblem.benchNames = {'drum', 'collapse', 'discharge', 'shear'};
-  gapProblem.names = {'friction', 'wallFriction', 'rolling', 'restitution'};
-  gapProblem.series = kron (1:8, ones (1, 3));
-  gapProblem.coordinate = repmat ([10, 30, 50], 1, 8);
+  problem = struct ('value', NaN (1, 24), 'sd', noiseSd, ...
+                    'bench', law.bench, ...
+                    'limits', [zeros(1, 4); ones(1, 4)], 'effects', effects);
+  problem.benchNames = {'drum', 'collapse', 'discharge', 'shear'};
+  problem.names = {'friction', 'wallFriction', 'rolling', 'restitution'};
+  problem.series = kron (1:8, ones (1, 3));
+  problem.coordinate = repmat ([10, 30, 50], 1, 8);
 end
 
 function data = planOf (lab, n0, nk)

@@ -23,8 +23,8 @@ function blindCampaign (root, work)
   [~, ~] = mkdir (work);
   lock = lockCase (work);
   useLiggghts (root);
-  gapProblem = newProblem (Case);
-  plan = fewer (campaignPlan (Case, gapProblem.effects, wanted ()));
+  problem = newProblem (Case);
+  plan = fewer (campaignPlan (Case, problem.effects, wanted ()));
   say = @(text) sayLine (text, fullfile (work, 'campaign.log'));
   jobs = newJobs (Case, plan.X, plan.E, plan.replicate, 'gap');
   for from = 1:48:numel (jobs)

@@ -48,7 +48,7 @@ function truth = oneTruth (lab, number, class, count)
                   'level', 0, 'theta', [], 'halfStep', false, ...
                   'seeds', packings (lab.trials), ...
                   'noise', randn (lab.trials, T));
-  p = columns (lab.gapProblem.limits);
+  p = columns (lab.problem.limits);
   truth.theta = rand (1, p);
   if rand () < 0.2
     j = randi (p);
@@ -97,7 +97,7 @@ end
 function truth = addCause (truth, lab, space, isOwn, other)
   forms = formsOf (lab);
   forms = forms(~strcmp ({forms.effect}, ''));
-  names = {lab.gapProblem.effects.name};
+  names = {lab.problem.effects.name};
   if isOwn
     choice = arrayfun (@(k) struct ('name', 'library', 'effect', names{k}), ...
                        1:numel (names));
@@ -130,7 +130,7 @@ end
 
 % The weakest strength, on a grid, that reaches the level; full where none does.
 function phi = strengthFor (lab, space, k, level)
-  range = lab.gapProblem.effects(k).range;
+  range = lab.problem.effects(k).range;
   side = 1;
   if range(1) < 0 && rand () < 0.5
     side = -1;
@@ -153,7 +153,7 @@ end
 %! options = gapOptions ([]);
 %! problem = newProblem (given);
 %! em = fitEmulator (problem, data, options);
-%! lab = struct ('trials', 2, 'sd', given.sd, 'gapProblem', problem, ...
+%! lab = struct ('trials', 2, 'sd', given.sd, 'problem', problem, ...
 %!               'em', em, 'models', makeHypotheses (problem, em, options), ...
 %!               'shares', struct ('null', 0.3, 'single', 0.4, ...
 %!                                 'pair', 0.1, 'unlisted', 0.1), ...

@@ -17,7 +17,7 @@ function truths = blindDrawYade (lab, n)
   place = randperm (n);
   seeds = primes (60000);
   seeds = seeds(seeds > 20000);
-  p = columns (lab.gapProblem.limits);
+  p = columns (lab.problem.limits);
   for i = 1:n
     at = place(i);
     truth = struct ('number', i, 'class', 'null', 'cause', {{}}, ...
@@ -40,7 +40,7 @@ function truths = blindDrawYade (lab, n)
 end
 
 %!test % a third without an effect, forms of another code
-%! lab = struct ('gapProblem', struct ('limits', [0, 0; 1, 1]), ...
+%! lab = struct ('problem', struct ('limits', [0, 0; 1, 1]), ...
 %!               'trials', 3, 'sd', [1, 1]);
 %! truths = blindDrawYade (lab, 12);
 %! isNull = strcmp ({truths.class}, 'null');

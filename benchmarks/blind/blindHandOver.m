@@ -20,8 +20,8 @@ function blindHandOver (stem, sealed, lab, truths, Z)
   writeAtomic ([stem, '-truth.sha256'], [strtok(digest), "\n"]);
   cases = {'case,model,name,value,sd,repeats,role'};
   lists = {'case,effects'};
-  gapProblem = lab.gapProblem;
-  names = {gapProblem.effects.name};
+  problem = lab.problem;
+  names = {problem.effects.name};
   for i = 1:numel (truths)
     y = mean (Z{i} + truths(i).noise .* lab.sd, 1);
     for t = 1:numel (y)
@@ -30,13 +30,13 @@ function blindHandOver (stem, sealed, lab, truths, Z)
         value = sprintf ('%.6g', y(t));
       end
       role = 'calibrate';
-      if gapProblem.held(t)
+      if problem.held(t)
         role = 'holdout';
       end
       cases{end + 1} = sprintf ...
         ('%d,%s,%s,%s,%.6g,%d,%s', truths(i).number, ...
-         gapProblem.benchNames{gapProblem.bench(t)}, ...
-         gapProblem.targetNames{t}, ...
+         problem.benchNames{problem.bench(t)}, ...
+         problem.targetNames{t}, ...
          value, lab.sd(t) / sqrt (lab.trials), lab.trials, role);
     end
     list = names(~strcmp (names, truths(i).removed));
@@ -47,13 +47,13 @@ function blindHandOver (stem, sealed, lab, truths, Z)
 end
 
 function text = truthText (lab, truths, Z)
-  gapProblem = lab.gapProblem;
+  problem = lab.problem;
   lines = {['case,class,cause,forms,removed,phi,level,halfStep,', ...
-            strjoin(gapProblem.names, ','), ',seeds,', ...
-            strjoin(gapProblem.targetNames, ',')]};
+            strjoin(problem.names, ','), ',seeds,', ...
+            strjoin(problem.targetNames, ',')]};
   for i = 1:numel (truths)
     t = truths(i);
-    X = gapProblem.limits(1, :) + t.theta .* diff (gapProblem.limits);
+    X = problem.limits(1, :) + t.theta .* diff (problem.limits);
     lines{end + 1} = sprintf ...
       ('%d,%s,%s,%s,%s,%s,%g,%d,%s,%s,%s', t.number, t.class, ...
        strjoin (t.cause, ' '), strjoin (t.forms, ' '), t.removed, ...

@@ -8,7 +8,7 @@
 %         'yade-whole', collapse and heap, computed with YADE; else collapse,
 %         shear cell and heap (campaign hiddenEffect, three trials)
 %   LAB   struct: trials (each value is the mean of so many), sd (1 x T,
-%         reading error of one trial), gapProblem (of newProblem), models (of
+%         reading error of one trial), problem (of newProblem), models (of
 %         makeHypotheses, from the stored campaign), em (fitEmulator), and
 %     draw      handle, TRUTHS = DRAW (LAB, N)
 %     shares    struct, share of each class of blindDraw; the rest: lookAlike
@@ -54,9 +54,9 @@ function lab = blindLab (root, stem)
   given.trials = lab.trials;
   given.sd = given.sd / sqrt (lab.trials);
   options = gapOptions ([]);
-  lab.gapProblem = newProblem (given);
-  lab.em = fitEmulator (lab.gapProblem, data, options);
-  lab.models = makeHypotheses (lab.gapProblem, lab.em, options);
+  lab.problem = newProblem (given);
+  lab.em = fitEmulator (lab.problem, data, options);
+  lab.models = makeHypotheses (lab.problem, lab.em, options);
 end
 
 function names = ofTable ()

@@ -2,7 +2,7 @@
 %
 % CALL: Z = blindRun (LAB, TRUTH, TRIAL, WORK)
 %
-%   LAB    struct with gapProblem (of newProblem)
+%   LAB    struct with problem (of newProblem)
 %   TRUTH  one of blindDraw;  TRIAL  number of the trial
 %   WORK   folder of the runs; finished runs in it are used again
 %   Z      1 x T, results without reading errors, laboratory effects included;
@@ -13,19 +13,19 @@
 function Z = blindRun (lab, truth, trial, work)
   addpath (fileparts (fileparts (mfilename ('fullpath'))));
   root = startBenchmarks ();
-  gapProblem = lab.gapProblem;
+  problem = lab.problem;
   set = struct ('runSeed', truth.seeds(trial));
-  X = gapProblem.limits(1, :) + truth.theta .* diff (gapProblem.limits);
+  X = problem.limits(1, :) + truth.theta .* diff (problem.limits);
   for j = 1:numel (X)
-    set.(gapProblem.names{j}) = X(j);
+    set.(problem.names{j}) = X(j);
   end
   if truth.halfStep
     set.percentRayleigh = 0.175;
   end
-  [set, lines] = causesOf (truth, gapProblem.effects, set);
-  Z = NaN (1, columns (gapProblem.sd));
-  for b = 1:numel (gapProblem.benchNames)
-    bench = gapProblem.benchNames{b};
+  [set, lines] = causesOf (truth, problem.effects, set);
+  Z = NaN (1, columns (problem.sd));
+  for b = 1:numel (problem.benchNames)
+    bench = problem.benchNames{b};
     model = modelOf (root, bench, truth);
     if isempty (model)
       continue
@@ -39,12 +39,12 @@ function Z = blindRun (lab, truth, trial, work)
     variables.readTime = 0.4;
     unknown = setdiff (fieldnames (variables)', fieldnames (head)');
     variables = rmfield (variables, unknown);
-    ofBench = gapProblem.bench == b;
+    ofBench = problem.bench == b;
     results = benchRun (folder, model, variables, ...
                         sprintf ('bash "%s"', script));
     Z(ofBench) = results(1:sum (ofBench));
   end
-  Z = laboratoryEffects (Z, truth, gapProblem.effects);
+  Z = laboratoryEffects (Z, truth, problem.effects);
 end
 
 % The folder of the bench in the laboratory's code; '' where it has none.

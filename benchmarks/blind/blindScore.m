@@ -56,18 +56,18 @@ function c = caseOf (truth, answer, strengths, lab)
 end
 
 function [d, parts] = detectable (truth, lab)
-  gapProblem = lab.gapProblem;
-  X = cellfun (@(n) str2double (truth.(n)), gapProblem.names);
-  Z = cellfun (@(n) str2double (truth.(n)), gapProblem.targetNames);
-  theta = (X - gapProblem.limits(1, :)) ./ diff (gapProblem.limits);
+  problem = lab.problem;
+  X = cellfun (@(n) str2double (truth.(n)), problem.names);
+  Z = cellfun (@(n) str2double (truth.(n)), problem.targetNames);
+  theta = (X - problem.limits(1, :)) ./ diff (problem.limits);
   space = blindSpace (lab, theta);
   shape = Z - space.base;
   shape(~isfinite (shape)) = 0;
   em = lab.em;
-  used = gapProblem.used;
+  used = problem.used;
   packing = em.noiseVar(used) / lab.trials;
   surrogate = mean (em.surrogateVar(:, used), 1) + em.fitVar(used);
-  reading = gapProblem.sd(used).^2;
+  reading = problem.sd(used).^2;
   % the simulated packing is on both sides: of the truth and of the surrogate
   share = mean ((packing + surrogate) ./ (packing + surrogate + reading));
   d2 = space.visible (shape)^2 - share * space.freedom;
@@ -82,15 +82,15 @@ end
 % first two that the answer tells? The laboratory has the height of the heap
 % under an old name, see blindCases.
 function [bench, target] = isPlaced (parts, answer, lab)
-  gapProblem = lab.gapProblem;
+  problem = lab.problem;
   [~, worst] = max (parts);
-  score = arrayfun (@(b) norm (parts(gapProblem.bench == b)), ...
-                    1:numel (gapProblem.benchNames));
+  score = arrayfun (@(b) norm (parts(problem.bench == b)), ...
+                    1:numel (problem.benchNames));
   [~, most] = max (score);
   firstTwo = @(text) strsplit (text, ' ')(1:min (end, 2));
-  bench = any (strcmp (gapProblem.benchNames{most}, ...
+  bench = any (strcmp (problem.benchNames{most}, ...
                        firstTwo (answer.benches)));
-  target = any (strcmp (gapProblem.targetNames{worst}, ...
+  target = any (strcmp (problem.targetNames{worst}, ...
                         firstTwo (regexprep (answer.targets, ...
                                              '\<height\>', 'heapHeight'))));
 end

@@ -42,13 +42,13 @@ end
 %! [given, data] = smallGapLab ();
 %! given.value = mean (data.Z);
 %! options = gapOptions ([]);
-%! gapProblem = newProblem (given);
-%! em = fitEmulator (gapProblem, data, options);
+%! problem = newProblem (given);
+%! em = fitEmulator (problem, data, options);
 %! lab = struct ('em', em, ...
-%!               'models', makeHypotheses (gapProblem, em, options));
+%!               'models', makeHypotheses (problem, em, options));
 %! space = blindSpace (lab, [0.5, 0.5]);
 %! near = predictGap (em, [], [0.02, 0]) - space.base;
 %! full = space.shape (1, 1);
-%! assert (space.visible (near) < 0.1 * norm (near ./ gapProblem.sd));
+%! assert (space.visible (near) < 0.1 * norm (near ./ problem.sd));
 %! assert (space.visible (2 * full), 2 * space.visible (full), 1e-9);
 %! assert (size (space.parts (full)), size (space.base));

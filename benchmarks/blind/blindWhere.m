@@ -20,8 +20,8 @@ function blindWhere (stem, lab)
     number = answers{i, strcmp(header, 'case')};
     measured = rowsOf(strcmp ({rowsOf.case}, number));
     [where, used] = whereOf (measured, lab);
-    benches = lab.gapProblem.benchNames([where.benches.bench]);
-    targets = lab.gapProblem.targetNames(used);
+    benches = lab.problem.benchNames([where.benches.bench]);
+    targets = lab.problem.targetNames(used);
     [answers{i, strcmp(header, 'benches')}, ...
      answers{i, strcmp(header, 'targets')}] = ...
       blindPlaces (benches, [where.benches.size], targets, where.size);
@@ -34,15 +34,15 @@ end
 
 % USED  targets of the case that are calibrated on and were measured
 function [where, used] = whereOf (measured, lab)
-  gapProblem = lab.gapProblem;
-  [isThere, row] = ismember (gapProblem.targetNames, {measured.name});
-  gapProblem.value(:) = NaN;
-  gapProblem.value(isThere) = str2double ({measured(row(isThere)).value});
-  used = gapProblem.used(isfinite (gapProblem.value(gapProblem.used)));
-  gapProblem.used = used;
+  problem = lab.problem;
+  [isThere, row] = ismember (problem.targetNames, {measured.name});
+  problem.value(:) = NaN;
+  problem.value(isThere) = str2double ({measured(row(isThere)).value});
+  used = problem.used(isfinite (problem.value(problem.used)));
+  problem.used = used;
   options = setfield (lab.models.options, 'bootstrap', 199);
-  study = struct ('gapProblem', gapProblem, 'em', lab.em);
-  study.models = makeHypotheses (gapProblem, withoutEffects (lab.em), options);
-  study.fits = fitLibrary (study.models, gapProblem.value(used));
+  study = struct ('problem', problem, 'em', lab.em);
+  study.models = makeHypotheses (problem, withoutEffects (lab.em), options);
+  study.fits = fitLibrary (study.models, problem.value(used));
   where = locateGap (study);
 end

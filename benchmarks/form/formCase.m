@@ -19,30 +19,30 @@ function lines = formCase (part, number, given, em, truth, how)
     return
   end
   lines = {};
-  gapProblem = setfield (newProblem (given), 'unit', 1);
-  em = takeReference (em, gapProblem);
+  problem = setfield (newProblem (given), 'unit', 1);
+  em = takeReference (em, problem);
   usable = [em.effect.laboratory] | [em.effect.runs] >= 3;
   em = withoutEffects (em, find (~usable));
-  models = makeHypotheses (gapProblem, em, how.options);
-  [truth, d] = described (gapProblem, models, truth);
+  models = makeHypotheses (problem, em, how.options);
+  [truth, d] = described (problem, models, truth);
   ways = {'rival', 'smooth'};
   way = ways{1 + mod(number, 2)};
   tangents = 0;
   if strcmp (truth.class, 'single') && d >= 3
     tangents = [0, 0.35, 0.6];
   end
-  Y = repmat (gapProblem.value(gapProblem.used), numel (tangents), 1);
+  Y = repmat (problem.value(problem.used), numel (tangents), 1);
   for i = 2:numel (tangents)
     phi = struct ('at', truth.at, 'strength', truth.strength);
     Y(i, :) = Y(i, :) + tangents(i) * ...
-                        turnMark (models, gapProblem, truth.theta, phi, way, ...
+                        turnMark (models, problem, truth.theta, phi, way, ...
                                   7000 + number);
   end
   models.reference = how.reference;
   fits = fitLibrary (models, Y);
   for i = 1:numel (tangents)
-    own = setfield (gapProblem, 'value', {gapProblem.used}, Y(i, :));
-    study = struct ('gapProblem', own, 'em', em, 'models', models, 'fits', ...
+    own = setfield (problem, 'value', {problem.used}, Y(i, :));
+    study = struct ('problem', own, 'em', em, 'models', models, 'fits', ...
                     fits);
     start = sprintf ('%s,%d,%s,%s,%g,%s,%.2f', part, number, truth.class, ...
                      strjoin (truth.names, ' '), tangents(i), way, d);
@@ -50,9 +50,9 @@ function lines = formCase (part, number, given, em, truth, how)
   end
 end
 
-function [truth, d] = described (gapProblem, models, truth)
-  truth.theta = toSymmetric (truth.X, gapProblem.limits);
-  names = {gapProblem.effects(abs (truth.phi) > 1e-9).name};
+function [truth, d] = described (problem, models, truth)
+  truth.theta = toSymmetric (truth.X, problem.limits);
+  names = {problem.effects(abs (truth.phi) > 1e-9).name};
   [isThere, at] = ismember (names, models.names);
   truth.names = names;
   classes = {'null', 'single', 'pair'};

@@ -1,8 +1,8 @@
 % TURNMARK  Turns what a cause makes away from the form of its law.
 %
-% CALL: SHIFT = turnMark (MODELS, GAPPROBLEM, THETA, PHI, WAY, SEED)
+% CALL: SHIFT = turnMark (MODELS, PROBLEM, THETA, PHI, WAY, SEED)
 %
-%   MODELS, GAPPROBLEM  of makeHypotheses, newProblem
+%   MODELS, PROBLEM     of makeHypotheses, newProblem
 %   THETA    1 x p, parameters in [-1, 1];  PHI  struct at (number of the
 %            cause), strength
 %   WAY      'rival': towards another listed effect, drawn by SEED; 'smooth':
@@ -15,7 +15,7 @@
 %
 % See also: formStudy
 
-function shift = turnMark (models, gapProblem, theta, phi, way, seed)
+function shift = turnMark (models, problem, theta, phi, way, seed)
   white = models.white;
   [~, V, ~, J] = predictGap (white, [], theta);
   sd = sqrt (V);
@@ -29,7 +29,7 @@ function shift = turnMark (models, gapProblem, theta, phi, way, seed)
   w = zeros (size (u));
   if strcmp (way, 'smooth')
     others = [];
-    w = N' * ((smoothDraw (gapProblem, white) * white.W') ./ sd)';
+    w = N' * ((smoothDraw (problem, white) * white.W') ./ sd)';
     w = w - u * (u' * w) / (u' * u);
   end
   for k = others
@@ -50,18 +50,18 @@ end
 
 % Alike along curves (over a third of them) and on benches, in units of the
 % uncertainty.
-function x = smoothDraw (gapProblem, white)
+function x = smoothDraw (problem, white)
   at = white.columns;
-  bench = gapProblem.bench(at);
+  bench = problem.bench(at);
   C = 0.5 * (bench' == bench) + 0.1 * eye (numel (at));
-  for s = setdiff (gapProblem.series(at), 0)
-    own = find (gapProblem.series(at) == s);
-    where = gapProblem.coordinate(at)(own);
+  for s = setdiff (problem.series(at), 0)
+    own = find (problem.series(at) == s);
+    where = problem.coordinate(at)(own);
     apart = abs (where' - where) / max ((max (where) - min (where)) / 3, ...
                                         realmin);
     C(own, own) = C(own, own) + 0.4 * exp (-apart);
   end
-  alone = gapProblem.series(at) == 0;
+  alone = problem.series(at) == 0;
   C = C + 0.4 * diag (alone);
-  x = randn (1, numel (at)) * chol (C) .* gapProblem.sd(at);
+  x = randn (1, numel (at)) * chol (C) .* problem.sd(at);
 end

@@ -13,10 +13,10 @@
 function campaign = leftOutCampaign (name, root)
   [given, data] = storedCampaign (name, root);
   given.held(:) = false;
-  gapProblem = newProblem (given);
+  problem = newProblem (given);
   options = gapOptions ([]);
-  em = fitEmulator (gapProblem, data, options);
-  models = omnibusReference (makeHypotheses (gapProblem, em, options));
+  em = fitEmulator (problem, data, options);
+  models = omnibusReference (makeHypotheses (problem, em, options));
   campaign = struct ('name', name, 'given', given, 'data', data, 'em', em, ...
                      'reference', models.reference, ...
                      'isWhole', all (isfinite (data.Z), 2)');

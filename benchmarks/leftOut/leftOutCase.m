@@ -27,16 +27,16 @@ function cases = leftOutCase (campaign, numbers)
     noise = integrationPoints (1, columns (data.Z), 8000 + i).normal;
     given = campaign.given;
     given.value = data.Z(i, :) + given.sd .* noise;
-    gapProblem = newProblem (given);
-    em = fitEmulator (gapProblem, without (data, same), options, campaign.em);
+    problem = newProblem (given);
+    em = fitEmulator (problem, without (data, same), options, campaign.em);
     kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
     em = withoutEffects (em, find (~kept));
-    models = makeHypotheses (gapProblem, em, options);
+    models = makeHypotheses (problem, em, options);
     models.reference = campaign.reference;
     fits = fitLibrary (models, given.value);
     w = caseEvidence (models, fits, 1);
     verdict = judgeCase (w, models);
-    truth = truthOf (gapProblem, models, data, i);
+    truth = truthOf (problem, models, data, i);
     one = describe (w, verdict, models, truth);
     one.campaign = campaign.name;
     one.row = i;
@@ -51,10 +51,10 @@ function data = without (data, same)
   end
 end
 
-function truth = truthOf (gapProblem, models, data, i)
-  phi = strengthOfValues (gapProblem.effects, data.E(i, :));
-  theta = toSymmetric (data.X(i, :), gapProblem.limits);
-  names = {gapProblem.effects(abs (phi) > 1e-9).name};
+function truth = truthOf (problem, models, data, i)
+  phi = strengthOfValues (problem.effects, data.E(i, :));
+  theta = toSymmetric (data.X(i, :), problem.limits);
+  names = {problem.effects(abs (phi) > 1e-9).name};
   [has, numbers] = ismember (names, models.names);
   truth = struct ('names', {names}, 'phi', phi(abs (phi) > 1e-9), 'd', 0);
   truth.at = numbers;

@@ -3,7 +3,7 @@
 % CALL: LABS = foreignLaboratories (KIND)
 %
 %   KIND  'blind' (4 laboratories) or 'develop' (2 others)
-%   LABS  1 x L struct: name, gapProblem (value still NaN), data
+%   LABS  1 x L struct: name, problem (value still NaN), data
 %         (40 neutral runs, 20 for each effect of DEM), means, measure, noiseSd,
 %         isSigned, em (of fitEmulator), noise (1 x T: measurement, packing and
 %         surrogate)
@@ -18,15 +18,15 @@ function labs = foreignLaboratories (kind)
     lab = foreignLab (kind, i);
     rand ('twister', firstSeed.(kind) + i);
     randn ('twister', firstSeed.(kind) + i);
-    one = struct ('name', lab.name, 'gapProblem', lab.gapProblem, ...
+    one = struct ('name', lab.name, 'problem', lab.problem, ...
                   'data', lab.plan (runs, 20), 'means', lab.means, ...
                   'measure', lab.measure, 'noiseSd', lab.noiseSd, ...
                   'isSigned', lab.isSigned);
-    given = lab.gapProblem;
+    given = lab.problem;
     given.value = mean (one.data.Z);
     one.em = fitEmulator (newProblem (given), one.data, gapOptions ([]));
     surrogate = mean (one.em.surrogateVar, 1);
-    one.noise = sqrt (lab.gapProblem.sd.^2 + lab.noiseSd.^2 + surrogate);
+    one.noise = sqrt (lab.problem.sd.^2 + lab.noiseSd.^2 + surrogate);
     labs(i) = one;
   end
 end

@@ -3,7 +3,7 @@
 % CALL: RUNS = runsOfLab (RUN, GIVEN, KEPT)
 %
 %   RUN    handle Z = RUN (THETA, PHI) of foreignLab
-%   GIVEN  its gapProblem, with the effects KEPT (1 x k, numbers) alone
+%   GIVEN  its problem, with the effects KEPT (1 x k, numbers) alone
 %   KEPT   default: all
 %   RUNS   handle Z = RUNS (X, E, ...), parameters and values of the effects
 %
@@ -23,9 +23,9 @@ end
 
 %!test
 %! lab = foreignLab ('develop', 1);
-%! K = numel (lab.gapProblem.effects);
-%! p = columns (lab.gapProblem.limits);
-%! runs = runsOfLab (@(theta, phi) [theta, phi], lab.gapProblem);
-%! dem = lab.gapProblem.effects(~[lab.gapProblem.effects.laboratory]);
-%! Z = runs (mean (lab.gapProblem.limits), [dem.neutral], 1, 'gap');
+%! K = numel (lab.problem.effects);
+%! p = columns (lab.problem.limits);
+%! runs = runsOfLab (@(theta, phi) [theta, phi], lab.problem);
+%! dem = lab.problem.effects(~[lab.problem.effects.laboratory]);
+%! Z = runs (mean (lab.problem.limits), [dem.neutral], 1, 'gap');
 %! assert (Z, [0.5 * ones(1, p), zeros(1, K)], 1e-12);

@@ -18,12 +18,12 @@ function [lab, twin] = testCase (kind, number)
   lab = testsOfLab (kind, number, mod (floor (number / 4), 2));
   rand ('twister', 830000 + number);
   randn ('twister', 830000 + number);
-  K = numel (lab.gapProblem.effects);
-  p = columns (lab.gapProblem.limits);
+  K = numel (lab.problem.effects);
+  p = columns (lab.problem.limits);
   levels = [4, 5, 6, 8];
   level = levels(1 + mod (floor (number / 8), 4));
   twin = struct ('theta', 0.1 + 0.8 * rand (1, p), 'phi', zeros (1, K));
-  lab.noise = sqrt (lab.noiseSd.^2 + lab.gapProblem.sd.^2);
+  lab.noise = sqrt (lab.noiseSd.^2 + lab.problem.sd.^2);
   space = twinsSpace (lab, twin.theta);
   order = strongFirst (randperm (K), lab, space, twin.theta, level);
   twin.cause = order(1);

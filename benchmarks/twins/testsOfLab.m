@@ -6,22 +6,22 @@
 %   HELD   scalar, benches of the laboratory that the case does not have: the
 %          last ones; one is always left
 %   LAB    struct of foreignLab for the benches of the case: name (ends in the
-%          number of benches), gapProblem, means, run, measure, noiseSd,
+%          number of benches), problem, means, run, measure, noiseSd,
 %          isSigned; and tests (1 x m struct, candidates of tryTests, first the
 %          benches held back, then one and another value of each setting of the
 %          case's), each also with run and means (handles Z = run (THETA, PHI),
 %          with noise and without), both (as run, of the case's benches and
 %          this one), seen (handle: the runs that evaluate has made, struct X,
-%          E, Z) and joined (gapProblem of the case with this test, three
+%          E, Z) and joined (problem of the case with this test, three
 %          trials)
 %
 % See also: nextTestStudy
 
 function lab = testsOfLab (kind, number, held)
   full = foreignLab (kind, number);
-  B = numel (full.gapProblem.benchNames);
+  B = numel (full.problem.benchNames);
   held = min (held, B - 1);
-  bench = full.gapProblem.bench;
+  bench = full.problem.bench;
   own = find (bench <= B - held);
   seedNow = 7000 * strcmp (kind, 'blind') + 10 * number + held;
   rand ('twister', seedNow);
@@ -50,12 +50,12 @@ end
 % The laboratory of the results AT alone.
 function lab = partOf (full, at)
   lab = full;
-  given = full.gapProblem;
+  given = full.problem;
   given.value = zeros (1, numel (full.noiseSd));
   given.effects = newProblem (given).effects;
   [~, ~, given.bench] = unique (given.bench(at));
   given.bench = given.bench(:)';
-  given.benchNames = given.benchNames(unique (full.gapProblem.bench(at)));
+  given.benchNames = given.benchNames(unique (full.problem.bench(at)));
   for k = 1:numel (given.effects)
     e = given.effects(k);
     given.effects(k).offset = e.offset(at);
@@ -65,7 +65,7 @@ function lab = partOf (full, at)
   for name = {'value', 'sd', 'series', 'coordinate'}
     given.(name{1}) = given.(name{1})(at);
   end
-  lab.gapProblem = given;
+  lab.problem = given;
   lab.noiseSd = full.noiseSd(at);
   lab.means = @(theta, phi) full.means (theta, phi)(:, at);
   lab.run = @(theta, phi) full.run (theta, phi)(:, at);
@@ -74,10 +74,10 @@ end
 
 function test = candidate (lab, other, at, origin, setting)
   part = partOf (other, at);
-  p = columns (part.gapProblem.limits);
-  K = numel (part.gapProblem.effects);
+  p = columns (part.problem.limits);
+  K = numel (part.problem.effects);
   middle = 0.5 * ones (1, p);
-  name = part.gapProblem.benchNames{1};
+  name = part.problem.benchNames{1};
   model = name;
   if ~isempty (setting.value)
     model = sprintf ('%s_%s%d', name, setting.name, setting.value);
@@ -86,18 +86,18 @@ function test = candidate (lab, other, at, origin, setting)
                  setting.name, 'value', setting.value, 'trials', 3, ...
                  'cost', 1, 'origin', origin, 'noise', part.noiseSd, ...
                  'size', abs (part.means (middle, zeros (1, K))), ...
-                 'sd', part.gapProblem.sd, ...
-                 'effects', part.gapProblem.effects, ...
+                 'sd', part.problem.sd, ...
+                 'effects', part.problem.effects, ...
                  'isExpressed', true (1, K), 'lines', {{}});
   [test.run, test.means] = deal (part.run, part.means);
   test.both = @(theta, phi) [lab.run(theta, phi), part.run(theta, phi)];
-  runs = runsOfLab (part.run, part.gapProblem);
+  runs = runsOfLab (part.run, part.problem);
   % the handle that the diagnosis gets cannot give more than results back
   book = containers.Map ({'runs'}, {struct('X', [], 'E', [], 'Z', [])}, ...
                          'UniformValues', false);
   test.evaluate = newEvaluate (@(X, E, varargin) booked (runs, book, X, E));
   test.seen = @() book('runs');
-  test.joined = joined (lab.gapProblem, part.gapProblem, model);
+  test.joined = joined (lab.problem, part.problem, model);
 end
 
 function Z = booked (runs, book, X, E)
@@ -164,20 +164,20 @@ end
 %! % the case has two benches of three; tests: the third, two values of each
 %! % setting of the others
 %! lab = testsOfLab ('blind', 1, 1);
-%! assert (lab.gapProblem.benchNames, {'silo', 'stress'});
-%! assert (columns (lab.gapProblem.sd), 11);
+%! assert (lab.problem.benchNames, {'silo', 'stress'});
+%! assert (columns (lab.problem.sd), 11);
 %! assert ({lab.tests.model}, {'shear', 'silo_opening1', 'stress_depth1', ...
 %!                             'silo_opening2', 'stress_depth2'});
 %! assert (lab.tests(2).origin, 1:6);
 %! theta = 0.5 * ones (1, 4);
-%! K = numel (lab.gapProblem.effects);
+%! K = numel (lab.problem.effects);
 %! [f, budget] = deal (lab.tests(1).evaluate, struct ('left', 9, 'new', 0, ...
 %!   'models', true, 'failed', 0, 'isUsedUp', false));
-%! Z = f (mean (lab.gapProblem.limits), [lab.gapProblem.effects( ...
-%!        ~[lab.gapProblem.effects.laboratory]).neutral], 1, 'next', budget);
+%! Z = f (mean (lab.problem.limits), [lab.problem.effects( ...
+%!        ~[lab.problem.effects.laboratory]).neutral], 1, 'next', budget);
 %! assert (size (Z), [1, 4]);
 %! assert (lab.tests(1).seen ().Z, Z);
 %! given = setfield (lab.tests(1).joined, 'value', [ones(1, 15)]);
-%! gapProblem = newProblem (given);
-%! assert (gapProblem.benchNames, {'silo', 'stress', 'shear'});
-%! assert (gapProblem.trials(12:15), 3 * ones (1, 4));
+%! problem = newProblem (given);
+%! assert (problem.benchNames, {'silo', 'stress', 'shear'});
+%! assert (problem.trials(12:15), 3 * ones (1, 4));

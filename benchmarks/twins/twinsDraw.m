@@ -46,12 +46,12 @@ function classes = classesOf (n, mix)
 end
 
 function twin = oneTwin (lab, number, class, i, mix)
-  K = numel (lab.gapProblem.effects);
+  K = numel (lab.problem.effects);
   twin = struct ('lab', number, 'class', class, 'cause', [], ...
                  'removed', 0, 'phi', zeros (1, K), 'theta', [], 'd', 0, ...
                  'dEach', [], 'like', 0, 'cosine', NaN, ...
                  'alien', zeros (size (lab.noiseSd)));
-  twin.theta = parametersOf (columns (lab.gapProblem.limits));
+  twin.theta = parametersOf (columns (lab.problem.limits));
   order = randperm (K);
   space = twinsSpace (lab, twin.theta);
   levels = mix.levels.(class);
@@ -112,7 +112,7 @@ end
 
 % A cause whose visible signature has the cosine with that of the effect.
 function twin = lookAlike (twin, lab, space, level)
-  K = numel (lab.gapProblem.effects);
+  K = numel (lab.problem.effects);
   phi = twinsStrength (lab, space, twin.like, level) * ...
         ((1:K) == twin.like);
   shape = lab.means (twin.theta, phi) - space.base;
@@ -126,7 +126,7 @@ end
 
 %!shared lab
 %! lab = foreignLab ('develop', 2);
-%! lab.noise = sqrt (lab.noiseSd.^2 + lab.gapProblem.sd.^2);
+%! lab.noise = sqrt (lab.noiseSd.^2 + lab.problem.sd.^2);
 %!test % shares, seeds, levels that are reached or full strength
 %! mix = twinsMix ('foreign develop');
 %! twins = twinsDraw (lab, 40, mix);

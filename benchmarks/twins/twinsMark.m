@@ -31,6 +31,6 @@ end
 %! % the one parameter moves a third target
 %! lab = struct ('noise', [1, 1, 1], 'isSigned', [false, true]);
 %! lab.means = @(theta, phi) phi * [3, 4, 0; 2, 0, 0] + theta * [0, 0, 1];
-%! lab.gapProblem.effects = [1, 1];
+%! lab.problem.effects = [1, 1];
 %! twin = struct ('theta', 0.5, 'phi', [1, 0], 'alien', [0, 0, 0]);
 %! assert (twinsMark (twin, [1, 2], lab), [1, 0.6], 1e-9);

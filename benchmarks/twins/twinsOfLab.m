@@ -2,7 +2,7 @@
 %
 % CALL: VERDICTS = twinsOfLab (LAB, CASES)
 %
-%   LAB       struct name, gapProblem, data (its runs), em ([]: is fitted to
+%   LAB       struct name, problem, data (its runs), em ([]: is fitted to
 %             them), middle (1 x T, any finite values)
 %   CASES     struct Y (n x T), removed (1 x n, effect off the list or 0)
 %   VERDICTS  1 x n struct, see twinsDiagnose
@@ -13,18 +13,18 @@
 
 function verdicts = twinsOfLab (lab, cases)
   options = gapOptions ([]);
-  given = lab.gapProblem;
+  given = lab.problem;
   given.value = lab.middle;
-  gapProblem = newProblem (given);
+  problem = newProblem (given);
   if isempty (lab.em)
-    lab.em = fitEmulator (gapProblem, lab.data, options);
+    lab.em = fitEmulator (problem, lab.data, options);
   end
   K = numel (lab.em.effect);
-  full = omnibusReference (makeHypotheses (gapProblem, lab.em, options));
+  full = omnibusReference (makeHypotheses (problem, lab.em, options));
   for removed = unique (cases.removed)
     models = full;
     if removed > 0
-      models = makeHypotheses (gapProblem, withoutEffects (lab.em, removed), ...
+      models = makeHypotheses (problem, withoutEffects (lab.em, removed), ...
                                options);
       models = omnibusReference (models);
     end
@@ -71,7 +71,7 @@ end
 %! % intervals of the effects on the list, and of no other
 %! pkg load stk
 %! [given, data] = smallGapLab ();
-%! lab = struct ('name', 'here', 'gapProblem', given, 'data', data, ...
+%! lab = struct ('name', 'here', 'problem', given, 'data', data, ...
 %!               'em', [], 'middle', mean (data.Z));
 %! v = twinsOfLab (lab, struct ('Y', data.Z(end - 1:end, :), ...
 %!                              'removed', [0, 1]));

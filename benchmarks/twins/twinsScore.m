@@ -51,7 +51,7 @@ function c = caseOf (twin, verdict, lab)
     end
   end
   if ~isempty (cause)
-    c.causeName = strjoin ({lab.gapProblem.effects(cause).name}, ' ');
+    c.causeName = strjoin ({lab.problem.effects(cause).name}, ' ');
   end
   if twin.removed > 0
     c.cause = {};
@@ -109,7 +109,7 @@ function writeCases (file, twins, verdicts, labs, s)
   for i = 1:numel (twins)
     t = twins(i);
     v = verdicts(i);
-    names = {labs(t.lab).gapProblem.effects.name};
+    names = {labs(t.lab).problem.effects.name};
     truth = 'alien';
     if ~isequal (t.cause, 0)
       truth = strjoin (names(t.cause), ' ');
@@ -133,7 +133,7 @@ end
 
 %!test % one null that is named
 %! name = tempname ();
-%! labs = struct ('name', 'here', 'gapProblem', ...
+%! labs = struct ('name', 'here', 'problem', ...
 %!                struct ('effects', struct ('name', {'a', 'b'})));
 %! twin = struct ('lab', 1, 'class', 'null', 'cause', [], 'removed', 0, ...
 %!                'phi', [0, 0], 'd', 0, 'dEach', [], 'like', 0, 'cosine', NaN);
@@ -151,7 +151,7 @@ end
 %!test % a group of one kind, each of which has the mark of the true cause
 %! name = tempname ();
 %! labs = foreignLab ('develop', 2);
-%! labs.noise = sqrt (labs.noiseSd.^2 + labs.gapProblem.sd.^2);
+%! labs.noise = sqrt (labs.noiseSd.^2 + labs.problem.sd.^2);
 %! mix = setfield (twinsMix ('foreign develop'), 'classes', {'single'});
 %! twin = twinsDraw (labs, 1, setfield (mix, 'shares', []));
 %! verdict = struct ('kind', 'group', 'effects', twin.cause * [1, 1], 'top', ...

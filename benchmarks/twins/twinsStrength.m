@@ -11,7 +11,7 @@
 % See also: twinsDraw
 
 function phi = twinsStrength (lab, space, k, level)
-  K = numel (lab.gapProblem.effects);
+  K = numel (lab.problem.effects);
   side = 1;
   if lab.isSigned(k) && rand () < 0.5
     side = -1;
@@ -29,7 +29,7 @@ end
 %!test % an effect of signal to noise 4 at full strength
 %! lab.means = @(theta, phi) theta * [5, 0] + phi * [3, 4];
 %! lab.noise = [1, 1];
-%! lab.gapProblem.effects = 1;
+%! lab.problem.effects = 1;
 %! lab.isSigned = false;
 %! space = twinsSpace (lab, 0.3);
 %! assert (twinsStrength (lab, space, 1, 3 - 1e-9), 0.75, 1e-12);

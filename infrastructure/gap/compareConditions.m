@@ -22,11 +22,11 @@
 function s = compareConditions (diagnosis, others)
   s = struct ('conditions', others, 'order', ...
               struct ('effect', {}, 'more', {}, 'less', {}, 'probability', {}));
-  if isempty (diagnosis.gapProblem.reference)
+  if isempty (diagnosis.problem.reference)
     return
   end
   which = diagnosis.which;
-  one = struct ('name', diagnosis.gapProblem.reference.condition, ...
+  one = struct ('name', diagnosis.problem.reference.condition, ...
                 'verdict', which.verdict, 'effects', {which.effects}, ...
                 'lookAlike', which.lookAlike, 'p', which.gateP, ...
                 'probability', [], 'strength', [], 'interval90', [], ...
@@ -38,7 +38,7 @@ function s = compareConditions (diagnosis, others)
     one.strength(end + 1) = own.value;
     one.interval90(end + 1, :) = own.interval90;
     one.says{end + 1} = own.says;
-    one.text{end + 1} = textOf (own, givenField (diagnosis.gapProblem, 'effects', []));
+    one.text{end + 1} = textOf (own, givenField (diagnosis.problem, 'effects', []));
   end
   s.conditions = [one, others];
   for i = 1:numel (s.conditions)
@@ -93,7 +93,7 @@ function sd = widthOf (interval)
 end
 
 %!function d = condition (name, effects, strength, says)
-%!  d.gapProblem.reference = struct ('condition', name);
+%!  d.problem.reference = struct ('condition', name);
 %!  d.which = struct ('verdict', 'named', 'lookAlike', false, 'gateP', 0.01, ...
 %!                    'effects', {effects}, 'posterior', ...
 %!                    struct ('tilt', 0.9, 'drag', 0.9));
@@ -130,5 +130,5 @@ end
 %! assert (isempty (compareConditions (condition ('wet', pair, 0.5, 'least'), ...
 %!                                     ends).order));
 %! none = condition ('wet', pair, 0.5, 'least');
-%! none.gapProblem.reference = [];
+%! none.problem.reference = [];
 %! assert (isempty (compareConditions (none, []).order));

@@ -1,10 +1,10 @@
 % CORRELATESERIES  Estimates how alike measurement errors along a series are.
 %
-% CALL: [GAPPROBLEM, LENGTHS] = correlateSeries (GAPPROBLEM, EM, OPTIONS)
+% CALL: [PROBLEM, LENGTHS] = correlateSeries (PROBLEM, EM, OPTIONS)
 %
-%   GAPPROBLEM   struct of newProblem; estimateSeries (1 x T) marks targets
+%   PROBLEM      struct of newProblem; estimateSeries (1 x T) marks targets
 %   EM, OPTIONS  of fitEmulator, gapOptions
-%   GAPPROBLEM   the same with covariance;  LENGTHS  1 x T, 0: independent
+%   PROBLEM      the same with covariance;  LENGTHS  1 x T, 0: independent
 %
 % From what the calibrated model leaves of each series, less a quadratic in the
 % coordinate: a gap is mostly smoother than that, the errors are not. Of less
@@ -17,37 +17,37 @@
 % What the quadratic has taken out of the errors is missing: L is rather too
 % short than too long.
 
-function [gapProblem, lengths] = correlateSeries (gapProblem, em, options)
-  lengths = zeros (size (gapProblem.value));
-  at = gapProblem.used(gapProblem.estimateSeries(gapProblem.used));
+function [problem, lengths] = correlateSeries (problem, em, options)
+  lengths = zeros (size (problem.value));
+  at = problem.used(problem.estimateSeries(problem.used));
   if isempty (at)
     return
   end
-  residual = NaN (size (gapProblem.value));
-  M = predictGap (em, [], calibrateNull (gapProblem, em, options));
-  used = gapProblem.used;
-  residual(used) = gapProblem.value(used) - M(used);
-  for s = unique (gapProblem.series(at))
-    own = at(gapProblem.series(at) == s);
+  residual = NaN (size (problem.value));
+  M = predictGap (em, [], calibrateNull (problem, em, options));
+  used = problem.used;
+  residual(used) = problem.value(used) - M(used);
+  for s = unique (problem.series(at))
+    own = at(problem.series(at) == s);
     if numel (own) < 4
       continue
     end
-    x = gapProblem.coordinate(own);
+    x = problem.coordinate(own);
     u = (x - mean (x)) / max (std (x), realmin);
     degree = min (2, numel (unique (x)) - 1);
     r = residual(own) - polyval (polyfit (u, residual(own), degree), u);
-    L = estimateCorrelation (r, gapProblem.sd(own), x);
-    lengths(gapProblem.series == s & gapProblem.estimateSeries) = L;
+    L = estimateCorrelation (r, problem.sd(own), x);
+    lengths(problem.series == s & problem.estimateSeries) = L;
   end
-  known = gapProblem.covariance;
-  sd = gapProblem.sd;
+  known = problem.covariance;
+  sd = problem.sd;
   sd(~isfinite (sd)) = 0;
-  gapProblem.covariance = ...
-    measurementCovariance (sd, gapProblem.series, gapProblem.coordinate, ...
-                           lengths, gapProblem.shared);
+  problem.covariance = ...
+    measurementCovariance (sd, problem.series, problem.coordinate, ...
+                           lengths, problem.shared);
   if ~isempty (known)
     free = lengths' == 0 & lengths == 0;
-    gapProblem.covariance(free) = known(free);
+    problem.covariance(free) = known(free);
   end
 end
 
@@ -89,13 +89,13 @@ end
 %! given.sd(7) = NaN;
 %! given.estimateSeries = true (1, 60);
 %! study = labStudy (given, data);
-%! [gapProblem, lengths] = correlateSeries (study.gapProblem, study.em, ...
-%!                                          study.models.options);
+%! [problem, lengths] = correlateSeries (study.problem, study.em, ...
+%!                                       study.models.options);
 %! assert (lengths(1) > 0.04 && lengths(1) < 0.5);
 %! assert (lengths(31), 0);
-%! assert (gapProblem.covariance(1, 2) > 0.004);
-%! assert (gapProblem.covariance(31, 32), 0);
-%! assert (isfinite (gapProblem.covariance(7, :)));
+%! assert (problem.covariance(1, 2) > 0.004);
+%! assert (problem.covariance(31, 32), 0);
+%! assert (isfinite (problem.covariance(7, :)));
 %!test
 %! % of a curve one point is measured, of the other one is calibrated to
 %! x = linspace (0, 1, 6);
@@ -111,6 +111,6 @@ end
 %! given.coordinate = [x, x];
 %! given.estimateSeries = true (1, 12);
 %! study = labStudy (given, data);
-%! [~, lengths] = correlateSeries (study.gapProblem, study.em, ...
+%! [~, lengths] = correlateSeries (study.problem, study.em, ...
 %!                                 study.models.options);
 %! assert (lengths, zeros (1, 12));

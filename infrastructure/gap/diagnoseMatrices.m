@@ -47,10 +47,10 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   end
   options = gapOptions (options);
   explored = exploreGap (given, data, options, evaluate);
-  [gapProblem, known, em, state] = deal (explored.gapProblem, explored.known, ...
-                                         explored.em, explored.state);
+  [problem, known, em, state] = deal (explored.problem, explored.known, ...
+                                      explored.em, explored.state);
   kept = tested (em);
-  study = studyOf (gapProblem, withoutEffects (em, find (~kept)), options);
+  study = studyOf (problem, withoutEffects (em, find (~kept)), options);
   diagnosis.options = options;
   diagnosis.where = locateGap (study);
   w = caseEvidence (study.models, study.fits, 1);
@@ -59,37 +59,37 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   diagnosis.screen = w.screen;
   diagnosis.screen.names = study.models.names;
   diagnosis.screen.untested = untestedEffects ({em.effect(~kept).name}, ...
-                                               gapProblem.effects, state);
+                                               problem.effects, state);
   diagnosis.fingerprint = fingerprints (study);
   study.w = w;
   [verdict, w, diagnosis.howFar, state] = proveCause (verdict, study, state);
   verdict = withoutReadings (verdict, study);
   verdict = doubtName (verdict, diagnosis, study.models);
-  diagnosis.which = describeVerdict (w, verdict, study.models, gapProblem);
+  diagnosis.which = describeVerdict (w, verdict, study.models, problem);
   diagnosis.which.cause = causesOfVerdict (verdict, study);
   [diagnosis.next, state] = adviseTests (study, w, verdict, state);
   diagnosis.change = [];
   if ~isempty (study.em.change)
     diagnosis.change = struct ('size', study.em.change.size, 'lack', ...
-                               study.em.change.lack .* gapProblem.unit);
+                               study.em.change.lack .* problem.unit);
   end
-  diagnosis = inGivenUnits (diagnosis, gapProblem);
+  diagnosis = inGivenUnits (diagnosis, problem);
   diagnosis.runs = runsMade (state, known);
   diagnosis.runs.left = state.budget.sets;
   diagnosis.budget = state.budget;
-  diagnosis.data = withNewRuns (data, state, known, gapProblem);
+  diagnosis.data = withNewRuns (data, state, known, problem);
 end
 
 % Where two rows look alike, the two causes do.
 function prints = fingerprints (study)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   em = study.em;
-  at = find (isfinite (gapProblem.value));
-  sd = sqrt (diag (noiseBudget (gapProblem, em).covariance))';
+  at = find (isfinite (problem.value));
+  sd = sqrt (diag (noiseBudget (problem, em).covariance))';
   without = predictGap (em, [], study.fits.calibrated.Q(1, :));
   K = numel (study.models.names);
   prints = struct ('target', at, 'measured', ...
-                   (gapProblem.value(at) - without(at)) ./ sd(at), ...
+                   (problem.value(at) - without(at)) ./ sd(at), ...
                    'effects', zeros (K, numel (at)));
   for k = 1:K
     with = predictGap (em, k, fitCure (study, k));
@@ -98,14 +98,14 @@ function prints = fingerprints (study)
 end
 
 % Back through the door of enterRuns.
-function diagnosis = inGivenUnits (diagnosis, gapProblem)
-  unit = gapProblem.unit;
-  own = unit(gapProblem.used);
+function diagnosis = inGivenUnits (diagnosis, problem)
+  unit = problem.unit;
+  own = unit(problem.used);
   where = diagnosis.where;
   where.residual = where.residual .* own;
   where.sd = where.sd .* own;
-  where.held.mean = where.held.mean .* unit(gapProblem.heldOut);
-  where.held.sd = where.held.sd .* unit(gapProblem.heldOut);
+  where.held.mean = where.held.mean .* unit(problem.heldOut);
+  where.held.sd = where.held.sd .* unit(problem.heldOut);
   for name = {'measurement', 'trial', 'noiseSd', 'surrogate'}
     where.budget.(name{1}) = where.budget.(name{1}) .* unit;
   end
@@ -113,8 +113,8 @@ function diagnosis = inGivenUnits (diagnosis, gapProblem)
     where.budget.(name{1}) = where.budget.(name{1}) .* unit.^2;
   end
   where.budget.covariance = where.budget.covariance .* (unit' * unit);
-  where.out = gapProblem.out;
-  where.neverRun = gapProblem.neverRun;
+  where.out = problem.out;
+  where.neverRun = problem.neverRun;
   diagnosis.where = where;
   if ~isempty (diagnosis.howFar)
     for i = 1:numel (diagnosis.howFar.targets)
@@ -125,19 +125,19 @@ function diagnosis = inGivenUnits (diagnosis, gapProblem)
       diagnosis.howFar.targets(i) = one;
     end
   end
-  diagnosis.gapProblem = inUnits (gapProblem, 1 ./ unit);
+  diagnosis.problem = inUnits (problem, 1 ./ unit);
 end
 
 function kept = tested (em)
   kept = [em.effect.laboratory] | [em.effect.runs] >= 1;
 end
 
-function study = studyOf (gapProblem, em, options)
-  models = makeHypotheses (gapProblem, em, options);
-  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+function study = studyOf (problem, em, options)
+  models = makeHypotheses (problem, em, options);
+  fits = fitLibrary (models, problem.value(problem.used));
   models = omnibusReference (models, ...
                              omnibusTest (models, fits.logE).statistic);
-  study = struct ('gapProblem', gapProblem, 'em', em, 'models', models, ...
+  study = struct ('problem', problem, 'em', em, 'models', models, ...
                   'fits', fits);
 end
 
@@ -152,7 +152,7 @@ function verdict = blameSurrogates (verdict, study, side)
     other = judgeSurer (study);
     if ~strcmp (other.kind, verdict.kind)
       n = rows (study.em.base.X);
-      share = mean (side.share(study.gapProblem.used));
+      share = mean (side.share(study.problem.used));
       reason = sprintf (['%s. With surer ones it would be: %s. About %d ' ...
                          'more sets near the calibrated one halve their ' ...
                          'part'], ...
@@ -202,7 +202,7 @@ function verdict = judgeSurer (study)
     em.effect(k).misfit = em.effect(k).misfit / 20;
     em.effect(k).root = em.effect(k).root / sqrt (20);
   end
-  sure = studyOf (study.gapProblem, em, study.models.options);
+  sure = studyOf (study.problem, em, study.models.options);
   verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);
 end
 

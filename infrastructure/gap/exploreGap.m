@@ -5,7 +5,7 @@
 %   GIVEN, DATA, OPTIONS, EVALUATE  see diagnoseMatrices; with OPTIONS.explore
 %             false nothing is run
 %   EXPLORED  struct
-%     gapProblem, known  of enterRuns (with correlateSeries)
+%     problem, known     of enterRuns (with correlateSeries)
 %     em       of emulate, fitted to all runs
 %     state    of newGapState, with these runs; what is left may verify a cure
 %     data     DATA with the new runs
@@ -20,34 +20,34 @@
 
 function explored = exploreGap (given, data, options, evaluate)
   options = gapOptions (options);
-  [gapProblem, known] = enterRuns (newProblem (given), data, options);
+  [problem, known] = enterRuns (newProblem (given), data, options);
   state = newGapState (known, options, evaluate);
   allowed = state.evaluate;
   if ~options.explore
     state.evaluate = [];
   end
-  [state, em] = improveSurrogates (gapProblem, options, state);
-  gapProblem = correlateSeries (gapProblem, em, options);
-  em = takeReference (em, gapProblem);
-  [state, em] = exploreEffects (gapProblem, options, state, em);
+  [state, em] = improveSurrogates (problem, options, state);
+  problem = correlateSeries (problem, em, options);
+  em = takeReference (em, problem);
+  [state, em] = exploreEffects (problem, options, state, em);
   state.evaluate = allowed;
-  explored = struct ('gapProblem', gapProblem, 'known', known, 'em', em, ...
+  explored = struct ('problem', problem, 'known', known, 'em', em, ...
                      'state', state, 'data', ...
-                     withNewRuns (data, state, known, gapProblem));
+                     withNewRuns (data, state, known, problem));
 end
 
 % Where the surrogates are to blame, runs near the fitted set come first.
-function [state, em] = improveSurrogates (gapProblem, options, state)
+function [state, em] = improveSurrogates (problem, options, state)
   for round_ = 1:3
-    em = emulate (gapProblem, state.data, options);
-    theta = calibrateNull (gapProblem, em, options);
-    side = sideSignals (gapProblem, em, theta, options);
+    em = emulate (problem, state.data, options);
+    theta = calibrateNull (problem, em, options);
+    side = sideSignals (problem, em, theta, options);
     n = min (2 * em.p + 2, floor (state.budget.sets / 2));
     isGood = ~side.blameSurrogate && ~side.vague;
     if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)
       return
     end
-    state = runNearNull (gapProblem, state, theta, n, 0.8 / round_, ...
+    state = runNearNull (problem, state, theta, n, 0.8 / round_, ...
                          options.seed + round_);
   end
 end

@@ -67,7 +67,7 @@ end
 function level = finerVerdict (surrogates, problem, given, options, diagnosis)
   level = [];
   % what a finer level does is done to both conditions of a change
-  if ~isempty (diagnosis.gapProblem.reference)
+  if ~isempty (diagnosis.problem.reference)
     return
   end
   level = finerStep (surrogates, problem, diagnosis.where.params);
@@ -135,7 +135,7 @@ end
 %! problem.coarse = struct ('variables', {{'size'}}, 'levels', [4; 2], ...
 %!                          'column', 1);
 %! [data.X, data.E, data.Z] = deal (zeros (0, 1));
-%! diagnosis.gapProblem.reference = [];
+%! diagnosis.problem.reference = [];
 %! diagnosis.where.params = 0.5;
 %! problem.calibrate = true;
 %! given = struct ('effects', [], 'value', 1, 'sd', 1);
@@ -147,6 +147,6 @@ end
 %! assert ({found.verdict, found.holds}, {'', false});
 %! problem.coarse.levels = [1; 0];
 %! assert (level (problem, diagnosis).finer, -1);
-%! diagnosis.gapProblem.reference = 1;
+%! diagnosis.problem.reference = 1;
 %! assert (isempty (level (problem, diagnosis)));
 %! assert (isempty (level (struct ('coarse', []), diagnosis)));

@@ -1,12 +1,12 @@
 % ENTERRUNS  Lets runs and measurements in: checked, and in units of their own.
 %
-% CALL: [GAPPROBLEM, DATA] = enterRuns (GAPPROBLEM, DATA, OPTIONS)
+% CALL: [PROBLEM, DATA] = enterRuns (PROBLEM, DATA, OPTIONS)
 %
-%   GAPPROBLEM  struct of newProblem, in the units of the user
+%   PROBLEM     struct of newProblem, in the units of the user
 %   DATA        struct X, E, Z (NaN: no result, NA: not run), replicate, and
 %               level, see fitEmulator (all 0 where missing)
 %   OPTIONS     struct of gapOptions
-%   GAPPROBLEM  the same in standard units, less the targets of benches none of
+%   PROBLEM     the same in standard units, less the targets of benches none of
 %               whose runs gave a result; also
 %     kept (1 x T'): numbers of the targets that are left
 %     unit (1 x T'): what one unit is in that of the user, a power of two
@@ -23,29 +23,29 @@
 %
 % Errors: DEcalioc:enterRuns:badShape, :badValue, :runFailed, :noRuns
 
-function [gapProblem, data] = enterRuns (gapProblem, data, options)
-  checkRuns (gapProblem, data);
+function [problem, data] = enterRuns (problem, data, options)
+  checkRuns (problem, data);
   data = onceEach (data);
-  [gapProblem, kept, out, neverRun] = withoutDeadBenches (gapProblem, data);
+  [problem, kept, out, neverRun] = withoutDeadBenches (problem, data);
   data.Z = data.Z(:, kept);
   if isfield (data, 'level')
     data.level = data.level(:, kept);
   end
-  checkEnough (gapProblem, data, options);
-  unit = unitsOf (gapProblem, data.Z);
-  gapProblem = inUnits (gapProblem, unit);
-  gapProblem.kept = kept;
-  gapProblem.unit = unit;
-  gapProblem.out = out;
-  gapProblem.neverRun = neverRun;
+  checkEnough (problem, data, options);
+  unit = unitsOf (problem, data.Z);
+  problem = inUnits (problem, unit);
+  problem.kept = kept;
+  problem.unit = unit;
+  problem.out = out;
+  problem.neverRun = neverRun;
   data.Z = data.Z ./ unit;
 end
 
-function checkRuns (gapProblem, data)
+function checkRuns (problem, data)
   n = rows (data.X);
-  sizes = {'X', [n, columns(gapProblem.limits)]; ...
+  sizes = {'X', [n, columns(problem.limits)]; ...
            'E', [n, columns(data.E)]; ...
-           'Z', [n, numel(gapProblem.value)]; 'replicate', [n, 1]};
+           'Z', [n, numel(problem.value)]; 'replicate', [n, 1]};
   for i = 1:rows (sizes)
     value = data.(sizes{i, 1});
     if ~isequal (size (value), sizes{i, 2})
@@ -71,7 +71,7 @@ function checkRuns (gapProblem, data)
     error ('DEcalioc:enterRuns:badValue', ...
            ['enterRuns: run %d gives %g for %s. A run without a result has ' ...
             'NaN there (in runs.csv: nothing).'], run, data.Z(run, t), ...
-           gapProblem.targetNames{t});
+           problem.targetNames{t});
   end
 end
 
@@ -88,16 +88,16 @@ function data = onceEach (data)
   end
 end
 
-function [gapProblem, kept, out, neverRun] = ...
-  withoutDeadBenches (gapProblem, data)
+function [problem, kept, out, neverRun] = ...
+  withoutDeadBenches (problem, data)
   isThere = any (isfinite (data.Z), 1);
-  benches = unique (gapProblem.bench);
-  dead = setdiff (benches, gapProblem.bench(isThere));
-  out = gapProblem.benchNames(dead);
-  wasRun = gapProblem.bench(~all (isna (data.Z), 1));
-  neverRun = gapProblem.benchNames(setdiff (dead, wasRun));
-  kept = find (~ismember (gapProblem.bench, dead));
-  left = intersect (gapProblem.used, kept);
+  benches = unique (problem.bench);
+  dead = setdiff (benches, problem.bench(isThere));
+  out = problem.benchNames(dead);
+  wasRun = problem.bench(~all (isna (data.Z), 1));
+  neverRun = problem.benchNames(setdiff (dead, wasRun));
+  kept = find (~ismember (problem.bench, dead));
+  left = intersect (problem.used, kept);
   if isempty (left) && isequal (neverRun, out)
     error ('DEcalioc:enterRuns:noRuns', ...
            ['enterRuns: at least one finished run of %s is needed, but no ' ...
@@ -108,17 +108,17 @@ function [gapProblem, kept, out, neverRun] = ...
             'is left. Look at the failed runs.'], strjoin (out, ', '));
   end
   if ~isempty (dead)
-    gapProblem = newProblem (ofTargets (gapProblem, kept));
+    problem = newProblem (ofTargets (problem, kept));
   end
 end
 
 % What the trend of the surrogates needs, and one run more.
-function checkEnough (gapProblem, data, options)
-  p = columns (gapProblem.limits);
+function checkEnough (problem, data, options)
+  p = columns (problem.limits);
   terms = struct ('choose', 1, 'constant', 1, 'affine', p + 1, ...
                   'quadratic', (p + 1) * (p + 2) / 2);
   needed = terms.(options.trend) + 1;
-  phi = strengthOfValues (gapProblem.effects, data.E);
+  phi = strengthOfValues (problem.effects, data.E);
   isBase = all (abs (phi) < 1e-9, 2);
   there = sum (isfinite (data.Z(isBase, :)), 1);
   few = find (there < needed, 1);
@@ -126,14 +126,14 @@ function checkEnough (gapProblem, data, options)
     error ('DEcalioc:enterRuns:runFailed', ...
            ['enterRuns: %s has %d finite results of runs with all effects ' ...
             'neutral, needs %d or more. Run or import more of them, or ' ...
-            'take the target out.'], gapProblem.targetNames{few}, ...
+            'take the target out.'], problem.targetNames{few}, ...
            there(few), needed);
   end
 end
 
-function unit = unitsOf (gapProblem, Z)
+function unit = unitsOf (problem, Z)
   span = max (Z, [], 1) - min (Z, [], 1);
-  sizes = [gapProblem.sd; abs(gapProblem.value); span; max(abs (Z), [], 1)];
+  sizes = [problem.sd; abs(problem.value); span; max(abs (Z), [], 1)];
   sizes(end + 1, :) = 1;
   sizes(~(sizes > 0 & isfinite (sizes))) = 0;
   [~, first] = max (sizes > 0, [], 1);

@@ -1,30 +1,30 @@
 % INUNITS  Expresses the measurements of a diagnosis in other units.
 %
-% CALL: GAPPROBLEM = inUnits (GAPPROBLEM, UNIT)
+% CALL: PROBLEM = inUnits (PROBLEM, UNIT)
 %
-%   GAPPROBLEM  struct of newProblem
+%   PROBLEM     struct of newProblem
 %   UNIT        1 x T, what one new unit of each target is in the old one
-%   GAPPROBLEM  the same in the new units
+%   PROBLEM     the same in the new units
 
-function gapProblem = inUnits (gapProblem, unit)
+function problem = inUnits (problem, unit)
   for field = problemFields ()
     if field.hasUnit
-      gapProblem.(field.name) = gapProblem.(field.name) ./ unit;
+      problem.(field.name) = problem.(field.name) ./ unit;
     end
   end
-  if ~isempty (gapProblem.reference)
+  if ~isempty (problem.reference)
     for name = {'value', 'sd'}
-      gapProblem.reference.(name{1}) = gapProblem.reference.(name{1}) ./ unit;
+      problem.reference.(name{1}) = problem.reference.(name{1}) ./ unit;
     end
   end
-  if ~isempty (gapProblem.covariance)
-    gapProblem.covariance = gapProblem.covariance ./ (unit' * unit);
+  if ~isempty (problem.covariance)
+    problem.covariance = problem.covariance ./ (unit' * unit);
   end
-  for k = 1:numel (gapProblem.effects)
-    e = gapProblem.effects(k);
-    gapProblem.effects(k).offset = e.offset ./ unit;
-    gapProblem.effects(k).offsetSd = e.offsetSd ./ unit;
-    gapProblem.effects(k).matrix = (unit' .* e.matrix) ./ unit;
+  for k = 1:numel (problem.effects)
+    e = problem.effects(k);
+    problem.effects(k).offset = e.offset ./ unit;
+    problem.effects(k).offsetSd = e.offsetSd ./ unit;
+    problem.effects(k).matrix = (unit' .* e.matrix) ./ unit;
   end
 end
 

@@ -11,7 +11,7 @@
 %           set up otherwise: opening, speed, load ..., fields of c in lab*.m
 %   LAB     struct
 %     name      text
-%     gapProblem   as newProblem wants it, value still NaN
+%     problem      as newProblem wants it, value still NaN
 %     means     handle, Z = means (THETA, PHI): n x T results without noise;
 %               THETA n x p in [0, 1], PHI n x K strengths
 %     bare      handle, Z = bare (THETA): the laws, told nothing of effects
@@ -79,8 +79,8 @@ function lab = build (spec, name)
                                        struct ()));
   lab.name = name;
   lab.noiseSd = scatter.typical;
-  lab.gapProblem = foreignProblem (spec, spec.precision .* lab.noiseSd);
-  lab.isSigned = signsOf (lab.gapProblem.effects);
+  lab.problem = foreignProblem (spec, spec.precision .* lab.noiseSd);
+  lab.isSigned = signsOf (lab.problem.effects);
   lab.means = @(theta, phi) meansOf (spec, theta, phi);
   lab.bare = @(theta) spec.law (valuesOf (spec, theta), struct ());
   same = bench' == bench;
@@ -89,7 +89,7 @@ function lab = build (spec, name)
   lab.run = @(theta, phi) noisy (lab.means (theta, phi), scatter, packing, ...
                                  spec);
   lab.measure = @(theta, phi) lab.run (theta, phi) + ...
-                foreignNoise (ones (rows (theta), 1) * lab.gapProblem.sd, ...
+                foreignNoise (ones (rows (theta), 1) * lab.problem.sd, ...
                               reading, bench, spec.df);
   lab.plan = @(n0, nk) foreignPlan (lab, n0, nk);
 end
@@ -176,8 +176,8 @@ end
 %!   rand ('twister', 1);
 %!   randn ('twister', 1);
 %!   lab = foreignLab ('blind', number);
-%!   p = columns (lab.gapProblem.limits);
-%!   K = numel (lab.gapProblem.effects);
+%!   p = columns (lab.problem.limits);
+%!   K = numel (lab.problem.effects);
 %!   Z = lab.run (0.5 * ones (4000, p), zeros (4000, K));
 %!   spread = 1.4826 * median (abs (Z - median (Z)));
 %!   assert (all (spread > 0.3 * lab.noiseSd & spread < 2.5 * lab.noiseSd));
@@ -186,7 +186,7 @@ end
 %! randn ('twister', 1);
 %! lab = foreignLab ('blind', 2);
 %! y = lab.measure (0.5 * ones (4000, 3), zeros (4000, 8));
-%! whole = sqrt (lab.noiseSd.^2 + lab.gapProblem.sd.^2);
+%! whole = sqrt (lab.noiseSd.^2 + lab.problem.sd.^2);
 %! assert (std (y) ./ whole, ones (size (whole)), 0.06);
 %!error id=DEcalioc:foreignLab:unknownName foreignLab ('dark', 1)
 %!error id=DEcalioc:foreignLab:badValue foreignLab ('blind', 0)

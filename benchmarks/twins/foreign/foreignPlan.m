@@ -2,7 +2,7 @@
 %
 % CALL: DATA = foreignPlan (LAB, N0, NK, NPAIR)
 %
-%   LAB    struct with gapProblem, run (see foreignLab)
+%   LAB    struct with problem, run (see foreignLab)
 %   N0     scalar, runs without any effect
 %   NK     scalar, runs with each effect that DEM expresses, and it alone
 %   NPAIR  scalar, further runs with two effects each (0)
@@ -17,10 +17,10 @@ function data = foreignPlan (lab, n0, nk, nPair)
   if nargin < 4
     nPair = 0;
   end
-  limits = lab.gapProblem.limits;
+  limits = lab.problem.limits;
   p = columns (limits);
-  dem = find (~[lab.gapProblem.effects.laboratory]);
-  K = numel (lab.gapProblem.effects);
+  dem = find (~[lab.problem.effects.laboratory]);
+  K = numel (lab.problem.effects);
   theta = randomLattice (n0, p);
   phi = zeros (n0, K);
   for k = dem
@@ -41,8 +41,8 @@ function data = foreignPlan (lab, n0, nk, nPair)
   end
   phi = [phi; extra];
   data.X = limits(1, :) + theta .* diff (limits);
-  data.E = foreignValues ([lab.gapProblem.effects(dem).neutral], ...
-                          [lab.gapProblem.effects(dem).limits], phi(:, dem));
+  data.E = foreignValues ([lab.problem.effects(dem).neutral], ...
+                          [lab.problem.effects(dem).limits], phi(:, dem));
   data.Z = lab.run (theta, phi);
   data.replicate = ones (rows (theta), 1);
 end
@@ -57,14 +57,14 @@ end
 %!test % sizes, neutral rows to the last digit, one effect a row, pairs
 %! lab = foreignLab ('blind', 1);
 %! data = lab.plan (10, 4);
-%! dem = ~[lab.gapProblem.effects.laboratory];
-%! neutral = [lab.gapProblem.effects(dem).neutral];
+%! dem = ~[lab.problem.effects.laboratory];
+%! neutral = [lab.problem.effects(dem).neutral];
 %! assert (rows (data.X), 10 + 4 * sum (dem));
 %! off = sum (data.E ~= neutral, 2);
 %! assert (off(1:10), zeros (10, 1));
 %! assert (off(11:end), ones (4 * sum (dem), 1));
-%! assert (all (data.X >= lab.gapProblem.limits(1, :)));
-%! assert (all (data.X <= lab.gapProblem.limits(2, :)));
+%! assert (all (data.X >= lab.problem.limits(1, :)));
+%! assert (all (data.X <= lab.problem.limits(2, :)));
 %! data = foreignPlan (lab, 3, 0, 5);
 %! assert (sum (data.E ~= neutral, 2), [0; 0; 0; 2; 2; 2; 2; 2]);
 %!test % same random state, same runs

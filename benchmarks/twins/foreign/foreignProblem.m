@@ -1,14 +1,14 @@
 % FOREIGNPROBLEM  Describes a laboratory the way newProblem wants it.
 %
-% CALL: GAPPROBLEM = foreignProblem (SPEC, SD)
+% CALL: PROBLEM = foreignProblem (SPEC, SD)
 %
 %   SPEC        struct of a laboratory, see foreignLab
 %   SD          1 x T, standard uncertainty of the measurement
-%   GAPPROBLEM  struct, value still NaN
+%   PROBLEM     struct, value still NaN
 %
 % See also: foreignLab, newProblem
 
-function gapProblem = foreignProblem (spec, sd)
+function problem = foreignProblem (spec, sd)
   T = numel (spec.bench);
   limits = cell2mat (spec.parameters(:, 2:3))';
   effects = struct ('name', {}, 'variables', {}, 'neutral', {}, 'limits', ...
@@ -28,21 +28,21 @@ function gapProblem = foreignProblem (spec, sd)
                                'siblings', {{}}, 'laboratory', true, ...
                                'offset', offset, 'matrix', matrix);
   end
-  gapProblem = struct ('value', NaN (1, T), 'sd', sd, 'bench', spec.bench, ...
-                       'limits', limits, 'effects', effects);
-  gapProblem.benchNames = spec.benchNames;
-  gapProblem.names = spec.parameters(:, 1)';
-  gapProblem.series = spec.series;
-  gapProblem.coordinate = spec.coordinate;
+  problem = struct ('value', NaN (1, T), 'sd', sd, 'bench', spec.bench, ...
+                    'limits', limits, 'effects', effects);
+  problem.benchNames = spec.benchNames;
+  problem.names = spec.parameters(:, 1)';
+  problem.series = spec.series;
+  problem.coordinate = spec.coordinate;
 end
 
 %!test % the diagnosis takes every laboratory as it is described
 %! kinds = {'blind', 'develop'};
 %! for k = 1:2
 %!   lab = foreignLab (kinds{k}, 1);
-%!   given = lab.gapProblem;
+%!   given = lab.problem;
 %!   given.value = lab.means (0.5 * ones (1, columns (given.limits)), ...
 %!                            zeros (1, numel (given.effects)));
-%!   gapProblem = newProblem (given);
-%!   assert (numel (gapProblem.effects), numel (given.effects));
+%!   problem = newProblem (given);
+%!   assert (numel (problem.effects), numel (given.effects));
 %! end

@@ -138,7 +138,7 @@ end
 %! assert (at (7, 1)(19) > 0 && at(7, -1)(19) < 0);
 %! assert (at (7, 1)(1) > none(1) && at(7, -1)(1) < none(1));
 %!test % effects of the laboratory are what their description says
-%! assert (at (10, -1) - at (10, 0), -lab.gapProblem.effects(10).offset, 1e-9);
+%! assert (at (10, -1) - at (10, 0), -lab.problem.effects(10).offset, 1e-9);
 %! assert (at (12, 1)(18) / at (12, 0)(18), 1.04, 1e-12);
 %!test % cohesion: nothing up to its dead zone; run-out falls, heights rise
 %! assert (at (1, 0.1), at (1, 0));

@@ -102,6 +102,6 @@ end
 %!test % a faster drum: its matrix is right to first order (1 % of the range)
 %! step = 0.02;
 %! none = at (7, 0);
-%! matrix = lab.gapProblem.effects(7).matrix;
+%! matrix = lab.problem.effects(7).matrix;
 %! linear = step * none * matrix;
 %! assert (at (7, step) - none, linear, 0.15 * max (abs (linear)));

@@ -1,20 +1,20 @@
 % FITBASELINE  Kriging of the runs without effects, and polynomials of it.
 %
-% CALL: EM = fitBaseline (EM, GAPPROBLEM, DATA, ISBASE, OPTIONS, START)
+% CALL: EM = fitBaseline (EM, PROBLEM, DATA, ISBASE, OPTIONS, START)
 %
 %   EM          struct of fitEmulator; gets p to range, see there
-%   GAPPROBLEM, DATA, OPTIONS  see fitEmulator
+%   PROBLEM, DATA, OPTIONS     see fitEmulator
 %   ISBASE      n x 1 logical, runs of DATA with all effects neutral
 %   START       1 x T surrogates of an earlier fit, [] = none
 
-function em = fitBaseline (em, gapProblem, data, isBase, options, start)
-  p = columns (gapProblem.limits);
+function em = fitBaseline (em, problem, data, isBase, options, start)
+  p = columns (problem.limits);
   T = columns (data.Z);
   settings = struct ('covariance', options.covariance, ...
                      'trend', options.trend);
-  em.range = rangesOf (gapProblem, data.Z, isBase);
+  em.range = rangesOf (problem, data.Z, isBase);
   for t = T:-1:1
-    settings.name = gapProblem.targetNames{t};
+    settings.name = problem.targetNames{t};
     settings.unit = em.range(t);
     if ~isempty (start)
       settings.start = start(t);
@@ -22,13 +22,13 @@ function em = fitBaseline (em, gapProblem, data, isBase, options, start)
     [X, z] = deal (data.X(isBase, :), data.Z(isBase, t));
     level = data.level(isBase, t);
     if numel (unique (level(isfinite (z)))) > 1
-      fits(t) = fitLevels (X, z, level, gapProblem.limits, settings);
+      fits(t) = fitLevels (X, z, level, problem.limits, settings);
     else
-      fits(t) = fitSurrogate (X, z, gapProblem.limits, settings);
+      fits(t) = fitSurrogate (X, z, problem.limits, settings);
     end
   end
   em.p = p;
-  em.limits = gapProblem.limits;
+  em.limits = problem.limits;
   em.surrogates = fits;
   em.Q2 = [fits.Q2];
   em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
@@ -52,13 +52,13 @@ end
 
 % What the parameters move; of a response that they do not move, what effects or
 % the measurement do.
-function range = rangesOf (gapProblem, Z, isBase)
+function range = rangesOf (problem, Z, isBase)
   span = @(A) max (A, [], 1) - min (A, [], 1);
   range = span (Z(isBase, :));
   for t = find (range <= 100 * eps (max (abs (Z), [], 1)))
-    range(t) = max (span ([Z(:, t); gapProblem.value(t)]), gapProblem.sd(t));
+    range(t) = max (span ([Z(:, t); problem.value(t)]), problem.sd(t));
     if ~(range(t) > 0)
-      range(t) = gapProblem.unit(t);
+      range(t) = problem.unit(t);
     end
   end
 end
@@ -74,7 +74,7 @@ end
 %!test
 %! % a response that only an effect moves has the range of that
 %! lab = standInGap (0);
-%! given = setfield (lab.gapProblem, 'value', 8 * ones (1, 24));
+%! given = setfield (lab.problem, 'value', 8 * ones (1, 24));
 %! data = lab.plan (12, 2);
 %! data.level = zeros (size (data.Z));
 %! off = all (data.E == 0, 2);

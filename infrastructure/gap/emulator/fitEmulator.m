@@ -1,9 +1,9 @@
 % FITEMULATOR  Makes fast polynomials of Kriging models and candidate effects.
 %
-% CALL: EM = fitEmulator (GAPPROBLEM, DATA, OPTIONS)
-% CALL: EM = fitEmulator (GAPPROBLEM, DATA, OPTIONS, OLD)
+% CALL: EM = fitEmulator (PROBLEM, DATA, OPTIONS)
+% CALL: EM = fitEmulator (PROBLEM, DATA, OPTIONS, OLD)
 %
-%   GAPPROBLEM  struct of newProblem
+%   PROBLEM     struct of newProblem
 %   DATA        struct X (n x p), E (n x v), Z (n x T, NaN = none), replicate;
 %               level (n x T, how coarse each run is, see unitLevel: 0 at the
 %               level that counts, which is that of all where it is missing)
@@ -35,11 +35,11 @@
 %
 % Errors: DEcalioc:fitEmulator:badValue
 
-function em = fitEmulator (gapProblem, data, options, old)
-  p = columns (gapProblem.limits);
+function em = fitEmulator (problem, data, options, old)
+  p = columns (problem.limits);
   data = inOrder (data);
-  phi = strengthOfValues (gapProblem.effects, data.E);
-  theta = toSymmetric (data.X, gapProblem.limits);
+  phi = strengthOfValues (problem.effects, data.E);
+  theta = toSymmetric (data.X, problem.limits);
   isBase = all (abs (phi) < 1e-9, 2);
   if sum (isBase) < p + 3
     error ('DEcalioc:fitEmulator:badValue', ...
@@ -58,7 +58,7 @@ function em = fitEmulator (gapProblem, data, options, old)
     if isOneRunOff (old, base)
       start = old.surrogates;
     end
-    em = fitBaseline (em, gapProblem, data, isBase, options, start);
+    em = fitBaseline (em, problem, data, isBase, options, start);
     em.base = base;
   end
   runs = struct ('theta', theta, 'phi', phi, 'Z', data.Z, ...
@@ -67,30 +67,30 @@ function em = fitEmulator (gapProblem, data, options, old)
   others = sum (~isBase);
   if ~isOneRunOff (old, base) || abs (others - old.noiseRuns) > 0.25 * others
     % the noise follows from the effects' runs, and they from the noise
-    em = runNoise (em, gapProblem, data);
+    em = runNoise (em, problem, data);
     alone = sum (abs (phi) >= 1e-9, 2) == 1;
     em.levelShare = 0;
     if any (data.level(:))
       isCoarse = any (data.level, 2);
-      coarse = learnAll (em, gapProblem.effects, runsOf (runs, isCoarse), ...
+      coarse = learnAll (em, problem.effects, runsOf (runs, isCoarse), ...
                          1:columns (phi), []);
       em.levelShare = levelShare (em, coarse, runsOf (runs, ~isCoarse));
     end
     many = find (sum (abs (phi(alone, :)) >= 1e-9, 1) >= 6);
-    some = learnAll (em, gapProblem.effects(many), runsOf (runs, alone), ...
+    some = learnAll (em, problem.effects(many), runsOf (runs, alone), ...
                      many, []);
     [em.noiseVar, em.noiseFreedom] = pooledNoise (em, some);
     em.noiseRuns = others;
     old.effect = [];
   end
-  em.effect = learnAll (em, gapProblem.effects, runs, 1:columns (phi), ...
+  em.effect = learnAll (em, problem.effects, runs, 1:columns (phi), ...
                         old.effect);
   em.joint = learnJoint (em, runs);
-  [em.success, own] = learnSuccess (gapProblem.bench, theta, phi, data.Z);
+  [em.success, own] = learnSuccess (problem.bench, theta, phi, data.Z);
   for k = 1:numel (own)
     em.effect(k).success = own{k};
   end
-  em.bench = gapProblem.bench;
+  em.bench = problem.bench;
   [em.change, em.known] = deal ([]);
 end
 
@@ -208,8 +208,8 @@ end
 %! % (mean of 24 x 50 squared errors over variances: 4 deviations allowed)
 %! rand ('twister', 1); randn ('twister', 1);
 %! lab = standInGap (0);
-%! lab.gapProblem.value = ones (1, 24);
-%! em = fitEmulator (newProblem (lab.gapProblem), lab.plan (30, 10), ...
+%! lab.problem.value = ones (1, 24);
+%! em = fitEmulator (newProblem (lab.problem), lab.plan (30, 10), ...
 %!                   gapOptions (struct ('trend', 'affine')));
 %! theta = rand (50, 4);
 %! phi = [zeros(50, 2), rand(50, 1), zeros(50, 7)];
@@ -224,8 +224,8 @@ end
 %! assert (em.effect(9).laboratory && em.effect(9).runs == 0);
 %!error id=DEcalioc:fitEmulator:badValue
 %! lab = standInGap (0);
-%! lab.gapProblem.value = ones (1, 24);
-%! fitEmulator (newProblem (lab.gapProblem), lab.plan (4, 2), struct ());
+%! lab.problem.value = ones (1, 24);
+%! fitEmulator (newProblem (lab.problem), lab.plan (4, 2), struct ());
 %!test
 %! % a bench jams where the effect is strong, never without (seeded)
 %! rand ('twister', 1);

@@ -1,8 +1,8 @@
 % NOISEBUDGET  Adds up what makes a result uncertain, cause by cause.
 %
-% CALL: BUDGET = noiseBudget (GAPPROBLEM, EM)
+% CALL: BUDGET = noiseBudget (PROBLEM, EM)
 %
-%   GAPPROBLEM  struct of newProblem
+%   PROBLEM     struct of newProblem
 %   EM          struct of fitEmulator
 %   BUDGET      struct
 %     covariance  T x T, measurement plus the packing of the real trials; of a
@@ -16,28 +16,28 @@
 %
 % One trial in the laboratory is one packing: its scatter is taken from the DEM
 % seeds. The covariance of the means of n_i and n_j trials is that of one trial
-% over sqrt (n_i n_j), n = GAPPROBLEM.trials (Inf where sd already holds it).
-% Where sd comes from the scatter of few trials (GAPPROBLEM.scatter) the larger
+% over sqrt (n_i n_j), n = PROBLEM.trials (Inf where sd already holds it).
+% Where sd comes from the scatter of few trials (PROBLEM.scatter) the larger
 % of the two counts.
 
-function budget = noiseBudget (gapProblem, em)
-  sd = gapProblem.sd;
+function budget = noiseBudget (problem, em)
+  sd = problem.sd;
   sd(~isfinite (sd)) = 0;
   % a measurement without any error would leave no inverse
   least = (1e-4 * em.range).^2;
   measured = diag (sd.^2);
-  if ~isempty (gapProblem.covariance)
-    measured = gapProblem.covariance;
+  if ~isempty (problem.covariance)
+    measured = problem.covariance;
   end
   measured = measured + diag (max (least - diag (measured)', 0));
-  trial = sqrt (max (em.noiseVar ./ gapProblem.trials - ...
-                     gapProblem.scatter .* diag (measured)', 0));
+  trial = sqrt (max (em.noiseVar ./ problem.trials - ...
+                     problem.scatter .* diag (measured)', 0));
   budget.covariance = measured + (trial' * trial) .* em.correlation;
   if ~isempty (em.change)
     budget.covariance = em.change.covariance;
   end
   budget.estimated = trial.^2;
-  budget.unknown = diag (measured)' .* ~gapProblem.sdKnown;
+  budget.unknown = diag (measured)' .* ~problem.sdKnown;
   budget.measurement = sqrt (diag (measured))';
   budget.trial = trial;
   budget.noiseSd = sqrt (em.noiseVar);
@@ -47,25 +47,25 @@ function budget = noiseBudget (gapProblem, em)
 end
 
 %!test
-%! gapProblem = newProblem (struct ('value', [1, 2], 'sd', [3, 0], ...
+%! problem = newProblem (struct ('value', [1, 2], 'sd', [3, 0], ...
 %!                                     'limits', [0; 1], 'bench', [1, 1]));
 %! em = struct ('noiseVar', [16, 4], 'correlation', [1, 0.5; 0.5, 1], ...
 %!              'range', [1, 1], 'surrogateVar', [25, 8], 'fitVar', [0, 0], ...
 %!              'change', []);
-%! budget = noiseBudget (gapProblem, em);
+%! budget = noiseBudget (problem, em);
 %! assert (budget.covariance, [25, 4; 4, 4], 1e-6);
 %! assert (budget.share, [0.5, 2 / 3], 1e-6);
-%! gapProblem.covariance = [9, 3; 3, 4];
-%! budget = noiseBudget (gapProblem, em);
+%! problem.covariance = [9, 3; 3, 4];
+%! budget = noiseBudget (problem, em);
 %! assert (budget.covariance, [25, 7; 7, 8], 1e-6);
 %! assert (budget.measurement, [3, 2], 1e-6);
-%! gapProblem.covariance = [];
-%! gapProblem.trials = [4, 1];
-%! assert (noiseBudget (gapProblem, em).covariance, [13, 2; 2, 4], 1e-6);
-%! gapProblem.trials = [Inf, 1];
-%! assert (noiseBudget (gapProblem, em).covariance, [9, 0; 0, 4], 1e-6);
-%! gapProblem.trials = Inf;
-%! assert (noiseBudget (gapProblem, em).covariance(1, 1), 9, 1e-12);
-%! gapProblem.trials = [1, 4];
-%! gapProblem.scatter = [true, true];
-%! assert (diag (noiseBudget (gapProblem, em).covariance), [16; 1], 1e-6);
+%! problem.covariance = [];
+%! problem.trials = [4, 1];
+%! assert (noiseBudget (problem, em).covariance, [13, 2; 2, 4], 1e-6);
+%! problem.trials = [Inf, 1];
+%! assert (noiseBudget (problem, em).covariance, [9, 0; 0, 4], 1e-6);
+%! problem.trials = Inf;
+%! assert (noiseBudget (problem, em).covariance(1, 1), 9, 1e-12);
+%! problem.trials = [1, 4];
+%! problem.scatter = [true, true];
+%! assert (diag (noiseBudget (problem, em).covariance), [16; 1], 1e-6);

@@ -1,6 +1,6 @@
 % RUNNOISE  Scatter of one run, from repeats and, where these are few, nuggets.
 %
-% CALL: EM = runNoise (EM, GAPPROBLEM, DATA)
+% CALL: EM = runNoise (EM, PROBLEM, DATA)
 %
 %   EM          struct of fitEmulator: surrogates and range are read; gets
 %               noiseVar, noiseFreedom, and (T x T) correlation, of the errors
@@ -10,9 +10,9 @@
 %               to the sample (least squares). A response without scatter has
 %               that of a thousandth of its range: no polynomial follows it
 %               better
-%   GAPPROBLEM  struct of newProblem;  DATA  struct X, E, Z, level
+%   PROBLEM     struct of newProblem;  DATA  struct X, E, Z, level
 
-function em = runNoise (em, gapProblem, data)
+function em = runNoise (em, problem, data)
   [measured, df, residual] = ofRepeats ([data.X, data.E, data.level], ...
                                         data.Z);
   nugget = [em.surrogates.noiseVar];
@@ -21,13 +21,13 @@ function em = runNoise (em, gapProblem, data)
   em.noiseVar = max (weight .* measured + (1 - weight) .* nugget, ...
                      (1e-3 * em.range).^2);
   em.noiseFreedom = df + [em.surrogates.df];
-  known = isfinite (gapProblem.noiseSd);
-  em.noiseVar(known) = gapProblem.noiseSd(known).^2;
+  known = isfinite (problem.noiseSd);
+  em.noiseVar(known) = problem.noiseSd(known).^2;
   em.noiseFreedom(known) = Inf;
   residual = residual(all (isfinite (residual), 2), :);
   R = [looRows(em.surrogates); residual ./ sqrt(em.noiseVar)];
   R = R(all (isfinite (R), 2), :);
-  [em.correlation, em.alongCurve] = errorCorrelation (R, gapProblem);
+  [em.correlation, em.alongCurve] = errorCorrelation (R, problem);
 end
 
 % Pooled variance (NaN where none) and degrees of freedom, 1 x T; deviation of
@@ -55,21 +55,21 @@ end
 % x T): that of the sample, shrunk towards ALONG by n / (n + 2 T), for 40 runs
 % do not tell those of 60 points. Shrunk towards none, the error of a smooth
 % surrogate along a curve would be taken for 60 errors that average out.
-function [C, along] = errorCorrelation (R, gapProblem)
+function [C, along] = errorCorrelation (R, problem)
   [n, T] = size (R);
   scale = sqrt (sum (R.^2, 1));
   S = (R' * R) ./ max (scale' * scale, realmin);
   along = eye (T);
-  for s = setdiff (gapProblem.series, 0)
-    own = find (gapProblem.series == s);
-    apart = abs (gapProblem.coordinate(own)' - gapProblem.coordinate(own));
+  for s = setdiff (problem.series, 0)
+    own = find (problem.series == s);
+    apart = abs (problem.coordinate(own)' - problem.coordinate(own));
     if numel (own) >= 8 && n > 0
       along(own, own) = exp (-apart / fittedLength (S(own, own), apart));
     end
   end
   share = n / (n + 2 * T);
   C = share * S + (1 - share) * along;
-  C(gapProblem.bench' ~= gapProblem.bench) = 0;
+  C(problem.bench' ~= problem.bench) = 0;
   C(1:T + 1:end) = 1;
 end
 
@@ -83,19 +83,19 @@ end
 %! % 1 and 2: repeats of freedom 2 and 1 beside nuggets of 10; 3: known
 %! s = struct ('noiseVar', 10, 'df', 3, 'looStd', zeros (0, 1));
 %! em = struct ('surrogates', [s, s, s], 'range', [1, 1, 1]);
-%! gapProblem = struct ('noiseSd', [NaN, NaN, 3], 'bench', [1, 1, 1], ...
-%!                      'series', zeros (1, 3), 'coordinate', zeros (1, 3));
+%! problem = struct ('noiseSd', [NaN, NaN, 3], 'bench', [1, 1, 1], ...
+%!                   'series', zeros (1, 3), 'coordinate', zeros (1, 3));
 %! data = struct ('X', [1; 1; 2; 3; 3], 'E', zeros (5, 0), 'Z', ...
 %!                [1, 5, 0; 3, NaN, 0; 9, 9, 0; 4, 1, 0; 4, 3, 0], 'level', ...
 %!                zeros (5, 3));
-%! em = runNoise (em, gapProblem, data);
+%! em = runNoise (em, problem, data);
 %! assert (em.noiseVar, [2 / 7 + 50 / 7, 2 / 6 + 50 / 6, 9], 1e-12);
 %! assert (em.noiseFreedom, [5, 4, Inf]);
 %! % nothing scatters, in repeats or between them
 %! [em.surrogates.noiseVar] = deal (0);
 %! em.range = [5, 5, 5];
 %! data.Z(:) = 1;
-%! assert (runNoise (em, gapProblem, data).noiseVar, [25e-6, 25e-6, 9], 1e-12);
+%! assert (runNoise (em, problem, data).noiseVar, [25e-6, 25e-6, 9], 1e-12);
 %!function em = withResiduals (R, curve)
 %!  T = columns (R);
 %!  curve.noiseSd = NaN (1, T);

@@ -2,7 +2,7 @@
 %
 % CALL: D = deviationOf (STUDY, SET, DRAWS)
 %
-%   STUDY   struct gapProblem, em, models
+%   STUDY   struct problem, em, models
 %   SET    struct of runCures: h, Q, Z, verified
 %   DRAWS  struct noise, surrogate, prior, run: B x n, B x n, B x p, B x n,
 %          standard normal numbers; n used targets, then the held-out ones
@@ -24,11 +24,11 @@
 % The scatter of the runs is their own, and the pooled one as of four runs more.
 
 function d = deviationOf (study, set, draws)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   em = study.em;
-  targets = [gapProblem.used, gapProblem.heldOut];
-  used = 1:numel (gapProblem.used);
-  budget = noiseBudget (gapProblem, em);
+  targets = [problem.used, problem.heldOut];
+  used = 1:numel (problem.used);
+  budget = noiseBudget (problem, em);
   white = whitenEmulator (em, targets, budget);
   [M, V, S, J] = predictGap (white, set.h, set.Q);
   isTarget = white.isTarget > 0;
@@ -54,9 +54,9 @@ function d = deviationOf (study, set, draws)
   noise = budget.covariance(targets, targets);
   surrogate = d.Sigma - noise;
   run = zeros (numel (targets));
-  d.r = gapProblem.value(targets) - M * back';
+  d.r = problem.value(targets) - M * back';
   if set.verified
-    d.r = gapProblem.value(targets) - mean (set.Z(:, targets), 1);
+    d.r = problem.value(targets) - mean (set.Z(:, targets), 1);
     run = ofRuns (em, set.Z, targets);
   else
     noise = d.Sigma;
@@ -94,12 +94,12 @@ function C = ofRuns (em, Z, targets)
 end
 
 %!shared study, draws
-%! gapProblem = newProblem (struct ('value', [1, 2, 3, 4], ...
+%! problem = newProblem (struct ('value', [1, 2, 3, 4], ...
 %!                             'sd', [1, 1, 1, 1], 'trials', Inf, ...
 %!                             'bench', [1, 1, 1, 2], 'limits', [-1; 1]));
 %! em = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 2]);
 %! em.noiseVar = 0.5 * em.noiseVar;
-%! study = struct ('gapProblem', gapProblem, 'em', em);
+%! study = struct ('problem', problem, 'em', em);
 %! study.models.prior = struct ('mean', 0, 'sd', Inf);
 %! study.models.options = gapOptions ([]);
 %! randn ('twister', 3);
@@ -123,8 +123,8 @@ end
 %!test
 %! % a target that was not fitted bears the error of the parameter
 %! held = study;
-%! held.gapProblem.used = 1:3;
-%! held.gapProblem.heldOut = 4;
+%! held.problem.used = 1:3;
+%! held.problem.heldOut = 4;
 %! set = struct ('h', zeros (1, 0), 'Q', 0.5, 'Z', [], 'verified', false);
 %! d = deviationOf (held, set, draws);
 %! assert (d.F(4, 4), 1 + 4 / 10, 1e-9);

@@ -31,6 +31,6 @@ end
 %! Q = fitCure (study, 3);
 %! assert (Q(3), 0.95, 0.05);
 %! white = study.models.white;
-%! z = given.value(study.gapProblem.used) * white.W';
+%! z = given.value(study.problem.used) * white.W';
 %! [M, V] = predictGap (white, 3, Q);
 %! assert (max (abs (z - M) ./ sqrt (V)) < 2);

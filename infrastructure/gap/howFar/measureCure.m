@@ -2,7 +2,7 @@
 %
 % CALL: CURE = measureCure (STUDY, SETS, FIRST, ALIKE)
 %
-%   STUDY     struct gapProblem, em, models
+%   STUDY     struct problem, em, models
 %   SETS     struct array of runCures: the null model first, then each
 %            effect
 %   FIRST    effect numbers of the cause, one of SETS
@@ -41,14 +41,14 @@
 % cause and placebo are compared in pairs.
 
 function cure = measureCure (study, sets, first, alike)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   em = study.em;
   names = study.models.names;
   options = study.models.options;
   at = find (cellfun (@(h) isequal (h, first), {sets.h}), 1);
   devs = deviationsOf (study, sets);
-  targets = [gapProblem.used, gapProblem.heldOut];
-  used = 1:numel (gapProblem.used);
+  targets = [problem.used, problem.heldOut];
+  used = 1:numel (problem.used);
   held = numel (used) + 1:numel (targets);
   scale = em.range(targets);
   cure = closureAt (devs([1, at]), used, scale, options);
@@ -58,7 +58,7 @@ function cure = measureCure (study, sets, first, alike)
     c = closureAt (devs([1, at]), held, scale, options);
     cure.heldOut = rmfield (c, 'share');
   end
-  cure.targets = targetsOf (gapProblem, targets, devs(1), devs(at));
+  cure.targets = targetsOf (problem, targets, devs(1), devs(at));
   cure.placebos = struct ('effect', {}, 'closure', {}, 'interval90', {}, ...
                           'heldOut', {}, 'verifiedByDEM', {}, ...
                           'inClass', {}, ...
@@ -79,17 +79,17 @@ function cure = measureCure (study, sets, first, alike)
   cure = rmfield (cure, 'share');
   cure.verifiedByDEM = all ([sets([1, at]).verified]);
   cure.worstZ = max ([sets([1, at]).worstZ]);
-  cure.params = fromSymmetric ([sets(1).Q; sets(at).Q(1:em.p)], gapProblem.limits);
+  cure.params = fromSymmetric ([sets(1).Q; sets(at).Q(1:em.p)], problem.limits);
   cure.phi = sets(at).Q(em.p + 1:end);
-  noise = diag (noiseBudget (gapProblem, em).covariance)';
+  noise = diag (noiseBudget (problem, em).covariance)';
   cure.remaining = devs(at).r(used) ./ ...
-                   sqrt (noise(gapProblem.used) + devs(at).scatter(used));
+                   sqrt (noise(problem.used) + devs(at).scatter(used));
   cure.stillMisses = cure.verifiedByDEM && ...
                      max (abs (cure.remaining)) > options.leftAt;
 end
 
 function devs = deviationsOf (study, sets)
-  n = numel ([study.gapProblem.used, study.gapProblem.heldOut]);
+  n = numel ([study.problem.used, study.problem.heldOut]);
   p = max (arrayfun (@(s) numel (s.Q), sets));
   normal = integrationPoints (1000, 3 * n + p, 7).normal;
   draws = struct ('noise', normal(:, 1:n), ...
@@ -170,11 +170,11 @@ function L = logDensity (d)
       sum (log (diag (chol (d.F)))) - (nu + n) / 2 * log1p (q / nu);
 end
 
-function list = targetsOf (gapProblem, targets, before, after)
+function list = targetsOf (problem, targets, before, after)
   list = struct ('target', {}, 'before', {}, 'after', {}, 'sdBefore', {}, ...
                  'sd', {});
   for i = 1:numel (targets)
-    value = gapProblem.value(targets(i));
+    value = problem.value(targets(i));
     list(i) = struct ('target', targets(i), 'before', value - before.r(i), ...
                       'after', value - after.r(i), ...
                       'sdBefore', sqrt (before.F(i, i)), ...

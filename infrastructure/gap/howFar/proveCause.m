@@ -3,7 +3,7 @@
 % CALL: [VERDICT, W, CURE, STATE] = proveCause (VERDICT, STUDY, STATE)
 %
 %   VERDICT     of judgeCase
-%   STUDY       struct gapProblem, em, models, fits, as of runCures, and w
+%   STUDY       struct problem, em, models, fits, as of runCures, and w
 %               of caseEvidence
 %   STATE       of newGapState
 %   VERDICT, W  where DEM has run the cause: with these runs known and the
@@ -49,7 +49,7 @@ function [verdict, w, cure, state] = proveCause (verdict, study, state)
     end
     % what DEM said of this set is known now: the next one is nearer
     retries = retries - 1;
-    study = refit (study, state.data, study.gapProblem.used);
+    study = refit (study, state.data, study.problem.used);
     sets = sets(~cellfun (@(h) isequal (h, cause), {sets.h}));
     [sets, state] = runCures (study, {cause}, state, sets);
     [verdict, w] = withCures (study, state.data);
@@ -61,8 +61,8 @@ end
 % all targets is that of the used ones times the predictive density of the
 % held-out ones. Whether there is a gap was decided before.
 function [verdict, w] = withCures (study, data)
-  gapProblem = study.gapProblem;
-  known = refit (study, data, sort ([gapProblem.used, gapProblem.heldOut]));
+  problem = study.problem;
+  known = refit (study, data, sort ([problem.used, problem.heldOut]));
   w = caseEvidence (known.models, known.fits, 1);
   w.gate = study.w.gate;
   verdict = judgeCase (w, known.models);
@@ -70,15 +70,15 @@ end
 
 % The study with what DATA tell, on TARGETS.
 function study = refit (study, data, targets)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   options = study.models.options;
-  em = emulate (gapProblem, data, options, study.em);
+  em = emulate (problem, data, options, study.em);
   isLeft = ismember ({em.effect.name}, study.models.names);
   study.em = withoutEffects (em, find (~isLeft));
   reference = study.models.reference;
-  study.models = makeHypotheses (gapProblem, study.em, options, targets);
+  study.models = makeHypotheses (problem, study.em, options, targets);
   study.models.reference = reference;
-  study.fits = fitLibrary (study.models, gapProblem.value(targets));
+  study.fits = fitLibrary (study.models, problem.value(targets));
 end
 
 function is = isSaid (verdict)

@@ -2,7 +2,7 @@
 %
 % CALL: [SETS, STATE] = runCures (STUDY, CAUSES, STATE, SETS)
 %
-%   STUDY    struct gapProblem, em, models, fits: of newProblem, fitEmulator,
+%   STUDY    struct problem, em, models, fits: of newProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
 %            targets only
@@ -48,22 +48,22 @@ end
 
 % Effects of the laboratory act on the results of a neutral run.
 function [set, state] = runSet (study, set, state)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   em = study.em;
   n = state.repeats;
-  phi = zeros (1, numel (gapProblem.effects));
+  phi = zeros (1, numel (problem.effects));
   number = zeros (1, numel (set.h));
   for i = 1:numel (set.h)
-    number(i) = find (strcmp ({gapProblem.effects.name}, ...
+    number(i) = find (strcmp ({problem.effects.name}, ...
                               study.models.names{set.h(i)}), 1);
     phi(number(i)) = set.Q(em.p + i);
   end
   known = rows (state.data.Z);
-  state = spendRuns (state, gapProblem, repmat (set.Q(1:em.p), n, 1), ...
+  state = spendRuns (state, problem, repmat (set.Q(1:em.p), n, 1), ...
                      repmat (phi, n, 1), (1:n)', 'cure');
   Z = state.data.Z(known + 1:end, :);
   for at = number
-    effect = gapProblem.effects(at);
+    effect = problem.effects(at);
     if effect.laboratory
       Z = Z + phi(at) * (effect.offset + Z * effect.matrix);
     end
@@ -80,7 +80,7 @@ function [set, state] = runSet (study, set, state)
   end
   sd = sqrt (mean (vague.surrogateVar, 1) + ...
              em.noiseVar / max (rows (set.Z), 1));
-  used = gapProblem.used;
+  used = problem.used;
   set.worstZ = max (abs (mean (set.Z(:, used), 1) - M(used)) ./ sd(used));
 end
 

@@ -2,7 +2,7 @@
 %
 % CALL: [TESTS, STATE] = adviseTests (STUDY, W, VERDICT, STATE)
 %
-%   STUDY    struct gapProblem, em, models, fits, see runCures. Where gapProblem
+%   STUDY    struct problem, em, models, fits, see runCures. Where problem
 %            has a field tests, it is a handle without arguments that gives the
 %            CANDIDATES of tryTests: tests that the case does not have
 %   W        of caseEvidence;  VERDICT  of judgeCase
@@ -19,13 +19,13 @@
 
 function [tests, state] = adviseTests (study, w, verdict, state)
   options = study.models.options;
-  gapProblem = study.gapProblem;
-  tests = nextTest (gapProblem, study.em, w, verdict.P, options);
+  problem = study.problem;
+  tests = nextTest (problem, study.em, w, verdict.P, options);
   isOpen = (any (strcmp (verdict.kind, {'group', 'undecided'})) || ...
             (strcmp (verdict.kind, 'named') && verdict.lookAlike)) && ...
            ~any (strcmp (verdict.guard, {'surrogate', 'integral'}));
-  if isfield (gapProblem, 'tests') && isOpen && state.budget.left >= 4
-    [fresh, state] = tryTests (gapProblem.tests, study, w, verdict.P, state);
+  if isfield (problem, 'tests') && isOpen && state.budget.left >= 4
+    [fresh, state] = tryTests (problem.tests, study, w, verdict.P, state);
     tests = [tests, fresh];
   end
   isFirm = [tests.isFirm];

@@ -63,13 +63,13 @@ function set = setOf (study, w, h, options)
                 'doubt', []);
   white = study.models.white;
   n = numel (white.columns);
-  noise = noiseBudget (study.gapProblem, study.em).covariance;
+  noise = noiseBudget (study.problem, study.em).covariance;
   own = sum ((white.W(1:n, :) * noise(white.columns, white.columns)) .* ...
              white.W(1:n, :), 2)';
   [~, V] = predictGap (white, members, set.mode);
   set.doubt = max (median (V(1:n) ./ own) - 1, 0);
   [~, set.number] = ismember (study.models.names(members), ...
-                              {study.gapProblem.effects.name});
+                              {study.problem.effects.name});
   posterior = w.posterior{h};
   n = options.testRuns / 4;
   set.draws = repmat (set.mode, n, 1);

@@ -1,8 +1,8 @@
 % NEXTTEST  Ranks further measurements by what they would tell about the cause.
 %
-% CALL: TESTS = nextTest (GAPPROBLEM, EM, W, P, OPTIONS)
+% CALL: TESTS = nextTest (PROBLEM, EM, W, P, OPTIONS)
 %
-%   GAPPROBLEM  struct of newProblem
+%   PROBLEM     struct of newProblem
 %   EM          struct of fitEmulator, the effects as in W
 %   W           struct of caseEvidence (members, posterior, kind)
 %   P           1 x H, probabilities of the hypotheses;  OPTIONS  see gapOptions
@@ -25,18 +25,18 @@
 % is uncertain. Packing and reading (S) are fresh; a reading without sd is taken
 % for as sure as a run.
 
-function tests = nextTest (gapProblem, em, w, P, options)
-  tests = candidates (gapProblem);
+function tests = nextTest (problem, em, w, P, options)
+  tests = candidates (problem);
   [keep, P, kinds, names] = likelyKinds (w, P, ...
                                          struct ('names', {{em.effect.name}}, ...
                                                  'options', options));
-  noise = noiseBudget (gapProblem, em);
-  noise.white = whitenEmulator (em, gapProblem.used, noise);
+  noise = noiseBudget (problem, em);
+  noise.white = whitenEmulator (em, problem.used, noise);
   for i = 1:numel (tests)
     at = tests(i).targets;
     parts = struct ('mean', {}, 'cov', {});
     for k = 1:numel (keep)
-      parts(k) = predictive (gapProblem, em, w, keep(k), at, noise);
+      parts(k) = predictive (problem, em, w, keep(k), at, noise);
     end
     [tests(i).gain, pair] = mixtureInformation (parts, P, kinds);
     tests(i).between = names(pair);
@@ -46,43 +46,43 @@ function tests = nextTest (gapProblem, em, w, P, options)
   tests = tests(order);
 end
 
-function tests = candidates (gapProblem)
+function tests = candidates (problem)
   tests = [];
-  settings = [gapProblem.bench(:), gapProblem.coordinate(:), ...
-              gapProblem.curve(:)];
-  settings(gapProblem.curve > 0, 2) = 0;
-  settings = settings(gapProblem.possible, :);
+  settings = [problem.bench(:), problem.coordinate(:), ...
+              problem.curve(:)];
+  settings(problem.curve > 0, 2) = 0;
+  settings = settings(problem.possible, :);
   for row = unique (settings, 'rows')'
-    at = gapProblem.possible(all (settings == row', 2));
-    names = strjoin (gapProblem.targetNames(at), ', ');
+    at = problem.possible(all (settings == row', 2));
+    names = strjoin (problem.targetNames(at), ', ');
     if numel (at) > 3 && row(3) > 0
-      names = sprintf ('%s to %s', gapProblem.targetNames{at([1, end])});
+      names = sprintf ('%s to %s', problem.targetNames{at([1, end])});
     end
-    text = sprintf ('%s: measure %s', gapProblem.benchNames{row(1)}, names);
-    tests = [tests, newTest(text, at, gapProblem, row(1))];
+    text = sprintf ('%s: measure %s', problem.benchNames{row(1)}, names);
+    tests = [tests, newTest(text, at, problem, row(1))];
   end
-  for b = unique (gapProblem.bench(gapProblem.used))
-    at = gapProblem.used(gapProblem.bench(gapProblem.used) == b);
-    text = ['measure ', gapProblem.benchNames{b}, ' once more'];
-    tests = [tests, newTest(text, at, gapProblem, b)];
+  for b = unique (problem.bench(problem.used))
+    at = problem.used(problem.bench(problem.used) == b);
+    text = ['measure ', problem.benchNames{b}, ' once more'];
+    tests = [tests, newTest(text, at, problem, b)];
   end
 end
 
-function test = newTest (text, targets, gapProblem, bench)
+function test = newTest (text, targets, problem, bench)
   test = struct ('test', text, 'targets', targets, 'gain', 0, ...
-                 'cost', gapProblem.benchCost(bench), 'gainPerCost', 0, ...
-                 'between', {{}}, 'model', gapProblem.benchNames{bench}, ...
+                 'cost', problem.benchCost(bench), 'gainPerCost', 0, ...
+                 'between', {{}}, 'model', problem.benchNames{bench}, ...
                  'variable', '', 'value', [], 'trials', 1, ...
                  'lines', {{}}, 'runs', 0, 'isFirm', true);
 end
 
-function part = predictive (gapProblem, em, w, h, at, noise)
+function part = predictive (problem, em, w, h, at, noise)
   posterior = w.posterior{h};
   members = w.members{h};
   Q = posterior.Q(:, 1:em.p + numel (members));
   M = predictGap (em, members, Q)(:, at);
   S = noise.covariance(at, at);
-  isBare = isnan (gapProblem.value(at)) & ~(gapProblem.sd(at) > 0);
+  isBare = isnan (problem.value(at)) & ~(problem.sd(at) > 0);
   S = S + diag (isBare .* em.noiseVar(at));
   R = diag (mean (em.surrogateVar(:, at), 1) + em.fitVar(at)) + ...
       effectError (em, members, posterior.weight' * Q)(at, at);
@@ -93,7 +93,7 @@ function part = predictive (gapProblem, em, w, h, at, noise)
               max (1, columns (free));
     R = R + (posterior.weight' * strange) * diag (diag (S + R));
   end
-  known = gapProblem.value(at);
+  known = problem.value(at);
   left = R;
   if all (isfinite (known))
     gain = R / (R + S);
@@ -114,13 +114,13 @@ end
 %!             'misfit', zeros (1, 3), 'root', zeros (1, 0), 'ofTarget', ...
 %!             zeros (0, 3), 'unbent', 0, 'strongest', 1);
 %! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
-%! gapProblem = newProblem (struct ('value', [5, NaN, 1], ...
+%! problem = newProblem (struct ('value', [5, NaN, 1], ...
 %!                                     'sd', ones (1, 3), ...
 %!                                     'bench', [1, 2, 1], 'limits', [0; 1]));
 %! w.members = {1, 2};
 %! w.kind = {'single', 'single'};
 %! w.posterior = repmat ({struct('Q', [0, 1, 0, 0], 'weight', 1)}, 1, 2);
-%! tests = nextTest (gapProblem, em, w, [0.5, 0.5], options);
+%! tests = nextTest (problem, em, w, [0.5, 0.5], options);
 %! assert (tests(1).targets, 2);
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
@@ -128,14 +128,14 @@ end
 %! % marks that nobody knows tell nothing apart
 %! vague = em;
 %! [vague.effect.misfit] = deal ([0, 1e4, 0]);
-%! assert (nextTest (gapProblem, vague, w, [0.5, 0.5], options)(1).gain < 0.05);
-%! bare = gapProblem;
+%! assert (nextTest (problem, vague, w, [0.5, 0.5], options)(1).gain < 0.05);
+%! bare = problem;
 %! bare.sd(2) = NaN;
 %! vague.noiseVar(2) = 1e4;
 %! vague.effect = e;
 %! assert (nextTest (bare, vague, w, [0.5, 0.5], options)(1).gain < 0.05);
 %! % points of one curve are measured together
-%! two = gapProblem;
+%! two = problem;
 %! [two.value(3), two.coordinate] = deal (NaN, [0, 1, 2]);
 %! two.bench = [1, 2, 2];
 %! two.possible = [2, 3];
@@ -144,10 +144,10 @@ end
 %! two.curve = [0, 1, 1];
 %! tests = nextTest (two, em, w, [0.5, 0.5], options);
 %! assert ({tests.targets}, {[2, 3], 1});
-%! tests = nextTest (gapProblem, em, w, [0.5, 0.5], options);
+%! tests = nextTest (problem, em, w, [0.5, 0.5], options);
 %! w.kind{3} = 'discrepancy';
 %! w.posterior{3} = struct ('Q', [], 'weight', []);
-%! tests = nextTest (gapProblem, em, w, [0, 0, 1], options);
+%! tests = nextTest (problem, em, w, [0, 0, 1], options);
 %! assert ([tests.gain], zeros (1, numel (tests)), 1e-12);
 %!test
 %! % two causes of other marks; less is told where both have other forms than
@@ -160,13 +160,13 @@ end
 %! em.noiseVar(:) = 0.01;
 %! given = struct ('value', [3, 3, 0], 'sd', ones (1, 3), ...
 %!                 'bench', [1, 1, 1], 'limits', [0; 1]);
-%! gapProblem = newProblem (given);
+%! problem = newProblem (given);
 %! w.kind = {'single', 'single'};
 %! w.posterior = repmat ({struct('Q', [0, 1, 0, 0.6], 'weight', 1)}, 1, 2);
 %! w.members = {1, 2};
-%! fresh = nextTest (gapProblem, em, w, [0.5, 0.5], options).gain;
+%! fresh = nextTest (problem, em, w, [0.5, 0.5], options).gain;
 %! [w.posterior{:}] = deal (struct ('Q', [0, 1, 0, 0], 'weight', 1));
-%! sure = nextTest (gapProblem, em, w, [0.5, 0.5], options).gain;
+%! sure = nextTest (problem, em, w, [0.5, 0.5], options).gain;
 %! em.surrogateVar(:) = 100;
-%! assert (nextTest (gapProblem, em, w, [0.5, 0.5], options).gain < 0.1 * sure);
+%! assert (nextTest (problem, em, w, [0.5, 0.5], options).gain < 0.1 * sure);
 %! assert (fresh < sure);

@@ -115,13 +115,13 @@ end
 % each explanation gave results, or its runs were not made. Equal draws have
 % packings of their own.
 function [test, state] = runSets (test, study, sets, state, extra)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   isFirst = extra == 0;
   known = 0;
   if ~isFirst
     known = rows (test.Z) / numel (sets);
   end
-  Q = zeros (0, study.em.p + numel (gapProblem.effects));
+  Q = zeros (0, study.em.p + numel (problem.effects));
   [group, packing] = deal (zeros (0, 1));
   for g = 1:numel (sets)
     own = sets(g).mode;
@@ -134,7 +134,7 @@ function [test, state] = runSets (test, study, sets, state, extra)
     group = [group; g * ones(rows (own), 1)];
     packing = [packing; known + (1:rows (own))'];
   end
-  [Z, state] = results (test, gapProblem, Q, packing, state);
+  [Z, state] = results (test, problem, Q, packing, state);
   if isFirst
     test.ran = true (1, numel (sets));
     [test.Z, test.group] = deal (zeros (0, columns (Z)), zeros (0, 1));
@@ -155,16 +155,16 @@ function [test, state] = runSets (test, study, sets, state, extra)
 end
 
 % The bench has one model, the diagnosis any number: only its counts go on.
-function [Z, state] = results (test, gapProblem, Q, packing, state)
-  p = columns (gapProblem.limits);
+function [Z, state] = results (test, problem, Q, packing, state)
+  p = columns (problem.limits);
   phi = Q(:, p + 1:end);
-  X = fromSymmetric (Q(:, 1:p), gapProblem.limits);
-  E = valuesOfStrength (gapProblem.effects, phi);
+  X = fromSymmetric (Q(:, 1:p), problem.limits);
+  E = valuesOfStrength (problem.effects, phi);
   own = struct ('data', newData (p, numel (test.origin), columns (E)), ...
                 'budget', state.budget, 'evaluate', test.evaluate);
   [own.budget.models, own.budget.sets, own.budget.seconds, ...
    own.budget.levels] = deal (true, Inf, {[]}, []);
-  bench = struct ('limits', gapProblem.limits, 'allowed', gapProblem.allowed, ...
+  bench = struct ('limits', problem.limits, 'allowed', problem.allowed, ...
                   'kept', 1:numel (test.origin), 'unit', 1);
   own = addRuns (own, bench, X, E, 'next', packing);
   for name = {'left', 'new', 'reused', 'failed', 'coreSeconds'}
@@ -172,7 +172,7 @@ function [Z, state] = results (test, gapProblem, Q, packing, state)
   end
   Z = own.data.Z;
   phi = phi(1:rows (Z), :);
-  for k = find ([gapProblem.effects(1:numel (test.effects)).laboratory])
+  for k = find ([problem.effects(1:numel (test.effects)).laboratory])
     effect = test.effects(k);
     Z = Z + phi(:, k) .* (effect.offset + Z * effect.matrix);
   end
@@ -180,17 +180,17 @@ end
 
 % Scatter grows with the result, threefold at most.
 function test = withNoise (test, study)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   null = predictGap (study.em, [], study.fits.calibrated.Q(1, :));
   scatter = sqrt (study.em.noiseVar);
   now = mean (abs (test.Z), 1);
   usual = median (scatter ./ max (abs (null), realmin));
   for t = 1:numel (test.origin)
-    at = find (gapProblem.kept == test.origin(t), 1);
+    at = find (problem.kept == test.origin(t), 1);
     reading = NaN;
     if ~isempty (at)
-      unit = gapProblem.unit(at);
-      reading = gapProblem.sd(at) * unit;
+      unit = problem.unit(at);
+      reading = problem.sd(at) * unit;
       if isnan (test.noise(t))
         test.noise(t) = scatter(at) * unit;
         test.size(t) = abs (null(at)) * unit;

@@ -1,15 +1,15 @@
 % SPENDRUNS  Makes DEM runs for the diagnosis, within its budget.
 %
-% CALL: STATE = spendRuns (STATE, GAPPROBLEM, THETA, PHI, REPLICATE, STAGE)
+% CALL: STATE = spendRuns (STATE, PROBLEM, THETA, PHI, REPLICATE, STAGE)
 %
 %   STATE       of newGapState; comes back with the rows that addRuns adds
-%   GAPPROBLEM  struct of newProblem
+%   PROBLEM     struct of newProblem
 %   THETA       n x p, parameters in [-1, 1];  PHI  n x K, strengths
 %   REPLICATE   n x 1
 %   STAGE       'gap' (default), 'cure', see diagnoseMatrices, or 'coarse': as
 %               'gap', at the first level of a case with levels
 
-function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
+function state = spendRuns (state, problem, theta, phi, replicate, stage)
   if nargin < 6
     stage = 'gap';
   end
@@ -17,18 +17,18 @@ function state = spendRuns (state, gapProblem, theta, phi, replicate, stage)
   if isempty (state.evaluate) || min (n, state.budget.sets) < 1
     return
   end
-  E = valuesOfStrength (gapProblem.effects, phi);
+  E = valuesOfStrength (problem.effects, phi);
   if strcmp (stage, 'coarse')
-    E = [repmat(gapProblem.coarse.levels(1, :), n, 1), E];
+    E = [repmat(problem.coarse.levels(1, :), n, 1), E];
     stage = 'gap';
   end
-  state = addRuns (state, gapProblem, fromSymmetric (theta, gapProblem.limits), ...
+  state = addRuns (state, problem, fromSymmetric (theta, problem.limits), ...
                    E, stage, replicate);
 end
 
-%!function [state, gapProblem] = before (n, left, evaluate)
+%!function [state, problem] = before (n, left, evaluate)
 %!  lab = standInGap (0);
-%!  gapProblem = newProblem (setfield (lab.gapProblem, 'value', ...
+%!  problem = newProblem (setfield (lab.problem, 'value', ...
 %!                                        ones (1, 24)));
 %!  options = gapOptions (struct ('maxNewRuns', left));
 %!  state = newGapState (lab.plan (n, 0), options, evaluate);
@@ -37,29 +37,29 @@ end
 %! lab = standInGap (0);
 %! f = @(X, E, r, stage) lab.means (X, [E, zeros(rows (E), 2)]) + ...
 %!                       1e3 * strcmp (stage, 'cure');
-%! [state, gapProblem] = before (5, 4, f);
-%! state = spendRuns (state, gapProblem, zeros (3, 4), zeros (3, 10), ...
+%! [state, problem] = before (5, 4, f);
+%! state = spendRuns (state, problem, zeros (3, 4), zeros (3, 10), ...
 %!                    ones (3, 1));
 %! assert ([state.budget.new, state.budget.sets, rows(state.data.Z)], [3, 1, 8]);
 %! assert (state.data.X(6, :), 0.5 * ones (1, 4));
-%! state = spendRuns (state, gapProblem, zeros (9, 4), zeros (9, 10), ...
+%! state = spendRuns (state, problem, zeros (9, 4), zeros (9, 10), ...
 %!                    ones (9, 1), 'cure');
 %! assert (state.data.Z(9, :), 1e3 + state.data.Z(8, :), 1e-9);
 %! assert (state.data.stage, [repmat({'import'}, 5, 1); ...
 %!                            repmat({'gap'}, 3, 1); {'cure'}]);
 %!test % a failed set has taken the runs of two
-%! [state, gapProblem] = before (5, 9, @(X, E, r) [NaN; 1; NaN] * ones (1, 24));
-%! state = spendRuns (state, gapProblem, zeros (3, 4), zeros (3, 10), ...
+%! [state, problem] = before (5, 9, @(X, E, r) [NaN; 1; NaN] * ones (1, 24));
+%! state = spendRuns (state, problem, zeros (3, 4), zeros (3, 10), ...
 %!                    ones (3, 1));
 %! assert ([state.budget.new, state.budget.failed, state.budget.sets], [3, 2, 4]);
 %!test % coarse runs are made at the first level and known as such
-%! [state, gapProblem] = before (5, 9, @(X, E, r) E(:, 1) * ones (1, 24));
-%! gapProblem.coarse = struct ('levels', [2; 1], 'column', ones (1, 24));
+%! [state, problem] = before (5, 9, @(X, E, r) E(:, 1) * ones (1, 24));
+%! problem.coarse = struct ('levels', [2; 1], 'column', ones (1, 24));
 %! state.data.level = zeros (5, 24);
 %! K = columns (state.data.E);
-%! state = spendRuns (state, gapProblem, zeros (2, 4), zeros (2, 10), ...
+%! state = spendRuns (state, problem, zeros (2, 4), zeros (2, 10), ...
 %!                    ones (2, 1), 'coarse');
-%! state = spendRuns (state, gapProblem, 0.1 * ones (1, 4), zeros (1, 10), 1);
+%! state = spendRuns (state, problem, 0.1 * ones (1, 4), zeros (1, 10), 1);
 %! assert (size (state.data.E), [8, K]);
 %! assert (state.data.Z(6:8, 1)', [2, 2, 0]);
 %! assert (state.data.level(5:8, 3)', [0, 1, 1, 0]);

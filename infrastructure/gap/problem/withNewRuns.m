@@ -1,22 +1,22 @@
 % WITHNEWRUNS  The runs of a diagnosis, in the units and columns of its user.
 %
-% CALL: DATA = withNewRuns (DATA, STATE, KNOWN, GAPPROBLEM)
+% CALL: DATA = withNewRuns (DATA, STATE, KNOWN, PROBLEM)
 %
 %   DATA        as given to the diagnosis;  KNOWN  what enterRuns made of it
 %   STATE       of newGapState, whose rows beyond KNOWN are new
-%   GAPPROBLEM  of enterRuns: kept and unit are read
+%   PROBLEM     of enterRuns: kept and unit are read
 %   DATA        the same with the new rows, NaN for targets that are left out
 
-function data = withNewRuns (data, state, known, gapProblem)
+function data = withNewRuns (data, state, known, problem)
   new = rows (known.X) + 1:rows (state.data.X);
   for name = fieldnames (data)'
     own = state.data.(name{1})(new, :);
     if strcmp (name{1}, 'level')
       own = zeros (numel (new), columns (data.level));
-      own(:, gapProblem.kept) = state.data.level(new, :);
+      own(:, problem.kept) = state.data.level(new, :);
     elseif strcmp (name{1}, 'Z')
       own = NaN (numel (new), columns (data.Z));
-      own(:, gapProblem.kept) = state.data.Z(new, :) .* gapProblem.unit;
+      own(:, problem.kept) = state.data.Z(new, :) .* problem.unit;
     end
     data.(name{1}) = [data.(name{1}); own];
   end

@@ -2,7 +2,7 @@
 %
 % CALL: CROSS = crossPredict (STUDY, FROM, TO)
 %
-%   STUDY       struct gapProblem, em, models, see locateGap
+%   STUDY       struct problem, em, models, see locateGap
 %   FROM, TO    rows of target numbers
 %   CROSS       struct
 %     p           of the misfit of TO, r' [S + J C J']^-1 r (chi-square),
@@ -11,15 +11,15 @@
 %     mean, sd    1 x numel (TO): prediction of the measurements TO, raw units
 
 function cross = crossPredict (study, from, to)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   em = study.em;
   models = study.models;
-  budget = noiseBudget (gapProblem, em);
+  budget = noiseBudget (problem, em);
   null = newHypothesis ('null');
   white = whitenEmulator (em, from, budget);
   view = viewHypothesis (white, null, models.prior);
   starts = models.list(1).starts;
-  Z = repmat (gapProblem.value(from) * white.W', rows (starts), 1);
+  Z = repmat (problem.value(from) * white.W', rows (starts), 1);
   fit = fitHypothesis (white, null, Z, starts, models.prior);
   [~, best] = max (fit.logPeak);
   A = reshape (fit.A(best, :, :), em.p, em.p);
@@ -29,7 +29,7 @@ function cross = crossPredict (study, from, to)
   J = reshape (vertcat (J{:})', numel (to), em.p);
   % what FROM leaves open of the parameters comes through the slopes
   S = diag (V) + J * (A \ J');
-  r = gapProblem.value(to) * other.W' - M;
+  r = problem.value(to) * other.W' - M;
   % the upper tail of chi-square
   cross.p = gammainc (r * (S \ r') / 2, numel (to) / 2, 'upper');
   back = other.back;
@@ -41,7 +41,7 @@ end
 %! % no gap: predictions hold the values within their deviations (4 allowed)
 %! rand ('twister', 2); randn ('twister', 2);
 %! lab = standInGap (0);
-%! given = lab.gapProblem;
+%! given = lab.problem;
 %! given.value = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
 %!           + sqrt (2) * lab.noiseSd .* randn (1, 24);
 %! cross = crossPredict (labStudy (given, lab.plan (30, 2)), 1:18, 19:24);

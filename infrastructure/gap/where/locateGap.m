@@ -2,7 +2,7 @@
 %
 % CALL: WHERE = locateGap (STUDY)
 %
-%   STUDY    struct gapProblem, em, models, fits: of newProblem, fitEmulator,
+%   STUDY    struct problem, em, models, fits: of newProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   WHERE    struct
 %     theta (1 x p in [-1, 1]), params (1 x p), chi2, p (lack of fit: share of
@@ -26,7 +26,7 @@
 %       corrected for looking at all of them, as if their noises were apart)
 
 function where = locateGap (study)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   em = study.em;
   models = study.models;
   white = models.white;
@@ -34,7 +34,7 @@ function where = locateGap (study)
   known = study.fits.calibrated;
   fit = struct ('Q', known.Q(1, :), 'U', known.U(1, :), 'chi2', known.chi2(1));
   where.theta = fit.Q;
-  where.params = fromSymmetric (where.theta, gapProblem.limits);
+  where.params = fromSymmetric (where.theta, problem.limits);
   where.chi2 = fit.chi2;
   [where.p, simulated] = lackOfFit (models, fit);
   [M, V, ~, J] = predictGap (white, [], where.theta);
@@ -45,10 +45,10 @@ function where = locateGap (study)
   where.absorbed = parity.absorbed;
   where.unabsorbed = parity.unabsorbed;
   where = localise (where, rawErrors (white, V, J), r, simulated, ...
-                    gapProblem.bench(used), models.options);
+                    problem.bench(used), models.options);
   where.conflict = benchConflicts (study);
-  where.side = sideSignals (gapProblem, em, where.theta, models.options);
-  where.budget = noiseBudget (gapProblem, em);
+  where.side = sideSignals (problem, em, where.theta, models.options);
+  where.budget = noiseBudget (problem, em);
   where.held = heldOut (study);
 end
 
@@ -145,12 +145,12 @@ function benches = benchTests (groups, own, fakes)
 end
 
 function conflict = benchConflicts (study)
-  gapProblem = study.gapProblem;
-  used = gapProblem.used;
-  conflict.bench = unique (gapProblem.bench(used));
+  problem = study.problem;
+  used = problem.used;
+  conflict.bench = unique (problem.bench(used));
   n = numel (conflict.bench);
   conflict.pair = NaN (n);
-  of = @(b) used(gapProblem.bench(used) == conflict.bench(b));
+  of = @(b) used(problem.bench(used) == conflict.bench(b));
   for b = 1:n
     for a = setdiff (1:n, b)
       conflict.pair(a, b) = crossPredict (study, of (a), of (b)).p;
@@ -167,13 +167,13 @@ function conflict = benchConflicts (study)
 end
 
 function held = heldOut (study)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   held = struct ('z', [], 'mean', [], 'sd', [], 'p', []);
-  if ~isempty (gapProblem.heldOut)
-    cross = crossPredict (study, gapProblem.used, gapProblem.heldOut);
+  if ~isempty (problem.heldOut)
+    cross = crossPredict (study, problem.used, problem.heldOut);
     held.mean = cross.mean;
     held.sd = cross.sd;
-    held.z = (gapProblem.value(gapProblem.heldOut) - cross.mean) ./ cross.sd;
+    held.z = (problem.value(problem.heldOut) - cross.mean) ./ cross.sd;
     own = 2 * normalTail (abs (held.z));
     held.p = -expm1 (numel (own) * log1p (-own));
   end
@@ -184,7 +184,7 @@ end
 %! quick = struct ('bootstrap', 199);
 %! rand ('twister', 5); randn ('twister', 5);
 %! lab = standInGap (0);
-%! given = lab.gapProblem;
+%! given = lab.problem;
 %! given.value = lab.means (0.4 * ones (1, 4), zeros (1, 10)) ...
 %!           + sqrt (2) * lab.noiseSd .* randn (1, 24);
 %! given.value(9) = given.value(9) + 5;

@@ -1,8 +1,8 @@
 % SIDESIGNALS  Looks for what else a misfit may mean: limits, surrogates.
 %
-% CALL: SIDE = sideSignals (GAPPROBLEM, EM, THETA, OPTIONS)
+% CALL: SIDE = sideSignals (PROBLEM, EM, THETA, OPTIONS)
 %
-%   GAPPROBLEM, EM, OPTIONS  of newProblem, fitEmulator, gapOptions
+%   PROBLEM, EM, OPTIONS     of newProblem, fitEmulator, gapOptions
 %   THETA           1 x p, fitted null model, parameters in [-1, 1]
 %   SIDE            struct
 %     atLimit        cellstr, parameters driven to a limit of their box
@@ -14,17 +14,17 @@
 %     blameSurrogate logical, too many of the used targets are poor
 %     reason         text, '' where neither
 
-function side = sideSignals (gapProblem, em, theta, options)
-  side.atLimit = gapProblem.names(abs (theta) > options.limitAt);
-  value = fromSymmetric (theta, gapProblem.limits);
+function side = sideSignals (problem, em, theta, options)
+  side.atLimit = problem.names(abs (theta) > options.limitAt);
+  value = fromSymmetric (theta, problem.limits);
   [~, v] = predictSurrogate (em.surrogates, value);
   v = (v + em.fitVar) * isempty (em.change);
-  fixed = diag (noiseBudget (gapProblem, em).covariance)';
+  fixed = diag (noiseBudget (problem, em).covariance)';
   side.share = v ./ (v + fixed);
   side.poor = em.looMean > options.looMeanAt | em.looMax > options.looMostAt;
   side.poorEffects = poorEffects (em, options.looEffectAt);
-  share = mean (side.share(gapProblem.used));
-  poor = mean (side.poor(gapProblem.used));
+  share = mean (side.share(problem.used));
+  poor = mean (side.poor(problem.used));
   side.vague = share > options.vagueAt;
   side.blameSurrogate = poor > options.blameAt;
   side.reason = '';
@@ -51,14 +51,14 @@ end
 %!test
 %! rand ('twister', 4); randn ('twister', 4);
 %! lab = standInGap (0);
-%! given = setfield (lab.gapProblem, 'value', ones (1, 24));
+%! given = setfield (lab.problem, 'value', ones (1, 24));
 %! study = labStudy (given, lab.plan (40, 2));
 %! options = study.models.options;
-%! gapProblem = study.gapProblem;
-%! side = sideSignals (gapProblem, study.em, [1, 0, 0, 0], options);
+%! problem = study.problem;
+%! side = sideSignals (problem, study.em, [1, 0, 0, 0], options);
 %! assert (side.atLimit, {'friction'});
 %! assert (side.blameSurrogate || side.vague, false);
-%! gapProblem.sd = 0.01 * gapProblem.sd;
-%! gapProblem.trials = Inf;
-%! side = sideSignals (gapProblem, study.em, zeros (1, 4), options);
+%! problem.sd = 0.01 * problem.sd;
+%! problem.trials = Inf;
+%! side = sideSignals (problem, study.em, zeros (1, 4), options);
 %! assert (side.vague, true);

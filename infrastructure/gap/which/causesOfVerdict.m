@@ -2,25 +2,25 @@
 %
 % CALL: LIST = causesOfVerdict (VERDICT, STUDY)
 %
-%   VERDICT  of judgeCase;  STUDY  struct gapProblem, models, fits, w
+%   VERDICT  of judgeCase;  STUDY  struct problem, models, fits, w
 %   LIST     see weighCauses; empty without a gap, as nothing has made it
 
 function list = causesOfVerdict (verdict, study)
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   if any (strcmp (verdict.kind, {'no gap', 'surrogate'}))
-    gapProblem.causes = [];
+    problem.causes = [];
   end
   list = weighCauses (study.models, study.w.screen, ...
-                      study.fits.calibrated.Q(1, :), gapProblem);
+                      study.fits.calibrated.Q(1, :), problem);
 end
 
 %!test
 %! study.models = handMadeHypotheses ();
 %! study.w.screen = screenEffects (study.models.white, 0, [0, 0, 4, 4]);
 %! study.fits.calibrated.Q = 0;
-%! study.gapProblem = struct ('reference', [], 'effects', ...
-%!                            struct ('name', {'a', 'b'}, 'group', ''));
-%! study.gapProblem.causes = ...
+%! study.problem = struct ('reference', [], 'effects', ...
+%!                         struct ('name', {'a', 'b'}, 'group', ''));
+%! study.problem.causes = ...
 %!   describeCause (struct ('name', 'one', 'label', 'one', 'question', '?', ...
 %!                          'members', {{{'a'}, '', 0.5, 0.1}}));
 %! of = @(kind) causesOfVerdict (struct ('kind', kind), study);

@@ -1,8 +1,8 @@
 % DESCRIBEVERDICT  Puts a verdict into names, probabilities and strengths.
 %
-% CALL: NAMED = describeVerdict (W, VERDICT, MODELS, GAPPROBLEM)
+% CALL: NAMED = describeVerdict (W, VERDICT, MODELS, PROBLEM)
 %
-%   W, VERDICT, MODELS, GAPPROBLEM  of caseEvidence, judgeCase, makeHypotheses,
+%   W, VERDICT, MODELS, PROBLEM     of caseEvidence, judgeCase, makeHypotheses,
 %                                   newProblem
 %   NAMED   struct
 %     verdict, reason, guard, lookAlike, sameKind, effects (of a group the likeliest
@@ -25,7 +25,7 @@
 %     hypotheses  1 x H struct members (cellstr), kind, probability, likeliest
 %                 first
 
-function named = describeVerdict (w, verdict, models, gapProblem)
+function named = describeVerdict (w, verdict, models, problem)
   names = models.names;
   if strcmp (verdict.kind, 'group')      % the likeliest first
     [~, order] = sort (-verdict.include(verdict.effects));
@@ -55,7 +55,7 @@ function named = describeVerdict (w, verdict, models, gapProblem)
                            'range', {}, 'variables', {}, 'values', {}, ...
                            'says', {});
   for k = 1:numel (names)
-    named.strength(k) = strengthOf (w, verdict, k, models, gapProblem);
+    named.strength(k) = strengthOf (w, verdict, k, models, problem);
   end
   named.numbers = numbersOf (w, verdict);
   named.hypotheses = hypothesesOf (w, verdict, names);
@@ -79,7 +79,7 @@ function list = hypothesesOf (w, verdict, names)
 end
 
 % From the likeliest hypothesis that holds the effect and was integrated.
-function s = strengthOf (w, verdict, k, models, gapProblem)
+function s = strengthOf (w, verdict, k, models, problem)
   holding = find (cellfun (@(m) any (m == k), w.members) & ...
                   ~cellfun (@(p) isempty (p.Q), w.posterior));
   [~, at] = max (verdict.P(holding));
@@ -103,8 +103,8 @@ function s = strengthOf (w, verdict, k, models, gapProblem)
       says = 'bound';
     end
   end
-  at = find (strcmp ({gapProblem.effects.name}, models.names{k}), 1);
-  effect = gapProblem.effects(at);
+  at = find (strcmp ({problem.effects.name}, models.names{k}), 1);
+  effect = problem.effects(at);
   variables = effect.variables;
   values = valuesOfStrength (effect, q');
   if effect.laboratory
@@ -173,11 +173,11 @@ end
 %! models = handMadeHypotheses ();
 %! models.reference = (-4:0.1:2)';
 %! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
-%! gapProblem = struct ('effects', newEffect (struct ('name', 'a', ...
+%! problem = struct ('effects', newEffect (struct ('name', 'a', ...
 %!                   'laboratory', true), 4));
-%! gapProblem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
-%!                                            true), 4);
-%! named = describeVerdict (w, judgeCase (w, models), models, gapProblem);
+%! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
+%!                                         true), 4);
+%! named = describeVerdict (w, judgeCase (w, models), models, problem);
 %! assert (named.groups, {});
 %! assert (named.strength(1).value, 0.7, 0.1);
 %! assert (named.numbers.ess >= 200);
@@ -187,17 +187,17 @@ end
 %! assert (named.strength(1).says, 'amount');
 %! assert (named.class, {'a'});
 %! [w.posterior{2:end}] = deal (struct ('Q', [], 'weight', []));
-%! named = describeVerdict (w, judgeCase (w, models), models, gapProblem);
+%! named = describeVerdict (w, judgeCase (w, models), models, problem);
 %! assert (isnan ([named.strength.value]));
 %!test
 %! % an upper end is a bound where the effect was run about as strong, at
 %! % parameters with which it would fit; at the end of the range none is asked
 %! models = handMadeHypotheses ();
 %! models.reference = (-2:0.1:20)';
-%! gapProblem = struct ('effects', newEffect (struct ('name', 'a', ...
+%! problem = struct ('effects', newEffect (struct ('name', 'a', ...
 %!                   'laboratory', true), 4));
-%! gapProblem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
-%!                                            true), 4);
+%! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
+%!                                         true), 4);
 %! [models.white.effect.laboratory] = deal (false);
 %! [models.white.effect.Z] = deal (1);
 %! said = cell (1, 3);
@@ -205,7 +205,7 @@ end
 %! for i = 1:3
 %!   [models.white.effect.Q] = deal (runs{i});
 %!   w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
-%!   named = describeVerdict (w, judgeCase (w, models), models, gapProblem);
+%!   named = describeVerdict (w, judgeCase (w, models), models, problem);
 %!   said{i} = named.strength(1).says;
 %! end
 %! assert (named.strength(1).interval90(2) < 0.75);

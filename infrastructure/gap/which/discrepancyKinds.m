@@ -1,8 +1,8 @@
 % DISCREPANCYKINDS  Describes misfits that resemble no listed effect.
 %
-% CALL: KINDS = discrepancyKinds (GAPPROBLEM, EM, BUDGET, TARGETS)
+% CALL: KINDS = discrepancyKinds (PROBLEM, EM, BUDGET, TARGETS)
 %
-%   GAPPROBLEM, EM, BUDGET  of newProblem, fitEmulator, noiseBudget
+%   PROBLEM, EM, BUDGET     of newProblem, fitEmulator, noiseBudget
 %   TARGETS  1 x n, targets to look at
 %   KINDS  1 x m struct: name, weight (sum 1), h (newHypothesis), white
 %          (of whitenEmulator, turned so that the misfit has independent
@@ -14,8 +14,8 @@
 % signatures; or independent errors on all targets; or on one bench alone. After
 % Kennedy and O'Hagan (2001).
 
-function kinds = discrepancyKinds (gapProblem, em, budget, targets)
-  benches = unique (gapProblem.bench(targets));
+function kinds = discrepancyKinds (problem, em, budget, targets)
+  benches = unique (problem.bench(targets));
   R = diag (em.range(targets).^2);
   S = middleMarks (em, targets);
   % a misfit has no effects
@@ -28,8 +28,8 @@ function kinds = discrepancyKinds (gapProblem, em, budget, targets)
                      'h', newHypothesis ('discrepancy', zeros (1, 0), extent)));
   kinds = make (R, [0.08, 1], 'anything', 0.2);
   for b = benches
-    mask = diag (gapProblem.bench(targets) == b);
-    kinds(end + 1) = make (R .* mask, [0.08, 1], gapProblem.benchNames{b}, ...
+    mask = diag (problem.bench(targets) == b);
+    kinds(end + 1) = make (R .* mask, [0.08, 1], problem.benchNames{b}, ...
                            0.3 / numel (benches));
   end
   if rows (S) > 0
@@ -55,11 +55,11 @@ end
 %! % rotated coordinates: noise stays white, the discrepancy is diagonal
 %! em = handMadeEmulator ([1, 2, 3; 1, 0, 2]);
 %! em.range = [1, 2, 3];
-%! gapProblem = newProblem (struct ('value', [1, 2, 3], 'sd', [1, 1, 1], ...
+%! problem = newProblem (struct ('value', [1, 2, 3], 'sd', [1, 1, 1], ...
 %!                                     'limits', [0; 1], 'bench', [1, 1, 2]));
 %! budget = struct ('covariance', eye (3), 'estimated', [0, 0, 0], ...
 %!                 'unknown', [0, 0, 0]);
-%! kinds = discrepancyKinds (gapProblem, em, budget, 1:3);
+%! kinds = discrepancyKinds (problem, em, budget, 1:3);
 %! assert (numel (kinds), 3);
 %! assert (sum ([kinds.weight]), 1, 1e-12);
 %! W = kinds(1).white.W;

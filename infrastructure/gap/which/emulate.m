@@ -1,16 +1,16 @@
 % EMULATE  The emulator of a diagnosis: of the simulation, or of a change.
 %
-% CALL: EM = emulate (GAPPROBLEM, DATA, OPTIONS)
-% CALL: EM = emulate (GAPPROBLEM, DATA, OPTIONS, OLD)
+% CALL: EM = emulate (PROBLEM, DATA, OPTIONS)
+% CALL: EM = emulate (PROBLEM, DATA, OPTIONS, OLD)
 %
-%   GAPPROBLEM, DATA, OPTIONS  see fitEmulator
+%   PROBLEM, DATA, OPTIONS     see fitEmulator
 %   OLD                        EM of other runs
 %   EM                         of fitEmulator, then of takeReference
 
-function em = emulate (gapProblem, data, options, varargin)
+function em = emulate (problem, data, options, varargin)
   old = cellfun (@takeReference, varargin, 'UniformOutput', false);
-  em = takeReference (fitEmulator (gapProblem, data, options, old{:}), ...
-                      gapProblem);
+  em = takeReference (fitEmulator (problem, data, options, old{:}), ...
+                      problem);
 end
 
 %!test
@@ -18,10 +18,10 @@ end
 %! % the surrogates is taken on
 %! [given, data] = smallGapLab ();
 %! given.value = mean (data.Z);
-%! gapProblem = newProblem (given);
+%! problem = newProblem (given);
 %! options = gapOptions (struct ('trend', 'affine'));
-%! em = emulate (gapProblem, data, options);
-%! assert (em.coef, fitEmulator (gapProblem, data, options).coef);
+%! em = emulate (problem, data, options);
+%! assert (em.coef, fitEmulator (problem, data, options).coef);
 %! assert (isempty (em.change));
-%! again = emulate (gapProblem, data, options, em);
+%! again = emulate (problem, data, options, em);
 %! assert (again.coef, em.coef, 1e-9);

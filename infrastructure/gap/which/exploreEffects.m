@@ -1,8 +1,8 @@
 % EXPLOREEFFECTS  Runs candidate effects until it is clear which one it is.
 %
-% CALL: [STATE, EM] = exploreEffects (GAPPROBLEM, OPTIONS, STATE, EM)
+% CALL: [STATE, EM] = exploreEffects (PROBLEM, OPTIONS, STATE, EM)
 %
-%   GAPPROBLEM, OPTIONS  of newProblem, gapOptions
+%   PROBLEM, OPTIONS     of newProblem, gapOptions
 %   STATE                of newGapState
 %   EM                   of fitEmulator, fitted to STATE.data
 %
@@ -17,57 +17,57 @@
 % one, but for those at a mode. A second start finds these runs; it makes others
 % only where the first one ended because OPTIONS.maxNewRuns was spent.
 
-function [state, em] = exploreEffects (gapProblem, options, state, em)
+function [state, em] = exploreEffects (problem, options, state, em)
   if isempty (state.evaluate) || state.budget.sets < 1 || isempty (em.effect)
     return
   end
   reserve = min (4 * options.verifyRuns, floor (state.budget.sets / 3));
   state.budget.sets = state.budget.sets - reserve;
-  theta = calibrateNull (gapProblem, em, options);
-  state = runEach (gapProblem, state, theta);
-  em = emulate (gapProblem, state.data, options, em);
+  theta = calibrateNull (problem, em, options);
+  state = runEach (problem, state, theta);
+  em = emulate (problem, state.data, options, em);
   reference = [];
   while state.budget.sets > 0
-    [now, reference] = weighNow (gapProblem, options, em, reference);
+    [now, reference] = weighNow (problem, options, em, reference);
     if isempty (now)
       break
     end
     theta = now.fits.calibrated.Q;
-    n = runsToSeek (gapProblem, options, state, theta, now.w.gate.p);
+    n = runsToSeek (problem, options, state, theta, now.w.gate.p);
     if n > 0
-      state = runNearNull (gapProblem, state, theta, n, 0.5, ...
+      state = runNearNull (problem, state, theta, n, 0.5, ...
                            options.seed + rows (state.data.X));
       % what the gate compares with is another one then
       reference = [];
     elseif now.w.gate.p > 2 * options.level || stands (now, options)
       break
     else
-      batch = proposeRuns (gapProblem, options, state, em, now);
+      batch = proposeRuns (problem, options, state, em, now);
       if batch.bits < options.worthAt
         break
       end
-      state = runBatch (gapProblem, state, batch);
+      state = runBatch (problem, state, batch);
     end
-    em = emulate (gapProblem, state.data, options, em);
+    em = emulate (problem, state.data, options, em);
   end
   state.budget.sets = state.budget.sets + reserve;
   % not from what the runs before told: as a second start fits it
-  em = emulate (gapProblem, state.data, options);
+  em = emulate (problem, state.data, options);
 end
 
 % Neither a gap nor none: surrogates that few runs have told hide one, but not
 % that of a change, whose reference knows them better. Counted are the neutral
 % sets that lie near THETA, whoever asked for them.
-function n = runsToSeek (gapProblem, options, state, theta, p)
+function n = runsToSeek (problem, options, state, theta, p)
   n = 0;
   if p < options.level || p >= options.seekAt || ...
-     ~isempty (gapProblem.reference)
+     ~isempty (problem.reference)
     return
   end
   data = state.data;
-  own = toSymmetric (data.X, gapProblem.limits);
+  own = toSymmetric (data.X, problem.limits);
   isNear = all (abs (own - theta) < 0.5, 2) & ...
-           all (abs (strengthOfValues (gapProblem.effects, data.E)) < 1e-9, 2);
+           all (abs (strengthOfValues (problem.effects, data.E)) < 1e-9, 2);
   if isfield (data, 'level')
     isNear = isNear & ~any (data.level, 2);
   end
@@ -76,7 +76,7 @@ end
 
 % What is known now, roughly; [] where nothing can be told.
 % Some runs more hardly change what the gate compares with: it is drawn once.
-function [now, reference] = weighNow (gapProblem, options, em, reference)
+function [now, reference] = weighNow (problem, options, em, reference)
   now = [];
   usable = find ([em.effect.laboratory] | [em.effect.runs] >= 1);
   if isempty (usable)
@@ -85,8 +85,8 @@ function [now, reference] = weighNow (gapProblem, options, em, reference)
   library = withoutEffects (em, setdiff (1:numel (em.effect), usable));
   options.twins = min (options.twins, 59);
   [options.points, options.effective, options.most] = deal (300, 100, 2000);
-  models = makeHypotheses (gapProblem, library, options);
-  fits = fitLibrary (models, gapProblem.value(gapProblem.used));
+  models = makeHypotheses (problem, library, options);
+  fits = fitLibrary (models, problem.value(problem.used));
   if isempty (reference)
     models = omnibusReference (models);
     reference = models.reference;
@@ -160,11 +160,11 @@ end
 %!function [state, em] = explored (given, data, run, more = struct ())
 %!  options = gapOptions (mergeFields (struct ('trend', 'affine', ...
 %!                                             'maxNewRuns', 60), more));
-%!  gapProblem = setfield (newProblem (given), 'unit', ones (1, 12));
+%!  problem = setfield (newProblem (given), 'unit', ones (1, 12));
 %!  state = newGapState (data, options, run);
-%!  em = fitEmulator (gapProblem, data, options);
-%!  [state, em] = exploreEffects (gapProblem, options, state, ...
-%!                                takeReference (em, gapProblem));
+%!  em = fitEmulator (problem, data, options);
+%!  [state, em] = exploreEffects (problem, options, state, ...
+%!                                takeReference (em, problem));
 %!endfunction
 %!test
 %! % one strong cause like no other: each effect once, four runs of two of them

@@ -1,8 +1,8 @@
 % FORMERROR  Whitens an emulator so that errors of form have no correlations.
 %
-% CALL: WHITE = formError (GAPPROBLEM, EM, BUDGET, TARGETS)
+% CALL: WHITE = formError (PROBLEM, EM, BUDGET, TARGETS)
 %
-%   GAPPROBLEM, EM, BUDGET  of newProblem, fitEmulator, noiseBudget
+%   PROBLEM, EM, BUDGET     of newProblem, fitEmulator, noiseBudget
 %   TARGETS  1 x n, targets to look at
 %   WHITE    struct of whitenEmulator, its coordinates turned, with shape (1 x n,
 %            sum 1; 0 without effects): how the error of form is shared among
@@ -19,7 +19,7 @@
 % middle of the box, in units of the noise. Those that cannot be seen (size
 % below 1) tell no direction.
 
-function white = formError (gapProblem, em, budget, targets)
+function white = formError (problem, em, budget, targets)
   white = whitenEmulator (em, targets, budget);
   own = white.isTarget > 0;
   W = white.W(own, :);
@@ -30,7 +30,7 @@ function white = formError (gapProblem, em, budget, targets)
     white.shape = zeros (size (own));
     return
   end
-  smooth = W * smoothOver (gapProblem, targets, S) * W';
+  smooth = W * smoothOver (problem, targets, S) * W';
   smooth = N(own, :)' * smooth * N(own, :);
   C = unitTrace (smooth) + unitTrace (towardsOthers (V));
   C = unitTrace (N(own, :) * C * N(own, :)');
@@ -61,11 +61,11 @@ function C = towardsOthers (V)
 end
 
 % Half alike on a bench, the rest alike over a third of a curve, or alone.
-function C = smoothOver (gapProblem, targets, S)
-  bench = gapProblem.bench(targets);
+function C = smoothOver (problem, targets, S)
+  bench = problem.bench(targets);
   C = 0.5 * (bench' == bench) + 0.1 * eye (numel (targets));
-  near = fadingAlong (gapProblem.series(targets), ...
-                      gapProblem.coordinate(targets));
+  near = fadingAlong (problem.series(targets), ...
+                      problem.coordinate(targets));
   size_ = sqrt (mean (S.^2, 1));
   C = (C + 0.4 * near) .* (size_' * size_);
 end

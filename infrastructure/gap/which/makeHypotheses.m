@@ -1,11 +1,11 @@
 % MAKEHYPOTHESES  Prepares all hypotheses of a diagnosis for fast evaluation.
 %
-% CALL: MODELS = makeHypotheses (GAPPROBLEM, EM, OPTIONS, TARGETS)
+% CALL: MODELS = makeHypotheses (PROBLEM, EM, OPTIONS, TARGETS)
 %
-%   GAPPROBLEM  struct of newProblem
+%   PROBLEM     struct of newProblem
 %   EM          struct of fitEmulator; its effects are the library
 %   OPTIONS     struct of gapOptions
-%   TARGETS     1 x n, targets to use (default GAPPROBLEM.used)
+%   TARGETS     1 x n, targets to use (default PROBLEM.used)
 %   MODELS      struct
 %     white      whitened emulator of the targets (formError)
 %     prior      mean, sd (1 x p, parameters in [-1, 1]; sd Inf: uniform)
@@ -13,38 +13,38 @@
 %     names, siblings (1 x K cells), options
 %     reference  what the gate compares with (omnibusReference; []: not yet)
 
-function models = makeHypotheses (gapProblem, em, options, targets)
+function models = makeHypotheses (problem, em, options, targets)
   if nargin < 4
-    targets = gapProblem.used;
+    targets = problem.used;
   end
-  budget = noiseBudget (gapProblem, em);
-  models.white = formError (gapProblem, em, budget, targets);
-  models.prior = gapProblem.paramPrior;
-  kinds = discrepancyKinds (gapProblem, em, budget, targets);
+  budget = noiseBudget (problem, em);
+  models.white = formError (problem, em, budget, targets);
+  models.prior = problem.paramPrior;
+  kinds = discrepancyKinds (problem, em, budget, targets);
   starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
   models.names = {em.effect.name};
   models.factor = ones (1, numel (models.names));
-  for e = gapProblem.effects
+  for e = problem.effects
     models.factor(strcmp (models.names, e.name)) = e.factor;
   end
   models = hypothesisTable (models, kinds, starts);
-  models.siblings = siblingsOf (gapProblem, models.names);
+  models.siblings = siblingsOf (problem, models.names);
   models.options = options;
   models.reference = [];
 end
 
-function siblings = siblingsOf (gapProblem, names)
+function siblings = siblingsOf (problem, names)
   siblings = cell (1, numel (names));
   for k = 1:numel (names)
-    at = find (strcmp ({gapProblem.effects.name}, names{k}), 1);
-    siblings{k} = setdiff (gapProblem.effects(at).siblings(:)', names);
+    at = find (strcmp ({problem.effects.name}, names{k}), 1);
+    siblings{k} = setdiff (problem.effects(at).siblings(:)', names);
   end
 end
 
 %!test
 %! rand ('twister', 4); randn ('twister', 4);
 %! lab = standInGap (0);
-%! given = setfield (lab.gapProblem, 'value', ones (1, 24));
+%! given = setfield (lab.problem, 'value', ones (1, 24));
 %! given.paramMean = [0.5, NaN, NaN, NaN];
 %! given.paramSd = [0.1, NaN, NaN, NaN];
 %! models = labStudy (given, lab.plan (30, 3)).models;
@@ -59,7 +59,7 @@ end
 %! % the coordinates of the effects are turned
 %! row = models.list(find (strcmp ({hypotheses.kind}, 'discrepancy'))(2));
 %! C = row.white.back * diag (row.white.shape) * row.white.back';
-%! isOff = lab.gapProblem.bench ~= lab.gapProblem.bench(1);
+%! isOff = lab.problem.bench ~= lab.problem.bench(1);
 %! assert (max (abs (C(isOff, isOff)(:))) < 1e-9 * max (abs (C(:))));
 %! assert (C(1, 1) > 0);
 %! assert (models.siblings{1}, cell (1, 0));

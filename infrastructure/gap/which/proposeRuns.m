@@ -1,8 +1,8 @@
 % PROPOSERUNS  The next batch of runs, by what they tell about the cause.
 %
-% CALL: BATCH = proposeRuns (GAPPROBLEM, OPTIONS, STATE, EM, NOW)
+% CALL: BATCH = proposeRuns (PROBLEM, OPTIONS, STATE, EM, NOW)
 %
-%   GAPPROBLEM, OPTIONS, STATE, EM  as of exploreEffects
+%   PROBLEM, OPTIONS, STATE, EM     as of exploreEffects
 %   NOW    struct w, verdict (caseEvidence, judgeCase), models, fits, usable
 %          (numbers of their effects in EM), runs (of each, Inf: none needed),
 %          tried (the same with those that gave no result),
@@ -26,11 +26,11 @@
 % that of measurement, packing and where h would stand. Runs of the same effect
 % in one batch tell in part the same.
 
-function batch = proposeRuns (gapProblem, options, state, em, now)
-  pool = candidates (gapProblem, options, state, em, now);
-  noise = noiseBudget (gapProblem, em);
+function batch = proposeRuns (problem, options, state, em, now)
+  pool = candidates (problem, options, state, em, now);
+  noise = noiseBudget (problem, em);
   for i = 1:numel (pool)
-    pool(i).parts = twoStories (gapProblem, em, noise, pool(i));
+    pool(i).parts = twoStories (problem, em, noise, pool(i));
   end
   K = numel (em.effect);
   batch = struct ('theta', zeros (0, em.p), 'phi', zeros (0, K), 'isFine', ...
@@ -57,7 +57,7 @@ function batch = proposeRuns (gapProblem, options, state, em, now)
   end
 end
 
-function pool = candidates (gapProblem, options, state, em, now)
+function pool = candidates (problem, options, state, em, now)
   w = now.w;
   p = em.p;
   pool = struct ('what', {}, 'members', {}, 'q', {}, 'P', {}, 'isMode', {}, ...
@@ -97,15 +97,15 @@ function pool = candidates (gapProblem, options, state, em, now)
     if isVague
       % where it is fitted badly, its posterior says little of where to run it
       n = options.batch;
-      posterior = wholeBox (options, p, gapProblem.effects(k).range);
+      posterior = wholeBox (options, p, problem.effects(k).range);
     end
     Q = planEffectRuns (n, [em.effect(k).Q; mode_], mode_(1:p), posterior, ...
-                        gapProblem.effects(k).range);
+                        problem.effects(k).range);
     for q = Q'
       pool(end + 1) = setfield (setfield (blank, 'q', q'), 'isMode', false);
     end
   end
-  phi = strengthOfValues (gapProblem.effects, state.data.E);
+  phi = strengthOfValues (problem.effects, state.data.E);
   failed = phi(~any (isfinite (state.data.Z), 2), :);
   pool = [pool, likelyPair(options, em, now, failed)];
 end
@@ -147,8 +147,8 @@ function pool = likelyPair (options, em, now, failed)
 end
 
 % The result of the run if its hypothesis is the cause, and if it is not.
-function parts = twoStories (gapProblem, em, noise, one)
-  at = gapProblem.used;
+function parts = twoStories (problem, em, noise, one)
+  at = problem.used;
   p = em.p;
   Q = one.spread.Q(:, 1:p + numel (one.story));
   M = predictGap (em, one.story, Q)(:, at);
@@ -163,7 +163,7 @@ function parts = twoStories (gapProblem, em, noise, one)
   [own, R] = outcome (em, one.members, one.q, at);
   run_ = diag (em.noiseVar(at));
   gain = R / whole;
-  r = gapProblem.value(at) - mean_;
+  r = problem.value(at) - mean_;
   left = R - gain * R;
   parts = struct ('mean', {own + r * gain', own}, ...
                   'cov', {(left + left') / 2 + run_, R + run_});
@@ -207,7 +207,7 @@ end
 %!                'rivals', []);
 %!endfunction
 %!function batch = proposed (study, state, now)
-%!  batch = proposeRuns (study.gapProblem, study.models.options, state, ...
+%!  batch = proposeRuns (study.problem, study.models.options, state, ...
 %!                       study.em, now);
 %!endfunction
 %!test
@@ -240,7 +240,7 @@ end
 %! state.data.X(end + 1, :) = state.data.X(1, :);
 %! phi = zeros (1, 5);
 %! phi(members) = 0.5;
-%! state.data.E(end + 1, :) = valuesOfStrength (study.gapProblem.effects, phi);
+%! state.data.E(end + 1, :) = valuesOfStrength (study.problem.effects, phi);
 %! state.data.Z(end + 1, :) = NaN;
 %! state.data.replicate(end + 1) = 1;
 %! assert (~hasBoth (proposed (study, state, now)));

@@ -1,8 +1,8 @@
 % RUNEACH  Runs every end of the range of every effect once.
 %
-% CALL: STATE = runEach (GAPPROBLEM, STATE, THETA)
+% CALL: STATE = runEach (PROBLEM, STATE, THETA)
 %
-%   GAPPROBLEM, STATE  of newProblem, newGapState
+%   PROBLEM, STATE     of newProblem, newGapState
 %   THETA              1 x p, in [-1, 1], where they are run
 %
 % An end that a run with a whole result has reached to more than half is not run
@@ -10,11 +10,11 @@
 % eighth, each once, wherever it was that it failed; but where more than half of
 % all ends fail, the effects are not to blame.
 
-function state = runEach (gapProblem, state, theta)
-  ends = endsOf (gapProblem.effects);
+function state = runEach (problem, state, theta)
+  ends = endsOf (problem.effects);
   n = rows (ends);
   for share = [1, 0.5, 0.25, 0.125]
-    phi = strengthOfValues (gapProblem.effects, state.data.E);
+    phi = strengthOfValues (problem.effects, state.data.E);
     phi(sum (abs (phi) > 1e-9, 2) ~= 1, :) = 0;
     isWhole = all (isfinite (state.data.Z), 2);
     least = 0.5 * (share == 1);
@@ -32,7 +32,7 @@ function state = runEach (gapProblem, state, theta)
     batch = struct ('theta', repmat (theta, numel (missing), 1), ...
                     'phi', share * ends(missing, :), ...
                     'isFine', false (numel (missing), 1));
-    state = runBatch (gapProblem, state, batch);
+    state = runBatch (problem, state, batch);
   end
 end
 
@@ -51,20 +51,20 @@ end
 %! % of that again from another set
 %! [given, data, means] = smallGapLab ();
 %! given.value = ones (1, 12);
-%! gapProblem = newProblem (given);
+%! problem = newProblem (given);
 %! data = keepRows (data, all (data.E == 0, 2));
 %! run = @(X, E, varargin) means (X, [E, zeros(rows (E), 1)]) + ...
 %!                         0 ./ (E(:, 3) < 0.46);
 %! options = gapOptions (struct ('maxNewRuns', 60));
 %! state = newGapState (data, options, run);
-%! state = runEach (gapProblem, state, [0.1, 0.2]);
+%! state = runEach (problem, state, [0.1, 0.2]);
 %! assert ([state.budget.new, state.budget.failed], [6, 2]);
-%! again = runEach (gapProblem, state, [0.2, 0.1]);
+%! again = runEach (problem, state, [0.2, 0.1]);
 %! assert (again.budget.new, 6);
 %! % one that never works is tried four times in all
 %! never = @(X, E, varargin) means (X, [E, zeros(rows (E), 1)]) + ...
 %!                           0 ./ ~E(:, 2);
 %! state = newGapState (data, options, never);
-%! state = runEach (gapProblem, state, [0.1, 0.2]);
+%! state = runEach (problem, state, [0.1, 0.2]);
 %! assert ([state.budget.new, state.budget.failed], [7, 4]);
-%! assert (runEach (gapProblem, state, [0.2, 0.1]).budget.new, 7);
+%! assert (runEach (problem, state, [0.2, 0.1]).budget.new, 7);

@@ -1,10 +1,10 @@
 % TAKEREFERENCE  Turns an emulator into that of a change from a reference.
 %
-% CALL: EM = takeReference (EM, GAPPROBLEM)
+% CALL: EM = takeReference (EM, PROBLEM)
 % CALL: EM = takeReference (EM)        the one of the simulation again
 %
 %   EM          struct of fitEmulator, or what this has made of it
-%   GAPPROBLEM  struct of newProblem; without reference EM stays as it is
+%   PROBLEM     struct of newProblem; without reference EM stays as it is
 %   EM          coef then foretells what is measured in the other condition
 %               where nothing has changed; surrogateVar and fitVar are nearly 0,
 %               as what surrogates miss is the same in both; and
@@ -30,25 +30,25 @@
 % taken from the change. After Kennedy and O'Hagan (2001), for two conditions
 % instead of one.
 %
-% Parameters of GAPPROBLEM.reference.perCondition are other ones in the two.
+% Parameters of PROBLEM.reference.perCondition are other ones in the two.
 
-function em = takeReference (em, gapProblem)
+function em = takeReference (em, problem)
   em = simulationOf (em);
-  if nargin < 2 || isempty (gapProblem.reference)
+  if nargin < 2 || isempty (problem.reference)
     return
   end
-  reference = gapProblem.reference;
-  own = noiseBudget (gapProblem, em);
-  before = noiseBudget (ofReference (gapProblem), em);
+  reference = problem.reference;
+  own = noiseBudget (problem, em);
+  before = noiseBudget (ofReference (problem), em);
   at = find (isfinite (reference.value));
   sizes = 0.08 * 2.^(-4:0.75:4);
   parts = cell (1, numel (sizes));
   score = zeros (1, numel (sizes));
-  C = lackShape (em, gapProblem);
+  C = lackShape (em, problem);
   B = sharedError (em);
   for i = 1:numel (sizes)
     lack = sizes(i)^2 * C;
-    parts{i} = fitReference (em, gapProblem, before, lack, at);
+    parts{i} = fitReference (em, problem, before, lack, at);
     score(i) = parts{i}.logE - 0.5 * log (sizes(i) / 0.08)^2;
     D = lack + B;
     parts{i}.K = D(:, at) / (D(at, at) + before.covariance(at, at));
@@ -57,7 +57,7 @@ function em = takeReference (em, gapProblem)
   end
   weight = exp (score - max (score));
   weight = weight / sum (weight);
-  em = mixed (em, gapProblem, own, [parts{:}], weight, at);
+  em = mixed (em, problem, own, [parts{:}], weight, at);
   em.change.size = sqrt (weight * (sizes.^2)');
 end
 
@@ -70,20 +70,20 @@ function em = simulationOf (em)
   [em.change, em.known] = deal ([]);
 end
 
-function gapProblem = ofReference (gapProblem)
-  own = gapProblem.reference;
-  if ~isempty (gapProblem.covariance)
-    ratio = own.sd ./ sqrt (diag (gapProblem.covariance))';
+function problem = ofReference (problem)
+  own = problem.reference;
+  if ~isempty (problem.covariance)
+    ratio = own.sd ./ sqrt (diag (problem.covariance))';
     ratio(~isfinite (ratio)) = 0;
-    gapProblem.covariance = (ratio' * ratio) .* gapProblem.covariance;
+    problem.covariance = (ratio' * ratio) .* problem.covariance;
   end
   for name = {'value', 'sd', 'trials', 'scatter'}
-    gapProblem.(name{1}) = own.(name{1});
+    problem.(name{1}) = own.(name{1});
   end
 end
 
-function C = lackShape (em, gapProblem)
-  alike = fadingAlong (gapProblem.series, gapProblem.coordinate);
+function C = lackShape (em, problem)
+  alike = fadingAlong (problem.series, problem.coordinate);
   C = 0.8 * alike + 0.2 * eye (columns (alike));
   C = C .* (em.range' * em.range);
 end
@@ -97,14 +97,14 @@ end
 
 % Parameters by the reference alone, for one size of the lack: Q, logE, and
 % information A, g of linear equations A theta = g.
-function part = fitReference (em, gapProblem, before, lack, at)
+function part = fitReference (em, problem, before, lack, at)
   before.covariance = before.covariance + lack;
   white = whitenEmulator (withoutEffects (em), at, before);
-  prior = gapProblem.paramPrior;
+  prior = problem.paramPrior;
   starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
   null = newHypothesis ('null');
   unknowns = viewHypothesis (white, null, prior).unknowns;
-  Z = repmat (gapProblem.reference.value(at) * white.W', rows (starts), 1);
+  Z = repmat (problem.reference.value(at) * white.W', rows (starts), 1);
   fit = fitHypothesis (white, null, Z, toNormal (unknowns, starts), prior);
   [part.logE, best] = max (fit.logE);
   part.logE = part.logE + sum (log (svd (white.W)));
@@ -117,8 +117,8 @@ function part = fitReference (em, gapProblem, before, lack, at)
 end
 
 % The mixture over the sizes.
-function em = mixed (em, gapProblem, own, parts, weight, at)
-  reference = gapProblem.reference;
+function em = mixed (em, problem, own, parts, weight, at)
+  reference = problem.reference;
   [~, best] = max (weight);
   theta = parts(best).Q;
   same = ~reference.perCondition;

@@ -1,10 +1,10 @@
 % WEIGHCAUSES  What a person would ask for: which cause may have made the gap.
 %
-% CALL: LIST = weighCauses (MODELS, SCREEN, THETA, GAPPROBLEM)
+% CALL: LIST = weighCauses (MODELS, SCREEN, THETA, PROBLEM)
 %
 %   MODELS, SCREEN  of makeHypotheses, screenEffects (of the measured values)
 %   THETA           1 x p, calibrated null model, parameters in [-1, 1]
-%   GAPPROBLEM      of newProblem; causes (struct of listCauses, [] for none),
+%   PROBLEM         of newProblem; causes (struct of listCauses, [] for none),
 %                   effects, reference
 %   LIST            1 x n struct, the likeliest first: name, label, question,
 %                   probability (if there is a gap at all; they add up to one),
@@ -27,7 +27,7 @@
 %
 % See also: listCauses, describeCause, judgeCase
 
-function list = weighCauses (models, screen, theta, gapProblem)
+function list = weighCauses (models, screen, theta, problem)
   list = struct ('name', {}, 'label', {}, 'question', {}, ...
                  'probability', {}, 'effects', {});
   field = struct ('white', models.white, 'theta', theta, ...
@@ -35,10 +35,10 @@ function list = weighCauses (models, screen, theta, gapProblem)
   [~, V] = predictGap (models.white, [], theta);
   field.sd = sqrt (V');
   logP = [];
-  for cause = gapProblem.causes
-    [logE, members] = evidenceOf (cause, field, models.names, gapProblem);
+  for cause = problem.causes
+    [logE, members] = evidenceOf (cause, field, models.names, problem);
     if isfinite (logE)
-      rare = ~isempty (gapProblem.reference) && ...
+      rare = ~isempty (problem.reference) && ...
              strcmp (cause.usually, 'unlikely');
       logP(end + 1) = logE + log (0.05) * rare;
       list(end + 1) = struct ('name', cause.name, 'label', cause.label, ...
@@ -61,8 +61,8 @@ function list = weighCauses (models, screen, theta, gapProblem)
 end
 
 % -Inf where no lead is listed. MEMBERS: numbers of the effects that count.
-function [logE, members] = evidenceOf (cause, field, names, gapProblem)
-  found = arrayfun (@(m) listed (m, names, gapProblem), cause.members, ...
+function [logE, members] = evidenceOf (cause, field, names, problem)
+  found = arrayfun (@(m) listed (m, names, problem), cause.members, ...
                     'UniformOutput', false);
   first = cellfun (@(k) k(1:min (1, end)), found, 'UniformOutput', false);
   variants = {};
@@ -87,14 +87,14 @@ end
 
 % Numbers of the effects of the case that may be this member; one of the user's
 % own also by its group.
-function at = listed (member, names, gapProblem)
+function at = listed (member, names, problem)
   [~, at] = ismember (member.effects, names);
   at = at(at > 0);
   if isempty (member.group)
     return
   end
   own = setdiff (names, listEffects ());
-  for e = gapProblem.effects
+  for e = problem.effects
     if strcmp (e.group, member.group) && any (strcmp (e.name, own))
       at = unique ([at, find(strcmp (names, e.name))], 'stable');
     end
@@ -153,12 +153,12 @@ end
 %!  models = handMadeHypotheses ();
 %!  theta = 0;
 %!  screen = screenEffects (models.white, theta, [0, 0, rho]);
-%!  gapProblem = struct ('causes', causes, 'reference', []);
-%!  gapProblem.effects = struct ('name', {'a', 'b'}, 'group', {'', 'own'});
+%!  problem = struct ('causes', causes, 'reference', []);
+%!  problem.effects = struct ('name', {'a', 'b'}, 'group', {'', 'own'});
 %!  if isChange
-%!    gapProblem.reference = struct ('value', 1);
+%!    problem.reference = struct ('value', 1);
 %!  end
-%!  list = weighCauses (models, screen, theta, gapProblem);
+%!  list = weighCauses (models, screen, theta, problem);
 %!endfunction
 %!function c = cause (name, members, varargin)
 %!  c = describeCause (struct ('name', name, 'label', name, 'question', '?', ...

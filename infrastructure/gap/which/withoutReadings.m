@@ -5,9 +5,9 @@
 %   VERDICT  of judgeCase; one that names effects becomes a group where these
 %            are not the likeliest ones without one kind of reading: with the
 %            effect that is then (guard 'readings', field decides)
-%   STUDY    struct gapProblem, em, models of newProblem, fitEmulator,
+%   STUDY    struct problem, em, models of newProblem, fitEmulator,
 %            makeHypotheses
-%   DECIDES  cellstr, as VERDICT.decides: GAPPROBLEM.reading of those that decide
+%   DECIDES  cellstr, as VERDICT.decides: PROBLEM.reading of those that decide
 %
 % A kind of reading (times, angles, lengths, each curve) is read off by one rule,
 % and errors of the rule are in all of them. What rests on one kind alone, rests
@@ -19,9 +19,9 @@ function [verdict, decides] = withoutReadings (verdict, study)
   if ~strcmp (verdict.kind, 'named')
     return
   end
-  gapProblem = study.gapProblem;
+  problem = study.problem;
   targets = study.models.white.columns;
-  readings = gapProblem.reading(targets);
+  readings = problem.reading(targets);
   joined = verdict.effects;
   for reading = setdiff (readings, {''})(:)'
     rest = targets(~strcmp (readings, reading{1}));
@@ -48,7 +48,7 @@ end
 % Laplace's formula): the named ones, or with one of them another one of the
 % five likeliest.
 function first = likeliest (study, verdict, targets)
-  models = makeHypotheses (study.gapProblem, study.em, ...
+  models = makeHypotheses (study.problem, study.em, ...
                            study.models.options, targets);
   first = verdict.effects;
   [~, order] = sort (-verdict.include);
@@ -57,7 +57,7 @@ function first = likeliest (study, verdict, targets)
   models.list = models.list([1, models.singles(tried)]);
   models.singles(:) = 0;
   models.singles(tried) = 1 + (1:numel (tried));
-  fits = fitLibrary (models, study.gapProblem.value(targets));
+  fits = fitLibrary (models, study.problem.value(targets));
   others = setdiff (tried, first);
   best = fitEffects (models, fits, 1, first, models.prior).logSum;
   for k = others
@@ -85,7 +85,7 @@ end
 %! verdict = judgeCase (caseEvidence (study.models, study.fits, 1), study.models);
 %! assert (verdict.kind, 'named');
 %! given.reading(1:2:12) = {'time'};
-%! study.gapProblem = newProblem (given);
+%! study.problem = newProblem (given);
 %! [same, decides] = withoutReadings (verdict, study);
 %! assert ({same.kind, decides}, {'named', {}});
 %! % named is what the times alone say

@@ -83,7 +83,7 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
   [~, ~] = mkdir (folder);
   out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
-  out.howFar = howFarOf (diagnosis.howFar, diagnosis.gapProblem, Case);
+  out.howFar = howFarOf (diagnosis.howFar, diagnosis.problem, Case);
   out.thresholds = mergeFields (struct (), diagnosis.options, {'level', 'adviseAt'});
   out.fingerprint = fingerprintOf (diagnosis);
   out.next = num2cell (rmfield (diagnosis.next(:)', ...
@@ -120,7 +120,7 @@ end
 function s = fingerprintOf (diagnosis)
   prints = diagnosis.fingerprint;
   names = fieldsOf (diagnosis.screen.names(1:rows (prints.effects)));
-  s = struct ('targets', {diagnosis.gapProblem.targetNames(prints.target)}, ...
+  s = struct ('targets', {diagnosis.problem.targetNames(prints.target)}, ...
               'measured', prints.measured, 'effects', ...
               cell2struct (num2cell (prints.effects, 2), names(:), 1));
 end
@@ -131,7 +131,7 @@ end
 
 function s = whereOf (diagnosis)
   where = diagnosis.where;
-  gapProblem = diagnosis.gapProblem;
+  problem = diagnosis.problem;
   sd = where.budget;
   target = @(T) mergeFields (struct ('unabsorbed', 1 - T.absorbability, ...
                                      'sdMeasured', sd.measurement(T.target), ...
@@ -141,12 +141,12 @@ function s = whereOf (diagnosis)
                                  'measured', 'predicted'});
   s = struct ('p', where.p, 'atLimit', {where.side.atLimit}, ...
               'targets', {eachOf(target, diagnosedTargets (diagnosis))}, ...
-              'odd', {gapProblem.benchNames(where.conflict.odd)}, ...
+              'odd', {problem.benchNames(where.conflict.odd)}, ...
               'out', {where.out}, 'neverRun', {where.neverRun}, ...
-              'surrogateShare', mean (where.side.share(gapProblem.used)));
-  s.models = eachOf (@(b) struct ('model', gapProblem.benchNames{b.bench}, ...
+              'surrogateShare', mean (where.side.share(problem.used)));
+  s.models = eachOf (@(b) struct ('model', problem.benchNames{b.bench}, ...
                                   'p', b.p, 'size', b.size), where.benches);
-  s.params = cell2struct (num2cell (where.params(:)), gapProblem.names(:), 1);
+  s.params = cell2struct (num2cell (where.params(:)), problem.names(:), 1);
 end
 
 function s = whichOf (diagnosis)
@@ -162,13 +162,13 @@ function s = whichOf (diagnosis)
   s.untested = num2cell (untested(hasFailed));
   s.cause = num2cell (w.cause);
   strengths = eachOf (@(k) strengthOf (w.strength(k), diagnosis.screen.smallest(k), ...
-                                       diagnosis.gapProblem), 1:numel (w.strength));
+                                       diagnosis.problem), 1:numel (w.strength));
   s.strength = cell2struct (strengths, fieldsOf ({w.strength.name}), 2);
 end
 
 % What cannot be seen, or has no runs where it would fit, has no interval: its
 % runs say nothing of its strength.
-function s = strengthOf (strength, smallest, gapProblem)
+function s = strengthOf (strength, smallest, problem)
   isSeen = isfinite (smallest) && ~strcmp (strength.says, 'nothing');
   strength.interval90(~isSeen) = NaN;
   strength.values(2:3, ~isSeen(ones (1, columns (strength.values)))) = NaN;
@@ -176,7 +176,7 @@ function s = strengthOf (strength, smallest, gapProblem)
                            strength.name, 'unit', '', 'text', '', 'amount', '', ...
                            'seenFrom', ''), strength, {'value', 'interval90', 'says'});
   s.variables = cell2struct (num2cell (strength.values', 2), strength.variables(:), 1);
-  e = gapProblem.effects(strcmp ({gapProblem.effects.name}, strength.name));
+  e = problem.effects(strcmp ({problem.effects.name}, strength.name));
   if isfield (e, 'label')
     s = mergeFields (s, e, {'label', 'unit'});
   end
@@ -204,7 +204,7 @@ function text = seenFrom (e, s, smallest)
   text = sentence ('strength.seen', struct ('amount', amount));
 end
 
-function s = howFarOf (cure, gapProblem, Case)
+function s = howFarOf (cure, problem, Case)
   if isempty (cure)
     s = struct ('effect', '', 'placebos', {{}}, 'targets', {{}});
     return
@@ -217,27 +217,27 @@ function s = howFarOf (cure, gapProblem, Case)
   s.placebos = eachOf (@(p) mergeFields (struct (), p, {'effect', 'closure', 'heldOut', ...
                                                         'logRatio', 'against'}), ...
                        cure.placebos);
-  s.targets = eachOf (@(T) targetOf (T, gapProblem, Case), cure.targets);
+  s.targets = eachOf (@(T) targetOf (T, problem, Case), cure.targets);
   names = strsplit (cure.effect, ' + ');
   s.strength = cell2struct (num2cell (cure.phi(:)), names(:), 1);
   s.values = struct ();
   for k = 1:numel (names)
-    e = gapProblem.effects(strcmp ({gapProblem.effects.name}, names{k}));
+    e = problem.effects(strcmp ({problem.effects.name}, names{k}));
     E = valuesOfStrength (e, cure.phi(k));
     s.values = mergeFields (s.values, cell2struct (num2cell (E(:)), ...
                                                    e.variables(1:numel (E))(:), 1));
   end
-  s.params = cell2struct (num2cell (cure.params, 1)', gapProblem.names(:), 1);
+  s.params = cell2struct (num2cell (cure.params, 1)', problem.names(:), 1);
 end
 
 % What the user allows is NaN for a target that is not of the case.
-function s = targetOf (T, gapProblem, Case)
+function s = targetOf (T, problem, Case)
   t = T.target;
   roles = {'calibrate', 'holdout'};
-  s = struct ('model', gapProblem.benchNames{gapProblem.bench(t)}, ...
-              'name', gapProblem.targetNames{t}, ...
-              'role', roles{1 + ismember(t, gapProblem.heldOut)}, ...
-              'measured', gapProblem.value(t), 'allowed', NaN);
+  s = struct ('model', problem.benchNames{problem.bench(t)}, ...
+              'name', problem.targetNames{t}, ...
+              'role', roles{1 + ismember(t, problem.heldOut)}, ...
+              'measured', problem.value(t), 'allowed', NaN);
   s = mergeFields (s, T, {'before', 'after', 'sdBefore', 'sd'});
   own = targetAt (givenField (Case, 'targets', []), s);
   if ~isempty (own)
@@ -247,7 +247,7 @@ end
 
 function s = changeOf (diagnosis, Case)
   s = [];
-  reference = diagnosis.gapProblem.reference;
+  reference = diagnosis.problem.reference;
   if isempty (reference)
     return
   end
@@ -298,12 +298,12 @@ end
 %! assert (far ('size') > 0.5);
 %! % the files of its diagnosis
 %! Case = newCase (standInCase (tempname ()));
-%! [Case.modelVars, Case.names] = deal (struct ('c', 3), d.gapProblem.names);
+%! [Case.modelVars, Case.names] = deal (struct ('c', 3), d.problem.names);
 %! v = writeGapJson (d, Case);
 %! read = @(name) fullfile (Case.folder, 'gap', name);
 %! gap = jsondecode (fileread (read ('gap.json')));
 %! assert (gap.verdict.word, v.word);
-%! assert ([gap.where.targets.measured]', d.gapProblem.value(d.gapProblem.used)(:), 1e-9);
+%! assert ([gap.where.targets.measured]', d.problem.value(d.problem.used)(:), 1e-9);
 %! assert (gap.thresholds.level, 0.05);
 %! assert (! isempty (regexp (gap.which.strength.spread.seenFrom, ' or more$')));
 %! assert (gap.howFar.effect, 'spread');
