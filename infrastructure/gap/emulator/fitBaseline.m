@@ -35,7 +35,7 @@ function em = fitBaseline (em, problem, data, isBase, options, start)
   em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
   % four points a term of the largest polynomial
   em.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
-  X = fromUnit ((em.points + 1) / 2, em.limits);
+  X = fromSymmetric (em.points, em.limits);
   [average, em.surrogateVar] = predictSurrogate (fits, X);
   noise = [fits.noiseVar] + mean (em.surrogateVar);
   % the lowest degree whose error nobody sees: a fiftieth of noise and surrogate

@@ -173,7 +173,7 @@ end
 function [M, R] = outcome (em, members, q, at)
   p = em.p;
   M = predictGap (em, members, q)(at);
-  X = fromUnit ((q(1:p) + 1) / 2, em.limits);
+  X = fromSymmetric (q(1:p), em.limits);
   [~, v] = predictSurrogate (em.surrogates, X);
   sd = sqrt (v + em.fitVar)(at);
   R = (sd' * sd) .* em.correlation(at, at);
