@@ -7,7 +7,7 @@
 %         ROOT itself and of infrastructure/
 % places  n x 1 cellstr, where each belongs: 'main' (main scripts, forms, the
 %         commands of bin/), 'published' (infrastructure/ itself), or its folder
-%         there, with its subfolder ('gap/which')
+%         there, with its subfolder ('gap/hypotheses')
 % calls   n x n logical, row calls column
 %
 % A call is the name of another file as a word of the code, a handle of it, or
