@@ -12,6 +12,8 @@ export PATH="$folder:$PATH"
 export OMPI_MCA_ess_singleton_isolated=${OMPI_MCA_ess_singleton_isolated-1}
 export OMPI_MCA_pml=${OMPI_MCA_pml-ob1}
 export OMPI_MCA_btl=${OMPI_MCA_btl-self,vader}
+# As in bin/decalioc: small matrices gain nothing by threads.
+export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS-1}
 
 cd "${CASE:-$root}" || {
   echo "octave.sh: there is no folder CASE=$CASE." >&2
