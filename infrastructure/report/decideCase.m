@@ -90,8 +90,9 @@ function numbers = keyNumbers (v, c)
   if ~isempty (v.cause) && ~isempty (v.cause.amount)
     list = [list; {v.cause.amount.label, v.cause.amount.text}];
   elseif ~isempty (chance)
-    texts = {sprintf('%.0f %%', 100 * chance), '> 99 %'};
-    list = [list; {'chance that all targets are met', texts{1 + (chance > 0.995)}}];
+    texts = {sprintf('%.0f %%', 100 * chance), '> 99 %', '< 1 %'};
+    k = 1 + (chance > 0.995) + 2 * (chance < 0.005);
+    list = [list; {'chance that all targets are met', texts{k}}];
   end
   numbers = struct ('label', list(:, 1)', 'text', list(:, 2)');
 end
