@@ -18,9 +18,9 @@
 1;
 
 function grains = drawnGrains (surface, width, r)
-  n = 4000;
+  n = 8000;
   x = width * (2 * rand (n, 1) - 1);
-  z = surface (x) .* sqrt (rand (n, 1));
+  z = surface (x) .* rand (n, 1).^(0.5 + 0.5 * (rand (n, 1) < 0.5));   % no holes
   keep = z > 0.5 * r;
   grains = [x(keep), 0.02 * rand(sum (keep), 1), z(keep), repmat(r, sum (keep), 1)];
 end

@@ -168,3 +168,28 @@
 %!   "name,value\nangle,<31\n", 'Leave it empty'; ...
 %!   "name,value,unit\nangle,31 deg,kg\n", 'column unit'; ...
 %!   "name,value,tol\nangle,31,2 furlong\n", 'share of the value'});
+
+% --- means of n runs with their scatter: it is the noise that the fit counts with
+%!test
+%! folder = tempname ();
+%! mkdir (folder);
+%! put = @(name, text) writeAtomic (fullfile (folder, name), text);
+%! lines = {'function [Input, optim, modelVars, assign, paramLims] = loadInput ()', ...
+%!          'Input.model = {''Pile''};', 'Input.cpu = 1;', 'Input.maxCPU = 1;', ...
+%!          'Input.numOfSam = 5;', 'Input.maxNewRuns = 0;', ...
+%!          'optim.targetVal{1} = 32;', 'optim.targetName{1} = {''angle''};', ...
+%!          'optim.tolRes{1} = 0.05;', 'modelVars = struct ();', ...
+%!          'assign = {''a'', ''b''};', 'paramLims = [0, 0; 1, 1];', 'end'};
+%! put ('loadInput.m', strjoin (lines, "\n"));
+%! P = [(0:11)' / 11, mod((0:11)' * 5, 12) / 11];
+%! z = 20 + P * [15; 10];
+%! for sd = [0.2, 0.8]
+%!   put ('runs.csv', ["a,b,angle [deg],n,sd angle\n", ...
+%!                     sprintf('%.4f,%.4f,%.3f,4,%g\n', [P, z, sd * ones(12, 1)]')]);
+%!   [status, out] = startCommand (folder, 'run');
+%!   assert (status < 2 || status == 2 && ~isempty (strfind (out, 'angle')), out);
+%!   c = jsondecode (fileread (fullfile (folder, 'results', 'calibration.json')));
+%!   assert (c.surrogates(1).noiseSd / sd, 1, 0.35);
+%! end
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');
