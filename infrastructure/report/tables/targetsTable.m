@@ -68,7 +68,8 @@ function notes = notesOf (page, misses, hasNoRun, hasEffect)
                    misses([misses.isStrict]));
   plain = misses(~[misses.isStrict]);
   says = eachOf (@(m) nthargout (2, @missTexts, m), plain);
-  open = strcat ({plain.name}, {': '}, says)(~cellfun (@isempty, says));
+  open = eachOf (@(m) [m.name, ': ', nthargout(2, @missTexts, m)], ...
+                 plain(~cellfun (@isempty, says)));
   curves = eachOf (@(m) sprintf ('%s: %.2g times what is allowed, root mean square', ...
                                  m.name, m.share), ...
                    misses(isnan ([misses.mean]) & [misses.share] > 0));
@@ -99,6 +100,10 @@ end
 %! T = targetsTable (page);
 %! assert (T.cells{2, 7}.value, 'too strict');
 %! assert (any (! cellfun (@isempty, strfind (T.notes, '18'))));
+%! % all of them
+%! [page.verdict.misses.isStrict] = deal (true);
+%! [page.verdict.misses.scatter] = deal (18);
+%! assert (any (! cellfun (@isempty, strfind (targetsTable (page).notes, '18'))));
 %! % nothing yet
 %! page = situationPage ('nothing');
 %! assert (columns (targetsTable (page).cells), 5);
