@@ -108,8 +108,9 @@ function html = picturesOf (page, k, real)
   run = page.runs(find (arrayfun (isShown, page.runs), 1, 'last'));
   if ~isempty (run)
     files = dir (fullfile (Case.store, 'optim', name, run.name, '*.dump'));
-    html = [eachOf(@(i) onePicture (fullfile (files(i).folder, files(i).name), Case, k, ...
-                                    numel (files) - i, real), 1:numel (files)){:}];
+    html = ['', eachOf(@(i) onePicture (fullfile (files(i).folder, files(i).name), ...
+                                        Case, k, numel (files) - i, real), ...
+                       1:numel (files)){:}];
   end
 end
 
