@@ -106,8 +106,12 @@ function off = nearestMiss (P, state, problem)
 end
 
 function text = noFit (share)
-  text = sprintf (['not printed: only %.0f %% of the likeliest parameter values ' ...
-                   'would meet the targets'], 100 * share);
+  amount = sprintf ('only %.0f %%', 100 * share);
+  if share < 0.005
+    amount = 'less than 1 %';
+  end
+  text = sprintf (['not printed: %s of the likeliest parameter values would ' ...
+                   'meet the targets'], amount);
 end
 
 function text = unseenNote (problem, unseen)
