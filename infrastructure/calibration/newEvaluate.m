@@ -62,10 +62,13 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   end
   Case.options.maxNewRuns = budget.left;
   [Case.models.seconds] = budget.seconds{is};
-  progress = newProgress (stage, say, furtherRuns (stage, rows (P), budget, Case));
+  further = furtherRuns (stage, rows (P), budget, Case);
+  % The progress stays in no variable here: Octave 7 then keeps the frames of all
+  % callers alive, and with them the lock of the case.
+  [found, records, isReused, nNew] = ...
+    evaluateDEM (P, Case, replicate, stage, newProgress (stage, say, further), E);
   Z = NaN (rows (P), numel (isOwn));
-  [Z(:, isOwn), records, isReused, nNew] = evaluateDEM (P, Case, replicate, ...
-                                                        stage, progress, E);
+  Z(:, isOwn) = found;
   shaped = @(list) reshape (list, size (records));
   isLeftOut = shaped (strcmp ({records.cause}, 'budget'));
   isGood = shaped (strcmp ({records.status}, 'ok'));
