@@ -22,7 +22,7 @@ function [v, isUnseen] = errorVariance (noiseVar, problem, t)
 end
 
 %!test
-%! problem = struct ('trials', [1, 4], 'sd', [0.3, 0], 'tol', [0.1, 0.1], ...
+%! problem = struct ('trials', [1, 4], 'statedSd', [0.3, 0], 'tol', [0.1, 0.1], ...
 %!                   'scatter', [true, false], 'scale', [100, 4]);
 %! assert (errorVariance (0.04, problem, 1), 0.09, 1e-12);
 %! problem.scatter(1) = false;

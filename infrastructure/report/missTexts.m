@@ -3,7 +3,7 @@
 % CALL: [TEXTS, OPEN] = missTexts (M)
 %
 %   M      element of listMisses
-%   TEXTS  1 x 2 cell: 'largest miss: mass', 'simulated 3 g, measured 2 g
+%   TEXTS  1 x 2 cell: 'largest miss for its noise: mass', 'simulated 3 g, measured 2 g
 %          (allowed 1.9 to 2.1)'. Where runs were made, their mean and what all
 %          runs together say stand side by side
 %   OPEN   where these two disagree: '3 runs say missed, all runs together say
@@ -11,8 +11,8 @@
 
 function [texts, open] = missTexts (m)
   isSmall = m.met == 1 || (isnan (m.met) && m.share < 1);
-  labels = {'largest miss: ', 'largest deviation: '};
-  held = repmat (' (never fitted)', 1, strcmp (m.role, 'holdout'));
+  labels = {'largest miss for its noise: ', 'largest deviation for its noise: '};
+  held = repmat (' (not fitted)', 1, strcmp (m.role, 'holdout'));
   text = simulatedText (m);
   if isfinite (m.measured)
     text = [text, ', measured ', ...
@@ -50,7 +50,7 @@ end
 %!             'runs', 3);
 %!test
 %! [texts, open] = missTexts (m);
-%! assert (texts, {'largest deviation: force', ...
+%! assert (texts, {'largest deviation for its noise: force', ...
 %!                 ['DEM, mean of 3 runs 5.33 N +- 300 mN; all runs together ' ...
 %!                  '5.8 N, measured 6 N (allowed 5.7 to 6.3)']});
 %! assert (open, '3 runs say missed, all runs together say met');

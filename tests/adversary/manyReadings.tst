@@ -26,7 +26,7 @@
 %!  Case = loadCase (fileparts (fileparts (which ('startToolbox'))), folder);
 %!  clear loadInput
 %!endfunction
-%!function n = readingsOf (Case)
+%!function n = readingCount (Case)
 %!  folder = fullfile (Case.store, 'optim', 'Bin');
 %!  names = listRunFolders (Case.store, 'Bin');
 %!  n = cellfun (@(f) stat (fullfile (folder, f, 'record.json')).mtime, names)';
@@ -48,12 +48,12 @@
 %! assert (size (data.Z), [5, 8]);
 %! assert (all (isfinite (data.Z)(:)));
 %! % neither start reads the runs of the other one anew, nor again
-%! before = readingsOf (A);
+%! before = readingCount (A);
 %! [Z, records] = evaluateDEM (P, A);
 %! assert (size (Z), [5, 6]);
 %! libraryRuns (B, newProblem (B));
 %! assert (libraryRuns (B, newProblem (B)).Z, data.Z);
-%! assert (readingsOf (A), before);
+%! assert (readingCount (A), before);
 %! % each its own places; those that both measured are the same
 %! assert (sortrows (Z), sortrows (data.Z(:, 1:6)));
 %! assert ([runsOfCase(A).isCurrent], true (1, 5));
