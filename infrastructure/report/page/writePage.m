@@ -99,7 +99,7 @@ function html = verdictBox (page)
   html = ['<div class="verdict ', v.class, '"><p><span class="word">', ...
           htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
           uses('What has changed', items), ...
-          uses('Use it for', v.usableFor), uses('Not for', v.notFor), ...
+          uses('Use it for', usesOf (v)), uses('Not for', v.notFor), ...
           '<h2>What to do now</h2><p>', action, "</p></div>\n"];
 end
 
@@ -124,6 +124,14 @@ function html = facts (page)
     html = [html, '<div>', grains, '</div>'];
   end
   html = [html, "</div>\n"];
+end
+
+% An empty list would leave open whether something was forgotten.
+function texts = usesOf (v)
+  texts = v.usableFor;
+  if isempty (texts) && strcmp (v.class, 'bad')
+    texts = {sentence('usableFor.nothing')};
+  end
 end
 
 function html = uses (title, texts)
