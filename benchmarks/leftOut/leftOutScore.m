@@ -40,8 +40,7 @@ function lines = linesOf (s, cases)
 end
 
 %!function cases = storedCases (file)
-%!  [header, cells] = readCsvTable (file);
-%!  rowsOf = cell2struct (cells, header, 2)';
+%!  rowsOf = tableRows (file);
 %!  words = @(text) strsplit (text, ' ')(1:(end * ! isempty (text)));
 %!  for i = numel (rowsOf):-1:1
 %!    r = rowsOf(i);

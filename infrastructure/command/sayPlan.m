@@ -28,20 +28,19 @@ function status = sayPlan (root, ~, args)
             'decalioc plan --help shows the call.'], strjoin (args, ' '));
   end
   status = 0;
-  regimes = csvTable (fullfile (root, 'share', 'regimes.csv'));
+  regimes = numberRows (fullfile (root, 'share', 'regimes.csv'));
   if ~isempty (options.for)
     application = ofApplication (regimes, options, sizes(given));
     status = 2 * ~sayRegimes (application, ...
                               regimes(strcmp ({regimes.kind}, 'bench')));
   end
-  sayPower (csvTable (fullfile (root, 'share', 'power.csv')));
+  sayPower (numberRows (fullfile (root, 'share', 'power.csv')));
 end
 
-% Rows of a table as structs with the fields of its header, numbers where they are.
-function list = csvTable (file)
-  [header, cells] = readCsvTable (file);
-  list = cell2struct (cells, header, 2)';
-  for name = header(:)'
+% Rows of a table, numbers where they are.
+function list = numberRows (file)
+  list = tableRows (file);
+  for name = fieldnames (list)'
     values = str2double ({list.(name{1})});
     if any (isfinite (values))
       [list.(name{1})] = num2cell (values){:};

@@ -40,11 +40,13 @@ end
 function [state, em] = improveSurrogates (problem, options, state)
   for round_ = 1:3
     em = emulate (problem, state.data, options);
+    n = min (2 * em.p + 2, floor (state.budget.sets / 2));
+    if round_ == 3 || n < 1 || isempty (state.evaluate)
+      return
+    end
     theta = calibrateNull (problem, em, options);
     side = sideSignals (problem, em, theta, options);
-    n = min (2 * em.p + 2, floor (state.budget.sets / 2));
-    isGood = ~side.blameSurrogate && ~side.vague;
-    if isGood || round_ == 3 || n < 1 || isempty (state.evaluate)
+    if ~side.blameSurrogate && ~side.vague
       return
     end
     state = runNearNull (problem, state, theta, n, 0.8 / round_, ...
