@@ -60,11 +60,16 @@ function benches = benchesOf (name, root)
   end
 end
 
+% Shares of the range, both ways.
+function phi = strengths ()
+  phi = [-(1:-0.02:0.02), 0.02:0.02:1]';
+end
+
 function [J, marks] = marksAt (white, theta)
   [~, V, ~, slopes] = predictGap (white, [], theta);
   sd = sqrt (V');
   J = reshape (vertcat (slopes{:})', numel (sd), white.p) ./ sd;
-  phi = [-(1:-0.02:0.02), 0.02:0.02:1]';
+  phi = strengths ();
   marks = cell (1, numel (white.effect));
   for k = 1:numel (marks)
     [~, ~, S] = predictGap (white, k, [repmat(theta, numel (phi), 1), phi]);
@@ -101,7 +106,7 @@ end
 
 % Strength with its sign: of an effect that acts both ways the side seen first.
 function least = leastSeen (benches, at, i)
-  phi = [-(1:-0.02:0.02), 0.02:0.02:1]';
+  phi = strengths ();
   [J, S] = deal ([]);
   for b = 1:numel (benches)
     J = [J; benches(b).J{i}];

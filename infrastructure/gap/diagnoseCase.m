@@ -100,7 +100,10 @@ end
 function [state, made] = exploreAll (Case, problems, state, options)
   many = numel (problems);
   made = repmat (struct ('spent', 0, 'failed', 0), 1, many);
-  for c = many:-1:1 + (many == 1)
+  if many == 1
+    return
+  end
+  for c = many:-1:1
     [share, own] = shareOf (Case, problems{c}, state, options, [c, 1]);
     explored = exploreGap (problems{c}, state.data, share, own);
     made(c) = runsMade (explored.state, explored.known);
