@@ -4,7 +4,7 @@
 %
 %   FILE  path of the table, made where it is not there;  LINE  text
 %
-% See also: rowText, planStudy, nextTestStudy, wholeRuns
+% See also: rowText, planStudy, wholeRuns
 
 function appendLine (file, line)
   id = fopen (file, 'a');

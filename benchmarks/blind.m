@@ -5,7 +5,6 @@
 %       octave-cli benchmarks/blind.m answer NAME PLACE [SECRET]
 %       octave-cli benchmarks/blind.m whole NAME PLACE SECRET [STEP]
 %       octave-cli benchmarks/blind.m score NAME SECRET
-%       octave-cli benchmarks/blind.m where NAME
 %
 % campaign  runs what all cases share into benchmarks/blind/storedRuns.csv
 %           (WORK keeps the runs)
@@ -23,8 +22,6 @@
 % score     checks the digest, copies the truth, writes NAME-cases-scored.csv
 %           and NAME-scores.csv; NAME-whole is
 %           scored with the truth of NAME
-% where     orders benches and targets anew and scores that: NAME-where-...;
-%           no sealed answer, see blindWhere
 %
 % All tables lie in benchmarks/results. Draw, answer and score are committed
 % each before the next one begins. What is finished in a folder is used again.
@@ -146,12 +143,8 @@ switch args{1}
     answerCases (root, stem, args{3}, args{4}, step);
   case 'score'
     scoreCases (root, stem, make_absolute_filename (args{3}));
-  case 'where'
-    lab = blindLab (root, stem);
-    blindWhere (stem, lab);
-    blindScore ([stem, '-where'], [stem, '-truth.csv'], lab);
   otherwise
     error ('DEcalioc:blind:unknownName', ...
-           ['blind: campaign, draw, answer, whole, score or where is ' ...
+           ['blind: campaign, draw, answer, whole or score is ' ...
             'wanted, got "%s". See the head of benchmarks/blind.m.'], args{1});
 end

@@ -11,7 +11,7 @@
 % The figures of docs/gap-figures.md: before=leftOut-hiddenEffect.csv
 % before=leftOut-drumAndBins.csv before=blind-answers.csv+blind-truth.csv
 % before=blindbins-answers.csv+blindbins-truth.csv before=foreign-blind.csv
-% formBefore=form-before.csv formAfter=form-after.csv
+% formAfter=form-after.csv
 %
 % Counted are cases with a gap and an alarm (p below 0.05). A cause that is off
 % the list, or another law of one that was left out, is never the likeliest

@@ -11,7 +11,7 @@
 % of 121 other runs (results/reposeRuns.csv), whose own uncertainty at the set
 % is printed beside, all in tolerances.
 %
-% See also: wrongStored, peers
+% See also: peers
 
 1;
 

@@ -4,7 +4,7 @@
 %
 %   CELLS  1 x n cell of texts without commas and numbers;  LINE  text
 %
-% See also: planStudy, nextTestStudy
+% See also: planStudy
 
 function line = rowText (cells)
   isNumber = ~cellfun (@ischar, cells);

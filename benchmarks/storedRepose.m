@@ -9,7 +9,7 @@
 % The 121 runs of results/reposeRuns.csv: decalioc new --model Repose,
 % Input.numOfSam 120, decalioc run, decalioc export (2026-11-25).
 %
-% See also: wrongStored, reposeSeeds
+% See also: reposeSeeds
 
 function store = storedRepose (root)
   [header, cells] = readCsvTable (fullfile (root, 'benchmarks', 'results', ...

@@ -8,7 +8,7 @@
 %           is this one or something that looks like it counts as a name
 %   ISOPEN  logical: which kind of cause it is stays open (a group, undecided)
 %
-% See also: nextTestStudy, wholeRuns
+% See also: wholeRuns
 
 function [cells, isOpen] = testOutcome (which, truth)
   isAlike = strcmp (which.guard, 'look-alike');

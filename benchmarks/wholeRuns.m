@@ -35,7 +35,7 @@
 % that verify could take a name away. BENCHES: how many of the case's benches,
 % collapse, shear cell, heap, it has (3); d in the table is that of all three.
 %
-% See also: fillTest, leftOut, nextTestStudy, planStudy
+% See also: fillTest, leftOut, planStudy
 
 1;
 

@@ -8,7 +8,7 @@
 %   TARGETNAMES  1 x m cell;  OFTARGETS  1 x m, the same
 %   BENCHES, TARGETS  text, names with spaces between
 %
-% See also: blindTable, blindWhere
+% See also: blindTable
 
 function [benches, targets] = blindPlaces (benchNames, ofBenches, ...
                                            targetNames, ofTargets)

@@ -2,8 +2,7 @@
 %
 % CALL: CASES = blindScore (STEM, TRUTH, LAB)
 %
-%   STEM   path without ending: STEM-answers.csv, STEM-strengths.csv are read
-%          (of blindWhere's answers those of the sealed study);
+%   STEM   path without ending: STEM-answers.csv, STEM-strengths.csv are read;
 %          STEM-cases-scored.csv and STEM-scores.csv written
 %   TRUTH  path of the truth of blindHandOver
 %   LAB    struct of blindLab
@@ -20,7 +19,7 @@
 function cases = blindScore (stem, truth, lab)
   truths = tableRows (truth);
   answers = tableRows ([stem, '-answers.csv']);
-  strengths = tableRows ([regexprep(stem, '-where$', ''), '-strengths.csv']);
+  strengths = tableRows ([stem, '-strengths.csv']);
   truths = truths(ismember ({truths.case}, {answers.case}));
   for i = 1:numel (truths)
     answer = answers(find (strcmp ({answers.case}, truths(i).case), 1));

@@ -11,7 +11,7 @@
 %   PAIRS  runs without an effect, as importRuns gives them, at the parameters
 %          of runs that DATA hold (results/changePairs.csv)
 %
-% See also: formStudy, changeStudy
+% See also: formStudy, lawSwap
 
 function [given, data, pairs] = formChange (root)
   [given, data] = storedCampaign ('hiddenEffect', root);

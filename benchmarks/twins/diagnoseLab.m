@@ -5,7 +5,7 @@
 %   GIVEN, DATA  as of diagnoseMatrices;  RUNS  of runsOfLab
 %   D            of diagnoseMatrices; nothing is calibrated on twins
 %
-% See also: planStudy, nextTestStudy
+% See also: planStudy
 
 function d = diagnoseLab (given, data, runs)
   options = gapOptions ([]);

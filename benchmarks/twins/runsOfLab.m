@@ -7,7 +7,7 @@
 %   KEPT   default: all
 %   RUNS   handle Z = RUNS (X, E, ...), parameters and values of the effects
 %
-% See also: foreignLab, planStudy, nextTestStudy
+% See also: foreignLab, planStudy
 
 function runs = runsOfLab (run, given, kept)
   given.value = zeros (size (given.sd));

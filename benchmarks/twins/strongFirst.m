@@ -6,7 +6,7 @@
 %   LAB    of foreignLab;  SPACE  of twinsSpace at THETA (1 x p, in [0, 1])
 %   LEVEL  scalar, signal to noise that full strength has to reach
 %
-% See also: planStudy, nextTestStudy
+% See also: planStudy
 
 function order = strongFirst (order, lab, space, theta, level)
   K = numel (order);

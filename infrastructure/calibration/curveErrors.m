@@ -22,7 +22,7 @@
 % surrogates, sqrt (v_i v_j) times the smooth one. The last two are widened to
 % the variance of a Student variable. No Student density of the whole curve: its
 % one unknown scale would be learned from the curve itself, which few runs fit
-% well where the surrogates are wrong (benchmarks/curveFewRuns.m).
+% well where the surrogates are wrong (closed study curveFewRuns.m).
 
 function [curves, nFree] = curveErrors (surrogates, problem)
   curves = [];

@@ -4,7 +4,7 @@
 %
 % Infill leaves its runs around one set. What surrogates get wrong between runs
 % is smooth along a curve, as a change of the parameters is, and intervals come
-% out too narrow (benchmarks/curveFewRuns.m). So, where options.intervals asks
+% out too narrow (closed study curveFewRuns.m). So, where options.intervals asks
 % for it, options.intervalRuns sets are run at draws of the posterior, each as
 % far as can be from all sets that were run.
 

@@ -29,8 +29,8 @@ function o = methodOptions ()
   % of the box: nearer to its wall a parameter stands at it; a wider interval
   % does not identify; how well a parameter measures by itself
   [o.atLimit, o.loose, o.direct] = deal (0.005, 0.5, 0.05);
-  % runs for intervals on a curve (benchmarks/curveFewRuns.m), and runs a
-  % parameter from which they are believed without (benchmarks/curveCoverage.m)
+  % runs for intervals on a curve (closed study curveFewRuns.m), and runs a
+  % parameter from which they are believed without (closed study curveCoverage.m)
   [o.intervalRuns, o.curveRuns] = deal (6, 10);
   % of the plan that must succeed: else box or model is at fault
   o.planShare = 2 / 3;

@@ -21,7 +21,7 @@
 % for few runs. With few runs per parameter the plain likelihood lets the noise
 % collapse to zero; the prior costs nothing when the data speak. Its noise
 % is 0.3 of the spread of a response, the log variance with a deviation of 1.6:
-% 32 responses of stored LIGGGHTS runs have 0.4 and 1.6 (wrongStored noise).
+% 32 responses of stored LIGGGHTS runs have 0.4 and 1.6 (closed study wrongStored.m).
 
 function fit = prepareFit (U, y, trend, kernel, noise, of)
   if nargin < 6

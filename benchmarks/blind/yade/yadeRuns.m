@@ -18,7 +18,7 @@
 %
 % Throws DEcalioc:yadeRuns:missingField, DEcalioc:yadeRuns:unknownName.
 %
-% See also: benchRun, yadeVsLiggghts
+% See also: benchRun
 function table = yadeRuns (file, out, work)
   [header, cells] = readCsvTable (file);
   if ~ismember ('model', header)
