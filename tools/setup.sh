@@ -1,7 +1,12 @@
 #!/bin/bash
-# Installs the Debian packages that a task needs; silent when all are there.
+# Installs the packages of Debian or Ubuntu that a task needs; silent when all are
+# there.
 # CALL: tools/setup.sh TASK...       (run, build, test, lint, site)
 set -euo pipefail
+
+# Ubuntu has no package of it, only a snap: there, tests in a browser are skipped.
+browser=chromium
+grep -qs '^ID=ubuntu$' /etc/os-release && browser=
 
 packagesOf () {
   case $1 in
@@ -9,9 +14,9 @@ packagesOf () {
                 openmpi-bin procps ;;
     build) echo g++ make patch xz-utils libopenmpi-dev libjpeg-dev libpng-dev ;;
     test)  echo slurm-wlm munge gridengine-master gridengine-exec \
-                gridengine-client chromium gnuplot-nox python3-venv ;;    # small clusters, a browser
+                gridengine-client gnuplot-nox python3-venv $browser ;;    # small clusters
     lint)  echo octave python3-venv shellcheck codespell ;;
-    site)  echo python3-venv chromium ;;
+    site)  echo python3-venv $browser ;;
     *)     echo "setup.sh: unknown task '$1' (run, build, test, lint, site)" >&2; exit 1 ;;
   esac
 }
@@ -54,7 +59,7 @@ for task in "$@"; do
 done
 if ! command -v dpkg-query > /dev/null; then
   command -v octave-cli > /dev/null ||
-    echo "setup.sh: this is not Debian, nothing is installed. Needed are: ${packages[*]}" >&2
+    echo "setup.sh: this is neither Debian nor Ubuntu, nothing is installed. Needed are: ${packages[*]}" >&2
   exit
 fi
 mapfile -t missing < <(missingOf "${packages[@]}")

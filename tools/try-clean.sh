@@ -1,15 +1,17 @@
 #!/bin/bash
-# Tries this repository on a bare Debian: what a stranger sees. It makes one
-# with debootstrap, clones the last commit to a path with a space in it, and
+# Tries this repository on a bare Debian or Ubuntu: what a stranger sees. It makes
+# one with debootstrap, clones the last commit to a path with a space in it, and
 # runs `make` there in a chroot. Needs root and the package debootstrap.
 # CALL: tools/try-clean.sh [--again] [--user] [--keep] SUITE TARGET...
 #   --again   go on in the machine of the last try, with what it has installed
 #   --user    run make as an ordinary user with sudo, not as root
 #   --keep    do not renew the clone either (only with --again)
-#   SUITE     bookworm (Debian 12) or trixie (Debian 13)
+#   SUITE     bookworm (Debian 12), trixie (Debian 13), jammy (Ubuntu 22.04) or
+#             noble (Ubuntu 24.04)
 # Example: tools/try-clean.sh trixie run &&
 #          tools/try-clean.sh --again trixie test ONLY=infrastructure/runs
-# Packages come from the mirrors of this machine. The machines are kept in
+# Packages of Debian come from the mirrors of this machine, those of Ubuntu from
+# ${UBUNTU_MIRROR:-http://archive.ubuntu.com/ubuntu}. The machines are kept in
 # ${TMPDIR:-/tmp}/decalioc-SUITE: base (bare), try.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -25,8 +27,10 @@ while [[ ${1:-} == --* ]]; do
   shift
 done
 case ${1:-} in
-  bookworm | trixie) suite=$1 ;;
-  *) echo "try-clean.sh: name the suite, bookworm or trixie, before the targets." >&2; exit 1 ;;
+  bookworm | trixie) suite=$1 of=debian parts=main ;;
+  jammy | noble)     suite=$1 of=ubuntu parts=main,universe ;;
+  *) echo "try-clean.sh: name the suite, bookworm, trixie, jammy or noble, before the targets." >&2
+     exit 1 ;;
 esac
 shift
 place=${TMPDIR:-/tmp}/decalioc-$suite
@@ -38,11 +42,10 @@ command -v debootstrap > /dev/null || {
   exit 1
 }
 
-# Mirrors, proxies and certificates are those of this machine. Of its sources
-# those of Debian are taken, for the suite that is tried.
+# Proxies and certificates are those of this machine.
 copyNetworkSettings () {
   local item
-  debianSources > "${1:?}/etc/apt/sources.list"
+  sources > "${1:?}/etc/apt/sources.list"
   for item in /etc/apt/{apt.conf,apt.conf.d,auth.conf.d} /etc/pip.conf /etc/resolv.conf \
               /etc/hosts /usr/local/share/ca-certificates /etc/ssl/certs; do
     [ -e "$item" ] || continue
@@ -52,9 +55,15 @@ copyNetworkSettings () {
   done
 }
 
-# A line for the suite itself, its updates, its security updates.
-debianSources () {
+# A line for the suite itself, its updates, its security updates. Of Debian: this
+# machine's sources, for the suite that is tried.
+sources () {
   local codename
+  if [ $of = ubuntu ]; then
+    printf "deb ${UBUNTU_MIRROR:-http://archive.ubuntu.com/ubuntu} %s main universe\n" \
+      "$suite" "$suite-updates" "$suite-security"
+    return
+  fi
   # shellcheck source=/dev/null
   codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-stable}")
   # shellcheck disable=SC2016  # apt's placeholders, not the shell's
@@ -63,15 +72,35 @@ debianSources () {
       '$1 ~ own {sub(/^[a-z]*/, suite, $1); print "deb", $2, $1, "main"}'
 }
 
+# The keys of Ubuntu where this machine has none: those that Debian 13 has as a
+# package, by its checksum.
+ubuntuKeys () {
+  keys=/usr/share/keyrings/ubuntu-archive-keyring.gpg
+  [ ! -e $keys ] || return 0
+  [ -e "$place$keys" ] || {
+    /usr/lib/apt/apt-helper download-file \
+      http://deb.debian.org/debian/pool/main/u/ubuntu-keyring/ubuntu-keyring_2023.11.28.1-0.2_all.deb \
+      "$place/keys.deb" SHA256:b2e7ed48431bf9e7978ae810bbdaf253093570d6e3f864e575b7c13554b81174
+    dpkg-deb --extract "$place/keys.deb" "$place"
+  }
+  keys=$place$keys
+}
+
 makeBase () {
-  local mirror
-  mirror=$(debianSources | awk -v suite="$suite" '$3 == suite {print $2; exit}')
-  rm -rf "$base"
+  local mirror script='' keys='' usual=/usr/share/debootstrap/scripts
   mkdir -p "$place"
-  echo "Making a bare Debian ($suite) in $base"
+  if [ $of = ubuntu ]; then
+    ubuntuKeys
+    # an older debootstrap does not know its name, but how Ubuntus are made
+    [ -e "$usual/$suite" ] || script=$usual/gutsy
+  fi
+  mirror=$(sources | awk -v suite="$suite" '$3 == suite {print $2; exit}')
+  rm -rf "$base"
+  echo "Making a bare system ($suite) in $base"
   # git and make are the two things that the README asks for
-  debootstrap --variant=minbase --include=git,make,ca-certificates "$suite" "$base.new" \
-    ${mirror:+"$mirror"} > "$place/debootstrap.log" 2>&1 || {
+  debootstrap --variant=minbase --include=git,make,ca-certificates --components=$parts \
+    ${keys:+--keyring="$keys"} "$suite" "$base.new" ${mirror:+"$mirror"} ${script:+"$script"} \
+    > "$place/debootstrap.log" 2>&1 || {
     tail -n 5 "$place/debootstrap.log" >&2
     echo "try-clean.sh: debootstrap failed, see $place/debootstrap.log" >&2
     exit 1
