@@ -29,9 +29,7 @@ function startToolbox (root, folder)
   % every worker
   history_save (false);
   setenv ('OCTAVE_HISTFILE', '/dev/null');
-  % ended by a signal, Octave shall not leave a file octave-workspace behind
-  sigterm_dumps_octave_core (false);
-  sighup_dumps_octave_core (false);
+  leaveNoCore ();
   loadPackages ({'struct', 'optim', 'parallel', 'stk'});
 end
 

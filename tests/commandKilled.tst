@@ -74,3 +74,28 @@
 %! sorted = @(name) sort (strsplit (fileread (fullfile (base, name, ...
 %!                                             'results', 'runs.csv')), "\n"));
 %! assert (sorted ('hunted'), sorted ('calm'));
+
+%!test
+%! % ended with all its workers, as a queue or a closed terminal does: no file
+%! % octave-workspace
+%! folder = fullfile (base, 'queued');
+%! standInCase (folder);
+%! writeLoadInput (folder);
+%! writeAtomic (fullfile (folder, 'DEMmodels', 'First', 'runscript'), ...
+%!              "sleep 100\n");
+%! root = fileparts (fileparts (which ('startProgram')));
+%! program = shellQuote (fullfile (root, 'bin', 'decalioc'));
+%! [~, pid] = system (sprintf (['cd %s && { setsid %s run > said 2>&1 < ' ...
+%!                              '/dev/null & echo $!; }'], ...
+%!                             shellQuote (folder), program));
+%! pid = str2double (pid);
+%! waitUntil (@() ~isempty (glob (fullfile (folder, 'optim', 'First', '*', ...
+%!                                          'runscript'))));
+%! [~, list] = system (sprintf ('pgrep -g %d', pid));
+%! pids = sscanf (list, '%d');
+%! assert (numel (pids) > 1, list);
+%! kill (-pid, 15);
+%! arrayfun (@(p) waitUntil (@() isempty (processStart (p))), pids);
+%! assert (~isempty (strfind (fileread (fullfile (folder, 'said')), ...
+%!                            'Terminated')));
+%! assert (! isfile (fullfile (folder, 'octave-workspace')));

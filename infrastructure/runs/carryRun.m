@@ -17,6 +17,7 @@
 % worker. One that has ended is evaluated and gets its record.
 
 function answer = carryRun (place, Case, owner)
+  leaveNoCore ();
   answer = [];
   [order, file] = takeOrder (place);
   if isempty (order)

@@ -15,6 +15,7 @@
 % path: it is set here, around the call of getResults, and nowhere else.
 
 function record = evaluateRun (record, place)
+  leaveNoCore ();
   if strcmp (record.status, 'ok')
     before = {path(), pwd()};
     record = evaluate (record, place);
