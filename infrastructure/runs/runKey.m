@@ -20,10 +20,13 @@
 
 function [key, older, text] = runKey (variables, effectVars, h)
   text = textOf (variables, effectVars, h, @toDigits);
-  texts = unique ({text, textOf(variables, effectVars, h, @(x) x)});
-  inputs = [{h.input}, h.older];
   key = hash ('sha256', [h.input, text]);
   older = cell (1, 0);
+  if ~isargout (2)                     % most of the time, for many runs
+    return
+  end
+  texts = unique ({text, textOf(variables, effectVars, h, @(x) x)});
+  inputs = [{h.input}, h.older];
   for input = inputs
     older = [older, strcat(input, texts)];
   end

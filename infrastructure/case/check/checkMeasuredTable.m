@@ -126,11 +126,12 @@ function p = checkTolerances (groups, lines, optim)
   if isfield (optim, 'tolRes') && checkIs ('number', optim.tolRes)
     default = optim.tolRes;
   end
-  isAsked = strcmp ({groups.role}, 'calibrate') & isnan ([groups.tol]);
+  isAsked = strcmp ({groups.role}, 'calibrate') & isnan ([groups.tol]) & ...
+            (isnan (default) | [groups.value] == 0);
+  lines = lines([lines.saysTol]);          % at fault: that is said already
   for g = groups(isAsked)
-    isSame = [lines.line] == g.line & strcmp ({lines.file}, g.file);
-    isBad = any ([lines(isSame).saysTol]);
-    if ~isBad && (isnan (default) || g.value == 0)
+    isSame = [lines.line] == g.line;
+    if ~any (strcmp ({lines(isSame).file}, g.file))
       p(end + 1) = checkFault ('measuredTol', ...
                                sprintf ('%s, line %d, tol', g.file, ...
                                         g.line), ...
