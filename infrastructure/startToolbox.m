@@ -8,7 +8,7 @@
 % optim is loaded without its dependencies: the statistics package would put
 % other functions in the place of mean, median, std and var.
 %
-% Errors: DEcalioc:startToolbox:missingPackage
+% Errors: DEcalioc:startToolbox:missingPackage, DEcalioc:startToolbox:oldOctave
 %
 % See also: loadCase, DEcalioc
 
@@ -16,6 +16,7 @@ function startToolbox (root, folder)
   if nargin < 2
     folder = pwd ();
   end
+  checkOctave (OCTAVE_VERSION ());
   % a new folder of functions is found by itself
   inside = strsplit (genpath (fullfile (root, 'infrastructure')), pathsep ());
   hasCode = cellfun (@(f) isfolder (f) && ...
@@ -31,6 +32,16 @@ function startToolbox (root, folder)
   setenv ('OCTAVE_HISTFILE', '/dev/null');
   leaveNoCore ();
   loadPackages ({'struct', 'optim', 'parallel', 'stk'});
+end
+
+% Octave 6 has no jsonencode, in which records and results are written.
+function checkOctave (number)
+  if compare_versions (number, '7.0', '<')
+    error ('DEcalioc:startToolbox:oldOctave', ...
+           ['DEcalioc needs Octave 7 or later, got %s. Name another one, ' ...
+            'OCTAVE=/path/to/octave-cli; docs/install.md says where Octave ' ...
+            'comes from.'], number);
+  end
 end
 
 function loadPackages (names)
@@ -51,3 +62,14 @@ end
 %! assert (! isempty (which ('nonlin_residmin')));
 %! assert (! isempty (which ('stk_predict')));
 %! assert (isempty (strfind (which ('median'), 'shadow')));
+%!test
+%! % on an older Octave it says so
+%! folder = tempname ();
+%! mkdir (folder);
+%! writeAtomic (fullfile (folder, 'OCTAVE_VERSION.m'), ...
+%!              "function v = OCTAVE_VERSION ()\nv = '6.4.0';\nend\n");
+%! warning ('off', 'Octave:shadowed-function', 'local');
+%! addpath (folder);
+%! back = onCleanup (@() rmpath (folder));
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! fail ('startToolbox (root)', 'needs Octave 7 or later, got 6.4.0');

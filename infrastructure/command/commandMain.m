@@ -27,7 +27,7 @@ function status = sayDoctor (root, folder, args)
   line = @(name, text) printf ('%-10s %s\n', name, text);
   line ('DEcalioc', [strtrim(fileread (fullfile (root, 'VERSION'))), ' in ', ...
                      root]);
-  line ('Octave', sprintf ('%s (tested with 7.3)', version ()));
+  line ('Octave', sprintf ('%s (tested with 7.3, 8.4, 9.4)', version ()));
   for name = {'struct', 'optim', 'parallel', 'stk'}
     found = pkg ('list', name{1});
     line (name{1}, found{1}.version);

@@ -6,7 +6,8 @@
 %   ROOT   folder of the toolbox (text)
 %   NAMES  names of the rigs with commas between (text): 'Heap,Drum'
 %   ASK    handle (QUESTION, DEFAULT, RULE -> text): what a person says at a
-%          terminal; by default all defaults are taken
+%          terminal; by default all defaults are taken. RULE is a handle (TEXT)
+%          -> [TEXT, FAULT], see amountIn
 %   WORDS  scalar struct of texts for fillTemplate of templates/benchCase
 %
 % measured.csv gets a line for each result, without a value: what is left empty
@@ -22,10 +23,10 @@ function words = newBenchCase (root, names, ask)
   benches = chosen (listBenches (root), names);
   quoted = @(list) strjoin (strcat ('''', list, ''''), ', ');
   words = struct ('FORM', 'm', 'BENCHES', strjoin ({benches.name}, ', '));
-  isSize = @(text) str2double (text) > 0;
   words.DENSITY = ask ('density of a grain (not of the bulk), kg/m3', ...
-                       '1200', isSize);
-  words.RADIUS = ask ('radius of a grain, m', '2e-3', isSize);
+                       '1200', @(text) sizeIn (text, 'kg/m3'));
+  words.RADIUS = ask ('radius of a grain, m', '2e-3', ...
+                      @(text) sizeIn (text, 'm'));
   words.MODELS = quoted ({benches.name});
   words.CPUS = strjoin (repmat ({'1'}, 1, numel (benches)), ', ');
   words.SIZES = sizeLines (benches);
@@ -70,8 +71,14 @@ function text = sizeLines (benches)
   text = regexprep (text, ' +\n', "\n");
 end
 
+function [text, fault] = sizeIn (text, unit)
+  [text, fault] = amountIn (text, unit);
+  if isempty (fault) && ~(str2double (text) > 0)
+    fault = sprintf ('more than 0 %s is needed, got %s.', unit, text);
+  end
+end
+
 function text = rowsOf (bench, ask)
-  isValue = @(text) isempty (text) || isfinite (str2double (text));
   text = '';
   for k = 1:numel (bench.results)
     one = bench.results(k);
@@ -81,7 +88,8 @@ function text = rowsOf (bench, ask)
       words = sprintf ('%.1g abs', 2 * bench.sd(k));
     end
     value = ask (sprintf ('%s: %s, measured, %s (empty: not measured)', ...
-                          bench.name, one.text, one.unit), '', isValue);
+                          bench.name, one.text, one.unit), '', ...
+                 @(text) amountIn (text, one.unit));
     text = [text, sprintf('%s,%s,%s,,%s,,,%s\n', bench.name, one.name, ...
                           value, one.unit, words)];
   end
