@@ -199,20 +199,6 @@ function makeForm (template, target, words)
   copyNew (draft, target, [names, {last}]);
 end
 
-% At a terminal. An empty answer takes the default.
-function text = askPerson (question, default, rule)
-  shown = repmat ([' [', default, ']'], 1, ~isempty (default));
-  fault = question;
-  while ~isempty (fault)
-    text = strtrim (input ([question, shown, ': '], 's'));
-    if isempty (text)
-      text = default;
-    end
-    [text, fault] = rule (text);
-    printf ('%s', fault, "\n"(1:~isempty (fault)));
-  end
-end
-
 function bench = askBench (root)
   sayBenches (root, '', {});
   bench = askPerson (['test rigs, with commas between (none: the published ' ...

@@ -1,0 +1,42 @@
+% ASKPERSON  Asks at the terminal until there is an answer of use.
+%
+% CALL: TEXT = askPerson (QUESTION, DEFAULT, RULE)
+%       TEXT = askPerson (QUESTION, DEFAULT, RULE, READ)
+%
+%   QUESTION, DEFAULT  texts; an empty answer takes the default
+%   RULE  handle (TEXT) -> [TEXT, FAULT], see amountIn; a fault is said, and the
+%         question asked again
+%   READ  handle (PROMPT) -> text (default: input)
+
+function text = askPerson (question, default, rule, read)
+  if nargin < 4
+    read = @(prompt) input (prompt, 's');
+  end
+  prompt = [question, repmat([' [', default, ']'], 1, ~isempty (default)), ': '];
+  while true
+    text = strtrim (read (prompt));
+    if isempty (text)
+      text = default;
+    end
+    [text, fault] = rule (text);
+    if isempty (fault)
+      return
+    end
+    printf ('%s\n', fault);
+  end
+end
+
+%!function text = nextOf (answers, count)
+%!  count('k') = count('k') + 1;
+%!  text = answers{count('k')};
+%!endfunction
+%!test
+%! rule = @(text) amountIn (text, 'm');
+%! for row = {{'heavy', '4 mm'}, '0.004', '''heavy'''; {''}, '2e-3', ''}'
+%!   count = containers.Map ({'k'}, {0});
+%!   answers = row{1};
+%!   read = @(prompt) nextOf (answers, count);
+%!   said = evalc ('text = askPerson (''radius'', ''2e-3'', rule, read);');
+%!   assert (text, row{2});
+%!   assert (isempty (row{3}) || ~isempty (strfind (said, row{3})), said);
+%! end
