@@ -97,6 +97,8 @@ if [ ! -s "$dir/munge/munge.key" ]; then
   (umask 077; head -c 1024 /dev/urandom > "$dir/munge/munge.key")
 fi
 [ -s "$dir/slurm.conf" ] || configure > "$dir/slurm.conf"
+# slurmd of 23.11 wants a cgroup plugin also where nothing uses one; v1 needs no mount
+[ -s "$dir/cgroup.conf" ] || echo CgroupPlugin=cgroup/v1 > "$dir/cgroup.conf"
 export SLURM_CONF=$dir/slurm.conf
 
 munged --force --key-file="$dir/munge/munge.key" \

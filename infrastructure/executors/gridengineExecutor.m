@@ -34,7 +34,7 @@ function [n, fault] = askCluster ()
   if isempty (regexp (text, '/qstat\s', 'once'))
     fault = 'no qsub and qstat on the PATH';
   elseif ~isempty (strfind (text, 'SGE_ROOT'))
-    fault = strtrim (text);
+    fault = strtrim (regexprep (text, '^.*?/qstat\n', '', 'once'));
   end
   found = regexp (text, 'max_aj_tasks\s+(\d+)', 'tokens', 'once');
   if status == 0 && ~isempty (found) && ~strcmp (found{1}, '0')
@@ -178,3 +178,11 @@ end
 %! [ok, text] = queue.look ({'a'}, 1);
 %! assert (! ok);
 %! assert (text, "no contact\n");
+%!test
+%! % a machine that belongs to no cluster: its own words, no path before them
+%! tidy = slurmFake ('true', 'true', {'qsub', 'qstat'});
+%! say = slurmFake ('echo "set the environment variable SGE_ROOT"; exit 1', ...
+%!                  'true', {'qconf', 'qdel'});
+%! queue = gridengineExecutor ();
+%! [~, fault] = queue.start ();
+%! assert (fault, 'set the environment variable SGE_ROOT');

@@ -36,7 +36,7 @@ function [n, fault] = askCluster ()
   if isempty (regexp (text, '/squeue\s', 'once'))
     fault = 'no sbatch and squeue on the PATH';
   elseif ~isempty (strfind (text, 'configuration source'))
-    fault = strtrim (text);
+    fault = strtrim (regexprep (text, '^.*?/squeue\n', '', 'once'));
   end
   found = regexp (text, 'MaxArraySize\s*=\s*(\d+)', 'tokens', 'once');
   if status == 0 && ~isempty (found)
@@ -210,3 +210,11 @@ end
 %!          "a|1|FAILED|NonZeroExitCode\na|1|PENDING|None\n", 'p--'}'
 %!   assert (parsed (c{1}, 3), c{2});
 %! end
+%!test
+%! % a machine that belongs to no cluster: Slurm's own words, no path before them
+%! tidy = slurmFake ('true', 'true');
+%! say = slurmFake ('echo "fatal: no configuration source"; exit 1', 'true', ...
+%!                  {'scontrol', 'scancel'});
+%! queue = slurmExecutor ();
+%! [~, fault] = queue.start ();
+%! assert (fault, 'fatal: no configuration source');
