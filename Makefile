@@ -75,7 +75,7 @@ format:                ## lay out the Octave code, then lint
 	@tools/setup.sh lint
 	@tools/lint.sh --fix
 
-index:                 ## write docs/functions.md: the functions that a user may call
+index:                 ## write docs/functions.md (functions that a user may call) and the fields of docs/inputs.md
 	@tools/functionIndex.sh
 
 dist:                  ## make the Octave package dist/decalioc-VERSION.tar.gz

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Writes docs/functions.md: the functions that a user may call, each with the
-# first line of its help.
+# first line of its help; and the lists of fields of docs/inputs.md (inputLines.m).
 # CALL: tools/functionIndex.sh          (or: make index)
 #       tools/functionIndex.sh --check  writes nothing; exit status 1 if it is old
 set -euo pipefail
@@ -66,3 +66,5 @@ if [ "${1:-}" = --check ]; then
 fi
 index > "$page.part"
 mv "$page.part" "$page"
+"${OCTAVE:-octave-cli}" --no-gui --norc --quiet --eval "addpath infrastructure tools; startToolbox (pwd ());
+  writeAtomic ('docs/inputs.md', inputLines (fileread ('docs/inputs.md')));"

@@ -35,7 +35,7 @@ end
 function Case = ofFolder (raw)
   Case = struct ('modelVars', raw.modelVars, 'names', {raw.assign(:)'}, ...
                  'limits', raw.paramLims);
-  Case.options.WRL = givenField (raw.optim, 'WRL', 0);
+  Case.options.WRL = givenField (raw.optim, 'WRL', inputFields ('defaults').WRL);
   if isfile (fullfile (raw.folder, 'measured.csv'))
     names = cellstr (raw.Input.model)(:)';
     found.groups = groupMeasured (readConditions (raw, names), names, ...

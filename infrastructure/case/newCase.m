@@ -91,10 +91,11 @@ end
 function models = newModels (raw)
   names = cellstr (raw.Input.model)(:)';
   n = numel (names);
-  timeout = givenField (raw.Input, 'timeout', NaN);
-  timeout(end + 1:n) = NaN;
-  cost = double (givenField (raw.optim, 'cost', 1));
-  cost(end + 1:n) = 1;
+  default = inputFields ('defaults');
+  timeout = givenField (raw.Input, 'timeout', []);
+  timeout(end + 1:n) = default.timeout;
+  cost = double (givenField (raw.optim, 'cost', []));
+  cost(end + 1:n) = default.cost;
   folders = cellfun (@(name) findModel (name, raw.folder, raw.root), names, ...
                      'UniformOutput', false);
   models = struct ('name', names, 'folder', folders, ...
@@ -105,27 +106,21 @@ function models = newModels (raw)
 end
 
 function o = newOptions (Input, optim)
-  ofInput = {'maxCPU', []; 'numOfSam', []; 'seed', 1; 'executor', 'local'; ...
-             'maxNewRuns', Inf; 'replicates', 1; 'intervals', false; ...
-             'waitHours', 24};
-  ofOptim = {'tolfun', 0.002; 'maxIter', 3; 'maxFunEvals', 40; 'WRL', 0; ...
-             'method', 'robust'; 'infill', 'thompson'; 'confidence', 0.95};
-  for default = ofInput'
-    o.(default{1}) = givenField (Input, default{:});
+  given = struct ('Input', Input, 'optim', optim);
+  for field = inputFields ()
+    if field.isOption
+      o.(field.name) = givenField (given.(field.part), field.name, field.default);
+    end
   end
   for name = executorNames ()
     if isfield (Input, name{1})
       o.(name{1}) = Input.(name{1});
     end
   end
-  o.similar = givenField (Input, 'similar', '');
   if ~isempty (o.similar)
     o.similar = make_absolute_filename (tilde_expand (o.similar));
   end
   o.sets = describeExecutor (o.executor).sets (o);
-  for default = ofOptim'
-    o.(default{1}) = givenField (optim, default{:});
-  end
 end
 
 % Levels as 1 x v struct, one element a variable: variable, levels (1 x L, the

@@ -22,11 +22,12 @@
 
 function targets = newTargets (optim, names, found)
   groups = found.groups;
+  default = inputFields ('defaults');
   if isempty (groups)
-    groups = fromCells (optim, names, found.sizes);
+    groups = fromCells (optim, names, found.sizes, default);
   elseif groups(1).model > 1
     n = groups(1).model - 1;
-    first = fromCells (optim, names(1:n), found.sizes(1:n));
+    first = fromCells (optim, names(1:n), found.sizes(1:n), default);
     groups = [first, rmfield(groups, {'line', 'file', 'each'})];
   else
     groups = rmfield (groups, {'line', 'file'});
@@ -44,7 +45,7 @@ function targets = newTargets (optim, names, found)
                              'modelName', names{g.model}, 'index', index, ...
                              'correlation', lengths{g.model}(index)), g);
     if isnan (t.tol)
-      t.tol = givenField (optim, 'tolRes', 0.01);
+      t.tol = givenField (optim, 'tolRes', default.tolRes);
     end
     if t.correlation < 0
       % the errors of a curve are alike, as far as its residuals say
@@ -57,11 +58,13 @@ function targets = newTargets (optim, names, found)
 end
 
 % The published loadInput returns the values of all models as one column.
-function groups = fromCells (optim, models, counts)
+function groups = fromCells (optim, models, counts, default)
   values = perTarget (givenField (optim, 'targetVal', 0), counts, NaN);
   tols = perTarget (givenField (optim, 'tolRes', 0), counts, 0);
-  sds = perTarget (givenField (optim, 'targetStd', []), counts, 0);
-  trials = perTarget (givenField (optim, 'trials', []), counts, 1);
+  sds = perTarget (givenField (optim, 'targetStd', []), counts, ...
+                   default.targetStd);
+  trials = perTarget (givenField (optim, 'trials', []), counts, ...
+                      default.trials);
   names = givenField (optim, 'targetName', {});
   roles = givenField (optim, 'role', {});
   groups = [];
@@ -70,7 +73,7 @@ function groups = fromCells (optim, models, counts)
       name = textOf (names, k, i, sprintf ('%s_%d', models{k}, i));
       g = struct ('model', k, 'name', name, 'value', values{k}(i), ...
                   'sd', sds{k}(i), 'tol', tols{k}(i), ...
-                  'role', textOf (roles, k, i, 'calibrate'), ...
+                  'role', textOf (roles, k, i, default.role), ...
                   'trials', trials{k}(i), 'isAbsolute', false, ...
                   'scatter', false, 'unit', '', 'given', '', ...
                   'result', '', ...

@@ -134,9 +134,7 @@ end
 %!function [flight, jobs] = flightOf (n)
 %!  store = tempname ();
 %!  mkdir (store);
-%!  jobs = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
-%!                 'effects', [], 'replicate', 1, 'seed', 10007, ...
-%!                 'key', num2cell (char ('a' + (0:n - 1))));
+%!  jobs = arrayfun (@(k) standInJob (char ('a' + k)), 0:n - 1);
 %!  Case = struct ('store', store, 'folder', store);
 %!  flight = batchAttach (jobs, Case, slurmExecutor ());
 %!  flight.status(:) = 'o';

@@ -26,8 +26,7 @@ function effects = countsToday (job, folder, Case, h)
   for k = 1:numel (trials)
     trial = job;
     trial.effects = trials{k}();
-    [key, older] = runKey (runVariables (trial, Case), Case.effectVars, h);
-    if any (strcmp (job.key, [{key}, older]))
+    if strcmp (job.key, runKey (runVariables (trial, Case), Case.effectVars, h))
       effects = {trial.effects};
       return
     end

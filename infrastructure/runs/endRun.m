@@ -51,7 +51,8 @@ end
 %! % the guard itself
 %! assert (! survives (ours, folder, ['%d 9 ', mark]));
 %! % what a guard that is gone has left behind, and a session of others
-%! ended = ['999999999 %d 1 ', strsplit(mark, ' '){2}, ' bash'];
+%! words = strsplit (mark, ' ');
+%! ended = strjoin ([{'999999999 %d 1', words{2}, 'bash'}, words(4)], ' ');
 %! left = session (folder);
 %! endRun (tempname ());
 %! assert (~isempty (processStart (left)));

@@ -147,9 +147,7 @@ end
 %! mkdir (folder);
 %! writeAtomic (fullfile (folder, 'getResults.m'), ...
 %!              "function r = getResults (model, name)\nr = {NaN};\nend\n");
-%! job = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
-%!               'effects', [], 'replicate', 1, 'seed', 10007, 'key', 'k');
-%! record = setfield (newRecord (job, folder), 'status', 'ok');
+%! record = setfield (newRecord (standInJob (), folder), 'status', 'ok');
 %! place = struct ('base', folder, 'name', '0001', 'funs', folder, ...
 %!                 'count', 1, 'limit', Inf);
 %! message = @() evaluateRun (record, place).message;

@@ -26,9 +26,7 @@ end
 %!test
 %! folder = tempname ();
 %! mkdir (folder);
-%! job = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
-%!               'effects', [], 'replicate', 1, 'seed', 10007, 'key', 'k');
-%! r = failedRecord (job, folder, 'timeout', 'too long', 'time');
+%! r = failedRecord (standInJob (), folder, 'timeout', 'too long', 'time');
 %! back = readRecord (fullfile (folder, 'record.json'));
 %! assert ({back.message, back.cause}, {r.message, 'time'});
 %! assert (isempty (back.results));

@@ -7,9 +7,7 @@
 %   H     1 x M struct array: input (files of the model that the simulation
 %         reads, number of CPUs, LIGGGHTS build where the model calls it, files
 %         outside it that its scripts name, the same of the models that it starts
-%         from), older (1 x n cell: the same as versions until 0.9.0 had it, with
-%         the build where it does not call it or without the files outside),
-%         files (as input, without the build), build ('' where it is not called,
+%         from), files (as input, without the build), build ('' where it is not called,
 %         or not there), funs (files of OctaveFuns, which only evaluate; with
 %         measured.csv also which results it reads, and where on a curve), count
 %         (how many results are asked for), defaults (values declared in
@@ -35,7 +33,7 @@ function h = hashModels (Case)
            'settings.csv', 'scatter.csv'};
   build = liggghtsBuild ();
   neutral = neutralEffects (Case);
-  h = struct ('input', cell (1, numel (Case.models)), 'older', {{}}, ...
+  h = struct ('input', cell (1, numel (Case.models)), ...
               'funs', '', 'files', '', 'build', '', ...
               'count', {Case.models.nTargets}, 'defaults', []);
   for k = 1:numel (Case.models)
@@ -45,8 +43,6 @@ function h = hashModels (Case)
     h(k).files = hash ('sha256', [text, outside]);
     h(k).build = repmat (build, 1, callsLiggghts (folder));
     h(k).input = hash ('sha256', [text, h(k).build, outside]);
-    h(k).older = setdiff ({hash('sha256', [text, h(k).build]), ...
-                           hash('sha256', [text, build])}, h(k).input);
     h(k).funs = 'stage';               % asked for its state alone
     if Case.models(k).nTargets > 0
       h(k).funs = hashEvaluation (Case.models(k));
@@ -181,8 +177,7 @@ end
 %! Case.models(1).folder = '/nowhere/at/all';
 %! hashModels (Case);
 %!test
-%! % the build counts where the model calls LIGGGHTS, also by way of a file; a
-%! % key of before is still known
+%! % the build counts where the model calls LIGGGHTS, also by way of a file
 %! Case = newCase (standInCase (tempname ()));
 %! put = @(f, text) writeAtomic (fullfile (Case.models(2).folder, f), text);
 %! script = fileread (fullfile (Case.models(2).folder, 'runscript'));
@@ -195,7 +190,6 @@ end
 %!   end
 %!   tidy = slurmFake ('one', '', {'liggghts', 'other'});
 %!   h = hashModels (Case);
-%!   assert (isempty (h(2).older), k > 1);
 %!   clear tidy
 %!   tidy = slurmFake ('two', '', {'liggghts', 'other'});
 %!   assert (strcmp (hashModels (Case)(2).input, h(2).input), k == 1);

@@ -58,10 +58,8 @@ end
 %!test
 %! folder = tempname ();
 %! mkdir (folder);
-%! job = struct ('model', 'M', 'stage', 'plan', 'planRow', 1, 'params', 1, ...
-%!               'effects', [], 'replicate', 1, 'seed', 10007, 'key', ...
-%!               repmat ('a', 1, 64), 'input', '', 'variables', '', ...
-%!               'origin', '/a', 'owner', repmat ('b', 1, 32));
+%! job = standInJob ();
+%! [job.origin, job.owner] = deal ('/a', repmat ('b', 1, 32));
 %! writeRecord (fullfile (folder, 'job.json'), job);
 %! new = newRecord (setfield (job, 'origin', '/b'), folder);
 %! r = put (new, 'f', [1, 2], 'ok');

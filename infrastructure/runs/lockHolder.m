@@ -9,8 +9,8 @@
 %           'none'; 'alive' (host, process, its start, boot and command agree);
 %           'gone' (the lock is what a killed Octave or a power cut has left);
 %           'unknown' (it cannot be seen from here: another host, another
-%           container, a hidden process; or the lock is of a toolbox which did
-%           not yet note all that). note (further lines of the lock; '')
+%           container, a hidden process; or the lock does not note all
+%           that). note (further lines of the lock; '')
 %
 % Gone is only what the same boot and PID namespace do not show, and what ran
 % outside of containers before the last boot. A lock takes its name when it is
@@ -42,8 +42,7 @@ function holder = lockHolder (folder, name)
   end
 end
 
-% MARK  words of processStart: start, boot, command, namespace; older toolboxes
-% noted the first three or the first one.
+% MARK  words of processStart: start, boot, command, namespace
 function state = stateOf (pid, mark)
   [~, now, isSure] = processStart (pid);
   [~, own] = processStart (getpid ());
@@ -51,7 +50,7 @@ function state = stateOf (pid, mark)
   n = numel (mark);
   isSame = @(k) n == 4 && numel (own) == 4 && strcmp (mark{k}, own{k});
   state = 'unknown';
-  if n > 2 && isequal (mark, now(1:min (n, end)))
+  if n == 4 && isequal (mark, now)
     state = 'alive';
   elseif isSame (4) && isSame (2) && isSure
     state = 'gone';
@@ -76,12 +75,12 @@ end
 %! after = {'unknown', 'gone'}{1 + strcmp(words{6}, first)};
 %! with = @(k, word) strjoin ([words(1:k - 1), {word}, words(k + 1:end)], ' ');
 %! % before a restart, in a container before one, in another container, another
-%! % program, older toolboxes, rubbish, cut power
+%! % program, no namespace, less, rubbish, cut power
 %! for given = {with(4, boot), after; ...
 %!              strrep(with(4, boot), words{6}, '77'), 'unknown'; ...
 %!              with(6, '77'), 'unknown'; with(6, '-'), 'unknown'; ...
 %!              strrep(text, 'octave', 'mail'), 'gone'; ...
-%!              strjoin(words(1:5), ' '), 'alive'; ...
+%!              strjoin(words(1:5), ' '), 'unknown'; ...
 %!              strjoin([words(1:4), {'mail'}], ' '), 'unknown'; ...
 %!              strjoin([words(1:2), {'12345678901'}], ' '), 'unknown'; ...
 %!              strjoin(words(1:3), ' '), 'unknown'; ...

@@ -11,9 +11,7 @@
 %              seed (a prime from 10,007, from params, replicate and
 %              Input.seed), key (64 digits, the hash of: input, hash of the
 %              model's input, and variables, |name=value of each), origin (case
-%              folder), attempt (0; see nextPacking), drawn (1 x (d + v), the
-%              set and its effects as they were given; [] where they have 15
-%              digits)
+%              folder), attempt (0; see nextPacking)
 %
 % Here a set gets the numbers that its run is made with, those of 15 digits
 % (toDigits).
@@ -30,7 +28,6 @@ function jobs = newJobs (Case, P, E, replicate, stage)
            'newJobs: P must be n x %d and E n x %d, got %d x %d, %d x %d.', ...
            numel (Case.names), numel (Case.effectVars), size (P), size (E));
   end
-  drawn = [P, E];
   [P, E] = deal (toDigits (P), toDigits (E));
   replicate = replicate(:) .* ones (n, 1);
   h = hashModels (Case);
@@ -39,7 +36,7 @@ function jobs = newJobs (Case, P, E, replicate, stage)
                          'params', [], 'effects', [], 'replicate', 1, ...
                          'seed', 0, 'key', '', 'input', '', ...
                          'variables', '', 'origin', Case.folder, ...
-                         'attempt', 0, 'drawn', []), 1, n * M);
+                         'attempt', 0), 1, n * M);
   for i = 1:n
     for k = 1:M
       job = jobs((i - 1) * M + k);
@@ -50,10 +47,7 @@ function jobs = newJobs (Case, P, E, replicate, stage)
       job.replicate = replicate(i);
       job.seed = jobSeed (job, Case);
       job.input = h(k).input;
-      if ~isequal (drawn(i, :), [P(i, :), E(i, :)])
-        job.drawn = drawn(i, :);
-      end
-      [job.key, ~, job.variables] = ...
+      [job.key, job.variables] = ...
         runKey (runVariables (job, Case), Case.effectVars, h(k));
       jobs((i - 1) * M + k) = job;
     end

@@ -12,8 +12,8 @@ function job = nextPacking (job, Case)
   h = hashModels (Case)(strcmp (job.model, {Case.models.name}));
   job.attempt = job.attempt + 1;
   job.seed = jobSeed (job, Case);
-  [job.key, ~, job.variables] = runKey (runVariables (job, Case), ...
-                                        Case.effectVars, h);
+  [job.key, job.variables] = runKey (runVariables (job, Case), ...
+                                     Case.effectVars, h);
 end
 
 %!test

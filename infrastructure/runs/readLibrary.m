@@ -1,13 +1,9 @@
 % READLIBRARY  Table of all runs of a model that a store holds, by its index.
 %
 % CALL: [KINDS, TORN] = readLibrary (STORE, MODEL)
-%       [KINDS, TORN] = readLibrary (STORE, MODEL, H, AGAIN)
+%       [KINDS, TORN] = readLibrary (STORE, MODEL, AGAIN)
 %
 %   STORE  folder that holds optim/ (text);  MODEL  its name (text)
-%   H      element of hashModels: records of versions until 0.9.0 do not say
-%          what their key is made of; those whose key proves that they belong to
-%          H are taken in, the others are a kind with the input ''. It may hold
-%          its input alone, '' where no case is at hand
 %   AGAIN  numbers of runs that are read again in any case (default: none)
 %   KINDS  1 x K struct array of runs with the same variables: input (see
 %          hashModels), funs (digest of the question, see readingOf: a run that
@@ -26,18 +22,15 @@
 % Two that write it at once lose nothing: the next reader finds what is missing.
 % Who uses a run looks into its record (libraryRuns).
 
-function [kinds, torn] = readLibrary (store, model, h, again)
-  if nargin < 4
+function [kinds, torn] = readLibrary (store, model, again)
+  if nargin < 3
     again = [];
   end
   place = fullfile (store, 'optim', model);
   file = fullfile (place, sprintf ('.index-%d', geteuid ()));
   marks = marksOf (place);
   [kinds, known] = readIndex (file);
-  isOpen = strncmp ({kinds.origin}, '?', 1) & ...
-           ~strcmp ({kinds.origin}, ['?', h.input]);
-  isSame = sameMarks (marks, known) & ~ismember (marks(:, 1), again) & ...
-           ~ismember (marks(:, 1), numbersOf (kinds(isOpen)));
+  isSame = sameMarks (marks, known) & ~ismember (marks(:, 1), again);
   for k = 1:numel (kinds)
     stays = ismember (kinds(k).runs(:, 1), marks(isSame, 1));
     kinds(k).runs = kinds(k).runs(stays, :);
@@ -47,7 +40,7 @@ function [kinds, torn] = readLibrary (store, model, h, again)
     found = cell (1, numel (new));
     for i = 1:numel (new)
       folder = sprintf ('%s/%04d', place, new(i));   % fullfile is slow
-      found{i} = linesOf (folder, new(i), h);
+      found{i} = linesOf (folder, new(i));
     end
     kinds = withLines (kinds, [found{:}]);
     writeIndex (file, kinds, marks);
@@ -80,32 +73,16 @@ end
 
 % A line for each question that the run has answered; [] where there is no
 % record yet, or none that is sane and keeps the promise of its key.
-function lines = linesOf (folder, number, h)
+function lines = linesOf (folder, number)
   lines = [];
   r = readSane ([folder, '/record.json']);
   if ~isfield (r, 'status')
     return
   end
-  % to be tried again with another rig
-  input = '';
-  text = '';
-  origin = ['?', h.input];
-  if isfield (r, 'variables') && ~isempty (r.variables)
-    input = r.input;
-    text = r.variables;
-    origin = r.origin;
-    if ~strcmp (r.key, hash ('sha256', [input, text]))
-      return
-    end
-  elseif isfield (h, 'defaults')
-    text = provenVariables (r, folder, h);
-    if ~isempty (text)
-      [input, origin] = deal (h.input, '');
-    end
-  end
-  names = strtrim (regexprep (text, '\|(\w+)=[^|]*', '$1 '));
-  values = sscanf (regexprep (text, '\|\w+=', ' '), '%f')';
-  if numel (values) ~= sum (text == '=')
+  names = strtrim (regexprep (r.variables, '\|(\w+)=[^|]*', '$1 '));
+  values = sscanf (regexprep (r.variables, '\|\w+=', ' '), '%f')';
+  if ~strcmp (r.key, hash ('sha256', [r.input, r.variables])) || ...
+     numel (values) ~= sum (r.variables == '=')
     return
   end
   numbers = [sscanf(r.key(1:7), '%x'), r.seconds * cpuOf(folder), r.seed, ...
@@ -115,9 +92,9 @@ function lines = linesOf (folder, number, h)
     readings = {};                      % it counts for no question
   end
   for reading = [{r}, readings]
-    lines = [lines, struct('input', input, 'funs', ...
+    lines = [lines, struct('input', r.input, 'funs', ...
                            givenField (reading{1}, 'funs', ''), ...
-                           'origin', origin, 'owner', ...
+                           'origin', r.origin, 'owner', ...
                            givenField (r, 'owner', ''), 'names', names, ...
                            'runs', [number, stateOf(reading{1}), numbers, ...
                                     reading{1}.results])];
@@ -139,31 +116,6 @@ function state = stateOf (r)
   state = states(strcmp (r.status, {'ok', 'invalid', 'failed', 'forgotten'}));
   if isempty (state) || any (strcmp (r.cause, {'killed', 'budget'}))
     state = 0;
-  end
-end
-
-% Of a record that does not say it: its data.head ends in all its variables, in
-% the order of runVariables. Effects that were off are not in the key.
-function text = provenVariables (r, folder, h)
-  text = '';
-  head = checkReadText (fullfile (folder, 'data.head'));
-  found = regexp (head, '^variable (\w+) equal (\S+)$', 'tokens', ...
-                  'lineanchors', 'dotexceptnewline');
-  found = vertcat (cell (0, 2), found{:});
-  last = find (strcmp (found(:, 1), 'runSeed'), 1, 'last');
-  found = found(1:last, :);
-  for first = 1:rows (found)
-    variables = struct ();
-    for pair = found(first:end, :)'
-      variables.(pair{1}) = str2double (pair{2});
-    end
-    for off = {{}, fieldnames(variables)'}
-      [key, older, words] = runKey (variables, off{1}, h);
-      if any (strcmp (r.key, [{key}, older]))
-        text = words;
-        return
-      end
-    end
   end
 end
 
@@ -191,38 +143,26 @@ end
 %! evaluateDEM ([1, 2; 3, 4], Case);
 %! file = fullfile (Case.store, 'optim', 'First', ...
 %!                  sprintf ('.index-%d', geteuid ()));
-%! kinds = readLibrary (Case.store, 'First', h);
+%! kinds = readLibrary (Case.store, 'First');
 %! assert ({kinds.input, kinds.names, kinds.origin}, ...
 %!         {h.input, 'a b runSeed', Case.folder});
 %! assert (sortrows (kinds.runs(:, [7, 8, 10, 11])), [1, 2, 3, 2; 3, 4, 7, 12]);
 %! % torn, lost, older than a run, of a folder that is gone
 %! writeAtomic (file, 'torn');
-%! assert (readLibrary (Case.store, 'First', h), kinds);
+%! assert (readLibrary (Case.store, 'First'), kinds);
 %! evaluateDEM ([5, 6], Case);
-%! more = readLibrary (Case.store, 'First', h);
+%! more = readLibrary (Case.store, 'First');
 %! assert (rows (more.runs), 3);
-%! assert (readLibrary (Case.store, 'First', h), more);
+%! assert (readLibrary (Case.store, 'First'), more);
 %! % a record that has changed since, whoever has changed it
 %! changed = fullfile (Case.store, 'optim', 'First', '0003', 'record.json');
 %! r = readRecord (changed);
 %! writeRecord (changed, setfield (r, 'status', 'forgotten'));
-%! assert (readLibrary (Case.store, 'First', h).runs(3, 2), -1);
+%! assert (readLibrary (Case.store, 'First').runs(3, 2), -1);
 %! writeRecord (changed, r);
-%! assert (readLibrary (Case.store, 'First', h), more);
+%! assert (readLibrary (Case.store, 'First'), more);
 %! rmdir (fullfile (Case.store, 'optim', 'First', '0003'), 's');
-%! assert (rows (readLibrary (Case.store, 'First', h).runs), 2);
-%!test
-%! % a record of 0.9.0 that its key proves, one of another model
-%! record = fullfile (Case.store, 'optim', 'First', '0001', 'record.json');
-%! old = rmfield (readRecord (record), {'input', 'variables', 'origin'});
-%! writeRecord (record, old);
-%! kinds = readLibrary (Case.store, 'First', h);
-%! assert ({kinds.names}, {'a b runSeed', 'a b runSeed'});
-%! assert (sort ({kinds.origin}), {'', Case.folder});
-%! old.key(1) = merge (old.key(1) == 'a', 'b', 'a');
-%! writeRecord (record, old);
-%! kinds = readLibrary (Case.store, 'First', h);
-%! assert (sort ({kinds.input}), {'', h.input});
+%! assert (rows (readLibrary (Case.store, 'First').runs), 2);
 %!test
 %! % a run that answered two questions; a record that does not keep its promise
 %! raw = standInCase (tempname ());
@@ -232,9 +172,9 @@ end
 %! file = fullfile (Case.store, 'optim', 'First', '0001', 'record.json');
 %! r = readRecord (file);
 %! keepRecord (setfield (setfield (r, 'funs', 'g'), 'results', 7));
-%! kinds = readLibrary (Case.store, 'First', h);
+%! kinds = readLibrary (Case.store, 'First');
 %! assert (sort ({kinds.funs}), sort ({'g', h.funs}));
 %! assert (numel (kinds(strcmp ({kinds.funs}, 'g')).runs), 10);
 %! writeRecord (file, setfield (r, 'variables', strrep (r.variables, '1', '2')));
-%! kinds = readLibrary (Case.store, 'First', h);
+%! kinds = readLibrary (Case.store, 'First');
 %! assert (rows (vertcat (kinds.runs)), 1);

@@ -17,32 +17,21 @@ function names = runFoldersOf (Case, model, jobs)
     return
   end
   h = hashModels (Case)(k);
-  isOther = @(kind) kind.origin(1) ~= '?' && ~isOwnRun (kind, Case);
+  isOther = @(kind) ~isOwnRun (kind, Case);
   if nargin > 2 && ischar (jobs)
-    inputs = [{h.input, ''}, h.older];
-    isOther = @(kind) ~any (strcmp (kind.input, inputs)) | ...
+    isOther = @(kind) ~strcmp (kind.input, h.input) | ...
                       ~ismember (kind.runs(:, 2), [1, 2]);
   elseif nargin > 2
-    heads = headsOf (jobs, Case, h);
+    heads = cellfun (@(key) sscanf (key(1:7), '%x'), {jobs.key});
     isOther = @(kind) ~ismember (kind.runs(:, 3), heads);
   end
   other = zeros (0, 1);
-  for kind = readLibrary (Case.store, model, h)
+  for kind = readLibrary (Case.store, model)
     if nargin > 2 || ~isempty (kind.origin)
       other = [other; kind.runs(isOther (kind) & kind.runs(:, 1) > 0, 1)];
     end
   end
   names = names(~ismember (str2double (names), other));
-end
-
-% First digits of the keys, also of those that earlier versions gave.
-function heads = headsOf (jobs, Case, h)
-  heads = [];
-  for job = jobs
-    for key = [{job.key}, olderKeys(job, Case, h)]
-      heads(end + 1) = sscanf (key{1}(1:7), '%x');
-    end
-  end
 end
 
 %!test

@@ -121,8 +121,8 @@ function stages = stageJobs (job, Case)
     k = find (strcmp (name{1}, {Case.models.name}));
     stage = job;
     [stage.model, stage.input] = deal (name{1}, Case.hashes(k).input);
-    [stage.key, ~, stage.variables] = runKey (runVariables (stage, Case), ...
-                                              Case.effectVars, Case.hashes(k));
+    [stage.key, stage.variables] = runKey (runVariables (stage, Case), ...
+                                           Case.effectVars, Case.hashes(k));
     stages(end + 1) = stage;
   end
 end

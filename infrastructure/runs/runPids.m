@@ -27,19 +27,15 @@ function [pids, isAlive, isHere, isGone] = runPids (folder)
   end
 end
 
-% MARK  words of processStart; guards of older toolboxes noted no PID namespace,
-% and are taken for ones outside of a container.
+% MARK  words of processStart: start, boot, command, namespace
 function [isAlive, isHere, isGone] = guardOf (pid, mark)
   first = '4026531836';                     % PROC_PID_INIT_INO, see lockHolder
   [~, now, isSure] = processStart (pid);
   [~, own] = processStart (getpid ());
   [now, own] = deal (ostrsplit (now, ' '), ostrsplit (own, ' '));
-  n = numel (mark);
-  isWhole = n > 2 && numel (own) == 4;
-  isAlive = isWhole && isequal (mark, now(1:min (n, end)));
-  mark = [mark, {first}];
-  isHere = isWhole && strcmp (mark{2}, own{2}) && ...
-           (n == 3 || strcmp (mark{4}, own{4}));
+  isWhole = numel (mark) == 4 && numel (own) == 4;
+  isAlive = isWhole && isequal (mark, now);
+  isHere = isWhole && all (strcmp (mark([2, 4]), own([2, 4])));
   isBefore = isWhole && ~strcmp (mark{2}, own{2}) && ...
              all (strcmp ({mark{4}, own{4}}, first));
   isGone = ~isAlive && (isHere && isSure || isBefore);
@@ -69,7 +65,7 @@ end
 %! isFirst = strcmp (words{4}, '4026531836');
 %! for given = {{words{1}, words{2}, 'mail', words{4}}, [0, 1, 1]; ...
 %!              [words(1:3), {'77'}], [0, 0, 0]; ...
-%!              words(1:3), [1, 1, 0]; ...
+%!              words(1:3), [0, 0, 0]; ...
 %!              {words{1}, boot, words{3}, '77'}, [0, 0, 0]; ...
 %!              {words{1}, boot, words{3}, words{4}}, [0, 0, isFirst]}'
 %!   writeAtomic (fullfile (folder, 'pid'), ...

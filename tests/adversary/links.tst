@@ -17,7 +17,7 @@
 %!                               ending{1}));
 %!   end
 %! end
-%! readLibrary (Case.store, 'First', struct ('input', ''));
+%! readLibrary (Case.store, 'First');
 %! lock = lockCase (place, 'claim-x');
 %! clear lock
 %! record = readRecord (fullfile (place, '0001', 'record.json'));

@@ -49,26 +49,3 @@
 %! head = fileread (fullfile (folder, 'data.head'));
 %! assert (isempty (regexp (head, '[1-9]\d{15}', 'once')));
 %! assert (~isempty (strfind (head, 'variable SIMTS equal ')));
-
-%!test
-%! % a store of before: its runs of sets with 17 digits are found and count
-%! Case = newCase (standInCase (tempname ()));
-%! P = [1/3, 2; 2/3, 0.1 + 0.2];
-%! jobs = newJobs (Case, P, [], 1, 'plan')(1:2:end);
-%! for k = 1:2
-%!   old = jobs(k);
-%!   old.params = P(k, :);
-%!   old.seed = runSeed (P(k, :), 1, Case.options.seed);
-%!   v = struct ('a', P(k, 1), 'b', P(k, 2), 'runSeed', old.seed);
-%!   old.variables = sprintf ('|a=%.17g|b=%.17g|runSeed=%d', P(k, :), old.seed);
-%!   old.key = hash ('sha256', [old.input, old.variables]);
-%!   r = newRecord (old, prepareRun (old, Case));
-%!   [r.status, r.results, r.funs] = deal ('ok', [3, k], ...
-%!                                         hashModels(Case)(1).funs);
-%!   writeRecord (fullfile (r.folder, 'record.json'), r);
-%! end
-%! [records, isReused, nNew] = runJobs (jobs, Case, @(state) []);
-%! assert ({isReused, nNew}, {true(1, 2), 0});
-%! assert (vertcat (records.results), [3, 1; 3, 2]);
-%! assert ([runsOfCase(Case).isCurrent], true (1, 2));
-%! assert (sortrows (gatherRuns (Case).X), toDigits (P));

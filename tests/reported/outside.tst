@@ -39,20 +39,6 @@
 %! assert ({third.folder, nNew}, {first.folder, 0});
 
 %!test
-%! % runs of versions that did not note it are found
-%! Case = start (folder, [0.2, 0.4]);
-%! h = hashModels (Case);
-%! job = newJobs (Case, [0.3, 0.3], [], 1, 'plan');
-%! old = job;
-%! old.input = h.older{1};
-%! old.key = hash ('sha256', [old.input, old.variables]);
-%! r = newRecord (old, prepareRun (old, Case));
-%! [r.status, r.results, r.funs] = deal ('ok', [1, 2, 3], h.funs);
-%! writeRecord (fullfile (r.folder, 'record.json'), r);
-%! [records, isReused] = runJobs (job, Case, @(state) []);
-%! assert ({isReused, records.results}, {true, [1, 2, 3]});
-
-%!test
 %! % a model that names nothing outside has the key of before; one that names a
 %! % folder hears that a change there is not noticed
 %! model = fullfile (folder, 'DEMmodels', 'M');

@@ -96,7 +96,8 @@ function [p, found] = checkTogether (raw, mode, found)
   % with a table of finished runs and no new ones they need not be there
   if ~(isequal (givenField (raw.Input, 'maxNewRuns', Inf), 0) && ...
        isfile (fullfile (raw.folder, 'runs.csv')))
-    executor = givenField (raw.Input, 'executor', 'local');
+    executor = givenField (raw.Input, 'executor', ...
+                           inputFields ('defaults').executor);
     isFar = checkIs ('text', executor) && ~describeExecutor (executor).isHere;
     how = struct ('programs', strcmp (mode, 'full'), 'onCluster', isFar);
     p = checkModels (models, raw.folder, raw.root, how);

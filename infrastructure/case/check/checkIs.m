@@ -12,6 +12,7 @@
 %                     ASCII, neither dot nor minus first, at most 100 bytes
 %                     long: it cannot leave its folder or break a shell line
 %          'struct'   one struct
+%          'list'     a text, or a row or column cell that is not empty
 %          'nothing'  empty: stands for a field that is not given
 %   VALUE  anything
 %   YES    true or false
@@ -22,6 +23,7 @@ function yes = checkIs (kind, value)
   isKind = struct ('number', @isFinite, 'integer', @isWhole, ...
                    'vector', @isVector, 'text', @isText, 'name', @isName, ...
                    'folder', @isFolderName, 'nothing', @isNothing, ...
+                   'list', @isList, ...
                    'struct', @(v) isstruct (v) && isscalar (v));
   yes = isKind.(kind) (value);
 end
@@ -57,6 +59,11 @@ function yes = isUtf8 (text)
       yes = false;
     end
   end
+end
+
+function yes = isList (value)
+  yes = isText (value) || ...
+        (iscell (value) && isvector (value) && ~isempty (value));
 end
 
 function yes = isName (text)

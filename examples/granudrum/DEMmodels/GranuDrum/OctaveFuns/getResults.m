@@ -8,12 +8,8 @@
 %             mm) and two slopes (deg); NaN where a file is missing or the run
 %             is not sane
 %
-% See also: measureBench, namedResults
+% See also: measureBench, benchResults
 
 function res = getResults (model, folderName)
-  %| pragma Justify (metric, "globals", "published way in");
-  global path
-  here = fileparts (fileparts (mfilename ('fullpath')));
-  res = namedResults (@measureBench, ...
-                      [path, 'optim/', model, '/', folderName, '/'], here);
+  res = benchResults (@measureBench, model, folderName);
 end
