@@ -8,7 +8,7 @@ function effect = effectFill ()
   given.neutral = 1;
   given.limits = [0.85; 1.15];
   given.unit = 'factor';
-  given.label = 'the filled mass';
+  given.label = 'filled mass';
   given.source = 'weighing and levelling errors of hand filling';
   effect = describeEffect (given);
 end

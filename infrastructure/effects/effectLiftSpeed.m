@@ -9,7 +9,7 @@ function effect = effectLiftSpeed ()
   given.neutral = 1;
   given.limits = [0.3; 3];
   given.unit = 'factor';
-  given.label = 'the lifting speed';
+  given.label = 'lifting speed';
   given.source = 'a hand lifts several times faster or slower than it is told';
   effect = describeEffect (given);
 end

@@ -8,7 +8,7 @@ function effect = effectOpening ()
   given.neutral = 1;
   given.limits = [0.92; 1.08];
   given.unit = 'factor';
-  given.label = 'the opening';
+  given.label = 'opening';
   given.source = 'Beverloo 1961';
   effect = describeEffect (given);
 end

@@ -8,7 +8,7 @@ function effect = effectRestitution ()
   given.neutral = 1;
   given.limits = [0.3; 4];
   given.unit = 'factor';
-  given.label = 'the damping of impacts, ln (restitution)';
+  given.label = 'damping of impacts';
   given.source = ['Yan et al. 2015: little influence on angle of ' ...
                   'repose and discharge'];
   given.usually = 'unlikely';

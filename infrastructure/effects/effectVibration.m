@@ -8,7 +8,7 @@ function effect = effectVibration ()
   given.neutral = 0;
   given.limits = [0; 0.8];
   given.unit = '-';
-  given.label = 'peak acceleration over gravity, 60 Hz';
+  given.label = 'vibration (peak acceleration over gravity, 60 Hz)';
   given.source = 'Janda et al. 2009: vibration below 1 g unclogs and compacts';
   effect = describeEffect (given);
 end

@@ -77,7 +77,7 @@ function numbers = keyNumbers (v, c)
   if v.of > 0
     open = v.misses(strcmp ({v.misses.state}, 'open') & [v.misses.runs] > 0);
     labels = {'targets met', 'targets within tolerance so far, not surely', ...
-              'targets met, as the fit expects, not run'};
+              'targets met, expected from the fit, not yet run'};
     hasNoRun = isequal (jsonAt (c, {'runs'}), 0);
     isUnsure = ~v.usable && v.met == v.of;
     forms = {', %d open', ' by the runs with these values, %d more by all runs together'};

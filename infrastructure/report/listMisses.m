@@ -4,9 +4,9 @@
 %
 %   C, GAP   see decideCase
 %   MISSES   1 x n struct of the calibrated targets and the held-out ones:
-%            model, name, unit, measured, simulated, miss, allowed (the user's
-%            tolerance), role, met (1, 0; NaN: not measured), share (of what is
-%            allowed), z (over its noise: of the measurement, of one run and of
+%            model, name, label (what it is, in words), unit, measured,
+%            simulated, miss, allowed (the user's tolerance), role, met (1, 0;
+%            NaN: not measured), share (of what is allowed), z (over its noise: of the measurement, of one run and of
 %            the expected mean), scatter (of one run), isStrict (the tolerance
 %            lies below that: no single measurement can confirm it), state,
 %            mean, meanSd, runs, points (of a curve: they are one entry, its
@@ -37,7 +37,8 @@ end
 % together agree on; the others are open.
 function m = missOf (T, n)
   field = @(name, other) givenField (T, name, other);
-  m = struct ('model', T.model, 'name', T.name, 'unit', field ('unit', ''), ...
+  m = struct ('model', T.model, 'name', T.name, 'label', field ('label', ''), ...
+              'unit', field ('unit', ''), ...
               'measured', field ('target', NaN), ...
               'simulated', field ('estimate', field ('result', NaN)), ...
               'miss', NaN, 'allowed', field ('allowed', NaN), ...

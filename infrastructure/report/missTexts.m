@@ -21,7 +21,11 @@ function [texts, open] = missTexts (m)
   elseif ~isfinite (m.simulated)
     text = sprintf ('%.1f times its noise', 2 * m.share);
   end
-  texts = {[labels{1 + isSmall}, m.name, held], text};
+  name = m.name;
+  if ~isempty (m.label)
+    name = sprintf ('%s (%s)', m.label, m.name);
+  end
+  texts = {[labels{1 + isSmall}, name, held], text};
   open = '';
   if strcmp (m.state, 'open') && m.runs > 0
     runs = {sprintf('%d runs say', m.runs), '1 run says'};
@@ -44,7 +48,7 @@ function text = simulatedText (m)
 end
 
 %!shared m
-%! m = struct ('name', 'force', 'unit', 'N', 'measured', 6, 'simulated', 5.8, ...
+%! m = struct ('name', 'force', 'label', '', 'unit', 'N', 'measured', 6, 'simulated', 5.8, ...
 %!             'miss', -0.2, 'allowed', 0.3, 'role', 'calibrate', 'met', NaN, ...
 %!             'share', 2 / 3, 'state', 'open', 'mean', 5.33, 'meanSd', 0.3, ...
 %!             'runs', 3);
@@ -65,3 +69,5 @@ end
 %! [texts, open] = missTexts (m);
 %! assert (texts{2}, 'simulated 5.8 N, measured 6 N (allowed 5.7 to 6.3)');
 %! assert (open, '');
+%! m.label = 'force on the lid';
+%! assert (missTexts (m){1}, 'largest deviation for its noise: force on the lid (force)');

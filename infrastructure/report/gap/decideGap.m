@@ -58,7 +58,29 @@ function cause = decideGap (gap)
     cause.notFor = {say('notFor.missing', cause)};
   end
   if numel (jsonAt (gap, {'reference', 'conditions'})) > 1
-    cause.sentence = sprintf ('%s: %s', gap.reference.condition, cause.sentence);
+    cause = ofConditions (cause, gap, say);
+  end
+end
+
+% Of several conditions each is called by its name; the surest one gives the
+% number, and comes first in what is to be done.
+function cause = ofConditions (cause, gap, say)
+  name = gap.reference.condition;
+  cause.sentence = [name, ': ', cause.sentence];
+  if ~isempty (cause.todo)
+    cause.todo.text = [name, ': ', cause.todo.text];
+  end
+  first = conditionTexts (gap)(1);
+  if isfinite (first.probability)
+    label = say ('amountIn', struct ('condition', first.name));
+    cause.amount = struct ('label', label, 'text', first.text);
+  end
+  if ~strcmp (first.name, name) && strcmp (first.code, 'named')
+    todo = newAction ('takeModel', first.effects, {}, first.file);
+    texts = [{[first.name, ': ', plantAdvice(first.effects)], todo.text}, ...
+             eachOf(@(t) t.text, cause.todo)];
+    todo.text = strjoin (texts, ' ');
+    cause.todo = todo;
   end
 end
 
@@ -141,9 +163,7 @@ function cause = found (cause, gap, effects, isBeyond, say)
     folder = givenField (jsonAt (gap, {'reference'}), 'folder', 'gap');
     todo = newAction ('takeModel', {tried}, {}, [folder, '/calibrated.head']);
   end
-  if ~several
-    todo.text = strtrim ([plantAdvice(effects), ' ', todo.text]);
-  end
+  todo.text = strtrim ([plantAdvice(effects(1:min (end, 2))), ' ', todo.text]);
   cause = said (cause, say, kinds{1 + several}, code, values, todo);
   cause.amount = struct ('label', say ('amount', values), 'text', amounts);
   only = jsonAt (which, {'strength', fieldOf(effects{1})});

@@ -85,8 +85,9 @@ end
 % The first screen. Nothing is decided here, see decideCase.
 function html = verdictBox (page)
   v = page.verdict;
+  items = {conditionTexts(page.sources.gap).line};
   gap = '';
-  if ~isempty (v.gap)
+  if ~isempty (v.gap) && numel (items) < 2
     gap = ['<p>', htmlText(v.gap), '</p>'];
   end
   % commands, files and fields as code
@@ -95,7 +96,6 @@ function html = verdictBox (page)
                        '\<(results|gap|docs)/[\w.]+\w|', ...
                        '\<(Input|optim)\.\w+|\<load\w+\.m|', ...
                        '\<runs\.csv|\<data\.head)'], '<code>$1</code>');
-  items = {conditionTexts(page.sources.gap).line};
   html = ['<div class="verdict ', v.class, '"><p><span class="word">', ...
           htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
           uses('What has changed', items), ...
@@ -136,7 +136,9 @@ end
 
 function html = uses (title, texts)
   html = '';
-  if ~isempty (texts)
+  if isscalar (texts)
+    html = ['<p><strong>', title, '</strong>: ', htmlText(texts{1}), '</p>'];
+  elseif ~isempty (texts)
     items = strcat ('<li>', htmlText (texts), '</li>');
     html = ['<p><strong>', title, '</strong></p><ul>', items{:}, '</ul>'];
   end
@@ -147,7 +149,7 @@ function html = picture (page, width)
   html = '';
   [f, key] = benchFigure (page, page.verdict.worst);
   if ~isempty (f)
-    f.title = ['Where it deviates most: ', f.title];
+    f.title = ['Test with the largest miss: ', f.title];
     f.size(1) = width;
     html = [htmlFigures(f, {}, 'one'), htmlKey(key)];
   end

@@ -3,13 +3,15 @@
 % CALL: LIST = conditionTexts (GAP)
 %
 %   GAP   decoded gap/gap.json
-%   LIST  1 x C struct name, text (what has changed, with its interval; of a
-%         group 'A or B'), probability (of a group: that it is one of them; NaN:
+%   LIST  1 x C struct name, effects, code ('named', 'likely', 'several'; 'open':
+%         nothing is named), text (what has changed, with its interval; of
+%         several 'A or B'), probability (of several: that it is one of them; NaN:
 %         nothing is named), file ('' where no cause was fitted), line (name, text
 %         and probability), the surest first; none for a case without conditions
 
 function list = conditionTexts (gap)
-  list = struct ('name', {}, 'text', {}, 'probability', {}, 'file', {}, 'line', {});
+  list = struct ('name', {}, 'effects', {}, 'code', {}, 'text', {}, 'probability', {}, ...
+                 'file', {}, 'line', {});
   for one = jsonList (gap, {'reference', 'conditions'})
     % the files of the first one lie in gap/ itself
     place = repmat ([one{1}.name, '/'], 1, ~isempty (list));
@@ -26,24 +28,27 @@ function own = textsOf (one, file)
   texts = namesIn (one, 'text');
   texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
   p = [jsonAt(one, {'probability'})(:)', NaN];
-  own = struct ('name', one.name, 'text', strjoin (texts, ' and '), ...
-                'probability', max (p), 'file', file, 'line', '');
-  if strcmp (one.verdict, 'group')
-    own.text = strjoin (texts, ' or ');
-    own.probability = min (1, sum (p(1:end - 1)));
-  end
-  % a cause that cannot be seen is listed, and not said; older files have no code
+  % older files have no code
   codes = {'open', 'none'};
   code = givenField (one, 'code', codes{1 + strcmp(one.verdict, 'no gap')});
+  own = struct ('name', one.name, 'effects', {effects}, 'code', 'named', ...
+                'text', strjoin (texts, ' and '), ...
+                'probability', max (p), 'file', file, 'line', '');
+  if strcmp (code, 'likely')
+    own.code = code;
+  elseif strcmp (one.verdict, 'group')
+    [own.code, own.text] = deal ('several', strjoin (texts, ' or '));
+    own.probability = min (1, sum (p(1:end - 1)));
+  end
+  % a cause that cannot be seen is listed, and not said
   kind = givenField (one, 'kind', '');
   if isempty (effects) || any (strcmp (kind, {'cannot tell', 'no verdict'}))
     own.text = sentence (['cause.', code, '.word'], struct (), true);
-    [own.probability, own.file] = deal (NaN, '');
+    [own.code, own.probability, own.file] = deal ('open', NaN, '');
   end
-  own.line = [own.name, ': ', own.text];
-  if isfinite (own.probability)
-    own.line = [own.line, ', probability ', plainNumber(own.probability, 'probability')];
-  end
+  values = struct ('name', own.name, 'text', own.text, ...
+                   'p', plainNumber (own.probability, 'probability'));
+  own.line = sentence (['condition.', own.code], values);
 end
 
 %!test
@@ -64,4 +69,5 @@ end
 %!   'effects', {{'cohesion', 'tilt'}}, 'probability', [0.7, 0.2], ...
 %!   'text', {{'cohesion 4 kJ/m3', 'tilt 3 deg'}});
 %! assert (conditionTexts (gap).line, ...
-%!         'wet: cohesion 4 kJ/m3 or tilt 3 deg, probability 0.90');
+%!         sentence ('condition.several', struct ('name', 'wet', 'p', '0.90', ...
+%!           'text', 'cohesion 4 kJ/m3 or tilt 3 deg')));
