@@ -4,8 +4,8 @@
 %
 %   TEST  scalar struct test, trials, gain, between (cell of names), as in
 %         gap.json
-%   TEXT  'measure SlotBin with a right slot of 45 mm, 3 trials: tells cohesion
-%         from liquidBridge with 0.90 bit'
+%   TEXT  'measure SlotBin with a right slot of 45 mm, 3 trials: to decide
+%         between cohesion and liquidBridge with 0.90 bit'
 %   WITHOUT  the same without how much
 
 function [text, without] = nextText (test)
@@ -16,7 +16,7 @@ function [text, without] = nextText (test)
   text = sprintf ('%s: %.2f bit', without, test.gain);
   between = jsonAt (test, {'between'});
   if numel (between) == 2
-    without = sprintf ('%s: tells %s from %s', without, between{:});
+    without = sprintf ('%s: to decide between %s and %s', without, between{:});
     text = sprintf ('%s with %.2f bit', without, test.gain);
   end
 end
@@ -24,7 +24,7 @@ end
 %!test
 %! test = struct ('test', 'measure A', 'gain', 0.9, 'trials', 3, ...
 %!                'between', {{'a', 'no gap'}});
-%! assert (nextText (test), ['measure A, 3 trials: tells a from no gap ', ...
-%!                           'with 0.90 bit']);
+%! assert (nextText (test), ['measure A, 3 trials: to decide between a ', ...
+%!                           'and no gap with 0.90 bit']);
 %! assert (nextText (struct ('test', 'measure A once more', 'gain', 0.04)), ...
 %!         'measure A once more: 0.04 bit');

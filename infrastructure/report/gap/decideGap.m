@@ -163,7 +163,7 @@ function cause = found (cause, gap, effects, isBeyond, say)
     folder = givenField (jsonAt (gap, {'reference'}), 'folder', 'gap');
     todo = newAction ('takeModel', {tried}, {}, [folder, '/calibrated.head']);
   end
-  todo.text = strtrim ([plantAdvice(effects(1:min (end, 2))), ' ', todo.text]);
+  todo.text = strtrim ([plantAdvice(effects(1:max (1, ~several * end))), ' ', todo.text]);
   cause = said (cause, say, kinds{1 + several}, code, values, todo);
   cause.amount = struct ('label', say ('amount', values), 'text', amounts);
   only = jsonAt (which, {'strength', fieldOf(effects{1})});

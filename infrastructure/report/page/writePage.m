@@ -99,7 +99,7 @@ function html = verdictBox (page)
   html = ['<div class="verdict ', v.class, '"><p><span class="word">', ...
           htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
           uses('What has changed', items), ...
-          uses('Use it for', usesOf (v)), uses('Not for', v.notFor), ...
+          uses('Use it for', v.usableFor), uses('Not for', v.notFor), ...
           '<h2>What to do now</h2><p>', action, "</p></div>\n"];
 end
 
@@ -124,14 +124,6 @@ function html = facts (page)
     html = [html, '<div>', grains, '</div>'];
   end
   html = [html, "</div>\n"];
-end
-
-% An empty list would leave open whether something was forgotten.
-function texts = usesOf (v)
-  texts = v.usableFor;
-  if isempty (texts) && strcmp (v.class, 'bad')
-    texts = {sentence('usableFor.nothing')};
-  end
 end
 
 function html = uses (title, texts)
@@ -190,12 +182,13 @@ function svg = houseSymbols ()
 end
 
 % Figures for a paper: in the light colours of the page, which stand in its style.
+% The disk is not waited for: decalioc report makes them again.
 function writeExports (tables, html, style, folder)
   names = fieldnames (tables)';
   places = fullfile (folder, {'tables', 'figures'});
   [~, ~] = cellfun (@mkdir, places, 'UniformOutput', false);
   for name = names(~structfun (@(T) isempty (T) || isempty (T.cells), tables)')
-    writeAtomic (fullfile (places{1}, [name{1}, '.csv']), tableCsv (tables.(name{1})));
+    writeAtomic (fullfile (places{1}, [name{1}, '.csv']), tableCsv (tables.(name{1})), false);
   end
   symbols = regexp (houseSymbols (), '<defs>.*</defs>', 'match', 'once');
   colours = regexp (strtok (style, '@'), '--(\w+): (#\w+);', 'tokens');
@@ -209,7 +202,7 @@ function writeExports (tables, html, style, folder)
       for c = colours
         svg = strrep (svg, ['var(--', c{1}{1}, ')'], c{1}{2});
       end
-      writeAtomic (fullfile (places{2}, sprintf ('%s-%d.svg', parts{k}{1}, i)), svg);
+      writeAtomic (fullfile (places{2}, sprintf ('%s-%d.svg', parts{k}{1}, i)), svg, false);
     end
   end
 end

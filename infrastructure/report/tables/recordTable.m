@@ -58,7 +58,7 @@ function list = rivals (gap)
   for name = setdiff (fieldnames (posterior)', own, 'stable')
     p = posterior.(name{1});
     parts = tests(cellfun (@(t) any (strcmp (name{1}, namesIn (t, 'between'))), tests));
-    text = 'no test that was looked at tells it apart';
+    text = 'no measurement that was considered decides between them';
     if ~isempty (parts)
       text = ['told apart by: ', parts{1}.test];
     end
