@@ -75,7 +75,10 @@ function file = fileOf (w, bases, isCommand)
     bases = {''};
   end
   for base = bases
-    path = plainPath ([base{1}, '/', w]);
+    path = [base{1}, '/', w];
+    if ~isempty (strfind (path, './')) || ~isempty (strfind (path, '//')) || path(end) == '.'
+      path = plainPath (path);       % the run folder may not be there yet
+    end
     if exist (path, 'file') && ~strcmp (path, '/')
       file = path;
       break

@@ -66,7 +66,8 @@ end
 % number, and comes first in what is to be done.
 function cause = ofConditions (cause, gap, say)
   name = gap.reference.condition;
-  cause.sentence = [name, ': ', cause.sentence];
+  [cause.word, cause.sentence] = deal ([name, ': ', cause.word], ...
+                                       [name, ': ', cause.sentence]);
   if ~isempty (cause.todo)
     cause.todo.text = [name, ': ', cause.todo.text];
   end
