@@ -27,7 +27,8 @@ function ending = newEnding (code, numbers, options)
   values = ending;
   values.share = round (100 * values.share);
   values.all = values.usual + values.other;
-  values.probability = round (100 * values.probability);
+  % never said to be certain
+  values.probability = min (99, round (100 * values.probability));
   values.equal = values.equal + values.runs;
   values.wanted = givenField (options, 'replicates', 1);
   values.limited = '';
@@ -43,6 +44,9 @@ end
 %!                     struct ('maxIter', 3));
 %! assert ({ending.code, ending.limit, ending.runs}, {'outside', 'maxIter', 2});
 %! assert (! isempty (strfind (ending.text, 'optim.maxIter (3)')));
+%!test
+%! text = newEnding ('converged', struct ('runs', 1, 'probability', 0.998)).text;
+%! assert (isempty (strfind (text, '100 %')));
 %!test
 %! % every code has a sentence
 %! for code = {'converged', 'conflict', 'allFailed', 'notRun', 'outside', ...

@@ -41,9 +41,8 @@ function text = simulatedText (m)
   text = ['simulated ', all_];
   if m.runs > 0 && isfinite (m.mean) && isfinite (m.simulated)
     runs = {'one run', sprintf('mean of %d runs', m.runs)};
-    error_ = repmat ([' +- ', quantity(m.meanSd, m.unit)], 1, isfinite (m.meanSd));
-    text = sprintf ('DEM, %s %s%s; all runs together %s', runs{1 + (m.runs > 1)}, ...
-                    quantity (m.mean, m.unit), error_, all_);
+    text = sprintf ('DEM, %s %s; all runs together %s', runs{1 + (m.runs > 1)}, ...
+                    quantity (m.mean, m.unit, m.meanSd), all_);
   end
 end
 
@@ -55,7 +54,7 @@ end
 %!test
 %! [texts, open] = missTexts (m);
 %! assert (texts, {'largest deviation for its noise: force', ...
-%!                 ['DEM, mean of 3 runs 5.33 N +- 300 mN; all runs together ' ...
+%!                 ['DEM, mean of 3 runs 5.33 +- 0.3 N; all runs together ' ...
 %!                  '5.8 N, measured 6 N (allowed 5.7 to 6.3)']});
 %! assert (open, '3 runs say missed, all runs together say met');
 %!test

@@ -78,8 +78,11 @@ function cause = ofConditions (cause, gap, say)
   end
   if ~strcmp (first.name, name) && strcmp (first.code, 'named')
     todo = newAction ('takeModel', first.effects, {}, first.file);
-    texts = [{[first.name, ': ', plantAdvice(first.effects)], todo.text}, ...
-             eachOf(@(t) t.text, cause.todo)];
+    texts = {[first.name, ': ', plantAdvice(first.effects)], todo.text};
+    if ~isempty (cause.todo)           % without the advice for the plant again
+      own = newAction (cause.todo.code, cause.todo.field, {}, cause.todo.file);
+      texts{end + 1} = [name, ': ', own.text];
+    end
     todo.text = strjoin (texts, ' ');
     cause.todo = todo;
   end

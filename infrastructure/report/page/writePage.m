@@ -93,7 +93,7 @@ function html = verdictBox (page)
   % commands, files and fields as code
   action = regexprep (htmlText (v.action), ...
                       ['(decalioc (run|diagnose|status)|', ...
-                       '\<(results|gap|docs)/[\w.]+\w|', ...
+                       '\<(results|gap|docs)/[\w./]+\w|', ...
                        '\<(Input|optim)\.\w+|\<load\w+\.m|', ...
                        '\<runs\.csv|\<data\.head)'], '<code>$1</code>');
   html = ['<div class="verdict ', v.class, '"><p><span class="word">', ...
@@ -141,7 +141,9 @@ function html = picture (page, width)
   html = '';
   [f, key] = benchFigure (page, page.verdict.worst);
   if ~isempty (f)
-    f.title = ['Test with the largest miss: ', f.title];
+    words = {'deviation', 'miss'};
+    isMissed = any ([page.verdict.misses.met] == 0);
+    f.title = sprintf ('Test with the largest %s: %s', words{1 + isMissed}, f.title);
     f.size(1) = width;
     html = [htmlFigures(f, {}, 'one'), htmlKey(key)];
   end
