@@ -31,6 +31,7 @@ function ending = newEnding (code, numbers, options)
   values.probability = min (99, round (100 * values.probability));
   values.equal = values.equal + values.runs;
   values.wanted = givenField (options, 'replicates', 1);
+  values.together = repmat (' at once', 1, numel (ending.conflict) > 1);
   values.limited = '';
   if ~isempty (ending.limit)
     values.most = givenField (options, ending.limit, NaN);

@@ -3,29 +3,34 @@
 % CALL: [TEXTS, OPEN] = missTexts (M)
 %
 %   M      element of listMisses
-%   TEXTS  1 x 2 cell: 'largest miss for its noise: mass', 'simulated 3 g, measured 2 g
-%          (allowed 1.9 to 2.1)'. Where runs were made, their mean and what all
-%          runs together say stand side by side
+%   TEXTS  1 x 2 cell: 'largest miss (3.1 times the noise): mass', 'expected 3 g,
+%          measured 2 g (allowed 1.9 to 2.1)', in the unit of the measurement.
+%          Where runs were made, their mean and what all runs together say stand
+%          side by side
 %   OPEN   where these two disagree: '3 runs say missed, all runs together say
 %          met'; else ''
 
 function [texts, open] = missTexts (m)
   isSmall = m.met == 1 || (isnan (m.met) && m.share < 1);
-  labels = {'largest miss for its noise: ', 'largest deviation for its noise: '};
+  labels = {'largest miss', 'largest deviation'};
+  label = labels{1 + isSmall};
+  if isfinite (m.z) && isfinite (m.measured)
+    label = sprintf ('%s (%.2g times the noise)', label, abs (m.z));
+  end
   held = repmat (' (not fitted)', 1, strcmp (m.role, 'holdout'));
-  text = simulatedText (m);
+  said = @(x) strtrim (sprintf ('%.4g %s', x, regexprep (m.unit, '^-$', '')));
+  text = expectedText (m, said);
   if isfinite (m.measured)
-    text = [text, ', measured ', ...
-            quantity(m.measured, m.unit, ...
-                     m.measured + m.allowed * [-1, 1], 'allowed ')];
+    text = sprintf ('%s, measured %s (allowed %.4g to %.4g)', text, said (m.measured), ...
+                    m.measured + m.allowed * [-1, 1]);
   elseif ~isfinite (m.simulated)
-    text = sprintf ('%.1f times its noise', 2 * m.share);
+    text = sprintf ('%.1f times the noise', 2 * m.share);
   end
   name = m.name;
   if ~isempty (m.label)
     name = sprintf ('%s (%s)', m.label, m.name);
   end
-  texts = {[labels{1 + isSmall}, name, held], text};
+  texts = {[label, ': ', name, held], text};
   open = '';
   if strcmp (m.state, 'open') && m.runs > 0
     runs = {sprintf('%d runs say', m.runs), '1 run says'};
@@ -36,25 +41,25 @@ function [texts, open] = missTexts (m)
   end
 end
 
-function text = simulatedText (m)
-  all_ = quantity (m.simulated, m.unit);
-  text = ['simulated ', all_];
+function text = expectedText (m, said)
+  text = ['expected ', said(m.simulated)];
   if m.runs > 0 && isfinite (m.mean) && isfinite (m.simulated)
     runs = {'one run', sprintf('mean of %d runs', m.runs)};
-    text = sprintf ('DEM, %s %s; all runs together %s', runs{1 + (m.runs > 1)}, ...
-                    quantity (m.mean, m.unit, m.meanSd), all_);
+    sd = repmat (sprintf (' +- %.2g', m.meanSd), 1, isfinite (m.meanSd));
+    text = sprintf ('%s %.4g%s, expected from all runs %s', runs{1 + (m.runs > 1)}, ...
+                    m.mean, sd, said (m.simulated));
   end
 end
 
 %!shared m
 %! m = struct ('name', 'force', 'label', '', 'unit', 'N', 'measured', 6, 'simulated', 5.8, ...
 %!             'miss', -0.2, 'allowed', 0.3, 'role', 'calibrate', 'met', NaN, ...
-%!             'share', 2 / 3, 'state', 'open', 'mean', 5.33, 'meanSd', 0.3, ...
-%!             'runs', 3);
+%!             'share', 2 / 3, 'z', -0.5, 'state', 'open', 'mean', 5.33, ...
+%!             'meanSd', 0.3, 'runs', 3);
 %!test
 %! [texts, open] = missTexts (m);
-%! assert (texts, {'largest deviation for its noise: force', ...
-%!                 ['DEM, mean of 3 runs 5.33 +- 0.3 N; all runs together ' ...
+%! assert (texts, {'largest deviation (0.5 times the noise): force', ...
+%!                 ['mean of 3 runs 5.33 +- 0.3, expected from all runs ' ...
 %!                  '5.8 N, measured 6 N (allowed 5.7 to 6.3)']});
 %! assert (open, '3 runs say missed, all runs together say met');
 %!test
@@ -64,9 +69,9 @@ end
 %! [~, open] = missTexts (curve);
 %! assert (open, '3 runs say missed, all runs together say met');
 %!test
-%! [m.runs, m.state, m.met] = deal (0, '', 1);
+%! [m.runs, m.state, m.met, m.z] = deal (0, '', 1, NaN);
 %! [texts, open] = missTexts (m);
-%! assert (texts{2}, 'simulated 5.8 N, measured 6 N (allowed 5.7 to 6.3)');
+%! assert (texts{2}, 'expected 5.8 N, measured 6 N (allowed 5.7 to 6.3)');
 %! assert (open, '');
 %! m.label = 'force on the lid';
-%! assert (missTexts (m){1}, 'largest deviation for its noise: force on the lid (force)');
+%! assert (missTexts (m){1}, 'largest deviation: force on the lid (force)');

@@ -4,8 +4,7 @@
 %
 %   X      scalar
 %   UNIT   text, SI; '' or '-': a plain number
-%   RANGE  1 x 2, optional: ' (from to)' is added unless it is not finite; scalar:
-%          a standard error, ' +- ' is added in the same unit
+%   RANGE  1 x 2, optional: ' (from to)' is added unless it is not finite
 %   WORD   text, optional: what the range is, said before it: 'allowed '
 %   TEXT   '41.9 kJ/m3 (25.9 to 60)'; '1.5 mm'; '-' where X is not finite
 %
@@ -24,11 +23,7 @@ function text = quantity (x, unit, range, word)
     unit = '';
   end
   [factor, unit] = prefixed (x, unit);
-  text = number (x / factor);
-  if nargin > 2 && isscalar (range) && isfinite (range)
-    text = sprintf ('%s +- %.2g', text, range / factor);
-  end
-  text = strtrim ([text, ' ', unit]);
+  text = strtrim ([number(x / factor), ' ', unit]);
   if nargin > 2 && numel (range) == 2 && all (isfinite (range))
     text = sprintf ('%s (%s%s to %s)', text, word, ...
                     number (range(1) / factor), number (range(2) / factor));
@@ -76,7 +71,6 @@ end
 %!assert (quantity (-1.5, 'deg', [-2, -0.5]), '-1.5 deg (-2 to -0.5)')
 %!assert (quantity (0.5243, '-', [NaN, 1]), '0.524')
 %!assert (quantity (NaN, 'm'), '-')
-%!assert (quantity (0.0126, 'kg', 0.000378), '12.6 +- 0.38 g')
 %!assert (quantity (0, 'kg'), '0 kg')
 %!assert (quantity (1234, ''), '1234')
 %!assert (quantity (6, 'N', [5.7, 6.3], 'allowed '), '6 N (allowed 5.7 to 6.3)')
