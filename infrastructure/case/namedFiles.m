@@ -59,9 +59,12 @@ function [found, open] = namesIn (script, folder, place)
       continue
     end
     file = fileOf (w, bases, any (strcmp (w, commands)));
+    if isempty (file)
+      continue
+    end
     if isfolder (file)
       open = [open, repmat({file}, 1, isWorthSaying (file, folder, place))];
-    elseif ~isempty (file) && ~strncmp (file, runs, numel (runs))
+    elseif ~strncmp (file, runs, numel (runs))
       found{end + 1} = file;
     end
   end
@@ -88,6 +91,9 @@ function file = fileOf (w, bases, isCommand)
      ~any (strcmp (w, [{'liggghts'}, commonPrograms()]))
     file = file_in_path (getenv ('PATH'), w);
     file = [file, ''];
+  end
+  if isempty (file)                    % most words are no files
+    return
   end
   if ~isempty (regexp (file, '^/(dev|proc|sys)/', 'once')) || ...
      (any (strcmp (fileparts (file), {'/bin', '/usr/bin'})) && ...
