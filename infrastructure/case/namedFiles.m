@@ -79,7 +79,7 @@ function file = fileOf (w, bases, isCommand)
   end
   for base = bases
     path = [base{1}, '/', w];
-    if ~isempty (strfind (path, './')) || ~isempty (strfind (path, '//')) || path(end) == '.'
+    if ~isempty (regexp (path, '\./|//|\.$', 'once'))
       path = plainPath (path);       % the run folder may not be there yet
     end
     if exist (path, 'file') && ~strcmp (path, '/')
@@ -92,14 +92,16 @@ function file = fileOf (w, bases, isCommand)
     file = file_in_path (getenv ('PATH'), w);
     file = [file, ''];
   end
-  if isempty (file)                    % most words are no files
-    return
-  end
-  if ~isempty (regexp (file, '^/(dev|proc|sys)/', 'once')) || ...
-     (any (strcmp (fileparts (file), {'/bin', '/usr/bin'})) && ...
-      any (strcmp (regexprep (file, '^.*/', ''), commonPrograms ())))
+  % most words are no files
+  if ~isempty (file) && isOfNoAccount (file)
     file = '';
   end
+end
+
+function yes = isOfNoAccount (file)
+  yes = ~isempty (regexp (file, '^/(dev|proc|sys)/', 'once')) || ...
+        (any (strcmp (fileparts (file), {'/bin', '/usr/bin'})) && ...
+         any (strcmp (regexprep (file, '^.*/', ''), commonPrograms ())));
 end
 
 function yes = isWorthSaying (file, folder, place)

@@ -6,12 +6,12 @@
 %   MISSES   1 x n struct of the calibrated targets and the held-out ones:
 %            model, name, label (what it is, in words), unit, measured,
 %            simulated, miss, allowed (the user's tolerance), role, met (1, 0;
-%            NaN: not measured), share (of what is allowed), z (over its noise: of the measurement, of one run and of
-%            the expected mean), scatter (of one run), isStrict (the tolerance
-%            lies below that: no single measurement can confirm it), state,
-%            mean, meanSd, runs, points (of a curve: they are one entry, its
-%            worst point; else 1); largest z first. Without a calibration those
-%            of the diagnosis, with z alone
+%            NaN: not measured), share (of what is allowed), z (over its noise:
+%            of the measurement, of one run and of the expected mean), scatter
+%            (of one run), isStrict (the tolerance lies below that: no single
+%            measurement can confirm it), state, mean, meanSd, runs, points (of
+%            a curve: they are one entry, its worst point; else 1); largest z
+%            first. Without a calibration those of the diagnosis, with z alone
 
 function misses = listMisses (c, gap)
   targets = jsonList (c, {'targets'});
