@@ -1,0 +1,96 @@
+% COMPAREVARIANTS  Whether cheaper runs give the results that dearer ones gave.
+%
+% CALL: LIST = compareVariants (Z, S, ALLOWED)
+%
+%   Z        1 x V cell of R x T: results of R runs of a variant, NaN where a run
+%            has none; the first variant is what the others are compared with
+%   S        1 x V cell of R x 1: core-seconds of each run
+%   ALLOWED  1 x T, tolerance of each result, in its unit (half its band); NaN:
+%            the result is not looked at
+%   LIST     1 x V struct: cost (mean core-seconds), ratio (1 x 3: over those of
+%            the first, with its 90 % interval), shift (1 x T: difference of the
+%            means), worst (number of the result whose shift is largest over its
+%            tolerance), code ('base', 'same', 'differs', 'open', 'failed'), runs
+%            (runs of each variant that would probably decide; NaN: no number)
+%
+% The same are results whose shift surely (95 %, one side, all results together:
+% Bonferroni) lies within half of the tolerance, as the other half is for the
+% calibration itself; they differ where it surely lies beyond (two one-sided
+% tests, Schuirmann 1987, J. Pharmacokinetics and Biopharmaceutics 15). The
+% scatter of a result is taken as equal in all variants.
+
+function list = compareVariants (Z, S, allowed)
+  isOk = cellfun (@(z) all (isfinite (z), 2), Z, 'UniformOutput', false);
+  n = cellfun (@sum, isOk);
+  Z = cellfun (@(z, ok) z(ok, :), Z, isOk, 'UniformOutput', false);
+  S = cellfun (@(s, ok) s(ok), S, isOk, 'UniformOutput', false);
+  df = sum (max (n - 1, 0));
+  spread = @(x) sum ((x - mean (x, 1)).^2, 1);
+  sd = sqrt (sum (cell2mat (cellfun (spread, Z', 'UniformOutput', false)), 1) / max (df, 1));
+  logs = cellfun (@log, S, 'UniformOutput', false);
+  sdLog = sqrt (sum (cellfun (spread, logs(n > 0))) / max (df, 1));
+  half = allowed / 2;
+  used = isfinite (half) & half > 0;
+  list = repmat (struct ('cost', NaN, 'ratio', NaN (1, 3), 'shift', NaN (size (half)), ...
+                         'worst', find (used, 1), 'code', 'failed', 'runs', NaN), ...
+                 1, numel (Z));
+  if n(1) < 2 || ~any (used)
+    return
+  end
+  t = studentQuantile (1 - 0.05 / sum (used), df);
+  for k = find (n > 1 & n >= n(1) / 2)
+    own = list(k);
+    root = sqrt (1 / n(1) + 1 / n(k));
+    own.cost = mean (S{k});
+    step = studentQuantile (0.95, df) * sdLog * root * (k > 1);
+    own.ratio = exp (mean (logs{k}) - mean (logs{1}) + step * [0, -1, 1]);
+    own.shift = mean (Z{k}, 1) - mean (Z{1}, 1);
+    [size_, doubt] = deal (abs (own.shift), t * sd * root);
+    [~, own.worst] = max ((size_ + doubt) ./ half .* (used ./ used));
+    own.code = 'open';
+    if k == 1
+      own.code = 'base';
+    elseif all (size_(used) + doubt(used) <= half(used))
+      own.code = 'same';
+    elseif any (size_(used) - doubt(used) > half(used))
+      own.code = 'differs';
+      [~, own.worst] = max ((size_ - doubt) ./ half .* (used ./ used));
+    else
+      % the doubt would have to be what lies between shift and bound
+      room = abs (half(used) - size_(used));
+      own.runs = ceil (max (2 * (t * sd(used) ./ room).^2));
+    end
+    list(k) = own;
+  end
+end
+
+%!test
+%! % one of the same results at half the cost, one that is off, one too scattered
+%! z = [-1; 0; 1; 0] * 0.1;
+%! Z = {[10 + z, 5 + z], [10.01 + z, 5 - z], [12 + z, 5 + z]};
+%! S = {[10; 10; 11; 9], [5; 5; 5.5; 4.5], [1; 1; 1; 1]};
+%! list = compareVariants (Z, S, [1, 1]);
+%! assert ({list.code}, {'base', 'same', 'differs'});
+%! assert (list(2).ratio(1), 0.5, 1e-3);
+%! assert (list(2).ratio(2) < 0.5 && list(2).ratio(3) > 0.5);
+%! assert (list(1).ratio, [1, 1, 1]);
+%! assert (list(3).worst, 1);
+%! assert (list(3).shift, [2, 0], 1e-12);
+%! list = compareVariants (Z, S, [0.2, 0.2]);
+%! assert (list(2).code, 'open');
+%! assert (list(2).runs > 4);
+%! % what is not looked at decides nothing; nor does a variant without results
+%! list = compareVariants (Z, S, [NaN, 1]);
+%! assert (list(3).code, 'same');
+%! Z{2}(1:3, :) = NaN;
+%! assert (compareVariants (Z, S, [1, 1])(2).code, 'failed');
+%!test
+%! % of equal results the wrong answer 'same' at a shift of half the tolerance comes
+%! % in at most 5 % of cases (fixed seed; 400 draws: 8 % would be 3 deviations off)
+%! randn ('state', 3);
+%! wrong = 0;
+%! for i = 1:400
+%!   Z = {randn(4, 1), randn(4, 1) + 2};
+%!   wrong = wrong + strcmp (compareVariants (Z, {ones(4, 1), ones(4, 1)}, 4)(2).code, 'same');
+%! end
+%! assert (wrong / 400 < 0.08);
