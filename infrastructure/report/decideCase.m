@@ -41,16 +41,15 @@ function v = decideCase (c, gap, isBegun)
   v.numbers = keyNumbers (v, c);
 end
 
-% One answer to where: the test of the headline, which prefers that of the diagnosis.
+% One answer to where: that of the diagnosis, else the test of the headline.
 function name = worstTest (misses, gap)
   models = jsonAt (gap, {'where', 'models'});
   name = '';
   if isfield (models, 'size') && ~isempty (models)
     [~, k] = max ([models.size]);
     name = models(k).model;
-  end
-  if ~isempty (misses)
-    name = misses(headline (misses, name)).model;
+  elseif ~isempty (misses)
+    name = misses(headline (misses, '')).model;
   end
 end
 

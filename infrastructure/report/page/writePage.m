@@ -141,9 +141,7 @@ function html = picture (page, width)
   html = '';
   [f, key] = benchFigure (page, page.verdict.worst);
   if ~isempty (f)
-    words = {'deviation', 'miss'};
-    isMissed = any ([page.verdict.misses.met] == 0);
-    f.title = sprintf ('Test with the largest %s: %s', words{1 + isMissed}, f.title);
+    f.title = ['Most of the deviation: ', f.title];
     f.size(1) = width;
     html = [htmlFigures(f, {}, 'one'), htmlKey(key)];
   end
