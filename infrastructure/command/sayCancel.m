@@ -94,11 +94,12 @@ function Case = caseAfter (isAlive, root, folder)
   end
 end
 
-% By its guard, as its Octave was ended. Clocks of file systems lag by a bit.
+% By its guard, as its Octave was ended. Clocks of file systems lag by a bit, and
+% stat gives whole seconds: a mark of the second in which this began counts.
 function yes = isKilledSince (folder, start)
   mark = readEndMark (folder);
   yes = ~isempty (mark) && strcmp (mark.reason, 'killed') && ...
-        stat (fullfile (folder, 'end.mark')).mtime >= start - 0.1;
+        stat (fullfile (folder, 'end.mark')).mtime >= floor (start - 0.1);
 end
 
 % Ctrl-C first: Octave then ends its runs itself.
