@@ -27,7 +27,7 @@ function [value, fault] = amountIn (text, unit)
     value = [];
     fault = sprintf (['a number in %s is needed, or one with its unit behind ' ...
                       'it, got ''%s''.'], unit, text);
-    if any (text == ',')
+    if any (text == ',')     % str2double would take 4,5 for 45
       fault = [fault, ' Its decimals stand behind a point.'];
     end
   end

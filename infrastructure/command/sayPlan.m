@@ -57,7 +57,9 @@ function own = ofApplication (regimes, options, given)
            strjoin ({list.name}, ', '), options.for);
   end
   for name = given
-    value = str2double (options.(name{1}));
+    units = {'m', 'm/s'};
+    text = amountIn (options.(name{1}), units{1 + strcmp(name{1}, 'speed')});
+    value = str2double (text);
     if ~(isfinite (value) && value > 0)
       error ('DEcalioc:sayPlan:badValue', ...
              '--%s must be a number above 0, in m or m/s, got ''%s''.', ...
@@ -167,6 +169,12 @@ end
 %! assert (said ('--for', 'storage', '--depth', '0.1', '--speed', '0.1', ...
 %!               '--width', '0.03'), 0);
 
+%!test
+%! % a size with its unit
+%! [~, out] = said ('--for', 'hopper', '--depth', '0.2', '--width', '0.05');
+%! assert (nthargout (2, @said, '--for', 'hopper', '--depth', '20 cm', ...
+%!                    '--width', '50mm'), out);
+%!error <--depth must be a number above 0> said ('--for', 'drum', '--depth', '0,2')
 %!error <expects one of hopper> said ('--for', 'moon')
 %!error <--depth must be a number above 0> said ('--for', 'drum', '--depth', '-1')
 %!error <plan takes --for NAME> said ('--depth', '1')
