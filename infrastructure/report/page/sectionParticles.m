@@ -21,10 +21,11 @@ function list = sectionParticles (page, model)
 end
 
 function html = particles (page)
-  [~, what] = setToShow (page);
+  what = strjoin ({setsToShow(page).what}, ' or ');
   html = [eachOf(@(k) panelsOf (page, k), 1:numel (page.Case.models)){:}];
   if ~isempty (strfind (html, '<svg'))
-    html = ['<p>The last picture of a run with ', what, ', from the side.</p>', html];
+    html = ['<p>The last picture of a run, from the side, where one was made with ', ...
+            what, '.</p>', html];
   end
 end
 
@@ -81,47 +82,56 @@ function real = experimentOf (Case, k)
   end
 end
 
-function [params, what] = setToShow (page)
-  params = page.found;
-  what = 'the calibrated values';
+% What was calibrated, and what was fitted together with the cause: before and
+% after stand side by side.
+function sets = setsToShow (page)
+  sets = struct ('params', {}, 'what', {}, 'title', {});
+  if ~isempty (page.found)
+    sets(1) = struct ('params', page.found, 'what', 'the calibrated values', 'title', '');
+  end
   names = page.Case.names;
   fitted = jsonAt (page.sources.gap, {'howFar', 'params'});
-  if isempty (params) && isstruct (fitted) && all (isfield (fitted, names))
-    params = cellfun (@(n) fitted.(n)(end), names);
-    what = 'the values fitted together with the cause';
+  if isstruct (fitted) && all (isfield (fitted, names))
+    effect = char (jsonAt (page.sources.gap, {'howFar', 'effect'}));
+    sets(end + 1) = struct ('params', cellfun (@(n) fitted.(n)(end), names), ...
+                            'what', 'the values fitted together with the cause', ...
+                            'title', [', with ', plainName(effect)]);
   end
 end
 
 function html = picturesOf (page, k, real)
+  html = ['', eachOf(@(set) pictureOf (page, k, real, set), setsToShow (page)){:}];
+end
+
+function html = pictureOf (page, k, real, set)
   html = '';
   Case = page.Case;
   name = Case.models(k).name;
-  params = setToShow (page);
   slack = 1e-9 * diff (Case.limits(1:2, :));
   isShown = @(r) strcmp (r.model, name) && strcmp (r.status, 'ok') && ...
-                 all (abs (r.params - params) < slack) && ...
+                 all (abs (r.params - set.params) < slack) && ...
                  (any (strcmp (r.stage, {'gap', 'cure'})) || ...
                   atLastLevel (r.effects, Case.coarse));
-  if isempty (params) || isempty (page.runs)
+  if isempty (page.runs)
     return
   end
   run = page.runs(find (arrayfun (isShown, page.runs), 1, 'last'));
   if ~isempty (run)
     files = dir (fullfile (Case.store, 'optim', name, run.name, '*.dump'));
     html = ['', eachOf(@(i) onePicture (fullfile (files(i).folder, files(i).name), ...
-                                        Case, k, numel (files) - i, real), ...
+                                        Case, k, numel (files) - i, real, set.title), ...
                        1:numel (files)){:}];
   end
 end
 
 % LEFT  dumps of this run that come later
-function html = onePicture (file, Case, k, left, real)
+function html = onePicture (file, Case, k, left, real, note)
   html = '';
   try
     grains = readDump (file){end};
     lines = measuredLines (Case, k, file, left, grains);
     [~, base] = fileparts (file);
-    title = [Case.models(k).name, ': ', base];
+    title = [Case.models(k).name, ': ', base, note];
     html = ['<figure><figcaption>', htmlText(title), '</figcaption>', ...
             grainPicture(grains, lines, title, real), "</figure>\n"];
   catch
@@ -197,6 +207,15 @@ end
 %! html = particles (page);
 %! assert (numel (strfind (html, '<circle')) > 100);
 %! assert (numel (strfind (html, 'stroke-dasharray')), 2);
+%! % before and after, where a run was made with the cause
+%! page.sources.gap = jsondecode (['{"howFar": {"effect": "tilt", ', ...
+%!                                 '"params": {"a": [0.4, 0.7]}}}']);
+%! page.runs(2) = setfield (setfield (page.runs, 'params', 0.7), 'stage', 'cure');
+%! html = particles (page);
+%! assert (numel (strfind (html, '<figure>')), 2);
+%! assert (! isempty (strfind (html, 'Heap: heap, with tilt')));
+%! page.sources.gap = [];
+%! page.runs = page.runs(1);
 %! page.runs.params = 0.6;
 %! html = particles (page);
 %! assert (html, '');
