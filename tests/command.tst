@@ -55,7 +55,7 @@
 %! [status, out] = startCommand (base, '--help');
 %! assert (status, 0);
 %! commands = regexp (out, '^  (\w+) ', 'tokens', 'lineanchors');
-%! assert (numel (commands), 17);
+%! assert (numel (commands), 18);
 %! % what 2 means, of each command that gives it
 %! marks = {'run: not all', 'diagnose: no verdict', 'doctor: something', ...
 %!          'check --try: the trial run failed', 'runs: the store is empty', ...
