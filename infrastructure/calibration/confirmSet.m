@@ -116,6 +116,7 @@ function final = judge (final, m, v, df, problem, left)
   final.state = repmat ({'open'}, 1, T);
   final.met = false (1, T);
   groups = requirementsOf (problem);
+  final.expected = [sum(share > 1), numel(groups)];    % outside, of all
   for g = 1:numel (groups)
     within = [share(g), byRuns(g)] <= 1;
     final.met(groups{g}) = within(1) && (within(2) || final.n == 0);
@@ -163,7 +164,8 @@ function ending = endingOf (final, state, problem)
   else
     code = 'unsure';
   end
-  numbers = struct ('runs', final.n);
+  numbers = struct ('runs', final.n, 'outside', final.expected(1), ...
+                    'targets', final.expected(2));
   numbers = mergeFields (numbers, final, {'equal', 'probability', ...
                                           'conflict', 'limit'});
   numbers = mergeFields (numbers, final.outcomes, {'usual', 'other', 'share'});

@@ -23,12 +23,15 @@ function ending = newEnding (code, numbers, options)
   ending = mergeFields (struct ('code', code, 'runs', 0, 'equal', 0, ...
                                 'probability', 0, 'conflict', {{}}, ...
                                 'limit', '', 'usual', 0, 'other', 0, ...
-                                'share', 0), numbers);
+                                'share', 0, 'outside', 0, 'targets', 0), numbers);
   values = ending;
   values.share = round (100 * values.share);
   values.all = values.usual + values.other;
-  % never said to be certain
-  values.probability = min (99, round (100 * values.probability));
+  chance = 100 * values.probability;
+  values.probability = round (chance);
+  if chance > 99.5                       % never said to be certain
+    values.probability = 'more than 99';
+  end
   values.equal = values.equal + values.runs;
   values.wanted = givenField (options, 'replicates', 1);
   values.together = repmat (' at once', 1, numel (ending.conflict) > 1);

@@ -112,7 +112,7 @@ function v = ofCalibration (v, c)
     v.usableFor = listSentences ({codes{1 + (v.met < v.of)}, ...
                                   unique({used.model}, 'stable'); ...
                                   'usableFor.predicted', right});
-    v = withAction (v, newAction ('use'));
+    v = withAction (v, useOrSettle (used));
   else
     [v.word, v.class] = deal (sentence ('case.notCalibrated.word'), 'bad');
     v.notFor = {notCalibrated(used, c)};
@@ -123,6 +123,17 @@ function v = ofCalibration (v, c)
     v = withAction (v, newAction ('diagnose'));
   end
   v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong}), looseOnes(c), knownOnes(c)];
+end
+
+% The values may be used; a target that runs and all runs together see otherwise is
+% worth some more runs.
+function todo = useOrSettle (used)
+  todo = newAction ('use');
+  isOpen = strcmp ({used.state}, 'open') & [used.runs] > 0;
+  if any (isOpen)
+    settle = newAction ('settle', {used(isOpen).name});
+    todo.text = [todo.text, ' ', settle.text];
+  end
 end
 
 function text = notCalibrated (used, c)

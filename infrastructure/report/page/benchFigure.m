@@ -34,6 +34,7 @@ function [f, key] = benchFigure (page, model)
   y = (1:n)';
   trials = arrayfun (@(r, y) [r.trials(:), 0 * r.trials(:) + y], list, y', ...
                      'UniformOutput', false);
+  isStrict = [list.isStrict];
   reach = min (max (vertcat (list.reach), -most), most);
   f = newFigure (model, unit, fliplr ({list.label}), ...
                  sprintf ('%s: %s misses most, by %.3g', model, ...
@@ -42,7 +43,8 @@ function [f, key] = benchFigure (page, model)
                   'box', [0 * y, y, reach, y - 0.3, y + 0.3], 'palegrey'; ...
                   'line', [0, 0.4; 0, n + 0.6], 'ink'; ...
                   'dots', vertcat(trials{:}), 'ink'; ...
-                  'diamond', [[list.now]', y], 'blue'; ...
+                  'ring', [[list.now]', y](isStrict, :), 'blue'; ...
+                  'diamond', [[list.now]', y](~isStrict, :), 'blue'; ...
                   'triangle', [[list.with]', y], 'amber'});
   f.size = [360, 74 + 26 * n];
   f.xlim = most * [-1, 1];
@@ -53,7 +55,7 @@ function r = oneRow (page, m)
   t = targetAt (Case.targets, m);
   r = struct ('label', m.name, 'now', NaN, 'with', NaN, ...
               'reach', [NaN, NaN], 'trials', zeros (1, 0), ...
-              'isAllowed', m.allowed > 0);
+              'isAllowed', m.allowed > 0, 'isStrict', m.isStrict);
   [unit, measured, simulated] = deal (m.allowed, m.measured, m.simulated);
   cure = jsonAt (page.sources.gap, {'howFar', 'targets'});
   cure = cure(targetAt (cure, m));
@@ -94,6 +96,9 @@ function key = keyOf (page)
   key = {'line', 'ink', 'measured'; 'box', 'palegreen', 'allowed'; ...
          'box', 'palegrey', 'reachable within your limits'; ...
          'diamond', 'blue', words{1 + page.verdict.usable}};
+  if any ([page.verdict.misses.isStrict])
+    key(end + 1, :) = {'ring', 'blue', 'the same, tolerance below the scatter of a run'};
+  end
   if page.showsEffect
     effect = jsonAt (page.sources.gap, {'howFar', 'effect'});
     key(end + 1, :) = {'triangle', 'amber', ['fitted with ', htmlText(effect)]};
@@ -108,7 +113,7 @@ end
 %! page.verdict.usable = true;
 %! page.verdict.misses = struct ('model', 'B', 'name', 'h', 'unit', 'm', ...
 %!   'measured', 2, 'simulated', 2.3, 'allowed', 0.1, 'role', 'calibrate', ...
-%!   'met', 0, 'share', 3);
+%!   'met', 0, 'share', 3, 'isStrict', false);
 %! page.Case.targets = struct ('name', 'h', 'modelName', 'B', ...
 %!                             'each', [1.9, 2.1]);
 %! page.targets = struct ('label', '', 'unit', 'm');
@@ -123,6 +128,11 @@ end
 %! assert (at ('triangle'), 0.5, 1e-12);
 %! assert (at ('dots'), [-1, 1], 1e-12);
 %! assert (f.ynames, {'h 2 m'});
+%! page.verdict.misses.isStrict = true;
+%! [f, key] = benchFigure (page, 'B');
+%! assert (f.layers{strcmp (f.layers(:, 1), 'ring'), 2}(1), 3, 1e-12);
+%! assert (any (strcmp (key(:, 1), 'ring')));
+%! page.verdict.misses.isStrict = false;
 %! assert (isempty (benchFigure (page, 'other')));
 %! % a long name is cut, its value is not
 %! page.verdict.misses.name = 'level of the grains behind the slit';
