@@ -113,7 +113,7 @@
 %! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
 %! [~, ~] = mkdir (flight.batches.path);
-%! here = fullfile (Case.root, 'infrastructure', 'executors');
+%! here = fullfile (Case.root, 'infrastructure', 'executors', 'queues');
 %! task = [{fullfile(here, 'batchTask.sh'), flight.batches.path, 'none'}, ...
 %!         queue.task];
 %! assert (queue.send (flight.batches, opt, task), 'sent');

@@ -44,7 +44,7 @@ effects of the library ([effects.md](effects.md)).
   table DEcalioc.m diagnoseGap.m loadInput.m loadEffects.m costFunction.m
   echo '
 ## The published functions'
-  table infrastructure/*.m infrastructure/case/{assignParams,getRayleigh}.m
+  table infrastructure/*.m infrastructure/published/*.m infrastructure/case/{assignParams,getRayleigh}.m
   echo '
 ## For `getResults` of a model
 

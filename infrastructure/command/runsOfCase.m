@@ -23,7 +23,7 @@ function runs = runsOfCase (Case)
   end
   Case.hashes = hashModels (Case);
   sent = cell (0, 1);
-  for name = executorNames ()
+  for name = executorNames ('described')
     sent = vertcat (sent, batchLedger (Case.store, name{1}).folders);
   end
   isHere = any (strcmp (lockHolder (Case.folder).host, {'', gethostname()}));

@@ -92,7 +92,8 @@ function name = send (Case, queue, command, minutes)
   % written down before: a queue may take a job without saying so
   writeAtomic (fullfile (place, 'job'), ...
                sprintf ("%s %s\n", Case.options.executor, name));
-  script = fullfile (Case.root, 'infrastructure', 'executors', 'mainTask.sh');
+  script = fullfile (Case.root, 'infrastructure', 'executors', 'queues', ...
+                     'mainTask.sh');
   task = {script, fullfile(Case.root, 'bin', 'decalioc'), command, Case.folder};
   [verdict, text] = queue.send (batch, queue.options (Case.options), task);
   if ~strcmp (verdict, 'sent')

@@ -23,6 +23,8 @@ function b = reportCost (Case, say)
   say (['BEST SET KNOWN: ', sprintf('smallest %s %.5g, of %d sets', b.name, b.cost, ...
                                     b.sets)], 'open');
   cellfun (@(text) say (['  ', text]), costTexts (b), 'UniformOutput', false);
-  say (['Report: ', costPage(Case, b)]);
+  if exist ('costPage', 'file') == 2           % a wing, page/
+    say (['Report: ', costPage(Case, b)]);
+  end
   b.exitStatus = 2;
 end

@@ -11,8 +11,9 @@ function reportPage (Case, say, state)
     if nargin > 2
       writeProgress (Case, state);
     end
-    file = writePage (Case);
-    say (['Report: ', file]);
+    if exist ('writePage', 'file') == 2        % a wing, page/
+      say (['Report: ', writePage(Case)]);
+    end
   catch err
     say (['  The report page could not be written: ', ...
           strtok(err.message, "\n")]);

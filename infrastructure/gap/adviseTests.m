@@ -15,7 +15,8 @@
 % Tests of other benches cost runs, so they are tried only where it is open
 % which kind of cause it is, or whether it is the likeliest one itself: a group,
 % an undecided verdict, or a name beside which a look-alike stands; not where
-% surrogates or integrals are to blame.
+% surrogates or integrals are to blame. They are a wing, otherTests/: without it
+% none is tried.
 
 function [tests, state] = adviseTests (study, w, verdict, state)
   options = study.models.options;
@@ -24,7 +25,8 @@ function [tests, state] = adviseTests (study, w, verdict, state)
   isOpen = (any (strcmp (verdict.kind, {'group', 'undecided'})) || ...
             (strcmp (verdict.kind, 'named') && verdict.lookAlike)) && ...
            ~any (strcmp (verdict.guard, {'surrogate', 'integral'}));
-  if isfield (problem, 'tests') && isOpen && state.budget.left >= 4
+  if isfield (problem, 'tests') && exist ('tryTests', 'file') == 2 && isOpen && ...
+     state.budget.left >= 4
     [fresh, state] = tryTests (problem.tests, study, w, verdict.P, state);
     tests = [tests, fresh];
   end
