@@ -44,13 +44,13 @@ end
 function benches = benchesOf (name, root)
   campaign = leftOutCampaign (name, root);
   given = campaign.given;
-  em = campaign.em;
+  emulator = campaign.emulator;
   problem = newProblem (given);
-  points = 0.8 * boxPoints (em.p, 15);
+  points = 0.8 * boxPoints (emulator.p, 15);
   benches = [];
   for b = 1:numel (given.benchNames)
-    white = whitenEmulator (em, find (given.bench == b), ...
-                            noiseBudget (problem, em));
+    white = whitenEmulator (emulator, find (given.bench == b), ...
+                            noiseBudget (problem, emulator));
     one = struct ('name', given.benchNames{b}, 'parameters', {given.names}, ...
                   'effects', problem.effects, 'J', {{}}, 'marks', {{}});
     for i = 1:rows (points)

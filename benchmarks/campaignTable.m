@@ -15,19 +15,19 @@
 % See also: campaign, fitEmulator
 
 function [change, count, lines] = campaignTable (problem, data)
-  em = fitEmulator (problem, data, gapOptions ([]));
+  emulator = fitEmulator (problem, data, gapOptions ([]));
   phi = strengthOfValues (problem.effects, data.E);
-  K = numel (em.effect);
-  middle = zeros (1, em.p);
-  noise = sqrt (em.noiseVar);
+  K = numel (emulator.effect);
+  middle = zeros (1, emulator.p);
+  noise = sqrt (emulator.noiseVar);
   change = zeros (K, numel (noise));
   count = zeros (K, numel (noise));
   for k = 1:K
     own = phi(:, k) ~= 0 & sum (phi ~= 0, 2) == 1;
-    own = own | em.effect(k).laboratory;
+    own = own | emulator.effect(k).laboratory;
     count(k, :) = sum (isfinite (data.Z(own, :)), 1);
-    change(k, :) = (predictGap (em, k, [middle, 1]) - ...
-                    predictGap (em, [], middle)) ./ noise;
+    change(k, :) = (predictGap (emulator, k, [middle, 1]) - ...
+                    predictGap (emulator, [], middle)) ./ noise;
   end
   change(count < 3) = NaN;
   lines = {['| target | noise of a run | ', ...

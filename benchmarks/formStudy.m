@@ -26,27 +26,27 @@
 1;
 
 % Study with surrogates of which DATA are known, kept in FOLDER under NAME.
-function em = emulatorOf (name, folder, problem, data, options, old)
+function emulator = emulatorOf (name, folder, problem, data, options, old)
   file = fullfile (folder, [name, '.mat']);
   if ~isempty (folder) && exist (file, 'file') == 2
-    em = load (file).em;
+    emulator = load (file).emulator;
     return
   end
-  em = fitEmulator (problem, data, options, old{:});
+  emulator = fitEmulator (problem, data, options, old{:});
   if ~isempty (folder)
-    save ('-binary', file, 'em');
+    save ('-binary', file, 'emulator');
   end
 end
 
 % What the gate compares with, for the CASES of one campaign.
-function how = withReference (how, name, problem, em)
+function how = withReference (how, name, problem, emulator)
   file = fullfile (how.folder, [name, '-reference.mat']);
   if ~isempty (how.folder) && exist (file, 'file') == 2
     how.reference = load (file).reference;
     return
   end
-  em = takeReference (em, problem);
-  models = makeHypotheses (problem, em, how.options, ...
+  emulator = emulateChange (emulator, problem);
+  models = makeHypotheses (problem, emulator, how.options, ...
                            find (isfinite (problem.value)));
   reference = omnibusReference (models).reference;
   how.reference = reference;
@@ -69,11 +69,11 @@ function list = leftOutCases (name, root, step, how)
     noise = integrationPoints (1, columns (data.Z), 8000 + i).normal;
     own.value = data.Z(i, :) + given.sd .* noise;
     rest = keepRows (data, ~all (inputs == inputs(i, :), 2));
-    em = emulatorOf (sprintf ('%s-%d', name, i), how.folder, problem, ...
-                     rest, how.options, {whole});
+    emulator = emulatorOf (sprintf ('%s-%d', name, i), how.folder, problem, ...
+                           rest, how.options, {whole});
     truth = struct ('X', data.X(i, :), 'phi', ...
                     strengthOfValues (problem.effects, data.E(i, :)));
-    list = [list, formCase(name, i, own, em, truth, how)];
+    list = [list, formCase(name, i, own, emulator, truth, how)];
   end
 end
 
@@ -150,10 +150,10 @@ function list = changeCases (root, step, how)
       how = withReference (how, 'change', newProblem (own), whole);
     end
     isSame = all ([data.X, data.E] == [data.X(i, :), data.E(i, :)], 2);
-    em = emulatorOf (sprintf ('change-%d', i), how.folder, problem, ...
-                     keepRows (data, ~isSame), how.options, {whole});
+    emulator = emulatorOf (sprintf ('change-%d', i), how.folder, problem, ...
+                           keepRows (data, ~isSame), how.options, {whole});
     truth = struct ('X', data.X(i, :), 'phi', phi(i, :));
-    list = [list, formCase('change', i, own, em, truth, how)];
+    list = [list, formCase('change', i, own, emulator, truth, how)];
   end
 end
 

@@ -114,10 +114,10 @@ function answerSwaps (root)
   writeAtomic ([stemOf(root), '-answers.csv'], [strjoin(lines, "\n"), "\n"]);
 end
 
-function reference = referenceOf (own, em, how)
+function reference = referenceOf (own, emulator, how)
   problem = newProblem (own);
-  em = takeReference (em, problem);
-  models = makeHypotheses (problem, em, how.options, ...
+  emulator = emulateChange (emulator, problem);
+  models = makeHypotheses (problem, emulator, how.options, ...
                            find (isfinite (problem.value)));
   reference = omnibusReference (models).reference;
 end

@@ -77,5 +77,5 @@ end
 %!test
 %! rand ('twister', 1);
 %! for k = 1:50
-%!   assert (ischar (checkShow (fuzzValue (0, 'x'))));
+%!   assert (ischar (describeValue (fuzzValue (0, 'x'))));
 %! end

@@ -97,11 +97,11 @@
 %!   problem = newProblem (g);
 %!   options = gapOptions (quick ());
 %!   if seed == 5
-%!     em = fitEmulator (problem, data, options);
-%!     models = omnibusReference (makeHypotheses (problem, em, options));
+%!     emulator = fitEmulator (problem, data, options);
+%!     models = omnibusReference (makeHypotheses (problem, emulator, options));
 %!   end
-%!   w = caseEvidence (models, fitLibrary (models, g.value), 1);
-%!   v = judgeCase (w, models);
+%!   evidence = caseEvidence (models, fitLibrary (models, g.value), 1);
+%!   v = judgeCase (evidence, models);
 %!   assert (isempty (v.effects) || any (v.effects == 4));
 %! end
 

@@ -4,7 +4,7 @@
 %
 %   GIVEN    struct for newProblem;  DATA  struct X, E, Z, replicate
 %   OPTIONS  struct of gapOptions (default: trend 'affine')
-%   STUDY    struct problem, em, models, fits
+%   STUDY    struct problem, emulator, models, fits
 %
 % See also: standInGap, smallGapLab, diagnoseMatrices
 
@@ -14,8 +14,8 @@ function study = labStudy (given, data, options)
   end
   options = gapOptions (mergeFields (struct ('trend', 'affine'), options));
   study.problem = newProblem (given);
-  study.em = fitEmulator (study.problem, data, options);
-  study.models = makeHypotheses (study.problem, study.em, options);
+  study.emulator = fitEmulator (study.problem, data, options);
+  study.models = makeHypotheses (study.problem, study.emulator, options);
   used = study.problem.used;
   study.fits = fitLibrary (study.models, study.problem.value(used));
 end

@@ -107,16 +107,16 @@
 %! folder = fullfile (home, 'unsent');
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 0);
 %! queue = slurmExecutor ();
-%! flight = batchAttach (jobs, Case, queue);
+%! queueState = batchAttach (jobs, Case, queue);
 %! opt = queue.options (Case.options);
-%! flight = batchSubmit (flight, 1:2, jobs, Case, queue, opt);
+%! queueState = batchSubmit (queueState, 1:2, jobs, Case, queue, opt);
 %! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
-%! [~, ~] = mkdir (flight.batches.path);
+%! [~, ~] = mkdir (queueState.batches.path);
 %! here = fullfile (Case.root, 'infrastructure', 'executors', 'queues');
-%! task = [{fullfile(here, 'batchTask.sh'), flight.batches.path, 'none'}, ...
+%! task = [{fullfile(here, 'batchTask.sh'), queueState.batches.path, 'none'}, ...
 %!         queue.task];
-%! assert (queue.send (flight.batches, opt, task), 'sent');
+%! assert (queue.send (queueState.batches, opt, task), 'sent');
 %! pause (2);
 %! assert (slurmTestStarts (folder), 2);
 
@@ -131,7 +131,7 @@
 %!   pause (0.1);
 %! end
 %! kill (pid, 9);
-%! sent = {batchLedger(folder, 'slurm').name};
+%! sent = {readSubmissions(folder, 'slurm').name};
 %! assert (numel (sent), 1);
 %! assert (describeExecutor ('slurm').cancel (sent));
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 2);
@@ -149,7 +149,7 @@
 %! end
 %! assert (err.identifier, 'DEcalioc:batchExecute:submitRefused');
 %! assert (! isempty (strfind (err.message, 'partition')));
-%! assert (isempty (batchLedger (folder, 'slurm')));
+%! assert (isempty (readSubmissions (folder, 'slurm')));
 %! Case.options.slurm.partition = 'main';
 %! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});

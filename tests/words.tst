@@ -49,10 +49,10 @@
 %!test
 %! % the decisions about all stored situations
 %! coded = @(x) jsondecode (jsonencode (x));
-%! all_ = @() arrayfun (@(s) withoutTexts (decideCase (coded (s.c), ...
+%! verdicts = @() arrayfun (@(s) withoutTexts (decideCase (coded (s.c), ...
 %!                                                     coded (s.gap))), ...
 %!                      verdictCase (), 'UniformOutput', false);
-%! before = all_ ();
+%! before = verdicts ();
 %! said = decideCase (coded (verdictCase ()(1).c), []).word;
 %! folder = spoiltToolbox ();
 %! words = fullfile (folder, 'infrastructure', 'report', 'words');
@@ -61,7 +61,7 @@
 %! assert (regexp (decideCase (coded (verdictCase ()(1).c), []).word, ...
 %!                 '^x\d+$'), 1);
 %! assert (isempty (regexp (said, '^x\d+$')));
-%! assert (isequaln (all_ (), before));
+%! assert (isequaln (verdicts (), before));
 %! % a whole calibration, its targets out of reach
 %! clear undo;
 %! out = cell (1, 2);

@@ -87,9 +87,9 @@ function forms = formsOf (lab)
 end
 
 function seeds = packings (n)
-  all_ = primes (60000);
-  all_ = all_(all_ > 20000);
-  seeds = all_(randperm (numel (all_), n));
+  numbers = primes (60000);
+  numbers = numbers(numbers > 20000);
+  seeds = numbers(randperm (numel (numbers), n));
 end
 
 % One effect that can reach the level if there is one, in a form; not OTHER, and
@@ -152,9 +152,9 @@ end
 %! end
 %! options = gapOptions ([]);
 %! problem = newProblem (given);
-%! em = fitEmulator (problem, data, options);
+%! emulator = fitEmulator (problem, data, options);
 %! lab = struct ('trials', 2, 'sd', given.sd, 'problem', problem, ...
-%!               'em', em, 'models', makeHypotheses (problem, em, options), ...
+%!               'emulator', emulator, 'models', makeHypotheses (problem, emulator, options), ...
 %!               'shares', struct ('null', 0.3, 'single', 0.4, ...
 %!                                 'pair', 0.1, 'unlisted', 0.1), ...
 %!               'forms', {{'sjkr2', 'fiveSizes', 'squareDrag', ...

@@ -9,7 +9,7 @@
 %         shear cell and heap (campaign hiddenEffect, three trials)
 %   LAB   struct: trials (each value is the mean of so many), sd (1 x T,
 %         reading error of one trial), problem (of newProblem), models (of
-%         makeHypotheses, from the stored campaign), em (fitEmulator), and
+%         makeHypotheses, from the stored campaign), emulator (fitEmulator), and
 %     draw      handle, TRUTHS = DRAW (LAB, N)
 %     shares    struct, share of each class of blindDraw; the rest: lookAlike
 %     forms     cellstr, what of blindForms it can do
@@ -55,8 +55,8 @@ function lab = blindLab (root, stem)
   given.sd = given.sd / sqrt (lab.trials);
   options = gapOptions ([]);
   lab.problem = newProblem (given);
-  lab.em = fitEmulator (lab.problem, data, options);
-  lab.models = makeHypotheses (lab.problem, lab.em, options);
+  lab.emulator = fitEmulator (lab.problem, data, options);
+  lab.models = makeHypotheses (lab.problem, lab.emulator, options);
 end
 
 function names = ofTable ()

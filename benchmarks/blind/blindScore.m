@@ -62,10 +62,10 @@ function [d, parts] = detectable (truth, lab)
   space = blindSpace (lab, theta);
   shape = Z - space.base;
   shape(~isfinite (shape)) = 0;
-  em = lab.em;
+  emulator = lab.emulator;
   used = problem.used;
-  packing = em.noiseVar(used) / lab.trials;
-  surrogate = mean (em.surrogateVar(:, used), 1) + em.fitVar(used);
+  packing = emulator.noiseVar(used) / lab.trials;
+  surrogate = mean (emulator.surrogateVar(:, used), 1) + emulator.fitVar(used);
   reading = problem.sd(used).^2;
   % the simulated packing is on both sides: of the truth and of the surrogate
   share = mean ((packing + surrogate) ./ (packing + surrogate + reading));

@@ -23,14 +23,14 @@ function space = blindSpace (lab, theta)
   N = parityProjection (slopes, zeros (numel (V), 1)).N;
   used = white.columns;
   whitened = @(shape) (shape(used) * white.W' ./ sqrt (V))';
-  space.base = predictGap (lab.em, [], q);
+  space.base = predictGap (lab.emulator, [], q);
   space.freedom = columns (N);
   space.visible = @(shape) norm (N' * whitened (shape));
   back = inv (white.W) .* sqrt (V);
   scale = sqrt (sum (back.^2, 2));
   space.parts = @(shape) spread ((back * (N * (N' * whitened (shape))) ./ ...
                                   scale)', used, columns (shape));
-  space.shape = @(k, phi) predictGap (lab.em, k, [q, phi]) - space.base;
+  space.shape = @(k, phi) predictGap (lab.emulator, k, [q, phi]) - space.base;
 end
 
 function parts = spread (values, used, T)
@@ -43,11 +43,11 @@ end
 %! given.value = mean (data.Z);
 %! options = gapOptions ([]);
 %! problem = newProblem (given);
-%! em = fitEmulator (problem, data, options);
-%! lab = struct ('em', em, ...
-%!               'models', makeHypotheses (problem, em, options));
+%! emulator = fitEmulator (problem, data, options);
+%! lab = struct ('emulator', emulator, ...
+%!               'models', makeHypotheses (problem, emulator, options));
 %! space = blindSpace (lab, [0.5, 0.5]);
-%! near = predictGap (em, [], [0.02, 0]) - space.base;
+%! near = predictGap (emulator, [], [0.02, 0]) - space.base;
 %! full = space.shape (1, 1);
 %! assert (space.visible (near) < 0.1 * norm (near ./ problem.sd));
 %! assert (space.visible (2 * full), 2 * space.visible (full), 1e-9);

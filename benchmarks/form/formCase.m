@@ -1,10 +1,10 @@
 % FORMCASE  Diagnoses one stored case, with its form and with others.
 %
-% CALL: LINES = formCase (PART, NUMBER, GIVEN, EM, TRUTH, HOW)
+% CALL: LINES = formCase (PART, NUMBER, GIVEN, EMULATOR, TRUTH, HOW)
 % CALL: HEADER = formCase ()
 %
 %   PART, NUMBER  text and number of the case
-%   GIVEN         for newProblem;  EM  of fitEmulator
+%   GIVEN         for newProblem;  EMULATOR  of fitEmulator
 %   TRUTH         struct X (1 x p), phi (1 x K); isUnlisted: the cause is off
 %                 the list
 %   HOW           struct options (gapOptions), reference (omnibusReference)
@@ -12,7 +12,7 @@
 %
 % See also: formStudy, turnMark
 
-function lines = formCase (part, number, given, em, truth, how)
+function lines = formCase (part, number, given, emulator, truth, how)
   if nargin == 0
     lines = ['part,case,class,cause,tangent,way,d,verdict,effects,class90,', ...
              'pSaid,top,pTop,pTrue,p,pairs,turn,unlisted,decides'];
@@ -20,10 +20,10 @@ function lines = formCase (part, number, given, em, truth, how)
   end
   lines = {};
   problem = setfield (newProblem (given), 'unit', 1);
-  em = takeReference (em, problem);
-  usable = [em.effect.laboratory] | [em.effect.runs] >= 3;
-  em = withoutEffects (em, find (~usable));
-  models = makeHypotheses (problem, em, how.options);
+  emulator = emulateChange (emulator, problem);
+  usable = [emulator.effect.laboratory] | [emulator.effect.runs] >= 3;
+  emulator = withoutEffects (emulator, find (~usable));
+  models = makeHypotheses (problem, emulator, how.options);
   [truth, d] = described (problem, models, truth);
   ways = {'rival', 'smooth'};
   way = ways{1 + mod(number, 2)};
@@ -42,7 +42,7 @@ function lines = formCase (part, number, given, em, truth, how)
   fits = fitLibrary (models, Y);
   for i = 1:numel (tangents)
     own = setfield (problem, 'value', {problem.used}, Y(i, :));
-    study = struct ('problem', own, 'em', em, 'models', models, 'fits', ...
+    study = struct ('problem', own, 'emulator', emulator, 'models', models, 'fits', ...
                     fits);
     start = sprintf ('%s,%d,%s,%s,%g,%s,%.2f', part, number, truth.class, ...
                      strjoin (truth.names, ' '), tangents(i), way, d);
@@ -75,15 +75,15 @@ end
 
 function text = answerOf (study, i, truth)
   models = study.models;
-  w = caseEvidence (models, study.fits, i);
-  verdict = judgeCase (w, models);
+  evidence = caseEvidence (models, study.fits, i);
+  verdict = judgeCase (evidence, models);
   [class90, decides] = deal (verdict.effects, {});
   if isfield (verdict, 'class')
     [verdict, decides] = withoutReadings (verdict, study);
     class90 = verdict.class;
   end
   holding = @(set) sum (verdict.P(cellfun (@(m) any (ismember (m, set)), ...
-                                           w.members)));
+                                           evidence.members)));
   said = [arrayfun(holding, verdict.effects), 1];
   if strcmp (verdict.kind, 'group')
     said = holding (verdict.effects);
@@ -92,23 +92,23 @@ function text = answerOf (study, i, truth)
   if any (strcmp (truth.class, {'single', 'pair'}))
     pTrue = max (arrayfun (holding, truth.at));
   end
-  isPair = strcmp (w.kind, 'pair');
+  isPair = strcmp (evidence.kind, 'pair');
   text = sprintf (',%s,%s,%s,%.4f,%s,%.4f,%.4f,%.3g,%.4f,%.2f,%.4f,%s', ...
                   verdict.kind, ...
                   strjoin (models.names(verdict.effects), ' '), ...
                   strjoin (models.names(class90), ' '), min (said), ...
                   models.names{verdict.top}, holding (verdict.top), pTrue, ...
-                  w.gate.p, sum (verdict.P(isPair)), turnOf (w), ...
+                  evidence.gate.p, sum (verdict.P(isPair)), turnOf (evidence), ...
                   verdict.unlisted, strjoin (decides, ' '));
 end
 
 % Of the likeliest hypothesis with effects the tangent of its form error.
-function t = turnOf (w)
-  logP = w.logPrior + w.logE - 1e9 * cellfun (@isempty, w.members);
+function t = turnOf (evidence)
+  logP = evidence.logPrior + evidence.logE - 1e9 * cellfun (@isempty, evidence.members);
   [~, best] = max (logP);
   t = NaN;
-  if ~isempty (w.posterior{best}.Q)
-    t = weightedQuantile (w.posterior{best}.Q(:, end), ...
-                          w.posterior{best}.weight, 0.5);
+  if ~isempty (evidence.posterior{best}.Q)
+    t = weightedQuantile (evidence.posterior{best}.Q(:, end), ...
+                          evidence.posterior{best}.weight, 0.5);
   end
 end

@@ -72,8 +72,8 @@ function lab = labOf (root)
   options = gapOptions ([]);
   lab.given = given;
   lab.problem = newProblem (given);
-  lab.em = fitEmulator (lab.problem, data, options);
-  lab.models = makeHypotheses (lab.problem, lab.em, options);
+  lab.emulator = fitEmulator (lab.problem, data, options);
+  lab.models = makeHypotheses (lab.problem, lab.emulator, options);
 end
 
 function mark = markOf (lab, t, stem)

@@ -5,7 +5,7 @@
 %   NAME      'hiddenEffect' (examples/) or 'drumAndBins' (benchmarks/)
 %   ROOT      folder of the toolbox
 %   CAMPAIGN  struct name, given (for newProblem; nothing is held out), data
-%             (all runs), em (fitEmulator on all), reference (of
+%             (all runs), emulator (fitEmulator on all), reference (of
 %             omnibusReference), isWhole (1 x n logical: every result is there)
 %
 % See also: leftOut
@@ -15,9 +15,9 @@ function campaign = leftOutCampaign (name, root)
   given.held(:) = false;
   problem = newProblem (given);
   options = gapOptions ([]);
-  em = fitEmulator (problem, data, options);
-  models = omnibusReference (makeHypotheses (problem, em, options));
-  campaign = struct ('name', name, 'given', given, 'data', data, 'em', em, ...
+  emulator = fitEmulator (problem, data, options);
+  models = omnibusReference (makeHypotheses (problem, emulator, options));
+  campaign = struct ('name', name, 'given', given, 'data', data, 'emulator', emulator, ...
                      'reference', models.reference, ...
                      'isWhole', all (isfinite (data.Z), 2)');
 end

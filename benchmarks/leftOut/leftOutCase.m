@@ -28,16 +28,16 @@ function cases = leftOutCase (campaign, numbers)
     given = campaign.given;
     given.value = data.Z(i, :) + given.sd .* noise;
     problem = newProblem (given);
-    em = fitEmulator (problem, without (data, same), options, campaign.em);
-    kept = [em.effect.laboratory] | [em.effect.runs] >= 3;
-    em = withoutEffects (em, find (~kept));
-    models = makeHypotheses (problem, em, options);
+    emulator = fitEmulator (problem, without (data, same), options, campaign.emulator);
+    kept = [emulator.effect.laboratory] | [emulator.effect.runs] >= 3;
+    emulator = withoutEffects (emulator, find (~kept));
+    models = makeHypotheses (problem, emulator, options);
     models.reference = campaign.reference;
     fits = fitLibrary (models, given.value);
-    w = caseEvidence (models, fits, 1);
-    verdict = judgeCase (w, models);
+    evidence = caseEvidence (models, fits, 1);
+    verdict = judgeCase (evidence, models);
     truth = truthOf (problem, models, data, i);
-    one = describe (w, verdict, models, truth);
+    one = describe (evidence, verdict, models, truth);
     one.campaign = campaign.name;
     one.row = i;
     one.seconds = toc (start);
@@ -68,7 +68,7 @@ function truth = truthOf (problem, models, data, i)
   end
 end
 
-function one = describe (w, verdict, models, truth)
+function one = describe (evidence, verdict, models, truth)
   classes = {'null', 'single', 'pair'};
   one = struct ('class', classes{numel(truth.names) + 1}, ...
                 'cause', {truth.names}, 'phi', truth.phi, 'd', truth.d, ...
@@ -78,10 +78,10 @@ function one = describe (w, verdict, models, truth)
                 'top', models.names{verdict.top}, ...
                 'pTop', verdict.include(verdict.top), 'pTrue', 0, ...
                 'pNull', verdict.null, 'interval', NaN (1, 3), ...
-                'gateP', w.gate.p, 'ess', min (w.ess));
+                'gateP', evidence.gate.p, 'ess', min (evidence.ess));
   numbers = truth.at(truth.at > 0);
   if ~isempty (numbers)
     one.pTrue = max (verdict.include(numbers));
-    one.interval = strengthAlone (w, models, numbers(1));
+    one.interval = strengthAlone (evidence, models, numbers(1));
   end
 end

@@ -5,7 +5,7 @@
 %   KIND  'blind' (4 laboratories) or 'develop' (2 others)
 %   LABS  1 x L struct: name, problem (value still NaN), data
 %         (40 neutral runs, 20 for each effect of DEM), means, measure, noiseSd,
-%         isSigned, em (of fitEmulator), noise (1 x T: measurement, packing and
+%         isSigned, emulator (of fitEmulator), noise (1 x T: measurement, packing and
 %         surrogate)
 %
 % See also: foreignLab, foreignTwins
@@ -24,8 +24,8 @@ function labs = foreignLaboratories (kind)
                   'isSigned', lab.isSigned);
     given = lab.problem;
     given.value = mean (one.data.Z);
-    one.em = fitEmulator (newProblem (given), one.data, gapOptions ([]));
-    surrogate = mean (one.em.surrogateVar, 1);
+    one.emulator = fitEmulator (newProblem (given), one.data, gapOptions ([]));
+    surrogate = mean (one.emulator.surrogateVar, 1);
     one.noise = sqrt (lab.problem.sd.^2 + lab.noiseSd.^2 + surrogate);
     labs(i) = one;
   end

@@ -25,7 +25,7 @@ function verdicts = twinsDiagnose (labs, twins)
     ofLab = find ([twins.lab] == l);
     jobs{l} = struct ('name', labs(l).name, ...
                       'problem', labs(l).problem, ...
-                      'data', labs(l).data, 'em', emulatorOf (labs(l)), ...
+                      'data', labs(l).data, 'emulator', emulatorOf (labs(l)), ...
                       'middle', mean (labs(l).data.Z));
     cases{l} = struct ('index', ofLab, 'removed', [twins(ofLab).removed], ...
                        'Y', vertcat (twins(ofLab).y));
@@ -44,15 +44,15 @@ function verdicts = twinsDiagnose (labs, twins)
   end
 end
 
-function em = emulatorOf (lab)
-  em = [];
-  if isfield (lab, 'em')
-    em = lab.em;
+function emulator = emulatorOf (lab)
+  emulator = [];
+  if isfield (lab, 'emulator')
+    emulator = lab.emulator;
   end
 end
 
 %!error <laboratory here could not be diagnosed>
-%! labs = struct ('name', 'here', 'problem', 5, 'em', [], ...
+%! labs = struct ('name', 'here', 'problem', 5, 'emulator', [], ...
 %!                'data', struct ('Z', [1, 2]));
 %! twins = struct ('lab', 1, 'removed', 0, 'y', [1, 2]);
 %! twinsDiagnose (labs, twins);

@@ -2,7 +2,7 @@
 %
 % CALL: VERDICTS = twinsOfLab (LAB, CASES)
 %
-%   LAB       struct name, problem, data (its runs), em ([]: is fitted to
+%   LAB       struct name, problem, data (its runs), emulator ([]: is fitted to
 %             them), middle (1 x T, any finite values)
 %   CASES     struct Y (n x T), removed (1 x n, effect off the list or 0)
 %   VERDICTS  1 x n struct, see twinsDiagnose
@@ -16,15 +16,15 @@ function verdicts = twinsOfLab (lab, cases)
   given = lab.problem;
   given.value = lab.middle;
   problem = newProblem (given);
-  if isempty (lab.em)
-    lab.em = fitEmulator (problem, lab.data, options);
+  if isempty (lab.emulator)
+    lab.emulator = fitEmulator (problem, lab.data, options);
   end
-  K = numel (lab.em.effect);
-  full = omnibusReference (makeHypotheses (problem, lab.em, options));
+  K = numel (lab.emulator.effect);
+  full = omnibusReference (makeHypotheses (problem, lab.emulator, options));
   for removed = unique (cases.removed)
     models = full;
     if removed > 0
-      models = makeHypotheses (problem, withoutEffects (lab.em, removed), ...
+      models = makeHypotheses (problem, withoutEffects (lab.emulator, removed), ...
                                options);
       models = omnibusReference (models);
     end
@@ -38,8 +38,8 @@ end
 
 function v = oneVerdict (models, fits, i, removed, K)
   start = tic ();
-  w = caseEvidence (models, fits, i);
-  verdict = judgeCase (w, models);
+  evidence = caseEvidence (models, fits, i);
+  verdict = judgeCase (evidence, models);
   numbers = setdiff (1:K, removed);
   v = struct ('kind', verdict.kind, 'effects', numbers(verdict.effects), ...
               'lookAlike', verdict.lookAlike, 'guard', verdict.guard, ...
@@ -47,16 +47,16 @@ function v = oneVerdict (models, fits, i, removed, K)
               'partners', numbers(verdict.partners), ...
               'top', numbers(verdict.top), 'P', zeros (1, K + 3), ...
               'total', zeros (1, K), 'interval', NaN (K, 3), ...
-              'gateP', w.gate.p, 'ess', min (w.ess), 'seconds', 0);
+              'gateP', evidence.gate.p, 'ess', min (evidence.ess), 'seconds', 0);
   v.total(numbers) = verdict.include;
   for h = 1:numel (verdict.P)
-    switch w.kind{h}
+    switch evidence.kind{h}
       case 'null'
         place = 1;
       case 'single'
-        place = 1 + numbers(w.members{h});
-        k = w.members{h};
-        v.interval(numbers(k), :) = strengthAlone (w, models, k);
+        place = 1 + numbers(evidence.members{h});
+        k = evidence.members{h};
+        v.interval(numbers(k), :) = strengthAlone (evidence, models, k);
       case 'pair'
         place = K + 2;
       otherwise
@@ -72,7 +72,7 @@ end
 %! pkg load stk
 %! [given, data] = smallGapLab ();
 %! lab = struct ('name', 'here', 'problem', given, 'data', data, ...
-%!               'em', [], 'middle', mean (data.Z));
+%!               'emulator', [], 'middle', mean (data.Z));
 %! v = twinsOfLab (lab, struct ('Y', data.Z(end - 1:end, :), ...
 %!                              'removed', [0, 1]));
 %! K = numel (given.effects);

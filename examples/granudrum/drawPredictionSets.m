@@ -28,8 +28,8 @@ end
 function result = drawCase (root, folder)
   useLiggghts (root);
   Case = withEffects (loadCase (root, folder));
-  all_ = true (1, numel (Case.targets));
-  [surrogates, problem, data] = neutralSurrogates (Case, all_);
+  everyTarget = true (1, numel (Case.targets));
+  [surrogates, problem, data] = neutralSurrogates (Case, everyTarget);
   X = nearestSets (data, [Case.targets.value]);
   centre = X(1, :);
   sample = parameterPosterior (surrogates, problem, 400).sample;

@@ -5,7 +5,7 @@
 % nonlin_residmin on costFunction of DEM results, from the found set, never more
 % runs than budgetLeft says. What options.method changes:
 %
-%               'robust' (byAllRuns)             'published' (bySingleRuns)
+%               'robust' (confirmRobust)             'published' (confirmPublished)
 %   evaluation  one batch of runs an iteration,  one run; none where the set
 %               then the mean response as all    was run before
 %               runs tell it
@@ -25,9 +25,9 @@ function state = calibrateOnDEM (state, problem, say)
   % what userInt said when it stopped
   book = struct ('state', state, 'iteration', 0, 'ran', -1, 'wrong', 0, ...
                  'stop', '');
-  way = byAllRuns (problem);
+  way = confirmRobust (problem);
   if strcmp (problem.options.method, 'published')
-    way = bySingleRuns (problem);
+    way = confirmPublished (problem);
   end
   way.say = say;
   isEnd = false;

@@ -51,7 +51,7 @@ function final = confirmSet (state, problem)
     df(few) = min (df(few), max (n - 1, 1));
   end
   problem.odd = oddRuns (state, problem);
-  final = judge (final, m, v, df, problem, budgetLeft (state, problem));
+  final = judgeSet (final, m, v, df, problem, budgetLeft (state, problem));
   final.outcomes = mergeFields (final.outcomes, otherRuns (state, problem, n));
   final.conflict = state.found.conflict;
   [left, final.limit] = budgetLeft (state, problem);
@@ -93,7 +93,7 @@ function outcomes = otherRuns (state, problem, n)
   end
 end
 
-function final = judge (final, m, v, df, problem, left)
+function final = judgeSet (final, m, v, df, problem, left)
   full = problem.cost (final.params(:), @(varargin) final.result(:));
   T = numel (problem.value);
   final.residual = full(1:T)(:);

@@ -24,7 +24,7 @@ function runs = runsOfCase (Case)
   Case.hashes = hashModels (Case);
   sent = cell (0, 1);
   for name = executorNames ('described')
-    sent = vertcat (sent, batchLedger (Case.store, name{1}).folders);
+    sent = vertcat (sent, readSubmissions (Case.store, name{1}).folders);
   end
   isHere = any (strcmp (lockHolder (Case.folder).host, {'', gethostname()}));
   for k = 1:numel (Case.models)

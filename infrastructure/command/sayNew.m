@@ -71,7 +71,7 @@ function target = placeOf (given, words, folder)
 end
 
 function checkModel (given)
-  if ~isempty (given.model) && ~checkIs ('folder', given.model)
+  if ~isempty (given.model) && ~isKind ('folder', given.model)
     error ('DEcalioc:sayNew:badValue', ...
            ['--model must be a plain name (letters, digits, _ - + .), got ' ...
             '%s.'], given.model);

@@ -64,9 +64,9 @@ end
 function [p, entries] = asEntries (list)
   p = checkFault ();
   entries = {};
-  if checkIs ('nothing', list)
+  if isKind ('nothing', list)
     return
-  elseif checkIs ('text', list)
+  elseif isKind ('text', list)
     entries = {list};
   elseif isstruct (list)
     entries = num2cell (list(:)');
@@ -80,7 +80,7 @@ end
 function p = badEntry (field, expected, got)
   p = checkFault ('badEffects', field, ...
                   [expected, ' with at least the field name'], ...
-                  checkShow (got), ...
+                  describeValue (got), ...
                   'Take loadEffects.m of the toolbox as a pattern.');
 end
 
@@ -90,7 +90,7 @@ function [p, entry] = checkEntry (entry, field, names)
   if ischar (entry)
     entry = struct ('name', entry);
   end
-  if ~checkIs ('struct', entry) || ~isfield (entry, 'name')
+  if ~isKind ('struct', entry) || ~isfield (entry, 'name')
     p = badEntry (field, 'a name, or a struct', entry);
     entry = [];
     return
@@ -103,20 +103,20 @@ function [p, entry] = checkEntry (entry, field, names)
             false, 'Say whether it can differ from the reference.'};
   p = [checkFields(entry, field, known, change), ...
        checkEffectName(entry.name, [field, '.name'], names)];
-  if ~checkIs ('name', entry.name)
+  if ~isKind ('name', entry.name)
     entry = [];
     return
   end
-  isGiven = structfun (@(value) ~checkIs ('nothing', value), entry);
+  isGiven = structfun (@(value) ~isKind ('nothing', value), entry);
   entry = rmfield (entry, fieldnames (entry)(~isGiven));
 end
 
 function p = checkEffectName (name, field, names)
   p = checkFault ();
-  if ~checkIs ('name', name)
+  if ~isKind ('name', name)
     p = checkFault ('badEffectName', field, ...
                     'a name of letters, digits and _', ...
-                    checkShow (name), 'Write a short name.');
+                    describeValue (name), 'Write a short name.');
   elseif any (strcmp (name, {'null', 'unlisted'}))
     p = checkFault ('reservedName', field, ...
                     'a name that is none of gap.json''s own', name, ...
@@ -137,7 +137,7 @@ function [p, entry] = fromLibrary (entry, field, folders, library)
     catch err
       p = checkFault ('brokenEffect', [field, '.name'], ...
                       sprintf ('a library file of %s that runs', ...
-                               entry.name), checkShow (err.message), ...
+                               entry.name), describeValue (err.message), ...
                       'Call getEffect at the Octave prompt until it runs.');
       return
     end
@@ -167,7 +167,7 @@ function p = checkShared (entries, fields, modelVars, assign)
         isequal (size (entries{k}.neutral), size (neutral))
       neutral = entries{k}.neutral;
     end
-    for j = find (cellfun (@(n) checkIs ('name', n), names))
+    for j = find (cellfun (@(n) isKind ('name', n), names))
       p = [p, checkVariable(names{j}, neutral(j), fields{k}, ...
                             earlier, modelVars, assign)];
       earlier = [earlier, names(j)];
@@ -189,8 +189,8 @@ function p = checkVariable (name, neutral, field, earlier, modelVars, assign)
   elseif isfield (modelVars, name) && ~isequal (modelVars.(name), neutral)
     p = checkFault ('overwrittenVariable', field, ...
                     ['neutral values as in modelVars: ', ...
-                     checkShow(modelVars.(name))], ...
-                    [name, ' with ', checkShow(neutral)], ...
+                     describeValue(modelVars.(name))], ...
+                    [name, ' with ', describeValue(neutral)], ...
                     'Take it out of modelVars.');
   end
 end

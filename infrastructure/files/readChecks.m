@@ -33,11 +33,11 @@ function checks = readChecks (folder)
     error ('DEcalioc:readChecks:missingField', ...
            'readChecks: %s must name %s.', file, missing{1});
   end
-  checks.reason = judge (checks);
+  checks.reason = whyInsane (checks);
   checks.sane = isempty (checks.reason);
 end
 
-function reason = judge (checks)
+function reason = whyInsane (checks)
   balance = checks.spheresStart - checks.spheresOut - checks.spheresEnd;
   if isfield (checks, 'spheresSettled')
     % grains may leave such a bench, but not while they settle

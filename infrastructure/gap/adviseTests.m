@@ -1,11 +1,11 @@
 % ADVISETESTS  Ranks what could be measured next, on other benches, too.
 %
-% CALL: [TESTS, STATE] = adviseTests (STUDY, W, VERDICT, STATE)
+% CALL: [TESTS, STATE] = adviseTests (STUDY, EVIDENCE, VERDICT, STATE)
 %
-%   STUDY    struct problem, em, models, fits, see runCures. Where problem
+%   STUDY    struct problem, emulator, models, fits, see runCures. Where problem
 %            has a field tests, it is a handle without arguments that gives the
 %            CANDIDATES of tryTests: tests that the case does not have
-%   W        of caseEvidence;  VERDICT  of judgeCase
+%   EVIDENCE  of caseEvidence;  VERDICT  of judgeCase
 %   STATE    of newGapState; comes back with the runs in its budget
 %   TESTS    1 x m struct of nextTest. First those that tell options.adviseAt or
 %            more, best per cost first, then the others; last those that were
@@ -18,16 +18,16 @@
 % surrogates or integrals are to blame. They are a wing, otherTests/: without it
 % none is tried.
 
-function [tests, state] = adviseTests (study, w, verdict, state)
+function [tests, state] = adviseTests (study, evidence, verdict, state)
   options = study.models.options;
   problem = study.problem;
-  tests = nextTest (problem, study.em, w, verdict.P, options);
+  tests = nextTest (problem, study.emulator, evidence, verdict.P, options);
   isOpen = (any (strcmp (verdict.kind, {'group', 'undecided'})) || ...
             (strcmp (verdict.kind, 'named') && verdict.lookAlike)) && ...
            ~any (strcmp (verdict.guard, {'surrogate', 'integral'}));
   if isfield (problem, 'tests') && exist ('tryTests', 'file') == 2 && isOpen && ...
      state.budget.left >= 4
-    [fresh, state] = tryTests (problem.tests, study, w, verdict.P, state);
+    [fresh, state] = tryTests (problem.tests, study, evidence, verdict.P, state);
     tests = [tests, fresh];
   end
   isFirm = [tests.isFirm];
@@ -63,11 +63,11 @@ end
 %! given.tests = @() list;
 %! study = labStudy (given, data, struct ('twins', 60));
 %! study.models = omnibusReference (study.models);
-%! w = caseEvidence (study.models, study.fits, 1);
-%! verdict = judgeCase (w, study.models);
+%! evidence = caseEvidence (study.models, study.fits, 1);
+%! verdict = judgeCase (evidence, study.models);
 %! assert (verdict.kind, 'group');
 %! state.budget = budget;
-%! [tests, state] = adviseTests (study, w, verdict, state);
+%! [tests, state] = adviseTests (study, evidence, verdict, state);
 %! assert (tests(1).test, 'bench 1');
 %! assert (tests(1).gain > 0.6);
 %! assert (sort (tests(1).between), {'bridge', 'cohesion'});
@@ -81,9 +81,9 @@ end
 %! % a sure verdict, a budget that is used up: nothing is run
 %! sure = verdict;
 %! [sure.kind, sure.lookAlike] = deal ('named', false);
-%! [~, after] = adviseTests (study, w, sure, state);
+%! [~, after] = adviseTests (study, evidence, sure, state);
 %! assert (after.budget.new, state.budget.new);
 %! state.budget.left = 3;
-%! [tests, after] = adviseTests (study, w, verdict, state);
+%! [tests, after] = adviseTests (study, evidence, verdict, state);
 %! assert (after.budget.new, state.budget.new);
 %! assert (all ([tests.runs] == 0));

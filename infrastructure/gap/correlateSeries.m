@@ -1,9 +1,9 @@
 % CORRELATESERIES  Estimates how alike measurement errors along a series are.
 %
-% CALL: [PROBLEM, LENGTHS] = correlateSeries (PROBLEM, EM, OPTIONS)
+% CALL: [PROBLEM, LENGTHS] = correlateSeries (PROBLEM, EMULATOR, OPTIONS)
 %
 %   PROBLEM      struct of newProblem; estimateSeries (1 x T) marks targets
-%   EM, OPTIONS  of fitEmulator, gapOptions
+%   EMULATOR, OPTIONS  of fitEmulator, gapOptions
 %   PROBLEM      the same with covariance;  LENGTHS  1 x T, 0: independent
 %
 % From what the calibrated model leaves of each series, less a quadratic in the
@@ -17,14 +17,14 @@
 % What the quadratic has taken out of the errors is missing: L is rather too
 % short than too long.
 
-function [problem, lengths] = correlateSeries (problem, em, options)
+function [problem, lengths] = correlateSeries (problem, emulator, options)
   lengths = zeros (size (problem.value));
   at = problem.used(problem.estimateSeries(problem.used));
   if isempty (at)
     return
   end
   residual = NaN (size (problem.value));
-  M = predictGap (em, [], calibrateNull (problem, em, options));
+  M = predictGap (emulator, [], calibrateNull (problem, emulator, options));
   used = problem.used;
   residual(used) = problem.value(used) - M(used);
   for s = unique (problem.series(at))
@@ -89,7 +89,7 @@ end
 %! given.sd(7) = NaN;
 %! given.estimateSeries = true (1, 60);
 %! study = labStudy (given, data);
-%! [problem, lengths] = correlateSeries (study.problem, study.em, ...
+%! [problem, lengths] = correlateSeries (study.problem, study.emulator, ...
 %!                                       study.models.options);
 %! assert (lengths(1) > 0.04 && lengths(1) < 0.5);
 %! assert (lengths(31), 0);
@@ -111,6 +111,6 @@ end
 %! given.coordinate = [x, x];
 %! given.estimateSeries = true (1, 12);
 %! study = labStudy (given, data);
-%! [~, lengths] = correlateSeries (study.problem, study.em, ...
+%! [~, lengths] = correlateSeries (study.problem, study.emulator, ...
 %!                                 study.models.options);
 %! assert (lengths, zeros (1, 12));

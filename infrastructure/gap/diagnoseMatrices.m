@@ -26,7 +26,7 @@
 %     next     of adviseTests; GIVEN.tests may hold a handle that makes tests of
 %              other benches
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
-%              model is likely to miss in both conditions (takeReference)
+%              model is likely to miss in both conditions (emulateChange)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
 %
@@ -47,31 +47,31 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   end
   options = gapOptions (options);
   explored = exploreGap (given, data, options, evaluate);
-  [problem, known, em, state] = deal (explored.problem, explored.known, ...
-                                      explored.em, explored.state);
-  kept = tested (em);
-  study = studyOf (problem, withoutEffects (em, find (~kept)), options);
+  [problem, known, emulator, state] = deal (explored.problem, explored.known, ...
+                                            explored.emulator, explored.state);
+  kept = tested (emulator);
+  study = studyOf (problem, withoutEffects (emulator, find (~kept)), options);
   diagnosis.options = options;
   diagnosis.where = locateGap (study);
-  w = caseEvidence (study.models, study.fits, 1);
-  verdict = judgeCase (w, study.models);
+  evidence = caseEvidence (study.models, study.fits, 1);
+  verdict = judgeCase (evidence, study.models);
   verdict = blameSurrogates (verdict, study, diagnosis.where.side);
-  diagnosis.screen = w.screen;
+  diagnosis.screen = evidence.screen;
   diagnosis.screen.names = study.models.names;
-  diagnosis.screen.untested = untestedEffects ({em.effect(~kept).name}, ...
+  diagnosis.screen.untested = untestedEffects ({emulator.effect(~kept).name}, ...
                                                problem.effects, state);
   diagnosis.fingerprint = fingerprints (study);
-  study.w = w;
-  [verdict, w, diagnosis.howFar, state] = proveCause (verdict, study, state);
+  study.evidence = evidence;
+  [verdict, evidence, diagnosis.howFar, state] = proveCause (verdict, study, state);
   verdict = withoutReadings (verdict, study);
   verdict = doubtName (verdict, diagnosis, study.models);
-  diagnosis.which = describeVerdict (w, verdict, study.models, problem);
+  diagnosis.which = describeVerdict (evidence, verdict, study.models, problem);
   diagnosis.which.cause = causesOfVerdict (verdict, study);
-  [diagnosis.next, state] = adviseTests (study, w, verdict, state);
+  [diagnosis.next, state] = adviseTests (study, evidence, verdict, state);
   diagnosis.change = [];
-  if ~isempty (study.em.change)
-    diagnosis.change = struct ('size', study.em.change.size, 'lack', ...
-                               study.em.change.lack .* problem.unit);
+  if ~isempty (study.emulator.change)
+    diagnosis.change = struct ('size', study.emulator.change.size, 'lack', ...
+                               study.emulator.change.lack .* problem.unit);
   end
   diagnosis = inGivenUnits (diagnosis, problem);
   diagnosis.runs = runsMade (state, known);
@@ -83,16 +83,16 @@ end
 % Where two rows look alike, the two causes do.
 function prints = fingerprints (study)
   problem = study.problem;
-  em = study.em;
+  emulator = study.emulator;
   at = find (isfinite (problem.value));
-  sd = sqrt (diag (noiseBudget (problem, em).covariance))';
-  without = predictGap (em, [], study.fits.calibrated.Q(1, :));
+  sd = sqrt (diag (noiseBudget (problem, emulator).covariance))';
+  without = predictGap (emulator, [], study.fits.calibrated.Q(1, :));
   K = numel (study.models.names);
   prints = struct ('target', at, 'measured', ...
                    (problem.value(at) - without(at)) ./ sd(at), ...
                    'effects', zeros (K, numel (at)));
   for k = 1:K
-    with = predictGap (em, k, fitCure (study, k));
+    with = predictGap (emulator, k, fitCure (study, k));
     prints.effects(k, :) = (with(at) - without(at)) ./ sd(at);
   end
 end
@@ -128,16 +128,16 @@ function diagnosis = inGivenUnits (diagnosis, problem)
   diagnosis.problem = inUnits (problem, 1 ./ unit);
 end
 
-function kept = tested (em)
-  kept = [em.effect.laboratory] | [em.effect.runs] >= 1;
+function kept = tested (emulator)
+  kept = [emulator.effect.laboratory] | [emulator.effect.runs] >= 1;
 end
 
-function study = studyOf (problem, em, options)
-  models = makeHypotheses (problem, em, options);
+function study = studyOf (problem, emulator, options)
+  models = makeHypotheses (problem, emulator, options);
   fits = fitLibrary (models, problem.value(problem.used));
   models = omnibusReference (models, ...
                              omnibusTest (models, fits.logE).statistic);
-  study = struct ('problem', problem, 'em', em, 'models', models, ...
+  study = struct ('problem', problem, 'emulator', emulator, 'models', models, ...
                   'fits', fits);
 end
 
@@ -151,7 +151,7 @@ function verdict = blameSurrogates (verdict, study, side)
   elseif side.vague && ~said
     other = judgeSurer (study);
     if ~strcmp (other.kind, verdict.kind)
-      n = rows (study.em.base.X);
+      n = rows (study.emulator.base.X);
       share = mean (side.share(study.problem.used));
       reason = sprintf (['%s. With surer ones it would be: %s. About %d ' ...
                          'more sets near the calibrated one halve their ' ...
@@ -195,14 +195,14 @@ end
 
 % The same data, with a twentieth of the surrogates' variance.
 function verdict = judgeSurer (study)
-  em = study.em;
-  em.surrogateVar = em.surrogateVar / 20;
-  em.fitVar = em.fitVar / 20;
-  for k = 1:numel (em.effect)
-    em.effect(k).misfit = em.effect(k).misfit / 20;
-    em.effect(k).root = em.effect(k).root / sqrt (20);
+  emulator = study.emulator;
+  emulator.surrogateVar = emulator.surrogateVar / 20;
+  emulator.fitVar = emulator.fitVar / 20;
+  for k = 1:numel (emulator.effect)
+    emulator.effect(k).misfit = emulator.effect(k).misfit / 20;
+    emulator.effect(k).root = emulator.effect(k).root / sqrt (20);
   end
-  sure = studyOf (study.problem, em, study.models.options);
+  sure = studyOf (study.problem, emulator, study.models.options);
   verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);
 end
 

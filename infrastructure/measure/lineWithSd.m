@@ -38,12 +38,12 @@ end
 function s = correlated (rest)
   s = 1;
   k = 1;
-  all_ = max (rest' * rest, realmin);
-  r = rest(1:end - 1)' * rest(2:end) / all_;
+  total = max (rest' * rest, realmin);
+  r = rest(1:end - 1)' * rest(2:end) / total;
   while r > 0 && k < numel (rest) - 1
     s = s + 2 * r;
     k = k + 1;
-    r = rest(1:end - k)' * rest(1 + k:end) / all_;
+    r = rest(1:end - k)' * rest(1 + k:end) / total;
   end
 end
 

@@ -12,8 +12,8 @@
 
 function u = unitLevel (coarse, E, t)
   if nargin < 3
-    all_ = 1:numel (coarse.column);
-    u = arrayfun (@(t) unitLevel (coarse, E, t), all_, 'UniformOutput', false);
+    targets = 1:numel (coarse.column);
+    u = arrayfun (@(t) unitLevel (coarse, E, t), targets, 'UniformOutput', false);
     u = [u{:}];
     return
   end

@@ -18,8 +18,8 @@
 function makeDoser (folder, sizes)
   s = sizes;
   coneEnd = s.long + (s.bore - s.exit) / tand (s.halfAngle);
-  round_ = linspace (0, 2 * pi, 37);
-  tube = surfaceOf ([0, s.long, coneEnd], [s.bore, s.bore, s.exit], round_);
+  angles = linspace (0, 2 * pi, 37);
+  tube = surfaceOf ([0, s.long, coneEnd], [s.bore, s.bore, s.exit], angles);
   writeStl (fullfile (folder, 'tube.stl'), tube);
   core = surfaceOf ([0, s.long, coneEnd], [s.core, s.core, s.core / 5], ...
                     linspace (0, 2 * pi, 19));

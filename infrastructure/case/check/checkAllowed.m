@@ -31,14 +31,14 @@ function [p, rules, texts] = checkRules (raw, names)
     given = {given};
   end
   fixed = givenField (raw, 'modelVars', struct ());
-  isNumber = structfun (@(v) checkIs ('number', v), fixed);
+  isNumber = structfun (@(v) isKind ('number', v), fixed);
   unused = fieldnames (fixed)(~isNumber);
   fixed = rmfield (fixed, unused);
   for k = 1:numel (given)
     [rule, fault] = oneRule (given{k}, names, fixed);
     if isempty (fault)
       rules{end + 1} = rule;
-      texts{end + 1} = strrep (checkShow (given{k}), '''', '');
+      texts{end + 1} = strrep (describeValue (given{k}), '''', '');
     else
       field = sprintf ('Input.constraints{%d}', k);
       p(end + 1) = checkFault ('badConstraints', field, ...
@@ -51,8 +51,8 @@ function [p, rules, texts] = checkRules (raw, names)
 end
 
 function [rule, fault] = oneRule (given, names, fixed)
-  [rule, fault] = deal ([], checkShow (given));
-  if checkIs ('text', given)
+  [rule, fault] = deal ([], describeValue (given));
+  if isKind ('text', given)
     [rule, fault] = readRule (given, names, fixed);
   elseif isa (given, 'function_handle')
     rule = @(P) ofHandle (given, P, names);

@@ -17,7 +17,7 @@ function [p, box] = checkBox (raw)
   p = checkFault ();
   box = [];
   names = raw.assign;
-  if ~iscell (names) || ~all (cellfun (@(a) checkIs ('name', a), names(:)))
+  if ~iscell (names) || ~all (cellfun (@(a) isKind ('name', a), names(:)))
     return
   end
   names = names(:)';
@@ -49,7 +49,7 @@ function [p, isLog, bySelf] = checkScale (Input, names, limits, isPublished)
   bad = isGiven & cellfun (@isempty, words);
   for j = find (bad)
     p(end + 1) = checkFault ('badScale', ['Input.scale.', names{j}], ...
-                             '''log'' or ''linear''', checkShow (given{j}), ...
+                             '''log'' or ''linear''', describeValue (given{j}), ...
                              cure);
   end
   isAsked = cellfun (@(w) isequal (w, 1), words);
@@ -74,12 +74,12 @@ function [p, values] = checkValues (Input, names, limits)
     if isequal (v, 'integer')
       v = ceil (limits(1, j)):min (floor (limits(2, j)), limits(1, j) + 1e4);
     end
-    isGood = checkIs ('vector', v) && all (isfinite (v)) && ...
+    isGood = isKind ('vector', v) && all (isfinite (v)) && ...
              all (v >= limits(1, j) & v <= limits(2, j));
     if ~isGood || numel (unique (v)) < 2
       p(end + 1) = checkFault ('badValues', ['Input.values.', names{j}], ...
                                ['two or more numbers between the limits, ' ...
-                                'or ''integer'''], checkShow (given{j}), cure);
+                                'or ''integer'''], describeValue (given{j}), cure);
     else
       values{j} = unique (toDigits (double (v(:)')));
     end
@@ -96,7 +96,7 @@ function [p, given] = byName (Input, field, names, cure)
     return
   elseif iscell (list) && numel (list) == numel (names)
     given = list(:)';
-  elseif checkIs ('struct', list)
+  elseif isKind ('struct', list)
     for name = fieldnames (list)'
       j = find (strcmp (name{1}, names));
       if isempty (j)
@@ -115,7 +115,7 @@ function [p, given] = byName (Input, field, names, cure)
                     ['Input.', field], sprintf (['a struct with names of ' ...
                                                  'assign, or a cell of %d'], ...
                                                 numel (names)), ...
-                    checkShow (list), cure);
+                    describeValue (list), cure);
   end
 end
 

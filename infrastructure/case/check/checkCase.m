@@ -60,9 +60,9 @@ end
 
 % Parts of loadInput that are not usable at all become [].
 function [p, raw, isUsable] = checkRaw (raw)
-  isUsable = checkIs ('struct', raw);
+  isUsable = isKind ('struct', raw);
   if ~isUsable
-    p = checkFault ('badRaw', 'The input', 'one struct', checkShow (raw), ...
+    p = checkFault ('badRaw', 'The input', 'one struct', describeValue (raw), ...
                     'Call loadCase, or newCase as its help says.');
     return
   end
@@ -80,9 +80,9 @@ function [p, raw, isUsable] = checkRaw (raw)
       p(end + 1) = checkFault ('missingOutput', name, expected, 'nothing', ...
                                cure);
       raw.(name) = [];
-    elseif ~isempty (kind) && ~checkIs (kind, raw.(name))
+    elseif ~isempty (kind) && ~isKind (kind, raw.(name))
       p(end + 1) = checkFault ('notStruct', name, expected, ...
-                               checkShow (raw.(name)), cure);
+                               describeValue (raw.(name)), cure);
       raw.(name) = [];
     end
   end
@@ -98,7 +98,7 @@ function [p, found] = checkTogether (raw, mode, found)
        isfile (fullfile (raw.folder, 'runs.csv')))
     executor = givenField (raw.Input, 'executor', ...
                            inputFields ('defaults').executor);
-    isFar = checkIs ('text', executor) && ~describeExecutor (executor).isHere;
+    isFar = isKind ('text', executor) && ~describeExecutor (executor).isHere;
     how = struct ('programs', strcmp (mode, 'full'), 'onCluster', isFar);
     p = checkModels (models, raw.folder, raw.root, how);
   end
@@ -131,9 +131,9 @@ function p = checkRayleigh (optim, modelVars, assign, models)
   if ~isstruct (modelVars) || ~iscell (assign)
     return
   end
-  isText = cellfun (@(a) checkIs ('text', a), assign(:)');
+  isText = cellfun (@(a) isKind ('text', a), assign(:)');
   given = [fieldnames(modelVars)', assign(isText)(:)'];
-  isWished = isfield (optim, 'WRL') && checkIs ('number', optim.WRL) && ...
+  isWished = isfield (optim, 'WRL') && isKind ('number', optim.WRL) && ...
              optim.WRL > 0;
   isLost = any (strcmp (given, 'percentRayleigh')) && ...
            any (arrayfun (@ownStep, models) > 0);
@@ -192,14 +192,14 @@ function [names, fields, kinds] = variablesOf (raw, names, fields)
                        'UniformOutput', false), fields];
     kinds = [repmat({'design'}, 1, n), kinds];
   end
-  isGood = cellfun (@(n) checkIs ('name', n) && ...
+  isGood = cellfun (@(n) isKind ('name', n) && ...
                     ~any (strcmp (n, {'RLTS', 'SIMTS', 'runSeed'})), names);
   [names, fields, kinds] = deal (names(isGood), fields(isGood), kinds(isGood));
 end
 
 function p = checkPlace (raw, models)
   store = {raw.folder, givenField(raw.Input, 'store', '')};
-  store = store{1 + checkIs('text', store{2})};
+  store = store{1 + isKind('text', store{2})};
   nRuns = countOr (raw.Input, 'numOfSam', 20) + ...
           countOr (raw.optim, 'maxFunEvals', 40);
   nRuns = min (nRuns, countOr (raw.Input, 'maxNewRuns', Inf));
@@ -208,7 +208,7 @@ end
 
 function n = countOr (s, name, default)
   n = default;
-  if isfield (s, name) && checkIs ('integer', s.(name)) && s.(name) >= 0
+  if isfield (s, name) && isKind ('integer', s.(name)) && s.(name) >= 0
     n = double (s.(name));
   end
 end

@@ -13,7 +13,7 @@
 
 function [values, fields, given] = checkElements (value, field, kind)
   [values, fields, given] = deal ({value}, {field}, []);
-  isColumn = strcmp (kind, 'column') && checkIs ('vector', value);
+  isColumn = strcmp (kind, 'column') && isKind ('vector', value);
   if ~isColumn && ~(iscell (value) && isvector (value) && ~isempty (value))
     return
   elseif ~isColumn
@@ -45,7 +45,7 @@ function yes = isPart (v, kind)
   if strcmp (kind, 'texts')
     yes = iscell (v) && (isvector (v) || isempty (v));
   else
-    yes = checkIs ('vector', v) || (~iscell (v) && isequal (v, []));
+    yes = isKind ('vector', v) || (~iscell (v) && isequal (v, []));
   end
 end
 

@@ -7,7 +7,7 @@
 %   FIELD     what is wrong, as the user writes it, e.g. Input.cpu (text); a
 %             path below DEMmodels/ names a file
 %   EXPECTED  what should stand there (text)
-%   GOT       what stands there (text, see checkShow)
+%   GOT       what stands there (text, see describeValue)
 %   CURE      what to do (text, a sentence)
 %   P         struct array with the fields id and message: 1 x 1, or 1 x 0
 %             when called without arguments

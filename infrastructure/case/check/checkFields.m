@@ -54,9 +54,9 @@ function p = checkRule (s, prefix, rule, n)
   isGiven = isfield (s, name);
   if isGiven && isGood (s.(name), low, high, kind)
     p = checkCount (numel (s.(name)), n * strcmp (kind, 'models'), rule, field);
-  elseif isGiven && (needed || ~checkIs ('nothing', s.(name)))
+  elseif isGiven && (needed || ~isKind ('nothing', s.(name)))
     p = checkFault (reason, field, expected (low, high, kind), ...
-                    checkShow (s.(name)), cure);
+                    describeValue (s.(name)), cure);
   elseif needed
     p = checkFault ('missingField', field, expected (low, high, kind), ...
                     'nothing', cure);
@@ -67,9 +67,9 @@ function yes = isGood (value, low, high, kind)
   if strcmp (kind, 'other')
     yes = high (value);
   elseif strcmp (kind, 'models')
-    yes = checkIs ('vector', value) && all (high (value));
+    yes = isKind ('vector', value) && all (high (value));
   else
-    yes = checkIs ('number', value) && value >= low && value <= high && ...
+    yes = isKind ('number', value) && value >= low && value <= high && ...
           ~(strcmp (kind, 'integer') && value ~= fix (value)) && ...
           ~(strcmp (kind, 'open') && any (value == [low, high]));
   end

@@ -25,7 +25,7 @@ function models = checkFindModels (Input, folder, root, mode)
                    'left', {cell(0, 3)});
   cpu = givenField (Input, 'cpu', []);
   for k = 1:numel (models)
-    if checkIs ('vector', cpu) && numel (cpu) >= k
+    if isKind ('vector', cpu) && numel (cpu) >= k
       models(k).cpu = double (cpu(k));
     end
     if ~isempty (names{k})
@@ -51,7 +51,7 @@ function names = modelNames (Input)
          isvector (Input.model)
     names = Input.model(:)';
   end
-  names(~cellfun (@(n) checkIs ('folder', n), names)) = {''};
+  names(~cellfun (@(n) isKind ('folder', n), names)) = {''};
 end
 
 % Counts the results without a run: getResults is called by another Octave,

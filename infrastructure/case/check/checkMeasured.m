@@ -16,7 +16,7 @@ function [p, middle, sd] = checkMeasured (optim, assign, paramLims)
   [middle, sd] = deal ([]);
   names = {};
   if iscell (assign) && isvector (assign) && ...
-      all (cellfun (@(a) checkIs ('name', a), assign))
+      all (cellfun (@(a) isKind ('name', a), assign))
     names = assign(:)';
   end
   % name, expected, whether a number is good
@@ -25,7 +25,7 @@ function [p, middle, sd] = checkMeasured (optim, assign, paramLims)
            @(v) ~isinf (v) && ~(v <= 0)};
   p = checkFault ();
   for rule = rules'
-    if isfield (optim, rule{1}) && ~checkIs ('nothing', optim.(rule{1}))
+    if isfield (optim, rule{1}) && ~isKind ('nothing', optim.(rule{1}))
       p = [p, checkOne(optim.(rule{1}), names, rule{:})];
     else
       optim.(rule{1}) = [];
@@ -58,24 +58,24 @@ function p = checkOne (value, names, name, expected, isGood)
   reason = ['bad', upper(name(1)), name(2:end)];
   cure = ['Write optim.paramMean.densityP = 650; optim.paramSd.densityP = ' ...
           '5; for what was measured.'];
-  isNamed = checkIs ('struct', value);
+  isNamed = isKind ('struct', value);
   if isNamed
     given = fieldnames (value)';
     fields = strcat (field, '.', given);
     values = struct2cell (value)';
-  elseif checkIs ('vector', value)
+  elseif isKind ('vector', value)
     [values, fields] = checkElements (value, field, 'column');
   else
     p = checkFault (reason, field, ...
                     'one number a parameter, or a struct of numbers', ...
-                    checkShow (value), cure);
+                    describeValue (value), cure);
     return
   end
   p = checkFault ();
-  for j = find (~cellfun (@(v) checkIs ('vector', v) && isscalar (v) && ...
+  for j = find (~cellfun (@(v) isKind ('vector', v) && isscalar (v) && ...
                           isGood (v), values))
     p(end + 1) = checkFault (reason, fields{j}, expected, ...
-                             checkShow (values{j}), cure);
+                             describeValue (values{j}), cure);
   end
   if isNamed && ~isempty (names)
     p = [p, checkKnown(given, names, [field, '.'], cure)];
@@ -114,8 +114,8 @@ function p = checkPairs (value, sd, names, limits)
       p(end + 1) = checkFault ('paramOutside', ...
                                ['optim.paramMean of ', names{j}], ...
                                ['a value within 3 standard deviations of ' ...
-                                'paramLims ', checkShow(limits(:, j))], ...
-                               checkShow (value(j)), ...
+                                'paramLims ', describeValue(limits(:, j))], ...
+                               describeValue (value(j)), ...
                                'Widen paramLims, or look at the unit.');
     end
   end

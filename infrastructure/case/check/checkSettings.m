@@ -40,31 +40,31 @@ end
 function [p, n] = checkModelNames (names)
   p = checkFault ();
   n = 0;
-  if ~checkIs ('list', names)
+  if ~isKind ('list', names)
     return                              % a fault of the field
   end
   if ischar (names)
     names = {names};
   end
   n = numel (names);
-  isText = cellfun (@(t) checkIs ('text', t), names);
+  isText = cellfun (@(t) isKind ('text', t), names);
   for k = 1:numel (names)
     field = sprintf ('Input.model{%d}', k);
     name = names{k};
     if ~isText(k)
       p(end + 1) = checkFault ('badModelList', field, ...
-                               'the name of a folder', checkShow (name), ...
+                               'the name of a folder', describeValue (name), ...
                                'Write the name of a folder in DEMmodels.');
-    elseif ~checkIs ('folder', name)
+    elseif ~isKind ('folder', name)
       p(end + 1) = checkFault ('unsafeName', field, ...
                                ['a plain folder name (letters, digits, _ - ' ...
                                 '+ . and no dot or minus first)'], ...
-                               checkShow (name), ...
+                               describeValue (name), ...
                                ['Rename the folder in DEMmodels and write ' ...
                                 'that name.']);
     elseif any (strcmp (name, names(find (isText(1:k - 1)))))
       p(end + 1) = checkFault ('duplicateModel', field, 'another model', ...
-                               [checkShow(name), ' a second time'], ...
+                               [describeValue(name), ' a second time'], ...
                                ['Name each model once; a second use needs ' ...
                                 'a copy of its folder.']);
     end
@@ -75,14 +75,14 @@ function p = checkEnough (Input)
   p = checkFault ();
   n = givenField (Input, 'maxCPU', []);
   cpu = givenField (Input, 'cpu', []);
-  if ~checkIs ('integer', n) || ~checkIs ('vector', cpu)
+  if ~isKind ('integer', n) || ~isKind ('vector', cpu)
     return
   end
   [most, k] = max (double (cpu));
   if n >= 1 && n < most && most <= 1e6
     p = checkFault ('tooFewCPU', 'Input.maxCPU', ...
                     sprintf ('at least Input.cpu(%d) = %d', k, most), ...
-                    checkShow (n), 'Raise Input.maxCPU or lower Input.cpu.');
+                    describeValue (n), 'Raise Input.maxCPU or lower Input.cpu.');
   end
 end
 

@@ -1,9 +1,9 @@
 % BATCHATTACH  Starts the book of a plan: which runs are in the queue already.
 %
-% CALL: FLIGHT = batchAttach (JOBS, CASE, QUEUE)
+% CALL: QUEUESTATE = batchAttach (JOBS, CASE, QUEUE)
 %
 %   JOBS, CASE, QUEUE  see batchExecute
-%   FLIGHT  scalar struct
+%   QUEUESTATE  scalar struct
 %     status   1 x n char: 'q' to be submitted, 'o' submitted and open,
 %              'e' ended and to be evaluated, 's' settled (has a record)
 %     isOld    1 x n logical, submitted by an earlier start of Octave
@@ -13,7 +13,7 @@
 %     since    1 x n time (s, clock of toc) at which the queue first said that
 %              the run has ended, NaN = it has not
 %     records  1 x n cell of run records
-%     state    1 x n char, what the queue last said of the job, see batchLook
+%     state    1 x n char, what the queue last said of the job, see pollQueue
 %     word     1 x n cell, the same in its own words
 %     batches  1 x b struct array: name, path, n (tasks), left (runs without a
 %              record at the start), cpu, minutes, isSent
@@ -22,21 +22,21 @@
 %     message  text for the user, '' = nothing new
 %
 % A run whose record is written, whose folder is gone, which was given up
-% (batchVoid) or which is that of another case is not attached: of that one's
+% (abandonRun) or which is that of another case is not attached: of that one's
 % jobs the queue may say nothing here.
 
-function flight = batchAttach (jobs, Case, queue)
+function queueState = batchAttach (jobs, Case, queue)
   n = numel (jobs);
   none = repmat ({''}, 1, n);
-  flight = struct ('status', repmat ('q', 1, n), 'isOld', false (1, n), ...
-                   'folder', {none}, 'state', repmat ('-', 1, n), ...
-                   'word', {none}, ...
-                   'batch', zeros (1, n), 'task', zeros (1, n), ...
-                   'since', NaN (1, n), 'records', {cell(1, n)}, ...
-                   'silent', false, 'waitsFor', '', 'message', '');
-  flight.batches = struct ('name', {}, 'path', {}, 'n', {}, 'left', {}, ...
-                           'cpu', {}, 'minutes', {}, 'isSent', {});
-  for sent = batchLedger (Case.store, queue.name)
+  queueState = struct ('status', repmat ('q', 1, n), 'isOld', false (1, n), ...
+                       'folder', {none}, 'state', repmat ('-', 1, n), ...
+                       'word', {none}, ...
+                       'batch', zeros (1, n), 'task', zeros (1, n), ...
+                       'since', NaN (1, n), 'records', {cell(1, n)}, ...
+                       'silent', false, 'waitsFor', '', 'message', '');
+  queueState.batches = struct ('name', {}, 'path', {}, 'n', {}, 'left', {}, ...
+                               'cpu', {}, 'minutes', {}, 'isSent', {});
+  for sent = readSubmissions (Case.store, queue.name)
     isOpen = cellfun (@isAttachable, sent.folders);
     if ~any (isOpen)
       batchDiscard (sent.path);
@@ -44,24 +44,24 @@ function flight = batchAttach (jobs, Case, queue)
     isOpen(isOpen) = cellfun (@(f) isOwn (f, Case), sent.folders(isOpen));
     sent.keys(~isOpen) = {''};
     [isOurs, task] = ismember ({jobs.key}, sent.keys);
-    isOurs = isOurs & flight.status == 'q';
+    isOurs = isOurs & queueState.status == 'q';
     if ~any (isOurs)
       continue
     end
-    flight.batches(end + 1) = struct ('name', sent.name, 'path', sent.path, ...
-                                      'n', numel (isOpen), ...
-                                      'left', sum (isOpen), 'cpu', NaN, ...
-                                      'minutes', NaN, 'isSent', true);
-    flight.batch(isOurs) = numel (flight.batches);
-    flight.task(isOurs) = task(isOurs);
-    flight.folder(isOurs) = sent.folders(task(isOurs));
-    flight.status(isOurs) = 'o';
-    flight.isOld(isOurs) = true;
+    queueState.batches(end + 1) = struct ('name', sent.name, 'path', sent.path, ...
+                                          'n', numel (isOpen), ...
+                                          'left', sum (isOpen), 'cpu', NaN, ...
+                                          'minutes', NaN, 'isSent', true);
+    queueState.batch(isOurs) = numel (queueState.batches);
+    queueState.task(isOurs) = task(isOurs);
+    queueState.folder(isOurs) = sent.folders(task(isOurs));
+    queueState.status(isOurs) = 'o';
+    queueState.isOld(isOurs) = true;
   end
-  if any (flight.isOld)
-    flight.message = sprintf (['%d run(s) submitted to %s earlier are ' ...
-                               'taken up again.'], sum (flight.isOld), ...
-                              queue.title);
+  if any (queueState.isOld)
+    queueState.message = sprintf (['%d run(s) submitted to %s earlier are ' ...
+                                   'taken up again.'], sum (queueState.isOld), ...
+                                  queue.title);
   end
 end
 

@@ -31,108 +31,108 @@ function records = batchExecute (queue, jobs, Case, report)
             'set Input.executor = ''local''.'], queue.title, fault);
   end
   watch = tic ();
-  flight = batchAttach (jobs, Case, queue);
+  queueState = batchAttach (jobs, Case, queue);
   reported = struct ();
   while true
-    flight = batchLook (flight, jobs, queue, opt.grace, toc (watch));
-    flight = collect (flight, jobs, Case);
-    flight = launch (flight, jobs, Case, queue, opt);
-    state = stateOf (flight);
-    state.message = flight.message;
+    queueState = pollQueue (queueState, jobs, queue, opt.grace, toc (watch));
+    queueState = collect (queueState, jobs, Case);
+    queueState = launch (queueState, jobs, Case, queue, opt);
+    state = stateOf (queueState);
+    state.message = queueState.message;
     if ~isequal (state, reported)
       reported = state;
       reported.message = '';
       state.seconds = toc (watch);
       report (state);
-      flight.message = '';
+      queueState.message = '';
     end
-    if all (flight.status == 's')
+    if all (queueState.status == 's')
       break
     end
     pause (opt.poll);
   end
-  records = [flight.records{:}];
+  records = [queueState.records{:}];
 end
 
-function flight = collect (flight, jobs, Case)
-  ended = flight.status == 'e';
+function queueState = collect (queueState, jobs, Case)
+  ended = queueState.status == 'e';
   if any (ended)
-    flight.records(ended) = num2cell (collectRuns (jobs(ended), ...
-                                                   flight.folder(ended), Case));
-    flight.status(ended) = 's';
-    setLimits (flight, jobs, Case);
+    queueState.records(ended) = num2cell (collectRuns (jobs(ended), ...
+                                                       queueState.folder(ended), Case));
+    queueState.status(ended) = 's';
+    setLimits (queueState, jobs, Case);
   end
-  flight = retire (flight);
+  queueState = retire (queueState);
 end
 
 % Removes the folders of batches of which no run is open, here or elsewhere.
-function flight = retire (flight)
-  held = flight.batch(flight.status == 'o' | flight.status == 'e');
-  for b = setdiff (flight.batch(flight.batch > 0), held)
-    isGone = flight.batch == b;
-    if flight.batches(b).left == sum (isGone)
-      batchDiscard (flight.batches(b).path);
+function queueState = retire (queueState)
+  held = queueState.batch(queueState.status == 'o' | queueState.status == 'e');
+  for b = setdiff (queueState.batch(queueState.batch > 0), held)
+    isGone = queueState.batch == b;
+    if queueState.batches(b).left == sum (isGone)
+      batchDiscard (queueState.batches(b).path);
     end
-    flight.batch(isGone) = 0;
+    queueState.batch(isGone) = 0;
   end
 end
 
-function setLimits (flight, jobs, Case)
-  done = [flight.records{:}];
+function setLimits (queueState, jobs, Case)
+  done = [queueState.records{:}];
   for model = Case.models
     limit = defaultLimit (model, done);
-    isOpen = flight.status == 'o' & strcmp ({jobs.model}, model.name);
+    isOpen = queueState.status == 'o' & strcmp ({jobs.model}, model.name);
     for i = find (isOpen & ~isnan (limit))
-      most = 60 * flight.batches(flight.batch(i)).minutes - 10;
-      writeAtomic (fullfile (flight.folder{i}, 'limit'), ...
+      most = 60 * queueState.batches(queueState.batch(i)).minutes - 10;
+      writeAtomic (fullfile (queueState.folder{i}, 'limit'), ...
                    sprintf ("%d\n", floor (min (limit, most))));
     end
   end
 end
 
 % Fills the queue up to maxInFlight, a quarter of it at least at a time.
-function flight = launch (flight, jobs, Case, queue, opt)
-  flight = send (flight, queue, opt, Case.root);
-  waiting = find (flight.status == 'q');
-  free = opt.maxInFlight - sum (flight.status == 'o');
+function queueState = launch (queueState, jobs, Case, queue, opt)
+  queueState = send (queueState, queue, opt, Case.root);
+  waiting = find (queueState.status == 'q');
+  free = opt.maxInFlight - sum (queueState.status == 'o');
   isWorth = free >= min (numel (waiting), ceil (opt.maxInFlight / 4));
-  if isempty (waiting) || ~isWorth || ~all ([flight.batches.isSent])
+  if isempty (waiting) || ~isWorth || ~all ([queueState.batches.isSent])
     return
   end
   picks = waiting(1:min (numel (waiting), floor (free)));
   for part = batchParts (picks, jobs, Case, opt)
-    flight = batchSubmit (flight, part{1}, jobs, Case, queue, opt);
-    flight = send (flight, queue, opt, Case.root);
+    queueState = batchSubmit (queueState, part{1}, jobs, Case, queue, opt);
+    queueState = send (queueState, queue, opt, Case.root);
   end
 end
 
-function flight = send (flight, queue, opt, root)
-  for b = find (~[flight.batches.isSent])
-    task = batchCall (flight.batches(b).path, queue, opt, root);
-    [verdict, text] = queue.send (flight.batches(b), opt, task);
-    isAlone = ~any (flight.status == 'o' & flight.batch ~= b);
-    flight.batches(b).isSent = strcmp (verdict, 'sent');
+function queueState = send (queueState, queue, opt, root)
+  for b = find (~[queueState.batches.isSent])
+    task = batchCall (queueState.batches(b).path, queue, opt, root);
+    [verdict, text] = queue.send (queueState.batches(b), opt, task);
+    isAlone = ~any (queueState.status == 'o' & queueState.batch ~= b);
+    queueState.batches(b).isSent = strcmp (verdict, 'sent');
     if strcmp (verdict, 'refused') && isAlone
-      cellfun (@batchVoid, flight.folder(flight.status == 'o' & ...
-                                         flight.batch == b));
-      batchDiscard (flight.batches(b).path);
+      cellfun (@abandonRun, queueState.folder(queueState.status == 'o' & ...
+                                              queueState.batch == b));
+      batchDiscard (queueState.batches(b).path);
       error ('DEcalioc:batchExecute:submitRefused', ...
              ['batchExecute: %s must accept %d job(s), got: %s. Correct ' ...
               'Input.%s (where there is a limit on the number of jobs: ' ...
               'maxInFlight) and start again.'], queue.title, ...
-             flight.batches(b).n, text, queue.name);
-    elseif ~strcmp (verdict, 'sent') && ~strcmp (text, flight.waitsFor)
-      flight.waitsFor = text;
-      flight.message = [queue.title, ' takes no jobs now, trying on: ', text];
+             queueState.batches(b).n, text, queue.name);
+    elseif ~strcmp (verdict, 'sent') && ~strcmp (text, queueState.waitsFor)
+      queueState.waitsFor = text;
+      queueState.message = [queue.title, ' takes no jobs now, trying on: ', text];
     end
   end
 end
 
-function state = stateOf (flight)
-  isOpen = flight.status == 'o';
-  status = cellfun (@(r) r.status, flight.records(flight.status == 's'), ...
+function state = stateOf (queueState)
+  isOpen = queueState.status == 'o';
+  status = cellfun (@(r) r.status, queueState.records(queueState.status == 's'), ...
                     'UniformOutput', false);
-  running = sum (isOpen & flight.state == 'r');
+  running = sum (isOpen & queueState.state == 'r');
   state = struct ('total', numel (isOpen), 'done', numel (status), ...
                   'failed', sum (~strcmp (status, 'ok')), ...
                   'running', running, 'pending', sum (isOpen) - running);

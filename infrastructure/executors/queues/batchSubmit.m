@@ -1,8 +1,8 @@
 % BATCHSUBMIT  Prepares runs and writes down that they go to a queue together.
 %
-% CALL: FLIGHT = batchSubmit (FLIGHT, PICKS, JOBS, CASE, QUEUE, OPT)
+% CALL: QUEUESTATE = batchSubmit (QUEUESTATE, PICKS, JOBS, CASE, QUEUE, OPT)
 %
-%   FLIGHT            see batchAttach
+%   QUEUESTATE            see batchAttach
 %   PICKS             1 x k indices into JOBS, models with the same CPUs
 %   JOBS, CASE        see batchExecute
 %   QUEUE, OPT        see newQueue
@@ -14,7 +14,7 @@
 %
 % Errors: DEcalioc:batchSubmit:badValue, those of prepareRun
 
-function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
+function queueState = batchSubmit (queueState, picks, jobs, Case, queue, opt)
   models = Case.models;
   [~, k] = ismember ({jobs(picks).model}, {models.name});
   limits = [models(k).timeout];
@@ -33,7 +33,7 @@ function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
     end
     writeAtomic (fullfile (folder, 'limit'), ...
                  sprintf ("%d\n", seconds(i)), false);
-    flight.folder{picks(i)} = folder;
+    queueState.folder{picks(i)} = folder;
     lines{i} = sprintf ("%s\t%s\n", job.key, folder);
   end
   batch = struct ('name', newName (lines), 'path', '', ...
@@ -44,12 +44,12 @@ function flight = batchSubmit (flight, picks, jobs, Case, queue, opt)
   [~, ~] = mkdir (fileparts (batch.path));
   privateFolder (batch.path);
   writeAtomic (fullfile (batch.path, 'tasks'), [lines{:}]);
-  flight.batches(end + 1) = batch;
-  flight.batch(picks) = numel (flight.batches);
-  flight.task(picks) = 1:numel (picks);
-  flight.status(picks) = 'o';
-  flight.isOld(picks) = false;
-  flight.since(picks) = NaN;
+  queueState.batches(end + 1) = batch;
+  queueState.batch(picks) = numel (queueState.batches);
+  queueState.task(picks) = 1:numel (picks);
+  queueState.status(picks) = 'o';
+  queueState.isOld(picks) = false;
+  queueState.since(picks) = NaN;
 end
 
 function name = newName (lines)
@@ -64,17 +64,17 @@ end
 %! queue = struct ('name', 'q', 'title', 'Queue');
 %! opt = slurmExecutor ().options (struct ('slurm', struct ( ...
 %!                            'before', {{'module load a', 'b=1'}})));
-%! flight = batchAttach (jobs, Case, queue);
-%! flight = batchSubmit (flight, [1, 3], jobs, Case, queue, opt);
-%! assert (flight.status, 'oqo');
-%! assert (flight.task([1, 3]), [1, 2]);
-%! assert (fileread (fullfile (flight.folder{3}, 'limit')), "7\n");
-%! assert (flight.batches.isSent, false);
-%! assert (flight.batches.minutes, 3);
+%! queueState = batchAttach (jobs, Case, queue);
+%! queueState = batchSubmit (queueState, [1, 3], jobs, Case, queue, opt);
+%! assert (queueState.status, 'oqo');
+%! assert (queueState.task([1, 3]), [1, 2]);
+%! assert (fileread (fullfile (queueState.folder{3}, 'limit')), "7\n");
+%! assert (queueState.batches.isSent, false);
+%! assert (queueState.batches.minutes, 3);
 %! % without a limit of the user's, the one that earlier runs teach
 %! Case.models.timeout = NaN;
 %! Case.models.seconds = [10, 10, 10];
-%! later = batchSubmit (flight, 2, jobs, Case, queue, opt);
+%! later = batchSubmit (queueState, 2, jobs, Case, queue, opt);
 %! assert (fileread (fullfile (later.folder{2}, 'limit')), "200\n");
 %! assert (later.batches(2).minutes, 24 * 60);
 %! % a new start knows of all

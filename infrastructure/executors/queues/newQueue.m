@@ -21,12 +21,12 @@
 %               array (1 x m cell), see submit
 %     submit    [OK, TEXT, ISPASSING] = submit (BATCH, OPT, TASK): submits one
 %               job array; what the program said; it may take it later. BATCH is
-%               an element of FLIGHT.batches (batchAttach), TASK the program
+%               an element of QUEUESTATE.batches (batchAttach), TASK the program
 %               that a task runs, and its arguments (1 x n cell)
 %     look      [OK, TEXT, TASKS] = look (NAMES, SIZES): asks once about arrays
 %               (1 x b cell of names, numbers of tasks). OK: false = no answer,
 %               which says nothing about the jobs; TEXT what was said; TASKS 1 x
-%               b struct: state (1 x n char, see batchLook) and word (1 x n
+%               b struct: state (1 x n char, see pollQueue) and word (1 x n
 %               cell, the queue's own words) of each task
 %     cancel    [OK, TEXT] = cancel (NAMES): empties the queue of these arrays
 %   QUEUE  TRAITS with check, isHere, sets, execute (see describeExecutor) and
@@ -99,11 +99,11 @@ end
 function p = checkQueue (given, traits)
   p = checkFault ();
   field = ['Input.', traits.name];
-  if checkIs ('nothing', given)
+  if isKind ('nothing', given)
     return
   end
-  if ~checkIs ('struct', given)
-    p = checkFault ('notStruct', field, 'one struct', checkShow (given), ...
+  if ~isKind ('struct', given)
+    p = checkFault ('notStruct', field, 'one struct', describeValue (given), ...
                     sprintf ('Write %s.%s = ''name''; and so on.', field, ...
                              traits.words{1}));
     return
@@ -140,7 +140,7 @@ end
 
 function yes = isWord (word)
   plain = ['A':'Z', 'a':'z', '0':'9', '_-+.,:@/'];
-  yes = checkIs ('text', word) && all (ismember (word, plain)) && ...
+  yes = isKind ('text', word) && all (ismember (word, plain)) && ...
         word(1) ~= '-';
 end
 
@@ -148,7 +148,7 @@ function yes = areTexts (texts)
   if ischar (texts)
     texts = {texts};
   end
-  yes = iscell (texts) && all (cellfun (@(w) checkIs ('text', w), texts(:)));
+  yes = iscell (texts) && all (cellfun (@(w) isKind ('text', w), texts(:)));
 end
 
 % What DEcalioc sets itself is how the runs are found again and kept apart.
@@ -164,7 +164,7 @@ function p = checkExtra (words, field, traits, cure)
       p(end + 1) = checkFault ('badQueueExtra', ...
                                sprintf ('%s.extra{%d}', field, k), ...
                                ['one option, which DEcalioc does not set ' ...
-                                'itself'], checkShow (words{k}), cure);
+                                'itself'], describeValue (words{k}), cure);
     end
   end
 end

@@ -1,24 +1,24 @@
 % EFFECTERROR  Covariance of what surrogates of effects may be wrong by.
 %
-% CALL: R = effectError (EM, MEMBERS, Q)
+% CALL: R = effectError (EMULATOR, MEMBERS, Q)
 %
-%   EM       struct of fitEmulator
+%   EMULATOR  struct of fitEmulator
 %   MEMBERS  1 x h, numbers of the effects
 %   Q        1 x (p + h), parameters in [-1, 1] and strengths
 %   R        T x T: of each its surrogate, alike along a curve, and what few
 %            runs leave open of its size (amplitudeSd)
 
-function R = effectError (em, members, q)
-  p = em.p;
-  R = zeros (columns (em.coef));
+function R = effectError (emulator, members, q)
+  p = emulator.p;
+  R = zeros (columns (emulator.coef));
   for i = 1:numel (members)
-    e = em.effect(members(i));
+    e = emulator.effect(members(i));
     phi = q(p + i);
-    S = predictGap (em, members(i), q([1:p, p + i])) - ...
-        predictGap (em, [], q(1:p));
+    S = predictGap (emulator, members(i), q([1:p, p + i])) - ...
+        predictGap (emulator, [], q(1:p));
     psi = sign (phi) * abs (phi)^e.bend;
     sd = sqrt (effectVariance (e, polyRows (e.powers, [q(1:p), psi]), psi));
-    R = R + (sd' * sd) .* em.alongCurve;
+    R = R + (sd' * sd) .* emulator.alongCurve;
     R = R + amplitudeSd (e, phi)^2 * (S' * S);
   end
 end
@@ -28,6 +28,6 @@ end
 %! e = struct ('name', 'a', 'powers', [0, 1], 'coef', [4, 0], 'bend', 1, ...
 %!             'unbent', 1, 'strongest', 1, 'misfit', [0, 9], ...
 %!             'root', zeros (1, 0), 'ofTarget', zeros (0, 2));
-%! em = setfield (handMadeEmulator ([0, 0; 1, 0]), 'effect', e);
-%! assert (effectError (em, 1, [0, 1]), [4, 0; 0, 9], 1e-12);
-%! assert (effectError (em, [], 0), zeros (2));
+%! emulator = setfield (handMadeEmulator ([0, 0; 1, 0]), 'effect', e);
+%! assert (effectError (emulator, 1, [0, 1]), [4, 0; 0, 9], 1e-12);
+%! assert (effectError (emulator, [], 0), zeros (2));

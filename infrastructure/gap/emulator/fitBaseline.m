@@ -1,21 +1,21 @@
 % FITBASELINE  Kriging of the runs without effects, and polynomials of it.
 %
-% CALL: EM = fitBaseline (EM, PROBLEM, DATA, ISBASE, OPTIONS, START)
+% CALL: EMULATOR = fitBaseline (EMULATOR, PROBLEM, DATA, ISBASE, OPTIONS, START)
 %
-%   EM          struct of fitEmulator; gets p to range, see there
+%   EMULATOR    struct of fitEmulator; gets p to range, see there
 %   PROBLEM, DATA, OPTIONS     see fitEmulator
 %   ISBASE      n x 1 logical, runs of DATA with all effects neutral
 %   START       1 x T surrogates of an earlier fit, [] = none
 
-function em = fitBaseline (em, problem, data, isBase, options, start)
+function emulator = fitBaseline (emulator, problem, data, isBase, options, start)
   p = columns (problem.limits);
   T = columns (data.Z);
   settings = struct ('covariance', options.covariance, ...
                      'trend', options.trend);
-  em.range = rangesOf (problem, data.Z, isBase);
+  emulator.range = rangesOf (problem, data.Z, isBase);
   for t = T:-1:1
     settings.name = problem.targetNames{t};
-    settings.unit = em.range(t);
+    settings.unit = emulator.range(t);
     if ~isempty (start)
       settings.start = start(t);
     end
@@ -27,27 +27,27 @@ function em = fitBaseline (em, problem, data, isBase, options, start)
       fits(t) = fitSurrogate (X, z, problem.limits, settings);
     end
   end
-  em.p = p;
-  em.limits = problem.limits;
-  em.surrogates = fits;
-  em.Q2 = [fits.Q2];
-  em.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
-  em.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
+  emulator.p = p;
+  emulator.limits = problem.limits;
+  emulator.surrogates = fits;
+  emulator.Q2 = [fits.Q2];
+  emulator.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
+  emulator.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
   % four points a term of the largest polynomial
-  em.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
-  X = fromSymmetric (em.points, em.limits);
-  [average, em.surrogateVar] = predictSurrogate (fits, X);
-  noise = [fits.noiseVar] + mean (em.surrogateVar);
+  emulator.points = boxPoints (p, max (200, 4 * rows (polyPowers (p, 4))));
+  X = fromSymmetric (emulator.points, emulator.limits);
+  [average, emulator.surrogateVar] = predictSurrogate (fits, X);
+  noise = [fits.noiseVar] + mean (emulator.surrogateVar);
   % the lowest degree whose error nobody sees: a fiftieth of noise and surrogate
   for degree = 2:4
-    em.powers = polyPowers (p, degree);
-    [em.coef, em.fitVar] = leastSquares (em.points, average, em.powers);
-    if rows (em.powers) * 4 > rows (em.points) || ...
-          all (em.fitVar < 0.02 * noise)
+    emulator.powers = polyPowers (p, degree);
+    [emulator.coef, emulator.fitVar] = leastSquares (emulator.points, average, emulator.powers);
+    if rows (emulator.powers) * 4 > rows (emulator.points) || ...
+          all (emulator.fitVar < 0.02 * noise)
       break
     end
   end
-  em.varPowers = polyPowers (p, 2);
+  emulator.varPowers = polyPowers (p, 2);
 end
 
 % What the parameters move; of a response that they do not move, what effects or
@@ -79,8 +79,8 @@ end
 %! data.level = zeros (size (data.Z));
 %! off = all (data.E == 0, 2);
 %! data.Z(:, 2) = 5 * ~off;
-%! em = fitBaseline (struct (), newProblem (given), data, off, ...
+%! emulator = fitBaseline (struct (), newProblem (given), data, off, ...
 %!                   gapOptions (struct ('trend', 'affine')), []);
-%! assert (em.range(2), 8);
+%! assert (emulator.range(2), 8);
 %! z = data.Z(off, 1);
-%! assert (em.range(1), max (z) - min (z));
+%! assert (emulator.range(1), max (z) - min (z));

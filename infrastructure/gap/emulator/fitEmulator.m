@@ -1,15 +1,15 @@
 % FITEMULATOR  Makes fast polynomials of Kriging models and candidate effects.
 %
-% CALL: EM = fitEmulator (PROBLEM, DATA, OPTIONS)
-% CALL: EM = fitEmulator (PROBLEM, DATA, OPTIONS, OLD)
+% CALL: EMULATOR = fitEmulator (PROBLEM, DATA, OPTIONS)
+% CALL: EMULATOR = fitEmulator (PROBLEM, DATA, OPTIONS, OLD)
 %
 %   PROBLEM     struct of newProblem
 %   DATA        struct X (n x p), E (n x v), Z (n x T, NaN = none), replicate;
 %               level (n x T, how coarse each run is, see unitLevel: 0 at the
 %               level that counts, which is that of all where it is missing)
 %   OPTIONS     struct of gapOptions
-%   OLD         EM of other runs: what its runs have in common with DATA is kept
-%   EM          struct
+%   OLD         EMULATOR of other runs: what its runs have in common with DATA is kept
+%   EMULATOR    struct
 %     p, limits, powers (q x p), coef (q x T): mean of the null model,
 %       polynomial of the baseline Kriging in parameters scaled to [-1, 1]
 %     points (M x p), surrogateVar (M x T): where and how well it is known
@@ -35,7 +35,7 @@
 %
 % Errors: DEcalioc:fitEmulator:badValue
 
-function em = fitEmulator (problem, data, options, old)
+function emulator = fitEmulator (problem, data, options, old)
   p = columns (problem.limits);
   data = inOrder (data);
   phi = strengthOfValues (problem.effects, data.E);
@@ -52,46 +52,46 @@ function em = fitEmulator (problem, data, options, old)
   if nargin < 4
     old = struct ('base', [], 'effect', [], 'noiseRuns', -1);
   end
-  em = old;
+  emulator = old;
   if ~isequaln (old.base, base)
     start = [];
     if isOneRunOff (old, base)
       start = old.surrogates;
     end
-    em = fitBaseline (em, problem, data, isBase, options, start);
-    em.base = base;
+    emulator = fitBaseline (emulator, problem, data, isBase, options, start);
+    emulator.base = base;
   end
   runs = struct ('theta', theta, 'phi', phi, 'Z', data.Z, ...
                  'level', data.level);
-  [runs.mean, runs.variance] = atOwnLevel (em.surrogates, data);
+  [runs.mean, runs.variance] = atOwnLevel (emulator.surrogates, data);
   others = sum (~isBase);
   if ~isOneRunOff (old, base) || abs (others - old.noiseRuns) > 0.25 * others
     % the noise follows from the effects' runs, and they from the noise
-    em = runNoise (em, problem, data);
+    emulator = runNoise (emulator, problem, data);
     alone = sum (abs (phi) >= 1e-9, 2) == 1;
-    em.levelShare = 0;
+    emulator.levelShare = 0;
     if any (data.level(:))
       isCoarse = any (data.level, 2);
-      coarse = learnAll (em, problem.effects, runsOf (runs, isCoarse), ...
+      coarse = learnAll (emulator, problem.effects, runsOf (runs, isCoarse), ...
                          1:columns (phi), []);
-      em.levelShare = levelShare (em, coarse, runsOf (runs, ~isCoarse));
+      emulator.levelShare = levelShare (emulator, coarse, runsOf (runs, ~isCoarse));
     end
     many = find (sum (abs (phi(alone, :)) >= 1e-9, 1) >= 6);
-    some = learnAll (em, problem.effects(many), runsOf (runs, alone), ...
+    some = learnAll (emulator, problem.effects(many), runsOf (runs, alone), ...
                      many, []);
-    [em.noiseVar, em.noiseFreedom] = pooledNoise (em, some);
-    em.noiseRuns = others;
+    [emulator.noiseVar, emulator.noiseFreedom] = pooledNoise (emulator, some);
+    emulator.noiseRuns = others;
     old.effect = [];
   end
-  em.effect = learnAll (em, problem.effects, runs, 1:columns (phi), ...
-                        old.effect);
-  em.joint = learnJoint (em, runs);
-  [em.success, own] = learnSuccess (problem.bench, theta, phi, data.Z);
+  emulator.effect = learnAll (emulator, problem.effects, runs, 1:columns (phi), ...
+                              old.effect);
+  emulator.joint = learnJoint (emulator, runs);
+  [emulator.success, own] = learnSuccess (problem.bench, theta, phi, data.Z);
   for k = 1:numel (own)
-    em.effect(k).success = own{k};
+    emulator.effect(k).success = own{k};
   end
-  em.bench = problem.bench;
-  [em.change, em.known] = deal ([]);
+  emulator.bench = problem.bench;
+  [emulator.change, emulator.known] = deal ([]);
 end
 
 % One run more or less changes neither the noise nor the other effects.
@@ -107,7 +107,7 @@ end
 
 % Candidates, whose strengths are the columns NUMBERS. What has the same runs as
 % before is kept.
-function effects = learnAll (em, candidates, runs, numbers, old)
+function effects = learnAll (emulator, candidates, runs, numbers, old)
   effects = [];
   isOn = abs (runs.phi) >= 1e-9;
   alone = sum (isOn(:, numbers), 2) == 1;
@@ -122,7 +122,7 @@ function effects = learnAll (em, candidates, runs, numbers, old)
        isequaln (old(known).Z, own.Z) && isequal (old(known).level, own.level)
       effects = [effects, old(known)];
     else
-      effects = [effects, learnEffect(em, candidates(k), own)];
+      effects = [effects, learnEffect(emulator, candidates(k), own)];
     end
   end
   if isempty (effects)
@@ -209,19 +209,19 @@ end
 %! rand ('twister', 1); randn ('twister', 1);
 %! lab = standInGap (0);
 %! lab.problem.value = ones (1, 24);
-%! em = fitEmulator (newProblem (lab.problem), lab.plan (30, 10), ...
+%! emulator = fitEmulator (newProblem (lab.problem), lab.plan (30, 10), ...
 %!                   gapOptions (struct ('trend', 'affine')));
 %! theta = rand (50, 4);
 %! phi = [zeros(50, 2), rand(50, 1), zeros(50, 7)];
 %! budget = struct ('covariance', diag (lab.noiseSd .^ 2), ...
 %!                  'estimated', zeros (1, 24), ...
 %!                  'unknown', zeros (1, 24));
-%! white = whitenEmulator (em, 1:24, budget);
+%! white = whitenEmulator (emulator, 1:24, budget);
 %! [M, V] = predictGap (white, 3, [2 * theta - 1, phi(:, 3)]);
 %! Z = lab.means (theta, phi) + lab.noiseSd .* randn (50, 24);
 %! ratio = mean (mean ((Z * white.W' - M) .^ 2 ./ V));
 %! assert (ratio > 0.6 && ratio < 1.6);
-%! assert (em.effect(9).laboratory && em.effect(9).runs == 0);
+%! assert (emulator.effect(9).laboratory && emulator.effect(9).runs == 0);
 %!error id=DEcalioc:fitEmulator:badValue
 %! lab = standInGap (0);
 %! lab.problem.value = ones (1, 24);
@@ -238,9 +238,9 @@ end
 %! given = struct ('value', [1, 1], 'sd', [1, 1], 'limits', [0; 1], ...
 %!                 'bench', [1, 2], 'effects', effect);
 %! data = struct ('X', X, 'E', E, 'Z', Z, 'replicate', 1 + 0 * X);
-%! em = fitEmulator (newProblem (given), data, gapOptions ([]));
-%! assert (em.success(:, 1), [0; 0]);
-%! p = @(phi) 1 / (1 + exp (-em.success(1, 2) - ...
-%!                          [phi, phi] * em.effect.success(:, 2)));
+%! emulator = fitEmulator (newProblem (given), data, gapOptions ([]));
+%! assert (emulator.success(:, 1), [0; 0]);
+%! p = @(phi) 1 / (1 + exp (-emulator.success(1, 2) - ...
+%!                          [phi, phi] * emulator.effect.success(:, 2)));
 %! assert ([p(0), p(0.1)] > [0.95, 0.9]);
 %! assert (p(1) < 0.2);

@@ -1,8 +1,8 @@
 % LEARNEFFECT  Learns from its runs what one effect adds to every response.
 %
-% CALL: E = learnEffect (EM, EFFECT, RUNS)
+% CALL: E = learnEffect (EMULATOR, EFFECT, RUNS)
 %
-%   EM      struct of fitEmulator: baseline, noise, levelShare
+%   EMULATOR  struct of fitEmulator: baseline, noise, levelShare
 %   EFFECT  struct of newEffect
 %   RUNS    struct theta (n x p, parameters in [-1, 1]), phi (n x 1, strength),
 %           Z (n x T, results, NaN = none), mean and variance (n x T, what the
@@ -36,8 +36,8 @@
 % bend, one for all responses since it is the effect's, maximises their joint
 % marginal likelihood, with a weak prior for none.
 
-function e = learnEffect (em, effect, runs)
-  T = columns (em.coef);
+function e = learnEffect (emulator, effect, runs)
+  T = columns (emulator.coef);
   Q = [runs.theta, runs.phi];
   e = struct ('name', effect.name, 'range', effect.range, ...
               'scale', effect.scale, 'laboratory', effect.laboratory, ...
@@ -50,43 +50,43 @@ function e = learnEffect (em, effect, runs)
   e.strongest = max ([abs(Q(any (isfinite (runs.Z), 2), end)); 0.1]);
   e.looStd = repmat ({zeros(0, 1)}, 1, T);
   if effect.laboratory
-    e.powers = [em.powers, ones(rows (em.powers), 1)];
-    e.coef = em.coef * effect.matrix;
+    e.powers = [emulator.powers, ones(rows (emulator.powers), 1)];
+    e.coef = emulator.coef * effect.matrix;
     e.coef(1, :) = e.coef(1, :) + effect.offset;
     e.misfit = effect.offsetSd.^2;
     [e.root, e.ofTarget] = deal (zeros (rows (e.powers), 0), zeros (0, T));
     return
   end
-  e.powers = polyPowers (em.p + 1, 3);
+  e.powers = polyPowers (emulator.p + 1, 3);
   e.powers = e.powers(e.powers(:, end) > 0, :);
-  e.size2 = sizesOf (em, e);
-  e.variance(:, :, 2) = em.levelShare^2 * (Q(:, end) .* e.level).^2 .* e.size2;
+  e.size2 = sizesOf (emulator, e);
+  e.variance(:, :, 2) = emulator.levelShare^2 * (Q(:, end) .* e.level).^2 .* e.size2;
   e.unbent = (e.runs < 8) * 0.7 / sqrt (max (e.runs, 1));
   if e.runs >= 8
-    e.bend = bestBend (e, em.noiseVar);
+    e.bend = bestBend (e, emulator.noiseVar);
   end
   Q = bent (Q, e.bend);
   n = rows (e.powers);
   [e.coef, e.root] = deal (zeros (n, T), zeros (n, n * T));
   e.ofTarget = kron (eye (T), ones (n, 1));
   % an effect that moves some responses may well move the others
-  loudness = mean (e.size2 ./ em.noiseVar);
+  loudness = mean (e.size2 ./ emulator.noiseVar);
   for t = 1:T
     ok = isfinite (e.R(:, t));
     if any (ok)
       fit = fitEffect (e.powers, Q(ok, :), [e.R(ok, t), Q(ok, end)], ...
-                       em.noiseVar(t), ...
+                       emulator.noiseVar(t), ...
                        reshape (e.variance(ok, t, :), [], 2), ...
-                       struct ('size', em.noiseVar(t) * (1 + loudness)));
+                       struct ('size', emulator.noiseVar(t) * (1 + loudness)));
     else
       first = sum (e.powers, 2) == 1;
       fit = struct ('coef', zeros (n, 1), 'misfit', 0, ...
                     'looStd', zeros (0, 1), ...
-                    'covariance', em.range(t)^2 * diag (first));
+                    'covariance', emulator.range(t)^2 * diag (first));
     end
     e.coef(:, t) = fit.coef;
     e.looStd{t} = fit.looStd;
-    e.misfit(t) = fit.misfit + (1e-8 * em.range(t))^2;
+    e.misfit(t) = fit.misfit + (1e-8 * emulator.range(t))^2;
     % symmetric roots of two targets of a curve belong together
     % (whitenEmulator), whatever the order and the signs of their axes
     [root, U] = covarianceRoot (fit.covariance);
@@ -94,16 +94,16 @@ function e = learnEffect (em, effect, runs)
   end
 end
 
-function size2 = sizesOf (em, e)
+function size2 = sizesOf (emulator, e)
   ok = isfinite (e.R);
   R = e.R;
   R(~ok) = 0;
   phi2 = e.Q(:, end).^2 .* ok;
-  size2 = max (sum (R.^2 - em.noiseVar .* ok, 1), 0);
+  size2 = max (sum (R.^2 - emulator.noiseVar .* ok, 1), 0);
   size2 = size2 ./ max (sum (phi2, 1), realmin);
   along = eye (columns (R));
-  if isfield (em, 'alongCurve')
-    along = em.alongCurve;
+  if isfield (emulator, 'alongCurve')
+    along = emulator.alongCurve;
   end
   size2 = size2 * along ./ sum (along, 1);
 end
@@ -135,10 +135,10 @@ end
 %!test
 %! % saturation and dead zone are told from straight effects (seeded)
 %! rand ('twister', 5); randn ('twister', 5);
-%! em = struct ('p', 1, 'coef', zeros (3, 6), 'powers', [0; 1; 2], ...
+%! emulator = struct ('p', 1, 'coef', zeros (3, 6), 'powers', [0; 1; 2], ...
 %!              'noiseVar', 0.01 * ones (1, 6), 'range', ones (1, 6));
-%! em.correlation = eye (6);
-%! em.levelShare = 0;
+%! emulator.correlation = eye (6);
+%! emulator.levelShare = 0;
 %! effect = struct ('name', 'e', 'range', [0, 1], 'scale', 0.5, ...
 %!                  'laboratory', false);
 %! Q = [2 * rand(20, 1) - 1, 0.1 + 0.9 * rand(20, 1)];
@@ -148,7 +148,7 @@ end
 %!   runs = struct ('theta', Q(:, 1), 'phi', Q(:, 2), 'Z', Z, ...
 %!                  'mean', 0 * Z, 'variance', 0 * Z, ...
 %!                 'level', 0 * Z);
-%!   e = learnEffect (em, effect, runs);
+%!   e = learnEffect (emulator, effect, runs);
 %!   assert (abs (log (e.bend / c)) < 0.6);
 %!   middle = polyRows (e.powers, [0, 0.5^e.bend]) * e.coef;
 %!   assert (middle, 0.5^c * size_, 0.35);
@@ -157,7 +157,7 @@ end
 %! % at the last level the effect is 0.8 of what coarse runs say: unsure by the
 %! % share that may change, put right by two runs at that level (seeded)
 %! rand ('twister', 6); randn ('twister', 6);
-%! em = struct ('p', 1, 'coef', zeros (3, 2), 'powers', [0; 1; 2], ...
+%! emulator = struct ('p', 1, 'coef', zeros (3, 2), 'powers', [0; 1; 2], ...
 %!              'noiseVar', 1e-4 * [1, 1], 'range', [1, 1], 'levelShare', 0.3);
 %! effect = struct ('name', 'e', 'range', [0, 1], 'scale', 2, ...
 %!                  'laboratory', false);
@@ -167,11 +167,11 @@ end
 %! Z = Q(:, 2) .* [2, -1] .* (0.8 + 0.2 * level) + 0.01 * randn (10, 2);
 %! runs = struct ('theta', Q(:, 1), 'phi', Q(:, 2), 'Z', Z, ...
 %!                'mean', 0 * Z, 'variance', 0 * Z, 'level', level);
-%! both = learnEffect (em, effect, runs);
+%! both = learnEffect (emulator, effect, runs);
 %! for name = fieldnames (runs)'
 %!   runs.(name{1}) = runs.(name{1})(1:8, :);
 %! end
-%! alone = learnEffect (em, effect, runs);
+%! alone = learnEffect (emulator, effect, runs);
 %! at = @(e) polyRows (e.powers, [0, 1]) * e.coef;
 %! B = polyRows (alone.powers, [linspace(-1, 1, 20)', ones(20, 1)]);
 %! sd = @(e) sqrt (mean ((B * e.root).^2 * e.ofTarget, 1) + e.misfit);
@@ -183,7 +183,7 @@ end
 %! % known where its runs stand, less so far from them: errors of 40 effects
 %! % that bend in the parameter (seeded)
 %! rand ('twister', 7); randn ('twister', 7);
-%! em = struct ('p', 1, 'coef', zeros (3, 40), 'powers', [0; 1; 2], ...
+%! emulator = struct ('p', 1, 'coef', zeros (3, 40), 'powers', [0; 1; 2], ...
 %!              'noiseVar', 0.01 * ones (1, 40), 'range', ones (1, 40), ...
 %!              'levelShare', 0);
 %! effect = struct ('name', 'e', 'range', [0, 1], 'scale', 0.5, ...
@@ -192,7 +192,7 @@ end
 %! truth = @(Q) Q(:, 2) .* (Q(:, 1).^(0:2) * c);
 %! Q = [0.5 + 0.2 * rand(10, 1), 0.3 + 0.5 * rand(10, 1)];
 %! Z = truth (Q) + 0.1 * randn (10, 40);
-%! e = learnEffect (em, effect, struct ('theta', Q(:, 1), 'phi', Q(:, 2), ...
+%! e = learnEffect (emulator, effect, struct ('theta', Q(:, 1), 'phi', Q(:, 2), ...
 %!                                      'Z', Z, 'mean', 0 * Z, 'variance', ...
 %!                                      0 * Z, 'level', 0 * Z));
 %! at = [0.6, 0.5; -0.6, 0.5];
@@ -206,7 +206,7 @@ end
 %! % square of the standardised errors elsewhere of 40 effects (seeded; 0.4 to 1
 %! % with eight seeds)
 %! rand ('twister', 2); randn ('twister', 2);
-%! em = struct ('p', 2, 'coef', zeros (6, 40), 'powers', polyPowers (2, 2), ...
+%! emulator = struct ('p', 2, 'coef', zeros (6, 40), 'powers', polyPowers (2, 2), ...
 %!              'noiseVar', 0.01 * ones (1, 40), 'range', ones (1, 40), ...
 %!              'levelShare', 0);
 %! effect = struct ('name', 'e', 'range', [0, 1], 'scale', 0.5, ...
@@ -215,7 +215,7 @@ end
 %! truth = @(Q) Q(:, 3) .* ([1, Q] * c);
 %! Z = truth ([0.5, 0.5, 1]) + 0.1 * randn (1, 40);
 %! none = 0 * Z;
-%! e = learnEffect (em, effect, struct ('theta', [0.5, 0.5], 'phi', 1, ...
+%! e = learnEffect (emulator, effect, struct ('theta', [0.5, 0.5], 'phi', 1, ...
 %!                                      'Z', Z, 'mean', none, 'variance', ...
 %!                                      none, 'level', none));
 %! at = [0.1, 0.1, 0.6];

@@ -1,8 +1,8 @@
 % LEARNJOINT  Learns what two effects do together beyond what each does alone.
 %
-% CALL: JOINT = learnJoint (EM, RUNS)
+% CALL: JOINT = learnJoint (EMULATOR, RUNS)
 %
-%   EM     struct of fitEmulator with its effects
+%   EMULATOR  struct of fitEmulator with its effects
 %   RUNS   all runs, see learnEffect; phi n x K
 %   JOINT  1 x J struct, of each pair of effects that DEM runs: members, powers,
 %          coef (q x T), bend, misfit (1 x T: variance over the product of the
@@ -13,9 +13,9 @@
 % nobody knows yet. Runs with both effects on (rows of a factorial plan) replace
 % that guess by a product term that may change with the parameters.
 
-function joint = learnJoint (em, runs)
+function joint = learnJoint (emulator, runs)
   joint = [];
-  simulated = find (~[em.effect.laboratory] & [em.effect.runs] > 0);
+  simulated = find (~[emulator.effect.laboratory] & [emulator.effect.runs] > 0);
   if numel (simulated) < 2
     return
   end
@@ -25,17 +25,17 @@ function joint = learnJoint (em, runs)
     own = struct ('theta', runs.theta(at, :), 'phi', runs.phi(at, pair), ...
                   'Z', runs.Z(at, :), 'mean', runs.mean(at, :), ...
                   'variance', runs.variance(at, :));
-    joint = [joint, ofPair(em, pair', own)];
+    joint = [joint, ofPair(emulator, pair', own)];
   end
 end
 
-function joint = ofPair (em, pair, runs)
-  p = em.p;
-  T = columns (em.coef);
-  one = em.effect(pair(1));
-  two = em.effect(pair(2));
+function joint = ofPair (emulator, pair, runs)
+  p = emulator.p;
+  T = columns (emulator.coef);
+  one = emulator.effect(pair(1));
+  two = emulator.effect(pair(2));
   alone = @(e) abs (polyRows (e.powers, [zeros(1, p), 1]) * e.coef);
-  least = (1e-8 * em.range).^2;
+  least = (1e-8 * emulator.range).^2;
   guess = 0.3^2 * alone (one) .* alone (two) + least;
   joint = struct ('members', pair, 'powers', zeros (0, p + 2), ...
                   'coef', zeros (0, T), 'bend', [1, 1], 'laboratory', false, ...
@@ -52,7 +52,7 @@ function joint = ofPair (em, pair, runs)
   m = runs.mean;
   v = runs.variance;
   for i = 1:2
-    e = em.effect(pair(i));
+    e = emulator.effect(pair(i));
     B = polyRows (e.powers, [runs.theta, psi(:, i)]);
     m = m + B * e.coef;
     v = v + effectVariance (e, B, psi(:, i));
@@ -63,7 +63,7 @@ function joint = ofPair (em, pair, runs)
     if any (ok)
       fit = fitEffect (joint.powers, [runs.theta(ok, :), psi(ok, :)], ...
                        [runs.Z(ok, t) - m(ok, t), product(ok)], ...
-                       em.noiseVar(t) + v(ok, t));
+                       emulator.noiseVar(t) + v(ok, t));
       joint.coef(:, t) = fit.coef;
       own = fit.covariance(1) + fit.misfit + least(t);
       joint.misfit(t) = min (own, guess(t));
@@ -74,21 +74,21 @@ end
 %!test
 %! % two effects that double each other: seen from a few runs (seeded)
 %! rand ('twister', 3); randn ('twister', 3);
-%! em = struct ('p', 1, 'coef', zeros (1, 2), 'noiseVar', [0.01, 0.01], ...
+%! emulator = struct ('p', 1, 'coef', zeros (1, 2), 'noiseVar', [0.01, 0.01], ...
 %!              'range', [4, 1]);
-%! em.effect = struct ('powers', [0, 1], 'coef', {[4, 0], [4, 1]}, ...
+%! emulator.effect = struct ('powers', [0, 1], 'coef', {[4, 0], [4, 1]}, ...
 %!                     'bend', 1, 'misfit', 1e-4 * [1, 1], ...
 %!                     'root', zeros (1, 0), 'ofTarget', zeros (0, 2), ...
 %!                     'laboratory', false, 'runs', 8);
 %! none = struct ('theta', 0, 'phi', [1, 0], 'Z', [1, 1], 'mean', [1, 1], ...
 %!                'variance', [0, 0]);
-%! none = learnJoint (em, none);
+%! none = learnJoint (emulator, none);
 %! assert (none.misfit, [0.09 * 16, 0], 1e-9);
 %! Q = [2 * rand(8, 1) - 1, 0.3 + 0.7 * rand(8, 2)];
 %! Z = [4 * Q(:, 2) + 4 * Q(:, 3) + 4 * Q(:, 2) .* Q(:, 3), Q(:, 3)] + ...
 %!     0.1 * randn (8, 2);
 %! runs = struct ('theta', Q(:, 1), 'phi', Q(:, 2:3), 'Z', Z, ...
 %!                'mean', 0 * Z, 'variance', 0 * Z);
-%! joint = learnJoint (em, runs);
+%! joint = learnJoint (emulator, runs);
 %! assert (joint.coef(1, 1), 4, 0.6);
 %! assert (joint.misfit(1) < none.misfit(1));

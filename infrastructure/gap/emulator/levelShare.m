@@ -1,8 +1,8 @@
 % LEVELSHARE  How much of what effects do changes from coarse to fine runs.
 %
-% CALL: SHARE = levelShare (EM, COARSE, RUNS)
+% CALL: SHARE = levelShare (EMULATOR, COARSE, RUNS)
 %
-%   EM      struct of fitEmulator: noiseVar and range
+%   EMULATOR  struct of fitEmulator: noiseVar and range
 %   COARSE  1 x K struct of learnEffect, from coarse runs alone
 %   RUNS    those of the last level, see learnEffect, with phi n x K
 %   SHARE   standard deviation of the change, as a share of the effect
@@ -12,7 +12,7 @@
 % in units of what the parameters move. Nobody knows before the first such run:
 % 0.3, which counts as much as two effects.
 
-function share = levelShare (em, coarse, runs)
+function share = levelShare (emulator, coarse, runs)
   isOn = abs (runs.phi) >= 1e-9;
   [excess, size2, seen] = deal (0);
   for k = find (~[coarse.laboratory] & [coarse.runs] > 0)
@@ -25,11 +25,11 @@ function share = levelShare (em, coarse, runs)
     psi = bentStrength (phi, e.bend);
     B = polyRows (e.powers, [runs.theta(own, :), psi]);
     miss = runs.Z(own, :) - runs.mean(own, :) - B * e.coef;
-    known = em.noiseVar + runs.variance(own, :) + ...
+    known = emulator.noiseVar + runs.variance(own, :) + ...
             effectVariance (e, B, psi);
     ok = isfinite (miss);
     miss(~ok) = 0;
-    weight = ok ./ em.range.^2;
+    weight = ok ./ emulator.range.^2;
     excess = excess + sum (sum ((miss.^2 - known) .* weight));
     size2 = size2 + sum (sum (phi.^2 .* e.size2 .* weight));
     seen = seen + 1;
@@ -43,14 +43,14 @@ end
 
 %!test
 %! % effects half as large at the last level, or the same (no noise)
-%! em = struct ('noiseVar', 1e-6, 'range', 1);
+%! emulator = struct ('noiseVar', 1e-6, 'range', 1);
 %! e = struct ('laboratory', false, 'runs', 4, 'bend', 1, 'powers', [0, 1], ...
 %!             'coef', 2, 'misfit', 1e-6, 'root', zeros (1, 0), ...
 %!             'ofTarget', zeros (0, 1), 'size2', 4);
 %! runs = struct ('theta', [0; 0.5], 'phi', [1; 0.5], 'Z', [1; 0.5], ...
 %!                'mean', [0; 0], 'variance', [0; 0]);
-%! assert (levelShare (em, e, runs), sqrt ((2 * 0.09 + 0.25) / 3), 1e-3);
+%! assert (levelShare (emulator, e, runs), sqrt ((2 * 0.09 + 0.25) / 3), 1e-3);
 %! runs.Z = [2; 1];
-%! assert (levelShare (em, e, runs), sqrt (2 * 0.09 / 3), 1e-3);
+%! assert (levelShare (emulator, e, runs), sqrt (2 * 0.09 / 3), 1e-3);
 %! runs.phi = [0; 0];
-%! assert (levelShare (em, e, runs), 0.3);
+%! assert (levelShare (emulator, e, runs), 0.3);

@@ -1,12 +1,12 @@
 % NOISEBUDGET  Adds up what makes a result uncertain, cause by cause.
 %
-% CALL: BUDGET = noiseBudget (PROBLEM, EM)
+% CALL: BUDGET = noiseBudget (PROBLEM, EMULATOR)
 %
 %   PROBLEM     struct of newProblem
-%   EM          struct of fitEmulator
+%   EMULATOR    struct of fitEmulator
 %   BUDGET      struct
 %     covariance  T x T, measurement plus the packing of the real trials; of a
-%                 change also what the reference leaves open (takeReference)
+%                 change also what the reference leaves open (emulateChange)
 %     estimated   1 x T, part of its diagonal that was estimated from runs
 %     unknown     1 x T, part of it whose size nobody has stated
 %     measurement, trial   1 x T, their standard deviations
@@ -20,28 +20,28 @@
 % Where sd comes from the scatter of few trials (PROBLEM.scatter) the larger
 % of the two counts.
 
-function budget = noiseBudget (problem, em)
+function budget = noiseBudget (problem, emulator)
   sd = problem.sd;
   sd(~isfinite (sd)) = 0;
   % a measurement without any error would leave no inverse
-  least = (1e-4 * em.range).^2;
+  least = (1e-4 * emulator.range).^2;
   measured = diag (sd.^2);
   if ~isempty (problem.covariance)
     measured = problem.covariance;
   end
   measured = measured + diag (max (least - diag (measured)', 0));
-  trial = sqrt (max (em.noiseVar ./ problem.trials - ...
+  trial = sqrt (max (emulator.noiseVar ./ problem.trials - ...
                      problem.scatter .* diag (measured)', 0));
-  budget.covariance = measured + (trial' * trial) .* em.correlation;
-  if ~isempty (em.change)
-    budget.covariance = em.change.covariance;
+  budget.covariance = measured + (trial' * trial) .* emulator.correlation;
+  if ~isempty (emulator.change)
+    budget.covariance = emulator.change.covariance;
   end
   budget.estimated = trial.^2;
   budget.unknown = diag (measured)' .* ~problem.sdKnown;
   budget.measurement = sqrt (diag (measured))';
   budget.trial = trial;
-  budget.noiseSd = sqrt (em.noiseVar);
-  known = mean (em.surrogateVar, 1) + em.fitVar;
+  budget.noiseSd = sqrt (emulator.noiseVar);
+  known = mean (emulator.surrogateVar, 1) + emulator.fitVar;
   budget.surrogate = sqrt (known);
   budget.share = known ./ (known + diag (budget.covariance)');
 end
@@ -49,23 +49,23 @@ end
 %!test
 %! problem = newProblem (struct ('value', [1, 2], 'sd', [3, 0], ...
 %!                                     'limits', [0; 1], 'bench', [1, 1]));
-%! em = struct ('noiseVar', [16, 4], 'correlation', [1, 0.5; 0.5, 1], ...
+%! emulator = struct ('noiseVar', [16, 4], 'correlation', [1, 0.5; 0.5, 1], ...
 %!              'range', [1, 1], 'surrogateVar', [25, 8], 'fitVar', [0, 0], ...
 %!              'change', []);
-%! budget = noiseBudget (problem, em);
+%! budget = noiseBudget (problem, emulator);
 %! assert (budget.covariance, [25, 4; 4, 4], 1e-6);
 %! assert (budget.share, [0.5, 2 / 3], 1e-6);
 %! problem.covariance = [9, 3; 3, 4];
-%! budget = noiseBudget (problem, em);
+%! budget = noiseBudget (problem, emulator);
 %! assert (budget.covariance, [25, 7; 7, 8], 1e-6);
 %! assert (budget.measurement, [3, 2], 1e-6);
 %! problem.covariance = [];
 %! problem.trials = [4, 1];
-%! assert (noiseBudget (problem, em).covariance, [13, 2; 2, 4], 1e-6);
+%! assert (noiseBudget (problem, emulator).covariance, [13, 2; 2, 4], 1e-6);
 %! problem.trials = [Inf, 1];
-%! assert (noiseBudget (problem, em).covariance, [9, 0; 0, 4], 1e-6);
+%! assert (noiseBudget (problem, emulator).covariance, [9, 0; 0, 4], 1e-6);
 %! problem.trials = Inf;
-%! assert (noiseBudget (problem, em).covariance(1, 1), 9, 1e-12);
+%! assert (noiseBudget (problem, emulator).covariance(1, 1), 9, 1e-12);
 %! problem.trials = [1, 4];
 %! problem.scatter = [true, true];
-%! assert (diag (noiseBudget (problem, em).covariance), [16; 1], 1e-6);
+%! assert (diag (noiseBudget (problem, emulator).covariance), [16; 1], 1e-6);

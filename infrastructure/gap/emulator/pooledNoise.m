@@ -1,8 +1,8 @@
 % POOLEDNOISE  Improves the noise of each response by the runs of effects.
 %
-% CALL: [VARIANCE, FREEDOM] = pooledNoise (EM, EFFECTS)
+% CALL: [VARIANCE, FREEDOM] = pooledNoise (EMULATOR, EFFECTS)
 %
-%   EM        struct of fitEmulator: noiseVar and noiseFreedom (1 x T, as
+%   EMULATOR  struct of fitEmulator: noiseVar and noiseFreedom (1 x T, as
 %             repeats and the nugget tell; Inf: known)
 %   EFFECTS   1 x K struct array of learnEffect
 %   VARIANCE, FREEDOM   1 x T, both with what the scatter of the effects' runs
@@ -15,12 +15,12 @@
 % freedom: it errs twice as much as it claims) gives the mean and, by its width,
 % the freedom.
 
-function [variance, freedom] = pooledNoise (em, effects)
+function [variance, freedom] = pooledNoise (emulator, effects)
   factors = 2.^(-2:0.5:2.5);
   x = log (factors);
-  score = -em.noiseFreedom' / 16 .* x.^2;
+  score = -emulator.noiseFreedom' / 16 .* x.^2;
   for e = effects(~[effects.laboratory] & [effects.runs] >= 6)
-    score = score + scoresOf (em, e, factors);
+    score = score + scoresOf (emulator, e, factors);
   end
   w = exp (score - max (score, [], 2));
   w = w ./ sum (w, 2);
@@ -28,15 +28,15 @@ function [variance, freedom] = pooledNoise (em, effects)
   % and what the steps of the grid leave open, as of a uniform density
   spread = sum (w .* (x - middle').^2, 2)' + diff (x)(1)^2 / 12;
   % mean of a log-normal density, and the freedom that has its width
-  variance = em.noiseVar .* exp (middle + spread / 2);
+  variance = emulator.noiseVar .* exp (middle + spread / 2);
   freedom = 2 ./ spread;
-  known = isinf (em.noiseFreedom);
-  variance(known) = em.noiseVar(known);
+  known = isinf (emulator.noiseFreedom);
+  variance(known) = emulator.noiseVar(known);
   freedom(known) = Inf;
 end
 
 % Log marginal likelihood of the runs of effect E: T x number of factors.
-function score = scoresOf (em, e, factors)
+function score = scoresOf (emulator, e, factors)
   coarse = struct ('decay', [0.1, 0.5], 'misfit', [0, 8]);
   Q = e.Q;
   Q(:, end) = bentStrength (Q(:, end), e.bend);
@@ -45,7 +45,7 @@ function score = scoresOf (em, e, factors)
     ok = isfinite (e.R(:, t));
     r = [e.R(ok, t), Q(ok, end)];
     for f = 1:numel (factors)
-      fit = fitEffect (e.powers, Q(ok, :), r, factors(f) * em.noiseVar(t), ...
+      fit = fitEffect (e.powers, Q(ok, :), r, factors(f) * emulator.noiseVar(t), ...
                        reshape (e.variance(ok, t, :), [], 2), coarse);
       score(t, f) = fit.score;
     end
@@ -55,11 +55,11 @@ end
 %!test
 %! % a nugget four times too small is put right by 60 runs (seeded)
 %! rand ('twister', 5); randn ('twister', 5);
-%! em = struct ('p', 1, 'coef', zeros (3, 2), 'powers', [0; 1; 2], ...
+%! emulator = struct ('p', 1, 'coef', zeros (3, 2), 'powers', [0; 1; 2], ...
 %!              'noiseVar', [0.0025, 0.01], 'noiseFreedom', [6, Inf]);
-%! em.range = [1, 1];
-%! em.correlation = eye (2);
-%! em.levelShare = 0;
+%! emulator.range = [1, 1];
+%! emulator.correlation = eye (2);
+%! emulator.levelShare = 0;
 %! effect = struct ('name', 'e', 'range', [0, 1], 'scale', 0.5, ...
 %!                  'laboratory', false);
 %! for k = 1:3
@@ -68,9 +68,9 @@ end
 %!   runs = struct ('theta', Q(:, 1), 'phi', Q(:, 2), 'Z', Z, ...
 %!                  'mean', 0 * Z, 'variance', 0 * Z, ...
 %!                 'level', 0 * Z);
-%!   effects(k) = learnEffect (em, effect, runs);
+%!   effects(k) = learnEffect (emulator, effect, runs);
 %! end
-%! [variance, freedom] = pooledNoise (em, effects);
+%! [variance, freedom] = pooledNoise (emulator, effects);
 %! assert (variance(1) > 0.006 && variance(1) < 0.016);
 %! assert (freedom(1) > 8);
 %! assert (variance(2), 0.01);

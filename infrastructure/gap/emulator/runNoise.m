@@ -1,8 +1,8 @@
 % RUNNOISE  Scatter of one run, from repeats and, where these are few, nuggets.
 %
-% CALL: EM = runNoise (EM, PROBLEM, DATA)
+% CALL: EMULATOR = runNoise (EMULATOR, PROBLEM, DATA)
 %
-%   EM          struct of fitEmulator: surrogates and range are read; gets
+%   EMULATOR    struct of fitEmulator: surrogates and range are read; gets
 %               noiseVar, noiseFreedom, and (T x T) correlation, of the errors
 %               of a run's results within a bench, and alongCurve, that of
 %               neighbours on a curve of eight points or more: exp (-distance /
@@ -12,22 +12,22 @@
 %               better
 %   PROBLEM     struct of newProblem;  DATA  struct X, E, Z, level
 
-function em = runNoise (em, problem, data)
+function emulator = runNoise (emulator, problem, data)
   [measured, df, residual] = ofRepeats ([data.X, data.E, data.level], ...
                                         data.Z);
-  nugget = [em.surrogates.noiseVar];
+  nugget = [emulator.surrogates.noiseVar];
   weight = df ./ (df + 5);
   measured(df == 0) = 0;
-  em.noiseVar = max (weight .* measured + (1 - weight) .* nugget, ...
-                     (1e-3 * em.range).^2);
-  em.noiseFreedom = df + [em.surrogates.df];
+  emulator.noiseVar = max (weight .* measured + (1 - weight) .* nugget, ...
+                           (1e-3 * emulator.range).^2);
+  emulator.noiseFreedom = df + [emulator.surrogates.df];
   known = isfinite (problem.noiseSd);
-  em.noiseVar(known) = problem.noiseSd(known).^2;
-  em.noiseFreedom(known) = Inf;
+  emulator.noiseVar(known) = problem.noiseSd(known).^2;
+  emulator.noiseFreedom(known) = Inf;
   residual = residual(all (isfinite (residual), 2), :);
-  R = [looRows(em.surrogates); residual ./ sqrt(em.noiseVar)];
+  R = [looRows(emulator.surrogates); residual ./ sqrt(emulator.noiseVar)];
   R = R(all (isfinite (R), 2), :);
-  [em.correlation, em.alongCurve] = errorCorrelation (R, problem);
+  [emulator.correlation, emulator.alongCurve] = errorCorrelation (R, problem);
 end
 
 % Pooled variance (NaN where none) and degrees of freedom, 1 x T; deviation of
@@ -82,37 +82,37 @@ end
 %!test
 %! % 1 and 2: repeats of freedom 2 and 1 beside nuggets of 10; 3: known
 %! s = struct ('noiseVar', 10, 'df', 3, 'looStd', zeros (0, 1));
-%! em = struct ('surrogates', [s, s, s], 'range', [1, 1, 1]);
+%! emulator = struct ('surrogates', [s, s, s], 'range', [1, 1, 1]);
 %! problem = struct ('noiseSd', [NaN, NaN, 3], 'bench', [1, 1, 1], ...
 %!                   'series', zeros (1, 3), 'coordinate', zeros (1, 3));
 %! data = struct ('X', [1; 1; 2; 3; 3], 'E', zeros (5, 0), 'Z', ...
 %!                [1, 5, 0; 3, NaN, 0; 9, 9, 0; 4, 1, 0; 4, 3, 0], 'level', ...
 %!                zeros (5, 3));
-%! em = runNoise (em, problem, data);
-%! assert (em.noiseVar, [2 / 7 + 50 / 7, 2 / 6 + 50 / 6, 9], 1e-12);
-%! assert (em.noiseFreedom, [5, 4, Inf]);
+%! emulator = runNoise (emulator, problem, data);
+%! assert (emulator.noiseVar, [2 / 7 + 50 / 7, 2 / 6 + 50 / 6, 9], 1e-12);
+%! assert (emulator.noiseFreedom, [5, 4, Inf]);
 %! % nothing scatters, in repeats or between them
-%! [em.surrogates.noiseVar] = deal (0);
-%! em.range = [5, 5, 5];
+%! [emulator.surrogates.noiseVar] = deal (0);
+%! emulator.range = [5, 5, 5];
 %! data.Z(:) = 1;
-%! assert (runNoise (em, problem, data).noiseVar, [25e-6, 25e-6, 9], 1e-12);
-%!function em = withResiduals (R, curve)
+%! assert (runNoise (emulator, problem, data).noiseVar, [25e-6, 25e-6, 9], 1e-12);
+%!function emulator = withResiduals (R, curve)
 %!  T = columns (R);
 %!  curve.noiseSd = NaN (1, T);
 %!  s = struct ('noiseVar', 1, 'df', 3, 'looStd', num2cell (R, 1));
-%!  em = struct ('surrogates', s, 'range', ones (1, T));
+%!  emulator = struct ('surrogates', s, 'range', ones (1, T));
 %!  data = struct ('X', 1, 'E', zeros (1, 0), 'Z', ones (1, T), ...
 %!                 'level', zeros (1, T));
-%!  em = runNoise (em, curve, data);
+%!  emulator = runNoise (emulator, curve, data);
 %!endfunction
 %!test
 %! % no curve: shrunk towards independence, nothing between benches
 %! R = [1, 1, 0; -1, -1, 0; 1, 1, 1; -1, -1, -1];
 %! curve = struct ('bench', [1, 1, 2], 'series', zeros (1, 3), ...
 %!                 'coordinate', zeros (1, 3));
-%! em = withResiduals (R, curve);
-%! assert (em.alongCurve, eye (3));
-%! assert (em.correlation, [1, 0.4, 0; 0.4, 1, 0; 0, 0, 1], 1e-12);
+%! emulator = withResiduals (R, curve);
+%! assert (emulator.alongCurve, eye (3));
+%! assert (emulator.correlation, [1, 0.4, 0; 0.4, 1, 0; 0, 0, 1], 1e-12);
 %!test
 %! % a curve of 20 points with errors of length 5: found from 12 runs (seeded;
 %! % half to twice the length in 99 of 100 other seeds)
@@ -121,7 +121,7 @@ end
 %! curve = struct ('bench', ones (1, 20), 'series', ones (1, 20), ...
 %!                 'coordinate', at);
 %! R = randn (12, 20) * chol (exp (-abs (at' - at) / 5));
-%! em = withResiduals (R, curve);
-%! len = -1 / log (em.alongCurve(1, 2));
+%! emulator = withResiduals (R, curve);
+%! len = -1 / log (emulator.alongCurve(1, 2));
 %! assert (len > 2.5 && len < 10);
-%! assert (em.correlation(3, 4) > 0.6);
+%! assert (emulator.correlation(3, 4) > 0.6);

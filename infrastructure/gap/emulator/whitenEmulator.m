@@ -1,21 +1,21 @@
 % WHITENEMULATOR  Turns an emulator into independent unit-variance coordinates.
 %
-% CALL: WHITE = whitenEmulator (EM, COLUMNS, NOISE, ROTATION)
+% CALL: WHITE = whitenEmulator (EMULATOR, COLUMNS, NOISE, ROTATION)
 %
-%   EM        struct of fitEmulator
+%   EMULATOR  struct of fitEmulator
 %   COLUMNS   1 x n, targets to look at
 %   NOISE     struct of noiseBudget: covariance (T x T, of what a surrogate does
 %             not cause), estimated and unknown (1 x T, parts of its diagonal
 %             that runs have told, or nobody)
 %   ROTATION  n x n orthogonal, applied after whitening (default: none)
-%   WHITE     struct like EM, results replaced by z = (y(COLUMNS)) * W', plus
+%   WHITE     struct like EMULATOR, results replaced by z = (y(COLUMNS)) * W', plus
 %     W (n x n), back (its inverse), columns, varCoef (log variance of z without
 %     effects), effect and joint with misfit, root and ofTarget of z
 %     (learnEffect), nu (1 x n: degrees of freedom of the variances, Welch and
 %     Satterthwaite), parity (n x m: the directions that parameters cannot
 %     absorb, at the middle of the box), isTarget (1 x n: 1; see below)
 %
-% What a reference says of the parameters (EM.known, see takeReference) comes as
+% What a reference says of the parameters (EMULATOR.known, see emulateChange) comes as
 % further coordinates: z = 0 measured, root theta - offset predicted, variance
 % 1, moved by no effect. W and back are (n + m) x n and n x (n + m) then.
 %
@@ -23,47 +23,47 @@
 % effects is near 1 and only its change over the box is modelled (quadratic in
 % the logarithm, correlations of z neglected).
 
-function white = whitenEmulator (em, targets, noise, rotation)
+function white = whitenEmulator (emulator, targets, noise, rotation)
   n = numel (targets);
-  along = em.alongCurve(targets, targets);
-  misfit = sqrt (em.fitVar(targets));
+  along = emulator.alongCurve(targets, targets);
+  misfit = sqrt (emulator.fitVar(targets));
   % what the polynomial misses is alike along a curve
   fixed = noise.covariance(targets, targets) + (misfit' * misfit) .* along;
-  D = sqrt (em.surrogateVar(:, targets));
-  C = em.correlation(targets, targets);
+  D = sqrt (emulator.surrogateVar(:, targets));
+  C = emulator.correlation(targets, targets);
   meanD = sqrt (mean (D.^2, 1));
   [W, back] = whitener (fixed + (meanD' * meanD) .* C);
   if nargin > 3
     W = rotation * W;
     back = back * rotation';
   end
-  white = struct ('p', em.p, 'powers', em.powers, 'W', W, 'back', back, ...
-                  'columns', targets, 'varPowers', em.varPowers, ...
-                  'success', em.success);
-  other = setdiff (1:columns (em.success), em.bench(targets));
+  white = struct ('p', emulator.p, 'powers', emulator.powers, 'W', W, 'back', back, ...
+                  'columns', targets, 'varPowers', emulator.varPowers, ...
+                  'success', emulator.success);
+  other = setdiff (1:columns (emulator.success), emulator.bench(targets));
   % of benches that are not looked at nobody asks whether they gave a result
   white.success(:, other) = 0;
-  white.coef = em.coef(:, targets) * W';
+  white.coef = emulator.coef(:, targets) * W';
   V = zeros (rows (D), n);
   base = sum ((W * fixed) .* W, 2)';
   for i = 1:n
     V(:, i) = base(i) + alongRow (D, W(i, :), C);
   end
   % the logarithm keeps variances positive wherever the quadratic is taken
-  white.varCoef = polyRows (em.varPowers, em.points) \ log (V);
-  white.effect = arrayfun (@(e) oneEffect (e, targets, W, along), em.effect);
-  white.joint = arrayfun (@(e) oneEffect (e, targets, W, along), em.joint);
+  white.varCoef = polyRows (emulator.varPowers, emulator.points) \ log (V);
+  white.effect = arrayfun (@(e) oneEffect (e, targets, W, along), emulator.effect);
+  white.joint = arrayfun (@(e) oneEffect (e, targets, W, along), emulator.joint);
   total = diag (fixed)' + meanD.^2;
   estimated = noise.estimated(targets) + meanD.^2;
   % Satterthwaite (1946): squares of the parts over their degrees of freedom
-  doubt = estimated.^2 ./ em.noiseFreedom(targets) + ...
+  doubt = estimated.^2 ./ emulator.noiseFreedom(targets) + ...
           noise.unknown(targets).^2 / 3;
   white.nu = freedom (W, total, doubt);
   white.isTarget = ones (1, n);
-  if ~isempty (em.known)
-    white = withKnown (white, em.known);
+  if ~isempty (emulator.known)
+    white = withKnown (white, emulator.known);
   end
-  white.parity = parityAt (white, zeros (1, em.p));
+  white.parity = parityAt (white, zeros (1, emulator.p));
 end
 
 function white = withKnown (white, known)
@@ -150,11 +150,11 @@ end
 
 %!test
 %! % two correlated targets become independent ones of unit variance
-%! em = handMadeEmulator ([1, 2; 1, 0]);
-%! em.noiseFreedom = [8, 8];
+%! emulator = handMadeEmulator ([1, 2; 1, 0]);
+%! emulator.noiseFreedom = [8, 8];
 %! noise = struct ('covariance', [4, 1; 1, 1], 'estimated', [0, 0], ...
 %!                'unknown', [0, 0]);
-%! white = whitenEmulator (em, 1:2, noise);
+%! white = whitenEmulator (emulator, 1:2, noise);
 %! assert (white.W * noise.covariance * white.W', eye (2), 1e-12);
 %! [M, V] = predictGap (white, [], 0.5);
 %! assert (M, [1.5, 2] * white.W', 1e-12);
@@ -164,31 +164,31 @@ end
 %! % a variance of which all, or half, was estimated with 8 degrees of freedom
 %! noise = struct ('covariance', diag ([4, 4]), 'estimated', [4, 2], ...
 %!                'unknown', [0, 0]);
-%! white = whitenEmulator (em, 1:2, noise);
+%! white = whitenEmulator (emulator, 1:2, noise);
 %! assert (white.nu, [8, 32], 1e-9);
 %! % a measurement uncertainty that nobody has stated
 %! noise.unknown = [0, 4];
-%! assert (whitenEmulator (em, 1:2, noise).nu(2) < 3.01);
+%! assert (whitenEmulator (emulator, 1:2, noise).nu(2) < 3.01);
 %!test
 %! % variance of an effect: what the coefficients of two targets of one curve
 %! % make of it, by hand
-%! em = handMadeEmulator ([1, 2; 1, 0]);
-%! em.noiseFreedom = [8, 8];
-%! em.alongCurve = [1, 0.8; 0.8, 1];
+%! emulator = handMadeEmulator ([1, 2; 1, 0]);
+%! emulator.noiseFreedom = [8, 8];
+%! emulator.alongCurve = [1, 0.8; 0.8, 1];
 %! R = {[2, 1; 1, 3], [1, 0; 0, 0.5]};
-%! em.effect = struct ('powers', [0, 1; 1, 1], 'coef', [1, 2; 3, 4], 'bend', ...
+%! emulator.effect = struct ('powers', [0, 1; 1, 1], 'coef', [1, 2; 3, 4], 'bend', ...
 %!                     1, 'misfit', [0.3, 0.1], 'root', [R{:}], ...
 %!                     'ofTarget', kron (eye (2), [1; 1]));
 %! noise = struct ('covariance', [4, 1; 1, 1], 'estimated', [0, 0], ...
 %!                'unknown', [0, 0]);
-%! white = whitenEmulator (em, 1:2, noise);
+%! white = whitenEmulator (emulator, 1:2, noise);
 %! [~, V] = predictGap (white, 1, [0.5, 0.6]);
 %! [~, V0] = predictGap (white, [], 0.5);
 %! b = 0.6 * [1, 0.5];
-%! D = sqrt (em.effect.misfit);
+%! D = sqrt (emulator.effect.misfit);
 %! for t = 2:-1:1
 %!   for s = 2:-1:1
-%!     K(t, s) = em.alongCurve(t, s) * (b * R{t} * R{s} * b' + ...
+%!     K(t, s) = emulator.alongCurve(t, s) * (b * R{t} * R{s} * b' + ...
 %!                                      0.36 * D(t) * D(s));
 %!   end
 %! end

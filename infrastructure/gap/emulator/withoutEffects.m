@@ -1,30 +1,30 @@
 % WITHOUTEFFECTS  Takes effects off the list of an emulator.
 %
-% CALL: EM = withoutEffects (EM, NUMBERS)
+% CALL: EMULATOR = withoutEffects (EMULATOR, NUMBERS)
 %
-%   EM       struct of fitEmulator
+%   EMULATOR  struct of fitEmulator
 %   NUMBERS  1 x m, effects to take off (default: all); pairs with one of them
 %            go too, the members of the others are numbered anew
 
-function em = withoutEffects (em, numbers)
+function emulator = withoutEffects (emulator, numbers)
   if nargin < 2
-    numbers = 1:numel (em.effect);
+    numbers = 1:numel (emulator.effect);
   end
-  new = zeros (1, numel (em.effect));
+  new = zeros (1, numel (emulator.effect));
   new(setdiff (1:numel (new), numbers)) = 1:numel (new) - numel (numbers);
-  em.effect(numbers) = [];
-  kept = false (1, numel (em.joint));
-  for j = 1:numel (em.joint)
-    em.joint(j).members = new(em.joint(j).members);
-    kept(j) = all (em.joint(j).members > 0);
+  emulator.effect(numbers) = [];
+  kept = false (1, numel (emulator.joint));
+  for j = 1:numel (emulator.joint)
+    emulator.joint(j).members = new(emulator.joint(j).members);
+    kept(j) = all (emulator.joint(j).members > 0);
   end
-  em.joint = em.joint(kept);
+  emulator.joint = emulator.joint(kept);
 end
 
 %!test
-%! em.effect = struct ('name', {'a', 'b', 'c'});
-%! em.joint = struct ('members', {[1, 2], [1, 3], [2, 3]});
-%! left = withoutEffects (em, 2);
+%! emulator.effect = struct ('name', {'a', 'b', 'c'});
+%! emulator.joint = struct ('members', {[1, 2], [1, 3], [2, 3]});
+%! left = withoutEffects (emulator, 2);
 %! assert ({left.effect.name}, {'a', 'c'});
 %! assert ({left.joint.members}, {[1, 2]});
-%! assert (isempty (withoutEffects (em).effect));
+%! assert (isempty (withoutEffects (emulator).effect));

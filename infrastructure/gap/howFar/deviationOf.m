@@ -2,7 +2,7 @@
 %
 % CALL: D = deviationOf (STUDY, SET, DRAWS)
 %
-%   STUDY   struct problem, em, models
+%   STUDY   struct problem, emulator, models
 %   SET    struct of runCures: h, Q, Z, verified
 %   DRAWS  struct noise, surrogate, prior, run: B x n, B x n, B x p, B x n,
 %          standard normal numbers; n used targets, then the held-out ones
@@ -25,11 +25,11 @@
 
 function d = deviationOf (study, set, draws)
   problem = study.problem;
-  em = study.em;
+  emulator = study.emulator;
   targets = [problem.used, problem.heldOut];
   used = 1:numel (problem.used);
-  budget = noiseBudget (problem, em);
-  white = whitenEmulator (em, targets, budget);
+  budget = noiseBudget (problem, emulator);
+  white = whitenEmulator (emulator, targets, budget);
   [M, V, S, J] = predictGap (white, set.h, set.Q);
   isTarget = white.isTarget > 0;
   back = [inv(white.W(isTarget, :)), zeros(numel (targets), sum (~isTarget))];
@@ -57,7 +57,7 @@ function d = deviationOf (study, set, draws)
   d.r = problem.value(targets) - M * back';
   if set.verified
     d.r = problem.value(targets) - mean (set.Z(:, targets), 1);
-    run = ofRuns (em, set.Z, targets);
+    run = ofRuns (emulator, set.Z, targets);
   else
     noise = d.Sigma;
     surrogate(:) = 0;
@@ -85,21 +85,21 @@ function free = isFree (white, set, limitAt)
 end
 
 % Covariance of the mean of the runs Z.
-function C = ofRuns (em, Z, targets)
+function C = ofRuns (emulator, Z, targets)
   n = rows (Z);
   own = (n - 1) * var (Z(:, targets), 0, 1);
   % what the emulator knows of the noise counts as four degrees of freedom more
-  sd = sqrt ((own + 4 * em.noiseVar(targets)) / (n + 3) / n);
-  C = (sd' * sd) .* em.correlation(targets, targets);
+  sd = sqrt ((own + 4 * emulator.noiseVar(targets)) / (n + 3) / n);
+  C = (sd' * sd) .* emulator.correlation(targets, targets);
 end
 
 %!shared study, draws
 %! problem = newProblem (struct ('value', [1, 2, 3, 4], ...
 %!                             'sd', [1, 1, 1, 1], 'trials', Inf, ...
 %!                             'bench', [1, 1, 1, 2], 'limits', [-1; 1]));
-%! em = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 2]);
-%! em.noiseVar = 0.5 * em.noiseVar;
-%! study = struct ('problem', problem, 'em', em);
+%! emulator = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 2]);
+%! emulator.noiseVar = 0.5 * emulator.noiseVar;
+%! study = struct ('problem', problem, 'emulator', emulator);
 %! study.models.prior = struct ('mean', 0, 'sd', Inf);
 %! study.models.options = gapOptions ([]);
 %! randn ('twister', 3);

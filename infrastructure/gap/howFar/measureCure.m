@@ -2,7 +2,7 @@
 %
 % CALL: CURE = measureCure (STUDY, SETS, FIRST, ALIKE)
 %
-%   STUDY     struct problem, em, models
+%   STUDY     struct problem, emulator, models
 %   SETS     struct array of runCures: the null model first, then each
 %            effect
 %   FIRST    effect numbers of the cause, one of SETS
@@ -42,7 +42,7 @@
 
 function cure = measureCure (study, sets, first, alike)
   problem = study.problem;
-  em = study.em;
+  emulator = study.emulator;
   names = study.models.names;
   options = study.models.options;
   at = find (cellfun (@(h) isequal (h, first), {sets.h}), 1);
@@ -50,7 +50,7 @@ function cure = measureCure (study, sets, first, alike)
   targets = [problem.used, problem.heldOut];
   used = 1:numel (problem.used);
   held = numel (used) + 1:numel (targets);
-  scale = em.range(targets);
+  scale = emulator.range(targets);
   cure = closureAt (devs([1, at]), used, scale, options);
   cure.effect = strjoin (names(first), ' + ');
   cure.heldOut = [];
@@ -79,9 +79,9 @@ function cure = measureCure (study, sets, first, alike)
   cure = rmfield (cure, 'share');
   cure.verifiedByDEM = all ([sets([1, at]).verified]);
   cure.worstZ = max ([sets([1, at]).worstZ]);
-  cure.params = fromSymmetric ([sets(1).Q; sets(at).Q(1:em.p)], problem.limits);
-  cure.phi = sets(at).Q(em.p + 1:end);
-  noise = diag (noiseBudget (problem, em).covariance)';
+  cure.params = fromSymmetric ([sets(1).Q; sets(at).Q(1:emulator.p)], problem.limits);
+  cure.phi = sets(at).Q(emulator.p + 1:end);
+  noise = diag (noiseBudget (problem, emulator).covariance)';
   cure.remaining = devs(at).r(used) ./ ...
                    sqrt (noise(problem.used) + devs(at).scatter(used));
   cure.stillMisses = cure.verifiedByDEM && ...
@@ -187,7 +187,7 @@ end
 %! [given, data] = smallGapLab ();
 %! given.value = mean (data.Z);
 %! study = labStudy (given, data);
-%! p = study.em.p;
+%! p = study.emulator.p;
 %! set = struct ('h', zeros (1, 0), 'Q', zeros (1, p), ...
 %!               'Z', data.Z(1:3, :), 'worstZ', 1, 'verified', true);
 %! cured = setfield (setfield (set, 'h', 1), 'Q', zeros (1, p + 1));

@@ -1,12 +1,12 @@
 % PROVECAUSE  Runs the model with its cause, which may change the verdict.
 %
-% CALL: [VERDICT, W, CURE, STATE] = proveCause (VERDICT, STUDY, STATE)
+% CALL: [VERDICT, EVIDENCE, CURE, STATE] = proveCause (VERDICT, STUDY, STATE)
 %
 %   VERDICT     of judgeCase
-%   STUDY       struct problem, em, models, fits, as of runCures, and w
+%   STUDY       struct problem, emulator, models, fits, as of runCures, and evidence
 %               of caseEvidence
 %   STATE       of newGapState
-%   VERDICT, W  where DEM has run the cause: with these runs known and the
+%   VERDICT, EVIDENCE  where DEM has run the cause: with these runs known and the
 %               held-out targets in the evidence
 %   CURE        of measureCure, for the cause that VERDICT tells then; []
 %               where there is nothing to compare
@@ -22,10 +22,10 @@
 % fitted again with these runs they give a nearer set, which is run, twice at
 % most. DEM runs are spent on a name or a group only.
 
-function [verdict, w, cure, state] = proveCause (verdict, study, state)
+function [verdict, evidence, cure, state] = proveCause (verdict, study, state)
   cure = [];
-  w = study.w;
-  causes = comparedCauses (verdict, w, study.models.options);
+  evidence = study.evidence;
+  causes = comparedCauses (verdict, evidence, study.models.options);
   if isempty (causes)
     return
   end
@@ -34,7 +34,7 @@ function [verdict, w, cure, state] = proveCause (verdict, study, state)
   end
   [sets, state] = runCures (study, causes, state);
   if all ([sets.verified])
-    [verdict, w] = withCures (study, state.data);
+    [verdict, evidence] = withCures (study, state.data);
   end
   retries = 2 * all ([sets.verified]);
   while true
@@ -52,7 +52,7 @@ function [verdict, w, cure, state] = proveCause (verdict, study, state)
     study = refit (study, state.data, study.problem.used);
     sets = sets(~cellfun (@(h) isequal (h, cause), {sets.h}));
     [sets, state] = runCures (study, {cause}, state, sets);
-    [verdict, w] = withCures (study, state.data);
+    [verdict, evidence] = withCures (study, state.data);
   end
 end
 
@@ -60,23 +60,23 @@ end
 % the best runs of it; the held-out targets were never fitted. The evidence of
 % all targets is that of the used ones times the predictive density of the
 % held-out ones. Whether there is a gap was decided before.
-function [verdict, w] = withCures (study, data)
+function [verdict, evidence] = withCures (study, data)
   problem = study.problem;
   known = refit (study, data, sort ([problem.used, problem.heldOut]));
-  w = caseEvidence (known.models, known.fits, 1);
-  w.gate = study.w.gate;
-  verdict = judgeCase (w, known.models);
+  evidence = caseEvidence (known.models, known.fits, 1);
+  evidence.gate = study.evidence.gate;
+  verdict = judgeCase (evidence, known.models);
 end
 
 % The study with what DATA tell, on TARGETS.
 function study = refit (study, data, targets)
   problem = study.problem;
   options = study.models.options;
-  em = emulate (problem, data, options, study.em);
-  isLeft = ismember ({em.effect.name}, study.models.names);
-  study.em = withoutEffects (em, find (~isLeft));
+  emulator = emulate (problem, data, options, study.emulator);
+  isLeft = ismember ({emulator.effect.name}, study.models.names);
+  study.emulator = withoutEffects (emulator, find (~isLeft));
   reference = study.models.reference;
-  study.models = makeHypotheses (problem, study.em, options, targets);
+  study.models = makeHypotheses (problem, study.emulator, options, targets);
   study.models.reference = reference;
   study.fits = fitLibrary (study.models, problem.value(targets));
 end
@@ -90,7 +90,7 @@ function is = isAmong (h, list)
 end
 
 % The cause and its rivals; at least one other effect, as a placebo.
-function causes = comparedCauses (verdict, w, options)
+function causes = comparedCauses (verdict, evidence, options)
   causes = {};
   if isempty (verdict.include) || strcmp (verdict.kind, 'surrogate')
     return
@@ -103,12 +103,12 @@ function causes = comparedCauses (verdict, w, options)
     first = order(find (ismember (order, verdict.effects), 1));
   end
   others = order(~ismember (order, first));
-  near = natsBehind (w, verdict, first)(others) <= options.classNats;
+  near = natsBehind (evidence, verdict, first)(others) <= options.classNats;
   isMember = ismember (others, verdict.effects) | near;
   rivals = others(isMember)(1:min (2, sum (isMember)));
   if isempty (rivals) && ~isempty (others)
-    alike = max (w.screen.cosine(first, others), [], 1);
-    [~, best] = max (alike .* isfinite (w.screen.smallest(others)));
+    alike = max (evidence.screen.cosine(first, others), [], 1);
+    [~, best] = max (alike .* isfinite (evidence.screen.smallest(others)));
     rivals = others(best);
   end
   causes = [{first}, num2cell(rivals)];
@@ -132,8 +132,8 @@ end
 %! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0.6, 0]);
 %! study = labStudy (given, data, struct ('twins', 99));
 %! study.models = omnibusReference (study.models);
-%! study.w = caseEvidence (study.models, study.fits, 1);
-%! verdict = judgeCase (study.w, study.models);
+%! study.evidence = caseEvidence (study.models, study.fits, 1);
+%! verdict = judgeCase (study.evidence, study.models);
 %! verdict.kind = 'group';
 %! [verdict.effects, verdict.top] = deal (3);
 %! runs = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
@@ -157,8 +157,8 @@ end
 %! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
 %! study = labStudy (given, data, struct ('twins', 99));
 %! study.models = omnibusReference (study.models);
-%! study.w = caseEvidence (study.models, study.fits, 1);
-%! verdict = judgeCase (study.w, study.models);
+%! study.evidence = caseEvidence (study.models, study.fits, 1);
+%! verdict = judgeCase (study.evidence, study.models);
 %! [verdict.kind, verdict.effects, verdict.top] = deal ('named', 3, 3);
 %! verdict.class = [2, 3];
 %! state = newGapState (data, gapOptions ([]), []);
@@ -169,7 +169,7 @@ end
 %!   [~, ~, cure] = proveCause (verdict, study, state);
 %!   placebos{i} = cure.placebos;
 %! end
-%! [~, like] = max (study.w.screen.cosine(3, [1, 2, 4, 5]));
+%! [~, like] = max (study.evidence.screen.cosine(3, [1, 2, 4, 5]));
 %! assert (like, 3);
 %! assert ({placebos{1}.effect, placebos{2}.effect}, {'size', 'bridge'});
 %! assert ([placebos{1}.inClass, placebos{2}.inClass], [false, true]);

@@ -2,7 +2,7 @@
 %
 % CALL: [SETS, STATE] = runCures (STUDY, CAUSES, STATE, SETS)
 %
-%   STUDY    struct problem, em, models, fits: of newProblem, fitEmulator,
+%   STUDY    struct problem, emulator, models, fits: of newProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
 %            targets only
@@ -49,17 +49,17 @@ end
 % Effects of the laboratory act on the results of a neutral run.
 function [set, state] = runSet (study, set, state)
   problem = study.problem;
-  em = study.em;
+  emulator = study.emulator;
   n = state.repeats;
   phi = zeros (1, numel (problem.effects));
   number = zeros (1, numel (set.h));
   for i = 1:numel (set.h)
     number(i) = find (strcmp ({problem.effects.name}, ...
                               study.models.names{set.h(i)}), 1);
-    phi(number(i)) = set.Q(em.p + i);
+    phi(number(i)) = set.Q(emulator.p + i);
   end
   known = rows (state.data.Z);
-  state = spendRuns (state, problem, repmat (set.Q(1:em.p), n, 1), ...
+  state = spendRuns (state, problem, repmat (set.Q(1:emulator.p), n, 1), ...
                      repmat (phi, n, 1), (1:n)', 'cure');
   Z = state.data.Z(known + 1:end, :);
   for at = number
@@ -68,18 +68,18 @@ function [set, state] = runSet (study, set, state)
       Z = Z + phi(at) * (effect.offset + Z * effect.matrix);
     end
   end
-  if ~isempty (em.change)
-    Z = Z + polyRows (em.powers, set.Q(1:em.p)) * em.change.coef;
+  if ~isempty (emulator.change)
+    Z = Z + polyRows (emulator.powers, set.Q(1:emulator.p)) * emulator.change.coef;
   end
   set.Z = Z(all (isfinite (Z), 2), :);
   set.verified = true;
-  M = predictGap (em, set.h, set.Q);
-  vague = em;
-  if ~isempty (em.change)
-    vague = em.change.plain;
+  M = predictGap (emulator, set.h, set.Q);
+  vague = emulator;
+  if ~isempty (emulator.change)
+    vague = emulator.change.plain;
   end
   sd = sqrt (mean (vague.surrogateVar, 1) + ...
-             em.noiseVar / max (rows (set.Z), 1));
+             emulator.noiseVar / max (rows (set.Z), 1));
   used = problem.used;
   set.worstZ = max (abs (mean (set.Z(:, used), 1) - M(used)) ./ sd(used));
 end

@@ -1,12 +1,12 @@
 % CALIBRATENULL  Calibrates the model without effects by its surrogates.
 %
-% CALL: THETA = calibrateNull (PROBLEM, EM, OPTIONS)
+% CALL: THETA = calibrateNull (PROBLEM, EMULATOR, OPTIONS)
 %
-%   PROBLEM, EM, OPTIONS     of newProblem, fitEmulator, gapOptions
+%   PROBLEM, EMULATOR, OPTIONS     of newProblem, fitEmulator, gapOptions
 %   THETA                    1 x p, parameters in [-1, 1]
 
-function theta = calibrateNull (problem, em, options)
-  models = makeHypotheses (problem, withoutEffects (em), options);
+function theta = calibrateNull (problem, emulator, options)
+  models = makeHypotheses (problem, withoutEffects (emulator), options);
   models.list = models.list(1);
   fits = fitLibrary (models, problem.value(problem.used));
   theta = fits.calibrated.Q;
@@ -17,5 +17,5 @@ end
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.7], zeros (1, 5));
 %! study = labStudy (given, data);
-%! theta = calibrateNull (study.problem, study.em, study.models.options);
+%! theta = calibrateNull (study.problem, study.emulator, study.models.options);
 %! assert (theta, [-0.2, 0.4], 0.1);

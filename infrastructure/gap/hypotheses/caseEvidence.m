@@ -1,11 +1,11 @@
 % CASEEVIDENCE  Computes the evidence of every hypothesis for one data set.
 %
-% CALL: W = caseEvidence (MODELS, FITS, I)
+% CALL: EVIDENCE = caseEvidence (MODELS, FITS, I)
 %
 %   MODELS     struct of makeHypotheses
 %   FITS       struct of fitLibrary
 %   I          scalar, row of the data set
-%   W          struct; H hypotheses: null, singles, pairs of the likeliest,
+%   EVIDENCE   struct; H hypotheses: null, singles, pairs of the likeliest,
 %              discrepancies
 %     kind (1 x H cell), members (1 x H cell: effects), logPrior, logE, error,
 %     ess (1 x H; NaN where Laplace's formula was enough, see below)
@@ -22,11 +22,11 @@
 % Integrated are the null model, every single effect, and all others that
 % Laplace's formula gives more than a ten-thousandth of the probability.
 
-function w = caseEvidence (models, fits, i)
+function evidence = caseEvidence (models, fits, i)
   z = fits.Z(i, :);
-  w.screen = screenEffects (models.white, fits.calibrated.Q(i, :), z);
-  w.gate = omnibusTest (models, fits.logE(i, :));
-  list = listHypotheses (models, fits, i, w);
+  evidence.screen = screenEffects (models.white, fits.calibrated.Q(i, :), z);
+  evidence.gate = omnibusTest (models, fits.logE(i, :));
+  list = listHypotheses (models, fits, i, evidence);
   logP = [list.logPrior] + [list.logE];
   logP = logP - logSumExp (logP);
   for j = 1:numel (list)
@@ -34,19 +34,19 @@ function w = caseEvidence (models, fits, i)
       list(j) = integrate (models, list(j));
     end
   end
-  w = collect (w, list);
-  w.vague = vagueOf (models, fits, i);
+  evidence = collect (evidence, list);
+  evidence.vague = vagueOf (models, fits, i);
 end
 
-function w = collect (w, list)
+function evidence = collect (evidence, list)
   hypotheses = [list.h];
-  w.kind = {hypotheses.kind};
-  w.members = {hypotheses.members};
+  evidence.kind = {hypotheses.kind};
+  evidence.members = {hypotheses.members};
   for field = {'logPrior', 'logE', 'error', 'ess', 'atLimit', 'turned'}
-    w.(field{1}) = [list.(field{1})];
+    evidence.(field{1}) = [list.(field{1})];
   end
-  w.phi = vertcat (list.phi);
-  w.posterior = {list.posterior};
+  evidence.phi = vertcat (list.phi);
+  evidence.posterior = {list.posterior};
 end
 
 % Where it is emulated badly, an effect is unlikely for that, or likely.
@@ -100,14 +100,14 @@ end
 % Pairs, where there may be a gap: each of the two likeliest effects with the
 % four whose signatures take most out of what it leaves. All pairs share the
 % prior probability of pairs, also those that are not tried.
-function list = listHypotheses (models, fits, i, w)
+function list = listHypotheses (models, fits, i, evidence)
   for j = numel (models.list):-1:1
     row = models.list(j);
     list(j) = entry (row.h, row.white, row.prior, fits.of{j}, i);
   end
   singles = models.singles;
-  if numel (singles) > 1 && w.gate.p < 2 * models.options.level
-    pairs = pairsOf (models, fits, i, w.screen);
+  if numel (singles) > 1 && evidence.gate.p < 2 * models.options.level
+    pairs = pairsOf (models, fits, i, evidence.screen);
     list = [list(1:singles(end)), pairs, list(singles(end) + 1:end)];
   end
 end
@@ -164,35 +164,35 @@ end
 %! % evidence of the null model against the closed form: three targets without
 %! % parameter, one direction integrated over the box
 %! models = handMadeHypotheses ();
-%! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
+%! evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
 %! exact = -2 * log (2 * pi) + 0.5 * log (2 * pi / 10) - log (2) ...
 %!         + log (normalTail (-1.5 * sqrt (10)) - normalTail (sqrt (10) / 2));
-%! assert (w.logE(1), exact, 5 * w.error(1));
-%! assert (w.kind([1, 2, 3]), {'null', 'single', 'single'});
-%! assert (w.kind{4}, 'discrepancy');
+%! assert (evidence.logE(1), exact, 5 * evidence.error(1));
+%! assert (evidence.kind([1, 2, 3]), {'null', 'single', 'single'});
+%! assert (evidence.kind{4}, 'discrepancy');
 %!test
 %! % a strong signal along effect a: it wins, its strength is found
 %! models = handMadeHypotheses ();
 %! models.reference = zeros (99, 1);
-%! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
-%! assert (w.kind, {'null', 'single', 'single', 'pair', 'discrepancy'});
-%! assert (w.vague, [0, 0], 1e-12);
-%! assert (sum (exp (w.logPrior)), 1, 1e-12);
-%! [~, best] = max (w.logPrior + w.logE);
-%! assert (w.members{best}, 1);
-%! assert (w.phi(best), 0.7, 0.1);
+%! evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! assert (evidence.kind, {'null', 'single', 'single', 'pair', 'discrepancy'});
+%! assert (evidence.vague, [0, 0], 1e-12);
+%! assert (sum (exp (evidence.logPrior)), 1, 1e-12);
+%! [~, best] = max (evidence.logPrior + evidence.logE);
+%! assert (evidence.members{best}, 1);
+%! assert (evidence.phi(best), 0.7, 0.1);
 %!test
 %! % a misfit along no effect: a discrepancy wins over null and effects
 %! models = handMadeHypotheses ();
-%! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, -6, 5]), 1);
-%! [~, best] = max (w.logPrior + w.logE);
-%! assert (w.kind{best}, 'discrepancy');
+%! evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, -6, 5]), 1);
+%! [~, best] = max (evidence.logPrior + evidence.logE);
+%! assert (evidence.kind{best}, 'discrepancy');
 %!test
 %! % reproducible, and hardly moved by the seed of the integration
 %! models = handMadeHypotheses ();
 %! fits = fitLibrary (models, [1.5, 0.5, 3, 3]);
-%! w = caseEvidence (models, fits, 1);
-%! assert (caseEvidence (models, fits, 1).logE, w.logE);
+%! evidence = caseEvidence (models, fits, 1);
+%! assert (caseEvidence (models, fits, 1).logE, evidence.logE);
 %! models.options.seed = 2;
 %! other = caseEvidence (models, fits, 1);
-%! assert (other.logE(1:3), w.logE(1:3), 0.25);
+%! assert (other.logE(1:3), evidence.logE(1:3), 0.25);

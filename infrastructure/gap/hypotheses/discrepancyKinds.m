@@ -1,8 +1,8 @@
 % DISCREPANCYKINDS  Describes misfits that resemble no listed effect.
 %
-% CALL: KINDS = discrepancyKinds (PROBLEM, EM, BUDGET, TARGETS)
+% CALL: KINDS = discrepancyKinds (PROBLEM, EMULATOR, BUDGET, TARGETS)
 %
-%   PROBLEM, EM, BUDGET     of newProblem, fitEmulator, noiseBudget
+%   PROBLEM, EMULATOR, BUDGET     of newProblem, fitEmulator, noiseBudget
 %   TARGETS  1 x n, targets to look at
 %   KINDS  1 x m struct: name, weight (sum 1), h (newHypothesis), white
 %          (of whitenEmulator, turned so that the misfit has independent
@@ -14,16 +14,16 @@
 % signatures; or independent errors on all targets; or on one bench alone. After
 % Kennedy and O'Hagan (2001).
 
-function kinds = discrepancyKinds (problem, em, budget, targets)
+function kinds = discrepancyKinds (problem, emulator, budget, targets)
   benches = unique (problem.bench(targets));
-  R = diag (em.range(targets).^2);
-  S = middleMarks (em, targets);
+  R = diag (emulator.range(targets).^2);
+  S = middleMarks (emulator, targets);
   % a misfit has no effects
-  em = withoutEffects (em);
+  emulator = withoutEffects (emulator);
   % not turned: what turns them starts from here
-  white = whitenEmulator (em, targets, budget);
+  white = whitenEmulator (emulator, targets, budget);
   make = @(C, extent, name, weight) ...
-    oneKind (em, white, budget, C, ...
+    oneKind (emulator, white, budget, C, ...
              struct ('name', name, 'weight', weight, ...
                      'h', newHypothesis ('discrepancy', zeros (1, 0), extent)));
   kinds = make (R, [0.08, 1], 'anything', 0.2);
@@ -42,24 +42,24 @@ function kinds = discrepancyKinds (problem, em, budget, targets)
   end
 end
 
-function kind = oneKind (em, white, budget, C, kind)
+function kind = oneKind (emulator, white, budget, C, kind)
   isTarget = white.isTarget > 0;
   C = white.W(isTarget, :) * C * white.W(isTarget, :)';
   [U, L] = eig ((C + C') / 2);
-  kind.white = whitenEmulator (em, white.columns, budget, U');
+  kind.white = whitenEmulator (emulator, white.columns, budget, U');
   kind.white.shape = zeros (size (isTarget));
   kind.white.shape(isTarget) = max (diag (L)', 0);
 end
 
 %!test
 %! % rotated coordinates: noise stays white, the discrepancy is diagonal
-%! em = handMadeEmulator ([1, 2, 3; 1, 0, 2]);
-%! em.range = [1, 2, 3];
+%! emulator = handMadeEmulator ([1, 2, 3; 1, 0, 2]);
+%! emulator.range = [1, 2, 3];
 %! problem = newProblem (struct ('value', [1, 2, 3], 'sd', [1, 1, 1], ...
 %!                                     'limits', [0; 1], 'bench', [1, 1, 2]));
 %! budget = struct ('covariance', eye (3), 'estimated', [0, 0, 0], ...
 %!                 'unknown', [0, 0, 0]);
-%! kinds = discrepancyKinds (problem, em, budget, 1:3);
+%! kinds = discrepancyKinds (problem, emulator, budget, 1:3);
 %! assert (numel (kinds), 3);
 %! assert (sum ([kinds.weight]), 1, 1e-12);
 %! W = kinds(1).white.W;

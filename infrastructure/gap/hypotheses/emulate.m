@@ -1,16 +1,16 @@
 % EMULATE  The emulator of a diagnosis: of the simulation, or of a change.
 %
-% CALL: EM = emulate (PROBLEM, DATA, OPTIONS)
-% CALL: EM = emulate (PROBLEM, DATA, OPTIONS, OLD)
+% CALL: EMULATOR = emulate (PROBLEM, DATA, OPTIONS)
+% CALL: EMULATOR = emulate (PROBLEM, DATA, OPTIONS, OLD)
 %
 %   PROBLEM, DATA, OPTIONS     see fitEmulator
-%   OLD                        EM of other runs
-%   EM                         of fitEmulator, then of takeReference
+%   OLD                        EMULATOR of other runs
+%   EMULATOR                   of fitEmulator, then of emulateChange
 
-function em = emulate (problem, data, options, varargin)
-  old = cellfun (@takeReference, varargin, 'UniformOutput', false);
-  em = takeReference (fitEmulator (problem, data, options, old{:}), ...
-                      problem);
+function emulator = emulate (problem, data, options, varargin)
+  old = cellfun (@emulateChange, varargin, 'UniformOutput', false);
+  emulator = emulateChange (fitEmulator (problem, data, options, old{:}), ...
+                            problem);
 end
 
 %!test
@@ -20,8 +20,8 @@ end
 %! given.value = mean (data.Z);
 %! problem = newProblem (given);
 %! options = gapOptions (struct ('trend', 'affine'));
-%! em = emulate (problem, data, options);
-%! assert (em.coef, fitEmulator (problem, data, options).coef);
-%! assert (isempty (em.change));
-%! again = emulate (problem, data, options, em);
-%! assert (again.coef, em.coef, 1e-9);
+%! emulator = emulate (problem, data, options);
+%! assert (emulator.coef, fitEmulator (problem, data, options).coef);
+%! assert (isempty (emulator.change));
+%! again = emulate (problem, data, options, emulator);
+%! assert (again.coef, emulator.coef, 1e-9);

@@ -1,8 +1,8 @@
 % FORMERROR  Whitens an emulator so that errors of form have no correlations.
 %
-% CALL: WHITE = formError (PROBLEM, EM, BUDGET, TARGETS)
+% CALL: WHITE = formError (PROBLEM, EMULATOR, BUDGET, TARGETS)
 %
-%   PROBLEM, EM, BUDGET     of newProblem, fitEmulator, noiseBudget
+%   PROBLEM, EMULATOR, BUDGET     of newProblem, fitEmulator, noiseBudget
 %   TARGETS  1 x n, targets to look at
 %   WHITE    struct of whitenEmulator, its coordinates turned, with shape (1 x n,
 %            sum 1; 0 without effects): how the error of form is shared among
@@ -19,11 +19,11 @@
 % middle of the box, in units of the noise. Those that cannot be seen (size
 % below 1) tell no direction.
 
-function white = formError (problem, em, budget, targets)
-  white = whitenEmulator (em, targets, budget);
+function white = formError (problem, emulator, budget, targets)
+  white = whitenEmulator (emulator, targets, budget);
   own = white.isTarget > 0;
   W = white.W(own, :);
-  S = middleMarks (em, targets);
+  S = middleMarks (emulator, targets);
   N = white.parity;
   V = N(own, :)' * W * S';
   if isempty (S)
@@ -39,7 +39,7 @@ function white = formError (problem, em, budget, targets)
   % rounding: a little that differs from one to the next fixes them
   m = rows (C);
   [U, ~] = eig (C + 1e-6 * diag ((1:m) / m));
-  white = whitenEmulator (em, targets, budget, U');
+  white = whitenEmulator (emulator, targets, budget, U');
   white.shape = zeros (size (own));
   white.shape(own) = max (sum (U .* (C * U), 1), 0);
 end
@@ -73,24 +73,24 @@ end
 %!test
 %! % noise stays white; a form error is diagonal; half of it is towards the
 %! % other effect, here target 4 for the first one
-%! em = handMadeEmulator ([1, 2, 3, 0; 1, 0, 0, 0]);
-%! em.range = ones (1, 4);
+%! emulator = handMadeEmulator ([1, 2, 3, 0; 1, 0, 0, 0]);
+%! emulator.range = ones (1, 4);
 %! e = struct ('name', 'a', 'powers', [0, 1], 'coef', [0, 0, 9, 0], 'bend', ...
 %!             1, 'range', [0, 1], 'scale', 1, 'unbent', 0, 'strongest', 1, ...
 %!             'misfit', zeros (1, 4), 'root', zeros (1, 0), 'ofTarget', ...
 %!             zeros (0, 4));
-%! em.effect = [e, setfield(e, 'coef', [0, 0, 9, 9])];
+%! emulator.effect = [e, setfield(e, 'coef', [0, 0, 9, 9])];
 %! given = struct ('value', 1:4, 'sd', ones (1, 4), 'limits', [0; 1], ...
 %!                 'bench', [1, 1, 1, 2]);
 %! budget = struct ('covariance', eye (4), 'estimated', zeros (1, 4), ...
 %!                  'unknown', zeros (1, 4));
-%! white = formError (newProblem (given), em, budget, 1:4);
+%! white = formError (newProblem (given), emulator, budget, 1:4);
 %! assert (white.W * white.W', eye (4), 1e-9);
 %! assert (sum (white.shape), 1, 1e-9);
 %! C = white.back * diag (white.shape) * white.back';
 %! assert (C(1, 1), 0, 1e-9);        % the parameter takes it
 %! assert (C(4, 4) > 0.25 && C(3, 3) > 0.1);
 %! % coordinates do not hang on rounding, also where there is no error
-%! em.coef(1:end, :) = em.coef .* (1 + 1e-13 * [1, -1, 1, -1]);
-%! again = formError (newProblem (given), em, budget, 1:4);
+%! emulator.coef(1:end, :) = emulator.coef .* (1 + 1e-13 * [1, -1, 1, -1]);
+%! again = formError (newProblem (given), emulator, budget, 1:4);
 %! assert (abs (again.W * white.back), eye (4), 1e-6);

@@ -1,9 +1,9 @@
 % MAKEHYPOTHESES  Prepares all hypotheses of a diagnosis for fast evaluation.
 %
-% CALL: MODELS = makeHypotheses (PROBLEM, EM, OPTIONS, TARGETS)
+% CALL: MODELS = makeHypotheses (PROBLEM, EMULATOR, OPTIONS, TARGETS)
 %
 %   PROBLEM     struct of newProblem
-%   EM          struct of fitEmulator; its effects are the library
+%   EMULATOR    struct of fitEmulator; its effects are the library
 %   OPTIONS     struct of gapOptions
 %   TARGETS     1 x n, targets to use (default PROBLEM.used)
 %   MODELS      struct
@@ -13,16 +13,16 @@
 %     names, siblings (1 x K cells), options
 %     reference  what the gate compares with (omnibusReference; []: not yet)
 
-function models = makeHypotheses (problem, em, options, targets)
+function models = makeHypotheses (problem, emulator, options, targets)
   if nargin < 4
     targets = problem.used;
   end
-  budget = noiseBudget (problem, em);
-  models.white = formError (problem, em, budget, targets);
+  budget = noiseBudget (problem, emulator);
+  models.white = formError (problem, emulator, budget, targets);
   models.prior = problem.paramPrior;
-  kinds = discrepancyKinds (problem, em, budget, targets);
-  starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
-  models.names = {em.effect.name};
+  kinds = discrepancyKinds (problem, emulator, budget, targets);
+  starts = [zeros(1, emulator.p); 0.9 * boxPoints(emulator.p, 5)];
+  models.names = {emulator.effect.name};
   models.factor = ones (1, numel (models.names));
   for e = problem.effects
     models.factor(strcmp (models.names, e.name)) = e.factor;

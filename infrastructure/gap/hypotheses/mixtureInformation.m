@@ -48,8 +48,8 @@ function bits = among (some, density, P, number, weight)
   bits = 0;
   for k = find (ismember (number, some) & P > 0)
     own = density{k}(:, number(k)) - log (weight(number(k)));
-    all_ = logSumExp (density{k}(:, some)) - log (whole);
-    bits = bits + P(k) / whole * mean (own - all_) / log (2);
+    together = logSumExp (density{k}(:, some)) - log (whole);
+    bits = bits + P(k) / whole * mean (own - together) / log (2);
   end
   bits = max (bits, 0);
 end
@@ -65,9 +65,9 @@ end
 %! [bits, pair] = mixtureInformation ([at(0), at(20), at(20)], ...
 %!                                    [0.4, 0.35, 0.25], [1, 1, 2]);
 %! assert (pair, [1, 2]);
-%! all_ = mixtureInformation ([at([0, 0]), at([20, 0]), at([0, 20])], ...
+%! together = mixtureInformation ([at([0, 0]), at([20, 0]), at([0, 20])], ...
 %!                            [0.5, 0.25, 0.25], [4, 5, 6]);
-%! assert (all_, 1.5, 1e-6);
+%! assert (together, 1.5, 1e-6);
 %! % one kind: nothing to tell
 %! [bits, pair] = mixtureInformation ([at(0), at(9)], [0.5, 0.5], [1, 1]);
 %! assert (bits, 0);

@@ -64,6 +64,6 @@ end
 %! models = handMadeHypotheses ();
 %! assert (rows (omnibusReference (models, 1e3).reference), 100);
 %! assert (rows (omnibusReference (models, -1e3).reference), 100);
-%! all_ = omnibusReference (models).reference;
-%! near = sort (all_)(round (0.95 * numel (all_)));
+%! values = omnibusReference (models).reference;
+%! near = sort (values)(round (0.95 * numel (values)));
 %! assert (rows (omnibusReference (models, near).reference) > 100);

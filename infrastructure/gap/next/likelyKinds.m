@@ -1,8 +1,8 @@
 % LIKELYKINDS  Hypotheses among which a further measurement could tell.
 %
-% CALL: [KEEP, P, KINDS, NAMES] = likelyKinds (W, P, MODELS)
+% CALL: [KEEP, P, KINDS, NAMES] = likelyKinds (EVIDENCE, P, MODELS)
 %
-%   W        struct of caseEvidence (members, posterior, kind)
+%   EVIDENCE  struct of caseEvidence (members, posterior, kind)
 %   P        1 x H, probabilities of the hypotheses
 %   MODELS   scalar struct: names (1 x K cell, of the effects), options (see
 %            gapOptions)
@@ -20,9 +20,9 @@
 % Where only misfits of no shape are likely, the likeliest of the others stays:
 % nothing is left to tell.
 
-function [keep, P, kinds, names] = likelyKinds (w, P, models)
-  listed = ~strcmp (w.kind, 'discrepancy');
-  listed = find (listed & ~cellfun (@(p) isempty (p.Q), w.posterior));
+function [keep, P, kinds, names] = likelyKinds (evidence, P, models)
+  listed = ~strcmp (evidence.kind, 'discrepancy');
+  listed = find (listed & ~cellfun (@(p) isempty (p.Q), evidence.posterior));
   P = P / max (sum (P(listed)), realmin);
   keep = listed(P(listed) > 0.005);
   if isempty (keep)
@@ -31,7 +31,7 @@ function [keep, P, kinds, names] = likelyKinds (w, P, models)
     P(keep) = 1;
   end
   P = P(keep) / sum (P(keep));
-  texts = cellfun (@(m) mat2str (sort (m)), w.members(keep), ...
+  texts = cellfun (@(m) mat2str (sort (m)), evidence.members(keep), ...
                    'UniformOutput', false);
   [~, first, kinds] = unique (texts, 'first');
   kinds = reshape (kinds, size (keep));
@@ -41,7 +41,7 @@ function [keep, P, kinds, names] = likelyKinds (w, P, models)
   kinds = rank(kinds);
   names = cell (1, numel (order));
   for c = 1:numel (order)
-    members = w.members{keep(first(order(c)))};
+    members = evidence.members{keep(first(order(c)))};
     names{c} = strjoin (models.names(members), ' + ');
     if isempty (members)
       names{c} = 'no gap';
@@ -62,19 +62,19 @@ end
 
 %!test
 %! models = struct ('names', {{'a', 'b'}}, 'options', gapOptions ([]));
-%! w.kind = {'null', 'single', 'pair', 'pair', 'discrepancy', 'single'};
-%! w.members = {[], 1, [2, 1], [1, 2], [], 2};
-%! w.posterior = repmat ({struct('Q', 1)}, 1, 6);
+%! evidence.kind = {'null', 'single', 'pair', 'pair', 'discrepancy', 'single'};
+%! evidence.members = {[], 1, [2, 1], [1, 2], [], 2};
+%! evidence.posterior = repmat ({struct('Q', 1)}, 1, 6);
 %! P = [0.05, 0.2, 0.1, 0.2, 0.4, 0.05];
-%! [keep, P, kinds, names] = likelyKinds (w, P, models);
+%! [keep, P, kinds, names] = likelyKinds (evidence, P, models);
 %! assert (keep, [1, 2, 3, 4, 6]);
 %! assert (P, [1, 4, 2, 4, 1] / 12, 1e-12);
 %! assert (kinds([3, 4]), [1, 1]);
 %! assert (names([1, 2]), {'b + a', 'a'});
 %! assert (sort (names(3:4)), {'b', 'no gap'});
 %! % the kind is known
-%! [~, ~, kinds, names] = likelyKinds (w, [0, 0.99, 0, 0, 0, 0.01], models);
+%! [~, ~, kinds, names] = likelyKinds (evidence, [0, 0.99, 0, 0, 0, 0.01], models);
 %! assert ({kinds, names}, {[1, 1], {'a'}});
-%! [keep, P] = likelyKinds (w, [0, 0, 0, 0, 1, 0], models);
+%! [keep, P] = likelyKinds (evidence, [0, 0, 0, 0, 1, 0], models);
 %! assert (numel (keep), 1);
 %! assert (P, 1);

@@ -1,10 +1,10 @@
 % NEXTTEST  Ranks further measurements by what they would tell about the cause.
 %
-% CALL: TESTS = nextTest (PROBLEM, EM, W, P, OPTIONS)
+% CALL: TESTS = nextTest (PROBLEM, EMULATOR, EVIDENCE, P, OPTIONS)
 %
 %   PROBLEM     struct of newProblem
-%   EM          struct of fitEmulator, the effects as in W
-%   W           struct of caseEvidence (members, posterior, kind)
+%   EMULATOR    struct of fitEmulator, the effects as in EVIDENCE
+%   EVIDENCE    struct of caseEvidence (members, posterior, kind)
 %   P           1 x H, probabilities of the hypotheses;  OPTIONS  see gapOptions
 %   TESTS       1 x m struct, best first: test (text), targets, gain (bits about
 %               which kind of cause it is), cost, gainPerCost, between (1 x 2
@@ -25,18 +25,18 @@
 % is uncertain. Packing and reading (S) are fresh; a reading without sd is taken
 % for as sure as a run.
 
-function tests = nextTest (problem, em, w, P, options)
+function tests = nextTest (problem, emulator, evidence, P, options)
   tests = candidates (problem);
-  [keep, P, kinds, names] = likelyKinds (w, P, ...
-                                         struct ('names', {{em.effect.name}}, ...
+  [keep, P, kinds, names] = likelyKinds (evidence, P, ...
+                                         struct ('names', {{emulator.effect.name}}, ...
                                                  'options', options));
-  noise = noiseBudget (problem, em);
-  noise.white = whitenEmulator (em, problem.used, noise);
+  noise = noiseBudget (problem, emulator);
+  noise.white = whitenEmulator (emulator, problem.used, noise);
   for i = 1:numel (tests)
     at = tests(i).targets;
     parts = struct ('mean', {}, 'cov', {});
     for k = 1:numel (keep)
-      parts(k) = predictive (problem, em, w, keep(k), at, noise);
+      parts(k) = predictive (problem, emulator, evidence, keep(k), at, noise);
     end
     [tests(i).gain, pair] = mixtureInformation (parts, P, kinds);
     tests(i).between = names(pair);
@@ -76,16 +76,16 @@ function test = newTest (text, targets, problem, bench)
                  'lines', {{}}, 'runs', 0, 'isFirm', true);
 end
 
-function part = predictive (problem, em, w, h, at, noise)
-  posterior = w.posterior{h};
-  members = w.members{h};
-  Q = posterior.Q(:, 1:em.p + numel (members));
-  M = predictGap (em, members, Q)(:, at);
+function part = predictive (problem, emulator, evidence, h, at, noise)
+  posterior = evidence.posterior{h};
+  members = evidence.members{h};
+  Q = posterior.Q(:, 1:emulator.p + numel (members));
+  M = predictGap (emulator, members, Q)(:, at);
   S = noise.covariance(at, at);
   isBare = isnan (problem.value(at)) & ~(problem.sd(at) > 0);
-  S = S + diag (isBare .* em.noiseVar(at));
-  R = diag (mean (em.surrogateVar(:, at), 1) + em.fitVar(at)) + ...
-      effectError (em, members, posterior.weight' * Q)(at, at);
+  S = S + diag (isBare .* emulator.noiseVar(at));
+  R = diag (mean (emulator.surrogateVar(:, at), 1) + emulator.fitVar(at)) + ...
+      effectError (emulator, members, posterior.weight' * Q)(at, at);
   if ~isempty (members)
     [~, ~, added] = predictGap (noise.white, members, Q);
     free = noise.white.parity;
@@ -113,41 +113,41 @@ end
 %!             'coef', {[5, 9, 1], [5, -9, 1]}, 'bend', 1, ...
 %!             'misfit', zeros (1, 3), 'root', zeros (1, 0), 'ofTarget', ...
 %!             zeros (0, 3), 'unbent', 0, 'strongest', 1);
-%! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
+%! emulator = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
 %! problem = newProblem (struct ('value', [5, NaN, 1], ...
 %!                                     'sd', ones (1, 3), ...
 %!                                     'bench', [1, 2, 1], 'limits', [0; 1]));
-%! w.members = {1, 2};
-%! w.kind = {'single', 'single'};
-%! w.posterior = repmat ({struct('Q', [0, 1, 0, 0], 'weight', 1)}, 1, 2);
-%! tests = nextTest (problem, em, w, [0.5, 0.5], options);
+%! evidence.members = {1, 2};
+%! evidence.kind = {'single', 'single'};
+%! evidence.posterior = repmat ({struct('Q', [0, 1, 0, 0], 'weight', 1)}, 1, 2);
+%! tests = nextTest (problem, emulator, evidence, [0.5, 0.5], options);
 %! assert (tests(1).targets, 2);
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
 %! assert (tests(1).between, {'a', 'b'});
 %! % marks that nobody knows tell nothing apart
-%! vague = em;
+%! vague = emulator;
 %! [vague.effect.misfit] = deal ([0, 1e4, 0]);
-%! assert (nextTest (problem, vague, w, [0.5, 0.5], options)(1).gain < 0.05);
+%! assert (nextTest (problem, vague, evidence, [0.5, 0.5], options)(1).gain < 0.05);
 %! bare = problem;
 %! bare.sd(2) = NaN;
 %! vague.noiseVar(2) = 1e4;
 %! vague.effect = e;
-%! assert (nextTest (bare, vague, w, [0.5, 0.5], options)(1).gain < 0.05);
+%! assert (nextTest (bare, vague, evidence, [0.5, 0.5], options)(1).gain < 0.05);
 %! % points of one curve are measured together
 %! two = problem;
 %! [two.value(3), two.coordinate] = deal (NaN, [0, 1, 2]);
 %! two.bench = [1, 2, 2];
 %! two.possible = [2, 3];
 %! two.used = 1;
-%! assert (numel (nextTest (two, em, w, [0.5, 0.5], options)), 3);
+%! assert (numel (nextTest (two, emulator, evidence, [0.5, 0.5], options)), 3);
 %! two.curve = [0, 1, 1];
-%! tests = nextTest (two, em, w, [0.5, 0.5], options);
+%! tests = nextTest (two, emulator, evidence, [0.5, 0.5], options);
 %! assert ({tests.targets}, {[2, 3], 1});
-%! tests = nextTest (problem, em, w, [0.5, 0.5], options);
-%! w.kind{3} = 'discrepancy';
-%! w.posterior{3} = struct ('Q', [], 'weight', []);
-%! tests = nextTest (problem, em, w, [0, 0, 1], options);
+%! tests = nextTest (problem, emulator, evidence, [0.5, 0.5], options);
+%! evidence.kind{3} = 'discrepancy';
+%! evidence.posterior{3} = struct ('Q', [], 'weight', []);
+%! tests = nextTest (problem, emulator, evidence, [0, 0, 1], options);
 %! assert ([tests.gain], zeros (1, numel (tests)), 1e-12);
 %!test
 %! % two causes of other marks; less is told where both have other forms than
@@ -156,17 +156,17 @@ end
 %!             'coef', {[3, 3, 0], [3, 0, 3]}, 'bend', 1, ...
 %!             'misfit', zeros (1, 3), 'root', zeros (1, 0), 'ofTarget', ...
 %!             zeros (0, 3), 'unbent', 0, 'strongest', 1);
-%! em = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
-%! em.noiseVar(:) = 0.01;
+%! emulator = setfield (handMadeEmulator ([0, 0, 0; 1, 0, 0]), 'effect', e);
+%! emulator.noiseVar(:) = 0.01;
 %! given = struct ('value', [3, 3, 0], 'sd', ones (1, 3), ...
 %!                 'bench', [1, 1, 1], 'limits', [0; 1]);
 %! problem = newProblem (given);
-%! w.kind = {'single', 'single'};
-%! w.posterior = repmat ({struct('Q', [0, 1, 0, 0.6], 'weight', 1)}, 1, 2);
-%! w.members = {1, 2};
-%! fresh = nextTest (problem, em, w, [0.5, 0.5], options).gain;
-%! [w.posterior{:}] = deal (struct ('Q', [0, 1, 0, 0], 'weight', 1));
-%! sure = nextTest (problem, em, w, [0.5, 0.5], options).gain;
-%! em.surrogateVar(:) = 100;
-%! assert (nextTest (problem, em, w, [0.5, 0.5], options).gain < 0.1 * sure);
+%! evidence.kind = {'single', 'single'};
+%! evidence.posterior = repmat ({struct('Q', [0, 1, 0, 0.6], 'weight', 1)}, 1, 2);
+%! evidence.members = {1, 2};
+%! fresh = nextTest (problem, emulator, evidence, [0.5, 0.5], options).gain;
+%! [evidence.posterior{:}] = deal (struct ('Q', [0, 1, 0, 0], 'weight', 1));
+%! sure = nextTest (problem, emulator, evidence, [0.5, 0.5], options).gain;
+%! emulator.surrogateVar(:) = 100;
+%! assert (nextTest (problem, emulator, evidence, [0.5, 0.5], options).gain < 0.1 * sure);
 %! assert (fresh < sure);

@@ -1,8 +1,8 @@
 % EXPLANATIONS  What tests of other benches compare, and the sets to run.
 %
-% CALL: [CAUSES, SETS, NAMES] = explanations (STUDY, W, P, OPTIONS)
+% CALL: [CAUSES, SETS, NAMES] = explanations (STUDY, EVIDENCE, P, OPTIONS)
 %
-%   STUDY, W, P, OPTIONS  see tryTests, gapOptions
+%   STUDY, EVIDENCE, P, OPTIONS  see tryTests, gapOptions
 %   CAUSES  1 x h struct, see scoreTests; [] where nothing of weight is open.
 %           Explanation 1 is the null model, 2 to 4 are the likeliest sets of
 %           effects
@@ -14,14 +14,14 @@
 %
 % See also: tryTests
 
-function [causes, sets, names] = explanations (study, w, P, options)
+function [causes, sets, names] = explanations (study, evidence, P, options)
   causes = [];
-  sets = setOf (study, w, find (strcmp (w.kind, 'null'), 1), options);
-  [keep, P, kinds, names] = likelyKinds (w, P, study.models);
+  sets = setOf (study, evidence, find (strcmp (evidence.kind, 'null'), 1), options);
+  [keep, P, kinds, names] = likelyKinds (evidence, P, study.models);
   if isscalar (names)
     return
   end
-  group = explanationOf (w, keep, P);
+  group = explanationOf (evidence, keep, P);
   own = group <= 3;
   [group, keep, kinds] = deal (group(own), keep(own), kinds(own));
   P = P(own) / sum (P(own));
@@ -29,30 +29,30 @@ function [causes, sets, names] = explanations (study, w, P, options)
                    'kind', num2cell (kinds), 'extent', 0);
   for g = 1:max (group)
     [~, at] = max (P .* (group == g));
-    sets(end + 1) = setOf (study, w, keep(at), options);
+    sets(end + 1) = setOf (study, evidence, keep(at), options);
   end
-  for i = find (~strcmp (w.kind(keep), 'null'))
-    posterior = w.posterior{keep(i)};
+  for i = find (~strcmp (evidence.kind(keep), 'null'))
+    posterior = evidence.posterior{keep(i)};
     causes(i).extent = sqrt (posterior.weight' * posterior.Q(:, end).^2);
   end
 end
 
 % Explanation of each hypothesis: the null model (0) or one of the likely sets
 % of effects.
-function group = explanationOf (w, keep, P)
-  texts = cellfun (@(m) mat2str (sort (m)), w.members(keep), ...
+function group = explanationOf (evidence, keep, P)
+  texts = cellfun (@(m) mat2str (sort (m)), evidence.members(keep), ...
                    'UniformOutput', false);
   [~, ~, number] = unique (texts);
   weight = accumarray (number(:), P(:));
-  weight(number(strcmp (w.kind(keep), 'null'))) = Inf;
+  weight(number(strcmp (evidence.kind(keep), 'null'))) = Inf;
   [~, order] = sort (-weight);
   rank(order) = (1:numel (order)) - isinf (max (weight));
   group = rank(number(:)');
 end
 
-function set = setOf (study, w, h, options)
-  members = w.members{h};
-  p = study.em.p;
+function set = setOf (study, evidence, h, options)
+  members = evidence.members{h};
+  p = study.emulator.p;
   columns_ = 1:p + numel (members);
   Q = study.fits.calibrated.Q(1, :);
   if ~isempty (members)
@@ -63,14 +63,14 @@ function set = setOf (study, w, h, options)
                 'doubt', []);
   white = study.models.white;
   n = numel (white.columns);
-  noise = noiseBudget (study.problem, study.em).covariance;
+  noise = noiseBudget (study.problem, study.emulator).covariance;
   own = sum ((white.W(1:n, :) * noise(white.columns, white.columns)) .* ...
              white.W(1:n, :), 2)';
   [~, V] = predictGap (white, members, set.mode);
   set.doubt = max (median (V(1:n) ./ own) - 1, 0);
   [~, set.number] = ismember (study.models.names(members), ...
                               {study.problem.effects.name});
-  posterior = w.posterior{h};
+  posterior = evidence.posterior{h};
   n = options.testRuns / 4;
   set.draws = repmat (set.mode, n, 1);
   if ~isempty (posterior.Q)
@@ -88,10 +88,10 @@ end
 %! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]);
 %! study = labStudy (given, data, struct ('twins', 60));
 %! study.models = omnibusReference (study.models);
-%! w = caseEvidence (study.models, study.fits, 1);
-%! P = judgeCase (w, study.models).P;
+%! evidence = caseEvidence (study.models, study.fits, 1);
+%! P = judgeCase (evidence, study.models).P;
 %! options = study.models.options;
-%! [causes, sets, names] = explanations (study, w, P, options);
+%! [causes, sets, names] = explanations (study, evidence, P, options);
 %! assert (sum ([causes.P]), 1, 1e-12);
 %! assert (max ([causes.group]), numel (sets));
 %! assert (isempty (sets(1).number));

@@ -1,6 +1,6 @@
 % TRYTESTS  Runs tests that the case does not have: what would they tell?
 %
-% CALL: [TESTS, STATE] = tryTests (MAKE, STUDY, W, P, STATE)
+% CALL: [TESTS, STATE] = tryTests (MAKE, STUDY, EVIDENCE, P, STATE)
 %
 %   MAKE    handle without arguments, gives the candidates, those that are to be
 %           tried first in front: 1 x m struct
@@ -15,7 +15,7 @@
 %              these results (newEffect)
 %     isExpressed  1 x K logical, effects that the bench can have (K + 1: none)
 %     evaluate of newEvaluate, of this bench alone;  lines  cellstr, goes on
-%   STUDY, W, STATE  see adviseTests;  P  1 x H, probabilities of W
+%   STUDY, EVIDENCE, STATE  see adviseTests;  P  1 x H, probabilities of EVIDENCE
 %   TESTS   1 x n struct as of nextTest, of those that ran; isFirm: chosen to
 %           have more runs than all have
 %
@@ -28,9 +28,9 @@
 % runs seldom tell a test from scatter, sixteen not always. likelyKinds says
 % what is asked: which kind, or whether it is the likeliest.
 
-function [tests, state] = tryTests (make, study, w, P, state)
+function [tests, state] = tryTests (make, study, evidence, P, state)
   options = study.models.options;
-  [causes, sets, names] = explanations (study, w, P, options);
+  [causes, sets, names] = explanations (study, evidence, P, options);
   ask = struct ('causes', {causes}, 'sets', {sets}, 'afford', ...
                 min (state.budget.left, options.testRuns));
   [tests, ask, state] = firstRuns (make, study, ask, state);
@@ -121,7 +121,7 @@ function [test, state] = runSets (test, study, sets, state, extra)
   if ~isFirst
     known = rows (test.Z) / numel (sets);
   end
-  Q = zeros (0, study.em.p + numel (problem.effects));
+  Q = zeros (0, study.emulator.p + numel (problem.effects));
   [group, packing] = deal (zeros (0, 1));
   for g = 1:numel (sets)
     own = sets(g).mode;
@@ -129,7 +129,7 @@ function [test, state] = runSets (test, study, sets, state, extra)
       own = sets(g).draws(known - 1 + (1:extra), :);
     end
     row = zeros (rows (own), columns (Q));
-    row(:, [1:study.em.p, study.em.p + sets(g).number]) = own;
+    row(:, [1:study.emulator.p, study.emulator.p + sets(g).number]) = own;
     Q = [Q; row];
     group = [group; g * ones(rows (own), 1)];
     packing = [packing; known + (1:rows (own))'];
@@ -181,8 +181,8 @@ end
 % Scatter grows with the result, threefold at most.
 function test = withNoise (test, study)
   problem = study.problem;
-  null = predictGap (study.em, [], study.fits.calibrated.Q(1, :));
-  scatter = sqrt (study.em.noiseVar);
+  null = predictGap (study.emulator, [], study.fits.calibrated.Q(1, :));
+  scatter = sqrt (study.emulator.noiseVar);
   now = mean (abs (test.Z), 1);
   usual = median (scatter ./ max (abs (null), realmin));
   for t = 1:numel (test.origin)
@@ -230,9 +230,9 @@ end
 %! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]) + 0.28 * randn (1, 12);
 %! study = labStudy (given, data, struct ('twins', 60));
 %! study.models = omnibusReference (study.models);
-%! w = caseEvidence (study.models, study.fits, 1);
-%! P = judgeCase (w, study.models).P;
-%! [causes, sets] = explanations (study, w, P, study.models.options);
+%! evidence = caseEvidence (study.models, study.fits, 1);
+%! P = judgeCase (evidence, study.models).P;
+%! [causes, sets] = explanations (study, evidence, P, study.models.options);
 %! assert (numel (sets), 4);
 %! never = sets(4).number;
 %! others = setdiff (1:4, never);
@@ -247,6 +247,6 @@ end
 %!               'noise', [0.2, 0.2], 'size', [5, 7], 'sd', [0.1, 0.1], ...
 %!               'effects', effects, 'isExpressed', true (1, 4), ...
 %!               'evaluate', f, 'lines', {{}});
-%! tests = tryTests (@() one, study, w, P, state);
+%! tests = tryTests (@() one, study, evidence, P, state);
 %! assert (numel (tests), 1);
 %! assert (tests.gain > 0.2 && tests.isFirm);

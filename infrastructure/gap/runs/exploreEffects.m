@@ -1,10 +1,10 @@
 % EXPLOREEFFECTS  Runs candidate effects until it is clear which one it is.
 %
-% CALL: [STATE, EM] = exploreEffects (PROBLEM, OPTIONS, STATE, EM)
+% CALL: [STATE, EMULATOR] = exploreEffects (PROBLEM, OPTIONS, STATE, EMULATOR)
 %
 %   PROBLEM, OPTIONS     of newProblem, gapOptions
 %   STATE                of newGapState
-%   EM                   of fitEmulator, fitted to STATE.data
+%   EMULATOR             of fitEmulator, fitted to STATE.data
 %
 % First every effect that has no such run yet once at full strength at the
 % fitted null model, both ends where it acts both ways; one that gives no result
@@ -17,42 +17,42 @@
 % one, but for those at a mode. A second start finds these runs; it makes others
 % only where the first one ended because OPTIONS.maxNewRuns was spent.
 
-function [state, em] = exploreEffects (problem, options, state, em)
-  if isempty (state.evaluate) || state.budget.sets < 1 || isempty (em.effect)
+function [state, emulator] = exploreEffects (problem, options, state, emulator)
+  if isempty (state.evaluate) || state.budget.sets < 1 || isempty (emulator.effect)
     return
   end
   reserve = min (4 * options.verifyRuns, floor (state.budget.sets / 3));
   state.budget.sets = state.budget.sets - reserve;
-  theta = calibrateNull (problem, em, options);
+  theta = calibrateNull (problem, emulator, options);
   state = runEach (problem, state, theta);
-  em = emulate (problem, state.data, options, em);
+  emulator = emulate (problem, state.data, options, emulator);
   reference = [];
   while state.budget.sets > 0
-    [now, reference] = weighNow (problem, options, em, reference);
+    [now, reference] = weighNow (problem, options, emulator, reference);
     if isempty (now)
       break
     end
     theta = now.fits.calibrated.Q;
-    n = runsToSeek (problem, options, state, theta, now.w.gate.p);
+    n = runsToSeek (problem, options, state, theta, now.evidence.gate.p);
     if n > 0
       state = runNearNull (problem, state, theta, n, 0.5, ...
                            options.seed + rows (state.data.X));
       % what the gate compares with is another one then
       reference = [];
-    elseif now.w.gate.p > 2 * options.level || stands (now, options)
+    elseif now.evidence.gate.p > 2 * options.level || stands (now, options)
       break
     else
-      batch = proposeRuns (problem, options, state, em, now);
+      batch = proposeRuns (problem, options, state, emulator, now);
       if batch.bits < options.worthAt
         break
       end
       state = runBatch (problem, state, batch);
     end
-    em = emulate (problem, state.data, options, em);
+    emulator = emulate (problem, state.data, options, emulator);
   end
   state.budget.sets = state.budget.sets + reserve;
   % not from what the runs before told: as a second start fits it
-  em = emulate (problem, state.data, options);
+  emulator = emulate (problem, state.data, options);
 end
 
 % Neither a gap nor none: surrogates that few runs have told hide one, but not
@@ -76,13 +76,13 @@ end
 
 % What is known now, roughly; [] where nothing can be told.
 % Some runs more hardly change what the gate compares with: it is drawn once.
-function [now, reference] = weighNow (problem, options, em, reference)
+function [now, reference] = weighNow (problem, options, emulator, reference)
   now = [];
-  usable = find ([em.effect.laboratory] | [em.effect.runs] >= 1);
+  usable = find ([emulator.effect.laboratory] | [emulator.effect.runs] >= 1);
   if isempty (usable)
     return
   end
-  library = withoutEffects (em, setdiff (1:numel (em.effect), usable));
+  library = withoutEffects (emulator, setdiff (1:numel (emulator.effect), usable));
   options.twins = min (options.twins, 59);
   [options.points, options.effective, options.most] = deal (300, 100, 2000);
   models = makeHypotheses (problem, library, options);
@@ -92,15 +92,15 @@ function [now, reference] = weighNow (problem, options, em, reference)
     reference = models.reference;
   end
   models.reference = reference;
-  w = caseEvidence (models, fits, 1);
-  now = struct ('w', w, 'verdict', judgeCase (w, models), ...
+  evidence = caseEvidence (models, fits, 1);
+  now = struct ('evidence', evidence, 'verdict', judgeCase (evidence, models), ...
                 'models', models, 'fits', fits, 'usable', usable);
   now.runs = [library.effect.runs];
   now.tried = arrayfun (@(e) rows (e.Q), library.effect);
   isLaboratory = [library.effect.laboratory];
   [now.runs(isLaboratory), now.tried(isLaboratory)] = deal (Inf);
   now.isVague = vagueShare (now, now.verdict.top) >= options.vagueAt;
-  now.alike = alikeTwo (w.screen, now.verdict.top, options.alikeAt);
+  now.alike = alikeTwo (evidence.screen, now.verdict.top, options.alikeAt);
   now.rivals = rivalsOf (now, options);
 end
 
@@ -109,8 +109,8 @@ end
 % is nothing to part.
 function rivals = rivalsOf (now, options)
   top = now.verdict.top;
-  near = natsBehind (now.w, now.verdict, top) <= options.classNats;
-  isOpen = now.w.vague > options.vagueRun & now.runs < options.mostRuns;
+  near = natsBehind (now.evidence, now.verdict, top) <= options.classNats;
+  isOpen = now.evidence.vague > options.vagueRun & now.runs < options.mostRuns;
   near(top) = any (near);
   rivals = find (near & isOpen);
 end
@@ -157,33 +157,33 @@ end
 %!  randn ('twister', 3);
 %!  given.value = means ([0.4, 0.6], strength) + 0.2 * randn (1, 12);
 %!endfunction
-%!function [state, em] = explored (given, data, run, more = struct ())
+%!function [state, emulator] = explored (given, data, run, more = struct ())
 %!  options = gapOptions (mergeFields (struct ('trend', 'affine', ...
 %!                                             'maxNewRuns', 60), more));
 %!  problem = setfield (newProblem (given), 'unit', ones (1, 12));
 %!  state = newGapState (data, options, run);
-%!  em = fitEmulator (problem, data, options);
-%!  [state, em] = exploreEffects (problem, options, state, ...
-%!                                takeReference (em, problem));
+%!  emulator = fitEmulator (problem, data, options);
+%!  [state, emulator] = exploreEffects (problem, options, state, ...
+%!                                emulateChange (emulator, problem));
 %!endfunction
 %!test
 %! % one strong cause like no other: each effect once, four runs of two of them
 %! [given, data, run] = laboratory ([0, 0, 0.7, 0, 0]);
-%! [state, em] = explored (given, data, run);
-%! assert (all ([em.effect(1:4).runs] >= 1));
-%! assert (em.effect(3).runs >= 4);
+%! [state, emulator] = explored (given, data, run);
+%! assert (all ([emulator.effect(1:4).runs] >= 1));
+%! assert (emulator.effect(3).runs >= 4);
 %! assert (state.budget.new < 25);
 %!test
 %! % one that another effect resembles is not believed before that one has runs
 %! % that tell its bend, however unlikely; what does the opposite is no such one
 %! [given, data, run] = laboratory ([0.6, 0, 0, 0, 0]);
-%! [state, em] = explored (given, data, run);
-%! assert (all ([em.effect(1:2).runs] >= 8));
-%! assert (any ([em.effect(3:4).runs] < 8));
+%! [state, emulator] = explored (given, data, run);
+%! assert (all ([emulator.effect(1:2).runs] >= 8));
+%! assert (any ([emulator.effect(3:4).runs] < 8));
 %! opposite = @(X, E, varargin) run (X, [E(:, 1) - E(:, 2), 0 * E(:, 2), ...
 %!                                       E(:, 3:4)]);
-%! [state, em] = explored (given, data, opposite);
-%! assert (em.effect(2).runs < 8);
+%! [state, emulator] = explored (given, data, opposite);
+%! assert (emulator.effect(2).runs < 8);
 %!test
 %! % no gap: each effect once
 %! [given, data, run] = laboratory (zeros (1, 5));
@@ -193,9 +193,9 @@ end
 %! % what gives no result above a strength of 0.4 is run at a quarter
 %! [given, data, run] = laboratory (zeros (1, 5));
 %! jams = @(X, E, varargin) run (X, E) + 0 ./ (E(:, 3) < 0.46);
-%! [state, em] = explored (given, data, jams);
-%! assert (em.effect(3).runs, 1);
-%! assert (em.effect(3).strongest, 0.25, 1e-9);
+%! [state, emulator] = explored (given, data, jams);
+%! assert (emulator.effect(3).runs, 1);
+%! assert (emulator.effect(3).strongest, 0.25, 1e-9);
 %! assert ([state.budget.new, state.budget.failed], [6, 2]);
 %!test
 %! % a weak cause behind surrogates of nine runs (seeded): in doubt neutral sets
@@ -203,13 +203,13 @@ end
 %! [given, data, run] = laboratory ([0, 0, 0.13, 0, 0]);
 %! few = keepRows (data, 1:9);
 %! neutral = @(state) all (state.data.E == 0, 2)';
-%! [state, em] = explored (given, few, run);
+%! [state, emulator] = explored (given, few, run);
 %! assert (find (neutral (state)), [1:9, 14:20]);
 %! assert (all (range (state.data.X(14:20, :)) < 0.5));
 %! % three of the plan lay near it already; a second start asks for no more
 %! options = gapOptions (struct ('trend', 'affine', 'maxNewRuns', 60));
 %! again = exploreEffects (newProblem (given), options, ...
-%!                         setfield (state, 'budget', 'sets', 60), em);
+%!                         setfield (state, 'budget', 'sets', 60), emulator);
 %! assert (again.budget.new, state.budget.new);
 %! % whatever its p, none of a change
 %! more = struct ('seekAt', 1.1, 'level', 0);

@@ -6,7 +6,7 @@
 %             false nothing is run
 %   EXPLORED  struct
 %     problem, known     of enterRuns (with correlateSeries)
-%     em       of emulate, fitted to all runs
+%     emulator       of emulate, fitted to all runs
 %     state    of newGapState, with these runs; what is left may verify a cure
 %     data     DATA with the new runs
 %
@@ -26,31 +26,31 @@ function explored = exploreGap (given, data, options, evaluate)
   if ~options.explore
     state.evaluate = [];
   end
-  [state, em] = improveSurrogates (problem, options, state);
-  problem = correlateSeries (problem, em, options);
-  em = takeReference (em, problem);
-  [state, em] = exploreEffects (problem, options, state, em);
+  [state, emulator] = improveSurrogates (problem, options, state);
+  problem = correlateSeries (problem, emulator, options);
+  emulator = emulateChange (emulator, problem);
+  [state, emulator] = exploreEffects (problem, options, state, emulator);
   state.evaluate = allowed;
-  explored = struct ('problem', problem, 'known', known, 'em', em, ...
+  explored = struct ('problem', problem, 'known', known, 'emulator', emulator, ...
                      'state', state, 'data', ...
                      withNewRuns (data, state, known, problem));
 end
 
 % Where the surrogates are to blame, runs near the fitted set come first.
-function [state, em] = improveSurrogates (problem, options, state)
-  for round_ = 1:3
-    em = emulate (problem, state.data, options);
-    n = min (2 * em.p + 2, floor (state.budget.sets / 2));
-    if round_ == 3 || n < 1 || isempty (state.evaluate)
+function [state, emulator] = improveSurrogates (problem, options, state)
+  for pass = 1:3
+    emulator = emulate (problem, state.data, options);
+    n = min (2 * emulator.p + 2, floor (state.budget.sets / 2));
+    if pass == 3 || n < 1 || isempty (state.evaluate)
       return
     end
-    theta = calibrateNull (problem, em, options);
-    side = sideSignals (problem, em, theta, options);
+    theta = calibrateNull (problem, emulator, options);
+    side = sideSignals (problem, emulator, theta, options);
     if ~side.blameSurrogate && ~side.vague
       return
     end
-    state = runNearNull (problem, state, theta, n, 0.8 / round_, ...
-                         options.seed + round_);
+    state = runNearNull (problem, state, theta, n, 0.8 / pass, ...
+                         options.seed + pass);
   end
 end
 

@@ -1,10 +1,10 @@
 % PROPOSERUNS  The next batch of runs, by what they tell about the cause.
 %
-% CALL: BATCH = proposeRuns (PROBLEM, OPTIONS, STATE, EM, NOW)
+% CALL: BATCH = proposeRuns (PROBLEM, OPTIONS, STATE, EMULATOR, NOW)
 %
-%   PROBLEM, OPTIONS, STATE, EM     as of exploreEffects
-%   NOW    struct w, verdict (caseEvidence, judgeCase), models, fits, usable
-%          (numbers of their effects in EM), runs (of each, Inf: none needed),
+%   PROBLEM, OPTIONS, STATE, EMULATOR  as of exploreEffects
+%   NOW    struct evidence, verdict (caseEvidence, judgeCase), models, fits, usable
+%          (numbers of their effects in EMULATOR), runs (of each, Inf: none needed),
 %          tried (the same with those that gave no result),
 %          isVague (the mark of the likeliest one needs more runs), alike (the
 %          likeliest and the one most like it, or []), rivals (need more runs,
@@ -26,14 +26,14 @@
 % that of measurement, packing and where h would stand. Runs of the same effect
 % in one batch tell in part the same.
 
-function batch = proposeRuns (problem, options, state, em, now)
-  pool = candidates (problem, options, state, em, now);
-  noise = noiseBudget (problem, em);
+function batch = proposeRuns (problem, options, state, emulator, now)
+  pool = candidates (problem, options, state, emulator, now);
+  noise = noiseBudget (problem, emulator);
   for i = 1:numel (pool)
-    pool(i).parts = twoStories (problem, em, noise, pool(i));
+    pool(i).parts = twoStories (problem, emulator, noise, pool(i));
   end
-  K = numel (em.effect);
-  batch = struct ('theta', zeros (0, em.p), 'phi', zeros (0, K), 'isFine', ...
+  K = numel (emulator.effect);
+  batch = struct ('theta', zeros (0, emulator.p), 'phi', zeros (0, K), 'isFine', ...
                   false (0, 1), 'bits', 0);
   taken = zeros (1, numel (pool));
   while rows (batch.theta) < min (options.batch, state.budget.sets) && ~all (taken)
@@ -49,17 +49,17 @@ function batch = proposeRuns (problem, options, state, em, now)
     taken(best) = 1;
     one = pool(best);
     phi = zeros (1, K);
-    phi(one.members) = one.q(em.p + 1:end);
-    batch.theta(end + 1, :) = one.q(1:em.p);
+    phi(one.members) = one.q(emulator.p + 1:end);
+    batch.theta(end + 1, :) = one.q(1:emulator.p);
     batch.phi(end + 1, :) = phi;
     batch.isFine(end + 1, 1) = one.isMode;
     batch.bits = batch.bits + most;
   end
 end
 
-function pool = candidates (problem, options, state, em, now)
-  w = now.w;
-  p = em.p;
+function pool = candidates (problem, options, state, emulator, now)
+  evidence = now.evidence;
+  p = emulator.p;
   pool = struct ('what', {}, 'members', {}, 'q', {}, 'P', {}, 'isMode', {}, ...
                  'spread', {}, 'story', {}, 'lacks', {});
   [total, order] = sort (-now.verdict.include);
@@ -67,18 +67,18 @@ function pool = candidates (problem, options, state, em, now)
                    now.rivals], 'stable');
   level = 1 + min ([now.runs(now.rivals), Inf]);
   isSure = -total(1) >= options.standsAt;
-  singles = find (strcmp (w.kind, 'single'));
+  singles = find (strcmp (evidence.kind, 'single'));
   for i = order(:)'
     k = now.usable(i);
     isVague = now.isVague && i == order(1);
-    mode_ = now.fits.of{now.models.singles(i)}.Q(1, 1:p + 1);
-    posterior = w.posterior{singles(i)};
-    blank = struct ('what', em.effect(k).name, 'members', k, 'q', mode_, ...
+    peak = now.fits.of{now.models.singles(i)}.Q(1, 1:p + 1);
+    posterior = evidence.posterior{singles(i)};
+    blank = struct ('what', emulator.effect(k).name, 'members', k, 'q', peak, ...
                     'P', now.verdict.include(i), 'isMode', true, ...
                     'spread', posterior, 'story', k, 'lacks', 0);
     if i == order(1)
       pool(end + 1) = setfield (setfield (blank, 'members', []), 'what', '');
-      pool(end).q = mode_(1:p);
+      pool(end).q = peak(1:p);
     end
     if now.runs(i) >= options.mostRuns || isempty (posterior.Q)
       continue
@@ -99,7 +99,7 @@ function pool = candidates (problem, options, state, em, now)
       n = options.batch;
       posterior = wholeBox (options, p, problem.effects(k).range);
     end
-    Q = planEffectRuns (n, [em.effect(k).Q; mode_], mode_(1:p), posterior, ...
+    Q = planEffectRuns (n, [emulator.effect(k).Q; peak], peak(1:p), posterior, ...
                         problem.effects(k).range);
     for q = Q'
       pool(end + 1) = setfield (setfield (blank, 'q', q'), 'isMode', false);
@@ -107,7 +107,7 @@ function pool = candidates (problem, options, state, em, now)
   end
   phi = strengthOfValues (problem.effects, state.data.E);
   failed = phi(~any (isfinite (state.data.Z), 2), :);
-  pool = [pool, likelyPair(options, em, now, failed)];
+  pool = [pool, likelyPair(options, emulator, now, failed)];
 end
 
 function sample = wholeBox (options, p, range)
@@ -121,47 +121,47 @@ end
 % Pairs are not merely added: where one is likely, runs of both effects show
 % what they do together. Not of a pair that gave no result before: LIGGGHTS has
 % cohesion or liquid bridges. FAILED, n x K: strengths of such runs.
-function pool = likelyPair (options, em, now, failed)
+function pool = likelyPair (options, emulator, now, failed)
   pool = [];
-  pairs = find (strcmp (now.w.kind, 'pair'));
+  pairs = find (strcmp (now.evidence.kind, 'pair'));
   [most, at] = max ([now.verdict.P(pairs), 0]);
-  if most < options.pairAt || isempty (now.w.posterior{pairs(at)}.Q)
+  if most < options.pairAt || isempty (now.evidence.posterior{pairs(at)}.Q)
     return
   end
-  members = now.usable(now.w.members{pairs(at)});
-  posterior = now.w.posterior{pairs(at)};
-  if any ([em.effect(members).laboratory]) || ...
+  members = now.usable(now.evidence.members{pairs(at)});
+  posterior = now.evidence.posterior{pairs(at)};
+  if any ([emulator.effect(members).laboratory]) || ...
      any (all (abs (failed(:, members)) > 1e-9, 2))
     return
   end
-  middle = posterior.weight' * posterior.Q(:, 1:em.p + 2);
+  middle = posterior.weight' * posterior.Q(:, 1:emulator.p + 2);
   pool = struct ('what', 'pair', 'members', members, 'q', middle, 'P', most, ...
                  'isMode', true, 'spread', posterior, 'story', members, ...
                  'lacks', 0);
   full = middle;
   for i = 1:2
-    full(em.p + i) = em.effect(members(i)).strongest * ...
-                     sign (middle(em.p + i) + realmin);
+    full(emulator.p + i) = emulator.effect(members(i)).strongest * ...
+                     sign (middle(emulator.p + i) + realmin);
   end
   pool(2) = setfield (setfield (pool, 'q', full), 'isMode', false);
 end
 
 % The result of the run if its hypothesis is the cause, and if it is not.
-function parts = twoStories (problem, em, noise, one)
+function parts = twoStories (problem, emulator, noise, one)
   at = problem.used;
-  p = em.p;
+  p = emulator.p;
   Q = one.spread.Q(:, 1:p + numel (one.story));
-  M = predictGap (em, one.story, Q)(:, at);
+  M = predictGap (emulator, one.story, Q)(:, at);
   D = (M - one.spread.weight' * M) .* sqrt (one.spread.weight);
   story = one.q;
   if isempty (one.members)
     story = one.spread.weight' * Q;
     story(1:p) = one.q;
   end
-  [mean_, R] = outcome (em, one.story, story, at);
+  [mean_, R] = outcome (emulator, one.story, story, at);
   whole = R + noise.covariance(at, at) + D' * D;
-  [own, R] = outcome (em, one.members, one.q, at);
-  run_ = diag (em.noiseVar(at));
+  [own, R] = outcome (emulator, one.members, one.q, at);
+  run_ = diag (emulator.noiseVar(at));
   gain = R / whole;
   r = problem.value(at) - mean_;
   left = R - gain * R;
@@ -170,14 +170,14 @@ function parts = twoStories (problem, em, noise, one)
 end
 
 % Mean of a hypothesis and covariance of the error of its surrogates.
-function [M, R] = outcome (em, members, q, at)
-  p = em.p;
-  M = predictGap (em, members, q)(at);
-  X = fromSymmetric (q(1:p), em.limits);
-  [~, v] = predictSurrogate (em.surrogates, X);
-  sd = sqrt (v + em.fitVar)(at);
-  R = (sd' * sd) .* em.correlation(at, at);
-  R = R + effectError (em, members, q)(at, at);
+function [M, R] = outcome (emulator, members, q, at)
+  p = emulator.p;
+  M = predictGap (emulator, members, q)(at);
+  X = fromSymmetric (q(1:p), emulator.limits);
+  [~, v] = predictSurrogate (emulator.surrogates, X);
+  sd = sqrt (v + emulator.fitVar)(at);
+  R = (sd' * sd) .* emulator.correlation(at, at);
+  R = R + effectError (emulator, members, q)(at, at);
 end
 
 % Bits of a run where N of the same effect are in the batch already.
@@ -200,15 +200,15 @@ end
 %!  state = newGapState (data, study.models.options, ...
 %!                       @(X, E, r) 0);
 %!  models = omnibusReference (study.models);
-%!  w = caseEvidence (models, study.fits, 1);
-%!  now = struct ('w', w, 'verdict', judgeCase (w, models), 'models', ...
+%!  evidence = caseEvidence (models, study.fits, 1);
+%!  now = struct ('evidence', evidence, 'verdict', judgeCase (evidence, models), 'models', ...
 %!                models, 'fits', study.fits, 'usable', 1:5, 'isVague', ...
 %!                false, 'runs', runs, 'tried', runs, 'alike', [], ...
 %!                'rivals', []);
 %!endfunction
 %!function batch = proposed (study, state, now)
 %!  batch = proposeRuns (study.problem, study.models.options, state, ...
-%!                       study.em, now);
+%!                       study.emulator, now);
 %!endfunction
 %!test
 %! % the likeliest effect has one run and needs more before a name; the others
@@ -230,9 +230,9 @@ end
 %!test
 %! % a likely pair is run, but not where runs of it gave no result
 %! [study, state, now] = after ([0.6, 0, 0.5, 0, 0], 9 * ones (1, 5));
-%! pair = find (strcmp (now.w.kind, 'pair'));
+%! pair = find (strcmp (now.evidence.kind, 'pair'));
 %! [~, best] = max (now.verdict.P(pair));
-%! members = now.w.members{pair(best)};
+%! members = now.evidence.members{pair(best)};
 %! now.verdict.P = 0.01 + 0 * now.verdict.P;
 %! now.verdict.P(pair(best)) = 0.5;
 %! hasBoth = @(batch) any (all (batch.phi(:, members) ~= 0, 2));

@@ -2,7 +2,7 @@
 %
 % CALL: LIST = causesOfVerdict (VERDICT, STUDY)
 %
-%   VERDICT  of judgeCase;  STUDY  struct problem, models, fits, w
+%   VERDICT  of judgeCase;  STUDY  struct problem, models, fits, evidence
 %   LIST     see weighCauses; empty without a gap, as nothing has made it
 
 function list = causesOfVerdict (verdict, study)
@@ -10,13 +10,13 @@ function list = causesOfVerdict (verdict, study)
   if any (strcmp (verdict.kind, {'no gap', 'surrogate'}))
     problem.causes = [];
   end
-  list = weighCauses (study.models, study.w.screen, ...
+  list = weighCauses (study.models, study.evidence.screen, ...
                       study.fits.calibrated.Q(1, :), problem);
 end
 
 %!test
 %! study.models = handMadeHypotheses ();
-%! study.w.screen = screenEffects (study.models.white, 0, [0, 0, 4, 4]);
+%! study.evidence.screen = screenEffects (study.models.white, 0, [0, 0, 4, 4]);
 %! study.fits.calibrated.Q = 0;
 %! study.problem = struct ('reference', [], 'effects', ...
 %!                         struct ('name', {'a', 'b'}, 'group', ''));

@@ -1,8 +1,8 @@
 % DESCRIBEVERDICT  Puts a verdict into names, probabilities and strengths.
 %
-% CALL: NAMED = describeVerdict (W, VERDICT, MODELS, PROBLEM)
+% CALL: NAMED = describeVerdict (EVIDENCE, VERDICT, MODELS, PROBLEM)
 %
-%   W, VERDICT, MODELS, PROBLEM     of caseEvidence, judgeCase, makeHypotheses,
+%   EVIDENCE, VERDICT, MODELS, PROBLEM     of caseEvidence, judgeCase, makeHypotheses,
 %                                   newProblem
 %   NAMED   struct
 %     verdict, reason, guard, lookAlike, sameKind, effects (of a group the likeliest
@@ -25,7 +25,7 @@
 %     hypotheses  1 x H struct members (cellstr), kind, probability, likeliest
 %                 first
 
-function named = describeVerdict (w, verdict, models, problem)
+function named = describeVerdict (evidence, verdict, models, problem)
   names = models.names;
   if strcmp (verdict.kind, 'group')      % the likeliest first
     [~, order] = sort (-verdict.include(verdict.effects));
@@ -38,7 +38,7 @@ function named = describeVerdict (w, verdict, models, problem)
                   'class', {names(verdict.class)}, ...
                   'decides', {verdict.decides}, ...
                   'partners', {names(verdict.partners)}, ...
-                  'likely', {names(verdict.likely)}, 'gateP', w.gate.p);
+                  'likely', {names(verdict.likely)}, 'gateP', evidence.gate.p);
   named.together = numel (verdict.effects) > 1 && ...
                    ~any (strcmp (verdict.guard, {'group', 'class', 'runs', ...
                                                  'readings'}));
@@ -48,47 +48,47 @@ function named = describeVerdict (w, verdict, models, problem)
     named.posterior.(field) = verdict.include(k);
   end
   named.posterior.unlisted = verdict.unlisted;
-  named.cannotSee = names(isinf (w.screen.smallest));
+  named.cannotSee = names(isinf (evidence.screen.smallest));
   named.siblings = [models.siblings{verdict.effects}];
-  named.groups = confusedGroups (w.screen, models);
+  named.groups = confusedGroups (evidence.screen, models);
   named.strength = struct ('name', {}, 'value', {}, 'interval90', {}, ...
                            'range', {}, 'variables', {}, 'values', {}, ...
                            'says', {});
   for k = 1:numel (names)
-    named.strength(k) = strengthOf (w, verdict, k, models, problem);
+    named.strength(k) = strengthOf (evidence, verdict, k, models, problem);
   end
-  named.numbers = numbersOf (w, verdict);
-  named.hypotheses = hypothesesOf (w, verdict, names);
+  named.numbers = numbersOf (evidence, verdict);
+  named.hypotheses = hypothesesOf (evidence, verdict, names);
 end
 
-function numbers = numbersOf (w, verdict)
-  matter = verdict.P > 0.01 & isfinite (w.ess);
-  numbers = struct ('error', max ([w.error(matter), 0]), ...
-                    'ess', min ([w.ess(matter), Inf]));
+function numbers = numbersOf (evidence, verdict)
+  matter = verdict.P > 0.01 & isfinite (evidence.ess);
+  numbers = struct ('error', max ([evidence.error(matter), 0]), ...
+                    'ess', min ([evidence.ess(matter), Inf]));
 end
 
-function list = hypothesesOf (w, verdict, names)
+function list = hypothesesOf (evidence, verdict, names)
   P = verdict.P;
   % what an effect would have to turn too far for is rather something unlisted
-  other = find (strcmp (w.kind, 'discrepancy'), 1);
+  other = find (strcmp (evidence.kind, 'discrepancy'), 1);
   P(other) = P(other) + 1 - sum (P);
   [P, order] = sort (P, 'descend');
-  members = cellfun (@(m) names(m), w.members(order), 'UniformOutput', false);
-  list = struct ('members', members, 'kind', w.kind(order), ...
+  members = cellfun (@(m) names(m), evidence.members(order), 'UniformOutput', false);
+  list = struct ('members', members, 'kind', evidence.kind(order), ...
                  'probability', num2cell (P));
 end
 
 % From the likeliest hypothesis that holds the effect and was integrated.
-function s = strengthOf (w, verdict, k, models, problem)
-  holding = find (cellfun (@(m) any (m == k), w.members) & ...
-                  ~cellfun (@(p) isempty (p.Q), w.posterior));
+function s = strengthOf (evidence, verdict, k, models, problem)
+  holding = find (cellfun (@(m) any (m == k), evidence.members) & ...
+                  ~cellfun (@(p) isempty (p.Q), evidence.posterior));
   [~, at] = max (verdict.P(holding));
   q = NaN (1, 3);
   says = 'nothing';
-  if ~isempty (holding) && w.ess(holding(at)) >= models.options.leastPoints
+  if ~isempty (holding) && evidence.ess(holding(at)) >= models.options.leastPoints
     h = holding(at);
-    posterior = w.posterior{h};
-    column = models.white.p + find (w.members{h} == k);
+    posterior = evidence.posterior{h};
+    column = models.white.p + find (evidence.members{h} == k);
     phi = posterior.Q(:, column);
     own = models.white.effect(k);
     q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
@@ -96,7 +96,7 @@ function s = strengthOf (w, verdict, k, models, problem)
     theta = posterior.Q(:, 1:models.white.p);
     if any (verdict.effects == k) && strcmp (verdict.kind, 'named')
       says = 'amount';
-      if w.atLimit(h) > models.options.gluedAt
+      if evidence.atLimit(h) > models.options.gluedAt
         says = 'least';
       end
     elseif isBounded (own, q, phi, theta, posterior.cautious)
@@ -172,12 +172,12 @@ end
 %! % linkage is complete: a chain is no group
 %! models = handMadeHypotheses ();
 %! models.reference = (-4:0.1:2)';
-%! w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
 %! problem = struct ('effects', newEffect (struct ('name', 'a', ...
 %!                   'laboratory', true), 4));
 %! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
 %!                                         true), 4);
-%! named = describeVerdict (w, judgeCase (w, models), models, problem);
+%! named = describeVerdict (evidence, judgeCase (evidence, models), models, problem);
 %! assert (named.groups, {});
 %! assert (named.strength(1).value, 0.7, 0.1);
 %! assert (named.numbers.ess >= 200);
@@ -186,8 +186,8 @@ end
 %! % where no integral of an effect says anything, its strength is not known
 %! assert (named.strength(1).says, 'amount');
 %! assert (named.class, {'a'});
-%! [w.posterior{2:end}] = deal (struct ('Q', [], 'weight', []));
-%! named = describeVerdict (w, judgeCase (w, models), models, problem);
+%! [evidence.posterior{2:end}] = deal (struct ('Q', [], 'weight', []));
+%! named = describeVerdict (evidence, judgeCase (evidence, models), models, problem);
 %! assert (isnan ([named.strength.value]));
 %!test
 %! % an upper end is a bound where the effect was run about as strong, at
@@ -204,8 +204,8 @@ end
 %! runs = {[0.5, 0.5], [0.5, 1], [-0.5, 0.5]};
 %! for i = 1:3
 %!   [models.white.effect.Q] = deal (runs{i});
-%!   w = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
-%!   named = describeVerdict (w, judgeCase (w, models), models, problem);
+%!   evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
+%!   named = describeVerdict (evidence, judgeCase (evidence, models), models, problem);
 %!   said{i} = named.strength(1).says;
 %! end
 %! assert (named.strength(1).interval90(2) < 0.75);

@@ -1,8 +1,8 @@
 % JUDGECASE  Turns evidences into a verdict, or into an honest abstention.
 %
-% CALL: VERDICT = judgeCase (W, MODELS)
+% CALL: VERDICT = judgeCase (EVIDENCE, MODELS)
 %
-%   W        struct of caseEvidence
+%   EVIDENCE  struct of caseEvidence
 %   MODELS   struct of makeHypotheses
 %   VERDICT  struct
 %     kind      'no gap', 'named', 'group', 'none of the listed' or 'undecided'
@@ -16,7 +16,7 @@
 %     guard     what withheld a name: '', 'integral', 'class', 'runs', 'group',
 %               'readings', 'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
 %     reason    text, one sentence
-%     P         1 x H, probability of each hypothesis of W; of one with effects
+%     P         1 x H, probability of each hypothesis of EVIDENCE; of one with effects
 %               less where it needs them to do something else than their laws say
 %               (turned, see caseEvidence)
 %     include   1 x K, probability that the effect takes part
@@ -24,78 +24,78 @@
 %     likely    1 x m, fewest effects that hold 95 % of what all have together;
 %               top  scalar, the likeliest one
 %
-% P ~ prior * exp (log evidence). What is a gap is W.gate's matter; then:
+% P ~ prior * exp (log evidence). What is a gap is EVIDENCE.gate's matter; then:
 % 'none of the listed' where misfits that resemble no effect are likelier than
 % not; else effects are named, or a class or a group of them (nameCause). That an
 % effect is another one in reality than in the library is part of its
 % hypothesis (formError).
 
-function verdict = judgeCase (w, models)
-  verdict = judged (w, models);
-  weak = w.ess < models.options.leastPoints & verdict.P > 0.01;
+function verdict = judgeCase (evidence, models)
+  verdict = judged (evidence, models);
+  weak = evidence.ess < models.options.leastPoints & verdict.P > 0.01;
   if any (weak) && ~strcmp (verdict.guard, 'gate') && ...
-     mayDecide (w, models, verdict, weak)
-    verdict = openVerdict (w, numel (models.names));
+     mayDecide (evidence, models, verdict, weak)
+    verdict = openVerdict (evidence, numel (models.names));
     verdict.guard = 'integral';
     verdict.reason = sprintf (['an integral rests on %.0f effective ' ...
                                'points; raise options.most'], ...
-                              min (w.ess(weak)));
+                              min (evidence.ess(weak)));
   end
 end
 
 % The likeliest hypothesis must be integrated well; of another one it is enough
 % that three errors of its logarithm, or a factor of e, make no other verdict.
-function yes = mayDecide (w, models, verdict, weak)
+function yes = mayDecide (evidence, models, verdict, weak)
   [~, best] = max (verdict.P);
-  yes = weak(best) || any (w.ess(weak) < 1);
-  far = max (3 ./ sqrt (w.ess(weak)), 1);
+  yes = weak(best) || any (evidence.ess(weak) < 1);
+  far = max (3 ./ sqrt (evidence.ess(weak)), 1);
   for step = {-far, far}
     if yes
       return
     end
-    moved = w;
-    moved.logE(weak) = w.logE(weak) + step{1};
+    moved = evidence;
+    moved.logE(weak) = evidence.logE(weak) + step{1};
     other = judged (moved, models);
     yes = ~strcmp (other.kind, verdict.kind) || ...
           ~isequal (other.effects, verdict.effects);
   end
 end
 
-function verdict = judged (w, models)
-  verdict = openVerdict (w, numel (models.names));
-  if w.gate.p >= models.options.level
+function verdict = judged (evidence, models)
+  verdict = openVerdict (evidence, numel (models.names));
+  if evidence.gate.p >= models.options.level
     verdict.kind = 'no gap';
     verdict.guard = 'gate';
     verdict.reason = sprintf (['data without a gap give as much evidence ' ...
-                               'for a cause with p = %.2f'], w.gate.p);
+                               'for a cause with p = %.2f'], evidence.gate.p);
   elseif verdict.unlisted >= models.options.misfitAt
     verdict.kind = 'none of the listed';
     verdict.reason = sprintf (['there is a gap (p = %.3f) that no listed ' ...
-                               'effect explains'], w.gate.p);
+                               'effect explains'], evidence.gate.p);
   elseif isempty (models.names)
     verdict.reason = sprintf (['there is a gap (p = %.3f), and no effect ' ...
-                               'that has runs could explain it'], w.gate.p);
+                               'that has runs could explain it'], evidence.gate.p);
   else
-    verdict = nameCause (verdict, w, models);
+    verdict = nameCause (verdict, evidence, models);
   end
 end
 
-function verdict = openVerdict (w, K)
-  logP = w.logPrior + w.logE;
+function verdict = openVerdict (evidence, K)
+  logP = evidence.logPrior + evidence.logE;
   verdict = struct ('kind', 'undecided', 'effects', zeros (1, 0), ...
                     'class', zeros (1, 0), 'decides', {{}}, ...
                     'lookAlike', false, 'sameKind', false, ...
                     'partners', zeros (1, 0), 'guard', '', 'reason', ...
                     'no single cause is likely enough');
   whole = exp (logP - logSumExp (logP));
-  verdict.P = whole .* (1 - w.turned);
+  verdict.P = whole .* (1 - evidence.turned);
   verdict.include = zeros (1, K);
   for h = 1:numel (verdict.P)
-    at = w.members{h};
+    at = evidence.members{h};
     verdict.include(at) = verdict.include(at) + verdict.P(h);
   end
   verdict.null = verdict.P(1);
-  isOther = max (w.turned, strcmp (w.kind, 'discrepancy'));
+  isOther = max (evidence.turned, strcmp (evidence.kind, 'discrepancy'));
   verdict.unlisted = sum (whole .* isOther);
   [~, verdict.top] = max ([verdict.include, 0]);
   [sorted, order] = sort (-verdict.include);
@@ -103,31 +103,31 @@ function verdict = openVerdict (w, K)
   verdict.likely = order(1:find (most >= 0.95 * max ([most, realmin]), 1));
 end
 
-%!shared w, models, like
+%!shared evidence, models, like
 %! models = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}});
 %! models.options = gapOptions ([]);
-%! w = struct ('logE', [0, 9, 0, 0, 0, 0]);
-%! w.logPrior = log ([0.4, 0.15, 0.15, 0.15, 0.03, 0.12]);
-%! w.members = {[], 1, 2, 3, [1, 2], []};
-%! w.kind = [{'null'}, repmat({'single'}, 1, 3), {'pair', 'discrepancy'}];
-%! w.gate.p = 0.001;
-%! w.screen = struct ('cosine', [1, 0.99, 0; 0.99, 1, 0; 0, 0, 1], ...
+%! evidence = struct ('logE', [0, 9, 0, 0, 0, 0]);
+%! evidence.logPrior = log ([0.4, 0.15, 0.15, 0.15, 0.03, 0.12]);
+%! evidence.members = {[], 1, 2, 3, [1, 2], []};
+%! evidence.kind = [{'null'}, repmat({'single'}, 1, 3), {'pair', 'discrepancy'}];
+%! evidence.gate.p = 0.001;
+%! evidence.screen = struct ('cosine', [1, 0.99, 0; 0.99, 1, 0; 0, 0, 1], ...
 %!                    'size', [10, 10, 10]);
-%! [w.phi, w.atLimit, w.ess] = deal (0.5 * ones (6, 1), zeros (1, 6), ...
+%! [evidence.phi, evidence.atLimit, evidence.ess] = deal (0.5 * ones (6, 1), zeros (1, 6), ...
 %!                                   400 * ones (1, 6));
-%! w.turned = zeros (1, 6);
-%! w.vague = zeros (1, 3);
-%! like = @(at, logE) setfield (w, 'logE', setfield (w.logE, {at}, logE));
+%! evidence.turned = zeros (1, 6);
+%! evidence.vague = zeros (1, 3);
+%! like = @(at, logE) setfield (evidence, 'logE', setfield (evidence.logE, {at}, logE));
 %!test
 %! % what a change of the evidence makes of the verdict: a gate that is shut, one
 %! % that is alike within 6 nats, any misfit, a collapsed integral, marks of too
 %! % few runs, another one that is not alike
-%! cases = {w, 'named', 1, ''; ...
-%!          setfield(w, 'gate', struct ('p', 0.2)), 'no gap', [], 'gate'; ...
+%! cases = {evidence, 'named', 1, ''; ...
+%!          setfield(evidence, 'gate', struct ('p', 0.2)), 'no gap', [], 'gate'; ...
 %!          like(3, 4), 'group', [1, 2], 'class'; ...
 %!          like(3, 2.5), 'named', 1, ''; ...
 %!          like(6, 12), 'none of the listed', [], ''; ...
-%!          setfield(w, 'ess', setfield (w.ess, {2}, 30)), 'undecided', [], ...
+%!          setfield(evidence, 'ess', setfield (evidence.ess, {2}, 30)), 'undecided', [], ...
 %!          'integral'; ...
 %!          setfield(like (4, 5), 'vague', [0, 0, 0.3]), 'group', [1, 3], ...
 %!          'runs'; ...
@@ -141,14 +141,14 @@ end
 %!   assert (v.sameKind, strcmp (one{4}, 'class'));
 %! end
 %! assert (judgeCase (like (3, 4), models).class, [1, 2]);
-%! assert (judgeCase (w, models).class, 1);
+%! assert (judgeCase (evidence, models).class, 1);
 %!test
 %! % a poor integral of a lesser hypothesis takes a name away where it may make
 %! % another verdict: c has 0.02 of the probability of a
-%! poor = @(w, at, ess) setfield (w, 'ess', setfield (w.ess, {at}, ess));
+%! poor = @(evidence, at, ess) setfield (evidence, 'ess', setfield (evidence.ess, {at}, ess));
 %! for c = {like(4, 5), 100, 'named'; like(4, 6.5), 41, 'undecided'; ...
 %!          like(4, 5), 0, 'undecided'; like(4, 6.5), 400, 'named'}'
-%!   at = find (c{1}.logE ~= w.logE);
+%!   at = find (c{1}.logE ~= evidence.logE);
 %!   v = judgeCase (poor (c{1}, at, c{2}), models);
 %!   assert (v.P(at) > 0.01);
 %!   assert (v.kind, c{3});
@@ -156,19 +156,19 @@ end
 %! end
 %!test
 %! % a member of its family that is not on the list may be it as well
-%! v = judgeCase (w, setfield (models, 'siblings', {{'d'}, {}, {}}));
+%! v = judgeCase (evidence, setfield (models, 'siblings', {{'d'}, {}, {}}));
 %! assert ({v.kind, v.lookAlike}, {'named', true});
 %! assert (! isempty (strfind (v.reason, 'told from d')));
-%! assert (! judgeCase (w, models).lookAlike);
+%! assert (! judgeCase (evidence, models).lookAlike);
 %!test
 %! % a true cause may stand at the end of its range: named, and said
-%! v = judgeCase (setfield (w, 'atLimit', 0.9 * ones (1, 6)), models);
+%! v = judgeCase (setfield (evidence, 'atLimit', 0.9 * ones (1, 6)), models);
 %! assert (v.kind, 'named');
 %! assert (! isempty (strfind (v.reason, 'end of its plausible range')));
 %!test
 %! % one that explains the data only where it does something else than its law
 %! % says is no listed cause
-%! v = judgeCase (setfield (w, 'turned', [0, 0.9, 0, 0, 0, 0]), models);
+%! v = judgeCase (setfield (evidence, 'turned', [0, 0.9, 0, 0, 0, 0]), models);
 %! assert (v.kind, 'none of the listed');
 %! assert (v.include(1) < 0.15);
 %!test
@@ -182,7 +182,7 @@ end
 %!test
 %! % probabilities of an effect, of what is not listed, the fewest of all
 %! x = struct ('logPrior', log ([0.5, 0.4, 0.1]), 'logE', zeros (1, 3), ...
-%!             'kind', {w.kind([1, 2, 6])}, 'members', {{[], 1, []}}, ...
+%!             'kind', {evidence.kind([1, 2, 6])}, 'members', {{[], 1, []}}, ...
 %!             'gate', struct ('p', 1), 'ess', NaN, 'turned', zeros (1, 3));
 %! v = judgeCase (x, setfield (models, 'names', {'a'}));
 %! assert ([v.include, v.unlisted, v.likely], [0.4, 0.1, 1], 1e-12);

@@ -1,8 +1,8 @@
 % NAMECAUSE  Which effects a verdict names, where a listed one may be the cause.
 %
-% CALL: VERDICT = nameCause (VERDICT, W, MODELS)
+% CALL: VERDICT = nameCause (VERDICT, EVIDENCE, MODELS)
 %
-%   VERDICT, W, MODELS  see judgeCase; of VERDICT kind, effects, class, sameKind,
+%   VERDICT, EVIDENCE, MODELS  see judgeCase; of VERDICT kind, effects, class, sameKind,
 %                       lookAlike, partners, guard and reason come back as they
 %                       are where nothing can be named
 %
@@ -13,25 +13,25 @@
 % with othersAt of its probability, and no other one within classNats whose mark,
 % or its own, too few runs have told (vagueRun): the better emulated would win.
 
-function verdict = nameCause (verdict, w, models)
+function verdict = nameCause (verdict, evidence, models)
   options = models.options;
   top = verdict.top;
   strong = find (verdict.include >= options.nameAt);
   if isempty (strong)
-    verdict.class = unique ([top, classOf(w, verdict, top, models)]);
-    verdict = nameGroup (verdict, w, models);
+    verdict.class = unique ([top, classOf(evidence, verdict, top, models)]);
+    verdict = nameGroup (verdict, evidence, models);
     return
   end
-  [others, guard] = rivalsOf (w, verdict, strong, models);
+  [others, guard] = rivalsOf (evidence, verdict, strong, models);
   if ~isempty (others) && numel (strong) > 1
     % of a pair the surer half, where the other half has rivals
     strong = top;
-    [others, guard] = rivalsOf (w, verdict, strong, models);
+    [others, guard] = rivalsOf (evidence, verdict, strong, models);
   end
-  verdict.class = unique ([strong, classOf(w, verdict, strong, models)]);
+  verdict.class = unique ([strong, classOf(evidence, verdict, strong, models)]);
   if isempty (others)
-    verdict = sayCause (verdict, w, models, strong);
-    verdict.partners = partnersOf (w, verdict, strong, options);
+    verdict = sayCause (verdict, evidence, models, strong);
+    verdict.partners = partnersOf (evidence, verdict, strong, options);
     return
   end
   verdict.kind = 'group';
@@ -47,7 +47,7 @@ function verdict = nameCause (verdict, w, models)
 end
 
 % A name, and whether a member of its family is not on the list.
-function verdict = sayCause (verdict, w, models, strong)
+function verdict = sayCause (verdict, evidence, models, strong)
   missing = [models.siblings{strong}];
   verdict.kind = 'named';
   verdict.effects = strong;
@@ -57,7 +57,7 @@ function verdict = sayCause (verdict, w, models, strong)
     verdict.reason = ['it cannot be told from ', strjoin(missing, ', '), ...
                       ', which is not listed or has no runs'];
   end
-  if max (w.atLimit(bestWith (w, verdict, strong))) > models.options.gluedAt
+  if max (evidence.atLimit(bestWith (evidence, verdict, strong))) > models.options.gluedAt
     verdict.reason = [verdict.reason, '; it stands at the end of its ' ...
                       'plausible range, or beyond'];
   end
@@ -65,11 +65,11 @@ end
 
 % By the data alone: what was thought of each effect beforehand (factor of
 % newEffect) does not count.
-function own = classOf (w, verdict, strong, models)
+function own = classOf (evidence, verdict, strong, models)
   factor = givenField (models, 'factor', ones (size (verdict.include)));
-  nats = natsBehind (w, verdict, strong) + log (factor) - ...
+  nats = natsBehind (evidence, verdict, strong) + log (factor) - ...
          log (min (factor(strong)));
-  cosine = max (w.screen.cosine(strong, :), [], 1);
+  cosine = max (evidence.screen.cosine(strong, :), [], 1);
   own = find (nats <= models.options.classNats & ...
               cosine >= models.options.classAt);
 end
@@ -78,15 +78,15 @@ end
 % only beside them is a partner, unless the two signatures are alike and they
 % stand together in half of all: a pair of look-alikes is one of them, badly
 % modelled, as often as it is both, and then all hypotheses count.
-function [others, guard] = rivalsOf (w, verdict, strong, models)
+function [others, guard] = rivalsOf (evidence, verdict, strong, models)
   options = models.options;
-  others = classOf (w, verdict, strong, models);
+  others = classOf (evidence, verdict, strong, models);
   guard = 'class';
   if ~isempty (others)
     return
   end
-  nats = natsBehind (w, verdict, strong);
-  isVague = w.vague > options.vagueRun;
+  nats = natsBehind (evidence, verdict, strong);
+  isVague = evidence.vague > options.vagueRun;
   others = find (nats <= options.classNats & ...
                  (isVague | any (isVague(strong))));
   guard = 'runs';
@@ -98,33 +98,33 @@ function [others, guard] = rivalsOf (w, verdict, strong, models)
   rival = nats < -log (options.othersAt / numel (strong));
   for k = setdiff (1:numel (rival), strong)
     together = cellfun (@(m) any (m == k) && all (ismember (strong, m)), ...
-                        w.members);
+                        evidence.members);
     rival(k) = rival(k) || ...
-               (max (abs (w.screen.cosine(k, strong))) >= options.alikeAt && ...
+               (max (abs (evidence.screen.cosine(k, strong))) >= options.alikeAt && ...
                 sum (verdict.P(together)) >= 0.5 * least);
   end
   others = find (rival);
 end
 
 % Effects one of which acts together with the strong one, likelier than not.
-function joining = partnersOf (w, verdict, strong, options)
+function joining = partnersOf (evidence, verdict, strong, options)
   joining = zeros (1, 0);
-  pairs = find (strcmp (w.kind, 'pair'));
-  holds = pairs(cellfun (@(m) any (ismember (strong, m)), w.members(pairs)));
+  pairs = find (strcmp (evidence.kind, 'pair'));
+  holds = pairs(cellfun (@(m) any (ismember (strong, m)), evidence.members(pairs)));
   if numel (strong) > 1 || sum (verdict.P(holds)) < 0.5 * verdict.include(strong)
     return
   end
   for h = holds(verdict.P(holds) > options.partnerAt)
-    joining = [joining, setdiff(w.members{h}, strong)];
+    joining = [joining, setdiff(evidence.members{h}, strong)];
   end
   joining = unique (joining);
 end
 
-function best = bestWith (w, verdict, strong)
-  holding = cellfun (@(m) all (ismember (strong, m)), w.members) & ...
-            ~strcmp (w.kind, 'discrepancy');
+function best = bestWith (evidence, verdict, strong)
+  holding = cellfun (@(m) all (ismember (strong, m)), evidence.members) & ...
+            ~strcmp (evidence.kind, 'discrepancy');
   if ~any (holding)
-    holding = cellfun (@(m) any (ismember (strong, m)), w.members);
+    holding = cellfun (@(m) any (ismember (strong, m)), evidence.members);
   end
   [~, best] = max (verdict.P - 2 * ~holding);
 end
@@ -132,14 +132,14 @@ end
 % The class of the likeliest one, where it has groupAt together; else the fewest
 % likely effects that have: two or three, or more of a long list, up to a third:
 % beyond that a group says less than the probabilities of its members.
-function verdict = nameGroup (verdict, w, models)
+function verdict = nameGroup (verdict, evidence, models)
   [~, order] = sort (-verdict.include);
   most = min (max (3, floor (numel (order) / 3)), numel (order));
   sets = [{verdict.class}, arrayfun(@(n) order(1:n), 2:most, ...
                                     'UniformOutput', false)];
   guards = [{'class'}, repmat({'group'}, 1, most - 1)];
   for i = find (cellfun (@numel, sets) > 1)
-    holding = cellfun (@(m) any (ismember (sets{i}, m)), w.members);
+    holding = cellfun (@(m) any (ismember (sets{i}, m)), evidence.members);
     together = sum (verdict.P(holding));
     if together >= models.options.groupAt
       verdict.kind = 'group';
@@ -152,27 +152,27 @@ function verdict = nameGroup (verdict, w, models)
   end
 end
 
-%!shared w, verdict, models, named
-%! w.members = {1, [1, 2], [1, 3], 2, []};
-%! w.kind = {'single', 'pair', 'pair', 'single', 'discrepancy'};
-%! w.screen = struct ('cosine', eye (3), 'size', [10, 10, 10]);
-%! [w.phi, w.atLimit] = deal (0.5 * ones (5, 1), zeros (1, 5));
-%! w.vague = zeros (1, 3);
+%!shared evidence, verdict, models, named
+%! evidence.members = {1, [1, 2], [1, 3], 2, []};
+%! evidence.kind = {'single', 'pair', 'pair', 'single', 'discrepancy'};
+%! evidence.screen = struct ('cosine', eye (3), 'size', [10, 10, 10]);
+%! [evidence.phi, evidence.atLimit] = deal (0.5 * ones (5, 1), zeros (1, 5));
+%! evidence.vague = zeros (1, 3);
 %! models = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}});
 %! models.options = gapOptions ([]);
 %! verdict = struct ('P', [0.3, 0.38, 0.24, 0.03, 0.05], 'include', ...
 %!                   [0.92, 0.41, 0.24], 'top', 1, 'kind', 'undecided', ...
 %!                   'effects', [], 'class', []);
-%! named = @(w, verdict, models) nameCause (verdict, w, models).effects;
-%!assert (named (w, verdict, models), 1)
+%! named = @(evidence, verdict, models) nameCause (verdict, evidence, models).effects;
+%!assert (named (evidence, verdict, models), 1)
 %!test
 %! sharper = setfield (models, 'options', setfield (models.options, ...
 %!                                                  'othersAt', 0.03));
-%! assert (named (w, verdict, sharper), [1, 2]);
+%! assert (named (evidence, verdict, sharper), [1, 2]);
 %!test
 %! % one that looks like the strong one, and stands beside it more often than
 %! % not, may take its place
-%! [alike, v] = deal (w, verdict);
+%! [alike, v] = deal (evidence, verdict);
 %! alike.screen.cosine(2, 1) = -0.8;
 %! assert (named (alike, v, models), 1);
 %! v.P = [0.2, 0.48, 0.24, 0.03, 0.05];
@@ -186,38 +186,38 @@ end
 %! v.include = [0.99, 0.92, 0.2];
 %! for third = [0.2, 0.06]
 %!   v.P = [0.3, 0.55, third, 0, 0.1];
-%!   assert (named (w, v, models), 1);
+%!   assert (named (evidence, v, models), 1);
 %! end
 %! v.P(3) = 0.02;
-%! assert (named (w, v, models), [1, 2]);
+%! assert (named (evidence, v, models), [1, 2]);
 %!test
 %! % what the data do not tell from the likeliest one is its class, however
 %! % likely it is; which of the others is as likely does not matter
-%! w.members = {1, 2, 3};
-%! w.kind = repmat ({'single'}, 1, 3);
-%! w.screen.cosine = [1, 0.9, 0; 0.9, 1, 0; 0, 0, 1];
+%! evidence.members = {1, 2, 3};
+%! evidence.kind = repmat ({'single'}, 1, 3);
+%! evidence.screen.cosine = [1, 0.9, 0; 0.9, 1, 0; 0, 0, 1];
 %! v = verdict;
 %! [v.P, v.include] = deal ([0.5, 0.35, 0.15]);
-%! v = nameCause (v, w, models);
+%! v = nameCause (v, evidence, models);
 %! assert ({v.class, v.effects, v.sameKind, v.guard}, ...
 %!         {[1, 2], [1, 2], true, 'class'});
 %! [v.P, v.include] = deal ([0.6, 0.1, 0.3]);
-%! v = nameCause (v, w, models);
+%! v = nameCause (v, evidence, models);
 %! assert ({v.class, v.effects, v.guard}, {[1, 2], [1, 3], 'group'});
 %! [v.P, v.include] = deal ([0.4, 0.3, 0.05]);
 %! v.kind = 'undecided';
-%! assert (nameCause (v, w, models).kind, 'undecided');
+%! assert (nameCause (v, evidence, models).kind, 'undecided');
 %!test
 %! % no two or three of twelve, but four, that hold 0.8; five are too many
-%! w.members = num2cell (1:12);
-%! w.kind = repmat ({'single'}, 1, 12);
-%! w.screen.cosine = eye (12);
-%! w.vague = zeros (1, 12);
+%! evidence.members = num2cell (1:12);
+%! evidence.kind = repmat ({'single'}, 1, 12);
+%! evidence.screen.cosine = eye (12);
+%! evidence.vague = zeros (1, 12);
 %! v = setfield (verdict, 'top', 2);
 %! v.P = [0.2, 0.25, 0.05, 0.2, 0.02, 0.2, 0.01 * ones(1, 6)];
 %! v.include = v.P;
-%! v = nameCause (v, w, models);
+%! v = nameCause (v, evidence, models);
 %! assert ({v.kind, v.effects, v.guard}, {'group', [1, 2, 4, 6], 'group'});
 %! v.P([1, 2, 3, 4, 6]) = [0.17, 0.2, 0.15, 0.17, 0.17];
 %! [v.include, v.kind] = deal (v.P, 'undecided');
-%! assert (nameCause (v, w, models).kind, 'undecided');
+%! assert (nameCause (v, evidence, models).kind, 'undecided');

@@ -5,7 +5,7 @@
 %   VERDICT  of judgeCase; one that names effects becomes a group where these
 %            are not the likeliest ones without one kind of reading: with the
 %            effect that is then (guard 'readings', field decides)
-%   STUDY    struct problem, em, models of newProblem, fitEmulator,
+%   STUDY    struct problem, emulator, models of newProblem, fitEmulator,
 %            makeHypotheses
 %   DECIDES  cellstr, as VERDICT.decides: PROBLEM.reading of those that decide
 %
@@ -25,7 +25,7 @@ function [verdict, decides] = withoutReadings (verdict, study)
   joined = verdict.effects;
   for reading = setdiff (readings, {''})(:)'
     rest = targets(~strcmp (readings, reading{1}));
-    if numel (rest) > study.em.p + 1 && numel (rest) < numel (targets)
+    if numel (rest) > study.emulator.p + 1 && numel (rest) < numel (targets)
       first = likeliest (study, verdict, rest);
       if ~isequal (first, verdict.effects)
         decides = [decides, reading];
@@ -48,7 +48,7 @@ end
 % Laplace's formula): the named ones, or with one of them another one of the
 % five likeliest.
 function first = likeliest (study, verdict, targets)
-  models = makeHypotheses (study.problem, study.em, ...
+  models = makeHypotheses (study.problem, study.emulator, ...
                            study.models.options, targets);
   first = verdict.effects;
   [~, order] = sort (-verdict.include);

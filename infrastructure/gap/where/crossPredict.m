@@ -2,7 +2,7 @@
 %
 % CALL: CROSS = crossPredict (STUDY, FROM, TO)
 %
-%   STUDY       struct problem, em, models, see locateGap
+%   STUDY       struct problem, emulator, models, see locateGap
 %   FROM, TO    rows of target numbers
 %   CROSS       struct
 %     p           of the misfit of TO, r' [S + J C J']^-1 r (chi-square),
@@ -12,21 +12,21 @@
 
 function cross = crossPredict (study, from, to)
   problem = study.problem;
-  em = study.em;
+  emulator = study.emulator;
   models = study.models;
-  budget = noiseBudget (problem, em);
+  budget = noiseBudget (problem, emulator);
   null = newHypothesis ('null');
-  white = whitenEmulator (em, from, budget);
+  white = whitenEmulator (emulator, from, budget);
   view = viewHypothesis (white, null, models.prior);
   starts = models.list(1).starts;
   Z = repmat (problem.value(from) * white.W', rows (starts), 1);
   fit = fitHypothesis (white, null, Z, starts, models.prior);
   [~, best] = max (fit.logPeak);
-  A = reshape (fit.A(best, :, :), em.p, em.p);
-  other = whitenEmulator (setfield (em, 'known', []), to, budget);
+  A = reshape (fit.A(best, :, :), emulator.p, emulator.p);
+  other = whitenEmulator (setfield (emulator, 'known', []), to, budget);
   view.white = other;
   [M, V, ~, J] = predictHypothesis (view, fit.U(best, :));
-  J = reshape (vertcat (J{:})', numel (to), em.p);
+  J = reshape (vertcat (J{:})', numel (to), emulator.p);
   % what FROM leaves open of the parameters comes through the slopes
   S = diag (V) + J * (A \ J');
   r = problem.value(to) * other.W' - M;

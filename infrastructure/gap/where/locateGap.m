@@ -2,7 +2,7 @@
 %
 % CALL: WHERE = locateGap (STUDY)
 %
-%   STUDY    struct problem, em, models, fits: of newProblem, fitEmulator,
+%   STUDY    struct problem, emulator, models, fits: of newProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   WHERE    struct
 %     theta (1 x p in [-1, 1]), params (1 x p), chi2, p (lack of fit: share of
@@ -27,7 +27,7 @@
 
 function where = locateGap (study)
   problem = study.problem;
-  em = study.em;
+  emulator = study.emulator;
   models = study.models;
   white = models.white;
   used = white.columns;
@@ -40,15 +40,15 @@ function where = locateGap (study)
   [M, V, ~, J] = predictGap (white, [], where.theta);
   sd = sqrt (V');
   r = (study.fits.Z(1, :) - M)';
-  J = reshape (vertcat (J{:})', columns (white.coef), em.p);
+  J = reshape (vertcat (J{:})', columns (white.coef), emulator.p);
   parity = parityProjection (J ./ sd, r ./ sd);
   where.absorbed = parity.absorbed;
   where.unabsorbed = parity.unabsorbed;
   where = localise (where, rawErrors (white, V, J), r, simulated, ...
                     problem.bench(used), models.options);
   where.conflict = benchConflicts (study);
-  where.side = sideSignals (problem, em, where.theta, models.options);
-  where.budget = noiseBudget (problem, em);
+  where.side = sideSignals (problem, emulator, where.theta, models.options);
+  where.budget = noiseBudget (problem, emulator);
   where.held = heldOut (study);
 end
 

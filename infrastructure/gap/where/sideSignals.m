@@ -1,8 +1,8 @@
 % SIDESIGNALS  Looks for what else a misfit may mean: limits, surrogates.
 %
-% CALL: SIDE = sideSignals (PROBLEM, EM, THETA, OPTIONS)
+% CALL: SIDE = sideSignals (PROBLEM, EMULATOR, THETA, OPTIONS)
 %
-%   PROBLEM, EM, OPTIONS     of newProblem, fitEmulator, gapOptions
+%   PROBLEM, EMULATOR, OPTIONS     of newProblem, fitEmulator, gapOptions
 %   THETA           1 x p, fitted null model, parameters in [-1, 1]
 %   SIDE            struct
 %     atLimit        cellstr, parameters driven to a limit of their box
@@ -14,15 +14,15 @@
 %     blameSurrogate logical, too many of the used targets are poor
 %     reason         text, '' where neither
 
-function side = sideSignals (problem, em, theta, options)
+function side = sideSignals (problem, emulator, theta, options)
   side.atLimit = problem.names(abs (theta) > options.limitAt);
   value = fromSymmetric (theta, problem.limits);
-  [~, v] = predictSurrogate (em.surrogates, value);
-  v = (v + em.fitVar) * isempty (em.change);
-  fixed = diag (noiseBudget (problem, em).covariance)';
+  [~, v] = predictSurrogate (emulator.surrogates, value);
+  v = (v + emulator.fitVar) * isempty (emulator.change);
+  fixed = diag (noiseBudget (problem, emulator).covariance)';
   side.share = v ./ (v + fixed);
-  side.poor = em.looMean > options.looMeanAt | em.looMax > options.looMostAt;
-  side.poorEffects = poorEffects (em, options.looEffectAt);
+  side.poor = emulator.looMean > options.looMeanAt | emulator.looMax > options.looMostAt;
+  side.poorEffects = poorEffects (emulator, options.looEffectAt);
   share = mean (side.share(problem.used));
   poor = mean (side.poor(problem.used));
   side.vague = share > options.vagueAt;
@@ -38,12 +38,12 @@ function side = sideSignals (problem, em, theta, options)
   end
 end
 
-function names = poorEffects (em, most)
+function names = poorEffects (emulator, most)
   names = {};
-  for k = 1:numel (em.effect)
-    z = vertcat (em.effect(k).looStd{:});
-    if em.effect(k).runs >= 6 && mean (z.^2) > most
-      names{end + 1} = em.effect(k).name;
+  for k = 1:numel (emulator.effect)
+    z = vertcat (emulator.effect(k).looStd{:});
+    if emulator.effect(k).runs >= 6 && mean (z.^2) > most
+      names{end + 1} = emulator.effect(k).name;
     end
   end
 end
@@ -55,10 +55,10 @@ end
 %! study = labStudy (given, lab.plan (40, 2));
 %! options = study.models.options;
 %! problem = study.problem;
-%! side = sideSignals (problem, study.em, [1, 0, 0, 0], options);
+%! side = sideSignals (problem, study.emulator, [1, 0, 0, 0], options);
 %! assert (side.atLimit, {'friction'});
 %! assert (side.blameSurrogate || side.vague, false);
 %! problem.sd = 0.01 * problem.sd;
 %! problem.trials = Inf;
-%! side = sideSignals (problem, study.em, zeros (1, 4), options);
+%! side = sideSignals (problem, study.emulator, zeros (1, 4), options);
 %! assert (side.vague, true);

@@ -30,10 +30,10 @@ function list = materialValues (Case, calibration)
   own = fieldnames (values)';
   values = rmfield (values, own(~cellfun (isUsual, own)));
   given = mergeFields (values, Case.modelVars);
-  all_ = mergeFields (given, calibration.params);
-  names = fieldnames (all_)';
+  values = mergeFields (given, calibration.params);
+  names = fieldnames (values)';
   [labels, units] = paramLabels (setfield (Case, 'names', names));
-  list = struct ('name', names, 'value', struct2cell (all_)', 'interval', [NaN, NaN], ...
+  list = struct ('name', names, 'value', struct2cell (values)', 'interval', [NaN, NaN], ...
                  'from', 'model', 'label', labels', 'unit', units');
   for k = 1:numel (list)
     if isfield (calibration.params, names{k})

@@ -1,13 +1,13 @@
-% CHECKSHOW  Describes any value in a few words, for a message.
+% DESCRIBEVALUE  Describes any value in a few words, for a message.
 %
-% CALL: TEXT = checkShow (VALUE)
+% CALL: TEXT = describeValue (VALUE)
 %
 %   VALUE  anything
 %   TEXT   1 x n char, at most about 80 characters, printable
 %
 % Never throws.
 
-function text = checkShow (value)
+function text = describeValue (value)
   try
     text = describe (value);
   catch
@@ -78,7 +78,7 @@ end
 %!          [1, 2i], '[1+0i, 0+2i]'; int8(ones (3)), ...
 %!          'a 3 x 3 matrix of class int8'};
 %! for row = table'
-%!   assert (checkShow (row{1}), row{2});
+%!   assert (describeValue (row{1}), row{2});
 %! end
-%!assert (checkShow (containers.Map ()), 'an object of class containers.Map')
-%!assert (numel (checkShow (repmat ('x', 1, 1000))) < 80)
+%!assert (describeValue (containers.Map ()), 'an object of class containers.Map')
+%!assert (numel (describeValue (repmat ('x', 1, 1000))) < 80)

@@ -1,6 +1,6 @@
-% BATCHLEDGER  Reads which runs of a store were submitted to a queue.
+% READSUBMISSIONS  Reads which runs of a store were submitted to a queue.
 %
-% CALL: BATCHES = batchLedger (STORE, NAME)
+% CALL: BATCHES = readSubmissions (STORE, NAME)
 %
 %   NAME     name of the executor (text)
 %   BATCHES  1 x b struct array, one element a job array:
@@ -12,7 +12,7 @@
 % The ledger is written before anything is sent, so no job can be in the queue
 % of which it does not know.
 
-function batches = batchLedger (store, name)
+function batches = readSubmissions (store, name)
   place = fullfile (store, 'optim', ['.', name]);
   batches = struct ('name', {}, 'path', {}, 'keys', {}, 'folders', {});
   for name = readdir (place)'
@@ -37,7 +37,7 @@ end
 %! mkdir (place);
 %! mkdir (fullfile (store, 'optim', '.q', 'decalioc-2'));
 %! writeAtomic (fullfile (place, 'tasks'), "k1\t/a b/it's\nk2\t/c\n");
-%! b = batchLedger (store, 'q');
+%! b = readSubmissions (store, 'q');
 %! assert (numel (b), 1);
 %! assert ({b.keys, b.folders}, {{'k1'; 'k2'}, {'/a b/it''s'; '/c'}});
-%! assert (isempty (batchLedger (store, 'r')));
+%! assert (isempty (readSubmissions (store, 'r')));

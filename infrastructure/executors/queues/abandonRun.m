@@ -1,12 +1,12 @@
-% BATCHVOID  Gives a run up: no job of any array can start it any more.
+% ABANDONRUN  Gives a run up: no job of any array can start it any more.
 %
-% CALL: batchVoid (FOLDER)
+% CALL: abandonRun (FOLDER)
 %
 %   FOLDER  run folder (text)
 %
 % Takes the claim that batchTask.sh needs, or marks the one there as void.
 
-function batchVoid (folder)
+function abandonRun (folder)
   claim = fullfile (folder, 'batch.claim');
   [~, ~] = mkdir (claim);
   writeAtomic (fullfile (claim, 'void'), '');
@@ -15,10 +15,10 @@ end
 %!test
 %! folder = tempname ();
 %! mkdir (folder);
-%! batchVoid (folder);
-%! batchVoid (folder);
+%! abandonRun (folder);
+%! abandonRun (folder);
 %! assert (isfile (fullfile (folder, 'batch.claim', 'void')));
-%! script = fullfile (fileparts (which ('batchVoid')), 'batchTask.sh');
+%! script = fullfile (fileparts (which ('abandonRun')), 'batchTask.sh');
 %! put = @(name, text) writeAtomic (fullfile (folder, name), text);
 %! free = @() rmdir (fullfile (folder, 'batch.claim'), 's');
 %! put ('tasks', sprintf ("key\t%s\n", folder));

@@ -1,6 +1,6 @@
-% CHECKIS  Tells whether a value is of a kind that the input may hold.
+% ISKIND  Tells whether a value is of a kind that the input may hold.
 %
-% CALL: YES = checkIs (KIND, VALUE)
+% CALL: YES = isKind (KIND, VALUE)
 %
 %   KIND   'number'   real finite scalar that is not sparse
 %          'integer'  the same, and whole
@@ -19,13 +19,13 @@
 %
 % Never throws.
 
-function yes = checkIs (kind, value)
-  isKind = struct ('number', @isFinite, 'integer', @isWhole, ...
+function yes = isKind (kind, value)
+  testOf = struct ('number', @isFinite, 'integer', @isWhole, ...
                    'vector', @isVector, 'text', @isText, 'name', @isName, ...
                    'folder', @isFolderName, 'nothing', @isNothing, ...
                    'list', @isList, ...
                    'struct', @(v) isstruct (v) && isscalar (v));
-  yes = isKind.(kind) (value);
+  yes = testOf.(kind) (value);
 end
 
 function yes = isWhole (value)
@@ -94,5 +94,5 @@ end
 %!        'name', char([200, 255]); 'folder', '../x'; 'folder', 'a b'; ...
 %!        'folder', '-a'; 'folder', 'a;b'; 'struct', struct('a', {1, 2}); ...
 %!        'nothing', containers.Map()};
-%! assert (all (cellfun (@checkIs, good(:, 1), good(:, 2))));
-%! assert (! any (cellfun (@checkIs, bad(:, 1), bad(:, 2))));
+%! assert (all (cellfun (@isKind, good(:, 1), good(:, 2))));
+%! assert (! any (cellfun (@isKind, bad(:, 1), bad(:, 2))));

@@ -1,6 +1,6 @@
-% BYALLRUNS  How the robust search on the DEM evaluates a set.
+% CONFIRMROBUST  How the robust search on the DEM evaluates a set.
 %
-% CALL: WAY = byAllRuns (PROBLEM)
+% CALL: WAY = confirmRobust (PROBLEM)
 %
 % WAY       struct, see calibrateOnDEM (searchOnDEM)
 %
@@ -10,7 +10,7 @@
 % is their mean response at its set, the Jacobian that of this mean. Further
 % trials in an iteration cost no run; nor does a set that is confirmed.
 
-function way = byAllRuns (problem)
+function way = confirmRobust (problem)
   way = struct ('kept', find (problem.calibrate), ...
                 'respond', @(p, book) meanResponse (p, book, problem), ...
                 'slopes', @(p, f, book) slopesOf (p, book, problem), ...
@@ -145,7 +145,7 @@ end
 
 %!function state = judged (state, problem)
 %!  book = struct ('state', state, 'wrong', Inf, 'stop', 'by the user');
-%!  state = byAllRuns (problem).judge ([], '', book).state;
+%!  state = confirmRobust (problem).judge ([], '', book).state;
 %!endfunction
 
 %!test

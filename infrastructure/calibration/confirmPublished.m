@@ -1,6 +1,6 @@
-% BYSINGLERUNS  How the published search on the DEM evaluates a set.
+% CONFIRMPUBLISHED  How the published search on the DEM evaluates a set.
 %
-% CALL: WAY = bySingleRuns (PROBLEM)
+% CALL: WAY = confirmPublished (PROBLEM)
 %
 % WAY       struct, see calibrateOnDEM (searchOnDEM)
 %
@@ -9,7 +9,7 @@
 % is not run again. Where the budget is spent, or a run fails, there is no
 % result: NaN, which the search takes for no improvement.
 
-function way = bySingleRuns (problem)
+function way = confirmPublished (problem)
   extra = numel (problem.value) + (1:problem.nExtra);
   kept = [find(problem.calibrate), extra];
   way = struct ('kept', kept, 'weights', ones (numel (kept), 1), ...
@@ -144,7 +144,7 @@ end
 %! book.state.evaluate = newEvaluate (@(P, E, r) P);
 %! X = book.state.data.X;
 %! Z = book.state.data.Z;
-%! way = bySingleRuns (problem);
+%! way = confirmPublished (problem);
 %! [found, book] = way.respond (X(3:4, :), book);
 %! assert (found, Z(3:4, :));
 %! assert (! any (isAfterPlan (book.state.data)));
@@ -158,7 +158,7 @@ end
 %! problem.cost = @(p, f) [f(p) ./ [4; 2] - 1; p(2)];
 %! problem.nExtra = 1;
 %! f = problem.cost ([0.5; 1], @(p) law (p')');
-%! slopes = bySingleRuns (problem).slopes;
+%! slopes = confirmPublished (problem).slopes;
 %! J = slopes ([0.5, 1], f, book);
 %! assert (J, [0.25, 0.25; 0.5, 0.4; 0, 2], 1e-9);
 %! fails = @(P) 0 ./ (P(:, 1) == 0.5);

@@ -1,11 +1,11 @@
-% TAKEREFERENCE  Turns an emulator into that of a change from a reference.
+% EMULATECHANGE  Turns an emulator into that of a change from a reference.
 %
-% CALL: EM = takeReference (EM, PROBLEM)
-% CALL: EM = takeReference (EM)        the one of the simulation again
+% CALL: EMULATOR = emulateChange (EMULATOR, PROBLEM)
+% CALL: EMULATOR = emulateChange (EMULATOR)        the one of the simulation again
 %
-%   EM          struct of fitEmulator, or what this has made of it
-%   PROBLEM     struct of newProblem; without reference EM stays as it is
-%   EM          coef then foretells what is measured in the other condition
+%   EMULATOR    struct of fitEmulator, or what this has made of it
+%   PROBLEM     struct of newProblem; without reference EMULATOR stays as it is
+%   EMULATOR    coef then foretells what is measured in the other condition
 %               where nothing has changed; surrogateVar and fitVar are nearly 0,
 %               as what surrogates miss is the same in both; and
 %     change    struct coef (q x T: what was added to the simulation),
@@ -32,23 +32,23 @@
 %
 % Parameters of PROBLEM.reference.perCondition are other ones in the two.
 
-function em = takeReference (em, problem)
-  em = simulationOf (em);
+function emulator = emulateChange (emulator, problem)
+  emulator = simulationOf (emulator);
   if nargin < 2 || isempty (problem.reference)
     return
   end
   reference = problem.reference;
-  own = noiseBudget (problem, em);
-  before = noiseBudget (ofReference (problem), em);
+  own = noiseBudget (problem, emulator);
+  before = noiseBudget (ofReference (problem), emulator);
   at = find (isfinite (reference.value));
   sizes = 0.08 * 2.^(-4:0.75:4);
   parts = cell (1, numel (sizes));
   score = zeros (1, numel (sizes));
-  C = lackShape (em, problem);
-  B = sharedError (em);
+  C = lackShape (emulator, problem);
+  B = sharedError (emulator);
   for i = 1:numel (sizes)
     lack = sizes(i)^2 * C;
-    parts{i} = fitReference (em, problem, before, lack, at);
+    parts{i} = fitReference (emulator, problem, before, lack, at);
     score(i) = parts{i}.logE - 0.5 * log (sizes(i) / 0.08)^2;
     D = lack + B;
     parts{i}.K = D(:, at) / (D(at, at) + before.covariance(at, at));
@@ -57,17 +57,17 @@ function em = takeReference (em, problem)
   end
   weight = exp (score - max (score));
   weight = weight / sum (weight);
-  em = mixed (em, problem, own, [parts{:}], weight, at);
-  em.change.size = sqrt (weight * (sizes.^2)');
+  emulator = mixed (emulator, problem, own, [parts{:}], weight, at);
+  emulator.change.size = sqrt (weight * (sizes.^2)');
 end
 
-function em = simulationOf (em)
-  if ~isempty (em.change)
-    for name = fieldnames (em.change.plain)'
-      em.(name{1}) = em.change.plain.(name{1});
+function emulator = simulationOf (emulator)
+  if ~isempty (emulator.change)
+    for name = fieldnames (emulator.change.plain)'
+      emulator.(name{1}) = emulator.change.plain.(name{1});
     end
   end
-  [em.change, em.known] = deal ([]);
+  [emulator.change, emulator.known] = deal ([]);
 end
 
 function problem = ofReference (problem)
@@ -82,26 +82,26 @@ function problem = ofReference (problem)
   end
 end
 
-function C = lackShape (em, problem)
+function C = lackShape (emulator, problem)
   alike = fadingAlong (problem.series, problem.coordinate);
   C = 0.8 * alike + 0.2 * eye (columns (alike));
-  C = C .* (em.range' * em.range);
+  C = C .* (emulator.range' * emulator.range);
 end
 
 % Error of the surrogates of the simulation itself.
-function B = sharedError (em)
-  D = sqrt (mean (em.surrogateVar, 1));
-  misfit = sqrt (em.fitVar);
-  B = (D' * D) .* em.correlation + (misfit' * misfit) .* em.alongCurve;
+function B = sharedError (emulator)
+  D = sqrt (mean (emulator.surrogateVar, 1));
+  misfit = sqrt (emulator.fitVar);
+  B = (D' * D) .* emulator.correlation + (misfit' * misfit) .* emulator.alongCurve;
 end
 
 % Parameters by the reference alone, for one size of the lack: Q, logE, and
 % information A, g of linear equations A theta = g.
-function part = fitReference (em, problem, before, lack, at)
+function part = fitReference (emulator, problem, before, lack, at)
   before.covariance = before.covariance + lack;
-  white = whitenEmulator (withoutEffects (em), at, before);
+  white = whitenEmulator (withoutEffects (emulator), at, before);
   prior = problem.paramPrior;
-  starts = [zeros(1, em.p); 0.9 * boxPoints(em.p, 5)];
+  starts = [zeros(1, emulator.p); 0.9 * boxPoints(emulator.p, 5)];
   null = newHypothesis ('null');
   unknowns = viewHypothesis (white, null, prior).unknowns;
   Z = repmat (problem.reference.value(at) * white.W', rows (starts), 1);
@@ -110,24 +110,24 @@ function part = fitReference (em, problem, before, lack, at)
   part.logE = part.logE + sum (log (svd (white.W)));
   part.Q = fit.Q(best, :);
   [M, V, ~, J] = predictGap (white, [], part.Q);
-  J = reshape (vertcat (J{:})', numel (at), em.p) ./ sqrt (V');
+  J = reshape (vertcat (J{:})', numel (at), emulator.p) ./ sqrt (V');
   r = ((Z(1, :) - M) ./ sqrt (V))';
   part.A = J' * J;
   part.g = part.A * part.Q' + J' * r;
 end
 
 % The mixture over the sizes.
-function em = mixed (em, problem, own, parts, weight, at)
+function emulator = mixed (emulator, problem, own, parts, weight, at)
   reference = problem.reference;
   [~, best] = max (weight);
   theta = parts(best).Q;
   same = ~reference.perCondition;
   % parameters that the reference has for itself stay where it has them
-  points = em.points;
+  points = emulator.points;
   points(:, ~same) = repmat (theta(~same), rows (points), 1);
-  coef = polyRows (em.powers, em.points) \ ...
-         (polyRows (em.powers, points) * em.coef);
-  M = polyRows (em.powers, theta) * em.coef;
+  coef = polyRows (emulator.powers, emulator.points) \ ...
+         (polyRows (emulator.powers, points) * emulator.coef);
+  M = polyRows (emulator.powers, theta) * emulator.coef;
   r = reference.value(at) - M(at);
   [K, left, A, g, lack] = deal (0);
   for i = 1:numel (parts)
@@ -141,18 +141,18 @@ function em = mixed (em, problem, own, parts, weight, at)
     off = (parts(i).K - K) * r';
     left = left + weight(i) * (off * off');
   end
-  em.change.plain = struct ('coef', em.coef, 'surrogateVar', ...
-                            em.surrogateVar, 'fitVar', em.fitVar);
-  em.change.coef = -coef(:, at) * K';
-  isConstant = ~any (em.powers, 2);
-  em.change.coef(isConstant, :) = em.change.coef(isConstant, :) + ...
+  emulator.change.plain = struct ('coef', emulator.coef, 'surrogateVar', ...
+                                  emulator.surrogateVar, 'fitVar', emulator.fitVar);
+  emulator.change.coef = -coef(:, at) * K';
+  isConstant = ~any (emulator.powers, 2);
+  emulator.change.coef(isConstant, :) = emulator.change.coef(isConstant, :) + ...
                                   reference.value(at) * K';
-  em.change.lack = lack;
-  em.change.covariance = own.covariance + left;
-  em.coef = em.coef + em.change.coef;
-  em.surrogateVar = repmat ((1e-6 * em.range).^2, rows (em.points), 1);
-  em.fitVar = zeros (size (em.fitVar));
-  em.known = knownOf (A, g, same);
+  emulator.change.lack = lack;
+  emulator.change.covariance = own.covariance + left;
+  emulator.coef = emulator.coef + emulator.change.coef;
+  emulator.surrogateVar = repmat ((1e-6 * emulator.range).^2, rows (emulator.points), 1);
+  emulator.fitVar = zeros (size (emulator.fitVar));
+  emulator.known = knownOf (A, g, same);
 end
 
 % What is known of the parameters that both conditions share, whatever the
@@ -174,10 +174,10 @@ function known = knownOf (A, g, same)
   known.offset = (U(:, kept)' * g) ./ sqrt (L(kept));
 end
 
-%!shared em, given
-%! em = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 0]);
-%! em.range = 10 * ones (1, 4);
-%! em.noiseVar(:) = 1e-6;
+%!shared emulator, given
+%! emulator = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 0]);
+%! emulator.range = 10 * ones (1, 4);
+%! emulator.noiseVar(:) = 1e-6;
 %! given = newProblem (struct ('value', zeros (1, 4), 'sd', ones (1, 4), ...
 %!                                'limits', [0; 1], 'bench', ones (1, 4)));
 %! own = struct ('value', [1.5, 0.5, 5, -4], 'sd', ones (1, 4), 'trials', ...
@@ -185,29 +185,29 @@ end
 %! given.reference = own;
 %!test
 %! % a large lack is carried over whole: the difference is what counts
-%! new = takeReference (em, given);
+%! new = emulateChange (emulator, given);
 %! told = predictGap (new, [], 0.5);
 %! assert (told, given.reference.value, 1);
 %! assert (abs (new.change.lack(3:4) - [5, -4]) < 1);
 %! assert (diag (new.change.covariance)'(3:4) > 1.5);
 %! % the change under test tells nothing of how sure it is
-%! other = takeReference (em, setfield (given, 'value', 100 * ones (1, 4)));
+%! other = emulateChange (emulator, setfield (given, 'value', 100 * ones (1, 4)));
 %! assert (other.change.covariance, new.change.covariance);
-%! plain = takeReference (new);
-%! assert ({plain.coef, plain.known, plain.change}, {em.coef, [], []});
-%! assert (takeReference (plain), plain);
+%! plain = emulateChange (new);
+%! assert ({plain.coef, plain.known, plain.change}, {emulator.coef, [], []});
+%! assert (emulateChange (plain), plain);
 %!test
 %! % no lack: the model is believed, and the reference tells the parameter
 %! given.reference.value = [1.5, 0.5, 0, 0];
 %! given.reference.sd(:) = 0.01;
 %! given.sd(:) = 0.01;
-%! new = takeReference (em, given);
+%! new = emulateChange (emulator, given);
 %! assert (predictGap (new, [], 0.5), given.reference.value, 0.01);
 %! assert (new.known.root \ new.known.offset, 0.5, 0.02);
 %!test
 %! % another parameter in each condition: the reference tells nothing of it
 %! given.reference.perCondition = true;
-%! new = takeReference (em, given);
+%! new = emulateChange (emulator, given);
 %! assert (isempty (new.known.root));
 %! assert (polyval (polyfit ([-1, 0, 1], predictGap (new, [], ...
 %!                  [-1; 0; 1])(:, 1)', 1), 1) > 1);
@@ -215,9 +215,9 @@ end
 %!test
 %! % 150 targets known to a thousandth of their range: no determinant is left,
 %! % but its logarithm (seeded; 0.3 of the range was drawn)
-%! em = handMadeEmulator ([zeros(1, 150); 3 * (1:150) / 150]);
-%! em.range = 1000 * ones (1, 150);
-%! em.noiseVar(:) = 1e-6;
+%! emulator = handMadeEmulator ([zeros(1, 150); 3 * (1:150) / 150]);
+%! emulator.range = 1000 * ones (1, 150);
+%! emulator.noiseVar(:) = 1e-6;
 %! given = newProblem (struct ('value', zeros (1, 150), 'sd', ...
 %!                                ones (1, 150), 'limits', [0; 1], 'bench', ...
 %!                                ones (1, 150)));
@@ -225,4 +225,4 @@ end
 %! given.reference = struct ('value', 300 * randn (1, 150), 'sd', ...
 %!                           ones (1, 150), 'trials', ones (1, 150), ...
 %!                           'scatter', false (1, 150), 'perCondition', false);
-%! assert (takeReference (em, given).change.size, 0.3, 0.06);
+%! assert (emulateChange (emulator, given).change.size, 0.3, 0.06);

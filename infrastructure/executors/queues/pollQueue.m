@@ -1,8 +1,8 @@
-% BATCHLOOK  Looks once at the queue and at the end marks of all open runs.
+% POLLQUEUE  Looks once at the queue and at the end marks of all open runs.
 %
-% CALL: FLIGHT = batchLook (FLIGHT, JOBS, QUEUE, GRACE, NOW)
+% CALL: QUEUESTATE = pollQueue (QUEUESTATE, JOBS, QUEUE, GRACE, NOW)
 %
-%   FLIGHT  see batchAttach; runs that have ended become 'e' (to be evaluated),
+%   QUEUESTATE  see batchAttach; runs that have ended become 'e' (to be evaluated),
 %           's' (record made here: killed, cancelled, node lost, the queue's
 %           time limit) or 'q' (to be submitted again)
 %   JOBS    see batchExecute
@@ -12,53 +12,53 @@
 %   GRACE   how long files may take to appear (s)
 %   NOW     time (s)
 
-function flight = batchLook (flight, jobs, queue, grace, now)
-  used = unique (flight.batch(flight.status == 'o'));
-  used = used([flight.batches(used).isSent]);
+function queueState = pollQueue (queueState, jobs, queue, grace, now)
+  used = unique (queueState.batch(queueState.status == 'o'));
+  used = used([queueState.batches(used).isSent]);
   if isempty (used)
     return
   end
-  [ok, text, tasks] = queue.look ({flight.batches(used).name}, ...
-                                  [flight.batches(used).n]);
-  flight = noteSilence (flight, ok, text, queue.title);
+  [ok, text, tasks] = queue.look ({queueState.batches(used).name}, ...
+                                  [queueState.batches(used).n]);
+  queueState = noteSilence (queueState, ok, text, queue.title);
   for k = 1:numel (used)
-    for i = find (flight.status == 'o' & flight.batch == used(k))
-      [flight.state(i), flight.word{i}] = deal ('?', '');
+    for i = find (queueState.status == 'o' & queueState.batch == used(k))
+      [queueState.state(i), queueState.word{i}] = deal ('?', '');
       if ok
-        flight.state(i) = tasks(k).state(flight.task(i));
-        flight.word{i} = tasks(k).word{flight.task(i)};
+        queueState.state(i) = tasks(k).state(queueState.task(i));
+        queueState.word{i} = tasks(k).word{queueState.task(i)};
       end
-      flight = lookAtRun (flight, i, jobs(i), grace, now, queue.title);
+      queueState = lookAtRun (queueState, i, jobs(i), grace, now, queue.title);
     end
   end
-  flight = noteWaiting (flight, queue.title);
+  queueState = noteWaiting (queueState, queue.title);
 end
 
-function flight = lookAtRun (flight, i, job, grace, now, title)
-  folder = flight.folder{i};
+function queueState = lookAtRun (queueState, i, job, grace, now, title)
+  folder = queueState.folder{i};
   reason = givenField (readEndMark (folder), 'reason', '');
-  state = flight.state(i);
+  state = queueState.state(i);
   hasEnded = ~any (state == 'pr?') || strcmp (reason, 'killed');
   if ~hasEnded || state == '?'
-    flight.since(i) = NaN;
-  elseif isnan (flight.since(i))
-    flight.since(i) = now;
+    queueState.since(i) = NaN;
+  elseif isnan (queueState.since(i))
+    queueState.since(i) = now;
   end
-  age = max ([0, now - flight.since(i)]);
-  verdict = judge (reason, state, age, grace, flight.isOld(i));
+  age = max ([0, now - queueState.since(i)]);
+  verdict = judgeTask (reason, state, age, grace, queueState.isOld(i));
   switch verdict
     case 'collect'
-      flight.status(i) = 'e';
+      queueState.status(i) = 'e';
     case 'again'
-      batchVoid (folder);
-      flight.status(i) = 'q';
+      abandonRun (folder);
+      queueState.status(i) = 'q';
     case {'failed', 'timeout'}
-      batchVoid (folder);
+      abandonRun (folder);
       causes = struct ('failed', 'killed', 'timeout', 'time');
-      flight.records{i} = failedRecord (job, folder, verdict, ...
-                                        describe (flight, i, title), ...
-                                        causes.(verdict));
-      flight.status(i) = 's';
+      queueState.records{i} = failedRecord (job, folder, verdict, ...
+                                            describe (queueState, i, title), ...
+                                            causes.(verdict));
+      queueState.status(i) = 's';
   end
 end
 
@@ -66,7 +66,7 @@ end
 % is none. AGE (s): how long STATE has been one of an ended job, or end.mark has
 % said 'killed'. A run that ended by itself or by its time limit is collected,
 % whatever the queue says; one killed while nobody watched is for a new start.
-function verdict = judge (reason, state, age, grace, isOld)
+function verdict = judgeTask (reason, state, age, grace, isOld)
   isLive = any (state == 'pr?');
   isKilled = strcmp (reason, 'killed');
   if ~isempty (reason) && ~isKilled
@@ -82,18 +82,18 @@ function verdict = judge (reason, state, age, grace, isOld)
   end
 end
 
-function text = describe (flight, i, title)
-  word = flight.word{i};
+function text = describe (queueState, i, title)
+  word = queueState.word{i};
   if isempty (word)
     word = 'the job is no longer known';
   end
-  batch = flight.batches(flight.batch(i));
-  who = contentOf (fullfile (flight.folder{i}, 'batch.claim', 'who'));
+  batch = queueState.batches(queueState.batch(i));
+  who = contentOf (fullfile (queueState.folder{i}, 'batch.claim', 'who'));
   if isempty (who)
     who = [batch.name, ', never started'];
   end
   output = contentOf (fullfile (batch.path, ...
-                                sprintf ('%d.out', flight.task(i))));
+                                sprintf ('%d.out', queueState.task(i))));
   text = strtrim (sprintf ('%s: %s, job %s; %s', title, word, who, output));
 end
 
@@ -106,51 +106,51 @@ function text = contentOf (file)
   end
 end
 
-function flight = noteSilence (flight, ok, text, title)
-  if ~ok && ~flight.silent
-    flight.message = sprintf (['%s does not answer (%s). Waiting; the runs ' ...
-                               'go on.'], title, strtrim (text));
-  elseif ok && flight.silent
-    flight.message = [title, ' answers again.'];
+function queueState = noteSilence (queueState, ok, text, title)
+  if ~ok && ~queueState.silent
+    queueState.message = sprintf (['%s does not answer (%s). Waiting; the runs ' ...
+                                   'go on.'], title, strtrim (text));
+  elseif ok && queueState.silent
+    queueState.message = [title, ' answers again.'];
   end
-  flight.silent = ~ok;
+  queueState.silent = ~ok;
 end
 
 % Tells, once for each reason, why nothing runs.
-function flight = noteWaiting (flight, title)
-  isOpen = flight.status == 'o';
-  isWaiting = isOpen & flight.state == 'p';
+function queueState = noteWaiting (queueState, title)
+  isOpen = queueState.status == 'o';
+  isWaiting = isOpen & queueState.state == 'p';
   why = '';
-  if any (isWaiting) && ~any (isOpen & flight.state == 'r')
-    why = flight.word(isWaiting){1};
+  if any (isWaiting) && ~any (isOpen & queueState.state == 'r')
+    why = queueState.word(isWaiting){1};
   end
-  if ~any (strcmp (why, {'', flight.waitsFor}))
-    flight.message = sprintf ('%d run(s) wait in the queue of %s: %s', ...
-                              sum (isWaiting), title, why);
-    flight.waitsFor = why;
+  if ~any (strcmp (why, {'', queueState.waitsFor}))
+    queueState.message = sprintf ('%d run(s) wait in the queue of %s: %s', ...
+                                  sum (isWaiting), title, why);
+    queueState.waitsFor = why;
   end
 end
 
-%!function [flight, jobs] = flightOf (n)
+%!function [queueState, jobs] = flightOf (n)
 %!  store = tempname ();
 %!  mkdir (store);
 %!  jobs = arrayfun (@(k) standInJob (char ('a' + k)), 0:n - 1);
 %!  Case = struct ('store', store, 'folder', store);
-%!  flight = batchAttach (jobs, Case, slurmExecutor ());
-%!  flight.status(:) = 'o';
-%!  flight.batch(:) = 1;
-%!  flight.task = 1:n;
-%!  flight.batches(1) = struct ('name', 'b', 'path', store, 'n', n, ...
+%!  queueState = batchAttach (jobs, Case, slurmExecutor ());
+%!  queueState.status(:) = 'o';
+%!  queueState.batch(:) = 1;
+%!  queueState.task = 1:n;
+%!  queueState.batches(1) = struct ('name', 'b', 'path', store, 'n', n, ...
 %!                              'left', n, 'cpu', 1, 'minutes', 5, ...
 %!                              'isSent', true);
 %!  for k = 1:n
-%!    flight.folder{k} = fullfile (store, num2str (k));
-%!    mkdir (flight.folder{k});
+%!    queueState.folder{k} = fullfile (store, num2str (k));
+%!    mkdir (queueState.folder{k});
 %!  end
 %!endfunction
-%!function flight = lookAt (flight, jobs, text, now)
+%!function queueState = lookAt (queueState, jobs, text, now)
 %!  tidy = slurmFake ('false', text);
-%!  flight = batchLook (flight, jobs, slurmExecutor (), 30, now);
+%!  queueState = pollQueue (queueState, jobs, slurmExecutor (), 30, now);
 %!endfunction
 %!test
 %! % no answer is no evidence, however long; the user is told once
