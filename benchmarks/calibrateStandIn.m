@@ -11,7 +11,7 @@
 %          S.tol (optional): 1 x T, relative tolerances (0.01); S.chance, S.part
 %          (optional, bentStandIn): a run gives S.part of S.flow with a chance;
 %          S.library: rows of newData of other calibrations on the same bench;
-%          S.beyond: see nearRows
+%          S.beyond: see nearRows; S.form: see fitSurrogates
 % options  struct of Case.options (what is missing has its default)
 % result   struct: runs (all, failed ones too), plan, infill, verify, failed,
 %          worst (largest true relative residual of the set handed back), right
@@ -46,6 +46,7 @@ function result = calibrateStandIn (S, seed, fail, options)
     E = S.levels(ones (n, 1));
   end
   problem = newProblem (Case, []);
+  problem.form = givenField (S, 'form', []);
   state = newState (newData (d, T, columns (E)));
   [state.evaluate, state.budget] = newEvaluate (evaluate);
   state.budget.levels = levels;

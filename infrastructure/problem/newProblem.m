@@ -58,6 +58,8 @@
 %               sd, trials, scatter, shared (1 x T; NaN: not measured there), and
 %               perCondition (1 x p logical, parameters that are other ones
 %               there); the diagnosis is one of the change then ([])
+%   form      what is known of the responses beforehand, see fitSurrogates; no
+%             case has it (benchmarks do)
 %   of a case also: cost, standard (logical: the residuals are the published
 %     ones), nExtra (preference rows), options (methodOptions), prior
 %     (similarPriors), coarse ([], or where CASE.coarse has levels a struct:

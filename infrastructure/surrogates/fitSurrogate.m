@@ -17,6 +17,10 @@
 %   level       n x 1, how coarse each run is: a further input, 0 where runs
 %               count (unitLevel); the noise may change along it ([])
 %   prior       (d + 2) x 1, see prepareFit; left for a gain above 1.5 ([])
+%   form        struct, what is known of the response beforehand and not
+%               estimated: trend, covariance, param (of the stk model), limits
+%               (with its bends), shift and scale (of the standardised
+%               response), noise (handle, response -> variance of a run) ([])
 %
 % SURROGATE: name, model (of stk, in the unit box and the standardised
 % response), X, z, level, limits, noiseVar (of one run, at level 0), noiseLaw
@@ -47,8 +51,10 @@ function surrogate = fitSurrogate (X, z, limits, options)
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...
                                  'noise', [], 'level', [], 'unit', NaN, ...
-                                 'prior', []), options);
-  if ~isempty (options.start)
+                                 'prior', [], 'form', []), options);
+  if ~isempty (options.form)
+    limits = options.form.limits;
+  elseif ~isempty (options.start)
     limits = options.start.limits;           % as it bends its inputs
   end
   ok = isfinite (z);
@@ -59,7 +65,9 @@ function surrogate = fitSurrogate (X, z, limits, options)
             'or more. Look at the failed runs.'], options.name, sum (ok));
   end
   base = standardise (X(ok, :), z(ok), limits, options);
-  if ~isempty (options.start)
+  if ~isempty (options.form)
+    surrogate = ofForm (base, options.form);
+  elseif ~isempty (options.start)
     surrogate = refit (base, options.start);
   elseif isConstant (base.z)
     surrogate = conditionSurrogate (constantChoice (base), base);
@@ -80,6 +88,17 @@ function base = standardise (X, z, limits, options)
   end
   base.y = (z - base.shift) / base.scale;
   base.knownNoise = options.noise / base.scale^2;
+end
+
+% Nothing is estimated, so nothing widens the prediction.
+function surrogate = ofForm (base, form)
+  base.shift = form.shift;
+  base.scale = form.scale;
+  base.y = (base.z - base.shift) / base.scale;
+  form.lognoisevariance = log (form.noise (base.z) / form.scale^2);
+  surrogate = conditionSurrogate (form, base);
+  surrogate.factor = 1;
+  surrogate.df = 1e6;
 end
 
 % A response that no run has moved is expected to stay where it is.

@@ -28,6 +28,10 @@
 %
 % The variance of a prediction holds what the parameters of the surrogates leave
 % open (parameterSpread).
+%
+% With the field form of PROBLEM (1 x T struct array, see fitSurrogate) trend,
+% ranges, bends and noise of the responses are known beforehand: no run is
+% judged then, and nothing but the runs is open.
 
 function surrogates = fitSurrogates (data, problem, old, most)
   if nargin < 3
@@ -46,6 +50,7 @@ function surrogates = fitSurrogates (data, problem, old, most)
   end
   runs = struct ('X', data.X(same, :), 'Z', data.Z(same, :), 'level', {level});
   bad = leftOut(same, :);
+  form = givenField (problem, 'form', []);
   [surrogates, follows] = fitGood (runs, bad, problem, old);
   kind = kindOfTarget (problem);
   kind.judges = kind.judges & ~follows;
@@ -63,7 +68,9 @@ function surrogates = fitSurrogates (data, problem, old, most)
     surrogates(t).leftOut = leftOut(:, t);
     surrogates(t).suspect = suspect(:, t);
     surrogates(t).aside = data.Z(any (leftOut, 2), t);
-    surrogates(t).solver.open = parameterSpread (surrogates(t));
+    if isempty (form)
+      surrogates(t).solver.open = parameterSpread (surrogates(t));
+    end
   end
 end
 
@@ -107,6 +114,10 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
   Z = runs.Z;
   Z(bad) = NaN;
   law = estimateNoise (X, Z);
+  form = givenField (problem, 'form', []);
+  if ~isempty (form)
+    law = {form.noise};
+  end
   isPublished = strcmp (problem.options.method, 'published');
   % published: every run counts
   follows = repmat (isPublished, 1, numel (problem.value));
@@ -116,6 +127,7 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
     if ~isempty (problem.prior)
       options.prior = problem.prior{t};
     end
+    options.form = ofTarget (form, t);
     if isPublished
       options.trend = 'affine';
       options.covariance = 'matern52';
@@ -137,6 +149,12 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
       s.noiseVar = law{t}(usual(1 + isnan (usual(1))));
     end
     surrogates(t) = s;
+  end
+end
+
+function form = ofTarget (form, t)
+  if ~isempty (form)
+    form = form(t);
   end
 end
 
@@ -178,6 +196,18 @@ end
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
 %! s = fitSurrogates (data, problemOf ([1, 2]), s);
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
+
+%!test
+%! % a form that is known: its trend and noise count, not what three runs show
+%! problem = problemOf (2);
+%! problem.form = struct ('trend', 'affine', 'covariance', 'gauss', 'param', ...
+%!                        [log(1e-8); 0], 'limits', [0; 1], 'shift', 1, ...
+%!                        'scale', 2, 'noise', @(z) 0.01 + 0 * z);
+%! u = [0; 0.5; 1];
+%! s = fitSurrogates (planned (u, 1 + u), problem);
+%! [m, v] = predictSurrogate (s, 0.5);
+%! assert ([m, v], [1.5, 0.01 / 3], 1e-6);
+%! assert ([s.noiseVar, s.df], [0.01, 1e6], 1e-12);
 
 %!test
 %! % rows of another model keep their place in what is left out
