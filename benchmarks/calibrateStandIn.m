@@ -35,7 +35,7 @@ function result = calibrateStandIn (S, seed, fail, options)
   Case.options = options;
   evaluate = @(P, E, replicate) noisy (S, P, fail, E);
   levels = [];
-  n = planSize (d);
+  n = d + 3;
   X = double (stk_sampling_maximinlhs (n, d, [zeros(1, d); ones(1, d)], 500));
   X = toAllowed (fromUnit (X, S.limits), Case);
   E = zeros (n, 0);
@@ -74,7 +74,7 @@ end
 % As calibrateCase does it.
 function [state, plan, E] = besideLibrary (state, S, Case, problem)
   d = numel (S.names);
-  Case.options = mergeFields (struct ('numOfSam', planSize (d), ...
+  Case.options = mergeFields (struct ('numOfSam', d + 3, ...
                                       'seed', 1), Case.options);
   Case.models = struct ('folder', 'none');
   Case.folder = '';

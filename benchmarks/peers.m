@@ -6,7 +6,7 @@
 %
 % One CSV row a seed: seed, runs, failed, infill, verify, first_obs,
 % first_true, worst, converged, probability, seconds. Input.numOfSam is
-% planSize (d) = d + 3, one run at a time; all else is as the toolbox has it by
+% d + 3, one run at a time; all else is as the toolbox has it by
 % default. The last line says how far the stated probability holds.
 % benchmarks/peers.py runs this beside the peers.
 %

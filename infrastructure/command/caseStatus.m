@@ -26,6 +26,7 @@
 %              is one; set  1 x d, the set of results/calibration.json; []
 
 function s = caseStatus (Case, cost)
+  Case.hashes = hashModels (Case);
   runs = runsOfCase (Case);
   current = runs([runs.isCurrent]);
   f = foresee (Case, current);

@@ -9,7 +9,7 @@
 % Flow down a chute of five slopes that stops below an angle, slots that an arch
 % of cohesive strength closes. Scatter follows the result, with heavy tails.
 %
-% See also: foreignLab, chuteFlow, slotRate
+% See also: foreignLab, slotRate
 
 function spec = labChute (vary, change)
   c = struct ('base', vary (0.18), 'slide', vary (0.25), 'soon', vary (0.4), ...
@@ -77,6 +77,18 @@ function Z = results (c, P, E)
   pressed = density .* (1 + (0.02 - 0.004 * soft) .* ...
                         log1p (c.load / 400));
   Z = [flow, stop, slots, tau, pressed];
+end
+
+% Flow down a rough chute, which stops below a certain angle: TANGENT of its slope
+% (1 x m or n x m), DEPTH of the layer in grains (n x 1), LAW as below; Q n x m.
+% After Pouliquen 1999: low is the tangent at which a deep layer stops, high that of
+% a thin one, fade a depth in grains. The denominator, of the friction law mu (I) of
+% Jop et al. 2006, is kept above a tenth of high - low.
+function Q = chuteFlow (tangent, depth, law)
+  span = law.high - law.low;
+  stop = law.low + span .* exp (-depth ./ law.fade);
+  Q = law.flow .* depth.^2.5 .* max (0, tangent - stop) ./ ...
+      max (0.1 * span, law.high - tangent);
 end
 
 %!shared lab, at

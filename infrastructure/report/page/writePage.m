@@ -23,6 +23,7 @@ function file = writePage (Case)
     file = costPage (Case, bestKnown (Case));
     return
   end
+  Case.hashes = hashModels (Case);      % asked for several times
   page = pageData (Case);
   page.tables = statementTables (page);
   folder = fullfile (Case.folder, 'results');
