@@ -76,7 +76,7 @@ end
 %! raw = standInCase (tempname ());
 %! raw.optim.targetName = {{'sum', 'product'}, {'difference'}};
 %! text = verdictConsole (s, newCase (raw));
-%! assert (! isempty (strfind (text, 'all runs together 7.1 N, measured 7 N')));
+%! assert (! isempty (strfind (text, 'expected from all runs 7.1 N, measured 7 N')));
 %! assert (! isempty (regexp (text, 'open: .*says? missed, all runs together')));
 %! assert (! isempty (regexp (text, ' 7.21 +7.1 .* open')), text);
 %! assert (regexp (text, 'DEM runs:') < regexp (text, '\nCALIBRATED:'));

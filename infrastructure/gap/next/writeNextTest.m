@@ -70,7 +70,7 @@ end
 %! file = writeNextTest (test, Case, options);
 %! [header, cells] = readCsvTable (file);
 %! assert (size (cells), [3, 8]);
-%! words = '# measure A with x of 2, 3 trials: tells a from b ';
+%! words = '# measure A with x of 2, 3 trials: to decide between a and b ';
 %! assert (strncmp (fileread (file), words, numel (words)));
 %! assert (isfolder (fullfile (place, 'DEMmodels', 'A_x_2')));
 %! assert (isfile (fullfile (place, 'C.csv')));
