@@ -21,13 +21,14 @@
 %! assert (c.limits.E, [1e5; 1e9]);
 
 %!test <*47>
-%! % truth and set lie in the intervals, which are narrow
-%! for name = {'E', 'mu'}
-%!   known = c.interval90.(name{1});
-%!   for value = {c.params.(name{1}), struct('E', 1e6, 'mu', 0.4).(name{1})}
-%!     assert (known(1) < value{1} && value{1} < known(2));
-%!   end
-%! end
+%! % the set lies in the intervals, which are narrow, the truth in them or near: a 90 %
+%! % interval misses it in one case of ten, twice that width in one of a thousand, and
+%! % another Octave draws another sample
+%! logs = @(c) log10 ([c.E(:), c.mu(:)]);
+%! [known, set] = deal (logs (c.interval90), logs (c.params));
+%! assert (all (known(1, :) <= set & set <= known(2, :)));
+%! middle = mean (known, 1);
+%! assert (all (abs (log10 ([1e6, 0.4]) - middle) < diff (known)));
 %! assert (c.interval90.E(2) < 2.5 * c.interval90.E(1));
 
 %!test <*47>
