@@ -50,23 +50,28 @@ function writeResults (folder, Case, bench)
   end
   lines = {'name,kind,unit,series,at,text'};
   for r = info
-    at = '';
-    if isfinite (r.at)
-      if r.at == bench.old
-        r.at = bench.value;
-      end
-      at = sprintf ('%.10g', r.at);
+    if isequal (r.at, bench.old)
+      r.at = bench.value;
     end
     if ~isempty (bench.value)
       r.text = strrep (r.text, quantity (bench.old, bench.unit), ...
                        quantity (bench.value, bench.unit));
     end
-    lines{end + 1} = strjoin ({r.name, r.kind, r.unit, r.series, at, ...
-                               r.text}, ',');
+    lines{end + 1} = csvLine ({r.name, r.kind, r.unit, r.series, r.at, r.text});
   end
   writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
 end
 
+%!test
+%! % words with a comma stay one column
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! Case.folder = tempname ();
+%! bench = struct ('name', 'Doser_grains', 'source', ...
+%!                 fullfile (root, 'DEMmodels', 'Doser'), 'origin', 0, ...
+%!                 'variable', '', 'unit', '', 'value', [], 'old', [], ...
+%!                 'change', struct ('radiusP', 0.003));
+%! info = resultInfo (benchFolder (Case, bench));
+%! assert (info, resultInfo (bench.source));
 %!test
 %! root = fileparts (fileparts (which ('startToolbox')));
 %! Case.folder = tempname ();
