@@ -78,10 +78,7 @@ function file = fileOf (w, bases, isCommand)
     bases = {''};
   end
   for base = bases
-    path = [base{1}, '/', w];
-    if ~isempty (regexp (path, '\./|//|\.$', 'once'))
-      path = plainPath (path);       % the run folder may not be there yet
-    end
+    path = plainPath ([base{1}, '/', w]);
     if exist (path, 'file') && ~strcmp (path, '/')
       file = path;
       break

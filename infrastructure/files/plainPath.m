@@ -5,6 +5,9 @@
 %   PATH  text that begins with a slash
 
 function path = plainPath (path)
+  if isempty (regexp (path, '/\.{0,2}(/|$)', 'once'))
+    return                             % most are plain already
+  end
   parts = strsplit (path, '/');
   kept = cell (1, 0);
   for part = parts
@@ -19,3 +22,5 @@ end
 
 %!assert (plainPath ('/a/./b/../c//d'), '/a/c/d')
 %!assert (plainPath ('/..'), '/')
+%!assert (plainPath ('/a/.b/c..d'), '/a/.b/c..d')
+%!assert (plainPath ('/a/'), '/a')
