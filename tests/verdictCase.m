@@ -216,7 +216,7 @@ function gap = gapOf (verdict, effects, guard)
   for name = {'cohesion', 'drag'}
     own = struct ('value', 0.5, 'interval90', [0.3, 0.7], ...
                   'smallestSeen', 0.2, 'seen', true, 'label', name{1}, ...
-                  'unit', 'J/m3');
+                  'unit', 'J/m3', 'saysName', true);
     own.text = [name{1}, ' 41 kJ/m3 (31 to 58)'];
     strength.(name{1}) = own;
   end

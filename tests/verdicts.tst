@@ -7,6 +7,7 @@
 %!  text = regexp (fileread (file), ['^', regexptranslate('escape', code), ...
 %!                                   ': ([^{\n]*)'], 'tokens', 'once', ...
 %!                 'lineanchors'){1};
+%!  text = strrep (text, '`', '');                     % marks of the page
 %!endfunction
 %!function check (said, name)
 %!  % each row: what must not stand in one text together

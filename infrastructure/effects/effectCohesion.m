@@ -9,6 +9,7 @@ function effect = effectCohesion ()
   given.limits = [0; 6e4];
   given.unit = 'J/m3';
   given.label = 'cohesion energy density between grains';
+  given.saysName = true;
   given.group = 'adhesion';
   given.source = 'simplified JKR: attraction = energy density x contact area';
   effect = describeEffect (given);

@@ -9,6 +9,7 @@ function effect = effectFill ()
   given.limits = [0.85; 1.15];
   given.unit = 'factor';
   given.label = 'filled mass';
+  given.saysName = true;
   given.source = 'weighing and levelling errors of hand filling';
   effect = describeEffect (given);
 end

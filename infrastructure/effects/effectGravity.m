@@ -10,6 +10,7 @@ function effect = effectGravity ()
   given.limits = [0.8; 1.2];
   given.unit = 'factor';
   given.label = 'gravity';
+  given.saysName = true;
   given.source = ['the speed of a centrifuge is known to a few per cent; ' ...
                   'give limits of your own for another planet'];
   given.usually = 'unlikely';

@@ -9,6 +9,7 @@ function effect = effectOpening ()
   given.limits = [0.92; 1.08];
   given.unit = 'factor';
   given.label = 'opening';
+  given.saysName = true;
   given.source = 'Beverloo 1961';
   effect = describeEffect (given);
 end

@@ -9,6 +9,7 @@ function effect = effectTilt ()
   given.limits = [-2; 2];
   given.unit = 'deg';
   given.label = 'tilt of the rig';
+  given.saysName = true;
   given.group = 'alignment';
   given.source = 'geometry; the levelling of a rig is good to a degree or two';
   effect = describeEffect (given);

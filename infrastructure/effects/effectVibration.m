@@ -9,6 +9,7 @@ function effect = effectVibration ()
   given.limits = [0; 0.8];
   given.unit = '-';
   given.label = 'vibration (peak acceleration over gravity, 60 Hz)';
+  given.saysName = true;
   given.source = 'Janda et al. 2009: vibration below 1 g unclogs and compacts';
   effect = describeEffect (given);
 end

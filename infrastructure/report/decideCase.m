@@ -12,6 +12,7 @@
 %               cells of texts): what action says, for programs
 %     usable    logical: the calibrated set may be used;  usableFor, notFor
 %               1 x n cells of texts;  action  what to do now, one sentence
+%     marked    the same with `commands, files and fields` in such marks
 %     numbers   1 x n struct label, text (with units)
 %     met, of   targets that are met, all that are calibrated (a curve is one)
 %     misses    see listMisses;  worst  name of the model of the largest, ''
@@ -24,7 +25,7 @@
 function v = decideCase (c, gap, isBegun)
   v = struct ('word', '', 'class', 'open', 'sentence', '', 'gap', '', ...
               'usable', false, 'usableFor', {{}}, 'notFor', {{}}, ...
-              'action', '', 'todo', [], 'numbers', [], 'met', 0, 'of', 0, ...
+              'action', '', 'marked', '', 'todo', [], 'numbers', [], 'met', 0, 'of', 0, ...
               'misses', listMisses (c, gap), 'worst', '', 'cause', []);
   isBegun = nargin > 2 && isBegun;
   codes = {'case.nothing', 'start'; 'case.begun', 'goOn'};
@@ -62,10 +63,6 @@ function k = headline (misses, name)
   k = [find(isMissed & isHere, 1), find(isMissed, 1), find(isFit & isHere, 1), ...
        find(isFit, 1), 1];
   k = k(1);
-end
-
-function v = withAction (v, todo)
-  [v.todo, v.action] = deal (rmfield (todo, 'text'), todo.text);
 end
 
 % Label and text of each.

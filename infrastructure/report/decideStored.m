@@ -27,8 +27,7 @@ function v = decideStored (s, isBegun)
     [v.class, v.usable] = deal ('open', false);
     v.usableFor = {};
     codes = {'again', 'againGap'};
-    todo = newAction (codes{1 + isempty(s.calibration)});
-    [v.todo, v.action] = deal (rmfield (todo, 'text'), todo.text);
+    v = withAction (v, newAction (codes{1 + isempty(s.calibration)}));
   end
 end
 

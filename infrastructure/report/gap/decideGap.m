@@ -193,11 +193,12 @@ function code = codeOfFound (which, effects)
   end
 end
 
-% In its unit; a label that begins with the name says it.
+% In its unit; a label that says the name (describeEffect) stands alone.
 function text = amountOf (which, name)
   strength = char (jsonAt (which, {'strength', fieldOf(name), 'text'}));
   parts = {plainName(name), strength};
-  parts = parts(1 + strncmpi (strength, name, numel (name)):end);
+  saysName = jsonAt (which, {'strength', fieldOf(name), 'saysName'});
+  parts = parts(1 + (isequal (saysName, true) && ~isempty (strength)):end);
   text = strjoin (parts(~cellfun (@isempty, parts)), ', ');
   p = probabilityOf (which, name);
   if ~isempty (p)

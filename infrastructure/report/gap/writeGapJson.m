@@ -41,9 +41,9 @@
 %     strength {effect: {value, interval90 (none if unseen), smallestSeen,
 %              variables {name: [median, lo, hi]}, seen, says (amount: of a named
 %              effect; least: so much or more; bound: not more than the upper end;
-%              nothing: no runs where it would fit), label, unit, text, amount (in
-%              its unit), seenFrom (the smallest that would be seen in 8 of 10
-%              cases)}}
+%              nothing: no runs where it would fit), label, unit, saysName (see
+%              describeEffect), text, amount (in its unit), seenFrom (the smallest
+%              that would be seen in 8 of 10 cases)}}
 %   howFar
 %     effect, before, after (deviations, in shares of each target's range)
 %     floor (of noise alone), closure, interval90
@@ -105,7 +105,10 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   out.cause = struct ('code', v.cause.code, 'kind', v.cause.kind);
   out.closure = struct ('code', v.cause.closure);
   out.action = v.todo;
-  out.verdict = v;
+  out.verdict = rmfield (v, 'marked');
+  for name = {'todo', 'without'}
+    out.verdict.cause.(name{1}) = withoutMarks (v.cause.(name{1}));
+  end
   conditions = jsonAt (diagnosis, {'others', 'conditions'});
   if ~isempty (conditions)
     [conditions(1).code, conditions(1).kind] = deal (v.cause.code, v.cause.kind);
@@ -166,6 +169,13 @@ function s = whichOf (diagnosis)
   s.strength = cell2struct (strengths, fieldsOf ({w.strength.name}), 2);
 end
 
+% What to do, as a program reads it: the marks are for the page.
+function todo = withoutMarks (todo)
+  if ~isempty (todo)
+    todo.text = strrep (todo.text, '`', '');
+  end
+end
+
 % What cannot be seen, or has no runs where it would fit, has no interval: its
 % runs say nothing of its strength.
 function s = strengthOf (strength, smallest, problem)
@@ -173,12 +183,14 @@ function s = strengthOf (strength, smallest, problem)
   strength.interval90(~isSeen) = NaN;
   strength.values(2:3, ~isSeen(ones (1, columns (strength.values)))) = NaN;
   s = mergeFields (struct ('smallestSeen', smallest, 'seen', isSeen, 'label', ...
-                           strength.name, 'unit', '', 'text', '', 'amount', '', ...
-                           'seenFrom', ''), strength, {'value', 'interval90', 'says'});
+                           strength.name, 'unit', '', 'saysName', true, 'text', '', ...
+                           'amount', '', 'seenFrom', ''), strength, ...
+                   {'value', 'interval90', 'says'});
   s.variables = cell2struct (num2cell (strength.values', 2), strength.variables(:), 1);
   e = problem.effects(strcmp ({problem.effects.name}, strength.name));
   if isfield (e, 'label')
     s = mergeFields (s, e, {'label', 'unit'});
+    s.saysName = givenField (e, 'saysName', false);
   end
   if columns (strength.values) == 1
     [s.text, s.amount] = effectText (s.label, s.unit, strength.values(:, 1));

@@ -6,7 +6,8 @@
 %   FIELD  cellstr ({}): what is to be changed, run or modelled
 %   WIDEN  cellstr ({}): parameters at their limits, which may be widened
 %   FILE   text (''), where the lines for a model are
-%   TODO   struct: code, field, widen, file, text (the sentence)
+%   TODO   struct: code, field, widen, file, text (the sentence, `commands, files and
+%          fields` in such marks)
 
 function todo = newAction (code, field, widen, file)
   todo = struct ('code', code, 'field', {{}}, 'widen', {{}}, 'file', '', 'text', '');
@@ -27,4 +28,5 @@ end
 %! todo = newAction ('raise', {'optim.maxFunEvals'}, {'mu'});
 %! assert ({todo.code, todo.field, todo.widen}, ...
 %!         {'raise', {'optim.maxFunEvals'}, {'mu'}});
-%! assert (! isempty (regexp (todo.text, 'optim.maxFunEvals .* of mu,')));
+%! assert (! isempty (regexp (strrep (todo.text, '`', ''), ...
+%!                           'optim.maxFunEvals .* of mu,')));
