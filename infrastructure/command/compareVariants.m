@@ -30,14 +30,14 @@ function list = compareVariants (Z, S, allowed)
   logs = cellfun (@log, S, 'UniformOutput', false);
   sdLog = sqrt (sum (cellfun (spread, logs(n > 0))) / max (df, 1));
   half = allowed / 2;
-  used = isfinite (half) & half > 0;
+  judged = find (isfinite (half) & half > 0);
   list = repmat (struct ('cost', NaN, 'ratio', NaN (1, 3), 'shift', NaN (size (half)), ...
-                         'worst', find (used, 1), 'code', 'failed', 'runs', NaN), ...
+                         'worst', judged(1:min (end, 1)), 'code', 'failed', 'runs', NaN), ...
                  1, numel (Z));
-  if n(1) < 2 || ~any (used)
+  if n(1) < 2 || isempty (judged)
     return
   end
-  t = studentQuantile (1 - 0.05 / sum (used), df);
+  t = studentQuantile (1 - 0.05 / numel (judged), df);
   for k = find (n > 1 & n >= n(1) / 2)
     own = list(k);
     root = sqrt (1 / n(1) + 1 / n(k));
@@ -45,21 +45,23 @@ function list = compareVariants (Z, S, allowed)
     step = studentQuantile (0.95, df) * sdLog * root * (k > 1);
     own.ratio = exp (mean (logs{k}) - mean (logs{1}) + step * [0, -1, 1]);
     own.shift = mean (Z{k}, 1) - mean (Z{1}, 1);
-    [size_, doubt] = deal (abs (own.shift), t * sd * root);
-    [~, own.worst] = max ((size_ + doubt) ./ half .* (used ./ used));
+    % as shares of half the tolerance
+    share = abs (own.shift(judged)) ./ half(judged);
+    doubt = t * sd(judged) * root ./ half(judged);
+    [~, worst] = max (share + doubt);
     own.code = 'open';
     if k == 1
       own.code = 'base';
-    elseif all (size_(used) + doubt(used) <= half(used))
+    elseif all (share + doubt <= 1)
       own.code = 'same';
-    elseif any (size_(used) - doubt(used) > half(used))
+    elseif any (share - doubt > 1)
       own.code = 'differs';
-      [~, own.worst] = max ((size_ - doubt) ./ half .* (used ./ used));
+      [~, worst] = max (share - doubt);
     else
       % the doubt would have to be what lies between shift and bound
-      room = abs (half(used) - size_(used));
-      own.runs = ceil (max (2 * (t * sd(used) ./ room).^2));
+      own.runs = ceil (max (2 * (doubt / root ./ abs (1 - share)).^2));
     end
+    own.worst = judged(worst);
     list(k) = own;
   end
 end

@@ -27,18 +27,11 @@ end
 % Tasks that one array may have: max_aj_tasks of the global configuration. A
 % master that does not answer is waited for later.
 function [n, fault] = askCluster ()
+  [number, fault] = askQueue ({'qsub', 'qstat'}, 'qconf -sconf', 'SGE_ROOT', ...
+                              'max_aj_tasks\s+(\d+)');
   n = 1000;
-  fault = '';
-  [status, text] = system (['command -v qsub && command -v qstat && ' ...
-                            'timeout 60 qconf -sconf 2>&1']);
-  if isempty (regexp (text, '/qstat\s', 'once'))
-    fault = 'no qsub and qstat on the PATH';
-  elseif ~isempty (strfind (text, 'SGE_ROOT'))
-    fault = strtrim (regexprep (text, '^.*?/qstat\n', '', 'once'));
-  end
-  found = regexp (text, 'max_aj_tasks\s+(\d+)', 'tokens', 'once');
-  if status == 0 && ~isempty (found) && ~strcmp (found{1}, '0')
-    n = str2double (found{1});
+  if number > 0                          % 0: no limit
+    n = number;
   end
 end
 

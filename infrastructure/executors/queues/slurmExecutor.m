@@ -29,18 +29,11 @@ end
 % Tasks that one array may have: the highest index is one less than Slurm's
 % MaxArraySize. A controller that does not answer is waited for later.
 function [n, fault] = askCluster ()
+  [number, fault] = askQueue ({'sbatch', 'squeue'}, 'scontrol show config', ...
+                              'configuration source', 'MaxArraySize\s*=\s*(\d+)');
   n = 1000;
-  fault = '';
-  [status, text] = system (['command -v sbatch && command -v squeue && ' ...
-                            'timeout 60 scontrol show config 2>&1']);
-  if isempty (regexp (text, '/squeue\s', 'once'))
-    fault = 'no sbatch and squeue on the PATH';
-  elseif ~isempty (strfind (text, 'configuration source'))
-    fault = strtrim (regexprep (text, '^.*?/squeue\n', '', 'once'));
-  end
-  found = regexp (text, 'MaxArraySize\s*=\s*(\d+)', 'tokens', 'once');
-  if status == 0 && ~isempty (found)
-    n = max (1, str2double (found{1}) - 1);
+  if ~isnan (number)
+    n = max (1, number - 1);
   end
 end
 
