@@ -174,8 +174,10 @@ function p = checkRunscript (model, how)
   if isempty (p) && ~isempty (first)
     p = checkFault (table{first, 2}, field, table{first, 3:5});
   elseif isempty (p)
-    p = [checkPrograms(field, lines, how.onCluster), ...
-         checkCommand(field, lines, model)];
+    p = checkRanks (field, lines, model.cpu);
+    if ~how.onCluster
+      p = [checkPrograms(field, lines), p];
+    end
   end
 end
 
@@ -186,74 +188,43 @@ function lines = commandLines (text)
   lines = lines(~cellfun (@isempty, lines));
 end
 
-function p = checkPrograms (field, lines, onCluster)
+% What a longer script starts the first run tells. One that sets its PATH is left to it.
+function p = checkPrograms (field, lines)
   p = checkFault ();
   text = strjoin (lines, "\n");
   setsPath = ['PATH=|module |source |\. /|command -v|which |type |hash |', ...
               'conda|spack'];
-  if onCluster || ~isempty (regexp (text, setsPath, 'once'))
-    return
-  end
-  for name = unique (programs (lines))
-    if isempty (file_in_path (getenv ('PATH'), name{1}))
-      cure = 'Install it, or write its full path.';
-      if strcmp (name{1}, 'liggghts')
-        cure = ['Build it with: make liggghts; or write the full path of ' ...
-                'yours.'];
-      end
-      p(end + 1) = checkFault ('missingProgram', field, ...
-                               ['a program ', name{1}, ' on the PATH'], ...
-                               'none', cure);
-    end
-  end
-end
-
-function names = programs (lines)
-  words = strsplit (strjoin (lines, ' '), {' ', "\t", ';', '&', '|', '(', ...
-                                           ')', '<', '>'});
-  words = cellfun (@withDefault, words, 'UniformOutput', false);
+  words = strsplit (text, {' ', "\t", "\n", ';', '&', '|', '(', ')', '<', '>'});
   names = words(ismember (words, {'liggghts', 'mpirun', 'mpiexec'}));
-  if isscalar (lines) && ~any (ismember (lines{1}, ';&|()<>$`"''={}!'))
-    names{end + 1} = strtok (lines{1});
-  elseif isscalar (lines)
-    plain = regexp (lines{1}, '^([\w.+-]+)\s*<\s*[\w./+-]+$', 'tokens', ...
-                    'once');
-    names = [names, plain];
+  if isscalar (lines) && isempty (regexp (text, '[^\w\s.+/<-]', 'once'))
+    names = setdiff ([names, {strtok(text, " \t<")}], ...
+                     {'exec', 'true', 'echo', 'time', 'cd', '.'});
   end
-  builtin = {'exec', 'true', 'false', 'exit', 'echo', 'printf', 'cd', ...
-             'export', 'time', 'set', 'test', 'eval', ':', '.', '['};
-  names = names(cellfun (@(n) ~any (n == '/'), names) & ...
-                ~ismember (names, builtin));
-end
-
-% ${LIGGGHTS:-liggghts} stands for liggghts where LIGGGHTS is not set.
-function word = withDefault (word)
-  parts = regexp (word, '^\$\{(\w+):?-(\w+)\}$', 'tokens', 'once');
-  if numel (parts) == 2 && isempty (getenv (parts{1}))
-    word = parts{2};
+  isLost = cellfun (@(n) isempty (file_in_path (getenv ('PATH'), n)) && ~any (n == '/'), ...
+                    names);
+  for name = unique (names(isLost & isempty (regexp (text, setsPath, 'once'))))
+    cure = 'Install it, or write its full path.';
+    if strcmp (name{1}, 'liggghts')
+      cure = 'Build it with: make liggghts; or write the full path of yours.';
+    end
+    p(end + 1) = checkFault ('missingProgram', field, ...
+                             ['a program ', name{1}, ' on the PATH'], 'none', cure);
   end
 end
 
-function p = checkCommand (field, lines, model)
+% More ranks than CPUs are counted for share these with other runs, unseen.
+function p = checkRanks (field, lines, cpu)
   p = checkFault ();
-  name = regexp (lines{1}, 'liggghts.*(?:<|\s-i|\s-in)\s*([\w.+-]+)\s*$', ...
-                 'tokens', 'once');
-  if isscalar (lines) && ~isempty (name) && ...
-     ~isfile (fullfile (model.folder, name{1}))
-    p = checkFault ('missingInputFile', field, ...
-                    'an input file that is in the model folder', name{1}, ...
-                    'Correct the name; upper and lower case differ.');
-  end
   n = regexp (lines, ...
               '\<(?:mpirun|mpiexec)\>.*\s(?:-n|-np|--np|-c)\s+(\d+)\s', ...
               'tokens', 'once');
   n = [n{:}];
-  n = n(find (str2double (n) > model.cpu, 1));
+  n = n(find (str2double (n) > cpu, 1));
   if ~isempty (n)
-    p(end + 1) = checkFault ('rankMismatch', field, ...
-                             sprintf ('at most Input.cpu = %d rank(s)', ...
-                                      model.cpu), ['mpirun with ', n{1}], ...
-                             ['Set Input.cpu of this model to ', n{1}, '.']);
+    p = checkFault ('rankMismatch', field, ...
+                    sprintf ('at most Input.cpu = %d rank(s)', cpu), ...
+                    ['mpirun with ', n{1}], ...
+                    ['Set Input.cpu of this model to ', n{1}, '.']);
   end
 end
 
@@ -274,8 +245,9 @@ end
 %!          [char([239, 187, 191]), "awk 1 x"], false, 'badEncoding'; ...
 %!          'noSuchDEM in.x', false, 'missingProgram'; ...
 %!          'noSuchDEM < in.x', false, 'missingProgram'; ...
-%!          'mpirun -np 4 liggghts -in x', true, 'rankMismatch'; ...
-%!          'liggghts < in.x', true, 'missingInputFile'};
+%!          'noSuchDEM $x', false, ''; ...
+%!          'exec bin/noSuchDEM in.x', false, ''; ...
+%!          'mpirun -np 4 liggghts -in x', true, 'rankMismatch'};
 %! for row = table'
 %!   writeAtomic (fullfile (model.folder, 'runscript'), row{1});
 %!   p = checkModels (model, '', '', ...
