@@ -63,7 +63,8 @@ end
 function [J, book] = differencesOnDEM (p, f, kept, book, problem)
   surrogates = book.state.surrogates;
   u = toUnit (p, problem.limits);
-  step = stepsOf (surrogates, problem, p);
+  m = predictSurrogate (surrogates, p);
+  step = stepsOf (m, surrogates, problem, p);
   step(u + step > 1) = -step(u + step > 1);
   P = fromUnit (u + full (diag (step)), problem.limits);
   [Z, book] = onceOnDEM (P, book, problem);
@@ -73,7 +74,7 @@ function [J, book] = differencesOnDEM (p, f, kept, book, problem)
     z = Z(j, :)';
     if any (isnan (z))
       z = predictSurrogate (surrogates, P(j, :));
-      base = rowsAt (problem, p, predictSurrogate (surrogates, p), kept);
+      base = rowsAt (problem, p, m, kept);
     end
     J(:, j) = (rowsAt (problem, P(j, :), z, kept) - base) / step(j);
   end
@@ -83,9 +84,9 @@ function r = rowsAt (problem, p, z, kept)
   r = problem.cost (p(:), @(varargin) z(:))(kept)(:);
 end
 
-function step = stepsOf (surrogates, problem, p)
+function step = stepsOf (m, surrogates, problem, p)
   use = problem.calibrate;
-  [~, slope] = targetResidual (problem, p, predictSurrogate (surrogates, p));
+  [~, slope] = targetResidual (problem, p, m);
   noise = sqrt ([surrogates(use).noiseVar]) .* abs (slope(use)) ./ ...
           problem.part(use);
   steep = max (abs (surrogateJacobian (surrogates, problem, p)), 1e-6);

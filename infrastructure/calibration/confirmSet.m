@@ -32,7 +32,8 @@
 
 function final = confirmSet (state, problem)
   p = state.found.params;
-  [Z, nEqual] = runsAt (state, p, problem);
+  isHere = sameSet (state.data.X, p, problem.limits);
+  [Z, nEqual] = runsAt (isHere, state, problem);
   n = rows (Z);
   noiseSd = sqrt ([state.surrogates.noiseVar]);
   [m, v] = predictSurrogate (state.surrogates, p);
@@ -60,18 +61,17 @@ function final = confirmSet (state, problem)
   elseif left > 0
     final.limit = 'maxIter';
   end
-  final.ending = endingOf (final, state, problem);
+  final.ending = endingOf (final, any (isHere), problem.options);
   final.reason = final.ending.text;
 end
 
-function [Z, nEqual] = runsAt (state, p, problem)
+function [Z, nEqual] = runsAt (isHere, state, problem)
   data = state.data;
   [~, isRepeat] = countEqualOnce (data, problem.bench);
-  nEqual = sum (isRepeat & sameSet (data.X, p, problem.limits));
+  nEqual = sum (isRepeat & isHere);
   data.Z(horzcat (state.surrogates.leftOut)) = NaN;
-  data.Z(isRepeat, :) = NaN;
-  data = runsThatCount (data, problem);
-  Z = data.Z(sameSet (data.X, p, problem.limits), :);
+  data.Z(isRepeat | ~isHere, :) = NaN;
+  Z = runsThatCount (data, problem).Z;
   Z = Z(all (isfinite (Z), 2), :);
 end
 
@@ -83,13 +83,13 @@ function outcomes = otherRuns (state, problem, n)
   if isempty (problem.odd)
     return
   end
-  here = sameSet (problem.odd.X, p, problem.limits);
-  outcomes.other = sum (here);
-  outcomes.usual = sum (sameSet (problem.odd.all, p, problem.limits)) - ...
-                   outcomes.other;
-  if any (here)
+  odd = problem.odd;
+  isHere = sameSet (odd.all, p, problem.limits);
+  outcomes.other = sum (isHere & odd.isOdd);
+  outcomes.usual = sum (isHere & ~odd.isOdd);
+  if outcomes.other > 0
     outcomes.result = predictSurrogate (state.surrogates, p) + ...
-                      mean (problem.odd.jump(here, :), 1);
+                      mean (odd.jump(isHere(odd.isOdd), :), 1);
   end
 end
 
@@ -146,15 +146,13 @@ function code = outsideCode (final, hasRun)
   end
 end
 
-function ending = endingOf (final, state, problem)
-  options = problem.options;
-  hasRun = sameSet (state.data.X, final.params, problem.limits);
+function ending = endingOf (final, hasRun, options)
   isMixed = final.outcomes.alone >= options.confidence && ...
             final.probability < options.confidence;
   if final.converged
     code = 'converged';
   elseif ~final.within
-    code = outsideCode (final, any (hasRun));
+    code = outsideCode (final, hasRun);
   elseif isMixed
     code = 'twoOutcomes';
   elseif final.n < options.replicates && final.equal > 0

@@ -36,8 +36,7 @@ function yes = isReached (surrogates, problem, group)
   if isempty (aside)
     return
   end
-  r = targetResidual (problem, surrogates(1).X, ...
-                      predictSurrogate (surrogates, surrogates(1).X));
+  r = residualSpread (surrogates, problem, surrogates(1).X);
   side = sign (r(closest (r(:, group) ./ problem.tol(group)), group));
   z = targetResidual (problem, repmat (mean (problem.limits(1:2, :), 1), ...
                                        rows (aside), 1), aside);

@@ -3,6 +3,8 @@
 % CALL: KNOWN = knownParameters (STATE, PROBLEM)
 %
 %   KNOWN  struct of parameterPosterior and
+%          identified  1 x d logical: the interval is narrower than
+%                  options.loose of the box
 %          fits    share of the sample that fits (below)
 %          code    '' where interval90 may be used; 'no fit': fewer than
 %                  options.fit of the sample fit, interval90 is NaN and nothing
@@ -33,7 +35,6 @@ function known = knownParameters (state, problem)
   [code, note] = curveNote (state.data, problem);
   if known.fits < problem.options.fit
     known.interval90(:) = NaN;
-    known.identified(:) = true;
     [known.code, known.note] = deal ('no fit', noFit (known.fits));
   elseif ~isempty (note)
     [known.code, known.note] = deal (code, note);
@@ -43,14 +44,14 @@ function known = knownParameters (state, problem)
   if any (isOutside) && ~strcmp (known.code, 'no fit')
     known = withSet (known, p, state, problem, allowed);
   end
+  width = diff (toUnit (known.interval90, problem.limits));
+  known.identified = ~(width >= problem.options.loose);
 end
 
 function known = withSet (known, p, state, problem, allowed)
   if doesFit (p, state, problem, allowed)
     known.interval90 = [min(known.interval90(1, :), p); ...
                         max(known.interval90(2, :), p)];
-    known.identified = diff (toUnit (known.interval90, problem.limits)) < ...
-                       problem.options.loose;
   elseif isempty (known.code)
     known.code = 'compromise';
     known.note = ['those of the likeliest parameter values, each result weighted by ' ...
@@ -141,6 +142,7 @@ end
 %! known = knownParameters (state, problem);
 %! assert (known.fits > 0.9);
 %! assert (known.code, '');
+%! assert (known.identified, diff (known.interval90) ./ [1, 2] < 0.5);
 %! % a set that fits is in its own interval
 %! [~, order] = sort (known.sample(:, 2));
 %! state.found.params = known.sample(order(965), :);
@@ -160,6 +162,7 @@ end
 %! known = knownParameters (state, problem);
 %! assert (known.code, 'no fit');
 %! assert (all (isnan (known.interval90(:))));
+%! assert (all (known.identified));
 %! assert (strncmp (known.note, 'not printed: ', 13));
 %!test
 %! % no noise, and none given: a quarter of the tolerance

@@ -3,9 +3,9 @@
 % CALL: ODD = oddRuns (STATE, PROBLEM)
 %
 %   ODD  struct: X k x d, jump k x T (result less what the surrogates say), of
-%        the odd runs; all n x d, the sets of all runs that have a result; chance
-%        (that they are an outcome of the model, and no wrong runs); [] where no
-%        run is odd
+%        the odd runs; all n x d, the sets of all runs that have a result, and
+%        isOdd n x 1, which of them these are; chance (that they are an outcome
+%        of the model, and no wrong runs); [] where no run is odd
 %
 % Odd are runs that were left out, as a second run at their set is what the
 % others foretell (findBadRuns), and the smaller part of three or more runs at
@@ -28,7 +28,7 @@ function odd = oddRuns (state, problem)
   Z = data.Z(known, :);
   isOdd = isLeft(known) | isSplit (X, Z, problem);
   if any (isOdd)
-    odd = struct ('X', X(isOdd, :), 'all', X);
+    odd = struct ('X', X(isOdd, :), 'all', X, 'isOdd', isOdd);
     odd.jump = Z(isOdd, :) - usualOf (X, Z, isOdd, state.surrogates);
     odd.chance = chanceOf (odd.jump, sqrt ([state.surrogates.noiseVar]), problem);
   end

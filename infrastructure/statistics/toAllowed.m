@@ -23,14 +23,15 @@ end
 
 % Where the way from U to V becomes allowed: V is.
 function P = firstAllowed (U, V, box)
+  at = @(share) isAllowed (fromUnit (U + share .* (V - U), box.limits), box);
   [low, high] = deal (zeros (rows (U), 1), ones (rows (U), 1));
   for k = 1:20
     middle = (low + high) / 2;
-    yes = isAllowed (fromUnit (U + middle .* (V - U), box.limits), box);
+    yes = at (middle);
     high(yes) = middle(yes);
     low(~yes) = middle(~yes);
   end
-  [~, P] = isAllowed (fromUnit (U + high .* (V - U), box.limits), box);
+  [~, P] = at (high);
 end
 
 %!test

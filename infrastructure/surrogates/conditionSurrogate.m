@@ -5,10 +5,10 @@
 % CHOICE  struct: trend, covariance (names of fitSurrogate), param and
 %         lognoisevariance of the stk model in the unit box and the standardised
 %         response
-% BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), unit (n x d, X in
-%        the unit box; level as one more column), y (n x 1, standardised z),
-%        shift, scale; optional level (n x 1), prior (see prepareFit) and
-%        noiseLaw (1 x 2: log variance at level 0, its slope)
+% BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), shift and scale (of
+%        the standardised response (z - shift) / scale); optional level (n x 1,
+%        one more input, see unitInputs), prior (see prepareFit) and noiseLaw
+%        (1 x 2: log variance at level 0, its slope)
 %
 % The covariance is factored once; leave-one-out residuals in closed form
 % (Dubrule 1983): with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1 the residual is
@@ -21,17 +21,19 @@
 
 function surrogate = conditionSurrogate (choice, base)
   base = mergeFields (struct ('level', [], 'noiseLaw', [], 'prior', []), base);
-  n = numel (base.y);
-  model = modelOf (choice, columns (base.unit));
-  K = feval (model.covariance_type, model.param, base.unit, base.unit, -1);
+  n = numel (base.z);
+  unit = unitInputs ([base.X, base.level], base.limits, columns (base.level));
+  y = (base.z - base.shift) / base.scale;
+  model = modelOf (choice, columns (unit));
+  K = feval (model.covariance_type, model.param, unit, unit, -1);
   noise = exp (model.lognoisevariance(:));
   K = K + diag (noise .* ones (n, 1)) + ...
       1e-12 * exp (model.param(1)) * full (eye (n));
-  H = feval (model.lm, base.unit);
+  H = feval (model.lm, unit);
   L = chol (K, 'lower');
   A = L \ H;
   [~, R] = qr (A, 0);
-  b = L \ base.y;
+  b = L \ y;
   beta = R \ (R' \ (A' * b));
   alpha = L' \ (b - A * beta);
   W = chol2inv (L');
@@ -55,14 +57,14 @@ function surrogate = conditionSurrogate (choice, base)
   end
   surrogate.looResidual = loo * base.scale;
   surrogate.looStd = looStd;
-  surrogate.Q2 = 1 - sum (loo.^2) / sum ((base.y - mean (base.y)).^2);
+  surrogate.Q2 = 1 - sum (loo.^2) / sum ((y - mean (y)).^2);
   surrogate.trend = choice.trend;
   surrogate.covariance = choice.covariance;
   surrogate.factor = max (1, mean (looStd.^2) - 2 * sqrt (2 / n));
   surrogate.df = max ([3, sum(noise .* q) + 2 / 1.6^2, ...
                        (n - size (H, 2)) / 3]);
   surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd.^2);
-  surrogate.solver = struct ('unit', base.unit, 'y', base.y, 'L', L, ...
+  surrogate.solver = struct ('unit', unit, 'y', y, 'L', L, ...
                              'A', A, 'R', R, 'beta', beta, ...
                              'alpha', alpha, 'open', []);
   surrogate.nChoice = n;
@@ -103,7 +105,6 @@ end
 %! k = true (14, 1);
 %! k(i) = false;
 %! base = struct ('name', '', 'X', X(k, :), 'z', z(k), 'limits', lim, ...
-%!                'unit', s.solver.unit(k, :), 'y', s.solver.y(k), ...
 %!                'shift', s.shift, 'scale', s.scale);
 %! r = conditionSurrogate (mergeFields (s, s.model), base);
 %! r.factor = 1;

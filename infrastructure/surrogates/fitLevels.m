@@ -54,10 +54,7 @@ function L = likelihoodOf (s, X, z, level, whole)
   if n < d + 3
     source = whole;
   end
-  U = toUnit (X, s.limits);
-  if ~isempty (source.level)
-    U(:, d + 1) = level;
-  end
+  U = unitInputs ([X, level], s.limits, columns (source.level));
   H = feval (source.model.lm, U);
   K = source.scale^2 * covarianceOf (source, U, U) + ...
       (3 * whole.scale)^2 * (H * H');

@@ -81,12 +81,10 @@ function base = standardise (X, z, limits, options)
                  'level', options.level, 'noiseLaw', [], ...
                  'prior', options.prior, 'maxFit', 150, ...
                  'shift', mean (z), 'scale', std (z));
-  base.unit = [toUnit(X, limits), options.level];
   if isConstant (z)
     sizes = [options.unit, abs(base.shift), 1];
     base.scale = sizes(find (sizes > 0, 1));
   end
-  base.y = (z - base.shift) / base.scale;
   base.knownNoise = options.noise / base.scale^2;
 end
 
@@ -94,7 +92,6 @@ end
 function surrogate = ofForm (base, form)
   base.shift = form.shift;
   base.scale = form.scale;
-  base.y = (base.z - base.shift) / base.scale;
   form.lognoisevariance = log (form.noise (base.z) / form.scale^2);
   surrogate = conditionSurrogate (form, base);
   surrogate.factor = 1;
@@ -105,7 +102,7 @@ end
 function choice = constantChoice (base)
   small = 2 * log (1e-6);
   choice = struct ('trend', 'constant', 'covariance', 'matern52', ...
-                   'param', [small; zeros(columns (base.unit), 1)], ...
+                   'param', [small; zeros(inputsOf (base), 1)], ...
                    'lognoisevariance', small);
 end
 
@@ -128,7 +125,7 @@ function best = chooseModel (base, options)
   few = base;                          % enough for the choice of the model
   few.maxFit = 60;
   use = spreadRows (rows (base.X), 200);
-  for name = {'X', 'z', 'unit', 'level', 'y', 'knownNoise'}
+  for name = {'X', 'z', 'level', 'knownNoise'}
     few.(name{1}) = ofRows (base.(name{1}), use);
   end
   [trends, covariances, default] = candidateModels (few, options);
@@ -148,7 +145,7 @@ function best = chooseModel (base, options)
   end
   n = rows (base.X);
   if n > few.maxFit
-    base = bent (base, best.limits);
+    base.limits = best.limits;
     best = refit (base, best);
     best.nChoice = n;
   end
@@ -158,19 +155,18 @@ end
 % are tried, too.
 function best = withBends (best, few)
   for choice = bendInputs (best)
-    limits = best.limits;
-    limits(4, choice(1)) = choice(2);
-    best = better (best, best.trend, best.covariance, bent (few, limits));
+    few.limits = best.limits;
+    few.limits(4, choice(1)) = choice(2);
+    best = better (best, best.trend, best.covariance, few);
   end
 end
 
-function base = bent (base, limits)
-  base.limits = limits;
-  base.unit = [toUnit(base.X, limits), base.level];
+function d = inputsOf (base)
+  d = columns (base.X) + columns (base.level);
 end
 
 function [trends, covariances, default] = candidateModels (base, options)
-  [n, d] = size (base.unit);
+  [n, d] = deal (rows (base.X), inputsOf (base));
   trends = {options.trend};
   if strcmp (options.trend, 'choose')
     trends = {'constant', 'affine', 'quadratic'};
@@ -199,12 +195,14 @@ function best = better (best, trend, covariance, base)
 end
 
 function [choice, noiseLaw] = estimate (trend, covariance, base, theta)
-  [n, d] = size (base.unit);
-  use = spreadRows (n, base.maxFit);
+  d = inputsOf (base);
+  use = spreadRows (rows (base.X), base.maxFit);
+  unit = unitInputs ([base.X, base.level], base.limits, columns (base.level));
+  y = (base.z - base.shift) / base.scale;
   noise = ofRows (base.knownNoise, use);
-  fit = prepareFit (base.unit(use, :), base.y(use), trend, covariance, ...
-                    noise, struct ('level', ofRows (base.level, use), ...
-                                   'prior', base.prior));
+  fit = prepareFit (unit(use, :), y(use), trend, covariance, noise, ...
+                    struct ('level', ofRows (base.level, use), ...
+                            'prior', base.prior));
   if isempty (theta)
     theta = fit.mean;
   end

@@ -47,8 +47,7 @@ function s = leastNoise (s)
      s.model.lognoisevariance < least && ~isConstant (s.z)
     choice = mergeFields (s, s.model);
     choice.lognoisevariance = least;
-    base = mergeFields (s, struct ('unit', s.solver.unit, 'y', s.solver.y));
-    s = conditionSurrogate (choice, base);
+    s = conditionSurrogate (choice, s);
   end
 end
 

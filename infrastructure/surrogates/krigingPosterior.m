@@ -11,12 +11,7 @@
 function [m, v, S] = krigingPosterior (surrogate, P)
   s = surrogate.solver;
   model = surrogate.model;
-  d = columns (surrogate.limits);
-  U = toUnit (P(:, 1:d), surrogate.limits);
-  if ~isempty (surrogate.level)
-    U(:, d + 1) = 0;
-    U(:, d + 1:columns (P)) = P(:, d + 1:end);
-  end
+  U = unitInputs (P, surrogate.limits, columns (surrogate.level));
   isOpen = nargout > 1 && ~isempty (s.open);
   if isOpen
     [k, D] = covarianceOf (surrogate, U, s.unit);

@@ -24,11 +24,6 @@ function surrogate = loadSurrogate (file)
             'got %s. Calibrate the case it belongs to once more, which ' ...
             'writes it anew.'], file, fault);
   end
-  kept.unit = toUnit (kept.X, kept.limits);
-  if isfield (kept, 'level')
-    kept.unit = [kept.unit, kept.level];
-  end
-  kept.y = (kept.z - kept.shift) / kept.scale;
   surrogate = conditionSurrogate (kept, kept);
 end
 

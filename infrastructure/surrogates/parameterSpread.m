@@ -77,8 +77,8 @@ end
 %! P = [0.2, 0.9; X(3, :); 0.9, 0.1; 0.6, 0.4; 0, 1];
 %! [~, ~, S] = krigingPosterior (o, P);
 %! [~, ~, sure] = krigingPosterior (s, P);
-%! base = struct ('name', '', 'X', X, 'z', z, 'limits', s.limits, ...
-%!                'unit', X, 'y', s.solver.y, 'shift', 0, 'scale', 1);
+%! base = struct ('name', '', 'X', X, 'z', s.solver.y, ...
+%!                'limits', s.limits, 'shift', 0, 'scale', 1);
 %! choice = struct ('trend', s.trend, 'covariance', s.covariance);
 %! for j = 1:4
 %!   for side = 1:2
