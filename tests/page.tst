@@ -127,22 +127,6 @@
 %! html = fileread (writePage (first));
 %! assert (isempty (strfind (html, 'Not finished')));
 
-%!test
-%! % an older file without the later fields
-%! json = fullfile (first.folder, 'results', 'calibration.json');
-%! kept = fileread (json);
-%! c = jsondecode (kept);
-%! c = rmfield (c, {'interval90', 'limits', 'probability', 'sensitivity', ...
-%!                  'correlation', 'history', 'warnings', 'unfixed', 'next', ...
-%!                  'input', 'version', 'date', 'holdout', 'runs'});
-%! c.targets = rmfield (c.targets, {'tol', 'unit', 'interval90'});
-%! c.interval90 = struct ('a', [1; 2], 'b', [1; 2]);
-%! writeAtomic (json, jsonencode (c));
-%! html = fileread (writePage (first));
-%! writeAtomic (json, kept);
-%! assert (isempty (strfind (html, 'could not be made')));
-%! assert (! isempty (strfind (html, 'id="sectiontargets"')));
-
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'chromium'))
 %! % in a browser: phone and desk, light and dark
 %! for file = pages

@@ -62,9 +62,6 @@ function list = ofCalibration ()
   curve = off;
   [curve.targets(1:2).curve] = deal ('w');
   list(end + 1) = at ('a curve is missed', curve, []);
-  old = rmfield (off, {'ending', 'limit', 'conflict', 'known', 'untested'});
-  old.targets = rmfield (old.targets, {'met', 'allowed', 'curve', 'unit'});
-  list(end + 1) = at ('an older file', old, []);
   list(end + 1) = at ('nothing', [], []);
 end
 
@@ -220,6 +217,7 @@ function gap = gapOf (verdict, effects, guard)
     own.text = [name{1}, ' 41 kJ/m3 (31 to 58)'];
     strength.(name{1}) = own;
   end
+  gap.thresholds = struct ('level', 0.05, 'adviseAt', 0.2);
   gap.which = struct ('verdict', verdict, 'reason', 'the odds are 1.7 to 1', ...
                       'p', 0.01, 'guard', guard, 'effects', {effects}, ...
                       'together', false, ...

@@ -65,12 +65,7 @@ end
 
 % Runs of one model folder and build, with the variables that they set.
 function sayRig (input, kinds)
-  n = sum (cellfun (@rows, {kinds.runs}));
-  if isempty (input)
-    printf ('  %d runs of versions that did not note their variables\n', n);
-    return
-  end
-  printf ('  rig %s: %d runs\n', input(1:8), n);
+  printf ('  rig %s: %d runs\n', input(1:8), sum (cellfun (@rows, {kinds.runs})));
   range = struct ();
   for kind = kinds
     names = strsplit (kind.names, ' ');
@@ -143,7 +138,7 @@ function refuseNone (store, model, isBack)
 end
 
 % The case is named by its folder, as decalioc runs does or as seen from here,
-% or by the first digits of its id. Runs of earlier versions have no owner.
+% or by the first digits of its id. Runs of a case without an id have no owner.
 function chosen = runsOfCases (kinds, name, here)
   folder = absoluteFrom (here, name);
   folders = {name, folder, canonicalize_file_name(folder)};

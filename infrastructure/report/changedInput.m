@@ -5,7 +5,7 @@
 %   RESULT  decoded results/calibration.json or gap/gap.json, or []
 %   NOW     see resultInput, of the case as it is
 %   PARTS   1 x n cell of words, such as 'targets'; none where RESULT is of
-%           today's input, or of a version until 0.9.0, which does not say it
+%           today's input, or does not say of which
 %
 % The LIGGGHTS build counts where there is one now (a page may be looked at on a
 % machine without), effects in a diagnosis and where they are loaded (a

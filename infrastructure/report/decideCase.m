@@ -75,7 +75,7 @@ function numbers = keyNumbers (v, c)
     open = v.misses(strcmp ({v.misses.state}, 'open') & [v.misses.runs] > 0);
     labels = {'targets met', 'targets within tolerance so far, not surely', ...
               'targets met, expected from the fit, not yet run'};
-    hasNoRun = isequal (jsonAt (c, {'runs'}), 0);
+    hasNoRun = c.runs == 0;
     isUnsure = ~v.usable && v.met == v.of;
     forms = {', %d open', ' by the runs with these values, %d more by all runs together'};
     text = [sprintf('%d of %d', v.met, v.of), ...
@@ -136,7 +136,7 @@ end
 function text = notCalibrated (used, c)
   missed = {used([used.met] == 0).name};
   codes = {'notFor.unsure', 'notFor.noRun', 'notFor.missed'};
-  hasNoRun = isequal (jsonAt (c, {'runs'}), 0);
+  hasNoRun = c.runs == 0;
   text = sentence (codes{1 + max(hasNoRun, 2 * ~isempty (missed))}, missed);
 end
 
@@ -144,8 +144,7 @@ end
 % What went wrong decides, not which budget ended.
 function todo = wayOn (c, used)
   units = otherUnits (used([used.met] == 0));
-  limit = jsonAt (c, {'limit'});
-  code = givenField (jsonAt (c, {'ending'}), 'code', limit);
+  [limit, code] = deal (c.limit, c.ending.code);
   plain = struct ('allFailed', 'mendModel', 'manyFailed', 'mendModel', ...
                   'published', 'robust', 'twoOutcomes', 'lookOutcomes');
   widen = worded (c, namesIn (c, 'atLimit'));

@@ -4,7 +4,7 @@
 %
 %   ROOT   what jsondecode returned
 %   PATH   cell of field names and indices, from outside in; [] leads nowhere
-%   VALUE  [] where a name or an index is missing (an older file, a null)
+%   VALUE  [] where a name or an index is missing (a result without that part, a null)
 %
 % Objects with equal fields are a struct array after decoding, others a cell:
 % an index serves for both, and for arrays of numbers.

@@ -49,14 +49,10 @@ function m = missOf (T, n)
               'meanSd', field ('resultSd', NaN), 'runs', max ([n, 0]), 'points', 1);
   m.miss = m.simulated - m.measured;
   residual = field ('residual', NaN);
-  tol = field ('tol', NaN);
-  if isnan (m.allowed) && isfinite (tol) && isfinite (m.measured)
-    m.allowed = abs (m.measured) * tol;
-  end
   if strcmp (T.role, 'calibrate') && isfinite (residual)
-    shares = [abs(m.miss(m.allowed > 0)) / m.allowed, abs(residual) / tol];
+    shares = [abs(m.miss(m.allowed > 0)) / m.allowed, abs(residual) / T.tol];
     m.share = shares(find (isfinite (shares), 1));
-    m.met = double (field ('met', abs (residual) <= tol));
+    m.met = double (T.met);
     m.state = field ('state', '');
     m.met(m.runs > 0 && strcmp (m.state, 'open')) = NaN;
   end

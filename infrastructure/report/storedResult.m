@@ -8,7 +8,7 @@
 %         what has changed since the result was made, see changedInput; of the
 %         calibration, where there is none of the diagnosis), gapChanged (of the
 %         diagnosis), lastRuns (1 x M, number of the last run folder of each
-%         model that one of them knows; Inf: of a version that did not note it)
+%         model that one of them knows; Inf: none does)
 %
 % See also: decideStored
 

@@ -5,8 +5,8 @@
 %   JOB   job or record of the run, see newJobs
 %         may also be a kind of readLibrary
 %   CASE  see newCase; where Input.store is the case folder all runs are its
-%         own, else those with its id (caseId). A job of earlier versions names
-%         the folder alone, or nothing, and is nobody's then
+%         own, else those with its id (caseId). A job of a case without an
+%         id names the folder alone, or nothing, and is nobody's then
 %   YES   logical
 
 function yes = isOwnRun (job, Case)

@@ -228,7 +228,7 @@ end
 % A test that tells next to nothing is not named.
 function todo = testOf (gap)
   todo = newAction ('otherSetting');
-  if any (jsonAt (gap, {'next', 1, 'gain'}) >= thresholdOf (gap, 'adviseAt', 0.2))
+  if any (jsonAt (gap, {'next', 1, 'gain'}) >= gap.thresholds.adviseAt)
     todo = newAction ('test', {jsonAt(gap, {'next', 1, 'test'})});
   end
 end
@@ -236,7 +236,7 @@ end
 function [text, isBeyond] = whereText (gap, isChange)
   models = jsonAt (gap, {'where', 'models'});
   off = missedTargets (gap, {'calibrate', 'holdout'});
-  level = thresholdOf (gap, 'level', 0.05);
+  level = gap.thresholds.level;
   isBeyond = ~isequal (jsonAt (gap, {'where', 'p'}) >= level, true) || ~isempty (off);
   codes = {'nowhere', 'all', 'some'};
   values = struct ('names', {off}, 'most', '');

@@ -2,7 +2,7 @@
 %
 % CALL: NAMES = missedTargets (GAP, ROLES)
 %
-%   GAP    struct as of gap.json: where.targets with name, role and p
+%   GAP    struct as of gap.json: thresholds, where.targets with name, role and p
 %   ROLES  text or cellstr, of the targets to look at
 %   NAMES  1 x n cell; the points of a curve, NAME@AT, are one: 'discharge (3 of
 %          50 points, 0.2 to 2.75)'
@@ -12,7 +12,7 @@
 function names = missedTargets (gap, roles)
   targets = jsonList (gap, {'where', 'targets'});
   targets = targets(cellfun (@(T) any (strcmp (T.role, roles)), targets));
-  level = thresholdOf (gap, 'level', 0.05);
+  level = gap.thresholds.level;
   isOff = cellfun (@(T) any (jsonAt (T, {'p'}) < level), targets);
   names = {};
   if ~any (isOff)
@@ -39,6 +39,7 @@ end
 %! name = {'c@1', 'x', 'c@2.5', 'c@4', 'd@1', 'd@2', 'y'};
 %! p = num2cell ([0.01, 0.02, 0.5, 0.04, 0.01, 0.3, 0.01]);
 %! role = [repmat({'calibrate'}, 1, 6), {'holdout'}];
+%! gap.thresholds.level = 0.05;
 %! gap.where.targets = struct ('name', name, 'role', role, 'p', p);
 %! assert (missedTargets (gap, 'calibrate'), ...
 %!         {'c (2 of 3 points, 1 to 4)', 'x', 'd@1'});

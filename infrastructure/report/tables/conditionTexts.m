@@ -28,22 +28,18 @@ function own = textsOf (one, file)
   texts = namesIn (one, 'text');
   texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
   p = [jsonAt(one, {'probability'})(:)', NaN];
-  % older files have no code
-  codes = {'open', 'none'};
-  code = givenField (one, 'code', codes{1 + strcmp(one.verdict, 'no gap')});
   own = struct ('name', one.name, 'effects', {effects}, 'code', 'named', ...
                 'text', strjoin (texts, ' and '), ...
                 'probability', max (p), 'file', file, 'line', '');
-  if strcmp (code, 'likely')
-    own.code = code;
+  if strcmp (one.code, 'likely')
+    own.code = one.code;
   elseif strcmp (one.verdict, 'group')
     [own.code, own.text] = deal ('several', strjoin (texts, ' or '));
     own.probability = min (1, sum (p(1:end - 1)));
   end
   % a cause that cannot be seen is listed, and not said
-  kind = givenField (one, 'kind', '');
-  if isempty (effects) || any (strcmp (kind, {'cannot tell', 'no verdict'}))
-    own.text = sentence (['cause.', code, '.word'], struct (), true);
+  if isempty (effects) || any (strcmp (one.kind, {'cannot tell', 'no verdict'}))
+    own.text = sentence (['cause.', one.code, '.word'], struct (), true);
     [own.code, own.probability, own.file] = deal ('open', NaN, '');
   end
   values = struct ('name', own.name, 'text', own.text, ...
@@ -54,7 +50,8 @@ end
 %!test
 %! assert (isempty (conditionTexts (struct ('reference', []))));
 %! gap.reference.conditions = struct ('name', {'dry', 'wet'}, 'verdict', ...
-%!   {'no gap', 'named'}, 'effects', {{}, {'cohesion'}}, 'probability', {[], 0.9}, ...
+%!   {'no gap', 'named'}, 'code', {'none', 'named'}, 'kind', {'none', 'found'}, ...
+%!   'effects', {{}, {'cohesion'}}, 'probability', {[], 0.9}, ...
 %!   'text', {{}, {'cohesion 4 kJ/m3'}});
 %! list = conditionTexts (gap);
 %! assert ({list.name}, {'wet', 'dry'});
@@ -66,6 +63,7 @@ end
 %! gap.reference.conditions(1).kind = 'cannot tell';
 %! assert (conditionTexts (gap)(2).line, 'dry: These tests cannot tell');
 %! gap.reference.conditions = struct ('name', 'wet', 'verdict', 'group', ...
+%!   'code', 'several', 'kind', 'several', ...
 %!   'effects', {{'cohesion', 'tilt'}}, 'probability', [0.7, 0.2], ...
 %!   'text', {{'cohesion 4 kJ/m3', 'tilt 3 deg'}});
 %! assert (conditionTexts (gap).line, ...

@@ -21,7 +21,7 @@ end
 
 function cells = rowOf (page, target, t)
   at = @(field) {'gap', 'where', 'targets', t, field};
-  level = thresholdOf (page.sources.gap, 'level', 0.05);
+  level = page.sources.gap.thresholds.level;
   remark = '';
   if any (jsonAt (target, {'p'}) < level)
     remark = struct ('value', sentence ('where.off'), 'class', 'off');
