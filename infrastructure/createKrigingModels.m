@@ -116,12 +116,10 @@ end
 %! % the runs of a calibration
 %! clean = onCleanup (@() cd (here));
 %! cd (tmp);
-%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 1], ...
-%!             'targets', struct ('value', 1, 'tol', 0.01));
 %! rand ('twister', 1);
 %! X = rand (12, 2);
 %! data = addRows (newData (2, 1), X, X * [1; 2], ones (12, 1), 'plan');
-%! [names, ~, s] = createKrigingModels (data, newProblem (C, []));
+%! [names, ~, s] = createKrigingModels (data, smallProblem (1, 0.01, 2));
 %! assert (evaluateKriging ([0.5, 0.5], names), 1.5, 1e-3);
 %! assert (s.name, 'target_1');
 

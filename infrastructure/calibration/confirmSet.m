@@ -173,10 +173,7 @@ end
 %!shared problem, state
 %! rand ('twister', 1);
 %! randn ('twister', 1);
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 1.5, 'tol', 0.05));
-%! C.options.replicates = 2;
-%! problem = newProblem (C, []);
+%! problem = smallProblem (1.5, 0.05, 1, struct ('options', struct ('replicates', 2)));
 %! X = rand (10, 1);
 %! data = addRows (newData (1, 1), X, 1 + X + 0.01 * randn (10, 1), ...
 %!                 ones (10, 1), 'plan');

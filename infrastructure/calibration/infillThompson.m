@@ -80,8 +80,7 @@ end
 %! % the target, it is so many deviations from the mean (4 standard errors)
 %! rand ('twister', 1);
 %! randn ('twister', 1);
-%! problem = newProblem (struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!                               'targets', struct ('value', 1.5)));
+%! problem = smallProblem (1.5, 0.05);
 %! X = (0:0.1:1)';
 %! s = fitSurrogate (X, 1 + X + 0.1 * randn (11, 1), [0; 1], ...
 %!                   struct ('trend', 'affine'));

@@ -33,9 +33,7 @@ end
 %! % failed
 %! rand ('twister', 1);
 %! X = rand (12, 1);
-%! problem = newProblem (struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!                               'targets', struct ('value', 1.5, ...
-%!                                                  'tol', 0.05)));
+%! problem = smallProblem (1.5, 0.05);
 %! s = fitSurrogate (X, 1 + X, [0; 1]);
 %! [p, share, r] = meetProbability (s, problem, [0.5; 0.1]);
 %! assert (p, [1; 0], 0.02);

@@ -58,9 +58,7 @@ function W = weights (at, X, problem)
 end
 
 %!shared problem, p
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 2, 'tol', 0.05));
-%! problem = newProblem (C, []);
+%! problem = smallProblem (2, 0.05);
 %! p = mixtureMet (0, 0.01, problem, 1e6, 0.5);
 %!test
 %! % no odd run, or far away: one outcome

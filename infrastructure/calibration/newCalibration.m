@@ -236,9 +236,7 @@ end
 %! % y = a + b fixes the sum, not the difference; c is not fixed at all
 %! rand ('twister', 1);
 %! randn ('twister', 1);
-%! C = struct ('names', {{'a', 'b', 'c'}}, 'limits', [0, 0, 0; 1, 1, 1], ...
-%!             'targets', struct ('value', 1, 'tol', 0.01));
-%! problem = newProblem (C);
+%! problem = smallProblem (1, 0.01, 3);
 %! X = rand (20, 3);
 %! data = addRows (newData (3, 1), X, X(:, 1) + X(:, 2) + ...
 %!                 0.02 * randn (20, 1), ones (20, 1), 'plan');

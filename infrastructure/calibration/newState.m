@@ -26,5 +26,4 @@ end
 %! state = newState (newData (2, 1));
 %! assert ({size(state.data.X), state.surrogates, state.final}, ...
 %!         {[0, 2], [], []});
-%! assert (budgetLeft (state, newProblem (struct ('names', {{'a'}}, ...
-%!         'limits', [0; 1], 'targets', struct ('value', 1)))), 40);
+%! assert (budgetLeft (state, smallProblem (1, 0.01)), 40);

@@ -39,9 +39,7 @@ end
 %!  % ten runs of a flat response with a peak that one run shows
 %!  X = linspace (0, 1, 10)';
 %!  f = @(x) 1 + 5 * exp (-((x - 1) / 0.03).^2);
-%!  C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!              'targets', struct ('value', 4, 'tol', 0.02));
-%!  problem = newProblem (C, []);
+%!  problem = smallProblem (4, 0.02);
 %!  randn ('twister', 1);
 %!  Z = f (X) + 0.02 * randn (10, 1);
 %!  data = addRows (newData (1, 1), X, Z, ones (10, 1), 'plan');

@@ -33,8 +33,8 @@ end
 %!test
 %! rand ('twister', 1);
 %! X = rand (15, 2) .* [1, 10];
-%! C = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 10], ...
-%!             'targets', struct ('value', 2, 'tol', 0.5));
-%! s = fitSurrogate (X, 1 + X * [2; 0.3], C.limits);
-%! J = surrogateJacobian (s, newProblem (C, []), [0.5, 10]);
+%! limits = [0, 0; 1, 10];
+%! s = fitSurrogate (X, 1 + X * [2; 0.3], limits);
+%! problem = smallProblem (2, 0.5, 2, struct ('limits', limits));
+%! J = surrogateJacobian (s, problem, [0.5, 10]);
 %! assert (J, [2, 3], 0.02);

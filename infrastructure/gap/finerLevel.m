@@ -57,6 +57,7 @@ function given = levelCandidate (given, surrogates, data, problem)
   [own.variables, own.neutral, own.limits] = deal ({}, [], zeros (2, 0));
   [own.laboratory, own.strongest, own.scale] = deal (true, 1, 2);
   own.range = [0, 1];
+  % an effect whose full strength is the step to the next level, and nothing else
   own.offset = step.shift;
   own.offsetSd = step.shiftSd;
   own.matrix = zeros (numel (step.shift));
@@ -75,6 +76,7 @@ function level = finerVerdict (surrogates, problem, given, options, diagnosis)
   if any (isnan (level.shift))
     return
   end
+  % moving the model up is moving the measurement down
   given.value = given.value - level.shift;
   given.sd = sqrt (given.sd.^2 + level.shiftSd.^2);
   if ~isempty (given.covariance)
@@ -115,9 +117,7 @@ end
 %! level = [2 * ones(12, 1); ones(12, 1)];
 %! data = addRows (newData (1, 1), X, X + 0.2 * level, ones (24, 1), 'plan', ...
 %!                 level);
-%! C = struct ('names', {{'a'}}, 'limits', [0; 1], ...
-%!             'targets', struct ('value', 0.5, 'tol', 0.01));
-%! problem = newProblem (C, []);
+%! problem = smallProblem (0.5, 0.01);
 %! problem.coarse = struct ('variables', {{'size'}}, 'levels', [2; 1], ...
 %!                          'column', 1);
 %! surrogates = fitSurrogates (data, problem);

@@ -172,13 +172,6 @@ function kind = kindOfTarget (problem)
   kind.least(isnan (kind.least)) = 0;      % not measured yet
 end
 
-%!function problem = problemOf (value)
-%!  names = {'a', 'b'}(1:numel (value));
-%!  limits = [zeros(1, numel (value)); ones(1, numel (value))];
-%!  C = struct ('names', {names}, 'limits', limits, ...
-%!              'targets', struct ('value', num2cell (value), 'tol', 0.01));
-%!  problem = newProblem (C, []);
-%!endfunction
 %!function data = planned (X, Z)
 %!  data = addRows (newData (columns (X), columns (Z)), X, Z, ...
 %!                  ones (rows (X), 1), 'plan');
@@ -190,16 +183,16 @@ end
 
 %!test
 %! data = planned (X(1:10, :), [sum(X(1:10, :), 2), X(1:10, 1)]);
-%! s = fitSurrogates (data, problemOf ([1, 2]));
+%! s = fitSurrogates (data, smallProblem ([1, 2], 0.01, 2));
 %! assert (size (s), [1, 2]);
 %! assert (s(2).name, 'target_2');
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
-%! s = fitSurrogates (data, problemOf ([1, 2]), s);
+%! s = fitSurrogates (data, smallProblem ([1, 2], 0.01, 2), s);
 %! assert (predictSurrogate (s, [0.5, 0.4]), [0.9, 0.5], 0.02);
 
 %!test
 %! % a form that is known: its trend and noise count, not what three runs show
-%! problem = problemOf (2);
+%! problem = smallProblem (2, 0.01);
 %! problem.form = struct ('trend', 'affine', 'covariance', 'gauss', 'param', ...
 %!                        [log(1e-8); 0], 'limits', [0; 1], 'shift', 1, ...
 %!                        'scale', 2, 'noise', @(z) 0.01 + 0 * z);
@@ -214,25 +207,25 @@ end
 %! data = planned (X(1:14, 1), 1 + X(1:14, 1) + 0.01 * sin (40 * X(1:14, 1)));
 %! data.Z([2, 9]) = [7, 5];
 %! data.E = double ((1:14)' == 2);
-%! s = fitSurrogates (data, problemOf (1));
+%! s = fitSurrogates (data, smallProblem (1, 0.01));
 %! assert ({find(s.suspect)', any(s.leftOut)}, {9, false});
 %! data = addRows (data, X(9, 1), 1 + X(9, 1), 2, 'repeat');
-%! s = fitSurrogates (data, problemOf (1));
+%! s = fitSurrogates (data, smallProblem (1, 0.01));
 %! assert ({find(s.leftOut)', s.aside, any(s.suspect)}, {9, 5, false});
-%! assert (find (fitSurrogates (data, problemOf (1), s).leftOut)', 9);
+%! assert (find (fitSurrogates (data, smallProblem (1, 0.01), s).leftOut)', 9);
 
 %!test
 %! % scatter in proportion to the response (12 sets of 4 runs)
 %! P = kron (X(1:12, 1), ones (4, 1));
 %! Z = (1 + 9 * P) .* (1 + 0.05 * randn (48, 1));
-%! s = fitSurrogates (planned (P, Z), problemOf (2));
+%! s = fitSurrogates (planned (P, Z), smallProblem (2, 0.01));
 %! assert (sqrt (s.noiseVar), 0.1, 0.04);
 %! assert (numel (s.model.lognoisevariance), 48);
 
 %!test
 %! % more runs than memory holds: a part is fitted, at all levels
 %! data = planned (X(:, 1), 1 + X(:, 1));
-%! problem = problemOf (2);
+%! problem = smallProblem (2, 0.01);
 %! s = fitSurrogates (data, problem, [], 30);
 %! assert ({numel(s.z), size(s.leftOut)}, {30, [90, 1]});
 %! assert (predictSurrogate (s, 0.4), 1.4, 1e-3);
