@@ -74,6 +74,7 @@ function order = orderOf (a, b)
     i = find (strcmp (a.effects, name{1}));
     j = find (strcmp (b.effects, name{1}));
     sd = sqrt (widthOf (a.interval90(i, :))^2 + widthOf (b.interval90(j, :))^2);
+    % chance that the difference has this sign; both widths add in squares
     p = 1 - normalTail ((a.strength(i) - b.strength(j)) / sd);
     if isnan (p) || all (strcmp ([a.says(i), b.says(j)], 'least'))
       continue
@@ -89,6 +90,7 @@ function order = orderOf (a, b)
 end
 
 function sd = widthOf (interval)
+  % a 90 % interval of a normal is 3.29 deviations wide
   sd = max (diff (interval) / 3.29, realmin);
 end
 

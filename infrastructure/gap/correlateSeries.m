@@ -29,10 +29,12 @@ function [problem, lengths] = correlateSeries (problem, emulator, options)
   residual(used) = problem.value(used) - M(used);
   for s = unique (problem.series(at))
     own = at(problem.series(at) == s);
+    % a quadratic leaves nothing of three points
     if numel (own) < 4
       continue
     end
     x = problem.coordinate(own);
+    % centred and scaled: squares of seconds or micrometres lose digits
     u = (x - mean (x)) / max (std (x), realmin);
     degree = min (2, numel (unique (x)) - 1);
     r = residual(own) - polyval (polyfit (u, residual(own), degree), u);
@@ -46,6 +48,7 @@ function [problem, lengths] = correlateSeries (problem, emulator, options)
     measurementCovariance (sd, problem.series, problem.coordinate, ...
                            lengths, problem.shared);
   if ~isempty (known)
+    % what was stated of other series stays
     free = lengths' == 0 & lengths == 0;
     problem.covariance(free) = known(free);
   end
@@ -64,6 +67,7 @@ function L = estimateCorrelation (residual, sd, coordinate)
   D = abs (at - at');
   fit = arrayfun (@(l) correlationFit (z', exp (-D / l)), lengths);
   [best, i] = max (fit);
+  % half of 3.84: likelihood ratio with one degree of freedom at 5 %
   if best - correlationFit (z', eye (numel (z))) > 1.92
     L = lengths(i);
   end

@@ -11,7 +11,10 @@
 % for what else three or four runs do not tell.
 
 function g = amplitudeSd (effects, phi)
+  % a strength of 0.02 stands for none: its logarithm would leave everything open
   far = log (max (abs (phi), 0.02) ./ [effects.strongest]);
+  % of a pair that of the less known one, as both share one amplitude
+  % (predictHypothesis)
   g = max ([effects.unbent] .* sqrt (0.25 + far.^2), [], 2);
 end
 

@@ -8,6 +8,8 @@
 %   V    n x T
 
 function V = effectVariance (e, B, psi)
+  % B holds psi in every term, so both parts vanish at neutral and the null model
+  % stays nested
   V = (B * e.root).^2 * e.ofTarget + psi.^2 .* e.misfit;
 end
 

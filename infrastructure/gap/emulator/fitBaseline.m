@@ -21,6 +21,7 @@ function emulator = fitBaseline (emulator, problem, data, isBase, options, start
     end
     [X, z] = deal (data.X(isBase, :), data.Z(isBase, t));
     level = data.level(isBase, t);
+    % coarse runs tell of the last level as far as one Kriging over both can say
     if numel (unique (level(isfinite (z)))) > 1
       fits(t) = fitLevels (X, z, level, problem.limits, settings);
     else
@@ -31,6 +32,7 @@ function emulator = fitBaseline (emulator, problem, data, isBase, options, start
   emulator.limits = problem.limits;
   emulator.surrogates = fits;
   emulator.Q2 = [fits.Q2];
+  % N (0, 1) where a surrogate knows how wrong it is; sideSignals looks at both
   emulator.looMean = arrayfun (@(s) mean (s.looStd.^2), fits);
   emulator.looMax = arrayfun (@(s) max (abs (s.looStd)), fits);
   % four points a term of the largest polynomial
@@ -47,6 +49,7 @@ function emulator = fitBaseline (emulator, problem, data, isBase, options, start
       break
     end
   end
+  % variances need to be right within a factor only: a quadratic of their logarithm
   emulator.varPowers = polyPowers (p, 2);
 end
 

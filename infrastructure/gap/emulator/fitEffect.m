@@ -53,12 +53,14 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
   if ~onlyScore
     [grid.decay, grid.misfit] = deal ([0.03, 0.1, 0.3, 1], [0, 1, 4, 16, 64]);
   end
+  % else the error of the baseline, alike in all runs, would be learned as the effect
   noise = covarianceOfRuns (Q, noise, base .* ones (rows (r), 1), ...
                             sign (r(:, 2)));
   % in squares of the strength, as the misfit is; relative to the largest
   strength2 = max (r(:, 2).^2, 1e-16 * max (r(:, 2).^2));
   unit = mean (diag (noise)) / mean (strength2);
   B = polyRows (powers, Q);
+  % each order beyond the lowest is less likely by the factor g: smooth marks first
   degree = sum (powers, 2)' - min (sum (powers, 2));
   % from a sixteenth of the noise, where an effect is not seen, to 4^9 times it,
   % where the prior no longer pulls
@@ -82,6 +84,7 @@ function fit = fitEffect (powers, Q, r, noise, base, grid)
     end
   end
   scores = [trials.score];
+  % mean over all trials: few runs do not tell one of them from the others
   fit.score = max (scores(:)) + log (mean (exp (scores - max (scores(:)))(:)));
   if ~onlyScore
     fit = average (fit, trials, scales, B, r(:, 1));

@@ -41,6 +41,7 @@ function emulator = fitEmulator (problem, data, options, old)
   phi = strengthOfValues (problem.effects, data.E);
   theta = toSymmetric (data.X, problem.limits);
   isBase = all (abs (phi) < 1e-9, 2);
+  % p + 1 coefficients of a plane, and two runs more that tell how wrong it is
   if sum (isBase) < p + 3
     error ('DEcalioc:fitEmulator:badValue', ...
            ['fitEmulator: DATA must hold at least %d runs with all effects ' ...
@@ -76,6 +77,7 @@ function emulator = fitEmulator (problem, data, options, old)
                          1:columns (phi), []);
       emulator.levelShare = levelShare (emulator, coarse, runsOf (runs, ~isCoarse));
     end
+    % the polynomial of an effect takes up what fewer than six runs scatter
     many = find (sum (abs (phi(alone, :)) >= 1e-9, 1) >= 6);
     some = learnAll (emulator, problem.effects(many), runsOf (runs, alone), ...
                      many, []);
@@ -193,8 +195,11 @@ function coef = logistic (F, yes)
   for step = 1:50
     p = 1 ./ (1 + exp (-F * coef));
     g = F' * (yes - p) - precision .* coef;
+    % where all outcomes are sure the curvature vanishes, and a step would have no
+    % bound
     H = F' * (max (p .* (1 - p), 1e-6) .* F) + diag (precision);
     move = H \ g;
+    % Newton's full step overshoots where the curve is flat
     move = move / max (1, norm (move) / 4);
     coef = coef + move;
     if norm (move) < 1e-6

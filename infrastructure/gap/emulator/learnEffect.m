@@ -49,6 +49,7 @@ function e = learnEffect (emulator, effect, runs)
               'strongest', 0.1);
   e.strongest = max ([abs(Q(any (isfinite (runs.Z), 2), end)); 0.1]);
   e.looStd = repmat ({zeros(0, 1)}, 1, T);
+  % what an instrument does to results is known: results times a matrix, and an offset
   if effect.laboratory
     e.powers = [emulator.powers, ones(rows (emulator.powers), 1)];
     e.coef = emulator.coef * effect.matrix;
@@ -61,6 +62,7 @@ function e = learnEffect (emulator, effect, runs)
   e.powers = e.powers(e.powers(:, end) > 0, :);
   e.size2 = sizesOf (emulator, e);
   e.variance(:, :, 2) = emulator.levelShare^2 * (Q(:, end) .* e.level).^2 .* e.size2;
+  % doubt falls with the root of the number of runs; eight tell the bend
   e.unbent = (e.runs < 8) * 0.7 / sqrt (max (e.runs, 1));
   if e.runs >= 8
     e.bend = bestBend (e, emulator.noiseVar);
@@ -79,6 +81,7 @@ function e = learnEffect (emulator, effect, runs)
                        reshape (e.variance(ok, t, :), [], 2), ...
                        struct ('size', emulator.noiseVar(t) * (1 + loudness)));
     else
+      % no result: any plane up to the range of the target is as good
       first = sum (e.powers, 2) == 1;
       fit = struct ('coef', zeros (n, 1), 'misfit', 0, ...
                     'looStd', zeros (0, 1), ...
@@ -99,12 +102,14 @@ function size2 = sizesOf (emulator, e)
   R = e.R;
   R(~ok) = 0;
   phi2 = e.Q(:, end).^2 .* ok;
+  % mean square over strength squared, less what noise makes of it
   size2 = max (sum (R.^2 - emulator.noiseVar .* ok, 1), 0);
   size2 = size2 ./ max (sum (phi2, 1), realmin);
   along = eye (columns (R));
   if isfield (emulator, 'alongCurve')
     along = emulator.alongCurve;
   end
+  % a point of a curve has few runs; its neighbours tell what size to expect
   size2 = size2 * along ./ sum (along, 1);
 end
 
@@ -115,11 +120,13 @@ end
 function bend = bestBend (e, noiseVar)
   grid = [0.3, 0.45, 0.65, 1, 1.5, 2.2, 3.3];
   coarse = struct ('decay', 0.1, 'misfit', [0, 4]);
+  % log bend ~ N (0, 1): where the runs say nothing there is no bend
   score = -0.5 * log (grid).^2;
   for b = 1:numel (grid)
     Q = bent (e.Q, grid(b));
     for t = 1:numel (noiseVar)
       ok = isfinite (e.R(:, t));
+      % any bend goes through three runs
       if sum (ok) > 3
         fit = fitEffect (e.powers, Q(ok, :), [e.R(ok, t), Q(ok, end)], ...
                          noiseVar(t), reshape (e.variance(ok, t, :), [], 2), ...

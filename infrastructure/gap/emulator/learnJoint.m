@@ -46,6 +46,7 @@ function joint = ofPair (emulator, pair, runs)
   end
   phi = runs.phi;
   psi = bentStrength (phi, [one.bend, two.bend]);
+  % the product of both strengths, which may change along each parameter
   joint.powers = [[zeros(1, p); eye(p)], ones(p + 1, 2)];
   joint.coef = zeros (p + 1, T);
   joint.root = zeros (p + 1, 0);
@@ -54,6 +55,7 @@ function joint = ofPair (emulator, pair, runs)
   for i = 1:2
     e = emulator.effect(pair(i));
     B = polyRows (e.powers, [runs.theta, psi(:, i)]);
+    % what each does alone is taken out, and what is not known of that is noise here
     m = m + B * e.coef;
     v = v + effectVariance (e, B, psi(:, i));
   end
@@ -65,6 +67,7 @@ function joint = ofPair (emulator, pair, runs)
                        [runs.Z(ok, t) - m(ok, t), product(ok)], ...
                        emulator.noiseVar(t) + v(ok, t));
       joint.coef(:, t) = fit.coef;
+      % runs of both can only take from the doubt that there was without them
       own = fit.covariance(1) + fit.misfit + least(t);
       joint.misfit(t) = min (own, guess(t));
     end

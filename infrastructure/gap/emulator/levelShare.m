@@ -25,6 +25,7 @@ function share = levelShare (emulator, coarse, runs)
     psi = bentStrength (phi, e.bend);
     B = polyRows (e.powers, [runs.theta(own, :), psi]);
     miss = runs.Z(own, :) - runs.mean(own, :) - B * e.coef;
+    % noise and surrogates make differences, too: their square is expected
     known = emulator.noiseVar + runs.variance(own, :) + ...
             effectVariance (e, B, psi);
     ok = isfinite (miss);
@@ -36,8 +37,10 @@ function share = levelShare (emulator, coarse, runs)
   end
   found = 0;
   if size2 > 0
+    % an estimate of a variance may come out negative, or above the effect itself
     found = min (max (excess / size2, 0), 1);
   end
+  % 0.3 beforehand, with the weight of two effects; each that was seen counts once
   share = sqrt ((2 * 0.3^2 + seen * found) / (2 + seen));
 end
 

@@ -30,12 +30,15 @@ function budget = noiseBudget (problem, emulator)
     measured = problem.covariance;
   end
   measured = measured + diag (max (least - diag (measured)', 0));
+  % an sd that was taken from the scatter of trials holds their packing already
   trial = sqrt (max (emulator.noiseVar ./ problem.trials - ...
                      problem.scatter .* diag (measured)', 0));
   budget.covariance = measured + (trial' * trial) .* emulator.correlation;
   if ~isempty (emulator.change)
     budget.covariance = emulator.change.covariance;
   end
+  % their degrees of freedom differ: from runs, or from nothing at all
+  % (whitenEmulator)
   budget.estimated = trial.^2;
   budget.unknown = diag (measured)' .* ~problem.sdKnown;
   budget.measurement = sqrt (diag (measured))';

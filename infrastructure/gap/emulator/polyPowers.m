@@ -14,8 +14,10 @@ function powers = polyPowers (d, degree)
     for b = 0:degree
       grown = [grown; powers, repmat(b, n, 1)];
     end
+    % cut after each variable: of ten there would be a million rows before
     powers = grown(sum (grown, 2) <= degree, :);
   end
+  % the constant comes first, learnEffect adds an offset to it
   [~, order] = sort (sum (powers, 2));
   powers = powers(order, :);
 end

@@ -11,6 +11,7 @@ function B = polyRows (powers, Q)
   B = ones (n, rows (powers));
   for j = 1:d
     top = max ([powers(:, j); 0]);
+    % every power by one product, and once for all monomials
     table = ones (n, top + 1);
     for k = 1:top
       table(:, k + 1) = table(:, k) .* Q(:, j);

@@ -18,6 +18,7 @@ function [M, V, S, J] = predictGap (white, h, Q)
   p = white.p;
   theta = Q(:, 1:p);
   isSteep = nargout > 3;
+  % slopes are polynomials of the same monomials: one product gives mean and slopes
   coefs = slopeCoefs (white.powers, white.coef, 1:p * isSteep);
   J = timesCoefs (polyRows (white.powers, theta), [{white.coef}, coefs]);
   base = J{1};
@@ -61,6 +62,7 @@ function parts = jointParts (white, h)
     return
   end
   pairs = vertcat (white.joint.members);
+  % a pair is stored once, whichever of the two stands first here
   for order = [1, 2; 2, 1]'
     at = find (pairs(:, 1) == h(order(1)) & pairs(:, 2) == h(order(2)));
     if ~isempty (at)

@@ -16,11 +16,14 @@ function emulator = runNoise (emulator, problem, data)
   [measured, df, residual] = ofRepeats ([data.X, data.E, data.level], ...
                                         data.Z);
   nugget = [emulator.surrogates.noiseVar];
+  % a nugget is worth five degrees of freedom of repeats: it holds what the Kriging
+  % misses, too
   weight = df ./ (df + 5);
   measured(df == 0) = 0;
   emulator.noiseVar = max (weight .* measured + (1 - weight) .* nugget, ...
                            (1e-3 * emulator.range).^2);
   emulator.noiseFreedom = df + [emulator.surrogates.df];
+  % what is stated needs no estimate
   known = isfinite (problem.noiseSd);
   emulator.noiseVar(known) = problem.noiseSd(known).^2;
   emulator.noiseFreedom(known) = Inf;
@@ -76,6 +79,8 @@ end
 function len = fittedLength (S, apart)
   misfit = @(logL) sum (sum ((S - exp (-apart / exp (logL))).^2));
   least = min (apart(apart > 0));
+  % between a third of the least distance (independent) and the whole series (one
+  % error)
   len = exp (fminbnd (misfit, log (least / 3), log (max (apart(:)))));
 end
 

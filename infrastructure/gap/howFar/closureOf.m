@@ -40,6 +40,7 @@ function c = closureOf (before, after, metric, options)
   c.interval90 = [NaN, NaN];
   room = gap - miss;
   c.share = 1 - (left - leftError) ./ room;
+  % a draw in which noise makes the whole gap has nothing to close
   c.share(room <= 0) = NaN;
   if c.removable && gap > 0 && c.free > 0
     c.closure = 1 - left / gap;
@@ -51,6 +52,7 @@ end
 function [gap, miss] = gapOf (d, metric)
   square = d.r * metric * d.r';
   noise = sum (sum (metric .* d.F));
+  % noise alone makes this 0 in the mean, whatever was fitted
   gap = square - noise;
   g = d.r * sqrt (max (gap, 0) / max (square, realmin));
   E = d.E * metric;
@@ -58,6 +60,7 @@ function [gap, miss] = gapOf (d, metric)
 end
 
 function [p, z, m] = chanceOf (d, metric, hiddenAt)
+  % along the axes of F in units of the noise: 1 is free, 0 hidden by parameters
   L = chol (inv (metric), 'lower');
   F = L \ d.F / L';
   [U, lambda] = eig ((F + F') / 2);
@@ -72,6 +75,7 @@ function [p, z, m] = chanceOf (d, metric, hiddenAt)
     % upper tail of Fisher's F: q / m with m and nu degrees of freedom
     p = betainc (nu / (nu + q), nu / 2, m / 2);
   end
+  % where parameters hide all of a target's error there is nothing to divide by
   sd = sqrt (max (diag (d.F), 1e-3 * diag (inv (metric))))';
   z = max (abs (d.r) ./ sd);
 end

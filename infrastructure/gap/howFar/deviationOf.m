@@ -38,6 +38,7 @@ function d = deviationOf (study, set, draws)
   % the harmonic mean: what is known least decides
   d.nu = 1 / mean (1 ./ white.nu);
   J = reshape (vertcat (J{:})', columns (white.coef), numel (set.Q));
+  % an unknown at its limit could not bend to the noise
   free = isFree (white, set, study.models.options.limitAt);
   d.J = back * J(:, free);
   known = diag ([study.models.prior.sd, Inf(1, numel (set.h))].^-2);
@@ -48,8 +49,10 @@ function d = deviationOf (study, set, draws)
     knownRoot = covarianceRoot (known);
   end
   own = d.J(used, :)' / d.Sigma(used, used);
+  % an unknown that no used target sees stays where it is
   C = pinv (own * d.J(used, :) + known);
   K = zeros (numel (targets));
+  % hat matrix of the fit: what it moves by an error of a used target
   K(:, used) = d.J * C * own;
   noise = budget.covariance(targets, targets);
   surrogate = d.Sigma - noise;
@@ -57,6 +60,7 @@ function d = deviationOf (study, set, draws)
   d.r = problem.value(targets) - M * back';
   if set.verified
     d.r = problem.value(targets) - mean (set.Z(:, targets), 1);
+    % runs replace the surrogate, so its error is in the place of the fit alone
     run = ofRuns (emulator, set.Z, targets);
   else
     noise = d.Sigma;

@@ -15,6 +15,7 @@
 
 function Q = fitCure (study, members)
   models = study.models;
+  % in DEM an effect has the size it has: no amplitude is free
   [models.white.effect.unbent] = deal (0);
   flat = setfield (models.prior, 'flat', true);
   fit = fitEffects (models, study.fits, 1, members, flat);

@@ -91,6 +91,7 @@ end
 function devs = deviationsOf (study, sets)
   n = numel ([study.problem.used, study.problem.heldOut]);
   p = max (arrayfun (@(s) numel (s.Q), sets));
+  % one measurement: its draws are the same for all sets, which compares them in pairs
   normal = integrationPoints (1000, 3 * n + p, 7).normal;
   draws = struct ('noise', normal(:, 1:n), ...
                   'surrogate', normal(:, n + (1:n)), ...
@@ -156,6 +157,7 @@ end
 function share = alikeness (d, used)
   L = chol (d(1).Sigma(used, used), 'lower');
   N = parityProjection (L \ d(1).J(used, :), zeros (numel (used), 1)).N;
+  % as far as parameters cannot hide it, in units of the noise
   a = N' * (L \ d(2).s(used)');
   b = N' * (L \ d(3).s(used)');
   share = max (a' * b, 0)^2 / max ((a' * a) * (b' * b), realmin);

@@ -30,6 +30,7 @@ function [verdict, evidence, cure, state] = proveCause (verdict, study, state)
     return
   end
   if ~isSaid (verdict)
+    % what is not said needs no proof: surrogates compare it
     state.evaluate = [];
   end
   [sets, state] = runCures (study, causes, state);
@@ -108,6 +109,7 @@ function causes = comparedCauses (verdict, evidence, options)
   rivals = others(isMember)(1:min (2, sum (isMember)));
   if isempty (rivals) && ~isempty (others)
     alike = max (evidence.screen.cosine(first, others), [], 1);
+    % what cannot be seen could not imitate the cause
     [~, best] = max (alike .* isfinite (evidence.screen.smallest(others)));
     rivals = others(best);
   end

@@ -31,6 +31,7 @@ function [sets, state] = runCures (study, causes, state, sets)
     sets(end + 1) = blank;
   end
   new = known + 1:numel (sets);
+  % two seeds each at least, as one tells no scatter
   verify = ~isempty (state.evaluate) && state.budget.sets >= 2 * numel (new);
   if verify
     state.repeats = min (state.repeats, floor (state.budget.sets / numel (new)));
@@ -69,6 +70,8 @@ function [set, state] = runSet (study, set, state)
     end
   end
   if ~isempty (emulator.change)
+    % runs are of the simulation; what both conditions lack is added as in the
+    % emulator
     Z = Z + polyRows (emulator.powers, set.Q(1:emulator.p)) * emulator.change.coef;
   end
   set.Z = Z(all (isfinite (Z), 2), :);
@@ -76,6 +79,7 @@ function [set, state] = runSet (study, set, state)
   M = predictGap (emulator, set.h, set.Q);
   vague = emulator;
   if ~isempty (emulator.change)
+    % of a change surrogates count as exact; these runs are judged as simulations
     vague = emulator.change.plain;
   end
   sd = sqrt (mean (vague.surrogateVar, 1) + ...

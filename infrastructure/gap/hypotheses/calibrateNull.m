@@ -7,6 +7,7 @@
 
 function theta = calibrateNull (problem, emulator, options)
   models = makeHypotheses (problem, withoutEffects (emulator), options);
+  % no effect and no discrepancy: what a calibration would find
   models.list = models.list(1);
   fits = fitLibrary (models, problem.value(problem.used));
   theta = fits.calibrated.Q;

@@ -30,6 +30,7 @@ function evidence = caseEvidence (models, fits, i)
   logP = [list.logPrior] + [list.logE];
   logP = logP - logSumExp (logP);
   for j = 1:numel (list)
+    % exp (-9.2) is a ten-thousandth: what is less likely decides nothing
     if any (strcmp (list(j).h.kind, {'null', 'single'})) || logP(j) > -9.2
       list(j) = integrate (models, list(j));
     end
@@ -89,6 +90,7 @@ function one = integrate (models, one)
   hi = range(:, 2)';
   margin = (1 - settings.limitAt) * (hi - lo);
   phi = r.Q(:, p + (1:numel (members)));
+  % at 0 a strength is at no limit: there the effect is not
   ends = phi > hi - margin | (lo < 0 & phi < lo + margin);
   one.atLimit = max (r.weight' * ends);
   one.turned = r.weight' * (r.Q(:, end) > settings.turnedAt);
@@ -150,6 +152,7 @@ end
 % By what their signatures explain of the residual R of effect K.
 function others = partnersOf (k, r, screen)
   rho = screen.parity.N' * r';
+  % at right angles to K itself: what it leaves is for the other one to explain
   along = screen.U(:, k) / max (norm (screen.U(:, k)), realmin);
   rest = screen.U - along * (along' * screen.U);
   % what is left of a signature that is the same but for rounding says nothing

@@ -26,8 +26,10 @@ function kinds = discrepancyKinds (problem, emulator, budget, targets)
     oneKind (emulator, white, budget, C, ...
              struct ('name', name, 'weight', weight, ...
                      'h', newHypothesis ('discrepancy', zeros (1, 0), extent)));
+  % 0.08 of the range of a target, a factor of e up or down
   kinds = make (R, [0.08, 1], 'anything', 0.2);
   for b = benches
+    % what is wrong with a rig is wrong with its own readings only
     mask = diag (problem.bench(targets) == b);
     kinds(end + 1) = make (R .* mask, [0.08, 1], problem.benchNames{b}, ...
                            0.3 / numel (benches));
@@ -45,6 +47,8 @@ end
 function kind = oneKind (emulator, white, budget, C, kind)
   isTarget = white.isTarget > 0;
   C = white.W(isTarget, :) * C * white.W(isTarget, :)';
+  % turned so that the misfit has independent coordinates, as the likelihood takes
+  % them
   [U, L] = eig ((C + C') / 2);
   kind.white = whitenEmulator (emulator, white.columns, budget, U');
   kind.white.shape = zeros (size (isTarget));

@@ -33,6 +33,8 @@ function theta = parametersOf (white, theta)
     return
   end
   J = reshape (vertcat (J{:})', columns (M), white.p)(told, :);
+  % the box as a normal prior, its deviation sqrt (2), where the reference tells
+  % little
   A = J' * J + 0.5 * eye (white.p);
   middle = A \ (J' * -M(told)');
   theta = middle' + randn (size (theta)) / chol (A)';

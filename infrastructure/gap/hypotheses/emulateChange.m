@@ -41,6 +41,7 @@ function emulator = emulateChange (emulator, problem)
   own = noiseBudget (problem, emulator);
   before = noiseBudget (ofReference (problem), emulator);
   at = find (isfinite (reference.value));
+  % a factor of 16 either way of what is usual: the evidence of the reference picks
   sizes = 0.08 * 2.^(-4:0.75:4);
   parts = cell (1, numel (sizes));
   score = zeros (1, numel (sizes));
@@ -73,6 +74,7 @@ end
 function problem = ofReference (problem)
   own = problem.reference;
   if ~isempty (problem.covariance)
+    % readings of one rig are correlated alike in both conditions, whatever their sd
     ratio = own.sd ./ sqrt (diag (problem.covariance))';
     ratio(~isfinite (ratio)) = 0;
     problem.covariance = (ratio' * ratio) .* problem.covariance;
@@ -84,6 +86,7 @@ end
 
 function C = lackShape (emulator, problem)
   alike = fadingAlong (problem.series, problem.coordinate);
+  % a fifth of it is each target's own: neighbours are not wrong by exactly the same
   C = 0.8 * alike + 0.2 * eye (columns (alike));
   C = C .* (emulator.range' * emulator.range);
 end
@@ -107,6 +110,7 @@ function part = fitReference (emulator, problem, before, lack, at)
   Z = repmat (problem.reference.value(at) * white.W', rows (starts), 1);
   fit = fitHypothesis (white, null, Z, toNormal (unknowns, starts), prior);
   [part.logE, best] = max (fit.logE);
+  % whitened by another W for each size: as a density of the targets they compare
   part.logE = part.logE + sum (log (svd (white.W)));
   part.Q = fit.Q(best, :);
   [M, V, ~, J] = predictGap (white, [], part.Q);
@@ -138,6 +142,7 @@ function emulator = mixed (emulator, problem, own, parts, weight, at)
     lack = lack + weight(i) * (parts(i).lackOf * r')';
   end
   for i = 1:numel (parts)
+    % law of total variance: what the sizes foretell differently is uncertain, too
     off = (parts(i).K - K) * r';
     left = left + weight(i) * (off * off');
   end
@@ -150,6 +155,7 @@ function emulator = mixed (emulator, problem, own, parts, weight, at)
   emulator.change.lack = lack;
   emulator.change.covariance = own.covariance + left;
   emulator.coef = emulator.coef + emulator.change.coef;
+  % it stands in the covariance of the change now, and would count twice
   emulator.surrogateVar = repmat ((1e-6 * emulator.range).^2, rows (emulator.points), 1);
   emulator.fitVar = zeros (size (emulator.fitVar));
   emulator.known = knownOf (A, g, same);
@@ -160,6 +166,7 @@ end
 function known = knownOf (A, g, same)
   p = rows (A);
   if ~all (same)
+    % parameters of one condition alone are integrated out (Schur complement)
     gain = A(same, ~same) / (A(~same, ~same) + 1e-9 * eye (sum (~same)));
     g = g(same) - gain * g(~same);
     A = A(same, same) - gain * A(~same, same);
@@ -168,6 +175,7 @@ function known = knownOf (A, g, same)
   end
   [U, L] = eig ((A + A') / 2);
   L = diag (L);
+  % directions of which the reference says nothing would divide by rounding
   kept = L > 1e-6 * max ([L; realmin]);
   known.root = zeros (sum (kept), p);
   known.root(:, same) = sqrt (L(kept)) .* U(:, kept)';

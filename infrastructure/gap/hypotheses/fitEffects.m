@@ -30,6 +30,7 @@ function best = fitEffects (models, fits, i, members, prior)
                        U, prior);
   score = fit.logE;
   if isfield (prior, 'flat')
+    % without a prior Laplace's volume means nothing: the best fit is the best
     score = fit.logPeak;
   end
   [~, at] = max (score);

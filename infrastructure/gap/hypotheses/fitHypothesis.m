@@ -35,6 +35,7 @@ function fit = fitHypothesis (white, h, Z, U, prior)
   view.nu = white.nu;
   at = climb (view, Z, at.U);
   [~, logDet] = solveMany (at.A, at.g);
+  % Laplace's formula; the 2 pi of the normal prior and of the integral cancel
   fit = struct ('U', at.U, 'Q', fromNormal (view.unknowns, at.U), ...
                 'chi2', at.chi2, 'A', at.A, 'logPeak', at.score, ...
                 'logE', at.score - 0.5 * logDet);
@@ -42,6 +43,8 @@ end
 
 function at = climb (view, Z, U)
   n = rows (U);
+  % Levenberg-Marquardt (Marquardt 1963, J. SIAM 11): a fifth after a step that gains,
+  % ten times else
   damping = 0.01 * ones (n, 1);
   at = lookAt (view, Z, U);
   active = (1:n)';

@@ -27,6 +27,7 @@ function fits = fitLibrary (models, Y)
     fits.of{j} = fitRow (row, parent, Y, models.prior);
     fits.logE(:, j) = fits.of{j}.logSum;
   end
+  % a calibration minimises misses alone, so its set has no prior
   flat = setfield (models.prior, 'flat', true);
   null = models.list(1);
   fits.calibrated = fitHypothesis (null.white, null.h, fits.Z, ...
@@ -57,10 +58,12 @@ function best = bestOf (white, h, Z, U, prior)
   if s == 1
     return
   end
+  % ends within half a deviation of the prior are one mode that rounding has split
   far = sqrt (sum ((tried.U - kron (best.U, ones (s, 1))).^2, 2)) > 0.5;
   logE(~reshape (far, s, n)) = -Inf;
   [second, at] = max (logE, [], 1);
   best.other = pick (tried, (0:n - 1) * s + at);
+  % a mode that is less likely by exp (4) adds less than 2 %
   best.hasOther = (first - second)' < 4;
   best.logSum = best.logSum + best.hasOther .* log1p (exp (second - first)');
 end

@@ -49,11 +49,13 @@ function C = unitTrace (C)
 end
 
 function C = towardsOthers (V)
+  % a mark below the noise has no direction that anybody could tell
   V = V(:, sum (V.^2, 1) > 1);
   C = zeros (rows (V));
   for k = 1:columns (V)
     u = V(:, k) / norm (V(:, k));
     R = V - u * (u' * V);
+    % of nearly parallel marks (sine below 0.2) the rest has no sure direction
     R = R(:, sum (R.^2, 1) > 0.04 * sum (V.^2, 1));
     R = R ./ sqrt (sum (R.^2, 1));
     C = C + R * R';

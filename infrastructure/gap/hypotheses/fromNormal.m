@@ -12,6 +12,7 @@
 % exactly normal, so that fits need no projection and samples no rejection.
 
 function [Q, slope] = fromNormal (unknowns, U)
+  % farther out rounding makes Phi 0 or 1, and its inverse infinite
   U = min (max (U, -7), 7);
   density = exp (-0.5 * U.^2) / sqrt (2 * pi);
   below = 0.5 * erfc (-U / sqrt (2));
@@ -22,11 +23,13 @@ function [Q, slope] = fromNormal (unknowns, U)
   if any (cut)
     lo = unknowns.pLo(cut);
     mass = unknowns.pHi(cut) - lo;
+    % a normal cut to its limits, by its distribution function
     x = sqrt (2) * erfinv (2 * (lo + mass .* below(:, cut)) - 1);
     x = min (max (x, -8), 8);
     sd = unknowns.sd(cut);
     Q(:, cut) = min (max (unknowns.mean(cut) + sd .* x, unknowns.lo(cut)), ...
                      unknowns.hi(cut));
+    % the ratio of both densities, from the chain rule
     slope(:, cut) = sd .* mass .* density(:, cut) .* ...
                     exp (0.5 * x.^2) * sqrt (2 * pi);
   end

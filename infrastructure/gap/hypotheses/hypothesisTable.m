@@ -47,6 +47,7 @@ function models = hypothesisTable (models, kinds, starts)
   end
   models.list = list;
   models.singles = 1 + (1:K);
+  % all pairs share one probability: a long list makes no pair likelier
   both = triu (factor' * factor, 1);
   models.pairPrior = weights.pair * (both + both') / ...
                      max (sum (both(:)), realmin);
@@ -65,6 +66,7 @@ end
 % Of the strength, the amplitude and the form error of a single effect.
 function U = startsOf (white, h, prior)
   range = white.effect(h.members).range;
+  % a weak and a strong one, or one a side: an effect that bends may fit at both
   phi = [0.15; 0.6] * range(2);
   if range(1) < 0
     phi = 0.6 * range(:);

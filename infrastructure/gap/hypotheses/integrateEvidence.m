@@ -69,6 +69,8 @@ function sample = extend (sample, proposal, target, n, seed)
   parts = proposal.parts;
   d = columns (sample.U);
   base = integrationPoints (n, d, seed);
+  % a tenth from the prior bounds the weights wherever the rest has no mass (defensive
+  % mixture, Hesterberg 1995, Technometrics 37)
   edges = [0, round(cumsum ([0.1, 0.9 * [parts.share]]) * n)];
   edges(end) = n;
   U = base.normal;
@@ -125,11 +127,13 @@ function [logW, result] = weigh (sample)
   % effective number after Kish (1965)
   result = struct ('logE', total - log (N), 'ess', 1 / sum (w.^2), ...
                    'points', N, 'weight', w);
+  % of a mean of independent weights, relative: the error of its logarithm
   result.error = sqrt (max (sum (w.^2) - 1 / N, 0));
 end
 
 function proposal = moments (sample, logW, old)
   d = columns (sample.U);
+  % a covariance has d (d + 1) / 2 numbers: fewer points would make it singular
   w = flattened (logW, 12 * d);
   [~, near] = proposalDensity (old, sample.U);
   near = log ([old.share]) + near;

@@ -21,6 +21,8 @@ function models = makeHypotheses (problem, emulator, options, targets)
   models.white = formError (problem, emulator, budget, targets);
   models.prior = problem.paramPrior;
   kinds = discrepancyKinds (problem, emulator, budget, targets);
+  % the middle and five points towards the faces: the null fit may have several
+  % valleys
   starts = [zeros(1, emulator.p); 0.9 * boxPoints(emulator.p, 5)];
   models.names = {emulator.effect.name};
   models.factor = ones (1, numel (models.names));

@@ -12,6 +12,7 @@
 %          weighted with the probability that it is one of them; [] for one kind
 
 function [bits, pair] = mixtureInformation (parts, P, kinds)
+  % the same draws for all that is compared: differences are no chance
   draws = integrationPoints (1000, numel (parts(1).mean), 23).normal;
   roots = arrayfun (@(part) chol (part.cov), parts, 'UniformOutput', false);
   list = unique (kinds(:)');
@@ -51,6 +52,7 @@ function bits = among (some, density, P, number, weight)
     together = logSumExp (density{k}(:, some)) - log (whole);
     bits = bits + P(k) / whole * mean (own - together) / log (2);
   end
+  % of draws it may come out negative, information never is
   bits = max (bits, 0);
 end
 

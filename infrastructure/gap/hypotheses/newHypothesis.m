@@ -24,6 +24,7 @@ function h = newHypothesis (kind, members, extent)
     members = zeros (1, 0);
   end
   if nargin < 3
+    % laws of LIGGGHTS in each other's place: docs/gap-figures.md
     extent = 0.42;
   end
   spread = '';

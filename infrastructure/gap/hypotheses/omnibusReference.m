@@ -18,6 +18,7 @@ function models = omnibusReference (models, statistic)
   most = models.options.twins;
   n = most;
   if nargin > 1
+    % most cases are far from the level, and known after the first hundred
     n = 100;
   end
   models.reference = zeros (0, 1);

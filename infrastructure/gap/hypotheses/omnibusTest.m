@@ -22,6 +22,7 @@
 function gate = omnibusTest (models, logE)
   prior = [models.list.prior];
   share = log (prior(2:end) / sum (prior(2:end)));
+  % discrepancies are among them: a gap that no effect explains is one as well
   gate.statistic = logSumExp (logE(:, 2:end) + share) - logE(:, 1);
   gate.p = ones (rows (logE), 1);
   if ~isempty (models.reference)
@@ -45,6 +46,7 @@ function p = tailOf (reference, x)
   % first two probability-weighted moments
   b0 = mean (beyond);
   b1 = ((m - 1:-1:0) / (m - 1)) * beyond / m;
+  % a negative shape would end the tail and make a p of 0
   shape = max (2 - b0 / (b0 - 2 * b1), 0);
   scale = b0 * (1 - shape);
   z = (x - from) / scale;

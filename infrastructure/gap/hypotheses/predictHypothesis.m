@@ -40,6 +40,7 @@ function [M, V, L, J, G] = predictHypothesis (view, U)
     J{last} = zeros (size (S));
     if any ([white.effect(h.members).unbent])
       g = amplitudeSd (white.effect(h.members), Q(:, white.p + 1:last - 1));
+      % log-normal: a mark may be twice or half as large, but not turn its sign
       larger = exp (Q(:, last) .* g);
       M = M + (larger - 1) .* S;
       J{last} = g .* larger .* S;
@@ -56,6 +57,7 @@ function [M, V, L, J, G] = predictHypothesis (view, U)
   part = Q(:, end).^2 .* energy .* white.shape;
   V = V + part;
   if nargout > 3
+    % an unknown part widens the prediction and moves no mean
     J{last + 1} = 0;
     G = cell (1, last + 1);
     share = part ./ V;
@@ -76,6 +78,7 @@ function [energy, steep] = energyOf (white, members, Q, S, J)
     [~, ~, parts{i}] = predictGap (white, members(i), Q(:, [1:p, p + i]));
   end
   for i = 1:numel (parts)
+    % squares of both add: either law is off in a direction of its own
     parts{i} = parts{i} * white.parity;
     energy = energy + sum (parts{i}.^2, 2);
   end

@@ -19,6 +19,7 @@ function U = toNormal (unknowns, Q)
   if any (is)
     U(:, is) = (log (Q(:, is)) - unknowns.mean(is)) ./ unknowns.sd(is);
   end
+  % these are starts: at a limit the map is flat, and a fit would stay there
   U = min (max (U, -3), 3);
 end
 

@@ -40,6 +40,7 @@ function view = viewHypothesis (white, h, prior)
                       h.extent(end) * spread]);
   of.isScale = [false(1, white.p + m), amplitude == 0, ...
                 spread & isScale];
+  % what the limits cut off a normal prior: fromNormal spreads the rest
   below = @(x) 1 - normalTail ((x - of.mean) ./ of.sd);
   of.pLo = below (of.lo);
   of.pHi = below (of.hi);

@@ -25,6 +25,7 @@ function folder = benchFolder (Case, bench)
     return
   end
   [~, ~] = mkdir (place);
+  % made aside and renamed: a copy that was broken off is never taken for the model
   half = tempname (place);
   mkdir (half);
   copyModel (half, bench.source);

@@ -75,6 +75,7 @@ function set = setOf (study, evidence, h, options)
   set.draws = repmat (set.mode, n, 1);
   if ~isempty (posterior.Q)
     u = integrationPoints (n, 1, options.seed + h).uniform;
+    % draws of the posterior, by its distribution function
     at = sum (cumsum (posterior.weight)' < u, 2) + 1;
     at = min (at, rows (posterior.Q));
     set.draws = posterior.Q(at, columns_);

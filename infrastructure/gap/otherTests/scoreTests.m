@@ -37,6 +37,7 @@ function tests = scoreTests (tests, causes)
   for i = 1:numel (tests)
     groups = groupsOf (tests(i));
     [tests(i).gain, tests(i).pair] = gainOf (groups, causes);
+    % differences as they stand: what more runs may still show
     groups.mean = groups.own;
     tests(i).promise = gainOf (groups, causes);
   end
@@ -93,6 +94,8 @@ end
 % Variance of one run of an explanation, and the correlation of its results.
 function [V, C] = spreadOf (R, df, test)
   T = columns (R);
+  % scatter, and once more scatter and reading: nothing is predicted better than
+  % measured
   guess = 2 * test.noise.^2 + test.sd.^2;
   V = (4 * guess + sum (R.^2, 1)) / (4 + df);
   scale = sqrt (sum (R.^2, 1));

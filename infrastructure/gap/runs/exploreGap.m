@@ -40,6 +40,7 @@ end
 function [state, emulator] = improveSurrogates (problem, options, state)
   for pass = 1:3
     emulator = emulate (problem, state.data, options);
+    % half of the budget at most: effects need the rest
     n = min (2 * emulator.p + 2, floor (state.budget.sets / 2));
     if pass == 3 || n < 1 || isempty (state.evaluate)
       return
@@ -49,6 +50,7 @@ function [state, emulator] = improveSurrogates (problem, options, state)
     if ~side.blameSurrogate && ~side.vague
       return
     end
+    % nearer at the second time: the fitted set is better known then
     state = runNearNull (problem, state, theta, n, 0.8 / pass, ...
                          options.seed + pass);
   end

@@ -45,6 +45,7 @@ function [sets, lines] = foreseeSets (effects, left, options, seconds)
   if left < wanted
     lines{end + 1} = sprintf ('Input.maxNewRuns leaves %d of them', ...
                               max (left, 0));
+    % what verifies the cure is set aside first (exploreEffects)
     first = left - min (share(4), floor (left / 3));
     missing = names(cumsum (ends) > first);
     if ~isempty (missing) && left > 0

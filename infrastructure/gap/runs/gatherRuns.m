@@ -55,17 +55,20 @@ function [data, count] = fromStore (Case, data, count, which)
     own = [Case.targets.model] == k;
     names = runFoldersOf (Case, Case.models(k).name, which{:});
     [records, effects] = runsOf (names, Case, k, Case.hashes(k));
+    % coarse runs say nothing of what a set costs
     isLast = cellfun (@(e) atLastLevel (e, Case.coarse), effects);
     spent = cellfun (@(r) r.seconds, records(isLast));
     spent = spent(isfinite (spent));
     seconds(k) = sum (spent) / numel (spent) * Case.models(k).cpu;
     for i = 1:numel (records)
       record = records{i};
+      % as runs are made: with 15 digits
       row = [toDigits([record.params(:)', effects{i}]), record.replicate];
       at = find (all (inputs == row, 2), 1);
       if isempty (at)
         at = rows (inputs) + 1;
         inputs(at, :) = row;
+        % NA: not run; NaN: run without a result, which is evidence
         Z(at, :) = NA (1, columns (Z));
         stages{at, 1} = record.stage;
       end

@@ -14,6 +14,7 @@ function state = newGapState (data, options, evaluate)
   if ~isfield (data, 'stage')
     state.data.stage = repmat ({'import'}, rows (data.X), 1);
   end
+  % a case brings its budget along; a function handle counts runs alone
   if isstruct (evaluate)
     [state.evaluate, state.budget] = deal (evaluate.evaluate, evaluate.budget);
   else

@@ -17,6 +17,7 @@
 
 function Q = planEffectRuns (n, have, theta, posterior, range)
   p = numel (theta);
+  % the same points at each start: it asks for the runs that it has made
   u = integrationPoints (400, 2 * p + 2, 17).uniform;
   if isempty (posterior)
     near = max (min (theta + 0.8 * (u(:, p + 2:2 * p + 1) - 0.5), 1), -1);
@@ -39,6 +40,7 @@ function Q = planEffectRuns (n, have, theta, posterior, range)
     end
     distance = Inf (rows (pool), 1);
     for i = 1:rows (taken)
+      % box and range count alike, whatever their units
       gap = (pool - taken(i, :)) ./ [2 * ones(1, p), diff(range)];
       distance = min (distance, sum (gap.^2, 2));
     end
@@ -48,6 +50,7 @@ function Q = planEffectRuns (n, have, theta, posterior, range)
 end
 
 function phi = strengthOf (u, range)
+  % a weak effect tells little of itself
   phi = 0.15 + 0.85 * u;
   if range(1) < 0
     phi = 2 * u - 1;

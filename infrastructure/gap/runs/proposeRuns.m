@@ -65,6 +65,8 @@ function pool = candidates (problem, options, state, emulator, now)
   [total, order] = sort (-now.verdict.include);
   order = unique ([order(1:min (4, numel (order))), now.alike, ...
                    now.rivals], 'stable');
+  % rivals get runs in turn, those with the fewest first: none wins by being better
+  % known
   level = 1 + min ([now.runs(now.rivals), Inf]);
   isSure = -total(1) >= options.standsAt;
   singles = find (strcmp (evidence.kind, 'single'));
@@ -138,6 +140,7 @@ function pool = likelyPair (options, emulator, now, failed)
   pool = struct ('what', 'pair', 'members', members, 'q', middle, 'P', most, ...
                  'isMode', true, 'spread', posterior, 'story', members, ...
                  'lacks', 0);
+  % what two do together shows most where both are strong
   full = middle;
   for i = 1:2
     full(emulator.p + i) = emulator.effect(members(i)).strongest * ...
@@ -183,10 +186,12 @@ end
 % Bits of a run where N of the same effect are in the batch already.
 function bits = told (one, n)
   if n < one.lacks
+    % runs that a name needs come before all that only inform
     bits = 1e3 - n + one.isMode;
     return
   end
   parts = one.parts;
+  % runs of one effect tell in part the same: each leaves half to the next
   parts(1).mean = parts(2).mean + 0.5^n * (parts(1).mean - parts(2).mean);
   parts(1).cov = parts(2).cov + 0.5^n * (parts(1).cov - parts(2).cov);
   P = min (max (one.P, 1e-6), 1 - 1e-6);

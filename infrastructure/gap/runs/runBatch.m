@@ -7,6 +7,7 @@
 %                      isFine (n x 1 logical; of a case without levels all are)
 
 function state = runBatch (problem, state, batch)
+  % modes are where the verdict rests: at the level that counts
   fine = batch.isFine | ~isfield (state.data, 'level');
   stages = {'gap', 'coarse'};
   for at = {fine, ~fine}

@@ -22,10 +22,12 @@ function state = runEach (problem, state, theta)
     for i = 1:n
       % shares of this end, and of no other
       own = (phi * ends(i, :)') / sumsq (ends(i, :));
+      % within a factor of sqrt (2) it is the same strength
       isTried = abs (log2 (max (own, 1e-9) / share)) < 0.5;
       isMissing(i) = ~any (own(isWhole) > max (least, 1e-9)) && ~any (isTried);
     end
     missing = find (isMissing);
+    % where most effects give no result, strength is not what is wrong
     if share < 1 && numel (missing) > max (n / 2, 1)
       return
     end

@@ -11,6 +11,7 @@
 
 function state = runNearNull (problem, state, theta, n, width, seed)
   spread = integrationPoints (n, numel (theta), seed).uniform - 0.5;
+  % a cube about the fitted set, cut at the limits of the box
   near = min (max (theta + width * spread, -1), 1);
   state = spendRuns (state, problem, near, ...
                      zeros (n, numel (problem.effects)), ones (n, 1));

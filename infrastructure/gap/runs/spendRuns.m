@@ -19,6 +19,8 @@ function state = spendRuns (state, problem, theta, phi, replicate, stage)
   end
   E = valuesOfStrength (problem.effects, phi);
   if strcmp (stage, 'coarse')
+    % the coarsest level is cheapest; what it changes of an effect is learned
+    % (levelShare)
     E = [repmat(problem.coarse.levels(1, :), n, 1), E];
     stage = 'gap';
   end

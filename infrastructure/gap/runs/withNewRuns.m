@@ -16,6 +16,7 @@ function data = withNewRuns (data, state, known, problem)
       own(:, problem.kept) = state.data.level(new, :);
     elseif strcmp (name{1}, 'Z')
       own = NaN (numel (new), columns (data.Z));
+      % back from units of the noise (enterRuns)
       own(:, problem.kept) = state.data.Z(new, :) .* problem.unit;
     end
     data.(name{1}) = [data.(name{1}); own];

@@ -8,6 +8,7 @@
 function list = causesOfVerdict (verdict, study)
   problem = study.problem;
   if any (strcmp (verdict.kind, {'no gap', 'surrogate'}))
+    % who sees no gap, or cannot tell, does not ask what made it
     problem.causes = [];
   end
   list = weighCauses (study.models, study.evidence.screen, ...

@@ -92,6 +92,7 @@ function s = strengthOf (evidence, verdict, k, models, problem)
     phi = posterior.Q(:, column);
     own = models.white.effect(k);
     q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
+    % caution widens the interval; the middle is that of the whole likelihood
     q(1) = weightedQuantile (phi, posterior.weight, 0.5);
     theta = posterior.Q(:, 1:models.white.p);
     if any (verdict.effects == k) && strcmp (verdict.kind, 'named')
@@ -146,6 +147,8 @@ function groups = confusedGroups (screen, models)
   K = numel (models.names);
   linked = false (K);
   for k = 1:K
+    % at half strength; the chance is that of the method: Phi (-d sqrt ((1 - cos) /
+    % 2))
     d = screen.size(k) / 2;
     linked(k, :) = d > 0 & screen.size > 0 & ...
                    normalTail (d * sqrt (max (1 - screen.cosine(k, :), 0) / ...

@@ -88,6 +88,7 @@ function verdict = openVerdict (evidence, K)
                     'partners', zeros (1, 0), 'guard', '', 'reason', ...
                     'no single cause is likely enough');
   whole = exp (logP - logSumExp (logP));
+  % what would have to turn too far is rather another cause, which nobody has listed
   verdict.P = whole .* (1 - evidence.turned);
   verdict.include = zeros (1, K);
   for h = 1:numel (verdict.P)

@@ -13,6 +13,7 @@ function nats = natsBehind (evidence, verdict, strong)
   without = cellfun (@(m) ~all (ismember (strong, m)), evidence.members);
   nats = Inf (size (verdict.include));
   for k = setdiff (1:numel (nats), strong)
+    % k beside all of STRONG is its partner, not its rival
     holds = cellfun (@(m) any (m == k), evidence.members);
     nats(k) = log (min (verdict.include(strong))) - ...
               log (sum (verdict.P(holds & without)));

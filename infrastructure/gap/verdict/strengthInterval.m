@@ -25,11 +25,15 @@ function q = strengthInterval (phi, weight, range, scale)
   % Silverman (1986), 3.4.2, with the effective number of points
   width = max (0.9 * spread * sum (weight.^2)^0.2, 0.005);
   kernel = @(x) exp (-0.5 * ((grid - x') / width).^2);
+  % reflected at both ends, where half of each kernel would be lost (Silverman 1986,
+  % 2.10)
   density = (kernel (phi) + kernel (2 * range(1) - phi) + ...
              kernel (2 * range(2) - phi)) * weight;
+  % over its prior: an interval of the posterior would never hold the end of the range
   likelihood = density ./ exp (-0.5 * (grid / scale).^2);
   inside = grid(likelihood >= exp (-1.353) * max (likelihood));
   step = grid(2) - grid(1);
+  % the grid knows each end within half a step
   lo = max (inside(1) - step / 2, range(1));
   hi = min (inside(end) + step / 2, range(2));
   q = [weightedQuantile(phi, weight, 0.5), lo, hi];

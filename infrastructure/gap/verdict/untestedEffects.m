@@ -19,6 +19,7 @@ function list = untestedEffects (names, effects, state)
     [texts, ~, at] = unique ({lost(only (E)).message});
     why = '';
     if ~isempty (texts)
+      % what most of them ended with
       why = texts{mode(at)};
     end
     isFailed = only (data.E) & any (isnan (data.Z), 2);

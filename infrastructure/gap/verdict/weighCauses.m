@@ -50,6 +50,7 @@ function list = weighCauses (models, screen, theta, problem)
   if isempty (list)
     return
   end
+  % none of these counts as two causes, as an unlisted effect does
   logP(end + 1) = anyMark (field.rho) + log (2);
   list(end + 1) = struct ('name', '', 'label', 'none of these', ...
                           'question', '', 'probability', NaN, ...
@@ -130,6 +131,7 @@ function [m, D] = markOf (field, members, at, amount)
                             [repmat(field.theta, 3, 1), phi]);
     marks = field.N' * (S ./ field.sd')';
     m = m + marks(:, 1);
+    % one deviation of the share up or down: what it changes of the mark
     D(:, i) = (marks(:, 2) - marks(:, 3)) / 2;
   end
 end

@@ -25,6 +25,7 @@ function [verdict, decides] = withoutReadings (verdict, study)
   joined = verdict.effects;
   for reading = setdiff (readings, {''})(:)'
     rest = targets(~strcmp (readings, reading{1}));
+    % no more targets than parameters are met by anything
     if numel (rest) > study.emulator.p + 1 && numel (rest) < numel (targets)
       first = likeliest (study, verdict, rest);
       if ~isequal (first, verdict.effects)

@@ -23,6 +23,7 @@ function cross = crossPredict (study, from, to)
   fit = fitHypothesis (white, null, Z, starts, models.prior);
   [~, best] = max (fit.logPeak);
   A = reshape (fit.A(best, :, :), emulator.p, emulator.p);
+  % the reference has told its part through FROM
   other = whitenEmulator (setfield (emulator, 'known', []), to, budget);
   view.white = other;
   [M, V, ~, J] = predictHypothesis (view, fit.U(best, :));

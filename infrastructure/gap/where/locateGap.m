@@ -64,6 +64,7 @@ function [p, left] = lackOfFit (models, fit)
   flat = setfield (models.prior, 'flat', true);
   again = fitHypothesis (white, newHypothesis ('null'), Z, ...
                          repmat (fit.U, options.bootstrap, 1), flat);
+  % the measurement is one of the data sets: no p of 0 (Davison and Hinkley 1997, 4.2)
   p = (1 + sum (again.chi2 >= fit.chi2 - options.fitMargin)) / ...
       (options.bootstrap + 1);
   left = Z - predictGap (white, [], again.Q);
@@ -157,7 +158,9 @@ function conflict = benchConflicts (study)
     end
   end
   conflict.odd = [];
+  % predicted either way: the surer side may show what the other hides
   clash = min (conflict.pair, conflict.pair') < study.models.options.conflictAt;
+  % of two nobody can say which is odd
   for b = 1:n * (n > 2)
     others = setdiff (1:n, b);
     if all (clash(b, others)) && ~any (any (clash(others, others)))
@@ -175,6 +178,7 @@ function held = heldOut (study)
     held.sd = cross.sd;
     held.z = (problem.value(problem.heldOut) - cross.mean) ./ cross.sd;
     own = 2 * normalTail (abs (held.z));
+    % of the largest of several (Sidak 1967); expm1 keeps the digits of a small p
     held.p = -expm1 (numel (own) * log1p (-own));
   end
 end

@@ -18,6 +18,7 @@ function side = sideSignals (problem, emulator, theta, options)
   side.atLimit = problem.names(abs (theta) > options.limitAt);
   value = fromSymmetric (theta, problem.limits);
   [~, v] = predictSurrogate (emulator.surrogates, value);
+  % of a change they err alike in both conditions, and cancel
   v = (v + emulator.fitVar) * isempty (emulator.change);
   fixed = diag (noiseBudget (problem, emulator).covariance)';
   side.share = v ./ (v + fixed);
