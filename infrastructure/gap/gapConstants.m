@@ -71,9 +71,6 @@ function c = verdict ()
   % probability of a pair at which its other member is a partner: what 0.95
   % would not leave out
   c.partnerAt = 0.05;
-  % probability of another effect from which it is the placebo of a cause; else
-  % the one most like it is
-  c.rivalAt = 0.05;
   % posterior mass at the end of the range of a strength from which this is said:
   % likelier outside than inside
   c.gluedAt = 0.5;

@@ -7,7 +7,7 @@
 %   CASE     see newCase. The cluster decides how much runs at a time, not
 %            CASE.options.maxCPU
 %   REPORT   function handle, called with the state when it has changed: total,
-%            done, failed, running, pending, seconds, message ('' or a text for
+%            done, failed, running, seconds, message ('' or a text for
 %            the user)
 %   RECORDS  1 x n struct array, see newRecord
 %
@@ -132,10 +132,9 @@ function state = stateOf (queueState)
   isOpen = queueState.status == 'o';
   status = cellfun (@(r) r.status, queueState.records(queueState.status == 's'), ...
                     'UniformOutput', false);
-  running = sum (isOpen & queueState.state == 'r');
   state = struct ('total', numel (isOpen), 'done', numel (status), ...
                   'failed', sum (~strcmp (status, 'ok')), ...
-                  'running', running, 'pending', sum (isOpen) - running);
+                  'running', sum (isOpen & queueState.state == 'r'));
 end
 
 %!function [ok, text, isPassing] = submit (batch, opt, task)

@@ -1,24 +1,22 @@
 % MEASURECURE  Answers HOW FAR the gap shrinks once an effect is modelled.
 %
-% CALL: CURE = measureCure (STUDY, SETS, FIRST, ALIKE)
+% CALL: CURE = measureCure (STUDY, SETS, FIRST)
 %
 %   STUDY     struct problem, emulator, models
 %   SETS     struct array of runCures: the null model first, then each
 %            effect
 %   FIRST    effect numbers of the cause, one of SETS
-%   ALIKE    numbers of the effects of its class (nameCause)
 %   CURE     struct
 %     effect   text, names of the effects that were added
-%     before, after, floor, floorAfter   of the used targets: root mean square
+%     before, after, floor   of the used targets: root mean square
 %              deviations in units of each target's range over the box, and what
-%              noise makes of them (less after a fit than before)
+%              noise makes of them
 %     closure, interval90, gapP, largestZ, removable   of closureOf
 %     heldOut  the same on the held-out targets ([] if there are none)
 %     targets  1 x n struct target (number), before, after (means of the
 %              model), sdBefore, sd (of the measured value less these)
 %     placebos 1 x m struct: the other effects, refitted alike: effect, closure,
-%              interval90, heldOut (closure), verifiedByDEM, inClass (of ALIKE),
-%              and
+%              interval90, heldOut (closure), verifiedByDEM, and
 %       expected    closure that it would have if the cause is right: the square
 %                   of the cosine of what the two add, as far as parameters
 %                   cannot hide it
@@ -40,7 +38,7 @@
 % All draws share the measurement and the runs without the effect, so that
 % cause and placebo are compared in pairs.
 
-function cure = measureCure (study, sets, first, alike)
+function cure = measureCure (study, sets, first)
   problem = study.problem;
   emulator = study.emulator;
   names = study.models.names;
@@ -61,7 +59,6 @@ function cure = measureCure (study, sets, first, alike)
   cure.targets = targetsOf (problem, targets, devs(1), devs(at));
   cure.placebos = struct ('effect', {}, 'closure', {}, 'interval90', {}, ...
                           'heldOut', {}, 'verifiedByDEM', {}, ...
-                          'inClass', {}, ...
                           'expected', {}, 'difference', {}, ...
                           'difference90', {}, 'logRatio', {}, 'against', {});
   for i = setdiff (2:numel (sets), at)
@@ -72,7 +69,6 @@ function cure = measureCure (study, sets, first, alike)
                      {scale, options});
     own.effect = strjoin (names(sets(i).h), ' + ');
     own.verifiedByDEM = sets(i).verified;
-    own.inClass = all (ismember (sets(i).h, alike));
     own.against = own.against && all ([sets([1, at, i]).verified]);
     cure.placebos(end + 1) = orderfields (own, cure.placebos);
   end
@@ -114,8 +110,7 @@ function c = closureAt (d, at, scale, options)
   parts = partOf (d, at);
   rms = @(x) sqrt (mean (x ./ scale(at).^2));
   c = struct ('before', rms (parts(1).r.^2), 'after', rms (parts(2).r.^2), ...
-              'floor', rms (diag (parts(1).F)'), ...
-              'floorAfter', rms (diag (parts(2).F)'));
+              'floor', rms (diag (parts(1).F)'));
   own = closureOf (parts(1), parts(2), metric, options);
   for field = fieldnames (own)'
     c.(field{1}) = own.(field{1});
@@ -194,11 +189,11 @@ end
 %!               'Z', data.Z(1:3, :), 'worstZ', 1, 'verified', true);
 %! cured = setfield (setfield (set, 'h', 1), 'Q', zeros (1, p + 1));
 %! cut = setfield (setfield (cured, 'h', 2), 'verified', false);
-%! cure = measureCure (study, [set, cured, cut], 1, 1);
+%! cure = measureCure (study, [set, cured, cut], 1);
 %! assert (cure.verifiedByDEM);
 %! assert ({cure.placebos.effect}, study.models.names(2));
 %! assert (! cure.placebos.verifiedByDEM);
-%! cure = measureCure (study, [set, cured, cut], 2, 2);
+%! cure = measureCure (study, [set, cured, cut], 2);
 %! assert (! cure.verifiedByDEM);
 %!test
 %! % by DEM, without noise in the fit: the cause closes all, a placebo the
@@ -213,7 +208,7 @@ end
 %! options = gapOptions (struct ('maxNewRuns', 99, 'verifyRuns', 5));
 %! state = newGapState (data, options, runs);
 %! sets = runCures (study, {3, 4}, state);
-%! cure = measureCure (study, sets, 3, 3);
+%! cure = measureCure (study, sets, 3);
 %! assert (cure.closure, 1, 0.03);
 %! assert (cure.heldOut.closure, 1, 0.05);
 %! p = cure.placebos;
@@ -224,7 +219,7 @@ end
 %! assert ([cure.targets.target], 1:12);
 %! % had the placebo been fitted to data of its own, the name would be wrong
 %! sets(3).Z = sets(2).Z;
-%! cure = measureCure (study, sets, 3, 3);
+%! cure = measureCure (study, sets, 3);
 %! assert (cure.placebos.difference, 0, 0.01);
 %! assert (cure.placebos.against);
 %!test
@@ -241,8 +236,8 @@ end
 %! randn ('twister', 1);
 %! sets = [set(zeros (1, 0), truth, zeros (1, 5)), ...
 %!         set(3, [truth, 0.6], [0, 0, 0.6, 0, 0])];
-%! cure = measureCure (study, sets, 3, 3);
+%! cure = measureCure (study, sets, 3);
 %! assert (~cure.stillMisses);
 %! assert (max (abs (cure.remaining)) > 1);
 %! sets(2).Z = sets(2).Z + 1;
-%! assert (measureCure (study, sets, 3, 3).stillMisses);
+%! assert (measureCure (study, sets, 3).stillMisses);

@@ -43,7 +43,7 @@ function [verdict, evidence, cure, state] = proveCause (verdict, study, state)
     if ~isAmong (cause, {sets.h})
       [sets, state] = runCures (study, {cause}, state, sets);
     end
-    cure = measureCure (study, sets, cause, verdict.class);
+    cure = measureCure (study, sets, cause);
     if retries < 1 || state.budget.sets < 2 || ~isSaid (verdict) || ...
        ~cure.stillMisses
       return
@@ -153,8 +153,7 @@ end
 
 %!test
 %! % no other effect is likely: the placebo is the one most like the cause; one
-%! % within 6 nats is compared instead, and an effect of its class is known as
-%! % such
+%! % within 6 nats is compared instead
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
 %! study = labStudy (given, data, struct ('twins', 99));
@@ -162,7 +161,6 @@ end
 %! study.evidence = caseEvidence (study.models, study.fits, 1);
 %! verdict = judgeCase (study.evidence, study.models);
 %! [verdict.kind, verdict.effects, verdict.top] = deal ('named', 3, 3);
-%! verdict.class = [2, 3];
 %! state = newGapState (data, gapOptions ([]), []);
 %! placebos = cell (1, 2);
 %! for i = 1:2
@@ -174,4 +172,3 @@ end
 %! [~, like] = max (study.evidence.screen.cosine(3, [1, 2, 4, 5]));
 %! assert (like, 3);
 %! assert ({placebos{1}.effect, placebos{2}.effect}, {'size', 'bridge'});
-%! assert ([placebos{1}.inClass, placebos{2}.inClass], [false, true]);
