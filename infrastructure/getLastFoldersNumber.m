@@ -1,15 +1,17 @@
 % GETLASTFOLDERSNUMBER  Highest number of a model's run folders.
 %
 % CALL: NUMBER = getLastFoldersNumber (PATH, MODEL)
+%       NUMBER = getLastFoldersNumber (PLACE)
 %
 %   PATH    folder that holds optim/ (text)
 %   MODEL   name of the model (text)
+%   PLACE   folder of the model's runs, PATH/optim/MODEL (text)
 %   NUMBER  integer, 0 where there is none yet
 %
 % See also: getLastFoldersName, newFolderName
 
-function number = getLastFoldersNumber (path, model)
-  [~, numbers] = listRunFolders (path, model);
+function number = getLastFoldersNumber (varargin)
+  [~, numbers] = listRunFolders (varargin{:});
   number = max ([0; numbers]);
 end
 

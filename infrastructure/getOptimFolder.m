@@ -16,8 +16,8 @@ function names = getOptimFolder (params, Case)
   names = cell (1, numel (Case.models));
   for k = 1:numel (Case.models)
     names{k} = NaN;
-    place = fullfile (Case.store, 'optim', Case.models(k).name);
-    for name = listRunFolders (Case.store, Case.models(k).name)'
+    place = runPlace (Case, Case.models(k).name);
+    for name = listRunFolders (place)'
       record = readRun (fullfile (place, name{1}));
       if strcmp (givenField (record, 'status', ''), 'ok') && ...
          isequal (record.params, params(:)') && ...

@@ -10,7 +10,7 @@
 %! Z = evaluateDEM ([2, 3; 2, 3; 4, 5], Case, [1; 2; 1], 'gap', ...
 %!                  @(state) [], [0; 0; 2]);
 %! [data, count] = gatherRuns (Case);
-%! assert (count.store, 6);
+%! assert (count.stored, 6);
 %! [~, order] = sortrows ([data.X, data.E, data.replicate]);
 %! assert (data.X(order, :), [2, 3; 2, 3; 4, 5]);
 %! assert (data.E(order), [0; 0; 2]);
@@ -28,11 +28,11 @@
 %! [data, count] = gatherRuns (withEffects (newCase (raw), own));
 %! assert (data.E, [0; 2]);
 %! [data, count] = gatherRuns (Case);
-%! assert (count.store, 4);
+%! assert (count.stored, 4);
 %! assert (sortrows (data.E), [1, 0; 1, 2]);
 %! longer = longer([2, 1]);
 %! [data, count] = gatherRuns (withEffects (newCase (raw), longer));
-%! assert (count.store, 4);
+%! assert (count.stored, 4);
 %! assert (sortrows (data.E), [0, 1; 2, 1]);
 %! % getResults was corrected: stored runs are evaluated again; so are those
 %! % whose record was lost
@@ -50,7 +50,7 @@
 %! [data, count] = gatherRuns (newCase (raw));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (raw.folder, 's');
-%! assert (count.store, 2);
+%! assert (count.stored, 2);
 %! assert (data.X, [2, 3]);
 
 %!test
@@ -83,7 +83,7 @@
 %! assert (data.Z(order, :), Z(same, :));
 %! assert (data.stage, repmat ({'gap'}, 4, 1));
 %! % 4 runs of First, 2 of Second; the jam with both seeds, the unlucky packing
-%! assert ([count.store, count.noResult], [6, 3]);
+%! assert ([count.stored, count.noResult], [6, 3]);
 
 %!test
 %! % rows of runs.csv with two effects on, or without a result, are kept

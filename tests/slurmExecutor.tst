@@ -131,7 +131,7 @@
 %!   pause (0.1);
 %! end
 %! kill (pid, 9);
-%! sent = {readSubmissions(folder, 'slurm').name};
+%! sent = {readSubmissions(fullfile (folder, 'optim', '.slurm')).name};
 %! assert (numel (sent), 1);
 %! assert (describeExecutor ('slurm').cancel (sent));
 %! [Case, jobs] = slurmTestCase (folder, 1:2, 2);
@@ -149,7 +149,7 @@
 %! end
 %! assert (err.identifier, 'DEcalioc:batchExecute:submitRefused');
 %! assert (! isempty (strfind (err.message, 'partition')));
-%! assert (isempty (readSubmissions (folder, 'slurm')));
+%! assert (isempty (readSubmissions (fullfile (folder, 'optim', '.slurm'))));
 %! Case.options.slurm.partition = 'main';
 %! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});

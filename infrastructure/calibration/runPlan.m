@@ -69,9 +69,9 @@ end
 
 function lines = failuresOf (Case, model)
   lines = {};
-  names = listRunFolders (Case.store, model);
+  names = listRunFolders (runPlace (Case, model));
   for i = 1:numel (names)
-    folder = fullfile (Case.store, 'optim', model, names{i});
+    folder = runPlace (Case, model, names{i});
     record = readSane (fullfile (folder, 'record.json'));
     if ~strcmp (givenField (record, 'status', 'ok'), 'ok')
       lines{end + 1} = sprintf ('  %s/%s  %-8s %s', model, names{i}, ...

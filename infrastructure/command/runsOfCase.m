@@ -24,11 +24,11 @@ function runs = runsOfCase (Case)
   Case.hashes = hashModels (Case);
   sent = cell (0, 1);
   for name = executorNames ('described')
-    sent = vertcat (sent, readSubmissions (Case.store, name{1}).folders);
+    sent = vertcat (sent, readSubmissions (runPlace (Case, ['.', name{1}])).folders);
   end
   isHere = any (strcmp (lockHolder (Case.folder).host, {'', gethostname()}));
   for k = 1:numel (Case.models)
-    place = fullfile (Case.store, 'optim', Case.models(k).name);
+    place = runPlace (Case, Case.models(k).name);
     for name = runFoldersOf (Case, Case.models(k).name)'
       run = oneRun (fullfile (place, name{1}), sent, isHere, Case.hashes(k));
       % what another case has under way on the same store is not ours; what has

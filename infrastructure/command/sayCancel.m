@@ -119,7 +119,7 @@ function [n, queues] = cancelArrays (Case, runs)
   n = 0;
   titles = {};
   for name = executorNames ('described')
-    batches = readSubmissions (Case.store, name{1});
+    batches = readSubmissions (runPlace (Case, ['.', name{1}]));
     isOurs = arrayfun (@(b) any (ismember (b.folders, {runs.folder})), batches);
     if ~any (isOurs)
       continue

@@ -63,7 +63,7 @@ function sayModels (Case)
     printf ('model     %s: %d targets, %d CPU a run (%s)\n', m.name, ...
             m.nTargets, m.cpu, place);
     sayStages (m);
-    sayNamed (m, Case.store);
+    sayNamed (m, runPlace (Case, m.name, '0001'));
     sayMeasured (Case.targets([Case.targets.model] == k));
   end
   note = sessionNote (Case);
@@ -82,15 +82,14 @@ function sayStages (model)
 end
 
 % What the scripts of a model name outside its folder.
-function sayNamed (model, store)
+function sayNamed (model, run)
   if isempty (model.folder)
     return
   end
   [notes, codes] = modelNotes (model.folder);
   notes = notes(~strcmp (codes, 'unused'));    % said above, of all models
   cellfun (@(text) printf ('WARNING   %s: %s.\n', model.name, text), notes);
-  [files, open] = namedFiles (model.folder, fullfile (store, 'optim', ...
-                                                      model.name, '0001'));
+  [files, open] = namedFiles (model.folder, run);
   cellfun (@(file) printf (['          %s: named by its scripts; a change ' ...
                             'there asks for new runs\n'], file), files);
   cellfun (@(text) printf (['          %s: named by its scripts, but a ' ...

@@ -131,7 +131,7 @@ end
 function [places, remarks] = casesOf (Case)
   names = cell (1, 0);
   for model = Case.models
-    kinds = readLibrary (Case.store, model.name);
+    kinds = readLibrary (runPlace (Case, model.name));
     names = [names, {kinds.origin}];
   end
   places = cell (1, 0);

@@ -30,7 +30,7 @@ function status = sayLibrary (root, folder, args, toForget)
   names = names(~strncmp (names, '.', 1));
   status = 2;
   for name = names'
-    kinds = readLibrary (store, name{1});
+    kinds = readLibrary (fullfile (store, 'optim', name{1}));
     status = 0;
     sayModel (name{1}, onceEach (kinds));
   end
@@ -108,7 +108,7 @@ function status = forget (args, here)
     chosen = str2double (listRunFolders (store, model));
     chosen = chosen(any (chosen >= ranges(:, 1)' & chosen <= ranges(:, 2)', 2));
   else
-    chosen = runsOfCases (readLibrary (store, model), ...
+    chosen = runsOfCases (readLibrary (fullfile (store, 'optim', model)), ...
                           origin, here);
   end
   changed = [];
@@ -227,7 +227,7 @@ end
 %! Case = newCase (standInCase (tempname ()));
 %! evaluateDEM ([1, 2; 3, 4], Case);
 %! store = Case.store;
-%! before = readLibrary (store, 'First');
+%! before = readLibrary (fullfile (store, 'optim', 'First'));
 %! bad = {'badValue', {store, 'First', '1-2'}; ...
 %!        'badValue', {store, 'First', '1,2'}; ...
 %!        'badValue', {store, 'First', '1.5'}; ...
@@ -248,7 +248,7 @@ end
 %!   end
 %!   assert (caught, ['DEcalioc:sayLibrary:', row{1}]);
 %! end
-%! assert (readLibrary (store, 'First'), before);
+%! assert (readLibrary (fullfile (store, 'optim', 'First')), before);
 %! % a case may be named as the user sees it
 %! here = cd (fileparts (Case.folder));
 %! back = onCleanup (@() cd (here));

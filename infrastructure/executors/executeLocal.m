@@ -60,7 +60,7 @@ end
 function plan = newPlan (jobs, Case)
   n = numel (jobs);
   [~, model] = ismember ({jobs.model}, {Case.models.name});
-  last = cellfun (@(name) getLastFoldersNumber (Case.store, name), ...
+  last = cellfun (@(name) getLastFoldersNumber (runPlace (Case, name)), ...
                   {Case.models.name});
   plan = struct ('jobs', jobs, 'cpus', [Case.models(model).cpu], ...
                  'model', model, 'foreseen', zeros (1, n), ...
@@ -140,7 +140,7 @@ function [plan, k] = nextStep (plan, Case)
   if ~isempty (k)
     m = plan.model(k);
     [plan.folders{k}, plan.last(m)] = ...
-      takeRunFolder (Case.store, plan.jobs(k).model, plan.last(m) + 1);
+      takeRunFolder (runPlace (Case, plan.jobs(k).model), plan.last(m) + 1);
     plan.status(k) = 'b';
   elseif sum (plan.status == 'j') < most
     k = find (plan.status == 'e', 1);

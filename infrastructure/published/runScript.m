@@ -33,7 +33,7 @@ function [results, record] = runScript (matr, model, Case, job)
   if ~strcmp (givenField (record, 'status', ''), 'ok')
     folder = prepareRun (job, Case);
     [~, name] = fileparts (folder);
-    startSimulation (model, name, Case.store);
+    startSimulation (model, name, fileparts (runPlace (Case)));
     [record, place] = judgeRun (job, folder, Case);
     place.limit = Inf;         % this may be the user's own Octave
     record = evaluateRun (record, place);

@@ -15,7 +15,7 @@ function text = libraryLine (Case)
                      '(results/library.csv)'], numel (cases), ...
                     numel (unique (cases)), Case.store);
   end
-  if ~isempty (text) && strcmp (Case.store, givenField (Case, 'folder', ''))
+  if ~isempty (text) && ~sharesStore (Case)
     text = sprintf (['%d runs of earlier starts were samples already ' ...
                      '(results/library.csv)'], numel (cases));
   end

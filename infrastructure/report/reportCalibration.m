@@ -20,11 +20,10 @@ function reportCalibration (Case, say)
   say (sprintf (['DEM runs: %d plan, %d infill, %d verification; %d without a result, also ' ...
                  'with another seed; %d taken from the store; %.1f core-minutes'], d.plan, ...
                 d.infill, d.verify, d.failed, d.reused, c.coreSeconds / 60));
-  store = fullfile (Case.store, 'optim');
-  say (['Runs: ', store, '  Results: ', fullfile(Case.folder, 'results', 'calibration.json')]);
+  say (['Runs: ', runPlace(Case), '  Results: ', fullfile(Case.folder, 'results', 'calibration.json')]);
   names = getOptimFolder (cellfun (@(n) c.params.(n), Case.names), Case);
   for k = find (cellfun (@ischar, names))
-    say (['A run with these parameters: ', fullfile(store, Case.models(k).name, names{k})]);
+    say (['A run with these parameters: ', runPlace(Case, Case.models(k).name, names{k})]);
   end
   say ('');
   v = page.verdict;

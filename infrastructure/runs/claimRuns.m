@@ -18,11 +18,11 @@ function [isMine, hold, holder] = claimRuns (jobs, Case)
   isMine = true (1, numel (jobs));
   hold = {};
   holder = [];
-  if strcmp (Case.store, Case.folder)
+  if ~sharesStore (Case)
     return
   end
   for i = 1:numel (jobs)
-    folder = fullfile (Case.store, 'optim', jobs(i).model);
+    folder = runPlace (Case, jobs(i).model);
     [~, ~] = mkdir (folder);
     name = ['claim-', jobs(i).key];
     try

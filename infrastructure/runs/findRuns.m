@@ -17,8 +17,7 @@ function runs = findRuns (jobs, Case)
     mine = find (strcmp ({jobs.model}, model{1}));
     h = Case.hashes(strcmp ({Case.models.name}, model{1}));
     names = runFoldersOf (Case, model{1}, jobs(mine));
-    [found, keys, worth] = scan (fullfile (Case.store, 'optim', model{1}), ...
-                                 names, h);
+    [found, keys, worth] = scan (runPlace (Case, model{1}), names, h);
     for i = mine
       hits = find (strcmp (keys, jobs(i).key));
       if ~isempty (hits)

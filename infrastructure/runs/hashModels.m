@@ -61,7 +61,7 @@ end
 % Contents of what the scripts name outside the model, in no order, as paths
 % change with the folder of a case; '' where they name nothing.
 function text = hashOutside (Case, k)
-  place = fullfile (Case.store, 'optim', Case.models(k).name, '0001');
+  place = runPlace (Case, Case.models(k).name, '0001');
   files = namedFiles (Case.models(k).folder, place);
   text = '';
   if ~isempty (files)

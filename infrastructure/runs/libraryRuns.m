@@ -34,7 +34,7 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
   h = hashModels (Case);
   mark = markOf (Case, h);
   [fixed, known] = readTaken (Case.folder);
-  isAlone = strcmp (Case.store, Case.folder);
+  isAlone = ~sharesStore (Case);
   isFirst = ~strcmp (known, mark) && ...
             ~(isempty (known) && isAlone && isPlanOf (Case));
   if ~isFirst && isempty (fixed) && isAlone
@@ -117,7 +117,7 @@ end
 function readAnew (runs, Case)
   jobs = [];
   for run = runs'
-    folder = fullfile (Case.store, 'optim', Case.models(run(1)).name, ...
+    folder = runPlace (Case, Case.models(run(1)).name, ...
                        sprintf ('%04d', run(2)));
     record = readRun (folder);
     if ~isempty (record)

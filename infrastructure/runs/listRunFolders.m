@@ -1,14 +1,19 @@
 % LISTRUNFOLDERS  Names and numbers of the run folders of a model.
 %
-% CALL: [NAMES, NUMBERS] = listRunFolders (BASE, MODEL)
+% CALL: [NAMES, NUMBERS] = listRunFolders (PLACE)
+%       [NAMES, NUMBERS] = listRunFolders (BASE, MODEL)
 %
+%   PLACE    folder of the model's runs, BASE/optim/MODEL (text), see runPlace
 %   BASE     folder that holds optim/ (text)
 %   MODEL    name of the model (text)
 %   NAMES    n x 1 cell of names that begin with a digit, sorted
 %   NUMBERS  n x 1, with which they begin
 
-function [names, numbers] = listRunFolders (base, model)
-  names = readdir (fullfile (base, 'optim', model));
+function [names, numbers] = listRunFolders (place, model)
+  if nargin > 1
+    place = fullfile (place, 'optim', model);
+  end
+  names = readdir (place);
   if isempty (names)
     names = cell (0, 1);
   else

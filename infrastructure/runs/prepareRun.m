@@ -18,7 +18,7 @@
 function folder = prepareRun (job, Case, folder)
   k = find (strcmp (job.model, {Case.models.name}));
   if nargin < 3
-    folder = takeRunFolder (Case.store, job.model);
+    folder = takeRunFolder (runPlace (Case, job.model));
   end
   copyModel (folder, Case.models(k).folder);
   head = fullfile (folder, 'data.head');

@@ -1,9 +1,9 @@
 % READLIBRARY  Table of all runs of a model that a store holds, by its index.
 %
-% CALL: [KINDS, TORN] = readLibrary (STORE, MODEL)
-%       [KINDS, TORN] = readLibrary (STORE, MODEL, AGAIN)
+% CALL: [KINDS, TORN] = readLibrary (PLACE)
+%       [KINDS, TORN] = readLibrary (PLACE, AGAIN)
 %
-%   STORE  folder that holds optim/ (text);  MODEL  its name (text)
+%   PLACE  folder of the model's runs, optim/MODEL (text), see runPlace
 %   AGAIN  numbers of runs that are read again in any case (default: none)
 %   KINDS  1 x K struct array of runs with the same variables: input (see
 %          hashModels), funs (digest of the question, see readingOf: a run that
@@ -22,11 +22,10 @@
 % Two that write it at once lose nothing: the next reader finds what is missing.
 % Who uses a run looks into its record (libraryRuns).
 
-function [kinds, torn] = readLibrary (store, model, again)
-  if nargin < 3
+function [kinds, torn] = readLibrary (place, again)
+  if nargin < 2
     again = [];
   end
-  place = fullfile (store, 'optim', model);
   file = fullfile (place, sprintf ('.index-%d', geteuid ()));
   marks = marksOf (place);
   [kinds, known] = readIndex (file);
@@ -143,26 +142,26 @@ end
 %! evaluateDEM ([1, 2; 3, 4], Case);
 %! file = fullfile (Case.store, 'optim', 'First', ...
 %!                  sprintf ('.index-%d', geteuid ()));
-%! kinds = readLibrary (Case.store, 'First');
+%! kinds = readLibrary (runPlace (Case, 'First'));
 %! assert ({kinds.input, kinds.names, kinds.origin}, ...
 %!         {h.input, 'a b runSeed', Case.folder});
 %! assert (sortrows (kinds.runs(:, [7, 8, 10, 11])), [1, 2, 3, 2; 3, 4, 7, 12]);
 %! % torn, lost, older than a run, of a folder that is gone
 %! writeAtomic (file, 'torn');
-%! assert (readLibrary (Case.store, 'First'), kinds);
+%! assert (readLibrary (runPlace (Case, 'First')), kinds);
 %! evaluateDEM ([5, 6], Case);
-%! more = readLibrary (Case.store, 'First');
+%! more = readLibrary (runPlace (Case, 'First'));
 %! assert (rows (more.runs), 3);
-%! assert (readLibrary (Case.store, 'First'), more);
+%! assert (readLibrary (runPlace (Case, 'First')), more);
 %! % a record that has changed since, whoever has changed it
 %! changed = fullfile (Case.store, 'optim', 'First', '0003', 'record.json');
 %! r = readRecord (changed);
 %! writeRecord (changed, setfield (r, 'status', 'forgotten'));
-%! assert (readLibrary (Case.store, 'First').runs(3, 2), -1);
+%! assert (readLibrary (runPlace (Case, 'First')).runs(3, 2), -1);
 %! writeRecord (changed, r);
-%! assert (readLibrary (Case.store, 'First'), more);
+%! assert (readLibrary (runPlace (Case, 'First')), more);
 %! rmdir (fullfile (Case.store, 'optim', 'First', '0003'), 's');
-%! assert (rows (readLibrary (Case.store, 'First').runs), 2);
+%! assert (rows (readLibrary (runPlace (Case, 'First')).runs), 2);
 %!test
 %! % a run that answered two questions; a record that does not keep its promise
 %! raw = standInCase (tempname ());
@@ -172,9 +171,9 @@ end
 %! file = fullfile (Case.store, 'optim', 'First', '0001', 'record.json');
 %! r = readRecord (file);
 %! keepRecord (setfield (setfield (r, 'funs', 'g'), 'results', 7));
-%! kinds = readLibrary (Case.store, 'First');
+%! kinds = readLibrary (runPlace (Case, 'First'));
 %! assert (sort ({kinds.funs}), sort ({'g', h.funs}));
 %! assert (numel (kinds(strcmp ({kinds.funs}, 'g')).runs), 10);
 %! writeRecord (file, setfield (r, 'variables', strrep (r.variables, '1', '2')));
-%! kinds = readLibrary (Case.store, 'First');
+%! kinds = readLibrary (runPlace (Case, 'First'));
 %! assert (rows (vertcat (kinds.runs)), 1);

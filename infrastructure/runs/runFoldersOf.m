@@ -11,9 +11,10 @@
 %          (of the model) have no result
 
 function names = runFoldersOf (Case, model, jobs)
-  names = listRunFolders (Case.store, model);
+  place = runPlace (Case, model);
+  names = listRunFolders (place);
   k = strcmp (model, {Case.models.name});
-  if strcmp (Case.store, Case.folder) || ~isfolder (Case.models(k).folder)
+  if ~sharesStore (Case) || ~isfolder (Case.models(k).folder)
     return
   end
   h = hashModels (Case)(k);
@@ -26,7 +27,7 @@ function names = runFoldersOf (Case, model, jobs)
     isOther = @(kind) ~ismember (kind.runs(:, 3), heads);
   end
   other = zeros (0, 1);
-  for kind = readLibrary (Case.store, model)
+  for kind = readLibrary (place)
     if nargin > 2 || ~isempty (kind.origin)
       other = [other; kind.runs(isOther (kind) & kind.runs(:, 1) > 0, 1)];
     end

@@ -64,7 +64,7 @@ function [records, isMade] = carryOut (jobs, records, open, Case, show)
   note = fullfile (Case.folder, 'decalioc.waits');
   tidy = onCleanup (@() nthargout (1, @unlink, note));
   for model = unique ({jobs(open).model})
-    tidyDrafts (fullfile (Case.store, 'optim', model{1}));
+    tidyDrafts (runPlace (Case, model{1}));
   end
   while any (open)
     waiting = find (open);

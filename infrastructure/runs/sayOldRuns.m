@@ -13,7 +13,7 @@
 function sayOldRuns (Case, say, tally)
   if ~all (cellfun (@isfolder, {Case.models.folder}))
     return
-  elseif ~strcmp (Case.store, Case.folder)
+  elseif sharesStore (Case)
     sayLibrary (tally, Case, say);
     return
   end
@@ -23,8 +23,8 @@ function sayOldRuns (Case, say, tally)
   h = hashModels (Case);
   for k = 1:numel (Case.models)
     name = Case.models(k).name;
-    place = fullfile (Case.store, 'optim', name);
-    names = listRunFolders (Case.store, name);
+    place = runPlace (Case, name);
+    names = listRunFolders (place);
     jobs = cellfun (@(n) finishedRun (fullfile (place, n)), names, ...
                     'UniformOutput', false);
     isOld = cellfun (@(j, n) ~isempty (j) && ...
@@ -66,8 +66,7 @@ function sayLibrary (tally, Case, say)
   end
   for part = tally.other
     model = Case.models(part.model);
-    folder = fullfile (Case.store, 'optim', model.name, ...
-                       sprintf ('%04d', part.number));
+    folder = runPlace (Case, model.name, sprintf ('%04d', part.number));
     job = readSane (fullfile (folder, 'record.json'));
     if isempty (job)
       continue

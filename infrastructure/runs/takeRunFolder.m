@@ -1,21 +1,20 @@
 % TAKERUNFOLDER  Takes the next free folder for a run of a model.
 %
-% CALL: [FOLDER, NUMBER] = takeRunFolder (STORE, MODEL, NUMBER)
+% CALL: [FOLDER, NUMBER] = takeRunFolder (PLACE, NUMBER)
 %
-%   STORE   folder that holds optim/ (text)
-%   MODEL   name of the model (text)
+%   PLACE   folder of the model's runs, see runPlace
 %   NUMBER  number that is tried first (default: one above the last); NUMBER
 %           returned is the one that was free
 %   FOLDER  path of the folder, which is there now and empty
 
-function [folder, number] = takeRunFolder (store, model, number)
-  if nargin < 3
-    [~, numbers] = listRunFolders (store, model);
+function [folder, number] = takeRunFolder (place, number)
+  if nargin < 2
+    [~, numbers] = listRunFolders (place);
     number = max ([0; numbers]) + 1;
   end
   folder = '';
   while isempty (folder)
-    folder = fullfile (store, 'optim', model, sprintf ('%04d', number));
+    folder = fullfile (place, sprintf ('%04d', number));
     if ~makeRunFolder (folder)
       folder = '';
       number = number + 1;
@@ -24,9 +23,9 @@ function [folder, number] = takeRunFolder (store, model, number)
 end
 
 %!test
-%! store = tempname ();
-%! [folder, number] = takeRunFolder (store, 'M');
-%! assert (folder, fullfile (store, 'optim', 'M', newFolderName (1)));
+%! place = fullfile (tempname (), 'optim', 'M');
+%! [folder, number] = takeRunFolder (place);
+%! assert (folder, fullfile (place, newFolderName (1)));
 %! assert (isfolder (folder));
-%! [~, number] = takeRunFolder (store, 'M', number);
+%! [~, number] = takeRunFolder (place, number);
 %! assert (number, 2);

@@ -17,7 +17,7 @@
 %!                               ending{1}));
 %!   end
 %! end
-%! readLibrary (Case.store, 'First');
+%! readLibrary (runPlace (Case, 'First'));
 %! lock = lockCase (place, 'claim-x');
 %! clear lock
 %! record = readRecord (fullfile (place, '0001', 'record.json'));
@@ -27,7 +27,7 @@
 %! % files of a run that the scripts write, and those of its model
 %! Case = newCase (standInCase (tempname ()));
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
-%! folder = takeRunFolder (Case.store, 'First');
+%! folder = takeRunFolder (runPlace (Case, 'First'));
 %! target = precious ();
 %! for name = {'stdout.txt', 'stderr.txt', 'pid', 'end.mark', 'end.mark.tmp', ...
 %!             'getResults.late', 'data.head', 'runscript', 'in.First', ...

@@ -36,7 +36,7 @@ function queueState = batchAttach (jobs, Case, queue)
                        'silent', false, 'waitsFor', '', 'message', '');
   queueState.batches = struct ('name', {}, 'path', {}, 'n', {}, 'left', {}, ...
                                'cpu', {}, 'minutes', {}, 'isSent', {});
-  for sent = readSubmissions (Case.store, queue.name)
+  for sent = readSubmissions (runPlace (Case, ['.', queue.name]))
     isOpen = cellfun (@isAttachable, sent.folders);
     if ~any (isOpen)
       batchDiscard (sent.path);

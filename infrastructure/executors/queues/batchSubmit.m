@@ -39,7 +39,7 @@ function queueState = batchSubmit (queueState, picks, jobs, Case, queue, opt)
   batch = struct ('name', newName (lines), 'path', '', ...
                   'n', numel (picks), 'left', numel (picks), 'cpu', ...
                   models(k(1)).cpu, 'minutes', minutes, 'isSent', false);
-  batch.path = fullfile (Case.store, 'optim', ['.', queue.name], batch.name);
+  batch.path = runPlace (Case, ['.', queue.name], batch.name);
   % the queue writes into it as this user, whatever link it finds there
   [~, ~] = mkdir (fileparts (batch.path));
   privateFolder (batch.path);

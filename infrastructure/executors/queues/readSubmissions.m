@@ -1,19 +1,18 @@
 % READSUBMISSIONS  Reads which runs of a store were submitted to a queue.
 %
-% CALL: BATCHES = readSubmissions (STORE, NAME)
+% CALL: BATCHES = readSubmissions (PLACE)
 %
-%   NAME     name of the executor (text)
+%   PLACE    folder of the executor beside those of the runs, optim/.NAME (text)
 %   BATCHES  1 x b struct array, one element a job array:
 %     name     job name of the array, unique (text)
-%     path     its folder, STORE/optim/.NAME/<name> (text)
+%     path     its folder, PLACE/<name> (text)
 %     keys     n x 1 cell, keys of the runs; task k is the k-th
 %     folders  n x 1 cell, run folders
 %
 % The ledger is written before anything is sent, so no job can be in the queue
 % of which it does not know.
 
-function batches = readSubmissions (store, name)
-  place = fullfile (store, 'optim', ['.', name]);
+function batches = readSubmissions (place)
   batches = struct ('name', {}, 'path', {}, 'keys', {}, 'folders', {});
   for name = readdir (place)'
     folder = fullfile (place, name{1});
@@ -32,12 +31,12 @@ function batches = readSubmissions (store, name)
 end
 
 %!test
-%! store = tempname ();
-%! place = fullfile (store, 'optim', '.q', 'decalioc-1');
-%! mkdir (place);
-%! mkdir (fullfile (store, 'optim', '.q', 'decalioc-2'));
-%! writeAtomic (fullfile (place, 'tasks'), "k1\t/a b/it's\nk2\t/c\n");
-%! b = readSubmissions (store, 'q');
+%! place = fullfile (tempname (), 'optim', '.q');
+%! mkdir (fullfile (place, 'decalioc-1'));
+%! mkdir (fullfile (place, 'decalioc-2'));
+%! writeAtomic (fullfile (place, 'decalioc-1', 'tasks'), ...
+%!              "k1\t/a b/it's\nk2\t/c\n");
+%! b = readSubmissions (place);
 %! assert (numel (b), 1);
 %! assert ({b.keys, b.folders}, {{'k1'; 'k2'}, {'/a b/it''s'; '/c'}});
-%! assert (isempty (readSubmissions (store, 'r')));
+%! assert (isempty (readSubmissions (tempname ())));

@@ -7,7 +7,7 @@
 %          store that cases share, those of the others are evidence, too
 %   DATA   struct X (n x d), E (n x v, as CASE.effectVars), Z (n x T, NaN = no
 %          result, NA = not run), replicate (n x 1), stage (n x 1 cell)
-%   COUNT  of runs at the last level, struct: store (runs from the store),
+%   COUNT  of runs at the last level, struct: stored (runs from the store),
 %          noResult (runs of the store without one), imported (rows of DATA from
 %          runs.csv), ignored (cellstr, columns of runs.csv not understood),
 %          seconds (core time of one set of all models so far; NaN: not known)
@@ -30,7 +30,7 @@ function [data, count] = gatherRuns (Case, isOwn)
   T = numel (Case.targets);
   v = numel (Case.effectVars);
   data = newData (d, T, v);
-  count = struct ('store', 0, 'noResult', 0, 'imported', 0, ...
+  count = struct ('stored', 0, 'noResult', 0, 'imported', 0, ...
                   'ignored', {{}}, 'seconds', NaN);
   if all (cellfun (@(f) isfolder (f), {Case.models.folder}))
     [data, count] = fromStore (Case, data, count, which);
@@ -73,7 +73,7 @@ function [data, count] = fromStore (Case, data, count, which)
         stages{at, 1} = record.stage;
       end
       if strcmp (record.status, 'ok')
-        count.store = count.store + isLast(i);
+        count.stored = count.stored + isLast(i);
         Z(at, own) = record.results([Case.targets(own).index]);
       else
         count.noResult = count.noResult + isLast(i);
@@ -98,7 +98,7 @@ function [records, effects] = runsOf (names, Case, k, h)
   effects = cell (1, numel (names));
   stale = false (1, numel (names));
   for i = 1:numel (names)
-    folder = fullfile (Case.store, 'optim', Case.models(k).name, names{i});
+    folder = runPlace (Case, Case.models(k).name, names{i});
     records{i} = endedRun (folder, h);
     effects{i} = countsToday (records{i}, folder, Case, h);
     stale(i) = ~isempty (effects{i}) && ~strcmp (records{i}.funs, h.funs);
@@ -157,5 +157,5 @@ end
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (raw.folder, 's');
 %! assert (data.X, [2, 3; 4, 5]);
-%! assert ([count.store, count.imported], [0, 2]);
+%! assert ([count.stored, count.imported], [0, 2]);
 %! assert (isnan (count.seconds));

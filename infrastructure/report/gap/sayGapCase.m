@@ -15,7 +15,7 @@ function sayGapCase (Case, data, count, notes, say)
            ['  candidate effects: ', strjoin({effects.name}, ', ')], ...
            sprintf(['  runs: %d from the store, %d rows from runs.csv, %d choices of ' ...
                     'parameter values'], ...
-                   count.store, count.imported, rows (data.X))};
+                   count.stored, count.imported, rows (data.X))};
   if count.noResult > 0
     lines{end + 1} = sprintf ('  runs of the store that gave no result: %d', count.noResult);
   end
@@ -62,7 +62,7 @@ end
 %! Case.targets = struct ('name', {'x', 'y', 'z'}, 'model', {1, 1, 2}, ...
 %!                        'trials', 1, 'correlation', 0);
 %! data = struct ('X', [1; 2]);
-%! count = struct ('store', 1, 'noResult', 7, 'imported', 2, 'ignored', {{}});
+%! count = struct ('stored', 1, 'noResult', 7, 'imported', 2, 'ignored', {{}});
 %! text = evalc ('sayGapCase (Case, data, count, {"so"}, @disp)');
 %! assert (isempty (regexp (text, 'trials|series|measured')));
 %! assert (! isempty (strfind (text, 'note: so')));

@@ -117,7 +117,7 @@ function html = pictureOf (page, k, real, set)
   end
   run = page.runs(find (arrayfun (isShown, page.runs), 1, 'last'));
   if ~isempty (run)
-    files = dir (fullfile (Case.store, 'optim', name, run.name, '*.dump'));
+    files = dir (runPlace (Case, name, run.name, '*.dump'));
     html = ['', eachOf(@(i) onePicture (fullfile (files(i).folder, files(i).name), ...
                                         Case, k, numel (files) - i, real, set.title), ...
                        1:numel (files)){:}];

@@ -10,7 +10,7 @@
 function runs = storedRuns (Case)
   runs = [];
   slack = 1e-9 * diff (Case.limits(1:2, :));
-  if strcmp (Case.store, Case.folder)
+  if ~sharesStore (Case)
     slack = Inf;
   end
   if ~all (cellfun (@isfolder, {Case.models.folder}))
@@ -20,8 +20,7 @@ function runs = storedRuns (Case)
   for k = 1:numel (Case.models)
     model = Case.models(k).name;
     for name = runFoldersOf (Case, model)(:)'
-      run = oneRun (fullfile (Case.store, 'optim', model, name{1}), name{1}, ...
-                    h(k));
+      run = oneRun (runPlace (Case, model, name{1}), name{1}, h(k));
       if ~isempty (run) && numel (run.params) == numel (Case.names) && ...
          all (run.params >= Case.limits(1, :) - slack & ...
               run.params <= Case.limits(2, :) + slack)
