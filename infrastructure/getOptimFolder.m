@@ -21,7 +21,7 @@ function names = getOptimFolder (params, Case)
       record = readRun (fullfile (place, name{1}));
       if strcmp (givenField (record, 'status', ''), 'ok') && ...
          isequal (record.params, params(:)') && ...
-         atLastLevel (record.effects, Case.coarse)
+         atLastLevel (record.effects, Case)
         names{k} = name{1};
         break
       end

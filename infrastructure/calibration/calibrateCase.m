@@ -152,7 +152,7 @@ function sayLoss (surrogates, rest, problem, tell)
   for t = 1:numel (surrogates)
     s = surrogates(t);
     P = rest.X;
-    if ~isempty (s.level)
+    if ~isempty (s.extra)
       P(:, end + 1) = unitLevel (problem.coarse, rest.E, t);
     end
     miss = rest.Z(:, t) - predictSurrogate (s, P);

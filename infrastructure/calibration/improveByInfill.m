@@ -132,7 +132,7 @@ function part = covariances (s, problem, t, Q, X, E)
   k = rows (Q);
   level = unitLevel (problem.coarse, E, t);
   inputs = [Q; X];
-  if ~isempty (s.level)
+  if ~isempty (s.extra)
     inputs(:, end + 1) = [zeros(k, 1); level];
   end
   [m, ~, S] = krigingPosterior (s, inputs);

@@ -27,7 +27,7 @@ function Case = withEffects (Case, list)
     Case.unchanged = {Case.effects(isOut).name};
     Case.effects = Case.effects(~isOut);
   end
-  Case.effectVars = {Case.coarse.variable};
+  Case.effectVars = plainCase (Case).effectVars;
   for effect = Case.effects
     Case.effectVars = [Case.effectVars, effect.variables(:)'];
   end

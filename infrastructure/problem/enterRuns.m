@@ -27,9 +27,8 @@ function [problem, data] = enterRuns (problem, data, options)
   checkRuns (problem, data);
   data = onceEach (data);
   [problem, kept, out, neverRun] = withoutDeadBenches (problem, data);
-  data.Z = data.Z(:, kept);
-  if isfield (data, 'level')
-    data.level = data.level(:, kept);
+  for name = intersect ({'Z', 'level'}, fieldnames (data)')
+    data.(name{1}) = data.(name{1})(:, kept);
   end
   checkEnough (problem, data, options);
   unit = unitsOf (problem, data.Z);

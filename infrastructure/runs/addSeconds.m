@@ -17,8 +17,7 @@ function models = addSeconds (models, records)
   [records.sign] = sign{:};
   for k = 1:numel (models)
     mine = isKnown & strcmp ({records.model}, models(k).name);
-    mine(mine) = arrayfun (@(r) atLastLevel (r.effects, models(k).coarse), ...
-                           records(mine));
+    mine(mine) = arrayfun (@(r) atLastLevel (r.effects, models(k)), records(mine));
     models(k).seconds = [models(k).seconds, ...
                          [records(mine).seconds] .* [records(mine).sign]];
   end

@@ -15,8 +15,7 @@
 function [data, rest, tally] = importExisting (Case, problem, say, varargin)
   [data, rest] = ofTable (Case, problem, say);
   whole = Case;
-  Case.effects = [];                     % those of the diagnosis are off
-  Case.effectVars = {Case.coarse.variable};
+  Case = plainCase (Case);               % effects of the diagnosis are off
   [found, tally, left] = libraryRuns (Case, problem, varargin{:});
   data = joined (found, data);
   rest = joined (rest, left);
@@ -33,7 +32,7 @@ function both = joined (first, second)
 end
 
 function [data, rest] = ofTable (Case, problem, say)
-  v = numel (Case.coarse);
+  v = numel (plainCase (Case).effectVars);
   data = newData (numel (Case.names), numel (Case.targets), v);
   rest = data;
   file = fullfile (Case.folder, 'runs.csv');

@@ -6,9 +6,9 @@
 %         lognoisevariance of the stk model in the unit box and the standardised
 %         response
 % BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), shift and scale (of
-%        the standardised response (z - shift) / scale); optional level (n x 1,
+%        the standardised response (z - shift) / scale); optional extra (n x 1,
 %        one more input, see unitInputs), prior (see prepareFit) and noiseLaw
-%        (1 x 2: log variance at level 0, its slope)
+%        (1 x 2: log variance where extra is 0, its slope)
 %
 % The covariance is factored once; leave-one-out residuals in closed form
 % (Dubrule 1983): with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1 the residual is
@@ -20,9 +20,9 @@
 % the rows beyond the trend.
 
 function surrogate = conditionSurrogate (choice, base)
-  base = mergeFields (struct ('level', [], 'noiseLaw', [], 'prior', []), base);
+  base = mergeFields (struct ('extra', [], 'noiseLaw', [], 'prior', []), base);
   n = numel (base.z);
-  unit = unitInputs ([base.X, base.level], base.limits, columns (base.level));
+  unit = unitInputs ([base.X, base.extra], base.limits, columns (base.extra));
   y = (base.z - base.shift) / base.scale;
   model = modelOf (choice, columns (unit));
   K = feval (model.covariance_type, model.param, unit, unit, -1);
@@ -43,7 +43,7 @@ function surrogate = conditionSurrogate (choice, base)
   looStd = alpha ./ sqrt (q);
 
   surrogate = struct ('name', base.name, 'model', model);
-  for field = {'X', 'z', 'limits', 'level', 'noiseLaw', 'prior', 'shift', ...
+  for field = {'X', 'z', 'limits', 'extra', 'noiseLaw', 'prior', 'shift', ...
                'scale'}
     surrogate.(field{1}) = base.(field{1});
   end

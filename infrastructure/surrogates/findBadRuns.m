@@ -3,8 +3,8 @@
 % CALL: [BAD, SUSPECT] = findBadRuns (RUNS, KIND, SURROGATES, OLD)
 %
 %   RUNS        scalar struct: X (n x d, parameter sets), Z (n x T, responses;
-%               NaN: none), level (1 x T cell, n x 1 how coarse the runs are, or
-%               [], see unitLevel)
+%               NaN: none), extra (1 x T cell, n x 1 a further input of each, or
+%               [], see fitSurrogate)
 %   KIND        scalar struct of 1 x T: model (number of the model that each
 %               response belongs to), weight (1; 1 / n for the n points of a
 %               curve, which are one response), least (deviation that is too
@@ -50,14 +50,14 @@ function [bad, suspect] = findBadRuns (runs, kind, surrogates, old)
       continue
     end
     task = struct ('X', runs.X(rowsOf, :), 'Z', runs.Z(rowsOf, judges), ...
-                   'surrogates', {surrogates(judges)}, 'level', [], ...
+                   'surrogates', {surrogates(judges)}, 'extra', [], ...
                    'weight', kind.weight(judges), ...
                    'least', kind.least(judges));
-    coarse = [runs.level{ofModel}];      % the same for all of one model
-    if ~isempty (coarse)
-      task.level = coarse(rowsOf, 1);
+    extra = [runs.extra{ofModel}];       % the same for all of one model
+    if ~isempty (extra)
+      task.extra = extra(rowsOf, 1);
     end
-    [~, ~, task.set] = unique ([task.X, task.level], 'rows');
+    [~, ~, task.set] = unique ([task.X, task.extra], 'rows');
     [out, doubt] = judge (task, any (old(rowsOf, judges), 2));
     bad(rowsOf, ofModel) = repmat (out, 1, sum (ofModel));
     suspect(rowsOf, ofModel) = repmat (doubt, 1, sum (ofModel));
@@ -140,7 +140,7 @@ end
 
 %!function [bad, suspect] = judged (X, Z, kind, s, old)
 %!  kind.judges = givenField (kind, 'judges', true (1, columns (Z)));
-%!  runs = struct ('X', X, 'Z', Z, 'level', {cell(1, columns (Z))});
+%!  runs = struct ('X', X, 'Z', Z, 'extra', {cell(1, columns (Z))});
 %!  [bad, suspect] = findBadRuns (runs, kind, s, old);
 %!endfunction
 %!function bad = found (X, Z, kind, old)

@@ -20,7 +20,7 @@
 
 function s = fitLevels (X, z, level, limits, options)
   ok = isfinite (z);
-  options.level = level;
+  options.extra = level;
   s = fitSurrogate (X, z, limits, options);
   if sum (ok & level <= 0) < 2 || isConstant (s.z)
     return
@@ -54,7 +54,7 @@ function L = likelihoodOf (s, X, z, level, whole)
   if n < d + 3
     source = whole;
   end
-  U = unitInputs ([X, level], s.limits, columns (source.level));
+  U = unitInputs ([X, level], s.limits, columns (source.extra));
   H = feval (source.model.lm, U);
   K = source.scale^2 * covarianceOf (source, U, U) + ...
       (3 * whole.scale)^2 * (H * H');

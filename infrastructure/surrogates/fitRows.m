@@ -1,33 +1,34 @@
 % FITROWS  Kriging model of some of the runs of a response.
 %
-% CALL: S = fitRows (X, Z, LEVEL, USE, LIMITS, OPTIONS)
+% CALL: S = fitRows (X, Z, EXTRA, USE, LIMITS, OPTIONS)
 %
-%   X, Z, LEVEL, LIMITS, OPTIONS  see fitLevels; LEVEL may be []
+%   X, Z, LIMITS, OPTIONS  see fitSurrogate
+%   EXTRA  n x 1, a further input, see fitSurrogate; may be []
 %   USE  n x 1 logical, the runs of the fit
-%   S    struct of fitSurrogate; the level is an input where it differs, and
-%        OPTIONS.trend gives way to one that so many runs and levels can carry:
-%        two levels have a straight line between them and no square
+%   S    struct of fitSurrogate; EXTRA is an input where it differs, and
+%        OPTIONS.trend gives way to one that so many runs and values can carry:
+%        two values have a straight line between them and no square
 
-function s = fitRows (X, z, level, use, limits, options)
+function s = fitRows (X, z, extra, use, limits, options)
   X = X(use, :);
-  if ~isempty (level)
-    options = withLevel (options, level(use), columns (X));
+  if ~isempty (extra)
+    options = withExtra (options, extra(use), columns (X));
   end
   s = fitSurrogate (X, z(use), limits, options);
 end
 
-function options = withLevel (options, level, d)
-  n = numel (level);
-  nLevels = numel (unique (level));
-  options.level = level;
-  if nLevels < 2
-    options.level = [];
+function options = withExtra (options, extra, d)
+  n = numel (extra);
+  nValues = numel (unique (extra));
+  options.extra = extra;
+  if nValues < 2
+    options.extra = [];
   end
   if ~isfield (options, 'trend')
     return
   end
-  d = d + (nLevels > 1);
-  isRich = n >= 1.5 * (d + 1) * (d + 2) && nLevels ~= 2;
+  d = d + (nValues > 1);
+  isRich = n >= 1.5 * (d + 1) * (d + 2) && nValues ~= 2;
   if strcmp (options.trend, 'quadratic') && ~isRich
     options.trend = 'affine';
   end
@@ -41,13 +42,13 @@ end
 %! X = rand (30, 2);
 %! two = [ones(15, 1); zeros(15, 1)];
 %! o = struct ('trend', 'quadratic', 'covariance', 'gauss');
-%! fitted = @(level, use, o) fitRows (X, X(:, 1) + level, level, use, ...
+%! fitted = @(extra, use, o) fitRows (X, X(:, 1) + extra, extra, use, ...
 %!                                    [0, 0; 1, 1], o);
 %! use = true (30, 1);
 %! s = fitted (two, use, o);
-%! assert ({s.trend, s.level}, {'affine', two});
+%! assert ({s.trend, s.extra}, {'affine', two});
 %! s = fitted (zeros (30, 1), use, o);
-%! assert ({s.trend, s.level}, {'quadratic', []});
+%! assert ({s.trend, s.extra}, {'quadratic', []});
 %! use(1:24) = false;
 %! assert (fitted (two, use, o).trend, 'affine');
 %! assert (fitted (two, ~use & (1:30)' > 10 & (1:30)' < 17, o).trend, ...

@@ -14,8 +14,8 @@
 %   noise       n x 1 known variances of the single runs ([]: estimated)
 %   unit        scalar, the size that counts: a response that is the same in all
 %               runs is known to a millionth of it (NaN: of the response)
-%   level       n x 1, how coarse each run is: a further input, 0 where runs
-%               count (unitLevel); the noise may change along it ([])
+%   extra       n x 1, a further input that needs no box; predicted is where it
+%               is 0, and the noise may change along it ([])
 %   prior       (d + 2) x 1, see prepareFit; left for a gain above 1.5 ([])
 %   form        struct, what is known of the response beforehand and not
 %               estimated: trend, covariance, param (of the stk model), limits
@@ -23,7 +23,7 @@
 %               response), noise (handle, response -> variance of a run) ([])
 %
 % SURROGATE: name, model (of stk, in the unit box and the standardised
-% response), X, z, level, limits, noiseVar (of one run, at level 0), noiseLaw
+% response), X, z, extra, limits, noiseVar (of one run, where extra is 0), noiseLaw
 % (see conditionSurrogate), looResidual and looStd (n x 1), Q2, trend,
 % covariance, and what predictSurrogate needs: solver, shift, scale, factor, df,
 % score (leave-one-out log density), nChoice (runs at the choice of the model),
@@ -50,7 +50,7 @@ function surrogate = fitSurrogate (X, z, limits, options)
   end
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...
-                                 'noise', [], 'level', [], 'unit', NaN, ...
+                                 'noise', [], 'extra', [], 'unit', NaN, ...
                                  'prior', [], 'form', []), options);
   if ~isempty (options.form)
     limits = options.form.limits;
@@ -58,7 +58,7 @@ function surrogate = fitSurrogate (X, z, limits, options)
     limits = options.start.limits;           % as it bends its inputs
   end
   ok = isfinite (z);
-  options.level = ofRows (options.level, ok);
+  options.extra = ofRows (options.extra, ok);
   if sum (ok) < 2
     error ('DEcalioc:fitSurrogate:runFailed', ...
            ['fitSurrogate: response ''%s'' has %d finite values, needs 2 ' ...
@@ -78,7 +78,7 @@ end
 
 function base = standardise (X, z, limits, options)
   base = struct ('name', options.name, 'X', X, 'z', z, 'limits', limits, ...
-                 'level', options.level, 'noiseLaw', [], ...
+                 'extra', options.extra, 'noiseLaw', [], ...
                  'prior', options.prior, 'maxFit', 150, ...
                  'shift', mean (z), 'scale', std (z));
   if isConstant (z)
@@ -112,7 +112,7 @@ function surrogate = refit (base, old)
   if ~isConstant (base.z)
     start = old.theta;
     nNoise = numel (start) - numel (old.model.param);
-    if isConstant (old.z) || nNoise ~= 1 + ~isempty (base.level)
+    if isConstant (old.z) || nNoise ~= 1 + ~isempty (base.extra)
       start = [];
     end
     [choice, base.noiseLaw] = estimate (old.trend, old.covariance, base, start);
@@ -125,7 +125,7 @@ function best = chooseModel (base, options)
   few = base;                          % enough for the choice of the model
   few.maxFit = 60;
   use = spreadRows (rows (base.X), 200);
-  for name = {'X', 'z', 'level', 'knownNoise'}
+  for name = {'X', 'z', 'extra', 'knownNoise'}
     few.(name{1}) = ofRows (base.(name{1}), use);
   end
   [trends, covariances, default] = candidateModels (few, options);
@@ -162,7 +162,7 @@ function best = withBends (best, few)
 end
 
 function d = inputsOf (base)
-  d = columns (base.X) + columns (base.level);
+  d = columns (base.X) + columns (base.extra);
 end
 
 function [trends, covariances, default] = candidateModels (base, options)
@@ -171,8 +171,8 @@ function [trends, covariances, default] = candidateModels (base, options)
   if strcmp (options.trend, 'choose')
     trends = {'constant', 'affine', 'quadratic'};
     enough = n >= [0, d + 4, 1.5 * (d + 1) * (d + 2)];
-    % two levels have a straight line between them, and no square
-    enough(3) = enough(3) && ~(numel (unique (base.level)) == 2);
+    % two values have a straight line between them, and no square
+    enough(3) = enough(3) && ~(numel (unique (base.extra)) == 2);
     trends = trends(enough);
   end
   covariances = {options.covariance};
@@ -197,11 +197,11 @@ end
 function [choice, noiseLaw] = estimate (trend, covariance, base, theta)
   d = inputsOf (base);
   use = spreadRows (rows (base.X), base.maxFit);
-  unit = unitInputs ([base.X, base.level], base.limits, columns (base.level));
+  unit = unitInputs ([base.X, base.extra], base.limits, columns (base.extra));
   y = (base.z - base.shift) / base.scale;
   noise = ofRows (base.knownNoise, use);
   fit = prepareFit (unit(use, :), y(use), trend, covariance, noise, ...
-                    struct ('level', ofRows (base.level, use), ...
+                    struct ('extra', ofRows (base.extra, use), ...
                             'prior', base.prior));
   if isempty (theta)
     theta = fit.mean;
@@ -214,9 +214,9 @@ function [choice, noiseLaw] = estimate (trend, covariance, base, theta)
                    'param', theta(1:d + 1), ...
                    'lognoisevariance', log (base.knownNoise));
   noiseLaw = [];
-  if ~isempty (fit.level)
+  if ~isempty (fit.extra)
     noiseLaw = theta(d + 2:end)';
-    choice.lognoisevariance = noiseLaw(1) + noiseLaw(2) * base.level;
+    choice.lognoisevariance = noiseLaw(1) + noiseLaw(2) * base.extra;
   elseif isempty (noise)
     choice.lognoisevariance = theta(end);
   end

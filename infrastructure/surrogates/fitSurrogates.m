@@ -48,7 +48,7 @@ function surrogates = fitSurrogates (data, problem, old, most)
     known = horzcat (old.leftOut);
     leftOut(1:rows (known), :) = known;
   end
-  runs = struct ('X', data.X(same, :), 'Z', data.Z(same, :), 'level', {level});
+  runs = struct ('X', data.X(same, :), 'Z', data.Z(same, :), 'extra', {level});
   bad = leftOut(same, :);
   form = givenField (problem, 'form', []);
   [surrogates, follows] = fitGood (runs, bad, problem, old);
@@ -104,7 +104,7 @@ end
 
 function runs = withoutDropped (runs, surrogates)
   for t = find (~cellfun (@isempty, {surrogates.dropped}))
-    isDropped = ismember (runs.level{t}, surrogates(t).dropped);
+    isDropped = ismember (runs.extra{t}, surrogates(t).dropped);
     runs.Z(isDropped, t) = NaN;
   end
 end
@@ -135,8 +135,8 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
     if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.2 * old(t).nChoice
       options.start = old(t);
     end
-    if ~isempty (runs.level{t})
-      s = fitLevels (X, Z(:, t), runs.level{t}, problem.limits, options);
+    if ~isempty (runs.extra{t})
+      s = fitLevels (X, Z(:, t), runs.extra{t}, problem.limits, options);
     elseif isempty (law{t})
       s = fitSurrogate (X, Z(:, t), problem.limits, options);
     else

@@ -3,7 +3,7 @@
 % CALL: JUDGED = fitWithout (TASK, OUT)
 %
 %   TASK    scalar struct, the runs of one model: X (n x d), Z (n x T, NaN:
-%           none), level (n x 1 or [], see unitLevel), surrogates (1 x T, of
+%           none), extra (n x 1 or [], a further input), surrogates (1 x T, of
 %           fitSurrogate: trend and covariance are theirs), least (1 x T: a
 %           smaller deviation is none)
 %   OUT     n x 1 logical, runs that are left out
@@ -26,7 +26,7 @@ function judged = fitWithout (task, out)
     z = task.Z(:, t);
     isKnown = isfinite (z);
     use = isKnown & ~out;
-    s = fitRows (task.X, z, task.level, use, old.limits, ...
+    s = fitRows (task.X, z, task.extra, use, old.limits, ...
                  struct ('trend', old.trend, 'covariance', old.covariance));
     s = leastNoise (s);
     fit = prepareFit (s.solver.unit, s.solver.y, s.trend, s.covariance, ...
@@ -57,7 +57,7 @@ end
 %! z = 2 + X;
 %! z(5) = 9;
 %! s = fitSurrogate (X, z, [0; 1], struct ('trend', 'affine'));
-%! task = struct ('X', X, 'Z', z, 'level', [], 'surrogates', s, 'least', 0);
+%! task = struct ('X', X, 'Z', z, 'extra', [], 'surrogates', s, 'least', 0);
 %! with = fitWithout (task, false (9, 1));
 %! without = fitWithout (task, (1:9)' == 5);
 %! [~, worst] = max (with.far);

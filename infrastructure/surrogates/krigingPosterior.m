@@ -2,8 +2,8 @@
 %
 % CALL: [M, V, S] = krigingPosterior (SURROGATE, P)
 %
-% P          n x d, parameter sets; of a surrogate with levels n x (d + 1) for
-%            another level than that which counts (unitLevel)
+% P          n x d, parameter sets; of a surrogate with a further input
+%            n x (d + 1) where that is not 0
 % M, V       n x 1, mean and variance, without the noise of a run and without
 %            the surrogate's factor
 % S          n x n, covariance, V its diagonal
@@ -11,7 +11,7 @@
 function [m, v, S] = krigingPosterior (surrogate, P)
   s = surrogate.solver;
   model = surrogate.model;
-  U = unitInputs (P, surrogate.limits, columns (surrogate.level));
+  U = unitInputs (P, surrogate.limits, columns (surrogate.extra));
   isOpen = nargout > 1 && ~isempty (s.open);
   if isOpen
     [k, D] = covarianceOf (surrogate, U, s.unit);

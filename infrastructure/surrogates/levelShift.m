@@ -14,7 +14,7 @@ function [shift, sd, noiseSd] = levelShift (s, p, level)
   [shift, sd, noiseSd] = deal (NaN);
   if level == 0
     [shift, sd, noiseSd] = deal (0, 0, sqrt (s.noiseVar));
-  elseif ~isempty (s.level) && ~any (s.dropped == level)
+  elseif ~isempty (s.extra) && ~any (s.dropped == level)
     [m, ~, S] = krigingPosterior (s, [p, level; p, 0]);
     shift = s.scale * (m(1) - m(2));
     sd = s.scale * sqrt (s.factor * max (0, [1, -1] * S * [1; -1]));
@@ -33,5 +33,5 @@ end
 %! assert (sd < 0.02 && noiseSd < 0.05);
 %! assert (levelShift (s, [0.4, 0.4], -0.5), -0.15, 0.05);
 %! assert (levelShift (s, [0.4, 0.4], 0), 0);
-%! s.level = [];
+%! s.extra = [];
 %! assert (levelShift (s, [0.4, 0.4], 1), NaN);

@@ -24,6 +24,7 @@ function surrogate = loadSurrogate (file)
             'got %s. Calibrate the case it belongs to once more, which ' ...
             'writes it anew.'], file, fault);
   end
+  kept.extra = givenField (kept, 'level', []);
   surrogate = conditionSurrogate (kept, kept);
 end
 
@@ -55,15 +56,15 @@ end
 
 function yes = fits (kept)
   [n, d] = size (kept.X);
-  level = givenField (kept, 'level', []);
-  v = columns (level);
+  extra = givenField (kept, 'level', []);
+  v = columns (extra);
   law = givenField (kept, 'noiseLaw', []);
   sizes = [numel(kept.z), columns(kept.limits), ...
            numel(kept.shift), numel(kept.scale), numel(kept.param)];
   yes = n > 0 && isequal (sizes, [n, d, 1, 1, 1 + d + v]) && ...
         any (rows (kept.limits) == 2:4) && ...          % see toUnit
         any (numel (kept.lognoisevariance) == [1, n]) && ...
-        (v == 0 || rows (level) == n) && any (numel (law) == [0, 2]);
+        (v == 0 || rows (extra) == n) && any (numel (law) == [0, 2]);
 end
 
 function yes = isSane (kept)

@@ -1,17 +1,17 @@
-% NOISEAT  Variance of a run of a response at a level.
+% NOISEAT  Variance of a run of a response along the further input.
 %
-% CALL: V = noiseAt (SURROGATE, LEVEL)
+% CALL: V = noiseAt (SURROGATE, EXTRA)
 %
-%   LEVEL      n x 1, how coarse (unitLevel; 0 is the level that counts)
-%   V          n x 1, in squared units of the response; of a surrogate without
-%              levels its noiseVar
+%   EXTRA      n x 1, see fitSurrogate; of levels how coarse (unitLevel)
+%   V          n x 1, in squared units of the response; of a surrogate whose
+%              noise does not change its noiseVar
 
-function v = noiseAt (surrogate, level)
+function v = noiseAt (surrogate, extra)
   if isempty (surrogate.noiseLaw)
-    v = surrogate.noiseVar * ones (size (level));
+    v = surrogate.noiseVar * ones (size (extra));
   else
     law = surrogate.noiseLaw;
-    v = surrogate.scale^2 * exp (law(1) + law(2) * level);
+    v = surrogate.scale^2 * exp (law(1) + law(2) * extra);
   end
 end
 

@@ -41,7 +41,7 @@ function [known, slopes] = noiseTerms (surrogate)
   alpha = surrogate.solver.alpha;
   [known, slopes] = deal ([]);
   if ~isempty (surrogate.noiseLaw)
-    slopes = noise .* alpha .* [ones(size (alpha)), surrogate.level];
+    slopes = noise .* alpha .* [ones(size (alpha)), surrogate.extra];
   elseif isscalar (noise)
     slopes = noise * alpha;
   else
@@ -106,11 +106,11 @@ end
 %! assert (isempty (parameterSpread (flat)));
 
 %!test
-%! % levels and known noises have parameters of their own
+%! % a further input and known noises have parameters of their own
 %! rootOf = @(options) parameterSpread ( ...
 %!                       fitSurrogate (X, z, [0, 0; 1, 1], options)).root;
-%! level = [zeros(5, 1); ones(4, 1)];
-%! assert (size (rootOf (struct ('level', level))), [6, 6]);
+%! extra = [zeros(5, 1); ones(4, 1)];
+%! assert (size (rootOf (struct ('extra', extra))), [6, 6]);
 %! assert (size (rootOf (struct ('noise', 4e-4 * ones (9, 1)))), [3, 3]);
 
 %!test

@@ -2,7 +2,7 @@
 %
 % CALL: [M, V] = predictSurrogate (SURROGATES, P)
 %
-% P           n x d  parameter sets; with a level, see krigingPosterior
+% P           n x d  parameter sets; beside them extra, see krigingPosterior
 % M, V        n x T  mean of the response and its variance (the noise of a run
 %             is not in it: add surrogates(t).noiseVar to predict a run)
 %
@@ -35,7 +35,7 @@ end
 
 function n = widths (surrogates)
   d = columns (surrogates(1).limits);
-  n = d:d + any (~cellfun (@isempty, {surrogates.level}));
+  n = d:d + any (~cellfun (@isempty, {surrogates.extra}));
 end
 
 function [m, v] = predictOne (surrogate, P)
@@ -60,4 +60,4 @@ end
 %! assert (all (v(:) >= 0));
 
 %!error id=DEcalioc:predictSurrogate:badShape
-%! predictSurrogate (struct ('limits', [0; 1], 'level', []), [1, 2]);
+%! predictSurrogate (struct ('limits', [0; 1], 'extra', []), [1, 2]);

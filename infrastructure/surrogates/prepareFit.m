@@ -5,17 +5,16 @@
 % U       n x d  inputs in the unit box; Y  n x 1 standardised response
 % TREND   'constant', 'affine' or 'quadratic'; KERNEL  see correlationOf
 % NOISE   n x 1 known variances, or [] (estimated)
-% OF      struct level (n x 1, how coarse a run is, 0: as fine as the runs that
-%         count; the logarithm of the estimated noise is affine in it; []: all
-%         are), prior ((d + 2) x 1, parameters as theta of a similar bench,
+% OF      struct extra (n x 1, an input of U in which the logarithm of the
+%         estimated noise is affine; []: in none), prior ((d + 2) x 1, parameters as theta of a similar bench,
 %         known to a factor of 1.6; NaN: not known; []: none)
 % FIT     struct, what does not depend on the parameters: S n^2 x d (squared
 %         differences), W n x (n - q) (basis orthogonal to the trend), y,
-%         kernel, noise, level; prior mean and sd (as theta: the part beyond the
+%         kernel, noise, extra; prior mean and sd (as theta: the part beyond the
 %         trend, ranges and noise of a usual DEM response); and
 %   cost  handle [C, G] = FIT.cost (THETA), negative log density and gradient;
 %         THETA (d + 2) x 1: log variance, log 1/range (d), log noise variance;
-%         (d + 1) x 1 with NOISE, (d + 3) x 1 with LEVEL: its slope by the level
+%         (d + 1) x 1 with NOISE, (d + 3) x 1 with EXTRA: its slope by it
 %
 % The restricted likelihood equals stk_param_relik up to the prior, in less time
 % for few runs. With few runs per parameter the plain likelihood lets the noise
@@ -25,7 +24,7 @@
 
 function fit = prepareFit (U, y, trend, kernel, noise, of)
   if nargin < 6
-    of = struct ('level', [], 'prior', []);
+    of = struct ('extra', [], 'prior', []);
   end
   [n, d] = size (U);
   S = zeros (n * n, d);
@@ -39,7 +38,7 @@ function fit = prepareFit (U, y, trend, kernel, noise, of)
   fit.y = y;
   fit.kernel = kernel;
   fit.noise = noise;
-  fit.level = [];
+  fit.extra = [];
   beyond = 0.01;
   if strcmp (trend, 'constant')
     beyond = 1;
@@ -56,8 +55,8 @@ function fit = prepareFit (U, y, trend, kernel, noise, of)
   if ~isempty (noise)
     fit.mean(end) = [];
     fit.sd(end) = [];
-  elseif ~isempty (of.level)
-    fit.level = of.level;
+  elseif ~isempty (of.extra)
+    fit.extra = of.extra;
     fit.mean(end + 1) = 0;
     fit.sd(end + 1) = 1.5;
   end
@@ -71,8 +70,8 @@ function [C, g] = penalisedLikelihood (theta, fit)
   weight = exp (2 * theta(2:d + 1));
   [k, slope] = correlationOf (fit.kernel, fit.S * weight);
   K = variance * reshape (k, n, n);
-  if ~isempty (fit.level)
-    noise = exp (theta(end - 1) + theta(end) * fit.level);
+  if ~isempty (fit.extra)
+    noise = exp (theta(end - 1) + theta(end) * fit.extra);
   elseif isempty (fit.noise)
     noise = exp (theta(end)) * ones (n, 1);
   else
@@ -97,8 +96,8 @@ function [C, g] = penalisedLikelihood (theta, fit)
     g(1) = 0.5 * sum (M(:) .* K(:));
     g(2:d + 1) = variance * ((M(:) .* slope)' * fit.S)' .* weight;
     byNoise = 0.5 * noise .* diag (M);
-    if ~isempty (fit.level)
-      g(end - 1:end) = [sum(byNoise); byNoise' * fit.level];
+    if ~isempty (fit.extra)
+      g(end - 1:end) = [sum(byNoise); byNoise' * fit.extra];
     elseif isempty (fit.noise)
       g(end) = sum (byNoise);
     end

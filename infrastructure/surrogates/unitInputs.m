@@ -1,14 +1,12 @@
-% UNITINPUTS  Inputs of a surrogate in the unit box: parameters, and the level.
+% UNITINPUTS  Inputs of a surrogate in the unit box: parameters, and one beside.
 %
 % CALL: U = unitInputs (P, LIMITS, V)
 %
-%   P       n x d, parameter sets, or n x (d + 1): beside them how coarse the
-%           runs are (unitLevel), which needs no box
+%   P       n x d, parameter sets, or n x (d + 1): beside them a further input
+%           that needs no box (unitLevel makes it of levels)
 %   LIMITS  of the d parameters, see toUnit
-%   V       0, or 1 for a surrogate that has the level as an input
-%   U       n x (d + V); without a level in P it is 0, the one that counts
-%
-% The one place where a level becomes a column of a Kriging model.
+%   V       0, or 1 for a surrogate that has a further input
+%   U       n x (d + V); what P does not have is 0
 
 function U = unitInputs (P, limits, v)
   d = columns (limits);

@@ -153,7 +153,7 @@ function [m, v] = atOwnLevel (surrogates, data)
     s = surrogates(t);
     coarse = level ~= 0;
     [m(coarse, t), v(coarse, t)] = deal (NaN);
-    if ~isempty (s.level)
+    if ~isempty (s.extra)
       known = coarse & ~ismember (level, s.dropped);
       [m(known, t), v(known, t)] = ...
         predictSurrogate (s, [data.X(known, :), level(known)]);

@@ -18,16 +18,16 @@ function state = completePlan (state, problem, Case, say, options)
   wanted = max (Case.options.numOfSam, neutralSets (d, options));
   state = completeBenches (state, Case, say, wanted);
   data = state.data;
-  phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
+  [~, phi] = neutralEffects (Case);
   % a bench on which no run gives a result must not hold up the others
   isDead = ~any (isfinite (data.Z), 1) & ...
            sum (isnan (data.Z) & ~isna (data.Z), 1) >= d + 3;
   neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDead, 2);
   have = rows (unique (data.X(neutral, :), 'rows'));
   % coarse sets count, but d + 3 have to be of the last level
-  if isfield (data, 'level')
-    atLast = neutral & ~any (data.level, 2);
-    wanted = max (wanted, have + d + 3 - sum (atLast));
+  [atLast, hasLevels] = isFine (data);
+  if hasLevels
+    wanted = max (wanted, have + d + 3 - sum (neutral & atLast));
   end
   missing = min (wanted - have, setsLeft (state.budget));
   if missing < 1
@@ -75,7 +75,7 @@ function state = completeBenches (state, Case, say, wanted)
 end
 
 function at = wantedSets (E, isWhole, isOpen, Case, plan)
-  phi = neutralEffects (Case)(numel (Case.coarse) + 1:end);
+  [~, phi] = neutralEffects (Case);
   isOff = E == phi;
   neutral = all (isOff, 2);
   at = find (neutral & isOpen);

@@ -67,10 +67,8 @@ function n = runsToSeek (problem, options, state, theta, p)
   data = state.data;
   own = toSymmetric (data.X, problem.limits);
   isNear = all (abs (own - theta) < 0.5, 2) & ...
-           all (abs (strengthOfValues (problem.effects, data.E)) < 1e-9, 2);
-  if isfield (data, 'level')
-    isNear = isNear & ~any (data.level, 2);
-  end
+           all (abs (strengthOfValues (problem.effects, data.E)) < 1e-9, 2) & ...
+           isFine (data);
   n = max (min (options.batch, options.seekRuns - sum (isNear)), 0);
 end
 

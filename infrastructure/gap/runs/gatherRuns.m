@@ -56,7 +56,7 @@ function [data, count] = fromStore (Case, data, count, which)
     names = runFoldersOf (Case, Case.models(k).name, which{:});
     [records, effects] = runsOf (names, Case, k, Case.hashes(k));
     % coarse runs say nothing of what a set costs
-    isLast = cellfun (@(e) atLastLevel (e, Case.coarse), effects);
+    isLast = cellfun (@(e) atLastLevel (e, Case), effects);
     spent = cellfun (@(r) r.seconds, records(isLast));
     spent = spent(isfinite (spent));
     seconds(k) = sum (spent) / numel (spent) * Case.models(k).cpu;

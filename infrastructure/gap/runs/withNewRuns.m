@@ -9,15 +9,14 @@
 
 function data = withNewRuns (data, state, known, problem)
   new = rows (known.X) + 1:rows (state.data.X);
+  absent = struct ('Z', NaN, 'level', 0);
+  % back from units of the noise (enterRuns)
+  unit = struct ('Z', problem.unit, 'level', 1);
   for name = fieldnames (data)'
     own = state.data.(name{1})(new, :);
-    if strcmp (name{1}, 'level')
-      own = zeros (numel (new), columns (data.level));
-      own(:, problem.kept) = state.data.level(new, :);
-    elseif strcmp (name{1}, 'Z')
-      own = NaN (numel (new), columns (data.Z));
-      % back from units of the noise (enterRuns)
-      own(:, problem.kept) = state.data.Z(new, :) .* problem.unit;
+    if isfield (absent, name{1})             % a column a target
+      own = absent.(name{1}) * ones (numel (new), columns (data.Z));
+      own(:, problem.kept) = state.data.(name{1})(new, :) .* unit.(name{1});
     end
     data.(name{1}) = [data.(name{1}); own];
   end

@@ -168,8 +168,8 @@ end
 % What a run at another level would be at the one that counts.
 function z = carriedOver (s)
   z = s.z(:);
-  if ~isempty (s.level)
-    z = z - predictSurrogate (s, [s.X, s.level]) + predictSurrogate (s, s.X);
+  if ~isempty (s.extra)
+    z = z - predictSurrogate (s, [s.X, s.extra]) + predictSurrogate (s, s.X);
   end
 end
 

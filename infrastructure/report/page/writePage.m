@@ -212,7 +212,7 @@ function writeRunTable (page)
   for run = page.runs
     effects = NaN (1, numel (Case.effectVars));
     n = numel (run.effects);
-    if n == numel (effects) || n == numel (Case.coarse)
+    if n == numel (effects) || n == numel (plainCase (Case).effectVars)
       effects(1:n) = run.effects;
     end
     numbers = [run.replicate, run.seed, run.seconds, run.started, ...
