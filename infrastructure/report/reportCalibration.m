@@ -20,7 +20,8 @@ function reportCalibration (Case, say)
   say (sprintf (['DEM runs: %d plan, %d infill, %d verification; %d without a result, also ' ...
                  'with another seed; %d taken from the store; %.1f core-minutes'], d.plan, ...
                 d.infill, d.verify, d.failed, d.reused, c.coreSeconds / 60));
-  say (['Runs: ', runPlace(Case), '  Results: ', fullfile(Case.folder, 'results', 'calibration.json')]);
+  say (['Runs: ', runPlace(Case), '  Results: ', ...
+        fullfile(Case.folder, 'results', 'calibration.json')]);
   names = getOptimFolder (cellfun (@(n) c.params.(n), Case.names), Case);
   for k = find (cellfun (@ischar, names))
     say (['A run with these parameters: ', runPlace(Case, Case.models(k).name, names{k})]);

@@ -6,7 +6,8 @@
 % TREND   'constant', 'affine' or 'quadratic'; KERNEL  see correlationOf
 % NOISE   n x 1 known variances, or [] (estimated)
 % OF      struct extra (n x 1, an input of U in which the logarithm of the
-%         estimated noise is affine; []: in none), prior ((d + 2) x 1, parameters as theta of a similar bench,
+%         estimated noise is affine; []: in none), prior ((d + 2) x 1,
+%         parameters as theta of a similar bench,
 %         known to a factor of 1.6; NaN: not known; []: none)
 % FIT     struct, what does not depend on the parameters: S n^2 x d (squared
 %         differences), W n x (n - q) (basis orthogonal to the trend), y,
