@@ -37,8 +37,8 @@ function seconds = levelSeconds (costs, coarse)
   end
   [L, v] = size (coarse.levels);
   for k = 1:L
-    own = all (costs(:, 1:v) == coarse.levels(k, :), 2);
-    seconds(k) = mean (costs(own, end));
+    isAtLevel = all (costs(:, 1:v) == coarse.levels(k, :), 2);
+    seconds(k) = mean (costs(isAtLevel, end));
   end
   known = find (isfinite (seconds));
   law = polyfit (known, log (seconds(known)), min (1, numel (known) - 1));

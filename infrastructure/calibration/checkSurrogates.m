@@ -55,9 +55,9 @@ function lines = droppedLevels (state, problem)
                          'that of coarser runs'], where (L));
   end
   for k = 1:L - 1
-    own = arrayfun (@(t) unitLevel (coarse, coarse.levels(k, :), t), ...
-                    1:numel (s));
-    isDropped = arrayfun (@(s, own) any (s.dropped == own), s, own);
+    units = arrayfun (@(t) unitLevel (coarse, coarse.levels(k, :), t), ...
+                      1:numel (s));
+    isDropped = arrayfun (@(s, units) any (s.dropped == units), s, units);
     names = {s(isDropped).name};
     if numel (names) > 3
       names = [names(1:3), sprintf('and %d more', numel (names) - 3)];

@@ -31,14 +31,14 @@ function [curves, nFree] = curveErrors (surrogates, problem)
     points = find (problem.calibrate & problem.curve == number);
     place = problem.coordinate(points);
     steps = diff (unique (place));
-    own = surrogates(points);
+    fits = surrogates(points);
     c = struct ('points', points, 'value', problem.value(points), ...
                 'sd', problem.statedSd(points), 'distance', abs (place' - place));
     c.shared = givenField (problem, 'shared', 0 * problem.statedSd)(points);
     c.own = sqrt (max (c.sd.^2 - c.shared.^2, 0));
-    c.packingVar = [own.noiseVar] ./ problem.trials(points);
+    c.packingVar = [fits.noiseVar] ./ problem.trials(points);
     c.scatter = any (problem.scatter(points));
-    [c.rough, c.smooth] = correlations (looRows (own), c.distance);
+    [c.rough, c.smooth] = correlations (looRows (fits), c.distance);
     c.length = problem.correlation(points(1));
     if isempty (steps)
       c.length = 0;
@@ -46,7 +46,7 @@ function [curves, nFree] = curveErrors (surrogates, problem)
     c.lengths = [min([steps, Inf]) / 3, max(place) - min(place)];
     c.sdKnown = all (c.sd > 0);
     c.half = problem.tol(points) .* abs (problem.scale(points));
-    c.df = min ([own.df]);
+    c.df = min ([fits.df]);
     nNew = isnan (c.length) + ~c.sdKnown;
     c.free = nFree + (1:nNew);
     nFree = nFree + nNew;

@@ -147,13 +147,13 @@ function hold = predictHoldout (state, problem)
     value = problem.value(t);
     sd = sqrt (v(t) + s.noiseVar / problem.trials(t) + problem.statedSd(t)^2);
     half = studentQuantile (0.95, s.df) * sd;
-    own = struct ('name', s.name, 'target', value, 'result', m(t), 'sd', sd, ...
-                  'interval90', [m(t) - half; m(t) + half], ...
-                  'inside', abs (value - m(t)) <= half);
+    entry = struct ('name', s.name, 'target', value, 'result', m(t), 'sd', sd, ...
+                    'interval90', [m(t) - half; m(t) + half], ...
+                    'inside', abs (value - m(t)) <= half);
     if isnan (value)
-      own.inside = NaN;
+      entry.inside = NaN;
     end
-    hold = [hold, own];
+    hold = [hold, entry];
   end
 end
 

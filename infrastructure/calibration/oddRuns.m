@@ -64,10 +64,10 @@ function isOdd = isSplit (X, Z, problem)
   isOdd = false (rows (X), 1);
   [~, ~, set] = unique (X, 'rows');
   for k = find (accumarray (set, 1)' > 2)
-    own = find (set == k);
+    inSet = find (set == k);
     for t = find (problem.calibrate)
-      isOdd(own) = isOdd(own) | smallerPart (Z(own, t), problem.tol(t) * ...
-                                             abs (problem.scale(t)));
+      isOdd(inSet) = isOdd(inSet) | smallerPart (Z(inSet, t), problem.tol(t) * ...
+                                                 abs (problem.scale(t)));
     end
   end
 end

@@ -39,30 +39,30 @@ function list = compareVariants (Z, S, allowed)
   end
   t = studentQuantile (1 - 0.05 / numel (judged), df);
   for k = find (n > 1 & n >= n(1) / 2)
-    own = list(k);
+    variant = list(k);
     root = sqrt (1 / n(1) + 1 / n(k));
-    own.cost = mean (S{k});
+    variant.cost = mean (S{k});
     step = studentQuantile (0.95, df) * sdLog * root * (k > 1);
-    own.ratio = exp (mean (logs{k}) - mean (logs{1}) + step * [0, -1, 1]);
-    own.shift = mean (Z{k}, 1) - mean (Z{1}, 1);
+    variant.ratio = exp (mean (logs{k}) - mean (logs{1}) + step * [0, -1, 1]);
+    variant.shift = mean (Z{k}, 1) - mean (Z{1}, 1);
     % as shares of half the tolerance
-    share = abs (own.shift(judged)) ./ half(judged);
+    share = abs (variant.shift(judged)) ./ half(judged);
     doubt = t * sd(judged) * root ./ half(judged);
     [~, worst] = max (share + doubt);
-    own.code = 'open';
+    variant.code = 'open';
     if k == 1
-      own.code = 'base';
+      variant.code = 'base';
     elseif all (share + doubt <= 1)
-      own.code = 'same';
+      variant.code = 'same';
     elseif any (share - doubt > 1)
-      own.code = 'differs';
+      variant.code = 'differs';
       [~, worst] = max (share - doubt);
     else
       % the doubt would have to be what lies between shift and bound
-      own.runs = ceil (max (2 * (doubt / root ./ abs (1 - share)).^2));
+      variant.runs = ceil (max (2 * (doubt / root ./ abs (1 - share)).^2));
     end
-    own.worst = judged(worst);
-    list(k) = own;
+    variant.worst = judged(worst);
+    list(k) = variant;
   end
 end
 

@@ -48,10 +48,10 @@ function list = numberRows (file)
   end
 end
 
-function own = ofApplication (regimes, options, given)
+function regime = ofApplication (regimes, options, given)
   list = regimes(strcmp ({regimes.kind}, 'application'));
-  own = list(strcmp ({list.name}, options.for));
-  if isempty (own)
+  regime = list(strcmp ({list.name}, options.for));
+  if isempty (regime)
     error ('DEcalioc:sayPlan:unknownName', ...
            '--for expects one of %s, got ''%s''.', ...
            strjoin ({list.name}, ', '), options.for);
@@ -65,7 +65,7 @@ function own = ofApplication (regimes, options, given)
              '--%s must be a number above 0, in m or m/s, got ''%s''.', ...
              name{1}, options.(name{1}));
     end
-    own.(name{1}) = value;
+    regime.(name{1}) = value;
   end
 end
 
@@ -126,16 +126,16 @@ end
 function sayRows (list, alone, show)
   printf ('  %-24s%s  best two\n', '', sprintf ('%10s', alone{:}));
   for name = unique ({list.name}, 'stable')
-    own = list(strcmp ({list.name}, name{1}));
+    regime = list(strcmp ({list.name}, name{1}));
     cells = repmat ({''}, 1, numel (alone));
     for k = 1:numel (alone)
-      at = strcmp ({own.benches}, alone{k});
+      at = strcmp ({regime.benches}, alone{k});
       if any (at)
-        cells{k} = show (own(at));
+        cells{k} = show (regime(at));
       end
     end
-    isPair = ~cellfun (@isempty, strfind ({own.benches}, '+'));
-    pairs = own(isPair);
+    isPair = ~cellfun (@isempty, strfind ({regime.benches}, '+'));
+    pairs = regime(isPair);
     [~, best] = min ([pairs.share]);
     pair = strtrim (sprintf ('%s %s', show (pairs(best)), ...
                              repmat (pairs(best).benches, 1, ...

@@ -15,26 +15,26 @@ function info = targetInfo (Case)
                   'at', NaN, 'text', '');
   info = repmat (blank, 1, numel (Case.targets));
   for k = 1:numel (Case.models)
-    own = resultInfo (Case.models(k).folder);
+    ofModel = resultInfo (Case.models(k).folder);
     for t = find ([Case.targets.model] == k)
-      info(t) = oneInfo (Case.targets(t), own, blank);
+      info(t) = oneInfo (Case.targets(t), ofModel, blank);
     end
   end
 end
 
-function info = oneInfo (T, own, info)
+function info = oneInfo (T, ofModel, info)
   if ~isfield (T, 'result') || isempty (T.result)
-    if numel (own) >= T.index
-      info = own(T.index);
+    if numel (ofModel) >= T.index
+      info = ofModel(T.index);
     end
     return
   end
-  if ~isempty (own)
-    row = [find(strcmp ({own.name}, T.result)), ...
-           find(strcmp ({own.series}, T.series) & ~isempty (T.series)), ...
-           find(strcmp ({own.name}, T.series))];
+  if ~isempty (ofModel)
+    row = [find(strcmp ({ofModel.name}, T.result)), ...
+           find(strcmp ({ofModel.series}, T.series) & ~isempty (T.series)), ...
+           find(strcmp ({ofModel.name}, T.series))];
     if ~isempty (row)
-      info = own(row(1));
+      info = ofModel(row(1));
     end
   end
   info.name = T.name;

@@ -32,13 +32,13 @@ function s = compareConditions (diagnosis, others)
                 'probability', [], 'strength', [], 'interval90', [], ...
                 'says', {cell(1, 0)}, 'text', {cell(1, 0)}, 'code', '', 'kind', '');
   for name = which.effects
-    own = which.strength(strcmp ({which.strength.name}, name{1}));
+    strength = which.strength(strcmp ({which.strength.name}, name{1}));
     one.probability(end + 1) = ...
       which.posterior.(matlab.lang.makeValidName (name{1}));
-    one.strength(end + 1) = own.value;
-    one.interval90(end + 1, :) = own.interval90;
-    one.says{end + 1} = own.says;
-    one.text{end + 1} = textOf (own, givenField (diagnosis.problem, 'effects', []));
+    one.strength(end + 1) = strength.value;
+    one.interval90(end + 1, :) = strength.interval90;
+    one.says{end + 1} = strength.says;
+    one.text{end + 1} = textOf (strength, givenField (diagnosis.problem, 'effects', []));
   end
   s.conditions = [one, others];
   for i = 1:numel (s.conditions)

@@ -28,17 +28,17 @@ function [problem, lengths] = correlateSeries (problem, emulator, options)
   used = problem.used;
   residual(used) = problem.value(used) - M(used);
   for s = unique (problem.series(at))
-    own = at(problem.series(at) == s);
+    points = at(problem.series(at) == s);
     % a quadratic leaves nothing of three points
-    if numel (own) < 4
+    if numel (points) < 4
       continue
     end
-    x = problem.coordinate(own);
+    x = problem.coordinate(points);
     % centred and scaled: squares of seconds or micrometres lose digits
     u = (x - mean (x)) / max (std (x), realmin);
     degree = min (2, numel (unique (x)) - 1);
-    r = residual(own) - polyval (polyfit (u, residual(own), degree), u);
-    L = estimateCorrelation (r, problem.sd(own), x);
+    r = residual(points) - polyval (polyfit (u, residual(points), degree), u);
+    L = estimateCorrelation (r, problem.sd(points), x);
     lengths(problem.series == s & problem.estimateSeries) = L;
   end
   known = problem.covariance;

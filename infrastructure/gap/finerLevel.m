@@ -49,19 +49,19 @@ function given = levelCandidate (given, surrogates, data, problem)
   if any (isnan (step.shift))
     return
   end
-  own = given.effects(end);
-  own.name = name;
-  own.label = sprintf ('%s = %.4g instead of %.4g, share of the way', ...
-                       name, step.finer(1), step.value(1));
-  [own.unit, own.group, own.siblings] = deal ('', '', {});
-  [own.variables, own.neutral, own.limits] = deal ({}, [], zeros (2, 0));
-  [own.laboratory, own.strongest, own.scale] = deal (true, 1, 2);
-  own.range = [0, 1];
+  candidate = given.effects(end);
+  candidate.name = name;
+  candidate.label = sprintf ('%s = %.4g instead of %.4g, share of the way', ...
+                             name, step.finer(1), step.value(1));
+  [candidate.unit, candidate.group, candidate.siblings] = deal ('', '', {});
+  [candidate.variables, candidate.neutral, candidate.limits] = deal ({}, [], zeros (2, 0));
+  [candidate.laboratory, candidate.strongest, candidate.scale] = deal (true, 1, 2);
+  candidate.range = [0, 1];
   % an effect whose full strength is the step to the next level, and nothing else
-  own.offset = step.shift;
-  own.offsetSd = step.shiftSd;
-  own.matrix = zeros (numel (step.shift));
-  given.effects(end + 1) = own;
+  candidate.offset = step.shift;
+  candidate.offsetSd = step.shiftSd;
+  candidate.matrix = zeros (numel (step.shift));
+  given.effects(end + 1) = candidate;
 end
 
 % The diagnosis again, as one of the finer level.

@@ -28,9 +28,9 @@ function C = measurementCovariance (sd, series, coordinate, lengths, shared)
   isSame = series' == series & series > 0;
   R(~(isSame & (lengths' > 0 & lengths > 0))) = 0;
   R(1:numel (sd) + 1:end) = 1 + 1e-6;
-  own = sqrt (max (sd.^2 - shared.^2, 0));
+  alone = sqrt (max (sd.^2 - shared.^2, 0));
   isSame(1:numel (sd) + 1:end) = true;
-  C = (own' * own) .* R + (shared' * shared) .* isSame;
+  C = (alone' * alone) .* R + (shared' * shared) .* isSame;
   C(1:numel (sd) + 1:end) = sd.^2 * (1 + 1e-6);
 end
 

@@ -19,19 +19,19 @@ function given = withCondition (given, Case, c)
   given.reference.perCondition = Case.perCondition;
   given.reference.condition = Case.conditions{c};
   for t = 1:numel (Case.targets)
-    own = mergeFields (struct ('shared', 0, 'sameSessions', false), ...
-                       Case.targets(t).changed(c));
-    if own.sd == 0
-      [own.sd, own.shared] = deal (given.sd(t), given.shared(t));
+    changed = mergeFields (struct ('shared', 0, 'sameSessions', false), ...
+                           Case.targets(t).changed(c));
+    if changed.sd == 0
+      [changed.sd, changed.shared] = deal (given.sd(t), given.shared(t));
     end
-    if own.sameSessions
-      own.sd = sqrt (own.sd^2 - own.shared^2);
-      own.shared = 0;
+    if changed.sameSessions
+      changed.sd = sqrt (changed.sd^2 - changed.shared^2);
+      changed.shared = 0;
       given.reference.sd(t) = sqrt (given.reference.sd(t)^2 - ...
                                     given.reference.shared(t)^2);
     end
     for name = names
-      given.(name{1})(t) = own.(name{1});
+      given.(name{1})(t) = changed.(name{1});
     end
   end
 end

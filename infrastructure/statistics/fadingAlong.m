@@ -12,10 +12,10 @@
 function R = fadingAlong (series, coordinate)
   R = diag (double (series == 0));
   for s = setdiff (series, 0)
-    own = series == s;
-    x = coordinate(own);
+    inSeries = series == s;
+    x = coordinate(inSeries);
     length_ = (max (x) - min (x)) / 3;
-    R(own, own) = exp (-abs (x' - x) / max (length_, realmin));
+    R(inSeries, inSeries) = exp (-abs (x' - x) / max (length_, realmin));
   end
 end
 

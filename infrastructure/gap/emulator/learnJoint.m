@@ -22,10 +22,10 @@ function joint = learnJoint (emulator, runs)
   isOn = abs (runs.phi) >= 1e-9;
   for pair = nchoosek (simulated, 2)'
     at = all (isOn(:, pair), 2) & sum (isOn, 2) == 2;
-    own = struct ('theta', runs.theta(at, :), 'phi', runs.phi(at, pair), ...
-                  'Z', runs.Z(at, :), 'mean', runs.mean(at, :), ...
-                  'variance', runs.variance(at, :));
-    joint = [joint, ofPair(emulator, pair', own)];
+    both = struct ('theta', runs.theta(at, :), 'phi', runs.phi(at, pair), ...
+                   'Z', runs.Z(at, :), 'mean', runs.mean(at, :), ...
+                   'variance', runs.variance(at, :));
+    joint = [joint, ofPair(emulator, pair', both)];
   end
 end
 
@@ -68,8 +68,8 @@ function joint = ofPair (emulator, pair, runs)
                        emulator.noiseVar(t) + v(ok, t));
       joint.coef(:, t) = fit.coef;
       % runs of both can only take from the doubt that there was without them
-      own = fit.covariance(1) + fit.misfit + least(t);
-      joint.misfit(t) = min (own, guess(t));
+      left = fit.covariance(1) + fit.misfit + least(t);
+      joint.misfit(t) = min (left, guess(t));
     end
   end
 end

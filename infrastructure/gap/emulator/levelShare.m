@@ -16,17 +16,17 @@ function share = levelShare (emulator, coarse, runs)
   isOn = abs (runs.phi) >= 1e-9;
   [excess, size2, seen] = deal (0);
   for k = find (~[coarse.laboratory] & [coarse.runs] > 0)
-    own = isOn(:, k) & sum (isOn, 2) == 1;
-    if ~any (own)
+    isAlone = isOn(:, k) & sum (isOn, 2) == 1;
+    if ~any (isAlone)
       continue
     end
     e = coarse(k);
-    phi = runs.phi(own, k);
+    phi = runs.phi(isAlone, k);
     psi = bentStrength (phi, e.bend);
-    B = polyRows (e.powers, [runs.theta(own, :), psi]);
-    miss = runs.Z(own, :) - runs.mean(own, :) - B * e.coef;
+    B = polyRows (e.powers, [runs.theta(isAlone, :), psi]);
+    miss = runs.Z(isAlone, :) - runs.mean(isAlone, :) - B * e.coef;
     % noise and surrogates make differences, too: their square is expected
-    known = emulator.noiseVar + runs.variance(own, :) + ...
+    known = emulator.noiseVar + runs.variance(isAlone, :) + ...
             effectVariance (e, B, psi);
     ok = isfinite (miss);
     miss(~ok) = 0;

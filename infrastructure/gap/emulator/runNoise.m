@@ -64,10 +64,10 @@ function [C, along] = errorCorrelation (R, problem)
   S = (R' * R) ./ max (scale' * scale, realmin);
   along = eye (T);
   for s = setdiff (problem.series, 0)
-    own = find (problem.series == s);
-    apart = abs (problem.coordinate(own)' - problem.coordinate(own));
-    if numel (own) >= 8 && n > 0
-      along(own, own) = exp (-apart / fittedLength (S(own, own), apart));
+    points = find (problem.series == s);
+    apart = abs (problem.coordinate(points)' - problem.coordinate(points));
+    if numel (points) >= 8 && n > 0
+      along(points, points) = exp (-apart / fittedLength (S(points, points), apart));
     end
   end
   share = n / (n + 2 * T);

@@ -48,12 +48,12 @@ function d = deviationOf (study, set, draws)
   if ~isempty (told)
     knownRoot = covarianceRoot (known);
   end
-  own = d.J(used, :)' / d.Sigma(used, used);
+  weighted = d.J(used, :)' / d.Sigma(used, used);
   % an unknown that no used target sees stays where it is
-  C = pinv (own * d.J(used, :) + known);
+  C = pinv (weighted * d.J(used, :) + known);
   K = zeros (numel (targets));
   % hat matrix of the fit: what it moves by an error of a used target
-  K(:, used) = d.J * C * own;
+  K(:, used) = d.J * C * weighted;
   noise = budget.covariance(targets, targets);
   surrogate = d.Sigma - noise;
   run = zeros (numel (targets));
@@ -91,9 +91,9 @@ end
 % Covariance of the mean of the runs Z.
 function C = ofRuns (emulator, Z, targets)
   n = rows (Z);
-  own = (n - 1) * var (Z(:, targets), 0, 1);
+  squares = (n - 1) * var (Z(:, targets), 0, 1);
   % what the emulator knows of the noise counts as four degrees of freedom more
-  sd = sqrt ((own + 4 * emulator.noiseVar(targets)) / (n + 3) / n);
+  sd = sqrt ((squares + 4 * emulator.noiseVar(targets)) / (n + 3) / n);
   C = (sd' * sd) .* emulator.correlation(targets, targets);
 end
 

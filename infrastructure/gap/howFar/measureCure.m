@@ -65,12 +65,12 @@ function cure = measureCure (study, sets, first)
     if any (ismember (sets(i).h, first))
       continue
     end
-    own = placeboOf (cure, devs([1, at, i]), used, held, ...
-                     {scale, options});
-    own.effect = strjoin (names(sets(i).h), ' + ');
-    own.verifiedByDEM = sets(i).verified;
-    own.against = own.against && all ([sets([1, at, i]).verified]);
-    cure.placebos(end + 1) = orderfields (own, cure.placebos);
+    placebo = placeboOf (cure, devs([1, at, i]), used, held, ...
+                         {scale, options});
+    placebo.effect = strjoin (names(sets(i).h), ' + ');
+    placebo.verifiedByDEM = sets(i).verified;
+    placebo.against = placebo.against && all ([sets([1, at, i]).verified]);
+    cure.placebos(end + 1) = orderfields (placebo, cure.placebos);
   end
   cure = rmfield (cure, 'share');
   cure.verifiedByDEM = all ([sets([1, at]).verified]);
@@ -111,9 +111,9 @@ function c = closureAt (d, at, scale, options)
   rms = @(x) sqrt (mean (x ./ scale(at).^2));
   c = struct ('before', rms (parts(1).r.^2), 'after', rms (parts(2).r.^2), ...
               'floor', rms (diag (parts(1).F)'));
-  own = closureOf (parts(1), parts(2), metric, options);
-  for field = fieldnames (own)'
-    c.(field{1}) = own.(field{1});
+  closed = closureOf (parts(1), parts(2), metric, options);
+  for field = fieldnames (closed)'
+    c.(field{1}) = closed.(field{1});
   end
 end
 
@@ -126,24 +126,24 @@ function parts = partOf (d, at)
 end
 
 % D  deviations without effect, with the cause, with the placebo
-function own = placeboOf (cure, d, used, held, how)
+function placebo = placeboOf (cure, d, used, held, how)
   c = closureAt (d([1, 3]), used, how{:});
-  own = struct ('closure', c.closure, 'interval90', c.interval90, ...
-                'heldOut', NaN, 'logRatio', NaN);
-  own.expected = alikeness (d, used);
-  own.difference = cure.closure - c.closure;
+  placebo = struct ('closure', c.closure, 'interval90', c.interval90, ...
+                    'heldOut', NaN, 'logRatio', NaN);
+  placebo.expected = alikeness (d, used);
+  placebo.difference = cure.closure - c.closure;
   gain = cure.share - c.share;
   gain = gain(isfinite (gain));
-  own.difference90 = [NaN, NaN];
+  placebo.difference90 = [NaN, NaN];
   if c.removable && ~isempty (gain)
-    own.difference90 = weightedQuantile (gain, ones (size (gain)), ...
-                                         [0.05, 0.95]);
+    placebo.difference90 = weightedQuantile (gain, ones (size (gain)), ...
+                                             [0.05, 0.95]);
   end
-  own.against = c.interval90(1) > own.expected && own.difference90(1) <= 0;
+  placebo.against = c.interval90(1) > placebo.expected && placebo.difference90(1) <= 0;
   if ~isempty (held)
-    own.heldOut = closureAt (d([1, 3]), held, how{:}).closure;
+    placebo.heldOut = closureAt (d([1, 3]), held, how{:}).closure;
     parts = partOf (d, held);
-    own.logRatio = logDensity (parts(2)) - logDensity (parts(3));
+    placebo.logRatio = logDensity (parts(2)) - logDensity (parts(3));
   end
 end
 

@@ -38,7 +38,7 @@ function emulator = emulateChange (emulator, problem)
     return
   end
   reference = problem.reference;
-  own = noiseBudget (problem, emulator);
+  after = noiseBudget (problem, emulator);
   before = noiseBudget (ofReference (problem), emulator);
   at = find (isfinite (reference.value));
   % a factor of 16 either way of what is usual: the evidence of the reference picks
@@ -58,7 +58,7 @@ function emulator = emulateChange (emulator, problem)
   end
   weight = exp (score - max (score));
   weight = weight / sum (weight);
-  emulator = mixed (emulator, problem, own, [parts{:}], weight, at);
+  emulator = mixed (emulator, problem, after, [parts{:}], weight, at);
   emulator.change.size = sqrt (weight * (sizes.^2)');
 end
 
@@ -72,15 +72,15 @@ function emulator = simulationOf (emulator)
 end
 
 function problem = ofReference (problem)
-  own = problem.reference;
+  reference = problem.reference;
   if ~isempty (problem.covariance)
     % readings of one rig are correlated alike in both conditions, whatever their sd
-    ratio = own.sd ./ sqrt (diag (problem.covariance))';
+    ratio = reference.sd ./ sqrt (diag (problem.covariance))';
     ratio(~isfinite (ratio)) = 0;
     problem.covariance = (ratio' * ratio) .* problem.covariance;
   end
   for name = {'value', 'sd', 'trials', 'scatter'}
-    problem.(name{1}) = own.(name{1});
+    problem.(name{1}) = reference.(name{1});
   end
 end
 
@@ -121,7 +121,7 @@ function part = fitReference (emulator, problem, before, lack, at)
 end
 
 % The mixture over the sizes.
-function emulator = mixed (emulator, problem, own, parts, weight, at)
+function emulator = mixed (emulator, problem, after, parts, weight, at)
   reference = problem.reference;
   [~, best] = max (weight);
   theta = parts(best).Q;
@@ -153,7 +153,7 @@ function emulator = mixed (emulator, problem, own, parts, weight, at)
   emulator.change.coef(isConstant, :) = emulator.change.coef(isConstant, :) + ...
                                   reference.value(at) * K';
   emulator.change.lack = lack;
-  emulator.change.covariance = own.covariance + left;
+  emulator.change.covariance = after.covariance + left;
   emulator.coef = emulator.coef + emulator.change.coef;
   % it stands in the covariance of the change now, and would count twice
   emulator.surrogateVar = repmat ((1e-6 * emulator.range).^2, rows (emulator.points), 1);

@@ -104,10 +104,10 @@ end
 
 % What the slopes G of the logarithm of the variances add.
 function at = withVariance (at, G, excess, less)
-  own = find (~cellfun (@isempty, G));
-  for a = own
+  moved = find (~cellfun (@isempty, G));
+  for a = moved
     at.g(:, a) = at.g(:, a) + 0.5 * sum (excess .* G{a}, 2);
-    for b = own
+    for b = moved
       at.A(:, a, b) = at.A(:, a, b) + 0.5 * sum (less .* G{a} .* G{b}, 2);
     end
   end

@@ -21,27 +21,27 @@
 
 function white = formError (problem, emulator, budget, targets)
   white = whitenEmulator (emulator, targets, budget);
-  own = white.isTarget > 0;
-  W = white.W(own, :);
+  isTarget = white.isTarget > 0;
+  W = white.W(isTarget, :);
   S = middleMarks (emulator, targets);
   N = white.parity;
-  V = N(own, :)' * W * S';
+  V = N(isTarget, :)' * W * S';
   if isempty (S)
-    white.shape = zeros (size (own));
+    white.shape = zeros (size (isTarget));
     return
   end
   smooth = W * smoothOver (problem, targets, S) * W';
-  smooth = N(own, :)' * smooth * N(own, :);
+  smooth = N(isTarget, :)' * smooth * N(isTarget, :);
   C = unitTrace (smooth) + unitTrace (towardsOthers (V));
-  C = unitTrace (N(own, :) * C * N(own, :)');
+  C = unitTrace (N(isTarget, :) * C * N(isTarget, :)');
   C = (C + C') / 2;
   % of directions without an error eig would take any, another one with each
   % rounding: a little that differs from one to the next fixes them
   m = rows (C);
   [U, ~] = eig (C + 1e-6 * diag ((1:m) / m));
   white = whitenEmulator (emulator, targets, budget, U');
-  white.shape = zeros (size (own));
-  white.shape(own) = max (sum (U .* (C * U), 1), 0);
+  white.shape = zeros (size (isTarget));
+  white.shape(isTarget) = max (sum (U .* (C * U), 1), 0);
 end
 
 function C = unitTrace (C)

@@ -140,13 +140,13 @@ function proposal = moments (sample, logW, old)
   near = exp (near - logSumExp (near));
   parts = old([]);
   for m = 1:numel (old)
-    own = w .* near(:, m);
-    share = sum (own);
-    own = own / share;
+    ofPart = w .* near(:, m);
+    share = sum (ofPart);
+    ofPart = ofPart / share;
     % fewer points than that tell no covariance: the part ends, the first never
-    if 1 / sum (own.^2) > 4 * d || m == 1
-      middle = own' * sample.U;
-      D = (sample.U - middle) .* sqrt (own);
+    if 1 / sum (ofPart.^2) > 4 * d || m == 1
+      middle = ofPart' * sample.U;
+      D = (sample.U - middle) .* sqrt (ofPart);
       % wider again, and open in every direction
       C = 1.15 * (D' * D) + 1e-5 * eye (d);
       parts(end + 1) = struct ('mean', middle, 'root', chol (C, 'lower'), ...

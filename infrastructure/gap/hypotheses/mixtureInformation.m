@@ -35,9 +35,9 @@ function [bits, pair] = mixtureInformation (parts, P, kinds)
   most = -1;
   for two = nchoosek (1:numel (list), min (2, numel (list)))'
     if numel (two) == 2
-      own = sum (weight(two)) * among (two', density, P, number, weight);
-      if own > most
-        [most, pair] = deal (own, list(two));
+      told = sum (weight(two)) * among (two', density, P, number, weight);
+      if told > most
+        [most, pair] = deal (told, list(two));
       end
     end
   end
@@ -48,9 +48,9 @@ function bits = among (some, density, P, number, weight)
   whole = sum (weight(some));
   bits = 0;
   for k = find (ismember (number, some) & P > 0)
-    own = density{k}(:, number(k)) - log (weight(number(k)));
+    ofKind = density{k}(:, number(k)) - log (weight(number(k)));
     together = logSumExp (density{k}(:, some)) - log (whole);
-    bits = bits + P(k) / whole * mean (own - together) / log (2);
+    bits = bits + P(k) / whole * mean (ofKind - together) / log (2);
   end
   % of draws it may come out negative, information never is
   bits = max (bits, 0);

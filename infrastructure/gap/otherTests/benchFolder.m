@@ -45,8 +45,8 @@ function writeResults (folder, Case, bench)
   file = fullfile (folder, 'results.csv');
   info = resultInfo (folder);
   if isempty (info) && bench.origin > 0
-    own = Case.targets([Case.targets.model] == bench.origin);
-    info = struct ('name', {own.name}, 'kind', '', 'unit', '', ...
+    ofBench = Case.targets([Case.targets.model] == bench.origin);
+    info = struct ('name', {ofBench.name}, 'kind', '', 'unit', '', ...
                    'series', '', 'at', NaN, 'text', '');
   end
   lines = {'name,kind,unit,series,at,text'};

@@ -22,9 +22,9 @@ function [causes, sets, names] = explanations (study, evidence, P, options)
     return
   end
   group = explanationOf (evidence, keep, P);
-  own = group <= 3;
-  [group, keep, kinds] = deal (group(own), keep(own), kinds(own));
-  P = P(own) / sum (P(own));
+  isShown = group <= 3;
+  [group, keep, kinds] = deal (group(isShown), keep(isShown), kinds(isShown));
+  P = P(isShown) / sum (P(isShown));
   causes = struct ('P', num2cell (P), 'group', num2cell (group + 1), ...
                    'kind', num2cell (kinds), 'extent', 0);
   for g = 1:max (group)
@@ -64,10 +64,10 @@ function set = setOf (study, evidence, h, options)
   white = study.models.white;
   n = numel (white.columns);
   noise = noiseBudget (study.problem, study.emulator).covariance;
-  own = sum ((white.W(1:n, :) * noise(white.columns, white.columns)) .* ...
-             white.W(1:n, :), 2)';
+  measured = sum ((white.W(1:n, :) * noise(white.columns, white.columns)) .* ...
+                  white.W(1:n, :), 2)';
   [~, V] = predictGap (white, members, set.mode);
-  set.doubt = max (median (V(1:n) ./ own) - 1, 0);
+  set.doubt = max (median (V(1:n) ./ measured) - 1, 0);
   [~, set.number] = ismember (study.models.names(members), ...
                               {study.problem.effects.name});
   posterior = evidence.posterior{h};

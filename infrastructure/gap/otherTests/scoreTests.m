@@ -71,9 +71,9 @@ function groups = groupsOf (test)
   M = zeros (G, columns (test.Z));
   R = test.Z;
   for g = 1:G
-    own = test.group == g;
-    M(g, :) = mean (test.Z(own, :), 1);
-    R(own, :) = R(own, :) - M(g, :);
+    inGroup = test.group == g;
+    M(g, :) = mean (test.Z(inGroup, :), 1);
+    R(inGroup, :) = R(inGroup, :) - M(g, :);
   end
   [V, C] = spreadOf (R, rows (R) - G, test);
   % one run alone stands at the mode: it errs by its scatter

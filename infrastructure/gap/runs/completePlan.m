@@ -68,8 +68,8 @@ function state = completeBenches (state, Case, say, wanted)
     [Z, state.budget] = state.evaluate (data.X(sets, :), data.E(sets, :), ...
                                         data.replicate(sets), 'gap', ...
                                         state.budget);
-    own = ~has(model);
-    state.data.Z(sets, own) = Z(:, own);
+    isNew = ~has(model);
+    state.data.Z(sets, isNew) = Z(:, isNew);
   end
   state.budget.models(:) = true;
 end
@@ -83,18 +83,18 @@ function at = wantedSets (E, isWhole, isOpen, Case, plan)
   last = 0;
   for effect = Case.effects
     v = numel (effect.variables);
-    own = last + (1:v);
+    ofEffect = last + (1:v);
     last = last + v;
     if v == 0
       continue
     end
-    others = setdiff (1:columns (E), own);
+    others = setdiff (1:columns (E), ofEffect);
     alone = all (isOff(:, others), 2) & ~neutral;
     open = find (alone & isOpen);
     wanted = max (8, ceil (sum (alone & (isOpen | isWhole)) / 2));
     wanted = min (wanted - sum (alone & isWhole), numel (open));
-    strength = max (abs (E(open, own) - phi(own)) ./ ...
-                    max (abs (effect.limits - phi(own))), [], 2);
+    strength = max (abs (E(open, ofEffect) - phi(ofEffect)) ./ ...
+                    max (abs (effect.limits - phi(ofEffect))), [], 2);
     [~, order] = sort (-strength);
     some = order(round (linspace (1, numel (order), max (wanted, 0))));
     at = [at; open(some(:))];

@@ -65,8 +65,8 @@ function n = runsToSeek (problem, options, state, theta, p)
     return
   end
   data = state.data;
-  own = toSymmetric (data.X, problem.limits);
-  isNear = all (abs (own - theta) < 0.5, 2) & ...
+  sets = toSymmetric (data.X, problem.limits);
+  isNear = all (abs (sets - theta) < 0.5, 2) & ...
            all (abs (strengthOfValues (problem.effects, data.E)) < 1e-9, 2) & ...
            isFine (data);
   n = max (min (options.batch, options.seekRuns - sum (isNear)), 0);

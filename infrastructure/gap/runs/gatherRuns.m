@@ -52,7 +52,7 @@ function [data, count] = fromStore (Case, data, count, which)
   stages = {};
   seconds = NaN (1, numel (Case.models));
   for k = 1:numel (Case.models)
-    own = [Case.targets.model] == k;
+    ofModel = [Case.targets.model] == k;
     names = runFoldersOf (Case, Case.models(k).name, which{:});
     [records, effects] = runsOf (names, Case, k, Case.hashes(k));
     % coarse runs say nothing of what a set costs
@@ -74,10 +74,10 @@ function [data, count] = fromStore (Case, data, count, which)
       end
       if strcmp (record.status, 'ok')
         count.stored = count.stored + isLast(i);
-        Z(at, own) = record.results([Case.targets(own).index]);
+        Z(at, ofModel) = record.results([Case.targets(ofModel).index]);
       else
         count.noResult = count.noResult + isLast(i);
-        missing = own & isna (Z(at, :));
+        missing = ofModel & isna (Z(at, :));
         Z(at, missing) = NaN;
       end
     end

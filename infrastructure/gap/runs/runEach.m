@@ -21,10 +21,10 @@ function state = runEach (problem, state, theta)
     isMissing = false (1, n);
     for i = 1:n
       % shares of this end, and of no other
-      own = (phi * ends(i, :)') / sumsq (ends(i, :));
+      shares = (phi * ends(i, :)') / sumsq (ends(i, :));
       % within a factor of sqrt (2) it is the same strength
-      isTried = abs (log2 (max (own, 1e-9) / share)) < 0.5;
-      isMissing(i) = ~any (own(isWhole) > max (least, 1e-9)) && ~any (isTried);
+      isTried = abs (log2 (max (shares, 1e-9) / share)) < 0.5;
+      isMissing(i) = ~any (shares(isWhole) > max (least, 1e-9)) && ~any (isTried);
     end
     missing = find (isMissing);
     % where most effects give no result, strength is not what is wrong

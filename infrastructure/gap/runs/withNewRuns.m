@@ -13,12 +13,12 @@ function data = withNewRuns (data, state, known, problem)
   % back from units of the noise (enterRuns)
   unit = struct ('Z', problem.unit, 'level', 1);
   for name = fieldnames (data)'
-    own = state.data.(name{1})(new, :);
+    added = state.data.(name{1})(new, :);
     if isfield (absent, name{1})             % a column a target
-      own = absent.(name{1}) * ones (numel (new), columns (data.Z));
-      own(:, problem.kept) = state.data.(name{1})(new, :) .* unit.(name{1});
+      added = absent.(name{1}) * ones (numel (new), columns (data.Z));
+      added(:, problem.kept) = state.data.(name{1})(new, :) .* unit.(name{1});
     end
-    data.(name{1}) = [data.(name{1}); own];
+    data.(name{1}) = [data.(name{1}); added];
   end
 end
 

@@ -90,8 +90,8 @@ function s = strengthOf (evidence, verdict, k, models, problem)
     posterior = evidence.posterior{h};
     column = models.white.p + find (evidence.members{h} == k);
     phi = posterior.Q(:, column);
-    own = models.white.effect(k);
-    q = strengthInterval (phi, posterior.cautious, own.range, own.scale);
+    learned = models.white.effect(k);
+    q = strengthInterval (phi, posterior.cautious, learned.range, learned.scale);
     % caution widens the interval; the middle is that of the whole likelihood
     q(1) = weightedQuantile (phi, posterior.weight, 0.5);
     theta = posterior.Q(:, 1:models.white.p);
@@ -100,7 +100,7 @@ function s = strengthOf (evidence, verdict, k, models, problem)
       if evidence.atLimit(h) > models.options.gluedAt
         says = 'least';
       end
-    elseif isBounded (own, q, phi, theta, posterior.cautious)
+    elseif isBounded (learned, q, phi, theta, posterior.cautious)
       says = 'bound';
     end
   end

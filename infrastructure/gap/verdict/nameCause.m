@@ -65,13 +65,13 @@ end
 
 % By the data alone: what was thought of each effect beforehand (factor of
 % newEffect) does not count.
-function own = classOf (evidence, verdict, strong, models)
+function alike = classOf (evidence, verdict, strong, models)
   factor = givenField (models, 'factor', ones (size (verdict.include)));
   nats = natsBehind (evidence, verdict, strong) + log (factor) - ...
          log (min (factor(strong)));
   cosine = max (evidence.screen.cosine(strong, :), [], 1);
-  own = find (nats <= models.options.classNats & ...
-              cosine >= models.options.classAt);
+  alike = find (nats <= models.options.classNats & ...
+                cosine >= models.options.classAt);
 end
 
 % Effects that withhold a name from STRONG, and why. An effect that is likely

@@ -94,9 +94,9 @@ function at = listed (member, names, problem)
   if isempty (member.group)
     return
   end
-  own = setdiff (names, listEffects ());
+  ofUser = setdiff (names, listEffects ());
   for e = problem.effects
-    if strcmp (e.group, member.group) && any (strcmp (e.name, own))
+    if strcmp (e.group, member.group) && any (strcmp (e.name, ofUser))
       at = unique ([at, find(strcmp (names, e.name))], 'stable');
     end
   end

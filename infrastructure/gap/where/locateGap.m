@@ -108,28 +108,28 @@ end
 % All in standard deviations of each target, whose units differ.
 function benches = misfitOfBenches (Omega, residual, sure, fake, bench)
   groups = unique (bench);
-  own = zeros (1, numel (groups));
+  misfit = zeros (1, numel (groups));
   fakes = zeros (rows (fake), numel (groups));
   for b = 1:numel (groups)
     at = bench == groups(b);
     % directions that the fit has taken up tell nothing of a bench
     inner = pinv (Omega(at, at), 1e-3);
-    own(b) = residual(at) * inner * residual(at)';
+    misfit(b) = residual(at) * inner * residual(at)';
     fakes(:, b) = sum ((fake(:, at) * inner) .* fake(:, at), 2);
     if ~any (inner(:))
       % the parameters can move these targets anywhere, but for their limits
-      own(b) = sumsq (sure(at));
+      misfit(b) = sumsq (sure(at));
       fakes(:, b) = sumsq (fake(:, at), 2);
     end
   end
-  benches = benchTests (groups, own, fakes);
+  benches = benchTests (groups, misfit, fakes);
   for b = 1:numel (groups)
     benches(b).size = norm (residual(bench == groups(b)));
   end
 end
 
 % Benches of different size are compared by their rank among the simulations.
-function benches = benchTests (groups, own, fakes)
+function benches = benchTests (groups, misfit, fakes)
   B = rows (fakes);
   [~, order] = sort (-fakes, 1);
   ranks = zeros (size (fakes));
@@ -139,7 +139,7 @@ function benches = benchTests (groups, own, fakes)
   least = min (ranks, [], 2);
   benches = struct ('bench', {}, 'p', {});
   for b = 1:numel (groups)
-    alone = (1 + sum (fakes(:, b) >= own(b))) / (B + 1);
+    alone = (1 + sum (fakes(:, b) >= misfit(b))) / (B + 1);
     p = (1 + sum (least <= alone)) / (B + 1);
     benches(b) = struct ('bench', groups(b), 'p', min (p, 1));
   end
@@ -177,9 +177,9 @@ function held = heldOut (study)
     held.mean = cross.mean;
     held.sd = cross.sd;
     held.z = (problem.value(problem.heldOut) - cross.mean) ./ cross.sd;
-    own = 2 * normalTail (abs (held.z));
+    each = 2 * normalTail (abs (held.z));
     % of the largest of several (Sidak 1967); expm1 keeps the digits of a small p
-    held.p = -expm1 (numel (own) * log1p (-own));
+    held.p = -expm1 (numel (each) * log1p (-each));
   end
 end
 

@@ -22,13 +22,13 @@ function names = missedTargets (gap, roles)
   [curve, at] = strtok (names, '@');
   at = cellfun (@(t) str2double (t(2:end)), at);
   for name = unique (curve(isfinite (at)))
-    own = strcmp (curve, name{1}) & isfinite (at);
-    if sum (own) >= 3 && any (own & isOff)
-      off = at(own & isOff);
+    points = strcmp (curve, name{1}) & isfinite (at);
+    if sum (points) >= 3 && any (points & isOff)
+      off = at(points & isOff);
       codes = {'points', 'point'};
-      values = struct ('name', name{1}, 'n', numel (off), 'of', sum (own), ...
+      values = struct ('name', name{1}, 'n', numel (off), 'of', sum (points), ...
                        'from', min (off), 'to', max (off));
-      names(own) = {sentence(['curve.', codes{1 + isscalar(off)}], values)};
+      names(points) = {sentence(['curve.', codes{1 + isscalar(off)}], values)};
     end
   end
   names = unique (names(isOff), 'stable');

@@ -251,9 +251,9 @@ function s = targetOf (T, problem, Case)
               'role', roles{1 + ismember(t, problem.heldOut)}, ...
               'measured', problem.value(t), 'allowed', NaN);
   s = mergeFields (s, T, {'before', 'after', 'sdBefore', 'sd'});
-  own = targetAt (givenField (Case, 'targets', []), s);
-  if ~isempty (own)
-    s.allowed = halfWidth (Case.targets(own));
+  ofCase = targetAt (givenField (Case, 'targets', []), s);
+  if ~isempty (ofCase)
+    s.allowed = halfWidth (Case.targets(ofCase));
   end
 end
 

@@ -28,9 +28,9 @@ function card = materialCard (list, results)
                  'tests', {{}});
   for r = results
     c = r.calibration;
-    own = mergeFields (struct ('name', r.name, 'models', {modelsOf(c)}), c, ...
-                       {'converged', 'reason', 'date', 'version'});
-    card.cases{end + 1} = own;
+    entry = mergeFields (struct ('name', r.name, 'models', {modelsOf(c)}), c, ...
+                         {'converged', 'reason', 'date', 'version'});
+    card.cases{end + 1} = entry;
     fields = {'model', 'name', 'unit', 'target', 'sd', 'result', 'resultSd', 'role', ...
               'state'};
     for k = 1:numel (givenField (c, 'targets', []))

@@ -27,8 +27,8 @@ function list = materialValues (Case, calibration)
                                        'coefRestitution|coefFriction|', ...
                                        'coefRollingFriction|cohesion)(PP|PW|P|W)$'], ...
                                    'once'));
-  own = fieldnames (values)';
-  values = rmfield (values, own(~cellfun (isUsual, own)));
+  listed = fieldnames (values)';
+  values = rmfield (values, listed(~cellfun (isUsual, listed)));
   given = mergeFields (values, Case.modelVars);
   values = mergeFields (given, calibration.params);
   names = fieldnames (values)';

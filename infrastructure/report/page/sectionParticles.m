@@ -59,15 +59,15 @@ function real = experimentOf (Case, k)
   if isfile (table)
     [head, cells] = readCsvTable (table);
     row = strcmp (cells(:, strcmp (head, 'model')), Case.models(k).name);
-    own = @(name) [cells{find(row, 1), strcmp(head, name)}, ''];
+    field = @(name) [cells{find(row, 1), strcmp(head, name)}, ''];
     for name = {'left', 'bottom', 'width'}
-      real.(name{1}) = str2double (own (name{1}));
+      real.(name{1}) = str2double (field (name{1}));
     end
-    if ~isempty (own ('photo'))
-      photo = fullfile (Case.folder, own ('photo'));
+    if ~isempty (field ('photo'))
+      photo = fullfile (Case.folder, field ('photo'));
     end
-    file = fullfile (Case.folder, own ('profile'));
-    if ~isempty (own ('profile')) && isfile (file)
+    file = fullfile (Case.folder, field ('profile'));
+    if ~isempty (field ('profile')) && isfile (file)
       real.profile = str2double (nthargout (2, @readCsvTable, file))(:, 1:2);
     end
   end

@@ -33,9 +33,9 @@ function html = curves (page)
   points = onSeries (page);
   figures = [];
   for name = unique ({points.title}, 'stable')
-    own = points(strcmp ({points.title}, name{1}));
-    if numel (own) > 2
-      figures = [figures, curve(own, name{1})];
+    series = points(strcmp ({points.title}, name{1}));
+    if numel (series) > 2
+      figures = [figures, curve(series, name{1})];
     end
   end
   if ~isempty (figures)

@@ -48,8 +48,8 @@ function html = cellHtml (c, kind)
     end
   end
   if isfinite (c.sd)
-    own = struct ('value', c.sd, 'from', c.sdFrom);
-    html = [html, ' &plusmn; ', dataHtml(own, 1, 'error')];
+    sd = struct ('value', c.sd, 'from', c.sdFrom);
+    html = [html, ' &plusmn; ', dataHtml(sd, 1, 'error')];
   end
   if ~isempty (c.code) && ~strcmp (c.code, c.value)
     html = [html, ' <span class="none">', htmlText(c.code), '</span>'];

@@ -27,17 +27,17 @@ function T = causesTable (page)
 end
 
 function cells = rowOf (page, which, name)
-  own = struct ('value', name, 'code', name);
+  entry = struct ('value', name, 'code', name);
   [how, from] = deal ('');
   if any (strcmp (name, {'null', 'unlisted'}))
-    own = sentence (['cause.', name, '.row'], struct (), page.isChange);
+    entry = sentence (['cause.', name, '.row'], struct (), page.isChange);
   else
     strength = jsonAt (which, {'strength', name});
-    own.value = givenField (strength, 'label', name);
+    entry.value = givenField (strength, 'label', name);
     how = strengthWords (which, strength, name);
     from = char (jsonAt (strength, {'seenFrom'}));
   end
-  cells = {own, {'gap', 'which', 'posterior', name}, how, from};
+  cells = {entry, {'gap', 'which', 'posterior', name}, how, from};
 end
 
 % In its unit; the share of its range is the tooltip.

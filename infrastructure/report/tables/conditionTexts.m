@@ -23,28 +23,28 @@ function list = conditionTexts (gap)
   list = list(order);
 end
 
-function own = textsOf (one, file)
+function entry = textsOf (one, file)
   effects = namesIn (one, 'effects');
   texts = namesIn (one, 'text');
   texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
   p = [jsonAt(one, {'probability'})(:)', NaN];
-  own = struct ('name', one.name, 'effects', {effects}, 'code', 'named', ...
-                'text', strjoin (texts, ' and '), ...
-                'probability', max (p), 'file', file, 'line', '');
+  entry = struct ('name', one.name, 'effects', {effects}, 'code', 'named', ...
+                  'text', strjoin (texts, ' and '), ...
+                  'probability', max (p), 'file', file, 'line', '');
   if strcmp (one.code, 'likely')
-    own.code = one.code;
+    entry.code = one.code;
   elseif strcmp (one.verdict, 'group')
-    [own.code, own.text] = deal ('several', strjoin (texts, ' or '));
-    own.probability = min (1, sum (p(1:end - 1)));
+    [entry.code, entry.text] = deal ('several', strjoin (texts, ' or '));
+    entry.probability = min (1, sum (p(1:end - 1)));
   end
   % a cause that cannot be seen is listed, and not said
   if isempty (effects) || any (strcmp (one.kind, {'cannot tell', 'no verdict'}))
-    own.text = sentence (['cause.', one.code, '.word'], struct (), true);
-    [own.code, own.probability, own.file] = deal ('open', NaN, '');
+    entry.text = sentence (['cause.', one.code, '.word'], struct (), true);
+    [entry.code, entry.probability, entry.file] = deal ('open', NaN, '');
   end
-  values = struct ('name', own.name, 'text', own.text, ...
-                   'p', plainNumber (own.probability, 'probability'));
-  own.line = sentence (['condition.', own.code], values);
+  values = struct ('name', entry.name, 'text', entry.text, ...
+                   'p', plainNumber (entry.probability, 'probability'));
+  entry.line = sentence (['condition.', entry.code], values);
 end
 
 %!test

@@ -32,10 +32,10 @@ function [T, words] = parametersTable (page)
                  'what is known', '', 'words'}, eachOf (row, 1:numel (names)), notesOf (c));
 end
 
-function own = nameOf (page, j)
+function entry = nameOf (page, j)
   name = page.Case.names{j};
-  own = struct ('value', givenField (page.params(j), 'label', name), 'code', name, ...
-                'unit', page.params(j).unit);
+  entry = struct ('value', givenField (page.params(j), 'label', name), 'code', name, ...
+                  'unit', page.params(j).unit);
 end
 
 function notes = notesOf (c)

@@ -53,9 +53,9 @@ end
 function list = rivals (gap)
   list = {};
   posterior = givenField (jsonAt (gap, {'which'}), 'posterior', struct ());
-  own = [namesIn(jsonAt (gap, {'which'}), 'effects'), {'null', 'unlisted'}];
+  listed = [namesIn(jsonAt (gap, {'which'}), 'effects'), {'null', 'unlisted'}];
   tests = jsonList (gap, {'next'});
-  for name = setdiff (fieldnames (posterior)', own, 'stable')
+  for name = setdiff (fieldnames (posterior)', listed, 'stable')
     p = posterior.(name{1});
     parts = tests(cellfun (@(t) any (strcmp (name{1}, namesIn (t, 'between'))), tests));
     text = 'no measurement that was considered decides between them';

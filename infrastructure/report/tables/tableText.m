@@ -68,8 +68,8 @@ function lines = oneRow (texts, sizes, isWords)
   lines = repmat ({''}, 1, n);
   for j = 1:numel (parts)
     form = sprintf ('  %%%s%ds', repmat ('-', 1, j == 1 || isWords(j)), sizes(j));
-    own = [parts{j}, repmat({''}, 1, n - numel (parts{j}))];
-    lines = strcat (lines, cellfun (@(t) {sprintf(form, t)}, own));
+    row = [parts{j}, repmat({''}, 1, n - numel (parts{j}))];
+    lines = strcat (lines, cellfun (@(t) {sprintf(form, t)}, row));
   end
   lines = regexprep (lines, ' +$', '');
 end

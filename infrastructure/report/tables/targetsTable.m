@@ -42,10 +42,10 @@ function cells = rowOf (page, m, isShown)
   at = @(field) {'calibration', 'targets', t, field};
   estimates = {'estimate', 'result'};
   estimate = estimates{1 + isempty(jsonAt (page.sources, at ('estimate')))};
-  own = struct ('value', {at('result')}, 'sd', {at('resultSd')});
+  entry = struct ('value', {at('result')}, 'sd', {at('resultSd')});
   reach = givenField (page, 'reach', NaN (t, 2));
   k = targetAt (jsonAt (page.sources.gap, {'howFar', 'targets'}), m);
-  cells = {targetCell(page, m), at('target'), own, at(estimate), m.allowed, z, word, ...
+  cells = {targetCell(page, m), at('target'), entry, at(estimate), m.allowed, z, word, ...
            at('noiseSd'), {'gap', 'howFar', 'targets', k, 'after'}, reach(t, :)};
   cells = cells(isShown);
 end
