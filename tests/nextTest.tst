@@ -116,6 +116,12 @@
 %! words = 'measure Bin with an opening of 2 m';
 %! assert (! isempty (strfind (g.out, [words, ', 3 trials: '])));
 %! assert (! isempty (strfind (g.verdict.action, words)));
+%! % nobody waits for it: the verdict is said before, and once more at the end
+%! trying = strfind (g.out, 'press Ctrl-C');
+%! causes = strfind (g.out, "\nCAUSE ");
+%! assert ([numel(trying), numel(causes)], [1, 2]);
+%! assert (causes(1) < trying && trying < causes(2));
+%! assert (strfind (g.out, [words, ', 3 trials: '])(1) > trying);
 %! % the other one was tried, not advised, and is gone
 %! place = fullfile (folder, 'gap', 'next');
 %! assert ({dir(fullfile (place, '*.csv')).name}, {'Bin_w_2m.csv'});

@@ -1,6 +1,7 @@
 % ADVISETESTS  Ranks what could be measured next, on other benches, too.
 %
-% CALL: [TESTS, STATE] = adviseTests (STUDY, EVIDENCE, VERDICT, STATE)
+% CALL: [TESTS, FURTHER] = adviseTests (STUDY, EVIDENCE, VERDICT, STATE)
+%       [TESTS, STATE] = FURTHER ()
 %
 %   STUDY    struct problem, emulator, models, fits, see runCures. Where problem
 %            has a field tests, it is a handle without arguments that gives the
@@ -10,26 +11,44 @@
 %   TESTS    1 x m struct of nextTest. First those that tell options.adviseAt or
 %            more, best per cost first, then the others; last those that were
 %            given up early (isFirm). The first one is the advice, where it
-%            tells so much
+%            tells so much. At first they cost no run
+%   FURTHER     [], or a handle that tries the CANDIDATES by runs and ranks all
 %
 % Tests of other benches cost runs, so they are tried only where it is open
 % which kind of cause it is, or whether it is the likeliest one itself: a group,
 % an undecided verdict, or a name beside which a look-alike stands; not where
-% surrogates or integrals are to blame. They are a wing, otherTests/: without it
-% none is tried.
+% surrogates or integrals are to blame. They may take as long as all runs before:
+% who asks says the verdict first, then calls FURTHER. They are a wing, otherTests/:
+% without it none is tried.
 
-function [tests, state] = adviseTests (study, evidence, verdict, state)
-  options = study.models.options;
-  problem = study.problem;
-  tests = nextTest (problem, study.emulator, evidence, verdict.P, options);
-  isOpen = (any (strcmp (verdict.kind, {'group', 'undecided'})) || ...
-            (strcmp (verdict.kind, 'named') && verdict.lookAlike)) && ...
-           ~any (strcmp (verdict.guard, {'surrogate', 'integral'}));
-  if isfield (problem, 'tests') && exist ('tryTests', 'file') == 2 && isOpen && ...
-     state.budget.left >= 4
-    [fresh, state] = tryTests (problem.tests, study, evidence, verdict.P, state);
-    tests = [tests, fresh];
+function [tests, further] = adviseTests (study, evidence, verdict, state)
+  tests = nextTest (study.problem, study.emulator, evidence, verdict.P, ...
+                    study.models.options);
+  tests = ranked (tests, study.models.options);
+  further = [];
+  if wantsOthers (study.problem, verdict, state)
+    candidates = study.problem.tests ();
+    if ~isempty (candidates)
+      trials = @() tryTests (candidates, study, evidence, verdict.P, state);
+      further = @() withTried (tests, trials, study.models.options);
+    end
   end
+end
+
+function yes = wantsOthers (problem, verdict, state)
+  isOpen = any (strcmp (verdict.kind, {'group', 'undecided'})) || ...
+           (strcmp (verdict.kind, 'named') && verdict.lookAlike);
+  yes = isOpen && ~any (strcmp (verdict.guard, {'surrogate', 'integral'})) && ...
+        isfield (problem, 'tests') && exist ('tryTests', 'file') == 2 && ...
+        state.budget.left >= 4;
+end
+
+function [tests, state] = withTried (tests, trials, options)
+  [fresh, state] = trials ();
+  tests = ranked ([tests, fresh], options);
+end
+
+function tests = ranked (tests, options)
   isFirm = [tests.isFirm];
   place = 1 + (~isFirm | [tests.gain] < options.adviseAt) + ~isFirm;
   [~, order] = sortrows ([place; -[tests.gainPerCost]]');
@@ -67,7 +86,9 @@ end
 %! verdict = judgeCase (evidence, study.models);
 %! assert (verdict.kind, 'group');
 %! state.budget = budget;
-%! [tests, state] = adviseTests (study, evidence, verdict, state);
+%! [tests, further] = adviseTests (study, evidence, verdict, state);
+%! assert (all ([tests.runs] == 0));
+%! [tests, state] = further ();
 %! assert (tests(1).test, 'bench 1');
 %! assert (tests(1).gain > 0.6);
 %! assert (sort (tests(1).between), {'bridge', 'cohesion'});
@@ -81,9 +102,12 @@ end
 %! % a sure verdict, a budget that is used up: nothing is run
 %! sure = verdict;
 %! [sure.kind, sure.lookAlike] = deal ('named', false);
-%! [~, after] = adviseTests (study, evidence, sure, state);
-%! assert (after.budget.new, state.budget.new);
+%! [~, further] = adviseTests (study, evidence, sure, state);
+%! assert (isempty (further));
 %! state.budget.left = 3;
-%! [tests, after] = adviseTests (study, evidence, verdict, state);
-%! assert (after.budget.new, state.budget.new);
-%! assert (all ([tests.runs] == 0));
+%! [~, further] = adviseTests (study, evidence, verdict, state);
+%! assert (isempty (further));
+%! state.budget.left = 100;
+%! study.problem.tests = @() [];
+%! [~, further] = adviseTests (study, evidence, verdict, state);
+%! assert (isempty (further));

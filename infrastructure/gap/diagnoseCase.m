@@ -45,7 +45,7 @@ function diagnosis = diagnoseCase (root, folder)
     if exist ('caseTests', 'file') == 2        % a wing, see adviseTests
       given.tests = @() caseTests (Case, say);
     end
-    diagnosis = diagnoseMatrices (given, state.data, share, own);
+    [diagnosis, further] = diagnoseMatrices (given, state.data, share, own);
     diagnosis.runs = addFields (diagnosis.runs, made(c));
     changed = changed + ~strcmp (diagnosis.which.guard, 'gate');
     diagnosis.level = finer (diagnosis, share);
@@ -55,6 +55,9 @@ function diagnosis = diagnoseCase (root, folder)
     diagnosis.nextFile = writeNextTest (diagnosis.next, Case, share);
     [~, others] = writeGapJson (diagnosis, Case);
     sayDiagnosis (Case, say, diagnosis.nextFile);
+    if ~isempty (further)
+      diagnosis = tryFurther (diagnosis, further, Case, share, say);
+    end
     if c > 1
       putAside (fullfile (Case.folder, 'gap'), Case.conditions{c});
     end
@@ -85,6 +88,19 @@ function [state, plain] = runsThere (Case, problem, options, notes, say)
                                options, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state.data = data;
+end
+
+% The verdict is said and kept by now: who does not want to wait may go.
+function diagnosis = tryFurther (diagnosis, further, Case, options, say)
+  reportPage (Case, say);
+  most = min (options.testRuns, diagnosis.budget.left);
+  cellfun (say, {'', sentence('next.trying', struct ('runs', most))});
+  [level, others] = deal (diagnosis.level, diagnosis.others);
+  diagnosis = further ();
+  [diagnosis.level, diagnosis.others] = deal (level, others);
+  diagnosis.nextFile = writeNextTest (diagnosis.next, Case, options);
+  writeGapJson (diagnosis, Case);
+  sayDiagnosis (Case, say, diagnosis.nextFile, true);
 end
 
 function refuseCost (Case)

@@ -1,6 +1,7 @@
 % DIAGNOSEMATRICES  Diagnoses a gap between simulation and measurement.
 %
-% CALL: DIAGNOSIS = diagnoseMatrices (GIVEN, DATA, OPTIONS, EVALUATE)
+% CALL: [DIAGNOSIS, FURTHER] = diagnoseMatrices (GIVEN, DATA, OPTIONS, EVALUATE)
+%       DIAGNOSIS = FURTHER ()
 %
 %   GIVEN     struct of newProblem: measured values, benches, limits, effects
 %   DATA      struct X (n x p), E (n x v, variables of all effects that DEM
@@ -23,12 +24,15 @@
 %     which    of describeVerdict, and cause (weighCauses: what may have made it;
 %              GIVEN.causes)
 %     howFar   of proveCause ([] where nothing can be compared)
-%     next     of adviseTests; GIVEN.tests may hold a handle that makes tests of
-%              other benches
+%     next     of adviseTests, of tests that need no run
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
 %              model is likely to miss in both conditions (emulateChange)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
+%   FURTHER      [], or, where GIVEN.tests holds a handle that makes tests of other
+%             benches and the verdict leaves a cause open, a handle that tries
+%             them by runs: DIAGNOSIS with their place in next. The verdict does
+%             not wait for them
 %
 % Order: WHERE, WHICH, HOW FAR, NEXT TEST. Random numbers come from
 % OPTIONS.seed; the caller's random state is left as it was.
@@ -38,7 +42,7 @@
 % See also: diagnoseGap, locateGap, caseEvidence, judgeCase, proveCause,
 % adviseTests
 
-function diagnosis = diagnoseMatrices (given, data, options, evaluate)
+function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate)
   if nargin < 3
     options = [];
   end
@@ -67,17 +71,30 @@ function diagnosis = diagnoseMatrices (given, data, options, evaluate)
   verdict = doubtName (verdict, diagnosis, study.models);
   diagnosis.which = describeVerdict (evidence, verdict, study.models, problem);
   diagnosis.which.cause = causesOfVerdict (verdict, study);
-  [diagnosis.next, state] = adviseTests (study, evidence, verdict, state);
+  [diagnosis.next, tryTests] = adviseTests (study, evidence, verdict, state);
   diagnosis.change = [];
   if ~isempty (study.emulator.change)
     diagnosis.change = struct ('size', study.emulator.change.size, 'lack', ...
                                study.emulator.change.lack .* problem.unit);
   end
   diagnosis = inGivenUnits (diagnosis, problem);
+  diagnosis = withRuns (diagnosis, state, known);
+  diagnosis.data = withNewRuns (data, state, known, problem);
+  further = [];
+  if ~isempty (tryTests)
+    further = @() withTests (diagnosis, tryTests, known);
+  end
+end
+
+function diagnosis = withTests (diagnosis, tryTests, known)
+  [diagnosis.next, state] = tryTests ();
+  diagnosis = withRuns (diagnosis, state, known);
+end
+
+function diagnosis = withRuns (diagnosis, state, known)
   diagnosis.runs = runsMade (state, known);
   diagnosis.runs.left = state.budget.sets;
   diagnosis.budget = state.budget;
-  diagnosis.data = withNewRuns (data, state, known, problem);
 end
 
 % Where two rows look alike, the two causes do.

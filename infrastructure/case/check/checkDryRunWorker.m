@@ -3,18 +3,37 @@
 % CALL: checkDryRunWorker ()
 %
 % For the Octave that checkFindModels starts in a folder of its own. The
-% environment holds DECALIOC_DRY_MODEL (model folder), DECALIOC_DRY_NAME (its
-% name) and DECALIOC_DRY_FRESH (1: to look for what a trial by hand has left,
-% too). What was found goes to the file answer, a line each: the number of
-% results or NaN; why getResults can never work; the names of its results; then
-% index, value and file of each element of leftoverResults.
+% environment holds, for k = 1, 2, ..., DECALIOC_DRY_MODELk (model folder) and
+% DECALIOC_DRY_NAMEk (its name), and DECALIOC_DRY_FRESH (1: to look for what a
+% trial by hand has left, too). What was found goes to the file answerk, a line
+% each: the number of results or NaN; why getResults can never work; the names of
+% its results; then index, value and file of each element of leftoverResults, and
+% the word end.
 
 function checkDryRunWorker ()
+  isFresh = strcmp (getenv ('DECALIOC_DRY_FRESH'), '1');
+  k = 1;
+  here = pwd ();
+  while ~isempty (getenv (sprintf ('DECALIOC_DRY_MODEL%d', k)))
+    model = getenv (sprintf ('DECALIOC_DRY_MODEL%d', k));
+    name = getenv (sprintf ('DECALIOC_DRY_NAME%d', k));
+    answer = askModel (model, name);
+    if isFresh
+      writeAtomic (sprintf ('answer%d', k), answer);
+      left = struct2cell (leftoverResults (model, name)(:));
+      answer = [answer, sprintf("%d %.5g %s\n", left{:})];
+    end
+    cd (here);
+    writeAtomic (sprintf ('answer%d', k), [answer, "end\n"]);
+    k = k + 1;
+  end
+end
+
+function answer = askModel (model, name)
   %| pragma Justify (metric, "globals", "getResults of users read it");
   global path
-  path = [pwd(), '/'];
-  model = getenv ('DECALIOC_DRY_MODEL');
-  name = getenv ('DECALIOC_DRY_NAME');
+  here = pwd ();
+  path = [here, '/'];
   funs = fullfile (model, 'OctaveFuns');
   addpath (funs);
   [~, ~] = mkdir (fullfile ('optim', name, 'empty'));
@@ -28,15 +47,10 @@ function checkDryRunWorker ()
   if isnan (count)
     [count, text, fields] = callOnce (name, 'empty');
   end
+  cd (here);                                       % a user's function may leave it
   answer = sprintf ("%g\n%s\n%s\n", count, text, ...
                     strjoin ([fields, {''}], ' '));
-  writeAtomic ([path, 'answer'], answer);
   rmpath (funs);
-  if strcmp (getenv ('DECALIOC_DRY_FRESH'), '1')
-    left = struct2cell (leftoverResults (model, name)(:));
-    writeAtomic ([path, 'answer'], ...
-                 [answer, sprintf("%d %.5g %s\n", left{:})]);
-  end
 end
 
 function [count, text, fields] = callOnce (name, folder)
@@ -84,20 +98,21 @@ end
 %!  writeAtomic (fullfile (work, 'sample', 'out'), '7');
 %!  writeAtomic (fullfile (work, 'OctaveFuns', 'getResults.m'), code);
 %!  cd (work);
-%!  setenv ('DECALIOC_DRY_MODEL', work);
-%!  setenv ('DECALIOC_DRY_NAME', 'Toy');
+%!  setenv ('DECALIOC_DRY_MODEL1', work);
+%!  setenv ('DECALIOC_DRY_NAME1', 'Toy');
+%!  setenv ('DECALIOC_DRY_MODEL2', '');
 %!  checkDryRunWorker ();
 %!  clear -global path
-%!  answer = fileread ('answer');
+%!  answer = fileread ('answer1');
 %!endfunction
 %!test
 %! % from the sample; where that throws, from a folder without files
 %! head = "function res = getResults (model, name)\nglobal path\n";
 %! file = 'fileread ([path, ''optim/'', model, ''/'', name, ''/out''])';
 %! code = [head, 'res = struct (''a'', ', file, ', ''b'', 2); end'];
-%! assert (askFor (code), "2\n\na b \n");
+%! assert (askFor (code), "2\n\na b \nend\n");
 %! assert (askFor ([head, 'if ! strcmp (name, ''empty''), x (1)(2); end, ', ...
-%!                  "\nres = {1}; end"]), "1\n\n\n");
+%!                  "\nres = {1}; end"]), "1\n\n\nend\n");
 %! answer = askFor ("function res = getResults ()\nres = {1};\nend\n");
 %! assert (~isempty (regexp (answer, '^NaN\n.*called with too many')), answer);
 %!test
@@ -106,6 +121,6 @@ end
 %! head = "function res = getResults (model, name)\n";
 %! answer = askFor ([head, "res = num2cell (readResutls ('x'));\nend"]);
 %! assert (answer, ["NaN\n'readResutls' undefined (getResults.m, line 2)\n", ...
-%!                  "\n"]);
+%!                  "\nend\n"]);
 %! code = [head, "if isfile ('none'), x = 1; end\nres = {x};\nend"];
-%! assert (askFor (code), "NaN\n\n\n");
+%! assert (askFor (code), "NaN\n\n\nend\n");

@@ -35,10 +35,9 @@ function models = checkFindModels (Input, folder, root, mode)
       continue
     end
     models(k).head = checkHead (models(k).folder);
-    if ~strcmp (mode, 'noPrograms') && ...
-       isfile (fullfile (models(k).folder, 'OctaveFuns', 'getResults.m'))
-      models(k) = dryRun (models(k), strcmp (mode, 'full'));
-    end
+  end
+  if ~strcmp (mode, 'noPrograms')
+    models = dryRuns (models, strcmp (mode, 'full'));
   end
 end
 
@@ -55,27 +54,54 @@ function names = modelNames (Input)
 end
 
 % Counts the results without a run: getResults is called by another Octave,
-% which a crash or a loop in it does not carry away (limit 20 s). COUNT NaN
-% where it gives no answer. What lies on the path here, does so there.
-function model = dryRun (model, isFull)
+% which a crash or a loop in it does not carry away. One Octave asks all models,
+% as its start takes most of the time; where it ends before the last one, the
+% first without an end of its answer has no more, and the others are asked again.
+function models = dryRuns (models, isFull)
+  isAsked = @(model) isfile (fullfile (model.folder, 'OctaveFuns', ...
+                                       'getResults.m'));
+  asked = find (arrayfun (isAsked, models));
+  while ~isempty (asked)
+    answers = askModels (models(asked), isFull);
+    hasEnd = ~cellfun (@isempty, regexp (answers, '^end$', 'lineanchors'));
+    n = find ([~hasEnd, true], 1);
+    for i = 1:min (n, numel (asked))
+      models(asked(i)) = withAnswer (models(asked(i)), answers{i});
+    end
+    asked = asked(n + 1:end);
+  end
+end
+
+% ANSWERS: 1 x n cell of texts, see checkDryRunWorker; limit 20 s a model. What lies
+% on the path here, does so there.
+function answers = askModels (models, isFull)
   work = privateFolder ();
   tidy = onCleanup (@() system (['rm -rf ', shellQuote(work)]));
   octave = fullfile (OCTAVE_EXEC_HOME (), 'bin', 'octave-cli');
   if ~isfile (octave)
     octave = 'octave-cli';
   end
-  command = sprintf (['cd %s && OCTAVE_HISTFILE=/dev/null ' ...
-                      'DECALIOC_DRY_MODEL=%s DECALIOC_DRY_NAME=%s ' ...
+  names = '';
+  for k = 1:numel (models)
+    names = [names, sprintf(' DECALIOC_DRY_MODEL%d=%s DECALIOC_DRY_NAME%d=%s', k, ...
+                            shellQuote (make_absolute_filename (models(k).folder)), ...
+                            k, shellQuote (models(k).name))];
+  end
+  command = sprintf (['cd %s && OCTAVE_HISTFILE=/dev/null%s ' ...
                       'DECALIOC_DRY_FRESH=%d ' ...
-                      'timeout -k 2 20 %s --norc --quiet --no-gui ' ...
+                      'timeout -k 2 %d %s --norc --quiet --no-gui ' ...
                       '--path %s --eval checkDryRunWorker ' ...
-                      '> /dev/null 2>&1 < /dev/null'], shellQuote (work), ...
-                     shellQuote (make_absolute_filename (model.folder)), ...
-                     shellQuote (model.name), isFull, shellQuote (octave), ...
+                      '> /dev/null 2>&1 < /dev/null'], shellQuote (work), names, ...
+                     isFull, 20 * numel (models), shellQuote (octave), ...
                      shellQuote (path ()));
   [~, ~] = system (command);
-  lines = strsplit (checkReadText (fullfile (work, 'answer')), "\n", ...
-                    'CollapseDelimiters', false);
+  for k = numel (models):-1:1
+    answers{k} = checkReadText (fullfile (work, sprintf ('answer%d', k)));
+  end
+end
+
+function model = withAnswer (model, answer)
+  lines = strsplit (answer, "\n", 'CollapseDelimiters', false);
   lines(end + 1:3) = {''};
   model.count = str2double (lines{1});
   if ~(model.count >= 1)
@@ -115,6 +141,20 @@ end
 %! assert ({m.name}, {'NoSuchModel', '', ''});
 %! assert ([m.cpu], [1, 2, NaN]);
 %! assert (isnan ([m.count]), true (1, 3));
+%!test
+%! % one that ends its Octave, in the middle, has no answer; the others have
+%! folder = tempname ();
+%! code = {"res = {1};", "kill (getpid (), 9); res = {1, 2};", "res = {1, 2, 3};"};
+%! for k = 1:3
+%!   name = sprintf ('M%d', k);
+%!   mkdir (fullfile (folder, 'DEMmodels', name, 'OctaveFuns'));
+%!   writeAtomic (fullfile (folder, 'DEMmodels', name, 'OctaveFuns', ...
+%!                          'getResults.m'), ...
+%!                ["function res = getResults (a, b)\n", code{k}, "\nend\n"]);
+%! end
+%! m = checkFindModels (struct ('model', {{'M1', 'M2', 'M3'}}, 'cpu', 1), ...
+%!                      folder, folder, 'reading');
+%! assert ([m.count], [1, NaN, 3]);
 %!assert (isempty (checkFindModels (struct (), '/nowhere', '/nowhere', 'full')))
 %!test
 %! % results without a run are looked for with 'full' alone

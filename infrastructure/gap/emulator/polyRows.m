@@ -7,14 +7,13 @@
 %   B        n x q, B(i,k) = prod_j Q(i,j) ^ POWERS(k,j)
 
 function B = polyRows (powers, Q)
-  [n, d] = size (Q);
-  B = ones (n, rows (powers));
-  for j = 1:d
-    top = max ([powers(:, j); 0]);
+  B = ones (rows (Q), rows (powers));
+  for j = 1:columns (Q)
+    q = Q(:, j);
     % every power by one product, and once for all monomials
-    table = ones (n, top + 1);
-    for k = 1:top
-      table(:, k + 1) = table(:, k) .* Q(:, j);
+    table = [ones(size (q)), q];
+    for k = 2:max ([powers(:, j); 0])
+      table = [table, table(:, end) .* q];
     end
     B = B .* table(:, powers(:, j) + 1);
   end

@@ -1,9 +1,8 @@
 % TRYTESTS  Runs tests that the case does not have: what would they tell?
 %
-% CALL: [TESTS, STATE] = tryTests (MAKE, STUDY, EVIDENCE, P, STATE)
+% CALL: [TESTS, STATE] = tryTests (CANDIDATES, STUDY, EVIDENCE, P, STATE)
 %
-%   MAKE    handle without arguments, gives the candidates, those that are to be
-%           tried first in front: 1 x m struct
+%   CANDIDATES  1 x m struct, those that are to be tried first in front:
 %     test (text), model (bench), variable ('': none), value, trials, cost
 %     origin   1 x T, of each result the target (number in the given problem)
 %              that is the same result of the same bench set up as it is; NaN
@@ -28,12 +27,12 @@
 % runs seldom tell a test from scatter, sixteen not always. likelyKinds says
 % what is asked: which kind, or whether it is the likeliest.
 
-function [tests, state] = tryTests (make, study, evidence, P, state)
+function [tests, state] = tryTests (candidates, study, evidence, P, state)
   options = study.models.options;
   [causes, sets, names] = explanations (study, evidence, P, options);
   ask = struct ('causes', {causes}, 'sets', {sets}, 'afford', ...
                 min (state.budget.left, options.testRuns));
-  [tests, ask, state] = firstRuns (make, study, ask, state);
+  [tests, ask, state] = firstRuns (candidates, study, ask, state);
   if isempty (tests)
     return
   end
@@ -53,13 +52,13 @@ end
 % an explanation did not, with the first candidate, this is taken for one that
 % the program cannot have, as cohesion beside liquid bridges: the tests go on
 % without it, and find the other runs again.
-function [tests, ask, state] = firstRuns (make, study, ask, state)
+function [tests, ask, state] = firstRuns (candidates, study, ask, state)
   tests = [];
   if isempty (ask.causes)
     return
   end
   most = max (floor ((ask.afford - 24) / 4), floor (min (ask.afford, 24) / 4));
-  for candidate = make ()
+  for candidate = candidates
     canHave = ismember ([ask.sets.number], find (candidate.isExpressed));
     if numel (tests) >= most || ~all (canHave)
       continue
@@ -247,6 +246,6 @@ end
 %!               'noise', [0.2, 0.2], 'size', [5, 7], 'sd', [0.1, 0.1], ...
 %!               'effects', effects, 'isExpressed', true (1, 4), ...
 %!               'evaluate', f, 'lines', {{}});
-%! tests = tryTests (@() one, study, evidence, P, state);
+%! tests = tryTests (one, study, evidence, P, state);
 %! assert (numel (tests), 1);
 %! assert (tests.gain > 0.2 && tests.isFirm);

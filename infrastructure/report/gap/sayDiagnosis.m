@@ -1,34 +1,21 @@
 % SAYDIAGNOSIS  Tells a plant engineer what the diagnosis has found.
 %
-% CALL: sayDiagnosis (CASE, SAY [, NEXTFILE])
+% CALL: sayDiagnosis (CASE, SAY [, NEXTFILE [, ISADVICE]])
 %
 %   CASE      see newCase: gap/gap.json of its folder is read
 %   SAY       function handle that takes one line of text, or with it the class
 %             of a verdict, see sayLine
 %   NEXTFILE  table to be filled in for the next test ('')
+%   ISADVICE  logical (false): the tables but that of the next tests were said before
 %
 % Tables first; the last lines are the verdict: where, what, how much of it is
 % closed, what to do.
 
-function sayDiagnosis (Case, say, nextFile)
+function sayDiagnosis (Case, say, nextFile, isAdvice)
   page = shownResult (Case);
   gap = page.sources.gap;
-  v = page.verdict;
-  condition = char (jsonAt (gap, {'reference', 'condition'}));
-  if ~isempty (condition)
-    cellfun (say, {'', ['CONDITION ', condition, ', compared with the reference']});
-  end
-  say ('');
-  sayTables (page, say, {'where'});
-  if ~isempty (page.sources.calibration)
-    cellfun (say, {['  ', sentence('table.twoSets')], ''});
-  end
-  sayTables (page, say, {'causes', 'change'});
-  if ~isempty (v.cause.closed)
-    sayTables (page, say, {'howfar', 'beforeafter'});
-  end
-  if ~isempty (jsonAt (gap, {'level'}))
-    cellfun (say, {['LEVEL: ', levelText(gap.level)], ''});
+  if nargin < 4 || ~isAdvice
+    sayFound (page, say);
   end
   sayTables (page, say, {'next'});
   if nargin > 2 && ~isempty (nextFile)
@@ -45,10 +32,31 @@ function sayDiagnosis (Case, say, nextFile)
                   d.coreSeconds / 60));
   end
   say (['Details: ', fullfile(Case.folder, 'gap', 'gap.json')]);
+  v = page.verdict;
   % beside a calibration of an earlier input the diagnosis has an action of its own
   v.action = givenField (jsonAt (gap, {'verdict'}), 'action', v.action);
   sayPlain (v, found(1:end * (numel (found) > 1)), ...
             madeByText (jsonAt (gap, {'which', 'cause'})), say);
+end
+
+function sayFound (page, say)
+  gap = page.sources.gap;
+  condition = char (jsonAt (gap, {'reference', 'condition'}));
+  if ~isempty (condition)
+    cellfun (say, {'', ['CONDITION ', condition, ', compared with the reference']});
+  end
+  say ('');
+  sayTables (page, say, {'where'});
+  if ~isempty (page.sources.calibration)
+    cellfun (say, {['  ', sentence('table.twoSets')], ''});
+  end
+  sayTables (page, say, {'causes', 'change'});
+  if ~isempty (page.verdict.cause.closed)
+    sayTables (page, say, {'howfar', 'beforeafter'});
+  end
+  if ~isempty (jsonAt (gap, {'level'}))
+    cellfun (say, {['LEVEL: ', levelText(gap.level)], ''});
+  end
 end
 
 % FOUND: a line a condition, where there are several.

@@ -1,0 +1,162 @@
+% ATSCALE  Many parameters, many cores: runs, batches and hours of a calibration.
+%
+% CALL: octave-cli benchmarks/atScale.m PARAMETERS SETS SEEDS CSV
+%       octave-cli benchmarks/atScale.m report CSV
+%
+%   PARAMETERS  e.g. 2,4,8,12;  SETS  parameter sets at a time after the plan
+%               (Input.slurm.sets), e.g. 1,8,32;  SEEDS  e.g. 1:10
+%   CSV         table, to which one row a calibration is added; what stands in it
+%               is not run again
+%
+% Each calibration is DEcalioc's own, on a formula (manyParameters) of two models
+% whose runs scatter by 1 % and of which 5 % fail. The clock is simulated: a run
+% takes 1.5 hours in the median (90 % between half an hour and 4.5 hours) and 4
+% of 256 cores; one that fails is made once more with another seed, after the
+% others of its batch. A batch begins when the one before has ended; within it a
+% run starts as soon as cores are free, longest waiting first, as executeLocal
+% and Slurm do it.
+%
+%   hours   of the clock, with nothing but runs (seconds of Octave are apart)
+%   bound   the same batches where each takes the longer of its work over 64
+%           slots and its longest run with its repetition: no order of the runs
+%           of a batch is quicker
+%   used    share of the 64 slots that work in the mean
+%
+% See also: calibrateStandIn
+
+1;
+
+function calibrateAll (parameters, sets, seeds, file)
+  addpath (fileparts (mfilename ('fullpath')));
+  startBenchmarks ();
+  pkg ('load', 'stk');
+  pkg ('load', '-nodeps', 'struct', 'optim');
+  done = {};
+  if isfile (file)
+    done = regexp (fileread (file), '^\d+,\d+,\d+', 'match', 'lineanchors');
+  else
+    appendLine (file, ['parameters,sets,seed,runs,batches,failed,calibrated,', ...
+                       'right,hours,bound,used,octave']);
+  end
+  for seed = seeds
+    for d = parameters
+      for n = sets
+        if ~any (strcmp (done, sprintf ('%d,%d,%d', d, n, seed)))
+          appendLine (file, rowText (oneCalibration (d, n, seed)));
+        end
+      end
+    end
+  end
+end
+
+function cells = oneCalibration (d, n, seed)
+  % handles share no variable; a map is one for all
+  book = containers.Map ({'batches'}, {zeros(1, 0)}, 'UniformValues', false);
+  S = manyParameters (d, seed);
+  law = S.response;
+  S.response = @(P) noted (book, P, law);
+  start = cputime ();
+  % of runs that fail one in twenty fails with another seed, too
+  r = calibrateStandIn (S, seed, 0.05^2, struct ('sets', n, 'maxFunEvals', 40 * d));
+  seconds = cputime () - start;
+  batches = book('batches');
+  % the sets of the score come last
+  batches = batches(1:find (cumsum (batches) >= r.runs, 1));
+  [hours, bound, work] = timed (2 * batches);
+  cells = {d, n, seed, 2 * r.runs, numel(batches), 2 * r.failed, r.converged, ...
+           r.right, hours, bound, work / (64 * hours), seconds};
+end
+
+function Z = noted (book, P, law)
+  book('batches') = [book('batches'), rows(P)];
+  Z = law (P);
+end
+
+% Angles, rates and densities of two rigs: each parameter saturates, three of
+% four act on a result, and two of its parameters multiply.
+function S = manyParameters (d, seed)
+  rand ('twister', 7e5 + 100 * d + seed);
+  T = 2 * max (1, min (3, floor (d / 2)));
+  W = rand (d, T) .* (rand (d, T) < 0.75);
+  W(sub2ind (size (W), mod (0:T - 1, d) + 1, 1:T)) = 1;   % none without effect
+  half = 0.2 + 0.6 * rand (1, d);
+  pair = [mod(0:T - 1, d); mod(1:T, d)] + 1;
+  law = @(P) 10 + 10 * ((P ./ (P + half)) * W) ./ sum (W, 1) + ...
+             4 * P(:, pair(1, :)) .* P(:, pair(2, :));
+  truth = 0.15 + 0.7 * rand (1, d);
+  S = struct ('name', 'many', 'names', ...
+              {arrayfun(@(k) sprintf ('p%d', k), 1:d, 'UniformOutput', false)}, ...
+              'limits', [zeros(1, d); ones(1, d)], 'targetNames', ...
+              {arrayfun(@(k) sprintf ('r%d', k), 1:T, 'UniformOutput', false)}, ...
+              'response', law, 'value', law (truth), 'noise', 0.01, ...
+              'model', 1 + mod (0:T - 1, 2), 'tol', 0.03 * ones (1, T));
+end
+
+% RUNS: 1 x b, of each batch.
+function [hours, bound, work] = timed (runs)
+  slots = 64;
+  [hours, bound, work] = deal (0);
+  for n = runs
+    last = 1.5 * exp (0.67 * randn (1, n));
+    again = 1.5 * exp (0.67 * randn (1, n)) .* (rand (1, n) < 0.05);
+    hours = hours + makespan (last, again(again > 0), slots);
+    bound = bound + max ([sum(last + again) / slots, max(last + again)]);
+    work = work + sum (last + again);
+  end
+end
+
+% Those that failed come once the others have ended, as runJobs has it.
+function hours = makespan (first, second, slots)
+  hours = 0;
+  for list = {first, second}
+    free = zeros (1, slots);
+    for one = list{1}
+      [at, k] = min (free);
+      free(k) = at + one;
+    end
+    hours = hours + max (free);
+  end
+end
+
+function report (file)
+  [head, cells] = readCsvTable (file);
+  M = cellfun (@str2double, cells);
+  column = @(name) M(:, strcmp (head, name));
+  pairs = [column('parameters'), column('sets')];
+  printf (['| parameters | sets at a time | calibrated, right | runs | batches | ', ...
+           'hours | over the bound | slots used | Octave (s) |\n|%s\n'], ...
+          repmat ('---|', 1, 9));
+  for pair = unique (pairs, 'rows')'
+    of = all (pairs == pair', 2);
+    middle = @(name) median (column (name)(of));
+    printf ('| %d | %d | %d of %d, %d | %g (%g) | %g | %.0f | %.2f | %.0f %% | %.0f |\n', ...
+            pair, sum (column ('calibrated')(of)), sum (of), ...
+            sum (column ('calibrated')(of) & column ('right')(of)), ...
+            middle ('runs'), max (column ('runs')(of)), middle ('batches'), ...
+            middle ('hours'), median ((column ('hours') ./ column ('bound'))(of)), ...
+            100 * middle ('used'), middle ('octave'));
+  end
+end
+
+%!test
+%! % a test of this file is a small calibration of its own
+%! file = tempname ();
+%! program = fullfile (fileparts (which ('appendLine')), 'atScale.m');
+%! [status, out] = system (sprintf ('octave-cli --norc %s 2 4 1 %s 2>&1', ...
+%!                                  shellQuote (program), shellQuote (file)));
+%! assert (status == 0, out);
+%! row = str2double (strsplit (strsplit (fileread (file), "\n"){2}, ','));
+%! assert (row([1:3, 7]), [2, 4, 1, 1]);
+%! assert (row(9) >= row(10) && row(10) > 0);
+%! [status, out] = system (sprintf ('octave-cli --norc %s report %s 2>&1', ...
+%!                                  shellQuote (program), shellQuote (file)));
+%! assert (~isempty (regexp (out, '\| 2 \| 4 \| 1 of 1, ')), out);
+
+args = argv ()';
+if numel (args) == 2 && strcmp (args{1}, 'report')
+  addpath (fileparts (mfilename ('fullpath')));
+  startBenchmarks ();
+  report (args{2});
+elseif numel (args) == 4
+  calibrateAll (str2num (args{1}), str2num (args{2}), str2num (args{3}), args{4});
+end
