@@ -38,13 +38,10 @@ function calibrateAll (parameters, sets, seeds, file)
     appendLine (file, ['parameters,sets,seed,runs,batches,failed,calibrated,', ...
                        'right,hours,bound,used,octave']);
   end
-  for seed = seeds
-    for d = parameters
-      for n = sets
-        if ~any (strcmp (done, sprintf ('%d,%d,%d', d, n, seed)))
-          appendLine (file, rowText (oneCalibration (d, n, seed)));
-        end
-      end
+  [n, d, seed] = ndgrid (sets, parameters, seeds);
+  for one = [d(:), n(:), seed(:)]'
+    if ~any (strcmp (done, sprintf ('%d,%d,%d', one)))
+      appendLine (file, rowText (oneCalibration (one(1), one(2), one(3))));
     end
   end
 end
@@ -126,6 +123,7 @@ function report (file)
   printf (['| parameters | sets at a time | calibrated, right | runs | batches | ', ...
            'hours | over the bound | slots used | Octave (s) |\n|%s\n'], ...
           repmat ('---|', 1, 9));
+  over = column ('hours') ./ column ('bound');
   for pair = unique (pairs, 'rows')'
     of = all (pairs == pair', 2);
     middle = @(name) median (column (name)(of));
@@ -133,7 +131,7 @@ function report (file)
             pair, sum (column ('calibrated')(of)), sum (of), ...
             sum (column ('calibrated')(of) & column ('right')(of)), ...
             middle ('runs'), max (column ('runs')(of)), middle ('batches'), ...
-            middle ('hours'), median ((column ('hours') ./ column ('bound'))(of)), ...
+            middle ('hours'), median (over(of)), ...
             100 * middle ('used'), middle ('octave'));
   end
 end
