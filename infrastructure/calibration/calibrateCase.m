@@ -37,13 +37,13 @@ function calibration = calibrateCase (root, folder)
   state = newState (data);
   [state.evaluate, state.budget] = newEvaluate (Case, say);
   state = trustLibrary (state, problem, say);
-  [plan, levels] = newPlan (state.data, Case);
-  state = runPlan (state, problem, plan, levels, Case, say);
+  [plan, E] = newPlan (state.data, Case);
+  state = runPlan (state, problem, plan, E, Case, say);
 
   % Kriging models
   [~, ~, state.surrogates] = createKrigingModels (state.data, problem);
   state = repeatSuspects (state, problem, say);
-  reportSurrogateFit (state.surrogates, state.data, problem, say, rest);
+  reportSurrogateFit (state.surrogates, state.data, problem, say, rest, Case);
 
   % optimisation on the Kriging models
   [state.found, history] = calibrateOnKriging (state.surrogates, problem);
@@ -119,15 +119,13 @@ end
 % variance that is predicted when each run is left out in turn: 1 perfect, 0 no
 % better than the mean. With the runs that thinRuns has left out (REST) they are
 % compared, too.
-function reportSurrogateFit (surrogates, data, problem, say, rest)
+function reportSurrogateFit (surrogates, data, problem, say, rest, Case)
   tell = @(varargin) say (sprintf (varargin{:}));
   say ('');
   say ('Kriging models (each run left out in turn)');
   tell ('  %-28s %6s %9s   %s', 'result', 'Q2', 'noise (%)', ...
         'range of the runs, measured');
-  shown = shownTargets (struct ('targets', ...
-                                struct ('curve', num2cell (problem.curve), ...
-                                        'at', num2cell (problem.coordinate))));
+  [shown, nPoints] = shownTargets (Case);
   for t = shown
     s = surrogates(t);
     tell ('  %-28s %6.2f %9.2f   %.4g to %.4g, %.4g%s', problem.targetNames{t}, ...
@@ -136,7 +134,7 @@ function reportSurrogateFit (surrogates, data, problem, say, rest)
           repmat (' outside', 1, problem.value(t) < min (s.z) | problem.value(t) > max (s.z)));
   end
   if numel (shown) < numel (surrogates)
-    tell ('  (of %d points on curves three each)', sum (problem.curve > 0));
+    tell ('  (of %d points on curves three each)', nPoints);
   end
   if rows (data.X) > 2000                % see fitSurrogates
     tell (['  WARNING: of %d runs 2000 are fitted, the nearest to ' ...

@@ -65,7 +65,8 @@ function [allowed, unseen] = allowedMiss (surrogates, problem)
   T = numel (surrogates);
   [allowed.tol, allowed.variance, unseen] = deal (Inf (1, T), Inf (1, T), ...
                                                   false (1, T));
-  for t = find (problem.calibrate & problem.curve == 0)
+  [groups, ~, isCurve] = requirementsOf (problem);
+  for t = [groups{~isCurve}]
     [allowed.variance(t), unseen(t)] = errorVariance (surrogates(t).noiseVar, ...
                                                       problem, t);
     allowed.tol(t) = problem.tol(t) * abs (problem.scale(t));
@@ -127,7 +128,8 @@ function [code, text] = curveNote (data, problem)
   [code, text] = deal ('');
   wanted = problem.options.intervalRuns;
   enough = problem.options.curveRuns * columns (problem.limits);
-  if any (problem.curve(problem.calibrate) > 0) && ...
+  [~, ~, isCurve] = requirementsOf (problem);
+  if any (isCurve) && ...
      sum (strcmp (data.stage, 'interval')) < wanted && rows (data.X) < enough
     code = 'few runs';
     text = sprintf (['not to be used as intervals: %d runs are too few for ' ...

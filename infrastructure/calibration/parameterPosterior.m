@@ -26,12 +26,12 @@ function known = parameterPosterior (surrogates, problem, nSample)
   end
   restore = seedRandom (problem.options.seed);
   d = columns (problem.limits);
-  [curves, nFree] = curveErrors (surrogates, problem);
+  [joint, nFree, single] = curveErrors (surrogates, problem);
   % many to begin with: a small part of the box may be all that fits
   nFirst = nSample * max (1, min (20, floor (1e6 / ...
                                              sumsq ([surrogates.nChoice]))));
   U = allowedRows (rand (nFirst, d + nFree), problem);
-  likelihood = @(U) logLikelihood (surrogates, problem, U, curves);
+  likelihood = @(U) logLikelihood (surrogates, problem, U, joint, single);
   fit = likelihood (U);
   heat = 0;
   while heat < 1
@@ -43,19 +43,19 @@ function known = parameterPosterior (surrogates, problem, nSample)
   known = summarise (U(:, 1:d), problem);
 end
 
-function fit = logLikelihood (surrogates, problem, U, curves)
+function fit = logLikelihood (surrogates, problem, U, joint, single)
   d = columns (problem.limits);
   [isIn, P] = setsAt (U, problem);
   [m, v] = predictSurrogate (surrogates, P);
   z = (P - problem.paramMean) ./ problem.paramSd;
   fit = -0.5 * sumsq (z(:, isfinite (problem.paramSd)), 2);
-  for t = find (problem.calibrate & problem.curve == 0)
+  for t = single
     s = surrogates(t);
     total = v(:, t) + errorVariance (s.noiseVar, problem, t);
     z2 = (problem.value(t) - m(:, t)).^2 ./ total;
     fit = fit - 0.5 * log (total) - (s.df + 1) / 2 * log1p (z2 / s.df);
   end
-  for c = curves
+  for c = joint
     fit = fit + c.logLikelihood (m(:, c.points), v(:, c.points), ...
                                  U(:, d + c.free));
   end

@@ -1,27 +1,33 @@
 % REQUIREMENTSOF  What has to be met: single targets, and whole curves.
 %
-% CALL: [GROUPS, NAMES] = requirementsOf (PROBLEM)
+% CALL: [GROUPS, NAMES, ISCURVE] = requirementsOf (PROBLEM)
+%       [GROUPS, NAMES, ISCURVE] = requirementsOf (PROBLEM, USE)
 %
 %   PROBLEM  struct with calibrate (1 x T) and curve (1 x T: targets with one
 %            number above 0 are points of one curve of measured.csv)
-%   GROUPS   1 x G cell of rows of target numbers, calibrated ones only
-%   NAMES    1 x G cell, name of the target or of the curve
+%   USE      1 x n, numbers of targets (the calibrated ones)
+%   GROUPS   1 x G cell of rows of target numbers, of USE only
+%   NAMES    1 x G cell, name of the target, or of the curve of several points
+%   ISCURVE  1 x G logical: the points of a curve, be it a single one
 %
 % The errors along a curve are alike, and so are those of its surrogates: fifty
 % points of it are one requirement, not fifty.
 
-function [groups, names] = requirementsOf (problem)
-  use = find (problem.calibrate);
+function [groups, names, isCurve] = requirementsOf (problem, use)
+  if nargin < 2
+    use = find (problem.calibrate);
+  end
   number = problem.curve(use);
   number(number == 0) = -use(number == 0);
   [~, first] = unique (number, 'stable');
   groups = arrayfun (@(n) use(number == n), number(sort (first)), ...
                      'UniformOutput', false);
+  first = cellfun (@(g) g(1), groups);
+  isCurve = problem.curve(first) > 0;
   if nargout > 1
-    first = cellfun (@(g) g(1), groups);
     names = problem.targetNames(first);
-    isCurve = cellfun (@numel, groups) > 1;
-    names(isCurve) = problem.seriesNames(first(isCurve));
+    isLong = cellfun (@numel, groups) > 1;
+    names(isLong) = problem.seriesNames(first(isLong));
   end
 end
 
@@ -33,3 +39,5 @@ end
 %! [groups, names] = requirementsOf (problem);
 %! assert (groups, {1, [2, 5], 4});
 %! assert (names, {'a', 'w', 'b'});
+%! [groups, names, isCurve] = requirementsOf (problem, [1, 3]);
+%! assert ({groups, names, isCurve}, {{1, 3}, {'a', 'w@2'}, [false, true]});

@@ -1,13 +1,15 @@
 % SHOWNTARGETS  Targets that the report draws one by one.
 %
-% CALL: SHOWN = shownTargets (CASE)
+% CALL: [SHOWN, N] = shownTargets (CASE)
 %
 %   CASE   see newCase
 %   SHOWN  1 x n, numbers of targets: all but the points of curves, and of each
 %          curve the first one, the middle one and the last one
+%   N      how many points of curves there are
 
-function shown = shownTargets (Case)
+function [shown, n] = shownTargets (Case)
   curve = [Case.targets.curve];
+  n = sum (curve > 0);
   shown = find (curve == 0);
   for c = unique (curve(curve > 0))
     points = find (curve == c);

@@ -85,7 +85,7 @@ function problem = ofReference (problem)
 end
 
 function C = lackShape (emulator, problem)
-  alike = fadingAlong (problem.series, problem.coordinate);
+  alike = fadingAlong (problem);
   % a fifth of it is each target's own: neighbours are not wrong by exactly the same
   C = 0.8 * alike + 0.2 * eye (columns (alike));
   C = C .* (emulator.range' * emulator.range);

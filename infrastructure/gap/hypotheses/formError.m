@@ -66,8 +66,7 @@ end
 function C = smoothOver (problem, targets, S)
   bench = problem.bench(targets);
   C = 0.5 * (bench' == bench) + 0.1 * eye (numel (targets));
-  near = fadingAlong (problem.series(targets), ...
-                      problem.coordinate(targets));
+  near = fadingAlong (problem, targets);
   size_ = sqrt (mean (S.^2, 1));
   C = (C + 0.4 * near) .* (size_' * size_);
 end
