@@ -102,7 +102,7 @@ function [book, isEnd] = publishedEnd (p, why, book, problem)
   isFinished = all (isfinite (state.data.Z), 2);
   run = keepRows (state.data, ...
                   strcmp (state.data.stage, 'verify') & isFinished);
-  if ~isempty (run.X) && ~any (sameSet (run.X, p, problem.limits))
+  if ~isempty (run.X) && any (isnan (knownAt (run, p, problem)))
     r = targetResidual (problem, run.X, run.Z)(:, problem.calibrate);
     [~, best] = min (sumsq (r, 2));
     p = run.X(best, :);

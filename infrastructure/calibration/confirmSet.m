@@ -36,7 +36,8 @@ function final = confirmSet (state, problem)
   [Z, nEqual] = runsAt (isHere, state, problem);
   n = rows (Z);
   noiseSd = sqrt ([state.surrogates.noiseVar]);
-  [m, v] = predictSurrogate (state.surrogates, p);
+  [expected, v] = predictSurrogate (state.surrogates, p);
+  m = expected;
   df = [state.surrogates.df];
   final = struct ('params', p, 'result', m, 'sd', sqrt (v + noiseSd.^2), ...
                   'noiseSd', noiseSd, 'n', n, 'equal', nEqual);
@@ -53,7 +54,8 @@ function final = confirmSet (state, problem)
   end
   problem.odd = oddRuns (state, problem);
   final = judgeSet (final, m, v, df, problem, budgetLeft (state, problem));
-  final.outcomes = mergeFields (final.outcomes, otherRuns (state, problem, n));
+  final.outcomes = mergeFields (final.outcomes, ...
+                                otherRuns (problem.odd, isHere, expected, n));
   final.conflict = state.found.conflict;
   [left, final.limit] = budgetLeft (state, problem);
   if final.converged
@@ -77,19 +79,16 @@ end
 
 % Of N runs at the set that count, those that ended in another way, beside those
 % that were left out.
-function outcomes = otherRuns (state, problem, n)
-  p = state.found.params;
-  outcomes = struct ('usual', n, 'other', 0, 'result', NaN (size (problem.tol)));
-  if isempty (problem.odd)
+function outcomes = otherRuns (odd, isHere, expected, n)
+  outcomes = struct ('usual', n, 'other', 0, 'result', NaN (size (expected)));
+  if isempty (odd)
     return
   end
-  odd = problem.odd;
-  isHere = sameSet (odd.all, p, problem.limits);
+  isHere = isHere(odd.rows);
   outcomes.other = sum (isHere & odd.isOdd);
   outcomes.usual = sum (isHere & ~odd.isOdd);
   if outcomes.other > 0
-    outcomes.result = predictSurrogate (state.surrogates, p) + ...
-                      mean (odd.jump(isHere(odd.isOdd), :), 1);
+    outcomes.result = expected + mean (odd.jump(isHere(odd.isOdd), :), 1);
   end
 end
 

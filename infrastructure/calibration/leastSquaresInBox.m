@@ -1,11 +1,11 @@
 % LEASTSQUARESINBOX  Least squares of some residuals inside a box.
 %
-% CALL: [P, NITER] = leastSquaresInBox (F, J, P, LIMITS, SETTINGS)
+% CALL: [P, NITER] = leastSquaresInBox (F, J, P, BOX, SETTINGS)
 %
 %   F         handle r = f (p), p 1 x d, r a column
 %   J         handle of its Jacobian by the parameters in the unit box
-%   P         1 x d, the start; the solution
-%   LIMITS    2 x d, the box (toUnit)
+%   P         1 x d, the start; the solution, if need be moved (toAllowed)
+%   BOX       struct limits (2 x d, see toUnit), allowed (see isAllowed)
 %   SETTINGS  of optimset: MaxIter, TolFun
 %   NITER     iterations; 0 where the start leaves no residual
 %
@@ -18,15 +18,15 @@
 %
 % Errors: those of F and of nonlin_residmin
 
-function [p, niter] = leastSquaresInBox (f, J, p, limits, settings)
-  u = min (max (toUnit (p, limits), 0), 1)';
-  inBox = @(u) fromUnit (u', limits);
+function [p, niter] = leastSquaresInBox (f, J, p, box, settings)
+  u = min (max (toUnit (p, box.limits), 0), 1)';
+  inBox = @(u) fromUnit (u', box.limits);
   r = @(u) f (inBox (u));
   niter = 0;
   if sumsq (r (u)) > eps (1)
     [u, niter] = solved (r, @(u, hook) J (inBox (u)), u, settings);
   end
-  p = inBox (u);
+  p = toAllowed (inBox (u), box);
 end
 
 function [u, niter] = solved (f, J, start, settings)
@@ -70,7 +70,7 @@ end
 
 %!shared settings, unit
 %! settings = optimset ('MaxIter', 60, 'TolFun', 1e-6);
-%! unit = @(d) [zeros(1, d); ones(1, d)];
+%! unit = @(d) struct ('limits', [zeros(1, d); ones(1, d)]);
 
 %!test
 %! % from a corner, two residuals of five parameters: 'not successful' in optim
@@ -101,11 +101,11 @@ end
 %! % enough residuals: the plain solution, at the bound where that is outside;
 %! % none left at the start
 %! f = @(p) [p(1) - 0.3; 2 * (p(2) - 1.5)];
-%! box = [0, 0; 2, 1];
+%! box.limits = [0, 0; 2, 1];
 %! J = @(p) [2, 0; 0, 2];
 %! p = leastSquaresInBox (f, J, [0.5, 0.5], box, settings);
 %! assert (p, [0.3, 1], 1e-6);
 %! [p, niter] = leastSquaresInBox (@(p) p', J, [0, 0], box, settings);
 %! assert ({p, niter}, {[0, 0], 0});
 %!error <mine>
-%! leastSquaresInBox (@(p) error ('mine'), [], 0.5, [0; 1], struct ())
+%! leastSquaresInBox (@(p) error ('mine'), [], 0.5, unit (1), struct ())

@@ -3,8 +3,8 @@
 % CALL: ODD = oddRuns (STATE, PROBLEM)
 %
 %   ODD  struct: X k x d, jump k x T (result less what the surrogates say), of
-%        the odd runs; all n x d, the sets of all runs that have a result, and
-%        isOdd n x 1, which of them these are; chance (that they are an outcome
+%        the odd runs; all n x d, the sets of all runs that have a result, rows
+%        n x 1, theirs in STATE.data, isOdd n x 1, which of them are odd; chance (that they are an outcome
 %        of the model, and no wrong runs); [] where no run is odd
 %
 % Odd are runs that were left out, as a second run at their set is what the
@@ -22,13 +22,14 @@ function odd = oddRuns (state, problem)
   data = runsThatCount (state.data, problem);
   isLeft = any (horzcat (state.surrogates.leftOut), 2);
   isLeft(end + 1:rows (state.data.X), 1) = false;
-  isLeft = isLeft(all (state.data.E == problem.fine, 2));
+  counted = find (all (state.data.E == problem.fine, 2));
   known = all (isfinite (data.Z(:, problem.calibrate)), 2);
   X = data.X(known, :);
   Z = data.Z(known, :);
-  isOdd = isLeft(known) | isSplit (X, Z, problem);
+  isOdd = isLeft(counted(known)) | isSplit (X, Z, problem);
   if any (isOdd)
-    odd = struct ('X', X(isOdd, :), 'all', X, 'isOdd', isOdd);
+    odd = struct ('X', X(isOdd, :), 'all', X, 'rows', counted(known), ...
+                  'isOdd', isOdd);
     odd.jump = Z(isOdd, :) - usualOf (X, Z, isOdd, state.surrogates);
     odd.chance = chanceOf (odd.jump, sqrt ([state.surrogates.noiseVar]), problem);
   end

@@ -42,8 +42,7 @@ function [p, probability] = mostProbable (surrogates, problem, pool)
   for k = 1:2
     P(k, :) = leastSquaresInBox (@(p) loss (surrogates, problem, p)', ...
                                  @(p) slope (surrogates, problem, p), ...
-                                 P(k, :), problem.limits, settings);
-    P(k, :) = toAllowed (P(k, :), problem);
+                                 P(k, :), problem, settings);
   end
   step = double (stk_sampling_halton_rr2 (30, d, [-ones(1, d); ones(1, d)]));
   for radius = 0.3 * 0.75.^(0:15)

@@ -1,12 +1,12 @@
 % ENTERRUNS  Lets runs and measurements in: checked, and in units of their own.
 %
-% CALL: [PROBLEM, DATA] = enterRuns (PROBLEM, DATA, OPTIONS)
+% CALL: [PROBLEM, DATA] = enterRuns (GIVEN, DATA, OPTIONS)
 %
-%   PROBLEM     struct of newProblem, in the units of the user
+%   GIVEN       see newProblem, in the units of the user
 %   DATA        struct X, E, Z (NaN: no result, NA: not run), replicate, and
 %               level, see fitEmulator (all 0 where missing)
 %   OPTIONS     struct of gapOptions
-%   PROBLEM     the same in standard units, less the targets of benches none of
+%   PROBLEM     struct of newProblem, in standard units, less the targets of benches none of
 %               whose runs gave a result; also
 %     kept (1 x T'): numbers of the targets that are left
 %     unit (1 x T'): what one unit is in that of the user, a power of two
@@ -23,7 +23,8 @@
 %
 % Errors: DEcalioc:enterRuns:badShape, :badValue, :runFailed, :noRuns
 
-function [problem, data] = enterRuns (problem, data, options)
+function [problem, data] = enterRuns (given, data, options)
+  problem = newProblem (given);
   checkRuns (problem, data);
   data = onceEach (data);
   [problem, kept, out, neverRun] = withoutDeadBenches (problem, data);

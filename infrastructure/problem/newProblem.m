@@ -23,6 +23,7 @@
 %     paramMean, paramSd  1 x p, values measured by themselves (NaN: none)
 %     paramPrior  struct mean, sd: these in [-1, 1]; sd Inf: uniform
 %     allowed  see isAllowed ([]: all sets of the box)
+%     centre   1 x p, the middle of the box, or the allowed set near it
 %   of the targets, 1 x T
 %     targetNames (t1 ...), value (NaN: not measured yet)
 %     sd        standard uncertainty of value: the stated one, or a first guess
@@ -186,6 +187,7 @@ function problem = derived (problem)
   problem.statedSd = problem.sd .* problem.sdKnown;
   problem.kept = 1:numel (problem.value);
   problem.unit = ones (size (problem.value));
+  problem.centre = toAllowed (boxCentre (problem.limits), problem);
   prior.mean = toSymmetric (problem.paramMean, problem.limits);
   prior.sd = 2 * problem.paramSd ./ boxWidth (problem.limits, problem.paramMean);
   without = ~isfinite (prior.mean) | ~isfinite (prior.sd);
@@ -208,7 +210,7 @@ end
 
 function [standard, nExtra] = probeCost (problem)
   T = numel (problem.value);
-  p = toAllowed (boxCentre (problem.limits), problem)';
+  p = problem.centre';
   standard = true;
   isKnown = isfinite (problem.value(:));
   for factor = [0.7, 1.1]

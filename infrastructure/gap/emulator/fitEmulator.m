@@ -19,7 +19,8 @@
 %       estimate, pooledNoise), fitVar (error of the polynomial), looMean,
 %       looMax, Q2, range (all 1 x T), correlation (T x T, of errors within a
 %       bench)
-%     surrogates (1 x T struct of fitSurrogate), base (struct X, Z: its runs)
+%     surrogates (1 x T struct of fitSurrogate), base (struct X, theta (X in
+%       [-1, 1]), Z, level: its runs)
 %     success, effect.success   where a bench gives a result (learnSuccess)
 %     levelShare  share of an effect that changes between the first and the last
 %       level, a standard deviation (levelShare)
@@ -49,7 +50,7 @@ function emulator = fitEmulator (problem, data, options, old)
            sum (isBase));
   end
   base = struct ('X', data.X(isBase, :), 'Z', data.Z(isBase, :), ...
-                 'level', data.level(isBase, :));
+                 'theta', theta(isBase, :), 'level', data.level(isBase, :));
   if nargin < 4
     old = struct ('base', [], 'effect', [], 'noiseRuns', -1);
   end

@@ -33,7 +33,7 @@ function [state, emulator] = exploreEffects (problem, options, state, emulator)
       break
     end
     theta = now.fits.calibrated.Q;
-    n = runsToSeek (problem, options, state, theta, now.evidence.gate.p);
+    n = runsToSeek (problem, options, emulator.base, theta, now.evidence.gate.p);
     if n > 0
       state = runNearNull (problem, state, theta, n, 0.5, ...
                            options.seed + rows (state.data.X));
@@ -58,17 +58,13 @@ end
 % Neither a gap nor none: surrogates that few runs have told hide one, but not
 % that of a change, whose reference knows them better. Counted are the neutral
 % sets that lie near THETA, whoever asked for them.
-function n = runsToSeek (problem, options, state, theta, p)
+function n = runsToSeek (problem, options, base, theta, p)
   n = 0;
   if p < options.level || p >= options.seekAt || ...
      ~isempty (problem.reference)
     return
   end
-  data = state.data;
-  sets = toSymmetric (data.X, problem.limits);
-  isNear = all (abs (sets - theta) < 0.5, 2) & ...
-           all (abs (strengthOfValues (problem.effects, data.E)) < 1e-9, 2) & ...
-           isFine (data);
+  isNear = all (abs (base.theta - theta) < 0.5, 2) & isFine (base);
   n = max (min (options.batch, options.seekRuns - sum (isNear)), 0);
 end
 

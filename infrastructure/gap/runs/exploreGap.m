@@ -20,7 +20,7 @@
 
 function explored = exploreGap (given, data, options, evaluate)
   options = gapOptions (options);
-  [problem, known] = enterRuns (newProblem (given), data, options);
+  [problem, known] = enterRuns (given, data, options);
   state = newGapState (known, options, evaluate);
   allowed = state.evaluate;
   if ~options.explore

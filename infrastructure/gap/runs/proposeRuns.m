@@ -176,9 +176,7 @@ end
 function [M, R] = outcome (emulator, members, q, at)
   p = emulator.p;
   M = predictGap (emulator, members, q)(at);
-  X = fromSymmetric (q(1:p), emulator.limits);
-  [~, v] = predictSurrogate (emulator.surrogates, X);
-  sd = sqrt (v + emulator.fitVar)(at);
+  sd = sqrt (baseVariance (emulator, q(1:p)))(at);
   R = (sd' * sd) .* emulator.correlation(at, at);
   R = R + effectError (emulator, members, q)(at, at);
 end

@@ -16,10 +16,8 @@
 
 function side = sideSignals (problem, emulator, theta, options)
   side.atLimit = problem.names(abs (theta) > options.limitAt);
-  value = fromSymmetric (theta, problem.limits);
-  [~, v] = predictSurrogate (emulator.surrogates, value);
   % of a change they err alike in both conditions, and cancel
-  v = (v + emulator.fitVar) * isempty (emulator.change);
+  v = baseVariance (emulator, theta) * isempty (emulator.change);
   fixed = diag (noiseBudget (problem, emulator).covariance)';
   side.share = v ./ (v + fixed);
   side.poor = emulator.looMean > options.looMeanAt | emulator.looMax > options.looMostAt;
