@@ -1,6 +1,6 @@
 % CURVEERRORS  What is known of the errors along each curve that is fitted.
 %
-% CALL: [CURVES, NFREE, SINGLE] = curveErrors (SURROGATES, PROBLEM)
+% CALL: [CURVES, NFREE, ALONE] = curveErrors (SURROGATES, PROBLEM)
 %
 % CURVES      1 x C struct, one element a curve of which points are calibrated:
 %             points (1 x p, target numbers), free (columns of unknowns) and
@@ -11,7 +11,7 @@
 %             whole curve, logarithmic), then their size (2 % to twice the
 %             tolerance, logarithmic), each where it is not known
 % NFREE       how many unknowns there are in all
-% SINGLE      1 x s, numbers of the calibrated targets that are on no curve
+% ALONE       1 x s, numbers of the calibrated targets that are on no curve
 %
 % A run's own curve scatters as one, since it is one packing, and rough; what
 % the surrogates do not know of the mean response is as smooth as the curve. The
@@ -25,10 +25,10 @@
 % one unknown scale would be learned from the curve itself, which few runs fit
 % well where the surrogates are wrong (closed study curveFewRuns.m).
 
-function [curves, nFree, single] = curveErrors (surrogates, problem)
+function [curves, nFree, alone] = curveErrors (surrogates, problem)
   curves = [];
   nFree = 0;
-  single = find (problem.calibrate & problem.curve == 0);
+  alone = find (problem.calibrate & problem.curve == 0);
   for number = unique (problem.curve(problem.calibrate & problem.curve > 0))
     points = find (problem.calibrate & problem.curve == number);
     place = problem.coordinate(points);

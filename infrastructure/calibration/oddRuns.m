@@ -4,8 +4,9 @@
 %
 %   ODD  struct: X k x d, jump k x T (result less what the surrogates say), of
 %        the odd runs; all n x d, the sets of all runs that have a result, rows
-%        n x 1, theirs in STATE.data, isOdd n x 1, which of them are odd; chance (that they are an outcome
-%        of the model, and no wrong runs); [] where no run is odd
+%        n x 1, theirs in STATE.data, isOdd n x 1, which of them are odd; chance
+%        (that they are an outcome of the model, and no wrong runs); [] where no
+%        run is odd
 %
 % Odd are runs that were left out, as a second run at their set is what the
 % others foretell (findBadRuns), and the smaller part of three or more runs at

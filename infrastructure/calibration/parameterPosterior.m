@@ -26,12 +26,12 @@ function known = parameterPosterior (surrogates, problem, nSample)
   end
   restore = seedRandom (problem.options.seed);
   d = columns (problem.limits);
-  [joint, nFree, single] = curveErrors (surrogates, problem);
+  [joint, nFree, alone] = curveErrors (surrogates, problem);
   % many to begin with: a small part of the box may be all that fits
   nFirst = nSample * max (1, min (20, floor (1e6 / ...
                                              sumsq ([surrogates.nChoice]))));
   U = allowedRows (rand (nFirst, d + nFree), problem);
-  likelihood = @(U) logLikelihood (surrogates, problem, U, joint, single);
+  likelihood = @(U) logLikelihood (surrogates, problem, U, joint, alone);
   fit = likelihood (U);
   heat = 0;
   while heat < 1
@@ -43,13 +43,13 @@ function known = parameterPosterior (surrogates, problem, nSample)
   known = summarise (U(:, 1:d), problem);
 end
 
-function fit = logLikelihood (surrogates, problem, U, joint, single)
+function fit = logLikelihood (surrogates, problem, U, joint, alone)
   d = columns (problem.limits);
   [isIn, P] = setsAt (U, problem);
   [m, v] = predictSurrogate (surrogates, P);
   z = (P - problem.paramMean) ./ problem.paramSd;
   fit = -0.5 * sumsq (z(:, isfinite (problem.paramSd)), 2);
-  for t = single
+  for t = alone
     s = surrogates(t);
     total = v(:, t) + errorVariance (s.noiseVar, problem, t);
     z2 = (problem.value(t) - m(:, t)).^2 ./ total;
