@@ -90,8 +90,7 @@ end
 %!shared here, tmp
 %! pkg load stk
 %! here = pwd ();
-%! tmp = tempname ();
-%! mkdir (tmp);
+%! tmp = emptyFolder ();
 
 %!test
 %! clean = onCleanup (@() cd (here));

@@ -72,8 +72,7 @@ end
 
 %!test
 %! % for a case the folder it is started in, which is off the path afterwards
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! here = cd (folder);
 %! root = fileparts (fileparts (which ('startMain')));
 %! result = startMain (@(root, folder) struct ('said', [root, folder]), root);

@@ -64,8 +64,7 @@ end
 %! assert (isempty (strfind (which ('median'), 'shadow')));
 %!test
 %! % on an older Octave it says so
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'OCTAVE_VERSION.m'), ...
 %!              "function v = OCTAVE_VERSION ()\nv = '6.4.0';\nend\n");
 %! warning ('off', 'Octave:shadowed-function', 'local');

@@ -24,8 +24,7 @@ function setInput (folder, name, value)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! file = fullfile (folder, 'loadInput.m');
 %! writeAtomic (file, "  a{1} = [1, ...\n 2];\n  b = 3;\n  modelVars.x = 1;\n");
 %! setInput (folder, 'a{1}', [4, 5.5]);

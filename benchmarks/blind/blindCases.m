@@ -57,8 +57,7 @@ function lines = textOf (file)
 end
 
 %!test % a folder holds what the laboratory hands over; the truth is sealed
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! stem = fullfile (folder, 'study');
 %! problem = struct ('effects', struct ('name', {'drag', 'shape'}), ...
 %!                   'benchNames', {{'Heap'}}, 'bench', [1, 1], ...

@@ -44,8 +44,7 @@ end
 %! fail ('ownCost ()', 'must be a function');
 %! clear back costFunction
 %!error id=DEcalioc:ownCost:brokenCost
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'costFunction.m'), 'function r = (');
 %! here = cd (folder);
 %! back = onCleanup (@() cd (here));

@@ -193,8 +193,7 @@ end
 %! % a program on the PATH
 %! before = getenv ('PATH');
 %! tidy = onCleanup (@() setenv ('PATH', before));
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'my-dem'), 'x');
 %! system (['chmod +x ', shellQuote(fullfile (folder, 'my-dem'))]);
 %! setenv ('PATH', [folder, ':', before]);

@@ -38,8 +38,7 @@ function res = namedResults (measure, folder, model)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'results.csv'), ...
 %!   "name,kind,unit,series,at,text\nmass,mass,kg,,,m\nslope,angle,deg,,,s\n");
 %! part = namedResults (@(f) struct ('slope', 30, 'more', 1), '', folder);

@@ -142,8 +142,7 @@ end
 %!   assert (starts (raw, bad{2}), first (raw));
 %! end
 %! writeAtomic (test, "name,value\na,1\n");
-%! before = tempname ();
-%! mkdir (before);
+%! before = emptyFolder ();
 %! writeAtomic (fullfile (before, 'measured.csv'), "name,value\na,1x\n");
 %! raw.Input.reference = before;
 %! assert (starts (raw, fullfile (before, 'measured.csv, line 2, value: ')));

@@ -78,8 +78,7 @@ end
 %!test
 %! % it fails, or does not even parse
 %! for bad = {'a = nope;', 'nope'; 'a = [1, ;', 'parse error near line 1'}'
-%!   folder = tempname ();
-%!   mkdir (folder);
+%!   folder = emptyFolder ();
 %!   file = fullfile (folder, 'loadInput.m');
 %!   writeAtomic (file, ['function [a, b, c, d, e] = loadInput (), ', ...
 %!                       bad{1}, ' end']);

@@ -42,8 +42,7 @@ function settings = readSettings (folder)
 end
 
 %!function folder = with (text)
-%!  folder = tempname ();
-%!  mkdir (folder);
+%!  folder = emptyFolder ();
 %!  writeAtomic (fullfile (folder, 'settings.csv'), text);
 %!endfunction
 %!test

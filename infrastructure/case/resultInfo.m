@@ -33,8 +33,7 @@ function info = resultInfo (folder)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! file = fullfile (folder, 'results.csv');
 %! fid = fopen (file, 'w');
 %! fputs (fid, ["name,kind,unit,series,at,text\nw,rate,kg/s,w,2,rate\n", ...

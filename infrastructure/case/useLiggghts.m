@@ -85,8 +85,7 @@ end
 %!  cellfun (@setenv, names, before);
 %!endfunction
 %!function place = fakeProgram ()
-%!  place = tempname ();
-%!  mkdir (place);
+%!  place = emptyFolder ();
 %!  file = fullfile (place, 'liggghts');
 %!  writeAtomic (file, ["#!/bin/sh\necho 'LIGGGHTS (Version FAKE-1.2, ", ...
 %!                      "compiled now)'\n"]);

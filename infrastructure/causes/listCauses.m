@@ -43,8 +43,7 @@ end
 %!                         'instrument'}, names)));
 
 %!test % a case's own file comes first
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! file = fullfile (folder, 'causeTrialOfListCauses.m');
 %! writeAtomic (file, ["function c = causeTrialOfListCauses ()\n", ...
 %!   "c = describeCause (struct ('name', 'aaa', 'label', 'l', ", ...

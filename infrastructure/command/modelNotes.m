@@ -67,9 +67,7 @@ function [script, start] = scriptOf (run, folder)
 end
 
 %!function [notes, codes] = of (run, script, head)
-%!  folder = tempname ();
-%!  mkdir (folder);
-%!  put = @(name, text) writeAtomic (fullfile (folder, name), text);
+%!  [folder, put] = emptyFolder ();
 %!  put ('runscript', run);
 %!  put ('in.x', script);
 %!  put ('data.head', head);

@@ -311,8 +311,7 @@ end
 %! raw = standInCase (tempname ());
 %! writeLoadInput (raw.folder, ['Input.executor = ''slurm''; ', ...
 %!                              'Input.slurm.partition = ''long'';']);
-%! tools = tempname ();
-%! mkdir (tools);
+%! tools = emptyFolder ();
 %! link = ['for f in /usr/bin/* /bin/*; do case ${f##*/} in sbatch|squeue) ;; ', ...
 %!         '*) ln -sf "$f" "$0"/ ;; esac; done'];
 %! system (['bash -c ', shellQuote(link), ' ', tools]);

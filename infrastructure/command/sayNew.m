@@ -228,8 +228,7 @@ end
 
 %!shared root, base
 %! root = fileparts (fileparts (which ('startToolbox')));
-%! base = tempname ();
-%! mkdir (base);
+%! base = emptyFolder ();
 %!function text = quietly (varargin)
 %!  text = evalc ('sayNew (varargin{:})');
 %!endfunction

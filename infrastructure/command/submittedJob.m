@@ -27,8 +27,7 @@ function [job, state] = submittedJob (folder)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! [job, state] = submittedJob (folder);
 %! assert ({job, state}, {[], 'none'});
 %! mkdir (fullfile (folder, 'submitted'));

@@ -32,8 +32,7 @@ function yes = actsOn (effect, info)
 end
 
 %!shared folder
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! fid = fopen (fullfile (folder, 'data.head'), 'w');
 %! fputs (fid, "variable tiltAngle equal 0\n");
 %! fclose (fid);

@@ -40,8 +40,7 @@ end
 %! end
 
 %!test % a file in a folder that is not on the path
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! file = fullfile (folder, 'effectTrialOfGetEffect.m');
 %! fid = fopen (file, 'w');
 %! fputs (fid, ["function e = effectTrialOfGetEffect ()\n", ...

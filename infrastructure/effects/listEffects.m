@@ -38,8 +38,7 @@ end
 %! assert (~any (strcmp (names, 'sOfModel')));
 
 %!test % a case's own file comes first
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! file = fullfile (folder, 'effectCohesion.m');
 %! fclose (fopen (file, 'w'));
 %! [names, files] = listEffects (folder);

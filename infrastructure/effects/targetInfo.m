@@ -48,8 +48,7 @@ function info = oneInfo (T, ofModel, info)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'results.csv'), ...
 %!              ["name,kind,unit,series,at,text\nr,rate,kg/s,q,2,x\n", ...
 %!               "w,mass,kg,,,x\nm,mass,kg,,,x\n"]);

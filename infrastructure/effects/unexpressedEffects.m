@@ -61,8 +61,7 @@ end
 %!                                    'effects', [])), {})
 %!test
 %! % a curve of measured.csv that results.csv has in one line
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'data.head'), "variable a equal 1\n");
 %! writeAtomic (fullfile (folder, 'results.csv'), ...
 %!              "name,kind,unit,series,at,text\ntimeMass,mass,kg,,,x\n");

@@ -57,8 +57,7 @@ function reason = whyInsane (checks)
 end
 
 %!function checks = checksOf (ended, overlap, more)
-%!  folder = tempname ();
-%!  mkdir (folder);
+%!  folder = emptyFolder ();
 %!  writeAtomic (fullfile (folder, 'output_checks.csv'), ...
 %!    [sprintf("spheresStart,10\nspheresOut,2\nspheresEnd,%d\n", ended), ...
 %!     sprintf("settled,1\noverlapMax,%g\n%s", overlap, more)]);

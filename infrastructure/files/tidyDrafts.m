@@ -25,8 +25,7 @@ function tidyDrafts (folder, age)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! file = fullfile (folder, 'a');
 %! for name = {file, [file, '.tmp'], draftName(file), [folder, ...
 %!                                       '/end.mark.12.345.tmp']}

@@ -29,9 +29,7 @@ function res = readContainer (folder)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
-%! put = @(name, text) writeAtomic (fullfile (folder, name), text);
+%! [folder, put] = emptyFolder ();
 %! assert (readContainer (folder), {NaN, NaN});
 %! put ('output_density', "400\n");
 %! put ('output_mass', "0.025\n");

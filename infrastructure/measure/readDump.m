@@ -130,8 +130,7 @@ end
 %! assert (size (readDump (file, {'c_f[2]'}){1}), [0, 1]);
 
 %!test % one file a frame, in the order of their numbers
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! for step = [2, 10]
 %!   text = strrep (fileread (sampleDump ('ATOMS id x y z radius ', ...
 %!                                        sprintf ("7 %d 2 3 0.5\n", step))), ...

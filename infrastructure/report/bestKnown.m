@@ -48,8 +48,7 @@ end
 
 %!test
 %! % rows of one set are one, a set beyond the limits and a run that failed are none
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'runs.csv'), ...
 %!   "a,b,cost\n1,2,0.5\n1,2,0.3\n2,2,0.45\n3,1,\n9,9,0.01\n2,3,0.41\n");
 %! Case = struct ('folder', folder, 'names', {{'a', 'b'}}, 'limits', [0, 0; 5, 5], ...
@@ -63,8 +62,7 @@ end
 %! assert ([b.sets, b.failed, b.outside], [3, 1, 1]);
 %! assert (cellfun (@(n) n.cost, b.next), [0.41, 0.45]);
 %!error id=DEcalioc:bestKnown:noRuns
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'runs.csv'), "a,cost\n1,0.5\n");
 %! Case = struct ('folder', folder, 'names', {{'a'}}, 'limits', [2; 5], ...
 %!                'effectVars', {{}}, 'effects', [], 'coarse', struct ('variable', {}), ...

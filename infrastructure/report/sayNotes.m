@@ -25,8 +25,7 @@ function sayNotes (notes, folder, say)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! text = evalc ('sayNotes ({''a'', ''b'', ''a''}, folder, @disp)');
 %! assert (text, ["2 notes (results/notes.txt):\n  WARNING: a\n  WARNING: b\n\n"]);
 %! assert (fileread (fullfile (folder, 'results', 'notes.txt')), "a\nb\n");

@@ -26,8 +26,7 @@ function text = toolboxVersion (root)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! assert (toolboxVersion (folder), 'unknown');
 %! writeAtomic (fullfile (folder, 'VERSION'), "2.1.0\n");
 %! assert (toolboxVersion (folder), '2.1.0');

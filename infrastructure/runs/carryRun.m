@@ -55,8 +55,7 @@ end
 
 %!test
 %! Case = newCase (standInCase (tempname ()));
-%! place = tempname ();
-%! mkdir (place);
+%! place = emptyFolder ();
 %! assert (isempty (carryRun (place, Case, getpid ())));
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
 %! folder = fullfile (Case.store, 'optim', 'First', '0001');

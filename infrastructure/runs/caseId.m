@@ -54,8 +54,7 @@ function makeId (file)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! assert (caseId (folder), '');
 %! id = caseId (folder, true);
 %! assert (numel (id), 32);

@@ -143,8 +143,7 @@ end
 
 %!test
 %! % a result that is not finite: its own checks say why, where there are some
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'getResults.m'), ...
 %!              "function r = getResults (model, name)\nr = {NaN};\nend\n");
 %! record = setfield (newRecord (standInJob (), folder), 'status', 'ok');

@@ -24,8 +24,7 @@ function record = failedRecord (job, folder, status, message, cause)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! r = failedRecord (standInJob (), folder, 'timeout', 'too long', 'time');
 %! back = readRecord (fullfile (folder, 'record.json'));
 %! assert ({back.message, back.cause}, {r.message, 'time'});

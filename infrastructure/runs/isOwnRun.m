@@ -25,8 +25,7 @@ end
 %! Case.store = '/a';
 %! assert (isOwnRun (struct ('key', 'x'), Case));
 %! % two cases that were at one folder
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! Case = struct ('store', '/s', 'folder', folder);
 %! job = struct ('origin', folder, 'owner', caseId (folder, true));
 %! assert (isOwnRun (job, Case));

@@ -56,8 +56,7 @@ end
 %!  r = readRecord (fullfile (r.folder, 'record.json'));
 %!endfunction
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! job = standInJob ();
 %! [job.origin, job.owner] = deal ('/a', repmat ('b', 1, 32));
 %! writeRecord (fullfile (folder, 'job.json'), job);

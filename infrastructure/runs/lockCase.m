@@ -101,8 +101,7 @@ function forget (file)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! file = fullfile (folder, 'decalioc.lock');
 %! lock = lockCase (folder);
 %! assert (isfile (file));

@@ -60,8 +60,7 @@ function state = stateOf (pid, mark)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! assert (lockHolder (folder).state, 'none');
 %! lock = lockCase (folder);
 %! holder = lockHolder (folder);

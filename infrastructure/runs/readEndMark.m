@@ -24,8 +24,7 @@ function mark = readEndMark (folder)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! assert (isempty (readEndMark (folder)));
 %! for text = {"0 12.3 finished\n", '0 12.3 fini'}
 %!   writeAtomic (fullfile (folder, 'end.mark'), text{1});

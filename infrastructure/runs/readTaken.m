@@ -28,8 +28,7 @@ function [list, mark, cases] = readTaken (folder)
 end
 
 %!function [list, mark, cases] = of (text)
-%!  folder = tempname ();
-%!  mkdir (folder);
+%!  folder = emptyFolder ();
 %!  mkdir (fullfile (folder, 'results'));
 %!  writeAtomic (fullfile (folder, 'results', 'library.csv'), text);
 %!  [list, mark, cases] = readTaken (folder);

@@ -44,8 +44,7 @@ end
 %!assert (isempty (runPids ('/nowhere')))
 %!test
 %! % a number alone, another start, another boot, another command
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! [~, mark] = processStart (getpid ());
 %! boot = strsplit (mark, ' '){2};
 %! for text = {'', ['1', mark], strrep(mark, boot, fliplr (boot)), ...
@@ -57,8 +56,7 @@ end
 %! end
 %!test
 %! % another container: not alive here, not gone; before a restart it is gone
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! [~, mark] = processStart (getpid ());
 %! words = strsplit (mark, ' ');
 %! boot = fliplr (words{2});

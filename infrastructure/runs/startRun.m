@@ -32,8 +32,7 @@ function startRun (folder, root, owner)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'runscript'), ...
 %!              "sleep 0.5\necho $PPID > out\n");
 %! root = fileparts (fileparts (which ('startToolbox')));

@@ -39,8 +39,7 @@ end
 
 %!test
 %! % nothing at first; after ten seconds for whom, once; a run that came
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! Case = struct ('folder', folder, 'options', struct ('waitHours', 5));
 %! holder = struct ('note', '/the/other', 'pid', 7, 'host', 'here');
 %! wait = struct ('number', 0, 'since', 0, 'said', -Inf);

@@ -17,8 +17,7 @@ function writeSet (folder, params, planRow)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeSet (folder, [0.1, 1/3], 0);
 %! assert (csvread (fullfile (folder, 'params.csv')), toDigits ([0.1, 1/3]));
 %! assert (! isfile (fullfile (folder, 'ExPlan.txt')));

@@ -46,9 +46,7 @@ function head = checkHead (folder, name, depth)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
-%! put = @(name, text) writeAtomic (fullfile (folder, name), text);
+%! [folder, put] = emptyFolder ();
 %! put ('data.head', ["variable a equal 5e6 # Pa\r\n", ...
 %!                    "# variable no equal 1\n\tvariable  b string x\n", ...
 %!                    "include more.inc\nvariable c\n"]);

@@ -46,8 +46,7 @@ end
 %!  reasons = arrayfun (@(q) q.id(20:end), p, 'UniformOutput', false);
 %!endfunction
 %!shared model
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! model = struct ('name', 'Toy', 'folder', folder, 'count', 1, 'fields', {{}});
 %!test
 %! % what results.csv names as a series is no result of its own

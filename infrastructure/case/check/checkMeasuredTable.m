@@ -166,16 +166,14 @@ function p = checkNames (groups, taken)
 end
 
 %!function reasons = check (text, optim, model)
-%!  folder = tempname ();
-%!  mkdir (folder);
+%!  folder = emptyFolder ();
 %!  writeAtomic (fullfile (folder, 'measured.csv'), text);
 %!  raw = struct ('folder', folder, 'Input', struct (), 'optim', optim);
 %!  p = checkMeasuredTable (raw, model, {'densityP'});
 %!  reasons = arrayfun (@(q) q.id(20:end), p, 'UniformOutput', false);
 %!endfunction
 %!shared model, tolRes, none
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! model = struct ('name', 'Toy', 'folder', folder, 'count', 1, ...
 %!                 'fields', {{'a', 'w'}});
 %! tolRes = struct ('tolRes', 0.1);

@@ -49,8 +49,7 @@ function places = placesOf (folder, root)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! root = fileparts (fileparts (which ('startToolbox')));
 %! for name = {'loadInput.m', 'costFunction.m', 'effectCohesion.m', ...
 %!             'infillThompson.m', 'mineAlone.m', 'sameSet.txt', '2mean.m'}

@@ -120,8 +120,7 @@ end
 %!        'DEcalioc:checkCase:storeNotWritable')
 %!test
 %! % a store of a group: what a umask makes of its new folders
-%! store = tempname ();
-%! mkdir (store);
+%! store = emptyFolder ();
 %! before = umask (22);
 %! back = onCleanup (@() umask (before));
 %! assert (isempty (checkStore (store, tempdir (), none, 1)));

@@ -67,8 +67,7 @@ function lines = inUnit (lines, factor, unit)
 end
 
 %!function [lines, reasons] = check (text, table)
-%!  folder = tempname ();
-%!  mkdir (folder);
+%!  folder = emptyFolder ();
 %!  writeAtomic (fullfile (folder, 'results.csv'), table);
 %!  file = fullfile (folder, 'measured.csv');
 %!  writeAtomic (file, text);

@@ -13,8 +13,7 @@ function abandonRun (folder)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! abandonRun (folder);
 %! abandonRun (folder);
 %! assert (isfile (fullfile (folder, 'batch.claim', 'void')));

@@ -29,8 +29,7 @@ function [number, fault] = askQueue (programs, question, sign, pattern)
 end
 
 %!function [number, fault] = asked (answer)
-%!  folder = tempname ();
-%!  mkdir (folder);
+%!  folder = emptyFolder ();
 %!  for name = {'qput', 'qlook'}
 %!    writeAtomic (fullfile (folder, name{1}), "#!/bin/sh\n");
 %!  end

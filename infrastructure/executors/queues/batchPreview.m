@@ -65,8 +65,7 @@ end
 %! % without sbatch: no program of a queue is called, no folder is made
 %! before = getenv ('PATH');
 %! back = onCleanup (@() setenv ('PATH', before));
-%! empty = tempname ();
-%! mkdir (empty);
+%! empty = emptyFolder ();
 %! for program = {'bash', 'sh', 'timeout'}
 %!   system (sprintf ('ln -s "$(command -v %s)" %s/', program{1}, empty));
 %! end

@@ -132,8 +132,7 @@ function queueState = noteWaiting (queueState, title)
 end
 
 %!function [queueState, jobs] = flightOf (n)
-%!  store = tempname ();
-%!  mkdir (store);
+%!  store = emptyFolder ();
 %!  jobs = arrayfun (@(k) standInJob (char ('a' + k)), 0:n - 1);
 %!  Case = struct ('store', store, 'folder', store);
 %!  queueState = batchAttach (jobs, Case, slurmExecutor ());

@@ -85,8 +85,7 @@ end
 
 %!test
 %! % a ramp of touching grains: the line follows it, whatever the sign
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'results.csv'), ...
 %!   ["name,kind,unit,series,at,text\nh,mass,kg,,,\n", ...
 %!    "s1,angle,deg,,,\ns2,angleFalling,deg,,,\n"]);

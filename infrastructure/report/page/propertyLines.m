@@ -39,8 +39,7 @@ function names = namesOf (line)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'data.head'), ...
 %!              "variable mu equal 0.1\nvariable e equal 0.5\n");
 %! writeAtomic (fullfile (folder, 'in.M'), ...

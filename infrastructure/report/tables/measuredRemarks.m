@@ -15,8 +15,7 @@ function words = measuredRemarks (folder)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! assert (measuredRemarks (folder), cell (1, 0));
 %! writeAtomic (fullfile (folder, 'measured.csv'), "# A. Miller, 2026\n#wet\nname,value\n");
 %! assert (measuredRemarks (folder), {'A. Miller, 2026', 'wet'});

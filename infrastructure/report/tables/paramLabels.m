@@ -42,8 +42,7 @@ function [text, unit] = usualWords (name)
 end
 
 %!test
-%! folder = tempname ();
-%! mkdir (folder);
+%! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'data.head'), ...
 %!              ["variable lid equal 2 # kg, mass of the lid\n", ...
 %!               "variable radiusP equal 1  # m\nvariable a equal 1\n"]);
