@@ -48,7 +48,7 @@ function how = withReference (how, name, problem, emulator)
   emulator = emulateChange (emulator, problem);
   models = makeHypotheses (problem, emulator, how.options, ...
                            find (isfinite (problem.value)));
-  reference = omnibusReference (models).reference;
+  reference = gapReference (models).reference;
   how.reference = reference;
   if ~isempty (how.folder)
     save ('-binary', file, 'reference');

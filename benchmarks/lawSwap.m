@@ -119,7 +119,7 @@ function reference = referenceOf (own, emulator, how)
   emulator = emulateChange (emulator, problem);
   models = makeHypotheses (problem, emulator, how.options, ...
                            find (isfinite (problem.value)));
-  reference = omnibusReference (models).reference;
+  reference = gapReference (models).reference;
 end
 
 function given = measured (given, lines, problem)

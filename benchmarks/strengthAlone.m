@@ -26,7 +26,7 @@ end
 %! problem = newProblem (given);
 %! models = makeHypotheses (problem, fitEmulator (problem, data, options), ...
 %!                          options);
-%! models = omnibusReference (models);
+%! models = gapReference (models);
 %! evidence = caseEvidence (models, fitLibrary (models, given.value), 1);
 %! q = strengthAlone (evidence, models, 1);
 %! assert (q(2) <= q(1) && q(1) <= q(3));

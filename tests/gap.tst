@@ -98,7 +98,7 @@
 %!   options = gapOptions (quick ());
 %!   if seed == 5
 %!     emulator = fitEmulator (problem, data, options);
-%!     models = omnibusReference (makeHypotheses (problem, emulator, options));
+%!     models = gapReference (makeHypotheses (problem, emulator, options));
 %!   end
 %!   evidence = caseEvidence (models, fitLibrary (models, g.value), 1);
 %!   v = judgeCase (evidence, models);

@@ -12,8 +12,8 @@ folder_of () {
     page) echo report/page ;;                 # the report as a page
     queues) echo executors/queues ;;          # Slurm, Grid Engine
     published) echo published ;;              # of 2017, not called by the method
-    otherTests) echo gap/otherTests ;;        # tests that a case does not have
-    *) echo "wings.sh: command, page, queues, published or otherTests is needed, got $1." >&2
+    otherRigs) echo gap/otherRigs ;;        # tests that a case does not have
+    *) echo "wings.sh: command, page, queues, published or otherRigs is needed, got $1." >&2
        return 1 ;;
   esac
 }
@@ -22,7 +22,7 @@ folder_of () {
 # with conditions, as a user starts it, twice.
 core=(infrastructure/calibration/calibrateCase.m tests/gapDoor.tst tests/conditions.tst)
 
-[ $# -gt 0 ] || set -- command page queues published otherTests
+[ $# -gt 0 ] || set -- command page queues published otherRigs
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/whole"

@@ -10,7 +10,7 @@
 % (randn): of the sd that the table holds, or of the scatter of the bench's
 % results (scatter.csv), which is filled in then.
 %
-% See also: writeNextTest, wholeRuns
+% See also: writeNextMeasurement, wholeRuns
 
 function fillTest (place, model, values)
   folder = fullfile (place, 'DEMmodels', model);

@@ -7,7 +7,7 @@
 %   GIVEN         for newProblem;  EMULATOR  of fitEmulator
 %   TRUTH         struct X (1 x p), phi (1 x K); isUnlisted: the cause is off
 %                 the list
-%   HOW           struct options (gapOptions), reference (omnibusReference)
+%   HOW           struct options (gapOptions), reference (gapReference)
 %   LINES         1 x n cell of rows of the table of formStudy
 %
 % See also: formStudy, turnMark

@@ -6,7 +6,7 @@
 %   ROOT      folder of the toolbox
 %   CAMPAIGN  struct name, given (for newProblem; nothing is held out), data
 %             (all runs), emulator (fitEmulator on all), reference (of
-%             omnibusReference), isWhole (1 x n logical: every result is there)
+%             gapReference), isWhole (1 x n logical: every result is there)
 %
 % See also: leftOut
 
@@ -16,7 +16,7 @@ function campaign = leftOutCampaign (name, root)
   problem = newProblem (given);
   options = gapOptions ([]);
   emulator = fitEmulator (problem, data, options);
-  models = omnibusReference (makeHypotheses (problem, emulator, options));
+  models = gapReference (makeHypotheses (problem, emulator, options));
   campaign = struct ('name', name, 'given', given, 'data', data, 'emulator', emulator, ...
                      'reference', models.reference, ...
                      'isWhole', all (isfinite (data.Z), 2)');

@@ -20,13 +20,13 @@ function verdicts = twinsOfLab (lab, cases)
     lab.emulator = fitEmulator (problem, lab.data, options);
   end
   K = numel (lab.emulator.effect);
-  full = omnibusReference (makeHypotheses (problem, lab.emulator, options));
+  full = gapReference (makeHypotheses (problem, lab.emulator, options));
   for removed = unique (cases.removed)
     models = full;
     if removed > 0
       models = makeHypotheses (problem, withoutEffects (lab.emulator, removed), ...
                                options);
-      models = omnibusReference (models);
+      models = gapReference (models);
     end
     numbersOf = find (cases.removed == removed);
     fits = fitLibrary (models, cases.Y(numbersOf, :));

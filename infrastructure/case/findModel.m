@@ -5,7 +5,7 @@
 %   NAME        name of the model (text)
 %   CASEFOLDER  case folder; its DEMmodels is looked in first (text)
 %   ROOT        folder of the toolbox; its DEMmodels comes second (text). Last
-%               comes gap/next of the case (filledTests)
+%               comes gap/next of the case (filledMeasurements)
 %   FOLDER      path of the model folder, '' where there is none
 
 function folder = findModel (name, caseFolder, root)

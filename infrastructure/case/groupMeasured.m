@@ -5,7 +5,7 @@
 %
 %   LIST      struct array of readMeasured
 %   MODELS    cell of the names of the models
-%   FURTHER   cell, those of further models (filledTests; default none)
+%   FURTHER   cell, those of further models (filledMeasurements; default none)
 %   GROUPS    1 x T struct, sorted by model, else in the order of the table:
 %             line, file (first), model, name (of the target), result (name of
 %             the result or curve), series, at, unit, given (unit of the

@@ -6,7 +6,7 @@
 %   NAMES    1 x M cell, names of the models
 %   FOUND    scalar struct: groups of measured.csv, which go before
 %            optim.targetVal, and sizes, see checkCase. Where there are both,
-%            the groups are of further models (filledTests)
+%            the groups are of further models (filledMeasurements)
 %   TARGETS  1 x T struct in the order of the models: model (number), modelName,
 %            index (which result of the run), and name, value, sd, tol, role,
 %            trials, correlation as in optim. From measured.csv also:

@@ -12,7 +12,7 @@
 % DECALIOC_STORE. loadInput is the file of the case folder or else of the
 % toolbox.
 %
-% Tests that were advised and have been measured since (filledTests) are further
+% Tests that were advised and have been measured since (filledMeasurements) are further
 % models, at the end of Input.model; raw.further has their names. Each has the
 % CPUs of the model whose name its own begins with, or 1.
 %
@@ -49,7 +49,7 @@ function raw = readInput (root, folder)
 end
 
 function raw = withFurther (raw)
-  raw.further = filledTests (raw.folder);
+  raw.further = filledMeasurements (raw.folder);
   isUsable = isstruct (raw.Input) && isfield (raw.Input, 'model') && ...
              isfield (raw.Input, 'cpu') && ~isempty (raw.further);
   if ~isUsable || ~(iscellstr (raw.Input.model) || ischar (raw.Input.model))

@@ -42,8 +42,8 @@ function diagnosis = diagnoseCase (root, folder)
     % Holm's correction: conditions that have changed leave their share to others
     [share, own] = shareOf (Case, given, state, options, [c, many - changed]);
     share.explore = many == 1;
-    if exist ('caseTests', 'file') == 2        % a wing, see adviseTests
-      given.tests = @() caseTests (Case, say);
+    if exist ('caseMeasurements', 'file') == 2        % a wing, see adviseMeasurements
+      given.tests = @() caseMeasurements (Case, say);
     end
     [diagnosis, further] = diagnoseMatrices (given, state.data, share, own);
     diagnosis.runs = addFields (diagnosis.runs, made(c));
@@ -52,7 +52,7 @@ function diagnosis = diagnoseCase (root, folder)
     state.budget = diagnosis.budget;
     diagnosis.others = compareConditions (diagnosis, others);
     % what remains
-    diagnosis.nextFile = writeNextTest (diagnosis.next, Case, share);
+    diagnosis.nextFile = writeNextMeasurement (diagnosis.next, Case, share);
     [~, others] = writeGapJson (diagnosis, Case);
     sayDiagnosis (Case, say, diagnosis.nextFile);
     if ~isempty (further)
@@ -98,7 +98,7 @@ function diagnosis = tryFurther (diagnosis, further, Case, options, say)
   [level, others] = deal (diagnosis.level, diagnosis.others);
   diagnosis = further ();
   [diagnosis.level, diagnosis.others] = deal (level, others);
-  diagnosis.nextFile = writeNextTest (diagnosis.next, Case, options);
+  diagnosis.nextFile = writeNextMeasurement (diagnosis.next, Case, options);
   writeGapJson (diagnosis, Case);
   sayDiagnosis (Case, say, diagnosis.nextFile, true);
 end

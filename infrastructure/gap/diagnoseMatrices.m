@@ -24,7 +24,7 @@
 %     which    of describeVerdict, and cause (weighCauses: what may have made it;
 %              GIVEN.causes)
 %     howFar   of proveCause ([] where nothing can be compared)
-%     next     of adviseTests, of tests that need no run
+%     next     of adviseMeasurements, of tests that need no run
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
 %              model is likely to miss in both conditions (emulateChange)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
@@ -40,7 +40,7 @@
 % Errors: those of newProblem, enterRuns, strengthOfValues and fitEmulator
 %
 % See also: diagnoseGap, locateGap, caseEvidence, judgeCase, proveCause,
-% adviseTests
+% adviseMeasurements
 
 function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate)
   if nargin < 3
@@ -71,7 +71,7 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   verdict = doubtName (verdict, diagnosis, study.models);
   diagnosis.which = describeVerdict (evidence, verdict, study.models, problem);
   diagnosis.which.cause = causesOfVerdict (verdict, study);
-  [diagnosis.next, tryTests] = adviseTests (study, evidence, verdict, state);
+  [diagnosis.next, tryMeasurements] = adviseMeasurements (study, evidence, verdict, state);
   diagnosis.change = [];
   if ~isempty (study.emulator.change)
     diagnosis.change = struct ('size', study.emulator.change.size, 'lack', ...
@@ -81,13 +81,13 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   diagnosis = withRuns (diagnosis, state, known);
   diagnosis.data = withNewRuns (data, state, known, problem);
   further = [];
-  if ~isempty (tryTests)
-    further = @() withTests (diagnosis, tryTests, known);
+  if ~isempty (tryMeasurements)
+    further = @() withTests (diagnosis, tryMeasurements, known);
   end
 end
 
-function diagnosis = withTests (diagnosis, tryTests, known)
-  [diagnosis.next, state] = tryTests ();
+function diagnosis = withTests (diagnosis, tryMeasurements, known)
+  [diagnosis.next, state] = tryMeasurements ();
   diagnosis = withRuns (diagnosis, state, known);
 end
 
@@ -152,8 +152,8 @@ end
 function study = studyOf (problem, emulator, options)
   models = makeHypotheses (problem, emulator, options);
   fits = fitLibrary (models, problem.value(problem.used));
-  models = omnibusReference (models, ...
-                             omnibusTest (models, fits.logE).statistic);
+  models = gapReference (models, ...
+                             gapTest (models, fits.logE).statistic);
   study = struct ('problem', problem, 'emulator', emulator, 'models', models, ...
                   'fits', fits);
 end

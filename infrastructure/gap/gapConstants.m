@@ -39,7 +39,7 @@ function c = runsOfEffects ()
   % as much as screening one effect
   c.pairAt = 0.2;
   % most runs of tests that the case does not have: of six tests all have eight,
-  % the best three twenty, the best two 32 (tryTests)
+  % the best three twenty, the best two 32 (tryMeasurements)
   c.testRuns = 120;
 end
 

@@ -19,7 +19,7 @@
 %
 % A change in OctaveFuns asks for a new evaluation of finished runs, not for
 % new simulations. README, sample, pictures, settings.csv (readSettings) and
-% scatter.csv (caseTests) decide nothing.
+% scatter.csv (caseMeasurements) decide nothing.
 %
 % Errors: DEcalioc:hashFolder:missingFile
 

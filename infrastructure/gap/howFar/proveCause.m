@@ -133,7 +133,7 @@ end
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0.6, 0]);
 %! study = labStudy (given, data, struct ('twins', 99));
-%! study.models = omnibusReference (study.models);
+%! study.models = gapReference (study.models);
 %! study.evidence = caseEvidence (study.models, study.fits, 1);
 %! verdict = judgeCase (study.evidence, study.models);
 %! verdict.kind = 'group';
@@ -157,7 +157,7 @@ end
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
 %! study = labStudy (given, data, struct ('twins', 99));
-%! study.models = omnibusReference (study.models);
+%! study.models = gapReference (study.models);
 %! study.evidence = caseEvidence (study.models, study.fits, 1);
 %! verdict = judgeCase (study.evidence, study.models);
 %! [verdict.kind, verdict.effects, verdict.top] = deal ('named', 3, 3);

@@ -17,7 +17,7 @@
 %     posterior (1 x H cell: Q, weight: samples of each hypothesis)
 %     vague (1 x K, variance that comes with the surrogate of the effect where
 %       it fits best alone, over all noise, in the mean of the targets)
-%     gate (struct of omnibusTest), screen (struct of screenEffects)
+%     gate (struct of gapTest), screen (struct of screenEffects)
 %
 % Integrated are the null model, every single effect, and all others that
 % Laplace's formula gives more than a ten-thousandth of the probability.
@@ -25,7 +25,7 @@
 function evidence = caseEvidence (models, fits, i)
   z = fits.Z(i, :);
   evidence.screen = screenEffects (models.white, fits.calibrated.Q(i, :), z);
-  evidence.gate = omnibusTest (models, fits.logE(i, :));
+  evidence.gate = gapTest (models, fits.logE(i, :));
   list = listHypotheses (models, fits, i, evidence);
   logP = [list.logPrior] + [list.logE];
   logP = logP - logSumExp (logP);

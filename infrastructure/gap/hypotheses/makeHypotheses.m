@@ -11,7 +11,7 @@
 %     prior      mean, sd (1 x p, parameters in [-1, 1]; sd Inf: uniform)
 %     list, singles, pairPrior  of hypothesisTable
 %     names, siblings (1 x K cells), options
-%     reference  what the gate compares with (omnibusReference; []: not yet)
+%     reference  what the gate compares with (gapReference; []: not yet)
 
 function models = makeHypotheses (problem, emulator, options, targets)
   if nargin < 4

@@ -44,7 +44,7 @@ end
 % effect, eight at least, of all strengths: one that has no runs on a bench
 % could be anything there, and fewer than eight do not tell how it bends
 % (learnEffect). What a set has, from the store or a table, is not run again.
-% Rows of one bench alone, runs of tests (tryTests), stay as they are.
+% Rows of one bench alone, runs of tests (tryMeasurements), stay as they are.
 function state = completeBenches (state, Case, say, wanted)
   data = state.data;
   model = [Case.targets.model];

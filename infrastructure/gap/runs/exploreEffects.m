@@ -82,7 +82,7 @@ function [now, reference] = weighNow (problem, options, emulator, reference)
   models = makeHypotheses (problem, library, options);
   fits = fitLibrary (models, problem.value(problem.used));
   if isempty (reference)
-    models = omnibusReference (models);
+    models = gapReference (models);
     reference = models.reference;
   end
   models.reference = reference;

@@ -82,7 +82,7 @@ end
 %! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
 %! given.reading = repmat ({'length'}, 1, 12);
 %! study = labStudy (given, data, struct ('twins', 60));
-%! study.models = omnibusReference (study.models);
+%! study.models = gapReference (study.models);
 %! verdict = judgeCase (caseEvidence (study.models, study.fits, 1), study.models);
 %! assert (verdict.kind, 'named');
 %! given.reading(1:2:12) = {'time'};

@@ -1,7 +1,7 @@
-% OMNIBUSREFERENCE  Draws what the gate's statistic is where there is no gap.
+% GAPREFERENCE  Draws what the gate's statistic is where there is no gap.
 %
-% CALL: MODELS = omnibusReference (MODELS)
-% CALL: MODELS = omnibusReference (MODELS, STATISTIC)
+% CALL: MODELS = gapReference (MODELS)
+% CALL: MODELS = gapReference (MODELS, STATISTIC)
 %
 %   MODELS     struct of makeHypotheses; options.twins data sets are drawn from
 %              the null model, parameters by their prior, and fitted like the
@@ -14,7 +14,7 @@
 % Surrogates err in ways that they do not know: the drawn data scatter with
 % options.surplus times the variance, see gapOptions.
 
-function models = omnibusReference (models, statistic)
+function models = gapReference (models, statistic)
   most = models.options.twins;
   n = most;
   if nargin > 1
@@ -28,7 +28,7 @@ function models = omnibusReference (models, statistic)
     Y = drawTwins (models, m, seed, models.options.surplus);
     fits = fitLibrary (models, Y);
     models.reference = [models.reference; ...
-                        omnibusTest(models, fits.logE).statistic];
+                        gapTest(models, fits.logE).statistic];
     if nargin > 1 && isClear (models.reference >= statistic, ...
                               models.options.level)
       return
@@ -56,15 +56,15 @@ end
 %! % (binomial, 200 draws and a reference of 400: chance of failing below 1 %)
 %! models = handMadeHypotheses ();
 %! models.options.surplus = 1;
-%! models = omnibusReference (models);
+%! models = gapReference (models);
 %! Y = drawTwins (models, 200, 77);
-%! p = omnibusTest (models, fitLibrary (models, Y).logE).p;
+%! p = gapTest (models, fitLibrary (models, Y).logE).p;
 %! assert (mean (p < 0.05) > 0.005 && mean (p < 0.05) < 0.11);
 %!test
 %! % no doubt after a hundred: none of them, or many, reach it
 %! models = handMadeHypotheses ();
-%! assert (rows (omnibusReference (models, 1e3).reference), 100);
-%! assert (rows (omnibusReference (models, -1e3).reference), 100);
-%! values = omnibusReference (models).reference;
+%! assert (rows (gapReference (models, 1e3).reference), 100);
+%! assert (rows (gapReference (models, -1e3).reference), 100);
+%! values = gapReference (models).reference;
 %! near = sort (values)(round (0.95 * numel (values)));
-%! assert (rows (omnibusReference (models, near).reference) > 100);
+%! assert (rows (gapReference (models, near).reference) > 100);

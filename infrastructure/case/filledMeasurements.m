@@ -1,15 +1,15 @@
-% FILLEDTESTS  Advised tests of a case that have been measured since.
+% FILLEDMEASUREMENTS  Advised tests of a case that have been measured since.
 %
-% CALL: NAMES = filledTests (FOLDER)
+% CALL: NAMES = filledMeasurements (FOLDER)
 %
 %   FOLDER  case folder (text)
 %   NAMES   1 x n cell: models of gap/next whose table gap/next/NAME.csv has a
 %           value in one line at least, or cannot be read, or has no column
 %           value (checkCase says so). readInput adds them to the case
 %
-% The diagnosis writes these tables without values (writeNextTest).
+% The diagnosis writes these tables without values (writeNextMeasurement).
 
-function names = filledTests (folder)
+function names = filledMeasurements (folder)
   names = {};
   place = fullfile (folder, 'gap', 'next');
   for file = {dir(fullfile (place, '*.csv')).name}
@@ -35,14 +35,14 @@ end
 %!test
 %! folder = tempname ();
 %! mkdir (fullfile (folder, 'gap', 'next'));
-%! assert (filledTests (folder), {});
+%! assert (filledMeasurements (folder), {});
 %! place = fullfile (folder, 'gap', 'next');
 %! writeAtomic (fullfile (place, 'A_x_2.csv'), ...
 %!              "# remark\nmodel,name,value\nA_x_2,w,\nA_x_2,w,3\n");
 %! writeAtomic (fullfile (place, 'B.csv'), "model,name,value\nB,w,\n");
-%! assert (filledTests (folder), {'A_x_2'});
+%! assert (filledMeasurements (folder), {'A_x_2'});
 %! writeAtomic (fullfile (place, 'B.csv'), "model,name,vale\nB,w,3\n");
 %! writeAtomic (fullfile (place, 'C.csv'), "model,name,value\nC,w\n");
-%! assert (filledTests (folder), {'A_x_2', 'B', 'C'});
+%! assert (filledMeasurements (folder), {'A_x_2', 'B', 'C'});
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');

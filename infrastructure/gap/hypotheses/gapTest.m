@@ -1,8 +1,8 @@
-% OMNIBUSTEST  Tests whether there is a gap, by the evidence for any cause.
+% GAPTEST  Tests whether there is a gap, by the evidence for any cause.
 %
-% CALL: GATE = omnibusTest (MODELS, LOGE)
+% CALL: GATE = gapTest (MODELS, LOGE)
 %
-%   MODELS  struct of makeHypotheses; reference as of omnibusReference
+%   MODELS  struct of makeHypotheses; reference as of gapReference
 %   LOGE    n x H, evidences of fitLibrary
 %   GATE    struct, n x 1 each
 %     statistic  log evidence of all causes together (effects, any misfit; by
@@ -19,7 +19,7 @@
 % probability-weighted moments (Hosking and Wallis 1987), not lighter than
 % exponential.
 
-function gate = omnibusTest (models, logE)
+function gate = gapTest (models, logE)
   prior = [models.list.prior];
   share = log (prior(2:end) / sum (prior(2:end)));
   % discrepancies are among them: a gap that no effect explains is one as well
@@ -60,11 +60,11 @@ end
 %! models = handMadeHypotheses ();
 %! models.reference = (-2:0.5:2)';
 %! fits = fitLibrary (models, [1.5, 0.5, 0, 0; 1.5, 0.5, 4, 4]);
-%! gate = omnibusTest (models, fits.logE);
+%! gate = gapTest (models, fits.logE);
 %! assert (gate.p(1) > 0.5);
 %! assert (gate.p(2), 0.1, 1e-12);   % nine draws tell no tail
 %! assert (gate.statistic(2) > 5);
-%! gate = omnibusTest (models, [zeros(1, 4); 0, 9 * ones(1, 3)]);
+%! gate = gapTest (models, [zeros(1, 4); 0, 9 * ones(1, 3)]);
 %! assert (gate.statistic, [0; 9], 1e-12);
 %!test
 %! % p of an exponential tail beyond what was drawn: within a factor of three
@@ -73,6 +73,6 @@ end
 %! rand ('twister', 3);
 %! models.reference = -log (rand (400, 1));
 %! logE = zeros (2, 4);
-%! gate = omnibusTest (models, [[0; 0], [8; 10] * ones(1, 3)]);
+%! gate = gapTest (models, [[0; 0], [8; 10] * ones(1, 3)]);
 %! assert (log (gate.p), [-8; -10], log (3));
-%! assert (omnibusTest (models, logE).p, [1; 1], 0.01);
+%! assert (gapTest (models, logE).p, [1; 1], 0.01);

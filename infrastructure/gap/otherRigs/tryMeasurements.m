@@ -1,6 +1,6 @@
-% TRYTESTS  Runs tests that the case does not have: what would they tell?
+% TRYMEASUREMENTS  Runs tests that the case does not have: what would they tell?
 %
-% CALL: [TESTS, STATE] = tryTests (CANDIDATES, STUDY, EVIDENCE, P, STATE)
+% CALL: [TESTS, STATE] = tryMeasurements (CANDIDATES, STUDY, EVIDENCE, P, STATE)
 %
 %   CANDIDATES  1 x m struct, those that are to be tried first in front:
 %     test (text), model (bench), variable ('': none), value, trials, cost
@@ -14,8 +14,8 @@
 %              these results (newEffect)
 %     isExpressed  1 x K logical, effects that the bench can have (K + 1: none)
 %     evaluate of newEvaluate, of this bench alone;  lines  cellstr, goes on
-%   STUDY, EVIDENCE, STATE  see adviseTests;  P  1 x H, probabilities of EVIDENCE
-%   TESTS   1 x n struct as of nextTest, of those that ran; isFirm: chosen to
+%   STUDY, EVIDENCE, STATE  see adviseMeasurements;  P  1 x H, probabilities of EVIDENCE
+%   TESTS   1 x n struct as of nextMeasurement, of those that ran; isFirm: chosen to
 %           have more runs than all have
 %
 % Compared are the null model and the three likeliest kinds of cause. Each
@@ -27,7 +27,7 @@
 % runs seldom tell a test from scatter, sixteen not always. likelyKinds says
 % what is asked: which kind, or whether it is the likeliest.
 
-function [tests, state] = tryTests (candidates, study, evidence, P, state)
+function [tests, state] = tryMeasurements (candidates, study, evidence, P, state)
   options = study.models.options;
   [causes, sets, names] = explanations (study, evidence, P, options);
   ask = struct ('causes', {causes}, 'sets', {sets}, 'afford', ...
@@ -36,12 +36,12 @@ function [tests, state] = tryTests (candidates, study, evidence, P, state)
   if isempty (tests)
     return
   end
-  tests = scoreTests (tests, ask.causes);
+  tests = scoreMeasurements (tests, ask.causes);
   for rounds = [3, 2, 1]
     [best, extra] = whichNext (tests, ask, rounds, options.adviseAt / 2);
     for i = best
       [tests(i), state] = runSets (tests(i), study, ask.sets, state, extra);
-      tests(i) = scoreTests (tests(i), ask.causes);
+      tests(i) = scoreMeasurements (tests(i), ask.causes);
       tests(i).isFirm = rounds < 3;
     end
   end
@@ -228,7 +228,7 @@ end
 %! randn ('twister', 4);
 %! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]) + 0.28 * randn (1, 12);
 %! study = labStudy (given, data, struct ('twins', 60));
-%! study.models = omnibusReference (study.models);
+%! study.models = gapReference (study.models);
 %! evidence = caseEvidence (study.models, study.fits, 1);
 %! P = judgeCase (evidence, study.models).P;
 %! [causes, sets] = explanations (study, evidence, P, study.models.options);
@@ -246,6 +246,6 @@ end
 %!               'noise', [0.2, 0.2], 'size', [5, 7], 'sd', [0.1, 0.1], ...
 %!               'effects', effects, 'isExpressed', true (1, 4), ...
 %!               'evaluate', f, 'lines', {{}});
-%! tests = tryTests (one, study, evidence, P, state);
+%! tests = tryMeasurements (one, study, evidence, P, state);
 %! assert (numel (tests), 1);
 %! assert (tests.gain > 0.2 && tests.isFirm);

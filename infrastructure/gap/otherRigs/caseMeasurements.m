@@ -1,10 +1,10 @@
-% CASETESTS  Tests that a case does not have but could.
+% CASEMEASUREMENTS  Tests that a case does not have but could.
 %
-% CALL: TESTS = caseTests (CASE, SAY)
+% CALL: TESTS = caseMeasurements (CASE, SAY)
 %
 %   CASE   see newCase, with effects
 %   SAY    function handle that takes one line of text
-%   TESTS  1 x m struct, candidates of tryTests: the toolbox's other benches
+%   TESTS  1 x m struct, candidates of tryMeasurements: the toolbox's other benches
 %          that have the same contact law and grains of about the same size,
 %          and for each bench of CASE the values of settings.csv (readSettings)
 %
@@ -15,7 +15,7 @@
 % from run to run. LINES of a candidate are the rows of measured.csv that its
 % measurement would fill. A case with conditions has no such tests.
 
-function tests = caseTests (Case, say)
+function tests = caseMeasurements (Case, say)
   tests = [];
   if ~isempty (Case.conditions)
     return
@@ -207,7 +207,7 @@ end
 %! Case.effectVars = {'e', 'tiltAngle'};
 %! % those of the case's own: not a, which is calibrated, nor w as it is; the
 %! % benches of the toolbox have another law
-%! list = caseTests (Case, @(text) []);
+%! list = caseMeasurements (Case, @(text) []);
 %! assert ({list.model}, {'First_w_2m', 'First_w_45mm'});
 %! assert (list(2).test, 'measure First with a slot of 45 mm');
 %! assert (list(1).origin, [1, 2]);
@@ -223,6 +223,6 @@ end
 %!                            'First_w_45mm', 'data.head'));
 %! assert (! isempty (strfind (head, 'variable w equal 0.045')));
 %! Case.conditions = {'wet'};
-%! assert (isempty (caseTests (Case, @(text) [])));
+%! assert (isempty (caseMeasurements (Case, @(text) [])));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (raw.folder, 's');

@@ -2,8 +2,8 @@
 %
 % CALL: [CAUSES, SETS, NAMES] = explanations (STUDY, EVIDENCE, P, OPTIONS)
 %
-%   STUDY, EVIDENCE, P, OPTIONS  see tryTests, gapOptions
-%   CAUSES  1 x h struct, see scoreTests; [] where nothing of weight is open.
+%   STUDY, EVIDENCE, P, OPTIONS  see tryMeasurements, gapOptions
+%   CAUSES  1 x h struct, see scoreMeasurements; [] where nothing of weight is open.
 %           Explanation 1 is the null model, 2 to 4 are the likeliest sets of
 %           effects
 %   SETS    1 x G struct, one of each explanation: mode (1 x n: parameters and
@@ -12,7 +12,7 @@
 %           measurement, median over the targets, where it fits best)
 %   NAMES   1 x c cell, kinds of cause (likelyKinds)
 %
-% See also: tryTests
+% See also: tryMeasurements
 
 function [causes, sets, names] = explanations (study, evidence, P, options)
   causes = [];
@@ -88,7 +88,7 @@ end
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]);
 %! study = labStudy (given, data, struct ('twins', 60));
-%! study.models = omnibusReference (study.models);
+%! study.models = gapReference (study.models);
 %! evidence = caseEvidence (study.models, study.fits, 1);
 %! P = judgeCase (evidence, study.models).P;
 %! options = study.models.options;

@@ -1,6 +1,6 @@
-% NEXTTEST  Ranks further measurements by what they would tell about the cause.
+% NEXTMEASUREMENT  Ranks further measurements by what they would tell about the cause.
 %
-% CALL: TESTS = nextTest (PROBLEM, EMULATOR, EVIDENCE, P, OPTIONS)
+% CALL: TESTS = nextMeasurement (PROBLEM, EMULATOR, EVIDENCE, P, OPTIONS)
 %
 %   PROBLEM     struct of newProblem
 %   EMULATOR    struct of fitEmulator, the effects as in EVIDENCE
@@ -10,7 +10,7 @@
 %               which kind of cause it is), cost, gainPerCost, between (1 x 2
 %               cell: kinds that it tells apart most), model (name of the
 %               bench); and variable ('': as the bench stands), value, trials,
-%               runs of DEM that it rests on, lines, isFirm, as of tryTests
+%               runs of DEM that it rests on, lines, isFirm, as of tryMeasurements
 %
 % Candidates: every simulated but unmeasured setting (bench and coordinate; a
 % curve as a whole), and every bench measured once more.
@@ -25,7 +25,7 @@
 % is uncertain. Packing and reading (S) are fresh; a reading without sd is taken
 % for as sure as a run.
 
-function tests = nextTest (problem, emulator, evidence, P, options)
+function tests = nextMeasurement (problem, emulator, evidence, P, options)
   tests = candidates (problem);
   [keep, P, kinds, names] = likelyKinds (evidence, P, ...
                                          struct ('names', {{emulator.effect.name}}, ...
@@ -120,7 +120,7 @@ end
 %! evidence.members = {1, 2};
 %! evidence.kind = {'single', 'single'};
 %! evidence.posterior = repmat ({struct('Q', [0, 1, 0, 0], 'weight', 1)}, 1, 2);
-%! tests = nextTest (problem, emulator, evidence, [0.5, 0.5], options);
+%! tests = nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options);
 %! assert (tests(1).targets, 2);
 %! assert (tests(1).gain, 1, 0.01);
 %! assert (tests(2).gain, 0, 1e-6);
@@ -128,26 +128,26 @@ end
 %! % marks that nobody knows tell nothing apart
 %! vague = emulator;
 %! [vague.effect.misfit] = deal ([0, 1e4, 0]);
-%! assert (nextTest (problem, vague, evidence, [0.5, 0.5], options)(1).gain < 0.05);
+%! assert (nextMeasurement (problem, vague, evidence, [0.5, 0.5], options)(1).gain < 0.05);
 %! bare = problem;
 %! bare.sd(2) = NaN;
 %! vague.noiseVar(2) = 1e4;
 %! vague.effect = e;
-%! assert (nextTest (bare, vague, evidence, [0.5, 0.5], options)(1).gain < 0.05);
+%! assert (nextMeasurement (bare, vague, evidence, [0.5, 0.5], options)(1).gain < 0.05);
 %! % points of one curve are measured together
 %! two = problem;
 %! [two.value(3), two.coordinate] = deal (NaN, [0, 1, 2]);
 %! two.bench = [1, 2, 2];
 %! two.possible = [2, 3];
 %! two.used = 1;
-%! assert (numel (nextTest (two, emulator, evidence, [0.5, 0.5], options)), 3);
+%! assert (numel (nextMeasurement (two, emulator, evidence, [0.5, 0.5], options)), 3);
 %! two.curve = [0, 1, 1];
-%! tests = nextTest (two, emulator, evidence, [0.5, 0.5], options);
+%! tests = nextMeasurement (two, emulator, evidence, [0.5, 0.5], options);
 %! assert ({tests.targets}, {[2, 3], 1});
-%! tests = nextTest (problem, emulator, evidence, [0.5, 0.5], options);
+%! tests = nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options);
 %! evidence.kind{3} = 'discrepancy';
 %! evidence.posterior{3} = struct ('Q', [], 'weight', []);
-%! tests = nextTest (problem, emulator, evidence, [0, 0, 1], options);
+%! tests = nextMeasurement (problem, emulator, evidence, [0, 0, 1], options);
 %! assert ([tests.gain], zeros (1, numel (tests)), 1e-12);
 %!test
 %! % two causes of other marks; less is told where both have other forms than
@@ -164,9 +164,9 @@ end
 %! evidence.kind = {'single', 'single'};
 %! evidence.posterior = repmat ({struct('Q', [0, 1, 0, 0.6], 'weight', 1)}, 1, 2);
 %! evidence.members = {1, 2};
-%! fresh = nextTest (problem, emulator, evidence, [0.5, 0.5], options).gain;
+%! fresh = nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options).gain;
 %! [evidence.posterior{:}] = deal (struct ('Q', [0, 1, 0, 0], 'weight', 1));
-%! sure = nextTest (problem, emulator, evidence, [0.5, 0.5], options).gain;
+%! sure = nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options).gain;
 %! emulator.surrogateVar(:) = 100;
-%! assert (nextTest (problem, emulator, evidence, [0.5, 0.5], options).gain < 0.1 * sure);
+%! assert (nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options).gain < 0.1 * sure);
 %! assert (fresh < sure);

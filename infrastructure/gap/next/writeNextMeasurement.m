@@ -1,23 +1,23 @@
-% WRITENEXTTEST  Writes the advised test ready to be filled in.
+% WRITENEXTMEASUREMENT  Writes the advised test ready to be filled in.
 %
-% CALL: FILE = writeNextTest (TESTS, CASE, OPTIONS)
+% CALL: FILE = writeNextMeasurement (TESTS, CASE, OPTIONS)
 %
-%   TESTS  of adviseTests
+%   TESTS  of adviseMeasurements
 %   CASE   see newCase;  OPTIONS  see gapOptions
 %   FILE   path of the table, '' where no test of another bench is advised
 %
 % Writes gap/next/NAME.csv: rows of measured.csv without values, for the model
-% in gap/next/DEMmodels/NAME (caseTests) or of the toolbox. With values in it
-% the test belongs to the case from the next start on (filledTests). What was
+% in gap/next/DEMmodels/NAME (caseMeasurements) or of the toolbox. With values in it
+% the test belongs to the case from the next start on (filledMeasurements). What was
 % tried and is not advised is removed; tables with values stay.
 
-function file = writeNextTest (tests, Case, options)
+function file = writeNextMeasurement (tests, Case, options)
   file = '';
   place = fullfile (Case.folder, 'gap', 'next');
   best = tests(1:min (1, numel (tests)));
   isAdvised = ~isempty (best) && ~isempty (best.lines) && ...
               best.gain >= options.adviseAt && best.isFirm;
-  kept = filledTests (Case.folder);
+  kept = filledMeasurements (Case.folder);
   if any (~cellfun (@isempty, {tests.lines}))
     removeOthers (place, [kept, {best(isAdvised).model}]);
   end
@@ -64,10 +64,10 @@ end
 %!                {repmat({'A_x_2,w,,,,,kg,0.05'}, 1, 3)});
 %! % given up early: not advised, B is what was advised before
 %! options = gapOptions ([]);
-%! assert (writeNextTest (setfield (test, 'isFirm', false), Case, options), '');
+%! assert (writeNextMeasurement (setfield (test, 'isFirm', false), Case, options), '');
 %! assert (! isfile (fullfile (place, 'B.csv')));
 %! mkdir (fullfile (place, 'DEMmodels', 'A_x_2'));
-%! file = writeNextTest (test, Case, options);
+%! file = writeNextMeasurement (test, Case, options);
 %! [header, cells] = readCsvTable (file);
 %! assert (size (cells), [3, 8]);
 %! words = '# measure A with x of 2, 3 trials: to decide between a and b ';
@@ -76,10 +76,10 @@ end
 %! assert (isfile (fullfile (place, 'C.csv')));
 %! % what is worth advising is for the options to say
 %! few = setfield (test, 'gain', 0.1);
-%! assert (~isempty (writeNextTest (few, Case, struct ('adviseAt', 0.05))));
+%! assert (~isempty (writeNextMeasurement (few, Case, struct ('adviseAt', 0.05))));
 %! % filled in, it stays
 %! writeAtomic (file, strrep (fileread (file), 'w,,,,', 'w,,,7,'));
-%! writeNextTest (setfield (test, 'gain', 0.1), Case, options);
-%! assert (filledTests (Case.folder), {'A_x_2', 'C'});
+%! writeNextMeasurement (setfield (test, 'gain', 0.1), Case, options);
+%! assert (filledMeasurements (Case.folder), {'A_x_2', 'C'});
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.folder, 's');

@@ -1,14 +1,14 @@
-% ADVISETESTS  Ranks what could be measured next, on other benches, too.
+% ADVISEMEASUREMENTS  Ranks what could be measured next, on other benches, too.
 %
-% CALL: [TESTS, FURTHER] = adviseTests (STUDY, EVIDENCE, VERDICT, STATE)
+% CALL: [TESTS, FURTHER] = adviseMeasurements (STUDY, EVIDENCE, VERDICT, STATE)
 %       [TESTS, STATE] = FURTHER ()
 %
 %   STUDY    struct problem, emulator, models, fits, see runCures. Where problem
 %            has a field tests, it is a handle without arguments that gives the
-%            CANDIDATES of tryTests: tests that the case does not have
+%            CANDIDATES of tryMeasurements: tests that the case does not have
 %   EVIDENCE  of caseEvidence;  VERDICT  of judgeCase
 %   STATE    of newGapState; comes back with the runs in its budget
-%   TESTS    1 x m struct of nextTest. First those that tell options.adviseAt or
+%   TESTS    1 x m struct of nextMeasurement. First those that tell options.adviseAt or
 %            more, best per cost first, then the others; last those that were
 %            given up early (isFirm). The first one is the advice, where it
 %            tells so much. At first they cost no run
@@ -18,18 +18,18 @@
 % which kind of cause it is, or whether it is the likeliest one itself: a group,
 % an undecided verdict, or a name beside which a look-alike stands; not where
 % surrogates or integrals are to blame. They may take as long as all runs before:
-% who asks says the verdict first, then calls FURTHER. They are a wing, otherTests/:
+% who asks says the verdict first, then calls FURTHER. They are a wing, otherRigs/:
 % without it none is tried.
 
-function [tests, further] = adviseTests (study, evidence, verdict, state)
-  tests = nextTest (study.problem, study.emulator, evidence, verdict.P, ...
+function [tests, further] = adviseMeasurements (study, evidence, verdict, state)
+  tests = nextMeasurement (study.problem, study.emulator, evidence, verdict.P, ...
                     study.models.options);
   tests = ranked (tests, study.models.options);
   further = [];
   if wantsOthers (study.problem, verdict, state)
     candidates = study.problem.tests ();
     if ~isempty (candidates)
-      trials = @() tryTests (candidates, study, evidence, verdict.P, state);
+      trials = @() tryMeasurements (candidates, study, evidence, verdict.P, state);
       further = @() withTried (tests, trials, study.models.options);
     end
   end
@@ -39,7 +39,7 @@ function yes = wantsOthers (problem, verdict, state)
   isOpen = any (strcmp (verdict.kind, {'group', 'undecided'})) || ...
            (strcmp (verdict.kind, 'named') && verdict.lookAlike);
   yes = isOpen && ~any (strcmp (verdict.guard, {'surrogate', 'integral'})) && ...
-        isfield (problem, 'tests') && exist ('tryTests', 'file') == 2 && ...
+        isfield (problem, 'tests') && exist ('tryMeasurements', 'file') == 2 && ...
         state.budget.left >= 4;
 end
 
@@ -81,12 +81,12 @@ end
 %! end
 %! given.tests = @() list;
 %! study = labStudy (given, data, struct ('twins', 60));
-%! study.models = omnibusReference (study.models);
+%! study.models = gapReference (study.models);
 %! evidence = caseEvidence (study.models, study.fits, 1);
 %! verdict = judgeCase (evidence, study.models);
 %! assert (verdict.kind, 'group');
 %! state.budget = budget;
-%! [tests, further] = adviseTests (study, evidence, verdict, state);
+%! [tests, further] = adviseMeasurements (study, evidence, verdict, state);
 %! assert (all ([tests.runs] == 0));
 %! [tests, state] = further ();
 %! assert (tests(1).test, 'bench 1');
@@ -102,12 +102,12 @@ end
 %! % a sure verdict, a budget that is used up: nothing is run
 %! sure = verdict;
 %! [sure.kind, sure.lookAlike] = deal ('named', false);
-%! [~, further] = adviseTests (study, evidence, sure, state);
+%! [~, further] = adviseMeasurements (study, evidence, sure, state);
 %! assert (isempty (further));
 %! state.budget.left = 3;
-%! [~, further] = adviseTests (study, evidence, verdict, state);
+%! [~, further] = adviseMeasurements (study, evidence, verdict, state);
 %! assert (isempty (further));
 %! state.budget.left = 100;
 %! study.problem.tests = @() [];
-%! [~, further] = adviseTests (study, evidence, verdict, state);
+%! [~, further] = adviseMeasurements (study, evidence, verdict, state);
 %! assert (isempty (further));

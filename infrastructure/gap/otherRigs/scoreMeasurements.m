@@ -1,6 +1,6 @@
-% SCORETESTS  Says what tests would tell, from a few runs of each.
+% SCOREMEASUREMENTS  Says what tests would tell, from a few runs of each.
 %
-% CALL: TESTS = scoreTests (TESTS, CAUSES)
+% CALL: TESTS = scoreMeasurements (TESTS, CAUSES)
 %
 %   TESTS   1 x m struct, of which are read
 %     Z       n x T, results of runs
@@ -33,7 +33,7 @@
 % Once the test is measured, surrogates stand where runs stand now: their doubt
 % is added.
 
-function tests = scoreTests (tests, causes)
+function tests = scoreMeasurements (tests, causes)
   for i = 1:numel (tests)
     groups = groupsOf (tests(i));
     [tests(i).gain, tests(i).pair] = gainOf (groups, causes);
@@ -121,19 +121,19 @@ end
 %! % far apart: the entropy of the kinds; which two, where the third is alike
 %! randn ('twister', 1);
 %! entropy = -sum ([0.2, 0.4, 0.4] .* log2 ([0.2, 0.4, 0.4]));
-%! t = scoreTests (runsOf ([0, 0; 60, 0; 0, 60], 1, 0), known ());
+%! t = scoreMeasurements (runsOf ([0, 0; 60, 0; 0, 60], 1, 0), known ());
 %! assert (t.gain, entropy, 0.01);
-%! t = scoreTests (runsOf ([0, 0; 0, 0; 0, 60], 1, 0), known ());
+%! t = scoreMeasurements (runsOf ([0, 0; 0, 0; 0, 60], 1, 0), known ());
 %! assert (t.pair, [2, 3]);
 %! % surrogates that know nothing of the test would tell nothing by it
 %! vague = runsOf ([0, 0; 60, 0; 0, 60], 1, 0);
 %! vague.doubt(:) = 1e6;
-%! assert (scoreTests (vague, known ()).gain < 0.01);
+%! assert (scoreMeasurements (vague, known ()).gain < 0.01);
 %! % two of one kind: nothing to tell between them
 %! causes = setfield (known (), {3}, 'kind', 2);
 %! causes(3).group = 2;
 %! causes(3).extent = 0.5;
-%! t = scoreTests (runsOf ([0, 0; 60, 0], 1, 0), causes);
+%! t = scoreMeasurements (runsOf ([0, 0; 60, 0], 1, 0), causes);
 %! assert (t.gain, -0.2 * log2 (0.2) - 0.8 * log2 (0.8), 0.01);
 %!test
 %! % scatter alone tells next to nothing: in the mean of 100 tests of 6 results
@@ -142,7 +142,7 @@ end
 %! for again = [0, 3]
 %!   gains = zeros (1, 100);
 %!   for i = 1:100
-%!     gains(i) = scoreTests (runsOf (zeros (4, 6), 1, again), ...
+%!     gains(i) = scoreMeasurements (runsOf (zeros (4, 6), 1, again), ...
 %!       struct ('P', 0.25, 'group', {1, 2, 3, 4}, 'kind', {1, 2, 3, 4}, ...
 %!               'extent', 0)).gain;
 %!   end
@@ -158,7 +158,7 @@ end
 %!   % as much spread over the posterior as scatter
 %!   test = runsOf (M, sqrt (2), 3);
 %!   test.noise(:) = test.sd(:) = 1;
-%!   said(i) = scoreTests (test, known ()).gain;
+%!   said(i) = scoreMeasurements (test, known ()).gain;
 %!   exact = struct ('mean', num2cell (M, 2)', 'cov', ...
 %!                   (1 + 1 / 3 + 1) * eye (4));
 %!   is(i) = mixtureInformation (exact, [0.2, 0.4, 0.4], 1:3);
