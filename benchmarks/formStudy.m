@@ -46,9 +46,9 @@ function how = withReference (how, name, problem, emulator)
     return
   end
   emulator = emulateChange (emulator, problem);
-  models = makeHypotheses (problem, emulator, how.options, ...
-                           find (isfinite (problem.value)));
-  reference = gapReference (models).reference;
+  hypotheses = makeHypotheses (problem, emulator, how.options, ...
+                               find (isfinite (problem.value)));
+  reference = gapReference (hypotheses).reference;
   how.reference = reference;
   if ~isempty (how.folder)
     save ('-binary', file, 'reference');

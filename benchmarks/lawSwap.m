@@ -117,9 +117,9 @@ end
 function reference = referenceOf (own, emulator, how)
   problem = newProblem (own);
   emulator = emulateChange (emulator, problem);
-  models = makeHypotheses (problem, emulator, how.options, ...
-                           find (isfinite (problem.value)));
-  reference = gapReference (models).reference;
+  hypotheses = makeHypotheses (problem, emulator, how.options, ...
+                               find (isfinite (problem.value)));
+  reference = gapReference (hypotheses).reference;
 end
 
 function given = measured (given, lines, problem)

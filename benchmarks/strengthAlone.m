@@ -1,18 +1,18 @@
 % STRENGTHALONE  Median and 90 % interval of an effect where it acts alone.
 %
-% CALL: Q = strengthAlone (EVIDENCE, MODELS, K)
+% CALL: Q = strengthAlone (EVIDENCE, HYPOTHESES, K)
 %
-%   EVIDENCE, MODELS  see caseEvidence
-%   K          number of the effect in the list of MODELS
+%   EVIDENCE, HYPOTHESES  see caseEvidence
+%   K          number of the effect in the list of HYPOTHESES
 %   Q          1 x 3: median, both ends; NaN where it was not integrated
 
-function q = strengthAlone (evidence, models, k)
+function q = strengthAlone (evidence, hypotheses, k)
   q = NaN (1, 3);
-  row = models.singles(k);
+  row = hypotheses.singles(k);
   sample = evidence.posterior{row};
   if ~isempty (sample.Q)
-    effect = models.white.effect(k);
-    q = strengthInterval (sample.Q(:, models.white.p + 1), sample.cautious, ...
+    effect = hypotheses.white.effect(k);
+    q = strengthInterval (sample.Q(:, hypotheses.white.p + 1), sample.cautious, ...
                           effect.range, effect.scale);
     q(1) = evidence.phi(row);
   end
@@ -24,10 +24,10 @@ end
 %! options = gapOptions ([]);
 %! given.value = mean (data.Z);
 %! problem = newProblem (given);
-%! models = makeHypotheses (problem, fitEmulator (problem, data, options), ...
+%! hypotheses = makeHypotheses (problem, fitEmulator (problem, data, options), ...
 %!                          options);
-%! models = gapReference (models);
-%! evidence = caseEvidence (models, fitLibrary (models, given.value), 1);
-%! q = strengthAlone (evidence, models, 1);
+%! hypotheses = gapReference (hypotheses);
+%! evidence = caseEvidence (hypotheses, fitLibrary (hypotheses, given.value), 1);
+%! q = strengthAlone (evidence, hypotheses, 1);
 %! assert (q(2) <= q(1) && q(1) <= q(3));
-%! assert (q(1), evidence.phi(models.singles(1)));
+%! assert (q(1), evidence.phi(hypotheses.singles(1)));

@@ -98,10 +98,10 @@
 %!   options = gapOptions (quick ());
 %!   if seed == 5
 %!     emulator = fitEmulator (problem, data, options);
-%!     models = gapReference (makeHypotheses (problem, emulator, options));
+%!     hypotheses = gapReference (makeHypotheses (problem, emulator, options));
 %!   end
-%!   evidence = caseEvidence (models, fitLibrary (models, g.value), 1);
-%!   v = judgeCase (evidence, models);
+%!   evidence = caseEvidence (hypotheses, fitLibrary (hypotheses, g.value), 1);
+%!   v = judgeCase (evidence, hypotheses);
 %!   assert (isempty (v.effects) || any (v.effects == 4));
 %! end
 

@@ -4,7 +4,7 @@
 %
 %   GIVEN    struct for newProblem;  DATA  struct X, E, Z, replicate
 %   OPTIONS  struct of gapOptions (default: trend 'affine')
-%   STUDY    struct problem, emulator, models, fits
+%   STUDY    struct problem, emulator, hypotheses, fits
 %
 % See also: standInGap, smallGapLab, diagnoseMatrices
 
@@ -15,14 +15,14 @@ function study = labStudy (given, data, options)
   options = gapOptions (mergeFields (struct ('trend', 'affine'), options));
   study.problem = newProblem (given);
   study.emulator = fitEmulator (study.problem, data, options);
-  study.models = makeHypotheses (study.problem, study.emulator, options);
+  study.hypotheses = makeHypotheses (study.problem, study.emulator, options);
   used = study.problem.used;
-  study.fits = fitLibrary (study.models, study.problem.value(used));
+  study.fits = fitLibrary (study.hypotheses, study.problem.value(used));
 end
 
 %!test
 %! [given, data] = smallGapLab ();
 %! given.value = mean (data.Z);
 %! study = labStudy (given, data);
-%! assert (numel (study.models.names), 5);
+%! assert (numel (study.hypotheses.names), 5);
 %! assert (rows (study.fits.Z), 1);

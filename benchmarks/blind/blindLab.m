@@ -8,7 +8,7 @@
 %         'yade-whole', collapse and heap, computed with YADE; else collapse,
 %         shear cell and heap (campaign hiddenEffect, three trials)
 %   LAB   struct: trials (each value is the mean of so many), sd (1 x T,
-%         reading error of one trial), problem (of newProblem), models (of
+%         reading error of one trial), problem (of newProblem), hypotheses (of
 %         makeHypotheses, from the stored campaign), emulator (fitEmulator), and
 %     draw      handle, TRUTHS = DRAW (LAB, N)
 %     shares    struct, share of each class of blindDraw; the rest: lookAlike
@@ -56,7 +56,7 @@ function lab = blindLab (root, stem)
   options = gapOptions ([]);
   lab.problem = newProblem (given);
   lab.emulator = fitEmulator (lab.problem, data, options);
-  lab.models = makeHypotheses (lab.problem, lab.emulator, options);
+  lab.hypotheses = makeHypotheses (lab.problem, lab.emulator, options);
 end
 
 function names = ofTable ()

@@ -16,7 +16,7 @@
 % See also: blindLab, twinsSpace, parityProjection
 
 function space = blindSpace (lab, theta)
-  white = lab.models.white;
+  white = lab.hypotheses.white;
   q = 2 * theta - 1;
   [~, V, ~, J] = predictGap (white, [], q);
   slopes = vertcat (J{:})' ./ sqrt (V');
@@ -45,7 +45,7 @@ end
 %! problem = newProblem (given);
 %! emulator = fitEmulator (problem, data, options);
 %! lab = struct ('emulator', emulator, ...
-%!               'models', makeHypotheses (problem, emulator, options));
+%!               'hypotheses', makeHypotheses (problem, emulator, options));
 %! space = blindSpace (lab, [0.5, 0.5]);
 %! near = predictGap (emulator, [], [0.02, 0]) - space.base;
 %! full = space.shape (1, 1);

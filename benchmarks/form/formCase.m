@@ -23,8 +23,8 @@ function lines = formCase (part, number, given, emulator, truth, how)
   emulator = emulateChange (emulator, problem);
   usable = [emulator.effect.laboratory] | [emulator.effect.runs] >= 3;
   emulator = withoutEffects (emulator, find (~usable));
-  models = makeHypotheses (problem, emulator, how.options);
-  [truth, d] = described (problem, models, truth);
+  hypotheses = makeHypotheses (problem, emulator, how.options);
+  [truth, d] = described (problem, hypotheses, truth);
   ways = {'rival', 'smooth'};
   way = ways{1 + mod(number, 2)};
   tangents = 0;
@@ -35,14 +35,14 @@ function lines = formCase (part, number, given, emulator, truth, how)
   for i = 2:numel (tangents)
     phi = struct ('at', truth.at, 'strength', truth.strength);
     Y(i, :) = Y(i, :) + tangents(i) * ...
-                        turnMark (models, problem, truth.theta, phi, way, ...
+                        turnMark (hypotheses, problem, truth.theta, phi, way, ...
                                   7000 + number);
   end
-  models.reference = how.reference;
-  fits = fitLibrary (models, Y);
+  hypotheses.reference = how.reference;
+  fits = fitLibrary (hypotheses, Y);
   for i = 1:numel (tangents)
     own = setfield (problem, 'value', {problem.used}, Y(i, :));
-    study = struct ('problem', own, 'emulator', emulator, 'models', models, 'fits', ...
+    study = struct ('problem', own, 'emulator', emulator, 'hypotheses', hypotheses, 'fits', ...
                     fits);
     start = sprintf ('%s,%d,%s,%s,%g,%s,%.2f', part, number, truth.class, ...
                      strjoin (truth.names, ' '), tangents(i), way, d);
@@ -50,10 +50,10 @@ function lines = formCase (part, number, given, emulator, truth, how)
   end
 end
 
-function [truth, d] = described (problem, models, truth)
+function [truth, d] = described (problem, hypotheses, truth)
   truth.theta = toSymmetric (truth.X, problem.limits);
   names = {problem.effects(abs (truth.phi) > 1e-9).name};
-  [isThere, at] = ismember (names, models.names);
+  [isThere, at] = ismember (names, hypotheses.names);
   truth.names = names;
   classes = {'null', 'single', 'pair'};
   truth.class = classes{1 + numel(names)};
@@ -64,7 +64,7 @@ function [truth, d] = described (problem, models, truth)
   truth.strength = truth.phi(abs (truth.phi) > 1e-9);
   d = 0;
   if any (strcmp (truth.class, {'single', 'pair'}))
-    white = models.white;
+    white = hypotheses.white;
     [~, ~, S] = predictGap (white, at, [truth.theta, truth.strength]);
     [~, V, ~, J] = predictGap (white, [], truth.theta);
     slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
@@ -74,9 +74,9 @@ function [truth, d] = described (problem, models, truth)
 end
 
 function text = answerOf (study, i, truth)
-  models = study.models;
-  evidence = caseEvidence (models, study.fits, i);
-  verdict = judgeCase (evidence, models);
+  hypotheses = study.hypotheses;
+  evidence = caseEvidence (hypotheses, study.fits, i);
+  verdict = judgeCase (evidence, hypotheses);
   [class90, decides] = deal (verdict.effects, {});
   if isfield (verdict, 'class')
     [verdict, decides] = withoutReadings (verdict, study);
@@ -95,9 +95,9 @@ function text = answerOf (study, i, truth)
   isPair = strcmp (evidence.kind, 'pair');
   text = sprintf (',%s,%s,%s,%.4f,%s,%.4f,%.4f,%.3g,%.4f,%.2f,%.4f,%s', ...
                   verdict.kind, ...
-                  strjoin (models.names(verdict.effects), ' '), ...
-                  strjoin (models.names(class90), ' '), min (said), ...
-                  models.names{verdict.top}, holding (verdict.top), pTrue, ...
+                  strjoin (hypotheses.names(verdict.effects), ' '), ...
+                  strjoin (hypotheses.names(class90), ' '), min (said), ...
+                  hypotheses.names{verdict.top}, holding (verdict.top), pTrue, ...
                   evidence.gate.p, sum (verdict.P(isPair)), turnOf (evidence), ...
                   verdict.unlisted, strjoin (decides, ' '));
 end

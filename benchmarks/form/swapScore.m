@@ -73,7 +73,7 @@ function lab = labOf (root)
   lab.given = given;
   lab.problem = newProblem (given);
   lab.emulator = fitEmulator (lab.problem, data, options);
-  lab.models = makeHypotheses (lab.problem, lab.emulator, options);
+  lab.hypotheses = makeHypotheses (lab.problem, lab.emulator, options);
 end
 
 function mark = markOf (lab, t, stem)
@@ -90,7 +90,7 @@ function mark = markOf (lab, t, stem)
   end
   X = cellfun (@(n) str2double (t.(n)), lab.given.names);
   q = toSymmetric (X, lab.given.limits);
-  white = lab.models.white;
+  white = lab.hypotheses.white;
   [~, V, ~, J] = predictGap (white, [], q);
   slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
   N = parityProjection (slopes, zeros (numel (V), 1)).N;
@@ -104,7 +104,7 @@ function mark = cosines (lab, t, q, N, V, seen)
   names = {lab.problem.effects.name};
   c = zeros (1, numel (names));
   for k = 1:numel (names)
-    [~, ~, S] = predictGap (lab.models.white, k, ...
+    [~, ~, S] = predictGap (lab.hypotheses.white, k, ...
                             [q, lab.problem.effects(k).range(2)]);
     m = N' * (S ./ sqrt (V))';
     c(k) = abs (seen' * m) / max (norm (seen) * norm (m), realmin);

@@ -1,8 +1,8 @@
 % TURNMARK  Turns what a cause makes away from the form of its law.
 %
-% CALL: SHIFT = turnMark (MODELS, PROBLEM, THETA, PHI, WAY, SEED)
+% CALL: SHIFT = turnMark (HYPOTHESES, PROBLEM, THETA, PHI, WAY, SEED)
 %
-%   MODELS, PROBLEM     of makeHypotheses, newProblem
+%   HYPOTHESES, PROBLEM     of makeHypotheses, newProblem
 %   THETA    1 x p, parameters in [-1, 1];  PHI  struct at (number of the
 %            cause), strength
 %   WAY      'rival': towards another listed effect, drawn by SEED; 'smooth':
@@ -15,8 +15,8 @@
 %
 % See also: formStudy
 
-function shift = turnMark (models, problem, theta, phi, way, seed)
-  white = models.white;
+function shift = turnMark (hypotheses, problem, theta, phi, way, seed)
+  white = hypotheses.white;
   [~, V, ~, J] = predictGap (white, [], theta);
   sd = sqrt (V);
   slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sd';

@@ -16,8 +16,8 @@ function campaign = leftOutCampaign (name, root)
   problem = newProblem (given);
   options = gapOptions ([]);
   emulator = fitEmulator (problem, data, options);
-  models = gapReference (makeHypotheses (problem, emulator, options));
+  hypotheses = gapReference (makeHypotheses (problem, emulator, options));
   campaign = struct ('name', name, 'given', given, 'data', data, 'emulator', emulator, ...
-                     'reference', models.reference, ...
+                     'reference', hypotheses.reference, ...
                      'isWhole', all (isfinite (data.Z), 2)');
 end

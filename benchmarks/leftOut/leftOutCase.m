@@ -31,13 +31,13 @@ function cases = leftOutCase (campaign, numbers)
     emulator = fitEmulator (problem, without (data, same), options, campaign.emulator);
     kept = [emulator.effect.laboratory] | [emulator.effect.runs] >= 3;
     emulator = withoutEffects (emulator, find (~kept));
-    models = makeHypotheses (problem, emulator, options);
-    models.reference = campaign.reference;
-    fits = fitLibrary (models, given.value);
-    evidence = caseEvidence (models, fits, 1);
-    verdict = judgeCase (evidence, models);
-    truth = truthOf (problem, models, data, i);
-    one = describe (evidence, verdict, models, truth);
+    hypotheses = makeHypotheses (problem, emulator, options);
+    hypotheses.reference = campaign.reference;
+    fits = fitLibrary (hypotheses, given.value);
+    evidence = caseEvidence (hypotheses, fits, 1);
+    verdict = judgeCase (evidence, hypotheses);
+    truth = truthOf (problem, hypotheses, data, i);
+    one = describe (evidence, verdict, hypotheses, truth);
     one.campaign = campaign.name;
     one.row = i;
     one.seconds = toc (start);
@@ -51,16 +51,16 @@ function data = without (data, same)
   end
 end
 
-function truth = truthOf (problem, models, data, i)
+function truth = truthOf (problem, hypotheses, data, i)
   phi = strengthOfValues (problem.effects, data.E(i, :));
   theta = toSymmetric (data.X(i, :), problem.limits);
   names = {problem.effects(abs (phi) > 1e-9).name};
-  [has, numbers] = ismember (names, models.names);
+  [has, numbers] = ismember (names, hypotheses.names);
   truth = struct ('names', {names}, 'phi', phi(abs (phi) > 1e-9), 'd', 0);
   truth.at = numbers;
   if ~isempty (names) && all (has)
-    [~, ~, S] = predictGap (models.white, numbers, [theta, truth.phi]);
-    white = models.white;
+    [~, ~, S] = predictGap (hypotheses.white, numbers, [theta, truth.phi]);
+    white = hypotheses.white;
     [~, V, ~, J] = predictGap (white, [], theta);
     slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
     N = parityProjection (slopes, zeros (numel (V), 1)).N;
@@ -68,20 +68,20 @@ function truth = truthOf (problem, models, data, i)
   end
 end
 
-function one = describe (evidence, verdict, models, truth)
+function one = describe (evidence, verdict, hypotheses, truth)
   classes = {'null', 'single', 'pair'};
   one = struct ('class', classes{numel(truth.names) + 1}, ...
                 'cause', {truth.names}, 'phi', truth.phi, 'd', truth.d, ...
                 'verdict', verdict.kind, ...
-                'effects', {models.names(verdict.effects)}, ...
+                'effects', {hypotheses.names(verdict.effects)}, ...
                 'lookAlike', verdict.lookAlike, 'guard', verdict.guard, ...
-                'top', models.names{verdict.top}, ...
+                'top', hypotheses.names{verdict.top}, ...
                 'pTop', verdict.include(verdict.top), 'pTrue', 0, ...
                 'pNull', verdict.null, 'interval', NaN (1, 3), ...
                 'gateP', evidence.gate.p, 'ess', min (evidence.ess));
   numbers = truth.at(truth.at > 0);
   if ~isempty (numbers)
     one.pTrue = max (verdict.include(numbers));
-    one.interval = strengthAlone (evidence, models, numbers(1));
+    one.interval = strengthAlone (evidence, hypotheses, numbers(1));
   end
 end

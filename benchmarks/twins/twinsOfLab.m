@@ -22,24 +22,24 @@ function verdicts = twinsOfLab (lab, cases)
   K = numel (lab.emulator.effect);
   full = gapReference (makeHypotheses (problem, lab.emulator, options));
   for removed = unique (cases.removed)
-    models = full;
+    hypotheses = full;
     if removed > 0
-      models = makeHypotheses (problem, withoutEffects (lab.emulator, removed), ...
-                               options);
-      models = gapReference (models);
+      hypotheses = makeHypotheses (problem, withoutEffects (lab.emulator, removed), ...
+                                   options);
+      hypotheses = gapReference (hypotheses);
     end
     numbersOf = find (cases.removed == removed);
-    fits = fitLibrary (models, cases.Y(numbersOf, :));
+    fits = fitLibrary (hypotheses, cases.Y(numbersOf, :));
     for i = 1:numel (numbersOf)
-      verdicts(numbersOf(i)) = oneVerdict (models, fits, i, removed, K);
+      verdicts(numbersOf(i)) = oneVerdict (hypotheses, fits, i, removed, K);
     end
   end
 end
 
-function v = oneVerdict (models, fits, i, removed, K)
+function v = oneVerdict (hypotheses, fits, i, removed, K)
   start = tic ();
-  evidence = caseEvidence (models, fits, i);
-  verdict = judgeCase (evidence, models);
+  evidence = caseEvidence (hypotheses, fits, i);
+  verdict = judgeCase (evidence, hypotheses);
   numbers = setdiff (1:K, removed);
   v = struct ('kind', verdict.kind, 'effects', numbers(verdict.effects), ...
               'lookAlike', verdict.lookAlike, 'guard', verdict.guard, ...
@@ -56,7 +56,7 @@ function v = oneVerdict (models, fits, i, removed, K)
       case 'single'
         place = 1 + numbers(evidence.members{h});
         k = evidence.members{h};
-        v.interval(numbers(k), :) = strengthAlone (evidence, models, k);
+        v.interval(numbers(k), :) = strengthAlone (evidence, hypotheses, k);
       case 'pair'
         place = K + 2;
       otherwise

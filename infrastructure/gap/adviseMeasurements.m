@@ -3,7 +3,7 @@
 % CALL: [TESTS, FURTHER] = adviseMeasurements (STUDY, EVIDENCE, VERDICT, STATE)
 %       [TESTS, STATE] = FURTHER ()
 %
-%   STUDY    struct problem, emulator, models, fits, see runCures. Where problem
+%   STUDY    struct problem, emulator, hypotheses, fits, see runCures. Where problem
 %            has a field tests, it is a handle without arguments that gives the
 %            CANDIDATES of tryMeasurements: tests that the case does not have
 %   EVIDENCE  of caseEvidence;  VERDICT  of judgeCase
@@ -23,14 +23,14 @@
 
 function [tests, further] = adviseMeasurements (study, evidence, verdict, state)
   tests = nextMeasurement (study.problem, study.emulator, evidence, verdict.P, ...
-                    study.models.options);
-  tests = ranked (tests, study.models.options);
+                           study.hypotheses.options);
+  tests = ranked (tests, study.hypotheses.options);
   further = [];
   if wantsOthers (study.problem, verdict, state)
     candidates = study.problem.tests ();
     if ~isempty (candidates)
       trials = @() tryMeasurements (candidates, study, evidence, verdict.P, state);
-      further = @() withTried (tests, trials, study.models.options);
+      further = @() withTried (tests, trials, study.hypotheses.options);
     end
   end
 end
@@ -50,6 +50,7 @@ end
 
 function tests = ranked (tests, options)
   isFirm = [tests.isFirm];
+  % worth advising, then worth less, last those that were given up early
   place = 1 + (~isFirm | [tests.gain] < options.adviseAt) + ~isFirm;
   [~, order] = sortrows ([place; -[tests.gainPerCost]]');
   tests = tests(order);
@@ -81,9 +82,9 @@ end
 %! end
 %! given.tests = @() list;
 %! study = labStudy (given, data, struct ('twins', 60));
-%! study.models = gapReference (study.models);
-%! evidence = caseEvidence (study.models, study.fits, 1);
-%! verdict = judgeCase (evidence, study.models);
+%! study.hypotheses = gapReference (study.hypotheses);
+%! evidence = caseEvidence (study.hypotheses, study.fits, 1);
+%! verdict = judgeCase (evidence, study.hypotheses);
 %! assert (verdict.kind, 'group');
 %! state.budget = budget;
 %! [tests, further] = adviseMeasurements (study, evidence, verdict, state);

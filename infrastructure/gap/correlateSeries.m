@@ -94,7 +94,7 @@ end
 %! given.estimateSeries = true (1, 60);
 %! study = labStudy (given, data);
 %! [problem, lengths] = correlateSeries (study.problem, study.emulator, ...
-%!                                       study.models.options);
+%!                                       study.hypotheses.options);
 %! assert (lengths(1) > 0.04 && lengths(1) < 0.5);
 %! assert (lengths(31), 0);
 %! assert (problem.covariance(1, 2) > 0.004);
@@ -116,5 +116,5 @@ end
 %! given.estimateSeries = true (1, 12);
 %! study = labStudy (given, data);
 %! [~, lengths] = correlateSeries (study.problem, study.emulator, ...
-%!                                 study.models.options);
+%!                                 study.hypotheses.options);
 %! assert (lengths, zeros (1, 12));

@@ -57,19 +57,19 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   study = studyOf (problem, withoutEffects (emulator, find (~kept)), options);
   diagnosis.options = options;
   diagnosis.where = locateGap (study);
-  evidence = caseEvidence (study.models, study.fits, 1);
-  verdict = judgeCase (evidence, study.models);
+  evidence = caseEvidence (study.hypotheses, study.fits, 1);
+  verdict = judgeCase (evidence, study.hypotheses);
   verdict = blameSurrogates (verdict, study, diagnosis.where.side);
   diagnosis.screen = evidence.screen;
-  diagnosis.screen.names = study.models.names;
+  diagnosis.screen.names = study.hypotheses.names;
   diagnosis.screen.untested = untestedEffects ({emulator.effect(~kept).name}, ...
                                                problem.effects, state);
   diagnosis.fingerprint = fingerprints (study);
   study.evidence = evidence;
   [verdict, evidence, diagnosis.howFar, state] = proveCause (verdict, study, state);
   verdict = withoutReadings (verdict, study);
-  verdict = doubtName (verdict, diagnosis, study.models);
-  diagnosis.which = describeVerdict (evidence, verdict, study.models, problem);
+  verdict = doubtName (verdict, diagnosis, study.hypotheses);
+  diagnosis.which = describeVerdict (evidence, verdict, study.hypotheses, problem);
   diagnosis.which.cause = causesOfVerdict (verdict, study);
   [diagnosis.next, tryMeasurements] = adviseMeasurements (study, evidence, verdict, state);
   diagnosis.change = [];
@@ -104,7 +104,7 @@ function prints = fingerprints (study)
   at = find (isfinite (problem.value));
   sd = sqrt (diag (noiseBudget (problem, emulator).covariance))';
   without = predictGap (emulator, [], study.fits.calibrated.Q(1, :));
-  K = numel (study.models.names);
+  K = numel (study.hypotheses.names);
   prints = struct ('target', at, 'measured', ...
                    (problem.value(at) - without(at)) ./ sd(at), ...
                    'effects', zeros (K, numel (at)));
@@ -150,11 +150,11 @@ function kept = tested (emulator)
 end
 
 function study = studyOf (problem, emulator, options)
-  models = makeHypotheses (problem, emulator, options);
-  fits = fitLibrary (models, problem.value(problem.used));
-  models = gapReference (models, ...
-                             gapTest (models, fits.logE).statistic);
-  study = struct ('problem', problem, 'emulator', emulator, 'models', models, ...
+  hypotheses = makeHypotheses (problem, emulator, options);
+  fits = fitLibrary (hypotheses, problem.value(problem.used));
+  hypotheses = gapReference (hypotheses, ...
+                             gapTest (hypotheses, fits.logE).statistic);
+  study = struct ('problem', problem, 'emulator', emulator, 'hypotheses', hypotheses, ...
                   'fits', fits);
 end
 
@@ -166,6 +166,7 @@ function verdict = blameSurrogates (verdict, study, side)
   if side.blameSurrogate
     reason = side.reason;
   elseif side.vague && ~said
+    % what more runs could change, at best
     other = judgeSurer (study);
     if ~strcmp (other.kind, verdict.kind)
       n = rows (study.emulator.base.X);
@@ -187,11 +188,11 @@ end
 
 % A name does not stand where the effect's runs contradict their surrogate, or
 % where DEM runs with it still miss a target.
-function verdict = doubtName (verdict, diagnosis, models)
+function verdict = doubtName (verdict, diagnosis, hypotheses)
   if ~strcmp (verdict.kind, 'named')
     return
   end
-  names = models.names(verdict.effects);
+  names = hypotheses.names(verdict.effects);
   far = diagnosis.howFar;
   if any (ismember (names, diagnosis.where.side.poorEffects))
     verdict.guard = 'surrogate';
@@ -219,8 +220,8 @@ function verdict = judgeSurer (study)
     emulator.effect(k).misfit = emulator.effect(k).misfit / 20;
     emulator.effect(k).root = emulator.effect(k).root / sqrt (20);
   end
-  sure = studyOf (study.problem, emulator, study.models.options);
-  verdict = judgeCase (caseEvidence (sure.models, sure.fits, 1), sure.models);
+  sure = studyOf (study.problem, emulator, study.hypotheses.options);
+  verdict = judgeCase (caseEvidence (sure.hypotheses, sure.fits, 1), sure.hypotheses);
 end
 
 %!test

@@ -2,7 +2,7 @@
 %
 % CALL: D = deviationOf (STUDY, SET, DRAWS)
 %
-%   STUDY   struct problem, emulator, models
+%   STUDY   struct problem, emulator, hypotheses
 %   SET    struct of runCures: h, Q, Z, verified
 %   DRAWS  struct noise, surrogate, prior, run: B x n, B x n, B x p, B x n,
 %          standard normal numbers; n used targets, then the held-out ones
@@ -39,9 +39,9 @@ function d = deviationOf (study, set, draws)
   d.nu = 1 / mean (1 ./ white.nu);
   J = reshape (vertcat (J{:})', columns (white.coef), numel (set.Q));
   % an unknown at its limit could not bend to the noise
-  free = isFree (white, set, study.models.options.limitAt);
+  free = isFree (white, set, study.hypotheses.options.limitAt);
   d.J = back * J(:, free);
-  known = diag ([study.models.prior.sd, Inf(1, numel (set.h))].^-2);
+  known = diag ([study.hypotheses.prior.sd, Inf(1, numel (set.h))].^-2);
   told = J(~isTarget, :);
   known = known(free, free) + told(:, free)' * told(:, free);
   knownRoot = sqrt (known);
@@ -104,8 +104,8 @@ end
 %! emulator = handMadeEmulator ([0, 0, 0, 0; 3, 1, 0, 2]);
 %! emulator.noiseVar = 0.5 * emulator.noiseVar;
 %! study = struct ('problem', problem, 'emulator', emulator);
-%! study.models.prior = struct ('mean', 0, 'sd', Inf);
-%! study.models.options = gapOptions ([]);
+%! study.hypotheses.prior = struct ('mean', 0, 'sd', Inf);
+%! study.hypotheses.options = gapOptions ([]);
 %! randn ('twister', 3);
 %! draws = struct ('noise', randn (4000, 4), 'surrogate', randn (4000, 4), ...
 %!                 'prior', randn (4000, 1), 'run', randn (4000, 4));

@@ -2,7 +2,7 @@
 %
 % CALL: Q = fitCure (STUDY, MEMBERS)
 %
-%   STUDY    struct models, fits
+%   STUDY    struct hypotheses, fits
 %   MEMBERS  1 x h, numbers of the effects
 %   Q        1 x (p + h), parameters in [-1, 1] and strengths that meet the
 %            measured values best, with a flat prior of the parameters
@@ -14,12 +14,12 @@
 % See also: runCures, diagnoseMatrices
 
 function Q = fitCure (study, members)
-  models = study.models;
+  hypotheses = study.hypotheses;
   % in DEM an effect has the size it has: no amplitude is free
-  [models.white.effect.unbent] = deal (0);
-  flat = setfield (models.prior, 'flat', true);
-  fit = fitEffects (models, study.fits, 1, members, flat);
-  Q = fit.Q(1:models.white.p + numel (members));
+  [hypotheses.white.effect.unbent] = deal (0);
+  flat = setfield (hypotheses.prior, 'flat', true);
+  fit = fitEffects (hypotheses, study.fits, 1, members, flat);
+  Q = fit.Q(1:hypotheses.white.p + numel (members));
 end
 
 %!test
@@ -31,7 +31,7 @@ end
 %! study = labStudy (given, keepRows (data, isOne));
 %! Q = fitCure (study, 3);
 %! assert (Q(3), 0.95, 0.05);
-%! white = study.models.white;
+%! white = study.hypotheses.white;
 %! z = given.value(study.problem.used) * white.W';
 %! [M, V] = predictGap (white, 3, Q);
 %! assert (max (abs (z - M) ./ sqrt (V)) < 2);

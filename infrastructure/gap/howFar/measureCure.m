@@ -2,7 +2,7 @@
 %
 % CALL: CURE = measureCure (STUDY, SETS, FIRST)
 %
-%   STUDY     struct problem, emulator, models
+%   STUDY     struct problem, emulator, hypotheses
 %   SETS     struct array of runCures: the null model first, then each
 %            effect
 %   FIRST    effect numbers of the cause, one of SETS
@@ -41,8 +41,8 @@
 function cure = measureCure (study, sets, first)
   problem = study.problem;
   emulator = study.emulator;
-  names = study.models.names;
-  options = study.models.options;
+  names = study.hypotheses.names;
+  options = study.hypotheses.options;
   at = find (cellfun (@(h) isequal (h, first), {sets.h}), 1);
   devs = deviationsOf (study, sets);
   targets = [problem.used, problem.heldOut];
@@ -191,7 +191,7 @@ end
 %! cut = setfield (setfield (cured, 'h', 2), 'verified', false);
 %! cure = measureCure (study, [set, cured, cut], 1);
 %! assert (cure.verifiedByDEM);
-%! assert ({cure.placebos.effect}, study.models.names(2));
+%! assert ({cure.placebos.effect}, study.hypotheses.names(2));
 %! assert (! cure.placebos.verifiedByDEM);
 %! cure = measureCure (study, [set, cured, cut], 2);
 %! assert (! cure.verifiedByDEM);

@@ -3,7 +3,7 @@
 % CALL: [VERDICT, EVIDENCE, CURE, STATE] = proveCause (VERDICT, STUDY, STATE)
 %
 %   VERDICT     of judgeCase
-%   STUDY       struct problem, emulator, models, fits, as of runCures, and evidence
+%   STUDY       struct problem, emulator, hypotheses, fits, as of runCures, and evidence
 %               of caseEvidence
 %   STATE       of newGapState
 %   VERDICT, EVIDENCE  where DEM has run the cause: with these runs known and the
@@ -25,7 +25,7 @@
 function [verdict, evidence, cure, state] = proveCause (verdict, study, state)
   cure = [];
   evidence = study.evidence;
-  causes = comparedCauses (verdict, evidence, study.models.options);
+  causes = comparedCauses (verdict, evidence, study.hypotheses.options);
   if isempty (causes)
     return
   end
@@ -72,14 +72,14 @@ end
 % The study with what DATA tell, on TARGETS.
 function study = refit (study, data, targets)
   problem = study.problem;
-  options = study.models.options;
+  options = study.hypotheses.options;
   emulator = emulate (problem, data, options, study.emulator);
-  isLeft = ismember ({emulator.effect.name}, study.models.names);
+  isLeft = ismember ({emulator.effect.name}, study.hypotheses.names);
   study.emulator = withoutEffects (emulator, find (~isLeft));
-  reference = study.models.reference;
-  study.models = makeHypotheses (problem, study.emulator, options, targets);
-  study.models.reference = reference;
-  study.fits = fitLibrary (study.models, problem.value(targets));
+  reference = study.hypotheses.reference;
+  study.hypotheses = makeHypotheses (problem, study.emulator, options, targets);
+  study.hypotheses.reference = reference;
+  study.fits = fitLibrary (study.hypotheses, problem.value(targets));
 end
 
 function is = isSaid (verdict)
@@ -133,9 +133,9 @@ end
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0, 0, 0.6, 0.6, 0]);
 %! study = labStudy (given, data, struct ('twins', 99));
-%! study.models = gapReference (study.models);
-%! study.evidence = caseEvidence (study.models, study.fits, 1);
-%! verdict = judgeCase (study.evidence, study.models);
+%! study.hypotheses = gapReference (study.hypotheses);
+%! study.evidence = caseEvidence (study.hypotheses, study.fits, 1);
+%! verdict = judgeCase (study.evidence, study.hypotheses);
 %! verdict.kind = 'group';
 %! [verdict.effects, verdict.top] = deal (3);
 %! runs = @(X, E, r, stage) means (X, [E, zeros(rows (E), 1)]) + ...
@@ -157,9 +157,9 @@ end
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
 %! study = labStudy (given, data, struct ('twins', 99));
-%! study.models = gapReference (study.models);
-%! study.evidence = caseEvidence (study.models, study.fits, 1);
-%! verdict = judgeCase (study.evidence, study.models);
+%! study.hypotheses = gapReference (study.hypotheses);
+%! study.evidence = caseEvidence (study.hypotheses, study.fits, 1);
+%! verdict = judgeCase (study.evidence, study.hypotheses);
 %! [verdict.kind, verdict.effects, verdict.top] = deal ('named', 3, 3);
 %! state = newGapState (data, gapOptions ([]), []);
 %! placebos = cell (1, 2);

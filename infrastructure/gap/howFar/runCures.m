@@ -2,9 +2,9 @@
 %
 % CALL: [SETS, STATE] = runCures (STUDY, CAUSES, STATE, SETS)
 %
-%   STUDY    struct problem, emulator, models, fits: of newProblem, fitEmulator,
+%   STUDY    struct problem, emulator, hypotheses, fits: of newProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
-%   CAUSES   1 x m cell of effect numbers in MODELS, refitted alike on the used
+%   CAUSES   1 x m cell of effect numbers in HYPOTHESES, refitted alike on the used
 %            targets only
 %   STATE    of newGapState
 %   SETS     given: what has been compared before; CAUSES are added to it. Got:
@@ -56,7 +56,7 @@ function [set, state] = runSet (study, set, state)
   number = zeros (1, numel (set.h));
   for i = 1:numel (set.h)
     number(i) = find (strcmp ({problem.effects.name}, ...
-                              study.models.names{set.h(i)}), 1);
+                              study.hypotheses.names{set.h(i)}), 1);
     phi(number(i)) = set.Q(emulator.p + i);
   end
   known = rows (state.data.Z);

@@ -6,10 +6,10 @@
 %   THETA                    1 x p, parameters in [-1, 1]
 
 function theta = calibrateNull (problem, emulator, options)
-  models = makeHypotheses (problem, withoutEffects (emulator), options);
+  hypotheses = makeHypotheses (problem, withoutEffects (emulator), options);
   % no effect and no discrepancy: what a calibration would find
-  models.list = models.list(1);
-  fits = fitLibrary (models, problem.value(problem.used));
+  hypotheses.list = hypotheses.list(1);
+  fits = fitLibrary (hypotheses, problem.value(problem.used));
   theta = fits.calibrated.Q;
 end
 
@@ -18,5 +18,5 @@ end
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.7], zeros (1, 5));
 %! study = labStudy (given, data);
-%! theta = calibrateNull (study.problem, study.emulator, study.models.options);
+%! theta = calibrateNull (study.problem, study.emulator, study.hypotheses.options);
 %! assert (theta, [-0.2, 0.4], 0.1);

@@ -1,8 +1,8 @@
 % CASEEVIDENCE  Computes the evidence of every hypothesis for one data set.
 %
-% CALL: EVIDENCE = caseEvidence (MODELS, FITS, I)
+% CALL: EVIDENCE = caseEvidence (HYPOTHESES, FITS, I)
 %
-%   MODELS     struct of makeHypotheses
+%   HYPOTHESES  struct of makeHypotheses
 %   FITS       struct of fitLibrary
 %   I          scalar, row of the data set
 %   EVIDENCE   struct; H hypotheses: null, singles, pairs of the likeliest,
@@ -22,27 +22,27 @@
 % Integrated are the null model, every single effect, and all others that
 % Laplace's formula gives more than a ten-thousandth of the probability.
 
-function evidence = caseEvidence (models, fits, i)
+function evidence = caseEvidence (hypotheses, fits, i)
   z = fits.Z(i, :);
-  evidence.screen = screenEffects (models.white, fits.calibrated.Q(i, :), z);
-  evidence.gate = gapTest (models, fits.logE(i, :));
-  list = listHypotheses (models, fits, i, evidence);
+  evidence.screen = screenEffects (hypotheses.white, fits.calibrated.Q(i, :), z);
+  evidence.gate = gapTest (hypotheses, fits.logE(i, :));
+  list = listHypotheses (hypotheses, fits, i, evidence);
   logP = [list.logPrior] + [list.logE];
   logP = logP - logSumExp (logP);
   for j = 1:numel (list)
     % exp (-9.2) is a ten-thousandth: what is less likely decides nothing
     if any (strcmp (list(j).h.kind, {'null', 'single'})) || logP(j) > -9.2
-      list(j) = integrate (models, list(j));
+      list(j) = integrate (hypotheses, list(j));
     end
   end
   evidence = collect (evidence, list);
-  evidence.vague = vagueOf (models, fits, i);
+  evidence.vague = vagueOf (hypotheses, fits, i);
 end
 
 function evidence = collect (evidence, list)
-  hypotheses = [list.h];
-  evidence.kind = {hypotheses.kind};
-  evidence.members = {hypotheses.members};
+  each = [list.h];
+  evidence.kind = {each.kind};
+  evidence.members = {each.members};
   for field = {'logPrior', 'logE', 'error', 'ess', 'atLimit', 'turned'}
     evidence.(field{1}) = [list.(field{1})];
   end
@@ -51,21 +51,21 @@ function evidence = collect (evidence, list)
 end
 
 % Where it is emulated badly, an effect is unlikely for that, or likely.
-function vague = vagueOf (models, fits, i)
-  white = models.white;
-  vague = zeros (1, numel (models.singles));
+function vague = vagueOf (hypotheses, fits, i)
+  white = hypotheses.white;
+  vague = zeros (1, numel (hypotheses.singles));
   at = white.isTarget > 0;
   for k = 1:numel (vague)
-    Q = fits.of{models.singles(k)}.Q(i, 1:white.p + 1);
+    Q = fits.of{hypotheses.singles(k)}.Q(i, 1:white.p + 1);
     [~, V] = predictGap (white, k, Q);
     [~, V0] = predictGap (white, [], Q(1:white.p));
     vague(k) = mean (V(at) ./ V0(at)) - 1;
   end
 end
 
-function one = integrate (models, one)
-  settings = models.options;
-  settings.prior = models.prior;
+function one = integrate (hypotheses, one)
+  settings = hypotheses.options;
+  settings.prior = hypotheses.prior;
   r = integrateEvidence (one.white, one.h, one.z, one.modes, settings);
   % with fewer measured values than parameters a sample may say nothing; then
   % the first estimate stays, and an effective size of 0 says what it is worth
@@ -96,20 +96,20 @@ function one = integrate (models, one)
   one.turned = r.weight' * (r.Q(:, end) > settings.turnedAt);
 end
 
-% All hypotheses for data set I, by Laplace's formula: the rows of MODELS.list
+% All hypotheses for data set I, by Laplace's formula: the rows of HYPOTHESES.list
 % and, behind the single effects, pairs: h (newHypothesis), white, z (the data
 % in its coordinates), modes (struct U, A), and what is collected.
 % Pairs, where there may be a gap: each of the two likeliest effects with the
 % four whose signatures take most out of what it leaves. All pairs share the
 % prior probability of pairs, also those that are not tried.
-function list = listHypotheses (models, fits, i, evidence)
-  for j = numel (models.list):-1:1
-    row = models.list(j);
+function list = listHypotheses (hypotheses, fits, i, evidence)
+  for j = numel (hypotheses.list):-1:1
+    row = hypotheses.list(j);
     list(j) = entry (row.h, row.white, row.prior, fits.of{j}, i);
   end
-  singles = models.singles;
-  if numel (singles) > 1 && evidence.gate.p < 2 * models.options.level
-    pairs = pairsOf (models, fits, i, evidence.screen);
+  singles = hypotheses.singles;
+  if numel (singles) > 1 && evidence.gate.p < 2 * hypotheses.options.level
+    pairs = pairsOf (hypotheses, fits, i, evidence.screen);
     list = [list(1:singles(end)), pairs, list(singles(end) + 1:end)];
   end
 end
@@ -132,20 +132,20 @@ function modes = modesOf (fit, i)
   end
 end
 
-function list = pairsOf (models, fits, i, screen)
-  singles = models.singles;
+function list = pairsOf (hypotheses, fits, i, screen)
+  singles = hypotheses.singles;
   [~, order] = sort (-fits.logE(i, singles));
   pairs = zeros (0, 2);
   for k = order(1:2)
-    M = predictGap (models.white, k, fits.of{singles(k)}.Q(i, :));
+    M = predictGap (hypotheses.white, k, fits.of{singles(k)}.Q(i, :));
     others = partnersOf (k, fits.Z(i, :) - M, screen);
     pairs = [pairs; repmat(k, numel (others), 1), others(:)];
   end
   pairs = unique (sort (pairs, 2), 'rows');
   for m = rows (pairs):-1:1
-    fit = fitEffects (models, fits, i, pairs(m, :), models.prior);
-    list(m) = entry (newHypothesis ('pair', pairs(m, :)), models.white, ...
-                     models.pairPrior(pairs(m, 1), pairs(m, 2)), fit, 1);
+    fit = fitEffects (hypotheses, fits, i, pairs(m, :), hypotheses.prior);
+    list(m) = entry (newHypothesis ('pair', pairs(m, :)), hypotheses.white, ...
+                     hypotheses.pairPrior(pairs(m, 1), pairs(m, 2)), fit, 1);
   end
 end
 
@@ -166,8 +166,8 @@ end
 %!test
 %! % evidence of the null model against the closed form: three targets without
 %! % parameter, one direction integrated over the box
-%! models = handMadeHypotheses ();
-%! evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
+%! hypotheses = handMadeHypotheses ();
+%! evidence = caseEvidence (hypotheses, fitLibrary (hypotheses, [1.5, 0.5, 0, 0]), 1);
 %! exact = -2 * log (2 * pi) + 0.5 * log (2 * pi / 10) - log (2) ...
 %!         + log (normalTail (-1.5 * sqrt (10)) - normalTail (sqrt (10) / 2));
 %! assert (evidence.logE(1), exact, 5 * evidence.error(1));
@@ -175,9 +175,9 @@ end
 %! assert (evidence.kind{4}, 'discrepancy');
 %!test
 %! % a strong signal along effect a: it wins, its strength is found
-%! models = handMadeHypotheses ();
-%! models.reference = zeros (99, 1);
-%! evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! hypotheses = handMadeHypotheses ();
+%! hypotheses.reference = zeros (99, 1);
+%! evidence = caseEvidence (hypotheses, fitLibrary (hypotheses, [1.5, 0.5, 3, 3]), 1);
 %! assert (evidence.kind, {'null', 'single', 'single', 'pair', 'discrepancy'});
 %! assert (evidence.vague, [0, 0], 1e-12);
 %! assert (sum (exp (evidence.logPrior)), 1, 1e-12);
@@ -186,16 +186,16 @@ end
 %! assert (evidence.phi(best), 0.7, 0.1);
 %!test
 %! % a misfit along no effect: a discrepancy wins over null and effects
-%! models = handMadeHypotheses ();
-%! evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, -6, 5]), 1);
+%! hypotheses = handMadeHypotheses ();
+%! evidence = caseEvidence (hypotheses, fitLibrary (hypotheses, [1.5, 0.5, -6, 5]), 1);
 %! [~, best] = max (evidence.logPrior + evidence.logE);
 %! assert (evidence.kind{best}, 'discrepancy');
 %!test
 %! % reproducible, and hardly moved by the seed of the integration
-%! models = handMadeHypotheses ();
-%! fits = fitLibrary (models, [1.5, 0.5, 3, 3]);
-%! evidence = caseEvidence (models, fits, 1);
-%! assert (caseEvidence (models, fits, 1).logE, evidence.logE);
-%! models.options.seed = 2;
-%! other = caseEvidence (models, fits, 1);
+%! hypotheses = handMadeHypotheses ();
+%! fits = fitLibrary (hypotheses, [1.5, 0.5, 3, 3]);
+%! evidence = caseEvidence (hypotheses, fits, 1);
+%! assert (caseEvidence (hypotheses, fits, 1).logE, evidence.logE);
+%! hypotheses.options.seed = 2;
+%! other = caseEvidence (hypotheses, fits, 1);
 %! assert (other.logE(1:3), evidence.logE(1:3), 0.25);

@@ -1,22 +1,22 @@
 % DRAWTWINS  Draws data sets without a gap from the surrogates themselves.
 %
-% CALL: Y = drawTwins (MODELS, N, SEED, SURPLUS)
+% CALL: Y = drawTwins (HYPOTHESES, N, SEED, SURPLUS)
 %
-%   MODELS   struct of makeHypotheses
+%   HYPOTHESES  struct of makeHypotheses
 %   N        how many
 %   SEED     scalar; the random state is left as it was
 %   SURPLUS  scalar, factor on the variance (default 1)
 %   Y        N x T', values of the targets
 
-function Y = drawTwins (models, n, seed, surplus)
+function Y = drawTwins (hypotheses, n, seed, surplus)
   if nargin < 4
     surplus = 1;
   end
   restore = seedRandom (seed);
-  white = models.white;
+  white = hypotheses.white;
   T = columns (white.coef);
   null = newHypothesis ('null');
-  unknowns = viewHypothesis (white, null, models.prior).unknowns;
+  unknowns = viewHypothesis (white, null, hypotheses.prior).unknowns;
   theta = parametersOf (white, fromNormal (unknowns, randn (n, white.p)));
   [M, V] = predictGap (white, [], theta);
   % one estimated variance a target: normal over the root of chi-square / nu
@@ -42,7 +42,7 @@ function theta = parametersOf (white, theta)
 end
 
 %!test
-%! models = handMadeHypotheses ();
-%! Y = drawTwins (models, 3, 1);
+%! hypotheses = handMadeHypotheses ();
+%! Y = drawTwins (hypotheses, 3, 1);
 %! assert (size (Y), [3, 4]);
-%! assert (drawTwins (models, 3, 1), Y);
+%! assert (drawTwins (hypotheses, 3, 1), Y);

@@ -1,23 +1,23 @@
 % FITEFFECTS  Fits one effect, or two together, to one data set.
 %
-% CALL: FIT = fitEffects (MODELS, FITS, I, MEMBERS, PRIOR)
+% CALL: FIT = fitEffects (HYPOTHESES, FITS, I, MEMBERS, PRIOR)
 %
-%   MODELS, FITS  of makeHypotheses, fitLibrary;  I  row of the data set
+%   HYPOTHESES, FITS  of makeHypotheses, fitLibrary;  I  row of the data set
 %   MEMBERS       1 x 1 or 1 x 2, numbers of the effects
-%   PRIOR         MODELS.prior, or the same with flat, see fitHypothesis
+%   PRIOR         HYPOTHESES.prior, or the same with flat, see fitHypothesis
 %   FIT           struct of fitHypothesis with Z, logSum and hasOther as of
 %                 fitLibrary. A single effect starts from its fit in FITS, a
 %                 pair from either effect with a little of the other and from
 %                 half of both; the best one counts
 
-function best = fitEffects (models, fits, i, members, prior)
-  p = models.white.p;
-  U = fits.of{models.singles(members(1))}.U(i, :);
+function best = fitEffects (hypotheses, fits, i, members, prior)
+  p = hypotheses.white.p;
+  U = fits.of{hypotheses.singles(members(1))}.U(i, :);
   kind = 'single';
   if numel (members) > 1
     kind = 'pair';
     a = U;
-    b = fits.of{models.singles(members(2))}.U(i, :);
+    b = fits.of{hypotheses.singles(members(2))}.U(i, :);
     U = [a(1:p + 1), -0.5, 0, a(end); b(1:p), -0.5, b(p + 1), 0, b(end); ...
          (a(1:p) + b(1:p)) / 2, a(p + 1) - 0.3, b(p + 1) - 0.3, 0, a(end)];
   end
@@ -26,7 +26,7 @@ function best = fitEffects (models, fits, i, members, prior)
     % what DEM is given has the form of the library
     h.extent = 1e-6;
   end
-  fit = fitHypothesis (models.white, h, repmat (fits.Z(i, :), rows (U), 1), ...
+  fit = fitHypothesis (hypotheses.white, h, repmat (fits.Z(i, :), rows (U), 1), ...
                        U, prior);
   score = fit.logE;
   if isfield (prior, 'flat')
@@ -41,13 +41,13 @@ end
 
 %!test
 %! % both effects of the hand-made laboratory at once
-%! models = handMadeHypotheses ();
+%! hypotheses = handMadeHypotheses ();
 %! z = 0.5 * [3, 1, 0, 0] + [0, 0, 2.4, 2.4 - 2];
-%! fits = fitLibrary (models, z);
-%! fit = fitEffects (models, fits, 1, [1, 2], models.prior);
+%! fits = fitLibrary (hypotheses, z);
+%! fit = fitEffects (hypotheses, fits, 1, [1, 2], hypotheses.prior);
 %! assert (fit.Q(1:2), [0.5, 0.6], 0.15);
 %! assert (fit.Q(3) > 0.3 && fit.Q(3) < 0.5);    % a form error takes a part
-%! flat = setfield (models.prior, 'flat', true);
-%! assert (fitEffects (models, fits, 1, [1, 2], flat).Q(1:3), ...
+%! flat = setfield (hypotheses.prior, 'flat', true);
+%! assert (fitEffects (hypotheses, fits, 1, [1, 2], flat).Q(1:3), ...
 %!         [0.5, 0.6, 0.5], 0.15);
-%! assert (fitEffects (models, fits, 1, 1, models.prior).U, fits.of{2}.U, 0.01);
+%! assert (fitEffects (hypotheses, fits, 1, 1, hypotheses.prior).U, fits.of{2}.U, 0.01);

@@ -1,12 +1,12 @@
 % FITLIBRARY  Fits every hypothesis of the table to data sets.
 %
-% CALL: FITS = fitLibrary (MODELS, Y)
+% CALL: FITS = fitLibrary (HYPOTHESES, Y)
 %
-%   MODELS  struct of makeHypotheses
-%   Y       n x T', data sets: values of the targets MODELS.white.columns
+%   HYPOTHESES  struct of makeHypotheses
+%   Y       n x T', data sets: values of the targets HYPOTHESES.white.columns
 %   FITS    struct
 %     Z        n x T', whitened Y
-%     of       1 x H cell, a row of MODELS.list each: struct as of fitHypothesis
+%     of       1 x H cell, a row of HYPOTHESES.list each: struct as of fitHypothesis
 %              with the best start of each data set, and Z (the data in its
 %              coordinates), other (the second best distinct mode, same fields),
 %              hasOther (n x 1 logical), logSum (n x 1: log evidence of both)
@@ -14,22 +14,22 @@
 %              calibration finds
 %     logE     n x H, Laplace evidences
 
-function fits = fitLibrary (models, Y)
-  H = numel (models.list);
-  fits = struct ('Z', Y * models.white.W', 'of', {cell(1, H)}, ...
+function fits = fitLibrary (hypotheses, Y)
+  H = numel (hypotheses.list);
+  fits = struct ('Z', Y * hypotheses.white.W', 'of', {cell(1, H)}, ...
                  'logE', zeros (rows (Y), H));
   for j = 1:H
-    row = models.list(j);
+    row = hypotheses.list(j);
     parent = [];
     if row.from > 0
       parent = fits.of{row.from};
     end
-    fits.of{j} = fitRow (row, parent, Y, models.prior);
+    fits.of{j} = fitRow (row, parent, Y, hypotheses.prior);
     fits.logE(:, j) = fits.of{j}.logSum;
   end
   % a calibration minimises misses alone, so its set has no prior
-  flat = setfield (models.prior, 'flat', true);
-  null = models.list(1);
+  flat = setfield (hypotheses.prior, 'flat', true);
+  null = hypotheses.list(1);
   fits.calibrated = fitHypothesis (null.white, null.h, fits.Z, ...
                                    fits.of{1}.U, flat);
 end
@@ -75,8 +75,8 @@ function part = pick (tried, at)
 end
 
 %!test
-%! models = handMadeHypotheses ();
-%! fits = fitLibrary (models, [1.5, 0.5, 2, 2; 0, 0, 0, -2]);
+%! hypotheses = handMadeHypotheses ();
+%! fits = fitLibrary (hypotheses, [1.5, 0.5, 2, 2; 0, 0, 0, -2]);
 %! assert (fits.calibrated.Q, [0.5; 0], 1e-3);
 %! assert (fits.of{1}.Q, [0.5; 0], 0.1);
 %! assert (fits.of{2}.Q(1, 1:2), [0.5, 16 / 36], 0.1);

@@ -1,14 +1,14 @@
 % GAPTEST  Tests whether there is a gap, by the evidence for any cause.
 %
-% CALL: GATE = gapTest (MODELS, LOGE)
+% CALL: GATE = gapTest (HYPOTHESES, LOGE)
 %
-%   MODELS  struct of makeHypotheses; reference as of gapReference
+%   HYPOTHESES  struct of makeHypotheses; reference as of gapReference
 %   LOGE    n x H, evidences of fitLibrary
 %   GATE    struct, n x 1 each
 %     statistic  log evidence of all causes together (effects, any misfit; by
 %                their priors) minus that of the null model
-%     p          share of MODELS.reference, data sets without a gap, that reach
-%                it (1 where MODELS.reference is empty); what is less than a
+%     p          share of HYPOTHESES.reference, data sets without a gap, that reach
+%                it (1 where HYPOTHESES.reference is empty); what is less than a
 %                fiftieth by their tail, see below
 %
 % Where the evidence for a cause is 20 to 1 against the null model, p is below
@@ -19,20 +19,20 @@
 % probability-weighted moments (Hosking and Wallis 1987), not lighter than
 % exponential.
 
-function gate = gapTest (models, logE)
-  prior = [models.list.prior];
+function gate = gapTest (hypotheses, logE)
+  prior = [hypotheses.list.prior];
   share = log (prior(2:end) / sum (prior(2:end)));
   % discrepancies are among them: a gap that no effect explains is one as well
   gate.statistic = logSumExp (logE(:, 2:end) + share) - logE(:, 1);
   gate.p = ones (rows (logE), 1);
-  if ~isempty (models.reference)
-    n = numel (models.reference);
-    gate.p = (1 + sum (models.reference' >= gate.statistic, 2)) / (1 + n);
+  if ~isempty (hypotheses.reference)
+    n = numel (hypotheses.reference);
+    gate.p = (1 + sum (hypotheses.reference' >= gate.statistic, 2)) / (1 + n);
     % below a fiftieth the count of a few twins is too coarse
     far = gate.p < 0.02 & n >= 40;
     if any (far)
       gate.p(far) = min (gate.p(far), ...
-                         tailOf (models.reference, gate.statistic(far)));
+                         tailOf (hypotheses.reference, gate.statistic(far)));
     end
   end
 end
@@ -57,22 +57,22 @@ function p = tailOf (reference, x)
 end
 
 %!test
-%! models = handMadeHypotheses ();
-%! models.reference = (-2:0.5:2)';
-%! fits = fitLibrary (models, [1.5, 0.5, 0, 0; 1.5, 0.5, 4, 4]);
-%! gate = gapTest (models, fits.logE);
+%! hypotheses = handMadeHypotheses ();
+%! hypotheses.reference = (-2:0.5:2)';
+%! fits = fitLibrary (hypotheses, [1.5, 0.5, 0, 0; 1.5, 0.5, 4, 4]);
+%! gate = gapTest (hypotheses, fits.logE);
 %! assert (gate.p(1) > 0.5);
 %! assert (gate.p(2), 0.1, 1e-12);   % nine draws tell no tail
 %! assert (gate.statistic(2) > 5);
-%! gate = gapTest (models, [zeros(1, 4); 0, 9 * ones(1, 3)]);
+%! gate = gapTest (hypotheses, [zeros(1, 4); 0, 9 * ones(1, 3)]);
 %! assert (gate.statistic, [0; 9], 1e-12);
 %!test
 %! % p of an exponential tail beyond what was drawn: within a factor of three
 %! % for 400 draws (seeded)
-%! models = handMadeHypotheses ();
+%! hypotheses = handMadeHypotheses ();
 %! rand ('twister', 3);
-%! models.reference = -log (rand (400, 1));
+%! hypotheses.reference = -log (rand (400, 1));
 %! logE = zeros (2, 4);
-%! gate = gapTest (models, [[0; 0], [8; 10] * ones(1, 3)]);
+%! gate = gapTest (hypotheses, [[0; 0], [8; 10] * ones(1, 3)]);
 %! assert (log (gate.p), [-8; -10], log (3));
-%! assert (gapTest (models, logE).p, [1; 1], 0.01);
+%! assert (gapTest (hypotheses, logE).p, [1; 1], 0.01);

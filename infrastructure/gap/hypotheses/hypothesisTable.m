@@ -1,12 +1,12 @@
 % HYPOTHESISTABLE  All that may explain the measurements: one row a hypothesis.
 %
-% CALL: MODELS = hypothesisTable (MODELS, KINDS, STARTS)
+% CALL: HYPOTHESES = hypothesisTable (HYPOTHESES, KINDS, STARTS)
 %
-%   MODELS  struct white (whitenEmulator), prior (see viewHypothesis), factor
+%   HYPOTHESES  struct white (whitenEmulator), prior (see viewHypothesis), factor
 %           (1 x K, of the prior of each effect, see newEffect; default 1)
 %   KINDS   1 x m struct of discrepancyKinds
 %   STARTS  s x p, starts of the null fit, parameters in [-1, 1]
-%   MODELS  the same with
+%   HYPOTHESES  the same with
 %     list       1 x H struct: the null model, each single effect, each
 %                discrepancy
 %       h       of newHypothesis;  white  in whose coordinates it is fitted
@@ -24,11 +24,11 @@
 % form than that of its law is that cause (newHypothesis). An effect that is
 % unlikely beforehand (its factor) counts as that part of a cause, in pairs too.
 
-function models = hypothesisTable (models, kinds, starts)
-  white = models.white;
-  prior = models.prior;
+function hypotheses = hypothesisTable (hypotheses, kinds, starts)
+  white = hypotheses.white;
+  prior = hypotheses.prior;
   K = numel (white.effect);
-  factor = givenField (models, 'factor', ones (1, K));
+  factor = givenField (hypotheses, 'factor', ones (1, K));
   weights = priorWeights (K, sum (factor));
   null = newHypothesis ('null');
   unknowns = viewHypothesis (white, null, prior).unknowns;
@@ -45,11 +45,11 @@ function models = hypothesisTable (models, kinds, starts)
                             'prior', weights.discrepancy * kind.weight, ...
                             'from', 1, 'starts', 0);
   end
-  models.list = list;
-  models.singles = 1 + (1:K);
+  hypotheses.list = list;
+  hypotheses.singles = 1 + (1:K);
   % all pairs share one probability: a long list makes no pair likelier
   both = triu (factor' * factor, 1);
-  models.pairPrior = weights.pair * (both + both') / ...
+  hypotheses.pairPrior = weights.pair * (both + both') / ...
                      max (sum (both(:)), realmin);
 end
 
@@ -79,28 +79,28 @@ end
 %!test
 %! % whatever the number of effects, all is shared out; a longer list is
 %! % believed to hold more of the causes
-%! models = handMadeHypotheses ();
-%! kinds = setfield (models.list(end), 'weight', 1);
-%! one = models.white.effect(1);
+%! hypotheses = handMadeHypotheses ();
+%! kinds = setfield (hypotheses.list(end), 'weight', 1);
+%! one = hypotheses.white.effect(1);
 %! for K = [0, 1, 2, 10]
-%!   models.white.effect = repmat (one, 1, K);
-%!   models = hypothesisTable (models, kinds, 0);
-%!   assert (sum ([models.list.prior]) + ...
-%!           sum (triu (models.pairPrior)(:)), 1, 1e-12);
-%!   last(K + 1) = models.list(end).prior;
-%!   assert (numel (models.list), 2 + K);
-%!   assert (numel (models.singles), K);
+%!   hypotheses.white.effect = repmat (one, 1, K);
+%!   hypotheses = hypothesisTable (hypotheses, kinds, 0);
+%!   assert (sum ([hypotheses.list.prior]) + ...
+%!           sum (triu (hypotheses.pairPrior)(:)), 1, 1e-12);
+%!   last(K + 1) = hypotheses.list(end).prior;
+%!   assert (numel (hypotheses.list), 2 + K);
+%!   assert (numel (hypotheses.singles), K);
 %! end
 %! assert (last(1), 0.6, 1e-12);
 %! assert (last(11) < last(3));
 %!test
 %! % two of three are unlikely: as a part of a cause each, alone and in pairs
-%! models = handMadeHypotheses ();
-%! kinds = setfield (models.list(end), 'weight', 1);
-%! models.white.effect = repmat (models.white.effect(1), 1, 3);
-%! models.factor = [1, 0.05, 0.05];
-%! models = hypothesisTable (models, kinds, 0);
-%! p = [models.list.prior];
-%! assert (sum (p) + sum (triu (models.pairPrior)(:)), 1, 1e-12);
+%! hypotheses = handMadeHypotheses ();
+%! kinds = setfield (hypotheses.list(end), 'weight', 1);
+%! hypotheses.white.effect = repmat (hypotheses.white.effect(1), 1, 3);
+%! hypotheses.factor = [1, 0.05, 0.05];
+%! hypotheses = hypothesisTable (hypotheses, kinds, 0);
+%! p = [hypotheses.list.prior];
+%! assert (sum (p) + sum (triu (hypotheses.pairPrior)(:)), 1, 1e-12);
 %! assert (p(3:4) / p(2), [0.05, 0.05], 1e-12);
-%! assert (models.pairPrior(2, 3) / models.pairPrior(1, 3), 0.05, 1e-12);
+%! assert (hypotheses.pairPrior(2, 3) / hypotheses.pairPrior(1, 3), 0.05, 1e-12);

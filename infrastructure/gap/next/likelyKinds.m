@@ -1,10 +1,10 @@
 % LIKELYKINDS  Hypotheses among which a further measurement could tell.
 %
-% CALL: [KEEP, P, KINDS, NAMES] = likelyKinds (EVIDENCE, P, MODELS)
+% CALL: [KEEP, P, KINDS, NAMES] = likelyKinds (EVIDENCE, P, HYPOTHESES)
 %
 %   EVIDENCE  struct of caseEvidence (members, posterior, kind)
 %   P        1 x H, probabilities of the hypotheses
-%   MODELS   scalar struct: names (1 x K cell, of the effects), options (see
+%   HYPOTHESES  scalar struct: names (1 x K cell, of the effects), options (see
 %            gapOptions)
 %   KEEP     1 x h, hypotheses of more than 0.005 of what is listed, which no
 %            discrepancy is, and that have a posterior; P their probabilities,
@@ -20,10 +20,11 @@
 % Where only misfits of no shape are likely, the likeliest of the others stays:
 % nothing is left to tell.
 
-function [keep, P, kinds, names] = likelyKinds (evidence, P, models)
+function [keep, P, kinds, names] = likelyKinds (evidence, P, hypotheses)
   listed = ~strcmp (evidence.kind, 'discrepancy');
   listed = find (listed & ~cellfun (@(p) isempty (p.Q), evidence.posterior));
   P = P / max (sum (P(listed)), realmin);
+  % what is less likely adds next to nothing to the information
   keep = listed(P(listed) > 0.005);
   if isempty (keep)
     [~, best] = max (P(listed));
@@ -31,6 +32,7 @@ function [keep, P, kinds, names] = likelyKinds (evidence, P, models)
     P(keep) = 1;
   end
   P = P(keep) / sum (P(keep));
+  % the same effects in any order are one kind
   texts = cellfun (@(m) mat2str (sort (m)), evidence.members(keep), ...
                    'UniformOutput', false);
   [~, first, kinds] = unique (texts, 'first');
@@ -42,12 +44,13 @@ function [keep, P, kinds, names] = likelyKinds (evidence, P, models)
   names = cell (1, numel (order));
   for c = 1:numel (order)
     members = evidence.members{keep(first(order(c)))};
-    names{c} = strjoin (models.names(members), ' + ');
+    names{c} = strjoin (hypotheses.names(members), ' + ');
     if isempty (members)
       names{c} = 'no gap';
     end
   end
-  least = models.options.adviseAt;
+  least = hypotheses.options.adviseAt;
+  % no measurement can tell more bits than are open
   if entropyOf (P, kinds) < least
     kinds(:) = 1;
     names = names(1);
@@ -61,20 +64,20 @@ function bits = entropyOf (P, kinds)
 end
 
 %!test
-%! models = struct ('names', {{'a', 'b'}}, 'options', gapOptions ([]));
+%! hypotheses = struct ('names', {{'a', 'b'}}, 'options', gapOptions ([]));
 %! evidence.kind = {'null', 'single', 'pair', 'pair', 'discrepancy', 'single'};
 %! evidence.members = {[], 1, [2, 1], [1, 2], [], 2};
 %! evidence.posterior = repmat ({struct('Q', 1)}, 1, 6);
 %! P = [0.05, 0.2, 0.1, 0.2, 0.4, 0.05];
-%! [keep, P, kinds, names] = likelyKinds (evidence, P, models);
+%! [keep, P, kinds, names] = likelyKinds (evidence, P, hypotheses);
 %! assert (keep, [1, 2, 3, 4, 6]);
 %! assert (P, [1, 4, 2, 4, 1] / 12, 1e-12);
 %! assert (kinds([3, 4]), [1, 1]);
 %! assert (names([1, 2]), {'b + a', 'a'});
 %! assert (sort (names(3:4)), {'b', 'no gap'});
 %! % the kind is known
-%! [~, ~, kinds, names] = likelyKinds (evidence, [0, 0.99, 0, 0, 0, 0.01], models);
+%! [~, ~, kinds, names] = likelyKinds (evidence, [0, 0.99, 0, 0, 0, 0.01], hypotheses);
 %! assert ({kinds, names}, {[1, 1], {'a'}});
-%! [keep, P] = likelyKinds (evidence, [0, 0, 0, 0, 1, 0], models);
+%! [keep, P] = likelyKinds (evidence, [0, 0, 0, 0, 1, 0], hypotheses);
 %! assert (numel (keep), 1);
 %! assert (P, 1);

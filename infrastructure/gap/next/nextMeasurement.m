@@ -50,6 +50,7 @@ function tests = candidates (problem)
   tests = [];
   settings = [problem.bench(:), problem.coordinate(:), ...
               problem.curve(:)];
+  % a curve is measured as a whole: its places are one setting
   settings(problem.curve > 0, 2) = 0;
   settings = settings(problem.possible, :);
   for row = unique (settings, 'rows')'
@@ -82,6 +83,7 @@ function part = predictive (problem, emulator, evidence, h, at, noise)
   Q = posterior.Q(:, 1:emulator.p + numel (members));
   M = predictGap (emulator, members, Q)(:, at);
   S = noise.covariance(at, at);
+  % a reading of unknown sd is taken for as sure as a run
   isBare = isnan (problem.value(at)) & ~(problem.sd(at) > 0);
   S = S + diag (isBare .* emulator.noiseVar(at));
   R = diag (mean (emulator.surrogateVar(:, at), 1) + emulator.fitVar(at)) + ...
@@ -89,6 +91,7 @@ function part = predictive (problem, emulator, evidence, h, at, noise)
   if ~isempty (members)
     [~, ~, added] = predictGap (noise.white, members, Q);
     free = noise.white.parity;
+    % what it does beyond its law, in units of the noise, over the free directions
     strange = posterior.Q(:, end).^2 .* sum ((added * free).^2, 2) / ...
               max (1, columns (free));
     R = R + (posterior.weight' * strange) * diag (diag (S + R));
@@ -96,10 +99,12 @@ function part = predictive (problem, emulator, evidence, h, at, noise)
   known = problem.value(at);
   left = R;
   if all (isfinite (known))
+    % what surrogate and form miss was in the first measurement, too: that share stays
     gain = R / (R + S);
     M = M + (known - M) * gain';
     left = R - gain * R;
   end
+  % law of total variance: between the draws of the posterior, and about each
   part.mean = posterior.weight' * M;
   D = (M - part.mean) .* sqrt (posterior.weight);
   part.cov = D' * D + left + S;

@@ -35,6 +35,7 @@ function list = otherSettings (Case)
     known = headDefaults (fullfile (model.folder, 'data.head'));
     known = mergeFields (known, Case.modelVars);
     for s = readSettings (model.folder)
+      % what the calibration or an effect sets is no setting of the rig
       isFree = ~any (strcmp (s.variable, taken)) && ...
                isfield (known, s.variable);
       if ~isFree
@@ -71,6 +72,7 @@ function list = otherBenches (Case)
     folder = fileparts (file{1});
     [~, name] = fileparts (folder);
     own = headDefaults (fullfile (folder, 'data.head'));
+    % parameters were calibrated for grains of this size: a factor of 1.5 is near
     if any (strcmp (name, {Case.models.name})) || ...
        ~all (isfield (own, Case.names)) || ~hasLaw (folder, Case) || ...
        ~(abs (log (own.radiusP / known.radiusP)) < log (1.5))
@@ -78,6 +80,7 @@ function list = otherBenches (Case)
     end
     change = struct ();
     for v = fieldnames (own)'
+      % names end in P or W for grains and their walls: the rest belongs to the rig
       isGrain = ~isempty (regexp (v{1}, '(P|W)$', 'once'));
       if isGrain && isfield (known, v{1}) && known.(v{1}) ~= own.(v{1})
         change.(v{1}) = known.(v{1});
@@ -138,6 +141,7 @@ function lines = measuredLines (own, bench, trials)
     if isempty (name)
       name = resultInfo (own.models.folder)(t.index).name;
     end
+    % a point of a curve is named by its series in measured.csv
     name(1:numel (name) * strcmp (name, t.series)) = '';
     if ~isempty (t.series)
       at = sprintf ('%.10g', t.at);
@@ -163,6 +167,7 @@ function own = caseOf (Case, bench)
   if bench.origin > 0
     own.targets = Case.targets([Case.targets.model] == k);
     moved = [own.targets.at];
+    % a place along a series that is the value of the variable follows it
     moved(moved == bench.old) = bench.value;
     moved = num2cell (moved);
     [own.targets.at] = moved{:};
@@ -171,6 +176,7 @@ function own = caseOf (Case, bench)
     end
   else
     own.models.cpu = 1;
+    % nobody has said what a measurement on it costs
     own.models.cost = median ([Case.models.cost]);
     [own.models.readings, own.models.timeout] = deal ([], NaN);
     info = resultInfo (bench.source);

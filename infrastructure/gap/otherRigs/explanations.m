@@ -17,7 +17,7 @@
 function [causes, sets, names] = explanations (study, evidence, P, options)
   causes = [];
   sets = setOf (study, evidence, find (strcmp (evidence.kind, 'null'), 1), options);
-  [keep, P, kinds, names] = likelyKinds (evidence, P, study.models);
+  [keep, P, kinds, names] = likelyKinds (evidence, P, study.hypotheses);
   if isscalar (names)
     return
   end
@@ -56,19 +56,19 @@ function set = setOf (study, evidence, h, options)
   columns_ = 1:p + numel (members);
   Q = study.fits.calibrated.Q(1, :);
   if ~isempty (members)
-    Q = fitEffects (study.models, study.fits, 1, members, ...
-                    study.models.prior).Q;
+    Q = fitEffects (study.hypotheses, study.fits, 1, members, ...
+                    study.hypotheses.prior).Q;
   end
   set = struct ('mode', Q(1, columns_), 'draws', [], 'number', [], ...
                 'doubt', []);
-  white = study.models.white;
+  white = study.hypotheses.white;
   n = numel (white.columns);
   noise = noiseBudget (study.problem, study.emulator).covariance;
   measured = sum ((white.W(1:n, :) * noise(white.columns, white.columns)) .* ...
                   white.W(1:n, :), 2)';
   [~, V] = predictGap (white, members, set.mode);
   set.doubt = max (median (V(1:n) ./ measured) - 1, 0);
-  [~, set.number] = ismember (study.models.names(members), ...
+  [~, set.number] = ismember (study.hypotheses.names(members), ...
                               {study.problem.effects.name});
   posterior = evidence.posterior{h};
   n = options.testRuns / 4;
@@ -88,10 +88,10 @@ end
 %! [given, data, means] = smallGapLab ();
 %! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]);
 %! study = labStudy (given, data, struct ('twins', 60));
-%! study.models = gapReference (study.models);
-%! evidence = caseEvidence (study.models, study.fits, 1);
-%! P = judgeCase (evidence, study.models).P;
-%! options = study.models.options;
+%! study.hypotheses = gapReference (study.hypotheses);
+%! evidence = caseEvidence (study.hypotheses, study.fits, 1);
+%! P = judgeCase (evidence, study.hypotheses).P;
+%! options = study.hypotheses.options;
 %! [causes, sets, names] = explanations (study, evidence, P, options);
 %! assert (sum ([causes.P]), 1, 1e-12);
 %! assert (max ([causes.group]), numel (sets));

@@ -28,7 +28,7 @@
 % what is asked: which kind, or whether it is the likeliest.
 
 function [tests, state] = tryMeasurements (candidates, study, evidence, P, state)
-  options = study.models.options;
+  options = study.hypotheses.options;
   [causes, sets, names] = explanations (study, evidence, P, options);
   ask = struct ('causes', {causes}, 'sets', {sets}, 'afford', ...
                 min (state.budget.left, options.testRuns));
@@ -57,6 +57,7 @@ function [tests, ask, state] = firstRuns (candidates, study, ask, state)
   if isempty (ask.causes)
     return
   end
+  % four runs each; 24 are kept for those that promise most
   most = max (floor ((ask.afford - 24) / 4), floor (min (ask.afford, 24) / 4));
   for candidate = candidates
     canHave = ismember ([ask.sets.number], find (candidate.isExpressed));
@@ -90,6 +91,7 @@ end
 
 function [best, extra] = whichNext (tests, ask, rounds, least)
   [n, spent] = deal (numel (tests), numel (vertcat (tests.group)));
+  % in rounds of one run of each explanation
   room = floor ((ask.afford - spent) / numel (ask.sets));
   if rounds == 3
     [best, extra] = deal (1:n * (room >= 2 * n), 1);
@@ -228,10 +230,10 @@ end
 %! randn ('twister', 4);
 %! given.value = means ([0.4, 0.6], [0.6, 0, 0, 0, 0]) + 0.28 * randn (1, 12);
 %! study = labStudy (given, data, struct ('twins', 60));
-%! study.models = gapReference (study.models);
-%! evidence = caseEvidence (study.models, study.fits, 1);
-%! P = judgeCase (evidence, study.models).P;
-%! [causes, sets] = explanations (study, evidence, P, study.models.options);
+%! study.hypotheses = gapReference (study.hypotheses);
+%! evidence = caseEvidence (study.hypotheses, study.fits, 1);
+%! P = judgeCase (evidence, study.hypotheses).P;
+%! [causes, sets] = explanations (study, evidence, P, study.hypotheses.options);
 %! assert (numel (sets), 4);
 %! never = sets(4).number;
 %! others = setdiff (1:4, never);

@@ -79,16 +79,16 @@ function [now, reference] = weighNow (problem, options, emulator, reference)
   library = withoutEffects (emulator, setdiff (1:numel (emulator.effect), usable));
   options.twins = min (options.twins, 59);
   [options.points, options.effective, options.most] = deal (300, 100, 2000);
-  models = makeHypotheses (problem, library, options);
-  fits = fitLibrary (models, problem.value(problem.used));
+  hypotheses = makeHypotheses (problem, library, options);
+  fits = fitLibrary (hypotheses, problem.value(problem.used));
   if isempty (reference)
-    models = gapReference (models);
-    reference = models.reference;
+    hypotheses = gapReference (hypotheses);
+    reference = hypotheses.reference;
   end
-  models.reference = reference;
-  evidence = caseEvidence (models, fits, 1);
-  now = struct ('evidence', evidence, 'verdict', judgeCase (evidence, models), ...
-                'models', models, 'fits', fits, 'usable', usable);
+  hypotheses.reference = reference;
+  evidence = caseEvidence (hypotheses, fits, 1);
+  now = struct ('evidence', evidence, 'verdict', judgeCase (evidence, hypotheses), ...
+                'hypotheses', hypotheses, 'fits', fits, 'usable', usable);
   now.runs = [library.effect.runs];
   now.tried = arrayfun (@(e) rows (e.Q), library.effect);
   isLaboratory = [library.effect.laboratory];
@@ -134,8 +134,8 @@ end
 
 % Share of the variance of a target that comes with effect K where it fits best.
 function share = vagueShare (now, k)
-  white = now.models.white;
-  fit = now.fits.of{now.models.singles(k)};
+  white = now.hypotheses.white;
+  fit = now.fits.of{now.hypotheses.singles(k)};
   [~, with] = predictGap (white, k, fit.Q(1, 1:white.p + 1));
   [~, without] = predictGap (white, [], now.fits.calibrated.Q(1, 1:white.p));
   share = 1 - mean (min (without ./ with, 1));

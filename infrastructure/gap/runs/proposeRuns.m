@@ -3,7 +3,7 @@
 % CALL: BATCH = proposeRuns (PROBLEM, OPTIONS, STATE, EMULATOR, NOW)
 %
 %   PROBLEM, OPTIONS, STATE, EMULATOR  as of exploreEffects
-%   NOW    struct evidence, verdict (caseEvidence, judgeCase), models, fits, usable
+%   NOW    struct evidence, verdict (caseEvidence, judgeCase), hypotheses, fits, usable
 %          (numbers of their effects in EMULATOR), runs (of each, Inf: none needed),
 %          tried (the same with those that gave no result),
 %          isVague (the mark of the likeliest one needs more runs), alike (the
@@ -73,7 +73,7 @@ function pool = candidates (problem, options, state, emulator, now)
   for i = order(:)'
     k = now.usable(i);
     isVague = now.isVague && i == order(1);
-    peak = now.fits.of{now.models.singles(i)}.Q(1, 1:p + 1);
+    peak = now.fits.of{now.hypotheses.singles(i)}.Q(1, 1:p + 1);
     posterior = evidence.posterior{singles(i)};
     blank = struct ('what', emulator.effect(k).name, 'members', k, 'q', peak, ...
                     'P', now.verdict.include(i), 'isMode', true, ...
@@ -200,17 +200,17 @@ end
 %!  [given, data, means] = smallGapLab ();
 %!  given.value = means ([0.4, 0.6], strengths);
 %!  study = labStudy (given, data, struct ('maxNewRuns', 30, 'twins', 60));
-%!  state = newGapState (data, study.models.options, ...
+%!  state = newGapState (data, study.hypotheses.options, ...
 %!                       @(X, E, r) 0);
-%!  models = gapReference (study.models);
-%!  evidence = caseEvidence (models, study.fits, 1);
-%!  now = struct ('evidence', evidence, 'verdict', judgeCase (evidence, models), 'models', ...
-%!                models, 'fits', study.fits, 'usable', 1:5, 'isVague', ...
+%!  hypotheses = gapReference (study.hypotheses);
+%!  evidence = caseEvidence (hypotheses, study.fits, 1);
+%!  now = struct ('evidence', evidence, 'verdict', judgeCase (evidence, hypotheses), ...
+%!                'hypotheses', hypotheses, 'fits', study.fits, 'usable', 1:5, 'isVague', ...
 %!                false, 'runs', runs, 'tried', runs, 'alike', [], ...
 %!                'rivals', []);
 %!endfunction
 %!function batch = proposed (study, state, now)
-%!  batch = proposeRuns (study.problem, study.models.options, state, ...
+%!  batch = proposeRuns (study.problem, study.hypotheses.options, state, ...
 %!                       study.emulator, now);
 %!endfunction
 %!test
@@ -219,7 +219,7 @@ end
 %! [study, state, now] = after ([0.6, 0, 0, 0, 0], [1, 9, 9, 9, Inf]);
 %! now.verdict.include = [0.96, 0.02, 0.01, 0.01, 0];
 %! batch = proposed (study, state, now);
-%! assert (sum (batch.phi(:, 1) ~= 0) >= study.models.options.standsRuns - 1);
+%! assert (sum (batch.phi(:, 1) ~= 0) >= study.hypotheses.options.standsRuns - 1);
 %! assert (batch.bits > 100);
 %! assert (all (abs (batch.theta(:)) <= 1));
 %! now.runs(1) = 9;
@@ -229,7 +229,7 @@ end
 %! [study, state, now] = after ([0.6, 0, 0, 0, 0], [5, 3, 9, 9, Inf]);
 %! batch = proposed (study, state, setfield (now, 'rivals', [1, 2]));
 %! assert ([batch.theta(1, :), batch.phi(1, 2)], ...
-%!         study.fits.of{study.models.singles(2)}.Q(1:3), 1e-9);
+%!         study.fits.of{study.hypotheses.singles(2)}.Q(1:3), 1e-9);
 %!test
 %! % a likely pair is run, but not where runs of it gave no result
 %! [study, state, now] = after ([0.6, 0, 0.5, 0, 0], 9 * ones (1, 5));

@@ -2,7 +2,7 @@
 %
 % CALL: LIST = causesOfVerdict (VERDICT, STUDY)
 %
-%   VERDICT  of judgeCase;  STUDY  struct problem, models, fits, evidence
+%   VERDICT  of judgeCase;  STUDY  struct problem, hypotheses, fits, evidence
 %   LIST     see weighCauses; empty without a gap, as nothing has made it
 
 function list = causesOfVerdict (verdict, study)
@@ -11,13 +11,13 @@ function list = causesOfVerdict (verdict, study)
     % who sees no gap, or cannot tell, does not ask what made it
     problem.causes = [];
   end
-  list = weighCauses (study.models, study.evidence.screen, ...
+  list = weighCauses (study.hypotheses, study.evidence.screen, ...
                       study.fits.calibrated.Q(1, :), problem);
 end
 
 %!test
-%! study.models = handMadeHypotheses ();
-%! study.evidence.screen = screenEffects (study.models.white, 0, [0, 0, 4, 4]);
+%! study.hypotheses = handMadeHypotheses ();
+%! study.evidence.screen = screenEffects (study.hypotheses.white, 0, [0, 0, 4, 4]);
 %! study.fits.calibrated.Q = 0;
 %! study.problem = struct ('reference', [], 'effects', ...
 %!                         struct ('name', {'a', 'b'}, 'group', ''));

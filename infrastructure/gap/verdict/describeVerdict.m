@@ -1,8 +1,8 @@
 % DESCRIBEVERDICT  Puts a verdict into names, probabilities and strengths.
 %
-% CALL: NAMED = describeVerdict (EVIDENCE, VERDICT, MODELS, PROBLEM)
+% CALL: NAMED = describeVerdict (EVIDENCE, VERDICT, HYPOTHESES, PROBLEM)
 %
-%   EVIDENCE, VERDICT, MODELS, PROBLEM     of caseEvidence, judgeCase, makeHypotheses,
+%   EVIDENCE, VERDICT, HYPOTHESES, PROBLEM     of caseEvidence, judgeCase, makeHypotheses,
 %                                   newProblem
 %   NAMED   struct
 %     verdict, reason, guard, lookAlike, sameKind, effects (of a group the likeliest
@@ -25,8 +25,8 @@
 %     hypotheses  1 x H struct members (cellstr), kind, probability, likeliest
 %                 first
 
-function named = describeVerdict (evidence, verdict, models, problem)
-  names = models.names;
+function named = describeVerdict (evidence, verdict, hypotheses, problem)
+  names = hypotheses.names;
   if strcmp (verdict.kind, 'group')      % the likeliest first
     [~, order] = sort (-verdict.include(verdict.effects));
     verdict.effects = verdict.effects(order);
@@ -49,13 +49,13 @@ function named = describeVerdict (evidence, verdict, models, problem)
   end
   named.posterior.unlisted = verdict.unlisted;
   named.cannotSee = names(isinf (evidence.screen.smallest));
-  named.siblings = [models.siblings{verdict.effects}];
-  named.groups = confusedGroups (evidence.screen, models);
+  named.siblings = [hypotheses.siblings{verdict.effects}];
+  named.groups = confusedGroups (evidence.screen, hypotheses);
   named.strength = struct ('name', {}, 'value', {}, 'interval90', {}, ...
                            'range', {}, 'variables', {}, 'values', {}, ...
                            'says', {});
   for k = 1:numel (names)
-    named.strength(k) = strengthOf (evidence, verdict, k, models, problem);
+    named.strength(k) = strengthOf (evidence, verdict, k, hypotheses, problem);
   end
   named.numbers = numbersOf (evidence, verdict);
   named.hypotheses = hypothesesOf (evidence, verdict, names);
@@ -79,32 +79,32 @@ function list = hypothesesOf (evidence, verdict, names)
 end
 
 % From the likeliest hypothesis that holds the effect and was integrated.
-function s = strengthOf (evidence, verdict, k, models, problem)
+function s = strengthOf (evidence, verdict, k, hypotheses, problem)
   holding = find (cellfun (@(m) any (m == k), evidence.members) & ...
                   ~cellfun (@(p) isempty (p.Q), evidence.posterior));
   [~, at] = max (verdict.P(holding));
   q = NaN (1, 3);
   says = 'nothing';
-  if ~isempty (holding) && evidence.ess(holding(at)) >= models.options.leastPoints
+  if ~isempty (holding) && evidence.ess(holding(at)) >= hypotheses.options.leastPoints
     h = holding(at);
     posterior = evidence.posterior{h};
-    column = models.white.p + find (evidence.members{h} == k);
+    column = hypotheses.white.p + find (evidence.members{h} == k);
     phi = posterior.Q(:, column);
-    learned = models.white.effect(k);
+    learned = hypotheses.white.effect(k);
     q = strengthInterval (phi, posterior.cautious, learned.range, learned.scale);
     % caution widens the interval; the middle is that of the whole likelihood
     q(1) = weightedQuantile (phi, posterior.weight, 0.5);
-    theta = posterior.Q(:, 1:models.white.p);
+    theta = posterior.Q(:, 1:hypotheses.white.p);
     if any (verdict.effects == k) && strcmp (verdict.kind, 'named')
       says = 'amount';
-      if evidence.atLimit(h) > models.options.gluedAt
+      if evidence.atLimit(h) > hypotheses.options.gluedAt
         says = 'least';
       end
     elseif isBounded (learned, q, phi, theta, posterior.cautious)
       says = 'bound';
     end
   end
-  at = find (strcmp ({problem.effects.name}, models.names{k}), 1);
+  at = find (strcmp ({problem.effects.name}, hypotheses.names{k}), 1);
   effect = problem.effects(at);
   variables = effect.variables;
   values = valuesOfStrength (effect, q');
@@ -112,7 +112,7 @@ function s = strengthOf (evidence, verdict, k, models, problem)
     variables = {effect.name};
     values = effect.strongest * q';
   end
-  s = struct ('name', models.names{k}, 'value', q(1), 'interval90', q(2:3), ...
+  s = struct ('name', hypotheses.names{k}, 'value', q(1), 'interval90', q(2:3), ...
               'range', effect.range, 'variables', {variables}, ...
               'values', values, 'says', says);
 end
@@ -143,8 +143,8 @@ function is = isBounded (e, q, phi, theta, weight)
 end
 
 % Complete linkage: in a group each is mistaken for each at half strength.
-function groups = confusedGroups (screen, models)
-  K = numel (models.names);
+function groups = confusedGroups (screen, hypotheses)
+  K = numel (hypotheses.names);
   linked = false (K);
   for k = 1:K
     % at half strength; the chance is that of the method: Phi (-d sqrt ((1 - cos) /
@@ -152,7 +152,7 @@ function groups = confusedGroups (screen, models)
     d = screen.size(k) / 2;
     linked(k, :) = d > 0 & screen.size > 0 & ...
                    normalTail (d * sqrt (max (1 - screen.cosine(k, :), 0) / ...
-                                         2)) > models.options.confusedAt;
+                                         2)) > hypotheses.options.confusedAt;
   end
   linked = linked & linked';
   groups = {};
@@ -165,7 +165,7 @@ function groups = confusedGroups (screen, models)
       end
     end
     if numel (members) > 1
-      groups{end + 1} = models.names(members);
+      groups{end + 1} = hypotheses.names(members);
       free(members) = false;
     end
   end
@@ -173,14 +173,14 @@ end
 
 %!test
 %! % linkage is complete: a chain is no group
-%! models = handMadeHypotheses ();
-%! models.reference = (-4:0.1:2)';
-%! evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 3, 3]), 1);
+%! hypotheses = handMadeHypotheses ();
+%! hypotheses.reference = (-4:0.1:2)';
+%! evidence = caseEvidence (hypotheses, fitLibrary (hypotheses, [1.5, 0.5, 3, 3]), 1);
 %! problem = struct ('effects', newEffect (struct ('name', 'a', ...
 %!                   'laboratory', true), 4));
 %! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
 %!                                         true), 4);
-%! named = describeVerdict (evidence, judgeCase (evidence, models), models, problem);
+%! named = describeVerdict (evidence, judgeCase (evidence, hypotheses), hypotheses, problem);
 %! assert (named.groups, {});
 %! assert (named.strength(1).value, 0.7, 0.1);
 %! assert (named.numbers.ess >= 200);
@@ -190,25 +190,25 @@ end
 %! assert (named.strength(1).says, 'amount');
 %! assert (named.class, {'a'});
 %! [evidence.posterior{2:end}] = deal (struct ('Q', [], 'weight', []));
-%! named = describeVerdict (evidence, judgeCase (evidence, models), models, problem);
+%! named = describeVerdict (evidence, judgeCase (evidence, hypotheses), hypotheses, problem);
 %! assert (isnan ([named.strength.value]));
 %!test
 %! % an upper end is a bound where the effect was run about as strong, at
 %! % parameters with which it would fit; at the end of the range none is asked
-%! models = handMadeHypotheses ();
-%! models.reference = (-2:0.1:20)';
+%! hypotheses = handMadeHypotheses ();
+%! hypotheses.reference = (-2:0.1:20)';
 %! problem = struct ('effects', newEffect (struct ('name', 'a', ...
 %!                   'laboratory', true), 4));
 %! problem.effects(2) = newEffect (struct ('name', 'b', 'laboratory', ...
 %!                                         true), 4);
-%! [models.white.effect.laboratory] = deal (false);
-%! [models.white.effect.Z] = deal (1);
+%! [hypotheses.white.effect.laboratory] = deal (false);
+%! [hypotheses.white.effect.Z] = deal (1);
 %! said = cell (1, 3);
 %! runs = {[0.5, 0.5], [0.5, 1], [-0.5, 0.5]};
 %! for i = 1:3
-%!   [models.white.effect.Q] = deal (runs{i});
-%!   evidence = caseEvidence (models, fitLibrary (models, [1.5, 0.5, 0, 0]), 1);
-%!   named = describeVerdict (evidence, judgeCase (evidence, models), models, problem);
+%!   [hypotheses.white.effect.Q] = deal (runs{i});
+%!   evidence = caseEvidence (hypotheses, fitLibrary (hypotheses, [1.5, 0.5, 0, 0]), 1);
+%!   named = describeVerdict (evidence, judgeCase (evidence, hypotheses), hypotheses, problem);
 %!   said{i} = named.strength(1).says;
 %! end
 %! assert (named.strength(1).interval90(2) < 0.75);

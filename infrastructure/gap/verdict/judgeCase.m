@@ -1,9 +1,9 @@
 % JUDGECASE  Turns evidences into a verdict, or into an honest abstention.
 %
-% CALL: VERDICT = judgeCase (EVIDENCE, MODELS)
+% CALL: VERDICT = judgeCase (EVIDENCE, HYPOTHESES)
 %
 %   EVIDENCE  struct of caseEvidence
-%   MODELS   struct of makeHypotheses
+%   HYPOTHESES  struct of makeHypotheses
 %   VERDICT  struct
 %     kind      'no gap', 'named', 'group', 'none of the listed' or 'undecided'
 %     effects   numbers of the effects it names (one or two, or a group)
@@ -30,12 +30,12 @@
 % effect is another one in reality than in the library is part of its
 % hypothesis (formError).
 
-function verdict = judgeCase (evidence, models)
-  verdict = judged (evidence, models);
-  weak = evidence.ess < models.options.leastPoints & verdict.P > 0.01;
+function verdict = judgeCase (evidence, hypotheses)
+  verdict = judged (evidence, hypotheses);
+  weak = evidence.ess < hypotheses.options.leastPoints & verdict.P > 0.01;
   if any (weak) && ~strcmp (verdict.guard, 'gate') && ...
-     mayDecide (evidence, models, verdict, weak)
-    verdict = openVerdict (evidence, numel (models.names));
+     mayDecide (evidence, hypotheses, verdict, weak)
+    verdict = openVerdict (evidence, numel (hypotheses.names));
     verdict.guard = 'integral';
     verdict.reason = sprintf (['an integral rests on %.0f effective ' ...
                                'points; raise options.most'], ...
@@ -45,7 +45,7 @@ end
 
 % The likeliest hypothesis must be integrated well; of another one it is enough
 % that three errors of its logarithm, or a factor of e, make no other verdict.
-function yes = mayDecide (evidence, models, verdict, weak)
+function yes = mayDecide (evidence, hypotheses, verdict, weak)
   [~, best] = max (verdict.P);
   yes = weak(best) || any (evidence.ess(weak) < 1);
   far = max (3 ./ sqrt (evidence.ess(weak)), 1);
@@ -55,28 +55,28 @@ function yes = mayDecide (evidence, models, verdict, weak)
     end
     moved = evidence;
     moved.logE(weak) = evidence.logE(weak) + step{1};
-    other = judged (moved, models);
+    other = judged (moved, hypotheses);
     yes = ~strcmp (other.kind, verdict.kind) || ...
           ~isequal (other.effects, verdict.effects);
   end
 end
 
-function verdict = judged (evidence, models)
-  verdict = openVerdict (evidence, numel (models.names));
-  if evidence.gate.p >= models.options.level
+function verdict = judged (evidence, hypotheses)
+  verdict = openVerdict (evidence, numel (hypotheses.names));
+  if evidence.gate.p >= hypotheses.options.level
     verdict.kind = 'no gap';
     verdict.guard = 'gate';
     verdict.reason = sprintf (['data without a gap give as much evidence ' ...
                                'for a cause with p = %.2f'], evidence.gate.p);
-  elseif verdict.unlisted >= models.options.misfitAt
+  elseif verdict.unlisted >= hypotheses.options.misfitAt
     verdict.kind = 'none of the listed';
     verdict.reason = sprintf (['there is a gap (p = %.3f) that no listed ' ...
                                'effect explains'], evidence.gate.p);
-  elseif isempty (models.names)
+  elseif isempty (hypotheses.names)
     verdict.reason = sprintf (['there is a gap (p = %.3f), and no effect ' ...
                                'that has runs could explain it'], evidence.gate.p);
   else
-    verdict = nameCause (verdict, evidence, models);
+    verdict = nameCause (verdict, evidence, hypotheses);
   end
 end
 
@@ -104,9 +104,9 @@ function verdict = openVerdict (evidence, K)
   verdict.likely = order(1:find (most >= 0.95 * max ([most, realmin]), 1));
 end
 
-%!shared evidence, models, like
-%! models = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}});
-%! models.options = gapOptions ([]);
+%!shared evidence, hypotheses, like
+%! hypotheses = struct ('names', {{'a', 'b', 'c'}}, 'siblings', {{{}, {}, {}}});
+%! hypotheses.options = gapOptions ([]);
 %! evidence = struct ('logE', [0, 9, 0, 0, 0, 0]);
 %! evidence.logPrior = log ([0.4, 0.15, 0.15, 0.15, 0.03, 0.12]);
 %! evidence.members = {[], 1, 2, 3, [1, 2], []};
@@ -135,14 +135,14 @@ end
 %!          like(4, 5), 'named', 1, ''; ...
 %!          like(4, 8), 'group', [1, 3], 'group'}';
 %! for one = cases
-%!   v = judgeCase (one{1}, models);
+%!   v = judgeCase (one{1}, hypotheses);
 %!   assert ({v.kind, v.guard}, one([2, 4])');
 %!   assert (isequal (v.effects, one{3}) || isempty ([v.effects, one{3}]));
 %!   assert (sum (v.P), 1, 1e-12);
 %!   assert (v.sameKind, strcmp (one{4}, 'class'));
 %! end
-%! assert (judgeCase (like (3, 4), models).class, [1, 2]);
-%! assert (judgeCase (evidence, models).class, 1);
+%! assert (judgeCase (like (3, 4), hypotheses).class, [1, 2]);
+%! assert (judgeCase (evidence, hypotheses).class, 1);
 %!test
 %! % a poor integral of a lesser hypothesis takes a name away where it may make
 %! % another verdict: c has 0.02 of the probability of a
@@ -150,26 +150,26 @@ end
 %! for c = {like(4, 5), 100, 'named'; like(4, 6.5), 41, 'undecided'; ...
 %!          like(4, 5), 0, 'undecided'; like(4, 6.5), 400, 'named'}'
 %!   at = find (c{1}.logE ~= evidence.logE);
-%!   v = judgeCase (poor (c{1}, at, c{2}), models);
+%!   v = judgeCase (poor (c{1}, at, c{2}), hypotheses);
 %!   assert (v.P(at) > 0.01);
 %!   assert (v.kind, c{3});
 %!   assert (strcmp (v.guard, 'integral'), strcmp (c{3}, 'undecided'));
 %! end
 %!test
 %! % a member of its family that is not on the list may be it as well
-%! v = judgeCase (evidence, setfield (models, 'siblings', {{'d'}, {}, {}}));
+%! v = judgeCase (evidence, setfield (hypotheses, 'siblings', {{'d'}, {}, {}}));
 %! assert ({v.kind, v.lookAlike}, {'named', true});
 %! assert (! isempty (strfind (v.reason, 'told from d')));
-%! assert (! judgeCase (evidence, models).lookAlike);
+%! assert (! judgeCase (evidence, hypotheses).lookAlike);
 %!test
 %! % a true cause may stand at the end of its range: named, and said
-%! v = judgeCase (setfield (evidence, 'atLimit', 0.9 * ones (1, 6)), models);
+%! v = judgeCase (setfield (evidence, 'atLimit', 0.9 * ones (1, 6)), hypotheses);
 %! assert (v.kind, 'named');
 %! assert (! isempty (strfind (v.reason, 'end of its plausible range')));
 %!test
 %! % one that explains the data only where it does something else than its law
 %! % says is no listed cause
-%! v = judgeCase (setfield (evidence, 'turned', [0, 0.9, 0, 0, 0, 0]), models);
+%! v = judgeCase (setfield (evidence, 'turned', [0, 0.9, 0, 0, 0, 0]), hypotheses);
 %! assert (v.kind, 'none of the listed');
 %! assert (v.include(1) < 0.15);
 %!test
@@ -178,12 +178,12 @@ end
 %! x.members(4:5) = {[1, 2], [1, 3]};
 %! x.kind(4:5) = {'pair', 'pair'};
 %! x.screen.cosine = eye (3);
-%! v = judgeCase (x, models);
+%! v = judgeCase (x, hypotheses);
 %! assert ({v.kind, v.effects, v.partners}, {'named', 1, [2, 3]});
 %!test
 %! % probabilities of an effect, of what is not listed, the fewest of all
 %! x = struct ('logPrior', log ([0.5, 0.4, 0.1]), 'logE', zeros (1, 3), ...
 %!             'kind', {evidence.kind([1, 2, 6])}, 'members', {{[], 1, []}}, ...
 %!             'gate', struct ('p', 1), 'ess', NaN, 'turned', zeros (1, 3));
-%! v = judgeCase (x, setfield (models, 'names', {'a'}));
+%! v = judgeCase (x, setfield (hypotheses, 'names', {'a'}));
 %! assert ([v.include, v.unlisted, v.likely], [0.4, 0.1, 1], 1e-12);

@@ -1,8 +1,8 @@
 % WEIGHCAUSES  What a person would ask for: which cause may have made the gap.
 %
-% CALL: LIST = weighCauses (MODELS, SCREEN, THETA, PROBLEM)
+% CALL: LIST = weighCauses (HYPOTHESES, SCREEN, THETA, PROBLEM)
 %
-%   MODELS, SCREEN  of makeHypotheses, screenEffects (of the measured values)
+%   HYPOTHESES, SCREEN  of makeHypotheses, screenEffects (of the measured values)
 %   THETA           1 x p, calibrated null model, parameters in [-1, 1]
 %   PROBLEM         of newProblem; causes (struct of listCauses, [] for none),
 %                   effects, reference
@@ -27,16 +27,16 @@
 %
 % See also: listCauses, describeCause, judgeCase
 
-function list = weighCauses (models, screen, theta, problem)
+function list = weighCauses (hypotheses, screen, theta, problem)
   list = struct ('name', {}, 'label', {}, 'question', {}, ...
                  'probability', {}, 'effects', {});
-  field = struct ('white', models.white, 'theta', theta, ...
+  field = struct ('white', hypotheses.white, 'theta', theta, ...
                   'N', screen.parity.N, 'rho', screen.parity.rho, 'sd', []);
-  [~, V] = predictGap (models.white, [], theta);
+  [~, V] = predictGap (hypotheses.white, [], theta);
   field.sd = sqrt (V');
   logP = [];
   for cause = problem.causes
-    [logE, members] = evidenceOf (cause, field, models.names, problem);
+    [logE, members] = evidenceOf (cause, field, hypotheses.names, problem);
     if isfinite (logE)
       rare = ~isempty (problem.reference) && ...
              strcmp (cause.usually, 'unlikely');
@@ -44,7 +44,7 @@ function list = weighCauses (models, screen, theta, problem)
       list(end + 1) = struct ('name', cause.name, 'label', cause.label, ...
                               'question', cause.question, ...
                               'probability', NaN, ...
-                              'effects', {models.names(members)});
+                              'effects', {hypotheses.names(members)});
     end
   end
   if isempty (list)
@@ -149,18 +149,18 @@ function logE = logNormal (r, C)
          numel (r) / 2 * log (2 * pi);
 end
 
-%!function [list, models] = weigh (rho, causes, isChange)
+%!function [list, hypotheses] = weigh (rho, causes, isChange)
 %!  % effect a moves targets 3 and 4 by 4, b target 4 by -4; the parameter is
 %!  % told by the first two
-%!  models = handMadeHypotheses ();
+%!  hypotheses = handMadeHypotheses ();
 %!  theta = 0;
-%!  screen = screenEffects (models.white, theta, [0, 0, rho]);
+%!  screen = screenEffects (hypotheses.white, theta, [0, 0, rho]);
 %!  problem = struct ('causes', causes, 'reference', []);
 %!  problem.effects = struct ('name', {'a', 'b'}, 'group', {'', 'own'});
 %!  if isChange
 %!    problem.reference = struct ('value', 1);
 %!  end
-%!  list = weighCauses (models, screen, theta, problem);
+%!  list = weighCauses (hypotheses, screen, theta, problem);
 %!endfunction
 %!function c = cause (name, members, varargin)
 %!  c = describeCause (struct ('name', name, 'label', name, 'question', '?', ...

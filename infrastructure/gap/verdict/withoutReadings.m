@@ -5,7 +5,7 @@
 %   VERDICT  of judgeCase; one that names effects becomes a group where these
 %            are not the likeliest ones without one kind of reading: with the
 %            effect that is then (guard 'readings', field decides)
-%   STUDY    struct problem, emulator, models of newProblem, fitEmulator,
+%   STUDY    struct problem, emulator, hypotheses of newProblem, fitEmulator,
 %            makeHypotheses
 %   DECIDES  cellstr, as VERDICT.decides: PROBLEM.reading of those that decide
 %
@@ -20,7 +20,7 @@ function [verdict, decides] = withoutReadings (verdict, study)
     return
   end
   problem = study.problem;
-  targets = study.models.white.columns;
+  targets = study.hypotheses.white.columns;
   readings = problem.reading(targets);
   joined = verdict.effects;
   for reading = setdiff (readings, {''})(:)'
@@ -49,23 +49,23 @@ end
 % Laplace's formula): the named ones, or with one of them another one of the
 % five likeliest.
 function first = likeliest (study, verdict, targets)
-  models = makeHypotheses (study.problem, study.emulator, ...
-                           study.models.options, targets);
+  hypotheses = makeHypotheses (study.problem, study.emulator, ...
+                               study.hypotheses.options, targets);
   first = verdict.effects;
   [~, order] = sort (-verdict.include);
   tried = unique ([first, order(1:min (5, end))]);
   % no others are fitted
-  models.list = models.list([1, models.singles(tried)]);
-  models.singles(:) = 0;
-  models.singles(tried) = 1 + (1:numel (tried));
-  fits = fitLibrary (models, study.problem.value(targets));
+  hypotheses.list = hypotheses.list([1, hypotheses.singles(tried)]);
+  hypotheses.singles(:) = 0;
+  hypotheses.singles(tried) = 1 + (1:numel (tried));
+  fits = fitLibrary (hypotheses, study.problem.value(targets));
   others = setdiff (tried, first);
-  best = fitEffects (models, fits, 1, first, models.prior).logSum;
+  best = fitEffects (hypotheses, fits, 1, first, hypotheses.prior).logSum;
   for k = others
     for i = 1:numel (verdict.effects)
       members = verdict.effects;
       members(i) = k;
-      fit = fitEffects (models, fits, 1, sort (members), models.prior);
+      fit = fitEffects (hypotheses, fits, 1, sort (members), hypotheses.prior);
       if fit.logSum > best
         best = fit.logSum;
         first = sort (members);
@@ -82,8 +82,8 @@ end
 %! given.value = means ([0.4, 0.6], [0, 0, 0.9, 0, 0]);
 %! given.reading = repmat ({'length'}, 1, 12);
 %! study = labStudy (given, data, struct ('twins', 60));
-%! study.models = gapReference (study.models);
-%! verdict = judgeCase (caseEvidence (study.models, study.fits, 1), study.models);
+%! study.hypotheses = gapReference (study.hypotheses);
+%! verdict = judgeCase (caseEvidence (study.hypotheses, study.fits, 1), study.hypotheses);
 %! assert (verdict.kind, 'named');
 %! given.reading(1:2:12) = {'time'};
 %! study.problem = newProblem (given);

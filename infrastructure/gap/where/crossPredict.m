@@ -2,7 +2,7 @@
 %
 % CALL: CROSS = crossPredict (STUDY, FROM, TO)
 %
-%   STUDY       struct problem, emulator, models, see locateGap
+%   STUDY       struct problem, emulator, hypotheses, see locateGap
 %   FROM, TO    rows of target numbers
 %   CROSS       struct
 %     p           of the misfit of TO, r' [S + J C J']^-1 r (chi-square),
@@ -13,14 +13,14 @@
 function cross = crossPredict (study, from, to)
   problem = study.problem;
   emulator = study.emulator;
-  models = study.models;
+  hypotheses = study.hypotheses;
   budget = noiseBudget (problem, emulator);
   null = newHypothesis ('null');
   white = whitenEmulator (emulator, from, budget);
-  view = viewHypothesis (white, null, models.prior);
-  starts = models.list(1).starts;
+  view = viewHypothesis (white, null, hypotheses.prior);
+  starts = hypotheses.list(1).starts;
   Z = repmat (problem.value(from) * white.W', rows (starts), 1);
-  fit = fitHypothesis (white, null, Z, starts, models.prior);
+  fit = fitHypothesis (white, null, Z, starts, hypotheses.prior);
   [~, best] = max (fit.logPeak);
   A = reshape (fit.A(best, :, :), emulator.p, emulator.p);
   % the reference has told its part through FROM

@@ -2,7 +2,7 @@
 %
 % CALL: WHERE = locateGap (STUDY)
 %
-%   STUDY    struct problem, emulator, models, fits: of newProblem, fitEmulator,
+%   STUDY    struct problem, emulator, hypotheses, fits: of newProblem, fitEmulator,
 %            makeHypotheses, fitLibrary (first row: the measured values)
 %   WHERE    struct
 %     theta (1 x p in [-1, 1]), params (1 x p), chi2, p (lack of fit: share of
@@ -28,15 +28,15 @@
 function where = locateGap (study)
   problem = study.problem;
   emulator = study.emulator;
-  models = study.models;
-  white = models.white;
+  hypotheses = study.hypotheses;
+  white = hypotheses.white;
   used = white.columns;
   known = study.fits.calibrated;
   fit = struct ('Q', known.Q(1, :), 'U', known.U(1, :), 'chi2', known.chi2(1));
   where.theta = fit.Q;
   where.params = fromSymmetric (where.theta, problem.limits);
   where.chi2 = fit.chi2;
-  [where.p, simulated] = lackOfFit (models, fit);
+  [where.p, simulated] = lackOfFit (hypotheses, fit);
   [M, V, ~, J] = predictGap (white, [], where.theta);
   sd = sqrt (V');
   r = (study.fits.Z(1, :) - M)';
@@ -45,23 +45,23 @@ function where = locateGap (study)
   where.absorbed = parity.absorbed;
   where.unabsorbed = parity.unabsorbed;
   where = localise (where, rawErrors (white, V, J), r, simulated, ...
-                    problem.bench(used), models.options);
+                    problem.bench(used), hypotheses.options);
   where.conflict = benchConflicts (study);
-  where.side = sideSignals (problem, emulator, where.theta, models.options);
+  where.side = sideSignals (problem, emulator, where.theta, hypotheses.options);
   where.budget = noiseBudget (problem, emulator);
   where.held = heldOut (study);
 end
 
 % Simulated data sets, fitted again; LEFT (repeats x T', whitened): what of them
 % is not met.
-function [p, left] = lackOfFit (models, fit)
-  white = models.white;
-  options = models.options;
+function [p, left] = lackOfFit (hypotheses, fit)
+  white = hypotheses.white;
+  options = hypotheses.options;
   noise = integrationPoints (options.bootstrap, columns (white.coef), ...
                              options.seed).normal;
   [M, V] = predictGap (white, [], fit.Q);
   Z = M + sqrt (V) .* noise;
-  flat = setfield (models.prior, 'flat', true);
+  flat = setfield (hypotheses.prior, 'flat', true);
   again = fitHypothesis (white, newHypothesis ('null'), Z, ...
                          repmat (fit.U, options.bootstrap, 1), flat);
   % the measurement is one of the data sets: no p of 0 (Davison and Hinkley 1997, 4.2)
@@ -159,7 +159,7 @@ function conflict = benchConflicts (study)
   end
   conflict.odd = [];
   % predicted either way: the surer side may show what the other hides
-  clash = min (conflict.pair, conflict.pair') < study.models.options.conflictAt;
+  clash = min (conflict.pair, conflict.pair') < study.hypotheses.options.conflictAt;
   % of two nobody can say which is odd
   for b = 1:n * (n > 2)
     others = setdiff (1:n, b);

@@ -52,7 +52,7 @@ end
 %! lab = standInGap (0);
 %! given = setfield (lab.problem, 'value', ones (1, 24));
 %! study = labStudy (given, lab.plan (40, 2));
-%! options = study.models.options;
+%! options = study.hypotheses.options;
 %! problem = study.problem;
 %! side = sideSignals (problem, study.emulator, [1, 0, 0, 0], options);
 %! assert (side.atLimit, {'friction'});
