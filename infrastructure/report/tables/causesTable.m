@@ -34,17 +34,17 @@ function cells = rowOf (page, which, name)
   else
     strength = jsonAt (which, {'strength', name});
     entry.value = givenField (strength, 'label', name);
-    how = strengthWords (which, strength, name);
+    how = strengthWords (page, strength, name);
     from = char (jsonAt (strength, {'seenFrom'}));
   end
   cells = {entry, {'gap', 'which', 'posterior', name}, how, from};
 end
 
 % In its unit; the share of its range is the tooltip.
-function c = strengthWords (which, strength, name)
+function c = strengthWords (page, strength, name)
   text = givenField (strength, 'amount', givenField (strength, 'text', ''));
   c = struct ('value', text, 'class', '', 'title', '');
-  if any (strcmp (name, namesIn (which, 'cannotSee')))
+  if any (strcmp (name, namesIn (page.verdict.cause, 'cannotSee')))
     c = struct ('value', sentence ('strength.unseen'), 'class', 'unsure');
   elseif strcmp (jsonAt (strength, {'says'}), 'nothing')
     c.value = sentence ('strength.unknown');
@@ -59,7 +59,13 @@ end
 %! assert (T.cells{1, 1}.code, 'cohesion');
 %! assert (T.cells{1, 2}.value, 0.9);
 %! assert (T.cells{1, 3}.value, 'cohesion 41 kJ/m3 (31 to 58)');
-%! page.sources.gap.which.cannotSee = {'cohesion'};
-%! assert (causesTable (page).cells{1, 3}.value, sentence ('strength.unseen'));
+%! % one that is named has a strength, though weak ones would not be seen
+%! page.sources.gap.which.cannotSee = {'cohesion'; 'drag'};
+%! page.verdict = decideCase (page.sources.calibration, page.sources.gap);
+%! T = causesTable (page);
+%! how = @(name) T.cells(cellfun (@(c) strcmp (givenField (c, 'code', ''), name), ...
+%!                                T.cells(:, 1)), 3){1}.value;
+%! assert (how ('cohesion'), 'cohesion 41 kJ/m3 (31 to 58)');
+%! assert (how ('drag'), sentence ('strength.unseen'));
 %! page.verdict.cause.untested = {'drag could not be tested'};
 %! assert (causesTable (page).notes{1}, 'drag could not be tested');
