@@ -1,11 +1,16 @@
 % LEVELTEXT  At which level a verdict was reached, and whether it would hold.
 %
-% CALL: TEXT = levelText (LEVEL)
+% CALL: TEXT = levelText (GAP)
 %
-%   LEVEL  of finerLevel, or what gap.json says of it
-%   TEXT   one sentence
+%   GAP   what gap.json says: its field level (finerLevel) is read
+%   TEXT  end of a sentence; '' of a case without levels
 
-function text = levelText (level)
+function text = levelText (gap)
+  text = '';
+  level = jsonAt (gap, {'level'});
+  if ~isstruct (level)
+    return
+  end
   names = cellstr (level.variables);
   rms = @(x) norm (x) / sqrt (numel (x));
   code = 'level.open';
@@ -25,16 +30,17 @@ function text = levelText (level)
 end
 
 %!test
-%! level = struct ('variables', {{'scaleP'}}, 'value', 2, 'finer', 4 / 3, ...
-%!                 'shift', [3, -4], 'shiftSd', [1, 1], 'verdict', 'named', ...
-%!                 'effects', {{'tilt'}}, 'holds', true);
-%! assert (levelText (level), ...
+%! gap.level = struct ('variables', {{'scaleP'}}, 'value', 2, 'finer', 4 / 3, ...
+%!                     'shift', [3, -4], 'shiftSd', [1, 1], 'verdict', 'named', ...
+%!                     'effects', {{'tilt'}}, 'holds', true);
+%! assert (levelText (gap), ...
 %!         ['reached at scaleP = 2. At scaleP = 1.33, where the runs of ', ...
 %!          'all levels predict a shift of the results by 3.54 +- 1 ', ...
 %!          '(root mean square), it would be the same.']);
-%! level.holds = false;
-%! assert (! isempty (strfind (levelText (level), 'be: named (tilt).')));
-%! level.effects = {};
-%! assert (! isempty (strfind (levelText (level), 'be: named.')));
-%! level.verdict = '';
-%! assert (! isempty (strfind (levelText (level), 'it is open')));
+%! gap.level.holds = false;
+%! assert (! isempty (strfind (levelText (gap), 'be: named (tilt).')));
+%! gap.level.effects = {};
+%! assert (! isempty (strfind (levelText (gap), 'be: named.')));
+%! gap.level.verdict = '';
+%! assert (! isempty (strfind (levelText (gap), 'it is open')));
+%! assert (levelText (struct ('level', [])), '');

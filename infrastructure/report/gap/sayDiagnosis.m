@@ -54,8 +54,9 @@ function sayFound (page, say)
   if ~isempty (page.verdict.cause.closed)
     sayTables (page, say, {'howfar', 'beforeafter'});
   end
-  if ~isempty (jsonAt (gap, {'level'}))
-    cellfun (say, {['LEVEL: ', levelText(gap.level)], ''});
+  text = levelText (gap);
+  if ~isempty (text)
+    cellfun (say, {['LEVEL: ', text], ''});
   end
 end
 

@@ -15,11 +15,11 @@ function html = causes (page)
   cause = page.verdict.cause;
   [~, order] = sort (-cell2mat (struct2cell (which.posterior)));
   posterior = orderfields (which.posterior, order);
-  level = jsonAt (page.sources.gap, {'level'});
-  if isstruct (level)
-    level = ['The verdict was ', levelText(level)];
+  reached = levelText (page.sources.gap);
+  if ~isempty (reached)
+    reached = ['The verdict was ', reached];
   end
-  said = {cause.sentence, cause.closed, madeByText(jsonAt (which, {'cause'})), char(level)};
+  said = {cause.sentence, cause.closed, madeByText(jsonAt (which, {'cause'})), reached};
   html = ['<p><strong>', htmlText(cause.word), '</strong>. ', ...
           htmlText(strjoin (said(~cellfun (@isempty, said)), ' ')), '</p>', ...
           shapes(page, posterior), tableHtml(page.tables.causes)];
