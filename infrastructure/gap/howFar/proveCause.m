@@ -64,9 +64,9 @@ end
 function [verdict, evidence] = withCures (study, data)
   problem = study.problem;
   known = refit (study, data, sort ([problem.used, problem.heldOut]));
-  evidence = caseEvidence (known.models, known.fits, 1);
+  evidence = caseEvidence (known.hypotheses, known.fits, 1);
   evidence.gate = study.evidence.gate;
-  verdict = judgeCase (evidence, known.models);
+  verdict = judgeCase (evidence, known.hypotheses);
 end
 
 % The study with what DATA tell, on TARGETS.
