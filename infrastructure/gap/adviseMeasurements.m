@@ -12,7 +12,7 @@
 %            more, best per cost first, then the others; last those that were
 %            given up early (isFirm). The first one is the advice, where it
 %            tells so much. At first they cost no run
-%   FURTHER     [], or a handle that tries the CANDIDATES by runs and ranks all
+%   FURTHER  [], or a handle that tries the CANDIDATES by runs and ranks all
 %
 % Tests of other benches cost runs, so they are tried only where it is open
 % which kind of cause it is, or whether it is the likeliest one itself: a group,

@@ -29,7 +29,7 @@
 %              model is likely to miss in both conditions (emulateChange)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
-%   FURTHER      [], or, where GIVEN.tests holds a handle that makes tests of other
+%   FURTHER   [], or, where GIVEN.tests holds a handle that makes tests of other
 %             benches and the verdict leaves a cause open, a handle that tries
 %             them by runs: DIAGNOSIS with their place in next. The verdict does
 %             not wait for them
@@ -71,7 +71,7 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   verdict = doubtName (verdict, diagnosis, study.hypotheses);
   diagnosis.which = describeVerdict (evidence, verdict, study.hypotheses, problem);
   diagnosis.which.cause = causesOfVerdict (verdict, study);
-  [diagnosis.next, tryMeasurements] = adviseMeasurements (study, evidence, verdict, state);
+  [diagnosis.next, trials] = adviseMeasurements (study, evidence, verdict, state);
   diagnosis.change = [];
   if ~isempty (study.emulator.change)
     diagnosis.change = struct ('size', study.emulator.change.size, 'lack', ...
@@ -81,13 +81,13 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   diagnosis = withRuns (diagnosis, state, known);
   diagnosis.data = withNewRuns (data, state, known, problem);
   further = [];
-  if ~isempty (tryMeasurements)
-    further = @() withTests (diagnosis, tryMeasurements, known);
+  if ~isempty (trials)
+    further = @() withTests (diagnosis, trials, known);
   end
 end
 
-function diagnosis = withTests (diagnosis, tryMeasurements, known)
-  [diagnosis.next, state] = tryMeasurements ();
+function diagnosis = withTests (diagnosis, trials, known)
+  [diagnosis.next, state] = trials ();
   diagnosis = withRuns (diagnosis, state, known);
 end
 

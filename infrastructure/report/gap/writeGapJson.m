@@ -172,7 +172,7 @@ end
 % What to do, as a program reads it: the marks are for the page.
 function todo = withoutMarks (todo)
   if ~isempty (todo)
-    todo.text = strrep (todo.text, '`', '');
+    todo.text = withAction (struct (), todo).action;
   end
 end
 
