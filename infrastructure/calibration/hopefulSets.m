@@ -81,7 +81,10 @@ function step = stepInBox (J, f, u)
     isFree(isOut) = false;
     step(isOut) = 0;
   end
-  step = step * min (1, 0.3 / max ([abs(step), eps]));
+  longest = max (abs (step));
+  if longest > 0.3
+    step = step * 0.3 / longest;
+  end
 end
 
 %!test

@@ -36,20 +36,20 @@ function [p, share] = mixtureMet (r, s, problem, df, at)
   p(~isNear) = allMet (r(~isNear, :), s(~isNear, :), problem, df);
   if any (isNear)
     q = @(level) betaincinv (level, a(isNear), max (b(isNear), 0) + 1);
-    jump = W(isNear, :) * odd.jump ./ a(isNear);
-    p(isNear) = ofBoth (r(isNear, :), s(isNear, :), problem, df, ...
-                        at(isNear, :), jump, q);
+    [~, slope] = targetResidual (problem, at(isNear, :), ...
+                                 repmat (problem.value, sum (isNear), 1));
+    jump = slope .* (W(isNear, :) * odd.jump ./ a(isNear));
+    p(isNear) = ofBoth (r(isNear, :), s(isNear, :), problem, df, jump, q);
   end
   p = p .* awayFrom (givenField (problem, 'avoid', []), at, problem);
 end
 
 % The mean over the quantiles Q of the share of the other outcome.
-function p = ofBoth (r, s, problem, df, at, jump, q)
+function p = ofBoth (r, s, problem, df, jump, q)
   chance = givenField (problem.odd, 'chance', 1);
-  [~, slope] = targetResidual (problem, at, repmat (problem.value, rows (at), 1));
   p = (1 - chance) * allMet (r, s, problem, df);
   for level = ((1:8) - 0.5) / 8
-    p = p + chance / 8 * allMet (r + q (level) .* slope .* jump, s, problem, df);
+    p = p + chance / 8 * allMet (r + q (level) .* jump, s, problem, df);
   end
 end
 
