@@ -10,7 +10,7 @@
 %
 % tests/flows.csv has a line for each flow: its name, whether it is in every
 % run (yes or no), and the folders that ask for it. A name that ends in a slash
-% stands for all flows of that folder below tests/.
+% stands for those flows of that folder below tests/ that have no line of their own.
 %
 % See also: runTests
 
@@ -19,9 +19,10 @@ function [flows, always] = flowsOf (root, changed)
                                                  'flows.csv'))), "\n");
   flows = cell (1, 0);
   always = false (1, 0);
+  listed = strtok (lines, ',');
   for line = lines(2:end)
     cells = strsplit (line{1}, ',');
-    names = namesOf (root, cells{1});
+    names = setdiff (namesOf (root, cells{1}), setdiff (listed, cells{1}), 'stable');
     folders = strsplit (strtrim ([cells{3}, sprintf(' tests/%s.tst', ...
                                                     names{:})]));
     isAsked = any (strcmp (changed, '.'));

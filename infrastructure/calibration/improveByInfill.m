@@ -9,8 +9,8 @@
 % confirmation are left of the budget. STATE.reason says which. Where there are
 % levels, the found set is run at those that have no run yet first.
 %
-% The sets are those of the criterion: options.infill of PROBLEM, 'thompson' for
-% infillThompson; each is a file of its own with that call. Where there are
+% The sets are those of the criterion: options.infill of PROBLEM, 'ahead' for
+% infillAhead; each is a file of its own with that call. Where there are
 % levels, those of five such sets are taken that gain most per core-second;
 % coarse runs cost at most as much as the runs at the level that counts have
 % cost, so a level that misleads costs no more than it would save.

@@ -9,20 +9,11 @@
 % SHARE        n x G  of the surrogate mean, see toleranceShare
 % R            n x T  residual of the surrogate mean
 %
-% PROBLEM.avoid (k x d, optional) holds sets at which runs failed again and
-% again: the probability falls to 0 within a tenth of the box around them.
-% PROBLEM.odd: see mixtureMet.
+% PROBLEM.avoid, PROBLEM.odd: see mixtureMet.
 
 function [probability, share, r] = meetProbability (surrogates, problem, P)
   [r, s] = residualSpread (surrogates, problem, P);
   probability = mixtureMet (r, s, problem, [surrogates.df], P);
-  if isfield (problem, 'avoid')
-    for i = 1:rows (problem.avoid)
-      u = toUnit (P, problem.limits) - ...
-          toUnit (problem.avoid(i, :), problem.limits);
-      probability = probability .* (1 - exp (-100 * sum (u.^2, 2)));
-    end
-  end
   if nargout > 1
     share = toleranceShare (problem, r);
   end

@@ -15,6 +15,9 @@
 % next to one it takes many runs without another odd one to bound q: the mean
 % over both outcomes moves by q times the jump. All this with PROBLEM.odd.chance
 % (default 1), else the odd runs are wrong ones and tell nothing.
+%
+% PROBLEM.avoid (m x d, optional) holds sets at which runs failed again and
+% again: the probability falls to 0 within a tenth of the box around them.
 
 function [p, share] = mixtureMet (r, s, problem, df, at)
   share = zeros (rows (at), 1);
@@ -31,19 +34,31 @@ function [p, share] = mixtureMet (r, s, problem, df, at)
   end
   p = zeros (rows (at), 1);
   p(~isNear) = allMet (r(~isNear, :), s(~isNear, :), problem, df);
-  if ~any (isNear)
-    return
+  if any (isNear)
+    q = @(level) betaincinv (level, a(isNear), max (b(isNear), 0) + 1);
+    [~, slope] = targetResidual (problem, at(isNear, :), ...
+                                 repmat (problem.value, sum (isNear), 1));
+    jump = slope .* (W(isNear, :) * odd.jump ./ a(isNear));
+    p(isNear) = ofBoth (r(isNear, :), s(isNear, :), problem, df, jump, q);
   end
-  [~, slope] = targetResidual (problem, at(isNear, :), ...
-                               repmat (problem.value, sum (isNear), 1));
-  jump = slope .* ((W(isNear, :) * odd.jump) ./ a(isNear));
-  levels = ((1:8) - 0.5) / 8;
-  p(isNear) = (1 - chance) * allMet (r(isNear, :), s(isNear, :), problem, df);
-  for level = levels
-    q = betaincinv (level, a(isNear), max (b(isNear), 0) + 1);
-    p(isNear) = p(isNear) + chance / 8 * ...
-                            allMet (r(isNear, :) + q .* jump, s(isNear, :), ...
-                                    problem, df);
+  p = p .* awayFrom (givenField (problem, 'avoid', []), at, problem);
+end
+
+% The mean over the quantiles Q of the share of the other outcome.
+function p = ofBoth (r, s, problem, df, jump, q)
+  chance = givenField (problem.odd, 'chance', 1);
+  p = (1 - chance) * allMet (r, s, problem, df);
+  for level = ((1:8) - 0.5) / 8
+    p = p + chance / 8 * allMet (r + q (level) .* jump, s, problem, df);
+  end
+end
+
+function share = awayFrom (avoid, at, problem)
+  share = ones (rows (at), 1);
+  U = toUnit (at, problem.limits);
+  for i = 1:rows (avoid)
+    apart = sumsq (U - toUnit (avoid(i, :), problem.limits), 2);
+    share = share .* (1 - exp (-100 * apart));
   end
 end
 

@@ -22,15 +22,16 @@ function diagnosis = diagnoseCase (root, folder)
   refuseCost (Case);
   [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);
+  many = max (numel (Case.conditions), 1);
+  [asked, assumed] = arrayfun (@(c) newProblem (Case, [], c), 1:many, ...
+                               'UniformOutput', false);
   options = gapOptions (struct ('seed', Case.options.seed));
-  [state, plain] = runsThere (Case, problem, options, idle, say);
+  [state, plain] = runsThere (Case, problem, options, {assumed{1}, idle}, say);
   state = completePlan (state, problem, Case, say, options);
 
-  many = max (numel (Case.conditions), 1);
   problems = cell (2, many);
   for c = 1:many
-    [problems{:, c}] = finerLevel (newProblem (Case, [], c), plain.surrogates, ...
-                                   plain.data, problem);
+    [problems{:, c}] = finerLevel (asked{c}, plain.surrogates, plain.data, problem);
   end
   [state, made] = exploreAll (Case, problems(1, :), state, options);
 
@@ -68,7 +69,8 @@ end
 
 % The state of a diagnosis with the runs that there are; PLAIN (struct data,
 % surrogates: of runs without an effect at all levels, where a case has levels).
-% What is known of them, and NOTES, are said.
+% What is known of them, and NOTES (what was assumed of the problem, which effects
+% are idle), are said.
 function [state, plain] = runsThere (Case, problem, options, notes, say)
   [state.evaluate, state.budget] = newEvaluate (Case, say);
   [data, count] = gatherRuns (Case);
@@ -80,11 +82,11 @@ function [state, plain] = runsThere (Case, problem, options, notes, say)
     plain.data = keepRows (levelled, thinRuns (levelled, problem, 1000));
     plain.surrogates = fitSurrogates (plain.data, problem);
   end
-  [given, own] = newProblem (Case, [], 1);
+  [assumed, idle] = notes{:};
   sessions = sessionNote (Case);
-  notes = [own(:)', {sessions}(~isempty (sessions)), ...
-           {leftOut}(~isempty (leftOut)), notes, unexpressedEffects(Case)];
-  [~, foreseen] = foreseeSets (given.effects, setsLeft (state.budget), ...
+  notes = [assumed(:)', {sessions}(~isempty (sessions)), ...
+           {leftOut}(~isempty (leftOut)), idle, unexpressedEffects(Case)];
+  [~, foreseen] = foreseeSets (problem.effects, setsLeft (state.budget), ...
                                options, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state.data = data;

@@ -8,13 +8,16 @@
 function o = methodOptions ()
   o = struct ('sets', 1, 'seed', 1, 'maxFunEvals', 40, 'maxIter', 3, ...
               'tolfun', 0.002, 'replicates', 1, 'WRL', 0, ...
-              'method', 'robust', 'infill', 'thompson', ...
+              'method', 'robust', 'infill', 'ahead', ...
               'confidence', 0.95, 'intervals', false);
   % probability that ends the infill: runs that confirm bring the rest
   o.likely = 0.8;
+  % so sure should runs at a set make one, and so many are thought ahead for it:
+  % with one alone no new set is worth it (infillAhead)
+  [o.aimed, o.ahead] = deal (0.9, [1, 2, 4, 8, 16]);
   % below it as many runs at once confirm a set as can go
   o.unsure = 0.9;
-  % from here on infill runs the found set alone, and preferences may choose
+  % from here on preferences may choose
   o.even = 0.5;
   % a set less probable than this has turned out wrong
   o.wrong = 0.2;

@@ -52,7 +52,7 @@ end
 %! folder = emptyFolder ();
 %! root = fileparts (fileparts (which ('startToolbox')));
 %! for name = {'loadInput.m', 'costFunction.m', 'effectCohesion.m', ...
-%!             'infillThompson.m', 'mineAlone.m', 'sameSet.txt', '2mean.m'}
+%!             'infillAhead.m', 'mineAlone.m', 'sameSet.txt', '2mean.m'}
 %!   writeAtomic (fullfile (folder, name{1}), '% x');
 %! end
 %! assert (isempty (checkShadow (folder, root)));
