@@ -1,45 +1,10 @@
 % The command decalioc, as a user calls it: from any folder, through a link, in
-% paths with blanks and quotes; killed, interrupted and started again.
+% paths with blanks and quotes. Killed and interrupted: commandKilled.tst
 
 %!shared root, base
 %! root = fileparts (fileparts (which ('startProgram')));
 %! base = fullfile (tempname (), 'it''s here');
 %! mkdir (base);
-
-%!function folder = standIn (base, name)
-%!  % a case of two formulas; no run ends while there is a file hold
-%!  folder = fullfile (base, name);
-%!  standInCase (folder);
-%!  writeLoadInput (folder, ['optim.tolRes = {[0.05, 0.05], 0.1}; ', ...
-%!                           'optim.maxFunEvals = 8; Input.replicates = 1;']);
-%!  for model = {'First', 'Second'}
-%!    file = fullfile (folder, 'DEMmodels', model{1}, 'runscript');
-%!    hold = shellQuote (fullfile (folder, 'hold'));
-%!    writeAtomic (file, ['while [ -e ', hold, " ]; do sleep 0.1; done\n", ...
-%!                        fileread(file)]);
-%!  end
-%!endfunction
-
-%!function pid = background (folder, words)
-%!  % a command that goes on; PID is that of its Octave
-%!  root = fileparts (fileparts (which ('startProgram')));
-%!  log = fullfile (folder, 'said');
-%!  program = shellQuote (fullfile (root, 'bin', 'decalioc'));
-%!  [~, text] = system (sprintf (['setsid %s %s > %s 2>&1 < /dev/null & ' ...
-%!                                'echo $!'], program, words, ...
-%!                               shellQuote (log)));
-%!  pid = str2double (text);
-%!endfunction
-
-%!function waitFor (condition)
-%!  for look = 1:1800
-%!    if condition ()
-%!      return
-%!    end
-%!    pause (0.1);
-%!  end
-%!  error ('waitFor: nothing has happened');
-%!endfunction
 
 %!function n = finishedRuns (folder)
 %!  n = numel (glob (fullfile (strrep (folder, '''', '?'), 'optim', '*', ...
@@ -81,7 +46,7 @@
 %! % the command or option that was meant
 %! meant = {'stauts', 'status'; 'chek --try', 'check'; 'verion', 'version'; ...
 %!          'nonsense', ''; 'doctor --no-rum', '--no-run'; ...
-%!          ['run --afersh ', shellQuote(standIn (base, 'near'))], '--afresh'};
+%!          ['run --afersh ', shellQuote(commandCase (base, 'near'))], '--afresh'};
 %! for row = meant'
 %!   [status, out] = startCommand (base, row{1});
 %!   assert (status, 1);
@@ -91,7 +56,7 @@
 
 % --- mistakes in the input; another LIGGGHTS that is not there
 %!test
-%! folder = standIn (base, 'bad');
+%! folder = commandCase (base, 'bad');
 %! setenv ('LIGGGHTS', '/nowhere/liggghts');
 %! [status, out] = startCommand (base, 'check bad');
 %! setenv ('LIGGGHTS', '');
@@ -107,7 +72,7 @@
 
 % --- check, check --try twice, run, status, export; a trial that fails
 %!test
-%! folder = standIn (base, 'my case');
+%! folder = commandCase (base, 'my case');
 %! file = fullfile (folder, 'loadInput.m');
 %! writeAtomic (file, [strtrim(fileread (file))(1:end - 3), ...
 %!                     "optim.weights = [1, 2];\nend\n"]);
@@ -133,7 +98,7 @@
 %! table = strsplit (strtrim (fileread (fullfile (base, 'table.csv'))), "\n");
 %! assert (numel (table) - 1, finishedRuns (folder));
 %! % the table is a case of its own
-%! other = standIn (base, 'other');
+%! other = commandCase (base, 'other');
 %! copyfile (fullfile (base, 'table.csv'), fullfile (other, 'runs.csv'));
 %! [status, out] = startCommand (base, 'check other');
 %! assert (says (out, 'sets taken in'));
@@ -145,7 +110,7 @@
 %! assert (numel (glob (fullfile (strrep (folder, '''', '?'), ...
 %!                                'optim-*'))), 1);
 %!test
-%! folder = standIn (base, 'broken');
+%! folder = commandCase (base, 'broken');
 %! writeAtomic (fullfile (folder, 'DEMmodels', 'First', 'runscript'), ...
 %!              "echo 'ERROR: no such box'\nexit 1\n");
 %! [status, out] = startCommand (base, 'check --try broken');
@@ -154,69 +119,9 @@
 %! [~, out] = startCommand (base, 'status broken');
 %! assert (says (out, 'First: failed exit status 1; ERROR: no such box'));
 
-% --- killed, interrupted and cancelled in the middle, then started again
-%!test
-%! folder = standIn (base, 'killed');
-%! place = shellQuote (folder);
-%! hold = fullfile (folder, 'hold');
-%! state = @() nthargout (2, @startCommand, base, ['status ', place]);
-%! writeAtomic (hold, '');
-%! pid = background (folder, ['check --try ', place]);
-%! waitFor (@() says (state (), '1 running'));
-%! system (sprintf ('kill -KILL %d', pid));
-%! waitFor (@() says (state (), ' 0 running'));
-%! unlink (hold);
-%! [status, out] = startCommand (base, ['check --try ', place]);
-%! assert (status == 0, out);
-%! writeAtomic (hold, '');
-%! least = 2;
-%! for sign = {'KILL', 'INT', ''}
-%!   pid = background (folder, ['run ', place]);
-%!   waitFor (@() says (state (), '1 running'));
-%!   out = state ();
-%!   assert (says (out, sprintf ('running (process %d), stage: plan', pid)));
-%!   % what was finished stays, whatever ended the one before
-%!   done = str2double (regexp (out, 'plan +(\d+) of 16', 'tokens', 'once'){1});
-%!   assert (done >= least && done < 16, out);
-%!   least = done;
-%!   if isempty (sign{1})
-%!     [status, out] = startCommand (base, ['cancel ', place]);
-%!     assert (status, 0);
-%!     assert (says (out, 'its Octave was ended'));
-%!     assert (~says (out, '; 0 run(s) ended here'), out);
-%!   else
-%!     system (sprintf ('kill -s %s -- -%d', sign{1}, pid));
-%!   end
-%!   waitFor (@() isempty (processStart (pid)));
-%!   waitFor (@() says (state (), ' 0 running'));
-%!   assert (says (state (), 'stopped in the stage: plan'));
-%! end
-%! unlink (hold);
-%! [status, out] = startCommand (base, ['run ', place]);
-%! assert (status == 0, out);
-%! [status, out] = startCommand (base, ['cancel ', place]);
-%! assert (status, 0);
-%! assert (says (out, 'no Octave worked in it; 0 run(s)'));
-
-%!test
-%! % Ctrl-C at a terminal, before the first run and with runs under way: it
-%! % ends, and says what is kept
-%! folder = standIn (base, 'stopped');
-%! writeAtomic (fullfile (folder, 'hold'), '');
-%! program = shellQuote (fullfile (root, 'bin', 'decalioc'));
-%! call = shellQuote ([program, ' run ', shellQuote(folder)]);
-%! for delay = [1.5, 5, 7]
-%!   [~, out] = system (sprintf (['(sleep %g; printf ''\003''; sleep 9) | ', ...
-%!                                'timeout 60 script -qec %s /dev/null'], ...
-%!                               delay, call));
-%!   assert (says (out, 'stopped. Finished runs are kept'), out);
-%!   waitFor (@() says (nthargout (2, @startCommand, base, ...
-%!                                 'status stopped'), ' 0 running'));
-%! end
-
 % --- a command that is told of the end; a live view that Ctrl-C ends
 %!test
-%! folder = standIn (base, 'told');
+%! folder = commandCase (base, 'told');
 %! note = fullfile (base, 'a note');
 %! how = shellQuote (sprintf ('cat > %s; echo "$1 $2" >> %s; exit 7', ...
 %!                            shellQuote (note), shellQuote (note)));
@@ -233,7 +138,7 @@
 %! [status, out] = startCommand (base, 'run told --notify');
 %! assert (status == 1 && says (out, 'needs a command'), out);
 %!test
-%! folder = standIn (base, 'watched');
+%! folder = commandCase (base, 'watched');
 %! [pid, mark] = startSleep (300);
 %! writeAtomic (fullfile (folder, 'decalioc.lock'), ...
 %!              sprintf ('%s %d %s', gethostname (), pid, mark));
@@ -249,7 +154,7 @@
 
 % --- the report: of writePage, or what is missing
 %!test
-%! folder = standIn (base, 'page');
+%! folder = commandCase (base, 'page');
 %! [status, out] = startCommand (base, 'report page');
 %! if isempty (which ('writePage'))
 %!   assert (status, 1);
@@ -289,8 +194,8 @@
 %!endfunction
 %!test
 %! % the page and no other file, to no other name, and until it is ended
-%! folder = standIn (base, 'served');
-%! pid = background (folder, ['report --serve=0 ', shellQuote(folder)]);
+%! folder = commandCase (base, 'served');
+%! pid = startAside (folder, ['report --serve=0 ', shellQuote(folder)]);
 %! log = fullfile (folder, 'said');
 %! waitUntil (@() ~isempty (regexp (fileread (log), '127.0.0.1:\d+/')));
 %! port = str2double (regexp (fileread (log), '127.0.0.1:(\d+)/', ...

@@ -79,11 +79,11 @@ function value = valueOfRuns (belief, problem, runs)
   [k, T] = size (belief.r);
   F = rows (belief.draws);
   value = zeros (k, 1);
-  known = reshape (belief.noise / runs, [1, 1, T]);
+  variance = diagonalsOf (belief.C);
   for c = 1:k
-    gain = belief.C(:, c, :) ./ sqrt (max (belief.C(c, c, :) + known, realmin));
-    gain = reshape (gain, k, T);
-    left = sqrt (max (diagonalsOf (belief.C) - gain.^2, 0));
+    gain = reshape (belief.C(:, c, :), k, T) ./ ...
+           sqrt (max (variance(c, :) + belief.noise / runs, realmin));
+    left = sqrt (max (variance - gain.^2, 0));
     r = repmat (belief.r, F, 1) + ...
         repmat (gain, F, 1) .* kron (belief.draws, ones (k, 1));
     p = allMet (r, repmat (left, F, 1), problem, Inf (1, T));
