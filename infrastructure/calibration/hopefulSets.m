@@ -54,13 +54,13 @@ end
 function [f, J] = linearAt (surrogates, problem, U)
   [k, d] = size (U);
   h = 1e-3 * (1 - 2 * (U > 0.5));
-  all = repmat (U, d + 1, 1);
+  V = repmat (U, d + 1, 1);
   for j = 1:d
     own = j * k + (1:k);
-    all(own, j) = all(own, j) + h(:, j);
+    V(own, j) = V(own, j) + h(:, j);
   end
   use = problem.calibrate;
-  r = residualSpread (surrogates, problem, fromUnit (all, problem.limits));
+  r = residualSpread (surrogates, problem, fromUnit (V, problem.limits));
   r = r(:, use) ./ problem.part(use);
   f = r(1:k, :);
   J = zeros ([size(f), d]);

@@ -76,17 +76,17 @@ end
 % Mean of the largest probability over all sets after RUNS runs at each (k x 1).
 % The noise is taken as known: Student's tails are not worth their time here.
 function value = valueOfRuns (belief, problem, runs)
-  [k, T] = size (belief.r);
+  k = rows (belief.r);
   F = rows (belief.draws);
+  df = Inf (1, columns (belief.r));
   value = zeros (k, 1);
   variance = diagonalsOf (belief.C);
   for c = 1:k
-    gain = reshape (belief.C(:, c, :), k, T) ./ ...
-           sqrt (max (variance(c, :) + belief.noise / runs, realmin));
+    gain = gainOfRuns (belief, c, runs);
     left = sqrt (max (variance - gain.^2, 0));
     r = repmat (belief.r, F, 1) + ...
         repmat (gain, F, 1) .* kron (belief.draws, ones (k, 1));
-    p = allMet (r, repmat (left, F, 1), problem, Inf (1, T));
+    p = allMet (r, repmat (left, F, 1), problem, df);
     value(c) = mean (max (belief.care .* reshape (p, k, F), [], 1));
   end
   value = value .* (belief.care > 0.5);
@@ -94,10 +94,17 @@ end
 
 % The mean stays, as it is not known what the run will give.
 function belief = afterRun (belief, c)
-  for t = 1:numel (belief.noise)
-    gain = belief.C(:, c, t) / sqrt (max (belief.C(c, c, t) + belief.noise(t), realmin));
-    belief.C(:, :, t) = belief.C(:, :, t) - gain * gain';
+  gain = gainOfRuns (belief, c, 1);
+  for t = 1:columns (gain)
+    belief.C(:, :, t) = belief.C(:, :, t) - gain(:, t) * gain(:, t)';
   end
+end
+
+% Standard deviation of what RUNS runs at set C may move each mean by (k x T).
+function gain = gainOfRuns (belief, c, runs)
+  [k, T] = size (belief.r);
+  variance = reshape (belief.C(c, c, :), 1, T) + belief.noise / runs;
+  gain = reshape (belief.C(:, c, :), k, T) ./ sqrt (max (variance, realmin));
 end
 
 function D = diagonalsOf (C)
