@@ -12,7 +12,7 @@
 %               cells of texts): what action says, for programs
 %     usable    logical: the calibrated set may be used;  usableFor, notFor
 %               1 x n cells of texts;  action  what to do now, one sentence
-%     marked    the same with `commands, files and fields` in such marks
+%     actionParts  its parts, see sentence: which of them are commands or files
 %     numbers   1 x n struct label, text (with units)
 %     met, of   targets that are met, all that are calibrated (a curve is one)
 %     misses    see listMisses;  worst  name of the model of the largest, ''
@@ -25,7 +25,7 @@
 function v = decideCase (c, gap, isBegun)
   v = struct ('word', '', 'class', 'open', 'sentence', '', 'gap', '', ...
               'usable', false, 'usableFor', {{}}, 'notFor', {{}}, ...
-              'action', '', 'marked', '', 'todo', [], 'numbers', [], 'met', 0, 'of', 0, ...
+              'action', '', 'actionParts', [], 'todo', [], 'numbers', [], 'met', 0, 'of', 0, ...
               'misses', listMisses (c, gap), 'worst', '', 'cause', []);
   isBegun = nargin > 2 && isBegun;
   codes = {'case.nothing', 'start'; 'case.begun', 'goOn'};
@@ -129,7 +129,7 @@ function todo = useOrSettle (used)
   isOpen = strcmp ({used.state}, 'open') & [used.runs] > 0;
   if any (isOpen)
     settle = newAction ('settle', {used(isOpen).name});
-    todo.text = [todo.text, ' ', settle.text];
+    todo.parts = [todo.parts, sayFirst(' ', settle.parts)];
   end
 end
 

@@ -61,7 +61,7 @@ function v = writeCalibrationJson (c, Case)
   stored.changed = {};
   v = decideStored (stored);
   out.action = v.todo;
-  out.verdict = rmfield (v, {'cause', 'todo', 'marked'});
+  out.verdict = rmfield (v, {'cause', 'todo', 'actionParts'});
   writeAtomic (fullfile (folder, 'calibration.json'), ...
                [jsonencode(out), "\n"]);
   [~, ~] = unlink (fullfile (folder, 'progress.json'));

@@ -69,7 +69,7 @@ function cause = ofConditions (cause, gap, say)
   [cause.word, cause.sentence] = deal ([name, ': ', cause.word], ...
                                        [name, ': ', cause.sentence]);
   if ~isempty (cause.todo)
-    cause.todo.text = [name, ': ', cause.todo.text];
+    cause.todo.parts = sayFirst ([name, ': '], cause.todo.parts);
   end
   first = conditionTexts (gap)(1);
   if isfinite (first.probability)
@@ -78,14 +78,18 @@ function cause = ofConditions (cause, gap, say)
   end
   if ~strcmp (first.name, name) && strcmp (first.code, 'named')
     todo = newAction ('takeModel', first.effects, {}, first.file);
-    texts = {[first.name, ': ', plantAdvice(first.effects)], todo.text};
+    todo.parts = sayFirst ([first.name, ': ', adviceBefore(first.effects)], todo.parts);
     if ~isempty (cause.todo)           % without the advice for the plant again
       own = newAction (cause.todo.code, cause.todo.field, {}, cause.todo.file);
-      texts{end + 1} = [name, ': ', own.text];
+      todo.parts = [todo.parts, sayFirst([' ', name, ': '], own.parts)];
     end
-    todo.text = strjoin (texts, ' ');
     cause.todo = todo;
   end
+end
+
+function text = adviceBefore (effects)
+  text = plantAdvice (effects);
+  text = [text, repmat(' ', 1, ~isempty (text))];
 end
 
 function cause = said (cause, say, kind, code, values, todo)
@@ -167,7 +171,7 @@ function cause = found (cause, gap, effects, isBeyond, say)
     folder = givenField (jsonAt (gap, {'reference'}), 'folder', 'gap');
     todo = newAction ('takeModel', {tried}, {}, [folder, '/calibrated.head']);
   end
-  todo.text = strtrim ([plantAdvice(effects(1:max (1, ~several * end))), ' ', todo.text]);
+  todo.parts = sayFirst (adviceBefore (effects(1:max (1, ~several * end))), todo.parts);
   cause = said (cause, say, kinds{1 + several}, code, values, todo);
   cause.amount = struct ('label', say ('amount', values), 'text', amounts);
   only = jsonAt (which, {'strength', fieldOf(effects{1})});

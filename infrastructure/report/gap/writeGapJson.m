@@ -105,9 +105,9 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   out.cause = struct ('code', v.cause.code, 'kind', v.cause.kind);
   out.closure = struct ('code', v.cause.closure);
   out.action = v.todo;
-  out.verdict = rmfield (v, 'marked');
+  out.verdict = rmfield (v, 'actionParts');
   for name = {'todo', 'without'}
-    out.verdict.cause.(name{1}) = withoutMarks (v.cause.(name{1}));
+    out.verdict.cause.(name{1}) = asText (v.cause.(name{1}));
   end
   conditions = jsonAt (diagnosis, {'others', 'conditions'});
   if ~isempty (conditions)
@@ -169,10 +169,11 @@ function s = whichOf (diagnosis)
   s.strength = cell2struct (strengths, fieldsOf ({w.strength.name}), 2);
 end
 
-% What to do, as a program reads it: the marks are for the page.
-function todo = withoutMarks (todo)
+% What to do, as a program reads it: which parts are commands is for the page.
+function todo = asText (todo)
   if ~isempty (todo)
-    todo.text = withAction (struct (), todo).action;
+    todo.text = [todo.parts.text];
+    todo = rmfield (todo, 'parts');
   end
 end
 

@@ -22,16 +22,19 @@ end
 
 function html = particles (page)
   what = strjoin ({setsToShow(page).what}, ' or ');
-  html = [eachOf(@(k) panelsOf (page, k), 1:numel (page.Case.models)){:}];
-  if ~isempty (strfind (html, '<svg'))
+  n = numel (page.Case.models);
+  [htmls, areDrawn] = arrayfun (@(k) panelsOf (page, k), 1:n, 'UniformOutput', false);
+  html = [htmls{:}];
+  if any ([areDrawn{:}])
     html = ['<p>The last picture of a run, from the side, where one was made with ', ...
             what, '.</p>', html];
   end
 end
 
-function html = panelsOf (page, k)
+function [html, isDrawn] = panelsOf (page, k)
   real = experimentOf (page.Case, k);
   [html, drawn] = deal ('', picturesOf (page, k, real));
+  isDrawn = ~isempty (drawn);
   if ~isempty (real.photo) && ~isfinite (real.height)
     name = htmlText ([page.Case.models(k).name, ': the experiment']);
     html = ['<figure><figcaption>', name, '</figcaption><img alt="', name, ...
@@ -40,7 +43,7 @@ function html = panelsOf (page, k)
   if ~isempty ([html, drawn])
     html = ['<div class="panels">', html, drawn, '</div>'];
   end
-  if ~isempty (drawn)
+  if isDrawn
     key = {'line', 'red', 'free surface of the grains'; ...
            'dash', 'ink', 'measured inclination'; 'dash', 'amber', 'measured profile'};
     html = [html, htmlKey(key([true, true, ~isempty(real.profile)], :))];

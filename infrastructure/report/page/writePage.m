@@ -91,12 +91,19 @@ function html = verdictBox (page)
   if ~isempty (v.gap) && numel (items) < 2
     gap = ['<p>', htmlText(v.gap), '</p>'];
   end
-  action = regexprep (htmlText (v.marked), '`([^`]*)`', '<code>$1</code>');
+  action = eachOf (@actionHtml, v.actionParts);
   html = ['<div class="verdict ', v.class, '"><p><span class="word">', ...
           htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
           uses('What has changed since the reference', items), ...
           uses('Use it for', v.usableFor), uses('Not for', v.notFor), ...
-          '<h2>What to do now</h2><p>', action, "</p></div>\n"];
+          '<h2>What to do now</h2><p>', action{:}, "</p></div>\n"];
+end
+
+function html = actionHtml (part)
+  html = htmlText (part.text);
+  if part.isCode
+    html = ['<code>', html, '</code>'];
+  end
 end
 
 % The numbers, and the pictures of the test that misses most: the grains under

@@ -1,6 +1,6 @@
 % SENTENCE  The sentence that stands for a code, with its numbers filled in.
 %
-% CALL: TEXT = sentence (CODE [, VALUES [, ISCHANGE]])
+% CALL: [TEXT, PARTS] = sentence (CODE [, VALUES [, ISCHANGE]])
 %
 %   CODE      code of words.txt, such as 'ending.outside' (text)
 %   VALUES    scalar struct with what the sentence names (default: nothing); a cell
@@ -9,6 +9,8 @@
 %             the model lacks; such words stand there behind CODE/changed, where
 %             they differ
 %   TEXT      text, without HTML
+%   PARTS     1 x n struct array text, isCode: TEXT in parts, of which those that stand in
+%             `such marks` in words.txt are commands, files and fields
 %
 % words.txt is the only place of what is said of a code, so that nobody needs to
 % compare a sentence and every sentence may be reworded. In it {name} stands for
@@ -18,7 +20,7 @@
 % Errors: DEcalioc:sentence:unknownName for a code that is not in words.txt, or
 % a name that is not in VALUES
 
-function text = sentence (code, values, isChange)
+function [text, parts] = sentence (code, values, isChange)
   if nargin < 2
     values = struct ();
   elseif iscell (values)
@@ -35,11 +37,12 @@ function text = sentence (code, values, isChange)
     error ('DEcalioc:sentence:unknownName', ...
            'sentence: CODE must stand in words.txt, got ''%s''.', code);
   end
-  [parts, fixed] = regexp (text, '\{([^{}]*)\}', 'tokens', 'split');
-  filled = cellfun (@(part) fill (part{1}, values, code), parts, ...
-                    'UniformOutput', false);
-  pieces = [fixed; [filled, {''}]];
-  text = [pieces{:}];
+  pieces = strsplit (text, '`');
+  texts = cellfun (@(piece) fillAll (piece, values, code), pieces, ...
+                   'UniformOutput', false);
+  parts = struct ('text', texts, 'isCode', num2cell (mod (1:numel (texts), 2) == 0));
+  parts = parts(~cellfun (@isempty, texts));
+  text = [texts{:}];
 end
 
 function text = lookUp (code)
@@ -48,6 +51,14 @@ function text = lookUp (code)
                   ['^', regexptranslate('escape', code), ': *([^\n]*)'], ...
                   'tokens', 'once', 'lineanchors');
   text = [found{:}, ''];
+end
+
+function text = fillAll (text, values, code)
+  [places, fixed] = regexp (text, '\{([^{}]*)\}', 'tokens', 'split');
+  filled = cellfun (@(place) fill (place{1}, values, code), places, ...
+                    'UniformOutput', false);
+  pieces = [fixed; [filled, {''}]];
+  text = [pieces{:}];
 end
 
 function text = fill (place, values, code)
@@ -78,6 +89,12 @@ end
 %! values.runs = 3;
 %! text = sentence ('ending.unsure', values);
 %! assert (! isempty (strfind (text, '97')) && isempty (strfind (text, '{')));
+%!test
+%! % commands, files and fields are parts of their own, filled as the rest is
+%! [text, parts] = sentence ('action.raise', struct ('field', {{'Input.x'}}));
+%! assert (text, 'Raise Input.x and start decalioc run again.');
+%! assert ([parts.text], text);
+%! assert ({parts([parts.isCode]).text}, {'Input.x', 'decalioc run'});
 %!test
 %! % words of a change only where they differ
 %! plain = sentence ('ending.allFailed');

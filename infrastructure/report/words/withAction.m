@@ -2,15 +2,15 @@
 %
 % CALL: V = withAction (V, TODO)
 %
-%   V     see decideCase: gets todo, action and marked
+%   V     see decideCase: gets todo, action and actionParts
 %   TODO  see newAction
 
 function v = withAction (v, todo)
-  [v.todo, v.marked] = deal (rmfield (todo, 'text'), todo.text);
-  v.action = strrep (todo.text, '`', '');
+  [v.todo, v.actionParts] = deal (rmfield (todo, 'parts'), todo.parts);
+  v.action = [todo.parts.text];
 end
 
 %!test
 %! v = withAction (struct (), newAction ('start'));
 %! assert ({v.todo.code, v.action}, {'start', 'Start decalioc run in the case folder.'});
-%! assert (v.marked, 'Start `decalioc run` in the case folder.');
+%! assert ({v.actionParts.text}, {'Start ', 'decalioc run', ' in the case folder.'});
