@@ -11,6 +11,7 @@
 %       'silo': 4 parameters, 3 targets of 2 models; 'shear': 3 parameters, 2
 %       targets, 0.5 %; 'drum': 6 parameters, 4 targets of 2 models
 %       or a name of bentStandIn: bends, jumps, peaks, decades, two outcomes
+%       or of storedStandIn: stored runs of LIGGGHTS
 % seed  integer: silo, shear and drum have another truth with each one, every
 %       third within a tenth of the box of an edge in all parameters
 % S     struct: name, names 1 x d, limits 2 x d, targetNames, value 1 x T,
@@ -26,6 +27,10 @@ function S = standIn (name, seed)
   if any (strcmp (name, {'exponential', 'threshold', 'peak', 'decades', 'ordered', ...
                          'clogging'}))
     S = bentStandIn (name, seed);
+    return
+  end
+  if any (strcmp (name, {'repose', 'hiddenEffect', 'drumAndBins'}))
+    S = storedStandIn (name, seed);
     return
   end
   S.name = name;
