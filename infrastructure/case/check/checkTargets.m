@@ -33,11 +33,14 @@ function [p, sizes] = checkTargets (optim, models, taken, sizes)
   end
 end
 
+% Whatever is given instead of texts: strcmp warns of a table of characters.
 function yes = asksForCost (optim)
-  roles = givenField (optim, 'role', {});
+  isCost = @(role) isequal (role, 'smallest');
   yes = false;
+  roles = givenField (optim, 'role', {});
   for k = 1:numel (roles) * iscell (roles)
-    yes = yes || any (strcmp (roles{k}, 'smallest'));
+    yes = yes || isCost (roles{k}) || iscell (roles{k}) && ...
+                                      any (cellfun (isCost, roles{k}(:)));
   end
 end
 
@@ -247,3 +250,10 @@ end
 %! end
 %! p = checkTargets (optim, struct ('name', 'A', 'count', 2), {});
 %! assert (p.id, 'DEcalioc:checkCase:targetCount');
+%!test
+%! % a table of characters is a fault, and no warning of Octave's
+%! lastwarn ('');
+%! optim = struct ('targetVal', {{1}}, 'tolRes', 0.1, 'role', {{{['ab'; 'cd']}}});
+%! p = checkTargets (optim, struct ('name', 'A', 'count', 1), {});
+%! assert (strncmp (p.message, 'optim.role', 10), p.message);
+%! assert (lastwarn (), '');
