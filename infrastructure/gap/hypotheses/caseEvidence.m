@@ -93,7 +93,8 @@ function one = integrate (hypotheses, one)
   % at 0 a strength is at no limit: there the effect is not
   ends = phi > hi - margin | (lo < 0 & phi < lo + margin);
   one.atLimit = max (r.weight' * ends);
-  one.turned = r.weight' * (r.Q(:, end) > settings.turnedAt);
+  % the weights add up to one, to a digit: no probability below 0
+  one.turned = min (r.weight' * (r.Q(:, end) > settings.turnedAt), 1);
 end
 
 % All hypotheses for data set I, by Laplace's formula: the rows of HYPOTHESES.list
