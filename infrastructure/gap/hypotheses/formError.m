@@ -14,7 +14,8 @@
 % conditions of a case:
 %   half of it towards other listed marks, N w w' N' / |w|^2 in the mean over
 %   all pairs of effects, w the part of one mark at right angles to the other;
-%   half of it smooth along benches and curves, scaled as the marks are.
+%   half of it smooth along benches and curves, with the sizes and signs of the marks:
+%   a result whose sign is turned is the same result.
 % Marks are seen ones: N, the directions that parameters cannot absorb in the
 % middle of the box, in units of the noise. Those that cannot be seen (size
 % below 1) tell no direction.
@@ -67,8 +68,7 @@ function C = smoothOver (problem, targets, S)
   bench = problem.bench(targets);
   C = 0.5 * (bench' == bench) + 0.1 * eye (numel (targets));
   near = fadingAlong (problem, targets);
-  size_ = sqrt (mean (S.^2, 1));
-  C = (C + 0.4 * near) .* (size_' * size_);
+  C = (C + 0.4 * near) .* (S' * S / rows (S));
 end
 
 %!test
@@ -95,3 +95,23 @@ end
 %! emulator.coef(1:end, :) = emulator.coef .* (1 + 1e-13 * [1, -1, 1, -1]);
 %! again = formError (newProblem (given), emulator, budget, 1:4);
 %! assert (abs (again.W * white.back), eye (4), 1e-6);
+%!test
+%! % the same error of form for a result whose sign is turned
+%! turn = [1, 1, 1, -1];
+%! for sign_ = {ones(1, 4), turn}
+%!   emulator = handMadeEmulator ([1, 2, 3, 0; 1, 0, 0, 0] .* sign_{1});
+%!   emulator.range = ones (1, 4);
+%!   emulator.effect = struct ('name', 'a', 'powers', [0, 1], 'coef', ...
+%!                             [0, 2, 9, 8] .* sign_{1}, 'bend', 1, 'range', [0, 1], ...
+%!                             'scale', 1, 'unbent', 0, 'strongest', 1, 'misfit', ...
+%!                             zeros (1, 4), 'root', zeros (1, 0), 'ofTarget', ...
+%!                             zeros (0, 4));
+%!   given = struct ('value', 1:4, 'sd', ones (1, 4), 'limits', [0; 1], ...
+%!                   'bench', [1, 1, 2, 2]);
+%!   budget = struct ('covariance', eye (4), 'estimated', zeros (1, 4), ...
+%!                    'unknown', zeros (1, 4));
+%!   white = formError (newProblem (given), emulator, budget, 1:4);
+%!   C{1 + any (sign_{1} < 0)} = white.back * diag (white.shape) * white.back';
+%! end
+%! assert (C{2}, C{1} .* (turn' * turn), 1e-4);
+%! assert (abs (C{1}(3, 4)) > 0.05);
