@@ -156,7 +156,7 @@ function [Case, X, unit, width] = written (lab, how, seed)
   letter = 'y';
   if any (strcmp (how, 'units'))
     unit = 10.^(24 * rand (1, T) - 12);
-    width = 10.^(24 * rand (1, d) - 12);
+    width = toDigits (10.^(24 * rand (1, d) - 12));      % as checkBox rounds limits
   end
   if any (strcmp (how, 'names'))
     letter = 'another ';
