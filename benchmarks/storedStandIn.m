@@ -63,9 +63,10 @@ function M = smoother (U, V)
   for i = 1:rows (V)
     D = U - V(i, :);
     apart = sqrt (sumsq (D, 2));
-    reach = 1.001 * sort (apart)(k);
+    reach = 1.001 * sort (apart)(k);      % the k-th nearest still counts
     root = sqrt ((1 - min (apart / reach, 1).^3).^3);
-    M(i, :) = (pinv (root .* [ones(n, 1), D]) .* root')(1, :);
+    line = pinv (root .* [ones(n, 1), D]) .* root';
+    M(i, :) = line(1, :);
   end
 end
 

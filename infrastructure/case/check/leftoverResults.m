@@ -89,7 +89,7 @@ function isFinite = without (files, k, places, name)
   isFinite = isfinite (resultsOf (name));
 end
 
-% One number a result (of a curve the first finite one), NaN for what is none.
+% One number a result (of a curve its first finite value), NaN for what is none.
 function z = resultsOf (name)
   try
     results = getResults (name, '0001');
@@ -107,6 +107,9 @@ end
 
 function z = numberIn (value)
   z = NaN;
+  if rows (value) > 1 && columns (value) == 2
+    value = value(:, 2);                 % where its points lie is no result
+  end
   if isnumeric (value) || islogical (value)
     z = double ([value(isfinite (value))(:); NaN])(1);
   end
@@ -156,7 +159,8 @@ end
 %! code = ['res.w = NaN; res.c = [NaN, NaN]; ', ...
 %!         'try, res.c = load ([f, ''post/c'']); end'];
 %! found = ask (code, {'post/c', "1 2\n3 4"; 'post/d', 'x'});
-%! assert ({found.index, found.value, found.file}, {2, 1, 'post/c'});
+%! assert ({found.index, found.value, found.file}, {2, 2, 'post/c'});
+%! assert (isempty (ask ('res.c = [0.1, NaN; 0.5, NaN];', cell (0, 2))));
 %!test
 %! % two results of two files; the newest of several dumps
 %! code = ['d = glob ([f, ''post/*'']); res = {NaN, NaN}; ', ...

@@ -20,8 +20,8 @@ function todo = newAction (code, field, widen, file)
   [~, parts] = sentence (['action.', code], todo);
   if nargin > 2 && ~isempty (widen)
     todo.widen = widen;
-    [~, more] = sentence ('action.widen', todo);
-    parts = [parts, sayFirst(' ', more)];
+    [~, widening] = sentence ('action.widen', todo);
+    parts = [parts, sayFirst(' ', widening)];
   end
   todo.parts = parts;
 end
