@@ -10,6 +10,7 @@
 % seed     integer; fail  share of the runs that give NaN
 %          S.tol (optional): 1 x T, relative tolerances (0.01); S.chance, S.part
 %          (optional, bentStandIn): a run gives S.part of S.flow with a chance;
+%          S.earlier: so many packings of one set before, which tell of the noise;
 %          S.library: rows of newData of other calibrations on the same bench;
 %          S.beyond: see nearRows; S.form: see fitSurrogates
 % options  struct of Case.options (what is missing has its default)
@@ -47,6 +48,7 @@ function result = calibrateStandIn (S, seed, fail, options)
   end
   problem = newProblem (Case, []);
   problem.form = givenField (S, 'form', []);
+  problem = withEarlier (problem, S);
   state = newState (newData (d, T, columns (E)));
   [state.evaluate, state.budget] = newEvaluate (evaluate);
   state.budget.levels = levels;
@@ -62,6 +64,15 @@ function result = calibrateStandIn (S, seed, fail, options)
   result = score (S, state);
   result.state = state;
   result.problem = problem;
+end
+
+function problem = withEarlier (problem, S)
+  n = givenField (S, 'earlier', 0);
+  if n > 0
+    runs = 1 + S.noise .* randn (n, numel (S.value));
+    problem.earlierSd = abs (S.value) .* std (runs) ./ mean (runs);
+    problem.earlierRuns(:) = n;
+  end
 end
 
 function tol = toleranceOf (S)

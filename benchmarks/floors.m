@@ -10,6 +10,8 @@
 %             confirmSet states 0.95
 %     form    this calibration, but trend, ranges, bends and noise of each
 %             response are known beforehand (learnForm)
+%     known   this calibration, and 8 packings of one set before have told of the
+%             noise (scatter.csv); they are not counted
 %     ours    this calibration
 %   CSV      table, to which one row a seed is added; seeds that stand in it are
 %            not run again
@@ -20,8 +22,9 @@
 %
 % 'report' counts a seed whose values are not right, or not stated, as one that
 % never ends. Median (quartiles); of so many seeds stated, of them right. The
-% ratios are those of the medians, with intervals of 95 % from 2000 samples of the
-% seeds of either way. Below, the same of results/peers.csv.
+% ratios (form / told, known / form, ours / form) are those of the medians, with
+% intervals of 95 % from 2000 samples of the seeds of either way. Below, the same of
+% results/peers.csv.
 %
 % See also: calibrateStandIn, learnForm, standIn, peers
 
@@ -70,6 +73,8 @@ function cells = oneSeed (S, way, seed, form)
   else
     if strcmp (way, 'form')
       S.form = form;
+    elseif strcmp (way, 'known')
+      S.earlier = 8;
     end
     r = calibrateStandIn (S, seed, 0, struct ());
     tol = givenField (S, 'tol', 0.01);
@@ -119,11 +124,11 @@ end
 
 function report (file)
   [~, cells] = readCsvTable (file);
-  ways = {'told', 'form', 'ours'};
-  printf (['| stand-in | told | form known | ours | form / told | ' ...
-           'ours / form |\n|---|---|---|---|---|---|\n']);
+  ways = {'told', 'form', 'known', 'ours'};
+  printf (['| stand-in | told | form known | noise known | ours | form / told | ' ...
+           'known / form | ours / form |\n|---|---|---|---|---|---|---|---|\n']);
   for name = unique (cells(:, 1), 'stable')'
-    for w = 1:3
+    for w = 1:4
       isOwn = strcmp (cells(:, 1), name{1}) & strcmp (cells(:, 2), ways{w});
       values = str2double (cells(isOwn, 4:6));
       isRight = all (values(:, 2:3) > 0, 2);
@@ -131,8 +136,9 @@ function report (file)
       runs{w}(~isRight) = Inf;
       texts{w} = wayText (runs{w}, sum (isRight), sum (values(:, 2) > 0));
     end
-    printf ('| %s | %s | %s | %s | %s | %s |\n', name{1}, texts{:}, ...
-            ratioText (runs{2}, runs{1}), ratioText (runs{3}, runs{2}));
+    printf ('| %s | %s | %s | %s | %s | %s | %s | %s |\n', name{1}, texts{:}, ...
+            ratioText (runs{2}, runs{1}), ratioText (runs{3}, runs{2}), ...
+            ratioText (runs{4}, runs{2}));
   end
 end
 

@@ -42,6 +42,8 @@
 %     shared    the part of sd that a whole series shares, as its values are of
 %               the same sessions (0)
 %     noiseSd   known noise of one run (NaN: from data)
+%     earlierSd, earlierRuns  scatter of a run over so many earlier packings, what
+%               a calibration begins with (NaN, 0); of a case see earlierScatter
 %     curve     targets with one number > 0 are measured together (0)
 %     series, coordinate, seriesNames  targets with one number > 0 are the same
 %               quantity along a coordinate: speed, time, opening ... (0, 0, '')
@@ -92,6 +94,7 @@ function [problem, notes] = newProblem (source, cost, c)
   end
   given.options = mergeFields (methodOptions (), Case.options);
   given.prior = similarPriors (Case);
+  [given.earlierSd, given.earlierRuns] = earlierScatter (Case);
   given = filled (given);
   for requirement = requirementsOf (given)
     t = requirement{1};

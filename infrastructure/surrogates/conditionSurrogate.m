@@ -7,20 +7,21 @@
 %         response
 % BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), shift and scale (of
 %        the standardised response (z - shift) / scale); optional extra (n x 1,
-%        one more input, see unitInputs), prior (see prepareFit) and noiseLaw
-%        (1 x 2: log variance where extra is 0, its slope)
+%        one more input, see unitInputs), prior (see prepareFit), scatter (see
+%        noisePrior) and noiseLaw (1 x 2: log variance where extra is 0, its slope)
 %
 % The covariance is factored once; leave-one-out residuals in closed form
 % (Dubrule 1983): with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1 the residual is
 % (Q y)_i / Q_ii and its variance 1 / Q_ii. factor widens the prediction
 % variance where the standardised residuals are larger than chance allows. df is
 % what the smoother leaves to the noise, trace (noise Q) = n - trace (hat), and
-% what the prior of the fit knows of the noise (prepareFit: log variance normal
-% with deviation 1.6, as much as 2 / 1.6^2 freedoms tell), at least a third of
-% the rows beyond the trend.
+% what was known of the noise beforehand (noisePrior: a log variance known to
+% within sd is what 2 / sd^2 freedoms tell), at least a third of the rows beyond
+% the trend.
 
 function surrogate = conditionSurrogate (choice, base)
-  base = mergeFields (struct ('extra', [], 'noiseLaw', [], 'prior', []), base);
+  base = mergeFields (struct ('extra', [], 'noiseLaw', [], 'prior', [], ...
+                              'scatter', []), base);
   n = numel (base.z);
   unit = unitInputs ([base.X, base.extra], base.limits, columns (base.extra));
   y = (base.z - base.shift) / base.scale;
@@ -43,8 +44,8 @@ function surrogate = conditionSurrogate (choice, base)
   looStd = alpha ./ sqrt (q);
 
   surrogate = struct ('name', base.name, 'model', model);
-  for field = {'X', 'z', 'limits', 'extra', 'noiseLaw', 'prior', 'shift', ...
-               'scale'}
+  for field = {'X', 'z', 'limits', 'extra', 'noiseLaw', 'prior', 'scatter', ...
+               'shift', 'scale'}
     surrogate.(field{1}) = base.(field{1});
   end
   surrogate.noiseVar = mean (noise) * base.scale^2;
@@ -61,7 +62,8 @@ function surrogate = conditionSurrogate (choice, base)
   surrogate.trend = choice.trend;
   surrogate.covariance = choice.covariance;
   surrogate.factor = max (1, mean (looStd.^2) - 2 * sqrt (2 / n));
-  surrogate.df = max ([3, sum(noise .* q) + 2 / 1.6^2, ...
+  [~, open] = noisePrior (base.scatter, base.scale);
+  surrogate.df = max ([3, sum(noise .* q) + 2 / open^2, ...
                        (n - size (H, 2)) / 3]);
   surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd.^2);
   surrogate.solver = struct ('unit', unit, 'y', y, 'L', L, ...

@@ -17,6 +17,7 @@
 %   extra       n x 1, a further input that needs no box; predicted is where it
 %               is 0, and the noise may change along it ([])
 %   prior       (d + 2) x 1, see prepareFit; left for a gain above 1.5 ([])
+%   scatter     1 x 2, see noisePrior; left as the prior is ([])
 %   form        struct, what is known of the response beforehand and not
 %               estimated: trend, covariance, param (of the stk model), limits
 %               (with its bends), shift and scale (of the standardised
@@ -51,7 +52,8 @@ function surrogate = fitSurrogate (X, z, limits, options)
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...
                                  'noise', [], 'extra', [], 'unit', NaN, ...
-                                 'prior', [], 'form', []), options);
+                                 'prior', [], 'scatter', [], ...
+                                 'form', []), options);
   if ~isempty (options.form)
     limits = options.form.limits;
   elseif ~isempty (options.start)
@@ -79,7 +81,8 @@ end
 function base = standardise (X, z, limits, options)
   base = struct ('name', options.name, 'X', X, 'z', z, 'limits', limits, ...
                  'extra', options.extra, 'noiseLaw', [], ...
-                 'prior', options.prior, 'maxFit', 150, ...
+                 'prior', options.prior, 'scatter', options.scatter, ...
+                 'maxFit', 150, ...
                  'shift', mean (z), 'scale', std (z));
   if isConstant (z)
     sizes = [options.unit, abs(base.shift), 1];
@@ -109,6 +112,7 @@ end
 function surrogate = refit (base, old)
   choice = mergeFields (old, old.model);
   base.prior = old.prior;
+  base.scatter = old.scatter;
   if ~isConstant (base.z)
     start = old.theta;
     nNoise = numel (start) - numel (old.model.param);
@@ -136,8 +140,8 @@ function best = chooseModel (base, options)
   for i = 2:numel (covariances)
     best = better (best, best.trend, covariances{i}, few);
   end
-  few.prior = [];
-  if ~isempty (best.prior)
+  [few.prior, few.scatter] = deal ([]);
+  if ~isempty (best.prior) || ~isempty (best.scatter)
     best = better (best, best.trend, best.covariance, few);
   end
   if numel (covariances) > 1
@@ -200,9 +204,8 @@ function [choice, noiseLaw] = estimate (trend, covariance, base, theta)
   unit = unitInputs ([base.X, base.extra], base.limits, columns (base.extra));
   y = (base.z - base.shift) / base.scale;
   noise = ofRows (base.knownNoise, use);
-  fit = prepareFit (unit(use, :), y(use), trend, covariance, noise, ...
-                    struct ('extra', ofRows (base.extra, use), ...
-                            'prior', base.prior));
+  of = mergeFields (base, struct ('extra', ofRows (base.extra, use)));
+  fit = prepareFit (unit(use, :), y(use), trend, covariance, noise, of);
   if isempty (theta)
     theta = fit.mean;
   end

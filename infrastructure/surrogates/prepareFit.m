@@ -8,7 +8,8 @@
 % OF      struct extra (n x 1, an input of U in which the logarithm of the
 %         estimated noise is affine; []: in none), prior ((d + 2) x 1,
 %         parameters as theta of a similar bench,
-%         known to a factor of 1.6; NaN: not known; []: none)
+%         known to a factor of 1.6; NaN: not known; []: none), scatter and scale
+%         (see noisePrior)
 % FIT     struct, what does not depend on the parameters: S n^2 x d (squared
 %         differences), W n x (n - q) (basis orthogonal to the trend), y,
 %         kernel, noise, extra; prior mean and sd (as theta: the part beyond the
@@ -19,13 +20,11 @@
 %
 % The restricted likelihood equals stk_param_relik up to the prior, in less time
 % for few runs. With few runs per parameter the plain likelihood lets the noise
-% collapse to zero; the prior costs nothing when the data speak. Its noise
-% is 0.3 of the spread of a response, the log variance with a deviation of 1.6:
-% 32 responses of stored LIGGGHTS runs have 0.4 and 1.6 (closed study wrongStored.m).
+% collapse to zero; the prior costs nothing when the data speak.
 
 function fit = prepareFit (U, y, trend, kernel, noise, of)
   if nargin < 6
-    of = struct ('extra', [], 'prior', []);
+    of = struct ('extra', [], 'prior', [], 'scatter', [], 'scale', 1);
   end
   [n, d] = size (U);
   S = zeros (n * n, d);
@@ -44,8 +43,9 @@ function fit = prepareFit (U, y, trend, kernel, noise, of)
   if strcmp (trend, 'constant')
     beyond = 1;
   end
-  fit.mean = [log(beyond); -log(1.5) * ones(d, 1); 2 * log(0.3)];
-  fit.sd = [2; ones(d, 1); 1.6];
+  [ofNoise, open] = noisePrior (of.scatter, of.scale);
+  fit.mean = [log(beyond); -log(1.5) * ones(d, 1); ofNoise];
+  fit.sd = [2; ones(d, 1); open];
   if ~isempty (of.prior)
     known = isfinite (of.prior);
     variance = 1 ./ (1 ./ fit.sd(known).^2 + 1 / 0.5^2);

@@ -13,7 +13,8 @@ function saveSurrogate (file, surrogate)
   surrogate = mergeFields (surrogate, surrogate.model);
   surrogate.level = surrogate.extra;         % its name in the files
   for name = {'name', 'X', 'z', 'limits', 'level', 'noiseLaw', 'trend', ...
-              'covariance', 'param', 'lognoisevariance', 'shift', 'scale'}
+              'covariance', 'param', 'lognoisevariance', 'shift', 'scale', ...
+              'scatter'}
     kept.(name{1}) = surrogate.(name{1});
   end
   draft = draftName (file);

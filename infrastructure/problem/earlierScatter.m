@@ -1,0 +1,55 @@
+% EARLIERSCATTER  How runs of the models scattered over earlier packings.
+%
+% CALL: [SD, RUNS] = earlierScatter (CASE)
+%
+%   CASE  see newCase
+%   SD    1 x T, sd of a run in the unit of its target; NaN where nobody says it
+%   RUNS  1 x T, from how many packings (0)
+%
+% From scatter.csv of the model (runScatter), as a share of the result: the case may
+% have a larger rig. A result whose mean is below three sd has no such share.
+
+function [sd, runs] = earlierScatter (Case)
+  sd = NaN (1, numel (Case.targets));
+  runs = zeros (size (sd));
+  if ~isfield (Case, 'models')
+    return
+  end
+  info = targetInfo (Case);
+  for k = 1:numel (Case.models)
+    folder = Case.models(k).folder;
+    if ~isfile (fullfile (folder, 'scatter.csv'))
+      continue
+    end
+    [ofResult, means, n] = runScatter (folder);
+    names = {resultInfo(folder).name};
+    for t = find ([Case.targets.model] == k)
+      row = find (strcmp (names, resultOf (Case.targets(t), info(t))), 1);
+      if abs (means(row)) > 3 * ofResult(row)
+        sd(t) = ofResult(row) * abs (Case.targets(t).value / means(row));
+        runs(t) = n(row);
+      end
+    end
+  end
+  isKnown = sd > 0;                        % not of 0, or of what is not measured
+  sd(~isKnown) = NaN;
+  runs(~isKnown) = 0;
+end
+
+function name = resultOf (target, info)
+  name = info.name;
+  if ~isempty (givenField (target, 'result', ''))
+    name = target.result;
+  end
+end
+
+%!test
+%! % the heap of a rig twice as large; a result near 0 has no share; not measured
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! Case.models = struct ('name', 'Heap', ...
+%!                       'folder', fullfile (root, 'DEMmodels', 'Heap'));
+%! Case.targets = struct ('value', {34.6, 1, NaN}, 'model', 1, 'index', {2, 4, 3});
+%! [sd, runs] = earlierScatter (Case);
+%! [ofResult, means] = runScatter (Case.models.folder);
+%! assert (sd, [ofResult(2) * 34.6 / means(2), NaN, NaN], 1e-12);
+%! assert (runs, [8, 0, 0]);
