@@ -6,8 +6,9 @@
 %   SD    1 x T, sd of a run in the unit of its target; NaN where nobody says it
 %   RUNS  1 x T, from how many packings (0)
 %
-% From scatter.csv of the model (runScatter), as a share of the result: the case may
-% have a larger rig. A result whose mean is below three sd has no such share.
+% From scatter.csv of the model (runScatter), as a share of the result, since the case
+% may have a larger rig; as it is where the result is negative (a logarithm, a level).
+% A result within three sd of 0 says too little of another set.
 
 function [sd, runs] = earlierScatter (Case)
   sd = NaN (1, numel (Case.targets));
@@ -25,13 +26,15 @@ function [sd, runs] = earlierScatter (Case)
     names = {resultInfo(folder).name};
     for t = find ([Case.targets.model] == k)
       row = find (strcmp (names, resultOf (Case.targets(t), info(t))), 1);
-      if abs (means(row)) > 3 * ofResult(row)
-        sd(t) = ofResult(row) * abs (Case.targets(t).value / means(row));
+      value = Case.targets(t).value;
+      if abs (means(row)) > 3 * ofResult(row) && isfinite (value)
+        share = value / means(row);
+        sd(t) = ofResult(row) * merge (means(row) > 0, share, 1);
         runs(t) = n(row);
       end
     end
   end
-  isKnown = sd > 0;                        % not of 0, or of what is not measured
+  isKnown = sd > 0;                        % not of a target of 0
   sd(~isKnown) = NaN;
   runs(~isKnown) = 0;
 end
@@ -53,3 +56,13 @@ end
 %! [ofResult, means] = runScatter (Case.models.folder);
 %! assert (sd, [ofResult(2) * 34.6 / means(2), NaN, NaN], 1e-12);
 %! assert (runs, [8, 0, 0]);
+%!test
+%! % a logarithm is no share of its mean
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! Case.models = struct ('name', 'Doser', ...
+%!                       'folder', fullfile (root, 'DEMmodels', 'Doser'));
+%! Case.targets = struct ('value', {-0.4, -2}, 'model', 1, 'index', {1, 6});
+%! [sd, runs] = earlierScatter (Case);
+%! ofResult = runScatter (Case.models.folder);
+%! assert (sd, ofResult([1, 6]), 1e-12);
+%! assert (runs, [4, 4]);

@@ -11,8 +11,8 @@
 % Without SCATTER: 0.3 of the spread of a response, with a deviation of 1.6; 32
 % responses of stored LIGGGHTS runs have 0.4 and 1.6 (closed study wrongStored.m).
 % With it: the variance of so many packings has a deviation of sqrt (2 / (n - 1)),
-% and other sets scatter otherwise, by 0.6: the noise of 27 responses of two
-% stores is that of 8 packings of the benches within 0.8 together
+% and other sets scatter otherwise, by 0.6: the noise of 26 responses of two stores
+% of LIGGGHTS runs is that of 8 packings within 0.75 together
 % (benchmarks/scatterOfStores.m).
 
 function [m, sd] = noisePrior (scatter, scale)
