@@ -13,7 +13,7 @@
 function task = batchCall (path, queue, opt, root)
   inside = fullfile (root, 'infrastructure');
   task = {fullfile(inside, 'executors', 'queues', 'batchTask.sh'), path, ...
-          fullfile(inside, 'runs', 'guard.sh'), queue.task{:}};
+          fullfile(inside, 'runs', 'process', 'guard.sh'), queue.task{:}};
   if ~isempty (opt.before)
     lines = cellfun (@(line) sprintf ("%s\n[ $? = 0 ] || return\n", line), ...
                      opt.before, 'UniformOutput', false);
@@ -24,7 +24,7 @@ end
 %!test
 %! queue = slurmExecutor ();
 %! task = batchCall ('/b', queue, struct ('before', {{'a', 'b'}}), '/r');
-%! assert (task(2:4), {'/b', '/r/infrastructure/runs/guard.sh', ...
+%! assert (task(2:4), {'/b', '/r/infrastructure/runs/process/guard.sh', ...
 %!                     'SLURM_ARRAY_TASK_ID'});
 %! [~, text] = system (sprintf ('echo %s | base64 -d', task{6}));
 %! assert (text, "a\n[ $? = 0 ] || return\nb\n[ $? = 0 ] || return\n");

@@ -17,7 +17,7 @@ function startRun (folder, root, owner)
   if nargin < 3
     owner = getpid ();
   end
-  guard = fullfile (root, 'infrastructure', 'runs', 'guard.sh');
+  guard = fullfile (root, 'infrastructure', 'runs', 'process', 'guard.sh');
   % setsid forks and comes back: the status of a command with & is always 0
   words = {shellQuote(guard), shellQuote(folder)};
   status = system (sprintf (['[ -r %s ] && [ -d %s ] && command -v bash > ' ...
