@@ -134,7 +134,7 @@ function copyNew (root, target, names)
     if ~isfile (file)
       % what a killed call has left of it (writeAtomic)
       found = {dir(target).name};
-      ofFile = ['^', regexptranslate('escape', name{1}), '\.\d+\.tmp$'];
+      ofFile = ['^', regexptranslate('escape', name{1}), '\.[0-9a-f]{24}\.tmp$'];
       cellfun (@(old) unlink (fullfile (target, old)), ...
                found(~cellfun (@isempty, regexp (found, ofFile))));
       writeAtomic (file, fileread (fullfile (root, name{1})));
@@ -249,9 +249,11 @@ end
 %! [~, left] = system (['grep -rl "@MODEL@" ', shellQuote(place)]);
 %! assert (left, '');
 %! unlink (fullfile (place, 'loadInput.m'));
+%! fclose (fopen (draftName (fullfile (place, 'loadInput.m')), 'w'));
 %! writeAtomic (fullfile (model, 'mark'), 'edited');
 %! quietly (root, base, {'--model', 'Mine', place});
 %! assert (isfile (fullfile (place, 'loadInput.m')));
+%! assert (isempty (glob (fullfile (place, '*.tmp'))));
 %! assert (isfile (fullfile (model, 'mark')));
 %! % with a curve
 %! quietly (root, base, {'--model', 'Curve', '--curve', ...

@@ -15,7 +15,7 @@
 % or out of bounds where it may not be, a verdict that is not the same. Where
 % random draws fall on other numbers (another order or sign), probabilities may
 % differ by what so few draws allow (0.25); else by rounding (0.02), and that of the
-% gate, a count of some 50 fitted data sets, by a twelfth of itself more.
+% gate, a count of some 50 fitted data sets, by an eighth of itself more.
 %
 %   octave-cli --eval "addpath benchmarks; startBenchmarks (); ...
 %                      fuzzDiagnoses (1:200);"
@@ -134,7 +134,7 @@ function [text, isClose] = compared (a, b, back, how)
   [P, Q] = deal (numbersOf (a), numbersOf (b));
   Q = Q([1, 2, 2 + orderOf(a, b, back)]);
   off = abs (P - Q);
-  off(1) = max (off(1) - 0.08 * min (P(1), Q(1)), 0);
+  off(1) = max (off(1) - 0.125 * min (P(1), Q(1)), 0);
   off = max (off);
   isSame = strcmp (a.which.verdict, b.which.verdict);
   isUnsure = any (strcmp ('integral', {a.which.guard, b.which.guard}));
