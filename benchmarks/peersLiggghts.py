@@ -25,12 +25,12 @@ TARGET = np.array([30.5, 0.0120])
 TOL = np.array([0.06, 0.04])
 
 
-def octave(code):
-    """prints of CODE, in an Octave with the toolbox"""
-    start = (f"addpath ('{ROOT}/infrastructure'); startToolbox ('{ROOT}'); addpath ('{ROOT}/benchmarks'); "
+def octave(code, folder=ROOT):
+    """prints of CODE, in an Octave with the toolbox and this case folder"""
+    start = (f"addpath ('{ROOT}/infrastructure'); startToolbox ('{ROOT}', pwd ()); addpath ('{ROOT}/benchmarks'); "
              f"useLiggghts ('{ROOT}');")
     call = ["octave-cli", "--no-gui", "--no-history", "--norc", "--eval", start + code]
-    done = subprocess.run(call, capture_output=True, text=True, check=True)
+    done = subprocess.run(call, capture_output=True, text=True, check=True, cwd=folder)
     return [float(x) for x in done.stdout.split("RESULT")[1].split()]
 
 
@@ -55,7 +55,7 @@ class Rig:
         k = len(self.log) + 1
         *z, seconds = octave(
             f"Case = loadCase ('{ROOT}', '{self.folder}'); [Z, r] = evaluateDEM ([{x[0]:.17g}, {x[1]:.17g}], "
-            f"Case, {k}, 'peer', newProgress ('', @(t) [])); printf ('RESULT %.17g %.17g %g', Z(1:2), r.seconds)")
+            f"Case, {k}, 'peer', newProgress ('', @(t) [])); printf ('RESULT %.17g %.17g %g', Z(1:2), r.seconds)", self.folder)
         self.seconds += seconds
         z = TARGET * (1 + (np.array(z) / TARGET - 1) * peers.TOL / TOL)
         self.log.append((x.copy(), z, z))
