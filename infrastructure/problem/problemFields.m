@@ -46,6 +46,6 @@ end
 
 %!test
 %! fields = problemFields ();
-%! assert (size (fields), [1, 26]);
+%! assert (size (fields), [1, 28]);
 %! assert ({fields([fields.hasUnit]).name}, ...
-%!         {'value', 'sd', 'scale', 'shared', 'noiseSd'});
+%!         {'value', 'sd', 'scale', 'shared', 'noiseSd', 'earlierSd'});
