@@ -97,6 +97,10 @@ function reportCase (Case, say, problem)
   if ~isempty (measured)
     tell ('  measured parameters: %s', measured);
   end
+  known = sum (problem.earlierRuns > 0);
+  if known > 0 && ~strcmp (problem.options.method, 'published')
+    tell ('  noise of a run: %d targets begin with scatter.csv of their model', known);
+  end
   n = problem.nExtra;
   if n > 0 && strcmp (problem.options.method, 'published')
     tell ('  costFunction: %d rows beyond the targets, all are fitted', n);
