@@ -132,11 +132,7 @@ function copyNew (root, target, names)
   for name = names
     file = fullfile (target, name{1});
     if ~isfile (file)
-      % what a killed call has left of it (writeAtomic)
-      found = {dir(target).name};
-      ofFile = ['^', regexptranslate('escape', name{1}), '\.[0-9a-f]{24}\.tmp$'];
-      cellfun (@(old) unlink (fullfile (target, old)), ...
-               found(~cellfun (@isempty, regexp (found, ofFile))));
+      tidyDrafts (target, -1, name{1});    % what a killed call has left
       writeAtomic (file, fileread (fullfile (root, name{1})));
     end
   end
