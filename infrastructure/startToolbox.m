@@ -31,6 +31,10 @@ function startToolbox (root, folder)
   history_save (false);
   setenv ('OCTAVE_HISTFILE', '/dev/null');
   leaveNoCore ();
+  if isempty (getenv ('OCTAVE_SITE_INITFILE'))
+    setenv ('OCTAVE_SITE_INITFILE', ...
+            fullfile (root, 'infrastructure', 'files', 'worker.octaverc'));
+  end
   loadPackages ({'struct', 'optim', 'parallel', 'stk'});
 end
 
@@ -72,3 +76,10 @@ end
 %! back = onCleanup (@() rmpath (folder));
 %! root = fileparts (fileparts (which ('startToolbox')));
 %! fail ('startToolbox (root)', 'needs Octave 7 or later, got 6.4.0');
+%!test
+%! % a worker has the settings before it is called, and does not hand on how
+%! given = ['disp ([sigterm_dumps_octave_core(), sighup_dumps_octave_core(), ' ...
+%!          'isempty(getenv (''OCTAVE_SITE_INITFILE''))])'];
+%! [status, out] = system (['octave-cli --no-history --eval ', shellQuote(given)]);
+%! assert (status, 0);
+%! assert (sscanf (out, '%d')', [0, 0, 1]);
