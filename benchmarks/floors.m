@@ -128,7 +128,7 @@ function report (file)
   printf (['| stand-in | told | form known | noise known | ours | form / told | ' ...
            'known / form | ours / form |\n|---|---|---|---|---|---|---|---|\n']);
   for name = unique (cells(:, 1), 'stable')'
-    for w = 1:4
+    for w = 1:numel (ways)
       isOwn = strcmp (cells(:, 1), name{1}) & strcmp (cells(:, 2), ways{w});
       values = str2double (cells(isOwn, 4:6));
       isRight = all (values(:, 2:3) > 0, 2);

@@ -45,8 +45,6 @@ function sd = scatterOf (folder, names)
   sd = NaN (size (names));
   file = fullfile (folder, 'scatter.csv');
   if isfile (file)
-    [~, cells] = readCsvTable (file);
-    [has, row] = ismember (names, cells(:, 1));
-    sd(has) = str2double (cells(row(has), 3));
+    sd = runScatter (folder);
   end
 end

@@ -98,7 +98,7 @@ function reportCase (Case, say, problem)
     tell ('  measured parameters: %s', measured);
   end
   known = sum (problem.earlierRuns > 0);
-  if known > 0 && ~strcmp (problem.options.method, 'published')
+  if known > 0
     tell ('  noise of a run: %d targets begin with scatter.csv of their model', known);
   end
   n = problem.nExtra;

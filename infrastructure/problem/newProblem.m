@@ -94,7 +94,9 @@ function [problem, notes] = newProblem (source, cost, c)
   end
   given.options = mergeFields (methodOptions (), Case.options);
   given.prior = similarPriors (Case);
-  [given.earlierSd, given.earlierRuns] = earlierScatter (Case);
+  if ~strcmp (given.options.method, 'published')
+    [given.earlierSd, given.earlierRuns] = earlierScatter (Case);
+  end
   given = filled (given);
   for requirement = requirementsOf (given)
     t = requirement{1};

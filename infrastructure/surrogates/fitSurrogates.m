@@ -128,8 +128,9 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
       options.prior = problem.prior{t};
     end
     options.form = ofTarget (form, t);
-    options.scatter = [problem.earlierSd(t), problem.earlierRuns(t)];
-    options.scatter(isnan (problem.earlierSd(t)) || isPublished, :) = [];
+    if problem.earlierRuns(t) > 0
+      options.scatter = [problem.earlierSd(t), problem.earlierRuns(t)];
+    end
     if isPublished
       options.trend = 'affine';
       options.covariance = 'matern52';
