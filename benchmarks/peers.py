@@ -102,7 +102,8 @@ class Dem:
 # ---------------------------------------------------------------- peers
 def grainlearning(dem, seed):
     """iterative Bayesian filter; int(5 d log d) samples, 5 iterations as in its DEM tutorial
-    (triaxial compression); all other settings are its defaults"""
+    (triaxial compression); all other settings are its defaults. At least 20 samples: 6 for two
+    parameters leave its filter one, and it crashes"""
     from grainlearning import BayesianCalibration
     from grainlearning.dynamic_systems import DynamicSystem
     np.random.seed(seed)
@@ -112,7 +113,7 @@ def grainlearning(dem, seed):
 
     system = dict(system_type=DynamicSystem, model_name="standin", param_names=dem.names,
                   param_min=dem.lo.tolist(), param_max=dem.hi.tolist(),
-                  num_samples=int(5 * dem.d * math.log(dem.d)),
+                  num_samples=max(20, int(5 * dem.d * math.log(dem.d))),
                   obs_data=dem.model.target[:, None].tolist(), ctrl_data=[0.0])
     c = BayesianCalibration.from_dict(dict(num_iter=5, callback=simulate, system=system, save_fig=-1,
                                            inference=dict(Bayes_filter={}, sampling={})))
@@ -206,22 +207,26 @@ PEERS = {
 }
 
 
+def attempt(name, dem, seed):
+    """the set that a peer hands back, and what ended it; a crash is a result, too"""
+    try:
+        return PEERS[name](dem, seed), ""
+    except Budget:
+        return dem.best_observed(), "cap"
+    except Exception as e:
+        return None, f"{type(e).__name__}: {e}"[:80]
+
+
 def one(job):
     name, standin, seed, noise, fail, cap = job
     # GrainLearning wants all memory at some seeds; a killed worker would be waited for forever
     resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
     model = StandIn(standin)
     dem = Dem(model, seed, noise, fail, cap)
-    error = ""
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()), \
             warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        try:
-            x = PEERS[name](dem, seed)
-        except Budget:
-            x, error = dem.best_observed(), "cap"
-        except Exception as e:                           # a crash of a peer is a result, too
-            x, error = None, f"{type(e).__name__}: {e}"[:80]
+        x, error = attempt(name, dem, seed)
     worst = math.nan if x is None else float(np.max(np.abs(model.truth(x) / model.target - 1)))
     return dict(tool=name, standin=standin, fail=fail, seed=seed, runs=len(dem.log), first_observed=dem.first(1),
                 first_true=dem.first(2), worst=worst, error=error)

@@ -34,16 +34,20 @@ def octave(code, folder=ROOT):
     return [float(x) for x in done.stdout.split("RESULT")[1].split()]
 
 
-class Rig:
-    """one calibration's model: each call is a LIGGGHTS run with a packing of its own"""
+class Box:
+    """parameters of the model and their limits"""
 
     names = ["coefFrictionPP", "coefRollingFrictionPP"]
     lo, hi = np.array([0.2, 0.02]), np.array([0.8, 0.30])
     target = TARGET
 
+
+class Rig(peers.Dem):
+    """one calibration's model: each call is a LIGGGHTS run with a packing of its own"""
+
     def __init__(self, folder, cap):
-        self.folder, self.cap, self.model = folder, cap, self
-        self.log, self.seconds, self.d, self.T = [], 0.0, 2, 2
+        super().__init__(Box, 0, 0, 0, cap)
+        self.folder, self.seconds = folder, 0.0
         if not os.path.isdir(folder):
             subprocess.run([os.path.join(ROOT, "bin", "decalioc"), "new", "--model", "Repose", folder],
                            check=True, stdout=subprocess.DEVNULL)
@@ -60,9 +64,6 @@ class Rig:
         z = TARGET * (1 + (np.array(z) / TARGET - 1) * peers.TOL / TOL)
         self.log.append((x.copy(), z, z))
         return z
-
-    resid = peers.Dem.resid
-    best_observed = peers.Dem.best_observed
 
 
 def judge(x):
@@ -89,13 +90,8 @@ def main():
         for seed in range(first, last + 1):
             place = os.path.join(os.path.abspath(a.work), f"{name.split()[0].strip(':')}{name.count('sum')}-{seed}")
             rig = Rig(place, a.cap)
-            started, error = time.time(), ""
-            try:
-                x = peers.PEERS[name](rig, seed)
-            except peers.Budget:
-                x, error = rig.best_observed(), "cap"
-            except Exception as e:                       # a crash of a peer is a result, too
-                x, error = None, f"{type(e).__name__}: {e}"[:80]
+            started = time.time()
+            x, error = peers.attempt(name, rig, seed)
             worst = judge(x) if x is not None else float("nan")
             isnew = not os.path.exists(a.csv)
             with open(a.csv, "a", newline="", encoding="utf-8") as f:

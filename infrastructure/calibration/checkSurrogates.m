@@ -9,9 +9,11 @@
 % TOUCHED  cellstr, parameters that stand at a limit
 
 function [lines, touched] = checkSurrogates (state, problem)
-  lines = warningsOf (state, problem, find (problem.curve == 0));
-  for number = unique (problem.curve(problem.curve > 0))
-    lines = [lines, curveWarnings(state, problem, number)];
+  [groups, names, isJoint] = requirementsOf (problem, 1:numel (problem.calibrate));
+  lines = warningsOf (state, problem, [groups{~isJoint}]);
+  for k = find (isJoint)
+    whole = sprintf ('%d points of %s', numel (groups{k}), names{k});
+    lines = [lines, oneWarning(warningsOf (state, problem, groups{k}), whole)];
   end
   touched = limitsTouched (state.found.params, problem);
   if ~isempty (touched)
@@ -103,13 +105,10 @@ function lines = warningsOf (state, problem, targets)
 end
 
 % One sentence for all points that have something: the first one's.
-function lines = curveWarnings (state, problem, number)
-  points = find (problem.curve == number);
-  lines = warningsOf (state, problem, points);
+function lines = oneWarning (lines, whole)
   if numel (lines) > 1
-    lines = {sprintf('%s (and %d more warnings of the %d points of %s)', ...
-                     lines{1}, numel (lines) - 1, numel (points), ...
-                     problem.seriesNames{points(1)})};
+    lines = {sprintf('%s (and %d more warnings of the %s)', lines{1}, ...
+                     numel (lines) - 1, whole)};
   end
 end
 

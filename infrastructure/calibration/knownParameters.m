@@ -32,7 +32,7 @@ function known = knownParameters (state, problem)
   known.fits = mean (doesFit (known.sample, state, problem, allowed));
   [known.code, known.note] = deal ('');
   isOutside = p < known.interval90(1, :) | p > known.interval90(2, :);
-  [code, note] = curveNote (state.data, problem);
+  [code, note] = jointNote (state.data, problem);
   if known.fits < problem.options.fit
     known.interval90(:) = NaN;
     [known.code, known.note] = deal ('no fit', noFit (known.fits));
@@ -65,8 +65,8 @@ function [allowed, unseen] = allowedMiss (surrogates, problem)
   T = numel (surrogates);
   [allowed.tol, allowed.variance, unseen] = deal (Inf (1, T), Inf (1, T), ...
                                                   false (1, T));
-  [groups, ~, isCurve] = requirementsOf (problem);
-  for t = [groups{~isCurve}]
+  [groups, ~, isJoint] = requirementsOf (problem);
+  for t = [groups{~isJoint}]
     [allowed.variance(t), unseen(t)] = errorVariance (surrogates(t).noiseVar, ...
                                                       problem, t);
     allowed.tol(t) = problem.tol(t) * abs (problem.scale(t));
@@ -124,12 +124,12 @@ function text = unseenNote (problem, unseen)
 end
 
 % Why intervals of the parameters should not be used as such; '': they may be.
-function [code, text] = curveNote (data, problem)
+function [code, text] = jointNote (data, problem)
   [code, text] = deal ('');
   wanted = problem.options.intervalRuns;
-  enough = problem.options.curveRuns * columns (problem.limits);
-  [~, ~, isCurve] = requirementsOf (problem);
-  if any (isCurve) && ...
+  enough = problem.options.jointRuns * columns (problem.limits);
+  [~, ~, isJoint] = requirementsOf (problem);
+  if any (isJoint) && ...
      sum (strcmp (data.stage, 'interval')) < wanted && rows (data.X) < enough
     code = 'few runs';
     text = sprintf (['not to be used as intervals: %d runs are too few for ' ...

@@ -99,10 +99,10 @@ end
 
 % What measured.csv makes of the targets of a model.
 function sayMeasured (targets)
-  curve = [targets.curve];
-  for c = unique (curve(curve > 0))
+  [groups, ~, isJoint] = requirementsOf (targets, 1:numel (targets));
+  for group = groups(isJoint)
     printf ('          curve %s: %d points, one requirement\n', ...
-            targets(find (curve == c, 1)).series, sum (curve == c));
+            targets(group{1}(1)).series, numel (group{1}));
   end
   isOther = ~cellfun (@isempty, {targets.given}) & ...
             ~strcmp ({targets.given}, {targets.unit});

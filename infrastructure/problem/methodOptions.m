@@ -34,7 +34,7 @@ function o = methodOptions ()
   [o.atLimit, o.loose, o.direct] = deal (0.005, 0.5, 0.05);
   % runs for intervals on a curve (closed study curveFewRuns.m), and runs a
   % parameter from which they are believed without (closed study curveCoverage.m)
-  [o.intervalRuns, o.curveRuns] = deal (6, 10);
+  [o.intervalRuns, o.jointRuns] = deal (6, 10);
   % of the plan that must succeed: else box or model is at fault
   o.planShare = 2 / 3;
 end

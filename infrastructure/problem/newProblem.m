@@ -120,10 +120,7 @@ function note = guessNote (given)
   note = {};
   bare = find (~given.sdKnown & isfinite (given.value));
   if ~isempty (bare)
-    % a curve is one name
-    names = given.targetNames(bare);
-    inCurve = given.curve(bare) > 0;
-    names(inCurve) = given.seriesNames(bare(inCurve));
+    [~, names] = requirementsOf (given, bare);
     note = {sprintf(['no measurement uncertainty given for %s: its size ' ...
                      'is estimated, starting from half of the tolerance ' ...
                      '(optim.targetStd)'], ...

@@ -1,19 +1,23 @@
 % REQUIREMENTSOF  What has to be met: single targets, and whole curves.
 %
-% CALL: [GROUPS, NAMES, ISCURVE] = requirementsOf (PROBLEM)
-%       [GROUPS, NAMES, ISCURVE] = requirementsOf (PROBLEM, USE)
+% CALL: [GROUPS, NAMES, ISJOINT] = requirementsOf (PROBLEM)
+%       [GROUPS, NAMES, ISJOINT] = requirementsOf (PROBLEM, USE)
 %
 %   PROBLEM  struct with calibrate (1 x T) and curve (1 x T: targets with one
-%            number above 0 are points of one curve of measured.csv)
+%            number above 0 are points of one curve of measured.csv); or the targets
+%            of a case
 %   USE      1 x n, numbers of targets (the calibrated ones)
 %   GROUPS   1 x G cell of rows of target numbers, of USE only
 %   NAMES    1 x G cell, name of the target, or of the curve of several points
-%   ISCURVE  1 x G logical: the points of a curve, be it a single one
+%   ISJOINT  1 x G logical: judged together, the points of a curve, be it a single one
 %
 % The errors along a curve are alike, and so are those of its surrogates: fifty
 % points of it are one requirement, not fifty.
 
-function [groups, names, isCurve] = requirementsOf (problem, use)
+function [groups, names, isJoint] = requirementsOf (problem, use)
+  if ~isfield (problem, 'calibrate')
+    problem = targetsOfCase (struct ('targets', problem));
+  end
   if nargin < 2
     use = find (problem.calibrate);
   end
@@ -23,7 +27,7 @@ function [groups, names, isCurve] = requirementsOf (problem, use)
   groups = arrayfun (@(n) use(number == n), number(sort (first)), ...
                      'UniformOutput', false);
   first = cellfun (@(g) g(1), groups);
-  isCurve = problem.curve(first) > 0;
+  isJoint = problem.curve(first) > 0;
   if nargout > 1
     names = problem.targetNames(first);
     isLong = cellfun (@numel, groups) > 1;
@@ -39,5 +43,5 @@ end
 %! [groups, names] = requirementsOf (problem);
 %! assert (groups, {1, [2, 5], 4});
 %! assert (names, {'a', 'w', 'b'});
-%! [groups, names, isCurve] = requirementsOf (problem, [1, 3]);
-%! assert ({groups, names, isCurve}, {{1, 3}, {'a', 'w@2'}, [false, true]});
+%! [groups, names, isJoint] = requirementsOf (problem, [1, 3]);
+%! assert ({groups, names, isJoint}, {{1, 3}, {'a', 'w@2'}, [false, true]});

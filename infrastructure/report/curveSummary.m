@@ -10,9 +10,9 @@
 
 function curves = curveSummary (Case, residual)
   curves = struct ('name', {}, 'own', {}, 'share', {});
-  number = [Case.targets.curve] .* strcmp ({Case.targets.role}, 'calibrate');
-  for c = unique (number(number > 0))
-    points = find (number == c);
+  [groups, ~, isJoint] = requirementsOf (Case.targets);
+  for group = groups(isJoint)
+    points = group{1};
     T = Case.targets(points);
     r = reshape (residual(points), 1, []);
     curves(end + 1) = struct ('name', T(1).series, 'own', points, 'share', ...

@@ -9,19 +9,18 @@
 
 function text = levelLine (level, targets)
   kept = find (~level.dropped(:)');
-  curve = [targets.curve];
+  [groups, ~, isJoint] = requirementsOf (targets, kept);
   parts = {};
-  scalars = kept(curve(kept) == 0);
+  scalars = [groups{~isJoint}];
   share = abs (level.shift(scalars)(:)') ./ [targets(scalars).tol];
   [~, order] = sort (share, 'descend');
   for t = scalars(order(1:min (end, 4)))
     parts{end + 1} = sprintf ('%s %+.3g +- %.2g', targets(t).name, ...
                               level.shift(t), level.shiftSd(t));
   end
-  for k = setdiff (curve(kept), 0)
-    points = kept(curve(kept) == k);
-    rms = sqrt (mean (level.shift(points).^2));
-    parts{end + 1} = sprintf ('%s rms %.3g', targets(points(1)).series, rms);
+  for group = groups(isJoint)
+    rms = sqrt (mean (level.shift(group{1}).^2));
+    parts{end + 1} = sprintf ('%s rms %.3g', targets(group{1}(1)).series, rms);
   end
   n = sum (level.dropped);
   if n > 0

@@ -8,11 +8,11 @@
 %   N      how many points of curves there are
 
 function [shown, n] = shownTargets (Case)
-  curve = [Case.targets.curve];
-  n = sum (curve > 0);
-  shown = find (curve == 0);
-  for c = unique (curve(curve > 0))
-    points = find (curve == c);
+  [groups, ~, isJoint] = requirementsOf (Case.targets, 1:numel (Case.targets));
+  n = numel ([groups{isJoint}]);
+  shown = [groups{~isJoint}];
+  for group = groups(isJoint)
+    points = group{1};
     [~, order] = sort ([Case.targets(points).at]);
     few = round (linspace (1, numel (points), min (3, numel (points))));
     shown = union (shown, points(order(few)));

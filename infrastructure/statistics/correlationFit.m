@@ -7,7 +7,7 @@
 %   FIT  scalar, log likelihood with the variance at its maximum, up to a
 %        constant; -Inf where R is no correlation
 %
-% See also: correlateSeries, curveErrors
+% See also: correlateSeries, jointErrors
 
 function fit = correlationFit (E, R)
   [n, m] = size (E);

@@ -18,7 +18,7 @@ function p = allMet (r, s, problem, df)
     if isscalar (t)
       p = p .* insideProbability (r(:, t), s(:, t), tol, df(t));
     else
-      p = p .* curveProbability (r(:, t) ./ tol, s(:, t) ./ tol, min (df(t)));
+      p = p .* jointProbability (r(:, t) ./ tol, s(:, t) ./ tol, min (df(t)));
     end
   end
 end
@@ -31,7 +31,7 @@ end
 
 % Pr(root mean square of r + s t < 1), one t for all points, in tolerances:
 % mean ((r + s t)^2) <= 1 between the roots of a square.
-function p = curveProbability (r, s, df)
+function p = jointProbability (r, s, df)
   s = max (s, 1e-9);
   a = mean (s.^2, 2);
   b = mean (r .* s, 2);

@@ -13,7 +13,7 @@
 % variance of the surrogate there, plus the scatter of one run (the experiment
 % is one packing, or the mean of PROBLEM.trials), plus the uncertainty of the
 % measurement. The points of a curve are one observation with a covariance, see
-% curveErrors; where the length of their errors or their size is not known, it
+% jointErrors; where the length of their errors or their size is not known, it
 % is sampled together with the parameters. Sampled by tempering: particles of
 % the prior are reweighted, resampled and moved by Metropolis steps until the
 % full likelihood is reached (Del Moral, Doucet and Jasra 2006).
@@ -26,7 +26,7 @@ function known = parameterPosterior (surrogates, problem, nSample)
   end
   restore = seedRandom (problem.options.seed);
   d = columns (problem.limits);
-  [joint, nFree, alone] = curveErrors (surrogates, problem);
+  [joint, nFree, alone] = jointErrors (surrogates, problem);
   % many to begin with: a small part of the box may be all that fits
   nFirst = nSample * max (1, min (20, floor (1e6 / ...
                                              sumsq ([surrogates.nChoice]))));

@@ -27,12 +27,12 @@ function sessions = sessionRatio (list)
   sessions.given = true;
   sessions.names = unique ({list(isReference).session}, 'stable');
   sum2 = 2 * 2.5^2;
-  curves = arrayfun (@(o) sprintf ('%s|%d|%s|%s', o.condition, o.model, ...
-                                   o.name, o.series), list, ...
-                     'UniformOutput', false);
-  [~, ~, curve] = unique (curves);
-  for c = 1:max (curve)
-    [squares, weights] = ofCurve (list(curve == c));
+  keys = arrayfun (@(o) sprintf ('%s|%d|%s|%s', o.condition, o.model, ...
+                                 o.name, o.series), list, ...
+                   'UniformOutput', false);
+  [~, ~, quantity] = unique (keys);
+  for k = 1:max (quantity)
+    [squares, weights] = ofQuantity (list(quantity == k));
     if ~isempty (squares)
       sessions.df = sessions.df + mean (weights);
       sum2 = sum2 + mean (weights .* squares);
@@ -42,7 +42,7 @@ function sessions = sessionRatio (list)
 end
 
 % Of each of its places with several sessions: ratio^2, and degrees of freedom.
-function [squares, weights] = ofCurve (list)
+function [squares, weights] = ofQuantity (list)
   [squares, weights] = deal (zeros (1, 0));
   places = [list.at];
   places(isnan (places)) = Inf;

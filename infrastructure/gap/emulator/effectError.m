@@ -20,7 +20,7 @@ function R = effectError (emulator, members, q)
     sd = sqrt (effectVariance (e, polyRows (e.powers, [q(1:p), psi]), psi));
     % neighbours on a curve are read off the same runs: what their surrogates miss is
     % alike
-    R = R + (sd' * sd) .* emulator.alongCurve;
+    R = R + (sd' * sd) .* emulator.misfitLikeness;
     % a wrong size is one factor on the whole mark: all targets are off together
     R = R + amplitudeSd (e, phi)^2 * (S' * S);
   end

@@ -106,8 +106,8 @@ function size2 = sizesOf (emulator, e)
   size2 = max (sum (R.^2 - emulator.noiseVar .* ok, 1), 0);
   size2 = size2 ./ max (sum (phi2, 1), realmin);
   along = eye (columns (R));
-  if isfield (emulator, 'alongCurve')
-    along = emulator.alongCurve;
+  if isfield (emulator, 'misfitLikeness')
+    along = emulator.misfitLikeness;
   end
   % a point of a curve has few runs; its neighbours tell what size to expect
   size2 = size2 * along ./ sum (along, 1);

@@ -4,7 +4,7 @@
 %
 %   EMULATOR    struct of fitEmulator: surrogates and range are read; gets
 %               noiseVar, noiseFreedom, and (T x T) correlation, of the errors
-%               of a run's results within a bench, and alongCurve, that of
+%               of a run's results within a bench, and misfitLikeness, that of
 %               neighbours on a curve of eight points or more: exp (-distance /
 %               length), 1 on the diagonal, else 0; the length makes it nearest
 %               to the sample (least squares). A response without scatter has
@@ -30,7 +30,7 @@ function emulator = runNoise (emulator, problem, data)
   residual = residual(all (isfinite (residual), 2), :);
   R = [looRows(emulator.surrogates); residual ./ sqrt(emulator.noiseVar)];
   R = R(all (isfinite (R), 2), :);
-  [emulator.correlation, emulator.alongCurve] = errorCorrelation (R, problem);
+  [emulator.correlation, emulator.misfitLikeness] = errorCorrelation (R, problem);
 end
 
 % Pooled variance (NaN where none) and degrees of freedom, 1 x T; deviation of
@@ -116,7 +116,7 @@ end
 %! curve = struct ('bench', [1, 1, 2], 'series', zeros (1, 3), ...
 %!                 'coordinate', zeros (1, 3));
 %! emulator = withResiduals (R, curve);
-%! assert (emulator.alongCurve, eye (3));
+%! assert (emulator.misfitLikeness, eye (3));
 %! assert (emulator.correlation, [1, 0.4, 0; 0.4, 1, 0; 0, 0, 1], 1e-12);
 %!test
 %! % a curve of 20 points with errors of length 5: found from 12 runs (seeded;
@@ -127,6 +127,6 @@ end
 %!                 'coordinate', at);
 %! R = randn (12, 20) * chol (exp (-abs (at' - at) / 5));
 %! emulator = withResiduals (R, curve);
-%! len = -1 / log (emulator.alongCurve(1, 2));
+%! len = -1 / log (emulator.misfitLikeness(1, 2));
 %! assert (len > 2.5 && len < 10);
 %! assert (emulator.correlation(3, 4) > 0.6);

@@ -25,7 +25,7 @@
 
 function white = whitenEmulator (emulator, targets, noise, rotation)
   n = numel (targets);
-  along = emulator.alongCurve(targets, targets);
+  along = emulator.misfitLikeness(targets, targets);
   misfit = sqrt (emulator.fitVar(targets));
   % what the polynomial misses is alike along a curve
   fixed = noise.covariance(targets, targets) + (misfit' * misfit) .* along;
@@ -174,7 +174,7 @@ end
 %! % make of it, by hand
 %! emulator = handMadeEmulator ([1, 2; 1, 0]);
 %! emulator.noiseFreedom = [8, 8];
-%! emulator.alongCurve = [1, 0.8; 0.8, 1];
+%! emulator.misfitLikeness = [1, 0.8; 0.8, 1];
 %! R = {[2, 1; 1, 3], [1, 0; 0, 0.5]};
 %! emulator.effect = struct ('powers', [0, 1; 1, 1], 'coef', [1, 2; 3, 4], 'bend', ...
 %!                     1, 'misfit', [0.3, 0.1], 'root', [R{:}], ...
@@ -188,7 +188,7 @@ end
 %! D = sqrt (emulator.effect.misfit);
 %! for t = 2:-1:1
 %!   for s = 2:-1:1
-%!     K(t, s) = emulator.alongCurve(t, s) * (b * R{t} * R{s} * b' + ...
+%!     K(t, s) = emulator.misfitLikeness(t, s) * (b * R{t} * R{s} * b' + ...
 %!                                      0.36 * D(t) * D(s));
 %!   end
 %! end

@@ -95,7 +95,7 @@ end
 function B = sharedError (emulator)
   D = sqrt (mean (emulator.surrogateVar, 1));
   misfit = sqrt (emulator.fitVar);
-  B = (D' * D) .* emulator.correlation + (misfit' * misfit) .* emulator.alongCurve;
+  B = (D' * D) .* emulator.correlation + (misfit' * misfit) .* emulator.misfitLikeness;
 end
 
 % Parameters by the reference alone, for one size of the lack: Q, logE, and

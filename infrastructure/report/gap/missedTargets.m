@@ -19,10 +19,10 @@ function names = missedTargets (gap, roles)
     return
   end
   names = eachOf (@(T) T.name, targets);
-  [curve, at] = strtok (names, '@');
+  [series, at] = strtok (names, '@');
   at = cellfun (@(t) str2double (t(2:end)), at);
-  for name = unique (curve(isfinite (at)))
-    points = strcmp (curve, name{1}) & isfinite (at);
+  for name = unique (series(isfinite (at)))
+    points = strcmp (series, name{1}) & isfinite (at);
     if sum (points) >= 3 && any (points & isOff)
       off = at(points & isOff);
       codes = {'points', 'point'};

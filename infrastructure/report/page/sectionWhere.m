@@ -11,7 +11,7 @@ function html = where (page)
   found = page.sources.gap.where;
   p = plainNumber (jsonAt (found, {'p'}), 'p');
   html = ['<p>', htmlText(sentence ('where.chance', struct ('p', p), page.isChange)), '</p>', ...
-          curves(page), tableHtml(page.tables.where), fitted(page, found)];
+          seriesFigures(page), tableHtml(page.tables.where), fitted(page, found)];
 end
 
 function html = fitted (page, where)
@@ -28,14 +28,14 @@ end
 
 % Results of one series (results.csv of the model) as a curve over where they
 % were measured.
-function html = curves (page)
+function html = seriesFigures (page)
   html = '';
   points = onSeries (page);
   figures = [];
   for name = unique ({points.title}, 'stable')
     series = points(strcmp ({points.title}, name{1}));
     if numel (series) > 2
-      figures = [figures, curve(series, name{1})];
+      figures = [figures, seriesFigure(series, name{1})];
     end
   end
   if ~isempty (figures)
@@ -61,7 +61,7 @@ function points = onSeries (page)
   end
 end
 
-function f = curve (points, title)
+function f = seriesFigure (points, title)
   [at, order] = sort ([points.at]');
   of = @(field) arrayfun (@(p) p.T.(field), points(order))';
   [measured, simulated, sd] = deal (of ('measured'), of ('predicted'), of ('sdMeasured'));

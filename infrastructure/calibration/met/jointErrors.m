@@ -1,8 +1,8 @@
-% CURVEERRORS  What is known of the errors along each curve that is fitted.
+% JOINTERRORS  What is known of the errors along each curve that is fitted.
 %
-% CALL: [CURVES, NFREE, ALONE] = curveErrors (SURROGATES, PROBLEM)
+% CALL: [JOINT, NFREE, ALONE] = jointErrors (SURROGATES, PROBLEM)
 %
-% CURVES      1 x C struct, one element a curve of which points are calibrated:
+% JOINT       1 x C struct, one element a curve of which points are calibrated:
 %             points (1 x p, target numbers), free (columns of unknowns) and
 %             logLikelihood, handle (M, V, FREE) -> n x 1, log density of the
 %             measured curve: M, V n x p, mean and variance of the surrogates
@@ -25,12 +25,13 @@
 % one unknown scale would be learned from the curve itself, which few runs fit
 % well where the surrogates are wrong (closed study curveFewRuns.m).
 
-function [curves, nFree, alone] = curveErrors (surrogates, problem)
-  curves = [];
+function [joint, nFree, alone] = jointErrors (surrogates, problem)
+  joint = [];
   nFree = 0;
-  alone = find (problem.calibrate & problem.curve == 0);
-  for number = unique (problem.curve(problem.calibrate & problem.curve > 0))
-    points = find (problem.calibrate & problem.curve == number);
+  [groups, ~, isJoint] = requirementsOf (problem);
+  alone = [groups{~isJoint}];
+  for group = groups(isJoint)
+    points = group{1};
     place = problem.coordinate(points);
     steps = diff (unique (place));
     fits = surrogates(points);
@@ -52,8 +53,8 @@ function [curves, nFree, alone] = curveErrors (surrogates, problem)
     nNew = isnan (c.length) + ~c.sdKnown;
     c.free = nFree + (1:nNew);
     nFree = nFree + nNew;
-    c.logLikelihood = @(m, v, free) curveLikelihood (c, m, v, free);
-    curves = [curves, c];
+    c.logLikelihood = @(m, v, free) likelihoodOf (c, m, v, free);
+    joint = [joint, c];
   end
 end
 
@@ -88,7 +89,7 @@ function R = surely (R)
 end
 
 % Normal log density at each set, see above.
-function fit = curveLikelihood (c, m, v, free)
+function fit = likelihoodOf (c, m, v, free)
   n = rows (m);
   fit = zeros (n, 1);
   packing = c.packingVar;
@@ -138,14 +139,14 @@ end
 %!                    'trials', 2 * ones (1, 20), 'scatter', false (1, 20), ...
 %!                    'correlation', NaN (1, 20), 'tol', 0.1 * ones (1, 20), ...
 %!                    'scale', ones (1, 20));
-%!  [c, nFree] = curveErrors (s, problem);
+%!  [c, nFree] = jointErrors (s, problem);
 %!  assert ([nFree, c.free], [2, 1, 2]);
 %!  problem.correlation(:) = 0.5;
 %!  problem.statedSd(:) = 0.1;
-%!  [~, nFree] = curveErrors (s, problem);
+%!  [~, nFree] = jointErrors (s, problem);
 %!  assert (nFree, 0);
 %!  problem.curve(:) = 0;
-%!  assert (isempty (curveErrors (s, problem)));
+%!  assert (isempty (jointErrors (s, problem)));
 %!endfunction
 %!shared apart, draw
 %! apart = abs (linspace (0, 1, 20)' - linspace (0, 1, 20));
@@ -174,7 +175,7 @@ end
 %!                    'coordinate', 1e-6 * (1:n), 'trials', ones (1, n), ...
 %!                    'scatter', false (1, n), 'correlation', ones (1, n), ...
 %!                    'tol', 5 * ones (1, n), 'scale', ones (1, n));
-%!  c = curveErrors (s, mergeFields (problem, changes));
+%!  c = jointErrors (s, mergeFields (problem, changes));
 %!  fit = c.logLikelihood (m, v, free);
 %!endfunction
 
