@@ -61,7 +61,7 @@
 %!                         setfield (state, 'budget', 'sets', 60), emulator);
 %! assert (again.budget.new, state.budget.new);
 %! % whatever its p, none of a change
-%! more = struct ('seekAt', 1.1, 'level', 0);
+%! more = struct ('seekAt', 1.1, 'significance', 0);
 %! assert (sum (neutral (explored (given, few, run, more))) > 9);
 %! given.reference = struct ('value', given.value, 'sd', given.sd, 'trials', ...
 %!                           ones (1, 12), 'scatter', false (1, 12), ...

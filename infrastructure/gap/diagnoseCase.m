@@ -147,7 +147,7 @@ function [options, state] = shareOf (Case, given, state, options, shares)
   left = setsLeft (state.budget);
   options.maxNewRuns = min (foreseeSets (given.effects, left, options), ...
                             floor (left / shares(1)));
-  options.level = options.level / shares(2);
+  options.significance = options.significance / shares(2);
   if options.maxNewRuns < 1
     state.evaluate = [];
   end

@@ -23,7 +23,7 @@
 %     batch        runs between two looks at the evidence (5: fewer cost more
 %                  fits, more are chosen on older knowledge)
 %     verifyRuns   seeds at each compared set when the cure is checked (5)
-%     level        chance of a false alarm (0.05)
+%     significance  chance of a false alarm (0.05)
 %     seekAt       p of the gate below which it is doubtful that there is no gap
 %                  (0.5)
 %     surplus      variance of data without a gap over what the budget says
@@ -44,7 +44,7 @@ function options = gapOptions (given)
                     'most', 12000, 'leastPoints', 200, 'bootstrap', 999, ...
                     'twins', 400, 'covariance', 'matern52', 'trend', ...
                     'choose', 'maxNewRuns', 0, 'explore', true, 'neutral', 4, ...
-                    'batch', 5, 'verifyRuns', 5, 'level', 0.05, 'seekAt', 0.5, ...
+                    'batch', 5, 'verifyRuns', 5, 'significance', 0.05, 'seekAt', 0.5, ...
                     'surplus', 1.15, 'caution', 0.4, 'othersAt', 0.1, ...
                     'adviseAt', 0.2);
   options = mergeFields (gapConstants (), options);
@@ -53,7 +53,7 @@ function options = gapOptions (given)
   end
 end
 
-%!assert (gapOptions ([]).level, 0.05)
+%!assert (gapOptions ([]).significance, 0.05)
 %!assert (gapOptions (struct ('twins', 7)).twins, 7)
 %!test
 %! % all that a diagnosis reads is there, each once

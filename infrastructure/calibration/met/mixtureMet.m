@@ -35,7 +35,7 @@ function [p, share] = mixtureMet (r, s, problem, df, at)
   p = zeros (rows (at), 1);
   p(~isNear) = allMet (r(~isNear, :), s(~isNear, :), problem, df);
   if any (isNear)
-    q = @(level) betaincinv (level, a(isNear), max (b(isNear), 0) + 1);
+    q = @(part) betaincinv (part, a(isNear), max (b(isNear), 0) + 1);
     [~, slope] = targetResidual (problem, at(isNear, :), ...
                                  repmat (problem.value, sum (isNear), 1));
     jump = slope .* (W(isNear, :) * odd.jump ./ a(isNear));
@@ -48,8 +48,8 @@ end
 function p = ofBoth (r, s, problem, df, jump, q)
   chance = givenField (problem.odd, 'chance', 1);
   p = (1 - chance) * allMet (r, s, problem, df);
-  for level = ((1:8) - 0.5) / 8
-    p = p + chance / 8 * allMet (r + q (level) .* jump, s, problem, df);
+  for part = ((1:8) - 0.5) / 8
+    p = p + chance / 8 * allMet (r + q (part) .* jump, s, problem, df);
   end
 end
 

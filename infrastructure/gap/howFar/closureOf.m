@@ -6,11 +6,11 @@
 %           covariance of r if there is no gap), E (B x n, draws of it), nu
 %   AFTER   the same with the effect, with draws of the same measurement
 %   METRIC  n x n, in which r is measured: inverse of the noise of the targets
-%   OPTIONS of gapOptions: level, leftAt, hiddenAt
+%   OPTIONS of gapOptions: significance, leftAt, hiddenAt
 %   C       struct
 %     gapP      chance that noise makes as much as BEFORE.r without a gap
 %     largestZ  largest |r| of BEFORE, in its standard deviations
-%     removable logical: gapP below level, or largestZ above leftAt
+%     removable logical: gapP below significance, or largestZ above leftAt
 %     free      directions that the fit with the effect leaves to noise; 0: it
 %               has as many unknowns as targets and meets them whatever they are
 %     closure   share of the gap that is gone, NaN where nothing is removable,
@@ -33,7 +33,7 @@
 function c = closureOf (before, after, metric, options)
   [c.gapP, c.largestZ] = chanceOf (before, metric, options.hiddenAt);
   [~, ~, c.free] = chanceOf (after, metric, options.hiddenAt);
-  c.removable = c.gapP < options.level || c.largestZ > options.leftAt;
+  c.removable = c.gapP < options.significance || c.largestZ > options.leftAt;
   [gap, miss] = gapOf (before, metric);
   [left, leftError] = gapOf (after, metric);
   c.closure = NaN;

@@ -109,7 +109,7 @@ function list = listHypotheses (hypotheses, fits, i, evidence)
     list(j) = entry (row.h, row.white, row.prior, fits.of{j}, i);
   end
   singles = hypotheses.singles;
-  if numel (singles) > 1 && evidence.gate.p < 2 * hypotheses.options.level
+  if numel (singles) > 1 && evidence.gate.p < 2 * hypotheses.options.significance
     pairs = pairsOf (hypotheses, fits, i, evidence.screen);
     list = [list(1:singles(end)), pairs, list(singles(end) + 1:end)];
   end

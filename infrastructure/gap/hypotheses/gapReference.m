@@ -8,7 +8,7 @@
 %              measurement
 %   STATISTIC  scalar, of the measurement: after every hundred data sets no more
 %              are drawn if they leave no doubt (1 %) on which side of
-%              options.level its p is
+%              options.significance its p is
 %   HYPOTHESES     the same with reference, a column
 %
 % Surrogates err in ways that they do not know: the drawn data scatter with
@@ -30,23 +30,23 @@ function hypotheses = gapReference (hypotheses, statistic)
     hypotheses.reference = [hypotheses.reference; ...
                             gapTest(hypotheses, fits.logE).statistic];
     if nargin > 1 && isClear (hypotheses.reference >= statistic, ...
-                              hypotheses.options.level)
+                              hypotheses.options.significance)
       return
     end
   end
 end
 
-% As many, or as few, would reach it in less than 1 % if p were the level.
-function yes = isClear (reached, level)
+% As many, or as few, would reach it in less than 1 % if p were the significance.
+function yes = isClear (reached, significance)
   n = numel (reached);
   k = sum (reached);
   atLeast = 1;
   if k > 0
-    atLeast = betainc (level, k, n - k + 1);
+    atLeast = betainc (significance, k, n - k + 1);
   end
   atMost = 1;
   if k < n
-    atMost = 1 - betainc (level, k + 1, n - k);
+    atMost = 1 - betainc (significance, k + 1, n - k);
   end
   yes = min (atLeast, atMost) < 0.01;
 end

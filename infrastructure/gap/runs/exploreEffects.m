@@ -39,7 +39,7 @@ function [state, emulator] = exploreEffects (problem, options, state, emulator)
                            options.seed + rows (state.data.X));
       % what the gate compares with is another one then
       reference = [];
-    elseif now.evidence.gate.p > 2 * options.level || stands (now, options)
+    elseif now.evidence.gate.p > 2 * options.significance || stands (now, options)
       break
     else
       batch = proposeRuns (problem, options, state, emulator, now);
@@ -60,7 +60,7 @@ end
 % sets that lie near THETA, whoever asked for them.
 function n = runsToSeek (problem, options, base, theta, p)
   n = 0;
-  if p < options.level || p >= options.seekAt || ...
+  if p < options.significance || p >= options.seekAt || ...
      ~isempty (problem.reference)
     return
   end

@@ -67,7 +67,7 @@ function pool = candidates (problem, options, state, emulator, now)
                    now.rivals], 'stable');
   % rivals get runs in turn, those with the fewest first: none wins by being better
   % known
-  level = 1 + min ([now.runs(now.rivals), Inf]);
+  turn = 1 + min ([now.runs(now.rivals), Inf]);
   isSure = -total(1) >= options.standsAt;
   singles = find (strcmp (evidence.kind, 'single'));
   for i = order(:)'
@@ -92,7 +92,7 @@ function pool = candidates (problem, options, state, emulator, now)
                           any(i == now.alike), options.batch * isVague]);
     end
     if any (i == now.rivals)
-      blank.lacks = max (blank.lacks, level - now.runs(i));
+      blank.lacks = max (blank.lacks, turn - now.runs(i));
     end
     pool(end + 1) = blank;
     n = 3;

@@ -63,7 +63,7 @@ end
 
 function verdict = judged (evidence, hypotheses)
   verdict = openVerdict (evidence, numel (hypotheses.names));
-  if evidence.gate.p >= hypotheses.options.level
+  if evidence.gate.p >= hypotheses.options.significance
     verdict.kind = 'no gap';
     verdict.guard = 'gate';
     verdict.reason = sprintf (['data without a gap give as much evidence ' ...

@@ -240,8 +240,8 @@ end
 function [text, isBeyond] = whereText (gap, isChange)
   models = jsonAt (gap, {'where', 'models'});
   off = missedTargets (gap, {'calibrate', 'holdout'});
-  level = gap.thresholds.level;
-  isBeyond = ~isequal (jsonAt (gap, {'where', 'p'}) >= level, true) || ~isempty (off);
+  isBeyond = ~isequal (jsonAt (gap, {'where', 'p'}) >= gap.thresholds.level, true) || ...
+             ~isempty (off);
   codes = {'nowhere', 'all', 'some'};
   values = struct ('names', {off}, 'most', '');
   if isBeyond && isfield (models, 'size') && numel (models) > 1

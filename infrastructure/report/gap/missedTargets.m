@@ -12,8 +12,7 @@
 function names = missedTargets (gap, roles)
   targets = jsonList (gap, {'where', 'targets'});
   targets = targets(cellfun (@(T) any (strcmp (T.role, roles)), targets));
-  level = gap.thresholds.level;
-  isOff = cellfun (@(T) any (jsonAt (T, {'p'}) < level), targets);
+  isOff = cellfun (@(T) any (jsonAt (T, {'p'}) < gap.thresholds.level), targets);
   names = {};
   if ~any (isOff)
     return

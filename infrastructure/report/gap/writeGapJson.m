@@ -84,7 +84,8 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   [~, ~] = mkdir (folder);
   out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
   out.howFar = howFarOf (diagnosis.howFar, diagnosis.problem, Case);
-  out.thresholds = mergeFields (struct (), diagnosis.options, {'level', 'adviseAt'});
+  out.thresholds = struct ('level', diagnosis.options.significance, 'adviseAt', ...
+                           diagnosis.options.adviseAt);
   out.fingerprint = fingerprintOf (diagnosis);
   out.next = num2cell (rmfield (diagnosis.next(:)', ...
                                 {'targets', 'gainPerCost', 'lines', ...

@@ -21,9 +21,9 @@ end
 
 function cells = rowOf (page, target, t)
   at = @(field) {'gap', 'where', 'targets', t, field};
-  level = page.sources.gap.thresholds.level;
+  significance = page.sources.gap.thresholds.level;
   remark = '';
-  if any (jsonAt (target, {'p'}) < level)
+  if any (jsonAt (target, {'p'}) < significance)
     remark = struct ('value', sentence ('where.off'), 'class', 'off');
   elseif isequal (jsonAt (target, {'blind'}), true)
     remark = struct ('value', sentence ('where.blind'), 'class', 'unsure');
