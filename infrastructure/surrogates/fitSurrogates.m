@@ -166,8 +166,9 @@ end
 function kind = kindOfTarget (problem)
   kind.model = problem.bench;
   kind.weight = ones (1, numel (problem.bench));
-  for requirement = requirementsOf (problem, 1:numel (problem.bench))
-    kind.weight(requirement{1}) = 1 / numel (requirement{1});
+  for number = unique (problem.curve(problem.curve > 0))
+    points = problem.curve == number;
+    kind.weight(points) = 1 / sum (points);
   end
   kind.judges = problem.calibrate;
   kind.least = problem.tol .* abs (problem.scale);
