@@ -20,6 +20,7 @@ function p = checkModels (models, folder, root, how)
       p = [p, missing(models(k).name, k, folder, root)];
     else
       p = [p, checkFolder(models(k)), checkFiles(models(k)), ...
+           checkTables(models(k)), ...
            checkLeftovers(models(k).name, models(k).left)];
       if isfile (fullfile (models(k).folder, 'runscript'))
         p = [p, checkRunscript(models(k), how)];
@@ -146,6 +147,25 @@ function p = checkFiles (model)
     p(end + 1) = checkFault ('brokenGetResults', field (files{2}), call, ...
                              describeValue (model.message), ...
                              'Call it at the Octave prompt until it runs.');
+  end
+end
+
+% Tables that nobody needs, but that are believed where they are there: a calibration
+% reads the first two, a diagnosis the last, hours later.
+function p = checkTables (model)
+  p = checkFault ();
+  readers = {@resultInfo, @runScatter, @readSettings};
+  tables = {'results.csv', 'scatter.csv', 'settings.csv'};
+  for k = find (isfile (fullfile (model.folder, tables)))
+    try
+      readers{k} (model.folder);
+    catch err
+      p(end + 1) = checkFault ('modelTable', ...
+                               ['DEMmodels/', model.name, '/', tables{k}], ...
+                               'a table as in docs/extend.md', ...
+                               ['one that ends in: ', err.message], ...
+                               'Correct the table, or remove it: no run needs it.');
+    end
   end
 end
 
