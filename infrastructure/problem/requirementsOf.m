@@ -28,7 +28,7 @@ function [groups, names, isJoint] = requirementsOf (problem, use)
                      'UniformOutput', false);
   first = cellfun (@(g) g(1), groups);
   isJoint = problem.curve(first) > 0;
-  if nargout > 1
+  if isargout (2)
     names = problem.targetNames(first);
     isLong = cellfun (@numel, groups) > 1;
     names(isLong) = problem.seriesNames(first(isLong));
