@@ -10,7 +10,7 @@
 function [shown, n] = shownTargets (Case)
   [groups, ~, isJoint] = requirementsOf (Case.targets, 1:numel (Case.targets));
   n = numel ([groups{isJoint}]);
-  shown = [groups{~isJoint}];
+  shown = [zeros(1, 0), groups{~isJoint}];
   for group = groups(isJoint)
     points = group{1};
     [~, order] = sort ([Case.targets(points).at]);
@@ -23,3 +23,6 @@ end
 %! Case.targets = struct ('curve', {0, 1, 1, 1, 1, 1, 2}, ...
 %!                        'at', {NaN, 5, 4, 3, 2, 1, 7});
 %! assert (shownTargets (Case), [1, 2, 4, 6, 7]);
+%! % all of them points: a row, as the caller goes through it
+%! Case.targets = struct ('curve', {1, 1, 1, 1}, 'at', {1, 2, 3, 4});
+%! assert (shownTargets (Case), [1, 3, 4]);
