@@ -72,7 +72,7 @@ function numbers = keyNumbers (v, c)
     list = missTexts (v.misses(headline (v.misses, v.worst)));
   end
   if v.of > 0
-    open = v.misses(strcmp ({v.misses.state}, 'open') & [v.misses.runs] > 0);
+    open = v.misses(isOpenMiss (v.misses));
     labels = {'targets met', 'targets within tolerance so far, not surely', ...
               'targets met, expected from the fit, not yet run'};
     hasNoRun = c.runs == 0;
@@ -126,7 +126,7 @@ end
 % worth some more runs.
 function todo = useOrSettle (used)
   todo = newAction ('use');
-  isOpen = strcmp ({used.state}, 'open') & [used.runs] > 0;
+  isOpen = isOpenMiss (used);
   if any (isOpen)
     settle = newAction ('settle', {used(isOpen).name});
     todo.parts = [todo.parts, sayFirst(' ', settle.parts)];

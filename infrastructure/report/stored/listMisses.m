@@ -54,7 +54,7 @@ function m = missOf (T, n)
     m.share = shares(find (isfinite (shares), 1));
     m.met = double (T.met);
     m.state = field ('state', '');
-    m.met(m.runs > 0 && strcmp (m.state, 'open')) = NaN;
+    m.met(isOpenMiss (m)) = NaN;
   end
   ofMean = diff (field ('interval90', [0, 0])(:)') / 3.29;
   noise = norm ([field('sd', 0), m.scatter, ofMean]);

@@ -32,7 +32,7 @@ function [texts, open] = missTexts (m)
   end
   texts = {[label, ': ', name, held], text};
   open = '';
-  if strcmp (m.state, 'open') && m.runs > 0
+  if isOpenMiss (m)
     runs = {sprintf('%d runs say', m.runs), '1 run says'};
     says = {'missed', 'met'};
     isMissed = m.share > 1;            % of a curve the root mean square
