@@ -10,12 +10,11 @@
 function text = libraryLine (Case)
   [~, ~, cases] = readTaken (Case.folder);
   text = '';
-  if ~isempty (cases)
+  if ~isempty (cases) && sharesStore (Case)
     text = sprintf (['%d runs of %d cases in %s were samples already ' ...
                      '(results/library.csv)'], numel (cases), ...
                     numel (unique (cases)), Case.store);
-  end
-  if ~isempty (text) && ~sharesStore (Case)
+  elseif ~isempty (cases)
     text = sprintf (['%d runs of earlier starts were samples already ' ...
                      '(results/library.csv)'], numel (cases));
   end
