@@ -9,7 +9,7 @@
 function text = resultTitle (c, date)
   words = {'NOT CALIBRATED', 'CALIBRATED'};
   text = sprintf ('%s (%s): %s', words{1 + isequal(c.converged, true)}, date, ...
-                  strrep (c.reason, "\n", ' '));
+                  oneLine (c.reason));
 end
 
 %!assert (resultTitle (struct ('converged', false, 'reason', "a\nb"), '2026-01-02'), ...

@@ -23,8 +23,7 @@ function html = htmlText (text)
       html(bytes > 127) = '?';
     end
   end
-  html(html < 32) = ' ';
-  html = regexprep (html, {'&', '<', '>', '"'}, ...
+  html = regexprep (oneLine (html), {'&', '<', '>', '"'}, ...
                     {'&amp;', '&lt;', '&gt;', '&quot;'});
 end
 

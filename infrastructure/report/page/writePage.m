@@ -224,9 +224,8 @@ function writeRunTable (page)
     end
     numbers = [run.replicate, run.seed, run.seconds, run.started, ...
                run.params, effects, resultsOf(run, Case)];
-    message = regexprep (run.message, '[\x00-\x1f]', ' ');
     lines{end + 1} = csvLine ([{run.model, run.name, run.stage, run.status, ...
-                                run.cause}, num2cell(numbers), {message}]);
+                                run.cause}, num2cell(numbers), {oneLine(run.message)}]);
   end
   writeAtomic (fullfile (Case.folder, 'results', 'runTable.csv'), ...
                [strjoin(lines, "\n"), "\n"]);
