@@ -17,6 +17,9 @@ function startToolbox (root, folder)
     folder = pwd ();
   end
   checkOctave (OCTAVE_VERSION ());
+  % before the toolbox: Octave lists all folders of its path anew with each that
+  % a package adds, and those of the toolbox would be half of them
+  loadPackages ({'struct', 'optim', 'parallel', 'stk'});
   % a new folder of functions is found by itself
   inside = strsplit (genpath (fullfile (root, 'infrastructure')), pathsep ());
   hasCode = cellfun (@(f) isfolder (f) && ...
@@ -35,7 +38,6 @@ function startToolbox (root, folder)
     setenv ('OCTAVE_SITE_INITFILE', ...
             fullfile (root, 'infrastructure', 'files', 'worker.octaverc'));
   end
-  loadPackages ({'struct', 'optim', 'parallel', 'stk'});
 end
 
 % Octave 6 has no jsonencode, in which records and results are written.

@@ -56,6 +56,7 @@ function status = sayCheck (root, folder, args)
 end
 
 function sayModels (Case)
+  [~, ~, earlier] = earlierScatter (Case);
   for k = 1:numel (Case.models)
     m = Case.models(k);
     place = givenField (m, 'folder', ...
@@ -64,7 +65,9 @@ function sayModels (Case)
             m.nTargets, m.cpu, place);
     sayStages (m);
     sayNamed (m, runPlace (Case, m.name, '0001'));
-    sayMeasured (Case.targets([Case.targets.model] == k));
+    isMine = [Case.targets.model] == k;
+    sayMeasured (Case.targets(isMine));
+    sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
   note = sessionNote (Case);
   if ~isempty (note)
@@ -112,6 +115,17 @@ function sayMeasured (targets)
   sayList ('mean of repeated trials', {targets([targets.scatter]).name});
   sayList ('not measured yet, predicted only', ...
            {targets(isnan ([targets.value])).name});
+end
+
+% SIMULATED: 1 x T, NaN where no run tells; ORIGIN: of which runs (text).
+function sayUnits (targets, simulated, origin)
+  for k = 1:numel (targets)
+    ratio = unitRatio (simulated(k), targets(k).value);
+    if ~isempty (ratio)
+      printf ('WARNING   %s: measured %.5g, %.5g %s: %s. Are both in one unit?\n', ...
+              targets(k).name, targets(k).value, simulated(k), origin, ratio);
+    end
+  end
 end
 
 function sayList (what, names)
@@ -190,18 +204,16 @@ function isGood = sayTrial (records, Case)
       printf ('          %s\n', r.message);
       continue
     end
-    for T = Case.targets([Case.targets.model] == k)
+    mine = Case.targets([Case.targets.model] == k);
+    for T = mine
       measured = sprintf ('measured %.5g', T.value);
       if isnan (T.value)
         measured = 'not measured yet';
       end
       printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), ...
               measured);
-      ratio = unitRatio (r.results(T.index), T.value);
-      if ~isempty (ratio)
-        printf ('WARNING   %s: %s. Are both in one unit?\n', T.name, ratio);
-      end
     end
+    sayUnits (mine, r.results([mine.index]), 'in this run');
   end
 end
 
@@ -312,9 +324,8 @@ end
 %! writeLoadInput (raw.folder, ['Input.executor = ''slurm''; ', ...
 %!                              'Input.slurm.partition = ''long'';']);
 %! tools = emptyFolder ();
-%! link = ['for f in /usr/bin/* /bin/*; do case ${f##*/} in sbatch|squeue) ;; ', ...
-%!         '*) ln -sf "$f" "$0"/ ;; esac; done'];
-%! system (['bash -c ', shellQuote(link), ' ', tools]);
+%! system (['cd ', tools, ' && ln -sf /bin/* /usr/bin/* . 2> /dev/null; ', ...
+%!          'rm -f sbatch squeue']);
 %! before = getenv ('PATH');
 %! back = onCleanup (@() setenv ('PATH', before));
 %! setenv ('PATH', tools);

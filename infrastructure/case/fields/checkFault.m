@@ -7,7 +7,8 @@
 %   FIELD     what is wrong, as the user writes it, e.g. Input.cpu (text); a
 %             path below DEMmodels/ names a file
 %   EXPECTED  what should stand there (text)
-%   GOT       what stands there (text, see describeValue)
+%   GOT       what stands there (text, see describeValue), or the message of an error,
+%             whose full stop is left out
 %   CURE      what to do (text, a sentence)
 %   P         struct array with the fields id and message: 1 x 1, or 1 x 0
 %             when called without arguments
@@ -18,7 +19,7 @@ function p = checkFault (reason, field, expected, got, cure)
     return
   end
   message = sprintf ('%s%s: expected %s, got %s. %s', field, ...
-                     fileOf (field), expected, got, cure);
+                     fileOf (field), expected, regexprep (got, '\.$', ''), cure);
   p = struct ('id', ['DEcalioc:checkCase:', reason], 'message', message);
 end
 
@@ -38,5 +39,7 @@ end
 %! assert (p.id, 'DEcalioc:checkCase:badCpu');
 %! assert (p.message, ...
 %!         'Input.cpu in loadInput.m: expected an integer, got 0. Set 1.');
+%!assert (checkFault ('a', 'x.csv', 'b', 'c. Save it.', 'Or not.').message, ...
+%!        'x.csv in loadInput.m: expected b, got c. Save it. Or not.')
 %!assert (checkFault ('a', 'effects(1).name', 'b', 'c', 'd').message, ...
 %!        'effects(1).name in loadEffects.m: expected b, got c. d')
