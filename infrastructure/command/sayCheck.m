@@ -117,17 +117,6 @@ function sayMeasured (targets)
            {targets(isnan ([targets.value])).name});
 end
 
-% SIMULATED: 1 x T, NaN where no run tells; ORIGIN: of which runs (text).
-function sayUnits (targets, simulated, origin)
-  for k = 1:numel (targets)
-    ratio = unitRatio (simulated(k), targets(k).value);
-    if ~isempty (ratio)
-      printf ('WARNING   %s: measured %.5g, %.5g %s: %s. Are both in one unit?\n', ...
-              targets(k).name, targets(k).value, simulated(k), origin, ratio);
-    end
-  end
-end
-
 function sayList (what, names)
   if ~isempty (names)
     printf ('          %s: %s\n', what, strjoin (names, ', '));

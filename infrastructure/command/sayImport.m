@@ -31,16 +31,28 @@ function status = sayImport (root, folder, args)
           rows (data.X), sum (isIn));
   printf ('%s\n', repmat (sprintf (', %d with an effect', sum (~isPlain)), 1, ...
                           any (~isPlain)));
-  for t = 1:numel (Case.targets)
-    printf ('          %s: %d results, %d without one\n', Case.targets(t).name, ...
-            sum (isfinite (data.Z(:, t))), ...
-            sum (isnan (data.Z(:, t)) & ~isna (data.Z(:, t))));
+  sayResults (data.Z, Case.targets);
+  middle = NaN (1, columns (data.Z));
+  for t = find (any (isfinite (data.Z), 1))
+    middle(t) = median (data.Z(isfinite (data.Z(:, t)), t));
   end
+  sayUnits (Case.targets, middle, 'in the middle of these runs');
   if ~strcmp (make_absolute_filename (file), fullfile (folder, 'runs.csv'))
     printf ('\nNext: copy it to %s. decalioc run takes it in.\n', ...
             fullfile (folder, 'runs.csv'));
   end
   status = 2 * isempty (data.X);
+end
+
+function sayResults (Z, targets)
+  for t = 1:numel (targets)
+    hasOthers = any (isfinite (Z(:, [targets.model] == targets(t).model)), 2);
+    open = sum (isna (Z(:, t)) & hasOthers);
+    more = sprintf (', %d not run for it (empty beside other results)', open);
+    printf ('          %s: %d results, %d without one%s\n', targets(t).name, ...
+            sum (isfinite (Z(:, t))), sum (isnan (Z(:, t)) & ~isna (Z(:, t))), ...
+            repmat (more, 1, open > 0));
+  end
 end
 
 function sayColumn (name, what, texts)
@@ -95,7 +107,7 @@ end
 %! assert (status == 0, out);
 %! for part = {'a \[m\] +parameter +2 +0.5 +0.6', 'First_1 +result, measured', ...
 %!             'note +not known to the case', 'sets +2; 1 of them between', ...
-%!             'First_2: 1 results', 'copy it to '}
+%!             'First_2: 1 results, 0 without one, 1 not run for it', 'copy it to '}
 %!   assert (! isempty (regexp (out, part{1}, 'once')), out);
 %! end
 %! assert (! isfile (fullfile (raw.folder, 'runs.csv')));

@@ -5,8 +5,8 @@
 %   HEADER  1 x c cell of names, as the table has them
 %   CASE    see importRuns;  FILE  path of the table, for the error (text)
 %   NAMES   1 x c cell: of "aor [deg]", "aor (deg)", "aor / deg", "aor in deg"
-%           and "AOR" the name, where the case knows it; of trial and scatter that
-%           of the result
+%           and "AOR" the name, where the case knows it, and of "my_aor" my aor; of
+%           trial and scatter that of the result
 %   KINDS   1 x c cell: model, seed, parameter, effect, result; trial (angle 1,
 %           angle_2, angle.3: one of several runs of the row); runs (n) and
 %           scatter (sd where there is one result, sd angle, angle_sd): see
@@ -17,6 +17,7 @@
 
 function [names, kinds] = importHeader (header, Case, file)
   targets = {Case.targets.name};
+  units = unitsOf (Case);
   known = [{'model', 'seed'}, Case.names, Case.effectVars, targets];
   kind = [{'model', 'seed'}, repmat({'parameter'}, size (Case.names)), ...
           repmat({'effect'}, size (Case.effectVars)), ...
@@ -27,7 +28,7 @@ function [names, kinds] = importHeader (header, Case, file)
     [name, unit] = knownName (header{k}, free);
     if ~isempty (name)
       names{k} = name;
-      checkUnit (name, unit, Case.targets, file);
+      checkUnit (name, unit, targets, units, file);
     end
   end
   [~, at] = ismember (names, known);
@@ -35,7 +36,7 @@ function [names, kinds] = importHeader (header, Case, file)
   kinds = kind(at);
   for k = find (strcmp (kinds, 'ignored'))
     [names{k}, kinds{k}, unit] = severalRuns (names{k}, targets, file);
-    checkUnit (names{k}, unit, Case.targets, file);
+    checkUnit (names{k}, unit, targets, units, file);
   end
   % one column angle 1 is no list of trials, but a name
   for k = find (strcmp (kinds, 'trial'))
@@ -62,6 +63,9 @@ function [name, unit] = knownName (text, known)
     k = find (strcmp (known, parts{1}));
     if isempty (k)
       k = find (strcmpi (known, parts{1}));
+    end
+    if isempty (k)                         % a name with blanks in a table of columns
+      k = find (strcmpi (strrep (known, '_', ' '), strrep (parts{1}, '_', ' ')));
     end
     if isscalar (k)
       [name, unit] = deal (known{k}, [parts{2:end}]);
@@ -103,17 +107,27 @@ function [name, kind, unit] = severalRuns (text, targets, file)
   unit = repmat (unit, 1, ~strcmp (kind, 'ignored'));
 end
 
-function checkUnit (name, given, targets, file)
-  t = find (strcmp (name, {targets.name}), 1);
-  if isempty (given) || isempty (t) || ...
-      isempty (givenField (targets(t), 'unit', ''))
+% Of measured.csv, else of results.csv; '' where neither says one.
+function units = unitsOf (Case)
+  units = repmat ({''}, size (Case.targets));
+  if isfield (Case, 'models')
+    units = {targetInfo(Case).unit};
+  end
+  if isfield (Case.targets, 'unit')
+    isGiven = ~cellfun (@isempty, {Case.targets.unit});
+    units(isGiven) = {Case.targets(isGiven).unit};
+  end
+end
+
+function checkUnit (name, given, targets, units, file)
+  t = find (strcmp (name, targets), 1);
+  if isempty (given) || isempty (t) || isempty (units{t})
     return
   end
-  unit = targets(t).unit;
-  if ~strcmp (unit, given) && ~isequal (unitFactor (given, unit), 1)
+  if ~strcmp (units{t}, given) && ~isequal (unitFactor (given, units{t}), 1)
     error ('DEcalioc:importRuns:badValue', ...
            ['importRuns: %s of %s must be in %s, as results.csv of its ' ...
-            'model says, got %s. Convert the column.'], name, file, unit, given);
+            'model says, got %s. Convert the column.'], name, file, units{t}, given);
   end
 end
 
@@ -139,3 +153,12 @@ end
 %!error <must be in mm, as results.csv of its model says, got m>
 %! importHeader ({'x [m]'}, Case, 'f');
 %!error <sd of f must say of which result> importHeader ({'n', 'sd'}, Case, 'f');
+%!test
+%! % targets of optim have the unit that results.csv has; blanks are underlines
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! of = struct ('names', {{'a'}}, 'effectVars', {{}});
+%! of.models = struct ('name', 'Heap', 'folder', fullfile (root, 'DEMmodels', 'Heap'));
+%! of.targets = struct ('name', {'slope', 'my height'}, 'model', 1, 'index', {1, 2});
+%! assert (importHeader ({'slope [deg]', 'My_height [m]'}, of, 'f'), ...
+%!         {'slope', 'my height'});
+%! fail ('importHeader ({''my height [mm]''}, of, ''f'')', 'must be in m, .* got mm');
