@@ -2,14 +2,30 @@
 %
 % CALL: STATUS = sayBenches (ROOT, FOLDER, ARGS)
 %
-%   ROOT    folder of the toolbox (text); FOLDER, ARGS  not used
+%   ROOT    folder of the toolbox (text);  FOLDER  not used
+%   ARGS    cell of names of rigs, commas between or not; none: all rigs
 %   STATUS  0
+%
+% Errors: DEcalioc:sayBenches:unknownName, those of commandOptions
 %
 % See also: listBenches, newBenchCase
 
-function status = sayBenches (root, ~, ~)
+function status = sayBenches (root, ~, args)
+  [~, words] = commandOptions (args, struct ());
+  benches = listBenches (root);
+  names = setdiff (strsplit (strjoin (words, ','), ','), {''}, 'stable');
+  [isKnown, at] = ismember (names, {benches.name});
+  if ~all (isKnown)
+    name = names{find (~isKnown, 1)};
+    error ('DEcalioc:sayBenches:unknownName', ...
+           'The test rigs of the toolbox are %s, got ''%s''. %s', ...
+           strjoin ({benches.name}, ', '), name, checkNearest (name, {benches.name}));
+  end
+  if ~isempty (names)
+    benches = benches(at);
+  end
   status = 0;
-  for bench = listBenches (root)
+  for bench = benches
     printf ("%-10s %s: %s\n", bench.name, bench.title, bench.sees);
     printf ("%10s results: %s\n", '', resultsOf (bench));
     printf ("%10s picture: %s\n", '', bench.picture);
@@ -32,3 +48,7 @@ end
 %! assert (~isempty (strfind (text, 'massOnPlate (kg)')));
 %! assert (~isempty (regexp (text, '^Heap +heap by a lifted tube: static', ...
 %!                           'once', 'lineanchors')));
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! text = evalc ('sayBenches (root, '''', {''Heap,Drum''});');
+%! assert (numel (strfind (text, 'picture:')), 2);
+%! fail ('sayBenches (root, '''', {''Heep''})', 'got ''Heep''. Did you mean Heap');
