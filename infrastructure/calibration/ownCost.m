@@ -11,6 +11,7 @@
 
 function cost = ownCost ()
   file = file_in_loadpath ('costFunction.m');
+  clear ('-functions', 'costFunction');    % as in readInput
   try
     cost = @costFunction;
     if ~isempty (file)                   % who calls it hears that it is missing

@@ -31,6 +31,8 @@ function raw = readInput (root, folder)
            ['readInput: a file loadInput.m is expected in %s or %s. Copy ' ...
             'the one of the toolbox and edit it.'], folder, root);
   end
+  % Octave keeps that of another case after a change of folder
+  clear ('-functions', 'loadInput');
   try
     [raw.Input, raw.optim, raw.modelVars, raw.assign, raw.paramLims] = ...
       feval ('loadInput');
@@ -83,8 +85,6 @@ end
 %!   writeAtomic (file, ['function [a, b, c, d, e] = loadInput (), ', ...
 %!                       bad{1}, ' end']);
 %!   addpath (folder);
-%!   % that of an earlier test may still be in memory
-%!   clear loadInput
 %!   unwind_protect
 %!     try
 %!       loadCase (folder, folder);
@@ -102,3 +102,17 @@ end
 %! raw = readInput ();
 %! assert (raw.root, fileparts (fileparts (which ('startToolbox'))));
 %! assert (numel (raw.assign), columns (raw.paramLims));
+%!test
+%! % of two cases in one Octave each has its own
+%! folders = {emptyFolder(), emptyFolder()};
+%! here = pwd ();
+%! back = onCleanup (@() cd (here));
+%! for k = 1:2
+%!   writeAtomic (fullfile (folders{k}, 'loadInput.m'), ...
+%!                sprintf (["function [a, b, c, d, e] = loadInput ()\n", ...
+%!                          "[a, b, c, d, e] = deal (%d);\nend\n"], k));
+%!   cd (folders{k});
+%!   assert (readInput ('', folders{k}).optim, k);
+%! end
+%! cd (here);
+%! clear loadInput

@@ -28,7 +28,7 @@ function status = sayCheck (root, folder, args)
   printf ('case      %s: no mistake found\n', folder);
   cellfun (@(text) printf ('WARNING   %s.\n', text), Case.notes, ...
            'UniformOutput', false);
-  sayModels (Case);
+  sayModels (Case, options.try);
   % a case of imported runs alone starts nothing
   isRun = any (isfile (fullfile ({Case.models.folder}, 'runscript')));
   if isRun
@@ -55,8 +55,10 @@ function status = sayCheck (root, folder, args)
   end
 end
 
-function sayModels (Case)
+% Before a trial run, which says it of its own results, earlier runs tell of units.
+function sayModels (Case, isTried)
   [~, ~, earlier] = earlierScatter (Case);
+  earlier(:) = merge (isTried, NaN, earlier);
   for k = 1:numel (Case.models)
     m = Case.models(k);
     place = givenField (m, 'folder', ...

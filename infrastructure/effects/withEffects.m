@@ -41,6 +41,7 @@ function list = ownList ()
   if isempty (file)
     return
   end
+  clear ('-functions', 'loadEffects');    % as in readInput
   try
     list = feval ('loadEffects');
   catch err

@@ -110,7 +110,7 @@ end
 % Of measured.csv, else of results.csv; '' where neither says one.
 function units = unitsOf (Case)
   units = repmat ({''}, size (Case.targets));
-  if isfield (Case, 'models')
+  if isfield (Case, 'models') && isfield (Case.models, 'folder')
     units = {targetInfo(Case).unit};
   end
   if isfield (Case.targets, 'unit')
