@@ -16,10 +16,11 @@ function status = sayBenches (root, ~, args)
   names = setdiff (strsplit (strjoin (words, ','), ','), {''}, 'stable');
   [isKnown, at] = ismember (names, {benches.name});
   if ~all (isKnown)
-    name = names{find (~isKnown, 1)};
+    unknown = names(~isKnown){1};
     error ('DEcalioc:sayBenches:unknownName', ...
            'The test rigs of the toolbox are %s, got ''%s''. %s', ...
-           strjoin ({benches.name}, ', '), name, checkNearest (name, {benches.name}));
+           strjoin ({benches.name}, ', '), unknown, ...
+           checkNearest (unknown, {benches.name}));
   end
   if ~isempty (names)
     benches = benches(at);

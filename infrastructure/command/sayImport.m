@@ -48,10 +48,10 @@ function sayResults (Z, targets)
   for t = 1:numel (targets)
     hasOthers = any (isfinite (Z(:, [targets.model] == targets(t).model)), 2);
     open = sum (isna (Z(:, t)) & hasOthers);
-    more = sprintf (', %d not run for it (empty beside other results)', open);
+    left = sprintf (', %d not run for it (empty beside other results)', open);
     printf ('          %s: %d results, %d without one%s\n', targets(t).name, ...
             sum (isfinite (Z(:, t))), sum (isnan (Z(:, t)) & ~isna (Z(:, t))), ...
-            repmat (more, 1, open > 0));
+            repmat (left, 1, open > 0));
   end
 end
 
