@@ -18,8 +18,9 @@ function p = checkFault (reason, field, expected, got, cure)
     p = struct ('id', cell (1, 0), 'message', cell (1, 0));
     return
   end
+  got = got(1:end - (~isempty (got) && got(end) == '.'));
   message = sprintf ('%s%s: expected %s, got %s. %s', field, ...
-                     fileOf (field), expected, regexprep (got, '\.$', ''), cure);
+                     fileOf (field), expected, got, cure);
   p = struct ('id', ['DEcalioc:checkCase:', reason], 'message', message);
 end
 
@@ -43,3 +44,5 @@ end
 %!        'x.csv in loadInput.m: expected b, got c. Save it. Or not.')
 %!assert (checkFault ('a', 'effects(1).name', 'b', 'c', 'd').message, ...
 %!        'effects(1).name in loadEffects.m: expected b, got c. d')
+%!assert (checkFault ('a', 'x', 'b', char ([255, 46]), 'd').message(end - 3:end), ...
+%!        [char(255), '. d'])                       % no text in UTF-8
