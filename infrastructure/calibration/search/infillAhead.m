@@ -74,37 +74,36 @@ function draws = drawsOf (problem)
 end
 
 % Mean of the largest probability over all sets after RUNS runs at each (k x 1).
-% The noise is taken as known: Student's tails are not worth their time here.
+% The noise is taken as known: Student's tails are not worth their time here. The
+% rows are all pairs of a set and the set that is run, the latter changing last.
 function value = valueOfRuns (belief, problem, runs)
-  k = rows (belief.r);
-  F = rows (belief.draws);
-  df = Inf (1, columns (belief.r));
-  value = zeros (k, 1);
-  variance = diagonalsOf (belief.C);
-  for c = 1:k
-    gain = gainOfRuns (belief, c, runs);
-    left = sqrt (max (variance - gain.^2, 0));
-    r = repmat (belief.r, F, 1) + ...
-        repmat (gain, F, 1) .* kron (belief.draws, ones (k, 1));
-    p = allMet (r, repmat (left, F, 1), problem, df);
-    value(c) = mean (max (belief.care .* reshape (p, k, F), [], 1));
+  [k, T] = size (belief.r);
+  gain = reshape (gainOfRuns (belief, runs), k * k, T);
+  ofSet = repmat ((1:k)', k, 1);
+  left = sqrt (max (diagonalsOf (belief.C)(ofSet, :) - gain.^2, 0));
+  r = belief.r(ofSet, :);
+  value = zeros (1, k);
+  for draw = belief.draws'
+    p = allMet (r + gain .* draw', left, problem, Inf (1, T));
+    value += max (belief.care .* reshape (p, k, k), [], 1);
   end
-  value = value .* (belief.care > 0.5);
+  value = value' / rows (belief.draws) .* (belief.care > 0.5);
 end
 
 % The mean stays, as it is not known what the run will give.
 function belief = afterRun (belief, c)
-  gain = gainOfRuns (belief, c, 1);
-  for t = 1:columns (gain)
-    belief.C(:, :, t) = belief.C(:, :, t) - gain(:, t) * gain(:, t)';
+  gain = gainOfRuns (belief, 1);
+  for t = 1:columns (belief.r)
+    belief.C(:, :, t) = belief.C(:, :, t) - gain(:, c, t) * gain(:, c, t)';
   end
 end
 
-% Standard deviation of what RUNS runs at set C may move each mean by (k x T).
-function gain = gainOfRuns (belief, c, runs)
-  [k, T] = size (belief.r);
-  variance = reshape (belief.C(c, c, :), 1, T) + belief.noise / runs;
-  gain = reshape (belief.C(:, c, :), k, T) ./ sqrt (max (variance, realmin));
+% Standard deviation of what RUNS runs at a set (second index) may move each
+% mean (first index; k x k x T).
+function gain = gainOfRuns (belief, runs)
+  variance = diagonalsOf (belief.C) + belief.noise / runs;
+  sd = sqrt (max (variance, realmin));
+  gain = belief.C ./ reshape (sd, 1, rows (sd), columns (sd));
 end
 
 function D = diagonalsOf (C)
