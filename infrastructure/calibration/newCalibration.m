@@ -61,9 +61,10 @@ end
 % What the targets cannot fix, and what would fix it: notIdentified, directions
 % d x k (unit vectors in the unit box along which the posterior keeps more than
 % options.loose of the prior's standard deviation), text (cellstr, these in
-% words), next (struct array, best first: kind 'held-out target', 'measure' (a
-% target that is not measured yet) or 'measure directly', name, gain (share of
-% the total relative variance of the parameters that it should take away)).
+% words), next (struct array, best first: code 'fit' (a held-out target),
+% 'measure' (a target that is not measured yet) or 'direct' (the parameter
+% itself), kind (the code in words), name, gain (share of the total relative
+% variance of the parameters that it should take away)).
 function weak = weakness (surrogates, problem, known)
   U = toUnit (known.sample, problem.limits);
   weak.notIdentified = problem.names(~known.identified);
@@ -72,19 +73,20 @@ function weak = weakness (surrogates, problem, known)
   weak.directions = fliplr (V(:, loose));
   weak.text = cellfun (@(v) inWords (v, problem.names), ...
                        num2cell (weak.directions, 1), 'UniformOutput', false);
-  next = struct ('kind', {}, 'name', {}, 'gain', {});
+  kinds = struct ('fit', 'held-out target', 'measure', 'measure', ...
+                  'direct', 'measure directly');
+  entry = @(code, name, gain) struct ('code', code, 'kind', kinds.(code), ...
+                                      'name', name, 'gain', gain);
+  next = repmat (entry ('fit', '', 0), 1, 0);
   for t = find (~problem.calibrate)
     [m, v] = predictSurrogate (surrogates(t), known.sample);
     s2 = mean (v) + surrogates(t).noiseVar + problem.statedSd(t)^2;
-    kind = merge (isnan (problem.value(t)), 'measure', 'held-out target');
-    next(end + 1) = struct ('kind', kind, 'name', surrogates(t).name, ...
-                            'gain', gainOf (U, m, s2));
+    code = merge (isnan (problem.value(t)), 'measure', 'fit');
+    next(end + 1) = entry (code, surrogates(t).name, gainOf (U, m, s2));
   end
   s2 = problem.options.direct^2;
   for j = 1:columns (U)
-    next(end + 1) = struct ('kind', 'measure directly', ...
-                            'name', problem.names{j}, ...
-                            'gain', gainOf (U, U(:, j), s2));
+    next(end + 1) = entry ('direct', problem.names{j}, gainOf (U, U(:, j), s2));
   end
   [~, order] = sort ([next.gain], 'descend');
   weak.next = next(order);

@@ -39,20 +39,19 @@ function entry = nameOf (page, j)
 end
 
 function notes = notesOf (c)
-  note = char (jsonAt (c, {'intervalNote'}));
+  notes = {};
+  if ~isempty (jsonAt (c, {'intervalCode'}))
+    notes = {['The intervals are ', c.intervalNote, '.']};
+  end
   loose = namesIn (c, 'unfixed');
   next = jsonAt (c, {'next', 1});
   if numel (loose) == numel (fieldnames (c.params))
-    open = {sentence('table.allOpen')};
+    notes{end + 1} = sentence ('table.allOpen');
   else
-    open = eachOf (@(text) sentence ('table.unfixed', {text}), loose);
+    notes = [notes, eachOf(@(text) sentence ('table.unfixed', {text}), loose)];
   end
-  notes = [repmat({['The intervals are ', note, '.']}, 1, ~isempty (note)), open];
-  codes = {'fixBy.direct', 'fixBy.measure', 'fixBy.fit'};
-  kinds = {'measure directly', 'measure', 'held-out target'};
   if ~isempty (loose) && ~isempty (next)
-    k = strcmp (kinds, next.kind);
-    notes{end + 1} = sentence (codes{k}, next);
+    notes{end + 1} = sentence (['fixBy.', next.code], next);
   end
 end
 
@@ -140,8 +139,13 @@ end
 %!   assert (! isempty (strfind (known, text{1})), text{1});
 %! end
 %! page.sources.calibration.correlation = [];
+%! page.sources.calibration.intervalCode = 'unseen';
 %! page.sources.calibration.intervalNote = 'not to be used';
+%! page.sources.calibration.unfixed = 'more a with less b';
+%! page.sources.calibration.next = struct ('code', 'direct', 'kind', '', 'name', 'b');
 %! [T, words] = parametersTable (page);
-%! assert (T.notes{1}, 'The intervals are not to be used.');
+%! assert (T.notes, {'The intervals are not to be used.', ...
+%!                   sentence('table.unfixed', {'more a with less b'}), ...
+%!                   sentence('fixBy.direct', struct ('name', 'b'))});
 %! assert (sum (strcmp (words, 'flat direction')), 2);
 %! assert (size (parametersTable (situationPage ('nothing')).cells), [2, 2]);
