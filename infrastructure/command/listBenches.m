@@ -1,8 +1,10 @@
 % LISTBENCHES  The test rigs that the toolbox brings.
 %
 % CALL: BENCHES = listBenches (ROOT)
+%       BENCHES = listBenches (ROOT, NAMES)
 %
 %   ROOT     folder of the toolbox (text)
+%   NAMES    cell of names; these rigs, in this order (all without NAMES)
 %   BENCHES  1 x n struct array: name, folder, title (first line of its README
 %            behind the colon), sees, results (see resultInfo), mean and sd (1 x
 %            T, of one run at the values of data.head), sizes (1 x s struct
@@ -10,8 +12,10 @@
 %
 % A folder of DEMmodels/ is one where it has results.csv, scatter.csv and
 % picture.svg.
+%
+% Errors: DEcalioc:listBenches:unknownName
 
-function benches = listBenches (root)
+function benches = listBenches (root, names)
   files = glob (fullfile (root, 'DEMmodels', '*', 'scatter.csv'));
   benches = [];
   for file = files(:)'
@@ -31,6 +35,20 @@ function benches = listBenches (root)
                         'picture', picture)];
     end
   end
+  if nargin > 1
+    benches = benches(placesOf (names, {benches.name}));
+  end
+end
+
+function at = placesOf (names, known)
+  [isKnown, at] = ismember (names, known);
+  if ~all (isKnown)
+    unknown = names(~isKnown){1};
+    error ('DEcalioc:listBenches:unknownName', ...
+           ['The test rigs of the toolbox are %s, got ''%s''. %s ' ...
+            'decalioc benches describes them.'], ...
+           strjoin (known, ', '), unknown, checkNearest (unknown, known));
+  end
 end
 
 function text = said (readme, pattern)
@@ -49,8 +67,10 @@ function sizes = sizesOf (folder)
   sizes = head(ismember ({head.name}, names));
 end
 
+%!shared root
+%! root = fileparts (fileparts (which ('startToolbox')));
 %!test
-%! benches = listBenches (fileparts (fileparts (which ('startToolbox'))));
+%! benches = listBenches (root);
 %! assert ({benches.name}, {'Collapse', 'Doser', 'Drum', 'Heap', 'Shear', ...
 %!                         'SlotBin'});
 %! heap = benches(4);
@@ -60,3 +80,6 @@ end
 %! assert (heap.sizes(1).value, '0.015');
 %! assert (size (heap.mean), size (heap.results));
 %! assert (~any (cellfun (@isempty, {benches.sees})));
+%!assert ({listBenches(root, {'Heap', 'Drum'}).name}, {'Heap', 'Drum'})
+%!error id=DEcalioc:listBenches:unknownName listBenches (root, {'Drun'})
+%!error <got 'Drun'. Did you mean Drum> listBenches (root, {'Heap', 'Drun'})

@@ -14,13 +14,13 @@
 % is predicted only. Its tolerance is twice what one run scatters by, at least 2
 % per cent: a smaller one needs many runs of each parameter set.
 %
-% Errors: DEcalioc:newBenchCase:unknownName, :badValue
+% Errors: DEcalioc:newBenchCase:badValue, those of listBenches
 
 function words = newBenchCase (root, names, ask)
   if nargin < 3
     ask = @(question, default, rule) default;
   end
-  benches = chosen (listBenches (root), names);
+  benches = listBenches (root, eachOnce (names));
   quoted = @(list) strjoin (strcat ('''', list, ''''), ', ');
   words = struct ('FORM', 'm', 'BENCHES', strjoin ({benches.name}, ', '));
   words.DENSITY = ask ('density of a grain (not of the bulk), kg/m3', ...
@@ -36,23 +36,12 @@ function words = newBenchCase (root, names, ask)
   words.EFFECTS = effectLines (quoted, candidatesOf (benches));
 end
 
-function benches = chosen (benches, names)
+function names = eachOnce (names)
   names = strtrim (strsplit (names, ','));
-  [isKnown, at] = ismember (names, {benches.name});
-  if ~all (isKnown)
-    name = names(~isKnown);
-    name = name{1};
-    error ('DEcalioc:newBenchCase:unknownName', ...
-           ['--bench must name test rigs of the toolbox, %s, with commas ' ...
-            'between; got ''%s''. %s decalioc benches describes them.'], ...
-           strjoin ({benches.name}, ', '), name, ...
-           checkNearest (name, {benches.name}));
-  elseif numel (unique (at)) < numel (at)
+  if numel (unique (names)) < numel (names)
     error ('DEcalioc:newBenchCase:badValue', ...
-           '--bench must name each test rig once, got %s.', ...
-           strjoin (names, ','));
+           '--bench must name each test rig once, got %s.', strjoin (names, ','));
   end
-  benches = benches(at);
 end
 
 % A variable that two rigs share is one variable of the case.
@@ -141,6 +130,5 @@ end
 %! words = newBenchCase (root, 'Heap', says);
 %! assert ({words.RADIUS, words.DENSITY}, {'0.001', '1200'});
 %! assert (~isempty (strfind (words.ROWS, "Heap,slope,31,,deg,,,7%\n")));
-%!error id=DEcalioc:newBenchCase:unknownName newBenchCase (root, 'Heap,Drun')
 %!error <got 'Drun'. Did you mean Drum> newBenchCase (root, 'Heap,Drun')
 %!error id=DEcalioc:newBenchCase:badValue newBenchCase (root, 'Heap,Heap')

@@ -6,24 +6,17 @@
 %   ARGS    cell of names of rigs, commas between or not; none: all rigs
 %   STATUS  0
 %
-% Errors: DEcalioc:sayBenches:unknownName, those of commandOptions
+% Errors: those of commandOptions and listBenches
 %
 % See also: listBenches, newBenchCase
 
 function status = sayBenches (root, ~, args)
   [~, words] = commandOptions (args, struct ());
-  benches = listBenches (root);
   names = setdiff (strsplit (strjoin (words, ','), ','), {''}, 'stable');
-  [isKnown, at] = ismember (names, {benches.name});
-  if ~all (isKnown)
-    unknown = names(~isKnown){1};
-    error ('DEcalioc:sayBenches:unknownName', ...
-           'The test rigs of the toolbox are %s, got ''%s''. %s', ...
-           strjoin ({benches.name}, ', '), unknown, ...
-           checkNearest (unknown, {benches.name}));
-  end
-  if ~isempty (names)
-    benches = benches(at);
+  if isempty (names)
+    benches = listBenches (root);
+  else
+    benches = listBenches (root, names);
   end
   status = 0;
   for bench = benches
