@@ -196,27 +196,32 @@ function bits = told (one, n)
   bits = mixtureInformation (parts, [P, 1 - P], [1, 2]);
 end
 
-%!function [study, state, now] = after (strengths, runs)
+%!function study = labOf (strengths)
 %!  [given, data, means] = smallGapLab ();
 %!  given.value = means ([0.4, 0.6], strengths);
 %!  study = labStudy (given, data, struct ('maxNewRuns', 30, 'twins', 60));
-%!  state = newGapState (data, study.hypotheses.options, ...
-%!                       @(X, E, r) 0);
+%!  study.state = newGapState (data, study.hypotheses.options, @(X, E, r) 0);
 %!  hypotheses = gapReference (study.hypotheses);
 %!  evidence = caseEvidence (hypotheses, study.fits, 1);
-%!  now = struct ('evidence', evidence, 'verdict', judgeCase (evidence, hypotheses), ...
-%!                'hypotheses', hypotheses, 'fits', study.fits, 'usable', 1:5, 'isVague', ...
-%!                false, 'runs', runs, 'tried', runs, 'alike', [], ...
-%!                'rivals', []);
+%!  study.now = struct ('evidence', evidence, 'verdict', ...
+%!                      judgeCase (evidence, hypotheses), 'hypotheses', hypotheses, ...
+%!                      'fits', study.fits, 'usable', 1:5, 'isVague', false, ...
+%!                      'runs', [], 'tried', [], 'alike', [], 'rivals', []);
+%!endfunction
+%!function [study, state, now] = after (study, runs)
+%!  [state, now] = deal (study.state, study.now);
+%!  [now.runs, now.tried] = deal (runs);
 %!endfunction
 %!function batch = proposed (study, state, now)
 %!  batch = proposeRuns (study.problem, study.hypotheses.options, state, ...
 %!                       study.emulator, now);
 %!endfunction
+%!shared one
+%! one = labOf ([0.6, 0, 0, 0, 0]);
 %!test
 %! % the likeliest effect has one run and needs more before a name; the others
 %! % have enough, as it has later: what is left tells little
-%! [study, state, now] = after ([0.6, 0, 0, 0, 0], [1, 9, 9, 9, Inf]);
+%! [study, state, now] = after (one, [1, 9, 9, 9, Inf]);
 %! now.verdict.include = [0.96, 0.02, 0.01, 0.01, 0];
 %! batch = proposed (study, state, now);
 %! assert (sum (batch.phi(:, 1) ~= 0) >= study.hypotheses.options.standsRuns - 1);
@@ -226,13 +231,13 @@ end
 %! assert (proposed (study, state, now).bits < 1);
 %!test
 %! % of effects that are not parted the one with fewest runs first, at its mode
-%! [study, state, now] = after ([0.6, 0, 0, 0, 0], [5, 3, 9, 9, Inf]);
+%! [study, state, now] = after (one, [5, 3, 9, 9, Inf]);
 %! batch = proposed (study, state, setfield (now, 'rivals', [1, 2]));
 %! assert ([batch.theta(1, :), batch.phi(1, 2)], ...
 %!         study.fits.of{study.hypotheses.singles(2)}.Q(1:3), 1e-9);
 %!test
 %! % a likely pair is run, but not where runs of it gave no result
-%! [study, state, now] = after ([0.6, 0, 0.5, 0, 0], 9 * ones (1, 5));
+%! [study, state, now] = after (labOf ([0.6, 0, 0.5, 0, 0]), 9 * ones (1, 5));
 %! pair = find (strcmp (now.evidence.kind, 'pair'));
 %! [~, best] = max (now.verdict.P(pair));
 %! members = now.evidence.members{pair(best)};
@@ -248,6 +253,6 @@ end
 %! state.data.replicate(end + 1) = 1;
 %! assert (~hasBoth (proposed (study, state, now)));
 %!test % an effect that is alone in the list
-%! [study, state, now] = after ([0.6, 0, 0, 0, 0], 1);
+%! [study, state, now] = after (one, 1);
 %! [now.usable, now.verdict.include] = deal (1, 0.96);
 %! assert (proposed (study, state, now).bits > 100);
