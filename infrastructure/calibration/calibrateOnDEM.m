@@ -108,8 +108,8 @@ function [why, book] = whyStop (p, vals, phase, way, book)
   book.iteration = book.iteration + 1;
   runs = sum (isAfterPlan (book.state.data));
   settings = way.settings;
-  settings.say = @(text) way.say (sprintf ('%s; %d runs since the plan', ...
-                                           text, runs));
+  since = countText (runs, 'run');
+  settings.say = @(text) way.say (sprintf ('%s; %s since the plan', text, since));
   [stop, why] = userInt (p(:), vals, phase, true, settings);
   if stop
     book.stop = why;

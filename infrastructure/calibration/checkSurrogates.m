@@ -12,7 +12,7 @@ function [lines, touched] = checkSurrogates (state, problem)
   [groups, names, isJoint] = requirementsOf (problem, 1:numel (problem.calibrate));
   lines = warningsOf (state, problem, [groups{~isJoint}]);
   for k = find (isJoint)
-    whole = sprintf ('%d points of %s', numel (groups{k}), names{k});
+    whole = [countText(numel (groups{k}), 'point'), ' of ', names{k}];
     lines = [lines, oneWarning(warningsOf (state, problem, groups{k}), whole)];
   end
   touched = limitsTouched (state.found.params, problem);
@@ -22,21 +22,22 @@ function [lines, touched] = checkSurrogates (state, problem)
   nTargets = sum (problem.calibrate);
   d = numel (problem.names);
   if nTargets < d
-    lines{end + 1} = sprintf (['%d targets cannot fix %d parameters: other ' ...
-                               'values meet them as well'], nTargets, d);
+    lines{end + 1} = sprintf ('%s cannot fix %s: other values will do as well', ...
+                              countText (nTargets, 'target'), countText (d, 'parameter'));
   end
   isOurs = ~ismember (state.data.stage, {'import', 'library'});
   failed = sum (any (isnan (state.data.Z(isOurs, :)), 2));
   if failed > 0
-    lines{end + 1} = sprintf ('%d of %d runs failed and are left out', ...
-                              failed, sum (isOurs));
+    verbs = {'are', 'is'};
+    lines{end + 1} = sprintf ('%d of %s failed and %s left out', failed, ...
+                              countText (sum (isOurs), 'run'), verbs{1 + (failed == 1)});
   end
   [~, isRepeat] = countEqualOnce (state.data, problem.bench);
   if any (isRepeat)
-    lines{end + 1} = sprintf (['%d runs repeat another one at their set to ' ...
-                               'the last digit: the model does not use ' ...
-                               'runSeed. They tell nothing of its scatter ' ...
-                               'and are not counted'], sum (isRepeat));
+    lines{end + 1} = [countText(sum (isRepeat), 'run repeats', 'runs repeat'), ...
+                      ' another one at the same set to the last digit: the model ' ...
+                      'does not use runSeed. Such runs tell nothing of its scatter ' ...
+                      'and are not counted'];
   end
   lines = [lines, badRuns(state, problem)];
   if ~isempty (problem.coarse)

@@ -81,7 +81,7 @@ function lines = failuresOf (Case, model)
 end
 
 function sayPlan (plan, Case, say, E)
-  say (sprintf ('Experimental plan: %d samples', rows (plan)));
+  say (['Experimental plan: ', countText(rows (plan), 'sample')]);
   names = [Case.names, Case.effectVars(1:columns (E))];
   width = max (cellfun (@numel, names), 9);
   head = [num2cell(width); names];

@@ -41,7 +41,7 @@ function status = sayCheck (root, folder, args)
   status = 0;
   if isCost
     b = bestKnown (Case);
-    printf ('cost      %s: the smallest of %d sets counts\n', b.name, b.sets);
+    printf ('cost      %s: the smallest of %s counts\n', b.name, countText (b.sets, 'set'));
     return
   end
   if options.try
@@ -63,8 +63,8 @@ function sayModels (Case, isTried)
     m = Case.models(k);
     place = givenField (m, 'folder', ...
                         'no folder; its runs are those of runs.csv');
-    printf ('model     %s: %d targets, %d CPU a run (%s)\n', m.name, ...
-            m.nTargets, m.cpu, place);
+    printf ('model     %s: %s, %s a run (%s)\n', m.name, ...
+            countText (m.nTargets, 'target'), countText (m.cpu, 'CPU'), place);
     sayStages (m);
     sayNamed (m, runPlace (Case, m.name, '0001'));
     isMine = [Case.targets.model] == k;
@@ -106,8 +106,8 @@ end
 function sayMeasured (targets)
   [groups, ~, isJoint] = requirementsOf (targets, 1:numel (targets));
   for group = groups(isJoint)
-    printf ('          curve %s: %d points, one requirement\n', ...
-            targets(group{1}(1)).series, numel (group{1}));
+    printf ('          curve %s: %s, one requirement\n', ...
+            targets(group{1}(1)).series, countText (numel (group{1}), 'point'));
   end
   isOther = ~cellfun (@isempty, {targets.given}) & ...
             ~strcmp ({targets.given}, {targets.unit});
@@ -213,7 +213,7 @@ function sayCosts (Case, isRun)
   n = numel (f.isDone);
   o = Case.options;
   if f.imported > 0
-    printf ('runs.csv  %d sets taken in\n', f.imported);
+    printf ('runs.csv  %s taken in\n', countText (f.imported, 'set'));
   end
   if ~isRun
     return
@@ -225,8 +225,8 @@ function sayCosts (Case, isRun)
   printf ('          then at most %s (optim.maxFunEvals)\n', ...
           asRuns (o.maxFunEvals, m));
   if isfinite (o.maxNewRuns)
-    printf ('          at most %d new runs in a start (Input.maxNewRuns)\n', ...
-            o.maxNewRuns);
+    printf ('          at most %s in a start (Input.maxNewRuns)\n', ...
+            countText (o.maxNewRuns, 'new run'));
   end
   if isnan (f.planHours)
     printf (['cost      not known: no run has finished yet. decalioc check ' ...
@@ -235,8 +235,8 @@ function sayCosts (Case, isRun)
     printf ('cost      plan %.2g core-hours, at most %.2g in all\n', ...
             f.planHours, f.mostHours);
     if strcmp (o.executor, 'local')
-      printf ('          on %d CPUs (Input.maxCPU): plan %s, at most %s\n', ...
-              o.maxCPU, inWords (f.planHours * 3600 / o.maxCPU), ...
+      printf ('          on %s (Input.maxCPU): plan %s, at most %s\n', ...
+              countText (o.maxCPU, 'CPU'), inWords (f.planHours * 3600 / o.maxCPU), ...
               inWords (f.mostHours * 3600 / o.maxCPU));
     end
   end
@@ -250,10 +250,9 @@ function sayDryRun (Case)
   if isempty (jobs)
     printf ('dry run   nothing would be started: the plan has all its runs\n');
   elseif what.isHere
-    printf (['dry run   nothing is started. %d runs would start on this ' ...
-             'machine, on %d CPUs; Input.executor = ''slurm'' or ' ...
-             '''gridengine'' submits them to a queue\n'], numel (jobs), ...
-            Case.options.maxCPU);
+    printf (['dry run   nothing is started. %s would start on this machine, on %s; ' ...
+             'Input.executor = ''slurm'' or ''gridengine'' submits them to a queue\n'], ...
+            countText (numel (jobs), 'run'), countText (Case.options.maxCPU, 'CPU'));
   else
     printf ('%s', batchPreview (what, jobs, Case));
   end
@@ -261,10 +260,8 @@ end
 
 % All is counted in runs; a parameter set is run once with each model.
 function text = asRuns (sets, models)
-  text = sprintf ('%d parameter set%s x %d model%s = %d run%s', ...
-                  sets, repmat ('s', 1, sets ~= 1), ...
-                  models, repmat ('s', 1, models ~= 1), ...
-                  sets * models, repmat ('s', 1, sets * models ~= 1));
+  text = sprintf ('%s x %s = %s', countText (sets, 'parameter set'), ...
+                  countText (models, 'model'), countText (sets * models, 'run'));
 end
 
 %!test

@@ -45,7 +45,7 @@ function sayRuns (Case, file)
             'the runs are in the store already. Take another name.'], file);
   end
   n = exportRuns (file, Case, gatherRuns (Case, true));
-  printf ('%d runs  %s\n', n, file);
+  printf ('%s  %s\n', countText (n, 'run'), file);
 end
 
 function sayMaterial (Case, program, words, others)

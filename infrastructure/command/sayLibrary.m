@@ -55,8 +55,8 @@ function sayModel (name, kinds)
   runs = vertcat (zeros (0, 6), runs{:});
   seconds = runs(isfinite (runs(:, 4)), 4);
   counts = arrayfun (@(s) sum (runs(:, 2) == s), [1, 2, 3, -1]);
-  printf (['%-12s %d runs: %d ok, %d invalid, %d failed, %d forgotten; ' ...
-           '%.3g core-hours\n'], name, rows (runs), counts, ...
+  printf ('%-12s %s: %d ok, %d invalid, %d failed, %d forgotten; %.3g core-hours\n', ...
+          name, countText (rows (runs), 'run'), counts, ...
           sum (seconds) / 3600);
   for input = unique ({kinds.input})
     sayRig (input{1}, kinds(strcmp ({kinds.input}, input{1})));
@@ -65,7 +65,8 @@ end
 
 % Runs of one model folder and build, with the variables that they set.
 function sayRig (input, kinds)
-  printf ('  rig %s: %d runs\n', input(1:8), sum (cellfun (@rows, {kinds.runs})));
+  printf ('  rig %s: %s\n', input(1:8), ...
+          countText (sum (cellfun (@rows, {kinds.runs})), 'run'));
   range = struct ();
   for kind = kinds
     names = strsplit (kind.names, ' ');
@@ -123,8 +124,9 @@ function status = forget (args, here)
   end
   words = {['out of use; --back takes them in again. A start that needs ' ...
             'them makes them with another packing'], 'in use again'};
-  printf ('%d runs of %s are %s. Nothing was deleted.\n', numel (changed), ...
-          model, words{1 + options.back});
+  verbs = {'are', 'is'};
+  printf ('%s of %s %s %s. Nothing was deleted.\n', countText (numel (changed), 'run'), ...
+          model, verbs{1 + isscalar(changed)}, words{1 + options.back});
   status = 0;
 end
 

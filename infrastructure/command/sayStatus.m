@@ -69,18 +69,19 @@ function text = stateText (s)
 end
 
 function sayRuns (s)
-  plan = sprintf ('%d of %d runs done', s.plan);
+  plan = sprintf ('%d of %s done', s.plan(1), countText (s.plan(2), 'run'));
   isFinished = strcmp (s.state, 'finished');
   if isFinished
     % what failed was run with another seed, which is another run
-    plan = sprintf ('%d runs', s.plan(2));
+    plan = countText (s.plan(2), 'run');
   end
   if s.later > 0
-    plan = sprintf ('%s; then %d runs of %d sets', plan, s.later, s.sets(1));
+    plan = sprintf ('%s; then %s of %s', plan, countText (s.later, 'run'), ...
+                    countText (s.sets(1), 'set'));
   end
   if ~isFinished
-    plan = sprintf ('%s; a start may add %d sets (a repeat counts)', plan, ...
-                    s.sets(2));
+    plan = sprintf ('%s; a start may add %s (a repeat counts)', plan, ...
+                    countText (s.sets(2), 'set'));
   end
   printf ('plan    %s\n', plan);
   for k = 1:numel (s.models)
@@ -127,14 +128,14 @@ function sayBest (best, Case)
     return
   end
   words = {'not all targets met', 'all targets met'};
-  printf ('best    %s; mean of %d run(s)\n', words{1 + best.isMet}, best.runs);
+  printf ('best    %s; mean of %s\n', words{1 + best.isMet}, countText (best.runs, 'run'));
   for j = 1:numel (Case.names)
     printf ('        %-24s %.5g\n', Case.names{j}, best.params(j));
   end
   curves = curveSummary (Case, best.residual);
   for k = 1:numel (curves)
-    printf ('        %-24s %d points: %.2f of the tolerance\n', ...
-            curves(k).name, numel (curves(k).own), curves(k).share);
+    printf ('        %-24s %s: %.2f of the tolerance\n', curves(k).name, ...
+            countText (numel (curves(k).own), 'point'), curves(k).share);
   end
   isMeasured = isfinite ([Case.targets.value]);       % others are tests to come
   for t = setdiff (find (isMeasured), [curves.own])
@@ -161,4 +162,4 @@ end
 %! runJobs (jobs, Case, @(state) []);
 %! [~, text] = startCommand (raw.folder, 'status');
 %! assert (! isempty (strfind (text, 'Go on with decalioc diagnose')), text);
-%! assert (! isempty (strfind (text, 'then 2 runs of 1 sets; a start')));
+%! assert (! isempty (strfind (text, 'then 2 runs of 1 set; a start')));

@@ -32,8 +32,9 @@ function status = sayTune (root, folder, args)
   Case.options.maxNewRuns = Inf;
   [~, ~] = mkdir (Case.store);
   p = toAllowed (boxCentre (Case.limits), Case);
-  printf ('%d values x %d repeats x %d models = %d runs\n', numel (variants), repeats, ...
-          numel (Case.models), numel (variants) * repeats * numel (Case.models));
+  n = [numel(variants), repeats, numel(Case.models)];
+  printf ('%s x %s x %s = %s\n', countText (n(1), 'value'), countText (n(2), 'repeat'), ...
+          countText (n(3), 'model'), countText (prod (n), 'run'));
   [Z, S] = deal (cell (1, numel (variants)));
   for k = 1:numel (variants)
     [Z{k}, S{k}] = runVariant (variants(k), Case, p, repeats);

@@ -40,8 +40,9 @@ function b = bestKnown (Case)
   b.outside = sum (~isIn);
   b.next = arrayfun (as, order(2:min (end, 10))', 'UniformOutput', false);
   b.converged = false;
-  b.reason = sprintf (['Best set known: smallest %s, %.5g, of %d sets. How well it ' ...
-                       'is known a cost alone does not tell'], b.name, b.cost, b.sets);
+  b.reason = sprintf (['Best set known: smallest %s, %.5g, of %s. How well it ' ...
+                       'is known a cost alone does not tell'], b.name, b.cost, ...
+                      countText (b.sets, 'set'));
   b.date = strftime ('%Y-%m-%d', localtime (time ()));
   b.version = toolboxVersion (Case.root);
 end

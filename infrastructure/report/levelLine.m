@@ -24,8 +24,8 @@ function text = levelLine (level, targets)
   end
   n = sum (level.dropped);
   if n > 0
-    parts{end + 1} = sprintf ('dropped for %d of %d targets', n, ...
-                              numel (targets));
+    parts{end + 1} = sprintf ('dropped for %d of %s', n, ...
+                              countText (numel (targets), 'target'));
   end
   text = strjoin (parts, '; ');
 end

@@ -10,13 +10,13 @@
 function text = libraryLine (Case)
   [~, ~, cases] = readTaken (Case.folder);
   text = '';
+  words = {'were samples', 'was a sample'};
+  taken = [words{1 + isscalar(cases)}, ' already (results/library.csv)'];
   if ~isempty (cases) && sharesStore (Case)
-    text = sprintf (['%d runs of %d cases in %s were samples already ' ...
-                     '(results/library.csv)'], numel (cases), ...
-                    numel (unique (cases)), Case.store);
+    text = sprintf ('%s of %s in %s %s', countText (numel (cases), 'run'), ...
+                    countText (numel (unique (cases)), 'case'), Case.store, taken);
   elseif ~isempty (cases)
-    text = sprintf (['%d runs of earlier starts were samples already ' ...
-                     '(results/library.csv)'], numel (cases));
+    text = sprintf ('%s of earlier starts %s', countText (numel (cases), 'run'), taken);
   end
 end
 

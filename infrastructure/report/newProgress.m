@@ -47,7 +47,7 @@ function yes = takesClass (say)
 end
 
 function text = textOf (state, stage, further)
-  text = sprintf ('  %s: %d of %d runs done', stage, state.done, state.total);
+  text = sprintf ('  %s: %d of %s done', stage, state.done, countText (state.total, 'run'));
   if state.failed > 0
     text = sprintf ('%s, %d failed', text, state.failed);
   end
@@ -66,7 +66,8 @@ function text = textOf (state, stage, further)
     end
   end
   if state.total == 0
-    text = sprintf ('  %s: all %d runs are in the store', stage, state.reused);
+    text = sprintf ('  %s: %s in the store', stage, ...
+                    countText (state.reused, 'run is', 'runs are all'));
   end
 end
 

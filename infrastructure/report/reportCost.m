@@ -20,8 +20,8 @@ function b = reportCost (Case, say)
                ['# ', resultTitle(b, b.date), "\n", headLines(values)]);
   cellfun (say, tableText (costTable (Case, b)), 'UniformOutput', false);
   say ('');
-  say (['BEST SET KNOWN: ', sprintf('smallest %s %.5g, of %d sets', b.name, b.cost, ...
-                                    b.sets)], 'open');
+  say (['BEST SET KNOWN: ', sprintf('smallest %s %.5g, of %s', b.name, b.cost, ...
+                                    countText (b.sets, 'set'))], 'open');
   cellfun (@(text) say (['  ', text]), costTexts (b), 'UniformOutput', false);
   if exist ('costPage', 'file') == 2           % a wing, page/
     say (['Report: ', costPage(Case, b)]);

@@ -43,8 +43,8 @@ function [data, rest] = ofTable (Case, problem, say)
   [found, ignored] = importRuns (file, Case);
   isOn = found.E ~= neutralEffects (Case);
   isPlain = ~any (isOn(:, v + 1:end), 2);
-  say (sprintf ('runs.csv: %d runs taken in, %d with an effect left aside', ...
-                sum (isPlain), sum (~isPlain)));
+  say (sprintf ('runs.csv: %s taken in, %d with an effect left aside', ...
+                countText (sum (isPlain), 'run'), sum (~isPlain)));
   found = keepRows (found, isPlain);
   [use, text] = thinRuns (found, problem, 1000);
   found.E = found.E(:, 1:v);

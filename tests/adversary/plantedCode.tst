@@ -23,7 +23,7 @@
 %! [status, out] = startCommand (store, 'runs');
 %! assert (status == 0 && ~isempty (strfind (out, '2 runs: 2 ok')), out);
 %! [status, out] = startCommand (store, 'forget . First 1');
-%! assert (status == 0 && ~isempty (strfind (out, '1 runs of First')), out);
+%! assert (status == 0 && ~isempty (strfind (out, '1 run of First')), out);
 %! assert (! isfile (flag));
 %! % in a case the toolbox says so
 %! writeLoadInput (Case.folder);

@@ -29,7 +29,7 @@
 %! assert (status == 2, out);
 %! assert (says (out, 'BEST SET KNOWN: smallest error 0.12, of 3 sets'), out);
 %! assert (says (out, 'mean of 2 runs'), out);
-%! assert (says (out, '1 rows without a cost'), out);
+%! assert (says (out, '1 row without a cost'), out);
 %! best = jsondecode (fileread (fullfile (folder, 'results', 'best.json')));
 %! assert ({best.params.friction, best.params.rolling}, {0.5, 0.2});
 %! assert (~isfile (fullfile (folder, 'results', 'calibration.json')));

@@ -33,7 +33,7 @@ function state = completePlan (state, problem, Case, say, options)
   if missing < 1
     return
   end
-  say (sprintf ('plan: %d neutral sets there, %d more', have, missing));
+  say (sprintf ('plan: %s there, %d more', countText (have, 'neutral set'), missing));
   P = planBeside (data.X(neutral, :), missing, Case);
   n = rows (P);
   state = addRuns (state, problem, P, repmat (phi, n, 1), 'plan', ones (n, 1));
@@ -61,7 +61,7 @@ function state = completeBenches (state, Case, say, wanted)
   if isempty (at)
     return
   end
-  say (sprintf ('%d sets on benches that are new', numel (at)));
+  say ([countText(numel (at), 'set'), ' on benches that are new']);
   for has = unique (wasRun(at, :), 'rows')'
     sets = at(all (wasRun(at, :) == has', 2));
     state.budget.models = ~has';

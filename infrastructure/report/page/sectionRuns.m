@@ -35,8 +35,8 @@ function f = timeline (runs)
   lane = lanes (from, to);
   isOk = strcmp ({runs.status}, 'ok');
   isOpen = strcmp ({runs.status}, 'not ended');
-  alt = sprintf ('%d runs over %.3g %s, %d of them did not end well', ...
-                 numel (runs), max (to) * factor, unit, sum (~isOk));
+  alt = sprintf ('%s over %.3g %s, %d of them did not end well', ...
+                 countText (numel (runs), 'run'), max (to) * factor, unit, sum (~isOk));
   M = [factor * from', lane', factor * from', ...
        factor * max(to, from + 0.002 * last)', lane' - 0.4, lane' + 0.4];
   f = newFigure ('Timeline, a bar for each run', ...
@@ -116,5 +116,5 @@ end
 %! assert (! isempty (strfind (html (runs), '3 runs over 12 seconds, 2')));
 %! % the first runs are under way: none has a time yet; nor a start
 %! runs = [one('not ended', '', NaN, 1000), one('not ended', '', NaN, NaN)];
-%! assert (! isempty (strfind (html (runs), '1 runs over')));
+%! assert (! isempty (strfind (html (runs), '1 run over')));
 %! assert (! isempty (strfind (html (runs(2)), 'No run failed')));

@@ -30,7 +30,7 @@ function list = digests (page)
     text = jsonencode ({{runs.model}, {runs.name}, {runs.seed}, {runs.status}, ...
                         vertcat(runs.params), {runs.results}});
     list{end + 1} = {'digest of the runs', ...
-                     sprintf('%d runs, sha256 %s', numel (runs), hash ('sha256', text))};
+                     [countText(numel (runs), 'run'), ', sha256 ', hash('sha256', text)]};
   end
 end
 
@@ -92,7 +92,7 @@ end
 %!                     'params', [1, 2], 'results', 3);
 %! T = recordTable (page);
 %! text = strjoin (tableText (T), "\n");
-%! for part = {'input of First', 'sha256 ab', '1 runs, sha256', 'rival cause drag', ...
+%! for part = {'input of First', 'sha256 ab', '1 run, sha256', 'rival cause drag', ...
 %!             'told apart', 'not yet by DEM'}
 %!   assert (! isempty (strfind (text, part{1})), [part{1}, ': ', text]);
 %! end

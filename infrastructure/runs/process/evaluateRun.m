@@ -100,8 +100,8 @@ function [row, fault] = asRow (results, place)
   row = double ([results{:}]);
   bad = find (~isfinite (row), 1);
   if numel (row) ~= place.count
-    fault = sprintf ('getResults returned %d results, %d are expected', ...
-                     numel (row), place.count);
+    fault = sprintf ('getResults returned %s, %d expected', ...
+                     countText (numel (row), 'result'), place.count);
   elseif ~isempty (bad)
     fault = sprintf ('result %d%s is %g: output is missing or not sane', ...
                      bad, nameOf (bad, numel (row), place), row(bad));

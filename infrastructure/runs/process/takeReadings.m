@@ -122,8 +122,8 @@ function [items, fault] = byOrder (results, readings, info)
     results = num2cell (results);
   end
   if numel (names) ~= numel (results)
-    fault = sprintf (['getResults returned %d results, results.csv ' ...
-                      'names %d'], numel (results), numel (names));
+    fault = sprintf ('getResults returned %s, results.csv names %d', ...
+                     countText (numel (results), 'result'), numel (names));
     [names, results] = deal ({});
   end
   items = struct ('names', {names}, 'values', {results(:)'});
