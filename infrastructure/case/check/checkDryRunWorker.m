@@ -23,7 +23,7 @@ function checkDryRunWorker ()
       left = struct2cell (leftoverResults (model, name)(:));
       answer = [answer, sprintf("%d %.5g %s\n", left{:})];
     end
-    cd (here);
+    backTo (here);
     writeAtomic (sprintf ('answer%d', k), [answer, "end\n"]);
     k = k + 1;
   end
@@ -47,10 +47,18 @@ function answer = askModel (model, name)
   if isnan (count)
     [count, text, fields] = callOnce (name, 'empty');
   end
-  cd (here);                                       % a user's function may leave it
+  backTo (here);
   answer = sprintf ("%g\n%s\n%s\n", count, text, ...
                     strjoin ([fields, {''}], ' '));
   rmpath (funs);
+end
+
+% A user's function may leave the folder. Octave lists all folders of its path
+% with each cd, so one that changes nothing is not made.
+function backTo (folder)
+  if ~strcmp (pwd (), folder)
+    cd (folder);
+  end
 end
 
 function [count, text, fields] = callOnce (name, folder)
