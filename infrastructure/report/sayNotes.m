@@ -14,9 +14,7 @@ function sayNotes (notes, folder, say)
     return
   end
   most = 4;
-  words = {'notes', 'note'};
-  say (sprintf ('%d %s (results/notes.txt):', numel (notes), ...
-                words{1 + isscalar(notes)}));
+  say ([countText(numel (notes), 'note'), ' (results/notes.txt):']);
   cellfun (@(note) say (['  WARNING: ', note]), notes(1:min (most, end)));
   if numel (notes) > most
     say (sprintf ('  and %d more', numel (notes) - most));
