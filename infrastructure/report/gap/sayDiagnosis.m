@@ -64,7 +64,7 @@ end
 function sayPlain (v, found, madeBy, say)
   cause = v.cause;
   say ('');
-  say ([upper(cause.word(1)), cause.word(2:end)], cause.class);
+  say (cause.word, cause.class);
   unseen = listSentences ({'cause.unseen', plainName(cause.cannotSee)});
   lines = {'MISSES  ', cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...
            'CLOSED  ', cause.closed; 'NEXT    ', v.action};
