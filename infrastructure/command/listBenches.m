@@ -4,7 +4,7 @@
 %       BENCHES = listBenches (ROOT, NAMES)
 %
 %   ROOT     folder of the toolbox (text)
-%   NAMES    cell of names; these rigs, in this order (all without NAMES)
+%   NAMES    cell of names: these rigs, in this order (all where it is empty)
 %   BENCHES  1 x n struct array: name, folder, title (first line of its README
 %            behind the colon), sees, results (see resultInfo), mean and sd (1 x
 %            T, of one run at the values of data.head), sizes (1 x s struct
@@ -35,7 +35,7 @@ function benches = listBenches (root, names)
                         'picture', picture)];
     end
   end
-  if nargin > 1
+  if nargin > 1 && ~isempty (names)
     benches = benches(placesOf (names, {benches.name}));
   end
 end

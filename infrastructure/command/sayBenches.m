@@ -13,11 +13,7 @@
 function status = sayBenches (root, ~, args)
   [~, words] = commandOptions (args, struct ());
   names = setdiff (strsplit (strjoin (words, ','), ','), {''}, 'stable');
-  if isempty (names)
-    benches = listBenches (root);
-  else
-    benches = listBenches (root, names);
-  end
+  benches = listBenches (root, names);
   status = 0;
   for bench = benches
     printf ("%-10s %s: %s\n", bench.name, bench.title, bench.sees);
