@@ -57,8 +57,10 @@ end
 
 % Before a trial run, which says it of its own results, earlier runs tell of units.
 function sayModels (Case, isTried)
-  [~, ~, earlier] = earlierScatter (Case);
-  earlier(:) = merge (isTried, NaN, earlier);
+  earlier = NaN (size (Case.targets));
+  if ~isTried
+    [~, ~, earlier] = earlierScatter (Case);
+  end
   for k = 1:numel (Case.models)
     m = Case.models(k);
     place = givenField (m, 'folder', ...
