@@ -22,7 +22,7 @@
 %! second = material (store, 'optim.targetVal = {[11, 30], -1};', box);
 %! [status, out] = startCommand (second, 'check');
 %! assert (status, 0);
-%! assert (~isempty (regexp (out, 'library +\S+: \d+ runs of 1 case')));
+%! assert (~isempty (regexp (out, 'library +\S+: \d+ runs of 1 case ')));
 %! assert (~isfolder (fullfile (second, 'results')));
 %! [status, out] = startProgram (second);
 %! assert (status, 0);
@@ -32,7 +32,7 @@
 %! sets = @(c) c.demRuns.plan + c.demRuns.infill + c.demRuns.verify;
 %! assert (sets (b) <= sets (a) / 2);
 %! [status, out] = startCommand (second, 'status');
-%! assert (~isempty (regexp (out, 'library \d+ runs of 1 case')));
+%! assert (~isempty (regexp (out, 'library \d+ runs of 1 case ')));
 %! page = fileread (fullfile (second, 'results', 'report.html'));
 %! assert (~isempty (strfind (page, 'runs of 1 case in')));
 

@@ -105,14 +105,15 @@ function reportCase (Case, say, problem)
   end
   n = problem.nExtra;
   if n > 0 && strcmp (problem.options.method, 'published')
-    tell ('  costFunction: %s, fitted too', countText (n, 'row beyond the targets', ...
-                                                       'rows beyond the targets'));
+    text = countText (n, 'row beyond the targets, it is fitted', ...
+                      'rows beyond the targets, all are fitted');
+    tell ('  costFunction: %s', text);
   elseif n > 0
     text = countText (n, 'row beyond the targets is not fitted, as it would', ...
                       'rows beyond the targets are not fitted, as they would');
     tell ('  costFunction: %s', text);
-    tell (['    pull the set off the targets: %s among the sets that meet ' ...
-           'the targets'], {'they choose', 'it chooses'}{1 + (n == 1)});
+    say (['    pull the set off the targets: each chooses among the sets ', ...
+          'that meet them']);
   end
   cellfun (@(text) say (['  WARNING: ', text]), Case.notes);
   used = sum (strcmp ({Case.targets.role}, 'calibrate'));

@@ -28,9 +28,8 @@ function [lines, touched] = checkSurrogates (state, problem)
   isOurs = ~ismember (state.data.stage, {'import', 'library'});
   failed = sum (any (isnan (state.data.Z(isOurs, :)), 2));
   if failed > 0
-    verbs = {'are', 'is'};
-    lines{end + 1} = sprintf ('%d of %s failed and %s left out', failed, ...
-                              countText (sum (isOurs), 'run'), verbs{1 + (failed == 1)});
+    of = ['of ', countText(sum (isOurs), 'run'), ' failed and '];
+    lines{end + 1} = countText (failed, [of, 'is left out'], [of, 'are left out']);
   end
   [~, isRepeat] = countEqualOnce (state.data, problem.bench);
   if any (isRepeat)

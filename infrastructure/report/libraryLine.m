@@ -10,14 +10,15 @@
 function text = libraryLine (Case)
   [~, ~, cases] = readTaken (Case.folder);
   text = '';
-  words = {'were samples', 'was a sample'};
-  taken = [words{1 + isscalar(cases)}, ' already (results/library.csv)'];
-  if ~isempty (cases) && sharesStore (Case)
-    text = sprintf ('%s of %s in %s %s', countText (numel (cases), 'run'), ...
-                    countText (numel (unique (cases)), 'case'), Case.store, taken);
-  elseif ~isempty (cases)
-    text = sprintf ('%s of earlier starts %s', countText (numel (cases), 'run'), taken);
+  if isempty (cases)
+    return
   end
+  of = ' of earlier starts';
+  if sharesStore (Case)
+    of = [' of ', countText(numel (unique (cases)), 'case'), ' in ', Case.store];
+  end
+  text = [countText(numel (cases), ['run', of, ' was a sample'], ...
+                    ['runs', of, ' were samples']), ' already (results/library.csv)'];
 end
 
 %!test

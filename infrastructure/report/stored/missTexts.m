@@ -33,10 +33,10 @@ function [texts, open] = missTexts (m)
   texts = {[label, ': ', name, held], text};
   open = '';
   if isOpenMiss (m)
-    runs = {sprintf('%d runs say', m.runs), '1 run says'};
     says = {'missed', 'met'};
     isMissed = m.share > 1;            % of a curve the root mean square
-    open = sprintf ('%s %s, all runs together say %s', runs{1 + (m.runs == 1)}, ...
+    open = sprintf ('%s %s, all runs together say %s', ...
+                    countText (m.runs, 'run says', 'runs say'), ...
                     says{1 + isMissed}, says{2 - isMissed});
   end
 end

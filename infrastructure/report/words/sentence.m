@@ -70,16 +70,15 @@ function text = fill (place, values, code)
            name, code, strjoin (fieldnames (values), ', '));
   end
   value = values.(name);
-  if iscell (value)
+  if numel (words) == 3
+    text = countText (value, words{2:3});
+  elseif iscell (value)
     text = strjoin (value(:)', [joint(2:end), repmat(', ', 1, isempty (joint))]);
   elseif ischar (value)
     text = value;
   else
     forms = {'%.4g', '%d'};
     text = sprintf (forms{1 + (value == round (value))}, value);
-  end
-  if numel (words) == 3
-    text = [text, ' ', words{2 + ~isequal(value, 1)}];
   end
 end
 
