@@ -38,11 +38,11 @@ function drawSideView (file, grains, points, text)
                    'stroke="#6b5a2e" stroke-width="0.5">\n'], ...
                   width, height, label);
   body = sprintf ('<circle cx="%.1f" cy="%.1f" r="%.1f"/>\n', circles);
-  curve = ['</g><polyline fill="none" stroke="#0b4f9e" stroke-width="3" ' ...
-           'points="', sprintf('%.1f,%.1f ', line), '"/>'];
+  outline = ['</g><polyline fill="none" stroke="#0b4f9e" stroke-width="3" ' ...
+             'points="', sprintf('%.1f,%.1f ', line), '"/>'];
   foot = sprintf (['\n<text x="10" y="%.0f" font-family="sans-serif" ' ...
                    'font-size="18">%s</text>\n</svg>\n'], height - 14, label);
-  writeAtomic (file, [head, body, curve, foot]);
+  writeAtomic (file, [head, body, outline, foot]);
 end
 
 %!test % a circle for each grain, the line, a text that is safe in XML

@@ -11,11 +11,10 @@
 %             the result or curve), series, at, unit, given (unit of the
 %             table, see checkUnits), value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
-%             isAbsolute, curve (number of its series, 0: none), each
-%             (1 x n, the trials), shared (part of sd that the sessions make),
-%             sessions (cell), changed (1 x C struct value, sd, trials, scatter,
-%             shared, sameSessions (logical: measured in those of the
-%             reference), each other condition; value NaN: not measured)
+%             isAbsolute, each (1 x n, the trials), shared (part of sd that the
+%             sessions make), sessions (cell), changed (1 x C struct value, sd,
+%             trials, scatter, shared, sameSessions (logical: measured in those of
+%             the reference), each other condition; value NaN: not measured)
 %   FAULTS    1 x p faults, see checkFault; reasons: measuredRepeats
 %             measuredCondition
 %   CONDITIONS  1 x C cell, names of the conditions but for the reference, of
@@ -52,11 +51,6 @@ function [groups, p, conditions, sessions] = groupMeasured (list, models, ...
   p = [p, q];
   [~, order] = sort ([groups.model]);
   groups = distinctNames (groups(order), models, further);
-  series = arrayfun (@(g) sprintf ('%d|%s', g.model, g.series), groups, ...
-                     'UniformOutput', false);
-  [~, number] = ismember (series, unique (series, 'stable'));
-  number = num2cell (number .* ~cellfun (@isempty, {groups.series}));
-  [groups.curve] = number{:};
 end
 
 function keys = keysOf (list)
@@ -148,7 +142,6 @@ end
 %! g = groupMeasured (list, {'A', 'B'});
 %! assert ({g.name}, {'w@1', 'w@2', 'r1', 'r2'});
 %! assert ({g.result}, {'w', 'w', 'r1', 'r2'});
-%! assert ([g.curve], [1, 1, 1, 1]);
 %!test
 %! list = [line, line];
 %! list(2).tol = 0.2;

@@ -47,14 +47,23 @@ function targets = newTargets (optim, names, found)
     if isnan (t.tol)
       t.tol = givenField (optim, 'tolRes', default.tolRes);
     end
-    if t.correlation < 0
-      % the errors of a curve are alike, as far as its residuals say
-      lengthOf = [0, NaN];
-      t.correlation = lengthOf(1 + (t.curve > 0));
-    end
     targets{j} = t;
   end
-  targets = [targets{:}];
+  targets = withCurves ([targets{:}]);
+end
+
+% Numbers the curves: the series of a model is one. Its errors are alike, as far as
+% its residuals say, where the user gives no length.
+function targets = withCurves (targets)
+  series = arrayfun (@(t) sprintf ('%d|%s', t.model, t.series), targets, ...
+                     'UniformOutput', false);
+  [~, number] = ismember (series, unique (series, 'stable'));
+  number(cellfun (@isempty, {targets.series})) = 0;
+  parts = num2cell (number);
+  [targets.curve] = parts{:};
+  isOpen = [targets.correlation] < 0;
+  [targets(isOpen & number == 0).correlation] = deal (0);
+  [targets(isOpen & number > 0).correlation] = deal (NaN);
 end
 
 % The published loadInput returns the values of all models as one column.
@@ -77,7 +86,7 @@ function groups = fromCells (optim, models, counts, default)
                   'trials', trials{k}(i), 'isAbsolute', false, ...
                   'scatter', false, 'unit', '', 'given', '', ...
                   'result', '', ...
-                  'series', '', 'at', NaN, 'curve', 0, 'changed', [], ...
+                  'series', '', 'at', NaN, 'changed', [], ...
                   'shared', 0, 'sessions', {{}});
       groups = [groups, g];
     end
