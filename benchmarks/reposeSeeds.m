@@ -1,9 +1,10 @@
 % REPOSESEEDS  Calibrations of a LIGGGHTS model from other seeds: are they true?
 %
-% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK
+% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK [PLAN]
 %
 %   SEEDS  of plan and packings (Input.seed), e.g. 11:30
 %   WORK   folder of the cases (WORK/SEED), kept; a case that lies there goes on
+%   PLAN   runs of the first plan (Input.numOfSam); default that of the template
 %
 % Each is the template Repose as decalioc new --model Repose makes it: two
 % parameters, angle of repose and mass on the plate to 6 and 4 %, where the set
@@ -15,15 +16,16 @@
 
 1;
 
-function found = oneCase (seed, work, root)
+function found = oneCase (seed, work, root, plan)
   folder = fullfile (work, sprintf ('%d', seed));
   decalioc = fullfile (root, 'bin', 'decalioc');
   if ~isfolder (folder)
     call (sprintf ('cd %s && %s new --model Repose %d', shellQuote (work), ...
                    shellQuote (decalioc), seed));
     file = fullfile (folder, 'loadInput.m');
-    writeAtomic (file, strrep (fileread (file), 'Input.seed = 1;', ...
-                               sprintf ('Input.seed = %d;', seed)));
+    text = strrep (fileread (file), 'Input.seed = 1;', ...
+                   sprintf ('Input.seed = %d;', seed));
+    writeAtomic (file, regexprep (text, '(?<=numOfSam = )(\d+)', plan));
   end
   call (sprintf ('%s run %s', shellQuote (decalioc), shellQuote (folder)));
   found = jsondecode (fileread (fullfile (folder, 'results', ...
@@ -46,13 +48,14 @@ root = startBenchmarks ();
 pkg ('load', 'stk');
 work = make_absolute_filename (args{2});
 [~, ~] = mkdir (work);
+plan = [args{3:end}, repmat('$1', 1, numel (args) < 3)];  % $1: as it is
 store = storedRepose (root);
 problem = store.problem;
 truth = fitSurrogates (store.data, problem);
 use = problem.calibrate;
-[isTrue, isMet, stated] = deal ([]);
+[isTrue, isMet, stated, runs, seconds] = deal ([]);
 for seed = str2num (args{1})
-  c = oneCase (seed, work, root);
+  c = oneCase (seed, work, root, plan);
   [z, v] = predictSurrogate (truth, cellfun (@(n) c.params.(n), ...
                                              problem.names));
   part = problem.tol(use) .* problem.value(use);
@@ -60,8 +63,11 @@ for seed = str2num (args{1})
   isTrue(end + 1) = all (off < 1);
   isMet(end + 1) = c.converged;
   stated(end + 1) = c.probability;
-  printf ('%4d  calibrated %d, probability %.3f, truly off by %s (sd %s)\n', ...
-          seed, c.converged, c.probability, sprintf ('%.2f ', off), ...
+  runs(end + 1) = c.demRuns.plan + c.demRuns.infill + c.demRuns.verify;
+  seconds(end + 1) = c.coreSeconds;
+  printf (['%4d  %d runs, %.0f core-seconds, calibrated %d, probability ', ...
+           '%.3f, truly off by %s (sd %s)\n'], seed, runs(end), ...
+          seconds(end), c.converged, c.probability, sprintf ('%.2f ', off), ...
           sprintf ('%.2f ', sqrt (v(use)) ./ part));
 end
 [lo, hi] = binomialInterval (sum (isTrue & isMet), sum (isMet));
@@ -69,3 +75,5 @@ printf (['%d of %d are called calibrated, with a probability of %.2f in ', ...
          'the mean; %d of these truly are (%.0f - %.0f %%)\n'], ...
         sum (isMet), numel (isMet), mean (stated(isMet == 1)), ...
         sum (isTrue & isMet), 100 * lo, 100 * hi);
+printf ('runs: %.1f in the mean, %d in the median, %d to %d; core-seconds: %.0f\n', ...
+        mean (runs), median (runs), min (runs), max (runs), mean (seconds));
