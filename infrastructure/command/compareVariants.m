@@ -7,11 +7,12 @@
 %   S        1 x V cell of R x 1: core-seconds of each run
 %   ALLOWED  1 x T, tolerance of each result, in its unit (half its band); NaN:
 %            the result is not looked at
-%   LIST     1 x V struct: cost (mean core-seconds), ratio (1 x 3: over those of
-%            the first, with its 90 % interval), shift (1 x T: difference of the
-%            means), worst (number of the result whose shift is largest over its
-%            tolerance), code ('base', 'same', 'differs', 'open', 'failed'), runs
-%            (runs of each variant that would probably decide; NaN: no number)
+%   LIST     1 x V struct: cost (core-seconds for each run with results), ratio
+%            (1 x 3: over those of the first, with its 90 % interval), lost (runs
+%            without results), shift (1 x T: difference of the means), worst
+%            (number of the result whose shift is largest over its tolerance),
+%            code ('base', 'same', 'differs', 'open', 'failed'), runs (runs of
+%            each variant that would probably decide; NaN: no number)
 %
 % The same are results whose shift surely (95 %, one side, all results together:
 % Bonferroni) lies within half of the tolerance, as the other half is for the
@@ -22,6 +23,7 @@
 function list = compareVariants (Z, S, allowed)
   isOk = cellfun (@(z) all (isfinite (z), 2), Z, 'UniformOutput', false);
   n = cellfun (@sum, isOk);
+  made = cellfun (@numel, isOk);
   Z = cellfun (@(z, ok) z(ok, :), Z, isOk, 'UniformOutput', false);
   S = cellfun (@(s, ok) s(ok), S, isOk, 'UniformOutput', false);
   df = sum (max (n - 1, 0));
@@ -32,18 +34,22 @@ function list = compareVariants (Z, S, allowed)
   half = allowed / 2;
   judged = find (isfinite (half) & half > 0);
   list = repmat (struct ('cost', NaN, 'ratio', NaN (1, 3), 'shift', NaN (size (half)), ...
-                         'worst', judged(1:min (end, 1)), 'code', 'failed', 'runs', NaN), ...
-                 1, numel (Z));
+                         'worst', judged(1:min (end, 1)), 'code', 'failed', 'runs', NaN, ...
+                         'lost', 0), 1, numel (Z));
+  lost = num2cell (made - n);
+  [list.lost] = lost{:};
   if n(1) < 2 || isempty (judged)
     return
   end
   t = studentQuantile (1 - 0.05 / numel (judged), df);
+  tries = made ./ n;                   % a run without results is made again
   for k = find (n > 1 & n >= n(1) / 2)
     variant = list(k);
     root = sqrt (1 / n(1) + 1 / n(k));
-    variant.cost = mean (S{k});
+    variant.cost = mean (S{k}) * tries(k);
     step = studentQuantile (0.95, df) * sdLog * root * (k > 1);
-    variant.ratio = exp (mean (logs{k}) - mean (logs{1}) + step * [0, -1, 1]);
+    variant.ratio = exp (mean (logs{k}) - mean (logs{1}) + step * [0, -1, 1]) * ...
+                    tries(k) / tries(1);
     variant.shift = mean (Z{k}, 1) - mean (Z{1}, 1);
     % as shares of half the tolerance
     share = abs (variant.shift(judged)) ./ half(judged);
@@ -84,6 +90,11 @@ end
 %! % what is not looked at decides nothing; nor does a variant without results
 %! list = compareVariants (Z, S, [NaN, 1]);
 %! assert (list(3).code, 'same');
+%! % one of four runs lost: the other three cost a third more
+%! Z{2}(1, :) = NaN;
+%! list = compareVariants (Z, S, [1, 1]);
+%! assert ([list.lost], [0, 1, 0]);
+%! assert (list(2).ratio(1), 0.5 * 4 / 3, 0.02);
 %! Z{2}(1:3, :) = NaN;
 %! assert (compareVariants (Z, S, [1, 1])(2).code, 'failed');
 %!test
