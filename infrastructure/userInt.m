@@ -28,6 +28,9 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
     shown = sprintf (' up to %.2f in %d targets', ...
                      100 * max (abs (residual)), numel (residual));
   end
+  if any (isnan (residual))
+    shown = ' none, as a run failed or no run was left';
+  end
   text = sprintf ('  %s, iteration %d: residuals (%%)%s', ...
                   models{1 + DEMflag}, vals.iteration, shown);
   if isfield (optim, 'say')
@@ -57,6 +60,13 @@ end
 %!test
 %! evalc ('stop = userInt (1, vals, ''iter'', false, optim);');
 %! assert (! stop);
+%!test
+%! % of a set without results
+%! lost = struct ('iteration', 1, 'residual', [NaN; NaN; NaN]);
+%! text = evalc ('stop = userInt (1, lost, ''iter'', true, optim);');
+%! assert (! stop);
+%! assert (isempty (strfind (text, 'NaN')));
+%! assert (! isempty (strfind (text, 'no run was left')));
 %!test
 %! % columns of several models, in the order of the models
 %! columns = struct ('tolRes', {{[0.006; 0.02], 0.5}}, 'maxIter', 3);
