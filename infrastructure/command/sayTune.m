@@ -83,14 +83,16 @@ end
 
 function T = tableOf (variants, list, Case)
   cells = cell (1, numel (list));
+  info = targetInfo (Case);
   for k = 1:numel (list)
     one = list(k);
     worst = Case.targets(one.worst);
     shift = one.shift(one.worst);
     codes = {one.code, 'near'};          % more repeats than anybody makes
     values = struct ('name', worst.name, 'runs', one.runs, 'lost', one.lost, ...
-                     'shift', plainNumber (shift, 'change'), ...
-                     'half', plainNumber (halfWidth (worst) / 2, 'plain'));
+                     'shift', withUnit (plainNumber (shift, 'change'), info(one.worst)), ...
+                     'half', withUnit (plainNumber (halfWidth (worst) / 2, 'plain'), ...
+                                       info(one.worst)));
     words = sentence (['tune.', codes{1 + (one.runs > 200)}], values);
     if one.lost > 0 && ~strcmp (one.code, 'failed')
       words = [words, sentence('tune.lost', values)];
@@ -102,6 +104,10 @@ function T = tableOf (variants, list, Case)
                 {'variable', '', ''; 'core-seconds a run', '', 'plain'; ...
                  'over today''s', '', 'plain'; '90 % interval', '', 'error'; ...
                  'results', '', 'words'}, cells, {sentence('table.tune')});
+end
+
+function text = withUnit (text, info)
+  text = strtrim ([text, ' ', info.unit]);
 end
 
 % The cheapest value with the same results; and one that is cheaper by far, whose
