@@ -8,9 +8,11 @@
 %   STATUS  0; 2 where nothing cheaper gives the same results
 %
 % Each value is run N times alone, the other variables as they are, with the
-% parameters in the middle of the limits. See compareVariants for what counts as the
-% same. The runs lie in FOLDER/tune and are used again. Seconds are those of the
-% clock: on a busy machine the cost is that of a busy machine.
+% parameters in the middle of the limits, all values in turn (inRounds). See
+% compareVariants for what counts as the same. A value that is cheaper by far and
+% shifts the results a little is proposed as a level (Input.coarse). The runs lie in
+% FOLDER/tune and are used again. Seconds are those of the clock: on a busy machine
+% the cost is that of a busy machine.
 %
 % Errors: DEcalioc:sayTune:badValue, :unknownName, those of commandOptions
 
@@ -36,8 +38,12 @@ function status = sayTune (root, folder, args)
   printf ('%s x %s x %s = %s\n', countText (n(1), 'value'), countText (n(2), 'repeat'), ...
           countText (n(3), 'model'), countText (prod (n), 'run'));
   [Z, S] = deal (cell (1, numel (variants)));
-  for k = 1:numel (variants)
-    [Z{k}, S{k}] = runVariant (variants(k), Case, p, repeats);
+  for part = inRounds (repeats, Case.options.maxCPU)
+    for k = 1:numel (variants)
+      [z, s] = runVariant (variants(k), Case, p, part{1});
+      Z{k} = [Z{k}; z];
+      S{k} = [S{k}; s];
+    end
   end
   allowed = arrayfun (@halfWidth, Case.targets);
   list = compareVariants (Z, S, allowed);
@@ -69,14 +75,22 @@ function list = variantsOf (word, Case)
                  'variable', name, 'value', num2cell (values));
 end
 
-function [Z, S] = runVariant (variant, Case, p, repeats)
+% The repeats in up to four rounds of all values: what else the machine does in the
+% meantime slows all of them.
+function parts = inRounds (repeats, cpus)
+  n = max (cpus, ceil (repeats / 4));
+  parts = arrayfun (@(k) (k:min (k + n - 1, repeats))', 1:n:repeats, ...
+                    'UniformOutput', false);
+end
+
+function [Z, S] = runVariant (variant, Case, p, part)
   if strcmp (variant.variable, 'cpu')
     [Case.models.cpu] = deal (variant.value);
   elseif ~isempty (variant.variable)
     Case.modelVars.(variant.variable) = variant.value;
   end
   say = @(text) printf ('%s\n', text);
-  [Z, records] = evaluateDEM (repmat (p, repeats, 1), Case, (1:repeats)', 'tune', ...
+  [Z, records] = evaluateDEM (repmat (p, numel (part), 1), Case, part, 'tune', ...
                               newProgress (variant.name, say));
   S = reshape ([records.seconds], size (records)) * [Case.models.cpu]';
 end
