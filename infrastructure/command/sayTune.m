@@ -102,12 +102,11 @@ function T = tableOf (variants, list, Case)
     one = list(k);
     worst = Case.targets(one.worst);
     shift = one.shift(one.worst);
-    codes = {one.code, 'near'};          % more repeats than anybody makes
     values = struct ('name', worst.name, 'runs', one.runs, 'lost', one.lost, ...
                      'shift', withUnit (plainNumber (shift, 'change'), info(one.worst)), ...
                      'half', withUnit (plainNumber (halfWidth (worst) / 2, 'plain'), ...
                                        info(one.worst)));
-    words = sentence (['tune.', codes{1 + (one.runs > 200)}], values);
+    words = sentence (['tune.', one.code], values);
     if one.lost > 0 && ~strcmp (one.code, 'failed')
       words = [words, sentence('tune.lost', values)];
     end
