@@ -75,12 +75,11 @@ function list = variantsOf (word, Case)
                  'variable', name, 'value', num2cell (values));
 end
 
-% The repeats in up to four rounds of all values: what else the machine does in the
-% meantime slows all of them.
+% The repeats in up to four rounds of all values, each enough for all CPUs: what else
+% the machine does in the meantime slows all values.
 function parts = inRounds (repeats, cpus)
-  n = max (cpus, ceil (repeats / 4));
-  parts = arrayfun (@(k) (k:min (k + n - 1, repeats))', 1:n:repeats, ...
-                    'UniformOutput', false);
+  edges = round (linspace (0, repeats, 1 + max (1, min (4, floor (repeats / cpus)))));
+  parts = mat2cell ((1:repeats)', diff (edges))';
 end
 
 function [Z, S] = runVariant (variant, Case, p, part)
