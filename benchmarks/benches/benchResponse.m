@@ -9,8 +9,8 @@
 %
 % Five levels of each of four friction coefficients and of the grain density,
 % one run a level; one panel a result, one line a parameter, from its lowest (0)
-% to its highest level (1). Writes
-% docs/figures/response<BENCH>.svg and benchmarks/results/response<BENCH>.csv.
+% to its highest level (1). Writes docs/figures/response<BENCH>.svg, and the rows
+% of the bench in benchmarks/results/response.csv anew.
 %
 % See also: effectSigns, benchRun, drawPanels
 function benchResponse (work, bench, nNull)
@@ -21,21 +21,19 @@ function benchResponse (work, bench, nNull)
             0, 0.025, 0.05, 0.1, 0.2; 0, 0.025, 0.05, 0.1, 0.2; ...
             800, 1000, 1200, 1400, 1600];
   info = resultInfo (fullfile (root, 'DEMmodels', bench));
-  fid = fopen (fullfile (root, 'benchmarks', 'results', ...
-                         ['response', bench, '.csv']), 'w');
-  fprintf (fid, ['parameter,value', repmat(',%s', 1, numel (info)), '\n'], ...
-           info.name);
+  lines = {};
   curves = zeros (numel (names), 5, numel (info));
   for j = 1:numel (names)
     for k = 1:5
       row = oneRun (work, bench, names{j}, levels(j, k));
       curves(j, k, :) = row;
-      fprintf (fid, '%s,%g', names{j}, levels(j, k));
-      fprintf (fid, ',%.5g', row);
-      fprintf (fid, "\n");
+      for t = 1:numel (info)
+        lines{end + 1} = sprintf ('%s,%s,%g,%s,%.5g', bench, names{j}, ...
+                                  levels(j, k), info(t).name, row(t));
+      end
     end
   end
-  fclose (fid);
+  replaceRows (fullfile (root, 'benchmarks', 'results', 'response.csv'), bench, lines);
   null = [];
   for seed = benchSeeds (1:nNull)
     null = [null; oneRun(work, bench, '', 0, seed)];
@@ -43,6 +41,16 @@ function benchResponse (work, bench, nNull)
   drawResponse (fullfile (root, 'docs', 'figures', ...
                           ['response', bench, '.svg']), {curves, null}, ...
                 levels, {names, info});
+end
+
+% The rows of this bench stand last; those of the others stay as they are.
+function replaceRows (file, bench, lines)
+  others = {'bench,parameter,value,result,response'};
+  if isfile (file)
+    others = strsplit (strtrim (fileread (file)), "\n");
+    others(strncmp (others, [bench, ','], numel (bench) + 1)) = [];
+  end
+  writeAtomic (file, [strjoin([others, lines], "\n"), "\n"]);
 end
 
 function row = oneRun (work, bench, name, value, seed)

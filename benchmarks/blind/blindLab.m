@@ -21,7 +21,7 @@
 % It serves to choose strengths and to say how detectable a truth is. The
 % diagnosis gets runs and measured values, nothing of this.
 %
-% See also: blindDraw, blindSpace, blindHeld, storedCampaign
+% See also: blindDraw, blindSpace, storedCampaign
 
 function lab = blindLab (root, stem)
   own = fullfile (root, 'benchmarks', 'blind');
@@ -46,7 +46,10 @@ function lab = blindLab (root, stem)
   end
   [given, data] = storedCampaign (campaign, root);
   lab.sd = given.sd;
-  given.held = ismember (given.targetNames, blindHeld ());
+  % never fitted, more than a quarter of each bench: how far a cure closes the gap
+  % is seen on them
+  held = {'heightFoot', 'spreadTime', 'densityHigh', 'massOnPlate'};
+  given.held = ismember (given.targetNames, held);
   if ~isempty (benches)
     isThere = ismember (given.benchNames, benches);
     given.value(~isThere(given.bench)) = NaN;

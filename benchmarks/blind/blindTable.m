@@ -97,3 +97,13 @@ function lines = ofStrengths (number, verdict)
                               ends (one.interval90));
   end
 end
+
+% Benches, and the four targets, by what is left after the fit (in standard
+% deviations of the noise), worst first, as texts.
+function [benches, targets] = blindPlaces (benchNames, ofBenches, ...
+                                           targetNames, ofTargets)
+  [~, order] = sort (-ofBenches);
+  benches = strjoin (benchNames(order), ' ');
+  [~, order] = sort (-ofTargets);
+  targets = strjoin (targetNames(order(1:min (end, 4))), ' ');
+end
