@@ -172,3 +172,32 @@ function lines = coarseLines (variant, Case)
     end
   end
 end
+
+%!function [text, status] = tuned (varargin)
+%!  % a model whose runs get cheaper with e, and shift by it
+%!  raw = standInCase (tempname ());
+%!  writeLoadInput (raw.folder);
+%!  for name = {'First', 'Second'}
+%!    file = fullfile (raw.folder, 'DEMmodels', name{1}, 'runscript');
+%!    writeAtomic (file, ["sleep $(awk '$2 == \"slow\" { s = $4 } END { print s }' ", ...
+%!                        "data.head)\n", fileread(file)]);
+%!    head = fullfile (raw.folder, 'DEMmodels', name{1}, 'data.head');
+%!    writeAtomic (head, ["variable slow equal 0.6\n", fileread(head)]);
+%!  end
+%!  [status, text] = startCommand (raw.folder, ['tune ', strjoin(varargin, ' ')]);
+%!endfunction
+%!test
+%! % how much cheaper, the clock says, which on a busy machine is no test
+%! [text, status] = tuned ('--vary slow=0.01 --vary e=9 --repeats 2');
+%! assert (any (status == [0, 2]), text);
+%! assert (~isempty (strfind (text, '3 values x 2 repeats x 2 models = 12 runs')), text);
+%! assert (~isempty (regexp (text, 'slow=0.01 [^\n]*the same')), text);
+%! assert (~isempty (regexp (text, 'e=9 .*shifts by \+9')), text);
+%!test
+%! for words = {'--vary slo=1', 'Did you mean slow?'; '--vary a=1', 'no parameter'; ...
+%!              '--vary slow=x', 'with numbers'; '', 'once or more'; ...
+%!              '--vary slow=1 --repeats 1', 'from 2 on'}'
+%!   [text, status] = tuned (words{1});
+%!   assert (status, 1);
+%!   assert (~isempty (strfind (text, words{2})), text);
+%! end

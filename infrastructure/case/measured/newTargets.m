@@ -158,6 +158,12 @@ end
 %! assert ([t.trials], [1, 1, 2, 1]);
 %! assert ({t.role}, {'calibrate', 'unmeasured', 'calibrate', 'calibrate'});
 %! assert ([t.correlation], [NaN, NaN, 0, 0]);
+%! assert ([t.curve], [1, 1, 0, 0]);
+%!test
+%! % named results that form a series are a curve, in each model another one
+%! t = ofTable (["model,name,series,at,value,tol\nA,r1,w,1,4,0.1\nA,r2,w,2,5,0.1\n", ...
+%!               "B,,w,1,3,0.1\nB,,w,2,2,0.1\n"], struct ());
+%! assert ([t.curve], [1, 1, 2, 2]);
 %!test
 %! % a name that both models have is told apart, the result is not
 %! t = ofTable ("model,name,value,tol\nA,slope,3,0.1\nB,slope,4,0.1\n", ...
