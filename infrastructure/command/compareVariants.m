@@ -42,13 +42,13 @@ function list = compareVariants (Z, S, allowed)
   list(1).cost = mean (S{1}) * tries(1);
   for k = 1 + find (n(2:end) > 1 & n(2:end) >= n(1) / 2)
     variant = list(k);
-    [shift, error] = difference (log (S{1}), log (S{k}), 0.05);
-    variant.ratio = exp (shift + error * [0, -1, 1]) * tries(k) / tries(1);
+    [shift, bound] = difference (log (S{1}), log (S{k}), 0.05);
+    variant.ratio = exp (shift + bound * [0, -1, 1]) * tries(k) / tries(1);
     variant.cost = mean (S{k}) * tries(k);
-    [variant.shift, error] = difference (Z{1}, Z{k}, 0.05 / numel (judged));
+    [variant.shift, bound] = difference (Z{1}, Z{k}, 0.05 / numel (judged));
     % as shares of half the tolerance
     [variant.code, worst, variant.runs] = ...
-      judge (abs (variant.shift(judged)) ./ half(judged), error(judged) ./ half(judged), ...
+      judge (abs (variant.shift(judged)) ./ half(judged), bound(judged) ./ half(judged), ...
              2 / (1 / n(1) + 1 / n(k)));
     variant.worst = judged(worst);
     list(k) = variant;
@@ -57,11 +57,11 @@ end
 
 % Means of B less those of A, and by how much they are surely (but for a chance of
 % P) off at most, to one side.
-function [shift, error] = difference (A, B, p)
+function [shift, bound] = difference (A, B, p)
   [n, m] = deal (rows (A), rows (B));
   shift = mean (B, 1) - mean (A, 1);
   spread = sumsq (A - mean (A, 1), 1) + sumsq (B - mean (B, 1), 1);
-  error = studentQuantile (1 - p, n + m - 2) * ...
+  bound = studentQuantile (1 - p, n + m - 2) * ...
           sqrt (spread / (n + m - 2) * (1 / n + 1 / m));
 end
 
