@@ -48,13 +48,10 @@ end
 
 function tests = candidates (problem)
   tests = [];
-  settings = [problem.bench(:), problem.coordinate(:)];
-  settings(:, 3) = 0;
+  settings = [problem.bench(:), problem.coordinate(:), ...
+              problem.curve(:)];
   % a curve is measured as a whole: its places are one setting
-  [groups, ~, isJoint] = requirementsOf (problem, 1:rows (settings));
-  for g = find (isJoint)
-    settings(groups{g}, 2:3) = repmat ([0, g], numel (groups{g}), 1);
-  end
+  settings(problem.curve > 0, 2) = 0;
   settings = settings(problem.possible, :);
   for row = unique (settings, 'rows')'
     at = problem.possible(all (settings == row', 2));
