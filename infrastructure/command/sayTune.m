@@ -61,10 +61,7 @@ function list = variantsOf (word, Case)
   end
   known = {'cpu'};
   for model = Case.models
-    file = fullfile (model.folder, 'data.head');
-    if isfile (file)
-      known = [known, fieldnames(headDefaults (file))'];
-    end
+    known = [known, fieldnames(headOf (model))'];
   end
   if ~any (strcmp (name, known)) || any (strcmp (name, Case.names))
     error ('DEcalioc:sayTune:unknownName', ...
@@ -82,6 +79,15 @@ function parts = inRounds (repeats, cpus)
   parts = mat2cell ((1:repeats)', diff (edges))';
 end
 
+% What the data.head of a model declares; nothing where it has none.
+function defaults = headOf (model)
+  file = fullfile (model.folder, 'data.head');
+  defaults = struct ();
+  if isfile (file)
+    defaults = headDefaults (file);
+  end
+end
+
 function [Z, S] = runVariant (variant, Case, p, part)
   if strcmp (variant.variable, 'cpu')
     [Case.models.cpu] = deal (variant.value);
@@ -97,14 +103,14 @@ end
 function T = tableOf (variants, list, Case)
   cells = cell (1, numel (list));
   info = targetInfo (Case);
+  signs = {'', '+'};
   for k = 1:numel (list)
     one = list(k);
     worst = Case.targets(one.worst);
-    shift = one.shift(one.worst);
+    [shift, unit] = deal (one.shift(one.worst), info(one.worst).unit);
     values = struct ('name', worst.name, 'runs', one.runs, 'lost', one.lost, ...
-                     'shift', withUnit (plainNumber (shift, 'change'), info(one.worst)), ...
-                     'half', withUnit (plainNumber (halfWidth (worst) / 2, 'plain'), ...
-                                       info(one.worst)));
+                     'shift', [signs{1 + (shift >= 0)}, quantity(shift, unit)], ...
+                     'half', quantity (halfWidth (worst) / 2, unit));
     words = sentence (['tune.', one.code], values);
     if one.lost > 0 && ~strcmp (one.code, 'failed')
       words = [words, sentence('tune.lost', values)];
@@ -116,10 +122,6 @@ function T = tableOf (variants, list, Case)
                 {'variable', '', ''; 'core-seconds a run', '', 'plain'; ...
                  'over today''s', '', 'plain'; '90 % interval', '', 'error'; ...
                  'results', '', 'words'}, cells, {sentence('table.tune')});
-end
-
-function text = withUnit (text, info)
-  text = strtrim ([text, ' ', info.unit]);
 end
 
 % The cheapest value with the same results; and one that is cheaper by far, whose
@@ -137,14 +139,15 @@ function isFound = sayBest (variants, list, Case)
     v = variants(k);
     places = {sprintf('modelVars.%s = %g;', v.variable, v.value), ...
               sprintf('Input.cpu = %g;', v.value)};
-    say ('tune.best', share(k), places{1 + strcmp(v.variable, 'cpu')});
+    propose ('tune.best', share(k), places{1 + strcmp(v.variable, 'cpu')});
   else
     printf ('%s\n', sentence ('tune.none'));
   end
   isLevel = most < 0.5 & off <= 0.1 & ~isSame & ~strcmp ({variants.variable}, 'cpu');
   if any (isLevel)
     k = cheapest (share, isLevel);
-    cellfun (@(line) say ('tune.level', share(k), line), coarseLines (variants(k), Case));
+    cellfun (@(line) propose ('tune.level', share(k), line), ...
+             coarseLines (variants(k), Case));
   end
 end
 
@@ -153,7 +156,7 @@ function k = cheapest (share, isIt)
   [~, k] = min (share);
 end
 
-function say (key, share, line)
+function propose (key, share, line)
   values = struct ('line', line, 'share', plainNumber (share, 'percent'));
   printf ('%s\n', sentence (key, values));
 end
@@ -162,8 +165,7 @@ end
 function lines = coarseLines (variant, Case)
   lines = {};
   for k = 1:numel (Case.models)
-    head = fullfile (Case.models(k).folder, 'data.head');
-    declared = givenField (headDefaults (head), variant.variable, NaN);
+    declared = givenField (headOf (Case.models(k)), variant.variable, NaN);
     today = givenField (Case.modelVars, variant.variable, declared);
     if isfinite (declared)
       lines{end + 1} = sprintf (['Input.coarse{%d} = struct (''variable'', ''%s'', ' ...
