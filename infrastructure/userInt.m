@@ -28,7 +28,7 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
     shown = sprintf (' up to %.2f in %d targets', ...
                      100 * max (abs (residual)), numel (residual));
   end
-  if any (isnan (residual))
+  if all (isnan (residual))
     shown = ' none, as a run failed or no run was left';
   end
   text = sprintf ('  %s, iteration %d: residuals (%%)%s', ...
