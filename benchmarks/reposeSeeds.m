@@ -25,7 +25,10 @@ function found = oneCase (seed, work, root, plan)
     file = fullfile (folder, 'loadInput.m');
     text = strrep (fileread (file), 'Input.seed = 1;', ...
                    sprintf ('Input.seed = %d;', seed));
-    writeAtomic (file, regexprep (text, '(?<=numOfSam = )(\d+)', plan));
+    if ~isempty (plan)
+      text = regexprep (text, 'numOfSam = \d+', ['numOfSam = ', plan]);
+    end
+    writeAtomic (file, text);
   end
   call (sprintf ('%s run %s', shellQuote (decalioc), shellQuote (folder)));
   found = jsondecode (fileread (fullfile (folder, 'results', ...
@@ -48,7 +51,7 @@ root = startBenchmarks ();
 pkg ('load', 'stk');
 work = make_absolute_filename (args{2});
 [~, ~] = mkdir (work);
-plan = [args{3:end}, repmat('$1', 1, numel (args) < 3)];  % $1: as it is
+plan = [args{3:end}];
 store = storedRepose (root);
 problem = store.problem;
 truth = fitSurrogates (store.data, problem);

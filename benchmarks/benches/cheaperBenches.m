@@ -16,7 +16,7 @@
 % for sure (95 %, all results of a bench together: Bonferroni), or is not known to
 % shift by less.
 %
-% See also: benchRun, compareVariants
+% See also: benchRuns, compareVariants
 
 1;
 
@@ -32,14 +32,8 @@ function measure (bench, n, work, file, root)
   end
   info = resultInfo (fullfile (root, 'DEMmodels', bench));
   for variant = variants ()
-    [Z, seconds] = deal ([]);
-    for seed = benchSeeds (1:n)
-      variables = variant.variables;
-      variables.runSeed = seed;
-      folder = fullfile (work, sprintf ('%s-%s-%d', bench, ...
-                                        strrep (variant.name, ' ', ''), seed));
-      [Z(end + 1, :), seconds(end + 1)] = benchRun (folder, bench, variables);
-    end
+    stem = fullfile (work, [bench, '-', strrep(variant.name, ' ', '')]);
+    [Z, ~, seconds] = benchRuns (stem, bench, variant.variables, n);
     for t = 1:columns (Z)
       z = Z(isfinite (Z(:, t)), t);
       appendLine (file, rowText ({bench, variant.name, info(t).name, ...
