@@ -29,7 +29,8 @@
 %! % every reason that the code names stands in the table
 %! names = {};
 %! for file = glob (fullfile (rootOf (), 'infrastructure', ...
-%!                            {'case', 'case/check', 'effects'}, '*.m'))'
+%!                            {'case', 'case/check', 'case/check/private', ...
+%!                             'effects', 'effects/private'}, '*.m'))'
 %!   found = regexp (fileread (file{1}), ...
 %!                   'checkFault \(''(\w+)''', 'tokens');
 %!   names = [names, found{:}];

@@ -91,20 +91,23 @@ function [counts, text] = runFile (file, root)
                                  '& echo $!'], tool, limit, getpid (), ...
                                 getenv ('TMPDIR')));
   log = tempname ();
-  % a function of an example or a model is found by its own test only; the path
-  % is set anew only where it has changed, which takes a tenth of a second
+  % a function of an example or a model is found by its own test only, as are
+  % the private ones of its folder; the path is set anew only where it has
+  % changed, which takes a tenth of a second
   before = path ();
   folder = fileparts (file);
-  isNew = ~any (strcmp (strsplit (before, pathsep ()), folder));
-  if isNew
-    addpath (folder, '-end');
+  folders = {folder, fullfile(folder, 'private')};
+  isNew = cellfun (@isfolder, folders) & ...
+          ~ismember (folders, strsplit (before, pathsep ()));
+  if any (isNew)
+    addpath (folders{isNew}, '-end');
   end
   fid = fopen (log, 'w');
   [passed, total, ~, skipped] = test (file, 'quiet', fid);
   fclose (fid);
   system (['kill -- -', strtrim(guard), ' 2> /dev/null']);
-  if isNew
-    rmpath (folder);
+  if any (isNew)
+    rmpath (folders{isNew});
   end
   if ~strcmp (path (), before)
     path (before);

@@ -1,14 +1,16 @@
 % FOLDERCALLS  Which functions of the toolbox call which.
 %
-% CALL: [names, places, calls] = folderCalls (root)
+% CALL: [names, places, calls, inside] = folderCalls (root)
 %
 % root    folder of the toolbox (text)
 % names   n x 1 cellstr, the product's functions and scripts: the .m files of
 %         ROOT itself and of infrastructure/
 % places  n x 1 cellstr, where each belongs: 'main' (main scripts, forms, the
 %         commands of bin/), 'published' (infrastructure/ itself), or its folder
-%         there, with its subfolder ('gap/hypotheses')
+%         there, with its subfolder ('gap/hypotheses'); a private folder is part
+%         of the one that holds it
 % calls   n x n logical, row calls column
+% inside  n x 1 logical, in a private folder
 %
 % A call is the name of another file as a word of the code, a handle of it, or
 % the word that the text begins with which feval, str2func, cellfun, arrayfun,
@@ -18,16 +20,17 @@
 %
 % See also: showGraph
 
-function [names, places, calls] = folderCalls (root)
-  inside = fullfile (root, 'infrastructure');
-  folders = [{root}, strsplit(genpath (inside), pathsep ())];
+function [names, places, calls, inside] = folderCalls (root)
+  rooms = fullfile (root, 'infrastructure');
+  folders = [{root}, strsplit(genpath (rooms), pathsep ())];
   files = cell (0, 1);
   for k = find (~cellfun (@isempty, folders))
-    files = [files; glob(fullfile (folders{k}, '*.m'))];
+    files = [files; glob(fullfile (folders{k}, {'*.m', 'private/*.m'}))];
   end
-  [~, names] = cellfun (@fileparts, files, 'UniformOutput', false);
-  places = cellfun (@(f) placeOf (f, root, inside), files, ...
-                    'UniformOutput', false);
+  [homes, names] = cellfun (@fileparts, files, 'UniformOutput', false);
+  [~, last] = cellfun (@fileparts, homes, 'UniformOutput', false);
+  inside = strcmp (last, 'private');
+  places = cellfun (@(f) placeOf (f, rooms), files, 'UniformOutput', false);
   calls = false (numel (files));
   for k = 1:numel (files)
     text = fileread (files{k});
@@ -36,10 +39,11 @@ function [names, places, calls] = folderCalls (root)
   end
 end
 
-function place = placeOf (file, root, inside)
+function place = placeOf (file, rooms)
   place = 'main';
-  if strncmp (file, [inside, filesep], numel (inside) + 1)
-    rest = strsplit (file(numel (inside) + 2:end), filesep ());
+  if strncmp (file, [rooms, filesep], numel (rooms) + 1)
+    rest = strsplit (file(numel (rooms) + 2:end), filesep ());
+    rest(strcmp (rest, 'private')) = [];
     place = 'published';
     if numel (rest) > 1
       place = strjoin (rest(1:end - 1), '/');
@@ -109,7 +113,8 @@ end
 %! root = tempname ();
 %! inside = fullfile (root, 'infrastructure');
 %! write = @(path, text) writeAtomic (fullfile (root, path), text);
-%! [~] = cellfun (@(f) mkdir (fullfile (inside, f)), {'upper', 'lower/deep'});
+%! [~] = cellfun (@(f) mkdir (fullfile (inside, f)), ...
+%!                {'upper', 'lower/deep/private'});
 %! write ('start.m', "1;\nshared = top (@base);\n");
 %! write ('infrastructure/top.m', ["function y = top (f)\n", ...
 %!   "  y = f (side)';\n  x.alone = 'alone'; % alone\n", ...
@@ -121,22 +126,25 @@ end
 %!   "  z = side () + alone ();\nend\nfunction y = alone ()\n  y = 1;\nend\n"]);
 %! write ('infrastructure/lower/deep/deepest.m', ...
 %!        "function y = deepest (x)\n  y = @(top) top;\nend\n");
+%! write ('infrastructure/lower/deep/private/hidden.m', ...
+%!        "function y = hidden ()\n  y = deepest (1);\nend\n");
 %! write ('infrastructure/lower/alone.m', "function alone ()\nend\n");
 %! write ('infrastructure/lower/named.m', ["function y = named ()\n", ...
 %!   "  y = feval ('side', str2func ( ...\n ['dee', 'pest']));\n", ...
 %!   "  % feval ('alone')\n  z = ['alone', 'top'];\n", ...
 %!   "  parcellfun (2, 'base');\n  evalc ('top (2)');\n", ...
 %!   "end\n%! feval ('top');\n"]);
-%! [names, places, calls] = folderCalls (root);
+%! [names, places, calls, isPrivate] = folderCalls (root);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (root, 's');
-%! assert (sort (names), {'alone'; 'base'; 'deepest'; 'named'; 'side'; ...
-%!                        'start'; 'top'});
+%! assert (sort (names), {'alone'; 'base'; 'deepest'; 'hidden'; 'named'; ...
+%!                        'side'; 'start'; 'top'});
+%! assert (names(isPrivate), {'hidden'});
 %! at = @(name) find (strcmp (names, name));
-%! assert (places(at ('deepest')), {'lower/deep'});
+%! assert (places([at('deepest'), at('hidden')]), {'lower/deep'; 'lower/deep'});
 %! assert (places([at('start'), at('top')]), {'main'; 'published'});
 %! [from, to] = find (calls);
 %! made = sort (strcat (names(from), {' '}, names(to)));
-%! assert (made, {'base side'; 'named base'; 'named deepest'; ...
-%!                'named side'; 'named top'; 'side deepest'; ...
-%!                'start base'; 'start top'; 'top side'});
+%! assert (made, {'base side'; 'hidden deepest'; 'named base'; ...
+%!                'named deepest'; 'named side'; 'named top'; ...
+%!                'side deepest'; 'start base'; 'start top'; 'top side'});

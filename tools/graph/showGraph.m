@@ -3,9 +3,9 @@
 % CALL: failed = showGraph (root)
 %
 % root    folder of the toolbox (text)
-% failed  1 where a call goes up, two folders call each other, a function has
-%         no caller, or a declared exception is none; else 0 (exit status of
-%         make graph)
+% failed  1 where a call goes up or into the private folder of another, two
+%         folders call each other, a function has no caller, or a declared
+%         exception is none; else 0 (exit status of make graph)
 %
 % The table of mayCall is the rule: whom each folder may call besides itself.
 % The subfolders of a folder call each other one way only. What is different on
@@ -17,7 +17,7 @@
 % See also: folderCalls
 
 function failed = showGraph (root)
-  [names, places, calls] = folderCalls (root);
+  [names, places, calls, inside] = folderCalls (root);
   tops = strtok (places, '/');
   rule = mayCall ();
   unknown = setdiff (tops, rule(:, 1));
@@ -32,6 +32,7 @@ function failed = showGraph (root)
   end
   [calls, excused, stale] = excuse (names, calls);
   faults = [upward(rule, names, places, calls), ...
+            intoPrivate(names, places, calls, inside), ...
             mutual(names, places, calls), stale, ...
             withoutCaller(root, names, calls | excused), ...
             withoutTest(root)];
@@ -125,6 +126,13 @@ function faults = mutual (names, places, calls)
   faults = faultLines ('Both ways', names, places, calls);
 end
 
+% A private function is found from its folder, and by its neighbours there.
+function faults = intoPrivate (names, places, calls, inside)
+  [~, ~, folderOf] = unique (places);
+  calls = calls & folderOf ~= folderOf' & inside';
+  faults = faultLines ('Private', names, places, calls);
+end
+
 function faults = faultLines (what, names, places, calls)
   [from, to] = find (calls);
   faults = arrayfun (@(a, b) sprintf ('%s: %s/%s calls %s/%s', what, ...
@@ -157,7 +165,8 @@ function faults = withoutTest (root)
   files = {fullfile(root, 'Makefile')};
   for part = {'infrastructure', 'tests', 'benchmarks', 'tools'}
     for folder = strsplit (genpath (fullfile (root, part{1})), pathsep ())
-      files = [files; glob(fullfile (folder{1}, {'*.m', '*.tst', '*.sh'}))];
+      files = [files; glob(fullfile (folder{1}, ...
+                                     {'*.m', '*.tst', '*.sh', 'private/*.m'}))];
     end
   end
   files = files(cellfun (@(f) exist (f, 'file') == 2, files));
@@ -217,7 +226,10 @@ end
 %!       'parcellfun (2, ''runJobs'', {})', 'evalc (''runJobs (1)'')'};
 %! wanted = [wanted, {['Both ways: gap/hypotheses/', nobody, 'E calls ', ...
 %!                     'gap/where/locateGap'], ['Without a test: ', nobody]}];
+%! wanted{end + 1} = ['Private: gap/hypotheses/', nobody, 'F calls ', ...
+%!                   'calibration/budgetLeft'];
 %! plants = {inside('gap/hypotheses'), 'E', 'f = @locateGap'; ...
+%!           inside('gap/hypotheses'), 'F', 'budgetLeft (1)'; ...
 %!           fullfile(scratch, 'tests'), '', 'x = 1'};
 %! for k = 1:4
 %!   plants(end + 1, :) = {inside('files'), char('A' + k - 1), up{k}};

@@ -17,7 +17,7 @@ end
 %! abandonRun (folder);
 %! abandonRun (folder);
 %! assert (isfile (fullfile (folder, 'batch.claim', 'void')));
-%! script = fullfile (fileparts (which ('abandonRun')), 'batchTask.sh');
+%! script = fullfile (fileparts (fileparts (which ('abandonRun'))), 'batchTask.sh');
 %! put = @(name, text) writeAtomic (fullfile (folder, name), text);
 %! free = @() rmdir (fullfile (folder, 'batch.claim'), 's');
 %! put ('tasks', sprintf ("key\t%s\n", folder));

@@ -319,7 +319,7 @@ end
 %! before = getenv ('PATH');
 %! back = onCleanup (@() setenv ('PATH', before));
 %! setenv ('PATH', tools);
-%! root = fileparts (fileparts (fileparts (which ('sayCheck'))));
+%! root = fileparts (fileparts (which ('startToolbox')));
 %! here = cd (raw.folder);
 %! there = onCleanup (@() cd (here));
 %! clear loadInput
