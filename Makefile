@@ -19,7 +19,7 @@ ONLY ?=
 PREFIX ?= $(HOME)/.local
 export LIGGGHTS OCTAVE CASE ONLY PREFIX
 
-.PHONY: help setup install uninstall liggghts run gap test soak bench lint graph wings format index dist site demo clean liggghts-clean
+.PHONY: help setup install uninstall liggghts run gap test soak bench lint graph map wings format index dist site demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -70,6 +70,9 @@ lint:                  ## check the style of the Octave and the shell code
 
 graph:                 ## the calls between the folders; fails where one goes up, or nothing calls a function
 	@OCTAVE=$${OCTAVE:-octave-cli} tools/graph/graph.sh
+
+map:                   ## make infrastructure/README.md: the doors of each folder
+	@OCTAVE=$${OCTAVE:-octave-cli} tools/graph/graph.sh --map
 
 wings:                 ## take each wing off a copy and run the core's tests there: 6 minutes
 	@tools/setup.sh run test

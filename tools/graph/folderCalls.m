@@ -1,6 +1,6 @@
 % FOLDERCALLS  Which functions of the toolbox call which.
 %
-% CALL: [names, places, calls, inside] = folderCalls (root)
+% CALL: [names, places, calls, inside, files] = folderCalls (root)
 %
 % root    folder of the toolbox (text)
 % names   n x 1 cellstr, the product's functions and scripts: the .m files of
@@ -11,6 +11,7 @@
 %         of the one that holds it
 % calls   n x n logical, row calls column
 % inside  n x 1 logical, in a private folder
+% files   n x 1 cellstr, their paths
 %
 % A call is the name of another file as a word of the code, a handle of it, or
 % the word that the text begins with which feval, str2func, cellfun, arrayfun,
@@ -20,7 +21,7 @@
 %
 % See also: showGraph
 
-function [names, places, calls, inside] = folderCalls (root)
+function [names, places, calls, inside, files] = folderCalls (root)
   rooms = fullfile (root, 'infrastructure');
   folders = [{root}, strsplit(genpath (rooms), pathsep ())];
   files = cell (0, 1);

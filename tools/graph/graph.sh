@@ -1,9 +1,13 @@
 #!/bin/bash
-# Prints the calls between the folders of the toolbox; exit status 1 where one
-# goes up, two subfolders call each other, or a function has no caller.
-# CALL: tools/graph/graph.sh     (or: make graph)
+# Prints the calls between the folders of the toolbox, and the doors of each; exit
+# status 1 where a call goes up, two subfolders call each other, a function has no
+# caller, or the map (infrastructure/README.md) is old.
+# CALL: tools/graph/graph.sh          (or: make graph)
+#       tools/graph/graph.sh --map    writes the map (or: make map)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+code="exit (showGraph (pwd ()) || showDoors (pwd (), true))"
+[ "${1:-}" != --map ] || code="exit (showDoors (pwd ()))"
 exec "${OCTAVE:-octave-cli}" --no-gui --norc --quiet \
-  --eval "addpath ('tools/graph'); exit (showGraph (pwd ()))" 2>&1 |
+  --eval "addpath ('tools/graph', 'infrastructure/files'); $code" 2>&1 |
   { grep -v 'ignoring const execution_exception' || true; }
