@@ -59,7 +59,7 @@
 %! assert (! isempty (strfind (html, 'ERROR: &lt;grains&gt; lost')));
 %! assert (! isempty (strfind (html, 'results/posterior.csv')));
 %! for name = {'targets', 'parameters', 'plan', 'slices', 'leaveoneout', ...
-%!             'steps', 'sensitivity', 'methods', 'runs', 'settings'}
+%!             'sensitivity', 'methods', 'runs', 'settings'}
 %!   assert (! isempty (strfind (html, ['id="section', name{1}, '"'])));
 %! end
 

@@ -7,7 +7,7 @@
 %   MODEL       name of the model's folder below optim/ (text)
 %   FOLDERNAME  name of the run's folder (text)
 %   RES         1 x m cell of scalars or curves, in the order of results.csv; NaN
-%               where a file is missing or the run is not sane
+%               where the run does not tell
 %
 % What getResults.m of a test rig returns: it has the run's place in the global
 % path, as published.

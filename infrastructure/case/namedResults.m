@@ -9,10 +9,11 @@
 %   MODEL    model folder with results.csv (text)
 %   RES      1 x m cell of scalars, or of curves (n x 2) of which measured.csv
 %            reads points, in the order of results.csv; NaN where the run does
-%            not tell, all NaN where MEASURE throws: a file is missing
+%            not tell
 %
 % What a getResults.m may return. Throws DEcalioc:namedResults:noNames where the
-% model has no results.csv.
+% model has no results.csv, and what MEASURE throws: a file that is missing, and a
+% slip in MEASURE as well, is the reason of a failed run.
 %
 % See also: resultInfo, readDump, readResults, takeReadings
 
@@ -27,11 +28,7 @@ function res = namedResults (measure, folder, model)
   end
   names = {info.name};
   res = num2cell (NaN (1, numel (names)));
-  try
-    found = measure (folder);
-  catch
-    return
-  end
+  found = measure (folder);
   for k = find (isfield (found, names))
     res{k} = found.(names{k});
   end
@@ -43,9 +40,10 @@ end
 %!   "name,kind,unit,series,at,text\nmass,mass,kg,,,m\nslope,angle,deg,,,s\n");
 %! part = namedResults (@(f) struct ('slope', 30, 'more', 1), '', folder);
 %! curve = namedResults (@(f) struct ('mass', [0, 1; 2, 3]), '', folder);
-%! none = namedResults (@(f) error ('no file'), '', folder);
 %! assert (part, {NaN, 30});
 %! assert (curve, {[0, 1; 2, 3], NaN});
-%! assert (none, {NaN, NaN});
+%! % a slip of the user is heard
+%! fail ('namedResults (@(f) nothingOfThisName (f), '''', folder)', ...
+%!       'nothingOfThisName');
 %!error <results.csv must name the results>
 %! namedResults (@(f) struct ('a', 1), '', tempname ())

@@ -69,11 +69,7 @@ function sayMaterial (Case, program, words, others)
     writeAtomic (page, cardPage (Case.root, card));
     printf ('page    %s\n', page);
   else
-    sign = '#';
-    if strcmp (program, 'mercury')
-      sign = '//';
-    end
-    text = [remarks(calibration, list, sign), materialLines(program, list)];
+    text = [remarks(calibration, list), materialLines(program, list)];
     name = ['material-', program, '.txt'];
   end
   file = fileOf (words, Case, name);
@@ -85,7 +81,7 @@ function sayMaterial (Case, program, words, others)
 end
 
 % What the values are worth, in front of them.
-function text = remarks (c, list, sign)
+function text = remarks (c, list)
   lines = {resultTitle(c, c.date)};
   for one = list(strcmp ({list.from}, 'calibrated'))
     known = 'no interval';
@@ -94,7 +90,7 @@ function text = remarks (c, list, sign)
     end
     lines{end + 1} = sprintf ('%s %.6g (%s)', one.name, one.value, known);
   end
-  lines = strcat (sign, {' '}, lines);
+  lines = strcat ({'# '}, lines);
   text = strjoin ([lines, {''}], "\n");
 end
 

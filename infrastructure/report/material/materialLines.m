@@ -3,8 +3,7 @@
 % CALL: TEXT = materialLines (PROGRAM, LIST)
 % CALL: PROGRAMS = materialLines ()
 %
-%   PROGRAM   'liggghts', 'lammps', 'yade', 'mercury' or 'table' (names that EDEM and
-%             Rocky show)
+%   PROGRAM   'liggghts', 'lammps', 'yade' or 'table' (names that EDEM and Rocky show)
 %   LIST      of materialValues
 %   TEXT      lines, without remarks of the case
 %   PROGRAMS  1 x n cell of the programs
@@ -16,8 +15,7 @@
 % overlap of 1 % of a diameter. A value that is not known is a question mark.
 %
 % Sources: documentation of pair_style granular (LAMMPS 2021), of
-% Ip2_FrictMat_FrictMat_MindlinPhys (YADE 2022), headers of MercuryDPM's
-% HertzianViscoelasticMindlinRollingTorsionSpecies.
+% Ip2_FrictMat_FrictMat_MindlinPhys (YADE 2022).
 %
 % Errors: DEcalioc:materialLines:unknownName
 %
@@ -25,7 +23,7 @@
 
 function text = materialLines (program, list)
   makers = struct ('liggghts', @liggghts, 'lammps', @lammps, 'yade', @yade, ...
-                   'mercury', @mercury, 'table', @namedTable);
+                   'table', @namedTable);
   if nargin == 0
     text = fieldnames (makers)';
     return
@@ -95,24 +93,6 @@ function lines = yade (v, values)
            'law = Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)'};
 end
 
-function lines = mercury (v, values)
-  [modulus, shear] = deal ('?');
-  if all (isfield (values, {'youngsModulusP', 'poissonsRatioP'}))
-    nu = values.poissonsRatioP;
-    modulus = sprintf ('%.6g', values.youngsModulusP / (2 * (1 - nu^2)));
-    shear = sprintf ('%.6g', values.youngsModulusP / (4 * (1 + nu) * (2 - nu)));
-  end
-  lines = {'HertzianViscoelasticMindlinRollingTorsionSpecies grains;', ...
-           ['grains.setDensity(', v('densityP'), ');'], ...
-           ['grains.setEffectiveElasticModulusAndRestitutionCoefficient(', modulus, ...
-            ', ', v('coefRestitutionPP'), ');'], ...
-           ['grains.setEffectiveShearModulus(', shear, ');'], ...
-           ['grains.setSlidingFrictionCoefficient(', v('coefFrictionPP'), ');'], ...
-           ['grains.setRollingFrictionCoefficient(', v('coefRollingFrictionPP'), ');'], ...
-           ['grains.setRollingStiffness(', rollingForce(values), ');'], ...
-           'speciesHandler.copyAndAddObject(grains);'};
-end
-
 function lines = namedTable (v, values)
   shear = @(ends) '?';
   if all (isfield (values, {'youngsModulusP', 'poissonsRatioP'}))
@@ -178,11 +158,6 @@ end
 %! list = list(~strcmp ({list.name}, 'youngsModulusP'));
 %! assert (~isempty (strfind (materialLines ('lammps', list), 'hertz/material ? 0.6')));
 %! assert (~isempty (strfind (materialLines ('table', list), 'Shear modulus,?,')));
-%!test
-%! % shear modulus of the contact, G* = G / (2 (2 - nu)), and E* = E / (2 (1 - nu^2))
-%! text = materialLines ('mercury', grains ());
-%! assert (~isempty (strfind (text, sprintf ('%.6g, 0.6', 5e6 / 1.82))));
-%! assert (~isempty (strfind (text, sprintf ('(%.6g)', 5e6 / 2.6 / 3.4))));
 %!testif ; ~isempty (file_in_path (getenv ('PATH'), 'lmp'))
 %! % LAMMPS takes them: a grain rests on another
 %! file = [tempname(), '.in'];

@@ -1,11 +1,9 @@
-% SECTIONTARGETS  Parts of the report: the targets and how they are met; how the
-% residuals came down.
+% SECTIONTARGETS  Part of the report: the targets and how they are met.
 %
 % CALL: LIST = sectionTargets (), see writePage
 
 function list = sectionTargets ()
-  list = {'sectiontargets', 'Targets', @targets, {}; ...
-          'sectionsteps', 'Steps after the plan', @steps, {}};
+  list = {'sectiontargets', 'Targets', @targets, {}};
 end
 
 function html = targets (page)
@@ -63,66 +61,3 @@ function html = predictions (page, held)
                                '90 % interval of a measurement', '', 'plain'}, ...
                               eachOf (row, open)));
 end
-
-function html = steps (page)
-  html = '';
-  sources = {'calibration', 'progress'};
-  source = sources{1 + isempty(page.sources.calibration)};
-  list = jsonList (page.sources, {source, 'history'});
-  n = numel (list);
-  if n < 1
-    return
-  end
-  figures = {};
-  if n > 2
-    R = [eachOf(@(s) s.residual(:), list){:}];
-    runs = cellfun (@(s) s.runs, list);
-    figures = eachOf (@(t) stepFigure (page, t, runs, 100 * R(t, :)), ...
-                      shownTargets (page.Case));
-  end
-  key = {'area', 'palegreen', 'tolerance'; ...
-         'area', 'palegrey', 'scatter of one run (1 sd)'; ...
-         'disc', 'blue', 'residual (fitted surfaces, corrected by the runs)'};
-  at = @(field, k) {source, 'history', k, field};
-  row = @(k) {sprintf('%s %d', sentence (['stage.', list{k}.stage]), list{k}.iteration), ...
-              at('runs', k), at('probability', k)};
-  html = [htmlFigures([figures{:}], key), ...
-          tableHtml(newTable (page, 'steps', 'Steps', ...
-                              {'step', '', ''; 'parameter values run so far, repeats counted', ...
-                               '', 'count'; 'chance that all targets are met', '', ...
-                               'probability'}, eachOf (row, 1:n)))];
-end
-
-function f = stepFigure (page, t, runs, r)
-  T = page.Case.targets(t);
-  width = [min(runs) - 0.5; max(runs) + 0.5];
-  noise = 0;
-  if ~isempty (page.surrogates)
-    noise = 100 * sqrt (page.surrogates(t).noiseVar) * T.tol / halfWidth (T);
-  end
-  band = @(half, colour) {'area', [width, half * [-1, 1; -1, 1]], colour};
-  bands = [band(noise, 'palegrey'); band(100 * T.tol, 'palegreen')];
-  if 100 * T.tol > noise                % the narrower one in front
-    bands = flipud (bands);
-  end
-  f = newFigure (T.name, 'runs after the plan', ...
-                 'residual (%)', ...
-                 sprintf (['%s: residual %.3g %% after the first step, ', ...
-                           '%.3g %% now'], T.name, r(1), r(end)), ...
-                 [bands; {'dash', [width, [0; 0]], 'grey'; ...
-                          'line', [runs(:), r(:)], 'blue'; ...
-                          'disc', [runs(:), r(:)], 'blue'}]);
-  f.xlim = width';
-  f.whole = true;
-end
-
-%!test
-%! % three targets, one of them not measured yet
-%! page = situationPage ('met');
-%! page.sources.calibration.history = ...
-%!   struct ('stage', {'infill', 'DEM', 'DEM'}, 'iteration', {1, 1, 2}, ...
-%!           'runs', {1, 2, 4}, 'probability', {0.1, 0.5, 0.9}, ...
-%!           'residual', {[0.1; 0.2; NaN], [0.05; 0.1; NaN], [0.01; 0; NaN]});
-%! html = sectionTargets (){2, 3} (page);
-%! assert (numel (strfind (html, '<svg viewBox="0 0 340')), 3);
-%! assert (! isempty (strfind (html, 'stage on DEM 2')));
