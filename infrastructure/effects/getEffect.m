@@ -4,52 +4,101 @@
 %       EFFECT = getEffect (NAME, FOLDERS)
 %
 % NAME     name of the effect, as listEffects gives it
-% FOLDERS  text or cell of folders that are looked in before the library
+% FOLDERS  text or cell of folders that are looked in before the library, or the
+%          LIBRARY that listEffects gives
 % EFFECT   scalar struct, see describeEffect
 %
-% Throws DEcalioc:getEffect:unknownName.
+% Throws DEcalioc:getEffect:unknownName, DEcalioc:getEffect:badValue.
 %
 % See also: describeEffect, listEffects, resolveEffects
 function effect = getEffect (name, folders)
   if nargin < 2
     folders = {};
   end
-  [names, files] = listEffects (folders);
-  k = find (strcmp (names, name));
-  if isempty (k)
+  library = folders;
+  if ~isstruct (folders)
+    [~, library] = listEffects (folders);
+  end
+  entry = library(strcmp ({library.name}, name));
+  if isempty (entry)
     error ('DEcalioc:getEffect:unknownName', ...
            'getEffect: NAME must be one of %s, got %s.', ...
-           strjoin (names, ', '), name);
+           strjoin ({library.name}, ', '), name);
+  elseif isempty (entry.row)
+    effect = ofFunction (entry.file);
+  else
+    effect = ofRow (entry.row, entry.file);
   end
-  [folder, base] = fileparts (files{k});
+end
+
+% What the function of a user does not give is filled in.
+function effect = ofFunction (file)
+  [folder, base] = fileparts (file);
   if ~any (strcmp (strsplit (path (), pathsep ()), folder))
     addpath (folder);
     restore = onCleanup (@() rmpath (folder));
   end
-  effect = feval (base);
+  effect = describeEffect (feval (base));
+end
+
+% Several variables of one effect, and their numbers, are parted by blanks.
+function effect = ofRow (row, file)
+  numbers = @(column) numbersIn (row, column, file);
+  given = struct ('name', row.name, 'variables', {strsplit(row.variables)}, ...
+                  'neutral', numbers ('neutral'), ...
+                  'limits', [numbers('weakest'); numbers('strongest')]);
+  for field = {'unit', 'label', 'group', 'usually', 'question', 'source'}
+    text = givenField (row, field{1}, '');
+    if ~isempty (text)
+      given.(field{1}) = text;
+    end
+  end
+  if isfield (given, 'label')
+    given.saysName = strcmp (givenField (row, 'saysName', ''), 'yes');
+  end
+  effect = describeEffect (given);
+end
+
+function values = numbersIn (row, column, file)
+  values = str2double (strsplit (row.(column)));
+  if any (isnan (values)) || numel (values) ~= numel (strsplit (row.variables))
+    error ('DEcalioc:getEffect:badValue', ...
+           ['getEffect: %s of %s in %s must be a number for each of its ' ...
+            'variables (%s), got ''%s''.'], column, row.name, file, ...
+           row.variables, row.(column));
+  end
 end
 
 %!test
 %! e = getEffect ('cohesion');
 %! assert (e.variables, {'cohesionPP'});
-%! assert (e.neutral, 0);
+%! assert ({e.neutral, e.limits, e.saysName}, {0, [0; 6e4], true});
+%! assert (getEffect ('gain').laboratory);
 
-%!test % every file of the library describes the effect of its name
-%! for name = listEffects ()
-%!   assert (getEffect (name{1}).name, name{1});
+%!test % each entry of the library describes the effect of its name
+%! [names, library] = listEffects ();
+%! for name = names
+%!   assert (getEffect (name{1}, library).name, name{1});
 %! end
 
-%!test % a file in a folder that is not on the path
+%!test % a file in a folder that is not on the path, with four fields only
 %! folder = emptyFolder ();
 %! file = fullfile (folder, 'effectTrialOfGetEffect.m');
-%! fid = fopen (file, 'w');
-%! fputs (fid, ["function e = effectTrialOfGetEffect ()\n", ...
-%!   "e = describeEffect (struct ('name', 'trialOfGetEffect', ", ...
-%!   "'variables', {{'q'}}, 'neutral', 0, 'limits', [0; 2]));\nend\n"]);
-%! fclose (fid);
+%! writeAtomic (file, ["function e = effectTrialOfGetEffect ()\n", ...
+%!   "e = struct ('name', 'trialOfGetEffect', ", ...
+%!   "'variables', {{'q'}}, 'neutral', 0, 'limits', [0; 2]);\nend\n"]);
 %! e = getEffect ('trialOfGetEffect', folder);
 %! delete (file);
+%! assert ({e.priorScale, e.group}, {4, 'trialOfGetEffect'});
+%! % a row of a table, of two variables; one with a word for a number
+%! file = fullfile (folder, 'effects.csv');
+%! writeAtomic (file, ["name,variables,neutral,weakest,strongest,unit\n", ...
+%!                     "two,a b,0 1,0 1,3 4,m\nbad,a,0,low,1,m\n"]);
+%! e = getEffect ('two', folder);
+%! assert ({e.variables, e.neutral, e.limits, e.unit, e.saysName}, ...
+%!         {{'a', 'b'}, [0, 1], [0, 1; 3, 4], 'm', true});
+%! fail ('getEffect (''bad'', folder)', 'weakest of bad .* got ''low''');
+%! delete (file);
 %! rmdir (folder);
-%! assert (e.priorScale, 4);
 
 %!error id=DEcalioc:getEffect:unknownName getEffect ('noSuchEffect')

@@ -29,7 +29,7 @@ function [effects, p] = resolveEffects (list, folders, modelVars, assign)
     folders = {};
   end
   [p, entries] = asEntries (list);
-  library = listEffects (folders);
+  [~, library] = listEffects (folders);
   [names, fields, complete] = deal ({});
   for k = 1:numel (entries)
     field = sprintf ('effects(%d)', k);
@@ -37,7 +37,7 @@ function [effects, p] = resolveEffects (list, folders, modelVars, assign)
     p = [p, q];
     if isstruct (entry)
       names{end + 1} = entry.name;
-      [q, entry] = fromLibrary (entry, field, folders, library);
+      [q, entry] = fromLibrary (entry, field, library);
       p = [p, q];
       if isempty (q)
         p = [p, checkEffectNumbers(entry, field)];
@@ -129,11 +129,11 @@ function p = checkEffectName (name, field, names)
 end
 
 % What a name of the library stands for is filled in.
-function [p, entry] = fromLibrary (entry, field, folders, library)
+function [p, entry] = fromLibrary (entry, field, library)
   p = checkFault ();
-  if any (strcmp (entry.name, library))
+  if any (strcmp (entry.name, {library.name}))
     try
-      base = getEffect (entry.name, folders);
+      base = getEffect (entry.name, library);
     catch err
       p = checkFault ('brokenEffect', [field, '.name'], ...
                       sprintf ('a library file of %s that runs', ...
@@ -146,7 +146,7 @@ function [p, entry] = fromLibrary (entry, field, folders, library)
     end
     entry = mergeFields (base, entry);
   elseif ~any (isfield (entry, {'variables', 'neutral', 'limits'}))
-    cure = checkNearest (entry.name, library);
+    cure = checkNearest (entry.name, {library.name});
     if isempty (cure)
       cure = 'Give it variables, neutral and limits.';
     end

@@ -199,9 +199,9 @@ function needCandidates (Case, what)
   if ~isempty (Case.effects)
     return
   end
-  folders = fullfile (Case.folder, 'effects');
-  effects = cellfun (@(name) getEffect (name, folders), ...
-                     listEffects (folders), 'UniformOutput', false);
+  [names, library] = listEffects ({fullfile(Case.folder, 'effects'), Case.folder});
+  effects = cellfun (@(name) getEffect (name, library), names, ...
+                     'UniformOutput', false);
   effects = [effects{:}];
   names = expressible (Case, effects);
   if isempty (names)

@@ -51,7 +51,7 @@ end
 %!test
 %! folder = emptyFolder ();
 %! root = fileparts (fileparts (which ('startToolbox')));
-%! for name = {'loadInput.m', 'costFunction.m', 'effectCohesion.m', ...
+%! for name = {'loadInput.m', 'costFunction.m', 'effectGain.m', ...
 %!             'infillAhead.m', 'mineAlone.m', 'sameSet.txt', '2mean.m'}
 %!   writeAtomic (fullfile (folder, name{1}), '% x');
 %! end

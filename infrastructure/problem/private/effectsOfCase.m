@@ -18,7 +18,7 @@ function given = effectsOfCase (given, Case)
     return
   end
   info = targetInfo (Case);
-  given.causes = listCauses (fullfile (Case.folder, 'causes'));
+  given.causes = listCauses ({fullfile(Case.folder, 'causes'), Case.folder});
   library = libraryGroups (Case);
   [~, factors] = changeWords (effects);
   isChange = ~isempty (givenField (Case, 'conditions', {}));
@@ -32,11 +32,10 @@ function given = effectsOfCase (given, Case)
 end
 
 function library = libraryGroups (Case)
-  folders = fullfile (Case.folder, 'effects');
-  names = listEffects (folders);
+  [names, all] = listEffects ({fullfile(Case.folder, 'effects'), Case.folder});
   library = struct ('name', {}, 'group', {});
   for k = 1:numel (names)
-    effect = getEffect (names{k}, folders);
+    effect = getEffect (names{k}, all);
     library(k) = struct ('name', names{k}, 'group', effect.group);
   end
 end

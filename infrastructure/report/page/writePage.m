@@ -29,13 +29,11 @@ function file = writePage (Case)
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
   writeRunTable (page);
-  targets = sectionTargets ();
   parameters = sectionParameters ();
   causes = sectionCauses ();
-  list = [causes(2, :); parameters(1, :); causes(1, :); targets(1, :); sectionParticles(); ...
+  list = [causes(2, :); parameters(1, :); causes(1, :); sectionTargets(); sectionParticles(); ...
           sectionWhere(); sectionCure(); ...
-          sectionSurrogates(); targets(2, :); parameters(2, :); sectionMethods(); ...
-          sectionRuns()];
+          sectionSurrogates(); parameters(2, :); sectionMethods(); sectionRuns()];
   [links, parts] = sectionsOf (page, list);
   [~, base, ending] = fileparts (Case.folder);
   name = ['Case ', base, ending];
