@@ -17,7 +17,8 @@
 %          surrogates, history, data, exitStatus; holdout (1 x h: name, target,
 %          result (prediction of the mean response), sd (of the prediction
 %          error), interval90 2 x 1 (where a measurement should lie), inside
-%          (logical; NaN: not measured yet); []: none)
+%          (logical; NaN: not measured yet), leftOpen (logical: only other parameter
+%          values that the targets allow bring it inside); []: none)
 
 function c = newCalibration (state, problem, Case)
   final = state.final;
@@ -50,7 +51,7 @@ function c = newCalibration (state, problem, Case)
   end
   c.notIdentified = c.identifiability.notIdentified;
   c.sensitivity = totalIndices (state.surrogates, problem);
-  c.holdout = predictHoldout (state, problem);
+  c.holdout = predictHoldout (state, problem, known);
   c.levels = describeLevels (state, problem);
   for name = {'surrogates', 'history', 'data'}
     c.(name{1}) = state.(name{1});
@@ -139,19 +140,28 @@ function total = totalIndices (surrogates, problem)
   end
 end
 
-% What a measurement is off by: the surrogate at the set, the scatter of one
-% packing, or of the mean of so many trials, and the measurement's own error.
-function hold = predictHoldout (state, problem)
+% What a measurement is off by: the parameters that the targets leave open, the
+% surrogate, the scatter of one packing, or of the mean of so many trials, and the
+% measurement's own error. Where no parameters fit, the set speaks for itself.
+function hold = predictHoldout (state, problem, known)
   hold = [];
-  [m, v] = predictSurrogate (state.surrogates, state.found.params);
+  sample = known.sample(1:end * ~strcmp (known.code, 'no fit'), :);
+  [m, v] = predictSurrogate (state.surrogates, [state.found.params; sample]);
   for t = find (~problem.calibrate)
     s = state.surrogates(t);
     value = problem.value(t);
-    sd = sqrt (v(t) + s.noiseVar / problem.trials(t) + problem.statedSd(t)^2);
-    half = studentQuantile (0.95, s.df) * sd;
-    entry = struct ('name', s.name, 'target', value, 'result', m(t), 'sd', sd, ...
-                    'interval90', [m(t) - half; m(t) + half], ...
-                    'inside', abs (value - m(t)) <= half);
+    sd = sqrt (v(:, t) + s.noiseVar / problem.trials(t) + problem.statedSd(t)^2);
+    alone = m(1, t) + studentQuantile (0.95, s.df) * sd(1) * [-1; 1];
+    % of each set of the sample 40 measurements that are as likely
+    scores = arrayfun (@(u) studentQuantile (u, s.df), ((1:40) - 0.5) / 40);
+    each = m(2:end, t) + sd(2:end) .* scores;
+    ends = [alone, quantile([each(:); alone], [0.05; 0.95], 1, 7)];
+    ends = [min(ends(1, :)); max(ends(2, :))];
+    isIn = @(ends) value >= ends(1) && value <= ends(2);
+    total = sqrt (mean (sd.^2) + var (m(:, t), 1));
+    entry = struct ('name', s.name, 'target', value, 'result', m(1, t), 'sd', total, ...
+                    'interval90', ends, 'inside', isIn (ends), ...
+                    'leftOpen', isIn (ends) && ~isIn (alone));
     if isnan (value)
       entry.inside = NaN;
     end
@@ -211,6 +221,21 @@ end
 %! problem.value(2) = NaN;
 %! assert (isnan (sumOf (state, problem).holdout.inside));
 %! assert (isempty (c.levels));
+%!test
+%! % the one target fixes a + b; a - b, held out, may be anything, and that is said
+%! % rather than that the model is wrong
+%! [problem, state] = smallCalibration ();
+%! law = @(X) [X(:, 1) + X(:, 2) / 2 + 2, X(:, 1) - X(:, 2) / 2 + 2];
+%! state.data.Z = law (state.data.X) + 0.005 * randn (12, 2);
+%! [problem.value, problem.calibrate] = deal ([3, 2.5], [true, false]);
+%! state.surrogates = fitSurrogates (state.data, problem);
+%! state.found = describeSet (state.surrogates, problem, [0.5, 1]);
+%! held = sumOf (state, problem).holdout;
+%! assert ([held.inside, held.leftOpen], [true, true]);
+%! assert (diff (held.interval90) > 1);
+%! problem.value(2) = 4;
+%! held = sumOf (state, problem).holdout;
+%! assert ([held.inside, held.leftOpen], [false, false]);
 %!test
 %! % what each level has told and cost
 %! rand ('twister', 4);

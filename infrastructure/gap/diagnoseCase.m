@@ -35,20 +35,27 @@ function diagnosis = diagnoseCase (root, folder)
   end
   [state, made] = exploreAll (Case, problems(1, :), state, options);
 
+  if exist ('caseMeasurements', 'file') == 2        % a wing, see adviseMeasurements
+    problems(1, :) = cellfun (@(given) setfield (given, 'tests', ...
+                                                 @() caseMeasurements (Case, say)), ...
+                              problems(1, :), 'UniformOutput', false);
+  end
+
+  % Holm: a rejected condition passes its alpha on
+  studies = cellfun (@(given) studyOf (Case, given, state, options, many), problems(1, :), ...
+                     'UniformOutput', false);
+  options.explore = many == 1;
+  level = stepDown (cellfun (@(s) s.p, studies), options.significance, ...
+                    @(c, level) hasChanged (studies{c}, level));
+
   % where, which, how far, next test: of the first condition last, for its files
   % lie in gap/ itself
-  [others, changed] = deal ([], 0);
+  others = [];
   for c = many:-1:1
     [given, finer] = problems{:, c};
-    % Holm's correction: conditions that have changed leave their share to others
-    [share, own] = shareOf (Case, given, state, options, [c, many - changed]);
-    share.explore = many == 1;
-    if exist ('caseMeasurements', 'file') == 2        % a wing, see adviseMeasurements
-      given.tests = @() caseMeasurements (Case, say);
-    end
-    [diagnosis, further] = diagnoseMatrices (given, state.data, share, own);
+    [share, own] = shareOf (Case, given, state, atLevel (options, level(c)), c);
+    [diagnosis, further] = diagnoseMatrices (resumed (studies{c}, share, own));
     diagnosis.runs = addFields (diagnosis.runs, made(c));
-    changed = changed + ~strcmp (diagnosis.which.guard, 'gate');
     diagnosis.level = finer (diagnosis, share);
     state.budget = diagnosis.budget;
     diagnosis.others = compareConditions (diagnosis, others);
@@ -105,6 +112,37 @@ function diagnosis = tryFurther (diagnosis, further, Case, options, say)
   sayDiagnosis (Case, say, diagnosis.nextFile, true);
 end
 
+% Of several conditions all runs are there by now (exploreAll).
+function study = studyOf (Case, given, state, options, many)
+  [share, own] = shareOf (Case, given, state, options, many);
+  share.explore = many == 1;
+  study = studyGap (given, state.data, share, own, options.significance ./ (1:many));
+end
+
+function options = atLevel (options, level)
+  options.significance = level;
+end
+
+% Where surrogates are to blame nothing is known to have changed.
+function is = hasChanged (study, level)
+  is = study.p < level;
+  if is
+    study.hypotheses.options = atLevel (study.hypotheses.options, level);
+    side = sideSignals (study.problem, study.emulator, study.fits.calibrated.Q(1, :), ...
+                        study.hypotheses.options);
+    is = ~strcmp (judgeStudy (study, side).kind, 'surrogate');
+  end
+end
+
+% At the level of OPTIONS; one of several conditions with what STATE has left to run.
+function study = resumed (study, options, state)
+  study.hypotheses.options = atLevel (study.hypotheses.options, options.significance);
+  if ~options.explore
+    [study.state.evaluate, study.state.budget] = deal (state.evaluate, state.budget);
+    study.state.budget.sets = options.maxNewRuns;
+  end
+end
+
 function refuseCost (Case)
   if costAlone (Case)
     error ('DEcalioc:refuseCost:costAlone', ...
@@ -124,7 +162,7 @@ function [state, made] = exploreAll (Case, problems, state, options)
     return
   end
   for c = many:-1:1
-    [share, own] = shareOf (Case, problems{c}, state, options, [c, 1]);
+    [share, own] = shareOf (Case, problems{c}, state, options, c);
     explored = exploreGap (problems{c}, state.data, share, own);
     made(c) = runsMade (explored.state, explored.known);
     [state.data, state.budget] = deal (explored.data, explored.state.budget);
@@ -137,17 +175,15 @@ function runs = addFields (runs, made)
   end
 end
 
-% With one of SHARES(1) equal parts of what may still be run, and one of SHARES(2)
-% of the chance of a false alarm. Models that gave no result are left out, as
-% enterRuns does.
-function [options, state] = shareOf (Case, given, state, options, shares)
+% With one of PARTS equal parts of what may still be run. Models that gave no result
+% are left out, as enterRuns does.
+function [options, state] = shareOf (Case, given, state, options, parts)
   model = [Case.targets.model];
   state.budget.models = ismember (1:numel (Case.models), ...
                                   model(any (isfinite (state.data.Z), 1)));
   left = setsLeft (state.budget);
   options.maxNewRuns = min (foreseeSets (given.effects, left, options), ...
-                            floor (left / shares(1)));
-  options.significance = options.significance / shares(2);
+                            floor (left / parts));
   if options.maxNewRuns < 1
     state.evaluate = [];
   end

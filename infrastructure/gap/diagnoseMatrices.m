@@ -1,6 +1,7 @@
 % DIAGNOSEMATRICES  Diagnoses a gap between simulation and measurement.
 %
 % CALL: [DIAGNOSIS, FURTHER] = diagnoseMatrices (GIVEN, DATA, OPTIONS, EVALUATE)
+% CALL: [DIAGNOSIS, FURTHER] = diagnoseMatrices (STUDY)
 %       DIAGNOSIS = FURTHER ()
 %
 %   GIVEN     struct of newProblem: measured values, benches, limits, effects
@@ -12,6 +13,7 @@
 %             argument is told the stage: 'gap', or 'cure' for runs that verify
 %             the cure. Those are no DATA of a later start, or it would verify
 %             another set
+%   STUDY     of studyGap, judged at its hypotheses.options.significance
 %   DIAGNOSIS struct
 %     options  of gapOptions;  where  of locateGap
 %     fingerprint  struct: the measured gap beside the one that each candidate
@@ -43,27 +45,23 @@
 % adviseMeasurements
 
 function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate)
-  if nargin < 3
-    options = [];
+  study = given;
+  if nargin > 1
+    if nargin < 3
+      options = [];
+    end
+    if nargin < 4
+      evaluate = [];
+    end
+    study = studyGap (given, data, options, evaluate);
   end
-  if nargin < 4
-    evaluate = [];
-  end
-  options = gapOptions (options);
-  explored = exploreGap (given, data, options, evaluate);
-  [problem, known, emulator, state] = deal (explored.problem, explored.known, ...
-                                            explored.emulator, explored.state);
-  kept = tested (emulator);
-  study = studyOf (problem, withoutEffects (emulator, find (~kept)), options);
-  diagnosis.options = options;
+  [problem, state] = deal (study.problem, study.state);
+  diagnosis.options = study.hypotheses.options;
   diagnosis.where = locateGap (study);
-  evidence = caseEvidence (study.hypotheses, study.fits, 1);
-  verdict = judgeCase (evidence, study.hypotheses);
-  verdict = blameSurrogates (verdict, study, diagnosis.where.side);
+  [verdict, evidence] = judgeStudy (study, diagnosis.where.side);
   diagnosis.screen = evidence.screen;
   diagnosis.screen.names = study.hypotheses.names;
-  diagnosis.screen.untested = untestedEffects ({emulator.effect(~kept).name}, ...
-                                               problem.effects, state);
+  diagnosis.screen.untested = untestedEffects (study.untested, problem.effects, state);
   diagnosis.fingerprint = fingerprints (study);
   study.evidence = evidence;
   [verdict, evidence, diagnosis.howFar, state] = proveCause (verdict, study, state);
@@ -78,11 +76,11 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
                                study.emulator.change.lack .* problem.unit);
   end
   diagnosis = inGivenUnits (diagnosis, problem);
-  diagnosis = withRuns (diagnosis, state, known);
-  diagnosis.data = withNewRuns (data, state, known, problem);
+  diagnosis = withRuns (diagnosis, state, study.known);
+  diagnosis.data = withNewRuns (study.data, state, study.state.data, problem);
   further = [];
   if ~isempty (trials)
-    further = @() withTests (diagnosis, trials, known);
+    further = @() withTests (diagnosis, trials, study.known);
   end
 end
 
@@ -145,47 +143,6 @@ function diagnosis = inGivenUnits (diagnosis, problem)
   diagnosis.problem = inUnits (problem, 1 ./ unit);
 end
 
-function kept = tested (emulator)
-  kept = [emulator.effect.laboratory] | [emulator.effect.runs] >= 1;
-end
-
-function study = studyOf (problem, emulator, options)
-  hypotheses = makeHypotheses (problem, emulator, options);
-  fits = fitLibrary (hypotheses, problem.value(problem.used));
-  hypotheses = gapReference (hypotheses, ...
-                             gapTest (hypotheses, fits.logE).statistic);
-  study = struct ('problem', problem, 'emulator', emulator, 'hypotheses', hypotheses, ...
-                  'fits', fits);
-end
-
-% Surrogates are to blame where they contradict their own runs, or where there
-% is no name and surer ones, all else equal, would give another verdict.
-function verdict = blameSurrogates (verdict, study, side)
-  said = any (strcmp (verdict.kind, {'named', 'group'}));
-  reason = '';
-  if side.blameSurrogate
-    reason = side.reason;
-  elseif side.vague && ~said
-    % what more runs could change, at best
-    other = judgeSurer (study);
-    if ~strcmp (other.kind, verdict.kind)
-      n = rows (study.emulator.base.X);
-      share = mean (side.share(study.problem.used));
-      reason = sprintf (['%s. With surer ones it would be: %s. About %d ' ...
-                         'more sets near the calibrated one halve their ' ...
-                         'part'], ...
-                        side.reason, other.kind, ceil (n * share));
-    end
-  end
-  if ~isempty (reason)
-    verdict.kind = 'surrogate';
-    verdict.guard = 'surrogate';
-    verdict.effects = zeros (1, 0);
-    verdict.sameKind = false;
-    verdict.reason = reason;
-  end
-end
-
 % A name does not stand where the effect's runs contradict their surrogate, or
 % where DEM runs with it still miss a target.
 function verdict = doubtName (verdict, diagnosis, hypotheses)
@@ -209,19 +166,6 @@ function verdict = doubtName (verdict, diagnosis, hypotheses)
   end
   verdict.kind = 'group';
   verdict.lookAlike = true;
-end
-
-% The same data, with a twentieth of the surrogates' variance.
-function verdict = judgeSurer (study)
-  emulator = study.emulator;
-  emulator.surrogateVar = emulator.surrogateVar / 20;
-  emulator.fitVar = emulator.fitVar / 20;
-  for k = 1:numel (emulator.effect)
-    emulator.effect(k).misfit = emulator.effect(k).misfit / 20;
-    emulator.effect(k).root = emulator.effect(k).root / sqrt (20);
-  end
-  sure = studyOf (study.problem, emulator, study.hypotheses.options);
-  verdict = judgeCase (caseEvidence (sure.hypotheses, sure.fits, 1), sure.hypotheses);
 end
 
 %!test

@@ -103,6 +103,7 @@ function v = ofCalibration (v, c)
   v.sentence = c.reason;
   right = {held([held.met] == 1).name};
   wrong = {held([held.met] == 0).name};
+  open = {held(isnan ([held.met])).name};
   if v.usable
     [v.word, v.class] = deal (sentence ('case.calibrated.word'), 'good');
     codes = {'usableFor.like', 'usableFor.likeOpen'};
@@ -119,7 +120,7 @@ function v = ofCalibration (v, c)
     v.class = 'open';
     v = withAction (v, newAction ('diagnose'));
   end
-  v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong}), looseOnes(c), knownOnes(c)];
+  v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong; 'notFor.leftOpen', open}), looseOnes(c), knownOnes(c)];
 end
 
 % The values may be used; a target that runs and all runs together see otherwise is

@@ -43,6 +43,9 @@ function text = heldText (h)
     text = sprintf (['not fitted: %s measured %.5g, predicted %.5g, 90 %% interval ' ...
                      '%.5g to %.5g%s'], h.name, h.target, h.result, h.interval90, ...
                     repmat (', OUTSIDE', 1, ~h.inside));
+    if isequal (givenField (h, 'leftOpen', false), true)
+      text = [text, ': ', sentence('heldOut.open')];
+    end
   end
 end
 

@@ -7,8 +7,8 @@
 %   S          struct
 %     conditions  1 x C struct, this one first: name, verdict, effects (cellstr),
 %                 lookAlike, p, and of each effect probability, strength and
-%                 interval90 (shares of its range), says (describeVerdict), text (in
-%                 its unit); code and kind of the verdict come from writeGapJson
+%                 interval90 (shares of its range), says (describeVerdict); text (in
+%                 its unit), code and kind of the verdict come from writeGapJson
 %     order       1 x m struct effect, more, less (names of two conditions of one
 %                 cause, or of one class), probability (that more is more of it)
 %
@@ -38,30 +38,12 @@ function s = compareConditions (diagnosis, others)
     one.strength(end + 1) = strength.value;
     one.interval90(end + 1, :) = strength.interval90;
     one.says{end + 1} = strength.says;
-    one.text{end + 1} = textOf (strength, givenField (diagnosis.problem, 'effects', []));
   end
   s.conditions = [one, others];
   for i = 1:numel (s.conditions)
     for j = 1:i - 1
       s.order = [s.order, orderOf(s.conditions(j), s.conditions(i))];
     end
-  end
-end
-
-function text = textOf (strength, effects)
-  text = strength.name;
-  e = [];
-  if isfield (effects, 'label')
-    e = effects(strcmp ({effects.name}, strength.name));
-  end
-  if ~isempty (e)
-    text = e.label;
-  end
-  if ~isempty (e) && columns (strength.values) == 1 && ~strcmp (strength.says, 'nothing')
-    text = effectText (e.label, e.unit, strength.values(:, 1));
-  end
-  if strcmp (strength.says, 'least')
-    text = sentence ('strength.least', struct ('amount', text));
   end
 end
 

@@ -71,6 +71,10 @@ function cause = ofConditions (cause, gap, say)
   if ~isempty (cause.todo)
     cause.todo.parts = sayFirst ([name, ': '], cause.todo.parts);
   end
+  own = jsonList (gap, {'reference', 'conditions'});
+  % its diagnosis may be just being written
+  [own{1}.code, own{1}.kind] = deal (cause.code, cause.kind);
+  gap.reference.conditions = own;
   first = conditionTexts (gap)(1);
   if isfinite (first.probability)
     label = say ('amountIn', struct ('condition', first.name));
@@ -277,3 +281,41 @@ end
 %! cause = decideGap (gap);
 %! assert (~isempty (strfind (cause.sentence, 'drag, tilt, fill')), cause.sentence);
 %! assert (cause.cannotSee(:)', {'gain'});
+%!test
+%! % one to three conditions with any verdicts, of which the first is just being
+%! % written: each is said, with the code of its own
+%! verdicts = {'named', 'found'; 'several', 'several'; 'no gap', 'none'; ...
+%!             'undecided', 'open'; 'surrogate', 'no verdict'; 'blind', 'cannot tell'};
+%! names = {'met, named', 'missed, several', 'met, no gap', 'missed, undecided', ...
+%!          'missed, surrogate', 'met, blind'};
+%! list = verdictCase ();
+%! for i = 1:rows (verdicts)
+%!   gaps{i} = jsondecode (jsonencode (list(strcmp ({list.name}, names{i})).gap));
+%!   which = gaps{i}.which;
+%!   gaps{i}.reference = struct ('condition', 'a', 'folder', 'gap');
+%!   effects = namesIn (which, 'effects');
+%!   one(i) = struct ('name', 'a', 'verdict', which.verdict, 'code', '', 'kind', '', ...
+%!                    'effects', {effects}, 'probability', 0.4 * ones (1, numel (effects)), ...
+%!                    'text', {effects});
+%! end
+%! before = {[]};
+%! for name = 'cba'
+%!   after = {};
+%!   for others = before
+%!     for i = 1:rows (verdicts)
+%!       own = setfield (one(i), 'name', name);
+%!       gap = gaps{i};
+%!       gap.reference.condition = name;
+%!       gap.reference.conditions = [own, others{1}];
+%!       cause = decideGap (gap);
+%!       assert (cause.kind, verdicts{i, 2});
+%!       [own.code, own.kind] = deal (cause.code, cause.kind);
+%!       after{end + 1} = [own, others{1}];
+%!     end
+%!   end
+%!   before = after;
+%! end
+%! for conditions = before
+%!   gap.reference.conditions = conditions{1};
+%!   assert (sort ({conditionTexts(gap).name}), {'a', 'b', 'c'});
+%! end

@@ -82,6 +82,20 @@
 function [v, conditions] = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
   [~, ~] = mkdir (folder);
+  write = @(out) writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
+  out = resultOf (diagnosis, Case);
+  % no result is lost to a sentence
+  write (out);
+  gap = jsondecode (jsonencode (out));
+  if ~isempty (gap.howFar.effect)
+    writeHeadOf (gap, Case);
+  end
+  [out, v, conditions] = withVerdict (withAmounts (out, diagnosis), diagnosis, Case);
+  write (out);
+end
+
+% All numbers and codes, no sentence.
+function out = resultOf (diagnosis, Case)
   out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
   out.howFar = howFarOf (diagnosis.howFar, diagnosis.problem, Case);
   out.thresholds = struct ('level', diagnosis.options.significance, 'adviseAt', ...
@@ -97,12 +111,20 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   out.demRuns = mergeFields (out.demRuns, diagnosis.budget, ...
                              {'new', 'reused', 'failed', 'coreSeconds'});
   out.input = resultInput (Case);
-  gap = jsondecode (jsonencode (out));
+end
+
+function [out, v, conditions] = withVerdict (out, diagnosis, Case)
+  conditions = jsonAt (diagnosis, {'others', 'conditions'});
+  if ~isempty (conditions)
+    conditions(1).text = eachOf (@(name) shortText (out.which.strength, name), ...
+                                 conditions(1).effects);
+    out.reference.conditions = num2cell (conditions);
+  end
   stored = storedResult (Case);
   if ~isempty (stored.changed)
     stored.calibration = [];             % of an earlier input
   end
-  v = decideCase (stored.calibration, gap);
+  v = decideCase (stored.calibration, jsondecode (jsonencode (out)));
   out.cause = struct ('code', v.cause.code, 'kind', v.cause.kind);
   out.closure = struct ('code', v.cause.closure);
   out.action = v.todo;
@@ -110,14 +132,18 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   for name = {'todo', 'without'}
     out.verdict.cause.(name{1}) = asText (v.cause.(name{1}));
   end
-  conditions = jsonAt (diagnosis, {'others', 'conditions'});
   if ~isempty (conditions)
     [conditions(1).code, conditions(1).kind] = deal (v.cause.code, v.cause.kind);
     out.reference.conditions = num2cell (conditions);
   end
-  writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
-  if ~isempty (gap.howFar.effect)
-    writeHeadOf (gap, Case);
+end
+
+% Of a strength that is not known the label alone.
+function text = shortText (strengths, name)
+  own = strengths.(fieldsOf (name));
+  text = own.text;
+  if isempty (text) || strcmp (own.says, 'nothing')
+    text = own.label;
   end
 end
 
@@ -194,13 +220,23 @@ function s = strengthOf (strength, smallest, problem)
     s = mergeFields (s, e, {'label', 'unit'});
     s.saysName = givenField (e, 'saysName', false);
   end
-  if columns (strength.values) == 1
-    [s.text, s.amount] = effectText (s.label, s.unit, strength.values(:, 1));
-    if strcmp (strength.says, 'least')
-      s.text = sentence ('strength.least', struct ('amount', s.text));
-      s.amount = sentence ('strength.least', struct ('amount', s.amount));
+end
+
+% Strengths in their units.
+function out = withAmounts (out, diagnosis)
+  for strength = diagnosis.which.strength
+    name = fieldsOf (strength.name);
+    s = out.which.strength.(name);
+    e = diagnosis.problem.effects(strcmp ({diagnosis.problem.effects.name}, strength.name));
+    if columns (strength.values) == 1
+      [s.text, s.amount] = effectText (s.label, s.unit, cell2mat (struct2cell (s.variables)));
+      if strcmp (strength.says, 'least')
+        s.text = sentence ('strength.least', struct ('amount', s.text));
+        s.amount = sentence ('strength.least', struct ('amount', s.amount));
+      end
+      s.seenFrom = seenFrom (e, s, s.smallestSeen);
     end
-    s.seenFrom = seenFrom (e, s, smallest);
+    out.which.strength.(name) = s;
   end
 end
 
@@ -326,3 +362,34 @@ end
 %! assert (head.spread, gap.howFar.values.spread, 1e-9);
 %! assert (head.(Case.names{1}), gap.howFar.params.(Case.names{1})(2), 1e-9);
 %! assert ([gap.where.targets.z]', d.where.t(:), 1e-9);
+%!test
+%! % a change from a reference: what is no result of a sentence is there before any
+%! % is made, and the code of the verdict stands beside the condition
+%! [given, data, means] = smallGapLab ();
+%! given.value = means ([0.4, 0.6], zeros (1, 5));
+%! given.reference = struct ('value', given.value, 'sd', given.sd, 'trials', Inf (1, 12), ...
+%!                           'scatter', false (1, 12), 'perCondition', false (1, 2), ...
+%!                           'condition', 'a');
+%! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'twins', 60));
+%! Case = newCase (standInCase (tempname ()));
+%! [Case.modelVars, Case.names] = deal (struct ('c', 3), d.problem.names);
+%! [Case.conditions, Case.unchanged] = deal ({'a', 'b'}, {});
+%! Case.effects = newEffect (struct ('name', 'cohesion', 'laboratory', true), 4);
+%! [d.which.verdict, d.which.effects] = deal ('named', {'spread'});
+%! d.problem.reference.condition = 'b';
+%! d.others = compareConditions (d, []);
+%! [~, others] = writeGapJson (d, Case);
+%! assert ({others.code, others.kind}, {'named', 'found'});
+%! d.which.verdict = 'no gap';
+%! d.problem.reference.condition = 'a';
+%! d.others = compareConditions (d, others);
+%! [~, others] = writeGapJson (d, Case);
+%! file = fullfile (Case.folder, 'gap', 'gap.json');
+%! gap = readJsonFile (file);
+%! assert (cellfun (@(one) one.code, jsonList (gap, {'reference', 'conditions'}), ...
+%!                  'UniformOutput', false), {others.code});
+%! d.which.verdict = 'named';
+%! d.which.strength = d.which.strength(1);         % of the named one no sentence is made
+%! delete (file);
+%! fail ('writeGapJson (d, Case)');
+%! assert (readJsonFile (file).which.effects, {'spread'});

@@ -65,7 +65,7 @@ function m = missOf (T, n)
 end
 
 % Held out: inside where a measurement should lie, or nearer than what the user
-% allows.
+% allows; open where it lies inside for other parameter values alone.
 function misses = judgeHeldOut (misses, c)
   for held = jsonList (c, {'holdout'})
     h = held{1};
@@ -77,6 +77,9 @@ function misses = judgeHeldOut (misses, c)
       m.miss = h.result - m.measured;
       m.share = abs (m.miss) / m.allowed;
       m.met = double (h.inside || m.share <= 1);
+      if m.share > 1 && isequal (givenField (h, 'leftOpen', false), true)
+        m.met = NaN;
+      end
       m.z = m.miss * 3.29 / diff (h.interval90);
       misses(at) = m;
     end
@@ -130,3 +133,6 @@ end
 %! s.c.holdout.result = 1.01;
 %! m = listMisses (s.c, []);
 %! assert (m(strcmp ({m.name}, 'difference')).met, 1);
+%! s = of ('met, held out left open');
+%! m = listMisses (s.c, []);
+%! assert ([m.met], [NaN, 1, 1]);

@@ -12,10 +12,13 @@
 function list = conditionTexts (gap)
   list = struct ('name', {}, 'effects', {}, 'code', {}, 'text', {}, 'probability', {}, ...
                  'file', {}, 'line', {});
+  % the files of the first one of a case lie in gap/ itself
+  place = givenField (jsonAt (gap, {'reference'}), 'folder', 'gap');
   for one = jsonList (gap, {'reference', 'conditions'})
-    % the files of the first one lie in gap/ itself
-    place = repmat ([one{1}.name, '/'], 1, ~isempty (list));
-    list(end + 1) = textsOf (one{1}, ['gap/', place, 'calibrated.head']);
+    if ~isempty (list)
+      place = ['gap/', one{1}.name];
+    end
+    list(end + 1) = textsOf (one{1}, [place, '/calibrated.head']);
   end
   p = [list.probability];
   p(isnan (p)) = -1;

@@ -5,11 +5,13 @@
 % JOINT       1 x C struct, one element a curve of which points are calibrated:
 %             points (1 x p, target numbers), free (columns of unknowns) and
 %             logLikelihood, handle (M, V, FREE) -> n x 1, log density of the
-%             measured curve: M, V n x p, mean and variance of the surrogates
+%             measured curve, and n x 1, its level as a normal score: M, V n x p, mean and variance of the surrogates
 %             at the points; FREE n x f in [0, 1], the length over which the
 %             errors of the measurement are alike (a third of a step to the
 %             whole curve, logarithmic), then their size (2 % to twice the
-%             tolerance, logarithmic), each where it is not known
+%             tolerance, logarithmic), each where it is not known; weight (p x 1,
+%             of the points in the level) and share (scalar, of the variance of the
+%             level that is of the packing)
 % NFREE       how many unknowns there are in all
 % ALONE       1 x s, numbers of the calibrated targets that are on no curve
 %
@@ -53,6 +55,8 @@ function [joint, nFree, alone] = jointErrors (surrogates, problem)
     nNew = isnan (c.length) + ~c.sdKnown;
     c.free = nFree + (1:nNew);
     nFree = nFree + nNew;
+    c.weight = c.rough \ ones (numel (points), 1);
+    c.share = packingShare (c);
     c.logLikelihood = @(m, v, free) likelihoodOf (c, m, v, free);
     joint = [joint, c];
   end
@@ -88,10 +92,19 @@ function R = surely (R)
   R(1:rows (R) + 1:end) = 1 + 1e-6;
 end
 
+% With what is not known in the middle.
+function share = packingShare (c)
+  unknown = numel (c.length(isnan (c.length))) + ~c.sdKnown;
+  own = covariance (c, 0.5 * ones (1, unknown)) * ~c.scatter + c.shared' * c.shared;
+  sd = sqrt (c.packingVar);
+  packing = c.weight' * ((sd' * sd) .* c.rough) * c.weight;
+  share = packing / max (packing + c.weight' * own * c.weight, realmin);
+end
+
 % Normal log density at each set, see above.
-function fit = likelihoodOf (c, m, v, free)
+function [fit, level] = likelihoodOf (c, m, v, free)
   n = rows (m);
-  fit = zeros (n, 1);
+  [fit, level] = deal (zeros (n, 1));
   packing = c.packingVar;
   if c.scatter
     % the scatter of the trials holds their packings
@@ -109,8 +122,9 @@ function fit = likelihoodOf (c, m, v, free)
     end
     sd = surrogateSd(i, :);
     root = chol (S + fixed + (sd' * sd) .* c.smooth);
-    z = (c.value - m(i, :)) / root;
-    fit(i) = -sum (log (diag (root))) - 0.5 * (z * z');
+    r = c.value - m(i, :);
+    fit(i) = -sum (log (diag (root))) - 0.5 * sumsq (r / root);
+    level(i) = r * c.weight / norm (root * c.weight);
   end
 end
 
