@@ -2,7 +2,7 @@
 %
 % CALL: [FILES, OPEN] = namedFiles (FOLDER, PLACE)
 %
-%   FOLDER  model folder (text)
+%   FOLDER  model folder (text); '', of runs of a table alone, names nothing
 %   PLACE   path that a run folder of it has or would have (text): what relative
 %           names are seen from
 %   FILES   1 x n cell of paths, sorted: files that the runscript, an input
@@ -21,6 +21,9 @@
 
 function [files, open] = namedFiles (folder, place)
   [files, open] = deal (cell (1, 0));
+  if isempty (folder)
+    return
+  end
   inputs = glob (fullfile (regexprep (folder, '([][*?\\])', '\\$1'), 'in.*'))';
   queue = [{fullfile(folder, 'runscript')}, inputs];
   k = 0;
@@ -202,3 +205,6 @@ end
 %!   assert (named (script{1}, cell (0, 2)), {fullfile(folder, 'my-dem')});
 %! end
 %! assert (named ("echo my-dem\n", cell (0, 2)), cell (1, 0));
+%!test
+%! [files, open] = namedFiles ('', tempname ());
+%! assert ({files, open}, {cell(1, 0), cell(1, 0)});
