@@ -69,6 +69,8 @@ function Case = newCase (raw, varargin)
                                 givenField (raw.optim, 'perCondition', {}));
   Case.options = newOptions (Input, raw.optim);
   Case.notes = [caseNotes(raw, Case.models), unusedNotes(Case)];
+  note = storeNote (Case.store, Case.options.executor);
+  Case.notes = [Case.notes, {note}(~isempty (note))];
   for k = 1:numel (Case.models)
     ofModel = Case.targets([Case.targets.model] == k);
     Case.models(k).nTargets = numel (ofModel);
