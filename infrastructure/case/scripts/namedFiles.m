@@ -1,6 +1,6 @@
 % NAMEDFILES  Files outside a model that its scripts name.
 %
-% CALL: [FILES, OPEN] = namedFiles (FOLDER, PLACE)
+% CALL: [FILES, OPEN, WRITTEN] = namedFiles (FOLDER, PLACE)
 %
 %   FOLDER  model folder (text); '', of runs of a table alone, names nothing
 %   PLACE   path that a run folder of it has or would have (text): what relative
@@ -11,6 +11,8 @@
 %   OPEN    1 x m cell of texts: what is named and not among FILES, since it is
 %           a folder, too large (100 MB), or its name holds a variable that is
 %           set nowhere here
+%   WRITTEN 1 x w cell of paths outside the run folder that a run writes to (see
+%           writtenOutside), which all runs share; none of them is among FILES
 %
 % Variables are those that the script sets to a plain text, or the environment;
 % $PWD is PLACE, $(dirname "$0") the folder of the script. What a script writes
@@ -19,8 +21,8 @@
 % its own in the key, are left out. Modules that a Python file imports from its
 % own folder belong to it.
 
-function [files, open] = namedFiles (folder, place)
-  [files, open] = deal (cell (1, 0));
+function [files, open, written] = namedFiles (folder, place)
+  [files, open, written] = deal (cell (1, 0));
   if isempty (folder)
     return
   end
@@ -29,26 +31,34 @@ function [files, open] = namedFiles (folder, place)
   k = 0;
   while k < numel (queue)
     k = k + 1;
-    [found, left] = namesIn (queue{k}, folder, place);
+    [found, left, new] = namesIn (queue{k}, folder, place);
+    written = unique ([written, new])(:)';
     queue = [queue, setdiff(found, queue)];
     open = [open, left];
   end
+  written = written(~isBelowOne (written, written));
   isInside = strncmp (queue, [folder, '/'], numel (folder) + 1);
-  files = unique (queue(~isInside))(:)';
+  files = setdiff (queue(~isInside & ~isBelowOne (queue, written)), written)(:)';
   sizes = cellfun (@(f) stat (f).size, files);
-  open = unique ([open, files(sizes > 1e8)])(:)';
+  open = setdiff ([open, files(sizes > 1e8)], written)(:)';
   files = files(sizes <= 1e8);
 end
 
-function [found, open] = namesIn (script, folder, place)
-  [found, open] = deal (cell (1, 0));
+function yes = isBelowOne (files, folders)
+  isOne = @(file) any (cellfun (@(f) strncmp (file, [f, '/'], numel (f) + 1), folders));
+  yes = cellfun (isOne, files);
+end
+
+function [found, open, written] = namesIn (script, folder, place)
+  [found, open, written] = deal (cell (1, 0));
   text = checkReadText (script);
   if isempty (text) || numel (text) > 1e5 || any (text == 0)
     return                                      % a mesh, a program: no script
   end
   isShell = ~isempty (regexp (script, '(/runscript|\.sh)$', 'once')) || ...
             ~isempty (regexp (text, '^#![^\n]*sh\s', 'once'));
-  [words, bases] = scriptWords (text, script, folder, place);
+  [words, bases, filled] = scriptWords (text, script, folder, place);
+  written = writtenOutside (filled, script, isShell, folder, place);
   commands = cell (1, 0);
   if isShell
     commands = commandsOf (text);
@@ -192,6 +202,13 @@ end
 %! [files, open] = named ("liggghts < in.M\ncp -r @/data .\n$NOWHERE/x\n", more);
 %! assert (files, {'a.stl', 'common.in', 'deep.in'});
 %! assert (open, {'$NOWHERE/x', 'data'});
+%!test
+%! % what a run writes and reads again is no input
+%! more = {'work/out', 'x'; 'in', 'x'};
+%! script = "d=${NOWHERE:-@/work}; mkdir -p $d; cat @/in > $d/out\ncp $d/out .\n";
+%! [files, open] = named (script, more);
+%! assert (files, {'in'});
+%! assert (isempty (open));
 %!test
 %! % a program on the PATH
 %! before = getenv ('PATH');
