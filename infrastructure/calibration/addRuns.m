@@ -14,6 +14,9 @@
 % Rows beyond BUDGET.sets are left out. A set of which a run was not made leaves
 % no trace in the data. The others have there the numbers that were run
 % (toDigits).
+%
+% Errors: DEcalioc:addRuns:sharedResults (two runs have the results of one, see
+% equalRuns)
 
 function state = addRuns (state, problem, P, E, stage, replicate)
   if rows (E) < rows (P)
@@ -37,16 +40,37 @@ function state = addRuns (state, problem, P, E, stage, replicate)
     state.data.level(end - rows (E) + 1:end, :) = unitLevel (problem.coarse, ...
                                                              E(:, 1:v));
   end
+  refuseShared (state.data, problem);
   % a set that fails was run twice, see runJobs
   nFailed = sum (any (isnan (Z), 2));
   state.budget.sets = max (state.budget.sets - n - nFailed, 0);
+end
+
+% A calibration on them would be one on numbers of other sets.
+function refuseShared (data, problem)
+  data = keepRows (data, ~ismember (data.stage, {'import', 'library'}));
+  pair = equalRuns (data, problem);
+  if isempty (pair)
+    return
+  end
+  at = @(row) namedValues (problem.names, data.X(row, :), '%.4g');
+  values = data.Z(pair(1), problem.bench == pair(3)) .* ...
+           problem.unit(problem.bench == pair(3));
+  error ('DEcalioc:addRuns:sharedResults', ...
+         ['addRuns: each run of %s must have results of its own, got the same ones ' ...
+          'to the last digit (%s) at %s and at %s. One of these runs read what another ' ...
+          'one wrote: let each write into its own folder (decalioc check names places ' ...
+          'outside it), then calibrate with decalioc run --afresh.'], ...
+         problem.benchNames{pair(3)}, ...
+         strjoin (arrayfun (@(v) sprintf ('%.10g', v), values, 'UniformOutput', ...
+                            false), ', '), at (pair(1)), at (pair(2)));
 end
 
 %!test
 %! state.data = newData (1, 1, 1);
 %! [state.evaluate, state.budget] = newEvaluate ( ...
 %!   @(P, E, r) merge (r > 2, NA, P + E));
-%! problem = struct ('limits', [0; 9], 'fine', 0, 'kept', 1, 'unit', 1);
+%! problem = struct ('limits', [0; 9], 'fine', 0, 'kept', 1, 'unit', 1, 'bench', 1);
 %! state = addRuns (state, problem, [1; 1; 1; 2], [0; 5; 0; 0], 'plan');
 %! assert ([state.data.X, state.data.E, state.data.Z, ...
 %!          state.data.replicate], [1, 0, 1, 1; 1, 5, 6, 2; 2, 0, 2, 1]);
@@ -56,7 +80,7 @@ end
 %!test
 %! % results come in the units of the problem, of its targets, as many as may be;
 %! % a failed set has taken the runs of two; levels are no effects
-%! problem = struct ('limits', [0; 9], 'kept', [1, 3], 'unit', [2, 4]);
+%! problem = struct ('limits', [0; 9], 'kept', [1, 3], 'unit', [2, 4], 'bench', [1, 1]);
 %! problem.coarse = struct ('levels', [5; 3], 'column', [1, 0]);
 %! state.data = newData (1, 2, 1);
 %! state.data.level = zeros (0, 2);
@@ -69,3 +93,21 @@ end
 %! assert (state.budget.sets, 1);
 %! state = addRuns (state, problem, [4; 5], [7; 7], 'gap');
 %! assert ([rows(state.data.X), state.data.level(end, :)], [4, 0, 0]);
+%!test
+%! % results of another run are refused, those of another packing are not
+%! problem = struct ('limits', [0; 9], 'fine', zeros (1, 0), 'kept', 1:2, 'unit', [1, 2], ...
+%!                   'bench', [1, 1], 'names', {{'a'}}, 'benchNames', {{'Rig'}});
+%! state.data = newData (1, 2);
+%! f = @(P) [pi * P, 10 - exp(P)];
+%! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) f (P));
+%! state = addRuns (state, problem, [1; 1; 2; 3; 4], [], 'plan');
+%! state.evaluate = newEvaluate (@(P, E, r) f (2 + 0 * P));
+%! fail ('addRuns (state, problem, 5, [], ''infill'')', ...
+%!       'each run of Rig .*6.283185307, 2.610943901.* at a = 2 and at a = 5');
+%!error id=DEcalioc:addRuns:sharedResults ...
+%! problem = struct ('limits', [0; 9], 'fine', zeros (1, 0), 'kept', 1:2, 'unit', [1, 2], ...
+%!                   'bench', [1, 1], 'names', {{'a'}}, 'benchNames', {{'Rig'}});
+%! state.data = addRows (newData (1, 2), [1; 2; 3], [pi, 9; 4.123456, 8.123456; 7, 7], ...
+%!                       [1; 1; 1], 'plan');
+%! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) [4.123456, 16.246912]);
+%! addRuns (state, problem, 5, [], 'infill');

@@ -40,7 +40,7 @@ function c = newCalibration (state, problem, Case)
                       'failed', state.budget.failed, ...
                       'reused', state.budget.reused);
   c.coreSeconds = state.budget.coreSeconds;
-  [c.warnings, c.atLimit] = checkSurrogates (state, problem);
+  [c.warnings, c.atLimit] = checkSurrogates (state, problem, known.interval90);
   c.identifiability = weakness (state.surrogates, problem, known);
   if strcmp (known.code, 'no fit')       % nor is anything else said of them
     c.posterior = known.sample([], :);

@@ -1,19 +1,32 @@
 % FINDMODEL  Finds the folder of a DEM model.
 %
-% CALL: FOLDER = findModel (NAME, CASEFOLDER, ROOT)
+% CALL: FOLDER = findModel (NAME, CASEFOLDER, ROOT [, VARIABLES])
 %
 %   NAME        name of the model (text)
 %   CASEFOLDER  case folder; its DEMmodels is looked in first (text)
 %   ROOT        folder of the toolbox; its DEMmodels comes second (text). Last
 %               comes gap/next of the case (filledMeasurements)
+%   VARIABLES   cell of texts, the parameters of the case: a model of the toolbox
+%               that declares none of them is not meant, as people call a rig of
+%               their own Heap
 %   FOLDER      path of the model folder, '' where there is none
 
-function folder = findModel (name, caseFolder, root)
+function folder = findModel (name, caseFolder, root, variables)
   places = cellfun (@(place) fullfile (place, 'DEMmodels', name), ...
                     {caseFolder, root, fullfile(caseFolder, 'gap', 'next')}, ...
                     'UniformOutput', false);
-  found = [places(isfolder (places)), {''}];
+  isThere = isfolder (places);
+  if nargin > 3 && isThere(2) && iscellstr (variables) && ~isempty (variables)
+    isThere(2) = any (ismember (variables, {checkHead(places{2}).name}));
+  end
+  found = [places(isThere), {''}];
   folder = found{1};
 end
 
 %!assert (findModel ('NoSuchModel', '/nowhere', '/nowhere'), '')
+%!test
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! heap = fullfile (root, 'DEMmodels', 'Heap');
+%! assert (findModel ('Heap', '/nowhere', root), heap);
+%! assert (findModel ('Heap', '/nowhere', root, {'coefFrictionPP', 'x'}), heap);
+%! assert (findModel ('Heap', '/nowhere', root, {'mu', 'rolling'}), '');

@@ -69,6 +69,8 @@ function Case = newCase (raw, varargin)
                                 givenField (raw.optim, 'perCondition', {}));
   Case.options = newOptions (Input, raw.optim);
   Case.notes = [caseNotes(raw, Case.models), unusedNotes(Case)];
+  note = storeNote (Case.store, Case.options.executor);
+  Case.notes = [Case.notes, {note}(~isempty (note))];
   for k = 1:numel (Case.models)
     ofModel = Case.targets([Case.targets.model] == k);
     Case.models(k).nTargets = numel (ofModel);
@@ -95,8 +97,8 @@ function models = newModels (raw)
   timeout(end + 1:n) = default.timeout;
   cost = double (givenField (raw.optim, 'cost', []));
   cost(end + 1:n) = default.cost;
-  folders = cellfun (@(name) findModel (name, raw.folder, raw.root), names, ...
-                     'UniformOutput', false);
+  folders = cellfun (@(name) findModel (name, raw.folder, raw.root, raw.assign), ...
+                     names, 'UniformOutput', false);
   models = struct ('name', names, 'folder', folders, ...
                    'cpu', num2cell (raw.Input.cpu(1:n)(:)'), ...
                    'timeout', num2cell (timeout(1:n)(:)'), 'nTargets', 0, ...

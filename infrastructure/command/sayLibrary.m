@@ -12,7 +12,8 @@
 %
 % A run that is forgotten has the status 'forgotten' in its record, and that
 % alone has changed: it counts in no case, and its folder stays. Where a case
-% needs it, a run with another seed takes its place (runJobs).
+% needs it, a run with another seed takes its place (runJobs). Runs that started
+% from its last state (stagesOf) go with it, and come back with it.
 %
 % Errors: DEcalioc:sayLibrary:missingField, :badValue (a number), :missingFile
 % (no such store or model), :unknownName (no run is one of those)
@@ -112,22 +113,61 @@ function status = forget (args, here)
     chosen = runsOfCases (readLibrary (fullfile (store, 'optim', model)), ...
                           origin, here);
   end
-  changed = [];
-  for number = unique (chosen)'
-    if marked (fullfile (store, 'optim', model, sprintf ('%04d', number)), ...
-               options.back)
-      changed(end + 1) = number;
-    end
-  end
+  name = @(number) fullfile (model, sprintf ('%04d', number));
+  changed = markedRuns (store, arrayfun (name, unique (chosen)', 'UniformOutput', ...
+                                         false), options.back);
   if isempty (changed)
     refuseNone (store, model, options.back);
   end
+  later = setdiff (startedFrom (store, changed), changed);
+  later = markedRuns (store, later, options.back);
   words = {['out of use; --back takes them in again. A start that needs ' ...
             'them makes them with another packing'], 'in use again'};
-  printf ('%s %s. Nothing was deleted.\n', ...
-          countText (numel (changed), ['run of ', model, ' is'], ...
-                     ['runs of ', model, ' are']), words{1 + options.back});
+  printf ('%s%s %s. Nothing was deleted.\n', ...
+          countText (numel (changed), ['run of ', model], ['runs of ', model]), ...
+          sayLater (later), verb (numel (changed) + numel (later), ...
+                                  words{1 + options.back}));
   status = 0;
+end
+
+function text = verb (n, words)
+  verbs = {'are', 'is'};
+  text = [verbs{1 + (n == 1)}, ' ', words];
+end
+
+% Those of RUNS (1 x n cell of MODEL/NUMBER) of which the mark was changed.
+function changed = markedRuns (store, runs, isBack)
+  isChanged = cellfun (@(run) marked (fullfile (store, 'optim', run), isBack), runs);
+  changed = runs(isChanged);
+end
+
+% Runs that hold the last state of one of RUNS, and those that hold theirs: a link
+% of the name of its model (prepareRun).
+function later = startedFrom (store, runs)
+  later = cell (1, 0);
+  runs_ = fullfile (regexprep (store, '([][*?\\])', '\\$1'), 'optim', '*', '*');
+  while ~isempty (runs)
+    new = cell (1, 0);
+    for model = unique (cellfun (@fileparts, runs, 'UniformOutput', false))
+      links = glob (fullfile (runs_, model{1}))';
+      to = cellfun (@readlink, links, 'UniformOutput', false);
+      isOne = ismember (to, strcat ('../../', runs));
+      new = [new, regexprep(links(isOne), '^.*/optim/([^/]+/[^/]+)/[^/]+$', '$1')];
+    end
+    runs = setdiff (new, later);
+    later = [later, runs(:)'];
+  end
+end
+
+% ', 2 runs of Tap and 1 run of Shake that started from it are'
+function text = sayLater (later)
+  models = unique (cellfun (@fileparts, later, 'UniformOutput', false));
+  count = @(m) countText (sum (strcmp (cellfun (@fileparts, later, 'UniformOutput', ...
+                                                false), m)), ...
+                          ['run of ', m], ['runs of ', m]);
+  parts = cellfun (count, models, 'UniformOutput', false);
+  text = repmat ([', and ', strjoin(parts, ', '), ' that started from there,'], ...
+                 1, ~isempty (later));
 end
 
 function refuseNone (store, model, isBack)

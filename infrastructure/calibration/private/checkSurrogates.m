@@ -1,21 +1,26 @@
 % CHECKSURROGATES  Plain warnings about a calibration, one sentence each.
 %
-% CALL: [LINES, TOUCHED] = checkSurrogates (STATE, PROBLEM)
+% CALL: [LINES, TOUCHED] = checkSurrogates (STATE, PROBLEM [, INTERVAL])
 %
+% INTERVAL 2 x d, of the parameters (NaN: not known, the default)
 % LINES    cellstr: a target outside the range of the responses, a surrogate
 %          with poor Q2, a parameter at its limit, fewer targets than
 %          parameters, runs that failed, equal replicates, runs that were
 %          left out, a level that was dropped
-% TOUCHED  cellstr, parameters that stand at a limit
+% TOUCHED  cellstr, parameters that stand at a limit, and whose interval comes as
+%          near to it as it is wide: 2.9 to 3.1 is well inside 0 to 1000
 
-function [lines, touched] = checkSurrogates (state, problem)
+function [lines, touched] = checkSurrogates (state, problem, interval)
+  if nargin < 3
+    interval = NaN (2, numel (problem.names));
+  end
   [groups, names, isJoint] = requirementsOf (problem, 1:numel (problem.calibrate));
   lines = warningsOf (state, problem, [groups{~isJoint}]);
   for k = find (isJoint)
     whole = [countText(numel (groups{k}), 'point'), ' of ', names{k}];
     lines = [lines, oneWarning(warningsOf (state, problem, groups{k}), whole)];
   end
-  touched = limitsTouched (state.found.params, problem);
+  touched = limitsTouched (state.found.params, interval, problem);
   if ~isempty (touched)
     lines{end + 1} = ['at a limit of the box: ', strjoin(touched, ', ')];
   end
@@ -112,10 +117,15 @@ function lines = oneWarning (lines, whole)
   end
 end
 
-function names = limitsTouched (params, problem)
+function names = limitsTouched (params, interval, problem)
   u = toUnit (params(:)', problem.limits);
   near = problem.options.atLimit;
-  names = problem.names(u < near | u > 1 - near);
+  ends = toUnit (interval, problem.limits);
+  ends = [min([ends(1, :); u]); max([ends(2, :); u])];   % NaN: that of no width
+  width = diff (ends);
+  width(any (isnan (interval), 1)) = Inf;
+  names = problem.names(u < near & ends(1, :) <= width | ...
+                        u > 1 - near & 1 - ends(2, :) <= width);
 end
 
 %!shared problem, state, s, coarse
@@ -141,6 +151,15 @@ end
 %!                    sprintf('(%g to %g)', min (s(2).z), max (s(2).z))]);
 %! assert (lines{2}, 'at a limit of the box: a');
 
+%!test
+%! % near a limit, seen from the box, and far from it, seen from the interval
+%! wide = setfield (state, 'found', 'params', [0.003, 1.996]);
+%! touched = @(interval) nthargout (2, @checkSurrogates, wide, problem, interval);
+%! assert (problem.limits, [0, 0; 1, 2]);
+%! assert (touched ([0.0029, 1.99; 0.0031, 2]), {'b'});
+%! assert (touched ([0.0029, 1.995; 0.0031, 1.997]), cell (1, 0));
+%! assert (touched ([0, 1.9; 0.3, 1.998]), {'a', 'b'});
+%! assert (touched (NaN (2, 2)), {'a', 'b'});
 %!test
 %! % the points of a curve have one sentence together
 %! curve = problem;

@@ -92,7 +92,7 @@ end
 % Checks that compare the values with files and with each other.
 function [p, found] = checkTogether (raw, mode, found)
   p = checkFault ();
-  models = checkFindModels (raw.Input, raw.folder, raw.root, mode);
+  models = checkFindModels (raw.Input, raw.folder, raw.root, mode, raw.assign);
   % with a table of finished runs and no new ones they need not be there
   if ~(isequal (givenField (raw.Input, 'maxNewRuns', Inf), 0) && ...
        isfile (fullfile (raw.folder, 'runs.csv')))

@@ -1,11 +1,12 @@
 % CHECKFINDMODELS  Looks up what the checks need to know of each model.
 %
-% CALL: MODELS = checkFindModels (INPUT, FOLDER, ROOT, MODE)
+% CALL: MODELS = checkFindModels (INPUT, FOLDER, ROOT, MODE [, VARIABLES])
 %
 %   INPUT   scalar struct, the Input of loadInput
 %   FOLDER  case folder (text)
 %   ROOT    folder of the toolbox (text)
 %   MODE    see checkCase; with 'noPrograms' getResults is not called
+%   VARIABLES  cell of the names of the parameters, see findModel
 %   MODELS  1 x M struct array: name; folder ('' where there is none, or the
 %           name is not usable); head (see checkHead); cpu (NaN where not
 %           usable); count (number of results, NaN where not known); message
@@ -18,7 +19,10 @@
 % throws, an empty run folder is tried: published files then return NaN for each
 % result.
 
-function models = checkFindModels (Input, folder, root, mode)
+function models = checkFindModels (Input, folder, root, mode, variables)
+  if nargin < 5
+    variables = {};
+  end
   names = modelNames (Input);
   models = struct ('name', names, 'folder', '', 'head', [], 'cpu', NaN, ...
                    'count', NaN, 'message', '', 'fields', {{}}, ...
@@ -29,7 +33,7 @@ function models = checkFindModels (Input, folder, root, mode)
       models(k).cpu = double (cpu(k));
     end
     if ~isempty (names{k})
-      models(k).folder = findModel (names{k}, folder, root);
+      models(k).folder = findModel (names{k}, folder, root, variables);
     end
     if isempty (models(k).folder)
       continue

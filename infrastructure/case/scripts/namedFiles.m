@@ -1,8 +1,8 @@
 % NAMEDFILES  Files outside a model that its scripts name.
 %
-% CALL: [FILES, OPEN] = namedFiles (FOLDER, PLACE)
+% CALL: [FILES, OPEN, WRITTEN] = namedFiles (FOLDER, PLACE)
 %
-%   FOLDER  model folder (text)
+%   FOLDER  model folder (text); '', of runs of a table alone, names nothing
 %   PLACE   path that a run folder of it has or would have (text): what relative
 %           names are seen from
 %   FILES   1 x n cell of paths, sorted: files that the runscript, an input
@@ -11,6 +11,8 @@
 %   OPEN    1 x m cell of texts: what is named and not among FILES, since it is
 %           a folder, too large (100 MB), or its name holds a variable that is
 %           set nowhere here
+%   WRITTEN 1 x w cell of paths outside the run folder that a run writes to (see
+%           writtenOutside), which all runs share; none of them is among FILES
 %
 % Variables are those that the script sets to a plain text, or the environment;
 % $PWD is PLACE, $(dirname "$0") the folder of the script. What a script writes
@@ -19,33 +21,44 @@
 % its own in the key, are left out. Modules that a Python file imports from its
 % own folder belong to it.
 
-function [files, open] = namedFiles (folder, place)
-  [files, open] = deal (cell (1, 0));
+function [files, open, written] = namedFiles (folder, place)
+  [files, open, written] = deal (cell (1, 0));
+  if isempty (folder)
+    return
+  end
   inputs = glob (fullfile (regexprep (folder, '([][*?\\])', '\\$1'), 'in.*'))';
   queue = [{fullfile(folder, 'runscript')}, inputs];
   k = 0;
   while k < numel (queue)
     k = k + 1;
-    [found, left] = namesIn (queue{k}, folder, place);
+    [found, left, new] = namesIn (queue{k}, folder, place);
+    written = unique ([written, new])(:)';
     queue = [queue, setdiff(found, queue)];
     open = [open, left];
   end
+  written = written(~isBelowOne (written, written));
   isInside = strncmp (queue, [folder, '/'], numel (folder) + 1);
-  files = unique (queue(~isInside))(:)';
+  files = setdiff (queue(~isInside & ~isBelowOne (queue, written)), written)(:)';
   sizes = cellfun (@(f) stat (f).size, files);
-  open = unique ([open, files(sizes > 1e8)])(:)';
+  open = setdiff ([open, files(sizes > 1e8)], written)(:)';
   files = files(sizes <= 1e8);
 end
 
-function [found, open] = namesIn (script, folder, place)
-  [found, open] = deal (cell (1, 0));
+function yes = isBelowOne (files, folders)
+  isOne = @(file) any (cellfun (@(f) strncmp (file, [f, '/'], numel (f) + 1), folders));
+  yes = cellfun (isOne, files);
+end
+
+function [found, open, written] = namesIn (script, folder, place)
+  [found, open, written] = deal (cell (1, 0));
   text = checkReadText (script);
   if isempty (text) || numel (text) > 1e5 || any (text == 0)
     return                                      % a mesh, a program: no script
   end
   isShell = ~isempty (regexp (script, '(/runscript|\.sh)$', 'once')) || ...
             ~isempty (regexp (text, '^#![^\n]*sh\s', 'once'));
-  [words, bases] = scriptWords (text, script, folder, place);
+  [words, bases, filled] = scriptWords (text, script, folder, place);
+  written = writtenOutside (filled, script, isShell, folder, place);
   commands = cell (1, 0);
   if isShell
     commands = commandsOf (text);
@@ -190,6 +203,13 @@ end
 %! assert (files, {'a.stl', 'common.in', 'deep.in'});
 %! assert (open, {'$NOWHERE/x', 'data'});
 %!test
+%! % what a run writes and reads again is no input
+%! more = {'work/out', 'x'; 'in', 'x'};
+%! script = "d=${NOWHERE:-@/work}; mkdir -p $d; cat @/in > $d/out\ncp $d/out .\n";
+%! [files, open] = named (script, more);
+%! assert (files, {'in'});
+%! assert (isempty (open));
+%!test
 %! % a program on the PATH
 %! before = getenv ('PATH');
 %! tidy = onCleanup (@() setenv ('PATH', before));
@@ -202,3 +222,6 @@ end
 %!   assert (named (script{1}, cell (0, 2)), {fullfile(folder, 'my-dem')});
 %! end
 %! assert (named ("echo my-dem\n", cell (0, 2)), cell (1, 0));
+%!test
+%! [files, open] = namedFiles ('', tempname ());
+%! assert ({files, open}, {cell(1, 0), cell(1, 0)});

@@ -95,6 +95,7 @@ function [fields, row, lines, delimiter, isNamed] = splitFields (text)
     skipped = skipped + 1;
   else
     plain = first(~quoted(1:numel (first)));
+    plain = regexprep (plain, '(@\s*[-+]?\d*),(?=\d)', '$1.');   % a place: p@0,5
     kinds = ",\t;|,";
     delimiter = kinds(find ([ismember(kinds(1:4), plain), true], 1));
   end
@@ -140,6 +141,7 @@ end
 %!  writeAtomic (file, text);
 %!  [header, cells, lines] = readCsvTable (file);
 %!endfunction
+%!assert (read ("a;p@0,002\n1;2,5\n"), {'a', 'p@0,002'})
 %!test
 %! bom = char ([239, 187, 191]);
 %! [header, cells, lines] = read ([bom, 'a,"b, c"', "\r\n", ...

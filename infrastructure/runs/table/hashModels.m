@@ -48,7 +48,7 @@ function h = hashModels (Case)
       h(k).funs = hashEvaluation (Case.models(k));
     end
     h(k).defaults = struct ();         % of runs of a table nothing is asked
-    if isfile (fullfile (folder, 'data.head'))
+    if ~isempty (folder) && isfile (fullfile (folder, 'data.head'))
       h(k).defaults = headDefaults (fullfile (folder, 'data.head'));
     end
     % a model without the effect has it off: its runs stay the same ones
@@ -97,7 +97,7 @@ end
 function key = hashEvaluation (model)
   funs = fullfile (model.folder, 'OctaveFuns');
   key = '';                            % runs of a table alone need none
-  if isfolder (funs)
+  if ~isempty (model.folder) && isfolder (funs)
     key = hashFolder (funs, {});
   end
   r = model.readings;
@@ -108,8 +108,13 @@ function key = hashEvaluation (model)
   end
 end
 
-% Of all files, names and contents, but WITHOUT (names below FOLDER).
+% Of all files, names and contents, but WITHOUT (names below FOLDER); '' for no
+% folder, in which the shell would take the current one.
 function key = hashFolder (folder, without)
+  key = '';
+  if isempty (folder)
+    return
+  end
   skip = cellfun (@(n) [' ! -path ', shellQuote(['./', n]), ...
                         ' ! -path ', shellQuote(['./', n, '/*'])], ...
                   without, 'UniformOutput', false);
@@ -125,7 +130,7 @@ function key = hashFolder (folder, without)
 end
 
 function yes = callsLiggghts (folder)
-  names = {'runscript'};
+  names = repmat ({'runscript'}, 1, ~isempty (folder));
   yes = false;
   k = 0;
   while k < numel (names) && ~yes
@@ -172,6 +177,15 @@ end
 %!   assert (find (changed (hashModels (Case))), file{2});
 %!   unlink (place);
 %! end
+%!test
+%! % runs of a table alone: nothing of the folder where Octave happens to be counts
+%! Case = newCase (standInCase (tempname ()));
+%! Case.models(2).folder = '';
+%! h = hashModels (Case)(2);
+%! back = onCleanup (@() cd (pwd ()));
+%! cd (Case.models(1).folder);
+%! assert (hashModels (Case)(2), h);
+%! assert (fieldnames (h.defaults), cell (0, 1));
 %!error id=DEcalioc:hashFolder:missingFile
 %! Case = newCase (standInCase (tempname ()));
 %! Case.models(1).folder = '/nowhere/at/all';

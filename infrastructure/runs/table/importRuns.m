@@ -26,16 +26,13 @@
 
 function [data, ignored] = importRuns (file, Case)
   table = spreadRuns (readRunsTable (file, Case));
-  [header, lines] = deal (table.names, table.lines);
+  header = table.names;
   column = findColumns (header, Case, file);
   model = modelNumbers (table, column.model, Case);
   ignored = checkColumns (header, Case, model, file);
   X = numbers (table, column.names, Case.names);
-  bad = find (any (isnan (X), 2), 1);
-  if ~isempty (bad)
-    error ('DEcalioc:importRuns:badValue', ...
-           'importRuns: line %d of %s must give every design variable.', ...
-           lines(bad), file);
+  if any (isnan (X(:)))
+    refuseBlank (X, model, table, Case);
   end
   given = column.effects > 0;
   E = NaN (rows (X), numel (given));
@@ -80,6 +77,19 @@ function data = filledUp (data, model)
   end
   data.Z = Z;
   data = keepRows (data, ~all (isna (Z), 2));
+end
+
+function refuseBlank (X, model, table, Case)
+  [row, j] = find (isnan (X), 1);
+  cure = 'Fill it in, or take the line out.';
+  if all (isnan (X(model == model(row), j)))
+    cure = sprintf (['No row of %s has one: if that model does not have %s, fill in ' ...
+                     'any one value between the limits, the same in all its rows.'], ...
+                    Case.models(model(row)).name, Case.names{j});
+  end
+  error ('DEcalioc:importRuns:badValue', ...
+         ['importRuns: line %d of %s must give every design variable, got none for ' ...
+          '%s. %s'], table.lines(row), table.file, Case.names{j}, cure);
 end
 
 function column = findColumns (header, Case, file)
@@ -243,6 +253,10 @@ end
 %!   end
 %!   assert (id, ['DEcalioc:importRuns:', bad{2}]);
 %! end
+%!error <line 3 .* got none for b. Fill it in>
+%! imported ([head, "First;1;2;3;4;\nFirst;1;;2;3;\n"]);
+%!error <line 3 .* got none for b. No row of Second has one>
+%! imported ([head, "First;1;2;3;4;\nSecond;1;;;;3\n"]);
 %!test
 %! % no result, in the words of spreadsheets and Python; units in the header
 %! data = imported (["model,a [m],b,First_1 [deg],First_2,Second_1\n", ...

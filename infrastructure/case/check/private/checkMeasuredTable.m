@@ -126,19 +126,31 @@ function p = checkTolerances (groups, lines, optim)
   if isfield (optim, 'tolRes') && isKind ('number', optim.tolRes)
     default = optim.tolRes;
   end
-  isAsked = strcmp ({groups.role}, 'calibrate') & isnan ([groups.tol]) & ...
-            (isnan (default) | [groups.value] == 0);
+  isAsked = strcmp ({groups.role}, 'calibrate') & isnan ([groups.tol]);
+  isZero = [groups.value] == 0;
   lines = lines([lines.saysTol]);          % at fault: that is said already
   place = @(rows) arrayfun (@(r) sprintf ('%s, line %d', r.file, r.line), rows, ...
                             'UniformOutput', false);
-  places = setdiff (place (groups(isAsked)), place (lines), 'stable');
-  if ~isempty (places)
-    others = sprintf (', nor in %d more', numel (places) - 1);
-    p = checkFault ('measuredTol', [places{1}, ', tol'], ...
-                    'a tolerance (0.02 or 2%; of the value 0 in its unit)', ...
-                    ['nothing', repmat(others, 1, ~isscalar (places))], ...
+  open = @(is) setdiff (place (groups(isAsked & is)), place (lines), 'stable');
+  [shares, zeros_] = deal (open (~isZero & isnan (default)), open (isZero));
+  if ~isempty (shares)
+    p = checkFault ('measuredTol', [shares{1}, ', tol'], ...
+                    'a tolerance (0.02 or 2%)', ['nothing', andMore(shares)], ...
                     'Or set optim.tolRes = 0.02; for all that have none.');
   end
+  if ~isempty (zeros_)
+    p(end + 1) = checkFault ('measuredTol', [zeros_{1}, ', tol'], ...
+                             'an absolute tolerance, as the value is 0', ...
+                             ['nothing', andMore(zeros_)], ...
+                             ['Write by how much it may be off, in its unit: ' ...
+                              '0.1 abs. optim.tolRes is a share of the value, and ' ...
+                              'a share of 0 is 0.']);
+  end
+end
+
+function text = andMore (places)
+  others = sprintf (', nor in %d more', numel (places) - 1);
+  text = repmat (others, 1, ~isscalar (places));
 end
 
 function p = checkNames (groups, taken)
@@ -193,6 +205,14 @@ end
 %! for row = bad'
 %!   assert (check (row{2:3}, model){1}, row{1});
 %! end
+%!test
+%! % of the value 0 no share helps; of the others it does, and is said apart
+%! models = setfield (model, 'fields', {'a', 'w', 'x'});
+%! text = "name,value\na,0\nw,0\nx,3\n";
+%! assert (check (text, none, models), {'measuredTol', 'measuredTol'});
+%! assert (check (text, tolRes, models), {'measuredTol'});
+%! assert (isempty (check ("name,value,tol\na,0,0.1\nw,0,0.1 abs\nx,3,\n", ...
+%!                         tolRes, models)));
 %!test
 %! models = struct ('name', {'Toy', 'Drum'}, 'folder', '', 'count', NaN, ...
 %!                  'fields', {{}});

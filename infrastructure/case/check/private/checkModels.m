@@ -33,6 +33,13 @@ end
 function p = missing (name, k, folder, root)
   places = {fullfile(folder, 'DEMmodels'), fullfile(root, 'DEMmodels')};
   found = cellfun (@folderNames, places, 'UniformOutput', false);
+  if any (strcmp (name, found{2}))       % but it declares none of the parameters
+    p = checkFault ('missingModel', sprintf ('Input.model{%d}', k), ...
+                    sprintf ('a folder %s', fullfile (places{1}, name)), 'none', ...
+                    sprintf (['Copy the model folder there. %s of the toolbox, a ' ...
+                              'test rig, declares none of the names of assign.'], name));
+    return
+  end
   cure = checkNearest (name, [found{:}]);
   if isempty (cure)
     cure = 'Copy the model folder there, or correct the name.';

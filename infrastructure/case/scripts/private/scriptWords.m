@@ -1,6 +1,6 @@
 % SCRIPTWORDS  Words of a script that may name a file, its variables filled in.
 %
-% CALL: [WORDS, BASES] = scriptWords (TEXT, SCRIPT, FOLDER, PLACE)
+% CALL: [WORDS, BASES, FILLED] = scriptWords (TEXT, SCRIPT, FOLDER, PLACE)
 %
 %   TEXT    of the script;  SCRIPT  its path (texts)
 %   FOLDER  model folder, PLACE  run folder, see namedFiles
@@ -8,8 +8,9 @@
 %           script writes is not among them
 %   BASES   1 x b cell of folders that a relative name may be seen from: the
 %           model folder, PLACE and those that the script changes to
+%   FILLED  TEXT without remarks, its variables filled in
 
-function [words, bases] = scriptWords (text, script, folder, place)
+function [words, bases, filled] = scriptWords (text, script, folder, place)
   here = {'\$\{?PWD\}?(?!\w)', place; '\$\(pwd\)', place; '`pwd`', place; ...
           '\$\(dirname "?\$\{?(0|BASH_SOURCE(\[0\])?)\}?"?\)', ...
           fileparts(script)};
@@ -20,7 +21,8 @@ function [words, bases] = scriptWords (text, script, folder, place)
   for k = 1:4
     text = regexprep (text, here{k, 1}, strrep (here{k, 2}, '$', '\$'));
   end
-  text = regexprep (filledIn (text), ...
+  filled = filledIn (text);
+  text = regexprep (filled, ...
                     {'\d?>{1,2}[ \t]*[^\s;&|]+', ...
                      '^[ \t]*(rm|mkdir|touch)[ \t][^\n;&|]*', ...
                      '\<tee[ \t][^\n;&|]*', ...
@@ -41,10 +43,10 @@ end
 
 % Shell variables that are set to a plain text, or are in the environment.
 function text = filledIn (text)
+  text = regexprep (text, '\$\{(\w+):?-([^}$]*)\}', '$2');
   pairs = regexp (text, ...
                   '^\s*(?:export\s+)?(\w+)=["'']?([\w./+~-]+)["'']?\s*(?:$|;)', ...
                   'tokens', 'lineanchors');
-  text = regexprep (text, '\$\{(\w+):?-([^}$]*)\}', '$2');
   for pair = fliplr (pairs)
     text = replaced (text, pair{1}{:});
   end

@@ -5,8 +5,9 @@
 %   HEADER  1 x c cell of names, as the table has them
 %   CASE    see importRuns;  FILE  path of the table, for the error (text)
 %   NAMES   1 x c cell: of "aor [deg]", "aor (deg)", "aor / deg", "aor in deg"
-%           and "AOR" the name, where the case knows it, and of "my_aor" my aor; of
-%           trial and scatter that of the result
+%           and "AOR" the name, where the case knows it, of "my_aor" my aor, and of
+%           "force@0.0020" force@0.002: places are numbers; of trial and scatter that
+%           of the result
 %   KINDS   1 x c cell: model, seed, parameter, effect, result; trial (angle 1,
 %           angle_2, angle.3: one of several runs of the row); runs (n) and
 %           scatter (sd where there is one result, sd angle, angle_sd): see
@@ -67,10 +68,25 @@ function [name, unit] = knownName (text, known)
     if isempty (k)                         % a name with blanks in a table of columns
       k = find (strcmpi (strrep (known, '_', ' '), strrep (parts{1}, '_', ' ')));
     end
+    if isempty (k) && any (parts{1} == '@')
+      k = find (strcmpi (placed (known), placed (parts{1})));
+    end
     if isscalar (k)
       [name, unit] = deal (known{k}, [parts{2:end}]);
       return
     end
+  end
+end
+
+% Names with the place of a curve as measuredTarget writes it.
+function names = placed (names)
+  parts = regexp (names, '^(.*?)\s*@\s*([-+.,eE\d]+)$', 'tokens', 'once');
+  if ischar (names)
+    [names, parts] = deal ({names}, {parts});
+  end
+  for k = find (~cellfun (@isempty, parts))
+    at = str2double (strrep (parts{k}{2}, ',', '.'));
+    names{k} = sprintf ('%s@%.6g', parts{k}{1}, at);
   end
 end
 
@@ -150,6 +166,15 @@ end
 %! % a single one is a name; a point of a curve is no trial
 %! [~, kinds] = importHeader ({'x 1', 'x@0.25'}, Case, 'f');
 %! assert (kinds, {'ignored', 'ignored'});
+%!test
+%! % places of a curve are numbers, with a decimal comma, too
+%! of = struct ('names', {{'a'}}, 'effectVars', {{}});
+%! of.targets = struct ('name', {'p@0.002', 'p@0.01', 'p@5', 'p@0.333333'}, ...
+%!                      'unit', 'kPa');
+%! header = {'p@0.0020', 'P @ 1e-2 [kPa]', 'p@5,0', 'p@0.33333333333', 'p@7'};
+%! [names, kinds] = importHeader (header, of, 'f');
+%! assert (names, {'p@0.002', 'p@0.01', 'p@5', 'p@0.333333', 'p@7'});
+%! assert (kinds, [repmat({'result'}, 1, 4), {'ignored'}]);
 %!error <must be in mm, as results.csv of its model says, got m>
 %! importHeader ({'x [m]'}, Case, 'f');
 %!error <sd of f must say of which result> importHeader ({'n', 'sd'}, Case, 'f');
