@@ -186,7 +186,7 @@ function text = measuredRows (model, results, measured, units, curves)
   for c = curves
     for point = c.points'
       sd = '';
-      if numel (point) > 2
+      if numel (point) > 2 && ~isnan (point(3))
         sd = sprintf ('%.10g', point(3));
       end
       text = [text, sprintf('%s,,%s,%.10g,%.10g,%s,%s,,\n', model, c.name, ...
