@@ -6,7 +6,8 @@
 %   TARGET  model folder to be made (text)
 %   GIVEN   scalar struct: model (name), script (path), output (file with the
 %           results, '': output_results), seed ('': runSeed), mean (share of its
-%           rows, see readResults; '': 0), and cells of texts vary
+%           rows, see readResults; '': 0), post (path of a program that makes
+%           the output, '': none), and cells of texts vary
 %           (NAME=LOW:HIGH), set and target (NAME=NUMBER, target with :UNIT),
 %           curve (PLACE:NAME=FILE, see scriptCurves)
 %   WORDS   scalar struct of texts for templates/scriptCase, with a curve for
@@ -34,8 +35,9 @@ function [words, notes] = newScriptModel (root, target, given)
   checkWords (results, seed, output, [base, ending]);
   share = shareOf (givenField (given, 'mean', '0'));
   found = scriptFiles (given.script);
-  found.files = setdiff (found.files, fullfile (fileparts (found.scripts{1}), ...
-                                                output));
+  post = scriptPost (givenField (given, 'post', ''), found);
+  found.files = setdiff ([found.files, post.files], ...
+                         fullfile (fileparts (found.scripts{1}), output));
   tree = scriptTree (found, fileparts (found.scripts{1}), ...
                      [readdir(fullfile (root, 'templates', 'script'))', ...
                       {'data.head', 'results.csv'}]);
@@ -50,6 +52,7 @@ function [words, notes] = newScriptModel (root, target, given)
   words = struct ('CURVES', curveWords (curves), 'MODEL', given.model, 'SCRIPT', ...
                   [base, ending], 'SEED', seed, ...
                   'OUTPUT', output, 'PLACE', placeText (found, tree), ...
+                  'POST', postText (post, tree), ...
                   'RESULTS', [tree.place, repmat('/', 1, ~isempty (tree.place)), ...
                               output], 'SHARE', sprintf ('%.10g', share));
   tree.texts = cell (size (tree.from));
@@ -106,6 +109,21 @@ function text = placeText (found, tree)
   if ~isempty (names)
     names = cellfun (@shellQuote, names, 'UniformOutput', false);
     text = sprintf ('%smkdir -p -- %s\n', text, strjoin (names, ' '));
+  end
+end
+
+% The call of a program that makes the results, from where LIGGGHTS was started.
+function text = postText (post, tree)
+  text = '';
+  if ~isempty (post.file)
+    place = tree.to{strcmp (tree.from, post.file)};
+    up = '';
+    if strncmp (place, [tree.place, '/'], numel (tree.place) + 1)
+      place = place(numel (tree.place) + 2:end);
+    elseif ~isempty (tree.place)
+      up = repmat ('../', 1, 1 + sum (tree.place == '/'));
+    end
+    text = sprintf (' || exit\n%s %s', post.program, shellQuote ([up, place]));
   end
 end
 
@@ -186,7 +204,7 @@ function text = measuredRows (model, results, measured, units, curves)
   for c = curves
     for point = c.points'
       sd = '';
-      if numel (point) > 2
+      if numel (point) > 2 && ~isnan (point(3))
         sd = sprintf ('%.10g', point(3));
       end
       text = [text, sprintf('%s,,%s,%.10g,%.10g,%s,%s,,\n', model, c.name, ...
@@ -256,7 +274,7 @@ end
 %!                  "variable seed index 10007\nvariable name index abc\n", ...
 %!                  "# not.this\nfix a all mesh/surface file meshes/a.stl ", ...
 %!                  "\ninclude more.inc\nprint \"${mu} ${seed} ${depth}\" ", ...
-%!                  "file out\nprint \"RUN COMPLETE\"\n"]);
+%!                  "file out\nrun 1\nprint \"RUN COMPLETE\"\n"]);
 %! put ('more.inc', ["variable r index 1e-3\nread_data grains.data\n", ...
 %!                   "variable r index 2\nprint ${r}\n"]);
 %! cellfun (@(name) put (name, 'x'), ...
@@ -287,8 +305,9 @@ end
 %!                             "print \"${mu} ${depth}\" file out\n"]);
 %! [~, notes] = newScriptModel (root, fullfile (folder, 'Other'), other);
 %! marks = {'${runSeed}', 'RUN COMPLETE', '${ghost}', 'mu has the style index'};
-%! assert (numel (notes), 4);
-%! for k = 1:4
+%! marks{end + 1} = 'no command run';
+%! assert (numel (notes), 5);
+%! for k = 1:5
 %!   assert (any (~cellfun (@isempty, strfind (notes, marks{k}))), marks{k});
 %! end
 %!test

@@ -6,9 +6,11 @@
 % NAME     name of the effect, as listEffects gives it
 % FOLDERS  text or cell of folders that are looked in before the library, or the
 %          LIBRARY that listEffects gives
-% EFFECT   scalar struct, see describeEffect
+% EFFECT   scalar struct, see describeEffect, which fills in what a row or a file
+%          leaves out
 %
-% Throws DEcalioc:getEffect:unknownName, DEcalioc:getEffect:badValue.
+% Throws DEcalioc:getEffect:unknownName, DEcalioc:getEffect:badValue,
+% DEcalioc:getEffect:badFile.
 %
 % See also: describeEffect, listEffects, resolveEffects
 function effect = getEffect (name, folders)
@@ -25,20 +27,35 @@ function effect = getEffect (name, folders)
            'getEffect: NAME must be one of %s, got %s.', ...
            strjoin ({library.name}, ', '), name);
   elseif isempty (entry.row)
-    effect = ofFunction (entry.file);
+    effect = ofFunction (name, entry.file);
   else
     effect = ofRow (entry.row, entry.file);
   end
 end
 
 % What the function of a user does not give is filled in.
-function effect = ofFunction (file)
+function effect = ofFunction (name, file)
   [folder, base] = fileparts (file);
   if ~any (strcmp (strsplit (path (), pathsep ()), folder))
     addpath (folder);
     restore = onCleanup (@() rmpath (folder));
   end
-  effect = describeEffect (feval (base));
+  try
+    effect = feval (base);
+  catch err
+    error ('DEcalioc:getEffect:badFile', 'getEffect: %s must run, got: %s', ...
+           file, err.message);
+  end
+  if ~isstruct (effect) || ~isscalar (effect)
+    error ('DEcalioc:getEffect:badFile', ...
+           ['getEffect: %s must give a struct with name, variables, neutral and ' ...
+            'limits, got %s.'], file, describeValue (effect));
+  end
+  try
+    effect = describeEffect (mergeFields (struct ('name', name), effect));
+  catch err
+    error (err.identifier, '%s (of %s)', err.message, file);
+  end
 end
 
 % Several variables of one effect, and their numbers, are parted by blanks.
@@ -100,5 +117,20 @@ end
 %! fail ('getEffect (''bad'', folder)', 'weakest of bad .* got ''low''');
 %! delete (file);
 %! rmdir (folder);
+
+%!test
+%! % the four fields alone, a field that is missing, what is no struct
+%! [folder, put] = emptyFolder ();
+%! lines = {"e = struct ('variables', {{'q'}}, 'neutral', 0, 'limits', [0; 2]);", ...
+%!          "e = struct ('variables', {{'q'}}, 'neutral', 0);", 'e = 7;'};
+%! for k = 1:3
+%!   name = sprintf ('ownOfGetEffect%d', k);
+%!   put (['effectO', name(2:end), '.m'], ...
+%!        ["function e = effectO", name(2:end), " ()\n", lines{k}, "\nend\n"]);
+%! end
+%! e = getEffect ('ownOfGetEffect1', folder);
+%! assert ({e.group, e.priorScale, e.usually}, {'ownOfGetEffect1', 4, 'yes'});
+%! fail ('getEffect (''ownOfGetEffect2'', folder)', 'field limits. .of .*Effect2.m');
+%! fail ('getEffect (''ownOfGetEffect3'', folder)', 'Effect3.m must give a struct');
 
 %!error id=DEcalioc:getEffect:unknownName getEffect ('noSuchEffect')

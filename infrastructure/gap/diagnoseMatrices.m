@@ -6,7 +6,8 @@
 %
 %   GIVEN     struct of newProblem: measured values, benches, limits, effects
 %   DATA      struct X (n x p), E (n x v, variables of all effects that DEM
-%             runs), Z (n x T, NaN = none), replicate (n x 1): all finished runs
+%             runs; neutral where it is not given), Z (n x T, NaN = none),
+%             replicate (n x 1; 1 where it is not given): all finished runs
 %   OPTIONS   struct of gapOptions, [] = defaults
 %   EVALUATE  handle Z = EVALUATE (X, E, REPLICATE) for further runs, [] = none
 %             allowed; OPTIONS.maxNewRuns rows at most. One with a fourth
@@ -39,7 +40,7 @@
 % Order: WHERE, WHICH, HOW FAR, NEXT TEST. Random numbers come from
 % OPTIONS.seed; the caller's random state is left as it was.
 %
-% Errors: those of newProblem, enterRuns, strengthOfValues and fitEmulator
+% Errors: those of checkMatrices, newProblem, enterRuns, strengthOfValues and fitEmulator
 %
 % See also: diagnoseGap, locateGap, caseEvidence, judgeCase, proveCause,
 % adviseMeasurements

@@ -18,6 +18,7 @@ function study = studyGap (given, data, options, evaluate, levels)
   if nargin < 5
     levels = options.significance;
   end
+  data = checkMatrices (given, data, evaluate);
   explored = exploreGap (given, data, options, evaluate);
   effects = explored.emulator.effect;
   isTested = [effects.laboratory] | [effects.runs] >= 1;

@@ -5,7 +5,8 @@
 %   FOLDER  model folder (text)
 %   NOTES   1 x n cell of sentences without their last point
 %   CODES   1 x n cell: missing (a file that a script names), open (a name that
-%           is known in a run alone), seed, end, unused, loop, own (a variable)
+%           is known in a run alone), seed, end, run, unused, loop, own (a variable),
+%           output (nothing writes the file of the results)
 %
 % Of a model whose runscript starts LIGGGHTS with one script by -in, -i or <.
 % seed ... own are said of models that hand their variables over by -var, which
@@ -41,8 +42,32 @@ function [notes, codes] = modelNotes (folder)
   if isHanded
     [texts, kinds] = scriptNotes (found.text, seed{1}, ...
                                   setdiff (fieldnames (given)', 'runSeed'));
-    [notes, codes] = deal ([notes, texts], [codes, kinds]);
+    % a script that is not there may have it
+    isKnown = ~strcmp (kinds, 'run') | isempty ([missing, found.open]);
+    [notes, codes] = deal ([notes, texts(isKnown)], [codes, kinds(isKnown)]);
+    output = regexp (run, '^rm -f -- ''([^'']+)''', 'tokens', 'once', 'lineanchors');
+    if ~isempty (output) && isempty ([missing, found.open]) && ...
+       ~mayWrite (found, run, output{1}, start)
+      codes{end + 1} = 'output';
+      notes{end + 1} = ['no line of the script writes ', output{1}, ', where the ', ...
+                        'results are looked for. Name the file that it writes with ', ...
+                        '--output, or the program that makes it with --post'];
+    end
   end
+end
+
+% By a command, by a name that is known in a run alone, or by another program that
+% the script or RUN, the text of the runscript, calls.
+function yes = mayWrite (found, run, output, start)
+  [~, base, ending] = fileparts (output);
+  behind = regexp (run, '\s-in [^\n]*\n(.*)$', 'tokens', 'once');
+  yes = any (strcmp (found.written, plainPath (fullfile (start, output)))) || ...
+        strcmp (output, 'log.liggghts') || ...
+        ~isempty (regexp (found.text, '^[ \t]*shell[ \t]+(?!cd|mkdir|rm\>)', 'once', ...
+                          'lineanchors')) || ...
+        ~isempty (regexp (found.text, '(file|append|log)[ \t]+\S*\$', 'once')) || ...
+        ~isempty (strfind (found.text, [base, ending])) || ...
+        ~isempty (strtrim ([behind{:}, '']));
 end
 
 % The script that RUN, the text of a runscript, starts, and in which folder.

@@ -3,18 +3,22 @@
 % CALL: STATUS = sayImport (ROOT, FOLDER, ARGS)
 %
 %   ROOT    folder of the toolbox (text);  FOLDER  case folder (text)
-%   ARGS    1 x 1 cell: path of the table
+%   ARGS    cell of texts: path of the table; --column THEIRS=OURS (many) says what
+%           a column is to the case; --take writes the table as runs.csv
 %   STATUS  0; 2 where the case takes none of its rows
 %
-% Nothing is written: as runs.csv in the case folder the table is taken in.
+% Without --take nothing is written: as runs.csv in the case folder the table is
+% taken in.
 %
-% Errors: those of commandOptions, caseToRead and importRuns, which say what is
+% Errors: DEcalioc:sayImport:badValue (--column), :exists (runs.csv); those of commandOptions, caseToRead and importRuns, which say what is
 % to be mended
 
 function status = sayImport (root, folder, args)
-  [~, words] = commandOptions (args, struct ());
+  [given, words] = commandOptions (args, struct ('column', 'many', 'take', 'flag'));
   file = words{1};
   Case = caseToRead (root, folder);
+  Case.columns = pairsOf (given.column);
+  checkPairs (file, Case);
   data = importRuns (file, Case);
   table = readRunsTable (file, Case);
   cells = table.cells;
@@ -37,11 +41,65 @@ function status = sayImport (root, folder, args)
     middle(t) = median (data.Z(isfinite (data.Z(:, t)), t));
   end
   sayUnits (Case.targets, middle, 'in the middle of these runs');
-  if ~strcmp (make_absolute_filename (file), fullfile (folder, 'runs.csv'))
-    printf ('\nNext: copy it to %s. decalioc run takes it in.\n', ...
-            fullfile (folder, 'runs.csv'));
+  target = fullfile (folder, 'runs.csv');
+  if given.take
+    take (table, target);
+  elseif ~isempty (given.column)
+    printf (['\nNext: the same with --take writes it as %s, with the names of ' ...
+             'the case. decalioc run takes it in.\n'], target);
+  elseif ~strcmp (make_absolute_filename (file), target)
+    printf ('\nNext: copy it to %s. decalioc run takes it in.\n', target);
   end
   status = 2 * isempty (data.X);
+end
+
+% Of texts THEIRS=OURS.
+function pairs = pairsOf (texts)
+  pairs = cell (0, 2);
+  for text = texts
+    at = find (text{1} == '=', 1, 'last');
+    pair = strtrim ({text{1}(1:at - 1), text{1}(at + 1:end)});
+    if isempty (at) || any (cellfun (@isempty, pair))
+      error ('DEcalioc:sayImport:badValue', ...
+             ['--column must be given as THEIRS=OURS, a column of the table and ' ...
+              'what it is to the case (--column "mu 1"=friction), got %s.'], text{1});
+    end
+    pairs(end + 1, :) = pair;
+  end
+end
+
+function checkPairs (file, Case)
+  if isempty (Case.columns)
+    return
+  end
+  table = readRunsTable (file, Case);
+  heads = [table.header; regexprep(table.header, '\s*[[(][^])]*[])]$', '')];
+  for pair = Case.columns'
+    k = find (any (strcmp (heads, pair{1}), 1), 1);
+    if isempty (k)
+      error ('DEcalioc:sayImport:badValue', ...
+             '--column must name a column of the table, got %s. It has: %s. %s', ...
+             pair{1}, strjoin (table.header, ', '), ...
+             checkNearest (pair{1}, table.header));
+    elseif strcmp (table.kinds{k}, 'ignored')
+      error ('DEcalioc:sayImport:badValue', ...
+             ['--column %s must be a parameter, an effect or a result of the case, ' ...
+              'got %s.'], pair{1}, pair{2});
+    end
+  end
+end
+
+function take (table, target)
+  if isfile (target)
+    error ('DEcalioc:sayImport:exists', ...
+           '%s is there already. Nothing is overwritten; move it away first.', target);
+  end
+  table = spreadRuns (table);
+  isKnown = ~strcmp (table.kinds, 'ignored');
+  lines = num2cell ([table.names(isKnown); table.cells(:, isKnown)], 2);
+  lines = cellfun (@csvLine, lines, 'UniformOutput', false);
+  writeAtomic (target, sprintf ('%s\n', lines{:}));
+  printf ('\nwritten   %s, which decalioc run takes in\n', target);
 end
 
 function sayResults (Z, targets)
@@ -112,3 +170,17 @@ end
 %!   assert (! isempty (regexp (out, part{1}, 'once')), out);
 %! end
 %! assert (! isfile (fullfile (raw.folder, 'runs.csv')));
+%! % columns of other names; taken in with the names of the case
+%! writeAtomic (fullfile (raw.folder, 'my runs.csv'), ...
+%!              ["model;Reibung [-];b;First_1;First_2\nFirst;0,5;0,2;3;4\n"]);
+%! [status, out] = system ([command, ' import ''my runs.csv'' . --column ', ...
+%!                          'Reibung=a --take 2>&1']);
+%! assert (status == 0, out);
+%! assert (fileread (fullfile (raw.folder, 'runs.csv')), ...
+%!         "model,a,b,First_1,First_2\nFirst,0.5,0.2,3,4\n");
+%! for row = {'Reibung=a --take', 'is there already'; 'Reibung', 'THEIRS=OURS'; ...
+%!            'Reib=a', 'It has: model, Reibung [-], b'; 'Reibung=q', 'got q'}'
+%!   [status, out] = system ([command, ' import ''my runs.csv'' . --column ', ...
+%!                            row{1}, ' 2>&1']);
+%!   assert (status == 1 && ! isempty (strfind (out, row{2})), out);
+%! end

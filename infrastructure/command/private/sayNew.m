@@ -17,13 +17,16 @@ function status = sayNew (root, folder, args)
   status = 0;
   spec = struct ('model', 'one', 'bench', 'one', 'curve', 'flag', 'script', 'one', ...
                  'vary', 'many', 'set', 'many', 'target', 'many', ...
-                 'output', 'one', 'mean', 'one', 'seed', 'one');
+                 'output', 'one', 'mean', 'one', 'seed', 'one', 'post', 'one');
   if any (strncmp (args, '--script', 8))
     spec.curve = 'many';
   end
   [given, words] = commandOptions (args, spec);
   if ~isempty (given.script)
     given.script = absoluteFrom (folder, given.script);
+    if ~isempty (given.post)
+      given.post = absoluteFrom (folder, given.post);
+    end
     given.curve = cellfun (@(text) withPath (text, folder), given.curve, ...
                            'UniformOutput', false);
   end
@@ -101,11 +104,11 @@ end
 
 % What only the model of a script takes would be lost without a word.
 function refuseUnread (given)
-  names = {'vary', 'set', 'target', 'output', 'mean', 'seed'};
+  names = {'vary', 'set', 'target', 'output', 'mean', 'seed', 'post'};
   names = names(~cellfun (@(n) isempty (given.(n)), names));
   if ~isempty (names)
     error ('DEcalioc:sayNew:missingField', ...
-           ['--vary, --set, --target, --output, --mean and --seed go with ' ...
+           ['--vary, --set, --target, --output, --mean, --seed and --post go with ' ...
             '--script FILE, got --%s without it. Add --script FILE, or leave these ' ...
             'out and edit loadInput.m of the case.'], ...
            strjoin (names, ', --'));

@@ -6,7 +6,7 @@
 %   SEED   variable that takes the seed of the packing (text)
 %   NAMES  1 x n cell of the other variables that -var hands over
 %   NOTES  1 x k cell of sentences without their last point
-%   CODES  1 x k cell: seed, end, unused, own, loop (see modelNotes)
+%   CODES  1 x k cell: seed, end, run, unused, own, loop (see modelNotes)
 
 function [notes, codes] = scriptNotes (text, seed, names)
   [notes, codes] = deal (cell (1, 0));
@@ -23,6 +23,12 @@ function [notes, codes] = scriptNotes (text, seed, names)
     codes{end + 1} = 'end';
     notes{end + 1} = ['the script does not end with print "RUN COMPLETE": a ' ...
                       'run that breaks off may then be taken for a whole one'];
+  end
+  isRun = arrayfun (@(c) any (strcmp (c.words{1}, {'run', 'rerun', 'minimize'})), ...
+                    commands);
+  if ~any (isRun)
+    codes{end + 1} = 'run';
+    notes{end + 1} = 'the script has no command run: nothing will move in it';
   end
   unused = names(~cellfun (isUsed, names));
   entries = strjoin (scriptProperty ({text}), ', ');
@@ -66,10 +72,10 @@ end
 %!         "variable other index 1 2\nnext rpm other\nprint \"${mu} ${rpm}\"\n", ...
 %!         "fix f all property/global coefficientFriction peratomtypepair 1 1\n"];
 %! [notes, codes] = scriptNotes (text, 'seed', {'mu', 'ghost', 'rpm'});
-%! assert (codes, {'seed', 'end', 'unused', 'own', 'loop'});
-%! marks = {'${seed}', 'RUN COMPLETE', 'instead: friction 1-1', 'sets mu', ...
-%!          'rpm (5 10)'};
-%! for k = 1:5
+%! assert (codes, {'seed', 'end', 'run', 'unused', 'own', 'loop'});
+%! marks = {'${seed}', 'RUN COMPLETE', 'no command run', 'instead: friction 1-1', ...
+%!          'sets mu', 'rpm (5 10)'};
+%! for k = 1:6
 %!   assert (! isempty (strfind (notes{k}, marks{k})), marks{k});
 %! end
-%!assert (isempty (scriptNotes ("print \"${a} $m RUN COMPLETE\"", 'a', {'m'})))
+%!assert (isempty (scriptNotes ("if \"1 > 0\" then \"run 1\"\nprint \"${a} $m RUN COMPLETE\"", 'a', {'m'})))

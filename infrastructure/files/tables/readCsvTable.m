@@ -1,6 +1,7 @@
 % READCSVTABLE  Reads a CSV file with a header line into a cell of texts.
 %
 % CALL: [HEADER, CELLS, LINES] = readCsvTable (FILE)
+%       [HEADER, CELLS, LINES] = readCsvTable (FILE, NAMES)
 %
 %   FILE    path of the file, text as readText takes it; fields separated by
 %           comma, or by semicolon, tab or bar, or as a first line sep=; says, or
@@ -8,6 +9,8 @@
 %           with doubled quotes inside; numbers as clearNumbers takes them;
 %           remarks and titles as in plainTable; a header that stands again below
 %           is left out, and so are the quoted names of rows that R writes
+%   NAMES   1 x m cell: what the first columns are called in a table that begins
+%           with a row of numbers
 %   HEADER  1 x c cellstr, column names without outer blanks; columns without
 %           name and content are left out
 %   CELLS   n x c cellstr, fields without outer blanks; empty rows are left out
@@ -16,7 +19,7 @@
 % Errors: DEcalioc:readCsvTable:missingFile, DEcalioc:readCsvTable:badShape,
 % DEcalioc:readCsvTable:unclearPoint (1.002 beside decimal commas)
 
-function [header, cells, lines] = readCsvTable (file)
+function [header, cells, lines] = readCsvTable (file, names)
   [id, message] = fopen (file, 'r');
   if id < 0
     error ('DEcalioc:readCsvTable:missingFile', ...
@@ -29,7 +32,12 @@ function [header, cells, lines] = readCsvTable (file)
            ['readCsvTable: %s must be text in UTF-8, got NUL bytes (UTF-16 ' ...
             'without its mark, or no text). Save it as CSV UTF-8.'], file);
   end
+  added = false;
+  if nargin > 1
+    [text, added] = withHeader (text, names);
+  end
   [fields, row, lines, delimiter, isNamed] = splitFields (plainTable (text));
+  lines = lines - added;
   if isempty (fields)
     error ('DEcalioc:readCsvTable:badShape', ...
            'readCsvTable: %s must have a header line, got an empty file.', ...
@@ -58,6 +66,35 @@ function [header, cells, lines] = readCsvTable (file)
   [cells, lines] = deal (cells(~isHeader, :), lines(~isHeader));
   isBlank = strcmp (header, '') & all (cellfun ('isempty', cells), 1);
   [header, cells] = deal (header(~isBlank), cells(:, ~isBlank));
+end
+
+% A first line of numbers gets the NAMES above it, parted as they are: a comma is
+% a decimal one where something else parts them.
+function [text, isAdded] = withHeader (text, names)
+  lead = regexp (text, '^([ \t]*((#|%|//)[^\n]*)?\n)*', 'match', 'once');
+  first = regexp (text(numel (lead) + 1:end), '^[^\n]*', 'match', 'once');
+  words = strtrim (strsplit (strtrim (first), {';', "\t", '|'}));
+  mark = regexp (first, '[;\t|]', 'match', 'once');
+  if isempty (mark)
+    words = regexp (strtrim (first), ' +', 'split');
+    mark = ' ';
+    if isscalar (words) || any (cellfun (@(w) w(end) == ',', words))
+      words = strtrim (strsplit (strtrim (first), ','));
+      mark = ',';
+    end
+  end
+  isNumber = ~cellfun (@isempty, regexp (words, '^"?[-+]?\d*[.,]?\d+([eE][-+]?\d+)?"?$', 'once'));
+  isAdded = all (isNumber | cellfun (@isempty, words)) && any (isNumber);
+  if isAdded
+    names = [names, arrayfun(@(k) sprintf ('column %d', k), ...
+                             numel (names) + 1:numel (words), ...
+                             'UniformOutput', false)];
+    if mark == ' '
+      names = strrep (names, ' ', '_');
+    end
+    header = strjoin (names(1:numel (words)), mark);
+    text = [lead, header, "\n", text(numel (lead) + 1:end)];
+  end
 end
 
 % R writes no name above the names of its rows, which are quoted.
@@ -196,6 +233,18 @@ end
 %! % a remark of other words stays one
 %! [header, cells] = read ("# my heap of 2026\na,b\n1,2\n");
 %! assert (header, {'a', 'b'});
+%!test
+%! % a table without a header, by whatever its columns are parted
+%! for text = {"0,5;52\n0,6;4,5\n", "0,5\t52\n0,6\t4,5\n", "0,5 52\n0,6 4,5\n", ...
+%!             "0.5,52\n0.6,4.5\n", "# mine\n0.5 52\n0.6 4.5\n", "0.5, 52\n0.6, 4.5\n"}
+%!   file = tempname ();
+%!   writeAtomic (file, text{1});
+%!   [header, cells, lines] = readCsvTable (file, {'t', 'f', 'sd'});
+%!   assert ({header, cells}, {{'t', 'f'}, {'0.5', '52'; '0.6', '4.5'}});
+%!   assert (lines, [1; 2] + (text{1}(1) == '#'));
+%! end
+%! writeAtomic (file, "a;b\n1;2\n");
+%! assert (readCsvTable (file, {'t', 'f'}), {'a', 'b'});
 %!error id=DEcalioc:readCsvTable:unclearPoint read ("a;b\n26,5;\n;1.002\n")
 %!error <Write 1002 or 1,002> read ("a\tb\n26,5\t\n\t1.002\n")
 %!error <save it with semicolons> read ("a,b\n0,5,2\n")

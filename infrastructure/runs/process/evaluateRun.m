@@ -67,6 +67,11 @@ function record = evaluate (record, place)
   catch err
     fault = asUtf8 (['getResults gave an error: ', err.message, ...
                      errorPlace(err, place.funs)]);
+    if strcmp (err.identifier, 'DEcalioc:getResults:missingFile')
+      fault = asUtf8 ([err.message, '. Name the file that it does write in ' ...
+                       'OctaveFuns/getResults.m, or call the program that makes it ' ...
+                       'in runscript of the model (new --post FILE)']);
+    end
     % it would come again with another packing
     record.cause = 'evaluation';
   end

@@ -7,7 +7,8 @@
 %            effect variables (optional: neutral), the targets, in any order;
 %            a field is empty where the column does not belong to the row's
 %            model, and empty or -, n/a, None ... (isNoResult) without a result;
-%            a unit may stand behind a name (aor [deg]); one row a run, or
+%            an error of a spreadsheet (#DIV/0!), failed or inf: a run without
+%            this result; a unit may stand behind a name (aor [deg]); one row a run, or
 %            several (see spreadRuns; readRunsTable for the accepted forms)
 %   CASE     struct with names, effectVars, effects, targets, models, further
 %            (optional)
@@ -41,8 +42,11 @@ function [data, ignored] = importRuns (file, Case)
   E(isnan (E)) = neutral(isnan (E));
   targets = NaN (rows (X), numel (Case.targets));
   given = column.targets > 0;
-  targets(:, given) = numbers (table, column.targets(given), ...
-                               {Case.targets(given).name});
+  [values, isFailed] = numbers (table, column.targets(given), ...
+                                {Case.targets(given).name});
+  % a failed run, which filledUp does not take for one that was not made
+  values(isFailed) = Inf;
+  targets(:, given) = values;
   seed = NaN (rows (X), 1);
   if column.seed > 0
     seed = numbers (table, column.seed, {'seed'});
@@ -53,6 +57,7 @@ function [data, ignored] = importRuns (file, Case)
   if column.seed == 0
     data = filledUp (data, [Case.targets.model]);
   end
+  data.Z(isinf (data.Z)) = NaN;
 end
 
 % Stages of a campaign that measure one target each: a row that lacks some of
@@ -150,17 +155,19 @@ function model = modelNumbers (table, column, Case)
   end
 end
 
-function values = numbers (table, column, names)
+function [values, isFailed] = numbers (table, column, names)
   texts = table.cells(:, column);
   values = reshape (str2double (texts), size (texts));
   blank = cellfun ('isempty', texts);
-  wrong = isnan (values) & ~blank & ~isNoResult (texts);
+  [isNone, isFailed] = isNoResult (texts);
+  wrong = isnan (values) & ~blank & ~isNone;
   % str2double takes a comma for a separator of thousands: 0,45 would be 45
   if any ([texts{:}] == ',')
     wrong = wrong | ~cellfun ('isempty', strfind (texts, ','));
   end
   [row, col] = find (wrong | imag (values) ~= 0, 1);
   values = real (values);
+  isFailed = isFailed | isinf (values);
   values(isinf (values)) = NaN;
   if ~isempty (row)
     text = texts{row, col};
@@ -262,6 +269,12 @@ end
 %! data = imported (["model,a [m],b,First_1 [deg],First_2,Second_1\n", ...
 %!                   "First,1,2,5,-,\nFirst,1,3,n/a,None,\nFirst,1,4,5,6,\n"]);
 %! assert (isequaln (data.Z(:, 1:2), [5, NA; NaN, NaN; 5, 6]));
+%!test
+%! % a failed result beside another one, not one that nobody looked for
+%! data = imported (["model,a,b,First_1,First_2,Second_1\n", ...
+%!                   "First,1,2,5,#DIV/0!,\nFirst,1,3,inf,6,\nFirst,1,4,5,#N/A,\n"]);
+%! assert (isna (data.Z(:, 1:2)), logical ([0, 0; 0, 0; 0, 1]));
+%! assert (isnan (data.Z(:, 1:2)), logical ([0, 1; 1, 0; 0, 1]));
 %!test
 %! % a thousand dot before a decimal comma says itself what it is
 %! data = imported ([head, "First;1.234,5;2;3;4;\n"]);

@@ -5,7 +5,9 @@
 %   MODEL       name of the model's folder below optim/ (text)
 %   FOLDERNAME  name of the run's folder (text)
 %   RES         cell of scalars, one a line of results.csv of the model, read
-%               from the file @RESULTS@ of the run; NaN where it is missing
+%               from the file @RESULTS@ of the run; NaN where one is missing
+%
+% Errors: DEcalioc:getResults:missingFile
 %
 % See also: readResults, resultInfo, readDump
 
@@ -14,7 +16,10 @@ function res = getResults (model, folderName)
   global path
   here = fileparts (fileparts (mfilename ('fullpath')));
   names = {resultInfo(here).name};
-  folder = [path, 'optim/', model, '/', folderName, '/'];
+  file = [path, 'optim/', model, '/', folderName, '/@RESULTS@'];
+  if ~isfile (file)
+    error ('DEcalioc:getResults:missingFile', 'the run has not written @RESULTS@');
+  end
   share = str2double ('@SHARE@');      % of rows: the last ones whose mean counts
-  res = num2cell (readResults ([folder, '@RESULTS@'], names, share));
+  res = num2cell (readResults (file, names, share));
 end

@@ -3,11 +3,13 @@
 % CALL: [NAMES, KINDS] = importHeader (HEADER, CASE, FILE)
 %
 %   HEADER  1 x c cell of names, as the table has them
-%   CASE    see importRuns;  FILE  path of the table, for the error (text)
+%   CASE    see importRuns; with a field columns (k x 2 cell of texts: a column, what
+%           it is to the case), as decalioc import --column has them
+%   FILE    path of the table, for the error (text)
 %   NAMES   1 x c cell: of "aor [deg]", "aor (deg)", "aor / deg", "aor in deg"
 %           and "AOR" the name, where the case knows it, of "my_aor" my aor, and of
-%           "force@0.0020" force@0.002: places are numbers; of trial and scatter that
-%           of the result
+%           "friction 2-1" friction_1_2, of "force@0.0020" force@0.002: places are
+%           numbers; of trial and scatter that of the result
 %   KINDS   1 x c cell: model, seed, parameter, effect, result; trial (angle 1,
 %           angle_2, angle.3: one of several runs of the row); runs (n) and
 %           scatter (sd where there is one result, sd angle, angle_sd): see
@@ -23,6 +25,7 @@ function [names, kinds] = importHeader (header, Case, file)
   kind = [{'model', 'seed'}, repmat({'parameter'}, size (Case.names)), ...
           repmat({'effect'}, size (Case.effectVars)), ...
           repmat({'result'}, size (targets)), {'ignored'}];
+  header = renamed (header, givenField (Case, 'columns', cell (0, 2)));
   names = header;
   for k = find (~ismember (header, known))
     free = known(~ismember (known, names));
@@ -51,6 +54,18 @@ function [names, kinds] = importHeader (header, Case, file)
   end
 end
 
+% A unit behind the name stays.
+function header = renamed (header, pairs)
+  for pair = pairs'
+    parts = regexp (header, '^(.*?)(\s*[[(][^])]*[])])?$', 'tokens', 'once');
+    isIt = strcmp (header, pair{1}) | ...
+           cellfun (@(p) strcmp (p{1}, pair{1}), parts);
+    for k = find (isIt)
+      header{k} = [pair{2}, parts{k}{2:end * ~strcmp(header{k}, pair{1})}];
+    end
+  end
+end
+
 % '' where TEXT is none of the known names; the unit behind it.
 function [name, unit] = knownName (text, known)
   [name, unit] = deal ('');
@@ -65,8 +80,12 @@ function [name, unit] = knownName (text, known)
     if isempty (k)
       k = find (strcmpi (known, parts{1}));
     end
-    if isempty (k)                         % a name with blanks in a table of columns
-      k = find (strcmpi (strrep (known, '_', ' '), strrep (parts{1}, '_', ' ')));
+    if isempty (k)                         % as --vary or a spreadsheet spells it
+      k = find (strcmp (plain (known), plain (parts{1})));
+    end
+    if isempty (k)                         % the types of a pair in the other order
+      turned = regexprep (parts{1}, '(\d+)\s*[-_ ]\s*(\d+)$', '$2-$1');
+      k = find (strcmp (plain (known), plain (turned)));
     end
     if isempty (k) && any (parts{1} == '@')
       k = find (strcmpi (placed (known), placed (parts{1})));
@@ -88,6 +107,12 @@ function names = placed (names)
     at = str2double (strrep (parts{k}{2}, ',', '.'));
     names{k} = sprintf ('%s@%.6g', parts{k}{1}, at);
   end
+end
+
+% Rolling friction 1-1 is rollingFriction_1_1, but 1-12 is not 11-2.
+function texts = plain (texts)
+  texts = lower (regexprep (texts, '[^A-Za-z0-9\x80-\xff]+', '_'));
+  texts = regexprep (texts, '(?<=[a-z])_|_(?=[a-z])', '');
 end
 
 function [name, kind, unit] = severalRuns (text, targets, file)
@@ -187,3 +212,12 @@ end
 %! assert (importHeader ({'slope [deg]', 'My_height [m]'}, of, 'f'), ...
 %!         {'slope', 'my height'});
 %! fail ('importHeader ({''my height [mm]''}, of, ''f'')', 'must be in m, .* got mm');
+%!test
+%! % the spelling of --vary; names of the user's own
+%! own = setfield (Case, 'names', {'friction_1_2', 'rollingFriction_1_1', 'mu_1_12'});
+%! assert (importHeader ({'friction 1-2', 'Rolling friction 1-1', 'mu 1-12'}, own, 'f'), ...
+%!         own.names);
+%! assert (importHeader ({'friction 2-1', 'mu 11-2'}, own, 'f'), ...
+%!         {'friction_1_2', 'mu 11-2'});
+%! own.columns = {'Reibung', 'friction 1-2'; 'Winkel', 'x'};
+%! assert (importHeader ({'Reibung', 'Winkel (mm)'}, own, 'f'), {'friction_1_2', 'x'});

@@ -1,0 +1,108 @@
+% CHECKMATRICES  Names what is wrong with the matrices of a diagnosis.
+%
+% CALL: DATA = checkMatrices (GIVEN, DATA, EVALUATE)
+%
+%   GIVEN, DATA, EVALUATE  see diagnoseMatrices
+%   DATA  with E neutral and replicate 1 where they were not given
+%
+% A misspelt field would be taken for one that is not there, and runs in another
+% unit than the limits would all count as runs far away.
+%
+% Errors: DEcalioc:checkMatrices:unknownField, :missingField, :otherUnits
+
+function data = checkMatrices (given, data, evaluate)
+  % the last ones: of a problem of newProblem, of diagnoseCase
+  known = [{'limits', 'allowed', 'covariance', 'effects', 'causes', 'reference', ...
+            'form'}, {problemFields().name}, ...
+           {'tests', 'options', 'prior', 'cost', 'standard', 'nExtra', 'coarse', ...
+            'fine', 'used', 'heldOut', 'possible', 'statedSd', 'kept', 'unit', ...
+            'centre', 'paramPrior', 'out', 'neverRun', 'odd'}];
+  refuseUnknown ('GIVEN', given, known, 1:7 + numel (problemFields ()));
+  refuseUnknown ('DATA', data, {'X', 'E', 'Z', 'replicate', 'level', 'stage'}, 1:5);
+  refuseMissing ('GIVEN', given, {'value', 'sd', 'limits', 'bench'});
+  refuseMissing ('DATA', data, {'X', 'Z'});
+  n = rows (data.X);
+  if ~isfield (data, 'E')
+    data.E = repmat (neutralOf (givenField (given, 'effects', [])), n, 1);
+  end
+  if ~isfield (data, 'replicate')
+    data.replicate = ones (n, 1);
+  end
+  isThere = isnumeric (data.X) && columns (data.X) == columns (given.limits);
+  if isempty (evaluate) && isThere && n > 0
+    checkUnits (given, data.X);
+  end
+end
+
+function refuseUnknown (what, value, known, shown)
+  unknown = setdiff (fieldnames (value)', known);
+  if ~isempty (unknown)
+    error ('DEcalioc:checkMatrices:unknownField', ...
+           'diagnoseMatrices: %s must have known fields, got %s. %s It may have: %s.', ...
+           what, strjoin (unknown, ', '), checkNearest (unknown{1}, known), ...
+           strjoin (known(shown), ', '));
+  end
+end
+
+function refuseMissing (what, value, needed)
+  missing = needed(~isfield (value, needed));
+  if ~isempty (missing)
+    error ('DEcalioc:checkMatrices:missingField', ...
+           'diagnoseMatrices: %s must have the fields %s; missing: %s.', what, ...
+           strjoin (needed, ', '), strjoin (missing, ', '));
+  end
+end
+
+function neutral = neutralOf (effects)
+  neutral = zeros (1, 0);
+  for effect = reshape (effects, 1, [])
+    if ~isequal (givenField (effect, 'laboratory', false), true)
+      neutral = [neutral, reshape(givenField (effect, 'neutral', []), 1, [])];
+    end
+  end
+end
+
+% Runs beyond the limits tell of what is within; where none is, nothing does.
+function checkUnits (given, X)
+  [~, isIn] = insideLimits (X, given.limits);
+  if any (isIn)
+    return
+  end
+  ends = [min(X, [], 1); max(X, [], 1)];
+  isOut = ends(1, :) > given.limits(2, :) | ends(2, :) < given.limits(1, :);
+  names = arrayfun (@(k) sprintf ('p%d', k), 1:columns (X), 'UniformOutput', false);
+  names = givenField (given, 'names', names);
+  said = 'for each parameter';
+  if any (isOut)
+    parts = arrayfun (@(k) sprintf ('%s: %g to %g, limits %g to %g', names{k}, ...
+                                    ends(:, k), given.limits(1:2, k)), ...
+                      find (isOut), 'UniformOutput', false);
+    said = strjoin (parts, '; ');
+  end
+  error ('DEcalioc:checkMatrices:otherUnits', ...
+         ['diagnoseMatrices: a run of DATA.X must lie between GIVEN.limits, got none ' ...
+          'of %d (%s). Give both in one unit, or widen the limits.'], rows (X), said);
+end
+
+%!shared given, data
+%! given = struct ('value', [1, 2], 'sd', [1, 1], 'limits', [0; 1], 'bench', [1, 1]);
+%! given.effects = struct ('name', {'c', 'g'}, 'variables', {{'w'}, {}}, ...
+%!                         'neutral', {3, 0}, 'laboratory', {[], true});
+%! data = struct ('X', [0.2; 0.6; 1.4], 'Z', ones (3, 2));
+%!test
+%! d = checkMatrices (given, data, []);
+%! assert ({d.E, d.replicate}, {[3; 3; 3], [1; 1; 1]});
+%! % what a problem and the runs of a case have is known
+%! checkMatrices (newProblem (rmfield (given, 'effects')), setfield (d, 'stage', {}), []);
+%!error <got roles. .* It may have: limits, allowed, .*held>
+%! checkMatrices (setfield (given, 'roles', {}), data, [])
+%!error <got helt. Did you mean held> checkMatrices (setfield (given, 'helt', 1), data, [])
+%!error <DATA must have known fields, got replicates. Did you mean replicate>
+%! checkMatrices (given, setfield (data, 'replicates', 1), [])
+%!error <missing: Z> checkMatrices (given, rmfield (data, 'Z'), [])
+%!error <missing: sd, bench> checkMatrices (rmfield (given, {'sd', 'bench'}), data, [])
+%!error <none of 3 .p1: 20 to 140, limits 0 to 1>
+%! checkMatrices (given, setfield (data, 'X', 100 * data.X), [])
+%!test
+%! % runs may still be made
+%! checkMatrices (given, setfield (data, 'X', 100 * data.X), @(varargin) 1);
