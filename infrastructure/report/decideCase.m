@@ -83,6 +83,12 @@ function numbers = keyNumbers (v, c)
     says = eachOf (@(m) {['open: ', m.name]; nthargout(2, @missTexts, m)}, open);
     list = [list; {labels{1 + max(2 * hasNoRun, isUnsure)}, text}; [says{:}]'];
   end
+  none = jsonNumber (c, {'outcomes', 'none'}, 0);
+  if none > 0
+    tried = none + jsonNumber (c, {'outcomes', 'resulting'}, 0);
+    list(end + 1, :) = {'runs with these values that gave no result', ...
+                        sprintf('%d of %d', none, tried)};
+  end
   chance = jsonAt (c, {'probability'});
   if ~isempty (v.cause) && ~isempty (v.cause.amount)
     list = [list; {v.cause.amount.label, v.cause.amount.text}];
@@ -146,7 +152,8 @@ function todo = wayOn (c, used)
   units = otherUnits (used([used.met] == 0));
   [limit, code] = deal (c.limit, c.ending.code);
   plain = struct ('allFailed', 'mendModel', 'manyFailed', 'mendModel', ...
-                  'published', 'robust', 'twoOutcomes', 'lookOutcomes');
+                  'published', 'robust', 'twoOutcomes', 'lookOutcomes', ...
+                  'noResult', 'lookNone');
   widen = worded (c, namesIn (c, 'atLimit'));
   if ~isempty (units)
     todo = newAction ('units', units);
