@@ -9,7 +9,8 @@
 %        residualSd T x 1, interval90 2 x T (of the true response), estimate
 %        1 x T (its middle), state 1 x T cell: 'met' where the mean of the
 %        runs and the estimate are within the tolerance, 'missed' where neither
-%        is, else 'open' (the points of a curve as one), met 1 x T (state is
+%        is, else 'open' (the points of a curve as one), open (cellstr, fitted
+%        results of which the mean of the runs misses), met 1 x T (state is
 %        'met'; without runs: the estimate is within), probability, within (the
 %        estimate, with a run), converged, outcomes (struct: usual and other,
 %        runs at the set that ended as most do and in another way, result 1 x T
@@ -26,7 +27,8 @@
 % of freedom then).
 %
 % converged: the truth's estimate within the tolerances, at least
-% options.replicates runs, probability at least options.confidence, and packings
+% options.replicates runs, probability at least options.confidence, no result open
+% (a surrogate outvotes no run of its set: further runs decide), and packings
 % without a result are few (tooOftenNone). How many
 % runs that takes beyond the asked ones is for the probability to say: runs of
 % other sets, along slopes that the surrogate knows, tell as much as those at
@@ -106,9 +108,8 @@ function outcomes = otherRuns (odd, isHere, expected, n)
 end
 
 function final = judgeSet (final, m, v, df, problem, left)
-  full = problem.cost (final.params(:), @(varargin) final.result(:));
   T = numel (problem.value);
-  final.residual = full(1:T)(:);
+  final.residual = targetResidual (problem, final.params, final.result)';
   [r, slope] = targetResidual (problem, final.params, m);
   final.residualSd = (abs (slope) .* final.sd)';
   s = abs (slope) .* sqrt (v);
@@ -127,8 +128,9 @@ function final = judgeSet (final, m, v, df, problem, left)
   byRuns = toleranceShare (problem, final.residual');
   final.state = repmat ({'open'}, 1, T);
   final.met = false (1, T);
-  groups = requirementsOf (problem);
+  [groups, names] = requirementsOf (problem);
   final.expected = [sum(share > 1), numel(groups)];    % outside, of all
+  final.open = names(byRuns > 1 & final.n > 0);
   for g = 1:numel (groups)
     within = [share(g), byRuns(g)] <= 1;
     final.met(groups{g}) = within(1) && (within(2) || final.n == 0);
@@ -142,7 +144,7 @@ function final = judgeSet (final, m, v, df, problem, left)
   final.converged = final.within && ...
                     final.n >= problem.options.replicates && ...
                     final.probability >= problem.options.confidence && ...
-                    ~lacksResults (final);
+                    isempty (final.open) && ~lacksResults (final);
 end
 
 function yes = lacksResults (final)
@@ -179,11 +181,13 @@ function ending = endingOf (final, hasRun, options)
     code = 'equalRuns';
   elseif final.n < options.replicates
     code = 'fewRuns';
+  elseif ~isempty (final.open)
+    code = 'open';
   else
     code = 'unsure';
   end
   numbers = struct ('runs', final.n, 'outside', final.expected(1), ...
-                    'targets', final.expected(2));
+                    'targets', final.expected(2), 'names', {final.open});
   numbers = mergeFields (numbers, final, {'equal', 'probability', ...
                                           'conflict', 'limit'});
   numbers = mergeFields (numbers, final.outcomes, {'usual', 'other', 'share', ...
@@ -240,6 +244,18 @@ end
 %! assert (final.ending.code, 'equalRuns');
 %! s = runAndFit (s, problem, 0.5, 'replicate');
 %! assert (abs (s.data.X(end) - 0.5) > 0 && abs (s.data.X(end) - 0.5) < 0.01);
+
+%!test
+%! % a run that misses is not outvoted by the surrogate of the others; further ones
+%! % decide
+%! state.evaluate = newEvaluate (@(P, E, r) 1.48 + 0.005 * (r - 1));
+%! s = runAndFit (state, problem, [0.5; 0.5], 'verify');
+%! problem.options.confidence = 0.5;
+%! final = confirmSet (s, problem);
+%! assert ([final.converged, isempty(final.open), final.within], true (1, 3));
+%! problem.tol = 0.009;
+%! final = confirmSet (s, problem);
+%! assert ({final.converged, final.open, final.within}, {false, {'target_1'}, true});
 
 %!test
 %! % four of eight packings without a result, then two of twenty

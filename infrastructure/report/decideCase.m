@@ -77,9 +77,8 @@ function numbers = keyNumbers (v, c)
               'targets met, expected from the fit, not yet run'};
     hasNoRun = c.runs == 0;
     isUnsure = ~v.usable && v.met == v.of;
-    forms = {', %d open', ' by the runs with these values, %d more by all runs together'};
     text = [sprintf('%d of %d', v.met, v.of), ...
-            repmat(sprintf (forms{1 + v.usable}, numel (open)), 1, ~isempty (open))];
+            repmat(sprintf (', %d open', numel (open)), 1, ~isempty (open))];
     says = eachOf (@(m) {['open: ', m.name]; nthargout(2, @missTexts, m)}, open);
     list = [list; {labels{1 + max(2 * hasNoRun, isUnsure)}, text}; [says{:}]'];
   end
@@ -106,16 +105,14 @@ function v = ofCalibration (v, c)
   v.met = sum ([used.met] == 1);
   v.of = numel (used);
   v.usable = isequal (c.converged, true);
-  v.sentence = c.reason;
+  v.sentence = strtrim ([char(jsonAt (c, {'sources', 'misled'})), ' ', c.reason]);
   right = {held([held.met] == 1).name};
   wrong = {held([held.met] == 0).name};
   if v.usable
     [v.word, v.class] = deal (sentence ('case.calibrated.word'), 'good');
-    codes = {'usableFor.like', 'usableFor.likeOpen'};
-    v.usableFor = listSentences ({codes{1 + (v.met < v.of)}, ...
-                                  unique({used.model}, 'stable'); ...
+    v.usableFor = listSentences ({'usableFor.like', unique({used.model}, 'stable'); ...
                                   'usableFor.predicted', right});
-    v = withAction (v, useOrSettle (used));
+    v = withAction (v, newAction ('use'));
   else
     [v.word, v.class] = deal (sentence ('case.notCalibrated.word'), 'bad');
     v.notFor = {notCalibrated(used, c)};
@@ -126,17 +123,6 @@ function v = ofCalibration (v, c)
     v = withAction (v, newAction ('diagnose'));
   end
   v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong}), looseOnes(c), knownOnes(c)];
-end
-
-% The values may be used; a target that runs and all runs together see otherwise is
-% worth some more runs.
-function todo = useOrSettle (used)
-  todo = newAction ('use');
-  isOpen = isOpenMiss (used);
-  if any (isOpen)
-    settle = newAction ('settle', {used(isOpen).name});
-    todo.parts = [todo.parts, sayFirst(' ', settle.parts)];
-  end
 end
 
 function text = notCalibrated (used, c)
