@@ -11,7 +11,8 @@
 %          S.tol (optional): 1 x T, relative tolerances (0.01); S.chance, S.part
 %          (optional, bentStandIn): a run gives S.part of S.flow with a chance;
 %          S.earlier: so many packings of one set before, which tell of the noise;
-%          S.library: rows of newData of other calibrations on the same bench;
+%          S.library: rows of newData of other calibrations on the same bench, or
+%          imported ones;
 %          S.beyond: see nearRows; S.form: see fitSurrogates
 % options  struct of Case.options (what is missing has its default)
 % result   struct: runs (all, failed ones too), plan, infill, verify, failed,
@@ -55,15 +56,26 @@ function result = calibrateStandIn (S, seed, fail, options)
   if isfield (S, 'library')
     [state, X, E] = besideLibrary (state, S, Case, problem);
   end
+  state = planToSet (state, problem, X, E);
+  [state, text] = keepApart (state, problem);
+  if ~isempty (text)
+    [X, E] = newPlan (state.data, planCase (Case));
+    state = planToSet (state, problem, X, E);
+  end
+  result = score (S, state);
+  result.state = state;
+  result.problem = problem;
+end
+
+% As calibrateCase does it.
+function state = planToSet (state, problem, X, E)
   state = addRuns (state, problem, X, E, 'plan');
   state.surrogates = fitSurrogates (state.data, problem);
   state = repeatSuspects (state, problem);
   state.found = calibrateOnKriging (state.surrogates, problem);
+  state.found = stayAtRuns (state, problem);
   state = improveByInfill (state, problem, @(text) []);
   state = calibrateOnDEM (state, problem, @(text) []);
-  result = score (S, state);
-  result.state = state;
-  result.problem = problem;
 end
 
 function problem = withEarlier (problem, S)
@@ -82,20 +94,22 @@ function tol = toleranceOf (S)
   end
 end
 
-% As calibrateCase does it.
-function [state, plan, E] = besideLibrary (state, S, Case, problem)
-  d = numel (S.names);
-  Case.options = mergeFields (struct ('numOfSam', d + 3, ...
-                                      'seed', 1), Case.options);
+function Case = planCase (Case)
+  n = numel (Case.names) + 3;
+  Case.options = mergeFields (struct ('numOfSam', n, 'seed', 1), Case.options);
   Case.models = struct ('folder', 'none');
   Case.folder = '';
+end
+
+% As calibrateCase does it.
+function [state, plan, E] = besideLibrary (state, S, Case, problem)
   beyond = [];
   if isfield (S, 'beyond')
     beyond = S.beyond;
   end
   state.data = keepRows (S.library, nearRows (S.library, problem, beyond));
   state = trustLibrary (state, problem, @(text) []);
-  [plan, E] = newPlan (state.data, Case);
+  [plan, E] = newPlan (state.data, planCase (Case));
 end
 
 function Z = noisy (S, P, fail, E)
@@ -120,7 +134,7 @@ end
 function result = score (S, state)
   off = @(Z) max (abs (Z ./ S.value - 1), [], 2);
   share = @(Z) max (abs (Z ./ S.value - 1) ./ toleranceOf (S), [], 2);
-  isNew = ~strcmp (state.data.stage, 'library');
+  isNew = ~ismember (state.data.stage, {'import', 'library'});
   result.runs = sum (isNew);
   result.plan = sum (strcmp (state.data.stage, 'plan'));
   result.infill = sum (strcmp (state.data.stage, 'infill'));

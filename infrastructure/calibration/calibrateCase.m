@@ -37,6 +37,23 @@ function calibration = calibrateCase (root, folder)
   state = newState (data);
   [state.evaluate, state.budget] = newEvaluate (Case, say);
   state = trustLibrary (state, problem, say);
+  state = planToSet (state, problem, Case, say, rest);
+  [state, text] = keepApart (state, problem);
+  if ~isempty (text)
+    say (text);
+    state = planToSet (state, problem, Case, say, rest);
+  end
+
+  calibration = newCalibration (state, problem, Case);
+  calibration.verdict = writeCalibrationJson (calibration, Case);
+  reportCalibration (Case, say);
+  reportPage (Case, say);
+end
+
+% From the plan to the set that is handed back: what the published program does,
+% block by block. REST  runs that thinRuns has left out.
+function state = planToSet (state, problem, Case, say, rest)
+  rest = keepRows (rest, ismember (rest.stage, state.data.stage));
   [plan, E] = newPlan (state.data, Case);
   state = runPlan (state, problem, plan, E, Case, say);
 
@@ -58,11 +75,6 @@ function calibration = calibrateCase (root, folder)
   end
   reportPage (Case, say, state);
   state = calibrateOnDEM (state, problem, say);
-
-  calibration = newCalibration (state, problem, Case);
-  calibration.verdict = writeCalibrationJson (calibration, Case);
-  reportCalibration (Case, say);
-  reportPage (Case, say);
 end
 
 % Nothing is deleted: moved back, the folders count again.

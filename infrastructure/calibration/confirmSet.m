@@ -9,11 +9,13 @@
 %        residualSd T x 1, interval90 2 x T (of the true response), estimate
 %        1 x T (its middle), state 1 x T cell: 'met' where the mean of the
 %        runs and the estimate are within the tolerance, 'missed' where neither
-%        is, else 'open' (the points of a curve as one), met 1 x T (state is
+%        is, else 'open' (the points of a curve as one), open (cellstr, fitted
+%        results of which the mean of the runs misses), met 1 x T (state is
 %        'met'; without runs: the estimate is within), probability, within (the
 %        estimate, with a run), converged, outcomes (struct: usual and other,
 %        runs at the set that ended as most do and in another way, result 1 x T
-%        of the others (NaN: none), share expected of other ones, onceMore
+%        of the others (NaN: none), none and resulting, runs at the set without and
+%        with a result, share expected of other ones, onceMore
 %        (probability after all runs that the budget allows, none of them odd)),
 %        conflict, ending (see newEnding), reason (its text), limit
 %        ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search; '':
@@ -25,7 +27,9 @@
 % of freedom then).
 %
 % converged: the truth's estimate within the tolerances, at least
-% options.replicates runs, probability at least options.confidence. How many
+% options.replicates runs, probability at least options.confidence, no result open
+% (a surrogate outvotes no run of its set: further runs decide), and packings
+% without a result are few (tooOftenNone). How many
 % runs that takes beyond the asked ones is for the probability to say: runs of
 % other sets, along slopes that the surrogate knows, tell as much as those at
 % the set.
@@ -40,7 +44,8 @@ function final = confirmSet (state, problem)
   m = expected;
   df = [state.surrogates.df];
   final = struct ('params', p, 'result', m, 'sd', sqrt (v + noiseSd.^2), ...
-                  'noiseSd', noiseSd, 'n', n, 'equal', nEqual);
+                  'noiseSd', noiseSd, 'n', n, 'equal', nEqual, ...
+                  'outcomes', resultsAt (isHere, state, problem));
   if n > 0
     final.result = mean (Z, 1);
     final.sd = noiseSd / sqrt (n);
@@ -77,6 +82,16 @@ function [Z, nEqual] = runsAt (isHere, state, problem)
   Z = Z(all (isfinite (Z), 2), :);
 end
 
+% How many runs at the set have no result, how many have one. An imported row
+% without one may be a result that nobody read.
+function outcomes = resultsAt (isHere, state, problem)
+  isOwn = isHere & ~strcmp (state.data.stage, 'import');
+  data = runsThatCount (keepRows (state.data, isOwn), problem);
+  isNone = any (isnan (data.Z(:, problem.calibrate)) & ...
+                ~isna (data.Z(:, problem.calibrate)), 2);
+  outcomes = struct ('none', sum (isNone), 'resulting', sum (~isNone));
+end
+
 % Of N runs at the set that count, those that ended in another way, beside those
 % that were left out.
 function outcomes = otherRuns (odd, isHere, expected, n)
@@ -93,9 +108,8 @@ function outcomes = otherRuns (odd, isHere, expected, n)
 end
 
 function final = judgeSet (final, m, v, df, problem, left)
-  full = problem.cost (final.params(:), @(varargin) final.result(:));
   T = numel (problem.value);
-  final.residual = full(1:T)(:);
+  final.residual = targetResidual (problem, final.params, final.result)';
   [r, slope] = targetResidual (problem, final.params, m);
   final.residualSd = (abs (slope) .* final.sd)';
   s = abs (slope) .* sqrt (v);
@@ -104,9 +118,9 @@ function final = judgeSet (final, m, v, df, problem, left)
   if ~isempty (problem.odd)
     problem.odd.further = left;
   end
-  final.outcomes = struct ('share', share, 'onceMore', ...
-                           mixtureMet (r, s, problem, df, at), ...
-                           'alone', allMet (r, s, problem, df));
+  final.outcomes.share = share;
+  final.outcomes.onceMore = mixtureMet (r, s, problem, df, at);
+  final.outcomes.alone = allMet (r, s, problem, df);
   half = arrayfun (@(df) studentQuantile (0.95, df), df) .* sqrt (v);
   final.interval90 = [m - half; m + half];
   share = toleranceShare (problem, r);
@@ -114,8 +128,9 @@ function final = judgeSet (final, m, v, df, problem, left)
   byRuns = toleranceShare (problem, final.residual');
   final.state = repmat ({'open'}, 1, T);
   final.met = false (1, T);
-  groups = requirementsOf (problem);
+  [groups, names] = requirementsOf (problem);
   final.expected = [sum(share > 1), numel(groups)];    % outside, of all
+  final.open = names(byRuns > 1 & final.n > 0);
   for g = 1:numel (groups)
     within = [share(g), byRuns(g)] <= 1;
     final.met(groups{g}) = within(1) && (within(2) || final.n == 0);
@@ -128,7 +143,13 @@ function final = judgeSet (final, m, v, df, problem, left)
   final.within = final.n > 0 && all (share <= 1);
   final.converged = final.within && ...
                     final.n >= problem.options.replicates && ...
-                    final.probability >= problem.options.confidence;
+                    final.probability >= problem.options.confidence && ...
+                    isempty (final.open) && ~lacksResults (final);
+end
+
+function yes = lacksResults (final)
+  o = final.outcomes;
+  yes = tooOftenNone (o.none, o.none + o.resulting) > 0.5;
 end
 
 % Why no set is within. A conflict comes first: no limit that is raised would
@@ -152,20 +173,25 @@ function ending = endingOf (final, hasRun, options)
     code = 'converged';
   elseif ~final.within
     code = outsideCode (final, hasRun);
+  elseif lacksResults (final)
+    code = 'noResult';
   elseif isMixed
     code = 'twoOutcomes';
   elseif final.n < options.replicates && final.equal > 0
     code = 'equalRuns';
   elseif final.n < options.replicates
     code = 'fewRuns';
+  elseif ~isempty (final.open)
+    code = 'open';
   else
     code = 'unsure';
   end
   numbers = struct ('runs', final.n, 'outside', final.expected(1), ...
-                    'targets', final.expected(2));
+                    'targets', final.expected(2), 'names', {final.open});
   numbers = mergeFields (numbers, final, {'equal', 'probability', ...
                                           'conflict', 'limit'});
-  numbers = mergeFields (numbers, final.outcomes, {'usual', 'other', 'share'});
+  numbers = mergeFields (numbers, final.outcomes, {'usual', 'other', 'share', ...
+                                                   'none', 'resulting'});
   ending = newEnding (code, numbers, options);
 end
 
@@ -218,6 +244,31 @@ end
 %! assert (final.ending.code, 'equalRuns');
 %! s = runAndFit (s, problem, 0.5, 'replicate');
 %! assert (abs (s.data.X(end) - 0.5) > 0 && abs (s.data.X(end) - 0.5) < 0.01);
+
+%!test
+%! % a run that misses is not outvoted by the surrogate of the others; further ones
+%! % decide
+%! state.evaluate = newEvaluate (@(P, E, r) 1.48 + 0.005 * (r - 1));
+%! s = runAndFit (state, problem, [0.5; 0.5], 'verify');
+%! problem.options.confidence = 0.5;
+%! final = confirmSet (s, problem);
+%! assert ([final.converged, isempty(final.open), final.within], true (1, 3));
+%! problem.tol = 0.009;
+%! final = confirmSet (s, problem);
+%! assert ({final.converged, final.open, final.within}, {false, {'target_1'}, true});
+
+%!test
+%! % four of eight packings without a result, then two of twenty
+%! state.evaluate = newEvaluate (@(P, E, r) ...
+%!   merge (mod (r, 2) == 0, NaN (size (r)), 1 + P + 0.01 * (mod (r, 5) - 2)));
+%! s = runAndFit (state, problem, 0.5 * ones (8, 1), 'verify');
+%! final = confirmSet (s, problem);
+%! assert ([final.outcomes.none, final.outcomes.resulting, final.n], [4, 4, 4]);
+%! assert ({final.converged, final.ending.code}, {false, 'noResult'});
+%! assert (! isempty (strfind (final.reason, 'Of 8 runs')));
+%! s.evaluate = newEvaluate (@(P, E, r) 1 + P + 0.01 * (mod (r, 5) - 2));
+%! s = runAndFit (s, problem, 0.5 * ones (16, 1), 'replicate');
+%! assert (confirmSet (s, problem).converged);
 
 %!test
 %! % the limit that bit is named; a conflict goes before it, without a run too

@@ -5,7 +5,8 @@
 % Each round places a batch of options.sets runs, refits the surrogates and
 % calibrates again, until the found set meets all targets with a probability of
 % options.likely (the runs of calibrateOnDEM bring the rest), or it is clear in
-% two rounds running that no set can meet them, or only the runs for
+% two rounds running that no set can meet them, or the runs contradict those of
+% another source (keepApart), or only the runs for
 % confirmation are left of the budget. STATE.reason says which. Where there are
 % levels, the found set is run at those that have no run yet first.
 %
@@ -27,6 +28,8 @@ function state = improveByInfill (state, problem, say)
     elseif conflicts > problem.options.conflicts
       state.reason = ['no set meets: ', ...
                       strjoin(state.found.conflict, ', ')];
+    elseif ~isempty (nthargout (2, @keepApart, state, problem))
+      state.reason = 'own runs contradict those of another source';
     elseif free < 1
       state.reason = 'no runs left for infill';
     else

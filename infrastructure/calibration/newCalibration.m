@@ -11,7 +11,9 @@
 %          interval90 2 x d, correlation d x d, posterior (n x d, sample),
 %          intervalNote, intervalCode (note and code of knownParameters),
 %          notIdentified (cellstr of parameters whose interval is
-%          wider than options.loose of the box), identifiability (weakness
+%          wider than options.loose of the box), sources (struct: own, imported,
+%          otherCases, parameter sets of which origin the data hold, misled, see
+%          keepApart), identifiability (weakness
 %          below), sensitivity d x T (total Sobol indices); demRuns,
 %          coreSeconds, atLimit, warnings, levels (describeLevels below),
 %          surrogates, history, data, exitStatus; holdout (1 x h: name, target,
@@ -39,6 +41,10 @@ function c = newCalibration (state, problem, Case)
                       'verify', count ('verify', 'replicate', 'repeat'), ...
                       'failed', state.budget.failed, ...
                       'reused', state.budget.reused);
+  isOther = ismember (state.data.stage, {'import', 'library'});
+  of = @(stage) sum (strcmp (state.data.stage, stage));
+  c.sources = struct ('own', sum (~isOther), 'imported', of ('import'), ...
+                      'otherCases', of ('library'), 'misled', state.misled);
   c.coreSeconds = state.budget.coreSeconds;
   [c.warnings, c.atLimit] = checkSurrogates (state, problem, known.interval90);
   c.identifiability = weakness (state.surrogates, problem, known);

@@ -3,14 +3,15 @@
 % CALL: ENDING = newEnding (CODE, NUMBERS [, OPTIONS])
 %
 %   CODE     'converged', 'conflict', 'allFailed', 'notRun', 'outside',
-%            'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes', 'published',
+%            'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes', 'noResult', 'open', 'published',
 %            those of endingCause, see ending.* of
 %            words.txt
 %   NUMBERS  struct with some of: runs (at the set), equal, probability,
 %            conflict (cellstr of targets), limit ('maxFunEvals', 'maxNewRuns',
 %            'maxIter': the budget that ended the search; '': none), usual,
 %            other (runs at the set that end as most do, in another way), share
-%            (expected of other ones), stopped, rest
+%            (expected of other ones), none, resulting (runs at the set without and
+%            with a result), names (cellstr, of what is open), stopped, rest
 %   OPTIONS  struct with the limits (optim.maxFunEvals ...), replicates
 %   ENDING   struct: code, and the numbers; text, the sentence for them
 %
@@ -23,10 +24,12 @@ function ending = newEnding (code, numbers, options)
   ending = mergeFields (struct ('code', code, 'runs', 0, 'equal', 0, ...
                                 'probability', 0, 'conflict', {{}}, ...
                                 'limit', '', 'usual', 0, 'other', 0, ...
-                                'share', 0, 'outside', 0, 'targets', 0), numbers);
+                                'none', 0, 'resulting', 0, 'share', 0, ...
+                                'outside', 0, 'targets', 0, 'names', {{}}), numbers);
   values = ending;
   values.share = round (100 * values.share);
   values.all = values.usual + values.other;
+  values.tried = values.none + values.resulting;
   chance = 100 * values.probability;
   values.probability = round (chance);
   if chance > 99.5                       % never said to be certain
@@ -54,6 +57,6 @@ end
 %!test
 %! % every code has a sentence
 %! for code = {'converged', 'conflict', 'allFailed', 'notRun', 'outside', ...
-%!             'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes'}
+%!             'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes', 'noResult', 'open'}
 %!   assert (! isempty (newEnding (code{1}, struct ()).text));
 %! end

@@ -8,7 +8,8 @@
 % STATE       struct: data, surrogates, found, history (1 x 0 struct: stage,
 %             iteration, params, residual T x 1, runs, probability), reason,
 %             final ([] until confirmSet), evaluate ([] until runs can be
-%             made), budget (see newEvaluate), misled (see trustLibrary)
+%             made), budget (see newEvaluate), others (see trustLibrary), misled
+%             (see keepApart)
 
 function state = newState (data, surrogates, found)
   if nargin < 2
@@ -19,6 +20,7 @@ function state = newState (data, surrogates, found)
   state = struct ('data', data, 'surrogates', surrogates, 'found', found, ...
                   'history', history, 'reason', '', 'misled', '', ...
                   'final', []);
+  state.others = struct ('source', {}, 'surrogates', {});
   [state.evaluate, state.budget] = newEvaluate ([]);
 end
 

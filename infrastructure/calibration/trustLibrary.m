@@ -1,55 +1,46 @@
-% TRUSTLIBRARY  Holds runs of other cases against a new one before they count.
+% TRUSTLIBRARY  Holds runs of another source against a new one before they count.
 %
 % CALL: STATE = trustLibrary (STATE, PROBLEM, SAY)
 %
 %   STATE    see newState; its data come back with the rows that were run, and
-%            without those of the library where they do not say what the bench
-%            gives today: its misled says so then (checkSurrogates)
+%            without those of a source (stage 'library': stored runs of other
+%            cases; 'import': rows of runs.csv) that does not say what the model
+%            gives today (keepApart). Its others: 1 x n struct source, surrogates (of
+%            its runs alone), those that count
 %
-% The set that the library finds is run: it must be run anyway. Where a result
-% is off by more than 4 standard deviations of what the library foretells, and
-% by more than half of the tolerance, the set is run once more, since a single
-% run may be wrong. Off again, the library misleads: a wall that was changed
-% outside the model folder, another program behind the same name.
+% The set that a source finds is run: it must be run anyway. Unless a shift of the
+% source is three times as likely as chance (oddsOfShift) it is taken in; else the
+% set is run again, at most four times.
 
 function state = trustLibrary (state, problem, say)
-  old = keepRows (state.data, strcmp (state.data.stage, 'library'));
-  least = numel (problem.names) + 2;
-  if finishedSets (runsThatCount (old, problem)) < least
-    return
+  for source = {'library', 'import'}
+    old = keepRows (state.data, strcmp (state.data.stage, source{1}));
+    if finishedSets (runsThatCount (old, problem)) > numel (problem.names) + 1
+      other = struct ('source', source{1}, 'surrogates', fitSurrogates (old, problem));
+      state.others(end + 1) = other;
+      state = trustSource (state, problem, other, say);
+    end
   end
-  surrogates = fitSurrogates (old, problem);
-  p = calibrateOnKriging (surrogates, problem).params;
-  [m, v] = predictSurrogate (surrogates, p);
-  sd = sqrt (v + [surrogates.noiseVar]);
-  for attempt = 1:2
+end
+
+function state = trustSource (state, problem, other, say)
+  p = calibrateOnKriging (other.surrogates, problem).params;
+  for attempt = 1:4
     before = rows (state.data.X);
     state = addRuns (state, problem, p, [], 'plan');
-    z = state.data.Z(before + 1:end, :);
-    known = isfinite (z);
-    if ~any (known)
+    if ~any (any (isfinite (state.data.Z(before + 1:end, :))))
       return                             % no budget, or the run failed
     end
-    off = abs (z - m) ./ sd;
-    off(abs (z - m) < problem.tol .* abs (problem.scale) / 2) = 0;
-    [worst, t] = max (off(known));
-    if worst <= 4
-      say (sprintf (['library   a new run at the values that it finds gives ' ...
-                     'what it predicts (off by %.1f standard ' ...
-                     'deviations)'], worst));
+    [odds, ~, values] = oddsOfShift (state.data, other, problem);
+    if odds < 3
+      say (sentence (['trusted.', other.source], values));
       return
     end
   end
-  t = find (known)(t);
-  state.misled = sprintf (['stored runs of other cases are not used: for ' ...
-                           '%s they predict %.4g, two new runs with these ' ...
-                           'values gave another value, the last %.4g ' ...
-                           '(%.0f standard deviations). Something outside ' ...
-                           'the model folder has changed. ' ...
-                           'decalioc forget takes them out of use'], ...
-                          problem.targetNames{t}, m(t), z(t), worst);
-  say (['library   ', state.misled]);
-  state.data = keepRows (state.data, ~strcmp (state.data.stage, 'library'));
+  [state, text] = keepApart (state, problem);
+  if ~isempty (text)
+    say (text);
+  end
 end
 
 %!function [data, misled] = trusted (data, problem, f)
@@ -74,16 +65,21 @@ end
 %! assert (text, '');
 %! assert (f (out.X(10, :)), [2, 0.1], 0.02);
 %!test
-%! % another wall: dropped after a second look, and said
-%! [out, text] = trusted (data, problem, @(varargin) 1.2 * f (varargin{:}));
-%! assert (out.stage, {'plan'; 'plan'});
-%! assert (out.replicate, [1; 2]);
-%! assert (strncmp (text, 'stored runs of other cases are not used', 39));
+%! % another wall: dropped after a further look, and said; a table of one's own, too
+%! shifted = @(varargin) 1.2 * f (varargin{:});
+%! [out, text] = trusted (data, problem, shifted);
+%! assert (out.stage, repmat ({'plan'}, 4, 1));
+%! assert (out.replicate, (1:4)');
+%! assert (! isempty (strfind (text, 'stored runs of other cases are not used')));
+%! data.stage(:) = {'import'};
+%! [out, text] = trusted (data, problem, shifted);
+%! assert (rows (out.X), 4);
+%! assert (! isempty (strfind (text, 'runs.csv are not used')));
 %!test
 %! % one wrong run; no budget; too few runs to tell
 %! once = @(P, E, r) (1 + 0.3 * (r == 1)) * f (P);
 %! [out, text] = trusted (data, problem, once);
-%! assert (rows (out.X), 11);
+%! assert (rows (out.X), 12);
 %! assert (text, '');
 %! assert (trusted (data, problem, @(varargin) [NA, NA]), data);
 %! assert (trusted (keepRows (data, 1:3), problem, f), keepRows (data, 1:3));

@@ -77,11 +77,16 @@ function numbers = keyNumbers (v, c)
               'targets met, expected from the fit, not yet run'};
     hasNoRun = c.runs == 0;
     isUnsure = ~v.usable && v.met == v.of;
-    forms = {', %d open', ' by the runs with these values, %d more by all runs together'};
     text = [sprintf('%d of %d', v.met, v.of), ...
-            repmat(sprintf (forms{1 + v.usable}, numel (open)), 1, ~isempty (open))];
+            repmat(sprintf (', %d open', numel (open)), 1, ~isempty (open))];
     says = eachOf (@(m) {['open: ', m.name]; nthargout(2, @missTexts, m)}, open);
     list = [list; {labels{1 + max(2 * hasNoRun, isUnsure)}, text}; [says{:}]'];
+  end
+  none = jsonNumber (c, {'outcomes', 'none'}, 0);
+  if none > 0
+    tried = none + jsonNumber (c, {'outcomes', 'resulting'}, 0);
+    list(end + 1, :) = {'runs with these values that gave no result', ...
+                        sprintf('%d of %d', none, tried)};
   end
   chance = jsonAt (c, {'probability'});
   if ~isempty (v.cause) && ~isempty (v.cause.amount)
@@ -100,17 +105,15 @@ function v = ofCalibration (v, c)
   v.met = sum ([used.met] == 1);
   v.of = numel (used);
   v.usable = isequal (c.converged, true);
-  v.sentence = c.reason;
+  v.sentence = strtrim ([char(jsonAt (c, {'sources', 'misled'})), ' ', c.reason]);
   right = {held([held.met] == 1).name};
   wrong = {held([held.met] == 0).name};
   open = {held(isnan ([held.met])).name};
   if v.usable
     [v.word, v.class] = deal (sentence ('case.calibrated.word'), 'good');
-    codes = {'usableFor.like', 'usableFor.likeOpen'};
-    v.usableFor = listSentences ({codes{1 + (v.met < v.of)}, ...
-                                  unique({used.model}, 'stable'); ...
+    v.usableFor = listSentences ({'usableFor.like', unique({used.model}, 'stable'); ...
                                   'usableFor.predicted', right});
-    v = withAction (v, useOrSettle (used));
+    v = withAction (v, newAction ('use'));
   else
     [v.word, v.class] = deal (sentence ('case.notCalibrated.word'), 'bad');
     v.notFor = {notCalibrated(used, c)};
@@ -121,17 +124,6 @@ function v = ofCalibration (v, c)
     v = withAction (v, newAction ('diagnose'));
   end
   v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong; 'notFor.leftOpen', open}), looseOnes(c), knownOnes(c)];
-end
-
-% The values may be used; a target that runs and all runs together see otherwise is
-% worth some more runs.
-function todo = useOrSettle (used)
-  todo = newAction ('use');
-  isOpen = isOpenMiss (used);
-  if any (isOpen)
-    settle = newAction ('settle', {used(isOpen).name});
-    todo.parts = [todo.parts, sayFirst(' ', settle.parts)];
-  end
 end
 
 function text = notCalibrated (used, c)
@@ -147,7 +139,8 @@ function todo = wayOn (c, used)
   units = otherUnits (used([used.met] == 0));
   [limit, code] = deal (c.limit, c.ending.code);
   plain = struct ('allFailed', 'mendModel', 'manyFailed', 'mendModel', ...
-                  'published', 'robust', 'twoOutcomes', 'lookOutcomes');
+                  'published', 'robust', 'twoOutcomes', 'lookOutcomes', ...
+                  'noResult', 'lookNone');
   widen = worded (c, namesIn (c, 'atLimit'));
   if ~isempty (units)
     todo = newAction ('units', units);

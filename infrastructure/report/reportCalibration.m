@@ -28,6 +28,8 @@ function reportCalibration (Case, say)
   end
   say ('');
   v = page.verdict;
+  misled = char (jsonAt (c, {'sources', 'misled'}));
+  cellfun (say, {misled}(~isempty (misled)));
   say ([repmat('NOT ', 1, ~c.converged), 'CALIBRATED: ', c.reason], v.class);
   if ~isempty (v.gap)
     say (['  ', v.gap]);

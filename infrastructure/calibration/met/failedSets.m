@@ -1,8 +1,8 @@
-% FAILEDSETS  Sets whose runs failed twice or more and never finished.
+% FAILEDSETS  Sets whose runs failed twice or more, and never or seldom finished.
 %
 % CALL: P = failedSets (DATA, PROBLEM)
 %
-% P        k x d
+% P        k x d, where runs surely end without a result too often (tooOftenNone)
 
 function P = failedSets (data, problem)
   data = runsThatCount (data, problem);
@@ -12,7 +12,7 @@ function P = failedSets (data, problem)
   failed = any (isnan (data.Z(counts, :)), 2);
   n = accumarray (group(:), 1, [rows(sets), 1]);
   bad = accumarray (group(:), failed(:), [rows(sets), 1]);
-  P = sets(bad >= 2 & bad == n, :);
+  P = sets(tooOftenNone (bad, n) > 0.95, :);
 end
 
 %!test

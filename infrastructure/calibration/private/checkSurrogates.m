@@ -3,7 +3,8 @@
 % CALL: [LINES, TOUCHED] = checkSurrogates (STATE, PROBLEM [, INTERVAL])
 %
 % INTERVAL 2 x d, of the parameters (NaN: not known, the default)
-% LINES    cellstr: a target outside the range of the responses, a surrogate
+% LINES    cellstr: a source that is not used (keepApart), a target outside the
+%          range of the responses, a surrogate
 %          with poor Q2, a parameter at its limit, fewer targets than
 %          parameters, runs that failed, equal replicates, runs that were
 %          left out, a level that was dropped
@@ -47,7 +48,7 @@ function [lines, touched] = checkSurrogates (state, problem, interval)
   if ~isempty (problem.coarse)
     lines = [lines, droppedLevels(state, problem)];
   end
-  lines = [lines, {state.misled}(~isempty (state.misled))];
+  lines = [{state.misled}(~isempty (state.misled)), lines];
 end
 
 function lines = droppedLevels (state, problem)

@@ -75,6 +75,8 @@ function why = whyOver (book, problem)
   why = '';
   if final.converged
     why = 'the set is confirmed';
+  elseif ~isempty (nthargout (2, @keepApart, book.state, problem))
+    why = 'its runs contradict those of another source';
   elseif budgetLeft (book.state, problem) < 1
     why = 'no DEM runs are left';
   elseif final.equal > 0 && final.probability >= options.confidence

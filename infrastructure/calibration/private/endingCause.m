@@ -27,7 +27,8 @@ function final = endingCause (final, state, problem)
   code = '';
   if cutOff >= max (2, 0.2 * numbers.total)
     code = 'cutOff';
-  elseif numbers.failed >= max (3, numbers.total / 3)
+  elseif numbers.failed >= max (3, numbers.total / 3) && ...
+         ~strcmp (final.ending.code, 'noResult')
     code = 'manyFailed';
   elseif ~isempty (names)
     code = 'jump';

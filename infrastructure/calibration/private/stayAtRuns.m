@@ -1,23 +1,24 @@
-% STAYATRUNS  Where no run can be made, a set that has runs goes before a new one.
+% STAYATRUNS  A set that was run goes before a new one that is hardly surer.
 %
 % CALL: FOUND = stayAtRuns (STATE, PROBLEM)
 %
 % STATE  struct of newState with its found set;  PROBLEM  see newProblem
-% FOUND  that set; or, where this start can make no run, the set of a row that
-%        counts, whose rows meet the targets and which is sure enough
-%        (options.confidence) or hardly less likely than the found one
-%        (options.better), never below options.even; of several the likeliest
+% FOUND  that set; or the set of a row that counts, whose rows meet the targets
+%        and which is sure enough (options.confidence) or hardly less likely than
+%        the found one (options.better), never below options.even; of several the
+%        likeliest. Where runs can be made, of runs of this case alone
 %
-% Who runs the set by himself and adds it to runs.csv moves the surrogates, and
+% A set that was run, as trustLibrary does, need not be confirmed at another place
+% beside. And who runs the set by himself and adds it to runs.csv moves the surrogates, and
 % with them the surest set, a little each time: without this the set that is to
 % be run next would never be one that was run.
 
 function found = stayAtRuns (state, problem)
   found = state.found;
-  if budgetLeft (state, problem) > 0
-    return
-  end
   data = runsThatCount (state.data, problem);
+  if budgetLeft (state, problem) > 0
+    data = keepRows (data, ~ismember (data.stage, {'import', 'library'}));
+  end
   isWhole = all (isfinite (data.Z(:, problem.calibrate)), 2);
   inBox = all (data.X >= problem.limits(1, :) & ...
                data.X <= problem.limits(2, :), 2);
@@ -59,9 +60,11 @@ end
 %! s.data = addRows (s.data, near, law (near), 1, 'import');
 %! found = stayAtRuns (s, problem);
 %! assert (found.params, near, 1e-12);
-%! % not where runs can be made, nor where its rows miss
+%! % where runs can be made only at those of this case; not where its rows miss
 %! s.budget.left = Inf;
 %! assert (stayAtRuns (s, problem), s.found);
+%! s.data.stage(end) = {'plan'};
+%! assert (stayAtRuns (s, problem).params, near, 1e-12);
 %! s.budget.left = 0;
 %! s.data.Z(end, :) = 2 * s.data.Z(end, :);
 %! assert (stayAtRuns (s, problem), s.found);

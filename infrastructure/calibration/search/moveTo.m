@@ -11,8 +11,8 @@
 %
 % The found set stays once it is sure enough (options.confidence), and unless
 % the other one is likelier by options.better: what the runs at it told the
-% surrogates they go on telling. A set whose runs failed twice and never
-% finished is left (failedSets).
+% surrogates they go on telling. A set whose runs fail too often is left
+% (failedSets).
 
 function [state, wasWrong] = moveTo (state, problem, p)
   problem = withCare (state, problem);

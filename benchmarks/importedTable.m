@@ -1,0 +1,105 @@
+% IMPORTEDTABLE  Calibrations beside an imported table that is off.
+%
+% CALL: octave-cli benchmarks/importedTable.m OFF REPLICATES SEEDS CSV
+%       octave-cli benchmarks/importedTable.m report CSV
+%
+%   OFF         by how much the discharge of the table takes longer than that of
+%               today's script, e.g. 0,0.02,0.04,0.08 (tolerance 0.05)
+%   REPLICATES  Input.replicates, e.g. 1,4
+%   SEEDS       e.g. 1:25, each with a truth of its own
+%   CSV         table, to which one row a calibration is added; those that stand
+%               in it are not made again
+%
+% A bin of two parameters and two results, as formulas (binOf). The table has 60
+% rows. Right is a set called calibrated whose true means are within both
+% tolerances. The report: a row for each OFF and REPLICATES, with 95 % intervals.
+%
+% See also: calibrateStandIn, binomialInterval
+
+1;
+
+function runStudy (offs, replicates, seeds, file)
+  if ~isfile (file)
+    appendLine (file, ['off,replicates,seed,converged,right,worst,probability,', ...
+                       'runs,rejected,ending']);
+  end
+  done = doneIn (file);
+  for off = offs
+    for n = replicates
+      for seed = seeds
+        if ~any (all (done == [off, n, seed], 2))
+          appendLine (file, oneCase (off, n, seed));
+        end
+      end
+    end
+  end
+end
+
+function done = doneIn (file)
+  [~, cells] = readCsvTable (file);
+  done = str2double (cells(:, 1:3));
+  done = reshape (done, [], 3);
+end
+
+function line = oneCase (off, replicates, seed)
+  S = binOf (seed);
+  S.library = tableOf (S, off, seed);
+  r = calibrateStandIn (S, seed, 0, struct ('replicates', replicates));
+  final = r.state.final;
+  share = max (abs (S.response (final.params) ./ S.value - 1) ./ S.tol);
+  isOwn = ~ismember (r.state.data.stage, {'import', 'library'});
+  line = rowText ({off, replicates, seed, double(final.converged), ...
+                   double(share < 1), share, final.probability, sum(isOwn), ...
+                   double(~isempty (r.state.misled)), final.ending.code});
+end
+
+% Discharge time and angle of a bin by friction and rolling friction.
+function S = binOf (seed)
+  S = struct ('names', {{'friction', 'rollingFriction'}}, ...
+              'limits', [0.3, 0.1; 0.7, 0.3], ...
+              'targetNames', {{'tDischarge', 'angle'}}, 'model', [1, 1], ...
+              'tol', [0.05, 0.05], 'noise', [0.017, 0.033]);
+  S.response = @(P) [0.36 + 0.5 * P(:, 1) + 0.1 * P(:, 2), ...
+                     26 * (1 - exp (-P(:, 2) / 0.1)) + 10 * (P(:, 1) - 0.4)];
+  rand ('twister', 1e6 + seed);
+  S.truth = S.limits(1, :) + (0.1 + 0.8 * rand (1, 2)) .* diff (S.limits);
+  S.value = S.response (S.truth);
+end
+
+function data = tableOf (S, off, seed)
+  rand ('twister', 2e6 + seed);
+  randn ('twister', 2e6 + seed);
+  X = S.limits(1, :) + rand (60, 2) .* diff (S.limits);
+  Z = S.response (X) .* [1 + off, 1] .* (1 + S.noise .* randn (60, 2));
+  data = addRows (newData (2, 2), X, Z, ones (60, 1), 'import');
+end
+
+function report (file)
+  [header, cells] = readCsvTable (file);
+  M = str2double (cells(:, 1:9));
+  col = @(name) M(:, strcmp (header, name));
+  printf (['| table off by | replicates | n | calibrated | of them right | table refused | ', ...
+           'own runs |\n|---|---|---|---|---|---|---|\n']);
+  for pair = unique (M(:, 1:2), 'rows')'
+    here = col ('off') == pair(1) & col ('replicates') == pair(2);
+    yes = here & col ('converged') == 1;
+    n = sum (yes);
+    right = sum (yes & col ('right') == 1);
+    [lo, hi] = binomialInterval (right, n);
+    printf ('| %g %% | %d | %d | %d | %d (%.2f to %.2f) | %d | %.1f |\n', 100 * pair(1), ...
+            pair(2), sum (here), n, right, lo, hi, sum (col ('rejected')(here)), ...
+            mean (col ('runs')(here)));
+  end
+end
+
+addpath (fileparts (mfilename ('fullpath')));
+startBenchmarks ();
+pkg ('load', 'stk');
+pkg ('load', '-nodeps', 'struct', 'optim');
+args = argv ();
+if strcmp (args{1}, 'report')
+  report (args{2});
+else
+  numbers = cellfun (@(a) str2num (['[', a, ']']), args(1:3), 'UniformOutput', false);
+  runStudy (numbers{:}, make_absolute_filename (args{4}));
+end
