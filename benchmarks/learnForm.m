@@ -8,7 +8,7 @@
 %          density of a left-out run, in the mean)
 %
 % What a calibration estimates from its few runs: the restricted likelihood of
-% prepareFit, here summed over all plans, so that the parameters are those that
+% fitCost, here summed over all plans, so that the parameters are those that
 % are best for plans of the size that a calibration has; its prior counts once.
 % Trend (constant, affine), kernel and bends of the inputs are those that foretell
 % left-out runs of the second half of the plans best. The noise is the law of the
@@ -65,7 +65,7 @@ function best = better (best, new, plans, t)
   end
   theta = new.param;
   if isempty (theta)
-    theta = fits(1).mean;
+    theta = fits(1).model.param;
   end
   settings = optimset ('GradObj', 'on', 'TolFun', 1e-4, 'TolX', 1e-2, ...
                        'MaxIter', 30);
@@ -93,17 +93,21 @@ end
 
 function fit = fitOf (form, plan, t)
   base = baseOf (form, plan, t);
-  fit = prepareFit (base.unit, base.y, form.trend, form.covariance, base.noise);
+  of = mergeFields (base, struct ('extra', [], 'prior', [], 'scatter', []));
+  fit = struct ('U', base.unit, 'y', base.y);
+  fit.model = krigingModel (form.trend, form.covariance, ...
+                            columns (base.unit), of);
 end
 
 % Each cost holds the prior: all but one of them are taken off.
 function [C, g] = together (theta, fits)
-  u = (theta - fits(1).mean) ./ fits(1).sd;
+  prior = fits(1).model.prior;
+  u = (theta - prior.mean) ./ prior.sd;
   many = numel (fits) - 1;
   C = -0.5 * many * (u' * u);
-  g = -many * u ./ fits(1).sd;
+  g = -many * u ./ prior.sd;
   for fit = fits
-    [own, slope] = fit.cost (theta);
+    [own, slope] = fitCost (fit.model, fit.U, fit.y, theta);
     C = C + own;
     g = g + slope;
   end

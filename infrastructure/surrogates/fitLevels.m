@@ -56,7 +56,8 @@ function L = likelihoodOf (s, X, z, level, whole)
   end
   U = unitInputs ([X, level], s.limits, columns (source.extra));
   H = feval (source.model.lm, U);
-  K = source.scale^2 * covarianceOf (source, U, U) + ...
+  m = source.model;
+  K = source.scale^2 * feval (m.covariance_type, m.param, U, U) + ...
       (3 * whole.scale)^2 * (H * H');
   R = chol (K + diag (noiseAt (source, level) + 1e-9 * whole.scale^2));
   v = R' \ (z - whole.shift);

@@ -4,7 +4,7 @@
 %
 %   CASE   see newCase: options.similar, a folder with the results of another
 %          case ('': none)
-%   PRIOR  1 x T cell, see prepareFit: (d + 2) x 1, from the surrogate of the
+%   PRIOR  1 x T cell, see krigingModel: (d + 2) x 1, from the surrogate of the
 %          target of the same name ([] where there is none); {} without a folder
 %
 % Ranges are known of the parameters that have the same name there, in their own

@@ -7,17 +7,18 @@
 %         response
 % BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), shift and scale (of
 %        the standardised response (z - shift) / scale); optional extra (n x 1,
-%        one more input, see unitInputs), prior (see prepareFit), scatter (see
+%        one more input, see unitInputs), prior (see krigingModel), scatter (see
 %        noisePrior) and noiseLaw (1 x 2: log variance where extra is 0, its slope)
 %
-% The covariance is factored once; leave-one-out residuals in closed form
-% (Dubrule 1983): with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1 the residual is
-% (Q y)_i / Q_ii and its variance 1 / Q_ii. factor widens the prediction
-% variance where the standardised residuals are larger than chance allows. df is
-% what the smoother leaves to the noise, trace (noise Q) = n - trace (hat), and
-% what was known of the noise beforehand (noisePrior: a log variance known to
-% within sd is what 2 / sd^2 freedoms tell), at least a third of the rows beyond
-% the trend.
+% stk factors the covariance once (solver.posterior, for stk_predict), and gives
+% the leave-one-out residuals in closed form (Dubrule 1983). factor widens the
+% prediction variance where the standardised residuals are larger than chance
+% allows. df is what the smoother leaves to the noise, trace (noise Q) = n - trace
+% (hat) with Q = K^-1 - K^-1 H (H' K^-1 H)^-1 H' K^-1, and what was known of the
+% noise beforehand (noisePrior: a log variance known to within sd is what 2 / sd^2
+% freedoms tell), at least a third of the rows beyond the trend. solver.alpha and
+% solver.beta are the weights of the covariances with the runs and of the trend in
+% the mean.
 
 function surrogate = conditionSurrogate (choice, base)
   base = mergeFields (struct ('extra', [], 'noiseLaw', [], 'prior', [], ...
@@ -25,23 +26,19 @@ function surrogate = conditionSurrogate (choice, base)
   n = numel (base.z);
   unit = unitInputs ([base.X, base.extra], base.limits, columns (base.extra));
   y = (base.z - base.shift) / base.scale;
-  model = modelOf (choice, columns (unit));
-  K = feval (model.covariance_type, model.param, unit, unit, -1);
+  model = krigingModel (choice.trend, choice.covariance, columns (unit));
+  model.param = choice.param;
+  model.lognoisevariance = choice.lognoisevariance;
   noise = exp (model.lognoisevariance(:));
-  K = K + diag (noise .* ones (n, 1)) + ...
-      1e-12 * exp (model.param(1)) * full (eye (n));
-  H = feval (model.lm, unit);
-  L = chol (K, 'lower');
-  A = L \ H;
-  [~, R] = qr (A, 0);
-  b = L \ y;
-  beta = R \ (R' \ (A' * b));
-  alpha = L' \ (b - A * beta);
-  W = chol2inv (L');
-  V = (L' \ A) / R;
-  q = max (diag (W) - sum (V.^2, 2), eps (diag (W)));
-  loo = alpha ./ q;
-  looStd = alpha ./ sqrt (q);
+  warning ('off', 'STK:stk_cholcov:AddingRegularizationNoise', 'local');
+  posterior = stk_model_gpposterior (model, unit, y);
+  [left, residual] = stk_predict_leaveoneout (posterior);
+  loo = double (residual)(:, 1);
+  looStd = double (residual)(:, 2);
+  q = 1 ./ (double (left)(:, 2) + noise);          % of Q
+  [K, H] = stk_make_matcov (model, unit);
+  nTrend = columns (H);
+  weights = [K, H; H', zeros(nTrend)] \ [y; zeros(nTrend, 1)];
 
   surrogate = struct ('name', base.name, 'model', model);
   for field = {'X', 'z', 'limits', 'extra', 'noiseLaw', 'prior', 'scatter', ...
@@ -64,23 +61,15 @@ function surrogate = conditionSurrogate (choice, base)
   surrogate.factor = max (1, mean (looStd.^2) - 2 * sqrt (2 / n));
   [~, open] = noisePrior (base.scatter, base.scale);
   surrogate.df = max ([3, sum(noise .* q) + 2 / open^2, ...
-                       (n - size (H, 2)) / 3]);
+                       (n - nTrend) / 3]);
   surrogate.score = -0.5 * sum (log (2 * pi ./ q) + looStd.^2);
-  surrogate.solver = struct ('unit', unit, 'y', y, 'L', L, ...
-                             'A', A, 'R', R, 'beta', beta, ...
-                             'alpha', alpha, 'open', []);
+  surrogate.solver = struct ('unit', unit, 'y', y, 'posterior', posterior, ...
+                             'alpha', weights(1:n), ...
+                             'beta', weights(n + 1:end), 'open', []);
   surrogate.nChoice = n;
   [surrogate.leftOut, surrogate.suspect, surrogate.aside, ...
    surrogate.dropped] = deal ([]);
   surrogate.warning = qualityWarning (surrogate);
-end
-
-function model = modelOf (choice, d)
-  kernel = regexprep (choice.covariance, '^(matern|gauss)', '$1cov');
-  model = stk_model (['stk_' kernel '_aniso'], d);
-  model.lm = feval (['stk_lm_' choice.trend]);
-  model.param = choice.param;
-  model.lognoisevariance = choice.lognoisevariance;
 end
 
 function text = qualityWarning (surrogate)
@@ -115,11 +104,12 @@ end
 %! assert (s.looStd(i), (z(i) - m) / sqrt (v + s.noiseVar), 1e-4);
 
 %!test
-%! % the same as the posterior of stk
-%! s.factor = 1;
-%! P = lim(1, :) + rand (6, 2) .* (lim(2, :) - lim(1, :));
-%! [m, v] = predictSurrogate (s, P);
-%! known = stk_model_gpposterior (s.model, s.solver.unit, s.solver.y);
-%! y = stk_predict (known, (P - lim(1, :)) ./ diff (lim));
-%! assert (m, s.shift + s.scale * y.mean, 1e-7);
-%! assert (v, s.scale ^ 2 * y.var, 1e-7);
+%! % the weights are those of the mean, and the freedoms those of the smoother
+%! [K, H] = stk_make_matcov (s.model, s.solver.unit);
+%! bare = setfield (s.model, 'lognoisevariance', -Inf);
+%! k = stk_make_matcov (bare, s.solver.unit);
+%! mean = H * s.solver.beta + k * s.solver.alpha;
+%! assert (s.shift + s.scale * mean, predictSurrogate (s, X), 1e-6);
+%! Q = inv (K) - K \ H * inv (H' / K * H) * (H' / K);
+%! df = trace (exp (s.model.lognoisevariance) * Q) + 2 / 1.6^2;
+%! assert (s.df, max (df, (14 - columns (H)) / 3), 1e-6);

@@ -16,7 +16,7 @@
 %               runs is known to a millionth of it (NaN: of the response)
 %   extra       n x 1, a further input that needs no box; predicted is where it
 %               is 0, and the noise may change along it ([])
-%   prior       (d + 2) x 1, see prepareFit; left for a gain above 1.5 ([])
+%   prior       (d + 2) x 1, see krigingModel; left for a gain above 1.5 ([])
 %   scatter     1 x 2, see noisePrior; left as the prior is ([])
 %   form        struct, what is known of the response beforehand and not
 %               estimated: trend, covariance, param (of the stk model), limits
@@ -31,7 +31,7 @@
 % leftOut, suspect, aside ([], see fitSurrogates), dropped ([], see fitLevels),
 % warning.
 %
-% Parameters: least cost of prepareFit, by fminunc. Choice: leave-one-out log
+% Parameters: stk_param_estim (estimateModel). Choice: leave-one-out log
 % predictive density, trend first, bends of the inputs (bendInputs, the fourth
 % row of limits, see toUnit) last; an affine trend, matern52 and straight inputs
 % are left only for a gain above 1.5: the best score is partly luck. Of more rows 150 estimate
@@ -203,24 +203,21 @@ function [choice, noiseLaw] = estimate (trend, covariance, base, theta)
   use = spreadRows (rows (base.X), base.maxFit);
   unit = unitInputs ([base.X, base.extra], base.limits, columns (base.extra));
   y = (base.z - base.shift) / base.scale;
-  noise = ofRows (base.knownNoise, use);
-  of = mergeFields (base, struct ('extra', ofRows (base.extra, use)));
-  fit = prepareFit (unit(use, :), y(use), trend, covariance, noise, of);
-  if isempty (theta)
-    theta = fit.mean;
+  of = mergeFields (base, struct ('extra', ofRows (base.extra, use), ...
+                                  'noise', ofRows (base.knownNoise, use)));
+  model = krigingModel (trend, covariance, d, of);
+  if ~isempty (of.noise)
+    theta(d + 2:end) = [];             % known noise is no parameter
   end
-  theta = theta(1:numel (fit.mean));   % known noise is no parameter
-  settings = optimset ('GradObj', 'on', 'TolFun', 1e-5, 'TolX', 1e-4, ...
-                       'MaxIter', 100);
-  theta = fminunc (fit.cost, theta, settings);
+  theta = estimateModel (model, unit(use, :), y(use), theta);
   choice = struct ('trend', trend, 'covariance', covariance, ...
                    'param', theta(1:d + 1), ...
                    'lognoisevariance', log (base.knownNoise));
   noiseLaw = [];
-  if ~isempty (fit.extra)
+  if isempty (of.noise) && ~isempty (of.extra)
     noiseLaw = theta(d + 2:end)';
     choice.lognoisevariance = noiseLaw(1) + noiseLaw(2) * base.extra;
-  elseif isempty (noise)
+  elseif isempty (of.noise)
     choice.lognoisevariance = theta(end);
   end
 end

@@ -10,28 +10,29 @@
 
 function [m, v, S] = krigingPosterior (surrogate, P)
   s = surrogate.solver;
-  model = surrogate.model;
   U = unitInputs (P, surrogate.limits, columns (surrogate.extra));
   isOpen = nargout > 1 && ~isempty (s.open);
-  if isOpen
-    [k, D] = covarianceOf (surrogate, U, s.unit);
-  else
-    k = covarianceOf (surrogate, U, s.unit);
-  end
-  h = feval (model.lm, U);
-  m = h * s.beta + k * s.alpha;
-  if nargout > 1
-    % what the runs tell, and what the trend and the parameters leave open
-    B = s.L \ k';
-    C = s.R' \ (h' - s.A' * B);
-    if isOpen
-      C = [C; (h * s.open.beta + k * s.open.alpha + ...
-               D * s.open.root(1:columns (D), :))'];
-    end
-    v = exp (model.param(1)) - sum (B.^2, 1)' + sum (C.^2, 1)';
-  end
+  % a variance of -1e-15 is none; said in the prompt, it would alarm
+  warning ('off', 'STK:stk_predict:NegativeVariancesSetToZero', 'local');
   if nargout > 2
-    S = covarianceOf (surrogate, U, U) - B' * B + C' * C;
+    [z, weights, ~, S] = stk_predict (s.posterior, U);
+  elseif isOpen
+    [z, weights] = stk_predict (s.posterior, U);
+  else
+    z = stk_predict (s.posterior, U);
+  end
+  z = double (z);
+  m = z(:, 1);
+  v = z(:, 2);
+  if isOpen
+    % what the parameters leave open, see parameterSpread
+    root = s.open.root;
+    C = covarianceSlopes (surrogate, U) * root(1:numel (surrogate.model.param), :) - ...
+        weights' * s.open.runs;
+    v = v + sumsq (C, 2);
+    if nargout > 2
+      S = S + C * C';
+    end
   end
 end
 

@@ -3,16 +3,17 @@
 % CALL: OPEN = parameterSpread (SURROGATE)
 %
 % OPEN       struct: root (k x k, of the covariance of the k parameters: log
-%            variance, log inverse ranges, log noise), alpha (n x k), beta
-%            (q x k): change of solver.alpha and solver.beta with each column
-%            of root; [] where nothing is open: a response that no run has
+%            variance, log inverse ranges, log noise), runs (n x k, the change
+%            with each column of root of what the covariance of the runs makes of
+%            solver.alpha); [] where nothing is open: a response that no run has
 %            moved, more than 150 runs
 %
 % After d + 3 runs other parameters are almost as likely as those of the fit,
 % under which the mean is another one, most of all where no run is near. Their
-% covariance is the inverse of the second derivatives of the cost of prepareFit
-% (Laplace), nowhere wider than their prior; krigingPosterior adds what it makes
-% of the mean to what is open.
+% covariance is the inverse of the second derivatives of fitCost (Laplace), nowhere
+% wider than their prior; krigingPosterior adds what it makes of the mean to what
+% is open. With k and K the covariances of a set with the runs and of the runs, and
+% lambda the weights of stk_predict, the mean changes by (dk' - lambda' dK) alpha.
 
 function open = parameterSpread (surrogate)
   s = surrogate.solver;
@@ -21,46 +22,45 @@ function open = parameterSpread (surrogate)
   if isConstant (surrogate.z) || n > 150
     return
   end
-  [noise, slopes] = noiseTerms (surrogate);
-  fit = prepareFit (s.unit, s.y, surrogate.trend, surrogate.covariance, ...
-                    noise, surrogate);
-  root = spreadAt (surrogate.theta, fit);
-  % with K_j the derivative of the covariance of the runs: alpha changes by
-  % -Q K_j alpha, beta by -(H' K^-1 H)^-1 H' K^-1 K_j alpha
-  [~, D] = covarianceOf (surrogate, s.unit, s.unit);
-  change = s.L \ ([D, slopes] * root);
-  open.root = root;
-  open.beta = -(s.R \ (s.R' \ (s.A' * change)));
-  open.alpha = -(s.L' \ (change + s.A * open.beta));
+  [of, slopes] = noiseTerms (surrogate);
+  model = krigingModel (surrogate.trend, surrogate.covariance, ...
+                        columns (s.unit), of);
+  open.root = spreadAt (surrogate.theta, model, s);
+  open.runs = [covarianceSlopes(surrogate, s.unit), slopes] * open.root;
 end
 
-% The known noise of each run (or []), and what the noise terms times alpha
-% change with the parameters of the noise.
-function [known, slopes] = noiseTerms (surrogate)
+% OF for krigingModel, and what the noise terms times alpha change with the
+% parameters of the noise.
+function [of, slopes] = noiseTerms (surrogate)
   noise = exp (surrogate.model.lognoisevariance(:));
   alpha = surrogate.solver.alpha;
-  [known, slopes] = deal ([]);
+  of = mergeFields (surrogate, struct ('noise', []));
+  slopes = [];
   if ~isempty (surrogate.noiseLaw)
     slopes = noise .* alpha .* [ones(size (alpha)), surrogate.extra];
   elseif isscalar (noise)
     slopes = noise * alpha;
   else
-    known = noise;
+    of.noise = noise;
   end
 end
 
-function root = spreadAt (theta, fit)
+function root = spreadAt (theta, model, s)
   k = numel (theta);
   h = 1e-3;
   H = zeros (k);
-  [~, g] = fit.cost (theta);
+  [~, g] = fitCost (model, s.unit, s.y, theta);
   for j = 1:k
-    [~, ahead] = fit.cost (theta + h * ((1:k)' == j));
+    [~, ahead] = fitCost (model, s.unit, s.y, theta + h * ((1:k)' == j));
     H(:, j) = (ahead - g) / h;
   end
-  H = fit.sd .* (H + H') / 2 .* fit.sd';
+  sd = model.prior.sd;
+  if isfield (model, 'noiseprior')
+    sd(end + 1) = model.noiseprior.sd;
+  end
+  H = sd .* (H + H') / 2 .* sd';
   [Q, D] = eig (H);
-  root = fit.sd .* Q ./ sqrt (max (diag (D), 1))';
+  root = sd .* Q ./ sqrt (max (diag (D), 1))';
 end
 
 %!shared X, z, s
@@ -94,8 +94,8 @@ end
 %!test
 %! % never wider than the prior; more away from the runs; nothing of a constant
 %! open = parameterSpread (s);
-%! fit = prepareFit (X, s.solver.y, s.trend, s.covariance, []);
-%! assert (sumsq (open.root, 2) <= fit.sd.^2 * (1 + 1e-9));
+%! sd = [2; 1; 1; 1.6];
+%! assert (sumsq (open.root, 2) <= sd.^2 * (1 + 1e-9));
 %! [~, before] = predictSurrogate (s, [0.5, 0.5; 1, 0]);
 %! o = s;
 %! o.solver.open = open;
@@ -119,12 +119,17 @@ end
 %! rand ('twister', 7);
 %! randn ('twister', 7);
 %! inside = zeros (60, 2);
+%! of = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
+%!              'scale', 1);
+%! prior = krigingModel ('affine', 'matern52', 2, of);
+%! mean = [prior.prior.mean; prior.noiseprior.mean];
+%! sd = [prior.prior.sd; prior.noiseprior.sd];
 %! for i = 1:60
 %!   X = rand (9, 2);
-%!   fit = prepareFit (X, X(:, 1), 'affine', 'matern52', []);
-%!   theta = fit.mean + fit.sd .* randn (4, 1);
-%!   k = correlationOf ('matern52', fit.S * exp (2 * theta(2:3)));
-%!   K = exp (theta(1)) * (reshape (k, 9, 9) + diag (1e-10 * ones (9, 1)));
+%!   model = stk_set_optimizable_parameters (prior, mean + sd .* randn (4, 1));
+%!   theta = [model.param; model.lognoisevariance];
+%!   model.lognoisevariance = theta(1) - 23;
+%!   K = stk_make_matcov (model, X);
 %!   f = chol (K, 'lower') * randn (9, 1) + X * [2; -2];
 %!   z = f + exp (theta(4) / 2) * randn (9, 1);
 %!   s = fitSurrogate (X(1:8, :), z(1:8), [0, 0; 1, 1], ...

@@ -6,8 +6,8 @@
 % M, V        n x T  mean of the response and its variance (the noise of a run
 %             is not in it: add surrogates(t).noiseVar to predict a run)
 %
-% Closed form from the factored covariance (equal to stk_predict, which costs
-% 0.6 ms more a call). The variance is only computed when it is asked for.
+% stk_predict, and what the surrogate adds to it. A call costs 1 ms more than each
+% set in it: predict many sets at once.
 %
 % Errors: DEcalioc:predictSurrogate:badShape
 

@@ -14,7 +14,7 @@
 %           (a row for each of ~OUT) x T, noiseSd 1 x T
 %
 % The scatter of a run is taken for no less than what two deviations of its
-% prior leave (prepareFit, from stored runs): few runs on a curve that waves
+% prior leave (noisePrior, from stored runs): few runs on a curve that waves
 % look free of noise.
 
 function judged = fitWithout (task, out)
@@ -29,9 +29,12 @@ function judged = fitWithout (task, out)
     s = fitRows (task.X, z, task.extra, use, old.limits, ...
                  struct ('trend', old.trend, 'covariance', old.covariance));
     s = leastNoise (s);
-    fit = prepareFit (s.solver.unit, s.solver.y, s.trend, s.covariance, ...
-                      [], s);
-    judged.gain(t) = -fit.cost (s.theta) - columns (fit.W) * log (s.scale) - ...
+    [unit, y] = deal (s.solver.unit, s.solver.y);
+    of = setfield (s, 'noise', []);
+    model = krigingModel (s.trend, s.covariance, columns (unit), of);
+    nBeyond = numel (y) - numel (s.solver.beta);
+    judged.gain(t) = -fitCost (model, unit, y, s.theta) - ...
+                     nBeyond * log (s.scale) - ...
                      sum (out & isKnown) * log (6 * std (z(use)));
     judged.residual(use, t) = s.looResidual;
     judged.noiseSd(t) = sqrt (s.noiseVar);

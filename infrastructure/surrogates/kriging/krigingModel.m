@@ -1,0 +1,90 @@
+% KRIGINGMODEL  The stk model of a response, with what is known of it beforehand.
+%
+% CALL: MODEL = krigingModel (TREND, COVARIANCE, D)
+% CALL: MODEL = krigingModel (TREND, COVARIANCE, D, OF)
+%
+%   TREND       'constant', 'affine', 'quadratic': stk_lm_TREND
+%   COVARIANCE  'matern52', 'matern32', 'gauss': stk_materncov52_aniso and so on
+%   D           number of inputs, of the unit box
+%   OF          struct, makes a model to be fitted: noise (n x 1 known variances
+%               of the standardised response, or []: estimated), extra (n x 1 or
+%               []: given, the logarithm of the estimated noise is affine in the
+%               last input), prior ((D + 2) x 1, parameters of a similar bench,
+%               known to a factor of 1.6; NaN: not known; []: none), scatter and
+%               scale (see noisePrior)
+%   MODEL       struct of stk; with OF its param and lognoisevariance are the
+%               means of prior and noiseprior, both normal: the part beyond the
+%               trend, ranges and noise of a usual DEM response
+%
+% The priors cost nothing where the runs speak; without them few runs per
+% parameter let the noise collapse to zero. stk_param_relik reads both.
+%
+% A noise that follows the last input is no noise to stk, which knows one number
+% or none that is estimated: it is a part of the covariance then (noisyCovariance).
+
+function model = krigingModel (trend, covariance, d, of)
+  kernel = regexprep (covariance, '^(matern|gauss)', '$1cov');
+  model = stk_model (['stk_' kernel '_aniso'], d);
+  model.lm = feval (['stk_lm_' trend]);
+  if nargin > 3
+    model = withPriors (model, of, 1 + 99 * strcmp (trend, 'constant'));
+  end
+end
+
+% BEYOND  percent of the variance of a response that are beyond the trend
+function model = withPriors (model, of, beyond)
+  d = model.dim;
+  [ofNoise, open] = noisePrior (of.scatter, of.scale);
+  mean = [log(beyond / 100); -log(1.5) * ones(d, 1); ofNoise];
+  sd = [2; ones(d, 1); open];
+  if ~isempty (of.prior)
+    known = isfinite (of.prior);
+    variance = 1 ./ (1 ./ sd(known).^2 + 1 / 0.5^2);
+    mean(known) = variance .* (mean(known) ./ sd(known).^2 + ...
+                               of.prior(known) / 0.5^2);
+    sd(known) = sqrt (variance);
+  end
+  nOwn = d + 1;
+  if ~isempty (of.noise)
+    model.lognoisevariance = log (of.noise);
+  elseif ~isempty (of.extra)
+    kernel = model.covariance_type;
+    model.covariance_type = @(varargin) noisyCovariance (kernel, varargin{:});
+    mean(end + 1) = 0;
+    sd(end + 1) = 1.5;
+    nOwn = d + 3;
+  else
+    model.lognoisevariance = mean(end);
+    model.noiseprior = normal (mean(end), sd(end));
+  end
+  model.param = mean(1:nOwn);
+  model.prior = normal (mean(1:nOwn), sd(1:nOwn));
+end
+
+function distribution = normal (mean, sd)
+  distribution = struct ('mean', mean, 'sd', sd, 'invcov', diag (1 ./ sd.^2));
+end
+
+%!shared usual
+%! pkg load stk
+%! usual = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
+%!                 'scale', 1);
+
+%!test
+%! % what is known of a similar bench draws the prior to it
+%! model = krigingModel ('affine', 'gauss', 1, usual);
+%! assert (model.param, [log(0.01); -log(1.5)], 1e-12);
+%! assert (model.lognoisevariance, 2 * log (0.3), 1e-12);
+%! usual.prior = [NaN; 1; NaN];
+%! drawn = krigingModel ('affine', 'gauss', 1, usual);
+%! assert (drawn.prior.sd, [2; 1 / sqrt(5)], 1e-12);
+%! assert (drawn.param(2), (4 - log (1.5)) / 5, 1e-12);
+
+%!test
+%! % known noises have no prior, a noise along the last input two parameters
+%! known = setfield (usual, 'noise', [1; 2]);
+%! model = krigingModel ('constant', 'matern32', 2, known);
+%! assert ({numel(model.param), isfield(model, 'noiseprior')}, {3, false});
+%! model = krigingModel ('constant', 'matern32', 2, ...
+%!                       setfield (usual, 'extra', [0; 1]));
+%! assert (numel (model.param), 5);
