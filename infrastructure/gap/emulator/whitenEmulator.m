@@ -6,13 +6,14 @@
 %   COLUMNS   1 x n, targets to look at
 %   NOISE     struct of noiseBudget: covariance (T x T, of what a surrogate does
 %             not cause), estimated and unknown (1 x T, parts of its diagonal
-%             that runs have told, or nobody)
+%             that runs have told, or nobody), doubt (1 x T)
 %   ROTATION  n x n orthogonal, applied after whitening (default: none)
 %   WHITE     struct like EMULATOR, results replaced by z = (y(COLUMNS)) * W', plus
 %     W (n x n), back (its inverse), columns, varCoef (log variance of z without
 %     effects), effect and joint with misfit, root and ofTarget of z
 %     (learnEffect), nu (1 x n: degrees of freedom of the variances, Welch and
-%     Satterthwaite), parity (n x m: the directions that parameters cannot
+%     Satterthwaite), common (see logLikelihood: what few trials tell of their
+%     scatter, as one scale of all), parity (n x m: the directions that parameters cannot
 %     absorb, at the middle of the box), isTarget (1 x n: 1; see below)
 %
 % What a reference says of the parameters (EMULATOR.known, see emulateChange) comes as
@@ -59,6 +60,7 @@ function white = whitenEmulator (emulator, targets, noise, rotation)
   doubt = estimated.^2 ./ emulator.noiseFreedom(targets) + ...
           noise.unknown(targets).^2 / 3;
   white.nu = freedom (W, total, doubt);
+  white.common = commonScale (W, total, noise.doubt(targets));
   white.isTarget = ones (1, n);
   if ~isempty (emulator.known)
     white = withKnown (white, emulator.known);
@@ -81,6 +83,7 @@ function white = withKnown (white, known)
   % as good as normal
   white.nu = [white.nu, repmat(1e6, 1, m)];
   white.isTarget = [white.isTarget, zeros(1, m)];
+  white.common.at = white.isTarget > 0;
   white.effect = arrayfun (@(e) withNone (e, m), white.effect);
   white.joint = arrayfun (@(e) withNone (e, m), white.joint);
 end
@@ -142,6 +145,17 @@ function nu = freedom (W, total, doubt)
   nu = max (part.^2 ./ max ((W.^4) * doubt', realmin), 3)';
 end
 
+% The harmonic mean: what is known least decides.
+function common = commonScale (W, total, doubt)
+  part = (W.^2) * total';
+  nu = max (1 / mean (((W.^4) * doubt') ./ part.^2), 1);
+  if nu > 1e4
+    nu = Inf;
+  end
+  common = struct ('freedom', nu, 'stretch', studentFactor (nu)^2, 'at', ...
+                   true (1, rows (W)));
+end
+
 function N = parityAt (white, theta)
   [~, V, ~, J] = predictGap (white, [], theta);
   slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');
@@ -153,7 +167,7 @@ end
 %! emulator = handMadeEmulator ([1, 2; 1, 0]);
 %! emulator.noiseFreedom = [8, 8];
 %! noise = struct ('covariance', [4, 1; 1, 1], 'estimated', [0, 0], ...
-%!                'unknown', [0, 0]);
+%!                'unknown', [0, 0], 'doubt', [0, 0]);
 %! white = whitenEmulator (emulator, 1:2, noise);
 %! assert (white.W * noise.covariance * white.W', eye (2), 1e-12);
 %! [M, V] = predictGap (white, [], 0.5);
@@ -163,12 +177,16 @@ end
 %! assert (size (white.parity), [2, 1]);
 %! % a variance of which all, or half, was estimated with 8 degrees of freedom
 %! noise = struct ('covariance', diag ([4, 4]), 'estimated', [4, 2], ...
-%!                'unknown', [0, 0]);
+%!                'unknown', [0, 0], 'doubt', [0, 0]);
 %! white = whitenEmulator (emulator, 1:2, noise);
 %! assert (white.nu, [8, 32], 1e-9);
 %! % a measurement uncertainty that nobody has stated
 %! noise.unknown = [0, 4];
 %! assert (whitenEmulator (emulator, 1:2, noise).nu(2) < 3.01);
+%! % a half of one variance that four freedoms tell
+%! assert (white.common.freedom, Inf);
+%! noise.doubt = [4 / 4, 0];
+%! assert (whitenEmulator (emulator, 1:2, noise).common.freedom, 32, 1e-9);
 %!test
 %! % variance of an effect: what the coefficients of two targets of one curve
 %! % make of it, by hand
@@ -180,7 +198,7 @@ end
 %!                     1, 'misfit', [0.3, 0.1], 'root', [R{:}], ...
 %!                     'ofTarget', kron (eye (2), [1; 1]));
 %! noise = struct ('covariance', [4, 1; 1, 1], 'estimated', [0, 0], ...
-%!                'unknown', [0, 0]);
+%!                'unknown', [0, 0], 'doubt', [0, 0]);
 %! white = whitenEmulator (emulator, 1:2, noise);
 %! [~, V] = predictGap (white, 1, [0.5, 0.6]);
 %! [~, V0] = predictGap (white, [], 0.5);
