@@ -41,8 +41,8 @@
 %               their packings: the larger of the two counts (false)
 %     shared    the part of sd that a whole series shares, as its values are of
 %               the same sessions (0)
-%     freedom   degrees of freedom by which the other part of sd is known, and
-%               sessionFreedom those of shared (Inf); sd is the 68 % half-width
+%     freedom, commonFreedom, sessionFreedom   by which sd is known, which is the
+%               68 % half-width, see varianceComponents (Inf)
 %     noiseSd   known noise of one run (NaN: from data)
 %     earlierSd, earlierRuns  scatter of a run over so many earlier packings, what
 %               a calibration begins with (NaN, 0); of a case see earlierScatter
@@ -60,7 +60,7 @@
 %   of what may be missing
 %     effects   1 x K struct, see newEffect ([]);  causes  of listCauses ([])
 %     reference struct, the same measured where every effect is neutral: value,
-%               sd, trials, scatter, shared, freedom, sessionFreedom (1 x T; NaN:
+%               sd, trials, scatter, shared and the freedoms (1 x T; NaN:
 %               not measured there), together (T x T, covariance with what was
 %               measured now, as both are of the same sessions) and perCondition
 %               (1 x p logical, parameters that are other ones there); the
@@ -162,6 +162,7 @@ function problem = filled (given)
     row = ones (1, T);
     problem.reference = mergeFields (struct ('trials', row, 'scatter', row < 0, ...
                                              'shared', 0 * row, 'freedom', ...
+                                             Inf * row, 'commonFreedom', ...
                                              Inf * row, 'sessionFreedom', ...
                                              Inf * row, 'together', zeros (T), ...
                                              'perCondition', false (1, p)), ...

@@ -20,7 +20,7 @@ function problem = ofTargets (problem, kept)
   end
   if ~isempty (problem.reference)
     for name = {'value', 'sd', 'trials', 'scatter', 'shared', 'freedom', ...
-                'sessionFreedom'}
+                'commonFreedom', 'sessionFreedom'}
       problem.reference.(name{1}) = problem.reference.(name{1})(kept);
     end
     problem.reference.together = problem.reference.together(kept, kept);

@@ -14,7 +14,7 @@
 
 function given = withCondition (given, Case, c)
   names = {'value', 'sd', 'trials', 'scatter', 'shared', 'freedom', ...
-           'sessionFreedom'};
+           'commonFreedom', 'sessionFreedom'};
   for name = names
     given.reference.(name{1}) = given.(name{1});
   end
@@ -25,9 +25,9 @@ function given = withCondition (given, Case, c)
   for t = 1:T
     target = Case.targets(t);
     changed = mergeFields (struct ('shared', 0, 'days', [], 'freedom', Inf, ...
-                                   'sessionFreedom', Inf), target.changed(c));
+                                   'commonFreedom', Inf, 'sessionFreedom', Inf), target.changed(c));
     if changed.sd == 0
-      for name = {'sd', 'shared', 'freedom', 'sessionFreedom'}
+      for name = {'sd', 'shared', 'freedom', 'commonFreedom', 'sessionFreedom'}
         changed.(name{1}) = given.(name{1})(t);
       end
     end
@@ -65,11 +65,11 @@ end
 %! % an error of the sessions is in both if they are the same
 %! given = struct ('value', [1, 1, 1], 'sd', [1, 2, 2], 'trials', [2, 2, 2], ...
 %!                 'scatter', [false, true, true], 'shared', [0.5, 1.5, 0], ...
-%!                 'freedom', [3, 4, 5], 'sessionFreedom', [1, 2, 3], ...
+%!                 'freedom', [3, 4, 5], 'commonFreedom', [1, 1, 1], 'sessionFreedom', [1, 2, 3], ...
 %!                 'series', [0, 0, 0]);
 %! changed = struct ('value', 7, 'sd', 1, 'trials', 3, 'scatter', true, ...
 %!                   'shared', 0.5, 'days', {[0.3, 0.4], [0, 0, 0.5], []}, ...
-%!                   'freedom', 9, 'sessionFreedom', 2);
+%!                   'freedom', 9, 'commonFreedom', 5, 'sessionFreedom', 2);
 %! Case.targets = struct ('changed', {changed(1), changed(2), changed(3)}, ...
 %!                        'days', {[0.3, 0.4], [1.5, 0, 0], []});
 %! [Case.perCondition, Case.conditions] = deal (true, {'moist'});

@@ -22,7 +22,7 @@ function [g, p] = measuredTarget (trials, means)
               'tol', firstOf (trials, 'tol'), ...
               'isAbsolute', firstOf (trials, 'isAbsolute'), ...
               'each', zeros (1, 0), 'shared', 0, 'days', [], ...
-              'freedom', Inf, 'sessionFreedom', Inf, 'sessions', {{}});
+              'freedom', Inf, 'commonFreedom', Inf, 'sessionFreedom', Inf, 'sessions', {{}});
   if isempty (g.role)
     g.role = 'calibrate';
   end
@@ -40,7 +40,8 @@ function [g, p] = measuredTarget (trials, means)
   g.trials = sum (weight);
   g.sessions = unique ({trials.session});
   own = means(trials(1).mean);
-  for name = {'value', 'sd', 'shared', 'days', 'freedom', 'sessionFreedom'}
+  for name = {'value', 'sd', 'shared', 'days', 'freedom', 'commonFreedom', ...
+              'sessionFreedom'}
     g.(name{1}) = own.(name{1});
   end
   % what trials scatter holds their packings; what is stated need not
@@ -91,7 +92,8 @@ function g = withCommon (g, trials)
     common = mean ([trials.sd].^2);
     rest = g.sd^2 - g.shared^2;
     % Welch and Satterthwaite: the common part is known
-    g.freedom = g.freedom * ((rest + common) / rest)^2;
+    g.freedom = g.freedom * (1 + common / g.sd^2)^2;
+    g.commonFreedom = g.commonFreedom * (1 + common / rest)^2;
     g.sd = sqrt (g.sd^2 + common);
   end
 end
@@ -117,7 +119,7 @@ end
 %!                'places', 1);
 %! [line.mean] = deal (1);
 %! means = struct ('value', 2, 'sd', 3, 'shared', 0, 'days', [], 'freedom', ...
-%!                 1, 'sessionFreedom', Inf, 'hasScatter', true);
+%!                 1, 'commonFreedom', Inf, 'sessionFreedom', Inf, 'hasScatter', true);
 %! [g, p] = measuredTarget (line, means);
 %! assert (isempty (p));
 %! assert ({g.name, g.value, g.trials, g.tol}, {'w@3', 2, 2, 0.1});

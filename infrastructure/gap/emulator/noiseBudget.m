@@ -9,8 +9,9 @@
 %                 change also what the reference leaves open (emulateChange)
 %     estimated   1 x T, part of its diagonal that was estimated from runs
 %     unknown     1 x T, part of it whose size nobody has stated
-%     doubt       1 x T, of what few trials and sessions tell: squares of its
-%                 variances over their degrees of freedom (Satterthwaite 1946)
+%     doubt       2 x T, of what few trials and sessions tell: squares of its
+%                 variances over their degrees of freedom (Satterthwaite 1946),
+%                 of each target's own scatter and of what all have in common
 %     own         1 x T, variance of the measurement without what sessions share
 %     measurement, trial   1 x T, their standard deviations
 %     noiseSd     1 x T, noise of one DEM run
@@ -38,8 +39,9 @@ function budget = noiseBudget (problem, emulator)
   trial = sqrt (max (emulator.noiseVar ./ problem.trials - ...
                      problem.scatter .* own, 0));
   budget.covariance = measured + (trial' * trial) .* emulator.correlation;
-  budget.doubt = own.^2 ./ problem.freedom + ...
-                 problem.shared.^4 ./ problem.sessionFreedom;
+  budget.doubt = [(own + problem.shared.^2).^2 ./ problem.freedom; ...
+                  own.^2 ./ problem.commonFreedom + ...
+                  problem.shared.^4 ./ problem.sessionFreedom];
   if ~isempty (emulator.change)
     budget.covariance = emulator.change.covariance;
     budget.doubt = emulator.change.doubt;
@@ -83,7 +85,8 @@ end
 %! % what sessions share is none of the packings', and doubted by itself
 %! problem.sd = [5, 0];
 %! problem.shared = [4, 0];
-%! [problem.freedom, problem.sessionFreedom] = deal ([3, Inf], [2, Inf]);
+%! [problem.commonFreedom, problem.sessionFreedom] = deal ([3, Inf], [2, Inf]);
+%! problem.freedom = [5, Inf];
 %! budget = noiseBudget (problem, emulator);
 %! assert (budget.covariance(1, 1), 16 + 16, 1e-6);
-%! assert (budget.doubt, [81 / 3 + 256 / 2, 0]);
+%! assert (budget.doubt, [625 / 5, 0; 81 / 3 + 256 / 2, 0]);

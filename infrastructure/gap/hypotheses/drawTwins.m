@@ -22,6 +22,7 @@ function Y = drawTwins (hypotheses, n, seed, surplus)
   % one estimated variance a target: normal over the root of chi-square / nu
   chi2 = 2 * randg (repmat (min (white.nu, 1e4) / 2, n, 1));
   noise = randn (n, T) ./ sqrt (chi2 ./ min (white.nu, 1e4));
+  noise = noise ./ sqrt (white.common.stretch);
   at = white.common.at;
   noise(:, at) = noise(:, at) .* ofScale (n, white.common);
   Y = (M + sqrt (surplus * V) .* noise) * white.back';
@@ -33,7 +34,7 @@ function scale = ofScale (n, common)
   if isfinite (common.freedom)
     nu = common.freedom;
     chi2 = 2 * randg (nu / 2 * ones (n, 1));
-    scale = sqrt (nu ./ chi2 / common.stretch);
+    scale = sqrt (nu ./ chi2);
   end
 end
 
@@ -61,7 +62,7 @@ end
 %! % one scale of all: squares of targets that are independent else rise together
 %! % (chance to fail below 0.1 %)
 %! hypotheses.white.common = struct ('freedom', 3, 'stretch', ...
-%!                                   studentFactor (3)^2, 'at', true (1, 4));
+%!                                   studentFactor (3)^2 * ones (1, 4), 'at', true (1, 4));
 %! Y = drawTwins (hypotheses, 2000, 1)(:, 3:4);
 %! assert (corr (log (Y(:, 1).^2), log (Y(:, 2).^2)) > 0.08);
 %! assert (mean (abs (Y(:)) < 1), 0.683, 0.03);

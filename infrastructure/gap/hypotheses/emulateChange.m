@@ -10,7 +10,7 @@
 %               as what surrogates miss is the same in both; and
 %     change    struct coef (q x T: what was added to the simulation),
 %               covariance (T x T, of the measurements less what is foretold),
-%               doubt (1 x T, see noiseBudget: of that covariance),
+%               doubt (2 x T, see noiseBudget: of that covariance),
 %               lack (1 x T, what the model is likely to miss in both), size
 %               (of that, root mean square, as a share of the range), plain
 %               (coef, surrogateVar, fitVar as they were)
@@ -90,7 +90,7 @@ function problem = ofReference (problem)
                          (reference.shared' * reference.shared) .* isSame;
   end
   for name = {'value', 'sd', 'trials', 'scatter', 'shared', 'freedom', ...
-              'sessionFreedom'}
+              'commonFreedom', 'sessionFreedom'}
     problem.(name{1}) = reference.(name{1});
   end
 end
@@ -100,12 +100,17 @@ end
 function doubt = doubtOf (problem, after, before, K)
   reference = problem.reference;
   before(~isfinite (reference.value)) = 0;
-  own = after ./ sqrt (problem.freedom) + ...
-        (before ./ sqrt (reference.freedom)) * (K.^2)';
+  before = before * (K.^2)';
   sessions = problem.shared.^2 + reference.shared.^2 * (K.^2)' - ...
              2 * diag (K)' .* diag (reference.together)';
-  doubt = own.^2 + max (sessions, 0).^2 ./ ...
-                   min (problem.sessionFreedom, reference.sessionFreedom);
+  sessions = max (sessions, 0);
+  common = after ./ sqrt (problem.commonFreedom) + ...
+           before ./ sqrt (reference.commonFreedom);
+  own = (after + before + sessions).^2 ./ min (problem.freedom, ...
+                                               reference.freedom);
+  common = common.^2 + sessions.^2 ./ min (problem.sessionFreedom, ...
+                                           reference.sessionFreedom);
+  doubt = [own; common];
 end
 
 function C = lackShape (emulator, problem)
@@ -248,10 +253,10 @@ end
 %! paired = emulateChange (emulator, given).change;
 %! assert (diag (apart.covariance)(3:4) > 1.4);
 %! assert (diag (paired.covariance)(3:4), 0.72 * [1; 1], 0.1);
-%! assert (apart.doubt, zeros (1, 4));
-%! assert (all (paired.doubt < 0.1));
+%! assert (apart.doubt, zeros (2, 4));
+%! assert (all (paired.doubt(:) < 0.1));
 %! given.reference.together = zeros (4);
-%! assert (all (emulateChange (emulator, given).change.doubt(3:4) > 0.4));
+%! assert (all (emulateChange (emulator, given).change.doubt(2, 3:4) > 0.4));
 %!test
 %! % another parameter in each condition: the reference tells nothing of it
 %! given.reference.perCondition = true;

@@ -31,7 +31,7 @@ function fit = fitHypothesis (white, h, Z, U, prior)
   end
   % far from the data Student's likelihood is flat: the normal one comes first
   view.nu = Inf (1, columns (Z));
-  view.common = struct ('freedom', Inf);
+  view.common = struct ('freedom', Inf, 'stretch', 1);
   at = climb (view, Z, U);
   [view.nu, view.common] = deal (white.nu, white.common);
   at = climb (view, Z, at.U);
@@ -88,7 +88,7 @@ function at = lookAt (view, Z, U)
   nu = min (view.nu, 1e4);
   % expected curvature of Student's likelihood against the normal one (Lange,
   % Little and Taylor 1989, J. Am. Stat. Assoc. 84); beyond 1e4 it is normal
-  less = (nu + 1) ./ (nu + 3);
+  less = view.common.stretch .* (nu + 1) ./ (nu + 3);
   ofSpread = nu ./ (nu + 3);
   if isfinite (view.common.freedom)
     [less, ofSpread] = underScale (less, ofSpread, view.common);
@@ -112,7 +112,7 @@ end
 function [less, ofSpread] = underScale (less, ofSpread, common)
   n = common.freedom + sum (common.at);
   at = common.at;
-  less(at) = less(at) * common.stretch * n / (n + 2);
+  less(at) = less(at) * n / (n + 2);
   ofSpread(at) = ofSpread(at) * (n - 1) / (n + 2);
 end
 
@@ -208,7 +208,7 @@ end
 %! for name = {'coef', 'varCoef', 'nu', 'shape', 'success'}
 %!   one.white.(name{1}) = one.white.(name{1})(:, end);
 %! end
-%! one.white.common.at = true;
+%! one.white.common = struct ('freedom', Inf, 'stretch', 1, 'at', true);
 %! fit = fitHypothesis (one.white, one.h, [9; 9], zeros (2, 2), prior);
 %! assert (fitHypothesis (one.white, one.h, 9, [0, 0], prior).Q, fit.Q(1, :), ...
 %!         1e-9);
