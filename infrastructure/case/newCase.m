@@ -28,7 +28,7 @@
 %     further       cell, names of the last models: measured next tests
 %     targets       see newTargets
 %     conditions    cell, names of the conditions of measured.csv
-%     sessions      see sessionRatio: given, names, ratio, df
+%     sessions      see groupMeasured: given, names, ratio, df
 %     options       the other fields of Input and optim, and sets (at a time
 %                   after the plan)
 %     notes         cell of texts, warnings for the user

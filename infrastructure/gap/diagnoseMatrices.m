@@ -125,9 +125,10 @@ function diagnosis = inGivenUnits (diagnosis, problem)
   for name = {'measurement', 'trial', 'noiseSd', 'surrogate'}
     where.budget.(name{1}) = where.budget.(name{1}) .* unit;
   end
-  for name = {'estimated', 'unknown'}
+  for name = {'estimated', 'unknown', 'own'}
     where.budget.(name{1}) = where.budget.(name{1}) .* unit.^2;
   end
+  where.budget.doubt = where.budget.doubt .* unit.^4;
   where.budget.covariance = where.budget.covariance .* (unit' * unit);
   where.out = problem.out;
   where.neverRun = problem.neverRun;

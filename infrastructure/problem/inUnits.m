@@ -13,9 +13,10 @@ function problem = inUnits (problem, unit)
     end
   end
   if ~isempty (problem.reference)
-    for name = {'value', 'sd'}
+    for name = {'value', 'sd', 'shared'}
       problem.reference.(name{1}) = problem.reference.(name{1}) ./ unit;
     end
+    problem.reference.together = problem.reference.together ./ (unit' * unit);
   end
   if ~isempty (problem.covariance)
     problem.covariance = problem.covariance ./ (unit' * unit);

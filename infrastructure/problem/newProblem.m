@@ -41,6 +41,8 @@
 %               their packings: the larger of the two counts (false)
 %     shared    the part of sd that a whole series shares, as its values are of
 %               the same sessions (0)
+%     freedom, commonFreedom, sessionFreedom   by which sd is known, which is the
+%               68 % half-width, see varianceComponents (Inf)
 %     noiseSd   known noise of one run (NaN: from data)
 %     earlierSd, earlierRuns  scatter of a run over so many earlier packings, what
 %               a calibration begins with (NaN, 0); of a case see earlierScatter
@@ -58,9 +60,11 @@
 %   of what may be missing
 %     effects   1 x K struct, see newEffect ([]);  causes  of listCauses ([])
 %     reference struct, the same measured where every effect is neutral: value,
-%               sd, trials, scatter, shared (1 x T; NaN: not measured there), and
-%               perCondition (1 x p logical, parameters that are other ones
-%               there); the diagnosis is one of the change then ([])
+%               sd, trials, scatter, shared and the freedoms (1 x T; NaN:
+%               not measured there), together (T x T, covariance with what was
+%               measured now, as both are of the same sessions) and perCondition
+%               (1 x p logical, parameters that are other ones there); the
+%               diagnosis is one of the change then ([])
 %   form      what is known of the responses beforehand, see fitSurrogates; no
 %             case has it (benchmarks do)
 %   of a case also: cost, standard (logical: the residuals are the published
@@ -153,6 +157,16 @@ function problem = filled (given)
   end
   if ~isfield (given, 'calibrate')
     problem.calibrate = isfinite (problem.value) & ~problem.held;
+  end
+  if ~isempty (problem.reference)
+    row = ones (1, T);
+    problem.reference = mergeFields (struct ('trials', row, 'scatter', row < 0, ...
+                                             'shared', 0 * row, 'freedom', ...
+                                             Inf * row, 'commonFreedom', ...
+                                             Inf * row, 'sessionFreedom', ...
+                                             Inf * row, 'together', zeros (T), ...
+                                             'perCondition', false (1, p)), ...
+                                     problem.reference);
   end
   if isscalar (problem.trials)
     problem.trials = repmat (problem.trials, 1, T);

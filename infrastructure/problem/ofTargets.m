@@ -19,9 +19,11 @@ function problem = ofTargets (problem, kept)
     problem.coarse.column = problem.coarse.column(kept);
   end
   if ~isempty (problem.reference)
-    for name = {'value', 'sd', 'trials', 'scatter', 'shared'}
+    for name = {'value', 'sd', 'trials', 'scatter', 'shared', 'freedom', ...
+                'commonFreedom', 'sessionFreedom'}
       problem.reference.(name{1}) = problem.reference.(name{1})(kept);
     end
+    problem.reference.together = problem.reference.together(kept, kept);
   end
   for k = 1:numel (problem.effects)
     e = problem.effects(k);

@@ -27,7 +27,8 @@ function [faults, found] = checkCase (raw, mode)
     mode = 'full';
   end
   found = struct ('groups', [], 'sizes', [], 'conditions', {{}}, ...
-                  'sessions', sessionRatio ([]));
+                  'sessions', struct ('given', false, 'names', {{}}, ...
+                                      'ratio', 0, 'df', 0));
   [faults, raw, isUsable] = checkRaw (raw);
   if ~isUsable
     return

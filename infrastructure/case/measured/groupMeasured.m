@@ -12,21 +12,23 @@
 %             table, see checkUnits), value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
 %             isAbsolute, each (1 x n, the trials), shared (part of sd that the
-%             sessions make), sessions (cell), changed (1 x C struct value, sd,
-%             trials, scatter, shared, sameSessions (logical: measured in those of
-%             the reference), each other condition; value NaN: not measured)
+%             sessions make), days, freedom, commonFreedom, sessionFreedom (varianceComponents),
+%             sessions (cell), changed (1 x C struct value, sd, trials, scatter,
+%             shared, days, freedom, commonFreedom, sessionFreedom of each other condition; value
+%             NaN: not measured)
 %   FAULTS    1 x p faults, see checkFault; reasons: measuredRepeats
 %             measuredCondition
 %   CONDITIONS  1 x C cell, names of the conditions but for the reference, of
 %             which all the other fields are; none where LIST has no conditions
-%   SESSIONS  see sessionRatio
+%   SESSIONS  struct: given (logical: LIST has sessions), names (cell, those of
+%             the reference), ratio (standard deviation between sessions over that
+%             of a trial within one, of levels; 0 where none are given), df (how
+%             many contrasts between sessions told it; 0: it is what other rigs
+%             show)
 %
-% Lines with the same model, name, series and at are repeated trials. Their
-% value is the mean; its standard uncertainty is t s / sqrt (n), s the standard
-% deviation of the n lines and t the 84 % quantile of Student's distribution
-% with n - 1 degrees of freedom (GUM, type A; few trials know their own scatter
-% badly), joined with the sd of the lines, which is what they have in common.
-% Where lines have sessions, see meanOfSessions.
+% Lines with the same model, name, series and at are repeated trials. What they
+% say together, and how well, is that of varianceComponents; sd is the 68 %
+% half-width, joined with the sd that trials have in common.
 % The value of a point of a curve is named <name or series>@<at>, unless the
 % name stands in one place only; see distinctNames.
 
@@ -36,21 +38,36 @@ function [groups, p, conditions, sessions] = groupMeasured (list, models, ...
     further = {};
   end
   p = checkFault ();
-  sessions = sessionRatio (list);
   isOther = ~ismember ({list.condition}, {'', 'reference'});
   conditions = unique ({list(isOther).condition}, 'stable');
+  [list, means, sessions] = withMeans (list, ~isOther);
   others = cellfun (@(c) list(strcmp ({list.condition}, c)), conditions, ...
                     'UniformOutput', false);
   list = withPlaces (list(~isOther));
   trials = byQuantity (list);
-  [groups, faults] = cellfun (@(t) measuredTarget (t, sessions), trials, ...
+  [groups, faults] = cellfun (@(t) measuredTarget (t, means), trials, ...
                               'UniformOutput', false);
   [groups, p] = deal ([groups{:}], [p, faults{:}]);
   [groups, q] = withConditions (groups, unique (keysOf (list), 'stable'), ...
-                                others, sessions);
+                                others, means);
   p = [p, q];
   [~, order] = sort ([groups.model]);
   groups = distinctNames (groups(order), models, further);
+end
+
+% Beside each line the number of its mean.
+function [list, means, sessions] = withMeans (list, isReference)
+  [lines, quantities, number, names] = readingLines (list, keysOf (list));
+  [means, ratio] = varianceComponents (lines, quantities);
+  number = num2cell (number);
+  [list.mean] = number{:};
+  sessions = struct ('given', ~isempty (names), 'names', {{}}, 'ratio', 0, ...
+                     'df', 0);
+  if sessions.given
+    [sessions.ratio, sessions.df] = deal (ratio(1).value, ratio(1).df);
+    isThere = isReference & isfinite ([list.value]);
+    sessions.names = unique ({list(isThere).session}, 'stable');
+  end
 end
 
 function keys = keysOf (list)
@@ -78,10 +95,11 @@ function list = withPlaces (list)
 end
 
 % The same quantities in the other conditions.
-function [groups, p] = withConditions (groups, keys, others, sessions)
+function [groups, p] = withConditions (groups, keys, others, means)
   p = checkFault ();
   none = struct ('value', NaN, 'sd', 0, 'trials', 1, 'scatter', false, ...
-                 'shared', 0, 'sameSessions', false);
+                 'shared', 0, 'days', [], 'freedom', Inf, 'commonFreedom', Inf, ...
+                 'sessionFreedom', Inf);
   [groups.changed] = deal (repmat (none, 1, numel (others)));
   for c = 1:numel (others)
     for trials = byQuantity (others{c})
@@ -96,9 +114,7 @@ function [groups, p] = withConditions (groups, keys, others, sessions)
                                   'take the line out.']);
         continue
       end
-      target = measuredTarget (withPlaces (trials{1}), sessions);
-      target.sameSessions = sessions.given && ...
-                            isequal (target.sessions, groups(same).sessions);
+      target = measuredTarget (withPlaces (trials{1}), means);
       for name = fieldnames (none)'
         groups(same).changed(c).(name{1}) = target.(name{1});
       end
@@ -118,11 +134,11 @@ end
 %! [g, p] = groupMeasured (list, {'A', 'B'});
 %! assert (isempty (p));
 %! assert ([g.value, g.trials], [2, 3]);
-%! assert (g.sd, 1.32 / sqrt (3), 2e-3);
+%! assert (g.sd, 1.32 / sqrt (3), 0.02);
 %! assert (g.scatter);
 %! [list.sd] = deal (0.5);
 %! g = groupMeasured (list, {'A', 'B'});
-%! assert (g.sd, hypot (1.32 / sqrt (3), 0.5), 2e-3);
+%! assert (g.sd, hypot (1.32 / sqrt (3), 0.5), 0.02);
 %!test
 %! % a mean that was typed in, and one that is not measured yet
 %! list = [line, line];
@@ -173,9 +189,12 @@ end
 %! [list.value] = values{:};
 %! [g, ~, ~, sessions] = groupMeasured (list, {'A'});
 %! assert (sessions.names, {'mon', 'tue'});
-%! assert (sessions.df, 2);
+%! % days that both share tell once
+%! assert (sessions.df, 1);
 %! assert ({g.value, g.sessions}, {3.5, {'mon', 'tue'}}, 1e-12);
 %! assert (g.shared > 0.8 * g.sd && g.shared < g.sd);
-%! assert ([g.changed.sameSessions], [true, false]);
+%! % of the same days the difference is free
+%! assert (g.days, g.changed(1).days, 1e-12);
+%! assert (g.days * g.changed(2).days', 0);
 %! assert (g.scatter);
 %! assert (g.changed(2).sd > g.changed(1).sd);

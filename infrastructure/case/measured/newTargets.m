@@ -16,8 +16,9 @@
 %     curve       number of the curve (0: none)
 %     each        1 x n, the repeated trials
 %     shared      part of sd that its sessions (cell of names) make
+%     days, freedom, commonFreedom, sessionFreedom  see varianceComponents
 %     changed     1 x C struct, in each of Case.conditions: value, sd, trials,
-%                 scatter, shared, sameSessions
+%                 scatter, shared, days, freedom, commonFreedom, sessionFreedom
 %     result, series, at, unit ('', NaN: none), given (unit in measured.csv)
 
 function targets = newTargets (optim, names, found)
@@ -87,7 +88,8 @@ function groups = fromCells (optim, models, counts, default)
                   'scatter', false, 'unit', '', 'given', '', ...
                   'result', '', ...
                   'series', '', 'at', NaN, 'changed', [], ...
-                  'shared', 0, 'sessions', {{}});
+                  'shared', 0, 'days', [], 'freedom', Inf, ...
+                  'commonFreedom', Inf, 'sessionFreedom', Inf, 'sessions', {{}});
       groups = [groups, g];
     end
   end

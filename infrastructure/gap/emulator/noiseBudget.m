@@ -9,6 +9,10 @@
 %                 change also what the reference leaves open (emulateChange)
 %     estimated   1 x T, part of its diagonal that was estimated from runs
 %     unknown     1 x T, part of it whose size nobody has stated
+%     doubt       2 x T, of what few trials and sessions tell: squares of its
+%                 variances over their degrees of freedom (Satterthwaite 1946),
+%                 of each target's own scatter and of what all have in common
+%     own         1 x T, variance of the measurement without what sessions share
 %     measurement, trial   1 x T, their standard deviations
 %     noiseSd     1 x T, noise of one DEM run
 %     surrogate   1 x T, root mean square over the box
@@ -17,8 +21,8 @@
 % One trial in the laboratory is one packing: its scatter is taken from the DEM
 % seeds. The covariance of the means of n_i and n_j trials is that of one trial
 % over sqrt (n_i n_j), n = PROBLEM.trials (Inf where sd already holds it).
-% Where sd comes from the scatter of few trials (PROBLEM.scatter) the larger
-% of the two counts.
+% Where sd comes from the scatter of trials (PROBLEM.scatter) the larger of that
+% part (without what sessions share) and the packings counts.
 
 function budget = noiseBudget (problem, emulator)
   sd = problem.sd;
@@ -30,17 +34,23 @@ function budget = noiseBudget (problem, emulator)
     measured = problem.covariance;
   end
   measured = measured + diag (max (least - diag (measured)', 0));
+  own = max (diag (measured)' - problem.shared.^2, 0);
   % an sd that was taken from the scatter of trials holds their packing already
   trial = sqrt (max (emulator.noiseVar ./ problem.trials - ...
-                     problem.scatter .* diag (measured)', 0));
+                     problem.scatter .* own, 0));
   budget.covariance = measured + (trial' * trial) .* emulator.correlation;
+  budget.doubt = [(own + problem.shared.^2).^2 ./ problem.freedom; ...
+                  own.^2 ./ problem.commonFreedom + ...
+                  problem.shared.^4 ./ problem.sessionFreedom];
   if ~isempty (emulator.change)
     budget.covariance = emulator.change.covariance;
+    budget.doubt = emulator.change.doubt;
   end
   % their degrees of freedom differ: from runs, or from nothing at all
   % (whitenEmulator)
   budget.estimated = trial.^2;
   budget.unknown = diag (measured)' .* ~problem.sdKnown;
+  budget.own = own;
   budget.measurement = sqrt (diag (measured))';
   budget.trial = trial;
   budget.noiseSd = sqrt (emulator.noiseVar);
@@ -72,3 +82,11 @@ end
 %! problem.trials = [1, 4];
 %! problem.scatter = [true, true];
 %! assert (diag (noiseBudget (problem, emulator).covariance), [16; 1], 1e-6);
+%! % what sessions share is none of the packings', and doubted by itself
+%! problem.sd = [5, 0];
+%! problem.shared = [4, 0];
+%! [problem.commonFreedom, problem.sessionFreedom] = deal ([3, Inf], [2, Inf]);
+%! problem.freedom = [5, Inf];
+%! budget = noiseBudget (problem, emulator);
+%! assert (budget.covariance(1, 1), 16 + 16, 1e-6);
+%! assert (budget.doubt, [625 / 5, 0; 81 / 3 + 256 / 2, 0]);

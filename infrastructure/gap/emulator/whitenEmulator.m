@@ -6,13 +6,14 @@
 %   COLUMNS   1 x n, targets to look at
 %   NOISE     struct of noiseBudget: covariance (T x T, of what a surrogate does
 %             not cause), estimated and unknown (1 x T, parts of its diagonal
-%             that runs have told, or nobody)
+%             that runs have told, or nobody), doubt (2 x T)
 %   ROTATION  n x n orthogonal, applied after whitening (default: none)
 %   WHITE     struct like EMULATOR, results replaced by z = (y(COLUMNS)) * W', plus
 %     W (n x n), back (its inverse), columns, varCoef (log variance of z without
 %     effects), effect and joint with misfit, root and ofTarget of z
 %     (learnEffect), nu (1 x n: degrees of freedom of the variances, Welch and
-%     Satterthwaite), parity (n x m: the directions that parameters cannot
+%     Satterthwaite), common (see logLikelihood: what few trials tell of their
+%     scatter, as one scale of all), parity (n x m: the directions that parameters cannot
 %     absorb, at the middle of the box), isTarget (1 x n: 1; see below)
 %
 % What a reference says of the parameters (EMULATOR.known, see emulateChange) comes as
@@ -57,8 +58,9 @@ function white = whitenEmulator (emulator, targets, noise, rotation)
   estimated = noise.estimated(targets) + meanD.^2;
   % Satterthwaite (1946): squares of the parts over their degrees of freedom
   doubt = estimated.^2 ./ emulator.noiseFreedom(targets) + ...
-          noise.unknown(targets).^2 / 3;
+          noise.unknown(targets).^2 / 3 + noise.doubt(1, targets);
   white.nu = freedom (W, total, doubt);
+  white.common = commonScale (W, total, noise.doubt(:, targets));
   white.isTarget = ones (1, n);
   if ~isempty (emulator.known)
     white = withKnown (white, emulator.known);
@@ -81,6 +83,8 @@ function white = withKnown (white, known)
   % as good as normal
   white.nu = [white.nu, repmat(1e6, 1, m)];
   white.isTarget = [white.isTarget, zeros(1, m)];
+  white.common.at = white.isTarget > 0;
+  white.common.stretch = [white.common.stretch, ones(1, m)];
   white.effect = arrayfun (@(e) withNone (e, m), white.effect);
   white.joint = arrayfun (@(e) withNone (e, m), white.joint);
 end
@@ -138,8 +142,22 @@ end
 % A noise of which only a guess is known counts as estimated from four trials.
 function nu = freedom (W, total, doubt)
   part = (W.^2) * total';
-  % three at least: the variance of a Student density ends at two
-  nu = max (part.^2 ./ max ((W.^4) * doubt', realmin), 3)';
+  nu = max (part.^2 ./ max ((W.^4) * doubt', realmin), 1)';
+end
+
+% The harmonic mean: what is known least decides. Variances are squares of 68 %
+% half-widths.
+function common = commonScale (W, total, doubt)
+  part = (W.^2) * total';
+  each = ((W.^4) * doubt') ./ part.^2;
+  nu = max (1 / mean (each(:, 2)), 1);
+  if nu > 1e4
+    nu = Inf;
+  end
+  both = max (1 ./ sum (each, 2)', 1);
+  both(both > 1e4) = Inf;
+  common = struct ('freedom', nu, 'stretch', studentFactor (both).^2, 'at', ...
+                   true (1, rows (W)));
 end
 
 function N = parityAt (white, theta)
@@ -153,7 +171,7 @@ end
 %! emulator = handMadeEmulator ([1, 2; 1, 0]);
 %! emulator.noiseFreedom = [8, 8];
 %! noise = struct ('covariance', [4, 1; 1, 1], 'estimated', [0, 0], ...
-%!                'unknown', [0, 0]);
+%!                'unknown', [0, 0], 'doubt', zeros (2));
 %! white = whitenEmulator (emulator, 1:2, noise);
 %! assert (white.W * noise.covariance * white.W', eye (2), 1e-12);
 %! [M, V] = predictGap (white, [], 0.5);
@@ -163,12 +181,18 @@ end
 %! assert (size (white.parity), [2, 1]);
 %! % a variance of which all, or half, was estimated with 8 degrees of freedom
 %! noise = struct ('covariance', diag ([4, 4]), 'estimated', [4, 2], ...
-%!                'unknown', [0, 0]);
+%!                'unknown', [0, 0], 'doubt', zeros (2));
 %! white = whitenEmulator (emulator, 1:2, noise);
 %! assert (white.nu, [8, 32], 1e-9);
 %! % a measurement uncertainty that nobody has stated
 %! noise.unknown = [0, 4];
 %! assert (whitenEmulator (emulator, 1:2, noise).nu(2) < 3.01);
+%! % a half of one variance that four freedoms tell
+%! assert (white.common.freedom, Inf);
+%! noise.doubt = [0, 0; 4 / 4, 0];
+%! white = whitenEmulator (emulator, 1:2, noise);
+%! assert (white.common.freedom, 32, 1e-9);
+%! assert (white.common.stretch, studentFactor ([16, Inf]).^2, 1e-9);
 %!test
 %! % variance of an effect: what the coefficients of two targets of one curve
 %! % make of it, by hand
@@ -180,7 +204,7 @@ end
 %!                     1, 'misfit', [0.3, 0.1], 'root', [R{:}], ...
 %!                     'ofTarget', kron (eye (2), [1; 1]));
 %! noise = struct ('covariance', [4, 1; 1, 1], 'estimated', [0, 0], ...
-%!                'unknown', [0, 0]);
+%!                'unknown', [0, 0], 'doubt', zeros (2));
 %! white = whitenEmulator (emulator, 1:2, noise);
 %! [~, V] = predictGap (white, 1, [0.5, 0.6]);
 %! [~, V0] = predictGap (white, [], 0.5);

@@ -10,6 +10,7 @@
 %               as what surrogates miss is the same in both; and
 %     change    struct coef (q x T: what was added to the simulation),
 %               covariance (T x T, of the measurements less what is foretold),
+%               doubt (2 x T, see noiseBudget: of that covariance),
 %               lack (1 x T, what the model is likely to miss in both), size
 %               (of that, root mean square, as a share of the range), plain
 %               (coef, surrogateVar, fitVar as they were)
@@ -20,8 +21,9 @@
 %   r = m (theta, 0) + delta + b + e,  y = m (theta, phi) + delta + b + e',
 % delta ~ N (0, s^2 C) what the model lacks, b the error of the surrogates, both
 % alike in the two conditions. Given r, theta and s,
-%   y ~ N (m (theta, phi) + K (r - m (theta, 0)), E' + D - K D),
-% D = s^2 C + B, K = D (D + E)^-1, with E, E', B the covariances of e, e', b.
+%   y ~ N (m (theta, phi) + K (r - m (theta, 0)), E' + D - K (D + X)'),
+% D = s^2 C + B, K = (D + X) (D + E)^-1, with E, E', B the covariances of e, e', b
+% and X that of e' with e: what was measured on the same days errs alike.
 % The size s is integrated: on a grid, by its prior (a misfit of 0.08 of the
 % range, a factor of e) and the evidence of r; mean and covariance are those of
 % the mixture. C: independent errors in units of the ranges, along a curve alike
@@ -47,18 +49,21 @@ function emulator = emulateChange (emulator, problem)
   score = zeros (1, numel (sizes));
   C = lackShape (emulator, problem);
   B = sharedError (emulator);
+  X = reference.together';
   for i = 1:numel (sizes)
     lack = sizes(i)^2 * C;
     parts{i} = fitReference (emulator, problem, before, lack, at);
     score(i) = parts{i}.logE - 0.5 * log (sizes(i) / 0.08)^2;
     D = lack + B;
-    parts{i}.K = D(:, at) / (D(at, at) + before.covariance(at, at));
-    parts{i}.left = D - parts{i}.K * D(at, :);
+    parts{i}.K = (D + X)(:, at) / (D(at, at) + before.covariance(at, at));
+    parts{i}.left = D - parts{i}.K * (D + X)(:, at)';
     parts{i}.lackOf = lack(:, at) / (D(at, at) + before.covariance(at, at));
   end
   weight = exp (score - max (score));
   weight = weight / sum (weight);
   emulator = mixed (emulator, problem, after, [parts{:}], weight, at);
+  emulator.change.doubt = doubtOf (problem, after.own, before.own, ...
+                                   emulator.change.K);
   emulator.change.size = sqrt (weight * (sizes.^2)');
 end
 
@@ -74,14 +79,38 @@ end
 function problem = ofReference (problem)
   reference = problem.reference;
   if ~isempty (problem.covariance)
-    % readings of one rig are correlated alike in both conditions, whatever their sd
-    ratio = reference.sd ./ sqrt (diag (problem.covariance))';
+    % readings of one rig are correlated alike in both conditions, whatever their
+    % sd; what sessions share is another
+    isSame = problem.series' == problem.series & problem.series > 0;
+    rest = problem.covariance - (problem.shared' * problem.shared) .* isSame;
+    ratio = sqrt (max (reference.sd.^2 - reference.shared.^2 .* any (isSame), 0) ...
+                  ./ diag (rest)');
     ratio(~isfinite (ratio)) = 0;
-    problem.covariance = (ratio' * ratio) .* problem.covariance;
+    problem.covariance = (ratio' * ratio) .* rest + ...
+                         (reference.shared' * reference.shared) .* isSame;
   end
-  for name = {'value', 'sd', 'trials', 'scatter'}
+  for name = {'value', 'sd', 'trials', 'scatter', 'shared', 'freedom', ...
+              'commonFreedom', 'sessionFreedom'}
     problem.(name{1}) = reference.(name{1});
   end
+end
+
+% What few trials leave in doubt of Y - K R. The scatter of a trial is one for
+% both, and so is that of sessions: what their variances err adds up.
+function doubt = doubtOf (problem, after, before, K)
+  reference = problem.reference;
+  before(~isfinite (reference.value)) = 0;
+  before = before * (K.^2)';
+  sessions = problem.shared.^2 + reference.shared.^2 * (K.^2)' - ...
+             2 * diag (K)' .* diag (reference.together)';
+  sessions = max (sessions, 0);
+  common = after ./ sqrt (problem.commonFreedom) + ...
+           before ./ sqrt (reference.commonFreedom);
+  own = (after + before + sessions).^2 ./ min (problem.freedom, ...
+                                               reference.freedom);
+  common = common.^2 + sessions.^2 ./ min (problem.sessionFreedom, ...
+                                           reference.sessionFreedom);
+  doubt = [own; common];
 end
 
 function C = lackShape (emulator, problem)
@@ -148,6 +177,8 @@ function emulator = mixed (emulator, problem, after, parts, weight, at)
   end
   emulator.change.plain = struct ('coef', emulator.coef, 'surrogateVar', ...
                                   emulator.surrogateVar, 'fitVar', emulator.fitVar);
+  emulator.change.K = zeros (numel (reference.value));
+  emulator.change.K(:, at) = K;
   emulator.change.coef = -coef(:, at) * K';
   isConstant = ~any (emulator.powers, 2);
   emulator.change.coef(isConstant, :) = emulator.change.coef(isConstant, :) + ...
@@ -188,9 +219,8 @@ end
 %! emulator.noiseVar(:) = 1e-6;
 %! given = newProblem (struct ('value', zeros (1, 4), 'sd', ones (1, 4), ...
 %!                                'limits', [0; 1], 'bench', ones (1, 4)));
-%! own = struct ('value', [1.5, 0.5, 5, -4], 'sd', ones (1, 4), 'trials', ...
-%!               ones (1, 4), 'scatter', false (1, 4), 'perCondition', false);
-%! given.reference = own;
+%! given.reference = struct ('value', [1.5, 0.5, 5, -4], 'sd', ones (1, 4));
+%! given = newProblem (given);
 %!test
 %! % a large lack is carried over whole: the difference is what counts
 %! new = emulateChange (emulator, given);
@@ -213,6 +243,21 @@ end
 %! assert (predictGap (new, [], 0.5), given.reference.value, 0.01);
 %! assert (new.known.root \ new.known.offset, 0.5, 0.02);
 %!test
+%! % read on the same days: what they share is no part of the change
+%! given.reference.value = [1.5, 0.5, 5, -4];
+%! [given.sd, given.reference.sd] = deal (ones (1, 4));
+%! apart = emulateChange (emulator, given).change;
+%! [given.shared, given.reference.shared] = deal (0.8 * ones (1, 4));
+%! [given.sessionFreedom, given.reference.sessionFreedom] = deal (2 * ones (1, 4));
+%! given.reference.together = 0.64 * eye (4);
+%! paired = emulateChange (emulator, given).change;
+%! assert (diag (apart.covariance)(3:4) > 1.4);
+%! assert (diag (paired.covariance)(3:4), 0.72 * [1; 1], 0.1);
+%! assert (apart.doubt, zeros (2, 4));
+%! assert (all (paired.doubt(:) < 0.1));
+%! given.reference.together = zeros (4);
+%! assert (all (emulateChange (emulator, given).change.doubt(2, 3:4) > 0.4));
+%!test
 %! % another parameter in each condition: the reference tells nothing of it
 %! given.reference.perCondition = true;
 %! new = emulateChange (emulator, given);
@@ -230,7 +275,6 @@ end
 %!                                ones (1, 150), 'limits', [0; 1], 'bench', ...
 %!                                ones (1, 150)));
 %! randn ('twister', 1);
-%! given.reference = struct ('value', 300 * randn (1, 150), 'sd', ...
-%!                           ones (1, 150), 'trials', ones (1, 150), ...
-%!                           'scatter', false (1, 150), 'perCondition', false);
+%! given.reference = struct ('value', 300 * randn (1, 150), 'sd', ones (1, 150));
+%! given = newProblem (given);
 %! assert (emulateChange (emulator, given).change.size, 0.3, 0.06);

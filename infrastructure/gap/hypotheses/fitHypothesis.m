@@ -31,8 +31,9 @@ function fit = fitHypothesis (white, h, Z, U, prior)
   end
   % far from the data Student's likelihood is flat: the normal one comes first
   view.nu = Inf (1, columns (Z));
+  view.common = struct ('freedom', Inf, 'stretch', 1);
   at = climb (view, Z, U);
-  view.nu = white.nu;
+  [view.nu, view.common] = deal (white.nu, white.common);
   at = climb (view, Z, at.U);
   [~, logDet] = solveMany (at.A, at.g);
   % Laplace's formula; the 2 pi of the normal prior and of the integral cancel
@@ -77,7 +78,8 @@ end
 % Score (log likelihood + log prior), its gradient g and expected curvature A.
 function at = lookAt (view, Z, U)
   [M, V, success, J, G] = predictHypothesis (view, U);
-  [logL, chi2, weight] = logLikelihood (Z - M, V, view.nu);
+  [logL, chi2, weight] = logLikelihood (Z - M, V, view.nu, ...
+                                         view.common);
   score = logL - 0.5 * sum (view.pull .* U.^2, 2) + success;
   at = struct ('U', U, 'score', score, 'chi2', chi2, 'g', -view.pull .* U);
   d = columns (U);
@@ -86,7 +88,11 @@ function at = lookAt (view, Z, U)
   nu = min (view.nu, 1e4);
   % expected curvature of Student's likelihood against the normal one (Lange,
   % Little and Taylor 1989, J. Am. Stat. Assoc. 84); beyond 1e4 it is normal
-  less = (nu + 1) ./ (nu + 3);
+  less = view.common.stretch .* (nu + 1) ./ (nu + 3);
+  ofSpread = nu ./ (nu + 3);
+  if isfinite (view.common.freedom)
+    [less, ofSpread] = underScale (less, ofSpread, view.common);
+  end
   slopes = zeros ([size(M), d]);
   for a = 1:d
     slopes(:, :, a) = J{a};
@@ -98,8 +104,16 @@ function at = lookAt (view, Z, U)
     at.A(:, a, a) = at.A(:, a, a) + view.pull(a);
   end
   if ~isempty (G)
-    at = withVariance (at, G, weight .* (Z - M).^2 ./ V - 1, nu ./ (nu + 3));
+    at = withVariance (at, G, weight .* (Z - M).^2 ./ V - 1, ofSpread);
   end
+end
+
+% The same of a scale that columns have in common.
+function [less, ofSpread] = underScale (less, ofSpread, common)
+  n = common.freedom + sum (common.at);
+  at = common.at;
+  less(at) = less(at) * n / (n + 2);
+  ofSpread(at) = ofSpread(at) * (n - 1) / (n + 2);
 end
 
 % What the slopes G of the logarithm of the variances add.
@@ -194,6 +208,7 @@ end
 %! for name = {'coef', 'varCoef', 'nu', 'shape', 'success'}
 %!   one.white.(name{1}) = one.white.(name{1})(:, end);
 %! end
+%! one.white.common = struct ('freedom', Inf, 'stretch', 1, 'at', true);
 %! fit = fitHypothesis (one.white, one.h, [9; 9], zeros (2, 2), prior);
 %! assert (fitHypothesis (one.white, one.h, 9, [0, 0], prior).Q, fit.Q(1, :), ...
 %!         1e-9);

@@ -16,7 +16,8 @@
 
 function [p, found] = checkMeasuredTable (raw, models, taken)
   found = struct ('sizes', [], 'groups', [], 'conditions', {{}}, ...
-                  'sessions', sessionRatio ([]));
+                  'sessions', struct ('given', false, 'names', {{}}, ...
+                                      'ratio', 0, 'df', 0));
   if isfile (fullfile (raw.folder, 'measured.csv'))
     [p, found] = checkTable (raw, models, taken, found);
     p = [p, checkTargets(raw.optim, models, taken, found.sizes)];

@@ -1,15 +1,15 @@
 % MEASUREDTARGET  Makes one target of the lines that measured it.
 %
-% CALL: [TARGET, FAULTS] = measuredTarget (TRIALS, SESSIONS)
+% CALL: [TARGET, FAULTS] = measuredTarget (TRIALS, MEANS)
 %
 %   TRIALS    1 x n struct of readMeasured, lines of one quantity, and places
-%             (on how many places of its curve the name stands)
-%   SESSIONS  see sessionRatio
+%             (on how many places of its curve the name stands), mean (number)
+%   MEANS     of varianceComponents
 %   TARGET    one element of groups, see groupMeasured, but for changed
 %   FAULTS    1 x p faults, reason measuredRepeats: what one trial says holds
 %             for all, so they must not say two things
 
-function [g, p] = measuredTarget (trials, sessions)
+function [g, p] = measuredTarget (trials, means)
   p = checkAlike (trials);
   one = trials(1);
   g = struct ('line', one.line, 'file', one.file, 'model', one.model, ...
@@ -21,7 +21,8 @@ function [g, p] = measuredTarget (trials, sessions)
               'role', firstOf (trials, 'role'), ...
               'tol', firstOf (trials, 'tol'), ...
               'isAbsolute', firstOf (trials, 'isAbsolute'), ...
-              'each', zeros (1, 0), 'shared', 0, 'sessions', {{}});
+              'each', zeros (1, 0), 'shared', 0, 'days', [], ...
+              'freedom', Inf, 'commonFreedom', Inf, 'sessionFreedom', Inf, 'sessions', {{}});
   if isempty (g.role)
     g.role = 'calibrate';
   end
@@ -38,13 +39,14 @@ function [g, p] = measuredTarget (trials, sessions)
   g.each = [trials.value];
   g.trials = sum (weight);
   g.sessions = unique ({trials.session});
-  if sessions.given
-    [g.value, g.sd, g.shared] = meanOfSessions (trials, sessions.ratio);
-    s = numel (trials) > numel (g.sessions) && any (diff (g.each));
-  else
-    [g.value, g.sd, s] = meanOfTrials (trials, min (weight, 1e6));
+  own = means(trials(1).mean);
+  for name = {'value', 'sd', 'shared', 'days', 'freedom', 'commonFreedom', ...
+              'sessionFreedom'}
+    g.(name{1}) = own.(name{1});
   end
-  g.scatter = s > 0;
+  % what trials scatter holds their packings; what is stated need not
+  g.scatter = own.hasScatter;
+  g = withCommon (g, trials);
   g.isAbsolute = g.isAbsolute || (numel (trials) > 1 && g.value == 0);
 end
 
@@ -84,15 +86,15 @@ function value = firstOf (trials, field)
   value = trials(1).(field);
 end
 
-function [m, sd, s] = meanOfTrials (trials, weight)
-  value = [trials.value];
-  m = value * weight' / sum (weight);
-  sd = mean ([trials.sd]);
-  s = 0;
-  n = numel (trials);
-  if n > 1
-    s = sqrt (weight / mean (weight) * (value - m)'.^2 / (n - 1));
-    sd = hypot (-studentQuantile (0.1587, n - 1) * s / sqrt (n), sd);
+% What trials have in common, such as the error of a balance.
+function g = withCommon (g, trials)
+  if g.scatter
+    common = mean ([trials.sd].^2);
+    rest = g.sd^2 - g.shared^2;
+    % Welch and Satterthwaite: the common part is known
+    g.freedom = g.freedom * (1 + common / g.sd^2)^2;
+    g.commonFreedom = g.commonFreedom * (1 + common / rest)^2;
+    g.sd = sqrt (g.sd^2 + common);
   end
 end
 
@@ -115,10 +117,17 @@ end
 %!                'repeats', NaN, 'role', '', 'tol', {NaN, 0.1}, ...
 %!                'isAbsolute', false, 'file', 't.csv', 'session', '', ...
 %!                'places', 1);
-%! [g, p] = measuredTarget (line, struct ('given', false));
+%! [line.mean] = deal (1);
+%! means = struct ('value', 2, 'sd', 3, 'shared', 0, 'days', [], 'freedom', ...
+%!                 1, 'commonFreedom', Inf, 'sessionFreedom', Inf, 'hasScatter', true);
+%! [g, p] = measuredTarget (line, means);
 %! assert (isempty (p));
 %! assert ({g.name, g.value, g.trials, g.tol}, {'w@3', 2, 2, 0.1});
-%! assert ([g.scatter, g.shared], [1, 0]);
+%! assert ([g.scatter, g.shared, g.sd], [1, 0, 3]);
+%! % a balance has an error of its own
+%! [line.sd] = deal (4);
+%! g = measuredTarget (line, means);
+%! assert ([g.sd, g.freedom], [5, (25 / 9)^2], 1e-12);
 %! line(2).unit = 'g';
-%! [~, p] = measuredTarget (line, struct ('given', false));
+%! [~, p] = measuredTarget (line, means);
 %! assert (p.id, 'DEcalioc:checkCase:measuredRepeats');

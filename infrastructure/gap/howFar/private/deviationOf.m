@@ -36,7 +36,7 @@ function d = deviationOf (study, set, draws)
   d.Sigma = back * diag (V) * back';
   d.s = S * back';
   % the harmonic mean: what is known least decides
-  d.nu = 1 / mean (1 ./ white.nu);
+  d.nu = 1 / (mean (1 ./ white.nu) + 1 / white.common.freedom);
   J = reshape (vertcat (J{:})', columns (white.coef), numel (set.Q));
   % an unknown at its limit could not bend to the noise
   free = isFree (white, set, study.hypotheses.options.limitAt);

@@ -49,8 +49,8 @@ end
 
 function logP = logTarget (view, z, U)
   [M, V, success] = predictHypothesis (view, U);
-  logP = logLikelihood (z - M, V, view.white.nu) - 0.5 * sum (U.^2, 2) - ...
-         columns (U) / 2 * log (2 * pi) + success;
+  logP = logLikelihood (z - M, V, view.white.nu, view.white.common) - ...
+         0.5 * sum (U.^2, 2) - columns (U) / 2 * log (2 * pi) + success;
 end
 
 function proposal = startProposal (modes)
@@ -177,7 +177,8 @@ end
 %! % Gaussian of standard deviation 1 / sqrt (800) in a wide box
 %! white = struct ('p', 1, 'powers', [0; 1], 'coef', [0, 0; 20, 20], ...
 %!                 'varPowers', 0, 'varCoef', [0, 0], 'nu', [Inf, Inf], ...
-%!                 'effect', [], 'success', zeros (2, 1));
+%!                 'effect', [], 'success', zeros (2, 1), 'common', ...
+%!                 struct ('freedom', Inf, 'stretch', 1));
 %! null = newHypothesis ('null');
 %! prior = struct ('mean', 0, 'sd', Inf);
 %! settings = struct ('prior', prior, 'seed', 3, 'points', 500, ...

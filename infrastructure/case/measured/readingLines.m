@@ -1,0 +1,120 @@
+% READINGLINES  The lines of all tables as readings of quantities in states.
+%
+% CALL: [LINES, QUANTITIES, NUMBER, NAMES] = readingLines (LIST, KEYS)
+%
+%   LIST        1 x n struct of readMeasured, all lines
+%   KEYS        1 x n cell, what names the quantity of each line
+%   LINES, QUANTITIES  see varianceComponents, those with a value
+%   NUMBER      1 x n, mean of each line (0: it has no value)
+%   NAMES       1 x S cell, names of the sessions
+%
+% A state is a condition. Where all of a quantity's lines stand alone in their
+% state and session, their sd tells the scatter of a trial: it is that of the mean
+% of its repeats. With repeats = Inf it holds all errors, that of the session,
+% too. Lines without a session, beside others of the quantity with one, share one
+% of their own.
+
+function [lines, quantities, number, names] = readingLines (list, keys)
+  number = zeros (1, numel (list));
+  isThere = isfinite ([list.value]);
+  list = list(isThere);
+  [~, ~, quantity] = unique (keys(isThere));
+  conditions = {list.condition};
+  conditions(strcmp (conditions, '')) = {'reference'};
+  states = strcat (keys(isThere), {'|'}, conditions);
+  [~, ~, state] = unique (states);
+  number(isThere) = state;
+  [session, names] = sessionsOf (list, quantity, conditions);
+  repeats = [list.repeats]';
+  sd = [list.sd]';
+  isStated = isinf (repeats) & sd > 0;
+  repeats(~isfinite (repeats)) = 1;
+  lines = struct ('value', [list.value]', 'mean', state(:), 'quantity', ...
+                  quantity(:), 'session', session, 'repeats', repeats, ...
+                  'variance', NaN (numel (list), 1), 'changed', ...
+                  ~strcmp (conditions, 'reference')');
+  lines.variance(isStated) = sd(isStated).^2;
+  quantities = repmat (struct ('unit', 1, 'isContrast', false, 'sessionSd', ...
+                               NaN, 'variance', NaN, 'share', 1), ...
+                       1, max ([quantity(:); 0]));
+  for q = 1:numel (quantities)
+    k = find (quantity(:) == q);
+    quantities(q) = quantityOf (list(k), quantities(q));
+    quantities(q).share = 1 / pointsOf (list, list(k(1)));
+    alone = rows (unique ([state(k)(:), session(k)], 'rows')) == numel (k);
+    if alone && any (sd(k) > 0 & ~isStated(k))
+      told = k(sd(k) > 0 & ~isStated(k));
+      quantities(q).variance = mean (sd(told).^2 .* repeats(told));
+      % where no session is said its sd is all that is known of a line
+      told = told(session(told) == 0);
+      lines.variance(told) = sd(told).^2;
+    end
+  end
+end
+
+function [session, names] = sessionsOf (list, quantity, conditions)
+  labels = {list.session};
+  for q = unique (quantity(:))'
+    k = find (quantity(:)' == q);
+    isEmpty = cellfun (@isempty, labels(k));
+    if any (isEmpty) && ~all (isEmpty)
+      % no name can hold a bar
+      labels(k(isEmpty)) = strcat ('|', conditions(k(isEmpty)));
+    end
+  end
+  % '' sorts first: no session is number 0
+  [names, ~, number] = unique ([{''}, labels]);
+  names = names(2:end);
+  session = number(2:end)(:) - 1;
+end
+
+function quantity = quantityOf (list, quantity)
+  tol = [list(~isnan ([list.tol])).tol];
+  middle = abs (mean ([list.value]));
+  quantity.unit = middle;
+  if ~isempty (tol) && any ([list.isAbsolute])
+    quantity.unit = tol(1);
+  elseif ~isempty (tol)
+    quantity.unit = tol(1) * middle;
+  end
+  if ~(quantity.unit > 0)
+    quantity.unit = 1;
+  end
+  quantity.isContrast = any (givenField (list(1), 'isContrast', false));
+  if isfield (list, 'sessionSd')
+    given = [list.sessionSd];
+    quantity.sessionSd = mean (given(isfinite (given)));
+  end
+end
+
+% On how many places a curve was read.
+function n = pointsOf (list, one)
+  n = 1;
+  if ~isempty (one.series)
+    isOn = [list.model] == one.model & strcmp ({list.series}, one.series);
+    n = numel (unique ([list(isOn).at]));
+  end
+end
+
+%!function list = of (sessions, values, sds)
+%!  list = struct ('session', sessions, 'value', num2cell (values), 'sd', ...
+%!                 num2cell (sds), 'repeats', NaN, 'condition', '', 'model', 1, ...
+%!                 'name', 'a', 'series', '', 'at', NaN, 'tol', NaN, ...
+%!                 'isAbsolute', false);
+%!endfunction
+%!test
+%! % trials; one line a state, of which the sd is what is known; one a session
+%! [lines, q, number] = readingLines (of ({'', ''}, [1, 3], [0.1, 0.1]), {'a', 'a'});
+%! assert ({lines.session, lines.variance, number}, {[0; 0], [NaN; NaN], [1, 1]});
+%! assert ({q.unit, q.variance}, {2, NaN});
+%! list = of ({'', ''}, [1, 3], [0.1, 0]);
+%! list(1).repeats = 4;
+%! list(2).condition = 'moist';
+%! [lines, q] = readingLines (list, {'a', 'a'});
+%! assert ({lines.mean, lines.variance}, {[2; 1], [0.01; NaN]}, 1e-12);
+%! assert ({q.variance, lines.changed}, {0.04, [false; true]}, 1e-12);
+%! [list.session] = deal ('mon', '');
+%! list(1).repeats = NaN;
+%! [lines, q, ~, names] = readingLines (list, {'a', 'a'});
+%! assert ({names, lines.session}, {{'mon', '|moist'}, [1; 2]});
+%! assert ({lines.variance, q.variance}, {[NaN; NaN], 0.01}, 1e-12);

@@ -1,0 +1,347 @@
+% VARIANCECOMPONENTS  Means of readings, and how well they are known.
+%
+% CALL: [MEANS, RATIO] = varianceComponents (LINES, QUANTITIES)
+%
+%   LINES       struct of n x 1 arrays, of readingLines: value, mean (1 ... M, of
+%               which quantity and state), quantity (1 ... Q), session (1 ... S,
+%               0: none), repeats, variance (NaN: to be found; else that of the
+%               value, with all that it holds), changed (logical)
+%   QUANTITIES  1 x Q struct: unit (of its scatter), isContrast, sessionSd (NaN: to
+%               be found), variance (of one trial, NaN: to be found), share (of a
+%               quantity in what is learned of sessions)
+%   MEANS       1 x M struct: value, sd (0: nothing tells it), shared (part of sd
+%               that sessions make), days (1 x S, what each session brings to
+%               it, norm SHARED), freedom (by which the quantity's own scatter is
+%               known), commonFreedom and sessionFreedom (by which what quantities
+%               have in common is, of the part without sessions and of SHARED),
+%               hasScatter (logical: sd was found from lines that scatter)
+%   RATIO       1 x 2 struct, of levels and of contrasts: value (standard
+%               deviation between sessions over that of a trial within one, root
+%               mean square), df (contrasts between sessions that told it)
+%
+% A line is y = mean (quantity, state) + session + trial, the standard deviations
+% of session and trial R s and s. Means are eliminated (restricted likelihood:
+% Patterson and Thompson 1971): contrasts u with the variances s^2 (1 + R^2
+% lambda). s^2 of a quantity is scaled inverse chi-square about a variance that
+% quantities have in common in their units, with freedoms that the quantities tell
+% (Smyth 2004); R is one of all levels, and one of all contrasts within a session
+% (a ratio of two settings). Their posterior is summed over a grid.
+%
+% Prior of R: log-normal, deviation 0.7, about 2.5 for a level: four measured
+% rigs on which nothing was changed show 2 to 3; about 0.7 for a contrast, in
+% which most of a session cancels: three powders in one doser show 0.5 to 1.
+%
+% What changed may scatter in its own way: where trials of the reference tell the
+% scatter, those of a change enter as the means of their sessions.
+%
+% Of the sum of both errors the distribution is a mixture; SD is its 68 %
+% half-width. The freedoms are those of the Student distributions that doubt a
+% variance as much (variance of its logarithm): given the common variance and the
+% ratio, and of these.
+
+function [means, ratio] = varianceComponents (lines, quantities)
+  Q = numel (quantities);
+  days = max ([lines.session; 0]);
+  means = repmat (struct ('value', NaN, 'sd', 0, 'shared', 0, ...
+                          'days', zeros (1, days), 'freedom', Inf, ...
+                          'commonFreedom', Inf, 'sessionFreedom', Inf, ...
+                          'hasScatter', false), ...
+                  1, max ([lines.mean; 0]));
+  ratio = struct ('value', {2.5, 0.7}, 'df', 0);
+  if Q == 0
+    return
+  end
+  of = accumarray (lines.quantity, 1:numel (lines.value), [Q, 1], ...
+                   @(k) {sort(k)});
+  parts = cellfun (@(k, q) contrastsOf (rowsOf (lines, k), q), of', ...
+                   num2cell (quantities));
+  for kind = 1:2
+    mine = find ([quantities.isContrast] == kind - 1);
+    grid = posteriorOf (parts(mine), quantities(mine), ratio(kind).value);
+    ratio(kind).value = sqrt (grid.ofRatio * grid.ratio'.^2);
+    for q = mine
+      ratio(kind).df = ratio(kind).df + ...
+                       quantities(q).share * sum (parts(q).lambda > 0);
+      scatter = scatterOf (grid, parts(q), quantities(q));
+      own = rowsOf (lines, of{q});
+      for m = unique (own.mean)'
+        means(m) = meanOf (rowsOf (own, own.mean == m), scatter, ...
+                           quantities(q), means(m));
+        means(m).hasScatter = isnan (quantities(q).variance) && ...
+                              means(m).sd > 0 && ...
+                              ~all (isfinite (own.variance(own.mean == m)));
+      end
+    end
+  end
+end
+
+function lines = rowsOf (lines, k)
+  lines = structfun (@(column) column(k), lines, 'UniformOutput', false);
+end
+
+% Contrasts of one quantity, free of its means: their squares and lambda, sorted.
+function part = contrastsOf (lines, quantity)
+  part = struct ('squares', zeros (1, 0), 'lambda', zeros (1, 0));
+  lines = rowsOf (lines, isnan (lines.variance));
+  lines = withoutChanged (lines);
+  n = numel (lines.value);
+  if n < 2
+    return
+  end
+  root = sqrt (lines.repeats);
+  X = root .* (lines.mean == unique (lines.mean)');
+  Z = root .* (lines.session == setdiff (lines.session, 0)');
+  N = null (X');
+  [U, L] = eig (N' * (Z * Z') * N);
+  u = U' * N' * (root .* lines.value) / quantity.unit;
+  part.lambda = diag (L)';
+  part.lambda(part.lambda < 1e-9 * max (lines.repeats)) = 0;
+  part.squares = (u.^2)';
+  if ~any (part.squares > 1e-18 * (mean (abs (lines.value)) / quantity.unit)^2)
+    % readings that are alike to the last digit say nothing of their scatter
+    part = struct ('squares', zeros (1, 0), 'lambda', zeros (1, 0));
+    return
+  end
+  if ~isnan (quantity.sessionSd)
+    kept = part.lambda == 0;
+    part = struct ('squares', part.squares(kept), 'lambda', ...
+                   part.lambda(kept));
+  end
+end
+
+% Trials of a change as the means of their sessions, if those of the reference
+% tell how trials scatter.
+function lines = withoutChanged (lines)
+  before = lines.session(~lines.changed);
+  if numel (unique (before)) == numel (before)
+    return
+  end
+  [~, first, cell_] = unique ([lines.mean, lines.session, ...
+                               (1:numel (lines.value))' .* ~lines.changed], ...
+                              'rows');
+  lines.value = accumarray (cell_, lines.value .* lines.repeats) ./ ...
+                accumarray (cell_, lines.repeats);
+  repeats = accumarray (cell_, lines.repeats);
+  for name = {'mean', 'session', 'changed', 'quantity', 'variance'}
+    lines.(name{1}) = lines.(name{1})(first);
+  end
+  lines.repeats = repeats;
+end
+
+% Ratio, common variance and freedoms about it: weights over a grid, R x D x S.
+function grid = posteriorOf (parts, quantities, middle)
+  grid.ratio = exp (linspace (log (middle) - 3.5, log (middle) + 3.5, 71));
+  grid.freedom = [1, 2, 4, 8, 16, 32, 1000];
+  grid.logPrior = -0.5 * (log (grid.ratio / middle) / 0.7).^2';
+  isOpen = isnan ([quantities.variance]) & cellfun (@numel, {parts.squares}) > 0;
+  all_ = log ([parts(isOpen).squares, 1e-300]);
+  grid.common = exp (linspace (median (all_) - 10, median (all_) + 10, 41));
+  if ~any (isOpen)
+    [grid.freedom, grid.common] = deal (1000, 1);
+  end
+  grid = weighed (grid, parts, quantities);
+  if any (isOpen)
+    % finer where the weight is
+    w = reshape (sum (sum (grid.weight, 1), 2), 1, []);
+    x = log (grid.common);
+    m = w * x';
+    s = sqrt (w * (x - m)'.^2 + 0.5^2 / 12);
+    grid.common = exp (linspace (m - 4 * s, m + 4 * s, 33));
+    grid = weighed (grid, parts, quantities);
+  end
+  grid.ofRatio = sum (sum (grid.weight, 2), 3)';
+end
+
+function grid = weighed (grid, parts, quantities)
+  logP = grid.logPrior + zeros (1, numel (grid.freedom), numel (grid.common));
+  for q = 1:numel (parts)
+    known = quantities(q).variance / quantities(q).unit^2;
+    df = numel (parts(q).lambda);
+    [rest, logDet] = restOf (grid, parts(q));
+    if ~isnan (known)
+      logL = -logDet - rest / known / 2;
+    else
+      [d, common] = priorOf (grid);
+      logL = d / 2 .* log (d .* common) - ...
+             (d + df) / 2 .* log (d .* common + rest) - logDet + ...
+             gammaln ((d + df) / 2) - gammaln (d / 2);
+    end
+    % of a curve what sessions do is seen at every point
+    share = quantities(q).share;
+    logP = logP + share * logL;
+  end
+  grid.weight = exp (logP - max (logP(:)));
+  grid.weight = grid.weight / sum (grid.weight(:));
+end
+
+function [d, common] = priorOf (grid)
+  d = reshape (grid.freedom, 1, []);
+  common = reshape (grid.common, 1, 1, []);
+end
+
+% Sum of squares that the ratio leaves to a trial, R x 1, and half the logarithm
+% of the determinant.
+function [rest, logDet] = restOf (grid, part)
+  ratio = grid.ratio';
+  if ~any (part.lambda)
+    ratio = ratio(1);
+  end
+  each = 1 + ratio.^2 * part.lambda;
+  rest = sum (part.squares ./ each, 2);
+  logDet = sum (log (each), 2) / 2;
+end
+
+% What is known of the variance of a trial of one quantity: for each ratio its
+% scale (0: nothing) and freedom; freedoms own, common, of sessions, see above.
+function scatter = scatterOf (grid, part, quantity)
+  R = numel (grid.ratio);
+  scatter = struct ('ratio', grid.ratio, 'weight', grid.ofRatio, ...
+                    'scale', zeros (1, R), 'freedom', Inf (1, R), ...
+                    'own', Inf, 'common', Inf, 'session', Inf);
+  middle = zeros (R, 1);
+  common = grid.ofRatio';
+  if ~isnan (quantity.variance)
+    scatter.scale(:) = quantity.variance;
+  elseif ~isempty (part.lambda)
+    [d, s] = priorOf (grid);
+    nu = d + numel (part.lambda);
+    each = log ((d .* s + restOf (grid, part)) / 2) - psi (nu / 2) + ...
+           zeros (R, 1);
+    spread = psi (1, nu / 2) + 0 * each;
+    [first, second] = momentsOver (grid.weight, each, spread, [2, 3]);
+    [scale, freedom] = studentOf (first, second);
+    scatter.scale = scale' * quantity.unit^2;
+    scatter.freedom = freedom';
+    % given the common variance and the ratio, and what these leave open
+    [middle, second] = momentsOver (grid.weight, each, spread, 2);
+    common = sum (grid.weight, 2);
+    [~, scatter.own] = studentOf (0, sum (sum (common .* second)));
+    scatter.common = freedomFrom (common, middle);
+  end
+  scatter.session = freedomFrom (common, middle + 2 * log (grid.ratio'));
+end
+
+% Mean and variance of a mixture over some dimensions of the grid.
+function [first, second] = momentsOver (weight, middle, spread, dims)
+  over = @(x) x;
+  for k = dims
+    over = @(x) sum (over (x), k);
+  end
+  share = weight ./ max (over (weight), realmin);
+  first = over (share .* middle);
+  second = over (share .* (spread + (middle - first).^2));
+  second(over (weight) < 1e-12) = 1;
+end
+
+function freedom = freedomFrom (weight, middle)
+  m = sum (weight(:) .* middle(:));
+  [~, freedom] = studentOf (m, sum (weight(:) .* (middle(:) - m).^2));
+end
+
+% The Student distribution whose squared scale is as doubtful: mean and variance of
+% its logarithm.
+function [scale, freedom] = studentOf (middle, spread)
+  spread = max (spread, 1e-6);
+  % trigamma (y) = spread by Newton's method on 1 / trigamma (Smyth 2004)
+  y = 0.5 + 1 ./ spread;
+  for k = 1:20
+    t = psi (1, y);
+    y = y + t .* (1 - t ./ spread) ./ psi (2, y);
+  end
+  freedom = 2 * y;
+  scale = exp (middle + psi (y) - log (y));
+end
+
+% One mean: its lines, and what is known of the scatter of its quantity.
+function mean_ = meanOf (lines, scatter, quantity, mean_)
+  isStated = ~isnan (lines.variance);
+  ofSession = lines.session > 0 & ~isStated;
+  ratio = sqrt (scatter.weight * scatter.ratio'.^2);
+  sigma2 = max (scatter.weight * scatter.scale', realmin);
+  between = ratio^2 * sigma2;
+  if ~isnan (quantity.sessionSd)
+    between = quantity.sessionSd^2;
+  end
+  within = sigma2 ./ lines.repeats;
+  within(isStated) = lines.variance(isStated);
+  C = diag (within) + between * (lines.session' == lines.session & ...
+                                 (ofSession & ofSession'));
+  root = sqrt (diag (C));
+  w = sum (inv (C ./ (root * root')) ./ (root * root'), 2);
+  w = w / sum (w);
+  mean_.value = w' * lines.value;
+  days = zeros (size (mean_.days));
+  for k = find (ofSession)'
+    days(lines.session(k)) = days(lines.session(k)) + w(k);
+  end
+  known = sum (w(isStated).^2 .* lines.variance(isStated));
+  if ~isnan (quantity.sessionSd)
+    mean_.days = days * quantity.sessionSd;
+    mean_ = withErrors (mean_, scatter, sum (w.^2 ./ lines.repeats .* ...
+                                            ~isStated), 0, known);
+    mean_.shared = norm (mean_.days);
+    mean_.sd = hypot (mean_.sd, mean_.shared);
+    return
+  end
+  mean_ = withErrors (mean_, scatter, sum (w.^2 ./ lines.repeats .* ~isStated), ...
+                      days * days', known);
+  mean_.days = days * mean_.shared / max (norm (days), realmin);
+end
+
+% Errors of OWN and BETWEEN times the variance of a trial, the latter times the
+% square of the ratio, and of a KNOWN variance.
+function mean_ = withErrors (mean_, scatter, own, between, known)
+  factor = own + between * scatter.ratio.^2;
+  [sd, share] = deal (0);
+  if any (factor > 0) && any (scatter.scale > 0)
+    sd = halfWidth (sqrt (factor .* scatter.scale), scatter.freedom, ...
+                    scatter.weight);
+    share = scatter.weight * (1 - own ./ factor)';
+    % Welch and Satterthwaite: a part that is known doubts nothing
+    less = [sd^2 + known, sd^2 * (1 - share) + known] ./ ...
+           max (sd^2 * [1, 1 - share], realmin);
+    mean_.freedom = scatter.own * less(1)^2;
+    mean_.commonFreedom = scatter.common * less(2)^2;
+    if between > 0
+      mean_.sessionFreedom = scatter.session;
+    end
+  end
+  mean_.shared = sd * sqrt (share);
+  mean_.sd = hypot (sd, sqrt (known));
+end
+
+% Within which 68 % of a mixture of Student distributions lie.
+function h = halfWidth (scale, freedom, weight)
+  used = weight > 1e-6 * max (weight);
+  [scale, freedom] = deal (scale(used), min (freedom(used), 1e7));
+  weight = weight(used) / sum (weight(used));
+  [lo, hi] = deal (0.5 * min (scale), 100 * max (scale));
+  for k = 1:40
+    h = sqrt (lo * hi);
+    % Student's tail as a normal one (Wallace 1959), within a hundredth
+    z = (8 * freedom + 1) ./ (8 * freedom + 3) .* ...
+        sqrt (freedom .* log1p ((h ./ scale).^2 ./ freedom));
+    if weight * erfc (z / sqrt (2))' > 0.3173
+      lo = h;
+    else
+      hi = h;
+    end
+  end
+end
+
+%!function lines = of (values, sessions, state)
+%!  n = numel (values);
+%!  lines = struct ('value', values(:), 'mean', state(:), 'quantity', ...
+%!                  ones (n, 1), 'session', sessions(:), 'repeats', ...
+%!                  ones (n, 1), 'variance', NaN (n, 1), 'changed', ...
+%!                  state(:) > 1);
+%!endfunction
+%!shared quantity
+%! quantity = struct ('unit', 1, 'isContrast', false, 'sessionSd', NaN, ...
+%!                    'variance', NaN, 'share', 1);
+%!test
+%! % one quantity, three trials, no session: t s / sqrt (n), two degrees of freedom
+%! m = varianceComponents (of ([1, 2, 3], [0, 0, 0], [1, 1, 1]), quantity);
+%! assert ([m.value, m.shared], [2, 0], 1e-12);
+%! assert (m.sd, 1.32 / sqrt (3), 0.02);
+%! assert (1 / (1 / m.freedom + 1 / m.commonFreedom), 2, 0.4);
