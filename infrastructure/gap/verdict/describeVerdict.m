@@ -12,6 +12,7 @@
 %                 was withheld), else it is one of them
 %     gateP       p of the gate
 %     posterior   struct null, each effect, unlisted
+%     alone       struct of each effect: probability that it acts, and no other one
 %     cannotSee, siblings (cellstr), groups (cell of cellstr: effects that the
 %       noise takes for one another, each pair of them)
 %     strength    1 x K struct name, value, interval90 (NaN where the integral
@@ -43,9 +44,13 @@ function named = describeVerdict (evidence, verdict, hypotheses, problem)
                    ~any (strcmp (verdict.guard, {'group', 'class', 'runs', ...
                                                  'readings'}));
   named.posterior.null = verdict.null;
+  named.alone = struct ();
   for k = 1:numel (names)
     field = matlab.lang.makeValidName (names{k});
     named.posterior.(field) = verdict.include(k);
+    isAlone = cellfun (@(m) isequal (m, k), evidence.members) & ...
+              strcmp (evidence.kind, 'single');
+    named.alone.(field) = sum (verdict.P(isAlone));
   end
   named.posterior.unlisted = verdict.unlisted;
   named.cannotSee = names(isinf (evidence.screen.smallest));
@@ -186,6 +191,7 @@ end
 %! assert (named.numbers.ess >= 200);
 %! assert (named.hypotheses(1).members, {'a'});
 %! assert (isfield (named.posterior, 'unlisted'));
+%! assert (named.alone.a > 0.5 * named.posterior.a && named.alone.b <= named.posterior.b);
 %! % where no integral of an effect says anything, its strength is not known
 %! assert (named.strength(1).says, 'amount');
 %! assert (named.class, {'a'});

@@ -34,16 +34,16 @@
 %     untested [{name, runs, why}], candidates of which all runs failed
 %     partners (probably act with the named one)
 %     siblings (look-alikes not listed or without runs)
-%     posterior, probability  {null, each effect, unlisted}; probability counts an
-%              effect alone and in pairs
+%     posterior, probability  {null, each effect, unlisted}; both count an effect
+%              alone and in pairs, alone {each effect} only where no other one acts
 %     cause    [{name, label, question, probability, effects}], what may have made
 %              it; name empty: none of these
 %     strength {effect: {value, interval90 (none if unseen), smallestSeen,
 %              variables {name: [median, lo, hi]}, seen, says (amount: of a named
 %              effect; least: so much or more; bound: not more than the upper end;
 %              nothing: no runs where it would fit), label, unit, saysName (see
-%              describeEffect), text, amount (in its unit), seenFrom (the smallest
-%              that would be seen in 8 of 10 cases)}}
+%              describeEffect), kind (causeKind), text, amount (in its unit), seenFrom
+%              (the smallest that would be seen in 8 of 10 cases)}}
 %   howFar
 %     effect, before, after (deviations, in shares of each target's range)
 %     floor (of noise alone), closure, interval90
@@ -68,7 +68,8 @@
 %   reference, with conditions, else empty
 %     condition (of all other fields), folder (of its files), lack (what the model
 %     misses in both, in shares of what parameters move)
-%     targets  [{model, name, reference, measured, foretold (without a change),
+%     targets  [{model, name, kind, series, unit (of the result), shown {unit, factor}
+%              (as the user gave it), reference, measured, foretold (without a change),
 %              modelled (with the effect), z, sd (of measured less foretold)}]
 %     conditions  [{name, verdict, code, kind (as in cause), effects, lookAlike, p,
 %              probability, strength, interval90, text}], order [{effect, more, less,
@@ -160,7 +161,7 @@ function s = whichOf (diagnosis)
   s = mergeFields (struct ('p', w.gateP), w, ...
                    {'verdict', 'reason', 'guard', 'effects', 'class', 'decides', ...
                     'together', 'sameKind', 'lookAlike', 'partners', 'likely', ...
-                    'posterior', 'groups', 'siblings'});
+                    'posterior', 'alone', 'groups', 'siblings'});
   s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
   s.untested = num2cell (untested(hasFailed));
@@ -186,13 +187,14 @@ function s = strengthOf (strength, smallest, problem)
   strength.values(2:3, ~isSeen(ones (1, columns (strength.values)))) = NaN;
   s = mergeFields (struct ('smallestSeen', smallest, 'seen', isSeen, 'label', ...
                            strength.name, 'unit', '', 'saysName', true, 'text', '', ...
-                           'amount', '', 'seenFrom', ''), strength, ...
+                           'amount', '', 'seenFrom', '', 'kind', ''), strength, ...
                    {'value', 'interval90', 'says'});
   s.variables = cell2struct (num2cell (strength.values', 2), strength.variables(:), 1);
   e = problem.effects(strcmp ({problem.effects.name}, strength.name));
   if isfield (e, 'label')
     s = mergeFields (s, e, {'label', 'unit'});
     s.saysName = givenField (e, 'saysName', false);
+    s.kind = causeKind (e);
   end
   if columns (strength.values) == 1
     [s.text, s.amount] = effectText (s.label, s.unit, strength.values(:, 1));
