@@ -64,6 +64,7 @@ end
 function sayPlain (v, found, madeBy, say)
   cause = v.cause;
   say ('');
+  cellfun (say, {v.change}(~isempty (v.change)));
   say (cause.word, cause.class);
   unseen = listSentences ({'cause.unseen', plainName(cause.cannotSee)});
   lines = {'MISSES  ', cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...

@@ -35,7 +35,8 @@
 %     partners (probably act with the named one)
 %     siblings (look-alikes not listed or without runs)
 %     posterior, probability  {null, each effect, unlisted}; both count an effect
-%              alone and in pairs, alone {each effect} only where no other one acts
+%              alone and in pairs, byItself {each effect} only where no likelier one of
+%              effects acts; oneOf that one of effects acts
 %     cause    [{name, label, question, probability, effects}], what may have made
 %              it; name empty: none of these
 %     strength {effect: {value, interval90 (none if unseen), smallestSeen,
@@ -71,7 +72,9 @@
 %     targets  [{model, name, kind, series, unit (of the result), shown {unit, factor}
 %              (as the user gave it), reference, measured, foretold (without a change),
 %              modelled (with the effect), z, sd (of measured less foretold)}]
-%     conditions  [{name, verdict, code, kind (as in cause), effects, lookAlike, p,
+%     notMeasured [{model, name}], measured of the reference alone
+%     conditions  [{name, verdict, code, kind (as in cause), change, plain (words of
+%              its verdict), names (effects that may be said), effects, lookAlike, p, oneOf,
 %              probability, strength, interval90, text}], order [{effect, more, less,
 %              probability}]
 %     canChange  {candidate: yes, unlikely, no}
@@ -113,7 +116,9 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   end
   conditions = jsonAt (diagnosis, {'others', 'conditions'});
   if ~isempty (conditions)
-    [conditions(1).code, conditions(1).kind] = deal (v.cause.code, v.cause.kind);
+    for name = {'code', 'kind', 'change', 'names', 'plain'}
+      conditions(1).(name{1}) = v.cause.(name{1});
+    end
     out.reference.conditions = num2cell (conditions);
   end
   writeAtomic (fullfile (folder, 'gap.json'), [jsonencode(out), "\n"]);
@@ -161,7 +166,7 @@ function s = whichOf (diagnosis)
   s = mergeFields (struct ('p', w.gateP), w, ...
                    {'verdict', 'reason', 'guard', 'effects', 'class', 'decides', ...
                     'together', 'sameKind', 'lookAlike', 'partners', 'likely', ...
-                    'posterior', 'alone', 'groups', 'siblings'});
+                    'posterior', 'byItself', 'oneOf', 'groups', 'siblings'});
   s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
   s.untested = num2cell (untested(hasFailed));
@@ -278,15 +283,34 @@ function s = changeOf (diagnosis, Case)
                              [{Case.effects.name}, Case.unchanged], 2);
   sd = sqrt (diag (diagnosis.where.budget.covariance));
   list = diagnosedTargets (diagnosis);
+  info = targetInfo (Case);
   for T = list(strcmp ({list.role}, 'calibrate'))
     change = mergeFields (struct ('reference', reference.value(T.target), 'foretold', ...
                                   T.predicted, 'modelled', NaN, 'sd', sd(T.target)), ...
                           T, {'model', 'name', 'measured', 'z'});
+    change = mergeFields (change, info(T.target), {'kind', 'series', 'unit'});
+    change.shown = shownUnit (Case.targets(T.target), info(T.target).unit);
     if ~isempty (diagnosis.howFar)
       at = [diagnosis.howFar.targets.target] == T.target;
       change.modelled = diagnosis.howFar.targets(at).after;
     end
     s.targets{end + 1} = change;
+  end
+  isOpen = isnan (diagnosis.problem.value) & isfinite (reference.value);
+  s.notMeasured = eachOf (@(T) struct ('model', T.modelName, 'name', T.name), ...
+                          Case.targets(isOpen));
+end
+
+% As the user has measured it: a value in the unit of the result is FACTOR of it.
+function s = shownUnit (T, unit)
+  s = struct ('unit', unit, 'factor', 1);
+  given = givenField (T, 'given', '');
+  factor = 0;
+  if ~isempty (given)
+    factor = unitFactor (given, unit);
+  end
+  if factor > 0
+    s = struct ('unit', given, 'factor', factor);
   end
 end
 
