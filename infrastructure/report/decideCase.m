@@ -70,7 +70,8 @@ end
 % Label and text of each.
 function numbers = keyNumbers (v, c)
   list = cell (0, 2);
-  if ~isempty (v.misses)
+  if ~isempty (v.misses) && (isempty (v.change) || ~isempty (c))
+    % of a change alone it is said first, see firstLine
     list = missTexts (v.misses(headline (v.misses, v.worst)));
   end
   if v.of > 0

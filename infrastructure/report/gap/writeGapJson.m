@@ -24,9 +24,10 @@
 %     surrogateShare (of the noise)
 %     targets  [{model, name, role, z, unabsorbed (0..1, what parameters cannot
 %              hide), blind, p (chance that noise gives a miss this large in any
-%              fitted, or in any target not used in the fit), size (miss over
-%              noise; z also counts what the fit hides), measured, sdMeasured,
-%              predicted, sdPredicted}]
+%              fitted, or in any target not used in the fit), deviation (measured less
+%              predicted, over the noise of both), size (without its sign; z also
+%              counts what the fit hides), measured, sdMeasured, predicted,
+%              sdPredicted}]
 %     models   [{model, p, size}], of the whole test
 %   which
 %     verdict, reason, p, guard, effects, together, sameKind, lookAlike, likely,
@@ -111,6 +112,7 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   out.closure = struct ('code', v.cause.closure);
   out.action = v.todo;
   out.verdict = rmfield (v, 'actionParts');
+  out.verdict.numbers = num2cell (v.numbers);     % an empty struct has no JSON
   for name = {'todo', 'without'}
     out.verdict.cause.(name{1}) = asText (v.cause.(name{1}));
   end
@@ -143,10 +145,7 @@ function s = whereOf (diagnosis)
   where = diagnosis.where;
   problem = diagnosis.problem;
   sd = where.budget;
-  target = @(T) mergeFields (struct ('unabsorbed', 1 - T.absorbability, ...
-                                     'sdMeasured', sd.measurement(T.target), ...
-                                     'sdPredicted', hypot (sd.trial(T.target), ...
-                                                           sd.surrogate(T.target))), ...
+  target = @(T) mergeFields (withNoise (T, sd.measurement(T.target)), ...
                              T, {'model', 'name', 'role', 'z', 'blind', 'p', 'size', ...
                                  'measured', 'predicted'});
   s = struct ('p', where.p, 'atLimit', {where.side.atLimit}, ...
@@ -157,6 +156,15 @@ function s = whereOf (diagnosis)
   s.models = eachOf (@(b) struct ('model', problem.benchNames{b.bench}, ...
                                   'p', b.p, 'size', b.size), where.benches);
   s.params = cell2struct (num2cell (where.params(:)), problem.names(:), 1);
+end
+
+% What is not the noise of the measurement is that of the prediction: of the trials'
+% packing, of the surrogates, and of a change what its reference leaves open.
+function s = withNoise (T, sdMeasured)
+  whole = abs (T.residual) / max (T.size, realmin);
+  s = struct ('unabsorbed', 1 - T.absorbability, ...
+              'deviation', sign (T.residual) * T.size, 'sdMeasured', sdMeasured, ...
+              'sdPredicted', sqrt (max (whole^2 - sdMeasured^2, 0)));
 end
 
 function s = whichOf (diagnosis)
