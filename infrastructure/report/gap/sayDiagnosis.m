@@ -36,7 +36,7 @@ function sayDiagnosis (Case, say, nextFile, isAdvice)
   % beside a calibration of an earlier input the diagnosis has an action of its own
   v.action = givenField (jsonAt (gap, {'verdict'}), 'action', v.action);
   sayPlain (v, found(1:end * (numel (found) > 1)), ...
-            madeByText (jsonAt (gap, {'which', 'cause'})), say);
+            madeByText (gap, v.cause), say);
 end
 
 function sayFound (page, say)

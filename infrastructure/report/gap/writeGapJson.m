@@ -78,7 +78,8 @@
 %              its verdict), names (effects that may be said), effects, lookAlike, p, oneOf,
 %              probability, strength, interval90, text}], order [{effect, more, less,
 %              probability}]
-%     canChange  {candidate: yes, unlikely, no}
+%     canChange  {candidate: yes, unlikely, no};  origin  what the user says it was
+%              (Input.origin), in words
 %   thresholds  level, adviseAt (gapOptions): those that the report uses
 %   demRuns  sets, failedSets, new, reused, failed, coreSeconds
 %   input, verdict: as in calibration.json (docs/data.md); cause of the verdict has
@@ -286,6 +287,12 @@ function s = changeOf (diagnosis, Case)
               'lack', diagnosis.change.size, 'targets', {{}}, ...
               'conditions', {num2cell(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});
+  s.origin = '';
+  known = listCauses (fullfile (Case.folder, 'causes'));
+  isIt = strcmp ({known.name}, givenField (Case.options, 'origin', ''));
+  if any (isIt)
+    s.origin = known(isIt).label;
+  end
   s.canChange = cell2struct ([changeWords(Case.effects), ...
                               repmat({'no'}, 1, numel (Case.unchanged))], ...
                              [{Case.effects.name}, Case.unchanged], 2);
