@@ -112,7 +112,12 @@ end
 % What was found is the set of the result, not another one that came near.
 function sayResult (s, Case)
   v = s.verdict;
-  printf ('result  %s. %s\n', v.word, v.sentence);
+  label = 'result  ';
+  if ~isempty (v.change)
+    printf ('%s%s\n', label, v.change);
+    label = '        ';
+  end
+  printf ('%s%s. %s\n', label, v.word, v.sentence);
   if ~isempty (v.gap)
     printf ('        %s\n', v.gap);
   end

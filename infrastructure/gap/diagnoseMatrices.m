@@ -69,6 +69,8 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   verdict = withoutReadings (verdict, study);
   verdict = doubtName (verdict, diagnosis, study.hypotheses);
   diagnosis.which = describeVerdict (evidence, verdict, study.hypotheses, problem);
+  diagnosis.which.strength = asFitted (diagnosis.which.strength, diagnosis.howFar, ...
+                                       problem.effects);
   diagnosis.which.cause = causesOfVerdict (verdict, study);
   [diagnosis.next, trials] = adviseMeasurements (study, evidence, verdict, state);
   diagnosis.change = [];
@@ -82,6 +84,29 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   further = [];
   if ~isempty (trials)
     further = @() withTests (diagnosis, trials, study.known);
+  end
+end
+
+% One number for a thing: where a cause was fitted together with the parameters, its
+% strength there is said, as the head of a model gets it; the interval stays that of
+% all that would do.
+function strength = asFitted (strength, cure, effects)
+  if isempty (cure)
+    return
+  end
+  names = strsplit (cure.effect, ' + ');
+  for k = 1:numel (names)
+    at = find (strcmp ({strength.name}, names{k}));
+    e = effects(strcmp ({effects.name}, names{k}));
+    phi = cure.phi(k);
+    if isempty (at) || any (phi < strength(at).interval90(1)) || ...
+       any (phi > strength(at).interval90(2))
+      continue
+    end
+    strength(at).values(1, :) = e.strongest * phi;
+    if ~e.laboratory
+      strength(at).values(1, :) = valuesOfStrength (e, phi);
+    end
   end
 end
 

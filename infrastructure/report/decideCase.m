@@ -7,6 +7,8 @@
 %   V    scalar struct, texts without HTML:
 %     word      the verdict in a few words;  class 'good', 'bad' or 'open'
 %     sentence  why, one sentence
+%     change    what has changed since the reference, see firstLine; '': nothing is
+%               compared with one
 %     gap       what the diagnosis adds, one sentence; '': none was made
 %     todo      struct code (of action.* in words.txt), field, names (1 x n
 %               cells of texts): what action says, for programs
@@ -23,7 +25,7 @@
 % a candidate could not be seen.
 
 function v = decideCase (c, gap, isBegun)
-  v = struct ('word', '', 'class', 'open', 'sentence', '', 'gap', '', ...
+  v = struct ('word', '', 'class', 'open', 'sentence', '', 'change', '', 'gap', '', ...
               'usable', false, 'usableFor', {{}}, 'notFor', {{}}, ...
               'action', '', 'actionParts', [], 'todo', [], 'numbers', [], 'met', 0, 'of', 0, ...
               'misses', listMisses (c, gap), 'worst', '', 'cause', []);
@@ -68,7 +70,8 @@ end
 % Label and text of each.
 function numbers = keyNumbers (v, c)
   list = cell (0, 2);
-  if ~isempty (v.misses)
+  if ~isempty (v.misses) && (isempty (v.change) || ~isempty (c))
+    % of a change alone it is said first, see firstLine
     list = missTexts (v.misses(headline (v.misses, v.worst)));
   end
   if v.of > 0
@@ -205,7 +208,7 @@ function texts = knownOnes (c)
 end
 
 function v = withGap (v, c, cause)
-  v.cause = cause;
+  [v.cause, v.change] = deal (cause, cause.change);
   if isempty (c)
     v = mergeFields (v, cause, {'word', 'class', 'sentence'});
     v.notFor = {sentence('notFor.noCalibration')};

@@ -12,6 +12,9 @@
 %                 was withheld), else it is one of them
 %     gateP       p of the gate
 %     posterior   struct null, each effect, unlisted
+%     oneOf       scalar, probability that one of effects acts
+%     byItself    the same of each effect, of explanations without a likelier effect of
+%                 the verdict: of one that only rides along next to nothing is left
 %     cannotSee, siblings (cellstr), groups (cell of cellstr: effects that the
 %       noise takes for one another, each pair of them)
 %     strength    1 x K struct name, value, interval90 (NaN where the integral
@@ -43,11 +46,17 @@ function named = describeVerdict (evidence, verdict, hypotheses, problem)
                    ~any (strcmp (verdict.guard, {'group', 'class', 'runs', ...
                                                  'readings'}));
   named.posterior.null = verdict.null;
+  named.byItself = struct ();
   for k = 1:numel (names)
     field = matlab.lang.makeValidName (names{k});
     named.posterior.(field) = verdict.include(k);
+    likelier = verdict.effects(verdict.include(verdict.effects) > verdict.include(k));
+    isOwn = cellfun (@(m) any (m == k) && ~any (ismember (likelier, m)), evidence.members);
+    named.byItself.(field) = sum (verdict.P(isOwn));
   end
   named.posterior.unlisted = verdict.unlisted;
+  holds = cellfun (@(m) any (ismember (m, verdict.effects)), evidence.members);
+  named.oneOf = sum (verdict.P(holds));
   named.cannotSee = names(isinf (evidence.screen.smallest));
   named.siblings = [hypotheses.siblings{verdict.effects}];
   named.groups = confusedGroups (evidence.screen, hypotheses);
@@ -186,6 +195,8 @@ end
 %! assert (named.numbers.ess >= 200);
 %! assert (named.hypotheses(1).members, {'a'});
 %! assert (isfield (named.posterior, 'unlisted'));
+%! assert (named.byItself.a, named.posterior.a, 1e-12);
+%! assert (named.byItself.b < named.posterior.b);
 %! % where no integral of an effect says anything, its strength is not known
 %! assert (named.strength(1).says, 'amount');
 %! assert (named.class, {'a'});

@@ -78,7 +78,7 @@ function [logE, members] = evidenceOf (cause, field, names, problem)
       variants{end + 1} = {cause.members([1, find(has)]), [k, others]};
     end
   end
-  members = unique ([first{:}]);
+  members = unique ([found{:}]);     % also those that act in place of the first
   logE = -Inf;
   if ~isempty (variants)
     each = cellfun (@(v) evidence (field, v{:}), variants);

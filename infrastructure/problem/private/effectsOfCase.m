@@ -19,6 +19,9 @@ function given = effectsOfCase (given, Case)
   end
   info = targetInfo (Case);
   given.causes = listCauses ({fullfile(Case.folder, 'causes'), Case.folder});
+  if ~isempty (givenField (givenField (Case, 'options', struct ()), 'origin', ''))
+    given.causes = [];                   % the user knows it
+  end
   library = libraryGroups (Case);
   [~, factors] = changeWords (effects);
   isChange = ~isempty (givenField (Case, 'conditions', {}));

@@ -8,7 +8,11 @@
 %               'no verdict'
 %     code      finer than kind, of cause.* in words.txt: 'none', 'blind',
 %               'heldOut', 'mixed', 'named', 'alike', 'likely', 'several', 'sameKind',
-%               'unlisted', 'open', 'faint', 'noVerdict'
+%               'kind', 'manyKinds', 'oneNumber', 'fewNumbers', 'unlisted', 'atEnd',
+%               'untested', 'open', 'faint', 'noVerdict'
+%     change    what has changed, before any cause, see firstLine; '' of a gap
+%     names     1 x n cell, the effects that the first words name
+%     plain     word, without the name of the condition
 %     word, sentence, class  as in decideCase
 %     where     where the model misses, one sentence
 %     closed    how much of it the cause takes away, one sentence; '': not tried
@@ -27,22 +31,24 @@ function cause = decideGap (gap)
   which = gap.which;
   isChange = ~isempty (jsonAt (gap, {'reference'}));
   say = @(code, values) sentence (['cause.', code], values, isChange);
-  effects = namesIn (which, 'effects');
   [where, isBeyond] = whereText (gap, isChange);
   [closed, closure] = closedText (gap, isChange);
   untested = jsonList (which, {'untested'});
   codes = {'failedWhy', 'failed'};
-  cause = struct ('kind', 'open', 'code', '', 'word', '', 'sentence', '', ...
+  cause = struct ('kind', 'open', 'code', '', 'change', firstLine (gap), ...
+                  'names', {{}}, 'word', '', 'sentence', '', ...
                   'class', 'open', 'where', where, 'closed', closed, ...
                   'closure', closure, 'todo', [], 'without', [], 'notFor', {{}}, 'amount', [], ...
                   'cannotSee', {namesIn(which, 'cannotSee')}, ...
                   'untested', {eachOf(@(u) say (codes{1 + isempty(u.why)}, u), untested)});
   failed = eachOf (@(u) u.name, untested);
-  isSeen = ~all (ismember (effects, cause.cannotSee));
+  [names, few] = headlineCauses (gap);
   if strcmp (which.verdict, 'no gap')
     cause = noGap (cause, gap, isBeyond, failed, say);
-  elseif any (strcmp (which.verdict, {'named', 'group'})) && isSeen
-    cause = found (cause, gap, effects, isBeyond, say);
+  elseif any (strcmp (few, {'oneNumber', 'fewNumbers', 'manyKinds'})) && isBeyond
+    cause = tooMany (cause, gap, names, few, say);
+  elseif any (strcmp (which.verdict, {'named', 'group'})) && ~isempty (names)
+    cause = found (cause, gap, names, isBeyond, say);
   elseif strcmp (which.verdict, 'none of the listed') && isempty (failed)
     cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
     cause.class = 'bad';
@@ -57,6 +63,7 @@ function cause = decideGap (gap)
   if isempty (cause.notFor) && ~strcmp (cause.kind, 'none')
     cause.notFor = {say('notFor.missing', cause)};
   end
+  cause.plain = cause.word;
   if numel (jsonAt (gap, {'reference', 'conditions'})) > 1
     cause = ofConditions (cause, gap, say);
   end
@@ -66,6 +73,7 @@ end
 % number, and comes first in what is to be done.
 function cause = ofConditions (cause, gap, say)
   name = gap.reference.condition;
+  cause.change = [name, ': ', cause.change];
   [cause.word, cause.sentence] = deal ([name, ': ', cause.word], ...
                                        [name, ': ', cause.sentence]);
   if ~isempty (cause.todo)
@@ -137,6 +145,29 @@ function text = seenFrom (gap, say)
   end
 end
 
+% More causes than the measurements can tell apart: none is named.
+function cause = tooMany (cause, gap, names, code, say)
+  open = jsonList (gap, {'reference', 'notMeasured'});
+  todo = testOf (gap);
+  if ~isempty (open)
+    todo = newAction ('measureToo', eachOf (@(T) [T.model, ' ', T.name], open));
+  end
+  values = struct ('n', numel (jsonList (gap, {'reference', 'targets'})), ...
+                   'questions', strjoin (halvingQuestions (gap.which, names), ' '));
+  cause = said (cause, say, 'open', code, values, todo);
+  cause.closed = '';
+end
+
+% Of the kinds of these causes, the two that part their probability best.
+function texts = halvingQuestions (which, names)
+  kinds = eachOf (@(n) char (jsonAt (which, {'strength', fieldOf(n), 'kind'})), names);
+  p = cellfun (@(n) max ([probabilityOf(which, n), 0]), names);
+  each = unique (kinds(~cellfun (@isempty, kinds)));
+  share = cellfun (@(k) sum (p(strcmp (kinds, k))), each) / max (sum (p), realmin);
+  [~, order] = sort (abs (share - 0.5));
+  texts = eachOf (@(k) sentence (['kind.', k, '.question']), each(order)(1:min (2, end)));
+end
+
 % A gap whose cause is open; where no measurement is missed, not even that.
 function cause = stillOpen (cause, gap, isBeyond, say)
   [kind, code, likely] = deal ('open', 'open', namesIn (gap.which, 'likely'));
@@ -144,7 +175,8 @@ function cause = stillOpen (cause, gap, isBeyond, say)
     [kind, code, cause.closed] = deal ('cannot tell', 'faint', '');
     likely = setdiff (likely, cause.cannotSee, 'stable');
   end
-  likely = likely(1:min (end, 3));
+  numbers = numel (jsonList (gap, {'reference', 'targets'}));
+  likely = likely(1:min (end, 3 * (numbers ~= 1)));
   % nothing is most likely and cannot be seen at once
   cause.cannotSee = setdiff (cause.cannotSee, likely, 'stable');
   values = struct ('why', plainReason (gap.which), 'names', {plainName(likely)});
@@ -159,14 +191,19 @@ function cause = found (cause, gap, effects, isBeyond, say)
   if ~isBeyond
     cause.where = say ('where.together', {});
   end
-  % what is named is not what could not be seen
-  cause.cannotSee = setdiff (cause.cannotSee, effects, 'stable');
+  cause.names = effects;
   code = codeOfFound (which, effects);
-  several = any (strcmp (code, {'several', 'sameKind'}));
+  several = any (strcmp (code, {'several', 'sameKind', 'kind'}));
   kinds = {'found', 'several'};
   amounts = strjoin (eachOf (@(name) amountOf (which, name), effects), '; ');
   values = struct ('names', {plainName(effects)}, 'amounts', amounts, ...
-                   'why', plainReason (which));
+                   'each', {eachOf(@(name) chanceOf (which, name), effects)}, ...
+                   'oneOf', plainNumber (jsonNumber (which, {'oneOf'}), 'probability'), ...
+                   'why', plainReason (which), 'kind', '');
+  if strcmp (code, 'kind')
+    kind = jsonAt (which, {'strength', fieldOf(effects{1}), 'kind'});
+    values.kind = sentence (['kind.', kind]);
+  end
   todo = testOf (gap);
   tried = jsonAt (gap, {'howFar', 'effect'});
   if ~several && isempty (tried)
@@ -182,12 +219,18 @@ function cause = found (cause, gap, effects, isBeyond, say)
   if numel (effects) == 1 && ~isempty (jsonAt (only, {'amount'}))
     cause.amount = struct ('label', say ('amount', {only.label}), 'text', only.amount);
   elseif several
-    % 'mean size 0.31', for the few words beside a large number
-    chance = @(name) strtrim (sprintf ('%s %s', plainName (name), ...
-                                       sprintf ('%.2f', probabilityOf (which, name))));
-    cause.amount.text = strjoin (eachOf (chance, effects), ', ');
+    cause.amount.text = strjoin (values.each, ', ');
   end
   cause.notFor = {say('notFor.found', values)};
+end
+
+% 'mean size (0.31)'
+function text = chanceOf (which, name)
+  p = probabilityOf (which, name);
+  text = plainName (name);
+  if ~isempty (p)
+    text = sprintf ('%s (%s)', text, plainNumber (p, 'probability'));
+  end
 end
 
 function code = codeOfFound (which, effects)
@@ -198,6 +241,9 @@ function code = codeOfFound (which, effects)
     code = codes{1, 1 + is('lookAlike')};
   elseif ~isscalar (effects) && ~is ('together')
     code = codes{2, 1 + is('sameKind')};
+  end
+  if numel (effects) > 4 && ~is ('together')
+    code = 'kind';
   end
 end
 
@@ -210,13 +256,12 @@ function text = amountOf (which, name)
   text = strjoin (parts(~cellfun (@isempty, parts)), ', ');
   p = probabilityOf (which, name);
   if ~isempty (p)
-    text = sprintf ('%s, probability %.2f', text, p);
+    text = sprintf ('%s, probability %s', text, plainNumber (p, 'probability'));
   end
 end
 
 function p = probabilityOf (which, name)
-  p = [jsonAt(which, {'alike', fieldOf(name)}), jsonAt(which, {'posterior', fieldOf(name)})];
-  p = p(1:min (end, 1));
+  p = jsonAt (which, {'posterior', fieldOf(name)});
 end
 
 function name = fieldOf (name)
@@ -271,8 +316,12 @@ end
 %! list = verdictCase ();
 %! gap = list(strcmp ({list.name}, 'missed, several')).gap;
 %! gap = jsondecode (jsonencode (gap));
+%! % what cannot be seen, or may be nothing, is not named
 %! gap.which.cannotSee = [gap.which.effects(1); {'other'}];
-%! assert (decideGap (gap).cannotSee(:)', {'other'});
+%! cause = decideGap (gap);
+%! assert ({cause.names, cause.code}, {gap.which.effects(2), 'likely'});
+%! gap.which.strength.drag.interval90 = [-0.2, 0.7];
+%! assert (decideGap (gap).code, 'open');
 %! % the most likely one is said, though it cannot be seen for sure
 %! gap = list(strcmp ({list.name}, 'missed, undecided')).gap;
 %! gap = jsondecode (jsonencode (gap));

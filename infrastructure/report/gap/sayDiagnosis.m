@@ -36,7 +36,7 @@ function sayDiagnosis (Case, say, nextFile, isAdvice)
   % beside a calibration of an earlier input the diagnosis has an action of its own
   v.action = givenField (jsonAt (gap, {'verdict'}), 'action', v.action);
   sayPlain (v, found(1:end * (numel (found) > 1)), ...
-            madeByText (jsonAt (gap, {'which', 'cause'})), say);
+            madeByText (gap, v.cause), say);
 end
 
 function sayFound (page, say)
@@ -64,6 +64,7 @@ end
 function sayPlain (v, found, madeBy, say)
   cause = v.cause;
   say ('');
+  cellfun (say, {v.change}(~isempty (v.change)));
   say (cause.word, cause.class);
   unseen = listSentences ({'cause.unseen', plainName(cause.cannotSee)});
   lines = {'MISSES  ', cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...

@@ -24,9 +24,10 @@
 %     surrogateShare (of the noise)
 %     targets  [{model, name, role, z, unabsorbed (0..1, what parameters cannot
 %              hide), blind, p (chance that noise gives a miss this large in any
-%              fitted, or in any target not used in the fit), size (miss over
-%              noise; z also counts what the fit hides), measured, sdMeasured,
-%              predicted, sdPredicted}]
+%              fitted, or in any target not used in the fit), deviation (measured less
+%              predicted, over the noise of both), size (without its sign; z also
+%              counts what the fit hides), measured, sdMeasured, predicted,
+%              sdPredicted}]
 %     models   [{model, p, size}], of the whole test
 %   which
 %     verdict, reason, p, guard, effects, together, sameKind, lookAlike, likely,
@@ -34,16 +35,17 @@
 %     untested [{name, runs, why}], candidates of which all runs failed
 %     partners (probably act with the named one)
 %     siblings (look-alikes not listed or without runs)
-%     posterior, probability  {null, each effect, unlisted}; probability counts an
-%              effect alone and in pairs
+%     posterior, probability  {null, each effect, unlisted}; both count an effect
+%              alone and in pairs, byItself {each effect} only where no likelier one of
+%              effects acts; oneOf that one of effects acts
 %     cause    [{name, label, question, probability, effects}], what may have made
 %              it; name empty: none of these
 %     strength {effect: {value, interval90 (none if unseen), smallestSeen,
 %              variables {name: [median, lo, hi]}, seen, says (amount: of a named
 %              effect; least: so much or more; bound: not more than the upper end;
 %              nothing: no runs where it would fit), label, unit, saysName (see
-%              describeEffect), text, amount (in its unit), seenFrom (the smallest
-%              that would be seen in 8 of 10 cases)}}
+%              describeEffect), kind (causeKind), text, amount (in its unit), seenFrom
+%              (the smallest that would be seen in 8 of 10 cases)}}
 %   howFar
 %     effect, before, after (deviations, in shares of each target's range)
 %     floor (of noise alone), closure, interval90
@@ -68,12 +70,16 @@
 %   reference, with conditions, else empty
 %     condition (of all other fields), folder (of its files), lack (what the model
 %     misses in both, in shares of what parameters move)
-%     targets  [{model, name, reference, measured, foretold (without a change),
+%     targets  [{model, name, kind, series, unit (of the result), shown {unit, factor}
+%              (as the user gave it), reference, measured, foretold (without a change),
 %              modelled (with the effect), z, sd (of measured less foretold)}]
-%     conditions  [{name, verdict, code, kind (as in cause), effects, lookAlike, p,
+%     notMeasured [{model, name}], measured of the reference alone
+%     conditions  [{name, verdict, code, kind (as in cause), change, plain (words of
+%              its verdict), names (effects that may be said), effects, lookAlike, p, oneOf,
 %              probability, strength, interval90, text}], order [{effect, more, less,
 %              probability}]
-%     canChange  {candidate: yes, unlikely, no}
+%     canChange  {candidate: yes, unlikely, no};  origin  what the user says it was
+%              (Input.origin), in words
 %   thresholds  level, adviseAt (gapOptions): those that the report uses
 %   demRuns  sets, failedSets, new, reused, failed, coreSeconds
 %   input, verdict: as in calibration.json (docs/data.md); cause of the verdict has
@@ -129,11 +135,14 @@ function [out, v, conditions] = withVerdict (out, diagnosis, Case)
   out.closure = struct ('code', v.cause.closure);
   out.action = v.todo;
   out.verdict = rmfield (v, 'actionParts');
+  out.verdict.numbers = num2cell (v.numbers);     % an empty struct has no JSON
   for name = {'todo', 'without'}
     out.verdict.cause.(name{1}) = asText (v.cause.(name{1}));
   end
   if ~isempty (conditions)
-    [conditions(1).code, conditions(1).kind] = deal (v.cause.code, v.cause.kind);
+    for name = {'code', 'kind', 'change', 'names', 'plain'}
+      conditions(1).(name{1}) = v.cause.(name{1});
+    end
     out.reference.conditions = num2cell (conditions);
   end
 end
@@ -163,10 +172,7 @@ function s = whereOf (diagnosis)
   where = diagnosis.where;
   problem = diagnosis.problem;
   sd = where.budget;
-  target = @(T) mergeFields (struct ('unabsorbed', 1 - T.absorbability, ...
-                                     'sdMeasured', sd.measurement(T.target), ...
-                                     'sdPredicted', hypot (sd.trial(T.target), ...
-                                                           sd.surrogate(T.target))), ...
+  target = @(T) mergeFields (withNoise (T, sd.measurement(T.target)), ...
                              T, {'model', 'name', 'role', 'z', 'blind', 'p', 'size', ...
                                  'measured', 'predicted'});
   s = struct ('p', where.p, 'atLimit', {where.side.atLimit}, ...
@@ -179,6 +185,15 @@ function s = whereOf (diagnosis)
   s.params = cell2struct (num2cell (where.params(:)), problem.names(:), 1);
 end
 
+% What is not the noise of the measurement is that of the prediction: of the trials'
+% packing, of the surrogates, and of a change what its reference leaves open.
+function s = withNoise (T, sdMeasured)
+  whole = abs (T.residual) / max (T.size, realmin);
+  s = struct ('unabsorbed', 1 - T.absorbability, ...
+              'deviation', sign (T.residual) * T.size, 'sdMeasured', sdMeasured, ...
+              'sdPredicted', sqrt (max (whole^2 - sdMeasured^2, 0)));
+end
+
 function s = whichOf (diagnosis)
   w = diagnosis.which;
   untested = diagnosis.screen.untested;
@@ -186,7 +201,7 @@ function s = whichOf (diagnosis)
   s = mergeFields (struct ('p', w.gateP), w, ...
                    {'verdict', 'reason', 'guard', 'effects', 'class', 'decides', ...
                     'together', 'sameKind', 'lookAlike', 'partners', 'likely', ...
-                    'posterior', 'groups', 'siblings'});
+                    'posterior', 'byItself', 'oneOf', 'groups', 'siblings'});
   s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
   s.untested = num2cell (untested(hasFailed));
@@ -212,13 +227,14 @@ function s = strengthOf (strength, smallest, problem)
   strength.values(2:3, ~isSeen(ones (1, columns (strength.values)))) = NaN;
   s = mergeFields (struct ('smallestSeen', smallest, 'seen', isSeen, 'label', ...
                            strength.name, 'unit', '', 'saysName', true, 'text', '', ...
-                           'amount', '', 'seenFrom', ''), strength, ...
+                           'amount', '', 'seenFrom', '', 'kind', ''), strength, ...
                    {'value', 'interval90', 'says'});
   s.variables = cell2struct (num2cell (strength.values', 2), strength.variables(:), 1);
   e = problem.effects(strcmp ({problem.effects.name}, strength.name));
   if isfield (e, 'label')
     s = mergeFields (s, e, {'label', 'unit'});
     s.saysName = givenField (e, 'saysName', false);
+    s.kind = causeKind (e);
   end
 end
 
@@ -307,20 +323,45 @@ function s = changeOf (diagnosis, Case)
               'lack', diagnosis.change.size, 'targets', {{}}, ...
               'conditions', {num2cell(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});
+  s.origin = '';
+  known = listCauses (fullfile (Case.folder, 'causes'));
+  isIt = strcmp ({known.name}, givenField (Case.options, 'origin', ''));
+  if any (isIt)
+    s.origin = known(isIt).label;
+  end
   s.canChange = cell2struct ([changeWords(Case.effects), ...
                               repmat({'no'}, 1, numel (Case.unchanged))], ...
                              [{Case.effects.name}, Case.unchanged], 2);
   sd = sqrt (diag (diagnosis.where.budget.covariance));
   list = diagnosedTargets (diagnosis);
+  info = targetInfo (Case);
   for T = list(strcmp ({list.role}, 'calibrate'))
     change = mergeFields (struct ('reference', reference.value(T.target), 'foretold', ...
                                   T.predicted, 'modelled', NaN, 'sd', sd(T.target)), ...
                           T, {'model', 'name', 'measured', 'z'});
+    change = mergeFields (change, info(T.target), {'kind', 'series', 'unit'});
+    change.shown = shownUnit (Case.targets(T.target), info(T.target).unit);
     if ~isempty (diagnosis.howFar)
       at = [diagnosis.howFar.targets.target] == T.target;
       change.modelled = diagnosis.howFar.targets(at).after;
     end
     s.targets{end + 1} = change;
+  end
+  isOpen = isnan (diagnosis.problem.value) & isfinite (reference.value);
+  s.notMeasured = eachOf (@(T) struct ('model', T.modelName, 'name', T.name), ...
+                          Case.targets(isOpen));
+end
+
+% As the user has measured it: a value in the unit of the result is FACTOR of it.
+function s = shownUnit (T, unit)
+  s = struct ('unit', unit, 'factor', 1);
+  given = givenField (T, 'given', '');
+  factor = 0;
+  if ~isempty (given)
+    factor = unitFactor (given, unit);
+  end
+  if factor > 0
+    s = struct ('unit', given, 'factor', factor);
   end
 end
 

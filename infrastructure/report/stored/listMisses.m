@@ -6,8 +6,8 @@
 %   MISSES   1 x n struct of the calibrated targets and the held-out ones:
 %            model, name, label (what it is, in words), unit, measured,
 %            simulated, miss, allowed (the user's tolerance), role, met (1, 0;
-%            NaN: not measured), share (of what is allowed), z (over its noise:
-%            of the measurement, of one run and of the expected mean), scatter
+%            NaN: not measured), share (of what is allowed), z (measured less
+%            simulated, over its noise: of the measurement, of one run and of the expected mean), scatter
 %            (of one run), isStrict (the tolerance lies below that: no single
 %            measurement can confirm it), state, mean, meanSd, runs, points (of
 %            a curve: they are one entry, its worst point; else 1); largest z
@@ -42,8 +42,8 @@ function m = missOf (T, n)
               'measured', field ('target', NaN), ...
               'simulated', field ('estimate', field ('result', NaN)), ...
               'miss', NaN, 'allowed', field ('allowed', NaN), ...
-              'role', T.role, 'met', NaN, 'share', abs (field ('z', NaN)) / 2, ...
-              'z', field ('z', NaN), 'scatter', field ('noiseSd', 0), ...
+              'role', T.role, 'met', NaN, 'share', abs (field ('deviation', field ('z', NaN))) / 2, ...
+              'z', field ('deviation', field ('z', NaN)), 'scatter', field ('noiseSd', 0), ...
               'isStrict', false, ...
               'state', '', 'mean', field ('result', NaN), ...
               'meanSd', field ('resultSd', NaN), 'runs', max ([n, 0]), 'points', 1);
@@ -59,7 +59,7 @@ function m = missOf (T, n)
   ofMean = diff (field ('interval90', [0, 0])(:)') / 3.29;
   noise = norm ([field('sd', 0), m.scatter, ofMean]);
   if isnan (m.z) && isfinite (noise) && noise > 0
-    m.z = m.miss / noise;
+    m.z = (m.measured - m.simulated) / noise;
   end
   m.isStrict = strcmp (T.role, 'calibrate') && m.allowed < m.scatter;
 end
@@ -80,7 +80,7 @@ function misses = judgeHeldOut (misses, c)
       if m.share > 1 && isequal (givenField (h, 'leftOpen', false), true)
         m.met = NaN;
       end
-      m.z = m.miss * 3.29 / diff (h.interval90);
+      m.z = (m.measured - m.simulated) * 3.29 / diff (h.interval90);
       misses(at) = m;
     end
   end
@@ -115,7 +115,7 @@ end
 %! assert ({m.name}, {'difference', 'sum', 'product'});
 %! assert ([m.met], [0, 1, 1]);
 %! assert ([m(1).miss, m(1).allowed, m(1).share], [-4, 0.02, 200], 1e-12);
-%! assert (m(1).z, -4 * 3.29 / 0.4, 1e-9);
+%! assert (m(1).z, 4 * 3.29 / 0.4, 1e-9);
 %! s = of ('a curve is missed');
 %! m = listMisses (s.c, []);
 %! assert ({m.name}, {'w', 'difference'});

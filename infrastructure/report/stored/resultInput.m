@@ -34,7 +34,13 @@ function d = digestOf (Case, hashes)
                    files, 'UniformOutput', false);
   d.targets = mark ({T.modelName}, {T.name}, rounded ([T.value]), ...
                     rounded ([T.sd]), [T.tol], {T.role}, {T.series}, ...
-                    [T.at], Case.conditions);
+                    [T.at], {});
+  d.conditions = '';                     % a calibration is of the reference alone
+  if ~isempty (Case.conditions)
+    changed = [T.changed];
+    d.conditions = mark (Case.conditions, rounded ([changed.value]), ...
+                         rounded ([changed.sd]));
+  end
   d.limits = mark (Case.names, Case.limits, Case.paramMean, Case.paramSd, ...
                    Case.perCondition);
   d.model = mark ({hashes.files}, {hashes.funs}, ...
@@ -46,7 +52,9 @@ function d = digestOf (Case, hashes)
   d.settings = mark (settingsOf (Case.options));
   d.effects = '';                        % '' where the case is without them
   if ~isempty (Case.effects)
-    d.effects = mark (effectsOf (Case.effects));
+    list = effectsOf (Case.effects);
+    origin = givenField (Case.options, 'origin', '');
+    d.effects = mark ([list, {origin}(~isempty (origin))]);
   end
 end
 

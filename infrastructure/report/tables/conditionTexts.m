@@ -31,23 +31,39 @@ function entry = textsOf (one, file)
   texts = namesIn (one, 'text');
   texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
   p = [jsonAt(one, {'probability'})(:)', NaN];
+  if isfield (one, 'names')
+    % those that may be said
+    isSaid = ismember (effects, namesIn (one, 'names'));
+    [effects, texts, p] = deal (effects(isSaid), texts(isSaid), p([isSaid, true]));
+  end
   entry = struct ('name', one.name, 'effects', {effects}, 'code', 'named', ...
                   'text', strjoin (texts, ' and '), ...
                   'probability', max (p), 'file', file, 'line', '');
   if strcmp (one.code, 'likely')
     entry.code = one.code;
   elseif strcmp (one.verdict, 'group')
-    [entry.code, entry.text] = deal ('several', strjoin (texts, ' or '));
-    entry.probability = min (1, sum (p(1:end - 1)));
+    % which one is open, and so is how strong
+    [entry.code, entry.text] = deal ('several', strjoin (plainName (effects), ' or '));
+    entry.probability = jsonNumber (one, {'oneOf'}, min (1, sum (p(1:end - 1))));
   end
   % a cause that cannot be seen is listed, and not said
   if isempty (effects) || any (strcmp (one.kind, {'cannot tell', 'no verdict'}))
-    entry.text = sentence (['cause.', one.code, '.word'], struct (), true);
+    entry.text = givenField (one, 'plain', '');
+    if isempty (entry.text)
+      entry.text = sentence (['cause.', one.code, '.word'], struct (), true);
+    end
     [entry.code, entry.probability, entry.file] = deal ('open', NaN, '');
   end
   values = struct ('name', entry.name, 'text', entry.text, ...
                    'p', plainNumber (entry.probability, 'probability'));
   entry.line = sentence (['condition.', entry.code], values);
+  change = givenField (one, 'change', '');
+  if ~isempty (change)
+    % first what has changed, then by what
+    values = struct ('name', entry.name, 'change', change, ...
+                     'cause', entry.line(numel (entry.name) + 3:end));
+    entry.line = sentence ('condition.change', values);
+  end
 end
 
 %!test
@@ -71,4 +87,11 @@ end
 %!   'text', {{'cohesion 4 kJ/m3', 'tilt 3 deg'}});
 %! assert (conditionTexts (gap).line, ...
 %!         sentence ('condition.several', struct ('name', 'wet', 'p', '0.90', ...
-%!           'text', 'cohesion 4 kJ/m3 or tilt 3 deg')));
+%!           'text', 'cohesion or tilt')));
+%! % what it may not name is left out; the change comes first
+%! gap.reference.conditions.names = {'cohesion'};
+%! gap.reference.conditions.code = 'likely';
+%! gap.reference.conditions.change = 'Changed: slope.';
+%! list = conditionTexts (gap);
+%! assert ({list.text, list.probability}, {'cohesion 4 kJ/m3', 0.7});
+%! assert (strncmp (list.line, 'wet: Changed: slope. Likely cohesion', 35), list.line);

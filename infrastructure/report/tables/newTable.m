@@ -41,6 +41,9 @@ function c = cellOf (given, page)
   end
   [c.value, c.from] = numberAt (c.value, page);
   [c.sd, c.sdFrom] = numberAt (c.sd, page);
+  if isnumeric (c.value) && isscalar (c.value) && c.sd < 1e-4 * abs (c.value)
+    [c.sd, c.sdFrom] = deal (NaN, '');   % less than a digit that is shown
+  end
 end
 
 function [x, from] = numberAt (x, page)
@@ -63,3 +66,6 @@ end
 %! assert ({T.cells{1, 2}.value, T.cells{1, 2}.from}, {0.25, 'gap/p'});
 %! assert ({T.cells{2, 1}.value, T.cells{2, 1}.code}, {'s', 'k'});
 %! assert (isnan (T.cells{2, 2}.value));
+%! sd = @(x) newTable (page, 'x', 'X', {'a', '', ''}, {{struct('value', 31, 'sd', x)}}) ...
+%!           .cells{1}.sd;
+%! assert ([sd(6e-6), sd(0), sd(0.1)], [NaN, NaN, 0.1]);

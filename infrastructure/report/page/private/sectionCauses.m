@@ -19,7 +19,7 @@ function html = causes (page)
   if ~isempty (reached)
     reached = ['The verdict was ', reached];
   end
-  said = {cause.sentence, cause.closed, madeByText(jsonAt (which, {'cause'})), reached};
+  said = {cause.sentence, cause.closed, madeByText(page.sources.gap, cause), reached};
   html = ['<p><strong>', htmlText(cause.word), '</strong>. ', ...
           htmlText(strjoin (said(~cellfun (@isempty, said)), ' ')), '</p>', ...
           shapes(page, posterior), tableHtml(page.tables.causes)];

@@ -8,15 +8,15 @@
 %           today's input, or does not say of which
 %
 % The LIGGGHTS build counts where there is one now (a page may be looked at on a
-% machine without), effects in a diagnosis and where they are loaded (a
-% calibration does not).
+% machine without), conditions and effects in a diagnosis, effects where they are
+% loaded (a calibration does not).
 
 function parts = changedInput (result, now)
   words = {'targets', 'targets'; 'limits', 'parameters or limits'; ...
            'model', 'model'; 'LIGGGHTS', 'LIGGGHTS'; ...
            'levels', 'Input.coarse'; 'costFunction', 'costFunction.m'; ...
            'runsTable', 'runs.csv'; 'settings', 'settings'; ...
-           'effects', 'effects'};
+           'effects', 'effects'; 'conditions', 'conditions'};
   parts = cell (1, 0);
   was = jsonAt (result, {'input', 'digest'});
   if isempty (was)
@@ -29,7 +29,7 @@ function parts = changedInput (result, now)
     end
   end
   if ~isfield (result, 'which')
-    words(end, :) = [];
+    words(end - 1:end, :) = [];
   end
   % before and behind a mark, as an empty text has many shapes
   as = @(text) ['<', text, '>'];
@@ -51,6 +51,11 @@ end
 %! assert (changedInput (was, now), {'targets'});
 %! was.which = 1;
 %! assert (changedInput (was, now), {'targets', 'effects'});
+%! % a condition that was measured later makes no calibration old
+%! was.input.digest.conditions = 'x';
+%! assert (changedInput (was, now), {'targets', 'effects', 'conditions'});
+%! assert (changedInput (rmfield (was, 'which'), now), {'targets'});
+%! was.input.digest.conditions = now.digest.conditions;
 %! % on a machine without LIGGGHTS that part is not known
 %! was.input.digest.LIGGGHTS = 'build';
 %! now.digest.LIGGGHTS = '';

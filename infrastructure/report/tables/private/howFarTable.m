@@ -33,11 +33,20 @@ function [T, each] = howFarTable (page)
                  'closed', '', 'percent'; '90 % interval', '', 'percent'; ...
                  'remark', '', 'words'}, rows_, {sentence('table.howFar')});
   row = @(k) {targetCell(page, jsonAt (far, {'targets', k})), at('targets', k, 'measured'), ...
-              at('targets', k, 'before'), at('targets', k, 'after'), at('targets', k, 'sd')};
+              at('targets', k, 'before'), at('targets', k, 'after'), ...
+              noiseOf(far, k, at('targets', k, 'sd'))};
   each = newTable (page, 'beforeafter', 'Each result before and after', ...
                    {'result', '', 'name'; 'measured', '', 'plain'; ...
                     'without', '', 'plain'; 'with', '', 'plain'; ...
                     'noise (sd)', '', 'error'}, eachOf (row, 1:numel (jsonAt (far, {'targets'}))));
+end
+
+% Where the fit has as many unknowns as data, nothing is left to estimate a noise.
+function steps = noiseOf (far, k, steps)
+  T = jsonAt (far, {'targets', k});
+  if ~(abs (T.sd) > 1e-6 * abs (T.measured))
+    steps = NaN;
+  end
 end
 
 % How much more likely the cause makes test data that were not fitted: said where

@@ -3,7 +3,7 @@
 % CALL: T = targetsTable (PAGE)
 %
 %   PAGE  see shownResult; of pageData also reach: what the limits reach
-%   T     see newTable: largest miss over noise first; a curve is one row. Without
+%   T     see newTable: largest deviation first; a curve is one row. Without
 %         a calibration what is to be met
 
 function T = targetsTable (page)
@@ -17,12 +17,12 @@ function T = targetsTable (page)
   means = {'DEM, one run', sprintf('DEM, mean of %d runs', runs)};
   columns = {'result', '', 'name'; 'measured', '', 'plain'; means{1 + (runs > 1)}, '', 'plain'; ...
              'expected mean', '', 'plain'; 'allowed +-', '', 'plain'; ...
-             'miss / noise', '', 'z'; '', '', ''; 'scatter of a run', '', 'error'; ...
+             'deviation (sd)', '', 'z'; '', '', ''; 'scatter of a run', '', 'error'; ...
              'with the effect', '', 'plain'; 'reachable', '', 'plain'};
   columns(8:10, 4) = {'page'};
   hasEffect = page.showsEffect && ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}));
   isShown = [true(1, 2), runs > 0, true(1, 5), hasEffect, true];
-  T = newTable (page, 'targets', 'Measured and simulated, the largest miss over noise first', ...
+  T = newTable (page, 'targets', 'Measured and simulated, the largest deviation first', ...
                 columns(isShown, :), eachOf (@(m) rowOf (page, m, isShown), misses), ...
                 notesOf (page, misses, runs == 0, hasEffect));
 end

@@ -3,19 +3,19 @@
 % CALL: T = whereTable (PAGE)
 %
 %   PAGE  see shownResult
-%   T     see newTable, the largest miss over noise first; no rows without a diagnosis
+%   T     see newTable, the largest deviation first; no rows without a diagnosis
 
 function T = whereTable (page)
   where = jsonAt (page.sources.gap, {'where'});
   targets = jsonList (where, {'targets'});
-  [~, order] = sort (-abs (cellfun (@(t) jsonNumber (t, {'z'}), targets)));
+  [~, order] = sort (-abs (cellfun (@(t) jsonNumber (t, {fieldOf(t)}), targets)));
   words = {'simulated', 'predicted'};
   columns = {'result', '', 'name'; 'measured', '', 'plain'; ...
-             words{1 + page.isChange}, '', 'plain'; 'miss / noise', '', 'z'; ...
+             words{1 + page.isChange}, '', 'plain'; 'deviation (sd)', '', 'z'; ...
              'p', '', 'p'; 'parameters cannot hide', '', 'percent'; ...
              'remark', '', 'words'};
   columns{6, 4} = 'page';
-  T = newTable (page, 'where', 'Where the measurements are missed, the largest miss first', ...
+  T = newTable (page, 'where', 'Where the measurements are missed, the largest deviation first', ...
                 columns, eachOf (@(t) rowOf (page, targets{t}, t), order), notesOf (where));
 end
 
@@ -28,11 +28,18 @@ function cells = rowOf (page, target, t)
   elseif isequal (jsonAt (target, {'blind'}), true)
     remark = struct ('value', sentence ('where.blind'), 'class', 'unsure');
   end
-  z = struct ('value', {at('z')}, 'class', zClass (jsonNumber(target, {'z'})));
+  name = fieldOf (target);
+  z = struct ('value', {at(name)}, 'class', zClass (jsonNumber(target, {name})));
   cells = {targetCell(page, target), ...
            struct('value', {at('measured')}, 'sd', {at('sdMeasured')}), ...
            struct('value', {at('predicted')}, 'sd', {at('sdPredicted')}), z, at('p'), ...
            at('unabsorbed'), remark};
+end
+
+% Before there was a field deviation, only z was kept.
+function name = fieldOf (target)
+  names = {'z', 'deviation'};
+  name = names{1 + isfield(target, 'deviation')};
 end
 
 function notes = notesOf (where)

@@ -1,0 +1,148 @@
+% FIRSTLINE  What has changed, before any cause: in the unit of the measurement.
+%
+% CALL: TEXT = firstLine (GAP)
+%
+%   GAP   decoded gap/gap.json
+%   TEXT  'Changed: slope 4.47 deg steeper (31.33 to 35.8), 6.2 times the noise.'; ''
+%         for a gap, which is no change
+%
+% The three largest changes over their noise are said, the points of a curve as
+% one: in shares of the reference. Noise: that of both measurements and of what is
+% foretold, as in the table Before and after.
+
+function text = firstLine (gap)
+  targets = jsonList (gap, {'reference', 'targets'});
+  text = '';
+  if isempty (targets)
+    return
+  end
+  isOff = cellfun (@(T) isChanged (T, gap), targets);
+  times = cellfun (@timesNoise, targets);
+  code = 'some';
+  said = isOff;
+  if ~any (isOff)
+    [~, top] = max (times);
+    [said(top), code] = deal (true, 'none');
+  end
+  entries = entriesOf (targets, said, times);
+  values = struct ('n', sum (isOff), 'of', numel (targets), ...
+                   'list', strjoin (entries(1:min (3, end)), '; '));
+  if numel (targets) == 1 && any (isOff)
+    code = 'one';
+  elseif numel (entries) > 3
+    code = 'many';
+  end
+  text = sentence (['change.', code], values);
+end
+
+function yes = isChanged (T, gap)
+  where = jsonList (gap, {'where', 'targets'});
+  same = cellfun (@(w) strcmp (w.name, T.name) && strcmp (w.model, T.model), where);
+  yes = any (cellfun (@(w) any (jsonAt (w, {'p'}) < gap.thresholds.level), where(same)));
+end
+
+function x = timesNoise (T)
+  x = abs (T.measured - T.reference) / jsonNumber (T, {'sd'});
+end
+
+% The largest first; of a curve as large as its largest point.
+function texts = entriesOf (targets, said, times)
+  curves = cellfun (@curveOf, targets, 'UniformOutput', false);
+  texts = {};
+  [~, order] = sort (-times);
+  for t = order(said(order))
+    own = strcmp (curves, curves{t}) & ~isempty (curves{t});
+    if sum (own) < 3
+      texts{end + 1} = pointText (targets{t}, times(t));
+    elseif t == order(find (own(order) & said(order), 1))
+      texts{end + 1} = curveText (curves{t}, targets(own & said), sum (own), times(t));
+    end
+  end
+end
+
+function name = curveOf (T)
+  name = char (jsonAt (T, {'series'}));
+end
+
+function text = pointText (T, times)
+  factor = jsonNumber (T, {'shown', 'factor'}, 1);
+  values = valuesOf (T, times, T.measured > T.reference);
+  [values.from, values.to] = deal (T.reference / factor, T.measured / factor);
+  unit = regexprep (char (jsonAt (T, {'shown', 'unit'})), '^-$', '');
+  values.amount = withUnitBehind (abs (values.to - values.from), unit);
+  text = sentence ('change.point', values);
+end
+
+function text = withUnitBehind (x, unit)
+  text = strtrim (sprintf ('%.3g %s', x, unit));
+end
+
+% Where all points go one way, by what share; else how many go which way.
+function text = curveText (name, changed, all_, times)
+  share = 100 * cellfun (@(T) (T.measured - T.reference) / abs (T.reference), changed);
+  values = valuesOf (changed{1}, times, sum (share) > 0);
+  [values.name, values.n, values.of] = deal (name, numel (changed), all_);
+  code = 'curve';
+  if all (share > 0) || all (share < 0)
+    code = 'curveOneWay';
+    share = sort (abs (share));
+    [values.least, values.share, values.most] = deal (round (share(1)), ...
+                                                      round (median (share)), ...
+                                                      round (share(end)));
+  end
+  text = sentence (['change.', code], values);
+end
+
+% 'steeper' of an angle, 'less' of a mass: by the kind of the result.
+function values = valuesOf (T, times, isMore)
+  kind = regexprep (char (jsonAt (T, {'kind'})), '^(angle|coneAngle).*', 'angle');
+  if ~any (strcmp (kind, {'angle', 'mass', 'rate', 'time', 'height', 'density'}))
+    kind = 'other';
+  end
+  ways = {'less', 'more'};
+  values = struct ('name', T.name, 'way', sentence (['way.', ways{1 + isMore}, '.', kind]), ...
+                   'times', timesText (times));
+end
+
+function text = timesText (x)
+  forms = {'%.1f', '%.2g', '%.0f'};
+  text = sprintf (forms{1 + (x >= 1) + (x >= 10)}, x);
+end
+
+%!function gap = changed (n, names, series)
+%!  % N results, all of the noise 0.5; each is 3 more than 30 at the reference
+%!  gap.thresholds.level = 0.05;
+%!  gap.reference.targets = struct ('model', 'Heap', 'name', names(1:n), 'kind', ...
+%!    'angle', 'series', series, 'reference', 30, 'measured', 33, 'sd', 0.5, ...
+%!    'shown', struct ('unit', 'deg', 'factor', 1));
+%!  gap.where.targets = struct ('model', 'Heap', 'name', names(1:n), 'p', 0.01);
+%!  gap = jsondecode (jsonencode (gap));
+%!endfunction
+%!shared names
+%! names = {'a', 'b', 'c', 'd', 'e'};
+%!assert (firstLine (struct ('reference', [])), '')
+%!assert (firstLine (changed (1, names, '')), ...
+%!        'Changed: a 3 deg steeper (30 to 33), 6 times the noise.')
+%!test
+%! % in the unit of the user; the three largest; one that is within noise
+%! gap = changed (5, names, '');
+%! gap.reference.targets(2).shown = struct ('unit', 'g', 'factor', 1e-3);
+%! gap.reference.targets(2).kind = 'mass';
+%! [gap.reference.targets(2).reference, gap.reference.targets(2).measured] = deal (0.03, 0.02);
+%! gap.reference.targets(2).sd = 0.001;
+%! gap.where.targets(1).p = 0.5;
+%! text = firstLine (gap);
+%! assert (! isempty (strfind (text, '4 of 5')), text);
+%! assert (! isempty (strfind (text, 'b 10 g less (30 to 20), 10 times the noise')), text);
+%! [gap.where.targets.p] = deal (0.5);
+%! text = firstLine (gap);
+%! assert (! isempty (strfind (text, 'b 10 g less')) && isempty (strfind (text, 'c 3')), text);
+%!test
+%! % a curve is one thing, said in shares
+%! gap = changed (4, names, 'discharge');
+%! [gap.reference.targets.measured] = deal (10, 12, 15, 15);
+%! text = firstLine (gap);
+%! assert (! isempty (strfind (text, 'discharge 55 % flatter at 4 of 4 places (50 to 67 %)')), ...
+%!         text);
+%! gap.reference.targets(1).measured = 50;
+%! assert (! isempty (strfind (firstLine (gap), 'discharge at 4 of 4 places')));
