@@ -17,12 +17,13 @@ function causes = listCauses (folders)
   if nargin < 1
     folders = {};
   end
-  folders = [cellstr(folders)(:).', {fileparts(mfilename ('fullpath'))}];
   causes = [];
-  for k = 1:numel (folders)
-    causes = [causes, ofFunctions(folders{k}), ...
-              ofTable(fullfile (folders{k}, 'causes.csv'))];
+  for folder = cellstr (folders)(:).'
+    causes = [causes, ofFunctions(folder{1}), ...
+              ofTable(fullfile (folder{1}, 'causes.csv'))];
   end
+  library = fileparts (mfilename ('fullpath'));
+  causes = [causes, ofTable(fullfile (library, 'causes.csv'))];
   [~, first] = unique ({causes.name}, 'first');
   causes = causes(first);
 end

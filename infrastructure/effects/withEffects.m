@@ -37,10 +37,19 @@ end
 
 % What the user knows to have happened can have changed what makes it up.
 function effects = byOrigin (effects, origin, folder)
-  causes = listCauses (fullfile (folder, 'causes'));
-  members = [causes(strcmp ({causes.name}, origin)).members];
+  if isempty (origin)
+    return
+  end
+  causes = listCauses ({fullfile(folder, 'causes'), folder});
+  isIt = strcmp ({causes.name}, origin);
+  if ~any (isIt)
+    error ('DEcalioc:withEffects:unknownName', ...
+           ['withEffects: Input.origin must be one of %s, got ''%s''. Leave it ' ...
+            'out where it is not known what has changed.'], ...
+           strjoin ({causes.name}, ', '), origin);
+  end
   names = {};
-  for member = members
+  for member = causes(isIt).members
     names = [names, member.effects];
   end
   for k = 1:numel (effects)
