@@ -10,6 +10,7 @@
 %               as what surrogates miss is the same in both; and
 %     change    struct coef (q x T: what was added to the simulation),
 %               covariance (T x T, of the measurements less what is foretold),
+%               fresh, before (T x T, of a new reading, and of one of the reference)
 %               lack (1 x T, what the model is likely to miss in both), size
 %               (of that, root mean square, as a share of the range), plain
 %               (coef, surrogateVar, fitVar as they were)
@@ -59,6 +60,8 @@ function emulator = emulateChange (emulator, problem)
   weight = exp (score - max (score));
   weight = weight / sum (weight);
   emulator = mixed (emulator, problem, after, [parts{:}], weight, at);
+  [emulator.change.fresh, emulator.change.before] = deal (after.covariance, ...
+                                                          before.covariance);
   emulator.change.size = sqrt (weight * (sizes.^2)');
 end
 
