@@ -118,7 +118,7 @@ function [out, v, conditions] = withVerdict (out, diagnosis, Case)
   if ~isempty (conditions)
     conditions(1).text = eachOf (@(name) shortText (out.which.strength, name), ...
                                  conditions(1).effects);
-    out.reference.conditions = num2cell (conditions);
+    out.reference.conditions = forPrograms (conditions);
   end
   stored = storedResult (Case);
   if ~isempty (stored.changed)
@@ -134,8 +134,12 @@ function [out, v, conditions] = withVerdict (out, diagnosis, Case)
   end
   if ~isempty (conditions)
     [conditions(1).code, conditions(1).kind] = deal (v.cause.code, v.cause.kind);
-    out.reference.conditions = num2cell (conditions);
+    out.reference.conditions = forPrograms (conditions);
   end
+end
+
+function list = forPrograms (conditions)
+  list = num2cell (rmfield (conditions, 'errors'));
 end
 
 % Of a strength that is not known the label alone.
@@ -305,7 +309,7 @@ function s = changeOf (diagnosis, Case)
   s = struct ('condition', reference.condition, ...
               'folder', folders{1 + strcmp(reference.condition, Case.conditions{1})}, ...
               'lack', diagnosis.change.size, 'targets', {{}}, ...
-              'conditions', {num2cell(diagnosis.others.conditions)}, ...
+              'conditions', {forPrograms(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});
   s.canChange = cell2struct ([changeWords(Case.effects), ...
                               repmat({'no'}, 1, numel (Case.unchanged))], ...
