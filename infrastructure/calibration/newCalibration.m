@@ -160,7 +160,7 @@ function hold = predictHoldout (state, problem, known)
     alone = m(1, t) + studentQuantile (0.95, s.df) * sd(1) * [-1; 1];
     % of each set of the sample 40 measurements that are as likely
     scores = arrayfun (@(u) studentQuantile (u, s.df), ((1:40) - 0.5) / 40);
-    each = m(2:end, t) + sd(2:end) .* scores;
+    each = m(2:end, t) + sd(2:end, 1) .* scores;
     ends = [alone, quantile([each(:); alone], [0.05; 0.95], 1, 7)];
     ends = [min(ends(1, :)); max(ends(2, :))];
     isIn = @(ends) value >= ends(1) && value <= ends(2);

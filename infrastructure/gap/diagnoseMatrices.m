@@ -29,7 +29,8 @@
 %     howFar   of proveCause ([] where nothing can be compared)
 %     next     of adviseMeasurements, of tests that need no run
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
-%              model is likely to miss in both conditions (emulateChange)
+%              model is likely to miss in both conditions (emulateChange); errors
+%              (strengthErrors)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
 %   FURTHER   [], or, where GIVEN.tests holds a handle that makes tests of other
@@ -76,7 +77,8 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   diagnosis.change = [];
   if ~isempty (study.emulator.change)
     diagnosis.change = struct ('size', study.emulator.change.size, 'lack', ...
-                               study.emulator.change.lack .* problem.unit);
+                               study.emulator.change.lack .* problem.unit, 'errors', ...
+                               strengthErrors (study, evidence));
   end
   diagnosis = inGivenUnits (diagnosis, problem);
   diagnosis = withRuns (diagnosis, state, study.known);

@@ -11,6 +11,7 @@
 %     change    struct coef (q x T: what was added to the simulation),
 %               covariance (T x T, of the measurements less what is foretold),
 %               doubt (2 x T, see noiseBudget: of that covariance),
+%               fresh, before (T x T, of a new reading, and of one of the reference)
 %               lack (1 x T, what the model is likely to miss in both), size
 %               (of that, root mean square, as a share of the range), plain
 %               (coef, surrogateVar, fitVar as they were)
@@ -64,6 +65,8 @@ function emulator = emulateChange (emulator, problem)
   emulator = mixed (emulator, problem, after, [parts{:}], weight, at);
   emulator.change.doubt = doubtOf (problem, after.own, before.own, ...
                                    emulator.change.K);
+  [emulator.change.fresh, emulator.change.before] = deal (after.covariance, ...
+                                                          before.covariance);
   emulator.change.size = sqrt (weight * (sizes.^2)');
 end
 

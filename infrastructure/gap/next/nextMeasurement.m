@@ -13,7 +13,8 @@
 %               runs of DEM that it rests on, lines, isFirm, as of tryMeasurements
 %
 % Candidates: every simulated but unmeasured setting (bench and coordinate; a
-% curve as a whole), and every bench measured once more.
+% curve as a whole), every bench measured once more, and of a change the reference
+% on it.
 %
 % A kind of cause is an effect; a pair is a kind of its own, and so is no gap at
 % all (likelyKinds). The gain is the expected information about it
@@ -23,20 +24,21 @@
 % form (newHypothesis), was in the first one too: its share of the residual
 % stays, R (R + S)^-1 r, and only what is left open of it, R - R (R + S)^-1 R,
 % is uncertain. Packing and reading (S) are fresh; a reading without sd is taken
-% for as sure as a run.
+% for as sure as a run. Of a change the reading of the reference is met again, too (in
+% R): what is foretold from it stays as it is, until the reference is measured again.
 
 function tests = nextMeasurement (problem, emulator, evidence, P, options)
-  tests = candidates (problem);
+  [tests, isReference] = candidates (problem);
   [keep, P, kinds, names] = likelyKinds (evidence, P, ...
                                          struct ('names', {{emulator.effect.name}}, ...
                                                  'options', options));
-  noise = noiseBudget (problem, emulator);
-  noise.white = whitenEmulator (emulator, problem.used, noise);
+  noise = noisesOf (problem, emulator);
   for i = 1:numel (tests)
     at = tests(i).targets;
     parts = struct ('mean', {}, 'cov', {});
     for k = 1:numel (keep)
-      parts(k) = predictive (problem, emulator, evidence, keep(k), at, noise);
+      parts(k) = predictive (problem, emulator, evidence, keep(k), at, noise, ...
+                             isReference(i));
     end
     [tests(i).gain, pair] = mixtureInformation (parts, P, kinds);
     tests(i).between = names(pair);
@@ -46,8 +48,20 @@ function tests = nextMeasurement (problem, emulator, evidence, P, options)
   tests = tests(order);
 end
 
-function tests = candidates (problem)
-  tests = [];
+% Of a new reading (fresh), of one of the reference (before), and what both meet
+% again (again).
+function noise = noisesOf (problem, emulator)
+  noise = noiseBudget (problem, emulator);
+  noise.white = whitenEmulator (emulator, problem.used, noise);
+  noise.fresh = noise.covariance;
+  if ~isempty (emulator.change)
+    [noise.fresh, noise.before] = deal (emulator.change.fresh, emulator.change.before);
+  end
+  noise.again = noise.covariance - noise.fresh;
+end
+
+function [tests, isReference] = candidates (problem)
+  [tests, isReference] = deal ([], false (1, 0));
   settings = [problem.bench(:), problem.coordinate(:), ...
               problem.curve(:)];
   % a curve is measured as a whole: its places are one setting
@@ -66,7 +80,13 @@ function tests = candidates (problem)
     at = problem.used(problem.bench(problem.used) == b);
     text = ['measure ', problem.benchNames{b}, ' once more'];
     tests = [tests, newTest(text, at, problem, b)];
+    if ~isempty (problem.reference)
+      text = ['measure the reference on ', problem.benchNames{b}, ' once more'];
+      tests = [tests, newTest(text, at, problem, b)];
+      isReference(numel (tests)) = true;
+    end
   end
+  isReference(end + 1:numel (tests)) = false;
 end
 
 function test = newTest (text, targets, problem, bench)
@@ -77,12 +97,12 @@ function test = newTest (text, targets, problem, bench)
                  'lines', {{}}, 'runs', 0, 'isFirm', true);
 end
 
-function part = predictive (problem, emulator, evidence, h, at, noise)
+function part = predictive (problem, emulator, evidence, h, at, noise, isReference)
   posterior = evidence.posterior{h};
   members = evidence.members{h};
   Q = posterior.Q(:, 1:emulator.p + numel (members));
   M = predictGap (emulator, members, Q)(:, at);
-  S = noise.covariance(at, at);
+  S = noise.fresh(at, at);
   % a reading of unknown sd is taken for as sure as a run
   isBare = isnan (problem.value(at)) & ~(problem.sd(at) > 0);
   S = S + diag (isBare .* emulator.noiseVar(at));
@@ -94,9 +114,18 @@ function part = predictive (problem, emulator, evidence, h, at, noise)
     % what it does beyond its law, in units of the noise, over the free directions
     strange = posterior.Q(:, end).^2 .* sum ((added * free).^2, 2) / ...
               max (1, columns (free));
-    R = R + (posterior.weight' * strange) * diag (diag (S + R));
+    R = R + (posterior.weight' * strange) * diag (diag (noise.covariance(at, at) + R));
   end
+  again = noise.again(at, at);
   known = problem.value(at);
+  if isReference
+    % the level of both conditions, of which this reading has told a share
+    gain = again / (again + R + S);
+    M = predictGap (emulator, [], Q(:, 1:emulator.p))(:, at) + (known - M) * gain';
+    part = mixed (M, posterior.weight, again - gain * again + noise.before(at, at));
+    return
+  end
+  R = R + again;
   left = R;
   if all (isfinite (known))
     % what surrogate and form miss was in the first measurement, too: that share stays
@@ -104,10 +133,14 @@ function part = predictive (problem, emulator, evidence, h, at, noise)
     M = M + (known - M) * gain';
     left = R - gain * R;
   end
-  % law of total variance: between the draws of the posterior, and about each
-  part.mean = posterior.weight' * M;
-  D = (M - part.mean) .* sqrt (posterior.weight);
-  part.cov = D' * D + left + S;
+  part = mixed (M, posterior.weight, left + S);
+end
+
+% Law of total variance: between the draws of the posterior, and about each.
+function part = mixed (M, weight, about)
+  part.mean = weight' * M;
+  D = (M - part.mean) .* sqrt (weight);
+  part.cov = D' * D + about;
 end
 
 %!shared options
@@ -175,3 +208,27 @@ end
 %! emulator.surrogateVar(:) = 100;
 %! assert (nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options).gain < 0.1 * sure);
 %! assert (fresh < sure);
+%!test
+%! % a change by 10, foretold from a reference that is known to 5, seen by a reading
+%! % as sure as 0.1: only the reference can tell whether it is one
+%! e = struct ('name', 'a', 'powers', [0, 1], 'coef', 10, 'bend', 1, 'misfit', 0, ...
+%!             'root', zeros (1, 0), 'ofTarget', zeros (0, 1), 'unbent', 0, ...
+%!             'strongest', 1);
+%! emulator = handMadeEmulator ([0; 1e-3]);
+%! emulator.noiseVar(:) = 1e-6;
+%! given = struct ('value', 10, 'sd', 0.1, 'trials', Inf, 'limits', [0; 1], ...
+%!                 'bench', 1, 'benchNames', {{'Heap'}});
+%! given.reference = struct ('value', 0, 'sd', 5, 'trials', Inf, 'scatter', false, ...
+%!                           'perCondition', false);
+%! problem = newProblem (given);
+%! emulator.range = 1e3;
+%! emulator = emulateChange (emulator, problem);
+%! emulator.effect = e;
+%! evidence.members = {[], 1};
+%! evidence.kind = {'null', 'single'};
+%! evidence.posterior = {struct('Q', [0, 0], 'weight', 1), ...
+%!                       struct('Q', [0, 1, 0], 'weight', 1)};
+%! tests = nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options);
+%! assert (tests(1).test, 'measure the reference on Heap once more');
+%! assert (tests(1).gain > 0.2);
+%! assert (tests(2).gain < 0.02);

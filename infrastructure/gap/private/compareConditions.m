@@ -16,8 +16,8 @@
 % Without a reference both are empty. An error of the form of a law is the same
 % in all conditions: it can make another cause of it, but not more or less of
 % one. The probability takes the strengths as normal, with the widths of their
-% intervals: they are from one set of surrogates, whose common error it counts
-% twice. Nothing is said of strengths that are not known, nor of two that both
+% intervals, and with the correlation that reference, emulator and form make of them,
+% which both conditions share (strengthErrors). Nothing is said of strengths that are not known, nor of two that both
 % stand at the end of the range: each may be any amount more.
 
 function s = compareConditions (diagnosis, others)
@@ -32,8 +32,10 @@ function s = compareConditions (diagnosis, others)
                 'lookAlike', which.lookAlike, 'p', which.gateP, ...
                 'oneOf', which.oneOf, ...
                 'probability', [], 'strength', [], 'interval90', [], ...
-                'says', {cell(1, 0)}, 'text', {cell(1, 0)}, 'code', '', 'kind', '', 'change', '', 'plain', '', ...
-                'names', {cell(1, 0)});
+                'says', {cell(1, 0)}, 'text', {cell(1, 0)}, 'code', '', 'kind', '', ...
+                'change', '', 'plain', '', 'names', {cell(1, 0)}, ...
+                'errors', {cell(1, 0)});
+  errors = jsonAt (diagnosis, {'change', 'errors'});
   for name = which.effects
     strength = which.strength(strcmp ({which.strength.name}, name{1}));
     one.probability(end + 1) = ...
@@ -41,6 +43,7 @@ function s = compareConditions (diagnosis, others)
     one.strength(end + 1) = strength.value;
     one.interval90(end + 1, :) = strength.interval90;
     one.says{end + 1} = strength.says;
+    one.errors{end + 1} = errors(strcmp ({which.strength.name}, name{1})(1:numel (errors)));
   end
   s.conditions = [one, others];
   for i = 1:numel (s.conditions)
@@ -58,8 +61,10 @@ function order = orderOf (a, b)
   for name = intersect (a.effects, b.effects)
     i = find (strcmp (a.effects, name{1}));
     j = find (strcmp (b.effects, name{1}));
-    sd = sqrt (widthOf (a.interval90(i, :))^2 + widthOf (b.interval90(j, :))^2);
-    % chance that the difference has this sign; both widths add in squares
+    sds = [widthOf(a.interval90(i, :)), widthOf(b.interval90(j, :))];
+    alike = likenessOf (a.errors{i}, b.errors{j});
+    sd = sqrt (max (sumsq (sds) - 2 * alike * prod (sds), realmin));
+    % chance that the difference has this sign
     p = 1 - normalTail ((a.strength(i) - b.strength(j)) / sd);
     if isnan (p) || all (strcmp ([a.says(i), b.says(j)], 'least'))
       continue
@@ -72,6 +77,22 @@ function order = orderOf (a, b)
     order = [order, struct('effect', name{1}, 'more', names{1}, ...
                            'less', names{2}, 'probability', p)];
   end
+end
+
+% Correlation of what two strengths are off by; 0 where nothing is known of it.
+function alike = likenessOf (a, b)
+  alike = 0;
+  if isempty (a) || isempty (b) || isempty (a.gain) || isempty (b.gain) || a.phi * b.phi <= 0
+    return
+  end
+  % what an effect errs by grows with its strength
+  forms = {a.form, b.form};
+  ratio = [b.phi / a.phi, a.phi / b.phi];
+  [ratio, stronger] = min (ratio);
+  form = ratio * forms{stronger};
+  total = @(e) e.gain * (e.own + e.shared + e.form) * e.gain';
+  common = a.gain * ((a.shared + b.shared) / 2 + form) * b.gain';
+  alike = min (max (common / sqrt (total (a) * total (b)), 0), 0.99);
 end
 
 function sd = widthOf (interval)
@@ -102,6 +123,14 @@ end
 %!                           one.conditions);
 %! assert ({back.order.more, back.order.probability}, ...
 %!         {'dry', s.order.probability});
+%!test
+%! % what both share is no reason that they differ: half of the variance of each
+%! e = struct ('phi', 0.4, 'gain', 1, 'own', 5e-3, 'shared', 3e-3, 'form', 2e-3);
+%! dry = condition ('dry', {'tilt'}, 0.3, 'amount');
+%! dry.change.errors = [e, e];
+%! wet = setfield (condition ('wet', {'tilt'}, 0.5, 'amount'), 'change', dry.change);
+%! s = compareConditions (wet, compareConditions (dry, []).conditions);
+%! assert (s.order.probability, 0.5 * erfc (-sqrt (2)), 1e-9);
 %!test
 %! % of one class each member, in any order; of two causes, strengths that are
 %! % not known, two at the end of their range, and a case without reference: none

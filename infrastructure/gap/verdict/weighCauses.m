@@ -14,13 +14,15 @@
 %
 % A cause makes several effects at once, in proportions that are known roughly:
 % effect i has the strength a (share_i + spread_i e_i), e_i ~ N (0, 1), with the
-% amount a from 0.15 to 1.5, all alike. No runs of its own are needed: the mark
+% amount a from 0.15 to 1.5. No runs of its own are needed: the mark
 % of a cause is the sum of the marks of its effects. In the parity space,
 %   rho ~ N (a sum share_i u_i, (1 + t^2 s^2 / n) I + a^2 sum spread_i^2 u_i u_i')
 % with n directions, s^2 the square of the whole mark and t the tangent of the
 % angle by which the real mark is off: 0, 0.35 or 0.6 with weights 0.2, 0.5, 0.3,
 % as no real cause has the form of a library. Against them stands a mark in any
-% direction, of 2 to 30 standard deviations, twice as likely as a cause. A cause
+% direction, twice as likely as a cause. The size of any mark, in standard
+% deviations, has one prior: alike on a logarithmic scale, from 2 to 30, or to twice
+% what was measured where that is more. A cause
 % that several listed effects may lead (three laws of attraction) is the mean of
 % these. Of a change of the same grains a cause that is usually unlikely has a
 % twentieth of the prior.
@@ -103,20 +105,21 @@ function at = listed (member, names, problem)
 end
 
 function logE = evidence (field, members, at)
-  amounts = [0.15, 0.3, 0.5, 0.75, 1, 1.25, 1.5];
+  amounts = logspace (log10 (0.15), log10 (1.5), 10);
   tangents = [0, 0.35, 0.6];
   logE = zeros (numel (amounts), 3);
+  s2 = zeros (1, numel (amounts));
   for i = 1:numel (amounts)
     [m, D] = markOf (field, members, at, amounts(i));
     n = numel (m);
-    s2 = sumsq (m) + sumsq (D(:));
+    s2(i) = sumsq (m) + sumsq (D(:));
     for j = 1:3
-      C = (1 + tangents(j)^2 * s2 / n) * eye (n) + D * D';
+      C = (1 + tangents(j)^2 * s2(i) / n) * eye (n) + D * D';
       logE(i, j) = logNormal (field.rho - m, C);
     end
   end
-  logE = logE + log ([0.2, 0.5, 0.3]);
-  logE = logSumExp (logE(:)') - log (numel (amounts));
+  logE = logSumExp (logE + log ([0.2, 0.5, 0.3]));
+  logE = overSizes (logE', sqrt (s2), field.rho);
 end
 
 % Mean of the mark, and a column for what each share leaves open.
@@ -138,9 +141,23 @@ end
 
 function logE = anyMark (rho)
   n = numel (rho);
-  sizes = logspace (log10 (2), log10 (30), 12);
+  sizes = logspace (log10 (2), log10 (most (rho)), 30);
   each = arrayfun (@(d) logNormal (rho, (1 + d^2 / n) * eye (n)), sizes);
-  logE = logSumExp (each) - log (numel (sizes));
+  logE = overSizes (each, sizes, rho);
+end
+
+% Log evidences at rising SIZES, integrated over the prior of size.
+function logE = overSizes (each, sizes, rho)
+  x = log (max (sizes, realmin));
+  ends = [x(1) - diff(x(1:2)) / 2, (x(1:end - 1) + x(2:end)) / 2, ...
+          x(end) + diff(x(end - 1:end)) / 2];
+  % where a strength stands at the end of its range a mark grows no more
+  share = max (diff (ends), 0) / log (most (rho) / 2);
+  logE = logSumExp (each + log (share));
+end
+
+function size_ = most (rho)
+  size_ = max (30, 2 * norm (rho));
 end
 
 function logE = logNormal (r, C)
@@ -196,6 +213,13 @@ end
 %!               'oneOf', true);
 %! assert (weigh ([0, -3], [one, any_], false)(1).name, 'any');
 
+%!test
+%! % a mark far off that of any cause is none of them however large it is, and a
+%! % cause that makes it stays one
+%! for size_ = [30, 100, 1000]
+%!   list = weigh ([-0.3, 1] * size_, [one, both], false);
+%!   assert (list(1).name, '');
+%! end
 %!test % each effect that a cause names is one of the library, or of a group
 %! for cause = listCauses ()
 %!   for member = cause.members

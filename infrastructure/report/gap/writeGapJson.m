@@ -124,7 +124,7 @@ function [out, v, conditions] = withVerdict (out, diagnosis, Case)
   if ~isempty (conditions)
     conditions(1).text = eachOf (@(name) shortText (out.which.strength, name), ...
                                  conditions(1).effects);
-    out.reference.conditions = num2cell (conditions);
+    out.reference.conditions = forPrograms (conditions);
   end
   stored = storedResult (Case);
   if ~isempty (stored.changed)
@@ -143,8 +143,12 @@ function [out, v, conditions] = withVerdict (out, diagnosis, Case)
     for name = {'code', 'kind', 'change', 'names', 'plain'}
       conditions(1).(name{1}) = v.cause.(name{1});
     end
-    out.reference.conditions = num2cell (conditions);
+    out.reference.conditions = forPrograms (conditions);
   end
+end
+
+function list = forPrograms (conditions)
+  list = num2cell (rmfield (conditions, 'errors'));
 end
 
 % Of a strength that is not known the label alone.
@@ -321,7 +325,7 @@ function s = changeOf (diagnosis, Case)
   s = struct ('condition', reference.condition, ...
               'folder', folders{1 + strcmp(reference.condition, Case.conditions{1})}, ...
               'lack', diagnosis.change.size, 'targets', {{}}, ...
-              'conditions', {num2cell(diagnosis.others.conditions)}, ...
+              'conditions', {forPrograms(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});
   s.origin = '';
   known = listCauses (fullfile (Case.folder, 'causes'));

@@ -1,0 +1,94 @@
+% EVIDENCELAB  How often 90 % intervals hold the truth: parameters, held-out results.
+%
+% CALL: octave-cli benchmarks/evidenceLab.m LAB CORRELATION SEEDS CSV
+%       octave-cli benchmarks/evidenceLab.m report CSV
+%
+%   LAB          parameters: five readings of one packing, of a bench of one parameter
+%                and 20 runs; heldOut: of a + b and a - b, 16 runs, a + b is fitted and
+%                a - b predicted
+%   CORRELATION  of the scatter of the readings, and of the results of a run
+%   SEEDS        e.g. 1:100: each another truth, plan and scatter
+%   CSV          table, to which one row a seed is added: lab, correlation, seed, holds
+%                (1, 0), width (of parameters in parts of the limits); seeds that stand
+%                in it are not made again
+%
+% 'report' says how many hold, with exact intervals of 95 %, and the median width.
+
+1;
+
+function line = oneCase (lab, correlation, seed)
+  rand ('twister', 1000 + seed);
+  randn ('twister', 1000 + seed);
+  labs = struct ('parameters', @ofParameters, 'heldOut', @ofHeldOut);
+  scatter = @(n, T) sqrt (correlation) * randn (n, 1) + ...
+                    sqrt (1 - correlation) * randn (n, T);
+  [holds, width] = labs.(lab) (scatter);
+  line = rowText ({lab, correlation, seed, holds, width});
+end
+
+function [holds, width] = ofParameters (scatter)
+  slope = [1, 1.2, 0.9, 1.1, 1];
+  truth = 0.2 + 0.6 * rand ();
+  plan = ((1:20)' - 0.5) / 20;
+  law = @(X) 3 + X * slope + 0.1 * scatter (rows (X), 5);
+  given = struct ('names', {{'a'}}, 'limits', [0; 1], 'targets', ...
+                  struct ('value', num2cell (law (truth)), 'tol', 0.02, 'trials', 1));
+  problem = newProblem (given, []);
+  data = addRows (newData (1, 5), plan, law (plan), ones (20, 1), 'plan');
+  known = parameterPosterior (fitSurrogates (data, problem), problem);
+  holds = truth >= known.interval90(1) && truth <= known.interval90(2);
+  width = diff (known.interval90);
+end
+
+function [holds, width] = ofHeldOut (scatter)
+  law = @(X) 5 + [X(:, 1) + X(:, 2), X(:, 1) - X(:, 2)] + 0.02 * scatter (rows (X), 2);
+  plan = rand (16, 2);
+  value = law (0.25 + 0.5 * rand (1, 2));
+  given = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 1], 'targets', ...
+                  struct ('value', num2cell (value), 'tol', 0.02, 'role', ...
+                          {'calibrate', 'holdout'}));
+  problem = newProblem (given, []);
+  data = addRows (newData (2, 2), plan, law (plan), ones (16, 1), 'plan');
+  surrogates = fitSurrogates (data, problem);
+  state = newState (data, surrogates, calibrateOnKriging (surrogates, problem));
+  state.found.conflict = {};
+  state.final = confirmSet (state, problem);
+  state.final.untested = [];
+  c = newCalibration (state, problem, struct ('models', 1));
+  holds = c.holdout.inside;
+  width = diff (c.holdout.interval90);
+end
+
+function sayIntervals (file)
+  [~, cells] = readCsvTable (file);
+  kind = strcat (cells(:, 1), {' '}, cells(:, 2));
+  for one = unique (kind, 'stable')'
+    is = strcmp (kind, one{1});
+    holds = str2double (cells(is, 4));
+    [lo, hi] = binomialInterval (sum (holds), numel (holds));
+    printf ('%s: %d of %d hold (%.0f %%, %.0f to %.0f), median width %.2f\n', one{1}, ...
+            sum (holds), numel (holds), 100 * mean (holds), 100 * lo, 100 * hi, ...
+            median (str2double (cells(is, 5))));
+  end
+end
+
+function makeCases (lab, correlation, seeds, file)
+  if ~isfile (file)
+    appendLine (file, 'lab,correlation,seed,holds,width');
+  end
+  for seed = str2num (seeds)
+    start = sprintf ("\n%s,%s,%d,", lab, correlation, seed);
+    if isempty (strfind (fileread (file), start))
+      appendLine (file, oneCase (lab, str2double (correlation), seed));
+    end
+  end
+end
+
+addpath (fileparts (mfilename ('fullpath')));
+startBenchmarks ();
+parts = argv ();
+if strcmp (parts{1}, 'report')
+  sayIntervals (parts{2});
+else
+  makeCases (parts{:});
+end
