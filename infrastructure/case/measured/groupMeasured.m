@@ -25,7 +25,8 @@
 % value is the mean; its standard uncertainty is t s / sqrt (n), s the standard
 % deviation of the n lines and t the 84 % quantile of Student's distribution
 % with n - 1 degrees of freedom (GUM, type A; few trials know their own scatter
-% badly), joined with the sd of the lines, which is what they have in common.
+% badly), joined with the sd of the lines, which is what they have in common. Where
+% their sd differ, each counts by its own (measuredTarget).
 % Where lines have sessions, see meanOfSessions.
 % The value of a point of a curve is named <name or series>@<at>, unless the
 % name stands in one place only; see distinctNames.

@@ -86,13 +86,38 @@ end
 
 function [m, sd, s] = meanOfTrials (trials, weight)
   value = [trials.value];
+  own = [trials.sd];
+  if all (own > 0) && any (own ~= own(1))
+    [m, sd, s] = weightedMean (value, own);
+    return
+  end
   m = value * weight' / sum (weight);
-  sd = mean ([trials.sd]);
+  sd = mean (own);
   s = 0;
   n = numel (trials);
   if n > 1
     s = sqrt (weight / mean (weight) * (value - m)'.^2 / (n - 1));
     sd = hypot (-studentQuantile (0.1587, n - 1) * s / sqrt (n), sd);
+  end
+end
+
+% Lines whose sd differ have no error in common: each counts by its own, to which
+% comes what they scatter beyond (Paule and Mandel 1982: the between-trial variance
+% with which the weighted sum of squares is n - 1).
+function [m, sd, s] = weightedMean (value, own)
+  n = numel (value);
+  meanOf = @(between) (value ./ (own.^2 + between)) * ones (n, 1) / ...
+                      sum (1 ./ (own.^2 + between));
+  excess = @(between) sum ((value - meanOf (between)).^2 ./ (own.^2 + between)) - (n - 1);
+  between = 0;
+  if excess (0) > 0
+    between = fzero (excess, [0, n * max(max (value) - min (value), max (own))^2]);
+  end
+  m = meanOf (between);
+  sd = 1 / sqrt (sum (1 ./ (own.^2 + between)));
+  s = sqrt (between);
+  if s > 0
+    sd = sd * -studentQuantile (0.1587, n - 1);
   end
 end
 
@@ -122,3 +147,22 @@ end
 %! line(2).unit = 'g';
 %! [~, p] = measuredTarget (line, struct ('given', false));
 %! assert (p.id, 'DEcalioc:checkCase:measuredRepeats');
+%!test
+%! % lines with an sd of their own count by it; what they scatter beyond counts, too
+%! line = struct ('line', 2, 'model', 1, 'name', 'a', 'series', '', ...
+%!                'unit', 'deg', 'at', NaN, 'value', {34, 30.1, 30.2}, ...
+%!                'sd', {5, 0.1, 0.1}, 'repeats', NaN, 'role', '', 'tol', 0.1, ...
+%!                'isAbsolute', false, 'file', 't.csv', 'session', '', ...
+%!                'places', 1);
+%! g = measuredTarget (line, struct ('given', false));
+%! w = 1 ./ [25, 0.01, 0.01];
+%! assert ([g.value, g.sd], [w * [34; 30.1; 30.2], sqrt(sum (w))] / sum (w), 1e-12);
+%! assert (measuredTarget (line([2, 3, 1]), struct ('given', false)).value, g.value, ...
+%!         1e-12);
+%! [line.sd] = deal (0.1, 0.1, 0.2);
+%! g = measuredTarget (line, struct ('given', false));
+%! assert (g.value, 31.4, 0.1);
+%! assert (g.sd > 1 && g.scatter);
+%! % alike: an error that they share, beside their mean
+%! [line.sd] = deal (0.1);
+%! assert (measuredTarget (line, struct ('given', false)).value, 94.3 / 3, 1e-12);
