@@ -126,7 +126,8 @@ function ignored = checkColumns (header, Case, model, file)
            repmat (' The first line must name the columns.', 1, ...
                    numel (missing) == numel (needed)));
   end
-  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets];
+  fixed = givenField (Case, 'fixed', struct ('name', {}));
+  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets, {fixed.name}];
   ignored = setdiff (header, known);
 end
 
