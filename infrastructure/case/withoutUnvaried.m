@@ -8,11 +8,10 @@
 %         other parameters that give its value); text, what is to be said of it.
 %         modelVars has the value of those that are the same in all rows
 %
-% Of a parameter that is the same in all rows, or that follows from others to a
-% half percent of its range, the rows tell nothing by itself: no value, no interval
-% and no share of it would be more than the prior of a surrogate. At least two sets
-% more than parameters are needed to say that one follows from others, and the first
-% ones of assign are kept.
+% Of a parameter that is the same in all rows, or that follows from another one, by a
+% constant and a factor, to a thousandth of its range, the rows tell nothing by
+% itself: no value, no interval and no share of it would be more than the prior of a
+% surrogate. The first of two is kept; to tell takes four different sets.
 
 function Case = withoutUnvaried (Case)
   Case.fixed = struct ('name', {}, 'at', {}, 'text', {});
@@ -24,30 +23,37 @@ function Case = withoutUnvaried (Case)
   keep = zeros (1, 0);
   found = Case.fixed;
   for j = 1:d
-    n = rows (X);
-    A = ones (n, 1);
-    if n > d + 1
-      A = [A, X(:, keep)];
-    end
-    scale = max (abs (A), [], 1);
-    c = (A ./ scale) \ X(:, j);
-    c = c' ./ scale;
-    isSame = max (X(:, j)) - min (X(:, j)) <= 1e-9 * max (abs (X(:, j)));
-    range = max (X(:, j)) - min (X(:, j));
-    if isSame || max (abs (X(:, j) - A * c')) < 0.005 * range
-      c = [c, zeros(1, 1 + numel (keep) - numel (c))];
-      if isSame
-        c = [X(1, j), zeros(1, numel (keep))];
-      end
-      found(end + 1) = struct ('name', Case.names{j}, 'at', {{keep, c}}, 'text', '');
-    else
+    [of, c] = followsFrom (X, j, keep);
+    if isempty (c)
       keep(end + 1) = j;
+    else
+      found(end + 1) = struct ('name', Case.names{j}, 'at', {{of, c}}, 'text', '');
     end
   end
   if isempty (found) || isempty (keep)
     return
   end
   Case = reduced (Case, keep, found);
+end
+
+% Number of the parameter (zeros (1, 0): none) and C, the constant and the factor, that
+% give column J in all rows; C is [] where it varies by itself.
+function [of, c] = followsFrom (X, j, keep)
+  x = X(:, j);
+  [of, c] = deal (zeros (1, 0), []);
+  range = max (x) - min (x);
+  if range <= 1e-9 * max (abs (x))
+    c = x(1);
+    return
+  end
+  for k = keep(1:end * (rows (X) > 3))
+    middle = mean (X(:, k));
+    factor = (X(:, k) - middle) \ (x - mean (x));
+    if max (abs (x - mean (x) - factor * (X(:, k) - middle))) < 0.001 * range
+      [of, c] = deal (k, [mean(x) - factor * middle, factor]);
+      return
+    end
+  end
 end
 
 % What the table of a case holds that can make no run; 0 x d else.
@@ -71,17 +77,15 @@ function Case = reduced (Case, keep, found)
   names = Case.names;
   for f = found
     [of, c] = f.at{:};
-    at = zeros (1, 1 + numel (keep));
-    at([1, 1 + (1:numel (of))]) = c;
-    f.at = at;
-    partners = names(keep(find (at(2:end) ~= 0)));
+    partners = names(of);
+    f.at = [c(1), zeros(size (keep))];
+    f.at([false, ismember(keep, of)]) = c(2:end);
     if isempty (partners)
-      Case.modelVars.(f.name) = at(1);
-      f.text = sprintf ('%s was never varied: it is %.6g in all runs', f.name, at(1));
+      Case.modelVars.(f.name) = c;
+      f.text = sprintf ('%s was never varied: it is %.6g in all runs', f.name, c);
     else
       f.text = sprintf (['%s was varied only together with %s, from which it follows: ' ...
-                         'what is said of %s holds for both'], f.name, ...
-                        strjoin (partners, ', '), strjoin (partners, ', '));
+                         'what is said of %s holds for both'], f.name, partners{[1, 1]});
     end
     Case.fixed(end + 1) = f;
   end
@@ -137,14 +141,15 @@ end
 %! assert (size (Case.limits), [2, 2]);
 %! assert (! isempty (strfind (Case.notes{end}, 'b was never varied: it is 0.3')));
 %!test
-%! % a fixed ratio; with a constant beside; from two others; rounded
+%! % a fixed ratio; with a constant beside; rounded
 %! Case = of ([a, b, 0.3 * a]);
 %! assert (Case.names, {'a', 'b'});
 %! assert (Case.fixed.at, [0, 0.3, 0], 1e-9);
 %! assert (! isempty (strfind (Case.fixed.text, 'together with a')));
-%! assert (of ([a, b, 1 + 0.5 * a - b / 9]).fixed.at, [1, 0.5, -1 / 9], 1e-3);
-%! % no run can be left out of so few
-%! assert (isempty (of ([a, b, a .^ 2](1:4, :)).fixed));
+%! assert (of ([a, b, 1 - 0.1 * b]).fixed.at, [1, 0, -0.1], 1e-3);
+%! assert (isempty (of ([a, b, 1 + 0.5 * a - b / 9]).fixed));
+%! % so few sets tell nothing of a line
+%! assert (isempty (of ([a, b, 0.3 * a](1:3, :)).fixed));
 %! assert (of ([a, 2 + 0 * a, b](1:3, :)).names, {'a', 'c'});
 %!test
 %! % conditions see all parameters
