@@ -11,13 +11,13 @@
 %
 % A program loads its case once and hands it on. Without arguments it is that of
 % the current folder, for published functions that users call with no case at
-% hand. withEffects adds the candidate effects of the diagnosis.
+% hand. Parameters that no run varies are left out (withoutUnvaried). withEffects adds the candidate effects of the diagnosis.
 %
 % Errors: those of readInput and checkCase
 
 function Case = loadCase (varargin)
   raw = readInput (varargin{1:min(nargin, 2)});
-  Case = newCase (raw, varargin{3:nargin});
+  Case = withoutUnvaried (newCase (raw, varargin{3:nargin}));
 end
 
 %!test

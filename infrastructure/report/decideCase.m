@@ -126,7 +126,10 @@ function v = ofCalibration (v, c)
     v.class = 'open';
     v = withAction (v, newAction ('diagnose'));
   end
-  v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong; 'notFor.leftOpen', open}), looseOnes(c), knownOnes(c)];
+  v.notFor = [v.notFor, ...
+              listSentences({'notFor.wrong', wrong; 'notFor.leftOpen', open; ...
+                             'notFor.neverVaried', namesIn(c, 'neverVaried')}), ...
+              looseOnes(c), knownOnes(c)];
 end
 
 function text = notCalibrated (used, c)

@@ -38,6 +38,10 @@ function v = writeCalibrationJson (c, Case)
   out = mergeFields (out, c, {'runs', 'probability', 'demRuns', ...
                               'coreSeconds', 'atLimit', 'notIdentified'});
   out.unfixed = c.identifiability.text;
+  out.neverVaried = {};
+  if isfield (Case, 'fixed')
+    out.neverVaried = {Case.fixed.text};
+  end
   out.next = num2cell (c.identifiability.next);
   out.sensitivity = named (num2cell (num2cell (c.sensitivity), 2));
   out.correlation = c.correlation;
@@ -107,7 +111,11 @@ function writeTables (c, Case, folder)
   for level = Case.coarse
     v.(level.variable) = level.levels(end);
   end
-  v = assignParams (v, asKnown (c, Case.limits), Case.names);
+  params = asKnown (c, Case.limits);
+  v = assignParams (v, params, Case.names);
+  for f = givenField (Case, 'fixed', [])   % those that follow from the others
+    v.(f.name) = f.at(1) + params(:)' * f.at(2:end)';
+  end
   writeAtomic (fullfile (folder, 'calibrated.head'), ...
                ['# ', resultTitle(c, strftime ('%Y-%m-%d', localtime (time ()))), ...
                 "\n", headLines(v)]);

@@ -28,7 +28,8 @@
 %
 % Lines with the same model, name, series and at are repeated trials. What they
 % say together, and how well, is that of varianceComponents; sd is the 68 %
-% half-width, joined with the sd that trials have in common.
+% half-width, joined with the sd that trials have in common. Where their sd
+% differ, each counts by its own (measuredTarget).
 % The value of a point of a curve is named <name or series>@<at>, unless the
 % name stands in one place only; see distinctNames.
 

@@ -371,8 +371,11 @@ end
 
 function writeHeadOf (gap, Case)
   far = gap.howFar;
-  v = assignParams (Case.modelVars, ...
-                    cellfun (@(name) far.params.(name)(2), Case.names), Case.names);
+  params = cellfun (@(name) far.params.(name)(2), Case.names);
+  v = assignParams (Case.modelVars, params, Case.names);
+  for f = givenField (Case, 'fixed', [])   % those that follow from the others
+    v.(f.name) = f.at(1) + params(:)' * f.at(2:end)';
+  end
   condition = char (jsonAt (gap, {'reference', 'condition'}));
   text = sprintf ("# %sparameters fitted together with %s (gap/gap.json)\n", ...
                   [condition, repmat(': ', 1, ~isempty (condition))], far.effect);

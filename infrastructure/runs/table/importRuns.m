@@ -6,9 +6,10 @@
 %            in CASE.further), seed (optional), the design variables, the
 %            effect variables (optional: neutral), the targets, in any order;
 %            a field is empty where the column does not belong to the row's
-%            model, and empty or -, n/a, None ... (isNoResult) without a result;
-%            an error of a spreadsheet (#DIV/0!), failed or inf: a run without
-%            this result; a unit may stand behind a name (aor [deg]); one row a run, or
+%            model (a parameter: in all its rows), and empty or -, n/a, None ...
+%            (isNoResult) without a result; an error of a spreadsheet (#DIV/0!),
+%            failed or inf: a run without this result; a unit may stand behind a
+%            name (aor [deg]); one row a run, or
 %            several (see spreadRuns; readRunsTable for the accepted forms)
 %   CASE     struct with names, effectVars, effects, targets, models, further
 %            (optional)
@@ -31,7 +32,7 @@ function [data, ignored] = importRuns (file, Case)
   column = findColumns (header, Case, file);
   model = modelNumbers (table, column.model, Case);
   ignored = checkColumns (header, Case, model, file);
-  X = numbers (table, column.names, Case.names);
+  X = withoutOthers (numbers (table, column.names, Case.names), model);
   if any (isnan (X(:)))
     refuseBlank (X, model, table, Case);
   end
@@ -84,13 +85,27 @@ function data = filledUp (data, model)
   data = keepRows (data, ~all (isna (Z), 2));
 end
 
+% A parameter that a model does not have is empty in all its rows. Its results are
+% the same at any value: each set gets another one, all over the range of the other
+% models, so that its surrogates see that it changes nothing.
+function X = withoutOthers (X, model)
+  given = ~isnan (X);
+  for k = unique (model)'
+    for j = find (~any (given(model == k, :), 1) & any (given, 1))
+      own = model == k;
+      [~, ~, set] = unique (X(own, all (given(own, :), 1)), 'rows');
+      ends = [min(X(given(:, j), j)), max(X(given(:, j), j))];
+      X(own, j) = ends(1) + diff (ends) * mod (set * sqrt ([2, 3, 7](mod (j, 3) + 1)), 1);
+    end
+  end
+end
+
 function refuseBlank (X, model, table, Case)
   [row, j] = find (isnan (X), 1);
   cure = 'Fill it in, or take the line out.';
   if all (isnan (X(model == model(row), j)))
-    cure = sprintf (['No row of %s has one: if that model does not have %s, fill in ' ...
-                     'any one value between the limits, the same in all its rows.'], ...
-                    Case.models(model(row)).name, Case.names{j});
+    cure = sprintf ('No row of %s has one, nor of another model. %s', ...
+                    Case.models(model(row)).name, cure);
   end
   error ('DEcalioc:importRuns:badValue', ...
          ['importRuns: line %d of %s must give every design variable, got none for ' ...
@@ -131,7 +146,8 @@ function ignored = checkColumns (header, Case, model, file)
            repmat (' The first line must name the columns.', 1, ...
                    numel (missing) == numel (needed)));
   end
-  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets];
+  fixed = givenField (Case, 'fixed', struct ('name', {}));
+  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets, {fixed.name}];
   ignored = setdiff (header, known);
 end
 
@@ -262,8 +278,18 @@ end
 %! end
 %!error <line 3 .* got none for b. Fill it in>
 %! imported ([head, "First;1;2;3;4;\nFirst;1;;2;3;\n"]);
-%!error <line 3 .* got none for b. No row of Second has one>
-%! imported ([head, "First;1;2;3;4;\nSecond;1;;;;3\n"]);
+%!error <line 2 .* got none for b. No row of First has one, nor of another>
+%! imported ([head, "First;1;;3;4;\nSecond;1;;;;3\n"]);
+%!test
+%! % a model that does not have b: another value for each of its sets
+%! data = imported ([head, "First;1;2;3;4;\nSecond;1;;;;3\nFirst;7;5;3;4;\n", ...
+%!                   "Second;4;;;;5\nSecond;4;;;;6\n"]);
+%! assert (data.X([1, 3], :), [1, 2; 7, 5]);
+%! assert (data.X([2, 4], 1), [1; 4]);
+%! assert (data.X(4, :), data.X(5, :));
+%! assert (data.replicate, [1; 1; 1; 1; 2]);
+%! assert (data.X(2, 2) ~= data.X(4, 2));
+%! assert (data.X([2, 4], 2) > 2 & data.X([2, 4], 2) < 5);
 %!test
 %! % no result, in the words of spreadsheets and Python; units in the header
 %! data = imported (["model,a [m],b,First_1 [deg],First_2,Second_1\n", ...

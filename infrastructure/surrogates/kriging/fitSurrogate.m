@@ -179,6 +179,15 @@ function [trends, covariances, default] = candidateModels (base, options)
     enough(3) = enough(3) && ~(numel (unique (base.extra)) == 2);
     trends = trends(enough);
   end
+  % where an input is the same in all runs, or follows from others, no trend along
+  % it can be told
+  unit = unitInputs ([base.X, base.extra], base.limits, columns (base.extra));
+  isClear = @(t) rank (feval (feval (['stk_lm_', t]), unit), 1e-9) >= ...
+                 columns (feval (feval (['stk_lm_', t]), unit(1, :)));
+  trends = trends(cellfun (isClear, trends));
+  if isempty (trends)
+    trends = {'constant'};
+  end
   covariances = {options.covariance};
   if strcmp (options.covariance, 'choose')
     covariances = {'matern52', 'matern32', 'gauss'};
@@ -246,6 +255,17 @@ end
 %! s = fitSurrogate (X, y, lim, fixed);
 %! assert (size (s.X), [18, 3]);
 %! assert ({s.trend, s.covariance}, {'affine', 'matern32'});
+%!test
+%! % an input that no run varied, and one that follows from another: no trend along
+%! % it, and nothing is known far from the runs
+%! lastwarn ('');
+%! for still = {0.5 + 0 * X(:, 2), 0.2 + 0.5 * X(:, 1)}
+%!   s = fitSurrogate ([X(:, 1), still{1}], 5 + 3 * X(:, 1), lim(:, 1:2));
+%!   assert (s.trend, 'constant');
+%!   assert (lastwarn (), '');
+%!   [~, v] = predictSurrogate (s, [0.5, mean(still{1}); 0.5, 1]);
+%!   assert (v(2) > 4 * v(1));
+%! end
 %!test
 %! % a constant response is no error, and stays what it is
 %! s = fitSurrogate (X, 7 * ones (20, 1), lim);

@@ -86,15 +86,64 @@ function value = firstOf (trials, field)
   value = trials(1).(field);
 end
 
-% What trials have in common, such as the error of a balance.
+% What trials have in common, such as the error of a balance; lines of one session
+% whose sd differ have none, and each counts by its own.
 function g = withCommon (g, trials)
-  if g.scatter
-    common = mean ([trials.sd].^2);
+  own = [trials.sd];
+  if all (own > 0) && any (own ~= own(1)) && isscalar (g.sessions)
+    [g.value, g.sd, between] = weightedMean ([trials.value], own);
+    g.scatter = between > 0;
+    freedoms = [Inf, numel(own) - 1];
+    [g.freedom, g.commonFreedom] = deal (freedoms(1 + g.scatter));
+  elseif g.scatter
+    common = mean (own.^2);
     rest = g.sd^2 - g.shared^2;
     % Welch and Satterthwaite: the common part is known
     g.freedom = g.freedom * (1 + common / g.sd^2)^2;
     g.commonFreedom = g.commonFreedom * (1 + common / rest)^2;
     g.sd = sqrt (g.sd^2 + common);
+  end
+end
+
+% Each line counts by its own sd, to which comes what they scatter beyond (Paule
+% and Mandel 1982: the between-trial variance with which the weighted sum of
+% squares is n - 1).
+function [m, sd, s] = weightedMean (value, own)
+  n = numel (value);
+  meanOf = @(between) (value ./ (own.^2 + between)) * ones (n, 1) / ...
+                       sum (1 ./ (own.^2 + between));
+  excess = @(between) sum ((value - meanOf (between)).^2 ./ (own.^2 + between)) - (n - 1);
+  between = 0;
+  if excess (0) > 0
+    between = fzero (excess, [0, n * max(max (value) - min (value), max (own))^2]);
+  end
+  m = meanOf (between);
+  sd = 1 / sqrt (sum (1 ./ (own.^2 + between)));
+  s = sqrt (between);
+  if s > 0
+    sd = sd * -studentQuantile (0.1587, n - 1);
+  end
+end
+  end
+end
+
+% Lines whose sd differ have no error in common: each counts by its own, to which
+% comes what they scatter beyond (Paule and Mandel 1982: the between-trial variance
+% with which the weighted sum of squares is n - 1).
+function [m, sd, s] = weightedMean (value, own)
+  n = numel (value);
+  meanOf = @(between) (value ./ (own.^2 + between)) * ones (n, 1) / ...
+                      sum (1 ./ (own.^2 + between));
+  excess = @(between) sum ((value - meanOf (between)).^2 ./ (own.^2 + between)) - (n - 1);
+  between = 0;
+  if excess (0) > 0
+    between = fzero (excess, [0, n * max(max (value) - min (value), max (own))^2]);
+  end
+  m = meanOf (between);
+  sd = 1 / sqrt (sum (1 ./ (own.^2 + between)));
+  s = sqrt (between);
+  if s > 0
+    sd = sd * -studentQuantile (0.1587, n - 1);
   end
 end
 
@@ -131,3 +180,24 @@ end
 %! line(2).unit = 'g';
 %! [~, p] = measuredTarget (line, means);
 %! assert (p.id, 'DEcalioc:checkCase:measuredRepeats');
+%!test
+%! % lines with an sd of their own count by it; what they scatter beyond counts, too
+%! line = struct ('line', 2, 'model', 1, 'name', 'a', 'series', '', ...
+%!                'unit', 'deg', 'at', NaN, 'value', {34, 30.1, 30.2}, ...
+%!                'sd', {5, 0.1, 0.1}, 'repeats', NaN, 'role', '', 'tol', 0.1, ...
+%!                'isAbsolute', false, 'file', 't.csv', 'session', '', ...
+%!                'places', 1, 'mean', 1);
+%! means = struct ('value', 94.3 / 3, 'sd', 1.3, 'shared', 0, 'days', [], 'freedom', ...
+%!                 2, 'commonFreedom', Inf, 'sessionFreedom', Inf, 'hasScatter', true);
+%! g = measuredTarget (line, means);
+%! w = 1 ./ [25, 0.01, 0.01];
+%! assert ([g.value, g.sd], [w * [34; 30.1; 30.2], sqrt(sum (w))] / sum (w), 1e-12);
+%! assert ({g.freedom, g.scatter}, {Inf, false});
+%! assert (measuredTarget (line([2, 3, 1]), means).value, g.value, 1e-12);
+%! [line.sd] = deal (0.1, 0.1, 0.2);
+%! g = measuredTarget (line, means);
+%! assert (g.value, 31.4, 0.1);
+%! assert (g.sd > 1 && g.scatter && g.freedom == 2);
+%! % alike: an error that they share, which their mean has as well
+%! [line.sd] = deal (0.1);
+%! assert (measuredTarget (line, means).value, 94.3 / 3, 1e-12);

@@ -43,6 +43,7 @@ function notes = notesOf (c)
   if ~isempty (jsonAt (c, {'intervalCode'}))
     notes = {['The intervals are ', c.intervalNote, '.']};
   end
+  notes = [notes, strcat(namesIn (c, 'neverVaried'), '.')];
   loose = namesIn (c, 'unfixed');
   next = jsonAt (c, {'next', 1});
   if numel (loose) == numel (fieldnames (c.params))

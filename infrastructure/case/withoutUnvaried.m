@@ -1,0 +1,160 @@
+% WITHOUTUNVARIED  Takes parameters that no run has varied out of a case.
+%
+% CALL: CASE = withoutUnvaried (CASE)
+%
+%   CASE  see newCase; of one whose runs are all in runs.csv, and to which no run can
+%         be added, names, limits and what goes with them lose such parameters, and
+%         fixed is 1 x k struct: name; at (1 x (1 + d), constant and factors of the
+%         other parameters that give its value); text, what is to be said of it.
+%         modelVars has the value of those that are the same in all rows
+%
+% Of a parameter that is the same in all rows, or that follows from another one, by a
+% constant and a factor, to a thousandth of its range, the rows tell nothing by
+% itself: no value, no interval and no share of it would be more than the prior of a
+% surrogate. The first of two is kept; to tell takes four different sets.
+
+function Case = withoutUnvaried (Case)
+  Case.fixed = struct ('name', {}, 'at', {}, 'text', {});
+  X = setsOfTable (Case);
+  if rows (X) < 2
+    return
+  end
+  d = columns (X);
+  keep = zeros (1, 0);
+  found = Case.fixed;
+  for j = 1:d
+    [of, c] = followsFrom (X, j, keep);
+    if isempty (c)
+      keep(end + 1) = j;
+    else
+      found(end + 1) = struct ('name', Case.names{j}, 'at', {{of, c}}, 'text', '');
+    end
+  end
+  if isempty (found) || isempty (keep)
+    return
+  end
+  Case = reduced (Case, keep, found);
+end
+
+% Number of the parameter (zeros (1, 0): none) and C, the constant and the factor, that
+% give column J in all rows; C is [] where it varies by itself.
+function [of, c] = followsFrom (X, j, keep)
+  x = X(:, j);
+  [of, c] = deal (zeros (1, 0), []);
+  range = max (x) - min (x);
+  if range <= 1e-9 * max (abs (x))
+    c = x(1);
+    return
+  end
+  for k = keep(1:end * (rows (X) > 3))
+    middle = mean (X(:, k));
+    factor = (X(:, k) - middle) \ (x - mean (x));
+    if max (abs (x - mean (x) - factor * (X(:, k) - middle))) < 0.001 * range
+      [of, c] = deal (k, [mean(x) - factor * middle, factor]);
+      return
+    end
+  end
+end
+
+% What the table of a case holds that can make no run; 0 x d else.
+function X = setsOfTable (Case)
+  X = zeros (0, numel (Case.names));
+  file = fullfile (Case.folder, 'runs.csv');
+  isAlone = Case.options.maxNewRuns == 0 && ...
+            ~any (isfolder (fullfile (Case.store, 'optim', {Case.models.name})));
+  if ~isfile (file) || costAlone (Case) || ...
+     ~(isAlone || any (cellfun (@isempty, {Case.models.folder})))
+    return
+  end
+  try
+    X = unique (importRuns (file, Case).X, 'rows');
+  catch
+    return                                     % who takes the runs in says why
+  end
+end
+
+function Case = reduced (Case, keep, found)
+  names = Case.names;
+  for f = found
+    [of, c] = f.at{:};
+    partners = names(of);
+    f.at = [c(1), zeros(size (keep))];
+    f.at([false, ismember(keep, of)]) = c(2:end);
+    if isempty (partners)
+      Case.modelVars.(f.name) = c;
+      f.text = sprintf ('%s was never varied: it is %.6g in all runs', f.name, c);
+    else
+      f.text = sprintf (['%s was varied only together with %s, from which it follows: ' ...
+                         'what is said of %s holds for both'], f.name, partners{[1, 1]});
+    end
+    Case.fixed(end + 1) = f;
+  end
+  expand = @(P) expanded (P, numel (names), keep, Case.fixed, names);
+  Case.names = names(keep);
+  for field = {'limits', 'bySelf', 'paramMean', 'paramSd', 'perCondition'}
+    Case.(field{1}) = Case.(field{1})(:, keep);
+  end
+  if ~isempty (Case.allowed)
+    Case.allowed.values = Case.allowed.values(keep);
+    Case.allowed.sample = Case.allowed.sample(:, keep);
+    Case.allowed.rules = cellfun (@(rule) @(P) rule (expand (P)), Case.allowed.rules, ...
+                                  'UniformOutput', false);
+  end
+  Case.notes = [Case.notes, {Case.fixed.text}];
+end
+
+function X = expanded (P, d, keep, fixed, names)
+  X = zeros (rows (P), d);
+  X(:, keep) = P;
+  for f = fixed
+    X(:, strcmp (f.name, names)) = f.at(1) + P * f.at(2:end)';
+  end
+end
+
+%!function Case = of (X, varargin)
+%!  raw = standInCase (tempname ());
+%!  raw.Input.maxNewRuns = 0;
+%!  raw.assign = {'a', 'b', 'c'}(1:columns (X));
+%!  raw.paramLims = repmat ([0; 10], 1, columns (X));
+%!  for model = {'First', 'Second'}
+%!    file = fullfile (raw.folder, 'DEMmodels', model{1}, 'data.head');
+%!    writeAtomic (file, [fileread(file), "\nvariable c equal 1\n"]);
+%!  end
+%!  for k = 1:2:numel (varargin)
+%!    raw.Input.(varargin{k}) = varargin{k + 1};
+%!  end
+%!  text = sprintf ([repmat(',%.4g', 1, columns (X)), ",1,2\n"], X');
+%!  writeAtomic (fullfile (raw.folder, 'runs.csv'), ...
+%!               [strjoin([{'model'}, raw.assign, {'First_1', 'First_2'}], ','), "\n", ...
+%!                regexprep(text, '^,', 'First,', 'lineanchors')]);
+%!  Case = withoutUnvaried (newCase (raw));
+%!endfunction
+%!shared a, b
+%! a = (1:9)';
+%! b = mod (a * 4, 9);
+%!test
+%! assert (isempty (of ([a, b]).fixed));
+%! Case = of ([a, 0.3 + 0 * a, b]);
+%! assert (Case.names, {'a', 'c'});
+%! assert (Case.fixed.at, [0.3, 0, 0]);
+%! assert (Case.modelVars.b, 0.3);
+%! assert (size (Case.limits), [2, 2]);
+%! assert (! isempty (strfind (Case.notes{end}, 'b was never varied: it is 0.3')));
+%!test
+%! % a fixed ratio; with a constant beside; rounded
+%! Case = of ([a, b, 0.3 * a]);
+%! assert (Case.names, {'a', 'b'});
+%! assert (Case.fixed.at, [0, 0.3, 0], 1e-9);
+%! assert (! isempty (strfind (Case.fixed.text, 'together with a')));
+%! assert (of ([a, b, 1 - 0.1 * b]).fixed.at, [1, 0, -0.1], 1e-3);
+%! assert (isempty (of ([a, b, 1 + 0.5 * a - b / 9]).fixed));
+%! % so few sets tell nothing of a line
+%! assert (isempty (of ([a, b, 0.3 * a](1:3, :)).fixed));
+%! assert (of ([a, 2 + 0 * a, b](1:3, :)).names, {'a', 'c'});
+%!test
+%! % conditions see all parameters
+%! Case = of ([a, 3 + 0 * a, b], 'constraints', 'a < b');
+%! assert (isAllowed ([2, 1; 4, 1], Case), [true; false]);
+%! % where runs can be made, they vary what the table has not
+%! assert (of ([a, 3 + 0 * a, b], 'maxNewRuns', 5).names, {'a', 'b', 'c'});
+%! assert (of ([3 + 0 * a, 4 + 0 * a]).names, {'a', 'b'});
