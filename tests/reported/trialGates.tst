@@ -10,7 +10,7 @@
 %!  put ('measured.csv', 'Heap,slope,,', 'Heap,slope,31.3,');
 %!  put ('measured.csv', 'Heap,massOnPlate,,,kg', 'Heap,massOnPlate,14.1,,g');
 %!  put ('loadInput.m', 'densityP = 1200', ['densityP = ', density]);
-%!  put ('loadInput.m', 'radiusP = 2e-3', ['radiusP = ', radius]);
+%!  put ('loadInput.m', 'radiusP = 0.002', ['radiusP = ', radius]);
 %!  [status, out] = startCommand (folder, 'check --try');
 %!  assert (status == 0 && ! isempty (strfind (out, 'Heap: ok')), out);
 %!endfunction
@@ -21,7 +21,7 @@
 %!endfunction
 %!test
 %! % the rig of the toolbox
-%! out = tried ('1200', '2e-3');
+%! out = tried ('1200', '0.002');
 %! assert (isempty (strfind (out, 'WARNING')), out);
 %!test
 %! % as reported: radius for diameter, bulk for grain density
@@ -31,4 +31,4 @@
 %!             'the heap is higher than a cone'});
 %!test
 %! % the bulk density alone
-%! says (tried ('690', '2e-3'), {'massOnPlate: .* that of the bulk'});
+%! says (tried ('690', '0.002'), {'massOnPlate: .* that of the bulk'});
