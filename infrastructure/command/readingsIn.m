@@ -21,11 +21,13 @@ function [readings, fault] = readingsIn (text, unit)
     return
   end
   parts = regexp (text, '^(.*?[\d.])(\s*[^\d\s,.;][^\d,;]*\d?)?$', 'tokens', 'once');
+  behind = '';
   if numel (parts) == 2
     [text, readings.unit] = deal (parts{1}, strtrim (parts{2}));
+    behind = [' ', readings.unit];
   end
   for word = numbersOf (text)
-    [~, fault] = amountIn ([word{1}, ' ', readings.unit], unit);
+    [~, fault] = amountIn ([word{1}, behind], unit);
     if ~isempty (fault)
       readings = [];
       return
