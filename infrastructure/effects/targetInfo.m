@@ -8,14 +8,17 @@
 %
 % From results.csv of the model: the row of the result with that number or, of a
 % case with measured.csv, with that name, else of its series, or with the name of
-% its series. What measured.csv says of unit, series and at goes before it.
+% its series, with the settings that the case runs (infoAsRun). What measured.csv
+% says of unit, series and at goes before it.
 
 function info = targetInfo (Case)
   blank = struct ('name', '', 'kind', '', 'unit', '', 'series', '', ...
                   'at', NaN, 'text', '');
   info = repmat (blank, 1, numel (Case.targets));
   for k = 1:numel (Case.models)
-    ofModel = resultInfo (Case.models(k).folder);
+    folder = Case.models(k).folder;
+    ofModel = infoAsRun (resultInfo (folder), folder, ...
+                         givenField (Case, 'modelVars', struct ()));
     for t = find ([Case.targets.model] == k)
       info(t) = oneInfo (Case.targets(t), ofModel, blank);
     end

@@ -23,17 +23,38 @@ function words = newBenchCase (root, names, ask)
   benches = listBenches (root, eachOnce (names));
   quoted = @(list) strjoin (strcat ('''', list, ''''), ', ');
   words = struct ('FORM', 'm', 'BENCHES', strjoin ({benches.name}, ', '));
-  words.DENSITY = ask ('density of a grain (not of the bulk), kg/m3', ...
-                       '1200', @(text) sizeIn (text, 'kg/m3'));
-  words.RADIUS = ask ('radius of a grain, m', '2e-3', ...
-                      @(text) sizeIn (text, 'm'));
+  [words.RADIUS, words.DENSITY, bulk] = askGrains (ask);
+  for k = 1:numel (benches)
+    benches(k).sizes = askSizes (benches(k), str2double (words.DENSITY), ask);
+    sizes = [{benches(k).sizes.name}; ...
+             num2cell(str2double ({benches(k).sizes.value}))];
+    benches(k).results = infoAsRun (benches(k).results, benches(k).folder, ...
+                                    struct (sizes{:}));
+  end
   words.MODELS = quoted ({benches.name});
   words.CPUS = strjoin (repmat ({'1'}, 1, numel (benches)), ', ');
   words.SIZES = sizeLines (benches);
-  rows = arrayfun (@(bench) rowsOf (bench, ask), benches, ...
+  rows = arrayfun (@(bench) rowsOf (bench, ask, bulk), benches, ...
                    'UniformOutput', false);
   words.ROWS = [rows{:}];
   words.EFFECTS = effectLines (quoted, candidatesOf (benches));
+end
+
+% What a balance and a calliper give; the density of a grain follows from the bulk.
+function [radius, density, bulk] = askGrains (ask)
+  diameter = ask ('diameter of a grain, m (or 4 mm)', '0.004', ...
+                  @(text) sizeIn (text, 'm'));
+  radius = sprintf ('%.6g', str2double (diameter) / 2);
+  bulk = ask (['bulk density as poured, kg/m3 (empty: you know the density of a ' ...
+               'grain)'], '', @(text) amountIn (text, 'kg/m3'));
+  [usual, from] = deal ('1200', 'not of the bulk');
+  if ~isempty (bulk)
+    usual = sprintf ('%.4g', str2double (bulk) / 0.6);
+    from = sprintf ('if grains fill 0.6 of the volume, %s kg/m3 of bulk make %s', ...
+                    bulk, usual);
+  end
+  density = ask (sprintf ('density of a grain, kg/m3 (%s)', from), usual, ...
+                 @(text) sizeIn (text, 'kg/m3'));
 end
 
 function names = eachOnce (names)
@@ -60,27 +81,33 @@ function text = sizeLines (benches)
   text = regexprep (text, ' +\n', "\n");
 end
 
-function [text, fault] = sizeIn (text, unit)
-  [text, fault] = amountIn (text, unit);
-  if isempty (fault) && ~(str2double (text) > 0)
-    fault = sprintf ('more than 0 %s is needed, got %s.', unit, text);
-  end
-end
-
-function text = rowsOf (bench, ask)
+% One line a reading, in the unit that was typed; the tolerance stands in the first.
+function text = rowsOf (bench, ask, bulk)
   text = '';
   for k = 1:numel (bench.results)
     one = bench.results(k);
-    tol = 2 * bench.sd(k) / abs (bench.mean(k));
-    words = sprintf ('%.0f%%', ceil (100 * max (tol, 0.02)));
-    if tol > 0.4
-      words = sprintf ('%.1g abs', 2 * bench.sd(k));
+    usual = repmat (bulk, 1, strcmp (one.name, 'bulkDensity'));
+    hint = repmat ('all readings: 31.4, 32.0, 30.6; ', 1, k == 1);
+    said = ask (sprintf ('%s: %s, measured, %s (%sempty: not measured)', ...
+                         bench.name, one.text, one.unit, hint), usual, @(text) readingsIn (text, one.unit));
+    if ischar (said)
+      said = readingsIn (said, one.unit);
     end
-    value = ask (sprintf ('%s: %s, measured, %s (empty: not measured)', ...
-                          bench.name, one.text, one.unit), '', ...
-                 @(text) amountIn (text, one.unit));
-    text = [text, sprintf('%s,%s,%s,,%s,,,%s\n', bench.name, one.name, ...
-                          value, one.unit, words)];
+    tol = toleranceOf (bench, k, said.unit);
+    for value = [said.values, repmat({''}, 1, isempty (said.values))]
+      text = [text, sprintf('%s,%s,%s,,%s,,,%s\n', bench.name, one.name, value{1}, ...
+                            said.unit, tol)];
+      tol = '';
+    end
+  end
+end
+
+function text = toleranceOf (bench, k, unit)
+  tol = 2 * bench.sd(k) / abs (bench.mean(k));
+  text = sprintf ('%.0f%%', ceil (100 * max (tol, 0.02)));
+  if tol > 0.4
+    text = sprintf ('%.1g abs', 2 * bench.sd(k) * ...
+                    unitFactor (bench.results(k).unit, unit));
   end
 end
 
@@ -108,8 +135,12 @@ end
 %!function text = ifelseText (question, default)
 %!  text = default;
 %!  text = [text, repmat('31', 1, ~isempty (strfind (question, 'inclination')))];
-%!  if ~isempty (strfind (question, 'radius'))
-%!    text = '0.001';
+%!  if ~isempty (strfind (question, 'diameter of a grain'))
+%!    text = '0.002';
+%!  elseif ~isempty (strfind (question, 'bulk density as'))
+%!    text = '690';
+%!  elseif ~isempty (strfind (question, 'stays on the plate'))
+%!    text = '14.1, 13.9 g';
 %!  end
 %!endfunction
 %!shared root
@@ -128,7 +159,9 @@ end
 %! % what a person says
 %! says = @(question, default, rule) ifelseText (question, default);
 %! words = newBenchCase (root, 'Heap', says);
-%! assert ({words.RADIUS, words.DENSITY}, {'0.001', '1200'});
+%! assert ({words.RADIUS, words.DENSITY}, {'0.001', '1150'});
 %! assert (~isempty (strfind (words.ROWS, "Heap,slope,31,,deg,,,7%\n")));
+%! assert (~isempty (strfind (words.ROWS, ["Heap,massOnPlate,14.1,,g,,,5%\n", ...
+%!                                         "Heap,massOnPlate,13.9,,g,,,\n"])));
 %!error <got 'Drun'. Did you mean Drum> newBenchCase (root, 'Heap,Drun')
 %!error id=DEcalioc:newBenchCase:badValue newBenchCase (root, 'Heap,Heap')

@@ -216,6 +216,8 @@ function isGood = sayTrial (records, Case)
               measured);
     end
     sayUnits (mine, r.results([mine.index]), 'in this run');
+    cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), ...
+             trialGates (r, mine, Case.models(k).folder));
   end
 end
 

@@ -5,6 +5,7 @@
 %   CASE    see newCase
 %   K       number of the model; its results.csv says which results are angles
 %   FILE    name of the dump; a number at its end picks the angle of that number
+%           among those of results.csv, whether the others were measured or not
 %   LEFT    dumps of the run that come after this one; without numbers only the
 %           last one gets lines
 %   GRAINS  n x 4, columns x y z radius
@@ -18,12 +19,12 @@
 
 function lines = measuredLines (Case, k, file, left, grains)
   lines = {};
-  [kinds, values, apex] = anglesOf (Case, k);
+  [kinds, values, apex, places, count] = anglesOf (Case, k);
   [~, base] = fileparts (file);
   number = str2double (regexp (base, '\d+$', 'match', 'once'));
-  if number >= 1 && number <= numel (values)
-    kinds = kinds(number);
-    values = values(number);
+  if number >= 1 && number <= count
+    kinds = kinds(places == number);
+    values = values(places == number);
   elseif left > 0
     return
   end
@@ -37,10 +38,14 @@ function lines = measuredLines (Case, k, file, left, grains)
   end
 end
 
-function [kinds, values, apex] = anglesOf (Case, k)
+% PLACES: their numbers among the COUNT angles of results.csv.
+function [kinds, values, apex, places, count] = anglesOf (Case, k)
   kinds = {};
-  values = [];
+  [values, places] = deal ([]);
   apex = NaN;
+  known = resultInfo (Case.models(k).folder);
+  known = {known(ismember ({known.kind}, {'angle', 'angleFalling', 'coneAngle'})).name};
+  count = numel (known);
   info = targetInfo (Case);
   for t = find ([Case.targets.model] == k)
     T = Case.targets(t);
@@ -48,6 +53,9 @@ function [kinds, values, apex] = anglesOf (Case, k)
     if any (strcmp (kind, {'angle', 'angleFalling', 'coneAngle'}))
       kinds{end + 1} = kind;
       values(end + 1) = T.value;
+      name = givenField (T, 'result', info(t).name);
+      place = [find(strcmp (known, name)), NaN];
+      places(end + 1) = place(1);
     elseif strcmp (kind, 'height') && info(t).at == 0
       apex = T.value;
     end
@@ -102,3 +110,8 @@ end
 %! assert (numel (lines), 1);
 %! assert (diff (lines{1}(:, 2)) / diff (lines{1}(:, 1)), -tand (30), 1e-12);
 %! assert (isempty (measuredLines (Case, 1, 'column.dump', 1, grains)));
+%! % of the second angle alone: its line lies in its picture, and in no other one
+%! Case.targets = mergeFields (Case.targets(3), struct ('result', 's2', 'name', 's2', ...
+%!                             'series', '', 'unit', '', 'at', NaN));
+%! assert (isempty (measuredLines (Case, 1, 'surface1.dump', 0, grains)));
+%! assert (numel (measuredLines (Case, 1, 'surface2.dump', 0, grains)), 1);

@@ -11,6 +11,7 @@
 %          met'; else ''
 
 function [texts, open] = missTexts (m)
+  m = inGiven (m);
   isSmall = m.met == 1 || (isnan (m.met) && m.share < 1);
   labels = {'largest miss', 'largest deviation'};
   label = labels{1 + isSmall};
@@ -41,6 +42,18 @@ function [texts, open] = missTexts (m)
   end
 end
 
+% In the unit that it was measured in.
+function m = inGiven (m)
+  given = givenField (m, 'given', '');
+  factor = unitFactor (m.unit, given);
+  if ~isempty (given) && factor > 0
+    for name = {'measured', 'simulated', 'miss', 'allowed', 'mean', 'meanSd'}
+      m.(name{1}) = m.(name{1}) * factor;
+    end
+    m.unit = given;
+  end
+end
+
 function text = expectedText (m, said)
   text = ['expected ', said(m.simulated)];
   if m.runs > 0 && isfinite (m.mean) && isfinite (m.simulated)
@@ -68,6 +81,9 @@ end
 %! [curve.miss, curve.points, curve.share] = deal (-0.5, 11, 0.8);
 %! [~, open] = missTexts (curve);
 %! assert (open, '3 runs say missed, all runs together say met');
+%! assert (missTexts (setfield (m, 'given', 'kN')){2}, ...
+%!         ['mean of 3 runs 0.00533 +- 0.0003, expected from all runs ' ...
+%!          '0.0058 kN, measured 0.006 kN (allowed 0.0057 to 0.0063)']);
 %!test
 %! [m.runs, m.state, m.met, m.z] = deal (0, '', 1, NaN);
 %! [texts, open] = missTexts (m);

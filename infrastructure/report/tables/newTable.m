@@ -12,7 +12,9 @@
 %            Text; a number, or two, an interval; {SOURCE, STEP, ...}, the steps
 %            that lead to it in PAGE.sources; or a scalar struct of value (one of
 %            these) and sd (a number or steps, its standard error), class (of
-%            page.css), title (tooltip), code (name in scripts), unit (of the row)
+%            page.css), title (tooltip), code (name in scripts), unit (of the row),
+%            and in the first column factor: what numbers of the row (kinds plain,
+%            error, change) are multiplied by to have it
 %   NOTES    cellstr ({}), sentences below it
 %   T        scalar struct name, title, columns, cells (of structs with all these
 %            and from, sdFrom: 'gap/where/p'), notes; without rows it is shown
@@ -29,6 +31,21 @@ function T = newTable (page, name, title, columns, cells, notes)
   T = struct ('name', name, 'title', title, 'columns', {columns}, ...
               'cells', {cellfun(@(c) cellOf (c, page), cells, 'UniformOutput', false)}, ...
               'notes', {notes(:)'});
+  isAmount = ismember (columns(:, 3)', {'plain', 'error', 'change'}) & ...
+             cellfun (@isempty, columns(:, 2)');
+  for k = find (cellfun (@(c) isfield (c, 'factor'), T.cells(:, 1:min (1, end))))'
+    T.cells(k, isAmount) = cellfun (@(c) inUnit (c, T.cells{k, 1}.factor), ...
+                                    T.cells(k, isAmount), 'UniformOutput', false);
+  end
+end
+
+% No number of a file any more.
+function c = inUnit (c, factor)
+  if isnumeric (c.value)
+    c.value = c.value * factor;
+    c.sd = c.sd * factor;
+    [c.from, c.sdFrom] = deal ('');
+  end
 end
 
 function c = cellOf (given, page)
@@ -69,3 +86,7 @@ end
 %! sd = @(x) newTable (page, 'x', 'X', {'a', '', ''}, {{struct('value', 31, 'sd', x)}}) ...
 %!           .cells{1}.sd;
 %! assert ([sd(6e-6), sd(0), sd(0.1)], [NaN, NaN, 0.1]);
+%! % in the unit that somebody measured in
+%! row = {struct('value', 's', 'unit', 'g', 'factor', 1000), {'gap', 'p'}, 3};
+%! T = newTable (page, 'x', 'X', {'a', '', ''; 'b', '', 'plain'; 'c', '', 'z'}, {row});
+%! assert ({T.cells{1, 2}.value, T.cells{1, 2}.from, T.cells{1, 3}.value}, {250, '', 3});

@@ -5,7 +5,8 @@
 %   PAGE    see shownResult
 %   TARGET  scalar struct with model (or modelName) and name; role, where it is said
 %   C       cell of newTable: words of results.csv where there are, code name,
-%           unit; the model is its tooltip
+%           unit; the model is its tooltip. A result that was measured in another
+%           unit than that of results.csv has the one of measured.csv, and factor
 
 function c = targetCell (page, target)
   words = struct ('holdout', ' (not fitted)', 'unmeasured', ' (not measured)');
@@ -20,6 +21,14 @@ function c = targetCell (page, target)
   end
   c = struct ('value', [givenField(known, 'label', target.name), mark], ...
               'code', [target.name, mark], 'unit', known.unit, 'title', target.model);
+  given = '';
+  if ~isempty (t)
+    given = givenField (page.Case.targets(t), 'given', '');
+  end
+  factor = unitFactor (known.unit, given);
+  if ~isempty (given) && factor > 0 && factor ~= 1
+    [c.unit, c.factor] = deal (given, factor);
+  end
 end
 
 %!test
@@ -30,3 +39,6 @@ end
 %!                    'code', 'h (not fitted)', 'unit', 'm', 'title', 'B'));
 %! c = targetCell (page, struct ('model', 'B', 'name', 'w@2'));
 %! assert ({c.value, c.unit}, {'w@2', 'kg'});
+%! page.Case.targets(2).given = 'g';
+%! c = targetCell (page, struct ('model', 'B', 'name', 'w@2'));
+%! assert ({c.unit, c.factor}, {'g', 1000}, 1e-9);

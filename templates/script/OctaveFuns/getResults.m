@@ -16,10 +16,10 @@ function res = getResults (model, folderName)
   global path
   here = fileparts (fileparts (mfilename ('fullpath')));
   names = {resultInfo(here).name};
-  file = [path, 'optim/', model, '/', folderName, '/@RESULTS@'];
-  if ~isfile (file)
+  folder = [path, 'optim/', model, '/', folderName, '/'];
+  share = str2double ('@SHARE@');      % of rows: the last ones whose mean counts
+  res = num2cell (readResults ([folder, '@RESULTS@'], names, share));
+  if all (isnan ([res{:}])) && ~isfile ([folder, '@RESULTS@'])
     error ('DEcalioc:getResults:missingFile', 'the run has not written @RESULTS@');
   end
-  share = str2double ('@SHARE@');      % of rows: the last ones whose mean counts
-  res = num2cell (readResults (file, names, share));
 end

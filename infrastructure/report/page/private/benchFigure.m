@@ -71,9 +71,13 @@ function r = oneRow (page, m)
   if page.showsEffect && ~isempty (cure)
     r.with = (cure.after - measured) / unit;
   end
-  r.label = labelOf (m.name, strtrim (sprintf ('%.4g %s', measured, ...
-                                               givenField (m, 'unit', ...
-                                                           targetCell (page, m).unit))));
+  cell_ = targetCell (page, m);
+  shown = givenField (m, 'unit', cell_.unit);
+  if isfield (cell_, 'factor')
+    shown = cell_.unit;
+  end
+  r.label = labelOf (m.name, strtrim (sprintf ('%.4g %s', measured * ...
+                                               givenField (cell_, 'factor', 1), shown)));
   if ~isempty (t)
     r.reach = (page.reach(t, :) - measured) / unit;
     if isfield (Case.targets, 'each')

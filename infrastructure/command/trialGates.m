@@ -1,0 +1,199 @@
+% TRIALGATES  What in a trial run no powder does, and which slip makes it.
+%
+% CALL: NOTES = trialGates (RECORD, TARGETS, FOLDER)
+%
+%   RECORD   of the run, see newRecord; status 'ok'
+%   TARGETS  1 x t struct array of the case, of this model: name, value, index
+%   FOLDER   of the model (text)
+%   NOTES    1 x n cell of sentences
+%
+% Bands, wide enough for any free-flowing or cohesive bulk, so that a note means a
+% slip of the input:
+%   slope of a heap    3 to 66 deg: the last class of USP <1174> begins at 66
+%   surface of a drum  up to 75 deg
+%   packing            0.45 to 0.67 of the volume: spheres 0.55 (Onoda and Liniger
+%                      1990) to 0.64 (Scott and Kilgour 1969), walls below, several
+%                      sizes above
+%   mass               what was measured is not more than what is filled in
+%   grains             as many as were asked for, and some left at the end
+% and those of sample/gates.csv of the model: columns condition (see readRule, with
+% variables of data.head, results and output_checks.csv by their names) and says.
+% A condition of a name that the run lacks is left out. Overlap, rest and lost grains
+% of the toolbox's rigs are judged before (readChecks).
+%
+% See also: sayCheck, unitRatio
+
+function notes = trialGates (record, targets, folder)
+  info = resultInfo (folder);
+  values = headDefaults (fullfile (record.folder, 'data.head'));
+  checks = struct ();
+  if isfile (fullfile (record.folder, 'output_checks.csv'))
+    checks = readChecks (record.folder);
+  end
+  notes = cell (1, 0);
+  named = struct ();
+  for T = targets
+    result = record.results(T.index);
+    k = find (strcmp ({info.name}, T.name), 1);
+    if ~isempty (k)
+      notes = [notes, ofResult(info(k), result, T.value, values, checks)];
+      if isvarname (T.name)
+        named.(T.name) = result;
+      end
+    end
+  end
+  notes = [notes, ofGrains(record.folder), ...
+           ofModel(folder, mergeFields (mergeFields (values, checks), named))];
+end
+
+% Of one result, by its kind; an angle of a script of one's own has none.
+function notes = ofResult (info, result, measured, values, checks)
+  notes = cell (1, 0);
+  kind = info.kind;
+  if isempty (kind) && any (strcmp (info.unit, {'deg', 'degree'}))
+    kind = 'ownAngle';
+  end
+  tops = struct ('coneAngle', 66, 'angleFalling', 66, 'ownAngle', 75, 'angle', 75);
+  if isfield (tops, kind)
+    notes = ofAngle (info.name, kind, result, tops.(kind));
+  elseif strcmp (kind, 'density') && isfield (values, 'densityP')
+    notes = [ofPacking(info.name, result / values.densityP, 'simulated', values), ...
+             ofPacking(info.name, measured / values.densityP, 'measured', values)];
+  elseif strcmp (kind, 'mass') && measured > 1.02 * givenField (checks, 'massStart', Inf)
+    notes = {sprintf(['%s: measured %.3g %s, more than the %.3g %s that the run ' ...
+                      'fills in. Is the density of a grain that of the bulk ' ...
+                      '(a grain has about 1.7 times as much), or the filling ' ...
+                      'smaller than yours?'], info.name, measured, info.unit, ...
+                     checks.massStart, info.unit)};
+  end
+end
+
+function notes = ofAngle (name, kind, value, top)
+  notes = cell (1, 0);
+  if abs (value) > top
+    notes = {sprintf(['%s: %.3g deg, steeper than any heap of powder (%g deg). Too ' ...
+                      'few or too large grains for the rig: is the radius of a ' ...
+                      'grain its diameter?'], name, value, top)};
+  elseif strcmp (kind, 'coneAngle') && value < 3
+    notes = {sprintf(['%s: %.3g deg, no heap at all. Grains without friction, or ' ...
+                      'hardly any left?'], name, value)};
+  end
+end
+
+function notes = ofPacking (name, share, which, values)
+  notes = cell (1, 0);
+  slip = {'is the density of a grain that of the bulk', ...
+          'is the bulk density in other units, or the grain hollow'};
+  if share > 0.67 || share < 0.45
+    notes = {sprintf(['%s: %s, it fills %.2g of the volume with grains of %g kg/m3, ' ...
+                      'where grains fill 0.5 to 0.67: %s?'], name, which, share, ...
+                     values.densityP, slip{1 + (share < 0.45)})};
+  end
+end
+
+% What LIGGGHTS says of the grains in its log.
+function notes = ofGrains (folder)
+  notes = cell (1, 0);
+  text = readText (fullfile (folder, 'log.liggghts'));
+  if ~isempty (strfind (text, 'Less insertions than requested'))
+    notes{end + 1} = ['LIGGGHTS inserted fewer grains than the script asks for (its ', ...
+                      'log: Less insertions than requested)', insertedOf(text), ...
+                      '. Is the region too small, or the radius of a grain its ', ...
+                      'diameter?'];
+  end
+  atoms = str2double ([cell(1, 0), regexp(text, 'steps with (\d+) atoms', 'tokens'){:}]);
+  if ~isempty (atoms) && any (atoms > 0) && atoms(end) == 0
+    notes{end + 1} = sprintf (['no grain is left at the end of the run, of %d that ' ...
+                               'were there: through a hole, or over the edge of the ' ...
+                               'box (thermo_modify lost ignore says nothing of it)?'], ...
+                              max (atoms));
+  end
+end
+
+% Nothing where the script has the fix say nothing (verbose no).
+function text = insertedOf (log)
+  text = '';
+  made = regexp (log, 'inserted (\d+) particle templates', 'tokens');
+  asked = regexp (log, '(?:particles_in_region|nparticles)\s+(\d+)', 'tokens');
+  sum_ = @(list) sum (str2double ([cell(1, 0), list{:}]));
+  if ~isempty (made)
+    text = sprintf (': %d of %d came', sum_ (made), sum_ (asked));
+  end
+end
+
+function notes = ofModel (folder, values)
+  notes = cell (1, 0);
+  file = fullfile (folder, 'sample', 'gates.csv');
+  if ~isfile (file)
+    return
+  end
+  [header, cells] = readCsvTable (file);
+  for row = cells'
+    [rule, fault] = readRule (row{strcmp(header, 'condition')}, {}, values);
+    if isempty (fault) && ~rule (zeros (1, 0))
+      notes{end + 1} = row{strcmp(header, 'says')};
+    end
+  end
+end
+
+%!shared folder, put, record, T
+%! [folder, put] = emptyFolder ();
+%! put ('results.csv', ["name,kind,unit,series,at,text\nslope,coneAngle,deg,,,x\n", ...
+%!                      "mass,mass,kg,,,x\nbulk,density,kg/m3,,,x\nmine,,deg,,,x\n"]);
+%! put ('data.head', "variable densityP equal 1200\nvariable radiusP equal 0.002\n");
+%! record = struct ('folder', folder, 'results', [30, 0.01, 660, 40]);
+%! T = struct ('name', {'slope', 'mass', 'bulk', 'mine'}, 'index', {1, 2, 3, 4}, ...
+%!             'value', {31, 0.011, 650, NaN});
+%!function of (notes, parts)
+%!  assert (numel (notes) == numel (parts), '%s', strjoin (notes, "\n"));
+%!  for k = 1:numel (parts)
+%!    assert (! isempty (regexp (notes{k}, parts{k})), '%s', notes{k});
+%!  end
+%!endfunction
+%!test
+%! of (trialGates (record, T, folder), {});
+%! record.results = [82, 0.01, 660, -80];
+%! of (trialGates (record, T, folder), {'^slope: 82 deg, .* diameter', 'mine: -80'});
+%! record.results = [2, 0.01, 660, 0.5];
+%! of (trialGates (record, T, folder), {'no heap at all'});
+%! record.results = [30, 0.01, 660, 40];
+%!test
+%! put ('data.head', "variable densityP equal 690\n");
+%! put ('output_checks.csv', ["spheresStart,10\nspheresOut,4\nspheresEnd,6\nsettled,1\n", ...
+%!                            "overlapMax,0.02\nmassStart,0.0105\n"]);
+%! of (trialGates (record, T, folder), {'mass: measured 0.011 kg, more than the 0.0105', ...
+%!     'bulk: simulated, .*0.96.*690 kg/m3.*that of the bulk', 'bulk: meas'});
+%! unlink (fullfile (folder, 'output_checks.csv'));
+%! put ('data.head', "variable densityP equal 1200\nvariable radiusP equal 0.002\n");
+%!test
+%! put ('log.liggghts', ["fix i all insert/pack particles_in_region 900 region r\n", ...
+%!      "INFO: Particle insertion i: inserted 242 particle templates (mass 1) at step 1\n", ...
+%!      "WARNING: Particle insertion: Less insertions than requested (../x.cpp:2)\n", ...
+%!      "Loop time of 1 on 1 procs for 5 steps with 242 atoms\n", ...
+%!      "Loop time of 1 on 1 procs for 5 steps with 0 atoms\n"]);
+%! of (trialGates (record, T, folder), {'242 of 900 came', 'no grain is left .* 242'});
+%! unlink (fullfile (folder, 'log.liggghts'));
+%!test
+%! mkdir (fullfile (folder, 'sample'));
+%! put ('sample/gates.csv', ["condition,says\n30 * radiusP > slope / 100,wide\n", ...
+%!                           "radiusP < slope,right\nnoName > 2,unknown\n"]);
+%! of (trialGates (record, T, folder), {'wide'});
+%!test
+%! % the gates of the toolbox's rigs read, and hold for their samples
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! for file = glob (fullfile (root, 'DEMmodels', '*', 'sample', 'gates.csv'))'
+%!   bench = fileparts (fileparts (file{1}));
+%!   values = headDefaults (fullfile (bench, 'data.head'));
+%!   values.massStart = 1;
+%!   table = regexp (fileread (fullfile (bench, 'sample', 'expected.csv')), ...
+%!                   '(\w+),(\S+)', 'tokens');
+%!   for pair = table
+%!     values.(pair{1}{1}) = str2double (pair{1}{2});
+%!   end
+%!   [~, cells] = readCsvTable (file{1});
+%!   for row = cells'
+%!     [rule, fault] = readRule (row{1}, {}, values);
+%!     assert (fault, '');
+%!     assert (rule (zeros (1, 0)), '%s', row{1});
+%!   end
+%! end
