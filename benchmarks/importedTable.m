@@ -24,9 +24,9 @@ function runStudy (offs, replicates, seeds, file)
                        'runs,rejected,ending']);
   end
   done = doneIn (file);
-  for off = offs
-    for n = replicates
-      for seed = seeds
+  for seed = seeds
+    for off = offs
+      for n = replicates
         if ~any (all (done == [off, n, seed], 2))
           appendLine (file, oneCase (off, n, seed));
         end
