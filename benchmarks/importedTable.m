@@ -24,14 +24,10 @@ function runStudy (offs, replicates, seeds, file)
                        'runs,rejected,ending']);
   end
   done = doneIn (file);
-  for off = offs
-    for n = replicates
-      for seed = seeds
-        if ~any (all (done == [off, n, seed], 2))
-          appendLine (file, oneCase (off, n, seed));
-        end
-      end
-    end
+  [replicate, off, seed] = ndgrid (replicates, offs, seeds);
+  cases = [off(:), replicate(:), seed(:)];
+  for one = cases(~ismember (cases, done, 'rows'), :)'
+    appendLine (file, oneCase (one(1), one(2), one(3)));
   end
 end
 

@@ -124,8 +124,8 @@ function reportCase (Case, say, problem)
     text = countText (n, 'row beyond the targets is not fitted, as it would', ...
                       'rows beyond the targets are not fitted, as they would');
     tell ('  costFunction: %s', text);
-    say (['    pull the set off the targets: each chooses among the sets ', ...
-          'that meet them']);
+    say (['    pull the set off the targets: each chooses among what the ', ...
+          'targets leave open']);
   end
   cellfun (@(text) say (['  WARNING: ', text]), Case.notes);
   used = sum (strcmp ({Case.targets.role}, 'calibrate'));
@@ -205,6 +205,9 @@ function reportIterations (found, history, Case, say)
          '%.0f %%'], what{1 + strcmp(Case.options.method, 'published')}, ...
         residualText (found.residual(1:T), {Case.targets.name}), ...
         100 * found.probability);
+  if ~isempty (givenField (found, 'preference', []))
+    say (['  ', sentence('preference.used', found.preference)]);
+  end
   if ~isempty (found.conflict)
     tell ('  no parameter values within your limits meet together: %s', ...
           strjoin (found.conflict, ', '));

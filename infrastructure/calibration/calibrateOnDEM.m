@@ -22,9 +22,9 @@
 
 function state = calibrateOnDEM (state, problem, say)
   % ran: iteration of the last runs; wrong: sets that turned out wrong; stop:
-  % what userInt said when it stopped
+  % what userInt said when it stopped; say: gets a line about each step
   book = struct ('state', state, 'iteration', 0, 'ran', -1, 'wrong', 0, ...
-                 'stop', '');
+                 'stop', '', 'say', say);
   way = confirmRobust (problem);
   if strcmp (problem.options.method, 'published')
     way = confirmPublished (problem);
@@ -109,7 +109,9 @@ function [why, book] = whyStop (p, vals, phase, way, book)
   runs = sum (isAfterPlan (book.state.data));
   settings = way.settings;
   since = countText (runs, 'run');
-  settings.say = @(text) way.say (sprintf ('%s; %s since the plan', text, since));
+  if ~isfield (settings, 'say')
+    settings.say = @(text) way.say (sprintf ('%s; %s since the plan', text, since));
+  end
   [stop, why] = userInt (p(:), vals, phase, true, settings);
   if stop
     book.stop = why;

@@ -47,7 +47,7 @@ end
 function state = oneRound (state, problem, P, E, round, say)
   state = runAndFit (state, problem, P, 'infill', E);
   state = moveTo (state, problem);
-  state = bookStep (state, 'infill', round, say);
+  state = bookStep (state, problem, 'infill', round, say);
 end
 
 % The plan is run at the cheapest level. How far the others are from it is best
@@ -192,7 +192,8 @@ end
 %! assert (nested.data.E(8:end), [1; 2]);
 %! assert (nested.data.X(8:end, :), repmat (state.found.params, 2, 1));
 %! assert (nested.data.stage(8:end), {'infill'; 'infill'});
-%! assert (isequal (improveByInfill (nested, problem, @(text) []), nested));
+%! again = improveByInfill (nested, problem, @(text) []);
+%! assert ([rows(again.data.X), numel(again.history)], [9, 1]);
 
 %!function E = nextLevels (seconds, n, state, problem)
 %!  state.budget.levels = [2, seconds(1); 1, seconds(2)];

@@ -6,7 +6,8 @@
 % SURROGATES  1 x T struct array of fitSurrogates (default: none yet)
 % FOUND       struct of calibrateOnKriging (default: none yet)
 % STATE       struct: data, surrogates, found, history (1 x 0 struct: stage,
-%             iteration, params, residual T x 1, runs, probability), reason,
+%             iteration, params, residual T x 1, ofRuns T x 1, runs,
+%             probability: see bookStep), reason,
 %             final ([] until confirmSet), evaluate ([] until runs can be
 %             made), budget (see newEvaluate), others (see trustLibrary), misled
 %             (see keepApart)
@@ -16,7 +17,7 @@ function state = newState (data, surrogates, found)
     [surrogates, found] = deal ([]);
   end
   history = struct ('stage', {}, 'iteration', {}, 'params', {}, ...
-                    'residual', {}, 'runs', {}, 'probability', {});
+                    'residual', {}, 'ofRuns', {}, 'runs', {}, 'probability', {});
   state = struct ('data', data, 'surrogates', surrogates, 'found', found, ...
                   'history', history, 'reason', '', 'misled', '', ...
                   'final', []);

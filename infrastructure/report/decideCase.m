@@ -85,6 +85,9 @@ function numbers = keyNumbers (v, c)
     says = eachOf (@(m) {['open: ', m.name]; nthargout(2, @missTexts, m)}, open);
     list = [list; {labels{1 + max(2 * hasNoRun, isUnsure)}, text}; [says{:}]'];
   end
+  if ~isempty (jsonAt (c, {'sources'}))
+    list(end + 1, :) = {'runs that count', sourcesText(c.sources)};
+  end
   none = jsonNumber (c, {'outcomes', 'none'}, 0);
   if none > 0
     tried = none + jsonNumber (c, {'outcomes', 'resulting'}, 0);
@@ -100,6 +103,15 @@ function numbers = keyNumbers (v, c)
     list = [list; {'chance that all targets are met', texts{k}}];
   end
   numbers = struct ('label', list(:, 1)', 'text', list(:, 2)');
+end
+
+% '14 of this case, 60 imported'.
+function text = sourcesText (from)
+  counts = [from.own, from.imported, from.otherCases];
+  words = {'of this case', 'imported', 'of other cases'};
+  parts = arrayfun (@(n, word) sprintf ('%d %s', n, word{1}), counts, words, ...
+                    'UniformOutput', false);
+  text = strjoin (parts([true, counts(2:3) > 0]), ', ');
 end
 
 function v = ofCalibration (v, c)

@@ -52,7 +52,7 @@ function text = textOf (state, stage, further)
     text = sprintf ('%s, %d failed', text, state.failed);
   end
   if state.reused > 0
-    text = sprintf ('%s, %d taken from the store', text, state.reused);
+    text = sprintf ('%s, %d made earlier', text, state.reused);
   end
   if state.done < state.total && state.done > 0
     % on average the runs under way are half done
@@ -66,8 +66,8 @@ function text = textOf (state, stage, further)
     end
   end
   if state.total == 0
-    text = sprintf ('  %s: %s in the store', stage, ...
-                    countText (state.reused, 'run is', 'runs are all'));
+    text = sprintf ('  %s: %s made earlier', stage, ...
+                    countText (state.reused, 'run was', 'runs were all'));
   end
 end
 

@@ -4,10 +4,10 @@
 %
 % INTERVAL 2 x d, of the parameters (NaN: not known, the default)
 % LINES    cellstr: a source that is not used (keepApart), a target outside the
-%          range of the responses, a surrogate
-%          with poor Q2, a parameter at its limit, fewer targets than
-%          parameters, runs that failed, equal replicates, runs that were
-%          left out, a level that was dropped
+%          range of the responses, a surrogate with poor Q2, a parameter at its
+%          limit, fewer targets than parameters, runs that failed, equal replicates,
+%          runs of one set that are far apart, runs that were left out, a level
+%          that was dropped
 % TOUCHED  cellstr, parameters that stand at a limit, and whose interval comes as
 %          near to it as it is wide: 2.9 to 3.1 is well inside 0 to 1000
 
@@ -44,11 +44,36 @@ function [lines, touched] = checkSurrogates (state, problem, interval)
                       'does not use runSeed. Such runs tell nothing of its scatter ' ...
                       'and are not counted'];
   end
-  lines = [lines, badRuns(state, problem)];
+  lines = [lines, apartLines(state, problem), badRuns(state, problem)];
   if ~isempty (problem.coarse)
     lines = [lines, droppedLevels(state, problem)];
   end
   lines = [{state.misled}(~isempty (state.misled)), lines];
+end
+
+% Runs of one set that differ by far more than runs scatter elsewhere: a second outcome,
+% or a wrong run. What was left out has a line of its own.
+function lines = apartLines (state, problem)
+  lines = {};
+  data = runsThatCount (state.data, problem);
+  counted = all (state.data.E == problem.fine, 2);
+  isOut = any (horzcat (state.surrogates.leftOut), 2);
+  isOut(end + 1:rows (counted), 1) = false;
+  data.Z(isOut(counted), :) = NaN;
+  scatter = arrayfun (@(s) median (abs (s.looResidual)) / 0.6745, state.surrogates);
+  [sets, ~, group] = unique (data.X, 'rows');
+  for t = find (problem.calibrate)
+    ends = @(f) accumarray (group(:), data.Z(:, t), [], f);
+    [low, high] = deal (ends (@min), ends (@max));
+    far = find (high - low > 6 * scatter(t) & ...
+                high - low > 2 * problem.tol(t) * abs (problem.scale(t)));
+    for k = far'
+      values = struct ('name', problem.targetNames{t}, 'low', low(k), 'high', high(k), ...
+                       'scatter', scatter(t), 'where', ...
+                       namedValues (problem.names, sets(k, :), '%.4g'));
+      lines{end + 1} = sentence ('warning.apart', values);
+    end
+  end
 end
 
 function lines = droppedLevels (state, problem)
@@ -186,6 +211,17 @@ end
 %! assert (numel (hit), 1);
 %! at = sprintf ('%s = %.4g', problem.names{1}, state.data.X(3, 1));
 %! assert (numel (those (hit, at)), 1);
+
+%!test
+%! % two runs of one set that are far apart get a word
+%! apart = state;
+%! apart.data = addRows (state.data, state.data.X([3, 3, 4], :), ...
+%!                       state.data.Z([3, 3, 4], :) .* [1, 1.001; 1, 1.2; 1, 1], ...
+%!                       [2; 3; 2], 'verify');
+%! apart.surrogates = fitSurrogates (apart.data, problem);
+%! [apart.surrogates.leftOut] = deal (false (15, 1));
+%! assert (numel (those (checkSurrogates (apart, problem), 'elsewhere runs scatter')), 1);
+%! assert (isempty (those (checkSurrogates (state, problem), 'elsewhere runs scatter')));
 
 %!test
 %! % a level that was dropped is told with a word; without a run at the level

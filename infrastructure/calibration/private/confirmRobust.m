@@ -17,8 +17,10 @@ function way = confirmRobust (problem)
                 'isOver', @(book) whyOver (book, problem), ...
                 'judge', @(p, why, book) robustEnd (book, problem));
   way.weights = 1 ./ problem.part(way.kept)';
-  % a residual within its tolerance is no end here, as it may be chance
-  way.settings = struct ('tolRes', -Inf (1, numel (way.kept)), 'maxIter', Inf);
+  % a residual within its tolerance is no end here, as it may be chance; and it is
+  % that of all runs together: bookStep says what the runs of the set gave
+  way.settings = struct ('tolRes', -Inf (1, numel (way.kept)), 'maxIter', Inf, ...
+                         'say', @(text) []);
 end
 
 function [z, book] = meanResponse (p, book, problem)
@@ -28,7 +30,7 @@ function [z, book] = meanResponse (p, book, problem)
     if ~final.converged
       book.state = confirmingRuns (book.state, final, problem);
     end
-    book.state = bookStep (book.state, 'DEM', book.iteration);
+    book.state = bookStep (book.state, problem, 'DEM', book.iteration, book.say);
     book.ran = book.iteration;
   end
   z = predictSurrogate (book.state.surrogates, p);

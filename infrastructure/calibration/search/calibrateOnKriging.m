@@ -6,6 +6,7 @@
 %             were run; without it the best three of these
 % FOUND       struct of describeSet with start (name of the start that won),
 %             starts (struct array: start, params, norm, within, probability),
+%             preference (what it has used, see preferredSet; []: none),
 %             conflict (names of the targets that no set meets together, {} if
 %             none)
 % HISTORY     1 x k struct: iteration, params, residual of the winning start
@@ -35,8 +36,9 @@ function [found, history] = calibrateOnKriging (surrogates, problem, incumbent)
   won = order(1);
   history = paths{won};
   pool = vertcat (solved(order).params);
-  found = describeSet (surrogates, problem, ...
-                       surestSet (surrogates, problem, pool));
+  [p, used] = surestSet (surrogates, problem, pool);
+  found = describeSet (surrogates, problem, p);
+  found.preference = used;
   found.start = solved(won).start;
   found.starts = solved;
   found.conflict = {};

@@ -1,6 +1,6 @@
-% SURESTSET  The set that most probably meets all targets; ties by preference.
+% SURESTSET  The set that most probably meets all targets; what is open by preference.
 %
-% CALL: P = surestSet (SURROGATES, PROBLEM, POOL)
+% CALL: [P, USED] = surestSet (SURROGATES, PROBLEM, POOL)
 %
 % POOL  k x d  sets to start from, best first; may be empty
 % P     1 x d
@@ -11,11 +11,10 @@
 % probability.
 %
 % Where the cost function has rows beside the targets, or parameters were
-% measured by themselves, the least such preference is looked for around this
-% set and the pool, among sets whose probability is at most options.better below
-% its own and at least options.even.
+% measured by themselves, they choose among what the data leave open (preferredSet,
+% which says what USED is; []: nothing is preferred).
 
-function p = surestSet (surrogates, problem, pool)
+function [p, used] = surestSet (surrogates, problem, pool)
   [p, best] = mostProbable (surrogates, problem, pool);
   if ~isempty (pool)
     known = meetProbability (surrogates, problem, pool(1, :));
@@ -23,11 +22,10 @@ function p = surestSet (surrogates, problem, pool)
       [p, best] = deal (pool(1, :), known);
     end
   end
+  used = [];
   isPreferred = problem.nExtra > 0 || any (isfinite (problem.paramSd));
   if isPreferred && best >= problem.options.even
-    loss = @(P) preferenceIfSure (P, surrogates, problem, best);
-    p = shrinkingSearch (loss, p, [0.2, 0.1, 0.05, 0.05, 0.02, 0.02], 200, ...
-                         problem, pool);
+    [p, used] = preferredSet (surrogates, problem, p);
   end
 end
 
@@ -70,29 +68,6 @@ end
 function J = slope (surrogates, problem, p)
   [J, G] = surrogateJacobian (surrogates, problem, p);
   J = [J; G];
-end
-
-% Inf for a set that is less sure than the best one.
-function value = preferenceIfSure (P, surrogates, problem, best)
-  value = Inf (rows (P), 1);
-  sure = meetProbability (surrogates, problem, P) >= ...
-         max (problem.options.even, best - problem.options.better);
-  if any (sure)
-    value(sure) = preferenceOf (problem, P(sure, :));
-  end
-end
-
-% What speaks against a set beside its targets: the sum of squares of the rows
-% below the targets (the Rayleigh term) and of the distances to parameters that
-% were measured by themselves, in their standard deviations.
-function value = preferenceOf (problem, P)
-  z = (P - problem.paramMean) ./ problem.paramSd;
-  value = sumsq (z(:, isfinite (problem.paramSd)), 2);
-  T = numel (problem.value);
-  for i = 1:rows (P) * (problem.nExtra > 0)
-    r = problem.cost (P(i, :)', @(varargin) problem.value(:));
-    value(i) = value(i) + sum (r(T + 1:end).^2);
-  end
 end
 
 %!shared problem, s

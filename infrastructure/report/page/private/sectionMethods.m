@@ -22,7 +22,7 @@ function html = methods (page)
                      'n', sum (strcmp ({misses.role}, 'calibrate')), ...
                      'models', {{page.Case.models.name}}, ...
                      'version', char (jsonAt (c, {'version'})), ...
-                     'runs', d.plan + d.infill + d.verify, 'reused', d.reused, ...
+                     'runs', d.plan + d.infill + d.verify, 'others', otherRuns (c), ...
                      'confirmed', jsonNumber(c, {'runs'}, 0), ...
                      'confidence', page.Case.options.confidence * 100, ...
                      'reason', c.reason);
@@ -39,6 +39,16 @@ function html = methods (page)
           '</p>', tableHtml(page.tables.record)];
 end
 
+% ', with 60 runs that were imported and 12 of other cases'.
+function text = otherRuns (c)
+  counts = cellfun (@(name) jsonNumber (c, {'sources', name}, 0), ...
+                    {'imported', 'otherCases'});
+  parts = {sprintf('%s imported', countText (counts(1), 'run')), ...
+           sprintf('%s of other cases', countText (counts(2), 'run'))};
+  joints = {', with ', ' and '};
+  text = strjoin ([{''}, parts(counts > 0)], joints(1:sum (counts > 0)));
+end
+
 %!test
 %! page = situationPage ('missed, named');
 %! page.tables = statementTables (page, {'record'});
@@ -46,5 +56,8 @@ end
 %! for text = {'Rackl', 'a, b', '3 results', 'cohesion', 'Record of this result'}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! end
+%! page.sources.calibration.sources = struct ('imported', 60, 'otherCases', 1);
+%! assert (! isempty (strfind (sectionMethods (){3} (page), ...
+%!   'in all, with 60 runs imported and 1 run of other cases')));
 %! page = situationPage ('nothing');
 %! assert (sectionMethods (){3} (page), '');
