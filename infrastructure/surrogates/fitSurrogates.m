@@ -128,6 +128,7 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
       options.prior = problem.prior{t};
     end
     options.form = ofTarget (form, t);
+    options.quick = ~isempty (old);
     if problem.earlierRuns(t) > 0
       options.scatter = [problem.earlierSd(t), problem.earlierRuns(t)];
     end

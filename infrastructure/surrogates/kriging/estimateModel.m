@@ -23,7 +23,8 @@ function theta = estimateModel (model, U, y, start)
   stk_options_set ('stk_param_estim', 'minimize_box', search);
   stk_options_set ('stk_param_estim', 'minimize_unc', search);
   n = numel (model.param);
-  [param, noise] = stk_param_estim (model, U, y, start(1:n), start(n + 1:end));
+  [param, noise] = stk_param_estim (model, U, y, start(1:n), start(n + 1:end), ...
+                                    model.criterion);
   theta = param(:);
   if numel (start) > n
     theta(end + 1) = noise;
@@ -42,7 +43,7 @@ end
 %! U = rand (12, 2);
 %! y = sin (3 * U(:, 1)) + U(:, 2);
 %! of = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
-%!              'scale', 1);
+%!              'scale', 1, 'quick', false);
 %! model = krigingModel ('affine', 'matern52', 2, of);
 %! before = {stk_options_get(), warning()};
 %! theta = estimateModel (model, U, y);

@@ -11,10 +11,11 @@
 %               []: given, the logarithm of the estimated noise is affine in the
 %               last input), prior ((D + 2) x 1, parameters of a similar bench,
 %               known to a factor of 1.6; NaN: not known; []: none), scatter and
-%               scale (see noisePrior)
+%               scale (see noisePrior), quick (logical: see fitSurrogate)
 %   MODEL       struct of stk; with OF its param and lognoisevariance are the
 %               means of prior and noiseprior, both normal: the part beyond the
-%               trend, ranges and noise of a usual DEM response
+%               trend, ranges and noise of a usual DEM response; criterion is a
+%               handle of its likelihood, stk_param_relik or quickCost
 %
 % The priors cost nothing where the runs speak; without them few runs per
 % parameter let the noise collapse to zero. stk_param_relik reads both.
@@ -45,6 +46,10 @@ function model = withPriors (model, of, beyond)
     sd(known) = sqrt (variance);
   end
   nOwn = d + 1;
+  model.criterion = @stk_param_relik;
+  if of.quick && isempty (of.extra)
+    model.criterion = @quickCost;
+  end
   if ~isempty (of.noise)
     model.lognoisevariance = log (of.noise);
   elseif ~isempty (of.extra)
@@ -68,7 +73,7 @@ end
 %!shared usual
 %! pkg load stk
 %! usual = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
-%!                 'scale', 1);
+%!                 'scale', 1, 'quick', false);
 
 %!test
 %! % what is known of a similar bench draws the prior to it
