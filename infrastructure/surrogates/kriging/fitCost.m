@@ -35,7 +35,7 @@ end
 %! % gradient against central differences, priors and noises among it
 %! pkg load stk
 %! of = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
-%!              'scale', 1, 'quick', false);
+%!              'scale', 1, 'quick', false, 'published', false);
 %! check (krigingModel ('affine', 'matern52', 2, of), [-1; 0.2; -0.3; -4]);
 %! check (krigingModel ('affine', 'gauss', 2, ...
 %!                      setfield (of, 'extra', 1)), [-1; 0.2; -0.3; -4; 0.5]);

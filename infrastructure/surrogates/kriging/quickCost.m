@@ -76,7 +76,7 @@ end
 %! U = rand (12, 3);
 %! y = sin (3 * U(:, 1)) + U(:, 2);
 %! of = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
-%!              'scale', 1, 'quick', false);
+%!              'scale', 1, 'quick', false, 'published', false);
 %! known = setfield (of, 'noise', 0.1 * U(:, 1));
 %! for covariance = {'matern52', 'matern32', 'gauss'}
 %!   for trend = {'constant', 'affine', 'quadratic'}
