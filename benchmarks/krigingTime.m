@@ -1,32 +1,20 @@
-% KRIGINGTIME  Likelihood, fit and prediction: ours beside those of stk.
+% KRIGINGTIME  What a fit and a prediction by stk cost, and what quickCost saves.
 %
-% CALL: octave-cli benchmarks/krigingTime.m [SEEDS]
+% CALL: octave-cli benchmarks/krigingTime.m SEEDS [CSVFILE]
 %
 %   SEEDS  e.g. 1:5
 %
 % A response of four parameters that saturates and multiplies, with 2 % noise, 10
-% to 100 runs; the same trend (affine) and covariance (Matern 5/2), the noise
-% estimated. Times are seconds of processor, medians over the seeds, of 20
-% likelihoods with slopes, one fit, and 1000 predictions; the differences are
-% those at equal parameters, over the spread of the response.
+% to 100 runs; affine trend, Matern 5/2, the noise estimated. Seconds of
+% processor, medians over the seeds: 20 likelihoods with slopes (stk_param_relik,
+% quickCost); a fit of the toolbox with either, a fit with stk's own tolerance; a
+% prediction of one set and of 1000 in one call (predictSurrogate with the doubt
+% of the parameters, stk_predict). Largest differences: of quickCost, relative, in
+% value and slopes; of the cost where the toolbox stops and where stk does.
 %
-% See also: fitSurrogate, prepareFit, predictSurrogate
+% See also: fitSurrogate, estimateModel, quickCost, predictSurrogate
 
 1;
-
-function measureAll (seeds)
-  printf (['| runs | likelihood: ours, stk (s) | fit: ours, stk (s) | 1000 ', ...
-           'predictions: ours, stk (s) | difference of means, of deviations |\n', ...
-           '|---|---|---|---|---|\n']);
-  for n = [10, 25, 100]
-    figures = zeros (numel (seeds), 8);
-    for i = 1:numel (seeds)
-      figures(i, :) = compareOnce (n, seeds(i));
-    end
-    printf ('| %d | %.3f, %.3f | %.2f, %.2f | %.3f, %.3f | %.0e, %.0e |\n', n, ...
-            median (figures(:, 1:6)), max (figures(:, 7:8)));
-  end
-end
 
 function figures = compareOnce (n, seed)
   rand ('twister', seed);
@@ -36,27 +24,36 @@ function figures = compareOnce (n, seed)
   z = X(:, 1) ./ (X(:, 1) + 0.3) .* (1 + X(:, 2)) + 0.5 * sqrt (X(:, 3)) + ...
       0.02 * randn (n, 1);
   P = rand (1000, d);
-  limits = [zeros(1, d); ones(1, d)];
-  kind = struct ('trend', 'affine', 'covariance', 'matern52');
-  [fitTime, s] = timeOf (@() fitSurrogate (X, z, limits, kind));
-  model = s.model;
+  s = fitSurrogate (X, z, [zeros(1, d); ones(1, d)], ...
+                    struct ('trend', 'affine', 'covariance', 'matern52'));
+  s.solver.open = parameterSpread (s);
   [U, y] = deal (s.solver.unit, s.solver.y);
-  fit = prepareFit (U, y, 'affine', 'matern52', []);
-  figures(1) = timeOf (@() twenty (@() nthargout (1:2, fit.cost, s.theta)));
-  figures(2) = timeOf (@() twenty (@() nthargout (1:3, @stk_param_relik, model, ...
-                                                  U, y)));
-  figures(3) = fitTime;
-  start = stk_model ('stk_materncov52_aniso', d);
-  start.lm = stk_lm_affine ();
-  figures(4) = timeOf (@() estimated (start, U, y));
-  [figures(5), m, v] = timeOf (@() predictSurrogate (s, P));
-  known = stk_model_gpposterior (model, U, y);
-  [figures(6), there] = timeOf (@() stk_predict (known, P));
-  figures(7) = max (abs (m - s.shift - s.scale * there.mean)) / s.scale;
-  s.solver.open = [];                      % stk has no doubt of the parameters
-  [~, v] = predictSurrogate (s, P);
-  figures(8) = max (abs (sqrt (v / s.factor) - s.scale * sqrt (there.var))) / ...
-               s.scale;
+  model = krigingModel ('affine', 'matern52', d, setfield (s, 'noise', []));
+  quick = setfield (model, 'criterion', @quickCost);
+  gradient = @(m) nthargout (1:2, @fitCost, m, U, y, s.theta);
+  figures = [timeOf(@() twenty (@() gradient (model))), ...
+             timeOf(@() twenty (@() gradient (quick))), ...
+             timeOf(@() estimateModel (model, U, y)), ...
+             timeOf(@() estimateModel (quick, U, y)), ...
+             timeOf(@() byStk (model, U, y)), ...
+             timeOf(@() predicted (s, P(1, :))), ...
+             timeOf(@() stk_predict (s.solver.posterior, P(1, :))), ...
+             timeOf(@() predicted (s, P)), ...
+             timeOf(@() stk_predict (s.solver.posterior, P))];
+  [there, ours] = deal (vertcat (gradient (model){:}), vertcat (gradient (quick){:}));
+  best = fitCost (model, U, y, byStk (model, U, y));
+  figures(end + 1) = max (abs (ours - there)) / max (abs (there));
+  figures(end + 1) = fitCost (model, U, y, estimateModel (model, U, y)) - best;
+end
+
+function theta = byStk (model, U, y)
+  [param, noise] = stk_param_estim (model, U, y, model.param, ...
+                                    model.lognoisevariance);
+  theta = [param; noise];
+end
+
+function predicted (s, P)
+  [~, ~] = predictSurrogate (s, P);
 end
 
 function twenty (f)
@@ -65,27 +62,26 @@ function twenty (f)
   end
 end
 
-function [param, lnv] = estimated (model, U, y)
-  model.lognoisevariance = NaN;            % to be estimated
-  [param0, lnv0] = stk_param_init (model, U, y);
-  model.param = param0;
-  model.lognoisevariance = lnv0;
-  [param, lnv] = stk_param_estim (model, U, y, param0, lnv0);
-end
-
-function [seconds, varargout] = timeOf (f)
-  varargout = cell (1, nargout - 1);
+function seconds = timeOf (f)
   start = cputime ();
-  if nargout > 1
-    [varargout{:}] = f ();
-  else
-    f ();
-  end
+  f ();
   seconds = cputime () - start;
 end
 
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
-pkg ('load', 'stk');
-args = argv ()';
-measureAll (str2num ([args, {'1:5'}]{1}));
+given = argv ();
+seeds = sscanf (given{1}, '%d:%d')';
+titles = {'runs', 'relik20', 'quick20', 'fit', 'quick_fit', 'stk_fit', ...
+          'one_set', 'stk_one_set', 'sets1000', 'stk_sets1000', ...
+          'quick_difference', 'cost_left'};
+R = [];
+for n = [10, 25, 100]
+  figures = cell2mat (arrayfun (@(seed) compareOnce (n, seed), ...
+                                (seeds(1):seeds(end))', 'UniformOutput', false));
+  R(end + 1, :) = [n, median(figures(:, 1:9), 1), max(figures(:, 10:11), [], 1)];
+  printf ('%s\n', sprintf ('%9.2g', R(end, :)));
+end
+if numel (given) > 1
+  writeMatrix (given{2}, R, titles);
+end

@@ -5,8 +5,9 @@
 %
 % PARAMS      d x 1 or 1 x d  parameter set
 % SURROGATES  1 x T struct array of createKrigingModels (fast)
-% NAMES       cellstr of createKrigingModels: the models are read from the
-%             folder KrigingFuns in the current folder (slow)
+% NAMES       cellstr of createKrigingModels, T x 2 or its first column: the
+%             models are read from the folder KrigingFuns in the current folder
+%             (slow)
 %             Either may stand in a cell, as the published costFunction passes
 %             its varargin on
 % RESULT      T x 1  means of the responses
@@ -21,6 +22,9 @@ function result = evaluateKriging (params, varargin)
     models = models{1};
   end
   if iscellstr (models) && ~isempty (models)
+    if columns (models) == 2 && ~strncmp (models{1, 2}, 'KM_fun_', 7)
+      models = models(:, 1);               % beside each the file of its responses
+    end
     for t = numel (models):-1:1
       loaded(t) = loadSurrogate (fullfile ('KrigingFuns', ...
                                            [models{t}, '.txt']));

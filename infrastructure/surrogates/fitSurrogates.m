@@ -16,7 +16,7 @@
 % are all of one level. Equal replicates count as one run (countEqualOnce).
 %
 % With options.method 'published' of PROBLEM the trend is affine, the covariance
-% matern52, and every run counts.
+% stk_materncov_aniso without a prior, and every run counts.
 %
 % Runs that are off by far more than runs scatter, and than another run of their
 % set, are left out (findBadRuns): leftOut (n x 1 logical, rows of DATA) says
@@ -68,7 +68,7 @@ function surrogates = fitSurrogates (data, problem, old, most)
     surrogates(t).leftOut = leftOut(:, t);
     surrogates(t).suspect = suspect(:, t);
     surrogates(t).aside = data.Z(any (leftOut, 2), t);
-    if isempty (form)
+    if isempty (form) && ~surrogates(t).published
       surrogates(t).solver.open = parameterSpread (surrogates(t));
     end
   end
@@ -128,12 +128,14 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
       options.prior = problem.prior{t};
     end
     options.form = ofTarget (form, t);
+    options.quick = ~isempty (old);
     if problem.earlierRuns(t) > 0
       options.scatter = [problem.earlierSd(t), problem.earlierRuns(t)];
     end
     if isPublished
       options.trend = 'affine';
-      options.covariance = 'matern52';
+      options.covariance = 'matern';
+      options.published = true;
     end
     if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.2 * old(t).nChoice
       options.start = old(t);

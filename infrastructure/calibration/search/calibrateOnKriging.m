@@ -53,11 +53,9 @@ end
 function [solved, path] = solveStart (surrogates, problem, start, most)
   d = numel (start.params);
   limit = max (1, floor (most / (2 * d + 2)));
-  [p, niter] = ...
-    leastSquaresInBox (@(p) scaledResidual (surrogates, problem, p), ...
-                       @(p) surrogateJacobian (surrogates, problem, p), ...
-                       start.params, problem, ...
-                       optimset ('MaxIter', limit, 'TolFun', 1e-6));
+  [f, J] = residualHandles (surrogates, problem, false);
+  [p, niter] = leastSquaresInBox (f, J, start.params, problem, ...
+                                  optimset ('MaxIter', limit, 'TolFun', 1e-6));
   [probability, share, r] = meetProbability (surrogates, problem, p);
   solved = struct ('start', start.start, 'params', p, 'norm', max (share), ...
                    'within', all (share <= 1), 'probability', probability, ...
@@ -65,12 +63,6 @@ function [solved, path] = solveStart (surrogates, problem, start, most)
   first = residualSpread (surrogates, problem, start.params);
   path = struct ('iteration', {0, niter}, 'params', {start.params, p}, ...
                  'residual', {first', r'});
-end
-
-function f = scaledResidual (surrogates, problem, p)
-  r = residualSpread (surrogates, problem, p);
-  use = problem.calibrate;
-  f = (r(use) ./ problem.part(use))';
 end
 
 function starts = startingPoints (surrogates, problem, incumbent)

@@ -38,9 +38,8 @@ function [p, probability] = mostProbable (surrogates, problem, pool)
   P = P(order(1:10), :);
   settings = optimset ('MaxIter', 20, 'TolFun', 1e-2);
   for k = 1:2
-    P(k, :) = leastSquaresInBox (@(p) loss (surrogates, problem, p)', ...
-                                 @(p) slope (surrogates, problem, p), ...
-                                 P(k, :), problem, settings);
+    [f, J] = residualHandles (surrogates, problem, true);
+    P(k, :) = leastSquaresInBox (f, J, P(k, :), problem, settings);
   end
   step = double (stk_sampling_halton_rr2 (30, d, [-ones(1, d); ones(1, d)]));
   for radius = 0.3 * 0.75.^(0:15)
@@ -63,11 +62,6 @@ function f = loss (surrogates, problem, P)
   [r, s] = residualSpread (surrogates, problem, P);
   use = problem.calibrate;
   f = [r(:, use) ./ problem.part(use), s(:, use) ./ problem.part(use)];
-end
-
-function J = slope (surrogates, problem, p)
-  [J, G] = surrogateJacobian (surrogates, problem, p);
-  J = [J; G];
 end
 
 %!shared problem, s

@@ -7,8 +7,8 @@
 %         response
 % BASE   struct: name, X (n x d), z (n x 1), limits (2 x d), shift and scale (of
 %        the standardised response (z - shift) / scale); optional extra (n x 1,
-%        one more input, see unitInputs), prior (see krigingModel), scatter (see
-%        noisePrior) and noiseLaw (1 x 2: log variance where extra is 0, its slope)
+%        one more input, see unitInputs), prior, quick and published (see krigingModel),
+%        scatter (see noisePrior) and noiseLaw (1 x 2: log variance where extra is 0, its slope)
 %
 % stk factors the covariance once (solver.posterior, for stk_predict), and gives
 % the leave-one-out residuals in closed form (Dubrule 1983). factor widens the
@@ -22,7 +22,8 @@
 
 function surrogate = conditionSurrogate (choice, base)
   base = mergeFields (struct ('extra', [], 'noiseLaw', [], 'prior', [], ...
-                              'scatter', []), base);
+                              'scatter', [], 'quick', false, ...
+                              'published', false), base);
   n = numel (base.z);
   unit = unitInputs ([base.X, base.extra], base.limits, columns (base.extra));
   y = (base.z - base.shift) / base.scale;
@@ -30,7 +31,11 @@ function surrogate = conditionSurrogate (choice, base)
   model.param = choice.param;
   model.lognoisevariance = choice.lognoisevariance;
   noise = exp (model.lognoisevariance(:));
-  warning ('off', 'STK:stk_cholcov:AddingRegularizationNoise', 'local');
+  % without a prior the noise may vanish, and runs lie close to each other
+  for id = {'STK:stk_cholcov:AddingRegularizationNoise', ...
+            'Octave:nearly-singular-matrix', 'Octave:singular-matrix'}
+    warning ('off', id{1}, 'local');
+  end
   posterior = stk_model_gpposterior (model, unit, y);
   [left, residual] = stk_predict_leaveoneout (posterior);
   loo = double (residual)(:, 1);
@@ -42,7 +47,7 @@ function surrogate = conditionSurrogate (choice, base)
 
   surrogate = struct ('name', base.name, 'model', model);
   for field = {'X', 'z', 'limits', 'extra', 'noiseLaw', 'prior', 'scatter', ...
-               'shift', 'scale'}
+               'shift', 'scale', 'quick', 'published'}
     surrogate.(field{1}) = base.(field{1});
   end
   surrogate.noiseVar = mean (noise) * base.scale^2;

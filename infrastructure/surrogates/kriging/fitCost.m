@@ -1,4 +1,4 @@
-% FITCOST  What stk_param_estim makes least, at some parameters.
+% FITCOST  What stk_param_estim makes least, at given parameters.
 %
 % CALL: [C, G] = fitCost (MODEL, U, Y, THETA)
 %
@@ -6,15 +6,15 @@
 %   U, Y   n x d, n x 1, inputs in the unit box, standardised response
 %   THETA  parameters of the covariance, and the logarithm of the noise variance
 %          where MODEL estimates it
-%   C, G   negative log density (restricted likelihood of stk_param_relik and the
-%          priors of MODEL), its gradient by THETA
+%   C, G   negative log density (restricted likelihood and priors: stk_param_relik,
+%          or MODEL.criterion), its gradient by THETA
 
 function [C, g] = fitCost (model, U, y, theta)
   model = stk_set_optimizable_parameters (model, theta);
   if nargout < 2
-    C = stk_param_relik (model, U, y);
+    C = model.criterion (model, U, y);
   else
-    [C, byCovariance, byNoise] = stk_param_relik (model, U, y);
+    [C, byCovariance, byNoise] = model.criterion (model, U, y);
     g = [byCovariance; byNoise];
   end
 end
@@ -35,7 +35,7 @@ end
 %! % gradient against central differences, priors and noises among it
 %! pkg load stk
 %! of = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
-%!              'scale', 1);
+%!              'scale', 1, 'quick', false, 'published', false);
 %! check (krigingModel ('affine', 'matern52', 2, of), [-1; 0.2; -0.3; -4]);
 %! check (krigingModel ('affine', 'gauss', 2, ...
 %!                      setfield (of, 'extra', 1)), [-1; 0.2; -0.3; -4; 0.5]);

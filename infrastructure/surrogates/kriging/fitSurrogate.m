@@ -8,7 +8,8 @@
 % OPTIONS  struct, every field optional:
 %   name        char, name of the response ('')
 %   trend       'constant', 'affine', 'quadratic' or 'choose' ('choose')
-%   covariance  'matern32', 'matern52', 'gauss' or 'choose' ('choose')
+%   covariance  'matern32', 'matern52', 'gauss' or 'choose' ('choose'); a
+%               published one may be any of krigingModel
 %   start       surrogate of an earlier fit: its choice is kept, its
 %               parameters are the start ([])
 %   noise       n x 1 known variances of the single runs ([]: estimated)
@@ -18,6 +19,8 @@
 %               is 0, and the noise may change along it ([])
 %   prior       (d + 2) x 1, see krigingModel; left for a gain above 1.5 ([])
 %   scatter     1 x 2, see noisePrior; left as the prior is ([])
+%   quick       logical, by quickCost instead of stk_param_relik (false)
+%   published   logical, without priors, from stk_param_init on (false)
 %   form        struct, what is known of the response beforehand and not
 %               estimated: trend, covariance, param (of the stk model), limits
 %               (with its bends), shift and scale (of the standardised
@@ -53,6 +56,7 @@ function surrogate = fitSurrogate (X, z, limits, options)
                                  'covariance', 'choose', 'start', [], ...
                                  'noise', [], 'extra', [], 'unit', NaN, ...
                                  'prior', [], 'scatter', [], ...
+                                 'quick', false, 'published', false, ...
                                  'form', []), options);
   if ~isempty (options.form)
     limits = options.form.limits;
@@ -82,6 +86,7 @@ function base = standardise (X, z, limits, options)
   base = struct ('name', options.name, 'X', X, 'z', z, 'limits', limits, ...
                  'extra', options.extra, 'noiseLaw', [], ...
                  'prior', options.prior, 'scatter', options.scatter, ...
+                 'quick', options.quick, 'published', options.published, ...
                  'maxFit', 150, ...
                  'shift', mean (z), 'scale', std (z));
   if isConstant (z)
@@ -220,11 +225,12 @@ function [choice, noiseLaw] = estimate (trend, covariance, base, theta)
   end
   theta = estimateModel (model, unit(use, :), y(use), theta);
   choice = struct ('trend', trend, 'covariance', covariance, ...
-                   'param', theta(1:d + 1), ...
+                   'param', theta(1:numel (model.param)), ...
                    'lognoisevariance', log (base.knownNoise));
   noiseLaw = [];
   if isempty (of.noise) && ~isempty (of.extra)
-    noiseLaw = theta(d + 2:end)';
+    noiseLaw = theta(end - 1:end)';
+    choice.param = theta(1:end - 2);
     choice.lognoisevariance = noiseLaw(1) + noiseLaw(2) * base.extra;
   elseif isempty (of.noise)
     choice.lognoisevariance = theta(end);

@@ -4,17 +4,22 @@
 % CALL: MODEL = krigingModel (TREND, COVARIANCE, D, OF)
 %
 %   TREND       'constant', 'affine', 'quadratic': stk_lm_TREND
-%   COVARIANCE  'matern52', 'matern32', 'gauss': stk_materncov52_aniso and so on
+%   COVARIANCE  'matern52', 'matern32', 'gauss', 'matern', 'exp', 'sph':
+%               stk_materncov52_aniso and so on; 'matern52_iso' and the like:
+%               stk_materncov52_iso
 %   D           number of inputs, of the unit box
 %   OF          struct, makes a model to be fitted: noise (n x 1 known variances
 %               of the standardised response, or []: estimated), extra (n x 1 or
 %               []: given, the logarithm of the estimated noise is affine in the
 %               last input), prior ((D + 2) x 1, parameters of a similar bench,
 %               known to a factor of 1.6; NaN: not known; []: none), scatter and
-%               scale (see noisePrior)
+%               scale (see noisePrior), quick and published (logical: see
+%               fitSurrogate)
 %   MODEL       struct of stk; with OF its param and lognoisevariance are the
 %               means of prior and noiseprior, both normal: the part beyond the
-%               trend, ranges and noise of a usual DEM response
+%               trend, ranges and noise of a usual DEM response; criterion is a
+%               handle of its likelihood, stk_param_relik or quickCost; NaN and
+%               no prior in a published one
 %
 % The priors cost nothing where the runs speak; without them few runs per
 % parameter let the noise collapse to zero. stk_param_relik reads both.
@@ -23,10 +28,16 @@
 % or none that is estimated: it is a part of the covariance then (noisyCovariance).
 
 function model = krigingModel (trend, covariance, d, of)
-  kernel = regexprep (covariance, '^(matern|gauss)', '$1cov');
-  model = stk_model (['stk_' kernel '_aniso'], d);
+  kernel = ['stk_', regexprep(covariance, '^(matern|gauss|exp|sph)', '$1cov')];
+  if isempty (strfind (kernel, '_iso'))
+    kernel = [kernel, '_aniso'];
+  end
+  model = stk_model (kernel, d);
   model.lm = feval (['stk_lm_' trend]);
-  if nargin > 3
+  if nargin > 3 && of.published
+    model.lognoisevariance = NaN;              % to be estimated
+    model.criterion = @stk_param_relik;
+  elseif nargin > 3
     model = withPriors (model, of, 1 + 99 * strcmp (trend, 'constant'));
   end
 end
@@ -45,6 +56,10 @@ function model = withPriors (model, of, beyond)
     sd(known) = sqrt (variance);
   end
   nOwn = d + 1;
+  model.criterion = @stk_param_relik;
+  if of.quick && isempty (of.extra)
+    model.criterion = @quickCost;
+  end
   if ~isempty (of.noise)
     model.lognoisevariance = log (of.noise);
   elseif ~isempty (of.extra)
@@ -68,7 +83,7 @@ end
 %!shared usual
 %! pkg load stk
 %! usual = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
-%!                 'scale', 1);
+%!                 'scale', 1, 'quick', false, 'published', false);
 
 %!test
 %! % what is known of a similar bench draws the prior to it

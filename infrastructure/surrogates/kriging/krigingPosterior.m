@@ -12,8 +12,11 @@ function [m, v, S] = krigingPosterior (surrogate, P)
   s = surrogate.solver;
   U = unitInputs (P, surrogate.limits, columns (surrogate.extra));
   isOpen = nargout > 1 && ~isempty (s.open);
-  % a variance of -1e-15 is none; said in the prompt, it would alarm
-  warning ('off', 'STK:stk_predict:NegativeVariancesSetToZero', 'local');
+  % a variance of -1e-15 is none; without a prior the noise may vanish
+  for id = {'STK:stk_predict:NegativeVariancesSetToZero', ...
+            'Octave:nearly-singular-matrix', 'Octave:singular-matrix'}
+    warning ('off', id{1}, 'local');
+  end
   if nargout > 2
     [z, weights, ~, S] = stk_predict (s.posterior, U);
   elseif isOpen

@@ -78,7 +78,7 @@ end
 %! [~, ~, S] = krigingPosterior (o, P);
 %! [~, ~, sure] = krigingPosterior (s, P);
 %! base = struct ('name', '', 'X', X, 'z', s.solver.y, ...
-%!                'limits', s.limits, 'shift', 0, 'scale', 1);
+%!                'limits', s.limits, 'shift', 0, 'scale', 1, 'quick', false, 'published', false);
 %! choice = struct ('trend', s.trend, 'covariance', s.covariance);
 %! for j = 1:4
 %!   for side = 1:2
@@ -120,7 +120,7 @@ end
 %! randn ('twister', 7);
 %! inside = zeros (60, 2);
 %! of = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
-%!              'scale', 1);
+%!              'scale', 1, 'quick', false, 'published', false);
 %! prior = krigingModel ('affine', 'matern52', 2, of);
 %! mean = [prior.prior.mean; prior.noiseprior.mean];
 %! sd = [prior.prior.sd; prior.noiseprior.sd];

@@ -27,7 +27,8 @@ function judged = fitWithout (task, out)
     isKnown = isfinite (z);
     use = isKnown & ~out;
     s = fitRows (task.X, z, task.extra, use, old.limits, ...
-                 struct ('trend', old.trend, 'covariance', old.covariance));
+                 struct ('trend', old.trend, 'quick', old.quick, ...
+                         'covariance', old.covariance));
     s = leastNoise (s);
     [unit, y] = deal (s.solver.unit, s.solver.y);
     of = setfield (s, 'noise', []);

@@ -32,11 +32,10 @@ end
 function slope = slopesAlong (surrogate, j)
   [n, nPart] = deal (40, 5);
   U = sampleBox (n, [0; 1] .* ones (2, columns (surrogate.limits)));
-  m = zeros (n, nPart + 1);
-  for k = 1:nPart + 1
-    U(:, j) = (k - 1) / nPart;
-    m(:, k) = predictSurrogate (surrogate, fromUnit (U, surrogate.limits));
-  end
+  U = repmat (U, nPart + 1, 1);
+  U(:, j) = kron ((0:nPart)' / nPart, ones (n, 1));
+  m = reshape (predictSurrogate (surrogate, fromUnit (U, surrogate.limits)), ...
+               n, nPart + 1);
   slope = sqrt (mean (diff (m, 1, 2).^2, 1)) * nPart / surrogate.scale;
 end
 

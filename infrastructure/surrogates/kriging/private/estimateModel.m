@@ -4,7 +4,8 @@
 %
 %   MODEL  struct of krigingModel
 %   U, Y   n x d, n x 1, inputs in the unit box, standardised response
-%   START  as THETA, where the search begins ([]: the means of the priors)
+%   START  as THETA, where the search begins ([]: the means of the priors; of a
+%          model without them what stk_param_init finds)
 %   THETA  as that of fitCost
 %
 % stk's own tolerance, 1e-8, finds a cost that is lower by 1e-6, in nearly three
@@ -23,7 +24,12 @@ function theta = estimateModel (model, U, y, start)
   stk_options_set ('stk_param_estim', 'minimize_box', search);
   stk_options_set ('stk_param_estim', 'minimize_unc', search);
   n = numel (model.param);
-  [param, noise] = stk_param_estim (model, U, y, start(1:n), start(n + 1:end));
+  if any (isnan (start))
+    [param, noise] = stk_param_init (model, U, y);
+    start = [param(:); noise];
+  end
+  [param, noise] = stk_param_estim (model, U, y, start(1:n), start(n + 1:end), ...
+                                    model.criterion);
   theta = param(:);
   if numel (start) > n
     theta(end + 1) = noise;
@@ -42,7 +48,7 @@ end
 %! U = rand (12, 2);
 %! y = sin (3 * U(:, 1)) + U(:, 2);
 %! of = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
-%!              'scale', 1);
+%!              'scale', 1, 'quick', false, 'published', false);
 %! model = krigingModel ('affine', 'matern52', 2, of);
 %! before = {stk_options_get(), warning()};
 %! theta = estimateModel (model, U, y);
