@@ -10,7 +10,7 @@
 %
 % A state is a condition. Where all of a quantity's lines stand alone in their
 % state and session, their sd tells the scatter of a trial: it is that of the mean
-% of its repeats. With repeats = Inf it holds all errors, that of the session,
+% of its repeats, and that of the reference counts for lines without. With repeats = Inf it holds all errors, that of the session,
 % too. Lines without a session, beside others of the quantity with one, share one
 % of their own. Lines of one block (one filling, one packing) of a state and session
 % count as one trial, their mean.
@@ -44,12 +44,15 @@ function [lines, quantities, number, names] = readingLines (list, keys)
     quantities(q) = quantityOf (list(k), quantities(q));
     quantities(q).share = 1 / pointsOf (list, list(k(1)));
     alone = rows (unique ([state(k)(:), session(k)], 'rows')) == numel (k);
-    if alone && any (sd(k) > 0 & ~isStated(k))
-      told = k(sd(k) > 0 & ~isStated(k));
-      quantities(q).variance = mean (sd(told).^2 .* repeats(told));
-      % where no session is said its sd is all that is known of a line
-      told = told(session(told) == 0);
-      lines.variance(told) = sd(told).^2;
+    told = k(sd(k) > 0 & ~isStated(k));
+    if alone && ~isempty (told)
+      own = told(~lines.changed(told));
+      if isempty (own)
+        own = told;
+      end
+      quantities(q).variance = mean (sd(own).^2 .* repeats(own));
+      % of how many trials a line is as good as
+      lines.repeats(told) = quantities(q).variance ./ sd(told).^2;
     end
   end
 end
@@ -136,8 +139,12 @@ end
 %! list(1).repeats = 4;
 %! list(2).condition = 'moist';
 %! [lines, q] = readingLines (list, {'a', 'a'});
-%! assert ({lines.mean, lines.variance}, {[2; 1], [0.01; NaN]}, 1e-12);
+%! assert ({lines.mean, lines.repeats}, {[2; 1], [4; 1]}, 1e-12);
 %! assert ({q.variance, lines.changed}, {0.04, [false; true]}, 1e-12);
+%! list(2).sd = 0.4;
+%! [lines, q] = readingLines (list, {'a', 'a'});
+%! assert ({q.variance, lines.repeats}, {0.04, [4; 0.25]}, 1e-12);
+%! list(2).sd = 0;
 %! [list.session] = deal ('mon', '');
 %! list(1).repeats = NaN;
 %! [lines, q, ~, names] = readingLines (list, {'a', 'a'});

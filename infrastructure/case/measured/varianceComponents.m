@@ -92,7 +92,8 @@ function part = contrastsOf (lines, quantity)
   X = root .* (lines.mean == unique (lines.mean)');
   Z = root .* (lines.session == setdiff (lines.session, 0)');
   N = null (X');
-  [U, L] = eig (N' * (Z * Z') * N);
+  B = N' * (Z * Z') * N;
+  [U, L] = eig ((B + B') / 2);
   u = U' * N' * (root .* lines.value) / quantity.unit;
   part.lambda = diag (L)';
   part.lambda(part.lambda < 1e-9 * max (lines.repeats)) = 0;
