@@ -2,7 +2,7 @@
 %
 % CALL: [LINES, P] = checkUnits (LINES, MODELS)
 %
-%   LINES   those of the tables, of readConditions; value, sd and an absolute
+%   LINES   those of the tables, of readConditions; value, sd, sessionSd and an absolute
 %           tol are converted to the unit of results.csv, and unit is that one
 %           then; given is the unit of the table
 %   MODELS  1 x M struct array, see checkFindModels
@@ -60,6 +60,7 @@ function lines = inUnit (lines, factor, unit)
   for k = 1:numel (lines) * (factor ~= 1)
     lines(k).value = lines(k).value * factor;
     lines(k).sd = lines(k).sd * factor;
+    lines(k).sessionSd = givenField (lines(k), 'sessionSd', NaN) * factor;
     if lines(k).isAbsolute
       lines(k).tol = lines(k).tol * factor;
     end
@@ -85,7 +86,7 @@ end
 %! assert (isempty (reasons));
 %! assert ([lines.value], [1, 2, 1, 1]);
 %! assert ({lines.unit}, {'kg', '', 'g', '%'});
-%! % value, sd and an absolute tolerance; a relative one stays
+%! % value, sd, sessionSd and an absolute tolerance; a relative one stays
 %! [lines, reasons] = check ([head, "top,13.5,g,,,2,1 abs\n", ...
 %!                            "top,0.1,t,,,,2%\n"], table);
 %! assert (isempty (reasons));

@@ -43,6 +43,7 @@ function [p, found] = checkMeasuredTable (raw, models, taken)
     return
   end
   [lines, r] = checkUnits (lines, models);
+  lines = contrastLines (lines, models);
   [found.groups, q] = groupMeasured (lines, {models.name});
   p = [p, r, q, checkTurns(lines)];
   names = strcat ({models([found.groups.model]).name}, '_', ...
@@ -65,6 +66,7 @@ function [p, found] = checkTable (raw, models, taken, found)
     return
   end
   [lines, r] = checkUnits (lines, models);
+  lines = contrastLines (lines, models);
   [groups, q, conditions, sessions] = ...
     groupMeasured (lines, {models.name}, givenField (raw, 'further', {}));
   p = [p, r, q, checkTurns(lines), checkTolerances(groups, lines, optim), ...

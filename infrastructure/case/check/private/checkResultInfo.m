@@ -6,7 +6,7 @@
 %   INFO    see resultInfo; 1 x 0 without a table, or one that cannot be read
 
 function info = checkResultInfo (folder)
-  info = struct ('name', cell (1, 0), 'unit', '', 'series', '');
+  info = struct ('name', cell (1, 0), 'kind', '', 'unit', '', 'series', '');
   try
     found = resultInfo (folder);
     if ~isempty (found)

@@ -54,7 +54,8 @@ function [names, units] = parted (header, known)
   units(isParted) = cellfun (@(p) p{2}, parts(isParted), 'UniformOutput', false);
   others = {'mean', 'value'; 'quantity', 'name'; 'result', 'name'; ...
             'target', 'name'; 'units', 'unit'; 'tolerance', 'tol'; ...
-            'n', 'repeats'; 'trials', 'repeats'};
+            'n', 'repeats'; 'trials', 'repeats'; ...
+            'sessionsd', 'sessionSd'};
   for k = 1:numel (names)
     word = lower (names{k});
     at = find (strcmp (word, others(:, 1)), 1);

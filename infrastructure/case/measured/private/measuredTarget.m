@@ -37,7 +37,7 @@ function [g, p] = measuredTarget (trials, means)
   weight = [trials.repeats];
   weight(isnan (weight)) = 1;
   g.each = [trials.value];
-  g.trials = sum (weight);
+  g.trials = countOf (trials, weight);
   g.sessions = unique ({trials.session});
   own = means(trials(1).mean);
   for name = {'value', 'sd', 'shared', 'days', 'freedom', 'commonFreedom', ...
@@ -84,6 +84,16 @@ function value = firstOf (trials, field)
     trials = trials([find(isGiven (trials, field)), 1]);
   end
   value = trials(1).(field);
+end
+
+% Lines of one block of a session are one trial.
+function n = countOf (trials, weight)
+  n = sum (weight);
+  if isfield (trials, 'block')
+    inBlock = ~cellfun (@isempty, {trials.block});
+    names = strcat ({trials(inBlock).session}, {'|'}, {trials(inBlock).block});
+    n = sum (weight(~inBlock)) + numel (unique (names));
+  end
 end
 
 % What trials have in common, such as the error of a balance; lines of one session

@@ -10,20 +10,22 @@
 %
 % A state is a condition. Where all of a quantity's lines stand alone in their
 % state and session, their sd tells the scatter of a trial: it is that of the mean
-% of its repeats. With repeats = Inf it holds all errors, that of the session,
+% of its repeats, and that of the reference counts for lines without. With repeats = Inf it holds all errors, that of the session,
 % too. Lines without a session, beside others of the quantity with one, share one
-% of their own.
+% of their own. Lines of one block (one filling, one packing) of a state and session
+% count as one trial, their mean.
 
 function [lines, quantities, number, names] = readingLines (list, keys)
   number = zeros (1, numel (list));
   isThere = isfinite ([list.value]);
-  list = list(isThere);
-  [~, ~, quantity] = unique (keys(isThere));
-  conditions = {list.condition};
-  conditions(strcmp (conditions, '')) = {'reference'};
-  states = strcat (keys(isThere), {'|'}, conditions);
+  [list, keys] = deal (list(isThere), keys(isThere));
+  states = strcat (keys, {'|'}, conditionsOf (list));
   [~, ~, state] = unique (states);
   number(isThere) = state;
+  [list, first] = ofBlocks (list, states);
+  [keys, state] = deal (keys(first), state(first));
+  [~, ~, quantity] = unique (keys);
+  conditions = conditionsOf (list);
   [session, names] = sessionsOf (list, quantity, conditions);
   repeats = [list.repeats]';
   sd = [list.sd]';
@@ -42,14 +44,40 @@ function [lines, quantities, number, names] = readingLines (list, keys)
     quantities(q) = quantityOf (list(k), quantities(q));
     quantities(q).share = 1 / pointsOf (list, list(k(1)));
     alone = rows (unique ([state(k)(:), session(k)], 'rows')) == numel (k);
-    if alone && any (sd(k) > 0 & ~isStated(k))
-      told = k(sd(k) > 0 & ~isStated(k));
-      quantities(q).variance = mean (sd(told).^2 .* repeats(told));
-      % where no session is said its sd is all that is known of a line
-      told = told(session(told) == 0);
-      lines.variance(told) = sd(told).^2;
+    told = k(sd(k) > 0 & ~isStated(k));
+    if alone && ~isempty (told)
+      own = told(~lines.changed(told));
+      if isempty (own)
+        own = told;
+      end
+      quantities(q).variance = mean (sd(own).^2 .* repeats(own));
+      % of how many trials a line is as good as
+      lines.repeats(told) = quantities(q).variance ./ sd(told).^2;
     end
   end
+end
+
+function conditions = conditionsOf (list)
+  conditions = {list.condition};
+  conditions(strcmp (conditions, '')) = {'reference'};
+end
+
+% Lines of one block as one.
+function [list, first] = ofBlocks (list, states)
+  first = 1:numel (list);
+  if ~isfield (list, 'block') || all (cellfun (@isempty, {list.block}))
+    return
+  end
+  % a line without a block is one of its own
+  block = {list.block};
+  isAlone = cellfun (@isempty, block);
+  block(isAlone) = arrayfun (@(k) sprintf ('|%d', k), find (isAlone), ...
+                             'UniformOutput', false);
+  [~, first, of] = unique (strcat (states, {'|'}, {list.session}, {'|'}, block), ...
+                           'first');
+  values = num2cell (accumarray (of(:), [list.value]', [], @mean));
+  list = list(first);
+  [list.value] = values{:};
 end
 
 function [session, names] = sessionsOf (list, quantity, conditions)
@@ -111,10 +139,20 @@ end
 %! list(1).repeats = 4;
 %! list(2).condition = 'moist';
 %! [lines, q] = readingLines (list, {'a', 'a'});
-%! assert ({lines.mean, lines.variance}, {[2; 1], [0.01; NaN]}, 1e-12);
+%! assert ({lines.mean, lines.repeats}, {[2; 1], [4; 1]}, 1e-12);
 %! assert ({q.variance, lines.changed}, {0.04, [false; true]}, 1e-12);
+%! list(2).sd = 0.4;
+%! [lines, q] = readingLines (list, {'a', 'a'});
+%! assert ({q.variance, lines.repeats}, {0.04, [4; 0.25]}, 1e-12);
+%! list(2).sd = 0;
 %! [list.session] = deal ('mon', '');
 %! list(1).repeats = NaN;
 %! [lines, q, ~, names] = readingLines (list, {'a', 'a'});
 %! assert ({names, lines.session}, {{'mon', '|moist'}, [1; 2]});
 %! assert ({lines.variance, q.variance}, {[NaN; NaN], 0.01}, 1e-12);
+%!test
+%! % two readings of each of three fillings are three trials
+%! list = of (repmat ({''}, 1, 6), [1, 3, 5, 7, 6, 6], zeros (1, 6));
+%! [list.block] = deal ('x', 'x', 'y', 'y', 'z', 'z');
+%! lines = readingLines (list, repmat ({'a'}, 1, 6));
+%! assert ({lines.value, lines.repeats}, {[2; 6; 6], [1; 1; 1]});

@@ -92,7 +92,8 @@ function part = contrastsOf (lines, quantity)
   X = root .* (lines.mean == unique (lines.mean)');
   Z = root .* (lines.session == setdiff (lines.session, 0)');
   N = null (X');
-  [U, L] = eig (N' * (Z * Z') * N);
+  B = N' * (Z * Z') * N;
+  [U, L] = eig ((B + B') / 2);
   u = U' * N' * (root .* lines.value) / quantity.unit;
   part.lambda = diag (L)';
   part.lambda(part.lambda < 1e-9 * max (lines.repeats)) = 0;
@@ -131,13 +132,14 @@ end
 % Ratio, common variance and freedoms about it: weights over a grid, R x D x S.
 function grid = posteriorOf (parts, quantities, middle)
   grid.ratio = exp (linspace (log (middle) - 3.5, log (middle) + 3.5, 71));
-  grid.freedom = [1, 2, 4, 8, 16, 32, 1000];
   grid.logPrior = -0.5 * (log (grid.ratio / middle) / 0.7).^2';
   isOpen = isnan ([quantities.variance]) & cellfun (@numel, {parts.squares}) > 0;
-  all_ = log ([parts(isOpen).squares, 1e-300]);
-  grid.common = exp (linspace (median (all_) - 10, median (all_) + 10, 41));
-  if ~any (isOpen)
-    [grid.freedom, grid.common] = deal (1000, 1);
+  [grid.freedom, grid.common] = deal (1, 1);
+  if any (isOpen)
+    grid.freedom = [1, 2, 4, 8, 16, 32];
+    squares = [parts(isOpen).squares];
+    middle = log (median (squares(squares > 0)));
+    grid.common = exp (linspace (middle - 10, middle + 10, 41));
   end
   grid = weighed (grid, parts, quantities);
   if any (isOpen)
@@ -344,4 +346,6 @@ end
 %! m = varianceComponents (of ([1, 2, 3], [0, 0, 0], [1, 1, 1]), quantity);
 %! assert ([m.value, m.shared], [2, 0], 1e-12);
 %! assert (m.sd, 1.32 / sqrt (3), 0.02);
-%! assert (1 / (1 / m.freedom + 1 / m.commonFreedom), 2, 0.4);
+%! m = varianceComponents (of ([1, 3], [0, 0], [1, 1]), quantity);
+%! assert (m.sd, 1.84, 0.2);
+%! assert (1 / (1 / m.freedom + 1 / m.commonFreedom), 1, 0.3);
