@@ -15,6 +15,7 @@
 % Fields of gap.json. Strengths: 0 neutral, 1 the limit further from it (DEM
 % effects both ways: 1 upper, -1 lower). {name: x}: one x for each name.
 %
+%   format  1; it grows where a field changes its meaning or goes
 %   cause {code, kind}, closure {code}, action {code, field, widen, file}: codes for
 %     programs; they stay, sentences change (report/words/words.txt)
 %   where
@@ -89,7 +90,7 @@
 function [v, conditions] = writeGapJson (diagnosis, Case)
   folder = fullfile (Case.folder, 'gap');
   [~, ~] = mkdir (folder);
-  out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
+  out = struct ('format', 1, 'where', whereOf (diagnosis), 'which', whichOf (diagnosis));
   out.howFar = howFarOf (diagnosis.howFar, diagnosis.problem, Case);
   out.thresholds = struct ('level', diagnosis.options.significance, 'adviseAt', ...
                            diagnosis.options.adviseAt);
