@@ -73,7 +73,9 @@ function sayMaterial (Case, program, words, others)
     if strcmp (program, 'mercury')
       sign = '//';
     end
-    text = [remarks(calibration, list, sign), materialLines(program, list)];
+    lines = materialLines (program, list);
+    own = [sign, " Your script has names of its own: set these values in it.\n"];
+    text = [remarks(calibration, list, sign), lines, own(1:end * isempty (lines))];
     name = ['material-', program, '.txt'];
   end
   file = fileOf (words, Case, name);
