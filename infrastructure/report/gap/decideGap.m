@@ -49,13 +49,8 @@ function cause = decideGap (gap)
     cause = tooMany (cause, gap, names, few, say);
   elseif any (strcmp (which.verdict, {'named', 'group'})) && ~isempty (names)
     cause = found (cause, gap, names, isBeyond, say);
-  elseif strcmp (which.verdict, 'none of the listed') && ~isempty (endOf (gap))
-    cause = atEnd (cause, gap, say);
-  elseif strcmp (which.verdict, 'none of the listed') && isempty (failed)
-    cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
-    cause.class = 'bad';
   elseif strcmp (which.verdict, 'none of the listed')
-    cause = said (cause, say, 'open', 'untested', {}, newAction ('mendEffect', failed));
+    cause = noneListed (cause, gap, failed, say);
   elseif strcmp (which.verdict, 'surrogate')
     cause = said (cause, say, 'no verdict', 'noVerdict', which, ...
                   newAction ('moreRuns', {'Input.maxNewRuns'}));
@@ -75,6 +70,12 @@ end
 % number, and comes first in what is to be done.
 function cause = ofConditions (cause, gap, say)
   name = gap.reference.condition;
+  % of this one the file does not know it yet
+  list = jsonList (gap, {'reference', 'conditions'});
+  isOwn = cellfun (@(c) strcmp (c.name, name), list);
+  list{isOwn} = mergeFields (list{isOwn}, cause, ...
+                             {'code', 'kind', 'change', 'names', 'plain'});
+  gap.reference.conditions = list;
   cause.change = [name, ': ', cause.change];
   [cause.word, cause.sentence] = deal ([name, ': ', cause.word], ...
                                        [name, ': ', cause.sentence]);
@@ -149,6 +150,17 @@ function text = endOf (gap)
   text = '';
   if jsonNumber (gap, {'howFar', 'closure'}, 0) >= 0.5
     text = char (jsonAt (gap, {'which', 'strength', fieldOf(effect), 'atEnd'}));
+  end
+end
+
+function cause = noneListed (cause, gap, failed, say)
+  if ~isempty (endOf (gap))
+    cause = atEnd (cause, gap, say);
+  elseif isempty (failed)
+    cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
+    cause.class = 'bad';
+  else
+    cause = said (cause, say, 'open', 'untested', {}, newAction ('mendEffect', failed));
   end
 end
 
@@ -339,6 +351,14 @@ end
 %! assert ({cause.names, cause.code}, {gap.which.effects(2), 'likely'});
 %! gap.which.strength.drag.interval90 = [-0.2, 0.7];
 %! assert (decideGap (gap).code, 'open');
+%! % the verdict on the first of two conditions is not in the file yet
+%! two = list(strcmp ({list.name}, 'gap alone, none')).gap;
+%! two.reference = struct ('condition', 'again', 'targets', {{}}, 'conditions', ...
+%!   struct ('name', {'again', 'wet'}, 'verdict', {'no gap', 'named'}, 'code', ...
+%!           {'', 'named'}, 'kind', {'', 'found'}, 'effects', {{}, {'cohesion'}}, ...
+%!           'probability', {[], 0.9}, 'text', {{}, {'cohesion 4 kJ/m3'}}));
+%! cause = decideGap (jsondecode (jsonencode (two)));
+%! assert (cause.word, ['again: ', sentence('cause.none.word', struct (), true)]);
 %! % one that stands at the end of its range is no unlisted one
 %! own = list(strcmp ({list.name}, 'missed, none listed')).gap;
 %! own.howFar.effect = 'drag';
