@@ -121,11 +121,9 @@ function reportCase (Case, say, problem)
                       'rows beyond the targets, all are fitted');
     tell ('  costFunction: %s', text);
   elseif n > 0
-    text = countText (n, 'row beyond the targets is not fitted, as it would', ...
-                      'rows beyond the targets are not fitted, as they would');
-    tell ('  costFunction: %s', text);
-    say (['    pull the set off the targets: each chooses among what the ', ...
-          'targets leave open']);
+    tell ('  costFunction returns %s than there are targets: they only choose', ...
+          countText (n, 'more row', 'more rows'));
+    say ('    among values that fit');
   end
   cellfun (@(text) say (['  WARNING: ', text]), Case.notes);
   used = sum (strcmp ({Case.targets.role}, 'calibrate'));

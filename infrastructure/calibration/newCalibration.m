@@ -99,7 +99,7 @@ function weak = weakness (surrogates, problem, known)
   weak.next = next(order);
 end
 
-% 'a', or 'more a with less b (1 to 0.6, in parts of their limits)'.
+% 'a', or 'more a with less b'.
 function text = inWords (v, names)
   v = v / max (abs (v));
   [~, order] = sort (abs (v), 'descend');
@@ -110,9 +110,7 @@ function text = inWords (v, names)
                     'UniformOutput', false);
   text = names{order(1)};
   if ~isscalar (order)
-    shares = arrayfun (@(x) sprintf ('%.1g', x), abs (v(order)), 'UniformOutput', false);
-    text = sprintf ('%s (%s, in parts of their limits)', strjoin (parts, ' with '), ...
-                    strjoin (shares, ' to '));
+    text = strjoin (parts, ' with ');
   end
 end
 

@@ -144,8 +144,8 @@ end
 % What is no fault, but may be meant otherwise, in sentences for the user.
 function notes = caseNotes (raw, models)
   [~, unread] = checkSettings (raw.Input, raw.optim);
-  notes = strcat (unread, {[' in loadInput.m is read by nothing here, only ' ...
-                            'by files of your own']});
+  notes = strcat (unread, {[' in loadInput.m: DEcalioc does not use this ' ...
+                            'field; your own files may']});
   for model = models
     if isfile (fullfile (model.folder, 'runscript')) && ...
        ~usesSeed (model.folder)

@@ -31,6 +31,9 @@ function status = sayStatus (root, folder, args)
   for k = 1:numel (s.failures)
     printf ('        %s\n', s.failures{k});
   end
+  if strcmp (s.state, 'finished') && isempty (jsonAt (s.verdict, {'cause'}))
+    cellfun (@(text) printf ('diagnose %s\n', text), foreseenOf (Case));
+  end
   isOpen = any (strcmp (s.state, {'running', 'unknown', 'stopped'}));
   if isOpen && s.left > 0
     printf ('left    %s\n', leftText (s));
@@ -41,6 +44,14 @@ function status = sayStatus (root, folder, args)
     sayResult (s, Case);
   end
   status = 2 * ~(isempty (s.verdict) || isempty (s.changed));
+end
+
+% What a diagnosis would cost; of a broken list of candidates it says so itself.
+function lines = foreseenOf (Case)
+  lines = cell (1, 0);
+  try
+    lines = diagnosisCost (withEffects (Case));
+  end
 end
 
 function text = stateText (s)

@@ -21,7 +21,6 @@ function Case = withEffects (Case, list)
   [Case.effects, faults] = resolveEffects (list, folders, Case.modelVars, ...
                                            Case.names);
   stopAt (faults);
-  Case.effects = byOrigin (Case.effects, givenField (Case.options, 'origin', ''), Case.folder);
   Case.unchanged = {};
   if ~isempty (givenField (Case, 'conditions', {})) && ~isempty (Case.effects)
     isOut = strcmp (changeWords (Case.effects), 'no');
@@ -33,30 +32,6 @@ function Case = withEffects (Case, list)
     Case.effectVars = [Case.effectVars, effect.variables(:)'];
   end
   stopAt (checkModelsHave (Case));
-end
-
-% What the user knows to have happened can have changed what makes it up.
-function effects = byOrigin (effects, origin, folder)
-  if isempty (origin)
-    return
-  end
-  causes = listCauses ({fullfile(folder, 'causes'), folder});
-  isIt = strcmp ({causes.name}, origin);
-  if ~any (isIt)
-    error ('DEcalioc:withEffects:unknownName', ...
-           ['withEffects: Input.origin must be one of %s, got ''%s''. Leave it ' ...
-            'out where it is not known what has changed.'], ...
-           strjoin ({causes.name}, ', '), origin);
-  end
-  names = {};
-  for member = causes(isIt).members
-    names = [names, member.effects];
-  end
-  for k = 1:numel (effects)
-    if any (strcmp (effects(k).name, names)) && isempty (effects(k).canChange)
-      effects(k).canChange = 'yes';
-    end
-  end
 end
 
 function list = ownList ()

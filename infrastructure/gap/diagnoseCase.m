@@ -18,7 +18,7 @@ function diagnosis = diagnoseCase (root, folder)
   lock = lockCase (folder);
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
-  Case = withEffects (loadCase (root, folder));
+  Case = withOrigin (withEffects (loadCase (root, folder)));
   refuseCost (Case);
   [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);

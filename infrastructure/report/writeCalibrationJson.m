@@ -14,7 +14,7 @@
 
 function v = writeCalibrationJson (c, Case)
   named = @(values) cell2struct (values, Case.names, 1);
-  out = struct ('params', named (num2cell (c.params(:))));
+  out = struct ('format', 1, 'params', named (num2cell (c.params(:))));
   out.interval90 = named (num2cell (c.interval90, 1)');
   out = mergeFields (out, c, {'intervalNote', 'intervalCode'});
   out.limits = named (num2cell (Case.limits(1:2, :), 1)');

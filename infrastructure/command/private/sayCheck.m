@@ -20,7 +20,7 @@ function status = sayCheck (root, folder, args)
   end
   choice = useLiggghts (root);
   how = repmat ({'reading'}, 1, options.dry_run);
-  Case = withEffects (loadCase (root, folder, how{:}));
+  Case = withOrigin (withEffects (loadCase (root, folder, how{:})));
   isCost = costAlone (Case);
   if ~isCost
     ownCost ();
@@ -50,6 +50,11 @@ function status = sayCheck (root, folder, args)
     status = 2 * ~sayTrial (tryModels (Case), Case);
   end
   sayCosts (Case, isRun);
+  lines = diagnosisCost (Case);
+  names = {'diagnosis ', repmat(' ', 1, 10)};
+  for k = 1:numel (lines)
+    printf ('%s%s\n', names{1 + (k > 1)}, lines{k});
+  end
   if options.dry_run
     sayDryRun (Case);
   end

@@ -69,7 +69,9 @@ function sayMaterial (Case, program, words, others)
     writeAtomic (page, cardPage (Case.root, card));
     printf ('page    %s\n', page);
   else
-    text = [remarks(calibration, list), materialLines(program, list)];
+    lines = materialLines (program, list);
+    own = "# Your script has names of its own: set these values in it.\n";
+    text = [remarks(calibration, list), lines, own(1:end * isempty (lines))];
     name = ['material-', program, '.txt'];
   end
   file = fileOf (words, Case, name);

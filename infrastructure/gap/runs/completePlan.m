@@ -33,7 +33,8 @@ function state = completePlan (state, problem, Case, say, options)
   if missing < 1
     return
   end
-  say (sprintf ('plan: %s there, %d more', countText (have, 'neutral set'), missing));
+  say (sprintf ('plan: %s; %d will be added', countText (have, 'run without effects exists', ...
+                                                     'runs without effects exist'), missing));
   P = planBeside (data.X(neutral, :), missing, Case);
   n = rows (P);
   state = addRuns (state, problem, P, repmat (phi, n, 1), 'plan', ones (n, 1));
@@ -61,7 +62,7 @@ function state = completeBenches (state, Case, say, wanted)
   if isempty (at)
     return
   end
-  say ([countText(numel (at), 'set'), ' on benches that are new']);
+  say ([countText(numel (at), 'run'), ' on a rig without runs']);
   for has = unique (wasRun(at, :), 'rows')'
     sets = at(all (wasRun(at, :) == has', 2));
     state.budget.models = ~has';

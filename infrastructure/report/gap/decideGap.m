@@ -49,11 +49,8 @@ function cause = decideGap (gap)
     cause = tooMany (cause, gap, names, few, say);
   elseif any (strcmp (which.verdict, {'named', 'group'})) && ~isempty (names)
     cause = found (cause, gap, names, isBeyond, say);
-  elseif strcmp (which.verdict, 'none of the listed') && isempty (failed)
-    cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
-    cause.class = 'bad';
   elseif strcmp (which.verdict, 'none of the listed')
-    cause = said (cause, say, 'open', 'untested', {}, newAction ('mendEffect', failed));
+    cause = noneListed (cause, gap, failed, say);
   elseif strcmp (which.verdict, 'surrogate')
     cause = said (cause, say, 'no verdict', 'noVerdict', which, ...
                   newAction ('moreRuns', {'Input.maxNewRuns'}));
@@ -73,6 +70,12 @@ end
 % number, and comes first in what is to be done.
 function cause = ofConditions (cause, gap, say)
   name = gap.reference.condition;
+  % of this one the file does not know it yet
+  list = jsonList (gap, {'reference', 'conditions'});
+  isOwn = cellfun (@(c) strcmp (c.name, name), list);
+  list{isOwn} = mergeFields (list{isOwn}, cause, ...
+                             {'code', 'kind', 'change', 'names', 'plain'});
+  gap.reference.conditions = list;
   cause.change = [name, ': ', cause.change];
   [cause.word, cause.sentence] = deal ([name, ': ', cause.word], ...
                                        [name, ': ', cause.sentence]);
@@ -143,6 +146,36 @@ function text = seenFrom (gap, say)
   if ~isempty (parts)
     text = [' ', say('seenFrom', parts)];
   end
+end
+
+% The end of its range at which the cause that closes most of the gap stands; '': none.
+function text = endOf (gap)
+  effect = char (jsonAt (gap, {'howFar', 'effect'}));
+  text = '';
+  if jsonNumber (gap, {'howFar', 'closure'}, 0) >= 0.5
+    text = char (jsonAt (gap, {'which', 'strength', fieldOf(effect), 'atEnd'}));
+  end
+end
+
+function cause = noneListed (cause, gap, failed, say)
+  if ~isempty (endOf (gap))
+    cause = atEnd (cause, gap, say);
+  elseif isempty (failed)
+    cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
+    cause.class = 'bad';
+  else
+    cause = said (cause, say, 'open', 'untested', {}, newAction ('mendEffect', failed));
+  end
+end
+
+function cause = atEnd (cause, gap, say)
+  effect = gap.howFar.effect;
+  values = struct ('label', gap.which.strength.(fieldOf (effect)).label, ...
+                   'end', endOf (gap), 'share', round (100 * gap.howFar.closure));
+  todo = newAction ('widenCause', {effect});
+  todo.widen = {effect};
+  cause = said (cause, say, 'unlisted', 'atEnd', values, todo);
+  cause.class = 'bad';
 end
 
 % More causes than the measurements can tell apart: none is named.
@@ -322,6 +355,24 @@ end
 %! assert ({cause.names, cause.code}, {gap.which.effects(2), 'likely'});
 %! gap.which.strength.drag.interval90 = [-0.2, 0.7];
 %! assert (decideGap (gap).code, 'open');
+%! % the verdict on the first of two conditions is not in the file yet
+%! two = list(strcmp ({list.name}, 'gap alone, none')).gap;
+%! two.reference = struct ('condition', 'again', 'targets', {{}}, 'conditions', ...
+%!   struct ('name', {'again', 'wet'}, 'verdict', {'no gap', 'named'}, 'code', ...
+%!           {'', 'named'}, 'kind', {'', 'found'}, 'effects', {{}, {'cohesion'}}, ...
+%!           'probability', {[], 0.9}, 'text', {{}, {'cohesion 4 kJ/m3'}}));
+%! cause = decideGap (jsondecode (jsonencode (two)));
+%! assert (cause.word, ['again: ', sentence('cause.none.word', struct (), true)]);
+%! % one that stands at the end of its range is no unlisted one
+%! own = list(strcmp ({list.name}, 'missed, none listed')).gap;
+%! own.howFar.effect = 'drag';
+%! own.which.strength.drag.atEnd = '3 1/s';
+%! cause = decideGap (jsondecode (jsonencode (own)));
+%! assert ({cause.code, cause.todo.code, cause.todo.widen}, ...
+%!         {'atEnd', 'widenCause', {'drag'}});
+%! assert (! isempty (strfind (cause.sentence, 'drag at 3 1/s, the end of its range')));
+%! own.howFar.closure = 0.3;
+%! assert (decideGap (jsondecode (jsonencode (own))).code, 'unlisted');
 %! % the most likely one is said, though it cannot be seen for sure
 %! gap = list(strcmp ({list.name}, 'missed, undecided')).gap;
 %! gap = jsondecode (jsonencode (gap));

@@ -64,7 +64,9 @@ end
 function sayPlain (v, found, madeBy, say)
   cause = v.cause;
   say ('');
-  cellfun (say, {v.change}(~isempty (v.change)));
+  if ~isempty (v.change)
+    say (v.change);
+  end
   say (cause.word, cause.class);
   unseen = listSentences ({'cause.unseen', plainName(cause.cannotSee)});
   lines = {'MISSES  ', cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...

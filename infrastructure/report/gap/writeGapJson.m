@@ -15,6 +15,7 @@
 % Fields of gap.json. Strengths: 0 neutral, 1 the limit further from it (DEM
 % effects both ways: 1 upper, -1 lower). {name: x}: one x for each name.
 %
+%   format  1; it grows where a field changes its meaning or goes
 %   cause {code, kind}, closure {code}, action {code, field, widen, file}: codes for
 %     programs; they stay, sentences change (report/words/words.txt)
 %   where
@@ -45,7 +46,8 @@
 %              effect; least: so much or more; bound: not more than the upper end;
 %              nothing: no runs where it would fit), label, unit, saysName (see
 %              describeEffect), kind (causeKind), text, amount (in its unit), seenFrom
-%              (the smallest that would be seen in 8 of 10 cases)}}
+%              (the smallest that would be seen in 8 of 10 cases), atEnd (the end of its
+%              range, where it stands there)}}
 %   howFar
 %     effect, before, after (deviations, in shares of each target's range)
 %     floor (of noise alone), closure, interval90
@@ -102,7 +104,7 @@ end
 
 % All numbers and codes, no sentence.
 function out = resultOf (diagnosis, Case)
-  out = struct ('where', whereOf (diagnosis), 'which', whichOf (diagnosis));
+  out = struct ('format', 1, 'where', whereOf (diagnosis), 'which', whichOf (diagnosis));
   out.howFar = howFarOf (diagnosis.howFar, diagnosis.problem, Case);
   out.thresholds = struct ('level', diagnosis.options.significance, 'adviseAt', ...
                            diagnosis.options.adviseAt);
@@ -231,7 +233,7 @@ function s = strengthOf (strength, smallest, problem)
   strength.values(2:3, ~isSeen(ones (1, columns (strength.values)))) = NaN;
   s = mergeFields (struct ('smallestSeen', smallest, 'seen', isSeen, 'label', ...
                            strength.name, 'unit', '', 'saysName', true, 'text', '', ...
-                           'amount', '', 'seenFrom', '', 'kind', ''), strength, ...
+                           'amount', '', 'seenFrom', '', 'atEnd', '', 'kind', ''), strength, ...
                    {'value', 'interval90', 'says'});
   s.variables = cell2struct (num2cell (strength.values', 2), strength.variables(:), 1);
   e = problem.effects(strcmp ({problem.effects.name}, strength.name));
@@ -256,8 +258,24 @@ function out = withAmounts (out, diagnosis)
       end
       s.seenFrom = seenFrom (e, s, s.smallestSeen);
     end
+    s.atEnd = atEnd (e, s, strength);
     out.which.strength.(name) = s;
   end
+end
+
+% The end of its range, where it stands there and would go on: in its unit.
+function text = atEnd (e, s, strength)
+  text = '';
+  far = strength.range(1 + (strength.value > 0));
+  if isempty (e) || ~(abs (strength.value) >= 0.9 * abs (far)) || ...
+     ~any (abs (strength.interval90 - far) < 1e-6)
+    return
+  end
+  value = e.strongest * far;
+  if ~e.laboratory
+    value = valuesOfStrength (e, far);
+  end
+  [~, text] = effectText (s.label, s.unit, [value(1), NaN, NaN]);
 end
 
 % The strength in its unit that would be seen in 8 of 10 cases (screenEffects).
@@ -327,12 +345,7 @@ function s = changeOf (diagnosis, Case)
               'lack', diagnosis.change.size, 'targets', {{}}, ...
               'conditions', {forPrograms(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});
-  s.origin = '';
-  known = listCauses (fullfile (Case.folder, 'causes'));
-  isIt = strcmp ({known.name}, givenField (Case.options, 'origin', ''));
-  if any (isIt)
-    s.origin = known(isIt).label;
-  end
+  [~, s.origin] = withOrigin (Case);
   s.canChange = cell2struct ([changeWords(Case.effects), ...
                               repmat({'no'}, 1, numel (Case.unchanged))], ...
                              [{Case.effects.name}, Case.unchanged], 2);

@@ -10,8 +10,9 @@
 %     material  cell of texts, remarks of the first case
 %     values    cell of structs name, label, unit, value, interval (90 %; NaN: none),
 %               from ('calibrated', 'given', 'model'), case, models, by (targets that
-%               drive it), confirmed (all targets of that case are met), agrees (true,
-%               false; []: one case alone has an interval), others (cell of structs
+%               drive it), determined (the tests of that case determine it), confirmed
+%               (they do, and all its targets are met), agrees (true, false; []: one
+%               case alone has an interval), others (cell of structs
 %               case, value, interval, confirmed)
 %     cases     cell of structs name, models, converged, reason, date, version
 %     tests     cell of structs case, model, name, unit, target, sd, result, resultSd,
@@ -51,7 +52,8 @@ function names = modelsOf (c)
 end
 
 function v = valueOf (one, results)
-  known = struct ('case', {}, 'value', {}, 'interval', {}, 'confirmed', {}, ...
+  known = struct ('case', {}, 'value', {}, 'interval', {}, 'determined', {}, ...
+                  'confirmed', {}, ...
                   'models', {}, 'by', {});
   for r = results
     c = r.calibration;
@@ -60,17 +62,19 @@ function v = valueOf (one, results)
       if ~(isnumeric (range) && numel (range) == 2)
         range = [NaN, NaN];
       end
+      isDetermined = ~any (strcmp (one.name, [namesIn(c, 'notIdentified'), ...
+                                              namesIn(c, 'atLimit')]));
+      isMet = isequal (givenField (c, 'converged', 0), true);
       known(end + 1) = struct ('case', r.name, 'value', c.params.(one.name), ...
-                               'interval', range(:)', ...
-                               'confirmed', isequal (givenField (c, 'converged', 0), ...
-                                                     true), ...
+                               'interval', range(:)', 'determined', isDetermined, ...
+                               'confirmed', isMet && isDetermined, ...
                                'models', {modelsOf(c)}, 'by', {drivenBy(c, one.name)});
     end
   end
   v = struct ('name', one.name, 'label', one.label, 'unit', one.unit, ...
               'value', one.value, 'interval', one.interval, 'from', one.from, ...
               'case', results(1).name, 'models', {{}}, 'by', {{}}, ...
-              'confirmed', false, 'agrees', [], 'others', {{}});
+              'determined', false, 'confirmed', false, 'agrees', [], 'others', {{}});
   if isempty (known)
     return
   end
@@ -119,6 +123,11 @@ end
 %! assert ({v.case, v.value, v.by, v.agrees}, {'b', 0.5, {'slope'}, true});
 %! assert (cellfun (@(o) o.case, v.others), 'ac');
 %! assert ([numel(card.cases), numel(card.tests)], [3, 6]);
+%! % what the tests do not determine is not confirmed
+%! open = results(1);
+%! open.calibration.notIdentified = {'mu'};
+%! v = materialCard (list, open).values{1};
+%! assert ([v.determined, v.confirmed], [false, false]);
 %! assert ({card.values{2}.from, card.values{2}.value}, {'given', 1200});
 %! results(2).calibration.interval90.mu = [0.7; 0.8];
 %! assert (materialCard (list, results).values{1}.agrees, false);

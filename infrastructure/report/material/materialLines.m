@@ -5,7 +5,8 @@
 %
 %   PROGRAM   'liggghts', 'lammps', 'yade' or 'table' (names that EDEM and Rocky show)
 %   LIST      of materialValues
-%   TEXT      lines, without remarks of the case
+%   TEXT      lines, without remarks of the case; '' where LIST has no name of a material
+%             (a script with names of its own). LIGGGHTS gets no line of question marks
 %   PROGRAMS  1 x n cell of the programs
 %
 % Contacts are those of Hertz and Mindlin with rolling resistance in all of them, but
@@ -34,6 +35,11 @@ function text = materialLines (program, list)
            strjoin (fieldnames (makers)', ', '), program);
   end
   values = cell2struct ({list.value}', {list.name}', 1);
+  isUsual = ~cellfun (@isempty, regexp ({list.name}, '^[a-z]\w*(PP|PW|P|W)$', 'once'));
+  if ~any (isUsual)
+    text = '';
+    return
+  end
   text = strjoin ([makers.(program)(@(name) numberOf (values, name), values), {''}], "\n");
 end
 
@@ -59,6 +65,9 @@ function lines = liggghts (v, ~)
            'pair_style gran model hertz tangential history rolling_friction epsd2', ...
            'pair_coeff * *', ...
            ['# density of the grains ', v('densityP'), ' kg/m3, radius ', v('radiusP'), ' m']};
+  % of what nothing is known, no line
+  isOpen = ~cellfun (@isempty, regexp (lines, 'peratomtype(pair 2)?( \?)+$', 'once'));
+  lines = lines(~isOpen);
 end
 
 function lines = lammps (v, values)
@@ -158,6 +167,14 @@ end
 %! list = list(~strcmp ({list.name}, 'youngsModulusP'));
 %! assert (~isempty (strfind (materialLines ('lammps', list), 'hertz/material ? 0.6')));
 %! assert (~isempty (strfind (materialLines ('table', list), 'Shear modulus,?,')));
+%!test
+%! % a script with names of its own; one that knows its friction alone
+%! own = struct ('name', {'mu', 'roll'}, 'value', {0.4, 0.1});
+%! assert (materialLines ('liggghts', own), '');
+%! list = grains ();
+%! text = materialLines ('liggghts', list(strcmp ({list.name}, 'coefFrictionPP')));
+%! assert (numel (strfind (text, 'fix ')), 1);
+%! assert (! isempty (strfind (text, '2 0.5 ? ? ?')), text);
 %!testif ; ~isempty (file_in_path (getenv ('PATH'), 'lmp'))
 %! % LAMMPS takes them: a grain rests on another
 %! file = [tempname(), '.in'];

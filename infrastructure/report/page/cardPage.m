@@ -53,10 +53,13 @@ function [class, text] = evidence (v)
       return
   end
   words = {'fitted, not confirmed', 'calibrated'};
-  text = sprintf ('%s in %s (%s)', words{1 + v.confirmed}, v.case, ...
+  text = sprintf ('%s in %s (%s)', words{1 + (v.confirmed || ~v.determined)}, v.case, ...
                   strjoin (v.models, ', '));
   if ~isempty (v.by)
     text = [text, ', seen by ', strjoin(v.by, ', ')];
+  end
+  if ~v.determined
+    text = [text, ', but these tests do not determine it'];
   end
   others = cellfun (@(o) sprintf ('%s: %.4g', o.case, o.value), v.others, ...
                     'UniformOutput', false);

@@ -78,10 +78,10 @@ function text = withUnitBehind (x, unit)
 end
 
 % Where all points go one way, by what share; else how many go which way.
-function text = curveText (name, changed, all_, times)
+function text = curveText (name, changed, many, times)
   share = 100 * cellfun (@(T) (T.measured - T.reference) / abs (T.reference), changed);
   values = valuesOf (changed{1}, times, sum (share) > 0);
-  [values.name, values.n, values.of] = deal (name, numel (changed), all_);
+  [values.name, values.n, values.of] = deal (name, numel (changed), many);
   code = 'curve';
   if all (share > 0) || all (share < 0)
     code = 'curveOneWay';

@@ -46,7 +46,7 @@ end
 %! page.tables = statementTables (page);
 %! html = parameters (page);
 %! assert (! isempty (strfind (html, '>fixed: by sum')));
-%! assert (! isempty (strfind (html, '>flat direction: ')));
+%! assert (! isempty (strfind (html, '>not determined: ')));
 %! page = situationPage ('nothing');
 %! page.tables = statementTables (page);
 %! assert (! isempty (strfind (parameters (page), 'Limits in which')));

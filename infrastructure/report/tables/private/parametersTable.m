@@ -5,9 +5,11 @@
 %
 %   PAGE   see shownResult
 %   T      see newTable; without a calibration the limits
-%   WORDS  1 x d cell, what is known of each parameter: 'fixed'; 'dead' (it drives
-%          less than 5 % of each fitted target); 'trade-off' (not fixed,
-%          correlation above 0.7 with another one); 'flat direction'; 'at a limit';
+%   WORDS  1 x d cell, what is known of each parameter: 'fixed' (to less than a quarter
+%          of its limits, and in no combination that is left open); 'narrowed down' (to
+%          less than half); 'dead' (it drives less than 5 % of each fitted target);
+%          'trade-off' (not fixed, correlation above 0.7 with another one); 'not
+%          determined'; 'at a limit';
 %          'a compromise' (its value lies outside its interval); 'not known' (no
 %          interval is printed)
 
@@ -62,7 +64,7 @@ function s = stateOf (c, names, j)
   isLoose = any (strcmp (name, namesIn (c, 'notIdentified')));
   share = sensitivityOf (c, name);
   partner = partnerOf (c, names, j);
-  range = [jsonAt(c, {'interval90', name})(:)', -Inf, Inf];
+  range = [jsonAt(c, {'interval90', name})(:)', -Inf, Inf](1:2);
   class = 'unsure';
   if any (strcmp (name, namesIn (c, 'atLimit')))
     [class, code] = deal ('off', 'atLimit');
@@ -75,15 +77,34 @@ function s = stateOf (c, names, j)
     code = codes{2 - isempty(partner)};
   elseif c.params.(name) < range(1) || c.params.(name) > range(2)
     code = 'compromise';
+  elseif isOpen (c, name) || widthOf (c, name) > 0.25
+    code = 'narrowed';
   else
     [class, code] = deal ('ok', 'fixed');
   end
-  values = struct ('partner', partner, 'by', strongest (c, share), 'linked', '');
+  values = struct ('partner', partner, 'by', strongest (c, share), 'linked', '', ...
+                   'share', round (100 * widthOf (c, name)), ...
+                   'from', plainNumber (range(1), 'plain'), ...
+                   'to', plainNumber (range(2), 'plain'));
   if ~isempty (partner)
     values.linked = sentence ('known.linked', values);
   end
   s = struct ('class', class, 'word', sentence (['known.', code, '.word']), ...
               'text', sentence (['known.', code, '.text'], values));
+end
+
+% Named in a combination that the tests leave open.
+function yes = isOpen (c, name)
+  pattern = ['(?<!\w)', regexptranslate('escape', name), '(?!\w)'];
+  yes = any (cellfun (@(text) ~isempty (regexp (text, pattern, 'once')), ...
+                      namesIn (c, 'unfixed')));
+end
+
+% Of its interval, in shares of its limits.
+function w = widthOf (c, name)
+  sizes = cellfun (@(field) max ([diff(jsonAt (c, {field, name})(:)'), NaN]), ...
+                   {'interval90', 'limits'});
+  w = sizes(1) / sizes(2);
 end
 
 % Shares of the variance of the calibrated targets, NaN for the held-out ones.
@@ -148,5 +169,5 @@ end
 %! assert (T.notes, {'The intervals are not to be used.', ...
 %!                   sentence('table.unfixed', {'more a with less b'}), ...
 %!                   sentence('fixBy.direct', struct ('name', 'b'))});
-%! assert (sum (strcmp (words, 'flat direction')), 2);
+%! assert (sum (strcmp (words, 'not determined')), 2);
 %! assert (size (parametersTable (situationPage ('nothing')).cells), [2, 2]);

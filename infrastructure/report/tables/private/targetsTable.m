@@ -77,9 +77,21 @@ function notes = notesOf (page, misses, hasNoRun, hasEffect)
   wholes = eachOf (@(m) sprintf ('%s: %.2g times what is allowed, root mean square', ...
                                  m.name, m.share), ...
                    misses(isnan ([misses.mean]) & [misses.share] > 0));
-  notes = [{sentence('table.targets')}, strict, open, left, wholes, ...
+  notes = [{sentence('table.targets')}, strict, open, left, wholes, weakOnes(page, hasNoRun), ...
            repmat({sentence('table.noRun')}, 1, hasNoRun), ...
            repmat({['With the effect: ', sentence('table.twoSets')]}, 1, hasEffect)];
+end
+
+% What the probability rests on where a surface predicts next to nothing.
+function texts = weakOnes (page, hasNoRun)
+  c = page.sources.calibration;
+  fits = jsonList (c, {'surrogates'});
+  isWeak = cellfun (@(s) any (jsonAt (s, {'Q2'}) < 0.5), fits);
+  texts = cell (1, 0);
+  if any (isWeak) && isequal (c.converged, true) && ~hasNoRun
+    values = struct ('names', {eachOf(@(s) s.target, fits(isWeak))}, 'runs', c.runs);
+    texts = {sentence('table.weak', values)};
+  end
 end
 
 function T = askedFor (page)
@@ -108,6 +120,11 @@ end
 %! [page.verdict.misses.isStrict] = deal (true);
 %! [page.verdict.misses.scatter] = deal (18);
 %! assert (any (! cellfun (@isempty, strfind (targetsTable (page).notes, '18'))));
+%! % what a probability rests on where the surface predicts nothing
+%! page = situationPage ('met');
+%! page.sources.calibration.surrogates(2).Q2 = 0.3;
+%! assert (any (! cellfun (@isempty, strfind (targetsTable (page).notes, ...
+%!                                            'product: the fitted surfaces do not'))));
 %! % nothing yet
 %! page = situationPage ('nothing');
 %! assert (columns (targetsTable (page).cells), 5);
