@@ -134,28 +134,6 @@ function [m, sd, s] = weightedMean (value, own)
     sd = sd * -studentQuantile (0.1587, n - 1);
   end
 end
-  end
-end
-
-% Lines whose sd differ have no error in common: each counts by its own, to which
-% comes what they scatter beyond (Paule and Mandel 1982: the between-trial variance
-% with which the weighted sum of squares is n - 1).
-function [m, sd, s] = weightedMean (value, own)
-  n = numel (value);
-  meanOf = @(between) (value ./ (own.^2 + between)) * ones (n, 1) / ...
-                      sum (1 ./ (own.^2 + between));
-  excess = @(between) sum ((value - meanOf (between)).^2 ./ (own.^2 + between)) - (n - 1);
-  between = 0;
-  if excess (0) > 0
-    between = fzero (excess, [0, n * max(max (value) - min (value), max (own))^2]);
-  end
-  m = meanOf (between);
-  sd = 1 / sqrt (sum (1 ./ (own.^2 + between)));
-  s = sqrt (between);
-  if s > 0
-    sd = sd * -studentQuantile (0.1587, n - 1);
-  end
-end
 
 function name = targetName (row)
   name = row.name;
