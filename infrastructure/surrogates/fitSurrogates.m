@@ -119,6 +119,9 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
     law = {form.noise};
   end
   isPublished = strcmp (problem.options.method, 'published');
+  if isPublished
+    law(:) = {[]};
+  end
   % published: every run counts
   follows = repmat (isPublished, 1, numel (problem.value));
   for t = 1:numel (problem.value)

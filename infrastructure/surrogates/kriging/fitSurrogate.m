@@ -20,6 +20,7 @@
 %   prior       (d + 2) x 1, see krigingModel; left for a gain above 1.5 ([])
 %   scatter     1 x 2, see noisePrior; left as the prior is ([])
 %   quick       logical, by quickCost instead of stk_param_relik (false)
+%   guess       parameters (theta of a surrogate) that are near ([])
 %   published   logical, without priors, from stk_param_init on (false)
 %   form        struct, what is known of the response beforehand and not
 %               estimated: trend, covariance, param (of the stk model), limits
@@ -56,7 +57,7 @@ function surrogate = fitSurrogate (X, z, limits, options)
                                  'covariance', 'choose', 'start', [], ...
                                  'noise', [], 'extra', [], 'unit', NaN, ...
                                  'prior', [], 'scatter', [], ...
-                                 'quick', false, 'published', false, ...
+                                 'quick', false, 'published', false, 'guess', [], ...
                                  'form', []), options);
   if ~isempty (options.form)
     limits = options.form.limits;
@@ -87,6 +88,7 @@ function base = standardise (X, z, limits, options)
                  'extra', options.extra, 'noiseLaw', [], ...
                  'prior', options.prior, 'scatter', options.scatter, ...
                  'quick', options.quick, 'published', options.published, ...
+                 'guess', options.guess, ...
                  'maxFit', 150, ...
                  'shift', mean (z), 'scale', std (z));
   if isConstant (z)
@@ -205,7 +207,11 @@ function use = spreadRows (n, most)
 end
 
 function best = better (best, trend, covariance, base)
-  [choice, base.noiseLaw] = estimate (trend, covariance, base, []);
+  start = base.guess;
+  if ~isempty (best)
+    start = best.theta;
+  end
+  [choice, base.noiseLaw] = estimate (trend, covariance, base, start);
   new = conditionSurrogate (choice, base);
   if isempty (best) || new.score > best.score + 1.5
     best = new;
@@ -222,6 +228,9 @@ function [choice, noiseLaw] = estimate (trend, covariance, base, theta)
   model = krigingModel (trend, covariance, d, of);
   if ~isempty (of.noise)
     theta(d + 2:end) = [];             % known noise is no parameter
+  end
+  if numel (theta) ~= numel (stk_get_optimizable_parameters (model))
+    theta = [];                        % of another model
   end
   theta = estimateModel (model, unit(use, :), y(use), theta);
   choice = struct ('trend', trend, 'covariance', covariance, ...

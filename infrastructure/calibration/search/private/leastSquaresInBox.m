@@ -56,10 +56,17 @@ end
 function [u, niter] = search (f, J, u, settings)
   d = numel (u);
   settings = optimset (settings, 'dfdp', J, 'lbound', zeros (d, 1), ...
-                       'ubound', ones (d, 1));
+                       'ubound', ones (d, 1), 'user_interaction', ...
+                       @(p, values, state) near (values, state));
   [u, ~, ~, info] = nonlin_residmin (f, u, settings);
   u = min (max (u, 0), 1);
   niter = info.niter;
+end
+
+% Residuals below 0.01 stay so far below a tolerance that no step is worth a call.
+function [stop, info] = near (values, state)
+  stop = strcmp (state, 'iter') && max (abs (values.residual)) < 0.01;
+  info = '';
 end
 
 % Would a step down the steepest slope, safe for the linear model, gain 0.1 %?

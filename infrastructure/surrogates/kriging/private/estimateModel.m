@@ -8,9 +8,10 @@
 %          model without them what stk_param_init finds)
 %   THETA  as that of fitCost
 %
-% stk's own tolerance, 1e-8, finds a cost that is lower by 1e-6, in nearly three
-% times the time: here 1e-3. Its warnings are about single steps of the
-% search, and about a start that is the end.
+% stk's own tolerance, 1e-8, finds a cost that is lower by less than 0.001, or
+% parameters that are off by a twentieth of what is known of them, in three times
+% the time: here 0.01, but for a published model. Its warnings are about single
+% steps of the search, and about a start that is the end.
 
 function theta = estimateModel (model, U, y, start)
   if nargin < 4 || isempty (start)
@@ -20,9 +21,11 @@ function theta = estimateModel (model, U, y, start)
   options = stk_options_get ();
   restore = onCleanup (@() restoreAll (heard, options));
   warning ('off', 'all');
-  search = stk_optim_octavesqp (struct ('maxiter', 100, 'tol', 1e-3));
-  stk_options_set ('stk_param_estim', 'minimize_box', search);
-  stk_options_set ('stk_param_estim', 'minimize_unc', search);
+  if isfield (model, 'prior')
+    search = stk_optim_octavesqp (struct ('maxiter', 100, 'tol', 1e-2));
+    stk_options_set ('stk_param_estim', 'minimize_box', search);
+    stk_options_set ('stk_param_estim', 'minimize_unc', search);
+  end
   n = numel (model.param);
   if any (isnan (start))
     [param, noise] = stk_param_init (model, U, y);
@@ -54,6 +57,6 @@ end
 %! theta = estimateModel (model, U, y);
 %! assert (isequal ({stk_options_get(), warning()}, before));
 %! [C, g] = fitCost (model, U, y, theta);
-%! assert (norm (g) < 0.01);
+%! assert (norm (g) < 0.1);
 %! again = estimateModel (model, U, y, theta);
-%! assert (again, theta, 0.01);
+%! assert (again, theta, 0.05);
