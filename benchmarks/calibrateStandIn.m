@@ -13,7 +13,8 @@
 %          S.earlier: so many packings of one set before, which tell of the noise;
 %          S.library: rows of newData of other calibrations on the same bench, or
 %          imported ones;
-%          S.beyond: see nearRows; S.form: see fitSurrogates
+%          S.beyond: see nearRows; S.form: see fitSurrogates; S.cost: see newProblem;
+%          S.plan: runs of the plan (d + 3)
 % options  struct of Case.options (what is missing has its default)
 % result   struct: runs (all, failed ones too), plan, infill, verify, failed,
 %          worst (largest true relative residual of the set handed back), right
@@ -37,7 +38,7 @@ function result = calibrateStandIn (S, seed, fail, options)
   Case.options = options;
   evaluate = @(P, E, replicate) noisy (S, P, fail, E);
   levels = [];
-  n = d + 3;
+  n = givenField (S, 'plan', d + 3);
   X = double (stk_sampling_maximinlhs (n, d, [zeros(1, d); ones(1, d)], 500));
   X = toAllowed (fromUnit (X, S.limits), Case);
   E = zeros (n, 0);
@@ -47,7 +48,7 @@ function result = calibrateStandIn (S, seed, fail, options)
     levels = [S.levels(:), S.seconds(:)];
     E = S.levels(ones (n, 1));
   end
-  problem = newProblem (Case, []);
+  problem = newProblem (Case, givenField (S, 'cost', []));
   problem.form = givenField (S, 'form', []);
   problem = withEarlier (problem, S);
   state = newState (newData (d, T, columns (E)));
@@ -74,7 +75,9 @@ function state = planToSet (state, problem, X, E)
   state = repeatSuspects (state, problem);
   state.found = calibrateOnKriging (state.surrogates, problem);
   state.found = stayAtRuns (state, problem);
-  state = improveByInfill (state, problem, @(text) []);
+  if strcmp (problem.options.method, 'robust')
+    state = improveByInfill (state, problem, @(text) []);
+  end
   state = calibrateOnDEM (state, problem, @(text) []);
 end
 

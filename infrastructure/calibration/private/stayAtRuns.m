@@ -6,10 +6,11 @@
 % FOUND  that set; or the set of a row that counts, whose rows meet the targets
 %        and which is sure enough (options.confidence) or hardly less likely than
 %        the found one (options.better), never below options.even; of several the
-%        likeliest. Where runs can be made, of runs of this case alone
+%        likeliest. Where runs can be made, only of own runs beside another source
+%        (others of STATE)
 %
-% A set that was run, as trustLibrary does, need not be confirmed at another place
-% beside. And who runs the set by himself and adds it to runs.csv moves the surrogates, and
+% The set of another source that trustLibrary has run need not be confirmed at
+% another place beside. And who runs the set by himself and adds it to runs.csv moves the surrogates, and
 % with them the surest set, a little each time: without this the set that is to
 % be run next would never be one that was run.
 
@@ -17,6 +18,9 @@ function found = stayAtRuns (state, problem)
   found = state.found;
   data = runsThatCount (state.data, problem);
   if budgetLeft (state, problem) > 0
+    if isempty (state.others)
+      return
+    end
     data = keepRows (data, ~ismember (data.stage, {'import', 'library'}));
   end
   isWhole = all (isfinite (data.Z(:, problem.calibrate)), 2);
@@ -64,6 +68,8 @@ end
 %! s.budget.left = Inf;
 %! assert (stayAtRuns (s, problem), s.found);
 %! s.data.stage(end) = {'plan'};
+%! assert (stayAtRuns (s, problem), s.found);
+%! s.others = struct ('source', 'import');
 %! assert (stayAtRuns (s, problem).params, near, 1e-12);
 %! s.budget.left = 0;
 %! s.data.Z(end, :) = 2 * s.data.Z(end, :);

@@ -11,7 +11,8 @@
 %         tolerances), spread (in standard errors of the residual)
 %
 % What was measured is not spent: a residual moves by a tenth of its tolerance at
-% most, and by half of its standard error. Where parameters are as many as targets
+% most, and by half of its standard error, and goes where it is known as well (1.4
+% times the standard error, or a tenth of the tolerance). Where parameters are as many as targets
 % the set stays; with more of them there are flat directions. Sets of a shrinking
 % search are brought back along the steepest ways (chord steps of Newton's method,
 % with the Jacobian in the middle), and those that come back within this are looked at.
@@ -34,7 +35,10 @@ function [p, used] = preferredSet (surrogates, problem, p0)
     P = setsAround (p, radius * step, problem);
     wanted = broughtBack (P, off, J, problem);
     P = toDigits ([wanted; P]);
-    P = P(all (abs (off (P)) <= most + 1e-9, 2), :);
+    [r, s] = residualSpread (surrogates, problem, P);
+    isOpen = all (abs (unit (r) - unit (r0)) <= most + 1e-9, 2) & ...
+             all (unit (s) <= max (1.4 * unit (s0), 0.1), 2);
+    P = P(isOpen, :);
     P = P(meetProbability (surrogates, problem, P) >= least, :);
     [best, k] = min ([preferenceOf(problem, P); Inf]);
     if best < value
