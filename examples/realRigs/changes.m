@@ -2,11 +2,11 @@
 %
 % CALL: octave-cli examples/realRigs/changes.m
 %
-% Prints a table: rig, series, quantity, change (of the value, series 1 being the
+% Prints the table changes.csv, but for its column sdBefore: rig, series, quantity, change (of the value, series 1 being the
 % reference), sd (68 %, of both series together; less what both owe to the same
 % sessions), freedom. No model takes part: the readings alone.
 %
-% See also: varianceComponents
+% See also: sdOfChange, varianceComponents
 
 1;
 
@@ -25,26 +25,11 @@ function sayRig (folder)
       if ~isfinite (now.value - g.value)
         continue
       end
-      [sd, freedom] = ofDifference (g, now);
+      [sd, freedom] = sdOfChange (g, now);
       printf ("%s,%s,%s,%.4g,%.2g,%.3g\n", folder, conditions{c}, g.name, ...
               now.value - g.value, sd, min (freedom, 999));
     end
   end
-end
-
-% Welch and Satterthwaite: what is one for both counts as one.
-function [sd, freedom] = ofDifference (before, now)
-  own = before.sd^2 - before.shared^2 + now.sd^2 - now.shared^2;
-  together = 0;
-  if ~isempty (before.days)
-    together = before.days * now.days';
-  end
-  sessions = max (before.shared^2 + now.shared^2 - 2 * together, 0);
-  sd = sqrt (own + sessions);
-  least = @(name) min (before.(name), now.(name));
-  doubt = sd^4 / least ('freedom') + own^2 / least ('commonFreedom') + ...
-          sessions^2 / least ('sessionFreedom');
-  freedom = sd^4 / doubt;
 end
 
 root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));

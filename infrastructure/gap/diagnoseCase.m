@@ -90,9 +90,10 @@ function [state, plain] = runsThere (Case, problem, options, notes, say)
     plain.surrogates = fitSurrogates (plain.data, problem);
   end
   [assumed, idle] = notes{:};
-  sessions = sessionNote (Case);
-  notes = [assumed(:)', {sessions}(~isempty (sessions)), ...
-           {leftOut}(~isempty (leftOut)), idle, unexpressedEffects(Case)];
+  ofReadings = {sessionNote(Case), scatterNote(Case)};
+  ofReadings = ofReadings(~cellfun (@isempty, ofReadings));
+  notes = [assumed(:)', ofReadings, {leftOut}(~isempty (leftOut)), ...
+           idle, unexpressedEffects(Case)];
   [~, foreseen] = foreseeSets (problem.effects, setsLeft (state.budget), ...
                                options, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);

@@ -12,10 +12,10 @@
 %             table, see checkUnits), value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
 %             isAbsolute, each (1 x n, the trials), shared (part of sd that the
-%             sessions make), days, freedom, commonFreedom, sessionFreedom (varianceComponents),
+%             sessions make), days and the freedoms of varianceComponents,
 %             sessions (cell), changed (1 x C struct value, sd, trials, scatter,
-%             shared, days, freedom, commonFreedom, sessionFreedom of each other condition; value
-%             NaN: not measured)
+%             shared, days, freedoms, scatterRatio, scatterP of each other
+%             condition; value NaN: not measured)
 %   FAULTS    1 x p faults, see checkFault; reasons: measuredRepeats
 %             measuredCondition
 %   CONDITIONS  1 x C cell, names of the conditions but for the reference, of
@@ -100,7 +100,7 @@ function [groups, p] = withConditions (groups, keys, others, means)
   p = checkFault ();
   none = struct ('value', NaN, 'sd', 0, 'trials', 1, 'scatter', false, ...
                  'shared', 0, 'days', [], 'freedom', Inf, 'commonFreedom', Inf, ...
-                 'sessionFreedom', Inf);
+                 'sessionFreedom', Inf, 'scatterRatio', NaN, 'scatterP', NaN);
   [groups.changed] = deal (repmat (none, 1, numel (others)));
   for c = 1:numel (others)
     for trials = byQuantity (others{c})

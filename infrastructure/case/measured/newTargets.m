@@ -16,9 +16,9 @@
 %     curve       number of the curve (0: none)
 %     each        1 x n, the repeated trials
 %     shared      part of sd that its sessions (cell of names) make
-%     days, freedom, commonFreedom, sessionFreedom  see varianceComponents
+%     days, and the freedoms  see varianceComponents
 %     changed     1 x C struct, in each of Case.conditions: value, sd, trials,
-%                 scatter, shared, days, freedom, commonFreedom, sessionFreedom
+%                 scatter, shared, days, freedoms, scatterRatio, scatterP
 %     result, series, at, unit ('', NaN: none), given (unit in measured.csv)
 
 function targets = newTargets (optim, names, found)
@@ -89,7 +89,8 @@ function groups = fromCells (optim, models, counts, default)
                   'result', '', ...
                   'series', '', 'at', NaN, 'changed', [], ...
                   'shared', 0, 'days', [], 'freedom', Inf, ...
-                  'commonFreedom', Inf, 'sessionFreedom', Inf, 'sessions', {{}});
+                  'commonFreedom', Inf, 'sessionFreedom', Inf, ...
+                  'scatterRatio', NaN, 'scatterP', NaN, 'sessions', {{}});
       groups = [groups, g];
     end
   end

@@ -26,6 +26,30 @@ function text = sessionNote (Case)
   elseif any ([Case.targets.trials] > 1)
     text = [advice, ', and name the days in a column session of measured.csv'];
   end
+  least = leastSeen (Case);
+  if ~isempty (text) && ~isempty (least)
+    text = sprintf (['%s. A change of a reading below %.2g of its tolerances ' ...
+                     '(median) cannot be told from none'], text, median (least));
+  end
+end
+
+% Changes that one reading alone would show at 5 %, in its tolerances.
+function least = leastSeen (Case)
+  least = zeros (1, 0);
+  for c = 1:numel (givenField (Case, 'conditions', {}))
+    for target = Case.targets
+      now = target.changed(c);
+      allowed = target.tol * abs (target.value);
+      if target.isAbsolute
+        allowed = target.tol;
+      end
+      if target.sd > 0 && now.sd > 0 && allowed > 0
+        [sd, freedom] = sdOfChange (target, now);
+        least(end + 1) = sd / studentFactor (freedom) * ...
+                         studentQuantile (0.975, freedom) / allowed;
+      end
+    end
+  end
 end
 
 %!function text = of (given, df, trials)
@@ -40,3 +64,13 @@ end
 %!        'the days in a column session of measured.csv'])
 %!assert (! isempty (strfind (of (true, 0, 1), 'taken to differ by 2.5')))
 %!assert (! isempty (strfind (of (true, 3, 1), '2 sessions of the reference')))
+%!test
+%! % what can be seen of a change
+%! one = struct ('sd', 1, 'shared', 0, 'days', [], 'freedom', Inf, ...
+%!               'commonFreedom', Inf, 'sessionFreedom', Inf);
+%! Case.sessions = struct ('given', true, 'names', {{'a'}}, 'ratio', 2.5, ...
+%!                         'df', 0);
+%! Case.targets = mergeFields (one, struct ('trials', 3, 'changed', one, 'tol', ...
+%!                                          0.1, 'isAbsolute', false, 'value', 10));
+%! Case.conditions = {'moist'};
+%! assert (! isempty (strfind (sessionNote (Case), 'below 2.8 of its tol')));

@@ -78,9 +78,10 @@ function sayModels (Case, isTried)
     sayMeasured (Case.targets(isMine));
     sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
-  note = sessionNote (Case);
-  if ~isempty (note)
-    printf ('sessions  %s\n', note);
+  notes = struct ('label', {'sessions ', 'scatter  '}, 'text', ...
+                  {sessionNote(Case), scatterNote(Case)});
+  for note = notes(~cellfun (@isempty, {notes.text}))
+    printf ('%s %s\n', note.label, note.text);
   end
 end
 

@@ -4,8 +4,8 @@
 %
 %   GIVEN  struct of newProblem (CASE), of the reference
 %   CASE   see newCase;  C  number of its condition
-%   GIVEN  the same with value, sd, trials, scatter, shared, freedom,
-%          sessionFreedom of the condition; those of the reference are in the field
+%   GIVEN  the same with value, sd, trials, scatter, shared and freedoms
+%          of the condition; those of the reference are in the field
 %          reference, see newProblem, with together, the covariance of both
 %
 % A condition without an uncertainty has that of the reference. Readings of the
@@ -25,9 +25,11 @@ function given = withCondition (given, Case, c)
   for t = 1:T
     target = Case.targets(t);
     changed = mergeFields (struct ('shared', 0, 'days', [], 'freedom', Inf, ...
-                                   'commonFreedom', Inf, 'sessionFreedom', Inf), target.changed(c));
+                                   'commonFreedom', Inf, 'sessionFreedom', ...
+                                   Inf), target.changed(c));
     if changed.sd == 0
-      for name = {'sd', 'shared', 'freedom', 'commonFreedom', 'sessionFreedom'}
+      for name = {'sd', 'shared', 'freedom', 'commonFreedom', ...
+                  'sessionFreedom'}
         changed.(name{1}) = given.(name{1})(t);
       end
     end
@@ -65,8 +67,8 @@ end
 %! % an error of the sessions is in both if they are the same
 %! given = struct ('value', [1, 1, 1], 'sd', [1, 2, 2], 'trials', [2, 2, 2], ...
 %!                 'scatter', [false, true, true], 'shared', [0.5, 1.5, 0], ...
-%!                 'freedom', [3, 4, 5], 'commonFreedom', [1, 1, 1], 'sessionFreedom', [1, 2, 3], ...
-%!                 'series', [0, 0, 0]);
+%!                 'freedom', [3, 4, 5], 'commonFreedom', [1, 1, 1], ...
+%!                 'sessionFreedom', [1, 2, 3], 'series', [0, 0, 0]);
 %! changed = struct ('value', 7, 'sd', 1, 'trials', 3, 'scatter', true, ...
 %!                   'shared', 0.5, 'days', {[0.3, 0.4], [0, 0, 0.5], []}, ...
 %!                   'freedom', 9, 'commonFreedom', 5, 'sessionFreedom', 2);

@@ -22,7 +22,8 @@ function [g, p] = measuredTarget (trials, means)
               'tol', firstOf (trials, 'tol'), ...
               'isAbsolute', firstOf (trials, 'isAbsolute'), ...
               'each', zeros (1, 0), 'shared', 0, 'days', [], ...
-              'freedom', Inf, 'commonFreedom', Inf, 'sessionFreedom', Inf, 'sessions', {{}});
+              'freedom', Inf, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
+              'scatterRatio', NaN, 'scatterP', NaN, 'sessions', {{}});
   if isempty (g.role)
     g.role = 'calibrate';
   end
@@ -41,7 +42,7 @@ function [g, p] = measuredTarget (trials, means)
   g.sessions = unique ({trials.session});
   own = means(trials(1).mean);
   for name = {'value', 'sd', 'shared', 'days', 'freedom', 'commonFreedom', ...
-              'sessionFreedom'}
+              'sessionFreedom', 'scatterRatio', 'scatterP'}
     g.(name{1}) = own.(name{1});
   end
   % what trials scatter holds their packings; what is stated need not
@@ -156,7 +157,8 @@ end
 %!                'places', 1);
 %! [line.mean] = deal (1);
 %! means = struct ('value', 2, 'sd', 3, 'shared', 0, 'days', [], 'freedom', ...
-%!                 1, 'commonFreedom', Inf, 'sessionFreedom', Inf, 'hasScatter', true);
+%!                 1, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
+%!                 'scatterRatio', NaN, 'scatterP', NaN, 'hasScatter', true);
 %! [g, p] = measuredTarget (line, means);
 %! assert (isempty (p));
 %! assert ({g.name, g.value, g.trials, g.tol}, {'w@3', 2, 2, 0.1});

@@ -14,7 +14,8 @@
 %               it, norm SHARED), freedom (by which the quantity's own scatter is
 %               known), commonFreedom and sessionFreedom (by which what quantities
 %               have in common is, of the part without sessions and of SHARED),
-%               hasScatter (logical: sd was found from lines that scatter)
+%               hasScatter (logical: sd was found from lines that scatter), of a
+%               change scatterRatio and scatterP (see scatterOfChange; NaN)
 %   RATIO       1 x 2 struct, of levels and of contrasts: value (standard
 %               deviation between sessions over that of a trial within one, root
 %               mean square), df (contrasts between sessions that told it)
@@ -32,7 +33,8 @@
 % which most of a session cancels: three powders in one doser show 0.5 to 1.
 %
 % What changed may scatter in its own way: where trials of the reference tell the
-% scatter, those of a change enter as the means of their sessions.
+% scatter, those of a change enter as the means of their sessions. If they surely
+% scatter more (scatterOfChange, 1 %), their mean is that much less certain.
 %
 % Of the sum of both errors the distribution is a mixture; SD is its 68 %
 % half-width. The freedoms are those of the Student distributions that doubt a
@@ -45,7 +47,8 @@ function [means, ratio] = varianceComponents (lines, quantities)
   means = repmat (struct ('value', NaN, 'sd', 0, 'shared', 0, ...
                           'days', zeros (1, days), 'freedom', Inf, ...
                           'commonFreedom', Inf, 'sessionFreedom', Inf, ...
-                          'hasScatter', false), ...
+                          'hasScatter', false, 'scatterRatio', NaN, ...
+                          'scatterP', NaN), ...
                   1, max ([lines.mean; 0]));
   ratio = struct ('value', {2.5, 0.7}, 'df', 0);
   if Q == 0
@@ -256,6 +259,18 @@ end
 
 % One mean: its lines, and what is known of the scatter of its quantity.
 function mean_ = meanOf (lines, scatter, quantity, mean_)
+  factor = 1;
+  if all (lines.changed) && isnan (quantity.variance)
+    variance = scatter.weight * scatter.scale';
+    freedom = 1 / (1 / scatter.own + 1 / scatter.common);
+    trials = isnan (lines.variance);
+    [mean_.scatterRatio, mean_.scatterP] = ...
+      scatterOfChange (lines.value(trials), lines.session(trials), variance, ...
+                       freedom);
+    if mean_.scatterRatio > 1 && mean_.scatterP < 0.01
+      factor = mean_.scatterRatio^2;
+    end
+  end
   isStated = ~isnan (lines.variance);
   ofSession = lines.session > 0 & ~isStated;
   ratio = sqrt (scatter.weight * scatter.ratio'.^2);
@@ -264,7 +279,7 @@ function mean_ = meanOf (lines, scatter, quantity, mean_)
   if ~isnan (quantity.sessionSd)
     between = quantity.sessionSd^2;
   end
-  within = sigma2 ./ lines.repeats;
+  within = factor * sigma2 ./ lines.repeats;
   within(isStated) = lines.variance(isStated);
   C = diag (within) + between * (lines.session' == lines.session & ...
                                  (ofSession & ofSession'));
@@ -277,16 +292,15 @@ function mean_ = meanOf (lines, scatter, quantity, mean_)
     days(lines.session(k)) = days(lines.session(k)) + w(k);
   end
   known = sum (w(isStated).^2 .* lines.variance(isStated));
+  own = factor * sum (w.^2 ./ lines.repeats .* ~isStated);
   if ~isnan (quantity.sessionSd)
     mean_.days = days * quantity.sessionSd;
-    mean_ = withErrors (mean_, scatter, sum (w.^2 ./ lines.repeats .* ...
-                                            ~isStated), 0, known);
+    mean_ = withErrors (mean_, scatter, own, 0, known);
     mean_.shared = norm (mean_.days);
     mean_.sd = hypot (mean_.sd, mean_.shared);
     return
   end
-  mean_ = withErrors (mean_, scatter, sum (w.^2 ./ lines.repeats .* ~isStated), ...
-                      days * days', known);
+  mean_ = withErrors (mean_, scatter, own, days * days', known);
   mean_.days = days * mean_.shared / max (norm (days), realmin);
 end
 
