@@ -42,7 +42,8 @@ root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
 addpath (fullfile (root, 'infrastructure'));
 startToolbox (root);
 if isempty (argv ())
-  folder = tempname ();
+  % its name is the heading of the page
+  folder = fullfile (privateFolder (), 'hiddenEffect');
   system ([shellQuote(fullfile (root, 'tools', 'demo.sh')), ' ', folder]);
 else
   folder = argv (){end};

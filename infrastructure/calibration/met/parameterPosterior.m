@@ -35,7 +35,7 @@ function known = parameterPosterior (surrogates, problem, nSample)
   [~, P] = setsAt (U, problem);
   [~, v] = predictSurrogate (surrogates, P(1:min (end, 200), :));
   likeness = benchLikeness (surrogates, problem, joint, alone, mean (v, 1));
-  likelihood = @(U) logLikelihood (surrogates, problem, U, joint, alone, likeness);
+  likelihood = @(U) logLikelihood (surrogates, problem, U, joint, likeness);
   fit = likelihood (U);
   heat = 0;
   while heat < 1
@@ -47,22 +47,12 @@ function known = parameterPosterior (surrogates, problem, nSample)
   known = summarise (U(:, 1:d), problem);
 end
 
-function fit = logLikelihood (surrogates, problem, U, joint, alone, likeness)
+function fit = logLikelihood (surrogates, problem, U, joint, likeness)
   d = columns (problem.limits);
   [isIn, P] = setsAt (U, problem);
   [m, v] = predictSurrogate (surrogates, P);
   z = (P - problem.paramMean) ./ problem.paramSd;
   fit = -0.5 * sumsq (z(:, isfinite (problem.paramSd)), 2);
-  score = zeros (size (m));
-  for t = alone
-    s = surrogates(t);
-    total = v(:, t) + errorVariance (s.noiseVar, problem, t);
-    z = (problem.value(t) - m(:, t)) ./ sqrt (total);
-    spread = log1p (z.^2 / s.df);
-    fit = fit - 0.5 * log (total) - (s.df + 1) / 2 * spread;
-    % normal score of a Student variable (Wallace 1959)
-    score(:, t) = sign (z) .* sqrt (s.df * spread) * (8 * s.df + 1) / (8 * s.df + 3);
-  end
   level = zeros (rows (m), numel (joint));
   for i = 1:numel (joint)
     c = joint(i);
@@ -71,7 +61,9 @@ function fit = logLikelihood (surrogates, problem, U, joint, alone, likeness)
     fit = fit + own;
   end
   for one = likeness
-    fit = withLikeness (fit, [score(:, one.alone), level(:, one.curves)], one);
+    t = one.alone;
+    total = v(:, t) + one.variance;
+    fit = fit + benchDensity (problem.value(t) - m(:, t), total, level(:, one.curves), one);
   end
   fit(~isIn) = -Inf;
 end
