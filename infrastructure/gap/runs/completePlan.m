@@ -33,8 +33,8 @@ function state = completePlan (state, problem, Case, say, options)
   if missing < 1
     return
   end
-  say (sprintf ('plan: %s; %d will be added', countText (have, 'run without effects exists', ...
-                                                     'runs without effects exist'), missing));
+  there = countText (have, 'run without effects exists', 'runs without effects exist');
+  say (sprintf ('plan: %s; %d will be added', there, missing));
   P = planBeside (data.X(neutral, :), missing, Case);
   n = rows (P);
   state = addRuns (state, problem, P, repmat (phi, n, 1), 'plan', ones (n, 1));

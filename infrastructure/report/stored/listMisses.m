@@ -9,8 +9,8 @@
 %            simulated, miss, allowed (the user's tolerance), role, met (1, 0;
 %            NaN: not measured), share (of what is allowed), z (measured less
 %            simulated, over its noise: of the measurement, of one run and of the
-%            expected mean), scatter (of one run), isStrict (the tolerance lies below that: no single
-%            measurement can confirm it), state, mean, meanSd, runs, points (of
+%            expected mean), scatter (of one run), isStrict (the tolerance lies below
+%            that: no single measurement can confirm it), state, mean, meanSd, runs, points (of
 %            a curve: they are one entry, its worst point; else 1); largest z
 %            first. Without a calibration those of the diagnosis, with z alone
 

@@ -64,7 +64,7 @@ function s = stateOf (c, names, j)
   isLoose = any (strcmp (name, namesIn (c, 'notIdentified')));
   share = sensitivityOf (c, name);
   partner = partnerOf (c, names, j);
-  range = [jsonAt(c, {'interval90', name})(:)', -Inf, Inf](1:2);
+  range = [jsonAt(c, {'interval90', name})(:)', -Inf, Inf];
   class = 'unsure';
   if any (strcmp (name, namesIn (c, 'atLimit')))
     [class, code] = deal ('off', 'atLimit');
