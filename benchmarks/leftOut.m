@@ -11,7 +11,9 @@
 % n-th row is taken.
 %
 % Writes results/leftOut-<name>.csv (every case) and leftOut.csv (figures), and
-% prints the latter: shares with 95 % Clopper-Pearson intervals.
+% prints the latter: shares with 95 % Clopper-Pearson intervals. A sample, or one
+% campaign alone, is written to a folder below TMPDIR, which it says: tables that
+% are published come of all rows.
 %
 % See also: foreignTwins, leftOutCase, leftOutScore
 
@@ -20,7 +22,7 @@
 function runLeftOut (names, every)
   addpath (fileparts (mfilename ('fullpath')));
   root = startBenchmarks ();
-  results = fullfile (root, 'benchmarks', 'results');
+  results = resultsFolder (root, names, every);
   cases = [];
   for name = names
     campaign = leftOutCampaign (name{1}, root);
@@ -38,6 +40,15 @@ function runLeftOut (names, every)
     cases = [cases, part];
   end
   leftOutScore (fullfile (results, 'leftOut.csv'), cases);
+end
+
+function folder = resultsFolder (root, names, every)
+  folder = fullfile (root, 'benchmarks', 'results');
+  if every > 1 || ~all (ismember ({'hiddenEffect', 'drumAndBins'}, names))
+    folder = tempname ();
+    mkdir (folder);
+    printf ('A sample: written to %s\n', folder);
+  end
 end
 
 function writeCases (file, cases)

@@ -116,7 +116,8 @@ end
 function text = postText (post, tree)
   text = '';
   if ~isempty (post.file)
-    place = tree.to{strcmp (tree.from, post.file)};
+    isIt = strcmp (tree.from, post.file);
+    place = tree.to{isIt};
     up = '';
     if strncmp (place, [tree.place, '/'], numel (tree.place) + 1)
       place = place(numel (tree.place) + 2:end);

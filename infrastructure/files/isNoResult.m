@@ -5,8 +5,8 @@
 %   TEXTS  cell of texts: fields of a table
 %   YES    logical, of its size: -, --, n/a, n.a., n.d., NA, NaN, None, null,
 %          missing, failed, ?, /, and the errors of spreadsheets: #N/A, #DIV/0!
-%   ISFAILED  logical: those that say that a number was looked for in vain (failed,
-%          #DIV/0!, 1.#QNAN), not that nobody looked (#N/A)
+%   ISFAILED  logical: those that say that a number was looked for in vain, as
+%          failed, #DIV/0! and 1.#QNAN, not that nobody looked (#N/A)
 
 function [yes, isFailed] = isNoResult (texts)
   words = {'-', '--', 'n/a', 'n.a.', 'n.d.', 'k.a.', 'na', 'nan', 'none', ...

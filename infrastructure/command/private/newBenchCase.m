@@ -89,7 +89,8 @@ function text = rowsOf (bench, ask, bulk)
     usual = repmat (bulk, 1, strcmp (one.name, 'bulkDensity'));
     hint = repmat ('all readings: 31.4, 32.0, 30.6; ', 1, k == 1);
     said = ask (sprintf ('%s: %s, measured, %s (%sempty: not measured)', ...
-                         bench.name, one.text, one.unit, hint), usual, @(text) readingsIn (text, one.unit));
+                         bench.name, one.text, one.unit, hint), usual, ...
+                @(text) readingsIn (text, one.unit));
     if ischar (said)
       said = readingsIn (said, one.unit);
     end

@@ -10,7 +10,8 @@
 % Without --take nothing is written: as runs.csv in the case folder the table is
 % taken in.
 %
-% Errors: DEcalioc:sayImport:badValue (--column), :exists (runs.csv); those of commandOptions, caseToRead and importRuns, which say what is
+% Errors: DEcalioc:sayImport:badValue (--column), :exists (runs.csv); those of
+% commandOptions, caseToRead and importRuns, which say what is
 % to be mended
 
 function status = sayImport (root, folder, args)

@@ -78,4 +78,6 @@ end
 %! for k = 1:6
 %!   assert (! isempty (strfind (notes{k}, marks{k})), marks{k});
 %! end
-%!assert (isempty (scriptNotes ("if \"1 > 0\" then \"run 1\"\nprint \"${a} $m RUN COMPLETE\"", 'a', {'m'})))
+%!test
+%! text = "if \"1 > 0\" then \"run 1\"\nprint \"${a} $m RUN COMPLETE\"";
+%! assert (isempty (scriptNotes (text, 'a', {'m'})));
