@@ -5,8 +5,9 @@
 %   FOLDER  model folder (text)
 %   NOTES   1 x n cell of sentences without their last point
 %   CODES   1 x n cell: missing (a file that a script names), open (a name that
-%           is known in a run alone), seed, end, run, unused, loop, own (a variable),
-%           output (nothing writes the file of the results)
+%           is known in a run alone), lost, inert (scriptPhysics), seed, end, run,
+%           unused, loop, own (a variable), output (nothing writes the file of the
+%           results)
 %
 % Of a model whose runscript starts LIGGGHTS with one script by -in, -i or <.
 % seed ... own are said of models that hand their variables over by -var, which
@@ -39,6 +40,8 @@ function [notes, codes] = modelNotes (folder)
                                 'the file is in the model']})];
   codes = [repmat({'missing'}, 1, numel (missing)), ...
            repmat({'open'}, 1, numel (found.open))];
+  [texts, kinds] = scriptPhysics (found.text);
+  [notes, codes] = deal ([notes, texts], [codes, kinds]);
   if isHanded
     [texts, kinds] = scriptNotes (found.text, seed{1}, ...
                                   setdiff (fieldnames (given)', 'runSeed'));

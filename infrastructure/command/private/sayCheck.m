@@ -212,6 +212,7 @@ function isGood = sayTrial (records, Case)
       printf ('          %s\n', r.message);
       continue
     end
+    sayGrains (r);
     mine = Case.targets([Case.targets.model] == k);
     for T = mine
       measured = sprintf ('measured %.5g', T.value);
@@ -224,6 +225,27 @@ function isGood = sayTrial (records, Case)
     sayUnits (mine, r.results([mine.index]), 'in this run');
     cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), ...
              trialGates (r, mine, Case.models(k).folder));
+  end
+end
+
+% Grains that are not there, and what LIGGGHTS itself warned of: the run ends well.
+function sayGrains (r)
+  g = grainsOfRun (r.folder);
+  if g.made > 0
+    asked = sprintf (' of %d that the script asks for', g.asked);
+    printf ('          grains: %d%s were made, %d are there at the end\n', g.made, ...
+            repmat (asked, 1, ~isnan (g.asked)), g.left);
+  end
+  cellfun (@(text) printf ('WARNING   %s: LIGGGHTS says: %s.\n', r.model, text), ...
+           g.warnings);
+  if g.made < g.asked && isempty (g.warnings)
+    printf (['WARNING   %s: fewer grains than the script asks for. Enlarge the region ' ...
+             'of the insertion, or ask for fewer.\n'], r.model);
+  end
+  if g.made > 0 && g.left == 0
+    printf (['WARNING   %s: %d of %d grains were lost: none is there at the end. See ' ...
+             'that walls and a floor hold them, and write thermo_modify lost error.\n'], ...
+            r.model, g.made, g.made);
   end
 end
 

@@ -1,0 +1,177 @@
+% SCRIPTPHYSICS  What a LIGGGHTS script says that its grains do not feel.
+%
+% CALL: [NOTES, CODES] = scriptPhysics (TEXT)
+%
+%   TEXT   of the script, and those that it includes or jumps to
+%   NOTES  1 x k cell of sentences without their last point
+%   CODES  1 x k cell: lost (grains that leave the box vanish, and the script does not
+%          count them), inert (a coefficient
+%          of two types of grains and walls that no contact model between them reads)
+%
+% Friction, rolling friction and cohesion of a pair are read by the model of
+% pair_style between grains, and by that of fix wall/gran between a grain and a wall:
+% a keyword that stands in one of them says nothing of the other. What is 0 in the
+% script need not be read.
+
+function [notes, codes] = scriptPhysics (text)
+  [notes, codes] = deal (cell (1, 0));
+  commands = {scriptCommands(text).words};
+  modes = commands(cellfun (@(w) strcmp (w{1}, 'thermo_modify'), commands));
+  modes = [modes{:}, {''}];
+  lost = modes([false, strcmp(modes(1:end - 1), 'lost')]);
+  counts = ~isempty (regexp (text, 'equal[^\n]*\<count\s*\(', 'once'));
+  if ~isempty (lost) && any (strcmp (lost{end}, {'ignore', 'warn'})) && ~counts
+    notes{end + 1} = sprintf (['the script says thermo_modify lost %s: grains that leave ' ...
+                               'the box vanish, and the run goes on without them. ' ...
+                               'Write lost error, unless they are meant to'], lost{end});
+    codes{end + 1} = 'lost';
+  end
+  kinds = {'coefficientFriction', 'tangential', 'friction'; ...
+           'coefficientRollingFriction', 'rolling_friction', 'rolling friction'; ...
+           'cohesionEnergyDensity', 'cohesion', 'cohesion'};
+  for kind = kinds'
+    for pair = inertPairs (commands, kind{1:2})
+      notes{end + 1} = sprintf (['the %s of types %s is set (%s), but no contact model ' ...
+                                 'between them uses it: %s without %s'], kind{3}, ...
+                                pair{1}{1}, kind{1}, pair{1}{2}, kind{2});
+      codes{end + 1} = 'inert';
+    end
+  end
+end
+
+% 1 x n cell of {'1-2', command that does not read it}.
+function pairs = inertPairs (commands, name, keyword)
+  pairs = cell (1, 0);
+  value = propertyOf (commands, name);
+  models = contactModels (commands, keyword);
+  if isempty (value) || isempty (models)
+    return
+  end
+  n = rows (value);
+  walls = unique ([models.types]);
+  grains = grainTypes (commands, n, walls);
+  for a = grains
+    for b = a:n
+      isWall = any (b == walls) && ~any (b == grains);
+      mine = models(arrayfun (@(m) any (m.types == b), models));
+      if ~isWall
+        mine = models(strcmp ({models.what}, 'pair_style'));
+      end
+      isMeant = isWall || any (b == grains);
+      if isMeant && ~strcmp (value{a, b}, '0') && ~isempty (mine) && ~any ([mine.reads])
+        pairs{end + 1} = {sprintf('%d-%d', a, b), strjoin(unique ({mine.what}), ', ')};
+      end
+    end
+  end
+end
+
+% n x n cell of texts, '0' where it is 0; {} where it is not set, or of no known form.
+function value = propertyOf (commands, name)
+  value = {};
+  for words = commands
+    w = words{1};
+    if numel (w) < 7 || ~strcmp (w{1}, 'fix') || ~strcmp (w{5}, name) || ...
+       ~strcmp (w{6}, 'peratomtypepair')
+      continue
+    end
+    n = str2double (w{7});
+    if n >= 1 && numel (w) >= 7 + n^2
+      value = reshape (w(8:7 + n^2), n, n)';
+      value(str2double (value) == 0) = {'0'};
+    end
+  end
+end
+
+% Of pair_style and each fix wall/gran: what (how the user finds it), reads (whether
+% it has KEYWORD), types (of its wall; none where its script does not say).
+function models = contactModels (commands, keyword)
+  models = struct ('what', {}, 'reads', {}, 'types', {});
+  meshes = struct ();
+  for words = commands
+    w = [words{1}, {''}];
+    law = w(1:find ([ismember(w, {'mesh', 'primitive'}), true], 1) - 1);
+    % a variable may hold the keyword
+    reads = any (~cellfun (@isempty, strfind (law, '$'))) || ...
+            any (strcmp (w, keyword)) && ...
+            ~strcmp (w{find(strcmp (w, keyword), 1) + 1}, 'off');
+    if strcmp (w{1}, 'pair_style') && any (strcmp (w, 'model'))
+      models(end + 1) = struct ('what', 'pair_style', 'reads', reads, 'types', []);
+    elseif strcmp (w{1}, 'fix') && numel (w) > 4 && strncmp (w{4}, 'mesh/surface', 12)
+      meshes.(['x', regexprep(w{2}, '\W', '_')]) = typeAfter (w, 'type');
+    elseif strcmp (w{1}, 'fix') && numel (w) > 4 && strcmp (w{4}, 'wall/gran')
+      types = typeAfter (w, 'type');
+      at = find (strcmp (w, 'meshes'), 1);
+      for name = w(at + 1:end * ~isempty (at))
+        types = [types, givenField(meshes, ['x', regexprep(name{1}, '\W', '_')], [])];
+      end
+      models(end + 1) = struct ('what', ['fix ', w{2}], 'reads', reads, ...
+                                'types', unique (types));
+    end
+  end
+end
+
+function types = typeAfter (w, word)
+  at = find (strcmp (w(1:end - 1), word));
+  types = str2double (w(at + 1));
+  types = types(isfinite (types));
+end
+
+% Types of templates, and of what create_atoms makes; where none is said, all that no
+% wall has.
+function grains = grainTypes (commands, n, walls)
+  grains = [];
+  for words = commands
+    w = words{1};
+    if numel (w) > 4 && strcmp (w{1}, 'fix') && strncmp (w{4}, 'particletemplate', 16)
+      grains = [grains, typeAfter([w, {''}], 'atom_type')];
+    elseif numel (w) > 1 && strcmp (w{1}, 'create_atoms')
+      grains = [grains, str2double(w{2})];
+    end
+  end
+  grains = unique (grains(isfinite (grains) & grains <= n));
+  if isempty (grains)
+    grains = setdiff (1:n, walls);
+  end
+end
+
+%!shared base
+%! base = ["fix m4 all property/global coefficientFriction peratomtypepair 2 0.4 0.5 0.5 0\n", ...
+%!         "fix m5 all property/global coefficientRollingFriction peratomtypepair 2 ", ...
+%!         "${r} ${w} ${w} 0.1\n", ...
+%!         "pair_style gran model hertz tangential history rolling_friction epsd2\n", ...
+%!         "fix t1 all particletemplate/sphere 1 atom_type 1 density constant 2400\n"];
+%!test
+%! wall = 'fix floor all wall/gran model hertz tangential history primitive type 2 zplane 0';
+%! [notes, codes] = scriptPhysics ([base, wall, "\nthermo_modify lost error\n"]);
+%! assert (codes, {'inert'});
+%! assert (! isempty (strfind (notes{1}, 'rolling friction of types 1-2')), notes{1});
+%! assert (! isempty (strfind (notes{1}, 'fix floor without rolling_friction')), notes{1});
+%! both = strrep (wall, 'history', 'history rolling_friction epsd2');
+%! assert (isempty (scriptPhysics ([base, both, "\n"])));
+%! % another wall of that type reads it; a rolling friction of 0 is not missed
+%! assert (isempty (scriptPhysics ([base, wall, "\n", strrep(both, 'floor', 'side'), "\n"])));
+%! assert (isempty (scriptPhysics ([strrep(base, '${w}', '0.0'), wall, "\n"])));
+%! % no wall has that type, and nothing is known of it
+%! assert (isempty (scriptPhysics (base)));
+%!test
+%! % the grains themselves; walls of meshes; switched off
+%! one = strrep (base, 'rolling_friction epsd2', 'rolling_friction off');
+%! [notes, codes] = scriptPhysics (one);
+%! assert (! isempty (strfind (notes{1}, 'types 1-1')), notes{1});
+%! mesh = ["fix cad all mesh/surface file a.stl type 2 scale 1\n", ...
+%!         "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\n"];
+%! [~, codes] = scriptPhysics ([base, mesh]);
+%! assert (codes, {'inert'});
+%! glue = "fix c all property/global cohesionEnergyDensity peratomtypepair 1 ${c}\n";
+%! [notes, codes] = scriptPhysics ([glue, "pair_style gran model hertz tangential history\n"]);
+%! assert (codes, {'inert'});
+%!test
+%! % a law that a variable holds may have it
+%! wall = "fix floor all wall/gran ${lawW} primitive type 2 zplane 0\n";
+%! assert (isempty (scriptPhysics ([base, wall])));
+%!test
+%! [~, codes] = scriptPhysics ("thermo_modify norm no lost ignore\n");
+%! assert (codes, {'lost'});
+%! assert (isempty (scriptPhysics (["thermo_modify lost ignore\n", ...
+%!                                  "variable n equal count(all)\n"])));
+%! assert (isempty (scriptPhysics ("thermo_modify lost ignore\nthermo_modify lost error\n")));
