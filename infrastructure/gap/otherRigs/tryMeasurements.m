@@ -165,8 +165,10 @@ function [Z, state] = results (test, problem, Q, packing, state)
                 'budget', state.budget, 'evaluate', test.evaluate);
   [own.budget.models, own.budget.sets, own.budget.seconds, ...
    own.budget.levels] = deal (true, Inf, {[]}, []);
+  T = numel (test.origin);
   bench = struct ('limits', problem.limits, 'allowed', problem.allowed, ...
-                  'kept', 1:numel (test.origin), 'unit', 1);
+                  'names', {problem.names}, 'kept', 1:T, 'unit', ones (1, T), ...
+                  'bench', ones (1, T), 'benchNames', {{test.model}});
   own = addRuns (own, bench, X, E, 'next', packing);
   for name = {'left', 'new', 'reused', 'failed', 'coreSeconds'}
     state.budget.(name{1}) = own.budget.(name{1});

@@ -122,7 +122,7 @@ end
 %! [~, state.budget] = newEvaluate ([]);
 %! state.budget.models = true (1, 3);
 %! state.evaluate = @thirdAlone;
-%! [Case.kept, Case.unit] = deal (1:4, 1);
+%! [Case.kept, Case.unit, Case.bench] = deal (1:4, ones (1, 4), [1, 2, 3, 3]);
 %! X = (1:35)' / 36;
 %! E = [zeros(20, 1); 2 * (1:15)' / 15];
 %! state.data = addRows (newData (1, 4, 1), X, [X, X + E, NA(35, 2)], ...
@@ -152,7 +152,7 @@ end
 %!                struct ('model', {1, 2}));
 %! Case.options = struct ('numOfSam', 12, 'seed', 1);
 %! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) [P, P]);
-%! [Case.kept, Case.unit] = deal (1:2, 1);
+%! [Case.kept, Case.unit, Case.bench] = deal (1:2, ones (1, 2), 1:2);
 %! state.data = addRows (newData (1, 2), (1:12)' / 13, ...
 %!                       [(1:12)', NaN(12, 1)], ones (12, 1), 'plan');
 %! assert (rows (completePlan (state, Case, Case, @(t) [], ...

@@ -44,7 +44,12 @@ function [kinds, values, apex, places, count] = anglesOf (Case, k)
   [values, places] = deal ([]);
   apex = NaN;
   known = resultInfo (Case.models(k).folder);
-  known = {known(ismember ({known.kind}, {'angle', 'angleFalling', 'coneAngle'})).name};
+  if isempty (known)                    % a model without results.csv
+    known = {};
+  else
+    isAngle = ismember ({known.kind}, {'angle', 'angleFalling', 'coneAngle'});
+    known = {known(isAngle).name};
+  end
   count = numel (known);
   info = targetInfo (Case);
   for t = find ([Case.targets.model] == k)

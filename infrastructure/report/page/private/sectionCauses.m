@@ -99,7 +99,7 @@ end
 %! page.tables = statementTables (page, {'change', 'conditions'});
 %! html = sectionCauses (){2, 3} (page);
 %! assert (! isempty (strfind (html, '+1')));
-%! assert (! isempty (strfind (html, 'of the grains: rolling.')));
-%! assert (! isempty (strfind (html, 'not changed: fill.')));
+%! assert (! isempty (strfind (html, 'of the grains): rolling.')));
+%! assert (! isempty (strfind (html, 'to have changed: fill.')));
 %! assert (! isempty (strfind (html, sentence ('cause.none.word', struct (), true))));
 %! assert (! isempty (strfind (html, 'More tilt in wet than in dry')));

@@ -129,17 +129,17 @@ end
 
 % LEFT  dumps of this run that come later
 function html = onePicture (file, Case, k, left, real, note)
-  html = '';
+  [~, base] = fileparts (file);
+  title = [Case.models(k).name, ': ', base, note];
+  html = ['<figure><figcaption>', htmlText(title), '</figcaption>'];
   try
     grains = readDump (file){end};
-    lines = measuredLines (Case, k, file, left, grains);
-    [~, base] = fileparts (file);
-    title = [Case.models(k).name, ': ', base, note];
-    html = ['<figure><figcaption>', htmlText(title), '</figcaption>', ...
-            grainPicture(grains, lines, title, real), "</figure>\n"];
-  catch
-    % a dump of another form: no picture
+  catch err                             % a dump of another form
+    html = [html, '<p>No picture: ', htmlText(err.message), "</p></figure>\n"];
+    return
   end
+  lines = measuredLines (Case, k, file, left, grains);
+  html = [html, grainPicture(grains, lines, title, real), "</figure>\n"];
 end
 
 % Grains from the side as an SVG element; LINES, cell of m x 2 (x, z), dashed on
