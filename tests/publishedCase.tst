@@ -160,3 +160,34 @@
 %!     assert (! isempty (strfind (out, word{1})));
 %!   end
 %! end
+
+% Each function with the published arguments alone, in the folder of a case.
+%!test
+%! folder = publishedFolder (10);
+%! here = cd (folder);
+%! back = onCleanup (@() cd (here));
+%! clear loadInput costFunction
+%! limits = [300, 1; 500, 20];
+%! plan = GenerateExperPlan (limits, 3, [folder, '/']);
+%! assert (isfile ('ExperimentalPlan_DoE.csv'));
+%! [n, per, left] = SplitToCPU (2, 3, 1);
+%! [main, rest] = SplitExPlan (plan, n, per, left);
+%! assert ({numel(main), numel(rest)}, {2, 1});
+%! formula = @(p) [p(1) + p(2); p(1) * p(2)];
+%! assert (Start ([main{1}, 1], {'First'}), formula (plan(1, :)), 1e-9);
+%! assert (runScript ([main{2}, 1], 'First'), ...
+%!         num2cell (formula (plan(2, :))'), 1e-9);
+%! assert (getLastFoldersName ([folder, '/'], 'First'), '0002');
+%! name = newFolderName (getLastFoldersNumber ([folder, '/'], 'First') + 1);
+%! assert (createNewFolder ('First', name));
+%! [~, ~, modelVars, assign] = loadInput ();
+%! writeHead ('First', assignParams (modelVars, plan(3, :), assign), name);
+%! writeParams ('First', [rest{1}, 1], name);
+%! assert (startSimulation ('First', name), 0);
+%! assert (evaluateDEM (plan(1, :)'), formula (plan(1, :)), 1e-9);
+%! name = getOptimFolder (plan(1, :)){1};
+%! assert (csvread (fullfile ('optim', 'First', name, 'params.csv')), ...
+%!         plan(1, :), 1e-9);
+%! cd (here);
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (folder, 's');

@@ -18,6 +18,15 @@ table () {
   done
 }
 
+# Beside each how many %! blocks its file has.
+tested () {
+  printf '\n| function | does | tests |\n|---|---|---|\n'
+  table "$@" | sed 1,3d | while read -r line; do
+    file=$(sed -E 's/^[^(]*\(\.\.\/([^)]*)\).*/\1/' <<< "$line")
+    echo "$line $(grep -cE '^%!(test|assert|error)' "$file") |"
+  done
+}
+
 # The functions of folders that a text calls, or whose help it names.
 named () {
   sed -E 's/^ *%.*//' | grep -oE '\b[a-z][A-Za-z]+ \(|help [a-z][A-Za-z]+' |
@@ -43,8 +52,13 @@ effects of the library ([effects.md](effects.md)).
 ## Main scripts, and forms to fill in'
   table DEcalioc.m diagnoseGap.m loadInput.m loadEffects.m costFunction.m
   echo '
-## The published functions'
-  table infrastructure/*.m infrastructure/published/*.m infrastructure/case/{assignParams,getRayleigh}.m
+## The published functions
+
+`test NAME` at the prompt carries out the tests of a file (their number: last column).
+`tests/publishedCase.tst` calls the functions of a run with the published arguments alone, in the
+folder of a case, and a case in the published form, with its `loadInput`, `costFunction` and
+`getResults`.'
+  tested infrastructure/*.m infrastructure/published/*.m infrastructure/case/{assignParams,getRayleigh}.m
   echo '
 ## For `getResults` of a model
 
