@@ -10,9 +10,9 @@
 %        (others of STATE)
 %
 % The set of another source that trustLibrary has run need not be confirmed at
-% another place beside. And who runs the set by himself and adds it to runs.csv moves the surrogates, and
-% with them the surest set, a little each time: without this the set that is to
-% be run next would never be one that was run.
+% another place beside. And who runs the set by himself and adds it to runs.csv
+% moves the surrogates, and with them the surest set, a little each time: without
+% this the set that is to be run next would never be one that was run.
 
 function found = stayAtRuns (state, problem)
   found = state.found;
