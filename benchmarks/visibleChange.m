@@ -5,15 +5,15 @@
 % Six readings of a rig and of a change, days that differ by twice the scatter of
 % a trial. For each way to measure: 1.96 standard uncertainties of the change of
 % one reading, with Student's t for the freedoms that the lines leave, in the
-% scatter of a trial; median of 20 draws (seed 1) of six readings each.
+% scatter of a trial; median of 5 draws (seed 1) of six readings each.
 %
 % See also: varianceComponents
 
 1;
 
 function least = leastSeen (trials, days, isPaired, isNamed)
-  sizes = zeros (20, 6);
-  for i = 1:20
+  sizes = zeros (5, 6);
+  for i = 1:5
     list = [];
     for state = 0:1
       for d = 1:days

@@ -2,9 +2,10 @@
 %
 % CALL: octave-cli examples/realRigs/changes.m
 %
-% Prints the table changes.csv, but for its column sdBefore: rig, series, quantity, change (of the value, series 1 being the
-% reference), sd (68 %, of both series together; less what both owe to the same
-% sessions), freedom. No model takes part: the readings alone.
+% Prints the table changes.csv, but for its column sdBefore: rig, series, quantity,
+% change (of the value, series 1 being the reference), sd (68 %, of both series
+% together; less what both owe to the same sessions), freedom. No model takes part:
+% the readings alone.
 %
 % See also: sdOfChange, varianceComponents
 

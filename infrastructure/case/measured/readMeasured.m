@@ -14,7 +14,8 @@
 %             their scatter; NaN: not given), role ('': not given), tol (NaN:
 %             not given), isAbsolute (logical: tol has the unit of the value),
 %             saysTol (logical: there is one, good or bad), condition,
-%             session, block ('': not given), sessionSd (NaN: not given); [] where the table as a whole is no use
+%             session, block ('': not given), sessionSd (NaN: not given); []
+%             where the table as a whole is no use
 %   FAULTS    1 x p faults, see checkFault
 %   HEADER    1 x m cell, names of the columns
 %

@@ -56,8 +56,9 @@ function emulator = emulateChange (emulator, problem)
     parts{i} = fitReference (emulator, problem, before, lack, at);
     score(i) = parts{i}.logE - 0.5 * log (sizes(i) / 0.08)^2;
     D = lack + B;
-    parts{i}.K = (D + X)(:, at) / (D(at, at) + before.covariance(at, at));
-    parts{i}.left = D - parts{i}.K * (D + X)(:, at)';
+    both = D + X;
+    parts{i}.K = both(:, at) / (D(at, at) + before.covariance(at, at));
+    parts{i}.left = D - parts{i}.K * both(:, at)';
     parts{i}.lackOf = lack(:, at) / (D(at, at) + before.covariance(at, at));
   end
   weight = exp (score - max (score));

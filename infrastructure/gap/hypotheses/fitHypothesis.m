@@ -79,7 +79,7 @@ end
 function at = lookAt (view, Z, U)
   [M, V, success, J, G] = predictHypothesis (view, U);
   [logL, chi2, weight] = logLikelihood (Z - M, V, view.nu, ...
-                                         view.common);
+                                        view.common);
   score = logL - 0.5 * sum (view.pull .* U.^2, 2) + success;
   at = struct ('U', U, 'score', score, 'chi2', chi2, 'g', -view.pull .* U);
   d = columns (U);

@@ -59,8 +59,8 @@ function C = covarianceOf (before, after, series)
   end
 end
 
-function yes = areAlong (rows_)
-  yes = rank (rows_, 1e-6 * max (norm (rows_), realmin)) <= 1;
+function yes = areAlong (days)
+  yes = rank (days, 1e-6 * max (norm (days), realmin)) <= 1;
 end
 
 %!test

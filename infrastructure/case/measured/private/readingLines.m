@@ -10,10 +10,10 @@
 %
 % A state is a condition. Where all of a quantity's lines stand alone in their
 % state and session, their sd tells the scatter of a trial: it is that of the mean
-% of its repeats, and that of the reference counts for lines without. With repeats = Inf it holds all errors, that of the session,
-% too. Lines without a session, beside others of the quantity with one, share one
-% of their own. Lines of one block (one filling, one packing) of a state and session
-% count as one trial, their mean.
+% of its repeats, and that of the reference counts for lines without. With repeats
+% = Inf it holds all errors, that of the session, too. Lines without a session,
+% beside others of the quantity with one, share one of their own. Lines of one block
+% (one filling, one packing) of a state and session count as one trial, their mean.
 
 function [lines, quantities, number, names] = readingLines (list, keys)
   number = zeros (1, numel (list));
@@ -111,7 +111,10 @@ function quantity = quantityOf (list, quantity)
   quantity.isContrast = any (givenField (list(1), 'isContrast', false));
   if isfield (list, 'sessionSd')
     given = [list.sessionSd];
-    quantity.sessionSd = mean (given(isfinite (given)));
+    given = given(isfinite (given));
+    if ~isempty (given)
+      quantity.sessionSd = mean (given);
+    end
   end
 end
 

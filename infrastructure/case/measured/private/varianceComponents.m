@@ -258,55 +258,61 @@ function [scale, freedom] = studentOf (middle, spread)
 end
 
 % One mean: its lines, and what is known of the scatter of its quantity.
-function mean_ = meanOf (lines, scatter, quantity, mean_)
-  factor = 1;
-  if all (lines.changed) && isnan (quantity.variance)
-    variance = scatter.weight * scatter.scale';
-    freedom = 1 / (1 / scatter.own + 1 / scatter.common);
-    trials = isnan (lines.variance);
-    [mean_.scatterRatio, mean_.scatterP] = ...
-      scatterOfChange (lines.value(trials), lines.session(trials), variance, ...
-                       freedom);
-    if mean_.scatterRatio > 1 && mean_.scatterP < 0.01
-      factor = mean_.scatterRatio^2;
-    end
-  end
+function found = meanOf (lines, scatter, quantity, found)
+  [factor, found] = factorOfChange (lines, scatter, quantity, found);
   isStated = ~isnan (lines.variance);
   ofSession = lines.session > 0 & ~isStated;
-  ratio = sqrt (scatter.weight * scatter.ratio'.^2);
+  isKnown = ~isnan (quantity.sessionSd);
   sigma2 = max (scatter.weight * scatter.scale', realmin);
-  between = ratio^2 * sigma2;
-  if ~isnan (quantity.sessionSd)
+  between = sigma2 * (scatter.weight * scatter.ratio'.^2);
+  if isKnown
     between = quantity.sessionSd^2;
   end
   within = factor * sigma2 ./ lines.repeats;
   within(isStated) = lines.variance(isStated);
-  C = diag (within) + between * (lines.session' == lines.session & ...
-                                 (ofSession & ofSession'));
-  root = sqrt (diag (C));
-  w = sum (inv (C ./ (root * root')) ./ (root * root'), 2);
-  w = w / sum (w);
-  mean_.value = w' * lines.value;
-  days = zeros (size (mean_.days));
+  w = bestWeights (diag (within) + between * ...
+                   (lines.session' == lines.session & (ofSession & ofSession')));
+  found.value = w' * lines.value;
+  days = zeros (size (found.days));
   for k = find (ofSession)'
     days(lines.session(k)) = days(lines.session(k)) + w(k);
   end
   known = sum (w(isStated).^2 .* lines.variance(isStated));
   own = factor * sum (w.^2 ./ lines.repeats .* ~isStated);
-  if ~isnan (quantity.sessionSd)
-    mean_.days = days * quantity.sessionSd;
-    mean_ = withErrors (mean_, scatter, own, 0, known);
-    mean_.shared = norm (mean_.days);
-    mean_.sd = hypot (mean_.sd, mean_.shared);
+  found = withErrors (found, scatter, own, (days * days') * ~isKnown, known);
+  if isKnown
+    found.shared = quantity.sessionSd * norm (days);
+    found.sd = hypot (found.sd, found.shared);
+  end
+  found.days = days * found.shared / max (norm (days), realmin);
+end
+
+% Of least variance, sum 1; C by its correlations, as its units may be any.
+function w = bestWeights (C)
+  root = sqrt (diag (C));
+  w = sum (inv (C ./ (root * root')) ./ (root * root'), 2);
+  w = w / sum (w);
+end
+
+% By what the variance of a trial is larger in a change, as far as that is sure.
+function [factor, found] = factorOfChange (lines, scatter, quantity, found)
+  factor = 1;
+  trials = isnan (lines.variance);
+  if ~all (lines.changed) || ~isnan (quantity.variance)
     return
   end
-  mean_ = withErrors (mean_, scatter, own, days * days', known);
-  mean_.days = days * mean_.shared / max (norm (days), realmin);
+  [ratio, p] = scatterOfChange (lines.value(trials), lines.session(trials), ...
+                                scatter.weight * scatter.scale', ...
+                                1 / (1 / scatter.own + 1 / scatter.common));
+  [found.scatterRatio, found.scatterP] = deal (ratio, p);
+  if ratio > 1 && p < 0.01
+    factor = ratio^2;
+  end
 end
 
 % Errors of OWN and BETWEEN times the variance of a trial, the latter times the
 % square of the ratio, and of a KNOWN variance.
-function mean_ = withErrors (mean_, scatter, own, between, known)
+function found = withErrors (found, scatter, own, between, known)
   factor = own + between * scatter.ratio.^2;
   [sd, share] = deal (0);
   if any (factor > 0) && any (scatter.scale > 0)
@@ -316,14 +322,14 @@ function mean_ = withErrors (mean_, scatter, own, between, known)
     % Welch and Satterthwaite: a part that is known doubts nothing
     less = [sd^2 + known, sd^2 * (1 - share) + known] ./ ...
            max (sd^2 * [1, 1 - share], realmin);
-    mean_.freedom = scatter.own * less(1)^2;
-    mean_.commonFreedom = scatter.common * less(2)^2;
+    found.freedom = scatter.own * less(1)^2;
+    found.commonFreedom = scatter.common * less(2)^2;
     if between > 0
-      mean_.sessionFreedom = scatter.session;
+      found.sessionFreedom = scatter.session;
     end
   end
-  mean_.shared = sd * sqrt (share);
-  mean_.sd = hypot (sd, sqrt (known));
+  found.shared = sd * sqrt (share);
+  found.sd = hypot (sd, sqrt (known));
 end
 
 % Within which 68 % of a mixture of Student distributions lie.
@@ -363,3 +369,35 @@ end
 %! m = varianceComponents (of ([1, 3], [0, 0], [1, 1]), quantity);
 %! assert (m.sd, 1.84, 0.2);
 %! assert (1 / (1 / m.freedom + 1 / m.commonFreedom), 1, 0.3);
+%!test
+%! % the same days: what they bring is in both; a state read once is as uncertain as
+%! % a trial; a change of sessions that are known
+%! values = [10, 11, 14, 15, 12, 16, 30];
+%! lines = of (values, [1, 1, 2, 2, 1, 2, 3], [1, 1, 1, 1, 2, 2, 3]);
+%! m = varianceComponents (lines, quantity);
+%! assert ([m(1:2).value], [12.5, 14], 1e-9);
+%! assert (m(1).days, m(2).days, 0.2 * m(1).shared);
+%! assert (m(3).sd > m(2).sd);
+%! assert (m(1).days * m(3).days', 0);
+%! known = setfield (quantity, 'sessionSd', 2);
+%! m = varianceComponents (lines, known);
+%! assert (m(3).days, [0, 0, 2], 1e-9);
+%! assert ([m.sessionFreedom], [Inf, Inf, Inf]);
+%!test
+%! % readings lean on each other: of twelve with two trials one that hardly scatters
+%! % is not believed (seeded)
+%! randn ('twister', 3);
+%! values = [randn(2, 11), [0; 1e-3]];
+%! lines = of (values, zeros (1, 24), kron (1:12, [1, 1]));
+%! lines.quantity = lines.mean;
+%! lines.changed(:) = false;
+%! m = varianceComponents (lines, repmat (quantity, 1, 12));
+%! assert (m(12).sd > 0.1 && m(12).sd < 1);
+%! assert (m(12).commonFreedom > 5);
+%!test
+%! % what is stated with all its errors stays as it is, of a session or not
+%! lines = of ([1, 3], [1, 2], [1, 2]);
+%! lines.variance = [0.01; 0.04];
+%! m = varianceComponents (lines, quantity);
+%! assert ([m.sd; m.shared], [0.1, 0.2; 0, 0], 1e-12);
+%! assert ([m.freedom, m.sessionFreedom], Inf (1, 4));
