@@ -66,7 +66,7 @@
 %!                     "\nInput.maxCPU = 0;\nInput.numOfSamples = 1;\nend\n"]);
 %! [status, out] = startCommand (base, 'check bad');
 %! assert (status, 1);
-%! assert (says (out, 'problem(s) in the input'));
+%! assert (says (out, '2 problems in the input'));
 %! assert (says (out, 'Input.maxCPU') && says (out, 'Input.numOfSamples'));
 
 % --- check, check --try twice, run, status, export; a trial that fails

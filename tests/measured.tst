@@ -20,7 +20,7 @@
 %! [status, ~, err] = startProgram (folder);
 %! writeAtomic (file, good);
 %! assert (status, 1);
-%! for words = {'2 problem(s)', 'measured.csv, line 5, tol', ...
+%! for words = {'2 problems in', 'measured.csv, line 5, tol', ...
 %!              'measured.csv, line 6', 'Did you mean wide?'}
 %!   assert (! isempty (strfind (err, words{1})), words{1});
 %! end

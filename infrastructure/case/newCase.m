@@ -85,8 +85,8 @@ end
 function text = listFaults (faults)
   lines = arrayfun (@(p) ['  - ', p.message], faults(:)', ...
                     'UniformOutput', false);
-  text = sprintf ('%d problem(s) in the input, nothing has been run:\n%s', ...
-                  numel (faults), strjoin (lines, "\n"));
+  text = sprintf ("%s in the input, nothing has been run:\n%s", ...
+                  countText (numel (faults), 'problem', 'problems'), strjoin (lines, "\n"));
 end
 
 function models = newModels (raw)

@@ -42,13 +42,16 @@ function cause = decideGap (gap)
                   'cannotSee', {namesIn(which, 'cannotSee')}, ...
                   'untested', {eachOf(@(u) say (codes{1 + isempty(u.why)}, u), untested)});
   failed = eachOf (@(u) u.name, untested);
-  [names, few] = headlineCauses (gap);
+  [names, few, alike] = headlineCauses (gap);
   if strcmp (which.verdict, 'no gap')
     cause = noGap (cause, gap, isBeyond, failed, say);
   elseif any (strcmp (few, {'oneNumber', 'fewNumbers', 'manyKinds'})) && isBeyond
     cause = tooMany (cause, gap, names, few, say);
   elseif any (strcmp (which.verdict, {'named', 'group'})) && ~isempty (names)
     cause = found (cause, gap, names, isBeyond, say);
+    if ~isempty (alike)
+      cause.sentence = [cause.sentence, ' ', say('alike', plainName (alike))];
+    end
   elseif strcmp (which.verdict, 'none of the listed')
     cause = noneListed (cause, gap, failed, say);
   elseif strcmp (which.verdict, 'surrogate')

@@ -1,26 +1,29 @@
 % HEADLINECAUSES  Which effects of a verdict may stand in its first words.
 %
-% CALL: [NAMES, CODE] = headlineCauses (GAP)
+% CALL: [NAMES, CODE, ALIKE] = headlineCauses (GAP)
 %
 %   GAP    decoded gap/gap.json
 %   NAMES  1 x n cell, the effects of which that carry the verdict
 %   CODE   why fewer than the verdict names: 'oneNumber', 'fewNumbers' (two or three
 %          numbers, and more than one cause left), 'kind' (more than four, all of one
 %          kind), 'manyKinds' (more than four, of several), else ''
+%   ALIKE  1 x m cell, those that would look almost the same, each without the others:
+%          of one class, and left out only as they ride along
 %
 % None whose strength these tests cannot see, whose interval holds the neutral value
 % (it may not act at all), or that explains the measurements mostly beside another
 % one. One number tells no causes apart, whatever their ranges make of it.
 
-function [names, code] = headlineCauses (gap)
+function [names, code, alike] = headlineCauses (gap)
   which = gap.which;
   names = namesIn (which, 'effects');
   isPair = isequal (jsonAt (which, {'together'}), true);
   names = setdiff (names, namesIn (which, 'cannotSee'), 'stable');
   names = names(cellfun (@(n) ~mayBeNothing (which, n), names));
-  if ~isPair
-    names = names(cellfun (@(n) ~ridesAlong (which, n), names));
-  end
+  isRider = ~isPair & cellfun (@(n) ridesAlong (which, n), names);
+  isClass = isequal (jsonAt (which, {'sameKind'}), true);
+  alike = names(isRider & isClass);
+  names = names(~isRider);
   numbers = numel (jsonList (gap, {'reference', 'targets'}));
   numbers(numbers == 0) = Inf;             % of a gap the parameters are no change
   code = '';
