@@ -44,7 +44,7 @@ end
 %! assert (isequal (infoAsRun (info, folder, struct ('w', 1)), info));
 %! mkdir (fullfile (folder, 'sample'));
 %! writeAtomic (fullfile (folder, 'sample', 'places.csv'), ...
-%!              "name,variable\na,w\nb,s\nc,none\nd,w\n");
+%!              "name,variable\na,w\nb,s\nc,none\nq,w\n");
 %! now = infoAsRun (info, folder, struct ('w', 1.0471975, 's', 0.025));
 %! assert ([now.at], [1.0471975, 0.025, 2]);
 %! assert ({now.text}, {'slope at 1.047 rad/s, 12 m', 'slot of 25 mm of 2', 'at 2 rad/s'});
