@@ -90,8 +90,8 @@ end
 % Lines of one block of a session are one trial.
 function n = countOf (trials, weight)
   n = sum (weight);
-  if isfield (trials, 'block')
-    inBlock = ~cellfun (@isempty, {trials.block});
+  inBlock = ~arrayfun (@(one) isempty (givenField (one, 'block', '')), trials);
+  if any (inBlock)
     names = strcat ({trials(inBlock).session}, {'|'}, {trials(inBlock).block});
     n = sum (weight(~inBlock)) + numel (unique (names));
   end
