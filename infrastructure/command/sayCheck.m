@@ -121,8 +121,8 @@ function sayMeasured (targets)
            unique (strcat ({targets(isOther).given}, {' to '}, ...
                            {targets(isOther).unit})));
   isMean = arrayfun (@(t) numel (givenField (t, 'each', [])) > 1, targets);
-  isPlain = arrayfun (@(t) abs (t.value - mean (givenField (t, 'each', t.value))) < ...
-                           1e-9 * abs (t.value), targets);
+  miss = arrayfun (@(t) t.value - mean (givenField (t, 'each', t.value)), targets);
+  isPlain = abs (miss) < 1e-9 * abs ([targets.value]);
   sayList ('mean of repeated trials', {targets(isMean & isPlain).name});
   sayList ('mean of repeated trials, weighted by their sd, repeats and sessions', ...
            {targets(isMean & ~isPlain).name});

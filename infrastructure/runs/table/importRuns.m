@@ -6,7 +6,8 @@
 %            in CASE.further), seed (optional), the design variables, the
 %            effect variables (optional: neutral), the targets, in any order;
 %            a field is empty where the column does not belong to the row's
-%            model (a parameter: in all its rows), and empty or -, n/a, None ... (isNoResult) without a result;
+%            model (a parameter: in all its rows), and empty or -, n/a, None ... (isNoResult)
+%            without a result;
 %            a unit may stand behind a name (aor [deg]); one row a run, or
 %            several (see spreadRuns; readRunsTable for the accepted forms)
 %   CASE     struct with names, effectVars, effects, targets, models, further
@@ -89,7 +90,8 @@ function X = withoutOthers (X, model)
       own = model == k;
       [~, ~, set] = unique (X(own, all (given(own, :), 1)), 'rows');
       ends = [min(X(given(:, j), j)), max(X(given(:, j), j))];
-      X(own, j) = ends(1) + diff (ends) * mod (set * sqrt ([2, 3, 7](mod (j, 3) + 1)), 1);
+      step = sqrt ([2, 3, 7]);
+      X(own, j) = ends(1) + diff (ends) * mod (set * step(mod (j, 3) + 1), 1);
     end
   end
 end
