@@ -142,8 +142,11 @@ function ignored = checkColumns (header, Case, model, file)
            repmat (' The first line must name the columns.', 1, ...
                    numel (missing) == numel (needed)));
   end
-  fixed = givenField (Case, 'fixed', struct ('name', {}));
-  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets, {fixed.name}];
+  aside = cellfun (@(f) givenField (Case, f, []), {'fixed', 'thinned'}, ...
+                   'UniformOutput', false);
+  aside = cellfun (@(s) {s(:).name}, aside(~cellfun (@isempty, aside)), ...
+                   'UniformOutput', false);
+  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets, aside{:}];
   ignored = setdiff (header, known);
 end
 
