@@ -47,7 +47,8 @@ function c = newCalibration (state, problem, Case)
                       'otherCases', of ('library'), 'misled', state.misled);
   c.coreSeconds = state.budget.coreSeconds;
   [c.warnings, c.atLimit] = checkSurrogates (state, problem, known.interval90);
-  c.identifiability = weakness (state.surrogates, problem, known);
+  c.sensitivity = totalIndices (state.surrogates, problem);
+  c.identifiability = weakness (state.surrogates, problem, known, c.sensitivity);
   if strcmp (known.code, 'no fit')       % nor is anything else said of them
     c.posterior = known.sample([], :);
     c.correlation = full (eye (columns (known.sample)));
@@ -56,7 +57,6 @@ function c = newCalibration (state, problem, Case)
     c.identifiability.next = c.identifiability.next([]);
   end
   c.notIdentified = c.identifiability.notIdentified;
-  c.sensitivity = totalIndices (state.surrogates, problem);
   c.holdout = predictHoldout (state, problem, known);
   c.levels = describeLevels (state, problem);
   for name = {'surrogates', 'history', 'data'}
@@ -71,8 +71,10 @@ end
 % words), next (struct array, best first: code 'fit' (a held-out target),
 % 'measure' (a target that is not measured yet) or 'direct' (the parameter
 % itself), kind (the code in words), name, gain (share of the total relative
-% variance of the parameters that it should take away)).
-function weak = weakness (surrogates, problem, known)
+% variance of the parameters that it should take away)). A parameter that drives less
+% than a twentieth of each target is no advice: the model may not read it at all. Nor
+% is any other, where all that are open are such.
+function weak = weakness (surrogates, problem, known, sensitivity)
   U = toUnit (known.sample, problem.limits);
   weak.notIdentified = problem.names(~known.identified);
   [V, D] = eig (cov (U));
@@ -92,7 +94,9 @@ function weak = weakness (surrogates, problem, known)
     next(end + 1) = entry (code, surrogates(t).name, gainOf (U, m, s2));
   end
   s2 = problem.options.direct^2;
-  for j = 1:columns (U)
+  isAlive = max ([sensitivity(:, problem.calibrate), zeros(columns (U), 1)], [], 2)' >= 0.05;
+  isOpen = ~known.identified;
+  for j = find (isAlive & (any (isAlive & isOpen) | ~any (isOpen)))
     next(end + 1) = entry ('direct', problem.names{j}, gainOf (U, U(:, j), s2));
   end
   [~, order] = sort ([next.gain], 'descend');
@@ -278,4 +282,6 @@ end
 %! weak = c.identifiability;
 %! assert (columns (weak.directions), 2);
 %! assert (sum (weak.directions(1:2, :), 1), [0, 0], 0.35);
-%! assert (numel (weak.next) == 3 && weak.next(1).gain > 0.2);
+%! % c, which the target does not read, is not worth a measurement
+%! assert (sort ({weak.next.name}), {'a', 'b'});
+%! assert (weak.next(1).gain > 0.2);

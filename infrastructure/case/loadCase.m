@@ -11,7 +11,8 @@
 %
 % A program loads its case once and hands it on. Without arguments it is that of
 % the current folder, for published functions that users call with no case at
-% hand. Parameters that no run varies are left out (withoutUnvaried). withEffects adds the candidate effects of the diagnosis.
+% hand. Parameters that no run varies are left out (withoutUnvaried).
+% withEffects adds the candidate effects of the diagnosis.
 %
 % Errors: those of readInput and checkCase
 

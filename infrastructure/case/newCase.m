@@ -27,6 +27,7 @@
 %                   coarse
 %     further       cell, names of the last models: measured next tests
 %     targets       see newTargets
+%     thinned       points of dense curves that are not fitted, see thinCurves
 %     conditions    cell, names of the conditions of measured.csv
 %     sessions      see groupMeasured: given, names, ratio, df
 %     options       the other fields of Input and optim, and sets (at a time
@@ -63,6 +64,7 @@ function Case = newCase (raw, varargin)
   [Case.models.coarse] = deal (Case.coarse);
   Case = plainCase (Case);
   Case.targets = newTargets (raw.optim, {Case.models.name}, found);
+  Case.thinned = givenField (found, 'thinned', []);
   Case.conditions = found.conditions;
   Case.sessions = found.sessions;
   Case.perCondition = ismember (Case.names, ...

@@ -89,11 +89,7 @@ function models = contactModels (commands, keyword)
   meshes = struct ();
   for words = commands
     w = [words{1}, {''}];
-    law = w(1:find ([ismember(w, {'mesh', 'primitive'}), true], 1) - 1);
-    % a variable may hold the keyword
-    reads = any (~cellfun (@isempty, strfind (law, '$'))) || ...
-            any (strcmp (w, keyword)) && ...
-            ~strcmp (w{find(strcmp (w, keyword), 1) + 1}, 'off');
+    reads = readsIt (w, keyword);
     if strcmp (w{1}, 'pair_style') && any (strcmp (w, 'model'))
       models(end + 1) = struct ('what', 'pair_style', 'reads', reads, 'types', []);
     elseif strcmp (w{1}, 'fix') && numel (w) > 4 && strncmp (w{4}, 'mesh/surface', 12)
@@ -108,6 +104,14 @@ function models = contactModels (commands, keyword)
                                 'types', unique (types));
     end
   end
+end
+
+% A variable may hold the keyword.
+function yes = readsIt (w, keyword)
+  law = w(1:find ([ismember(w, {'mesh', 'primitive'}), true], 1) - 1);
+  at = find (strcmp (w, keyword), 1);
+  yes = any (~cellfun (@isempty, strfind (law, '$'))) || ...
+        (~isempty (at) && ~strcmp (w{at + 1}, 'off'));
 end
 
 function types = typeAfter (w, word)

@@ -76,6 +76,11 @@ function sayModels (Case, isTried)
     sayNamed (m, runPlace (Case, m.name, '0001'));
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
+    if ~isempty (Case.thinned)
+      n = sum ([Case.thinned.model] == k);
+      printf (repmat ("          %s of its dense curves are not fitted: neighbours say the same\n", ...
+                      1, n > 0), repmat (countText (n, 'point'), 1, n > 0));
+    end
     sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
   notes = struct ('label', {'sessions ', 'scatter  '}, 'text', ...
@@ -127,8 +132,8 @@ function sayMeasured (targets)
            unique (strcat ({targets(isOther).given}, {' to '}, ...
                            {targets(isOther).unit})));
   isMean = arrayfun (@(t) numel (givenField (t, 'each', [])) > 1, targets);
-  isPlain = arrayfun (@(t) abs (t.value - mean (givenField (t, 'each', t.value))) < ...
-                           1e-9 * abs (t.value), targets);
+  miss = arrayfun (@(t) t.value - mean (givenField (t, 'each', t.value)), targets);
+  isPlain = abs (miss) < 1e-9 * abs ([targets.value]);
   sayList ('mean of repeated trials', {targets(isMean & isPlain).name});
   sayList ('mean of repeated trials, weighted by their sd, repeats and sessions', ...
            {targets(isMean & ~isPlain).name});

@@ -95,7 +95,8 @@ function X = withoutOthers (X, model)
       own = model == k;
       [~, ~, set] = unique (X(own, all (given(own, :), 1)), 'rows');
       ends = [min(X(given(:, j), j)), max(X(given(:, j), j))];
-      X(own, j) = ends(1) + diff (ends) * mod (set * sqrt ([2, 3, 7](mod (j, 3) + 1)), 1);
+      step = sqrt ([2, 3, 7]);
+      X(own, j) = ends(1) + diff (ends) * mod (set * step(mod (j, 3) + 1), 1);
     end
   end
 end
@@ -146,8 +147,11 @@ function ignored = checkColumns (header, Case, model, file)
            repmat (' The first line must name the columns.', 1, ...
                    numel (missing) == numel (needed)));
   end
-  fixed = givenField (Case, 'fixed', struct ('name', {}));
-  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets, {fixed.name}];
+  aside = cellfun (@(f) givenField (Case, f, []), {'fixed', 'thinned'}, ...
+                   'UniformOutput', false);
+  aside = cellfun (@(s) {s(:).name}, aside(~cellfun (@isempty, aside)), ...
+                   'UniformOutput', false);
+  known = [{'model', 'seed'}, Case.names, Case.effectVars, targets, aside{:}];
   ignored = setdiff (header, known);
 end
 

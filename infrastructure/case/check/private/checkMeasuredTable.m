@@ -8,7 +8,8 @@
 %   TAKEN   cell of names that a target may not have: variables
 %   P       1 x n faults, see checkFault
 %   FOUND   struct sizes (1 x M, targets of each model; [] where they make no
-%           sense), groups, conditions and sessions, see groupMeasured
+%           sense), groups, conditions and sessions, see groupMeasured; thinned,
+%           see thinCurves
 %
 % The table stands in the place of the fields of optim that are given target by
 % target. optim.tolRes may be one number: the tolerance where tol is empty.
@@ -17,7 +18,7 @@
 function [p, found] = checkMeasuredTable (raw, models, taken)
   found = struct ('sizes', [], 'groups', [], 'conditions', {{}}, ...
                   'sessions', struct ('given', false, 'names', {{}}, ...
-                                      'ratio', 0, 'df', 0));
+                                      'ratio', 0, 'df', 0), 'thinned', []);
   if isfile (fullfile (raw.folder, 'measured.csv'))
     [p, found] = checkTable (raw, models, taken, found);
     p = [p, checkTargets(raw.optim, models, taken, found.sizes)];
@@ -80,12 +81,13 @@ function [p, found] = checkTable (raw, models, taken, found)
                              'none that is measured and not held out', ...
                              cures{1 + any(isfinite ([groups.value]))});
   end
+  [groups, found.thinned] = thinCurves (groups);
   sizes = arrayfun (@(k) sum ([groups.model] == k), 1:numel (models));
   for k = find (sizes == 0)
     p = [p, withoutLine(models(k).name, raw, p)];
   end
-  found = struct ('sizes', sizes, 'groups', groups, ...
-                  'conditions', {conditions}, 'sessions', sessions);
+  [found.sizes, found.groups, found.conditions, found.sessions] = ...
+    deal (sizes, groups, conditions, sessions);
 end
 
 % Of a further model whose table is at fault P says more.

@@ -178,7 +178,8 @@ end
 %!                'isAbsolute', false, 'file', 't.csv', 'session', '', ...
 %!                'places', 1, 'mean', 1);
 %! means = struct ('value', 94.3 / 3, 'sd', 1.3, 'shared', 0, 'days', [], 'freedom', ...
-%!                 2, 'commonFreedom', Inf, 'sessionFreedom', Inf, 'hasScatter', true);
+%!                 2, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
+%!                 'scatterRatio', NaN, 'scatterP', NaN, 'hasScatter', true);
 %! g = measuredTarget (line, means);
 %! w = 1 ./ [25, 0.01, 0.01];
 %! assert ([g.value, g.sd], [w * [34; 30.1; 30.2], sqrt(sum (w))] / sum (w), 1e-12);
