@@ -29,7 +29,9 @@ function reportCalibration (Case, say)
   say ('');
   v = page.verdict;
   misled = char (jsonAt (c, {'sources', 'misled'}));
-  cellfun (say, {misled}(~isempty (misled)));
+  if ~isempty (misled)
+    say (misled);
+  end
   say ([repmat('NOT ', 1, ~c.converged), 'CALIBRATED: ', c.reason], v.class);
   if ~isempty (v.gap)
     say (['  ', v.gap]);

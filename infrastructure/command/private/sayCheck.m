@@ -77,9 +77,7 @@ function sayModels (Case, isTried)
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
     if ~isempty (Case.thinned)
-      n = sum ([Case.thinned.model] == k);
-      printf (repmat ("          %s of its dense curves are not fitted: neighbours say the same\n", ...
-                      1, n > 0), repmat (countText (n, 'point'), 1, n > 0));
+      sayThinned (sum ([Case.thinned.model] == k));
     end
     sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
@@ -87,6 +85,13 @@ function sayModels (Case, isTried)
                   {sessionNote(Case), scatterNote(Case)});
   for note = notes(~cellfun (@isempty, {notes.text}))
     printf ('%s %s\n', note.label, note.text);
+  end
+end
+
+function sayThinned (n)
+  if n > 0
+    printf ('          %s of its dense curves are not fitted: neighbours say the same\n', ...
+            countText (n, 'point'));
   end
 end
 

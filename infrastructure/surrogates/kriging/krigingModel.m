@@ -55,7 +55,7 @@ function model = withPriors (model, of, beyond)
                                of.prior(known) / 0.5^2);
     sd(known) = sqrt (variance);
   end
-  nOwn = d + 1;
+  count = d + 1;
   model.criterion = @stk_param_relik;
   if of.quick && isempty (of.extra)
     model.criterion = @quickCost;
@@ -67,13 +67,13 @@ function model = withPriors (model, of, beyond)
     model.covariance_type = @(varargin) noisyCovariance (kernel, varargin{:});
     mean(end + 1) = 0;
     sd(end + 1) = 1.5;
-    nOwn = d + 3;
+    count = d + 3;
   else
     model.lognoisevariance = mean(end);
     model.noiseprior = normal (mean(end), sd(end));
   end
-  model.param = mean(1:nOwn);
-  model.prior = normal (mean(1:nOwn), sd(1:nOwn));
+  model.param = mean(1:count);
+  model.prior = normal (mean(1:count), sd(1:count));
 end
 
 function distribution = normal (mean, sd)

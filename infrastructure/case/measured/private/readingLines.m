@@ -19,13 +19,13 @@ function [lines, quantities, number, names] = readingLines (list, keys)
   number = zeros (1, numel (list));
   isThere = isfinite ([list.value]);
   [list, keys] = deal (list(isThere), keys(isThere));
-  states = strcat (keys, {'|'}, conditionsOf (list));
+  states = strcat (keys, {'|'}, ofConditions (list));
   [~, ~, state] = unique (states);
   number(isThere) = state;
   [list, first] = ofBlocks (list, states);
   [keys, state] = deal (keys(first), state(first));
   [~, ~, quantity] = unique (keys);
-  conditions = conditionsOf (list);
+  conditions = ofConditions (list);
   [session, names] = sessionsOf (list, quantity, conditions);
   repeats = [list.repeats]';
   sd = [list.sd]';
@@ -57,7 +57,7 @@ function [lines, quantities, number, names] = readingLines (list, keys)
   end
 end
 
-function conditions = conditionsOf (list)
+function conditions = ofConditions (list)
   conditions = {list.condition};
   conditions(strcmp (conditions, '')) = {'reference'};
 end

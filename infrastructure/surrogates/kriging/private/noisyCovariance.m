@@ -12,7 +12,6 @@
 % predicts by the kernel alone, with the noise that came out, a number for each run.
 
 function K = noisyCovariance (kernel, param, x, y, diff, pairwise)
-  %| pragma Justify (metric, "parameters", "the call is that of stk");
   if nargin < 5
     diff = -1;
   end
@@ -20,9 +19,9 @@ function K = noisyCovariance (kernel, param, x, y, diff, pairwise)
     pairwise = false;
   end
   param = max (min (param, 20), -20);
-  nOwn = numel (param) - 2;
-  if diff <= nOwn
-    K = feval (kernel, param(1:nOwn), x, y, diff, pairwise);
+  count = numel (param) - 2;
+  if diff <= count
+    K = feval (kernel, param(1:count), x, y, diff, pairwise);
   else
     n = rows (x);
     K = zeros (n, rows (y));
@@ -30,9 +29,9 @@ function K = noisyCovariance (kernel, param, x, y, diff, pairwise)
       K = zeros (n, 1);
     end
   end
-  if isequal (x, y) && (diff == -1 || diff > nOwn)
+  if isequal (x, y) && (diff == -1 || diff > count)
     noise = exp (param(end - 1) + param(end) * x(:, end));
-    if diff == nOwn + 2
+    if diff == count + 2
       noise = noise .* x(:, end);
     end
     if ~pairwise
