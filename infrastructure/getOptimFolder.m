@@ -20,7 +20,7 @@ function names = getOptimFolder (params, Case)
     for name = listRunFolders (place)'
       record = readRun (fullfile (place, name{1}));
       if strcmp (givenField (record, 'status', ''), 'ok') && ...
-         isequal (record.params, params(:)') && ...
+         isequal (toDigits (record.params), toDigits (params(:)')) && ...
          atLastLevel (record.effects, Case)
         names{k} = name{1};
         break
@@ -36,3 +36,6 @@ end
 %! names = getOptimFolder ([1; 3], Case);
 %! assert (names{1}, '0002');
 %! assert (isnan (names{2}));
+%! % a run keeps 15 digits of a set
+%! runScript ([1/3, 3, 0, 1], 'First', Case);
+%! assert (getOptimFolder ([1/3; 3], Case){1}, '0003');
