@@ -16,7 +16,8 @@
 % in all conditions: it can make another cause of it, but not more or less of
 % one. The probability takes the strengths as normal, with the widths of their
 % intervals, and with the correlation that reference, emulator and form make of them,
-% which both conditions share (strengthErrors). Nothing is said of strengths that are not known, nor of two that both
+% which both conditions share (strengthErrors). Nothing is said of strengths that are
+% not known, nor of two that both
 % stand at the end of the range: each may be any amount more.
 
 function s = compareConditions (diagnosis, others)

@@ -120,7 +120,8 @@ function v = ofCalibration (v, c)
     v.class = 'open';
     v = withAction (v, newAction ('diagnose'));
   end
-  v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong; 'notFor.leftOpen', open}), looseOnes(c), knownOnes(c)];
+  v.notFor = [v.notFor, listSentences({'notFor.wrong', wrong; 'notFor.leftOpen', open}), ...
+              looseOnes(c), knownOnes(c)];
 end
 
 % The values may be used; a target that runs and all runs together see otherwise is

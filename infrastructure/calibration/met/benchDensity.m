@@ -8,8 +8,8 @@
 %   LIKENESS  one of benchLikeness
 %   FIT       n x 1, without that of each curve by itself
 %
-% Of the levels a normal copula; of single targets multivariate Student, given these. Of a covariance that was estimated with df
-% degrees of freedom df - a + 1 are left, and the scatter is wider by the root of
+% Of the levels a normal copula; of single targets multivariate Student, given these.
+% Of a covariance that was estimated with df degrees of freedom df - a + 1 are left, and the scatter is wider by the root of
 % their ratio, as that of a prediction whose covariance is unknown (Anderson 2003,
 % 5.2); of one target this is Student's distribution with df.
 

@@ -42,8 +42,8 @@ function errors = errorsOf (study, k, posterior)
            J(:, same) * (known(same, same) \ J(:, same)');
   own = change.fresh(used, used) + J(:, ~same) * J(:, ~same)' / 3;
   % a turned law does something of its own, as large as the tangent of the angle says
-  strange = posterior.weight' * posterior.Q(:, end).^2 * sumsq (mark(used)' ./ ...
-            sqrt (diag (own))) / numel (used);
+  size_ = sumsq (mark(used)' ./ sqrt (diag (own))) / numel (used);
+  strange = posterior.weight' * posterior.Q(:, end).^2 * size_;
   form = effectError (emulator, k, q)(used, used) + strange * diag (diag (own));
   C = own + shared + form;
   g = C \ u / (u' * (C \ u));

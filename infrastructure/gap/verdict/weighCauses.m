@@ -156,8 +156,8 @@ function logE = overSizes (each, sizes, rho)
   logE = logSumExp (each + log (share));
 end
 
-function size_ = most (rho)
-  size_ = max (30, 2 * norm (rho));
+function d = most (rho)
+  d = max (30, 2 * norm (rho));
 end
 
 function logE = logNormal (r, C)
