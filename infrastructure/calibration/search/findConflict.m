@@ -62,8 +62,17 @@ function yes = areMet (surrogates, problem, group)
 end
 
 % Largest (|residual| - tolerance) / sd of the calibrated targets.
+% A published residual needs the response of its own target alone.
 function worst = worstExcess (surrogates, problem, P)
-  [r, s] = residualSpread (surrogates, problem, P);
+  if problem.standard
+    use = problem.calibrate;
+    [r, s] = deal (NaN (rows (P), numel (use)));
+    [m, v] = predictSurrogate (surrogates(use), P);
+    r(:, use) = (m - problem.value(use)) ./ problem.scale(use);
+    s(:, use) = sqrt (v) ./ abs (problem.scale(use));
+  else
+    [r, s] = residualSpread (surrogates, problem, P);
+  end
   [share, spread] = toleranceShare (problem, r, s);
   worst = max (max ((share - 1) ./ max (spread, 1e-3), [], 2), 0);
 end

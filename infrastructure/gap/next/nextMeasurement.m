@@ -35,10 +35,10 @@ function tests = nextMeasurement (problem, emulator, evidence, P, options)
   noise = noisesOf (problem, emulator);
   for i = 1:numel (tests)
     at = tests(i).targets;
+    noise.isReference = isReference(i);
     parts = struct ('mean', {}, 'cov', {});
     for k = 1:numel (keep)
-      parts(k) = predictive (problem, emulator, evidence, keep(k), at, noise, ...
-                             isReference(i));
+      parts(k) = predictive (problem, emulator, evidence, keep(k), at, noise);
     end
     [tests(i).gain, pair] = mixtureInformation (parts, P, kinds);
     tests(i).between = names(pair);
@@ -97,7 +97,7 @@ function test = newTest (text, targets, problem, bench)
                  'lines', {{}}, 'runs', 0, 'isFirm', true);
 end
 
-function part = predictive (problem, emulator, evidence, h, at, noise, isReference)
+function part = predictive (problem, emulator, evidence, h, at, noise)
   posterior = evidence.posterior{h};
   members = evidence.members{h};
   Q = posterior.Q(:, 1:emulator.p + numel (members));
@@ -118,7 +118,7 @@ function part = predictive (problem, emulator, evidence, h, at, noise, isReferen
   end
   again = noise.again(at, at);
   known = problem.value(at);
-  if isReference
+  if noise.isReference
     % the level of both conditions, of which this reading has told a share
     gain = again / (again + R + S);
     M = predictGap (emulator, [], Q(:, 1:emulator.p))(:, at) + (known - M) * gain';

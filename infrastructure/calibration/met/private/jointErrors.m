@@ -6,7 +6,8 @@
 %             points (1 x p, target numbers), free (columns of unknowns) and
 %             logLikelihood, handle (M, V, FREE) -> n x 1, log density of the
 %             measured curve, and n x 1, its level as a normal score: M, V n x p, mean and
-%             variance of the surrogates at the points; FREE n x f in [0, 1], the length over which the
+%             variance of the surrogates at the points; FREE n x f in [0, 1], the
+%             length over which the
 %             errors of the measurement are alike (a third of a step to the
 %             whole curve, logarithmic), then their size (2 % to twice the
 %             tolerance, logarithmic), each where it is not known; weight (p x 1,
