@@ -65,8 +65,10 @@ function sayModels (Case, isTried)
     m = Case.models(k);
     place = givenField (m, 'folder', ...
                         'no folder; its runs are those of runs.csv');
+    mine = Case.targets([Case.targets.model] == k);
     printf ('model     %s: %s, %s a run (%s)\n', m.name, ...
-            countText (m.nTargets, 'target'), countText (m.cpu, 'CPU'), place);
+            countText (numel (requirementsOf (mine, 1:numel (mine))), 'target'), ...
+            countText (m.cpu, 'CPU'), place);
     sayStages (m);
     sayNamed (m, runPlace (Case, m.name, '0001'));
     isMine = [Case.targets.model] == k;
