@@ -73,16 +73,19 @@ function sayModels (Case, isTried)
     sayNamed (m, runPlace (Case, m.name, '0001'));
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
-    if ~isempty (Case.thinned)
-      n = sum ([Case.thinned.model] == k);
-      printf (repmat ("          %s of its dense curves are not fitted: neighbours say the same\n", ...
-                      1, n > 0), repmat (countText (n, 'point'), 1, n > 0));
-    end
+    sayThinned (Case.thinned, k);
     sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
   note = sessionNote (Case);
   if ~isempty (note)
     printf ('sessions  %s\n', note);
+  end
+end
+
+function sayThinned (thinned, k)
+  if ~isempty (thinned) && any ([thinned.model] == k)
+    printf (['          %s of its dense curves are not fitted: neighbours say the ' ...
+             'same\n'], countText (sum ([thinned.model] == k), 'point'));
   end
 end
 
