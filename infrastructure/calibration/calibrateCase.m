@@ -95,16 +95,19 @@ end
 function reportCase (Case, say, problem)
   tell = @(varargin) say (sprintf (varargin{:}));
   tell ('DEcalioc  case %s', Case.folder);
-  for m = Case.models
+  wanted = @(is) countText (numel (requirementsOf (Case.targets(is), 1:sum (is))), ...
+                            'target');         % a curve is one
+  for k = 1:numel (Case.models)
+    m = Case.models(k);
     tell ('  model %s (%s), %s a run, %s', m.name, m.folder, ...
-          countText (m.cpu, 'CPU'), countText (m.nTargets, 'target'));
+          countText (m.cpu, 'CPU'), wanted ([Case.targets.model] == k));
   end
   [~, binary] = system ('command -v liggghts || echo none found');
   tell ('  LIGGGHTS: %s', strtrim (binary));
   o = Case.options;
   tell ('  %s, %s, %s (%s), seed %d, method %s', ...
         countText (numel (Case.names), 'parameter'), ...
-        countText (numel (Case.targets), 'target'), countText (o.maxCPU, 'CPU'), ...
+        wanted (true (size (Case.targets))), countText (o.maxCPU, 'CPU'), ...
         o.executor, o.seed, o.method);
   measured = measuredParams (Case);
   if ~isempty (measured)

@@ -36,6 +36,7 @@ function [lines, touched] = checkSurrogates (state, problem, interval)
   if failed > 0
     of = ['of ', countText(sum (isOurs), 'run'), ' failed and '];
     lines{end + 1} = countText (failed, [of, 'is left out'], [of, 'are left out']);
+    lines = [lines, lackingOne(state.budget.lost)];
   end
   [~, isRepeat] = countEqualOnce (state.data, problem.bench);
   if any (isRepeat)
@@ -73,6 +74,24 @@ function lines = apartLines (state, problem)
                        namedValues (problem.names, sets(k, :), '%.4g'));
       lines{end + 1} = sentence ('warning.apart', values);
     end
+  end
+end
+
+% Runs that are left out for one result are the ones in which nothing came: what is
+% left says nothing of it.
+function lines = lackingOne (lost)
+  lines = {};
+  found = regexp ({lost.message}, '^(result \d+(?: \([^)]*\))?) is .*lacks this result alone', ...
+                  'tokens', 'once');
+  found = [cell(1, 0), found{:}];
+  for name = unique (found)
+    lines{end + 1} = sprintf (['%s for %s alone, and have the other results. If ' ...
+                               'nothing flows there, that is an outcome and no fault: ' ...
+                               'let getResults return 0 for it, not NaN. The runs that ' ...
+                               'are left are those in which it flowed, and do not ' ...
+                               'say how much it is on average'], ...
+                              countText (sum (strcmp (found, name{1})), 'run is left out', ...
+                                         'runs are left out'), name{1});
   end
 end
 
@@ -177,6 +196,16 @@ end
 %!                    sprintf('(%g to %g)', min (s(2).z), max (s(2).z))]);
 %! assert (lines{2}, 'at a limit of the box: a');
 
+%!test
+%! % runs that lack one result are named
+%! clogged = state;
+%! clogged.data.Z(3, 1) = NaN;
+%! message = ['result 1 (r4) is NaN: output is missing or not sane. It lacks this ', ...
+%!            'result alone: where nothing flows, return 0'];
+%! clogged.budget.lost = struct ('E', {[], [], []}, ...
+%!                               'message', {message, 'exit status 7', message});
+%! assert (numel (those (checkSurrogates (clogged, problem), ...
+%!                       '2 runs are left out for result 1 (r4) alone')), 1);
 %!test
 %! % near a limit, seen from the box, and far from it, seen from the interval
 %! wide = setfield (state, 'found', 'params', [0.003, 1.996]);

@@ -70,15 +70,21 @@ function sayModels (Case, isTried)
     m = Case.models(k);
     place = givenField (m, 'folder', ...
                         'no folder; its runs are those of runs.csv');
+    mine = Case.targets([Case.targets.model] == k);
     printf ('model     %s: %s, %s a run (%s)\n', m.name, ...
-            countText (m.nTargets, 'target'), countText (m.cpu, 'CPU'), place);
+            countText (numel (requirementsOf (mine, 1:numel (mine))), 'target'), ...
+            countText (m.cpu, 'CPU'), place);
     sayStages (m);
     sayNamed (m, runPlace (Case, m.name, '0001'));
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
+<<<<<<< HEAD:infrastructure/command/private/sayCheck.m
     if ~isempty (Case.thinned)
       sayThinned (sum ([Case.thinned.model] == k));
     end
+=======
+    sayThinned (Case.thinned, k);
+>>>>>>> field:infrastructure/command/sayCheck.m
     sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
   notes = struct ('label', {'sessions ', 'scatter  '}, 'text', ...
@@ -92,6 +98,13 @@ function sayThinned (n)
   if n > 0
     printf ('          %s of its dense curves are not fitted: neighbours say the same\n', ...
             countText (n, 'point'));
+  end
+end
+
+function sayThinned (thinned, k)
+  if ~isempty (thinned) && any ([thinned.model] == k)
+    printf (['          %s of its dense curves are not fitted: neighbours say the ' ...
+             'same\n'], countText (sum ([thinned.model] == k), 'point'));
   end
 end
 

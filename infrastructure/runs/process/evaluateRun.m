@@ -108,9 +108,15 @@ function [row, fault] = asRow (results, place)
     fault = sprintf ('getResults returned %s, %d expected', ...
                      countText (numel (row), 'result'), place.count);
   elseif ~isempty (bad)
-    fault = sprintf ('result %d%s is %g: output is missing or not sane', ...
-                     bad, nameOf (bad, numel (row), place), row(bad));
+    fault = [sprintf('result %d%s is %g: output is missing or not sane', ...
+                     bad, nameOf (bad, numel (row), place), row(bad)), ofOne(row)];
   end
+end
+
+% A slot that clogs has a rate of 0, and is no fault of the run.
+function text = ofOne (row)
+  isAlone = sum (~isfinite (row)) == 1 && numel (row) > 1;
+  text = repmat ('. It lacks this result alone: where nothing flows, return 0', 1, isAlone);
 end
 
 % ' (name)' by measured.csv or the results.csv of the model, '' without.
