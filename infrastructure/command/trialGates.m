@@ -42,8 +42,7 @@ function notes = trialGates (record, targets, folder)
       end
     end
   end
-  notes = [notes, ofGrains(record.folder), ...
-           ofModel(folder, mergeFields (mergeFields (values, checks), named))];
+  notes = [notes, ofModel(folder, mergeFields (mergeFields (values, checks), named))];
 end
 
 % Of one result, by its kind; an angle of a script of one's own has none.
@@ -91,36 +90,6 @@ function notes = ofPacking (name, share, which, values)
   end
 end
 
-% What LIGGGHTS says of the grains in its log.
-function notes = ofGrains (folder)
-  notes = cell (1, 0);
-  text = readText (fullfile (folder, 'log.liggghts'));
-  if ~isempty (strfind (text, 'Less insertions than requested'))
-    notes{end + 1} = ['LIGGGHTS inserted fewer grains than the script asks for (its ', ...
-                      'log: Less insertions than requested)', insertedOf(text), ...
-                      '. Is the region too small, or the radius of a grain its ', ...
-                      'diameter?'];
-  end
-  atoms = str2double ([cell(1, 0), regexp(text, 'steps with (\d+) atoms', 'tokens'){:}]);
-  if ~isempty (atoms) && any (atoms > 0) && atoms(end) == 0
-    notes{end + 1} = sprintf (['no grain is left at the end of the run, of %d that ' ...
-                               'were there: through a hole, or over the edge of the ' ...
-                               'box (thermo_modify lost ignore says nothing of it)?'], ...
-                              max (atoms));
-  end
-end
-
-% Nothing where the script has the fix say nothing (verbose no).
-function text = insertedOf (log)
-  text = '';
-  made = regexp (log, 'inserted (\d+) particle templates', 'tokens');
-  asked = regexp (log, '(?:particles_in_region|nparticles)\s+(\d+)', 'tokens');
-  sum_ = @(list) sum (str2double ([cell(1, 0), list{:}]));
-  if ~isempty (made)
-    text = sprintf (': %d of %d came', sum_ (made), sum_ (asked));
-  end
-end
-
 function notes = ofModel (folder, values)
   notes = cell (1, 0);
   file = fullfile (folder, 'sample', 'gates.csv');
@@ -165,14 +134,6 @@ end
 %!     'bulk: simulated, .*0.96.*690 kg/m3.*that of the bulk', 'bulk: meas'});
 %! unlink (fullfile (folder, 'output_checks.csv'));
 %! put ('data.head', "variable densityP equal 1200\nvariable radiusP equal 0.002\n");
-%!test
-%! put ('log.liggghts', ["fix i all insert/pack particles_in_region 900 region r\n", ...
-%!      "INFO: Particle insertion i: inserted 242 particle templates (mass 1) at step 1\n", ...
-%!      "WARNING: Particle insertion: Less insertions than requested (../x.cpp:2)\n", ...
-%!      "Loop time of 1 on 1 procs for 5 steps with 242 atoms\n", ...
-%!      "Loop time of 1 on 1 procs for 5 steps with 0 atoms\n"]);
-%! of (trialGates (record, T, folder), {'242 of 900 came', 'no grain is left .* 242'});
-%! unlink (fullfile (folder, 'log.liggghts'));
 %!test
 %! mkdir (fullfile (folder, 'sample'));
 %! put ('sample/gates.csv', ["condition,says\n30 * radiusP > slope / 100,wide\n", ...

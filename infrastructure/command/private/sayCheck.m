@@ -78,26 +78,13 @@ function sayModels (Case, isTried)
     sayNamed (m, runPlace (Case, m.name, '0001'));
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
-<<<<<<< HEAD:infrastructure/command/private/sayCheck.m
-    if ~isempty (Case.thinned)
-      sayThinned (sum ([Case.thinned.model] == k));
-    end
-=======
     sayThinned (Case.thinned, k);
->>>>>>> field:infrastructure/command/sayCheck.m
     sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
   notes = struct ('label', {'sessions ', 'scatter  '}, 'text', ...
                   {sessionNote(Case), scatterNote(Case)});
   for note = notes(~cellfun (@isempty, {notes.text}))
     printf ('%s %s\n', note.label, note.text);
-  end
-end
-
-function sayThinned (n)
-  if n > 0
-    printf ('          %s of its dense curves are not fitted: neighbours say the same\n', ...
-            countText (n, 'point'));
   end
 end
 
