@@ -25,8 +25,8 @@ function [p, used] = preferredSet (surrogates, problem, p0)
   off = @(P) unit (residualSpread (surrogates, problem, P)) - unit (r0);
   d = columns (p0);
   step = double (stk_sampling_halton_rr2 (200, d, [-ones(1, d); ones(1, d)]));
-  least = max (problem.options.even, meetProbability (surrogates, problem, p0) - ...
-                                     problem.options.better);
+  known = meetProbability (surrogates, problem, p0);
+  least = max (problem.options.even, known - problem.options.better);
   p = p0;
   value = preferenceOf (problem, p0);
   used = struct ('before', value, 'after', value, 'share', 0, 'spread', 0);
