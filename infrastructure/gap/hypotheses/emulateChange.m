@@ -84,8 +84,8 @@ function problem = ofReference (problem)
     % sd; what sessions share is another
     isSame = problem.series' == problem.series & problem.series > 0;
     rest = problem.covariance - (problem.shared' * problem.shared) .* isSame;
-    ratio = sqrt (max (reference.sd.^2 - reference.shared.^2 .* any (isSame), 0) ...
-                  ./ diag (rest)');
+    own = max (reference.sd.^2 - reference.shared.^2 .* any (isSame), 0);
+    ratio = sqrt (own ./ diag (rest)');
     ratio(~isfinite (ratio)) = 0;
     problem.covariance = (ratio' * ratio) .* rest + ...
                          (reference.shared' * reference.shared) .* isSame;
