@@ -21,13 +21,12 @@ function runStudy (names, seeds, file)
   end
   [~, cells] = readCsvTable (file);
   done = strcat (cells(:, 1), ',', cells(:, 2), ',', cells(:, 3));
-  for seed = seeds
-    for name = names
-      for method = {'robust', 'published'}
-        if ~any (strcmp (done, sprintf ('%s,%s,%d', name{1}, method{1}, seed)))
-          appendLine (file, oneCase (name{1}, method{1}, seed));
-        end
-      end
+  methods = {'robust', 'published'};
+  [m, n, s] = ndgrid (1:2, 1:numel (names), seeds);
+  for k = 1:numel (m)
+    key = sprintf ('%s,%s,%d', names{n(k)}, methods{m(k)}, s(k));
+    if ~any (strcmp (done, key))
+      appendLine (file, oneCase (names{n(k)}, methods{m(k)}, s(k)));
     end
   end
 end

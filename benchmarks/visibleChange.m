@@ -14,20 +14,24 @@
 function least = leastSeen (trials, days, isPaired, isNamed)
   sizes = zeros (5, 6);
   for i = 1:5
-    list = [];
-    for state = 0:1
-      for d = 1:days
-        if state == 0 || ~isPaired
-          day{d} = 2 * randn (1, 6);
-        end
-        values = 20 + day{d} + randn (trials, 6);
-        name = sprintf ('day%d%d', d, state * ~isPaired);
-        list = [list, linesOf(values, state, name(1:end * isNamed))];
-      end
-    end
+    list = drawLines (trials, days, isPaired, isNamed);
     sizes(i, :) = arrayfun (@leastOf, groupMeasured (list, {'A'}));
   end
   least = median (sizes(:));
+end
+
+function list = drawLines (trials, days, isPaired, isNamed)
+  list = [];
+  for state = 0:1
+    for d = 1:days
+      if state == 0 || ~isPaired
+        day{d} = 2 * randn (1, 6);
+      end
+      values = 20 + day{d} + randn (trials, 6);
+      name = sprintf ('day%d%d', d, state * ~isPaired);
+      list = [list, linesOf(values, state, name(1:end * isNamed))];
+    end
+  end
 end
 
 function list = linesOf (values, state, session)

@@ -108,7 +108,6 @@ function outcomes = otherRuns (odd, isHere, expected, n)
 end
 
 function final = judgeSet (final, m, v, df, problem, left)
-  T = numel (problem.value);
   final.residual = targetResidual (problem, final.params, final.result)';
   [r, slope] = targetResidual (problem, final.params, m);
   final.residualSd = (abs (slope) .* final.sd)';
@@ -125,6 +124,17 @@ function final = judgeSet (final, m, v, df, problem, left)
   final.interval90 = [m - half; m + half];
   share = toleranceShare (problem, r);
   final.estimate = m;
+  final = judgeTargets (final, problem, share);
+  final.within = final.n > 0 && all (share <= 1);
+  final.converged = final.within && ...
+                    final.n >= problem.options.replicates && ...
+                    final.probability >= problem.options.confidence && ...
+                    isempty (final.open) && ~lacksResults (final);
+end
+
+% SHARE  of its tolerance, of each requirement, as all runs together see it.
+function final = judgeTargets (final, problem, share)
+  T = numel (problem.value);
   byRuns = toleranceShare (problem, final.residual');
   final.state = repmat ({'open'}, 1, T);
   final.met = false (1, T);
@@ -140,11 +150,6 @@ function final = judgeSet (final, m, v, df, problem, left)
       final.state(groups{g}) = {'missed'};
     end
   end
-  final.within = final.n > 0 && all (share <= 1);
-  final.converged = final.within && ...
-                    final.n >= problem.options.replicates && ...
-                    final.probability >= problem.options.confidence && ...
-                    isempty (final.open) && ~lacksResults (final);
 end
 
 function yes = lacksResults (final)

@@ -69,11 +69,6 @@ end
 function why = whyOver (book, problem)
   options = problem.options;
   final = confirmSet (book.state, problem);
-  [share, spread] = toleranceShare (problem, final.residual', ...
-                                    final.residualSd');
-  isOut = final.n >= options.replicates && ...
-          any ((share - 1) ./ max (spread, realmin) > options.apart);
-  isLast = book.wrong >= options.maxIter || ~isempty (final.conflict);
   why = '';
   if final.converged
     why = 'the set is confirmed';
@@ -88,9 +83,17 @@ function why = whyOver (book, problem)
   elseif final.outcomes.onceMore < options.confidence && ...
          final.outcomes.alone >= options.confidence
     why = 'too few runs are left to bound how often they end in another way';
-  elseif isOut && isLast
+  elseif isClearlyOut (final, problem) && ...
+         (book.wrong >= options.maxIter || ~isempty (final.conflict))
     why = 'clearly outside, and no other set is in reach';
   end
+end
+
+function yes = isClearlyOut (final, problem)
+  [share, spread] = toleranceShare (problem, final.residual', ...
+                                    final.residualSd');
+  yes = final.n >= problem.options.replicates && ...
+        any ((share - 1) ./ max (spread, realmin) > problem.options.apart);
 end
 
 function [book, isEnd] = robustEnd (book, problem)
