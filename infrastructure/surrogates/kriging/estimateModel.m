@@ -10,8 +10,9 @@
 %
 % stk's own tolerance, 1e-8, finds a cost that is lower by up to 0.02
 % (benchmarks/krigingTime.m), or parameters that lie a fifth of their deviation
-% away, in up to three times the time: here 0.01, but for a published model. Its warnings are about single
-% steps of the search, and about a start that is the end.
+% away, in up to three times the time: here 0.01, but for a published model.
+% Its warnings are about single steps of the search, and about a start that is the
+% end.
 
 function theta = estimateModel (model, U, y, start)
   if nargin < 4 || isempty (start)
