@@ -8,10 +8,11 @@
 %          model without them what stk_param_init finds)
 %   THETA  as that of fitCost
 %
-% stk's own tolerance, 1e-8, finds a cost that is lower by some 0.001, or
-% parameters that are off by a twentieth of what is known of them, in three times
-% the time: here 0.01, but for a published model. Its warnings are about single
-% steps of the search, and about a start that is the end.
+% stk's own tolerance, 1e-8, finds a cost that is lower by up to 0.02
+% (benchmarks/krigingTime.m), or parameters that lie a fifth of their deviation
+% away, in up to three times the time: here 0.01, but for a published model.
+% Its warnings are about single steps of the search, and about a start that is the
+% end.
 
 function theta = estimateModel (model, U, y, start)
   if nargin < 4 || isempty (start)
