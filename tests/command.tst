@@ -77,7 +77,7 @@
 %!                     "optim.weights = [1, 2];\nend\n"]);
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status, 0);
-%! assert (says (out, 'WARNING   optim.weights in loadInput.m is read by'));
+%! assert (says (out, 'WARNING   optim.weights in loadInput.m'));
 %! assert (says (out, 'WARNING   no file of DEMmodels/First uses runSeed'));
 %! assert (says (out, ' runs, 16 new, 0 taken from the store'));
 %! assert (says (out, 'not known'));

@@ -16,8 +16,8 @@
 %!function s = withoutTexts (s)
 %!  % what a program reads: texts of words.txt are gone, codes and numbers stay
 %!  texts = {'word', 'sentence', 'gap', 'usableFor', 'notFor', 'action', ...
-%!           'actionParts', 'parts', 'numbers', 'where', 'closed', 'amount', 'text', 'reason', ...
-%!           'date', 'untested'};
+%!           'actionParts', 'parts', 'numbers', 'where', 'closed', 'amount', 'plain', 'text', ...
+%!           'reason', 'change', 'date', 'untested'};
 %!  if isstruct (s)
 %!    for name = fieldnames (s)'
 %!      if any (strcmp (name{1}, texts)) && ~isfield (s(1).(name{1}), 'code')

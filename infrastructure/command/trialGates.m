@@ -24,7 +24,7 @@
 % See also: sayCheck, unitRatio
 
 function notes = trialGates (record, targets, folder)
-  info = resultInfo (folder);
+  info = checkResultInfo (folder);
   values = headDefaults (fullfile (record.folder, 'data.head'));
   checks = struct ();
   if isfile (fullfile (record.folder, 'output_checks.csv'))
