@@ -23,8 +23,7 @@
 %! assert (numel (commands), 18);
 %! % what 2 means, of each command that gives it
 %! marks = {'run: not all', 'diagnose: no verdict', 'doctor: something', ...
-%!          'check --try: the trial run failed', 'runs: the store is empty', ...
-%!          'plan: no test'};
+%!          'check --try: the trial run failed', 'runs: the store is empty'};
 %! assert (all (cellfun (@(m) says (out, m), marks)), out);
 %! for name = [commands{:}]
 %!   [status, text] = startCommand (base, [name{1}, ' --help']);

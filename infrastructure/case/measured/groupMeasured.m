@@ -58,6 +58,11 @@ end
 
 % Beside each line the number of its mean.
 function [list, means, sessions] = withMeans (list, isReference)
+  if ~any (isfinite ([list.value]))      % nothing is measured yet
+    means = [];
+    sessions = struct ('given', false, 'names', {{}}, 'ratio', 0, 'df', 0);
+    return
+  end
   [lines, quantities, number, names] = readingLines (list, keysOf (list));
   [means, ratio] = varianceComponents (lines, quantities);
   number = num2cell (number);
