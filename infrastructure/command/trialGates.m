@@ -24,7 +24,11 @@
 % See also: sayCheck, unitRatio
 
 function notes = trialGates (record, targets, folder)
-  info = checkResultInfo (folder);
+  info = resultInfo (folder);
+  known = {};
+  if ~isempty (info)                     % a model without results.csv
+    known = {info.name};
+  end
   values = headDefaults (fullfile (record.folder, 'data.head'));
   checks = struct ();
   if isfile (fullfile (record.folder, 'output_checks.csv'))
@@ -34,7 +38,7 @@ function notes = trialGates (record, targets, folder)
   named = struct ();
   for T = targets
     result = record.results(T.index);
-    k = find (strcmp ({info.name}, T.name), 1);
+    k = find (strcmp (known, T.name), 1);
     if ~isempty (k)
       notes = [notes, ofResult(info(k), result, T.value, values, checks)];
       if isvarname (T.name)
