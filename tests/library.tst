@@ -26,7 +26,7 @@
 %! assert (~isfolder (fullfile (second, 'results')));
 %! [status, out] = startProgram (second);
 %! assert (status, 0);
-%! assert (~isempty (strfind (out, 'gives what it predicts')));
+%! assert (~isempty (strfind (out, 'gave what it predicts')));
 %! [a, b] = deal (calibrationOf (first), calibrationOf (second));
 %! assert ([b.params.a, b.params.b], [5, 6], 0.1);
 %! sets = @(c) c.demRuns.plan + c.demRuns.infill + c.demRuns.verify;
