@@ -23,6 +23,7 @@ function likeness = benchLikeness (surrogates, problem, joint, alone, v)
     here = alone(problem.bench(alone) == bench);
     curves = find (problem.bench(first) == bench);
     variance = arrayfun (@(t) errorVariance (surrogates(t).noiseVar, problem, t), here);
+    variance = reshape (variance, 1, []);        % also of a bench of curves alone
     own = problem.statedSd(here).^2 .* ~problem.scatter(here);
     % what packing and surrogate have of the variance of each
     share = [max(1 - own ./ (variance + v(here)), 0), ...
