@@ -25,7 +25,7 @@ function places = writtenOutside (text, script, isShell, folder, place)
   words = regexprep (words, {'^["'']|["'']$', '^~(?=/)'}, {'', getenv('HOME')});
   isKnown = cellfun (@(w) ~isempty (w) && ~any (ismember ('$`(&', w)), words);
   words = unique (words(isKnown));
-  bases = [{place}, foldersOf(text, place)];
+  bases = [{place}, besideScript(script, folder, place), foldersOf(text, place)];
   places = cell (1, 0);
   for word = words(:)'
     at = cellfun (@(base) seenFrom (word{1}, base), bases, 'UniformOutput', false);
@@ -34,6 +34,14 @@ function places = writtenOutside (text, script, isShell, folder, place)
     places = [places, at(1)(~any (isInside))];
   end
   places = unique (regexprep (places, '(?<=.)/$', ''))(:)';
+end
+
+% LIGGGHTS may be started where a script of a subfolder lies.
+function base = besideScript (script, folder, place)
+  base = cell (1, 0);
+  if isBelow (script, folder)
+    base = {[place, fileparts(script)(numel (folder) + 1:end)]};
+  end
 end
 
 function yes = isInput (script)
