@@ -92,8 +92,6 @@ end
 
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
-pkg ('load', 'stk');
-pkg ('load', '-nodeps', 'struct', 'optim');
 args = argv ();
 if strcmp (args{1}, 'report')
   report (args{2});

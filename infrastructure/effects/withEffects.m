@@ -63,12 +63,13 @@ function p = checkModelsHave (Case)
   models = Case.models(isfolder ({Case.models.folder}));
   heads = cellfun (@checkHead, {models.folder}, 'UniformOutput', false);
   [models.head] = heads{:};
+  library = listEffects ();
   for effect = Case.effects
     names = effect.variables;
     fields = repmat ({['effects, ', effect.name, ',']}, 1, numel (names));
     kinds = repmat ({'effect'}, 1, numel (names));
     found = checkDeclared (names, fields, kinds, models);
-    if ~isempty (found) && any (strcmp (effect.name, listEffects ()))
+    if ~isempty (found) && any (strcmp (effect.name, library))
       found = found(~strcmp ({found.id}, 'DEcalioc:checkCase:unknownVariable'));
     end
     p = [p, found];
