@@ -79,8 +79,9 @@ function report (file)
            'distance to the truth (of the box) | moved: tolerances, standard errors | ', ...
            'Rayleigh time (0 to 1) | runs |\n|---|---|---|---|---|---|---|---|---|\n']);
   for kind = unique (cells(:, 1), 'stable')'
-    for w = unique (col ('WRL'))'
-      here = strcmp (cells(:, 1), kind{1}) & col ('WRL') == w;
+    ofKind = strcmp (cells(:, 1), kind{1});
+    for w = unique (col ('WRL')(ofKind))'
+      here = ofKind & col ('WRL') == w;
       of = @(name) col (name)(here);
       printf ('| %s | %g | %d | %d | %.2g, %.2g | %.2g | %.2g, %.2g | %.2g | %.1f |\n', ...
               kind{1}, w, sum (here), sum (of ('right')), median (of ('worst')), ...
