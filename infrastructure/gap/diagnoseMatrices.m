@@ -29,7 +29,9 @@
 %     howFar   of proveCause ([] where nothing can be compared)
 %     next     of adviseMeasurements, of tests that need no run
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
-%              model is likely to miss in both conditions (emulateChange); errors
+%              model is likely to miss in both conditions, simulated (1 x T'): what it
+%              gives at the reference (emulateChange); aside (1 x m struct target, sd,
+%              z, p: of the readings that it cannot follow, see setAside); errors
 %              (strengthErrors)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
@@ -76,9 +78,12 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   [diagnosis.next, trials] = adviseMeasurements (study, evidence, verdict, state);
   diagnosis.change = [];
   if ~isempty (study.emulator.change)
-    diagnosis.change = struct ('size', study.emulator.change.size, 'lack', ...
-                               study.emulator.change.lack .* problem.unit, 'errors', ...
-                               strengthErrors (study, evidence));
+    change = study.emulator.change;
+    diagnosis.change = struct ('size', change.size, ...
+                               'lack', change.lack .* problem.unit, ...
+                               'simulated', change.simulated .* problem.unit, ...
+                               'aside', asideOf (problem, change), ...
+                               'errors', strengthErrors (study, evidence));
   end
   diagnosis = inGivenUnits (diagnosis, problem);
   diagnosis = withRuns (diagnosis, state, study.known);
@@ -87,6 +92,19 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   if ~isempty (trials)
     further = @() withTests (diagnosis, trials, study.known);
   end
+end
+
+% What has changed in the readings that the model cannot follow: by the measurements
+% alone. p: chance that noise changes any of them so much.
+function list = asideOf (problem, change)
+  at = find (problem.aside);
+  variance = change.fresh + change.before - problem.reference.together - ...
+             problem.reference.together';
+  sd = sqrt (diag (variance))'(at);
+  z = (problem.value - problem.reference.value)(at) ./ sd;
+  list = struct ('target', num2cell (at), 'sd', num2cell (sd .* problem.unit(at)), ...
+                 'z', num2cell (z), ...
+                 'p', num2cell (min (2 * numel (at) * normalTail (abs (z)), 1)));
 end
 
 % One number for a thing: where a cause was fitted together with the parameters, its
@@ -127,7 +145,7 @@ end
 function prints = fingerprints (study)
   problem = study.problem;
   emulator = study.emulator;
-  at = find (isfinite (problem.value));
+  at = sort ([problem.used, problem.heldOut]);
   sd = sqrt (diag (noiseBudget (problem, emulator).covariance))';
   without = predictGap (emulator, [], study.fits.calibrated.Q(1, :));
   K = numel (study.hypotheses.names);

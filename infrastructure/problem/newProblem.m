@@ -32,6 +32,8 @@
 %     statedSd  sd, 0 where it is a guess: what a calibration counts with
 %     held      logical, kept out of every fit (none)
 %     calibrate logical, measured and fitted
+%     aside     logical, of a change not used: the model cannot follow it, see setAside
+%               (none)
 %     tol (0.01), scale (value): what residual and tol are parts of, 1 where
 %               they are absolute; part (tol), what a residual is divided by in
 %               a sum of squares in which a curve counts once
@@ -197,7 +199,7 @@ end
 % What follows from the other fields, anew each time: they may have changed.
 function problem = derived (problem)
   isThere = isfinite (problem.value);
-  problem.used = find (isThere & ~problem.held);
+  problem.used = find (isThere & ~problem.held & ~problem.aside);
   problem.heldOut = find (isThere & problem.held);
   problem.possible = find (~isThere);
   problem.statedSd = problem.sd .* problem.sdKnown;

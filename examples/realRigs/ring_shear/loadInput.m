@@ -7,7 +7,7 @@
 function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.model = {'RingShear'};
   Input.cpu = 1;
-  Input.maxCPU = 2;
+  Input.maxCPU = 1;
   Input.numOfSam = 20;
   Input.seed = 1;
   Input.timeout = 600;

@@ -12,6 +12,8 @@
 %               covariance (T x T, of the measurements less what is foretold),
 %               doubt (2 x T, see noiseBudget: of that covariance),
 %               fresh, before (T x T, of a new reading, and of one of the reference)
+%               simulated, missSd (1 x T, what the model gives at the reference, and
+%               the noise of what is measured there less that)
 %               lack (1 x T, what the model is likely to miss in both), size
 %               (of that, root mean square, as a share of the range), plain
 %               (coef, surrogateVar, fitVar as they were)
@@ -43,7 +45,7 @@ function emulator = emulateChange (emulator, problem)
   reference = problem.reference;
   after = noiseBudget (problem, emulator);
   before = noiseBudget (ofReference (problem), emulator);
-  at = find (isfinite (reference.value));
+  at = find (isfinite (reference.value) & ~problem.aside);
   % a factor of 16 either way of what is usual: the evidence of the reference picks
   sizes = 0.08 * 2.^(-4:0.75:4);
   parts = cell (1, numel (sizes));
@@ -63,12 +65,18 @@ function emulator = emulateChange (emulator, problem)
   end
   weight = exp (score - max (score));
   weight = weight / sum (weight);
+  % as a calibration fits it: what is missed counts in tolerances
+  allowed = diag ((problem.tol .* problem.scale).^2);
+  theta = fitReference (emulator, problem, before, allowed, at).Q;
+  calibrated = polyRows (emulator.powers, theta) * emulator.coef;
   emulator = mixed (emulator, problem, after, [parts{:}], weight, at);
   emulator.change.doubt = doubtOf (problem, after.own, before.own, ...
                                    emulator.change.K);
   [emulator.change.fresh, emulator.change.before] = deal (after.covariance, ...
                                                           before.covariance);
   emulator.change.size = sqrt (weight * (sizes.^2)');
+  emulator.change.simulated = calibrated;
+  emulator.change.missSd = sqrt (diag (before.covariance) + diag (B))';
 end
 
 function emulator = simulationOf (emulator)

@@ -84,6 +84,10 @@ function c = cureAndGap ()
   % target, and from which one miss is a gap to close: by chance 1 of 1000 with
   % 16 targets
   c.leftAt = 4;
+  % standard deviations by which the fitted model misses the tolerance of a reading of
+  % the reference from which it cannot follow that reading: by chance one in fifty that
+  % stand at the very tolerance
+  c.asideAt = 2;
   % share of a target's variance that parameters absorb at which it is a blind
   % spot
   c.blindAt = 0.9;

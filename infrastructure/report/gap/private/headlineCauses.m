@@ -24,7 +24,7 @@ function [names, code, alike] = headlineCauses (gap)
   isClass = isequal (jsonAt (which, {'sameKind'}), true);
   alike = names(isRider & isClass);
   names = names(~isRider);
-  numbers = numel (jsonList (gap, {'reference', 'targets'}));
+  numbers = numel (followedReadings (gap));
   numbers(numbers == 0) = Inf;             % of a gap the parameters are no change
   code = '';
   if numbers == 1
