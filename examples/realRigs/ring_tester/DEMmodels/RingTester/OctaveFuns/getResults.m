@@ -1,0 +1,1 @@
+../../../../../../DEMmodels/Shear/OctaveFuns/getResults.m
