@@ -26,8 +26,10 @@ function results = measureBench (folder)
   dosed = log (mean_ + 0.5 * checks.massGrain);
   middle = dosed(2);
   results.level = middle - log (0.6 * checks.pitchVolume * checks.densityGrain);
-  names = {'tilt0', 'speed15', 'speed45', 'speed90', 'tilt90'};
-  for k = 1:5
-    results.(names{k}) = dosed(k + (k > 1)) - middle;
+  names = {'tilt0', 'level', 'speed15', 'speed45', 'speed90', 'tilt90'};
+  for stage = unique (table(isRead, 1))'
+    if stage ~= 1
+      results.(names{stage + 1}) = dosed(stage + 1) - middle;
+    end
   end
 end

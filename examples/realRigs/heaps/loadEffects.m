@@ -2,11 +2,11 @@
 %
 % CALL: EFFECTS = loadEffects ()
 %
-% Nothing is told of grains, plate and funnel: whatever the bench Heap can express.
+% Nothing is told of grains, plate and funnel: whatever the runs of the bench have.
 %
 % See also: listEffects, diagnoseGap
 
 function effects = loadEffects ()
-  effects = {'cohesion', 'liquidBridge', 'rolling', 'shape', 'sizeSpread', ...
-             'meanSize', 'restitution', 'wallFriction', 'fill', 'tilt', 'liftSpeed'};
+  effects = {'cohesion', 'liquidBridge', 'wallAdhesion', 'shape', 'sizeSpread', ...
+             'meanSize', 'restitution', 'tilt', 'vibration', 'gain', 'cameraRoll'};
 end

@@ -65,10 +65,7 @@ function emulator = emulateChange (emulator, problem)
   end
   weight = exp (score - max (score));
   weight = weight / sum (weight);
-  % as a calibration fits it: what is missed counts in tolerances
-  allowed = diag ((problem.tol .* problem.scale).^2);
-  theta = fitReference (emulator, problem, before, allowed, at).Q;
-  calibrated = polyRows (emulator.powers, theta) * emulator.coef;
+  calibrated = calibratedMeans (emulator, problem, before, at);
   emulator = mixed (emulator, problem, after, [parts{:}], weight, at);
   emulator.change.doubt = doubtOf (problem, after.own, before.own, ...
                                    emulator.change.K);
@@ -143,13 +140,7 @@ end
 % information A, g of linear equations A theta = g.
 function part = fitReference (emulator, problem, before, lack, at)
   before.covariance = before.covariance + lack;
-  white = whitenEmulator (withoutEffects (emulator), at, before);
-  prior = problem.paramPrior;
-  starts = [zeros(1, emulator.p); 0.9 * boxPoints(emulator.p, 5)];
-  null = newHypothesis ('null');
-  unknowns = viewHypothesis (white, null, prior).unknowns;
-  Z = repmat (problem.reference.value(at) * white.W', rows (starts), 1);
-  fit = fitHypothesis (white, null, Z, toNormal (unknowns, starts), prior);
+  [fit, white, Z] = fitStarts (emulator, problem, before, at, problem.paramPrior);
   [part.logE, best] = max (fit.logE);
   % whitened by another W for each size: as a density of the targets they compare
   part.logE = part.logE + sum (log (svd (white.W)));
@@ -159,6 +150,26 @@ function part = fitReference (emulator, problem, before, lack, at)
   r = ((Z(1, :) - M) ./ sqrt (V))';
   part.A = J' * J;
   part.g = part.A * part.Q' + J' * r;
+end
+
+% From several starts: FIT of fitHypothesis, a row each.
+function [fit, white, Z] = fitStarts (emulator, problem, before, at, prior)
+  white = whitenEmulator (withoutEffects (emulator), at, before);
+  starts = [zeros(1, emulator.p); 0.9 * boxPoints(emulator.p, 5)];
+  null = newHypothesis ('null');
+  unknowns = viewHypothesis (white, null, prior).unknowns;
+  Z = repmat (problem.reference.value(at) * white.W', rows (starts), 1);
+  fit = fitHypothesis (white, null, Z, toNormal (unknowns, starts), prior);
+end
+
+% What the set of a calibration gives: misses count in tolerances, and no prior draws it
+% to the middle of the box.
+function M = calibratedMeans (emulator, problem, before, at)
+  before.covariance = before.covariance + diag ((problem.tol .* problem.scale).^2);
+  flat = setfield (problem.paramPrior, 'flat', true);
+  fit = fitStarts (emulator, problem, before, at, flat);
+  [~, best] = max (fit.logPeak);
+  M = polyRows (emulator.powers, fit.Q(best, :)) * emulator.coef;
 end
 
 % The mixture over the sizes.

@@ -20,7 +20,7 @@ function study = studyGap (given, data, options, evaluate, levels)
   end
   data = checkMatrices (given, data, evaluate);
   explored = exploreGap (given, data, options, evaluate);
-  [problem, emulator] = setAside (explored.problem, explored.emulator, options.asideAt);
+  [problem, emulator] = setAside (explored.problem, explored.emulator, options);
   effects = emulator.effect;
   isTested = [effects.laboratory] | [effects.runs] >= 1;
   study = makeStudy (problem, withoutEffects (emulator, find (~isTested)), options, levels);

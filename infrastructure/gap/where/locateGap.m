@@ -46,6 +46,10 @@ function where = locateGap (study)
   where.unabsorbed = parity.unabsorbed;
   where = localise (where, rawErrors (white, V, J), r, simulated, ...
                     problem.bench(used), hypotheses.options);
+  if isfield (hypotheses, 'alone')
+    where.p = max (where.p, hypotheses.alone.p);
+    where.pTarget = max (where.pTarget, hypotheses.alone.each);
+  end
   where.conflict = benchConflicts (study);
   where.side = sideSignals (problem, emulator, where.theta, hypotheses.options);
   where.budget = noiseBudget (problem, emulator);
