@@ -30,9 +30,9 @@
 %     next     of adviseMeasurements, of tests that need no run
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
 %              model is likely to miss in both conditions, simulated (1 x T'): what it
-%              gives at the reference (emulateChange); aside (1 x m struct target, sd,
-%              z, p: of the readings that it cannot follow, see setAside); errors
-%              (strengthErrors)
+%              gives at the reference (emulateChange), sd (1 x T', of the change of a
+%              reading, changeOfReadings); aside (1 x m struct target, z, p: of the
+%              readings that it cannot follow, see setAside); errors (strengthErrors)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
 %   FURTHER   [], or, where GIVEN.tests holds a handle that makes tests of other
@@ -79,9 +79,11 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   diagnosis.change = [];
   if ~isempty (study.emulator.change)
     change = study.emulator.change;
+    [~, sd] = changeOfReadings (problem, change);
     diagnosis.change = struct ('size', change.size, ...
                                'lack', change.lack .* problem.unit, ...
                                'simulated', change.simulated .* problem.unit, ...
+                               'sd', sd .* problem.unit, ...
                                'aside', asideOf (problem, change), ...
                                'errors', strengthErrors (study, evidence));
   end
@@ -98,13 +100,10 @@ end
 % alone. p: chance that noise changes any of them so much.
 function list = asideOf (problem, change)
   at = find (problem.aside);
-  variance = change.fresh + change.before - problem.reference.together - ...
-             problem.reference.together';
-  sd = sqrt (diag (variance))'(at);
-  z = (problem.value - problem.reference.value)(at) ./ sd;
-  list = struct ('target', num2cell (at), 'sd', num2cell (sd .* problem.unit(at)), ...
-                 'z', num2cell (z), ...
-                 'p', num2cell (min (2 * numel (at) * normalTail (abs (z)), 1)));
+  [p, sd] = changeOfReadings (problem, change);
+  z = (problem.value - problem.reference.value) ./ sd;
+  list = struct ('target', num2cell (at), 'z', num2cell (z(at)), ...
+                 'p', num2cell (min (numel (at) * p(at), 1)));
 end
 
 % One number for a thing: where a cause was fitted together with the parameters, its

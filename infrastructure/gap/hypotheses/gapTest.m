@@ -37,7 +37,7 @@ function gate = gapTest (hypotheses, logE)
     end
   end
   if isfield (hypotheses, 'alone')
-    gate.p = max (gate.p, hypotheses.alone.p);
+    gate.p = max (gate.p * ~hypotheses.alone.decides, hypotheses.alone.p);
   end
 end
 

@@ -47,8 +47,9 @@ function where = locateGap (study)
   where = localise (where, rawErrors (white, V, J), r, simulated, ...
                     problem.bench(used), hypotheses.options);
   if isfield (hypotheses, 'alone')
-    where.p = max (where.p, hypotheses.alone.p);
-    where.pTarget = max (where.pTarget, hypotheses.alone.each);
+    isOpen = ~hypotheses.alone.decides;
+    where.p = max (where.p * isOpen, hypotheses.alone.p);
+    where.pTarget = max (where.pTarget * isOpen, hypotheses.alone.each);
   end
   where.conflict = benchConflicts (study);
   where.side = sideSignals (problem, emulator, where.theta, hypotheses.options);

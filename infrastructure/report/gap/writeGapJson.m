@@ -75,7 +75,7 @@
 %     misses in both, in shares of what parameters move)
 %     targets  [{model, name, kind, series, unit (of the result), shown {unit, factor}
 %              (as the user gave it), reference, measured, foretold (without a change),
-%              modelled (with the effect), z, sd (of measured less foretold), simulated
+%              modelled (with the effect), z, sd (of measured less reference), simulated
 %              (by the calibrated model at the reference), allowed (there), followed
 %              (false: the model misses the reference by more, so its change decides
 %              nothing, see setAside)}]
@@ -353,9 +353,7 @@ function s = changeOf (diagnosis, Case)
   s.canChange = cell2struct ([changeWords(Case.effects), ...
                               repmat({'no'}, 1, numel (Case.unchanged))], ...
                              [{Case.effects.name}, Case.unchanged], 2);
-  sd = sqrt (diag (diagnosis.where.budget.covariance));
-  aside = diagnosis.change.aside;
-  sd([aside.target]) = [aside.sd];
+  sd = diagnosis.change.sd;
   list = diagnosedTargets (diagnosis);
   info = targetInfo (Case);
   for T = list(~strcmp ({list.role}, 'holdout'))

@@ -69,7 +69,7 @@ end
 %!   d.where.(name{1}) = d.where.(name{1})(1);
 %! end
 %! d.problem.reference = struct ('value', [6, 8, 5]);
-%! d.change.aside = struct ('target', 3, 'sd', 2, 'z', 2, 'p', 0.05);
+%! d.change.aside = struct ('target', 3, 'z', 2, 'p', 0.05);
 %! list = diagnosedTargets (d);
 %! assert ({list.name}, {'x', 'y', 'z'});
 %! assert ({list(3).role, list(3).predicted, list(3).residual, list(3).size}, {'aside', 5, 4, 2});

@@ -7,8 +7,8 @@
 %         for a gap, which is no change
 %
 % The three largest changes over their noise are said, the points of a curve as
-% one: in shares of the reference. Noise: that of both measurements and of what is
-% foretold, as in the table Before and after.
+% one: in shares of the reference. Noise: that of both measurements (changeOfReadings),
+% as in the table Before and after.
 
 function text = firstLine (gap)
   targets = jsonList (gap, {'reference', 'targets'});
