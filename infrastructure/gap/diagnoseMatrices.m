@@ -30,8 +30,8 @@
 %     next     of adviseMeasurements, of tests that need no run
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
 %              model is likely to miss in both conditions, simulated (1 x T'): what it
-%              gives at the reference (emulateChange), sd (1 x T', of the change of a
-%              reading, changeOfReadings); aside (1 x m struct target, z, p: of the
+%              gives at the reference (emulateChange), sd, seen (1 x T', of the change of
+%              a reading, changeOfReadings); aside (1 x m struct target, z, p: of the
 %              readings that it cannot follow, see setAside); errors (strengthErrors)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
@@ -79,11 +79,11 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   diagnosis.change = [];
   if ~isempty (study.emulator.change)
     change = study.emulator.change;
-    [~, sd] = changeOfReadings (problem, change);
+    [~, sd, seen] = changeOfReadings (problem, change);
     diagnosis.change = struct ('size', change.size, ...
                                'lack', change.lack .* problem.unit, ...
                                'simulated', change.simulated .* problem.unit, ...
-                               'sd', sd .* problem.unit, ...
+                               'sd', sd .* problem.unit, 'seen', seen .* problem.unit, ...
                                'aside', asideOf (problem, change), ...
                                'errors', strengthErrors (study, evidence));
   end

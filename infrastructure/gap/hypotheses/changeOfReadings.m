@@ -1,6 +1,6 @@
 % CHANGEOFREADINGS  What has changed in each reading, without any model.
 %
-% CALL: [P, SD] = changeOfReadings (PROBLEM, CHANGE)
+% CALL: [P, SD, SEEN] = changeOfReadings (PROBLEM, CHANGE)
 %
 %   PROBLEM  struct of newProblem, of a change
 %   CHANGE   struct of emulateChange: fresh, before
@@ -8,12 +8,13 @@
 %            measured in both)
 %   SD       1 x T, of the difference (68 %), as sdOfChange, and of the packings that a
 %            stated sd does not hold
+%   SEEN     1 x T, the smallest change that would show in 8 of 10 cases (5 %)
 %
 % Student's t; degrees of freedom after Welch and Satterthwaite.
 %
 % See also: sdOfChange, readingsAlone
 
-function [p, sd] = changeOfReadings (problem, change)
+function [p, sd, seen] = changeOfReadings (problem, change)
   reference = problem.reference;
   own = max (problem.sd.^2 - problem.shared.^2, 0) + ...
         max (reference.sd.^2 - reference.shared.^2, 0);
@@ -33,6 +34,8 @@ function [p, sd] = changeOfReadings (problem, change)
   isThere = isfinite (t);
   f = freedom(isThere);
   p(isThere) = betainc (f ./ (f + t(isThere).^2), f / 2, 0.5);
+  far = @(f) studentQuantile (0.975, f) + studentQuantile (0.8, f);
+  seen = sd ./ studentFactor (freedom) .* arrayfun (far, freedom);
 end
 
 %!shared given, change
@@ -41,7 +44,8 @@ end
 %! given.reference = struct ('value', [0, 0, 0], 'sd', [1, 1, 1]);
 %! change = struct ('fresh', eye (3), 'before', eye (3));
 %!test
-%! [p, sd] = changeOfReadings (newProblem (given), change);
+%! [p, sd, seen] = changeOfReadings (newProblem (given), change);
+%! assert (seen, sqrt (2) * (1.95996 + 0.84162) * [1, 1, 1], 1e-3);
 %! assert (sd, sqrt (2) * [1, 1, 1], 1e-12);
 %! assert (p(1:2), [2 * normalTail(3 / sqrt (2)), 1], 1e-4);
 %! assert (isnan (p(3)));

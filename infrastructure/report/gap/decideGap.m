@@ -130,10 +130,13 @@ function cause = noGap (cause, gap, isBeyond, failed, say)
     cause = said (cause, say, 'cannot tell', 'aside', aside, testOf (gap));
   elseif isBeyond
     cause = said (cause, say, 'cannot tell', 'mixed', {}, testOf (gap));
-  elseif isempty (unseen)
+  elseif hasFew (gap) && any (cellfun (@nearlySeen, followedReadings (gap)))
+    cause = said (cause, say, 'cannot tell', 'faint', {}, newAction ('repeatBoth'));
+    cause.sentence = [cause.sentence, seenChange(gap, say)];
+  elseif isempty (unseen) || hasFew (gap)
     cause = said (cause, say, 'none', 'none', {}, []);
     [cause.class, cause.without] = deal ('good', newAction ('measureBetter'));
-    cause.sentence = [cause.sentence, seenFrom(gap, say)];
+    cause.sentence = [cause.sentence, seenFrom(gap, say), seenChange(gap, say)];
   else
     todo = newAction ('seeThem', cause.cannotSee);
     if isempty (cause.cannotSee)
@@ -143,6 +146,32 @@ function cause = noGap (cause, gap, isBeyond, failed, say)
     cause.sentence = [cause.sentence, seenFrom(gap, say)];
     cause.notFor = {say('notFor.unseen', unseen)};
   end
+end
+
+% Up to three numbers are judged without the model: which cause it could have shown is no
+% question then.
+function yes = hasFew (gap)
+  n = numel (followedReadings (gap));
+  yes = n > 0 && n <= 3;
+end
+
+function text = seenChange (gap, say)
+  text = '';
+  if hasFew (gap)
+    text = [' ', say('seenChange', eachOf (@seenIn, followedReadings (gap)))];
+  end
+end
+
+% More than half of what would have been seen is no sign that nothing has changed.
+function yes = nearlySeen (T)
+  yes = abs (T.measured - T.reference) > 0.5 * jsonNumber (T, {'seenFrom'}, Inf);
+end
+
+% 'slope 9 deg'
+function text = seenIn (T)
+  unit = regexprep (char (jsonAt (T, {'shown', 'unit'})), '^-$', '');
+  seen = jsonNumber (T, {'seenFrom'}) / jsonNumber (T, {'shown', 'factor'}, 1);
+  text = strtrim (sprintf ('%s %.2g %s', T.name, seen, unit));
 end
 
 % What would have been seen in 8 of 10 cases.

@@ -1,1 +1,0 @@
-../../../../../../DEMmodels/Shear/OctaveFuns/getResults.m
