@@ -11,10 +11,10 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.model = {'ShotDoser'};
   Input.cpu = 1;
   Input.maxCPU = 1;
-  Input.numOfSam = 10;
+  Input.numOfSam = 6;
   Input.seed = 1;
   Input.timeout = 900;
-  Input.maxNewRuns = 20;
+  Input.maxNewRuns = 7;
   Input.store = '../runs';
 
   optim.maxFunEvals = 1;
