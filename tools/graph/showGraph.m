@@ -14,7 +14,7 @@
 % program in bin/ names: those are for the user. The helpers of tests/ are
 % looked at too.
 %
-% See also: folderCalls
+% See also: folderCalls, privateCalls
 
 function failed = showGraph (root)
   [names, places, calls, inside] = folderCalls (root);
@@ -33,6 +33,7 @@ function failed = showGraph (root)
   [calls, excused, stale] = excuse (names, calls);
   faults = [upward(rule, names, places, calls), ...
             intoPrivate(names, places, calls, inside), ...
+            privateCalls(root, names(inside)), ...
             mutual(names, places, calls), stale, ...
             withoutCaller(root, names, calls | excused), ...
             withoutTest(root)];
