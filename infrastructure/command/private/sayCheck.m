@@ -21,6 +21,7 @@ function status = sayCheck (root, folder, args)
   choice = useLiggghts (root);
   how = repmat ({'reading'}, 1, options.dry_run);
   Case = withOrigin (withEffects (loadCase (root, folder, how{:})));
+  Case.hashes = hashModels (Case);     % asked for several times
   isCost = costAlone (Case);
   if ~isCost
     ownCost ();
