@@ -54,7 +54,8 @@ effects of the library ([effects.md](effects.md)).
   echo '
 ## The published functions
 
-`test NAME` at the prompt carries out the tests of a file (their number: last column).
+`test NAME` at the prompt carries out the tests of a file (their number: last column); some need
+`addpath /path/to/DEcalioc/tests`.
 `tests/publishedCase.tst` calls the functions of a run with the published arguments alone, in the
 folder of a case, and a case in the published form, with its `loadInput`, `costFunction` and
 `getResults`.'
