@@ -112,8 +112,9 @@ function result = carryOut (root, folder, words)
   result.exitStatus = command (root, folder, words(2:end));
 end
 
-root = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
-addpath (fullfile (root, 'infrastructure'));
+inside = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
+root = fileparts (inside);
+addpath (inside);
 startMain (@(root, folder) carryOut (root, folder, argv ()), root);
 
 %!test

@@ -14,7 +14,7 @@ function status = startSimulation (model, folderName, base)
     base = pwd ();
   end
   folder = fullfile (base, 'optim', model, folderName);
-  here = fileparts (fileparts (mfilename ('fullpath')));
+  here = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
   system (sprintf ('setsid -w bash %s %s %d', ...
                    shellQuote (fullfile (here, 'runs', 'process', 'guard.sh')), ...
                    shellQuote (folder), getpid ()));
