@@ -11,8 +11,8 @@ folder_of () {
     command) echo wings/command ;;            # all of bin/decalioc
     script) echo wings/script ;;              # a model of a user's script
     page) echo report/page ;;                 # the report as a page
-    queues) echo wings/queues ;;              # Slurm, Grid Engine
-    published) echo wings/published ;;        # of 2017, not called by the method
+    queues) echo runs/executors/queues ;;     # Slurm, Grid Engine
+    published) echo runs/published ;;         # of 2017, not called by the method
     otherRigs) echo diagnosis/otherRigs ;;    # tests that a case does not have
     *) echo "wings.sh: command, script, page, queues, published or otherRigs is needed, got $1." >&2
        return 1 ;;

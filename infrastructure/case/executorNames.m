@@ -4,13 +4,13 @@
 %       NAMES = executorNames ('described')
 %
 %   NAMES  1 x n cell: 'local' for executeLocal.m of runs/executors/, 'slurm'
-%          for slurmExecutor.m of wings/queues/, 'static' for executeStatic.m
-%          of wings/published/; of those described the ones with a file NAMEExecutor.m
+%          for slurmExecutor.m of its queues/, 'static' for executeStatic.m of
+%          runs/published/; of those described the ones with a file NAMEExecutor.m
 
 function names = executorNames (kind)
   inside = fileparts (fileparts (mfilename ('fullpath')));
-  folders = fullfile (inside, {'runs/executors', 'wings/queues', ...
-                               'wings/published'});
+  folders = fullfile (inside, {'runs/executors', 'runs/executors/queues', ...
+                               'runs/published'});
   files = cellfun (@(f) readdir (f)', folders(isfolder (folders)), ...
                    'UniformOutput', false);
   pattern = '^execute([A-Z]\w*)\.m$|^(\w*)Executor\.m$';

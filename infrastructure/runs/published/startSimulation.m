@@ -14,9 +14,9 @@ function status = startSimulation (model, folderName, base)
     base = pwd ();
   end
   folder = fullfile (base, 'optim', model, folderName);
-  here = fileparts (fileparts (fileparts (mfilename ('fullpath'))));
+  here = fileparts (fileparts (mfilename ('fullpath')));
   system (sprintf ('setsid -w bash %s %s %d', ...
-                   shellQuote (fullfile (here, 'runs', 'process', 'guard.sh')), ...
+                   shellQuote (fullfile (here, 'process', 'guard.sh')), ...
                    shellQuote (folder), getpid ()));
   mark = readEndMark (folder);
   if isempty (mark)
