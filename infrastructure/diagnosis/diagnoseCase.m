@@ -90,9 +90,7 @@ function [state, plain] = runsThere (Case, problem, options, notes, say)
     plain.surrogates = fitSurrogates (plain.data, problem);
   end
   [assumed, idle] = notes{:};
-  ofReadings = {sessionNote(Case), scatterNote(Case)};
-  ofReadings = ofReadings(~cellfun (@isempty, ofReadings));
-  notes = [assumed(:)', ofReadings, {leftOut}(~isempty (leftOut)), ...
+  notes = [assumed(:)', {readingNotes(Case).text}, {leftOut}(~isempty (leftOut)), ...
            idle, unexpressedEffects(Case)];
   [~, foreseen] = foreseeSets (problem.effects, setsLeft (state.budget), ...
                                options, count.seconds);

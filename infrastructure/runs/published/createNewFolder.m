@@ -17,7 +17,7 @@ function done = createNewFolder (model, folderName, base, source)
     base = pwd ();
   end
   if nargin < 4
-    source = findModel (model, base, base);
+    source = fullfile (base, 'DEMmodels', model);
   end
   folder = fullfile (base, 'optim', model, folderName);
   done = makeRunFolder (folder);

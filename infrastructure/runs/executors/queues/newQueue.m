@@ -29,7 +29,8 @@
 %               b struct: state (1 x n char, see pollQueue) and word (1 x n
 %               cell, the queue's own words) of each task
 %     cancel    [OK, TEXT] = cancel (NAMES): empties the queue of these arrays
-%   QUEUE  TRAITS with check, isHere, sets, execute (see describeExecutor) and
+%   QUEUE  TRAITS with check, isHere, sets, execute (see describeExecutor),
+%     preview   TEXT = preview (JOBS, CASE), see batchPreview
 %     options   OPT = options (CASE.options) fills in what the user left out of
 %               Input.<name>
 %     send      [VERDICT, TEXT] = send (BATCH, OPT, TASK): 'sent'; 'later' (the
@@ -54,6 +55,7 @@ function queue = newQueue (traits)
   queue.options = @(options) optionsOf (options, traits);
   queue.sets = @(options) optionsOf (options, traits).sets;
   queue.send = @(batch, opt, task) sendOnce (traits, batch, opt, task);
+  queue.preview = @(jobs, Case) batchPreview (queue, jobs, Case);
   queue.execute = @(jobs, Case, report) batchExecute (queue, jobs, Case, ...
                                                       report);
 end

@@ -36,16 +36,7 @@ function status = sayCancel (root, folder, args)
   isOpen = ismember ({runs.state}, {'running', 'waiting'});
   [arrays, queues] = cancelArrays (Case, runs(isOpen));
   running = runs(strcmp ({runs.state}, 'running') & [runs.isCurrent]);
-  cellfun (@endRun, {running.folder}, 'UniformOutput', false);
-  for look = 1:50
-    left = cellfun (@(f) nthargout (2, @runPids, f), {running.folder});
-    if ~any (left)
-      break
-    end
-    pause (0.2);
-  end
-  ended = sum (~left) + sum (cellfun (@(f) isKilledSince (f, start), ...
-                                      {runs(~isOpen).folder}));
+  ended = endRuns ({running.folder}, {runs(~isOpen).folder}, start);
   words = {'no Octave worked in it', 'its Octave was ended'};
   printf ('%s; %d run(s) ended here, %d job array(s)%s\n', ...
           words{1 + isAlive}, ended, arrays, queues);
@@ -92,14 +83,6 @@ function Case = caseAfter (isAlive, root, folder)
     end
     rethrow (err);
   end
-end
-
-% By its guard, as its Octave was ended. Clocks of file systems lag by a bit, and
-% stat gives whole seconds: a mark of the second in which this began counts.
-function yes = isKilledSince (folder, start)
-  mark = readEndMark (folder);
-  yes = ~isempty (mark) && strcmp (mark.reason, 'killed') && ...
-        stat (fullfile (folder, 'end.mark')).mtime >= floor (start - 0.1);
 end
 
 % Ctrl-C first: Octave then ends its runs itself.

@@ -81,10 +81,8 @@ function sayModels (Case, isTried)
     sayThinned (Case.thinned, k);
     sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
-  notes = struct ('label', {'sessions ', 'scatter  '}, 'text', ...
-                  {sessionNote(Case), scatterNote(Case)});
-  for note = notes(~cellfun (@isempty, {notes.text}))
-    printf ('%s %s\n', note.label, note.text);
+  for note = readingNotes (Case)
+    printf ('%-9s %s\n', note.label, note.text);
   end
 end
 
@@ -305,7 +303,7 @@ function sayDryRun (Case)
              'Input.executor = ''slurm'' or ''gridengine'' submits them to a queue\n'], ...
             countText (numel (jobs), 'run'), countText (Case.options.maxCPU, 'CPU'));
   else
-    printf ('%s', batchPreview (what, jobs, Case));
+    printf ('%s', what.preview (jobs, Case));
   end
 end
 

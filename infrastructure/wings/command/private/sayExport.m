@@ -60,87 +60,23 @@ function sayMaterial (Case, program, words, others)
             'run %s'], fullfile (Case.folder, 'results', 'calibration.json'), ...
            Case.folder);
   end
-  list = materialValues (Case, calibration);
-  if strcmp (program, 'card')
-    card = materialCard (list, withOthers (Case, calibration, others));
+  isCard = strcmp (program, 'card');
+  name = ['material-', program, '.txt'];
+  if isCard
     name = 'material.json';
-    text = [jsonencode(card), "\n"];
-    page = regexprep (fileOf (words, Case, name), '(\.json)?$', '.html', 'once');
-    writeAtomic (page, cardPage (Case.root, card));
-    printf ('page    %s\n', page);
-  else
-    lines = materialLines (program, list);
-    own = "# Your script has names of its own: set these values in it.\n";
-    text = [remarks(calibration, list), lines, own(1:end * isempty (lines))];
-    name = ['material-', program, '.txt'];
   end
+  [text, page] = materialText (Case, calibration, program, others);
   file = fileOf (words, Case, name);
+  if isCard
+    place = regexprep (file, '(\.json)?$', '.html', 'once');
+    writeAtomic (place, page);
+    printf ('page    %s\n', place);
+  end
   writeAtomic (file, text);
-  if ~strcmp (program, 'card')
+  if ~isCard
     printf ('%s', text);
   end
   printf ('values  %s\n', file);
-end
-
-% What the values are worth, in front of them.
-function text = remarks (c, list)
-  lines = {resultTitle(c, c.date)};
-  for one = list(strcmp ({list.from}, 'calibrated'))
-    known = 'no interval';
-    if all (isfinite (one.interval))
-      known = sprintf ('90 %%: %.4g to %.4g', one.interval);
-    end
-    lines{end + 1} = sprintf ('%s %.6g (%s)', one.name, one.value, known);
-  end
-  lines = strcat ({'# '}, lines);
-  text = strjoin ([lines, {''}], "\n");
-end
-
-% Of other cases their files are read, none of their programs is called: who shares a
-% store need not be trusted.
-function results = withOthers (Case, calibration, others)
-  own = canonicalize_file_name (Case.folder);
-  results = resultOf (Case.folder, calibration);
-  isAll = strcmp (others, 'store');
-  places = cellfun (@canonicalize_file_name, others(~isAll), 'UniformOutput', false);
-  if any (isAll)
-    [origins, marks] = casesOf (Case);
-    same = cellfun (@(m) isequal (m(1:min (end, 1)), ...
-                                  results.remarks(1:min (end, 1))), marks);
-    places = [places, origins(same)];
-  end
-  for place = setdiff (places(cellfun (@ischar, places)), own)
-    c = readJsonFile (fullfile (place{1}, 'results', 'calibration.json'));
-    if isstruct (givenField (c, 'params', []))
-      results(end + 1) = resultOf (place{1}, c);
-    elseif any (strcmp (place{1}, others))
-      error ('DEcalioc:sayExport:missingFile', ...
-             '%s holds no results/calibration.json. Calibrate it first.', place{1});
-    end
-  end
-end
-
-function r = resultOf (folder, calibration)
-  [~, base, ending] = fileparts (folder);
-  r = struct ('name', [base, ending], 'remarks', {measuredRemarks(folder)}, ...
-              'calibration', calibration);
-end
-
-function [places, remarks] = casesOf (Case)
-  names = cell (1, 0);
-  for model = Case.models
-    kinds = readLibrary (runPlace (Case, model.name));
-    names = [names, {kinds.origin}];
-  end
-  places = cell (1, 0);
-  for name = unique (names)
-    place = canonicalize_file_name (name{1});
-    if ischar (place) && isfolder (place)
-      places{end + 1} = place;
-    end
-  end
-  places = unique (places);
-  remarks = cellfun (@measuredRemarks, places, 'UniformOutput', false);
 end
 
 %!test

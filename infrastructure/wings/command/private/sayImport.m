@@ -21,7 +21,7 @@ function status = sayImport (root, folder, args)
   Case.columns = pairsOf (given.column);
   checkPairs (file, Case);
   data = importRuns (file, Case);
-  table = readRunsTable (file, Case);
+  [table, spread] = readRunsTable (file, Case);
   cells = table.cells;
   printf ('table     %s: %s, %s\n\n', file, countText (rows (cells), 'row'), ...
           countText (columns (cells), 'column'));
@@ -44,7 +44,7 @@ function status = sayImport (root, folder, args)
   sayUnits (Case.targets, middle, 'in the middle of these runs');
   target = fullfile (folder, 'runs.csv');
   if given.take
-    take (table, target);
+    take (spread, target);
   elseif ~isempty (given.column)
     printf (['\nNext: the same with --take writes it as %s, with the names of ' ...
              'the case. decalioc run takes it in.\n'], target);
@@ -95,7 +95,6 @@ function take (table, target)
     error ('DEcalioc:sayImport:exists', ...
            '%s is there already. Nothing is overwritten; move it away first.', target);
   end
-  table = spreadRuns (table);
   isKnown = ~strcmp (table.kinds, 'ignored');
   lines = num2cell ([table.names(isKnown); table.cells(:, isKnown)], 2);
   lines = cellfun (@csvLine, lines, 'UniformOutput', false);

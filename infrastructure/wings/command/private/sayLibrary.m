@@ -10,13 +10,9 @@
 %           with the case folder; --back takes them into use again
 %   STATUS  0; 2 where the store holds no runs (decalioc runs)
 %
-% A run that is forgotten has the status 'forgotten' in its record, and that
-% alone has changed: it counts in no case, and its folder stays. Where a case
-% needs it, a run with another seed takes its place (runJobs). Runs that started
-% from its last state (stagesOf) go with it, and come back with it.
-%
 % Errors: DEcalioc:sayLibrary:missingField, :badValue (a number), :missingFile
-% (no such store or model), :unknownName (no run is one of those)
+% (no such store or model), :unknownName (no run is one of those); those of
+% forgetRuns
 
 function status = sayLibrary (root, folder, args, toForget)
   if nargin > 3
@@ -80,9 +76,8 @@ function sayRig (input, kinds)
     printf ('    %-22s %s\n', name{1}, ...
             sprintf (' to %.6g', unique (range.(name{1})))(5:end));
   end
-  labels = caseLabels (kinds);
-  for label = unique (labels)
-    ofCase = kinds(strcmp (labels, label{1}));
+  for label = unique ({kinds.label})
+    ofCase = kinds(strcmp ({kinds.label}, label{1}));
     printf ('    of %s: %d\n', label{1}, ...
             sum (cellfun (@rows, {ofCase.runs})));
   end
@@ -106,21 +101,14 @@ function status = forget (args, here)
             'got no folder %s. decalioc runs STORE lists the models.'], ...
            store, model, fullfile (store, 'optim', model));
   end
-  if isempty (origin)
-    chosen = str2double (listRunFolders (store, model));
-    chosen = chosen(any (chosen >= ranges(:, 1)' & chosen <= ranges(:, 2)', 2));
-  else
-    chosen = runsOfCases (readLibrary (fullfile (store, 'optim', model)), ...
-                          origin, here);
+  which = ranges;
+  if ~isempty (origin)
+    which = {origin, absoluteFrom(here, origin)};
   end
-  name = @(number) fullfile (model, sprintf ('%04d', number));
-  changed = markedRuns (store, arrayfun (name, unique (chosen)', 'UniformOutput', ...
-                                         false), options.back);
+  [changed, later] = forgetRuns (store, model, which, options.back);
   if isempty (changed)
     refuseNone (store, model, options.back);
   end
-  later = setdiff (startedFrom (store, changed), changed);
-  later = markedRuns (store, later, options.back);
   words = {['out of use; --back takes them in again. A start that needs ' ...
             'them makes them with another packing'], 'in use again'};
   printf ('%s%s %s. Nothing was deleted.\n', ...
@@ -133,30 +121,6 @@ end
 function text = verb (n, words)
   verbs = {'are', 'is'};
   text = [verbs{1 + (n == 1)}, ' ', words];
-end
-
-% Those of RUNS (1 x n cell of MODEL/NUMBER) of which the mark was changed.
-function changed = markedRuns (store, runs, isBack)
-  isChanged = cellfun (@(run) marked (fullfile (store, 'optim', run), isBack), runs);
-  changed = runs(isChanged);
-end
-
-% Runs that hold the last state of one of RUNS, and those that hold theirs: a link
-% of the name of its model (prepareRun).
-function later = startedFrom (store, runs)
-  later = cell (1, 0);
-  runs_ = fullfile (regexprep (store, '([][*?\\])', '\\$1'), 'optim', '*', '*');
-  while ~isempty (runs)
-    new = cell (1, 0);
-    for model = unique (cellfun (@fileparts, runs, 'UniformOutput', false))
-      links = glob (fullfile (runs_, model{1}))';
-      to = cellfun (@readlink, links, 'UniformOutput', false);
-      isOne = ismember (to, strcat ('../../', runs));
-      new = [new, regexprep(links(isOne), '^.*/optim/([^/]+/[^/]+)/[^/]+$', '$1')];
-    end
-    runs = setdiff (new, later);
-    later = [later, runs(:)'];
-  end
 end
 
 % ', 2 runs of Tap and 1 run of Shake that started from it are'
@@ -179,36 +143,6 @@ function refuseNone (store, model, isBack)
          shellQuote (store), fullfile (store, 'optim', model));
 end
 
-% The case is named by its folder, as decalioc runs does or as seen from here,
-% or by the first digits of its id. Runs of a case without an id have no owner.
-function chosen = runsOfCases (kinds, name, here)
-  folder = absoluteFrom (here, name);
-  folders = {name, folder, canonicalize_file_name(folder)};
-  isAt = ismember ({kinds.origin}, folders) & ~strcmp ({kinds.origin}, '');
-  hasOwner = ~strcmp ({kinds.owner}, '');
-  id = caseId (folder);
-  if isempty (id) && ~isempty (regexp (name, '^[0-9a-f]{8,32}$', 'once'))
-    id = name;
-  end
-  if ~isempty (id)
-    isOf = strncmp ({kinds.owner}, id, numel (id));
-  else
-    isOf = isAt & hasOwner;
-    owners = unique ({kinds(isOf).owner});
-    if numel (owners) > 1
-      error ('DEcalioc:sayLibrary:badValue', ...
-             ['decalioc forget: --case must name one case, got %s, at which ' ...
-              '%d cases have been (containers?). Name one by its id: %s'], ...
-             name, numel (owners), ...
-             strjoin (cellfun (@(o) o(1:min (8, end)), owners, ...
-                               'UniformOutput', false), ', '));
-    end
-  end
-  isOf = isOf | (isAt & ~hasOwner);
-  chosen = vertcat (zeros (0, 1), cellfun (@(r) r(:, 1), {kinds(isOf).runs}, ...
-                                           'UniformOutput', false){:});
-end
-
 % Of texts NUMBER or FIRST:LAST; n x 2, the first and the last number.
 function ranges = rangesOf (words)
   ranges = zeros (numel (words), 2);
@@ -223,23 +157,6 @@ function ranges = rangesOf (words)
     end
     ranges(k, :) = ends([1, end]);
   end
-end
-
-% Writes the mark into the record, or takes it out.
-function done = marked (folder, isBack)
-  file = fullfile (folder, 'record.json');
-  r = readSane (file);
-  done = isfield (r, 'status') && strcmp (r.status, 'forgotten') == isBack;
-  if ~done
-    return
-  end
-  if isBack
-    [r.status, r.message] = beforeForgotten (r.message);
-  else
-    r.message = sprintf ('was %s. %s', r.status, r.message);
-    r.status = 'forgotten';
-  end
-  writeRecord (file, r);
 end
 
 %!test
