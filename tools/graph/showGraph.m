@@ -4,8 +4,9 @@
 %
 % root    folder of the toolbox (text)
 % failed  1 where a call goes up or into the private folder of another (out of
-%         benchmarks, tests, tools and models, too), two folders call each other, a function has no caller, or a declared
-%         exception is none; else 0 (exit status of make graph)
+%         benchmarks, tests, tools and models, too), two folders call each other,
+%         a function has no caller, or a declared exception is none; else 0 (exit
+%         status of make graph)
 %
 % The table of mayCall is the rule: whom each folder may call besides itself.
 % The subfolders of a folder call each other one way only. What is different on
