@@ -52,7 +52,7 @@ shellcheck -x --severity=warning .ci/run "${shell[@]}" || findings=1
 "$venv/bin/python3" tools/assertTexts.py "${octave[@]}" || findings=1
 "$venv/bin/python3" tools/phrases.py || findings=1
 # What is small depends on the unit: eps (x) is relative, eps alone is not.
-noEps=(infrastructure/{gap,surrogates,calibration})
+noEps=(infrastructure/{diagnosis,surrogates,calibration})
 if grep -rnwE --include='*.m' 'eps' "${noEps[@]}" |
     grep -vE ':[0-9]+:%|eps \('; then
   echo 'Absolute eps where values have units: write eps (x), or a share of x' >&2
