@@ -19,7 +19,7 @@ ONLY ?=
 PREFIX ?= $(HOME)/.local
 export LIGGGHTS OCTAVE CASE ONLY PREFIX
 
-.PHONY: help setup install uninstall liggghts run gap test soak bench lint graph map wings format index dist site demo clean liggghts-clean
+.PHONY: help setup install uninstall liggghts run gap test soak bench figures lint graph map wings format index dist site demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -63,6 +63,10 @@ soak:                  ## all tests, in their long form: 1.5 hours on 2 cores
 
 bench:                 ## list the programs that measure
 	@tools/bench.sh
+
+figures:               ## write the tables of the manual from benchmarks/results; nothing is run again
+	@$(OCTAVE) --no-gui --norc --quiet benchmarks/figures.m 2>&1 | \
+	  { grep -v 'ignoring const execution_exception' || true; }
 
 lint:                  ## check the style of the Octave and the shell code
 	@tools/setup.sh lint

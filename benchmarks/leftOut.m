@@ -63,7 +63,7 @@ function writeCases (file, cases)
        strjoin (c.effects, ' '), c.lookAlike, c.guard, c.top, c.pTop, ...
        c.pTrue, c.pNull, c.interval, c.gateP, c.ess);
   end
-  writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
+  writeTable (file, lines);
 end
 
 args = argv ();

@@ -24,14 +24,10 @@ function runStudy (kind, numbers, neutral, file)
   addpath (fileparts (mfilename ('fullpath')));
   startBenchmarks ();
   pkg ('load', 'stk');
-  done = {};
-  if exist (file, 'file')
-    done = regexp (fileread (file), '^\w+,\w+', 'match', 'lineanchors');
-  else
-    appendLine (file, ['kind,number,laboratory,parameters,targets,effects,', ...
-                       'class,truth,d,strength,neutral,sets,failed,', ...
-                       'verdict,said,guard,lookAlike,outcome,seconds']);
-  end
+  [done, counted] = startTable (file, ['kind,number,laboratory,parameters,targets,', ...
+                                       'effects,class,truth,d,strength,neutral,sets,', ...
+                                       'failed,verdict,said,guard,lookAlike,outcome,', ...
+                                       'seconds'], 2);
   for number = numbers
     if ~any (strcmp (done, sprintf ('%s,%d', kind, number)))
       appendLine (file, oneCase (kind, number, neutral));

@@ -62,7 +62,7 @@ function writeShares (file, lines)
                             strrep (name, ',', ';'), k, n, k / max (n, 1), ...
                             lo, hi, target);
   end
-  writeAtomic (file, [strjoin(out, "\n"), "\n"]);
+  writeTable (file, out);
 end
 
 %!shared one
@@ -95,7 +95,8 @@ end
 %! lines = @(s, cases) {'right, strong', s.right, [1, 0] > 0, '>= 0.9'; ...
 %!                      'none', s.top, [0, 0] > 0, ''};
 %! evalc ('scoreDiagnoses (file, [one, one], lines);');
-%! text = strsplit (strtrim (fileread (file)), "\n");
+%! [~, text] = originOf (file);
+%! text = strsplit (strtrim (text), "\n");
 %! unlink (file);
 %! assert (text{2}, 'right; strong,1,1,1.0000,0.0250,1.0000,>= 0.9');
 %! assert (text{3}, 'none,0,0,0.0000,0.0000,1.0000,');

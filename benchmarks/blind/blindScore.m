@@ -108,5 +108,5 @@ function writeCases (file, cases, s)
        s.covered(i), c.closure, c.held, c.placebo);
     printf ('%s\n', lines{end});
   end
-  writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
+  writeTable (file, lines);
 end

@@ -28,7 +28,7 @@ function swapScore (root, stem)
                               s(i).own, s(i).rival, s(i).nearest, a.verdict, ...
                               a.effects, a.class90, a.pSaid, a.top, a.p);
   end
-  writeAtomic ([stem, '-scored.csv'], [strjoin(lines, "\n"), "\n"]);
+  writeTable ([stem, '-scored.csv'], lines);
   printf ('%s\n', lines{:});
   sayShares (s);
 end
