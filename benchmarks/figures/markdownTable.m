@@ -1,12 +1,12 @@
 % MARKDOWNTABLE  A table in Markdown.
 %
-% CALL: TEXT = markdownTable (TITLES, ROWS)
+% CALL: TEXT = markdownTable (TITLES, CELLS)
 %
-%   TITLES  1 x m cell of text;  ROWS  n x m cell of text
+%   TITLES  1 x m cell of text;  CELLS  n x m cell of text
 %   TEXT    char, ends with a line feed
 
-function text = markdownTable (titles, rows_)
-  lines = [{titles}; mat2cell(rows_, ones (rows (rows_), 1), columns (rows_))];
+function text = markdownTable (titles, cells)
+  lines = [{titles}; mat2cell(cells, ones (rows (cells), 1), columns (cells))];
   lines = cellfun (@(c) ['| ', strjoin(c, ' | '), ' |'], lines, ...
                    'UniformOutput', false);
   rule = ['|', repmat('---|', 1, numel (titles))];

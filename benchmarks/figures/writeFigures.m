@@ -19,12 +19,12 @@
 function faults = writeFigures (root, isCheck)
   results = fullfile (root, 'benchmarks', 'results');
   uses = tableRows (fullfile (root, 'benchmarks', 'figures', 'figures.csv'));
-  tables = figureTables ();
+  from = struct ('tables', figureTables (), 'results', results, 'uses', {uses});
   faults = {};
   seen = {};
   for page = pagesOf (root)
     old = fileread (page{1});
-    [new, names, bad] = filled (old, tables, uses, results, page{1});
+    [new, names, bad] = filled (old, page{1}, from);
     name = strrep (page{1}, [root, filesep()], '');
     faults = [faults, strcat({name}, {': '}, bad)];
     seen = [seen, names];
@@ -35,7 +35,7 @@ function faults = writeFigures (root, isCheck)
       writeAtomic (page{1}, new);
     end
   end
-  faults = [faults, unusedResults(results, uses, seen, root)];
+  faults = [faults, unusedResults(root, from, seen)];
 end
 
 function pages = pagesOf (root)
@@ -45,28 +45,28 @@ function pages = pagesOf (root)
   pages = pages(cellfun (@isfile, pages));
 end
 
-% Text with its tables made anew, their names, and what is wrong.
-function [text, names, faults] = filled (text, tables, uses, results, page)
+% The text of a page with its tables made anew, their names, and what is wrong.
+function [text, names, faults] = filled (text, page, from)
   pattern = '<!-- figures: (\w+) -->\n.*?<!-- end of figures -->';
-  [from, to, found] = regexp (text, pattern, 'start', 'end', 'tokens');
+  [starts, ends, found] = regexp (text, pattern, 'start', 'end', 'tokens');
   names = cellfun (@(t) t{1}, found, 'UniformOutput', false);
   faults = {};
   if numel (strfind (text, '<!-- figures:')) ~= numel (names)
     faults = {'a mark of a table has no end'};
   end
   for k = numel (names):-1:1
-    files = {uses(cellfun (@(u) any (strcmp (strsplit (u, ' '), names{k})), ...
-                           {uses.uses})).csv};
-    files = files(cellfun (@(f) isfile (fullfile (results, [f, '.csv'])), files));
-    if ~isfield (tables, names{k}) || isempty (files)
+    isOwn = cellfun (@(u) any (strcmp (strsplit (u, ' '), names{k})), {from.uses.uses});
+    files = {from.uses(isOwn).csv};
+    files = files(cellfun (@(f) isfile (fullfile (from.results, [f, '.csv'])), files));
+    if ~isfield (from.tables, names{k}) || isempty (files)
       faults{end + 1} = sprintf ('the mark %s has no table or no results', names{k});
       continue
     end
-    read = @(csv) rowsOf (fullfile (results, [csv, '.csv']));
+    read = @(csv) rowsOf (fullfile (from.results, [csv, '.csv']));
     new = sprintf ("<!-- figures: %s -->\n\n%s\n%s<!-- end of figures -->", ...
-                   names{k}, tables.(names{k}) (read), ...
-                   originText (files, results, page));
-    text = [text(1:from(k) - 1), new, text(to(k) + 1:end)];
+                   names{k}, from.tables.(names{k}) (read), ...
+                   originText (files, from.results, page));
+    text = [text(1:starts(k) - 1), new, text(ends(k) + 1:end)];
   end
 end
 
@@ -110,15 +110,17 @@ function text = saidOrigin (head)
 end
 
 % A use is a table that stands in a page, or a program that reads the results.
-function faults = unusedResults (results, uses, seen, root)
+function faults = unusedResults (root, from, seen)
   faults = {};
-  for file = sort (glob (fullfile (results, '*.csv')))'
+  for file = sort (glob (fullfile (from.results, '*.csv')))'
     [~, name] = fileparts (file{1});
-    own = uses(strcmp ({uses.csv}, name));
+    own = from.uses(strcmp ({from.uses.csv}, name));
     isUsed = false;
     if ~isempty (own)
-      isUsed = any (cellfun (@(u) any (strcmp (seen, u)) || isProgram (root, u), ...
-                             strsplit (own(1).uses, ' ')));
+      names = strsplit (own(1).uses, ' ');
+      isTable = isfield (from.tables, names);
+      isUsed = any (ismember (names(isTable), seen)) || ...
+               any (cellfun (@(u) isProgram (root, u), names(~isTable)));
     end
     if ~isUsed
       faults{end + 1} = sprintf (['benchmarks/results/%s.csv: no table of a page and no ', ...
