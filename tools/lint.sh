@@ -71,6 +71,11 @@ twice=$(printf '%s\n' "${octave[@]}" | grep -E '^(infrastructure|benchmarks|test
   echo "Two functions have one name: $twice" >&2
   findings=1
 }
+# The version that is cited is that of the package.
+grep -qx "version: $(< VERSION)" CITATION.cff || {
+  echo 'CITATION.cff must have the version of the file VERSION (tools/release.sh)' >&2
+  findings=1
+}
 tools/graph/graph.sh || findings=1
 # Tables of the manual are those of their results; which results are old, it says.
 "${OCTAVE:-octave-cli}" --no-gui --norc --quiet benchmarks/figures.m check 2>&1 |
