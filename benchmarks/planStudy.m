@@ -90,6 +90,22 @@ function twin = drawCase (lab, number)
   twin.y = lab.measure (twin.theta, twin.phi);
 end
 
+% All runs that a plan makes; nothing is calibrated on twins.
+function d = diagnoseLab (given, data, runs)
+  options = gapOptions ([]);
+  options.maxNewRuns = foreseeSets (newProblem (given).effects, 1e4, options);
+  options.bootstrap = 99;
+  d = diagnoseMatrices (given, data, options, runs);
+end
+
+% Those that can be seen well enough come first; else the order is kept.
+function order = strongFirst (order, lab, space, theta, level)
+  K = numel (order);
+  reach = space.visible (lab.means (ones (K, 1) * theta, eye (K)) - ...
+                         space.base)';
+  order = [order(reach(order) >= level), order(reach(order) < level)];
+end
+
 % Said rightly or not, by what a user would do with it.
 function word = outcomeOf (twin, which, truth)
   said = which.effects;

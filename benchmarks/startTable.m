@@ -10,8 +10,8 @@
 %   COUNTED  onCleanup: keep it until the last row is written; then the processor
 %            time of this Octave and its children is added to the core-hours
 %
-% A new table begins with originLines; one that goes on gets commit and date of the
-% code that goes on, where they differ.
+% A new table begins with originLines; one that goes on gets call, commit and date of
+% the program that goes on, where they differ.
 %
 % See also: appendLine, originLines, writeTable
 
@@ -38,10 +38,11 @@ function goOn (file, lines)
   if isempty (head.commit)
     return
   end
-  for k = 2:3
+  between = {'; ', ' ', ' '};
+  for k = 1:3
     new = regexp (lines{k}, '^# (\w+): (.*)$', 'tokens', 'once');
     if isempty (strfind (head.(new{1}), new{2}))
-      head.(new{1}) = [head.(new{1}), ' ', new{2}];
+      head.(new{1}) = [head.(new{1}), between{k}, new{2}];
     end
   end
   writeHead (file, head, rest);

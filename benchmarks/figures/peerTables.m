@@ -35,6 +35,10 @@ function text = peers (read)
 end
 
 function text = peerText (own)
+  text = '-';
+  if isempty (own)
+    return
+  end
   worst = numbers (own, 'worst');
   lost = sum (~cellfun (@isempty, {own.error}) & ~strcmp ({own.error}, 'cap'));
   text = sprintf ('%d/%d; %g; %.2g %%; %d', sum (worst < 0.01), numel (own), ...

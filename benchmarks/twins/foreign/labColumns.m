@@ -77,7 +77,7 @@ end
 function s = sticking (P, E)
   laws = bulkLaws ();
   pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4 .* ...
-                   (10.^(7 - P.modulus)).^0.1, 0.15, 0.6);
+                        (10.^(7 - P.modulus)).^0.1, 0.15, 0.6);
   s.pull = pull .* (2500 ./ P.density);
   s.wet = laws.bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.25) .* ...
           (2500 ./ P.density);

@@ -66,7 +66,7 @@ function Z = results (c, P, E)
           0.15 * spread.^2;
   gap = c.gap * (1 + 0.5 * P.friction + 0.6 * both + 0.3 * long);
   share = laws.tappedShare (c.taps, c.set * (1 + both) ./ tap.^2, ...
-                       c.step * (1.2 - 0.4 * P.restitution));
+                            c.step * (1.2 - 0.4 * P.restitution));
   density = 2500 * (loose + gap .* share);
   force = c.force * (1 + 3 * inside.^2) .* (c.depth + off).^c.power / 10 .* ...
           (1 + 0.3 * both + 0.25 * long - 0.7 * spread);
