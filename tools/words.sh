@@ -4,12 +4,12 @@
 # the user guide, 19,000 in all.
 # CALL: tools/words.sh
 # A word holds a letter: numbers and bars of tables are none. Not counted are blocks to
-# type in or to compare with, the two indexes (functions.md, which `make index` makes of
+# type in or to compare with, tables that `make figures` writes, the two indexes (functions.md, which `make index` makes of
 # help texts, and identifiers.md), and the pages for those who change the code.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-wordsOf () { sed '/^ *```/,/^ *```/d;/^<sub>/d' "$1" | tr -s '[:space:]' '\n' | grep -c '[[:alpha:]]'; }
+wordsOf () { sed '/^ *```/,/^ *```/d;/^<!-- figures: /,/^<!-- end of figures/d' "$1" | tr -s '[:space:]' '\n' | grep -c '[[:alpha:]]'; }
 
 pagesOf () {     # below the heading of docs/README.md that begins with this text
   sed -n "/^## $1/,/^## /{/^## $1/p;/^## /!p}" docs/README.md |
