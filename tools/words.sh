@@ -4,8 +4,9 @@
 # the user guide, 19,000 in all.
 # CALL: tools/words.sh
 # A word holds a letter: numbers and bars of tables are none. Not counted are blocks to
-# type in or to compare with, tables that `make figures` writes, the two indexes (functions.md, which `make index` makes of
-# help texts, and identifiers.md), and the pages for those who change the code.
+# type in or to compare with, tables that `make figures` writes, the two indexes
+# (functions.md, which `make index` makes of help texts, and identifiers.md), and the
+# pages for those who change the code.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
