@@ -21,7 +21,7 @@ function D = covarianceSlopes (surrogate, U)
   h = stk_dist (U .* weight, s.unit .* weight);
   D = variance * feval (kernel, h, -1) * s.alpha;
   % the distance changes by the square of its part along a parameter over itself
-  slope = variance * feval (kernel, h, 1) ./ (h + eps);
+  slope = variance * feval (kernel, h, 1) ./ max (h, eps (1));
   for j = 1:numel (weight)
     part = weight(j) * (U(:, j) - s.unit(:, j)');
     D(:, j + 1) = (slope .* part.^2) * s.alpha;
