@@ -97,7 +97,9 @@ end
 %! c = struct ('params', struct ('a', 3, 'b', 4), 'interval90', ...
 %!             struct ('a', [2, 4], 'b', []), 'converged', true, 'reason', 'met', ...
 %!             'date', '2026-01-01', 'version', '1');
-%! [text, page] = materialText (Case, c, 'own', {});
+%! [text, page] = materialText (Case, c, 'table', {});
 %! assert (isempty (page));
 %! assert (~isempty (strfind (text, 'a 3 (90 %: 2 to 4)')), text);
-%! fail ('materialText (Case, c, ''card'', {tempdir ()})', 'holds no results');
+%!error id=DEcalioc:materialText:missingFile
+%! Case = newCase (standInCase (tempname ()));
+%! materialText (Case, struct ('params', struct ('a', 1)), 'card', {emptyFolder()});
