@@ -70,6 +70,10 @@
 %! assert (~isempty (regexp (out, 'calibration has changed \(\w+ of \S+\) after: demStage')), ...
 %!         out);
 %! assert (isempty (strfind (out, 'surrogates has changed')), out);
+%! assert (isempty (strfind (out, 'no commit of this clone')), out);
+%! writeAtomic (csv, regexprep (whole, 'commit: \w+', 'commit: 0123456789', 'once'));
+%! [~, out] = figures (copy, 'check');
+%! assert (~isempty (strfind (out, 'in no commit of this clone: demStage')), out);
 
 %!test
 %! % what does not belong together

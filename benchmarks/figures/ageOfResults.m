@@ -3,12 +3,11 @@
 % CALL: LINES = ageOfResults (ROOT)
 %
 %   ROOT   folder of the toolbox, a clone
-%   LINES  1 x n cell, for each room that has changed the results that are older;
-%          none where ROOT is no clone
+%   LINES  1 x n cell, for each room that has changed the results that are older, and
+%          those of a commit that the clone does not hold; none where ROOT is no clone
 %
 % figures.csv names the rooms of each table of results (a folder each, rooms.csv);
-% the commit is the oldest one of its first lines (originLines). Of a commit that
-% the clone does not hold (a shallow one) nothing is said.
+% the commit is the oldest one of its first lines (originLines).
 %
 % Errors: DEcalioc:ageOfResults:missingRoom (a room without its folder)
 %
@@ -19,7 +18,7 @@ function lines = ageOfResults (root)
   rooms = tableRows (fullfile (place, 'rooms.csv'));
   uses = tableRows (fullfile (place, 'figures.csv'));
   uses = uses(cellfun (@(c) isfile (fileOf (root, c)), {uses.csv}));
-  lines = {};
+  lines = unknownOnes (root, {uses.csv});
   for room = rooms
     if ~isfolder (fullfile (root, room.folder))
       error ('DEcalioc:ageOfResults:missingRoom', ...
@@ -39,6 +38,25 @@ function lines = ageOfResults (root)
       lines{end + 1} = sprintf ('%s has changed (%s) after: %s', room.room, last, ...
                                 strjoin (older, ', '));
     end
+  end
+end
+
+% A shallow clone holds few commits, which is no news.
+function lines = unknownOnes (root, names)
+  lines = {};
+  if ~strcmp (gitLine (root, 'rev-parse --is-shallow-repository'), 'false')
+    return
+  end
+  isUnknown = false (size (names));
+  for i = 1:numel (names)
+    for one = regexp (originOf (fileOf (root, names{i})).commit, '[0-9a-f]{7,}', 'match')
+      kind = gitLine (root, ['cat-file -t ', one{1}]);
+      isUnknown(i) = isUnknown(i) || ~strcmp (kind, 'commit');
+    end
+  end
+  if any (isUnknown)
+    lines = {['made by code that is in no commit of this clone: ', ...
+              strjoin(names(isUnknown), ', ')]};
   end
 end
 
