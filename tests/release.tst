@@ -48,14 +48,14 @@
 %!test
 %! % each file gets its line once, and keeps its help text and its tests
 %! text = "% NEW  A function without the line.\n\nfunction new ()\nend\n\n%!assert (true)";
-%! file = fullfile (copy, 'infrastructure', 'files', 'new.m');
+%! file = fullfile (copy, 'infrastructure', 'kit', 'files', 'new.m');
 %! writeAtomic (file, text);
 %! script = fullfile (copy, 'tools', 'new.sh');
 %! writeAtomic (script, "#!/bin/bash\ntrue\n");
 %! commit (copy);
 %! [status, out] = in (copy, 'tools/spdx.sh');
 %! assert (status, 1);
-%! assert (~isempty (strfind (out, 'infrastructure/files/new.m: the line')), out);
+%! assert (~isempty (strfind (out, 'infrastructure/kit/files/new.m: the line')), out);
 %! [status, out] = in (copy, 'tools/spdx.sh --add && tools/spdx.sh');
 %! assert (status == 0, out);
 %! line = '% SPDX-License-Identifier: GPL-3.0-only';
