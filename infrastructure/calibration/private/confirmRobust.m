@@ -74,6 +74,9 @@ function why = whyOver (book, problem)
     why = 'the set is confirmed';
   elseif ~isempty (nthargout (2, @keepApart, book.state, problem))
     why = 'its runs contradict those of another source';
+  elseif final.isRestConfirmed || ...
+         anyHopeless (final.unjudged, book.state.unjudged)
+    why = 'its runs lack a result';
   elseif budgetLeft (book.state, problem) < 1
     why = 'no DEM runs are left';
   elseif final.equal > 0 && final.probability >= options.confidence
@@ -87,6 +90,13 @@ function why = whyOver (book, problem)
          (book.wrong >= options.maxIter || ~isempty (final.conflict))
     why = 'clearly outside, and no other set is in reach';
   end
+end
+
+% Further runs bring no result back that so many packings lack. What was set aside at
+% the start does not keep the others from being confirmed.
+function yes = anyHopeless (unjudged, aside)
+  unjudged = unjudged([unjudged.isFit] & ~ismember ({unjudged.name}, aside));
+  yes = any (tooOftenNone ([unjudged.lacks]', [unjudged.tried]') > 0.95);
 end
 
 function yes = isClearlyOut (final, problem)
@@ -130,7 +140,8 @@ end
 
 function X = setsThatRan (state, problem)
   data = runsThatCount (state.data, problem);
-  isOurs = ~strcmp (data.stage, 'import') & all (isfinite (data.Z), 2);
+  isOurs = ~strcmp (data.stage, 'import') & ...
+           all (isfinite (data.Z(:, problem.calibrate)), 2);
   X = insideLimits (unique (data.X(isOurs, :), 'rows'), problem.limits);
   [yes, nearest] = isAllowed (X, problem);
   X = X(yes & all (X == nearest, 2), :);

@@ -21,7 +21,8 @@
 %   where
 %     p, params, atLimit, odd (a test that contradicts all
 %              others)
-%     out (tests without any result), neverRun (without a finished run)
+%     out (tests without any result), neverRun (without a finished run),
+%     lacking (targets that too many runs lack)
 %     surrogateShare (of the noise)
 %     targets  [{model, name, role, z, unabsorbed (0..1, what parameters cannot
 %              hide), blind, p (chance that noise gives a miss this large in any
@@ -185,6 +186,7 @@ function s = whereOf (diagnosis)
               'targets', {eachOf(target, diagnosedTargets (diagnosis))}, ...
               'odd', {problem.benchNames(where.conflict.odd)}, ...
               'out', {where.out}, 'neverRun', {where.neverRun}, ...
+              'lacking', {where.lacking}, ...
               'surrogateShare', mean (where.side.share(problem.used)));
   s.models = eachOf (@(b) struct ('model', problem.benchNames{b.bench}, ...
                                   'p', b.p, 'size', b.size), where.benches);
