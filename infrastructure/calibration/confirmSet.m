@@ -9,7 +9,8 @@
 %        residualSd T x 1, interval90 2 x T (of the true response), estimate
 %        1 x T (its middle), state 1 x T cell: 'met' where the mean of the
 %        runs and the estimate are within the tolerance, 'missed' where neither
-%        is, 'unjudged' (see there), else 'open' (the points of a curve as one), open (cellstr, fitted
+%        is, 'unjudged' (see there), else 'open' (the points of a curve as one),
+%        open (cellstr, fitted
 %        results of which the mean of the runs misses), met 1 x T (state is
 %        'met'; without runs: the estimate is within), probability, within (the
 %        estimate, with a run), converged, outcomes (struct: usual and other,

@@ -38,12 +38,12 @@
 
 %!test
 %! for one = of ('writes outside')'
-%!   assert (sharedPlaces (one{1}, 'runscript'), one{2}, one{1});
+%!   assert (strcmp (sharedPlaces (one{1}, 'runscript'), one{2}), '%s', one{1});
 %! end
 
 %!test
 %! for one = of ('writes outside (input script)')'
-%!   assert (sharedPlaces (one{1}, 'in.M'), one{2}, one{1});
+%!   assert (strcmp (sharedPlaces (one{1}, 'in.M'), one{2}), '%s', one{1});
 %! end
 
 %!test
@@ -100,7 +100,7 @@
 %!   said = regexp (out, ['WARNING   ', models{k}, ': ([^\n]*)'], 'tokens');
 %!   said = strjoin ([cell(1, 0), said{:}], ' ');
 %!   if isempty (list{k, 2})
-%!     assert (said, '', list{k, 1});
+%!     assert (isempty (said), '%s', list{k, 1});
 %!   else
 %!     assert (! isempty (strfind (said, list{k, 2})), '%s: %s', list{k, 1}, [said, out]);
 %!   end

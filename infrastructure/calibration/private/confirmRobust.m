@@ -69,26 +69,33 @@ end
 function why = whyOver (book, problem)
   options = problem.options;
   final = confirmSet (book.state, problem);
-  why = '';
   if final.converged
     why = 'the set is confirmed';
   elseif ~isempty (nthargout (2, @keepApart, book.state, problem))
     why = 'its runs contradict those of another source';
-  elseif final.isRestConfirmed || ...
-         anyHopeless (final.unjudged, book.state.unjudged)
-    why = 'its runs lack a result';
   elseif budgetLeft (book.state, problem) < 1
     why = 'no DEM runs are left';
+  elseif isClearlyOut (final, problem) && ...
+         (book.wrong >= options.maxIter || ~isempty (final.conflict))
+    why = 'clearly outside, and no other set is in reach';
+  else
+    why = whyNoHelp (final, book.state, problem);
+  end
+end
+
+% Why further runs of the set do not help, of which none is clearly outside.
+function why = whyNoHelp (final, state, problem)
+  options = problem.options;
+  why = '';
+  if final.isRestConfirmed || anyHopeless (final.unjudged, state.unjudged)
+    why = 'its runs lack a result';
   elseif final.equal > 0 && final.probability >= options.confidence
     why = 'its runs are equal';
-  elseif ismember (final.params, failedSets (book.state.data, problem), 'rows')
+  elseif ismember (final.params, failedSets (state.data, problem), 'rows')
     why = 'its runs fail';
   elseif final.outcomes.onceMore < options.confidence && ...
          final.outcomes.alone >= options.confidence
     why = 'too few runs are left to bound how often they end in another way';
-  elseif isClearlyOut (final, problem) && ...
-         (book.wrong >= options.maxIter || ~isempty (final.conflict))
-    why = 'clearly outside, and no other set is in reach';
   end
 end
 

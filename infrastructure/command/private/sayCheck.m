@@ -239,6 +239,9 @@ function isGood = sayTrial (records, Case)
       printf ('          %s\n', r.message);
       continue
     end
+    if ~isempty (r.message)
+      printf ('WARNING   %s: %s.\n', r.model, r.message);
+    end
     sayGrains (r);
     mine = Case.targets([Case.targets.model] == k);
     for T = mine

@@ -23,8 +23,8 @@ function places = writtenOutside (text, script, isShell, folder, place)
   if isInput (script)
     words = [words, ofInput(text)];
   elseif isShell
-    [more, where] = ofShell (text);
-    [words, at] = deal ([words, more], [at, where]);
+    [found, where] = ofShell (text);
+    [words, at] = deal ([words, found], [at, where]);
     moves = movesOf (text, place, folder);
   end
   at(end + 1:numel (words)) = 0;
@@ -67,45 +67,40 @@ end
 % path in the calls of those that write, of those that copy the last one.
 function [words, at] = opened (text)
   quoted = '["'']([^"''\n]+)["'']';
-  [words, at] = tokensOf (text, ['open\s*\(\s*(?:file\s*=\s*)?', quoted, ...
-                                 '\s*,\s*(?:mode\s*=\s*)?["''][wax]']);
-  [more, where] = tokensOf (text, ['Path\s*\(\s*', quoted, ...
-                                   '\s*\)\s*\.\s*(?:write_|mkdir|touch|open\s*\(\s*["''][wax])']);
-  [words, at] = deal ([words, more], [at, where]);
-  [more, where] = tokensOf (text, 'set\s+output\s+["'']([^"'']+)["'']');
-  [words, at] = deal ([words, more], [at, where]);
   path = '["'']((?:/|~|\.\./)[^"''\n]*)["'']';
   writers = ['\<(?:savez?\w*|savetxt|savefig|imsave|imwrite|to_(?:csv|json|hdf|excel|' ...
              'pickle|parquet)|tofile|makedirs|mkdir|dlmwrite|csvwrite|writematrix|' ...
              'writetable|diary|print)\s*\('];
-  [more, where] = tokensOf (text, [writers, '[^()\n]*?', path]);
-  [words, at] = deal ([words, more], [at, where]);
   copiers = '\<(?:copy2?|copyfile|copytree|move|movefile|rename|replace)\s*\(';
-  [more, where] = tokensOf (text, [copiers, '[^()\n]*', path, '\s*\)']);
-  [words, at] = deal ([words, more], [at, where]);
+  [words, at] = tokensOf (text, { ...
+    ['open\s*\(\s*(?:file\s*=\s*)?', quoted, '\s*,\s*(?:mode\s*=\s*)?["''][wax]'], ...
+    ['Path\s*\(\s*', quoted, ...
+     '\s*\)\s*\.\s*(?:write_|mkdir|touch|open\s*\(\s*["''][wax])'], ...
+    'set\s+output\s+["'']([^"'']+)["'']', ...
+    [writers, '[^()\n]*?', path], [copiers, '[^()\n]*', path, '\s*\)']});
 end
 
-% Words, and where in the text each begins.
-function [words, at] = tokensOf (text, pattern)
-  [found, at] = regexp (text, pattern, 'tokens', 'start', 'lineanchors');
-  words = [cell(1, 0), found{:}];
+% Words, and where in the text each begins, by all patterns.
+function [words, at] = tokensOf (text, patterns)
+  [words, at] = deal (cell (1, 0), zeros (1, 0));
+  for pattern = patterns
+    [found, where] = regexp (text, pattern{1}, 'tokens', 'start', 'lineanchors');
+    words = [words, found{:}];
+    at = [at, where];
+  end
 end
 
 function [words, at] = ofShell (text)
-  [words, at] = tokensOf (text, ['(?<![0-9<=>-])[012&]?>{1,2}[|&]?[ \t]*' ...
-                                 '("[^"\n]+"|''[^''\n]+''|[^\s;&|)>}]+)']);
   options = ['(?<=\s)(?:-o|-O|-d|-log|-l|-C|--(?:out|output|outfile|outdir|output-dir|' ...
              'log|directory|target-directory|prefix))(?:[ \t]+|=)'];
-  [more, where] = tokensOf (text, [options, '["'']?((?:/|~|\.\./)[^\s"'';&|)]+)']);
-  [words, at] = deal ([words, more], [at, where]);
-  [more, where] = tokensOf (text, '(?<=\s)of=["'']?([^\s"'';&|)]+)');
-  [words, at] = deal ([words, more], [at, where]);
-  [more, where] = tokensOf (text, '\<tee\s+(?:-\w+\s+)*["'']?([^\s"'';&|)}]+)');
-  [words, at] = deal ([words, more], [at, where]);
+  [words, at] = tokensOf (text, { ...
+    '(?<![0-9<=>-])[012&]?>{1,2}[|&]?[ \t]*("[^"\n]+"|''[^''\n]+''|[^\s;&|)>}]+)', ...
+    [options, '["'']?((?:/|~|\.\./)[^\s"'';&|)]+)'], '(?<=\s)of=["'']?([^\s"'';&|)]+)', ...
+    '\<tee\s+(?:-\w+\s+)*["'']?([^\s"'';&|)}]+)'});
   [parts, first] = regexp (text, '[^;&|()`{}\n]+', 'match', 'start');
   for k = 1:numel (parts)
-    more = byCommand (parts{k});
-    [words, at] = deal ([words, more], [at, repmat(first(k), 1, numel (more))]);
+    found = byCommand (parts{k});
+    [words, at] = deal ([words, found], [at, repmat(first(k), 1, numel (found))]);
   end
 end
 
@@ -126,8 +121,8 @@ function words = byCommand (part)
       target = find (strcmp (rest(1:end - 1), '-t'), 1) + 1;
       words = [rest(target), rest(~isOption)(2:end)(max(end, 1):end)];
     case 'sed'
-      isInPlace = any (~cellfun (@isempty, regexp (rest, '^(-i|--in-place|-[nErsz]+i)', 'once')));
-      words = rest(~isOption)(2:end * isInPlace);
+      isInPlace = ~cellfun (@isempty, regexp (rest, '^(-i|--in-place|-[nErsz]+i)', 'once'));
+      words = rest(~isOption)(2:end * any (isInPlace));
     case 'sqlite3'
       words = rest(~isOption)(1:min (end, 1));
   end
@@ -168,9 +163,10 @@ end
 % change, or the end of the brackets in which they stand).
 function moves = movesOf (text, place, folder)
   moves = struct ('to', {}, 'from', {}, 'until', {});
-  [to, from] = tokensOf (text, ['(?:^|[;&|(]|\<then\>|\<do\>)\s*(?:cd|pushd)\s+(?:--\s+)?' ...
-                                '["'']?([^\s"'';&|)]+)']);
-  back = [regexp(text, '(?:^|[;&|])\s*(?:popd|cd\s*(?:-|$|[;&|]))', 'lineanchors'), numel(text) + 1];
+  [to, from] = tokensOf (text, {['(?:^|[;&|(]|\<then\>|\<do\>)\s*(?:cd|pushd)\s+' ...
+                                 '(?:--\s+)?["'']?([^\s"'';&|)]+)']});
+  back = regexp (text, '(?:^|[;&|])\s*(?:popd|cd\s*(?:-|$|[;&|]))', 'lineanchors');
+  back = [back, numel(text) + 1];
   for k = 1:numel (to)
     path = '';
     if isKnown (to{k})
@@ -187,7 +183,7 @@ end
 function at = bracketAfter (text, from)
   at = [];
   depth = cumsum ((text == '(') - (text == ')'));
-  before = [0, depth](from);
+  before = depth(max (from - 1, 1));
   inside = max (before, depth(from));
   if inside > 0
     at = find (depth < inside & 1:numel (text) > from, 1);
@@ -196,8 +192,8 @@ end
 
 % post/out is in /data/x where post is a link to it.
 function words = throughLinks (words, text)
-  links = regexp (text, '\<ln\s+(?:-\w+\s+)+(\S+)[ \t]+([\w.-]+)[ \t]*(?:$|[;&|])', 'tokens', ...
-                  'lineanchors');
+  links = regexp (text, '\<ln\s+(?:-\w+\s+)+(\S+)[ \t]+([\w.-]+)[ \t]*(?:$|[;&|])', ...
+                  'tokens', 'lineanchors');
   for link = [cell(1, 0), links]
     [to, name] = link{1}{:};
     words = regexprep (words, ['^(\./)?', regexptranslate('escape', name), '/'], ...
