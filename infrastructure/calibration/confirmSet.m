@@ -318,6 +318,7 @@ end
 %! % said of it, however well the others meet it
 %! two = smallProblem ([1.5, 2], 0.05);
 %! two.bench = [1, 1];
+%! X = linspace (0.05, 0.95, 10)';
 %! Z = 1 + [X, 2 * X] + 0.01 * randn (10, 2);
 %! s = newState (addRows (newData (1, 2), X, Z, ones (10, 1), 'plan'));
 %! s.surrogates = fitSurrogates (s.data, two);
