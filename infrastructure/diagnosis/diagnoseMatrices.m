@@ -176,6 +176,7 @@ function diagnosis = inGivenUnits (diagnosis, problem)
   where.budget.covariance = where.budget.covariance .* (unit' * unit);
   where.out = problem.out;
   where.neverRun = problem.neverRun;
+  where.lacking = problem.lacking;
   diagnosis.where = where;
   if ~isempty (diagnosis.howFar)
     for i = 1:numel (diagnosis.howFar.targets)

@@ -29,7 +29,7 @@ function targets = newTargets (optim, names, found)
   elseif groups(1).model > 1
     n = groups(1).model - 1;
     first = fromCells (optim, names(1:n), found.sizes(1:n), default);
-    groups = [first, rmfield(groups, {'line', 'file', 'each'})];
+    groups = [first, rmfield(groups, {'line', 'file', 'each', 'mixed'})];
   else
     groups = rmfield (groups, {'line', 'file'});
   end

@@ -21,7 +21,8 @@
 %   where
 %     p, params, atLimit, odd (a test that contradicts all
 %              others)
-%     out (tests without any result), neverRun (without a finished run)
+%     out (tests without any result), neverRun (without a finished run),
+%     lacking (targets that too many runs lack)
 %     surrogateShare (of the noise)
 %     targets  [{model, name, role (aside: not followed, see reference), z, unabsorbed
 %              (0..1, what parameters cannot
@@ -190,6 +191,7 @@ function s = whereOf (diagnosis)
               'targets', {eachOf(target, diagnosedTargets (diagnosis))}, ...
               'odd', {problem.benchNames(where.conflict.odd)}, ...
               'out', {where.out}, 'neverRun', {where.neverRun}, ...
+              'lacking', {where.lacking}, ...
               'surrogateShare', mean (where.side.share(problem.used)));
   s.models = eachOf (@(b) struct ('model', problem.benchNames{b.bench}, ...
                                   'p', b.p, 'size', b.size), where.benches);

@@ -23,7 +23,7 @@ function [g, p] = measuredTarget (trials, means)
               'isAbsolute', firstOf (trials, 'isAbsolute'), ...
               'each', zeros (1, 0), 'shared', 0, 'days', [], ...
               'freedom', Inf, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
-              'scatterRatio', NaN, 'scatterP', NaN, 'sessions', {{}});
+              'scatterRatio', NaN, 'scatterP', NaN, 'sessions', {{}}, 'mixed', false);
   if isempty (g.role)
     g.role = 'calibrate';
   end
@@ -38,6 +38,7 @@ function [g, p] = measuredTarget (trials, means)
   weight = [trials.repeats];
   weight(isnan (weight)) = 1;
   g.each = [trials.value];
+  g.mixed = any ([trials.sd] > 0) && ~all ([trials.sd] > 0);
   g.trials = countOf (trials, weight);
   g.sessions = unique ({trials.session});
   own = means(trials(1).mean);
