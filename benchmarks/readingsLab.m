@@ -27,12 +27,14 @@
 % Six quantities, one parameter, two causes. Of each case: is there an alarm (p of
 % the gate below 0.05), is one cause more than 90 % probable (Laplace), is it the
 % right one. Of each reading: is its change, less what was put in, within one sd
-% of sdOfChange, is its p (Student's t) below 0.05.
+% of sdOfChange, is its p (Student's t) below 0.05; is its scatter, which never
+% changes, said to have (p below 0.01, of how many that had trials enough).
 
 1;
 
 function measure (file, seeds, text)
-  columnsOf = 'setting,seed,cases,alarms,named,right,inSd,below5,readings';
+  columnsOf = ['setting,seed,cases,alarms,named,right,inSd,below5,readings,', ...
+               'scatters,ofScatter'];
   done = {};
   if exist (file, 'file')
     done = regexp (fileread (file), '^[^,]+,\d+', 'match', 'lineanchors');
@@ -58,10 +60,11 @@ function counts = oneSeed (s, seed, cases)
     generator{1} ('twister', seed);
   end
   lab = laboratory (s);
-  counts = zeros (1, 6);
+  counts = zeros (1, 8);
   for i = 1:cases
-    [problem, z, p] = oneProblem (s, lab);
+    [problem, z, p, ofScatter] = oneProblem (s, lab);
     counts(4:6) = counts(4:6) + [sum(abs (z) < 1), sum(p < 0.05), numel(z)];
+    counts(7:8) = counts(7:8) + [sum(ofScatter < 0.01), sum(~isnan (ofScatter))];
     if ~strcmp (s.way, 'each')
       counts(1:3) = counts(1:3) + verdictOf (problem, lab);
     end
@@ -109,7 +112,7 @@ function lab = laboratory (s)
 end
 
 % Z: change over its standard uncertainty, less what was put in.
-function [problem, z, p] = oneProblem (s, lab)
+function [problem, z, p, ofScatter] = oneProblem (s, lab)
   T = numel (lab.given.value);
   sd = exp (s.unequal * randn (1, T));
   mean_ = rand ();
@@ -128,10 +131,11 @@ function [problem, z, p] = oneProblem (s, lab)
   end
   [groups, ~, conditions] = groupMeasured (list, {'A'});
   problem = lab.given;
-  [z, p] = deal (zeros (1, 0));
+  [z, p, ofScatter] = deal (zeros (1, 0));
   if s.after > 0
     added = lab.means (mean_, [s.strength, 0]) - lab.means (mean_, [0, 0]);
     [z, p] = arrayfun (@changeOf, groups, added);
+    ofScatter = arrayfun (@(g) g.changed.scatterP, groups);
   end
   if strcmp (s.way, 'each')
     return
@@ -241,17 +245,20 @@ function report (file)
   counts = str2double (cells(:, 3:end));
   printf (['| lines | after | sessions | paired | ratio | unequal | blocks | ', ...
            'noise | packings | lack | strength | way | cases | alarm | named | right | ', ...
-           "within 1 sd | p < 0.05 |\n"]);
-  printf ("|%s\n", repmat ('---|', 1, 18));
+           "within 1 sd | p < 0.05 | scatter |\n"]);
+  printf ("|%s\n", repmat ('---|', 1, 19));
   for k = 1:numel (settings)
     c = sum (counts(of == k, :), 1);
     shares = arrayfun (@(n) share (n, c(1)), c(2:4), 'UniformOutput', false);
     if ~isempty (regexp (settings{k}, '-each$'))
       shares(:) = {''};
     end
-    readings = {'', ''};
+    readings = {'', '', ''};
     if c(7) > 0
-      readings = {sprintf('%.2f', c(5) / c(7)), share(c(6), c(7))};
+      readings(1:2) = {sprintf('%.2f', c(5) / c(7)), share(c(6), c(7))};
+    end
+    if c(9) > 0
+      readings{3} = share (c(8), c(9));
     end
     printf ("| %s | %d | %s |\n", strrep (settings{k}, '-', ' | '), c(1), ...
             strjoin ([shares, readings], ' | '));

@@ -218,8 +218,32 @@ end
 %! assert (sessions.df, 1);
 %! assert ({g.value, g.sessions}, {3.5, {'mon', 'tue'}}, 1e-12);
 %! assert (g.shared > 0.8 * g.sd && g.shared < g.sd);
+%! assert (isempty (sessions.drifts));
 %! % of the same days the difference is free
 %! assert (g.days, g.changed(1).days, 1e-12);
 %! assert (g.days * g.changed(2).days', 0);
 %! assert (g.scatter);
 %! assert (g.changed(2).sd > g.changed(1).sd);
+%!test
+%! % a drift of the day: states in turn are told apart as without it, one way not
+%! list = repmat (line, 1, 16);
+%! [list.session] = deal ('mon');
+%! [list(9:16).condition] = deal ('moist');
+%! e = 0.1 * [1, -1, 0, 2, -2, 1, -1, 0];
+%! turns = {1:2:15, 2:2:16; 1:8, 9:16};
+%! for k = 1:2
+%!   order = num2cell ([turns{k, :}]);
+%!   [list.order] = order{:};
+%!   values = num2cell ([10 + e, 10.5 + e] + 0.3 * [order{:}]);
+%!   [list.value] = values{:};
+%!   [g(k), ~, ~, sessions] = groupMeasured (list, {'A'});
+%!   drift = sessions.drifts;
+%!   assert ({drift.session, drift.name}, {'mon', 'a'});
+%!   assert (drift.slope, 0.3, 0.02);
+%!   sd(k) = sdOfChange (g(k), g(k).changed);
+%!   assert (g(k).changed.value - g(k).value, 0.5, 0.2);
+%! end
+%! assert (drift.oneWay, {'moist'});
+%! assert ({g(1).changed.swept, g(2).changed.swept}, {false, true});
+%! assert (sd(1), 0.06, 0.03);
+%! assert (sd(2), 0.3 * 8, 0.1);

@@ -320,7 +320,10 @@ function found = withErrors (found, scatter, own, between, known)
   if any (factor > 0) && any (scatter.scale > 0)
     sd = halfWidth (sqrt (factor .* scatter.scale), scatter.freedom, ...
                     scatter.weight);
-    share = scatter.weight * (1 - own ./ factor)';
+    % what trials alone make, which is left of a difference of the same days
+    trials = halfWidth (sqrt (own .* scatter.scale), scatter.freedom, ...
+                        scatter.weight);
+    share = max (1 - (trials / sd)^2, 0);
     % Welch and Satterthwaite: a part that is known doubts nothing
     less = [sd^2 + known, sd^2 * (1 - share) + known] ./ ...
            max (sd^2 * [1, 1 - share], realmin);
