@@ -5,8 +5,8 @@
 %
 %   CSV      table, to which one row a seed and setting is added
 %   SEEDS    e.g. 1:5, of 20 cases each; those that stand in CSV are not made again
-%   SETTING  lines-after-sessions-paired-ratio-unequal-blocks-noise-packings-lack-strength-way,
-%            such as 2-2-0-0-0-0-1-normal-0.3-1-0-read:
+%   SETTING  lines-after-sessions-paired-ratio-unequal-blocks-noise-packings-fine-lack-strength-way,
+%            such as 2-2-0-0-0-0-1-normal-0.3-1-0.1-0-read:
 %     lines, after  readings of the reference and of the change, each session (after
 %               0: none, the rig is held against its simulation)
 %     sessions  of each (0: none is named, and they do not differ)
@@ -18,8 +18,10 @@
 %     noise     normal, or odd: trials are skewed (gamma, skewness 1), sessions
 %               have long tails (Laplace)
 %     packings  scatter of a run over that of a trial
-%     lack      what the simulation misses of each quantity, in both states alike:
-%               uniform to either side, deviation in the scatter of a trial
+%     fine      by what parameter and causes move readings more (1: up to six times
+%               the scatter of a trial)
+%     lack      what the simulation misses of each quantity, in both states alike,
+%               at most: uniform to either side, over what the parameter moves
 %     strength  of the first of two causes in the change (0: nothing has changed)
 %     way       read: as measured.csv is read; known: uncertainties are told;
 %               each: as read, without a diagnosis
@@ -43,7 +45,8 @@ function measure (file, seeds, text)
   end
   values = strsplit (text, '-');
   names = {'lines', 'after', 'sessions', 'paired', 'ratio', 'unequal', ...
-           'blocks', 'noise', 'packings', 'lack', 'strength', 'way'};
+           'blocks', 'noise', 'packings', 'fine', 'lack', 'strength', ...
+           'way'};
   isText = ismember (names, {'noise', 'way'});
   values(~isText) = num2cell (str2double (values(~isText)));
   s = cell2struct (values, names, 2);
@@ -88,7 +91,7 @@ end
 function lab = laboratory (s)
   S = [3, 1, 0, -1, 2, 0.5];
   F = [0, 2, 4, 1, -2, 3; 3, -2, 0, 3, 2, -3];
-  lab.means = @(X, phi) 20 + (2 * X - 1) * S + phi * F;
+  lab.means = @(X, phi) 20 + s.fine * ((2 * X - 1) * S + phi * F);
   T = numel (S);
   names = {'a', 'b'};
   for k = 1:2
@@ -116,7 +119,8 @@ function [problem, z, p, ofScatter] = oneProblem (s, lab)
   T = numel (lab.given.value);
   sd = exp (s.unequal * randn (1, T));
   mean_ = rand ();
-  lack = s.lack * sqrt (3) * (2 * rand (1, T) - 1);
+  span = abs (lab.means (1, [0, 0]) - lab.means (0, [0, 0]));
+  lack = s.lack * span .* (2 * rand (1, T) - 1);
   list = [];
   for state = 0:min (s.after, 1)
     n = s.lines * (state == 0) + s.after * (state == 1);
@@ -244,9 +248,9 @@ function report (file)
   [settings, ~, of] = unique (cells(:, 1));
   counts = str2double (cells(:, 3:end));
   printf (['| lines | after | sessions | paired | ratio | unequal | blocks | ', ...
-           'noise | packings | lack | strength | way | cases | alarm | named | right | ', ...
+           'noise | packings | fine | lack | strength | way | cases | alarm | named | right | ', ...
            "within 1 sd | p < 0.05 | scatter |\n"]);
-  printf ("|%s\n", repmat ('---|', 1, 19));
+  printf ("|%s\n", repmat ('---|', 1, 20));
   for k = 1:numel (settings)
     c = sum (counts(of == k, :), 1);
     shares = arrayfun (@(n) share (n, c(1)), c(2:4), 'UniformOutput', false);
