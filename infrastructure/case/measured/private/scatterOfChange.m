@@ -18,7 +18,8 @@ function [ratio, p] = scatterOfChange (values, sessions, variance, freedom)
   [ratio, p] = deal (NaN);
   n = numel (values);
   [~, ~, of] = unique (sessions);
-  if n - max (of) < 4 || ~(variance > 0)
+  of = of(:);
+  if n - max ([of; 0]) < 4 || ~(variance > 0)
     return
   end
   restore = seedRandom (1);
@@ -62,6 +63,7 @@ end
 %! assert (ratio, 1.2, 0.3);
 %! assert (p > 0.5);
 %! assert (scatterOfChange ([1; 5; 9], [1; 1; 1], 1, 9), NaN);
+%! assert (scatterOfChange (zeros (0, 1), zeros (0, 1), 1, 9), NaN);
 %! % the means of sessions are no scatter
 %! values = [1; -1; 1; -1; 1; 31; 29; 31; 29; 31];
 %! sessions = [1; 1; 1; 1; 1; 2; 2; 2; 2; 2];
