@@ -19,7 +19,7 @@ ONLY ?=
 PREFIX ?= $(HOME)/.local
 export LIGGGHTS OCTAVE CASE ONLY PREFIX
 
-.PHONY: help setup install uninstall liggghts run gap test soak bench lint graph map wings format index dist site demo clean liggghts-clean
+.PHONY: help setup install uninstall liggghts run gap test soak bench figures lint graph map wings format index dist release site demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -64,6 +64,10 @@ soak:                  ## all tests, in their long form: 1.5 hours on 2 cores
 bench:                 ## list the programs that measure
 	@tools/bench.sh
 
+figures:               ## write the tables of the manual from benchmarks/results; nothing is run again
+	@$(OCTAVE) --no-gui --norc --quiet benchmarks/figures.m 2>&1 | \
+	  { grep -v 'ignoring const execution_exception' || true; }
+
 lint:                  ## check the style of the Octave and the shell code
 	@tools/setup.sh lint
 	@tools/lint.sh
@@ -87,6 +91,9 @@ index:                 ## write docs/functions.md (functions that a user may cal
 
 dist:                  ## make the Octave package dist/decalioc-VERSION.tar.gz
 	@tools/dist.sh
+
+release:               ## NUMBER=1.0.0: version, changelog, package, site; what is left to type it says
+	@tools/release.sh "$(NUMBER)"
 
 site:                  ## build the manual: dist/site and dist/decalioc-manual.pdf
 	@tools/setup.sh site

@@ -33,7 +33,7 @@ function runStudy (file)
   if isfile (file)
     delete (file);
   end
-  appendLine (file, 'kind,name,benches,share,from,to');
+  [~, counted] = startTable (file, 'kind,name,benches,share,from,to', 3);
   for set = sets
     addRows (file, benches(set{1}));
   end

@@ -11,17 +11,16 @@
 % draw      draws CASES (60) from random numbers that nobody knows, runs their
 %           truth in the folder SECRET and keeps it there; writes
 %           NAME-cases.csv and NAME-lists.csv, what a laboratory hands over, and
-%           NAME-truth.sha256. Where NAME ends in yade, the laboratory computes
-%           with YADE; in bins, it has drum and slot bins (blindLab)
+%           NAME-truth.sha256. Where NAME ends in bins, the laboratory has drum
+%           and slot bins (blindLab)
 % answer    makes a case folder for each in PLACE, diagnoses it with
 %           diagnoseGap.m, without new runs, the folder SECRET hidden; writes
 %           NAME-answers.csv and NAME-strengths.csv
 % whole     the same for every STEP-th case (7) with 75 new runs of LIGGGHTS, a
 %           bench each, cures among them; writes NAME-whole-answers.csv,
 %           NAME-whole-strengths.csv
-% score     checks the digest, copies the truth, writes NAME-cases-scored.csv
-%           and NAME-scores.csv; NAME-whole is
-%           scored with the truth of NAME
+% score     checks the digest, copies the truth, writes NAME-cases-scored.csv;
+%           NAME-whole is scored with the truth of NAME
 %
 % All tables lie in benchmarks/results. Draw, answer and score are committed
 % each before the next one begins. What is finished in a folder is used again.
@@ -67,7 +66,7 @@ function [truths, isNew] = drawnBefore (secret, lab, n)
     fclose (id);
     rand ('twister', seed);
     randn ('twister', flipud (seed));
-    truths = lab.draw (lab, n);
+    truths = blindDraw (lab, n);
     save ('-binary', file, 'truths');
   end
   truths = load (file).truths;

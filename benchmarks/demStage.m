@@ -1,7 +1,6 @@
 % DEMSTAGE  The stage on DEM side by side: default and published.
 %
 % CALL: octave-cli benchmarks/demStage.m NAMES SEEDS CSV
-%       octave-cli benchmarks/demStage.m report CSV
 %
 %   NAMES  stand-ins (standIn), e.g. plain,silo
 %   SEEDS  e.g. 1:20
@@ -16,11 +15,8 @@
 1;
 
 function runStudy (names, seeds, file)
-  if ~isfile (file)
-    appendLine (file, 'case,method,seed,met,right,worst,runs,afterPlan');
-  end
-  [~, cells] = readCsvTable (file);
-  done = strcat (cells(:, 1), ',', cells(:, 2), ',', cells(:, 3));
+  [done, counted] = startTable (file, ...
+                                'case,method,seed,met,right,worst,runs,afterPlan', 3);
   methods = {'robust', 'published'};
   [m, n, s] = ndgrid (1:2, 1:numel (names), seeds);
   for k = 1:numel (m)
@@ -38,32 +34,8 @@ function line = oneCase (name, method, seed)
                    100 * r.worst, r.runs, r.infill + r.verify});
 end
 
-function report (file)
-  [header, cells] = readCsvTable (file);
-  M = str2double (cells(:, 3:end));
-  col = @(name) M(:, strcmp (header(3:end), name));
-  printf (['| stand-in | optim.method | n | called met | of them right | right | largest ', ...
-           'true residual (%%): median, worst | runs, after the plan |\n', ...
-           '|---|---|---|---|---|---|---|---|\n']);
-  for name = unique (cells(:, 1), 'stable')'
-    for method = {'robust', 'published'}
-      here = strcmp (cells(:, 1), name{1}) & strcmp (cells(:, 2), method{1});
-      of = @(column) col (column)(here);
-      met = of ('met') == 1;
-      printf ('| %s | %s | %d | %d | %d | %d | %.2g, %.2g | %.1f, %.1f |\n', name{1}, ...
-              method{1}, sum (here), sum (met), sum (of ('right')(met)), ...
-              sum (of ('right')), median (of ('worst')), max (of ('worst')), ...
-              mean (of ('runs')), mean (of ('afterPlan')));
-    end
-  end
-end
-
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 args = argv ();
-if strcmp (args{1}, 'report')
-  report (args{2});
-else
-  runStudy (strsplit (args{1}, ','), str2num (['[', args{2}, ']']), ...
-            make_absolute_filename (args{3}));
-end
+runStudy (strsplit (args{1}, ','), str2num (['[', args{2}, ']']), ...
+          make_absolute_filename (args{3}));

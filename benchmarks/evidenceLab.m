@@ -1,7 +1,6 @@
 % EVIDENCELAB  How often 90 % intervals hold the truth: parameters, held-out results.
 %
 % CALL: octave-cli benchmarks/evidenceLab.m LAB CORRELATION SEEDS CSV
-%       octave-cli benchmarks/evidenceLab.m report CSV
 %
 %   LAB          parameters: five readings of one packing, of a bench of one parameter
 %                and 20 runs; heldOut: of a + b and a - b, 16 runs, a + b is fitted and
@@ -12,8 +11,6 @@
 %                (1, 0), width (of parameters in parts of the limits); seeds that stand
 %                in it are not made again
 %
-% 'report' says how many hold, with exact intervals of 95 %, and the median width.
-
 1;
 
 function line = oneCase (lab, correlation, seed)
@@ -59,26 +56,10 @@ function [holds, width] = ofHeldOut (scatter)
   width = diff (c.holdout.interval90);
 end
 
-function sayIntervals (file)
-  [~, cells] = readCsvTable (file);
-  kind = strcat (cells(:, 1), {' '}, cells(:, 2));
-  for one = unique (kind, 'stable')'
-    is = strcmp (kind, one{1});
-    holds = str2double (cells(is, 4));
-    [lo, hi] = binomialInterval (sum (holds), numel (holds));
-    printf ('%s: %d of %d hold (%.0f %%, %.0f to %.0f), median width %.2f\n', one{1}, ...
-            sum (holds), numel (holds), 100 * mean (holds), 100 * lo, 100 * hi, ...
-            median (str2double (cells(is, 5))));
-  end
-end
-
 function makeCases (lab, correlation, seeds, file)
-  if ~isfile (file)
-    appendLine (file, 'lab,correlation,seed,holds,width');
-  end
+  [done, counted] = startTable (file, 'lab,correlation,seed,holds,width', 3);
   for seed = str2num (seeds)
-    start = sprintf ("\n%s,%s,%d,", lab, correlation, seed);
-    if isempty (strfind (fileread (file), start))
+    if ~any (strcmp (done, sprintf ('%s,%s,%d', lab, correlation, seed)))
       appendLine (file, oneCase (lab, str2double (correlation), seed));
     end
   end
@@ -86,9 +67,4 @@ end
 
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
-parts = argv ();
-if strcmp (parts{1}, 'report')
-  sayIntervals (parts{2});
-else
-  makeCases (parts{:});
-end
+makeCases (argv (){:});

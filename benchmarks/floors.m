@@ -1,7 +1,6 @@
 % FLOORS  Runs to values that are right and stated right: the floor, and ours.
 %
 % CALL: octave-cli benchmarks/floors.m STANDIN SEEDS WAYS CSV
-%       octave-cli benchmarks/floors.m report CSV
 %
 %   STANDIN  a name of standIn;  SEEDS  e.g. 1:20
 %   WAYS     of these, separated by commas, in the order of the table:
@@ -20,12 +19,6 @@
 % converged, right, worst (true miss, in tolerances), probability, infill,
 % verify, seconds.
 %
-% 'report' counts a seed whose values are not right, or not stated, as one that
-% never ends. Median (quartiles); of so many seeds stated, of them right. The
-% ratios (form / told, known / form, ours / form) are those of the medians, with
-% intervals of 95 % from 2000 samples of the seeds of either way. Below, the same of
-% results/peers.csv.
-%
 % See also: calibrateStandIn, learnForm, standIn, peers
 
 1;
@@ -33,12 +26,7 @@
 function measure (name, seeds, ways, file)
   columnsOf = ['standin,way,seed,runs,converged,right,worst,probability,', ...
                'infill,verify,seconds'];
-  done = {};
-  if exist (file, 'file')
-    done = regexp (fileread (file), '^\w+,\w+,\d+', 'match', 'lineanchors');
-  else
-    appendLine (file, columnsOf);
-  end
+  [done, counted] = startTable (file, columnsOf, 3);
   form = [];
   for seed = seeds
     S = standIn (name, seed);
@@ -122,81 +110,9 @@ function r = confirmTold (S, seed)
               'verify', final.n, 'probability', final.probability);
 end
 
-function report (file)
-  [~, cells] = readCsvTable (file);
-  ways = {'told', 'form', 'known', 'ours'};
-  printf (['| stand-in | told | form known | noise known | ours | form / told | ' ...
-           'known / form | ours / form |\n|---|---|---|---|---|---|---|---|\n']);
-  for name = unique (cells(:, 1), 'stable')'
-    for w = 1:numel (ways)
-      isOwn = strcmp (cells(:, 1), name{1}) & strcmp (cells(:, 2), ways{w});
-      values = str2double (cells(isOwn, 4:6));
-      isRight = all (values(:, 2:3) > 0, 2);
-      runs{w} = values(:, 1);
-      runs{w}(~isRight) = Inf;
-      texts{w} = wayText (runs{w}, sum (isRight), sum (values(:, 2) > 0));
-    end
-    printf ('| %s | %s | %s | %s | %s | %s | %s | %s |\n', name{1}, texts{:}, ...
-            ratioText (runs{2}, runs{1}), ratioText (runs{3}, runs{2}), ...
-            ratioText (runs{4}, runs{2}));
-  end
-end
-
-% Peers state nothing: runs to their own stop where that is right. Without failing
-% runs.
-function reportPeers (file)
-  [header, cells] = readCsvTable (file);
-  column = @(name) cells(:, strcmp (header, name));
-  isPlain = str2double (column ('fail')) == 0 & ~strcmp (column ('tool'), 'DEcalioc');
-  kinds = strcat (column ('standin'), {', '}, column ('tool'));
-  for kind = unique (kinds(isPlain), 'stable')'
-    own = isPlain & strcmp (kinds, kind{1});
-    runs = str2double (column ('runs'))(own);
-    isRight = str2double (column ('worst'))(own) < 0.01;
-    runs(~isRight) = Inf;
-    printf ('%s: %g (%g-%g); %d of %d right\n', kind{1}, ...
-            middle (runs, [0.5, 0.25, 0.75]), sum (isRight), numel (runs));
-  end
-end
-
-% Median (quartiles); of all seeds stated, of them right.
-function text = wayText (runs, nRight, nSaid)
-  text = '-';
-  if ~isempty (runs)
-    q = middle (runs, [0.5, 0.25, 0.75]);
-    text = sprintf ('%g (%g-%g); %d/%d, %d', q, nSaid, numel (runs), nRight);
-  end
-end
-
-function text = ratioText (upper, lower)
-  text = '-';
-  if isempty (upper) || isempty (lower)
-    return
-  end
-  rand ('twister', 1);
-  sample = @(x) middle (x(ceil (numel (x) * rand (numel (x), 1))), 0.5);
-  ratio = sort (arrayfun (@(k) sample (upper) / sample (lower), 1:2000));
-  text = sprintf ('%.2f (%.2f-%.2f)', middle (upper, 0.5) / middle (lower, 0.5), ...
-                  ratio([50, 1950]));
-end
-
-% quantile interpolates between a number and Inf to NaN.
-function q = middle (x, p)
-  x = sort (x);
-  n = numel (x);
-  low = x(max (1, ceil (n * p)));
-  high = x(min (n, floor (n * p) + 1));
-  q = (low + high) / 2;
-end
-
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 pkg ('load', 'stk');
 pkg ('load', '-nodeps', 'struct', 'optim');
 given = argv ();
-if strcmp (given{1}, 'report')
-  report (given{2});
-  reportPeers (fullfile (fileparts (mfilename ('fullpath')), 'results', 'peers.csv'));
-else
-  measure (given{1}, str2num (given{2}), strsplit (given{3}, ','), given{4});
-end
+measure (given{1}, str2num (given{2}), strsplit (given{3}, ','), given{4});

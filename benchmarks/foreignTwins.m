@@ -16,9 +16,8 @@
 %   S-truth.csv, S-truth.sha256   truth, written first
 %   S-cases.csv                   what the diagnosis may see
 %   S.csv                         every case: truth and verdict
-%   S-scores.csv                  figures of merit, 95 % Clopper-Pearson
 %
-% See also: foreignLab, twinsDraw, twinsDiagnose, twinsScore, foreignLines
+% See also: foreignLab, twinsDraw, twinsDiagnose, twinsScore, gapTables
 
 1;
 
@@ -40,6 +39,7 @@ function runForeign (kind, perLab, only)
   printf ('truth frozen: SHA-256 %s\n', digest);
   verdicts = twinsDiagnose (labs, twins);
   twinsScore (name, twins, verdicts, labs);
+  printf ('Figures: octave-cli benchmarks/figures.m show foreign %s.csv\n', name);
 end
 
 args = argv ();

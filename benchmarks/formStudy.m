@@ -21,7 +21,7 @@
 % curves (turnMark). Integrals are coarser than those of a diagnosis (effective
 % size 150), and what the gate compares with is drawn once for each campaign.
 %
-% See also: formScore, turnMark, leftOut, blind
+% See also: gapTables, turnMark, leftOut, blind
 
 1;
 
@@ -180,5 +180,5 @@ cases = {};
 for part = words{3}
   cases = [cases, of.(part)()];
 end
-writeAtomic (words{1}, [strjoin([{formCase()}, cases], "\n"), "\n"]);
-formScore (words{1});
+writeTable (words{1}, [{formCase()}, cases]);
+printf ('Figures: octave-cli benchmarks/figures.m show form %s\n', words{1});

@@ -1,7 +1,6 @@
 % IMPORTEDTABLE  Calibrations beside an imported table that is off.
 %
 % CALL: octave-cli benchmarks/importedTable.m OFF REPLICATES SEEDS CSV
-%       octave-cli benchmarks/importedTable.m report CSV
 %
 %   OFF         by how much the discharge of the table takes longer than that of
 %               today's script, e.g. 0,0.02,0.04,0.08 (tolerance 0.05)
@@ -12,29 +11,22 @@
 %
 % A bin of two parameters and two results, as formulas (binOf). The table has 60
 % rows. Right is a set called calibrated whose true means are within both
-% tolerances. The report: a row for each OFF and REPLICATES, with 95 % intervals.
+% tolerances.
 %
 % See also: calibrateStandIn, binomialInterval
 
 1;
 
 function runStudy (offs, replicates, seeds, file)
-  if ~isfile (file)
-    appendLine (file, ['off,replicates,seed,converged,right,worst,probability,', ...
-                       'runs,rejected,ending']);
-  end
-  done = doneIn (file);
+  [done, counted] = startTable (file, ['off,replicates,seed,converged,right,worst,', ...
+                                       'probability,runs,rejected,ending'], 3);
   [replicate, off, seed] = ndgrid (replicates, offs, seeds);
   cases = [off(:), replicate(:), seed(:)];
-  for one = cases(~ismember (cases, done, 'rows'), :)'
+  keys = arrayfun (@(i) sprintf ('%g,%g,%g', cases(i, :)), 1:rows (cases), ...
+                   'UniformOutput', false);
+  for one = cases(~ismember (keys, done), :)'
     appendLine (file, oneCase (one(1), one(2), one(3)));
   end
-end
-
-function done = doneIn (file)
-  [~, cells] = readCsvTable (file);
-  done = str2double (cells(:, 1:3));
-  done = reshape (done, [], 3);
 end
 
 function line = oneCase (off, replicates, seed)
@@ -70,30 +62,8 @@ function data = tableOf (S, off, seed)
   data = addRows (newData (2, 2), X, Z, ones (60, 1), 'import');
 end
 
-function report (file)
-  [header, cells] = readCsvTable (file);
-  M = str2double (cells(:, 1:9));
-  col = @(name) M(:, strcmp (header, name));
-  printf (['| table off by | replicates | n | calibrated | of them right | table refused | ', ...
-           'own runs |\n|---|---|---|---|---|---|---|\n']);
-  for pair = unique (M(:, 1:2), 'rows')'
-    here = col ('off') == pair(1) & col ('replicates') == pair(2);
-    yes = here & col ('converged') == 1;
-    n = sum (yes);
-    right = sum (yes & col ('right') == 1);
-    [lo, hi] = binomialInterval (right, n);
-    printf ('| %g %% | %d | %d | %d | %d (%.2f to %.2f) | %d | %.1f |\n', 100 * pair(1), ...
-            pair(2), sum (here), n, right, lo, hi, sum (col ('rejected')(here)), ...
-            mean (col ('runs')(here)));
-  end
-end
-
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 args = argv ();
-if strcmp (args{1}, 'report')
-  report (args{2});
-else
-  numbers = cellfun (@(a) str2num (['[', a, ']']), args(1:3), 'UniformOutput', false);
-  runStudy (numbers{:}, make_absolute_filename (args{4}));
-end
+numbers = cellfun (@(a) str2num (['[', a, ']']), args(1:3), 'UniformOutput', false);
+runStudy (numbers{:}, make_absolute_filename (args{4}));

@@ -35,13 +35,13 @@ functions = {'stk_param_estim', 'stk_param_relik', 'quickCost', 'stk_predict', .
 titles = cellfun (@(f) {[f, '_calls'], [f, '_seconds']}, functions, ...
                   'UniformOutput', false);
 titles = ['standin', 'seed', 'runs', titles{:}];
-text = [strjoin(titles, ','), "\n"];
+lines = {strjoin(titles, ',')};
 for name = names
   row = countCalls (name{1}, str2double (given{2}), functions);
   line = sprintf (',%.4g', row);
   printf ('%s%s\n', name{1}, line);
-  text = [text, name{1}, line, "\n"];
+  lines{end + 1} = [name{1}, line];
 end
 if numel (given) > 2
-  writeAtomic (given{3}, text);
+  writeTable (given{3}, lines);
 end

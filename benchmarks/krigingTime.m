@@ -83,5 +83,7 @@ for n = [10, 25, 100]
   printf ('%s\n', sprintf ('%9.2g', R(end, :)));
 end
 if numel (given) > 1
-  writeMatrix (given{2}, R, titles);
+  lines = arrayfun (@(i) rowText (num2cell (R(i, :))), 1:rows (R), ...
+                    'UniformOutput', false);
+  writeTable (given{2}, [{strjoin(titles, ',')}, lines]);
 end

@@ -48,7 +48,7 @@ function drawSwaps (root, secret, n, processes)
   sealed = fullfile (secret, 'truth.csv');
   writeAtomic (sealed, [strjoin(truthLines, "\n"), "\n"]);
   stem = stemOf (root);
-  writeAtomic ([stem, '-cases.csv'], [strjoin(lines, "\n"), "\n"]);
+  writeTable ([stem, '-cases.csv'], lines);
   writeAtomic ([stem, '-truth.sha256'], [digestOf(sealed), "\n"]);
   printf ('%d cases, %d values missing\n', n, ...
           sum (cellfun (@(z) sum (isnan (z(:))), parts)));
@@ -111,7 +111,7 @@ function answerSwaps (root)
     lines = [lines, formCase('swap', i, own, whole, truth, how)];
     printf ('%s\n', lines{end});
   end
-  writeAtomic ([stemOf(root), '-answers.csv'], [strjoin(lines, "\n"), "\n"]);
+  writeTable ([stemOf(root), '-answers.csv'], lines);
 end
 
 function reference = referenceOf (own, emulator, how)

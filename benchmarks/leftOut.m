@@ -10,12 +10,11 @@
 % the surrogates that diagnose it. With a number as last argument only every
 % n-th row is taken.
 %
-% Writes results/leftOut-<name>.csv (every case) and leftOut.csv (figures), and
-% prints the latter: shares with 95 % Clopper-Pearson intervals. A sample, or one
+% Writes results/leftOut-<name>.csv, a row a case; make figures counts them. A sample, or one
 % campaign alone, is written to a folder below TMPDIR, which it says: tables that
 % are published come of all rows.
 %
-% See also: foreignTwins, leftOutCase, leftOutScore
+% See also: foreignTwins, leftOutCase, gapTables
 
 1;
 
@@ -23,7 +22,6 @@ function runLeftOut (names, every)
   addpath (fileparts (mfilename ('fullpath')));
   root = startBenchmarks ();
   results = resultsFolder (root, names, every);
-  cases = [];
   for name = names
     campaign = leftOutCampaign (name{1}, root);
     rows_ = 1:every:rows (campaign.data.Z);
@@ -35,11 +33,9 @@ function runLeftOut (names, every)
     parts = parcellfun (nproc (), @leftOutCase, ...
                         repmat ({campaign}, 1, numel (shares)), shares, ...
                         'UniformOutput', false, 'VerboseLevel', 0);
-    part = [parts{:}];
-    writeCases (fullfile (results, ['leftOut-', name{1}, '.csv']), part);
-    cases = [cases, part];
+    writeCases (fullfile (results, ['leftOut-', name{1}, '.csv']), [parts{:}]);
   end
-  leftOutScore (fullfile (results, 'leftOut.csv'), cases);
+  printf ('Figures: make figures\n');
 end
 
 function folder = resultsFolder (root, names, every)
@@ -63,7 +59,7 @@ function writeCases (file, cases)
        strjoin (c.effects, ' '), c.lookAlike, c.guard, c.top, c.pTop, ...
        c.pTrue, c.pNull, c.interval, c.gateP, c.ess);
   end
-  writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
+  writeTable (file, lines);
 end
 
 args = argv ();

@@ -238,9 +238,28 @@ def ours(standin, fail, seeds):
         out = os.path.join(folder, "ours.csv")
         subprocess.run(["octave-cli", "--no-gui", "--no-history", os.path.join(HERE, "peers.m"), standin, str(fail),
                         f"1:{seeds}", out], check=True, stdout=subprocess.DEVNULL)
-        table = np.loadtxt(out, delimiter=",", ndmin=2, skiprows=1)
+        with open(out, encoding="utf-8") as f:
+            lines = [line for line in f if not line.startswith("#")]
+        table = np.loadtxt(lines[1:], delimiter=",", ndmin=2)
     return [dict(tool="DEcalioc", standin=standin, fail=fail, seed=int(r[0]), runs=int(r[1]), first_observed=r[5],
                  first_true=r[6], worst=float(r[7]), error="") for r in table]
+
+
+def origin_lines(hours=None):
+    """what made a table: its first lines (originLines.m)"""
+    words = [os.path.basename(w) if w.startswith("/") else w for w in sys.argv[1:]]
+    call = " ".join(["python", "benchmarks/" + os.path.basename(sys.argv[0])] + words)
+    git = ["git", "-C", HERE]
+    commit = subprocess.run(git + ["rev-parse", "--short=8", "HEAD"], capture_output=True, text=True).stdout.strip()
+    changed = subprocess.run(git + ["status", "--porcelain", "--", ".", "../infrastructure", ":!results"],
+                             capture_output=True, text=True).stdout
+    if commit and changed:
+        commit += "+"
+    if hours is None:
+        used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+        hours = f"{sum(u.ru_utime + u.ru_stime for u in used) / 3600:.3g}"
+    return (f"# program: {call}\n# commit: {commit or 'not known'}\n# date: {time.strftime('%Y-%m-%d')}\n"
+            f"# machine: {os.cpu_count()} cores, load {os.getloadavg()[0]:.0f}\n# core-hours: {hours}\n")
 
 
 def report(rows):
@@ -320,6 +339,7 @@ def main():
                 everything += rows
     os.makedirs(os.path.dirname(os.path.abspath(a.csv)), exist_ok=True)
     with open(a.csv, "w", newline="", encoding="utf-8") as f:
+        f.write(origin_lines())
         w = csv.DictWriter(f, fieldnames=list(everything[0]))
         w.writeheader()
         w.writerows(everything)

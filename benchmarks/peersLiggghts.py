@@ -97,6 +97,7 @@ def main():
             with open(a.csv, "a", newline="", encoding="utf-8") as f:
                 w = csv.writer(f)
                 if isnew:
+                    f.write(peers.origin_lines("seconds of the rows"))
                     w.writerow("tool seed runs seconds worst wall error".split())
                 w.writerow([name, seed, len(rig.log), f"{rig.seconds:.0f}", f"{worst:.3f}",
                             f"{time.time() - started:.0f}", error])

@@ -24,14 +24,10 @@ function runStudy (kind, numbers, neutral, file)
   addpath (fileparts (mfilename ('fullpath')));
   startBenchmarks ();
   pkg ('load', 'stk');
-  done = {};
-  if exist (file, 'file')
-    done = regexp (fileread (file), '^\w+,\w+', 'match', 'lineanchors');
-  else
-    appendLine (file, ['kind,number,laboratory,parameters,targets,effects,', ...
-                       'class,truth,d,strength,neutral,sets,failed,', ...
-                       'verdict,said,guard,lookAlike,outcome,seconds']);
-  end
+  [done, counted] = startTable (file, ['kind,number,laboratory,parameters,targets,', ...
+                                       'effects,class,truth,d,strength,neutral,sets,', ...
+                                       'failed,verdict,said,guard,lookAlike,outcome,', ...
+                                       'seconds'], 2);
   for number = numbers
     if ~any (strcmp (done, sprintf ('%s,%d', kind, number)))
       appendLine (file, oneCase (kind, number, neutral));
@@ -92,6 +88,22 @@ function twin = drawCase (lab, number)
   end
   twin.d = space.visible (lab.means (twin.theta, twin.phi) - space.base);
   twin.y = lab.measure (twin.theta, twin.phi);
+end
+
+% All runs that a plan makes; nothing is calibrated on twins.
+function d = diagnoseLab (given, data, runs)
+  options = gapOptions ([]);
+  options.maxNewRuns = foreseeSets (newProblem (given).effects, 1e4, options);
+  options.bootstrap = 99;
+  d = diagnoseMatrices (given, data, options, runs);
+end
+
+% Those that can be seen well enough come first; else the order is kept.
+function order = strongFirst (order, lab, space, theta, level)
+  K = numel (order);
+  reach = space.visible (lab.means (ones (K, 1) * theta, eye (K)) - ...
+                         space.base)';
+  order = [order(reach(order) >= level), order(reach(order) < level)];
 end
 
 % Said rightly or not, by what a user would do with it.

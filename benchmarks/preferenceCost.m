@@ -1,7 +1,6 @@
 % PREFERENCECOST  What a preference for a large time step costs a calibration.
 %
 % CALL: octave-cli benchmarks/preferenceCost.m CASES WRL SEEDS CSV
-%       octave-cli benchmarks/preferenceCost.m report CSV
 %
 %   CASES  of exact (2 parameters, 2 results, no scatter), noisy (the same, a run
 %          scatters by half of the tolerances), open (5 parameters, 2 results,
@@ -20,12 +19,9 @@
 1;
 
 function runStudy (kinds, weights, seeds, file)
-  if ~isfile (file)
-    appendLine (file, ['case,WRL,seed,converged,right,worst,distance,rayleigh,', ...
-                       'usedTolerance,usedError,runs']);
-  end
-  [~, cells] = readCsvTable (file);
-  done = strcat (cells(:, 1), ',', cells(:, 2), ',', cells(:, 3));
+  [done, counted] = startTable (file, ['case,WRL,seed,converged,right,worst,', ...
+                                       'distance,rayleigh,usedTolerance,usedError,', ...
+                                       'runs'], 3);
   for seed = seeds
     for w = weights
       for kind = kinds(~ismember (strcat (kinds, sprintf (',%g,%d', w, seed)), done))
@@ -71,32 +67,8 @@ function S = cylinder (kind)
   S.noise = 0.5 * S.tol * ~strcmp (kind, 'exact');
 end
 
-function report (file)
-  [header, cells] = readCsvTable (file);
-  M = str2double (cells(:, 2:end));
-  col = @(name) M(:, strcmp (header(2:end), name));
-  printf (['| case | WRL | n | right | largest miss in tolerances: median, worst | ', ...
-           'distance to the truth (of the box) | moved: tolerances, standard errors | ', ...
-           'Rayleigh time (0 to 1) | runs |\n|---|---|---|---|---|---|---|---|---|\n']);
-  for kind = unique (cells(:, 1), 'stable')'
-    ofKind = strcmp (cells(:, 1), kind{1});
-    for w = unique (col ('WRL')(ofKind))'
-      here = ofKind & col ('WRL') == w;
-      of = @(name) col (name)(here);
-      printf ('| %s | %g | %d | %d | %.2g, %.2g | %.2g | %.2g, %.2g | %.2g | %.1f |\n', ...
-              kind{1}, w, sum (here), sum (of ('right')), median (of ('worst')), ...
-              max (of ('worst')), median (of ('distance')), max (of ('usedTolerance')), ...
-              max (of ('usedError')), mean (of ('rayleigh')), mean (of ('runs')));
-    end
-  end
-end
-
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 args = argv ();
-if strcmp (args{1}, 'report')
-  report (args{2});
-else
-  numbers = cellfun (@(a) str2num (['[', a, ']']), args(2:3), 'UniformOutput', false);
-  runStudy (strsplit (args{1}, ','), numbers{:}, make_absolute_filename (args{4}));
-end
+numbers = cellfun (@(a) str2num (['[', a, ']']), args(2:3), 'UniformOutput', false);
+runStudy (strsplit (args{1}, ','), numbers{:}, make_absolute_filename (args{4}));

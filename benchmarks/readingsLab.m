@@ -1,7 +1,6 @@
 % READINGSLAB  What a change is said to be, from readings of a rig and of a change.
 %
 % CALL: octave-cli benchmarks/readingsLab.m CSV SEEDS SETTING...
-%       octave-cli benchmarks/readingsLab.m report CSV
 %
 %   CSV      table, to which one row a seed and setting is added
 %   SEEDS    e.g. 1:5, of 20 cases each; those that stand in CSV are not made again
@@ -37,12 +36,7 @@
 function measure (file, seeds, text)
   columnsOf = ['setting,seed,cases,alarms,named,right,inSd,below5,readings,', ...
                'scatters,ofScatter'];
-  done = {};
-  if exist (file, 'file')
-    done = regexp (fileread (file), '^[^,]+,\d+', 'match', 'lineanchors');
-  else
-    appendLine (file, columnsOf);
-  end
+  [done, counted] = startTable (file, columnsOf, 2);
   values = strsplit (text, '-');
   names = {'lines', 'after', 'sessions', 'paired', 'ratio', 'unequal', ...
            'blocks', 'noise', 'packings', 'fine', 'lack', 'strength', ...
@@ -241,47 +235,10 @@ function problem = told (problem, s, sd)
   end
 end
 
-function report (file)
-  text = strsplit (strtrim (fileread (file)), "\n")(2:end);
-  cells = cellfun (@(row) strsplit (row, ','), text, 'UniformOutput', false);
-  cells = vertcat (cells{:});
-  [settings, ~, of] = unique (cells(:, 1));
-  counts = str2double (cells(:, 3:end));
-  printf (['| lines | after | sessions | paired | ratio | unequal | blocks | ', ...
-           'noise | packings | fine | lack | strength | way | cases | alarm | named | right | ', ...
-           "within 1 sd | p < 0.05 | scatter |\n"]);
-  printf ("|%s\n", repmat ('---|', 1, 20));
-  for k = 1:numel (settings)
-    c = sum (counts(of == k, :), 1);
-    shares = arrayfun (@(n) share (n, c(1)), c(2:4), 'UniformOutput', false);
-    if ~isempty (regexp (settings{k}, '-each$'))
-      shares(:) = {''};
-    end
-    readings = {'', '', ''};
-    if c(7) > 0
-      readings(1:2) = {sprintf('%.2f', c(5) / c(7)), share(c(6), c(7))};
-    end
-    if c(9) > 0
-      readings{3} = share (c(8), c(9));
-    end
-    printf ("| %s | %d | %s |\n", strrep (settings{k}, '-', ' | '), c(1), ...
-            strjoin ([shares, readings], ' | '));
-  end
-end
-
-function text = share (k, n)
-  text = sprintf ('%.0f %% (%.0f-%.0f)', 100 * k / n, ...
-                  100 * binomialInterval (k, n));
-end
-
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 warning ('off', 'all');
 args = argv ();
-if strcmp (args{1}, 'report')
-  report (args{2});
-else
-  for k = 3:numel (args)
-    measure (args{1}, eval (args{2}), args{k});
-  end
+for k = 3:numel (args)
+  measure (args{1}, eval (args{2}), args{k});
 end

@@ -1,10 +1,12 @@
 % REPOSESEEDS  Calibrations of a LIGGGHTS model from other seeds: are they true?
 %
-% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK [PLAN]
+% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK [PLAN] [CSV]
 %
 %   SEEDS  of plan and packings (Input.seed), e.g. 11:30
 %   WORK   folder of the cases (WORK/SEED), kept; a case that lies there goes on
-%   PLAN   runs of the first plan (Input.numOfSam); default that of the template
+%   PLAN   runs of the first plan (Input.numOfSam); 0: that of the template
+%   CSV    table, to which one row a seed is added, in the columns of
+%          peersLiggghts.py (tool is DEcalioc); seeds that stand in it are left out
 %
 % Each is the template Repose as decalioc new --model Repose makes it: two
 % parameters, angle of repose and mass on the plate to 6 and 4 %, where the set
@@ -25,8 +27,8 @@ function found = oneCase (seed, work, root, plan)
     file = fullfile (folder, 'loadInput.m');
     text = strrep (fileread (file), 'Input.seed = 1;', ...
                    sprintf ('Input.seed = %d;', seed));
-    if ~isempty (plan)
-      text = regexprep (text, 'numOfSam = \d+', ['numOfSam = ', plan]);
+    if plan > 0
+      text = regexprep (text, 'numOfSam = \d+', sprintf ('numOfSam = %d', plan));
     end
     writeAtomic (file, text);
   end
@@ -51,13 +53,22 @@ root = startBenchmarks ();
 pkg ('load', 'stk');
 work = make_absolute_filename (args{2});
 [~, ~] = mkdir (work);
-plan = [args{3:end}];
+[args{end + 1:4}] = deal ('');
+plan = max ([str2double(args{3}), 0]);
+seeds = str2num (args{1});
+done = {};
+if ~isempty (args{4})
+  [done, counted] = startTable (args{4}, 'tool,seed,runs,seconds,worst,wall,error', 2);
+end
+seeds = seeds(~ismember (arrayfun (@(s) sprintf ('DEcalioc,%d', s), seeds, ...
+                                   'UniformOutput', false), done));
 store = storedRepose (root);
 problem = store.problem;
 truth = fitSurrogates (store.data, problem);
 use = problem.calibrate;
 [isTrue, isMet, stated, runs, seconds] = deal ([]);
-for seed = str2num (args{1})
+for seed = seeds
+  started = time ();
   c = oneCase (seed, work, root, plan);
   [z, v] = predictSurrogate (truth, cellfun (@(n) c.params.(n), ...
                                              problem.names));
@@ -68,6 +79,10 @@ for seed = str2num (args{1})
   stated(end + 1) = c.probability;
   runs(end + 1) = c.demRuns.plan + c.demRuns.infill + c.demRuns.verify;
   seconds(end + 1) = c.coreSeconds;
+  if ~isempty (args{4})
+    appendLine (args{4}, rowText ({'DEcalioc', seed, runs(end), seconds(end), max(off), ...
+                                   time() - started, ''}));
+  end
   printf (['%4d  %d runs, %.0f core-seconds, calibrated %d, probability ', ...
            '%.3f, truly off by %s (sd %s)\n'], seed, runs(end), ...
           seconds(end), c.converged, c.probability, sprintf ('%.2f ', off), ...

@@ -36,7 +36,7 @@ function startToolbox (root, folder)
   leaveNoCore ();
   if isempty (getenv ('OCTAVE_SITE_INITFILE'))
     setenv ('OCTAVE_SITE_INITFILE', ...
-            fullfile (root, 'infrastructure', 'files', 'worker.octaverc'));
+            fullfile (root, 'infrastructure', 'kit', 'files', 'worker.octaverc'));
   end
 end
 

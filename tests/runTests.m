@@ -8,7 +8,8 @@
 %            the list in FOLDER one by one, until none is left
 %
 % Without a pattern these are the tests of the toolbox and the flows (*.tst)
-% that flowsOf says: of the environment, DECALIOC_SOAK=1 asks for all flows, in
+% that flowsOf says: of the environment, DECALIOC_TEST_LIMIT is the seconds of
+% processor after which a file is ended, DECALIOC_SOAK=1 asks for all flows, in
 % their long form, and for the tests of benchmarks/; CHANGED is a list of files
 % that have changed.
 %
@@ -66,7 +67,8 @@ function runQueue (root, queue)
         late = [late, sprintf(' %s', files{i}(numel (root) + 3:end))];
         continue
       end
-      [counts(i, :), text] = runFile (strrep (files{i}, '?', ''), root);
+      [counts(i, :), text] = runFile (strrep (files{i}, '?', ''), root, ...
+                                      fullfile (claim, 'limit'));
       said = [said, repmat(text, 1, counts(i, 2) > 0)];
     end
     saveText (fullfile (claim, 'failed'), said);
@@ -82,14 +84,18 @@ function saveText (file, text)
 end
 
 % A file that never ends would keep all others from being told: its Octave is
-% killed after 15 minutes (two hours in the long form) with all that it started.
-function [counts, text] = runFile (file, root)
+% killed with all that it started when these have used 15 minutes of processor (two
+% hours in the long form), or four times that by the clock; NOTE then says so.
+function [counts, text] = runFile (file, root, note)
   start = tic ();
-  limit = 900 * (1 + 7 * strcmp (getenv ('DECALIOC_SOAK'), '1'));
+  limit = str2double (getenv ('DECALIOC_TEST_LIMIT'));
+  if ~isfinite (limit)
+    limit = 900 * (1 + 7 * strcmp (getenv ('DECALIOC_SOAK'), '1'));
+  end
   tool = shellQuote (fullfile (root, 'tests', 'endTests.sh'));
-  [~, guard] = system (sprintf (['setsid bash %s %d %d %s > /dev/null 2>&1 ', ...
+  [~, guard] = system (sprintf (['setsid bash %s %d %d %s %s > /dev/null 2>&1 ', ...
                                  '& echo $!'], tool, limit, getpid (), ...
-                                getenv ('TMPDIR')));
+                                getenv ('TMPDIR'), note));
   log = tempname ();
   % a function of an example or a model is found by its own test only, as are
   % the private ones of its folder; the path is set anew only where it has
@@ -158,8 +164,10 @@ function found = gather (queue, files, root)
   for k = 1:numel (files)
     claim = fullfile (queue, sprintf ('%d', k));
     counts = [0, 1, 0];
-    text = sprintf ("%s: its Octave ended in the middle, or had no end in time\n", files{k});
-    if isfile (fullfile (claim, 'counts'))
+    text = sprintf ("%s: its Octave ended in the middle\n", files{k});
+    if isfile (fullfile (claim, 'limit'))
+      text = sprintf ("%s: %s", files{k}, fileread (fullfile (claim, 'limit')));
+    elseif isfile (fullfile (claim, 'counts'))
       counts = sscanf (fileread (fullfile (claim, 'counts')), '%d')';
       text = fileread (fullfile (claim, 'failed'));
       found.late = [found.late, fileread(fullfile (claim, 'late'))];

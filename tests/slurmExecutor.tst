@@ -113,7 +113,7 @@
 %! r = slurmExecutor ().execute (jobs, Case, @(s) []);
 %! assert ({r.status}, {'ok', 'ok'});
 %! [~, ~] = mkdir (queueState.batches.path);
-%! here = fullfile (Case.root, 'infrastructure', 'executors', 'queues');
+%! here = fullfile (Case.root, 'infrastructure', 'runs', 'executors', 'queues');
 %! task = [{fullfile(here, 'batchTask.sh'), queueState.batches.path, 'none'}, ...
 %!         queue.task];
 %! assert (queue.send (queueState.batches, opt, task), 'sent');

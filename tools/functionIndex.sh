@@ -54,11 +54,14 @@ effects of the library ([effects.md](effects.md)).
   echo '
 ## The published functions
 
-`test NAME` at the prompt carries out the tests of a file (their number: last column).
+`test NAME` at the prompt carries out the tests of a file (their number: last column); some need
+`addpath /path/to/DEcalioc/tests`.
 `tests/publishedCase.tst` calls the functions of a run with the published arguments alone, in the
 folder of a case, and a case in the published form, with its `loadInput`, `costFunction` and
 `getResults`.'
-  tested infrastructure/*.m infrastructure/published/*.m infrastructure/case/{assignParams,getRayleigh}.m
+  tested infrastructure/*.m infrastructure/runs/published/*.m \
+    infrastructure/case/{assignParams,getMinMaxRayleigh,getRayleigh}.m \
+    infrastructure/calibration/userInt.m infrastructure/runs/get{LastFoldersNumber,OptimFolder}.m
   echo '
 ## For `getResults` of a model
 

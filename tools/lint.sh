@@ -1,6 +1,7 @@
 #!/bin/bash
 # Checks the style (miss_hit.cfg) of all Octave code, the shell code, spelling and
-# phrases of the manual, and which folder calls which (tools/graph).
+# phrases of the manual, which folder calls which (tools/graph), and whether the
+# tables of the manual are those of benchmarks/results.
 # CALL: tools/lint.sh          (or: make lint); exit status 1 for any finding
 #       tools/lint.sh --fix    (or: make format); lays out the Octave code first
 set -euo pipefail
@@ -52,7 +53,7 @@ shellcheck -x --severity=warning .ci/run "${shell[@]}" || findings=1
 "$venv/bin/python3" tools/assertTexts.py "${octave[@]}" || findings=1
 "$venv/bin/python3" tools/phrases.py || findings=1
 # What is small depends on the unit: eps (x) is relative, eps alone is not.
-noEps=(infrastructure/{gap,surrogates,calibration})
+noEps=(infrastructure/{diagnosis,surrogates,calibration})
 if grep -rnwE --include='*.m' 'eps' "${noEps[@]}" |
     grep -vE ':[0-9]+:%|eps \('; then
   echo 'Absolute eps where values have units: write eps (x), or a share of x' >&2
@@ -70,5 +71,13 @@ twice=$(printf '%s\n' "${octave[@]}" | grep -E '^(infrastructure|benchmarks|test
   echo "Two functions have one name: $twice" >&2
   findings=1
 }
+# The version that is cited is that of the package.
+grep -qx "version: $(< VERSION)" CITATION.cff || {
+  echo 'CITATION.cff must have the version of the file VERSION (tools/release.sh)' >&2
+  findings=1
+}
 tools/graph/graph.sh || findings=1
+# Tables of the manual are those of their results; which results are old, it says.
+"${OCTAVE:-octave-cli}" --no-gui --norc --quiet benchmarks/figures.m check 2>&1 |
+  { grep -v 'ignoring const execution_exception' || true; } || findings=1
 exit $findings

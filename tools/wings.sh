@@ -8,12 +8,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # wing: its folder in infrastructure/
 folder_of () {
   case $1 in
-    command) echo command ;;                  # all of bin/decalioc
+    command) echo wings/command ;;            # all of bin/decalioc
+    script) echo wings/script ;;              # a model of a user's script
     page) echo report/page ;;                 # the report as a page
-    queues) echo executors/queues ;;          # Slurm, Grid Engine
-    published) echo published ;;              # of 2017, not called by the method
-    otherRigs) echo gap/otherRigs ;;        # tests that a case does not have
-    *) echo "wings.sh: command, page, queues, published or otherRigs is needed, got $1." >&2
+    queues) echo runs/executors/queues ;;     # Slurm, Grid Engine
+    published) echo runs/published ;;         # of 2017, not called by the method
+    otherRigs) echo diagnosis/otherRigs ;;    # tests that a case does not have
+    *) echo "wings.sh: command, script, page, queues, published or otherRigs is needed, got $1." >&2
        return 1 ;;
   esac
 }
@@ -22,7 +23,7 @@ folder_of () {
 # with conditions, as a user starts it, twice.
 core=(infrastructure/calibration/calibrateCase.m tests/gapDoor.tst tests/conditions.tst)
 
-[ $# -gt 0 ] || set -- command page queues published otherRigs
+[ $# -gt 0 ] || set -- command script page queues published otherRigs
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/whole"

@@ -18,6 +18,7 @@ function benchChecks (work, benches, nulls, nSeeds)
   root = startBenchmarks ();
   fid = fopen (fullfile (root, 'benchmarks', 'results', ...
                          'benchChecks.csv'), 'w');
+  fprintf (fid, "%s\n", originLines (){:});
   fprintf (fid, ['bench,check,target,null,changed,noiseSd,z,' ...
                  'belowTwoSd\n']);
   for bench = benches

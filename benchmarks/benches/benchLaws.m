@@ -18,6 +18,7 @@
 function benchLaws (work, nSeeds)
   root = startBenchmarks ();
   fid = fopen (fullfile (root, 'benchmarks', 'results', 'benchLaws.csv'), 'w');
+  fprintf (fid, "%s\n", originLines (){:});
   fprintf (fid, "law,at,value,standardError,published\n");
   drumLaw (fid, work, nSeeds);
   collapseLaw (fid, work, min (nSeeds, 2));

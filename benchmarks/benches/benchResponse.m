@@ -47,10 +47,11 @@ end
 function replaceRows (file, bench, lines)
   others = {'bench,parameter,value,result,response'};
   if isfile (file)
-    others = strsplit (strtrim (fileread (file)), "\n");
+    [~, rest] = originOf (file);
+    others = strsplit (strtrim (rest), "\n");
     others(strncmp (others, [bench, ','], numel (bench) + 1)) = [];
   end
-  writeAtomic (file, [strjoin([others, lines], "\n"), "\n"]);
+  writeTable (file, [others, lines]);
 end
 
 function row = oneRun (work, bench, name, value, seed)

@@ -40,9 +40,11 @@ function effectSigns (work, benches, nNull, nFull, onlyFinished, names)
   signs = fopen (fullfile (folder, 'effectSigns.csv'), 'w');
   noise = fopen ({fullfile(folder, 'benchNoise.csv'), ...
                   '/dev/null'}{1 + (nNull == 0)}, 'w');
-  fprintf (signs, "effect,strength,bench,target,change,noiseSd,z,sign\n%s", ...
-           kept);
-  fprintf (noise, "bench,target,unit,mean,sd,relativeSd,spheres,seconds\n");
+  made = strjoin (originLines (), "\n");
+  fprintf (signs, "%s\neffect,strength,bench,target,change,noiseSd,z,sign\n%s", ...
+           made, kept);
+  fprintf (noise, "%s\nbench,target,unit,mean,sd,relativeSd,spheres,seconds\n", ...
+           made);
   for b = 1:numel (benches)
     source = fullfile (root, 'DEMmodels', benches{b});
     info = resultInfo (source);
@@ -76,7 +78,8 @@ function effectSigns (work, benches, nNull, nFull, onlyFinished, names)
 end
 
 function text = linesBut (file, names, benches)
-  lines = strsplit (fileread (file), "\n")(2:end - 1);
+  [~, rest] = originOf (file);
+  lines = strsplit (rest, "\n")(2:end - 1);
   words = cellfun (@(l) strsplit (l, ','), lines, 'UniformOutput', false);
   isNew = cellfun (@(w) any (strcmp (w{1}, names)) && ...
                    any (strcmp (w{3}, benches)), words);

@@ -53,7 +53,8 @@ function text = renamed (text, names)
 end
 
 function lines = textOf (file)
-  lines = strsplit (strtrim (fileread (file)), "\n")(2:end);
+  [~, rest] = originOf (file);
+  lines = strsplit (strtrim (rest), "\n")(2:end);
 end
 
 %!test % a folder holds what the laboratory hands over; the truth is sealed

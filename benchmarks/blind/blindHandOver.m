@@ -42,8 +42,8 @@ function blindHandOver (stem, sealed, lab, truths, Z)
     list = names(~strcmp (names, truths(i).removed));
     lists{end + 1} = sprintf ('%d,%s', truths(i).number, strjoin (list, ' '));
   end
-  writeAtomic ([stem, '-cases.csv'], [strjoin(cases, "\n"), "\n"]);
-  writeAtomic ([stem, '-lists.csv'], [strjoin(lists, "\n"), "\n"]);
+  writeTable ([stem, '-cases.csv'], cases);
+  writeTable ([stem, '-lists.csv'], lists);
 end
 
 function text = truthText (lab, truths, Z)

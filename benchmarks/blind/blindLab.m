@@ -4,13 +4,11 @@
 %
 %   ROOT  folder of the toolbox
 %   STEM  path or name of the study. Ends it in 'bins', the laboratory has drum
-%         and slot bins (campaign drumAndBins, two trials); in 'yade' or
-%         'yade-whole', collapse and heap, computed with YADE; else collapse,
-%         shear cell and heap (campaign hiddenEffect, three trials)
+%         and slot bins (campaign drumAndBins, two trials); else collapse, shear
+%         cell and heap (campaign hiddenEffect, three trials)
 %   LAB   struct: trials (each value is the mean of so many), sd (1 x T,
 %         reading error of one trial), problem (of newProblem), hypotheses (of
 %         makeHypotheses, from the stored campaign), emulator (fitEmulator), and
-%     draw      handle, TRUTHS = DRAW (LAB, N)
 %     shares    struct, share of each class of blindDraw; the rest: lookAlike
 %     forms     cellstr, what of blindForms it can do
 %     runs      path of the campaign that its cases share
@@ -25,7 +23,7 @@
 
 function lab = blindLab (root, stem)
   own = fullfile (root, 'benchmarks', 'blind');
-  lab = struct ('trials', 3, 'draw', @blindDraw, 'forms', {ofTable()}, ...
+  lab = struct ('trials', 3, 'forms', {ofTable()}, ...
                 'shares', struct ('null', 0.3, 'single', 0.4, ...
                                   'pair', 0.1, 'unlisted', 0.1), ...
                 'runs', fullfile (own, 'storedRuns.csv'), ...
@@ -33,16 +31,10 @@ function lab = blindLab (root, stem)
                 'renamed', {{'collapseSlope', 'Collapse_slope', 'slope'; ...
                              'heapSlope', 'Heap_slope', 'slope'; ...
                              'heapHeight', 'height', 'height'}});
-  [~, ending] = strtok (regexprep (stem, '(yade|bins)(-whole)?$', '|$1'), '|');
   campaign = 'hiddenEffect';
-  benches = {};
-  switch ending
-    case '|yade'
-      lab.draw = @blindDrawYade;
-      benches = {'Collapse', 'Heap'};      % there is no shear cell in YADE
-    case '|bins'
-      campaign = 'drumAndBins';
-      lab = ofBins (lab, root);
+  if regexp (stem, 'bins(-whole)?$')
+    campaign = 'drumAndBins';
+    lab = ofBins (lab, root);
   end
   [given, data] = storedCampaign (campaign, root);
   lab.sd = given.sd;
@@ -50,10 +42,6 @@ function lab = blindLab (root, stem)
   % is seen on them
   held = {'heightFoot', 'spreadTime', 'densityHigh', 'massOnPlate'};
   given.held = ismember (given.targetNames, held);
-  if ~isempty (benches)
-    isThere = ismember (given.benchNames, benches);
-    given.value(~isThere(given.bench)) = NaN;
-  end
   given.trials = lab.trials;
   given.sd = given.sd / sqrt (lab.trials);
   options = gapOptions ([]);
@@ -64,9 +52,8 @@ end
 
 function names = ofTable ()
   forms = blindForms ();
-  names = setdiff ({forms.name}, {'yadeCohesion', 'slotsByLength', ...
-                                  'widerBatch', 'wideSizes', 'wet', ...
-                                  'stickyWalls'});
+  names = setdiff ({forms.name}, {'slotsByLength', 'widerBatch', ...
+                                  'wideSizes', 'wet', 'stickyWalls'});
 end
 
 % More causes that are on no list than at the other benches. Clumps block the

@@ -26,10 +26,7 @@ function Z = blindRun (lab, truth, trial, work)
   Z = NaN (1, columns (problem.sd));
   for b = 1:numel (problem.benchNames)
     bench = problem.benchNames{b};
-    model = modelOf (root, bench, truth);
-    if isempty (model)
-      continue
-    end
+    model = fullfile (root, 'DEMmodels', bench);
     folder = fullfile (work, sprintf ('%s-%d-%d', bench, truth.number, trial));
     [~, ~] = mkdir (work);
     script = [folder, '.sh'];
@@ -45,19 +42,6 @@ function Z = blindRun (lab, truth, trial, work)
     Z(ofBench) = results(1:sum (ofBench));
   end
   Z = laboratoryEffects (Z, truth, problem.effects);
-end
-
-% The folder of the bench in the laboratory's code; '' where it has none.
-function model = modelOf (root, bench, truth)
-  model = fullfile (root, 'DEMmodels', bench);
-  if isfield (truth, 'code') && strcmp (truth.code, 'yade')
-    hypotheses = struct ('Shear', '', ...
-                         'Collapse', fullfile (root, 'examples', 'yade', ...
-                                               'DEMmodels', 'YadeCollapse'), ...
-                         'Heap', fullfile (root, 'benchmarks', 'blind', 'yade', ...
-                                           'DEMmodels', 'YadeHeap'));
-    model = hypotheses.(bench);
-  end
 end
 
 function [set, lines] = causesOf (truth, effects, set)

@@ -3,7 +3,7 @@
 % CALL: CASES = blindScore (STEM, TRUTH, LAB)
 %
 %   STEM   path without ending: STEM-answers.csv, STEM-strengths.csv are read;
-%          STEM-cases-scored.csv and STEM-scores.csv written
+%          STEM-cases-scored.csv written
 %   TRUTH  path of the truth of blindHandOver
 %   LAB    struct of blindLab
 %   CASES  1 x n struct for scoreDiagnoses, with truth and answer (rows of the
@@ -14,7 +14,7 @@
 % from the model without effects, in units of the whole noise, less what the
 % packings of the truth themselves add to it (its expected square).
 %
-% See also: blind, blindLines
+% See also: blind, gapTables
 
 function cases = blindScore (stem, truth, lab)
   truths = tableRows (truth);
@@ -26,7 +26,7 @@ function cases = blindScore (stem, truth, lab)
     mine = strengths(strcmp ({strengths.case}, truths(i).case));
     cases(i) = caseOf (truths(i), answer, mine, lab);
   end
-  s = scoreDiagnoses ([stem, '-scores.csv'], cases, @blindLines);
+  s = scoreDiagnoses (cases);
   writeCases ([stem, '-cases-scored.csv'], cases, s);
 end
 
@@ -108,5 +108,5 @@ function writeCases (file, cases, s)
        s.covered(i), c.closure, c.held, c.placebo);
     printf ('%s\n', lines{end});
   end
-  writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
+  writeTable (file, lines);
 end

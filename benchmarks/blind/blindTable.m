@@ -26,8 +26,8 @@ function blindTable (stem, numbers, answers, code)
                       sprintf(',%d,%s', d.demRuns.sets, code)];
     strengths = [strengths, ofStrengths(numbers(i), d.which)];
   end
-  writeAtomic ([stem, '-answers.csv'], [strjoin(lines, "\n"), "\n"]);
-  writeAtomic ([stem, '-strengths.csv'], [strjoin(strengths, "\n"), "\n"]);
+  writeTable ([stem, '-answers.csv'], lines);
+  writeTable ([stem, '-strengths.csv'], strengths);
 end
 
 function text = ofVerdict (verdict)

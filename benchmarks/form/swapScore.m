@@ -9,9 +9,9 @@
 % d is the norm of what the parameters cannot absorb of the measured change, in
 % units of the whole noise, less what packings and readings add to it. A case is
 % nearer to a rival where the mark of an effect that is not its cause has the
-% larger cosine with that. Prints shares with 95 % Clopper-Pearson intervals.
+% larger cosine with that. The figures: make figures (gapTables).
 %
-% See also: lawSwap, sayShare
+% See also: lawSwap, gapTables
 
 function swapScore (root, stem)
   truths = tableRows ([stem, '-truth.csv']);
@@ -22,48 +22,14 @@ function swapScore (root, stem)
   for i = 1:numel (truths)
     t = truths(i);
     a = answers(strcmp ({answers.case}, t.case));
-    s(i) = scoreOf (t, a, markOf (lab, t, stem));
+    s(i) = markOf (lab, t, stem);
     lines{end + 1} = sprintf ('%s,%s,%s,%s,%.2f,%.2f,%.2f,%s,%s,%s,%s,%s,%s,%s', ...
                               t.case, t.form, t.cause, t.strength, s(i).d, ...
                               s(i).own, s(i).rival, s(i).nearest, a.verdict, ...
                               a.effects, a.class90, a.pSaid, a.top, a.p);
   end
-  writeAtomic ([stem, '-scored.csv'], [strjoin(lines, "\n"), "\n"]);
+  writeTable ([stem, '-scored.csv'], lines);
   printf ('%s\n', lines{:});
-  sayShares (s);
-end
-
-function sayShares (s)
-  isNull = [s.isNull];
-  seen = ~isNull & ~[s.none];
-  strong = seen & [s.d] >= 4;
-  nearer = [s.rival] > [s.own];
-  sayShare ('nothing has changed: alarm', ~[s.none], isNull);
-  sayShare ('nothing has changed: name', [s.named], isNull);
-  sayShare ('d >= 4: seen', ~[s.none], ~isNull & [s.d] >= 4);
-  for part = {'all that is seen', seen; 'd >= 4', strong; ...
-              'nearer to a rival', seen & nearer; ...
-              'nearer to its own law', seen & ~nearer}'
-    of = part{2};
-    printf ('%s\n', part{1});
-    sayShare ('  a plain name that is wrong', [s.named] & ~[s.right], of);
-    sayShare ('  a plain name that is right', [s.named] & [s.right], of);
-    sayShare ('  a group that holds the cause', [s.grouped] & [s.holds], of);
-    sayShare ('  of names and groups those that hold the cause', [s.holds], ...
-              of & ([s.named] | [s.grouped]));
-  end
-end
-
-function s = scoreOf (t, a, mark)
-  cause = strsplit (t.cause, ' ');
-  said = strsplit (a.effects, ' ');
-  s = mark;
-  s.isNull = isempty (t.cause);
-  s.none = strcmp (a.verdict, 'no gap');
-  s.named = strcmp (a.verdict, 'named');
-  s.grouped = strcmp (a.verdict, 'group');
-  s.right = ~isempty (a.effects) && all (ismember (said, cause));
-  s.holds = any (ismember (cause, [said, strsplit(a.class90, ' ')]));
 end
 
 function lab = labOf (root)

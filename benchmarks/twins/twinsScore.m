@@ -2,30 +2,27 @@
 %
 % CALL: twinsScore (NAME, TWINS, VERDICTS, LABS)
 %
-%   NAME      path without ending: NAME.csv (cases), NAME-scores.csv (figures)
+%   NAME      path without ending: NAME.csv gets the cases
 %   TWINS, VERDICTS, LABS  of twinsDraw, twinsDiagnose, foreignLaboratories
 %
-% Prints the figures of merit with 95 % Clopper-Pearson intervals.
-%
-% See also: foreignTwins, foreignLines, scoreDiagnoses
+% See also: foreignTwins, gapTables, scoreDiagnoses
 
 function twinsScore (name, twins, verdicts, labs)
   for i = 1:numel (twins)
     cases(i) = caseOf (twins(i), verdicts(i), labs(twins(i).lab));
   end
-  s = scoreDiagnoses ([name, '-scores.csv'], cases, @foreignLines);
+  s = scoreDiagnoses (cases);
   s.odds = [cases.odds];
   s.score = scoresOf (twins, verdicts);
   s.mark = [cases.mark];
   s.kind = [cases.kind];
   s.isKind = [cases.isKind];
   writeCases ([name, '.csv'], twins, verdicts, labs, s);
-  addScores ([name, '-scores.csv'], s.score);
   printf ('median %.2f s a diagnosis, longest %.2f s\n', ...
           median ([verdicts.seconds]), max ([verdicts.seconds]));
 end
 
-% What scoreDiagnoses asks for and foreignLines adds to it; effects by number.
+% What scoreDiagnoses asks for and the table needs; effects by number.
 % odds: posterior odds of the true one, or of something that resembles it, above
 % 20 to 1. dLeast: d of the weakest cause alone. mark: of a name, largest cosine
 % of the true mark, without what parameters absorb, with that of a named effect.
@@ -63,6 +60,26 @@ function c = caseOf (twin, verdict, lab)
   end
 end
 
+% Cosine (1 x m) of the true mark of a twin with that of each of EFFECTS (numbers) at
+% a quarter, half and full strength (both ways where it acts so), without what
+% parameters absorb, in units of the noise: the largest. The laws are asked, not the
+% surrogates.
+function cosine = twinsMark (twin, effects, lab)
+  space = twinsSpace (lab, twin.theta);
+  see = @(Z) (space.factor \ (Z - space.base)')' * space.free;
+  mark = see (lab.means (twin.theta, twin.phi) + twin.alien);
+  cosine = zeros (1, numel (effects));
+  for i = 1:numel (effects)
+    k = effects(i);
+    strength = [1; 0.5; 0.25];
+    strength = [strength; -strength(1:3 * lab.isSigned(k))];
+    phi = strength * ((1:numel (lab.isSigned)) == k);
+    own = see (lab.means (ones (rows (phi), 1) * twin.theta, phi));
+    cosine(i) = max (own * mark' ./ max (norm (mark) * ...
+                                         norm (own, 'rows'), realmin));
+  end
+end
+
 % Log and Brier score of the truth among null, effects, pair and unlisted, and
 % those of the prior: n x 4.
 function score = scoresOf (twins, verdicts)
@@ -88,20 +105,9 @@ function score = scoresOf (twins, verdicts)
   end
 end
 
-function addScores (file, score)
-  average = mean (score, 1);
-  names = {'log score', 'Brier score', 'log score of the prior', ...
-           'Brier score of the prior'};
-  id = fopen (file, 'a');
-  for k = 1:4
-    fprintf (id, '%s,,%d,%.4f,,,\n', names{k}, rows (score), average(k));
-    printf ('%-55s %.3f\n', names{k}, average(k));
-  end
-  fclose (id);
-end
-
 function writeCases (file, twins, verdicts, labs, s)
   id = fopen (file, 'w');
+  fprintf (id, "%s\n", originLines (){:});
   fprintf (id, ['case,lab,class,cause,removed,d,phi,verdict,effects,top,', ...
                 'right,covered,odds20,lookAlike,like,cosine,gateP,', ...
                 'mark,kind,isKind,', ...
@@ -142,12 +148,9 @@ end
 %!                   0.01, 'seconds', 1, 'lookAlike', true, ...
 %!                   'sameKind', false);
 %! evalc ('twinsScore (name, twin, verdict, labs);');
-%! scores = fileread ([name, '-scores.csv']);
 %! cases = fileread ([name, '.csv']);
-%! delete ([name, '-scores.csv'], [name, '.csv']);
-%! assert (~isempty (strfind (scores, 'false naming on null,1,1,1.0000')));
+%! delete ([name, '.csv']);
 %! assert (~isempty (strfind (cases, '1,here,null,,0,0.000,,named,b,b,0,0')));
-%! assert (~isempty (strfind (scores, 'gate p < 0.05 on null,1,1,1.0000')));
 %!test % a group of one kind, each of which has the mark of the true cause
 %! name = tempname ();
 %! labs = foreignLab ('develop', 2);
@@ -161,6 +164,6 @@ end
 %!                   'seconds', 1, 'lookAlike', false, 'sameKind', true);
 %! evalc ('twinsScore (name, twin, verdict, labs);');
 %! [header, cells] = readCsvTable ([name, '.csv']);
-%! delete ([name, '-scores.csv'], [name, '.csv']);
+%! delete ([name, '.csv']);
 %! assert (cells(ismember (header, {'mark', 'kind', 'isKind'})), ...
 %!         {'NaN', '1', '1'});

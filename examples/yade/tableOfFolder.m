@@ -22,7 +22,7 @@ function n = tableOfFolder (folder, file)
   lines = {strjoin([{'seed'}, Case.names, {Case.targets.name}], ',')};
   for k = 1:numel (heads)
     values = headDefaults (heads{k});
-    results = namedResults (@measureBench, fileparts (heads{k}), model);
+    results = resultsOf (fileparts (heads{k}), model);
     texts = cellfun (@(x) sprintf ('%.9g', x), ...
                      [{values.runSeed}, ...
                       cellfun(@(n) values.(n), Case.names, ...
@@ -32,4 +32,17 @@ function n = tableOfFolder (folder, file)
   end
   n = numel (heads);
   writeAtomic (file, sprintf ("%s\n", lines{:}));
+end
+
+% A simulation that ended early lacks a file: it has no results. What else
+% measureBench throws is a slip in it.
+function results = resultsOf (folder, model)
+  try
+    results = namedResults (@measureBench, folder, model);
+  catch err
+    if isempty (regexp (err.identifier, ':missingFile$', 'once'))
+      rethrow (err);
+    end
+    results = num2cell (NaN (1, numel (resultInfo (model))));
+  end
 end

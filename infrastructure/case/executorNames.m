@@ -3,14 +3,14 @@
 % CALL: NAMES = executorNames ()
 %       NAMES = executorNames ('described')
 %
-%   NAMES  1 x n cell: 'local' for executeLocal.m of executors/, 'slurm' for
-%          slurmExecutor.m of its queues/, 'static' for executeStatic.m of
-%          published/; of those described the ones with a file NAMEExecutor.m
+%   NAMES  1 x n cell: 'local' for executeLocal.m of runs/executors/, 'slurm'
+%          for slurmExecutor.m of its queues/, 'static' for executeStatic.m of
+%          runs/published/; of those described the ones with a file NAMEExecutor.m
 
 function names = executorNames (kind)
   inside = fileparts (fileparts (mfilename ('fullpath')));
-  folders = {'executors', fullfile('executors', 'queues'), 'published'};
-  folders = fullfile (inside, folders);
+  folders = fullfile (inside, {'runs/executors', 'runs/executors/queues', ...
+                               'runs/published'});
   files = cellfun (@(f) readdir (f)', folders(isfolder (folders)), ...
                    'UniformOutput', false);
   pattern = '^execute([A-Z]\w*)\.m$|^(\w*)Executor\.m$';

@@ -8,8 +8,8 @@
 %   KINDS  1 x K struct array of runs with the same variables: input (see
 %          hashModels), funs (digest of the question, see readingOf: a run that
 %          answered several is in several kinds), origin (case folder), owner
-%          (which case, see caseId; ''), names (text, v variables that count,
-%          runSeed among them),
+%          (which case, see caseId; ''), label (of the case, for the user),
+%          names (text, v variables that count, runSeed among them),
 %          runs n x (6 + v + m): number of the run folder, state (1 ok, 2
 %          invalid, 3 failed by itself, 0 of no use, -1 forgotten), first 7
 %          digits of the key, core-seconds, seed, replicate, values, results
@@ -45,6 +45,10 @@ function [kinds, torn] = readLibrary (place, again)
     writeIndex (file, kinds, marks);
   end
   kinds = reshape (kinds, 1, []);
+  labels = caseLabels (kinds);
+  for k = 1:numel (kinds)
+    kinds(k).label = labels{k};
+  end
   torn = setdiff (marks(:, 1), numbersOf (kinds));
 end
 

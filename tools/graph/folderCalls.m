@@ -1,14 +1,17 @@
 % FOLDERCALLS  Which functions of the toolbox call which.
 %
 % CALL: [names, places, calls, inside, files] = folderCalls (root)
+%       [...] = folderCalls (root, further)
 %
 % root    folder of the toolbox (text)
+% further 1 x n cellstr, folders of ROOT that are looked at, too ('tests')
 % names   n x 1 cellstr, the product's functions and scripts: the .m files of
 %         ROOT itself and of infrastructure/
-% places  n x 1 cellstr, where each belongs: 'main' (main scripts, forms, the
-%         commands of bin/), 'published' (infrastructure/ itself), or its folder
-%         there, with its subfolder ('gap/hypotheses'); a private folder is part
-%         of the one that holds it
+% places  n x 1 cellstr, where each belongs: 'main' (main scripts, forms, what
+%         stands in FURTHER),
+%         'published' (infrastructure/ itself), or its folder there, with its
+%         subfolder ('diagnosis/hypotheses'); a private folder is part of the
+%         one that holds it
 % calls   n x n logical, row calls column
 % inside  n x 1 logical, in a private folder
 % files   n x 1 cellstr, their paths
@@ -21,9 +24,14 @@
 %
 % See also: showGraph
 
-function [names, places, calls, inside, files] = folderCalls (root)
+function [names, places, calls, inside, files] = folderCalls (root, further)
+  if nargin < 2
+    further = {};
+  end
   rooms = fullfile (root, 'infrastructure');
-  folders = [{root}, strsplit(genpath (rooms), pathsep ())];
+  below = cellfun (@(f) strsplit (genpath (fullfile (root, f)), pathsep ()), ...
+                   [{'infrastructure'}, further], 'UniformOutput', false);
+  folders = [{root}, below{:}];
   files = cell (0, 1);
   for k = find (~cellfun (@isempty, folders))
     files = [files; glob(fullfile (folders{k}, {'*.m', 'private/*.m'}))];
@@ -49,9 +57,6 @@ function place = placeOf (file, rooms)
     if numel (rest) > 1
       place = strjoin (rest(1:end - 1), '/');
     end
-  end
-  if strcmp (place, 'command')
-    place = 'main';
   end
 end
 

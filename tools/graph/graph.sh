@@ -9,5 +9,5 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 code="exit (showGraph (pwd ()) || showDoors (pwd (), true))"
 [ "${1:-}" != --map ] || code="exit (showDoors (pwd ()))"
 exec "${OCTAVE:-octave-cli}" --no-gui --norc --quiet \
-  --eval "addpath ('tools/graph', 'infrastructure/files'); $code" 2>&1 |
+  --eval "addpath ('tools/graph', 'infrastructure/kit/files'); $code" 2>&1 |
   { grep -v 'ignoring const execution_exception' || true; }

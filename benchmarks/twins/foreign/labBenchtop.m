@@ -47,13 +47,14 @@ function spec = labBenchtop (vary, change)
 end
 
 function Z = results (c, P, E)
-  pull = bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.1, 0.8);
-  damp = bridgePull (foreignValue (E, 'humidity', 0), 0.5);
+  laws = bulkLaws ();
+  pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.1, 0.8);
+  damp = laws.bridgePull (foreignValue (E, 'humidity', 0), 0.5);
   coarse = foreignValue (E, 'meanSize', 1);
   tilt = foreignValue (E, 'tilt', 0);
   dull = 1 - 1 ./ foreignValue (E, 'restitution', 1);
   both = pull + 0.85 * damp;
-  inside = reposeTangent (P.friction, P.rolling, c);
+  inside = laws.reposeTangent (P.friction, P.rolling, c);
   still = inside + 0.22 * both .* (1 + 0.5 * P.rolling) ./ coarse;
   loose = 0.6 - 0.05 * tanh (P.rolling / 0.15) + ...
           0.05 * expm1 (-P.friction / 0.4) - 0.05 * both ./ coarse.^2;
@@ -61,16 +62,16 @@ function Z = results (c, P, E)
                 (1 - 0.12 * P.wallFriction), ...
                 'k', c.k + 0.5 * tanh (P.rolling / 0.2), 'jam', c.jam);
   opening = c.width - c.arch * both;
-  rate = dischargeRate (opening, 0.0025 * coarse, 2500 * loose, law);
+  rate = laws.dischargeRate (opening, 0.0025 * coarse, 2500 * loose, law);
   gain = c.dense * (1 + 0.6 * both + 0.3 * P.rolling);
-  density = 2500 * (loose + gain .* tappedShare (c.taps, 15, 0.4));
+  density = 2500 * (loose + gain .* laws.tappedShare (c.taps, 15, 0.4));
   tau = c.stick * (pull + 0.95 * damp) + ...
         c.load .* inside .* (1 + 0.05 * pull);
   froude = c.speed.^2 * 0.06 / 9.81;
   turning = struct ('rise', c.rise * (0.6 + 0.5 * P.friction), ...
                     'power', c.power, 'from', c.from, ...
                     'lift', c.lift * (1 + 0.3 * dull));
-  slope = atand (drumTangent (inside, froude, turning) + ...
+  slope = atand (laws.drumTangent (inside, froude, turning) + ...
                  0.2 * both ./ (1 + froude / 0.06) + ...
                  0.05 * P.wallFriction) + tilt;
   cone = [atand(still - 0.02 * dull), 80 * (1 + 0.4 * still) .* loose / 0.6];

@@ -9,7 +9,7 @@
 % Flow down a chute of five slopes that stops below an angle, slots that an arch
 % of cohesive strength closes. Scatter follows the result, with heavy tails.
 %
-% See also: foreignLab, slotRate
+% See also: foreignLab, bulkLaws
 
 function spec = labChute (vary, change)
   c = struct ('base', vary (0.18), 'slide', vary (0.25), 'soon', vary (0.4), ...
@@ -49,14 +49,15 @@ function spec = labChute (vary, change)
 end
 
 function Z = results (c, P, E)
-  pull = bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.2, 0.6);
-  damp = bridgePull (foreignValue (E, 'humidity', 0), 0.4);
+  laws = bulkLaws ();
+  pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.2, 0.6);
+  damp = laws.bridgePull (foreignValue (E, 'humidity', 0), 0.4);
   coarse = foreignValue (E, 'meanSize', 1);
-  free = shakenShare (foreignValue (E, 'vibration', 0), 1);
-  air = 1 - fallSlowing (0.5, foreignValue (E, 'drag', 0));
+  free = laws.shakenShare (foreignValue (E, 'vibration', 0), 1);
+  air = 1 - laws.fallSlowing (0.5, foreignValue (E, 'drag', 0));
   soft = log (foreignValue (E, 'stiffness', 1));
   tilt = foreignValue (E, 'tilt', 0);
-  inside = reposeTangent (P.friction, P.rolling, c);
+  inside = laws.reposeTangent (P.friction, P.rolling, c);
   low = inside + 0.05 * (pull + damp) - 0.05 * free;
   law = struct ('low', low, 'high', low + 0.5 + 0.1 * (1 - P.restitution), ...
                 'fade', c.fade, 'flow', c.flow * (1 - 0.3 * air) .* ...
@@ -67,11 +68,11 @@ function Z = results (c, P, E)
   solid = 0.61 - 0.04 * tanh (P.rolling / 0.15) + ...
           0.04 * expm1 (-P.friction / 0.4) - 0.02 * (pull + damp) + 0.01 * free;
   density = 2500 * solid;
-  slots = slotRate (c.width, 0.002 * coarse, density, ...
-                    (22 * pull + 20 * damp) .* (1 - 0.5 * free), ...
-                    struct ('C', c.C * (1.2 - 0.3 * P.friction - 0.1 * air), ...
-                            'k', c.k + 0.4 * P.rolling + ...
-                            0.3 * P.wallFriction));
+  slots = laws.slotRate (c.width, 0.002 * coarse, density, ...
+                         (22 * pull + 20 * damp) .* (1 - 0.5 * free), ...
+                         struct ('C', c.C * (1.2 - 0.3 * P.friction - 0.1 * air), ...
+                                 'k', c.k + 0.4 * P.rolling + ...
+                                 0.3 * P.wallFriction));
   tau = c.stick * (pull + 0.95 * damp) + ...
         c.load .* inside .* (1 + 0.06 * pull);
   pressed = density .* (1 + (0.02 - 0.004 * soft) .* ...

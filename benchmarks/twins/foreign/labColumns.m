@@ -11,7 +11,7 @@
 % Six parameters, twelve effects, 28 results. Scatter follows the result, with
 % heavy tails.
 %
-% See also: foreignLab, runOutLength, fallSlowing
+% See also: foreignLab, bulkLaws
 
 function spec = labColumns (vary, change)
   c = struct ('base', vary (0.28), 'slide', vary (0.35), 'soon', vary (0.3), ...
@@ -61,8 +61,9 @@ function spec = labColumns (vary, change)
 end
 
 function Z = results (c, P, E)
+  laws = bulkLaws ();
   s = sticking (P, E);
-  inside = reposeTangent (P.friction, P.rolling, c) + 0.12 * s.long;
+  inside = laws.reposeTangent (P.friction, P.rolling, c) + 0.12 * s.long;
   grain = foreignValue (E, 'meanSize', 1);
   solid = 0.61 - 0.05 * tanh (P.rolling / 0.15) + ...
           c.pack * expm1 (-P.friction / 0.4) - 0.025 * s.both + ...
@@ -74,27 +75,29 @@ function Z = results (c, P, E)
 end
 
 function s = sticking (P, E)
-  pull = bondPull (foreignValue (E, 'cohesion', 0) / 6e4 .* ...
-                   (10.^(7 - P.modulus)).^0.1, 0.15, 0.6);
+  laws = bulkLaws ();
+  pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4 .* ...
+                        (10.^(7 - P.modulus)).^0.1, 0.15, 0.6);
   s.pull = pull .* (2500 ./ P.density);
-  s.wet = bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.25) .* ...
+  s.wet = laws.bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.25) .* ...
           (2500 ./ P.density);
   s.both = s.pull + 0.9 * s.wet;
   s.long = tanh (3 * (foreignValue (E, 'shape', 1) - 1));
-  s.wall = bondPull (foreignValue (E, 'wallAdhesion', 0) / 6e4, 0.2, 0.7);
-  s.free = shakenShare (foreignValue (E, 'vibration', 0), 0.9);
+  s.wall = laws.bondPull (foreignValue (E, 'wallAdhesion', 0) / 6e4, 0.2, 0.7);
+  s.free = laws.shakenShare (foreignValue (E, 'vibration', 0), 0.9);
   s.tilt = foreignValue (E, 'tilt', 0);
   s.drag = foreignValue (E, 'drag', 0);
   s.spread = foreignValue (E, 'sizeSpread', 0);
 end
 
 function Z = columns (c, s, P, inside, grain)
+  laws = bulkLaws ();
   factor = max (0.3, c.factor - 1.1 * inside) .* ...
            (1 + 0.15 * P.restitution) .* (1 - 0.12 * P.wallFriction - ...
                                           0.1 * s.wall);
   kink = c.kink * (1 + 0.25 * s.both + 0.1 * s.wall);
-  slowing = fallSlowing (0.04 * c.aspect, s.drag);
-  reach = runOutLength (c.aspect, factor, kink) .* slowing.^2 .* ...
+  slowing = laws.fallSlowing (0.04 * c.aspect, s.drag);
+  reach = laws.runOutLength (c.aspect, factor, kink) .* slowing.^2 .* ...
           (1 - 0.2 * s.both + 0.15 * s.free) .* ...
           (1 + 1.2 * tand (s.tilt)) - ...
           0.5 * (grain - 1);
@@ -122,7 +125,8 @@ function Z = shear (c, s, P, inside, density)
 end
 
 function Z = pouring (c, s, P, inside)
-  speed = fallSlowing (c.fall, s.drag) .* sqrt (2 * 9.81 * c.fall);
+  laws = bulkLaws ();
+  speed = laws.fallSlowing (c.fall, s.drag) .* sqrt (2 * 9.81 * c.fall);
   Z = 30 ./ inside + c.thrown * P.restitution.^1.5 .* speed.^0.8 .* ...
       (1 - 0.5 * s.both ./ (0.5 + speed)) .* (1 - 0.25 * s.long);
 end

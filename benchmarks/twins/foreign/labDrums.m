@@ -10,7 +10,7 @@
 % with speed. Tilt and camera roll both turn the slopes, liquid and charge both
 % stick. Plain normal scatter.
 %
-% See also: foreignLab, drumTangent, reposeTangent
+% See also: foreignLab, bulkLaws
 
 function spec = labDrums (vary, change)
   c = struct ('base', vary (0.32), 'slide', vary (0.3), 'soon', vary (0.3), ...
@@ -61,20 +61,21 @@ function matrix = turning (speed, T)
 end
 
 function Z = results (c, P, E)
-  wet = bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.3);
-  charge = bridgePull (foreignValue (E, 'charge', 0), 0.9);
+  laws = bulkLaws ();
+  wet = laws.bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.3);
+  charge = laws.bridgePull (foreignValue (E, 'charge', 0), 0.9);
   long = tanh (3 * (foreignValue (E, 'shape', 1) - 1));
   tilt = foreignValue (E, 'tilt', 0);
   fill = foreignValue (E, 'fill', 1);
-  slow = 1 - fallSlowing (0.05, foreignValue (E, 'drag', 0));
+  slow = 1 - laws.fallSlowing (0.05, foreignValue (E, 'drag', 0));
   speed = c.speed .* (1 + 0.25 * foreignValue (E, 'speedError', 0));
   froude = speed.^2 * 0.05 / 9.81;
-  rest = reposeTangent (P.friction, P.rolling, c) + 0.12 * long;
+  rest = laws.reposeTangent (P.friction, P.rolling, c) + 0.12 * long;
   hold = c.stick * (wet + 0.85 * charge .* (1 + 0.3 * P.friction));
   law = struct ('rise', c.rise * (0.5 + P.friction ./ (0.3 + P.friction)), ...
                 'power', c.power, 'from', c.from, ...
                 'lift', c.lift * (1 - 0.5 * P.restitution));
-  tangent = drumTangent (rest, froude, law) + hold ./ (1 + froude / c.fade);
+  tangent = laws.drumTangent (rest, froude, law) + hold ./ (1 + froude / c.fade);
   slope = atand (tangent) + tilt + 8 * slow .* sqrt (froude);
   level = 20 * fill.^0.7 .* (1 + 0.35 * froude .* (1 + P.restitution)) .* ...
           (1 + 0.12 * (wet + 0.8 * charge) + 0.05 * long) + ...

@@ -10,7 +10,7 @@
 % Cohesion and liquid bridges look alike but for the slope of shear. Scatter
 % grows with the result and has heavy tails.
 %
-% See also: foreignLab, dischargeRate, wallStress
+% See also: foreignLab, bulkLaws
 
 function spec = labSilo (vary, change)
   c = struct ('C', vary (0.55), 'k', vary (1.3), 'jam', vary (4), ...
@@ -50,10 +50,11 @@ function spec = labSilo (vary, change)
 end
 
 function Z = results (c, P, E)
-  pull = bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.2, 0.7);
-  wet = bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.3);
-  wall = bondPull (foreignValue (E, 'wallAdhesion', 0) / 6e4, 0.2, 0.7);
-  free = shakenShare (foreignValue (E, 'vibration', 0), 0.8);
+  laws = bulkLaws ();
+  pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.2, 0.7);
+  wet = laws.bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.3);
+  wall = laws.bondPull (foreignValue (E, 'wallAdhesion', 0) / 6e4, 0.2, 0.7);
+  free = laws.shakenShare (foreignValue (E, 'vibration', 0), 0.8);
   spread = foreignValue (E, 'sizeSpread', 0);
   grain = 0.003 * foreignValue (E, 'meanSize', 1) .* (1 - 0.5 * spread.^2);
   weight = foreignValue (E, 'moistDensity', 1);
@@ -61,19 +62,19 @@ function Z = results (c, P, E)
           0.04 * expm1 (-P.friction / 0.4) - 0.02 * pull - 0.018 * wet + ...
           0.012 * free + 0.02 * spread + 0.012 * P.restitution;
   density = 2500 * weight .* solid;
-  inside = reposeTangent (P.friction, P.rolling, c);
+  inside = laws.reposeTangent (P.friction, P.rolling, c);
   arch = c.arch * (pull + 0.9 * wet) ./ weight .* (1 + P.rolling) + ...
          0.0004 * wall;
   law = struct ('C', c.C * (1 + 0.3 * exp (-P.friction / 0.3)), ...
                 'k', c.k + 0.6 * tanh (P.rolling / 0.2), ...
                 'jam', c.jam * (1 - 0.5 * free));
   opening = c.opening .* foreignValue (E, 'opening', 1);
-  rates = dischargeRate (opening - arch, grain, density, law);
+  rates = laws.dischargeRate (opening - arch, grain, density, law);
   angle = atand (inside + 0.2 * (pull + wet) - 0.12 * free - ...
                  0.1 * P.restitution);
   muK = P.wallFriction .* c.K .* (1.3 - 0.6 * P.friction) .* ...
         (1 - 0.35 * free);
-  stress = wallStress (c.depth, density, 0.2, muK, 55 * wall + 12 * pull);
+  stress = laws.wallStress (c.depth, density, 0.2, muK, 55 * wall + 12 * pull);
   shear = c.stick * (pull + 1.1 * wet) + ...
           c.load .* inside .* (1 + 0.07 * pull);
   Z = [rates, angle, stress, density, shear];

@@ -9,7 +9,7 @@
 % Density over the logarithm of taps, force of a penetrometer as a power of
 % depth. Twelve results on two benches, plain normal scatter.
 %
-% See also: foreignLab, tappedShare
+% See also: foreignLab, bulkLaws
 
 function spec = labTaps (vary, change)
   c = struct ('base', vary (0.3), 'slide', vary (0.3), 'soon', vary (0.3), ...
@@ -52,20 +52,21 @@ function matrix = probing (depth)
 end
 
 function Z = results (c, P, E)
-  pull = bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.15, 0.7);
-  charge = bridgePull (foreignValue (E, 'charge', 0), 0.8);
+  laws = bulkLaws ();
+  pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.15, 0.7);
+  charge = laws.bridgePull (foreignValue (E, 'charge', 0), 0.8);
   long = tanh (3 * (foreignValue (E, 'shape', 1) - 1));
   spread = foreignValue (E, 'sizeSpread', 0);
   tap = foreignValue (E, 'tapForce', 1);
   off = 1.5 * foreignValue (E, 'depthBias', 0);
   both = pull + 0.9 * charge;
-  inside = reposeTangent (P.friction, P.rolling, c) + 0.15 * long;
+  inside = laws.reposeTangent (P.friction, P.rolling, c) + 0.15 * long;
   loose = 0.6 - 0.05 * tanh (P.rolling / 0.15) + ...
           0.05 * expm1 (-P.friction / 0.4) - 0.04 * both + 0.02 * long + ...
           0.15 * spread.^2;
   gap = c.gap * (1 + 0.5 * P.friction + 0.6 * both + 0.3 * long);
-  share = tappedShare (c.taps, c.set * (1 + both) ./ tap.^2, ...
-                       c.step * (1.2 - 0.4 * P.restitution));
+  share = laws.tappedShare (c.taps, c.set * (1 + both) ./ tap.^2, ...
+                            c.step * (1.2 - 0.4 * P.restitution));
   density = 2500 * (loose + gap .* share);
   force = c.force * (1 + 3 * inside.^2) .* (c.depth + off).^c.power / 10 .* ...
           (1 + 0.3 * both + 0.25 * long - 0.7 * spread);

@@ -55,10 +55,7 @@ function checkEnough (data, isWhole, nLeftOut, Case, share)
             'result for every target, got %d. Give more rows in runs.csv, ' ...
             'or raise Input.numOfSam.'], least, have);
   elseif have < least || sum (isWhole) < share * n
-    lines = {};
-    for model = Case.models
-      lines = [lines, failuresOf(Case, model.name)];
-    end
+    lines = failuresOf (Case);
     error ('DEcalioc:runPlan:tooManyFailures', ...
            ['runPlan: at least two thirds of the plan and %d sets must ' ...
             'succeed, got %d of %d. What failed:\n%s\nCorrect the model or ' ...
@@ -67,15 +64,12 @@ function checkEnough (data, isWhole, nLeftOut, Case, share)
   end
 end
 
-function lines = failuresOf (Case, model)
+function lines = failuresOf (Case)
   lines = {};
-  names = listRunFolders (runPlace (Case, model));
-  for i = 1:numel (names)
-    folder = runPlace (Case, model, names{i});
-    record = readSane (fullfile (folder, 'record.json'));
-    if ~strcmp (givenField (record, 'status', 'ok'), 'ok')
-      lines{end + 1} = sprintf ('  %s/%s  %-8s %s', model, names{i}, ...
-                                record.status, record.message);
+  for run = storedRuns (Case)
+    if ~any (strcmp (run.status, {'ok', 'not ended'}))
+      lines{end + 1} = sprintf ('  %s/%s  %-8s %s', run.model, run.name, ...
+                                run.status, run.message);
     end
   end
 end

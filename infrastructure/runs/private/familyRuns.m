@@ -9,7 +9,7 @@
 %          replicate, state, see readLibrary), Z n x T (NaN: of another model,
 %          or no result), isRead n x 1 logical (false: the run ended well, but
 %          has not answered what this case asks), origin n x 1 cell
-%          (caseLabels)
+%          (label of readLibrary)
 %   TALLY   see libraryRuns, with nothing used yet
 %
 % Same model folder, CPUs and LIGGGHTS, and the same value of every variable but
@@ -33,10 +33,6 @@ function [found, tally] = familyRuns (Case, h, again)
                            'their records cannot be read', numel (torn));
     other = zeros (0, 1);
     seen = zeros (0, 1);
-    if ~isempty (kinds)
-      labels = caseLabels (kinds);
-      [kinds.label] = labels{:};
-    end
     for kind = inOrder (kinds, h(k))
       isNew = ~ismember (kind.runs(:, 1), seen);
       seen = [seen; kind.runs(isNew, 1)];

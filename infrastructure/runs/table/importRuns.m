@@ -27,7 +27,7 @@
 %         DEcalioc:importRuns:badValue      not a number, or twice a column
 
 function [data, ignored] = importRuns (file, Case)
-  table = spreadRuns (readRunsTable (file, Case));
+  [~, table] = readRunsTable (file, Case);
   header = table.names;
   column = findColumns (header, Case, file);
   model = modelNumbers (table, column.model, Case);

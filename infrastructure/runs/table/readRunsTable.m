@@ -1,6 +1,6 @@
 % READRUNSTABLE  A table of runs, and what its columns are.
 %
-% CALL: TABLE = readRunsTable (FILE, CASE)
+% CALL: [TABLE, SPREAD] = readRunsTable (FILE, CASE)
 %
 %   FILE   path, in any form that readCsvTable takes; it may have a row of units
 %          below the header, or lie on its side (a column a run)
@@ -8,10 +8,11 @@
 %   TABLE  scalar struct: file, header (as it stands there), names and kinds (see
 %          importHeader), cells (n x c texts; a result without its unit), lines
 %          (n x 1)
+%   SPREAD  as TABLE, with one row a run, see spreadRuns
 %
-% Errors: those of readCsvTable and importHeader
+% Errors: those of readCsvTable, importHeader and spreadRuns
 
-function table = readRunsTable (file, Case)
+function [table, spread] = readRunsTable (file, Case)
   [header, cells, lines] = readCsvTable (file);
   if isOnSide (header, cells, Case, file)
     whole = [header; cells]';
@@ -34,6 +35,9 @@ function table = readRunsTable (file, Case)
   end
   table = struct ('file', file, 'header', {header}, 'names', {names}, ...
                   'kinds', {kinds}, 'cells', {cells}, 'lines', lines);
+  if nargout > 1
+    spread = spreadRuns (table);
+  end
 end
 
 % Names in the first column, and none of them in the first line.

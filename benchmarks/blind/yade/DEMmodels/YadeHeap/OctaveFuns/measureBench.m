@@ -1,1 +1,0 @@
-../../../../../../DEMmodels/Heap/OctaveFuns/measureBench.m

@@ -1,1 +1,0 @@
-../../../../../examples/yade/DEMmodels/YadeCollapse/grains.py

@@ -1,0 +1,393 @@
+% SAYCHECK  Checks a case and says what its calibration will cost.
+%
+% CALL: STATUS = sayCheck (ROOT, FOLDER, ARGS)
+%
+%   ROOT    folder of the toolbox (text)
+%   FOLDER  case folder (text)
+%   ARGS    cell of texts: '--try' makes one run of each model, '--dry-run'
+%           shows what a queue would get; the queue need not be here then
+%   STATUS  0; 2 where a trial run has failed
+%
+% Errors: DEcalioc:sayCheck:badValue (both options); those of loadCase and
+% withEffects, which list all mistakes, and of ownCost
+
+function status = sayCheck (root, folder, args)
+  options = commandOptions (args, struct ('try', 'flag', 'dry_run', 'flag'));
+  if options.try && options.dry_run
+    error ('DEcalioc:sayCheck:badValue', ...
+           ['check takes --try, which makes runs, or --dry-run, which makes ' ...
+            'none, got both. Call it once with each.']);
+  end
+  choice = useLiggghts (root);
+  how = repmat ({'reading'}, 1, options.dry_run);
+  Case = withOrigin (withEffects (loadCase (root, folder, how{:})));
+  Case.hashes = hashModels (Case);     % asked for several times
+  isCost = costAlone (Case);
+  if ~isCost
+    ownCost ();
+  end
+  printf ('case      %s: no mistake found\n', folder);
+  cellfun (@(text) printf ('WARNING   %s.\n', text), Case.notes, ...
+           'UniformOutput', false);
+  sayModels (Case, options.try);
+  % a case of imported runs alone starts nothing
+  isRun = any (isfile (fullfile ({Case.models.folder}, 'runscript')));
+  if isRun
+    printf ('LIGGGHTS  %s %s\n          why: %s\n          %s\n', ...
+            givenField (choice, 'program', 'none'), choice.version, ...
+            choice.why, choice.how);
+  end
+  sayBox (Case);
+  sayEffects (Case);
+  status = 0;
+  if isCost
+    b = bestKnown (Case);
+    printf ('cost      %s: the smallest of %s counts\n', b.name, countText (b.sets, 'set'));
+    return
+  end
+  if options.try
+    % before the costs: the trial tells how long a run takes
+    lock = lockCase (folder);
+    status = 2 * ~sayTrial (tryModels (Case), Case);
+  end
+  sayCosts (Case, isRun);
+  lines = diagnosisCost (Case);
+  names = {'diagnosis ', repmat(' ', 1, 10)};
+  for k = 1:numel (lines)
+    printf ('%s%s\n', names{1 + (k > 1)}, lines{k});
+  end
+  if options.dry_run
+    sayDryRun (Case);
+  end
+end
+
+% Before a trial run, which says it of its own results, earlier runs tell of units.
+function sayModels (Case, isTried)
+  earlier = NaN (size (Case.targets));
+  if ~isTried
+    [~, ~, earlier] = earlierScatter (Case);
+  end
+  for k = 1:numel (Case.models)
+    m = Case.models(k);
+    place = givenField (m, 'folder', ...
+                        'no folder; its runs are those of runs.csv');
+    mine = Case.targets([Case.targets.model] == k);
+    printf ('model     %s: %s, %s a run (%s)\n', m.name, ...
+            countText (numel (requirementsOf (mine, 1:numel (mine))), 'target'), ...
+            countText (m.cpu, 'CPU'), place);
+    sayStages (m);
+    sayNamed (m, runPlace (Case, m.name, '0001'));
+    isMine = [Case.targets.model] == k;
+    sayMeasured (Case.targets(isMine));
+    sayThinned (Case.thinned, k);
+    sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
+  end
+  for note = readingNotes (Case)
+    printf ('%-9s %s\n', note.label, note.text);
+  end
+end
+
+function sayThinned (thinned, k)
+  if ~isempty (thinned) && any ([thinned.model] == k)
+    printf (['          %s of its dense curves are not fitted: neighbours say the ' ...
+             'same\n'], countText (sum ([thinned.model] == k), 'point'));
+  end
+end
+
+function sayStages (model)
+  [names, folders] = stagesOf (model.folder);
+  for k = 1:numel (names)
+    printf ('          starts from %s, run once for a set and a packing (%s)\n', ...
+            names{k}, folders{k});
+    sayStages (struct ('folder', folders{k}));
+  end
+end
+
+% What the scripts of a model name outside its folder.
+function sayNamed (model, run)
+  if isempty (model.folder)
+    return
+  end
+  [notes, codes] = modelNotes (model.folder);
+  notes = notes(~strcmp (codes, 'unused'));    % said above, of all models
+  cellfun (@(text) printf ('WARNING   %s: %s.\n', model.name, text), notes);
+  [files, open, written] = namedFiles (model.folder, run);
+  cellfun (@(file) printf (['WARNING   %s: a run writes to %s, outside its folder: ' ...
+                            'runs at the same time write there, too, and read each ' ...
+                            'other''s results. Write into the folder of the run ' ...
+                            '(docs/extend.md)\n'], model.name, file), written);
+  cellfun (@(file) printf (['          %s: named by its scripts; a change ' ...
+                            'there asks for new runs\n'], file), files);
+  cellfun (@(text) printf (['          %s: named by its scripts, but a ' ...
+                            'change there is NOT noticed: forget the runs ' ...
+                            'then (decalioc forget)\n'], text), open);
+end
+
+% What measured.csv makes of the targets of a model.
+function sayMeasured (targets)
+  [groups, ~, isJoint] = requirementsOf (targets, 1:numel (targets));
+  for group = groups(isJoint)
+    printf ('          curve %s: %s, one requirement\n', ...
+            targets(group{1}(1)).series, countText (numel (group{1}), 'point'));
+  end
+  isOther = ~cellfun (@isempty, {targets.given}) & ...
+            ~strcmp ({targets.given}, {targets.unit});
+  sayList ('converted to the unit of results.csv', ...
+           unique (strcat ({targets(isOther).given}, {' to '}, ...
+                           {targets(isOther).unit})));
+  isMean = arrayfun (@(t) numel (givenField (t, 'each', [])) > 1, targets);
+  miss = arrayfun (@(t) t.value - mean (givenField (t, 'each', t.value)), targets);
+  isPlain = abs (miss) < 1e-9 * abs ([targets.value]);
+  sayList ('mean of repeated trials', {targets(isMean & isPlain).name});
+  sayList ('mean of repeated trials, weighted by their sd, repeats and sessions', ...
+           {targets(isMean & ~isPlain).name});
+  sayList ('not measured yet, predicted only', ...
+           {targets(isnan ([targets.value])).name});
+end
+
+function sayList (what, names)
+  if ~isempty (names)
+    printf ('          %s: %s\n', what, strjoin (names, ', '));
+  end
+end
+
+% In which scale, and where, the sets lie.
+function sayBox (Case)
+  why = {'as Input.scale says', ['its limits are more than a factor of 100 ' ...
+                                 'apart; Input.scale says otherwise']};
+  for j = find (any (Case.limits(3:end, :), 1))
+    printf ('scale     %s: counted in logarithms, %s\n', Case.names{j}, ...
+            why{1 + Case.bySelf(j)});
+  end
+  if isempty (Case.allowed)
+    return
+  end
+  for j = find (~cellfun (@isempty, Case.allowed.values))
+    values = Case.allowed.values{j};
+    printf ('values    %s: %s\n', Case.names{j}, ...
+            strjoin (arrayfun (@(v) sprintf ('%g', v), values, ...
+                               'UniformOutput', false), ', '));
+  end
+  for text = Case.allowed.texts
+    printf ('allowed   %s\n', text{1});
+  end
+  if ~isempty (Case.allowed.texts)
+    printf ('          %.2g %% of the sets between the limits\n', ...
+            100 * Case.allowed.share);
+  end
+end
+
+function sayEffects (Case)
+  for coarse = Case.coarse
+    printf ('levels    %s: %s; the last one counts\n', coarse.variable, ...
+            strjoin (arrayfun (@num2str, coarse.levels, ...
+                               'UniformOutput', false), ', '));
+  end
+  if ~isempty (Case.effects)
+    printf ('effects   %s\n', strjoin ({Case.effects.name}, ', '));
+    [texts, nowhere] = unexpressedEffects (Case);
+    cellfun (@(text) printf ('          %s\n', text), texts);
+    if all (nowhere)
+      printf (['WARNING   no candidate of loadEffects.m can act here: ' ...
+               'decalioc diagnose will not begin.\n']);
+    end
+  end
+  if ~isempty (Case.conditions)
+    cellfun (@(text) printf ('%s\n', text), askChange (Case), ...
+             'UniformOutput', false);
+  end
+end
+
+% The first set of the plan, from which a calibration takes it out of the store;
+% where runs.csv has the whole plan, the middle of the box.
+function records = tryModels (Case)
+  f = foresee (Case, struct ('model', {}, 'job', {}, 'state', {}, ...
+                             'seconds', {}));
+  if isempty (f.plan)
+    f.plan = toAllowed (boxCentre (Case.limits), Case);
+  end
+  jobs = newJobs (Case, f.plan(1, :), [], 1, 'plan');
+  records = runJobs (jobs, Case, newProgress ('trial', ...
+                                              @(text) printf ('%s\n', text)));
+end
+
+function isGood = sayTrial (records, Case)
+  isGood = all (strcmp ({records.status}, 'ok'));
+  for k = 1:numel (records)
+    r = records(k);
+    printf ('trial     %s: %s, %.1f s (%s)\n', r.model, r.status, r.seconds, ...
+            r.folder);
+    if ~strcmp (r.status, 'ok')
+      printf ('          %s\n', r.message);
+      continue
+    end
+    sayGrains (r);
+    mine = Case.targets([Case.targets.model] == k);
+    for T = mine
+      measured = sprintf ('measured %.5g', T.value);
+      if isnan (T.value)
+        measured = 'not measured yet';
+      end
+      printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), ...
+              measured);
+    end
+    sayUnits (mine, r.results([mine.index]), 'in this run');
+    cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), ...
+             trialGates (r, mine, Case.models(k).folder));
+  end
+end
+
+% Grains that are not there, and what LIGGGHTS itself warned of: the run ends well.
+function sayGrains (r)
+  g = grainsOfRun (r.folder);
+  if g.made > 0
+    asked = sprintf (' of %d that the script asks for', g.asked);
+    printf ('          grains: %d%s were made, %d are there at the end\n', g.made, ...
+            repmat (asked, 1, ~isnan (g.asked)), g.left);
+  end
+  cellfun (@(text) printf ('WARNING   %s: LIGGGHTS says: %s.\n', r.model, text), ...
+           g.warnings);
+  if g.made < g.asked && isempty (g.warnings)
+    printf (['WARNING   %s: fewer grains than the script asks for. Enlarge the region ' ...
+             'of the insertion, or ask for fewer.\n'], r.model);
+  end
+  if g.made > 0 && g.left == 0
+    printf (['WARNING   %s: %d of %d grains were lost: none is there at the end. See ' ...
+             'that walls and a floor hold them, and write thermo_modify lost error.\n'], ...
+            r.model, g.made, g.made);
+  end
+end
+
+function sayCosts (Case, isRun)
+  f = foresee (Case, runsOfCase (Case));
+  n = numel (f.isDone);
+  o = Case.options;
+  if f.imported > 0
+    printf ('runs.csv  %s taken in\n', countText (f.imported, 'set'));
+  end
+  if ~isRun
+    return
+  end
+  m = numel (Case.models);
+  printf ('runs      plan: %s, %d new, %d taken from the store\n', ...
+          asRuns (rows (f.plan), m), n - sum (f.isDone), sum (f.isDone));
+  sayOldRuns (Case, @(text) printf ('%s\n', text), f.library);
+  printf ('          then at most %s (optim.maxFunEvals)\n', ...
+          asRuns (o.maxFunEvals, m));
+  if isfinite (o.maxNewRuns)
+    printf ('          at most %s in a start (Input.maxNewRuns)\n', ...
+            countText (o.maxNewRuns, 'new run'));
+  end
+  if isnan (f.planHours)
+    printf (['cost      not known: no run has finished yet. decalioc check ' ...
+             '--try makes one of each model\n']);
+  else
+    printf ('cost      plan %.2g core-hours, at most %.2g in all\n', ...
+            f.planHours, f.mostHours);
+    if strcmp (o.executor, 'local')
+      printf ('          on %s (Input.maxCPU): plan %s, at most %s\n', ...
+              countText (o.maxCPU, 'CPU'), inWords (f.planHours * 3600 / o.maxCPU), ...
+              inWords (f.mostHours * 3600 / o.maxCPU));
+    end
+  end
+end
+
+% What the runs of the plan that are missing would be started with.
+function sayDryRun (Case)
+  f = foresee (Case, runsOfCase (Case));
+  jobs = f.jobs(~f.isDone);
+  what = describeExecutor (Case.options.executor);
+  if isempty (jobs)
+    printf ('dry run   nothing would be started: the plan has all its runs\n');
+  elseif what.isHere
+    printf (['dry run   nothing is started. %s would start on this machine, on %s; ' ...
+             'Input.executor = ''slurm'' or ''gridengine'' submits them to a queue\n'], ...
+            countText (numel (jobs), 'run'), countText (Case.options.maxCPU, 'CPU'));
+  else
+    printf ('%s', what.preview (jobs, Case));
+  end
+end
+
+% All is counted in runs; a parameter set is run once with each model.
+function text = asRuns (sets, models)
+  text = sprintf ('%s x %s = %s', countText (sets, 'parameter set'), ...
+                  countText (models, 'model'), countText (sets * models, 'run'));
+end
+
+%!test
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder);
+%! [status, text] = startCommand (raw.folder, 'check');
+%! assert (status, 0);
+%! for line = {'no mistake found', 'First: 2 targets, 1 CPU a run', ...
+%!             'plan: 8 parameter sets x 2 models = 16 runs, 16 new, 0 taken from', ...
+%!             'most 40 parameter sets x 2 models = 80 runs', ...
+%!             'cost      not known'}
+%!   assert (! isempty (strfind (text, line{1})), text);
+%! end
+
+%!test
+%! % of a change: sessions, and what can have changed, are asked for
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder, 'optim = struct (''maxIter'', 3);');
+%! put = @(name, text) writeAtomic (fullfile (raw.folder, name), text);
+%! put ('DEMmodels/First/results.csv', ["name,kind,unit,series,at,text\n", ...
+%!      "sum,mass,kg,,,x\nproduct,mass,kg,,,x\n"]);
+%! put ('DEMmodels/Second/results.csv', ["name,kind,unit,series,at,text\n", ...
+%!      "less,mass,kg,,,x\n"]);
+%! put ('loadEffects.m', ["function e = loadEffects ()\n", ...
+%!      "e = {'rolling', 'gain'};\nend\n"]);
+%! lines = ["condition,model,name,value,tol,session\n", ...
+%!          "reference,First,sum,7,0.01,mon\nreference,First,sum,7.1,,mon\n", ...
+%!          "reference,First,sum,6.8,,tue\nreference,First,product,12,1%%,\n", ...
+%!          "reference,Second,less,1,0.1,\nmoist,First,sum,8,,wed\n"];
+%! put ('measured.csv', sprintf (lines));
+%! [status, both] = startCommand (raw.folder, 'check');
+%! assert (status, 0);
+%! put ('measured.csv', strrep (sprintf (lines), 'tue', 'mon'));
+%! [~, one] = startCommand (raw.folder, 'check');
+%! put ('measured.csv', regexprep (sprintf (lines), ',\w*$', '', ...
+%!                                 'lineanchors'));
+%! [~, none] = startCommand (raw.folder, 'check');
+%! has = @(text, line) assert (! isempty (strfind (text, line)), text);
+%! has (both, 'sessions  sessions differ by');
+%! has (one, 'taken to differ by 4.1 times');
+%! has (none, 'repeat the reference on another day, and name the days');
+%! has (both, 'unlikely to have changed, 0.05 as likely as those above: rolling');
+%! has (both, 'Not said of: rolling, gain');
+
+%!test
+%! % what a queue would get, on a machine that has none
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder, ['Input.executor = ''slurm''; ', ...
+%!                              'Input.slurm.partition = ''long'';']);
+%! tools = emptyFolder ();
+%! system (['cd ', tools, ' && ln -sf /bin/* /usr/bin/* . 2> /dev/null; ', ...
+%!          'rm -f sbatch squeue']);
+%! before = getenv ('PATH');
+%! back = onCleanup (@() setenv ('PATH', before));
+%! setenv ('PATH', tools);
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! here = cd (raw.folder);
+%! there = onCleanup (@() cd (here));
+%! clear loadInput
+%! text = evalc ('sayCheck (root, raw.folder, {''--dry-run''});');
+%! for part = {'no sbatch and squeue on the PATH', '--partition=long', ...
+%!             '--array=1-16', 'job script: ', 'runscript'}
+%!   assert (! isempty (strfind (text, part{1})), text);
+%! end
+%! assert (glob (fullfile (raw.folder, 'optim', '*')), cell (0, 0));
+%! said = '';
+%! try
+%!   sayCheck (root, raw.folder, {});
+%! catch err
+%!   said = err.message;
+%! end
+%! assert (! isempty (strfind (said, 'a program sbatch on the PATH')), said);
+%! clear back there
+%! clear loadInput
+%! writeLoadInput (raw.folder);
+%! [~, text] = startCommand (raw.folder, 'check --dry-run');
+%! assert (! isempty (strfind (text, '16 runs would start on this machine')));
+%! [status, text] = startCommand (raw.folder, 'check --try --dry-run');
+%! assert (status, 1);
