@@ -45,6 +45,8 @@
 %               the same sessions (0)
 %     freedom, commonFreedom, sessionFreedom   by which sd is known, which is the
 %               68 % half-width, see varianceComponents (Inf)
+%     swept     logical, its change was read only before or only after the
+%               reference, while values drifted (false)
 %     noiseSd   known noise of one run (NaN: from data)
 %     earlierSd, earlierRuns  scatter of a run over so many earlier packings, what
 %               a calibration begins with (NaN, 0); of a case see earlierScatter

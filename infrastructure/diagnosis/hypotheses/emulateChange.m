@@ -137,8 +137,12 @@ function B = sharedError (emulator)
 end
 
 % Parameters by the reference alone, for one size of the lack: Q, logE, and
-% information A, g of linear equations A theta = g.
+% information A, g of linear equations A theta = g. The scatter counts as known: that
+% all trials scatter ten times as much as they show would else be believed before
+% that the simulation lacks something, and what it lacks taken for a change. Too
+% large a lack only makes a change the difference of two measurements.
 function part = fitReference (emulator, problem, before, lack, at)
+  before.doubt(:) = 0;
   before.covariance = before.covariance + lack;
   [fit, white, Z] = fitStarts (emulator, problem, before, at, problem.paramPrior);
   [part.logE, best] = max (fit.logE);
@@ -257,6 +261,17 @@ end
 %! plain = emulateChange (new);
 %! assert ({plain.coef, plain.known, plain.change}, {emulator.coef, [], []});
 %! assert (emulateChange (plain), plain);
+%!test
+%! % what the simulation misses is no scatter that few trials did not show: the
+%! % reference is believed as if its scatter were known
+%! few = given;
+%! few.reference.value = [9.5, -7.5, 5, -4];
+%! [few.sd, few.reference.sd] = deal (0.5 * ones (1, 4));
+%! known = emulateChange (emulator, few).change.size;
+%! for name = {'freedom', 'commonFreedom'}
+%!   [few.(name{1}), few.reference.(name{1})] = deal (5 * ones (1, 4));
+%! end
+%! assert (emulateChange (emulator, few).change.size, known, 1e-9);
 %!test
 %! % no lack: the model is believed, and the reference tells the parameter
 %! given.reference.value = [1.5, 0.5, 0, 0];

@@ -342,7 +342,8 @@ end
 function text = plainReason (which)
   guard = char (jsonAt (which, {'guard'}));
   text = which.reason;
-  if any (strcmp (guard, {'group', 'class', 'runs', 'readings', 'integral'})) || ...
+  if any (strcmp (guard, {'group', 'class', 'runs', 'readings', 'order', ...
+                           'integral'})) || ...
      (strcmp (guard, 'look-alike') && isempty (namesIn (which, 'siblings')))
     text = sentence (['guard.', guard], namesIn (which, 'decides'));
   end
