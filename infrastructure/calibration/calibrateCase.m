@@ -52,7 +52,7 @@ end
 
 % From the plan to the set that is handed back: what the published program does,
 % block by block. REST  runs that thinRuns has left out. PROBLEM  less what the runs
-% too often lack (setAside).
+% too often lack (leaveUnjudged).
 function [state, problem] = planToSet (state, problem, Case, say, rest)
   rest = keepRows (rest, ismember (rest.stage, state.data.stage));
   [plan, E] = newPlan (state.data, Case);
@@ -63,11 +63,11 @@ function [state, problem] = planToSet (state, problem, Case, say, rest)
   state = repeatSuspects (state, problem, say);
   reportSurrogateFit (state.surrogates, state.data, problem, say, rest, Case);
   [state.final, state.unjudged] = deal ([], {});
-  [state, problem] = setAside (state, problem);
+  [state, problem] = leaveUnjudged (state, problem);
   isNew = true;
   while isNew
     state = searchSet (state, problem, Case, say);
-    [state, problem, isNew] = setAside (state, problem);
+    [state, problem, isNew] = leaveUnjudged (state, problem);
   end
 end
 

@@ -19,7 +19,7 @@
 %        with a result, share expected of other ones, onceMore
 %        (probability after all runs that the budget allows, none of them odd)),
 %        unjudged (1 x u struct: name, lacks, tried, isFit (a target, not held out):
-%        results that too many runs near the set lack, see lackingAt and setAside),
+%        results that too many runs near the set lack, see lackingAt and leaveUnjudged),
 %        isRestConfirmed (logical: converged but for these),
 %        conflict, ending (see newEnding), reason (its text), limit
 %        ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search; '':

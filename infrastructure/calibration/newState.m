@@ -10,7 +10,7 @@
 %             probability: see bookStep), reason,
 %             final ([] until confirmSet), evaluate ([] until runs can be
 %             made), budget (see newEvaluate), others (see trustLibrary), misled
-%             (see keepApart), unjudged (cellstr, see setAside)
+%             (see keepApart), unjudged (cellstr, see leaveUnjudged)
 
 function state = newState (data, surrogates, found)
   if nargin < 2

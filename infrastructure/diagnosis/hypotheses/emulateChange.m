@@ -144,20 +144,20 @@ end
 function part = fitReference (emulator, problem, before, lack, at)
   before.doubt(:) = 0;
   before.covariance = before.covariance + lack;
-  [fit, white, Z] = fitStarts (emulator, problem, before, at, problem.paramPrior);
+  [fit, white] = fitStarts (emulator, problem, before, at, problem.paramPrior);
   [part.logE, best] = max (fit.logE);
   % whitened by another W for each size: as a density of the targets they compare
   part.logE = part.logE + sum (log (svd (white.W)));
   part.Q = fit.Q(best, :);
   [M, V, ~, J] = predictGap (white, [], part.Q);
   J = reshape (vertcat (J{:})', numel (at), emulator.p) ./ sqrt (V');
-  r = ((Z(1, :) - M) ./ sqrt (V))';
+  r = ((problem.reference.value(at) * white.W' - M) ./ sqrt (V))';
   part.A = J' * J;
   part.g = part.A * part.Q' + J' * r;
 end
 
 % From several starts: FIT of fitHypothesis, a row each.
-function [fit, white, Z] = fitStarts (emulator, problem, before, at, prior)
+function [fit, white] = fitStarts (emulator, problem, before, at, prior)
   white = whitenEmulator (withoutEffects (emulator), at, before);
   starts = [zeros(1, emulator.p); 0.9 * boxPoints(emulator.p, 5)];
   null = newHypothesis ('null');

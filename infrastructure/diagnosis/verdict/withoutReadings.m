@@ -25,7 +25,7 @@ function [verdict, decides] = withoutReadings (verdict, study)
   problem = study.problem;
   targets = study.hypotheses.white.columns;
   readings = problem.reading(targets);
-  joined = verdict.effects;
+  asked = struct ('rest', {}, 'names', {});
   isSwept = problem.swept(targets);
   if any (isSwept)
     rest = targets(~isSwept);
@@ -33,14 +33,23 @@ function [verdict, decides] = withoutReadings (verdict, study)
       verdict = openByOrder (verdict);
       return
     end
-    [decides, joined] = askWithout (study, verdict, rest, ...
-                                    problem.targetNames(targets(isSwept)), {}, joined);
+    names = problem.targetNames(targets(isSwept));
+    asked = struct ('rest', rest, 'names', {names(:)'});
   end
   for reading = setdiff (readings, {''})(:)'
     rest = targets(~strcmp (readings, reading{1}));
     % no more targets than parameters are met by anything
     if numel (rest) > study.emulator.p + 1 && numel (rest) < numel (targets)
-      [decides, joined] = askWithout (study, verdict, rest, reading, decides, joined);
+      asked(end + 1) = struct ('rest', rest, 'names', {reading});
+    end
+  end
+  % names of the readings that are left out decide, if others are likelier then
+  joined = verdict.effects;
+  for without = asked
+    first = likeliest (study, verdict, without.rest);
+    if ~isequal (first, verdict.effects)
+      decides = [decides, without.names];
+      joined = [joined, first];
     end
   end
   verdict.decides = decides;
@@ -51,15 +60,6 @@ function [verdict, decides] = withoutReadings (verdict, study)
     verdict.class = unique ([verdict.class, joined]);
     verdict.reason = sprintf ('without %s another one is likelier', ...
                               strjoin (decides, ', or '));
-  end
-end
-
-% NAMES of the readings that are left out decide, if others are likelier then.
-function [decides, joined] = askWithout (study, verdict, rest, names, decides, joined)
-  first = likeliest (study, verdict, rest);
-  if ~isequal (first, verdict.effects)
-    decides = [decides, names];
-    joined = [joined, first];
   end
 end
 

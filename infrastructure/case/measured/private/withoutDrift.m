@@ -23,7 +23,7 @@ function [lines, drifts] = withoutDrift (lines, quantities)
                    'middle', {}, 'means', {}, 'oneWay', {});
   isOrdered = isfinite (lines.order) & isnan (lines.variance);
   group = reshape ([quantities.group], [], 1)(lines.quantity);
-  kinds = unique ([lines.session, group](isOrdered, :), 'rows');
+  kinds = unique ([lines.session(isOrdered), group(isOrdered)], 'rows');
   for k = 1:rows (kinds)
     at = find (isOrdered & lines.session == kinds(k, 1) & group == kinds(k, 2));
     [slope, sd, p] = slopeOf (lines, quantities, at);

@@ -1,6 +1,6 @@
-% SETASIDE  Targets that the runs too often lack are not calibrated.
+% LEAVEUNJUDGED  Targets that the runs too often lack are not calibrated.
 %
-% CALL: [STATE, PROBLEM, ISNEW] = setAside (STATE, PROBLEM)
+% CALL: [STATE, PROBLEM, ISNEW] = leaveUnjudged (STATE, PROBLEM)
 %
 %   STATE    see newState, with surrogates; its field unjudged is set: cellstr, names
 %            of the targets that are set aside
@@ -13,7 +13,7 @@
 % case are lacking somewhere, in the middle of the runs); once there is a final set,
 % that is where (confirmSet).
 
-function [state, problem, isNew] = setAside (state, problem)
+function [state, problem, isNew] = leaveUnjudged (state, problem)
   isOut = tooOftenLacking (state, problem);
   isNew = any (isOut) && any (problem.calibrate & ~isOut);
   if isNew
@@ -56,16 +56,16 @@ end
 %! problem.bench = [1, 1];
 %! data = addRows (newData (1, 2), X, Z, ones (12, 1), 'plan');
 %! state = newState (data, fitSurrogates (data, problem), []);
-%! [state, aside] = setAside (state, problem);
+%! [state, aside] = leaveUnjudged (state, problem);
 %! assert ({aside.calibrate, state.unjudged}, {[true, false], problem.targetNames(2)});
 %! % far from the values that x asks for it may lack
 %! Z(:, 2) = 3 * X + 0.01 * cos (50 * X);
 %! Z(X < 0.2, 2) = NaN;
 %! state.data.Z = Z;
-%! [~, same, isNew] = setAside (state, problem);
+%! [~, same, isNew] = leaveUnjudged (state, problem);
 %! assert ({same.calibrate, isNew}, {[true, true], false});
 %! % where the end has shown it
 %! state.unjudged = {};
 %! state.final = struct ('unjudged', struct ('name', problem.targetNames(2)));
-%! [state, aside] = setAside (state, problem);
+%! [state, aside] = leaveUnjudged (state, problem);
 %! assert ({aside.calibrate, state.unjudged}, {[true, false], problem.targetNames(2)});
