@@ -37,7 +37,7 @@ function alone = readingsAlone (problem, emulator, theta)
   end
   if alone.decides
     each = changeOfReadings (problem, change)(used);
-    alone.each = -expm1 (numel (used) * log1p (-min (each, 1 - eps)));
+    alone.each = -expm1 (numel (used) * log1p (-min (each, 1 - eps (1))));
     alone.p = min (alone.each);
     return
   end

@@ -25,7 +25,7 @@ function [verdict, decides] = withoutReadings (verdict, study)
   problem = study.problem;
   targets = study.hypotheses.white.columns;
   readings = problem.reading(targets);
-  asked = struct ('rest', {}, 'names', {});
+  found = struct ('decides', {{}}, 'joined', verdict.effects);
   isSwept = problem.swept(targets);
   if any (isSwept)
     rest = targets(~isSwept);
@@ -33,33 +33,34 @@ function [verdict, decides] = withoutReadings (verdict, study)
       verdict = openByOrder (verdict);
       return
     end
-    names = problem.targetNames(targets(isSwept));
-    asked = struct ('rest', rest, 'names', {names(:)'});
+    found = askWithout (found, study, verdict, rest, ...
+                        problem.targetNames(targets(isSwept)));
   end
   for reading = setdiff (readings, {''})(:)'
     rest = targets(~strcmp (readings, reading{1}));
     % no more targets than parameters are met by anything
     if numel (rest) > study.emulator.p + 1 && numel (rest) < numel (targets)
-      asked(end + 1) = struct ('rest', rest, 'names', {reading});
+      found = askWithout (found, study, verdict, rest, reading);
     end
   end
-  % names of the readings that are left out decide, if others are likelier then
-  joined = verdict.effects;
-  for without = asked
-    first = likeliest (study, verdict, without.rest);
-    if ~isequal (first, verdict.effects)
-      decides = [decides, without.names];
-      joined = [joined, first];
-    end
-  end
+  decides = found.decides;
   verdict.decides = decides;
   if ~isempty (decides)
     verdict.kind = 'group';
     verdict.guard = 'readings';
-    verdict.effects = unique (joined);
-    verdict.class = unique ([verdict.class, joined]);
+    verdict.effects = unique (found.joined);
+    verdict.class = unique ([verdict.class, found.joined]);
     verdict.reason = sprintf ('without %s another one is likelier', ...
                               strjoin (decides, ', or '));
+  end
+end
+
+% NAMES of the readings that are left out decide, if others are likelier then.
+function found = askWithout (found, study, verdict, rest, names)
+  first = likeliest (study, verdict, rest);
+  if ~isequal (first, verdict.effects)
+    found.decides = [found.decides, names];
+    found.joined = [found.joined, first];
   end
 end
 

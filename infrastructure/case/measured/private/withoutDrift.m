@@ -48,9 +48,8 @@ function [slope, sd, p] = slopeOf (lines, quantities, at)
   size = reshape ([quantities.size], [], 1)(lines.quantity(at));
   weight = lines.repeats(at);
   [cells, ~, of] = unique ([lines.mean(at), lines.quantity(at)], 'rows');
-  about = @(v) v - (accumarray (of, weight .* v) ./ accumarray (of, weight))(of);
-  x = about (lines.order(at));
-  y = about (lines.value(at) ./ size);
+  x = aboutMeans (lines.order(at), weight, of);
+  y = aboutMeans (lines.value(at) ./ size, weight, of);
   df = numel (at) - rows (cells) - 1;
   [slope, sd, p] = deal (0, 0, NaN);
   spread = sum (weight .* x.^2);
@@ -61,6 +60,11 @@ function [slope, sd, p] = slopeOf (lines, quantities, at)
   variance = sum (weight .* (y - slope * x).^2) / df / spread;
   p = betainc (variance * df / (variance * df + slope^2 + realmin), df / 2, 0.5);
   sd = -studentQuantile (0.1587, df) * sqrt (variance);
+end
+
+function v = aboutMeans (v, weight, of)
+  means = accumarray (of, weight .* v) ./ accumarray (of, weight);
+  v = v - means(of);
 end
 
 % Means of a change of which all lines come before, or after, those of the reference

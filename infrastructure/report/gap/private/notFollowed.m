@@ -35,7 +35,7 @@ end
 %! assert (! isempty (strfind (text, 'tilt, x:')), text);
 %! gap.reference.targets = T(1);
 %! text = notFollowed (gap){1};
-%! assert (! isempty (strfind (text, '6 g where 2 g was measured. The change there is 3 g')), ...
+%! assert (! isempty (strfind (text, '6 g where 2 g was measured. It has changed by 3 g')), ...
 %!         text);
 %! gap.reference.targets(1).followed = true;
 %! assert (notFollowed (gap), cell (1, 0));
