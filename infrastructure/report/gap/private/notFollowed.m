@@ -32,10 +32,10 @@ end
 %!             'measured', 0.5, 'followed', false, 'shown', struct ('unit', 'g', 'factor', 0.1));
 %! gap.reference.targets = T;
 %! text = notFollowed (gap){1};
-%! assert (! isempty (strfind (text, 'tilt, x:')), text);
+%! assert (~isempty (strfind (text, 'tilt, x:')), text);
 %! gap.reference.targets = T(1);
 %! text = notFollowed (gap){1};
-%! assert (! isempty (strfind (text, '6 g where 2 g was measured. It has changed by 3 g')), ...
+%! assert (~isempty (strfind (text, '6 g where 2 g was measured. It has changed by 3 g')), ...
 %!         text);
 %! gap.reference.targets(1).followed = true;
 %! assert (notFollowed (gap), cell (1, 0));
