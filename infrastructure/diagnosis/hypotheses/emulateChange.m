@@ -144,7 +144,8 @@ end
 function part = fitReference (emulator, problem, before, lack, at)
   before.doubt(:) = 0;
   before.covariance = before.covariance + lack;
-  [fit, white] = fitStarts (emulator, problem, before, at, problem.paramPrior);
+  white = whitenEmulator (withoutEffects (emulator), at, before);
+  fit = fitStarts (white, problem, at, problem.paramPrior);
   [part.logE, best] = max (fit.logE);
   % whitened by another W for each size: as a density of the targets they compare
   part.logE = part.logE + sum (log (svd (white.W)));
@@ -157,9 +158,8 @@ function part = fitReference (emulator, problem, before, lack, at)
 end
 
 % From several starts: FIT of fitHypothesis, a row each.
-function [fit, white] = fitStarts (emulator, problem, before, at, prior)
-  white = whitenEmulator (withoutEffects (emulator), at, before);
-  starts = [zeros(1, emulator.p); 0.9 * boxPoints(emulator.p, 5)];
+function fit = fitStarts (white, problem, at, prior)
+  starts = [zeros(1, white.p); 0.9 * boxPoints(white.p, 5)];
   null = newHypothesis ('null');
   unknowns = viewHypothesis (white, null, prior).unknowns;
   Z = repmat (problem.reference.value(at) * white.W', rows (starts), 1);
@@ -171,7 +171,8 @@ end
 function M = calibratedMeans (emulator, problem, before, at)
   before.covariance = before.covariance + diag ((problem.tol .* problem.scale).^2);
   flat = setfield (problem.paramPrior, 'flat', true);
-  fit = fitStarts (emulator, problem, before, at, flat);
+  white = whitenEmulator (withoutEffects (emulator), at, before);
+  fit = fitStarts (white, problem, at, flat);
   [~, best] = max (fit.logPeak);
   M = polyRows (emulator.powers, fit.Q(best, :)) * emulator.coef;
 end

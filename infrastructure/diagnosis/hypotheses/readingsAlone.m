@@ -44,8 +44,7 @@ function alone = readingsAlone (problem, emulator, theta)
   R = change.fresh + change.before - reference.together - reference.together';
   R = R(at, at);
   step = (problem.value(at) - reference.value(at))';
-  d = problem.value - polyRows (emulator.powers, theta) * emulator.coef;
-  d = d(at)';
+  d = (problem.value(at) - polyRows (emulator.powers, theta) * emulator.coef(:, at))';
   w = change.covariance(at, at) \ d;
   alone.p = least (w' * step / sqrt (max (w' * R * w, realmin)));
   % of one reading either way counts

@@ -18,7 +18,7 @@ function [T, conditions] = changeTable (page)
                 {'result', '', 'name'; 'reference', '', 'plain'; ...
                  reference.condition, '', 'plain'; 'change +- noise', '', 'change'; ...
                  'modelled change', '', 'change'; 'change (sd)', '', 'z'}, rows_, ...
-                [{sentence('table.change'), followsText(reference)}, ...
+                [{sentence('table.change')}, followsText(reference), ...
                  jsonAt(page, {'verdict', 'cause', 'notFollowed'})]);
   list = conditionTexts (page.sources.gap);
   order = eachOf (@(one) setfield (one, 'probability', ...
@@ -31,11 +31,16 @@ function [T, conditions] = changeTable (page)
                          eachOf (@(one) sentence ('change.order', one), order));
 end
 
-% How well the bench gives the reference.
+% How well the bench gives the reference; of one reading alone nothing is said, as the
+% last one is not set aside.
 function text = followsText (reference)
   isFollowed = cellfun (@(T) givenField (T, 'followed', true), ...
                         jsonList (reference, {'targets'}));
-  text = sentence ('change.follows', struct ('n', sum (isFollowed), 'of', numel (isFollowed)));
+  values = struct ('n', sum (isFollowed), 'of', numel (isFollowed));
+  text = {};
+  if values.of > 1
+    text = {sentence('change.follows', values)};
+  end
 end
 
 function cells = rowOf (page, t, own)
