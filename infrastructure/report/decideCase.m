@@ -235,6 +235,9 @@ end
 
 function v = withGap (v, c, cause)
   [v.cause, v.change] = deal (cause, cause.change);
+  if ~isempty (cause.condition) && ~isempty (v.change)
+    v.change = [cause.condition, ': ', v.change];
+  end
   if isempty (c)
     v = mergeFields (v, cause, {'word', 'class', 'sentence'});
     v.notFor = {sentence('notFor.noCalibration')};
