@@ -66,7 +66,27 @@ function list = ofCalibration ()
   curve = off;
   [curve.targets(1:2).curve] = deal ('w');
   list(end + 1) = at ('a curve is missed', curve, []);
+  list = [list, notJudged(near, off)];
   list(end + 1) = at ('nothing', [], []);
+end
+
+% Runs that miss or have no result, though all runs together meet the targets; a miss that
+% no further run mends.
+function list = notJudged (near, off)
+  near.probability = 0.97;
+  list = at ('open', ended (near, 'maxFunEvals', 'open', 2, struct ('names', {{'sum'}})), []);
+  [list.c.targets.state] = deal ('open', 'met', 'met');
+  none = struct ('none', 4, 'resulting', 4);
+  list(end + 1) = at ('no result', ended (near, 'maxFunEvals', 'noResult', 4, none), []);
+  list(end).c.outcomes = none;
+  numbers = struct ('names', {{'sum'}}, 'none', 5, 'resulting', 3, 'restMet', true);
+  list(end + 1) = at ('unjudged', ended (near, '', 'unjudged', 2, numbers), []);
+  [list(end).c.targets.state] = deal ('unjudged', 'met', 'met');
+  [list(end).c.targets(1).result, list(end).c.targets(1).residual] = deal (NaN);
+  list(end).c.targets(1).met = false;
+  numbers = struct ('names', {{'sum'}});
+  list(end + 1) = at ('beyond scatter', ended (off, 'maxFunEvals', 'beyondScatter', 30, ...
+                                               numbers), []);
 end
 
 function list = withGap ()
@@ -174,10 +194,14 @@ function c = few (c)
   c = ended (c, 'maxFunEvals', 'fewRuns', 1);
 end
 
-function c = ended (c, limit, code, runs)
+function c = ended (c, limit, code, runs, numbers)
   [c.runs, c.limit] = deal (runs, limit);
+  if nargin < 5
+    numbers = struct ();
+  end
+  numbers.runs = runs;
   options = struct ('maxFunEvals', 40, 'maxIter', 3, 'replicates', 3);
-  ending = newEnding (code, mergeFields (struct ('runs', runs), c, ...
+  ending = newEnding (code, mergeFields (numbers, c, ...
                                          {'probability', 'conflict', ...
                                           'limit'}), options);
   [c.ending, c.reason] = deal (rmfield (ending, 'text'), ending.text);

@@ -132,14 +132,20 @@ end
 function text = readingsLab (read)
   text = grouped (read ('readingsLab'), {'setting'}, ...
                   {'setting', 'cases', 'alarm', 'named', 'named rightly', ...
-                   'within one stated deviation'}, @readingRow);
+                   'within one stated deviation', 'p < 0.05', ...
+                   'scatter said to differ (p < 0.01)'}, @readingRow);
 end
 
 function row = readingRow (own)
-  [n, z] = deal (sum (numbers (own, 'cases')), sum (numbers (own, 'readings')));
-  share = @(name, of) shareText ((1:of) <= sum (numbers (own, name)));
-  row = {own(1).setting, sprintf('%d', n), share('alarms', n), share('named', n), ...
-         share('right', n), share('inSd', z)};
+  [n, z, s] = deal (sum (numbers (own, 'cases')), sum (numbers (own, 'readings')), ...
+                    sum (numbers (own, 'ofScatter')));
+  row = {own(1).setting, sprintf('%d', n), '', '', '', '', '', ''};
+  columns = {'alarms', 'named', 'right', 'inSd', 'below5', 'scatters'};
+  many = [n, n, n, z, z, s];
+  many(1:3) = n * isempty (regexp (own(1).setting, '-each$'));
+  for k = find (many > 0)
+    row{2 + k} = shareText ((1:many(k)) <= sum (numbers (own, columns{k})));
+  end
 end
 
 function text = cheaperBenches (read)

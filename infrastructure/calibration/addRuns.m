@@ -42,7 +42,7 @@ function state = addRuns (state, problem, P, E, stage, replicate)
   end
   refuseShared (state.data, problem);
   % a set that fails was run twice, see runJobs
-  nFailed = sum (any (isnan (Z), 2));
+  nFailed = sum (lostRows (Z, problem.bench));
   state.budget.sets = max (state.budget.sets - n - nFailed, 0);
 end
 
@@ -85,7 +85,7 @@ end
 %! state.data = newData (1, 2, 1);
 %! state.data.level = zeros (0, 2);
 %! [state.evaluate, state.budget] = newEvaluate ( ...
-%!   @(P, E, r) [P + sum(E, 2), 0 * P, merge(P > 1, 8 * P, NaN)]);
+%!   @(P, E, r) [merge(P > 1, P + sum (E, 2), NaN), 0 * P, merge(P > 1, 8 * P, NaN)]);
 %! state.budget.sets = 5;
 %! state = addRuns (state, problem, [1; 2; 3], [5, 7; 3, 7; 4, 7], 'gap');
 %! assert (state.data.Z(2:3, :), [6, 4; 7, 6]);

@@ -37,22 +37,23 @@ function calibration = calibrateCase (root, folder)
   state = newState (data);
   [state.evaluate, state.budget] = newEvaluate (Case, say);
   state = trustLibrary (state, problem, say);
-  state = planToSet (state, problem, Case, say, rest);
+  [state, asked] = planToSet (state, problem, Case, say, rest);
   [state, text] = keepApart (state, problem);
   if ~isempty (text)
     say (text);
-    state = planToSet (state, problem, Case, say, rest);
+    [state, asked] = planToSet (state, problem, Case, say, rest);
   end
 
-  calibration = newCalibration (state, problem, Case);
+  calibration = newCalibration (state, asked, Case);
   calibration.verdict = writeCalibrationJson (calibration, Case);
   reportCalibration (Case, say);
   reportPage (Case, say);
 end
 
 % From the plan to the set that is handed back: what the published program does,
-% block by block. REST  runs that thinRuns has left out.
-function state = planToSet (state, problem, Case, say, rest)
+% block by block. REST  runs that thinRuns has left out. PROBLEM  less what the runs
+% too often lack (leaveUnjudged).
+function [state, problem] = planToSet (state, problem, Case, say, rest)
   rest = keepRows (rest, ismember (rest.stage, state.data.stage));
   [plan, E] = newPlan (state.data, Case);
   state = runPlan (state, problem, plan, E, Case, say);
@@ -61,7 +62,17 @@ function state = planToSet (state, problem, Case, say, rest)
   [~, ~, state.surrogates] = createKrigingModels (state.data, problem);
   state = repeatSuspects (state, problem, say);
   reportSurrogateFit (state.surrogates, state.data, problem, say, rest, Case);
+  [state.final, state.unjudged] = deal ([], {});
+  [state, problem] = leaveUnjudged (state, problem);
+  isNew = true;
+  while isNew
+    state = searchSet (state, problem, Case, say);
+    [state, problem, isNew] = leaveUnjudged (state, problem);
+  end
+end
 
+% PROBLEM  of what is judged
+function state = searchSet (state, problem, Case, say)
   % optimisation on the Kriging models
   [state.found, history] = calibrateOnKriging (state.surrogates, problem);
   reportIterations (state.found, history, Case, say);

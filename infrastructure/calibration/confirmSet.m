@@ -9,7 +9,8 @@
 %        residualSd T x 1, interval90 2 x T (of the true response), estimate
 %        1 x T (its middle), state 1 x T cell: 'met' where the mean of the
 %        runs and the estimate are within the tolerance, 'missed' where neither
-%        is, else 'open' (the points of a curve as one), open (cellstr, fitted
+%        is, 'unjudged' (see there), else 'open' (the points of a curve as one),
+%        open (cellstr, fitted
 %        results of which the mean of the runs misses), met 1 x T (state is
 %        'met'; without runs: the estimate is within), probability, within (the
 %        estimate, with a run), converged, outcomes (struct: usual and other,
@@ -17,6 +18,9 @@
 %        of the others (NaN: none), none and resulting, runs at the set without and
 %        with a result, share expected of other ones, onceMore
 %        (probability after all runs that the budget allows, none of them odd)),
+%        unjudged (1 x u struct: name, lacks, tried, isFit (a target, not held out):
+%        results that too many runs near the set lack, see lackingAt and leaveUnjudged),
+%        isRestConfirmed (logical: converged but for these),
 %        conflict, ending (see newEnding), reason (its text), limit
 %        ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search; '':
 %        converged)
@@ -28,8 +32,8 @@
 %
 % converged: the truth's estimate within the tolerances, at least
 % options.replicates runs, probability at least options.confidence, no result open
-% (a surrogate outvotes no run of its set: further runs decide), and packings
-% without a result are few (tooOftenNone). How many
+% (a surrogate outvotes no run of its set: further runs decide), none unjudged, and
+% packings without a result are few (tooOftenNone). How many
 % runs that takes beyond the asked ones is for the probability to say: runs of
 % other sets, along slopes that the surrogate knows, tell as much as those at
 % the set.
@@ -58,6 +62,7 @@ function final = confirmSet (state, problem)
     df(few) = min (df(few), max (n - 1, 1));
   end
   problem.odd = oddRuns (state, problem);
+  final.unjudged = unjudgedAt (p, state, problem);
   final = judgeSet (final, m, v, df, problem, budgetLeft (state, problem));
   final.outcomes = mergeFields (final.outcomes, ...
                                 otherRuns (problem.odd, isHere, expected, n));
@@ -70,6 +75,17 @@ function final = confirmSet (state, problem)
   end
   final.ending = endingOf (final, any (isHere), problem.options);
   final.reason = final.ending.text;
+  final = withoutUnjudged (final, problem);
+end
+
+% Of the runs that have such a result nothing is said: they are not a sample of all.
+function final = withoutUnjudged (final, problem)
+  is = ismember (problem.targetNames, {final.unjudged.name});
+  [final.result(is), final.estimate(is), final.sd(is)] = deal (NaN);
+  [final.residual(is), final.residualSd(is)] = deal (NaN);
+  final.interval90(:, is) = NaN;
+  final.met(is) = false;
+  final.state(is) = {'unjudged'};
 end
 
 function [Z, nEqual] = runsAt (isHere, state, problem)
@@ -79,7 +95,19 @@ function [Z, nEqual] = runsAt (isHere, state, problem)
   data.Z(horzcat (state.surrogates.leftOut)) = NaN;
   data.Z(isRepeat | ~isHere, :) = NaN;
   Z = runsThatCount (data, problem).Z;
-  Z = Z(all (isfinite (Z), 2), :);
+  isThere = isfinite (Z) | ~problem.calibrate;
+  Z = Z(all (isThere, 2), :);
+end
+
+% What the runs there too often lack, and what was set aside for that: name, lacks and
+% tried (how many runs near the set lack it, of how many), isFit (a target, not held out).
+function list = unjudgedAt (p, state, problem)
+  [chance, lacks, tried] = lackingAt (p, state.data, problem);
+  isAside = ismember (problem.targetNames, state.unjudged);
+  isOut = (isfinite (problem.value) & chance > 0.5) | isAside;
+  isFit = problem.calibrate | isAside;
+  list = struct ('name', problem.targetNames(isOut), 'lacks', num2cell (lacks(isOut)), ...
+                 'tried', num2cell (tried(isOut)), 'isFit', num2cell (isFit(isOut)));
 end
 
 % How many runs at the set have no result, how many have one. An imported row
@@ -126,10 +154,11 @@ function final = judgeSet (final, m, v, df, problem, left)
   final.estimate = m;
   final = judgeTargets (final, problem, share);
   final.within = final.n > 0 && all (share <= 1);
-  final.converged = final.within && ...
-                    final.n >= problem.options.replicates && ...
-                    final.probability >= problem.options.confidence && ...
-                    isempty (final.open) && ~lacksResults (final);
+  isConfirmed = final.within && final.n >= problem.options.replicates && ...
+                final.probability >= problem.options.confidence && ...
+                isempty (final.open) && ~lacksResults (final);
+  final.converged = isConfirmed && ~any ([final.unjudged.isFit]);
+  final.isRestConfirmed = isConfirmed;
 end
 
 % SHARE  of its tolerance, of each requirement, as all runs together see it.
@@ -176,6 +205,8 @@ function ending = endingOf (final, hasRun, options)
             final.probability < options.confidence;
   if final.converged
     code = 'converged';
+  elseif any ([final.unjudged.isFit])
+    code = 'unjudged';
   elseif ~final.within
     code = outsideCode (final, hasRun);
   elseif lacksResults (final)
@@ -197,6 +228,13 @@ function ending = endingOf (final, hasRun, options)
                                           'conflict', 'limit'});
   numbers = mergeFields (numbers, final.outcomes, {'usual', 'other', 'share', ...
                                                    'none', 'resulting'});
+  if strcmp (code, 'unjudged')
+    out = final.unjudged([final.unjudged.isFit]);
+    numbers.names = {out.name};
+    numbers.restMet = final.within;
+    numbers.none = max ([out.lacks]);
+    numbers.resulting = max ([out.tried]) - numbers.none;
+  end
   ending = newEnding (code, numbers, options);
 end
 
@@ -274,6 +312,28 @@ end
 %! s.evaluate = newEvaluate (@(P, E, r) 1 + P + 0.01 * (mod (r, 5) - 2));
 %! s = runAndFit (s, problem, 0.5 * ones (16, 1), 'replicate');
 %! assert (confirmSet (s, problem).converged);
+
+%!test
+%! % two results of one rig, of which six of eight packings lack the second: nothing is
+%! % said of it, however well the others meet it
+%! two = smallProblem ([1.5, 2], 0.05);
+%! two.bench = [1, 1];
+%! X = linspace (0.05, 0.95, 10)';
+%! Z = 1 + [X, 2 * X] + 0.01 * randn (10, 2);
+%! s = newState (addRows (newData (1, 2), X, Z, ones (10, 1), 'plan'));
+%! s.surrogates = fitSurrogates (s.data, two);
+%! s.found = struct ('params', 0.5, 'conflict', {{}});
+%! s.evaluate = newEvaluate (@(P, E, r) [1 + P + 0.01 * (mod (r, 5) - 2), ...
+%!                                       merge(r > 2, NaN, 1 + 2 * P)]);
+%! s = runAndFit (s, two, 0.5 * ones (8, 1), 'verify');
+%! final = confirmSet (s, two);
+%! assert ({final.converged, final.ending.code}, {false, 'unjudged'});
+%! assert ({final.unjudged.name, final.unjudged.lacks > 5}, {two.targetNames{2}, true});
+%! s.unjudged = two.targetNames(2);
+%! two.calibrate = [true, false];
+%! final = confirmSet (s, two);
+%! assert ([final.n, final.isRestConfirmed, final.converged], [8, 1, 0]);
+%! assert (! isempty (strfind (final.reason, 'The other targets are met')));
 
 %!test
 %! % the limit that bit is named; a conflict goes before it, without a run too

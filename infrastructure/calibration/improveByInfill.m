@@ -58,7 +58,7 @@ function state = nestLevels (state, problem, say)
     return
   end
   levels = flipud (problem.coarse.levels);     % the one that counts first
-  isFinished = all (isfinite (state.data.Z), 2);
+  isFinished = all (isfinite (state.data.Z(:, problem.calibrate)), 2);
   isKnown = ismember (levels, state.data.E(isFinished, :), 'rows');
   E = levels(~isKnown, :);
   if ~isempty (E) && budgetLeft (state, problem) > 0

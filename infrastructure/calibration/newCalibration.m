@@ -157,7 +157,8 @@ function hold = predictHoldout (state, problem, known)
     sample = sample([], :);
   end
   [m, v] = predictSurrogate (state.surrogates, [state.found.params; sample]);
-  for t = find (~problem.calibrate)
+  isHeld = ~problem.calibrate & ~ismember (problem.targetNames, state.unjudged);
+  for t = find (isHeld)
     s = state.surrogates(t);
     value = problem.value(t);
     sd = sqrt (v(:, t) + s.noiseVar / problem.trials(t) + problem.statedSd(t)^2);
@@ -172,8 +173,12 @@ function hold = predictHoldout (state, problem, known)
     entry = struct ('name', s.name, 'target', value, 'result', m(1, t), 'sd', total, ...
                     'interval90', ends, 'inside', isIn (ends), ...
                     'leftOpen', isIn (ends) && ~isIn (alone));
-    if isnan (value)
+    isUnjudged = strcmp (state.final.state{t}, 'unjudged');
+    if isnan (value) || isUnjudged
       entry.inside = NaN;
+    end
+    if isUnjudged
+      [entry.result, entry.sd, entry.interval90(:)] = deal (NaN);
     end
     hold = [hold, entry];
   end

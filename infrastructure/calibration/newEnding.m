@@ -3,7 +3,8 @@
 % CALL: ENDING = newEnding (CODE, NUMBERS [, OPTIONS])
 %
 %   CODE     'converged', 'conflict', 'allFailed', 'notRun', 'outside',
-%            'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes', 'noResult', 'open', 'published',
+%            'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes', 'noResult', 'unjudged', 'open',
+%            'published', 'beyondScatter',
 %            those of endingCause, see ending.* of
 %            words.txt
 %   NUMBERS  struct with some of: runs (at the set), equal, probability,
@@ -11,7 +12,8 @@
 %            'maxIter': the budget that ended the search; '': none), usual,
 %            other (runs at the set that end as most do, in another way), share
 %            (expected of other ones), none, resulting (runs at the set without and
-%            with a result), names (cellstr, of what is open), stopped, rest
+%            with a result), names (cellstr, of what is open or unjudged), restMet (logical,
+%            of 'unjudged': the other targets are met), stopped, rest
 %   OPTIONS  struct with the limits (optim.maxFunEvals ...), replicates
 %   ENDING   struct: code, and the numbers; text, the sentence for them
 %
@@ -43,7 +45,17 @@ function ending = newEnding (code, numbers, options)
     values.most = givenField (options, ending.limit, NaN);
     values.limited = sentence (['limit.', ending.limit], values);
   end
+  if strcmp (code, 'unjudged')
+    values.rest = sentence (['ending.unjudged.', restCode(ending)]);
+  end
   ending.text = sentence (['ending.', code], values);
+end
+
+function code = restCode (ending)
+  code = 'missed';
+  if givenField (ending, 'restMet', false)
+    code = 'met';
+  end
 end
 
 %!test
@@ -57,6 +69,7 @@ end
 %!test
 %! % every code has a sentence
 %! for code = {'converged', 'conflict', 'allFailed', 'notRun', 'outside', ...
-%!             'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes', 'noResult', 'open'}
+%!             'equalRuns', 'fewRuns', 'unsure', 'twoOutcomes', 'noResult', ...
+%!             'unjudged', 'open'}
 %!   assert (! isempty (newEnding (code{1}, struct ()).text));
 %! end

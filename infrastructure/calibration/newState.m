@@ -10,7 +10,7 @@
 %             probability: see bookStep), reason,
 %             final ([] until confirmSet), evaluate ([] until runs can be
 %             made), budget (see newEvaluate), others (see trustLibrary), misled
-%             (see keepApart)
+%             (see keepApart), unjudged (cellstr, see leaveUnjudged)
 
 function state = newState (data, surrogates, found)
   if nargin < 2
@@ -20,7 +20,7 @@ function state = newState (data, surrogates, found)
                     'residual', {}, 'ofRuns', {}, 'runs', {}, 'probability', {});
   state = struct ('data', data, 'surrogates', surrogates, 'found', found, ...
                   'history', history, 'reason', '', 'misled', '', ...
-                  'final', []);
+                  'unjudged', {{}}, 'final', []);
   state.others = struct ('source', {}, 'surrogates', {});
   [state.evaluate, state.budget] = newEvaluate ([]);
 end

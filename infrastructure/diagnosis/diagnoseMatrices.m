@@ -29,8 +29,10 @@
 %     howFar   of proveCause ([] where nothing can be compared)
 %     next     of adviseMeasurements, of tests that need no run
 %     change   [], or with GIVEN.reference struct size, lack (1 x T'): what the
-%              model is likely to miss in both conditions (emulateChange); errors
-%              (strengthErrors)
+%              model is likely to miss in both conditions, simulated (1 x T'): what it
+%              gives at the reference (emulateChange), sd, seen (1 x T', of the change of
+%              a reading, changeOfReadings); aside (1 x m struct target, z, p: of the
+%              readings that it cannot follow, see setAside); errors (strengthErrors)
 %     runs     struct spent, failed, left;  data: DATA with the new runs
 %     budget   see newEvaluate
 %   FURTHER   [], or, where GIVEN.tests holds a handle that makes tests of other
@@ -76,9 +78,14 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   [diagnosis.next, trials] = adviseMeasurements (study, evidence, verdict, state);
   diagnosis.change = [];
   if ~isempty (study.emulator.change)
-    diagnosis.change = struct ('size', study.emulator.change.size, 'lack', ...
-                               study.emulator.change.lack .* problem.unit, 'errors', ...
-                               strengthErrors (study, evidence));
+    change = study.emulator.change;
+    [~, sd, seen] = changeOfReadings (problem, change);
+    diagnosis.change = struct ('size', change.size, ...
+                               'lack', change.lack .* problem.unit, ...
+                               'simulated', change.simulated .* problem.unit, ...
+                               'sd', sd .* problem.unit, 'seen', seen .* problem.unit, ...
+                               'aside', asideOf (problem, change), ...
+                               'errors', strengthErrors (study, evidence));
   end
   diagnosis = inGivenUnits (diagnosis, problem);
   diagnosis = withRuns (diagnosis, state, study.known);
@@ -87,6 +94,16 @@ function [diagnosis, further] = diagnoseMatrices (given, data, options, evaluate
   if ~isempty (trials)
     further = @() withTests (diagnosis, trials, study.known);
   end
+end
+
+% What has changed in the readings that the model cannot follow: by the measurements
+% alone. p: chance that noise changes any of them so much.
+function list = asideOf (problem, change)
+  at = find (problem.aside);
+  [p, sd] = changeOfReadings (problem, change);
+  z = (problem.value - problem.reference.value) ./ sd;
+  list = struct ('target', num2cell (at), 'z', num2cell (z(at)), ...
+                 'p', num2cell (min (numel (at) * p(at), 1)));
 end
 
 % One number for a thing: where a cause was fitted together with the parameters, its
@@ -127,7 +144,7 @@ end
 function prints = fingerprints (study)
   problem = study.problem;
   emulator = study.emulator;
-  at = find (isfinite (problem.value));
+  at = sort ([problem.used, problem.heldOut]);
   sd = sqrt (diag (noiseBudget (problem, emulator).covariance))';
   without = predictGap (emulator, [], study.fits.calibrated.Q(1, :));
   K = numel (study.hypotheses.names);
@@ -159,6 +176,7 @@ function diagnosis = inGivenUnits (diagnosis, problem)
   where.budget.covariance = where.budget.covariance .* (unit' * unit);
   where.out = problem.out;
   where.neverRun = problem.neverRun;
+  where.lacking = problem.lacking;
   diagnosis.where = where;
   if ~isempty (diagnosis.howFar)
     for i = 1:numel (diagnosis.howFar.targets)

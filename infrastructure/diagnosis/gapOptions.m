@@ -57,4 +57,4 @@ end
 %!assert (gapOptions (struct ('twins', 7)).twins, 7)
 %!test
 %! % all that a diagnosis reads is there, each once
-%! assert (numel (fieldnames (gapOptions ([]))), 51);
+%! assert (numel (fieldnames (gapOptions ([]))), 53);

@@ -11,7 +11,9 @@
 %     kept (1 x T'): numbers of the targets that are left
 %     unit (1 x T'): what one unit is in that of the user, a power of two
 %     out  (cellstr): names of the benches that are out, and of these neverRun
-%       (cellstr): those of which no run has come to its end
+%       (cellstr): those of which no run has come to its end; lacking (cellstr): targets
+%       that a third of the runs lack, three at least, which have other results of
+%       the bench. Out, too: those in which something flowed do not stand for all
 %   DATA        the same, each run once, Z in standard units, columns as the
 %               targets left
 %
@@ -27,7 +29,7 @@ function [problem, data] = enterRuns (given, data, options)
   problem = newProblem (given);
   checkRuns (problem, data);
   data = onceEach (data);
-  [problem, kept, out, neverRun] = withoutDeadBenches (problem, data);
+  [problem, kept, out, neverRun, lacking] = withoutDeadBenches (problem, data);
   for name = intersect ({'Z', 'level'}, fieldnames (data)')
     data.(name{1}) = data.(name{1})(:, kept);
   end
@@ -38,6 +40,7 @@ function [problem, data] = enterRuns (given, data, options)
   problem.unit = unit;
   problem.out = out;
   problem.neverRun = neverRun;
+  problem.lacking = lacking;
   data.Z = data.Z ./ unit;
 end
 
@@ -88,7 +91,7 @@ function data = onceEach (data)
   end
 end
 
-function [problem, kept, out, neverRun] = ...
+function [problem, kept, out, neverRun, lacking] = ...
   withoutDeadBenches (problem, data)
   isThere = any (isfinite (data.Z), 1);
   benches = unique (problem.bench);
@@ -96,7 +99,9 @@ function [problem, kept, out, neverRun] = ...
   out = problem.benchNames(dead);
   wasRun = problem.bench(~all (isna (data.Z), 1));
   neverRun = problem.benchNames(setdiff (dead, wasRun));
-  kept = find (~ismember (problem.bench, dead));
+  isLacking = tooOftenLacking (data.Z, problem.bench);
+  lacking = problem.targetNames(isLacking);
+  kept = find (~ismember (problem.bench, dead) & ~isLacking);
   left = intersect (problem.used, kept);
   if isempty (left) && isequal (neverRun, out)
     error ('DEcalioc:enterRuns:noRuns', ...
@@ -105,10 +110,19 @@ function [problem, kept, out, neverRun] = ...
   elseif isempty (left)
     error ('DEcalioc:enterRuns:runFailed', ...
            ['enterRuns: no run of %s gave a result, and no measured target ' ...
-            'is left. Look at the failed runs.'], strjoin (out, ', '));
+            'is left. Look at the failed runs.'], strjoin ([out, lacking], ', '));
   end
-  if ~isempty (dead)
+  if ~isempty (dead) || any (isLacking)
     problem = newProblem (ofTargets (problem, kept));
+  end
+end
+
+function yes = tooOftenLacking (Z, bench)
+  yes = false (size (bench));
+  for t = 1:columns (Z)
+    hasOther = any (isfinite (Z(:, bench == bench(t))), 2);
+    lacks = hasOther & isnan (Z(:, t)) & ~isna (Z(:, t));
+    yes(t) = sum (lacks) >= max (3, sum (hasOther) / 3);
   end
 end
 
@@ -166,6 +180,15 @@ end
 %! p = enterRuns (newProblem (given), data, gapOptions ([]));
 %! assert ({p.out, p.neverRun}, {{'bench2'}, {'bench2'}});
 %!test
+%! % two of six lack it, then three: out, with its name
+%! some = setfield (data, 'Z', data.X .* [1e-9, 1, 1e12]);
+%! some.Z(1:2, 1) = NaN;
+%! p = enterRuns (newProblem (given), some, gapOptions ([]));
+%! assert ({p.lacking, p.kept}, {cell(1, 0), 1:3});
+%! some.Z(3, 1) = NaN;
+%! [p, d] = enterRuns (newProblem (given), some, gapOptions ([]));
+%! assert ({p.lacking, p.kept, columns(d.Z)}, {{'t1'}, [2, 3], 2});
+%!test
 %! % a run that is there twice counts once, a repeat does not
 %! data.Z(4, 3) = NaN;
 %! more = structfun (@(A) A([1:6, 4, 2], :), data, 'UniformOutput', false);
@@ -176,7 +199,7 @@ end
 %! % what is no table of runs
 %! wrong = {'Z', @(Z) NaN (6, 3), 'gave a result'; ...
 %!          'Z', @(Z) NA (6, 3), 'run was made: raise Input.maxNewRuns'; ...
-%!          'Z', @(Z) [Z(:, 1), [Z(1, 2); NaN(5, 1)], Z(:, 3)], 'needs'; ...
+%!          'Z', @(Z) [NaN(5, 3); Z(6, :)], 'needs'; ...
 %!          'Z', @(Z) setfield(Z, {2, 2}, Inf), 'gives Inf for t2'; ...
 %!          'X', @(X) setfield(X, {2}, NaN), 'run 2 has a parameter'; ...
 %!          'Z', @(Z) Z', 'DATA.Z must be 6 x 3'}';

@@ -32,6 +32,8 @@
 %     statedSd  sd, 0 where it is a guess: what a calibration counts with
 %     held      logical, kept out of every fit (none)
 %     calibrate logical, measured and fitted
+%     aside     logical, of a change not used: the model cannot follow it, see setAside
+%               (none)
 %     tol (0.01), scale (value): what residual and tol are parts of, 1 where
 %               they are absolute; part (tol), what a residual is divided by in
 %               a sum of squares in which a curve counts once
@@ -43,6 +45,8 @@
 %               the same sessions (0)
 %     freedom, commonFreedom, sessionFreedom   by which sd is known, which is the
 %               68 % half-width, see varianceComponents (Inf)
+%     swept     logical, its change was read only before or only after the
+%               reference, while values drifted (false)
 %     noiseSd   known noise of one run (NaN: from data)
 %     earlierSd, earlierRuns  scatter of a run over so many earlier packings, what
 %               a calibration begins with (NaN, 0); of a case see earlierScatter
@@ -197,7 +201,7 @@ end
 % What follows from the other fields, anew each time: they may have changed.
 function problem = derived (problem)
   isThere = isfinite (problem.value);
-  problem.used = find (isThere & ~problem.held);
+  problem.used = find (isThere & ~problem.held & ~problem.aside);
   problem.heldOut = find (isThere & problem.held);
   problem.possible = find (~isThere);
   problem.statedSd = problem.sd .* problem.sdKnown;

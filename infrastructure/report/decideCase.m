@@ -99,7 +99,7 @@ function numbers = keyNumbers (v, c)
     elseif chance < 0.005
       text = '< 1 %';
     end
-    list = [list; {'chance that all targets are met', text}];
+    list = [list; {sentence(['chance.', chanceCode(v.misses)]), text}];
   end
   numbers = struct ('label', list(:, 1)', 'text', list(:, 2)');
 end
@@ -121,6 +121,13 @@ function list = metTargets (v, c)
   list = [{label, text}; [says{:}]'];
 end
 
+function code = chanceCode (misses)
+  code = 'all';
+  if any (strcmp ({misses.state}, 'unjudged') & strcmp ({misses.role}, 'calibrate'))
+    code = 'judged';
+  end
+end
+
 % '14 of this case, 60 imported'.
 function text = sourcesText (from)
   counts = [from.own, from.imported, from.otherCases];
@@ -139,7 +146,8 @@ function v = ofCalibration (v, c)
   v.sentence = strtrim ([char(jsonAt (c, {'sources', 'misled'})), ' ', c.reason]);
   right = {held([held.met] == 1).name};
   wrong = {held([held.met] == 0).name};
-  open = {held(isnan ([held.met])).name};
+  isOut = strcmp ({v.misses.state}, 'unjudged');
+  open = {held(isnan ([held.met]) & ~strcmp ({held.state}, 'unjudged')).name};
   if v.usable
     [v.word, v.class] = deal (sentence ('case.calibrated.word'), 'good');
     v.usableFor = listSentences ({'usableFor.like', unique({used.model}, 'stable'); ...
@@ -156,6 +164,7 @@ function v = ofCalibration (v, c)
   end
   v.notFor = [v.notFor, ...
               listSentences({'notFor.wrong', wrong; 'notFor.leftOpen', open; ...
+                             'notFor.unjudged', {v.misses(isOut).name}; ...
                              'notFor.neverVaried', namesIn(c, 'neverVaried')}), ...
               looseOnes(c), knownOnes(c)];
 end
@@ -182,13 +191,15 @@ function todo = wayOn (c, used)
   widen = worded (c, namesIn (c, 'atLimit'));
   if ~isempty (units)
     todo = newAction ('units', units);
+  elseif strcmp (code, 'unjudged')
+    todo = newAction ('returnZero', cellstr (c.ending.names)(:)');
   elseif isfield (plain, code)
     todo = newAction (plain.(code));
   elseif strcmp (code, 'cutOff')
     todo = newAction ('moreTime', {sprintf('%g', c.ending.seconds)});
   elseif strcmp (code, 'jump')
     todo = newAction ('jump', cellstr (c.ending.names)(:)', widen);
-  elseif any (strcmp ({code, limit}, {'conflict', 'maxIter'}))
+  elseif any (strcmp (code, {'conflict', 'beyondScatter'})) || strcmp (limit, 'maxIter')
     todo = newAction ('diagnose', {}, widen);
   elseif isImported (c)
     todo = newAction ('runOutside');

@@ -40,7 +40,9 @@ function reportCalibration (Case, say)
 end
 
 function text = heldText (h)
-  if isempty (h.inside)
+  if isempty (h.result)
+    text = sentence ('notFor.unjudged', {h.name});
+  elseif isempty (h.inside)
     text = sprintf ('not measured: %s predicted %.5g, 90 %% interval %.5g to %.5g', ...
                     h.name, h.result, h.interval90);
   else

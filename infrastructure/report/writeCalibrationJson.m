@@ -78,7 +78,7 @@ function targets = targetsOf (c, Case)
   row = @(values) num2cell (values(:)');
   [met, state, curve] = deal (row (c.met), c.state, {T.series});
   met(~isFit) = {[]};
-  state(~isFit) = {''};
+  state(~isFit & ~strcmp (c.state, 'unjudged')) = {''};
   curve([T.curve] == 0) = {''};
   given = repmat ({''}, size (T));
   if isfield (T, 'given')

@@ -14,8 +14,9 @@
 % counts once. A run that failed by itself is tried once more with another seed,
 % since an unlucky packing may be the cause, with twice the time where it was cut
 % off at a limit that was learned (defaultLimit); not where getResults gave an
-% error: once that is corrected, the run that there is gets evaluated. What then
-% still fails is a record that says so. In the place of a run that the user has
+% error: once that is corrected, the run that there is gets evaluated; nor where it
+% found no number, as in a slot that clogs: the packings that flow would stand for
+% all. What then still fails is a record that says so. In the place of a run that the user has
 % taken out of use (decalioc forget) one with another seed is made.
 %
 % A model may start from the last state of another one (stagesOf): that is run
@@ -199,7 +200,7 @@ end
 function [records, nNew] = withOtherSeed (jobs, records, Case, show)
   failed = find (~strcmp ({records.status}, 'ok') & ...
                  ~ismember ({records.cause}, ...
-                            {'killed', 'budget', 'evaluation'}));
+                            {'killed', 'budget', 'evaluation', 'none'}));
   nNew = 0;
   if isempty (failed)
     return
@@ -284,7 +285,7 @@ end
 %! % the second start finds the run with the other seed as well
 %! [Case, jobs] = planOf ([1, 2]);
 %! run = fullfile (Case.models(2).folder, 'runscript');
-%! spoil = sprintf ('grep -q %d data.head && echo nan > out', jobs(2).seed);
+%! spoil = sprintf ('grep -q %d data.head && echo inf > out', jobs(2).seed);
 %! writeAtomic (run, [strtrim(fileread (run)), "\n", spoil, "\n:\n"]);
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! r = runJobs (job, Case, quiet);
@@ -292,6 +293,12 @@ end
 %! assert (r.seed != job.seed);
 %! assert (runJobs (job, Case, quiet).folder, r.folder);
 %! assert (numel (listRunFolders (Case.store, 'Second')), 2);
+%! % without a number it is an outcome: no other packing stands in for it
+%! writeAtomic (run, strrep (fileread (run), 'echo inf', 'echo nan'));
+%! job = newJobs (Case, [1, 2], [], 2, 'plan')(2);
+%! writeAtomic (run, strrep (fileread (run), num2str (jobs(2).seed), num2str (job.seed)));
+%! r = runJobs (job, Case, quiet);
+%! assert ({r.cause, r.seed}, {'none', job.seed});
 %!test
 %! % tries with another seed are runs too; a job that has none left stays failed
 %! Case = planOf ([1, 2]);

@@ -45,7 +45,7 @@
 %! Case.options.similar = other;
 %! caught = '';
 %! try
-%!   similarPriors (Case);
+%!   newProblem (Case);
 %! catch err
 %!   caught = err.identifier;
 %! end

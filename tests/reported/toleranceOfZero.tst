@@ -14,6 +14,10 @@
 %! writeAtomic (file, strrep (text, 'r4,0,,g/s,', 'r4,0,,g/s,0.1 abs'));
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status == 0, out);
+%! % nearly 0: nobody measures it as well as the share of it
+%! writeAtomic (file, strrep (text, 'r4,0,,g/s,', 'r4,1e-9,0.1,g/s,5%'));
+%! [status, out] = startCommand (folder, 'check');
+%! assert (! isempty (regexp (out, 'WARNING   r4: its uncertainty .* its tolerance')), out);
 %! writeAtomic (file, strrep (text, 'Orifice,r4,0,,g/s,', ...
 %!                            "Orifice,r4,0.1,,g/s,\nOrifice,r4,-0.1,,g/s,"));
 %! [status, out] = startCommand (folder, 'check');

@@ -13,6 +13,9 @@
 %! writeAtomic (file, regexprep (text, '(Slope,angle,34.0,5,deg\n)(.*)$', '$2$1'));
 %! [~, out] = startCommand (folder, 'check --try');
 %! assert (! isempty (regexp (out, 'angle .*measured 30.15')), out);
+%! writeAtomic (file, strrep (text, '34.0,5', '34.0,'));
+%! [~, out] = startCommand (folder, 'check');
+%! assert (! isempty (strfind (out, 'do not weigh them, as others have none: angle')), out);
 %! writeAtomic (file, strrep (text, '34.0,5', '34.0,0.1'));
 %! [~, out] = startCommand (folder, 'check --try');
 %! assert (! isempty (regexp (out, 'angle .*measured 31.43')), out);

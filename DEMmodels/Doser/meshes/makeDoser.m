@@ -12,7 +12,7 @@
 % reaches its end. gap.inc has cylinders between the flights.
 %
 % The files come from makeDoser ('.', struct ('bore', 0.026125, 'core', 0.01,
-% 'pitch', 0.026, 'long', 0.052, 'exit', 0.01, 'halfAngle', 37)).
+% 'pitch', 0.026, 'long', 0.052, 'exit', 0.013, 'halfAngle', 37)).
 %
 % See also: writeStl
 function makeDoser (folder, sizes)

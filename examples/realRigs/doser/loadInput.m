@@ -11,9 +11,9 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.model = {'ScrewDoser'};
   Input.cpu = 1;
   Input.maxCPU = 1;
-  Input.numOfSam = 16;
+  Input.numOfSam = 12;
   Input.seed = 1;
-  Input.timeout = 300;
+  Input.timeout = 1200;
   Input.maxNewRuns = 24;
   Input.store = '../runs';
 
@@ -21,7 +21,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
 
   modelVars = struct ();
 
-  assign = {'slidingGrains', 'coefRollingFrictionPP', 'screwSolid'};
-  paramLims = [0.20, 0.02, 0.12; ...
-               0.80, 0.30, 0.30];
+  assign = {'coefFrictionPW', 'coefRollingFrictionPP', 'screwSolid'};
+  paramLims = [0.10, 0.02, 0.06; ...
+               0.50, 0.20, 0.20];
 end

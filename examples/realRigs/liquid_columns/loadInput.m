@@ -14,7 +14,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.numOfSam = 36;
   Input.seed = 1;
   Input.timeout = 120;
-  Input.maxNewRuns = 360;
+  Input.maxNewRuns = 0;
 
   optim.maxFunEvals = 20;
 

@@ -7,11 +7,11 @@
 function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.model = {'RingShear'};
   Input.cpu = 1;
-  Input.maxCPU = 2;
+  Input.maxCPU = 1;
   Input.numOfSam = 20;
   Input.seed = 1;
   Input.timeout = 600;
-  Input.maxNewRuns = 110;
+  Input.maxNewRuns = 0;
 
   optim.maxFunEvals = 20;
   optim.correlation = {0};               % of the two ends of a straight line

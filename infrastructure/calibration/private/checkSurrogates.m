@@ -32,12 +32,12 @@ function [lines, touched] = checkSurrogates (state, problem, interval)
                               countText (nTargets, 'target'), countText (d, 'parameter'));
   end
   isOurs = ~ismember (state.data.stage, {'import', 'library'});
-  failed = sum (any (isnan (state.data.Z(isOurs, :)), 2));
+  failed = sum (lostRows (state.data.Z(isOurs, :), problem.bench));
   if failed > 0
     of = ['of ', countText(sum (isOurs), 'run'), ' failed and '];
     lines{end + 1} = countText (failed, [of, 'is left out'], [of, 'are left out']);
-    lines = [lines, lackingOne(state.budget.lost)];
   end
+  lines = [lines, lackingOne(state.data.Z(isOurs, :), problem)];
   [~, isRepeat] = countEqualOnce (state.data, problem.bench);
   if any (isRepeat)
     lines{end + 1} = [countText(sum (isRepeat), 'run repeats', 'runs repeat'), ...
@@ -77,21 +77,17 @@ function lines = apartLines (state, problem)
   end
 end
 
-% Runs that are left out for one result are the ones in which nothing came: what is
-% left says nothing of it.
-function lines = lackingOne (lost)
+% Runs that lack one result count for the others they have.
+function lines = lackingOne (Z, problem)
   lines = {};
-  found = regexp ({lost.message}, '^(result \d+(?: \([^)]*\))?) is .*lacks this result alone', ...
-                  'tokens', 'once');
-  found = [cell(1, 0), found{:}];
-  for name = unique (found)
-    lines{end + 1} = sprintf (['%s for %s alone, and have the other results. If ' ...
-                               'nothing flows there, that is an outcome and no fault: ' ...
-                               'let getResults return 0 for it, not NaN. The runs that ' ...
-                               'are left are those in which it flowed, and do not ' ...
-                               'say how much it is on average'], ...
-                              countText (sum (strcmp (found, name{1})), 'run is left out', ...
-                                         'runs are left out'), name{1});
+  for t = 1:columns (Z)
+    hasOther = any (isfinite (Z(:, problem.bench == problem.bench(t))), 2);
+    lacks = hasOther & isnan (Z(:, t)) & ~isna (Z(:, t));
+    if any (lacks)
+      values = struct ('lacks', sum (lacks), 'tried', sum (hasOther), 'name', ...
+                       problem.targetNames{t});
+      lines{end + 1} = sentence ('warning.lacking', values);
+    end
   end
 end
 
@@ -197,15 +193,13 @@ end
 %! assert (lines{2}, 'at a limit of the box: a');
 
 %!test
-%! % runs that lack one result are named
+%! % runs that lack one result are named, and are no failed ones
 %! clogged = state;
-%! clogged.data.Z(3, 1) = NaN;
-%! message = ['result 1 (r4) is NaN: output is missing or not sane. It lacks this ', ...
-%!            'result alone: where nothing flows, return 0'];
-%! clogged.budget.lost = struct ('E', {[], [], []}, ...
-%!                               'message', {message, 'exit status 7', message});
-%! assert (numel (those (checkSurrogates (clogged, problem), ...
-%!                       '2 runs are left out for result 1 (r4) alone')), 1);
+%! one = setfield (problem, 'bench', ones (size (problem.bench)));
+%! clogged.data.Z(3:4, 1) = NaN;
+%! lines = checkSurrogates (clogged, one);
+%! assert (numel (those (lines, '2 of 12 runs lack x,')), 1);
+%! assert (isempty (those (lines, 'failed')));
 %!test
 %! % near a limit, seen from the box, and far from it, seen from the interval
 %! wide = setfield (state, 'found', 'params', [0.003, 1.996]);

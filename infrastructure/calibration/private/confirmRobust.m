@@ -69,24 +69,41 @@ end
 function why = whyOver (book, problem)
   options = problem.options;
   final = confirmSet (book.state, problem);
-  why = '';
   if final.converged
     why = 'the set is confirmed';
   elseif ~isempty (nthargout (2, @keepApart, book.state, problem))
     why = 'its runs contradict those of another source';
   elseif budgetLeft (book.state, problem) < 1
     why = 'no DEM runs are left';
+  elseif isClearlyOut (final, problem) && ...
+         (book.wrong >= options.maxIter || ~isempty (final.conflict))
+    why = 'clearly outside, and no other set is in reach';
+  else
+    why = whyNoHelp (final, book.state, problem);
+  end
+end
+
+% Why further runs of the set do not help, of which none is clearly outside.
+function why = whyNoHelp (final, state, problem)
+  options = problem.options;
+  why = '';
+  if final.isRestConfirmed || anyHopeless (final.unjudged, state.unjudged)
+    why = 'its runs lack a result';
   elseif final.equal > 0 && final.probability >= options.confidence
     why = 'its runs are equal';
-  elseif ismember (final.params, failedSets (book.state.data, problem), 'rows')
+  elseif ismember (final.params, failedSets (state.data, problem), 'rows')
     why = 'its runs fail';
   elseif final.outcomes.onceMore < options.confidence && ...
          final.outcomes.alone >= options.confidence
     why = 'too few runs are left to bound how often they end in another way';
-  elseif isClearlyOut (final, problem) && ...
-         (book.wrong >= options.maxIter || ~isempty (final.conflict))
-    why = 'clearly outside, and no other set is in reach';
   end
+end
+
+% Further runs bring no result back that so many packings lack. What was set aside at
+% the start does not keep the others from being confirmed.
+function yes = anyHopeless (unjudged, aside)
+  unjudged = unjudged([unjudged.isFit] & ~ismember ({unjudged.name}, aside));
+  yes = any (tooOftenNone ([unjudged.lacks]', [unjudged.tried]') > 0.95);
 end
 
 function yes = isClearlyOut (final, problem)
@@ -130,7 +147,8 @@ end
 
 function X = setsThatRan (state, problem)
   data = runsThatCount (state.data, problem);
-  isOurs = ~strcmp (data.stage, 'import') & all (isfinite (data.Z), 2);
+  isOurs = ~strcmp (data.stage, 'import') & ...
+           all (isfinite (data.Z(:, problem.calibrate)), 2);
   X = insideLimits (unique (data.X(isOurs, :), 'rows'), problem.limits);
   [yes, nearest] = isAllowed (X, problem);
   X = X(yes & all (X == nearest, 2), :);

@@ -11,6 +11,9 @@
 %          'jump'        a response passes its target in a jump (jumpsPast):
 %                        more runs find no set in it. A run that looks wrong
 %                        and was not made once more proves no jump
+%          'beyondScatter'  three runs or more at the set miss by more than their
+%                        scatter explains (chance below 1 %), and nothing that was
+%                        not run is expected to do better: no number of runs helps
 
 function final = endingCause (final, state, problem)
   if final.converged || strcmp (final.ending.code, 'published')
@@ -34,11 +37,20 @@ function final = endingCause (final, state, problem)
     code = 'jump';
     numbers = mergeFields (numbers, jump);
     numbers.names = names;
+  elseif any (strcmp (final.ending.code, {'outside', 'open'})) && final.n > 2 && ...
+         final.probability < 0.01 && isempty (final.untested)
+    code = 'beyondScatter';
+    numbers.names = missedNames (final, problem);
   end
   if ~isempty (code)
     final.ending = newEnding (code, numbers, problem.options);
     final.reason = final.ending.text;
   end
+end
+
+function names = missedNames (final, problem)
+  [groups, names] = requirementsOf (problem);
+  names = names(cellfun (@(g) ~all (final.met(g)), groups));
 end
 
 %!shared problem, state, final
@@ -70,3 +82,18 @@ end
 %! s.surrogates(1).suspect(14) = true;
 %! s.surrogates(2).suspect(14) = false;
 %! assert (endingCause (final, s, problem), final);
+%!test
+%! % 30 runs of the set miss by three standard errors; nothing else is expected to do better
+%! problem = smallProblem (1, 0.05);
+%! final = struct ('converged', false, 'ending', newEnding ('outside', struct ()), ...
+%!                 'limit', 'maxFunEvals', 'n', 30, 'probability', 0.001, ...
+%!                 'untested', zeros (0, 1), 'met', false, 'reason', '');
+%! X = (0:9)' / 9;
+%! data = addRows (newData (1, 1), X, 2 + 0 * X + 0.01 * sin (40 * X), ones (10, 1), 'plan');
+%! state = newState (data, fitSurrogates (data, problem), []);
+%! state.budget.seconds = {};
+%! ending = @(final) endingCause (final, state, problem).ending;
+%! assert ({ending(final).code, ending(final).names}, ...
+%!         {'beyondScatter', problem.targetNames});
+%! assert (ending (setfield (final, 'untested', 0.5)).code, 'outside');
+%! assert (ending (setfield (final, 'n', 1)).code, 'outside');

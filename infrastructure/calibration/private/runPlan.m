@@ -11,7 +11,8 @@
 % keep them with NaN. Rows that Input.maxNewRuns does not allow are left out of
 % it.
 %
-% Errors: DEcalioc:runPlan:tooManyFailures, with a table of what failed;
+% Errors: DEcalioc:runPlan:lacksResult where hardly a run has a result that it lacks beside
+% others; DEcalioc:runPlan:tooManyFailures, with a table of what failed;
 % DEcalioc:runPlan:tooFewRuns where Input.maxNewRuns, or a runs.csv without
 % models to run, leaves too few
 
@@ -23,7 +24,9 @@ function state = runPlan (state, problem, plan, E, Case, say)
   end
   data = state.data;
   isWhole = all (isfinite (data.Z), 2);
-  checkEnough (data, isWhole, before + rows (plan) - rows (data.X), Case, ...
+  refuseLacking (data, problem);
+  isRun = ~lostRows (data.Z, problem.bench) & any (isfinite (data.Z), 2);
+  checkEnough (data, isRun, before + rows (plan) - rows (data.X), Case, ...
                problem.options.planShare);
   writeMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), ...
                [data.X(isWhole, :), data.E(isWhole, :)]);
@@ -36,31 +39,52 @@ function state = runPlan (state, problem, plan, E, Case, say)
   end
 end
 
+% Runs that end well and have their other results: more of them have not this one either.
+function refuseLacking (data, problem)
+  least = columns (data.X) + 2;
+  isOurs = ~ismember (data.stage, {'import', 'library'});
+  for t = find (problem.calibrate)
+    Z = data.Z(:, problem.bench == problem.bench(t));
+    isRun = any (isfinite (Z), 2) & isOurs;
+    lacks = isRun & isnan (data.Z(:, t)) & ~isna (data.Z(:, t));
+    have = rows (unique (data.X(isfinite (data.Z(:, t)), :), 'rows'));
+    if have < least && sum (lacks) >= max (2, 0.5 * sum (isRun))
+      error ('DEcalioc:runPlan:lacksResult', ...
+             ['runPlan: %s must be a number in the runs of at least %d sets, got %d; %d of ' ...
+              '%d runs lack it, and have the other results of %s. If nothing flows or ' ...
+              'happens there, that is an outcome and no fault: let getResults return 0 ' ...
+              'for it, not NaN. Else see what getResults reads for it.'], ...
+             problem.targetNames{t}, least, have, sum (lacks), sum (isRun), ...
+             problem.benchNames{problem.bench(t)});
+    end
+  end
+end
+
 % Surrogates need more sets than parameters; where a third of the plan fails,
 % the box or the model is at fault.
-function checkEnough (data, isWhole, nLeftOut, Case, share)
+function checkEnough (data, isRun, nLeftOut, Case, share)
   have = finishedSets (data);
   least = numel (Case.names) + 2;
   isOurs = ~ismember (data.stage, {'import', 'library'});
-  n = sum (isOurs | isWhole);
+  n = sum (isOurs | isRun);
   if have < least && nLeftOut > 0
     error ('DEcalioc:runPlan:tooFewRuns', ...
            ['runPlan: the surrogates need %d finished sets, got %d: ' ...
             'Input.maxNewRuns = %g left %d of the plan''s sets without ' ...
             'a run. Raise it and start again; finished runs are kept.'], ...
            least, have, Case.options.maxNewRuns, nLeftOut);
-  elseif have < least && all (isWhole(isOurs))
+  elseif have < least && all (isRun(isOurs))
     error ('DEcalioc:runPlan:tooFewRuns', ...
            ['runPlan: the surrogates need %d different sets with a ' ...
             'result for every target, got %d. Give more rows in runs.csv, ' ...
             'or raise Input.numOfSam.'], least, have);
-  elseif have < least || sum (isWhole) < share * n
+  elseif have < least || sum (isRun) < share * n
     lines = failuresOf (Case);
     error ('DEcalioc:runPlan:tooManyFailures', ...
            ['runPlan: at least two thirds of the plan and %d sets must ' ...
             'succeed, got %d of %d. What failed:\n%s\nCorrect the model or ' ...
             'the limits and start again; finished runs are kept.'], ...
-           least, sum (isWhole), n, strjoin (unique (lines), "\n"));
+           least, sum (isRun), n, strjoin (unique (lines), "\n"));
   end
 end
 

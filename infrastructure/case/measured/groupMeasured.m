@@ -14,7 +14,7 @@
 %             isAbsolute, each (1 x n, the trials), shared (part of sd that the
 %             sessions make), days and the freedoms of varianceComponents,
 %             sessions (cell), changed (1 x C struct value, sd, trials, scatter,
-%             shared, days, freedoms, scatterRatio, scatterP of each other
+%             shared, days, freedoms, scatterRatio, scatterP, swept of each other
 %             condition; value NaN: not measured)
 %   FAULTS    1 x p faults, see checkFault; reasons: measuredRepeats
 %             measuredCondition
@@ -24,7 +24,9 @@
 %             the reference), ratio (standard deviation between sessions over that
 %             of a trial within one, of levels; 0 where none are given), df (how
 %             many contrasts between sessions told it; 0: it is what other rigs
-%             show)
+%             show), drifts (1 x D struct of what drifts within a session, []: session,
+%             name, slope (per order, in its unit, of a curve a share), p,
+%             oneWay: cell of conditions, see withoutDrift)
 %
 % Lines with the same model, name, series and at are repeated trials. What they
 % say together, and how well, is that of varianceComponents; sd is the 68 %
@@ -64,16 +66,32 @@ function [list, means, sessions] = withMeans (list, isReference)
     return
   end
   [lines, quantities, number, names] = readingLines (list, keysOf (list));
+  [lines, drifts] = withoutDrift (lines, quantities);
   [means, ratio] = varianceComponents (lines, quantities);
+  means = withDrifts (means, lines, quantities, drifts);
   number = num2cell (number);
   [list.mean] = number{:};
+  drifts = arrayfun (@(one) saidDrift (one, list, [{''}, names]), drifts, ...
+                     'UniformOutput', false);
   sessions = struct ('given', ~isempty (names), 'names', {{}}, 'ratio', 0, ...
-                     'df', 0);
+                     'df', 0, 'drifts', [drifts{:}]);
   if sessions.given
     [sessions.ratio, sessions.df] = deal (ratio(1).value, ratio(1).df);
     isThere = isReference & isfinite ([list.value]);
     sessions.names = unique ({list(isThere).session}, 'stable');
   end
+end
+
+function said = saidDrift (drift, list, names)
+  first = list(find (ismember ([list.mean], drift.means), 1));
+  name = first.name;
+  if ~isempty (first.series)
+    name = first.series;
+  end
+  conditions = {list(ismember ([list.mean], drift.oneWay)).condition};
+  said = struct ('session', names{1 + drift.session}, 'name', name, 'slope', ...
+                 drift.slope, 'p', drift.p, 'oneWay', ...
+                 {unique(conditions, 'stable')});
 end
 
 function keys = keysOf (list)
@@ -105,7 +123,8 @@ function [groups, p] = withConditions (groups, keys, others, means)
   p = checkFault ();
   none = struct ('value', NaN, 'sd', 0, 'trials', 1, 'scatter', false, ...
                  'shared', 0, 'days', [], 'freedom', Inf, 'commonFreedom', Inf, ...
-                 'sessionFreedom', Inf, 'scatterRatio', NaN, 'scatterP', NaN);
+                 'sessionFreedom', Inf, 'scatterRatio', NaN, 'scatterP', NaN, ...
+                 'swept', false);
   [groups.changed] = deal (repmat (none, 1, numel (others)));
   for c = 1:numel (others)
     for trials = byQuantity (others{c})
@@ -199,8 +218,32 @@ end
 %! assert (sessions.df, 1);
 %! assert ({g.value, g.sessions}, {3.5, {'mon', 'tue'}}, 1e-12);
 %! assert (g.shared > 0.8 * g.sd && g.shared < g.sd);
+%! assert (isempty (sessions.drifts));
 %! % of the same days the difference is free
 %! assert (g.days, g.changed(1).days, 1e-12);
 %! assert (g.days * g.changed(2).days', 0);
 %! assert (g.scatter);
 %! assert (g.changed(2).sd > g.changed(1).sd);
+%!test
+%! % a drift of the day: states in turn are told apart as without it, one way not
+%! list = repmat (line, 1, 16);
+%! [list.session] = deal ('mon');
+%! [list(9:16).condition] = deal ('moist');
+%! e = 0.1 * [1, -1, 0, 2, -2, 1, -1, 0];
+%! turns = {1:2:15, 2:2:16; 1:8, 9:16};
+%! for k = 1:2
+%!   order = num2cell ([turns{k, :}]);
+%!   [list.order] = order{:};
+%!   values = num2cell ([10 + e, 10.5 + e] + 0.3 * [order{:}]);
+%!   [list.value] = values{:};
+%!   [g(k), ~, ~, sessions] = groupMeasured (list, {'A'});
+%!   drift = sessions.drifts;
+%!   assert ({drift.session, drift.name}, {'mon', 'a'});
+%!   assert (drift.slope, 0.3, 0.02);
+%!   sd(k) = sdOfChange (g(k), g(k).changed);
+%!   assert (g(k).changed.value - g(k).value, 0.5, 0.2);
+%! end
+%! assert (drift.oneWay, {'moist'});
+%! assert ({g(1).changed.swept, g(2).changed.swept}, {false, true});
+%! assert (sd(1), 0.06, 0.03);
+%! assert (sd(2), 0.3 * 8, 0.1);

@@ -18,7 +18,7 @@
 %     shared      part of sd that its sessions (cell of names) make
 %     days, and the freedoms  see varianceComponents
 %     changed     1 x C struct, in each of Case.conditions: value, sd, trials,
-%                 scatter, shared, days, freedoms, scatterRatio, scatterP
+%                 scatter, shared, days, freedoms, scatterRatio, scatterP, swept
 %     result, series, at, unit ('', NaN: none), given (unit in measured.csv)
 
 function targets = newTargets (optim, names, found)
@@ -29,7 +29,7 @@ function targets = newTargets (optim, names, found)
   elseif groups(1).model > 1
     n = groups(1).model - 1;
     first = fromCells (optim, names(1:n), found.sizes(1:n), default);
-    groups = [first, rmfield(groups, {'line', 'file', 'each'})];
+    groups = [first, rmfield(groups, {'line', 'file', 'each', 'mixed'})];
   else
     groups = rmfield (groups, {'line', 'file'});
   end
@@ -90,7 +90,8 @@ function groups = fromCells (optim, models, counts, default)
                   'series', '', 'at', NaN, 'changed', [], ...
                   'shared', 0, 'days', [], 'freedom', Inf, ...
                   'commonFreedom', Inf, 'sessionFreedom', Inf, ...
-                  'scatterRatio', NaN, 'scatterP', NaN, 'sessions', {{}});
+                  'scatterRatio', NaN, 'scatterP', NaN, 'swept', false, ...
+                  'sessions', {{}});
       groups = [groups, g];
     end
   end

@@ -14,8 +14,8 @@
 %             their scatter; NaN: not given), role ('': not given), tol (NaN:
 %             not given), isAbsolute (logical: tol has the unit of the value),
 %             saysTol (logical: there is one, good or bad), condition,
-%             session, block ('': not given), sessionSd (NaN: not given); []
-%             where the table as a whole is no use
+%             session, block ('': not given), sessionSd, order (of the trial, or
+%             its time; NaN: not given); [] where the table as a whole is no use
 %   FAULTS    1 x p faults, see checkFault
 %   HEADER    1 x m cell, names of the columns
 %
@@ -46,7 +46,7 @@ function [list, p, header] = readMeasured (file, models, alone, shown)
   end
   known = {'model', 'name', 'value', 'sd', 'unit', 'repeats', 'role', ...
            'series', 'at', 'tol', 'condition', 'session', 'sessionSd', ...
-           'block'};
+           'block', 'order'};
   if ~isempty (cells)
     [header, cells, lines] = measuredColumns (header, cells, lines, known);
   end
@@ -115,6 +115,7 @@ function [row, p] = readRow (row, models, alone)
            'sd', 0, @(v) v >= 0 & isfinite (v), 'a number from 0'; ...
            'repeats', NaN, @(v) v > 0, 'a number above 0, or Inf'; ...
            'sessionSd', NaN, @(v) v >= 0 & isfinite (v), 'a number from 0'; ...
+           'order', NaN, @isfinite, 'the number of the trial, or its time'; ...
            'at', NaN, @isfinite, 'a number'};
   places = checkPlace (row, where);
   row.role = lower (row.role);

@@ -12,6 +12,8 @@
 %               covariance (T x T, of the measurements less what is foretold),
 %               doubt (2 x T, see noiseBudget: of that covariance),
 %               fresh, before (T x T, of a new reading, and of one of the reference)
+%               simulated, missSd (1 x T, what the model gives at the reference, and
+%               the noise of what is measured there less that)
 %               lack (1 x T, what the model is likely to miss in both), size
 %               (of that, root mean square, as a share of the range), plain
 %               (coef, surrogateVar, fitVar as they were)
@@ -43,7 +45,7 @@ function emulator = emulateChange (emulator, problem)
   reference = problem.reference;
   after = noiseBudget (problem, emulator);
   before = noiseBudget (ofReference (problem), emulator);
-  at = find (isfinite (reference.value));
+  at = find (isfinite (reference.value) & ~problem.aside);
   % a factor of 16 either way of what is usual: the evidence of the reference picks
   sizes = 0.08 * 2.^(-4:0.75:4);
   parts = cell (1, numel (sizes));
@@ -63,12 +65,15 @@ function emulator = emulateChange (emulator, problem)
   end
   weight = exp (score - max (score));
   weight = weight / sum (weight);
+  calibrated = calibratedMeans (emulator, problem, before, at);
   emulator = mixed (emulator, problem, after, [parts{:}], weight, at);
   emulator.change.doubt = doubtOf (problem, after.own, before.own, ...
                                    emulator.change.K);
   [emulator.change.fresh, emulator.change.before] = deal (after.covariance, ...
                                                           before.covariance);
   emulator.change.size = sqrt (weight * (sizes.^2)');
+  emulator.change.simulated = calibrated;
+  emulator.change.missSd = sqrt (diag (before.covariance) + diag (B))';
 end
 
 function emulator = simulationOf (emulator)
@@ -132,25 +137,44 @@ function B = sharedError (emulator)
 end
 
 % Parameters by the reference alone, for one size of the lack: Q, logE, and
-% information A, g of linear equations A theta = g.
+% information A, g of linear equations A theta = g. The scatter counts as known: that
+% all trials scatter ten times as much as they show would else be believed before
+% that the simulation lacks something, and what it lacks taken for a change. Too
+% large a lack only makes a change the difference of two measurements.
 function part = fitReference (emulator, problem, before, lack, at)
+  before.doubt(:) = 0;
   before.covariance = before.covariance + lack;
   white = whitenEmulator (withoutEffects (emulator), at, before);
-  prior = problem.paramPrior;
-  starts = [zeros(1, emulator.p); 0.9 * boxPoints(emulator.p, 5)];
-  null = newHypothesis ('null');
-  unknowns = viewHypothesis (white, null, prior).unknowns;
-  Z = repmat (problem.reference.value(at) * white.W', rows (starts), 1);
-  fit = fitHypothesis (white, null, Z, toNormal (unknowns, starts), prior);
+  fit = fitStarts (white, problem, at, problem.paramPrior);
   [part.logE, best] = max (fit.logE);
   % whitened by another W for each size: as a density of the targets they compare
   part.logE = part.logE + sum (log (svd (white.W)));
   part.Q = fit.Q(best, :);
   [M, V, ~, J] = predictGap (white, [], part.Q);
   J = reshape (vertcat (J{:})', numel (at), emulator.p) ./ sqrt (V');
-  r = ((Z(1, :) - M) ./ sqrt (V))';
+  r = ((problem.reference.value(at) * white.W' - M) ./ sqrt (V))';
   part.A = J' * J;
   part.g = part.A * part.Q' + J' * r;
+end
+
+% From several starts: FIT of fitHypothesis, a row each.
+function fit = fitStarts (white, problem, at, prior)
+  starts = [zeros(1, white.p); 0.9 * boxPoints(white.p, 5)];
+  null = newHypothesis ('null');
+  unknowns = viewHypothesis (white, null, prior).unknowns;
+  Z = repmat (problem.reference.value(at) * white.W', rows (starts), 1);
+  fit = fitHypothesis (white, null, Z, toNormal (unknowns, starts), prior);
+end
+
+% What the set of a calibration gives: misses count in tolerances, and no prior draws it
+% to the middle of the box.
+function M = calibratedMeans (emulator, problem, before, at)
+  before.covariance = before.covariance + diag ((problem.tol .* problem.scale).^2);
+  flat = setfield (problem.paramPrior, 'flat', true);
+  white = whitenEmulator (withoutEffects (emulator), at, before);
+  fit = fitStarts (white, problem, at, flat);
+  [~, best] = max (fit.logPeak);
+  M = polyRows (emulator.powers, fit.Q(best, :)) * emulator.coef;
 end
 
 % The mixture over the sizes.
@@ -238,6 +262,17 @@ end
 %! plain = emulateChange (new);
 %! assert ({plain.coef, plain.known, plain.change}, {emulator.coef, [], []});
 %! assert (emulateChange (plain), plain);
+%!test
+%! % what the simulation misses is no scatter that few trials did not show: the
+%! % reference is believed as if its scatter were known
+%! few = given;
+%! few.reference.value = [9.5, -7.5, 5, -4];
+%! [few.sd, few.reference.sd] = deal (0.5 * ones (1, 4));
+%! known = emulateChange (emulator, few).change.size;
+%! for name = {'freedom', 'commonFreedom'}
+%!   [few.(name{1}), few.reference.(name{1})] = deal (5 * ones (1, 4));
+%! end
+%! assert (emulateChange (emulator, few).change.size, known, 1e-9);
 %!test
 %! % no lack: the model is believed, and the reference tells the parameter
 %! given.reference.value = [1.5, 0.5, 0, 0];

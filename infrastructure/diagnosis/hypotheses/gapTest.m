@@ -9,7 +9,8 @@
 %                their priors) minus that of the null model
 %     p          share of HYPOTHESES.reference, data sets without a gap, that reach
 %                it (1 where HYPOTHESES.reference is empty); what is less than a
-%                fiftieth by their tail, see below
+%                fiftieth by their tail, see below; of a change at least what the
+%                readings alone leave (HYPOTHESES.alone, see readingsAlone)
 %
 % Where the evidence for a cause is 20 to 1 against the null model, p is below
 % 0.05 by Markov's inequality: gate and probabilities cannot contradict each
@@ -34,6 +35,9 @@ function gate = gapTest (hypotheses, logE)
       gate.p(far) = min (gate.p(far), ...
                          tailOf (hypotheses.reference, gate.statistic(far)));
     end
+  end
+  if isfield (hypotheses, 'alone')
+    gate.p = max (gate.p * ~hypotheses.alone.decides, hypotheses.alone.p);
   end
 end
 

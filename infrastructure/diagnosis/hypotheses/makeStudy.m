@@ -15,6 +15,7 @@ function study = makeStudy (problem, emulator, options, levels)
   fits = fitLibrary (hypotheses, problem.value(problem.used));
   hypotheses = gapReference (hypotheses, ...
                              gapTest (hypotheses, fits.logE).statistic, levels);
+  hypotheses.alone = readingsAlone (problem, emulator, fits.calibrated.Q(1, :));
   study = struct ('problem', problem, 'emulator', emulator, 'hypotheses', hypotheses, ...
                   'fits', fits);
 end

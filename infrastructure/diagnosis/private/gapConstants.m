@@ -84,6 +84,14 @@ function c = cureAndGap ()
   % target, and from which one miss is a gap to close: by chance 1 of 1000 with
   % 16 targets
   c.leftAt = 4;
+  % standard deviations by which the fitted model misses the tolerance of a reading of
+  % the reference from which it cannot follow that reading: by chance one in fifty that
+  % stand at the very tolerance
+  c.asideAt = 2;
+  % and share of what the parameters move it by which it is missed then: less is the lack
+  % of any model (0.08, see emulateChange, within a factor of e), and what a cause does
+  % there tells causes apart
+  c.asideShare = 1 / 3;
   % share of a target's variance that parameters absorb at which it is a blind
   % spot
   c.blindAt = 0.9;

@@ -20,10 +20,10 @@ function study = studyGap (given, data, options, evaluate, levels)
   end
   data = checkMatrices (given, data, evaluate);
   explored = exploreGap (given, data, options, evaluate);
-  effects = explored.emulator.effect;
+  [problem, emulator] = setAside (explored.problem, explored.emulator, options);
+  effects = emulator.effect;
   isTested = [effects.laboratory] | [effects.runs] >= 1;
-  study = makeStudy (explored.problem, ...
-                     withoutEffects (explored.emulator, find (~isTested)), options, levels);
+  study = makeStudy (problem, withoutEffects (emulator, find (~isTested)), options, levels);
   study.p = gapTest (study.hypotheses, study.fits.logE(1, :)).p;
   study.untested = {effects(~isTested).name};
   study.data = explored.data;

@@ -14,7 +14,7 @@
 %     sameKind  logical: several effects, one of which it is, all of one class
 %     partners  numbers of effects one of which acts together with a named one
 %     guard     what withheld a name: '', 'integral', 'class', 'runs', 'group',
-%               'readings', 'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
+%               'readings', 'order', 'gate'; diagnoseMatrices adds 'surrogate' and 'cure'
 %     reason    text, one sentence
 %     P         1 x H, probability of each hypothesis of EVIDENCE; of one with effects
 %               less where it needs them to do something else than their laws say

@@ -46,6 +46,11 @@ function where = locateGap (study)
   where.unabsorbed = parity.unabsorbed;
   where = localise (where, rawErrors (white, V, J), r, simulated, ...
                     problem.bench(used), hypotheses.options);
+  if isfield (hypotheses, 'alone')
+    isOpen = ~hypotheses.alone.decides;
+    where.p = max (where.p * isOpen, hypotheses.alone.p);
+    where.pTarget = max (where.pTarget * isOpen, hypotheses.alone.each);
+  end
   where.conflict = benchConflicts (study);
   where.side = sideSignals (problem, emulator, where.theta, hypotheses.options);
   where.budget = noiseBudget (problem, emulator);

@@ -4,7 +4,7 @@
 %
 %   GIVEN  struct of newProblem (CASE), of the reference
 %   CASE   see newCase;  C  number of its condition
-%   GIVEN  the same with value, sd, trials, scatter, shared and freedoms
+%   GIVEN  the same with value, sd, trials, scatter, shared, freedoms and swept
 %          of the condition; those of the reference are in the field
 %          reference, see newProblem, with together, the covariance of both
 %
@@ -22,6 +22,7 @@ function given = withCondition (given, Case, c)
   given.reference.condition = Case.conditions{c};
   T = numel (Case.targets);
   [before, after] = deal (cell (T, 1));
+  given.swept = false (1, T);
   for t = 1:T
     target = Case.targets(t);
     changed = mergeFields (struct ('shared', 0, 'days', [], 'freedom', Inf, ...
@@ -36,6 +37,7 @@ function given = withCondition (given, Case, c)
     for name = names
       given.(name{1})(t) = changed.(name{1});
     end
+    given.swept(t) = givenField (changed, 'swept', false);
     before{t} = givenField (target, 'days', []);
     after{t} = changed.days;
   end
@@ -79,10 +81,13 @@ end
 %! assert (now.reference.together, diag ([0.25, 0, 0]), 1e-12);
 %! assert ({now.sd, now.freedom}, {[1, 1, 1], [9, 9, 9]});
 %! assert ({now.reference.sd, now.reference.freedom}, {[1, 2, 2], [3, 4, 5]});
+%! assert (now.swept, false (1, 3));
+%! Case.targets(2).changed.swept = true;
 %! Case.targets(2).changed.sd = 0;
 %! now = withCondition (given, Case, 1);
 %! assert ({now.sd, now.shared, now.freedom}, ...
 %!         {[1, 2, 1], [0.5, 1.5, 0.5], [9, 4, 9]});
+%! assert (now.swept, [false, true, false]);
 %! % points of a curve share what their sessions bring
 %! given.series = [1, 1, 0];
 %! Case.targets(2).days = [0.6, 0.8];

@@ -9,7 +9,7 @@
 %     code      finer than kind, of cause.* in words.txt: 'none', 'blind',
 %               'heldOut', 'mixed', 'named', 'alike', 'likely', 'several', 'sameKind',
 %               'kind', 'manyKinds', 'oneNumber', 'fewNumbers', 'unlisted', 'atEnd',
-%               'untested', 'open', 'faint', 'noVerdict'
+%               'untested', 'open', 'faint', 'aside', 'noVerdict'
 %     change    what has changed, before any cause, see firstLine; '' of a gap
 %     names     1 x n cell, the effects that the first words name
 %     plain     word, without the name of the condition
@@ -24,6 +24,7 @@
 %     amount    struct label, text: the effect in its unit; []: none
 %     cannotSee 1 x n cell, candidates that could not be seen
 %     untested  1 x u cell of sentences, on candidates whose runs all failed
+%     notFollowed  1 x m cell of sentences, on readings that the model cannot follow
 %
 % Where there is a reference, all is said of the change from it.
 
@@ -40,7 +41,8 @@ function cause = decideGap (gap)
                   'class', 'open', 'where', where, 'closed', closed, ...
                   'closure', closure, 'todo', [], 'without', [], 'notFor', {{}}, 'amount', [], ...
                   'cannotSee', {namesIn(which, 'cannotSee')}, ...
-                  'untested', {eachOf(@(u) say (codes{1 + isempty(u.why)}, u), untested)});
+                  'untested', {eachOf(@(u) say (codes{1 + isempty(u.why)}, u), untested)}, ...
+                  'notFollowed', {notFollowed(gap)});
   failed = eachOf (@(u) u.name, untested);
   [names, few, alike] = headlineCauses (gap);
   if strcmp (which.verdict, 'no gap')
@@ -119,16 +121,22 @@ end
 function cause = noGap (cause, gap, isBeyond, failed, say)
   cause.closed = '';
   missed = missedTargets (gap, 'holdout');
+  aside = missedTargets (gap, 'aside');
   unseen = plainName ([cause.cannotSee, failed]);
   if ~isempty (missed)
     cause = said (cause, say, 'cannot tell', 'heldOut', missed, newAction ('fitToo', missed));
     cause.notFor = {say('notFor.heldOut', missed)};
+  elseif ~isempty (aside)
+    cause = said (cause, say, 'cannot tell', 'aside', aside, testOf (gap));
   elseif isBeyond
     cause = said (cause, say, 'cannot tell', 'mixed', {}, testOf (gap));
-  elseif isempty (unseen)
+  elseif hasFew (gap) && any (cellfun (@nearlySeen, followedReadings (gap)))
+    cause = said (cause, say, 'cannot tell', 'faint', {}, newAction ('repeatBoth'));
+    cause.sentence = [cause.sentence, seenChange(gap, say)];
+  elseif isempty (unseen) || hasFew (gap)
     cause = said (cause, say, 'none', 'none', {}, []);
     [cause.class, cause.without] = deal ('good', newAction ('measureBetter'));
-    cause.sentence = [cause.sentence, seenFrom(gap, say)];
+    cause.sentence = [cause.sentence, seenFrom(gap, say), seenChange(gap, say)];
   else
     todo = newAction ('seeThem', cause.cannotSee);
     if isempty (cause.cannotSee)
@@ -138,6 +146,32 @@ function cause = noGap (cause, gap, isBeyond, failed, say)
     cause.sentence = [cause.sentence, seenFrom(gap, say)];
     cause.notFor = {say('notFor.unseen', unseen)};
   end
+end
+
+% Up to three numbers are judged without the model: which cause it could have shown is no
+% question then.
+function yes = hasFew (gap)
+  n = numel (followedReadings (gap));
+  yes = n > 0 && n <= 3;
+end
+
+function text = seenChange (gap, say)
+  text = '';
+  if hasFew (gap)
+    text = [' ', say('seenChange', eachOf (@seenIn, followedReadings (gap)))];
+  end
+end
+
+% More than half of what would have been seen is no sign that nothing has changed.
+function yes = nearlySeen (T)
+  yes = abs (T.measured - T.reference) > 0.5 * jsonNumber (T, {'seenFrom'}, Inf);
+end
+
+% 'slope 9 deg'
+function text = seenIn (T)
+  unit = regexprep (char (jsonAt (T, {'shown', 'unit'})), '^-$', '');
+  seen = jsonNumber (T, {'seenFrom'}) / jsonNumber (T, {'shown', 'factor'}, 1);
+  text = strtrim (sprintf ('%s %.2g %s', T.name, seen, unit));
 end
 
 % What would have been seen in 8 of 10 cases.
@@ -188,7 +222,7 @@ function cause = tooMany (cause, gap, names, code, say)
   if ~isempty (open)
     todo = newAction ('measureToo', eachOf (@(T) [T.model, ' ', T.name], open));
   end
-  values = struct ('n', numel (jsonList (gap, {'reference', 'targets'})), ...
+  values = struct ('n', numel (followedReadings (gap)), ...
                    'questions', strjoin (halvingQuestions (gap.which, names), ' '));
   cause = said (cause, say, 'open', code, values, todo);
   cause.closed = '';
@@ -211,7 +245,7 @@ function cause = stillOpen (cause, gap, isBeyond, say)
     [kind, code, cause.closed] = deal ('cannot tell', 'faint', '');
     likely = setdiff (likely, cause.cannotSee, 'stable');
   end
-  numbers = numel (jsonList (gap, {'reference', 'targets'}));
+  numbers = numel (followedReadings (gap));
   likely = likely(1:min (end, 3 * (numbers ~= 1)));
   % nothing is most likely and cannot be seen at once
   cause.cannotSee = setdiff (cause.cannotSee, likely, 'stable');
@@ -308,7 +342,8 @@ end
 function text = plainReason (which)
   guard = char (jsonAt (which, {'guard'}));
   text = which.reason;
-  if any (strcmp (guard, {'group', 'class', 'runs', 'readings', 'integral'})) || ...
+  if any (strcmp (guard, {'group', 'class', 'runs', 'readings', 'order', ...
+                          'integral'})) || ...
      (strcmp (guard, 'look-alike') && isempty (namesIn (which, 'siblings')))
     text = sentence (['guard.', guard], namesIn (which, 'decides'));
   end

@@ -73,5 +73,5 @@ function sayPlain (v, found, madeBy, say)
            'CLOSED  ', cause.closed; 'NEXT    ', v.action};
   lines = lines(~cellfun (@isempty, lines(:, 2)), :);
   cellfun (say, [strcat({'FOUND   '}, found), strcat(lines(:, 1), lines(:, 2))', ...
-                 strcat({'        '}, [unseen, cause.untested(:)'])]);
+                 strcat({'        '}, [cause.notFollowed(:)', unseen, cause.untested(:)'])]);
 end

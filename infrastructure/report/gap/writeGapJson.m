@@ -21,9 +21,11 @@
 %   where
 %     p, params, atLimit, odd (a test that contradicts all
 %              others)
-%     out (tests without any result), neverRun (without a finished run)
+%     out (tests without any result), neverRun (without a finished run),
+%     lacking (targets that too many runs lack)
 %     surrogateShare (of the noise)
-%     targets  [{model, name, role, z, unabsorbed (0..1, what parameters cannot
+%     targets  [{model, name, role (aside: not followed, see reference), z, unabsorbed
+%              (0..1, what parameters cannot
 %              hide), blind, p (chance that noise gives a miss this large in any
 %              fitted, or in any target not used in the fit), deviation (measured less
 %              predicted, over the noise of both), size (without its sign; z also
@@ -74,7 +76,11 @@
 %     misses in both, in shares of what parameters move)
 %     targets  [{model, name, kind, series, unit (of the result), shown {unit, factor}
 %              (as the user gave it), reference, measured, foretold (without a change),
-%              modelled (with the effect), z, sd (of measured less foretold)}]
+%              modelled (with the effect), z, sd (of measured less reference), simulated
+%              (by the calibrated model at the reference), seenFrom (change that would
+%              show in 8 of 10 cases), allowed (at the reference), followed
+%              (false: the model misses the reference by more, so its change decides
+%              nothing, see setAside)}]
 %     notMeasured [{model, name}], measured of the reference alone
 %     conditions  [{name, verdict, code, kind (as in cause), change, plain (words of
 %              its verdict), names (effects that may be said), effects, lookAlike, p, oneOf,
@@ -185,6 +191,7 @@ function s = whereOf (diagnosis)
               'targets', {eachOf(target, diagnosedTargets (diagnosis))}, ...
               'odd', {problem.benchNames(where.conflict.odd)}, ...
               'out', {where.out}, 'neverRun', {where.neverRun}, ...
+              'lacking', {where.lacking}, ...
               'surrogateShare', mean (where.side.share(problem.used)));
   s.models = eachOf (@(b) struct ('model', problem.benchNames{b.bench}, ...
                                   'p', b.p, 'size', b.size), where.benches);
@@ -349,16 +356,20 @@ function s = changeOf (diagnosis, Case)
   s.canChange = cell2struct ([changeWords(Case.effects), ...
                               repmat({'no'}, 1, numel (Case.unchanged))], ...
                              [{Case.effects.name}, Case.unchanged], 2);
-  sd = sqrt (diag (diagnosis.where.budget.covariance));
+  sd = diagnosis.change.sd;
   list = diagnosedTargets (diagnosis);
   info = targetInfo (Case);
-  for T = list(strcmp ({list.role}, 'calibrate'))
+  for T = list(~strcmp ({list.role}, 'holdout'))
     change = mergeFields (struct ('reference', reference.value(T.target), 'foretold', ...
-                                  T.predicted, 'modelled', NaN, 'sd', sd(T.target)), ...
+                                  T.predicted, 'modelled', NaN, 'sd', sd(T.target), ...
+                                  'simulated', diagnosis.change.simulated(T.target), ...
+                                  'seenFrom', diagnosis.change.seen(T.target), ...
+                                  'allowed', halfWidth (Case.targets(T.target)), ...
+                                  'followed', ~strcmp (T.role, 'aside')), ...
                           T, {'model', 'name', 'measured', 'z'});
     change = mergeFields (change, info(T.target), {'kind', 'series', 'unit'});
     change.shown = shownUnit (Case.targets(T.target), info(T.target).unit);
-    if ~isempty (diagnosis.howFar)
+    if ~isempty (diagnosis.howFar) && change.followed
       at = [diagnosis.howFar.targets.target] == T.target;
       change.modelled = diagnosis.howFar.targets(at).after;
     end

@@ -3,7 +3,7 @@
 % CALL: TEXT = materialLines (PROGRAM, LIST)
 % CALL: PROGRAMS = materialLines ()
 %
-%   PROGRAM   'liggghts', 'lammps', 'yade' or 'table' (names that EDEM and Rocky show)
+%   PROGRAM   'liggghts', 'lammps', 'yade' or 'table' (property, value, unit)
 %   LIST      of materialValues
 %   TEXT      lines, without remarks of the case; '' where LIST has no name of a material
 %             (a script with names of its own). LIGGGHTS gets no line of question marks

@@ -51,12 +51,16 @@ function m = missOf (T, n)
               'meanSd', field ('resultSd', NaN), 'runs', max ([n, 0]), 'points', 1);
   m.miss = m.simulated - m.measured;
   residual = field ('residual', NaN);
+  m.state = field ('state', '');
   if strcmp (T.role, 'calibrate') && isfinite (residual)
     shares = [abs(m.miss(m.allowed > 0)) / m.allowed, abs(residual) / T.tol];
     m.share = shares(find (isfinite (shares), 1));
     m.met = double (T.met);
-    m.state = field ('state', '');
     m.met(isOpenMiss (m)) = NaN;
+  end
+  if strcmp (m.state, 'unjudged')
+    [m.met, m.share, m.simulated, m.mean, m.miss] = deal (NaN);
+    return
   end
   ofMean = diff (field ('interval90', [0, 0])(:)') / 3.29;
   noise = norm ([field('sd', 0), m.scatter, ofMean]);

@@ -10,6 +10,11 @@
 %           readings and info, see takeReadings
 %   RECORD  with results and status; written to the run's folder
 %
+% A result that is NaN where others of the run are numbers is an outcome: the run
+% is 'ok' (cause 'lacking'), and the others count. Not so where the run's own checks
+% (output_checks.csv) find a fault in it. One without any number is 'invalid' with
+% the cause 'none': another packing in its place would hide how often that happens.
+%
 % Runs in a worker of parcellfun, catches everything and returns a record.
 % Published evaluation functions build file names from a global variable named
 % path: it is set here, around the call of getResults, and nowhere else.
@@ -77,11 +82,38 @@ function record = evaluate (record, place)
   end
   path = [];
   if isempty (fault)
-    record.cause = '';
+    record = asOutcome (record, place, checksReason (record.folder));
   else
     record.status = 'invalid';
     record.message = [fault, checksReason(record.folder)];
   end
+end
+
+% REASON  what the run's own checks found, '': no fault
+function record = asOutcome (record, place, reason)
+  lacks = find (isnan (record.results));
+  record.cause = '';
+  if isempty (lacks)
+    return
+  end
+  text = namesOf (lacks, numel (record.results), place);
+  if ~isempty (reason)
+    record.status = 'invalid';
+    record.cause = 'output';
+    record.message = [text, ': output is missing or not sane', reason];
+  elseif numel (lacks) == numel (record.results)
+    record.status = 'invalid';
+    record.cause = 'none';
+    record.message = [text, ': output is missing or not sane', zeroForNone()];
+  else
+    record.cause = 'lacking';
+    record.message = [text, ', the other results of the run count', zeroForNone()];
+  end
+end
+
+% A slot that clogs has a rate of 0, and is no fault of the run.
+function text = zeroForNone ()
+  text = '. Where nothing flows, return 0';
 end
 
 function [row, fault] = asRow (results, place)
@@ -103,20 +135,27 @@ function [row, fault] = asRow (results, place)
     return
   end
   row = double ([results{:}]);
-  bad = find (~isfinite (row), 1);
+  bad = find (isinf (row), 1);
   if numel (row) ~= place.count
     fault = sprintf ('getResults returned %s, %d expected', ...
                      countText (numel (row), 'result'), place.count);
   elseif ~isempty (bad)
-    fault = [sprintf('result %d%s is %g: output is missing or not sane', ...
-                     bad, nameOf (bad, numel (row), place), row(bad)), ofOne(row)];
+    fault = sprintf ('result %d%s is %g: output is missing or not sane', ...
+                     bad, nameOf (bad, numel (row), place), row(bad));
   end
 end
 
-% A slot that clogs has a rate of 0, and is no fault of the run.
-function text = ofOne (row)
-  isAlone = sum (~isfinite (row)) == 1 && numel (row) > 1;
-  text = repmat ('. It lacks this result alone: where nothing flows, return 0', 1, isAlone);
+% 'result 1 (slope) is NaN', 'results 1 (slope) and 2 (mass) are NaN'
+function text = namesOf (lacks, n, place)
+  names = arrayfun (@(k) sprintf ('%d%s', k, nameOf (k, n, place)), ...
+                    lacks(1:min (end, 3)), 'UniformOutput', false);
+  if numel (lacks) > 3
+    names{end + 1} = sprintf ('%d more', numel (lacks) - 3);
+  end
+  text = ['result ', names{1}, ' is NaN'];
+  if numel (names) > 1
+    text = ['results ', strjoin(names(1:end - 1), ', '), ' and ', names{end}, ' are NaN'];
+  end
 end
 
 % ' (name)' by measured.csv or the results.csv of the model, '' without.
@@ -162,13 +201,14 @@ end
 %!                 'count', 1, 'limit', Inf);
 %! message = @() evaluateRun (record, place).message;
 %! plain = 'result 1 is NaN: output is missing or not sane';
-%! assert (message (), plain);
+%! zero = '. Where nothing flows, return 0';
+%! assert (message (), [plain, zero]);
 %! lines = @(overlap) sprintf (['spheresStart,10\nspheresOut,4\n', ...
 %!                              'spheresEnd,6\nsettled,1\noverlapMax,%g\n'], ...
 %!                             overlap);
 %! file = fullfile (folder, 'output_checks.csv');
 %! writeAtomic (file, lines (0.01));
-%! assert (message (), plain);
+%! assert (message (), [plain, zero]);
 %! writeAtomic (file, lines (0.118));
 %! assert (! isempty (strfind (message (), [plain, ' (overlap of 0.118'])));
 %! % with a name: of results.csv, of measured.csv
@@ -180,7 +220,7 @@ end
 %!              "name,kind,unit,series,at,text\nslope,angle,deg,,,t\n");
 %! place.funs = funs;
 %! message = @() evaluateRun (record, place).message;
-%! assert (message (), strrep (plain, 'result 1', 'result 1 (slope)'));
+%! assert (message (), [strrep(plain, 'result 1', 'result 1 (slope)'), zero]);
 %! place.info = [];
 %! place.readings = struct ('result', 'w', 'series', 'w', 'at', 0.9);
 %! put = @(value) writeAtomic (fullfile (funs, 'getResults.m'), ...
@@ -188,6 +228,31 @@ end
 %!                              "r.w = ", value, ";\nend\n"]);
 %! put ('NaN');
 %! message = @() evaluateRun (record, place).message;
-%! assert (message (), strrep (plain, 'result 1', 'result 1 (w at 0.9)'));
+%! assert (message (), [strrep(plain, 'result 1', 'result 1 (w at 0.9)'), zero]);
 %! put ('[0.1, 1; 0.8, 2]');
 %! assert (message (), 'w at 0.9 lies beyond the curve (0.1 to 0.8)');
+%!test
+%! % a run that lacks one result keeps the others; not where its own checks blame it; not
+%! % with a result that is no number for another reason
+%! folder = emptyFolder ();
+%! put = @(values) writeAtomic (fullfile (folder, 'getResults.m'), ...
+%!   ["function r = getResults (model, name)\nr = ", values, ";\nend\n"]);
+%! record = setfield (newRecord (standInJob (), folder), 'status', 'ok');
+%! place = struct ('base', folder, 'name', '0001', 'funs', folder, 'count', 3, 'limit', Inf);
+%! run = @() evaluateRun (record, place);
+%! put ('{NaN, 2, 3}');
+%! r = run ();
+%! assert ({r.status, r.cause, r.results}, {'ok', 'lacking', [NaN, 2, 3]});
+%! assert (strncmp (r.message, 'result 1 is NaN, the other results of the run count', 50));
+%! assert (readRecord (fullfile (folder, 'record.json')).results, [NaN, 2, 3]);
+%! put ('{NaN, NaN, 3}');
+%! assert (strncmp (run ().message, 'results 1 and 2 are NaN, the other', 30));
+%! put ('{NaN, NaN, NaN}');
+%! assert ({run().status, run().cause}, {'invalid', 'none'});
+%! put ('{NaN, Inf, 3}');
+%! assert ({run().status, run().cause}, {'invalid', 'output'});
+%! put ('{NaN, 2, 3}');
+%! writeAtomic (fullfile (folder, 'output_checks.csv'), ...
+%!              ["spheresStart,10\nspheresOut,4\nspheresEnd,6\nsettled,1\n", ...
+%!               "overlapMax,0.118\n"]);
+%! assert ({run().status, run().cause}, {'invalid', 'output'});

@@ -9,11 +9,12 @@
 %     status    'ok'; 'failed' (broke off); 'timeout'; 'invalid' (unusable
 %               results); 'forgotten' (by decalioc forget)
 %     message   what happened, with the first line of output that complains
-%     cause     '', 'exit', 'killed' (from outside), 'time', 'output',
+%     cause     '', 'exit', 'killed' (from outside), 'time', 'output', 'none' (no
+%               result is a number), 'lacking' (one is none, status 'ok'),
 %               'evaluation' (an error in getResults), 'budget' (not run:
 %               Input.maxNewRuns), 'stage' (the run that it starts from failed;
 %               folder is that of it)
-%     results   1 x m; empty or partly NaN unless 'ok'
+%     results   1 x m; NaN: not a number in this run; may be empty unless 'ok'
 %     seconds   wall-clock time of the simulation
 %     funs      hash of OctaveFuns/ and, with measured.csv, of the results and
 %               places that it reads

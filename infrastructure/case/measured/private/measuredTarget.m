@@ -23,7 +23,8 @@ function [g, p] = measuredTarget (trials, means)
               'isAbsolute', firstOf (trials, 'isAbsolute'), ...
               'each', zeros (1, 0), 'shared', 0, 'days', [], ...
               'freedom', Inf, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
-              'scatterRatio', NaN, 'scatterP', NaN, 'sessions', {{}});
+              'scatterRatio', NaN, 'scatterP', NaN, 'swept', false, ...
+              'sessions', {{}}, 'mixed', false);
   if isempty (g.role)
     g.role = 'calibrate';
   end
@@ -38,11 +39,12 @@ function [g, p] = measuredTarget (trials, means)
   weight = [trials.repeats];
   weight(isnan (weight)) = 1;
   g.each = [trials.value];
+  g.mixed = any ([trials.sd] > 0) && ~all ([trials.sd] > 0);
   g.trials = countOf (trials, weight);
   g.sessions = unique ({trials.session});
   own = means(trials(1).mean);
   for name = {'value', 'sd', 'shared', 'days', 'freedom', 'commonFreedom', ...
-              'sessionFreedom', 'scatterRatio', 'scatterP'}
+              'sessionFreedom', 'scatterRatio', 'scatterP', 'swept'}
     g.(name{1}) = own.(name{1});
   end
   % what trials scatter holds their packings; what is stated need not
@@ -158,7 +160,8 @@ end
 %! [line.mean] = deal (1);
 %! means = struct ('value', 2, 'sd', 3, 'shared', 0, 'days', [], 'freedom', ...
 %!                 1, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
-%!                 'scatterRatio', NaN, 'scatterP', NaN, 'hasScatter', true);
+%!                 'scatterRatio', NaN, 'scatterP', NaN, 'swept', false, ...
+%!                 'hasScatter', true);
 %! [g, p] = measuredTarget (line, means);
 %! assert (isempty (p));
 %! assert ({g.name, g.value, g.trials, g.tol}, {'w@3', 2, 2, 0.1});
@@ -179,7 +182,8 @@ end
 %!                'places', 1, 'mean', 1);
 %! means = struct ('value', 94.3 / 3, 'sd', 1.3, 'shared', 0, 'days', [], 'freedom', ...
 %!                 2, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
-%!                 'scatterRatio', NaN, 'scatterP', NaN, 'hasScatter', true);
+%!                 'scatterRatio', NaN, 'scatterP', NaN, 'swept', false, ...
+%!                 'hasScatter', true);
 %! g = measuredTarget (line, means);
 %! w = 1 ./ [25, 0.01, 0.01];
 %! assert ([g.value, g.sd], [w * [34; 30.1; 30.2], sqrt(sum (w))] / sum (w), 1e-12);

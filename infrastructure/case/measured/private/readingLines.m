@@ -14,6 +14,8 @@
 % = Inf it holds all errors, that of the session, too. Lines without a session,
 % beside others of the quantity with one, share one of their own. Lines of one block
 % (one filling, one packing) of a state and session count as one trial, their mean.
+% Points of a curve are settings of one group; what drifts, drifts in all of them by
+% the same part of their value (withoutDrift).
 
 function [lines, quantities, number, names] = readingLines (list, keys)
   number = zeros (1, numel (list));
@@ -34,15 +36,23 @@ function [lines, quantities, number, names] = readingLines (list, keys)
   lines = struct ('value', [list.value]', 'mean', state(:), 'quantity', ...
                   quantity(:), 'session', session, 'repeats', repeats, ...
                   'variance', NaN (numel (list), 1), 'changed', ...
-                  ~strcmp (conditions, 'reference')');
+                  ~strcmp (conditions, 'reference')', 'order', ...
+                  cellfun (@(one) givenField (one, 'order', NaN), num2cell (list))(:));
   lines.variance(isStated) = sd(isStated).^2;
   quantities = repmat (struct ('unit', 1, 'isContrast', false, 'sessionSd', ...
-                               NaN, 'variance', NaN, 'share', 1), ...
-                       1, max ([quantity(:); 0]));
+                               NaN, 'variance', NaN, 'share', 1, 'group', 0, ...
+                               'size', 1), 1, max ([quantity(:); 0]));
+  series = arrayfun (@(one) sprintf ('%d|%s', one.model, one.series), list, ...
+                     'UniformOutput', false);
   for q = 1:numel (quantities)
     k = find (quantity(:) == q);
     quantities(q) = quantityOf (list(k), quantities(q));
     quantities(q).share = 1 / pointsOf (list, list(k(1)));
+    quantities(q).group = k(1);
+    if ~isempty (list(k(1)).series)
+      quantities(q).group = find (strcmp (series, series{k(1)}), 1);
+      quantities(q).size = mean ([list(k).value]);
+    end
     alone = rows (unique ([state(k)(:), session(k)], 'rows')) == numel (k);
     told = k(sd(k) > 0 & ~isStated(k));
     if alone && ~isempty (told)
@@ -75,9 +85,13 @@ function [list, first] = ofBlocks (list, states)
                              'UniformOutput', false);
   [~, first, of] = unique (strcat (states, {'|'}, {list.session}, {'|'}, block), ...
                            'first');
-  values = num2cell (accumarray (of(:), [list.value]', [], @mean));
+  for name = intersect (fieldnames (list)', {'value', 'order'})
+    means.(name{1}) = num2cell (accumarray (of(:), [list.(name{1})]', [], @mean));
+  end
   list = list(first);
-  [list.value] = values{:};
+  for name = fieldnames (means)'
+    [list.(name{1})] = means.(name{1}){:};
+  end
 end
 
 function [session, names] = sessionsOf (list, quantity, conditions)

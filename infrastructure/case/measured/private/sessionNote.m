@@ -3,7 +3,8 @@
 % CALL: TEXT = sessionNote (CASE)
 %
 %   CASE  see newCase, with sessions
-%   TEXT  one sentence without a full stop; '' where nothing was repeated
+%   TEXT  sentences without the last full stop; '' where nothing was repeated. What
+%         drifts within a session comes first (driftNote)
 %
 % Trials that follow one another share the weather, the hand, the filling of the
 % day. On rigs on which nothing was changed two sessions differ by more than
@@ -30,6 +31,12 @@ function text = sessionNote (Case)
   if ~isempty (text) && ~isempty (least)
     text = sprintf (['%s. A change of a reading below %.2g of its tolerances ' ...
                      '(median) cannot be told from none'], text, median (least));
+  end
+  drift = driftNote (sessions);
+  if isempty (text) || isempty (drift)
+    text = [drift, text];
+  else
+    text = [drift, '. ', upper(text(1)), text(2:end)];
   end
 end
 

@@ -15,7 +15,8 @@
 %               known), commonFreedom and sessionFreedom (by which what quantities
 %               have in common is, of the part without sessions and of SHARED),
 %               hasScatter (logical: sd was found from lines that scatter), of a
-%               change scatterRatio and scatterP (see scatterOfChange; NaN)
+%               change scatterRatio and scatterP (see scatterOfChange; NaN), swept
+%               (false, see withoutDrift)
 %   RATIO       1 x 2 struct, of levels and of contrasts: value (standard
 %               deviation between sessions over that of a trial within one, root
 %               mean square), df (contrasts between sessions that told it)
@@ -48,7 +49,7 @@ function [means, ratio] = varianceComponents (lines, quantities)
                           'days', zeros (1, days), 'freedom', Inf, ...
                           'commonFreedom', Inf, 'sessionFreedom', Inf, ...
                           'hasScatter', false, 'scatterRatio', NaN, ...
-                          'scatterP', NaN), ...
+                          'scatterP', NaN, 'swept', false), ...
                   1, max ([lines.mean; 0]));
   ratio = struct ('value', {2.5, 0.7}, 'df', 0);
   if Q == 0
@@ -126,6 +127,7 @@ function lines = withoutChanged (lines)
   lines.value = accumarray (cell_, lines.value .* lines.repeats) ./ ...
                 accumarray (cell_, lines.repeats);
   repeats = accumarray (cell_, lines.repeats);
+  lines = rmfield (lines, intersect (fieldnames (lines), {'order'}));
   for name = {'mean', 'session', 'changed', 'quantity', 'variance'}
     lines.(name{1}) = lines.(name{1})(first);
   end
@@ -318,7 +320,10 @@ function found = withErrors (found, scatter, own, between, known)
   if any (factor > 0) && any (scatter.scale > 0)
     sd = halfWidth (sqrt (factor .* scatter.scale), scatter.freedom, ...
                     scatter.weight);
-    share = scatter.weight * (1 - own ./ factor)';
+    % what trials alone make, which is left of a difference of the same days
+    trials = halfWidth (sqrt (own .* scatter.scale), scatter.freedom, ...
+                        scatter.weight);
+    share = max (1 - (trials / sd)^2, 0);
     % Welch and Satterthwaite: a part that is known doubts nothing
     less = [sd^2 + known, sd^2 * (1 - share) + known] ./ ...
            max (sd^2 * [1, 1 - share], realmin);

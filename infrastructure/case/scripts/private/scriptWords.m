@@ -44,9 +44,9 @@ end
 % Shell variables that are set to a plain text, or are in the environment.
 function text = filledIn (text)
   text = regexprep (text, '\$\{(\w+):?-([^}$]*)\}', '$2');
-  pairs = regexp (text, ...
-                  '^\s*(?:export\s+)?(\w+)=["'']?([\w./+~-]+)["'']?\s*(?:$|;)', ...
-                  'tokens', 'lineanchors');
+  set_ = ['^\s*(?:(?:export|readonly|local|declare(?:\s+-\w+)*)\s+)?(\w+)=' ...
+          '["'']?([\w./+~-]+)["'']?\s*(?:$|;)'];
+  pairs = regexp (text, set_, 'tokens', 'lineanchors');
   for pair = fliplr (pairs)
     text = replaced (text, pair{1}{:});
   end

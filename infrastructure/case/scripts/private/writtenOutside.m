@@ -6,8 +6,10 @@
 %           ISSHELL  logical: it is one of the shell
 %   FOLDER  model folder, PLACE  run folder, see namedFiles (texts)
 %   PLACES  1 x n cell of paths, as full ones: what redirections, tee, mkdir, touch,
-%           the last word of cp, mv, ln and rsync, files that Python or Octave opens
-%           for writing, and dumps, logs and restarts of an input script name
+%           the last word of cp, mv, ln, install and rsync, what dd, tar, sed -i and options
+%           such as -o and --output, files that Python or Octave writes, dumps, logs and
+%           restarts of an input script name; folders elsewhere that a shell script
+%           changes to and writes in by relative names
 %
 % All runs share such a place, those that run at the same time, too. A name with a
 % variable that is not known ($$, $(mktemp), the number of a job) may be one of
@@ -16,24 +18,36 @@
 function places = writtenOutside (text, script, isShell, folder, place)
   text = regexprep (text, ['\$\{?(TMPDIR|TMP|TEMP|SCRATCH|SCRATCHDIR|WORKDIR|WORK)' ...
                            '(?!\w)\}?'], '/$1');
-  words = opened (text);
+  [words, at] = opened (text);
+  moves = struct ('to', {}, 'from', {}, 'until', {});
   if isInput (script)
     words = [words, ofInput(text)];
   elseif isShell
-    words = [words, ofShell(text)];
+    [found, where] = ofShell (text);
+    [words, at] = deal ([words, found], [at, where]);
+    moves = movesOf (text, place, folder);
   end
+  at(end + 1:numel (words)) = 0;
   words = regexprep (words, {'^["'']|["'']$', '^~(?=/)'}, {'', getenv('HOME')});
-  isKnown = cellfun (@(w) ~isempty (w) && ~any (ismember ('$`(&', w)), words);
-  words = unique (words(isKnown));
+  words = throughLinks (words, text);
   bases = [{place}, besideScript(script, folder, place), foldersOf(text, place)];
+  isOwn = @(p) isBelow (p, place) || isBelow (p, folder) || isDevice (p);
   places = cell (1, 0);
-  for word = words(:)'
-    at = cellfun (@(base) seenFrom (word{1}, base), bases, 'UniformOutput', false);
-    isInside = cellfun (@(p) isBelow (p, place) || isBelow (p, folder) || ...
-                        isDevice (p), at);
-    places = [places, at(1)(~any (isInside))];
+  for k = find (cellfun (@isKnown, words))
+    mine = bases;
+    elsewhere = moves([moves.from] < at(k) & at(k) < [moves.until]);
+    if ~isempty (elsewhere)
+      mine = {elsewhere(end).to};
+    end
+    seen = cellfun (@(base) seenFrom (words{k}, base), mine, 'UniformOutput', false);
+    places = [places, seen(1)(~any (cellfun (isOwn, seen)))];
   end
   places = unique (regexprep (places, '(?<=.)/$', ''))(:)';
+end
+
+function yes = isKnown (word)
+  yes = ~isempty (word) && ~any (ismember ('$`(&', word)) && ...
+        isempty (regexp (word, '^[\w.-]+:|^\d+$', 'once'));        % host:path, 2>&1
 end
 
 % LIGGGHTS may be started where a script of a subfolder lies.
@@ -49,39 +63,99 @@ function yes = isInput (script)
   yes = strncmp ([base, ending], 'in.', 3);
 end
 
-function words = opened (text)
-  words = regexp (text, ['open\s*\(\s*["'']([^"'']+)["'']\s*,\s*(?:mode\s*=\s*)?' ...
-                         '["''][wa]'], 'tokens');
-  words = [cell(1, 0), words{:}];
+% What Python, Octave, gnuplot write: the name in open (..., 'w'), each full or upward
+% path in the calls of those that write, of those that copy the last one.
+function [words, at] = opened (text)
+  quoted = '["'']([^"''\n]+)["'']';
+  path = '["'']((?:/|~|\.\./)[^"''\n]*)["'']';
+  writers = ['\<(?:savez?\w*|savetxt|savefig|imsave|imwrite|to_(?:csv|json|hdf|excel|' ...
+             'pickle|parquet)|tofile|makedirs|mkdir|dlmwrite|csvwrite|writematrix|' ...
+             'writetable|diary|print)\s*\('];
+  copiers = '\<(?:copy2?|copyfile|copytree|move|movefile|rename|replace)\s*\(';
+  patterns = cell (1, 5);
+  patterns{1} = ['open\s*\(\s*(?:file\s*=\s*)?', quoted, ...
+                 '\s*,\s*(?:mode\s*=\s*)?["''][wax]'];
+  patterns{2} = ['Path\s*\(\s*', quoted, '\s*\)\s*\.\s*' ...
+                 '(?:write_|mkdir|touch|open\s*\(\s*["''][wax])'];
+  patterns{3} = 'set\s+output\s+["'']([^"'']+)["'']';
+  patterns{4} = [writers, '[^()\n]*?', path];
+  patterns{5} = [copiers, '[^()\n]*', path, '\s*\)'];
+  [words, at] = tokensOf (text, patterns);
 end
 
-function words = ofShell (text)
-  words = regexp (text, '(?<![0-9<=>-])[012]?>{1,2}[ \t]*("[^"\n]+"|''[^''\n]+''|[^\s;&|)>}]+)', ...
-                  'tokens');
-  words = [cell(1, 0), words{:}];
-  for part = regexp (text, '[^;&|()`{}\n]+', 'match')
-    list = regexp (regexprep (part{1}, '\d?>.*$', ''), '[^\s"'']+', 'match');
-    list(ismember (list, {'then', 'do', 'else', 'if', '!'})) = [];
-    if isempty (list)
-      continue
-    end
-    rest = list(2:end);
-    rest = rest(~strncmp (rest, '-', 1));
-    switch list{1}
-      case {'mkdir', 'touch', 'tee'}
-        words = [words, rest];
-      case {'cp', 'mv', 'ln', 'rsync'}
-        words = [words, rest(2:end)(max(end, 1):end)];
-    end
+% Words, and where in the text each begins, by all patterns.
+function [words, at] = tokensOf (text, patterns)
+  [words, at] = deal (cell (1, 0), zeros (1, 0));
+  for pattern = patterns
+    [found, where] = regexp (text, pattern{1}, 'tokens', 'start', 'lineanchors');
+    words = [words, found{:}];
+    at = [at, where];
   end
 end
 
+function [words, at] = ofShell (text)
+  options = ['(?<=\s)(?:-o|-O|-d|-log|-l|-C|--(?:out|output|outfile|outdir|output-dir|' ...
+             'log|directory|target-directory|prefix))(?:[ \t]+|=)'];
+  patterns = cell (1, 4);
+  patterns{1} = ['(?<![0-9<=>-])[012&]?>{1,2}[|&]?[ \t]*' ...
+                 '("[^"\n]+"|''[^''\n]+''|[^\s;&|)>}]+)'];
+  patterns{2} = [options, '["'']?((?:/|~|\.\./)[^\s"'';&|)]+)'];
+  patterns{3} = '(?<=\s)of=["'']?([^\s"'';&|)]+)';
+  patterns{4} = '\<tee\s+(?:-\w+\s+)*["'']?([^\s"'';&|)}]+)';
+  [words, at] = tokensOf (text, patterns);
+  [parts, first] = regexp (text, '[^;&|()`{}\n]+', 'match', 'start');
+  for k = 1:numel (parts)
+    found = byCommand (parts{k});
+    [words, at] = deal ([words, found], [at, repmat(first(k), 1, numel (found))]);
+  end
+end
+
+% By the command that a part of a line begins with.
+function words = byCommand (part)
+  words = cell (1, 0);
+  list = regexp (regexprep (part, '\d?>.*$', ''), '"[^"]*"|''[^'']*''|[^\s"'']+', 'match');
+  list(ismember (list, {'then', 'do', 'else', 'if', '!', 'command', 'sudo', 'exec'})) = [];
+  if isempty (list)
+    return
+  end
+  rest = list(2:end);
+  isOption = strncmp (rest, '-', 1);
+  switch list{1}
+    case {'mkdir', 'touch'}
+      words = rest(~isOption);
+    case {'cp', 'mv', 'ln', 'rsync', 'install'}
+      target = find (strcmp (rest(1:end - 1), '-t'), 1) + 1;
+      words = [rest(target), rest(~isOption)(2:end)(max(end, 1):end)];
+    case 'sed'
+      isInPlace = ~cellfun (@isempty, regexp (rest, '^(-i|--in-place|-[nErsz]+i)', 'once'));
+      words = rest(~isOption)(2:end * any (isInPlace));
+    case 'sqlite3'
+      words = rest(~isOption)(1:min (end, 1));
+  end
+end
+
+% Of an input script: lines that & continues are one, and its variables that hold a text
+% are filled in; what it has a shell do, and folders that it changes to.
 function words = ofInput (text)
-  lines = regexp (text, ['^[ \t]*(?:dump|restart|write_restart|write_data|write_dump|' ...
-                         'log|print|fix[ \t]+\S+[ \t]+\S+[ \t]+(?:print|ave/\w+))' ...
+  text = regexprep (text, '&[ \t]*\n', ' ');
+  pairs = regexp (text, ['^[ \t]*variable[ \t]+(\w+)[ \t]+(string|index|world|getenv)' ...
+                         '[ \t]+["'']?([^\s"'']+)'], 'tokens', 'lineanchors');
+  for pair = fliplr ([cell(1, 0), pairs])
+    [name, kind, value] = pair{1}{:};
+    if strcmp (kind, 'getenv')
+      value = ['/', value];
+    end
+    text = regexprep (text, ['\$\{', name, '\}'], strrep (value, '$', '\$'));
+  end
+  lines = regexp (text, ['(?:^|then[ \t]+["''])[ \t]*(?:dump|restart|write_restart|write_data|' ...
+                         'write_dump|log|print|fix[ \t]+\S+[ \t]+\S+[ \t]+(?:print|ave/\w+))' ...
                          '[ \t]([^\n]*)'], 'tokens', 'lineanchors');
   lines = [cell(1, 0), lines{:}];
   words = regexp (strjoin (lines, ' '), '(?<=[\s"'']|^)(?:\.\./|/\w)[^\s"'']*', 'match');
+  shells = regexp (text, '^[ \t]*shell[ \t]+["'']?([^\n]*)', 'tokens', 'lineanchors');
+  shells = strjoin (regexprep ([cell(1, 0), shells{:}], '["''][ \t]*$', ''), "\n");
+  words = [words, ofShell(shells), ...
+           regexp(shells, '(?<=^cd[ \t])(?:\.\./|/\w)\S*', 'match', 'lineanchors')];
 end
 
 function folders = foldersOf (text, place)
@@ -89,6 +163,48 @@ function folders = foldersOf (text, place)
                   'tokens', 'lineanchors');
   folders = cellfun (@(to) seenFrom (to, place), [cell(1, 0), moves{:}], ...
                      'UniformOutput', false);
+end
+
+% Changes to folders outside the run: where they begin, and where they end (the next
+% change, or the end of the brackets in which they stand).
+function moves = movesOf (text, place, folder)
+  moves = struct ('to', {}, 'from', {}, 'until', {});
+  [to, from] = tokensOf (text, {['(?:^|[;&|(]|\<then\>|\<do\>)\s*(?:cd|pushd)\s+' ...
+                                 '(?:--\s+)?["'']?([^\s"'';&|)]+)']});
+  back = regexp (text, '(?:^|[;&|])\s*(?:popd|cd\s*(?:-|$|[;&|]))', 'lineanchors');
+  back = [back, numel(text) + 1];
+  for k = 1:numel (to)
+    path = '';
+    if isKnown (to{k})
+      path = seenFrom (regexprep (to{k}, '^~(?=/)', getenv ('HOME')), place);
+    end
+    if ~isempty (path) && ~isBelow (path, place) && ~isBelow (path, folder)
+      ends = [from(k + 1:end), back(back > from(k)), bracketAfter(text, from(k))];
+      moves(end + 1) = struct ('to', path, 'from', from(k), 'until', min (ends));
+    end
+  end
+end
+
+% Of a change in brackets: where these close.
+function at = bracketAfter (text, from)
+  at = [];
+  depth = cumsum ((text == '(') - (text == ')'));
+  before = depth(max (from - 1, 1));
+  inside = max (before, depth(from));
+  if inside > 0
+    at = find (depth < inside & 1:numel (text) > from, 1);
+  end
+end
+
+% post/out is in /data/x where post is a link to it.
+function words = throughLinks (words, text)
+  links = regexp (text, '\<ln\s+(?:-\w+\s+)+(\S+)[ \t]+([\w.-]+)[ \t]*(?:$|[;&|])', ...
+                  'tokens', 'lineanchors');
+  for link = [cell(1, 0), links]
+    [to, name] = link{1}{:};
+    words = regexprep (words, ['^(\./)?', regexptranslate('escape', name), '/'], ...
+                       [strrep(to, '$', '\$'), '/']);
+  end
 end
 
 function path = seenFrom (word, base)
@@ -123,6 +239,24 @@ end
 %!             "python3 -c \"f = open('/tmp/w', 'w')\"", "awk '{print > \"/tmp/w\"}' a"}
 %!   assert (isequal (of (text{1}), {'/tmp/w'}), text{1});
 %! end
+%! for text = {"cd /tmp/w && python3 sim.py > res.txt", "(cd /tmp/w; ./sim > res.txt)", ...
+%!             "cd \"/tmp/w\"\n./sim | tee res.txt", "ln -s /tmp/w post\n./sim > post/res.txt", ...
+%!             "pushd /tmp/w\ntouch res.txt\npopd\necho 1 > out.txt"}
+%!   assert (isequal (of (text{1}), {'/tmp/w/res.txt'}), text{1});
+%! end
+%! for text = {"dd if=a of=/tmp/w", "sed -i 's/a/b/' /tmp/w", "sed -i -e s/a/b/ /tmp/w", ...
+%!             "install -m 644 a /tmp/w", "cp -t /tmp/w a", "a >& /tmp/w", "a >| /tmp/w", ...
+%!             "a &> /tmp/w", "tar xf x.tgz -C /tmp/w", "unzip x -d /tmp/w", "code -o /tmp/w", ...
+%!             "code --output=/tmp/w", "liggghts -in in.x -log /tmp/w", "sqlite3 /tmp/w 'a'", ...
+%!             "python3 -c \"Path('/tmp/w').write_text('1')\"", ...
+%!             "python3 -c \"np.savetxt('/tmp/w', a)\"", "b -e \"set output '/tmp/w'\"", ...
+%!             "python3 -c \"d.to_csv('/tmp/w')\"", "octave --eval \"dlmwrite ('/tmp/w', 1)\"", ...
+%!             "python3 -c \"shutil.copy('/a/b', '/tmp/w')\"", ...
+%!             "octave --eval \"save ('-text', '/tmp/w', 'x')\""}
+%!   assert (isequal (of (text{1}), {'/tmp/w'}), text{1});
+%! end
+%! assert (of ("cd ..\n./run > out.txt"), {'/c/optim/M/out.txt'});
+%! assert (of ("(cd /tmp/w; ./a)\necho 1 > out.txt"), cell (1, 0));
 %! assert (of ("echo 1 > $SCRATCH/out"), {'/SCRATCH/out'});
 %! assert (of ("echo 1 > ../last.txt"), {'/c/optim/M/last.txt'});
 %!test
@@ -130,7 +264,10 @@ end
 %! for text = {"a > log 2>&1", "a > /dev/null 2> /dev/stderr", "cp /data/x .", ...
 %!             "awk '$1 > 3' /tmp/x", "a > /tmp/$$.txt", "cd post && a > ../out", ...
 %!             "d=$(mktemp -d); a > $d/x", "a > /tmp/$SLURM_JOB_ID/x", "cp /a/x", ...
-%!             "a > /c/optim/M/0001/x", "open ('/tmp/x', 'r')", "a -> /tmp/b"}
+%!             "a > /c/optim/M/0001/x", "open ('/tmp/x', 'r')", "a -> /tmp/b", ...
+%!             "set -o pipefail", "ssh -o a=b host", "scp out host:/data", "sed -n 1p /tmp/x", ...
+%!             "tar xf /data/x.tgz", "cd /data && cat x", "cut -d / -f 2 x", "a 2>&1 | b", ...
+%!             "cd /tmp/w; x=1; cd -; a > out", "grep -o abc x > y", "load ('/tmp/x')"}
 %!   assert (isempty (of (text{1})), text{1});
 %! end
 %!test
@@ -138,3 +275,13 @@ end
 %!         "fix m all mesh file /data/a.stl\nfix p all print 10 \"${a}\" file /tmp/p\n", ...
 %!         "write_restart end.restart\n"];
 %! assert (of (text, '/c/DEMmodels/M/in.M'), {'/c/optim/M/p', '/tmp/d*.txt', '/tmp/l', '/tmp/p'});
+%! for text = {"variable o string /tmp/w\ndump d all custom 100 ${o} id x", ...
+%!             "fix a all ave/time 1 1 1 v_x &\n  file /tmp/w", "shell cp end.txt /tmp/w", ...
+%!             "shell \"mkdir -p /tmp/w\"", "shell cd /tmp/w", ...
+%!             "if \"${x} > 1\" then \"write_data /tmp/w\""}
+%!   assert (isequal (of ([text{1}, "\n"], '/c/DEMmodels/M/in.M'), {'/tmp/w'}), text{1});
+%! end
+%! for text = {"read_data ../packing.data", "include /data/a.in", "log log.${runSeed}", ...
+%!             "fix m all mesh/surface file /data/a.stl type 1", "shell cd post"}
+%!   assert (isempty (of ([text{1}, "\n"], '/c/DEMmodels/M/in.M')), text{1});
+%! end

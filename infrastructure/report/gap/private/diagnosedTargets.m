@@ -4,7 +4,8 @@
 %
 %   DIAGNOSIS  of diagnoseMatrices
 %   LIST       1 x n struct array, first the fitted targets, then the held-out
-%              ones: target (number), model, name, role, measured, predicted,
+%              ones, then those that the model cannot follow (role 'aside': compared
+%              with the reference alone): target (number), model, name, role, measured, predicted,
 %              residual, z, p, absorbability (0 of those held out), blind,
 %              size, see locateGap
 
@@ -28,6 +29,23 @@ function list = diagnosedTargets (diagnosis)
                  'absorbability', of (where.absorbability, 0 * held), ...
                  'blind', of (where.blind, false (size (held))), ...
                  'size', of (where.size, abs (held)));
+  list = [list, asideOf(diagnosis, list)];
+end
+
+function list = asideOf (diagnosis, list)
+  aside = jsonAt (diagnosis, {'change', 'aside'});
+  problem = diagnosis.problem;
+  list = repmat (list(1), 1, numel (aside));
+  for k = 1:numel (aside)
+    t = aside(k).target;
+    before = problem.reference.value(t);
+    list(k) = struct ('target', t, 'model', problem.benchNames{problem.bench(t)}, ...
+                      'name', problem.targetNames{t}, 'role', 'aside', ...
+                      'measured', problem.value(t), 'predicted', before, ...
+                      'residual', problem.value(t) - before, 'z', aside(k).z, ...
+                      'p', aside(k).p, 'absorbability', 0, 'blind', false, ...
+                      'size', abs (aside(k).z));
+  end
 end
 
 %!test
@@ -45,3 +63,13 @@ end
 %! assert ([list.residual], [1, 2, -0.5]);
 %! assert ({list.role}, {'calibrate', 'calibrate', 'holdout'});
 %! assert ([list.size], [3, 4, 2]);
+%! % one that the model cannot follow
+%! d.problem.used = 1;
+%! for name = {'residual', 't', 'pTarget', 'absorbability', 'blind', 'size'}
+%!   d.where.(name{1}) = d.where.(name{1})(1);
+%! end
+%! d.problem.reference = struct ('value', [6, 8, 5]);
+%! d.change.aside = struct ('target', 3, 'z', 2, 'p', 0.05);
+%! list = diagnosedTargets (d);
+%! assert ({list.name}, {'x', 'y', 'z'});
+%! assert ({list(3).role, list(3).predicted, list(3).residual, list(3).size}, {'aside', 5, 4, 2});

@@ -7,8 +7,8 @@
 %         for a gap, which is no change
 %
 % The three largest changes over their noise are said, the points of a curve as
-% one: in shares of the reference. Noise: that of both measurements and of what is
-% foretold, as in the table Before and after.
+% one: in shares of the reference. Noise: that of both measurements (changeOfReadings),
+% as in the table Before and after.
 
 function text = firstLine (gap)
   targets = jsonList (gap, {'reference', 'targets'});
@@ -23,6 +23,9 @@ function text = firstLine (gap)
   if ~any (isOff)
     [~, top] = max (times);
     [said(top), code] = deal (true, 'none');
+    if any (jsonAt (gap, {'which', 'p'}) < gap.thresholds.level)
+      [said, code] = deal (said | alongCurve (targets, top, times), 'together');
+    end
   end
   entries = entriesOf (targets, said, times);
   values = struct ('n', sum (isOff), 'of', numel (targets), ...
@@ -39,6 +42,12 @@ function yes = isChanged (T, gap)
   where = jsonList (gap, {'where', 'targets'});
   same = cellfun (@(w) strcmp (w.name, T.name) && strcmp (w.model, T.model), where);
   yes = any (cellfun (@(w) any (jsonAt (w, {'p'}) < gap.thresholds.level), where(same)));
+end
+
+% The places of the curve of target TOP that differ by more than one noise.
+function is = alongCurve (targets, top, times)
+  curves = cellfun (@curveOf, targets, 'UniformOutput', false);
+  is = strcmp (curves, curves{top}) & ~isempty (curves{top}) & times >= 1;
 end
 
 function x = timesNoise (T)
@@ -149,5 +158,13 @@ end
 %! text = firstLine (gap);
 %! assert (! isempty (strfind (text, 'discharge 55 % flatter at 4 of 4 places (50 to 67 %)')), ...
 %!         text);
+%! % no place alone, but all together
+%! together = gap;
+%! [together.where.targets.p] = deal (0.2);
+%! together.which.p = 0.01;
+%! text = firstLine (together);
+%! assert (! isempty (strfind (text, 'at 4 of 4 places')), text);
+%! together.which.p = 0.3;
+%! assert (! isempty (strfind (firstLine (together), 'at 1 of 4 places')));
 %! gap.reference.targets(1).measured = 50;
 %! assert (! isempty (strfind (firstLine (gap), 'discharge at 4 of 4 places')));

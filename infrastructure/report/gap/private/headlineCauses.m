@@ -5,7 +5,7 @@
 %   GAP    decoded gap/gap.json
 %   NAMES  1 x n cell, the effects of which that carry the verdict
 %   CODE   why fewer than the verdict names: 'oneNumber', 'fewNumbers' (two or three
-%          numbers, and more than one cause left), 'kind' (more than four, all of one
+%          numbers, and more than one cause or none left), 'kind' (more than four, all of one
 %          kind), 'manyKinds' (more than four, of several), else ''
 %   ALIKE  1 x m cell, those that would look almost the same, each without the others:
 %          of one class, and left out only as they ride along
@@ -24,17 +24,22 @@ function [names, code, alike] = headlineCauses (gap)
   isClass = isequal (jsonAt (which, {'sameKind'}), true);
   alike = names(isRider & isClass);
   names = names(~isRider);
-  numbers = numel (jsonList (gap, {'reference', 'targets'}));
+  numbers = numel (followedReadings (gap));
   numbers(numbers == 0) = Inf;             % of a gap the parameters are no change
   code = '';
   if numbers == 1
     [names, code] = deal ({}, 'oneNumber');
-  elseif numbers <= 3 && numel (names) > 1 && ~isPair
+  elseif numbers <= 3 && ~isPair && (numel (names) > 1 || isNoneListed (which))
     [names, code] = deal ({}, 'fewNumbers');
   elseif numel (names) > 4
     kinds = unique (cellfun (@(n) kindOf (which, n), names, 'UniformOutput', false));
     code = merge (numel (kinds) > 1 || isempty (kinds{1}), 'manyKinds', 'kind');
   end
+end
+
+% That none of the causes fits two or three numbers says little of a list.
+function yes = isNoneListed (which)
+  yes = strcmp (givenField (which, 'verdict', ''), 'none of the listed');
 end
 
 function yes = mayBeNothing (which, name)
@@ -83,6 +88,9 @@ end
 %! assert (code (1), {{}, 'oneNumber'});
 %! assert (code (2), {{}, 'fewNumbers'});
 %! assert (code (6), {names(1:2), ''});
+%! none = lab (names(1), 0.1, 1, kinds, 3);
+%! none.which.verdict = 'none of the listed';
+%! assert (nthargout (2, @headlineCauses, none), 'fewNumbers');
 %! assert (code (0), {names(1:2), ''});
 %! assert (headlineCauses (lab (names(1), 0.1, 1, kinds, 3)), names(1));
 %!test

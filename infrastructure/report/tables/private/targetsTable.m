@@ -50,7 +50,8 @@ function cells = rowOf (page, m, isShown)
 end
 
 function [class, word] = wordOf (m)
-  words = {'unsure', 'too strict', m.isStrict && ~(abs (m.z) >= 2); ...
+  words = {'unsure', 'not judged', strcmp(m.state, 'unjudged'); ...
+           'unsure', 'too strict', m.isStrict && ~(abs (m.z) >= 2); ...
            'unsure', 'open', isOpenMiss(m) || isLeftOpen(m); 'off', 'missed', m.met == 0; ...
            'ok', 'predicted', m.met == 1 && strcmp(m.role, 'holdout'); ...
            'ok', 'met', m.met == 1; '', 'not measured', true};
@@ -59,7 +60,8 @@ function [class, word] = wordOf (m)
 end
 
 function is = isLeftOpen (m)
-  is = strcmp (m.role, 'holdout') && isnan (m.met) && isfinite (m.measured);
+  is = strcmp (m.role, 'holdout') && isnan (m.met) && isfinite (m.measured) && ...
+       ~strcmp (m.state, 'unjudged');
 end
 
 function notes = notesOf (page, misses, hasNoRun, hasEffect)

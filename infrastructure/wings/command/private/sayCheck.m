@@ -141,8 +141,25 @@ function sayMeasured (targets)
   sayList ('mean of repeated trials', {targets(isMean & isPlain).name});
   sayList ('mean of repeated trials, weighted by their sd, repeats and sessions', ...
            {targets(isMean & ~isPlain).name});
+  isMixed = arrayfun (@(t) givenField (t, 'mixed', false), targets);
+  sayList ('the sd that some trials have do not weigh them, as others have none', ...
+           {targets(isMixed).name});
   sayList ('not measured yet, predicted only', ...
            {targets(isnan ([targets.value])).name});
+  sayTight (targets);
+end
+
+% Tighter than anybody can measure it: a share of a value that is next to 0, or a slip.
+function sayTight (targets)
+  isFit = strcmp ({targets.role}, 'calibrate') & isfinite ([targets.value]);
+  for t = targets(isFit)
+    if t.sd > 3 * halfWidth (t)
+      printf (['WARNING   %s: its uncertainty (%.3g) is %.2g times its tolerance (+- %.3g): ' ...
+               'no run can show that it is met. Write a tolerance in its unit (column ' ...
+               'tol: 0.1 abs), or measure it more often\n'], t.name, t.sd, ...
+              t.sd / halfWidth (t), halfWidth (t));
+    end
+  end
 end
 
 function sayList (what, names)
@@ -220,6 +237,9 @@ function isGood = sayTrial (records, Case)
     if ~strcmp (r.status, 'ok')
       printf ('          %s\n', r.message);
       continue
+    end
+    if ~isempty (r.message)
+      printf ('WARNING   %s: %s.\n', r.model, r.message);
     end
     sayGrains (r);
     mine = Case.targets([Case.targets.model] == k);

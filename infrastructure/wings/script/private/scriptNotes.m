@@ -24,11 +24,12 @@ function [notes, codes] = scriptNotes (text, seed, names)
     notes{end + 1} = ['the script does not end with print "RUN COMPLETE": a ' ...
                       'run that breaks off may then be taken for a whole one'];
   end
-  isRun = arrayfun (@(c) any (strcmp (c.words{1}, {'run', 'rerun', 'minimize'})), ...
-                    commands);
+  isRun = arrayfun (@(c) any (strcmp (c.words{1}, {'run', 'rerun', 'minimize'})) && ...
+                    ~isequal (c.words(2:min (end, 2)), {'0'}), commands);
   if ~any (isRun)
     codes{end + 1} = 'run';
-    notes{end + 1} = 'the script has no command run: nothing will move in it';
+    notes{end + 1} = ['the script has no command run (of more than 0 steps): nothing ' ...
+                      'will move in it'];
   end
   unused = names(~cellfun (isUsed, names));
   entries = strjoin (scriptProperty ({text}), ', ');
@@ -78,6 +79,9 @@ end
 %! for k = 1:6
 %!   assert (! isempty (strfind (notes{k}, marks{k})), marks{k});
 %! end
+%!test
+%! [~, codes] = scriptNotes ("run 0\nprint \"${a} RUN COMPLETE\"\n", 'a', {});
+%! assert (codes, {'run'});
 %!test
 %! text = "if \"1 > 0\" then \"run 1\"\nprint \"${a} $m RUN COMPLETE\"";
 %! assert (isempty (scriptNotes (text, 'a', {'m'})));

@@ -37,6 +37,42 @@ function [notes, codes] = scriptPhysics (text)
       codes{end + 1} = 'inert';
     end
   end
+  for unread = unreadProperties (commands)
+    notes{end + 1} = sprintf (['%s is set, but no contact model of the script reads it ' ...
+                               '(%s does)'], unread{1}{:});
+    codes{end + 1} = 'inert';
+  end
+end
+
+% 1 x n cell of {property, what reads it}: of laws that the script does not choose (pages
+% gran_model_* and rolling friction of the manual of LIGGGHTS 3.8).
+function found = unreadProperties (commands)
+  kinds = {'coefficientRollingViscousDamping', 'rolling_friction epsd3?(?!\w)', ...
+           'rolling_friction epsd'; ...
+           'kn|kt|gamman|gammat', 'model \S*stiffness', 'hooke/stiffness'; ...
+           'youngsModulus|poissonsRatio|coefficientRestitution', ...
+           'model (?!\S*stiffness)\S', 'hertz'; ...
+           'characteristicVelocity', 'model (?!\S*stiffness)(?!hertz(?!\w))\S', 'hooke'; ...
+           'surfaceTension', 'cohesion \S*capillary', 'cohesion easo/capillary/viscous'};
+  found = cell (1, 0);
+  isLaw = cellfun (@(w) any (strcmp (w, 'model')) && ...
+                   (strcmp (w{1}, 'pair_style') || any (strcmp (w, 'wall/gran'))), commands);
+  laws = cellfun (@(w) strjoin (w, ' '), commands(isLaw), 'UniformOutput', false);
+  if isempty (laws) || any (~cellfun (@isempty, strfind (laws, '$')))
+    return
+  end
+  for kind = kinds'
+    isRead = any (~cellfun (@isempty, regexp (laws, kind{2}, 'once')));
+    for words = commands
+      w = words{1};
+      isIt = numel (w) > 6 && strcmp (w{1}, 'fix') && ...
+             ~isempty (regexp (w{5}, ['^(', kind{1}, ')$'], 'once')) && ...
+             any (cellfun (@(v) str2double (v) ~= 0, w(6 + ~strcmp (w{6}, 'scalar'):end)));
+      if isIt && ~isRead
+        found{end + 1} = {w{5}, kind{3}};
+      end
+    end
+  end
 end
 
 % 1 x n cell of {'1-2', command that does not read it}.
@@ -169,6 +205,24 @@ end
 %! glue = "fix c all property/global cohesionEnergyDensity peratomtypepair 1 ${c}\n";
 %! [notes, codes] = scriptPhysics ([glue, "pair_style gran model hertz tangential history\n"]);
 %! assert (codes, {'inert'});
+%!test
+%! % coefficients of laws that the script does not choose
+%! law = @(name) ["pair_style gran model ", name, " tangential history rolling_friction epsd2\n"];
+%! all_ = @(name, values) ["fix m all property/global ", name, " ", values, "\n"];
+%! young = all_ ('youngsModulus', 'peratomtype 5e6');
+%! [notes, codes] = scriptPhysics ([young, law('hooke/stiffness')]);
+%! assert (codes, {'inert'});
+%! assert (notes{1}, ['youngsModulus is set, but no contact model of the script reads it ', ...
+%!                    '(hertz does)']);
+%! assert (isempty (scriptPhysics ([young, law('hertz')])));
+%! assert (isempty (scriptPhysics ([young, law('hooke')])));
+%! for one = {'kn', 'peratomtypepair 1 1e5'; 'characteristicVelocity', 'scalar 2'; ...
+%!            'coefficientRollingViscousDamping', 'peratomtypepair 1 0.3'; ...
+%!            'surfaceTension', 'scalar 0.07'}'
+%!   assert (scriptPhysics ([all_(one{:}), law('hertz')]){1}(1:numel (one{1})), one{1});
+%! end
+%! assert (isempty (scriptPhysics ([all_('kn', 'peratomtypepair 1 1e5'), ...
+%!                                  law('hertz/stiffness')])));
 %!test
 %! % a law that a variable holds may have it
 %! wall = "fix floor all wall/gran ${lawW} primitive type 2 zplane 0\n";

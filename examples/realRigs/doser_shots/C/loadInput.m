@@ -1,0 +1,1 @@
+../loadInput.m

@@ -1,0 +1,1 @@
+../../../../../../DEMmodels/Doser/OctaveFuns/getResults.m

@@ -1,0 +1,118 @@
+% WITHOUTDRIFT  Takes out what drifts with the order of trials within a session.
+%
+% CALL: [LINES, DRIFTS] = withoutDrift (LINES, QUANTITIES)
+%
+%   LINES       of readingLines, with order (n x 1; NaN: not given)
+%   QUANTITIES  1 x Q struct: group, size (a drift is one of all quantities of a
+%               group, in each its slope times size)
+%   DRIFTS      1 x D struct, of each session and group that drifts: session,
+%               group, slope (per order), sd (its 68 % half-width), p (Student's t,
+%               two-sided), middle (order at which values hold), means (of LINES
+%               in it), oneWay (those of a change that was read only before or
+%               only after the reference)
+%
+% A drift (a rig that warms, grains that wear) is one of all states and settings of
+% a session. A straight line about the mean of each state and quantity tells it;
+% below p = 0.01, shared among all that could drift (Bonferroni), it is taken
+% out.
+%
+% See also: withDrifts
+
+function [lines, drifts] = withoutDrift (lines, quantities)
+  drifts = struct ('session', {}, 'group', {}, 'slope', {}, 'sd', {}, 'p', {}, ...
+                   'middle', {}, 'means', {}, 'oneWay', {});
+  isOrdered = isfinite (lines.order) & isnan (lines.variance);
+  group = reshape ([quantities.group], [], 1)(lines.quantity);
+  kinds = unique ([lines.session(isOrdered), group(isOrdered)], 'rows');
+  for k = 1:rows (kinds)
+    at = find (isOrdered & lines.session == kinds(k, 1) & group == kinds(k, 2));
+    [slope, sd, p] = slopeOf (lines, quantities, at);
+    inSession = isOrdered & lines.session == kinds(k, 1);
+    drifts(end + 1) = struct ('session', kinds(k, 1), 'group', kinds(k, 2), ...
+                              'slope', slope, 'sd', sd, 'p', p, 'middle', ...
+                              mean (lines.order(inSession)), 'means', ...
+                              unique (lines.mean(at))', 'oneWay', ...
+                              oneWay (lines, at));
+  end
+  drifts = drifts([drifts.p] < 0.01 / max (sum (isfinite ([drifts.p])), 1));
+  for drift = drifts
+    at = find (isOrdered & lines.session == drift.session & group == drift.group);
+    size = reshape ([quantities.size], [], 1)(lines.quantity(at));
+    lines.value(at) = lines.value(at) - ...
+                      drift.slope * size .* (lines.order(at) - drift.middle);
+  end
+end
+
+% P is NaN where too few lines could tell a slope.
+function [slope, sd, p] = slopeOf (lines, quantities, at)
+  size = reshape ([quantities.size], [], 1)(lines.quantity(at));
+  weight = lines.repeats(at);
+  [cells, ~, of] = unique ([lines.mean(at), lines.quantity(at)], 'rows');
+  x = aboutMeans (lines.order(at), weight, of);
+  y = aboutMeans (lines.value(at) ./ size, weight, of);
+  df = numel (at) - rows (cells) - 1;
+  [slope, sd, p] = deal (0, 0, NaN);
+  spread = sum (weight .* x.^2);
+  if df < 2 || ~(spread > 0) || ~all (isfinite (y))
+    return
+  end
+  slope = sum (weight .* x .* y) / spread;
+  variance = sum (weight .* (y - slope * x).^2) / df / spread;
+  p = betainc (variance * df / (variance * df + slope^2 + realmin), df / 2, 0.5);
+  sd = -studentQuantile (0.1587, df) * sqrt (variance);
+end
+
+function v = aboutMeans (v, weight, of)
+  means = accumarray (of, weight .* v) ./ accumarray (of, weight);
+  v = v - means(of);
+end
+
+% Means of a change of which all lines come before, or after, those of the reference
+% of their quantity.
+function means = oneWay (lines, at)
+  means = zeros (1, 0);
+  for m = unique (lines.mean(at(lines.changed(at))))'
+    now = at(lines.mean(at) == m);
+    before = at(~lines.changed(at) & lines.quantity(at) == lines.quantity(now(1)));
+    [now, before] = deal (lines.order(now), lines.order(before));
+    if ~isempty (before) && (min (now) > max (before) || max (now) < min (before))
+      means(end + 1) = m;
+    end
+  end
+end
+
+%!function lines = of (values, order, state)
+%!  n = numel (values);
+%!  lines = struct ('value', values(:), 'mean', state(:), 'quantity', ones (n, 1), ...
+%!                  'session', ones (n, 1), 'repeats', ones (n, 1), 'variance', ...
+%!                  NaN (n, 1), 'changed', state(:) > 1, 'order', order(:));
+%!endfunction
+%!shared one, values
+%! one = struct ('group', 1, 'size', 1);
+%! values = 10 + 0.5 * (1:8) + 0.01 * [1, -1, 0, 1, 0, -1, 1, -1];
+%!test
+%! % a line is found and taken out, with what it leaves open; states in turn are
+%! % not read one way
+%! [lines, drift] = withoutDrift (of (values, 1:8, [1, 2, 1, 2, 1, 2, 1, 2]), one);
+%! assert ([drift.slope, drift.middle], [0.5, 4.5], 0.01);
+%! assert (drift.p < 1e-6 && drift.sd > 0 && isempty (drift.oneWay));
+%! assert (lines.value, 12.25 * ones (8, 1), 0.1);
+%!test
+%! % the change after the reference alone; no order, no drift; a step is none
+%! [~, drift] = withoutDrift (of (values, 1:8, [1, 1, 1, 1, 2, 2, 2, 2]), one);
+%! assert (drift.oneWay, 2);
+%! lines = of (values, NaN (1, 8), [1, 1, 1, 1, 2, 2, 2, 2]);
+%! [same, drift] = withoutDrift (lines, one);
+%! assert ({same, numel(drift)}, {lines, 0});
+%! [~, drift] = withoutDrift (of ([1, 2, 2, 1, 9, 8, 8, 9], 1:8, ...
+%!                                [1, 1, 1, 1, 2, 2, 2, 2]), one);
+%! assert (isempty (drift));
+%!test
+%! % points of a curve drift by the same share, also one that was read once
+%! lines = of ([10, 20, 30, 10.1, 20.2, 10.2, 20.4], [0, 0, 2, 1, 1, 2, 2], ...
+%!             ones (1, 7));
+%! [lines.mean, lines.quantity] = deal ([1; 2; 3; 1; 2; 1; 2]);
+%! curve = struct ('group', 1, 'size', {10.1, 20.2, 30});
+%! [lines, drift] = withoutDrift (lines, curve);
+%! assert (drift.slope, 0.0099, 1e-4);
+%! assert (lines.value(3), 30 * (1 - 0.0099 * (2 - 8 / 7)), 1e-2);
