@@ -19,7 +19,7 @@ ONLY ?=
 PREFIX ?= $(HOME)/.local
 export LIGGGHTS OCTAVE CASE ONLY PREFIX
 
-.PHONY: help setup install uninstall liggghts run gap test soak bench figures lint graph map wings format index dist release site demo clean liggghts-clean
+.PHONY: help setup install uninstall liggghts run gap test soak bench figures lint graph doors map wings format index dist release site demo clean liggghts-clean
 
 help:                  ## this list
 	@echo 'make TARGET, with the targets'
@@ -74,6 +74,9 @@ lint:                  ## check the style of the Octave and the shell code
 
 graph:                 ## the calls between the folders; fails where one goes up, or nothing calls a function
 	@OCTAVE=$${OCTAVE:-octave-cli} tools/graph/graph.sh
+
+doors:                 ## the doors of each room (what others call), and what hangs on seven of them
+	@OCTAVE=$${OCTAVE:-octave-cli} tools/graph/graph.sh --doors
 
 map:                   ## make infrastructure/README.md: the doors of each folder
 	@OCTAVE=$${OCTAVE:-octave-cli} tools/graph/graph.sh --map

@@ -26,7 +26,7 @@
 %!test
 %! % what the plan must give
 %! assert ({r.status}, {'ok', 'ok', 'failed', 'invalid', 'timeout', 'ok'});
-%! assert ({r.cause}, {'', '', 'exit', 'output', 'time', ''});
+%! assert ({r.cause}, {'', '', 'exit', 'none', 'time', ''});
 %! assert (r(6).results, [3.3 + 2, 3.3 * 2], 1e-12);
 %! assert (! isempty (strfind (r(3).message, 'too dense')));
 

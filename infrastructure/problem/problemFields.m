@@ -51,6 +51,6 @@ end
 
 %!test
 %! fields = problemFields ();
-%! assert (size (fields), [1, 32]);
+%! assert (size (fields), [1, 33]);
 %! assert ({fields([fields.hasUnit]).name}, ...
 %!         {'value', 'sd', 'scale', 'shared', 'noiseSd', 'earlierSd'});

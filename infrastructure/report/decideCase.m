@@ -30,10 +30,13 @@ function v = decideCase (c, gap, isBegun)
               'action', '', 'actionParts', [], 'todo', [], 'numbers', [], 'met', 0, 'of', 0, ...
               'misses', listMisses (c, gap), 'worst', '', 'cause', []);
   isBegun = nargin > 2 && isBegun;
-  codes = {'case.nothing', 'start'; 'case.begun', 'goOn'};
-  v.word = sentence ([codes{1 + isBegun, 1}, '.word']);
-  v.sentence = sentence ([codes{1 + isBegun, 1}, '.sentence']);
-  v = withAction (v, newAction (codes{1 + isBegun, 2}));
+  [code, todo] = deal ('case.nothing', 'start');
+  if isBegun
+    [code, todo] = deal ('case.begun', 'goOn');
+  end
+  v.word = sentence ([code, '.word']);
+  v.sentence = sentence ([code, '.sentence']);
+  v = withAction (v, newAction (todo));
   v.worst = worstTest (v.misses, gap);
   if ~isempty (c)
     v = ofCalibration (v, c);
@@ -75,15 +78,7 @@ function numbers = keyNumbers (v, c)
     list = missTexts (v.misses(headline (v.misses, v.worst)));
   end
   if v.of > 0
-    open = v.misses(isOpenMiss (v.misses));
-    labels = {'targets met', 'targets within tolerance so far, not surely', ...
-              'targets met, expected from the fit, not yet run'};
-    hasNoRun = c.runs == 0;
-    isUnsure = ~v.usable && v.met == v.of;
-    text = [sprintf('%d of %d', v.met, v.of), ...
-            repmat(sprintf (', %d open', numel (open)), 1, ~isempty (open))];
-    says = eachOf (@(m) {['open: ', m.name]; nthargout(2, @missTexts, m)}, open);
-    list = [list; {labels{1 + max(2 * hasNoRun, isUnsure)}, text}; [says{:}]'];
+    list = [list; metTargets(v, c)];
   end
   if ~isempty (jsonAt (c, {'sources'}))
     list(end + 1, :) = {'runs that count', sourcesText(c.sources)};
@@ -98,11 +93,32 @@ function numbers = keyNumbers (v, c)
   if ~isempty (v.cause) && ~isempty (v.cause.amount)
     list = [list; {v.cause.amount.label, v.cause.amount.text}];
   elseif ~isempty (chance)
-    texts = {sprintf('%.0f %%', 100 * chance), '> 99 %', '< 1 %'};
-    k = 1 + (chance > 0.995) + 2 * (chance < 0.005);
-    list = [list; {sentence(['chance.', chanceCode(v.misses)]), texts{k}}];
+    text = sprintf ('%.0f %%', 100 * chance);
+    if chance > 0.995
+      text = '> 99 %';
+    elseif chance < 0.005
+      text = '< 1 %';
+    end
+    list = [list; {sentence(['chance.', chanceCode(v.misses)]), text}];
   end
   numbers = struct ('label', list(:, 1)', 'text', list(:, 2)');
+end
+
+% How many targets are met, and which are open.
+function list = metTargets (v, c)
+  open = v.misses(isOpenMiss (v.misses));
+  label = 'targets met';
+  if c.runs == 0
+    label = 'targets met, expected from the fit, not yet run';
+  elseif ~v.usable && v.met == v.of
+    label = 'targets within tolerance so far, not surely';
+  end
+  text = sprintf ('%d of %d', v.met, v.of);
+  if ~isempty (open)
+    text = sprintf ('%s, %d open', text, numel (open));
+  end
+  says = eachOf (@(m) {['open: ', m.name]; nthargout(2, @missTexts, m)}, open);
+  list = [{label, text}; [says{:}]'];
 end
 
 function code = chanceCode (misses)
@@ -155,9 +171,13 @@ end
 
 function text = notCalibrated (used, c)
   missed = {used([used.met] == 0).name};
-  codes = {'notFor.unsure', 'notFor.noRun', 'notFor.missed'};
-  hasNoRun = c.runs == 0;
-  text = sentence (codes{1 + max(hasNoRun, 2 * ~isempty (missed))}, missed);
+  code = 'notFor.unsure';
+  if ~isempty (missed)
+    code = 'notFor.missed';
+  elseif c.runs == 0
+    code = 'notFor.noRun';
+  end
+  text = sentence (code, missed);
 end
 
 % The one thing that can be done about parameter values that are not confirmed.
@@ -184,8 +204,8 @@ function todo = wayOn (c, used)
   elseif isImported (c)
     todo = newAction ('runOutside');
   else
-    fields = {'optim.maxFunEvals', 'Input.maxNewRuns'};
-    todo = newAction ('raise', fields(1 + strcmp (limit, 'maxNewRuns')), widen);
+    field = merge (strcmp (limit, 'maxNewRuns'), 'Input.maxNewRuns', 'optim.maxFunEvals');
+    todo = newAction ('raise', {field}, widen);
   end
 end
 
@@ -235,6 +255,9 @@ end
 
 function v = withGap (v, c, cause)
   [v.cause, v.change] = deal (cause, cause.change);
+  if ~isempty (cause.condition) && ~isempty (v.change)
+    v.change = [cause.condition, ': ', v.change];
+  end
   if isempty (c)
     v = mergeFields (v, cause, {'word', 'class', 'sentence'});
     v.notFor = {sentence('notFor.noCalibration')};

@@ -26,8 +26,7 @@ function v = decideStored (s, isBegun)
     v.word = sentence ('case.earlier.word', values);
     [v.class, v.usable] = deal ('open', false);
     v.usableFor = {};
-    codes = {'again', 'againGap'};
-    v = withAction (v, newAction (codes{1 + isempty(s.calibration)}));
+    v = withAction (v, newAction (merge (isempty (s.calibration), 'againGap', 'again')));
   end
 end
 

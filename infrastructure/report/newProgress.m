@@ -30,8 +30,11 @@ function report = newProgress (stage, say, further)
     if (state.done == state.total || time () - said >= 1) && ...
        (state.total > 0 || state.reused > 0)
       said = time ();
-      lines = {say, move};
-      lines{1 + (state.done < state.total)} (textOf (state, stage, further));
+      if state.done < state.total
+        move (textOf (state, stage, further));
+      else
+        say (textOf (state, stage, further));
+      end
     end
   end
 

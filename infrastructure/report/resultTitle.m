@@ -7,8 +7,8 @@
 %   TEXT  'CALIBRATED (2026-01-02): All targets are met ...', without a line end
 
 function text = resultTitle (c, date)
-  words = {'NOT CALIBRATED', 'CALIBRATED'};
-  text = sprintf ('%s (%s): %s', words{1 + isequal(c.converged, true)}, date, ...
+  word = merge (isequal (c.converged, true), 'CALIBRATED', 'NOT CALIBRATED');
+  text = sprintf ('%s (%s): %s', word, date, ...
                   oneLine (c.reason));
 end
 

@@ -45,10 +45,13 @@ end
 function sayOwn (tally, say)
   far = tally.outside(2);
   if tally.used + far > 0
-    left = sprintf (', %d too far outside the limits', far);
+    left = '';
+    if far > 0
+      left = sprintf (', %d too far outside the limits', far);
+    end
     say (['own runs  the input has changed: ', ...
           countText(tally.used, 'earlier run is reused', 'earlier runs are reused'), ...
-          left(1:end * (far > 0))]);
+          left]);
   end
 end
 

@@ -25,8 +25,7 @@ function state = bookStep (state, problem, stage, iteration, say)
                      'here', final.n, 'mean', residualText (ofRuns, names), ...
                      'expected', residualText (residual, names), ...
                      'chance', sprintf ('%.2f', found.probability));
-    codes = {'step.surrogates', 'step.runs'};
-    say (['  ', sentence(codes{1 + (final.n > 0)}, values)]);
+    say (['  ', sentence(merge(final.n > 0, 'step.runs', 'step.surrogates'), values)]);
   end
 end
 

@@ -18,8 +18,12 @@ function text = whyMore (state, problem, n)
   values = struct ('name', problem.targetNames{t}, 'expected', m(t), ...
                    'measured', problem.value(t), 'allowed', half(t), ...
                    'scatter', noise(t), 'sd', sqrt (v(t)), 'n', n);
-  codes = {'infill.unsure', 'infill.scatter', 'infill.miss'};
-  code = codes{1 + (noise(t) > half(t)) * (miss(t) <= half(t)) + 2 * (miss(t) > half(t))};
+  code = 'infill.unsure';
+  if miss(t) > half(t)
+    code = 'infill.miss';
+  elseif noise(t) > half(t)
+    code = 'infill.scatter';
+  end
   text = sentence (code, values);
 end
 

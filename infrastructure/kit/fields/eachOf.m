@@ -7,8 +7,11 @@
 %   OUT   1 x n cell
 
 function out = eachOf (f, list)
-  maps = {@arrayfun, @cellfun};
-  out = maps{1 + iscell(list)} (f, reshape (list, 1, []), 'UniformOutput', false);
+  map = @arrayfun;
+  if iscell (list)
+    map = @cellfun;
+  end
+  out = map (f, reshape (list, 1, []), 'UniformOutput', false);
 end
 
 %!assert (eachOf (@(x) x + 1, [1; 2]), {2, 3})

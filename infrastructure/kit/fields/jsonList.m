@@ -9,7 +9,10 @@
 function list = jsonList (root, path)
   list = jsonAt (root, path);
   if ischar (list)
-    list = cellstr (list)(1:end * ~isempty (list));
+    list = cellstr (list);
+    if strcmp (list, '')
+      list = {};
+    end
   elseif ~iscell (list)
     list = num2cell (list);
   end

@@ -11,8 +11,7 @@ function text = countText (n, one, many)
   if nargin < 3
     many = [one, 's'];
   end
-  words = {many, one};
-  text = sprintf ('%d %s', n, words{1 + (n == 1)});
+  text = sprintf ('%d %s', n, merge (n == 1, one, many));
 end
 
 %!assert (countText (0, 'run'), '0 runs')

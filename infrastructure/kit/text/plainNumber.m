@@ -27,7 +27,9 @@ function text = oneNumber (x, kind)
                   x * (1 + 99 * strcmp (kind, 'percent')));
   switch kind
     case 'p'
-      text = [text(1:end * (x >= 0.001)), repmat('< 0.001', 1, x < 0.001)];
+      if x < 0.001
+        text = '< 0.001';
+      end
     case 'probability'
       if x > 0 && x < 0.005
         text = '< 0.01';

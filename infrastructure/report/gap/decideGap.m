@@ -11,6 +11,7 @@
 %               'kind', 'manyKinds', 'oneNumber', 'fewNumbers', 'unlisted', 'atEnd',
 %               'untested', 'open', 'faint', 'aside', 'noVerdict'
 %     change    what has changed, before any cause, see firstLine; '' of a gap
+%     condition  of which it is said, where there are several ('')
 %     names     1 x n cell, the effects that the first words name
 %     plain     word, without the name of the condition
 %     word, sentence, class  as in decideCase
@@ -37,6 +38,7 @@ function cause = decideGap (gap)
   untested = jsonList (which, {'untested'});
   codes = {'failedWhy', 'failed'};
   cause = struct ('kind', 'open', 'code', '', 'change', firstLine (gap), ...
+                  'condition', '', ...
                   'names', {{}}, 'word', '', 'sentence', '', ...
                   'class', 'open', 'where', where, 'closed', closed, ...
                   'closure', closure, 'todo', [], 'without', [], 'notFor', {{}}, 'amount', [], ...
@@ -81,7 +83,7 @@ function cause = ofConditions (cause, gap, say)
   list{isOwn} = mergeFields (list{isOwn}, cause, ...
                              {'code', 'kind', 'change', 'names', 'plain'});
   gap.reference.conditions = list;
-  cause.change = [name, ': ', cause.change];
+  cause.condition = name;
   [cause.word, cause.sentence] = deal ([name, ': ', cause.word], ...
                                        [name, ': ', cause.sentence]);
   if ~isempty (cause.todo)

@@ -23,8 +23,7 @@ function text = levelText (gap)
                    'verdict', level.verdict, ...
                    'effects', repmat ([' (', effects, ')'], 1, ~isempty (effects)));
   if ~isempty (level.verdict)
-    codes = {'level.other', 'level.same'};
-    code = codes{1 + level.holds};
+    code = merge (level.holds, 'level.same', 'level.other');
   end
   text = sentence (code, values);
 end

@@ -34,8 +34,11 @@ function text = trialsOf (targets)
   trials = [targets.trials];
   words = {};
   for n = unique (trials(trials ~= 1))
-    forms = {sprintf('%g', n), 'scatter of the trials is in targetStd'};
-    words{end + 1} = sprintf ('%s (%s)', forms{1 + isinf(n)}, ...
+    count = sprintf ('%g', n);
+    if isinf (n)
+      count = 'scatter of the trials is in targetStd';
+    end
+    words{end + 1} = sprintf ('%s (%s)', count, ...
                               strjoin ({targets(trials == n).name}, ', '));
   end
   text = strjoin (words, '; ');

@@ -52,8 +52,8 @@ function [class, text] = evidence (v)
       text = sprintf ('as the model of %s has it: nobody measured it', v.case);
       return
   end
-  words = {'fitted, not confirmed', 'calibrated'};
-  text = sprintf ('%s in %s (%s)', words{1 + (v.confirmed || ~v.determined)}, v.case, ...
+  word = merge (v.confirmed || ~v.determined, 'calibrated', 'fitted, not confirmed');
+  text = sprintf ('%s in %s (%s)', word, v.case, ...
                   strjoin (v.models, ', '));
   if ~isempty (v.by)
     text = [text, ', seen by ', strjoin(v.by, ', ')];

@@ -13,8 +13,7 @@
 function [texts, open] = missTexts (m)
   m = inGiven (m);
   isSmall = m.met == 1 || (isnan (m.met) && m.share < 1);
-  labels = {'largest miss', 'largest deviation'};
-  label = labels{1 + isSmall};
+  label = merge (isSmall, 'largest deviation', 'largest miss');
   if isfinite (m.z) && isfinite (m.measured)
     label = sprintf ('%s (%.2g times the noise)', label, abs (m.z));
   end

@@ -6,8 +6,8 @@
 %   TEXT  'by DEM runs', or that only the fitted surfaces say it
 
 function text = judgedHow (far)
-  codes = {'closed.onSurrogates', 'closed.byDEM'};
-  text = sentence (codes{1 + isequal(jsonAt (far, {'verifiedByDEM'}), true)});
+  byDem = isequal (jsonAt (far, {'verifiedByDEM'}), true);
+  text = sentence (merge (byDem, 'closed.byDEM', 'closed.onSurrogates'));
 end
 
 %!assert (judgedHow (struct ('verifiedByDEM', true)), sentence ('closed.byDEM'))

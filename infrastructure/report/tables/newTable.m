@@ -68,7 +68,9 @@ function [x, from] = numberAt (x, page)
   if iscell (x)
     from = strjoin (cellfun (@num2str, x, 'UniformOutput', false), '/');
     x = jsonAt (page.sources, x);
-    x = x(1:end * isnumeric (x));
+    if ~isnumeric (x)
+      x = [];
+    end
   end
   if ~ischar (x) && (isempty (x) || ~all (isfinite (x(:))))
     [x, from] = deal (NaN, '');

@@ -9,8 +9,8 @@
 function k = targetAt (list, target)
   k = [];
   if isstruct (list)
-    fields = {'model', 'modelName'};
-    models = {list.(fields{1 + isfield(list, 'modelName')})};
+    field = merge (isfield (list, 'modelName'), 'modelName', 'model');
+    models = {list.(field)};
     k = find (strcmp ({list.name}, target.name) & ...
               strcmp (models, target.model), 1);
   end

@@ -77,8 +77,7 @@ function text = fill (place, values, code)
   elseif ischar (value)
     text = value;
   else
-    forms = {'%.4g', '%d'};
-    text = sprintf (forms{1 + (value == round (value))}, value);
+    text = sprintf (merge (value == round (value), '%d', '%.4g'), value);
   end
 end
 

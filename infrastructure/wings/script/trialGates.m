@@ -85,12 +85,13 @@ end
 
 function notes = ofPacking (name, share, which, values)
   notes = cell (1, 0);
-  slip = {'is the density of a grain that of the bulk', ...
-          'is the bulk density in other units, or the grain hollow'};
   if share > 0.67 || share < 0.45
+    slip = merge (share < 0.45, ...
+                  'is the bulk density in other units, or the grain hollow', ...
+                  'is the density of a grain that of the bulk');
     notes = {sprintf(['%s: %s, it fills %.2g of the volume with grains of %g kg/m3, ' ...
                       'where grains fill 0.5 to 0.67: %s?'], name, which, share, ...
-                     values.densityP, slip{1 + (share < 0.45)})};
+                     values.densityP, slip)};
   end
 end
 

@@ -9,7 +9,10 @@ function line = csvLine (fields)
   for k = 1:numel (fields)
     field = fields{k};
     if isnumeric (field)
-      fields{k} = repmat (exactNumber (field), 1, ~isnan (field));
+      fields{k} = '';
+      if ~isnan (field)
+        fields{k} = exactNumber (field);
+      end
     elseif any (ismember (field, [',;"', "\n"]))
       fields{k} = ['"', strrep(field, '"', '""'), '"'];
     end

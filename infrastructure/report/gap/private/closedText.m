@@ -55,12 +55,13 @@ end
 % No gap, and a gap whose closing cannot be told, are two things.
 function code = codeOf (part)
   closure = jsonNumber (part, {'closure'});
-  codes = {'tooFew', 'noise', 'unknown'};
   removable = jsonNumber (part, {'removable'});
   if any (diff (jsonAt (part, {'interval90'})) > 0.5)
     code = 'unsure';
+  elseif ~isfinite (closure) && isnan (removable)
+    code = 'unknown';
   elseif ~isfinite (closure)
-    code = codes{1 + (removable == 0) + 2 * isnan(removable)};
+    code = merge (removable == 0, 'noise', 'tooFew');
   elseif closure >= 0.995
     code = 'all';
   elseif closure <= 0.005

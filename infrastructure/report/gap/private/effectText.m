@@ -12,13 +12,13 @@ function [text, amount] = effectText (label, unit, values)
   values = values(:)';
   switch unit
     case 'factor'
-      words = {'larger', 'smaller'};
       change = 100 * (values - 1);
       isLess = change(1) < 0;
       if isLess
         change = -change([1, 3, 2]);
       end
-      amount = sprintf ('%s %s than modelled', quantity (change(1), '%'), words{1 + isLess});
+      amount = sprintf ('%s %s than modelled', quantity (change(1), '%'), ...
+                        merge (isLess, 'smaller', 'larger'));
       if all (isfinite (change))
         amount = sprintf ('%s (%.2g to %.2g)', amount, change(2:3));
       end

@@ -108,14 +108,19 @@ function values = valuesOf (T, times, isMore)
   if ~any (strcmp (kind, {'angle', 'mass', 'rate', 'time', 'height', 'density'}))
     kind = 'other';
   end
-  ways = {'less', 'more'};
-  values = struct ('name', T.name, 'way', sentence (['way.', ways{1 + isMore}, '.', kind]), ...
+  way = ['way.', merge(isMore, 'more', 'less'), '.', kind];
+  values = struct ('name', T.name, 'way', sentence (way), ...
                    'times', timesText (times));
 end
 
 function text = timesText (x)
-  forms = {'%.1f', '%.2g', '%.0f'};
-  text = sprintf (forms{1 + (x >= 1) + (x >= 10)}, x);
+  form = '%.1f';
+  if x >= 10
+    form = '%.0f';
+  elseif x >= 1
+    form = '%.2g';
+  end
+  text = sprintf (form, x);
 end
 
 %!function gap = changed (n, names, series)

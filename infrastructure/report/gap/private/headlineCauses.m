@@ -33,8 +33,7 @@ function [names, code, alike] = headlineCauses (gap)
     [names, code] = deal ({}, 'fewNumbers');
   elseif numel (names) > 4
     kinds = unique (cellfun (@(n) kindOf (which, n), names, 'UniformOutput', false));
-    codes = {'kind', 'manyKinds'};
-    code = codes{1 + (numel (kinds) > 1 || isempty (kinds{1}))};
+    code = merge (numel (kinds) > 1 || isempty (kinds{1}), 'manyKinds', 'kind');
   end
 end
 

@@ -24,10 +24,9 @@ function names = missedTargets (gap, roles)
     points = strcmp (series, name{1}) & isfinite (at);
     if sum (points) >= 3 && any (points & isOff)
       off = at(points & isOff);
-      codes = {'points', 'point'};
       values = struct ('name', name{1}, 'n', numel (off), 'of', sum (points), ...
                        'from', min (off), 'to', max (off));
-      names(points) = {sentence(['curve.', codes{1 + isscalar(off)}], values)};
+      names(points) = {sentence(['curve.', merge(isscalar (off), 'point', 'points')], values)};
     end
   end
   names = unique (names(isOff), 'stable');

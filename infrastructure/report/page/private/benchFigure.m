@@ -96,10 +96,11 @@ function text = labelOf (name, value)
 end
 
 function key = keyOf (page)
-  words = {'expected with the best values found', 'expected with the calibrated values'};
+  values = merge (page.verdict.usable, 'expected with the calibrated values', ...
+                  'expected with the best values found');
   key = {'line', 'ink', 'measured'; 'box', 'palegreen', 'allowed'; ...
          'box', 'palegrey', 'reachable within your limits'; ...
-         'diamond', 'blue', words{1 + page.verdict.usable}};
+         'diamond', 'blue', values};
   if any ([page.verdict.misses.isStrict])
     key(end + 1, :) = {'ring', 'blue', 'the same, tolerance below the scatter of a run'};
   end

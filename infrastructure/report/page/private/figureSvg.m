@@ -52,8 +52,12 @@ function a = axisOf (values, asked, isLog, names, n, isWhole)
               1:numel (names), 'names', {cellfun(@(t) short (t, 26), names, ...
                                                  'UniformOutput', false)});
   if isempty (names)
-    ticks = {@niceTicks, @logTicks};
-    a.at = ticks{1 + isLog} (a.range, max (2, round (n)));
+    n = max (2, round (n));
+    if isLog
+      a.at = logTicks (a.range, n);
+    else
+      a.at = niceTicks (a.range, n);
+    end
     if isWhole
       a.at = unique (round (a.at));
     end

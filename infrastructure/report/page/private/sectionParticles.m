@@ -78,8 +78,8 @@ function real = experimentOf (Case, k)
     id = fopen (photo, 'r');
     bytes = fread (id, [1, Inf], '*uint8');
     fclose (id);
-    kinds = {'jpeg', 'png'};
-    real.photo = ['data:image/', kinds{1 + isequal(bytes(2:min (4, end)), uint8 ('PNG'))}, ...
+    isPng = isequal (bytes(2:min (4, end)), uint8 ('PNG'));
+    real.photo = ['data:image/', merge(isPng, 'png', 'jpeg'), ...
                   ';base64,', matlab.net.base64encode(bytes)];
     real.height = real.width * (imageSize (bytes) * [0; 1]) / (imageSize (bytes) * [1; 0]);
   end

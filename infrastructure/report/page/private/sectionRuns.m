@@ -30,8 +30,12 @@ function f = timeline (runs)
   lasted(~isfinite (lasted)) = 0;
   to = from + lasted;
   last = max ([to, 1]);
-  units = {1, 'seconds'; 1 / 60, 'minutes'; 1 / 3600, 'hours'};
-  [factor, unit] = units{1 + (last > 120) + (last > 7200), :};
+  [factor, unit] = deal (1, 'seconds');
+  if last > 7200
+    [factor, unit] = deal (1 / 3600, 'hours');
+  elseif last > 120
+    [factor, unit] = deal (1 / 60, 'minutes');
+  end
   lane = lanes (from, to);
   isOk = strcmp ({runs.status}, 'ok');
   isOpen = strcmp ({runs.status}, 'not ended');
@@ -64,11 +68,11 @@ function lane = lanes (from, to)
 end
 
 function html = settings (page)
-  words = {'run', 'diagnose'};
   isGap = ~isempty (page.sources.gap) && isempty (page.sources.calibration);
   notes = strcat ('<li>', htmlText (namesIn (page.sources.calibration, 'warnings')), '</li>');
   html = ['<p>The same case with the same seed asks for the same runs ', ...
-          'again, and takes those in the store: <code>decalioc ', words{1 + isGap}, ...
+          'again, and takes those in the store: <code>decalioc ', ...
+          merge(isGap, 'diagnose', 'run'), ...
           '</code> in the case folder.</p>', titled('Notes', notes), ...
           tableHtml(page.tables.settings), fileList(page)];
 end

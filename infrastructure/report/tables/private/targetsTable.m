@@ -14,8 +14,8 @@ function T = targetsTable (page)
   misses = page.verdict.misses;
   misses = misses(~strcmp ({misses.role}, 'unmeasured'));
   runs = jsonNumber (page.sources.calibration, {'runs'}, 1);
-  means = {'DEM, one run', sprintf('DEM, mean of %d runs', runs)};
-  columns = {'result', '', 'name'; 'measured', '', 'plain'; means{1 + (runs > 1)}, '', 'plain'; ...
+  ofRuns = merge (runs > 1, sprintf ('DEM, mean of %d runs', runs), 'DEM, one run');
+  columns = {'result', '', 'name'; 'measured', '', 'plain'; ofRuns, '', 'plain'; ...
              'expected mean', '', 'plain'; 'allowed +-', '', 'plain'; ...
              'deviation (sd)', '', 'z'; '', '', ''; 'scatter of a run', '', 'error'; ...
              'with the effect', '', 'plain'; 'reachable', '', 'plain'};
@@ -40,8 +40,7 @@ function cells = rowOf (page, m, isShown)
     return
   end
   at = @(field) {'calibration', 'targets', t, field};
-  estimates = {'estimate', 'result'};
-  estimate = estimates{1 + isempty(jsonAt (page.sources, at ('estimate')))};
+  estimate = merge (isempty (jsonAt (page.sources, at ('estimate'))), 'result', 'estimate');
   entry = struct ('value', {at('result')}, 'sd', {at('resultSd')});
   reach = givenField (page, 'reach', NaN (t, 2));
   k = targetAt (jsonAt (page.sources.gap, {'howFar', 'targets'}), m);

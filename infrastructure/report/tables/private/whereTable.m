@@ -9,9 +9,9 @@ function T = whereTable (page)
   where = jsonAt (page.sources.gap, {'where'});
   targets = jsonList (where, {'targets'});
   [~, order] = sort (-abs (cellfun (@(t) jsonNumber (t, {fieldOf(t)}), targets)));
-  words = {'simulated', 'predicted'};
+  means = merge (page.isChange, 'predicted', 'simulated');
   columns = {'result', '', 'name'; 'measured', '', 'plain'; ...
-             words{1 + page.isChange}, '', 'plain'; 'deviation (sd)', '', 'z'; ...
+             means, '', 'plain'; 'deviation (sd)', '', 'z'; ...
              'p', '', 'p'; 'parameters cannot hide', '', 'percent'; ...
              'remark', '', 'words'};
   columns{6, 4} = 'page';
@@ -38,8 +38,7 @@ end
 
 % Before there was a field deviation, only z was kept.
 function name = fieldOf (target)
-  names = {'z', 'deviation'};
-  name = names{1 + isfield(target, 'deviation')};
+  name = merge (isfield (target, 'deviation'), 'deviation', 'z');
 end
 
 function notes = notesOf (where)

@@ -145,7 +145,9 @@ function [name, kind, unit] = severalRuns (text, targets, file)
       [name, kind] = deal (known, 'scatter');
     end
   end
-  unit = repmat (unit, 1, ~strcmp (kind, 'ignored'));
+  if strcmp (kind, 'ignored')
+    unit = '';
+  end
 end
 
 % Of measured.csv, else of results.csv; '' where neither says one.

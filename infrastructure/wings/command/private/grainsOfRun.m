@@ -42,7 +42,9 @@ function n = askedFor (text)
     form = '\<nparticles\s+(\d+)';
     if strcmp (kind, 'pack')
       form = '\<particles_in_region\s+(\d+)';
-      rest = repmat (rest, 1, ~isempty (regexp (rest, '\<insert_every\s+once\>', 'once')));
+      if isempty (regexp (rest, '\<insert_every\s+once\>', 'once'))
+        rest = '';
+      end
     end
     found = regexp (rest, form, 'tokens', 'once');
     numbers.(['x', regexprep(id, '\W', '_')]) = str2double ([found, {'NaN'}]{1});

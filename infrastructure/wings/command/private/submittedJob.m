@@ -18,11 +18,9 @@ function [job, state] = submittedJob (folder)
   job = struct ('executor', words{1}, 'name', words{2});
   queue = describeExecutor (job.executor);
   [answers, ~, tasks] = queue.look ({job.name}, 1);
-  states = {'unknown', 'gone'};
-  state = states{1 + answers};
+  state = merge (answers, 'gone', 'unknown');
   if answers && any (tasks.state == 'pr')
-    states = {'waiting', 'running'};
-    state = states{1 + (tasks.state == 'r')};
+    state = merge (tasks.state == 'r', 'running', 'waiting');
   end
 end
 
