@@ -253,11 +253,16 @@ function texts = knownOnes (c)
   end
 end
 
-function v = withGap (v, c, cause)
-  [v.cause, v.change] = deal (cause, cause.change);
-  if ~isempty (cause.condition) && ~isempty (v.change)
-    v.change = [cause.condition, ': ', v.change];
+% Of several conditions by its name.
+function text = toldChange (cause)
+  text = cause.change;
+  if ~isempty (cause.condition) && ~isempty (text)
+    text = [cause.condition, ': ', text];
   end
+end
+
+function v = withGap (v, c, cause)
+  [v.cause, v.change] = deal (cause, toldChange (cause));
   if isempty (c)
     v = mergeFields (v, cause, {'word', 'class', 'sentence'});
     v.notFor = {sentence('notFor.noCalibration')};

@@ -80,14 +80,11 @@ end
 % Runs that lack one result count for the others they have.
 function lines = lackingOne (Z, problem)
   lines = {};
-  for t = 1:columns (Z)
-    hasOther = any (isfinite (Z(:, problem.bench == problem.bench(t))), 2);
-    lacks = hasOther & isnan (Z(:, t)) & ~isna (Z(:, t));
-    if any (lacks)
-      values = struct ('lacks', sum (lacks), 'tried', sum (hasOther), 'name', ...
-                       problem.targetNames{t});
-      lines{end + 1} = sentence ('warning.lacking', values);
-    end
+  [lacks, hasAny] = lackingRows (Z, problem.bench);
+  for t = find (any (lacks, 1))
+    values = struct ('lacks', sum (lacks(:, t)), 'tried', sum (hasAny(:, t)), 'name', ...
+                     problem.targetNames{t});
+    lines{end + 1} = sentence ('warning.lacking', values);
   end
 end
 

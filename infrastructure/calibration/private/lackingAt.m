@@ -20,11 +20,10 @@ function [chance, lacks, tried] = lackingAt (p, data, problem)
   if ~isempty (data.X)
     for k = unique (problem.bench)
       mine = problem.bench == k;
-      Z = data.Z(:, mine);
-      hasOne = any (isfinite (Z), 2);
-      near = hasOne;
-      near(hasOne) = isNearest (data.X(hasOne, :), p, problem);
-      lacks(mine) = sum (isnan (Z(near, :)) & ~isna (Z(near, :)), 1);
+      [isLacking, hasAny] = lackingRows (data.Z(:, mine), problem.bench(mine));
+      near = hasAny(:, 1);
+      near(near) = isNearest (data.X(near, :), p, problem);
+      lacks(mine) = sum (isLacking(near, :), 1);
       tried(mine) = sum (near);
     end
   end

@@ -24,8 +24,7 @@ end
 
 function isOut = tooOftenLacking (state, problem)
   data = runsThatCount (state.data, problem);
-  isOut = problem.calibrate & arrayfun (@(t) isLacked (t, data.Z, problem.bench), ...
-                                        1:columns (data.Z));
+  isOut = problem.calibrate & any (lackingRows (data.Z, problem.bench), 1);
   if strcmp (problem.options.method, 'published')
     isOut(:) = false;
   elseif ~isempty (state.final)
@@ -39,11 +38,6 @@ function isOut = tooOftenLacking (state, problem)
     end
     isOut = isOut & lackingAt (p, state.data, problem) > 0.75;
   end
-end
-
-function yes = isLacked (t, Z, bench)
-  hasOther = any (isfinite (Z(:, bench == bench(t))), 2);
-  yes = any (hasOther & isnan (Z(:, t)) & ~isna (Z(:, t)));
 end
 
 %!test

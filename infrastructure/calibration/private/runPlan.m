@@ -43,10 +43,10 @@ end
 function refuseLacking (data, problem)
   least = columns (data.X) + 2;
   isOurs = ~ismember (data.stage, {'import', 'library'});
+  [lacking, hasAny] = lackingRows (data.Z, problem.bench);
   for t = find (problem.calibrate)
-    Z = data.Z(:, problem.bench == problem.bench(t));
-    isRun = any (isfinite (Z), 2) & isOurs;
-    lacks = isRun & isnan (data.Z(:, t)) & ~isna (data.Z(:, t));
+    isRun = hasAny(:, t) & isOurs;
+    lacks = lacking(:, t) & isOurs;
     have = rows (unique (data.X(isfinite (data.Z(:, t)), :), 'rows'));
     if have < least && sum (lacks) >= max (2, 0.5 * sum (isRun))
       error ('DEcalioc:runPlan:lacksResult', ...
