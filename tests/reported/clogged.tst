@@ -4,7 +4,7 @@
 
 %!function [c, out, status] = with (varargin)
 %!  % varargin: file, what is written there, by what
-%!  folder = reportedCase ('clogged');
+%!  folder = reportedCase ('clogged', 'toleranceOfZero');
 %!  for k = 1:3:nargin
 %!    file = fullfile (folder, varargin{k});
 %!    text = strrep (fileread (file), varargin{k + 1}, varargin{k + 2});
