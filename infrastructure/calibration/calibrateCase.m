@@ -35,7 +35,7 @@ function calibration = calibrateCase (root, folder)
   % experimental plan and DEM simulation
   [data, rest] = importExisting (Case, problem, say);
   state = newState (data);
-  [state.evaluate, state.budget] = newEvaluate (Case, say);
+  [state.evaluate, state.budget] = newCaseEvaluate (Case, say);
   state = trustLibrary (state, problem, say);
   [state, asked] = planToSet (state, problem, Case, say, rest);
   [state, text] = keepApart (state, problem);

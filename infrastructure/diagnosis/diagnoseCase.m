@@ -79,7 +79,7 @@ end
 % What is known of them, and NOTES (what was assumed of the problem, which effects
 % are idle), are said.
 function [state, plain] = runsThere (Case, problem, options, notes, say)
-  [state.evaluate, state.budget] = newEvaluate (Case, say);
+  [state.evaluate, state.budget] = newCaseEvaluate (Case, say);
   [data, count] = gatherRuns (Case);
   [data, levelled] = atLevels (data, Case, problem);
   [use, leftOut] = thinRuns (data, problem, 1000);

@@ -112,7 +112,7 @@ end
 
 %!function [state, message] = ran (Case, plan, data)
 %!  state = newState (data);
-%!  [state.evaluate, state.budget] = newEvaluate (Case, @(text) []);
+%!  [state.evaluate, state.budget] = newCaseEvaluate (Case, @(text) []);
 %!  message = '';
 %!  try
 %!    state = runPlan (state, newProblem (Case), plan, ...

@@ -128,7 +128,7 @@ function test = candidate (Case, bench, say)
                               'matrix', given.effects(k).matrix);
     test.isExpressed(k) = all (isfield (head, Case.effects(k).variables));
   end
-  test.evaluate = newEvaluate (own, say);
+  test.evaluate = newCaseEvaluate (own, say);
   test.lines = measuredLines (own, bench, test.trials);
 end
 
