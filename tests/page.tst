@@ -27,7 +27,7 @@
 %!shared first, second, pages
 %! first = pageCase (tempname ());
 %! second = pageGapCase (tempname ());
-%! pages = {writePage(first), writePage(second)};
+%! pages = {reportPage(first), reportPage(second)};
 
 %!test
 %! % whole, in one file, no request to a network, below 3 MB
@@ -83,7 +83,7 @@
 %!   old = fileread (file);
 %!   writeAtomic (file, regexprep (old, '("reason":\s*")', '$1<i>&'));
 %!   cases = {first, second};
-%!   html = fileread (writePage (cases{k}));
+%!   html = fileread (reportPage (cases{k}));
 %!   writeAtomic (file, old);
 %!   assert (~isempty (strfind (html, '&lt;i&gt;&amp;')));
 %!   assert (isempty (strfind (html, '<i>')));
@@ -124,7 +124,7 @@
 %! assert (! isempty (strfind (html, 'Not finished')));
 %! assert (isempty (strfind (html, 'Calibrated</span>')));
 %! unlink (fullfile (first.folder, 'results', 'progress.json'));
-%! html = fileread (writePage (first));
+%! html = fileread (reportPage (first));
 %! assert (isempty (strfind (html, 'Not finished')));
 
 %!testif ; ! isempty (file_in_path (getenv ('PATH'), 'chromium'))

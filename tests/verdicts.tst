@@ -179,7 +179,7 @@
 %! n = 0;
 %! for situation = list
 %!   verdictCase (raw.folder, situation);
-%!   page = fileread (writePage (Case));
+%!   page = fileread (reportPage (Case));
 %!   assert (isempty (strfind (page, 'could not be made')), situation.name);
 %!   % no path of this machine: the page is mailed
 %!   assert (isempty (strfind (page, raw.folder)));

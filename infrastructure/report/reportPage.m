@@ -1,18 +1,26 @@
-% REPORTPAGE  Brings the report page up to date; never breaks what calls it.
+% REPORTPAGE  Brings the report page up to date; breaks nothing that goes on.
 %
-% CALL: reportPage (CASE, SAY, STATE)
+% CALL: reportPage (CASE, SAY, STATE)   what goes wrong is said
+%       FILE = reportPage (CASE)        what goes wrong is an error
 %
 %   CASE   see newCase
 %   SAY    function handle that takes one line of text
 %   STATE  see newState; given while a calibration is under way
+%   FILE   path of the page (text), see writePage
+%
+% Made of the files in the case folder alone: nothing is run or evaluated.
 
-function reportPage (Case, say, state)
+function file = reportPage (Case, say, state)
+  if nargin < 2
+    file = writePage (pageData (Case));
+    return
+  end
   try
     if nargin > 2
       writeProgress (Case, state);
     end
     if exist ('writePage', 'file') == 2        % a wing, page/
-      say (['Report: ', writePage(Case)]);
+      say (['Report: ', reportPage(Case)]);
     end
   catch err
     say (['  The report page could not be written: ', ...

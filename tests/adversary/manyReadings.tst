@@ -70,7 +70,7 @@
 %!     assert (isempty (bestOf (Case)));
 %!     assert (all (strcmp ({runsOfCase(Case).state}, 'ended')));
 %!   end
-%!   writePage (Case);
+%!   reportPage (Case);
 %! end
 %! [status, out] = startCommand (folder, 'status');
 %! assert (status == 0, out);

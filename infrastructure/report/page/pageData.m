@@ -3,7 +3,8 @@
 % CALL: PAGE = pageData (CASE)
 %
 %   CASE  see newCase
-%   PAGE  scalar struct of shownResult, and
+%   PAGE  scalar struct: of a case of one cost (costAlone) Case, and best, see
+%         bestKnown; else that of shownResult, and
 %     surrogates  1 x T struct array or []: the last ones, else those after the
 %                 plan
 %     posterior   n x d, sample of the values that fit;  plan  n x d, parameter
@@ -17,11 +18,17 @@
 %                 seconds, started (s since 1970; NaN: unknown); [] for none
 %     reach       T x 2, least and largest mean response of each surrogate over
 %                 the runs and 500 points of the limits; NaN: no surrogate
+%     tables      see statementTables
 %
 % A file that is not there, or cannot be read, leaves its field empty. Nothing
 % is run, evaluated or changed.
 
 function page = pageData (Case)
+  if costAlone (Case)
+    page = struct ('Case', Case, 'best', bestKnown (Case));
+    return
+  end
+  Case.hashes = hashModels (Case);      % asked for several times
   results = fullfile (Case.folder, 'results');
   plan = readMatrix (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv'), 0, Case);
   runs = storedRuns (Case);
@@ -44,6 +51,7 @@ function page = pageData (Case)
   [page.plan, page.runs] = deal (plan, runs);
   page.found = foundSet (s, Case.names);
   page.reach = reachOf (page.surrogates, Case);
+  page.tables = statementTables (page);
 end
 
 % What F gives, [] where it fails.

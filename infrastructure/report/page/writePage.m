@@ -1,12 +1,11 @@
 % WRITEPAGE  Writes the report of a case: results/report.html, one file.
 %
-% CALL: FILE = writePage (CASE)
+% CALL: FILE = writePage (PAGE)
 %
-%   CASE  see newCase; finished, under way, or not begun
+%   PAGE  of pageData: a case that is finished, under way, or not begun
 %   FILE  path of the page (text)
 %
-% Made of the files in the case folder alone: nothing is run or evaluated. The
-% page needs no network and no other file. results/runTable.csv is written too,
+% The page needs no network and no other file. results/runTable.csv is written too,
 % a row a run: model, folder, stage, status, cause, replicate, seed, seconds,
 % started (s since 1970), the design variables, the effect variables, the
 % targets (empty where the run has no such result), message.
@@ -14,18 +13,16 @@
 % Each table is also results/tables/NAME.csv, each figure results/figures/*.svg.
 %
 % A part is a row of what section* returns: id, title, function handle
-% HTML = f (PAGE), see pageData, with tables (statementTables), and where in PAGE
+% HTML = f (PAGE), and where in PAGE
 % (jsonAt) there must be something for it. One that cannot be drawn says so, and
 % leaves the others alone.
 
-function file = writePage (Case)
-  if costAlone (Case)
-    file = costPage (Case, bestKnown (Case));
+function file = writePage (page)
+  Case = page.Case;
+  if isfield (page, 'best')
+    file = costPage (Case, page.best);
     return
   end
-  Case.hashes = hashModels (Case);      % asked for several times
-  page = pageData (Case);
-  page.tables = statementTables (page);
   folder = fullfile (Case.folder, 'results');
   [~, ~] = mkdir (folder);
   writeRunTable (page);
@@ -248,7 +245,7 @@ end
 %! % HTML; commands are set as code
 %! raw = standInCase (tempname ());
 %! raw.optim.targetName = {{'a <b> & c'}};
-%! file = writePage (newCase (raw));
+%! file = reportPage (newCase (raw));
 %! html = fileread (file);
 %! assert (! isempty (strfind (html, 'a &lt;b&gt; &amp; c')));
 %! assert (isempty (strfind (html, '<b>')));
@@ -262,7 +259,7 @@ end
 %! raw.optim.targetName = {{'sum (N)', 'product'}};
 %! Case = newCase (raw);
 %! evaluateDEM ([1, 2; 3, 4], Case);
-%! writePage (Case);
+%! reportPage (Case);
 %! [head, cells] = readCsvTable (fullfile (Case.folder, 'results', ...
 %!                                         'runTable.csv'));
 %! assert (rows (cells), 4);

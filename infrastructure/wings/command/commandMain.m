@@ -15,8 +15,7 @@ end
 
 function status = sayReport (root, folder, args)
   Case = caseOf (root, folder, args);
-  writePage (Case);
-  printf ('page  %s\n', fullfile (folder, 'results', 'report.html'));
+  printf ('page  %s\n', reportPage (Case));
   status = 2 * sayChanged (Case);
 end
 
