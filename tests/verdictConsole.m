@@ -4,10 +4,10 @@
 %
 %   SITUATION  one of verdictCase ()
 %   CASE       newCase of standInCase; the files of SITUATION are written there
-%   TEXT       all lines of reportCalibration and sayDiagnosis, as far as the
+%   TEXT       all lines of sayCalibration and sayDiagnosis, as far as the
 %              situation has a calibration and a diagnosis
 %
-% See also: verdictCase, reportCalibration, sayDiagnosis
+% See also: verdictCase, sayCalibration, sayDiagnosis
 
 function text = verdictConsole (situation, Case)
   verdictCase (Case.folder, situation);
@@ -15,7 +15,7 @@ function text = verdictConsole (situation, Case)
   text = '';
   if ~isempty (situation.c)
     [Case.targets.role] = situation.c.targets.role;
-    text = evalc ('reportCalibration (Case, say)');
+    text = evalc ('sayCalibration (Case, say)');
   end
   if ~isempty (situation.gap)
     text = [text, evalc('sayDiagnosis (Case, say)')];

@@ -45,9 +45,7 @@ function calibration = calibrateCase (root, folder)
   end
 
   calibration = newCalibration (state, asked, Case);
-  calibration.verdict = writeCalibrationJson (calibration, Case);
-  reportCalibration (Case, say);
-  reportPage (Case, say);
+  calibration = reportCalibration (calibration, Case, say);
 end
 
 % From the plan to the set that is handed back: what the published program does,

@@ -60,9 +60,7 @@ function diagnosis = diagnoseCase (root, folder)
     state.budget = diagnosis.budget;
     diagnosis.others = compareConditions (diagnosis, others);
     % what remains
-    diagnosis.nextFile = writeNextMeasurement (diagnosis.next, Case, share);
-    [~, others] = writeGapJson (diagnosis, Case);
-    sayDiagnosis (Case, say, diagnosis.nextFile);
+    [diagnosis, others] = reportDiagnosis (diagnosis, Case, share, say);
     if ~isempty (further)
       diagnosis = tryFurther (diagnosis, further, Case, share, say);
     end
@@ -92,8 +90,8 @@ function [state, plain] = runsThere (Case, problem, options, notes, say)
   [assumed, idle] = notes{:};
   notes = [assumed(:)', {readingNotes(Case).text}, {leftOut}(~isempty (leftOut)), ...
            idle, unexpressedEffects(Case)];
-  [~, foreseen] = foreseeSets (problem.effects, setsLeft (state.budget), ...
-                               options, count.seconds);
+  left = floor (state.budget.left / sum (state.budget.models));
+  [~, foreseen] = foreseeSets (problem.effects, left, options, count.seconds);
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state.data = data;
 end
@@ -106,9 +104,7 @@ function diagnosis = tryFurther (diagnosis, further, Case, options, say)
   [level, others] = deal (diagnosis.level, diagnosis.others);
   diagnosis = further ();
   [diagnosis.level, diagnosis.others] = deal (level, others);
-  diagnosis.nextFile = writeNextMeasurement (diagnosis.next, Case, options);
-  writeGapJson (diagnosis, Case);
-  sayDiagnosis (Case, say, diagnosis.nextFile, true);
+  diagnosis = reportDiagnosis (diagnosis, Case, options, say, true);
 end
 
 % Of several conditions all runs are there by now (exploreAll).
@@ -180,7 +176,7 @@ function [options, state] = shareOf (Case, given, state, options, parts)
   model = [Case.targets.model];
   state.budget.models = ismember (1:numel (Case.models), ...
                                   model(any (isfinite (state.data.Z), 1)));
-  left = setsLeft (state.budget);
+  left = floor (state.budget.left / sum (state.budget.models));
   options.maxNewRuns = min (foreseeSets (given.effects, left, options), ...
                             floor (left / parts));
   if options.maxNewRuns < 1

@@ -50,8 +50,10 @@ function effect = newEffect (given, T)
            ['newEffect: effect %s must have neutral 1 x %d and limits 2 x ' ...
             '%d for its %d variables.'], effect.name, v, v, v);
   end
-  if ~effect.laboratory
-    effect.limits = orderedLimits (effect.limits, effect.neutral);
+  if ~effect.laboratory             % one that acts both ways: the lower limit first
+    both = min (effect.limits, [], 1) < effect.neutral & ...
+           effect.neutral < max (effect.limits, [], 1);
+    effect.limits(:, both) = sort (effect.limits(:, both), 1);
   end
   if isempty (effect.range)
     effect.range = rangeOf (effect);

@@ -124,12 +124,7 @@ function writeTables (c, Case, folder)
   writeAtomic (fullfile (folder, 'calibrated.head'), ...
                ['# ', resultTitle(c, strftime ('%Y-%m-%d', localtime (time ()))), ...
                 "\n", headLines(v)]);
-  place = fullfile (folder, 'surrogates');
-  [~, ~] = mkdir (place);
-  for t = 1:numel (c.surrogates)
-    saveSurrogate (fullfile (place, sprintf ('KM_fun_%d.txt', t)), ...
-                   c.surrogates(t));
-  end
+  saveSurrogates (c.surrogates, fullfile (folder, 'surrogates'), false);
 end
 
 % With the digits that are known: to a hundredth of the interval, without one of the

@@ -1,21 +1,24 @@
 % SAVESURROGATES  Keeps surrogates in a folder: to be read again, to be called.
 %
-% CALL: NAMES = saveSurrogates (SURROGATES, FOLDER)
+% CALL: NAMES = saveSurrogates (SURROGATES, FOLDER [, ISCALLED])
 %
 % FOLDER      folder that holds them, made where it is missing (text)
 % NAMES       1 x T cellstr, KM_fun_<i>. Of each there are two files:
 %             <name>.txt, runs and parameters for loadSurrogate, and <name>.m,
 %             an Octave function Z = KM_fun_<i> (PARAMS), n x d -> n x 1, that
 %             gives the mean response and needs neither DEcalioc nor a package
+% ISCALLED    logical (true); false: without the functions
 
-function names = saveSurrogates (surrogates, folder)
+function names = saveSurrogates (surrogates, folder, isCalled)
   [~, ~] = mkdir (folder);
   names = arrayfun (@(t) sprintf ('KM_fun_%d', t), 1:numel (surrogates), ...
                     'UniformOutput', false);
   for t = 1:numel (surrogates)
     saveSurrogate (fullfile (folder, [names{t}, '.txt']), surrogates(t));
-    writeAtomic (fullfile (folder, [names{t}, '.m']), ...
-                 functionOf (names{t}, surrogates(t)));
+    if nargin < 3 || isCalled
+      writeAtomic (fullfile (folder, [names{t}, '.m']), ...
+                   functionOf (names{t}, surrogates(t)));
+    end
   end
 end
 

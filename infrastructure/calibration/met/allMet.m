@@ -43,7 +43,7 @@ end
 
 function p = studentCdf (x, df)
   if df > 1e5
-    p = normalTail (-x);
+    p = 0.5 * erfc (-x / sqrt (2));
     return
   end
   p = 0.5 * betainc (df ./ (df + x.^2), df / 2, 0.5);

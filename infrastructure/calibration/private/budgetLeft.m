@@ -20,7 +20,7 @@ function [n, limit, seconds] = budgetLeft (state, problem)
                            'rows');
     n = n + sum (1 - min (1, seconds(level) / seconds(end)));
   end
-  sets = setsLeft (state.budget);
+  sets = floor (state.budget.left / sum (state.budget.models));
   limit = 'maxFunEvals';
   if sets < 1 && state.budget.isUsedUp
     limit = 'maxNewRuns';

@@ -29,7 +29,7 @@ function state = completePlan (state, problem, Case, say, options)
   if hasLevels
     wanted = max (wanted, have + d + 3 - sum (neutral & atLast));
   end
-  missing = min (wanted - have, setsLeft (state.budget));
+  missing = min (wanted - have, floor (state.budget.left / sum (state.budget.models)));
   if missing < 1
     return
   end

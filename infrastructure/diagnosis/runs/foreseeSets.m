@@ -2,8 +2,8 @@
 %
 % CALL: [SETS, LINES] = foreseeSets (EFFECTS, LEFT, OPTIONS [, SECONDS])
 %
-%   EFFECTS  1 x K struct of newProblem;  LEFT  scalar, sets that may be run
-%            (setsLeft), each of them a run of every model
+%   EFFECTS  1 x K struct of newProblem;  LEFT  scalar, sets that may be run,
+%            each of them a run of every model
 %   OPTIONS  of gapOptions
 %   SECONDS  scalar, core time of one set so far (NaN: not known)
 %   SETS     scalar, no more than LEFT

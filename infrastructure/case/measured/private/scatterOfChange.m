@@ -30,7 +30,7 @@ function [ratio, p] = scatterOfChange (values, sessions, variance, freedom)
   change = logScatter (values, of) - mean (drawn) - before / 2;
   sd = sqrt (var (drawn) + psi (1, freedom / 2) / 4 + 2 * 0.35^2);
   ratio = exp (change);
-  p = 2 * normalTail (abs (change) / sd);
+  p = erfc (abs (change) / sd / sqrt (2));
 end
 
 % Of each column, without its farthest trial.

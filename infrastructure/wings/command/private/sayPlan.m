@@ -23,7 +23,8 @@ end
 
 % Rows of a table, numbers where they are.
 function list = numberRows (file)
-  list = tableRows (file);
+  [header, cells] = readCsvTable (file);
+  list = cell2struct (cells, header, 2)';
   for name = fieldnames (list)'
     values = str2double ({list.(name{1})});
     if any (isfinite (values))

@@ -28,7 +28,8 @@ function status = sayTune (root, folder, args)
   useLiggghts (root);
   Case = loadCase (root, folder);
   variants = [struct('name', 'as it is', 'variable', '', 'value', NaN), ...
-              eachOf(@(word) variantsOf (word, Case), options.vary){:}];
+              cellfun(@(word) variantsOf (word, Case), options.vary(:)', ...
+                      'UniformOutput', false){:}];
   lock = lockCase (folder);
   Case.store = fullfile (folder, 'tune');
   Case.options.maxNewRuns = Inf;
@@ -47,7 +48,7 @@ function status = sayTune (root, folder, args)
   end
   allowed = arrayfun (@halfWidth, Case.targets);
   list = compareVariants (Z, S, allowed);
-  cellfun (@(line) printf ('%s\n', line), tableText (tableOf (variants, list, Case)));
+  cellfun (@(line) printf ('%s\n', line), tuneTable ({variants.name}, list, Case));
   status = 2 * ~sayBest (variants, list, Case);
 end
 
@@ -68,7 +69,8 @@ function list = variantsOf (word, Case)
            ['--vary expects cpu or a variable of a data.head that is no parameter ' ...
             'of the case, got ''%s''. %s'], name, checkNearest (name, known));
   end
-  list = struct ('name', eachOf (@(v) sprintf ('%s=%g', name, v), values), ...
+  list = struct ('name', arrayfun (@(v) sprintf ('%s=%g', name, v), values, ...
+                                   'UniformOutput', false), ...
                  'variable', name, 'value', num2cell (values));
 end
 
@@ -98,30 +100,6 @@ function [Z, S] = runVariant (variant, Case, p, part)
   [Z, records] = evaluateDEM (repmat (p, numel (part), 1), Case, part, 'tune', ...
                               newProgress (variant.name, say));
   S = reshape ([records.seconds], size (records)) * [Case.models.cpu]';
-end
-
-function T = tableOf (variants, list, Case)
-  cells = cell (1, numel (list));
-  info = targetInfo (Case);
-  signs = {'', '+'};
-  for k = 1:numel (list)
-    one = list(k);
-    worst = Case.targets(one.worst);
-    [shift, unit] = deal (one.shift(one.worst), info(one.worst).unit);
-    values = struct ('name', worst.name, 'runs', one.runs, 'lost', one.lost, ...
-                     'shift', [signs{1 + (shift >= 0)}, quantity(shift, unit)], ...
-                     'half', quantity (halfWidth (worst) / 2, unit));
-    words = sentence (['tune.', one.code], values);
-    if one.lost > 0 && ~strcmp (one.code, 'failed')
-      words = [words, sentence('tune.lost', values)];
-    end
-    cells{k} = {variants(k).name, one.cost, one.ratio(1), one.ratio(2:3), words};
-  end
-  T = newTable (struct ('sources', struct ()), 'tune', ...
-                'What a run costs, and whether its results stay the same', ...
-                {'variable', '', ''; 'core-seconds a run', '', 'plain'; ...
-                 'over today''s', '', 'plain'; '90 % interval', '', 'error'; ...
-                 'results', '', 'words'}, cells, {sentence('table.tune')});
 end
 
 % The cheapest value with the same results; and one that is cheaper by far, whose
@@ -157,7 +135,7 @@ function k = cheapest (share, isIt)
 end
 
 function propose (key, share, line)
-  values = struct ('line', line, 'share', plainNumber (share, 'percent'));
+  values = struct ('line', line, 'share', sprintf ('%.3g %%', 100 * share));
   printf ('%s\n', sentence (key, values));
 end
 
