@@ -33,7 +33,8 @@ function startToolbox (root, folder)
   % every worker
   history_save (false);
   setenv ('OCTAVE_HISTFILE', '/dev/null');
-  leaveNoCore ();
+  sigterm_dumps_octave_core (false);       % a file octave-workspace, see leaveNoCore
+  sighup_dumps_octave_core (false);
   if isempty (getenv ('OCTAVE_SITE_INITFILE'))
     setenv ('OCTAVE_SITE_INITFILE', ...
             fullfile (root, 'infrastructure', 'kit', 'files', 'worker.octaverc'));

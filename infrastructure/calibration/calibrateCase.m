@@ -24,7 +24,7 @@ function calibration = calibrateCase (root, folder)
     moveAside (folder);
   end
   Case = loadCase (root, folder);
-  if costAlone (Case)
+  if Case.isCost
     calibration = reportCost (Case, say);
     return
   end

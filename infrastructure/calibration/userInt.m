@@ -20,7 +20,12 @@ function [stop, info] = userInt (p, vals, state, DEMflag, optim)
   if nargin < 5
     optim = readInput ().optim;
   end
-  tol = vertcat (checkElements (optim.tolRes, 'optim.tolRes', 'column'){:});
+  tol = optim.tolRes;
+  if iscell (tol)                       % one model after the other
+    tol = cellfun (@(t) t(:), tol(:), 'UniformOutput', false);
+    tol = vertcat (tol{:});
+  end
+  tol = tol(:);
   residual = vals.residual(1:numel (tol));
   shown = sprintf (' %.2f', 100 * residual);
   if numel (residual) > 10

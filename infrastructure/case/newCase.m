@@ -27,6 +27,9 @@
 %                   coarse
 %     further       cell, names of the last models: measured next tests
 %     targets       see newTargets
+%     isCost        logical: nothing but one cost, of which the smallest counts. Its
+%                   runs.csv is the history of an optimiser: what the cost was made of
+%                   nobody knows, so nothing can be missed, confirmed or explained
 %     thinned       points of dense curves that are not fitted, see thinCurves
 %     conditions    cell, names of the conditions of measured.csv
 %     sessions      see groupMeasured: given, names, ratio, df
@@ -64,6 +67,7 @@ function Case = newCase (raw, varargin)
   [Case.models.coarse] = deal (Case.coarse);
   Case = plainCase (Case);
   Case.targets = newTargets (raw.optim, {Case.models.name}, found);
+  Case.isCost = any (strcmp ({Case.targets.role}, 'smallest'));
   Case.thinned = givenField (found, 'thinned', []);
   Case.conditions = found.conditions;
   Case.sessions = found.sessions;

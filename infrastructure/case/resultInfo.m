@@ -1,8 +1,10 @@
 % RESULTINFO  What the results of a bench are.
 %
 % CALL: INFO = resultInfo (FOLDER)
+%       INFO = resultInfo (FOLDER, VALUES)   at the settings that a case runs
 %
 % FOLDER  model folder that holds results.csv
+% VALUES  scalar struct of values that a case gives to variables, see infoAsRun
 % INFO    1 x m struct array in the order of getResults, [] if there is no
 %         results.csv: name; kind (density, mass, rate, length, offset, height
 %         above the ground, level, angle of a surface that rises along x,
@@ -13,7 +15,7 @@
 % Throws DEcalioc:resultInfo:badShape, those of readCsvTable.
 %
 % See also: effectsOfModel, describeEffect
-function info = resultInfo (folder)
+function info = resultInfo (folder, values)
   info = [];
   file = fullfile (folder, 'results.csv');
   if exist (file, 'file') ~= 2
@@ -29,6 +31,9 @@ function info = resultInfo (folder)
   for k = 1:rows (cells)
     info = [info, setfield(cell2struct (cells(k, :), fields, 2), 'at', ...
                            str2double (cells{k, 5}))];
+  end
+  if nargin > 1
+    info = infoAsRun (info, folder, values);
   end
 end
 

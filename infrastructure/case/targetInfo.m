@@ -8,7 +8,7 @@
 %
 % From results.csv of the model: the row of the result with that number or, of a
 % case with measured.csv, with that name, else of its series, or with the name of
-% its series, with the settings that the case runs (infoAsRun). What measured.csv
+% its series, with the settings that the case runs (resultInfo). What measured.csv
 % says of unit, series and at goes before it.
 
 function info = targetInfo (Case)
@@ -17,8 +17,7 @@ function info = targetInfo (Case)
   info = repmat (blank, 1, numel (Case.targets));
   for k = 1:numel (Case.models)
     folder = Case.models(k).folder;
-    ofModel = infoAsRun (resultInfo (folder), folder, ...
-                         givenField (Case, 'modelVars', struct ()));
+    ofModel = resultInfo (folder, givenField (Case, 'modelVars', struct ()));
     for t = find ([Case.targets.model] == k)
       info(t) = oneInfo (Case.targets(t), ofModel, blank);
     end

@@ -18,7 +18,7 @@ function diagnosis = diagnoseCase (root, folder)
   lock = lockCase (folder);
   % the program belongs to the key of a run, also where none is made
   useLiggghts (root);
-  Case = withOrigin (withEffects (loadCase (root, folder)));
+  Case = withEffects (loadCase (root, folder));
   refuseCost (Case);
   [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);
@@ -139,7 +139,7 @@ function study = resumed (study, options, state)
 end
 
 function refuseCost (Case)
-  if costAlone (Case)
+  if Case.isCost
     error ('DEcalioc:refuseCost:costAlone', ...
            ['diagnose needs the results that miss, got one cost (optim.role ' ...
             '''smallest''), which does not say which of them does. Put them into ' ...
@@ -253,10 +253,7 @@ end
 % By its models, or by the columns of imported runs.
 function names = expressible (Case, effects)
   models = Case.models(isfolder ({Case.models.folder}));
-  can = false (1, numel (effects));
-  for model = models
-    can = can | effectsOfModel (model.folder, effects);
-  end
+  can = effectsOfModel ({models.folder}, effects);
   if isempty (models)
     file = fullfile (Case.folder, 'runs.csv');
     head = {};

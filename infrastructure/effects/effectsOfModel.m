@@ -3,12 +3,20 @@
 % CALL: CAN = effectsOfModel (FOLDER, EFFECTS)
 %       CAN = effectsOfModel (FOLDER, EFFECTS, INFO)
 %
-% FOLDER   model folder
-% EFFECTS  1 x e struct array of resolveEffects, or []
+% FOLDER   model folder, or cell of them: one of them can
+% EFFECTS  1 x e struct array of resolveEffects, or [], or cell of names
 % INFO     1 x T struct array, what the results are (default: resultInfo)
 % CAN      1 x e logical: data.head declares all variables of the effect; an
 %          effect of the laboratory acts on one of the results
 function can = effectsOfModel (folder, effects, info)
+  if iscellstr (effects)
+    effects = resolveEffects (effects);
+  end
+  if iscell (folder)
+    can = cellfun (@(f) effectsOfModel (f, effects), folder(:), 'UniformOutput', false);
+    can = any (vertcat (false (1, numel (effects)), can{:}), 1);
+    return
+  end
   if nargin < 3
     info = resultInfo (folder);
   end

@@ -5,11 +5,12 @@
 %
 %   CASE  see newCase; comes back with effects, their variables in effectVars, and
 %         unchanged (cell: names of those that, of a change, the user says cannot
-%         have changed; they are no effects then)
+%         have changed; they are no effects then) and origin (withOrigin: what is known
+%         to have happened, in words; '': nothing)
 %   LIST  the candidates, as loadEffects gives them (default: those of
 %         loadEffects.m of the case or of the toolbox); may be empty
 %
-% Errors: DEcalioc:withEffects:brokenEffects, those of resolveEffects
+% Errors: DEcalioc:withEffects:brokenEffects, those of withOrigin, resolveEffects
 % and checkDeclared (DEcalioc:checkCase:...). An effect of the library may be
 % one that no model of the case has; of the user's own ones that is a mistake.
 
@@ -32,6 +33,7 @@ function Case = withEffects (Case, list)
     Case.effectVars = [Case.effectVars, effect.variables(:)'];
   end
   stopAt (checkModelsHave (Case));
+  [Case, Case.origin] = withOrigin (Case);
 end
 
 function list = ownList ()

@@ -1,4 +1,4 @@
-% BESTKNOWN  The set with the smallest cost, of a case of one cost (costAlone).
+% BESTKNOWN  The set with the smallest cost, of a case of one cost (isCost).
 %
 % CALL: B = bestKnown (CASE)
 %

@@ -2,7 +2,7 @@
 %
 % CALL: RESULT = reportCost (CASE, SAY)
 %
-%   CASE    see newCase, costAlone
+%   CASE    see newCase (isCost)
 %   SAY     function handle that takes one line of text, or with it the class of a
 %           verdict, see sayLine
 %   RESULT  see bestKnown, with exitStatus 2: nothing is confirmed

@@ -9,7 +9,7 @@
 % YES     n x 1 logical
 
 function yes = sameSet (X, p, limits)
-  yes = all (abs (X - p) <= 1e-12 * boxWidth (limits, p), 2);
+  yes = all (abs (toUnit (X, limits) - toUnit (p, limits)) <= 1e-12, 2);
 end
 
 %!assert (sameSet ([1, 2; 1, 2 + 1e-14; 1, 2.1], [1, 2], [0, 0; 1, 9]), ...

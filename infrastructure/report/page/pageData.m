@@ -3,7 +3,7 @@
 % CALL: PAGE = pageData (CASE)
 %
 %   CASE  see newCase
-%   PAGE  scalar struct: of a case of one cost (costAlone) Case, and best, see
+%   PAGE  scalar struct: of a case of one cost (isCost) Case, and best, see
 %         bestKnown; else that of shownResult, and
 %     surrogates  1 x T struct array or []: the last ones, else those after the
 %                 plan
@@ -24,7 +24,7 @@
 % is run, evaluated or changed.
 
 function page = pageData (Case)
-  if costAlone (Case)
+  if Case.isCost
     page = struct ('Case', Case, 'best', bestKnown (Case));
     return
   end

@@ -1,6 +1,6 @@
 % STOREDRESULT  The results in the files of a case, and whether they still hold.
 %
-% CALL: S = storedResult (CASE)
+% CALL: [S, V] = storedResult (CASE)
 %
 %   CASE  see newCase
 %   S     scalar struct: calibration, gap (decoded results/calibration.json and
@@ -9,10 +9,11 @@
 %         calibration, where there is none of the diagnosis), gapChanged (of the
 %         diagnosis), lastRuns (1 x M, number of the last run folder of each
 %         model that one of them knows; Inf: none does)
+%   V     see decideStored
 %
 % See also: decideStored
 
-function s = storedResult (Case)
+function [s, v] = storedResult (Case)
   files = {fullfile('results', 'calibration.json'), ...
            fullfile('gap', 'gap.json')};
   found = cellfun (@(f) readJsonFile (fullfile (Case.folder, f)), files, ...
@@ -25,6 +26,9 @@ function s = storedResult (Case)
     s.changed = changedInput (s.calibration, now);
   end
   s.lastRuns = lastRuns (found, {Case.models.name});
+  if isargout (2)
+    v = decideStored (s);
+  end
 end
 
 function last = lastRuns (results, names)

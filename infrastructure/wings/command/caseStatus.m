@@ -33,7 +33,7 @@ function s = caseStatus (Case, cost)
   f.isDone = f.isDone | isReplaced (f.jobs, current);
   s.holder = lockHolder (Case.folder);
   s.stage = lastStage (runs);
-  stored = storedResult (Case);
+  [stored, verdict] = storedResult (Case);
   s.state = stateOf (Case, s.holder, runs, stored);
   s.models = countsOf (Case, runs, f.seconds);
   s.plan = [sum(f.isDone), numel(f.isDone)];
@@ -51,7 +51,7 @@ function s = caseStatus (Case, cost)
   s.changed = stored.changed;
   if strcmp (s.state, 'finished') && ...
      (isfield (c, 'reason') || isfield (stored.gap, 'which'))
-    s.verdict = decideStored (stored);
+    s.verdict = verdict;
   end
   if ~isempty (s.verdict) && all (isfield (jsonAt (c, {'params'}), Case.names))
     s.set = cellfun (@(n) c.params.(n), Case.names);

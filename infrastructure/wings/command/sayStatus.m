@@ -12,7 +12,7 @@
 function status = sayStatus (root, folder, args)
   commandOptions (args, struct ());
   [Case, note] = caseToRead (root, folder);
-  if costAlone (Case)
+  if Case.isCost
     b = bestKnown (Case);
     printf ('case    %s\nstate   %s\n', folder, b.reason);
     status = 0;

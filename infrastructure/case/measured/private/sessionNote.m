@@ -52,8 +52,10 @@ function least = leastSeen (Case)
       end
       if target.sd > 0 && now.sd > 0 && allowed > 0
         [sd, freedom] = sdOfChange (target, now);
-        least(end + 1) = sd / studentFactor (freedom) * ...
-                         studentQuantile (0.975, freedom) / allowed;
+        if isfinite (freedom)             % 68 % of Student's distribution to its scale
+          sd = -sd / studentQuantile (0.1587, freedom);
+        end
+        least(end + 1) = sd * studentQuantile (0.975, freedom) / allowed;
       end
     end
   end

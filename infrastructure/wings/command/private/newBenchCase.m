@@ -28,8 +28,7 @@ function words = newBenchCase (root, names, ask)
     benches(k).sizes = askSizes (benches(k), str2double (words.DENSITY), ask);
     sizes = [{benches(k).sizes.name}; ...
              num2cell(str2double ({benches(k).sizes.value}))];
-    benches(k).results = infoAsRun (benches(k).results, benches(k).folder, ...
-                                    struct (sizes{:}));
+    benches(k).results = resultInfo (benches(k).folder, struct (sizes{:}));
   end
   words.MODELS = quoted ({benches.name});
   words.CPUS = strjoin (repmat ({'1'}, 1, numel (benches)), ', ');
@@ -117,12 +116,7 @@ function names = candidatesOf (benches)
   names = {'cohesion', 'liquidBridge', 'wallAdhesion', 'shape', ...
            'sizeSpread', 'meanSize', 'fill', 'tilt', 'opening', ...
            'liftSpeed', 'lidWeight', 'speedError', 'timeOffset', 'cameraRoll'};
-  effects = resolveEffects (names);
-  can = false (1, numel (names));
-  for bench = benches
-    can = can | effectsOfModel (bench.folder, effects);
-  end
-  names = names(can);
+  names = names(effectsOfModel ({benches.folder}, names));
 end
 
 function text = effectLines (quoted, names)

@@ -7,12 +7,11 @@
 %         said
 
 function yes = sayChanged (Case)
-  stored = storedResult (Case);
+  [stored, v] = storedResult (Case);
   yes = ~isempty (stored.changed);
   if yes
-    v = decideStored (stored);
     printf ('NOTE  %s. %s\n', v.word, v.action);
   elseif ~isempty (stored.gapChanged)
-    printf ('NOTE  %s\n', decideStored (stored).gap);
+    printf ('NOTE  %s\n', v.gap);
   end
 end

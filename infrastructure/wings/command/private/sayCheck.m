@@ -20,10 +20,9 @@ function status = sayCheck (root, folder, args)
   end
   choice = useLiggghts (root);
   how = repmat ({'reading'}, 1, options.dry_run);
-  Case = withOrigin (withEffects (loadCase (root, folder, how{:})));
+  Case = withEffects (loadCase (root, folder, how{:}));
   Case.hashes = hashModels (Case);     % asked for several times
-  isCost = costAlone (Case);
-  if ~isCost
+  if ~Case.isCost
     ownCost ();
   end
   printf ('case      %s: no mistake found\n', folder);
@@ -40,7 +39,7 @@ function status = sayCheck (root, folder, args)
   sayBox (Case);
   sayEffects (Case);
   status = 0;
-  if isCost
+  if Case.isCost
     b = bestKnown (Case);
     printf ('cost      %s: the smallest of %s counts\n', b.name, countText (b.sets, 'set'));
     return

@@ -49,7 +49,7 @@ function sayRuns (Case, file)
 end
 
 function sayMaterial (Case, program, words, others)
-  if costAlone (Case)
+  if Case.isCost
     calibration = readJsonFile (fullfile (Case.folder, 'results', 'best.json'));
   else
     calibration = storedResult (Case).calibration;

@@ -147,7 +147,7 @@ function text = whatIs (name, kind, Case)
     case 'result'
       T = Case.targets(find (strcmp (name, {Case.targets.name}), 1));
       text = sprintf ('result, measured %g', T.value);
-      if costAlone (Case)
+      if Case.isCost
         text = 'cost: the smallest counts';
       end
   end
