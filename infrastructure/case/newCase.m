@@ -24,7 +24,7 @@
 %                   none), nTargets (results of a run), readings (of
 %                   measured.csv: 1 x n struct result, series, at; else []),
 %                   seconds (1 x n, good runs of this start; negative: cut off),
-%                   coarse
+%                   coarse, settings (of the bench, readSettings)
 %     further       cell, names of the last models: measured next tests
 %     targets       see newTargets
 %     isCost        logical: nothing but one cost, of which the smallest counts. Its
@@ -36,6 +36,7 @@
 %     options       the other fields of Input and optim, and sets (at a time
 %                   after the plan)
 %     notes         cell of texts, warnings for the user
+%     scatterNotes  see readingNotes
 %     hashes        see hashModels; only in the copy for a round of runs
 %
 % checkCase looks at RAW first. Its faults are raised together, as one
@@ -77,6 +78,7 @@ function Case = newCase (raw, varargin)
   Case.notes = [caseNotes(raw, Case.models), unusedNotes(Case)];
   note = storeNote (Case.store, Case.options.executor);
   Case.notes = [Case.notes, {note}(~isempty (note))];
+  Case.scatterNotes = readingNotes (Case);
   for k = 1:numel (Case.models)
     ofModel = Case.targets([Case.targets.model] == k);
     Case.models(k).nTargets = numel (ofModel);
@@ -110,6 +112,8 @@ function models = newModels (raw)
                    'timeout', num2cell (timeout(1:n)(:)'), 'nTargets', 0, ...
                    'seconds', [], 'cost', num2cell (cost(1:n)(:)'), ...
                    'readings', []);
+  settings = cellfun (@readSettings, folders, 'UniformOutput', false);
+  [models.settings] = settings{:};
 end
 
 function o = newOptions (Input, optim)

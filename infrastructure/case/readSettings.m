@@ -15,7 +15,7 @@
 function settings = readSettings (folder)
   settings = struct ('variable', {}, 'unit', {}, 'values', {}, 'text', {});
   file = fullfile (folder, 'settings.csv');
-  if ~isfile (file)
+  if isempty (folder) || ~isfile (file)
     return
   end
   [header, cells] = readCsvTable (file);

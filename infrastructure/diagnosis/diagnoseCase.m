@@ -88,7 +88,7 @@ function [state, plain] = runsThere (Case, problem, options, notes, say)
     plain.surrogates = fitSurrogates (plain.data, problem);
   end
   [assumed, idle] = notes{:};
-  notes = [assumed(:)', {readingNotes(Case).text}, {leftOut}(~isempty (leftOut)), ...
+  notes = [assumed(:)', {Case.scatterNotes.text}, {leftOut}(~isempty (leftOut)), ...
            idle, unexpressedEffects(Case)];
   left = floor (state.budget.left / sum (state.budget.models));
   [~, foreseen] = foreseeSets (problem.effects, left, options, count.seconds);

@@ -5,7 +5,8 @@
 %   CASE  see newCase
 %   RUNS  1 x n struct array: model (number), folder, job (see newJobs), state,
 %         seconds (NaN: not known), message, results, isCurrent (its key is
-%         what the case gives today). States: 'ok', 'failed', 'timeout',
+%         what the case gives today), arrays (of an open one: n x 2 cell, the
+%         job arrays in which it was sent: executor, name). States: 'ok', 'failed', 'timeout',
 %         'invalid' (as in its record), 'ended' (not evaluated yet, or not as the
 %         case asks today: readingOf), 'running', 'waiting' (prepared, or in a
 %         queue), 'lost' (ended from outside, by decalioc cancel say, or its
@@ -17,15 +18,12 @@
 function runs = runsOfCase (Case)
   runs = struct ('model', {}, 'folder', {}, 'job', {}, 'state', {}, ...
                  'seconds', {}, 'message', {}, 'results', {}, ...
-                 'isCurrent', {});
+                 'isCurrent', {}, 'arrays', {});
   if ~all (cellfun (@isfolder, {Case.models.folder}))
     return
   end
   Case.hashes = hashModels (Case);
-  sent = cell (0, 1);
-  for name = executorNames ('described')
-    sent = vertcat (sent, readSubmissions (runPlace (Case, ['.', name{1}])).folders);
-  end
+  sent = sentRuns (Case);
   isHere = any (strcmp (lockHolder (Case.folder).host, {'', gethostname()}));
   for k = 1:numel (Case.models)
     place = runPlace (Case, Case.models(k).name);
@@ -45,11 +43,22 @@ function runs = runsOfCase (Case)
   end
 end
 
+% n x 3 cell: folder, executor, name of the job array.
+function sent = sentRuns (Case)
+  sent = cell (0, 3);
+  for name = executorNames ('described')
+    for batch = readSubmissions (runPlace (Case, ['.', name{1}]))
+      in = repmat ({name{1}, batch.name}, numel (batch.folders), 1);
+      sent = [sent; batch.folders(:), in];
+    end
+  end
+end
+
 % [] where the folder is half made.
 function run = oneRun (folder, sent, isHere, h)
   run = struct ('model', 0, 'folder', folder, 'job', [], 'state', '', ...
                 'seconds', NaN, 'message', '', 'results', [], ...
-                'isCurrent', false);
+                'isCurrent', false, 'arrays', {cell(0, 2)});
   run.job = readingOf (readSane (fullfile (folder, 'record.json')), h);
   if isfield (run.job, 'status')
     run.state = run.job.status;
@@ -68,7 +77,8 @@ function run = oneRun (folder, sent, isHere, h)
     run.state = 'ended';
     run.seconds = mark.seconds;
   else
-    run.state = stateOf (folder, any (strcmp (folder, sent)), isHere);
+    run.arrays = sent(strcmp (folder, sent(:, 1)), 2:3);
+    run.state = stateOf (folder, ~isempty (run.arrays), isHere);
   end
 end
 

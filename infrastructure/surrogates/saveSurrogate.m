@@ -17,15 +17,7 @@ function saveSurrogate (file, surrogate)
               'scatter'}
     kept.(name{1}) = surrogate.(name{1});
   end
-  draft = draftName (file);
-  tidy = onCleanup (@() unlink (draft));
-  if ~saveWhole ('-text', draft, struct ('kept', kept))
-    error ('DEcalioc:writeAtomic:cannotWrite', ...
-           ['saveSurrogate: %s must hold what was written to it. The disk ' ...
-            'may be full: free some space and start again; finished runs ' ...
-            'are kept.'], draft);
-  end
-  writeAtomic (file, fileread (draft));
+  writeAtomic (file, evalc ('save -text - kept'));
 end
 
 %!test

@@ -6,7 +6,7 @@
 %   SAY    function handle that takes one line of text
 %   TESTS  1 x m struct, candidates of tryMeasurements: the toolbox's other benches
 %          that have the same contact law and grains of about the same size,
-%          and for each bench of CASE the values of settings.csv (readSettings)
+%          and for each bench of CASE the values of settings.csv
 %
 % Each is a model of its own: its folder gap/next/DEMmodels/NAME is made here, a
 % copy of the bench with the value in data.head, so that a run's key holds it;
@@ -34,7 +34,7 @@ function list = otherSettings (Case)
     model = Case.models(k);
     known = headDefaults (fullfile (model.folder, 'data.head'));
     known = mergeFields (known, Case.modelVars);
-    for s = readSettings (model.folder)
+    for s = model.settings
       % what the calibration or an effect sets is no setting of the rig
       isFree = ~any (strcmp (s.variable, taken)) && ...
                isfield (known, s.variable);

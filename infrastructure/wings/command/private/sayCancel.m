@@ -34,7 +34,7 @@ function status = sayCancel (root, folder, args)
   Case = caseAfter (isAlive, root, folder);
   runs = runsOfCase (Case);
   isOpen = ismember ({runs.state}, {'running', 'waiting'});
-  [arrays, queues] = cancelArrays (Case, runs(isOpen));
+  [arrays, queues] = cancelArrays (vertcat (cell (0, 2), runs(isOpen).arrays));
   running = runs(strcmp ({runs.state}, 'running') & [runs.isCurrent]);
   ended = endRuns ({running.folder}, {runs(~isOpen).folder}, start);
   words = {'no Octave worked in it', 'its Octave was ended'};
@@ -98,21 +98,20 @@ function stopProcess (holder, folder)
   end
 end
 
-function [n, queues] = cancelArrays (Case, runs)
-  n = 0;
+% ARRAYS  n x 2 cell, see runsOfCase.
+function [n, queues] = cancelArrays (arrays)
+  [n, queues] = deal (0, '');
   titles = {};
-  for name = executorNames ('described')
-    batches = readSubmissions (runPlace (Case, ['.', name{1}]));
-    isOurs = arrayfun (@(b) any (ismember (b.folders, {runs.folder})), batches);
-    if ~any (isOurs)
-      continue
-    end
+  for name = unique (arrays(:, 1))'
     queue = describeExecutor (name{1});
-    emptyQueue (queue, {batches(isOurs).name});
-    n = n + sum (isOurs);
+    ours = unique (arrays(strcmp (arrays(:, 1), name{1}), 2))';
+    emptyQueue (queue, ours);
+    n = n + numel (ours);
     titles{end + 1} = queue.title;
   end
-  queues = repmat ([' on ', strjoin(titles, ' and ')], 1, n > 0);
+  if n > 0
+    queues = [' on ', strjoin(titles, ' and ')];
+  end
 end
 
 %!function [Case, folder, cancel] = oneRun ()

@@ -81,7 +81,7 @@ function sayModels (Case, isTried)
     sayThinned (Case.thinned, k);
     sayUnits (Case.targets(isMine), earlier(isMine), 'in scatter.csv of the model');
   end
-  for note = readingNotes (Case)
+  for note = Case.scatterNotes
     printf ('%-9s %s\n', note.label, note.text);
   end
 end
