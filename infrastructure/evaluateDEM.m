@@ -1,8 +1,8 @@
 % EVALUATEDEM  Evaluates the DEM models at parameter sets.
 %
 % CALL: RESULTS = evaluateDEM (PARAMS)
-%       [Z, RECORDS, ISREUSED, NNEW] = evaluateDEM (P, CASE, REPLICATE, ...
-%                                                   STAGE, REPORT, E)
+%       [Z, RECORDS, ISREUSED, NNEW, MODELS] = ...
+%         evaluateDEM (P, CASE, REPLICATE, STAGE, REPORT, E)
 %
 %   PARAMS     1 x d or d x 1, one set; the call handed to costFunction
 %   RESULTS    T x 1, one row a target; NaN where a run failed
@@ -16,12 +16,13 @@
 %   RECORDS    n x M struct array, see newRecord
 %   ISREUSED   n x M logical: the run was in the store
 %   NNEW       runs that were made
+%   MODELS     CASE.models, which knows how long these runs took
 %
 % All runs go to the executor together. Finished runs are used again.
 %
 % See also: evaluateKriging, runJobs, costFunction
 
-function [Z, records, isReused, nNew] = evaluateDEM (P, varargin)
+function [Z, records, isReused, nNew, models] = evaluateDEM (P, varargin)
   given = {[], 1, 'verify', @(state) [], []};
   given(1:numel (varargin)) = varargin;
   [Case, replicate, stage, report, E] = given{:};
@@ -33,11 +34,12 @@ function [Z, records, isReused, nNew] = evaluateDEM (P, varargin)
   if rows (P) == 0
     Z = zeros (0, numel (Case.targets));
     [records, isReused, nNew] = deal ([], false (0, numel (Case.models)), 0);
+    models = Case.models;
     return
   end
   Case.hashes = hashModels (Case);
   jobs = newJobs (Case, P, E, replicate, stage);
-  [records, isReused, nNew] = runJobs (jobs, Case, report);
+  [records, isReused, nNew, models] = runJobs (jobs, Case, report);
   records = reshape (records, numel (Case.models), rows (P)).';
   isReused = reshape (isReused, numel (Case.models), rows (P)).';
   Z = NaN (rows (P), numel (Case.targets));

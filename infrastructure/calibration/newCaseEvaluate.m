@@ -46,7 +46,7 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   further = furtherRuns (stage, rows (P), budget, Case);
   % The progress stays in no variable here: Octave 7 then keeps the frames of all
   % callers alive, and with them the lock of the case.
-  [found, records, isReused, nNew] = ...
+  [found, records, isReused, nNew, models] = ...
     evaluateDEM (P, Case, replicate, stage, newProgress (stage, say, further), E);
   Z = NaN (rows (P), numel (isOwn));
   Z(:, isOwn) = found;
@@ -54,7 +54,7 @@ function [Z, budget] = bookedRuns (wanted, budget, Case, say)
   isLeftOut = shaped (strcmp ({records.cause}, 'budget'));
   isGood = shaped (strcmp ({records.status}, 'ok'));
   Z(isnan (Z) & any (isLeftOut, 2) & isOwn) = NA;
-  budget.seconds(is) = {addSeconds(Case.models, records(:)').seconds};
+  budget.seconds(is) = {models.seconds};
   budget.isUsedUp = budget.isUsedUp || any (isLeftOut(:));
   budget.new = budget.new + nNew;
   budget.left = budget.left - nNew;

@@ -1,6 +1,6 @@
 % RUNJOBS  Carries out jobs; what is in the store is not run again.
 %
-% CALL: [RECORDS, ISREUSED, NNEW] = runJobs (JOBS, CASE, REPORT)
+% CALL: [RECORDS, ISREUSED, NNEW, MODELS] = runJobs (JOBS, CASE, REPORT)
 %
 %   JOBS     1 x n struct array, see newJobs
 %   CASE     see newCase; CASE.options.executor names the executor
@@ -9,6 +9,7 @@
 %   RECORDS  1 x n struct array, see newRecord, in the order of JOBS
 %   ISREUSED  1 x n logical: the run was in the store
 %   NNEW     runs that were made
+%   MODELS   CASE.models, which knows how long RECORDS took (addSeconds)
 %
 % A run that was killed from outside is tried again as it is, up to twice, and
 % counts once. A run that failed by itself is tried once more with another seed,
@@ -27,7 +28,8 @@
 % them; a job beyond them is a failed record with the cause 'budget'. A stage that
 % is no model of the case is part of the runs that start from it.
 
-function [records, isReused, nNew] = runJobs (jobs, Case, report)
+function [records, isReused, nNew, models] = runJobs (jobs, Case, report)
+  models = Case.models;
   Case.hashes = hashModels (Case);
   Case = withStages (Case);
   caseId (Case.folder, true);           % before the workers ask for it
@@ -55,6 +57,7 @@ function [records, isReused, nNew] = runJobs (jobs, Case, report)
   Case.options.maxNewRuns = Case.options.maxNewRuns - nNew;
   [records, nSecond] = withOtherSeed (jobs, records, Case, show);
   nNew = nNew + nSecond;
+  models = addSeconds (models, records);
 end
 
 % What another case on the same store is about to run is waited for, as long as

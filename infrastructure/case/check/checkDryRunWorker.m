@@ -76,9 +76,22 @@ function [count, text, fields] = callOnce (name, folder)
     marks = 'parse error|called with too many|invalid use of script';
     if ~isempty (regexp (err.message, marks, 'once')) || isMisspelt (err)
       text = regexprep (err.message, ' near line \d+, column \d+', '');
-      text = strrep ([text, errorPlace(err, 'OctaveFuns')], ...
-                     "\n", ' ');
+      text = strrep ([text, placeOf(ownLevel (err))], "\n", ' ');
     end
+  end
+end
+
+% The innermost of the model's own functions; 1 x 0 where none is among the callers.
+function level = ownLevel (err)
+  level = err.stack(find (~cellfun (@isempty, strfind ({err.stack.file}, ...
+                                                       'OctaveFuns')), 1));
+end
+
+function text = placeOf (level)
+  text = '';
+  if ~isempty (level)
+    [~, base, ending] = fileparts (level.file);
+    text = sprintf (' (%s%s, line %d)', base, ending, level.line);
   end
 end
 
@@ -86,10 +99,10 @@ end
 % A variable may be without one only because a file of the run is missing.
 function yes = isMisspelt (err)
   name = regexp (err.message, '^''(\w+)'' undefined', 'tokens', 'once');
-  k = find (~cellfun (@isempty, strfind ({err.stack.file}, 'OctaveFuns')), 1);
-  yes = ~isempty (name) && ~isempty (k);
+  level = ownLevel (err);
+  yes = ~isempty (name) && ~isempty (level);
   if yes
-    code = checkReadText (err.stack(k).file);
+    code = checkReadText (level.file);
     sets = ['\<', name{1}, '\>[^=\n]*=[^=]|for\s*\(?\s*', name{1}, '\>|', ...
             'function[^\n]*\<', name{1}, '\>|', ...
             '(load|eval|evalin|assignin|source|run)\>'];

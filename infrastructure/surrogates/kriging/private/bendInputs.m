@@ -31,7 +31,8 @@ end
 
 function slope = slopesAlong (surrogate, j)
   [n, nPart] = deal (40, 5);
-  U = sampleBox (n, [0; 1] .* ones (2, columns (surrogate.limits)));
+  box = [0; 1] .* ones (2, columns (surrogate.limits));
+  U = double (stk_sampling_halton_rr2 (n, columns (box), box));
   U = repmat (U, nPart + 1, 1);
   U(:, j) = kron ((0:nPart)' / nPart, ones (n, 1));
   m = reshape (predictSurrogate (surrogate, fromUnit (U, surrogate.limits)), ...
