@@ -138,17 +138,16 @@ function part = covariances (s, problem, t, Q, X, E)
   if ~isempty (s.extra)
     inputs(:, end + 1) = [zeros(k, 1); level];
   end
-  [m, ~, S] = krigingPosterior (s, inputs);
+  [m, ~, S, noise] = krigingPosterior (s, inputs);
   S = s.factor * S;
   lost = k + find (ismember (level, s.dropped));
   S(lost, :) = 0;
   S(:, lost) = 0;
-  noise = noiseAt (s, level) / s.scale^2;
   Z = repmat (problem.value, k, 1);
   Z(:, t) = s.shift + s.scale * m(1:k);
   [~, slope] = targetResidual (problem, Q, Z);
   unit = mean (abs (slope(:, t))) / problem.part(t) * s.scale;
-  part = struct ('S', S * unit^2, 'noise', noise * unit^2);
+  part = struct ('S', S * unit^2, 'noise', noise(k + 1:end) * unit^2);
 end
 
 %!test

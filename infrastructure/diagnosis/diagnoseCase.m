@@ -230,11 +230,7 @@ function needCandidates (Case, what)
   if ~isempty (Case.effects)
     return
   end
-  [names, library] = listEffects ({fullfile(Case.folder, 'effects'), Case.folder});
-  effects = cellfun (@(name) getEffect (name, library), names, ...
-                     'UniformOutput', false);
-  effects = [effects{:}];
-  names = expressible (Case, effects);
+  names = expressibleEffects (Case);
   if isempty (names)
     error ('DEcalioc:needCandidates:missingField', ...
            ['loadEffects.m must list what the model may lack, got %s. None of ' ...
@@ -248,23 +244,6 @@ function needCandidates (Case, what)
           'This case can express these; copy the line to ' ...
           'loadEffects.m and strike out what cannot be (docs/effects.md):' ...
           '\n  effects = {%s};'], what, list);
-end
-
-% By its models, or by the columns of imported runs.
-function names = expressible (Case, effects)
-  models = Case.models(isfolder ({Case.models.folder}));
-  can = effectsOfModel ({models.folder}, effects);
-  if isempty (models)
-    file = fullfile (Case.folder, 'runs.csv');
-    head = {};
-    if isfile (file)
-      head = readCsvTable (file);
-    end
-    inTable = arrayfun (@(e) ~e.laboratory && all (ismember (e.variables, head)), ...
-                        effects);
-    can = inTable | effectsOfModel ('', effects, targetInfo (Case));
-  end
-  names = {effects(can).name};
 end
 
 %!test

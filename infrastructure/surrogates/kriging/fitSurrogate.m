@@ -17,6 +17,7 @@
 %               runs is known to a millionth of it (NaN: of the response)
 %   extra       n x 1, a further input that needs no box; predicted is where it
 %               is 0, and the noise may change along it ([])
+%   level       n x 1, how coarse each run is (unitLevel): of several see fitLevels
 %   prior       (d + 2) x 1, see krigingModel; left for a gain above 1.5 ([])
 %   scatter     1 x 2, see noisePrior; left as the prior is ([])
 %   quick       logical, by quickCost instead of stk_param_relik (false)
@@ -52,6 +53,13 @@ function surrogate = fitSurrogate (X, z, limits, options)
            ['fitSurrogate: X must be n x d, z n x 1 and limits 2 x d, got ' ...
             '%d x %d, %d x %d and %d x %d.'], size (X), size (z), ...
            size (limits));
+  end
+  if isfield (options, 'level')
+    [level, options] = deal (options.level, rmfield (options, 'level'));
+    if numel (unique (level(isfinite (z)))) > 1
+      surrogate = fitLevels (X, z, level, limits, options);
+      return
+    end
   end
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...

@@ -1,14 +1,15 @@
 % KRIGINGPOSTERIOR  Posterior of the standardised response at some sets.
 %
-% CALL: [M, V, S] = krigingPosterior (SURROGATE, P)
+% CALL: [M, V, S, NOISE] = krigingPosterior (SURROGATE, P)
 %
 % P          n x d, parameter sets; of a surrogate with a further input
 %            n x (d + 1) where that is not 0
 % M, V       n x 1, mean and variance, without the noise of a run and without
 %            the surrogate's factor
 % S          n x n, covariance, V its diagonal
+% NOISE      n x 1, variance of a run there (noiseAt)
 
-function [m, v, S] = krigingPosterior (surrogate, P)
+function [m, v, S, noise] = krigingPosterior (surrogate, P)
   s = surrogate.solver;
   U = unitInputs (P, surrogate.limits, columns (surrogate.extra));
   isOpen = nargout > 1 && ~isempty (s.open);
@@ -36,6 +37,10 @@ function [m, v, S] = krigingPosterior (surrogate, P)
     if nargout > 2
       S = S + C * C';
     end
+  end
+  if nargout > 3
+    extra = [P(:, columns(surrogate.limits) + 1:end), zeros(rows (P), 1)](:, 1);
+    noise = noiseAt (surrogate, extra) / surrogate.scale^2;
   end
 end
 

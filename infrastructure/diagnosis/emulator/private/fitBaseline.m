@@ -20,13 +20,9 @@ function emulator = fitBaseline (emulator, problem, data, isBase, options, start
       settings.start = start(t);
     end
     [X, z] = deal (data.X(isBase, :), data.Z(isBase, t));
-    level = data.level(isBase, t);
     % coarse runs tell of the last level as far as one Kriging over both can say
-    if numel (unique (level(isfinite (z)))) > 1
-      fits(t) = fitLevels (X, z, level, problem.limits, settings);
-    else
-      fits(t) = fitSurrogate (X, z, problem.limits, settings);
-    end
+    settings.level = data.level(isBase, t);
+    fits(t) = fitSurrogate (X, z, problem.limits, settings);
   end
   emulator.p = p;
   emulator.limits = problem.limits;
