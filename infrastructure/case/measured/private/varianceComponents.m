@@ -35,9 +35,9 @@
 %
 % Where nothing has changed, trials of a change scatter as those of the reference do, and
 % tell their scatter, too (the pooled variance of Student's test, which of means of
-% equally many trials holds where their scatter differs, too). What surely scatters in
-% its own way (scatterOfChange, 5 %) tells nothing of the reference: it enters as the
-% means of its sessions, and if it scatters more (1 %), its mean is that much less
+% equally many trials holds where their scatter differs, too). What seems to scatter in
+% its own way (scatterOfChange, 25 %: Bancroft 1964) tells nothing of it: it enters as the
+% means of its sessions, and if it surely scatters more (1 %), its mean is that much less
 % certain.
 %
 % Of the sum of both errors the distribution is a mixture; SD is its 68 %
@@ -61,7 +61,7 @@ function [means, ratio] = varianceComponents (lines, quantities)
   lines.apart = lines.changed;
   [alone, found] = estimated (lines, quantities, means, ratio);
   p = [alone.scatterP];
-  lines.apart = lines.changed & p(lines.mean)(:) < 0.05;
+  lines.apart = lines.changed & p(lines.mean)(:) < 0.25;
   if isequal (lines.apart, lines.changed)
     [means, ratio] = deal (alone, found);
     return
