@@ -1,33 +1,37 @@
 % VISIBLECHANGE  How large a change of a reading must be to be seen.
 %
-% CALL: octave-cli benchmarks/visibleChange.m
+% CALL: octave-cli benchmarks/visibleChange.m CSV
 %
-% Six readings of a rig and of a change, days that differ by twice the scatter of
-% a trial. For each way to measure: 1.96 standard uncertainties of the change of
-% one reading, with Student's t for the freedoms that the lines leave, in the
-% scatter of a trial; median of 5 draws (seed 1) of six readings each.
+%   CSV  table that is written, a row for each way to measure: readings (how many the
+%        rig has), trials (a day), days, paired (1: both states on the same days),
+%        named (1: the days have names), seen (1.96 standard uncertainties of the
+%        change of one reading, with Student's t for the freedoms that the lines
+%        leave, in the scatter of a trial)
+%
+% Days differ by twice the scatter of a trial. Median of 30 readings in draws of as many
+% as the rig has (seed 1).
 %
 % See also: varianceComponents
 
 1;
 
-function least = leastSeen (trials, days, isPaired, isNamed)
-  sizes = zeros (5, 6);
-  for i = 1:5
-    list = drawLines (trials, days, isPaired, isNamed);
+function least = leastSeen (readings, trials, days, isPaired, isNamed)
+  sizes = zeros (30 / readings, readings);
+  for i = 1:rows (sizes)
+    list = drawLines (readings, trials, days, isPaired, isNamed);
     sizes(i, :) = arrayfun (@leastOf, groupMeasured (list, {'A'}));
   end
   least = median (sizes(:));
 end
 
-function list = drawLines (trials, days, isPaired, isNamed)
+function list = drawLines (readings, trials, days, isPaired, isNamed)
   list = [];
   for state = 0:1
     for d = 1:days
       if state == 0 || ~isPaired
-        day{d} = 2 * randn (1, 6);
+        day{d} = 2 * randn (1, readings);
       end
-      values = 20 + day{d} + randn (trials, 6);
+      values = 20 + day{d} + randn (trials, readings);
       name = sprintf ('day%d%d', d, state * ~isPaired);
       list = [list, linesOf(values, state, name(1:end * isNamed))];
     end
@@ -53,12 +57,11 @@ end
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 randn ('twister', 1);
-printf ("| trials a day | days | same days in both | days named | seen from |\n");
-printf ("|---|---|---|---|---|\n");
-answers = {'no', 'yes'};
-for design = [2, 5, 5, 5, 2, 1, 3, 3; 1, 1, 1, 3, 3, 3, 2, 2; ...
-              0, 0, 0, 0, 0, 1, 0, 1; 0, 0, 1, 1, 1, 1, 1, 1]
-  least = leastSeen (design(1), design(2), design(3), design(4));
-  printf ("| %d | %d | %s | %s | %.1f |\n", design(1), design(2), ...
-          answers{design(3) + 1}, answers{design(4) + 1}, least);
+lines = {'readings,trials,days,paired,named,seen'};
+for design = [1, 1, 1, 6, 6, 6, 6, 6, 6, 6, 6; 2, 3, 5, 2, 5, 5, 5, 2, 1, 3, 3; ...
+              1, 1, 1, 1, 1, 1, 3, 3, 3, 2, 2; 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1; ...
+              0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1]
+  row = num2cell (design');
+  lines{end + 1} = rowText ([row, {leastSeen(row{:})}]);
 end
+writeTable (argv (){1}, lines);

@@ -14,7 +14,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.numOfSam = 6;
   Input.seed = 1;
   Input.timeout = 900;
-  Input.maxNewRuns = 7;
+  Input.maxNewRuns = 24;
   Input.store = '../runs';
 
   optim.maxFunEvals = 1;

@@ -26,6 +26,7 @@
 % is uncertain. Packing and reading (S) are fresh; a reading without sd is taken
 % for as sure as a run. Of a change the reading of the reference is met again, too (in
 % R): what is foretold from it stays as it is, until the reference is measured again.
+% Either is repeated on its days: what these brought to both is no part of a change.
 
 function tests = nextMeasurement (problem, emulator, evidence, P, options)
   [tests, isReference] = candidates (problem);
@@ -55,9 +56,20 @@ function noise = noisesOf (problem, emulator)
   noise.white = whitenEmulator (emulator, problem.used, noise);
   noise.fresh = noise.covariance;
   if ~isempty (emulator.change)
-    [noise.fresh, noise.before] = deal (emulator.change.fresh, emulator.change.before);
+    % what both owe to the same days is not seen in their difference
+    days = problem.reference.together;
+    noise.fresh = positivePart (emulator.change.fresh - days);
+    noise.before = positivePart (emulator.change.before - days);
   end
-  noise.again = noise.covariance - noise.fresh;
+  noise.again = positivePart (noise.covariance - noise.fresh);
+end
+
+% The nearest covariance: days may weigh differently in both.
+function C = positivePart (C)
+  unit = sqrt (max (abs (diag (C)), realmin));
+  C = (C + C') / 2 ./ (unit * unit');
+  [V, L] = eig (C);
+  C = V * max (L, 0) * V' .* (unit * unit');
 end
 
 function [tests, isReference] = candidates (problem)
@@ -232,3 +244,12 @@ end
 %! assert (tests(1).test, 'measure the reference on Heap once more');
 %! assert (tests(1).gain > 0.2);
 %! assert (tests(2).gain < 0.02);
+%! % both of the same days, which differ more than anything else: their trials are
+%! % left, and either tells a little
+%! given.sd = 5;
+%! given.shared = 4.99;
+%! [given.reference.shared, given.reference.together] = deal (4.99, 4.99^2);
+%! problem = newProblem (given);
+%! emulator = emulateChange (emulator, problem);
+%! tests = nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options);
+%! assert (all ([tests.gain] >= 0 & [tests.gain] < 1));

@@ -33,9 +33,12 @@
 % rigs on which nothing was changed show 2 to 3; about 0.7 for a contrast, in
 % which most of a session cancels: three powders in one doser show 0.5 to 1.
 %
-% What changed may scatter in its own way: where trials of the reference tell the
-% scatter, those of a change enter as the means of their sessions. If they surely
-% scatter more (scatterOfChange, 1 %), their mean is that much less certain.
+% Where nothing has changed, trials of a change scatter as those of the reference do, and
+% tell their scatter, too (the pooled variance of Student's test, which of means of
+% equally many trials holds where their scatter differs, too). What seems to scatter in
+% its own way (scatterOfChange, 25 %: Bancroft 1964) tells nothing of it: it enters as the
+% means of its sessions, and if it surely scatters more (1 %), its mean is that much less
+% certain.
 %
 % Of the sum of both errors the distribution is a mixture; SD is its 68 %
 % half-width. The freedoms are those of the Student distributions that doubt a
@@ -55,8 +58,23 @@ function [means, ratio] = varianceComponents (lines, quantities)
   if Q == 0
     return
   end
-  of = accumarray (lines.quantity, 1:numel (lines.value), [Q, 1], ...
-                   @(k) {sort(k)});
+  lines.apart = lines.changed;
+  [alone, found] = estimated (lines, quantities, means, ratio);
+  p = [alone.scatterP];
+  lines.apart = lines.changed & p(lines.mean)(:) < 0.25;
+  if isequal (lines.apart, lines.changed)
+    [means, ratio] = deal (alone, found);
+    return
+  end
+  [means.scatterRatio] = deal (alone.scatterRatio);
+  [means.scatterP] = deal (alone.scatterP);
+  [means, ratio] = estimated (lines, quantities, means, ratio);
+end
+
+% With what is apart as the means of its sessions.
+function [means, ratio] = estimated (lines, quantities, means, ratio)
+  of = accumarray (lines.quantity, 1:numel (lines.value), ...
+                   [numel(quantities), 1], @(k) {sort(k)});
   parts = cellfun (@(k, q) contrastsOf (rowsOf (lines, k), q), of', ...
                    num2cell (quantities));
   for kind = 1:2
@@ -87,7 +105,7 @@ end
 function part = contrastsOf (lines, quantity)
   part = struct ('squares', zeros (1, 0), 'lambda', zeros (1, 0));
   lines = rowsOf (lines, isnan (lines.variance));
-  lines = withoutChanged (lines);
+  lines = withoutApart (lines);
   n = numel (lines.value);
   if n < 2
     return
@@ -114,21 +132,20 @@ function part = contrastsOf (lines, quantity)
   end
 end
 
-% Trials of a change as the means of their sessions, if those of the reference
-% tell how trials scatter.
-function lines = withoutChanged (lines)
-  before = lines.session(~lines.changed);
-  if numel (unique (before)) == numel (before)
+% Trials that are apart as the means of their sessions, if the others tell how trials
+% scatter.
+function lines = withoutApart (lines)
+  others = [lines.mean, lines.session](~lines.apart, :);
+  if rows (unique (others, 'rows')) == rows (others)
     return
   end
   [~, first, cell_] = unique ([lines.mean, lines.session, ...
-                               (1:numel (lines.value))' .* ~lines.changed], ...
+                               (1:numel (lines.value))' .* ~lines.apart], ...
                               'rows');
   lines.value = accumarray (cell_, lines.value .* lines.repeats) ./ ...
                 accumarray (cell_, lines.repeats);
   repeats = accumarray (cell_, lines.repeats);
-  lines = rmfield (lines, intersect (fieldnames (lines), {'order'}));
-  for name = {'mean', 'session', 'changed', 'quantity', 'variance'}
+  for name = {'mean', 'session'}
     lines.(name{1}) = lines.(name{1})(first);
   end
   lines.repeats = repeats;
@@ -303,12 +320,14 @@ function [factor, found] = factorOfChange (lines, scatter, quantity, found)
   if ~all (lines.changed) || ~isnan (quantity.variance)
     return
   end
-  [ratio, p] = scatterOfChange (lines.value(trials), lines.session(trials), ...
-                                scatter.weight * scatter.scale', ...
-                                1 / (1 / scatter.own + 1 / scatter.common));
-  [found.scatterRatio, found.scatterP] = deal (ratio, p);
-  if ratio > 1 && p < 0.01
-    factor = ratio^2;
+  if isnan (found.scatterP)
+    [found.scatterRatio, found.scatterP] = ...
+      scatterOfChange (lines.value(trials), lines.session(trials), ...
+                       scatter.weight * scatter.scale', ...
+                       1 / (1 / scatter.own + 1 / scatter.common));
+  end
+  if found.scatterRatio > 1 && found.scatterP < 0.01
+    factor = found.scatterRatio^2;
   end
 end
 
@@ -406,3 +425,18 @@ end
 %! m = varianceComponents (lines, quantity);
 %! assert ([m.sd; m.shared], [0.1, 0.2; 0, 0], 1e-12);
 %! assert ([m.freedom, m.sessionFreedom], Inf (1, 4));
+%!test
+%! % three trials before and three after tell their scatter together, as in Student's
+%! % test; where the change scatters nine times more, only the reference is believed
+%! lines = of ([19.8, 18.1, 19.4, 28.1, 32.9, 28.3], zeros (1, 6), [1, 1, 1, 2, 2, 2]);
+%! m = varianceComponents (lines, quantity);
+%! [sd, freedom] = sdOfChange (m(1), m(2));
+%! pooled = sqrt ((sumsq ([19.8, 18.1, 19.4] - 19.1) + ...
+%!                 sumsq ([28.1, 32.9, 28.3] - 89.3 / 3)) / 4 * 2 / 3);
+%! assert (sd / studentFactor (freedom), pooled, 0.15 * pooled);
+%! assert (freedom > 3);
+%! wild = [1; -1; 1; -1; 1; -1; 1; -1];
+%! lines = of ([wild; 9 * wild], zeros (1, 16), kron ([1, 2], ones (1, 8)));
+%! m = varianceComponents (lines, quantity);
+%! assert (m(1).sd, sqrt (8 / 7 / 8), 0.1);
+%! assert (m(2).scatterP < 0.05);
