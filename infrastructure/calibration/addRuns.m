@@ -13,7 +13,7 @@
 %
 % Rows beyond BUDGET.sets are left out. A set of which a run was not made leaves
 % no trace in the data. The others have there the numbers that were run
-% (toDigits).
+% (toDigits), and NA for models that BUDGET.models leaves out.
 %
 % Errors: DEcalioc:addRuns:sharedResults (two runs have the results of one, see
 % equalRuns)
@@ -31,7 +31,9 @@ function state = addRuns (state, problem, P, E, stage, replicate)
   [P, E, replicate] = deal (P(1:n, :), E(1:n, :), replicate(1:n)(:));
   [Z, state.budget] = state.evaluate (P, E, replicate, stage, state.budget);
   Z = Z(:, problem.kept) ./ problem.unit;
-  isTried = ~any (isna (Z), 2);
+  isAsked = askedResults (state.budget, problem.bench);
+  isTried = ~any (isna (Z(:, isAsked)), 2);
+  Z(:, ~isAsked) = NA;
   [P, E, Z] = deal (P(isTried, :), E(isTried, :), Z(isTried, :));
   v = columns (E) - columns (state.data.E);
   state.data = addRows (state.data, P, Z, replicate(isTried), stage, ...
@@ -93,6 +95,17 @@ end
 %! assert (state.budget.sets, 1);
 %! state = addRuns (state, problem, [4; 5], [7; 7], 'gap');
 %! assert ([rows(state.data.X), state.data.level(end, :)], [4, 0, 0]);
+%!test
+%! % of two models one is run: the other one has not failed
+%! problem = struct ('limits', [0; 9], 'fine', 0, 'kept', 1:2, 'unit', [1, 1], ...
+%!                   'bench', [1, 2]);
+%! state.data = newData (1, 2, 1);
+%! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) [P, NaN * P]);
+%! [state.budget.models, state.budget.sets] = deal ([true, false], 9);
+%! state = addRuns (state, problem, [1; 2], [], 'gap');
+%! assert (state.data.Z, [1, NA; 2, NA]);
+%! assert (isna (state.data.Z(:, 2)'), [true, true]);
+%! assert (state.budget.sets, 7);
 %!test
 %! % results of another run are refused, those of another packing are not
 %! problem = struct ('limits', [0; 9], 'fine', zeros (1, 0), 'kept', 1:2, 'unit', [1, 2], ...

@@ -16,7 +16,7 @@
 %          keepApart), identifiability (weakness
 %          below), sensitivity d x T (total Sobol indices); demRuns,
 %          coreSeconds, atLimit, warnings, levels (describeLevels below),
-%          surrogates, history, data, exitStatus; holdout (1 x h: name, target,
+%          surrogates, history, data, exitStatus; holdout (1 x h: name, model, target,
 %          result (prediction of the mean response), sd (of the prediction
 %          error), interval90 2 x 1 (where a measurement should lie), inside
 %          (logical; NaN: not measured yet), leftOpen (logical: only other parameter
@@ -170,7 +170,8 @@ function hold = predictHoldout (state, problem, known)
     ends = [min(ends(1, :)); max(ends(2, :))];
     isIn = @(ends) value >= ends(1) && value <= ends(2);
     total = sqrt (mean (sd.^2) + var (m(:, t), 1));
-    entry = struct ('name', s.name, 'target', value, 'result', m(1, t), 'sd', total, ...
+    entry = struct ('name', s.name, 'model', problem.benchNames{problem.bench(t)}, ...
+                    'target', value, 'result', m(1, t), 'sd', total, ...
                     'interval90', ends, 'inside', isIn (ends), ...
                     'leftOpen', isIn (ends) && ~isIn (alone));
     isUnjudged = strcmp (state.final.state{t}, 'unjudged');

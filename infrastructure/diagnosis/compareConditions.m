@@ -8,8 +8,8 @@
 %     conditions  1 x C struct, this one first: name, verdict, effects (cellstr),
 %                 lookAlike, p, and of each effect probability, strength and
 %                 interval90 (shares of its range), says (describeVerdict); oneOf
-%                 (that one of them acts); text (in its unit), code, kind, change,
-%                 plain and names of the verdict come from writeGapJson
+%                 (that one of them acts); text (in its unit), ofEffect, code, kind,
+%                 change, plain and names of the verdict come from writeGapJson
 %     order       1 x m struct effect, more, less (names of two conditions of one
 %                 cause, or of one class), probability (that more is more of it)
 %
@@ -34,6 +34,7 @@ function s = compareConditions (diagnosis, others)
                 'probability', [], 'strength', [], 'interval90', [], ...
                 'says', {cell(1, 0)}, 'text', {cell(1, 0)}, 'code', '', 'kind', '', ...
                 'change', '', 'plain', '', 'names', {cell(1, 0)}, ...
+                'ofEffect', [], ...
                 'errors', {cell(1, 0)});
   errors = jsonAt (diagnosis, {'change', 'errors'});
   for name = which.effects

@@ -78,6 +78,7 @@ end
 % are idle), are said.
 function [state, plain] = runsThere (Case, problem, options, notes, say)
   [state.evaluate, state.budget] = newCaseEvaluate (Case, say);
+  state.budget.models = measuredModels (Case);
   [data, count] = gatherRuns (Case);
   [data, levelled] = atLevels (data, Case, problem);
   [use, leftOut] = thinRuns (data, problem, 1000);
@@ -89,11 +90,17 @@ function [state, plain] = runsThere (Case, problem, options, notes, say)
   end
   [assumed, idle] = notes{:};
   notes = [assumed(:)', {Case.scatterNotes.text}, {leftOut}(~isempty (leftOut)), ...
-           idle, unexpressedEffects(Case)];
+           idle, unexpressedEffects(Case), unmeasured(Case, state.budget.models)];
   left = floor (state.budget.left / sum (state.budget.models));
-  [~, foreseen] = foreseeSets (problem.effects, left, options, count.seconds);
+  [~, foreseen] = foreseeSets (problem.effects, left, options, ...
+                               sum (count.seconds(state.budget.models)));
   sayGapCase (Case, data, count, [notes, foreseen], say);
   state.data = data;
+end
+
+function notes = unmeasured (Case, isMeasured)
+  notes = cellfun (@(name) [name, ' was not measured in the new state: no runs of it'], ...
+                   {Case.models(~isMeasured).name}, 'UniformOutput', false);
 end
 
 % The verdict is said and kept by now: who does not want to wait may go.
@@ -171,11 +178,13 @@ function runs = addFields (runs, made)
 end
 
 % With one of PARTS equal parts of what may still be run. Models that gave no result
-% are left out, as enterRuns does.
+% are left out, as enterRuns does, and of a change those that GIVEN has no reading of.
 function [options, state] = shareOf (Case, given, state, options, parts)
-  model = [Case.targets.model];
-  state.budget.models = ismember (1:numel (Case.models), ...
-                                  model(any (isfinite (state.data.Z), 1)));
+  isThere = any (isfinite (state.data.Z), 1);
+  if ~isempty (given.reference)
+    isThere = isThere & ismember (given.bench, given.bench(isfinite (given.value)));
+  end
+  state.budget.models = ismember (1:numel (Case.models), given.bench(isThere));
   left = floor (state.budget.left / sum (state.budget.models));
   options.maxNewRuns = min (foreseeSets (given.effects, left, options), ...
                             floor (left / parts));

@@ -16,11 +16,13 @@ function lines = diagnosisCost (Case)
   end
   problem = newProblem (Case);
   seconds = foresee (Case, runsOfCase (Case)).seconds .* [Case.models.cpu];
-  left = floor (Case.options.maxNewRuns / numel (Case.models));
-  [~, lines] = foreseeSets (problem.effects, left, gapOptions ([]), sum (seconds));
+  isRun = measuredModels (Case);
+  left = floor (Case.options.maxNewRuns / sum (isRun));
+  [~, lines] = foreseeSets (problem.effects, left, gapOptions ([]), sum (seconds(isRun)));
   if ~isempty (Case.conditions)
     lines{1} = sprintf ('for %s: %s', countText (numel (Case.conditions), 'condition'), ...
-                        lines{1});
+                        strrep (lines{1}, 'all models', ...
+                                strjoin ({Case.models(isRun).name}, ', ')));
   end
 end
 
@@ -35,3 +37,9 @@ end
 %! assert (numel (lines), 1);
 %! evaluateDEM ([1, 2], plainCase (Case));
 %! assert (! isempty (strfind (diagnosisCost (Case){2}, 'of one CPU')));
+%! % of a change what is measured in the new state is run
+%! Case.conditions = {'moist'};
+%! value = {struct('value', 1), struct('value', 1), struct('value', NaN)};
+%! [Case.targets.changed] = value{:};
+%! assert (! isempty (regexp (diagnosisCost (Case){1}, ...
+%!                            '^for 1 condition: .* are run with First: ')));

@@ -45,15 +45,17 @@ function v = writeCalibrationJson (c, Case)
   out.next = num2cell (c.identifiability.next);
   out.sensitivity = named (num2cell (num2cell (c.sensitivity), 2));
   out.correlation = c.correlation;
+  out.correlations = named (cellfun (@(row) named (num2cell (row(:))), ...
+                                     num2cell (c.correlation, 2), 'UniformOutput', false));
   noiseSd = num2cell (sqrt ([c.surrogates.noiseVar]));
   out.surrogates = num2cell (struct ('model', {Case.targets.modelName}, ...
                                      'target', {Case.targets.name}, ...
                                      'Q2', {c.surrogates.Q2}, ...
                                      'noiseSd', noiseSd));
   out.holdout = num2cell (c.holdout);
-  out.levels = num2cell (c.levels);
+  out.levels = eachOf (@(L) levelOf (L, Case.targets), c.levels);
   out.warnings = c.warnings;
-  out.history = num2cell (c.history);
+  out.history = eachOf (@(step) stepOf (step, Case.targets, named), c.history);
   out.input = resultInput (Case);
   out.version = toolboxVersion (Case.root);
   out.date = strftime ('%Y-%m-%d %H:%M', localtime (time ()));
@@ -71,8 +73,22 @@ function v = writeCalibrationJson (c, Case)
   [~, ~] = unlink (fullfile (folder, 'progress.json'));
 end
 
+% What stands in lists in the order of targets and parameters, by name.
+function step = stepOf (step, targets, named)
+  step.values = named (num2cell (step.params(:)));
+  step.residuals = byTarget (targets, num2cell (step.residual));
+  step.residualsOfRuns = byTarget (targets, num2cell (step.ofRuns));
+end
+
+function L = levelOf (L, targets)
+  L.targets = byTarget (targets, num2cell (struct ('shift', num2cell (L.shift), ...
+                                                   'shiftSd', num2cell (L.shiftSd), ...
+                                                   'noiseSd', num2cell (L.noiseSd))));
+end
+
 function targets = targetsOf (c, Case)
   T = Case.targets;
+  ofParams = @(s) cell2struct (num2cell (s), Case.names, 1);
   info = targetInfo (Case);
   isFit = strcmp ({T.role}, 'calibrate');
   row = @(values) num2cell (values(:)');
@@ -95,7 +111,9 @@ function targets = targetsOf (c, Case)
                               'interval90', num2cell (c.resultInterval90, 1), ...
                               'allowed', eachOf (@halfWidth, T), ...
                               'estimate', row (c.estimate), 'met', met, 'state', state, ...
-                              'resultSd', row (c.resultSd), 'curve', curve));
+                              'resultSd', row (c.resultSd), 'curve', curve, ...
+                              'sensitivity', eachOf (ofParams, ...
+                                                     num2cell (c.sensitivity, 1))));
 end
 
 % Parameters that were measured by themselves.
@@ -152,6 +170,7 @@ end
 %!   ["variable lid equal 2 # kg, mass of the lid\n", ...
 %!    "variable radiusP equal 1  # m\nvariable a equal 1\n"]);
 %! c = newCalibration (state, problem, Case);
+%! c.history = struct ('params', [5, 6], 'residual', [0.1; 0.2], 'ofRuns', [NaN; NaN]);
 %! read = @(name) fullfile (Case.folder, 'results', name);
 %! words = {'mass of the lid', 'friction of grains and walls'; ...
 %!          'radius of the grains', ''};
@@ -169,6 +188,12 @@ end
 %! assert (out.params.a, c.params(2), 1e-12);
 %! assert (out.interval90.a, c.interval90(:, 2), 1e-12);
 %! assert (out.sensitivity.a', c.sensitivity(2, :), 1e-12);
+%! % by name what stands in lists in some order
+%! assert (out.targets(2).sensitivity.a, c.sensitivity(2, 2), 1e-12);
+%! assert (out.correlations.a.radiusP, c.correlation(2, 1), 1e-12);
+%! assert (out.history.values.a, 6);
+%! assert (out.history.residuals.First.(Case.targets(1).name), 0.1);
+%! assert (isempty (out.history.residualsOfRuns.First.(Case.targets(1).name)));
 %! % within half of the last digit that is known
 %! step = 10^floor (log10 (min (diff (c.interval90(:, 1)) / 100, c.params(1) / 1000)));
 %! assert (headDefaults (read ('calibrated.head')).radiusP, c.params(1), ...

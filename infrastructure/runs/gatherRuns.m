@@ -82,7 +82,7 @@ function [data, count] = fromStore (Case, data, count, which)
       end
     end
   end
-  count.seconds = sum (seconds);
+  count.seconds = seconds;
   d = columns (data.X);
   data.X = inputs(:, 1:d);
   data.E = inputs(:, d + 1:end - 1);

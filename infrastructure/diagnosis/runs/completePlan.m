@@ -7,7 +7,8 @@
 %   SAY      function handle that takes one line of text
 %   OPTIONS  see gapOptions
 %
-% First sets that benches lack which joined the case later (completeBenches).
+% Of the models that STATE.budget.models leaves in. First sets that benches lack which
+% joined the case later (completeBenches).
 % Then neutral sets: a diagnosis wants those of neutralSets, if it may run them,
 % and mends its surrogates where that was not enough (diagnoseMatrices); without
 % new runs it takes what is there. A bench all of whose runs gave no
@@ -22,7 +23,8 @@ function state = completePlan (state, problem, Case, say, options)
   % a bench on which no run gives a result must not hold up the others
   isDead = ~any (isfinite (data.Z), 1) & ...
            sum (isnan (data.Z) & ~isna (data.Z), 1) >= d + 3;
-  neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDead, 2);
+  isDone = isDead | ~askedResults (state.budget, [Case.targets.model]);
+  neutral = all (data.E == phi, 2) & all (isfinite (data.Z) | isDone, 2);
   have = rows (unique (data.X(neutral, :), 'rows'));
   % coarse sets count, but d + 3 have to be of the last level
   [atLast, hasLevels] = isFine (data);
@@ -49,10 +51,11 @@ end
 function state = completeBenches (state, Case, say, wanted)
   data = state.data;
   model = [Case.targets.model];
-  M = numel (Case.models);
-  wasRun = false (rows (data.X), M);
-  for k = 1:M
-    wasRun(:, k) = ~any (isna (data.Z(:, model == k)), 2);
+  isAsked = askedResults (state.budget, 1:numel (Case.models));
+  M = sum (isAsked);
+  wasRun = false (rows (data.X), 0);
+  for k = find (isAsked)
+    wasRun(:, end + 1) = ~any (isna (data.Z(:, model == k)), 2);
   end
   n = sum (wasRun, 2);
   at = wantedSets (data.E, n == M, n < M & n >= M / 2, Case, ...
@@ -65,14 +68,15 @@ function state = completeBenches (state, Case, say, wanted)
   say ([countText(numel (at), 'run'), ' on a rig without runs']);
   for has = unique (wasRun(at, :), 'rows')'
     sets = at(all (wasRun(at, :) == has', 2));
-    state.budget.models = ~has';
+    state.budget.models = isAsked;
+    state.budget.models(isAsked) = ~has';
     [Z, state.budget] = state.evaluate (data.X(sets, :), data.E(sets, :), ...
                                         data.replicate(sets), 'gap', ...
                                         state.budget);
-    isNew = ~has(model);
+    isNew = state.budget.models(model);
     state.data.Z(sets, isNew) = Z(:, isNew);
   end
-  state.budget.models(:) = true;
+  state.budget.models = isAsked;
 end
 
 function at = wantedSets (E, isWhole, isOpen, Case, plan)

@@ -10,10 +10,11 @@
 %               whose runs gave a result; also
 %     kept (1 x T'): numbers of the targets that are left
 %     unit (1 x T'): what one unit is in that of the user, a power of two
-%     out  (cellstr): names of the benches that are out, and of these neverRun
-%       (cellstr): those of which no run has come to its end; lacking (cellstr): targets
-%       that a third of the runs lack, three at least, which have other results of
-%       the bench. Out, too: those in which something flowed do not stand for all
+%     out  (cellstr): names of the benches that are out (of a change not those without
+%       a reading of the new state), and of these neverRun (cellstr): those of which
+%       no run has come to its end; lacking (cellstr): targets that a third of the runs
+%       lack, three at least, which have other results of the bench. Out, too: those
+%       in which something flowed do not stand for all
 %   DATA        the same, each run once, Z in standard units, columns as the
 %               targets left
 %
@@ -29,11 +30,13 @@ function [problem, data] = enterRuns (given, data, options)
   problem = newProblem (given);
   checkRuns (problem, data);
   data = onceEach (data);
-  [problem, kept, out, neverRun, lacking] = withoutDeadBenches (problem, data);
+  [there, needed] = neutralRuns (problem, data, options);
+  [problem, kept, out, neverRun, lacking] = ...
+    withoutDeadBenches (problem, data, there < needed);
   for name = intersect ({'Z', 'level'}, fieldnames (data)')
     data.(name{1}) = data.(name{1})(:, kept);
   end
-  checkEnough (problem, data, options);
+  checkEnough (problem, there(kept), needed);
   unit = unitsOf (problem, data.Z);
   problem = inUnits (problem, unit);
   problem.kept = kept;
@@ -92,16 +95,18 @@ function data = onceEach (data)
 end
 
 function [problem, kept, out, neverRun, lacking] = ...
-  withoutDeadBenches (problem, data)
+  withoutDeadBenches (problem, data, few)
   isThere = any (isfinite (data.Z), 1);
-  benches = unique (problem.bench);
-  dead = setdiff (benches, problem.bench(isThere));
+  % of a change what was never measured in the new state is not run, and not missed
+  isWanted = isempty (problem.reference) | ...
+             ismember (problem.bench, problem.bench(isfinite (problem.value)));
+  dead = setdiff (problem.bench(isWanted), problem.bench(isThere));
   out = problem.benchNames(dead);
   wasRun = problem.bench(~all (isna (data.Z), 1));
   neverRun = problem.benchNames(setdiff (dead, wasRun));
   isLacking = tooOftenLacking (data.Z, problem.bench);
   lacking = problem.targetNames(isLacking);
-  kept = find (~ismember (problem.bench, dead) & ~isLacking);
+  kept = find (~ismember (problem.bench, dead) & ~isLacking & (isWanted | ~few));
   left = intersect (problem.used, kept);
   if isempty (left) && isequal (neverRun, out)
     error ('DEcalioc:enterRuns:noRuns', ...
@@ -112,7 +117,7 @@ function [problem, kept, out, neverRun, lacking] = ...
            ['enterRuns: no run of %s gave a result, and no measured target ' ...
             'is left. Look at the failed runs.'], strjoin ([out, lacking], ', '));
   end
-  if ~isempty (dead) || any (isLacking)
+  if numel (kept) < numel (isWanted)
     problem = newProblem (ofTargets (problem, kept));
   end
 end
@@ -126,8 +131,9 @@ function yes = tooOftenLacking (Z, bench)
   end
 end
 
-% What the trend of the surrogates needs, and one run more.
-function checkEnough (problem, data, options)
+% Results of each target without an effect, and how many it needs: what the trend of
+% the surrogates needs, and one run more.
+function [there, needed] = neutralRuns (problem, data, options)
   p = columns (problem.limits);
   terms = struct ('choose', 1, 'constant', 1, 'affine', p + 1, ...
                   'quadratic', (p + 1) * (p + 2) / 2);
@@ -135,6 +141,9 @@ function checkEnough (problem, data, options)
   phi = strengthOfValues (problem.effects, data.E);
   isBase = all (abs (phi) < 1e-9, 2);
   there = sum (isfinite (data.Z(isBase, :)), 1);
+end
+
+function checkEnough (problem, there, needed)
   few = find (there < needed, 1);
   if ~isempty (few)
     error ('DEcalioc:enterRuns:runFailed', ...
@@ -188,6 +197,16 @@ end
 %! some.Z(3, 1) = NaN;
 %! [p, d] = enterRuns (newProblem (given), some, gapOptions ([]));
 %! assert ({p.lacking, p.kept, columns(d.Z)}, {{'t1'}, [2, 3], 2});
+%!test
+%! % of a change: what the new state was not measured on is not missed, however few
+%! % its runs; with enough of them it stays
+%! change = newProblem (setfield (given, 'value', [1e-9, 2, NaN]));
+%! change.reference = struct ('value', given.value, 'sd', given.sd);
+%! for n = [0, 1, 6]
+%!   some = setfield (data, 'Z', {1:6 - n, 3}, NA);
+%!   p = enterRuns (change, some, gapOptions ([]));
+%!   assert ({p.out, p.neverRun, numel(p.kept)}, {cell(1, 0), cell(1, 0), 2 + (n > 1)});
+%! end
 %!test
 %! % a run that is there twice counts once, a repeat does not
 %! data.Z(4, 3) = NaN;

@@ -7,8 +7,8 @@
 
 function made = runsMade (state, known)
   Z = state.data.Z(rows (known.Z) + 1:end, :);
-  made = struct ('spent', rows (Z), 'failed', sum (any (isnan (Z), 2)));
+  made = struct ('spent', rows (Z), 'failed', sum (any (isnan (Z) & ~isna (Z), 2)));
 end
 
-%!assert (runsMade (struct ('data', struct ('Z', [1; NaN; 3; NaN])), ...
-%!                  struct ('Z', [1; NaN])), struct ('spent', 2, 'failed', 1))
+%!assert (runsMade (struct ('data', struct ('Z', [1, NA; NaN, NA; 3, NA; NaN, NA])), ...
+%!                  struct ('Z', [1, NA; NaN, NA])), struct ('spent', 2, 'failed', 1))

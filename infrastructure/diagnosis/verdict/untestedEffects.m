@@ -22,7 +22,7 @@ function list = untestedEffects (names, effects, state)
       % what most of them ended with
       why = texts{mode(at)};
     end
-    isFailed = only (data.E) & any (isnan (data.Z), 2);
+    isFailed = only (data.E) & any (isnan (data.Z) & ~isna (data.Z), 2);
     list(end + 1) = struct ('name', name{1}, 'runs', sum (isFailed), ...
                             'why', why);
   end
@@ -39,7 +39,7 @@ end
 %!                                                {{name}}, 'neutral', 0, ...
 %!                                                'limits', [0; 2]), 1), 'ab');
 %! state.data = struct ('E', [0, 0; 2, 0; 1, 0; 1, 1; 0, 1], ...
-%!                      'Z', [1; NaN; NaN; NaN; 3]);
+%!                      'Z', [[1; NaN; NaN; NaN; 3], NA(5, 1)]);
 %! state.budget.lost = struct ('E', {[2, 0], [1, 0], [1, 0], [1, 1]}, ...
 %!                             'message', {'y', 'x', 'x', 'z'});
 %! list = untestedEffects ({'a', 'b'}, effects, state);

@@ -15,7 +15,8 @@
 % Fields of gap.json. Strengths: 0 neutral, 1 the limit further from it (DEM
 % effects both ways: 1 upper, -1 lower). {name: x}: one x for each name.
 %
-%   format  1; it grows where a field changes its meaning or goes
+%   format  1; it grows where a field changes its meaning or goes. Strengths and their
+%     intervals are shares of the range where no unit is said; inUnit has them in it
 %   cause {code, kind}, closure {code}, action {code, field, widen, file}: codes for
 %     programs; they stay, sentences change (report/words/words.txt)
 %   where
@@ -49,7 +50,8 @@
 %              nothing: no runs where it would fit), label, unit, saysName (see
 %              describeEffect), kind (causeKind), text, amount (in its unit), seenFrom
 %              (the smallest that would be seen in 8 of 10 cases), atEnd (the end of its
-%              range, where it stands there)}}
+%              range, where it stands there), inUnit {value, interval90, smallestSeen} (in
+%              its unit; empty for an effect of several variables)}}
 %   howFar
 %     effect, before, after (deviations, in shares of each target's range)
 %     floor (of noise alone), closure, interval90
@@ -63,14 +65,16 @@
 %     strength {effect: in shares of its range}, values {variable: in the refit}
 %   fingerprint, all over noise
 %     targets, measured (less simulated without an effect), effects {effect: what
-%     it would add, fitted alone}
+%     it would add, fitted alone}, ofTarget {model: {target: {measured, effects
+%     {effect: x}}}}, the same by name
 %   next  [{test, gain (bits about the kind of cause), cost, model, variable,
 %     value (empty: as it stands), trials, runs (behind the gain), between (two
 %     kinds)}], first those worth advising, by gain per optim.cost; last those given
 %     up early. An empty value (or curve) of measured.csv is a test, too.
 %   level, with levels
 %     variables, value (the last), finer, shift, shiftSd (expected change at the
-%     finer level), verdict, effects with that shift (empty: unknown), holds
+%     finer level), ofTarget {model: {target: {shift, shiftSd}}}, the same by name,
+%     verdict, effects with that shift (empty: unknown), holds
 %   reference, with conditions, else empty
 %     condition (of all other fields), folder (of its files), lack (what the model
 %     misses in both, in shares of what parameters move)
@@ -84,8 +88,9 @@
 %     notMeasured [{model, name}], measured of the reference alone
 %     conditions  [{name, verdict, code, kind (as in cause), change, plain (words of
 %              its verdict), names (effects that may be said), effects, lookAlike, p, oneOf,
-%              probability, strength, interval90, text}], order [{effect, more, less,
-%              probability}]
+%              probability, strength, interval90, text (a list in the order of effects
+%              each), ofEffect {effect: {probability, value, interval90, inUnit, text}}, the
+%              same by name}], order [{effect, more, less, probability}]
 %     canChange  {candidate: yes, unlikely, no};  origin  what the user says it was
 %              (Input.origin), in words
 %   thresholds  level, adviseAt (gapOptions): those that the report uses
@@ -118,7 +123,7 @@ function out = resultOf (diagnosis, Case)
   out.next = num2cell (rmfield (diagnosis.next(:)', ...
                                 {'targets', 'gainPerCost', 'lines', ...
                                  'isFirm'}));
-  out.level = jsonAt (diagnosis, {'level'});
+  out.level = levelOf (jsonAt (diagnosis, {'level'}), diagnosis.problem);
   out.reference = changeOf (diagnosis, Case);
   out.demRuns = struct ('sets', diagnosis.runs.spent, ...
                         'failedSets', diagnosis.runs.failed);
@@ -132,6 +137,7 @@ function [out, v, conditions] = withVerdict (out, diagnosis, Case)
   if ~isempty (conditions)
     conditions(1).text = eachOf (@(name) shortText (out.which.strength, name), ...
                                  conditions(1).effects);
+    conditions(1).ofEffect = ofEffects (conditions(1), out.which.strength);
     out.reference.conditions = forPrograms (conditions);
   end
   stored = storedResult (Case);
@@ -159,6 +165,17 @@ function list = forPrograms (conditions)
   list = num2cell (rmfield (conditions, 'errors'));
 end
 
+% By name what stands in lists in the order of the effects.
+function s = ofEffects (one, strengths)
+  s = struct ();
+  for k = 1:numel (one.effects)
+    name = fieldsOf (one.effects{k});
+    own = struct ('probability', one.probability(k), 'value', one.strength(k), ...
+                  'interval90', one.interval90(k, :), 'text', one.text{k});
+    s.(name) = mergeFields (own, strengths.(name), {'inUnit'});
+  end
+end
+
 % Of a strength that is not known the label alone.
 function text = shortText (strengths, name)
   own = strengths.(fieldsOf (name));
@@ -174,6 +191,10 @@ function s = fingerprintOf (diagnosis)
   s = struct ('targets', {diagnosis.problem.targetNames(prints.target)}, ...
               'measured', prints.measured, 'effects', ...
               cell2struct (num2cell (prints.effects, 2), names(:), 1));
+  each = eachOf (@(t) struct ('measured', prints.measured(t), 'effects', ...
+                              cell2struct (num2cell (prints.effects(:, t)), names(:), 1)), ...
+                 1:numel (prints.target));
+  s.ofTarget = byTarget (namesOf (diagnosis.problem, prints.target), each);
 end
 
 function names = fieldsOf (names)
@@ -196,6 +217,19 @@ function s = whereOf (diagnosis)
   s.models = eachOf (@(b) struct ('model', problem.benchNames{b.bench}, ...
                                   'p', b.p, 'size', b.size), where.benches);
   s.params = cell2struct (num2cell (where.params(:)), problem.names(:), 1);
+end
+
+function level = levelOf (level, problem)
+  if ~isempty (level)
+    each = struct ('shift', num2cell (level.shift), 'shiftSd', num2cell (level.shiftSd));
+    level.ofTarget = byTarget (namesOf (problem, 1:numel (each)), num2cell (each));
+  end
+end
+
+% As byTarget takes them.
+function list = namesOf (problem, targets)
+  list = struct ('modelName', problem.benchNames(problem.bench(targets)), ...
+                 'name', problem.targetNames(targets));
 end
 
 % What is not the noise of the measurement is that of the prediction: of the trials'
@@ -240,7 +274,8 @@ function s = strengthOf (strength, smallest, problem)
   strength.values(2:3, ~isSeen(ones (1, columns (strength.values)))) = NaN;
   s = mergeFields (struct ('smallestSeen', smallest, 'seen', isSeen, 'label', ...
                            strength.name, 'unit', '', 'saysName', true, 'text', '', ...
-                           'amount', '', 'seenFrom', '', 'atEnd', '', 'kind', ''), strength, ...
+                           'amount', '', 'seenFrom', '', 'atEnd', '', 'kind', '', ...
+                           'inUnit', []), strength, ...
                    {'value', 'interval90', 'says'});
   s.variables = cell2struct (num2cell (strength.values', 2), strength.variables(:), 1);
   e = problem.effects(strcmp ({problem.effects.name}, strength.name));
@@ -264,6 +299,9 @@ function out = withAmounts (out, diagnosis)
         s.amount = sentence ('strength.least', struct ('amount', s.amount));
       end
       s.seenFrom = seenFrom (e, s, s.smallestSeen);
+      own = s.variables.(strength.variables{1});
+      s.inUnit = struct ('value', own(1), 'interval90', own(2:3), 'smallestSeen', ...
+                         valueOf (e, s.smallestSeen));
     end
     s.atEnd = atEnd (e, s, strength);
     out.which.strength.(name) = s;
@@ -278,11 +316,7 @@ function text = atEnd (e, s, strength)
      ~any (abs (strength.interval90 - far) < 1e-6)
     return
   end
-  value = e.strongest * far;
-  if ~e.laboratory
-    value = valuesOfStrength (e, far);
-  end
-  [~, text] = effectText (s.label, s.unit, [value(1), NaN, NaN]);
+  [~, text] = effectText (s.label, s.unit, [valueOf(e, far), NaN, NaN]);
 end
 
 % The strength in its unit that would be seen in 8 of 10 cases (screenEffects).
@@ -291,12 +325,19 @@ function text = seenFrom (e, s, smallest)
   if isempty (e) || ~isfinite (smallest)
     return
   end
-  value = e.strongest * smallest;
-  if ~e.laboratory
-    value = valuesOfStrength (e, smallest);
-  end
-  [~, amount] = effectText (s.label, s.unit, [value(1), NaN, NaN]);
+  [~, amount] = effectText (s.label, s.unit, [valueOf(e, smallest), NaN, NaN]);
   text = sentence ('strength.seen', struct ('amount', amount));
+end
+
+% Of its first variable, in its unit.
+function value = valueOf (e, phi)
+  value = NaN;
+  if ~isempty (e) && isfinite (phi)
+    value = e.strongest * phi;
+    if ~e.laboratory
+      value = valuesOfStrength (e, phi)(1);
+    end
+  end
 end
 
 function s = howFarOf (cure, problem, Case)
@@ -428,6 +469,13 @@ end
 %! assert ([gap.where.targets.measured]', d.problem.value(d.problem.used)(:), 1e-9);
 %! assert (gap.thresholds.level, 0.05);
 %! assert (! isempty (regexp (gap.which.strength.spread.seenFrom, ' or more$')));
+%! own = gap.which.strength.spread;
+%! assert ([own.inUnit.value; own.inUnit.interval90], own.variables.spread, 1e-12);
+%! assert (own.inUnit.smallestSeen / own.inUnit.value, own.smallestSeen / own.value, 0.3);
+%! P = gap.fingerprint;
+%! bench = fieldnames (P.ofTarget){1};
+%! assert (P.ofTarget.(bench).(P.targets{1}).measured, P.measured(1));
+%! assert (P.ofTarget.(bench).(P.targets{1}).effects.size, P.effects.size(1));
 %! assert (gap.howFar.effect, 'spread');
 %! head = headDefaults (read ('calibrated.head'));
 %! assert (head.c, 3);
@@ -462,6 +510,9 @@ end
 %! gap = readJsonFile (file);
 %! assert (cellfun (@(one) one.code, jsonList (gap, {'reference', 'conditions'}), ...
 %!                  'UniformOutput', false), {others.code});
+%! one = jsonList (gap, {'reference', 'conditions'}){2};
+%! assert ([one.ofEffect.spread.probability, one.ofEffect.spread.value], ...
+%!         [one.probability, one.strength]);
 %! d.which.verdict = 'named';
 %! d.which.strength = d.which.strength(1);         % of the named one no sentence is made
 %! delete (file);

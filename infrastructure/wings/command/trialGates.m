@@ -1,10 +1,11 @@
 % TRIALGATES  What in a trial run no powder does, and which slip makes it.
 %
-% CALL: NOTES = trialGates (RECORD, TARGETS, FOLDER)
+% CALL: NOTES = trialGates (RECORD, TARGETS, FOLDER, GRAINS)
 %
 %   RECORD   of the run, see newRecord; status 'ok'
 %   TARGETS  1 x t struct array of the case, of this model: name, value, index
 %   FOLDER   of the model (text)
+%   GRAINS   struct of grainsOfRun: overlap, moving (NaN: not known)
 %   NOTES    1 x n cell of sentences
 %
 % Bands, wide enough for any free-flowing or cohesive bulk, so that a note means a
@@ -16,14 +17,17 @@
 %                      sizes above
 %   mass               what was measured is not more than what is filled in
 %   grains             as many as were asked for, and some left at the end
+%   overlap            8 % of a diameter at the end, as readChecks has it for the rigs
+%   rest               where a heap or a packing is read, a tenth of the grains may be
+%                      faster than after a fall of their radius
 % and those of sample/gates.csv of the model: columns condition (see readRule, with
 % variables of data.head, results and output_checks.csv by their names) and says.
 % A condition of a name that the run lacks is left out. Overlap, rest and lost grains
-% of the toolbox's rigs are judged before (readChecks).
+% of the toolbox's rigs are judged before (readChecks): such a run has failed.
 %
 % See also: sayCheck, unitRatio
 
-function notes = trialGates (record, targets, folder)
+function notes = trialGates (record, targets, folder, grains)
   info = resultInfo (folder);
   known = {};
   if ~isempty (info)                     % a model without results.csv
@@ -46,7 +50,24 @@ function notes = trialGates (record, targets, folder)
       end
     end
   end
-  notes = [notes, ofModel(folder, mergeFields (mergeFields (values, checks), named))];
+  notes = [notes, atEnd(grains, info), ofModel(folder, mergeFields (mergeFields (values, checks), named))];
+end
+
+% Of the grains at the end of the run.
+function notes = atEnd (grains, info)
+  notes = cell (1, 0);
+  if grains.overlap > 0.08
+    notes{end + 1} = sprintf (['two grains overlap by %.2g diameters at the end (0.08 at ' ...
+                               'most). Are the grains too soft (Young''s modulus in ' ...
+                               'MPa), the time step too long, or grains made inside ' ...
+                               'others?'], grains.overlap);
+  end
+  isStill = ~isempty (info) && any (ismember ({info.kind}, {'coneAngle', 'density'}));
+  if isStill && grains.moving > 0.1
+    notes{end + 1} = sprintf (['%.0f %% of the grains still move at the end, where a heap ' ...
+                               'or a packing is read: let it run longer.'], ...
+                              100 * grains.moving);
+  end
 end
 
 % Of one result, by its kind; an angle of a script of one's own has none.
@@ -110,7 +131,8 @@ function notes = ofModel (folder, values)
   end
 end
 
-%!shared folder, put, record, T
+%!shared folder, put, record, T, still
+%! still = struct ('overlap', NaN, 'moving', 0.02);
 %! [folder, put] = emptyFolder ();
 %! put ('results.csv', ["name,kind,unit,series,at,text\nslope,coneAngle,deg,,,x\n", ...
 %!                      "mass,mass,kg,,,x\nbulk,density,kg/m3,,,x\nmine,,deg,,,x\n"]);
@@ -125,25 +147,28 @@ end
 %!  end
 %!endfunction
 %!test
-%! of (trialGates (record, T, folder), {});
+%! of (trialGates (record, T, folder, still), {});
 %! record.results = [82, 0.01, 660, -80];
-%! of (trialGates (record, T, folder), {'^slope: 82 deg, .* diameter', 'mine: -80'});
+%! of (trialGates (record, T, folder, still), {'^slope: 82 deg, .* diameter', 'mine: -80'});
 %! record.results = [2, 0.01, 660, 0.5];
-%! of (trialGates (record, T, folder), {'no heap at all'});
+%! of (trialGates (record, T, folder, still), {'no heap at all'});
 %! record.results = [30, 0.01, 660, 40];
 %!test
 %! put ('data.head', "variable densityP equal 690\n");
 %! put ('output_checks.csv', ["spheresStart,10\nspheresOut,4\nspheresEnd,6\nsettled,1\n", ...
 %!                            "overlapMax,0.02\nmassStart,0.0105\n"]);
-%! of (trialGates (record, T, folder), {'mass: measured 0.011 kg, more than the 0.0105', ...
+%! of (trialGates (record, T, folder, still), {'mass: measured 0.011 kg, more than the 0.0105', ...
 %!     'bulk: simulated, .*0.96.*690 kg/m3.*that of the bulk', 'bulk: meas'});
 %! unlink (fullfile (folder, 'output_checks.csv'));
 %! put ('data.head', "variable densityP equal 1200\nvariable radiusP equal 0.002\n");
 %!test
+%! of (trialGates (record, T, folder, struct ('overlap', 0.2, 'moving', 0.5)), ...
+%!     {'overlap by 0.2 diameters.* MPa', '^50 % of the grains still move'});
+%!test
 %! mkdir (fullfile (folder, 'sample'));
 %! put ('sample/gates.csv', ["condition,says\n30 * radiusP > slope / 100,wide\n", ...
 %!                           "radiusP < slope,right\nnoName > 2,unknown\n"]);
-%! of (trialGates (record, T, folder), {'wide'});
+%! of (trialGates (record, T, folder, still), {'wide'});
 %!test
 %! % the gates of the toolbox's rigs read, and hold for their samples
 %! root = fileparts (fileparts (which ('startToolbox')));

@@ -63,10 +63,13 @@ function [set, state] = runSet (study, set, state)
   state = spendRuns (state, problem, repmat (set.Q(1:emulator.p), n, 1), ...
                      repmat (phi, n, 1), (1:n)', 'cure');
   Z = state.data.Z(known + 1:end, :);
+  isAsked = askedResults (state.budget, problem.bench);
   for at = number
     effect = problem.effects(at);
     if effect.laboratory
-      Z = Z + phi(at) * (effect.offset + Z * effect.matrix);
+      own = Z(:, isAsked);
+      Z(:, isAsked) = own + phi(at) * (effect.offset(isAsked) + ...
+                                       own * effect.matrix(isAsked, isAsked));
     end
   end
   if ~isempty (emulator.change)
@@ -74,7 +77,7 @@ function [set, state] = runSet (study, set, state)
     % emulator
     Z = Z + polyRows (emulator.powers, set.Q(1:emulator.p)) * emulator.change.coef;
   end
-  set.Z = Z(all (isfinite (Z), 2), :);
+  set.Z = Z(all (isfinite (Z(:, isAsked)), 2), :);
   set.verified = true;
   M = predictGap (emulator, set.h, set.Q);
   vague = emulator;

@@ -5,7 +5,7 @@
 %   PROBLEM, STATE     of newProblem, newGapState
 %   THETA              1 x p, in [-1, 1], where they are run
 %
-% An end that a run with a whole result has reached to more than half is not run
+% An end that a run with all results of the models that are run has reached to more than half is not run
 % again. One that gives none at full strength is run at a half, a quarter and an
 % eighth, each once, wherever it was that it failed; but where more than half of
 % all ends fail, the effects are not to blame.
@@ -16,7 +16,8 @@ function state = runEach (problem, state, theta)
   for share = [1, 0.5, 0.25, 0.125]
     phi = strengthOfValues (problem.effects, state.data.E);
     phi(sum (abs (phi) > 1e-9, 2) ~= 1, :) = 0;
-    isWhole = all (isfinite (state.data.Z), 2);
+    isAsked = askedResults (state.budget, problem.bench);
+    isWhole = all (isfinite (state.data.Z(:, isAsked)), 2);
     least = 0.5 * (share == 1);
     isMissing = false (1, n);
     for i = 1:n

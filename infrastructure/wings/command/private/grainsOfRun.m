@@ -7,7 +7,7 @@
 %           that the insertions of the script ask for), made (most that were there
 %           at the end of a command run), left (at the end of the last one); warnings
 %           (1 x n cell of texts: LIGGGHTS's own about insertion, loss and contacts
-%           that are looked for too late, each once)
+%           that are looked for too late, each once), and of lastGrains: overlap, moving
 
 function g = grainsOfRun (folder)
   text = '';
@@ -29,6 +29,7 @@ function g = grainsOfRun (folder)
   lines = unique ([cell(1, 0), lines{:}], 'stable');
   isOurs = ~cellfun (@isempty, regexpi (lines, 'insert|lost|dangerous|overlap', 'once'));
   g.warnings = lines(isOurs)(:)';
+  [g.overlap, g.moving] = lastGrains (folder, text);
 end
 
 % The log has each command twice, the second time with its variables filled in. A

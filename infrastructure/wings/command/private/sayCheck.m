@@ -240,7 +240,7 @@ function isGood = sayTrial (records, Case)
     if ~isempty (r.message)
       printf ('WARNING   %s: %s.\n', r.model, r.message);
     end
-    sayGrains (r);
+    g = sayGrains (r);
     mine = Case.targets([Case.targets.model] == k);
     for T = mine
       measured = sprintf ('measured %.5g', T.value);
@@ -252,12 +252,12 @@ function isGood = sayTrial (records, Case)
     end
     sayUnits (mine, r.results([mine.index]), 'in this run');
     cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), ...
-             trialGates (r, mine, Case.models(k).folder));
+             trialGates (r, mine, Case.models(k).folder, g));
   end
 end
 
 % Grains that are not there, and what LIGGGHTS itself warned of: the run ends well.
-function sayGrains (r)
+function g = sayGrains (r)
   g = grainsOfRun (r.folder);
   if g.made > 0
     asked = sprintf (' of %d that the script asks for', g.asked);
