@@ -7,7 +7,8 @@
 % One CSV row a seed: seed, runs, failed, infill, verify, first_obs,
 % first_true, worst, converged, probability, seconds of processor. Input.numOfSam is
 % d + 3, one run at a time; all else is as the toolbox has it by
-% default. The last line says how far the stated probability holds.
+% default. The last line says how far the stated probability holds. Where a stand-in
+% has tolerances of its own, misses are stretched so that these are the 1 %.
 % benchmarks/peers.py runs this beside the peers.
 %
 % See also: calibrateStandIn, standIn
@@ -17,15 +18,16 @@
 function [row, steps] = onePeer (S, seed, fail)
   started = cputime ();
   r = calibrateStandIn (S, seed, fail, struct ());
+  part = 100 * givenField (S, 'tol', 0.01);
+  miss = @(params) max (abs (S.response (params) ./ S.value - 1) ./ part);
   row = [seed, r.runs, r.failed, r.infill, r.verify, r.firstObserved, ...
-         r.firstTrue, r.worst, r.converged, r.probability, cputime() - started];
+         r.firstTrue, miss(r.params), r.converged, r.probability, cputime() - started];
   steps = zeros (0, 2);
   for step = r.state.history
-    off = max (abs (S.response (step.params) ./ S.value - 1));
-    steps(end + 1, :) = [step.probability, off < 0.01];
+    steps(end + 1, :) = [step.probability, miss(step.params) < 0.01];
   end
   printf ('%4d  runs %3d  worst %.2f %%  probability %.3f  %4.1f s\n', ...
-          seed, r.runs, 100 * r.worst, r.probability, row(end));
+          seed, r.runs, 100 * row(8), r.probability, row(end));
 end
 
 function sayPeerSummary (R, name, fail)
