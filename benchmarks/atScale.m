@@ -20,14 +20,8 @@ function calibrateAll (parameters, sets, seeds, file)
   startBenchmarks ();
   pkg ('load', 'stk');
   pkg ('load', '-nodeps', 'struct', 'optim');
-  [done, counted] = startTable (file, ['parameters,sets,seed,runs,batches,failed,', ...
-                                       'calibrated,right,octave'], 3);
-  [n, d, seed] = ndgrid (sets, parameters, seeds);
-  for one = [d(:), n(:), seed(:)]'
-    if ~any (strcmp (done, sprintf ('%d,%d,%d', one)))
-      appendLine (file, rowText (oneCalibration (one(1), one(2), one(3))));
-    end
-  end
+  fillTable (file, 'parameters,sets,seed,runs,batches,failed,calibrated,right,octave', ...
+             {parameters, sets, seeds}, @oneCalibration);
 end
 
 function cells = oneCalibration (d, n, seed)
@@ -44,7 +38,7 @@ function cells = oneCalibration (d, n, seed)
   % the sets of the score come last
   batches = batches(1:find (cumsum (batches) >= r.runs, 1));
   % each set is a run of both models
-  cells = {d, n, seed, 2 * r.runs, sprintf('%d+', 2 * batches)(1:end - 1), ...
+  cells = {2 * r.runs, sprintf('%d+', 2 * batches)(1:end - 1), ...
            2 * r.failed, r.converged, r.right, seconds};
 end
 
@@ -76,7 +70,7 @@ end
 %!test
 %! % a test of this file is a small calibration of its own
 %! file = tempname ();
-%! program = fullfile (fileparts (which ('appendLine')), 'atScale.m');
+%! program = fullfile (fileparts (which ('fillTable')), 'atScale.m');
 %! [status, out] = system (sprintf ('octave-cli --norc %s 2 4 1 %s 2>&1', ...
 %!                                  shellQuote (program), shellQuote (file)));
 %! assert (status == 0, out);

@@ -42,7 +42,7 @@ function cells = oneBend (name, seed)
                S.noise, [], 2);
     good = sum (any (horzcat (state.surrogates.leftOut), 2) & off < 5);
   end
-  cells = {name, seed, r.runs, sum(strcmp (state.data.stage, 'repeat')), ...
+  cells = {r.runs, sum(strcmp (state.data.stage, 'repeat')), ...
            good, r.worst, r.right, r.converged, r.probability, ...
            all(isfinite (low)), inside, outside, d, chance, toc(started)};
 end
@@ -54,14 +54,6 @@ names = given(1);
 if strcmp (given{1}, 'all')
   names = {'exponential', 'threshold', 'peak', 'decades', 'ordered', 'clogging'};
 end
-file = given{3};
-[done, counted] = startTable (file, ['name,seed,runs,repeats,good_left_out,', ...
-                                     'worst,right,converged,probability,printed,', ...
-                                     'inside,outside_set,parameters,chance,seconds'], 2);
-for seed = str2num (given{2})
-  for name = names
-    if ~any (strcmp (done, sprintf ('%s,%d', name{1}, seed)))
-      appendLine (file, rowText (oneBend (name{1}, seed)));
-    end
-  end
-end
+fillTable (given{3}, ['name,seed,runs,repeats,good_left_out,worst,right,converged,', ...
+                      'probability,printed,inside,outside_set,parameters,chance,', ...
+                      'seconds'], {names, str2num(given{2})}, @oneBend);

@@ -14,28 +14,17 @@
 
 1;
 
-function runStudy (names, seeds, file)
-  [done, counted] = startTable (file, ...
-                                'case,method,seed,met,right,worst,runs,afterPlan', 3);
-  methods = {'robust', 'published'};
-  [m, n, s] = ndgrid (1:2, 1:numel (names), seeds);
-  for k = 1:numel (m)
-    key = sprintf ('%s,%s,%d', names{n(k)}, methods{m(k)}, s(k));
-    if ~any (strcmp (done, key))
-      appendLine (file, oneCase (names{n(k)}, methods{m(k)}, s(k)));
-    end
-  end
-end
-
-function line = oneCase (name, method, seed)
+function cells = oneCase (name, method, seed)
   S = standIn (name, seed);
   r = calibrateStandIn (S, seed, 0, struct ('method', method));
-  line = rowText ({name, method, seed, double(r.converged), double(r.right), ...
-                   100 * r.worst, r.runs, r.infill + r.verify});
+  cells = {double(r.converged), double(r.right), 100 * r.worst, r.runs, ...
+           r.infill + r.verify};
 end
 
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 args = argv ();
-runStudy (strsplit (args{1}, ','), str2num (['[', args{2}, ']']), ...
-          make_absolute_filename (args{3}));
+fillTable (make_absolute_filename (args{3}), ...
+           'case,method,seed,met,right,worst,runs,afterPlan', ...
+           {strsplit(args{1}, ','), {'robust', 'published'}, ...
+            str2num(['[', args{2}, ']'])}, @oneCase);

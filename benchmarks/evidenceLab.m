@@ -13,14 +13,14 @@
 %
 1;
 
-function line = oneCase (lab, correlation, seed)
+function cells = oneCase (lab, correlation, seed)
   rand ('twister', 1000 + seed);
   randn ('twister', 1000 + seed);
   labs = struct ('parameters', @ofParameters, 'heldOut', @ofHeldOut);
   scatter = @(n, T) sqrt (correlation) * randn (n, 1) + ...
                     sqrt (1 - correlation) * randn (n, T);
   [holds, width] = labs.(lab) (scatter);
-  line = rowText ({lab, correlation, seed, holds, width});
+  cells = {holds, width};
 end
 
 function [holds, width] = ofParameters (scatter)
@@ -56,15 +56,8 @@ function [holds, width] = ofHeldOut (scatter)
   width = diff (c.holdout.interval90);
 end
 
-function makeCases (lab, correlation, seeds, file)
-  [done, counted] = startTable (file, 'lab,correlation,seed,holds,width', 3);
-  for seed = str2num (seeds)
-    if ~any (strcmp (done, sprintf ('%s,%s,%d', lab, correlation, seed)))
-      appendLine (file, oneCase (lab, str2double (correlation), seed));
-    end
-  end
-end
-
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
-makeCases (argv (){:});
+args = argv ();
+fillTable (args{4}, 'lab,correlation,seed,holds,width', ...
+           {args(1), str2double(args{2}), str2num(args{3})}, @oneCase);

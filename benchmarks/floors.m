@@ -26,22 +26,10 @@
 function measure (name, seeds, ways, file)
   columnsOf = ['standin,way,seed,runs,converged,right,worst,probability,', ...
                'infill,verify,seconds'];
-  [done, counted] = startTable (file, columnsOf, 3);
-  form = [];
-  for seed = seeds
-    S = standIn (name, seed);
-    for way = ways
-      if any (strcmp (done, sprintf ('%s,%s,%d', name, way{1}, seed)))
-        continue
-      end
-      if isempty (form) && strcmp (way{1}, 'form')
-        form = learnForm (S);
-        sayForm (form, S.targetNames);
-      end
-      appendLine (file, rowText ([{name, way{1}, seed}, ...
-                                  oneSeed(S, way{1}, seed, form)]));
-    end
-  end
+  % handles share no variable; a map is one for all: the form is learnt once
+  learnt = containers.Map ('UniformValues', false);
+  fillTable (file, columnsOf, {{name}, ways, seeds}, ...
+             @(name, way, seed) oneSeed (standIn (name, seed), way, seed, learnt));
 end
 
 function sayForm (form, names)
@@ -53,14 +41,18 @@ function sayForm (form, names)
   end
 end
 
-function cells = oneSeed (S, way, seed, form)
+function cells = oneSeed (S, way, seed, learnt)
   started = tic ();
   if strcmp (way, 'told')
     r = confirmTold (S, seed);
     worst = 0;
   else
     if strcmp (way, 'form')
-      S.form = form;
+      if ~isKey (learnt, 'form')
+        learnt('form') = learnForm (S);
+        sayForm (learnt('form'), S.targetNames);
+      end
+      S.form = learnt('form');
     elseif strcmp (way, 'known')
       S.earlier = 8;
     end

@@ -12,7 +12,8 @@
 %           results/blind-truth.csv (default: all)
 %
 % No new run of DEM. Left-out runs of hiddenEffect and drumAndBins, the sealed
-% cases of both (results/blind-*, blindbins-*), and changes from a reference: a
+% cases of both (results/blind-*, blindbins-*: drawn from numbers that nobody knew,
+% run with laws that the library does not have), and changes from a reference: a
 % left-out run beside one of the same parameters without an effect
 % (results/changePairs.csv), where sliding, wall and rolling friction are
 % candidates too (formChange). Each case with one listed cause of d >= 3 is
@@ -21,7 +22,7 @@
 % curves (turnMark). Integrals are coarser than those of a diagnosis (effective
 % size 150), and what the gate compares with is drawn once for each campaign.
 %
-% See also: gapTables, turnMark, leftOut, blind
+% See also: gapTables, turnMark, leftOut
 
 1;
 
@@ -82,8 +83,7 @@ function list = sealedCases (stem, name, root, step, how)
   if strcmp (stem, 'blind')
     home = cd (fullfile (root, 'examples', name));
     Case = withEffects (loadCase (root, pwd ()));
-    data = importRuns (fullfile (root, 'benchmarks', 'blind', ...
-                                 'storedRuns.csv'), Case);
+    data = importRuns (fullfile (root, 'benchmarks', 'form', 'sealedRuns.csv'), Case);
     cd (home);
   end
   problem = newProblem (given);

@@ -17,28 +17,15 @@
 
 1;
 
-function runStudy (offs, replicates, seeds, file)
-  [done, counted] = startTable (file, ['off,replicates,seed,converged,right,worst,', ...
-                                       'probability,runs,rejected,ending'], 3);
-  [replicate, off, seed] = ndgrid (replicates, offs, seeds);
-  cases = [off(:), replicate(:), seed(:)];
-  keys = arrayfun (@(i) sprintf ('%g,%g,%g', cases(i, :)), 1:rows (cases), ...
-                   'UniformOutput', false);
-  for one = cases(~ismember (keys, done), :)'
-    appendLine (file, oneCase (one(1), one(2), one(3)));
-  end
-end
-
-function line = oneCase (off, replicates, seed)
+function cells = oneCase (off, replicates, seed)
   S = binOf (seed);
   S.library = tableOf (S, off, seed);
   r = calibrateStandIn (S, seed, 0, struct ('replicates', replicates));
   final = r.state.final;
   share = max (abs (S.response (final.params) ./ S.value - 1) ./ S.tol);
   isOwn = ~ismember (r.state.data.stage, {'import', 'library'});
-  line = rowText ({off, replicates, seed, double(final.converged), ...
-                   double(share < 1), share, final.probability, sum(isOwn), ...
-                   double(~isempty (r.state.misled)), final.ending.code});
+  cells = {double(final.converged), double(share < 1), share, final.probability, ...
+           sum(isOwn), double(~isempty (r.state.misled)), final.ending.code};
 end
 
 % Discharge time and angle of a bin by friction and rolling friction.
@@ -65,5 +52,7 @@ end
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 args = argv ();
-numbers = cellfun (@(a) str2num (['[', a, ']']), args(1:3), 'UniformOutput', false);
-runStudy (numbers{:}, make_absolute_filename (args{4}));
+numbers = cellfun (@(a) str2num (['[', a, ']']), args(1:3)', 'UniformOutput', false);
+fillTable (make_absolute_filename (args{4}), ...
+           ['off,replicates,seed,converged,right,worst,probability,runs,rejected,', ...
+            'ending'], numbers, @oneCase);

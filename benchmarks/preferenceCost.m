@@ -18,20 +18,7 @@
 
 1;
 
-function runStudy (kinds, weights, seeds, file)
-  [done, counted] = startTable (file, ['case,WRL,seed,converged,right,worst,', ...
-                                       'distance,rayleigh,usedTolerance,usedError,', ...
-                                       'runs'], 3);
-  for seed = seeds
-    for w = weights
-      for kind = kinds(~ismember (strcat (kinds, sprintf (',%g,%d', w, seed)), done))
-        appendLine (file, oneCase (kind{1}, w, seed));
-      end
-    end
-  end
-end
-
-function line = oneCase (kind, w, seed)
+function cells = oneCase (kind, w, seed)
   S = cylinder (kind);
   [value, ends] = deal (S.value(:), sqrt (S.limits(:, 1)));
   S.cost = @(p, f) [(f(p) - value) ./ value; w * (ends(2) - sqrt (p(1))) / diff(ends)];
@@ -43,9 +30,8 @@ function line = oneCase (kind, w, seed)
     used = struct ('share', NaN, 'spread', NaN);
   end
   distance = norm ((p - S.truth) ./ diff (S.limits)) / sqrt (numel (p));
-  line = rowText ({kind, w, seed, double(r.converged), double(all (off < 1)), max(off), ...
-                   distance, (sqrt (p(1)) - ends(1)) / diff(ends), used.share, ...
-                   used.spread, r.runs});
+  cells = {double(r.converged), double(all (off < 1)), max(off), distance, ...
+           (sqrt (p(1)) - ends(1)) / diff(ends), used.share, used.spread, r.runs};
 end
 
 function S = cylinder (kind)
@@ -70,5 +56,7 @@ end
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 args = argv ();
-numbers = cellfun (@(a) str2num (['[', a, ']']), args(2:3), 'UniformOutput', false);
-runStudy (strsplit (args{1}, ','), numbers{:}, make_absolute_filename (args{4}));
+numbers = cellfun (@(a) str2num (['[', a, ']']), args(2:3)', 'UniformOutput', false);
+fillTable (make_absolute_filename (args{4}), ...
+           ['case,WRL,seed,converged,right,worst,distance,rayleigh,usedTolerance,', ...
+            'usedError,runs'], [{strsplit(args{1}, ',')}, numbers], @oneCase);

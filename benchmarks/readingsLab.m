@@ -36,7 +36,6 @@
 function measure (file, seeds, text)
   columnsOf = ['setting,seed,cases,alarms,named,right,inSd,below5,readings,', ...
                'scatters,ofScatter'];
-  [done, counted] = startTable (file, columnsOf, 2);
   values = strsplit (text, '-');
   names = {'lines', 'after', 'sessions', 'paired', 'ratio', 'unequal', ...
            'blocks', 'noise', 'packings', 'fine', 'lack', 'strength', ...
@@ -44,12 +43,8 @@ function measure (file, seeds, text)
   isText = ismember (names, {'noise', 'way'});
   values(~isText) = num2cell (str2double (values(~isText)));
   s = cell2struct (values, names, 2);
-  for seed = seeds
-    if ~any (strcmp (done, sprintf ('%s,%d', text, seed)))
-      counts = oneSeed (s, seed, 20);
-      appendLine (file, rowText ([{text, seed, 20}, num2cell(counts)]));
-    end
-  end
+  fillTable (file, columnsOf, {{text}, seeds}, ...
+             @(~, seed) [{20}, num2cell(oneSeed (s, seed, 20))]);
 end
 
 function counts = oneSeed (s, seed, cases)

@@ -14,7 +14,7 @@
 %            clean (names or groups nothing but true effects), covered (the
 %            interval holds the strength)
 %
-% See also: blindScore, twinsScore
+% See also: twinsScore
 
 function s = scoreDiagnoses (cases)
   class = {cases.class};

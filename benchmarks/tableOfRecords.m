@@ -8,7 +8,7 @@
 %   DATA     see exportRuns; a run that ended may have all of its results, some
 %            or none of them
 %
-% See also: campaign, blindCampaign
+% See also: campaign
 
 function data = tableOfRecords (plan, records, Case)
   data = struct ('X', plan.X, 'E', plan.E, 'replicate', plan.replicate);

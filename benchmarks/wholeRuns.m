@@ -46,16 +46,12 @@ function runStudy (numbers, work, file, mode, benches)
     root = withoutSettings (root, fullfile (work, 'toolbox'));
   end
   pkg ('load', 'stk');
-  [done, counted] = startTable (file, ['row,truth,strength,d,fixedPlan,said,sets,', ...
-                                       'newRuns,coreMinutes,minutes,test,gain,', ...
-                                       'between,after,runsAfter,right,wrong,', ...
-                                       'onceBench,onceGain,once,onceRight,onceWrong'], 1);
-  done = str2double (done);
   [given, data] = storedCampaign ('hiddenEffect', root);
   study = struct ('work', work, 'root', root, 'mode', mode);
-  for number = setdiff (numbers, done, 'stable')
-    appendLine (file, oneCase (number, given, data, study, benches));
-  end
+  fillTable (file, ['row,truth,strength,d,fixedPlan,said,sets,newRuns,coreMinutes,', ...
+                    'minutes,test,gain,between,after,runsAfter,right,wrong,', ...
+                    'onceBench,onceGain,once,onceRight,onceWrong'], {numbers}, ...
+             @(number) oneCase (number, given, data, study, benches));
 end
 
 function to = withoutSettings (root, to)
@@ -68,7 +64,7 @@ function to = withoutSettings (root, to)
   end
 end
 
-function line = oneCase (number, given, data, study, benches)
+function cells = oneCase (number, given, data, study, benches)
   [work, root, mode] = deal (study.work, study.root, study.mode);
   truth = truthOf (number, given, data, root);
   folder = fullfile (work, sprintf ('%d', number));
@@ -88,18 +84,17 @@ function line = oneCase (number, given, data, study, benches)
   end
   minutes = (time () - start) / 60;
   spent = first.demRuns;
-  cells = [{number}, truth.cells, ...
+  cells = [truth.cells, ...
            {said(first), plan + spent.sets, spent.new, ...
             spent.coreSeconds / 60, minutes}];
   isOpen = isOpenCase (first, truth);
   if strcmp (mode, 'plan')
-    cells(11:22) = {'not sought', '', '', '', '', '', '', '', '', '', '', ''};
+    cells(10:21) = {'not sought', '', '', '', '', '', '', '', '', '', '', ''};
   elseif ~isOpen
-    cells(11:22) = {'not withheld', '', '', '', '', '', '', '', '', '', '', ''};
+    cells(10:21) = {'not withheld', '', '', '', '', '', '', '', '', '', '', ''};
   else
     cells = [cells, withheld(first, truth, folder, root, isStored)];
   end
-  line = rowText (cells);
 end
 
 function is = isOpenCase (g, truth)

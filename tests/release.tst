@@ -53,11 +53,15 @@
 %! script = fullfile (copy, 'tools', 'new.sh');
 %! writeAtomic (script, "#!/bin/bash\ntrue\n");
 %! commit (copy);
+%! copied = fullfile (copy, {'templates/case/loadInput.m', 'loadEffects.m', ...
+%!                           'DEMmodels/Heap/meshes/makeHeap.m'});
+%! asTheyWere = cellfun (@fileread, copied, 'UniformOutput', false);
 %! [status, out] = in (copy, 'tools/spdx.sh');
 %! assert (status, 1);
 %! assert (~isempty (strfind (out, 'infrastructure/kit/files/new.m: the line')), out);
 %! [status, out] = in (copy, 'tools/spdx.sh --add && tools/spdx.sh');
 %! assert (status == 0, out);
+%! assert (cellfun (@fileread, copied, 'UniformOutput', false), asTheyWere);
 %! line = '% SPDX-License-Identifier: GPL-3.0-only';
 %! assert (fileread (file), [text, "\n\n", line, "\n"]);
 %! assert (fileread (script), ["#!/bin/bash\n#", line(2:end), "\ntrue\n"]);

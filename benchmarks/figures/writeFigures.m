@@ -135,6 +135,6 @@ function faults = unusedResults (root, from, seen)
 end
 
 function yes = isProgram (root, name)
-  places = {'', 'benches', 'blind', 'form', 'leftOut', 'twins'};
+  places = {'', 'benches', 'form', 'leftOut', 'twins'};
   yes = any (cellfun (@(p) isfile (fullfile (root, 'benchmarks', p, [name, '.m'])), places));
 end

@@ -10,7 +10,73 @@
 % target), correlation.csv the correlation of the parameters among the sets
 % that fit, posterior.csv a sample of these sets, calibrated.head the lines of
 % a data.head with the calibrated parameters, surrogates/ the last surrogates.
-% The fields are described in docs/data.md. results/progress.json is removed.
+% results/progress.json is removed.
+%
+% Fields of calibration.json; a number that is not finite is null. Codes stay, sentences
+% may change.
+%
+%   params, interval90, limits, scale: objects: of each parameter the value, [lower, upper],
+%     'log' or 'linear'. constraints: list of texts. labels: what each parameter is.
+%   targets, a list: model, name, label, role, target (null: not measured yet), sd (0: not
+%     given), result (mean of the runs at these values; without any, of the surrogate),
+%     resultSd (its standard error), residual (absolute where the tolerance is), noiseSd (of
+%     one run), tol, allowed (half of the tolerance, in the unit), unit ('': not known), given
+%     (the unit of measured.csv, which page and console show; '': the same), interval90 (of
+%     the mean response), estimate (its middle, from runs and surrogate), state (met, missed:
+%     runs and estimate agree; open: they do not, or no run exists; unjudged: too many runs
+%     lack it; empty: not fitted), met (state is met; without a run, by the estimate; []: not
+%     fitted), curve (its series).
+%   format: 1; it grows where a field changes its meaning or goes.
+%   converged, reason: whether confirmed; one sentence.
+%   ending: the same for programs: code (converged, conflict, allFailed, notRun, outside,
+%     equalRuns, fewRuns, unsure, twoOutcomes, noResult, unjudged, open, published,
+%     beyondScatter, cutOff, manyFailed, jump) with runs, equal, usual, other, none,
+%     resulting, share, probability, conflict, limit, names (of what is open or unjudged: too
+%     many runs lack it).
+%   action: what to do: code, field, widen.
+%   runs, probability: finished runs at these values; probability that the mean responses
+%     meet all targets.
+%   sources: own, imported, otherCases (parameter sets in the fit), misled (why a source is
+%     left out; '').
+%   outcomes: usual, other (runs that ended as most do, in another way), result (of the
+%     others), none, resulting (runs without and with a result), share (expected of others),
+%     alone (probability without others), onceMore (with all runs that the budget allows).
+%   intervalCode, intervalNote: empty: interval90 may be used; else no fit (not printed),
+%     unseen (no noise seen or given), few runs (of a curve), compromise (a value outside its
+%     interval misses a target); a text.
+%   demRuns, coreSeconds: plan, infill, verify (runs asked for), failed, reused (from the
+%     store); CPU seconds of all these.
+%   neverVaried (texts): parameters that are the same in all rows of runs.csv, or follow
+%     from others there: where no run can be added, they have no value, interval or share of
+%     their own.
+%   atLimit, notIdentified: parameters within 0.5 % of the range from a limit; with an
+%     interval90 wider than half of the range. unfixed: combinations left open (texts). next:
+%     further measurements, best first: code, kind, name, gain. known: parameters measured
+%     separately: mean, sd.
+%   sensitivity, correlation: per parameter, total Sobol index for each target; row of the
+%     posterior's correlation. By name: sensitivity of each of targets, correlations ({a:
+%     {b: r}}). surrogates: per target model, target, Q2, noiseSd.
+%   levels: value, runs, seconds (core-seconds of a run), shift, shiftSd (response less that
+%     at the last level, per target), noiseSd, dropped; targets (by model and target: shift,
+%     shiftSd, noiseSd).
+%   holdout: per target not used in the fit name, model, target, result, sd, interval90 (where a
+%     measurement should lie), inside, leftOpen (true: only other parameter values that the
+%     targets allow bring it inside).
+%   limit, conflict: what ended the search (maxFunEvals, maxNewRuns, maxIter; empty:
+%     converged); targets that no values within the limits meet together. untested: values
+%     that the surrogates propose, not run ([]: none).
+%   verdict: what console, status and page say, with gap/gap.json if it exists: word,
+%     sentence, gap, usable, usableFor, notFor, action, numbers (label, text), met of of
+%     targets, misses (worst first), worst (model): help decideCase.
+%   warnings: as printed. history: per step after the plan stage ('infill', 'DEM'),
+%     iteration, params, residual (expected from all runs), ofRuns (of the mean of the DEM
+%     runs with these values; null: none), runs (sets of values since the plan), probability;
+%     by name values (of params), residuals and residualsOfRuns (by model and target).
+%   input: models (name, cpu, key: hash of input files, CPUs and program, lastRun),
+%     modelVars, options, digest (of each part of the input, for status and the page).
+%   version, date.
+%
+% See also: newCalibration, decideCase, writeGapJson
 
 function v = writeCalibrationJson (c, Case)
   named = @(values) cell2struct (values, Case.names, 1);

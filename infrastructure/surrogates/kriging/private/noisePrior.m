@@ -13,7 +13,7 @@
 % With it: the variance of so many packings has a deviation of sqrt (2 / (n - 1)),
 % and other sets scatter otherwise, by 0.6: the noise of 26 responses of two stores
 % of LIGGGHTS runs is that of 8 packings within 0.75 together
-% (benchmarks/scatterOfStores.m).
+% (closed study scatterOfStores.m).
 
 function [m, sd] = noisePrior (scatter, scale)
   m = 2 * log (0.3);

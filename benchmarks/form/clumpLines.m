@@ -11,7 +11,7 @@
 % the outer two overlap inside the middle one only, so that the volume is three
 % spheres less two lenses; that of the tetrahedron is counted on a lattice.
 %
-% See also: blindForms
+% See also: swapForms
 
 function lines = clumpLines (n, aspect)
   if n == 3
