@@ -135,7 +135,7 @@ end
 % Trials that are apart as the means of their sessions, if the others tell how trials
 % scatter.
 function lines = withoutApart (lines)
-  others = [lines.mean, lines.session](~lines.apart, :);
+  others = [lines.mean(~lines.apart), lines.session(~lines.apart)];
   if rows (unique (others, 'rows')) == rows (others)
     return
   end
