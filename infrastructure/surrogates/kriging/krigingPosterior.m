@@ -39,7 +39,10 @@ function [m, v, S, noise] = krigingPosterior (surrogate, P)
     end
   end
   if nargout > 3
-    extra = [P(:, columns(surrogate.limits) + 1:end), zeros(rows (P), 1)](:, 1);
+    extra = zeros (rows (P), 1);
+    if columns (P) > columns (surrogate.limits)
+      extra = P(:, end);
+    end
     noise = noiseAt (surrogate, extra) / surrogate.scale^2;
   end
 end
