@@ -30,6 +30,7 @@ function calibration = calibrateCase (root, folder)
   end
   restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, ownCost ());
+  problem.prior = similarPriors (Case);
   reportCase (Case, say, problem);
 
   % experimental plan and DEM simulation

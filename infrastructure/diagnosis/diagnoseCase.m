@@ -22,6 +22,7 @@ function diagnosis = diagnoseCase (root, folder)
   refuseCost (Case);
   [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);
+  problem.prior = similarPriors (Case);
   many = max (numel (Case.conditions), 1);
   [asked, assumed] = arrayfun (@(c) newProblem (Case, [], c), 1:many, ...
                                'UniformOutput', false);

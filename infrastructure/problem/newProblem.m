@@ -73,9 +73,10 @@
 %             case has it (benchmarks do)
 %   of a case also: cost, standard (logical: the residuals are the published
 %     ones), nExtra (preference rows), options (methodOptions), prior
-%     (similarPriors), coarse ([], or where CASE.coarse has levels a struct:
-%     variables 1 x v cellstr, levels L x v, the last row counts; column 1 x T,
-%     of each target's level, 0: none), fine (1 x v: values of these variables
+%     ({}: what an earlier case knows is for the caller to add, see similarPriors),
+%     coarse ([], or where CASE.coarse has levels a struct: variables 1 x v cellstr,
+%     levels L x v, the last row counts; column 1 x T, of each target's level,
+%     0: none), fine (1 x v: values of these variables
 %     where runs count, the last level)
 %
 % Errors: DEcalioc:newProblem:badShape when cost gives fewer rows than targets,
@@ -101,7 +102,7 @@ function [problem, notes] = newProblem (source, cost, c)
     end
   end
   given.options = mergeFields (methodOptions (), Case.options);
-  given.prior = similarPriors (Case);
+  given.prior = {};
   if ~strcmp (given.options.method, 'published')
     [given.earlierSd, given.earlierRuns] = earlierScatter (Case);
   end

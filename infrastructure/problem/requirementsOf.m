@@ -16,7 +16,7 @@
 
 function [groups, names, isJoint] = requirementsOf (problem, use)
   if ~isfield (problem, 'calibrate')
-    problem = targetsOfCase (struct ('targets', problem));
+    problem = asProblem (problem);
   end
   if nargin < 2
     use = find (problem.calibrate);
@@ -33,6 +33,17 @@ function [groups, names, isJoint] = requirementsOf (problem, use)
     isLong = cellfun (@numel, groups) > 1;
     names(isLong) = problem.seriesNames(first(isLong));
   end
+end
+
+% Of targets, of which a test says no more than it needs.
+function problem = asProblem (targets)
+  blank = struct ('name', '', 'role', 'calibrate', 'curve', 0, 'series', '');
+  targets = arrayfun (@(t) mergeFields (blank, t), targets, 'UniformOutput', false);
+  targets = [targets{:}];
+  problem = struct ('calibrate', strcmp ({targets.role}, 'calibrate'), ...
+                    'curve', double ([targets.curve]));
+  problem.targetNames = {targets.name};
+  problem.seriesNames = {targets.series};
 end
 
 %!test

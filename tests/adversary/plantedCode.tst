@@ -45,7 +45,7 @@
 %! Case.options.similar = other;
 %! caught = '';
 %! try
-%!   newProblem (Case);
+%!   similarPriors (Case);
 %! catch err
 %!   caught = err.identifier;
 %! end

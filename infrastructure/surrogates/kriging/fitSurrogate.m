@@ -56,7 +56,7 @@ function surrogate = fitSurrogate (X, z, limits, options)
   end
   if isfield (options, 'level')
     [level, options] = deal (options.level, rmfield (options, 'level'));
-    if numel (unique (level(isfinite (z)))) > 1
+    if ~isempty (level) && numel (unique (level(isfinite (z)))) > 1
       surrogate = fitLevels (X, z, level, limits, options);
       return
     end

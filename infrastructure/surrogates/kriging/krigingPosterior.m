@@ -39,8 +39,11 @@ function [m, v, S, noise] = krigingPosterior (surrogate, P)
     end
   end
   if nargout > 3
-    extra = [P(:, columns(surrogate.limits) + 1:end), zeros(rows (P), 1)];
-    noise = noiseAt (surrogate, extra(:, 1)) / surrogate.scale^2;
+    extra = zeros (rows (P), 1);
+    if columns (P) > columns (surrogate.limits)
+      extra = P(:, end);
+    end
+    noise = noiseAt (surrogate, extra) / surrogate.scale^2;
   end
 end
 

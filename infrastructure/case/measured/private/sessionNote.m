@@ -52,12 +52,16 @@ function least = leastSeen (Case)
       end
       if target.sd > 0 && now.sd > 0 && allowed > 0
         [sd, freedom] = sdOfChange (target, now);
-        if isfinite (freedom)             % 68 % of Student's distribution to its scale
-          sd = -sd / studentQuantile (0.1587, freedom);
-        end
-        least(end + 1) = sd * studentQuantile (0.975, freedom) / allowed;
+        least(end + 1) = scaleOf (sd, freedom) * studentQuantile (0.975, freedom) / allowed;
       end
     end
+  end
+end
+
+% Of Student's distribution, 68 % of which lie within SD.
+function sd = scaleOf (sd, freedom)
+  if isfinite (freedom)
+    sd = -sd / studentQuantile (0.1587, freedom);
   end
 end
 
