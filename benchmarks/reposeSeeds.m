@@ -1,6 +1,6 @@
 % REPOSESEEDS  Calibrations of a LIGGGHTS model from other seeds: are they true?
 %
-% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK [PLAN] [CSV] [CHECKOUT]
+% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK [PLAN] [CSV]
 %
 %   SEEDS  of plan and packings (Input.seed), e.g. 11:30
 %   WORK   folder of the cases (WORK/SEED), kept; a case that lies there goes on
@@ -12,36 +12,11 @@
 % parameters, angle of repose and mass on the plate to 6 and 4 %, where the set
 % that gave the values is known. What a set truly gives, is said by surrogates
 % of 121 other runs (results/reposeRuns.csv), whose own uncertainty at the set
-% is printed beside, all in tolerances. Octave: seconds of processor of a seed
-% without those of LIGGGHTS, which a program in its place notes.
+% is printed beside, all in tolerances.
 %
 % See also: peers
 
 1;
-
-% Notes what the program named by LIGGGHTS takes of the processor.
-function noteLiggghts (root, work)
-  [status, folder] = system (shellQuote (fullfile (root, 'tools', 'liggghts', 'path.sh')));
-  if status ~= 0
-    error ('DEcalioc:reposeSeeds:noLiggghts', ...
-           'reposeSeeds: a LIGGGHTS must be there, got none. Run make liggghts.');
-  end
-  file = fullfile (work, 'liggghts');
-  text = ['#!/bin/bash\n%s "$@"\nstatus=$?\n[ -z "${NOTED-}" ] || times | tail -n 1 >> ', ...
-          '"$NOTED"\nexit $status\n'];
-  writeAtomic (file, sprintf (text, shellQuote (fullfile (strtrim (folder), 'liggghts'))));
-  system (['chmod +x ', shellQuote(file)]);
-  setenv ('LIGGGHTS', file);
-end
-
-% User and system time of all runs of LIGGGHTS that were noted: '0m1.5s 0m0.1s'.
-function seconds = notedSeconds (file)
-  seconds = 0;
-  if isfile (file)
-    parts = regexp (fileread (file), '(\d+)m([\d.]+)s', 'tokens');
-    seconds = sum (cellfun (@(t) 60 * str2double (t{1}) + str2double (t{2}), parts));
-  end
-end
 
 function found = oneCase (seed, work, root, plan)
   folder = fullfile (work, sprintf ('%d', seed));
