@@ -90,8 +90,8 @@ function yes = areThere (words, bases)
   isRelative = ~yes;
   for base = cellfun (@plainPath, bases, 'UniformOutput', false)
     pattern = regexprep (base{1}, '([][*?\\])', '\\$1');
-    there = glob (strcat ([pattern, '/'], words(isRelative)));
-    yes(isRelative) |= ismember (strcat ([base{1}, '/'], words(isRelative)), there);
+    there = glob (strcat ([pattern, '/'], words));
+    yes = yes | (isRelative & ismember (strcat ([base{1}, '/'], words), there));
   end
 end
 
