@@ -4,9 +4,8 @@
 %
 %   STANDINS  names of standIn, e.g. plain,rough,silo;  SEED  e.g. 1
 %
-% One CSV row a stand-in: standin, seed, runs, and of each function, as Octave's
-% profiler counts: calls, seconds in it and what it calls, by the clock. A
-% calibration is that of calibrateStandIn; the profiler takes a tenth more.
+% One CSV row a stand-in: standin, seed, runs, and the calls of each function, as
+% Octave's profiler counts them. A calibration is that of calibrateStandIn.
 %
 % See also: calibrateStandIn, krigingTime
 
@@ -20,27 +19,19 @@ function row = countCalls (name, seed, functions)
   profile ('clear');
   row = [seed, r.runs];
   for f = functions
-    known = strcmp ({table.FunctionName}, f{1});
-    row = [row, sum([table(known).NumCalls]), ...
-           sum([table(known).TotalTime, 0])];
+    row(end + 1) = sum ([table(strcmp ({table.FunctionName}, f{1})).NumCalls]);
   end
 end
 
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 given = argv ();
-names = strsplit (given{1}, ',');
-functions = {'stk_param_estim', 'stk_param_relik', 'quickCost', 'stk_predict', ...
-             'fitSurrogates', 'calibrateStandIn'};
-titles = cellfun (@(f) {[f, '_calls'], [f, '_seconds']}, functions, ...
-                  'UniformOutput', false);
-titles = ['standin', 'seed', 'runs', titles{:}];
-lines = {strjoin(titles, ',')};
-for name = names
+functions = {'stk_param_estim', 'stk_param_relik', 'quickCost', 'stk_predict', 'fitSurrogates'};
+lines = {strjoin([{'standin', 'seed', 'runs'}, functions], ',')};
+for name = strsplit (given{1}, ',')
   row = countCalls (name{1}, str2double (given{2}), functions);
-  line = sprintf (',%.4g', row);
-  printf ('%s%s\n', name{1}, line);
-  lines{end + 1} = [name{1}, line];
+  lines{end + 1} = [name{1}, sprintf(',%d', row)];
+  printf ('%s\n', lines{end});
 end
 if numel (given) > 2
   writeTable (given{3}, lines);

@@ -185,6 +185,11 @@
 %! writeParams ('First', [rest{1}, 1], name);
 %! assert (startSimulation ('First', name), 0);
 %! assert (evaluateDEM (plan(1, :)'), formula (plan(1, :)), 1e-9);
+%! T = getMinMaxRayleigh (modelVars);
+%! assert ([T.min, T.max], getRayleigh (2e-3, limits(:, 1)', 5e6, 0.3), 1e-12);
+%! vals = struct ('iteration', 1, 'residual', [0.0005; -0.0005; 0.4]);
+%! evalc ('stop = userInt (plan(1, :)'', vals, ''iter'', true);');
+%! assert (stop);
 %! name = getOptimFolder (plan(1, :)){1};
 %! assert (csvread (fullfile ('optim', 'First', name, 'params.csv')), ...
 %!         plan(1, :), 1e-9);

@@ -232,17 +232,14 @@ function text = krigingTime (read)
 end
 
 function text = krigingCalls (read)
-  text = grouped (read ('krigingCalls'), {'standin', 'seed'}, ...
-                  {'stand-in, seed', 'runs', 'stk_param_estim: calls, seconds', ...
-                   'stk_param_relik', 'quickCost', 'stk_predict', ...
-                   'whole calibration (s)'}, @callRow);
-end
-
-function row = callRow (own)
-  pair = @(name) sprintf ('%s, %s', own.([name, '_calls']), own.([name, '_seconds']));
-  row = {[own.standin, ', ', own.seed], own.runs, pair('stk_param_estim'), ...
-         pair('stk_param_relik'), pair('quickCost'), pair('stk_predict'), ...
-         own.calibrateStandIn_seconds};
+  list = read ('krigingCalls');
+  names = {'stk_param_estim', 'stk_param_relik', 'quickCost', 'stk_predict', 'fitSurrogates'};
+  rows_ = cell (0, 3 + numel (names));
+  for row = list
+    rows_(end + 1, :) = [{row.standin, row.seed, row.runs}, ...
+                         cellfun(@(n) row.(n), names, 'UniformOutput', false)];
+  end
+  text = markdownTable ([{'stand-in', 'seed', 'runs'}, names], rows_);
 end
 
 %!test

@@ -13,13 +13,14 @@
 %     planHours core-hours of the runs of the plan that are missing; NaN where
 %               a model has no finished run yet
 %     mostHours the same with all that may follow: optim.maxFunEvals sets
+%     problem   see newProblem
 %
 % Nothing is run or written. What fails is run again, so failed runs count as
 % missing.
 
 function f = foresee (Case, runs)
-  [data, ~, f.library] = importExisting (Case, newProblem (Case), ...
-                                         @(text) [], true);
+  f.problem = newProblem (Case);
+  [data, ~, f.library] = importExisting (Case, f.problem, @(text) [], true);
   f.imported = sum (strcmp (data.stage, 'import'));
   here = Case;
   here.folder = '';                     % so that no plan is written

@@ -38,8 +38,13 @@ function library = libraryGroups (Case)
   [names, all] = listEffects ({fullfile(Case.folder, 'effects'), Case.folder});
   library = struct ('name', {}, 'group', {});
   for k = 1:numel (names)
-    effect = getEffect (names{k}, all);
-    library(k) = struct ('name', names{k}, 'group', effect.group);
+    group = givenField (all(k).row, 'group', '');
+    if isempty (all(k).row)
+      group = getEffect (names{k}, all).group;
+    elseif isempty (group)
+      group = names{k};                  % see describeEffect
+    end
+    library(k) = struct ('name', names{k}, 'group', group);
   end
 end
 

@@ -64,14 +64,14 @@ function [found, open, written] = namesIn (script, folder, place)
     commands = commandsOf (text);
   end
   runs = [fileparts(fileparts (place)), '/'];
-  for word = words
-    w = word{1};
-    if any (w == '$')
-      isName = ~isempty (regexp (w, '\$\{?[A-Za-z_]\w*\}?/', 'once'));
-      open = [open, repmat({w}, 1, isShell && isName)];
-      continue
-    end
-    file = fileOf (w, bases, any (strcmp (w, commands)));
+  isOpen = cellfun (@(w) any (w == '$'), words);
+  isName = ~cellfun ('isempty', regexp (words, '\$\{?[A-Za-z_]\w*\}?/', 'once'));
+  open = words(isOpen & isName & isShell);
+  words = words(~isOpen);
+  isCommand = ismember (words, commands);
+  mayBe = isCommand | areThere (words, bases);
+  for k = find (mayBe)
+    file = fileOf (words{k}, bases, isCommand(k));
     if isempty (file)
       continue
     end
@@ -82,6 +82,17 @@ function [found, open, written] = namesIn (script, folder, place)
     end
   end
   found = [found, importsOf(text, script)];
+end
+
+% Most words are no files: all are looked up in one call.
+function yes = areThere (words, bases)
+  yes = strncmp (words, '/', 1) | ~cellfun ('isempty', strfind (words, '..'));
+  isRelative = ~yes;
+  for base = cellfun (@plainPath, bases, 'UniformOutput', false)
+    pattern = regexprep (base{1}, '([][*?\\])', '\\$1');
+    there = glob (strcat ([pattern, '/'], words));
+    yes = yes | (isRelative & ismember (strcat ([base{1}, '/'], words), there));
+  end
 end
 
 % Where W is; '' where nowhere, or where it is of no account.

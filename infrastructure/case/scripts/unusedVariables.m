@@ -19,13 +19,18 @@ function names = unusedVariables (names, folders, places)
                          '-name "README*" ! -path "./sample/*" ! ', ...
                          '-path "./.git/*" 2> /dev/null']);
     inside = regexp (list, '(?<=\./)[^\n]+', 'match');
-    files = [fullfile(folders{k}, inside), namedFiles(folders{k}, places{k})];
-    for file = files
-      names = names(~areIn (names, file{1}));
-      if isempty (names)
-        return
-      end
+    names = without (names, fullfile (folders{k}, inside));
+    if ~isempty (names)                 % to find the others takes longer
+      names = without (names, namedFiles (folders{k}, places{k}));
     end
+  end
+end
+
+function names = without (names, files)
+  k = 0;
+  while k < numel (files) && ~isempty (names)
+    k = k + 1;
+    names = names(~areIn (names, files{k}));
   end
 end
 

@@ -12,7 +12,7 @@
 %         measured.csv also which results it reads, and where on a curve), count
 %         (how many results are asked for), defaults (values declared in
 %         data.head; of effect variables that it does not declare the neutral
-%         ones)
+%         ones), named (struct files, open, written: see namedFiles)
 %
 % A model calls LIGGGHTS where its runscript, a file that the runscript names or
 % one that this names holds the word, in capitals or not.
@@ -35,11 +35,12 @@ function h = hashModels (Case)
   neutral = neutralEffects (Case);
   h = struct ('input', cell (1, numel (Case.models)), ...
               'funs', '', 'files', '', 'build', '', ...
-              'count', {Case.models.nTargets}, 'defaults', []);
+              'count', {Case.models.nTargets}, 'defaults', [], 'named', []);
   for k = 1:numel (Case.models)
     folder = Case.models(k).folder;
     text = sprintf ('%s|%d|', hashFolder (folder, aside), Case.models(k).cpu);
-    outside = [hashOutside(Case, k), hashStages(Case, k)];
+    h(k).named = namedBy (Case, k);
+    outside = [hashOutside(h(k).named.files), hashStages(Case, k)];
     h(k).files = hash ('sha256', [text, outside]);
     h(k).build = repmat (build, 1, callsLiggghts (folder));
     h(k).input = hash ('sha256', [text, h(k).build, outside]);
@@ -58,11 +59,15 @@ function h = hashModels (Case)
   end
 end
 
+function named = namedBy (Case, k)
+  place = runPlace (Case, Case.models(k).name, '0001');
+  [files, open, written] = namedFiles (Case.models(k).folder, place);
+  named = struct ('files', {files}, 'open', {open}, 'written', {written});
+end
+
 % Contents of what the scripts name outside the model, in no order, as paths
 % change with the folder of a case; '' where they name nothing.
-function text = hashOutside (Case, k)
-  place = runPlace (Case, Case.models(k).name, '0001');
-  files = namedFiles (Case.models(k).folder, place);
+function text = hashOutside (files)
   text = '';
   if ~isempty (files)
     list = cellfun (@shellQuote, files, 'UniformOutput', false);

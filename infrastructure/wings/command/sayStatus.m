@@ -50,7 +50,8 @@ end
 function lines = foreseenOf (Case)
   lines = cell (1, 0);
   try
-    lines = diagnosisCost (withEffects (Case));
+    Case = withEffects (Case);
+    lines = diagnosisCost (Case, foresee (Case, runsOfCase (Case)));
   end
 end
 

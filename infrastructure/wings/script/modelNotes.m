@@ -40,7 +40,7 @@ function [notes, codes] = modelNotes (folder)
                                 'the file is in the model']})];
   codes = [repmat({'missing'}, 1, numel (missing)), ...
            repmat({'open'}, 1, numel (found.open))];
-  [texts, kinds] = scriptPhysics (found.text);
+  [texts, kinds] = scriptPhysics (found.text, found.commands);
   [notes, codes] = deal ([notes, texts], [codes, kinds]);
   if isHanded
     [texts, kinds] = scriptNotes (found.text, seed{1}, ...

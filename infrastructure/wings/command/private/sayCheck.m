@@ -49,14 +49,15 @@ function status = sayCheck (root, folder, args)
     lock = lockCase (folder);
     status = 2 * ~sayTrial (tryModels (Case), Case);
   end
-  sayCosts (Case, isRun);
-  lines = diagnosisCost (Case);
+  f = foresee (Case, runsOfCase (Case));
+  sayCosts (Case, isRun, f);
+  lines = diagnosisCost (Case, f);
   names = {'diagnosis ', repmat(' ', 1, 10)};
   for k = 1:numel (lines)
     printf ('%s%s\n', names{1 + (k > 1)}, lines{k});
   end
   if options.dry_run
-    sayDryRun (Case);
+    sayDryRun (Case, f);
   end
 end
 
@@ -75,7 +76,7 @@ function sayModels (Case, isTried)
             countText (numel (requirementsOf (mine, 1:numel (mine))), 'target'), ...
             countText (m.cpu, 'CPU'), place);
     sayStages (m);
-    sayNamed (m, runPlace (Case, m.name, '0001'));
+    sayNamed (m, Case.hashes(k).named);
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
     sayThinned (Case.thinned, k);
@@ -103,23 +104,22 @@ function sayStages (model)
 end
 
 % What the scripts of a model name outside its folder.
-function sayNamed (model, run)
+function sayNamed (model, named)
   if isempty (model.folder)
     return
   end
   [notes, codes] = modelNotes (model.folder);
   notes = notes(~strcmp (codes, 'unused'));    % said above, of all models
   cellfun (@(text) printf ('WARNING   %s: %s.\n', model.name, text), notes);
-  [files, open, written] = namedFiles (model.folder, run);
   cellfun (@(file) printf (['WARNING   %s: a run writes to %s, outside its folder: ' ...
                             'runs at the same time write there, too, and read each ' ...
                             'other''s results. Write into the folder of the run ' ...
-                            '(docs/extend.md)\n'], model.name, file), written);
+                            '(docs/extend.md)\n'], model.name, file), named.written);
   cellfun (@(file) printf (['          %s: named by its scripts; a change ' ...
-                            'there asks for new runs\n'], file), files);
+                            'there asks for new runs\n'], file), named.files);
   cellfun (@(text) printf (['          %s: named by its scripts, but a ' ...
                             'change there is NOT noticed: forget the runs ' ...
-                            'then (decalioc forget)\n'], text), open);
+                            'then (decalioc forget)\n'], text), named.open);
 end
 
 % What measured.csv makes of the targets of a model.
@@ -277,8 +277,8 @@ function g = sayGrains (r)
   end
 end
 
-function sayCosts (Case, isRun)
-  f = foresee (Case, runsOfCase (Case));
+% F: see foresee.
+function sayCosts (Case, isRun, f)
   n = numel (f.isDone);
   o = Case.options;
   if f.imported > 0
@@ -312,8 +312,7 @@ function sayCosts (Case, isRun)
 end
 
 % What the runs of the plan that are missing would be started with.
-function sayDryRun (Case)
-  f = foresee (Case, runsOfCase (Case));
+function sayDryRun (Case, f)
   jobs = f.jobs(~f.isDone);
   what = describeExecutor (Case.options.executor);
   if isempty (jobs)

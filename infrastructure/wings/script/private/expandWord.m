@@ -12,6 +12,9 @@
 
 function texts = expandWord (word, values)
   texts = {word};
+  if ~any (word == '$')
+    return
+  end
   names = regexp (word, '\$\{(\w+)\}|\$(\w)', 'tokens');
   for name = unique ([cell(1, 0), names{:}])
     if ~isfield (values, name{1})

@@ -19,7 +19,7 @@
 %     open       1 x k cell of texts: names whose variables are not known before
 %                a run
 %     written    1 x w cell of paths that the scripts write to
-%     text       of all scripts
+%     text       of all scripts;  commands  of it, see scriptCommands
 %
 % Variables in names are filled in: of style index and loop with each of their
 % values, string, equal with a number, getenv. "shell cd" is followed.
@@ -42,7 +42,8 @@ function found = scriptFiles (script, start, given)
   none = {cell(1, 0)};
   found = struct ('scripts', none, 'files', none, 'variables', struct (), ...
                   'missing', none, 'open', none, 'written', none, ...
-                  'text', '', 'values', struct (), 'given', given, ...
+                  'text', '', 'commands', scriptCommands (''), ...
+                  'values', struct (), 'given', given, ...
                   'place', make_absolute_filename (start), 'stack', none);
   found = follow (found, script);
   found.files = setdiff (unique (found.files), script)(:)';
@@ -58,12 +59,14 @@ function found = follow (found, script)
     return
   end
   text = readText (script);
+  commands = scriptCommands (text);
   if ~any (strcmp (script, found.scripts))
     found.scripts{end + 1} = script;
     found.text = [found.text, text, "\n"];
+    found.commands = [found.commands, commands];
   end
   found.stack{end + 1} = script;
-  for command = scriptCommands (text)
+  for command = commands
     found = carryOut (found, command);
   end
   found.stack(end) = [];
@@ -83,9 +86,7 @@ function found = carryOut (found, command)
   for k = find (isRead)
     found = takeRead (found, words{k}, words{1}, isScript);
   end
-  for k = find (~isRead & ~isWritten)
-    found = takeOther (found, words{k});
-  end
+  found = takeOthers (found, words(~isRead & ~isWritten));
   for k = find (isWritten)
     names = expandWord (words{k}, found.values);
     names = names(~cellfun (@(n) any (n == '$'), names));
@@ -138,19 +139,25 @@ function names = namesOf (found, word)
 end
 
 % Any other word, of commands that nobody has told of, may be one.
-function found = takeOther (found, word)
-  isNumber = ~isempty (regexp (word, '^[-+.\de]+$', 'once'));
-  if isNumber || any (word == "\n") || numel (word) > 200
-    return
-  end
-  for name = expandWord (word, found.values)
-    path = pathIn (found, name{1});
-    if ~isempty (name{1}) && name{1}(1) ~= '/' && isfile (path) && ...
-       ~any (strcmp (path, found.written)) && ...
-       ~strcmp (name{1}, 'log.liggghts')
-      found.files{end + 1} = path;
+function found = takeOthers (found, words)
+  isNumber = ~cellfun ('isempty', regexp (words, '^[-+.\de]+$', 'once'));
+  for k = find (~isNumber)
+    if numel (words{k}) > 200 || any (words{k} == "\n")
+      continue
+    end
+    for name = expandWord (words{k}, found.values)
+      if isThere (found, name{1})
+        found.files{end + 1} = pathIn (found, name{1});
+      end
     end
   end
+end
+
+function yes = isThere (found, name)
+  yes = ~isempty (name) && name(1) ~= '/' && ...
+        exist ([found.place, '/', name], 'file') == 2 && ...     % of most there is none
+        ~any (strcmp (pathIn (found, name), found.written)) && ...
+        ~strcmp (name, 'log.liggghts');
 end
 
 %!function put (folder, name, text)

@@ -1,8 +1,9 @@
 % SCRIPTPHYSICS  What a LIGGGHTS script says that its grains do not feel.
 %
-% CALL: [NOTES, CODES] = scriptPhysics (TEXT)
+% CALL: [NOTES, CODES] = scriptPhysics (TEXT [, COMMANDS])
 %
 %   TEXT   of the script, and those that it includes or jumps to
+%   COMMANDS  of TEXT, see scriptCommands
 %   NOTES  1 x k cell of sentences without their last point
 %   CODES  1 x k cell: lost (grains that leave the box vanish, and the script does not
 %          count them), inert (a coefficient
@@ -13,9 +14,12 @@
 % a keyword that stands in one of them says nothing of the other. What is 0 in the
 % script need not be read.
 
-function [notes, codes] = scriptPhysics (text)
+function [notes, codes] = scriptPhysics (text, commands)
   [notes, codes] = deal (cell (1, 0));
-  commands = {scriptCommands(text).words};
+  if nargin < 2
+    commands = scriptCommands (text);
+  end
+  commands = {commands.words};
   modes = commands(cellfun (@(w) strcmp (w{1}, 'thermo_modify'), commands));
   modes = [modes{:}, {''}];
   lost = modes([false, strcmp(modes(1:end - 1), 'lost')]);
@@ -125,9 +129,9 @@ function models = contactModels (commands, keyword)
   meshes = struct ();
   for words = commands
     w = [words{1}, {''}];
-    reads = readsIt (w, keyword);
     if strcmp (w{1}, 'pair_style') && any (strcmp (w, 'model'))
-      models(end + 1) = struct ('what', 'pair_style', 'reads', reads, 'types', []);
+      models(end + 1) = struct ('what', 'pair_style', 'reads', readsIt (w, keyword), ...
+                                'types', []);
     elseif strcmp (w{1}, 'fix') && numel (w) > 4 && strncmp (w{4}, 'mesh/surface', 12)
       meshes.(['x', regexprep(w{2}, '\W', '_')]) = typeAfter (w, 'type');
     elseif strcmp (w{1}, 'fix') && numel (w) > 4 && strcmp (w{4}, 'wall/gran')
@@ -136,7 +140,8 @@ function models = contactModels (commands, keyword)
       for name = w(at + 1:end * ~isempty (at))
         types = [types, givenField(meshes, ['x', regexprep(name{1}, '\W', '_')], [])];
       end
-      models(end + 1) = struct ('what', ['fix ', w{2}], 'reads', reads, ...
+      models(end + 1) = struct ('what', ['fix ', w{2}], ...
+                                'reads', readsIt (w, keyword), ...
                                 'types', unique (types));
     end
   end

@@ -18,7 +18,7 @@ function [isRead, isWritten] = scriptRoles (words)
             'write_dump', 4; 'restart', 3; 'restart', 4};
   isRead(numbersOf (reads, words)) = true;
   isWritten(numbersOf (writes, words)) = true;
-  behind = [false, ismember(words(1:end - 1), {'file', 'append'})];
+  behind = [false, strcmp(words(1:end - 1), 'file') | strcmp(words(1:end - 1), 'append')];
   style = '';
   if n > 3
     style = words{4};
