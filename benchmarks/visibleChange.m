@@ -1,6 +1,6 @@
 % VISIBLECHANGE  How large a change of a reading must be to be seen.
 %
-% CALL: octave-cli benchmarks/visibleChange.m
+% CALL: octave-cli benchmarks/visibleChange.m CSV
 %
 % Six readings of a rig and of a change, days that differ by twice the scatter of
 % a trial. For each way to measure: 1.96 standard uncertainties of the change of
@@ -53,12 +53,12 @@ end
 addpath (fileparts (mfilename ('fullpath')));
 startBenchmarks ();
 randn ('twister', 1);
-printf ("| trials a day | days | same days in both | days named | seen from |\n");
-printf ("|---|---|---|---|---|\n");
 answers = {'no', 'yes'};
+lines = {'trials,days,sameDays,named,seenFrom'};
 for design = [2, 5, 5, 5, 2, 1, 3, 3; 1, 1, 1, 3, 3, 3, 2, 2; ...
               0, 0, 0, 0, 0, 1, 0, 1; 0, 0, 1, 1, 1, 1, 1, 1]
   least = leastSeen (design(1), design(2), design(3), design(4));
-  printf ("| %d | %d | %s | %s | %.1f |\n", design(1), design(2), ...
-          answers{design(3) + 1}, answers{design(4) + 1}, least);
+  lines{end + 1} = sprintf ('%d,%d,%s,%s,%.1f', design(1), design(2), ...
+                            answers{design(3) + 1}, answers{design(4) + 1}, least);
 end
+writeTable (argv (){1}, lines);
