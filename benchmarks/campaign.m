@@ -47,6 +47,24 @@ function records = runAll (plan, Case, say)
   records = reshape (records, numel (Case.models), rows (plan.X)).';
 end
 
+% As exportRuns takes them; a run that ended may have all of its results, some or none.
+function data = tableOfRecords (plan, records, Case)
+  data = struct ('X', plan.X, 'E', plan.E, 'replicate', plan.replicate);
+  data.Z = NaN (rows (plan.X), numel (Case.targets));
+  data.ended = ismember (reshape ({records.status}, size (records)), ...
+                         {'ok', 'invalid'});
+  data.seed = reshape ([records.seed], size (records));
+  for t = 1:numel (Case.targets)
+    target = Case.targets(t);
+    for i = find (data.ended(:, target.model))'
+      results = records(i, target.model).results;
+      if numel (results) >= target.index
+        data.Z(i, t) = results(target.index);
+      end
+    end
+  end
+end
+
 function sayCounts (plan, records, Case)
   seeds = arrayfun (@(i) runSeed (plan.X(i, :), plan.replicate(i), ...
                                   Case.options.seed), (1:rows (plan.X))');

@@ -1,57 +1,58 @@
 % FOREIGNTWINS  Twin study on published laws that the diagnosis does not know.
 %
-% CALL: octave-cli benchmarks/foreignTwins.m [blind|develop] [CASES] [ONLY]
+% CALL: octave-cli benchmarks/foreignTwins.m blind [CASES] [singles]
 %
-% CASES  per laboratory (105): 4 laboratories of 105 are 420
-% ONLY   nulls: cases without a gap, for the level of the test; singles: of one
-%        cause; pairs: of two
+% CASES    per laboratory (105): 4 laboratories of 105 are 420
+% singles  cases of one cause alone
 %
 % Draws data sets with a known cause ("twins") from laboratories that the
-% diagnosis knows only through noisy runs, writes the truth and its SHA-256,
-% diagnoses every twin without it, and scores all of them. The truth follows
-% laws of bulk solids with thresholds, kinks and saturation (foreignLab),
-% scatter follows the results with heavy tails, and some causes are undeclared
-% look-alikes of a listed effect. Writes to results/, with S = foreign-blind,
-% foreign-develop, foreign-blind-nulls ...:
-%   S-truth.csv, S-truth.sha256   truth, written first
-%   S-cases.csv                   what the diagnosis may see
-%   S.csv                         every case: truth and verdict
+% diagnosis knows only through noisy runs, diagnoses every twin, and scores all of
+% them. The truth follows laws of bulk solids with thresholds, kinks and saturation
+% (foreignLab), scatter follows the results with heavy tails, and some causes are
+% undeclared look-alikes of a listed effect. Writes results/foreign-blind.csv or
+% foreign-blind-singles.csv: every case, truth and verdict.
 %
 % See also: foreignLab, twinsDraw, twinsDiagnose, twinsScore, gapTables
 
 1;
 
-function runForeign (kind, perLab, only)
-  addpath (fileparts (mfilename ('fullpath')));
-  root = startBenchmarks ();
-  results = fullfile (root, 'benchmarks', 'results');
-  [~, ~] = mkdir (results);
-  study = strtrim (sprintf ('%s ', 'foreign', kind, only));
-  stem = strrep (study, ' ', '-');
-  name = fullfile (results, stem);
-  [~, version] = system (sprintf ('git -C "%s" rev-parse HEAD', root));
-  mix = twinsMix (study);
-  labs = foreignLaboratories (kind);
-  twins = twinsDraw (labs, perLab, mix);
-  digest = twinsFreeze (name, twins, labs);
-  printf ('%s: %d cases, %d laboratories, code %s\n', study, numel (twins), ...
-          numel (labs), strtrim (version));
-  printf ('truth frozen: SHA-256 %s\n', digest);
-  verdicts = twinsDiagnose (labs, twins);
-  twinsScore (name, twins, verdicts, labs);
-  printf ('Figures: octave-cli benchmarks/figures.m show foreign %s.csv\n', name);
+% Of each: name, problem (value still NaN), data (40 neutral runs, 20 for each effect of
+% DEM), means, measure, noiseSd, isSigned, emulator (of fitEmulator), noise (1 x T:
+% measurement, packing and surrogate).
+function labs = foreignLaboratories (numbers)
+  runs = 40;
+  for i = 1:numel (numbers)
+    lab = foreignLab (numbers(i));
+    rand ('twister', 520 + numbers(i));
+    randn ('twister', 520 + numbers(i));
+    one = struct ('name', lab.name, 'problem', lab.problem, ...
+                  'data', lab.plan (runs, 20), 'means', lab.means, ...
+                  'measure', lab.measure, 'noiseSd', lab.noiseSd, ...
+                  'isSigned', lab.isSigned);
+    given = lab.problem;
+    given.value = mean (one.data.Z);
+    one.emulator = fitEmulator (newProblem (given), one.data, gapOptions ([]));
+    surrogate = mean (one.emulator.surrogateVar, 1);
+    one.noise = sqrt (lab.problem.sd.^2 + lab.noiseSd.^2 + surrogate);
+    labs(i) = one;
+  end
 end
 
+addpath (fileparts (mfilename ('fullpath')));
+root = startBenchmarks ();
 args = argv ();
-isOnly = ismember (args, {'nulls', 'singles', 'pairs'});
-only = [args{isOnly}];
-args = args(~isOnly);
-kind = 'blind';
-perLab = 105;
-if numel (args) > 0
-  kind = args{1};
+[kind, perLab] = deal ('all', 105);
+if any (strcmp (args, 'singles'))
+  kind = 'singles';
 end
-if numel (args) > 1
-  perLab = str2double (args{2});
+given = str2double (args);
+if any (isfinite (given))
+  perLab = given(isfinite (given))(1);
 end
-runForeign (kind, perLab, only);
+name = fullfile (root, 'benchmarks', 'results', ...
+                 ['foreign-blind', merge(strcmp (kind, 'singles'), '-singles', '')]);
+labs = foreignLaboratories (1:4);
+twins = twinsDraw (labs, perLab, twinsMix (kind));
+printf ('%d cases, %d laboratories\n', numel (twins), numel (labs));
+twinsScore (name, twins, twinsDiagnose (labs, twins), labs);
+printf ('Figures: octave-cli benchmarks/figures.m show foreign %s.csv\n', name);

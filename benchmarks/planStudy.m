@@ -2,7 +2,7 @@
 %
 % CALL: octave-cli benchmarks/planStudy.m KIND NUMBERS NEUTRAL CSV
 %
-%   KIND     blind or develop, of foreignLab
+%   KIND     blind: the laboratories of foreignLab
 %   NUMBERS  laboratories, e.g. 101:130: one case each
 %   NEUTRAL  neutral sets that are there, for each parameter and one (at most
 %            40): what completePlan makes of an empty store
@@ -27,11 +27,11 @@ function runStudy (kind, numbers, neutral, file)
   fillTable (file, ['kind,number,laboratory,parameters,targets,effects,class,truth,', ...
                     'd,strength,neutral,sets,failed,verdict,said,guard,lookAlike,', ...
                     'outcome,seconds'], {{kind}, numbers}, ...
-             @(kind, number) oneCase (kind, number, neutral));
+             @(~, number) oneCase (number, neutral));
 end
 
-function cells = oneCase (kind, number, neutral)
-  lab = foreignLab (kind, number);
+function cells = oneCase (number, neutral)
+  lab = foreignLab (number);
   rand ('twister', 300000 + number);
   randn ('twister', 300000 + number);
   twin = drawCase (lab, number);
@@ -90,6 +90,17 @@ function d = diagnoseLab (given, data, runs)
   options.maxNewRuns = foreseeSets (newProblem (given).effects, 1e4, options);
   options.bootstrap = 99;
   d = diagnoseMatrices (given, data, options, runs);
+end
+
+% Further runs of a laboratory, with the effects KEPT alone, as diagnoseMatrices asks:
+% Z = RUNS (X, E, ...), parameters and values of the effects.
+function runs = runsOfLab (run, given, kept)
+  given.value = zeros (size (given.sd));
+  effects = newProblem (given).effects;
+  low = given.limits(1, :);
+  among = eye (max ([kept, numel(effects)]))(kept, :);
+  runs = @(X, E, varargin) run ((X - low) ./ diff (given.limits), ...
+                                strengthOfValues (effects, E) * among);
 end
 
 % Those that can be seen well enough come first; else the order is kept.

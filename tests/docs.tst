@@ -172,6 +172,36 @@
 %! missing = lines(~ismember (shown, said));
 %! assert (isempty (missing), strjoin ([missing, {''}], "\n"));
 
+% --- tutorial.md: its commands as they stand; no word that the glossary has to explain
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
+%! folder = fullfile (tempname (), 'a student');
+%! mkdir (folder);
+%! blocks = commandsOf ('tutorial.md');
+%! assert (numel (blocks) >= 7);
+%! for block = blocks
+%!   if ~takesLong (block{1})
+%!     [status, out] = follow (folder, block{1});
+%!     % 2: not all that was measured is met, as the page says of the damp grains
+%!     isRun = ~isempty (regexp (block{1}, '^decalioc run', 'lineanchors'));
+%!     assert (status == 0 || (status == 2 && isRun), [block{1}, "\n", out]);
+%!   end
+%! end
+%! assert (isfile (fullfile (folder, 'Mine', 'measured.csv')));
+%! confirm_recursive_rmdir (false, 'local');
+%! rmdir (fileparts (folder), 's');
+
+%!test
+%! docs = fullfile (fileparts (fileparts (which ('startProgram'))), 'docs');
+%! terms = regexp (fileread (fullfile (docs, 'glossary.md')), '^\* \*\*(.*?)\*\*', ...
+%!                 'tokens', 'lineanchors');
+%! terms = strtrim (strsplit (strjoin ([terms{:}], ','), ','));
+%! text = regexprep (fileread (fullfile (docs, 'tutorial.md')), ...
+%!                   {'```.*?```', '`[^`]*`', '\]\([^)]*\)'}, ' ');
+%! isThere = @(term) ~isempty (regexpi (text, ['\<', regexptranslate('escape', term), ...
+%!                                            's?\>'], 'once'));
+%! found = terms(cellfun (isThere, terms));
+%! assert (numel (terms) > 40 && isempty (found), strjoin ([found, {''}], ', '));
+
 % --- functions.md is what its tool makes of the functions as they are
 %!test
 %! root = fileparts (fileparts (which ('startProgram')));

@@ -12,7 +12,7 @@
 %            0 of a model without measureBench.m
 % SECONDS    CPU time of the run (s)
 %
-% See also: effectSigns, benchResponse, benchLaws
+% See also: effectSigns, benchLaws
 function [results, seconds] = benchRun (folder, model, variables, prepare)
   root = fileparts (fileparts (which ('startToolbox')));
   source = fullfile (root, 'DEMmodels', model);

@@ -11,7 +11,7 @@
 % benchChecks.csv: its table in DEMmodels/README.md. What stands between two marks
 % "<!-- made by benchTables: NAME -->" is replaced.
 %
-% See also: effectSigns, benchChecks, effectTable
+% See also: effectSigns, benchChecks
 function benchTables (nSeeds)
   root = startBenchmarks ();
   noise = words (root, 'benchNoise.csv');
@@ -82,6 +82,40 @@ function text = checksTable (table)
     text = [text, sprintf('| %s | %s | %s | %s | %s | %s |\n', ...
                           off{k, [1:5, 7]})];
   end
+end
+
+% A row an effect, a column a target: sign, and change in noise of a run; 0: not told
+% from zero.
+function text = effectTable (file)
+  [~, words] = readCsvTable (file);
+  text = '';
+  for bench = unique (words(:, 3), 'stable').'
+    own = words(strcmp (words(:, 3), bench{1}), :);
+    targets = setdiff (unique (own(:, 4), 'stable'), {'none'}, 'stable');
+    text = [text, sprintf("### %s\n\n| effect | strength |", bench{1}), ...
+            sprintf(' %s |', targets{:}), sprintf("\n|---|---|"), ...
+            repmat('---|', 1, numel (targets)), sprintf("\n")];
+    for effect = unique (own(:, 1), 'stable').'
+      text = [text, tableRow(own(strcmp (own(:, 1), effect{1}), :), targets)];
+    end
+    text = [text, sprintf("\n")];
+  end
+end
+
+function text = tableRow (rows, targets)
+  text = sprintf ('| %s | %s |', rows{1, 1}, rows{1, 2});
+  for target = targets(:).'
+    k = find (strcmp (rows(:, 4), target{1}), 1);
+    if isempty (k)
+      text = [text, ' failed |'];
+    elseif strcmp (rows{k, 8}, '0')
+      text = [text, ' 0 |'];
+    else
+      text = [text, sprintf(' %s %.1f |', rows{k, 8}, ...
+                            abs (str2double (rows{k, 7})))];
+    end
+  end
+  text = [text, sprintf("\n")];
 end
 
 function text = between (text, name, new)

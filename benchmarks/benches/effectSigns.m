@@ -23,7 +23,7 @@
 %
 % About an hour of one core with 8 and 2 seeds.
 %
-% See also: benchRun, effectTable
+% See also: benchRun, benchTables
 function effectSigns (work, benches, nNull, nFull, onlyFinished, names)
   if nargin < 5
     onlyFinished = false;

@@ -11,7 +11,7 @@ function tables = calibrationTables ()
   tables = struct ('bends', @bends, 'wrongRuns', @wrongRuns, 'importedTable', ...
                    @importedTable, 'preferenceCost', @preferenceCost, 'demStage', ...
                    @demStage, 'evidenceLab', @evidenceLab, 'readingsLab', ...
-                   @readingsLab, 'cheaperBenches', @cheaperBenches, ...
+                   @readingsLab, ...
                    'krigingTime', @krigingTime, 'krigingCalls', @krigingCalls, ...
                    'byStk', @byStk, 'visibleChange', @visibleChange);
 end
@@ -159,39 +159,6 @@ function text = visibleChange (read)
                           answers{1 + numbers(own, 'paired')}, ...
                           answers{1 + numbers(own, 'named')}, ...
                           sprintf('%.1f', numbers (own, 'seen'))});
-end
-
-function text = cheaperBenches (read)
-  list = read ('cheaperBenches');
-  rows_ = cell (0, 3);
-  for bench = unique ({list.bench}, 'stable')
-    own = list(strcmp ({list.bench}, bench{1}));
-    of = @(name) own(strcmp ({own.variant}, name));
-    rows_(end + 1, :) = {bench{1}, cheaperText(of ('as it is'), of ('soft')), ...
-                         cheaperText(of ('as it is'), of ('long'))};
-  end
-  text = markdownTable ({'rig', 'softer: cost; times variance; shifts', ...
-                         'longer step: cost; times variance; shifts'}, rows_);
-end
-
-% Shifts by more than a deviation of a run for sure (all results together:
-% Bonferroni). Results of which no run is left have no variance.
-function text = cheaperText (base, new)
-  left = min (numbers (new, 'runs'));
-  if left < 2
-    text = 'no run is left';
-    return
-  end
-  cost = numbers (new, 'seconds')(1) / numbers (base, 'seconds')(1);
-  variance = (numbers (new, 'sd') ./ numbers (base, 'sd')).^2;
-  variance = variance(isfinite (variance) & variance > 0);
-  df = numbers (new, 'runs') + numbers (base, 'runs') - 2;
-  sd = sqrt ((numbers (new, 'sd').^2 + numbers (base, 'sd').^2) / 2);
-  shift = abs (numbers (new, 'mean') - numbers (base, 'mean')) ./ sd;
-  doubt = arrayfun (@(v) studentQuantile (1 - 0.05 / numel (df), v), df) .* ...
-          sqrt (1 ./ numbers (new, 'runs') + 1 ./ numbers (base, 'runs'));
-  text = sprintf ('%.2f; %.2f; %d of %d', cost, cost * exp (mean (log (variance))), ...
-                  sum (shift - doubt > 1), numel (df));
 end
 
 function text = byStk (read)

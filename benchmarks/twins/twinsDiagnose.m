@@ -2,7 +2,7 @@
 %
 % CALL: VERDICTS = twinsDiagnose (LABS, TWINS)
 %
-%   LABS, TWINS  of foreignLaboratories, twinsDraw; of TWINS only lab, removed
+%   LABS, TWINS  of foreignTwins, twinsDraw; of TWINS only lab, removed
 %                (the list is shorter then) and y are looked at
 %   VERDICTS     1 x n struct: kind, effects, top, named (cellstr), P (1 x (K +
 %                3): null, each effect, pairs, unlisted), interval (K x 3:

@@ -2,7 +2,7 @@
 %
 % CALL: TWINS = twinsDraw (LABS, PERLAB, MIX)
 %
-%   LABS    of foreignLaboratories
+%   LABS    of foreignTwins
 %   PERLAB  scalar, cases of each laboratory
 %   MIX     of twinsMix: which cases, and their random numbers
 %   TWINS   1 x n struct: lab (number), class, cause (1 x c, effect numbers; 0 =
@@ -125,10 +125,10 @@ function twin = lookAlike (twin, lab, space, level)
 end
 
 %!shared lab
-%! lab = foreignLab ('develop', 2);
+%! lab = foreignLab (2);
 %! lab.noise = sqrt (lab.noiseSd.^2 + lab.problem.sd.^2);
 %!test % shares, seeds, levels that are reached or full strength
-%! mix = twinsMix ('foreign develop');
+%! mix = twinsMix ('all');
 %! twins = twinsDraw (lab, 40, mix);
 %! assert (twinsDraw (lab, 40, mix), twins);
 %! number = cellfun (@(c) sum (strcmp ({twins.class}, c)), mix.classes);
@@ -144,7 +144,7 @@ end
 %!   assert (t.removed, t.cause);
 %! end
 %!test % look-alikes: cosine and signal to noise are as ordered
-%! twins = twinsDraw (lab, 40, twinsMix ('foreign develop'));
+%! twins = twinsDraw (lab, 40, twinsMix ('all'));
 %! for t = twins(strcmp ({twins.class}, 'look'))
 %!   space = twinsSpace (lab, t.theta);
 %!   K = numel (t.phi);
@@ -159,6 +159,6 @@ end
 %!   assert (min (abs (t.d - [3, 5, 8, 12])) < 1e-9);
 %!   assert (~any (t.phi));
 %! end
-%!test % nulls alone
-%! twins = twinsDraw (lab, 7, twinsMix ('foreign develop nulls'));
-%! assert (all (strcmp ({twins.class}, 'null')) && numel (twins) == 7);
+%!test % single causes alone
+%! twins = twinsDraw (lab, 7, twinsMix ('singles'));
+%! assert (all (strcmp ({twins.class}, 'single')) && numel (twins) == 7);

@@ -3,7 +3,7 @@
 % CALL: twinsScore (NAME, TWINS, VERDICTS, LABS)
 %
 %   NAME      path without ending: NAME.csv gets the cases
-%   TWINS, VERDICTS, LABS  of twinsDraw, twinsDiagnose, foreignLaboratories
+%   TWINS, VERDICTS, LABS  of twinsDraw, twinsDiagnose, foreignTwins
 %
 % See also: foreignTwins, gapTables, scoreDiagnoses
 
@@ -153,10 +153,9 @@ end
 %! assert (~isempty (strfind (cases, '1,here,null,,0,0.000,,named,b,b,0,0')));
 %!test % a group of one kind, each of which has the mark of the true cause
 %! name = tempname ();
-%! labs = foreignLab ('develop', 2);
+%! labs = foreignLab (2);
 %! labs.noise = sqrt (labs.noiseSd.^2 + labs.problem.sd.^2);
-%! mix = setfield (twinsMix ('foreign develop'), 'classes', {'single'});
-%! twin = twinsDraw (labs, 1, setfield (mix, 'shares', []));
+%! twin = twinsDraw (labs, 1, twinsMix ('singles'));
 %! verdict = struct ('kind', 'group', 'effects', twin.cause * [1, 1], 'top', ...
 %!                   twin.cause, 'P', ones (1, numel (twin.phi) + 3) / 9, ...
 %!                   'interval', zeros (numel (twin.phi), 3), 'total', ...

@@ -2,7 +2,7 @@
 %
 % CALL: PHI = twinsStrength (LAB, SPACE, K, LEVEL)
 %
-%   LAB, SPACE  of foreignLaboratories, twinsSpace;  K  number of the effect
+%   LAB, SPACE  of foreignTwins, twinsSpace;  K  number of the effect
 %   LEVEL       scalar, wanted signal to noise (see twinsDraw)
 %   PHI         scalar, a multiple of 0.01; 1 where LEVEL is out of reach
 %

@@ -38,6 +38,8 @@ git rev-parse 2> /dev/null ||
   list () { find . -path ./dist -prune -o -type f \( -name '*.md' -o -name '*.png' -o -name '*.jpg' -o -name '*.svg' -o -name LICENSE \) -print0; }
 list '*.md' '*.png' '*.jpg' '*.svg' LICENSE |
   tar --create --dereference --null --files-from=- | tar --extract --directory="$work/pages"
+# the badge of the tests is one of the place that hosts the repository
+sed -i '1s/ <a href.*//' "$work/pages/README.md"
 cp tools/site/mkdocs.yml "$work/mkdocs.yml"
 ( cd "$work" && "$venv/bin/mkdocs" build --quiet --site-dir "$root/dist/site.part" )
 rm -rf dist/site

@@ -1,12 +1,10 @@
 % FOREIGNLAB  A laboratory of published laws that the diagnosis does not know.
 %
-% CALL: LAB = foreignLab (KIND, NUMBER)
-%       LAB = foreignLab (KIND, NUMBER, CHANGE)
+% CALL: LAB = foreignLab (NUMBER)
+%       LAB = foreignLab (NUMBER, CHANGE)
 %
-%   KIND    'blind' (four laws: silo, drums, columns, benchtop) or 'develop'
-%           (two others: chute, taps)
-%   NUMBER  whole number from 1: the laws in turn, their constants a little
-%           different each time
+%   NUMBER  whole number from 1: four laws in turn (silo, drums, columns, benchtop),
+%           their constants a little different each time
 %   CHANGE  struct of values (as many as there are now) at which its benches are
 %           set up otherwise: opening, speed, load ..., fields of c in lab*.m
 %   LAB     struct
@@ -32,22 +30,15 @@
 % rho (correlation of a run's results within a bench), precision (measurement
 % error over scatter).
 %
-% Errors: DEcalioc:foreignLab:unknownName, DEcalioc:foreignLab:badValue
+% Errors: DEcalioc:foreignLab:badValue
 %
-% See also: standInGap, foreignPlan, foreignNoise, foreignTwins
+% See also: standInGap, foreignPlan, foreignTwins
 
-function lab = foreignLab (kind, number, change)
-  if nargin < 3
+function lab = foreignLab (number, change)
+  if nargin < 2
     change = struct ();
   end
-  makers = struct ('blind', {{@labSilo, @labDrums, @labColumns, ...
-                              @labBenchtop}}, ...
-                   'develop', {{@labChute, @labTaps}});
-  if ~ischar (kind) || ~isfield (makers, kind)
-    error ('DEcalioc:foreignLab:unknownName', ...
-           ['foreignLab: KIND must be blind or develop, got %s. ', ...
-            'Choose one.'], disp (kind));
-  end
+  makers = {@labSilo, @labDrums, @labColumns, @labBenchtop};
   if ~isscalar (number) || number < 1 || number ~= fix (number)
     error ('DEcalioc:foreignLab:badValue', ...
            ['foreignLab: NUMBER must be a whole number from 1, got %s. ', ...
@@ -55,14 +46,9 @@ function lab = foreignLab (kind, number, change)
   end
   before = {rand('twister'), randn('twister')};
   restore = onCleanup (@() putBack (before));
-  seed = 50000 + number;
-  if strcmp (kind, 'develop')
-    seed = 60000 + number;
-  end
-  rand ('twister', seed);
+  rand ('twister', 50000 + number);
   vary = @(x) x .* (0.9 + 0.2 * rand (size (x)));
-  list = makers.(kind);
-  spec = list{1 + mod(number - 1, numel (list))} (vary, change);
+  spec = makers{1 + mod(number - 1, numel (makers))} (vary, change);
   lab = build (spec, sprintf ('%s%d', spec.name, number));
 end
 
@@ -151,21 +137,65 @@ function Z = noisy (Z, scatter, packing, spec)
   Z = Z + foreignNoise (sd, packing, spec.bench, spec.df);
 end
 
+% As newProblem wants it, the value still NaN; SD is that of the measurement.
+function problem = foreignProblem (spec, sd)
+  T = numel (spec.bench);
+  limits = cell2mat (spec.parameters(:, 2:3))';
+  effects = struct ('name', {}, 'variables', {}, 'neutral', {}, 'limits', ...
+                    {}, 'siblings', {}, 'laboratory', {}, 'offset', {}, ...
+                    'matrix', {});
+  for k = 1:rows (spec.effects)
+    [name, neutral, range, siblings] = spec.effects{k, :};
+    effects(end + 1) = struct ('name', name, 'variables', {{name}}, ...
+                               'neutral', neutral, 'limits', range, ...
+                               'siblings', {siblings}, 'laboratory', ...
+                               false, 'offset', [], 'matrix', []);
+  end
+  for k = 1:rows (spec.laboratory)
+    [name, offset, matrix] = spec.laboratory{k, 1:3};
+    effects(end + 1) = struct ('name', name, 'variables', {{}}, ...
+                               'neutral', [], 'limits', zeros (2, 0), ...
+                               'siblings', {{}}, 'laboratory', true, ...
+                               'offset', offset, 'matrix', matrix);
+  end
+  problem = struct ('value', NaN (1, T), 'sd', sd, 'bench', spec.bench, ...
+                    'limits', limits, 'effects', effects);
+  problem.benchNames = spec.benchNames;
+  problem.names = spec.parameters(:, 1)';
+  problem.series = spec.series;
+  problem.coordinate = spec.coordinate;
+end
+
+% Correlated within a bench; heavy tails strike a run of a bench as a whole
+% (multivariate t, DF degrees of freedom; Inf: normal), of standard deviation SD.
+function noise = foreignNoise (sd, correlation, bench, df)
+  [n, T] = size (sd);
+  noise = randn (n, T) * chol (correlation);
+  if isfinite (df)
+    for b = unique (bench)
+      at = bench == b;
+      spread = sqrt ((df - 2) ./ sum (randn (n, df).^2, 2));
+      noise(:, at) = noise(:, at) .* spread;
+    end
+  end
+  noise = sd .* noise;
+end
+
 %!test % same laws each time, random state untouched, other laws for others
 %! rand ('twister', 5);
-%! a = foreignLab ('blind', 2);
+%! a = foreignLab (2);
 %! first = rand ();
 %! rand ('twister', 5);
 %! assert (rand (), first);
 %! theta = [0.2, 0.4, 0.6];
-%! b = foreignLab ('blind', 2);
-%! c = foreignLab ('blind', 6);
+%! b = foreignLab (2);
+%! c = foreignLab (6);
 %! assert (a.bare (theta), b.bare (theta));
 %! assert (norm (a.bare (theta) - c.bare (theta)) > 1e-3);
 %! assert (c.name, 'drums6');
 %!test % another setting: other results of that bench, the others as they were
-%! a = foreignLab ('blind', 1);
-%! b = foreignLab ('blind', 1, struct ('load', [3, 4, 5, 6] * 1000));
+%! a = foreignLab (1);
+%! b = foreignLab (1, struct ('load', [3, 4, 5, 6] * 1000));
 %! theta = 0.4 * ones (1, 4);
 %! change = b.bare (theta) - a.bare (theta);
 %! assert (change(1:11), zeros (1, 11));
@@ -175,7 +205,7 @@ end
 %! for number = 1:4
 %!   rand ('twister', 1);
 %!   randn ('twister', 1);
-%!   lab = foreignLab ('blind', number);
+%!   lab = foreignLab (number);
 %!   p = columns (lab.problem.limits);
 %!   K = numel (lab.problem.effects);
 %!   Z = lab.run (0.5 * ones (4000, p), zeros (4000, K));
@@ -184,9 +214,17 @@ end
 %! end
 %!test % a measurement: packing and error, here as large
 %! randn ('twister', 1);
-%! lab = foreignLab ('blind', 2);
+%! lab = foreignLab (2);
 %! y = lab.measure (0.5 * ones (4000, 3), zeros (4000, 8));
 %! whole = sqrt (lab.noiseSd.^2 + lab.problem.sd.^2);
 %! assert (std (y) ./ whole, ones (size (whole)), 0.06);
-%!error id=DEcalioc:foreignLab:unknownName foreignLab ('dark', 1)
-%!error id=DEcalioc:foreignLab:badValue foreignLab ('blind', 0)
+%!test % the diagnosis takes every laboratory as it is described
+%! for number = 1:4
+%!   lab = foreignLab (number);
+%!   given = lab.problem;
+%!   given.value = lab.means (0.5 * ones (1, columns (given.limits)), ...
+%!                            zeros (1, numel (given.effects)));
+%!   problem = newProblem (given);
+%!   assert (numel (problem.effects), numel (given.effects));
+%! end
+%!error id=DEcalioc:foreignLab:badValue foreignLab (0)

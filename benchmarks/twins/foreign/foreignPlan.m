@@ -1,11 +1,10 @@
 % FOREIGNPLAN  Makes the runs that the diagnosis may learn from.
 %
-% CALL: DATA = foreignPlan (LAB, N0, NK, NPAIR)
+% CALL: DATA = foreignPlan (LAB, N0, NK)
 %
 %   LAB    struct with problem, run (see foreignLab)
 %   N0     scalar, runs without any effect
 %   NK     scalar, runs with each effect that DEM expresses, and it alone
-%   NPAIR  scalar, further runs with two effects each (0)
 %   DATA   struct X (n x p), E (n x v, values), Z (n x T), replicate (n x 1)
 %
 % Random lattices from the current random state; strengths from 0.1 to 1, of
@@ -13,10 +12,7 @@
 %
 % See also: foreignLab
 
-function data = foreignPlan (lab, n0, nk, nPair)
-  if nargin < 4
-    nPair = 0;
-  end
+function data = foreignPlan (lab, n0, nk)
   limits = lab.problem.limits;
   p = columns (limits);
   dem = find (~[lab.problem.effects.laboratory]);
@@ -30,16 +26,6 @@ function data = foreignPlan (lab, n0, nk, nPair)
     extra(:, k) = strengths (points(:, p + 1), lab.isSigned(k));
     phi = [phi; extra];
   end
-  points = randomLattice (nPair, p + 2);
-  theta = [theta; points(:, 1:p)];
-  extra = zeros (nPair, K);
-  for i = 1:nPair
-    two = dem(randperm (numel (dem), 2));
-    for j = 1:2
-      extra(i, two(j)) = 0.1 + 0.9 * points(i, p + j);
-    end
-  end
-  phi = [phi; extra];
   data.X = limits(1, :) + theta .* diff (limits);
   data.E = foreignValues ([lab.problem.effects(dem).neutral], ...
                           [lab.problem.effects(dem).limits], phi(:, dem));
@@ -54,8 +40,8 @@ function phi = strengths (u, isSigned)
   end
 end
 
-%!test % sizes, neutral rows to the last digit, one effect a row, pairs
-%! lab = foreignLab ('blind', 1);
+%!test % sizes, neutral rows to the last digit, one effect a row
+%! lab = foreignLab (1);
 %! data = lab.plan (10, 4);
 %! dem = ~[lab.problem.effects.laboratory];
 %! neutral = [lab.problem.effects(dem).neutral];
@@ -65,10 +51,8 @@ end
 %! assert (off(11:end), ones (4 * sum (dem), 1));
 %! assert (all (data.X >= lab.problem.limits(1, :)));
 %! assert (all (data.X <= lab.problem.limits(2, :)));
-%! data = foreignPlan (lab, 3, 0, 5);
-%! assert (sum (data.E ~= neutral, 2), [0; 0; 0; 2; 2; 2; 2; 2]);
 %!test % same random state, same runs
-%! lab = foreignLab ('develop', 2);
+%! lab = foreignLab (2);
 %! for i = 1:2
 %!   rand ('twister', 4);
 %!   randn ('twister', 4);

@@ -48,11 +48,11 @@ end
 
 function Z = results (c, P, E)
   laws = bulkLaws ();
-  pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.1, 0.8);
-  damp = laws.bridgePull (foreignValue (E, 'humidity', 0), 0.5);
-  coarse = foreignValue (E, 'meanSize', 1);
-  tilt = foreignValue (E, 'tilt', 0);
-  dull = 1 - 1 ./ foreignValue (E, 'restitution', 1);
+  pull = laws.bondPull (givenField (E, 'cohesion', 0) / 6e4, 0.1, 0.8);
+  damp = laws.bridgePull (givenField (E, 'humidity', 0), 0.5);
+  coarse = givenField (E, 'meanSize', 1);
+  tilt = givenField (E, 'tilt', 0);
+  dull = 1 - 1 ./ givenField (E, 'restitution', 1);
   both = pull + 0.85 * damp;
   inside = laws.reposeTangent (P.friction, P.rolling, c);
   still = inside + 0.22 * both .* (1 + 0.5 * P.rolling) ./ coarse;
@@ -79,7 +79,7 @@ function Z = results (c, P, E)
 end
 
 %!shared lab, at
-%! lab = foreignLab ('blind', 4);
+%! lab = foreignLab (4);
 %! at = @(k, s) lab.means (0.5 * ones (1, 3), s * ((1:6) == k));
 %!test % tilt turns the drum alone; taps compact; coarse grains flow slower
 %! change = at (5, 1) - at (5, 0);

@@ -64,7 +64,7 @@ function Z = results (c, P, E)
   laws = bulkLaws ();
   s = sticking (P, E);
   inside = laws.reposeTangent (P.friction, P.rolling, c) + 0.12 * s.long;
-  grain = foreignValue (E, 'meanSize', 1);
+  grain = givenField (E, 'meanSize', 1);
   solid = 0.61 - 0.05 * tanh (P.rolling / 0.15) + ...
           c.pack * expm1 (-P.friction / 0.4) - 0.025 * s.both + ...
           0.015 * s.long + 0.015 * s.free + 0.02 * s.spread;
@@ -76,18 +76,18 @@ end
 
 function s = sticking (P, E)
   laws = bulkLaws ();
-  pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4 .* ...
+  pull = laws.bondPull (givenField (E, 'cohesion', 0) / 6e4 .* ...
                         (10.^(7 - P.modulus)).^0.1, 0.15, 0.6);
   s.pull = pull .* (2500 ./ P.density);
-  s.wet = laws.bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.25) .* ...
+  s.wet = laws.bridgePull (givenField (E, 'liquid', 0) / 0.02, 0.25) .* ...
           (2500 ./ P.density);
   s.both = s.pull + 0.9 * s.wet;
-  s.long = tanh (3 * (foreignValue (E, 'shape', 1) - 1));
-  s.wall = laws.bondPull (foreignValue (E, 'wallAdhesion', 0) / 6e4, 0.2, 0.7);
-  s.free = laws.shakenShare (foreignValue (E, 'vibration', 0), 0.9);
-  s.tilt = foreignValue (E, 'tilt', 0);
-  s.drag = foreignValue (E, 'drag', 0);
-  s.spread = foreignValue (E, 'sizeSpread', 0);
+  s.long = tanh (3 * (givenField (E, 'shape', 1) - 1));
+  s.wall = laws.bondPull (givenField (E, 'wallAdhesion', 0) / 6e4, 0.2, 0.7);
+  s.free = laws.shakenShare (givenField (E, 'vibration', 0), 0.9);
+  s.tilt = givenField (E, 'tilt', 0);
+  s.drag = givenField (E, 'drag', 0);
+  s.spread = givenField (E, 'sizeSpread', 0);
 end
 
 function Z = columns (c, s, P, inside, grain)
@@ -132,7 +132,7 @@ function Z = pouring (c, s, P, inside)
 end
 
 %!shared lab, at
-%! lab = foreignLab ('blind', 3);
+%! lab = foreignLab (3);
 %! at = @(k, s) lab.means (0.5 * ones (1, 6), s * ((1:12) == k));
 %!test % drag slows tall columns and long falls most; tilt has a sign
 %! none = at (5, 0);

@@ -62,13 +62,13 @@ end
 
 function Z = results (c, P, E)
   laws = bulkLaws ();
-  wet = laws.bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.3);
-  charge = laws.bridgePull (foreignValue (E, 'charge', 0), 0.9);
-  long = tanh (3 * (foreignValue (E, 'shape', 1) - 1));
-  tilt = foreignValue (E, 'tilt', 0);
-  fill = foreignValue (E, 'fill', 1);
-  slow = 1 - laws.fallSlowing (0.05, foreignValue (E, 'drag', 0));
-  speed = c.speed .* (1 + 0.25 * foreignValue (E, 'speedError', 0));
+  wet = laws.bridgePull (givenField (E, 'liquid', 0) / 0.02, 0.3);
+  charge = laws.bridgePull (givenField (E, 'charge', 0), 0.9);
+  long = tanh (3 * (givenField (E, 'shape', 1) - 1));
+  tilt = givenField (E, 'tilt', 0);
+  fill = givenField (E, 'fill', 1);
+  slow = 1 - laws.fallSlowing (0.05, givenField (E, 'drag', 0));
+  speed = c.speed .* (1 + 0.25 * givenField (E, 'speedError', 0));
   froude = speed.^2 * 0.05 / 9.81;
   rest = laws.reposeTangent (P.friction, P.rolling, c) + 0.12 * long;
   hold = c.stick * (wet + 0.85 * charge .* (1 + 0.3 * P.friction));
@@ -91,7 +91,7 @@ function Z = results (c, P, E)
 end
 
 %!shared lab, at
-%! lab = foreignLab ('blind', 2);
+%! lab = foreignLab (2);
 %! at = @(k, s) lab.means (0.5 * ones (1, 3), s * ((1:8) == k));
 %!test % steeper with speed; what sticks counts most at low speed; tilt is
 %! % geometry: the drum as much as the box

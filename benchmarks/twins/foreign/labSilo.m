@@ -51,13 +51,13 @@ end
 
 function Z = results (c, P, E)
   laws = bulkLaws ();
-  pull = laws.bondPull (foreignValue (E, 'cohesion', 0) / 6e4, 0.2, 0.7);
-  wet = laws.bridgePull (foreignValue (E, 'liquid', 0) / 0.02, 0.3);
-  wall = laws.bondPull (foreignValue (E, 'wallAdhesion', 0) / 6e4, 0.2, 0.7);
-  free = laws.shakenShare (foreignValue (E, 'vibration', 0), 0.8);
-  spread = foreignValue (E, 'sizeSpread', 0);
-  grain = 0.003 * foreignValue (E, 'meanSize', 1) .* (1 - 0.5 * spread.^2);
-  weight = foreignValue (E, 'moistDensity', 1);
+  pull = laws.bondPull (givenField (E, 'cohesion', 0) / 6e4, 0.2, 0.7);
+  wet = laws.bridgePull (givenField (E, 'liquid', 0) / 0.02, 0.3);
+  wall = laws.bondPull (givenField (E, 'wallAdhesion', 0) / 6e4, 0.2, 0.7);
+  free = laws.shakenShare (givenField (E, 'vibration', 0), 0.8);
+  spread = givenField (E, 'sizeSpread', 0);
+  grain = 0.003 * givenField (E, 'meanSize', 1) .* (1 - 0.5 * spread.^2);
+  weight = givenField (E, 'moistDensity', 1);
   solid = 0.62 - 0.05 * tanh (P.rolling / 0.15) + ...
           0.04 * expm1 (-P.friction / 0.4) - 0.02 * pull - 0.018 * wet + ...
           0.012 * free + 0.02 * spread + 0.012 * P.restitution;
@@ -68,7 +68,7 @@ function Z = results (c, P, E)
   law = struct ('C', c.C * (1 + 0.3 * exp (-P.friction / 0.3)), ...
                 'k', c.k + 0.6 * tanh (P.rolling / 0.2), ...
                 'jam', c.jam * (1 - 0.5 * free));
-  opening = c.opening .* foreignValue (E, 'opening', 1);
+  opening = c.opening .* givenField (E, 'opening', 1);
   rates = laws.dischargeRate (opening - arch, grain, density, law);
   angle = atand (inside + 0.2 * (pull + wet) - 0.12 * free - ...
                  0.1 * P.restitution);
@@ -81,7 +81,7 @@ function Z = results (c, P, E)
 end
 
 %!shared lab, theta
-%! lab = foreignLab ('blind', 1);
+%! lab = foreignLab (1);
 %! theta = 0.5 * ones (1, 4);
 %!test % signs at full strength: cohesion slows all rates, the smallest opening
 %! % most; it lifts shear; below its dead zone nothing happens at all
