@@ -187,17 +187,22 @@ function text = seenFrom (gap, say)
   end
 end
 
-% The end of its range at which the cause that closes most of the gap stands; '': none.
-function text = endOf (gap)
-  effect = char (jsonAt (gap, {'howFar', 'effect'}));
-  text = '';
+% Of the cause, or pair, that closes most of the gap: what stands at the end of its range.
+function names = atTheirEnds (gap)
+  names = cell (1, 0);
   if jsonNumber (gap, {'howFar', 'closure'}, 0) >= 0.5
-    text = char (jsonAt (gap, {'which', 'strength', fieldOf(effect), 'atEnd'}));
+    names = strsplit (char (jsonAt (gap, {'howFar', 'effect'})), ' + ');
+    names = names(~cellfun (@(name) isempty (endOf (gap, name)), names));
   end
 end
 
+% '': it does not stand there.
+function text = endOf (gap, name)
+  text = char (jsonAt (gap, {'which', 'strength', fieldOf(name), 'atEnd'}));
+end
+
 function cause = noneListed (cause, gap, failed, say)
-  if ~isempty (endOf (gap))
+  if ~isempty (atTheirEnds (gap))
     cause = atEnd (cause, gap, say);
   elseif isempty (failed)
     cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
@@ -208,11 +213,15 @@ function cause = noneListed (cause, gap, failed, say)
 end
 
 function cause = atEnd (cause, gap, say)
-  effect = gap.howFar.effect;
-  values = struct ('label', gap.which.strength.(fieldOf (effect)).label, ...
-                   'end', endOf (gap), 'share', round (100 * gap.howFar.closure));
-  todo = newAction ('widenCause', {effect});
-  todo.widen = {effect};
+  names = atTheirEnds (gap);
+  labels = eachOf (@(name) gap.which.strength.(fieldOf (name)).label, ...
+                   [names(1), setdiff(strsplit (gap.howFar.effect, ' + '), names(1))]);
+  together = [' together with ', strjoin(labels(2:end), ' and ')];
+  values = struct ('label', labels{1}, 'end', endOf (gap, names{1}), 'together', ...
+                   together(1:end * (numel (labels) > 1)), ...
+                   'share', round (100 * gap.howFar.closure));
+  todo = newAction ('widenCause', names);
+  todo.widen = names;
   cause = said (cause, say, 'unlisted', 'atEnd', values, todo);
   cause.class = 'bad';
 end
