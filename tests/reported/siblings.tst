@@ -104,7 +104,7 @@
 %! list = verdictCase ();
 %! gap = list(strcmp ({list.name}, 'missed, none listed')).gap;
 %! for one = of ('cause at its end', 8)'
-%!   part = strsplit (one{1}, ';');
+%!   part = strsplit (one{1}, ';', 'CollapseDelimiters', false);
 %!   own = gap;
 %!   [own.howFar.effect, own.howFar.closure] = deal (part{1}, str2double (part{3}));
 %!   for name = strsplit (part{2}, ',')(1:end * ! isempty (part{2}))
