@@ -2,14 +2,15 @@
 % (\n: a new line) and what is said of it ('' nothing). CASE stands for the case folder.
 % Kinds: places that all runs share (a runscript, an input script), tables of runs, trials
 % of measured.csv, LIGGGHTS scripts with coefficients that nothing reads or grains that may
-% be lost.
+% be lost, rigs of one's own named as a test rig of the toolbox, causes at the end of their
+% range, runs that grew from a forgotten one, pages of a result whose models are gone.
 
-%!function list = of (kind)
+%!function list = of (kind, least = 15)
 %!  file = fullfile (fileparts (which ('reportedCase')), 'siblings.csv');
 %!  [~, cells] = readCsvTable (file);
 %!  cells = cells(strcmp (cells(:, 1), kind), 2:3);
 %!  list = [cellfun(@do_string_escapes, cells(:, 1), 'UniformOutput', false), cells(:, 2)];
-%!  assert (rows (list) > 14);
+%!  assert (rows (list) >= least);
 %!endfunction
 %!function places = sharedPlaces (text, file)
 %!  folder = tempname ();
@@ -24,6 +25,7 @@
 %!function said = loaded (base, files)
 %!  folder = reportedCase (base);
 %!  for k = 1:2:numel (files)
+%!    [~, ~] = mkdir (fileparts (fullfile (folder, files{k})));
 %!    writeAtomic (fullfile (folder, files{k}), files{k + 1});
 %!  end
 %!  home = cd (folder);
@@ -33,6 +35,32 @@
 %!    said = loadCase (fileparts (which ('DEcalioc')), folder);
 %!  catch err
 %!    said = err.message;
+%!  end
+%!endfunction
+
+%!function said = taken (Case)
+%!  said = Case;
+%!  if isstruct (Case)
+%!    try
+%!      t = importRuns (fullfile (Case.folder, 'runs.csv'), Case);
+%!      said = sprintf ('%d rows, %d results: %.4g %.4g %.4g', rows (t.X), ...
+%!                      sum (isfinite (t.Z(:))), t.X(1), t.Z(1, :));
+%!    catch err
+%!      said = err.message;
+%!    end
+%!  end
+%!endfunction
+%!function files = edited (base, text)
+%!  files = {};
+%!  for edit = strsplit (text, ' | ')
+%!    part = regexp (edit{1}, '^(\S+): (.*?) ?=> (.*)$', 'tokens', 'once');
+%!    new = part{3};
+%!    if ! isempty (part{2})
+%!      old = fileread (fullfile (fileparts (which ('reportedCase')), base, part{1}));
+%!      new = strrep (old, part{2}, part{3});
+%!      assert (! strcmp (old, new), edit{1});
+%!    end
+%!    files = [files, part(1), {new}];
 %!  end
 %!endfunction
 
@@ -48,17 +76,7 @@
 
 %!test
 %! for one = of ('table')'
-%!   Case = loaded ('placeWithZero', {'runs.csv', one{1}});
-%!   said = Case;
-%!   if isstruct (Case)
-%!     try
-%!       t = importRuns (fullfile (Case.folder, 'runs.csv'), Case);
-%!       said = sprintf ('%d rows, %d results: %.4g %.4g %.4g', rows (t.X), ...
-%!                       sum (isfinite (t.Z(:))), t.X(1), t.Z(1, :));
-%!     catch err
-%!       said = err.message;
-%!     end
-%!   end
+%!   said = taken (loaded ('placeWithZero', {'runs.csv', one{1}}));
 %!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
 %! end
 
@@ -72,6 +90,55 @@
 %!     said = sprintf ('%.4g +- %.4g, allowed %.4g', t.value, t.sd, halfWidth (t));
 %!   end
 %!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
+%! end
+
+%!test
+%! for one = of ('rig named as a bench', 14)'
+%!   said = taken (loaded ('rigCalledHeap', edited ('rigCalledHeap', one{1})));
+%!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
+%! end
+
+%!test
+%! % of a diagnosis that names none: which effects closed the gap; which stand at their
+%! % end; share closed
+%! list = verdictCase ();
+%! gap = list(strcmp ({list.name}, 'missed, none listed')).gap;
+%! for one = of ('cause at its end', 8)'
+%!   part = strsplit (one{1}, ';', 'CollapseDelimiters', false);
+%!   own = gap;
+%!   [own.howFar.effect, own.howFar.closure] = deal (part{1}, str2double (part{3}));
+%!   for name = strsplit (part{2}, ',')(1:end * ! isempty (part{2}))
+%!     own.which.strength.(name{1}).atEnd = '3 1/s';
+%!   end
+%!   cause = decideGap (jsondecode (jsonencode (own)));
+%!   said = sprintf ('%s %s: %s', cause.code, strjoin (cause.todo.widen, ', '), ...
+%!                   cause.sentence);
+%!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
+%! end
+
+%!test
+%! % one after the other, in one case
+%! folder = reportedCase ('forgottenUpstream');
+%! startCommand (folder, 'run');
+%! for one = of ('grew from a forgotten run', 7)'
+%!   [~, out] = startCommand (folder, ['forget . ', one{1}]);
+%!   assert (! isempty (strfind (out, one{2})), '%s: %s', one{1}, out);
+%!   assert (isempty (strfind (out, 'called from')), '%s: %s', one{1}, out);
+%! end
+
+%!test
+%! base = reportedCase ('reportWithoutModels');
+%! startCommand (base, 'run');
+%! for one = of ('report without its models', 5)'
+%!   folder = tempname ();
+%!   copyfile (base, folder);
+%!   delete (fullfile (folder, 'results', 'report.html'));
+%!   assert (system (['cd ', folder, ' && ', one{1}]), 0);
+%!   [~, out] = startCommand (folder, 'report');
+%!   isMade = isfile (fullfile (folder, 'results', 'report.html'));
+%!   said = [repmat('page ', 1, isMade), out];
+%!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
+%!   assert (isempty (strfind (out, 'called from')), '%s: %s', one{1}, out);
 %! end
 
 %!test

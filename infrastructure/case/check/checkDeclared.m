@@ -33,7 +33,7 @@ function p = checkDeclared (names, fields, kinds, models)
   for k = find (~ismember (names, known) & ~isFree)
     cure = checkNearest (names{k}, known);
     if isempty (cure)
-      cure = 'Declare it there, and use it in the input script.';
+      cure = ['Declare it there, and use it in the input script.', ofToolbox(models)];
     end
     p(end + 1) = checkFault ('unknownVariable', fields{k}, ...
                              ['a variable that ', places, ' declares'], ...

@@ -401,22 +401,25 @@ function s = changeOf (diagnosis, Case)
   list = diagnosedTargets (diagnosis);
   info = targetInfo (Case);
   for T = list(~strcmp ({list.role}, 'holdout'))
+    k = diagnosis.problem.kept(T.target);     % less the tests that are left out
     change = mergeFields (struct ('reference', reference.value(T.target), 'foretold', ...
                                   T.predicted, 'modelled', NaN, 'sd', sd(T.target), ...
                                   'simulated', diagnosis.change.simulated(T.target), ...
                                   'seenFrom', diagnosis.change.seen(T.target), ...
-                                  'allowed', halfWidth (Case.targets(T.target)), ...
+                                  'allowed', halfWidth (Case.targets(k)), ...
                                   'followed', ~strcmp (T.role, 'aside')), ...
                           T, {'model', 'name', 'measured', 'z'});
-    change = mergeFields (change, info(T.target), {'kind', 'series', 'unit'});
-    change.shown = shownUnit (Case.targets(T.target), info(T.target).unit);
+    change = mergeFields (change, info(k), {'kind', 'series', 'unit'});
+    change.shown = shownUnit (Case.targets(k), info(k).unit);
     if ~isempty (diagnosis.howFar) && change.followed
       at = [diagnosis.howFar.targets.target] == T.target;
       change.modelled = diagnosis.howFar.targets(at).after;
     end
     s.targets{end + 1} = change;
   end
-  isOpen = isnan (diagnosis.problem.value) & isfinite (reference.value);
+  c = strcmp (Case.conditions, reference.condition);
+  isOpen = arrayfun (@(T) isfinite (T.value) && ~isfinite (T.changed(c).value), ...
+                     Case.targets);
   s.notMeasured = eachOf (@(T) struct ('model', T.modelName, 'name', T.name), ...
                           Case.targets(isOpen));
 end
@@ -493,7 +496,8 @@ end
 %! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'twins', 60));
 %! Case = newCase (standInCase (tempname ()));
 %! Case.targets = Case.targets(ones (1, 12));
-%! [Case.targets.changed] = deal (struct ('value', 1, 'sd', 0.1));
+%! [Case.targets.changed] = deal (struct ('value', {1, 1}, 'sd', 0.1));
+%! Case.targets(2).changed(1).value = NaN;
 %! [Case.modelVars, Case.names] = deal (struct ('c', 3), d.problem.names);
 %! [Case.conditions, Case.unchanged] = deal ({'a', 'b'}, {});
 %! Case.effects = newEffect (struct ('name', 'cohesion', 'laboratory', true), 4);
@@ -510,6 +514,7 @@ end
 %! gap = readJsonFile (file);
 %! assert (cellfun (@(one) one.code, jsonList (gap, {'reference', 'conditions'}), ...
 %!                  'UniformOutput', false), {others.code});
+%! assert (gap.reference.notMeasured.name, Case.targets(2).name);
 %! one = jsonList (gap, {'reference', 'conditions'}){2};
 %! assert ([one.ofEffect.spread.probability, one.ofEffect.spread.value], ...
 %!         [one.probability, one.strength]);

@@ -55,6 +55,9 @@ function [links, parts] = sectionsOf (page, list)
   [links, parts] = deal ('');
   for section = list'
     [id, title, show, needed] = section{:};
+    if iscell (title)                    % of a gap, of a change
+      title = title{1 + page.isChange};
+    end
     html = '';
     try
       if ~isempty (jsonAt (page, needed))
@@ -82,6 +85,9 @@ end
 function html = verdictBox (page)
   v = page.verdict;
   items = {conditionTexts(page.sources.gap).line};
+  if numel (items) == 1 && ~isempty (v.change)
+    items = {};                          % the first line says it
+  end
   gap = '';
   if ~isempty (v.gap) && numel (items) < 2
     gap = ['<p>', htmlText(v.gap), '</p>'];

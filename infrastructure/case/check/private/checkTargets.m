@@ -185,7 +185,8 @@ function [p, sizes] = checkCount (isOfModel, given, models)
                                    '%s returns'], m.count, m.name), ...
                     models, 'UniformOutput', false);
   field = 'optim.targetVal';
-  cure = 'Give one target for each result, in the order of getResults.';
+  cure = ['Give one target for each result, in the order of getResults.', ...
+          ofToolbox(models)];
   if isOfModel && numel (given) == numel (models)
     sizes = given;
     for k = find (~isnan (counts) & counts ~= given)

@@ -4,7 +4,7 @@
 % CALL: LIST = sectionCauses (), see writePage
 
 function list = sectionCauses ()
-  list = {'sectionwhich', 'What the model lacks', @causes, ...
+  list = {'sectionwhich', {'What the model lacks', 'What may have changed'}, @causes, ...
           {'sources', 'gap', 'which', 'posterior'}; ...
           'sectionchange', 'What has changed', @change, ...
           {'sources', 'gap', 'reference'}};
@@ -25,7 +25,7 @@ function html = causes (page)
           shapes(page, posterior), tableHtml(page.tables.causes)];
 end
 
-% The measured gap beside what each of the likeliest causes would make of it.
+% The measured gap, or change, and what each of the likeliest causes would make of it.
 function html = shapes (page, posterior)
   prints = jsonAt (page.sources.gap, {'fingerprint'});
   names = jsonList (prints, {'targets'});
@@ -40,8 +40,10 @@ function html = shapes (page, posterior)
   n = numel (names);
   y = (n:-1:1)';
   measured = prints.measured(:);
-  f = newFigure ('Measured gap, and what each cause would explain', 'in sd of the noise', names, ...
-                 ['The measured gap beside that of ', strjoin(known, ', ')], ...
+  what = merge (page.isChange, 'change', 'gap');
+  f = newFigure (['Measured ', what, ', and what each cause would explain'], ...
+                 'in sd of the noise', names, ...
+                 ['The measured ', what, ' and that of ', strjoin(known, ', ')], ...
                  {'box', [0 * y, y, min(0, measured), max(0, measured), ...
                           y - 0.36, y + 0.36], 'grey'; ...
                   'line', [0, 0.4; 0, n + 0.6], 'ink'});
@@ -50,10 +52,10 @@ function html = shapes (page, posterior)
   symbols = symbols(1:numel (known), :);
   marks = eachOf (@(name) [prints.effects.(name)(:), y], known);
   f.layers = [f.layers; symbols(:, 1), marks(:), symbols(:, 2)];
-  why = sentence ('figure.causes');
+  why = sentence ('figure.causes', struct (), page.isChange);
   html = ['<p>', htmlText(why), '</p>', ...
           htmlFigures([f, bars(page, posterior)], ...
-                      [{'box', 'grey', 'measured gap'}; symbols, htmlText(known)'])];
+                      [{'box', 'grey', ['measured ', what]}; symbols, htmlText(known)'])];
 end
 
 function f = bars (page, posterior)

@@ -3,7 +3,7 @@
 % CALL: LIST = sectionWhere (), see writePage
 
 function list = sectionWhere ()
-  list = {'sectionwhere', 'Where the model misses', @where, ...
+  list = {'sectionwhere', {'Where the model misses', 'Where it has changed'}, @where, ...
           {'sources', 'gap', 'where', 'targets'}};
 end
 
