@@ -32,8 +32,14 @@ function theta = estimateModel (model, U, y, start)
     [param, noise] = stk_param_init (model, U, y);
     start = [param(:); noise];
   end
-  [param, noise] = stk_param_estim (model, U, y, start(1:n), start(n + 1:end), ...
-                                    model.criterion);
+  [param, noise] = deal (start(1:n), start(n + 1:end));
+  try
+    [param, noise] = stk_param_estim (model, U, y, param, noise, model.criterion);
+  catch
+    % without a prior its line search may leave what a covariance can hold; the
+    % start is taken if it has a cost
+    fitCost (model, U, y, start(:));
+  end
   theta = param(:);
   if numel (start) > n
     theta(end + 1) = noise;
@@ -61,3 +67,18 @@ end
 %! assert (norm (g) < 0.1);
 %! again = estimateModel (model, U, y, theta);
 %! assert (again, theta, 0.05);
+%!function varargout = atStartAlone (start, model, varargin)
+%!  assert (model.param(:), start(1:numel (model.param)));
+%!  [varargout{1:nargout}] = stk_param_relik (model, varargin{:});
+%!endfunction
+%!test
+%! % a search that ends in an error, as of a covariance of NaN, leaves the start
+%! pkg load stk
+%! rand ('twister', 1);
+%! U = rand (12, 2);
+%! of = struct ('noise', [], 'extra', [], 'prior', [], 'scatter', [], ...
+%!              'scale', 1, 'quick', false, 'published', true);
+%! model = krigingModel ('affine', 'matern', 2, of);
+%! start = [0; 0.5; 0; 0; -4];
+%! model.criterion = @(varargin) atStartAlone (start, varargin{:});
+%! assert (estimateModel (model, U, U * [1; 2], start), start);
