@@ -5,10 +5,10 @@
 %   PROBLEM, STATE     of newProblem, newGapState
 %   THETA              1 x p, in [-1, 1], where they are run
 %
-% An end that a run with all results of the models that are run has reached to more than half is not run
-% again. One that gives none at full strength is run at a half, a quarter and an
-% eighth, each once, wherever it was that it failed; but where more than half of
-% all ends fail, the effects are not to blame.
+% An end that a run with all results of the models that are run has reached to more
+% than half is not run again. One that gives none at full strength is run at a half, a
+% quarter and an eighth, each once, wherever it was that it failed; but where more than
+% half of all ends fail, the effects are not to blame.
 
 function state = runEach (problem, state, theta)
   ends = endsOf (problem.effects);
