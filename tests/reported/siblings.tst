@@ -93,7 +93,7 @@
 %! end
 
 %!test
-%! for one = of ('rig named as a bench', 14)'
+%! for one = of ('rig named as a bench', 13)'
 %!   said = taken (loaded ('rigCalledHeap', edited ('rigCalledHeap', one{1})));
 %!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
 %! end
