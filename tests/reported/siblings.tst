@@ -3,7 +3,7 @@
 % Kinds: places that all runs share (a runscript, an input script), tables of runs, trials
 % of measured.csv, LIGGGHTS scripts with coefficients that nothing reads or grains that may
 % be lost, rigs of one's own named as a test rig of the toolbox, causes at the end of their
-% range, runs that grew from a forgotten one, pages of a result whose models are gone.
+% range.
 
 %!function list = of (kind, least = 15)
 %!  file = fullfile (fileparts (which ('reportedCase')), 'siblings.csv');
@@ -93,7 +93,7 @@
 %! end
 
 %!test
-%! for one = of ('rig named as a bench', 14)'
+%! for one = of ('rig named as a bench', 13)'
 %!   said = taken (loaded ('rigCalledHeap', edited ('rigCalledHeap', one{1})));
 %!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
 %! end
@@ -114,31 +114,6 @@
 %!   said = sprintf ('%s %s: %s', cause.code, strjoin (cause.todo.widen, ', '), ...
 %!                   cause.sentence);
 %!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
-%! end
-
-%!test
-%! % one after the other, in one case
-%! folder = reportedCase ('forgottenUpstream');
-%! startCommand (folder, 'run');
-%! for one = of ('grew from a forgotten run', 7)'
-%!   [~, out] = startCommand (folder, ['forget . ', one{1}]);
-%!   assert (! isempty (strfind (out, one{2})), '%s: %s', one{1}, out);
-%!   assert (isempty (strfind (out, 'called from')), '%s: %s', one{1}, out);
-%! end
-
-%!test
-%! base = reportedCase ('reportWithoutModels');
-%! startCommand (base, 'run');
-%! for one = of ('report without its models', 5)'
-%!   folder = tempname ();
-%!   copyfile (base, folder);
-%!   delete (fullfile (folder, 'results', 'report.html'));
-%!   assert (system (['cd ', folder, ' && ', one{1}]), 0);
-%!   [~, out] = startCommand (folder, 'report');
-%!   isMade = isfile (fullfile (folder, 'results', 'report.html'));
-%!   said = [repmat('page ', 1, isMade), out];
-%!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
-%!   assert (isempty (strfind (out, 'called from')), '%s: %s', one{1}, out);
 %! end
 
 %!test

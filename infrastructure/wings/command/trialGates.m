@@ -50,8 +50,8 @@ function notes = trialGates (record, targets, folder, grains)
       end
     end
   end
-  known = mergeFields (mergeFields (values, checks), named);
-  notes = [notes, atEnd(grains, info), ofModel(folder, known)];
+  notes = [notes, atEnd(grains, info), ...
+           ofModel(folder, mergeFields (mergeFields (values, checks), named))];
 end
 
 % Of the grains at the end of the run.

@@ -7,8 +7,8 @@
 %
 % An end that a run with all results of the models that are run has reached to more
 % than half is not run again. One that gives none at full strength is run at a half, a
-% quarter and an eighth, each once, wherever it was that it failed; but where more than half of
-% all ends fail, the effects are not to blame.
+% quarter and an eighth, each once, wherever it was that it failed; but where more than
+% half of all ends fail, the effects are not to blame.
 
 function state = runEach (problem, state, theta)
   ends = endsOf (problem.effects);
