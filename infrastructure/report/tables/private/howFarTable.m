@@ -21,7 +21,8 @@ function [T, each] = howFarTable (page)
   other = @(k, data, field, text) {[jsonAt(far, {'placebos', k, 'effect'}), ' instead'], ...
                                    data, NaN, NaN, NaN, at('placebos', k, field), NaN, text};
   many = 1 + isstruct (jsonAt (far, {'heldOut'}));     % rows of a cause
-  rows_ = {own('fitted'), own('not fitted', 'heldOut')}(1:many);
+  rows_ = {own('fitted'), own('not fitted', 'heldOut')};
+  rows_ = rows_(1:many);
   for k = 1:numel (jsonAt (far, {'placebos'}))
     both = {other(k, 'fitted', 'closure', ''), ...
             other(k, 'not fitted', 'heldOut', favours (far, jsonAt (far, {'placebos', k})))};
