@@ -203,8 +203,9 @@ end
 %! change = newProblem (setfield (given, 'value', [1e-9, 2, NaN]));
 %! change.reference = struct ('value', given.value, 'sd', given.sd);
 %! for n = [0, 1, 6]
-%!   some = setfield (data, 'Z', {1:6 - n, 3}, NA);
-%!   p = enterRuns (change, some, gapOptions ([]));
+%!   data.Z = data.X .* [1e-9, 1, 1e12];
+%!   data.Z(1:6 - n, 3) = NA;
+%!   p = enterRuns (change, data, gapOptions ([]));
 %!   assert ({p.out, p.neverRun, numel(p.kept)}, {cell(1, 0), cell(1, 0), 2 + (n > 1)});
 %! end
 %!test

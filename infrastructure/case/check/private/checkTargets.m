@@ -243,18 +243,18 @@ end
 
 %!test
 %! % targets of each model: as given, or counted by getResults
-%! models = struct ('name', {'A', 'B'}, 'count', {2, 1});
+%! models = struct ('name', {'A', 'B'}, 'count', {2, 1}, 'folder', '');
 %! for value = {{[1, 2], 3}, [1; 2; 3]}
 %!   optim = struct ('targetVal', value, 'tolRes', 0.1);
 %!   [p, sizes] = checkTargets (optim, models, {});
 %!   assert ({isempty(p), sizes}, {true, [2, 1]});
 %! end
-%! p = checkTargets (optim, struct ('name', 'A', 'count', 2), {});
+%! p = checkTargets (optim, struct ('name', 'A', 'count', 2, 'folder', ''), {});
 %! assert (p.id, 'DEcalioc:checkCase:targetCount');
 %!test
 %! % a table of characters is a fault, and no warning of Octave's
 %! lastwarn ('');
 %! optim = struct ('targetVal', {{1}}, 'tolRes', 0.1, 'role', {{{['ab'; 'cd']}}});
-%! p = checkTargets (optim, struct ('name', 'A', 'count', 1), {});
+%! p = checkTargets (optim, struct ('name', 'A', 'count', 1, 'folder', ''), {});
 %! assert (strncmp (p.message, 'optim.role', 10), p.message);
 %! assert (lastwarn (), '');
