@@ -9,7 +9,7 @@
 %         calibration, where there is none of the diagnosis), gapChanged (of the
 %         diagnosis), lastRuns (1 x M, number of the last run folder of each
 %         model that one of them knows; Inf: none does)
-%   V     see decideStored
+%   V     see decideStored; [] where neither of them holds a verdict
 %
 % See also: decideStored
 
@@ -26,7 +26,9 @@ function [s, v] = storedResult (Case)
     s.changed = changedInput (s.calibration, now);
   end
   s.lastRuns = lastRuns (found, {Case.models.name});
-  if isargout (2)
+  v = [];
+  hasVerdict = isfield (s.calibration, 'reason') || isfield (s.gap, 'which');
+  if isargout (2) && hasVerdict
     v = decideStored (s);
   end
 end

@@ -9,7 +9,7 @@
 function yes = sayChanged (Case)
   [stored, v] = storedResult (Case);
   yes = ~isempty (stored.changed);
-  if yes
+  if yes && ~isempty (v)
     printf ('NOTE  %s. %s\n', v.word, v.action);
   elseif ~isempty (stored.gapChanged)
     printf ('NOTE  %s\n', v.gap);
