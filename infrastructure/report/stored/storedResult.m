@@ -9,7 +9,7 @@
 %         calibration, where there is none of the diagnosis), gapChanged (of the
 %         diagnosis), lastRuns (1 x M, number of the last run folder of each
 %         model that one of them knows; Inf: none does)
-%   V     see decideStored; [] where neither of them holds a verdict
+%   V     function handle: V () is the verdict on them, see decideStored
 %
 % See also: decideStored
 
@@ -26,11 +26,7 @@ function [s, v] = storedResult (Case)
     s.changed = changedInput (s.calibration, now);
   end
   s.lastRuns = lastRuns (found, {Case.models.name});
-  v = [];
-  hasVerdict = isfield (s.calibration, 'reason') || isfield (s.gap, 'which');
-  if isargout (2) && hasVerdict
-    v = decideStored (s);
-  end
+  v = @() decideStored (s);
 end
 
 function last = lastRuns (results, names)

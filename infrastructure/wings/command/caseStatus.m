@@ -51,7 +51,7 @@ function s = caseStatus (Case, cost)
   s.changed = stored.changed;
   if strcmp (s.state, 'finished') && ...
      (isfield (c, 'reason') || isfield (stored.gap, 'which'))
-    s.verdict = verdict;
+    s.verdict = verdict ();
   end
   if ~isempty (s.verdict) && all (isfield (jsonAt (c, {'params'}), Case.names))
     s.set = cellfun (@(n) c.params.(n), Case.names);

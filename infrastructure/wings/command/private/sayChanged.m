@@ -7,11 +7,12 @@
 %         said
 
 function yes = sayChanged (Case)
-  [stored, v] = storedResult (Case);
+  [stored, verdict] = storedResult (Case);
   yes = ~isempty (stored.changed);
-  if yes && ~isempty (v)
+  if yes
+    v = verdict ();
     printf ('NOTE  %s. %s\n', v.word, v.action);
   elseif ~isempty (stored.gapChanged)
-    printf ('NOTE  %s\n', v.gap);
+    printf ('NOTE  %s\n', verdict ().gap);
   end
 end
