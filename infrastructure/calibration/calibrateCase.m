@@ -129,6 +129,11 @@ function reportCase (Case, say, problem)
     tell ('  noise of a run: %s with scatter.csv of the model', ...
           countText (known, 'target begins', 'targets begin'));
   end
+  known = sum (~cellfun (@isempty, problem.shape));
+  if known > 0
+    tell ('  shape of results: %s with form.csv of the model', ...
+          countText (known, 'target begins', 'targets begin'));
+  end
   n = problem.nExtra;
   if n > 0 && strcmp (problem.options.method, 'published')
     text = countText (n, 'row beyond the targets, it is fitted', ...

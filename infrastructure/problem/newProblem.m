@@ -73,7 +73,7 @@
 %             case has it (benchmarks do)
 %   of a case also: cost, standard (logical: the residuals are the published
 %     ones), nExtra (preference rows), options (methodOptions), prior
-%     (similarPriors), coarse ([], or where CASE.coarse has levels a struct:
+%     (similarPriors), shape (knownShapes), coarse ([], or where CASE.coarse has levels a struct:
 %     variables 1 x v cellstr, levels L x v, the last row counts; column 1 x T,
 %     of each target's level, 0: none), fine (1 x v: values of these variables
 %     where runs count, the last level)
@@ -102,6 +102,7 @@ function [problem, notes] = newProblem (source, cost, c)
   end
   given.options = mergeFields (methodOptions (), Case.options);
   given.prior = similarPriors (Case);
+  given.shape = knownShapes (Case);
   if ~strcmp (given.options.method, 'published')
     [given.earlierSd, given.earlierRuns] = earlierScatter (Case);
   end
@@ -322,7 +323,10 @@ end
 %! [Case.names, Case.limits] = deal ({'mu'}, [0; 1]);
 %! [Case.paramMean, Case.paramSd] = deal (NaN);
 %! Case.effects = [];
+%! writeAtomic (fullfile (folder, 'form.csv'), ...
+%!              "result,parameter,low,high,slope,curvature\nb,mu,0,2,6,0\n");
 %! given = newProblem (Case);
+%! assert (given.shape, {[], [3, 0], []}, 1e-12);
 %! assert (given.covariance, [1, 2 / e, 0; 2 / e, 4, 0; 0, 0, 4], 1e-5);
 %! assert (given.estimateSeries, false (1, 3));
 %! % to be estimated: no covariance yet
