@@ -67,9 +67,8 @@ end
 % The nearest covariance: days may weigh differently in both.
 function C = positivePart (C)
   unit = sqrt (max (abs (diag (C)), realmin));
-  C = (C + C') / 2 ./ (unit * unit');
-  [V, L] = eig (C);
-  C = V * max (L, 0) * V' .* (unit * unit');
+  root = unit .* covarianceRoot (C ./ (unit * unit'));
+  C = root * root';
 end
 
 function [tests, isReference] = candidates (problem)
