@@ -31,8 +31,7 @@ function [problem, data] = enterRuns (given, data, options)
   checkRuns (problem, data);
   data = onceEach (data);
   [there, needed] = neutralRuns (problem, data, options);
-  [problem, kept, out, neverRun, lacking] = ...
-    withoutDeadBenches (problem, data, there < needed);
+  [problem, kept, gone] = withoutDeadBenches (problem, data, there < needed);
   for name = intersect ({'Z', 'level'}, fieldnames (data)')
     data.(name{1}) = data.(name{1})(:, kept);
   end
@@ -41,9 +40,7 @@ function [problem, data] = enterRuns (given, data, options)
   problem = inUnits (problem, unit);
   problem.kept = kept;
   problem.unit = unit;
-  problem.out = out;
-  problem.neverRun = neverRun;
-  problem.lacking = lacking;
+  problem = mergeFields (problem, gone);
   data.Z = data.Z ./ unit;
 end
 
@@ -94,28 +91,28 @@ function data = onceEach (data)
   end
 end
 
-function [problem, kept, out, neverRun, lacking] = ...
-  withoutDeadBenches (problem, data, few)
+% GONE: struct of the fields out, neverRun and lacking of the problem.
+function [problem, kept, gone] = withoutDeadBenches (problem, data, few)
   isThere = any (isfinite (data.Z), 1);
   % of a change what was never measured in the new state is not run, and not missed
   isWanted = isempty (problem.reference) | ...
              ismember (problem.bench, problem.bench(isfinite (problem.value)));
   dead = setdiff (problem.bench(isWanted), problem.bench(isThere));
-  out = problem.benchNames(dead);
+  gone.out = problem.benchNames(dead);
   wasRun = problem.bench(~all (isna (data.Z), 1));
-  neverRun = problem.benchNames(setdiff (dead, wasRun));
+  gone.neverRun = problem.benchNames(setdiff (dead, wasRun));
   isLacking = tooOftenLacking (data.Z, problem.bench);
-  lacking = problem.targetNames(isLacking);
+  gone.lacking = problem.targetNames(isLacking);
   kept = find (~ismember (problem.bench, dead) & ~isLacking & (isWanted | ~few));
   left = intersect (problem.used, kept);
-  if isempty (left) && isequal (neverRun, out)
+  if isempty (left) && isequal (gone.neverRun, gone.out)
     error ('DEcalioc:enterRuns:noRuns', ...
            ['enterRuns: at least one finished run of %s is needed, but no ' ...
-            'run was made: raise Input.maxNewRuns.'], strjoin (out, ', '));
+            'run was made: raise Input.maxNewRuns.'], strjoin (gone.out, ', '));
   elseif isempty (left)
     error ('DEcalioc:enterRuns:runFailed', ...
            ['enterRuns: no run of %s gave a result, and no measured target ' ...
-            'is left. Look at the failed runs.'], strjoin ([out, lacking], ', '));
+            'is left. Look at the failed runs.'], strjoin ([gone.out, gone.lacking], ', '));
   end
   if numel (kept) < numel (isWanted)
     problem = newProblem (ofTargets (problem, kept));

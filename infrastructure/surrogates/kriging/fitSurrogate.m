@@ -54,12 +54,10 @@ function surrogate = fitSurrogate (X, z, limits, options)
             '%d x %d, %d x %d and %d x %d.'], size (X), size (z), ...
            size (limits));
   end
-  if isfield (options, 'level')
-    [level, options] = deal (options.level, rmfield (options, 'level'));
-    if ~isempty (level) && numel (unique (level(isfinite (z)))) > 1
-      surrogate = fitLevels (X, z, level, limits, options);
-      return
-    end
+  [level, options] = levelsOf (z, options);
+  if ~isempty (level)
+    surrogate = fitLevels (X, z, level, limits, options);
+    return
   end
   options = mergeFields (struct ('name', '', 'trend', 'choose', ...
                                  'covariance', 'choose', 'start', [], ...
@@ -88,6 +86,17 @@ function surrogate = fitSurrogate (X, z, limits, options)
     surrogate = conditionSurrogate (constantChoice (base), base);
   else
     surrogate = chooseModel (base, options);
+  end
+end
+
+% [] where all results are of one level.
+function [level, options] = levelsOf (z, options)
+  level = [];
+  if isfield (options, 'level')
+    [level, options] = deal (options.level, rmfield (options, 'level'));
+  end
+  if ~isempty (level) && numel (unique (level(isfinite (z)))) < 2
+    level = [];
   end
 end
 
