@@ -16,8 +16,11 @@ function folder = findModel (name, caseFolder, root, variables)
                     {caseFolder, root, fullfile(caseFolder, 'gap', 'next')}, ...
                     'UniformOutput', false);
   isThere = isfolder (places);
-  if nargin > 3 && isThere(2) && iscellstr (variables) && ~isempty (variables)
-    isThere(2) = any (ismember (variables, {checkHead(places{2}).name}));
+  if nargin > 3 && isThere(2) && iscell (variables)
+    % what is no name is the mistake of another check
+    names = variables(cellfun (@(v) isKind ('name', v), variables));
+    isThere(2) = isempty (names) || ...
+                 any (ismember (names, {checkHead(places{2}).name}));
   end
   found = [places(isThere), {''}];
   folder = found{1};
@@ -30,3 +33,4 @@ end
 %! assert (findModel ('Heap', '/nowhere', root), heap);
 %! assert (findModel ('Heap', '/nowhere', root, {'coefFrictionPP', 'x'}), heap);
 %! assert (findModel ('Heap', '/nowhere', root, {'mu', 'rolling'}), '');
+%! assert (findModel ('Heap', '/nowhere', root, {['a'; 'b'], 3}), heap);
