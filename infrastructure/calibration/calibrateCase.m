@@ -58,7 +58,13 @@ function [state, problem] = planToSet (state, problem, Case, say, rest)
   state = runPlan (state, problem, plan, E, Case, say);
 
   % Kriging models
-  [~, ~, state.surrogates] = createKrigingModels (state.data, problem);
+  known = soleSource (state);
+  if isempty (known)
+    [~, ~, state.surrogates] = createKrigingModels (state.data, problem);
+  else
+    state.surrogates = known.surrogates;
+    saveSurrogates (state.surrogates, 'KrigingFuns');
+  end
   state = repeatSuspects (state, problem, say);
   reportSurrogateFit (state.surrogates, state.data, problem, say, rest, Case);
   [state.final, state.unjudged] = deal ([], {});
@@ -70,20 +76,37 @@ function [state, problem] = planToSet (state, problem, Case, say, rest)
   end
 end
 
+% The other source of all runs, fitted and searched already, where none of this case
+% has come to it: [] where there is none.
+function other = soleSource (state)
+  other = state.others;
+  if ~(isscalar (other) && all (strcmp (state.data.stage, other.source)))
+    other = [];
+  end
+end
+
 % PROBLEM  of what is judged
 function state = searchSet (state, problem, Case, say)
   % optimisation on the Kriging models
-  [state.found, history] = calibrateOnKriging (state.surrogates, problem);
+  known = soleSource (state);
+  if isempty (known) || ~isempty (state.unjudged)
+    [state.found, history] = calibrateOnKriging (state.surrogates, problem);
+  else
+    [state.found, history] = deal (known.search.found, known.search.history);
+  end
   reportIterations (state.found, history, Case, say);
   state.found = stayAtRuns (state, problem);
 
   % optimisation on the DEM models
+  reportPage (Case, say, state);
   if strcmp (problem.options.method, 'robust')
-    reportPage (Case, say, state);
+    before = rows (state.data.X);
     state = improveByInfill (state, problem, say);
     state = runForIntervals (state, problem);
+    if rows (state.data.X) > before
+      reportPage (Case, say, state);
+    end
   end
-  reportPage (Case, say, state);
   state = calibrateOnDEM (state, problem, say);
 end
 

@@ -29,7 +29,7 @@ end
 
 %!shared problem, state
 %! [problem, state, surrogates, law] = smallCalibration ();
-%! state.others = struct ('source', 'import', 'surrogates', {surrogates});
+%! state.others = struct ('source', 'import', 'surrogates', {surrogates}, 'search', []);
 %! state.data.stage(:) = {'import'};
 %! X = [0.5, 1; 0.52, 0.98; 0.5, 1.04];
 %! state.data = addRows (state.data, X, law (X) .* [1.03, 1], ones (3, 1), 'verify');

@@ -21,7 +21,7 @@ function state = newState (data, surrogates, found)
   state = struct ('data', data, 'surrogates', surrogates, 'found', found, ...
                   'history', history, 'reason', '', 'misled', '', ...
                   'unjudged', {{}}, 'final', []);
-  state.others = struct ('source', {}, 'surrogates', {});
+  state.others = struct ('source', {}, 'surrogates', {}, 'search', {});
   [state.evaluate, state.budget] = newEvaluate ([]);
 end
 

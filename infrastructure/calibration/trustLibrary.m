@@ -6,7 +6,8 @@
 %            without those of a source (stage 'library': stored runs of other
 %            cases; 'import': rows of runs.csv) that does not say what the model
 %            gives today (keepApart). Its others: 1 x n struct source, surrogates (of
-%            its runs alone), those that count
+%            its runs alone), search (found, history: calibrateOnKriging on these),
+%            those that count
 %
 % The set that a source finds is run: it must be run anyway. Unless a shift of the
 % source is three times as likely as chance (oddsOfShift) it is taken in; else the
@@ -16,7 +17,10 @@ function state = trustLibrary (state, problem, say)
   for source = {'library', 'import'}
     old = keepRows (state.data, strcmp (state.data.stage, source{1}));
     if finishedSets (runsThatCount (old, problem)) > numel (problem.names) + 1
-      other = struct ('source', source{1}, 'surrogates', fitSurrogates (old, problem));
+      other = struct ('source', source{1}, 'surrogates', fitSurrogates (old, problem), ...
+                      'search', []);
+      [found, history] = calibrateOnKriging (other.surrogates, problem);
+      other.search = struct ('found', found, 'history', {history});
       state.others(end + 1) = other;
       state = trustSource (state, problem, other, say);
     end
@@ -24,7 +28,7 @@ function state = trustLibrary (state, problem, say)
 end
 
 function state = trustSource (state, problem, other, say)
-  p = calibrateOnKriging (other.surrogates, problem).params;
+  p = other.search.found.params;
   for attempt = 1:4
     before = rows (state.data.X);
     state = addRuns (state, problem, p, [], 'plan');
