@@ -81,25 +81,23 @@ function [links, parts] = sectionsOf (page, list)
   end
 end
 
-% The first screen. Nothing is decided here, see decideCase.
+% The first screen: first what has changed, of several conditions a line each. Nothing is
+% decided here, see decideCase.
 function html = verdictBox (page)
   v = page.verdict;
   items = {conditionTexts(page.sources.gap).line};
-  if numel (items) == 1 && ~isempty (v.change)
-    items = {};                          % the first line says it
-  end
+  isSaid = ~isempty (v.change) && numel (items) < 2;
+  changed = uses ('What has changed since the reference', items(1:end * ~isSaid));
   gap = '';
   if ~isempty (v.gap) && numel (items) < 2
     gap = ['<p>', htmlText(v.gap), '</p>'];
   end
   action = eachOf (@actionHtml, v.actionParts);
-  change = '';
-  if ~isempty (v.change)
-    change = ['<p class="word">', htmlText(v.change), '</p>'];
+  if isSaid
+    changed = ['<p class="word">', htmlText(v.change), '</p>'];
   end
-  html = ['<div class="verdict ', v.class, '">', change, '<p><span class="word">', ...
+  html = ['<div class="verdict ', v.class, '">', changed, '<p><span class="word">', ...
           htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
-          uses('What has changed since the reference', items), ...
           uses('Use it for', v.usableFor), uses('Not for', v.notFor), ...
           '<h2>What to do now</h2><p>', action{:}, "</p></div>\n"];
 end
@@ -157,7 +155,7 @@ end
 
 function html = measuredBy (folder)
   html = '';
-  words = measuredRemarks (folder);
+  [~, words] = measuredRemarks (folder);
   if ~isempty (words)
     html = ['<p class="where">Measured: ', strjoin(htmlText (words), ' &middot; '), "</p>\n"];
   end
