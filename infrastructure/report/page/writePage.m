@@ -96,6 +96,11 @@ function html = verdictBox (page)
   if isSaid
     changed = ['<p class="word">', htmlText(v.change), '</p>'];
   end
+  if isSaid && ~isempty (gap)            % then by what, then the calibration
+    changed = [changed, '<p><span class="word">', htmlText(v.cause.word), '</span>. ', ...
+               htmlText(v.gap), '</p>'];
+    gap = '';
+  end
   html = ['<div class="verdict ', v.class, '">', changed, '<p><span class="word">', ...
           htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
           uses('Use it for', v.usableFor), uses('Not for', v.notFor), ...
@@ -125,7 +130,7 @@ function html = facts (page)
     grains = sectionParticles (page, k);
   end
   html = ['<div class="lead"><dl class="facts">', items{:}, "</dl>\n<div>", ...
-          picture(page, 520 - 160 * ~isempty(grains)), '</div>'];
+          picture(page, 400 - 40 * ~isempty(grains)), '</div>'];
   if ~isempty (grains)
     html = [html, '<div>', grains, '</div>'];
   end
@@ -272,3 +277,26 @@ end
 %! assert (sort (sums), [3; 7], 1e-12);
 %! second = find (strcmp (cells(:, 1), 'Second'));
 %! assert (all (cellfun (@isempty, cells(second, strcmp (head, 'product')))));
+%!test
+%! % of a change: first what has changed, then by what, then the calibration
+%! raw = standInCase (tempname ());
+%! raw.optim.targetName = {{'sum', 'product'}, {'difference'}};
+%! s = verdictCase ()(strcmp ({verdictCase().name}, 'missed, several'));
+%! one = struct ('name', {'wet', 'dry'}, 'verdict', s.gap.which.verdict, 'code', 'several', ...
+%!               'kind', 'several', 'effects', {{'cohesion', 'drag'}}, ...
+%!               'probability', [0.5, 0.4], 'text', {{'a', 'b'}}, 'change', 'Changed: x');
+%! s.gap.reference = struct ('condition', 'wet', 'folder', 'gap', 'conditions', one(1), ...
+%!   'targets', struct ('model', 'First', 'name', {'sum', 'product'}, 'reference', 7, ...
+%!                      'measured', 6, 'sd', 0.25));
+%! verdictCase (raw.folder, s);
+%! html = fileread (reportPage (newCase (raw)));
+%! at = @(text) strfind (html, text)(1);
+%! assert (issorted ([at('class="word">'), at('sum 1 less (7 to 6)'), at('Too few numbers'), ...
+%!                    at('Not calibrated</span>')]));
+%! % several conditions: each once
+%! s.gap.reference.conditions = one;
+%! verdictCase (raw.folder, s);
+%! html = regexp (fileread (reportPage (newCase (raw))), '<div class="verdict.*?</div>', ...
+%!                'match', 'once');
+%! assert (numel (strfind (html, 'wet: ')) <= 2, html);
+%! assert (strfind (html, '<li>wet: ') < strfind (html, 'Not calibrated</span>'));

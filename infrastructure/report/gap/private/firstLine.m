@@ -101,6 +101,11 @@ end
 % '83 %' 'less', '3.1 times' 'as much', of a difference of logarithms.
 function [amount, way] = ratioText (difference, way)
   amount = sprintf ('%.2g %%', 100 * abs (exp (difference) - 1));
+  if exp (difference) < 0.001
+    amount = 'more than 99.9 %';
+  elseif exp (difference) < 0.01         % 1e+02 %
+    amount = sprintf ('%.1f %%', 100 * (1 - exp (difference)));
+  end
   if exp (difference) >= 2
     amount = sprintf ('%.2g times', exp (difference));
     way = sentence ('way.timesMore');
@@ -192,6 +197,8 @@ end
 %! gap.reference.targets.kind = 'logMass';
 %! [gap.reference.targets.reference, gap.reference.targets.measured] = deal (-1.27, -3.03);
 %! assert (said (gap), 'Changed: a 83 % less (ln -1.27 to -3.03)');
+%! gap.reference.targets.measured = -7.4;
+%! assert (said (gap), 'Changed: a 99.8 % less (ln -1.27 to -7.4)');
 %! gap.reference.targets.measured = -0.13;
 %! assert (said (gap), 'Changed: a 3.1 times as much (ln -1.27 to -0.13)');
 %! gap = changed (4, names, 'discharge');

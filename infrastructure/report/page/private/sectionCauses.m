@@ -57,7 +57,8 @@ function html = shapes (page, posterior)
   why = sentence ('figure.causes', struct (), page.isChange);
   html = ['<p>', htmlText(why), '</p>', ...
           htmlFigures([f, bars(page, posterior)], ...
-                      [{'box', 'grey', ['measured ', what]}; symbols, htmlText(plainName (known))'])];
+                      [{'box', 'grey', ['measured ', what]}; ...
+                       symbols, htmlText(plainName (known))'])];
 end
 
 function f = bars (page, posterior)
