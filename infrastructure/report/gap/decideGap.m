@@ -179,7 +179,7 @@ function text = seenIn (T)
   seen = jsonNumber (T, {'seenFrom'}) / jsonNumber (T, {'shown', 'factor'}, 1);
   text = strtrim (sprintf ('%s %.2g %s', T.name, seen, unit));
   if strncmp (char (jsonAt (T, {'kind'})), 'log', 3)
-    text = sprintf ('%s a factor of %.2g', T.name, exp (seen));
+    text = sprintf ('%s a factor of %s', T.name, twoDigits (exp (seen)));
   end
 end
 
@@ -433,6 +433,13 @@ end
 %!           'probability', {[], 0.9}, 'text', {{}, {'cohesion 4 kJ/m3'}}));
 %! cause = decideGap (jsondecode (jsonencode (two)));
 %! assert (cause.word, ['again: ', sentence('cause.none.word', struct (), true)]);
+%! % what would have been seen; of a logarithm what it stands for
+%! two.reference = struct ('condition', 'again', 'targets', ...
+%!   struct ('model', 'First', 'name', 'sum', 'kind', 'logMass', 'reference', 1, ...
+%!           'measured', 1.1, 'sd', 0.2, 'seenFrom', 4.87));
+%! cause = decideGap (jsondecode (jsonencode (two)));
+%! assert (! isempty (strfind (cause.sentence, 'sum a factor of 130')), cause.sentence);
+%! assert ({cause.numbers, cause.cannotSee}, {1, cell(1, 0)});
 %! % one that stands at the end of its range is no unlisted one
 %! own = list(strcmp ({list.name}, 'missed, none listed')).gap;
 %! own.howFar.effect = 'drag';

@@ -23,9 +23,9 @@ function [text, amount] = effectText (label, unit, values)
       if bothWays                        % which way is open
         range = 100 * abs (values(2:3) - 1);
         amount = sprintf ('%s %% smaller to %s %% larger than modelled', ...
-                          whole(range(1)), whole(range(2)));
+                          twoDigits(range(1)), twoDigits(range(2)));
       elseif all (isfinite (change))
-        amount = sprintf ('%s (%s to %s)', amount, whole(change(2)), whole(change(3)));
+        amount = sprintf ('%s (%s to %s)', amount, twoDigits(change(2)), twoDigits(change(3)));
       end
     case 'share'
       amount = quantity (100 * values(1), '%', 100 * values(2:3));
@@ -33,14 +33,6 @@ function [text, amount] = effectText (label, unit, values)
       amount = quantity (values(1), unit, values(2:3));
   end
   text = [label, ' ', amount];
-end
-
-% Two digits; 100 is no 1e+02.
-function text = whole (x)
-  text = sprintf ('%.2g', x);
-  if abs (x) >= 99.5
-    text = sprintf ('%.0f', x);
-  end
 end
 
 %!assert (effectText ('grain size', 'factor', [0.993, 0.5, 2]), ...

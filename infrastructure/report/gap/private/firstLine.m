@@ -107,7 +107,7 @@ function [amount, way] = ratioText (difference, way)
     amount = sprintf ('%.1f %%', 100 * (1 - exp (difference)));
   end
   if exp (difference) >= 2
-    amount = sprintf ('%.2g times', exp (difference));
+    amount = [twoDigits(exp (difference)), ' times'];
     way = sentence ('way.timesMore');
   end
 end
@@ -201,6 +201,8 @@ end
 %! assert (said (gap), 'Changed: a 99.8 % less (ln -1.27 to -7.4)');
 %! gap.reference.targets.measured = -0.13;
 %! assert (said (gap), 'Changed: a 3.1 times as much (ln -1.27 to -0.13)');
+%! gap.reference.targets.measured = 3.6;
+%! assert (said (gap), 'Changed: a 130 times as much (ln -1.27 to 3.6)');
 %! gap = changed (4, names, 'discharge');
 %! [gap.reference.targets.kind] = deal ('logRatio');
 %! [gap.reference.targets.measured] = deal (30 + log (1.5));
