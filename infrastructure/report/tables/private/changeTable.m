@@ -5,7 +5,7 @@
 %   PAGE        see shownResult
 %   T           see newTable; [] for a case without conditions
 %   CONDITIONS  see newTable: one line each, with what has changed and its file; []
-%               for one of which nothing is named: the verdict says that
+%               where nothing is named in any: the verdict says that
 %
 % What the model makes of the change is shown with the cause that the verdict tried,
 % and where it tried one.
@@ -31,7 +31,7 @@ function [T, conditions] = changeTable (page)
                         followsText(reference), ...
                         jsonAt(page, {'verdict', 'cause', 'notFollowed'})]);
   list = conditionTexts (page.sources.gap);
-  if numel (list) == 1 && strcmp (list.code, 'open')
+  if all (strcmp ({list.code}, 'open'))
     return
   end
   order = eachOf (@(one) setfield (one, 'probability', ...
@@ -92,3 +92,5 @@ end
 %! [T, whole] = changeTable (page);
 %! assert (columns (T.cells), 5);
 %! assert (isempty (whole));
+%! page.sources.gap.reference.conditions = [one(1), setfield(one(1), 'name', 'dry')];
+%! assert (isempty (nthargout (2, @changeTable, page)));
