@@ -7,7 +7,8 @@
 %           of the laboratory, laboratory = true and offset and/or matrix
 %   T       scalar, number of targets
 %   EFFECT  struct, every field present:
-%     name, label, unit, group (text), variables, neutral, limits, laboratory
+%     name, label, unit, group (text), variables, neutral, limits, laboratory,
+%     saysName  see describeEffect
 %     siblings  cellstr, effects that look alike (may be absent from the list)
 %     offset    1 x T, matrix T x T: the result m becomes
 %               m + phi * (offset + m * matrix)      (laboratory only)
@@ -32,9 +33,9 @@ function effect = newEffect (given, T)
            'newEffect: an effect must have the field name.');
   end
   effect = struct ('name', given.name, 'label', given.name, 'unit', '', ...
-                   'group', '', 'variables', {{}}, 'neutral', [], ...
-                   'limits', zeros (2, 0), 'laboratory', false, ...
-                   'siblings', {{}}, 'offset', zeros (1, T), ...
+                   'saysName', ~isfield (given, 'label'), 'group', '', ...
+                   'variables', {{}}, 'neutral', [], 'limits', zeros (2, 0), ...
+                   'laboratory', false, 'siblings', {{}}, 'offset', zeros (1, T), ...
                    'offsetSd', zeros (1, T), 'matrix', zeros (T), ...
                    'strongest', 1, 'range', [], 'scale', 2, 'factor', 1);
   fields = fieldnames (effect);
@@ -72,7 +73,9 @@ end
 %!test
 %! e = newEffect (struct ('name', 'cohesion', 'variables', {{'ced'}}, ...
 %!                        'neutral', 0, 'limits', [1e4; 1e5]), 3);
-%! assert (e.range, [0, 1]);
+%! assert ({e.range, e.saysName}, {[0, 1], true});
+%! assert (newEffect (getEffect ('cohesion'), 1).saysName);
+%! assert (~newEffect (getEffect ('gain'), 1).saysName);
 %! e = newEffect (struct ('name', 'size', 'variables', {{'factor'}}, ...
 %!                        'neutral', 1, 'limits', [0.8; 1.25]), 3);
 %! assert (e.range, [-1, 1]);

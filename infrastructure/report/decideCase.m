@@ -265,8 +265,11 @@ function v = withGap (v, c, cause)
   [v.cause, v.change] = deal (cause, toldChange (cause));
   if isempty (c)
     v = mergeFields (v, cause, {'word', 'class', 'sentence'});
-    v.notFor = {sentence('notFor.noCalibration')};
-    v = withAction (v, orElse (cause.todo, newAction ('calibrate')));
+    [v.notFor, todo] = deal ({sentence('notFor.noCalibration')}, newAction ('calibrate'));
+    if ~isempty (v.change)             % no calibration is needed for that
+      [v.notFor, todo] = deal ({}, newAction ('smallerChange'));
+    end
+    v = withAction (v, orElse (cause.todo, todo));
     return
   end
   v.gap = cause.sentence;

@@ -39,6 +39,7 @@ end
 %! s.changed = {'targets', 'model'};
 %! old = decideStored (s);
 %! assert (old.word, 'Result of an earlier input (targets, model changed)');
-%! assert (~isempty (strfind (old.sentence, 'decalioc run')));
+%! assert (isempty (strfind (old.sentence, 'decalioc')));    % action says what to do
+%! assert (~isempty (strfind (old.action, 'decalioc run')));
 %! assert (~isempty (strfind (old.sentence, v.word)));
 %! assert ({old.usable, old.class}, {false, 'open'});

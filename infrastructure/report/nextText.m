@@ -16,7 +16,7 @@ function [text, without] = nextText (test)
   text = sprintf ('%s: %.2f bit', without, test.gain);
   between = jsonAt (test, {'between'});
   if numel (between) == 2
-    between = strrep (between, 'no gap', 'no cause');   % or no change
+    between = plainName (strrep (between, 'no gap', 'no cause'));   % or no change
     without = sprintf ('%s: to decide between %s and %s', without, between{:});
     text = sprintf ('%s with %.2f bit', without, test.gain);
   end
@@ -27,5 +27,7 @@ end
 %!                'between', {{'a', 'no gap'}});
 %! assert (nextText (test), ['measure A, 3 trials: to decide between a ', ...
 %!                           'and no cause with 0.90 bit']);
+%! test.between = {'wallAdhesion + shape', 'cohesion'};
+%! assert (! isempty (strfind (nextText (test), 'between wall adhesion + shape and cohesion')));
 %! assert (nextText (struct ('test', 'measure A once more', 'gain', 0.04)), ...
 %!         'measure A once more: 0.04 bit');

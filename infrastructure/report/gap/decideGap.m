@@ -26,6 +26,7 @@
 %     cannotSee 1 x n cell, candidates that could not be seen
 %     untested  1 x u cell of sentences, on candidates whose runs all failed
 %     notFollowed  1 x m cell of sentences, on readings that the model cannot follow
+%     numbers   how many readings of the new state decide; 0 of a gap
 %
 % Where there is a reference, all is said of the change from it.
 
@@ -44,7 +45,10 @@ function cause = decideGap (gap)
                   'closure', closure, 'todo', [], 'without', [], 'notFor', {{}}, 'amount', [], ...
                   'cannotSee', {namesIn(which, 'cannotSee')}, ...
                   'untested', {eachOf(@(u) say (codes{1 + isempty(u.why)}, u), untested)}, ...
-                  'notFollowed', {notFollowed(gap)});
+                  'notFollowed', {notFollowed(gap)}, ...
+                  'numbers', numel (followedReadings (gap)));
+  % one number is judged without the model
+  cause.cannotSee = cause.cannotSee(1:end * (cause.numbers ~= 1));
   failed = eachOf (@(u) u.name, untested);
   [names, few, alike] = headlineCauses (gap);
   if strcmp (which.verdict, 'no gap')
@@ -169,11 +173,14 @@ function yes = nearlySeen (T)
   yes = abs (T.measured - T.reference) > 0.5 * jsonNumber (T, {'seenFrom'}, Inf);
 end
 
-% 'slope 9 deg'
+% 'slope 9 deg'; of a logarithm 'level a factor of 2.1'
 function text = seenIn (T)
   unit = regexprep (char (jsonAt (T, {'shown', 'unit'})), '^-$', '');
   seen = jsonNumber (T, {'seenFrom'}) / jsonNumber (T, {'shown', 'factor'}, 1);
   text = strtrim (sprintf ('%s %.2g %s', T.name, seen, unit));
+  if strncmp (char (jsonAt (T, {'kind'})), 'log', 3)
+    text = sprintf ('%s a factor of %s', T.name, twoDigits (exp (seen)));
+  end
 end
 
 % What would have been seen in 8 of 10 cases.
@@ -252,11 +259,12 @@ function cause = stillOpen (cause, gap, isBeyond, say)
     [kind, code, cause.closed] = deal ('cannot tell', 'faint', '');
     likely = setdiff (likely, cause.cannotSee, 'stable');
   end
-  numbers = numel (followedReadings (gap));
-  likely = likely(1:min (end, 3 * (numbers ~= 1)));
+  likely = likely(1:min (end, 3 * (cause.numbers ~= 1)));
+  likely = likely(cellfun (@(n) ~any (probabilityOf (gap.which, n) < 0.05), likely));
   % nothing is most likely and cannot be seen at once
   cause.cannotSee = setdiff (cause.cannotSee, likely, 'stable');
-  values = struct ('why', plainReason (gap.which), 'names', {plainName(likely)});
+  values = struct ('why', plainReason (gap.which), 'names', ...
+                   {chancesOf(gap.which, likely)});
   cause = said (cause, say, kind, code, values, testOf (gap));
   if ~isempty (likely)
     cause.sentence = [cause.sentence, ' ', say([code, '.likely'], values)];
@@ -300,6 +308,19 @@ function cause = found (cause, gap, effects, isBeyond, say)
     cause.amount.text = strjoin (values.each, ', ');
   end
   cause.notFor = {say('notFor.found', values)};
+end
+
+% As in the table of causes: with an unlisted one where it stands before the last of them.
+function texts = chancesOf (which, names)
+  p = cellfun (@(n) max ([probabilityOf(which, n), 0]), names);
+  texts = eachOf (@(n) chanceOf (which, n), names);
+  other = jsonNumber (which, {'posterior', 'unlisted'}, 0);
+  if ~isempty (names) && other > min (p)
+    k = sum (p >= other);
+    text = sprintf ('%s (%s)', sentence ('cause.unlisted.row'), ...
+                    plainNumber (other, 'probability'));
+    texts = [texts(1:k), {text}, texts(k + 1:end)];
+  end
 end
 
 % 'mean size (0.31)'
@@ -412,6 +433,13 @@ end
 %!           'probability', {[], 0.9}, 'text', {{}, {'cohesion 4 kJ/m3'}}));
 %! cause = decideGap (jsondecode (jsonencode (two)));
 %! assert (cause.word, ['again: ', sentence('cause.none.word', struct (), true)]);
+%! % what would have been seen; of a logarithm what it stands for
+%! two.reference = struct ('condition', 'again', 'targets', ...
+%!   struct ('model', 'First', 'name', 'sum', 'kind', 'logMass', 'reference', 1, ...
+%!           'measured', 1.1, 'sd', 0.2, 'seenFrom', 4.87));
+%! cause = decideGap (jsondecode (jsonencode (two)));
+%! assert (! isempty (strfind (cause.sentence, 'sum a factor of 130')), cause.sentence);
+%! assert ({cause.numbers, cause.cannotSee}, {1, cell(1, 0)});
 %! % one that stands at the end of its range is no unlisted one
 %! own = list(strcmp ({list.name}, 'missed, none listed')).gap;
 %! own.howFar.effect = 'drag';
@@ -436,7 +464,11 @@ end
 %! gap.which.likely = {'drag'; 'tilt'; 'fill'; 'gain'};
 %! gap.which.cannotSee = {'drag'; 'gain'};
 %! cause = decideGap (gap);
-%! assert (~isempty (strfind (cause.sentence, 'drag, tilt, fill')), cause.sentence);
+%! assert (~isempty (regexp (cause.sentence, 'drag.*, tilt.*, fill')), cause.sentence);
+%! gap.which.posterior = struct ('drag', 0.48, 'unlisted', 0.31, 'tilt', 0.08, 'fill', 0.04);
+%! text = decideGap (gap).sentence;
+%! assert (~isempty (strfind (text, ['drag (0.48), none of the listed (0.31), ', ...
+%!                                   'tilt (0.08).'])), text);
 %! assert (cause.cannotSee(:)', {'gain'});
 %!test
 %! % one to three conditions with any verdicts, of which the first is just being

@@ -81,25 +81,28 @@ function [links, parts] = sectionsOf (page, list)
   end
 end
 
-% The first screen. Nothing is decided here, see decideCase.
+% The first screen: first what has changed, of several conditions a line each. Nothing is
+% decided here, see decideCase.
 function html = verdictBox (page)
   v = page.verdict;
   items = {conditionTexts(page.sources.gap).line};
-  if numel (items) == 1 && ~isempty (v.change)
-    items = {};                          % the first line says it
-  end
+  isSaid = ~isempty (v.change) && numel (items) < 2;
+  changed = uses ('What has changed since the reference', items(1:end * ~isSaid));
   gap = '';
   if ~isempty (v.gap) && numel (items) < 2
     gap = ['<p>', htmlText(v.gap), '</p>'];
   end
   action = eachOf (@actionHtml, v.actionParts);
-  change = '';
-  if ~isempty (v.change)
-    change = ['<p class="word">', htmlText(v.change), '</p>'];
+  if isSaid
+    changed = ['<p class="word">', htmlText(v.change), '</p>'];
   end
-  html = ['<div class="verdict ', v.class, '">', change, '<p><span class="word">', ...
+  if isSaid && ~isempty (gap)            % then by what, then the calibration
+    changed = [changed, '<p><span class="word">', htmlText(v.cause.word), '</span>. ', ...
+               htmlText(v.gap), '</p>'];
+    gap = '';
+  end
+  html = ['<div class="verdict ', v.class, '">', changed, '<p><span class="word">', ...
           htmlText(v.word), '</span>. ', htmlText(v.sentence), '</p>', gap, ...
-          uses('What has changed since the reference', items), ...
           uses('Use it for', v.usableFor), uses('Not for', v.notFor), ...
           '<h2>What to do now</h2><p>', action{:}, "</p></div>\n"];
 end
@@ -127,7 +130,7 @@ function html = facts (page)
     grains = sectionParticles (page, k);
   end
   html = ['<div class="lead"><dl class="facts">', items{:}, "</dl>\n<div>", ...
-          picture(page, 520 - 160 * ~isempty(grains)), '</div>'];
+          picture(page, 400 - 40 * ~isempty(grains)), '</div>'];
   if ~isempty (grains)
     html = [html, '<div>', grains, '</div>'];
   end
@@ -157,7 +160,7 @@ end
 
 function html = measuredBy (folder)
   html = '';
-  words = measuredRemarks (folder);
+  [~, words] = measuredRemarks (folder);
   if ~isempty (words)
     html = ['<p class="where">Measured: ', strjoin(htmlText (words), ' &middot; '), "</p>\n"];
   end
@@ -274,3 +277,26 @@ end
 %! assert (sort (sums), [3; 7], 1e-12);
 %! second = find (strcmp (cells(:, 1), 'Second'));
 %! assert (all (cellfun (@isempty, cells(second, strcmp (head, 'product')))));
+%!test
+%! % of a change: first what has changed, then by what, then the calibration
+%! raw = standInCase (tempname ());
+%! raw.optim.targetName = {{'sum', 'product'}, {'difference'}};
+%! s = verdictCase ()(strcmp ({verdictCase().name}, 'missed, several'));
+%! one = struct ('name', {'wet', 'dry'}, 'verdict', s.gap.which.verdict, 'code', 'several', ...
+%!               'kind', 'several', 'effects', {{'cohesion', 'drag'}}, ...
+%!               'probability', [0.5, 0.4], 'text', {{'a', 'b'}}, 'change', 'Changed: x');
+%! s.gap.reference = struct ('condition', 'wet', 'folder', 'gap', 'conditions', one(1), ...
+%!   'targets', struct ('model', 'First', 'name', {'sum', 'product'}, 'reference', 7, ...
+%!                      'measured', 6, 'sd', 0.25));
+%! verdictCase (raw.folder, s);
+%! html = fileread (reportPage (newCase (raw)));
+%! at = @(text) strfind (html, text)(1);
+%! assert (issorted ([at('class="word">'), at('sum 1 less (7 to 6)'), at('Too few numbers'), ...
+%!                    at('Not calibrated</span>')]));
+%! % several conditions: each once
+%! s.gap.reference.conditions = one;
+%! verdictCase (raw.folder, s);
+%! html = regexp (fileread (reportPage (newCase (raw))), '<div class="verdict.*?</div>', ...
+%!                'match', 'once');
+%! assert (numel (strfind (html, 'wet: ')) <= 2, html);
+%! assert (strfind (html, '<li>wet: ') < strfind (html, 'Not calibrated</span>'));

@@ -58,8 +58,9 @@ function text = expectedText (m, said)
   if m.runs > 0 && isfinite (m.mean) && isfinite (m.simulated)
     runs = {'one run', sprintf('mean of %d runs', m.runs)};
     sd = repmat (sprintf (' +- %.2g', m.meanSd), 1, isfinite (m.meanSd));
-    text = sprintf ('%s %.4g%s, expected from all runs %s', runs{1 + (m.runs > 1)}, ...
-                    m.mean, sd, said (m.simulated));
+    mean_ = plainNumber (m.mean, noiseKind ('plain', m.mean, m.meanSd));
+    text = sprintf ('%s %s%s, expected from all runs %s', runs{1 + (m.runs > 1)}, ...
+                    mean_, sd, said (m.simulated));
   end
 end
 
@@ -74,6 +75,8 @@ end
 %!                 ['mean of 3 runs 5.33 +- 0.3, expected from all runs ' ...
 %!                  '5.8 N, measured 6 N (allowed 5.7 to 6.3)']});
 %! assert (open, '3 runs say missed, all runs together say met');
+%! texts = missTexts (setfield (m, 'mean', 1e-12));
+%! assert (strncmp (texts{2}, 'mean of 3 runs 0 +- 0.3,', 24), texts{2});
 %!test
 %! % a curve is met by its root mean square, whatever its worst point says
 %! curve = m;

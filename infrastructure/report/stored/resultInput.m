@@ -52,7 +52,9 @@ function d = digestOf (Case, hashes)
   d.settings = mark (settingsOf (Case.options));
   d.effects = '';                        % '' where the case is without them
   if ~isempty (Case.effects)
-    list = effectsOf (Case.effects);
+    % a diagnosis leaves those out that no result can show
+    [~, nowhere] = unexpressedEffects (Case);
+    list = effectsOf (Case.effects(~(nowhere & [Case.effects.laboratory])));
     origin = givenField (Case.options, 'origin', '');
     d.effects = mark ([list, {origin}(~isempty (origin))]);
   end
@@ -108,5 +110,14 @@ end
 %! other.options.seed = 9;
 %! other.modelVars.x = 3;
 %! assert (differ (other), {'targets', 'limits', 'model', 'settings'});
+%! other = Case;
+%! [Case.effects, other.effects] = deal (resolveEffects ({'shape', 'speedError'}));
+%! other.effects(2) = [];
+%! assert (differ (other), {'effects'});
+%! d = resultInput (Case).digest;
+%! assert (resultInput (other).digest, d);
+%! other.effects.limits(2) = 3;
+%! assert (~strcmp (resultInput (other).digest.effects, d.effects));
+%! [Case.effects, d] = deal ([], resultInput (setfield (Case, 'effects', [])).digest);
 %! writeAtomic (fullfile (Case.folder, 'runs.csv'), 'x');
 %! assert (differ (Case), {'runsTable'});

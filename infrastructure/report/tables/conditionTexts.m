@@ -50,7 +50,7 @@ function entry = textsOf (one, file)
   if isempty (effects) || any (strcmp (one.kind, {'cannot tell', 'no verdict'}))
     entry.text = givenField (one, 'plain', '');
     if isempty (entry.text)
-      entry.text = sentence (['cause.', one.code, '.word'], struct (), true);
+      entry.text = sentence (['cause.', codeOf(one), '.word'], struct (), true);
     end
     [entry.code, entry.probability, entry.file] = deal ('open', NaN, '');
   end
@@ -66,6 +66,14 @@ function entry = textsOf (one, file)
   end
 end
 
+% A diagnosis that was broken off leaves a verdict without a code.
+function code = codeOf (one)
+  code = one.code;
+  if isempty (code)
+    code = merge (strcmp (one.verdict, 'no gap'), 'none', 'open');
+  end
+end
+
 %!test
 %! assert (isempty (conditionTexts (struct ('reference', []))));
 %! gap.reference.conditions = struct ('name', {'dry', 'wet'}, 'verdict', ...
@@ -77,6 +85,8 @@ end
 %! assert ({list.file}, {'gap/wet/calibrated.head', ''});
 %! assert (list(2).text, sentence ('cause.none.word', struct (), true));
 %! assert (list(1).line, 'wet: cohesion 4 kJ/m3, probability 0.90');
+%! gap.reference.conditions(1).code = '';
+%! assert (conditionTexts (gap)(2).text, sentence ('cause.none.word', struct (), true));
 %! % what the verdict on a condition says is said here, too
 %! gap.reference.conditions(1).code = 'mixed';
 %! gap.reference.conditions(1).kind = 'cannot tell';

@@ -48,7 +48,7 @@ function texts = textsOf (T)
     if ~isempty (c.code)
       texts{k} = c.code;
     elseif isnumeric (c.value)
-      texts{k} = plainNumber (c.value, T.columns{j, 3});
+      texts{k} = plainNumber (c.value, noiseKind (T.columns{j, 3}, c.value, c.sd));
     end
     if isfinite (c.sd)
       texts{k} = sprintf ('%s +- %.2g', texts{k}, c.sd);
@@ -89,3 +89,6 @@ end
 %! assert (lines{end}, '  A note.');
 %! assert (all (cellfun (@numel, lines) <= 50));
 %! assert (isempty (tableText ([])));
+%! T.cells{1, 2}.value = 0.453;
+%! T.cells{1, 2}.sd = 2.1;
+%! assert (! isempty (strfind (tableText (T){4}, ' 0.5 +- 2.1')), tableText (T){4});

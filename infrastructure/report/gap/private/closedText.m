@@ -48,7 +48,8 @@ function yes = isRival (placebo, far)
 end
 
 function text = partText (part, isChange)
-  share = round (100 * jsonAt (part, {'closure'}));
+  % over 100 %: less is left than noise alone makes
+  share = min (round (100 * jsonAt (part, {'closure'})), 100);
   text = sentence (['closed.', codeOf(part)], struct ('share', share), isChange);
 end
 
@@ -81,6 +82,8 @@ end
 %! assert (! isempty (strfind (text, sentence ('closed.noise'))));
 %! far.interval90 = [0.5, 1.1];
 %! assert (nthargout (2, @closedText, struct ('howFar', far)), 'unsure');
+%! text = closedText (struct ('howFar', far));
+%! assert (! isempty (strfind (text, 'about 100 %')), text);
 %! far = rmfield (far, 'interval90');
 %! far.heldOut = [];
 %! [far.closure, far.removable] = deal ([], true);

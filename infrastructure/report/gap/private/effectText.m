@@ -13,14 +13,19 @@ function [text, amount] = effectText (label, unit, values)
   switch unit
     case 'factor'
       change = 100 * (values - 1);
+      bothWays = change(2) < 0 && change(3) > 0;
       isLess = change(1) < 0;
       if isLess
         change = -change([1, 3, 2]);
       end
       amount = sprintf ('%s %s than modelled', quantity (change(1), '%'), ...
                         merge (isLess, 'smaller', 'larger'));
-      if all (isfinite (change))
-        amount = sprintf ('%s (%.2g to %.2g)', amount, change(2:3));
+      if bothWays                        % which way is open
+        range = 100 * abs (values(2:3) - 1);
+        amount = sprintf ('%s %% smaller to %s %% larger than modelled', ...
+                          twoDigits(range(1)), twoDigits(range(2)));
+      elseif all (isfinite (change))
+        amount = sprintf ('%s (%s to %s)', amount, twoDigits(change(2)), twoDigits(change(3)));
       end
     case 'share'
       amount = quantity (100 * values(1), '%', 100 * values(2:3));
@@ -30,6 +35,10 @@ function [text, amount] = effectText (label, unit, values)
   text = [label, ' ', amount];
 end
 
+%!assert (effectText ('grain size', 'factor', [0.993, 0.5, 2]), ...
+%!        'grain size 50 % smaller to 100 % larger than modelled')
+%!assert (effectText ('grain size', 'factor', [2, 1.5, 2.5]), ...
+%!        'grain size 100 % larger than modelled (50 to 150)')
 %!assert (effectText ('energy density', 'J/m3', [4.2e4, 2.6e4, 6e4]), ...
 %!        'energy density 42 kJ/m3 (26 to 60)')
 %!assert (effectText ('the mass', 'factor', [0.923, 0.88, 0.95]), ...

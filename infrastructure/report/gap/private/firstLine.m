@@ -7,8 +7,9 @@
 %         for a gap, which is no change
 %
 % The three largest changes over their noise are said, the points of a curve as
-% one: in shares of the reference. Noise: that of both measurements (changeOfReadings),
-% as in the table Before and after.
+% one: in shares of the reference. What was measured as a logarithm is said as what it
+% stands for: 83 % less, not 1.76 less. Noise: that of both measurements
+% (changeOfReadings), as in the table Before and after; an amount ends where it begins.
 
 function text = firstLine (gap)
   targets = jsonList (gap, {'reference', 'targets'});
@@ -76,19 +77,51 @@ end
 function text = pointText (T, times)
   factor = jsonNumber (T, {'shown', 'factor'}, 1);
   values = valuesOf (T, times, T.measured > T.reference);
-  [values.from, values.to] = deal (T.reference / factor, T.measured / factor);
-  unit = regexprep (char (jsonAt (T, {'shown', 'unit'})), '^-$', '');
-  values.amount = withUnitBehind (abs (values.to - values.from), unit);
+  [from, to, sd] = deal (T.reference / factor, T.measured / factor, ...
+                         jsonNumber (T, {'sd'}) / factor);
+  digits = @(kind, x, sd) regexprep (plainNumber (x, regexprep (noiseKind (kind, x, sd), ...
+                                                                ' 0$', ' 1')), '^\+', '');
+  % one digit more, or their difference would be another one
+  values.from = digits ('plain', from, sd / 10);
+  values.to = digits ('plain', to, sd / 10);
+  if isLog (T)
+    [values.amount, values.way] = ratioText (to - from, values.way);
+    values.from = ['ln ', values.from];
+  else
+    unit = regexprep (char (jsonAt (T, {'shown', 'unit'})), '^-$', '');
+    values.amount = strtrim ([digits('change', abs (to - from), sd), ' ', unit]);
+  end
   text = sentence ('change.point', values);
 end
 
-function text = withUnitBehind (x, unit)
-  text = strtrim (sprintf ('%.3g %s', x, unit));
+function yes = isLog (T)
+  yes = strncmp (char (jsonAt (T, {'kind'})), 'log', 3);
+end
+
+% '83 %' 'less', '3.1 times' 'as much', of a difference of logarithms.
+function [amount, way] = ratioText (difference, way)
+  amount = sprintf ('%.2g %%', 100 * abs (exp (difference) - 1));
+  if exp (difference) < 0.001
+    amount = 'more than 99.9 %';
+  elseif exp (difference) < 0.01         % 1e+02 %
+    amount = sprintf ('%.1f %%', 100 * (1 - exp (difference)));
+  end
+  if exp (difference) >= 2
+    amount = [twoDigits(exp (difference)), ' times'];
+    way = sentence ('way.timesMore');
+  end
+end
+
+function share = relativeChange (T)
+  share = (T.measured - T.reference) / abs (T.reference);
+  if isLog (T)
+    share = exp (T.measured - T.reference) - 1;
+  end
 end
 
 % Where all points go one way, by what share; else how many go which way.
 function text = curveText (name, changed, many, times)
-  share = 100 * cellfun (@(T) (T.measured - T.reference) / abs (T.reference), changed);
+  share = 100 * cellfun (@relativeChange, changed);
   values = valuesOf (changed{1}, times, sum (share) > 0);
   [values.name, values.n, values.of] = deal (name, numel (changed), many);
   code = 'curve';
@@ -151,6 +184,29 @@ end
 %! [gap.where.targets.p] = deal (0.5);
 %! text = firstLine (gap);
 %! assert (! isempty (strfind (text, 'b 10 g less')) && isempty (strfind (text, 'c 3')), text);
+%!test
+%! % to the noise; a logarithm as what it stands for
+%! gap = changed (1, names, '');
+%! [gap.reference.targets.reference, gap.reference.targets.measured] = deal (19.0933, 19.5467);
+%! gap.reference.targets.sd = 2.06;
+%! said = @(gap) regexprep (firstLine (gap), ', [\d.]+ times the noise.$', '');
+%! assert (said (gap), 'Changed: a 0.5 deg steeper (19.09 to 19.55)');
+%! [gap.reference.targets.reference, gap.reference.targets.measured] = deal (-0.28, 0.09398);
+%! gap.reference.targets.sd = 0.118;
+%! assert (said (gap), 'Changed: a 0.37 deg steeper (-0.28 to 0.094)');
+%! gap.reference.targets.kind = 'logMass';
+%! [gap.reference.targets.reference, gap.reference.targets.measured] = deal (-1.27, -3.03);
+%! assert (said (gap), 'Changed: a 83 % less (ln -1.27 to -3.03)');
+%! gap.reference.targets.measured = -7.4;
+%! assert (said (gap), 'Changed: a 99.8 % less (ln -1.27 to -7.4)');
+%! gap.reference.targets.measured = -0.13;
+%! assert (said (gap), 'Changed: a 3.1 times as much (ln -1.27 to -0.13)');
+%! gap.reference.targets.measured = 3.6;
+%! assert (said (gap), 'Changed: a 130 times as much (ln -1.27 to 3.6)');
+%! gap = changed (4, names, 'discharge');
+%! [gap.reference.targets.kind] = deal ('logRatio');
+%! [gap.reference.targets.measured] = deal (30 + log (1.5));
+%! assert (! isempty (strfind (firstLine (gap), 'discharge 50 % more at 4 of 4 places')));
 %!test
 %! % a curve is one thing, said in shares
 %! gap = changed (4, names, 'discharge');

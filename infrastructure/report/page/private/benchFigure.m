@@ -12,7 +12,7 @@
 % target is missed.
 
 function [f, key] = benchFigure (page, model)
-  key = keyOf (page);
+  key = {};
   misses = page.verdict.misses;
   misses = misses(strcmp ({misses.model}, model) & ...
                   ~strcmp ({misses.role}, 'unmeasured'));
@@ -24,10 +24,11 @@ function [f, key] = benchFigure (page, model)
   if isempty (list)
     return
   end
+  key = keyOf (page, list(1).isAllowed, any (isfinite (vertcat (list.reach)(:))));
   n = numel (list);
   unit = 'deviation (1: your tolerance)';
   if ~list(1).isAllowed
-    unit = 'deviation (in sd of the noise)';
+    unit = 'deviation (1: the noise)';
   end
   values = [[list.now], [list.with], [list.trials], -1, 1];
   most = max (abs (values(isfinite (values)))) * 1.08;
@@ -95,18 +96,22 @@ function text = labelOf (name, value)
   text = [name, ' ', value];
 end
 
-function key = keyOf (page)
+function key = keyOf (page, isAllowed, isReached)
   values = merge (page.verdict.usable, 'expected with the calibrated values', ...
                   'expected with the best values found');
-  key = {'line', 'ink', 'measured'; 'box', 'palegreen', 'allowed'; ...
+  if ~isempty (givenField (page.verdict, 'change', '')) && ~isAllowed
+    values = 'expected if nothing had changed';
+  end
+  key = {'line', 'ink', 'measured'; ...
+         'box', 'palegreen', merge(isAllowed, 'allowed', 'noise'); ...
          'box', 'palegrey', 'reachable within your limits'; ...
-         'diamond', 'blue', values};
+         'diamond', 'blue', values}([true, true, isReached, true], :);
   if any ([page.verdict.misses.isStrict])
     key(end + 1, :) = {'ring', 'blue', 'the same, tolerance below the scatter of a run'};
   end
   if page.showsEffect
     effect = jsonAt (page.sources.gap, {'howFar', 'effect'});
-    key(end + 1, :) = {'triangle', 'amber', ['fitted with ', htmlText(effect)]};
+    key(end + 1, :) = {'triangle', 'amber', ['fitted with ', htmlText(plainName (effect))]};
   end
   if isfield (page.Case.targets, 'each')
     key(end + 1, :) = {'dots', 'ink', 'your trials'};
@@ -127,7 +132,9 @@ end
 %! page.sources.gap.howFar.targets = struct ('model', 'B', 'name', 'h', ...
 %!   'before', 2.3, 'after', 2.05, 'sd', 0.1, 'measured', 2);
 %! page.showsEffect = true;
-%! f = benchFigure (page, 'B');
+%! [f, key] = benchFigure (page, 'B');
+%! assert (key(:, 3)', {'measured', 'allowed', 'expected with the calibrated values', ...
+%!                      'fitted with tilt', 'your trials'});
 %! at = @(kind) f.layers{strcmp (f.layers(:, 1), kind), 2}(:, 1)';
 %! assert (at ('diamond'), 3, 1e-12);
 %! assert (at ('triangle'), 0.5, 1e-12);
@@ -149,3 +156,10 @@ end
 %! [f, key] = benchFigure (page, 'B');
 %! assert (isnan (f.layers{strcmp (f.layers(:, 1), 'triangle'), 2}(1)));
 %! assert (! any (strcmp (key(:, 1), 'triangle')));
+%! % a change without a calibration: in units of its noise
+%! page.verdict.change = 'Changed: h.';
+%! page.verdict.misses.allowed = NaN;
+%! page.reach = [1, 3];
+%! [f, key] = benchFigure (page, 'B');
+%! assert (key(1:4, 3)', {'measured', 'noise', 'reachable within your limits', ...
+%!                        'expected if nothing had changed'});

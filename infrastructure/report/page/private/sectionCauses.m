@@ -21,29 +21,31 @@ function html = causes (page)
   end
   said = {cause.sentence, cause.closed, madeByText(page.sources.gap, cause), reached};
   html = ['<p><strong>', htmlText(cause.word), '</strong>. ', ...
-          htmlText(strjoin (said(~cellfun (@isempty, said)), ' ')), '</p>', ...
-          shapes(page, posterior), tableHtml(page.tables.causes)];
+          htmlText(strjoin (said(~cellfun (@isempty, said)), ' ')), '</p>'];
+  if ~isempty (page.tables.causes)
+    html = [html, shapes(page, posterior), tableHtml(page.tables.causes)];
+  end
 end
 
 % The measured gap, or change, and what each of the likeliest causes would make of it.
 function html = shapes (page, posterior)
   prints = jsonAt (page.sources.gap, {'fingerprint'});
   names = jsonList (prints, {'targets'});
-  if strcmp (page.verdict.cause.kind, 'none') || isempty (names)
+  % the likeliest first
+  known = fieldnames (posterior)';
+  known = known(isfield (jsonAt (prints, {'effects'}), known) & ...
+                ~ismember (known, page.verdict.cause.cannotSee))(1:min (3, end));
+  if strcmp (page.verdict.cause.kind, 'none') || isempty (names) || isempty (known)
     html = htmlFigures (bars (page, posterior));
     return
   end
-  % the likeliest first
-  known = fieldnames (posterior)';
-  known = known(isfield (prints.effects, known) & ...
-                ~ismember (known, page.verdict.cause.cannotSee))(1:min (3, end));
   n = numel (names);
   y = (n:-1:1)';
   measured = prints.measured(:);
   what = merge (page.isChange, 'change', 'gap');
   f = newFigure (['Measured ', what, ', and what each cause would explain'], ...
-                 'in sd of the noise', names, ...
-                 ['The measured ', what, ' and that of ', strjoin(known, ', ')], ...
+                 'times the noise', names, ...
+                 ['The measured ', what, ' and that of ', strjoin(plainName (known), ', ')], ...
                  {'box', [0 * y, y, min(0, measured), max(0, measured), ...
                           y - 0.36, y + 0.36], 'grey'; ...
                   'line', [0, 0.4; 0, n + 0.6], 'ink'});
@@ -55,16 +57,18 @@ function html = shapes (page, posterior)
   why = sentence ('figure.causes', struct (), page.isChange);
   html = ['<p>', htmlText(why), '</p>', ...
           htmlFigures([f, bars(page, posterior)], ...
-                      [{'box', 'grey', ['measured ', what]}; symbols, htmlText(known)'])];
+                      [{'box', 'grey', ['measured ', what]}; ...
+                       symbols, htmlText(plainName (known))'])];
 end
 
 function f = bars (page, posterior)
   p = cell2mat (struct2cell (posterior));
   n = min (numel (p), max (6, sum (p >= 0.005)));
   y = (n:-1:1)';
-  labels = fieldnames (posterior)';
+  names = fieldnames (posterior)';
+  labels = plainName (names);
   for name = {'null', 'unlisted'}
-    labels(strcmp (labels, name{1})) = {sentence(['cause.', name{1}, '.row'], ...
+    labels(strcmp (names, name{1})) = {sentence(['cause.', name{1}, '.row'], ...
                                                  struct (), page.isChange)};
   end
   f = newFigure ('Probability of each cause', 'probability', labels(1:n), ...
@@ -81,7 +85,8 @@ function html = change (page)
   of = @(word) names(strcmp (struct2cell (words)', word));
   lack = plainNumber (jsonAt (reference, {'lack'}), 'percent');
   notes = [{sentence('change.what', struct ('name', reference.condition, 'lack', lack))}, ...
-           listSentences({'change.unlikely', of('unlikely'); 'change.no', of('no')})];
+           listSentences({'change.unlikely', plainName(of ('unlikely')); ...
+                          'change.no', plainName(of ('no'))})];
   notes = strcat ('<p>', htmlText (notes), '</p>');
   html = [tableHtml(page.tables.conditions), notes{:}, tableHtml(page.tables.change)];
 end
@@ -97,11 +102,26 @@ end
 %!                         'kind', {'found', 'none'}, 'effects', {{'tilt'}, {}}), ...
 %!   'order', struct ('effect', 'tilt', 'more', 'wet', 'less', 'dry', ...
 %!                    'probability', 0.9), ...
-%!   'canChange', struct ('tilt', 'yes', 'rolling', 'unlikely', 'fill', 'no'));
+%!   'canChange', struct ('tilt', 'yes', 'sizeSpread', 'unlikely', 'fill', 'no'));
 %! page.tables = statementTables (page, {'change', 'conditions'});
 %! html = sectionCauses (){2, 3} (page);
 %! assert (! isempty (strfind (html, '+1')));
-%! assert (! isempty (strfind (html, 'of the grains): rolling.')));
+%! assert (! isempty (strfind (html, 'of the grains): size spread.')));
 %! assert (! isempty (strfind (html, 'to have changed: fill.')));
 %! assert (! isempty (strfind (html, sentence ('cause.none.word', struct (), true))));
 %! assert (! isempty (strfind (html, 'More tilt in wet than in dry')));
+%!test
+%! % plain names in the figures; of one number neither figure nor table
+%! page = situationPage ('missed, several');
+%! which = page.sources.gap.which;
+%! which.posterior.liquidBridge = 0.3;
+%! page.sources.gap.which = which;
+%! causes = sectionCauses (){1, 3};
+%! page.tables = statementTables (page, {'causes'});
+%! html = causes (page);
+%! assert (! isempty (strfind (html, '>liquid bridge</text>')), html);
+%! assert (! isempty (strfind (html, '<table>')));
+%! page.verdict.cause.numbers = 1;
+%! page.tables = statementTables (page, {'causes'});
+%! html = causes (page);
+%! assert (isempty (regexp (html, '<table>|<figure>', 'once')), html);

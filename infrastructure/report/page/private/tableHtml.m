@@ -62,6 +62,7 @@ end
 
 function html = dataHtml (c, k, kind)
   x = c.value(k);
+  kind = noiseKind (kind, x, givenField (c, 'sd', NaN));
   html = numberText (x, kind);
   if isnan (x)
     html = ['<span class="none">', html, '</span>'];
@@ -85,3 +86,14 @@ end
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! end
 %! assert (tableHtml ([]), '');
+%!test
+%! % to the noise only
+%! page.sources.gap = struct ('x', -4.4e-15, 'sd', 0.0343);
+%! T = newTable (page, 'x', 'X', {'a', '', ''; 'b', '', 'plain'; 'c', '', 'change'}, ...
+%!               {'r', struct('value', {{'gap', 'x'}}, 'sd', {{'gap', 'sd'}}), ...
+%!                struct('value', 0.453, 'sd', 2.1)});
+%! html = tableHtml (T);
+%! for text = {'data-kind="plain 0" data-from="gap/x">0</data> &plusmn; ', '>0.034</data>', ...
+%!             '+0.5 &plusmn; 2.1'}
+%!   assert (! isempty (strfind (html, text{1})), html);
+%! end

@@ -3,21 +3,24 @@
 % CALL: T = causesTable (PAGE)
 %
 %   PAGE  see shownResult
-%   T     see newTable, the likeliest first; [] without a diagnosis
+%   T     see newTable, the likeliest first; [] without a diagnosis, and for a change
+%         of one number, which tells no causes apart
 
 function T = causesTable (page)
   T = [];
   which = jsonAt (page.sources.gap, {'which'});
   posterior = jsonAt (which, {'posterior'});
-  if isempty (posterior)
+  if isempty (posterior) || jsonNumber (page.verdict.cause, {'numbers'}, 0) == 1
     return
   end
   [~, order] = sort (-cell2mat (struct2cell (posterior)));
   names = fieldnames (posterior)(order);
-  groups = eachOf (@(g) {'cause.group'; cellstr(g)(:)'}, jsonList (which, {'groups'}));
-  notes = listSentences ([{'cause.siblings', unique(namesIn (which, 'siblings')); ...
+  groups = eachOf (@(g) {'cause.group'; plainName(cellstr (g)(:)')}, ...
+                   jsonList (which, {'groups'}));
+  notes = listSentences ([{'cause.siblings', plainName(unique (namesIn (which, 'siblings'))); ...
                            'cause.decides', namesIn(which, 'decides'); ...
-                           'cause.partners', namesIn(which, 'partners')}; [groups{:}]']);
+                           'cause.partners', plainName(namesIn (which, 'partners'))}; ...
+                          [groups{:}]']);
   T = newTable (page, 'causes', 'Causes, the likeliest first', ...
                 {'cause', '', 'name'; 'probability', '', 'probability'; ...
                  'how strong it would be (90 % interval)', '', 'words'; ...
@@ -61,11 +64,15 @@ end
 %! assert (T.cells{1, 3}.value, 'cohesion 41 kJ/m3 (31 to 58)');
 %! % one that is named has a strength, though weak ones would not be seen
 %! page.sources.gap.which.cannotSee = {'cohesion'; 'drag'};
+%! page.sources.gap.which.groups = {{'cohesion', 'liquidBridge'}};
 %! page.verdict = decideCase (page.sources.calibration, page.sources.gap);
 %! T = causesTable (page);
 %! how = @(name) T.cells(cellfun (@(c) strcmp (givenField (c, 'code', ''), name), ...
 %!                                T.cells(:, 1)), 3){1}.value;
 %! assert (how ('cohesion'), 'cohesion 41 kJ/m3 (31 to 58)');
 %! assert (how ('drag'), sentence ('strength.unseen'));
+%! assert (! isempty (strfind ([T.notes{:}], 'liquid bridge')), [T.notes{:}]);
 %! page.verdict.cause.untested = {'drag could not be tested'};
 %! assert (causesTable (page).notes{1}, 'drag could not be tested');
+%! page.verdict.cause.numbers = 1;
+%! assert (isempty (causesTable (page)));

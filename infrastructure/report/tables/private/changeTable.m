@@ -4,7 +4,11 @@
 %
 %   PAGE        see shownResult
 %   T           see newTable; [] for a case without conditions
-%   CONDITIONS  see newTable: one line each, with what has changed and its file
+%   CONDITIONS  see newTable: one line each, with what has changed and its file; []
+%               where nothing is named in any: the verdict says that
+%
+% What the model makes of the change is shown with the cause that the verdict tried,
+% and where it tried one.
 
 function [T, conditions] = changeTable (page)
   [T, conditions] = deal ([]);
@@ -14,13 +18,22 @@ function [T, conditions] = changeTable (page)
   end
   rows_ = eachOf (@(t) rowOf (page, t, jsonAt (reference.targets, {t})), ...
                   1:numel (reference.targets));
+  effect = plainName (char (jsonAt (page.sources.gap, {'howFar', 'effect'})));
+  isTried = ~isempty (effect) && ~isempty (jsonAt (page, {'verdict', 'cause', 'closed'}));
+  isShown = [true(1, 5), isTried];
+  rows_ = eachOf (@(cells) cells(isShown), rows_);
   T = newTable (page, 'change', ['Before and after: reference and ', reference.condition], ...
                 {'result', '', 'name'; 'reference', '', 'plain'; ...
                  reference.condition, '', 'plain'; 'change +- noise', '', 'change'; ...
-                 'modelled change', '', 'change'; 'change (sd)', '', 'z'}, rows_, ...
-                [{sentence('table.change')}, followsText(reference), ...
-                 jsonAt(page, {'verdict', 'cause', 'notFollowed'})]);
+                 'times the noise', '', 'z'; ['with ', effect], '', 'change'}(isShown, :), ...
+                rows_, [{sentence('table.change')}, ...
+                        listSentences({'table.changeWith', repmat({effect}, 1, isTried)}), ...
+                        followsText(reference), ...
+                        jsonAt(page, {'verdict', 'cause', 'notFollowed'})]);
   list = conditionTexts (page.sources.gap);
+  if all (strcmp ({list.code}, 'open'))
+    return
+  end
   order = eachOf (@(one) setfield (one, 'probability', ...
                                    plainNumber (one.probability, 'probability')), ...
                   jsonList (reference, {'order'}));
@@ -48,8 +61,8 @@ function cells = rowOf (page, t, own)
   z = (own.measured - own.reference) / jsonNumber (own, {'sd'});
   cells = {targetCell(page, own), at('reference'), at('measured'), ...
            struct('value', own.measured - own.reference, 'sd', jsonNumber(own, {'sd'})), ...
-           jsonNumber(own, {'modelled'}) - own.reference, ...
-           struct('value', z, 'class', zClass (z))};
+           struct('value', z, 'class', zClass (z)), ...
+           jsonNumber(own, {'modelled'}) - own.reference};
 end
 
 %!test
@@ -63,8 +76,21 @@ end
 %! page.sources.gap.reference = struct ('condition', 'moist', 'targets', target, ...
 %!   'conditions', one, 'order', struct ('effect', 'cohesion', 'more', 'wet', ...
 %!                                       'less', 'moist', 'probability', 0.97));
+%! page.sources.gap.howFar.effect = 'wallAdhesion';
+%! page.verdict.cause.closed = 'half of it';
 %! [T, whole] = changeTable (page);
-%! assert ({T.cells{1, 4}.value, T.cells{1, 4}.sd, T.cells{1, 5}.value}, {-1, 0.25, -0.5});
+%! assert ({T.cells{1, 4}.value, T.cells{1, 4}.sd, T.cells{1, 6}.value}, {-1, 0.25, -0.5});
+%! assert (T.columns(5:6, 1)', {'times the noise', 'with wall adhesion'});
+%! assert (numel (strfind ([T.notes{:}], 'With wall adhesion: ')), 1);
 %! assert (cellfun (@(c) c.value, whole.cells(:, 4)', 'UniformOutput', false), ...
 %!         {'gap/wet/calibrated.head', 'gap/calibrated.head'});
 %! assert (whole.notes, {'More cohesion in wet than in moist: probability 0.97.'});
+%! % without a cause no column of one, and no table of one condition
+%! page.verdict.cause.closed = '';
+%! [one(1).effects, one(1).code, one(1).kind] = deal ({}, 'none', 'none');
+%! page.sources.gap.reference.conditions = one(1);
+%! [T, whole] = changeTable (page);
+%! assert (columns (T.cells), 5);
+%! assert (isempty (whole));
+%! page.sources.gap.reference.conditions = [one(1), setfield(one(1), 'name', 'dry')];
+%! assert (isempty (nthargout (2, @changeTable, page)));

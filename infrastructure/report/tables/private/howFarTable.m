@@ -15,11 +15,12 @@ function [T, each] = howFarTable (page)
     return
   end
   at = @(varargin) [{'gap', 'howFar'}, varargin];
-  own = @(data, varargin) {effect, data, at(varargin{:}, 'before'), ...
+  own = @(data, varargin) {plainName(effect), data, at(varargin{:}, 'before'), ...
                            at(varargin{:}, 'after'), at(varargin{:}, 'floor'), ...
                            at(varargin{:}, 'closure'), at(varargin{:}, 'interval90'), ''};
-  other = @(k, data, field, text) {[jsonAt(far, {'placebos', k, 'effect'}), ' instead'], ...
-                                   data, NaN, NaN, NaN, at('placebos', k, field), NaN, text};
+  named = @(k) plainName (jsonAt (far, {'placebos', k, 'effect'}));
+  other = @(k, data, field, text) {[named(k), ' instead'], data, NaN, NaN, NaN, ...
+                                   at('placebos', k, field), NaN, text};
   many = 1 + isstruct (jsonAt (far, {'heldOut'}));     % rows of a cause
   rows_ = {own('fitted'), own('not fitted', 'heldOut')};
   rows_ = rows_(1:many);
@@ -59,7 +60,7 @@ function text = favours (far, placebo)
   if isempty (ratio) || ~any (jsonAt (far, {'heldOut', 'closure'}) > 0.005)
     return
   end
-  names = {far.effect, placebo.effect};
+  names = plainName ({far.effect, placebo.effect});
   if ratio < 0
     names = fliplr (names);
   end
@@ -80,5 +81,9 @@ end
 %! % a cause that closes nothing is not said to be a thousand times as likely
 %! page.sources.gap.howFar.placebos.logRatio = 50;
 %! assert (! isempty (strfind (howFarTable (page).cells{4, 8}.value, 'more than 1000')));
+%! page.sources.gap.howFar.placebos.effect = 'wallAdhesion';
+%! T = howFarTable (page);
+%! assert (T.cells{4, 1}.value, 'wall adhesion instead');
+%! assert (! isempty (strfind (T.cells{4, 8}.value, 'over wall adhesion')), T.cells{4, 8}.value);
 %! page.sources.gap.howFar.heldOut.closure = 0.001;
 %! assert (howFarTable (page).cells{4, 8}.value, '');

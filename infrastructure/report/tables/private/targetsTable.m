@@ -21,7 +21,8 @@ function T = targetsTable (page)
              'with the effect', '', 'plain'; 'reachable', '', 'plain'};
   columns(8:10, 4) = {'page'};
   hasEffect = page.showsEffect && ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}));
-  isShown = [true(1, 2), runs > 0, true(1, 5), hasEffect, true];
+  % the scatter of a run is the standard error of one
+  isShown = [true(1, 2), runs > 0, true(1, 4), runs ~= 1, hasEffect, true];
   T = newTable (page, 'targets', 'Measured and simulated, the largest deviation first', ...
                 columns(isShown, :), eachOf (@(m) rowOf (page, m, isShown), misses), ...
                 notesOf (page, misses, runs == 0, hasEffect));
@@ -110,6 +111,11 @@ end
 %! assert (all (cellfun (@numel, lines) <= 79));
 %! assert (! isempty (regexp (strjoin (lines, "\n"), 'difference \(not fitted\).* missed')));
 %! assert (rows (T.cells), 3);
+%! isScatter = @(T) strcmp (T.columns(:, 1), 'scatter of a run');
+%! page.sources.calibration.runs = 4;
+%! assert (any (isScatter (targetsTable (page))));
+%! page.sources.calibration.runs = 1;
+%! assert (! any (isScatter (targetsTable (page))));
 %! % a tolerance that no run can keep is said to be one
 %! page = situationPage ('met');
 %! page.verdict.misses(2).isStrict = true;

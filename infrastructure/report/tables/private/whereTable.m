@@ -1,4 +1,4 @@
-% WHERETABLE  Statement: where the measurements are missed.
+% WHERETABLE  Statement: where the measurements are missed, or have changed.
 %
 % CALL: T = whereTable (PAGE)
 %
@@ -9,14 +9,16 @@ function T = whereTable (page)
   where = jsonAt (page.sources.gap, {'where'});
   targets = jsonList (where, {'targets'});
   [~, order] = sort (-abs (cellfun (@(t) jsonNumber (t, {fieldOf(t)}), targets)));
-  means = merge (page.isChange, 'predicted', 'simulated');
+  means = merge (page.isChange, 'without a change', 'simulated');
+  titles = {'Where the measurements are missed', 'Where the measurements have changed'};
   columns = {'result', '', 'name'; 'measured', '', 'plain'; ...
              means, '', 'plain'; 'deviation (sd)', '', 'z'; ...
              'p', '', 'p'; 'parameters cannot hide', '', 'percent'; ...
              'remark', '', 'words'};
   columns{6, 4} = 'page';
-  T = newTable (page, 'where', 'Where the measurements are missed, the largest deviation first', ...
-                columns, eachOf (@(t) rowOf (page, targets{t}, t), order), notesOf (where));
+  T = newTable (page, 'where', [titles{1 + page.isChange}, ', the largest deviation first'], ...
+                columns, eachOf (@(t) rowOf (page, targets{t}, t), order), ...
+                notesOf (where, page.isChange));
 end
 
 function cells = rowOf (page, target, t)
@@ -41,10 +43,10 @@ function name = fieldOf (target)
   name = merge (isfield (target, 'deviation'), 'deviation', 'z');
 end
 
-function notes = notesOf (where)
+function notes = notesOf (where, isChange)
   never = namesIn (where, 'neverRun');
   share = jsonNumber (where, {'surrogateShare'}, 0);
-  notes = [{sentence('table.where')}, ...
+  notes = [{sentence('table.where', struct (), isChange)}, ...
            listSentences({'where.atLimit', namesIn(where, 'atLimit'); ...
                           'where.odd', namesIn(where, 'odd'); ...
                           'where.out', setdiff(namesIn (where, 'out'), never); ...
@@ -60,3 +62,9 @@ end
 %! assert (T.cells{2, 7}.class, 'off');
 %! assert (T.cells{1, 4}.class, 'z3');
 %! assert (isempty (whereTable (situationPage ('met')).cells));
+%! page = situationPage ('missed, named');
+%! page.isChange = true;
+%! T = whereTable (page);
+%! assert ({T.title(1:35), T.columns{3, 1}}, {'Where the measurements have changed', ...
+%!                                            'without a change'});
+%! assert (T.notes{1}, sentence ('table.where', struct (), true));
