@@ -19,8 +19,9 @@ function c = targetCell (page, target)
   if ~isempty (t)
     known = page.targets(t);
   end
-  c = struct ('value', [givenField(known, 'label', target.name), mark], ...
-              'code', [target.name, mark], 'unit', known.unit, 'title', target.model);
+  code = [target.name, mark];
+  c = struct ('value', givenField (known, 'label', code), 'code', code, ...
+              'unit', known.unit, 'title', target.model);
   given = '';
   if ~isempty (t)
     given = givenField (page.Case.targets(t), 'given', '');
@@ -35,10 +36,12 @@ end
 %! page.Case.targets = struct ('name', {'h', 'w@2'}, 'modelName', 'B');
 %! page.targets = struct ('label', {'height of it', ''}, 'unit', {'m', 'kg'});
 %! c = targetCell (page, struct ('model', 'B', 'name', 'h', 'role', 'holdout'));
-%! assert (c, struct ('value', 'height of it (not fitted)', ...
+%! assert (c, struct ('value', 'height of it', ...
 %!                    'code', 'h (not fitted)', 'unit', 'm', 'title', 'B'));
 %! c = targetCell (page, struct ('model', 'B', 'name', 'w@2'));
 %! assert ({c.value, c.unit}, {'w@2', 'kg'});
+%! assert (targetCell (page, struct ('model', 'B', 'name', 'z', 'role', 'holdout')).value, ...
+%!         'z (not fitted)');
 %! page.Case.targets(2).given = 'g';
 %! c = targetCell (page, struct ('model', 'B', 'name', 'w@2'));
 %! assert ({c.unit, c.factor}, {'g', 1000}, 1e-9);

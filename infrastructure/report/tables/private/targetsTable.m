@@ -18,14 +18,13 @@ function T = targetsTable (page)
   columns = {'result', '', 'name'; 'measured', '', 'plain'; ofRuns, '', 'plain'; ...
              'expected mean', '', 'plain'; 'allowed +-', '', 'plain'; ...
              'deviation (sd)', '', 'z'; '', '', ''; 'scatter of a run', '', 'error'; ...
-             'with the effect', '', 'plain'; 'reachable', '', 'plain'};
-  columns(8:10, 4) = {'page'};
-  hasEffect = page.showsEffect && ~isempty (jsonAt (page.sources.gap, {'howFar', 'targets'}));
+             'reachable', '', 'plain'};
+  columns(8:9, 4) = {'page'};
   % the scatter of a run is the standard error of one
-  isShown = [true(1, 2), runs > 0, true(1, 4), runs ~= 1, hasEffect, true];
+  isShown = [true(1, 2), runs > 0, true(1, 4), runs ~= 1, true];
   T = newTable (page, 'targets', 'Measured and simulated, the largest deviation first', ...
                 columns(isShown, :), eachOf (@(m) rowOf (page, m, isShown), misses), ...
-                notesOf (page, misses, runs == 0, hasEffect));
+                notesOf (page, misses, runs == 0));
 end
 
 function cells = rowOf (page, m, isShown)
@@ -36,7 +35,7 @@ function cells = rowOf (page, m, isShown)
   if isempty (t)
     name = struct ('value', sprintf ('%s (%d points)', m.name, m.points), ...
                    'title', m.model);
-    cells = {name, NaN, NaN, NaN, NaN, z, word, NaN, NaN, NaN};
+    cells = {name, NaN, NaN, NaN, NaN, z, word, NaN, NaN};
     cells = cells(isShown);
     return
   end
@@ -44,9 +43,8 @@ function cells = rowOf (page, m, isShown)
   estimate = merge (isempty (jsonAt (page.sources, at ('estimate'))), 'result', 'estimate');
   entry = struct ('value', {at('result')}, 'sd', {at('resultSd')});
   reach = givenField (page, 'reach', NaN (t, 2));
-  k = targetAt (jsonAt (page.sources.gap, {'howFar', 'targets'}), m);
   cells = {targetCell(page, m), at('target'), entry, at(estimate), m.allowed, z, word, ...
-           at('noiseSd'), {'gap', 'howFar', 'targets', k, 'after'}, reach(t, :)};
+           at('noiseSd'), reach(t, :)};
   cells = cells(isShown);
 end
 
@@ -65,7 +63,7 @@ function is = isLeftOpen (m)
        ~strcmp (m.state, 'unjudged');
 end
 
-function notes = notesOf (page, misses, hasNoRun, hasEffect)
+function notes = notesOf (page, misses, hasNoRun)
   allowed = @(m) strtrim (sprintf ('%.4g %s', m.allowed, targetCell (page, m).unit));
   strict = eachOf (@(m) sentence ('table.strict', ...
                                   struct ('name', m.name, 'scatter', m.scatter, ...
@@ -80,8 +78,7 @@ function notes = notesOf (page, misses, hasNoRun, hasEffect)
                                  m.name, m.share), ...
                    misses(isnan ([misses.mean]) & [misses.share] > 0));
   notes = [{sentence('table.targets')}, strict, open, left, wholes, weakOnes(page, hasNoRun), ...
-           repmat({sentence('table.noRun')}, 1, hasNoRun), ...
-           repmat({['With the effect: ', sentence('table.twoSets')]}, 1, hasEffect)];
+           repmat({sentence('table.noRun')}, 1, hasNoRun)];
 end
 
 % What the probability rests on where a surface predicts next to nothing.
