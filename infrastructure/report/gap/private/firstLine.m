@@ -98,7 +98,7 @@ function yes = isLog (T)
   yes = strncmp (char (jsonAt (T, {'kind'})), 'log', 3);
 end
 
-% '83 %' 'less', '3.1 times' 'as much', of a difference of logarithms.
+% '83 %' 'less', '3.1 times' 'what it was', of a difference of logarithms.
 function [amount, way] = ratioText (difference, way)
   amount = sprintf ('%.2g %%', 100 * abs (exp (difference) - 1));
   if exp (difference) < 0.001
@@ -200,9 +200,9 @@ end
 %! gap.reference.targets.measured = -7.4;
 %! assert (said (gap), 'Changed: a 99.8 % less (ln -1.27 to -7.4)');
 %! gap.reference.targets.measured = -0.13;
-%! assert (said (gap), 'Changed: a 3.1 times as much (ln -1.27 to -0.13)');
+%! assert (said (gap), 'Changed: a 3.1 times what it was (ln -1.27 to -0.13)');
 %! gap.reference.targets.measured = 3.6;
-%! assert (said (gap), 'Changed: a 130 times as much (ln -1.27 to 3.6)');
+%! assert (said (gap), 'Changed: a 130 times what it was (ln -1.27 to 3.6)');
 %! gap = changed (4, names, 'discharge');
 %! [gap.reference.targets.kind] = deal ('logRatio');
 %! [gap.reference.targets.measured] = deal (30 + log (1.5));

@@ -105,7 +105,8 @@ function key = keyOf (page, isAllowed, isReached)
   key = {'line', 'ink', 'measured'; ...
          'box', 'palegreen', merge(isAllowed, 'allowed', 'noise'); ...
          'box', 'palegrey', 'reachable within your limits'; ...
-         'diamond', 'blue', values}([true, true, isReached, true], :);
+         'diamond', 'blue', values};
+  key = key([true, true, isReached, true], :);
   if any ([page.verdict.misses.isStrict])
     key(end + 1, :) = {'ring', 'blue', 'the same, tolerance below the scatter of a run'};
   end
