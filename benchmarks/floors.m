@@ -11,6 +11,8 @@
 %             response are known beforehand (learnForm)
 %     known   this calibration, and 8 packings of one set before have told of the
 %             noise (scatter.csv); they are not counted
+%     bench, other, half  known, and a form.csv tells how the results follow the
+%             parameters: rightly, or wrongly in two ways (storedShape)
 %     ours    this calibration
 %   CSV      table, to which one row a seed is added; seeds that stand in it are
 %            not run again
@@ -19,7 +21,7 @@
 % converged, right, worst (true miss, in tolerances), probability, infill,
 % verify, seconds.
 %
-% See also: calibrateStandIn, learnForm, standIn, peers
+% See also: calibrateStandIn, learnForm, storedShape, standIn, peers
 
 1;
 
@@ -53,8 +55,11 @@ function cells = oneSeed (S, way, seed, learnt)
         sayForm (learnt('form'), S.targetNames);
       end
       S.form = learnt('form');
-    elseif strcmp (way, 'known')
+    elseif ~strcmp (way, 'ours')
       S.earlier = 8;
+    end
+    if any (strcmp (way, {'bench', 'other', 'half'}))
+      S.shape = storedShape (S, strrep (way, 'bench', ''));
     end
     r = calibrateStandIn (S, seed, 0, struct ());
     tol = givenField (S, 'tol', 0.01);
