@@ -129,13 +129,13 @@ end
 function text = shapeStudy (read)
   list = read ('shapeStudy');
   key = strcat ({list.standin}, ',', {list.seed}, ',', {list.runs}, ',', {list.target});
-  [place, ~, group] = unique (strcat ({list.standin}, ', ', {list.runs}, ' runs'), ...
-                              'stable');
+  places = strcat ({list.standin}, {', '}, {list.runs}, {' runs'});
+  place = unique (places, 'stable');
   isKnown = strcmp ({list.way}, 'known');
   rows_ = cell (0, 6);
   for g = 1:numel (place)
     for way = {'known', 'bench', 'other', 'half'}
-      is = find (group(:)' == g & strcmp ({list.way}, way{1}));
+      is = find (strcmp (places, place{g}) & strcmp ({list.way}, way{1}));
       [~, at] = ismember (key(is), key(isKnown));
       beside = list(isKnown)(at);
       own = list(is);
