@@ -13,6 +13,7 @@
 %             noise (scatter.csv); they are not counted
 %     bench, other, half  known, and a form.csv tells how the results follow the
 %             parameters: rightly, or wrongly in two ways (storedShape)
+%     knownSmall, benchSmall, otherSmall, halfSmall  the same with a plan of d + 1 runs
 %     ours    this calibration
 %   CSV      table, to which one row a seed is added; seeds that stand in it are
 %            not run again
@@ -29,7 +30,7 @@ function measure (name, seeds, ways, file)
   columnsOf = ['standin,way,seed,runs,converged,right,worst,probability,', ...
                'infill,verify,seconds'];
   % handles share no variable; a map is one for all: the form is learnt once
-  learnt = containers.Map ('UniformValues', false);
+  learnt = containers.Map ('KeyType', 'char', 'ValueType', 'any');
   fillTable (file, columnsOf, {{name}, ways, seeds}, ...
              @(name, way, seed) oneSeed (standIn (name, seed), way, seed, learnt));
 end
@@ -58,8 +59,15 @@ function cells = oneSeed (S, way, seed, learnt)
     elseif ~strcmp (way, 'ours')
       S.earlier = 8;
     end
+    [way, isSmall] = deal (strrep (way, 'Small', ''), ~isempty (strfind (way, 'Small')));
+    if isSmall
+      S.plan = numel (S.names) + 1;
+    end
     if any (strcmp (way, {'bench', 'other', 'half'}))
-      S.shape = storedShape (S, strrep (way, 'bench', ''));
+      if ~isKey (learnt, 'shape')
+        learnt('shape') = storedShape (S, '');
+      end
+      S.shape = storedShape (S, strrep (way, 'bench', ''), learnt('shape'));
     end
     r = calibrateStandIn (S, seed, 0, struct ());
     tol = givenField (S, 'tol', 0.01);

@@ -84,7 +84,7 @@ function [share, sd] = beyondTrend (trend)
   if strcmp (trend, 'constant')
     share = 1;
   elseif ~ischar (trend)
-    [share, sd] = deal (0.15, 1);
+    [share, sd] = deal (0.05, 1.5);
   end
 end
 
