@@ -27,7 +27,7 @@ function measure (name, seeds, ways, file)
   columnsOf = ['standin,way,seed,runs,converged,right,worst,probability,', ...
                'infill,verify,seconds'];
   % handles share no variable; a map is one for all: the form is learnt once
-  learnt = containers.Map ('UniformValues', false);
+  learnt = containers.Map ('KeyType', 'char', 'ValueType', 'any');
   fillTable (file, columnsOf, {{name}, ways, seeds}, ...
              @(name, way, seed) oneSeed (standIn (name, seed), way, seed, learnt));
 end
