@@ -23,3 +23,5 @@ if any (fileparts (mfilename ('fullpath')) == pathsep ())
 end
 addpath (fullfile (fileparts (mfilename ('fullpath')), 'infrastructure'));
 calibration = startMain (@calibrateCase, fileparts (mfilename ('fullpath')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@ if any (fileparts (mfilename ('fullpath')) == pathsep ())
 end
 addpath (fullfile (fileparts (mfilename ('fullpath')), 'infrastructure'));
 diagnosis = startMain (@diagnoseCase, fileparts (mfilename ('fullpath')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -19,3 +19,5 @@ end
 %!         "a%b\nc\n");
 %! assert (fileread (file), "a%b\nc\n");
 %! delete (file);
+
+% SPDX-License-Identifier: GPL-3.0-only

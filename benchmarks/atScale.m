@@ -82,3 +82,5 @@ args = argv ()';
 if numel (args) == 4
   calibrateAll (str2num (args{1}), str2num (args{2}), str2num (args{3}), args{4});
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -133,3 +133,5 @@ end
 
 args = argv ();
 runStudy (make_absolute_filename (args{1}));
+
+% SPDX-License-Identifier: GPL-3.0-only

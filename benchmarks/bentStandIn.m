@@ -103,3 +103,5 @@ end
 %! chance = S.chance ([0, 0; 0, 1]);
 %! assert (chance(1) < 0.02 && chance(2) > 0.3);
 %!error id=DEcalioc:bentStandIn:unknownName bentStandIn ('flat', 1)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -44,3 +44,5 @@ end
 %! assert (hi, 1 - 0.025^(1 / 60), 1e-9);
 %! [lo, hi] = binomialInterval (54, 60);
 %! assert ([lo, hi], [0.795, 0.962], 2e-3);
+
+% SPDX-License-Identifier: GPL-3.0-only

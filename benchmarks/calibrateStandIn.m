@@ -177,3 +177,5 @@ end
 %!   wrong = wrong + (r.worst > 0.01);
 %! end
 %! assert (wrong < 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -136,3 +136,5 @@ sayCounts (plan, records, Case);
 sayCost (Case);
 [~, ~, lines] = campaignTable (problem, data);
 printf ('%s\n', lines{:});
+
+% SPDX-License-Identifier: GPL-3.0-only

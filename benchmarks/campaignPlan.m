@@ -137,3 +137,5 @@ end
 %!error id=DEcalioc:campaignPlan:unknownName
 %! count.pairs = {{'a', 'nope'}};
 %! campaignPlan (Case, effects, count);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -82,3 +82,5 @@ end
 %! assert (isnan (change), logical ([0, 0; 0, 1]));
 %! assert (numel (lines), 4);
 %! assert (~isempty (strfind (lines{4}, 'no results')));
+
+% SPDX-License-Identifier: GPL-3.0-only

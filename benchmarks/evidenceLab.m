@@ -61,3 +61,5 @@ startBenchmarks ();
 args = argv ();
 fillTable (args{4}, 'lab,correlation,seed,holds,width', ...
            {args(1), str2double(args{2}), str2num(args{3})}, @oneCase);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -37,3 +37,5 @@ end
 if ~isempty (faults)
   exit (1);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

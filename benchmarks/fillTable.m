@@ -38,3 +38,5 @@ end
 %! assert ({list.name}, {'a', 'b', 'a', 'b'});
 %! assert ({list.seed; list.say; list.x}(:, 4), {'2'; 'b!'; '0.6667'});
 %! delete (file);
+
+% SPDX-License-Identifier: GPL-3.0-only

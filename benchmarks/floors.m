@@ -108,3 +108,5 @@ pkg ('load', 'stk');
 pkg ('load', '-nodeps', 'struct', 'optim');
 given = argv ();
 measure (given{1}, str2num (given{2}), strsplit (given{3}, ','), given{4});
+
+% SPDX-License-Identifier: GPL-3.0-only

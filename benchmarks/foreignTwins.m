@@ -56,3 +56,5 @@ twins = twinsDraw (labs, perLab, twinsMix (kind));
 printf ('%d cases, %d laboratories\n', numel (twins), numel (labs));
 twinsScore (name, twins, twinsDiagnose (labs, twins), labs);
 printf ('Figures: octave-cli benchmarks/figures.m show foreign %s.csv\n', name);
+
+% SPDX-License-Identifier: GPL-3.0-only

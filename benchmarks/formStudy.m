@@ -182,3 +182,5 @@ for part = words{3}
 end
 writeTable (words{1}, [{formCase()}, cases]);
 printf ('Figures: octave-cli benchmarks/figures.m show form %s\n', words{1});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -36,3 +36,5 @@ end
 if numel (given) > 2
   writeTable (given{3}, lines);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -87,3 +87,5 @@ if numel (given) > 1
                     'UniformOutput', false);
   writeTable (given{2}, [{strjoin(titles, ',')}, lines]);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -179,3 +179,5 @@ switch words{1}
   case 'score'
     scoreSwaps (root, make_absolute_filename (words{2}));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -122,3 +122,5 @@ end
 %! assert (form.trend, 'affine');
 %! assert (exp (form.param(1) / 2) * form.scale < 0.05);
 %! assert (form.noise (3), 9e-4, 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

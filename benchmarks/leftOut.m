@@ -72,3 +72,5 @@ if isempty (args)
   args = {'hiddenEffect', 'drumAndBins'};
 end
 runLeftOut (args(:)', every);
+
+% SPDX-License-Identifier: GPL-3.0-only

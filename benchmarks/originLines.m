@@ -75,3 +75,5 @@ end
 %! writeAtomic (file, [strjoin([lines, {'a,b', '1,x'}], "\n"), "\n"]);
 %! [header, cells] = readCsvTable (file);
 %! assert ({header, cells}, {{'a', 'b'}, {'1', 'x'}});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -28,3 +28,5 @@ end
 %! [head, rest] = originOf (file);
 %! assert ({head.program, head.hours, head.commit}, {'p a', '3', ''});
 %! assert (rest, "a,b\n1,2\n");
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -71,3 +71,5 @@ if numel (given) > 3
   writeTable (given{4}, [{['seed,runs,failed,infill,verify,first_obs,first_true,', ...
                            'worst,converged,probability,seconds']}, lines]);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

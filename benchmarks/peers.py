@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-only
 """Count the model evaluations that calibrators need on cheap stand-ins for a DEM.
 
 The stand-ins are those of standIn.m ('plain': 5 parameters, 2 targets; 'rough': 6 parameters,

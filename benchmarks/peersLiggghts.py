@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-only
 """Peers on a real LIGGGHTS model: runs and core-seconds to a set that is right.
 
 The model is the template Repose (decalioc new --model Repose): two parameters, angle of repose

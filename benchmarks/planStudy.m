@@ -137,3 +137,5 @@ end
 
 args = argv ();
 runStudy (args{1}, str2num (args{2}), str2double (args{3}), args{4});
+
+% SPDX-License-Identifier: GPL-3.0-only

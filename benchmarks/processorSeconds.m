@@ -23,3 +23,5 @@ end
 %! before = processorSeconds ();
 %! system ('i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done');
 %! assert (processorSeconds () > before);
+
+% SPDX-License-Identifier: GPL-3.0-only

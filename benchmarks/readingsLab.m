@@ -237,3 +237,5 @@ args = argv ();
 for k = 3:numel (args)
   measure (args{1}, eval (args{2}), args{k});
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

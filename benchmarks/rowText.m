@@ -14,3 +14,5 @@ function line = rowText (cells)
 end
 
 %!assert (rowText ({'a', 1 / 3, '', true}), 'a,0.3333,,1')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -63,3 +63,5 @@ end
 %! assert (s.top, [true, true, true, false]);
 %! assert (s.covered, [false, false, true, true]);
 %! assert (s.out, [false, false, false, true]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -167,3 +167,5 @@ end
 %!     assert (all (max (moved, [], 2) > 1e-4));
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -27,3 +27,5 @@ end
 %! root = startBenchmarks ();
 %! assert (fileparts (which ('formCase')), ...
 %!         fullfile (root, 'benchmarks', 'form'));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -90,3 +90,5 @@ end
 %! clear counted
 %! assert (done, {'a'});
 %! assert (fileread (file), "name,x\na,1\n");
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -68,3 +68,5 @@ end
 %! assert (all (data.X >= lims(1, :) & data.X <= lims(2, :)));
 %! on = abs (phi(phi ~= 0));
 %! assert (min (on) >= 0.15 - 1e-12 && max (on) <= 1 + 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %! store = storedRepose (startBenchmarks ());
 %! assert (size (store.data.Z), [121, 3]);
 %! assert (all (isfinite (store.data.Z(:))));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -77,3 +77,5 @@ end
 %! assert (size (S.response (S.limits)), [2, numel(S.value)]);
 %! assert (all (S.noise > 0.005 & S.noise < 0.2), num2str (S.noise));
 %! assert (all (S.truth > S.limits(1, :) & S.truth < S.limits(2, :)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -31,3 +31,5 @@ end
 %! q = strengthAlone (evidence, hypotheses, 1);
 %! assert (q(2) <= q(1) && q(1) <= q(3));
 %! assert (q(1), evidence.phi(hypotheses.singles(1)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -28,3 +28,5 @@ end
 %! assert ({cells{:}, isOpen}, {0, 1, false});
 %! [cells, isOpen] = testOutcome (which ('group', 'group', 'a', 'b'), 'a');
 %! assert ({cells{:}, isOpen}, {0, 0, true});
+
+% SPDX-License-Identifier: GPL-3.0-only

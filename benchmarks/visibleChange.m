@@ -65,3 +65,5 @@ for design = [1, 1, 1, 6, 6, 6, 6, 6, 6, 6, 6; 2, 3, 5, 2, 5, 5, 5, 2, 1, 3, 3; 
   lines{end + 1} = rowText ([row, {leastSeen(row{:})}]);
 end
 writeTable (argv (){1}, lines);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -204,3 +204,5 @@ if numel (args) > 4
 end
 runStudy (str2num (['[', args{1}, ']']), make_absolute_filename (args{2}), ...
           make_absolute_filename (args{3}), mode, benches);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -16,3 +16,5 @@ end
 %! writeTable (file, {'a,b', '1,2'});
 %! assert (tableRows (file), struct ('a', '1', 'b', '2'));
 %! assert (~isempty (originOf (file).date));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -31,3 +31,5 @@ S = standIn (given{1});
 S.wrong = str2double (given{2});
 fillTable (given{4}, ['seed,runs,planted,found,good_left_out,worst,converged,', ...
                       'probability'], {str2num(given{3})}, @(seed) oneCase (S, seed));
+
+% SPDX-License-Identifier: GPL-3.0-only

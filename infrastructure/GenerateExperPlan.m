@@ -63,3 +63,5 @@ end
 %! rand ('twister', 5);
 %! assert (rand (), a);
 %!error id=DEcalioc:GenerateExperPlan:badShape GenerateExperPlan ([1, 2], 5)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -231,3 +231,5 @@ end
 
 %!error id=DEcalioc:createKrigingModels:missingFile
 %! createKrigingModels ('no such plan.csv', {'x.csv'}, [0; 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

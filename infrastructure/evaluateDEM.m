@@ -70,3 +70,5 @@ end
 %! Z = evaluateDEM ([1, 2], Case);
 %! assert (Z, [3, 2, NaN], 1e-12);
 %! assert (numel (listRunFolders (Case.store, 'Second')), 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

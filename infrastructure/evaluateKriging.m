@@ -49,3 +49,5 @@ end
 %! assert (evaluateKriging ([0.2, 0.4], [s, s]), r);
 
 %!error id=DEcalioc:evaluateKriging:badType evaluateKriging (1, 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

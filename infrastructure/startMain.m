@@ -90,3 +90,5 @@ end
 %!error id=DEcalioc:a:b
 %! startMain (@(root, folder) error ('DEcalioc:a:b', 'c'), ...
 %!            fileparts (fileparts (which ('startMain'))));
+
+% SPDX-License-Identifier: GPL-3.0-only

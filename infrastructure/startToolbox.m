@@ -86,3 +86,5 @@ end
 %! [status, out] = system (['octave-cli --no-history --eval ', shellQuote(given)]);
 %! assert (status, 0);
 %! assert (sscanf (out, '%d')', [0, 0, 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -61,3 +61,5 @@ function raw = brokenFile (raw)
                'function e = effectBroken (), e = nope; end');
   raw.effects = {'broken'};
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -169,3 +169,5 @@ function raw = coarsePublished (raw)
   raw.Input.coarse = {level('cohesionPP', [2, 1])};
   raw.optim.method = 'published';
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

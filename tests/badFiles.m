@@ -228,3 +228,5 @@ function raw = withResults (raw)
   raw = put (raw, '../Drum/results.csv', ...
              "name,kind,unit,series,at,text\nb,mass,kg,,,x\n");
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -113,3 +113,5 @@
 %!   assert (! isfolder (fullfile (folder, 'optim')));
 %!   removeCase (folder);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

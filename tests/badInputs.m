@@ -16,3 +16,5 @@ end
 
 %!assert (rows (badInputs ()) >= 150)
 %!assert (columns (badInputs ()), 4)
+
+% SPDX-License-Identifier: GPL-3.0-only

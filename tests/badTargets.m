@@ -105,3 +105,5 @@ function rows = costs ()
           'badCost', 'optim.cost', {1, 5}, ''; ...
           'costCount', 'optim.cost(3)', 1, 'optim.cost'};
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -144,3 +144,5 @@ function rows = measured ()
           'paramOutside', [m, '.densityP'], 484, 'of densityP'; ...
           'paramOutside', [m, '.densityP'], 0.62, 'of densityP'};
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

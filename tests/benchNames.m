@@ -15,3 +15,5 @@ function names = benchNames ()
 end
 
 %!assert (numel (benchNames ()) >= 5)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -42,3 +42,5 @@ function [text, fault] = benchTrial (model, variables, law)
     fault = said(max (1, end - 400):end);
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

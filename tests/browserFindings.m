@@ -74,3 +74,5 @@ function html = inFrame (html, width)
                    'frameborder="0" srcdoc="%s"></iframe></body></html>'], ...
                   width, html);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

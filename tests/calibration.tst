@@ -164,3 +164,5 @@
 %! assert (c.params.a, 4, 0.1);
 %! assert (c.demRuns.plan + c.demRuns.infill + c.demRuns.verify, 0);
 %! assert (! isempty (strfind (out, 'no DEM run')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -44,3 +44,5 @@
 %!   assert ({loose.seed, loose.params}, {tapped.seed, tapped.params});
 %! end
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

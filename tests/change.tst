@@ -59,3 +59,5 @@
 %! refused (@() loadIn (folder, root), 'measuredCondition|reference');
 %! writeAtomic (file, regexprep (old, 'reference,Shear,friction[^\n]*\n', ''));
 %! refused (@() loadIn (folder, root), 'before the change');
+
+% SPDX-License-Identifier: GPL-3.0-only

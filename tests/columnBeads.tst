@@ -26,3 +26,5 @@
 %!     end
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

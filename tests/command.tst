@@ -165,3 +165,5 @@
 %!test
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (base), 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

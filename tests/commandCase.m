@@ -25,3 +25,5 @@ end
 %! folder = commandCase (base, 'it''s here');
 %! text = fileread (fullfile (folder, 'DEMmodels', 'First', 'runscript'));
 %! assert (strncmp (text, 'while [ -e ', 11));
+
+% SPDX-License-Identifier: GPL-3.0-only

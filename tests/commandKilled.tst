@@ -173,3 +173,5 @@
 %!   waitUntil (@() says (nthargout (2, @startCommand, folder, 'status'), ...
 %!                        ' 0 running'));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -51,3 +51,5 @@
 %!   assert (struct2cell (a.which.posterior), struct2cell (b.which.posterior));
 %!   assert (a.which.verdict, b.which.verdict);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -146,3 +146,5 @@
 %!                     'variable dischargeTime equal 0.1']);
 %! assert (checksOf (run).timeStep, 9e-5, 1e-12);
 %! rmdir (run, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -320,3 +320,5 @@
 %! assert (status == 1, out);
 %! found = regexp (out, ':(\d+): "([^"]*)"', 'tokens');
 %! assert (vertcat (found{:}), {'1', 'as much'; '8', 'There are'});
+
+% SPDX-License-Identifier: GPL-3.0-only

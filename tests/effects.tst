@@ -176,3 +176,5 @@
 %!     assert (isequal (benchTrial (bench{1}, set), null), e.name);
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@
 %!   rmpath (fullfile (folder, 'OctaveFuns'));
 %! end
 %! clear -global path
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -12,3 +12,5 @@ function [folder, put] = emptyFolder ()
   mkdir (folder);
   put = @(name, text) writeAtomic (fullfile (folder, name), text);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # endTests.sh SECONDS PID FOLDER NOTE: kills the Octave PID that runs the tests, and
 # whatever has FOLDER as its TMPDIR, when these have used SECONDS of processor since
 # this was started, or when 4 * SECONDS of the clock are over: then they wait for

@@ -169,3 +169,5 @@
 %!   text = fileread (fullfile (records(k).folder, 'stdout.txt'));
 %!   assert (text, [all, all]);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

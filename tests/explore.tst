@@ -67,3 +67,5 @@
 %!                           ones (1, 12), 'scatter', false (1, 12), ...
 %!                           'perCondition', [false, false]);
 %! assert (sum (neutral (explored (given, few, run, more))), 9);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@ function faultCase (folder)
   writeAtomic (second, [launch, " || exit $?\n", ...
                         text]);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

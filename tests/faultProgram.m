@@ -14,3 +14,5 @@ Case = loadCase (root, pwd ());
 plan = GenerateExperPlan (Case.limits, Case.options.numOfSam, '', 1);
 Z = evaluateDEM (plan, Case, 1, 'plan', newProgress ('plan', @disp));
 writeMatrix ('answer.csv', Z);
+
+% SPDX-License-Identifier: GPL-3.0-only

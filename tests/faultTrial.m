@@ -122,3 +122,5 @@ function command = insideOf (folder)
              shellQuote(folder), '/*) echo ${p#/proc/};; esac; done ', ...
              '2> /dev/null'];
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -90,3 +90,5 @@
 %! assert (fileread (fullfile (folder, 'answer.csv')), answer);
 %! assert (all (cellfun (@isfile, done)));
 %! clear umount
+
+% SPDX-License-Identifier: GPL-3.0-only

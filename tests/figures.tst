@@ -94,3 +94,5 @@
 %! change (page, '<!-- end of figures -->', '');
 %! [status, out] = figures (copy, 'check');
 %! assert (status == 1 && ~isempty (strfind (out, 'a mark of a table has no end')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -69,3 +69,5 @@ end
 %! assert (flows(~always), flow ('levels'));
 %! assert (ismember (flow ('effects'), added ('infrastructure/effects/effects.csv')));
 %! assert (added ('tests/levels.tst'), flow ('levels'));
+
+% SPDX-License-Identifier: GPL-3.0-only

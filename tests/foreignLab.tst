@@ -63,3 +63,5 @@
 %!test walk (@everyEffectActs);
 %!test rand ('twister', 1); walk (@finite);
 %!test walk (@seeds);
+
+% SPDX-License-Identifier: GPL-3.0-only

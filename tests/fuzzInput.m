@@ -171,3 +171,5 @@ end
 %!test
 %! findings = fuzzInput (20, 5, 0);
 %! assert (isempty (findings), strjoin ([findings, {''}], "\n"));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -9,3 +9,5 @@
 %! [findings, counts] = fuzzInput (10000, 2, 0.3);
 %! assert (isempty (findings), strjoin ([findings, {''}], "\n"));
 %! assert (sum (counts(1:2)), 10000);
+
+% SPDX-License-Identifier: GPL-3.0-only

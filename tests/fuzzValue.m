@@ -79,3 +79,5 @@ end
 %! for k = 1:50
 %!   assert (ischar (describeValue (fuzzValue (0, 'x'))));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

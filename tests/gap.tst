@@ -228,3 +228,5 @@
 %! assert (gap.which.effects, {'own3'});
 %! assert (gap.demRuns.sets, 0);
 %! assert (! isempty (strfind (text, 'What can be measured next')));
+
+% SPDX-License-Identifier: GPL-3.0-only

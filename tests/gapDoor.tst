@@ -52,3 +52,5 @@
 %! assert (d.problem.targetNames{1}, 't5');
 %! assert (d.data, own);
 %! assert (any (strcmp ('spread', d.which.effects)));
+
+% SPDX-License-Identifier: GPL-3.0-only

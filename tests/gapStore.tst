@@ -170,3 +170,5 @@
 %! off = regexp (out, ['The 20 runs left out are off the surrogates by ', ...
 %!                     '(\S+) % of the range at most'], 'tokens', 'once');
 %! assert (str2double (off{1}) < 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -65,3 +65,5 @@ function text = getResultsText (nResults)
   text = ["function res = getResults (model, folderName)\nglobal path\n", ...
           sprintf(one, repmat (1:nResults, 3, 1)), "end"];
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

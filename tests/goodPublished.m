@@ -29,3 +29,5 @@ function raw = goodPublished (folder)
   raw.Input = Input;
   raw.optim = optim;
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # gridengine-down.sh DIR
 #
 # Stops the Grid Engine that gridengine-up.sh started under DIR: first its jobs,

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # gridengine-up.sh DIR [PID]
 #
 # Starts a Grid Engine of one host on this machine, for tests: sge_qmaster and

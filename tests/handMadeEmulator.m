@@ -22,3 +22,5 @@ function emulator = handMadeEmulator (coef)
 end
 
 %!assert (handMadeEmulator (ones (2, 3)).range, [1, 1, 1])
+
+% SPDX-License-Identifier: GPL-3.0-only

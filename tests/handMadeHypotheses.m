@@ -35,3 +35,5 @@ function hypotheses = handMadeHypotheses ()
 end
 
 %!assert (handMadeHypotheses ().white.p, 1)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -54,3 +54,5 @@
 %! assert (all (isThere), strjoin (fields(! isThere), ' '));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

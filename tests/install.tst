@@ -69,3 +69,5 @@
 %!test
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (prefix), 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

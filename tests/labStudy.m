@@ -26,3 +26,5 @@ end
 %! study = labStudy (given, data);
 %! assert (numel (study.hypotheses.names), 5);
 %! assert (rows (study.fits.Z), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

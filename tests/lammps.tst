@@ -41,3 +41,5 @@
 %! assert (status == 0 && ~isempty (strfind (out, 'pair_style granular')), out);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

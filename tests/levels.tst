@@ -127,3 +127,5 @@
 %! assert (gap.level.finer, -0.2, 1e-12);
 %! assert (gap.level.shift, -0.2 * ones (3, 1), 0.1);
 %! assert (islogical (gap.level.holds));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -82,3 +82,5 @@
 %! startCommand (own, sprintf ('forget %s First --case %s', store, first));
 %! [~, out] = startCommand (own, 'check');
 %! assert (used (out) < n);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -53,3 +53,5 @@
 %! assert (Z(1), 370, 15);
 %! log = fileread (fullfile (record.folder, 'log.liggghts'));
 %! assert (! isempty (regexp (log, '1 by 1 by 2|1 by 2 by 1|2 by 1 by 1')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -31,3 +31,5 @@
 %! [note, isGone] = limited ('sleep 1', 2);
 %! assert (note, '');
 %! assert (isGone);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -86,3 +86,5 @@
 %! assert (! isempty (regexp (table, 'Bin: measure wide[^,]*,[-.e\d]+,4')));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -86,3 +86,5 @@ function lines = measuredLines (s)
   end
   lines(7:end) = strrep (lines(7:end), '.', ',');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

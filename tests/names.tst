@@ -181,3 +181,5 @@
 %! end
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

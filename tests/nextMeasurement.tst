@@ -206,3 +206,5 @@
 %! clear back loadInput
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

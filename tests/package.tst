@@ -116,3 +116,5 @@
 %!test
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (work, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -170,3 +170,5 @@
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (first.folder, 's');
 %! rmdir (second.folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

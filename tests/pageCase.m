@@ -42,3 +42,5 @@ function Case = pageCase (folder)
   c = newCalibration (state, problem, Case);
   writeCalibrationJson (c, Case);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -39,3 +39,5 @@ function writeTargets (Case)
   end
   writeAtomic (file, jsonencode (gap));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -65,3 +65,5 @@
 %!   rmdir (copy, 's');
 %! end
 %! rmdir (plain, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -34,3 +34,5 @@ function photoOf (file, grains, scale, how)
   noise = givenField (how, 'noise', 0);
   imwrite (uint8 (picture + noise * randn (m, n)), file);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

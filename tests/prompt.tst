@@ -75,3 +75,5 @@
 %!test
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (base, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -17,3 +17,5 @@ end
 
 %!assert (sort (ceil (5 * randomLattice (5, 2))), (1:5)' * [1, 1])
 %!assert (size (randomLattice (0, 3)), [0, 3])
+
+% SPDX-License-Identifier: GPL-3.0-only

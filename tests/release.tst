@@ -70,3 +70,5 @@
 %! assert (fileread (file), before);
 %! [passed, total] = test (file, 'quiet');
 %! assert ([passed, total], [1, 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -212,3 +212,5 @@ end
 cd (home);
 rmdir (scratch, 's');
 exit (double (failed > 0));
+
+% SPDX-License-Identifier: GPL-3.0-only

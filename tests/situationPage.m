@@ -16,3 +16,5 @@ function page = situationPage (name)
   confirm_recursive_rmdir (false, 'local');
   rmdir (raw.folder, 's');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

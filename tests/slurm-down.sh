@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # slurm-down.sh DIR
 #
 # Stops the cluster that slurm-up.sh started under DIR: first its jobs, then

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # slurm-up.sh DIR [PID]
 #
 # Starts a Slurm cluster of one or more nodes on this machine, for tests: munged,

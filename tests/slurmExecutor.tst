@@ -159,3 +159,5 @@
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (home, 's');
 %! setenv ('SLURM_CONF', config);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -31,3 +31,5 @@ function putBack (before, folder)
   confirm_recursive_rmdir (false, 'local');
   rmdir (folder, 's');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

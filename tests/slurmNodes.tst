@@ -96,3 +96,5 @@
 %!         cellfun (@(x) sum (strcmp (x, nodes(:, 2))), {'n1', 'n2', 'n3'}));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

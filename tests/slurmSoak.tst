@@ -133,3 +133,5 @@
 %! rmdir (home, 's');
 %! setenv ('SLURM_CONF', config);
 %! unsetenv ('SLURM_TEST_NODE_TIMEOUT');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -50,3 +50,5 @@ function raw = standInAt (folder)
   confirm_recursive_rmdir (false, 'local');
   rmdir (scratch, 's');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -12,3 +12,5 @@ function slurmTestDown (folder)
   confirm_recursive_rmdir (false, 'local');
   rmdir (folder, 's');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -16,3 +16,5 @@ function slurmTestOnce (state, enough, folder, deed)
     deed ();
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -51,3 +51,5 @@ function outcome = trial ()
   end
   setenv ('SLURM_CONF', config);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

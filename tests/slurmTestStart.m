@@ -20,3 +20,5 @@ function pid = slurmTestStart (folder, a, seconds)
   pid = system (['exec octave-cli --no-init-file --eval ', ...
                  shellQuote(text), ' > /dev/null 2>&1'], false, 'async');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

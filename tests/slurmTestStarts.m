@@ -13,3 +13,5 @@ function n = slurmTestStarts (folder)
     n = sum (fileread (file) == "\n");
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -28,3 +28,5 @@ function folder = slurmTestUp (cpus, nodes)
   setenv ('SLURM_CONF', fullfile (folder, 'slurm.conf'));
   setenv ('PATH', [getenv('PATH'), ':/usr/sbin:/sbin']);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

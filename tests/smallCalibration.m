@@ -30,3 +30,5 @@ function [problem, state, surrogates, law] = smallCalibration ()
   state.found.conflict = {};
   state.evaluate = newEvaluate (@(P, E, r) law (P));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -43,3 +43,5 @@ function [given, data, means] = smallGapLab ()
   data.Z = means (data.X, phi) + 0.2 * randn (rows (phi), 12);
   data.replicate = ones (rows (phi), 1);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

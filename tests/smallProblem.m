@@ -22,3 +22,5 @@ function problem = smallProblem (value, tol, d, more)
   end
   problem = newProblem (Case);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -56,3 +56,5 @@ end
 %!assert (fieldnames (spoil (raw, '-a', [])), {'c'})
 %!assert (isempty (fieldnames (spoil (raw, '-a.b', []).a)))
 %!assert (spoil (raw, '', @(r) 7), 7)
+
+% SPDX-License-Identifier: GPL-3.0-only

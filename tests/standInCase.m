@@ -49,3 +49,5 @@ function addModel (folder, name, formulas)
                 "  res = num2cell (load (file)');\n", ...
                 "end\nend\n"]);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -126,3 +126,5 @@ end
 %! assert (s(1) * s(2)' / norm (s(1)) / norm (s(2)) > 0.9);
 %! data = lab.plan (20, 3);
 %! assert (size (data.Z), [44, 24]);
+
+% SPDX-License-Identifier: GPL-3.0-only

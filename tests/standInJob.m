@@ -13,3 +13,5 @@ function job = standInJob (key)
                 'effects', [], 'replicate', 1, 'seed', 10007, 'key', key, ...
                 'input', '', 'variables', '', 'origin', '', 'attempt', 0);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

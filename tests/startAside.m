@@ -22,3 +22,5 @@ end
 %! pid = startAside (folder, 'version');
 %! waitUntil (@() isempty (processStart (pid)));
 %! assert (~isempty (fileread (fullfile (folder, 'said'))));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -21,3 +21,5 @@ function [status, out] = startCommand (folder, words)
                      shellQuote (folder), shellQuote (link), words);
   [status, out] = system (command);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ function [status, out, err] = startProgram (folder, words)
   confirm_recursive_rmdir (false, 'local');
   rmdir (home, 's');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -24,3 +24,5 @@ end
 %! [pid, mark] = startSleep (50);
 %! assert (~isempty (strfind (mark, ' sleep ')));
 %! kill (pid, 9);
+
+% SPDX-License-Identifier: GPL-3.0-only

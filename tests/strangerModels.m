@@ -127,3 +127,5 @@ function text = framesReader ()
           "    frames = readDump ([folder, 'post/d*.txt']);\n", ...
           "    res = {frames{end}(3)};\n  end\n"];
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Builds the image of Containerfile with podman and runs `decalioc doctor` in it.
 # Control groups are not needed. Needs podman, buildah, and root or a user with
 # sub-ids. Not part of `make test`: it takes ten minutes and 4 GB.

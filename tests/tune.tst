@@ -45,3 +45,5 @@
 %! [status, out] = startCommand (folder, 'tune --vary m=5');
 %! assert (status, 1);
 %! assert (~isempty (strfind (out, 'variable of a data.head')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -65,3 +65,5 @@
 %!        @(gap) bridge (gap, 0.01, 0.05, 0.05));
 %! check (struct ('liquidContent', 0.02, 'speed', 0.1), ...
 %!        @(gap) bridge (gap, 0.02, 1e-3, 0.1));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -270,3 +270,5 @@ function gap = gapOf (verdict, effects, guard)
   gap.next = struct ('test', 'measure First once more', 'gain', 0.04, ...
                      'cost', 1);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

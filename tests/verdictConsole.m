@@ -21,3 +21,5 @@ function text = verdictConsole (situation, Case)
     text = [text, evalc('sayDiagnosis (Case, say)')];
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

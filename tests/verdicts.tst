@@ -296,3 +296,5 @@
 %! % the file of a condition is its own
 %! s.gap.reference = struct ('condition', 'wet', 'folder', 'gap/wet', 'targets', []);
 %! assert (has (decide (s).action, 'gap/wet/calibrated.head'));
+
+% SPDX-License-Identifier: GPL-3.0-only

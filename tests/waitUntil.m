@@ -29,3 +29,5 @@ end
 %! waitUntil (@() time () > last);
 %! assert (time () > last);
 %!error id=DEcalioc:waitUntil:never waitUntil (@() false, 0.1)
+
+% SPDX-License-Identifier: GPL-3.0-only

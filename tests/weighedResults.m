@@ -11,3 +11,5 @@ function weighedResults (folder)
                  ["name,kind,unit,series,at,text\n", lines]);
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -80,3 +80,5 @@
 %! end
 %! assert (status(1), status(2));
 %! assert (isequaln (out{:}));
+
+% SPDX-License-Identifier: GPL-3.0-only

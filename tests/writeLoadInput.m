@@ -27,3 +27,5 @@ function writeLoadInput (folder, extra)
            'paramLims = [0, 0; 10, 10];', extra, 'end'};
   writeAtomic (fullfile (folder, 'loadInput.m'), strjoin (lines, "\n"));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -163,3 +163,5 @@
 %! end
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (place, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

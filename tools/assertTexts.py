@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-only
 """Finds assert (x, y, text): Octave takes the third argument for a tolerance.
 
 A text as tolerance makes nearly every comparison of numbers pass. Prints

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Installs axe-core, the checker of accessible pages that tests/page.tst uses,
 # for this user and prints the path of its script. Nothing where it cannot.
 # CALL: tools/axe.sh

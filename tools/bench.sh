@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Lists the programs of benchmarks/ with the first line of their help texts.
 # Those in a folder below are functions: see benchmarks/startBenchmarks.m.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # A calibration that misses its measurements, and the diagnosis of why: the
 # stored runs of examples/hiddenEffect, without LIGGGHTS, in a minute or two.
 # CALL: tools/demo.sh [FOLDER [CHANGE]]   (default: decalioc-demo; where it is

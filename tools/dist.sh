@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Makes the Octave package: dist/decalioc-VERSION.tar.gz, of the files that git
 # knows. Installed with: octave-cli --eval "pkg install dist/decalioc-..."
 # CALL: tools/dist.sh      (or: make dist)

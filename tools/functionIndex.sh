@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Writes docs/functions.md: the functions that a user may call, each with the
 # first line of its help; and the lists of fields of docs/inputs.md (inputLines.m).
 # CALL: tools/functionIndex.sh          (or: make index)

@@ -67,3 +67,5 @@ function text = folded (words)
   end
   text = [text, line, "\n"];
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

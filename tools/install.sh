@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # install.sh PREFIX [remove]: puts the command, its completion in bash, zsh and
 # fish, and its man page below PREFIX, or removes them again. The command is a
 # link: the toolbox itself stays where it is.

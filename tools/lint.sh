@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Checks the style (miss_hit.cfg) of all Octave code, the shell code, spelling and
 # phrases of the manual, which folder calls which (tools/graph), and whether the
 # tables of the manual are those of benchmarks/results.
@@ -81,6 +82,7 @@ grep -qx "version: $(< VERSION)" CITATION.cff || {
   echo 'CITATION.cff must have the version of the file VERSION (tools/release.sh)' >&2
   findings=1
 }
+tools/spdx.sh || findings=1
 tools/graph/graph.sh || findings=1
 # Tables of the manual are those of their results; which results are old, it says.
 "${OCTAVE:-octave-cli}" --no-gui --norc --quiet benchmarks/figures.m check 2>&1 |

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Runs a script of the toolbox in Octave, in the folder CASE, with the right
 # LIGGGHTS first in PATH. The exit status is Octave's.
 # CALL: tools/octave.sh SCRIPT [ARGUMENT...]   (SCRIPT: below the toolbox folder)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-only
 """Finds phrases that the manual does without: tools/phrases.txt lists them.
 
 CALL: tools/phrases.py           exit status 1 for any finding

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Makes a release: version in VERSION and CITATION.cff, heading of CHANGELOG.md, the
 # package (dist.sh) and the manual (site/build.sh). Refuses a tree with changes that
 # are not committed, and a version that is not above the last. What it has changed is

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Installs the packages of Debian or Ubuntu that a task needs; silent when all are
 # there.
 # CALL: tools/setup.sh TASK...       (run, build, test, lint, site)

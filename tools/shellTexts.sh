@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # shellTexts.sh man|zsh|fish: what make install puts in place beside the command,
 # made from the texts of decalioc --help: a man page, completion in zsh, in fish.
 set -euo pipefail

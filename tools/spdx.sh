@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Checks that each file of code says its licence, the one of CITATION.cff, in a line
 # of its own: the last one of .m and .tst (a first line would be their help text), one
 # of the first three of .sh and .py. Without it stay the forms, templates and models

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Tries this repository on a bare Debian or Ubuntu: what a stranger sees. It makes
 # one with debootstrap, clones the last commit to a path with a space in it, and
 # runs `make` there in a chroot. Needs root and the package debootstrap.

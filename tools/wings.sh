@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Takes each wing off a copy of the toolbox, and runs the tests of the core there:
 # the core must work without it. Exit status 1 where one fails.
 # CALL: tools/wings.sh [WING...]      (or: make wings)

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Counts the words of the manual, page by page, in its two halves as docs/README.md
 # lists them; exit status 1 where it has grown beyond what was asked for: 9,000 in
 # the user guide, 19,000 in all.

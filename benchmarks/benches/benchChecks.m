@@ -51,3 +51,5 @@ function writeRows (fid, words, info, null, changed)
              answers{1 + (abs (z(t)) < 2)});
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

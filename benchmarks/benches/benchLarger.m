@@ -48,3 +48,5 @@ end
 %! [~, growth] = benchLarger ('Shear');
 %! assert (growth, ones (1, 4));
 %!error id=DEcalioc:benchLarger:missingFile benchLarger ('NoBench')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -129,3 +129,5 @@ function writeCurve (fid, name, at, rows)
              std (rows(:, k)) / sqrt (size (rows, 1)));
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -48,3 +48,5 @@ function [results, seconds] = benchRun (folder, model, variables, prepare)
   tidy = onCleanup (@() rmpath (funs));
   results = cell2mat (namedResults (@measureBench, folder, source));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@ function [results, folders, seconds] = benchRuns (stem, bench, variables, n)
     folders{end + 1} = folder;
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -13,3 +13,5 @@ function seeds = benchSeeds (which)
 end
 
 %!assert (all (isprime (benchSeeds (1:8))))
+
+% SPDX-License-Identifier: GPL-3.0-only

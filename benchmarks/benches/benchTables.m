@@ -133,3 +133,5 @@ end
 function table = words (root, name)
   [~, table] = readCsvTable (fullfile (root, 'benchmarks', 'results', name));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -169,3 +169,5 @@ end
 %!   seen = strcmp (table(:, 1), e.name) & z > 3 & isfinite (z);
 %!   assert (any (seen), e.name);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -48,3 +48,5 @@ function sd = scatterOf (folder, names)
     sd = runScatter (folder);
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -99,3 +99,5 @@ end
 %! assert (rows (data.Z), 152);
 %! assert (all (isfinite (data.Z(:))));
 %! clear ('-f', 'loadInput', 'loadEffects');
+
+% SPDX-License-Identifier: GPL-3.0-only

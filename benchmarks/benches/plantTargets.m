@@ -39,3 +39,5 @@ function values = plantTargets (work, benches, variables, seeds, sd)
                      ', '));
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

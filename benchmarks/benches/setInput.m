@@ -32,3 +32,5 @@ end
 %! setInput (folder, 'c', 7);
 %! assert (fileread (file), ["  a{1} = [4 5.5];\n  b = 3;\n  c = 7;\n" ...
 %!                           "  modelVars.x = 1;\n"]);
+
+% SPDX-License-Identifier: GPL-3.0-only

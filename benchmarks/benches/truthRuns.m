@@ -21,3 +21,5 @@ function Y = truthRuns (model, values, n, stem)
     Y = [Y; benchRun(sprintf ('%s-%d', stem, trial), model, values)];
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -78,3 +78,5 @@ function text = gitLine (root, words)
   [~, text] = system (sprintf ('git -C %s %s 2> /dev/null', shellQuote (root), words));
   text = strtrim (text);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

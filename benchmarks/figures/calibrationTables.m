@@ -224,3 +224,5 @@ end
 %! assert (~isempty (strfind (text, '| peak | 2 of 2 | 1/2 = 50 % (1-99) | 0.95 | 8.5 (9) ')), ...
 %!         text);
 %! assert (~isempty (strfind (text, '| 2/3 = 67 % (9-99) |')), text);
+
+% SPDX-License-Identifier: GPL-3.0-only

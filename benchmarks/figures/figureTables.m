@@ -20,3 +20,5 @@ function tables = figureTables ()
 end
 
 %!assert (isa (figureTables ().bends, 'function_handle'))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -263,3 +263,5 @@ end
 %! text = gapTables ().diagnosis (@(name) list(1:3 * strcmp (name, 'leftOut-hiddenEffect')));
 %! assert (~isempty (strfind (text, 'rightly | 1/2 = 50 % (1-99) |')), text);
 %! assert (~isempty (strfind (text, 'nevertheless | 0/1 = 0 %')), text);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -15,3 +15,5 @@ end
 
 %!assert (markdownTable ({'a', 'b'}, {'1', '2'; '', 'x'}), ...
 %!        "| a | b |\n|---|---|\n| 1 | 2 |\n|  | x |\n")
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -172,3 +172,5 @@ end
 %! both = struct ('peers', list, 'peersLiggghts', []);
 %! text = peerTables ().besideOthers (@(name) both.(name));
 %! assert (strncmp (text, "| tool | formula: runs | right |\n", 33), text);
+
+% SPDX-License-Identifier: GPL-3.0-only

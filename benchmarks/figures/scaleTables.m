@@ -97,3 +97,5 @@ end
 %!                'calibrated', '1', 'right', '0', 'octave', '3.4');
 %! text = scaleTables ().atScale (@(name) list);
 %! assert (~isempty (strfind (text, '| 2 | 1 | 1 of 1, 0 | 6 (6) | 2 | 3 | ')), text);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -24,3 +24,5 @@ end
 
 %!assert (shareText ([1, 1, 0] > 0, [1, 0, 1] > 0), '1/2 = 50 % (1-99)')
 %!assert (shareText (true, false), '-')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -138,3 +138,5 @@ function yes = isProgram (root, name)
   places = {'', 'benches', 'form', 'leftOut', 'twins'};
   yes = any (cellfun (@(p) isfile (fullfile (root, 'benchmarks', p, [name, '.m'])), places));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -74,3 +74,5 @@ end
 %! text = clumpLines (4, 1.4){1};
 %! scale = str2double (regexp (text, 'rC equal ([\d.]+)', 'tokens', 'once'){1});
 %! assert (scale < 1 && scale > 4^(-1 / 3));
+
+% SPDX-License-Identifier: GPL-3.0-only

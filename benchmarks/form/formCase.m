@@ -112,3 +112,5 @@ function t = turnOf (evidence)
                           evidence.posterior{best}.weight, 0.5);
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

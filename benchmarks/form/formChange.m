@@ -45,3 +45,5 @@ function [given, data, pairs] = formChange (root)
     end
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

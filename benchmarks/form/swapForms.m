@@ -83,3 +83,5 @@ end
 %!   assert (strcmp (form.name, 'nothing') || ~isempty (fieldnames (set)) || ...
 %!           ~isempty (form.lines(0.5)), form.name);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

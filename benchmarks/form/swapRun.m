@@ -54,3 +54,5 @@ function z = onePacking (truth, given, root, form, seed, folder)
     z(of) = results(1:sum (of));
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

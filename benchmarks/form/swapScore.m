@@ -80,3 +80,5 @@ function mark = cosines (lab, t, q, N, V, seen)
   mark = struct ('own', max ([0, c(isOwn)]), 'rival', rival, 'nearest', ...
                  names{at});
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

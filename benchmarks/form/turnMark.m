@@ -65,3 +65,5 @@ function x = smoothDraw (problem, white)
   C = C + 0.4 * diag (alone);
   x = randn (1, numel (at)) * chol (C) .* problem.sd(at);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

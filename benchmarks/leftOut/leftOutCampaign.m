@@ -21,3 +21,5 @@ function campaign = leftOutCampaign (name, root)
                      'reference', hypotheses.reference, ...
                      'isWhole', all (isfinite (data.Z), 2)');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -85,3 +85,5 @@ function one = describe (evidence, verdict, hypotheses, truth)
     one.interval = strengthAlone (evidence, hypotheses, numbers(1));
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -56,3 +56,5 @@ end
 %!                'data', struct ('Z', [1, 2]));
 %! twins = struct ('lab', 1, 'removed', 0, 'y', [1, 2]);
 %! twinsDiagnose (labs, twins);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -162,3 +162,5 @@ end
 %!test % single causes alone
 %! twins = twinsDraw (lab, 7, twinsMix ('singles'));
 %! assert (all (strcmp ({twins.class}, 'single')) && numel (twins) == 7);
+
+% SPDX-License-Identifier: GPL-3.0-only

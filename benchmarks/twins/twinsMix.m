@@ -32,3 +32,5 @@ end
 %!assert (twinsMix ('singles').classes, {'single'})
 %!assert (numel (twinsMix ('all').classes), 5)
 %!error id=DEcalioc:twinsMix:unknownName twinsMix ('dark')
+
+% SPDX-License-Identifier: GPL-3.0-only

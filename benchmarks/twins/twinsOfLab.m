@@ -79,3 +79,5 @@ end
 %! assert (size (v(1).interval), [K, 3]);
 %! assert (all (diff (v(1).interval(:, [2, 1, 3]), 1, 2)(:) >= 0));
 %! assert (isnan (v(2).interval(:, 1))', (1:K) == 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

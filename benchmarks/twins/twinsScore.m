@@ -166,3 +166,5 @@ end
 %! delete ([name, '.csv']);
 %! assert (cells(ismember (header, {'mark', 'kind', 'isKind'})), ...
 %!         {'NaN', '1', '1'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -32,3 +32,5 @@ end
 %! space = twinsSpace (lab, 0.3);
 %! assert (space.visible ([7, 4; 7, -6]), [2; 3], 1e-12);
 %! assert (space.base, [1.5, 0], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -34,3 +34,5 @@ end
 %! space = twinsSpace (lab, 0.3);
 %! assert (twinsStrength (lab, space, 1, 3 - 1e-9), 0.75, 1e-12);
 %! assert (twinsStrength (lab, space, 1, 9), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -105,3 +105,5 @@ for i = 1:numel (changed)
 end
 writeAtomic (fullfile (here, 'verdict.json'), [jsonencode(out), "\n"]);
 writeAtomic (fullfile (here, 'causes.csv'), sprintf ("%s\n", lines{:}));
+
+% SPDX-License-Identifier: GPL-3.0-only

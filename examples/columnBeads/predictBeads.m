@@ -182,3 +182,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'));
 startMain (@predictCase, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -91,3 +91,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'));
 startMain (@runCase, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

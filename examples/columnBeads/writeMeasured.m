@@ -51,3 +51,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'));
 startMain (@writeTable, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

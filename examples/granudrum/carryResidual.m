@@ -38,3 +38,5 @@ end
 %!                            [0.5, 0.5], 3, 2);
 %! assert (z, [2.5, 3.5]);
 %! assert (half, 1.645 * sqrt ([2, 0] + 9 + 6), 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

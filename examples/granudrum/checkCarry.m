@@ -129,3 +129,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'), here);
 startMain (@checkDrums, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

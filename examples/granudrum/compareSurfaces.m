@@ -83,3 +83,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'));
 startMain (@compareCase, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -58,3 +58,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'), here);
 startMain (@drawCase, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@ end
 
 %!assert (halfAbout (0, 1), 1.6449, 1e-4)
 %!assert (halfAbout (-9, 2), 9 + 2 * 1.2816, 1e-3)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -27,3 +27,5 @@ function [surrogates, problem, data] = neutralSurrogates (Case, own)
   Case.targets = Case.targets(own);
   problem = newProblem (Case, []);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

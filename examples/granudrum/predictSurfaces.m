@@ -82,3 +82,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'), here);
 startMain (@predictCase, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -95,3 +95,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'));
 startMain (@compareScales, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

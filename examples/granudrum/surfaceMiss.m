@@ -13,3 +13,5 @@ function rms = surfaceMiss (Z, y)
   D2 = (Z - y).^2;
   rms = sqrt ([mean(D2(:, 1:n), 2), mean(D2(:, n + 1:end), 2)]);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

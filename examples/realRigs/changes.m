@@ -40,3 +40,5 @@ printf ("rig,series,quantity,change,sd,freedom\n");
 for rig = {'doser/P', 'doser/Q', 'doser/R', 'liquid_columns', 'ring_shear'}
   sayRig (rig{1});
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

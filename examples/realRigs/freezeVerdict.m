@@ -82,3 +82,5 @@ for file = files
   list{end + 1} = entryOf (jsondecode (fileread (file{1})), rig, part, said);
 end
 writeAtomic ('verdict.json', [jsonencode(list), "\n"]);
+
+% SPDX-License-Identifier: GPL-3.0-only

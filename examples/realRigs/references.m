@@ -37,3 +37,5 @@ for rig = {'doser/P', 'doser/Q', 'doser/R', 'liquid_columns', 'ring_shear', ...
     sayRig (rig{1}, file);
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -88,3 +88,5 @@ here = fileparts (mfilename ('fullpath'));
 root = fileparts (fileparts (here));
 addpath (fullfile (root, 'infrastructure'));
 startMain (@makeAll, root);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@ function results = resultsOf (folder, model)
     results = num2cell (NaN (1, numel (resultInfo (model))));
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

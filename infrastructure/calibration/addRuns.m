@@ -124,3 +124,5 @@ end
 %!                       [1; 1; 1], 'plan');
 %! [state.evaluate, state.budget] = newEvaluate (@(P, E, r) [4.123456, 16.246912]);
 %! addRuns (state, problem, 5, [], 'infill');
+
+% SPDX-License-Identifier: GPL-3.0-only

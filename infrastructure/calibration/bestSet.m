@@ -81,3 +81,5 @@ end
 %! Case.targets(2).tol = 0.2;
 %! Case.targets(1).tol = 0.1;
 %! assert (bestSet (Case, runsOfCase (Case), []).isMet);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -271,3 +271,5 @@ end
 %!   assert (~isempty (regexp (said, words{1})), words{1});
 %! end
 %! assert (isfile (fullfile (folder, 'results', 'calibration.json')));
+
+% SPDX-License-Identifier: GPL-3.0-only

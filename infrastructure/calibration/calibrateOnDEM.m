@@ -169,3 +169,5 @@ end
 %! assert (s.history(end).params, [0.1, 0.1]);
 %! assert (abs (s.history(end).residual(2)) > 0.2);
 %! assert (sum (isAfterPlan (s.data)) <= 4);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -348,3 +348,5 @@ end
 %! s.found.conflict = {'x'};
 %! assert (confirmSet (s, small).ending.code, 'conflict');
 %! assert (confirmSet (s, small).met, true);
+
+% SPDX-License-Identifier: GPL-3.0-only

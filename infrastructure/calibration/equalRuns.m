@@ -86,3 +86,5 @@ end
 %! % a rig from which nothing comes, twice: its mass, and what is relative to it
 %! few = [-7.44065049, 0, 0];
 %! assert (of (X, [few; few; [Z, Z(:, 1)](3:end, :)], [1, 1, 1]), []);
+
+% SPDX-License-Identifier: GPL-3.0-only

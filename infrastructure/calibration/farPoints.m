@@ -34,3 +34,5 @@ end
 %! assert (gap', [1, 0.5, 0.2], 1e-12);
 %! % walls that count half a step
 %! assert (farPoints (C, zeros (0, 1), 1, 2 * min (C, 1 - C)), 6);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -64,3 +64,5 @@ end
 %! assert (f.planHours, 6 * sum (each) / 3600, 1e-12);
 %! assert (f.mostHours, 46 * sum (each) / 3600, 1e-12);
 %! assert (~isfile (fullfile (Case.folder, 'ExperimentalPlan_DoE.csv')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -219,3 +219,5 @@ end
 %! % a dropped level is never taken, whatever it costs
 %! [state.surrogates.dropped] = deal (1);
 %! assert (nextLevels ([1e-9, 1], 2, state, problem), [1, 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

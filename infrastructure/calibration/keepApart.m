@@ -50,3 +50,5 @@ end
 %! end
 %! state.data.Z(13:15, 1) = state.data.Z(13:15, 1) / 1.02;
 %! assert (nthargout (2, @keepApart, state, problem), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -180,3 +180,5 @@ end
 %! assert (known.code, 'unseen');
 %! problem.statedSd = 0.3 * problem.tol .* problem.value;
 %! assert (! strcmp (knownParameters (state, problem).code, 'unseen'));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -293,3 +293,5 @@ end
 %! % c, which the target does not read, is not worth a measurement
 %! assert (sort ({weak.next.name}), {'a', 'b'});
 %! assert (weak.next(1).gain > 0.2);
+
+% SPDX-License-Identifier: GPL-3.0-only

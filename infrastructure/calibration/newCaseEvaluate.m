@@ -160,3 +160,5 @@ end
 %! [Z, budget] = evaluate ([1, 2; 3, 4], [], 1, 'plan', budget);
 %! assert (Z, [3, 2, -1; 7, 12, -1], 1e-12);
 %! assert ([budget.new, budget.reused], [4, 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

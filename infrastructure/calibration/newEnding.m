@@ -73,3 +73,5 @@ end
 %!             'unjudged', 'open'}
 %!   assert (! isempty (newEnding (code{1}, struct ()).text));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -47,3 +47,5 @@ end
 %! [Z, budget] = f ([1; 2], [3; 4], [1; 2], 'plan', budget);
 %! assert (Z, [4, 1; 6, NaN]);
 %! assert ([budget.new, budget.failed, budget.isUsedUp], [2, 1, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

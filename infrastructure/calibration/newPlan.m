@@ -70,3 +70,5 @@ end
 %! data = addRows (data, [0.2; 0.4], [1, 2; 3, 4], [1; 1], 'import', [3; 1]);
 %! [rest, E] = newPlan (data, Case);
 %! assert (E, 3 * ones (rows (plan) - 2, 1));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %! assert ({size(state.data.X), state.surrogates, state.final}, ...
 %!         {[0, 2], [], []});
 %! assert (budgetLeft (state, smallProblem (1, 0.01)), 40);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -51,3 +51,5 @@ end
 %! back = onCleanup (@() cd (here));
 %! clear costFunction
 %! ownCost ();
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -70,3 +70,5 @@ end
 %! assert (rows (plan) < 5 && all (plan > 5.5));
 %! assert (rows (planBeside ((0:0.5:10)', 5, Case, 0)), 0);
 %! assert (rows (planBeside ((0:0.5:10)', 5, Case, 2)), 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -69,3 +69,5 @@ end
 %!   assert (rows (state.data.X), 10 + ! isna (second));
 %!   assert (! any (state.surrogates.leftOut));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -17,3 +17,5 @@ end
 %!         double (stk_sampling_halton_rr2 (40, 3, limits)));
 %! P = sampleBox (100, [limits; 0, 0, 1]);
 %! assert (mean (P(:, 3) < 1e7), 0.5, 0.05);
+
+% SPDX-License-Identifier: GPL-3.0-only

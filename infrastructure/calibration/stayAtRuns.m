@@ -74,3 +74,5 @@ end
 %! s.budget.left = 0;
 %! s.data.Z(end, :) = 2 * s.data.Z(end, :);
 %! assert (stayAtRuns (s, problem), s.found);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -87,3 +87,5 @@ end
 %! assert (text, '');
 %! assert (trusted (data, problem, @(varargin) [NA, NA]), data);
 %! assert (trusted (keepRows (data, 1:3), problem, f), keepRows (data, 1:3));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -83,3 +83,5 @@ end
 %! vals.iteration = 3;
 %! evalc ('stop = userInt (1, vals, ''iter'', true, optim);');
 %! assert (stop);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -43,3 +43,5 @@ end
 %!assert (assignParams (struct ('b', 1), 3, {'a'}), struct ('b', 1, 'a', 3))
 %!error id=DEcalioc:assignParams:badShape
 %! assignParams (struct (), 1:2, {'a'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -42,3 +42,5 @@ end
 %! res = benchResults (@measureBench, 'Bench', '0001');
 %! clear -global path
 %! assert (res, {NaN, 30});
+
+% SPDX-License-Identifier: GPL-3.0-only

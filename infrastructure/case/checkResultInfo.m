@@ -18,3 +18,5 @@ function info = checkResultInfo (folder)
 end
 
 %!assert (size (checkResultInfo ('')), [1, 0])
+
+% SPDX-License-Identifier: GPL-3.0-only

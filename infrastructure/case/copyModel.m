@@ -47,3 +47,5 @@ end
 %! assert (setdiff (readdir (folder), {'.', '..'}), ...
 %!         {'-odd name'; '.hidden'; 'in.M'; 'meshes'});
 %! assert (isfile (fullfile (folder, 'meshes', 'log.liggghts')));
+
+% SPDX-License-Identifier: GPL-3.0-only

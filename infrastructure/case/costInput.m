@@ -73,3 +73,5 @@ end
 %! clear loadInput
 %! assert (read.value, [4; NaN; 0]);
 %! assert (read.scale, [4; NaN; 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -38,3 +38,5 @@ end
 %!test
 %! % of whatever name
 %! assert (describeExecutor ('a b').program, '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -68,3 +68,5 @@ end
 %! ofResult = runScatter (Case.models.folder);
 %! assert (sd, ofResult([1, 6]), 1e-12);
 %! assert (runs, [6, 6]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -26,3 +26,5 @@ end
 %!assert (executorNames ('described'), {'gridengine', 'slurm'})
 %!assert (iscellstr (cellfun (@(n) describeExecutor (n).program, ...
 %!                            executorNames (), 'UniformOutput', false)))
+
+% SPDX-License-Identifier: GPL-3.0-only

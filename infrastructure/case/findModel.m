@@ -34,3 +34,5 @@ end
 %! assert (findModel ('Heap', '/nowhere', root, {'coefFrictionPP', 'x'}), heap);
 %! assert (findModel ('Heap', '/nowhere', root, {'mu', 'rolling'}), '');
 %! assert (findModel ('Heap', '/nowhere', root, {['a'; 'b'], 3}), heap);
+
+% SPDX-License-Identifier: GPL-3.0-only

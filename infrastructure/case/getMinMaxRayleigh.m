@@ -42,3 +42,5 @@ end
 %! RLTS = getMinMaxRayleigh (v, {'densityP'}, [500; 800]);
 %! assert (RLTS.min, getRayleigh (2e-3, 500, 5e6, 0.3), eps);
 %! assert (RLTS.max, getRayleigh (2e-3, 800, 5e6, 0.3), eps);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@ end
 %! % 0.1631 nu + 0.8766 = 0.92553
 %! assert (getRayleigh (2e-3, 700, 5e6, 0.3), 1.29521e-4, 1e-9);
 %!assert (size (getRayleigh ([1; 2] * 1e-3, 700, 5e6, 0.3)), [2, 1])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -44,3 +44,5 @@ end
 %! d = headDefaults (file);
 %! assert ([d.glue, d.a], [3, 2]);
 %!error id=DEcalioc:headDefaults:missingFile headDefaults ('/nowhere')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -48,3 +48,5 @@ end
 %! now = infoAsRun (info, folder, struct ('w', 1.0471975, 's', 0.025));
 %! assert ([now.at], [1.0471975, 0.025, 2]);
 %! assert ({now.text}, {'slope at 1.047 rad/s, 12 m', 'slot of 25 mm of 2', 'at 2 rad/s'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -260,3 +260,5 @@ end
 %!     assert (f.default >= f.low && f.default <= f.high, f.name);
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

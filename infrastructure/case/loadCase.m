@@ -32,3 +32,5 @@ end
 %! assert (Case.names, {'a', 'b'});
 %! assert (Case.folder, raw.folder);
 %! assert (isempty (Case.effects));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -47,3 +47,5 @@ end
 %!       'nothingOfThisName');
 %!error <results.csv must name the results>
 %! namedResults (@(f) struct ('a', 1), '', tempname ())
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -283,3 +283,5 @@ end
 %! assert ([newCase(raw, 'reading').targets.model], [1, 1, 2]);
 %! raw.Input.numOfSam = 0;
 %! assert ({checkCase(raw, 'reading').id}, {'DEcalioc:checkCase:badNumOfSam'});
+
+% SPDX-License-Identifier: GPL-3.0-only

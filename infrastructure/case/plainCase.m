@@ -17,3 +17,5 @@ end
 %!                struct ('variable', {'s', 't'}));
 %! assert (plainCase (Case).effectVars, {'s', 't'});
 %! assert (isempty (plainCase (Case).effects));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -116,3 +116,5 @@ end
 %! end
 %! cd (here);
 %! clear loadInput
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -67,3 +67,5 @@ end
 %!     assert (~any (s.values == defaults.(s.variable)));
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -50,3 +50,5 @@ end
 %! assert (info(2).series, '');
 
 %!assert (isempty (resultInfo ('no such folder')))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -18,3 +18,5 @@ end
 %! Case.store = '/s';
 %! assert (runPlace (Case), fullfile ('/s', 'optim'));
 %! assert (runPlace (Case, 'M', '0001'), fullfile ('/s', 'optim', 'M', '0001'));
+
+% SPDX-License-Identifier: GPL-3.0-only

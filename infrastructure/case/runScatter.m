@@ -77,3 +77,5 @@ end
 %! end
 %! unlink (fullfile (folder, 'results.csv'));
 %! fail ('runScatter (folder)', 'needs a results.csv');
+
+% SPDX-License-Identifier: GPL-3.0-only

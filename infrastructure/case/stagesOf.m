@@ -46,3 +46,5 @@ end
 %! writeAtomic (fullfile (folders{1}, 'startsFrom'), "Tap\nWet");
 %! assert (stagesOf (folder, 'all'), {'Fill', 'Wet', 'Tap'});
 %!assert (stagesOf (''), cell (1, 0))
+
+% SPDX-License-Identifier: GPL-3.0-only

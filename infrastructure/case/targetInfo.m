@@ -71,3 +71,5 @@ end
 %! assert ({info.series}, {'w', 'w', 'q', ''});
 %! assert ([info.at], [1, 2, 2, NaN]);
 %! assert ({byNumber.name}, {'r', 'w', 'm', ''});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -113,3 +113,5 @@ end
 %!   assert (choice.program, fullfile (strtrim (own), 'liggghts'));
 %!   assert (~isempty (strfind (choice.why, place)));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

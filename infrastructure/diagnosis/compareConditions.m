@@ -149,3 +149,5 @@ end
 %! none = condition ('wet', pair, 0.5, 'least');
 %! none.problem.reference = [];
 %! assert (isempty (compareConditions (none, []).order));
+
+% SPDX-License-Identifier: GPL-3.0-only

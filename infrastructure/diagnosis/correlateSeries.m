@@ -118,3 +118,5 @@ end
 %! [~, lengths] = correlateSeries (study.problem, study.emulator, ...
 %!                                 study.hypotheses.options);
 %! assert (lengths, zeros (1, 12));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -285,3 +285,5 @@ end
 %!   assert (err.identifier, 'DEcalioc:needCandidates:missingField');
 %! end
 %! assert (! isempty (strfind (err.message, 'got speedError, which no result')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -222,3 +222,5 @@ end
 %! given.value([2, 7]) = mean (data.Z)([2, 7]) + 1;
 %! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'twins', 60));
 %! assert (any (strcmp (d.which.verdict, {'no gap', 'undecided'})));
+
+% SPDX-License-Identifier: GPL-3.0-only

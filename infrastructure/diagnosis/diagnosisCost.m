@@ -46,3 +46,5 @@ end
 %! [Case.targets.changed] = value{:};
 %! assert (! isempty (regexp (of (Case){1}, ...
 %!                            '^for 1 condition: .* are run with First: ')));
+
+% SPDX-License-Identifier: GPL-3.0-only

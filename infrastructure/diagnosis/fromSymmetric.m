@@ -21,3 +21,5 @@ end
 
 %!assert (fromSymmetric ([-1, 0; 1, 0.5], [1, 4; 3, 8]), [1, 6; 3, 7]);
 %!assert (fromSymmetric ([-1; 0; 1], [1; 100; 1]), [1; 10; 100], 1e-13);
+
+% SPDX-License-Identifier: GPL-3.0-only

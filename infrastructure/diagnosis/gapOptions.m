@@ -58,3 +58,5 @@ end
 %!test
 %! % all that a diagnosis reads is there, each once
 %! assert (numel (fieldnames (gapOptions ([]))), 53);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -17,3 +17,5 @@ end
 
 %!assert (arrayfun (@neutralSets, [4, 12]), [20, 40])
 %!assert (neutralSets (4, struct ('neutral', 2)), 10)
+
+% SPDX-License-Identifier: GPL-3.0-only

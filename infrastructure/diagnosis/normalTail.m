@@ -11,3 +11,5 @@ end
 
 %!assert (normalTail (0), 0.5)
 %!assert (normalTail (1.959963984540054), 0.025, 1e-12)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -54,3 +54,5 @@ end
 %!assert (strengthOfValues (effects, [0, 2, 1]), [0, 1])
 %!assert (strengthOfValues (effects, [0, 0.75, -0.5]), [0, -0.5])
 %!error id=DEcalioc:strengthOfValues:badShape strengthOfValues (effects, 1)
+
+% SPDX-License-Identifier: GPL-3.0-only

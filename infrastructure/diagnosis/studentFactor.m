@@ -12,3 +12,5 @@ function f = studentFactor (freedom)
 end
 
 %!assert (studentFactor ([2, Inf; 1, 1e7]), [1.32, 1; 1.84, 1], 5e-3)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -16,3 +16,5 @@ end
 %! box = [1, 0; 100, 5; 1, 0];
 %! theta = [-1, 0.2; 0.3, 1];
 %! assert (toSymmetric (fromSymmetric (theta, box), box), theta, 1e-13);
+
+% SPDX-License-Identifier: GPL-3.0-only

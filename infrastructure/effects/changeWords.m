@@ -36,3 +36,5 @@ end
 %! assert (words, {'unlikely', 'yes', 'yes', 'no', 'yes'});
 %! assert (factors, [0.05, 1, 1, 0, 1]);
 %!assert (changeWords ([]), cell (1, 0))
+
+% SPDX-License-Identifier: GPL-3.0-only

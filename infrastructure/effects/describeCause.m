@@ -48,3 +48,5 @@ end
 %!error id=DEcalioc:describeCause:badShape
 %! describeCause (struct ('name', 'x', 'label', 'l', 'question', 'q?', ...
 %!                        'members', {{'a', 0.5}}))
+
+% SPDX-License-Identifier: GPL-3.0-only

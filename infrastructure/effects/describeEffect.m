@@ -79,3 +79,5 @@ end
 %! describeEffect (struct ('name', 'x'))
 %!error id=DEcalioc:describeEffect:badShape ...
 %! describeEffect (struct ('name', 'x', 'neutral', 0, 'limits', [0; 1]))
+
+% SPDX-License-Identifier: GPL-3.0-only

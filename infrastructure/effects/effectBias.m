@@ -25,3 +25,5 @@ end
 %!test
 %! info = struct ('kind', {'height', 'angle'});
 %! assert (effectBias ().transform ([0.02, 30], 0.001, info), [0.021, 30], eps);
+
+% SPDX-License-Identifier: GPL-3.0-only

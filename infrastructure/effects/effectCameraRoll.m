@@ -33,3 +33,5 @@ end
 %!                'at', {NaN, NaN, 0.1});
 %! z = effectCameraRoll ().transform ([30, 30, 0.02], 1, info);
 %! assert (z, [31, 29, 0.02 + 0.1 * pi / 180], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@ end
 %!test
 %! info = struct ('kind', {'mass', 'angle'});
 %! assert (effectGain ().transform ([2, 30], 0.05, info), [2.1, 30], 1e-14);
+
+% SPDX-License-Identifier: GPL-3.0-only

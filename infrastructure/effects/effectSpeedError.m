@@ -30,3 +30,5 @@ end
 %!                'at', {1, exp(1)});
 %! z = effectSpeedError ().transform ([20, 30], 0.1, info);
 %! assert (z, [21, 31], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

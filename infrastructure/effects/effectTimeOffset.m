@@ -28,3 +28,5 @@ end
 %!                {NaN, 1, 2, NaN}, 'series', {'', 'time', 'time', ''});
 %! z = effectTimeOffset ().transform ([5, 9, 6, 30], 0.1, info);
 %! assert (z, [5.1, 9.3, 6.3, 30], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

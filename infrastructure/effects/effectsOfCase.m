@@ -144,3 +144,5 @@ end
 %! assert (numel (notes), 1);
 %! assert (! isempty (strfind (notes{1}, ['no measurement uncertainty ', ...
 %!                             'given for b: its size is estimated'])));
+
+% SPDX-License-Identifier: GPL-3.0-only

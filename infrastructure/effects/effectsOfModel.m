@@ -53,3 +53,5 @@ end
 %! assert (size (effectsOfModel (folder, [])), [1, 0]);
 %! delete (fullfile (folder, 'data.head'));
 %! rmdir (folder);
+
+% SPDX-License-Identifier: GPL-3.0-only

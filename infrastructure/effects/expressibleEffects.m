@@ -25,3 +25,5 @@ function names = expressibleEffects (Case)
   end
   names = {effects(can).name};
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -134,3 +134,5 @@ end
 %! fail ('getEffect (''ownOfGetEffect3'', folder)', 'Effect3.m must give a struct');
 
 %!error id=DEcalioc:getEffect:unknownName getEffect ('noSuchEffect')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -110,3 +110,5 @@ end
 %! fail ('listCauses (folder)', 'with a number in each row');
 %! unlink (file);
 %! rmdir (folder);
+
+% SPDX-License-Identifier: GPL-3.0-only

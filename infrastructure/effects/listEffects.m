@@ -78,3 +78,5 @@ end
 %! delete (file);
 %! delete (table);
 %! rmdir (folder);
+
+% SPDX-License-Identifier: GPL-3.0-only

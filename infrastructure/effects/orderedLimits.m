@@ -12,3 +12,5 @@ function limits = orderedLimits (limits, neutral)
 end
 
 %!assert (orderedLimits ([0.9, 3; 0.2, 1], [0.5, 5]), [0.2, 3; 0.9, 1])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -228,3 +228,5 @@ end
 %!                'limits', [-1; 1], 'transform', @(Z, s, info) Z + s);
 %! assert (resolveEffects (zero).transform (1, 2, []), 3);
 %!error id=DEcalioc:checkCase:badEffects resolveEffects (7)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -34,3 +34,5 @@ end
 %! info = struct ('series', {'time', 'time', 'x', 'time'}, 'at', {2, 1, 1, 4});
 %! z = shiftSeries ([7, 4, 1, 13], 0.5, info, 'time');
 %! assert (z, [8.5, 5.5, 1, 14.5], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -17,3 +17,5 @@ end
 %! writeAtomic (file, "a,b\n1,x\n2,y\n");
 %! list = tableRows (file);
 %! assert ({list.a, list.b}, {'1', '2', 'x', 'y'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -77,3 +77,5 @@ end
 %! rmdir (folder, 's');
 %! assert (bare, {'no bench can express timeOffset'});
 %! assert (isempty (texts));
+
+% SPDX-License-Identifier: GPL-3.0-only

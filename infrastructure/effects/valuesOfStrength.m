@@ -37,3 +37,5 @@ end
 %! again = strengthOfValues (effects, valuesOfStrength (effects, phi));
 %! assert (again, phi, 1e-14);
 %!assert (size (valuesOfStrength ([], zeros (3, 0))), [3, 0])
+
+% SPDX-License-Identifier: GPL-3.0-only

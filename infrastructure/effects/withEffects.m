@@ -105,3 +105,5 @@ end
 %!error id=DEcalioc:checkCase:unknownVariable
 %! withOwn (["struct ('name', 'own', 'variables', {{'ee'}}, 'neutral', 0, ", ...
 %!           "'limits', [0; 1])"]);
+
+% SPDX-License-Identifier: GPL-3.0-only

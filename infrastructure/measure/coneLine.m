@@ -32,3 +32,5 @@ end
 %! assert (angle, 25, 0.3);
 %! assert (apex, 0.03 + 0.001 / cosd (25), 2e-4);
 %! assert (points(1, [1, end]), [0.01, 0.04], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

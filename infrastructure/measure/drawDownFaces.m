@@ -49,3 +49,5 @@ end
 %! assert ([faces.left, faces.right, faces.difference], [50, 40, 10], 0.1);
 %! assert (faces.width, 0.2 + 1 / tand (50) + 1 / tand (40), 0.02);
 %!assert (isnan (drawDownFaces (1:9, ones (1, 9)).angle))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -60,3 +60,5 @@ end
 %! file = [tempname(), '.svg'];
 %! drawSideView (file, [], [], 'no grains');
 %! assert (~isempty (strfind (fileread (file), 'no grains')));
+
+% SPDX-License-Identifier: GPL-3.0-only

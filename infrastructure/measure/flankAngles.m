@@ -100,3 +100,5 @@ end
 %! ofPhoto = flankAngles (x, z);
 %! assert (ofPhoto.angle, ofRun.angle, 1);
 %! assert (ofRun.angle, 28, 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

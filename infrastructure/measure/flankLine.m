@@ -33,3 +33,5 @@ end
 %! x = linspace (-2, 2, 400);
 %! [angle, sd, foot] = flankLine (x, min (1, max (0, x + 1)), 1);
 %! assert ([angle, sd, foot(1)], [45, 0, -1], 1e-6);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -65,3 +65,5 @@ end
 %! assert (mean (found(:, 1)), 0, 0.1);
 %! assert (sqrt (mean (found(:, 2).^2)) / std (found(:, 1)), 1, 0.2);
 %!assert (isnan (lineWithSd (1:4, 1:4)))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -37,3 +37,5 @@ end
 %! assert (massInRegion (grains, [1; 1; 2] * 3 / (4 * pi), ...
 %!                       [-Inf; Inf] .* ones (1, 3)), 4, 1e-12);
 %!error id=DEcalioc:massInRegion:badShape massInRegion (zeros (1, 4), 1, [0, 1])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -40,3 +40,5 @@ end
 %! [~, few] = overFrames (num2cell (repmat ([1, 2], 1, 20)), @(g) g);
 %! [~, alike] = overFrames (num2cell ([ones(1, 20), 2 * ones(1, 20)]), @(g) g);
 %! assert (alike > 3 * few);
+
+% SPDX-License-Identifier: GPL-3.0-only

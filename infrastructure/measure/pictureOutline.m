@@ -183,3 +183,5 @@ end
 %! file = [tempname(), '.png'];
 %! imwrite (uint8 (200 * ones (50, 80)), file);
 %! pictureOutline (file);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -24,3 +24,5 @@ end
 %! h = radialProfile ([1, 2, 0, 5], [0, 3, 9], [1, 2]);
 %! assert (h, [5, 4, 0], 1e-12);
 %!assert (radialProfile (zeros (0, 4), [0, 1]), [0, 0])
+
+% SPDX-License-Identifier: GPL-3.0-only

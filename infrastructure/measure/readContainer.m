@@ -39,3 +39,5 @@ end
 %! put ('output_checks.csv', ["spheresFilled,100\nspheresKept,99\n", ...
 %!                            "spheresOut,60\nspheresEnd,30\n"]);
 %! assert (readContainer (folder), {NaN, NaN});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -157,3 +157,5 @@ end
 %! readDump (sampleDump ('ATOMS id x', "7 1\n3 4\n"), {'x', 'fx'});
 %!error id=DEcalioc:readDump:badValue      % a frame that breaks off
 %! readDump (sampleDump ('ATOMS id x y z radius', "7 1 2 3 0.5\n3 4 5\n"));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -66,3 +66,5 @@ end
 %!assert (tryText ("mass 0.1\nprint \"mass ${m}\"\nmass 0.4\n", {'mass'}), 0.4)
 %!assert (tryText ("t,force [N]\n0,1\n1,3\n2,5\n", {'force'}), 5)
 %!assert (tryText ("t,force [N]\n0,1\n1,3\n2,5\n", {'force'}, 2/3), 4)
+
+% SPDX-License-Identifier: GPL-3.0-only

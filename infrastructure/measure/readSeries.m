@@ -90,3 +90,5 @@ end
 %!assert (isempty (readSeries ("1 2 3\n", {'a', 'b'})))
 %!assert (isempty (readSeries ('', {'a'})))
 %!assert (readSeries ("1 2\n3 4\n", {'a', 'b'}), [1, 2; 3, 4])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -75,3 +75,5 @@ end
 %!error id=DEcalioc:readVtk:unknownName readVtk (text, {'radius'}, 'f')
 %!error id=DEcalioc:readVtk:badShape
 %! readVtk (strrep (text, 'ASCII', 'BINARY'), {'x'}, 'f');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -24,3 +24,5 @@ end
 %! assert (h, [3, 2.8, NaN], 10 * eps);
 %!assert (silhouette ([0, 0, 2, 1; 0, 5, 7, 1], 0), 8)
 %!assert (size (silhouette (zeros (5, 4), 1:3)), [1, 3])
+
+% SPDX-License-Identifier: GPL-3.0-only

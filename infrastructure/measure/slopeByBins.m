@@ -25,3 +25,5 @@ end
 %! [angles, sds] = slopeByBins (x, z, [0, 1, 2.1, 3]);
 %! assert (angles, [45, atand(0.5), NaN], 1e-6);
 %! assert (sds, [0, 0, NaN], 1e-6);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -18,3 +18,5 @@ end
 %!test % apex, flank, outside
 %! h = surfaceAt ([0, 0, 2, 1], [0, 0, 5], [0, 0.6, 0]);
 %! assert (h, [3, 2.8, 0], 10 * eps);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -37,3 +37,5 @@ end
 %! assert (surfaceLine ([0, 0, 1, 1; 1, 0, 0, 1], 0, 1) < 0);
 %! [angle, ~, points] = surfaceLine (zeros (0, 4), 0, 1);
 %! assert (isnan (angle) && isempty (points));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -59,3 +59,5 @@ end
 %! assert (C, C');
 %! assert (min (eig (C)) > 0);
 %! assert (C(1, 1), 1 + 1e-6, 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

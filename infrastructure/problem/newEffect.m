@@ -88,3 +88,5 @@ end
 %! assert (e.offset, zeros (1, 3));
 %!error id=DEcalioc:newEffect:badShape newEffect (struct ('name', 'x'), 3)
 %!error id=DEcalioc:newEffect:missingField newEffect (struct ('a', 1), 3)
+
+% SPDX-License-Identifier: GPL-3.0-only

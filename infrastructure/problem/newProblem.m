@@ -369,3 +369,5 @@ end
 %! [given.paramMean, given.paramSd] = deal ([0.75, NaN], [0.1, NaN]);
 %! assert (newProblem (given).paramPrior, ...
 %!         struct ('mean', [0.5, 0], 'sd', [0.2, Inf]), 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -54,3 +54,5 @@ end
 %! assert (size (fields), [1, 33]);
 %! assert ({fields([fields.hasUnit]).name}, ...
 %!         {'value', 'sd', 'scale', 'shared', 'noiseSd', 'earlierSd'});
+
+% SPDX-License-Identifier: GPL-3.0-only

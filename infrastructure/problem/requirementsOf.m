@@ -56,3 +56,5 @@ end
 %! assert (names, {'a', 'w', 'b'});
 %! [groups, names, isJoint] = requirementsOf (problem, [1, 3]);
 %! assert ({groups, names, isJoint}, {{1, 3}, {'a', 'w@2'}, [false, true]});
+
+% SPDX-License-Identifier: GPL-3.0-only

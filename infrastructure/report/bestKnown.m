@@ -70,3 +70,5 @@ end
 %!                'models', struct ('name', 'M'), 'further', {{}});
 %! Case.targets = struct ('name', 'cost', 'model', 1, 'unit', '', 'role', 'smallest');
 %! bestKnown (Case);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@ end
 
 %!assert (numel (costTexts (struct ('runs', 1, 'failed', 0, 'outside', 0))), 3)
 %!assert (numel (costTexts (struct ('runs', 3, 'failed', 1, 'outside', 0))), 4)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -31,3 +31,5 @@ end
 %! assert (c.share, 1, 1e-12);
 %! [Case.targets.curve] = deal (0);
 %! assert (isempty (curveSummary (Case, zeros (4, 1))));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -306,3 +306,5 @@ end
 %!   v = decideCase (coded (s.c), coded (s.gap));
 %!   assert ({v.word, v.class, v.usable}, row(2:4)');
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -43,3 +43,5 @@ end
 %! assert (~isempty (strfind (old.action, 'decalioc run')));
 %! assert (~isempty (strfind (old.sentence, v.word)));
 %! assert ({old.usable, old.class}, {false, 'open'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -18,3 +18,5 @@ end
 %!assert (eachOf (@upper, {'a'}), {'A'})
 %!assert (eachOf (@(s) s.a, struct ('a', {1, 2})), {1, 2})
 %!assert (eachOf (@numel, []), cell (1, 0))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@ end
 %!assert (jsonList (struct ('a', {{1, 'x'}}), {'a'}), {1, 'x'})
 %!assert (jsonList (struct ('a', 'x'), {'a'}), {'x'})
 %!assert (jsonList ([], {'a'}), cell (1, 0))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -17,3 +17,5 @@ end
 %!assert (jsonNumber (struct ('a', 3), {'a'}), 3)
 %!assert (isnan (jsonNumber (struct ('a', []), {'a'})))
 %!assert (jsonNumber ([], {'a'}, 0), 0)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -45,3 +45,5 @@ end
 %! level.dropped(1) = true;
 %! assert (levelLine (level, targets), ...
 %!         'b -2 +- 0.25; c rms 3.54; dropped for 1 of 4 targets');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@ end
 %! assert (measuredParams (Case), 'a 1 +- 0.1, c 3 +- 2');
 %! Case.paramMean(:) = NaN;
 %! assert (measuredParams (Case), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

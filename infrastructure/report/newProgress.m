@@ -84,3 +84,5 @@ end
 %! assert (! isempty (regexp (evalc ('further (state)'), 'left, at most \d+ min in all')));
 %! state.message = 'no answer';
 %! assert (evalc ('report (state)'), "  no answer\n");
+
+% SPDX-License-Identifier: GPL-3.0-only

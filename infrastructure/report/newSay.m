@@ -27,3 +27,5 @@ end
 %!   assert (evalc ('say (repmat (''a '', 1, 99), ''bad'')'), [repmat('a ', 1, 99), "\n"]);
 %! end
 %! assert (nargin (say), -2);
+
+% SPDX-License-Identifier: GPL-3.0-only

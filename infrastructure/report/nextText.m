@@ -31,3 +31,5 @@ end
 %! assert (! isempty (strfind (nextText (test), 'between wall adhesion + shape and cohesion')));
 %! assert (nextText (struct ('test', 'measure A once more', 'gain', 0.04)), ...
 %!         'measure A once more: 0.04 bit');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -27,3 +27,5 @@ end
 %!assert (noiseKind ('plain', 7.35, NaN), 'plain')
 %!assert (noiseKind ('p', 0.04, 0.1), 'p')
 %!assert (noiseKind ('plain', [1, 2], 0.1), 'plain')
+
+% SPDX-License-Identifier: GPL-3.0-only

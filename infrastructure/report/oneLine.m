@@ -10,3 +10,5 @@ end
 
 %!assert (oneLine ("a\nb\tc"), 'a b c')
 %!assert (oneLine (''), '')
+
+% SPDX-License-Identifier: GPL-3.0-only

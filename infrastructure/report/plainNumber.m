@@ -63,3 +63,5 @@ end
 %!assert (plainNumber (0.453, 'change 1'), '+0.5')
 %!assert (plainNumber (-1.2345, 'plain 3'), '-1.23')
 %!assert (plainNumber (-4e-15, 'plain 0'), '0')
+
+% SPDX-License-Identifier: GPL-3.0-only

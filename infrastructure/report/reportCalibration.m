@@ -13,3 +13,5 @@ function c = reportCalibration (c, Case, say)
   sayCalibration (Case, say);
   reportPage (Case, say);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

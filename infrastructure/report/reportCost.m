@@ -28,3 +28,5 @@ function b = reportCost (Case, say)
   end
   b.exitStatus = 2;
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

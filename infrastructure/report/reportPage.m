@@ -52,3 +52,5 @@ end
 %! writeAtomic (fullfile (raw.folder, 'results'), 'a file');
 %! text = evalc ('reportPage (Case, @(t) printf ("%s\n", t))');
 %! assert (! isempty (strfind (text, 'could not be written')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -16,3 +16,5 @@ end
 %!        'NOT CALIBRATED (2026-01-02): a b')
 %!assert (resultTitle (struct ('converged', true, 'reason', 'a'), 'd'), ...
 %!        'CALIBRATED (d): a')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -89,3 +89,5 @@ end
 %! assert (! isempty (regexp (text, 'open: .*says? missed, all runs together')));
 %! assert (! isempty (regexp (text, ' 7.21 +7.1 .* open')), text);
 %! assert (regexp (text, 'DEM runs:') < regexp (text, '\nCALIBRATED:'));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -61,3 +61,5 @@ end
 %! text = evalc ("sayLine ('1 of 2', file, screen, 'moving')");
 %! assert (text, "\r\033[K1 of 2\r");
 %! assert (fileread (file), "  abc def ghi jkl\n");
+
+% SPDX-License-Identifier: GPL-3.0-only

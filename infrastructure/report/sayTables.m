@@ -17,3 +17,5 @@ end
 %! text = evalc ('sayTables (page, @disp, {''parameters'', ''levels''})');
 %! assert (strncmp (text, "Values of the parameters\n  parameter", 30));
 %! assert (text(end - 1:end), "\n\n");
+
+% SPDX-License-Identifier: GPL-3.0-only

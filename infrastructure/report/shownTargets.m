@@ -26,3 +26,5 @@ end
 %! % all of them points: a row, as the caller goes through it
 %! Case.targets = struct ('curve', {1, 1, 1, 1}, 'at', {1, 2, 3, 4});
 %! assert (shownTargets (Case), [1, 3, 4]);
+
+% SPDX-License-Identifier: GPL-3.0-only

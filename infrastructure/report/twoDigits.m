@@ -15,3 +15,5 @@ end
 %!assert (twoDigits (-134.2), '-134')
 %!assert (twoDigits (3.14), '3.1')
 %!assert (twoDigits (99.4), '99')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -265,3 +265,5 @@ end
 %! assert (headDefaults (read ('calibrated.head')).radiusP, c.params(1), ...
 %!         0.5 * step + 1e-12);
 %! assert (size (dlmread (read ('posterior.csv'), ',', 1, 0)), [1000, 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

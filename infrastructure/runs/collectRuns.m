@@ -91,3 +91,5 @@ end
 %! [Z, records] = evaluateDEM ([1, 2], Case);
 %! assert (Z, [3, 2, 7], 1e-12);
 %! assert (records(2).status, 'ok');
+
+% SPDX-License-Identifier: GPL-3.0-only

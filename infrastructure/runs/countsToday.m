@@ -59,3 +59,5 @@ end
 %! assert (countsToday (job, folder, Case, h), {0.4});
 %! Case.modelVars.c = 3;
 %! assert (countsToday (job, folder, Case, h), {});
+
+% SPDX-License-Identifier: GPL-3.0-only

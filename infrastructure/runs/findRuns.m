@@ -64,3 +64,5 @@ end
 %!   end
 %! end
 %! assert (findRuns (job, Case){1}.folder, folder);
+
+% SPDX-License-Identifier: GPL-3.0-only

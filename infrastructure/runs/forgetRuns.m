@@ -113,3 +113,5 @@ end
 %! assert (isempty (forgetRuns (Case.store, 'First', [2, 9], false)));
 %! forgetRuns (Case.store, 'First', {'x', Case.folder}, true);
 %! assert (status (), {'ok', 'ok', 'ok'});
+
+% SPDX-License-Identifier: GPL-3.0-only

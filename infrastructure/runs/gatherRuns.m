@@ -159,3 +159,5 @@ end
 %! assert (data.X, [2, 3; 4, 5]);
 %! assert ([count.stored, count.imported], [0, 2]);
 %! assert (isnan (count.seconds));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -16,3 +16,5 @@ function number = getLastFoldersNumber (varargin)
 end
 
 %!assert (getLastFoldersNumber ('/nowhere', 'M'), 0)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -39,3 +39,5 @@ end
 %! % a run keeps 15 digits of a set
 %! runScript ([1/3, 3, 0, 1], 'First', Case);
 %! assert (getOptimFolder ([1/3; 3], Case){1}, '0003');
+
+% SPDX-License-Identifier: GPL-3.0-only

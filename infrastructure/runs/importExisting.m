@@ -96,3 +96,5 @@ end
 %! assert (sortrows ([data.X, data.Z; rest.X, rest.Z]), ...
 %!         [(1:n)', repmat([2, 3, 2, 1], n, 1)]);
 %! assert (~isempty (strfind (text, '1000 of 1500 runs are used')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %! assert (strncmp (libraryLine (Case), '2 runs of 2 cases in /s', 23));
 %! Case.store = Case.folder;
 %! assert (strncmp (libraryLine (Case), '2 runs of earlier starts', 24));
+
+% SPDX-License-Identifier: GPL-3.0-only

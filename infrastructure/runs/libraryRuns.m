@@ -262,3 +262,5 @@ end
 %! assert ({data.X, tally.used, tally.outside}, {[3, 4], 2, [0, 4]});
 %! evaluateDEM ([3, 4.05], Case);
 %! assert (libraryRuns (Case, newProblem (Case)), data);
+
+% SPDX-License-Identifier: GPL-3.0-only

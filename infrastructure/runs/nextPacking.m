@@ -24,3 +24,5 @@ end
 %! assert (other.seed, runSeed ([1, 2], 1.5, Case.options.seed));
 %! changed = {'seed', 'key', 'variables', 'attempt'};
 %! assert (isequal (rmfield (other, changed), rmfield (job, changed)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -126,3 +126,5 @@ end
 %!   assert (isempty (readIndex (file)));
 %! end
 %!assert (isempty (readIndex ('/nowhere')))
+
+% SPDX-License-Identifier: GPL-3.0-only

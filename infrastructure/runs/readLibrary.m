@@ -181,3 +181,5 @@ end
 %! writeRecord (file, setfield (r, 'variables', strrep (r.variables, '1', '2')));
 %! kinds = readLibrary (runPlace (Case, 'First'));
 %! assert (rows (vertcat (kinds.runs)), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -37,3 +37,5 @@ end
 %!         {job.key, folder, false});
 %! failedRecord (job, folder, 'invalid', 'x', 'output');
 %! assert (readRun (folder).status, 'invalid');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -47,3 +47,5 @@ end
 %!   assert ({list, mark}, {zeros(0, 2), ''});
 %! end
 %! assert (readTaken ('/nowhere'), zeros (0, 2));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -53,3 +53,5 @@ end
 %! writeAtomic (head, [fileread(head), "\n"]);
 %! assert (isempty (runFoldersOf (Case, 'First', 'model')));
 %! assert (runFoldersOf (Case, 'First'), {'0003'});
+
+% SPDX-License-Identifier: GPL-3.0-only

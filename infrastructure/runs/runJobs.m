@@ -378,3 +378,5 @@ end
 %! assert (numel (listRunFolders (Case.store, 'First')), 2);
 %! assert (canonicalize_file_name (fullfile (r(4).folder, 'First')), ...
 %!         canonicalize_file_name (r(3).folder));
+
+% SPDX-License-Identifier: GPL-3.0-only

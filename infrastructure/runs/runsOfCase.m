@@ -132,3 +132,5 @@ end
 %!              sprintf ("k1\t%s\nk2\t%s\n", folders{:}));
 %! mkdir (fullfile (folders{2}, 'batch.claim'));
 %! assert ({runsOfCase(Case).state}, {'waiting', 'running'});
+
+% SPDX-License-Identifier: GPL-3.0-only

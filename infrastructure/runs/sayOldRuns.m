@@ -193,3 +193,5 @@ end
 %!              'changed since: runscript'}
 %!   assert (~isempty (strfind (text, words{1})), words{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

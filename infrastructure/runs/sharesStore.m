@@ -13,3 +13,5 @@ end
 
 %!assert (sharesStore (struct ('store', '/s', 'folder', '/c')))
 %!assert (~sharesStore (struct ('store', '/c', 'folder', '/c')))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -75,3 +75,5 @@ end
 %! runs = storedRuns (Case);
 %! assert ({runs.status}, {'ok', 'ok'});
 %! assert (runs(1).params, [1, 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -50,3 +50,5 @@ end
 %! [Z, isRepeat] = countEqualOnce (data, 1);
 %! assert (Z, data.Z);
 %! assert (! any (isRepeat));
+
+% SPDX-License-Identifier: GPL-3.0-only

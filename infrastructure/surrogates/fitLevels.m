@@ -95,3 +95,5 @@ end
 %! assert (s.dropped, 1);
 %! assert (s.name, 'mass');
 %! assert (predictSurrogate (s, [0.4, 0.6]), truth ([0.4, 0.6]), 0.05);
+
+% SPDX-License-Identifier: GPL-3.0-only

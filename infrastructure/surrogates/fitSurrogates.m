@@ -243,3 +243,5 @@ end
 %! s = fitSurrogates (data, problem, [], 40);
 %! assert (numel (s.z), 40);
 %! assert (predictSurrogate (s, 0.4), 1.4, 1e-3);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -35,3 +35,5 @@ end
 %! assert (levelShift (s, [0.4, 0.4], 0), 0);
 %! s.extra = [];
 %! assert (levelShift (s, [0.4, 0.4], 1), NaN);
+
+% SPDX-License-Identifier: GPL-3.0-only

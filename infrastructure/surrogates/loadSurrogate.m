@@ -106,3 +106,5 @@ end
 %!   assert (caught, 'DEcalioc:loadSurrogate:badFile');
 %! end
 %! assert (! isfile (flag));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -15,3 +15,5 @@ end
 
 %!assert (looRows (struct ('looStd', {[1; 2], [3; 4]})), [1, 3; 2, 4])
 %!assert (size (looRows (struct ('looStd', {[1; 2], 3}))), [0, 2])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %! delete (file);
 %! assert (predictSurrogate (r, X), predictSurrogate (s, X), 1e-9);
 %! assert (r.Q2, s.Q2, 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

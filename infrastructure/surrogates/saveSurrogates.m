@@ -148,3 +148,5 @@ end
 %! assert (called, m, 1e-6);         % without a prior weights grow large
 %! assert (one, m(3, 2), 1e-9);
 %! assert (again.z, s(2).z);
+
+% SPDX-License-Identifier: GPL-3.0-only

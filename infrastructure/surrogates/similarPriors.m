@@ -89,3 +89,5 @@ end
 %! end
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -71,3 +71,5 @@
 %! text = cancelled (B);
 %! assert (~isempty (strfind (text, '; 1 run(s) ended here')), text);
 %! assert (readEndMark (folder).reason, 'killed');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -60,3 +60,5 @@
 %! file = fullfile (A.store, 'optim', 'First', '0001', 'record.json');
 %! writeRecord (file, rmfield (readRecord (file), 'owner'));
 %! assert ([numel(runsOfCase (A)), numel(runsOfCase (B))], [2, 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -26,3 +26,5 @@
 %! % the run is there now: nobody waits
 %! [~, isReused] = runJobs (jobs, Case, @(s) []);
 %! assert (isReused, [true, true]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -14,3 +14,5 @@
 %! assert (status == 0 && isempty (strfind (out, 'error')), out);
 %! [status, out] = startCommand (raw.folder, 'check');
 %! assert (status == 0 && ~isempty (strfind (out, ': 0 runs of 0')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -102,3 +102,5 @@
 %! page = fileread (fullfile (folder, 'results', 'report.html'));
 %! assert (~isempty (strfind (page, ['Pr', umlaut, 'fstand'])));
 %! assert (asUtf8 (page), page);
+
+% SPDX-License-Identifier: GPL-3.0-only

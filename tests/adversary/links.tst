@@ -80,3 +80,5 @@
 %! assert (fileread (target), 'precious');
 %! assert (fileread (fullfile (folder, 'stdout.txt'))(1:6), "hello\n");
 %! assert (readEndMark (folder).code, 98);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -9,3 +9,5 @@
 %! [failures, count] = fuzzStore (n, 7);
 %! assert (isempty (failures), strjoin (failures, "\n"));
 %! assert (count.index + count.record + count.surrogate, n);
+
+% SPDX-License-Identifier: GPL-3.0-only

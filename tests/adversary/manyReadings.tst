@@ -80,3 +80,5 @@
 %! assert (numel (bestOf (Case).results), 4);
 %! keepLines (folder, 10:12);
 %! assert (numel (bestOf (caseIn (folder)).results), 6);
+
+% SPDX-License-Identifier: GPL-3.0-only

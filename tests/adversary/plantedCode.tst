@@ -51,3 +51,5 @@
 %! end
 %! assert (caught, 'DEcalioc:loadSurrogate:badFile');
 %! assert (! isfile (flag));
+
+% SPDX-License-Identifier: GPL-3.0-only

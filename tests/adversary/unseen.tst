@@ -35,3 +35,5 @@
 %! lock = lockCase (folder);
 %! inside ('-p -f', sprintf ('disp (lockHolder (''%s'').state)', folder));
 %! assert (strtrim (fileread (fullfile (folder, 'out'))), 'unknown');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@
 %! end
 %! assert (numel (unique (keys)), numel (keys));
 %! assert (numel (keys), 2 * rows (Z));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@
 %! [failures, count] = fuzzCalibrations (10001:10260);
 %! assert (isempty (failures), strjoin ([failures, {''}], "\n"));
 %! assert (count.calibrations >= 500);
+
+% SPDX-License-Identifier: GPL-3.0-only

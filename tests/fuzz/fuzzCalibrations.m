@@ -237,3 +237,5 @@ function [half, own] = tolerances (lab)
   half(isAbsolute) = [lab.targets(isAbsolute).tol] * 5;
   own = strcmp ({lab.targets.role}, 'calibrate');
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

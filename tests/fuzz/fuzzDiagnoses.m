@@ -172,3 +172,5 @@ function count = counted (count, d)
                  (w.gateP < 0.05 && ~isempty (d.screen.names) && ...
                   ~strcmp (w.guard, 'integral'));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -226,3 +226,5 @@ function [given, data, what] = broken (given, data)
       data.X(1, 1) = NaN;
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

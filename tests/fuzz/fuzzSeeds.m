@@ -35,3 +35,5 @@ end
 %!         'struct (''tried'', 0));']);
 %! assert (failures, {'it (1): odd', 'it (3): odd'});
 %! assert (count.tried, 3);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -180,3 +180,5 @@ function writeBytes (file, bytes)
   fwrite (fid, bytes);
   fclose (fid);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -150,3 +150,5 @@ end
 %! a = (lab.given.value - lab.data.Z(1, :)) ./ max (lab.data.Z);
 %! b = ((given.value - data.Z(1, :)) ./ max (data.Z))(back.target);
 %! assert (b, a, 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -16,3 +16,5 @@
 %!   '--vary fGG=0.2:0.8 --seed seedPack --target far=0.02 --output result.txt %s'], ...
 %!   script, place));
 %! assert (status == 0 && ! isempty (strfind (out, 'lost ignore')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@
 %! plan = GenerateExperPlan ([0, 1; 1, 3], 1e5);
 %! assert (size (plan), [1e5, 2]);
 %! assert (sort (floor (1e5 * plan(:, 1))), (0:1e5 - 1)');
+
+% SPDX-License-Identifier: GPL-3.0-only

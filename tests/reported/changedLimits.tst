@@ -35,3 +35,5 @@
 %! n = numel (listRunFolders (folder, 'M'));
 %! startCommand (folder, 'run');
 %! assert (numel (listRunFolders (folder, 'M')), n);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -69,3 +69,5 @@
 %!                          'r4,0,,g/s,0.05 abs', 'r4,0.535,,g/s,5%');
 %! assert ({status, c.ending.code}, {0, 'converged'});
 %! assert ({c.targets.state}, {'met', 'met', 'met'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -8,3 +8,5 @@
 %! assert (! isempty (strfind (out, 'The intervals are not printed')), out);
 %! c = readJsonFile (fullfile (folder, 'results', 'calibration.json'));
 %! assert (c.intervalCode, 'no fit');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -33,3 +33,5 @@
 %!   out = made (row{1:2});
 %!   assert (ischar (out) && ! isempty (strfind (out, row{3})), '%s', out);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

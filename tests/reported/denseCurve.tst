@@ -12,3 +12,5 @@
 %! assert (any (status == [0, 2]), out);
 %! c = readJsonFile (fullfile (folder, 'results', 'calibration.json'));
 %! assert (numel (c.targets), 31);
+
+% SPDX-License-Identifier: GPL-3.0-only

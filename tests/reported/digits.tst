@@ -49,3 +49,5 @@
 %! head = fileread (fullfile (folder, 'data.head'));
 %! assert (isempty (regexp (head, '[1-9]\d{15}', 'once')));
 %! assert (~isempty (strfind (head, 'variable SIMTS equal ')));
+
+% SPDX-License-Identifier: GPL-3.0-only

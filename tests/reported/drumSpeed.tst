@@ -40,3 +40,5 @@
 %! info = targetInfo (Case);
 %! assert (! isempty (strfind (info(1).text, 'slot of 25 mm')), info(1).text);
 %! assert ([info.at], [0.025, 2400, 300]);
+
+% SPDX-License-Identifier: GPL-3.0-only

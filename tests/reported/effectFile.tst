@@ -32,3 +32,5 @@
 %!   assert (status == 1 && ! isempty (strfind (out, row{2})), out);
 %!   assert (! isempty (strfind (out, 'effectSticky')), out);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -6,3 +6,5 @@
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status == 0, out);
 %! assert (! isempty (strfind (out, 'runs.csv  6 sets taken in')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

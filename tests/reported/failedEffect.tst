@@ -16,3 +16,5 @@
 %!         {'untested', 'mendEffect'});
 %! page = fileread (fullfile (folder, 'results', 'report.html'));
 %! assert (~isempty (strfind (page, said)));
+
+% SPDX-License-Identifier: GPL-3.0-only

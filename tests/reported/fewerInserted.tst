@@ -8,3 +8,5 @@
 %! assert (! isempty (regexp (out, 'grains: 24\d of 900 that the script asks for')), out);
 %! assert (! isempty (regexp (out, ['WARNING +Pile: LIGGGHTS says: Particle insertion: ' ...
 %!                                  'Less insertions than requested'])), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -61,3 +61,5 @@
 %! s = caseStatus (Case, []);
 %! assert ([s.models.done, s.models.lost], [3, 3]);
 %! assert (s.plan(1), before);
+
+% SPDX-License-Identifier: GPL-3.0-only

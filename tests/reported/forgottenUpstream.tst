@@ -45,3 +45,5 @@
 %! calibrated (folder);
 %! [status, out] = startCommand (folder, 'forget . Fill 2');
 %! assert (status == 0 && ! isempty (strfind (out, '1 run of Rest, 1 run of Tap')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@
 %! c = jsondecode (fileread (fullfile (folder, 'results', 'calibration.json')));
 %! sum_ = c.targets(strcmp ({c.targets.name}, 'sum'));
 %! assert ({sum_.target, sum_.unit, sum_.given}, {7, 'kg', 'g'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -39,3 +39,5 @@
 %! assert (strtok (text, "\n"), 'friction_1_2,rollingFriction_1_1,t,angle');
 %! [status, out] = startCommand (folder, 'check case');
 %! assert (! isempty (strfind (out, 'runs.csv  2 sets taken in')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

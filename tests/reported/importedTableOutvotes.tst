@@ -18,3 +18,5 @@
 %! truth = [0.94 * (0.36 + 0.5 * mu + 0.1 * ro), 26 * (1 - exp(-ro / 0.1)) + 10 * (mu - 0.4)];
 %! assert (abs ([c.targets.result] - [c.targets.target]) <= [c.targets.allowed]);
 %! assert (abs (truth - [c.targets.target]) <= [c.targets.allowed]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -13,3 +13,5 @@
 %!                            'history rolling_friction epsd2 primitive type 2 zplane'));
 %! [~, out] = startCommand (folder, 'check');
 %! assert (isempty (strfind (out, 'no contact model')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

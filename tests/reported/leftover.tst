@@ -67,3 +67,5 @@
 %! record = executeLocal (newJobs (Case, [0.5, 0.5], [], 1, 'plan'), Case, ...
 %!                        @(state) []);
 %! assert ({record.status, record.results}, {'ok', [4, 2]});
+
+% SPDX-License-Identifier: GPL-3.0-only

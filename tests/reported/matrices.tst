@@ -37,3 +37,5 @@
 %! for row = wrong'
 %!   fail ('diagnoseMatrices (row{1:2}, quick)', row{3});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -39,3 +39,5 @@
 %! c = with (@(mu, k) sprintf ('%.2f', mod (k * 0.17, 0.4)));
 %! assert (fieldnames (c.params), {'mu'; 'rolling'});
 %! assert (isempty (c.neverVaried));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -12,3 +12,5 @@
 %! end
 %! assert (c.intervalCode, 'unseen');
 %! assert (! isempty (strfind (c.intervalNote, 'optim.targetStd')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -15,3 +15,5 @@
 %! writeAtomic (file, strrep (fileread (file), '''slurm''', '''local'''));
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status == 0 && isempty (strfind (out, 'the runs go to')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -35,3 +35,5 @@
 %! [status, out] = startCommand (folder, 'check --try');
 %! assert (status == 0, out);
 %! assert (! isempty (regexp (out, 'unloading@0.65\s+\S+, measured 2.5')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -18,3 +18,5 @@
 %!                               'RigB,10003,0.242857,0.3416,'));
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status == 1 && ! isempty (strfind (out, 'got none for wall')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

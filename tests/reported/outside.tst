@@ -57,3 +57,5 @@
 %! at = strfind (out, fullfile (place, 'lib'));
 %! assert (status == 0 && ~isempty (at), out);
 %! assert (strfind (out(at:end), 'NOT noticed') > 0);
+
+% SPDX-License-Identifier: GPL-3.0-only

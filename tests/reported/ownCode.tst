@@ -30,3 +30,5 @@
 %! again = started (folder);
 %! assert (again.params, c.params);
 %! assert (again.converged, true);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -51,3 +51,5 @@
 %! new = made ({'in.x', strrep(script, 'run 1', 'clear')}, '');
 %! assert (says (new, 'no command run'), new);
 %!error <no such file> made ({'in.x', script}, '--post post.py')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -13,3 +13,5 @@
 %! a = c.params.a;
 %! force = 1 + 10 * exp (-((a - 0.83) / 0.05)^2);
 %! assert (abs (force / 8 - 1) < 0.05 && abs ((2 + a + c.params.b) / 3.3 - 1) < 0.03);
+
+% SPDX-License-Identifier: GPL-3.0-only

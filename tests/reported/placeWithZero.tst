@@ -12,3 +12,5 @@
 %!   [status, out] = startCommand (folder, 'check');
 %!   assert (status == 0 && ! isempty (strfind (out, '10 sets taken in')), out);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -14,3 +14,5 @@
 %!             'Widen the range of grainSize in loadEffects.m'}
 %!   assert (! isempty (strfind (out, part{1})), out);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -15,3 +15,5 @@
 %!   assert (status == 0 && isempty (strfind (out, 'called from')), ...
 %!           '%s: %s', command{1}, out);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -27,3 +27,5 @@ function folder = reportedCase (name, base)
     end
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -19,3 +19,5 @@
 %! writeAtomic (file, strrep (text, '''mu''', '''coefFrictionPP'''));
 %! [status, out] = startCommand (folder, 'check');
 %! assert (! isempty (strfind (out, 'DEMmodels/Heap/data.head declares')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -67,3 +67,5 @@
 %! for one = gap.reference.conditions'
 %!   assert (isempty (one.names));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

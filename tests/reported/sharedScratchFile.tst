@@ -42,3 +42,5 @@
 %! assert (any (status == [0, 2]), out);
 %! [~, out] = startCommand (folder, 'check');
 %! assert (isempty (strfind (out, 'outside its folder')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -147,3 +147,5 @@
 %!     assert (! isempty (strfind (said, list{k, 2})), '%s: %s', list{k, 1}, [said, out]);
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

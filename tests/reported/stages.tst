@@ -12,3 +12,5 @@
 %! % one odd run is no jump
 %! assert (isempty (strfind (out, 'jumps past')), out);
 %! assert (! isempty (strfind (out, 'add the run to runs.csv')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -78,3 +78,5 @@
 %!                   '&& touch -d 2001-01-01 0999/*'], folder));
 %! [~, out] = startCommand (folder, 'status');
 %! assert (~isempty (strfind (out, 'state   stopped')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

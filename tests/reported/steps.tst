@@ -23,3 +23,5 @@
 %! [status, out] = startCommand (folder, 'check case');
 %! assert (status == 1, out);
 %! assert (~isempty (strfind (out, 'Steps/output_results: expected')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@
 %! [status, out] = startCommand (folder, 'diagnose');
 %! assert (status == 1, out);
 %! assert (! isempty (strfind (out, 'got speedError, which no result')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -10,3 +10,5 @@
 %! assert (status != 0);
 %! assert (! isempty (strfind (out, 'got 1.002 in line 3')), out);
 %! assert (! isempty (strfind (out, 'Write 1002 or 1,002.')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

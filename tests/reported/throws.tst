@@ -32,3 +32,5 @@
 %! [status, out] = startCommand (folder, 'check --try');
 %! assert (status == 0, out);
 %! assert (numel (listRunFolders (folder, 'Bench')), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -19,3 +19,5 @@
 %! assert (v.todo.code, 'moreTime');
 %! assert (! isempty (strfind (v.action, 'Input.timeout to more than 120 s')));
 %! assert (isempty (strfind (v.action, 'maxFunEvals')));
+
+% SPDX-License-Identifier: GPL-3.0-only

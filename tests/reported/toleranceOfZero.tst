@@ -22,3 +22,5 @@
 %!                            "Orifice,r4,0.1,,g/s,\nOrifice,r4,-0.1,,g/s,"));
 %! [status, out] = startCommand (folder, 'check');
 %! assert (status == 1 && ! isempty (strfind (out, '0.1 abs')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

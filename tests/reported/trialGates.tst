@@ -32,3 +32,5 @@
 %!test
 %! % the bulk density alone
 %! says (tried ('690', '0.002'), {'massOnPlate: .* that of the bulk'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -11,3 +11,5 @@
 %! p = c.params;
 %! assert (20 + 15 * p.a + 10 * p.b, 32, 0.02 * 32);
 %! assert (800 - 60 * p.a + 20 * p.b^2, 780, 0.02 * 780);
+
+% SPDX-License-Identifier: GPL-3.0-only

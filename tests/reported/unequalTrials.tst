@@ -20,3 +20,5 @@
 %! [~, out] = startCommand (folder, 'check --try');
 %! assert (! isempty (regexp (out, 'angle .*measured 31.43')), out);
 %! assert (! isempty (strfind (out, 'mean of repeated trials: angle')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

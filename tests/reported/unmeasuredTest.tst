@@ -60,3 +60,5 @@
 %! put (folder, "one,Second,r3,2.1,0.1\n");
 %! diagnosed (folder);
 %! assert (runsOf (folder)(2) > 12);
+
+% SPDX-License-Identifier: GPL-3.0-only

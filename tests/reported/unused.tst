@@ -18,3 +18,5 @@
 %! writeAtomic (file, [fileread(file), "variable d equal 2*${c}\n"]);
 %! [~, out] = startCommand (folder, 'check');
 %! assert (isempty (strfind (out, 'it changes nothing')), out);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -21,3 +21,5 @@
 %! writeAtomic (file, strrep (fileread (file), '[0, 0.1;', '[2.98, 0.1;'));
 %! c = calibrated (folder);
 %! assert (cellstr (c.atLimit), {'offset'});
+
+% SPDX-License-Identifier: GPL-3.0-only

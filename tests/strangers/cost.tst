@@ -46,3 +46,5 @@
 %! assert (status == 1 && says (out, 'does not say which of them does'), out);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (folder), 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

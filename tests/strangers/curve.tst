@@ -39,3 +39,5 @@
 %! assert (c.params.pull, 9.81, 0.2);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (folder), 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

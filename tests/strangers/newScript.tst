@@ -117,3 +117,5 @@
 %!   assert (says (text{1}, 'grains_10.data (read_data in in.loop)'), text{1});
 %!   assert (says (text{1}, 'does not use ${runSeed}'), text{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

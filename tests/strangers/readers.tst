@@ -54,3 +54,5 @@
 %! assert (angles(1) < -10 && angles(3) > 10);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

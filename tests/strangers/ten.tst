@@ -28,3 +28,5 @@
 %! assert (sum (cellfun (@rows, {list.edits})) <= 1);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Prints the calls between the folders of the toolbox, and the doors of each; exit
 # status 1 where a call goes up, two subfolders call each other, a function has no
 # caller, or the map (infrastructure/README.md) is old.

@@ -14,3 +14,5 @@ end
 
 %!assert (roomsOf ({'main'; 'runs/table'; 'wings/script'; 'wings/page/html'}), ...
 %!        {'main'; 'runs'; 'wings/script'; 'wings/page'})
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -166,3 +166,5 @@ end
 %! assert (~isempty (regexp (said, 'kit +1 +0 +1 +100%')));
 %! assert (~isempty (regexp (said, 'runs +2 +1 +0 +0%')));
 %! assert (~isempty (strfind (old, 'make map')));
+
+% SPDX-License-Identifier: GPL-3.0-only

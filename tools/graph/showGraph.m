@@ -275,3 +275,5 @@ end
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (scratch, 's');
 %! assert (caught, 'DEcalioc:showGraph:unknownName');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Builds LIGGGHTS 3.8.0 from Debian's source package, once per machine.
 # CALL: tools/liggghts/build.sh      (or: make liggghts)
 # LIGGGHTS=/path/to/liggghts or LIGGGHTS=system chooses another program: then

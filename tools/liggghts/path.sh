@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Prints the folder to put first in PATH, so that `liggghts` is the right one:
 #   LIGGGHTS unset or empty     the one that build.sh has made
 #   LIGGGHTS=system             the one that is on the PATH already

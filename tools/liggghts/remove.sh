@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Removes every LIGGGHTS that build.sh has made, with its source and logs.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=settings.sh

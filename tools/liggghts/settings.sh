@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-only
 # shellcheck shell=bash disable=SC2034
 # What is built and where it goes; read by build.sh and path.sh.
 

@@ -69,3 +69,5 @@ end
 %! delete (file);
 %! assert (numel (strfind (text, '<circle')), 1);
 %! assert (numel (strfind (text, '<line')), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -55,3 +55,5 @@ end
 %!   assert (ismember (words(:, 2), {'line', 'ring'}), file{1});
 %!   assert (isfinite (str2double (words(:, 3:6))), file{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # Builds the manual as a site with search, and as one PDF: dist/site/,
 # dist/decalioc-manual.pdf.
 # CALL: tools/site/build.sh      (or: make site)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-only
 """All pages of the manual as one HTML page, for printing.
 
 CALL: onePage.py MKDOCS_YML PAGES > FILE

@@ -271,3 +271,5 @@ end
 %! assert (all (diff (S) > 0));
 %!test % enough adhesion carries all
 %! assert (laws.wallStress (1, 1500, 0.1, 0.2, 1e3), 0);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -228,3 +228,5 @@ end
 %!   assert (numel (problem.effects), numel (given.effects));
 %! end
 %!error id=DEcalioc:foreignLab:badValue foreignLab (0)
+
+% SPDX-License-Identifier: GPL-3.0-only

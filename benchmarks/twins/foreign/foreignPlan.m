@@ -59,3 +59,5 @@ end
 %!   data{i} = lab.plan (5, 2);
 %! end
 %! assert (data{1}, data{2});
+
+% SPDX-License-Identifier: GPL-3.0-only

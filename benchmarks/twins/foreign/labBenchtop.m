@@ -89,3 +89,5 @@ end
 %! assert (all (at (3, 1)(3:4) < none(3:4)));
 %! assert (all (at (3, -1)(3:4) > none(3:4)));
 %! assert (at (1, 0.1), none);
+
+% SPDX-License-Identifier: GPL-3.0-only

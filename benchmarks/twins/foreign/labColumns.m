@@ -148,3 +148,5 @@ end
 %! assert (at (1, 0.1), at (1, 0));
 %! change = at (1, 1) - at (1, 0);
 %! assert (all (change([1:4, 11:15]) < 0) && all (change(7:10) > 0));
+
+% SPDX-License-Identifier: GPL-3.0-only

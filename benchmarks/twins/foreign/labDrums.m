@@ -106,3 +106,5 @@ end
 %! matrix = lab.problem.effects(7).matrix;
 %! linear = step * none * matrix;
 %! assert (at (7, step) - none, linear, 0.15 * max (abs (linear)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -94,3 +94,5 @@ end
 %! assert (at (6, 0.3), none);
 %! assert (all (at (4, 1)(1:5) < none(1:5)) && at(4, 1)(12) == none(12));
 %! assert (at (9, -1)(1:5), 0.94 * none(1:5), 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -32,3 +32,5 @@ end
 %!test
 %! info = struct ('series', {'profile', ''});
 %! assert (effectCamera ().transform ([0.5, 3], 0.1, info), [0.55, 3], eps);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -40,3 +40,5 @@ end
 %! info = struct ('series', {'surfaceSlow', 'surfaceFast', ''});
 %! assert (effectOptics ().transform ([1, 2, 3], 1, info), ...
 %!         [1 + 1 / cosd(41), 2 + 1 / cosd(55), 3], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

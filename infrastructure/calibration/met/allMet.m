@@ -72,3 +72,5 @@ end
 %! problem.calibrate(1) = false;
 %! p = allMet ([9, 0.6, -0.6], [9, 0.02, 0.02], problem, [4, 9, 11]);
 %! assert (p, 0);
+
+% SPDX-License-Identifier: GPL-3.0-only

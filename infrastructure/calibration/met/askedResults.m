@@ -14,3 +14,5 @@ end
 
 %!assert (askedResults (struct ('models', [true, false]), [1, 2, 2]), [true, false, false])
 %!assert (askedResults (struct ('models', true), [1, 2]), [true, true])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %! assert ({v, isUnseen}, {0.13, false}, 1e-12);
 %! [v, isUnseen] = errorVariance (0.001, problem, 2);
 %! assert ({v, isUnseen}, {0.0016, true}, 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

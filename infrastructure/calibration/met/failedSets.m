@@ -26,3 +26,5 @@ end
 %! assert (failedSets (data, problem), 1);
 %! data.Z(2) = NA;
 %! assert (isempty (failedSets (data, problem)));
+
+% SPDX-License-Identifier: GPL-3.0-only

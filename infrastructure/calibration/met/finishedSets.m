@@ -22,3 +22,5 @@ end
 %!                 [1, 1; 1, 1; 1, NaN; NaN, 1; 1, 1], (1:5)', 'import');
 %! assert ([finishedSets(data, [0; 1]), finishedSets(data)], [2, 3]);
 %!assert (finishedSets (newData (1, 2), [0; 1]), 0)
+
+% SPDX-License-Identifier: GPL-3.0-only

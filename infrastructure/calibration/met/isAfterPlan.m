@@ -10,3 +10,5 @@ end
 
 %!assert (isAfterPlan (struct ('stage', {{'import'; 'library'; 'plan'; ...
 %!                                        'verify'}})), [false(3, 1); true])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -32,3 +32,5 @@ end
 %! assert (share, abs (r) / 0.05, 1e-12);
 %! problem.avoid = 0.5;
 %! assert (meetProbability (s, problem, 0.5), 0);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -94,3 +94,5 @@ end
 %! problem.odd.chance = 1;
 %! problem.odd.further = 200;
 %! assert (mixtureMet (0, 1e-6, problem, 1e6, 0.5), 1, 1e-3);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -135,3 +135,5 @@ end
 %!   state.surrogates(t).looResidual = 0.002 * Z(1, t) * (-1).^(1:n)';
 %! end
 %! assert (sum (oddRuns (state, problem).isOdd), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -72,3 +72,5 @@ end
 %! assert ({t, values.runs, values.got}, {1, 1, 1.15});
 %! % nothing to compare: neither
 %! assert (oddsOfShift (keepRows (data, 1:12), other, problem), 0);
+
+% SPDX-License-Identifier: GPL-3.0-only

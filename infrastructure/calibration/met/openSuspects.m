@@ -24,3 +24,5 @@ end
 %! state.surrogates(1).suspect(13) = false;
 %! state.surrogates(2).suspect(13) = false;
 %! assert (find (openSuspects (state, problem)), 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

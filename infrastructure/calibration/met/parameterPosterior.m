@@ -203,3 +203,5 @@ end
 %!   s(t).looStd = circshift (s(t).looStd, 4 * t);
 %! end
 %! assert (width / diff (parameterPosterior (s, problem).interval90) > 1.6);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -19,3 +19,5 @@ end
 %!test
 %! data = addRows (newData (1, 1), [1; 2; 1], [1; 1; 1], [1; 1; 4], 'plan');
 %! assert (replicateNumbers (data, [1; 3; 1; 3], [0; 5]), [5; 1; 6; 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

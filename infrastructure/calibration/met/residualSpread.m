@@ -22,3 +22,5 @@ end
 %! [m, v] = predictSurrogate (s, [0.5, 1; 0.2, 0.1]);
 %! assert (r, m ./ [4, 2] - 1, 1e-12);
 %! assert (spread, sqrt (v) ./ [4, 2], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

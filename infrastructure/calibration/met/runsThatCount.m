@@ -14,3 +14,5 @@ end
 %! assert ({kept.X, kept.E, kept.Z, kept.stage}, {2, 1, 4, {'plan'}});
 %! data.E = zeros (2, 0);
 %! assert (runsThatCount (data, struct ('fine', zeros (1, 0))), data);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -14,3 +14,5 @@ end
 
 %!assert (sameSet ([1, 2; 1, 2 + 1e-14; 1, 2.1], [1, 2], [0, 0; 1, 9]), ...
 %!        [true; true; false])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -49,3 +49,5 @@ end
 %! assert (line(1:numel (expected)), expected);
 %! said = str2double (regexp (line, '[\d.]+$', 'match'){1});
 %! assert (said, f (p)(1), 0.05);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -45,3 +45,5 @@ end
 %! [q, t] = targetResidual (newProblem (C, @(p, f) f (p) - [4; 2]), P, Z);
 %! assert (q, [0.4, -1; -2, NaN], 1e-12);
 %! assert (t(1, :), [1, 1], 1e-6);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -38,3 +38,5 @@ end
 %!                                   [0.1, 0.2, 0.2, 9; 0, 0, 0, 9]);
 %! assert (share, [1, 1; 0.5, sqrt(4.5)], 1e-12);
 %! assert (spread, [1, 1; 0, 0], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -17,3 +17,5 @@ end
 %!assert (tooOftenNone ([0; 1; 2; 5], [9; 1; 2; 8]) > 0.95, [false; false; true; true])
 %!assert (tooOftenNone ([2; 2; 2], [5; 7; 12]) > 0.5, [true; true; false])
 %!assert (tooOftenNone ([2; 3], [20; 6]) > 0.95, [false; false])
+
+% SPDX-License-Identifier: GPL-3.0-only

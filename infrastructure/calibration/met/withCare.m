@@ -13,3 +13,5 @@ end
 %! [problem, state] = smallCalibration ();
 %! problem = withCare (state, problem);
 %! assert ({rows(problem.avoid), problem.odd}, {0, []});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -44,3 +44,5 @@ end
 %! assert (! isempty (strfind (said, '2 runs with these values x 7.5, y 0')), said);
 %! assert (state.history(2).ofRuns, [0.075; 0], 1e-12);
 %! assert (state.history(2).residual, [0.01; -0.02]);
+
+% SPDX-License-Identifier: GPL-3.0-only

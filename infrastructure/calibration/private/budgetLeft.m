@@ -65,3 +65,5 @@ end
 %!assert (of ([]), []);
 %!assert (of ([3, 1; 3, 3; 1, 18]), [2, 6, 18], 1e-9);
 %!assert (of ([2, 5]), [5, 5, 5], 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -257,3 +257,5 @@ end
 %! state.data.E = 2 * ones (rows (state.data.X), 1);
 %! lines = checkSurrogates (state, problem);
 %! assert (numel (those (lines, 'coarser runs')), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

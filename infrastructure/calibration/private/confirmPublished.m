@@ -167,3 +167,5 @@ end
 %! J = slopes ([0.5, 1], f, book);
 %! assert (J(:, 2), [0.25; 0.4; 2], 1e-9);
 %! assert (J(:, 1), [0.25; 0.5; 0], 0.05);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -205,3 +205,5 @@ end
 %! assert (out.final.n, 1);
 %! assert (out.final.ending.code, 'conflict');
 %! assert (out.final.ending.conflict, {'y'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -97,3 +97,5 @@ end
 %!         {'beyondScatter', problem.targetNames});
 %! assert (ending (setfield (final, 'untested', 0.5)).code, 'outside');
 %! assert (ending (setfield (final, 'n', 1)).code, 'outside');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -54,3 +54,5 @@ end
 %! assert (lackingAt (0.2, data, problem), zeros (1, 3));
 %! data.stage(:) = {'import'};
 %! assert (lackingAt (0.8, data, problem), zeros (1, 3));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -19,3 +19,5 @@ end
 %! [lacks, hasAny] = lackingRows ([1, NaN, 3; NaN, NaN, 3; 1, NA, NaN], [1, 1, 2]);
 %! assert (lacks, logical ([0, 1, 0; 0, 0, 0; 0, 0, 0]));
 %! assert (hasAny, logical ([1, 1, 1; 0, 0, 1; 1, 1, 0]));
+
+% SPDX-License-Identifier: GPL-3.0-only

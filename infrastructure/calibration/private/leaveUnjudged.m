@@ -63,3 +63,5 @@ end
 %! state.final = struct ('unjudged', struct ('name', problem.targetNames(2)));
 %! [state, aside] = leaveUnjudged (state, problem);
 %! assert ({aside.calibrate, state.unjudged}, {[true, false], problem.targetNames(2)});
+
+% SPDX-License-Identifier: GPL-3.0-only

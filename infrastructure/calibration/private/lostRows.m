@@ -15,3 +15,5 @@ end
 
 %!assert (lostRows ([1, NaN, 3; NaN, NaN, 3; 1, 2, NaN; NA, NA, 3], [1, 1, 2])', ...
 %!        logical ([0, 1, 1, 0]));
+
+% SPDX-License-Identifier: GPL-3.0-only

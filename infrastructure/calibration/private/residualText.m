@@ -20,3 +20,5 @@ end
 %!assert (residualText ([0.01; NaN; -0.2], {'a', 'b', 'c'}), ' c -20, a 1')
 %!assert (residualText (-0.01 * (1:6)', {'a', 'b', 'c', 'd', 'e', 'f'}), ...
 %!        ' f -6, e -5, d -4, c -3 and 2 smaller ones')
+
+% SPDX-License-Identifier: GPL-3.0-only

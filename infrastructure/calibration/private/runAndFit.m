@@ -71,3 +71,5 @@ end
 %! assert (state.data.E(9:end), [2; 1; 1]);
 %! assert (state.data.Z(9:end), [3.5; 2.6; 2.5], 1e-12);
 %! assert (state.data.replicate(9:end), [1; 1; 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

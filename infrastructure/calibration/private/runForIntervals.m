@@ -32,3 +32,5 @@ end
 %! assert (rows (new), 3);
 %! assert (ismember (new, toDigits (known.sample), 'rows'));
 %! assert (rows (unique (new, 'rows')), 3);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -166,3 +166,5 @@ end
 %! data.X(6:10, :) = repmat (data.X(6, :), 5, 1);
 %! [~, message] = ran (Case, none, data);
 %! assert (regexp (message, '^DEcalioc:runPlan:tooFewRuns .*got 1\.'), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

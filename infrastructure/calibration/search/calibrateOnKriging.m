@@ -170,3 +170,5 @@ end
 %! assert (g.starts(2).norm < 0.1 && g.starts(2).within);
 %! assert (numel (g.starts), 3);
 %! assert (numel (history), 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@ end
 %! assert (found.residual, [4; 1.9] ./ [4; 2] - 1, 0.01);
 %! assert (found.residual, residualSpread (s, problem, [0.5, 1])', 1e-12);
 %! assert (size (found.probability), [1, 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

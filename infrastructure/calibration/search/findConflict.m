@@ -104,3 +104,5 @@ end
 %! assert (isempty (findConflict (s, problem)));
 %! s(1).aside(2) = 7;
 %! assert (findConflict (s, problem), {'x'});
+
+% SPDX-License-Identifier: GPL-3.0-only

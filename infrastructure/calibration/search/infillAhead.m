@@ -173,3 +173,5 @@ end
 %! end
 %! at = @(p) interp1 (grid, value, p);
 %! assert (at (infillAhead (state, one, 1, 1)) > max (value) - 0.02);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -67,3 +67,5 @@ end
 %! s.data = addRows (s.data, near(1, :), [3.5, 2], 2, 'plan');
 %! [~, names] = jumpsPast (s, problem);
 %! assert (isempty (names));
+
+% SPDX-License-Identifier: GPL-3.0-only

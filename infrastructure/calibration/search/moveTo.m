@@ -50,3 +50,5 @@ end
 %! [away, wasWrong] = moveTo (state, problem, other);
 %! assert (wasWrong);
 %! assert (away.found.params, other);
+
+% SPDX-License-Identifier: GPL-3.0-only

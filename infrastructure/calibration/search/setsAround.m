@@ -24,3 +24,5 @@ end
 
 %!assert (setsAround ([1, 5], [0.1, 0.5; -0.2, 0.1], [0, 0; 10, 10]), ...
 %!        [2, 10; 0, 6])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -87,3 +87,5 @@ end
 %! problem.paramSd = [0.05, NaN];
 %! q = surestSet (s, problem, zeros (0, 2));
 %! assert (abs (q(1) - 0.2) <= abs (p(1) - 0.2));
+
+% SPDX-License-Identifier: GPL-3.0-only

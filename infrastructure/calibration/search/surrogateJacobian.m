@@ -43,3 +43,5 @@ end
 %! assert (J(1, :), [2, 3], 0.02);
 %! [~, sd] = residualSpread (s, problem, [0.5, 10]);
 %! assert (f(2), sd / 0.5, 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -36,3 +36,5 @@ end
 %! end
 %! problem.value = predictSurrogate (state.surrogates, state.found.params);
 %! assert (! isempty (strfind (whyMore (state, problem, 6), 'scatters by 10 a run')));
+
+% SPDX-License-Identifier: GPL-3.0-only

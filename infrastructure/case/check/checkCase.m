@@ -244,3 +244,5 @@ end
 %! assert ({n, isempty(strfind (text, 'densityP'))}, {1, false});
 %! assert (rayleighFaults (own, struct (), 0), '');
 %! assert (rayleighFaults (fixed, setfield (share, 'densityP', 700), 0), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -112,3 +112,5 @@ end
 %! p = checkDeclared ({'mu', 'densityP'}, {'a', 'b'}, ...
 %!                    {'design', 'fixed'}, model);
 %! assert (reasons (p), {'overwrittenInScript'});
+
+% SPDX-License-Identifier: GPL-3.0-only

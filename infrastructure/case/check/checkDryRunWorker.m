@@ -145,3 +145,5 @@ end
 %!                  "\nend\n"]);
 %! code = [head, "if isfile ('none'), x = 1; end\nres = {x};\nend"];
 %! assert (askFor (code), "NaN\n\n\nend\n");
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -69,3 +69,5 @@ end
 %! lastwarn ('');
 %! [~, f] = checkElements ({1, ['ab'; 'cd']}, 'a', 'cell');
 %! assert ({f, lastwarn()}, {{'a{2}'}, ''});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -120,3 +120,5 @@ end
 %! assert (ids (p), {'unknownField'});
 %! assert (! isempty (strfind (p.message, 'Did you mean seed?')));
 %! assert (unread, {'colour'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -173,3 +173,5 @@ end
 %!                                 folder, folder, mode).left;
 %! assert (find ('full'), {'1', '4.29', 'out 1'});
 %! assert (find ('reading'), cell (0, 3));
+
+% SPDX-License-Identifier: GPL-3.0-only

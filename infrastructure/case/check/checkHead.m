@@ -57,3 +57,5 @@ end
 %! assert ({head.value}, {'5e6', 'x', '2*${a}', ''});
 %! assert ({head.remark}, {'Pa', '', '', ''});
 %!assert (size (checkHead ('/nowhere')), [1, 0])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -123,3 +123,5 @@ end
 %! setenv ('PATH', '/nowhere');
 %! tidy = onCleanup (@() setenv ('PATH', home));
 %! assert (first ('executor', 'slurm'), 'DEcalioc:checkCase:missingProgram');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -65,3 +65,5 @@ end
 %!   unlink (file);
 %! end
 %!assert (isempty (checkShadow ('/nowhere', '/')))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -98,3 +98,5 @@ end
 %! assert (reasons, {'measuredUnit'});
 %! [~, reasons] = check ([head, "top,1,pieces,,,,\n"], table);
 %! assert (reasons, {'measuredUnit'});
+
+% SPDX-License-Identifier: GPL-3.0-only

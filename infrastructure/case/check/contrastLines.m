@@ -32,3 +32,5 @@ end
 %!                 'model', {1, 1, 1, 0});
 %! lines = contrastLines (lines, struct ('folder', folder));
 %! assert ([lines.isContrast], [true, false, true, false]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@ end
 %! assert (filledMeasurements (folder), {'A_x_2', 'B', 'C'});
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -247,3 +247,5 @@ end
 %! assert ({g(1).changed.swept, g(2).changed.swept}, {false, true});
 %! assert (sd(1), 0.06, 0.03);
 %! assert (sd(2), 0.3 * 8, 0.1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -192,3 +192,5 @@ end
 %! assert (any ([t.isAbsolute]), false);
 %! assert ({t.name}, {'A_1', 'A_2', 'B_1'});
 %! assert ([t.curve], [0, 0, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

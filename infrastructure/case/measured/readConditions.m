@@ -146,3 +146,5 @@ end
 %! writeAtomic (fullfile (before, 'measured.csv'), "name,value\na,1x\n");
 %! raw.Input.reference = before;
 %! assert (starts (raw, fullfile (before, 'measured.csv, line 2, value: ')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -316,3 +316,5 @@ end
 %!   assert (isempty (list));
 %!   assert (p.id, ['DEcalioc:checkCase:measured', row{2}]);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

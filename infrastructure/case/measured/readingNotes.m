@@ -18,3 +18,5 @@ end
 %! notes = readingNotes (Case);
 %! assert ({notes.label}, {'sessions'});
 %! assert (strncmp (notes.text, 'sessions differ by 2.0 times', 28));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -34,3 +34,5 @@ end
 %! [sd, freedom] = sdOfChange (one, one);
 %! assert (sd, sqrt (18), 1e-12);
 %! assert (freedom, 1 / (1 / 10 + 1 / 20), 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -40,3 +40,5 @@ end
 %! assert (numel (left), 370);
 %! assert (numel (thinCurves (points (30, 'calibrate'))), 30);
 %! assert (numel (thinCurves (points (99, 'holdout'))), 99);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -45,3 +45,5 @@ end
 %! place = fullfile (folder, 'link');
 %! symlink ('/dev/shm', place);
 %! assert (! isempty (storeNote (place, 'slurm')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -192,3 +192,5 @@ end
 %! % where runs can be made, they vary what the table has not
 %! assert (of ([a, 3 + 0 * a, b], 'maxNewRuns', 5).names, {'a', 'b', 'c'});
 %! assert (of ([3 + 0 * a, 4 + 0 * a]).names, {'a', 'b'});
+
+% SPDX-License-Identifier: GPL-3.0-only

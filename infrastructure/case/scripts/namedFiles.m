@@ -236,3 +236,5 @@ end
 %!test
 %! [files, open] = namedFiles ('', tempname ());
 %! assert ({files, open}, {cell(1, 0), cell(1, 0)});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -64,3 +64,5 @@ end
 %! place = fullfile (fileparts (model), 'x', 'optim', 'M', '0001');
 %! names = {'a', 'b', 'c', 'd', 'e', 'f', 'gain', 'h', 'i'};
 %! assert (unusedVariables (names, {model}, {place}), {'a', 'd', 'i'});
+
+% SPDX-License-Identifier: GPL-3.0-only

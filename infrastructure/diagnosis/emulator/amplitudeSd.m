@@ -20,3 +20,5 @@ end
 
 %!assert (amplitudeSd (struct ('strongest', {1, 1}, 'unbent', {1, 0}), ...
 %!                     [1, 0.1; exp(-1), 1]), sqrt ([0.25; 1.25]), 1e-12)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@ end
 %! emulator = struct ('limits', [0; 1], 'surrogates', s, 'fitVar', 3);
 %! [~, v] = predictSurrogate (s, [0.5; 1]);
 %! assert (baseVariance (emulator, [0; 1]), v + 3);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -19,3 +19,5 @@ end
 %! assert (max (abs (points(:))) <= 1);
 %! assert (max (abs (mean (points))) < 0.1);
 %! assert (boxPoints (3, 300), points);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -34,3 +34,5 @@ end
 %! emulator = setfield (handMadeEmulator ([0, 0; 1, 0]), 'effect', e);
 %! assert (effectError (emulator, 1, [0, 1]), [4, 0; 0, 9], 1e-12);
 %! assert (effectError (emulator, [], 0), zeros (2));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -250,3 +250,5 @@ end
 %!                          [phi, phi] * emulator.effect.success(:, 2)));
 %! assert ([p(0), p(0.1)] > [0.95, 0.9]);
 %! assert (p(1) < 0.2);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -57,3 +57,5 @@ end
 %! assert (levelShare (emulator, e, runs), sqrt (2 * 0.09 / 3), 1e-3);
 %! runs.phi = [0; 0];
 %! assert (levelShare (emulator, e, runs), 0.3);
+
+% SPDX-License-Identifier: GPL-3.0-only

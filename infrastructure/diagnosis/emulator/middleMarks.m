@@ -20,3 +20,5 @@ end
 %! emulator.effect = struct ('powers', [0, 1], 'coef', [4, 5, 6], 'bend', 2, ...
 %!                     'range', [0, 3], 'scale', 2);
 %! assert (middleMarks (emulator, [1, 3]), [16, 24]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -90,3 +90,5 @@ end
 %! budget = noiseBudget (problem, emulator);
 %! assert (budget.covariance(1, 1), 16 + 16, 1e-6);
 %! assert (budget.doubt, [625 / 5, 0; 81 / 3 + 256 / 2, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@ end
 %! parity = parityProjection ([1e-13, -2e-13], 5);
 %! assert ([parity.rho^2, parity.absorbed], [25, 0], 1e-12);
 %! assert (parity.absorbability, 0);
+
+% SPDX-License-Identifier: GPL-3.0-only

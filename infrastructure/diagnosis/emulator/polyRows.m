@@ -21,3 +21,5 @@ end
 
 %!assert (polyRows ([0, 0; 1, 2], [2, 3; 1, -1]), [1, 18; 1, 1])
 %!assert (size (polyRows (zeros (0, 2), ones (3, 2))), [3, 0])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -160,3 +160,5 @@ end
 %! end
 %! % the other order of the members is the same pair
 %! assert (predictGap (white, [2, 1], q([1, 3, 2])), M, 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

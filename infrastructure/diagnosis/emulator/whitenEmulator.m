@@ -217,3 +217,5 @@ end
 %!   end
 %! end
 %! assert (V - V0, diag (white.W * K * white.W')', 1e-3 * (V - V0));
+
+% SPDX-License-Identifier: GPL-3.0-only

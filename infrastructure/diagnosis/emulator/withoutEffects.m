@@ -28,3 +28,5 @@ end
 %! assert ({left.effect.name}, {'a', 'c'});
 %! assert ({left.joint.members}, {[1, 2]});
 %! assert (isempty (withoutEffects (emulator).effect));
+
+% SPDX-License-Identifier: GPL-3.0-only

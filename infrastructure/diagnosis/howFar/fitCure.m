@@ -35,3 +35,5 @@ end
 %! z = given.value(study.problem.used) * white.W';
 %! [M, V] = predictGap (white, 3, Q);
 %! assert (max (abs (z - M) ./ sqrt (V)) < 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -172,3 +172,5 @@ end
 %! [~, like] = max (study.evidence.screen.cosine(3, [1, 2, 4, 5]));
 %! assert (like, 3);
 %! assert ({placebos{1}.effect, placebos{2}.effect}, {'size', 'bridge'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@ end
 %! study = labStudy (given, data);
 %! theta = calibrateNull (study.problem, study.emulator, study.hypotheses.options);
 %! assert (theta, [-0.2, 0.4], 0.1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -200,3 +200,5 @@ end
 %! hypotheses.options.seed = 2;
 %! other = caseEvidence (hypotheses, fits, 1);
 %! assert (other.logE(1:3), evidence.logE(1:3), 0.25);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -63,3 +63,5 @@ end
 %! given.reference.together = diag ([0.81, 0, 0]);
 %! [~, sd] = changeOfReadings (newProblem (given), change);
 %! assert (sd(1), sqrt (2 * 0.19), 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

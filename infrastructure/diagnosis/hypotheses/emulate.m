@@ -25,3 +25,5 @@ end
 %! assert (isempty (emulator.change));
 %! again = emulate (problem, data, options, emulator);
 %! assert (again.coef, emulator.coef, 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

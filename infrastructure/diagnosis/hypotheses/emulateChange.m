@@ -317,3 +317,5 @@ end
 %! given.reference = struct ('value', 300 * randn (1, 150), 'sd', ones (1, 150));
 %! given = newProblem (given);
 %! assert (emulateChange (emulator, given).change.size, 0.3, 0.06);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -51,3 +51,5 @@ end
 %! assert (fitEffects (hypotheses, fits, 1, [1, 2], flat).Q(1:3), ...
 %!         [0.5, 0.6, 0.5], 0.15);
 %! assert (fitEffects (hypotheses, fits, 1, 1, hypotheses.prior).U, fits.of{2}.U, 0.01);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -221,3 +221,5 @@ end
 %! Z = repmat ([54, 18, 27, 27], 2, 1);
 %! fit = fitHypothesis (steep, newHypothesis ('null'), Z, [-1; 2], prior);
 %! assert (fit.Q, [0.9; 0.9], 0.01);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -85,3 +85,5 @@ end
 %! assert (size (fits.logE), [2, 4]);
 %! % the right effect has the larger evidence
 %! assert (fits.logE(1, 2) > max (fits.logE(1, [1, 3:4])));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -73,3 +73,5 @@ end
 %! assert (rows (gapReference (hypotheses, near).reference) > 100);
 %! % one level may leave a doubt where another one does not
 %! assert (rows (gapReference (hypotheses, near, [1e-9, 0.05]).reference) > 100);
+
+% SPDX-License-Identifier: GPL-3.0-only

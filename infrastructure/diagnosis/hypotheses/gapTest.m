@@ -80,3 +80,5 @@ end
 %! gate = gapTest (hypotheses, [[0; 0], [8; 10] * ones(1, 3)]);
 %! assert (log (gate.p), [-8; -10], log (3));
 %! assert (gapTest (hypotheses, logE).p, [1; 1], 0.01);
+
+% SPDX-License-Identifier: GPL-3.0-only

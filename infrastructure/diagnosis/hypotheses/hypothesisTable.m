@@ -104,3 +104,5 @@ end
 %! assert (sum (p) + sum (triu (hypotheses.pairPrior)(:)), 1, 1e-12);
 %! assert (p(3:4) / p(2), [0.05, 0.05], 1e-12);
 %! assert (hypotheses.pairPrior(2, 3) / hypotheses.pairPrior(1, 3), 0.05, 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

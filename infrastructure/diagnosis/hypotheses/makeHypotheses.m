@@ -65,3 +65,5 @@ end
 %! assert (max (abs (C(isOff, isOff)(:))) < 1e-9 * max (abs (C(:))));
 %! assert (C(1, 1) > 0);
 %! assert (hypotheses.siblings{1}, cell (1, 0));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -27,3 +27,5 @@ end
 %! problem = newProblem (given);
 %! study = makeStudy (problem, emulate (problem, data, options), options);
 %! assert (gapTest (study.hypotheses, study.fits.logE).p > 0.05);
+
+% SPDX-License-Identifier: GPL-3.0-only

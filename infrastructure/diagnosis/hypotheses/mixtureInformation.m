@@ -84,3 +84,5 @@ end
 %! at = @(m) struct ('mean', m, 'cov', 1);
 %! bits = mixtureInformation ([at(0), at(d)], [0.5, 0.5], [1, 2]);
 %! assert (bits, exact, 0.03);
+
+% SPDX-License-Identifier: GPL-3.0-only

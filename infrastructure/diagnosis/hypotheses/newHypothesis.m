@@ -41,3 +41,5 @@ end
 %!assert (newHypothesis ('null').spread, '')
 %!assert (newHypothesis ('single', 3).spread, 'form')
 %!assert (newHypothesis ('pair', [1, 3]).extent, 0.42)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -157,3 +157,5 @@ end
 %! U = toNormal (view.unknowns, [0.5, 0.9, 0, 0.1]);
 %! [~, ~, L] = predictHypothesis (view, U);
 %! assert (L, -log1p (exp (-2 + 0.9)), 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

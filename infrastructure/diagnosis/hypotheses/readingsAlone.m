@@ -89,3 +89,5 @@ end
 %! assert (alone.decides);
 %! assert (alone.each, [1, 4 * normalTail(4)], 1e-5);
 %! assert (alone.p, alone.each(2));
+
+% SPDX-License-Identifier: GPL-3.0-only

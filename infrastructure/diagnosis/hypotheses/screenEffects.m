@@ -105,3 +105,5 @@ end
 %! assert (screen.size(2), 4, 1e-9);
 %! assert (screen.strength(2), -0.9, 1e-9);
 %! assert (isfinite (screen.smallest(2)));
+
+% SPDX-License-Identifier: GPL-3.0-only

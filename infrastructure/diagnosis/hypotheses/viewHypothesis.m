@@ -62,3 +62,5 @@ end
 %! assert (u.pHi(2), 0.97725, 1e-5);
 %! null = viewHypothesis (white, newHypothesis ('null'), prior);
 %! assert (numel (null.unknowns.lo), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -81,3 +81,5 @@ end
 %! [keep, P] = likelyKinds (evidence, [0, 0, 0, 0, 1, 0], hypotheses);
 %! assert (numel (keep), 1);
 %! assert (P, 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -252,3 +252,5 @@ end
 %! emulator = emulateChange (emulator, problem);
 %! tests = nextMeasurement (problem, emulator, evidence, [0.5, 0.5], options);
 %! assert (all ([tests.gain] >= 0 & [tests.gain] < 1));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -232,3 +232,5 @@ end
 %! assert (isempty (caseMeasurements (Case, @(text) [])));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (raw.folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -253,3 +253,5 @@ end
 %! tests = tryMeasurements (one, study, evidence, P, state);
 %! assert (numel (tests), 1);
 %! assert (tests.gain > 0.2 && tests.isFirm);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -112,3 +112,5 @@ end
 %! study.problem.tests = @() [];
 %! [~, further] = adviseMeasurements (study, evidence, verdict, state);
 %! assert (isempty (further));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -106,3 +106,5 @@ end
 %!test
 %! % runs may still be made
 %! checkMatrices (given, setfield (data, 'X', 100 * data.X), @(varargin) 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

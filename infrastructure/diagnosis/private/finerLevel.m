@@ -150,3 +150,5 @@ end
 %! diagnosis.problem.reference = 1;
 %! assert (isempty (level (problem, diagnosis)));
 %! assert (isempty (level (struct ('coarse', []), diagnosis)));
+
+% SPDX-License-Identifier: GPL-3.0-only

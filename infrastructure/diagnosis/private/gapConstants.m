@@ -126,3 +126,5 @@ function c = surrogatesToBlame ()
 end
 
 %!assert (gapConstants ().nameAt, 0.9)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -80,3 +80,5 @@ end
 %!              'to be estimated)'], 'measured parameters: rho 650 +- 5'}
 %!   assert (! isempty (strfind (text, line{1})), line{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

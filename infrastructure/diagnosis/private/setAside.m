@@ -79,3 +79,5 @@ end
 %! given.reference = struct ('value', [9, -8, 5, 7], 'sd', 0.1 * ones (1, 4));
 %! problem = newProblem (given);
 %! assert (numel (setAside (problem, emulateChange (emulator, problem), options).used) == 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -43,3 +43,5 @@ end
 %! assert (level, [0.025, 0.025]);
 %! assert (isRejected, [false, true]);
 %!assert (stepDown (0.3, 0.05), 0.05)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -42,3 +42,5 @@ end
 %! % what would be an alarm is none at a stricter level
 %! study.hypotheses.options.significance = study.p / 2;
 %! assert (diagnoseMatrices (study).which.verdict, 'no gap');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -164,3 +164,5 @@ end
 %! state.data = keepRows (state.data, 1:3);
 %! assert (rows (completePlan (state, Case, Case, @(t) [], ...
 %!                              gapOptions ([])).data.X), 15);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -225,3 +225,5 @@ end
 %!   bad = setfield (data, one{1}, one{2} (data.(one{1})));
 %!   fail ('enterRuns (problem, bad, gapOptions ([]));', one{3});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -165,3 +165,5 @@ end
 %! [given, data, run] = laboratory (zeros (1, 5));
 %! state = explored (given, data, run);
 %! assert (state.budget.new, 4);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -79,3 +79,5 @@ end
 %! assert (two.state.budget.new, 0);
 %! assert (isequaln (two.data, one.data));
 %! assert (~isempty (two.state.evaluate));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -74,3 +74,5 @@ end
 %! assert (sets, 13);
 %! assert (~isempty (strfind (lines{2}, '6 min of one CPU')));
 %! assert (~isempty (strfind (lines{end}, 'already: last')));
+
+% SPDX-License-Identifier: GPL-3.0-only

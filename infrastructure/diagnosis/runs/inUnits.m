@@ -47,3 +47,5 @@ end
 %! assert (new.shared, [500, 0], 1e-9);
 %! assert (new.covariance .* (unit' * unit), given.covariance, 1e-12);
 %! assert (inUnits (new, 1 ./ unit).value, old.value, 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -29,3 +29,5 @@ end
 %! Case.conditions = {'moist', 'wet'};
 %! assert (measuredModels (Case), [true, true, false]);
 %! assert (measuredModels (Case, 2), [false, true, false]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -34,3 +34,5 @@ end
 %! assert (newGapState (data, options, state).evaluate, state.evaluate);
 %! % nothing may be run
 %! assert (isempty (newGapState (data, options, []).evaluate));
+
+% SPDX-License-Identifier: GPL-3.0-only

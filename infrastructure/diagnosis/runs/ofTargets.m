@@ -43,3 +43,5 @@ end
 %! assert ({some.value, some.targetNames, some.used}, {[1, 3], {'t1', 't3'}, 1:2});
 %! assert (some.covariance, given.covariance([1, 3], [1, 3]));
 %! assert ({some.effects.offset, some.reference.value}, {[1, 3], [7, 9]});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -77,3 +77,5 @@ end
 %! Q = planEffectRuns (6, ones (1, 3), [0, 0], posterior, [-1, 1]);
 %! assert (size (Q), [6, 3]);
 %! assert (all (abs (Q(:)) <= 1));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -12,3 +12,5 @@ end
 
 %!assert (runsMade (struct ('data', struct ('Z', [1, NA; NaN, NA; 3, NA; NaN, NA])), ...
 %!                  struct ('Z', [1, NA; NaN, NA])), struct ('spent', 2, 'failed', 1))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -65,3 +65,5 @@ end
 %! assert (size (state.data.E), [8, K]);
 %! assert (state.data.Z(6:8, 1)', [2, 2, 0]);
 %! assert (state.data.level(5:8, 3)', [0, 1, 1, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -29,3 +29,5 @@ end
 %!                      'replicate', [1; 1]);
 %! own = withNewRuns (data, state, known, struct ('kept', 2, 'unit', 0.5));
 %! assert ({own.X, own.Z}, {[1; 2], [3, 4; NaN, 5]});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@ end
 %! assert ({S * S, S}, {C, S'}, 1e-12);
 %! R = covarianceRoot (diag ([4, -1e-9]));
 %! assert (R * R', diag ([4, 0]), 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

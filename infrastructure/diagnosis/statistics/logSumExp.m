@@ -13,3 +13,5 @@ end
 
 %!assert (logSumExp ([0, 0; 1000, 1000]), [0; 1000] + log (2), 1e-12)
 %!assert (logSumExp ([-Inf, -Inf]), -Inf)
+
+% SPDX-License-Identifier: GPL-3.0-only

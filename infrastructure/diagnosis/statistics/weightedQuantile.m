@@ -18,3 +18,5 @@ function q = weightedQuantile (x, weight, p)
 end
 
 %!assert (weightedQuantile ([3; 1; 2], [1; 1; 2], [0.25, 0.5, 1]), [1, 2, 3])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -27,3 +27,5 @@ end
 %! of = @(kind) causesOfVerdict (struct ('kind', kind), study);
 %! assert (of ('group')(1).name, 'one');
 %! assert (isempty (of ('no gap')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -224,3 +224,5 @@ end
 %! end
 %! assert (named.strength(1).interval90(2) < 0.75);
 %! assert (said, {'bound', 'nothing', 'nothing'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -187,3 +187,5 @@ end
 %!             'gate', struct ('p', 1), 'ess', NaN, 'turned', zeros (1, 3));
 %! v = judgeCase (x, setfield (hypotheses, 'names', {'a'}));
 %! assert ([v.include, v.unlisted, v.likely], [0.4, 0.1, 1], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -67,3 +67,5 @@ end
 %! verdict = judgeStudy (study, side);
 %! assert ({verdict.kind, verdict.effects, verdict.reason}, ...
 %!         {'surrogate', zeros(1, 0), 'why'});
+
+% SPDX-License-Identifier: GPL-3.0-only

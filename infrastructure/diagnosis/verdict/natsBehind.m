@@ -25,3 +25,5 @@ end
 %! verdict = struct ('P', [0.1, 0.5, 0.1, 0.3], 'include', [0.8, 0.1, 0.3]);
 %! assert (natsBehind (evidence, verdict, 1), [Inf, log(8), Inf], 1e-12);
 %! assert (natsBehind (evidence, verdict, [1, 3]), [Inf, log(3), Inf], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -89,3 +89,5 @@ end
 %!         {0.5, 0.1, 16, 9, 0}, 1e-6);
 %! study.emulator.change = [];
 %! assert (isempty (strengthErrors (study, evidence)));
+
+% SPDX-License-Identifier: GPL-3.0-only

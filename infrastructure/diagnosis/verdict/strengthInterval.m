@@ -56,3 +56,5 @@ end
 %! q = strengthInterval (phi, exp (10 * phi), [-1, 1], 100);
 %! assert (q(3), 1);
 %! assert (q(2), 1 - 0.1353, 0.02);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -47,3 +47,5 @@ end
 %! state.budget.lost(:) = [];
 %! assert (untestedEffects ({'a'}, effects, state).why, '');
 %! assert (isempty (untestedEffects (cell (1, 0), effects, state)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -228,3 +228,5 @@ end
 %!     assert (member.spread > 0 && abs (member.share) <= 1);
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

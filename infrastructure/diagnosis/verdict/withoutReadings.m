@@ -133,3 +133,5 @@ end
 %! study.problem = newProblem (given);
 %! v = withoutReadings (verdict, study);
 %! assert ({v.kind, v.guard, isempty(v.effects)}, {'undecided', 'order', true});
+
+% SPDX-License-Identifier: GPL-3.0-only

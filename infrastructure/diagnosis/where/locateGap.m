@@ -241,3 +241,5 @@ end
 %! end
 %! assert (p(1, :) > 0.9);
 %! assert (p(2, :) < 0.05);
+
+% SPDX-License-Identifier: GPL-3.0-only

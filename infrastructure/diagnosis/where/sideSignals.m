@@ -61,3 +61,5 @@ end
 %! problem.trials = Inf;
 %! side = sideSignals (problem, study.emulator, zeros (1, 4), options);
 %! assert (side.vague, true);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -95,3 +95,5 @@ end
 %! assert (idOf (e), 'effectTransform');
 %! e.transform = @(Z, s, info) Z + s;
 %! assert (isempty (checkEffectNumbers (e, 'effects(1)')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@ end
 %! assert ({Case.effects.canChange}, {'yes', '', 'no'});
 %!error id=DEcalioc:withOrigin:unknownName
 %! withOrigin (struct ('folder', '', 'effects', [], 'options', struct ('origin', 'rain')))
+
+% SPDX-License-Identifier: GPL-3.0-only

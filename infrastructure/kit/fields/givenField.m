@@ -14,3 +14,5 @@ end
 %!assert (givenField (struct ('a', 3), 'a', 1), 3)
 %!assert (givenField (struct ('a', []), 'a', 1), 1)
 %!assert (givenField (struct (), 'a', 'x'), 'x')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -96,3 +96,5 @@ end
 %!        'nothing', containers.Map()};
 %! assert (all (cellfun (@isKind, good(:, 1), good(:, 2))));
 %! assert (! any (cellfun (@isKind, bad(:, 1), bad(:, 2))));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -35,3 +35,5 @@ end
 %! assert (isempty (jsonAt (root, {'a', 1, 'c'})));
 %! assert (isempty (jsonAt (root, {'d', 3})));
 %! assert (isempty (jsonAt ([], {'a'})));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -22,3 +22,5 @@ end
 %! s = mergeFields (struct (), s, {'c', 'a'});
 %! assert (s, struct ('c', {{3}}, 'a', 1));
 %!assert (mergeFields (struct ('a', 1), struct ()), struct ('a', 1))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -82,3 +82,5 @@ end
 %!   isMarked = any (strncmp (text{1}, {char([239, 187, 191])}, 3));
 %!   assert (isTaken <= (isMarked || strcmp (out, text{1})), true);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

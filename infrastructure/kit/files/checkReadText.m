@@ -29,3 +29,5 @@ end
 %! fwrite (fid, [97, 228, 10], 'uint8');
 %! fclose (fid);
 %! assert (checkReadText (file), "a?\n");
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -18,3 +18,5 @@ end
 
 %!assert (regexp (draftName ('/a/b'), '^/a/b\.[0-9a-f]{24}\.tmp$'), 1)
 %!assert (! strcmp (draftName ('a'), draftName ('a')))
+
+% SPDX-License-Identifier: GPL-3.0-only

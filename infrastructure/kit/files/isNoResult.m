@@ -32,3 +32,5 @@ end
 %!        logical ([1, 1, 1, 0, 1, 1]))
 %!assert (nthargout (2, @isNoResult, {'#DIV/0!', '#N/A', 'n/a', 'Failed', '1'}), ...
 %!        logical ([1, 0, 0, 1, 0]))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -24,3 +24,5 @@ end
 %!assert (plainPath ('/..'), '/')
 %!assert (plainPath ('/a/.b/c..d'), '/a/.b/c..d')
 %!assert (plainPath ('/a/'), '/a')
+
+% SPDX-License-Identifier: GPL-3.0-only

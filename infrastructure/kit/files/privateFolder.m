@@ -34,3 +34,5 @@ end
 %! assert (stat (fullfile (folder, 'b')).modestr(1:4), '-rw-');
 %!error id=DEcalioc:privateFolder:cannotWrite privateFolder (tempdir ())
 %!error id=DEcalioc:privateFolder:cannotWrite privateFolder ('/proc/x')
+
+% SPDX-License-Identifier: GPL-3.0-only

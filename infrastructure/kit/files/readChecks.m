@@ -75,3 +75,5 @@ end
 %!   assert (isempty (strfind (checks.reason, c{4})), isempty (c{4}));
 %! end
 %!error id=DEcalioc:readChecks:missingFile readChecks ('no such folder')
+
+% SPDX-License-Identifier: GPL-3.0-only

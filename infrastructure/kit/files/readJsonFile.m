@@ -23,3 +23,5 @@ end
 %! assert (readJsonFile (file), []);
 %! writeAtomic (file, '{"a": [1, 2]}');
 %! assert (readJsonFile (file).a, [1; 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -31,3 +31,5 @@ end
 %! end
 %! writeAtomic (file, '');
 %! assert (size (readText (file)), [1, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -22,3 +22,5 @@ end
 %! [~, out] = system (['printf %s ', shellQuote(nasty)]);
 %! assert (out, nasty);
 %!error id=DEcalioc:shellQuote:badType shellQuote (1)
+
+% SPDX-License-Identifier: GPL-3.0-only

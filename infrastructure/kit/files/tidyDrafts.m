@@ -44,3 +44,5 @@ end
 %! tidyDrafts (folder, -1);
 %! assert (readdir (folder), {'.'; '..'; 'a'; 'a.tmp'});
 %! tidyDrafts ('/no/such/folder');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -24,3 +24,5 @@ end
 %! x = 10.^(-300 + 600 * rand (1, 500)) .* randn (1, 500);
 %! assert (toDigits (x), x, -5e-15);
 %! assert (toDigits (toDigits (x)), toDigits (x));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -72,3 +72,5 @@ end
 %! assert (turnsBack ([1, 2, 3, 1, 2, 3], 2), NaN);
 %! assert (turnsBack ([1, 2, 4, 3, 5], 2), NaN);
 %! assert (turnsBack ([1, 2, 3, 2.5, 1.5], 2), 3);
+
+% SPDX-License-Identifier: GPL-3.0-only

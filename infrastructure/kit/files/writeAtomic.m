@@ -67,3 +67,5 @@ end
 %! writeAtomic (link, 'mine');
 %! assert ({fileread(other), fileread(link)}, {'precious', 'mine'});
 %!error id=DEcalioc:writeAtomic:cannotWrite writeAtomic ('/nowhere/x', 'a')
+
+% SPDX-License-Identifier: GPL-3.0-only

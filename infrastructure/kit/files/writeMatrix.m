@@ -26,3 +26,5 @@ end
 %! assert (csvread (file), M);
 %! writeMatrix (file, M, {'a', 'b'});
 %! assert (strncmp (fileread (file), "a,b\n3.14159265358979", 20));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -36,3 +36,5 @@ end
 %!error id=DEcalioc:writeStl:badShape writeStl ('x.stl', zeros (2, 3))
 %!error id=DEcalioc:writeAtomic:cannotWrite ...
 %! writeStl ('/no/such/folder/x.stl', zeros (3, 3, 0))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -13,3 +13,5 @@ end
 
 %!assert (boxCentre ([1, 4; 3, 8]), [2, 6]);
 %!assert (boxCentre ([1, 4; 100, 8; 1, 0]), [10, 6]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -29,3 +29,5 @@ end
 %! fits = arrayfun (@(len) correlationFit (E, exp (-D / len)), [1, 5, 25]);
 %! assert (fits(2) > max (fits([1, 3])));
 %! assert (correlationFit (E, 2 - D), -Inf);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -24,3 +24,5 @@ end
 %! restore = seedRandom (3);
 %! U = rand (50, 2);
 %! assert (toUnit (fromUnit (U, limits), limits), U, 1e-14);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@ end
 %!assert (insideLimits ([1, 2; 3, 2; 1, 9], [0, 0; 2, 4]), [1, 2])
 %!assert (insideLimits (zeros (0, 2), [0, 0; 2, 4]), zeros (0, 2))
 %!assert (insideLimits ([-1; 4; 6], [0; 4], 0.25), [-1; 4])
+
+% SPDX-License-Identifier: GPL-3.0-only

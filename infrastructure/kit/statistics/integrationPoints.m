@@ -21,3 +21,5 @@ end
 %! a = integrationPoints (10, 2, 1);
 %! assert (a.normal, integrationPoints(10, 2, 1).normal);
 %! assert (mean (a.normal), [0, 0], 1e-15);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -42,3 +42,5 @@ end
 %! assert (yes, [true; false; false; true]);
 %!assert (isAllowed ([1, 2; 3, 4], struct ('limits', [])), true (2, 1));
 %!assert (isAllowed (zeros (0, 2), box), true (0, 1));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -34,3 +34,5 @@ end
 %! assert ([b, rand()], a);
 %! restore = seedRandom (3);
 %! assert ([rand(), randn()], c);
+
+% SPDX-License-Identifier: GPL-3.0-only

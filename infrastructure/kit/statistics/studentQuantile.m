@@ -16,3 +16,5 @@ end
 %!assert (studentQuantile (0.95, 5), 2.015048, 1e-6)
 %!assert (studentQuantile (0.05, 5), -2.015048, 1e-6)
 %!assert (studentQuantile (0.95, Inf), 1.644854, 1e-6)
+
+% SPDX-License-Identifier: GPL-3.0-only

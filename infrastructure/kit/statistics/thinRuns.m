@@ -111,3 +111,5 @@ end
 %! use = thinRuns (table, problem, 400);
 %! near = use & abs (table.X - 0.5) < 0.05;
 %! assert (sum (near) > 150 && std (e(near)) > 0.04);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -55,3 +55,5 @@ end
 %! assert (all (ismember (Q(:, 1), box.allowed.values{1})));
 %! assert (all (Q(:, 1) .* Q(:, 2) <= 0.02));
 %! assert (rows (unique (Q, 'rows')) > 6);
+
+% SPDX-License-Identifier: GPL-3.0-only

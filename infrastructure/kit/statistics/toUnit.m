@@ -36,3 +36,5 @@ end
 %! assert (toUnit ([1; 10; 100], [1; 100; 1; -3])(2), ...
 %!         expm1 (-1.5) / expm1 (-3), 1e-14);
 %!assert (toUnit (zeros (0, 2), [1, 1; 2, 2; 1, 0]), zeros (0, 2));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@ end
 %!        'effects(1).name in loadEffects.m: expected b, got c. d')
 %!assert (checkFault ('a', 'x', 'b', char ([255, 46]), 'd').message(end - 3:end), ...
 %!        [char(255), '. d'])                       % no text in UTF-8
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@ end
 %!        'Did you mean densityP?')
 %!assert (checkNearest ('colour', {'radiusP', 'densityP'}), '')
 %!assert (checkNearest ('a', {}), '')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -17,3 +17,5 @@ end
 %!assert (countText (0, 'run'), '0 runs')
 %!assert (countText (1, 'run'), '1 run')
 %!assert (countText (1e6, 'run fails', 'runs fail'), '1000000 runs fail')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -82,3 +82,5 @@ end
 %! end
 %!assert (describeValue (containers.Map ()), 'an object of class containers.Map')
 %!assert (numel (describeValue (repmat ('x', 1, 1000))) < 80)
+
+% SPDX-License-Identifier: GPL-3.0-only

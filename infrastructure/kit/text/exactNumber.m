@@ -16,3 +16,5 @@ end
 %!assert (exactNumber (1/3), '0.33333333333333331')
 %!assert ({exactNumber(NaN), exactNumber(-Inf), exactNumber(3)}, ...
 %!        {'NaN', '-Inf', '3'})
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -21,3 +21,5 @@ end
 %!assert (inWords (9000), '2.5 h')
 %!assert (inWords (NaN), 'not known yet')
 %!assert (inWords (3 * 86400), '3.0 days')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -18,3 +18,5 @@ end
 
 %!assert (namedValues ({'a'}, 0.5), 'a = 0.5')
 %!assert (namedValues ({'a'; 'b'}, [1, 1 / 3], '%.2g'), 'a = 1, b = 0.33')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -74,3 +74,5 @@ end
 %!assert (quantity (0, 'kg'), '0 kg')
 %!assert (quantity (1234, ''), '1234')
 %!assert (quantity (6, 'N', [5.7, 6.3], 'allowed '), '6 N (allowed 5.7 to 6.3)')
+
+% SPDX-License-Identifier: GPL-3.0-only

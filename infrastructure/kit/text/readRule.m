@@ -143,3 +143,5 @@ end
 %!   assert (isempty (rule));
 %!   assert (numel (fault) > 10, 'what: %s', text{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

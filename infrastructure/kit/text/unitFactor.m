@@ -137,3 +137,5 @@ end
 %! assert (unitFactor (['kg/m', char([194, 179])], 'g/cm3'), 1e-3, 1e-15);
 %! assert (unitFactor ([char([194, 181]), 'm'], 'mm'), 1e-3, 1e-15);
 %! assert (unitFactor (['N', char([194, 183]), 'm'], 'J'), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

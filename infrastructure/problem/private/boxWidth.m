@@ -22,3 +22,5 @@ end
 %! h = 1e-6;
 %! X = fromUnit ([0.3; 0.3 + h] * [1, 1], limits);
 %! assert (boxWidth (limits, X(1, :)), diff (X) / h, 1e-4);
+
+% SPDX-License-Identifier: GPL-3.0-only

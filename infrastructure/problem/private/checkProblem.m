@@ -115,3 +115,5 @@ end
 %!   given.effects = struct ('name', names{1}, 'laboratory', true);
 %!   fail ('newProblem (given);', 'newProblem: ');
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -40,3 +40,5 @@ function o = methodOptions ()
 end
 
 %!assert ([methodOptions().maxFunEvals, methodOptions().maxIter], [40, 3])
+
+% SPDX-License-Identifier: GPL-3.0-only

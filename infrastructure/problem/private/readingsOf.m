@@ -31,3 +31,5 @@ end
 %!                 {{'', '', '', '', 'profile'}});
 %! assert (readingsOf (info, given), ...
 %!         {'angle', 'length', 'g', '', 'B profile'});
+
+% SPDX-License-Identifier: GPL-3.0-only

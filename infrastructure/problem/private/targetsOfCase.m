@@ -97,3 +97,5 @@ end
 %! assert (given.sd, [7, 0.2, 0], 1e-12);
 %! assert (given.sdKnown, [true, false, false]);
 %! assert (given.targetNames{2}, 'target_2');
+
+% SPDX-License-Identifier: GPL-3.0-only

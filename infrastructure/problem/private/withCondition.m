@@ -97,3 +97,5 @@ end
 %! Case.targets(2).days = [1, 0];
 %! now = withCondition (given, Case, 1);
 %! assert (now.reference.together, zeros (3));
+
+% SPDX-License-Identifier: GPL-3.0-only

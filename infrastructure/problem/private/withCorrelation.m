@@ -51,3 +51,5 @@ end
 %!                 'at), of B']});
 %! given.correlation = [5, 5, 5, 0];
 %! assert (withCorrelation (given).covariance(1, 2:4), [2/e, 2/e, 0], 1e-5);
+
+% SPDX-License-Identifier: GPL-3.0-only

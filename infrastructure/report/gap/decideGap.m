@@ -508,3 +508,5 @@ end
 %!   gap.reference.conditions = conditions{1};
 %!   assert (sort ({conditionTexts(gap).name}), {'a', 'b', 'c'});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -43,3 +43,5 @@ end
 %! gap.level.verdict = '';
 %! assert (! isempty (strfind (levelText (gap), 'it is open')));
 %! assert (levelText (struct ('level', [])), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

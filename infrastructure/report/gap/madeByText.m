@@ -59,3 +59,5 @@ end
 %! gap.reference.origin = 'another batch';
 %! assert (said (gap, 'likely'), 'You say what it was: another batch.');
 %!assert (said (struct ('which', struct ('cause', [])), 'named'), '')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -13,3 +13,5 @@ function [diagnosis, conditions] = reportDiagnosis (diagnosis, Case, options, sa
   [~, conditions] = writeGapJson (diagnosis, Case);
   sayDiagnosis (Case, say, diagnosis.nextFile, nargin > 4 && isAdvice);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

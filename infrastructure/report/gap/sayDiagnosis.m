@@ -75,3 +75,5 @@ function sayPlain (v, found, madeBy, say)
   cellfun (say, [strcat({'FOUND   '}, found), strcat(lines(:, 1), lines(:, 2))', ...
                  strcat({'        '}, [cause.notFollowed(:)', unseen, cause.untested(:)'])]);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -523,3 +523,5 @@ end
 %! delete (file);
 %! fail ('writeGapJson (d, Case)');
 %! assert (readJsonFile (file).which.effects, {'spread'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -83,3 +83,5 @@ end
 %! assert (filledMeasurements (Case.folder), {'A_x_2', 'C'});
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

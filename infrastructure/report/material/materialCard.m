@@ -131,3 +131,5 @@ end
 %! assert ({card.values{2}.from, card.values{2}.value}, {'given', 1200});
 %! results(2).calibration.interval90.mu = [0.7; 0.8];
 %! assert (materialCard (list, results).values{1}.agrees, false);
+
+% SPDX-License-Identifier: GPL-3.0-only

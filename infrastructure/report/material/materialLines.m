@@ -197,3 +197,5 @@ end
 %! [~, out] = system (['timeout 60 yade -n -x ', shellQuote(file), ' 2>&1']);
 %! assert (~isempty (strfind (out, 'taken 0.05 2500')), out);
 %!error id=DEcalioc:materialLines:unknownName materialLines ('edem', struct ([]))
+
+% SPDX-License-Identifier: GPL-3.0-only

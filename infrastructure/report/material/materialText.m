@@ -103,3 +103,5 @@ end
 %!error id=DEcalioc:materialText:missingFile
 %! Case = newCase (standInCase (tempname ()));
 %! materialText (Case, struct ('params', struct ('a', 1)), 'card', {emptyFolder()});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -64,3 +64,5 @@ end
 %! assert ([list.value], [2, 650, 0.002]);
 %! assert (list(1).interval, [1, 3]);
 %! assert (list(3).label, 'radius of the grains');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -73,3 +73,5 @@ function [class, text] = evidence (v)
     class = 'ok';
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

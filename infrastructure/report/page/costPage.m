@@ -17,3 +17,5 @@ function file = costPage (Case, b)
                                 [strjoin({Case.models.name}, ', '), ', ', b.date], ...
                                 body));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

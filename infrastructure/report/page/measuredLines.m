@@ -120,3 +120,5 @@ end
 %!                             'series', '', 'unit', '', 'at', NaN));
 %! assert (isempty (measuredLines (Case, 1, 'surface1.dump', 0, grains)));
 %! assert (numel (measuredLines (Case, 1, 'surface2.dump', 0, grains)), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -22,3 +22,5 @@ end
 %!assert (numberText (2.26, 'z'), '+2.3')
 %!assert (numberText (NaN), '&ndash;')
 %!assert (numberText ([]), '&ndash;')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -135,3 +135,5 @@ end
 %! assert (sum (strcmp ({runs.status}, 'not ended')), 1);
 %! assert (all (diff ([runs.started]) >= 0));
 %! assert (sum (arrayfun (@(r) isequal (r.params, [3, 4]), runs)), 3);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -29,3 +29,5 @@ function html = plainPage (root, title, where, body, frame)
           htmlText(toolboxVersion (root)), '. ', part('foot'), ...
           "</p></footer>\n</body>\n</html>\n"];
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

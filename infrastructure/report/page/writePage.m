@@ -300,3 +300,5 @@ end
 %!                'match', 'once');
 %! assert (numel (strfind (html, 'wet: ')) <= 2, html);
 %! assert (strfind (html, '<li>wet: ') < strfind (html, 'Not calibrated</span>'));
+
+% SPDX-License-Identifier: GPL-3.0-only

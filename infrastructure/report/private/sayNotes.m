@@ -28,3 +28,5 @@ end
 %! assert (text, ["2 notes (results/notes.txt):\n  WARNING: a\n  WARNING: b\n\n"]);
 %! assert (fileread (fullfile (folder, 'results', 'notes.txt')), "a\nb\n");
 %! assert (evalc ('sayNotes ({}, folder, @disp)'), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -18,3 +18,5 @@ end
 %! s = byTarget (T, {1, 2, 3});
 %! assert (jsonencode (s), ...
 %!         '{"Heap":{"slope":1,"p@0.002":3},"Drum":{"slope":2}}');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -13,3 +13,5 @@ end
 %! misses = struct ('state', {'open', 'open', 'met'}, 'runs', {2, 0, 2});
 %! assert (isOpenMiss (misses), [true, false, false]);
 %! assert (isempty (isOpenMiss (misses([]))));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -142,3 +142,5 @@ end
 %! s = of ('met, held out left open');
 %! m = listMisses (s.c, []);
 %! assert ([m.met], [NaN, 1, 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -93,3 +93,5 @@ end
 %! assert (open, '');
 %! m.label = 'force on the lid';
 %! assert (missTexts (m){1}, 'largest deviation: force on the lid (force)');
+
+% SPDX-License-Identifier: GPL-3.0-only

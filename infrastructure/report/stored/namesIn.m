@@ -18,3 +18,5 @@ end
 %! assert (namesIn (which, 'likely'), {'tilt'});
 %! assert (namesIn (which, 'none'), cell (1, 0));
 %! assert (namesIn (which, 'partners'), cell (1, 0));
+
+% SPDX-License-Identifier: GPL-3.0-only

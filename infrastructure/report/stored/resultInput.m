@@ -121,3 +121,5 @@ end
 %! [Case.effects, d] = deal ([], resultInput (setfield (Case, 'effects', [])).digest);
 %! writeAtomic (fullfile (Case.folder, 'runs.csv'), 'x');
 %! assert (differ (Case), {'runsTable'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -66,3 +66,5 @@ end
 %! assert (s.changed, {'parameters or limits'});
 %! assert (s.gapChanged, {'parameters or limits', 'settings'});
 %! assert (s.lastRuns, [3, 3]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %! assert (toolboxVersion (folder), 'unknown');
 %! writeAtomic (fullfile (folder, 'VERSION'), "2.1.0\n");
 %! assert (toolboxVersion (folder), '2.1.0');
+
+% SPDX-License-Identifier: GPL-3.0-only

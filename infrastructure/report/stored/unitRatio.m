@@ -34,3 +34,5 @@ end
 %! for pair = {1, 1; 8, 1; 1, 0; 0, 1; -1000, 1; NaN, 1; 200, 1; 30, 1}'
 %!   assert (unitRatio (pair{:}), '');
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

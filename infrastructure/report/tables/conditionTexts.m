@@ -105,3 +105,5 @@ end
 %! list = conditionTexts (gap);
 %! assert ({list.text, list.probability}, {'cohesion 4 kJ/m3', 0.7});
 %! assert (strncmp (list.line, 'wet: Changed: slope. Likely cohesion', 35), list.line);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@ function T = costTable (Case, b)
   T = newTable (struct ('sources', struct ()), 'best', ...
                 ['Sets with the smallest ', b.name], columns, cells);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -15,3 +15,5 @@ end
 %!assert (halfWidth (struct ('value', -4, 'tol', 0.1, ...
 %!                         'isAbsolute', false)), 0.4, 1e-12)
 %!assert (halfWidth (struct ('value', 0, 'tol', 3, 'isAbsolute', true)), 3)
+
+% SPDX-License-Identifier: GPL-3.0-only

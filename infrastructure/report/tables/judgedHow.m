@@ -12,3 +12,5 @@ end
 
 %!assert (judgedHow (struct ('verifiedByDEM', true)), sentence ('closed.byDEM'))
 %!assert (judgedHow ([]), sentence ('closed.onSurrogates'))
+
+% SPDX-License-Identifier: GPL-3.0-only

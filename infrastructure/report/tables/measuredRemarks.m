@@ -36,3 +36,5 @@ end
 %! writeAtomic (fullfile (folder, 'measured.csv'), ['# ', long, "told\n# of days.\n# A\n"]);
 %! [words, whole] = measuredRemarks (folder);
 %! assert ({numel(words), whole}, {3, {[long, 'told of days.'], 'A'}});
+
+% SPDX-License-Identifier: GPL-3.0-only

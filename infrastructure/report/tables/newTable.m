@@ -92,3 +92,5 @@ end
 %! row = {struct('value', 's', 'unit', 'g', 'factor', 1000), {'gap', 'p'}, 3};
 %! T = newTable (page, 'x', 'X', {'a', '', ''; 'b', '', 'plain'; 'c', '', 'z'}, {row});
 %! assert ({T.cells{1, 2}.value, T.cells{1, 2}.from, T.cells{1, 3}.value}, {250, '', 3});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -51,3 +51,5 @@ end
 %! [labels, units] = paramLabels (Case);
 %! assert (labels, {'mass of the lid'; 'radius of the grains'; ''});
 %! assert (units, {'kg'; 'm'; ''});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -29,3 +29,5 @@ end
 %! T = runsTable (page);
 %! assert (cellfun (@(c) c.value, T.cells(2:end)), [2, 1, 0, 0, 0, 2]);
 %! assert (isempty (runsTable (struct ('sources', [])).cells));
+
+% SPDX-License-Identifier: GPL-3.0-only

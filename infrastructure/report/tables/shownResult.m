@@ -71,3 +71,5 @@ end
 %! writeAtomic (fullfile (raw.folder, 'results', 'progress.json'), '{"a": 1}');
 %! page = shownResult (newCase (raw));
 %! assert (isempty (page.sources.calibration));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -33,3 +33,5 @@ end
 %! assert (all (isfield (tables, {'targets', 'causes', 'settings'})));
 %! assert (isempty (tables.change));
 %! assert (fieldnames (statementTables (page, {'where'})), {'where'});
+
+% SPDX-License-Identifier: GPL-3.0-only

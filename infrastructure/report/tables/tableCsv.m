@@ -38,3 +38,5 @@ end
 %!                struct('value', 0.25, 'sd', 2), [1, 2]; 'q', NaN, 3});
 %! assert (tableCsv (T), ["a,a code,b (N),b (N) standard error,c,c to\n", ...
 %!                        "\"r, s\",k,0.25,2,1,2\n", "q,,,,3,\n"]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -92,3 +92,5 @@ end
 %! T.cells{1, 2}.value = 0.453;
 %! T.cells{1, 2}.sd = 2.1;
 %! assert (! isempty (strfind (tableText (T){4}, ' 0.5 +- 2.1')), tableText (T){4});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -22,3 +22,5 @@ end
 %! assert (targetAt (list, struct ('name', 'h', 'model', 'B')), 2);
 %! list = struct ('name', {'h', 'h'}, 'modelName', {'B', 'A'});
 %! assert (targetAt (list, struct ('name', 'h', 'model', 'A')), 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

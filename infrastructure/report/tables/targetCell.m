@@ -45,3 +45,5 @@ end
 %! page.Case.targets(2).given = 'g';
 %! c = targetCell (page, struct ('model', 'B', 'name', 'w@2'));
 %! assert ({c.unit, c.factor}, {'g', 1000}, 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

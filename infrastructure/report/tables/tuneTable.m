@@ -36,3 +36,5 @@ function lines = tuneTable (names, list, Case)
                  'results', '', 'words'}, cells, {sentence('table.tune')});
   lines = tableText (T);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -14,3 +14,5 @@ end
 %!assert (withUnit ('slope', 'deg'), 'slope (deg)')
 %!assert (withUnit ('slope (deg)', 'deg'), 'slope (deg)')
 %!assert (withUnit ('slope', ''), 'slope')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -22,3 +22,5 @@ end
 %!assert (wrapText ('a bc def', 4), {'a bc', 'def'})
 %!assert (wrapText ('abcdef g', 4), {'abcdef', 'g'})
 %!assert (wrapText ('', 4), {''})
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -12,3 +12,5 @@ end
 
 %!assert (listSentences ({'where.odd', {'a'}; 'where.out', {}}), {sentence('where.odd', {'a'})})
 %!assert (isempty (listSentences ({'where.odd', {}})))
+
+% SPDX-License-Identifier: GPL-3.0-only

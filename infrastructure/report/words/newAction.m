@@ -32,3 +32,5 @@ end
 %!         {'raise', {'optim.maxFunEvals'}, {'mu'}});
 %! assert (! isempty (regexp ([todo.parts.text], 'optim.maxFunEvals .* of mu,')));
 %! assert (any (strcmp ({todo.parts([todo.parts.isCode]).text}, 'optim.maxFunEvals')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -21,3 +21,5 @@ end
 %!        {'liquid bridge', 'tilt', 'pH'})
 %!assert (plainName ('meanSize'), 'mean size')
 %!assert (plainName ({}), {})
+
+% SPDX-License-Identifier: GPL-3.0-only

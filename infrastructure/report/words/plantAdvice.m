@@ -19,3 +19,5 @@ end
 
 %!assert (plantAdvice ({'cohesion', 'myOwn', 'cohesion'}), sentence ('plant.cohesion'))
 %!assert (plantAdvice ({}), '')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -15,3 +15,5 @@ end
 %! parts = struct ('text', 'x.m', 'isCode', true);
 %! assert ({sayFirst('see ', parts).text}, {'see ', 'x.m'});
 %! assert (sayFirst ('', parts), parts);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -109,3 +109,5 @@ end
 %! assert (numel (unique (codes)), numel (codes));
 %!error id=DEcalioc:sentence:unknownName sentence ('ending.none')
 %!error id=DEcalioc:sentence:unknownName sentence ('ending.conflict')
+
+% SPDX-License-Identifier: GPL-3.0-only

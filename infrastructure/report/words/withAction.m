@@ -14,3 +14,5 @@ end
 %! v = withAction (struct (), newAction ('start'));
 %! assert ({v.todo.code, v.action}, {'start', 'Start decalioc run in the case folder.'});
 %! assert ({v.actionParts.text}, {'Start ', 'decalioc run', ' in the case folder.'});
+
+% SPDX-License-Identifier: GPL-3.0-only

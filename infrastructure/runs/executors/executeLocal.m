@@ -243,3 +243,5 @@ end
 %! jobs = newJobs (Case, (1:20)' * [1, 1], [], 1, 'plan');
 %! r = executeLocal (jobs, Case, @(s) []);
 %! assert (all (strcmp ({r.status}, 'ok')));
+
+% SPDX-License-Identifier: GPL-3.0-only

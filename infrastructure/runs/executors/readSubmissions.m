@@ -40,3 +40,5 @@ end
 %! assert (numel (b), 1);
 %! assert ({b.keys, b.folders}, {{'k1'; 'k2'}, {'/a b/it''s'; '/c'}});
 %! assert (isempty (readSubmissions (tempname ())));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@ end
 %! assert (isequaln (load (file), kept));
 %! assert (saveWhole ('-text', file, kept));
 %!assert (! saveWhole ('-text', [tempname(), '/a'], struct ('a', 1)))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -28,3 +28,5 @@ end
 %! assert (caseLabels (kinds([])), {});
 %! kinds(1).origin = "/a\n\x1b[2J";
 %! assert (caseLabels (kinds(1)), {'/a??[2J'});
+
+% SPDX-License-Identifier: GPL-3.0-only

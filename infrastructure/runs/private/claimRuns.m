@@ -52,3 +52,5 @@ end
 %! Case.folder = '/b';
 %! hold = {};
 %! assert (claimRuns (jobs, Case), [true, true]);
+
+% SPDX-License-Identifier: GPL-3.0-only

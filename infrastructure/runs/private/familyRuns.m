@@ -162,3 +162,5 @@ end
 %! assert (rows (found.inputs), 10);
 %! [found, tally] = of (first.store, {'a', 'e'}, struct ('b', 6));
 %! assert (found.inputs, [5, 0; 7, 0; 5, 0; 7, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

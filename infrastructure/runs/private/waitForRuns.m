@@ -54,3 +54,5 @@ end
 %! assert ([fileread(fullfile (folder, 'decalioc.waits')), "\n"], said);
 %! assert (evalc (['wait = waitForRuns (wait, 3, holder, Case, ', ...
 %!                 '@(s) disp (s.message));']), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

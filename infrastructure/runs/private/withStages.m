@@ -47,3 +47,5 @@ end
 %! after = hashModels (Case);
 %! assert (strcmp ({after.input}, {before.input}), [true, false]);
 %! assert (strcmp ({after.funs}, {before.funs}));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -35,3 +35,5 @@ end
 %!                 'names', {}, 'runs', {});
 %! writeIndex ('/nowhere/x', kinds, zeros (0, 3));
 %! assert (! isfile ('/nowhere/x'));
+
+% SPDX-License-Identifier: GPL-3.0-only

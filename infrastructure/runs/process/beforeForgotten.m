@@ -22,3 +22,5 @@ end
 %!   [status, message] = beforeForgotten (row{1});
 %!   assert ({status, message}, row(2:3)');
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

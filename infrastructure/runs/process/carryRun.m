@@ -78,3 +78,5 @@ end
 %! saveWhole ('-binary', file, order);
 %! answer = carryRun (place, Case, getpid ());
 %! assert (answer.fault.identifier, 'DEcalioc:copyModel:cannotWrite');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -60,3 +60,5 @@ end
 %! assert (survives (other, folder, ended));
 %! kill (other, 9);
 %! assert (! survives (left, folder, ended));
+
+% SPDX-License-Identifier: GPL-3.0-only

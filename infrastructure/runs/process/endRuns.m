@@ -32,3 +32,5 @@ function yes = isKilledSince (folder, start)
 end
 
 %!assert (endRuns ({}, {}, 0), 0)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -23,3 +23,5 @@ end
 %!                         file('/a/OctaveFuns/getResults.m')]);
 %! assert (errorPlace (err, 'OctaveFuns'), ' (y.m, line 7)');
 %! assert (errorPlace (err, 'elsewhere'), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

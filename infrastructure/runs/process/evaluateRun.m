@@ -256,3 +256,5 @@ end
 %!              ["spheresStart,10\nspheresOut,4\nspheresEnd,6\nsettled,1\n", ...
 %!               "overlapMax,0.118\n"]);
 %! assert ({run().status, run().cause}, {'invalid', 'output'});
+
+% SPDX-License-Identifier: GPL-3.0-only

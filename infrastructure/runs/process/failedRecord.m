@@ -29,3 +29,5 @@ end
 %! back = readRecord (fullfile (folder, 'record.json'));
 %! assert ({back.message, back.cause}, {r.message, 'time'});
 %! assert (isempty (back.results));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # guard.sh FOLDER [WATCH]
 #
 # Runs ./runscript in FOLDER and writes how it ended to FOLDER/end.mark, one

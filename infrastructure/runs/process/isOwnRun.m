@@ -30,3 +30,5 @@ end
 %! job = struct ('origin', folder, 'owner', caseId (folder, true));
 %! assert (isOwnRun (job, Case));
 %! assert (! isOwnRun (setfield (job, 'owner', fliplr (job.owner)), Case));
+
+% SPDX-License-Identifier: GPL-3.0-only

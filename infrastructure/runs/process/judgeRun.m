@@ -126,3 +126,5 @@ end
 %!   status{k} = executeLocal (job, Case, @(s) []).status;
 %! end
 %! assert (status, {'ok', 'failed', 'failed'});
+
+% SPDX-License-Identifier: GPL-3.0-only

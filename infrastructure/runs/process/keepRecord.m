@@ -89,3 +89,5 @@ end
 %! r.readings.more = 1;
 %! writeRecord (file, r);
 %! assert (put (new, 'f', 5, 'ok').readings(2).results, 7);
+
+% SPDX-License-Identifier: GPL-3.0-only

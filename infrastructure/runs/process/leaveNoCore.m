@@ -18,3 +18,5 @@ end
 %! after = {sigterm_dumps_octave_core(before{1}), ...
 %!          sighup_dumps_octave_core(before{2})};
 %! assert (after, {false, false});
+
+% SPDX-License-Identifier: GPL-3.0-only

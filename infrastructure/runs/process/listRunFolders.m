@@ -28,3 +28,5 @@ end
 %! [names, numbers] = listRunFolders ('/nowhere', 'M');
 %! assert (size (names), [0, 1]);
 %! assert (isempty (numbers));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -126,3 +126,5 @@ end
 %! end
 %! assert (numel (glob (fullfile (folder, '*'))), 0);
 %!error id=DEcalioc:lockCase:cannotWrite lockCase ('/proc')
+
+% SPDX-License-Identifier: GPL-3.0-only

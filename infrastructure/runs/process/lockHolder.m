@@ -89,3 +89,5 @@ end
 %!   writeAtomic (file, given{1});
 %!   assert (strcmp (lockHolder (folder).state, given{2}), given{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

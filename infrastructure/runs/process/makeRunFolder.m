@@ -26,3 +26,5 @@ end
 %! assert (! makeRunFolder (folder));
 %!error id=DEcalioc:makeRunFolder:cannotWrite
 %! makeRunFolder ('/proc/nowhere/optim/M/0001');
+
+% SPDX-License-Identifier: GPL-3.0-only

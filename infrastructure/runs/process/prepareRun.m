@@ -58,3 +58,5 @@ end
 %! assert ([d.a, d.b, d.runSeed], [1, 2, job.seed]);
 %! assert (readRecord (fullfile (folder, 'job.json')).key, job.key);
 %! assert (! isequal (prepareRun (job, Case), folder));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -86,3 +86,5 @@ end
 %! assert (isSure, true);
 %! [~, ~, isSure] = processStart (getpid ());
 %! assert (isSure, true);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -33,3 +33,5 @@ end
 %! writeAtomic (fullfile (folder, 'end.mark'), "143 12.3 killed\n");
 %! assert (readEndMark (folder), ...
 %!         struct ('code', 143, 'seconds', 12.3, 'reason', 'killed'));
+
+% SPDX-License-Identifier: GPL-3.0-only

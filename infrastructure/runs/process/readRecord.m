@@ -48,3 +48,5 @@ end
 %!   writeAtomic (file, broken{1});
 %!   assert (isempty (readRecord (file)));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -24,3 +24,5 @@ end
 %! assert (readSane (file).key, job.key);
 %! writeRecord (file, setfield (job, 'key', 'x'));
 %! assert (isempty (readSane (file)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -58,3 +58,5 @@ end
 %! end
 %! assert (readingOf (struct ('key', 'k'), h ('x', 1)), struct ('key', 'k'));
 %! assert (readingOf ([], h ('x', 1)), []);
+
+% SPDX-License-Identifier: GPL-3.0-only

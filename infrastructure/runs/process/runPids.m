@@ -72,3 +72,5 @@ end
 %!   assert (isequal ([isAlive, isHere, isGone], given{2}), ...
 %!           strjoin (given{1}, ' '));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

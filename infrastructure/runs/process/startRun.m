@@ -59,3 +59,5 @@ end
 %!   end
 %! end
 %! assert (ids, repmat ({'DEcalioc:startRun:runFailed'}, 1, 2));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -29,3 +29,5 @@ end
 %! assert (isfolder (folder));
 %! [~, number] = takeRunFolder (place, number);
 %! assert (number, 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # watch.sh PID START LIMIT FILE
 #
 # After LIMIT seconds makes FILE and kills the process PID, if it is still the

@@ -51,3 +51,5 @@ end
 %! file = tempname ();
 %! writeRecord (file, struct ('message', ['H', char(246), 'he']));
 %! assert (readRecord (file).message, ['H', char([195, 182]), 'he']);
+
+% SPDX-License-Identifier: GPL-3.0-only

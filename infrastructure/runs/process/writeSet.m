@@ -21,3 +21,5 @@ end
 %! writeSet (folder, [0.1, 1/3], 0);
 %! assert (csvread (fullfile (folder, 'params.csv')), toDigits ([0.1, 1/3]));
 %! assert (! isfile (fullfile (folder, 'ExPlan.txt')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@ end
 %! [main, rest] = SplitExPlan ([1; 2], 2, 1, 0);
 %! assert (size (main), [1, 2]);
 %! assert (isempty (rest));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %! [n, per, rest] = SplitToCPU (8, 3, 2);
 %! assert ([n, per, rest], [3, 1, 0]);
 %!error id=DEcalioc:SplitToCPU:badValue SplitToCPU (1, 5, 2)
+
+% SPDX-License-Identifier: GPL-3.0-only

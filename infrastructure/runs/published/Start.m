@@ -36,3 +36,5 @@ end
 %! [z, r] = Start ([1, 2, 1, 1; 5, 6, 2, 1], {'First', 'Second'}, Case);
 %! assert (z, [3, 11; 2, 30], 1e-12);
 %! assert ({r.status}, {'ok', 'ok'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -35,3 +35,5 @@ end
 %! assert (fileread (fullfile (base, 'optim', 'M', '0001', 'data.head')), 'x');
 %!error id=DEcalioc:makeRunFolder:cannotWrite
 %! createNewFolder ('M', '0001', '/proc/nowhere', '/tmp');
+
+% SPDX-License-Identifier: GPL-3.0-only

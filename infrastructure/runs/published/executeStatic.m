@@ -48,3 +48,5 @@ end
 %! assert ({records.key}, {jobs.key});
 %! assert ([records.seed], [jobs.seed]);
 %! assert (numel (unique ({records.folder})), 6);
+
+% SPDX-License-Identifier: GPL-3.0-only

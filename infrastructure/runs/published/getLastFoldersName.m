@@ -22,3 +22,5 @@ end
 %! end
 %! assert (getLastFoldersName (base, 'M'), '10000');
 %! assert (getLastFoldersNumber (base, 'M'), 10000);
+
+% SPDX-License-Identifier: GPL-3.0-only

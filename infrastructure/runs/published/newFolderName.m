@@ -13,3 +13,5 @@ end
 
 %!assert (newFolderName (7), '0007')
 %!assert (newFolderName (12345), '12345')
+
+% SPDX-License-Identifier: GPL-3.0-only

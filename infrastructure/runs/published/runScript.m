@@ -52,3 +52,5 @@ end
 %! assert (record.planRow, 3);
 %! [~, again] = runScript ([1, 2, 3, 1], 'First', Case);
 %! assert (again.folder, record.folder);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -33,3 +33,5 @@ end
 %! writeAtomic (fullfile (folder, 'runscript'), "echo hello\nexit 3\n");
 %! assert (startSimulation ('M', '0001', base), 3);
 %! assert (fileread (fullfile (folder, 'stdout.txt')), "hello\n");
+
+% SPDX-License-Identifier: GPL-3.0-only

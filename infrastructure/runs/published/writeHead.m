@@ -24,3 +24,5 @@ end
 %! writeAtomic (file, 'variable a equal 1');
 %! writeHead ('M', struct ('a', 0.1, 'b', 5e6), '0001', base);
 %! assert (headDefaults (file), struct ('a', 0.1, 'b', 5e6));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -27,3 +27,5 @@ end
 %! writeParams ('M', [0.1, 1/3, 4, 1], '0001', base);
 %! assert (csvread (fullfile (folder, 'params.csv')), [0.1, 1/3], 1e-15);
 %! assert (str2double (fileread (fullfile (folder, 'ExPlan.txt'))), 4);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -54,3 +54,5 @@ end
 %! none = addRows (data, zeros (0, 1), zeros (0, 2), zeros (0, 1), 'gap');
 %! assert (none.level, [1, 1]);
 %! assert (addRows (none, 2, [5, 6], 1, 'gap').level, [1, 1; 0, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

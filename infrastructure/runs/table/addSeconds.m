@@ -38,3 +38,5 @@ end
 %!                       'seconds', s);
 %! known = addSeconds (model, [run(3, 1), run(1, 7), run([], 9)]);
 %! assert (known.seconds, [5, 7, 9]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@ end
 %! assert (! atLastLevel ([3, 0], Case));
 %! assert (atLastLevel ([], Case));
 %! assert (atLastLevel ([5, 5], struct ('coarse', [])));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -75,3 +75,5 @@ end
 %!   assert (caseId (folder), '');
 %! end
 %! assert (caseId ('/nowhere', true), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -69,3 +69,5 @@ end
 %! assert (defaultLimit (setfield (model, 'least', 120)), 120);
 %! patient = setfield (model, 'seconds', [1, 1, 1]);
 %! assert (defaultLimit (setfield (patient, 'least', 120)), 120);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -88,3 +88,5 @@ end
 %! data = struct ('X', zeros (0, 2), 'E', zeros (0, 1), 'Z', zeros (0, 3));
 %! data.replicate = zeros (0, 1);
 %! exportRuns ('/no/such/folder/runs.csv', small (), data);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -248,3 +248,5 @@ end
 %! assert ({new.key}, {old.key});
 %! on = newJobs (Case, [1, 2], 4, 1, 'plan');
 %! assert (~any (strcmp ({on.key}, {old.key})));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -311,3 +311,5 @@ end
 %! assert (data.X(1), 1234.5);
 %! commas = strrep (head, ';', ',');
 %! assert (imported ([commas, "First,\"0,5\",2,3,4,\n"]).X(1), 0.5);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -26,3 +26,5 @@ end
 %! end
 %! assert (seeds(2), runSeed ([1, 2], 1.5, 1));
 %! assert (numel (unique ([seeds, runSeed([1, 2], 2, 1)])), 5);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -56,3 +56,5 @@ end
 %! assert (data.X, [1; 1; 2]);
 %! assert (isequaln (data.Z, [3, 4; 5, NA; NA, 6]));
 %! assert (row', [1, 1, 2, 3, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -15,3 +15,5 @@ end
 %! data = addRows (newData (1, 1, 1), [1; 2], [3; 4], [1; 1], 'plan', [2; 1]);
 %! kept = keepRows (data, [false; true]);
 %! assert ({kept.X, kept.E, kept.Z, kept.stage}, {2, 1, 4, {'plan'}});
+
+% SPDX-License-Identifier: GPL-3.0-only

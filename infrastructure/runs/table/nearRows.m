@@ -25,3 +25,5 @@ end
 %! problem = struct ('limits', [2; 4], 'value', 3, 'sd', 0, 'calibrate', true);
 %! assert (table.X(nearRows (table, problem)), (1:0.25:5)');
 %! assert (table.X(nearRows (table, problem, 0)), (2:0.25:4)');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -32,3 +32,5 @@ end
 %!                struct ('levels', [3, 2]));
 %! [~, alone] = neutralEffects (Case);
 %! assert (alone, 5);
+
+% SPDX-License-Identifier: GPL-3.0-only

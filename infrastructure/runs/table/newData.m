@@ -32,3 +32,5 @@ end
 %! data = newData (3, 2);
 %! assert ({size(data.X), size(data.Z), size(data.E)}, ...
 %!         {[0, 3], [0, 2], [0, 0]});
+
+% SPDX-License-Identifier: GPL-3.0-only

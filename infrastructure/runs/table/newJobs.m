@@ -65,3 +65,5 @@ end
 %! assert (again(2).key, jobs(4).key);
 %!error id=DEcalioc:newJobs:badShape
 %! newJobs (newCase (standInCase (tempname ())), [1, 2, 3], [], 1, 'plan');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -35,3 +35,5 @@ function record = newRecord (job, folder)
 end
 
 %!assert (newRecord (standInJob (), 'f').status, 'failed');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -90,3 +90,5 @@ end
 %! assert (t.cells, {'1', '3', '30', '5'; '2', '4', '31', ''});
 %! assert (t.kinds, {'parameter', 'parameter', 'result', 'result'});
 %!error <must be in deg> read ("a,b,angle,mass\n,,rad,\n1,2,0.5,4\n")
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -49,3 +49,5 @@ end
 %! w.a = 1 + eps;
 %! [key, text] = runKey (w, {}, h);
 %! assert ({key, text}, {runKey(v, {}, h), '|a=1|b=2'});
+
+% SPDX-License-Identifier: GPL-3.0-only

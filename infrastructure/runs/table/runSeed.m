@@ -28,3 +28,5 @@ end
 %! assert (seeds([1, 50]), [341041, 450451]);
 %! assert (seeds(3), runSeed ([700; 0.5]', 3, 1));
 %!assert (runSeed (1, 1, 1) ~= runSeed (1 + eps, 1, 1))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -22,3 +22,5 @@ end
 %! job = struct ('params', [1, 2], 'effects', 5, 'seed', 10007);
 %! v = runVariables (job, Case);
 %! assert (v, struct ('c', 3, 'e', 5, 'a', 1, 'b', 2, 'runSeed', 10007));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -118,3 +118,5 @@ end
 %! Q = inv (K) - K \ H * inv (H' / K * H) * (H' / K);
 %! df = trace (exp (s.model.lognoisevariance) * Q) + 2 / 1.6^2;
 %! assert (s.df, max (df, (14 - columns (H)) / 3), 1e-6);
+
+% SPDX-License-Identifier: GPL-3.0-only

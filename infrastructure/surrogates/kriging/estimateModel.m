@@ -82,3 +82,5 @@ end
 %! start = [0; 0.5; 0; 0; -4];
 %! model.criterion = @(varargin) atStartAlone (start, varargin{:});
 %! assert (estimateModel (model, U, U * [1; 2], start), start);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -312,3 +312,5 @@ end
 %!error id=DEcalioc:fitSurrogate:runFailed
 %! fitSurrogate (X, NaN (20, 1), lim);
 %!error id=DEcalioc:fitSurrogate:badShape fitSurrogate (X, z', lim);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -11,3 +11,5 @@ end
 %!assert (isConstant (0.1 * [3; 3; 3]))
 %!assert (isConstant (0))
 %!assert (~isConstant ([1; 1 + 1e-9]))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -103,3 +103,5 @@ end
 %! model = krigingModel ('constant', 'matern32', 2, ...
 %!                       setfield (usual, 'extra', [0; 1]));
 %! assert (numel (model.param), 5);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -57,3 +57,5 @@ end
 %! assert (S, 0, 1e-6);
 %! [~, v, S] = krigingPosterior (s, [0.1; 0.35; 0.8]);
 %! assert (diag (S), v, 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

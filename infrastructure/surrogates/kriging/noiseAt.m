@@ -20,3 +20,5 @@ end
 %! assert (noiseAt (s, [0; 1]), [4; 4]);
 %! s.noiseLaw = [0, log(2)];
 %! assert (noiseAt (s, [0; 1; 2]), [9; 18; 36], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -143,3 +143,5 @@ end
 %! end
 %! assert (all (inside(:, 2) >= inside(:, 1)));
 %! assert (sum (inside(:, 2)) >= 40);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -61,3 +61,5 @@ end
 
 %!error id=DEcalioc:predictSurrogate:badShape
 %! predictSurrogate (struct ('limits', [0; 1], 'extra', []), [1, 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

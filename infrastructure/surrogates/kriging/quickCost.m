@@ -93,3 +93,5 @@ end
 %!     assert (isempty (h) && isempty (t));
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

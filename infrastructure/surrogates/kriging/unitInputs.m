@@ -19,3 +19,5 @@ end
 %!assert (unitInputs ([3, 0.5; 2, 1], [2; 4], 1), [0.5, 0.5; 0, 1])
 %!assert (unitInputs ([3; 2], [2; 4], 1), [0.5, 0; 0, 0])
 %!assert (unitInputs ([3, 0.5; 2, 1], [2; 4], 0), [0.5; 0])
+
+% SPDX-License-Identifier: GPL-3.0-only

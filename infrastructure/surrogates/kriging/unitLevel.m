@@ -30,3 +30,5 @@ end
 %! assert (unitLevel (coarse, [4; 3; 2; 1.5], 1), [1; 0.5; 0; -0.25]);
 %! assert (unitLevel (coarse, [4; 3], 2), [0; 0]);
 %! assert (unitLevel (coarse, [4; 3]), [1, 0; 0.5, 0]);
+
+% SPDX-License-Identifier: GPL-3.0-only

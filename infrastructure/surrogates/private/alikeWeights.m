@@ -28,3 +28,5 @@ end
 %! w = alikeWeights ([1, 1], [r, randn(30, 1)]);
 %! assert (sum (w) > 1.6);
 %! assert (alikeWeights ([1, 1], [r(1:3), NaN(3, 1)]), [1, 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

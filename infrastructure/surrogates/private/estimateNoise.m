@@ -90,3 +90,5 @@ end
 %!   called = called + ~isempty (law{1});
 %! end
 %! assert (called <= 15);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -249,3 +249,5 @@ end
 %! W(12, 1) = 1.4 * W(12, 1);
 %! bad = found (X, W, kind, none);
 %! assert (find (bad(:, 1))', 12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -53,3 +53,5 @@ end
 %! assert (fitted (two, use, o).trend, 'affine');
 %! assert (fitted (two, ~use & (1:30)' > 10 & (1:30)' < 17, o).trend, ...
 %!         'constant');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -69,3 +69,5 @@ end
 %! assert ([worst, without.far(5), rows(without.residual)], [5, 0, 8]);
 %! assert (without.gain > with.gain + 4);
 %! assert (without.noiseSd, 0.3 * exp (-1.6) * std (z(1:9 != 5)), 1e-6);
+
+% SPDX-License-Identifier: GPL-3.0-only

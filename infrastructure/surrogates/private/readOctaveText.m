@@ -82,3 +82,5 @@ end
 %! save ('-text', file, 'other');
 %! assert (readOctaveText (file).x, 1);
 %! assert (! isfield (readOctaveText (file), 'f'));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -210,3 +210,5 @@ end
 %! assert (sum ([s.models.failed]), 1);
 %! assert (s.plan, [16, 16]);
 %! clear lock
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -132,3 +132,5 @@ startMain (@(root, folder) carryOut (root, folder, argv ()), root);
 %!   assert (~isempty (strfind (text, row{3})), text);
 %! end
 %! assert (isfile (fullfile (raw.folder, 'results', 'runs.csv')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -180,3 +180,5 @@ end
 %! [~, text] = startCommand (raw.folder, 'status');
 %! assert (! isempty (strfind (text, 'Go on with decalioc diagnose')), text);
 %! assert (! isempty (strfind (text, 'then 2 runs of 1 set; a start')));
+
+% SPDX-License-Identifier: GPL-3.0-only

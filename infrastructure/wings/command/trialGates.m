@@ -189,3 +189,5 @@ end
 %!     assert (rule (zeros (1, 0)), '%s', row{1});
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -99,3 +99,5 @@ end
 %! fillTemplate (pwd (), pwd (), struct ());
 %!error id=DEcalioc:fillTemplate:cannotWrite
 %! fillTemplate ('/nowhere/at/all', tempname (), struct ());
+
+% SPDX-License-Identifier: GPL-3.0-only

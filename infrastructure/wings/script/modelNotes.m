@@ -120,3 +120,5 @@ end
 %! for name = {'Heap', 'Drum', 'SlotBin', 'Lift100'}
 %!   assert (modelNotes (fullfile (root, 'DEMmodels', name{1})), cell (1, 0));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -353,3 +353,5 @@ end
 %!   assert (caught, ['DEcalioc:', row{1}]);
 %! end
 %! assert (~isfolder (none));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@ end
 %!test
 %! info = struct ('kind', {'logMass', 'logRatio'});
 %! assert (effectGrainDensity ().transform ([-1, 2], 0.1, info), [-0.9, 2], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -13,3 +13,5 @@ function cause = causeCameras ()
   given.source = 'two cameras differ by 6 % in radius, by 11 % in time';
   cause = describeCause (given);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -14,3 +14,5 @@ function cause = causeLiquid ()
   given.source = 'viscosity, density, lubrication, surface tension, damping';
   cause = describeCause (given);
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

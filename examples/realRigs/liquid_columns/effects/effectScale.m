@@ -24,3 +24,5 @@ end
 %!test
 %! info = struct ('kind', {'length', 'angle'});
 %! assert (effectScale ().transform ([0.1, 30], 0.05, info), [0.105, 30], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

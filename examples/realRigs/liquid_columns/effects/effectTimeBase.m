@@ -30,3 +30,5 @@ end
 %! info = struct ('series', {'timeA', 'timeA', 'x'}, 'at', {1, e, 1});
 %! Z = effectTimeBase ().transform ([2, 5, 7], 0.1, info);
 %! assert (Z, [2.3, 5.3, 7], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@ end
 %!test
 %! info = struct ('kind', {'stress', 'angle'});
 %! assert (effectTorqueGain ().transform ([200, 30], 0.05, info), [210, 30], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

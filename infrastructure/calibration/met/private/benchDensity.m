@@ -45,3 +45,5 @@ end
 %! % of two curves alone
 %! assert (benchDensity (zeros (1, 0), zeros (1, 0), x, setfield (two, 'wider', [])) - ...
 %!         0.5 * sumsq (x), joint, 1e-6);
+
+% SPDX-License-Identifier: GPL-3.0-only

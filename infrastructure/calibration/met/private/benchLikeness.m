@@ -96,3 +96,5 @@ end
 %! apart = likenessOf (E, struct ('bench', 1:4));
 %! assert ([apart.correlation], ones (1, 4), 1e-5);
 %! assert (likenessOf (E(1:3, :), struct ()).correlation, full (eye (4)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -212,3 +212,5 @@ end
 %! assert (fall (setfield (sure, 'correlation', [0, 0])), 1, 1e-3);
 %! sure.shared = [3, 3];
 %! assert (fall (setfield (sure, 'correlation', [0, 0])), 0.5, 1e-3);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -122,3 +122,5 @@ end
 %! s = fitSurrogates (data, problem);
 %! Q = hopefulSets (newState (data, s, describeSet (s, problem, [1, 0.1])), problem);
 %! assert (min (abs (sum (Q, 2) - 1.9)) < 0.005);
+
+% SPDX-License-Identifier: GPL-3.0-only

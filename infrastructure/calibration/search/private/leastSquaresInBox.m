@@ -116,3 +116,5 @@ end
 %! assert ({p, niter}, {[0, 0], 0});
 %!error <mine>
 %! leastSquaresInBox (@(p) error ('mine'), [], 0.5, unit (1), struct ())
+
+% SPDX-License-Identifier: GPL-3.0-only

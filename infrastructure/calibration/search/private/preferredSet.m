@@ -87,3 +87,5 @@ end
 %! assert (p, [1, 0], 0.03);
 %! assert (sum (p), 1, 0.003);
 %! assert (used.after < 0.05 * used.before);
+
+% SPDX-License-Identifier: GPL-3.0-only

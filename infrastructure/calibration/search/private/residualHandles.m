@@ -34,3 +34,5 @@ end
 %! [f, J] = residualHandles (s, problem, false);
 %! assert ({f([0.5, 0.5]), J([0.5, 0.5])}, {1.5, [2, 3]}, 0.03);
 %! assert (f ([0.1, 0.5]), 0.7, 0.03);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -36,3 +36,5 @@ end
 %!test
 %! never = @(P) Inf (rows (P), 1);
 %! assert (shrinkingSearch (never, [5, 5], 0.1, 9, limits), [5, 5]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -161,3 +161,5 @@ end
 %! raw.Input.constraints = 'a <= b';
 %! raw.optim.method = 'published';
 %! assert (any (strcmp (faults (raw), 'constraintMethod')));
+
+% SPDX-License-Identifier: GPL-3.0-only

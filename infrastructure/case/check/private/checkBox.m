@@ -163,3 +163,5 @@ end
 %! raw.assign = {'a', 'b'};
 %! raw.paramLims = [3, 1; 1, 50];
 %! assert (box (raw), []);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -37,3 +37,5 @@ end
 %!                  'DEcalioc:checkCase:leftoverOutput'});
 %! assert (strncmp (p(2).message, 'DEMmodels/M/out: expected', 25));
 %! assert (~isempty (strfind (p(2).message, 'result 1 is 4.29')));
+
+% SPDX-License-Identifier: GPL-3.0-only

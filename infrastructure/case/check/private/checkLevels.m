@@ -122,3 +122,5 @@ end
 %!   raw.Input.coarse = {level(bad{1})};
 %!   assert (checkLevels (raw, 2).id, 'DEcalioc:checkCase:badLevels');
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

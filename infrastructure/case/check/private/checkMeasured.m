@@ -138,3 +138,5 @@ end
 %!                                {'rho'}, @sin)))
 %!assert (checkMeasured (struct ('perCondition', {{'mu'}}), {'rho'}, []).id, ...
 %!        'DEcalioc:checkCase:unknownParam')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -55,3 +55,5 @@ end
 %! assert (isempty (check ("name,value\ntop,1\n", model)));
 %! assert (isempty (check ("name,series,at,value\n,w,1,3\n,w,2,4\n", model)));
 %! assert (check ("name,value\nw,1\n", model), {'measuredResult'});
+
+% SPDX-License-Identifier: GPL-3.0-only

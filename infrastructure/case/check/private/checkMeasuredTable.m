@@ -247,3 +247,5 @@ end
 %! assert (! isempty (strfind (p.message, 'gap/next/B.csv, line 2, value')));
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -320,3 +320,5 @@ end
 %! unlink (fullfile (place, 'Second', 'startsFrom'));
 %! put ('First/Fill', '');
 %! assert (ask (), {'DEcalioc:checkCase:stageName'});
+
+% SPDX-License-Identifier: GPL-3.0-only

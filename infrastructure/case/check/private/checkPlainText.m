@@ -42,3 +42,5 @@ end
 %! end
 %! assert (p.id, 'DEcalioc:checkCase:badEncoding');
 %!assert (isempty (checkPlainText ('/no/such/file', 'x')))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -129,3 +129,5 @@ end
 %!         'DEcalioc:checkCase:storeUmask');
 %! umask (2);
 %! assert (isempty (checkStore (store, tempdir (), none, 1)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -258,3 +258,5 @@ end
 %! p = checkTargets (optim, struct ('name', 'A', 'count', 1, 'folder', ''), {});
 %! assert (strncmp (p.message, 'optim.role', 10), p.message);
 %! assert (lastwarn (), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -66,3 +66,5 @@ end
 %! both = [strcat(places ([1, 2, 3], 'p'), ',reference'), ...
 %!         strcat(places ([3, 2, 1], 'p'), ',moist')];
 %! assert (isempty (check (both, [head, ',condition'])));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -179,3 +179,5 @@ end
 %! assert (check ({'a'}, [-1e308; 1e308]), {'limitsNotFinite'});
 %! assert (ids (checkVariables (struct ('densityP', -1), 'a', [1; 2], 2)), ...
 %!         {'badAssign', 'impossibleValue', 'tooFewSamples'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -181,3 +181,5 @@ end
 %! % which data.head must be there for
 %! code = ['fileread ([f, ''data.head'']); ', out];
 %! assert (ask (code, {'out', '5'}).file, 'out');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -20,3 +20,5 @@ end
 %! assert (ofToolbox (struct ('name', {'A', 'Heap'}, 'folder', ...
 %!                            {'/x/A', fullfile(rigs, 'Heap')}))(3:6), 'Heap');
 %! assert (ofToolbox (struct ('name', 'Heap', 'folder', '/x/Heap')), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

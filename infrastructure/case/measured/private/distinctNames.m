@@ -28,3 +28,5 @@ end
 %! assert ({distinctNames(g, {'M', 'N'}, {}).name}, {'M_a', 'b', 'N_a'});
 %! assert ({distinctNames(g, {'M', 'N'}, {'N'}).name}, {'a', 'b', 'N_a'});
 %! assert (distinctNames (g(1:2), {'M', 'N'}, {}), g(1:2));
+
+% SPDX-License-Identifier: GPL-3.0-only

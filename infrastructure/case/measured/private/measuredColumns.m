@@ -137,3 +137,5 @@ end
 %!                {'unit', 'deg', 'kg'});
 %! assert ({h, c}, {{'name', 'value', 'unit'}, {'slope', '31', 'deg'; ...
 %!                                              'mass', '5', 'kg'}});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -196,3 +196,5 @@ end
 %! % alike: an error that they share, which their mean has as well
 %! [line.sd] = deal (0.1);
 %! assert (measuredTarget (line, means).value, 94.3 / 3, 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

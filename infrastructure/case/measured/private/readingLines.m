@@ -173,3 +173,5 @@ end
 %! [list.block] = deal ('x', 'x', 'y', 'y', 'z', 'z');
 %! lines = readingLines (list, repmat ({'a'}, 1, 6));
 %! assert ({lines.value, lines.repeats}, {[2; 6; 6], [1; 1; 1]});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@ end
 %!         'much in moist (p = 0.004)']);
 %! Case.targets = Case.targets(2);
 %! assert (scatterNote (Case), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

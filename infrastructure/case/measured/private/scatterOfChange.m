@@ -82,3 +82,5 @@ end
 %! end
 %! assert (median (ratio), 3, 0.7);
 %! assert (mean (p(1:100) < 0.01) < 0.2);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -87,3 +87,5 @@ end
 %!                                          0.1, 'isAbsolute', false, 'value', 10));
 %! Case.conditions = {'moist'};
 %! assert (! isempty (strfind (sessionNote (Case), 'below 2.8 of its tol')));
+
+% SPDX-License-Identifier: GPL-3.0-only

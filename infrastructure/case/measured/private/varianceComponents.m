@@ -440,3 +440,5 @@ end
 %! m = varianceComponents (lines, quantity);
 %! assert (m(1).sd, sqrt (8 / 7 / 8), 0.1);
 %! assert (m(2).scatterP < 0.05);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -55,3 +55,5 @@ end
 %! in = withDrifts (means, lines, q, drift);
 %! assert ({in.days}, {-hypot(4, 0.1), hypot(4, 0.1)}, 1e-12);
 %! assert ([in.swept], [false, true]);
+
+% SPDX-License-Identifier: GPL-3.0-only

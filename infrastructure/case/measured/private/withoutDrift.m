@@ -116,3 +116,5 @@ end
 %! [lines, drift] = withoutDrift (lines, curve);
 %! assert (drift.slope, 0.0099, 1e-4);
 %! assert (lines.value(3), 30 * (1 - 0.0099 * (2 - 8 / 7)), 1e-2);
+
+% SPDX-License-Identifier: GPL-3.0-only

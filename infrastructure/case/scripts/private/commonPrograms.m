@@ -21,3 +21,5 @@ function names = commonPrograms ()
 end
 
 %!assert (any (strcmp (commonPrograms (), 'awk')))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -72,3 +72,5 @@ end
 %! end
 %! assert (~any (ismember ({'out', 'no/more'}, words)));
 %! assert (bases, {'/m', '/s/0001', '/s/0001/../lib', '/m/../lib'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -285,3 +285,5 @@ end
 %!             "fix m all mesh/surface file /data/a.stl type 1", "shell cd post"}
 %!   assert (isempty (of ([text{1}, "\n"], '/c/DEMmodels/M/in.M')), text{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

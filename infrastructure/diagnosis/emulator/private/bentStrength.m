@@ -14,3 +14,5 @@ function psi = bentStrength (phi, bend)
 end
 
 %!assert (bentStrength ([-0.25, 0, 1], 0.5), [-0.5, 0, 1])
+
+% SPDX-License-Identifier: GPL-3.0-only

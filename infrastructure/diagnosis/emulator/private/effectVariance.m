@@ -16,3 +16,5 @@ end
 %!test
 %! e = struct ('root', [1; 2], 'ofTarget', [1, 0], 'misfit', [3, 1]);
 %! assert (effectVariance (e, [1, 1; 0, 1], [0; 2]), [9, 0; 16, 4]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -83,3 +83,5 @@ end
 %! assert (emulator.range(2), 8);
 %! z = data.Z(off, 1);
 %! assert (emulator.range(1), max (z) - min (z));
+
+% SPDX-License-Identifier: GPL-3.0-only

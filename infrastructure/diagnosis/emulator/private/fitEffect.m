@@ -194,3 +194,5 @@ end
 %! told = fitEffect ([0, 1; 1, 1], Q, r, 0.01, ones (20, 1));
 %! left = fitEffect ([0, 1; 1, 1], Q, r, 0.01 + 0.3);
 %! assert (told.coef(1) < 0.7 * left.coef(1));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -230,3 +230,5 @@ end
 %! V = (B * e.root).^2 * e.ofTarget + at(3)^2 * e.misfit;
 %! z2 = mean ((B * e.coef - truth (at)).^2 ./ mean (V));
 %! assert (z2 > 0.25 && z2 < 2);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -95,3 +95,5 @@ end
 %! joint = learnJoint (emulator, runs);
 %! assert (joint.coef(1, 1), 4, 0.6);
 %! assert (joint.misfit(1) < none.misfit(1));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@ end
 %!assert (polyPowers (2, 1), [0, 0; 1, 0; 0, 1])
 %!assert (rows (polyPowers (4, 3)), nchoosek (7, 3))
 %!assert (max (sum (polyPowers (3, 2), 2)), 2)
+
+% SPDX-License-Identifier: GPL-3.0-only

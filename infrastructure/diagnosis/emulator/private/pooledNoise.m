@@ -74,3 +74,5 @@ end
 %! assert (variance(1) > 0.006 && variance(1) < 0.016);
 %! assert (freedom(1) > 8);
 %! assert (variance(2), 0.01);
+
+% SPDX-License-Identifier: GPL-3.0-only

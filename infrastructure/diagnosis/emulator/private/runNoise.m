@@ -130,3 +130,5 @@ end
 %! len = -1 / log (emulator.misfitLikeness(1, 2));
 %! assert (len > 2.5 && len < 10);
 %! assert (emulator.correlation(3, 4) > 0.6);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -123,3 +123,5 @@ end
 %! assert (c.removable, false);
 %! assert (c.closure, NaN);
 %! assert (c.gapP, 0.44, 0.01);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -132,3 +132,5 @@ end
 %! set = struct ('h', zeros (1, 0), 'Q', 0.5, 'Z', [], 'verified', false);
 %! d = deviationOf (held, set, draws);
 %! assert (d.F(4, 4), 1 + 4 / 10, 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

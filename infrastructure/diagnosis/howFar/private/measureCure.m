@@ -241,3 +241,5 @@ end
 %! assert (max (abs (cure.remaining)) > 1);
 %! sets(2).Z = sets(2).Z + 1;
 %! assert (measureCure (study, sets, 3).stillMisses);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -112,3 +112,5 @@ end
 %! more = runCures (study, {3}, setfield (state, 'budget', 'sets', 5), sets);
 %! assert ({more.h}, {zeros(1, 0), 1, 2, 3});
 %! assert ([more.verified], [false, false, false, true]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -71,3 +71,5 @@ end
 %! assert (W * W', eye (3), 1e-12);
 %! assert (W * diag ([1, 4, 9]) * W', diag (kinds(1).white.shape), 1e-9);
 %! assert (sum (kinds(3).white.shape > 1e-9), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

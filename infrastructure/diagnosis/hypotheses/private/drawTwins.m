@@ -66,3 +66,5 @@ end
 %! Y = drawTwins (hypotheses, 2000, 1)(:, 3:4);
 %! assert (corr (log (Y(:, 1).^2), log (Y(:, 2).^2)) > 0.08);
 %! assert (mean (abs (Y(:)) < 1), 0.683, 0.03);
+
+% SPDX-License-Identifier: GPL-3.0-only

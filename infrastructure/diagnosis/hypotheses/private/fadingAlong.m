@@ -30,3 +30,5 @@ end
 %! R = [1, 0, 0, 0; 0, 1, exp(-3), 0; 0, exp(-3), 1, 0; 0, 0, 0, 1];
 %! assert (fadingAlong (problem), R, eps);
 %! assert (fadingAlong (problem, [1, 3]), eye (2));
+
+% SPDX-License-Identifier: GPL-3.0-only

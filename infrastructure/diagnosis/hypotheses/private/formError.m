@@ -117,3 +117,5 @@ end
 %! end
 %! assert (C{2}, C{1} .* (turn' * turn), 1e-4);
 %! assert (abs (C{1}(3, 4)) > 0.05);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -63,3 +63,5 @@ end
 %! % back again
 %! U = [0.3, -1, 1.5, 0.5];
 %! assert (toNormal (unknowns, fromNormal (unknowns, U)), U, 1e-9);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -208,3 +208,5 @@ end
 %! settings.most = 500;
 %! r = integrateEvidence (white, null, [2, 2], mode, settings);
 %! assert (r.ess < 200);
+
+% SPDX-License-Identifier: GPL-3.0-only

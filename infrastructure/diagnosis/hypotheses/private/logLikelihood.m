@@ -67,3 +67,5 @@ end
 %! slope = (logLikelihood (1 + 1e-5, 1, Inf, common) - ...
 %!          logLikelihood (1 - 1e-5, 1, Inf, common)) / 2e-5;
 %! assert (-slope, w, 1e-4);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -29,3 +29,5 @@ end
 %!                    'pLo', [0.5, 0.5], 'pHi', [0.5, 0.97725]);
 %! assert (toNormal (unknowns, [0, 0]), [0, -3], 1e-12);
 %! assert (toNormal (unknowns, [1, 1]), [3, 3]);
+
+% SPDX-License-Identifier: GPL-3.0-only

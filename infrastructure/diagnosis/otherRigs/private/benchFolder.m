@@ -93,3 +93,5 @@ end
 %! assert (benchFolder (Case, bench), bench.source);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

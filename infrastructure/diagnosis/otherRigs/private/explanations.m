@@ -98,3 +98,5 @@ end
 %! assert (isempty (sets(1).number));
 %! assert (all (ismember ({'cohesion', 'bridge'}, names)));
 %! assert (rows (sets(2).draws), options.testRuns / 4);
+
+% SPDX-License-Identifier: GPL-3.0-only

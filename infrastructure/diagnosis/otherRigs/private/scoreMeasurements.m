@@ -165,3 +165,5 @@ end
 %! end
 %! assert (mean (said), mean (is), 0.2 * mean (is));
 %! assert (corr (said', is') > 0.8);
+
+% SPDX-License-Identifier: GPL-3.0-only

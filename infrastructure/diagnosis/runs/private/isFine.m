@@ -18,3 +18,5 @@ end
 %!test
 %! [yes, hasLevels] = isFine (struct ('X', [1; 2]));
 %! assert ({yes, hasLevels}, {true(2, 1), false});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -256,3 +256,5 @@ end
 %! [study, state, now] = after (one, 1);
 %! [now.usable, now.verdict.include] = deal (1, 0.96);
 %! assert (proposed (study, state, now).bits > 100);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -16,3 +16,5 @@ function state = runBatch (problem, state, batch)
     stages(1) = [];
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

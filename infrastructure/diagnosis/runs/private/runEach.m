@@ -71,3 +71,5 @@ end
 %! state = runEach (problem, state, [0.1, 0.2]);
 %! assert ([state.budget.new, state.budget.failed], [7, 4]);
 %! assert (runEach (problem, state, [0.2, 0.1]).budget.new, 7);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -33,3 +33,5 @@ end
 %! assert (all (X(:, 4) >= 0.875 & X(:, 4) <= 1));
 %! neutral = [problem.effects.neutral];
 %! assert (state.data.E(6:end, :), repmat (neutral, 8, 1));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -221,3 +221,5 @@ end
 %! v.P([1, 2, 3, 4, 6]) = [0.17, 0.2, 0.15, 0.17, 0.17];
 %! [v.include, v.kind] = deal (v.P, 'undecided');
 %! assert (nameCause (v, evidence, hypotheses).kind, 'undecided');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -48,3 +48,5 @@ end
 %! cross = crossPredict (labStudy (given, lab.plan (30, 2)), 1:18, 19:24);
 %! assert (all (abs (cross.mean - given.value(19:24)) < 4 * cross.sd));
 %! assert (cross.p > 0.001);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -22,3 +22,5 @@ end
 
 %!assert (csvLine ({'a', 'b;c', 0.1, NaN, 3, '"x", y', ''}), ...
 %!        'a,"b;c",0.1,,3,"""x"", y",')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -14,3 +14,5 @@ end
 %!assert (headLines (struct ('a', 0.5, 'b', 3)), ...
 %!        sprintf ('variable a equal 0.5\nvariable b equal 3\n'))
 %!assert (headLines (struct ()), '')
+
+% SPDX-License-Identifier: GPL-3.0-only

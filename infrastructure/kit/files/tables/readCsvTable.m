@@ -252,3 +252,5 @@ end
 %!error id=DEcalioc:readCsvTable:missingFile readCsvTable ('/no/such/file')
 %!error id=DEcalioc:readCsvTable:badShape read ("a,b\n1\n")
 %!error id=DEcalioc:readCsvTable:badShape read ('')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -34,3 +34,5 @@ end
 %! assert (causeKind (getEffect ('pullOff')), 'holds');
 %! assert (causeKind (getEffect ('gain')), 'measured');
 %! assert (causeKind (struct ('name', 'own', 'group', 'own', 'laboratory', false)), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -96,3 +96,5 @@ end
 %! assert (! isempty (strfind (text, sentence ('closed.rivals', ...
 %!                                             struct ('names', 'drag')))));
 %! assert (closedText (struct ('howFar', struct ('effect', ''))), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -73,3 +73,5 @@ end
 %! list = diagnosedTargets (d);
 %! assert ({list.name}, {'x', 'y', 'z'});
 %! assert ({list(3).role, list(3).predicted, list(3).residual, list(3).size}, {'aside', 5, 4, 2});
+
+% SPDX-License-Identifier: GPL-3.0-only

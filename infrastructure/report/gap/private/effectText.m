@@ -45,3 +45,5 @@ end
 %!        'the mass 7.7 % smaller than modelled (5 to 12)')
 %!assert (effectText ('error of the balance', 'share', [0.03, NaN, NaN]), ...
 %!        'error of the balance 3 %')
+
+% SPDX-License-Identifier: GPL-3.0-only

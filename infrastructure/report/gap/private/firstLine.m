@@ -224,3 +224,5 @@ end
 %! assert (! isempty (strfind (firstLine (together), 'at 1 of 4 places')));
 %! gap.reference.targets(1).measured = 50;
 %! assert (! isempty (strfind (firstLine (gap), 'discharge at 4 of 4 places')));
+
+% SPDX-License-Identifier: GPL-3.0-only

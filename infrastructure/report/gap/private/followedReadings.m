@@ -19,3 +19,5 @@ end
 %! assert (cellfun (@(T) T.name, list), 'ac');
 %! assert (others{1}.name, 'b');
 %!assert (followedReadings (struct ('reference', [])), cell (1, 0))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -100,3 +100,5 @@ end
 %! kinds{2} = 'slows';
 %! assert (nthargout (2, @headlineCauses, lab (names, 0.1 * ones (1, 5), ones (1, 5), ...
 %!                                             kinds, 9)), 'manyKinds');
+
+% SPDX-License-Identifier: GPL-3.0-only

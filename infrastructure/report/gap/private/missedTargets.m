@@ -45,3 +45,5 @@ end
 %! assert (missedTargets (gap, 'calibrate'){2}, 'c (1 of 3 points, at 4)');
 %! assert (missedTargets (gap, {'calibrate', 'holdout'}){end}, 'y');
 %! assert (missedTargets (gap, 'other'), {});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -39,3 +39,5 @@ end
 %!         text);
 %! gap.reference.targets(1).followed = true;
 %! assert (notFollowed (gap), cell (1, 0));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -164,3 +164,5 @@ end
 %! [f, key] = benchFigure (page, 'B');
 %! assert (key(1:4, 3)', {'measured', 'noise', 'reachable within your limits', ...
 %!                        'expected if nothing had changed'});
+
+% SPDX-License-Identifier: GPL-3.0-only

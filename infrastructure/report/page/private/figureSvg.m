@@ -187,3 +187,5 @@ end
 %! f = newFigure ('T', 'x', 'y', 'a', {'disc', [1e-3, 1; 10, 2], 'red'});
 %! [f.xlog, f.xlim] = deal (true, [1e-3, 10]);
 %! assert (! isempty (strfind (figureSvg (f), '>0.1</text>')));
+
+% SPDX-License-Identifier: GPL-3.0-only

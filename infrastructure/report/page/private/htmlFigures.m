@@ -40,3 +40,5 @@ end
 %! [f.place, f.caption] = deal ([1, 2], false);
 %! assert (! isempty (strfind (htmlFigures (f), '<figure style="grid-area:1/2"><svg')));
 %! assert (htmlFigures ([]), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

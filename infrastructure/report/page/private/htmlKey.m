@@ -25,3 +25,5 @@ end
 %!                  'xbar', 'red', 'c'; 'dash', 'ink', 'd'});
 %! assert (numel (strfind (html, '<li>')), 4);
 %! assert (! isempty (strfind (html, 'var(--red)')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %!assert (htmlText ('a < "b" & c'), 'a &lt; &quot;b&quot; &amp; c')
 %!assert (htmlText (char ([195, 188])), char ([195, 188]))
 %!assert (htmlText ({["a\nb", char(252)], ''}), {'a b?', ''})
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -33,3 +33,5 @@ end
 %! jpeg = uint8 ([255, 216, 255, 224, 0, 4, 1, 2, 255, 192, 0, 17, 8, 0, 200, 1, 44, 3]);
 %! assert (imageSize (jpeg), [300, 200]);
 %! assert (imageSize (uint8 ('abc')), [NaN, NaN]);
+
+% SPDX-License-Identifier: GPL-3.0-only

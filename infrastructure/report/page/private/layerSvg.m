@@ -72,3 +72,5 @@ end
 %! assert (! isempty (regexp (s{2}, '^<path.*<use [^>]*><title>b</title></use>$')));
 %! assert (numel (layerSvg ('box', [0, 0, 1, 2, 3, 4], 'red', same, same)), 1);
 %! assert (layerSvg ('dots', zeros (0, 2), 'red', same, same), cell (1, 0));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -40,3 +40,5 @@ end
 %! assert (f.ynames, {'second', 'first'});
 %! assert (f.ylim, [0.4, 2.6]);
 %! assert (isempty (f.layers));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -53,3 +53,5 @@ end
 %! assert (propertyLines (folder, struct ('a', 1)), '');
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (folder, 's');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -125,3 +125,5 @@ end
 %! page.tables = statementTables (page, {'causes'});
 %! html = causes (page);
 %! assert (isempty (regexp (html, '<table>|<figure>', 'once')), html);
+
+% SPDX-License-Identifier: GPL-3.0-only

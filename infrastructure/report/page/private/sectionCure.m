@@ -108,3 +108,5 @@ end
 %! assert (! isempty (strfind (html, '>wall adhesion instead</text>')));
 %! page.verdict.cause.closed = '';
 %! assert (howFar (page), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

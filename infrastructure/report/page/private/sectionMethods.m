@@ -61,3 +61,5 @@ end
 %!   'in all, with 60 runs imported and 1 run of other cases')));
 %! page = situationPage ('nothing');
 %! assert (sectionMethods (){3} (page), '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -50,3 +50,5 @@ end
 %! page = situationPage ('nothing');
 %! page.tables = statementTables (page);
 %! assert (! isempty (strfind (parameters (page), 'Limits in which')));
+
+% SPDX-License-Identifier: GPL-3.0-only

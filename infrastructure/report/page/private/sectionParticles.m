@@ -241,3 +241,5 @@ end
 %! assert (! isempty (strfind (html, '<image href="data:image/png;base64,')));
 %! assert (isempty (strfind (html, '<img')));
 %! assert (! isempty (strfind (html, 'stroke="var(--amber)"')));
+
+% SPDX-License-Identifier: GPL-3.0-only

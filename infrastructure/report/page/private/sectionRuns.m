@@ -122,3 +122,5 @@ end
 %! runs = [one('not ended', '', NaN, 1000), one('not ended', '', NaN, NaN)];
 %! assert (! isempty (strfind (html (runs), '1 run over')));
 %! assert (! isempty (strfind (html (runs(2)), 'No run failed')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -236,3 +236,5 @@ end
 %! html = parts{1} (page);
 %! assert (! isempty (strfind (html, 'plan (2 runs)')));
 %! assert (! isempty (strfind (html, 'run later or imported (2 runs)')));
+
+% SPDX-License-Identifier: GPL-3.0-only

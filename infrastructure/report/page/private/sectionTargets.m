@@ -61,3 +61,5 @@ function html = predictions (page, held)
                                '90 % interval of a measurement', '', 'plain'}, ...
                               eachOf (row, open)));
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

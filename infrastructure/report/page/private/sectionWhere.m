@@ -96,3 +96,5 @@ end
 %! % two points are no curve
 %! page.sources.gap.where.targets(1) = [];
 %! assert (isempty (strfind (where (page), '<figcaption>')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -15,3 +15,5 @@ end
 
 %!assert (svgPath ([1, 2, NaN, 4], [1, 2, 3, 4]), 'M1.0 1.0L2.0 2.0M4.0 4.0')
 %!assert (isempty (svgPath ([], [])))
+
+% SPDX-License-Identifier: GPL-3.0-only

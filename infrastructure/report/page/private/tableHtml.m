@@ -97,3 +97,5 @@ end
 %!             '+0.5 &plusmn; 2.1'}
 %!   assert (! isempty (strfind (html, text{1})), html);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

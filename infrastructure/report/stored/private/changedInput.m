@@ -62,3 +62,5 @@ end
 %! assert (changedInput (was, now), {'targets', 'effects'});
 %! now.digest.LIGGGHTS = 'other';
 %! assert (changedInput (was, now), {'targets', 'LIGGGHTS', 'effects'});
+
+% SPDX-License-Identifier: GPL-3.0-only

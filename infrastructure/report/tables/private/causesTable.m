@@ -76,3 +76,5 @@ end
 %! assert (causesTable (page).notes{1}, 'drag could not be tested');
 %! page.verdict.cause.numbers = 1;
 %! assert (isempty (causesTable (page)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -94,3 +94,5 @@ end
 %! assert (isempty (whole));
 %! page.sources.gap.reference.conditions = [one(1), setfield(one(1), 'name', 'dry')];
 %! assert (isempty (nthargout (2, @changeTable, page)));
+
+% SPDX-License-Identifier: GPL-3.0-only

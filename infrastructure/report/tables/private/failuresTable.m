@@ -25,3 +25,5 @@ end
 %! T = failuresTable (page);
 %! assert (cellfun (@(c) c.value, T.cells(:, 2))', [2, 1]);
 %! assert (T.cells{1, 3}.value, 'M/1');
+
+% SPDX-License-Identifier: GPL-3.0-only

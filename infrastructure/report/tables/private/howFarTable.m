@@ -87,3 +87,5 @@ end
 %! assert (! isempty (strfind (T.cells{4, 8}.value, 'over wall adhesion')), T.cells{4, 8}.value);
 %! page.sources.gap.howFar.heldOut.closure = 0.001;
 %! assert (howFarTable (page).cells{4, 8}.value, '');
+
+% SPDX-License-Identifier: GPL-3.0-only

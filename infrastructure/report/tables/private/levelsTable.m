@@ -29,3 +29,5 @@ end
 %! assert (T.cells{2, 4}.value, 'the level that counts');
 %! assert ({T.cells{1, 1}.value, T.cells{1, 2}.value}, {'size = 2', 5});
 %! assert (isempty (levelsTable (situationPage ('met')).cells));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -21,3 +21,5 @@ end
 %! T = nextTable (situationPage ('missed, named'));
 %! assert (T.cells{1, 1}.value, 'measure First once more');
 %! assert (T.notes{1}, sentence ('table.nextLittle'));
+
+% SPDX-License-Identifier: GPL-3.0-only

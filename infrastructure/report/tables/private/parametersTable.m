@@ -171,3 +171,5 @@ end
 %!                   sentence('fixBy.direct', struct ('name', 'b'))});
 %! assert (sum (strcmp (words, 'not determined')), 2);
 %! assert (size (parametersTable (situationPage ('nothing')).cells), [2, 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -96,3 +96,5 @@ end
 %!             'told apart', 'not yet by DEM'}
 %!   assert (! isempty (strfind (text, part{1})), [part{1}, ': ', text]);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -29,3 +29,5 @@ end
 %! assert (size (T.cells), [3, 3]);
 %! assert ({T.cells{3, 2}.value, T.cells{3, 2}.class}, {0.5, 'z2'});
 %! assert (isempty (sensitivityTable (situationPage ('nothing'))));
+
+% SPDX-License-Identifier: GPL-3.0-only

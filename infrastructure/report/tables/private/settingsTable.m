@@ -48,3 +48,5 @@ end
 %! names = cellfun (@(c) c.value, T.cells(:, 2)', 'UniformOutput', false);
 %! assert (all (ismember ({'First', 'seed', 'Octave'}, names)));
 %! assert (! isempty (strfind (T.cells{1, 3}.value, 'case/DEMmodels/First, input ab')));
+
+% SPDX-License-Identifier: GPL-3.0-only

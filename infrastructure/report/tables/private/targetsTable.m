@@ -132,3 +132,5 @@ end
 %! % nothing yet
 %! page = situationPage ('nothing');
 %! assert (columns (targetsTable (page).cells), 5);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -68,3 +68,5 @@ end
 %! assert ({T.title(1:35), T.columns{3, 1}}, {'Where the measurements have changed', ...
 %!                                            'without a change'});
 %! assert (T.notes{1}, sentence ('table.where', struct (), true));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -11,3 +11,5 @@ end
 
 %!assert (zClass (-2.5), 'z2')
 %!assert (zClass (NaN), 'z0')
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -88,3 +88,5 @@ end
 %! assert (plan.status, 'ddddqq');
 %! assert (plan.foreseen(5:6), log (10 * 2.^(5:6)), 1e-9);
 %! assert (plan.usual, 20 * ones (1, 6));
+
+% SPDX-License-Identifier: GPL-3.0-only

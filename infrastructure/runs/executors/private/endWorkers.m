@@ -19,3 +19,5 @@ end
 %! system (sprintf ('pkill -KILL -P %d octave', getpid ()));
 %! endWorkers ();
 %! assert (parcellfun (2, @(x) x, {1, 2}, 'VerboseLevel', 0), [1, 2]);
+
+% SPDX-License-Identifier: GPL-3.0-only

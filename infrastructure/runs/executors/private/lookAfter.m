@@ -37,3 +37,5 @@ end
 %! end
 %! assert (looks < 60);
 %! assert (age < 30.5);
+
+% SPDX-License-Identifier: GPL-3.0-only

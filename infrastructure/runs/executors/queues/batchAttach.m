@@ -102,3 +102,5 @@ end
 %! f = batchAttach (jobs, Case, queue);
 %! assert (f.status, 'qqqq');
 %! assert (isempty (f.batches) && isempty (f.message));
+
+% SPDX-License-Identifier: GPL-3.0-only

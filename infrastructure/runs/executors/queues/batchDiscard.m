@@ -23,3 +23,5 @@ end
 %! batchDiscard (folder);
 %! assert (readdir (store), {'.'; '..'});
 %! batchDiscard (folder);
+
+% SPDX-License-Identifier: GPL-3.0-only

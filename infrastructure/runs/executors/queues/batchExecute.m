@@ -176,3 +176,5 @@ end
 %! queue = newQueue (setfield (traits, 'start', @() deal (2, '')));
 %! Case.store = tempname ();
 %! batchExecute (queue, jobs, Case, @(s) []);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -83,3 +83,5 @@ end
 %!   assert (~isempty (strfind (text, part{1})), [part{1}, "\n", text]);
 %! end
 %! assert (~isfolder (fullfile (Case.store, 'optim')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -88,3 +88,5 @@ end
 %! queue = slurmExecutor ();
 %! batchSubmit (batchAttach (jobs, Case, queue), 1, jobs, Case, ...
 %!              queue, queue.options (struct ()));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # batchTask.sh BATCH GUARD TASK JOB [BEFORE]
 #
 # One task of a job array: looks up its run in BATCH/tasks, claims it, carries

@@ -179,3 +179,5 @@ end
 %! queue = gridengineExecutor ();
 %! [~, fault] = queue.start ();
 %! assert (fault, 'set the environment variable SGE_ROOT');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-only
 # mainTask.sh PROGRAM COMMAND FOLDER
 #
 # The job of decalioc submit: carries out PROGRAM COMMAND FOLDER, bin/decalioc

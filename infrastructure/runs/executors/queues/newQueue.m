@@ -225,3 +225,5 @@ end
 %! assert (o.extra, {'--mem=2G', '--qos=a'});
 %! assert ({o.partition, o.before}, {'a', {'module load a'}});
 %! assert ([o.time, o.poll], [90, 10]);
+
+% SPDX-License-Identifier: GPL-3.0-only

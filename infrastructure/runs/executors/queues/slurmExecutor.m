@@ -211,3 +211,5 @@ end
 %! queue = slurmExecutor ();
 %! [~, fault] = queue.start ();
 %! assert (fault, 'fatal: no configuration source');
+
+% SPDX-License-Identifier: GPL-3.0-only

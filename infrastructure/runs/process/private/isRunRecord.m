@@ -82,3 +82,5 @@ end
 %! for bad = {[], 5, 'x', {}, struct(), [r, r], rmfield(job, 'key')}
 %!   assert (! isRunRecord (bad{1}));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

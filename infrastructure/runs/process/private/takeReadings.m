@@ -237,3 +237,5 @@ end
 %! info = struct ('name', 'w', 'series', 'w', 'at', 2);
 %! assert (! isFault (struct ('w', 5), at ('w', 'w', 2), info));
 %! assert (isFault (struct ('w', 5), at ('w', 'w', 3), info));
+
+% SPDX-License-Identifier: GPL-3.0-only

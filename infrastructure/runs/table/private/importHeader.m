@@ -223,3 +223,5 @@ end
 %!         {'friction_1_2', 'mu 11-2'});
 %! own.columns = {'Reibung', 'friction 1-2'; 'Winkel', 'x'};
 %! assert (importHeader ({'Reibung', 'Winkel (mm)'}, own, 'f'), {'friction_1_2', 'x'});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -83,3 +83,5 @@ end
 %! s = fitSurrogate (X, X(:, 1) + log (X(:, 2)), limits);
 %! assert (isempty (bendInputs (s)));
 %! assert (s.limits, limits);
+
+% SPDX-License-Identifier: GPL-3.0-only

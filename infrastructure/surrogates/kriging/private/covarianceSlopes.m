@@ -45,3 +45,5 @@ end
 %!     assert (D(:, j), change / 2e-5, 1e-6 * max (abs (D(:))));
 %!   end
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

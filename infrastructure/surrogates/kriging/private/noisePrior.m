@@ -29,3 +29,5 @@ end
 %! assert ([m, sd], [log(1 / 16), sqrt(0.61)], 1e-12);
 %! [m, sd] = noisePrior ([], 7);
 %! assert ([exp(m / 2), sd], [0.3, 1.6], 1e-12);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -58,3 +58,5 @@ end
 %!   down = noisyCovariance (kernel, param - h, X, X);
 %!   assert (noisyCovariance (kernel, param, X, X, j), (up - down) / 2e-5, 1e-8);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -26,3 +26,5 @@ end
 %!assert (absoluteFrom ('/a', ''), '/a')
 %!assert (absoluteFrom ('', 'b'), fullfile (pwd (), 'b'))
 %!assert (absoluteFrom ('/a', '~'), tilde_expand ('~'))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -48,3 +48,5 @@ end
 %!   assert (isempty (value) && ~isempty (strfind (fault, ['''', text{1}])));
 %! end
 %! assert (~isempty (strfind (nthargout (2, @amountIn, '4,5', 'm'), 'point')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -48,3 +48,5 @@ end
 %! assert (lines{7}, '          Not said of: tilt, rolling');
 %!assert (numel (asked (struct ('name', 'tilt', 'canChange', 'yes'))), 2)
 %!assert (numel (asked ()), 1)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -40,3 +40,5 @@ end
 %!   assert (text, row{2});
 %!   assert (isempty (row{3}) || ~isempty (strfind (said, row{3})), said);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -81,3 +81,5 @@ end
 %! % Enter takes all as they are
 %! bench = listBenches (root, {'Heap'});
 %! assert (isequal (askSizes (bench, 1200, @(q, usual, rule) usual), bench.sizes));
+
+% SPDX-License-Identifier: GPL-3.0-only

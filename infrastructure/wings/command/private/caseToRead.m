@@ -60,3 +60,5 @@ end
 %! setenv ('LIGGGHTS', '/nowhere/liggghts');
 %! [status, text] = startCommand (raw.folder, 'cancel');
 %! assert (status == 0, text);
+
+% SPDX-License-Identifier: GPL-3.0-only

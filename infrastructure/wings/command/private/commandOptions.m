@@ -85,3 +85,5 @@ end
 %! commandOptions ({'--mdel', 'A'}, spec)
 %!error id=DEcalioc:commandOptions:missingField ...
 %! commandOptions ({'--model'}, spec)
+
+% SPDX-License-Identifier: GPL-3.0-only

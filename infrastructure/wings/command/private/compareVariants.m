@@ -125,3 +125,5 @@ end
 %!   wrong = wrong + strcmp (compareVariants (Z, {ones(4, 1), ones(4, 1)}, 4)(2).code, 'same');
 %! end
 %! assert (wrong / 400 < 0.08);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -74,3 +74,5 @@ end
 %!test
 %! g = grainsOfRun (emptyFolder ());
 %! assert ({g.asked, g.made, g.left, g.warnings}, {NaN, NaN, NaN, cell(1, 0)});
+
+% SPDX-License-Identifier: GPL-3.0-only

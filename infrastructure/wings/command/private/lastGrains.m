@@ -75,3 +75,5 @@ end
 %! assert (isnan (lastGrains (folder, [log, "fix c all multisphere\n"])));
 %! assert (isnan (lastGrains (folder, strrep (log, ' radius', ''))));
 %! assert (isnan (lastGrains (folder, '')));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -83,3 +83,5 @@ end
 %!assert ({listBenches(root, {'Heap', 'Drum'}).name}, {'Heap', 'Drum'})
 %!error id=DEcalioc:listBenches:unknownName listBenches (root, {'Drun'})
 %!error <got 'Drun'. Did you mean Drum> listBenches (root, {'Heap', 'Drun'})
+
+% SPDX-License-Identifier: GPL-3.0-only

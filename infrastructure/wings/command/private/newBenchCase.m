@@ -160,3 +160,5 @@ end
 %!                                         "Heap,massOnPlate,13.9,,g,,,\n"])));
 %!error <got 'Drun'. Did you mean Drum> newBenchCase (root, 'Heap,Drun')
 %!error id=DEcalioc:newBenchCase:badValue newBenchCase (root, 'Heap,Heap')
+
+% SPDX-License-Identifier: GPL-3.0-only

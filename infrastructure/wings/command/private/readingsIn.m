@@ -66,3 +66,5 @@ end
 %!   [r, fault] = readingsIn (text{1}, 'deg');
 %!   assert (isempty (r) && ! isempty (fault), text{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -42,3 +42,5 @@ end
 %! text = evalc ('sayBenches (root, '''', {''Heap,Drum''});');
 %! assert (numel (strfind (text, 'picture:')), 2);
 %! fail ('sayBenches (root, '''', {''Heep''})', 'got ''Heep''. Did you mean Heap');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -161,3 +161,5 @@ end
 %! assert (strncmp (text, 'its Octave was ended, and ends', 30), text);
 %! assert (~isempty (strfind (text, 'loadInput')), text);
 %! assert (isempty (processStart (pid)));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -16,3 +16,5 @@ function yes = sayChanged (Case)
     printf ('NOTE  %s\n', verdict ().gap);
   end
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -409,3 +409,5 @@ end
 %! assert (! isempty (strfind (text, '16 runs would start on this machine')));
 %! [status, text] = startCommand (raw.folder, 'check --try --dry-run');
 %! assert (status, 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -120,3 +120,5 @@ end
 %! assert (~isempty (strfind (page, 'calibrated in')), page);
 %! [status, text] = startCommand (raw.folder, 'export --for card --with /tmp');
 %! assert (status == 1 && ~isempty (strfind (text, 'holds no results')), text);
+
+% SPDX-License-Identifier: GPL-3.0-only

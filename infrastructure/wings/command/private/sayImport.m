@@ -184,3 +184,5 @@ end
 %!                            row{1}, ' 2>&1']);
 %!   assert (status == 1 && ! isempty (strfind (out, row{2})), out);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

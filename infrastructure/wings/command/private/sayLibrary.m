@@ -215,3 +215,5 @@ end
 %! text = evalc (['sayLibrary ('''', '''', {store, ''First'', ''--case'', ', ...
 %!                '[''./'', name, ''/'']}, true);']);
 %! assert (strncmp (text, '2 runs of First are out of use', 30), text);
+
+% SPDX-License-Identifier: GPL-3.0-only

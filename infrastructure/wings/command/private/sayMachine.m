@@ -60,3 +60,5 @@ end
 %!test
 %! [~, texts] = said ('/nowhere/at all');
 %! assert (texts{3}, 'not known');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -77,3 +77,5 @@ end
 %! assert ({list.name}, {'angle', 'radius'});
 %!error <millimetres a pixel> sayMeasure ('', '', {'x.png', '--scale', '0,1'})
 %!error id=DEcalioc:sayMeasure:badValue sayMeasure ('', '', {})
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -321,3 +321,5 @@ end
 %!   assert (~isempty (strfind (text, ['got ', pair{1}, ' without'])), text);
 %! end
 %! assert (~isfolder (fullfile (pwd (), 'Unread')));
+
+% SPDX-License-Identifier: GPL-3.0-only

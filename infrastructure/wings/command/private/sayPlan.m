@@ -91,3 +91,5 @@ end
 %! assert (~isempty (regexp (out, 'gain( +-)+\s')));
 
 %!error <plan takes no words> said ('hopper')
+
+% SPDX-License-Identifier: GPL-3.0-only

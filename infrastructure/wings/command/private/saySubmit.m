@@ -144,3 +144,5 @@ end
 %! writeLoadInput (folder);
 %! [status, text] = startCommand (folder, 'submit');
 %! assert (status == 1 && ~isempty (strfind (text, 'Input.executor')), text);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -181,3 +181,5 @@ end
 %!   assert (status, 1);
 %!   assert (~isempty (strfind (text, words{2})), text);
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

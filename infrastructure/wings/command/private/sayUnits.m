@@ -23,3 +23,5 @@ end
 %! text = evalc ('sayUnits (T, [0.02, 33, 1], ''in these runs'')');
 %! assert (strncmp (text, 'WARNING   height: measured 21, 0.02 in these runs: a fac', 56));
 %! assert (numel (strfind (text, 'WARNING')), 1);
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -99,3 +99,5 @@ end
 %! assert (~isempty (strfind (last, 'Start with')), text);
 %! assert (isempty (strfind (last, 'Ctrl-C ends')), text);
 %!error id=DEcalioc:sayWatch:badValue sayWatch ('', '', {'--seconds=0'})
+
+% SPDX-License-Identifier: GPL-3.0-only

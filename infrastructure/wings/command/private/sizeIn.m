@@ -16,3 +16,5 @@ end
 %!assert (sizeIn ('4 mm', 'm'), '0.004')
 %!assert (nthargout (2, @sizeIn, '0', 'm'), 'more than 0 m is needed, got 0.')
 %!assert (isempty (nthargout (2, @sizeIn, '0.35', '')))
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -39,3 +39,5 @@ end
 %!   clear tidy
 %!   assert ({job.name, state}, {'decalioc-a', given{2}});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

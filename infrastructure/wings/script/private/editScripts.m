@@ -115,3 +115,5 @@ end
 %! assert (t{1}, 'fix v all property/global yieldRatio scalar ${yieldRatio}');
 %!error id=DEcalioc:scriptProperty:unknownName
 %! editScripts ({script}, {'friction 1-2'}, '');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -38,3 +38,5 @@ end
 %!assert (expandWord ('${d}/$n.stl', struct ('d', {{'x', 'y'}}, 'n', {{'1'}})), ...
 %!        {'x/1.stl', 'y/1.stl'})
 %!assert (expandWord ('${no}', struct ('d', {{'x'}})), {'${no}'})
+
+% SPDX-License-Identifier: GPL-3.0-only

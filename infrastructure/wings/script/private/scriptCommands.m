@@ -55,3 +55,5 @@ end
 %! assert ([c.isSure], logical ([1, 1, 1, 0, 0, 0, 0, 1]));
 %! assert (c(8).words{2}, 'no # remark');
 %!assert (size (scriptCommands ('')), [1, 0])
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -115,3 +115,5 @@ end
 %! refused (file, "0,5,5,20\n0,6,4,0\n", 'got the columns t, F, sd, column 4');
 %! refused (file, "t,F\n0,1\n1,x\n", 'got 1 x in line 3');
 %! refused (file, "t,F\n0,1\n", 'got 1 such lines');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -226,3 +226,5 @@ end
 %! found = scriptFiles (fullfile (folder, 'run', 'in.x'), ...
 %!                      fullfile (folder, 'run'), struct ('MESH', 3));
 %! assert (any (strcmp ('../STL/3 (fix in in.x)', found.missing)));
+
+% SPDX-License-Identifier: GPL-3.0-only

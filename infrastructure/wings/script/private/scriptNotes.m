@@ -85,3 +85,5 @@ end
 %!test
 %! text = "if \"1 > 0\" then \"run 1\"\nprint \"${a} $m RUN COMPLETE\"";
 %! assert (isempty (scriptNotes (text, 'a', {'m'})));
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -238,3 +238,5 @@ end
 %! assert (isempty (scriptPhysics (["thermo_modify lost ignore\n", ...
 %!                                  "variable n equal count(all)\n"])));
 %! assert (isempty (scriptPhysics ("thermo_modify lost ignore\nthermo_modify lost error\n")));
+
+% SPDX-License-Identifier: GPL-3.0-only

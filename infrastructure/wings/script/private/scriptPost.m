@@ -82,3 +82,5 @@ end
 %! assert (scriptPost ('', found).files, cell (1, 0));
 %!error id=DEcalioc:scriptPost:missingFile scriptPost ('/nowhere/post.py', found)
 %!error id=DEcalioc:scriptPost:badValue scriptPost (fullfile (folder, 'cal.csv'), found)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -137,3 +137,5 @@ end
 %! scriptProperty ({script}, 'friction 1-3')
 %!error id=DEcalioc:scriptProperty:unknownName
 %! scriptProperty ({script}, 'friction')
+
+% SPDX-License-Identifier: GPL-3.0-only

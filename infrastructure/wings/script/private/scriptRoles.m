@@ -67,3 +67,5 @@ end
 %!   assert (isequal (r, row{2}) || isempty (r) && isempty (row{2}), row{1});
 %!   assert (isequal (w, row{3}) || isempty (w) && isempty (row{3}), row{1});
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -62,3 +62,5 @@ end
 %! t = of ('/d/b', {'/d/b/data.head'}, {'data.head'});
 %! assert ({t.place, t.to}, {'script', {'script/data.head', 'script/in.x'}});
 %! assert (of ('/a', {'/b/x'}, {}).to, {'a/in.x', 'b/x'});
+
+% SPDX-License-Identifier: GPL-3.0-only

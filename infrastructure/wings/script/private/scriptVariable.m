@@ -103,3 +103,5 @@ end
 %! assert (~isfield (values, 'f'));
 %! assert (values.g, {'7'});
 %! assert (numbers, struct ('a', 2, 'g', 1));
+
+% SPDX-License-Identifier: GPL-3.0-only

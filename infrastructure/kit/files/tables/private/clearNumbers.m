@@ -87,3 +87,5 @@ end
 %!error id=DEcalioc:readCsvTable:unclearPoint clear1 ('0,5', '1,234', '1,234.5')
 %!error <got 1,234 in f> clearNumbers ({'1,234'}, @(k) 'f', true)
 %!assert (clearNumbers ({'1,234'; '0,5'}, @(k) 'f', true), {'1.234'; '0.5'})
+
+% SPDX-License-Identifier: GPL-3.0-only

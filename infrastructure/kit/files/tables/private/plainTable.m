@@ -124,3 +124,5 @@ end
 %!   assert (strtrim (strrep (plainTable (text{1}), '  fines', '% fines')), ...
 %!           strtrim (text{1}));
 %! end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -46,3 +46,5 @@ end
 %! assert (readEndMark (folder).code, 98);
 %! assert (~ isempty (strfind (fileread (fullfile (folder, 'stderr.txt')), ...
 %!                             '/nowhere')));
+
+% SPDX-License-Identifier: GPL-3.0-only

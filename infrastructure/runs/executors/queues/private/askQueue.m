@@ -47,3 +47,5 @@ end
 %! assert ({number, fault}, {NaN, 'there is no cell here'});
 %! [~, fault] = askQueue ({'qput', 'qlook'}, 'qconf', 'no cell', 'x');
 %! assert (fault, 'no qput and qlook on the PATH');
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -30,3 +30,5 @@ end
 %! assert (text, "a\n[ $? = 0 ] || return\nb\n[ $? = 0 ] || return\n");
 %! task = batchCall ('/b', queue, struct ('before', {{}}), '/r');
 %! assert (numel (task), 5);
+
+% SPDX-License-Identifier: GPL-3.0-only

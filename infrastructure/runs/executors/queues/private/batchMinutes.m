@@ -22,3 +22,5 @@ end
 %!assert (batchMinutes (1.5, [7, NaN]), 2)
 %!assert (batchMinutes (NaN, [7, 61]), 4)
 %!assert (batchMinutes (NaN, [7, NaN]), 1440)
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -25,3 +25,5 @@ end
 %! jobs = struct ('model', {'A', 'B', 'C', 'A', 'B'});
 %! assert (batchParts ([1, 2, 3, 4, 5], jobs, Case, struct ('arraySize', 2)), ...
 %!         {[2, 5], [1, 3], 4});
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -217,3 +217,5 @@ end
 %! became = f.status;
 %! became(became == 's') = cellfun (@(r) r.status(1), f.records(became == 's'));
 %! assert (became, [cases{:, 5}]);
+
+% SPDX-License-Identifier: GPL-3.0-only
