@@ -50,7 +50,7 @@
 %! assert (~isempty (strfind (out, 'README.md: a table is not that of its results')), out);
 %! [status, out] = figures (copy, '');
 %! assert (status == 0 && isempty (strfind (out, 'WARNING')), out);
-%! assert (~isempty (strfind (fileread (page), '| plain | published | 7 |')));
+%! assert (~isempty (strfind (fileread (page), '| plain | published | 20 |')));
 %! [status, out] = figures (copy, 'check');
 %! assert (status == 0, out);
 %! % a value is changed
