@@ -1,11 +1,11 @@
-% REPORTPICTURES  Makes the pictures of the report that the README shows.
+% REPORTPICTURES  Makes the picture of the report that the README shows.
 %
 % CALL: octave-cli tools/pictures/reportPictures.m [FOLDER]
 %
 %   FOLDER  case folder whose results/report.html is there already; default:
 %           tools/demo.sh makes one in a new folder (no DEM run; two minutes)
 %
-% Writes docs/figures/report.png and docs/figures/report-gap.png with Chromium.
+% Writes docs/figures/report-gap.png with Chromium.
 %
 % See also: writePage
 
@@ -49,11 +49,8 @@ else
   folder = argv (){end};
 end
 html = fileread (fullfile (folder, 'results', 'report.html'));
-figures = fullfile (root, 'docs', 'figures');
-shoot (only (html, {'sectiontargets', 'sectionparameters'}), ...
-       fullfile (figures, 'report.png'), 1250);
 gap = regexprep (only (html, {'sectionwhich'}), ...
                  '<(header|nav)[ >].*?</(header|nav)>', '');
-shoot (gap, fullfile (figures, 'report-gap.png'), 870);
+shoot (gap, fullfile (root, 'docs', 'figures', 'report-gap.png'), 830);
 
 % SPDX-License-Identifier: GPL-3.0-only
