@@ -4,7 +4,7 @@
 %
 %   FOLDER  run folder (text), with log.liggghts or stdout.txt
 %   G       scalar struct, numbers NaN where the output does not say: asked (grains
-%           that the insertions of the script ask for), made (most that were there
+%           that the script asks for: of insertions, and those it creates or reads), made (most that were there
 %           at the end of a command run), left (at the end of the last one); warnings
 %           (1 x n cell of texts: LIGGGHTS's own about insertion, loss and contacts
 %           that are looked for too late, each once), and of lastGrains: overlap, moving
@@ -50,7 +50,13 @@ function n = askedFor (text)
     found = regexp (rest, form, 'tokens', 'once');
     numbers.(['x', regexprep(id, '\W', '_')]) = str2double ([found, {'NaN'}]{1});
   end
-  n = sum ([struct2cell(numbers){:}, repmat(NaN, 1, isempty (lines))]);
+  if isempty (lines)
+    n = NaN;
+    return
+  end
+  % create_atoms; read_data and read_restart
+  others = regexp (text, '^(?:Created (\d+) atoms|\s+(\d+) atoms)$', 'tokens', 'lineanchors');
+  n = sum ([struct2cell(numbers){:}, str2double([cell(1, 0), others{:}])]);
 end
 
 %!function g = of (text)
@@ -70,6 +76,9 @@ end
 %!          "Loop time of 2 on 1 procs for 9 steps with 240 atoms, finish time Sun\n"]);
 %! assert ([g.asked, g.made, g.left], [1000, 242, 240]);
 %! assert (g.warnings, {'Particle insertion: Less insertions than requested'});
+%! % grains of a glued floor, or of a data file, are asked for, too
+%! before = "Created 185 atoms\n185 atoms in group glued\n  15 atoms\n";
+%! assert (of ([before, pack]).asked, 1100);
 %! assert (isnan (of ([pack, "fix c all insert/pack particles_in_region 5\n"]).asked));
 %!test
 %! g = grainsOfRun (emptyFolder ());

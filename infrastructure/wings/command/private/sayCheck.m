@@ -260,9 +260,12 @@ end
 function g = sayGrains (r)
   g = grainsOfRun (r.folder);
   if g.made > 0
-    asked = sprintf (' of %d that the script asks for', g.asked);
-    printf ('          grains: %d%s were made, %d are there at the end\n', g.made, ...
-            repmat (asked, 1, ~isnan (g.asked)), g.left);
+    asked = '';
+    if ~isnan (g.asked)
+      asked = sprintf (' of %d that the script asks for', g.asked);
+    end
+    printf ('          grains: %d%s were made, %d are there at the end\n', g.made, asked, ...
+            g.left);
   end
   cellfun (@(text) printf ('WARNING   %s: LIGGGHTS says: %s.\n', r.model, text), ...
            g.warnings);
