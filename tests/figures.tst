@@ -63,7 +63,11 @@
 %! % the code goes on: said, and no fault
 %! commit (copy, 'the table');
 %! code = fullfile (copy, 'infrastructure', 'calibration', 'confirmSet.m');
-%! writeAtomic (code, [fileread(code), "\n% later\n"]);
+%! writeAtomic (code, [fileread(code), "\n% a remark\n%!test\n%! assert (true);\n"]);
+%! commit (copy, 'a remark and a test');
+%! [~, out] = figures (copy, 'check');
+%! assert (isempty (strfind (out, 'has changed')), out);
+%! writeAtomic (code, [fileread(code), "\n1;\n"]);
 %! commit (copy, 'later code');
 %! [status, out] = figures (copy, 'check');
 %! assert (status == 0, out);

@@ -7,7 +7,8 @@
 %          those of a commit that the clone does not hold; none where ROOT is no clone
 %
 % figures.csv names the rooms of each table of results (a folder each, rooms.csv);
-% the commit is the oldest one of its first lines (originLines).
+% the commit is the oldest one of its first lines (originLines). A commit that changes
+% remarks and tests alone changes no room.
 %
 % Errors: DEcalioc:ageOfResults:missingRoom (a room without its folder)
 %
@@ -26,7 +27,8 @@ function lines = ageOfResults (root)
               'it lies now.'], room.folder, room.room);
     end
     depends = cellfun (@(r) any (strcmp (strsplit (r, ' '), room.room)), {uses.rooms});
-    last = gitLine (root, sprintf ('log -1 --format="%%h of %%as" -- %s', room.folder));
+    last = gitLine (root, sprintf ('log -1 --format="%%h of %%as" %s -- %s', codeOnly (), ...
+                                   room.folder));
     older = {};
     for csv = {uses(depends).csv}
       if ~isempty (last) && isOlder (root, originOf (fileOf (root, csv{1})).commit, ...
@@ -68,10 +70,15 @@ end
 function yes = isOlder (root, commits, folder)
   yes = false;
   for one = regexp (commits, '[0-9a-f]{7,}', 'match')
-    [status, changed] = system (sprintf ('git -C %s rev-list -1 %s..HEAD -- %s 2> /dev/null', ...
-                                         shellQuote (root), one{1}, folder));
-    yes = yes || (status == 0 && ~isempty (strtrim (changed)));
+    changed = gitLine (root, sprintf ('log -1 --format=%%h %s %s..HEAD -- %s', ...
+                                      codeOnly (), one{1}, folder));
+    yes = yes || ~isempty (changed);
   end
+end
+
+% Commits with a changed line that is no remark.
+function words = codeOnly ()
+  words = '-G"^[[:space:]]*[^#%[:space:]]"';
 end
 
 function text = gitLine (root, words)
