@@ -11,6 +11,9 @@
 %             response are known beforehand (learnForm)
 %     known   this calibration, and 8 packings of one set before have told of the
 %             noise (scatter.csv); they are not counted
+%     bench, other, half  known, and a form.csv tells how the results follow the
+%             parameters: rightly, or wrongly in two ways (storedShape)
+%     knownSmall, benchSmall, otherSmall, halfSmall  the same with a plan of d + 1 runs
 %     ours    this calibration
 %   CSV      table, to which one row a seed is added; seeds that stand in it are
 %            not run again
@@ -19,7 +22,7 @@
 % converged, right, worst (true miss, in tolerances), probability, infill,
 % verify, seconds.
 %
-% See also: calibrateStandIn, learnForm, standIn, peers
+% See also: calibrateStandIn, learnForm, storedShape, standIn, peers
 
 1;
 
@@ -53,8 +56,18 @@ function cells = oneSeed (S, way, seed, learnt)
         sayForm (learnt('form'), S.targetNames);
       end
       S.form = learnt('form');
-    elseif strcmp (way, 'known')
+    elseif ~strcmp (way, 'ours')
       S.earlier = 8;
+    end
+    [way, isSmall] = deal (strrep (way, 'Small', ''), ~isempty (strfind (way, 'Small')));
+    if isSmall
+      S.plan = numel (S.names) + 1;
+    end
+    if any (strcmp (way, {'bench', 'other', 'half'}))
+      if ~isKey (learnt, 'shape')
+        learnt('shape') = storedShape (S, '');
+      end
+      S.shape = storedShape (S, strrep (way, 'bench', ''), learnt('shape'));
     end
     r = calibrateStandIn (S, seed, 0, struct ());
     tol = givenField (S, 'tol', 0.01);

@@ -8,7 +8,8 @@
 
 function tables = peerTables ()
   tables = struct ('peers', @peers, 'floors', @floors, 'besideOthers', ...
-                   @besideOthers, 'peersLiggghts', @peersLiggghts);
+                   @besideOthers, 'peersLiggghts', @peersLiggghts, 'shapeStudy', ...
+                   @shapeStudy);
 end
 
 function values = numbers (list, name)
@@ -122,6 +123,37 @@ function text = floors (read)
   end
   text = markdownTable ({'stand-in', 'told', 'form known', 'noise known', 'ours', ...
                          'form / told', 'known / form', 'ours / form'}, rows_);
+end
+
+% Against the same plan without form.csv; the mean of log ratios, and its standard error.
+function text = shapeStudy (read)
+  list = read ('shapeStudy');
+  key = strcat ({list.standin}, ',', {list.seed}, ',', {list.runs}, ',', {list.target});
+  places = strcat ({list.standin}, {', '}, {list.runs}, {' runs'});
+  place = unique (places, 'stable');
+  isKnown = strcmp ({list.way}, 'known');
+  rows_ = cell (0, 6);
+  for g = 1:numel (place)
+    for way = {'known', 'bench', 'other', 'half'}
+      is = find (strcmp (places, place{g}) & strcmp ({list.way}, way{1}));
+      [~, at] = ismember (key(is), key(isKnown));
+      beside = list(isKnown)(at);
+      own = list(is);
+      ratio = log (numbers (own, 'miss') ./ numbers (beside, 'miss'));
+      gain = numbers (own, 'density') - numbers (beside, 'density');
+      e = @(x) std (x) / sqrt (numel (x));
+      rows_(end + 1, :) = {place{g}, way{1}, ...
+                           sprintf('%.2f', median (numbers (own, 'miss'))), ...
+                           sprintf('%.2f (%.2f)', exp (mean (ratio)), e (ratio)), ...
+                           sprintf('%+.2f (%.2f)', mean (gain), e (gain)), ...
+                           sprintf('%.0f %%; %.0f %%', ...
+                                   100 * mean (numbers (own, 'inside')), ...
+                                   100 * mean (numbers (own, 'believed')))};
+    end
+  end
+  text = markdownTable ({'stand-in', 'way', 'miss, median', 'miss / known', ...
+                         'log density beyond known', ...
+                         'in 90 % intervals; believed'}, rows_);
 end
 
 % Median (quartiles); of all seeds stated, of them right.

@@ -31,6 +31,7 @@ function calibration = calibrateCase (root, folder)
   restore = seedRandom (Case.options.seed);
   problem = newProblem (Case, ownCost ());
   problem.prior = similarPriors (Case);
+  problem.shape = knownShapes (Case);
   reportCase (Case, say, problem);
 
   % experimental plan and DEM simulation
@@ -149,6 +150,11 @@ function reportCase (Case, say, problem)
   known = sum (problem.earlierRuns > 0);
   if known > 0
     tell ('  noise of a run: %s with scatter.csv of the model', ...
+          countText (known, 'target begins', 'targets begin'));
+  end
+  known = sum (~cellfun (@isempty, problem.shape));
+  if known > 0
+    tell ('  shape of results: %s with form.csv of the model', ...
           countText (known, 'target begins', 'targets begin'));
   end
   n = problem.nExtra;

@@ -13,7 +13,8 @@
 %          notIdentified (cellstr of parameters whose interval is
 %          wider than options.loose of the box), sources (struct: own, imported,
 %          otherCases, parameter sets of which origin the data hold, misled, see
-%          keepApart), identifiability (weakness
+%          keepApart), form (struct: known, believed, results of which form.csv knows
+%          the shape, and those whose runs agree), identifiability (weakness
 %          below), sensitivity d x T (total Sobol indices); demRuns,
 %          coreSeconds, atLimit, warnings, levels (describeLevels below),
 %          surrogates, history, data, exitStatus; holdout (1 x h: name, model, target,
@@ -45,6 +46,9 @@ function c = newCalibration (state, problem, Case)
   of = @(stage) sum (strcmp (state.data.stage, stage));
   c.sources = struct ('own', sum (~isOther), 'imported', of ('import'), ...
                       'otherCases', of ('library'), 'misled', state.misled);
+  hasShape = ~cellfun (@isempty, givenField (problem, 'shape', {}));
+  isShape = ~cellfun (@ischar, {state.surrogates.trend});
+  c.form = struct ('known', sum (hasShape), 'believed', sum (isShape));
   c.coreSeconds = state.budget.coreSeconds;
   [c.warnings, c.atLimit] = checkSurrogates (state, problem, known.interval90);
   c.sensitivity = totalIndices (state.surrogates, problem);

@@ -23,6 +23,7 @@ function diagnosis = diagnoseCase (root, folder)
   [Case, idle] = withoutIdle (Case);
   problem = newProblem (Case);
   problem.prior = similarPriors (Case);
+  problem.shape = knownShapes (Case);
   many = max (numel (Case.conditions), 1);
   [asked, assumed] = arrayfun (@(c) newProblem (Case, [], c), 1:many, ...
                                'UniformOutput', false);

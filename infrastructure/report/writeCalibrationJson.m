@@ -100,7 +100,7 @@ function v = writeCalibrationJson (c, Case)
   end
   out.known = knownOf (Case);
   out.labels = named (paramLabels (Case));
-  out = mergeFields (out, c, {'outcomes', 'sources'});
+  out = mergeFields (out, c, {'outcomes', 'sources', 'form'});
   out = mergeFields (out, c, {'runs', 'probability', 'demRuns', ...
                               'coreSeconds', 'atLimit', 'notIdentified'});
   out.unfixed = c.identifiability.text;

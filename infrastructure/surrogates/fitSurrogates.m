@@ -115,6 +115,7 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
   Z(bad) = NaN;
   law = estimateNoise (X, Z);
   form = givenField (problem, 'form', []);
+  shape = givenField (problem, 'shape', {});
   if ~isempty (form)
     law = {form.noise};
   end
@@ -131,6 +132,9 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
       options.prior = problem.prior{t};
     end
     options.form = ofTarget (form, t);
+    if ~isempty (shape)
+      options.shape = shape{t};
+    end
     options.quick = ~isempty (old);
     if problem.earlierRuns(t) > 0
       options.scatter = [problem.earlierSd(t), problem.earlierRuns(t)];
@@ -139,6 +143,7 @@ function [surrogates, follows] = fitGood (runs, bad, problem, old)
       options.trend = 'affine';
       options.covariance = 'matern';
       options.published = true;
+      options.shape = [];
     end
     if ~isempty (old) && sum (isfinite (Z(:, t))) < 1.2 * old(t).nChoice
       options.start = old(t);

@@ -35,7 +35,7 @@ function text = functionOf (name, s)
             regexprep(s.name, '\s+', ' '), ', made by DEcalioc.'], ...
            '  %', ...
            sprintf('  %% params  n x %d, sets; z  n x 1, mean response', d), ...
-           sprintf('  %% From %d runs; %s trend, %s.', n, s.trend, ...
+           sprintf('  %% From %d runs; %s trend, %s.', n, trendName (s.trend), ...
                    s.covariance), ...
            sprintf('  if columns (params) ~= %d', d), ...
            '    params = params(:)'';', ...
@@ -102,8 +102,23 @@ function text = unitLines (limits)
   end
 end
 
-% In the order of stk_lm_constant, _affine, _quadratic.
+function name = trendName (trend)
+  name = 'known';
+  if ischar (trend)
+    name = trend;
+  end
+end
+
+% In the order of stk_lm_constant, _affine, _quadratic, and of trendOf.
 function text = trendTerms (trend, d)
+  if ~ischar (trend)
+    isKnown = isfinite (trend(:, 1)');
+    text = sprintf (['[ones(rows (u), 1), [u(:, [%s]), u(:, [%s]).^2] * %s, ', ...
+                     'u(:, [%s])]'], num2str (find (isKnown)), ...
+                    num2str (find (isKnown)), mat2str (trend(isKnown, :)(:), 17), ...
+                    num2str ([find(~isKnown), numel(isKnown) + 1:d]));
+    return
+  end
   text = 'ones(rows (u), 1)';
   if ~strcmp (trend, 'constant')
     text = [text, ', u'];
@@ -126,11 +141,13 @@ end
 %! kernels = {'gauss', 'matern32', 'matern52', 'matern52', 'matern', 'exp', ...
 %!            'sph', 'matern_iso'};
 %! levels = {[], [], [], mod(1:16, 2)', [], [], [], []};
-%! for t = 1:8
+%! trends{9} = [2, 0.5; NaN, NaN];        % a shape that form.csv knows
+%! [kernels{9}, levels{9}] = deal ('matern52', []);
+%! for t = 1:9
 %!   s(t) = fitSurrogate (X, z, limits, ...
 %!                        struct ('trend', trends{t}, 'level', levels{t}, ...
 %!                                'covariance', kernels{t}, 'name', 'a name', ...
-%!                                'published', t > 4));
+%!                                'published', t > 4 && t < 9));
 %! end
 %! folder = fullfile (tempname (), 'KrigingFuns');
 %! names = saveSurrogates (s, folder);
@@ -140,6 +157,7 @@ end
 %!                             'UniformOutput', false));
 %! one = KM_fun_2 (P(3, :)');
 %! again = loadSurrogate (fullfile (folder, 'KM_fun_2.txt'));
+%! shaped = loadSurrogate (fullfile (folder, 'KM_fun_9.txt'));
 %! rmpath (folder);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (folder), 's');
@@ -148,5 +166,6 @@ end
 %! assert (called, m, 1e-6);         % without a prior weights grow large
 %! assert (one, m(3, 2), 1e-9);
 %! assert (again.z, s(2).z);
+%! assert (predictSurrogate (shaped, P), m(:, 9), 1e-9);
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -19,7 +19,7 @@
 %
 % A change in OctaveFuns asks for a new evaluation of finished runs, not for
 % new simulations. README, sample, pictures, settings.csv (readSettings) and
-% scatter.csv (caseMeasurements) decide nothing.
+% scatter.csv, form.csv decide nothing.
 %
 % Errors: DEcalioc:hashFolder:missingFile
 
@@ -30,7 +30,7 @@ function h = hashModels (Case)
   end
   aside = {'OctaveFuns', 'sample', 'README.md', 'README', 'picture.png', ...
            'picture.svg', 'photo.jpg', 'log.liggghts', '.git', ...
-           'settings.csv', 'scatter.csv'};
+           'settings.csv', 'scatter.csv', 'form.csv'};
   build = liggghtsBuild ();
   neutral = neutralEffects (Case);
   h = struct ('input', cell (1, numel (Case.models)), ...

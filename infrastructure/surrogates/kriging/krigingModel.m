@@ -3,7 +3,7 @@
 % CALL: MODEL = krigingModel (TREND, COVARIANCE, D)
 % CALL: MODEL = krigingModel (TREND, COVARIANCE, D, OF)
 %
-%   TREND       'constant', 'affine', 'quadratic': stk_lm_TREND
+%   TREND       'constant', 'affine', 'quadratic', or a known shape, see trendOf
 %   COVARIANCE  'matern52', 'matern32', 'gauss', 'matern', 'exp', 'sph':
 %               stk_materncov52_aniso and so on; 'matern52_iso' and the like:
 %               stk_materncov52_iso
@@ -33,21 +33,21 @@ function model = krigingModel (trend, covariance, d, of)
     kernel = [kernel, '_aniso'];
   end
   model = stk_model (kernel, d);
-  model.lm = feval (['stk_lm_' trend]);
+  model.lm = trendOf (trend);
   if nargin > 3 && of.published
     model.lognoisevariance = NaN;              % to be estimated
     model.criterion = @stk_param_relik;
   elseif nargin > 3
-    model = withPriors (model, of, 1 + 99 * strcmp (trend, 'constant'));
+    model = withPriors (model, of, trend);
   end
 end
 
-% BEYOND  percent of the variance of a response that are beyond the trend
-function model = withPriors (model, of, beyond)
+function model = withPriors (model, of, trend)
   d = model.dim;
   [ofNoise, open] = noisePrior (of.scatter, of.scale);
-  mean = [log(beyond / 100); -log(1.5) * ones(d, 1); ofNoise];
-  sd = [2; ones(d, 1); open];
+  [beyond, ofBeyond] = beyondTrend (trend);
+  mean = [log(beyond); -log(1.5) * ones(d, 1); ofNoise];
+  sd = [ofBeyond; ones(d, 1); open];
   if ~isempty (of.prior)
     known = isfinite (of.prior);
     variance = 1 ./ (1 ./ sd(known).^2 + 1 / 0.5^2);
@@ -74,6 +74,18 @@ function model = withPriors (model, of, beyond)
   end
   model.param = mean(1:count);
   model.prior = normal (mean(1:count), sd(1:count));
+end
+
+% Share of the variance of a response that is beyond the trend, and the sd of its
+% logarithm. A shape is that of another material or rig: it is never as near as the
+% few runs at the start may look.
+function [share, sd] = beyondTrend (trend)
+  [share, sd] = deal (0.01, 2);
+  if strcmp (trend, 'constant')
+    share = 1;
+  elseif ~ischar (trend)
+    [share, sd] = deal (0.05, 1.5);
+  end
 end
 
 function distribution = normal (mean, sd)
