@@ -88,3 +88,5 @@ given = argv ();
 for name = strsplit (given{1}, ',')
   study (name{1}, str2num (given{2}), str2num (given{3}), given{4});
 end
+
+% SPDX-License-Identifier: GPL-3.0-only

@@ -53,3 +53,5 @@ end
 %! assert (other{1}, C{2});
 %! half = storedShape (S, 'half', C){1};
 %! assert (half, C{1} .* [-1; 1]);
+
+% SPDX-License-Identifier: GPL-3.0-only

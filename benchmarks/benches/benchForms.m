@@ -65,3 +65,5 @@ end
 %! [header, cells] = readCsvTable (fullfile (folder, 'form.csv'));
 %! assert (cells(:, 1:4), {'angle', 'mu', '0', '2'; 'angle', 'rho', '0', '1'});
 %! assert (str2double (cells(:, 5:7)), [6, 0, 40; 0, 1, 40], 0.1);
+
+% SPDX-License-Identifier: GPL-3.0-only

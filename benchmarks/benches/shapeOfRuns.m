@@ -37,3 +37,5 @@ end
 %! [C, Q2] = shapeOfRuns (X, z, [0, 0; 2, 1], phi);
 %! assert (C, [2, 0; 0, -1], 0.2);
 %! assert (Q2 > 0.9);
+
+% SPDX-License-Identifier: GPL-3.0-only

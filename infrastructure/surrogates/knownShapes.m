@@ -107,3 +107,5 @@ end
 %!error id=DEcalioc:knownShapes:badValue
 %! knownShapes (caseOf (["result,parameter,low,high,slope,curvature\n", ...
 %!                       "angle,mu,1,0,3,4\n"]));
+
+% SPDX-License-Identifier: GPL-3.0-only

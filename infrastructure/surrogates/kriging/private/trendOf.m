@@ -29,3 +29,5 @@ end
 %! assert (feval (trendOf ('affine'), U), [[1; 1], U]);
 %! assert (feval (trendOf ([2, -1; 3, 1; NaN, NaN]), U), [1, 4.75, 0.2; 1, 1, 0.3]);
 %! assert (feval (trendOf ([2, -1; 3, 1]), U), [1, 4.75, 0.2; 1, 1, 0.3]);
+
+% SPDX-License-Identifier: GPL-3.0-only
