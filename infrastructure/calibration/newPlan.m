@@ -22,7 +22,7 @@ function [plan, E] = newPlan (data, Case)
     n = 0;
   end
   if any (strcmp (data.stage, 'library'))
-    least = columns (data.X) + 2 - finishedSets (data);
+    least = columns (data.X) + 1 - finishedSets (data);
     plan = planBeside (data.X, n, Case, least);
   else
     plan = planBeside (insideLimits (data.X, Case.limits), n, Case);

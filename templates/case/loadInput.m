@@ -13,7 +13,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.model{1} = '@MODEL@';
   Input.cpu(1) = 1;                 % CPUs of a run
   Input.maxCPU = nproc ();          % CPUs of all runs together
-  Input.numOfSam = 5;               % runs of the first plan: parameters + 3
+  Input.numOfSam = 4;               % first plan: parameters + 2, see form.csv
   Input.seed = 1;                   % same seed, same calibration
 
   % --- 2  targets, in the order of getResults ---------------------------

@@ -41,7 +41,7 @@ end
 
 % Runs that end well and have their other results: more of them have not this one either.
 function refuseLacking (data, problem)
-  least = columns (data.X) + 2;
+  least = columns (data.X) + 1;
   isOurs = ~ismember (data.stage, {'import', 'library'});
   [lacking, hasAny] = lackingRows (data.Z, problem.bench);
   for t = find (problem.calibrate)
@@ -64,7 +64,7 @@ end
 % the box or the model is at fault.
 function checkEnough (data, isRun, nLeftOut, Case, share)
   have = finishedSets (data);
-  least = numel (Case.names) + 2;
+  least = numel (Case.names) + 1;
   isOurs = ~ismember (data.stage, {'import', 'library'});
   n = sum (isOurs | isRun);
   if have < least && nLeftOut > 0

@@ -133,12 +133,12 @@ function p = checkLimits (limits, names, numOfSam)
   for j = 1:d
     p = [p, checkColumn(double (limits(:, j)), names{j}, j)];
   end
-  if isKind ('integer', numOfSam) && numOfSam >= 1 && numOfSam < d + 2
+  if isKind ('integer', numOfSam) && numOfSam >= 1 && numOfSam < d + 1
     p(end + 1) = checkFault ('tooFewSamples', 'Input.numOfSam', ...
                              sprintf (['at least %d for %d design ' ...
-                                       'variables'], d + 2, d), ...
+                                       'variables'], d + 1, d), ...
                              describeValue (numOfSam), ...
-                             sprintf ('About %d are usual.', 5 * d));
+                             sprintf ('%d are usual.', d + 3));
   end
 end
 
@@ -177,7 +177,8 @@ end
 %! assert (check ({'RadiusP'}, [1; 1]), {'similarVariable', 'badLimits'});
 %! assert (check ({'densityP'}, [-1; 2]), {'impossibleValue'});
 %! assert (check ({'a'}, [-1e308; 1e308]), {'limitsNotFinite'});
-%! assert (ids (checkVariables (struct ('densityP', -1), 'a', [1; 2], 2)), ...
+%! assert (ids (checkVariables (struct ('densityP', -1), 'a', [1; 2], 1)), ...
 %!         {'badAssign', 'impossibleValue', 'tooFewSamples'});
+%! assert (ids (checkVariables (vars, {'mu'}, [1; 2], 2)), cell (1, 0));
 
 % SPDX-License-Identifier: GPL-3.0-only
