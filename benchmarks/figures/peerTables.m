@@ -8,8 +8,8 @@
 
 function tables = peerTables ()
   tables = struct ('peers', @peers, 'floors', @floors, 'besideOthers', ...
-                   @besideOthers, 'peersLiggghts', @peersLiggghts, 'shapeStudy', ...
-                   @shapeStudy);
+                   @besideOthers, 'peersLiggghts', @peersLiggghts, 'floorsShape', ...
+                   @floorsShape);
 end
 
 function values = numbers (list, name)
@@ -125,35 +125,39 @@ function text = floors (read)
                          'form / told', 'known / form', 'ours / form'}, rows_);
 end
 
-% Against the same plan without form.csv; the mean of log ratios, and its standard error.
-function text = shapeStudy (read)
-  list = read ('shapeStudy');
-  key = strcat ({list.standin}, ',', {list.seed}, ',', {list.runs}, ',', {list.target});
-  places = strcat ({list.standin}, {', '}, {list.runs}, {' runs'});
-  place = unique (places, 'stable');
-  isKnown = strcmp ({list.way}, 'known');
-  rows_ = cell (0, 6);
-  for g = 1:numel (place)
-    for way = {'known', 'bench', 'other', 'half'}
-      is = find (strcmp (places, place{g}) & strcmp ({list.way}, way{1}));
-      [~, at] = ismember (key(is), key(isKnown));
-      beside = list(isKnown)(at);
-      own = list(is);
-      ratio = log (numbers (own, 'miss') ./ numbers (beside, 'miss'));
-      gain = numbers (own, 'density') - numbers (beside, 'density');
-      e = @(x) std (x) / sqrt (numel (x));
-      rows_(end + 1, :) = {place{g}, way{1}, ...
-                           sprintf('%.2f', median (numbers (own, 'miss'))), ...
-                           sprintf('%.2f (%.2f)', exp (mean (ratio)), e (ratio)), ...
-                           sprintf('%+.2f (%.2f)', mean (gain), e (gain)), ...
-                           sprintf('%.0f %%; %.0f %%', ...
-                                   100 * mean (numbers (own, 'inside')), ...
-                                   100 * mean (numbers (own, 'believed')))};
+% Fewer runs than the same seed without the file: mean and standard error.
+function text = floorsShape (read)
+  list = read ('floorsShape');
+  says = {'known', 'no file'; 'bench', 'of this rig'; 'benchSmall', 'of this rig, d + 1'; ...
+          'otherSmall', 'of another result, d + 1'; 'halfSmall', 'half wrong, d + 1'; ...
+          'knownSmall', 'no file, d + 1'};
+  rows_ = cell (0, 4);
+  for name = unique ({list.standin}, 'stable')
+    ofName = list(strcmp ({list.standin}, name{1}));
+    for w = 1:rows (says)
+      own = ofName(strcmp ({ofName.way}, says{w, 1}));
+      if isempty (own)
+        continue
+      end
+      said = numbers (own, 'converged') > 0;
+      isRight = said & numbers (own, 'right') > 0;
+      runs = numbers (own, 'runs')';
+      runs(~isRight) = Inf;
+      rows_(end + 1, :) = {name{1}, says{w, 2}, wayText(runs, sum (isRight), sum (said)), ...
+                           savedText(own, ofName(strcmp ({ofName.way}, 'known')))};
     end
   end
-  text = markdownTable ({'stand-in', 'way', 'miss, median', 'miss / known', ...
-                         'log density beyond known', ...
-                         'in 90 % intervals; believed'}, rows_);
+  text = markdownTable ({'stand-in', 'form.csv, plan (d + 3)', 'runs', ...
+                         'fewer than without'}, rows_);
+end
+
+function text = savedText (own, plain)
+  [isThere, at] = ismember ({own.seed}, {plain.seed});
+  saved = numbers (plain(at(isThere)), 'runs') - numbers (own(isThere), 'runs');
+  text = '-';
+  if numel (saved) > 1 && any (saved ~= 0)
+    text = sprintf ('%.1f (%.1f)', mean (saved), std (saved) / sqrt (numel (saved)));
+  end
 end
 
 % Median (quartiles); of all seeds stated, of them right.
