@@ -8,7 +8,7 @@
 %   VALUES  scalar struct of the values that the case gives to variables
 %           (modelVars); others stay
 %   INFO    at of such a result is the value of its variable, and text says it
-%           (2 rad/s becomes 1.047 rad/s, 20 mm 25 mm)
+%           (2 rad/s becomes 1.047 rad/s (10 rpm), 20 mm 25 mm)
 %
 % See also: targetInfo
 
@@ -35,6 +35,8 @@ function text = withValue (text, old, new)
     text = regexprep (text, ['(?<![\d.\w])', word, '(?![\d.])(?= (?:mm|m|rad/s|Pa)\>)'], ...
                       sprintf ('%.4g', factor * new));
   end
+  turns = sprintf (' (%.3g rpm)', new * 30 / pi);
+  text = regexprep (text, ['(', sprintf('%.4g', new), ' rad/s)'], ['$1', turns]);
 end
 
 %!test
@@ -47,6 +49,6 @@ end
 %!              "name,variable\na,w\nb,s\nc,none\nq,w\n");
 %! now = infoAsRun (info, folder, struct ('w', 1.0471975, 's', 0.025));
 %! assert ([now.at], [1.0471975, 0.025, 2]);
-%! assert ({now.text}, {'slope at 1.047 rad/s, 12 m', 'slot of 25 mm of 2', 'at 2 rad/s'});
+%! assert ({now.text}, {'slope at 1.047 rad/s (10 rpm), 12 m', 'slot of 25 mm of 2', 'at 2 rad/s'});
 
 % SPDX-License-Identifier: GPL-3.0-only
