@@ -13,7 +13,8 @@
 %             noise (scatter.csv); they are not counted
 %     bench, other, half  known, and a form.csv tells how the results follow the
 %             parameters: rightly, or wrongly in two ways (storedShape)
-%     knownSmall, benchSmall, otherSmall, halfSmall  the same with a plan of d + 1 runs
+%     knownSmall, benchSmall, otherSmall, halfSmall  the same with a plan of d + 1 runs,
+%             known2, bench2, other2, half2 with d + 2
 %     ours    this calibration
 %   CSV      table, to which one row a seed is added; seeds that stand in it are
 %            not run again
@@ -59,9 +60,10 @@ function cells = oneSeed (S, way, seed, learnt)
     elseif ~strcmp (way, 'ours')
       S.earlier = 8;
     end
-    [way, isSmall] = deal (strrep (way, 'Small', ''), ~isempty (strfind (way, 'Small')));
-    if isSmall
-      S.plan = numel (S.names) + 1;
+    size_ = regexp (way, '(Small|2)$', 'match', 'once');
+    way = regexprep (way, '(Small|2)$', '');
+    if ~isempty (size_)
+      S.plan = numel (S.names) + 1 + strcmp (size_, '2');
     end
     if any (strcmp (way, {'bench', 'other', 'half'}))
       if ~isKey (learnt, 'shape')
