@@ -29,9 +29,7 @@ function calibration = calibrateCase (root, folder)
     return
   end
   restore = seedRandom (Case.options.seed);
-  problem = newProblem (Case, ownCost ());
-  problem.prior = similarPriors (Case);
-  problem.shape = knownShapes (Case);
+  problem = withEarlier (newProblem (Case, ownCost ()), Case);
   reportCase (Case, say, problem);
 
   % experimental plan and DEM simulation

@@ -21,9 +21,7 @@ function diagnosis = diagnoseCase (root, folder)
   Case = withEffects (loadCase (root, folder));
   refuseCost (Case);
   [Case, idle] = withoutIdle (Case);
-  problem = newProblem (Case);
-  problem.prior = similarPriors (Case);
-  problem.shape = knownShapes (Case);
+  problem = withEarlier (newProblem (Case), Case);
   many = max (numel (Case.conditions), 1);
   [asked, assumed] = arrayfun (@(c) newProblem (Case, [], c), 1:many, ...
                                'UniformOutput', false);

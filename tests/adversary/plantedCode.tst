@@ -45,7 +45,7 @@
 %! Case.options.similar = other;
 %! caught = '';
 %! try
-%!   similarPriors (Case);
+%!   withEarlier (struct (), Case);
 %! catch err
 %!   caught = err.identifier;
 %! end

@@ -1,0 +1,21 @@
+% WITHEARLIER  Adds to a problem what is known before the first run.
+%
+% CALL: PROBLEM = withEarlier (PROBLEM, CASE)
+%
+%   PROBLEM  see newProblem; gets prior (of Input.similar, see similarPriors) and shape
+%            (of form.csv, see knownShapes)
+%   CASE     see newCase
+%
+% Errors: those of knownShapes, loadSurrogate
+
+function problem = withEarlier (problem, Case)
+  problem.prior = similarPriors (Case);
+  problem.shape = knownShapes (Case);
+end
+
+%!test
+%! Case = struct ('options', struct (), 'targets', struct ('value', {1, 2}));
+%! known = withEarlier (struct ('tol', 1), Case);
+%! assert (known, struct ('tol', 1, 'prior', {cell(1, 0)}, 'shape', {cell(1, 2)}));
+
+% SPDX-License-Identifier: GPL-3.0-only
