@@ -18,11 +18,17 @@ function [text, code] = closedText (gap, isChange)
     return
   end
   code = codeOf (far);
-  text = sentence ('closed.fitted', struct ('effect', plainName (effect), 'how', ...
-                                            judgedHow (far), 'part', ...
-                                            partText (far, isChange)));
+  said = struct ('effect', plainName (effect), 'how', judgedHow (far), 'part', ...
+                 partText (far, isChange));
   held = jsonAt (far, {'heldOut'});
-  if isstruct (held)
+  isAlike = isstruct (held) && strcmp (codeOf (held), code) && ...
+            isequal (percentOf (held), percentOf (far));
+  if isAlike
+    text = sentence ('closed.both', said);
+  else
+    text = sentence ('closed.fitted', said);
+  end
+  if isstruct (held) && ~isAlike
     text = [text, '; ', ...
             sentence('closed.heldOut', struct ('part', partText (held, isChange)))];
   end
@@ -48,9 +54,12 @@ function yes = isRival (placebo, far)
 end
 
 function text = partText (part, isChange)
-  % over 100 %: less is left than noise alone makes
+  text = sentence (['closed.', codeOf(part)], struct ('share', percentOf (part)), isChange);
+end
+
+% Over 100 %: less is left than noise alone makes.
+function share = percentOf (part)
   share = min (round (100 * jsonAt (part, {'closure'})), 100);
-  text = sentence (['closed.', codeOf(part)], struct ('share', share), isChange);
 end
 
 % No gap, and a gap whose closing cannot be told, are two things.
@@ -84,6 +93,11 @@ end
 %! assert (nthargout (2, @closedText, struct ('howFar', far)), 'unsure');
 %! text = closedText (struct ('howFar', far));
 %! assert (! isempty (strfind (text, 'about 100 %')), text);
+%! % one share of both kinds of data is said once
+%! both = setfield (far, 'heldOut', struct ('closure', 1.1, 'interval90', [0.4, 1.2]));
+%! text = closedText (struct ('howFar', both));
+%! assert (numel (strfind (text, 'about 100 %')), 1);
+%! assert (! isempty (strfind (text, 'on the fitted data and on data not used')), text);
 %! far = rmfield (far, 'interval90');
 %! far.heldOut = [];
 %! [far.closure, far.removable] = deal ([], true);
