@@ -79,11 +79,11 @@ function [text, isAdded] = withHeader (text, names)
     words = regexp (strtrim (first), ' +', 'split');
     mark = ' ';
     if isscalar (words) || any (cellfun (@(w) w(end) == ',', words))
-      words = strtrim (strsplit (strtrim (first), ','));
+      words = strtrim (regexp (strtrim (first), '("[^"]*"|[^",])+', 'match'));
       mark = ',';
     end
   end
-  isNumber = ~cellfun (@isempty, regexp (words, '^"?[-+]?\d*[.,]?\d+([eE][-+]?\d+)?"?$', 'once'));
+  isNumber = ~cellfun (@isempty, regexp (words, '^"?[-+]?[\d.,]*\d([dDeE][-+]?\d+)?"?$', 'once'));
   isAdded = all (isNumber | cellfun (@isempty, words)) && any (isNumber);
   if isAdded
     names = [names, arrayfun(@(k) sprintf ('column %d', k), ...
