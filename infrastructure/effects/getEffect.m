@@ -51,6 +51,12 @@ function effect = ofFunction (name, file)
            ['getEffect: %s must give a struct with name, variables, neutral and ' ...
             'limits, got %s.'], file, describeValue (effect));
   end
+  variables = givenField (effect, 'variables', {});
+  if ~iscellstr (variables)
+    error ('DEcalioc:getEffect:badFile', ...
+           ['getEffect: variables in %s must be a cell of names of variables of data.head, ' ...
+            'got %s. Write for example {''cohesionPP''}.'], file, describeValue (variables));
+  end
   try
     effect = describeEffect (mergeFields (struct ('name', name), effect));
   catch err
@@ -122,8 +128,9 @@ end
 %! % the four fields alone, a field that is missing, what is no struct
 %! [folder, put] = emptyFolder ();
 %! lines = {"e = struct ('variables', {{'q'}}, 'neutral', 0, 'limits', [0; 2]);", ...
-%!          "e = struct ('variables', {{'q'}}, 'neutral', 0);", 'e = 7;'};
-%! for k = 1:3
+%!          "e = struct ('variables', {{'q'}}, 'neutral', 0);", 'e = 7;', ...
+%!          "e = struct ('variables', 'q', 'neutral', 0, 'limits', [0; 2]);"};
+%! for k = 1:4
 %!   name = sprintf ('ownOfGetEffect%d', k);
 %!   put (['effectO', name(2:end), '.m'], ...
 %!        ["function e = effectO", name(2:end), " ()\n", lines{k}, "\nend\n"]);
@@ -133,6 +140,7 @@ end
 %! fail ('getEffect (''ownOfGetEffect2'', folder)', 'field limits. .of .*Effect2.m');
 %! fail ('getEffect (''ownOfGetEffect3'', folder)', 'Effect3.m must give a struct');
 
+%! fail ('getEffect (''ownOfGetEffect4'', folder)', 'Effect4.m must be a cell .* got ''q''');
 %!error id=DEcalioc:getEffect:unknownName getEffect ('noSuchEffect')
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -94,13 +94,8 @@ function job = finishedRun (folder)
 end
 
 function text = whyOld (job, folder, Case, model)
-  head = checkReadText (fullfile (model.folder, 'data.head'));
-  old = checkReadText (fullfile (folder, 'data.head'));
   cpu = str2double (checkReadText (fullfile (folder, 'cpu')));
-  changed = otherFiles (model.folder, folder);
-  if ~strncmp (old, head, numel (head))
-    changed = [{'data.head'}, changed];
-  end
+  changed = changedFiles (model.folder, folder);
   if numel (job.params) ~= numel (Case.names)
     text = sprintf ('it has %s, the case has %d', ...
                     countText (numel (job.params), 'parameter'), numel (Case.names));
@@ -111,6 +106,21 @@ function text = whyOld (job, folder, Case, model)
     text = sprintf ('it took %s, Input.cpu is %d', countText (cpu, 'CPU'), model.cpu);
   else
     text = otherVariables (job, folder, Case, model);
+  end
+end
+
+% Those of the models that a run has started from, too (Fill/runscript).
+function changed = changedFiles (model, run)
+  head = checkReadText (fullfile (model, 'data.head'));
+  old = checkReadText (fullfile (run, 'data.head'));
+  changed = otherFiles (model, run);
+  if ~strncmp (old, head, numel (head))
+    changed = [{'data.head'}, changed];
+  end
+  [names, folders] = stagesOf (model);
+  for k = 1:numel (names)
+    stage = changedFiles (folders{k}, fullfile (run, names{k}));
+    changed = [changed, strcat([names{k}, '/'], stage)];
   end
 end
 
@@ -178,6 +188,19 @@ end
 %! clear tidy
 %! assert (~isempty (strfind (text, '4 finished')));
 %! assert (~isempty (strfind (text, 'another LIGGGHTS')));
+%!test
+%! % of a model from which the runs have started
+%! raw = standInCase (tempname ());
+%! model = @(varargin) fullfile (raw.folder, 'DEMmodels', varargin{:});
+%! copyfile (model ('First'), model ('Fill'));
+%! writeAtomic (model ('First', 'startsFrom'), "Fill\n");
+%! Case = newCase (raw);
+%! evaluateDEM ([1, 2; 3, 4], Case);
+%! assert (said (Case, []), '');
+%! script = model ('Fill', 'runscript');
+%! writeAtomic (script, [fileread(script), "# more\n"]);
+%! text = said (newCase (raw), []);
+%! assert (~isempty (regexp (text, 'First: .*changed since: Fill/runscript')), text);
 %!test
 %! % of a store that cases share: samples, and what differs in the others
 %! first = newCase (standInCase (tempname ()));

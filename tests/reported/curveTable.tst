@@ -28,10 +28,18 @@
 %!test
 %! for row = {"time;n\n0,5;520\n0,6;many\n", 'points.csv', 'got 0.6 many in line 3'; ...
 %!            "time,n\n0,5,520\n0,6,400\n", 'points.csv', 'save it with semicolons'; ...
+%!            "0,5,520\n0,6,400\n", 'points.csv', 'commas cannot be told apart: write 0.5,520'; ...
 %!            "time;n\n0,5;520\n", 'points.csv', 'got 1 such lines'; ...
 %!            "x", 'pointz.csv', 'pointz.csv: No such file'}'
 %!   out = made (row{1:2});
 %!   assert (ischar (out) && ! isempty (strfind (out, row{3})), '%s', out);
 %! end
+
+%!test
+%! m = made ("0,5;1.520,5\n0,6;1.400,5\n", 'points.csv');
+%! assert ([m.value], [1520.5, 1400.5]);
+%! % three columns of whole numbers may be what they seem
+%! m = made ("1,520,5\n2,400,6\n", 'points.csv');
+%! assert ({[m.value], [m.sd]}, {[520, 400], [5, 6]});
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -21,13 +21,24 @@
 %!test
 %! for header = {'run;friction 1-2;rollingFriction 1-1;t [s];angle [deg];remark', ...
 %!               'run;Friction 2-1;Rolling friction 1-1;t;angle;remark', ...
-%!               'run;friction_1_2;rollingfriction 1_1;T;ANGLE;remark'}
+%!               'run;friction(1,2);coefficientRollingFriction 1-1;t;angle;remark', ...
+%!              'run;friction_1_2;rollingfriction 1_1;T;ANGLE;remark'}
 %!   out = imported (folder, header{1}, '');
 %!   for part = {'parameter +2 +0.369', 'parameter +2 +0.096', ...
 %!               't: 1 result, 1 without one\n', 'angle: 2 results', 'sets +2; 2 of'}
 %!     assert (! isempty (regexp (out, part{1}, 'once')), out);
 %!   end
 %! end
+%!test
+%! % one parameter in two columns: the same numbers in the other order of types, or not
+%! file = fullfile (folder, 'my.csv');
+%! head = "friction 1-2;friction 2-1;rollingFriction 1-1;t;angle\n";
+%! writeAtomic (file, [head, "0,4;0,4;0,2;0,6;24\n"]);
+%! [status, out] = startCommand (folder, 'import my.csv case');
+%! assert (status == 0, out);
+%! writeAtomic (file, [head, "0,4;0,5;0,2;0,6;24\n"]);
+%! [status, out] = startCommand (folder, 'import my.csv case');
+%! assert (status == 1 && ! isempty (strfind (out, 'are friction_1_2, and differ')), out);
 %!test
 %! % columns of other names
 %! header = 'run;mu;mr;time (s);Winkel;remark';

@@ -47,6 +47,17 @@
 %!                    '--post post.sh');
 %! assert (says (tried, 'exit status 3') && says (tried, 'no such dump'), tried);
 %!test
+%! % the file is there, and holds something else; one that holds no number does
+%! for line = {'${mu} ${toss}', 'slope ${mu}', '0,5', 'angle = ${mu} deg'}
+%!   [~, tried] = made ({'in.x', strrep(script, '${mu} ${toss}" file raw.txt', ...
+%!                                      [line{1}, '" file result.txt'])}, '');
+%!   assert (says (tried, 'must hold 1 number(s) alone, lines NAME VALUE'), tried);
+%!   assert (says (tried, 'begins with: '), tried);
+%! end
+%! [~, tried] = made ({'in.x', strrep(script, '${mu} ${toss}" file raw.txt', ...
+%!                                    'angle nan" file result.txt')}, '');
+%! assert (says (tried, 'Where nothing flows, return 0'), tried);
+%!test
 %! % nothing is run
 %! new = made ({'in.x', strrep(script, 'run 1', 'clear')}, '');
 %! assert (says (new, 'no command run'), new);

@@ -198,6 +198,8 @@ function cure = cureOf (text, name)
   elseif any (strcmp (name, {'value', 'sd'})) && ...
       ~isempty (regexp (text, '^[-+.\d]+\s*[A-Za-z%]', 'once'))
     cure = 'Write its unit into the column unit.';
+  elseif strcmp (name, 'value') && ~isempty (regexp (text, '^[<A-Za-z]', 'once'))
+    cure = 'If nothing flowed or moved, write 0, and a tol like 0.1 abs; else leave it empty.';
   end
 end
 
@@ -224,12 +226,20 @@ function [tol, isAbsolute, p] = toleranceOf (row, where)
   isGood = tol > 0 && isfinite (tol) && (isAbsolute || tol < 1) && ...
            ~(isPercent && value == 0);
   if ~isGood
-    tol = NaN;
     p = checkFault ('measuredTol', [where, ', tol'], ...
                     ['a share of the value between 0 and 1 (0.02 or 2%), ' ...
                      'or 0.5 abs (0.5 deg) in the unit of the value'], ...
-                    describeValue (text), ...
-                    'The tolerance of the value 0 is absolute.');
+                    describeValue (text), cureOfTol (tol, value));
+    tol = NaN;
+  end
+end
+
+function cure = cureOfTol (tol, value)
+  cure = 'Write 2%, for instance.';
+  if value == 0
+    cure = 'The tolerance of the value 0 is absolute.';
+  elseif tol == 0
+    cure = 'Runs scatter, so with a tolerance of 0 no values would ever do.';
   end
 end
 

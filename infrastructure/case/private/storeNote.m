@@ -5,8 +5,8 @@
 %   STORE     path of the store, there or not;  EXECUTOR  Input.executor (texts)
 %   TEXT      a sentence without its full stop; '': nothing to warn of
 %
-% Folders for what is temporary (also by way of a link), and those in memory, are
-% each machine's own, unless a file system of the network lies there.
+% Folders for what is temporary (also by way of a link), those in memory, and those that
+% are called local are each machine's own, unless a file system of the network lies there.
 
 function text = storeNote (store, executor)
   text = '';
@@ -18,7 +18,9 @@ function text = storeNote (store, executor)
     there = fileparts (there);
   end
   real = [canonicalize_file_name(there), ''];
-  isTemporary = ~isempty (regexp ([real, '/'], '^/((var/)?tmp|dev/shm|run)/', 'once'));
+  isTemporary = ~isempty (regexp ([real, '/'], '^/((var/)?tmp|dev/shm|run)/', 'once')) || ...
+                ~isempty (regexp ([store, '/'], ['(?<!/usr)/(local|(l|local_?)scratch|' ...
+                                                 'scratch_local|ramdisk)/'], 'once'));
   [~, kind] = system (['stat -f -c %T -- ', shellQuote(there), ' 2> /dev/null']);
   kind = strtrim (kind);
   network = {'nfs', 'nfs4', 'lustre', 'gpfs', 'beegfs', 'ceph', 'cifs', 'smb2', ...
@@ -35,12 +37,14 @@ end
 %!test
 %! folder = emptyFolder ();
 %! assert (storeNote (folder, 'local'), '');
-%! for place = {'/tmp/a/b', '/var/tmp/x', '/dev/shm/store'}
+%! for place = {'/tmp/a/b', '/var/tmp/x', '/dev/shm/store', '/scratch/local/me', '/lscratch/x'}
 %!   note = storeNote (place{1}, 'slurm');
 %!   assert (! isempty (strfind (note, place{1})), place{1});
 %! end
 %! assert (! isempty (storeNote ('/tmp/x', 'gridengine')));
-%! assert (storeNote ('/usr/share', 'slurm'), '');
+%! for place = {'/usr/share', '/usr/local/store', '/home/me/localised', '/scratch/me'}
+%!   assert (storeNote (place{1}, 'slurm'), '');
+%! end
 %! % by way of a link
 %! place = fullfile (folder, 'link');
 %! symlink ('/dev/shm', place);

@@ -18,6 +18,9 @@
 function Case = withoutUnvaried (Case)
   Case.fixed = struct ('name', {}, 'at', {}, 'text', {});
   X = setsOfTable (Case);
+  if rows (X) == 1
+    Case.notes{end + 1} = 'no parameter was varied: all rows of runs.csv are of one set';
+  end
   if rows (X) < 2
     return
   end
@@ -106,7 +109,11 @@ function Case = reduced (Case, keep, found)
     f.at([false, ismember(keep, of)]) = c(2:end);
     if isempty (partners)
       Case.modelVars.(f.name) = c;
+      ends = Case.limits(1:2, strcmp (f.name, names));
       f.text = sprintf ('%s was never varied: it is %.6g in all runs', f.name, c);
+      if c < ends(1) || c > ends(2)
+        f.text = sprintf ('%s, outside its limits (%g to %g)', f.text, ends);
+      end
     else
       partners = strjoin (partners, ' and ');
       f.text = sprintf (['%s was varied only together with %s, from which it follows: ' ...
@@ -164,7 +171,9 @@ end
 %! assert (Case.fixed.at, [0.3, 0, 0]);
 %! assert (Case.modelVars.b, 0.3);
 %! assert (size (Case.limits), [2, 2]);
-%! assert (! isempty (strfind (Case.notes{end}, 'b was never varied: it is 0.3')));
+%! assert (! isempty (regexp (Case.notes{end}, 'b was never varied: it is 0.3 .*runs$')));
+%! assert (! isempty (strfind (of ([a, 12 + 0 * a, b]).notes{end}, ...
+%!                             '12 in all runs, outside its limits (0 to 10)')));
 %!test
 %! % a fixed ratio; with a constant beside; rounded
 %! Case = of ([a, b, 0.3 * a]);
@@ -191,6 +200,8 @@ end
 %! assert (isAllowed ([2, 1; 4, 1], Case), [true; false]);
 %! % where runs can be made, they vary what the table has not
 %! assert (of ([a, 3 + 0 * a, b], 'maxNewRuns', 5).names, {'a', 'b', 'c'});
-%! assert (of ([3 + 0 * a, 4 + 0 * a]).names, {'a', 'b'});
+%! Case = of ([3 + 0 * a, 4 + 0 * a]);
+%! assert (Case.names, {'a', 'b'});
+%! assert (! isempty (strfind (Case.notes{end}, 'no parameter was varied')));
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -52,8 +52,9 @@ end
 function [found, open, written] = namesIn (script, folder, place)
   [found, open, written] = deal (cell (1, 0));
   text = checkReadText (script);
-  if isempty (text) || numel (text) > 1e5 || any (text == 0)
-    return                                      % a mesh, a program: no script
+  if isempty (text) || numel (text) > 1e5 || any (text == 0) || ...
+     ~isempty (regexp (script, '^(/usr)?/s?bin/', 'once'))
+    return                          % a mesh, a program, one of the system: no script
   end
   isShell = ~isempty (regexp (script, '(/runscript|\.sh)$', 'once')) || ...
             ~isempty (regexp (text, '^#![^\n]*sh\s', 'once'));

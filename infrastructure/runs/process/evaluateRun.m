@@ -10,8 +10,8 @@
 %           readings and info, see takeReadings
 %   RECORD  with results and status; written to the run's folder
 %
-% A result that is NaN where others of the run are numbers is an outcome: the run
-% is 'ok' (cause 'lacking'), and the others count. Not so where the run's own checks
+% A result that is NaN, Inf (a bin that never runs empty) or [] where others of the run are
+% numbers is an outcome: the run is 'ok' (cause 'lacking'), and the others count. Not so where the run's own checks
 % (output_checks.csv) find a fault in it. One without any number is 'invalid' with
 % the cause 'none': another packing in its place would hide how often that happens.
 %
@@ -91,12 +91,13 @@ end
 
 % REASON  what the run's own checks found, '': no fault
 function record = asOutcome (record, place, reason)
-  lacks = find (isnan (record.results));
+  lacks = find (~isfinite (record.results));
   record.cause = '';
   if isempty (lacks)
     return
   end
-  text = namesOf (lacks, numel (record.results), place);
+  text = namesOf (lacks, record.results, place);
+  record.results(lacks) = NaN;
   if ~isempty (reason)
     record.status = 'invalid';
     record.cause = 'output';
@@ -130,31 +131,33 @@ function [row, fault] = asRow (results, place)
   end
   isNumber = @(x) (isnumeric (x) || islogical (x)) && isscalar (x) && ...
                   isreal (x);
+  if iscell (results)
+    results(cellfun (@(x) isequal (x, []), results)) = NaN;
+  end
   if ~iscell (results) || ~all (cellfun (isNumber, results(:)))
     fault = 'getResults must return a cell of real scalars';
     return
   end
   row = double ([results{:}]);
-  bad = find (isinf (row), 1);
   if numel (row) ~= place.count
     fault = sprintf ('getResults returned %s, %d expected', ...
                      countText (numel (row), 'result'), place.count);
-  elseif ~isempty (bad)
-    fault = sprintf ('result %d%s is %g: output is missing or not sane', ...
-                     bad, nameOf (bad, numel (row), place), row(bad));
   end
 end
 
 % 'result 1 (slope) is NaN', 'results 1 (slope) and 2 (mass) are NaN'
-function text = namesOf (lacks, n, place)
+function text = namesOf (lacks, results, place)
+  n = numel (results);
   names = arrayfun (@(k) sprintf ('%d%s', k, nameOf (k, n, place)), ...
                     lacks(1:min (end, 3)), 'UniformOutput', false);
   if numel (lacks) > 3
     names{end + 1} = sprintf ('%d more', numel (lacks) - 3);
   end
-  text = ['result ', names{1}, ' is NaN'];
+  what = strjoin (unique (arrayfun (@(x) sprintf ('%g', x), results(lacks), ...
+                                    'UniformOutput', false)), ' or ');
+  text = ['result ', names{1}, ' is ', what];
   if numel (names) > 1
-    text = ['results ', strjoin(names(1:end - 1), ', '), ' and ', names{end}, ' are NaN'];
+    text = ['results ', strjoin(names(1:end - 1), ', '), ' and ', names{end}, ' are ', what];
   end
 end
 
@@ -232,8 +235,7 @@ end
 %! put ('[0.1, 1; 0.8, 2]');
 %! assert (message (), 'w at 0.9 lies beyond the curve (0.1 to 0.8)');
 %!test
-%! % a run that lacks one result keeps the others; not where its own checks blame it; not
-%! % with a result that is no number for another reason
+%! % a run that lacks one result keeps the others; not where its own checks blame it
 %! folder = emptyFolder ();
 %! put = @(values) writeAtomic (fullfile (folder, 'getResults.m'), ...
 %!   ["function r = getResults (model, name)\nr = ", values, ";\nend\n"]);
@@ -249,7 +251,13 @@ end
 %! assert (strncmp (run ().message, 'results 1 and 2 are NaN, the other', 30));
 %! put ('{NaN, NaN, NaN}');
 %! assert ({run().status, run().cause}, {'invalid', 'none'});
-%! put ('{NaN, Inf, 3}');
+%! put ('{[], -Inf, 3}');
+%! r = run ();
+%! assert ({r.status, r.cause, r.results}, {'ok', 'lacking', [NaN, NaN, 3]});
+%! assert (strncmp (r.message, 'results 1 and 2 are -Inf or NaN, the other', 42));
+%! put ('Inf (1, 3)');
+%! assert ({run().status, run().cause}, {'invalid', 'none'});
+%! put ('{''x'', 2, 3}');
 %! assert ({run().status, run().cause}, {'invalid', 'output'});
 %! put ('{NaN, 2, 3}');
 %! writeAtomic (fullfile (folder, 'output_checks.csv'), ...

@@ -10,7 +10,8 @@
 %          (n x 1)
 %   SPREAD  as TABLE, with one row a run, see spreadRuns
 %
-% Errors: those of readCsvTable, importHeader and spreadRuns
+% Errors: those of readCsvTable, importHeader and spreadRuns;
+% DEcalioc:importRuns:badValue (two columns of one parameter that differ)
 
 function [table, spread] = readRunsTable (file, Case)
   [header, cells, lines] = readCsvTable (file);
@@ -28,6 +29,7 @@ function [table, spread] = readRunsTable (file, Case)
     [names, kinds] = importHeader (header, Case, file);
     [cells, lines] = deal (cells(2:end, :), lines(2:end));
   end
+  refuseTwice (header, names, kinds, cells, Case, file);
   for k = find (ismember (kinds, {'result', 'trial'}))
     t = find (strcmp (names{k}, {Case.targets.name}), 1);
     cells(:, k) = withoutUnit (cells(:, k), ...
@@ -37,6 +39,20 @@ function [table, spread] = readRunsTable (file, Case)
                   'kinds', {kinds}, 'cells', {cells}, 'lines', lines);
   if nargout > 1
     spread = spreadRuns (table);
+  end
+end
+
+% A pair of types that stands in both orders is no mistake, unless its values differ.
+function refuseTwice (header, names, kinds, cells, Case, file)
+  for k = find (strcmp (kinds, 'ignored'))
+    [name, kind] = importHeader (header(k), Case, file);
+    at = find (strcmp (names, name{1}) & strcmp (kinds, 'parameter'), 1);
+    if ~isempty (at) && strcmp (kind, 'parameter') && ...
+       ~isequal (cells(:, at), cells(:, k))
+      error ('DEcalioc:importRuns:badValue', ...
+             ['importRuns: two columns of %s are %s, and differ: %s and %s. Rename the one ' ...
+              'that is something else.'], file, name{1}, header{[at, k]});
+    end
   end
 end
 

@@ -7,7 +7,8 @@
 %   RES         cell of scalars, one a line of results.csv of the model, read
 %               from the file @RESULTS@ of the run; NaN where one is missing
 %
-% Errors: DEcalioc:getResults:missingFile
+% Errors: DEcalioc:getResults:missingFile, DEcalioc:getResults:noResult (the file has
+% none of the results)
 %
 % See also: readResults, resultInfo, readDump
 
@@ -19,7 +20,17 @@ function res = getResults (model, folderName)
   folder = [path, 'optim/', model, '/', folderName, '/'];
   share = str2double ('@SHARE@');      % of rows: the last ones whose mean counts
   res = num2cell (readResults ([folder, '@RESULTS@'], names, share));
-  if all (isnan ([res{:}])) && ~isfile ([folder, '@RESULTS@'])
-    error ('DEcalioc:getResults:missingFile', 'the run has not written @RESULTS@');
+  text = '';
+  if all (isnan ([res{:}]))
+    if ~isfile ([folder, '@RESULTS@'])
+      error ('DEcalioc:getResults:missingFile', 'the run has not written @RESULTS@');
+    end
+    text = strtrim (readText ([folder, '@RESULTS@']));
+  end
+  if ~isempty (text) && isempty (regexpi (text, '\<nan\>', 'once'))
+    error ('DEcalioc:getResults:noResult', ...
+           ['@RESULTS@ must hold %d number(s) alone, lines NAME VALUE, or columns, of ' ...
+            '%s; it begins with: %s'], numel (names), strjoin (names, ', '), ...
+           strtok (text, "\n")(1:min (end, 80)));
   end
 end

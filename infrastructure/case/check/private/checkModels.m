@@ -85,8 +85,10 @@ function p = checkStages (model, names, how)
         q = [q, checkRunscript(stage, how)];
       end
       q = [q, checkStages(stage, names, how)];
-      isResults = strcmp ({q.id}, 'DEcalioc:checkCase:missingGetResults');
-      p = [p, q(~isResults)];
+      if ~isempty (q)                            % Octave joins empty structs to []
+        isResults = strcmp ({q.id}, 'DEcalioc:checkCase:missingGetResults');
+        p = [p, q(~isResults)];
+      end
     end
   end
 end

@@ -41,7 +41,7 @@ function [words, bases, filled] = scriptWords (text, script, folder, place)
   bases = [{folder, place}, moves, inModel];
 end
 
-% Shell variables that are set to a plain text, or are in the environment.
+% Shell variables that are set to a plain text, or that the environment alone sets.
 function text = filledIn (text)
   text = regexprep (text, '\$\{(\w+):?-([^}$]*)\}', '$2');
   set_ = ['^\s*(?:(?:export|readonly|local|declare(?:\s+-\w+)*)\s+)?(\w+)=' ...
@@ -52,7 +52,8 @@ function text = filledIn (text)
   end
   names = regexp (text, '\$\{?([A-Za-z_]\w*)', 'tokens');
   for name = unique ([cell(1, 0), names{:}])
-    if ~isempty (getenv (name{1}))
+    isSet = ~isempty (regexp (text, ['(?<![\w$])', name{1}, '='], 'once'));
+    if ~isSet && ~isempty (getenv (name{1}))
       text = replaced (text, name{1}, getenv (name{1}));
     end
   end

@@ -16,22 +16,23 @@
 % each run, so it is none; of $SCRATCH and its like everybody knows.
 
 function places = writtenOutside (text, script, isShell, folder, place)
-  text = regexprep (text, ['\$\{?(TMPDIR|TMP|TEMP|SCRATCH|SCRATCHDIR|WORKDIR|WORK)' ...
-                           '(?!\w)\}?'], '/$1');
+  text = withScratch (text);
   [words, at] = opened (text);
   moves = struct ('to', {}, 'from', {}, 'until', {});
   if isInput (script)
     words = [words, ofInput(text)];
-  elseif isShell
+  else
+    moves = movesOf (text, place);
+  end
+  if isShell && ~isInput (script)
     [found, where] = ofShell (text);
     [words, at] = deal ([words, found], [at, where]);
-    moves = movesOf (text, place, folder);
   end
   at(end + 1:numel (words)) = 0;
   words = regexprep (words, {'^["'']|["'']$', '^~(?=/)'}, {'', getenv('HOME')});
   words = throughLinks (words, text);
   bases = [{place}, besideScript(script, folder, place), foldersOf(text, place)];
-  isOwn = @(p) isBelow (p, place) || isBelow (p, folder) || isDevice (p);
+  isOwn = @(p) isBelow (p, place) || isDevice (p);
   places = cell (1, 0);
   for k = find (cellfun (@isKnown, words))
     mine = bases;
@@ -43,6 +44,15 @@ function places = writtenOutside (text, script, isShell, folder, place)
     places = [places, seen(1)(~any (cellfun (isOwn, seen)))];
   end
   places = unique (regexprep (places, '(?<=.)/$', ''))(:)';
+end
+
+% Of $SCRATCH and its like everybody knows, unless the script gives them a value.
+function text = withScratch (text)
+  for name = {'TMPDIR', 'TMP', 'TEMP', 'SCRATCH', 'SCRATCHDIR', 'WORKDIR', 'WORK'}
+    if isempty (regexp (text, ['(?<![\w$])', name{1}, '=']))
+      text = regexprep (text, ['\$\{?', name{1}, '(?!\w)\}?'], ['/', name{1}]);
+    end
+  end
 end
 
 function yes = isKnown (word)
@@ -70,7 +80,7 @@ function [words, at] = opened (text)
   path = '["'']((?:/|~|\.\./)[^"''\n]*)["'']';
   writers = ['\<(?:savez?\w*|savetxt|savefig|imsave|imwrite|to_(?:csv|json|hdf|excel|' ...
              'pickle|parquet)|tofile|makedirs|mkdir|dlmwrite|csvwrite|writematrix|' ...
-             'writetable|diary|print)\s*\('];
+             'writetable|diary|print|write\.(?:csv2?|table)|writeLines|saveRDS)\s*\('];
   copiers = '\<(?:copy2?|copyfile|copytree|move|movefile|rename|replace)\s*\(';
   patterns = cell (1, 5);
   patterns{1} = ['open\s*\(\s*(?:file\s*=\s*)?', quoted, ...
@@ -129,7 +139,10 @@ function words = byCommand (part)
     case 'sed'
       isInPlace = ~cellfun (@isempty, regexp (rest, '^(-i|--in-place|-[nErsz]+i)', 'once'));
       words = rest(~isOption)(2:end * any (isInPlace));
-    case 'sqlite3'
+    case 'tar'
+      words = rest(2:end * ~isempty (regexp ([rest{1:min(end, 1)}], '^-?\w*c\w*f$', 'once')));
+      words = words(1:min (end, 1));
+    case {'sqlite3', 'zip'}
       words = rest(~isOption)(1:min (end, 1));
   end
 end
@@ -143,12 +156,13 @@ function words = ofInput (text)
   for pair = fliplr ([cell(1, 0), pairs])
     [name, kind, value] = pair{1}{:};
     if strcmp (kind, 'getenv')
-      value = ['/', value];
+      value = withScratch (['$', value]);
     end
     text = regexprep (text, ['\$\{', name, '\}'], strrep (value, '$', '\$'));
   end
   lines = regexp (text, ['(?:^|then[ \t]+["''])[ \t]*(?:dump|restart|write_restart|write_data|' ...
-                         'write_dump|log|print|fix[ \t]+\S+[ \t]+\S+[ \t]+(?:print|ave/\w+))' ...
+                         'write_dump|log|print|fix[ \t]+\S+[ \t]+\S+[ \t]+' ...
+                         '(?:print|ave/\w+|massflow/\w+))' ...
                          '[ \t]([^\n]*)'], 'tokens', 'lineanchors');
   lines = [cell(1, 0), lines{:}];
   words = regexp (strjoin (lines, ' '), '(?<=[\s"'']|^)(?:\.\./|/\w)[^\s"'']*', 'match');
@@ -167,10 +181,13 @@ end
 
 % Changes to folders outside the run: where they begin, and where they end (the next
 % change, or the end of the brackets in which they stand).
-function moves = movesOf (text, place, folder)
+function moves = movesOf (text, place)
   moves = struct ('to', {}, 'from', {}, 'until', {});
   [to, from] = tokensOf (text, {['(?:^|[;&|(]|\<then\>|\<do\>)\s*(?:cd|pushd)\s+' ...
-                                 '(?:--\s+)?["'']?([^\s"'';&|)]+)']});
+                                 '(?:--\s+)?["'']?([^\s"'';&|)]+)'], ...
+                                'os\.chdir\s*\(\s*["'']([^"''\n]+)["'']'});
+  [from, order] = sort (from);
+  to = to(order);
   back = regexp (text, '(?:^|[;&|])\s*(?:popd|cd\s*(?:-|$|[;&|]))', 'lineanchors');
   back = [back, numel(text) + 1];
   for k = 1:numel (to)
@@ -178,7 +195,7 @@ function moves = movesOf (text, place, folder)
     if isKnown (to{k})
       path = seenFrom (regexprep (to{k}, '^~(?=/)', getenv ('HOME')), place);
     end
-    if ~isempty (path) && ~isBelow (path, place) && ~isBelow (path, folder)
+    if ~isempty (path) && ~isBelow (path, place)
       ends = [from(k + 1:end), back(back > from(k)), bracketAfter(text, from(k))];
       moves(end + 1) = struct ('to', path, 'from', from(k), 'until', min (ends));
     end

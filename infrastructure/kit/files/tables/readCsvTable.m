@@ -79,11 +79,11 @@ function [text, isAdded] = withHeader (text, names)
     words = regexp (strtrim (first), ' +', 'split');
     mark = ' ';
     if isscalar (words) || any (cellfun (@(w) w(end) == ',', words))
-      words = strtrim (strsplit (strtrim (first), ','));
+      words = strtrim (regexp (strtrim (first), '("[^"]*"|[^",])+', 'match'));
       mark = ',';
     end
   end
-  isNumber = ~cellfun (@isempty, regexp (words, '^"?[-+]?\d*[.,]?\d+([eE][-+]?\d+)?"?$', 'once'));
+  isNumber = ~cellfun (@isempty, regexp (words, '^"?[-+]?[\d.,]*\d([dDeE][-+]?\d+)?"?$', 'once'));
   isAdded = all (isNumber | cellfun (@isempty, words)) && any (isNumber);
   if isAdded
     names = [names, arrayfun(@(k) sprintf ('column %d', k), ...
@@ -132,7 +132,8 @@ function [fields, row, lines, delimiter, isNamed] = splitFields (text)
     skipped = skipped + 1;
   else
     plain = first(~quoted(1:numel (first)));
-    plain = regexprep (plain, '(@\s*[-+]?\d*),(?=\d)', '$1.');   % a place: p@0,5
+    % a place: p@0,5; types: friction(1,2)
+    plain = regexprep (plain, {'(@\s*[-+]?\d*),(?=\d)', '\(\d+,\s*\d+\)'}, {'$1.', ''});
     kinds = ",\t;|,";
     delimiter = kinds(find ([ismember(kinds(1:4), plain), true], 1));
   end

@@ -100,6 +100,7 @@ function [items, fault] = itemsOf (results, readings, info)
   end
   isGood = @(x) (isnumeric (x) || islogical (x)) && isreal (x) && ...
                 (isscalar (x) || columns (x) == 2);
+  items.values(cellfun (@(x) isequal (x, []), items.values)) = NaN;
   bad = find (~cellfun (isGood, items.values), 1);
   if ~isempty (bad)
     fault = sprintf (['%s must be a real number or a curve (n x 2: ' ...

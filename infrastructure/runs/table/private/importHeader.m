@@ -83,6 +83,10 @@ function [name, unit] = knownName (text, known)
     if isempty (k)                         % as --vary or a spreadsheet spells it
       k = find (strcmp (plain (known), plain (parts{1})));
     end
+    if isempty (k)                         % as LIGGGHTS calls it
+      own = regexprep (parts{1}, {'^coefficient', '^(cohesion)EnergyDensity'}, {'', '$1'});
+      k = find (strcmp (plain (known), plain (own)));
+    end
     if isempty (k)                         % the types of a pair in the other order
       turned = regexprep (parts{1}, '(\d+)\s*[-_ ]\s*(\d+)$', '$2-$1');
       k = find (strcmp (plain (known), plain (turned)));
@@ -111,7 +115,7 @@ end
 
 % Rolling friction 1-1 is rollingFriction_1_1, but 1-12 is not 11-2.
 function texts = plain (texts)
-  texts = lower (regexprep (texts, '[^A-Za-z0-9\x80-\xff]+', '_'));
+  texts = lower (regexprep (texts, {'[^A-Za-z0-9\x80-\xff]+', '^_|_$'}, {'_', ''}));
   texts = regexprep (texts, '(?<=[a-z])_|_(?=[a-z])', '');
 end
 
@@ -219,6 +223,8 @@ end
 %! own = setfield (Case, 'names', {'friction_1_2', 'rollingFriction_1_1', 'mu_1_12'});
 %! assert (importHeader ({'friction 1-2', 'Rolling friction 1-1', 'mu 1-12'}, own, 'f'), ...
 %!         own.names);
+%! assert (importHeader ({'friction(1,2)', 'coefficientRollingFriction 1-1'}, own, 'f'), ...
+%!         own.names(1:2));
 %! assert (importHeader ({'friction 2-1', 'mu 11-2'}, own, 'f'), ...
 %!         {'friction_1_2', 'mu 11-2'});
 %! own.columns = {'Reibung', 'friction 1-2'; 'Winkel', 'x'};

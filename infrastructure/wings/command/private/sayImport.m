@@ -138,6 +138,9 @@ function text = whatIs (name, kind, Case)
   switch kind
     case 'ignored'
       text = 'not known to the case: not used';
+      if any (strcmp (name, {Case.fixed.name}))
+        text = 'parameter, not varied by itself';
+      end
     case 'trial'
       text = ['a run of ', name];
     case 'runs'

@@ -56,6 +56,11 @@ function [points, unit] = pointsOf (file, curve)
     refuse (file, sprintf ('%s in line %d', strjoin (texts(bad, :), ' '), lines(bad)));
   elseif rows (points) < 2
     refuse (file, sprintf ('%d such lines', rows (points)));
+  elseif lines(1) == 1 && columns (points) == 3 && all (fix (points(:)) == points(:)) && ...
+         all (points(:, 3) > abs (points(:, 2)))
+    refuse (file, sprintf (['%s in line %d. Decimal commas between commas cannot be told ' ...
+                            'apart: write %s.%s,%s'], strjoin (texts(1, :), ','), lines(1), ...
+                           texts{1, :}));
   end
   unit = unitFor (curve, units{at(2)}, file);
 end

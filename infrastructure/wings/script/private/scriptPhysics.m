@@ -19,7 +19,7 @@ function [notes, codes] = scriptPhysics (text, commands)
   if nargin < 2
     commands = scriptCommands (text);
   end
-  commands = {commands.words};
+  commands = withTexts ({commands.words});
   modes = commands(cellfun (@(w) strcmp (w{1}, 'thermo_modify'), commands));
   modes = [modes{:}, {''}];
   lost = modes([false, strcmp(modes(1:end - 1), 'lost')]);
@@ -45,6 +45,26 @@ function [notes, codes] = scriptPhysics (text, commands)
     notes{end + 1} = sprintf (['%s is set, but no contact model of the script reads it ' ...
                                '(%s does)'], unread{1}{:});
     codes{end + 1} = 'inert';
+  end
+end
+
+% Texts that a variable holds, in its place ("model hertz tangential history"); numbers
+% stay with their names, those of the case may take their place.
+function commands = withTexts (commands)
+  isText = @(w) numel (w) > 3 && strcmp (w{1}, 'variable') && ...
+                any (strcmp (w{3}, {'string', 'index'})) && isnan (str2double (w{4}));
+  texts = commands(cellfun (isText, commands));
+  names = cellfun (@(w) ['${', w{2}, '}'], texts, 'UniformOutput', false);
+  for t = texts
+    w = t{1};
+    name = ['${', w{2}, '}'];
+    value = strsplit (w{4}, ' ');
+    for k = find (cellfun (@(c) any (strcmp (c, name)), commands) * ...
+                  (sum (strcmp (name, names)) == 1))
+      parts = cellfun (@(word) {{word}, value}{1 + strcmp(word, name)}, commands{k}, ...
+                       'UniformOutput', false);
+      commands{k} = [parts{:}];
+    end
   end
 end
 
