@@ -32,7 +32,8 @@ function [sd, freedom, seen] = sdOfChange (before, now, further)
     freedom = max (variance^2 / doubt, 1);
   end
   f = min (freedom, 1e6);            % quantiles of Student's distribution end there
-  seen = sd / studentFactor (freedom) * (studentQuantile (0.975, f) + studentQuantile (0.8, f));
+  seen = sd * (studentQuantile (0.975, f) + studentQuantile (0.8, f)) / ...
+         -studentQuantile (0.1587, f);
 end
 
 %!test

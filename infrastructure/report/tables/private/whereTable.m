@@ -44,9 +44,9 @@ function cells = rowOf (page, target, t)
   end
 end
 
-function cell_ = differenceOf (target)
+function c = differenceOf (target)
   difference = jsonNumber (target, {'measured'}) - jsonNumber (target, {'predicted'});
-  cell_ = struct ('value', difference, 'sd', ...
+  c = struct ('value', difference, 'sd', ...
                   difference / jsonNumber (target, {fieldOf(target)}));
 end
 
