@@ -92,7 +92,8 @@
 %              its verdict), names (effects that may be said), effects, lookAlike, p, oneOf,
 %              said {probability, oneOf} (as of which), probability, strength, interval90,
 %              text (a list in the order of effects each), ofEffect {effect: {probability,
-%              value, interval90, inUnit, text}}, the same by name}], order [{effect, more, less, probability}]
+%              value, interval90, inUnit, text}}, the same by name}]
+%     order  [{effect, more, less, probability}], of two conditions
 %     canChange  {candidate: yes, unlikely, no};  origin  what the user says it was
 %              (Input.origin), in words
 %   thresholds  level, adviseAt (gapOptions): those that the report uses
