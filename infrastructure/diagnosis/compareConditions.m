@@ -7,7 +7,8 @@
 %   S          struct
 %     conditions  1 x C struct, this one first: name, verdict, effects (cellstr),
 %                 lookAlike, p, and of each effect probability, strength and
-%                 interval90 (shares of its range), says (describeVerdict); oneOf
+%                 interval90 (shares of its range), says (describeVerdict); said
+%                 (probability, oneOf, as they are told: describeVerdict); oneOf
 %                 (that one of them acts); text (in its unit), ofEffect, code, kind,
 %                 change, plain and names of the verdict come from writeGapJson
 %     order       1 x m struct effect, more, less (names of two conditions of one
@@ -34,18 +35,21 @@ function s = compareConditions (diagnosis, others)
                 'probability', [], 'strength', [], 'interval90', [], ...
                 'says', {cell(1, 0)}, 'text', {cell(1, 0)}, 'code', '', 'kind', '', ...
                 'change', '', 'plain', '', 'names', {cell(1, 0)}, ...
-                'ofEffect', [], ...
+                'ofEffect', [], 'said', [], ...
                 'errors', {cell(1, 0)});
   errors = jsonAt (diagnosis, {'change', 'errors'});
+  told = givenField (which, 'said', which);
   for name = which.effects
     strength = which.strength(strcmp ({which.strength.name}, name{1}));
-    one.probability(end + 1) = ...
-      which.posterior.(matlab.lang.makeValidName (name{1}));
+    field = matlab.lang.makeValidName (name{1});
+    one.probability(end + 1) = which.posterior.(field);
+    one.said(end + 1) = told.posterior.(field);
     one.strength(end + 1) = strength.value;
     one.interval90(end + 1, :) = strength.interval90;
     one.says{end + 1} = strength.says;
     one.errors{end + 1} = errors(strcmp ({which.strength.name}, name{1})(1:numel (errors)));
   end
+  one.said = struct ('probability', one.said, 'oneOf', told.oneOf);
   s.conditions = [one, others];
   for i = 1:numel (s.conditions)
     for j = 1:i - 1

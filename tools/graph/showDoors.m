@@ -19,7 +19,7 @@ function failed = showDoors (root, isCheck)
   if nargin < 2
     isCheck = false;
   end
-  mostDoors = 156;
+  mostDoors = 157;
   [names, places, calls, inside, files] = folderCalls (root);
   rooms = roomsOf (places);
   isDoor = doorsOf (rooms, calls) & ~strcmp (rooms, 'main');

@@ -8,7 +8,7 @@
 %            measured in both)
 %   SD       1 x T, of the difference (68 %), as sdOfChange, and of the packings that a
 %            stated sd does not hold
-%   SEEN     1 x T, the smallest change that would show in 8 of 10 cases (5 %)
+%   SEEN     1 x T, as sdOfChange: what would show in 8 of 10 cases
 %
 % Student's t; degrees of freedom after Welch and Satterthwaite.
 %
@@ -16,17 +16,14 @@
 
 function [p, sd, seen] = changeOfReadings (problem, change)
   reference = problem.reference;
-  own = max (problem.sd.^2 - problem.shared.^2, 0) + ...
-        max (reference.sd.^2 - reference.shared.^2, 0);
-  sessions = problem.shared.^2 + reference.shared.^2 - 2 * diag (reference.together)';
-  sessions = max (sessions, 0);
   packings = diag (change.fresh + change.before)' - problem.sd.^2 - reference.sd.^2;
-  variance = own + sessions + max (packings, 0);
-  sd = sqrt (variance);
-  least = @(name) min (problem.(name), reference.(name));
-  doubt = (own + sessions).^2 ./ least ('freedom') + ...
-          own.^2 ./ least ('commonFreedom') + sessions.^2 ./ least ('sessionFreedom');
-  freedom = max (variance.^2 ./ max (doubt, realmin), 1);
+  of = @(s, t, days) struct ('sd', s.sd(t), 'shared', s.shared(t), 'days', days, ...
+                             'freedom', s.freedom(t), 'commonFreedom', ...
+                             s.commonFreedom(t), 'sessionFreedom', s.sessionFreedom(t));
+  [sd, freedom, seen] = arrayfun (@(t) sdOfChange (of (problem, t, 1), ...
+                                                   of (reference, t, reference.together(t, t)), ...
+                                                   max (packings(t), 0)), ...
+                                  1:numel (problem.value));
   t = (problem.value - reference.value) ./ sd .* studentFactor (min (freedom, 1e6));
   % a normal error has no end of its degrees of freedom
   freedom = min (freedom, 1e6);
@@ -34,8 +31,6 @@ function [p, sd, seen] = changeOfReadings (problem, change)
   isThere = isfinite (t);
   f = freedom(isThere);
   p(isThere) = betainc (f ./ (f + t(isThere).^2), f / 2, 0.5);
-  far = @(f) studentQuantile (0.975, f) + studentQuantile (0.8, f);
-  seen = sd ./ studentFactor (freedom) .* arrayfun (far, freedom);
 end
 
 %!shared given, change

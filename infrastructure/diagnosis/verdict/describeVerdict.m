@@ -12,6 +12,8 @@
 %                 was withheld), else it is one of them
 %     gateP       p of the gate
 %     posterior   struct null, each effect, unlisted
+%     said        struct posterior, oneOf: what is told of causes. Where a gap shows, given
+%                 that there is one: without null, over what is left
 %     oneOf       scalar, probability that one of effects acts
 %     byItself    the same of each effect, of explanations without a likelier effect of
 %                 the verdict: of one that only rides along next to nothing is left
@@ -57,6 +59,7 @@ function named = describeVerdict (evidence, verdict, hypotheses, problem)
   named.posterior.unlisted = verdict.unlisted;
   holds = cellfun (@(m) any (ismember (m, verdict.effects)), evidence.members);
   named.oneOf = sum (verdict.P(holds));
+  named.said = saidOf (named);
   named.cannotSee = names(isinf (evidence.screen.smallest));
   named.siblings = [hypotheses.siblings{verdict.effects}];
   named.groups = confusedGroups (evidence.screen, hypotheses);
@@ -68,6 +71,19 @@ function named = describeVerdict (evidence, verdict, hypotheses, problem)
   end
   named.numbers = numbersOf (evidence, verdict);
   named.hypotheses = hypothesesOf (evidence, verdict, names);
+end
+
+% The gate says whether there is a gap; a list of causes that doubts it again would be
+% read as a second answer.
+function said = saidOf (named)
+  [said.posterior, said.oneOf] = deal (named.posterior, named.oneOf);
+  whole = 1 - named.posterior.null;
+  if any (strcmp (named.verdict, {'no gap', 'surrogate'})) || ~(whole > 0)
+    return
+  end
+  said.posterior = structfun (@(p) min (p / whole, 1), rmfield (said.posterior, 'null'), ...
+                              'UniformOutput', false);
+  said.oneOf = min (said.oneOf / whole, 1);
 end
 
 function numbers = numbersOf (evidence, verdict)
@@ -196,6 +212,14 @@ end
 %! assert (named.hypotheses(1).members, {'a'});
 %! assert (isfield (named.posterior, 'unlisted'));
 %! assert (named.byItself.a, named.posterior.a, 1e-12);
+%! % a gap shows: nobody is told twice, and otherwise, that there may be none
+%! whole = 1 - named.posterior.null;
+%! assert (! isfield (named.said.posterior, 'null'));
+%! assert ([named.said.posterior.a, named.said.oneOf] * whole, ...
+%!         [named.posterior.a, named.oneOf], 1e-12);
+%! shut = setfield (evidence, 'gate', struct ('p', 0.5));
+%! none = describeVerdict (shut, judgeCase (shut, hypotheses), hypotheses, problem);
+%! assert (none.said.posterior, none.posterior);
 %! assert (named.byItself.b < named.posterior.b);
 %! % where no integral of an effect says anything, its strength is not known
 %! assert (named.strength(1).says, 'amount');

@@ -18,6 +18,7 @@ function given = targetsOfCase (Case)
     info = targetInfo (Case);
   end
   given = withSeries (given, info);
+  given.errors = {targets.errors};
   if isfield (Case, 'models')
     given.reading = readingsOf (info, given);
   end
@@ -46,7 +47,7 @@ function target = oneTarget ()
                    'isAbsolute', false, 'trials', 1, 'scatter', false, ...
                    'shared', 0, 'days', [], 'freedom', Inf, ...
                    'commonFreedom', Inf, 'sessionFreedom', Inf, ...
-                   'role', 'calibrate', 'model', 1, 'series', '', 'at', NaN, ...
+                   'errors', [], 'role', 'calibrate', 'model', 1, 'series', '', 'at', NaN, ...
                    'curve', 0, 'correlation', 0);
 end
 

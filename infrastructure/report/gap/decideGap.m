@@ -283,7 +283,8 @@ function cause = found (cause, gap, effects, isBeyond, say)
   amounts = strjoin (eachOf (@(name) amountOf (which, name), effects), '; ');
   values = struct ('names', {plainName(effects)}, 'amounts', amounts, ...
                    'each', {eachOf(@(name) chanceOf (which, name), effects)}, ...
-                   'oneOf', plainNumber (jsonNumber (which, {'oneOf'}), 'probability'), ...
+                   'oneOf', plainNumber (jsonNumber (toldOf (which), {'oneOf'}), ...
+                                         'probability'), ...
                    'why', plainReason (which), 'kind', '');
   if strcmp (code, 'kind')
     kind = jsonAt (which, {'strength', fieldOf(effects{1}), 'kind'});
@@ -314,7 +315,7 @@ end
 function texts = chancesOf (which, names)
   p = cellfun (@(n) max ([probabilityOf(which, n), 0]), names);
   texts = eachOf (@(n) chanceOf (which, n), names);
-  other = jsonNumber (which, {'posterior', 'unlisted'}, 0);
+  other = jsonNumber (toldOf (which), {'posterior', 'unlisted'}, 0);
   if ~isempty (names) && other > min (p)
     k = sum (p >= other);
     text = sprintf ('%s (%s)', sentence ('cause.unlisted.row'), ...
@@ -360,7 +361,12 @@ function text = amountOf (which, name)
 end
 
 function p = probabilityOf (which, name)
-  p = jsonAt (which, {'posterior', fieldOf(name)});
+  p = jsonAt (toldOf (which), {'posterior', fieldOf(name)});
+end
+
+% Given that there is a gap, where one shows; an earlier file has the posterior alone.
+function told = toldOf (which)
+  told = givenField (which, 'said', which);
 end
 
 function name = fieldOf (name)

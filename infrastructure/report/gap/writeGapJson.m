@@ -42,6 +42,8 @@
 %     posterior, probability  {null, each effect, unlisted}; both count an effect
 %              alone and in pairs, byItself {each effect} only where no likelier one of
 %              effects acts; oneOf that one of effects acts
+%     said     {posterior, oneOf}, as page and console tell them: where a gap shows, given
+%              that there is one, without null
 %     cause    [{name, label, question, probability, effects}], what may have made
 %              it; name empty: none of these
 %     strength {effect: {value, interval90 (none if unseen), smallestSeen,
@@ -88,9 +90,10 @@
 %     notMeasured [{model, name}], measured of the reference alone
 %     conditions  [{name, verdict, code, kind (as in cause), change, plain (words of
 %              its verdict), names (effects that may be said), effects, lookAlike, p, oneOf,
-%              probability, strength, interval90, text (a list in the order of effects
-%              each), ofEffect {effect: {probability, value, interval90, inUnit, text}}, the
-%              same by name}], order [{effect, more, less, probability}]
+%              said {probability, oneOf} (as of which), probability, strength, interval90,
+%              text (a list in the order of effects each), ofEffect {effect: {probability,
+%              value, interval90, inUnit, text}}, the same by name}]
+%     order  [{effect, more, less, probability}], of two conditions
 %     canChange  {candidate: yes, unlikely, no};  origin  what the user says it was
 %              (Input.origin), in words
 %   thresholds  level, adviseAt (gapOptions): those that the report uses
@@ -248,7 +251,7 @@ function s = whichOf (diagnosis)
   s = mergeFields (struct ('p', w.gateP), w, ...
                    {'verdict', 'reason', 'guard', 'effects', 'class', 'decides', ...
                     'together', 'sameKind', 'lookAlike', 'partners', 'likely', ...
-                    'posterior', 'byItself', 'oneOf', 'groups', 'siblings'});
+                    'posterior', 'said', 'byItself', 'oneOf', 'groups', 'siblings'});
   s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
   s.untested = num2cell (untested(hasFailed));

@@ -18,7 +18,8 @@
 %                 seconds, started (s since 1970; NaN: unknown); [] for none
 %     reach       T x 2, least and largest mean response of each surrogate over
 %                 the runs and 500 points of the limits; NaN: no surrogate
-%     tables      see statementTables
+%     tables      see statementTables; change_NAME: table change of each condition
+%                 but the first, which has all other tables
 %
 % A file that is not there, or cannot be read, leaves its field empty. Nothing
 % is run, evaluated or changed.
@@ -51,7 +52,21 @@ function page = pageData (Case)
   [page.plan, page.runs] = deal (plan, runs);
   page.found = foundSet (s, Case.names);
   page.reach = reachOf (page.surrogates, Case);
-  page.tables = statementTables (page);
+  page.tables = withConditions (statementTables (page), page);
+end
+
+% A diagnosis of another condition that has been made since is none of this one's.
+function tables = withConditions (tables, page)
+  for one = jsonList (page.sources.gap, {'reference', 'conditions'})(2:end)
+    gap = readJsonFile (fullfile (page.Case.folder, 'gap', one{1}.name, 'gap.json'));
+    cause = jsonAt (gap, {'verdict', 'cause'});
+    if ~isempty (cause) && isequaln (jsonAt (gap, {'which', 'p'}), one{1}.p)
+      [page.sources.gap, page.verdict.cause] = deal (gap, cause);
+      name = matlab.lang.makeValidName (['change_', one{1}.name]);
+      T = statementTables (page, {'change'}).change;
+      tables.(name) = setfield (T, 'notes', setdiff (T.notes, tables.change.notes, 'stable'));
+    end
+  end
 end
 
 % What F gives, [] where it fails.
@@ -135,5 +150,30 @@ end
 %! assert (sum (strcmp ({runs.status}, 'not ended')), 1);
 %! assert (all (diff ([runs.started]) >= 0));
 %! assert (sum (arrayfun (@(r) isequal (r.params, [3, 4]), runs)), 3);
+
+%!test
+%! % each condition has its table of what has changed, unless it was judged anew since
+%! raw = standInCase (tempname ());
+%! list = verdictCase ();
+%! verdictCase (raw.folder, list(strcmp ({list.name}, 'missed, named')));
+%! file = fullfile (raw.folder, 'gap', 'gap.json');
+%! gap = jsondecode (fileread (file));
+%! target = struct ('model', 'First', 'name', 'h', 'reference', 1, 'measured', 3, ...
+%!                  'modelled', NaN, 'sd', 0.5, 'kind', '', 'series', '', 'unit', '');
+%! one = struct ('name', {'wet', 'dry'}, 'verdict', 'no gap', 'code', 'none', 'kind', ...
+%!               'none', 'effects', {{}}, 'p', 0.2);
+%! gap.reference = struct ('condition', 'wet', 'targets', target, 'conditions', one);
+%! writeAtomic (file, jsonencode (gap));
+%! [gap.which.p, gap.reference.condition] = deal (0.2, 'dry');
+%! mkdir (fullfile (raw.folder, 'gap', 'dry'));
+%! other = fullfile (raw.folder, 'gap', 'dry', 'gap.json');
+%! gap.verdict.cause = struct ('code', 'none');
+%! writeAtomic (other, jsonencode (gap));
+%! tables = pageData (newCase (raw)).tables;
+%! assert (! isempty (strfind (tables.change.title, 'wet')));
+%! assert (! isempty (strfind (tables.change_dry.title, 'dry')));
+%! gap.which.p = 0.3;
+%! writeAtomic (other, jsonencode (gap));
+%! assert (! isfield (pageData (newCase (raw)).tables, 'change_dry'));
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -30,7 +30,8 @@ function entry = textsOf (one, file)
   effects = namesIn (one, 'effects');
   texts = namesIn (one, 'text');
   texts(end + 1:numel (effects)) = effects(numel (texts) + 1:end);
-  p = [jsonAt(one, {'probability'})(:)', NaN];
+  told = givenField (one, 'said', one);
+  p = [jsonAt(told, {'probability'})(:)', NaN];
   if isfield (one, 'names')
     % those that may be said
     isSaid = ismember (effects, namesIn (one, 'names'));
@@ -44,7 +45,7 @@ function entry = textsOf (one, file)
   elseif strcmp (one.verdict, 'group')
     % which one is open, and so is how strong
     [entry.code, entry.text] = deal ('several', strjoin (plainName (effects), ' or '));
-    entry.probability = jsonNumber (one, {'oneOf'}, min (1, sum (p(1:end - 1))));
+    entry.probability = jsonNumber (told, {'oneOf'}, min (1, sum (p(1:end - 1))));
   end
   % a cause that cannot be seen is listed, and not said
   if isempty (effects) || any (strcmp (one.kind, {'cannot tell', 'no verdict'}))
@@ -98,6 +99,9 @@ end
 %! assert (conditionTexts (gap).line, ...
 %!         sentence ('condition.several', struct ('name', 'wet', 'p', '0.90', ...
 %!           'text', 'cohesion or tilt')));
+%! gap.reference.conditions.said = struct ('probability', [0.75, 0.2], 'oneOf', 0.95);
+%! assert (conditionTexts (gap).probability, 0.95);
+%! gap.reference.conditions = rmfield (gap.reference.conditions, 'said');
 %! % what it may not name is left out; the change comes first
 %! gap.reference.conditions.names = {'cohesion'};
 %! gap.reference.conditions.code = 'likely';

@@ -10,8 +10,10 @@
 %
 % A state is a condition. Where all of a quantity's lines stand alone in their
 % state and session, their sd tells the scatter of a trial: it is that of the mean
-% of its repeats, and that of the reference counts for lines without. With repeats
-% = Inf it holds all errors, that of the session, too. Lines without a session,
+% of its repeats, and that of the reference counts for lines without. Where it is that
+% of several trials it is known by these (freedom); those of a change that scatter alike
+% (25 %, as in varianceComponents) tell it, too. With repeats = Inf it holds all errors,
+% that of the session, too, and is known. Lines without a session,
 % beside others of the quantity with one, share one of their own. Lines of one block
 % (one filling, one packing) of a state and session count as one trial, their mean.
 % Points of a curve are settings of one group; what drifts, drifts in all of them by
@@ -36,12 +38,15 @@ function [lines, quantities, number, names] = readingLines (list, keys)
   lines = struct ('value', [list.value]', 'mean', state(:), 'quantity', ...
                   quantity(:), 'session', session, 'repeats', repeats, ...
                   'variance', NaN (numel (list), 1), 'changed', ...
-                  ~strcmp (conditions, 'reference')', 'order', ...
+                  ~strcmp (conditions, 'reference')', 'state', ...
+                  nthargout (3, @unique, conditions)(:), 'order', ...
                   cellfun (@(one) givenField (one, 'order', NaN), num2cell (list))(:));
   lines.variance(isStated) = sd(isStated).^2;
   quantities = repmat (struct ('unit', 1, 'isContrast', false, 'sessionSd', ...
-                               NaN, 'variance', NaN, 'share', 1, 'group', 0, ...
-                               'size', 1), 1, max ([quantity(:); 0]));
+                               NaN, 'variance', NaN, 'freedom', Inf, 'share', ...
+                               1, 'group', 0, 'size', 1), ...
+                       1, max ([quantity(:); 0]));
+  [quantities.model] = deal (0);
   series = arrayfun (@(one) sprintf ('%d|%s', one.model, one.series), list, ...
                      'UniformOutput', false);
   for q = 1:numel (quantities)
@@ -49,6 +54,7 @@ function [lines, quantities, number, names] = readingLines (list, keys)
     quantities(q) = quantityOf (list(k), quantities(q));
     quantities(q).share = 1 / pointsOf (list, list(k(1)));
     quantities(q).group = k(1);
+    quantities(q).model = list(k(1)).model;
     if ~isempty (list(k(1)).series)
       quantities(q).group = find (strcmp (series, series{k(1)}), 1);
       quantities(q).size = mean ([list(k).value]);
@@ -56,15 +62,42 @@ function [lines, quantities, number, names] = readingLines (list, keys)
     alone = rows (unique ([state(k)(:), session(k)], 'rows')) == numel (k);
     told = k(sd(k) > 0 & ~isStated(k));
     if alone && ~isempty (told)
-      own = told(~lines.changed(told));
-      if isempty (own)
-        own = told;
-      end
-      quantities(q).variance = mean (sd(own).^2 .* repeats(own));
-      % of how many trials a line is as good as
-      lines.repeats(told) = quantities(q).variance ./ sd(told).^2;
+      [quantities(q), lines] = statedScatter (quantities(q), lines, told, sd);
     end
   end
+end
+
+% Of a trial, by the sd of lines TOLD; of how many trials each is as good as.
+function [quantity, lines] = statedScatter (quantity, lines, told, sd)
+  variance = sd(told).^2 .* lines.repeats(told);
+  freedom = lines.repeats(told) - 1;
+  isOwn = ~lines.changed(told);
+  isOwn(:) = isOwn | ~any (isOwn);
+  if all (freedom > 0)
+    [reference, state] = deal (pooled (variance, freedom, isOwn), lines.mean(told));
+    for m = unique (state(~isOwn))'
+      now = pooled (variance, freedom, state == m);
+      isOwn = isOwn | (state == m & isAlike (now, reference));
+    end
+    all_ = pooled (variance, freedom, isOwn);
+    [quantity.variance, quantity.freedom] = deal (all_.variance, all_.freedom);
+    told = told(~isOwn);
+  else
+    quantity.variance = mean (variance(isOwn));
+  end
+  lines.repeats(told) = quantity.variance ./ sd(told).^2;
+end
+
+function s = pooled (variance, freedom, is)
+  n = sum (freedom(is));
+  s = struct ('variance', sum (freedom(is) .* variance(is)) / n, 'freedom', n);
+end
+
+% Two-sided F test at 25 %.
+function yes = isAlike (a, b)
+  x = a.freedom * a.variance / (a.freedom * a.variance + b.freedom * b.variance);
+  p = betainc (x, a.freedom / 2, b.freedom / 2);
+  yes = 2 * min (p, 1 - p) >= 0.25;
 end
 
 function conditions = ofConditions (list)
@@ -151,16 +184,26 @@ end
 %! % trials; one line a state, of which the sd is what is known; one a session
 %! [lines, q, number] = readingLines (of ({'', ''}, [1, 3], [0.1, 0.1]), {'a', 'a'});
 %! assert ({lines.session, lines.variance, number}, {[0; 0], [NaN; NaN], [1, 1]});
-%! assert ({q.unit, q.variance}, {2, NaN});
+%! assert ({q.unit, q.variance, q.freedom}, {2, NaN, Inf});
 %! list = of ({'', ''}, [1, 3], [0.1, 0]);
 %! list(1).repeats = 4;
 %! list(2).condition = 'moist';
 %! [lines, q] = readingLines (list, {'a', 'a'});
 %! assert ({lines.mean, lines.repeats}, {[2; 1], [4; 1]}, 1e-12);
-%! assert ({q.variance, lines.changed}, {0.04, [false; true]}, 1e-12);
+%! assert ({q.variance, q.freedom, lines.changed}, {0.04, 3, [false; true]}, 1e-12);
 %! list(2).sd = 0.4;
 %! [lines, q] = readingLines (list, {'a', 'a'});
 %! assert ({q.variance, lines.repeats}, {0.04, [4; 0.25]}, 1e-12);
+%! list(2).sd = 0;
+%! % four trials before and after: one scatter, of six freedoms, if it is alike
+%! list(2).repeats = 4;
+%! list(2).sd = 0.15;
+%! [lines, q] = readingLines (list, {'a', 'a'});
+%! assert ({q.variance, q.freedom, lines.repeats}, {0.065, 6, [4; 4]}, 1e-12);
+%! list(2).sd = 1;
+%! [lines, q] = readingLines (list, {'a', 'a'});
+%! assert ({q.variance, q.freedom, lines.repeats}, {0.04, 3, [4; 0.04]}, 1e-12);
+%! list(2).repeats = NaN;
 %! list(2).sd = 0;
 %! [list.session] = deal ('mon', '');
 %! list(1).repeats = NaN;

@@ -29,8 +29,8 @@ function text = sessionNote (Case)
   end
   least = leastSeen (Case);
   if ~isempty (text) && ~isempty (least)
-    text = sprintf (['%s. A change of a reading below %.2g of its tolerances ' ...
-                     '(median) cannot be told from none'], text, median (least));
+    text = sprintf (['%s. A change of a reading by %.2g of its tolerances ' ...
+                     '(median) would show in 8 of 10 cases'], text, median (least));
   end
   drift = driftNote (sessions);
   if isempty (text) || isempty (drift)
@@ -40,7 +40,7 @@ function text = sessionNote (Case)
   end
 end
 
-% Changes that one reading alone would show at 5 %, in its tolerances.
+% Changes that one reading alone would show, in its tolerances.
 function least = leastSeen (Case)
   least = zeros (1, 0);
   for c = 1:numel (givenField (Case, 'conditions', {}))
@@ -51,17 +51,10 @@ function least = leastSeen (Case)
         allowed = target.tol;
       end
       if target.sd > 0 && now.sd > 0 && allowed > 0
-        [sd, freedom] = sdOfChange (target, now);
-        least(end + 1) = scaleOf (sd, freedom) * studentQuantile (0.975, freedom) / allowed;
+        [~, ~, seen] = sdOfChange (target, now);
+        least(end + 1) = seen / allowed;
       end
     end
-  end
-end
-
-% Of Student's distribution, 68 % of which lie within SD.
-function sd = scaleOf (sd, freedom)
-  if isfinite (freedom)
-    sd = -sd / studentQuantile (0.1587, freedom);
   end
 end
 
@@ -86,6 +79,6 @@ end
 %! Case.targets = mergeFields (one, struct ('trials', 3, 'changed', one, 'tol', ...
 %!                                          0.1, 'isAbsolute', false, 'value', 10));
 %! Case.conditions = {'moist'};
-%! assert (! isempty (strfind (sessionNote (Case), 'below 2.8 of its tol')));
+%! assert (! isempty (strfind (sessionNote (Case), 'by 4 of its tol')));
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -7,8 +7,9 @@
 %               0: none), repeats, variance (NaN: to be found; else that of the
 %               value, with all that it holds), changed (logical)
 %   QUANTITIES  1 x Q struct: unit (of its scatter), isContrast, sessionSd (NaN: to
-%               be found), variance (of one trial, NaN: to be found), share (of a
-%               quantity in what is learned of sessions)
+%               be found), variance (of one trial, NaN: to be found) and the freedom
+%               (Inf) by which it is known, share (of a quantity in what is learned of
+%               sessions)
 %   MEANS       1 x M struct: value, sd (0: nothing tells it), shared (part of sd
 %               that sessions make), days (1 x S, what each session brings to
 %               it, norm SHARED), freedom (by which the quantity's own scatter is
@@ -226,6 +227,7 @@ function scatter = scatterOf (grid, part, quantity)
   common = grid.ofRatio';
   if ~isnan (quantity.variance)
     scatter.scale(:) = quantity.variance;
+    [scatter.own, scatter.freedom(:)] = deal (quantity.freedom);
   elseif ~isempty (part.lambda)
     [d, s] = priorOf (grid);
     nu = d + numel (part.lambda);
@@ -384,7 +386,7 @@ end
 %!endfunction
 %!shared quantity
 %! quantity = struct ('unit', 1, 'isContrast', false, 'sessionSd', NaN, ...
-%!                    'variance', NaN, 'share', 1);
+%!                    'variance', NaN, 'freedom', Inf, 'share', 1);
 %!test
 %! % one quantity, three trials, no session: t s / sqrt (n), two degrees of freedom
 %! m = varianceComponents (of ([1, 2, 3], [0, 0, 0], [1, 1, 1]), quantity);
@@ -425,6 +427,15 @@ end
 %! m = varianceComponents (lines, quantity);
 %! assert ([m.sd; m.shared], [0.1, 0.2; 0, 0], 1e-12);
 %! assert ([m.freedom, m.sessionFreedom], Inf (1, 4));
+%!test
+%! % a scatter that was stated of few trials is known by these alone
+%! lines = of ([1, 3], [0, 0], [1, 2]);
+%! lines.repeats(:) = 3;
+%! stated = mergeFields (quantity, struct ('variance', 0.3, 'freedom', 4));
+%! m = varianceComponents (lines, stated);
+%! assert ([m.sd], sqrt (0.1) * studentFactor (4) * [1, 1], 0.01);
+%! assert ([m.freedom], [4, 4]);
+%! assert ([m.hasScatter], [false, false]);
 %!test
 %! % three trials before and three after tell their scatter together, as in Student's
 %! % test; where the change scatters nine times more, only the reference is believed

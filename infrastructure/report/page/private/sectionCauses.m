@@ -13,8 +13,9 @@ end
 function html = causes (page)
   which = page.sources.gap.which;
   cause = page.verdict.cause;
-  [~, order] = sort (-cell2mat (struct2cell (which.posterior)));
-  posterior = orderfields (which.posterior, order);
+  told = givenField (which, 'said', which).posterior;
+  [~, order] = sort (-cell2mat (struct2cell (told)));
+  posterior = orderfields (told, order);
   reached = levelText (page.sources.gap);
   if ~isempty (reached)
     reached = ['The verdict was ', reached];
@@ -88,7 +89,11 @@ function html = change (page)
            listSentences({'change.unlikely', plainName(of ('unlikely')); ...
                           'change.no', plainName(of ('no'))})];
   notes = strcat ('<p>', htmlText (notes), '</p>');
-  html = [tableHtml(page.tables.conditions), notes{:}, tableHtml(page.tables.change)];
+  % first that of the first condition, which has all other tables
+  names = sort (fieldnames (page.tables))';
+  tables = eachOf (@(name) tableHtml (page.tables.(name)), ...
+                   names(strncmp (names, 'change', 6)));
+  html = [tableHtml(page.tables.conditions), notes{:}, tables{:}];
 end
 
 %!test
@@ -110,6 +115,10 @@ end
 %! assert (! isempty (strfind (html, 'to have changed: fill.')));
 %! assert (! isempty (strfind (html, sentence ('cause.none.word', struct (), true))));
 %! assert (! isempty (strfind (html, 'More tilt in wet than in dry')));
+%! % each condition has its table
+%! page.tables.change_dry = setfield (page.tables.change, 'title', 'reference and dry');
+%! html = sectionCauses (){2, 3} (page);
+%! assert (! isempty (regexp (html, 'reference and wet.*reference and dry')), html);
 %!test
 %! % plain names in the figures; of one number neither figure nor table
 %! page = situationPage ('missed, several');

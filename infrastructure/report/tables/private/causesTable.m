@@ -9,7 +9,8 @@
 function T = causesTable (page)
   T = [];
   which = jsonAt (page.sources.gap, {'which'});
-  posterior = jsonAt (which, {'posterior'});
+  steps = [{'gap', 'which'}, repmat({'said'}, 1, isfield (which, 'said')), 'posterior'];
+  posterior = jsonAt (page.sources, steps);
   if isempty (posterior) || jsonNumber (page.verdict.cause, {'numbers'}, 0) == 1
     return
   end
@@ -24,12 +25,13 @@ function T = causesTable (page)
   T = newTable (page, 'causes', 'Causes, the likeliest first', ...
                 {'cause', '', 'name'; 'probability', '', 'probability'; ...
                  'how strong it would be (90 % interval)', '', 'words'; ...
-                 'seen from', '', ''}, eachOf (@(n) rowOf (page, which, n), names), ...
+                 'seen from', '', ''}, eachOf (@(n) rowOf (page, which, n, steps), names), ...
                 [jsonAt(page, {'verdict', 'cause', 'untested'}), notes, ...
-                 {sentence('table.causes')}]);
+                 {sentence('table.causesGiven', struct (), page.isChange), ...
+                  sentence('table.causes')}(1 + isfield (posterior, 'null'):2)]);
 end
 
-function cells = rowOf (page, which, name)
+function cells = rowOf (page, which, name, steps)
   entry = struct ('value', name, 'code', name);
   [how, from] = deal ('');
   if any (strcmp (name, {'null', 'unlisted'}))
@@ -40,7 +42,7 @@ function cells = rowOf (page, which, name)
     how = strengthWords (page, strength, name);
     from = char (jsonAt (strength, {'seenFrom'}));
   end
-  cells = {entry, {'gap', 'which', 'posterior', name}, how, from};
+  cells = {entry, [steps, {name}], how, from};
 end
 
 % In its unit; the share of its range is the tooltip.
@@ -74,6 +76,11 @@ end
 %! assert (! isempty (strfind ([T.notes{:}], 'liquid bridge')), [T.notes{:}]);
 %! page.verdict.cause.untested = {'drag could not be tested'};
 %! assert (causesTable (page).notes{1}, 'drag could not be tested');
+%! % where a gap shows, causes are told given that there is one
+%! page.sources.gap.which.said.posterior = struct ('cohesion', 0.95, 'unlisted', 0.05);
+%! T = causesTable (page);
+%! assert ({rows(T.cells), T.cells{1, 2}.value}, {2, 0.95});
+%! assert (any (strcmp (T.notes, sentence ('table.causesGiven'))));
 %! page.verdict.cause.numbers = 1;
 %! assert (isempty (causesTable (page)));
 

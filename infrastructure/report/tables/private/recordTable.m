@@ -52,7 +52,8 @@ end
 
 function list = rivals (gap)
   list = {};
-  posterior = givenField (jsonAt (gap, {'which'}), 'posterior', struct ());
+  which = jsonAt (gap, {'which'});
+  posterior = givenField (givenField (which, 'said', which), 'posterior', struct ());
   listed = [namesIn(jsonAt (gap, {'which'}), 'effects'), {'null', 'unlisted'}];
   tests = jsonList (gap, {'next'});
   for name = setdiff (fieldnames (posterior)', listed, 'stable')

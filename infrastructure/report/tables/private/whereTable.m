@@ -12,12 +12,14 @@ function T = whereTable (page)
   means = merge (page.isChange, 'without a change', 'simulated');
   titles = {'Where the measurements are missed', 'Where the measurements have changed'};
   columns = {'result', '', 'name'; 'measured', '', 'plain'; ...
-             means, '', 'plain'; 'deviation (sd)', '', 'z'; ...
+             means, '', 'plain'; 'difference +- noise', '', 'change'; ...
+             merge(page.isChange, 'times the noise', 'deviation (sd)'), '', 'z'; ...
              'p', '', 'p'; 'parameters cannot hide', '', 'percent'; ...
              'remark', '', 'words'};
-  columns{6, 4} = 'page';
+  columns{7, 4} = 'page';
+  isShown = [true(1, 3), page.isChange, true(1, 4)];
   T = newTable (page, 'where', [titles{1 + page.isChange}, ', the largest deviation first'], ...
-                columns, eachOf (@(t) rowOf (page, targets{t}, t), order), ...
+                columns(isShown, :), eachOf (@(t) rowOf (page, targets{t}, t)(isShown), order), ...
                 notesOf (where, page.isChange));
 end
 
@@ -32,10 +34,20 @@ function cells = rowOf (page, target, t)
   end
   name = fieldOf (target);
   z = struct ('value', {at(name)}, 'class', zClass (jsonNumber(target, {name})));
-  cells = {targetCell(page, target), ...
-           struct('value', {at('measured')}, 'sd', {at('sdMeasured')}), ...
-           struct('value', {at('predicted')}, 'sd', {at('sdPredicted')}), z, at('p'), ...
+  value = @(field, sd) struct ('value', {at(field)}, 'sd', {at(sd)});
+  cells = {targetCell(page, target), value('measured', 'sdMeasured'), ...
+           value('predicted', 'sdPredicted'), differenceOf(target), z, at('p'), ...
            at('unabsorbed'), remark};
+  if page.isChange
+    % what both states owe to one day is in each reading, and not in their difference
+    cells(2:3) = {at('measured'), at('predicted')};
+  end
+end
+
+function c = differenceOf (target)
+  difference = jsonNumber (target, {'measured'}) - jsonNumber (target, {'predicted'});
+  c = struct ('value', difference, 'sd', ...
+                  difference / jsonNumber (target, {fieldOf(target)}));
 end
 
 % Before there was a field deviation, only z was kept.
@@ -64,9 +76,15 @@ end
 %! assert (isempty (whereTable (situationPage ('met')).cells));
 %! page = situationPage ('missed, named');
 %! page.isChange = true;
+%! [page.sources.gap.where.targets.measured] = deal (4.1);
+%! [page.sources.gap.where.targets.predicted] = deal (1);
 %! T = whereTable (page);
 %! assert ({T.title(1:35), T.columns{3, 1}}, {'Where the measurements have changed', ...
 %!                                            'without a change'});
+%! % one noise: that of the difference
+%! top = T.cells(1, :);
+%! assert ([top{4}.value, top{4}.sd, top{5}.value], [3.1, 0.5, 6.2], 1e-9);
+%! assert (! any (isfinite ([top{2}.sd, top{3}.sd])));
 %! assert (T.notes{1}, sentence ('table.where', struct (), true));
 
 % SPDX-License-Identifier: GPL-3.0-only
