@@ -66,7 +66,7 @@ function text = besideOthers (read)
   end
   titles = {'tool', 'formula: runs', 'right', 'LIGGGHTS: runs, core-seconds', ...
             'right'};
-  if isempty (real) || numel (unique ({real.tool})) < 2
+  if sum (~cellfun (@isempty, rows_(:, 4))) < 2
     [titles, rows_] = deal (titles(1:3), rows_(:, 1:3));   % nothing to compare with
   end
   text = markdownTable (titles, rows_);
@@ -210,9 +210,10 @@ end
 %! both = struct ('peers', list, 'peersLiggghts', []);
 %! text = peerTables ().besideOthers (@(name) both.(name));
 %! assert (strncmp (text, "| tool | formula: runs | right |\n", 33), text);
-%! both.peersLiggghts = struct ('tool', 'A', 'runs', {'9', '11'}, 'seconds', '100', ...
+%! both.peersLiggghts = struct ('tool', {'A', 'A, otherwise'}, 'runs', {'9', '11'}, 'seconds', '100', ...
 %!                              'worst', {'0.5', '1.2'}, 'error', '');
 %! assert (strncmp (peerTables ().besideOthers (@(name) both.(name)), text, 33));
+%! [both.peersLiggghts.tool] = deal ('A');
 %! one = peerTables ().peersLiggghts (@(name) both.(name));
 %! assert (~isempty (strfind (one, '| A | 2 | 10 (9 to 11) | 100 | 1/2')), one);
 
