@@ -179,7 +179,7 @@ function problem = asRead (s, problem, groups, conditions)
                  'conditions', {conditions}, 'perCondition', false);
   own = newProblem (Case, [], 1);
   for name = {'value', 'sd', 'sdKnown', 'trials', 'scatter', 'shared', ...
-              'freedom', 'commonFreedom', 'sessionFreedom', 'covariance', 'reference'}
+              'freedom', 'commonFreedom', 'sessionFreedom', 'reference'}
     problem.(name{1}) = own.(name{1});
   end
 end
@@ -218,7 +218,6 @@ function problem = told (problem, s, sd)
     problem.(name{1}) = Inf (size (sd));
   end
   problem.sdKnown = true (size (sd));
-  problem.covariance = [];
   problem.scatter = true (size (sd));
   if s.after > 0
     reference = problem.reference;

@@ -12,8 +12,7 @@
 %             table, see checkUnits), value, sd, trials,
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
 %             isAbsolute, each (1 x n, the trials), shared (part of sd that the
-%             sessions make), days and the freedoms of varianceComponents, errors
-%             (of alikeTrials),
+%             sessions make), days and the freedoms of varianceComponents,
 %             sessions (cell), changed (1 x C struct value, sd, trials, scatter,
 %             shared, days, freedoms, scatterRatio, scatterP, swept of each other
 %             condition; value NaN: not measured)
@@ -68,10 +67,7 @@ function [list, means, sessions] = withMeans (list, isReference)
   end
   [lines, quantities, number, names] = readingLines (list, keysOf (list));
   [lines, drifts] = withoutDrift (lines, quantities);
-  [quantities, errors] = alikeTrials (lines, quantities);
   [means, ratio] = varianceComponents (lines, quantities);
-  of(lines.mean) = lines.quantity;
-  [means.errors] = deal (num2cell (errors(of)){:});
   means = withDrifts (means, lines, quantities, drifts);
   number = num2cell (number);
   [list.mean] = number{:};

@@ -16,7 +16,7 @@
 %     curve       number of the curve (0: none)
 %     each        1 x n, the repeated trials
 %     shared      part of sd that its sessions (cell of names) make
-%     days, and the freedoms  see varianceComponents;  errors  see alikeTrials
+%     days, and the freedoms  see varianceComponents
 %     changed     1 x C struct, in each of Case.conditions: value, sd, trials,
 %                 scatter, shared, days, freedoms, scatterRatio, scatterP, swept
 %     result, series, at, unit ('', NaN: none), given (unit in measured.csv)
@@ -91,7 +91,7 @@ function groups = fromCells (optim, models, counts, default)
                   'shared', 0, 'days', [], 'freedom', Inf, ...
                   'commonFreedom', Inf, 'sessionFreedom', Inf, ...
                   'scatterRatio', NaN, 'scatterP', NaN, 'swept', false, ...
-                  'errors', [], 'sessions', {{}});
+                  'sessions', {{}});
       groups = [groups, g];
     end
   end

@@ -18,7 +18,6 @@ function given = targetsOfCase (Case)
     info = targetInfo (Case);
   end
   given = withSeries (given, info);
-  given.errors = {targets.errors};
   if isfield (Case, 'models')
     given.reading = readingsOf (info, given);
   end
@@ -47,7 +46,7 @@ function target = oneTarget ()
                    'isAbsolute', false, 'trials', 1, 'scatter', false, ...
                    'shared', 0, 'days', [], 'freedom', Inf, ...
                    'commonFreedom', Inf, 'sessionFreedom', Inf, ...
-                   'errors', [], 'role', 'calibrate', 'model', 1, 'series', '', 'at', NaN, ...
+                   'role', 'calibrate', 'model', 1, 'series', '', 'at', NaN, ...
                    'curve', 0, 'correlation', 0);
 end
 

@@ -24,7 +24,7 @@ function [g, p] = measuredTarget (trials, means)
               'each', zeros (1, 0), 'shared', 0, 'days', [], ...
               'freedom', Inf, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
               'scatterRatio', NaN, 'scatterP', NaN, 'swept', false, ...
-              'errors', [], 'sessions', {{}}, 'mixed', false);
+              'sessions', {{}}, 'mixed', false);
   if isempty (g.role)
     g.role = 'calibrate';
   end
@@ -47,7 +47,6 @@ function [g, p] = measuredTarget (trials, means)
               'sessionFreedom', 'scatterRatio', 'scatterP', 'swept'}
     g.(name{1}) = own.(name{1});
   end
-  g.errors = givenField (own, 'errors', []);
   % what trials scatter holds their packings; what is stated need not
   g.scatter = own.hasScatter;
   g = withCommon (g, trials);

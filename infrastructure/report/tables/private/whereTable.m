@@ -47,7 +47,7 @@ end
 function c = differenceOf (target)
   difference = jsonNumber (target, {'measured'}) - jsonNumber (target, {'predicted'});
   c = struct ('value', difference, 'sd', ...
-                  difference / jsonNumber (target, {fieldOf(target)}));
+              difference / jsonNumber (target, {fieldOf(target)}));
 end
 
 % Before there was a field deviation, only z was kept.
