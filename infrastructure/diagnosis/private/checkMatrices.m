@@ -8,7 +8,8 @@
 % A misspelt field would be taken for one that is not there, and runs in another
 % unit than the limits would all count as runs far away.
 %
-% Errors: DEcalioc:checkMatrices:unknownField, :missingField, :otherUnits
+% Errors: DEcalioc:checkMatrices:unknownField, :missingField, :otherUnits, :badValue (limits
+% that are not 2 x p with the lower ones first, bench that is no number)
 
 function data = checkMatrices (given, data, evaluate)
   % the last ones: of a problem of newProblem, of diagnoseCase
@@ -21,6 +22,7 @@ function data = checkMatrices (given, data, evaluate)
   refuseUnknown ('DATA', data, {'X', 'E', 'Z', 'replicate', 'level', 'stage'}, 1:5);
   refuseMissing ('GIVEN', given, {'value', 'sd', 'limits', 'bench'});
   refuseMissing ('DATA', data, {'X', 'Z'});
+  refuseLimits (given);
   n = rows (data.X);
   if ~isfield (data, 'E')
     data.E = repmat (neutralOf (givenField (given, 'effects', [])), n, 1);
@@ -31,6 +33,22 @@ function data = checkMatrices (given, data, evaluate)
   isThere = isnumeric (data.X) && columns (data.X) == columns (given.limits);
   if isempty (evaluate) && isThere && n > 0
     checkUnits (given, data.X);
+    if ~isfield (data, 'stage')                  % else of a case, whose limits may change
+      checkStrengths (given, data.E);
+    end
+  end
+end
+
+function refuseLimits (given)
+  limits = given.limits;
+  if ~isnumeric (limits) || rows (limits) < 2 || any (limits(1, :) > limits(2, :))
+    error ('DEcalioc:checkMatrices:badValue', ...
+           ['diagnoseMatrices: GIVEN.limits must have the lower limits in its first row, the ' ...
+            'upper ones in its second, a column a parameter, got %s.'], describeValue (limits));
+  elseif ~isnumeric (given.bench)
+    error ('DEcalioc:checkMatrices:badValue', ...
+           'diagnoseMatrices: GIVEN.bench must number the bench of each value, got %s.', ...
+           describeValue (given.bench));
   end
 end
 
@@ -84,6 +102,32 @@ function checkUnits (given, X)
           'of %d (%s). Give both in one unit, or widen the limits.'], rows (X), said);
 end
 
+% Of runs with an effect, one has to lie between its limits, and one a hundredth of them
+% away from neutral.
+function checkStrengths (given, E)
+  for k = 1:numel (givenField (given, 'effects', []))
+    effect = given.effects(k);
+    v = numel (givenField (effect, 'neutral', 0));
+    isRun = ~isequal (givenField (effect, 'laboratory', false), true);
+    own = E(:, 1:min (v * isRun, end));
+    E(:, 1:columns (own)) = [];
+    limits = givenField (effect, 'limits', []);
+    if columns (own) < v || ~isequal (size (limits), [2, v])
+      continue
+    end
+    off = abs (own - effect.neutral);
+    isOn = any (off > 0, 2);
+    isIn = all (own >= min (limits, [], 1) & own <= max (limits, [], 1), 2);
+    isFelt = any (off > 0.01 * max (abs (limits - effect.neutral), [], 1), 2);
+    if any (isOn) && ~any (isIn & isOn & isFelt)
+      error ('DEcalioc:checkMatrices:otherUnits', ...
+             ['diagnoseMatrices: runs with the effect %s must reach from neutral into its ' ...
+              'limits, got DATA.E from %g to %g, limits %g to %g. Give both in one unit.'], ...
+             effect.name, min (own(:)), max (own(:)), limits(1), limits(2));
+    end
+  end
+end
+
 %!shared given, data
 %! given = struct ('value', [1, 2], 'sd', [1, 1], 'limits', [0; 1], 'bench', [1, 1]);
 %! given.effects = struct ('name', {'c', 'g'}, 'variables', {{'w'}, {}}, ...
@@ -103,6 +147,19 @@ end
 %!error <missing: sd, bench> checkMatrices (rmfield (given, {'sd', 'bench'}), data, [])
 %!error <none of 3 .p1: 20 to 140, limits 0 to 1>
 %! checkMatrices (given, setfield (data, 'X', 100 * data.X), [])
+%!error <limits must have the lower limits in its first row>
+%! checkMatrices (setfield (given, 'limits', [1; 0]), data, [])
+%!error <bench must number the bench>
+%! checkMatrices (setfield (given, 'bench', {'a', 'b'}), data, [])
+%!test
+%! % strengths in other units
+%! one = given;
+%! one.effects(1).limits = [3; 43];
+%! of = @(E) setfield (data, 'E', E);
+%! checkMatrices (one, of ([3; 3; 20]), []);
+%! checkMatrices (one, of ([3; 3; 3]), []);
+%! fail ('checkMatrices (one, of ([3; 3; 3.02]), [])', 'effect c must reach .* 3 to 3.02');
+%! fail ('checkMatrices (one, of ([3; 3; 20000]), [])', 'limits 3 to 43');
 %!test
 %! % runs may still be made
 %! checkMatrices (given, setfield (data, 'X', 100 * data.X), @(varargin) 1);
