@@ -22,7 +22,7 @@ function [pair, shared] = equalRuns (data, problem)
     pair = proven (data, own, problem.unit(own), range, [10, 0.5]);
     shared = own;
     for one = own(1:end * isempty (pair) * (numel (own) > 1))
-      pair = proven (data, one, problem.unit(one), range, [15, 1 - eps]);
+      pair = proven (data, one, problem.unit(one), range, [15, 0.99]);
       shared = one;
       if ~isempty (pair)
         return

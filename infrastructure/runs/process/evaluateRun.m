@@ -11,9 +11,10 @@
 %   RECORD  with results and status; written to the run's folder
 %
 % A result that is NaN, Inf (a bin that never runs empty) or [] where others of the run are
-% numbers is an outcome: the run is 'ok' (cause 'lacking'), and the others count. Not so where the run's own checks
-% (output_checks.csv) find a fault in it. One without any number is 'invalid' with
-% the cause 'none': another packing in its place would hide how often that happens.
+% numbers is an outcome: the run is 'ok' (cause 'lacking'), and the others count. Not so
+% where the run's own checks (output_checks.csv) find a fault in it. One without any number
+% is 'invalid' with the cause 'none': another packing in its place would hide how often that
+% happens.
 %
 % Runs in a worker of parcellfun, catches everything and returns a record.
 % Published evaluation functions build file names from a global variable named
