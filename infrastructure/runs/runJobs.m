@@ -288,7 +288,9 @@ end
 %! % the second start finds the run with the other seed as well
 %! [Case, jobs] = planOf ([1, 2]);
 %! run = fullfile (Case.models(2).folder, 'runscript');
-%! spoil = sprintf ('grep -q %d data.head && echo inf > out', jobs(2).seed);
+%! checks = 'spheresStart,10\nspheresOut,4\nspheresEnd,6\nsettled,1\noverlapMax,0.118\n';
+%! spoil = sprintf ('grep -q %d data.head && echo nan > out && printf ''%s'' > %s', ...
+%!                  jobs(2).seed, checks, 'output_checks.csv');
 %! writeAtomic (run, [strtrim(fileread (run)), "\n", spoil, "\n:\n"]);
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! r = runJobs (job, Case, quiet);
@@ -296,8 +298,8 @@ end
 %! assert (r.seed != job.seed);
 %! assert (runJobs (job, Case, quiet).folder, r.folder);
 %! assert (numel (listRunFolders (Case.store, 'Second')), 2);
-%! % without a number it is an outcome: no other packing stands in for it
-%! writeAtomic (run, strrep (fileread (run), 'echo inf', 'echo nan'));
+%! % without a number, and no fault, it is an outcome: no other packing stands in for it
+%! writeAtomic (run, strrep (fileread (run), 'printf', 'true'));
 %! job = newJobs (Case, [1, 2], [], 2, 'plan')(2);
 %! writeAtomic (run, strrep (fileread (run), num2str (jobs(2).seed), num2str (job.seed)));
 %! r = runJobs (job, Case, quiet);
