@@ -210,7 +210,8 @@ end
 %! both = struct ('peers', list, 'peersLiggghts', []);
 %! text = peerTables ().besideOthers (@(name) both.(name));
 %! assert (strncmp (text, "| tool | formula: runs | right |\n", 33), text);
-%! both.peersLiggghts = struct ('tool', {'A', 'A, otherwise'}, 'runs', {'9', '11'}, 'seconds', '100', ...
+%! both.peersLiggghts = struct ('tool', {'A', 'A, otherwise'}, 'runs', {'9', '11'}, ...
+%!                              'seconds', '100', ...
 %!                              'worst', {'0.5', '1.2'}, 'error', '');
 %! assert (strncmp (peerTables ().besideOthers (@(name) both.(name)), text, 33));
 %! [both.peersLiggghts.tool] = deal ('A');

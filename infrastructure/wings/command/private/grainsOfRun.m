@@ -4,8 +4,9 @@
 %
 %   FOLDER  run folder (text), with log.liggghts or stdout.txt
 %   G       scalar struct, numbers NaN where the output does not say: asked (grains
-%           that the script asks for: of insertions, and those it creates or reads), made (most that were there
-%           at the end of a command run), left (at the end of the last one); warnings
+%           that the script asks for: of insertions, and those it creates or reads),
+%           made (most that were there at the end of a command run), left (at the end of
+%           the last one); warnings
 %           (1 x n cell of texts: LIGGGHTS's own about insertion, loss and contacts
 %           that are looked for too late, each once), and of lastGrains: overlap, moving
 
