@@ -211,8 +211,8 @@
 
 % --- troubleshooting.md knows every error, and no error that is not there
 %!function names = inCode (root)
-%!  [~, list] = system (['find ', shellQuote(fullfile (root, ...
-%!                       'infrastructure')), ' -name "*.m"']);
+%!  [~, list] = system (['find ', shellQuote(fullfile (root, 'infrastructure')), ' ', ...
+%!                       shellQuote(fullfile (root, 'templates')), ' -name "*.m"']);
 %!  names = {};
 %!  for file = [strsplit(strtrim (list), "\n"), ...
 %!              {which('DEcalioc'), which('diagnoseGap')}]
