@@ -19,17 +19,20 @@ function [pair, shared] = equalRuns (data, problem)
   range = diff (problem.limits(1:2, :), 1, 1);
   for k = unique (problem.bench)
     own = find (problem.bench == k);
-    pair = proven (data, own, problem.unit(own), range, [10, 0.5]);
-    shared = own;
-    for one = own(1:end * isempty (pair) * (numel (own) > 1))
-      pair = proven (data, one, problem.unit(one), range, [15, 0.99]);
-      shared = one;
+    groups = {own};
+    if numel (own) > 1
+      groups = [groups, num2cell(own)];
+    end
+    for g = groups
+      shared = g{1};
+      asked = [10, 0.5];
+      if numel (shared) < numel (own)
+        asked = [15, 0.99];
+      end
+      pair = proven (data, shared, problem.unit(shared), range, asked);
       if ~isempty (pair)
         return
       end
-    end
-    if ~isempty (pair)
-      return
     end
   end
 end
