@@ -59,10 +59,12 @@ function commands = withTexts (commands)
     w = t{1};
     name = ['${', w{2}, '}'];
     value = strsplit (w{4}, ' ');
-    for k = find (cellfun (@(c) any (strcmp (c, name)), commands) * ...
-                  (sum (strcmp (name, names)) == 1))
-      parts = cellfun (@(word) {{word}, value}{1 + strcmp(word, name)}, commands{k}, ...
-                       'UniformOutput', false);
+    if sum (strcmp (name, names)) > 1    % which of its texts holds is not known
+      continue
+    end
+    for k = find (cellfun (@(c) any (strcmp (c, name)), commands))
+      parts = num2cell (commands{k});
+      parts(strcmp (commands{k}, name)) = {value};
       commands{k} = [parts{:}];
     end
   end
