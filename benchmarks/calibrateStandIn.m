@@ -52,7 +52,7 @@ function result = calibrateStandIn (S, seed, fail, options)
   problem = newProblem (Case, givenField (S, 'cost', []));
   problem.form = givenField (S, 'form', []);
   problem.shape = givenField (S, 'shape', {});
-  problem = withEarlier (problem, S);
+  problem = withScatter (problem, S);
   state = newState (newData (d, T, columns (E)));
   [state.evaluate, state.budget] = newEvaluate (evaluate);
   state.budget.levels = levels;
@@ -83,7 +83,7 @@ function state = planToSet (state, problem, X, E)
   state = calibrateOnDEM (state, problem, @(text) []);
 end
 
-function problem = withEarlier (problem, S)
+function problem = withScatter (problem, S)
   n = givenField (S, 'earlier', 0);
   if n > 0
     runs = 1 + S.noise .* randn (n, numel (S.value));

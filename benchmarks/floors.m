@@ -13,10 +13,8 @@
 %             noise (scatter.csv); they are not counted
 %     bench, other, half  known, and a form.csv tells how the results follow the
 %             parameters: rightly, or wrongly in two ways (storedShape)
-%     next    known, and the calibration of other values before tells how the results
-%             follow the parameters
 %     knownSmall, benchSmall, otherSmall, halfSmall  the same with a plan of d + 1 runs,
-%             known2, bench2, other2, half2, next2 with d + 2
+%             known2, bench2, other2, half2 with d + 2
 %     ours    this calibration
 %   CSV      table, to which one row a seed is added; seeds that stand in it are
 %            not run again
@@ -73,27 +71,12 @@ function cells = oneSeed (S, way, seed, learnt)
       end
       S.shape = storedShape (S, strrep (way, 'bench', ''), learnt('shape'));
     end
-    if strcmp (way, 'next')
-      S.shape = shapeOfBefore (S, seed + 500);
-    end
     r = calibrateStandIn (S, seed, 0, struct ());
     tol = givenField (S, 'tol', 0.01);
     worst = max (abs (S.response (r.params) ./ S.value - 1) ./ tol);
   end
   cells = {r.runs, r.converged, worst < 1, worst, r.probability, r.infill, ...
            r.verify, toc(started)};
-end
-
-% S  with the plan and the noise of the calibration to come
-function shape = shapeOfBefore (S, seed)
-  before = mergeFields (standIn (S.name, seed), S, {'plan', 'earlier'});
-  found = calibrateStandIn (before, seed, 0, struct ()).state.surrogates;
-  for t = 1:numel (found)
-    shape{t} = [];
-    if found(t).Q2 > 0.3
-      shape{t} = shapeOfSurrogate (found(t), S.limits(1:2, :));
-    end
-  end
 end
 
 % Where in the box the values are does not matter to runs at one place.

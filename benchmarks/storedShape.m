@@ -1,8 +1,8 @@
-% STOREDSHAPE  What a form.csv would say of a stand-in, of runs beside its own.
+% STOREDSHAPE  What a form.csv would say of a storedStandIn, of runs beside its own.
 %
 % CALL: SHAPE = storedShape (S, WRONG [, RIGHT])
 %
-%   S      struct of standIn or storedStandIn
+%   S      struct of storedStandIn
 %   WRONG  '': as it is; 'other': each result has what is known of the next one, as
 %          with the file of another bench; 'half': of every second parameter it has the
 %          sign wrong
@@ -12,7 +12,7 @@
 % Of drumAndBins and hiddenEffect the runs with an effect tell, which are none of the
 % stand-in's: grains with cohesion, of other size, a tilted rig. The effect is a further
 % input, and 0 in what is learnt. Of repose every second run tells; all of them make
-% the stand-in. Of a formula 150 noisy runs tell.
+% the stand-in.
 
 function shape = storedShape (S, wrong, right)
   if nargin < 3
@@ -28,16 +28,6 @@ end
 
 function shape = rightShape (S)
   root = startBenchmarks ();
-  if ~any (strcmp (S.name, {'repose', 'hiddenEffect', 'drumAndBins'}))
-    rand ('twister', 1234);
-    randn ('twister', 1234);
-    X = fromUnit (rand (150, numel (S.names)), S.limits);
-    Z = S.response (X);
-    Z = Z .* (1 + S.noise .* randn (size (Z)));
-    shape = cellfun (@(z) shapeOfRuns (X, z, S.limits, zeros (150, 0)), ...
-                     num2cell (Z, 1), 'UniformOutput', false);
-    return
-  end
   if strcmp (S.name, 'repose')
     store = storedRepose (root);
     [problem, data] = deal (store.problem, keepRows (store.data, 2:2:121));
@@ -61,8 +51,6 @@ end
 %! assert (cellfun (@size, C, 'UniformOutput', false), {[2, 2], [2, 2]});
 %! other = storedShape (S, 'other', C);
 %! assert (other{1}, C{2});
-%! C2 = storedShape (standIn ('plain'), '');
-%! assert (cellfun (@size, C2, 'UniformOutput', false), {[5, 2], [5, 2]});
 %! half = storedShape (S, 'half', C){1};
 %! assert (half, C{1} .* [-1; 1]);
 

@@ -10,7 +10,7 @@
 %           runs
 %   Q2      of that model: below 0.3 the runs say little of the result
 %
-% See also: benchForms, shapeOfSurrogate
+% See also: benchForms, knownShapes
 
 function [C, Q2] = shapeOfRuns (X, z, limits, phi)
   ok = isfinite (z);
@@ -20,7 +20,11 @@ function [C, Q2] = shapeOfRuns (X, z, limits, phi)
   ends(2, :) = max (ends(2, :), 0);
   s = fitSurrogate ([X(ok, :), phi], z(ok), [limits(1:2, :), ends], ...
                     struct ('trend', 'affine', 'covariance', 'matern52', 'quick', true));
-  C = shapeOfSurrogate (s, limits);
+  [n, d] = deal (400, columns (limits));
+  U = sampleBox (n, [0; 1] .* ones (1, d));
+  m = predictSurrogate (s, [limits(1, :) + U .* diff(limits(1:2, :)), zeros(n, columns (phi))]);
+  b = [ones(n, 1), U, U.^2] \ m;
+  C = reshape (b(2:end), d, 2);
   Q2 = s.Q2;
 end
 
