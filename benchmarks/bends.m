@@ -2,7 +2,7 @@
 %
 % CALL: octave-cli benchmarks/bends.m STANDIN SEEDS CSVFILE
 %
-% STANDIN  a name of standIn or bentStandIn, all for the five of bentStandIn;
+% STANDIN  a name of standIn or bentStandIn, all for those of bentStandIn;
 %          SEEDS  e.g. 1:100; CSVFILE  gets a row a seed; seeds that stand in it
 %          are not made again, so two processes may share the seeds, each with a
 %          file of its own
@@ -52,7 +52,8 @@ startBenchmarks ();
 given = argv ();
 names = given(1);
 if strcmp (given{1}, 'all')
-  names = {'exponential', 'threshold', 'peak', 'decades', 'ordered', 'clogging'};
+  names = {'exponential', 'threshold', 'peak', 'decades', 'ordered', ...
+           'clogging', 'cloggingTold'};
 end
 fillTable (given{3}, ['name,seed,runs,repeats,good_left_out,worst,right,converged,', ...
                       'probability,printed,inside,outside_set,parameters,chance,', ...

@@ -11,7 +11,8 @@
 %       such sets are not allowed;
 %       'clogging': as bends go none, but a run ends in another way with a
 %       chance that grows from 0 to 60 % along a parameter: it gives 10 to 60 %
-%       of what it gives else
+%       of what it gives else; 'cloggingTold': the same with what 120 earlier runs of
+%       the rig say of that (S.others, as form.csv tells it, see knownShapes)
 % seed  integer: another truth and another shape with each one
 % S     see standIn, with tol 1 x 2 (relative) and truth 1 x 2; of clogging
 %       response is the mean over both outcomes, and flow (handle) that of the
@@ -54,10 +55,13 @@ function S = bentStandIn (name, seed)
                           'rules', {{@(P) P(:, 1) < P(:, 2)}});
     case 'clogging'
       S = clogging (S, shape);
+    case 'cloggingTold'
+      S = clogging (S, shape);
+      S.others = othersOf (S);
     otherwise
       error ('DEcalioc:bentStandIn:unknownName', ...
              ['bentStandIn: NAME must be exponential, threshold, peak, ' ...
-              'decades, ordered or clogging, got %s.'], name);
+              'decades, ordered, clogging or cloggingTold, got %s.'], name);
   end
   S = withTruth (S, shape);
 end
@@ -70,6 +74,16 @@ function S = clogging (S, shape)
   at = 0.35 + 0.5 * shape(2);
   S.chance = @(P) 0.6 ./ (1 + exp ((at - P(:, 2)) / 0.08));
   S.response = @(P) S.flow (P) .* (1 - S.chance (P) * (1 - S.part));
+end
+
+% Where and how often earlier runs clogged, and what they gave then.
+function others = othersOf (S)
+  P = fromUnit (rand (120, 2), S.limits);
+  is = rand (120, 1) < S.chance (P);
+  others = struct ('low', min (P(is, :), [], 1), 'high', max (P(is, :), [], 1), ...
+                   'times', S.part);
+  isThere = all (P >= others.low & P <= others.high, 2);
+  others.share = sum (is) / sum (isThere);
 end
 
 % The truth anywhere in the box; with a peak on its flank, where it can be seen.
@@ -85,14 +99,14 @@ function S = withTruth (S, shape)
     S.truth(1) = min (max (S.truth(1), 0), 1);
   end
   S.value = S.response (S.truth);
-  if strcmp (S.name, 'clogging')
+  if isfield (S, 'flow')
     S.value = S.flow (S.truth);
   end
 end
 
 %!test  % inside the box, and every parameter moves a response
 %! for name = {'exponential', 'threshold', 'peak', 'decades', 'ordered', ...
-%!              'clogging'}
+%!              'clogging', 'cloggingTold'}
 %!   for seed = 1:5
 %!     S = bentStandIn (name{1}, seed);
 %!     assert (all (S.truth >= S.limits(1, :) & S.truth <= S.limits(2, :)));

@@ -13,7 +13,8 @@
 %          S.earlier: so many packings of one set before, which tell of the noise;
 %          S.library: rows of newData of other calibrations on the same bench, or
 %          imported ones;
-%          S.beyond: see nearRows; S.form: see fitSurrogates; S.shape: see knownShapes;
+%          S.beyond: see nearRows; S.form: see fitSurrogates; S.shape, S.others: see
+%          knownShapes;
 %          S.cost: see newProblem;
 %          S.plan: runs of the plan (d + 3)
 % options  struct of Case.options (what is missing has its default)
@@ -52,6 +53,7 @@ function result = calibrateStandIn (S, seed, fail, options)
   problem = newProblem (Case, givenField (S, 'cost', []));
   problem.form = givenField (S, 'form', []);
   problem.shape = givenField (S, 'shape', {});
+  problem.others = givenField (S, 'others', []);
   problem = withScatter (problem, S);
   state = newState (newData (d, T, columns (E)));
   [state.evaluate, state.budget] = newEvaluate (evaluate);

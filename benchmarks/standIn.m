@@ -25,7 +25,7 @@
 
 function S = standIn (name, seed)
   if any (strcmp (name, {'exponential', 'threshold', 'peak', 'decades', 'ordered', ...
-                         'clogging'}))
+                         'clogging', 'cloggingTold'}))
     S = bentStandIn (name, seed);
     return
   end

@@ -47,6 +47,8 @@ function ending = newEnding (code, numbers, options)
   end
   if strcmp (code, 'unjudged')
     values.rest = sentence (['ending.unjudged.', restCode(ending)]);
+  elseif strcmp (code, 'twoOutcomes') && ending.other == 0
+    code = 'twoOutcomes.earlier';
   end
   ending.text = sentence (['ending.', code], values);
 end
@@ -63,6 +65,8 @@ end
 %!                     struct ('maxIter', 3));
 %! assert ({ending.code, ending.limit, ending.runs}, {'outside', 'maxIter', 2});
 %! assert (! isempty (strfind (ending.text, 'optim.maxIter (3)')));
+%! told = newEnding ('twoOutcomes', struct ('usual', 6, 'share', 0.09));
+%! assert ({told.code, isempty(strfind (told.text, 'form.csv'))}, {'twoOutcomes', false});
 %!test
 %! text = newEnding ('converged', struct ('runs', 1, 'probability', 0.998)).text;
 %! assert (isempty (strfind (text, '100 %')));

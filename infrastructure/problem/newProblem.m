@@ -73,7 +73,8 @@
 %             case has it (benchmarks do)
 %   of a case also: cost, standard (logical: the residuals are the published
 %     ones), nExtra (preference rows), options (methodOptions), prior
-%     and shape ({}: what is known before is for the caller to add, see withEarlier),
+%     and shape ({}) and others (what is known before is for the caller to add, see
+%     withEarlier),
 %     coarse ([], or where CASE.coarse has levels a struct: variables 1 x v cellstr,
 %     levels L x v, the last row counts; column 1 x T, of each target's level,
 %     0: none), fine (1 x v: values of these variables

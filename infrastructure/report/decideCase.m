@@ -188,6 +188,9 @@ function todo = wayOn (c, used)
   plain = struct ('allFailed', 'mendModel', 'manyFailed', 'mendModel', ...
                   'published', 'robust', 'twoOutcomes', 'lookOutcomes', ...
                   'noResult', 'lookNone');
+  if strcmp (code, 'twoOutcomes') && c.ending.other == 0
+    plain = rmfield (plain, code);       % earlier runs did, own ones not yet
+  end
   widen = worded (c, namesIn (c, 'atLimit'));
   if ~isempty (units)
     todo = newAction ('units', units);

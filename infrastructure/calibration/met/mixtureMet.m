@@ -14,7 +14,9 @@
 % diagonal is sqrt (d)). So far from all odd runs nothing changes, and at a set
 % next to one it takes many runs without another odd one to bound q: the mean
 % over both outcomes moves by q times the jump. All this with PROBLEM.odd.chance
-% (default 1), else the odd runs are wrong ones and tell nothing.
+% (default 1), else the odd runs are wrong ones and tell nothing. What earlier runs of the
+% rig say (PROBLEM.odd.others, see knownShapes) counts as two runs within their region, and
+% less beyond it.
 %
 % PROBLEM.avoid (m x d, optional) holds sets at which runs failed again and
 % again: the probability falls to 0 within a tenth of the box around them.
@@ -24,24 +26,42 @@ function [p, share] = mixtureMet (r, s, problem, df, at)
   odd = givenField (problem, 'odd', []);
   isNear = false (rows (at), 1);
   if ~isempty (odd)
-    W = weights (at, odd.X, problem);
-    a = sum (W, 2);
-    b = sum (weights (at, odd.all, problem), 2) - a + ...
-        givenField (odd, 'further', 0);
+    [a, b, jump] = countedNear (at, odd, problem);
     chance = givenField (odd, 'chance', 1);
-    share = chance * a ./ (a + max (b, 0) + 1);
+    share = chance * a ./ (a + b + 1);
     isNear = a > 0.02;
   end
   p = zeros (rows (at), 1);
   p(~isNear) = allMet (r(~isNear, :), s(~isNear, :), problem, df);
   if any (isNear)
-    q = @(part) betaincinv (part, a(isNear), max (b(isNear), 0) + 1);
+    q = @(part) betaincinv (part, a(isNear), b(isNear) + 1);
     [~, slope] = targetResidual (problem, at(isNear, :), ...
                                  repmat (problem.value, sum (isNear), 1));
-    jump = slope .* (W(isNear, :) * odd.jump ./ a(isNear));
+    jump = slope .* jump(isNear, :) ./ a(isNear);
     p(isNear) = ofBoth (r(isNear, :), s(isNear, :), problem, df, jump, q);
   end
   p = p .* awayFrom (givenField (problem, 'avoid', []), at, problem);
+end
+
+% Odd runs near each set, others, and the sum of the jumps of the odd ones.
+function [a, b, jump] = countedNear (at, odd, problem)
+  W = weights (at, odd.X, problem);
+  a = sum (W, 2);
+  b = sum (weights (at, odd.all, problem), 2) - a + givenField (odd, 'further', 0);
+  jump = W * odd.jump;
+  for other = givenField (odd, 'others', [])
+    w = 2 * weightOfBox (at, other, problem);
+    a = a + w * other.share;
+    b = b + w * (1 - other.share);
+    jump = jump + w * other.share * (other.times - 1) .* problem.value;
+  end
+  b = max (b, 0);
+end
+
+function w = weightOfBox (at, other, problem)
+  nearest = min (max (at, other.low), other.high);
+  apart = toUnit (at, problem.limits) - toUnit (nearest, problem.limits);
+  w = exp (-sumsq (apart / (0.15 * sqrt (columns (at))), 2) / 2);
 end
 
 % The mean over the quantiles Q of the share of the other outcome.
@@ -94,5 +114,14 @@ end
 %! problem.odd.chance = 1;
 %! problem.odd.further = 200;
 %! assert (mixtureMet (0, 1e-6, problem, 1e6, 0.5), 1, 1e-3);
+%!test
+%! % none of the own runs was odd, but earlier ones of this rig were, above 0.6: some
+%! % thirty own runs there outweigh them, elsewhere they say nothing
+%! seen = struct ('low', 0.6, 'high', 1, 'share', 0.3, 'times', 0.3);
+%! of = @(n) struct ('X', zeros (0, 1), 'all', 0.8 * ones (n, 1), ...
+%!                   'jump', zeros (0, 1), 'chance', 1, 'others', seen);
+%! p = @(n, at) mixtureMet (0, 1e-3, setfield (problem, 'odd', of (n)), 1e6, at);
+%! assert (p (0, 0.8) < 0.6 && p (5, 0.8) < 0.9 && p (35, 0.8) > 0.95);
+%! assert (p (0, 0.1), 1, 1e-3);
 
 % SPDX-License-Identifier: GPL-3.0-only

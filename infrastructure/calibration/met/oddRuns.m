@@ -5,8 +5,9 @@
 %   ODD  struct: X k x d, jump k x T (result less what the surrogates say), of
 %        the odd runs; all n x d, the sets of all runs that have a result, rows
 %        n x 1, theirs in STATE.data, isOdd n x 1, which of them are odd; chance
-%        (that they are an outcome of the model, and no wrong runs); [] where no
-%        run is odd
+%        (that they are an outcome of the model, and no wrong runs), others (of
+%        earlier runs, PROBLEM.others, see knownShapes); [] where no run is odd and
+%        none was
 %
 % Odd are runs that were left out, as a second run at their set is what the
 % others foretell (findBadRuns), and the smaller part of three or more runs at
@@ -29,11 +30,16 @@ function odd = oddRuns (state, problem)
   X = data.X(known, :);
   Z = data.Z(known, :);
   isOdd = isLeft(counted(known)) | isSplit (X, Z, problem, usualScatter (state));
-  if any (isOdd)
+  others = givenField (problem, 'others', []);
+  if any (isOdd) || ~isempty (others)
     odd = struct ('X', X(isOdd, :), 'all', X, 'rows', counted(known), ...
                   'isOdd', isOdd);
     odd.jump = Z(isOdd, :) - usualOf (X, Z, isOdd, state.surrogates);
     odd.chance = chanceOf (odd.jump, sqrt ([state.surrogates.noiseVar]), problem);
+    odd.others = others;
+  end
+  if ~isempty (others)
+    odd.chance = 1;
   end
 end
 
@@ -54,7 +60,10 @@ end
 % What the others gave at the set of each odd run, else the surrogates.
 function U = usualOf (X, Z, isOdd, surrogates)
   rowsOf = find (isOdd)';
-  U = predictSurrogate (surrogates, X(isOdd, :));
+  U = zeros (0, columns (Z));
+  if any (isOdd)
+    U = predictSurrogate (surrogates, X(isOdd, :));
+  end
   for k = 1:numel (rowsOf)
     mates = all (X == X(rowsOf(k), :), 2) & ~isOdd;
     if any (mates)
