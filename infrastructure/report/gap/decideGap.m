@@ -71,10 +71,24 @@ function cause = decideGap (gap)
   if isempty (cause.notFor) && ~strcmp (cause.kind, 'none')
     cause.notFor = {say('notFor.missing', cause)};
   end
+  units = otherUnits (jsonList (gap, {'reference', 'targets'}));
+  if ~isempty (units)
+    cause.todo = newAction ('unitsChanged', units);
+  end
   cause.plain = cause.word;
   if numel (jsonAt (gap, {'reference', 'conditions'})) > 1
     cause = ofConditions (cause, gap, say);
   end
+end
+
+% 'mass differ by a factor of about 1000, as between g and kg ...'; a number about 0 may do
+% so by noise.
+function texts = otherUnits (targets)
+  isLog = @(T) strncmp (char (jsonAt (T, {'kind'})), 'log', 3);
+  isFar = @(T) abs (T.measured - T.reference) > 10 * jsonNumber (T, {'sd'});
+  ratio = @(T) unitRatio (T.reference, T.measured);
+  isIt = @(T) ~isLog (T) && isFar (T) && ~isempty (ratio (T));
+  texts = eachOf (@(T) [T.name, ' differ by ', ratio(T)], targets(cellfun (isIt, targets)));
 end
 
 % Of several conditions each is called by its name; the surest one gives the
@@ -272,7 +286,7 @@ function cause = stillOpen (cause, gap, isBeyond, say)
 end
 
 function cause = found (cause, gap, effects, isBeyond, say)
-  which = gap.which;
+  which = asSimulated (gap, effects);
   if ~isBeyond
     cause.where = say ('where.together', {});
   end
@@ -309,6 +323,32 @@ function cause = found (cause, gap, effects, isBeyond, say)
     cause.amount.text = strjoin (values.each, ', ');
   end
   cause.notFor = {say('notFor.found', values)};
+end
+
+% A strength that no run was made with is said as that.
+function which = asSimulated (gap, effects)
+  which = gap.which;
+  far = gap.howFar;
+  tried = strsplit (char (jsonAt (far, {'effect'})), ' + ');
+  isRun = isequal (jsonAt (far, {'verifiedByDEM'}), true);
+  for effect = effects
+    name = fieldOf (effect{1});
+    s = jsonAt (which, {'strength', name});
+    amount = char (jsonAt (s, {'amount'}));
+    wasRun = isRun && any (strcmp (effect{1}, tried)) && isAtRun (s, jsonAt (far, {'values'}));
+    if ~isempty (amount) && ~wasRun
+      about = sentence ('strength.about', struct ('amount', amount));
+      [s.text, s.amount] = deal (strrep (s.text, amount, about), about);
+      which.strength.(name) = s;
+    end
+  end
+end
+
+% An effect of the laboratory has no variable of a run.
+function yes = isAtRun (s, values)
+  is = @(v) ~isfield (values, v) || ...
+            abs (values.(v) - s.variables.(v)(1)) <= 1e-6 * abs (values.(v));
+  yes = all (cellfun (is, fieldnames (s.variables)));
 end
 
 % As in the table of causes: with an unlisted one where it stands before the last of them.
@@ -462,6 +502,26 @@ end
 %! cause = decideGap (jsondecode (jsonencode (open)));
 %! assert ({cause.code, cause.todo.code, cause.todo.field}, ...
 %!         {'likely', 'measureToo', {'Drum slope1'}});
+%! % units of a change; a strength that was never run
+%! new = list(strcmp ({list.name}, 'met, named')).gap;
+%! new.which.strength.cohesion.amount = '41 kJ/m3 (31 to 58)';
+%! new.which.strength.cohesion.variables.ced = [41, 31, 58];
+%! said = @(gap) decideGap (jsondecode (jsonencode (gap)));
+%! assert (! isempty (strfind (said (new).sentence, ...
+%!                             'about 41 kJ/m3 (31 to 58), not simulated, prob')));
+%! [new.howFar.verifiedByDEM, new.howFar.values.ced] = deal (true, 41);
+%! assert (isempty (strfind (said (new).sentence, 'about')));
+%! assert (isempty (strfind (said (new).amount.text, 'about')));
+%! new.howFar.values.ced = 44;
+%! assert (! isempty (strfind (said (new).amount.text, 'about 41')));
+%! T = struct ('model', 'Heap', 'name', 'mass', 'kind', 'mass', 'reference', 0.0141, ...
+%!             'measured', 14.3, 'sd', 0.2);
+%! new.reference = struct ('condition', 'a', 'targets', T);
+%! assert (said (new).todo.code, 'unitsChanged');
+%! assert (said (new).todo.field, {['mass differ by a factor of about 1000, as between g ', ...
+%!                                  'and kg, mm and m or Pa and kPa']});
+%! new.reference.targets.sd = 2;
+%! assert (! strcmp (said (new).todo.code, 'unitsChanged'));
 %! own.howFar.closure = 0.3;
 %! assert (decideGap (jsondecode (jsonencode (own))).code, 'unlisted');
 %! % the most likely one is said, though it cannot be seen for sure
