@@ -208,7 +208,7 @@ function todo = wayOn (c, used)
     todo = newAction ('raise', {field}, widen);
   end
   if isempty (units)
-    todo.parts = sayFirst (halfOrTwice (used([used.met] == 0)), todo.parts);
+    todo.parts = [todo.parts, sayFirst(halfOrTwice (used([used.met] == 0)), [])];
   end
 end
 
@@ -235,9 +235,9 @@ function text = halfOrTwice (missed)
   shares = struct ('half', 0.5, 'twice', 2);
   for name = fieldnames (shares)'(1:end * isscalar (missed))
     own = missed.measured * shares.(name{1});
-    isFar = all (abs (missed.measured - missed.range) > 0.1 * abs (missed.measured));
-    if isBeyond (missed) && isFar && own > missed.range(1) && own < missed.range(2)
-      text = [sentence('hint.half', struct ('name', missed.name, 'share', name{1})), ' '];
+    isFar = all (abs (log (missed.range / missed.measured)) > log (1.4));
+    if isFar && own > missed.range(1) && own < missed.range(2)
+      text = [' ', sentence('hint.half', struct ('name', missed.name, 'share', name{1}))];
     end
   end
 end

@@ -211,9 +211,17 @@ end
 % Of the cause, or pair, that closes most of the gap: what stands at the end of its range.
 function names = atTheirEnds (gap)
   names = cell (1, 0);
-  if jsonNumber (gap, {'howFar', 'closure'}, 0) >= 0.5
+  if shareClosed (gap) >= 0.5
     names = strsplit (char (jsonAt (gap, {'howFar', 'effect'})), ' + ');
     names = names(~cellfun (@(name) isempty (endOf (gap, name)), names));
+  end
+end
+
+% With as many unknowns as numbers no more is known than what is left.
+function share = shareClosed (gap)
+  share = jsonNumber (gap, {'howFar', 'closure'});
+  if isnan (share)
+    share = 1 - jsonNumber (gap, {'howFar', 'after'}) / jsonNumber (gap, {'howFar', 'before'});
   end
 end
 
@@ -240,7 +248,7 @@ function cause = atEnd (cause, gap, say)
   together = [' together with ', strjoin(labels(2:end), ' and ')];
   values = struct ('label', labels{1}, 'end', endOf (gap, names{1}), 'together', ...
                    together(1:end * (numel (labels) > 1)), ...
-                   'share', round (100 * gap.howFar.closure));
+                   'share', min (round (100 * shareClosed (gap)), 100));
   todo = newAction ('widenCause', names);
   todo.widen = names;
   cause = said (cause, say, 'unlisted', 'atEnd', values, todo);
@@ -522,6 +530,9 @@ end
 %!                                  'and kg, mm and m or Pa and kPa']});
 %! new.reference.targets.sd = 2;
 %! assert (! strcmp (said (new).todo.code, 'unitsChanged'));
+%! own.howFar.closure = NaN;
+%! assert (! isempty (strfind (decideGap (jsondecode (jsonencode (own))).sentence, ...
+%!                             'drag at 3 1/s, the end of its range, closes 82 %')));
 %! own.howFar.closure = 0.3;
 %! assert (decideGap (jsondecode (jsonencode (own))).code, 'unlisted');
 %! % the most likely one is said, though it cannot be seen for sure
