@@ -116,7 +116,8 @@ function cause = ofConditions (cause, gap, say)
     label = say ('amountIn', struct ('condition', first.name));
     cause.amount = struct ('label', label, 'text', first.text);
   end
-  if ~strcmp (first.name, name) && strcmp (first.code, 'named')
+  changed = list(~isOwn & ~cellfun (@(c) strcmp (c.kind, 'none'), list));
+  if ~strcmp (first.name, name) && any (strcmp (first.code, {'named', 'likely'}))
     todo = newAction ('takeModel', first.effects, {}, first.file);
     todo.parts = sayFirst ([first.name, ': ', adviceBefore(first.effects)], todo.parts);
     if ~isempty (cause.todo)           % without the advice for the plant again
@@ -124,6 +125,9 @@ function cause = ofConditions (cause, gap, say)
       todo.parts = [todo.parts, sayFirst([' ', name, ': '], own.parts)];
     end
     cause.todo = todo;
+  elseif isempty (cause.todo) && ~isempty (changed)
+    cause.todo = newAction ('otherSetting');
+    cause.todo.parts = sayFirst ([changed{1}.name, ': '], cause.todo.parts);
   end
 end
 
@@ -487,6 +491,14 @@ end
 %!           'probability', {[], 0.9}, 'text', {{}, {'cohesion 4 kJ/m3'}}));
 %! cause = decideGap (jsondecode (jsonencode (two)));
 %! assert (cause.word, ['again: ', sentence('cause.none.word', struct (), true)]);
+%! % of one that has not changed, the one that has says what is next
+%! for code = {'named', 'takeModel'; 'likely', 'takeModel'; 'open', 'otherSetting'}'
+%!   two.reference.conditions(2).code = code{1};
+%!   two.reference.conditions(2).kind = merge (strcmp (code{1}, 'open'), 'open', 'found');
+%!   two.reference.conditions(2).effects = {'cohesion'}(1:1 - strcmp (code{1}, 'open'));
+%!   todo = decideGap (jsondecode (jsonencode (two))).todo;
+%!   assert ({todo.code, strncmp(todo.parts(1).text, 'wet: ', 5)}, {code{2}, true});
+%! end
 %! % what would have been seen; of a logarithm what it stands for
 %! two.reference = struct ('condition', 'again', 'targets', ...
 %!   struct ('model', 'First', 'name', 'sum', 'kind', 'logMass', 'reference', 1, ...

@@ -24,6 +24,9 @@ function text = firstLine (gap)
   if ~any (isOff)
     [~, top] = max (times);
     [said(top), code] = deal (true, 'none');
+    if times(top) < 0.05                 % of a copy of the reference nothing is the most
+      code = 'nothing';
+    end
     if any (jsonAt (gap, {'which', 'p'}) < gap.thresholds.level)
       [said, code] = deal (said | alongCurve (targets, top, times), 'together');
     end
@@ -183,6 +186,12 @@ end
 %! [gap.where.targets.p] = deal (0.5);
 %! text = firstLine (gap);
 %! assert (! isempty (strfind (text, 'b 10 g less')) && isempty (strfind (text, 'c 3')), text);
+%!test
+%! gap = changed (2, names, '');
+%! [gap.where.targets.p] = deal (0.9);
+%! [gap.reference.targets.measured] = deal (30);
+%! gap.which.p = 0.9;
+%! assert (firstLine (gap), 'No result changed by more than noise.');
 %!test
 %! % to the noise; a logarithm as what it stands for
 %! gap = changed (1, names, '');
