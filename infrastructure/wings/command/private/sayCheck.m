@@ -233,27 +233,34 @@ function isGood = sayTrial (records, Case)
     r = records(k);
     printf ('trial     %s: %s, %.1f s (%s)\n', r.model, r.status, r.seconds, ...
             r.folder);
-    if ~strcmp (r.status, 'ok')
+    % of one that has failed its input may say why
+    [mine, g] = deal (Case.targets([]), struct ('overlap', NaN, 'moving', NaN));
+    if strcmp (r.status, 'ok')
+      mine = Case.targets([Case.targets.model] == k);
+      g = sayGrains (r);
+      sayResults (r, mine);
+    else
       printf ('          %s\n', r.message);
-      continue
     end
-    if ~isempty (r.message)
-      printf ('WARNING   %s: %s.\n', r.model, r.message);
+    if isfile (fullfile (r.folder, 'data.head'))
+      cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), ...
+               trialGates (r, mine, Case.models(k).folder, g));
     end
-    g = sayGrains (r);
-    mine = Case.targets([Case.targets.model] == k);
-    for T = mine
-      measured = sprintf ('measured %.5g', T.value);
-      if isnan (T.value)
-        measured = 'not measured yet';
-      end
-      printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), ...
-              measured);
-    end
-    sayUnits (mine, r.results([mine.index]), 'in this run');
-    cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), ...
-             trialGates (r, mine, Case.models(k).folder, g));
   end
+end
+
+function sayResults (r, targets)
+  if ~isempty (r.message)
+    printf ('WARNING   %s: %s.\n', r.model, r.message);
+  end
+  for T = targets
+    measured = sprintf ('measured %.5g', T.value);
+    if isnan (T.value)
+      measured = 'not measured yet';
+    end
+    printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), measured);
+  end
+  sayUnits (targets, r.results([targets.index]), 'in this run');
 end
 
 % Grains that are not there, and what LIGGGHTS itself warned of: the run ends well.
