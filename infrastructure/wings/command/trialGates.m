@@ -2,16 +2,14 @@
 %
 % CALL: NOTES = trialGates (RECORD, TARGETS, FOLDER, GRAINS)
 %
-%   RECORD   of the run, see newRecord
-%   TARGETS  1 x t struct array of the case, of this model: name, value, index; none of a
-%            run that has failed
+%   RECORD   of the run, see newRecord; status 'ok'
+%   TARGETS  1 x t struct array of the case, of this model: name, value, index
 %   FOLDER   of the model (text)
 %   GRAINS   struct of grainsOfRun: overlap, moving (NaN: not known)
 %   NOTES    1 x n cell of sentences
 %
 % Bands, wide enough for any free-flowing or cohesive bulk, so that a note means a
 % slip of the input:
-%   grains             density 50 to 23000 kg/m3, radius up to 0.5 m, modulus from 1e4 Pa
 %   slope of a heap    3 to 66 deg: the last class of USP <1174> begins at 66
 %   surface of a drum  up to 75 deg
 %   packing            0.45 to 0.67 of the volume: spheres 0.55 (Onoda and Liniger
@@ -22,10 +20,9 @@
 %   overlap            8 % of a diameter at the end, as readChecks has it for the rigs
 %   rest               where a heap or a packing is read, a tenth of the grains may be
 %                      faster than after a fall of their radius
-% and those of sample/gates.csv of the model: columns condition (see readRule, with
-% variables of data.head, results and output_checks.csv by their names) and says.
-% A condition of a name that the run lacks is left out. Overlap, rest and lost grains
-% of the toolbox's rigs are judged before (readChecks): such a run has failed.
+% and those of inputGates, with results and output_checks.csv by their names. Overlap,
+% rest and lost grains of the toolbox's rigs are judged before (readChecks): such a run
+% has failed.
 %
 % See also: sayCheck, unitRatio
 
@@ -37,10 +34,10 @@ function notes = trialGates (record, targets, folder, grains)
   end
   values = headDefaults (fullfile (record.folder, 'data.head'));
   checks = struct ();
-  if ~isempty (targets) && isfile (fullfile (record.folder, 'output_checks.csv'))
+  if isfile (fullfile (record.folder, 'output_checks.csv'))
     checks = readChecks (record.folder);
   end
-  notes = ofGrains (values);
+  notes = cell (1, 0);
   named = struct ();
   for T = targets
     result = record.results(T.index);
@@ -53,19 +50,7 @@ function notes = trialGates (record, targets, folder, grains)
     end
   end
   notes = [notes, atEnd(grains, info), ...
-           ofModel(folder, mergeFields (mergeFields (values, checks), named))];
-end
-
-function notes = ofGrains (values)
-  notes = cell (1, 0);
-  for row = {'densityP', 50, 23000, 'kg/m3'; 'radiusP', 0, 0.5, 'm'; ...
-             'youngsModulusP', 1e4, Inf, 'Pa'}'
-    value = givenField (values, row{1}, NaN);
-    if value < row{2} || value > row{3}
-      notes{end + 1} = sprintf ('%s is %g, which no grain has: is it in %s?', row{1}, value, ...
-                                row{4});
-    end
-  end
+           inputGates(folder, mergeFields (mergeFields (values, checks), named))];
 end
 
 % Of the grains at the end of the run.
@@ -131,21 +116,6 @@ function notes = ofPacking (name, share, which, values)
   end
 end
 
-function notes = ofModel (folder, values)
-  notes = cell (1, 0);
-  file = fullfile (folder, 'sample', 'gates.csv');
-  if ~isfile (file)
-    return
-  end
-  [header, cells] = readCsvTable (file);
-  for row = cells'
-    [rule, fault] = readRule (row{strcmp(header, 'condition')}, {}, values);
-    if isempty (fault) && ~rule (zeros (1, 0))
-      notes{end + 1} = row{strcmp(header, 'says')};
-    end
-  end
-end
-
 %!shared folder, put, record, T, still
 %! still = struct ('overlap', NaN, 'moving', 0.02);
 %! [folder, put] = emptyFolder ();
@@ -175,13 +145,6 @@ end
 %! of (trialGates (record, T, folder, still), {'mass: measured 0.011 kg, more than the 0.0105', ...
 %!     'bulk: simulated, .*0.96.*690 kg/m3.*that of the bulk', 'bulk: meas'});
 %! unlink (fullfile (folder, 'output_checks.csv'));
-%! put ('data.head', "variable densityP equal 1200\nvariable radiusP equal 0.002\n");
-%!test
-%! % a slip of the unit of a grain, of a run that has failed, too
-%! put ('data.head', "variable densityP equal 1.15\nvariable radiusP equal 2\n");
-%! none = struct ('overlap', NaN, 'moving', NaN);
-%! of (trialGates (record, T([]), folder, none), {'densityP is 1.15,.* in kg/m3', ...
-%!                                                'radiusP is 2, .*in m'});
 %! put ('data.head', "variable densityP equal 1200\nvariable radiusP equal 0.002\n");
 %!test
 %! of (trialGates (record, T, folder, struct ('overlap', 0.2, 'moving', 0.5)), ...

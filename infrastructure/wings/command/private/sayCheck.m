@@ -76,6 +76,8 @@ function sayModels (Case, isTried)
             countText (numel (requirementsOf (mine, 1:numel (mine))), 'target'), ...
             countText (m.cpu, 'CPU'), place);
     sayStages (m);
+    cellfun (@(text) printf ('WARNING   %s: %s\n', m.name, text), ...
+             notesOfInput (m.folder, Case));
     sayNamed (m, Case.hashes(k).named);
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
@@ -211,6 +213,16 @@ function sayEffects (Case)
   if ~isempty (Case.conditions)
     cellfun (@(text) printf ('%s\n', text), askChange (Case), ...
              'UniformOutput', false);
+    sayUnitsOfChanges (Case);
+  end
+end
+
+% Logarithms have no unit.
+function sayUnitsOfChanges (Case)
+  targets = Case.targets(~strncmp ({targetInfo(Case).kind}, 'log', 3));
+  for c = 1:numel (Case.conditions)
+    values = arrayfun (@(T) T.changed(c).value, targets);
+    sayUnits (targets, values, ['in ', Case.conditions{c}]);
   end
 end
 
@@ -233,19 +245,25 @@ function isGood = sayTrial (records, Case)
     r = records(k);
     printf ('trial     %s: %s, %.1f s (%s)\n', r.model, r.status, r.seconds, ...
             r.folder);
-    % of one that has failed its input may say why
-    [mine, g] = deal (Case.targets([]), struct ('overlap', NaN, 'moving', NaN));
-    if strcmp (r.status, 'ok')
-      mine = Case.targets([Case.targets.model] == k);
-      g = sayGrains (r);
-      sayResults (r, mine);
-    else
+    if ~strcmp (r.status, 'ok')
       printf ('          %s\n', r.message);
+      continue
     end
-    if isfile (fullfile (r.folder, 'data.head'))
-      cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), ...
-               trialGates (r, mine, Case.models(k).folder, g));
-    end
+    mine = Case.targets([Case.targets.model] == k);
+    g = sayGrains (r);
+    sayResults (r, mine);
+    notes = trialGates (r, mine, Case.models(k).folder, g);
+    notes = notes(~ismember (notes, notesOfInput (Case.models(k).folder, Case)));
+    cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), notes);
+  end
+end
+
+% What needs no run to be seen.
+function notes = notesOfInput (folder, Case)
+  notes = cell (1, 0);
+  head = fullfile (folder, 'data.head');
+  if isfile (head)
+    notes = inputGates (folder, mergeFields (headDefaults (head), Case.modelVars));
   end
 end
 
