@@ -101,10 +101,10 @@
 
 %!test
 %! for one = of ('runs of a table alone', 8)'
-%!   said = loaded ('reportWithoutModels', edited ('reportWithoutModels', one{1}));
-%!   if isstruct (said)
-%!     s = caseStatus (said, []);
-%!     said = sprintf ('%s, %s', taken (said), s.state);
+%!   Case = loaded ('reportWithoutModels', edited ('reportWithoutModels', one{1}));
+%!   said = taken (Case);
+%!   if isstruct (Case) && ! isempty (strfind (said, ' rows, '))
+%!     said = sprintf ('%s, %s', said, caseStatus (Case, []).state);
 %!   end
 %!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
 %! end

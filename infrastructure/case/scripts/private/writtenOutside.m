@@ -107,14 +107,14 @@ end
 function [words, at] = ofShell (text)
   options = ['(?<=\s)(?:-o|-O|-d|-log|-l|-C|--(?:out|output|outfile|outdir|output-dir|' ...
              'log|directory|target-directory|prefix))(?:[ \t]+|=)'];
-  output = '(?:out|res|log|work|run|scratch|tmp)';
   patterns = cell (1, 7);
-  patterns{5} = ['(?<=\s|^)(?:\w+_)?(?i:', output, ')\w*=["'']?(/[^\s"'';&|)]+)["'']?' ...
-                 '(?=[ \t]+[^\s;&|#])'];
-  patterns{6} = ['^[ \t]*export[ \t]+(?:\w+_)?(?i:', output, ')\w*=["'']?(/[^\s"'';&|)]+)'];
+  given = '(?:\w+_)?(?i:out|res|log)\w*=["'']?(/[^\s"'';&|)]+)';
+  patterns{5} = ['(?<=\s|^)', given, '["'']?(?=[ \t]+[^\s;&|#])'];
+  patterns{6} = ['^[ \t]*export[ \t]+', given];
   patterns{7} = ['(?:-v|-B|--(?:volume|bind|mount))[ \t=]+["'']?(?:type=bind,)?' ...
                  '(?:source=|src=)?(/[^\s:,"'']+)(?::|,(?:target|destination|dst)=)' ...
-                 '/(?:\w+/)*', output, '\w*["'']?(?=\s|:rw|:[zZ]|,rw|$)'];
+                 '/(?:\w+/)*(?:out|res|log|work|run|scratch|tmp)\w*["'']?' ...
+                 '(?=\s|:rw|:[zZ]|,rw|$)'];
   patterns{1} = ['(?<![0-9<=>-])[012&]?>{1,2}[|&]?[ \t]*' ...
                  '("[^"\n]+"|''[^''\n]+''|[^\s;&|)>}]+)'];
   patterns{2} = [options, '["'']?((?:/|~|\.\./)[^\s"'';&|)]+)'];
