@@ -3,6 +3,7 @@
 % CALL: [NAMES, FOLDER, SURROGATES] = createKrigingModels (EXPLANFILES,
 %         RESPFILES, PARAMLIMS, TREND, COVARIANCE)
 %       [NAMES, FOLDER, SURROGATES] = createKrigingModels (DATA, PROBLEM)
+%       [NAMES, FOLDER, SURROGATES] = createKrigingModels (SURROGATES), fitted before
 %
 % EXPLANFILES  text or cellstr: CSV of the plan (n x d), one for all responses
 %              or one per response
@@ -35,7 +36,10 @@ function [names, folder, surrogates] = createKrigingModels ...
   (ExPlanFiles, RespFiles, ParamLims, trend, covariance)
   %| pragma Justify (metric, "parameters", "the call is published");
   if isstruct (ExPlanFiles)
-    surrogates = fitSurrogates (ExPlanFiles, RespFiles);
+    surrogates = ExPlanFiles;
+    if nargin > 1
+      surrogates = fitSurrogates (ExPlanFiles, RespFiles);
+    end
     files = {surrogates.name};
   else
     options = struct ('trend', 'affine', 'covariance', 'matern', ...

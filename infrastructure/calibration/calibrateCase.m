@@ -61,8 +61,7 @@ function [state, problem] = planToSet (state, problem, Case, say, rest)
   if isempty (known)
     [~, ~, state.surrogates] = createKrigingModels (state.data, problem);
   else
-    state.surrogates = known.surrogates;
-    saveSurrogates (state.surrogates, 'KrigingFuns');
+    [~, ~, state.surrogates] = createKrigingModels (known.surrogates);
   end
   state = repeatSuspects (state, problem, say);
   reportSurrogateFit (state.surrogates, state.data, problem, say, rest, Case);
@@ -145,15 +144,11 @@ function reportCase (Case, say, problem)
   if ~isempty (measured)
     tell ('  measured parameters: %s', measured);
   end
-  known = sum (problem.earlierRuns > 0);
-  if known > 0
-    tell ('  noise of a run: %s with scatter.csv of the model', ...
-          countText (known, 'target begins', 'targets begin'));
-  end
-  known = sum (~cellfun (@isempty, problem.shape));
-  if known > 0
-    tell ('  shape of results: %s with form.csv of the model', ...
-          countText (known, 'target begins', 'targets begin'));
+  known = {'noise of a run', problem.earlierRuns > 0, 'scatter.csv'; ...
+           'shape of results', ~cellfun(@isempty, problem.shape), 'form.csv'};
+  for row = known(cellfun (@any, known(:, 2)), :)'
+    tell ('  %s: %s with %s of the model', row{1}, ...
+          countText (sum (row{2}), 'target begins', 'targets begin'), row{3});
   end
   n = problem.nExtra;
   if n > 0 && strcmp (problem.options.method, 'published')

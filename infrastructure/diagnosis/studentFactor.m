@@ -7,7 +7,7 @@
 %            within one standard deviation of a normal error
 
 function f = studentFactor (freedom)
-  f = arrayfun (@(nu) -studentQuantile (0.1587, nu), freedom);
+  f = -studentQuantile (0.1587, freedom);
   f(isinf (freedom)) = 1;
 end
 

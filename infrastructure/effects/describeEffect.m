@@ -31,7 +31,9 @@
 %
 % Which benches see it is measured: benchmarks/results/effectSigns.csv.
 %
-% Throws DEcalioc:describeEffect:missingField, DEcalioc:describeEffect:badShape.
+% A field of another name is the author's own, unless it is nearly one of these.
+%
+% Throws DEcalioc:describeEffect:missingField, :badShape, :unknownField.
 %
 % See also: getEffect, listEffects, resolveEffects
 function effect = describeEffect (given)
@@ -48,6 +50,14 @@ function effect = describeEffect (given)
                    'laboratory', false, 'kinds', {{}}, 'transform', [], ...
                    'source', '', 'usually', 'yes', 'canChange', '');
   names = fieldnames (effect);
+  for other = setdiff (fieldnames (given), names)'
+    hint = checkNearest (other{1}, names');
+    if ~isempty (hint)
+      error ('DEcalioc:describeEffect:unknownField', ...
+             'describeEffect: effect %s has a field %s, which nothing reads. %s', ...
+             given.name, other{1}, hint);
+    end
+  end
   for k = find (isfield (given, names)).'
     effect.(names{k}) = given.(names{k});
   end
@@ -77,6 +87,10 @@ end
 
 %!error id=DEcalioc:describeEffect:missingField ...
 %! describeEffect (struct ('name', 'x'))
+%!error <a field lable, which nothing reads. Did you mean label\?>
+%! describeEffect (struct ('name', 'x', 'neutral', 0, 'limits', [0; 1], 'lable', 'a'))
+%!assert (describeEffect (struct ('name', 'x', 'variables', {{'q'}}, 'neutral', 0, ...
+%!                                'limits', [0; 1], 'author', 'me')).name, 'x')
 %!error id=DEcalioc:describeEffect:badShape ...
 %! describeEffect (struct ('name', 'x', 'neutral', 0, 'limits', [0; 1]))
 

@@ -210,13 +210,43 @@ function todo = wayOn (c, used)
     field = merge (strcmp (limit, 'maxNewRuns'), 'Input.maxNewRuns', 'optim.maxFunEvals');
     todo = newAction ('raise', {field}, widen);
   end
+  if isempty (units)
+    todo.parts = [todo.parts, sayFirst(halfOrTwice (used([used.met] == 0)), [])];
+  end
 end
 
-% 'mass differ by a factor of about 1000, as between g and kg ...'
+% 'mass differ by a factor of about 1000, as between g and kg ...': from the expectation, or
+% from all runs.
 function texts = otherUnits (missed)
-  ratio = @(m) unitRatio (m.simulated, m.measured);
-  texts = eachOf (@(m) [m.name, ' differ by ', ratio(m)], ...
-                  missed(~arrayfun (@(m) isempty (ratio (m)), missed)));
+  texts = cell (1, 0);
+  for m = missed
+    from = m.simulated;
+    if isBeyond (m)
+      from = [from, m.range];
+    end
+    ratios = arrayfun (@(z) unitRatio (z, m.measured), from, 'UniformOutput', false);
+    ratios = ratios(~cellfun (@isempty, ratios));
+    if ~isempty (ratios)
+      texts{end + 1} = [m.name, ' differ by ', ratios{1}];
+    end
+  end
+end
+
+% A slip that only a single miss, which no run comes near, may be.
+function text = halfOrTwice (missed)
+  text = '';
+  shares = struct ('half', 0.5, 'twice', 2);
+  for name = fieldnames (shares)'(1:end * isscalar (missed))
+    own = missed.measured * shares.(name{1});
+    isFar = all (abs (log (missed.range / missed.measured)) > log (1.4));
+    if isFar && own > missed.range(1) && own < missed.range(2)
+      text = [' ', sentence('hint.half', struct ('name', missed.name, 'share', name{1}))];
+    end
+  end
+end
+
+function yes = isBeyond (m)
+  yes = m.measured < m.range(1) || m.measured > m.range(2);
 end
 
 function yes = isImported (c)
@@ -279,7 +309,9 @@ function v = withGap (v, c, cause)
   isAsked = strcmp (v.todo.code, 'diagnose');
   isNone = strcmp (cause.kind, 'none');
   isSilent = any (strcmp (cause.kind, {'no verdict', 'cannot tell'}));
-  if v.usable && ~isNone
+  if strcmp (v.todo.code, 'units')
+    return                             % no cause before that
+  elseif v.usable && ~isNone
     v.class = 'open';
     v.notFor = [v.notFor, cause.notFor];
     v = withAction (v, orElse (cause.todo, newAction ('use')));
@@ -309,5 +341,23 @@ end
 %!   v = decideCase (coded (s.c), coded (s.gap));
 %!   assert ({v.word, v.class, v.usable}, row(2:4)');
 %! end
+%!test
+%! % one result in another unit, by all runs: no cause before that; half of what was measured
+%! list = verdictCase ();
+%! s = list(strcmp ({list.name}, 'missed, named'));
+%! coded = @(x) jsondecode (jsonencode (x));
+%! said = @(c) decideCase (coded (c), coded (s.gap));
+%! alone = @(c) decideCase (coded (c), []).action;
+%! assert (! strcmp (said (s.c).todo.code, 'units'));
+%! [s.c.targets(1).target, s.c.targets(1).range] = deal (25000, [7, 30]);
+%! v = said (s.c);
+%! assert (v.todo.code, 'units');
+%! assert (! isempty (strfind (v.action, 'sum differ by a factor of about 1000, as betw')));
+%! s.c.targets(1).range = [7, 30000];
+%! assert (! strcmp (said (s.c).todo.code, 'units'));
+%! [s.c.targets(1).target, s.c.targets(1).range] = deal (17, [7, 12]);
+%! assert (! isempty (strfind (alone (s.c), 'measured sum, half of it would lie')));
+%! s.c.targets(1).range = [9, 12];
+%! assert (isempty (strfind (alone (s.c), 'half of it')));
 
 % SPDX-License-Identifier: GPL-3.0-only

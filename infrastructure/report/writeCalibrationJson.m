@@ -24,8 +24,8 @@
 %     (the unit of measured.csv, which page and console show; '': the same), interval90 (of
 %     the mean response), estimate (its middle, from runs and surrogate), state (met, missed:
 %     runs and estimate agree; open: they do not, or no run exists; unjudged: too many runs
-%     lack it; empty: not fitted), met (state is met; without a run, by the estimate; []: not
-%     fitted), curve (its series).
+%     lack it; empty: not fitted), range (of all runs), met (state is met; without a run, by
+%     the estimate; []: not fitted), curve (its series).
 %   format: 1; it grows where a field changes its meaning or goes.
 %   converged, reason: whether confirmed; one sentence.
 %   ending: the same for programs: code (converged, conflict, allFailed, notRun, outside,
@@ -72,8 +72,9 @@
 %     iteration, params, residual (expected from all runs), ofRuns (of the mean of the DEM
 %     runs with these values; null: none), runs (sets of values since the plan), probability;
 %     by name values (of params), residuals and residualsOfRuns (by model and target).
-%   input: models (name, cpu, key: hash of input files, CPUs and program, lastRun),
-%     modelVars, options, digest (of each part of the input, for status and the page).
+%   input: models (name, cpu, key: hash of input files, CPUs and program, lastRun,
+%     runs: how many up to it ended well), modelVars, options, digest (of each part of the
+%     input, for status and the page).
 %   version, date.
 %
 % See also: newCalibration, decideCase, writeGapJson
@@ -178,6 +179,7 @@ function targets = targetsOf (c, Case)
                               'allowed', eachOf (@halfWidth, T), ...
                               'estimate', row (c.estimate), 'met', met, 'state', state, ...
                               'resultSd', row (c.resultSd), 'curve', curve, ...
+                              'range', eachOf (@(s) [min(s.z), max(s.z)], c.surrogates), ...
                               'sensitivity', eachOf (ofParams, ...
                                                      num2cell (c.sensitivity, 1))));
 end

@@ -1,7 +1,7 @@
 % Issue 72, 3: measured points of --curve in the tables that people have. A decimal
 % comma made 0,5;520 to the place 0, the value 5 and the uncertainty 520.
 
-%!function out = made (text, name)
+%!function [out, words] = made (text, name)
 %!  folder = tempname ();
 %!  mkdir (folder);
 %!  put = @(name, text) writeAtomic (fullfile (folder, name), text);
@@ -13,6 +13,7 @@
 %!  if isfile (file)
 %!    assert (status == 0, out);
 %!    out = readMeasured (file, {'H'});
+%!    words = fileread (fullfile (folder, 'H', 'DEMmodels', 'H', 'results.csv'));
 %!  end
 %!endfunction
 %!test
@@ -36,8 +37,12 @@
 %! end
 
 %!test
-%! m = made ("0,5;1.520,5\n0,6;1.400,5\n", 'points.csv');
+%! [m, words] = made ("0,5;1.520,5\n0,6;1.400,5\n", 'points.csv');
 %! assert ([m.value], [1520.5, 1400.5]);
+%! assert (isempty (strfind (words, 'over')), words);
+%! % the unit of the places stands in words
+%! [~, words] = made ("time [ms];n [N]\n0,5;520\n0,6;400\n", 'points.csv');
+%! assert (! isempty (strfind (words, 'n,,N,,,n over time in ms')), words);
 %! % three columns of whole numbers may be what they seem
 %! m = made ("1,520,5\n2,400,6\n", 'points.csv');
 %! assert ({[m.value], [m.sd]}, {[520, 400], [5, 6]});

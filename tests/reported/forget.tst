@@ -1,6 +1,6 @@
 % A run that the user took out of use came back: the next start made it again
 % with the same seed, and the same rubbish counted. And what cancel ended
-% counted as done.
+% counted as done. And the result that grew from forgotten runs was still "Calibrated".
 
 %!function raw = rawOf (folder)
 %!  raw = goodInput (folder);

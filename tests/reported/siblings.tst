@@ -3,7 +3,8 @@
 % Kinds: places that all runs share (a runscript, an input script), tables of runs, trials
 % of measured.csv, LIGGGHTS scripts with coefficients that nothing reads or grains that may
 % be lost, rigs of one's own named as a test rig of the toolbox, causes at the end of their
-% range.
+% range, cases of a table of runs without a model folder, test rigs at another setting than the words of their results say (rig, result,
+% variable, value).
 
 %!function list = of (kind, least = 15)
 %!  file = fullfile (fileparts (which ('reportedCase')), 'siblings.csv');
@@ -95,6 +96,26 @@
 %!test
 %! for one = of ('rig named as a bench', 13)'
 %!   said = taken (loaded ('rigCalledHeap', edited ('rigCalledHeap', one{1})));
+%!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
+%! end
+
+%!test
+%! for one = of ('runs of a table alone', 8)'
+%!   Case = loaded ('reportWithoutModels', edited ('reportWithoutModels', one{1}));
+%!   said = taken (Case);
+%!   if isstruct (Case) && ! isempty (strfind (said, ' rows, '))
+%!     said = sprintf ('%s, %s', said, caseStatus (Case, []).state);
+%!   end
+%!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
+%! end
+
+%!test
+%! root = fileparts (fileparts (which ('startToolbox')));
+%! for one = of ('setting of a rig', 8)'
+%!   part = strsplit (one{1}, ' ');
+%!   info = resultInfo (fullfile (root, 'DEMmodels', part{1}), ...
+%!                      struct (part{3}, str2double (part{4})));
+%!   said = info(strcmp ({info.name}, part{2})).text;
 %!   assert (! isempty (strfind (said, one{2})), '%s: %s', one{1}, said);
 %! end
 

@@ -2,9 +2,9 @@
 %
 % CALL: [SD, FREEDOM, SEEN] = sdOfChange (BEFORE, NOW [, FURTHER])
 %
-%   BEFORE, NOW  structs with the fields sd, shared, days and the freedoms of
-%                varianceComponents, of the reference and of the change
-%   FURTHER      scalar, a variance that comes to it and is known (0)
+%   BEFORE, NOW  structs with the fields sd, shared (1 x T), days (T x n) and the
+%                freedoms of varianceComponents, of the reference and of the change
+%   FURTHER      1 x T, variances that come to it and are known (0)
 %   SD           of the difference (68 %); what both owe to the same sessions is no
 %                part of it
 %   FREEDOM      after Welch and Satterthwaite, 1 at least; the scatter of a trial
@@ -15,24 +15,22 @@ function [sd, freedom, seen] = sdOfChange (before, now, further)
   if nargin < 3
     further = 0;
   end
-  own = max (before.sd^2 - before.shared^2, 0) + max (now.sd^2 - now.shared^2, 0);
+  own = max (before.sd.^2 - before.shared.^2, 0) + max (now.sd.^2 - now.shared.^2, 0);
   together = 0;
   if ~isempty (before.days)
-    together = before.days * now.days';
+    together = sum (before.days .* now.days, 2)';
   end
-  sessions = max (before.shared^2 + now.shared^2 - 2 * together, 0);
+  sessions = max (before.shared.^2 + now.shared.^2 - 2 * together, 0);
   variance = own + sessions;
   least = @(name) min (before.(name), now.(name));
-  doubt = variance^2 / least ('freedom') + own^2 / least ('commonFreedom') + ...
-          sessions^2 / least ('sessionFreedom');
+  doubt = variance.^2 ./ least ('freedom') + own.^2 ./ least ('commonFreedom') + ...
+          sessions.^2 ./ least ('sessionFreedom');
   variance = variance + further;
   sd = sqrt (variance);
-  freedom = Inf;
-  if doubt > 0
-    freedom = max (variance^2 / doubt, 1);
-  end
+  freedom = max (variance.^2 ./ doubt, 1);
+  freedom(~(doubt > 0)) = Inf;
   f = min (freedom, 1e6);            % quantiles of Student's distribution end there
-  seen = sd * (studentQuantile (0.975, f) + studentQuantile (0.8, f)) / ...
+  seen = sd .* (studentQuantile (0.975, f) + studentQuantile (0.8, f)) ./ ...
          -studentQuantile (0.1587, f);
 end
 

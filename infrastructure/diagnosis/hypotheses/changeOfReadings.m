@@ -17,13 +17,9 @@
 function [p, sd, seen] = changeOfReadings (problem, change)
   reference = problem.reference;
   packings = diag (change.fresh + change.before)' - problem.sd.^2 - reference.sd.^2;
-  of = @(s, t, days) struct ('sd', s.sd(t), 'shared', s.shared(t), 'days', days, ...
-                             'freedom', s.freedom(t), 'commonFreedom', ...
-                             s.commonFreedom(t), 'sessionFreedom', s.sessionFreedom(t));
-  [sd, freedom, seen] = arrayfun (@(t) sdOfChange (of (problem, t, 1), ...
-                                                   of (reference, t, reference.together(t, t)), ...
-                                                   max (packings(t), 0)), ...
-                                  1:numel (problem.value));
+  problem.days = ones (numel (problem.value), 1);
+  reference.days = diag (reference.together);
+  [sd, freedom, seen] = sdOfChange (problem, reference, max (packings, 0));
   t = (problem.value - reference.value) ./ sd .* studentFactor (min (freedom, 1e6));
   % a normal error has no end of its degrees of freedom
   freedom = min (freedom, 1e6);

@@ -6,10 +6,12 @@
 %   DATA  with E neutral and replicate 1 where they were not given
 %
 % A misspelt field would be taken for one that is not there, and runs in another
-% unit than the limits would all count as runs far away.
+% unit than the limits would all count as runs far away, or all as one place. Without a
+% single result for a measured value nothing can be said of it.
 %
 % Errors: DEcalioc:checkMatrices:unknownField, :missingField, :otherUnits, :badValue (limits
-% that are not 2 x p with the lower ones first, bench that is no number)
+% that are not 2 x p with the lower ones first, bench that is no number, a value that no run
+% has a result for)
 
 function data = checkMatrices (given, data, evaluate)
   % the last ones: of a problem of newProblem, of diagnoseCase
@@ -35,6 +37,8 @@ function data = checkMatrices (given, data, evaluate)
     checkUnits (given, data.X);
     if ~isfield (data, 'stage')                  % else of a case, whose limits may change
       checkStrengths (given, data.E);
+      checkPercent (given, data.X);
+      checkResults (given, data.Z);
     end
   end
 end
@@ -100,6 +104,43 @@ function checkUnits (given, X)
   error ('DEcalioc:checkMatrices:otherUnits', ...
          ['diagnoseMatrices: a run of DATA.X must lie between GIVEN.limits, got none ' ...
           'of %d (%s). Give both in one unit, or widen the limits.'], rows (X), said);
+end
+
+% A column that fills its limits once it is multiplied or divided by 100 or 1000, and lies
+% at one of their ends, or mostly outside, as it is.
+function checkPercent (given, X)
+  low = given.limits(1, :);
+  width = given.limits(2, :) - low;
+  place = @(X) (X - low) ./ width;
+  isIn = @(U) mean (U >= 0 & U <= 1, 1);
+  spread = @(U) max (U, [], 1) - min (U, [], 1);
+  U = place (X);
+  isLinear = ~any (given.limits(3:end, :), 1);
+  for f = [100, 1000]
+    for factor = [f, 1 / f]
+      V = place (X * factor);
+      k = find (isLinear & isIn (V) >= 0.9 & spread (V) > 0.3 & ...
+                (isIn (U) < 0.5 | spread (U) < 0.03), 1);
+      if ~isempty (k)
+        error ('DEcalioc:checkMatrices:otherUnits', ...
+               ['diagnoseMatrices: column %d of DATA.X must have the unit of GIVEN.limits, ' ...
+                'got %g to %g, limits %g to %g; times %g it would fill them. Give both in ' ...
+                'one unit, or the limits that the runs have.'], k, min (X(:, k)), ...
+               max (X(:, k)), given.limits(1:2, k), factor);
+      end
+    end
+  end
+end
+
+function checkResults (given, Z)
+  isThere = size (Z, 2) == numel (given.value) & isnumeric (Z);
+  none = find (isThere & ~any (isfinite (Z), 1) & isfinite (given.value(:)'), 1);
+  if ~isempty (none)
+    error ('DEcalioc:checkMatrices:badValue', ...
+           ['diagnoseMatrices: column %d of DATA.Z must have a result of some run for the ' ...
+            'measured value %g, got none that is finite. Give NaN as its value, or take it ' ...
+            'out.'], none, given.value(none));
+  end
 end
 
 % Of runs with an effect, one has to lie between its limits, and one a hundredth of them

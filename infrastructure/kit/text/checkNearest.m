@@ -6,8 +6,9 @@
 %   KNOWN  cell of n known names
 %   HINT   'Did you mean <name>?', or '' where none is near
 %
-% Near means an edit distance (insert, delete, replace one character; upper
-% and lower case are the same) of at most a third of the name's length.
+% Near means an edit distance (insert, delete, replace one character, swap two
+% neighbours; upper and lower case are the same) of at most a third of the
+% name's length.
 
 function hint = checkNearest (name, known)
   hint = '';
@@ -29,12 +30,15 @@ end
 % Row by row: d(j+1) is the distance of the first i characters of a to the
 % first j of b.
 function n = editDistance (a, b)
-  d = 0:numel (b);
+  [above, d] = deal (0:numel (b));
   for i = 1:numel (a)
-    above = d;
+    [before, above] = deal (above, d);
     d(1) = i;
     for j = 1:numel (b)
       d(j + 1) = min ([above(j + 1) + 1, d(j) + 1, above(j) + (a(i) ~= b(j))]);
+      if i > 1 && j > 1 && a(i) == b(j - 1) && a(i - 1) == b(j)
+        d(j + 1) = min (d(j + 1), before(j - 1) + 1);
+      end
     end
   end
   n = d(end);
@@ -45,6 +49,7 @@ end
 %!assert (checkNearest ('DENSITYp', {'radiusP', 'densityP'}), ...
 %!        'Did you mean densityP?')
 %!assert (checkNearest ('colour', {'radiusP', 'densityP'}), '')
+%!assert (checkNearest ('lable', {'name', 'label'}), 'Did you mean label?')
 %!assert (checkNearest ('a', {}), '')
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -71,10 +71,24 @@ function cause = decideGap (gap)
   if isempty (cause.notFor) && ~strcmp (cause.kind, 'none')
     cause.notFor = {say('notFor.missing', cause)};
   end
+  units = otherUnits (jsonList (gap, {'reference', 'targets'}));
+  if ~isempty (units)
+    cause.todo = newAction ('unitsChanged', units);
+  end
   cause.plain = cause.word;
   if numel (jsonAt (gap, {'reference', 'conditions'})) > 1
     cause = ofConditions (cause, gap, say);
   end
+end
+
+% 'mass differ by a factor of about 1000, as between g and kg ...'; a number about 0 may do
+% so by noise.
+function texts = otherUnits (targets)
+  isLog = @(T) strncmp (char (jsonAt (T, {'kind'})), 'log', 3);
+  isFar = @(T) abs (T.measured - T.reference) > 10 * jsonNumber (T, {'sd'});
+  ratio = @(T) unitRatio (T.reference, T.measured);
+  isIt = @(T) ~isLog (T) && isFar (T) && ~isempty (ratio (T));
+  texts = eachOf (@(T) [T.name, ' differ by ', ratio(T)], targets(cellfun (isIt, targets)));
 end
 
 % Of several conditions each is called by its name; the surest one gives the
@@ -102,7 +116,8 @@ function cause = ofConditions (cause, gap, say)
     label = say ('amountIn', struct ('condition', first.name));
     cause.amount = struct ('label', label, 'text', first.text);
   end
-  if ~strcmp (first.name, name) && strcmp (first.code, 'named')
+  changed = list(~isOwn & ~cellfun (@(c) strcmp (c.kind, 'none'), list));
+  if ~strcmp (first.name, name) && any (strcmp (first.code, {'named', 'likely'}))
     todo = newAction ('takeModel', first.effects, {}, first.file);
     todo.parts = sayFirst ([first.name, ': ', adviceBefore(first.effects)], todo.parts);
     if ~isempty (cause.todo)           % without the advice for the plant again
@@ -110,6 +125,9 @@ function cause = ofConditions (cause, gap, say)
       todo.parts = [todo.parts, sayFirst([' ', name, ': '], own.parts)];
     end
     cause.todo = todo;
+  elseif isempty (cause.todo) && ~isempty (changed)
+    cause.todo = newAction ('otherSetting');
+    cause.todo.parts = sayFirst ([changed{1}.name, ': '], cause.todo.parts);
   end
 end
 
@@ -197,9 +215,17 @@ end
 % Of the cause, or pair, that closes most of the gap: what stands at the end of its range.
 function names = atTheirEnds (gap)
   names = cell (1, 0);
-  if jsonNumber (gap, {'howFar', 'closure'}, 0) >= 0.5
+  if shareClosed (gap) >= 0.5
     names = strsplit (char (jsonAt (gap, {'howFar', 'effect'})), ' + ');
     names = names(~cellfun (@(name) isempty (endOf (gap, name)), names));
+  end
+end
+
+% With as many unknowns as numbers no more is known than what is left.
+function share = shareClosed (gap)
+  share = jsonNumber (gap, {'howFar', 'closure'});
+  if isnan (share)
+    share = 1 - jsonNumber (gap, {'howFar', 'after'}) / jsonNumber (gap, {'howFar', 'before'});
   end
 end
 
@@ -226,7 +252,7 @@ function cause = atEnd (cause, gap, say)
   together = [' together with ', strjoin(labels(2:end), ' and ')];
   values = struct ('label', labels{1}, 'end', endOf (gap, names{1}), 'together', ...
                    together(1:end * (numel (labels) > 1)), ...
-                   'share', round (100 * gap.howFar.closure));
+                   'share', min (round (100 * shareClosed (gap)), 100));
   todo = newAction ('widenCause', names);
   todo.widen = names;
   cause = said (cause, say, 'unlisted', 'atEnd', values, todo);
@@ -272,7 +298,7 @@ function cause = stillOpen (cause, gap, isBeyond, say)
 end
 
 function cause = found (cause, gap, effects, isBeyond, say)
-  which = gap.which;
+  which = asSimulated (gap, effects);
   if ~isBeyond
     cause.where = say ('where.together', {});
   end
@@ -309,6 +335,32 @@ function cause = found (cause, gap, effects, isBeyond, say)
     cause.amount.text = strjoin (values.each, ', ');
   end
   cause.notFor = {say('notFor.found', values)};
+end
+
+% A strength that no run was made with is said as that.
+function which = asSimulated (gap, effects)
+  which = gap.which;
+  far = gap.howFar;
+  tried = strsplit (char (jsonAt (far, {'effect'})), ' + ');
+  isRun = isequal (jsonAt (far, {'verifiedByDEM'}), true);
+  for effect = effects
+    name = fieldOf (effect{1});
+    s = jsonAt (which, {'strength', name});
+    amount = char (jsonAt (s, {'amount'}));
+    wasRun = isRun && any (strcmp (effect{1}, tried)) && isAtRun (s, jsonAt (far, {'values'}));
+    if ~isempty (amount) && ~wasRun
+      about = sentence ('strength.about', struct ('amount', amount));
+      [s.text, s.amount] = deal (strrep (s.text, amount, about), about);
+      which.strength.(name) = s;
+    end
+  end
+end
+
+% An effect of the laboratory has no variable of a run.
+function yes = isAtRun (s, values)
+  is = @(v) ~isfield (values, v) || ...
+            abs (values.(v) - s.variables.(v)(1)) <= 1e-6 * abs (values.(v));
+  yes = all (cellfun (is, fieldnames (s.variables)));
 end
 
 % As in the table of causes: with an unlisted one where it stands before the last of them.
@@ -439,6 +491,14 @@ end
 %!           'probability', {[], 0.9}, 'text', {{}, {'cohesion 4 kJ/m3'}}));
 %! cause = decideGap (jsondecode (jsonencode (two)));
 %! assert (cause.word, ['again: ', sentence('cause.none.word', struct (), true)]);
+%! % of one that has not changed, the one that has says what is next
+%! for code = {'named', 'takeModel'; 'likely', 'takeModel'; 'open', 'otherSetting'}'
+%!   two.reference.conditions(2).code = code{1};
+%!   two.reference.conditions(2).kind = merge (strcmp (code{1}, 'open'), 'open', 'found');
+%!   two.reference.conditions(2).effects = {'cohesion'}(1:1 - strcmp (code{1}, 'open'));
+%!   todo = decideGap (jsondecode (jsonencode (two))).todo;
+%!   assert ({todo.code, strncmp(todo.parts(1).text, 'wet: ', 5)}, {code{2}, true});
+%! end
 %! % what would have been seen; of a logarithm what it stands for
 %! two.reference = struct ('condition', 'again', 'targets', ...
 %!   struct ('model', 'First', 'name', 'sum', 'kind', 'logMass', 'reference', 1, ...
@@ -462,6 +522,29 @@ end
 %! cause = decideGap (jsondecode (jsonencode (open)));
 %! assert ({cause.code, cause.todo.code, cause.todo.field}, ...
 %!         {'likely', 'measureToo', {'Drum slope1'}});
+%! % units of a change; a strength that was never run
+%! new = list(strcmp ({list.name}, 'met, named')).gap;
+%! new.which.strength.cohesion.amount = '41 kJ/m3 (31 to 58)';
+%! new.which.strength.cohesion.variables.ced = [41, 31, 58];
+%! said = @(gap) decideGap (jsondecode (jsonencode (gap)));
+%! assert (! isempty (strfind (said (new).sentence, ...
+%!                             'about 41 kJ/m3 (31 to 58), not simulated, prob')));
+%! [new.howFar.verifiedByDEM, new.howFar.values.ced] = deal (true, 41);
+%! assert (isempty (strfind (said (new).sentence, 'about')));
+%! assert (isempty (strfind (said (new).amount.text, 'about')));
+%! new.howFar.values.ced = 44;
+%! assert (! isempty (strfind (said (new).amount.text, 'about 41')));
+%! T = struct ('model', 'Heap', 'name', 'mass', 'kind', 'mass', 'reference', 0.0141, ...
+%!             'measured', 14.3, 'sd', 0.2);
+%! new.reference = struct ('condition', 'a', 'targets', T);
+%! assert (said (new).todo.code, 'unitsChanged');
+%! assert (said (new).todo.field, {['mass differ by a factor of about 1000, as between g ', ...
+%!                                  'and kg, mm and m or Pa and kPa']});
+%! new.reference.targets.sd = 2;
+%! assert (! strcmp (said (new).todo.code, 'unitsChanged'));
+%! own.howFar.closure = NaN;
+%! assert (! isempty (strfind (decideGap (jsondecode (jsonencode (own))).sentence, ...
+%!                             'drag at 3 1/s, the end of its range, closes 82 %')));
 %! own.howFar.closure = 0.3;
 %! assert (decideGap (jsondecode (jsonencode (own))).code, 'unlisted');
 %! % the most likely one is said, though it cannot be seen for sure

@@ -10,9 +10,9 @@
 %            NaN: not measured), share (of what is allowed), z (measured less
 %            simulated, over its noise: of the measurement, of one run and of the
 %            expected mean), scatter (of one run), isStrict (the tolerance lies below
-%            that: no single measurement can confirm it), state, mean, meanSd, runs, points (of
-%            a curve: they are one entry, its worst point; else 1); largest z
-%            first. Without a calibration those of the diagnosis, with z alone
+%            that: no single measurement can confirm it), state, mean, meanSd, runs, range
+%            (1 x 2, of all runs; NaN: not known), points (of a curve: they are
+%            one entry, its worst point; else 1); largest z first. Without a calibration those of the diagnosis, with z alone
 
 function misses = listMisses (c, gap)
   targets = jsonList (c, {'targets'});
@@ -48,7 +48,8 @@ function m = missOf (T, n)
               'z', z, 'scatter', field ('noiseSd', 0), ...
               'isStrict', false, ...
               'state', '', 'mean', field ('result', NaN), ...
-              'meanSd', field ('resultSd', NaN), 'runs', max ([n, 0]), 'points', 1);
+              'meanSd', field ('resultSd', NaN), 'runs', max ([n, 0]), ...
+              'range', field ('range', [NaN, NaN])(:)', 'points', 1);
   m.miss = m.simulated - m.measured;
   residual = field ('residual', NaN);
   m.state = field ('state', '');

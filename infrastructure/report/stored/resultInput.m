@@ -4,9 +4,9 @@
 %
 %   CASE   see newCase
 %   INPUT  scalar struct: models (1 x M cell of structs name, cpu, key ('': it has
-%          no runscript), lastRun: number of the last run folder), modelVars,
-%          options, digest (scalar struct of texts, one a part of the input:
-%          differs where the part does)
+%          no runscript), lastRun: number of the last run folder, runs: see
+%          countFinished), modelVars, options, digest (scalar struct of
+%          texts, one a part of the input: differs where the part does)
 %
 % See also: changedInput
 
@@ -23,6 +23,8 @@ function input = resultInput (Case)
                   {Case.models.name});
   models = struct ('name', {Case.models.name}, 'cpu', {Case.models.cpu}, ...
                    'key', keys, 'lastRun', num2cell (last));
+  runs = arrayfun (@(m) countFinished (m, Case), models);
+  [models.runs] = num2cell (runs){:};
   input = struct ('models', {num2cell(models)}, 'modelVars', Case.modelVars, ...
                   'options', Case.options, 'digest', digestOf (Case, hashes));
 end

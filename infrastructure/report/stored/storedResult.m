@@ -5,10 +5,11 @@
 %   CASE  see newCase
 %   S     scalar struct: calibration, gap (decoded results/calibration.json and
 %         gap/gap.json; [] where there is none), changed (1 x n cell of words:
-%         what has changed since the result was made, see changedInput; of the
-%         calibration, where there is none of the diagnosis), gapChanged (of the
-%         diagnosis), lastRuns (1 x M, number of the last run folder of each
-%         model that one of them knows; Inf: none does)
+%         what has changed since the result was made, see changedInput, and its
+%         runs, where some were forgotten or are gone; of the calibration, where there
+%         is none of the diagnosis), gapChanged (of the diagnosis), lastRuns
+%         (1 x M, number of the last run folder of each model that one of them knows;
+%         Inf: none does)
 %   V     function handle: V () is the verdict on them, see decideStored
 %
 % See also: decideStored
@@ -20,10 +21,11 @@ function [s, v] = storedResult (Case)
                    'UniformOutput', false);
   s = struct ('calibration', found(1), 'gap', found(2));
   now = resultInput (Case);
-  s.gapChanged = changedInput (s.gap, now);
+  changed = @(result) [changedInput(result, now), lostRuns(result, Case)];
+  s.gapChanged = changed (s.gap);
   s.changed = s.gapChanged;
   if ~isempty (s.calibration)
-    s.changed = changedInput (s.calibration, now);
+    s.changed = changed (s.calibration);
   end
   s.lastRuns = lastRuns (found, {Case.models.name});
   v = @() decideStored (s);
@@ -32,16 +34,18 @@ end
 function last = lastRuns (results, names)
   last = -Inf (1, numel (names));
   for result = results
-    models = jsonAt (result{1}, {'input', 'models'});
-    if iscell (models)
-      models = [models{:}];
-    end
-    for model = reshape (models, 1, [])
-      k = strcmp (givenField (model, 'name', ''), names);
-      last(k) = max (last(k), givenField (model, 'lastRun', -Inf));
+    for model = jsonList (result{1}, {'input', 'models'})
+      k = strcmp (givenField (model{1}, 'name', ''), names);
+      last(k) = max (last(k), givenField (model{1}, 'lastRun', -Inf));
     end
   end
   last(isinf (last)) = Inf;
+end
+
+function word = lostRuns (result, Case)
+  isLess = @(m) countFinished (m, Case) < givenField (m, 'runs', 0);
+  models = jsonList (result, {'input', 'models'});
+  word = repmat ({'its runs'}, 1, any (cellfun (isLess, models)));
 end
 
 %!test
@@ -57,6 +61,14 @@ end
 %! put ('results/calibration.json', struct ('input', resultInput (Case)));
 %! s = storedResult (Case);
 %! assert ({s.changed, s.lastRuns}, {cell(1, 0), [2, 2]});
+%! % a later run and one that it does not know change nothing; one of its own does
+%! evaluateDEM ([9, 9], Case);
+%! forgetRuns (Case.store, 'First', [3, 3], false);
+%! assert (storedResult (Case).changed, cell (1, 0));
+%! forgetRuns (Case.store, 'First', [1, 1], false);
+%! assert (storedResult (Case).changed, {'its runs'});
+%! forgetRuns (Case.store, 'First', [1, 1], true);
+%! assert (storedResult (Case).changed, cell (1, 0));
 %! evaluateDEM ([5, 6], Case);
 %! was = struct ('input', resultInput (Case), 'which', struct ());
 %! was.input.digest.settings = 'x';
@@ -65,6 +77,6 @@ end
 %! s = storedResult (Case);
 %! assert (s.changed, {'parameters or limits'});
 %! assert (s.gapChanged, {'parameters or limits', 'settings'});
-%! assert (s.lastRuns, [3, 3]);
+%! assert (s.lastRuns, [4, 4]);
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -14,7 +14,9 @@
 % numbers is an outcome: the run is 'ok' (cause 'lacking'), and the others count. Not so
 % where the run's own checks (output_checks.csv) find a fault in it. One without any number
 % is 'invalid' with the cause 'none': another packing in its place would hide how often that
-% happens.
+% happens. A script that ends with another exit status than 0, though results are there
+% and nothing says of an error, has failed all the same; the message says what is there,
+% and no other packing stands in for it, either ('evaluation').
 %
 % Runs in a worker of parcellfun, catches everything and returns a record.
 % Published evaluation functions build file names from a global variable named
@@ -22,9 +24,15 @@
 
 function record = evaluateRun (record, place)
   leaveNoCore ();
-  if strcmp (record.status, 'ok')
+  isOk = strcmp (record.status, 'ok');
+  if isOk || isQuietExit (record)
     before = {path(), pwd()};
-    record = evaluate (record, place);
+    tried = evaluate (setfield (record, 'status', 'ok'), place);
+    if isOk
+      record = tried;
+    else
+      record = afterExit (record, tried, place);
+    end
     % the worker goes on with other runs, whatever getResults did to its path
     if ~strcmp (path (), before{1})
       path (before{1});
@@ -35,6 +43,29 @@ function record = evaluateRun (record, place)
   end
   keepRecord (record);
   tidyDrafts (record.folder);
+end
+
+function yes = isQuietExit (record)
+  yes = strcmp (record.cause, 'exit') && ...
+        ~isempty (regexp (record.message, '^exit status (?!12[5-9]|1[3-9]\d|2)', 'once')) && ...
+        isempty (regexp (record.message, 'ERROR|rror:|not found', 'once'));
+end
+
+% TRIED  as if its exit status had been 0
+function record = afterExit (record, tried, place)
+  lacks = find (~isfinite (tried.results));
+  if numel (lacks) == numel (tried.results)
+    return
+  end
+  record.cause = 'evaluation';
+  status = regexp (record.message, '^exit status \d+', 'match', 'once');
+  record.message = [status, ', though all its results are there: let runscript end with ' ...
+                    'exit 0 if that is no fault'];
+  if ~isempty (lacks)
+    record.message = [status, '; ', namesOf(lacks, tried.results, place), ', the others ' ...
+                      'are there. If nothing flows then, that is an outcome and no fault: ' ...
+                      'let getResults return 0 for it, and runscript end with exit 0'];
+  end
 end
 
 % Octave cannot interrupt its own call: a shell kills the process when the time
@@ -235,6 +266,29 @@ end
 %! assert (message (), [strrep(plain, 'result 1', 'result 1 (w at 0.9)'), zero]);
 %! put ('[0.1, 1; 0.8, 2]');
 %! assert (message (), 'w at 0.9 lies beyond the curve (0.1 to 0.8)');
+%!test
+%! % results are there, though the script ended with another status than 0
+%! folder = emptyFolder ();
+%! put = @(values) writeAtomic (fullfile (folder, 'getResults.m'), ...
+%!   ["function r = getResults (model, name)\nr = ", values, ";\nend\n"]);
+%! record = newRecord (standInJob (), folder);
+%! [record.status, record.cause, record.message] = deal ('failed', 'exit', 'exit status 1');
+%! place = struct ('base', folder, 'name', '0001', 'funs', folder, 'count', 2, 'limit', Inf);
+%! put ('{1, 2}');
+%! r = evaluateRun (record, place);
+%! assert ({r.status, r.cause, r.results}, {'failed', 'evaluation', []});
+%! assert (strncmp (r.message, 'exit status 1, though all its results are there', 47));
+%! put ('{NaN, 2}');
+%! r = evaluateRun (record, place);
+%! assert (strncmp (r.message, 'exit status 1; result 1 is NaN, the others are there', 52));
+%! put ('{NaN, NaN}');
+%! assert ({evaluateRun(record, place).cause, evaluateRun(record, place).message}, ...
+%!         {'exit', 'exit status 1'});
+%! put ('{1, 2}');
+%! for message = {'exit status 1; ERROR: lost atoms', 'exit status 139', 'exit status 127; x'}
+%!   record.message = message{1};
+%!   assert (evaluateRun (record, place).message, message{1});
+%! end
 %!test
 %! % a run that lacks one result keeps the others; not where its own checks blame it
 %! folder = emptyFolder ();

@@ -11,8 +11,9 @@
 %     message   what happened, with the first line of output that complains
 %     cause     '', 'exit', 'killed' (from outside), 'time', 'output', 'none' (no
 %               result is a number), 'lacking' (one is none, status 'ok'),
-%               'evaluation' (an error in getResults), 'budget' (not run:
-%               Input.maxNewRuns), 'stage' (the run that it starts from failed;
+%               'evaluation' (an error in getResults, or results that are there
+%               though the script ended with another status than 0), 'budget'
+%               (not run: Input.maxNewRuns), 'stage' (the run that it starts from failed;
 %               folder is that of it)
 %     results   1 x m; NaN: not a number in this run; may be empty unless 'ok'
 %     seconds   wall-clock time of the simulation

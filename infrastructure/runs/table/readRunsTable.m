@@ -44,14 +44,14 @@ end
 
 % A pair of types that stands in both orders is no mistake, unless its values differ.
 function refuseTwice (header, names, kinds, cells, Case, file)
-  for k = find (strcmp (kinds, 'ignored'))
-    [name, kind] = importHeader (header(k), Case, file);
-    at = find (strcmp (names, name{1}) & strcmp (kinds, 'parameter'), 1);
-    if ~isempty (at) && strcmp (kind, 'parameter') && ...
-       ~isequal (cells(:, at), cells(:, k))
+  later = find (strcmp (kinds, 'ignored'));
+  [again, kind] = importHeader (header(later), Case, file);
+  for k = find (strcmp (kind, 'parameter'))
+    at = find (strcmp (names, again{k}) & strcmp (kinds, 'parameter'), 1);
+    if ~isempty (at) && ~isequal (cells(:, at), cells(:, later(k)))
       error ('DEcalioc:importRuns:badValue', ...
              ['importRuns: two columns of %s are %s, and differ: %s and %s. Rename the one ' ...
-              'that is something else.'], file, name{1}, header{[at, k]});
+              'that is something else.'], file, again{k}, header{[at, later(k)]});
     end
   end
 end

@@ -157,11 +157,13 @@ function sayBest (best, Case)
   isMeasured = isfinite ([Case.targets.value]);       % others are tests to come
   for t = setdiff (find (isMeasured), [curves.own])
     T = Case.targets(t);
-    isHeld = strcmp (T.role, 'holdout');
-    printf (['        %-24s %.5g, measured %.5g: %+.1f %% ' ...
-             '(tolerance %.3g)%s\n'], T.name, best.results(t), T.value, ...
-            100 * best.residual(t), 100 * T.tol, ...
-            repmat (', held out', 1, isHeld));
+    held = repmat (', held out', 1, strcmp (T.role, 'holdout'));
+    values = {'%+.1f %% (tolerance %.3g)', 100 * [best.residual(t), T.tol]};
+    if T.isAbsolute
+      values = {'%+.3g (tolerance %.3g)', [best.residual(t), T.tol]};
+    end
+    printf (['        %-24s %.5g, measured %.5g: ', values{1}, '%s\n'], T.name, ...
+            best.results(t), T.value, values{2}, held);
   end
 end
 

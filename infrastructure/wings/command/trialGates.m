@@ -20,10 +20,9 @@
 %   overlap            8 % of a diameter at the end, as readChecks has it for the rigs
 %   rest               where a heap or a packing is read, a tenth of the grains may be
 %                      faster than after a fall of their radius
-% and those of sample/gates.csv of the model: columns condition (see readRule, with
-% variables of data.head, results and output_checks.csv by their names) and says.
-% A condition of a name that the run lacks is left out. Overlap, rest and lost grains
-% of the toolbox's rigs are judged before (readChecks): such a run has failed.
+% and those of inputGates, with results and output_checks.csv by their names. Overlap,
+% rest and lost grains of the toolbox's rigs are judged before (readChecks): such a run
+% has failed.
 %
 % See also: sayCheck, unitRatio
 
@@ -51,7 +50,7 @@ function notes = trialGates (record, targets, folder, grains)
     end
   end
   notes = [notes, atEnd(grains, info), ...
-           ofModel(folder, mergeFields (mergeFields (values, checks), named))];
+           inputGates(folder, mergeFields (mergeFields (values, checks), named))];
 end
 
 % Of the grains at the end of the run.
@@ -114,21 +113,6 @@ function notes = ofPacking (name, share, which, values)
     notes = {sprintf(['%s: %s, it fills %.2g of the volume with grains of %g kg/m3, ' ...
                       'where grains fill 0.5 to 0.67: %s?'], name, which, share, ...
                      values.densityP, slip)};
-  end
-end
-
-function notes = ofModel (folder, values)
-  notes = cell (1, 0);
-  file = fullfile (folder, 'sample', 'gates.csv');
-  if ~isfile (file)
-    return
-  end
-  [header, cells] = readCsvTable (file);
-  for row = cells'
-    [rule, fault] = readRule (row{strcmp(header, 'condition')}, {}, values);
-    if isempty (fault) && ~rule (zeros (1, 0))
-      notes{end + 1} = row{strcmp(header, 'says')};
-    end
   end
 end
 

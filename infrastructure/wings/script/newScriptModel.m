@@ -58,7 +58,9 @@ function [words, notes] = newScriptModel (root, target, given)
   tree.texts = cell (size (tree.from));
   tree.texts(at) = texts;
   makeFolder (root, target, words, tree, variables, ...
-              resultLines ([results, {curves.name}], [units, {curves.unit}]));
+              resultLines ([results, {curves.name}], [units, {curves.unit}], ...
+                           [cell(size (results)), arrayfun(@overText, curves, ...
+                                                           'UniformOutput', false)]));
   words = caseWords (words, all(1:numel (names)), limits, results, measured);
   words.ROWS = measuredRows (given.model, results, measured, units, curves);
   trial = fullfile (fileparts (found.scripts{1}), output);
@@ -128,9 +130,17 @@ function text = postText (post, tree)
   end
 end
 
-function text = resultLines (names, units)
-  lines = [names; units];
-  text = ["name,kind,unit,series,at,text\n", sprintf("%s,,%s,,,\n", lines{:})];
+function text = resultLines (names, units, texts)
+  lines = [names; units; texts];
+  text = ["name,kind,unit,series,at,text\n", sprintf("%s,,%s,,,%s\n", lines{:})];
+end
+
+% 'force over time in ms': no column of results.csv holds the unit of the places.
+function text = overText (curve)
+  text = '';
+  if ~isempty (curve.atUnit)
+    text = sprintf ('%s over %s in %s', curve.name, curve.place, curve.atUnit);
+  end
 end
 
 % These become text of programs: bash, awk, Octave.

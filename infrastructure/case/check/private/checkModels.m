@@ -44,6 +44,9 @@ function p = missing (name, k, folder, root)
   if isempty (cure)
     cure = 'Copy the model folder there, or correct the name.';
   end
+  if isfile (fullfile (folder, 'runs.csv'))
+    cure = [cure, ' For the runs of runs.csv alone set Input.maxNewRuns = 0.'];
+  end
   p = checkFault ('missingModel', sprintf ('Input.model{%d}', k), ...
                   sprintf ('a folder in %s or %s', places{:}), ...
                   [name, ', which is in neither'], cure);

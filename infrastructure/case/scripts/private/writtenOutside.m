@@ -7,9 +7,10 @@
 %   FOLDER  model folder, PLACE  run folder, see namedFiles (texts)
 %   PLACES  1 x n cell of paths, as full ones: what redirections, tee, mkdir, touch,
 %           the last word of cp, mv, ln, install and rsync, what dd, tar, sed -i and options
-%           such as -o and --output, files that Python or Octave writes, dumps, logs and
-%           restarts of an input script name; folders elsewhere that a shell script
-%           changes to and writes in by relative names
+%           such as -o and --output, variables such as OUT that a command is given, folders
+%           that a container has as its /out or /work, files that Python or Octave writes,
+%           dumps, logs and restarts of an input script name; folders elsewhere that a shell
+%           script changes to and writes in by relative names
 %
 % All runs share such a place, those that run at the same time, too. A name with a
 % variable that is not known ($$, $(mktemp), the number of a job) may be one of
@@ -106,7 +107,14 @@ end
 function [words, at] = ofShell (text)
   options = ['(?<=\s)(?:-o|-O|-d|-log|-l|-C|--(?:out|output|outfile|outdir|output-dir|' ...
              'log|directory|target-directory|prefix))(?:[ \t]+|=)'];
-  patterns = cell (1, 4);
+  patterns = cell (1, 7);
+  given = '(?:\w+_)?(?i:out|res|log)\w*=["'']?(/[^\s"'';&|)]+)';
+  patterns{5} = ['(?<=\s|^)', given, '["'']?(?=[ \t]+[^\s;&|#])'];
+  patterns{6} = ['^[ \t]*export[ \t]+', given];
+  patterns{7} = ['(?:-v|-B|--(?:volume|bind|mount))[ \t=]+["'']?(?:type=bind,)?' ...
+                 '(?:source=|src=)?(/[^\s:,"'']+)(?::|,(?:target|destination|dst)=)' ...
+                 '/(?:\w+/)*(?:out|res|log|work|run|scratch|tmp)\w*["'']?' ...
+                 '(?=\s|:rw|:[zZ]|,rw|$)'];
   patterns{1} = ['(?<![0-9<=>-])[012&]?>{1,2}[|&]?[ \t]*' ...
                  '("[^"\n]+"|''[^''\n]+''|[^\s;&|)>}]+)'];
   patterns{2} = [options, '["'']?((?:/|~|\.\./)[^\s"'';&|)]+)'];
@@ -129,21 +137,22 @@ function words = byCommand (part)
     return
   end
   rest = list(2:end);
-  isOption = strncmp (rest, '-', 1);
+  plain = rest(~strncmp (rest, '-', 1));
+  are = @(pattern) ~cellfun (@isempty, regexp (rest, pattern, 'once'));
   switch list{1}
     case {'mkdir', 'touch'}
-      words = rest(~isOption);
+      words = plain;
     case {'cp', 'mv', 'ln', 'rsync', 'install'}
       target = find (strcmp (rest(1:end - 1), '-t'), 1) + 1;
-      words = [rest(target), rest(~isOption)(2:end)(max(end, 1):end)];
+      words = [rest(target), plain(max (end, 2):end)];
     case 'sed'
-      isInPlace = ~cellfun (@isempty, regexp (rest, '^(-i|--in-place|-[nErsz]+i)', 'once'));
-      words = rest(~isOption)(2:end * any (isInPlace));
+      if any (are ('^(-i|--in-place|-[nErsz]+i)'))
+        words = plain(2:end);
+      end
     case 'tar'
-      words = rest(2:end * ~isempty (regexp ([rest{1:min(end, 1)}], '^-?\w*c\w*f$', 'once')));
-      words = words(1:min (end, 1));
+      words = rest([false, are('^-?\w*c\w*f$')(1:end - 1)]);
     case {'sqlite3', 'zip'}
-      words = rest(~isOption)(1:min (end, 1));
+      words = plain(1:min (end, 1));
   end
 end
 
@@ -271,6 +280,18 @@ end
 %!             "python3 -c \"shutil.copy('/a/b', '/tmp/w')\"", ...
 %!             "octave --eval \"save ('-text', '/tmp/w', 'x')\""}
 %!   assert (isequal (of (text{1}), {'/tmp/w'}), text{1});
+%! end
+%! for text = {"OUT=/tmp/w ./sim", "x=1 OUT_DIR=\"/tmp/w\" python3 sim.py\n", ...
+%!             "export RESULTS=/tmp/w\n./sim", "env LOGFILE=/tmp/w ./sim", ...
+%!             "docker run --rm -v /tmp/w:/out img sim", ...
+%!             "podman run -v \"/tmp/w:/work:z\" img", "apptainer exec -B /tmp/w:/scratch a.sif", ...
+%!             "docker run --mount type=bind,source=/tmp/w,target=/data/results img"}
+%!   assert (isequal (of (text{1}), {'/tmp/w'}), text{1});
+%! end
+%! for text = {"DATA=/tmp/w ./sim", "docker run -v /tmp/w:/out:ro img", "OUT=out ./sim", ...
+%!             "docker run -v /c/optim/M/0001:/work img", "docker run -v /data:/data img", ...
+%!             "OUT=/tmp/w; diff $OUT out", "docker run -v /a:/opt/dem -w /work img"}
+%!   assert (isempty (of (text{1})), text{1});
 %! end
 %! assert (of ("cd ..\n./run > out.txt"), {'/c/optim/M/out.txt'});
 %! assert (of ("(cd /tmp/w; ./a)\necho 1 > out.txt"), cell (1, 0));

@@ -21,17 +21,17 @@ function [text, code] = closedText (gap, isChange)
   said = struct ('effect', plainName (effect), 'how', judgedHow (far), 'part', ...
                  partText (far, isChange));
   held = jsonAt (far, {'heldOut'});
-  isAlike = isstruct (held) && strcmp (codeOf (held), code) && ...
-            isequal (percentOf (held), percentOf (far));
-  if isAlike
+  last = far;
+  if ~isstruct (held)
+    text = sentence ('closed.fitted', said);
+  elseif strcmp (codeOf (held), code) && isequal (percentOf (held), percentOf (far))
     text = sentence ('closed.both', said);
   else
-    text = sentence ('closed.fitted', said);
-  end
-  if isstruct (held) && ~isAlike
-    text = [text, '; ', ...
+    last = held;
+    text = [sentence('closed.fitted', said), doubtOf(far, held), '; ', ...
             sentence('closed.heldOut', struct ('part', partText (held, isChange)))];
   end
+  text = [text, doubtOf(last)];
   targets = jsonList (far, {'targets'});
   placebos = jsonList (far, {'placebos'});
   outside = targets(cellfun (@isOutside, targets));
@@ -55,6 +55,14 @@ end
 
 function text = partText (part, isChange)
   text = sentence (['closed.', codeOf(part)], struct ('share', percentOf (part)), isChange);
+end
+
+% Behind the last part of which it holds.
+function text = doubtOf (part, next)
+  text = '';
+  if strcmp (codeOf (part), 'unsure') && (nargin < 2 || ~strcmp (codeOf (next), 'unsure'))
+    text = [' ', sentence('closed.doubt')];
+  end
 end
 
 % Over 100 %: less is left than noise alone makes.
@@ -98,6 +106,14 @@ end
 %! text = closedText (struct ('howFar', both));
 %! assert (numel (strfind (text, 'about 100 %')), 1);
 %! assert (! isempty (strfind (text, 'on the fitted data and on data not used')), text);
+%! % where they differ their doubt is
+%! both.heldOut.closure = 0.3;
+%! text = closedText (struct ('howFar', both));
+%! assert (numel (strfind (text, 'uncertain')), 1);
+%! assert (! isempty (regexp (text, 'about 30 %.* not used in the fit \(uncertain')), text);
+%! both.heldOut.interval90 = [0.2, 0.4];
+%! text = closedText (struct ('howFar', both));
+%! assert (! isempty (regexp (text, 'fitted data \(uncertain[^;]*\); 30 %')), text);
 %! far = rmfield (far, 'interval90');
 %! far.heldOut = [];
 %! [far.closure, far.removable] = deal ([], true);

@@ -24,6 +24,9 @@ function text = firstLine (gap)
   if ~any (isOff)
     [~, top] = max (times);
     [said(top), code] = deal (true, 'none');
+    if times(top) < 0.05                 % of a copy of the reference nothing is the most
+      code = 'nothing';
+    end
     if any (jsonAt (gap, {'which', 'p'}) < gap.thresholds.level)
       [said, code] = deal (said | alongCurve (targets, top, times), 'together');
     end
@@ -85,7 +88,7 @@ function text = pointText (T, times)
   values.from = digits ('plain', from, sd / 10);
   values.to = digits ('plain', to, sd / 10);
   if isLog (T)
-    [values.amount, values.way] = ratioText (to - from, values.way);
+    [values.amount, values.way] = ratioText (exp (to - from), values.way);
     values.from = ['ln ', values.from];
   else
     unit = regexprep (char (jsonAt (T, {'shown', 'unit'})), '^-$', '');
@@ -98,16 +101,15 @@ function yes = isLog (T)
   yes = strncmp (char (jsonAt (T, {'kind'})), 'log', 3);
 end
 
-% '83 %' 'less', '3.1 times' 'what it was', of a difference of logarithms.
-function [amount, way] = ratioText (difference, way)
-  amount = sprintf ('%.2g %%', 100 * abs (exp (difference) - 1));
-  if exp (difference) < 0.001
-    amount = 'more than 99.9 %';
-  elseif exp (difference) < 0.01         % 1e+02 %
-    amount = sprintf ('%.1f %%', 100 * (1 - exp (difference)));
+% '83 %' 'less', '3.1 times' 'what it was', of a ratio.
+function [amount, way] = ratioText (ratio, way)
+  amount = [twoDigits(100 * abs (ratio - 1)), ' %'];
+  if ratio >= 2
+    amount = [twoDigits(ratio), ' times'];
+  elseif ratio < 0.01
+    amount = ['1/', twoDigits(1 / ratio), ' of'];
   end
-  if exp (difference) >= 2
-    amount = [twoDigits(exp (difference)), ' times'];
+  if ratio >= 2 || ratio < 0.01
     way = sentence ('way.timesMore');
   end
 end
@@ -185,6 +187,12 @@ end
 %! text = firstLine (gap);
 %! assert (! isempty (strfind (text, 'b 10 g less')) && isempty (strfind (text, 'c 3')), text);
 %!test
+%! gap = changed (2, names, '');
+%! [gap.where.targets.p] = deal (0.9);
+%! [gap.reference.targets.measured] = deal (30);
+%! gap.which.p = 0.9;
+%! assert (firstLine (gap), 'No result changed by more than noise.');
+%!test
 %! % to the noise; a logarithm as what it stands for
 %! gap = changed (1, names, '');
 %! [gap.reference.targets.reference, gap.reference.targets.measured] = deal (19.0933, 19.5467);
@@ -198,7 +206,7 @@ end
 %! [gap.reference.targets.reference, gap.reference.targets.measured] = deal (-1.27, -3.03);
 %! assert (said (gap), 'Changed: a 83 % less (ln -1.27 to -3.03)');
 %! gap.reference.targets.measured = -7.4;
-%! assert (said (gap), 'Changed: a 99.8 % less (ln -1.27 to -7.4)');
+%! assert (said (gap), 'Changed: a 1/459 of what it was (ln -1.27 to -7.4)');
 %! gap.reference.targets.measured = -0.13;
 %! assert (said (gap), 'Changed: a 3.1 times what it was (ln -1.27 to -0.13)');
 %! gap.reference.targets.measured = 3.6;

@@ -76,6 +76,8 @@ function sayModels (Case, isTried)
             countText (numel (requirementsOf (mine, 1:numel (mine))), 'target'), ...
             countText (m.cpu, 'CPU'), place);
     sayStages (m);
+    cellfun (@(text) printf ('WARNING   %s: %s\n', m.name, text), ...
+             notesOfInput (m.folder, Case));
     sayNamed (m, Case.hashes(k).named);
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
@@ -211,6 +213,16 @@ function sayEffects (Case)
   if ~isempty (Case.conditions)
     cellfun (@(text) printf ('%s\n', text), askChange (Case), ...
              'UniformOutput', false);
+    sayUnitsOfChanges (Case);
+  end
+end
+
+% Logarithms have no unit.
+function sayUnitsOfChanges (Case)
+  targets = Case.targets(~strncmp ({targetInfo(Case).kind}, 'log', 3));
+  for c = 1:numel (Case.conditions)
+    values = arrayfun (@(T) T.changed(c).value, targets);
+    sayUnits (targets, values, ['in ', Case.conditions{c}]);
   end
 end
 
@@ -237,23 +249,36 @@ function isGood = sayTrial (records, Case)
       printf ('          %s\n', r.message);
       continue
     end
-    if ~isempty (r.message)
-      printf ('WARNING   %s: %s.\n', r.model, r.message);
-    end
-    g = sayGrains (r);
     mine = Case.targets([Case.targets.model] == k);
-    for T = mine
-      measured = sprintf ('measured %.5g', T.value);
-      if isnan (T.value)
-        measured = 'not measured yet';
-      end
-      printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), ...
-              measured);
-    end
-    sayUnits (mine, r.results([mine.index]), 'in this run');
-    cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), ...
-             trialGates (r, mine, Case.models(k).folder, g));
+    g = sayGrains (r);
+    sayResults (r, mine);
+    notes = trialGates (r, mine, Case.models(k).folder, g);
+    notes = notes(~ismember (notes, notesOfInput (Case.models(k).folder, Case)));
+    cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), notes);
   end
+end
+
+% What needs no run to be seen.
+function notes = notesOfInput (folder, Case)
+  notes = cell (1, 0);
+  head = fullfile (folder, 'data.head');
+  if isfile (head)
+    notes = inputGates (folder, mergeFields (headDefaults (head), Case.modelVars));
+  end
+end
+
+function sayResults (r, targets)
+  if ~isempty (r.message)
+    printf ('WARNING   %s: %s.\n', r.model, r.message);
+  end
+  for T = targets
+    measured = sprintf ('measured %.5g', T.value);
+    if isnan (T.value)
+      measured = 'not measured yet';
+    end
+    printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), measured);
+  end
+  sayUnits (targets, r.results([targets.index]), 'in this run');
 end
 
 % Grains that are not there, and what LIGGGHTS itself warned of: the run ends well.

@@ -7,12 +7,14 @@
 %           readCsvTable takes: the columns PLACE, NAME and sd by their names, else
 %           the first two, place and value, or three with the standard uncertainty
 %           of the value. A unit behind its name is that of NAME
-%   CURVES  1 x n struct place, name, unit (texts), points (m x 2 or m x 3)
+%   CURVES  1 x n struct place, name, unit, atUnit (of the places in the table, '': it
+%           names none), points (m x 2 or m x 3)
 %
 % Errors: DEcalioc:scriptCurves:badValue; those of readCsvTable
 
 function curves = scriptCurves (texts)
-  curves = struct ('place', {}, 'name', {}, 'unit', {}, 'points', {});
+  curves = struct ('place', {}, 'name', {}, 'unit', {}, 'atUnit', {}, ...
+                   'points', {});
   for text = texts
     found = regexp (text{1}, '^([A-Za-z]\w*):([A-Za-z]\w*)(?::([^=:]+))?=(.+)$', 'tokens', ...
                     'once');
@@ -26,14 +28,15 @@ function curves = scriptCurves (texts)
     if numel (found) == 4
       unit = found{3};
     end
-    curve = struct ('place', found{1}, 'name', found{2}, 'unit', unit, 'points', []);
-    [curve.points, curve.unit] = pointsOf (found{end}, curve);
+    curve = struct ('place', found{1}, 'name', found{2}, 'unit', unit, ...
+                    'atUnit', '', 'points', []);
+    [curve.points, curve.atUnit, curve.unit] = pointsOf (found{end}, curve);
     curves(end + 1) = curve;
   end
 end
 
 % The columns by their names, else the first two or three.
-function [points, unit] = pointsOf (file, curve)
+function [points, atUnit, unit] = pointsOf (file, curve)
   [header, cells, lines] = readCsvTable (file, {curve.place, curve.name, 'sd'});
   [names, units] = parted (header);
   [isFound, at] = ismember (lower ({curve.place, curve.name, 'sd'}), lower (names));
@@ -62,6 +65,7 @@ function [points, unit] = pointsOf (file, curve)
                             'apart: write %s.%s,%s'], strjoin (texts(1, :), ','), lines(1), ...
                            texts{1, :}));
   end
+  atUnit = units{at(1)};
   unit = unitFor (curve, units{at(2)}, file);
 end
 
@@ -98,7 +102,7 @@ end
 %! writeAtomic (file, "# by hand\ntime [s],force [N]\n0,1\n0.1,2.5\n0.2,3\n");
 %! c = scriptCurves ({['t:F:N=', file], ['time:force=', file]});
 %! assert ({c.place}, {'t', 'time'});
-%! assert ({c.unit}, {'N', 'N'});
+%! assert ([{c.unit}, {c.atUnit}], {'N', 'N', 's', 's'});
 %! assert (c(1).points, [0, 1; 0.1, 2.5; 0.2, 3]);
 %! writeAtomic (file, "0 1 0.1\n1 2 0.1\n");
 %! assert (scriptCurves ({['t:F=', file]}).points, [0, 1, 0.1; 1, 2, 0.1]);
