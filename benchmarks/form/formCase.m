@@ -51,7 +51,7 @@ function lines = formCase (part, number, given, emulator, truth, how)
 end
 
 function [truth, d] = described (problem, hypotheses, truth)
-  truth.theta = toSymmetric (truth.X, problem.limits);
+  truth.theta = 2 * toUnit (truth.X, problem.limits) - 1;
   names = {problem.effects(abs (truth.phi) > 1e-9).name};
   [isThere, at] = ismember (names, hypotheses.names);
   truth.names = names;

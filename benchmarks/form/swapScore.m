@@ -55,7 +55,7 @@ function mark = markOf (lab, t, stem)
     end
   end
   X = cellfun (@(n) str2double (t.(n)), lab.given.names);
-  q = toSymmetric (X, lab.given.limits);
+  q = 2 * toUnit (X, lab.given.limits) - 1;
   white = lab.hypotheses.white;
   [~, V, ~, J] = predictGap (white, [], q);
   slopes = reshape (vertcat (J{:})', numel (V), white.p) ./ sqrt (V');

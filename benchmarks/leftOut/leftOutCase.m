@@ -53,7 +53,7 @@ end
 
 function truth = truthOf (problem, hypotheses, data, i)
   phi = strengthOfValues (problem.effects, data.E(i, :));
-  theta = toSymmetric (data.X(i, :), problem.limits);
+  theta = 2 * toUnit (data.X(i, :), problem.limits) - 1;
   names = {problem.effects(abs (phi) > 1e-9).name};
   [has, numbers] = ismember (names, hypotheses.names);
   truth = struct ('names', {names}, 'phi', phi(abs (phi) > 1e-9), 'd', 0);

@@ -9,7 +9,7 @@
 % The emulator is a polynomial: around the middle of the box its odd and even
 % terms are uncorrelated, and its fit well conditioned.
 %
-% See also: toSymmetric, toUnit
+% See also: toUnit
 
 function X = fromSymmetric (theta, limits)
   X = mean (limits(1:2, :)) + theta .* (limits(2, :) - limits(1, :)) / 2;
@@ -21,5 +21,9 @@ end
 
 %!assert (fromSymmetric ([-1, 0; 1, 0.5], [1, 4; 3, 8]), [1, 6; 3, 7]);
 %!assert (fromSymmetric ([-1; 0; 1], [1; 100; 1]), [1; 10; 100], 1e-13);
+%!test
+%! box = [1, 0; 100, 5; 1, 0];
+%! theta = [-1, 0.2; 0.3, 1];
+%! assert (2 * toUnit (fromSymmetric (theta, box), box) - 1, theta, 1e-13);
 
 % SPDX-License-Identifier: GPL-3.0-only

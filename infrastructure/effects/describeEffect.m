@@ -78,12 +78,22 @@ function effect = describeEffect (given)
   effect.limits = orderedLimits (effect.limits, effect.neutral);
 end
 
+% Lower one first where it acts both ways. Where neutral lies at an end or outside, the rows
+% stay: weakest, strongest.
+function limits = orderedLimits (limits, neutral)
+  both = min (limits, [], 1) < neutral & neutral < max (limits, [], 1);
+  limits(:, both) = sort (limits(:, both), 1);
+end
+
 %!test % defaults of a plain effect
 %! e = describeEffect (struct ('name', 'x', 'variables', {{'a', 'b'}}, ...
 %!                             'neutral', [0, 1], 'limits', [0, 0.5; 2, 4]));
 %! assert (e.priorScale, [4, 6]);
 %! assert (e.group, 'x');
 %! assert (e.laboratory, false);
+%! e = describeEffect (struct ('name', 'x', 'variables', {{'a', 'b'}}, ...
+%!                             'neutral', [0.5, 5], 'limits', [0.9, 3; 0.2, 1]));
+%! assert (e.limits, [0.2, 3; 0.9, 1]);
 
 %!error id=DEcalioc:describeEffect:missingField ...
 %! describeEffect (struct ('name', 'x'))

@@ -260,6 +260,17 @@ function [standard, nExtra] = probeCost (problem)
   end
 end
 
+% How much of a parameter one width of the box is: derivative of the parameter by its place in
+% the unit box. In logarithms the width grows with the parameter.
+function w = boxWidth (limits, P)
+  w = limits(2, :) - limits(1, :);
+  isLog = any (limits(3:end, :), 1);
+  if any (isLog)
+    w = repmat (w, rows (P), 1);
+    w(:, isLog) = P(:, isLog) .* log (limits(2, isLog) ./ limits(1, isLog));
+  end
+end
+
 %!shared C
 %! C.names = {'a', 'b'};
 %! C.limits = [0, 0; 1, 2];
@@ -370,5 +381,10 @@ end
 %! [given.paramMean, given.paramSd] = deal ([0.75, NaN], [0.1, NaN]);
 %! assert (newProblem (given).paramPrior, ...
 %!         struct ('mean', [0.5, 0], 'sd', [0.2, Inf]), 1e-12);
+%! % in logarithms the width of the box grows with the parameter
+%! given.limits = [1, 0; 100, 2; 1, 0];
+%! X = fromUnit ([0.3; 0.3 + 1e-6] * [1, 1], given.limits);
+%! [given.paramMean, given.paramSd] = deal (X(1, :), [0.1, 0.1]);
+%! assert (newProblem (given).paramPrior.sd, 0.2 ./ diff (X) * 1e-6, -1e-4);
 
 % SPDX-License-Identifier: GPL-3.0-only

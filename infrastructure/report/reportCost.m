@@ -18,11 +18,12 @@ function b = reportCost (Case, say)
                          Case.names);
   writeAtomic (fullfile (folder, 'best.head'), ...
                ['# ', resultTitle(b, b.date), "\n", headLines(values)]);
-  cellfun (say, tableText (costTable (Case, b)), 'UniformOutput', false);
+  [T, texts] = costTable (Case, b);
+  cellfun (say, tableText (T), 'UniformOutput', false);
   say ('');
   say (['BEST SET KNOWN: ', sprintf('smallest %s %.5g, of %s', b.name, b.cost, ...
                                     countText (b.sets, 'set'))], 'open');
-  cellfun (@(text) say (['  ', text]), costTexts (b), 'UniformOutput', false);
+  cellfun (@(text) say (['  ', text]), texts, 'UniformOutput', false);
   if exist ('costPage', 'file') == 2           % a wing, page/
     say (['Report: ', costPage(Case, b)]);
   end

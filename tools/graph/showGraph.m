@@ -213,9 +213,6 @@ end
 %!             'DEMmodels', 'benchmarks', 'bin', 'Makefile', 'README.md', '*.m'}
 %!   copyfile (fullfile (root, part{1}), scratch);
 %! end
-%! [failed, said] = graphOf (scratch);
-%! assert (failed == 0, strjoin (said, "\n"));
-%! assert (any (strncmp (said, 'Declared: readInput calls loadInput', 30)));
 %!
 %! folders = strsplit (genpath (fullfile (scratch, 'infrastructure')), ...
 %!                     pathsep ());
@@ -261,7 +258,11 @@ end
 %!                    'checkDryRunWorker'];
 %! [failed, said] = graphOf (scratch);
 %! assert (failed, 1);
-%! assert (cell (1, 0), setdiff (wanted, said));
+%! assert (any (strncmp (said, 'Declared: readInput calls loadInput', 30)));
+%! % these faults, and no others: the toolbox itself has none
+%! isFault = ~cellfun (@isempty, regexp (said, ['^(Upward|Both ways|Private|Without a ' ...
+%!                                              'caller|Without a test|Declared, but)']));
+%! assert (setxor (wanted, said(isFault)), cell (1, 0));
 %!
 %! % a folder that is in no layer
 %! mkdir (inside ('new'));

@@ -33,7 +33,7 @@
 % half-width, joined with the sd that trials have in common. Where their sd
 % differ, each counts by its own (measuredTarget).
 % The value of a point of a curve is named <name or series>@<at>, unless the
-% name stands in one place only; see distinctNames.
+% name stands in one place only.
 
 function [groups, p, conditions, sessions] = groupMeasured (list, models, ...
                                                             further)
@@ -147,6 +147,23 @@ function [groups, p] = withConditions (groups, keys, others, means)
   end
 end
 
+% Where several models have a target of one name, it is <model>_<name>: a name is a column of
+% runs.csv, so further models leave those of the others as they are.
+function groups = distinctNames (groups, models, further)
+  names = {groups.name};
+  of = [groups.model];
+  if all (of == of(1))
+    return
+  end
+  isLate = of > 0;
+  isLate(isLate) = ismember (models(of(isLate)), further);
+  for k = find (of > 0)
+    if any (strcmp (names, names{k}) & of ~= of(k) & isLate <= isLate(k))
+      groups(k).name = [models{of(k)}, '_', names{k}];
+    end
+  end
+end
+
 %!shared line
 %! line = struct ('line', 2, 'model', 1, 'name', 'a', 'series', '', ...
 %!                'unit', 'kg', 'at', NaN, 'value', 1, 'sd', 0, ...
@@ -247,5 +264,14 @@ end
 %! assert ({g(1).changed.swept, g(2).changed.swept}, {false, true});
 %! assert (sd(1), 0.06, 0.03);
 %! assert (sd(2), 0.3 * 8, 0.1);
+%!test
+%! % names that no two models share
+%! list = repmat (line, 1, 3);
+%! [list.name] = deal ('a', 'b', 'a');
+%! list(3).model = 2;
+%! names = @(list, further) {groupMeasured(list, {'M', 'N'}, further).name};
+%! assert (names (list, {}), {'M_a', 'b', 'N_a'});
+%! assert (names (list, {'N'}), {'a', 'b', 'N_a'});
+%! assert (names (list(1:2), {}), {'a', 'b'});
 
 % SPDX-License-Identifier: GPL-3.0-only

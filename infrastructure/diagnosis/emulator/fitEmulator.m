@@ -40,7 +40,7 @@ function emulator = fitEmulator (problem, data, options, old)
   p = columns (problem.limits);
   data = inOrder (data);
   phi = strengthOfValues (problem.effects, data.E);
-  theta = toSymmetric (data.X, problem.limits);
+  theta = 2 * toUnit (data.X, problem.limits) - 1;
   isBase = all (abs (phi) < 1e-9, 2);
   % p + 1 coefficients of a plane, and two runs more that tell how wrong it is
   if sum (isBase) < p + 3

@@ -62,7 +62,7 @@ function at = climb (view, Z, U)
     at = replaced (at, active(better), new, better);
     d = d .* (0.2 * better + 10 * ~better);
     damping(active) = d;
-    % ends where a step gains next to nothing (gapConstants: fitMargin), or none
+    % ends where a step gains next to nothing (gapOptions: fitMargin), or none
     % does at any damping
     active = active((~better & d < 1e4) | gain > 0.002);
   end

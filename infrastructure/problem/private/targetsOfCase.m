@@ -90,6 +90,24 @@ function given = withSeries (given, info)
   given.coordinate(isnan (given.coordinate)) = 0;
 end
 
+% Which targets one rule reads off: each curve, else the kind (length, angle, time ...), else
+% the unit, else ''.
+function readings = readingsOf (info, given)
+  readings = {info.unit};
+  for t = 1:numel (info)
+    text = regexprep (info(t).kind, {'^(angleFalling|coneAngle)$', ...
+                                     '^(offset|height|level)$'}, ...
+                      {'angle', 'length'});
+    if given.curve(t) > 0
+      text = sprintf ('%s %s', given.benchNames{given.bench(t)}, ...
+                      given.seriesNames{t});
+    end
+    if ~isempty (text)
+      readings{t} = text;
+    end
+  end
+end
+
 %!test
 %! % a guess where nothing is stated, and nothing to guess of what is missing
 %! C.targets = struct ('value', {400, -4, NaN}, 'tol', 0.1, 'sd', {7, 0, 0});
@@ -97,5 +115,15 @@ end
 %! assert (given.sd, [7, 0.2, 0], 1e-12);
 %! assert (given.sdKnown, [true, false, false]);
 %! assert (given.targetNames{2}, 'target_2');
+%!test
+%! % what one rule reads off: curves, kinds, units
+%! C.targets = struct ('value', 1, 'model', {1, 1, 1, 1, 2}, 'index', {1, 2, 3, 4, 1}, ...
+%!                     'curve', {0, 0, 0, 0, 1});
+%! C.models = struct ('name', {'A', 'B'}, 'cost', 1, 'folder', {emptyFolder(), emptyFolder()});
+%! head = "name,kind,unit,series,at,text\n";
+%! put = @(k, lines) writeAtomic (fullfile (C.models(k).folder, 'results.csv'), [head, lines]);
+%! put (1, "a,coneAngle,deg,,,x\nb,level,m,,,x\nc,,g,,,x\nd,,,,,x\n");
+%! put (2, "p,height,m,profile,1,x\n");
+%! assert (targetsOfCase (C).reading, {'angle', 'length', 'g', '', 'B profile'});
 
 % SPDX-License-Identifier: GPL-3.0-only

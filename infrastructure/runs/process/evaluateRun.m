@@ -226,6 +226,18 @@ function text = checksReason (folder)
   end
 end
 
+% Where an error arose, as the user's own files go: ' (getResults.m, line 7)', of the
+% innermost of these functions; '' where none is among the callers.
+function text = errorPlace (err, folder)
+  text = '';
+  inside = strfind ({err.stack.file}, folder);
+  k = find (~cellfun (@isempty, inside), 1);
+  if ~isempty (k)
+    [~, base, ending] = fileparts (err.stack(k).file);
+    text = sprintf (' (%s%s, line %d)', base, ending, err.stack(k).line);
+  end
+end
+
 %!test
 %! % a result that is not finite: its own checks say why, where there are some
 %! folder = emptyFolder ();
@@ -319,5 +331,16 @@ end
 %!              ["spheresStart,10\nspheresOut,4\nspheresEnd,6\nsettled,1\n", ...
 %!               "overlapMax,0.118\n"]);
 %! assert ({run().status, run().cause}, {'invalid', 'output'});
+%!test
+%! % an error: where it arose, the innermost of the user's own functions
+%! folder = emptyFolder ();
+%! put = @(name, text) writeAtomic (fullfile (folder, [name, '.m']), text);
+%! record = setfield (newRecord (standInJob (), folder), 'status', 'ok');
+%! place = struct ('base', folder, 'name', '0001', 'funs', folder, 'count', 1, 'limit', Inf);
+%! put ('getResults', "function r = getResults (model, name)\nr = slopeIn (name);\nend\n");
+%! told = @() regexp (evaluateRun (record, place).message, ' \(\w+\.m, line \d\)$', 'match');
+%! assert (told (), {' (getResults.m, line 2)'});
+%! put ('slopeIn', "function r = slopeIn (name)\n\nerror ('mine');\nend\n");
+%! assert (told (), {' (slopeIn.m, line 3)'});
 
 % SPDX-License-Identifier: GPL-3.0-only
