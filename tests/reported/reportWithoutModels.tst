@@ -10,10 +10,11 @@
 %! unlink (page);
 %! [status, out] = startCommand (folder, 'report');
 %! assert (status == 0 && isfile (page), '%s', out);
-%! for command = {'status', 'export', 'cancel', 'check'}
+%! for command = {'status', 'export', 'cancel', 'check', 'check --try'}
 %!   [status, out] = startCommand (folder, command{1});
 %!   assert (status == 0 && isempty (strfind (out, 'called from')), ...
 %!           '%s: %s', command{1}, out);
 %! end
+%! assert (isempty (strfind (out, 'failed')), out);
 
 % SPDX-License-Identifier: GPL-3.0-only

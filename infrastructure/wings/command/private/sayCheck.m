@@ -240,8 +240,12 @@ function records = tryModels (Case)
 end
 
 function isGood = sayTrial (records, Case)
-  isGood = all (strcmp ({records.status}, 'ok'));
-  for k = 1:numel (records)
+  wasRun = ~strcmp ({records.cause}, 'budget');
+  isGood = all (strcmp ({records(wasRun).status}, 'ok'));
+  for r = records(~wasRun)
+    printf ('trial     %s: %s\n', r.model, r.message);
+  end
+  for k = find (wasRun)
     r = records(k);
     printf ('trial     %s: %s, %.1f s (%s)\n', r.model, r.status, r.seconds, ...
             r.folder);
