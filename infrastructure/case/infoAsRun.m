@@ -69,8 +69,8 @@ end
 %! writeAtomic (fullfile (folder, 'data.head'), "variable w equal 3\nvariable s equal 0.02\n");
 %! assert (infoAsRun (info, folder, struct ())(1).text, 'slope at 3 rad/s (28.6 rpm), 12 m');
 %! writeAtomic (fullfile (folder, 'sample', 'places.csv'), ...
-%!              "name,variable,factor,said\nd,v,30,15\nd,t,1,45\na,w,,\n");
-%! info(2) = struct ('name', 'd', 'at', NaN, 'text', 'at 45 deg and 15 turns/min');
+%!              "name,variable,factor,said\nk,v,30,15\nk,t,1,45\na,w,,\n");
+%! info(2) = struct ('name', 'k', 'at', NaN, 'text', 'at 45 deg and 15 turns/min');
 %! doser = infoAsRun (info, folder, struct ('v', 1 / 3, 't', 40))(2);
 %! assert ({doser.text, doser.at}, {'at 40 deg and 10 turns/min', NaN});
 %! assert ({now.text}, {'slope at 1.047 rad/s (10 rpm), 12 m', 'slot of 25 mm of 2', 'at 2 rad/s'});
