@@ -97,8 +97,8 @@ end
 
 %!error id=DEcalioc:describeEffect:missingField ...
 %! describeEffect (struct ('name', 'x'))
-%!error <a field lable, which nothing reads. Did you mean label\?>
-%! describeEffect (struct ('name', 'x', 'neutral', 0, 'limits', [0; 1], 'lable', 'a'))
+%!error <a field laebl, which nothing reads. Did you mean label\?>
+%! describeEffect (struct ('name', 'x', 'neutral', 0, 'limits', [0; 1], 'laebl', 'a'))
 %!assert (describeEffect (struct ('name', 'x', 'variables', {{'q'}}, 'neutral', 0, ...
 %!                                'limits', [0; 1], 'author', 'me')).name, 'x')
 %!error id=DEcalioc:describeEffect:badShape ...

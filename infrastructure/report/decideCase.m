@@ -42,7 +42,11 @@ function v = decideCase (c, gap, isBegun)
     v = ofCalibration (v, c);
   end
   if ~isempty (gap)
+    before = v;
     v = withGap (v, c, decideGap (gap));
+    if strcmp (before.todo.code, 'units')           % no cause before that
+      v = mergeFields (v, before, {'todo', 'action', 'actionParts'});
+    end
   end
   v.numbers = keyNumbers (v, c);
 end
@@ -235,8 +239,11 @@ end
 % A slip that only a single miss, which no run comes near, may be.
 function text = halfOrTwice (missed)
   text = '';
+  if ~isscalar (missed)
+    return
+  end
   shares = struct ('half', 0.5, 'twice', 2);
-  for name = fieldnames (shares)'(1:end * isscalar (missed))
+  for name = fieldnames (shares)'
     own = missed.measured * shares.(name{1});
     isFar = all (abs (log (missed.range / missed.measured)) > log (1.4));
     if isFar && own > missed.range(1) && own < missed.range(2)
@@ -309,9 +316,7 @@ function v = withGap (v, c, cause)
   isAsked = strcmp (v.todo.code, 'diagnose');
   isNone = strcmp (cause.kind, 'none');
   isSilent = any (strcmp (cause.kind, {'no verdict', 'cannot tell'}));
-  if strcmp (v.todo.code, 'units')
-    return                             % no cause before that
-  elseif v.usable && ~isNone
+  if v.usable && ~isNone
     v.class = 'open';
     v.notFor = [v.notFor, cause.notFor];
     v = withAction (v, orElse (cause.todo, newAction ('use')));

@@ -3,8 +3,8 @@
 % Kinds: places that all runs share (a runscript, an input script), tables of runs, trials
 % of measured.csv, LIGGGHTS scripts with coefficients that nothing reads or grains that may
 % be lost, rigs of one's own named as a test rig of the toolbox, causes at the end of their
-% range, cases of a table of runs without a model folder, test rigs at another setting than the words of their results say (rig, result,
-% variable, value).
+% range, cases of a table of runs without a model folder, test rigs at another setting than
+% the words of their results say (rig, result, variable, value).
 
 %!function list = of (kind, least = 15)
 %!  file = fullfile (fileparts (which ('reportedCase')), 'siblings.csv');

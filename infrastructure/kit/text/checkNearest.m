@@ -49,7 +49,7 @@ end
 %!assert (checkNearest ('DENSITYp', {'radiusP', 'densityP'}), ...
 %!        'Did you mean densityP?')
 %!assert (checkNearest ('colour', {'radiusP', 'densityP'}), '')
-%!assert (checkNearest ('lable', {'name', 'label'}), 'Did you mean label?')
+%!assert (checkNearest ('laebl', {'name', 'label'}), 'Did you mean label?')
 %!assert (checkNearest ('a', {}), '')
 
 % SPDX-License-Identifier: GPL-3.0-only

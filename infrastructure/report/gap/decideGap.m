@@ -71,10 +71,7 @@ function cause = decideGap (gap)
   if isempty (cause.notFor) && ~strcmp (cause.kind, 'none')
     cause.notFor = {say('notFor.missing', cause)};
   end
-  units = otherUnits (jsonList (gap, {'reference', 'targets'}));
-  if ~isempty (units)
-    cause.todo = newAction ('unitsChanged', units);
-  end
+  cause = unitsFirst (cause, gap);
   cause.plain = cause.word;
   if numel (jsonAt (gap, {'reference', 'conditions'})) > 1
     cause = ofConditions (cause, gap, say);
@@ -83,12 +80,16 @@ end
 
 % 'mass differ by a factor of about 1000, as between g and kg ...'; a number about 0 may do
 % so by noise.
-function texts = otherUnits (targets)
+function cause = unitsFirst (cause, gap)
+  targets = jsonList (gap, {'reference', 'targets'});
   isLog = @(T) strncmp (char (jsonAt (T, {'kind'})), 'log', 3);
   isFar = @(T) abs (T.measured - T.reference) > 10 * jsonNumber (T, {'sd'});
   ratio = @(T) unitRatio (T.reference, T.measured);
   isIt = @(T) ~isLog (T) && isFar (T) && ~isempty (ratio (T));
   texts = eachOf (@(T) [T.name, ' differ by ', ratio(T)], targets(cellfun (isIt, targets)));
+  if ~isempty (texts)
+    cause.todo = newAction ('unitsChanged', texts);
+  end
 end
 
 % Of several conditions each is called by its name; the surest one gives the

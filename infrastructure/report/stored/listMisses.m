@@ -12,7 +12,8 @@
 %            expected mean), scatter (of one run), isStrict (the tolerance lies below
 %            that: no single measurement can confirm it), state, mean, meanSd, runs, range
 %            (1 x 2, of all runs; NaN: not known), points (of a curve: they are
-%            one entry, its worst point; else 1); largest z first. Without a calibration those of the diagnosis, with z alone
+%            one entry, its worst point; else 1); largest z first. Without a
+%            calibration those of the diagnosis, with z alone
 
 function misses = listMisses (c, gap)
   targets = jsonList (c, {'targets'});

@@ -5,7 +5,7 @@
 %   RECORD   of the run, see newRecord; status 'ok'
 %   TARGETS  1 x t struct array of the case, of this model: name, value, index
 %   FOLDER   of the model (text)
-%   GRAINS   struct of grainsOfRun: overlap, moving (NaN: not known)
+%   GRAINS   struct of grainsOfRun: made, overlap, moving (NaN: not known)
 %   NOTES    1 x n cell of sentences
 %
 % Bands, wide enough for any free-flowing or cohesive bulk, so that a note means a
@@ -16,7 +16,8 @@
 %                      1990) to 0.64 (Scott and Kilgour 1969), walls below, several
 %                      sizes above
 %   mass               what was measured is not more than what is filled in
-%   grains             as many as were asked for, and some left at the end
+%   grains             as many as were asked for, and some left at the end; 100 at least
+%                      where an angle or a density is read
 %   overlap            8 % of a diameter at the end, as readChecks has it for the rigs
 %   rest               where a heap or a packing is read, a tenth of the grains may be
 %                      faster than after a fall of their radius
@@ -61,6 +62,12 @@ function notes = atEnd (grains, info)
                                'most). Are the grains too soft (Young''s modulus in ' ...
                                'MPa), the time step too long, or grains made inside ' ...
                                'others?'], grains.overlap);
+  end
+  isBulk = ~isempty (info) && any (ismember ({info.kind}, {'coneAngle', 'angle', ...
+                                                           'angleFalling', 'density'}));
+  if isBulk && givenField (grains, 'made', NaN) < 100
+    notes{end + 1} = sprintf (['%d grains are few for an angle or a density: is the radius ' ...
+                               'of a grain its diameter?'], grains.made);
   end
   isStill = ~isempty (info) && any (ismember ({info.kind}, {'coneAngle', 'density'}));
   if isStill && grains.moving > 0.1
@@ -149,6 +156,7 @@ end
 %!test
 %! of (trialGates (record, T, folder, struct ('overlap', 0.2, 'moving', 0.5)), ...
 %!     {'overlap by 0.2 diameters.* MPa', '^50 % of the grains still move'});
+%! of (trialGates (record, T, folder, setfield (still, 'made', 50)), {'^50 grains are few'});
 %!test
 %! mkdir (fullfile (folder, 'sample'));
 %! put ('sample/gates.csv', ["condition,says\n30 * radiusP > slope / 100,wide\n", ...
