@@ -45,7 +45,7 @@ function last = lastRuns (results, names)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! s = storedResult (Case);
 %! assert ({s.calibration, s.gap, s.changed}, {[], [], cell(1, 0)});
 %! assert (s.lastRuns, [Inf, Inf]);
