@@ -37,7 +37,7 @@ end
 %! assert (residual(3) > 0 && residual(3) < 0.5);
 %!test
 %! % the case that is handed on counts, not the file
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! residual = costFunction ([1; 2], @(p, varargin) [404; 0.025; 3], Case);
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (Case.folder, 's');

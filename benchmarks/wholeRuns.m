@@ -69,7 +69,7 @@ function cells = oneCase (number, given, data, study, benches)
   truth = truthOf (number, given, data, root);
   folder = fullfile (work, sprintf ('%d', number));
   isStored = strcmp (mode, 'stored');
-  plan = ~isStored * neutralSets (numel (given.names));
+  plan = ~isStored * min (gapOptions ([]).neutral * (numel (given.names) + 1), 40);
   if ~isfile (fullfile (folder, 'loadInput.m'))
     leftOutFolder (folder, truth, given, root, benches * isStored);
     if ~isStored

@@ -56,7 +56,7 @@ function [Z, records, isReused, nNew, models] = evaluateDEM (P, varargin)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! [Z, r] = evaluateDEM ([1, 2; 3, 4], Case);
 %! assert (Z, [3, 2, -1; 7, 12, -1], 1e-12);
 %! assert (size (r), [2, 2]);
@@ -65,7 +65,7 @@ end
 %!test
 %! % a model that fails gives NaN in its own columns only, and is tried with
 %! % another seed once
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), "exit 1\n");
 %! Z = evaluateDEM ([1, 2], Case);
 %! assert (Z, [3, 2, NaN], 1e-12);

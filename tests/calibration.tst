@@ -25,45 +25,31 @@
 %! end
 
 %!test
-%! % a second start repeats no run and gives the same set to the last digit
+%! % at the prompt, and by run from elsewhere: a second start repeats no run and gives
+%! % the same set to the last digit; so does one that may run nothing, which takes the
+%! % runs after the plan from the store, too
 %! n = numel (listRunFolders (folder, 'First'));
-%! [status, ~, err] = startProgram (folder);
-%! assert (err, '');
-%! assert (status, 0);
-%! assert (numel (listRunFolders (folder, 'First')), n);
-%! again = calibrationOf (folder);
-%! assert (again.params, first.params);
-%! assert (again.demRuns.reused, ...
-%!         again.demRuns.plan + again.demRuns.infill + again.demRuns.verify);
-
-%!test
-%! % a start that may run nothing takes the runs after the plan from the store
-%! % too, and gives the same set
-%! writeLoadInput (folder, 'Input.maxNewRuns = 0;');
-%! [status, ~, err] = startProgram (folder);
+%! root = fileparts (which ('DEcalioc'));
+%! writeAtomic (fullfile (folder, 'twice.m'), sprintf (strjoin ({ ...
+%!   'addpath (''%s'', ''%s/tests'')', 'DEcalioc', 'a = calibration', ...
+%!   'movefile (''results/calibration.json'', ''second.json'')', ...
+%!   'writeLoadInput (''.'', ''Input.maxNewRuns = 0;'')', ...
+%!   'run (''%s/DEcalioc.m'')', 'assert (calibration.params, a.params)', ...
+%!   'assert (a.converged && calibration.converged)'}, ";\n"), root, root, root));
+%! [status, out, err] = startProgram (folder, '--eval twice');
 %! writeLoadInput (folder);
 %! assert (err, '');
 %! assert (status, 0);
+%! assert (numel (strfind (out, ['case ', folder])), 2);
+%! assert (numel (listRunFolders (folder, 'First')), n);
+%! again = jsondecode (fileread (fullfile (folder, 'second.json')));
+%! assert (again.params, first.params);
+%! assert (again.demRuns.reused, ...
+%!         again.demRuns.plan + again.demRuns.infill + again.demRuns.verify);
 %! again = calibrationOf (folder);
 %! assert (again.params, first.params);
 %! assert (again.demRuns, setfield (first.demRuns, 'reused', ...
 %!                                  again.demRuns.reused));
-
-%!test
-%! % the other ways to start: at the prompt, twice; by run, from elsewhere
-%! root = fileparts (which ('DEcalioc'));
-%! words = sprintf ('--eval %s', shellQuote (sprintf ( ...
-%!   ['addpath (''%s''); DEcalioc; a = calibration.params; DEcalioc; ' ...
-%!    'assert (calibration.params, a)'], root)));
-%! [status, ~, err] = startProgram (folder, words);
-%! assert (err, '');
-%! assert (status, 0);
-%! words = sprintf ('--eval %s', shellQuote (sprintf ( ...
-%!   'run (''%s/DEcalioc.m''); assert (calibration.converged)', root)));
-%! [status, out, err] = startProgram (folder, words);
-%! assert (err, '');
-%! assert (status, 0);
-%! assert (! isempty (strfind (out, folder)));
 
 %!test
 %! % what was asked for cannot be met: said, exit status 2, no set praised

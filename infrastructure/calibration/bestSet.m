@@ -62,7 +62,7 @@ end
 
 %!test
 %! % First gives a + b and a b, Second a - b; the mean over two packings counts
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! Case.targets(1).value = 5;
 %! Case.targets(2).value = 6;
 %! Case.targets(3).value = 1;

@@ -50,7 +50,7 @@ function f = foresee (Case, runs)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! f = foresee (Case, runsOfCase (Case));
 %! assert (size (f.plan), [8, 2]);
 %! assert (f.isDone, false (1, 16));

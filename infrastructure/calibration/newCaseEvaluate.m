@@ -115,7 +115,7 @@ end
 %!  end
 %!endfunction
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! Case.options.maxNewRuns = 5;
 %! [Z, budget] = made (Case, {[1, 2; 3, 4]});
 %! assert ([budget.new, budget.left, budget.isUsedUp], [4, 1, 0]);
@@ -127,7 +127,7 @@ end
 %! assert (numel (listRunFolders (Case.store, 'First')), 3);
 %!test
 %! % runs of later calls have the limit that the earlier ones gave
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! made (Case, {[1, 2; 3, 4; 5, 6], [7, 8]});
 %! runs = listRunFolders (Case.store, 'First');
 %! limit = @(name) isfile (fullfile (Case.store, 'optim', 'First', name, ...
@@ -135,7 +135,7 @@ end
 %! assert (limit (runs{4}));
 %!test
 %! % which effects a run had that gave nothing, and what it said
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! writeAtomic (fullfile (Case.models(2).folder, 'runscript'), "exit 7\n");
 %! [Z, budget] = made (Case, {[1, 2]});
 %! assert (isna (Z) | isnan (Z), [false, false, true]);
@@ -148,7 +148,7 @@ end
 %! assert ({budget.left, budget.models}, {0, [true, true]});
 %!test
 %! % the second of two models alone; what the whole case runs then finds its runs
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! [evaluate, budget] = newCaseEvaluate (Case, @(text) []);
 %! budget.models = [false, true];
 %! [Z, budget] = evaluate ([1, 2; 3, 4], [], 1, 'plan', budget);

@@ -48,7 +48,7 @@ function Case = ofFolder (raw)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! given = costInput ({{'KM_fun_1'}, Case});
 %! assert (given.value, [400; 0.025; 3]);
 %! assert (given.scale, given.value);

@@ -79,7 +79,7 @@ function p = checkModelsHave (Case)
 end
 
 %!function Case = withOwn (effect)
-%!  Case = newCase (standInCase (tempname ()));
+%!  Case = readyCase ();
 %!  writeAtomic (fullfile (Case.folder, 'loadEffects.m'), ...
 %!               ["function e = loadEffects ()\ne = ", effect, ";\nend\n"]);
 %!  here = cd (Case.folder);
@@ -94,7 +94,7 @@ end
 %!assert (numel (withOwn ("{'gain', 'tilt'}").effects), 2)
 %!test
 %! % what cannot have changed is no candidate of a change, but one of a gap
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! list = {'gain', struct('name', 'tilt', 'canChange', 'no')};
 %! assert (numel (withEffects (Case, list).effects), 2);
 %! Case.conditions = {'moist'};

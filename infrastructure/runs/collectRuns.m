@@ -65,7 +65,7 @@ end
 
 %!test
 %! % a getResults that hangs is ended at the model's limit, the others count
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! funs = fullfile (Case.models(2).folder, 'OctaveFuns', 'getResults.m');
 %! writeAtomic (funs, ["function res = getResults (model, name)\n", ...
 %!                     "pause (100)\nres = {1};\nend\n"]);
@@ -78,7 +78,7 @@ end
 %! % a worker that is killed in getResults: evaluated again, at once; the watch
 %! % over its time limit once held the caller for all of it, then said it had
 %! % been late
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! funs = fullfile (Case.models(2).folder, 'OctaveFuns', 'getResults.m');
 %! writeAtomic (funs, ["function res = getResults (model, name)\n", ...
 %!                     "global path\n", ...

@@ -45,7 +45,7 @@ function values = effectsInHead (folder, Case, values)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
 %! h = hashModels (Case)(1);
 %! assert (countsToday (job, '', Case, h), {zeros(1, 0)});

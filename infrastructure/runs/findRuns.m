@@ -43,7 +43,7 @@ end
 %!test
 %! % a run of a model that does not call LIGGGHTS: with the build and, as cron has
 %! % no HOME, without it
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! tidy = slurmFake ('', '', {'liggghts', 'other'});
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! failedRecord (job, prepareRun (job, Case), 'invalid', 'x', 'output');
@@ -53,7 +53,7 @@ end
 %! assert ([runsOfCase(Case).isCurrent], true);
 %!test
 %! % a simulation that ended but was not evaluated goes before one that failed
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! for status = {'timeout', ''}
 %!   folder = prepareRun (job, Case);

@@ -101,7 +101,7 @@ function done = marked (folder, isBack)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! evaluateDEM ([1, 2; 3, 4; 5, 6], Case);
 %! status = @() cellfun (@(r) r.status, findRuns (newJobs (Case, [1, 2; 3, 4; 5, 6], ...
 %!                                                         [], 1, 'plan')(1:2:end), ...

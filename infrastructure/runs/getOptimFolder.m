@@ -30,7 +30,7 @@ function names = getOptimFolder (params, Case)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! runScript ([1, 2, 0, 1], 'First', Case);
 %! runScript ([1, 3, 0, 1], 'First', Case);
 %! names = getOptimFolder ([1; 3], Case);

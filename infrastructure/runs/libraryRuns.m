@@ -170,16 +170,14 @@ end
 
 %!function [Case, problem] = another (store)
 %!  % the same bench, another folder, other limits
-%!  raw = standInCase (tempname ());
-%!  raw.Input.store = store;
-%!  raw.paramLims = [5, 5; 10, 10];
-%!  Case = newCase (raw);
+%!  Case = readyCase ();
+%!  [Case.store, Case.limits] = deal (store, [5, 5; 10, 10]);
 %!  problem = newProblem (Case);
 %!endfunction
 
 %!shared store, P
 %! P = [1, 2; 3, 4; 5, 6; 9, 9; 9, 9];
-%! first = newCase (standInCase (tempname ()));
+%! first = readyCase ();
 %! evaluateDEM (P, first, [1; 1; 1; 1; 2]);
 %! store = first.store;
 
@@ -247,8 +245,7 @@ end
 %! assert (rows (libraryRuns (Case, problem).X), 3);
 %!test
 %! % its own runs: not those of its plan, but after the limits have changed
-%! raw = standInCase (tempname ());
-%! Case = newCase (raw);
+%! Case = readyCase ();
 %! quiet = @() libraryRuns (Case, newProblem (Case));
 %! assert (isempty (quiet ().X));
 %! evaluateDEM (P(1:3, :), Case);

@@ -17,7 +17,7 @@ function job = nextPacking (job, Case)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
 %! other = nextPacking (job, Case);
 %! assert (~isequal (other.key, job.key) && other.seed ~= job.seed);

@@ -140,7 +140,7 @@ function text = markOf (kind)
 end
 
 %!shared Case, h
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! h = hashModels (Case)(1);
 %!test
 %! evaluateDEM ([1, 2; 3, 4], Case);

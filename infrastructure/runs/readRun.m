@@ -25,7 +25,7 @@ function run = readRun (folder, h)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! folder = prepareRun (job, Case);
 %! assert (isempty (readRun (folder)));

@@ -36,7 +36,7 @@ function names = runFoldersOf (Case, model, jobs)
 end
 
 %!test
-%! first = newCase (standInCase (tempname ()));
+%! first = readyCase ();
 %! evaluateDEM ([1, 2; 3, 4], first);
 %! raw = standInCase (tempname ());
 %! raw.Input.store = first.store;

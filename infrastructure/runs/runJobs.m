@@ -231,11 +231,10 @@ function models = morePatience (models, records)
 end
 
 %!function [Case, jobs] = planOf (P, store)
-%!  raw = standInCase (tempname ());
+%!  Case = readyCase ();
 %!  if nargin > 1
-%!    raw.Input.store = store;
+%!    Case.store = store;
 %!  end
-%!  Case = newCase (raw);
 %!  jobs = newJobs (Case, P, [], 1, 'plan');
 %!endfunction
 %!shared quiet
@@ -336,7 +335,7 @@ end
 %!test
 %! % a stage: run once for a set and a packing, for both that start from it; found
 %! % again; one that fails is named, and another packing of it is tried
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! place = fullfile (Case.folder, 'DEMmodels');
 %! put = @(name, text) writeAtomic (fullfile (place, name), text);
 %! [~, ~] = mkdir (fullfile (place, 'Fill'));
@@ -368,7 +367,7 @@ end
 %! assert (numel (listRunFolders (Case.store, 'Fill')), 4);
 %!test
 %! % a stage that is a model of the case, too: one run is both
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! put = @(name, text) writeAtomic (fullfile (Case.models(2).folder, name), text);
 %! put ('startsFrom', "First # its last state\n");
 %! put ('runscript', [fileread(fullfile (Case.models(2).folder, 'runscript')), ...

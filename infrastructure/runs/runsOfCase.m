@@ -99,7 +99,7 @@ end
 
 %!test
 %! % one run in each state that a single machine knows
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! jobs = newJobs (Case, [1, 2; 3, 4; 5, 6; 7, 8], [], 1, 'plan')(1:2:end);
 %! folders = arrayfun (@(j) prepareRun (j, Case), jobs, 'UniformOutput', false);
 %! startRun (folders{1}, Case.root);
@@ -123,7 +123,7 @@ end
 %! assert ([runsOfCase(Case).isCurrent], false (1, 4));
 %!test
 %! % jobs in the queue of a cluster, one of them begun
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan')(1:2:end);
 %! folders = arrayfun (@(j) prepareRun (j, Case), jobs, 'UniformOutput', false);
 %! batch = fullfile (Case.store, 'optim', '.slurm', 'decalioc-1');

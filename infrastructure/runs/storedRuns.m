@@ -69,7 +69,7 @@ function run = oneRun (folder, name, h)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! assert (isempty (storedRuns (Case)));
 %! evaluateDEM ([1, 2], Case);
 %! runs = storedRuns (Case);

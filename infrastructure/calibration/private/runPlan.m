@@ -125,11 +125,10 @@ end
 %!test
 %! % the table of results; then rows of runs.csv that have one model only: no
 %! % failures
-%! raw = standInCase (tempname ());
-%! Case = newCase (raw);
+%! Case = readyCase ();
 %! data = ran (Case, [1, 2; 3, 4; 5, 6; 7, 8], newData (2, 3)).data;
 %! assert (data.Z(2, :), [7, 12, -1], 1e-12);
-%! file = fullfile (raw.folder, 'results', 'DoE_First_2', 'DoE_First_2.csv');
+%! file = fullfile (Case.folder, 'results', 'DoE_First_2', 'DoE_First_2.csv');
 %! assert (csvread (file), [2; 12; 30; 56], 1e-12);
 %! data = addRows (newData (2, 3), rand (20, 2), [ones(20, 2), NaN(20, 1)], ...
 %!                 ones (20, 1), 'import');
@@ -139,7 +138,7 @@ end
 %! assert (isempty (failedSets (data, struct ('fine', zeros (1, 0)))));
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! writeAtomic (fullfile (Case.models(1).folder, 'runscript'), ...
 %!              "echo 'ERROR: no such box' ; exit 1\n");
 %! [~, message] = ran (Case, magic (4)(:, 1:2), newData (2, 3));
@@ -148,9 +147,8 @@ end
 
 %!test
 %! % a budget below the plan: what was run is used, or too little is said
-%! raw = standInCase (tempname ());
-%! raw.Input.maxNewRuns = 8;
-%! Case = newCase (raw);
+%! Case = readyCase ();
+%! Case.options.maxNewRuns = 8;
 %! state = ran (Case, magic (6)(:, 1:2), newData (2, 3));
 %! assert ([rows(state.data.Z), state.budget.left], [4, 0]);
 %! Case.options.maxNewRuns = 2;

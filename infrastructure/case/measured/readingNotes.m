@@ -123,7 +123,7 @@ end
 %!  text = noteOf ('sessions', Case);
 %!endfunction
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! Case.sessions = struct ('df', 1, 'ratio', 2, 'given', false, 'names', {{'a', 'b'}});
 %! notes = readingNotes (Case);
 %! assert ({notes.label}, {'sessions'});

@@ -143,11 +143,12 @@ function X = expanded (P, d, keep, fixed, names)
   end
 end
 
-%!function Case = of (X, varargin)
+%!function Case = newUnread (d, varargin)
+%!  % a case of D parameters and of a table alone
 %!  raw = standInCase (tempname ());
 %!  raw.Input.maxNewRuns = 0;
-%!  raw.assign = {'a', 'b', 'c'}(1:columns (X));
-%!  raw.paramLims = repmat ([0; 10], 1, columns (X));
+%!  raw.assign = {'a', 'b', 'c'}(1:d);
+%!  raw.paramLims = repmat ([0; 10], 1, d);
 %!  for model = {'First', 'Second'}
 %!    file = fullfile (raw.folder, 'DEMmodels', model{1}, 'data.head');
 %!    writeAtomic (file, [fileread(file), "\nvariable c equal 1\n"]);
@@ -155,52 +156,61 @@ end
 %!  for k = 1:2:numel (varargin)
 %!    raw.Input.(varargin{k}) = varargin{k + 1};
 %!  end
-%!  text = sprintf ([repmat(',%.4g', 1, columns (X)), ",1,2\n"], X');
-%!  writeAtomic (fullfile (raw.folder, 'runs.csv'), ...
-%!               [strjoin([{'model'}, raw.assign, {'First_1', 'First_2'}], ','), "\n", ...
-%!                regexprep(text, '^,', 'First,', 'lineanchors')]);
-%!  Case = withoutUnvaried (newCase (raw));
+%!  putTable (raw.folder, raw.assign, ones (1, d));
+%!  Case = newCase (raw);
 %!endfunction
-%!shared a, b
+%!function putTable (folder, names, X)
+%!  text = sprintf ([repmat(',%.4g', 1, columns (X)), ",1,2\n"], X');
+%!  writeAtomic (fullfile (folder, 'runs.csv'), ...
+%!               [strjoin([{'model'}, names, {'First_1', 'First_2'}], ','), "\n", ...
+%!                regexprep(text, '^,', 'First,', 'lineanchors')]);
+%!endfunction
+%!function Case = of (cases, X)
+%!  Case = cases{columns (X)};
+%!  putTable (Case.folder, Case.names, X);
+%!  Case = withoutUnvaried (Case);
+%!endfunction
+%!shared a, b, cases
 %! a = (1:9)';
 %! b = mod (a * 4, 9);
+%! cases = {[], newUnread(2), newUnread(3)};
 %!test
-%! assert (isempty (of ([a, b]).fixed));
-%! Case = of ([a, 0.3 + 0 * a, b]);
+%! assert (isempty (of (cases, [a, b]).fixed));
+%! Case = of (cases, [a, 0.3 + 0 * a, b]);
 %! assert (Case.names, {'a', 'c'});
 %! assert (Case.fixed.at, [0.3, 0, 0]);
 %! assert (Case.modelVars.b, 0.3);
 %! assert (size (Case.limits), [2, 2]);
 %! assert (! isempty (regexp (Case.notes{end}, 'b was never varied: it is 0.3 .*runs$')));
-%! assert (! isempty (strfind (of ([a, 12 + 0 * a, b]).notes{end}, ...
+%! assert (! isempty (strfind (of (cases, [a, 12 + 0 * a, b]).notes{end}, ...
 %!                             '12 in all runs, outside its limits (0 to 10)')));
 %!test
 %! % a fixed ratio; with a constant beside; rounded
-%! Case = of ([a, b, 0.3 * a]);
+%! Case = of (cases, [a, b, 0.3 * a]);
 %! assert (Case.names, {'a', 'b'});
 %! assert (Case.fixed.at, [0, 0.3, 0], 1e-9);
 %! assert (! isempty (strfind (Case.fixed.text, 'together with a')));
-%! assert (of ([a, b, 1 - 0.1 * b]).fixed.at, [1, 0, -0.1], 1e-3);
+%! assert (of (cases, [a, b, 1 - 0.1 * b]).fixed.at, [1, 0, -0.1], 1e-3);
 %! % of two others
-%! Case = of ([a, b, 1 + 0.5 * a - b / 9]);
+%! Case = of (cases, [a, b, 1 + 0.5 * a - b / 9]);
 %! assert (Case.fixed.at, [1, 0.5, -1/9], 2e-3);
 %! assert (! isempty (strfind (Case.fixed.text, 'together with a and b')));
-%! assert (isempty (of ([a, b, b.^2 / 9 - a]).fixed));
+%! assert (isempty (of (cases, [a, b, b.^2 / 9 - a]).fixed));
 %! % so few sets tell nothing of a line
-%! assert (isempty (of ([a, b, 0.3 * a](1:3, :)).fixed));
-%! assert (of ([a, 2 + 0 * a, b](1:3, :)).names, {'a', 'c'});
+%! assert (isempty (of (cases, [a, b, 0.3 * a](1:3, :)).fixed));
+%! assert (of (cases, [a, 2 + 0 * a, b](1:3, :)).names, {'a', 'c'});
 %! % along a bent line; next to nothing; where no run has a result
-%! Case = of ([a, a.^2 / 9, b]);
+%! Case = of (cases, [a, a.^2 / 9, b]);
 %! assert (Case.names, {'a', 'b', 'c'});
 %! assert (! isempty (strfind (strjoin (Case.notes), 'b was varied only together with a:')));
-%! assert (of ([a, 2 + 1e-5 * a, b]).names, {'a', 'c'});
+%! assert (of (cases, [a, 2 + 1e-5 * a, b]).names, {'a', 'c'});
 %!test
 %! % conditions see all parameters
-%! Case = of ([a, 3 + 0 * a, b], 'constraints', 'a < b');
+%! Case = of ({[], [], newUnread(3, 'constraints', 'a < b')}, [a, 3 + 0 * a, b]);
 %! assert (isAllowed ([2, 1; 4, 1], Case), [true; false]);
 %! % where runs can be made, they vary what the table has not
-%! assert (of ([a, 3 + 0 * a, b], 'maxNewRuns', 5).names, {'a', 'b', 'c'});
-%! Case = of ([3 + 0 * a, 4 + 0 * a]);
+%! assert (of ({[], [], newUnread(3, 'maxNewRuns', 5)}, [a, 3 + 0 * a, b]).names, {'a', 'b', 'c'});
+%! Case = of (cases, [3 + 0 * a, 4 + 0 * a]);
 %! assert (Case.names, {'a', 'b'});
 %! assert (! isempty (strfind (Case.notes{end}, 'no parameter was varied')));
 

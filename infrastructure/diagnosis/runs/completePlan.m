@@ -9,14 +9,14 @@
 %
 % Of the models that STATE.budget.models leaves in. First sets that benches lack which
 % joined the case later (completeBenches).
-% Then neutral sets: a diagnosis wants those of neutralSets, if it may run them,
-% and mends its surrogates where that was not enough (diagnoseMatrices); without
-% new runs it takes what is there. A bench all of whose runs gave no
+% Then neutral sets: a diagnosis wants options.neutral (d + 1), 40 at most, if it may
+% run them, and mends its surrogates where that was not enough (diagnoseMatrices);
+% without new runs it takes what is there. A bench all of whose runs gave no
 % result, d + 3 or more, is not waited for: enterRuns leaves it out.
 
 function state = completePlan (state, problem, Case, say, options)
   d = numel (Case.names);
-  wanted = max (Case.options.numOfSam, neutralSets (d, options));
+  wanted = max (Case.options.numOfSam, min (options.neutral * (d + 1), 40));
   state = completeBenches (state, Case, say, wanted);
   data = state.data;
   [~, phi] = neutralEffects (Case);
@@ -161,6 +161,9 @@ end
 %!                       [(1:12)', NaN(12, 1)], ones (12, 1), 'plan');
 %! assert (rows (completePlan (state, Case, Case, @(t) [], ...
 %!                              gapOptions ([])).data.X), 12);
+%! % neutral sets are 40 at most
+%! many = gapOptions (struct ('neutral', 30));
+%! assert (rows (completePlan (state, Case, Case, @(t) [], many).data.X), 40);
 %! state.data = keepRows (state.data, 1:3);
 %! assert (rows (completePlan (state, Case, Case, @(t) [], ...
 %!                              gapOptions ([])).data.X), 15);

@@ -562,7 +562,8 @@ end
 %! assert (cause.cannotSee(:)', {'gain'});
 %!test
 %! % one to three conditions with any verdicts, of which the first is just being
-%! % written: each is said, with the code of its own
+%! % written: each is said, with the code of its own. Of three any two verdicts meet,
+%! % with DECALIOC_SOAK=1 any three
 %! verdicts = {'named', 'found'; 'several', 'several'; 'no gap', 'none'; ...
 %!             'undecided', 'open'; 'surrogate', 'no verdict'; 'blind', 'cannot tell'};
 %! names = {'met, named', 'missed, several', 'met, no gap', 'missed, undecided', ...
@@ -580,16 +581,20 @@ end
 %! before = {[]};
 %! for name = 'cba'
 %!   after = {};
-%!   for others = before
-%!     for i = 1:rows (verdicts)
+%!   for k = 1:numel (before)
+%!     third = 1:6;
+%!     if name == 'a' && ~strcmp (getenv ('DECALIOC_SOAK'), '1')
+%!       third = third(mod (third + k + floor ((k - 1) / 6), 6) == 0);
+%!     end
+%!     for i = third
 %!       own = setfield (one(i), 'name', name);
 %!       gap = gaps{i};
 %!       gap.reference.condition = name;
-%!       gap.reference.conditions = [own, others{1}];
+%!       gap.reference.conditions = [own, before{k}];
 %!       cause = decideGap (gap);
 %!       assert (cause.kind, verdicts{i, 2});
 %!       [own.code, own.kind] = deal (cause.code, cause.kind);
-%!       after{end + 1} = [own, others{1}];
+%!       after{end + 1} = [own, before{k}];
 %!     end
 %!   end
 %!   before = after;

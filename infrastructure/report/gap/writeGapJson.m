@@ -466,7 +466,7 @@ end
 %! assert (far ('spread') < 0.3);
 %! assert (far ('size') > 0.5);
 %! % the files of its diagnosis
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! [Case.modelVars, Case.names] = deal (struct ('c', 3), d.problem.names);
 %! v = writeGapJson (d, Case);
 %! read = @(name) fullfile (Case.folder, 'gap', name);
@@ -497,7 +497,7 @@ end
 %!                           'scatter', false (1, 12), 'perCondition', false (1, 2), ...
 %!                           'condition', 'a');
 %! d = diagnoseMatrices (given, data, struct ('bootstrap', 49, 'twins', 60));
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! Case.targets = Case.targets(ones (1, 12));
 %! [Case.targets.changed] = deal (struct ('value', {1, 1}, 'sd', 0.1));
 %! Case.targets(2).changed(1).value = NaN;

@@ -93,7 +93,7 @@ function [places, remarks] = casesOf (Case)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! c = struct ('params', struct ('a', 3, 'b', 4), 'interval90', ...
 %!             struct ('a', [2, 4], 'b', []), 'converged', true, 'reason', 'met', ...
 %!             'date', '2026-01-01', 'version', '1');
@@ -101,7 +101,7 @@ end
 %! assert (isempty (page));
 %! assert (~isempty (strfind (text, 'a 3 (90 %: 2 to 4)')), text);
 %!error id=DEcalioc:materialText:missingFile
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! materialText (Case, struct ('params', struct ('a', 1)), 'card', {emptyFolder()});
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -123,7 +123,7 @@ end
 
 %!test
 %! % a case of which nothing has been run
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! page = pageData (Case);
 %! assert (isempty (page.sources.calibration));
 %! assert (size (page.plan), [0, 2]);

@@ -94,7 +94,7 @@ end
 
 %!test
 %! % each part by itself; what only says where runs are made is none
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! d = resultInput (Case).digest;
 %! assert (resultInput (Case).digest, d);
 %! differ = @(C) fieldnames (d)(~strcmp (struct2cell (d), ...

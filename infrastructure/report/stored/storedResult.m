@@ -49,7 +49,7 @@ function word = lostRuns (result, Case)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! s = storedResult (Case);
 %! assert ({s.calibration, s.gap, s.changed}, {[], [], cell(1, 0)});
 %! assert (s.lastRuns, [Inf, Inf]);

@@ -43,7 +43,7 @@ function texts = costTexts (b)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! b = struct ('name', 'cost', 'cost', 2, 'runs', 1, 'failed', 0, 'outside', 0, ...
 %!             'params', struct ('a', 1, 'b', 2));
 %! b.next = {setfield(b, 'cost', 3)};

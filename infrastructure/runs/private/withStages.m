@@ -29,7 +29,7 @@ end
 
 %!test
 %! % a stage of a stage; one that is a model of the case itself stays as it is
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! assert (withStages (Case), Case);
 %! put = @(name, text) writeAtomic (fullfile (Case.folder, 'DEMmodels', name, ...
 %!                                            'startsFrom'), text);

@@ -54,7 +54,7 @@ function [order, mine] = takeOrder (place)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! place = emptyFolder ();
 %! assert (isempty (carryRun (place, Case, getpid ())));
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);

@@ -99,7 +99,7 @@ end
 
 %!test
 %! % a crash is a failure of the run itself, a kill is not
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! run = fullfile (Case.models(2).folder, 'runscript');
 %! causes = {};
 %! for sign = {'SEGV', 'ABRT', 'KILL', 'TERM'}

@@ -51,7 +51,7 @@ function folder = prepareRun (job, Case, folder)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(2);
 %! folder = prepareRun (job, Case);
 %! d = headDefaults (fullfile (folder, 'data.head'));

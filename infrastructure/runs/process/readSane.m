@@ -16,7 +16,7 @@ function record = readSane (file)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
 %! file = tempname ();
 %! assert (isempty (readSane (file)));

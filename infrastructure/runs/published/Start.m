@@ -32,7 +32,7 @@ function [results, records] = Start (matr, model, Case, jobs)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! [z, r] = Start ([1, 2, 1, 1; 5, 6, 2, 1], {'First', 'Second'}, Case);
 %! assert (z, [3, 11; 2, 30], 1e-12);
 %! assert ({r.status}, {'ok', 'ok'});

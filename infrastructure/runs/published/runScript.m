@@ -46,7 +46,7 @@ function [results, record] = runScript (matr, model, Case, job)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! [res, record] = runScript ([1, 2, 3, 1], 'First', Case);
 %! assert (res, {3, 2}, 1e-12);
 %! assert (record.planRow, 3);

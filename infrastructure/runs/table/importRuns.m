@@ -218,8 +218,7 @@ function cure = cureOf (text, name)
 end
 
 %!function [data, ignored] = imported (text, isEffect)
-%!  raw = standInCase (tempname ());
-%!  Case = newCase (raw);
+%!  Case = readyCase ();
 %!  if nargin > 1
 %!    Case.effectVars = {'coh'};
 %!    Case.effects = struct ('neutral', 5);
@@ -258,9 +257,8 @@ end
 %! assert (isna (data.Z(3)));
 %!test
 %! % a test that joined the case leaves the table of its one model as it was
-%! raw = standInCase (tempname ());
-%! Case = setfield (newCase (raw), 'further', {'Second'});
-%! file = fullfile (raw.folder, 'runs.csv');
+%! Case = setfield (readyCase (), 'further', {'Second'});
+%! file = fullfile (Case.folder, 'runs.csv');
 %! writeAtomic (file, "a,b,First_1,First_2\n1,2,5,6\n");
 %! assert (importRuns (file, Case).Z(1:2), [5, 6]);
 %!test

@@ -55,7 +55,7 @@ function jobs = newJobs (Case, P, E, replicate, stage)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! jobs = newJobs (Case, [1, 2; 3, 4], [], [1; 2], 'plan');
 %! assert (numel (jobs), 4);
 %! assert ({jobs.model}, {'First', 'Second', 'First', 'Second'});
@@ -64,6 +64,6 @@ end
 %! again = newJobs (Case, [3, 4], [], 2, 'verify');
 %! assert (again(2).key, jobs(4).key);
 %!error id=DEcalioc:newJobs:badShape
-%! newJobs (newCase (standInCase (tempname ())), [1, 2, 3], [], 1, 'plan');
+%! newJobs (readyCase (), [1, 2, 3], [], 1, 'plan');
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -39,7 +39,7 @@ function parts = changedInput (result, now)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! now = resultInput (Case);
 %! now.digest.effects = 'e';
 %! was = jsondecode (jsonencode (struct ('input', now)));

@@ -64,7 +64,7 @@ function yes = areOne (values)
 end
 
 %!shared Case, job, r
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
 %! r = setfield (newRecord (job, 'f'), 'results', [1, 2]);
 %!assert (isRunRecord (job))

@@ -34,7 +34,7 @@ function lines = askChange (Case)
 end
 
 %!function lines = asked (varargin)
-%!  Case = newCase (standInCase (tempname ()));
+%!  Case = readyCase ();
 %!  Case.conditions = {'moist'};
 %!  lines = askChange (withEffects (Case, varargin));
 %!endfunction
