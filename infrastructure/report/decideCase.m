@@ -76,10 +76,10 @@ end
 
 % Label and text of each.
 function numbers = keyNumbers (v, c)
-  list = cell (0, 2);
+  list = valueTexts (v, c);
   if ~isempty (v.misses) && (isempty (v.change) || ~isempty (c))
     % of a change alone it is said first, see firstLine
-    list = missTexts (v.misses(headline (v.misses, v.worst)));
+    list = [list; missTexts(v.misses(headline (v.misses, v.worst)))];
   end
   if v.of > 0
     list = [list; metTargets(v, c)];
@@ -106,6 +106,22 @@ function numbers = keyNumbers (v, c)
     list = [list; {sentence(['chance.', chanceCode(v.misses)]), text}];
   end
   numbers = struct ('label', list(:, 1)', 'text', list(:, 2)');
+end
+
+% What was looked for, where it was found and nothing else is said first.
+function list = valueTexts (v, c)
+  list = cell (0, 2);
+  if isempty (c) || ~v.usable || ~isempty (v.change) || ~isempty (v.cause)
+    return
+  end
+  for name = fieldnames (c.params)'
+    text = sprintf ('%.3g', c.params.(name{1}));
+    interval = jsonAt (c, {'interval90', name{1}});
+    if numel (interval) == 2 && all (isfinite (interval))
+      text = sprintf ('%s (%.3g to %.3g)', text, interval);
+    end
+    list(end + 1, :) = {worded(c, name){1}, text};
+  end
 end
 
 % How many targets are met, and which are open.
@@ -265,8 +281,7 @@ function texts = looseOnes (c)
   loose = namesIn (c, 'notIdentified');
   texts = {sentence('notFor.allLoose')};
   if numel (loose) < 2 || numel (loose) < numel (fieldnames (c.params))
-    values = struct ('names', {worded(c, loose)}, 's', repmat ('s', 1, isscalar (loose)));
-    texts = repmat ({sentence('notFor.loose', values)}, 1, ~isempty (loose));
+    texts = listSentences ({'notFor.loose', worded(c, loose)});
   end
 end
 
@@ -346,6 +361,13 @@ end
 %!   v = decideCase (coded (s.c), coded (s.gap));
 %!   assert ({v.word, v.class, v.usable}, row(2:4)');
 %! end
+%! % what was looked for comes first
+%! s = list(strcmp ({list.name}, 'met'));
+%! [s.c.params, s.c.interval90] = deal (struct ('mu', 0.30779), struct ('mu', [0.2255, 0.5778]));
+%! s.c.labels.mu = 'friction';
+%! v = decideCase (coded (s.c), []);
+%! assert ({v.numbers(1).label, v.numbers(1).text}, ...
+%!         {'friction (mu)', '0.308 (0.226 to 0.578)'});
 %!test
 %! % one result in another unit, by all runs: no cause before that; half of what was measured
 %! list = verdictCase ();

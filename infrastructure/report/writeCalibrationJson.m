@@ -209,8 +209,27 @@ function writeTables (c, Case, folder)
   end
   writeAtomic (fullfile (folder, 'calibrated.head'), ...
                ['# ', resultTitle(c, strftime ('%Y-%m-%d', localtime (time ()))), ...
-                "\n", headLines(v)]);
+                "\n", headLines(v), heldWith(Case.models, v)]);
   saveSurrogates (c.surrogates, fullfile (folder, 'surrogates'), false);
+end
+
+% What else describes the material in the models, and was not looked for.
+function text = heldWith (models, v)
+  text = '';
+  for model = models(:)'
+    file = fullfile (model.folder, 'data.head');
+    if isempty (model.folder) || ~isfile (file)
+      continue
+    end
+    head = headDefaults (file);
+    names = regexp (fieldnames (head)', '^(?:coef|youngs|poissons)\w*', 'match', 'once');
+    names = setdiff (names, [fieldnames(v)', {''}], 'stable');
+    values = eachOf (@(n) sprintf ('%s %.4g', n{1}, head.(n{1})), names);
+    if ~isempty (values)
+      text = sprintf ('%s# with, of data.head of %s: %s\n', text, model.name, ...
+                      strjoin (values, ', '));
+    end
+  end
 end
 
 % With the digits that are known: to a hundredth of the interval, without one of the
@@ -236,7 +255,8 @@ end
 %! Case = newCase (raw);
 %! writeAtomic (fullfile (Case.models.folder, 'data.head'), ...
 %!   ["variable lid equal 2 # kg, mass of the lid\n", ...
-%!    "variable radiusP equal 1  # m\nvariable a equal 1\n"]);
+%!    "variable radiusP equal 1  # m\nvariable a equal 1\n", ...
+%!    "variable youngsModulusP equal 5e6  # Pa\n"]);
 %! c = newCalibration (state, problem, Case);
 %! c.history = struct ('params', [5, 6], 'residual', [0.1; 0.2], 'ofRuns', [NaN; NaN]);
 %! read = @(name) fullfile (Case.folder, 'results', name);
@@ -266,6 +286,8 @@ end
 %! step = 10^floor (log10 (min (diff (c.interval90(:, 1)) / 100, c.params(1) / 1000)));
 %! assert (headDefaults (read ('calibrated.head')).radiusP, c.params(1), ...
 %!         0.5 * step + 1e-12);
+%! assert (! isempty (strfind (fileread (read ('calibrated.head')), ...
+%!         "\n# with, of data.head of First: youngsModulusP 5e+06\n")));
 %! assert (size (dlmread (read ('posterior.csv'), ',', 1, 0)), [1000, 2]);
 
 % SPDX-License-Identifier: GPL-3.0-only
