@@ -224,7 +224,7 @@ function text = heldWith (models, v)
     head = headDefaults (file);
     names = regexp (fieldnames (head)', '^(?:coef|youngs|poissons)\w*', 'match', 'once');
     names = setdiff (names, [fieldnames(v)', {''}], 'stable');
-    values = eachOf (@(n) sprintf ('%s %.4g', n{1}, head.(n{1})), names);
+    values = eachOf (@(n) sprintf ('%s %.4g', n, head.(n)), names);
     if ~isempty (values)
       text = sprintf ('%s# with, of data.head of %s: %s\n', text, model.name, ...
                       strjoin (values, ', '));
