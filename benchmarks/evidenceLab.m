@@ -4,7 +4,9 @@
 %
 %   LAB          parameters: five readings of one packing, of a bench of one parameter
 %                and 20 runs; heldOut: of a + b and a - b, 16 runs, a + b is fitted and
-%                a - b predicted
+%                a - b predicted, the truth anywhere within the limits; heldOutInner: in
+%                their inner half, where every value of a + b leaves a - b wider than
+%                the truths are
 %   CORRELATION  of the scatter of the readings, and of the results of a run
 %   SEEDS        e.g. 1:100: each another truth, plan and scatter
 %   CSV          table, to which one row a seed is added: lab, correlation, seed, holds
@@ -16,7 +18,8 @@
 function cells = oneCase (lab, correlation, seed)
   rand ('twister', 1000 + seed);
   randn ('twister', 1000 + seed);
-  labs = struct ('parameters', @ofParameters, 'heldOut', @ofHeldOut);
+  labs = struct ('parameters', @ofParameters, 'heldOut', @(s) ofHeldOut (s, rand (1, 2)), ...
+                 'heldOutInner', @(s) ofHeldOut (s, 0.25 + 0.5 * rand (1, 2)));
   scatter = @(n, T) sqrt (correlation) * randn (n, 1) + ...
                     sqrt (1 - correlation) * randn (n, T);
   [holds, width] = labs.(lab) (scatter);
@@ -37,10 +40,10 @@ function [holds, width] = ofParameters (scatter)
   width = diff (known.interval90);
 end
 
-function [holds, width] = ofHeldOut (scatter)
+function [holds, width] = ofHeldOut (scatter, truth)
   law = @(X) 5 + [X(:, 1) + X(:, 2), X(:, 1) - X(:, 2)] + 0.02 * scatter (rows (X), 2);
   plan = rand (16, 2);
-  value = law (0.25 + 0.5 * rand (1, 2));
+  value = law (truth);
   given = struct ('names', {{'a', 'b'}}, 'limits', [0, 0; 1, 1], 'targets', ...
                   struct ('value', num2cell (value), 'tol', 0.02, 'role', ...
                           {'calibrate', 'holdout'}));

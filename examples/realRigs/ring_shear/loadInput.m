@@ -11,7 +11,7 @@ function [Input, optim, modelVars, assign, paramLims] = loadInput ()
   Input.numOfSam = 20;
   Input.seed = 1;
   Input.timeout = 600;
-  Input.maxNewRuns = 0;
+  Input.maxNewRuns = 24;
 
   optim.maxFunEvals = 20;
   optim.correlation = {0};               % of the two ends of a straight line
