@@ -9,6 +9,7 @@
 % See also: writeCalibrationJson, sayCalibration, reportPage
 
 function c = reportCalibration (c, Case, say)
+  Case.hashes = hashModels (Case);      % asked for several times
   c.verdict = writeCalibrationJson (c, Case);
   sayCalibration (Case, say);
   reportPage (Case, say);

@@ -60,7 +60,7 @@ function [data, rest] = ofTable (Case, problem, say)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! quiet = @(text) [];
 %! assert (size (importExisting (Case, newProblem (Case), quiet).X), [0, 2]);
 %! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
@@ -71,7 +71,7 @@ end
 %! assert (data.Z, [3, 2, -1]);
 %!test
 %! % a store of two cases, and a table beside it
-%! first = newCase (standInCase (tempname ()));
+%! first = readyCase ();
 %! evaluateDEM ([1, 2; 3, 4], first);
 %! raw = standInCase (tempname ());
 %! raw.Input.store = first.store;
@@ -85,7 +85,7 @@ end
 %! assert (tally.used, 4);
 %!test
 %! % more rows than a surrogate holds: a part is taken, and that is said
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! n = 1500;
 %! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
 %!   ["model,a,b,First_1,First_2,Second_1\n", ...

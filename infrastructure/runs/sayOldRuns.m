@@ -165,7 +165,7 @@ end
 %!  text = evalc ('sayOldRuns (Case, @(t) printf (''%s\n'', t), tally)');
 %!endfunction
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! evaluateDEM ([1, 2; 3, 4], Case);
 %! assert (said (Case, []), '');
 %! other = Case;
@@ -203,7 +203,7 @@ end
 %! assert (~isempty (regexp (text, 'First: .*changed since: Fill/runscript')), text);
 %!test
 %! % of a store that cases share: samples, and what differs in the others
-%! first = newCase (standInCase (tempname ()));
+%! first = readyCase ();
 %! evaluateDEM ([1, 2; 3, 4], first);
 %! raw = standInCase (tempname ());
 %! raw.Input.store = first.store;

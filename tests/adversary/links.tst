@@ -7,7 +7,7 @@
 %!endfunction
 %!test
 %! % drafts: of records, locks, the index and surrogates
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! evaluateDEM ([1, 2], Case);
 %! place = fullfile (Case.store, 'optim', 'First');
 %! target = precious ();
@@ -25,7 +25,7 @@
 %! assert (fileread (target), 'precious');
 %!test
 %! % files of a run that the scripts write, and those of its model
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! job = newJobs (Case, [1, 2], [], 1, 'plan')(1);
 %! folder = takeRunFolder (runPlace (Case, 'First'));
 %! target = precious ();

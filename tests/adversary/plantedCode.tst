@@ -7,7 +7,7 @@
 
 %!test
 %! % an index, a function in the folder where the command is called
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! evaluateDEM ([1, 2; 3, 4], Case);
 %! store = Case.store;
 %! flag = tempname ();
@@ -34,7 +34,7 @@
 
 %!test
 %! % surrogates of a similar bench
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! other = tempname ();
 %! [~, ~] = mkdir (fullfile (other, 'results', 'surrogates'));
 %! writeAtomic (fullfile (other, 'results', 'calibration.json'), ...

@@ -240,7 +240,7 @@ end
 
 %!test
 %! % records in the order of the jobs; what is reported of them
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! jobs = newJobs (Case, [1, 2; 3, 4], [], 1, 'plan');
 %! text = evalc (['r = executeLocal (jobs, Case, @(s) printf (''%d/%d '', ', ...
 %!                's.done, s.total));']);
@@ -251,7 +251,7 @@ end
 %! % more steps than one call of parcellfun has turns; workers that are there were killed
 %! parcellfun (2, @(x) x, {1, 2}, 'VerboseLevel', 0);
 %! system (sprintf ('pkill -KILL -P %d octave', getpid ()));
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! jobs = newJobs (Case, (1:20)' * [1, 1], [], 1, 'plan');
 %! r = executeLocal (jobs, Case, @(s) []);
 %! assert (all (strcmp ({r.status}, 'ok')));

@@ -35,14 +35,14 @@ function records = runStacks (jobs, k, Case)
 end
 
 %!test
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! jobs = newJobs (Case, [1, 2; 3, 4; 5, 6], [], 1, 'plan');
 %! records = executeStatic (jobs, Case, @(s) []);
 %! assert ({records.key}, {jobs.key});
 %! assert (vertcat (records([1, 3, 5]).results), [3, 2; 7, 12; 11, 30], 1e-12);
 %!test
 %! % replicates of one set are runs with seeds of their own
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! jobs = newJobs (Case, [1, 2; 1, 2; 1, 2], [], [1; 2; 3], 'verify');
 %! records = executeStatic (jobs, Case, @(s) []);
 %! assert ({records.key}, {jobs.key});

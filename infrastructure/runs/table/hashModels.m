@@ -159,7 +159,7 @@ end
 
 %!test
 %! % of files, names and contents; what only evaluates is another hash
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! h = hashModels (Case);
 %! assert (size (h), [1, 2]);
 %! assert (numel (h(1).input), 64);
@@ -184,7 +184,7 @@ end
 %! end
 %!test
 %! % runs of a table alone: nothing of the folder where Octave happens to be counts
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! Case.models(2).folder = '';
 %! h = hashModels (Case)(2);
 %! back = onCleanup (@() cd (pwd ()));
@@ -192,12 +192,12 @@ end
 %! assert (hashModels (Case)(2), h);
 %! assert (fieldnames (h.defaults), cell (0, 1));
 %!error id=DEcalioc:hashFolder:missingFile
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! Case.models(1).folder = '/nowhere/at/all';
 %! hashModels (Case);
 %!test
 %! % the build counts where the model calls LIGGGHTS, also by way of a file
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! put = @(f, text) writeAtomic (fullfile (Case.models(2).folder, f), text);
 %! script = fileread (fullfile (Case.models(2).folder, 'runscript'));
 %! forms = {{'runscript', script}, {'runscript', [script, "$LIGGGHTS\n"]}, ...
@@ -216,7 +216,7 @@ end
 %! end
 %!test
 %! % a build whose file identity says that it repeats the runs of a former one
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! script = fullfile (Case.models(1).folder, 'runscript');
 %! writeAtomic (script, [fileread(script), "# liggghts\n"]);
 %! tidy = slurmFake ('new', '', {'liggghts', 'other'});
@@ -235,7 +235,7 @@ end
 %! assert (~strcmp (h, own));
 %!test
 %! % an effect that only one model has: runs of the other stay the same runs
-%! Case = newCase (standInCase (tempname ()));
+%! Case = readyCase ();
 %! old = newJobs (Case, [1, 2], [], 1, 'plan');
 %! writeAtomic (fullfile (Case.models(1).folder, 'data.head'), ...
 %!              ["variable a equal 1\nvariable b equal 1\n", ...

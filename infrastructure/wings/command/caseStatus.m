@@ -162,8 +162,7 @@ end
 
 %!test
 %! % new; in the middle of the plan, with a failure; finished
-%! raw = standInCase (tempname ());
-%! Case = newCase (raw);
+%! Case = readyCase ();
 %! s = caseStatus (Case, []);
 %! assert ({s.state, s.stage}, {'new', ''});
 %! assert (s.plan, [0, 16]);
