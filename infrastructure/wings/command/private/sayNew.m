@@ -201,7 +201,7 @@ end
 function bench = askBench (root)
   sayBenches (root, '', {});
   bench = askPerson (['test rigs, with commas between (none: the published ' ...
-                      'container)'], 'Heap', @(text) deal (text, ''));
+                      'container)'], 'Heap', @(text) deal (text, '', ''));
   if strcmp (bench, 'none')
     bench = '';
   end
