@@ -88,7 +88,7 @@ function text = rowsOf (bench, ask, bulk)
     usual = repmat (bulk, 1, strcmp (one.name, 'bulkDensity'));
     hint = repmat ('all readings: 31.4, 32.0, 30.6; ', 1, k == 1);
     said = ask (sprintf ('%s: %s, measured, %s (%sempty: not measured)', ...
-                         bench.name, one.text, one.unit, hint), usual, ...
+                         bench.name, inTurns (one.text), one.unit, hint), usual, ...
                 @(text) readingsIn (text, one.unit));
     if ischar (said)
       said = readingsIn (said, one.unit);
@@ -100,6 +100,13 @@ function text = rowsOf (bench, ask, bulk)
       tol = '';
     end
   end
+end
+
+% A speed was asked for in turns, and is said in turns.
+function text = inTurns (text)
+  speed = str2double (regexp (text, '\S+(?= rad/s)', 'match', 'once'));
+  text = regexprep (text, '\S+ rad/s( \(\S+ rpm\))?', ...
+                    sprintf ('%.3g turns per minute', speed * 30 / pi));
 end
 
 function text = toleranceOf (bench, k, unit)
@@ -158,6 +165,21 @@ end
 %! assert (~isempty (strfind (words.ROWS, "Heap,slope,31,,deg,,,7%\n")));
 %! assert (~isempty (strfind (words.ROWS, ["Heap,massOnPlate,14.1,,g,,,5%\n", ...
 %!                                         "Heap,massOnPlate,13.9,,g,,,\n"])));
+%!function text = drumTurns (question, default, rule)
+%!  text = default;
+%!  if ~isempty (strfind (question, 'speed 3'))
+%!    [text, ~, ~] = rule ('76.4');
+%!  elseif ~isempty (strfind (question, 'measured'))
+%!    printf ('%s\n', question);
+%!  end
+%!endfunction
+%!test
+%! % speeds of the results as they were asked for
+%! said = evalc ('newBenchCase (root, ''Drum'', @drumTurns);');
+%! for part = {'middle at 19.1 turns per minute, measured, deg', 'inclination at 76.4 turns per'}
+%!   assert (! isempty (strfind (said, part{1})), said);
+%! end
+%! assert (isempty (regexp (said, 'rad/s|rpm')), said);
 %!error <got 'Drun'. Did you mean Drum> newBenchCase (root, 'Heap,Drun')
 %!error id=DEcalioc:newBenchCase:badValue newBenchCase (root, 'Heap,Heap')
 
