@@ -4,8 +4,8 @@
 %       TEXT = askPerson (QUESTION, DEFAULT, RULE, READ)
 %
 %   QUESTION, DEFAULT  texts; an empty answer takes the default
-%   RULE  handle (TEXT) -> [TEXT, FAULT], see amountIn; a fault is said, and the
-%         question asked again
+%   RULE  handle (TEXT) -> [TEXT, FAULT, ECHO], see amountIn; a fault is said, and the
+%         question asked again; the echo of what was typed is said
 %   READ  handle (PROMPT) -> text (default: input)
 
 function text = askPerson (question, default, rule, read)
@@ -15,14 +15,18 @@ function text = askPerson (question, default, rule, read)
   prompt = [question, repmat([' [', default, ']'], 1, ~isempty (default)), ': '];
   while true
     text = strtrim (read (prompt));
-    if isempty (text)
+    isTyped = ~isempty (text);
+    if ~isTyped
       text = default;
     end
-    [text, fault] = rule (text);
+    [text, fault, echo] = rule (text);
     if isempty (fault)
-      return
+      break
     end
     printf ('%s\n', fault);
+  end
+  if isTyped && ~isempty (echo)
+    printf ('  taken as %s\n', echo);
   end
 end
 
@@ -32,7 +36,8 @@ end
 %!endfunction
 %!test
 %! rule = @(text) amountIn (text, 'm');
-%! for row = {{'heavy', '4 mm'}, '0.004', '''heavy'''; {''}, '2e-3', ''}'
+%! for row = {{'heavy', '4 mm'}, '0.004', '''heavy'''; {''}, '2e-3', ''; ...
+%!             {'4', '0.004'}, '0.004', "such as 4 mm.\n  taken as 0.004 m\n"}'
 %!   count = containers.Map ({'k'}, {0});
 %!   answers = row{1};
 %!   read = @(prompt) nextOf (answers, count);

@@ -19,12 +19,22 @@ function sizes = askSizes (bench, density, ask)
     end
     usual = sprintf ('%.4g', str2double (sizes(k).value) / how.factor);
     said = ask (sprintf ('%s: %s%s', bench.name, how.label, ...
-                         regexprep (how.unit, {'^(?=.)', 'rpm'}, ...
-                                    {', ', 'turns per minute'}, 'emptymatch')), usual, ...
-                @(text) sizeIn (text, how.unit));
+                         regexprep (how.unit, {'^(?=.)', 'rpm', ', 1$'}, ...
+                                    {', ', 'turns per minute', ''}, 'emptymatch')), ...
+                usual, @(text) sizeAs (text, how));
     if ~strcmp (said, usual)
       sizes(k).value = sprintf ('%.6g', how.factor * str2double (said));
     end
+  end
+end
+
+% A share of the volume is said in both terms: a slip between them passes any band.
+function [text, fault, echo] = sizeAs (text, how)
+  [text, fault, echo] = sizeIn (text, how.unit);
+  if strcmp (how.unit, '1') && isempty (fault)
+    share = 100 * str2double (text);
+    echo = sprintf ('%.3g %% for the bed with its voids, %.3g %% solid', share, ...
+                    how.factor * share);
   end
 end
 
@@ -43,7 +53,8 @@ function how = howAsked (one, sizes, density)
            '^speed\d', '^rad/s', words, 'rpm', pi / 30; ...
            'Solid$', '^m3', 'mass filled in', 'kg', 1 / density; ...
            'Solid$', '^m\>', 'height of the filling', 'm', 0.6; ...
-           'Solid$', 'volume', 'share of the volume that is filled', '', 0.6; ...
+           'Solid$', 'volume', ['share of the volume that the bed fills, voids ' ...
+                                'included (22 % solid: 0.37)'], '1', 0.6; ...
            '', '^(m|m/s|Pa)(,|$)', words, regexp(remark, '^[^,]*', 'match', 'once'), 1};
   how = [];
   for row = rules(end:-1:1, :)'
@@ -62,11 +73,12 @@ end
 %!    assert (fault, '');
 %!  end
 %!endfunction
-%!test
+%!shared root
 %! root = fileparts (fileparts (which ('startToolbox')));
+%!test
 %! said = {'tube diameter', '36 mm'; 'plate diameter', '0.08'; 'mass filled', '24 g'; ...
 %!         'speed 1, turns per minute', '10'; 'speed 2', '3.14159 rad/s'; ...
-%!         'share of the', '0.35'; 'height of the', '50 mm'; 'slot 1', '25 mm'};
+%!         'share of the', '35 %'; 'height of the', '50 mm'; 'slot 1', '25 mm'};
 %! ask = @(question, usual, rule) answer (question, usual, rule, said);
 %! wanted = {'Heap', 'tubeRadius', 0.018; 'Heap', 'plateRadius', 0.04; ...
 %!           'Heap', 'heapSolid', 2e-5; 'Heap', 'liftSpeed', 0.12; ...
@@ -81,5 +93,18 @@ end
 %! % Enter takes all as they are
 %! bench = listBenches (root, {'Heap'});
 %! assert (isequal (askSizes (bench, 1200, @(q, usual, rule) usual), bench.sizes));
+%!function text = typed (question, usual, rule)
+%!  [text, ~, echo] = rule (usual);
+%!  if ~isempty (strfind (question, 'share'))
+%!    assert (question, ['Drum: share of the volume that the bed fills, voids included ' ...
+%!                       '(22 % solid: 0.37)']);
+%!    [text, ~, echo] = rule ('0.22');
+%!    assert (echo, '22 % for the bed with its voids, 13.2 % solid');
+%!  end
+%!endfunction
+%!test
+%! % 22 % solid typed as the share of the bed: the echo shows it
+%! sizes = askSizes (listBenches (root, {'Drum'}), 1200, @typed);
+%! assert (str2double (sizes(strcmp ({sizes.name}, 'drumSolid')).value), 0.132);
 
 % SPDX-License-Identifier: GPL-3.0-only

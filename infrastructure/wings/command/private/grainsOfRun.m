@@ -6,7 +6,8 @@
 %   G       scalar struct, numbers NaN where the output does not say: asked (grains
 %           that the script asks for: of insertions, and those it creates or reads),
 %           made (most that were there at the end of a command run), left (at the end of
-%           the last one); warnings
+%           the last one), glued (0 where nothing tells: those that stand on a lattice,
+%           of a rough floor or lid, which the three others leave out); warnings
 %           (1 x n cell of texts: LIGGGHTS's own about insertion, loss and contacts
 %           that are looked for too late, each once); overlap, moving (lastGrains)
 
@@ -25,12 +26,30 @@ function g = grainsOfRun (folder)
   if ~isempty (ends)
     [g.made, g.left] = deal (max (ends), ends(end));
   end
+  g = withoutGlued (g, folder, text);
   lines = regexp (text, '^WARNING: ([^\n]*?)\s*(?:\([\w./]+:\d+\))?$', 'tokens', ...
                   'lineanchors', 'dotexceptnewline');
   lines = unique ([cell(1, 0), lines{:}], 'stable');
   isOurs = ~cellfun (@isempty, regexpi (lines, 'insert|lost|dangerous|overlap', 'once'));
   g.warnings = lines(isOurs)(:)';
   [g.overlap, g.moving] = lastGrains (folder, text);
+end
+
+% A rig says in output_checks.csv how many grains were filled in; others that its log
+% names as created are glued to it.
+function g = withoutGlued (g, folder, text)
+  g.glued = 0;
+  file = fullfile (folder, 'output_checks.csv');
+  created = regexp (text, '^Created (\d+) atoms$', 'tokens', 'lineanchors');
+  if isempty (created) || ~isfile (file)
+    return
+  end
+  filled = regexp (readText (file), '^spheresStart,(\d+)', 'tokens', 'once', 'lineanchors');
+  most = sum (str2double ([created{:}]));
+  g.glued = max ([0, min(g.made - str2double (filled), most)]);
+  for name = {'asked', 'made', 'left'}
+    g.(name{1}) = g.(name{1}) - g.glued;
+  end
 end
 
 % The log has each command twice, the second time with its variables filled in. A
@@ -137,6 +156,24 @@ end
 %! before = "Created 185 atoms\n185 atoms in group glued\n  15 atoms\n";
 %! assert (of ([before, pack]).asked, 1100);
 %! assert (isnan (of ([pack, "fix c all insert/pack particles_in_region 5\n"]).asked));
+%!test
+%! % 69 glued to the plate, 151 of 298 fell off it; a lid that is made later
+%! log = @(more) ["fix a all insert/pack insert_every once particles_in_region 298\n", ...
+%!                "Created 69 atoms\n", more, ...
+%!                "Loop time of 2 on 1 procs for 9 steps with 367 atoms, f\n", ...
+%!                "Loop time of 2 on 1 procs for 9 steps with 216 atoms, f\n"];
+%! [folder, put] = emptyFolder ();
+%! put ('log.liggghts', log (''));
+%! g = grainsOfRun (folder);
+%! assert ([g.asked, g.made, g.left, g.glued], [367, 367, 216, 0]);
+%! put ('output_checks.csv', "spheresStart,298\nspheresEnd,147\n");
+%! g = grainsOfRun (folder);
+%! assert ([g.asked, g.made, g.left, g.glued], [298, 298, 147, 69]);
+%! put ('log.liggghts', log ("Created 5 atoms\n"));
+%! put ('output_checks.csv', "spheresStart,293\n");
+%! assert (grainsOfRun (folder).glued, 74);
+%! put ('output_checks.csv', "other,1\n");
+%! assert (grainsOfRun (folder).glued, 0);
 %!test
 %! g = grainsOfRun (emptyFolder ());
 %! assert ({g.asked, g.made, g.left, g.warnings}, {NaN, NaN, NaN, cell(1, 0)});

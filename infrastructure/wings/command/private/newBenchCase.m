@@ -8,7 +8,8 @@
 %   ASK    handle (QUESTION, DEFAULT, RULE -> text): what a person says at a
 %          terminal; by default all defaults are taken. RULE is a handle (TEXT)
 %          -> [TEXT, FAULT], see amountIn
-%   WORDS  scalar struct of texts for fillTemplate of templates/benchCase
+%   WORDS  scalar struct of texts for fillTemplate of templates/benchCase; TAKEN says
+%          what nobody was asked for: tolerances of what was measured, limits
 %
 % measured.csv gets a line for each result, without a value: what is left empty
 % is predicted only. Its tolerance is twice what one run scatters by, at least 2
@@ -33,9 +34,14 @@ function words = newBenchCase (root, names, ask)
   words.MODELS = quoted ({benches.name});
   words.CPUS = strjoin (repmat ({'1'}, 1, numel (benches)), ', ');
   words.SIZES = sizeLines (benches);
-  rows = arrayfun (@(bench) rowsOf (bench, ask, bulk), benches, ...
-                   'UniformOutput', false);
+  [rows, tols] = arrayfun (@(bench) rowsOf (bench, ask, bulk), benches, ...
+                           'UniformOutput', false);
   words.ROWS = [rows{:}];
+  sought = {'coefFrictionPP', '0.2', '0.8'; 'coefRollingFrictionPP', '0.02', '0.30'};
+  words.ASSIGN = quoted (sought(:, 1)');
+  words.LOW = strjoin (sought(:, 2)', ', ');
+  words.HIGH = strjoin (sought(:, 3)', ', ');
+  words.TAKEN = takenLines ([tols{:}], sought);
   words.EFFECTS = effectLines (quoted, candidatesOf (benches));
 end
 
@@ -81,19 +87,24 @@ function text = sizeLines (benches)
 end
 
 % One line a reading, in the unit that was typed; the tolerance stands in the first.
-function text = rowsOf (bench, ask, bulk)
-  text = '';
+% TOLS: those of what was measured, as one says them.
+function [text, tols] = rowsOf (bench, ask, bulk)
+  [text, tols] = deal ('', {});
   for k = 1:numel (bench.results)
     one = bench.results(k);
     usual = repmat (bulk, 1, strcmp (one.name, 'bulkDensity'));
     hint = repmat ('all readings: 31.4, 32.0, 30.6; ', 1, k == 1);
     said = ask (sprintf ('%s: %s, measured, %s (%sempty: not measured)', ...
-                         bench.name, one.text, one.unit, hint), usual, ...
+                         bench.name, inTurns (one.text), one.unit, hint), usual, ...
                 @(text) readingsIn (text, one.unit));
     if ischar (said)
       said = readingsIn (said, one.unit);
     end
     tol = toleranceOf (bench, k, said.unit);
+    if ~isempty (said.values)
+      tols{end + 1} = sprintf ('%s %s %s', bench.name, one.name, ...
+                               regexprep (tol, {'%', 'abs'}, {' %', said.unit}));
+    end
     for value = [said.values, repmat({''}, 1, isempty (said.values))]
       text = [text, sprintf('%s,%s,%s,,%s,,,%s\n', bench.name, one.name, value{1}, ...
                             said.unit, tol)];
@@ -102,12 +113,30 @@ function text = rowsOf (bench, ask, bulk)
   end
 end
 
+% A speed was asked for in turns, and is said in turns.
+function text = inTurns (text)
+  speed = str2double (regexp (text, '\S+(?= rad/s)', 'match', 'once'));
+  text = regexprep (text, '\S+ rad/s( \(\S+ rpm\))?', ...
+                    sprintf ('%.3g turns per minute', speed * 30 / pi));
+end
+
 function text = toleranceOf (bench, k, unit)
   tol = 2 * bench.sd(k) / abs (bench.mean(k));
   text = sprintf ('%.0f%%', ceil (100 * max (tol, 0.02)));
   if tol > 0.4
     text = sprintf ('%.1g abs', 2 * bench.sd(k) * ...
                     unitFactor (bench.results(k).unit, unit));
+  end
+end
+
+function text = takenLines (tols, sought)
+  text = sprintf ("limits     %s (loadInput.m, part 3)\n", ...
+                  strjoin (strcat (sought(:, 1), {' '}, sought(:, 2), {' to '}, ...
+                                   sought(:, 3))', ', '));
+  if ~isempty (tols)
+    text = sprintf (["tolerance  %s: twice what one run of these rigs scatters by, at " ...
+                     "least 2 %% (measured.csv, column tol)\n%s"], ...
+                    strjoin (tols, ', '), text);
   end
 end
 
@@ -148,6 +177,8 @@ end
 %! assert (~isempty (strfind (words.ROWS, "Drum,curvature1,,,1/m,,,2 abs\n")));
 %! assert (numel (strfind (words.SIZES, 'modelVars.tubeRadius = 0.015;')), 1);
 %! assert (isempty (strfind (words.SIZES, 'rest')));
+%! assert (words.TAKEN, ["limits     coefFrictionPP 0.2 to 0.8, coefRollingFrictionPP ", ...
+%!                       "0.02 to 0.30 (loadInput.m, part 3)\n"]);
 %! assert (~isempty (strfind (words.EFFECTS, '''speedError''')));
 %! assert (isempty (strfind (newBenchCase (root, 'Heap').EFFECTS, 'speedErr')));
 %!test
@@ -158,6 +189,23 @@ end
 %! assert (~isempty (strfind (words.ROWS, "Heap,slope,31,,deg,,,7%\n")));
 %! assert (~isempty (strfind (words.ROWS, ["Heap,massOnPlate,14.1,,g,,,5%\n", ...
 %!                                         "Heap,massOnPlate,13.9,,g,,,\n"])));
+%! assert (strncmp (words.TAKEN, ['tolerance  Heap slope 7 %, Heap massOnPlate 5 %: twice ' ...
+%!                                'what one run'], 61), words.TAKEN);
+%!function text = drumTurns (question, default, rule)
+%!  text = default;
+%!  if ~isempty (strfind (question, 'speed 3'))
+%!    [text, ~, ~] = rule ('76.4');
+%!  elseif ~isempty (strfind (question, 'measured'))
+%!    printf ('%s\n', question);
+%!  end
+%!endfunction
+%!test
+%! % speeds of the results as they were asked for
+%! said = evalc ('newBenchCase (root, ''Drum'', @drumTurns);');
+%! for part = {'middle at 19.1 turns per minute, measured, deg', 'inclination at 76.4 turns per'}
+%!   assert (! isempty (strfind (said, part{1})), said);
+%! end
+%! assert (isempty (regexp (said, 'rad/s|rpm')), said);
 %!error <got 'Drun'. Did you mean Drum> newBenchCase (root, 'Heap,Drun')
 %!error id=DEcalioc:newBenchCase:badValue newBenchCase (root, 'Heap,Heap')
 

@@ -1,39 +1,62 @@
 % READINGSIN  Several readings of one quantity as a person types them.
 %
-% CALL: [READINGS, FAULT] = readingsIn (TEXT, UNIT)
+% CALL: [READINGS, FAULT, ECHO] = readingsIn (TEXT, UNIT)
 %
 %   TEXT      what was typed: '31.4, 32.0, 30.6', '14,1; 13,9 g', '' (not measured)
 %   UNIT      that of the result, see unitFactor (text)
-%   READINGS  scalar struct: values (1 x n cell of texts, in unit), unit (the one
-%             that was typed behind the last number, else UNIT); [] with a FAULT
+%   READINGS  scalar struct: values (1 x n cell of texts, in unit), unit (the first
+%             that was typed, else UNIT); [] with a FAULT
 %   FAULT     '' or what is needed, a sentence (text)
+%   ECHO      as what readings without a unit are taken, else '' (text)
+%
+% One unit counts for all readings, or each has its own.
 %
 % Commas part numbers where a blank follows, or where the decimals have points;
 % semicolons and blanks always do.
 %
 % See also: amountIn
 
-function [readings, fault] = readingsIn (text, unit)
-  fault = '';
-  text = strtrim (text);
-  readings = struct ('values', {cell(1, 0)}, 'unit', unit);
-  if isempty (text)
-    return
+function [readings, fault, echo] = readingsIn (text, unit)
+  [fault, echo] = deal ('');
+  [words, units] = partsOf (strtrim (text));
+  isTyped = ~isempty (units);
+  if numel (units) < 2
+    units = repmat ([units, repmat({unit}, 1, ~isTyped)], 1, numel (words));
   end
-  parts = regexp (text, '^(.*?[\d.])(\s*[^\d\s,.;][^\d,;]*\d?)?$', 'tokens', 'once');
-  behind = '';
-  if numel (parts) == 2
-    [text, readings.unit] = deal (parts{1}, strtrim (parts{2}));
-    behind = [' ', readings.unit];
+  readings = struct ('values', {words}, 'unit', [units, {unit}]{1});
+  if numel (units) ~= numel (words)
+    fault = sprintf ('one unit for all readings or one for each is needed, got ''%s''.', text);
   end
-  for word = numbersOf (text)
-    [~, fault] = amountIn ([word{1}, behind], unit);
+  for k = 1:numel (words) * isempty (fault)
+    behind = repmat ([' ', units{k}], 1, isTyped && ~isnan (str2double (words{k})));
+    [value, fault] = amountIn ([words{k}, behind], unit);
     if ~isempty (fault)
-      readings = [];
-      return
+      break
+    elseif ~strcmp (units{k}, readings.unit)
+      readings.values{k} = sprintf ('%.12g', str2double (value) / ...
+                                    unitFactor (readings.unit, unit));
     end
-    readings.values{end + 1} = word{1};
   end
+  if ~isempty (fault)
+    readings = [];
+  elseif ~isempty (words) && ~isTyped
+    [~, ~, echo] = amountIn (words{end}, unit);
+    echo = strjoin ([words(1:end - 1), {echo}], ', ');
+  end
+end
+
+% Numbers and the units behind them; where each has its own, they part the numbers.
+function [words, units] = partsOf (text)
+  pattern = ['(?<=[\d.])\s*(?![eE][-+]?\d)([^\d\s,.;+-][^\d,;]*?(?:\d(?![\d.]))?)', ...
+             '\s*(?=[,;]|$|\s[-+\d.])'];
+  units = regexp (text, pattern, 'tokens');
+  units = [cell(1, 0), units{:}];
+  if isscalar (units)
+    text = regexprep (text, pattern, '');
+  else
+    text = regexprep (text, [pattern, '[,;]?'], ';');
+  end
+  words = numbersOf (text);
 end
 
 function words = numbersOf (text)
@@ -46,7 +69,7 @@ function words = numbersOf (text)
     mark = ',';
   end
   words = regexp (text, mark, 'split');
-  words = words(~cellfun (@isempty, words));
+  words = [cell(1, 0), words(~cellfun (@isempty, words))];
   if numel (words) > 1
     words = regexprep (words, '^([-+]?\d*),(\d+)$', '$1.$2');
   end
@@ -57,14 +80,30 @@ end
 %!            '14,1; 13,9; 14,3 g', 'kg', '14.1 13.9 14.3', 'g'; ...
 %!            '31,4 32,0', 'deg', '31.4 32.0', 'deg'; '31', 'deg', '31', 'deg'; ...
 %!            '31.4,32', 'deg', '31.4 32', 'deg'; '0.6 rad', 'deg', '0.6', 'rad'; ...
-%!            '690 kg/m3', 'kg/m3', '690', 'kg/m3'; '31,4, 32,0', 'deg', '31.4 32.0', 'deg'}'
+%!            '690 kg/m3', 'kg/m3', '690', 'kg/m3'; '31,4, 32,0', 'deg', '31.4 32.0', 'deg'; ...
+%!            '13.7 g, 13.5 g, 13.6 g', 'kg', '13.7 13.5 13.6', 'g'; ...
+%!            '13,7g, 13,5g', 'kg', '13.7 13.5', 'g'; '14g,13g', 'kg', '14 13', 'g'; ...
+%!            '13.7 g 0.0135 kg', 'kg', '13.7 13.5', 'g'; '', 'm', '', 'm'; ...
+%!            '690 kg/m3; 0.7 g/cm3', 'kg/m3', '690 700', 'kg/m3'; ...
+%!            '2e-3 kg, 3e-3 kg', 'kg', '2e-3 3e-3', 'kg'; ...
+%!            '2e-3, 3e-3', 'kg', '2e-3 3e-3', 'kg'; ...
+%!            '13.7 g, 13.5, 13.6', 'kg', '13.7 13.5 13.6', 'g'; ...
+%!            '2 kg m-3 3 kg m-3', 'kg/m3', '2 3', 'kg m-3'; ...
+%!            '-17 mm, -16 mm', 'm', '-17 -16', 'mm'; '12 %', '-', '12', '%'}'
 %!   [r, fault] = readingsIn (row{1:2});
 %!   assert ({strjoin(r.values, ' '), r.unit, fault}, [row(3:4)', {''}]);
 %! end
 %! assert (readingsIn ('', 'm').values, cell (1, 0));
-%! for text = {'31,4', 'about 30', '31 kg', '31; x'}
+%! for text = {'31,4', 'about 30', '31 kg', '31; x', '31 deg, 32, 0.5 rad', ...
+%!             '31 deg, 32 kg', '31 deg; 32; 0.5 rad'}
 %!   [r, fault] = readingsIn (text{1}, 'deg');
 %!   assert (isempty (r) && ! isempty (fault), text{1});
 %! end
+%!test
+%! % what is taken is said; what a balance cannot mean is asked for again
+%! assert (nthargout (3, @readingsIn, '31,4 32', 'deg'), '31.4, 32 deg');
+%! assert (nthargout (3, @readingsIn, '31 deg', 'deg'), '');
+%! assert (nthargout (2, @readingsIn, '13.7, 13.5', 'kg'), '13.7 kg? Give a unit, such as 13.7 g.');
+%! assert (isempty (strfind (nthargout (2, @readingsIn, '13.7 g, x g', 'kg'), 'g g')));
 
 % SPDX-License-Identifier: GPL-3.0-only

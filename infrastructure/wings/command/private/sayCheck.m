@@ -293,8 +293,9 @@ function g = sayGrains (r)
     if ~isnan (g.asked)
       asked = sprintf (' of %d that the script asks for', g.asked);
     end
-    printf ('          grains: %d%s were made, %d are there at the end\n', g.made, asked, ...
-            g.left);
+    glued = repmat (sprintf (' (and %d glued to the rig)', g.glued), 1, g.glued > 0);
+    printf ('          grains: %d%s were filled in%s, %d of them are there at the end\n', ...
+            g.made, asked, glued, g.left);
   end
   cellfun (@(text) printf ('WARNING   %s: LIGGGHTS says: %s.\n', r.model, text), ...
            g.warnings);

@@ -46,6 +46,9 @@ function status = sayNew (root, folder, args)
     words = newBenchCase (root, given.bench, ask{:});
     makePlace (target);
     makeForm (fullfile (root, 'templates', 'benchCase'), target, words);
+    if ~isempty (ask)
+      printf ("\nTaken, for you to change:\n%s\n", words.TAKEN);
+    end
   elseif isempty (given.model)
     makePlace (target);
     copyNew (root, target, {'loadEffects.m', 'loadInput.m'});
@@ -201,7 +204,7 @@ end
 function bench = askBench (root)
   sayBenches (root, '', {});
   bench = askPerson (['test rigs, with commas between (none: the published ' ...
-                      'container)'], 'Heap', @(text) deal (text, ''));
+                      'container)'], 'Heap', @(text) deal (text, '', ''));
   if strcmp (bench, 'none')
     bench = '';
   end

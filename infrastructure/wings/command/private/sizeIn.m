@@ -1,13 +1,13 @@
 % SIZEIN  A number above 0 as a person types it, with or without a unit.
 %
-% CALL: [TEXT, FAULT] = sizeIn (TEXT, UNIT)
+% CALL: [TEXT, FAULT, ECHO] = sizeIn (TEXT, UNIT)
 %
 %   As amountIn; neither 0 nor an empty answer is a size
 %
 % See also: amountIn
 
-function [text, fault] = sizeIn (text, unit)
-  [text, fault] = amountIn (text, unit);
+function [text, fault, echo] = sizeIn (text, unit)
+  [text, fault, echo] = amountIn (text, unit);
   if isempty (fault) && ~(str2double (text) > 0)
     fault = strtrim (sprintf ('more than 0 %s is needed, got %s.', unit, text));
   end
