@@ -18,8 +18,8 @@ end
 function text = sessionNote (Case)
   text = '';
   sessions = Case.sessions;
-  advice = ['trials of one session understate what changes from day to day: ' ...
-            'repeat the reference on another day'];
+  advice = ['the trials do not tell how much days differ: repeat the reference on ' ...
+            'another day'];
   if sessions.df > 0
     text = sprintf (['sessions differ by %.1f times the scatter of a trial ' ...
                      'within one (%d sessions of the reference, column ' ...
@@ -29,8 +29,11 @@ function text = sessionNote (Case)
     text = sprintf (['%s. Until then sessions are taken to differ by %.1f ' ...
                      'times the scatter of a trial, as on other rigs'], ...
                     advice, sessions.ratio);
-  elseif any ([Case.targets.trials] > 1)
+  elseif any ([Case.targets.trials] > 1) && ~isempty (givenField (Case, 'conditions', {}))
     text = [advice, ', and name the days in a column session of measured.csv'];
+  elseif any ([Case.targets.trials] > 1)
+    text = ['if you measured on several days, write the day of each line into a column ' ...
+            'session of measured.csv; else you have nothing to do'];
   end
   least = leastSeen (Case);
   if ~isempty (text) && ~isempty (least)
@@ -129,9 +132,15 @@ end
 %! assert ({notes.label}, {'sessions'});
 %! assert (strncmp (notes.text, 'sessions differ by 2.0 times', 28));
 %!assert (isempty (of (false, 0, 1)))
-%!assert (of (false, 0, 3), ['trials of one session understate what changes ' ...
-%!        'from day to day: repeat the reference on another day, and name ' ...
-%!        'the days in a column session of measured.csv'])
+%!assert (of (false, 0, 3), ['if you measured on several days, write the day of each ' ...
+%!        'line into a column session of measured.csv; else you have nothing to do'])
+%!test
+%! Case = struct ('targets', struct ('trials', 3, 'changed', struct ('sd', 0), 'tol', 1, ...
+%!                                   'isAbsolute', true, 'sd', 0, 'value', 1), ...
+%!                'conditions', {{'moist'}});
+%! assert (noteOf ('sessions', Case), ['the trials do not tell how much days differ: ' ...
+%!         'repeat the reference on another day, and name the days in a column session ' ...
+%!         'of measured.csv']);
 %!assert (! isempty (strfind (of (true, 0, 1), 'taken to differ by 2.5')))
 %!assert (! isempty (strfind (of (true, 3, 1), '2 sessions of the reference')))
 %!test
@@ -154,7 +163,7 @@ end
 %!          'after the reference. Read both in turn'];
 %! assert (noteOf ('sessions', Case), drift);
 %! Case.targets.trials = 3;
-%! assert (strncmp (noteOf ('sessions', Case), [drift, '. Trials'], numel (drift) + 8));
+%! assert (strncmp (noteOf ('sessions', Case), [drift, '. If you'], numel (drift) + 8));
 %!test
 %! changed = @(p) struct ('scatterRatio', 9, 'scatterP', p);
 %! Case.targets = struct ('name', {'a', 'b', 'c'}, 'trials', 1, 'tol', 1, 'value', 0, ...
