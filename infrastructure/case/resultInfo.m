@@ -84,7 +84,6 @@ function text = withValue (text, old, new)
   text = regexprep (text, ['(', sprintf('%.4g', new), ' rad/s)'], ['$1', turns]);
 end
 
-
 %!test
 %! folder = emptyFolder ();
 %! file = fullfile (folder, 'results.csv');
@@ -116,9 +115,9 @@ end
 %! writeAtomic (fullfile (folder, 'data.head'), "variable w equal 3\nvariable s equal 0.02\n");
 %! assert (resultInfo (folder, struct ())(1).text, 'slope at 3 rad/s (28.6 rpm), 12 m');
 %! writeAtomic (fullfile (folder, 'results.csv'), ...
-%!              "name,kind,unit,series,at,text\nd,,,,,at 45 deg and 15 turns/min\n");
+%!              "name,kind,unit,series,at,text\nk,,,,,at 45 deg and 15 turns/min\n");
 %! writeAtomic (fullfile (folder, 'sample', 'places.csv'), ...
-%!              "name,variable,factor,said\nd,v,30,15\nd,t,1,45\na,w,,\n");
+%!              "name,variable,factor,said\nk,v,30,15\nk,t,1,45\na,w,,\n");
 %! doser = resultInfo (folder, struct ('v', 1 / 3, 't', 40));
 %! assert ({doser.text, doser.at}, {'at 40 deg and 10 turns/min', NaN});
 
