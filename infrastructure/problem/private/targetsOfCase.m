@@ -122,7 +122,7 @@ end
 %! C.models = struct ('name', {'A', 'B'}, 'cost', 1, 'folder', {emptyFolder(), emptyFolder()});
 %! head = "name,kind,unit,series,at,text\n";
 %! put = @(k, lines) writeAtomic (fullfile (C.models(k).folder, 'results.csv'), [head, lines]);
-%! put (1, "a,coneAngle,deg,,,x\nb,level,m,,,x\nc,,g,,,x\nd,,,,,x\n");
+%! put (1, "a,coneAngle,deg,,,x\nb,level,m,,,x\nc,,g,,,x\ne,,,,,x\n");
 %! put (2, "p,height,m,profile,1,x\n");
 %! assert (targetsOfCase (C).reading, {'angle', 'length', 'g', '', 'B profile'});
 
