@@ -132,9 +132,14 @@ function checkPercent (given, X)
   end
 end
 
+% A bench of which all runs failed is left out (enterRuns); one result alone is a slip.
 function checkResults (given, Z)
-  isThere = size (Z, 2) == numel (given.value) & isnumeric (Z);
-  none = find (isThere & ~any (isfinite (Z), 1) & isfinite (given.value(:)'), 1);
+  if ~isnumeric (Z) || columns (Z) ~= numel (given.value)
+    return                               % said elsewhere
+  end
+  isNone = ~any (isfinite (Z), 1);
+  ran = ismember (given.bench(:)', given.bench(~isNone));
+  none = find (isNone & ran & isfinite (given.value(:)'), 1);
   if ~isempty (none)
     error ('DEcalioc:checkMatrices:badValue', ...
            ['diagnoseMatrices: column %d of DATA.Z must have a result of some run for the ' ...
