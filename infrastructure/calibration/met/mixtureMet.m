@@ -61,7 +61,12 @@ end
 function w = weightOfBox (at, other, problem)
   nearest = min (max (at, other.low), other.high);
   apart = toUnit (at, problem.limits) - toUnit (nearest, problem.limits);
-  w = exp (-sumsq (apart / (0.15 * sqrt (columns (at))), 2) / 2);
+  w = nearness (apart);
+end
+
+% APART  n x d, in box widths
+function w = nearness (apart)
+  w = exp (-sumsq (apart / (0.15 * sqrt (columns (apart))), 2) / 2);
 end
 
 % The mean over the quantiles Q of the share of the other outcome.
@@ -85,10 +90,9 @@ end
 function W = weights (at, X, problem)
   U = toUnit (at, problem.limits);
   V = toUnit (X, problem.limits);
-  size = 0.15 * sqrt (columns (X));
   W = zeros (rows (U), rows (V));
   for i = 1:rows (V)
-    W(:, i) = exp (-sumsq ((U - V(i, :)) / size, 2) / 2);
+    W(:, i) = nearness (U - V(i, :));
   end
 end
 
