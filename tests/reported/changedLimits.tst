@@ -22,12 +22,12 @@
 %! edited (folder, '[0.0 0.0; 1.0 2.0]', '[0.2 0.4; 1.0 2.0]', ...
 %!         'numOfSam = 8', 'numOfSam = 10');
 %! [~, out] = startCommand (folder, 'check');
-%! said = regexp (out, ['own runs .*: (\d+) finished runs .*\((\d+) inside ' ...
-%!                      'the limits, (\d+) near them\); (\d+) too far'], ...
-%!                'tokens', 'once', 'dotexceptnewline');
+%! said = regexp (out, ['own runs  the input has changed: (\d+) earlier runs ', ...
+%!                      'are reused(?:, (\d+) too far outside the limits)?'], ...
+%!                'tokens', 'once');
 %! counts = str2double (said);
-%! assert ([sum(counts(2:3)), sum(counts([1, 4]))], [counts(1), n]);
-%! assert (counts(2) >= 5);
+%! assert (sum (counts(~isnan (counts))), n, out);
+%! assert (counts(1) >= 5);
 %! [status, out] = startCommand (folder, 'run');
 %! assert (status == 0, out);
 %! assert (numel (listRunFolders (folder, 'M')) < n + 10);
