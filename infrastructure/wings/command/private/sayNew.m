@@ -31,22 +31,19 @@ function status = sayNew (root, folder, args)
                            'UniformOutput', false);
   end
   target = placeOf (given, words, folder);
-  ask = {};
-  if isempty (given.model) && strcmp (getenv ('DECALIOC_ASKS'), 'yes')
-    ask = {@askPerson};
-    if isempty (given.bench)
-      given.bench = askBench (root);
-    end
+  asks = isempty (given.model) && strcmp (getenv ('DECALIOC_ASKS'), 'yes');
+  if asks && isempty (given.bench)
+    given.bench = askBench (root);
   end
   isCase = isfile (fullfile (target, 'loadInput.m'));
   if isempty (given.model)
     refuseIf (isCase, target, 'is a case already');
   end
   if ~isempty (given.bench)
-    words = newBenchCase (root, given.bench, ask{:});
+    words = wordsOfBench (root, given.bench, asks);
     makePlace (target);
     makeForm (fullfile (root, 'templates', 'benchCase'), target, words);
-    if ~isempty (ask)
+    if asks
       printf ("\nTaken, for you to change:\n%s\n", words.TAKEN);
     end
   elseif isempty (given.model)
@@ -207,6 +204,15 @@ function bench = askBench (root)
                       'container)'], 'Heap', @(text) deal (text, '', ''));
   if strcmp (bench, 'none')
     bench = '';
+  end
+end
+
+function words = wordsOfBench (root, bench, asks)
+  if asks
+    printf ("Enter takes what stands in brackets, back returns to the question before.\n");
+    words = askInTurn (@(ask) newBenchCase (root, bench, ask), @askPerson);
+  else
+    words = newBenchCase (root, bench);
   end
 end
 
