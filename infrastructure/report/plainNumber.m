@@ -31,7 +31,7 @@ function text = oneNumber (x, kind)
     x = x * ~strcmp (digits, ' 0');
     form = merge (x == 0, '%d', form);
   end
-  text = sprintf (form, x * (1 + 99 * strcmp (kind, 'percent')));
+  text = written (form, x * (1 + 99 * strcmp (kind, 'percent')));
   switch kind
     case 'p'
       if x < 0.001
@@ -45,13 +45,22 @@ function text = oneNumber (x, kind)
       end
     case 'percent'
       if abs (x) >= 10                   % 6470 % of next to nothing
-        text = sprintf ('%.2g times', x);
+        text = [written('%.2g', x), ' times'];
       end
+  end
+end
+
+% 14100, not 1.41e+04
+function text = written (form, x)
+  text = sprintf (form, x);
+  if ~isempty (regexp (text, 'e\+0[345]$', 'once'))
+    text = sprintf (merge (text(1) == '+', '%+d', '%d'), str2double (text));
   end
 end
 
 %!assert (plainNumber (0.12345, 'percent'), '12.3 %')
 %!assert (plainNumber (64.7, 'percent'), '65 times')
+%!assert (plainNumber (3901, 'percent'), '3900 times')
 %!assert (plainNumber (0, 'p'), '< 0.001')
 %!assert (plainNumber (0.0123, 'p'), '0.012')
 %!assert (plainNumber (0.001, 'probability'), '< 0.01')
@@ -62,6 +71,9 @@ end
 %!assert (plainNumber ([], 'count'), '-')
 %!assert (plainNumber (0.453, 'change 1'), '+0.5')
 %!assert (plainNumber (-1.2345, 'plain 3'), '-1.23')
+%!assert (plainNumber (14136, 'change 3'), '+14100')
+%!assert (plainNumber (-14136, 'error'), '-14000')
+%!assert (plainNumber (3e6, 'plain'), '3e+06')
 %!assert (plainNumber (-4e-15, 'plain 0'), '0')
 
 % SPDX-License-Identifier: GPL-3.0-only

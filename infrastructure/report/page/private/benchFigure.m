@@ -26,7 +26,7 @@ function [f, key] = benchFigure (page, model)
   end
   key = keyOf (page, list(1).isAllowed, any (isfinite (vertcat (list.reach)(:))));
   n = numel (list);
-  of = merge (list(1).isAllowed, 'your tolerance', 'the noise');
+  of = merge (list(1).isAllowed, 'its tolerance', 'the noise');
   values = [[list.now], [list.with], [list.trials], -1, 1];
   most = max (abs (values(isfinite (values)))) * 1.08;
   y = (1:n)';
@@ -35,7 +35,7 @@ function [f, key] = benchFigure (page, model)
   [now, isStrict] = deal ([[list.now]', y], [list.isStrict]);
   reach = min (max (vertcat (list.reach), -most), most);
   % a deviation is measured less simulated (tables); here measured is at 0
-  f = newFigure (model, sprintf ('simulated less measured (1: %s)', strrep (of, 'your ', '')), ...
+  f = newFigure (model, sprintf ('simulated less measured (1: %s)', of), ...
                  fliplr ({list.label}), ...
                  sprintf ('%s: %s misses most, by %.3g times %s', model, ...
                           misses(1).name, abs (list(n).now), of), ...
