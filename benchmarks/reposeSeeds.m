@@ -1,24 +1,26 @@
 % REPOSESEEDS  Calibrations of a LIGGGHTS model from other seeds: are they true?
 %
-% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK [PLAN] [CSV]
+% CALL: octave-cli benchmarks/reposeSeeds.m SEEDS WORK [PLAN] [CSV] [RIG]
 %
 %   SEEDS  of plan and packings (Input.seed), e.g. 11:30
 %   WORK   folder of the cases (WORK/SEED), kept; a case that lies there goes on
-%   PLAN   runs of the first plan (Input.numOfSam); 0: that of the template
+%   PLAN   runs of the first plan (Input.numOfSam), and no form.csv; 0: plan and
+%          form.csv of the template
 %   CSV    table, to which one row a seed is added, in the columns of
-%          peersLiggghts.py (tool is DEcalioc); seeds that stand in it are left out
+%          peersLiggghts.py (tool says RIG and PLAN); seeds that stand in it are left out
+%   RIG    'Large': another rig and other grains than those of form.csv, see storedRepose
 %
 % Each is the template Repose as decalioc new --model Repose makes it: two
 % parameters, angle of repose and mass on the plate to 6 and 4 %, where the set
 % that gave the values is known. What a set truly gives, is said by surrogates
-% of 121 other runs (results/reposeRuns.csv), whose own uncertainty at the set
-% is printed beside, all in tolerances.
+% of other runs (storedRepose), whose own uncertainty at the set is printed beside,
+% all in tolerances.
 %
 % See also: peers
 
 1;
 
-function found = oneCase (seed, work, root, plan)
+function found = oneCase (seed, work, root, plan, store)
   folder = fullfile (work, sprintf ('%d', seed));
   decalioc = fullfile (root, 'bin', 'decalioc');
   if ~isfolder (folder)
@@ -29,12 +31,21 @@ function found = oneCase (seed, work, root, plan)
                    sprintf ('Input.seed = %d;', seed));
     if plan > 0
       text = regexprep (text, 'numOfSam = \d+', sprintf ('numOfSam = %d', plan));
+      unlink (fullfile (folder, 'DEMmodels', 'Repose', 'form.csv'));
     end
-    writeAtomic (file, text);
+    writeAtomic (file, ofRig (text, store));
   end
   call (sprintf ('%s run %s', shellQuote (decalioc), shellQuote (folder)));
   found = jsondecode (fileread (fullfile (folder, 'results', ...
                                           'calibration.json')));
+end
+
+function text = ofRig (text, store)
+  v = store.variables;
+  lines = cellfun (@(name) sprintf ('  modelVars.%s = %g;\n', name, v.(name)), ...
+                   fieldnames (v)', 'UniformOutput', false);
+  text = regexprep (text, {' *modelVars\.densityP = [^\n]*\n', 'targetVal\{1\} = \[.*?\]'}, ...
+                    {[lines{:}], sprintf('targetVal{1} = %s', mat2str (store.problem.value))});
 end
 
 % Exit status 2: not all targets are met.
@@ -53,23 +64,25 @@ root = startBenchmarks ();
 pkg ('load', 'stk');
 work = make_absolute_filename (args{2});
 [~, ~] = mkdir (work);
-[args{end + 1:4}] = deal ('');
+[args{end + 1:5}] = deal ('');
 plan = max ([str2double(args{3}), 0]);
 seeds = str2num (args{1});
+tool = ['DEcalioc', merge(isempty (args{5}), '', ['; rig ', args{5}]), ...
+        merge(plan > 0, sprintf ('; plan of %d; no form.csv', plan), '')];
 done = {};
 if ~isempty (args{4})
   [done, counted] = startTable (args{4}, 'tool,seed,runs,seconds,worst,wall,error', 2);
 end
-seeds = seeds(~ismember (arrayfun (@(s) sprintf ('DEcalioc,%d', s), seeds, ...
+seeds = seeds(~ismember (arrayfun (@(s) rowText ({tool, s}), seeds, ...
                                    'UniformOutput', false), done));
-store = storedRepose (root);
+store = storedRepose (root, args{5});
 problem = store.problem;
 truth = fitSurrogates (store.data, problem);
 use = problem.calibrate;
 [isTrue, isMet, stated, runs, seconds] = deal ([]);
 for seed = seeds
   started = time ();
-  c = oneCase (seed, work, root, plan);
+  c = oneCase (seed, work, root, plan, store);
   [z, v] = predictSurrogate (truth, cellfun (@(n) c.params.(n), ...
                                              problem.names));
   part = problem.tol(use) .* problem.value(use);
@@ -80,7 +93,7 @@ for seed = seeds
   runs(end + 1) = c.demRuns.plan + c.demRuns.infill + c.demRuns.verify;
   seconds(end + 1) = c.coreSeconds;
   if ~isempty (args{4})
-    appendLine (args{4}, rowText ({'DEcalioc', seed, runs(end), seconds(end), max(off), ...
+    appendLine (args{4}, rowText ({tool, seed, runs(end), seconds(end), max(off), ...
                                    time() - started, ''}));
   end
   printf (['%4d  %d runs, %.0f core-seconds, calibrated %d, probability ', ...

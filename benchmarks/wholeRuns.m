@@ -35,7 +35,7 @@
 % that verify could take a name away. BENCHES: how many of the case's benches,
 % collapse, shear cell, heap, it has (3); d in the table is that of all three.
 %
-% See also: fillTest, leftOut, planStudy
+% See also: leftOut, planStudy
 
 1;
 
@@ -192,6 +192,57 @@ function g = onceMore (test, truth, folder, root, isStored)
     setInput (copy, 'Input.maxNewRuns', 0);
   end
   g = diagnosed (copy, root);
+end
+
+% CELLS, 0 or 1: named rightly, named wrongly, by a verdict (WHICH of gap.json); that it is
+% this one or something that looks like it counts as a name. ISOPEN: group or undecided.
+function [cells, isOpen] = testOutcome (which, truth)
+  isAlike = strcmp (which.guard, 'look-alike');
+  isOpen = any (strcmp (which.verdict, {'group', 'undecided'})) && ~isAlike;
+  isName = strcmp (which.verdict, 'named') || ...
+           (strcmp (which.verdict, 'group') && isAlike);
+  isTrue = isequal (cellstr (which.effects), {truth});
+  cells = {double(isName && isTrue), double(isName && ~isTrue)};
+end
+
+% The table of an advised test is filled in, as a user does who measures: each trial is a
+% run with a packing of its own and a reading error of the sd in the table, or of the
+% scatter of the bench's results, which is filled in then.
+function fillTest (place, model, values)
+  folder = fullfile (place, 'DEMmodels', model);
+  if ~isfolder (folder)
+    root = fileparts (fileparts (which ('startToolbox')));
+    folder = fullfile (root, 'DEMmodels', model);
+  end
+  names = {resultInfo(folder).name};
+  scatter = scatterOf (folder, names);
+  file = fullfile (place, [model, '.csv']);
+  lines = strsplit (strtrim (fileread (file)), "\n");
+  Y = truthRuns (folder, values, 3, fullfile (fileparts (place), ...
+                                              ['truth-', model]));
+  trial = zeros (size (names));
+  for i = 5:numel (lines)
+    fields = ostrsplit (lines{i}, ',');
+    at = find (strcmp (names, [fields{2}, repmat(fields{3}, 1, ...
+                                                 isempty (fields{2}))]), 1);
+    trial(at) = trial(at) + 1;
+    sd = str2double (fields{6});
+    if isnan (sd)
+      sd = scatter(at);
+    end
+    fields{5} = sprintf ('%.8g', Y(trial(at), at) + sd * randn ());
+    fields{6} = sprintf ('%.4g', sd);
+    lines{i} = strjoin (fields, ',');
+  end
+  writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
+end
+
+function sd = scatterOf (folder, names)
+  sd = NaN (size (names));
+  file = fullfile (folder, 'scatter.csv');
+  if isfile (file)
+    sd = runScatter (folder);
+  end
 end
 
 args = argv ();

@@ -10,7 +10,7 @@
 %   STEM    text, path of the runs; finished ones are reused
 %   Y       N x m, see the bench's results.csv
 %
-% See also: benchRun, fillTest
+% See also: benchRun, wholeRuns
 
 function Y = truthRuns (model, values, n, stem)
   known = fieldnames (headDefaults (fullfile (model, 'data.head')));
