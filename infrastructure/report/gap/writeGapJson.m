@@ -311,11 +311,14 @@ function out = withAmounts (out, diagnosis)
   end
 end
 
-% The end of its range, where it stands there and would go on: in its unit.
+% The end of its range, where it stands there and would go on: in its unit. Its interval
+% reaches the end, and it is near it or its density rises towards it.
 function text = atEnd (e, s, strength)
   text = '';
   far = strength.range(1 + (strength.value > 0));
-  if isempty (e) || ~(abs (strength.value) >= 0.9 * abs (far)) || ...
+  share = strength.value / far;
+  isPiled = share >= 0.75 && share >= mean (strength.interval90) / far;
+  if isempty (e) || ~(share >= 0.9 || isPiled) || ...
      ~any (abs (strength.interval90 - far) < 1e-6)
     return
   end
@@ -488,6 +491,16 @@ end
 %! assert (head.spread, gap.howFar.values.spread, 1e-9);
 %! assert (head.(Case.names{1}), gap.howFar.params.(Case.names{1})(2), 1e-9);
 %! assert ([gap.where.targets.z]', d.where.t(:), 1e-9);
+%! % at the end of its range: near it, or rising towards it; not in the middle
+%! for row = {0.95, 0.3, true; 0.88, 0.67, true; 0.8, 0.65, false; 0.7, 0.4, false}'
+%!   k = strcmp ({d.which.strength.name}, 'spread');
+%!   far = d.which.strength(k).range(2);
+%!   [d.which.strength(k).value, d.which.strength(k).interval90] = deal (row{1} * far, ...
+%!                                                                       [row{2}, 1] * far);
+%!   writeGapJson (d, Case);
+%!   said = readJsonFile (read ('gap.json')).which.strength.spread.atEnd;
+%!   assert (~isempty (said), row{3}, sprintf ('%g', row{1}));
+%! end
 %!test
 %! % a change from a reference: what is no result of a sentence is there before any
 %! % is made, and the code of the verdict stands beside the condition
