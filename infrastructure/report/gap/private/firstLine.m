@@ -129,6 +129,9 @@ function text = curveText (name, changed, many, times)
   code = 'curve';
   if all (share > 0) || all (share < 0)
     code = 'curveOneWay';
+    if numel (share) == 1
+      code = 'curveOnePlace';
+    end
     share = sort (abs (share));
     [values.least, values.share, values.most] = deal (round (share(1)), ...
                                                       round (median (share)), ...
@@ -229,7 +232,7 @@ end
 %! text = firstLine (together);
 %! assert (! isempty (strfind (text, 'at 4 of 4 places')), text);
 %! together.which.p = 0.3;
-%! assert (! isempty (strfind (firstLine (together), 'at 1 of 4 places')));
+%! assert (! isempty (strfind (firstLine (together), 'at 1 of 4 places, ')));
 %! gap.reference.targets(1).measured = 50;
 %! assert (! isempty (strfind (firstLine (gap), 'discharge at 4 of 4 places')));
 
