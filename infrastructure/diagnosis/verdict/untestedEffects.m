@@ -1,4 +1,4 @@
-% UNTESTEDEFFECTS  Says of effects without a result why there is none.
+% UNTESTEDEFFECTS  Says of effects why they have no result, or none where they are strong.
 %
 % CALL: LIST = untestedEffects (NAMES, EFFECTS, STATE)
 %
@@ -6,25 +6,44 @@
 %   EFFECTS  1 x K struct of newEffect
 %   STATE    of newGapState
 %   LIST     1 x u struct array: name; runs (of it alone, that have failed; 0:
-%            none was made); why (what most of them have said, text)
+%            none was made); why (what most of them have said, text); beyond (NaN); then
+%            those of which two runs at least have failed that were stronger than each
+%            that has a result: beyond is the strength of that one
 
 function list = untestedEffects (names, effects, state)
-  list = struct ('name', {}, 'runs', {}, 'why', {});
-  lost = state.budget.lost;
+  list = struct ('name', {}, 'runs', {}, 'why', {}, 'beyond', {});
   data = state.data;
-  E = vertcat (zeros (0, columns (data.E)), lost.E);
+  phi = strengthOfValues (effects, data.E);
+  isFailed = any (isnan (data.Z) & ~isna (data.Z), 2);
   for name = names
-    only = @(E) alone (strengthOfValues (effects, E), ...
-                       strcmp ({effects.name}, name{1}));
-    [texts, ~, at] = unique ({lost(only (E)).message});
-    why = '';
-    if ~isempty (texts)
-      % what most of them ended with
-      why = texts{mode(at)};
+    runs = sum (isFailed & alone (phi, strcmp ({effects.name}, name{1})));
+    list(end + 1) = struct ('name', name{1}, 'runs', runs, 'why', ...
+                            whyOf (effects, state, name{1}), 'beyond', NaN);
+  end
+  for k = find (~ismember ({effects.name}, names))
+    is = (1:numel (effects)) == k;
+    for sign_ = [-1, 1]
+      own = sign_ * phi(:, k) .* alone (phi, is);
+      reached = max ([own(~isFailed); 0]);
+      runs = sum (own > reached & isFailed);
+      if runs >= 2 && reached > 0
+        list(end + 1) = struct ('name', effects(k).name, 'runs', runs, 'why', ...
+                                whyOf (effects, state, effects(k).name), 'beyond', ...
+                                sign_ * reached);
+      end
     end
-    isFailed = only (data.E) & any (isnan (data.Z) & ~isna (data.Z), 2);
-    list(end + 1) = struct ('name', name{1}, 'runs', sum (isFailed), ...
-                            'why', why);
+  end
+end
+
+% What most runs of it ended with; '' where there are none.
+function why = whyOf (effects, state, name)
+  why = '';
+  lost = state.budget.lost;
+  E = vertcat (zeros (0, columns (state.data.E)), lost.E);
+  [texts, ~, at] = unique ({lost(alone (strengthOfValues (effects, E), ...
+                                        strcmp ({effects.name}, name))).message});
+  if ~isempty (texts)
+    why = texts{mode(at)};
   end
 end
 
@@ -47,5 +66,11 @@ end
 %! state.budget.lost(:) = [];
 %! assert (untestedEffects ({'a'}, effects, state).why, '');
 %! assert (isempty (untestedEffects (cell (1, 0), effects, state)));
+%! % it has results, but its two strongest runs failed; one alone may be chance
+%! state.data = struct ('E', [0, 0; 0.5, 0; 0.8, 0; 1.6, 0; 2, 0; 0, 1; 0, 2], ...
+%!                      'Z', [1; 2; 3; NaN; NaN; 4; NaN]);
+%! list = untestedEffects (cell (1, 0), effects, state);
+%! assert ({list.name, list.runs}, {'a', 2});
+%! assert (list.beyond, strengthOfValues (effects, [0.8, 0])(1), 1e-12);
 
 % SPDX-License-Identifier: GPL-3.0-only

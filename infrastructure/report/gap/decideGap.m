@@ -24,7 +24,8 @@
 %     notFor    cell of texts: what a calibrated set is not to be used for
 %     amount    struct label, text: the effect in its unit; []: none
 %     cannotSee 1 x n cell, candidates that could not be seen
-%     untested  1 x u cell of sentences, on candidates whose runs all failed
+%     untested  1 x u cell of sentences, on candidates whose runs failed, all or, where
+%               there is a gap, the strong ones
 %     notFollowed  1 x m cell of sentences, on readings that the model cannot follow
 %     numbers   how many readings of the new state decide; 0 of a gap
 %
@@ -37,14 +38,17 @@ function cause = decideGap (gap)
   [where, isBeyond] = whereText (gap, isChange);
   [closed, closure] = closedText (gap, isChange);
   untested = jsonList (which, {'untested'});
-  codes = {'failedWhy', 'failed'};
+  isPart = cellfun (@(u) ~isempty (givenField (u, 'beyond', '')), untested);
+  if strcmp (which.verdict, 'no gap')
+    untested = untested(~isPart);      % weaker ones would have shown
+  end
   cause = struct ('kind', 'open', 'code', '', 'change', firstLine (gap), ...
                   'condition', '', ...
                   'names', {{}}, 'word', '', 'sentence', '', ...
                   'class', 'open', 'where', where, 'closed', closed, ...
                   'closure', closure, 'todo', [], 'without', [], 'notFor', {{}}, 'amount', [], ...
                   'cannotSee', {namesIn(which, 'cannotSee')}, ...
-                  'untested', {eachOf(@(u) say (codes{1 + isempty(u.why)}, u), untested)}, ...
+                  'untested', {eachOf(@(u) say (failedCode (u), u), untested)}, ...
                   'notFollowed', {notFollowed(gap)}, ...
                   'numbers', numel (followedReadings (gap)));
   % one number is judged without the model
@@ -235,8 +239,19 @@ function text = endOf (gap, name)
   text = char (jsonAt (gap, {'which', 'strength', fieldOf(name), 'atEnd'}));
 end
 
+function code = failedCode (one)
+  code = 'failedWhy';
+  if ~isempty (givenField (one, 'beyond', ''))
+    code = 'failedBeyond';
+  elseif isempty (one.why)
+    code = 'failed';
+  end
+end
+
 function cause = noneListed (cause, gap, failed, say)
-  if ~isempty (atTheirEnds (gap))
+  isPart = cellfun (@(u) ~isempty (givenField (u, 'beyond', '')), ...
+                    jsonList (gap, {'which', 'untested'}));
+  if ~isempty (atTheirEnds (gap)) && ~any (isPart)
     cause = atEnd (cause, gap, say);
   elseif isempty (failed)
     cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
@@ -515,6 +530,16 @@ end
 %! assert ({cause.code, cause.todo.code, cause.todo.widen}, ...
 %!         {'atEnd', 'widenCause', {'drag'}});
 %! assert (! isempty (strfind (cause.sentence, 'drag at 3 1/s, the end of its range')));
+%! % its strong runs failed: neither is it excluded, nor does another's range matter
+%! lost = own;
+%! lost.which.untested = struct ('name', 'gravity', 'runs', 3, 'why', 'overlap', ...
+%!                              'beyond', '12 times 9.81 m/s2');
+%! cause = decideGap (jsondecode (jsonencode (lost)));
+%! assert ({cause.code, cause.todo.code}, {'untested', 'mendEffect'});
+%! assert (cause.untested, {['gravity beyond 12 times 9.81 m/s2 could not be tested: 3 ', ...
+%!                           'stronger runs failed (overlap).']});
+%! lost.which.verdict = 'no gap';
+%! assert (decideGap (jsondecode (jsonencode (lost))).untested, cell (1, 0));
 %! % what is not proved is measured on all tests before it is modelled
 %! open = list(strcmp ({list.name}, 'missed, several')).gap;
 %! open.which.cannotSee = open.which.effects(1);

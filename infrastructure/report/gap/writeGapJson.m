@@ -36,7 +36,8 @@
 %   which
 %     verdict, reason, p, guard, effects, together, sameKind, lookAlike, likely,
 %     class, decides (kinds of readings), groups, cannotSee
-%     untested [{name, runs, why}], candidates of which all runs failed
+%     untested [{name, runs, why, beyond}], candidates of which all runs failed (beyond
+%              ''), or those that were stronger than the amount beyond
 %     partners (probably act with the named one)
 %     siblings (look-alikes not listed or without runs)
 %     posterior, probability  {null, each effect, unlisted}; both count an effect
@@ -244,6 +245,18 @@ function s = withNoise (T, sdMeasured)
               'sdPredicted', sqrt (max (whole^2 - sdMeasured^2, 0)));
 end
 
+% The strongest run of it with a result, in its unit; '': there is none.
+function text = reachText (one, problem)
+  text = '';
+  e = problem.effects(strcmp ({problem.effects.name}, one.name));
+  if isfinite (one.beyond)
+    text = sprintf ('%.3g', one.beyond);
+    if isfield (e, 'label')
+      [~, text] = effectText (e.label, e.unit, [valueOf(e, one.beyond), NaN, NaN]);
+    end
+  end
+end
+
 function s = whichOf (diagnosis)
   w = diagnosis.which;
   untested = diagnosis.screen.untested;
@@ -254,7 +267,8 @@ function s = whichOf (diagnosis)
                     'posterior', 'said', 'byItself', 'oneOf', 'groups', 'siblings'});
   s.probability = rmfield (w.posterior, {'null', 'unlisted'});
   s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
-  s.untested = num2cell (untested(hasFailed));
+  s.untested = eachOf (@(u) setfield (u, 'beyond', reachText (u, diagnosis.problem)), ...
+                       untested(hasFailed));
   s.cause = num2cell (w.cause);
   strengths = eachOf (@(k) strengthOf (w.strength(k), diagnosis.screen.smallest(k), ...
                                        diagnosis.problem), 1:numel (w.strength));
