@@ -20,12 +20,13 @@ function list = untestedEffects (names, effects, state)
     list(end + 1) = struct ('name', name{1}, 'runs', runs, 'why', ...
                             whyOf (effects, state, name{1}), 'beyond', NaN);
   end
+  isLost = isFailed & all (isnan (data.Z), 2);      % what has one result tells of it
   for k = find (~ismember ({effects.name}, names))
     is = (1:numel (effects)) == k;
     for sign_ = [-1, 1]
       own = sign_ * phi(:, k) .* alone (phi, is);
-      reached = max ([own(~isFailed); 0]);
-      runs = sum (own > reached & isFailed);
+      reached = max ([own(~isLost); 0]);
+      runs = sum (own > reached & isLost);
       if runs >= 2 && reached > 0
         list(end + 1) = struct ('name', effects(k).name, 'runs', runs, 'why', ...
                                 whyOf (effects, state, effects(k).name), 'beyond', ...
@@ -72,5 +73,8 @@ end
 %! list = untestedEffects (cell (1, 0), effects, state);
 %! assert ({list.name, list.runs}, {'a', 2});
 %! assert (list.beyond, strengthOfValues (effects, [0.8, 0])(1), 1e-12);
+%! % one of two results is there
+%! state.data.Z = [state.data.Z, ones(7, 1)];
+%! assert (isempty (untestedEffects (cell (1, 0), effects, state)));
 
 % SPDX-License-Identifier: GPL-3.0-only
