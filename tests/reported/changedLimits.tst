@@ -26,7 +26,7 @@
 %!                      'are reused(?:, (\d+) too far outside the limits)?'], ...
 %!                'tokens', 'once');
 %! counts = str2double (said);
-%! assert (sum (counts(~isnan (counts))), n, out);
+%! assert (sum (counts(~isnan (counts))) == n, out);
 %! assert (counts(1) >= 5);
 %! [status, out] = startCommand (folder, 'run');
 %! assert (status == 0, out);

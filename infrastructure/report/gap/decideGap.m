@@ -37,11 +37,7 @@ function cause = decideGap (gap)
   say = @(code, values) sentence (['cause.', code], values, isChange);
   [where, isBeyond] = whereText (gap, isChange);
   [closed, closure] = closedText (gap, isChange);
-  untested = jsonList (which, {'untested'});
-  isPart = cellfun (@(u) ~isempty (givenField (u, 'beyond', '')), untested);
-  if strcmp (which.verdict, 'no gap')
-    untested = untested(~isPart);      % weaker ones would have shown
-  end
+  untested = untestedOf (which);
   cause = struct ('kind', 'open', 'code', '', 'change', firstLine (gap), ...
                   'condition', '', ...
                   'names', {{}}, 'word', '', 'sentence', '', ...
@@ -239,6 +235,13 @@ function text = endOf (gap, name)
   text = char (jsonAt (gap, {'which', 'strength', fieldOf(name), 'atEnd'}));
 end
 
+% Without a gap weaker ones would have shown.
+function [list, isPart] = untestedOf (which)
+  list = jsonList (which, {'untested'});
+  isPart = cellfun (@(u) ~isempty (givenField (u, 'beyond', '')), list);
+  list = list(~isPart | ~strcmp (which.verdict, 'no gap'));
+end
+
 function code = failedCode (one)
   code = 'failedWhy';
   if ~isempty (givenField (one, 'beyond', ''))
@@ -249,8 +252,7 @@ function code = failedCode (one)
 end
 
 function cause = noneListed (cause, gap, failed, say)
-  isPart = cellfun (@(u) ~isempty (givenField (u, 'beyond', '')), ...
-                    jsonList (gap, {'which', 'untested'}));
+  [~, isPart] = untestedOf (gap.which);
   if ~isempty (atTheirEnds (gap)) && ~any (isPart)
     cause = atEnd (cause, gap, say);
   elseif isempty (failed)

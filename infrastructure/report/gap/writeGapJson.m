@@ -513,7 +513,7 @@ end
 %!                                                                       [row{2}, 1] * far);
 %!   writeGapJson (d, Case);
 %!   said = readJsonFile (read ('gap.json')).which.strength.spread.atEnd;
-%!   assert (~isempty (said), row{3}, sprintf ('%g', row{1}));
+%!   assert (~isempty (said) == row{3}, sprintf ('%g', row{1}));
 %! end
 %!test
 %! % a change from a reference: what is no result of a sentence is there before any
