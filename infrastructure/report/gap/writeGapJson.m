@@ -252,7 +252,7 @@ function text = reachText (one, problem)
   if isfinite (one.beyond)
     text = sprintf ('%.3g', one.beyond);
     if isfield (e, 'label')
-      [~, text] = effectText (e.label, e.unit, [valueOf(e, one.beyond), NaN, NaN]);
+      text = amountOf (e, e, one.beyond);
     end
   end
 end
@@ -336,7 +336,7 @@ function text = atEnd (e, s, strength)
      ~any (abs (strength.interval90 - far) < 1e-6)
     return
   end
-  [~, text] = effectText (s.label, s.unit, [valueOf(e, far), NaN, NaN]);
+  text = amountOf (e, s, far);
 end
 
 % The strength in its unit that would be seen in 8 of 10 cases (screenEffects).
@@ -345,8 +345,12 @@ function text = seenFrom (e, s, smallest)
   if isempty (e) || ~isfinite (smallest)
     return
   end
-  [~, amount] = effectText (s.label, s.unit, [valueOf(e, smallest), NaN, NaN]);
-  text = sentence ('strength.seen', struct ('amount', amount));
+  text = sentence ('strength.seen', struct ('amount', amountOf (e, s, smallest)));
+end
+
+% A strength in words, as SAID (label, unit) has it.
+function text = amountOf (e, said, phi)
+  [~, text] = effectText (said.label, said.unit, [valueOf(e, phi), NaN, NaN]);
 end
 
 % Of its first variable, in its unit.
