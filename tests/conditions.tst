@@ -34,13 +34,19 @@
 %!   ["condition,model,name,value,sd\n", ...
 %!    "reference,First,r1,11,0.1\nreference,First,r2,24,0.1\n", ...
 %!    "reference,Second,r3,5,0.1\n", ...
+%!    "same,First,r1,11.02,0.1\nsame,First,r2,24.05,0.1\nsame,Second,r3,4.97,0.1\n", ...
 %!    "one,First,r1,12.5,0.1\none,First,r2,28.6,0.1\none,Second,r3,2.1,0.1\n", ...
 %!    "two,First,r1,11.1,0.1\ntwo,First,r2,24.2,0.1\ntwo,Second,r3,4.6,0.1\n"]);
 %! words = [shellQuote(fullfile (raw.root, 'bin', 'decalioc')), ' diagnose ', ...
 %!          raw.folder, ' 2>&1'];
 %! [status, out] = system (words);
 %! assert (status == 0, out);
-%! first = gapsOf (raw.folder, {'two'});
+%! first = gapsOf (raw.folder, {'same', 'one', 'two'});
+%! % the first that has changed leads; each has its own file
+%! assert (first.first.reference.condition, 'one');
+%! assert (first.one, first.first);
+%! assert (first.same.cause.kind, 'none');
+%! assert (! isempty (strfind (out, 'same: ')), out);
 %! n = numel (listRunFolders (raw.folder, 'First'));
 %! [status, out] = system (words);
 %! assert (status == 0, out);

@@ -45,15 +45,17 @@ function diagnosis = diagnoseCase (root, folder)
   studies = cellfun (@(given) studyOf (Case, given, state, options, many), problems(1, :), ...
                      'UniformOutput', false);
   options.explore = many == 1;
-  level = stepDown (cellfun (@(s) s.p, studies), options.significance, ...
-                    @(c, level) hasChanged (studies{c}, level));
+  [level, isChanged] = stepDown (cellfun (@(s) s.p, studies), options.significance, ...
+                                 @(c, level) hasChanged (studies{c}, level));
 
-  % where, which, how far, next test: of the first condition last, for its files
-  % lie in gap/ itself
+  % where, which, how far, next test: last of the one that leads, for its files lie in
+  % gap/ itself
   others = [];
-  for c = many:-1:1
+  order = leadLast (isChanged);
+  for c = order
     [given, finer] = problems{:, c};
-    [share, own] = shareOf (Case, given, state, atLevel (options, level(c)), c);
+    [share, own] = shareOf (Case, given, state, atLevel (options, level(c)), ...
+                            many - numel (others));
     [diagnosis, further] = diagnoseMatrices (resumed (studies{c}, share, own));
     diagnosis.runs = addFields (diagnosis.runs, made(c));
     diagnosis.level = finer (diagnosis, share);
@@ -64,12 +66,18 @@ function diagnosis = diagnoseCase (root, folder)
     if ~isempty (further)
       diagnosis = tryFurther (diagnosis, further, Case, share, say);
     end
-    if c > 1
+    if many > 1
       putAside (fullfile (Case.folder, 'gap'), Case.conditions{c});
     end
   end
   reportPage (Case, say);
   diagnosis.exitStatus = 2 * strcmp (diagnosis.which.verdict, 'surrogate');
+end
+
+% The first condition that has changed leads; where none has, the first one.
+function order = leadLast (isChanged)
+  lead = [find(isChanged, 1), 1](1);
+  order = [setdiff(numel (isChanged):-1:1, lead, 'stable'), lead];
 end
 
 % The state of a diagnosis with the runs that there are; PLAIN (struct data,
@@ -206,11 +214,13 @@ function [data, levelled] = atLevels (data, Case, problem)
   data.E = data.E(:, v + 1:end);
 end
 
+% Each condition has its files in a folder of its own, the leading one in gap/, too.
 function putAside (folder, name)
   [~, ~] = mkdir (folder, name);
   for file = {'gap.json', 'calibrated.head'}
+    [~, ~] = unlink (fullfile (folder, name, file{1}));
     if isfile (fullfile (folder, file{1}))
-      movefile (fullfile (folder, file{1}), fullfile (folder, name, file{1}));
+      copyfile (fullfile (folder, file{1}), fullfile (folder, name, file{1}));
     end
   end
 end

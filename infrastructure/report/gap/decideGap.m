@@ -96,7 +96,7 @@ end
 % number, and comes first in what is to be done.
 function cause = ofConditions (cause, gap, say)
   name = gap.reference.condition;
-  % of this one the file does not know it yet
+  % its diagnosis may be just being written: the file does not know it yet
   list = jsonList (gap, {'reference', 'conditions'});
   isOwn = cellfun (@(c) strcmp (c.name, name), list);
   list{isOwn} = mergeFields (list{isOwn}, cause, ...
@@ -108,16 +108,11 @@ function cause = ofConditions (cause, gap, say)
   if ~isempty (cause.todo)
     cause.todo.parts = sayFirst ([name, ': '], cause.todo.parts);
   end
-  own = jsonList (gap, {'reference', 'conditions'});
-  % its diagnosis may be just being written
-  [own{1}.code, own{1}.kind] = deal (cause.code, cause.kind);
-  gap.reference.conditions = own;
   first = conditionTexts (gap)(1);
   if isfinite (first.probability)
     label = say ('amountIn', struct ('condition', first.name));
     cause.amount = struct ('label', label, 'text', first.text);
   end
-  changed = list(~isOwn & ~cellfun (@(c) strcmp (c.kind, 'none'), list));
   if ~strcmp (first.name, name) && any (strcmp (first.code, {'named', 'likely'}))
     todo = newAction ('takeModel', first.effects, {}, first.file);
     todo.parts = sayFirst ([first.name, ': ', adviceBefore(first.effects)], todo.parts);
@@ -126,9 +121,6 @@ function cause = ofConditions (cause, gap, say)
       todo.parts = [todo.parts, sayFirst([' ', name, ': '], own.parts)];
     end
     cause.todo = todo;
-  elseif isempty (cause.todo) && ~isempty (changed)
-    cause.todo = newAction ('otherSetting');
-    cause.todo.parts = sayFirst ([changed{1}.name, ': '], cause.todo.parts);
   end
 end
 
@@ -509,11 +501,9 @@ end
 %!           'probability', {[], 0.9}, 'text', {{}, {'cohesion 4 kJ/m3'}}));
 %! cause = decideGap (jsondecode (jsonencode (two)));
 %! assert (cause.word, ['again: ', sentence('cause.none.word', struct (), true)]);
-%! % of one that has not changed, the one that has says what is next
-%! for code = {'named', 'takeModel'; 'likely', 'takeModel'; 'open', 'otherSetting'}'
+%! % another one in which more is found says what is next
+%! for code = {'named', 'takeModel'; 'likely', 'takeModel'}'
 %!   two.reference.conditions(2).code = code{1};
-%!   two.reference.conditions(2).kind = merge (strcmp (code{1}, 'open'), 'open', 'found');
-%!   two.reference.conditions(2).effects = {'cohesion'}(1:1 - strcmp (code{1}, 'open'));
 %!   todo = decideGap (jsondecode (jsonencode (two))).todo;
 %!   assert ({todo.code, strncmp(todo.parts(1).text, 'wet: ', 5)}, {code{2}, true});
 %! end

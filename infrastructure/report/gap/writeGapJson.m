@@ -79,7 +79,8 @@
 %     finer level), ofTarget {model: {target: {shift, shiftSd}}}, the same by name,
 %     verdict, effects with that shift (empty: unknown), holds
 %   reference, with conditions, else empty
-%     condition (of all other fields), folder (of its files), lack (what the model
+%     condition (of all other fields: of gap/gap.json the first that has changed, else
+%              the first), folder (of its files), lack (what the model
 %     misses in both, in shares of what parameters move)
 %     targets  [{model, name, kind, series, unit (of the result), shown {unit, factor}
 %              (as the user gave it), reference, measured, foretold (without a change),
@@ -110,7 +111,9 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   % no result is lost to a sentence
   write (out);
   gap = jsondecode (jsonencode (out));
-  if ~isempty (gap.howFar.effect)
+  if isempty (gap.howFar.effect)         % none of an earlier diagnosis stays
+    [~, ~] = unlink (fullfile (folder, 'calibrated.head'));
+  else
     writeHeadOf (gap, Case);
   end
   [out, v, conditions] = withVerdict (withAmounts (out, diagnosis), diagnosis, Case);
@@ -411,9 +414,9 @@ function s = changeOf (diagnosis, Case)
   if isempty (reference)
     return
   end
-  folders = {['gap/', reference.condition], 'gap'};   % the first one's is gap/ itself
+  isLead = numel (diagnosis.others.conditions) == numel (Case.conditions);
   s = struct ('condition', reference.condition, ...
-              'folder', folders{1 + strcmp(reference.condition, Case.conditions{1})}, ...
+              'folder', merge (isLead, 'gap', ['gap/', reference.condition]), ...
               'lack', diagnosis.change.size, 'targets', {{}}, ...
               'conditions', {forPrograms(diagnosis.others.conditions)}, ...
               'order', {num2cell(diagnosis.others.order)});

@@ -12,7 +12,7 @@
 function list = conditionTexts (gap)
   list = struct ('name', {}, 'effects', {}, 'code', {}, 'text', {}, 'probability', {}, ...
                  'file', {}, 'line', {});
-  % the files of the first one of a case lie in gap/ itself
+  % the files of the one that leads lie in gap/ itself
   place = givenField (jsonAt (gap, {'reference'}), 'folder', 'gap');
   for one = jsonList (gap, {'reference', 'conditions'})
     if ~isempty (list)

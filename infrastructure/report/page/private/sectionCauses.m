@@ -89,7 +89,7 @@ function html = change (page)
            listSentences({'change.unlikely', plainName(of ('unlikely')); ...
                           'change.no', plainName(of ('no'))})];
   notes = strcat ('<p>', htmlText (notes), '</p>');
-  % first that of the first condition, which has all other tables
+  % first that of the condition that leads, which has all other tables
   names = sort (fieldnames (page.tables))';
   tables = eachOf (@(name) tableHtml (page.tables.(name)), ...
                    names(strncmp (names, 'change', 6)));
