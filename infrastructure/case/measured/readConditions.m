@@ -59,13 +59,13 @@ function [list, p] = readChecked (folder, models, own, shown)
     return
   end
   conditions = {list.condition};
-  isName = cellfun (@(c) isKind ('name', c), conditions);
+  isName = cellfun (@isConditionName, conditions);
   for k = find (~isName)
     p(end + 1) = checkFault ('measuredCondition', ...
                              sprintf ('%s, line %d, condition', shown, ...
                                       list(k).line), ...
-                             ['a name of letters, digits and underscores; ' ...
-                              'reference where nothing has changed yet'], ...
+                             ['a name of letters, digits, spaces and _ - + . ( ) %, not ' ...
+                              'next; reference where nothing has changed yet'], ...
                              describeValue (conditions{k}), ...
                              'Or take the column out of the table.');
   end
@@ -78,6 +78,12 @@ function [list, p] = readChecked (folder, models, own, shown)
                              ['Call reference what was measured before the ' ...
                               'change, and the rest by names of your own.']);
   end
+end
+
+% Its files lie in a folder of this name, beside others of gap/.
+function yes = isConditionName (name)
+  yes = isKind ('folder', regexprep (name, '[ ()%]', '_')) && ...
+        ~any (strcmp (name, {'next', 'gap.json', 'calibrated.head'}));
 end
 
 function [list, p] = furtherLines (raw, models)
@@ -121,6 +127,10 @@ end
 %!                      sprintf("a,1,%s\n", varargin{:})];
 %! reasonsOf = @(varargin) nthargout (2, @read, varargin{:});
 %! assert (isempty (reasonsOf (false, table ('reference', 'moist'))));
+%! assert (isempty (reasonsOf (false, table ('reference', 'Lot 2 (5 % naß)'))));
+%! for bad = {{'reference', 'next'}, {'reference', 'a/b'}}
+%!   assert (reasonsOf (false, table (bad{1}{:})), {'measuredCondition'});
+%! end
 %! for bad = {{'reference', 'reference'}, {'moist', 'wet'}, {'reference', ''}}
 %!   assert (reasonsOf (false, table (bad{1}{:})), {'measuredCondition'});
 %! end
