@@ -64,6 +64,9 @@ function [p, left] = lackOfFit (hypotheses, fit)
   options = hypotheses.options;
   noise = integrationPoints (options.bootstrap, columns (white.coef), ...
                              options.seed).normal;
+  restore = seedRandom (options.seed);
+  noise = noise .* errorFactors (white, options.bootstrap);
+  clear restore;
   [M, V] = predictGap (white, [], fit.Q);
   Z = M + sqrt (V) .* noise;
   flat = setfield (hypotheses.prior, 'flat', true);

@@ -19,23 +19,8 @@ function Y = drawTwins (hypotheses, n, seed, surplus)
   unknowns = viewHypothesis (white, null, hypotheses.prior).unknowns;
   theta = parametersOf (white, fromNormal (unknowns, randn (n, white.p)));
   [M, V] = predictGap (white, [], theta);
-  % one estimated variance a target: normal over the root of chi-square / nu
-  chi2 = 2 * randg (repmat (min (white.nu, 1e4) / 2, n, 1));
-  noise = randn (n, T) ./ sqrt (chi2 ./ min (white.nu, 1e4));
-  noise = noise ./ sqrt (white.common.stretch);
-  at = white.common.at;
-  noise(:, at) = noise(:, at) .* ofScale (n, white.common);
+  noise = randn (n, T) .* errorFactors (white, n);
   Y = (M + sqrt (surplus * V) .* noise) * white.back';
-end
-
-% A scale that is wrong for all targets at once.
-function scale = ofScale (n, common)
-  scale = 1;
-  if isfinite (common.freedom)
-    nu = common.freedom;
-    chi2 = 2 * randg (nu / 2 * ones (n, 1));
-    scale = sqrt (nu ./ chi2);
-  end
 end
 
 % Where a reference has told of the parameters: Gaussian, cut at the box.
