@@ -19,10 +19,10 @@
 % candidates too (formChange). Each case with one listed cause of d >= 3 is
 % given three times: as it is, and with what the cause makes turned by a tangent
 % of 0.35 and 0.6, in turns towards another listed effect and along benches and
-% curves (turnMark). Integrals are coarser than those of a diagnosis (effective
+% curves (formCase). Integrals are coarser than those of a diagnosis (effective
 % size 150), and what the gate compares with is drawn once for each campaign.
 %
-% See also: gapTables, turnMark, leftOut
+% See also: gapTables, formCase, leftOut
 
 1;
 

@@ -237,6 +237,20 @@ function fillTest (place, model, values)
   writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
 end
 
+% N trials (at most 4) of the bench in folder MODEL, as the laboratory would: VALUES is what
+% the material is, of which those that its data.head declares are set; the packings are
+% seeds 5 to 8 of benchSeeds, which no case draws. STEM: path of the runs; finished ones
+% are reused. Y (N x m): see the bench's results.csv.
+function Y = truthRuns (model, values, n, stem)
+  known = fieldnames (headDefaults (fullfile (model, 'data.head')));
+  values = rmfield (values, setdiff (fieldnames (values), known));
+  Y = [];
+  for trial = 1:n
+    values.runSeed = benchSeeds (4 + trial);
+    Y = [Y; benchRun(sprintf ('%s-%d', stem, trial), model, values)];
+  end
+end
+
 function sd = scatterOf (folder, names)
   sd = NaN (size (names));
   file = fullfile (folder, 'scatter.csv');

@@ -6,7 +6,7 @@
 %   LINES  1 x n cell, for each room that has changed the results that are older, and
 %          those of a commit that the clone does not hold; none where ROOT is no clone
 %
-% figures.csv names the rooms of each table of results (a folder each, rooms.csv);
+% figures.csv names the rooms of each table of results, folders of infrastructure/;
 % the commit is the oldest one of its first lines (originLines). A commit that changes
 % remarks and tests alone changes no room.
 %
@@ -16,28 +16,29 @@
 
 function lines = ageOfResults (root)
   place = fullfile (root, 'benchmarks', 'figures');
-  rooms = tableRows (fullfile (place, 'rooms.csv'));
+  rooms = {'diagnosis', 'calibration', 'surrogates', 'runs'};
   uses = tableRows (fullfile (place, 'figures.csv'));
   uses = uses(cellfun (@(c) isfile (fileOf (root, c)), {uses.csv}));
   lines = unknownOnes (root, {uses.csv});
   for room = rooms
-    if ~isfolder (fullfile (root, room.folder))
+    folder = fullfile ('infrastructure', room{1});
+    if ~isfolder (fullfile (root, folder))
       error ('DEcalioc:ageOfResults:missingRoom', ...
-             ['ageOfResults: rooms.csv must name folders, got %s for %s. Write where ', ...
-              'it lies now.'], room.folder, room.room);
+             ['ageOfResults: the rooms that results depend on must be folders, got ', ...
+              'no %s. Write here where it lies now.'], folder);
     end
-    depends = cellfun (@(r) any (strcmp (strsplit (r, ' '), room.room)), {uses.rooms});
+    depends = cellfun (@(r) any (strcmp (strsplit (r, ' '), room{1})), {uses.rooms});
     last = gitLine (root, sprintf ('log -1 --format="%%h of %%as" %s -- %s', codeOnly (), ...
-                                   room.folder));
+                                   folder));
     older = {};
     for csv = {uses(depends).csv}
       if ~isempty (last) && isOlder (root, originOf (fileOf (root, csv{1})).commit, ...
-                                     room.folder)
+                                     folder)
         older(end + 1) = csv;
       end
     end
     if ~isempty (older)
-      lines{end + 1} = sprintf ('%s has changed (%s) after: %s', room.room, last, ...
+      lines{end + 1} = sprintf ('%s has changed (%s) after: %s', room{1}, last, ...
                                 strjoin (older, ', '));
     end
   end
