@@ -22,6 +22,8 @@
 %           transform     [] or a handle: Z = transform (Z, strength, info), Z
 %                         n x T results, info 1 x T struct array of resultInfo;
 %                         affine in Z, linear in strength
+%           oneSided      logical: the limits of a case leave out one side of neutral,
+%                         on which the library has values, too
 %           source        where range and sign come from
 %           usually       'yes' or 'unlikely' (properties of the grains
 %                         themselves): whether it can have changed between two
@@ -48,6 +50,7 @@ function effect = describeEffect (given)
                    'unit', '', 'label', given.name, ...
                    'saysName', ~isfield (given, 'label'), 'group', given.name, ...
                    'laboratory', false, 'kinds', {{}}, 'transform', [], ...
+                   'oneSided', false, ...
                    'source', '', 'usually', 'yes', 'canChange', '');
   names = fieldnames (effect);
   for other = setdiff (fieldnames (given), names)'

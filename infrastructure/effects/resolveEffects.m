@@ -145,6 +145,7 @@ function [p, entry] = fromLibrary (entry, field, library)
       base = rmfield (base, 'priorScale');
     end
     entry = mergeFields (base, entry);
+    entry.oneSided = actsBothWays (base) && ~actsBothWays (entry);
   elseif ~any (isfield (entry, {'variables', 'neutral', 'limits'}))
     cure = checkNearest (entry.name, {library.name});
     if isempty (cure)
@@ -154,6 +155,10 @@ function [p, entry] = fromLibrary (entry, field, library)
                     'an effect of the library, or one with variables', ...
                     entry.name, cure);
   end
+end
+
+function yes = actsBothWays (e)
+  yes = any (min (e.limits, [], 1) < e.neutral & e.neutral < max (e.limits, [], 1));
 end
 
 function p = checkShared (entries, fields, modelVars, assign)
@@ -202,6 +207,11 @@ end
 %!  [~, p] = resolveEffects (varargin{:});
 %!  ids = strrep ({p.id}, 'DEcalioc:checkCase:', '');
 %!endfunction
+%!test
+%! % limits that leave out a side on which the library has values
+%! sides = @(limits) resolveEffects (struct ('name', 'meanSize', 'limits', limits)).oneSided;
+%! assert ([sides([1; 1.4]), sides([0.9; 1.4]), sides([])], [true, false, false]);
+%! assert (! resolveEffects ('shape').oneSided);
 %!test
 %! [~, p] = resolveEffects (e, {}, struct ('k', 0), {'a'});
 %! assert (isempty (p));

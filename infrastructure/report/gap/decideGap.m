@@ -250,6 +250,10 @@ function cause = noneListed (cause, gap, failed, say)
   elseif isempty (failed)
     cause = said (cause, say, 'unlisted', 'unlisted', {}, newAction ('listMore'));
     cause.class = 'bad';
+    oneSided = namesIn (gap.which, 'oneSided');
+    if ~isempty (oneSided)
+      cause.sentence = [cause.sentence, ' ', say('oneSided', plainName (oneSided))];
+    end
   else
     cause = said (cause, say, 'open', 'untested', {}, newAction ('mendEffect', failed));
   end
@@ -565,6 +569,9 @@ end
 %!                             'drag at 3 1/s, the end of its range, closes 82 %')));
 %! own.howFar.closure = 0.3;
 %! assert (decideGap (jsondecode (jsonencode (own))).code, 'unlisted');
+%! own.which.oneSided = {'meanSize'};
+%! assert (! isempty (strfind (decideGap (jsondecode (jsonencode (own))).sentence, ...
+%!                             'neutral value of mean size: widen')));
 %! % the most likely one is said, though it cannot be seen for sure
 %! gap = list(strcmp ({list.name}, 'missed, undecided')).gap;
 %! gap = jsondecode (jsonencode (gap));

@@ -38,6 +38,7 @@
 %     class, decides (kinds of readings), groups, cannotSee
 %     untested [{name, runs, why, beyond}], candidates of which all runs failed (beyond
 %              ''), or those that were stronger than the amount beyond
+%     oneSided (candidates whose limits leave out one side of the neutral value)
 %     partners (probably act with the named one)
 %     siblings (look-alikes not listed or without runs)
 %     posterior, probability  {null, each effect, unlisted}; both count an effect
@@ -272,6 +273,8 @@ function s = whichOf (diagnosis)
   s.cannotSee = [w.cannotSee, {untested(~hasFailed).name}];
   s.untested = eachOf (@(u) setfield (u, 'beyond', reachText (u, diagnosis.problem)), ...
                        untested(hasFailed));
+  isOne = arrayfun (@(e) givenField (e, 'oneSided', false), diagnosis.problem.effects);
+  s.oneSided = {diagnosis.problem.effects(isOne).name};
   s.cause = num2cell (w.cause);
   strengths = eachOf (@(k) strengthOf (w.strength(k), diagnosis.screen.smallest(k), ...
                                        diagnosis.problem), 1:numel (w.strength));
