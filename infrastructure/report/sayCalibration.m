@@ -12,7 +12,10 @@ function sayCalibration (Case, say)
   say ('');
   sayTables (page, say, {'parameters', 'sensitivity', 'levels', 'targets'});
   for k = 1:numel (c.holdout)
-    say (['  ', heldText(jsonAt (c.holdout, {k}))]);
+    h = jsonAt (c.holdout, {k});
+    say (['  ', heldText(h, page.Case.targets(targetAt (page.Case.targets, ...
+                                             struct ('model', h.model, 'name', ...
+                                                     h.name))).shown)]);
   end
   sayUnknown (page, say);
   sayNotes (namesIn (c, 'warnings'), Case.folder, say);
@@ -39,15 +42,20 @@ function sayCalibration (Case, say)
   sayVerdict (v, say);
 end
 
-function text = heldText (h)
+% SHOWN: unit and factor as the user has measured it.
+function text = heldText (h, shown)
+  for name = {'result', 'target', 'interval90'}
+    h.(name{1}) = h.(name{1}) / shown.factor;
+  end
+  unit = regexprep (shown.unit, '^.', ' $0');
   if isempty (h.result)
     text = sentence ('notFor.unjudged', {h.name});
   elseif isempty (h.inside)
-    text = sprintf ('not measured: %s predicted %.5g, 90 %% interval %.5g to %.5g', ...
-                    h.name, h.result, h.interval90);
+    text = sprintf ('not measured: %s predicted %.4g%s, 90 %% interval %.4g to %.4g', ...
+                    h.name, h.result, unit, h.interval90);
   else
-    text = sprintf (['not fitted: %s measured %.5g, predicted %.5g, 90 %% interval ' ...
-                     '%.5g to %.5g%s'], h.name, h.target, h.result, h.interval90, ...
+    text = sprintf (['not fitted: %s measured %.4g%s, predicted %.4g, 90 %% interval ' ...
+                     '%.4g to %.4g%s'], h.name, h.target, unit, h.result, h.interval90, ...
                     repmat (', OUTSIDE', 1, ~h.inside));
     if isequal (givenField (h, 'leftOpen', false), true)
       text = [text, ': ', sentence('heldOut.open')];

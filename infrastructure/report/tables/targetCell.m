@@ -22,18 +22,15 @@ function c = targetCell (page, target)
   code = [target.name, mark];
   c = struct ('value', givenField (known, 'label', code), 'code', code, ...
               'unit', known.unit, 'title', target.model);
-  given = '';
-  if ~isempty (t)
-    given = givenField (page.Case.targets(t), 'given', '');
-  end
-  factor = unitFactor (known.unit, given);
-  if ~isempty (given) && factor > 0 && factor ~= 1
-    [c.unit, c.factor] = deal (given, factor);
+  if ~isempty (t) && page.Case.targets(t).shown.factor ~= 1
+    shown = page.Case.targets(t).shown;
+    [c.unit, c.factor] = deal (shown.unit, 1 / shown.factor);
   end
 end
 
 %!test
-%! page.Case.targets = struct ('name', {'h', 'w@2'}, 'modelName', 'B');
+%! page.Case.targets = struct ('name', {'h', 'w@2'}, 'modelName', 'B', 'shown', ...
+%!                            struct ('unit', '', 'factor', 1));
 %! page.targets = struct ('label', {'height of it', ''}, 'unit', {'m', 'kg'});
 %! c = targetCell (page, struct ('model', 'B', 'name', 'h', 'role', 'holdout'));
 %! assert (c, struct ('value', 'height of it', ...
@@ -42,7 +39,7 @@ end
 %! assert ({c.value, c.unit}, {'w@2', 'kg'});
 %! assert (targetCell (page, struct ('model', 'B', 'name', 'z', 'role', 'holdout')).value, ...
 %!         'z (not fitted)');
-%! page.Case.targets(2).given = 'g';
+%! page.Case.targets(2).shown = struct ('unit', 'g', 'factor', 1e-3);
 %! c = targetCell (page, struct ('model', 'B', 'name', 'w@2'));
 %! assert ({c.unit, c.factor}, {'g', 1000}, 1e-9);
 

@@ -160,10 +160,11 @@ function sayBest (best, Case)
     held = repmat (', held out', 1, strcmp (T.role, 'holdout'));
     values = {'%+.1f %% (tolerance %.3g)', 100 * [best.residual(t), T.tol]};
     if T.isAbsolute
-      values = {'%+.3g (tolerance %.3g)', [best.residual(t), T.tol]};
+      values = {'%+.3g (tolerance %.3g)', [best.residual(t), T.tol] / T.shown.factor};
     end
-    printf (['        %-24s %.5g, measured %.5g: ', values{1}, '%s\n'], T.name, ...
-            best.results(t), T.value, values{2}, held);
+    measured = strtrim (sprintf ('%.5g %s', T.value / T.shown.factor, T.shown.unit));
+    printf (['        %-24s %.5g, measured %s: ', values{1}, '%s\n'], T.name, ...
+            best.results(t) / T.shown.factor, measured, values{2}, held);
   end
 end
 

@@ -25,6 +25,7 @@ function [g, p] = measuredTarget (trials, means)
               'freedom', Inf, 'commonFreedom', Inf, 'sessionFreedom', Inf, ...
               'scatterRatio', NaN, 'scatterP', NaN, 'swept', false, ...
               'sessions', {{}}, 'mixed', false);
+  g.shown = shownUnit (g);
   if isempty (g.role)
     g.role = 'calibrate';
   end
@@ -51,6 +52,15 @@ function [g, p] = measuredTarget (trials, means)
   g.scatter = own.hasScatter;
   g = withCommon (g, trials);
   g.isAbsolute = g.isAbsolute || (numel (trials) > 1 && g.value == 0);
+end
+
+% As the user has measured it.
+function s = shownUnit (g)
+  s = struct ('unit', g.unit, 'factor', 1);
+  factor = unitFactor (g.given, g.unit);
+  if ~isempty (g.given) && factor > 0
+    s = struct ('unit', g.given, 'factor', factor);
+  end
 end
 
 % What one trial says holds for all: it must not say two things.

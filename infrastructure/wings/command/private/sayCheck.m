@@ -276,11 +276,13 @@ function sayResults (r, targets)
     printf ('WARNING   %s: %s.\n', r.model, r.message);
   end
   for T = targets
-    measured = sprintf ('measured %.5g', T.value);
+    measured = strtrim (sprintf ('measured %.5g %s', T.value / T.shown.factor, ...
+                                 T.shown.unit));
     if isnan (T.value)
       measured = 'not measured yet';
     end
-    printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index), measured);
+    printf ('          %-24s %.5g, %s\n', T.name, r.results(T.index) / T.shown.factor, ...
+            measured);
   end
   sayUnits (targets, r.results([targets.index]), 'in this run');
 end
