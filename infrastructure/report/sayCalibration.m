@@ -13,9 +13,7 @@ function sayCalibration (Case, say)
   sayTables (page, say, {'parameters', 'sensitivity', 'levels', 'targets'});
   for k = 1:numel (c.holdout)
     h = jsonAt (c.holdout, {k});
-    say (['  ', heldText(h, page.Case.targets(targetAt (page.Case.targets, ...
-                                             struct ('model', h.model, 'name', ...
-                                                     h.name))).shown)]);
+    say (['  ', heldText(h, targetCell (page, h))]);
   end
   sayUnknown (page, say);
   sayNotes (namesIn (c, 'warnings'), Case.folder, say);
@@ -42,12 +40,12 @@ function sayCalibration (Case, say)
   sayVerdict (v, say);
 end
 
-% SHOWN: unit and factor as the user has measured it.
+% In the unit of SHOWN, see targetCell.
 function text = heldText (h, shown)
   for name = {'result', 'target', 'interval90'}
-    h.(name{1}) = h.(name{1}) / shown.factor;
+    h.(name{1}) = h.(name{1}) * givenField (shown, 'factor', 1);
   end
-  unit = regexprep (shown.unit, '^.', ' $0');
+  unit = regexprep (regexprep (shown.unit, '^-$', ''), '^.', ' $0');
   if isempty (h.result)
     text = sentence ('notFor.unjudged', {h.name});
   elseif isempty (h.inside)
