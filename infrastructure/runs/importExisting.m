@@ -31,6 +31,40 @@ function both = joined (first, second)
   end
 end
 
+% What is expected beyond all runs says nothing of the material.
+function refuseOutside (X, Case)
+  [~, isIn] = insideLimits (X, Case.limits);
+  if isempty (X) || any (isIn)
+    return
+  end
+  isOut = find (all (X < Case.limits(1, :) | X > Case.limits(2, :), 1));
+  isOut = [isOut, 1:columns(X) * isempty(isOut)];
+  parts = arrayfun (@(j) sprintf ('%s has %.4g to %.4g, its limits are %.4g and %.4g', ...
+                                  Case.names{j}, min (X(:, j)), max (X(:, j)), ...
+                                  Case.limits(:, j)), isOut, 'UniformOutput', false);
+  error ('DEcalioc:importRuns:badValue', ...
+         ['importRuns: some rows of runs.csv must lie between the limits of the case, got ' ...
+          'none of %d (%s). Convert the column to the unit of paramLims, or widen ' ...
+          'paramLims.'], rows (X), strjoin (parts, '; '));
+end
+
+% Results that scatter are not the same at three different sets.
+function sayRepeated (data, say)
+  isWhole = all (isfinite (data.Z), 2);
+  [Z, ~, group] = unique (data.Z(isWhole, :), 'rows');
+  [~, ~, set] = unique (data.X(isWhole, :), 'rows');
+  for g = 1:rows (Z)
+    n = numel (unique (set(group == g)));
+    if n > 2 && rows (Z) > 1
+      say (sprintf (['  WARNING: the same results (%s) at %d different parameter values: ' ...
+                     'where they mark runs that failed or gave nothing, leave the ' ...
+                     'fields empty'], strjoin (arrayfun (@(z) sprintf ('%.5g', z), ...
+                                                         Z(g, :), 'UniformOutput', ...
+                                                         false), ', '), n));
+    end
+  end
+end
+
 function [data, rest] = ofTable (Case, problem, say)
   v = numel (plainCase (Case).effectVars);
   data = newData (numel (Case.names), numel (Case.targets), v);
@@ -46,6 +80,8 @@ function [data, rest] = ofTable (Case, problem, say)
   say (sprintf ('runs.csv: %s taken in, %d with an effect left aside', ...
                 countText (sum (isPlain), 'run'), sum (~isPlain)));
   found = keepRows (found, isPlain);
+  refuseOutside (found.X, Case);
+  sayRepeated (found, say);
   [use, text] = thinRuns (found, problem, 1000);
   found.E = found.E(:, 1:v);
   data = keepRows (found, use);

@@ -6,6 +6,7 @@
 %             N, Pa, bar, J, W, Hz, rad, deg, rpm, rev, %, ppm, in, ft, lb, psi
 %             with a prefix (n u m c d h k M G) and an exponent: kg/m3, mm^3,
 %             kg m-3, N*mm
+%             TO may be SI: kg, m, s and rad
 %   FACTOR    1 where the texts are the same or mean the same; 0 where both are
 %             known and no factor leads from one to the other; NaN where one of
 %             them is not known
@@ -19,6 +20,10 @@ function factor = unitFactor (from, to)
     return
   end
   [a, b] = deal (unitOf (from), unitOf (to));
+  if strcmp (to, 'SI')
+    factor = a.size;
+    return
+  end
   turn = b.powers(4) - a.powers(4);
   if (a.isTurn || b.isTurn) && abs (turn) == 1
     a.size = a.size * (2 * pi)^turn;

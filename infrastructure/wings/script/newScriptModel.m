@@ -29,6 +29,7 @@ function [words, notes] = newScriptModel (root, target, given)
             'got %d and %d. For example: --vary mu=0.2:0.8 --target ' ...
             'height=0.0057'], numel (names), numel (results));
   end
+  checkTwice (names, limits, fixed, results, curves, given);
   seed = givenField (given, 'seed', 'runSeed');
   output = givenField (given, 'output', 'output_results');
   [~, base, ending] = fileparts (given.script);
@@ -42,7 +43,7 @@ function [words, notes] = newScriptModel (root, target, given)
                      [readdir(fullfile (root, 'templates', 'script'))', ...
                       {'data.head', 'results.csv'}]);
   at = find (ismember (tree.from, found.scripts));
-  texts = cellfun (@fileread, tree.from(at), 'UniformOutput', false);
+  texts = cellfun (@withoutMark, tree.from(at), 'UniformOutput', false);
   [texts, all, edits] = editScripts (texts, [names, fixed], given.seed);
   checkNames (all, seed);
   chosen = [all; num2cell([mean(limits, 1), values])];
@@ -66,6 +67,14 @@ function [words, notes] = newScriptModel (root, target, given)
   trial = fullfile (fileparts (found.scripts{1}), output);
   notes = strcat ([edits, modelNotes(target), ...
                    trialNote(trial, results, share)], '.');
+end
+
+% LIGGGHTS takes a mark of UTF-8 (BOM) for the begin of a word.
+function text = withoutMark (file)
+  text = fileread (file);
+  if strncmp (text, char ([239, 187, 191]), 3)
+    text = text(4:end);
+  end
 end
 
 function share = shareOf (text)
@@ -143,13 +152,34 @@ function text = overText (curve)
   end
 end
 
+% What is said twice would be lost once.
+function checkTwice (names, limits, fixed, results, curves, given)
+  seed = {givenField(given, 'seed', '')};
+  lists = {'--vary, --set and --seed', [names, fixed, seed]; ...
+           '--target and --curve', [results, {curves.name}]};
+  for list = lists'
+    [~, first] = unique (list{2}, 'first');
+    twice = list{2}(setdiff (1:numel (list{2}), first));
+    if ~isempty (twice)
+      error ('DEcalioc:newScriptModel:badValue', ...
+             '%s must name different things, got %s twice. Take one of the two out.', ...
+             list{1}, twice{1});
+    end
+  end
+  k = find (limits(1, :) >= limits(2, :), 1);
+  if ~isempty (k)
+    error ('DEcalioc:newScriptModel:badValue', ...
+           '--vary must give the lower limit first, got %s=%g:%g.', names{k}, limits(:, k));
+  end
+end
+
 % These become text of programs: bash, awk, Octave.
 function checkWords (results, seed, output, script)
   isPath = @(w) ~isempty (regexp (w, '^(?!-)[^''"\\\n@$/]+(/[^''"\\\n@$/]+)*$', ...
                                   'once')) && isempty (strfind (w, '..'));
   path = 'a plain path below the run, without quotes, $ and @';
-  rules = {'--target', results, @(w) ~any (w < 32 | w == '"'), ...
-           'one line of text without quotes'; ...
+  rules = {'--target', results, @(w) ~any (w < 32 | ismember (w, '",;')), ...
+           'one line of text without quotes, commas and semicolons'; ...
            '--output', {output}, isPath, path; ...
            '--script', {script}, isPath, path};
   refuseBad (rules);

@@ -15,8 +15,8 @@
 %           scatter (sd where there is one result, sd angle, angle_sd): see
 %           spreadRuns; ignored
 %
-% Errors: DEcalioc:importRuns:badValue (another unit than that of the target,
-% which would be another number; sd of several results)
+% Errors: DEcalioc:importRuns:badValue (another unit than that of the target, or than SI
+% of a parameter, which would be another number; sd of several results)
 
 function [names, kinds] = importHeader (header, Case, file)
   targets = {Case.targets.name};
@@ -33,6 +33,7 @@ function [names, kinds] = importHeader (header, Case, file)
     if ~isempty (name)
       names{k} = name;
       checkUnit (name, unit, targets, units, file);
+      checkParameter (name, unit, Case.names, file);
     end
   end
   [~, at] = ismember (names, known);
@@ -178,6 +179,18 @@ function checkUnit (name, given, targets, units, file)
   end
 end
 
+% Limits are in SI; a unit that nobody knows is the user's own.
+function checkParameter (name, given, parameters, file)
+  factor = unitFactor (given, 'SI');
+  if any (strcmp (name, parameters)) && ~isempty (given) && ...
+     ~isnan (factor) && abs (factor - 1) > 1e-9
+    error ('DEcalioc:importRuns:badValue', ...
+           ['importRuns: parameter %s of %s must be in SI units, as paramLims is, got ' ...
+            '%s. Convert the column; where paramLims is in %s, too, take the unit out ' ...
+            'of its name.'], name, file, given, given);
+  end
+end
+
 %!shared Case
 %! Case = struct ('names', {{'a'}}, 'effectVars', {{'w'}});
 %! Case.targets = struct ('name', {'x', 'm [kg]'}, 'unit', {'mm', ''});
@@ -186,6 +199,9 @@ end
 %!                                 'seed'}, Case, 'f');
 %! assert (names, {'a', 'x', 'm [kg]', 'w', 'note', 'seed'});
 %! assert (kinds, {'parameter', 'result', 'result', 'effect', 'ignored', 'seed'});
+%!error <parameter a of f must be in SI units, as paramLims is, got rpm> ...
+%! importHeader ({'a [rpm]', 'x'}, Case, 'f');
+%!assert (importHeader ({'a [rad/s]', 'x'}, Case, 'f'), {'a', 'x'})
 %!test
 %! for text = {'X', 'x / mm', 'x/mm', 'x in mm', "x\n[mm]"}
 %!   assert (importHeader (text, Case, 'f'), {'x'});

@@ -51,7 +51,11 @@ function status = sayImport (root, folder, args)
   elseif ~strcmp (make_absolute_filename (file), target)
     printf ('\nNext: copy it to %s. decalioc run takes it in.\n', target);
   end
-  status = 2 * isempty (data.X);
+  if ~any (isIn)
+    printf (['\nNone of these sets lies between the limits of the case: compare lowest and ' ...
+             'highest with paramLims.\n']);
+  end
+  status = 2 * ~any (isIn);
 end
 
 % Of texts THEIRS=OURS.

@@ -35,13 +35,15 @@ function curves = scriptCurves (texts)
   end
 end
 
-% The columns by their names, else the first two or three.
+% The columns by their names; those that are not found take the others in their order.
 function [points, atUnit, unit] = pointsOf (file, curve)
   [header, cells, lines] = readCsvTable (file, {curve.place, curve.name, 'sd'});
   [names, units] = parted (header);
   [isFound, at] = ismember (lower ({curve.place, curve.name, 'sd'}), lower (names));
   if ~all (isFound(1:2)) && any (columns (cells) == [2, 3])
-    at = 1:columns (cells);
+    free = setdiff (1:columns (cells), at);
+    open = find (at == 0)(1:min (end, numel (free)));
+    at(open) = free(1:numel (open));
   elseif ~all (isFound(1:2)) || columns (cells) > 3 && strncmp (header{4}, 'column', 6)
     refuse (file, sprintf ('the columns %s', strjoin (header, ', ')));
   end
