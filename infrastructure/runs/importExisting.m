@@ -32,8 +32,8 @@ function both = joined (first, second)
 end
 
 % What is expected beyond all runs says nothing of the material.
-function refuseOutside (X, Case)
-  [~, isIn] = insideLimits (X, Case.limits);
+function refuseOutside (X, Case, say)
+  [~, isIn] = insideLimits (X, Case.limits, 0.5);
   if isempty (X) || any (isIn)
     return
   end
@@ -42,10 +42,14 @@ function refuseOutside (X, Case)
   parts = arrayfun (@(j) sprintf ('%s has %.4g to %.4g, its limits are %.4g and %.4g', ...
                                   Case.names{j}, min (X(:, j)), max (X(:, j)), ...
                                   Case.limits(:, j)), isOut, 'UniformOutput', false);
-  error ('DEcalioc:importRuns:badValue', ...
-         ['importRuns: some rows of runs.csv must lie between the limits of the case, got ' ...
-          'none of %d (%s). Convert the column to the unit of paramLims, or widen ' ...
-          'paramLims.'], rows (X), strjoin (parts, '; '));
+  text = sprintf (['some rows of runs.csv must lie between the limits of the case, got ' ...
+                   'none of %d (%s). Convert the column to the unit of paramLims, or ' ...
+                   'widen paramLims.'], rows (X), strjoin (parts, '; '));
+  if Case.options.maxNewRuns > 0
+    say (['  WARNING: ', text]);
+  else
+    error ('DEcalioc:importRuns:badValue', 'importRuns: %s', text);
+  end
 end
 
 % Results that scatter are not the same at three different sets.
@@ -80,7 +84,7 @@ function [data, rest] = ofTable (Case, problem, say)
   say (sprintf ('runs.csv: %s taken in, %d with an effect left aside', ...
                 countText (sum (isPlain), 'run'), sum (~isPlain)));
   found = keepRows (found, isPlain);
-  refuseOutside (found.X, Case);
+  refuseOutside (found.X, Case, say);
   sayRepeated (found, say);
   [use, text] = thinRuns (found, problem, 1000);
   found.E = found.E(:, 1:v);
@@ -105,6 +109,20 @@ end
 %! data = importExisting (Case, newProblem (Case), quiet);
 %! assert (data.X, [1, 2]);
 %! assert (data.Z, [3, 2, -1]);
+%!test
+%! % a table in another unit says nothing; marks of failure are pointed at
+%! Case = readyCase ();
+%! Case.options.maxNewRuns = 0;
+%! put = @(rows_) writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
+%!   ["model,a,b,First_1,First_2,Second_1\n", sprintf("%s,%g,%g,%s\n", rows_{:})]);
+%! put ({'First', 2000, 2, '1,2,', 'Second', 2000, 2, ',,3'});
+%! fail ('importExisting (Case, newProblem (Case), @disp)', ...
+%!       'got none of 1 .a has 2000 to 2000, its limits are');
+%! put ({'First', 1, 2, '0,0,', 'First', 2, 3, '0,0,', 'First', 3, 1, '0,0,', ...
+%!       'First', 2, 1, '4,5,', 'Second', 1, 2, ',,0', 'Second', 2, 3, ',,0', ...
+%!       'Second', 3, 1, ',,0', 'Second', 2, 1, ',,6'});
+%! text = evalc ('importExisting (Case, newProblem (Case), @disp);');
+%! assert (~isempty (strfind (text, 'the same results (0, 0, 0) at 3 different')), text);
 %!test
 %! % a store of two cases, and a table beside it
 %! first = readyCase ();

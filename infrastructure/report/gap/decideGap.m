@@ -458,6 +458,8 @@ function todo = testOf (gap)
     todo = newAction ('measureToo', eachOf (@(T) [T.model, ' ', T.name], open));
   elseif any (jsonAt (gap, {'next', 1, 'gain'}) >= gap.thresholds.adviseAt)
     todo = newAction ('test', {jsonAt(gap, {'next', 1, 'test'})});
+  elseif ~isempty (unsureTests (gap))
+    todo = newAction ('moreForTests', unsureTests (gap));
   end
 end
 

@@ -72,9 +72,9 @@
 %     it would add, fitted alone}, ofTarget {model: {target: {measured, effects
 %     {effect: x}}}}, the same by name
 %   next  [{test, gain (bits about the kind of cause), cost, model, variable,
-%     value (empty: as it stands), trials, runs (behind the gain), between (two
+%     value (empty: as it stands), trials, runs (behind the gain), sure, between (two
 %     kinds)}], first those worth advising, by gain per optim.cost; last those given
-%     up early. An empty value (or curve) of measured.csv is a test, too.
+%     up early (sure: false). An empty value (or curve) of measured.csv is a test, too.
 %   level, with levels
 %     variables, value (the last), finer, shift, shiftSd (expected change at the
 %     finer level), ofTarget {model: {target: {shift, shiftSd}}}, the same by name,
@@ -128,9 +128,9 @@ function out = resultOf (diagnosis, Case)
   out.thresholds = struct ('level', diagnosis.options.significance, 'adviseAt', ...
                            diagnosis.options.adviseAt);
   out.fingerprint = fingerprintOf (diagnosis);
-  out.next = num2cell (rmfield (diagnosis.next(:)', ...
-                                {'targets', 'gainPerCost', 'lines', ...
-                                 'isFirm'}));
+  next = diagnosis.next(:)';
+  [next.sure] = next.isFirm;
+  out.next = num2cell (rmfield (next, {'targets', 'gainPerCost', 'lines', 'isFirm'}));
   out.level = levelOf (jsonAt (diagnosis, {'level'}), diagnosis.problem);
   out.reference = changeOf (diagnosis, Case);
   out.demRuns = struct ('sets', diagnosis.runs.spent, ...

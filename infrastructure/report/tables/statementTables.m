@@ -95,6 +95,9 @@ function T = nextTable (page)
   notes = {sentence('table.nextLittle'), sentence('table.next')};
   isLittle = isequal (jsonNumber (tests, {1, 'gain'}) < ...
                       jsonAt (page.sources.gap, {'thresholds', 'adviseAt'}), true);
+  if ~isempty (unsureTests (page.sources.gap))
+    notes{1} = sentence ('table.nextUnsure');
+  end
   T = newTable (page, 'next', 'What can be measured next, the best first', ...
                 {'test', '', 'words'; 'gain', 'bit', 'probability'; 'cost', '', 'plain'}, ...
                 eachOf (row, 1:min (numel (tests), 10)), notes(2 - isLittle:end));
@@ -193,6 +196,11 @@ end
 %! T = one ('next', situationPage ('missed, named'));
 %! assert (T.cells{1, 1}.value, 'measure First once more');
 %! assert (T.notes{1}, sentence ('table.nextLittle'));
+%! page = situationPage ('missed, named');
+%! next = struct ('test', {'measure First once more', 'measure Bin'}, 'trials', 1, 'gain', ...
+%!                {0.1, 1.2}, 'cost', 1, 'between', {{}}, 'sure', {true, false});
+%! page.sources.gap.next = next;
+%! assert (one ('next', page).notes{1}, sentence ('table.nextUnsure'));
 %!test
 %! page.runs = struct ('model', 'M', 'name', {'1', '2', '3', '4'}, 'status', ...
 %!                     {'failed', 'failed', 'ok', 'timeout'}, 'message', {'x', 'x', '', 'y'});

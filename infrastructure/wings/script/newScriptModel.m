@@ -352,6 +352,27 @@ end
 %!   assert (any (~cellfun (@isempty, strfind (notes, marks{k}))), marks{k});
 %! end
 %!test
+%! % nothing is lost by being said twice; limits rise; names fit a table
+%! odd = {'vary', {'mu=0.2:0.8', 'mu=0.3:0.9'}, 'mu twice'; 'set', {'mu=0.3'}, 'mu twice'; ...
+%!        'seed', 'mu', 'mu twice'; 'target', {'h=1', 'h=2'}, 'h twice'; ...
+%!        'vary', {'mu=0.8:0.2'}, 'the lower limit first'; ...
+%!        'target', {'h, total=1'}, 'commas'};
+%! for row = odd'
+%!   said = '';
+%!   try
+%!     newScriptModel (root, fullfile (folder, 'Odd'), setfield (given, row{1:2}));
+%!   catch err
+%!     said = err.message;
+%!   end
+%!   assert (! isempty (strfind (said, row{3})), said);
+%! end
+%! % a mark of UTF-8 is no word of LIGGGHTS
+%! marked = fullfile (folder, 'in.marked');
+%! writeAtomic (marked, [char([239, 187, 191]), fileread(given.script)]);
+%! target = fullfile (folder, 'Marked');
+%! newScriptModel (root, target, setfield (given, 'script', marked));
+%! assert (strncmp (fileread (fullfile (target, 'in.marked')), 'variable mu', 11));
+%!test
 %! % results that a trial has left show how they will be read
 %! other = given;
 %! other.target = {'force=2.5:N'};

@@ -117,6 +117,13 @@ end
 %!   writeAtomic (file, text{1});
 %!   assert (scriptCurves ({['t:n=', file]}).points(:, 1:2), [0.5, 520; 0.6, 400]);
 %! end
+%!test
+%! % of one name the column is known, and so the other
+%! writeAtomic (file, "force [N],t [s]\n1,0\n2,0.5\n");
+%! c = scriptCurves ({['time:force=', file]});
+%! assert ({c.points, c.unit, c.atUnit}, {[0, 1; 0.5, 2], 'N', 's'});
+%! writeAtomic (file, "value,sd,time\n1,0.1,0\n2,0.2,0.5\n");
+%! assert (scriptCurves ({['time:force=', file]}).points, [0, 1, 0.1; 0.5, 2, 0.2]);
 %!function refused (file, text, what)
 %!  writeAtomic (file, text);
 %!  fail ('scriptCurves ({[''t:F:N='', file]})', what);
