@@ -8,10 +8,12 @@
 %   MODELS  1 x M struct array, see checkFindModels
 %   P       1 x n faults, see checkFault: units that no factor joins
 %
-% Where results.csv has no unit, or the line none, the line stays as it is.
+% Where results.csv has no unit, or no line of a quantity one, the line stays as it is.
+% The only unit that lines of a quantity have, in whatever condition, is that of all.
 
 function [lines, p] = checkUnits (lines, models)
   p = checkFault ();
+  lines = withUnitOfOthers (lines);
   given = {lines.unit};
   [lines.given] = given{:};
   has = find (~cellfun (@isempty, given) & [lines.model] > 0);
@@ -41,6 +43,20 @@ function [lines, p] = checkUnits (lines, models)
                                describeValue (one.unit), ...
                                ['Correct the unit in one of the two, or ' ...
                                 'convert the value and its sd.']);
+    end
+  end
+end
+
+function lines = withUnitOfOthers (lines)
+  keys = arrayfun (@(o) sprintf ("%d\n%s\n%s", o.model, o.name, o.series), lines, ...
+                   'UniformOutput', false);
+  [~, ~, number] = unique (keys);
+  hasValue = isfinite ([lines.value]);
+  for k = 1:max ([number(:); 0])
+    mine = find (number(:)' == k & hasValue);
+    units = setdiff ({lines(mine).unit}, {''});
+    if isscalar (units)
+      [lines(mine).unit] = deal (units{1});
     end
   end
 end
@@ -85,7 +101,8 @@ end
 %!                            "free,1,g,,,,\n,1,%,w,1,,\n"], table);
 %! assert (isempty (reasons));
 %! assert ([lines.value], [1, 2, 1, 1]);
-%! assert ({lines.unit}, {'kg', '', 'g', '%'});
+%! % one unit of a quantity is that of all its lines
+%! assert ({lines.unit}, {'kg', 'kg', 'g', '%'});
 %! % value, sd, sessionSd and an absolute tolerance; a relative one stays
 %! [lines, reasons] = check ([head, "top,13.5,g,,,2,1 abs\n", ...
 %!                            "top,0.1,t,,,,2%\n"], table);

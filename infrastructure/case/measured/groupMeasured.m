@@ -24,7 +24,7 @@
 %             the reference), ratio (standard deviation between sessions over that
 %             of a trial within one, of levels; 0 where none are given), df (how
 %             many contrasts between sessions told it; 0: it is what other rigs
-%             show), drifts (1 x D struct of what drifts within a session, []: session,
+%             show), known (logical: measured.csv says what sessions bring), drifts (1 x D struct of what drifts within a session, []: session,
 %             name, slope (per order, in its unit, of a curve a share), p,
 %             oneWay: cell of conditions, see withoutDrift)
 %
@@ -65,16 +65,22 @@ function [list, means, sessions] = withMeans (list, isReference)
     sessions = struct ('given', false, 'names', {{}}, 'ratio', 0, 'df', 0);
     return
   end
-  [lines, quantities, number, names] = readingLines (list, keysOf (list));
+  [lines, quantities, number, names, at] = readingLines (list, keysOf (list));
+  before = lines.value;
   [lines, drifts] = withoutDrift (lines, quantities);
+  drift = zeros (size (list));
+  drift(at > 0) = (before - lines.value)(at(at > 0));
+  drift = num2cell (drift);
+  [list.drift] = drift{:};
   [means, ratio] = varianceComponents (lines, quantities);
   means = withDrifts (means, lines, quantities, drifts);
   number = num2cell (number);
   [list.mean] = number{:};
   drifts = arrayfun (@(one) saidDrift (one, list, [{''}, names]), drifts, ...
                      'UniformOutput', false);
-  sessions = struct ('given', ~isempty (names), 'names', {{}}, 'ratio', 0, ...
-                     'df', 0, 'drifts', [drifts{:}]);
+  isKnown = all (isfinite ([quantities.sessionSd])) || all (isfinite (lines.variance));
+  sessions = struct ('given', ~isempty (names) && ~isKnown, 'known', isKnown, ...
+                     'names', {{}}, 'ratio', 0, 'df', 0, 'drifts', [drifts{:}]);
   if sessions.given
     [sessions.ratio, sessions.df] = deal (ratio(1).value, ratio(1).df);
     isThere = isReference & isfinite ([list.value]);
@@ -89,7 +95,9 @@ function said = saidDrift (drift, list, names)
     name = first.series;
   end
   conditions = {list(ismember ([list.mean], drift.oneWay)).condition};
-  said = struct ('session', names{1 + drift.session}, 'name', name, 'slope', ...
+  % no name of a user holds a bar
+  session = regexprep (names{1 + drift.session}, '^\|', '');
+  said = struct ('session', session, 'name', name, 'slope', ...
                  drift.slope, 'p', drift.p, 'oneWay', ...
                  {unique(conditions, 'stable')});
 end
@@ -140,6 +148,13 @@ function [groups, p] = withConditions (groups, keys, others, means)
         continue
       end
       target = measuredTarget (withPlaces (trials{1}), means);
+      if isfinite (target.value) && ~isfinite (groups(same).value)
+        where = sprintf ('%s, line %d, value', groups(same).file, groups(same).line);
+        p(end + 1) = checkFault ('measuredCondition', where, ...
+                                 'a value of the reference, as a condition has one', ...
+                                 'nothing', ['Add its value before the change, or take ' ...
+                                             'both lines out.']);
+      end
       for name = fieldnames (none)'
         groups(same).changed(c).(name{1}) = target.(name{1});
       end
@@ -273,5 +288,50 @@ end
 %! assert (names (list, {}), {'M_a', 'b', 'N_a'});
 %! assert (names (list, {'N'}), {'a', 'b', 'N_a'});
 %! assert (names (list(1:2), {}), {'a', 'b'});
+
+%!function g = read (text)
+%!  file = tempname ();
+%!  writeAtomic (file, ["condition,name,value,sd,repeats,session,sessionSd,tol\n", text]);
+%!  g = groupMeasured (readMeasured (file, {'A'}), {'A'});
+%!endfunction
+%!test
+%! % readings that are alike: their value stays, and so does a stated sd
+%! g = read ([repmat("reference,a,735,,,,,2%\n", 1, 4), repmat("now,a,705,,,,,\n", 1, 4)]);
+%! assert ([g.value, g.changed.value, g.sd], [735, 705, 0], 1e-9);
+%! g = read ([repmat("reference,a,31,0.5,,,,2%\n", 1, 2), repmat("now,a,32,0.5,,,,\n", 1, 2)]);
+%! assert ([g.sd, g.changed.sd], [0.5, 0.5], 1e-9);
+%! g = read ([repmat("reference,a,31,,,,,2%\n", 1, 3), "now,a,33,0.7,3,,,\n"]);
+%! assert (g.changed.sd, 0.7, 1e-9);
+%! g = read ("reference,a,31,0.4,,,,2%\nreference,a,31,0.5,,,,\nnow,a,33,0.7,,,,\n");
+%! assert ([g.sd, g.changed.sd], [1 / sqrt(1 / 0.16 + 1 / 0.25), 0.7], 1e-9);
+%!test
+%! % a line that does not say of how many trials it is takes nothing from the others
+%! g = read ("reference,a,31.2,0.5,3,,,2%\nnow,a,33.9,0.5,,,,\n");
+%! [~, freedom] = sdOfChange (g, g.changed);
+%! assert (freedom < 4);
+%! pair = "reference,a,31.2,0.5,3,,,2%\nnow,a,33.9,0.5,3,,,\n";
+%! [g, both] = deal (read ([pair, "other,a,34,0.5,,,,\n"]), read (pair));
+%! assert (sdOfChange (g, g.changed(1)), sdOfChange (both, both.changed), 1e-6);
+%!test
+%! % beside lines that scatter a mean of three is three trials: Student's test
+%! g = read (["reference,a,31.2,0.5,3,,,2%\n", ...
+%!            "now,a,34.2,,,,,\nnow,a,34.9,,,,,\nnow,a,36.2,,,,,\n"]);
+%! [sd, freedom] = sdOfChange (g, g.changed);
+%! pooled = sqrt ((2 * 3 * 0.5^2 + 2 * var ([34.2, 34.9, 36.2])) / 4 * 2 / 3);
+%! assert (sd / studentFactor (freedom), pooled, 0.15 * pooled);
+%! assert (freedom > 3);
+%!test
+%! % what a session brings is in each state, though no session has a name
+%! g = read ("reference,a,31,0.5,3,,2,2%\nnow,a,33.9,0.5,3,,2,\n");
+%! assert (sdOfChange (g, g.changed) > sqrt (8));
+%! % and beside lines whose sd differ
+%! g = read ("reference,a,31,0.5,,mon,2,2%\nreference,a,31.2,0.4,,mon,,\n");
+%! assert (g.sd, hypot (1 / sqrt (1 / 0.25 + 1 / 0.16), 2), 1e-6);
+%!test
+%! % a condition without its reference
+%! file = tempname ();
+%! writeAtomic (file, "condition,name,value\nreference,a,\nnow,a,3\n");
+%! [~, p] = groupMeasured (readMeasured (file, {'A'}), {'A'});
+%! assert (p.id, 'DEcalioc:checkCase:measuredCondition');
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -150,7 +150,7 @@ function [k, p] = modelOf (name, models, alone, where)
   end
 end
 
-% The unit behind value, and that or the % behind sd.
+% The unit behind value, and that or the % behind sd and sessionSd.
 function row = withUnits (row)
   form = '^([-+.\d]+(?:[eE][-+]?\d+)?)\s*([^-+\s.,\d].*)$';
   words = regexp (row.value, form, 'tokens', 'once');
@@ -162,13 +162,17 @@ function row = withUnits (row)
       row.value = words{1};
     end
   end
-  words = regexp (row.sd, form, 'tokens', 'once');
-  if ~isempty (words) && strcmp (words{2}, '%') && ~strcmp (row.unit, '%')
-    share = abs (str2double (row.value)) / 100;
-    row.sd = exactNumber (str2double (words{1}) * share);
-  elseif ~isempty (words) && unitFactor (words{2}, row.unit) > 0
-    factor = unitFactor (words{2}, row.unit);
-    row.sd = exactNumber (factor * str2double (words{1}));
+  for name = {'sd', 'sessionSd'}
+    words = regexp (row.(name{1}), form, 'tokens', 'once');
+    if isempty (words)
+      continue
+    elseif strcmp (words{2}, '%') && ~strcmp (row.unit, '%')
+      share = abs (str2double (row.value)) / 100;
+      row.(name{1}) = exactNumber (str2double (words{1}) * share);
+    elseif unitFactor (words{2}, row.unit) > 0
+      factor = unitFactor (words{2}, row.unit);
+      row.(name{1}) = exactNumber (factor * str2double (words{1}));
+    end
   end
 end
 

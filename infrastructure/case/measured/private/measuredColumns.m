@@ -7,7 +7,7 @@
 %
 % Names are taken in small letters, and mean, quantity, units, tolerance, n for
 % value, name, unit, tol, repeats. "value [deg]" is the unit of all lines, that
-% behind sd or tol goes to their fields. Trials in columns (value 1, trial 2)
+% behind sd, sessionSd or tol goes to their fields. Trials in columns (value 1, trial 2)
 % become lines, as do columns that are named by results and hold numbers alone,
 % and a table on its side is turned. Columns for people (remark ...) are left
 % out. - and n/a are empty.
@@ -27,7 +27,7 @@ function [header, cells, lines] = measuredColumns (header, cells, lines, known)
                                         'bemerkung', 'kommentar'});
   [header, cells] = deal (header(~isRemark), cells(:, ~isRemark));
   units = units(~isRemark);
-  for name = {'sd', 'tol'}
+  for name = {'sd', 'tol', 'sessionSd'}
     k = find (strcmp (header, name{1}) & ~cellfun (@isempty, units), 1);
     if ~isempty (k)
       isGiven = ~cellfun (@isempty, cells(:, k));

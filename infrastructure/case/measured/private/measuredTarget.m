@@ -49,7 +49,7 @@ function [g, p] = measuredTarget (trials, means)
     g.(name{1}) = own.(name{1});
   end
   % what trials scatter holds their packings; what is stated need not
-  g.scatter = own.hasScatter;
+  g.scatter = own.hasScatter && ~(isscalar (trials) && trials.sd > 0);
   g = withCommon (g, trials);
   g.isAbsolute = g.isAbsolute || (numel (trials) > 1 && g.value == 0);
 end
@@ -109,22 +109,42 @@ function n = countOf (trials, weight)
   end
 end
 
-% What trials have in common, such as the error of a balance; lines of one session
-% whose sd differ have none, and each counts by its own.
+% What trials of a session have in common, such as the error of a balance; those of one
+% session whose sd differ have none, and each counts by its own. The sd of a line that
+% stands alone in its session is that of the mean already, see readingLines.
 function g = withCommon (g, trials)
-  own = [trials.sd];
-  if all (own > 0) && any (own ~= own(1)) && isscalar (g.sessions)
-    [g.value, g.sd, between] = weightedMean ([trials.value], own);
+  [~, ~, of] = unique ({trials.session});
+  isShared = accumarray (of(:), 1)(of)' > 1 & ~isinf ([trials.repeats]);
+  own = [trials(isShared).sd];
+  if ~any (own > 0)
+    return
+  elseif all (isShared) && all (own > 0) && any (own ~= own(1)) && ...
+         isscalar (g.sessions) && countOf (trials, ones (size (trials))) == numel (trials)
+    [g.value, g.sd, between] = weightedMean (valuesOf (trials), own);
     g.scatter = between > 0;
-    freedoms = [Inf, numel(own) - 1];
-    [g.freedom, g.commonFreedom] = deal (freedoms(1 + g.scatter));
-  elseif g.scatter
+    g.freedom = Inf;
+    if g.scatter
+      g.freedom = numel (own) - 1;
+    end
+    g.commonFreedom = g.freedom;
+    g.sd = hypot (g.sd, g.shared);
+  elseif g.sd > 0
     common = mean (own.^2);
-    rest = g.sd^2 - g.shared^2;
+    rest = max (g.sd^2 - g.shared^2, realmin);
     % Welch and Satterthwaite: the common part is known
     g.freedom = g.freedom * (1 + common / g.sd^2)^2;
     g.commonFreedom = g.commonFreedom * (1 + common / rest)^2;
     g.sd = sqrt (g.sd^2 + common);
+  else                                   % alike to the last digit
+    g.sd = sqrt (mean (own.^2));
+  end
+end
+
+% Less what drifts with their order.
+function values = valuesOf (trials)
+  values = [trials.value];
+  if isfield (trials, 'drift')
+    values = values - [trials.drift];
   end
 end
 

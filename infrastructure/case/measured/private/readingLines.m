@@ -1,32 +1,36 @@
 % READINGLINES  The lines of all tables as readings of quantities in states.
 %
-% CALL: [LINES, QUANTITIES, NUMBER, NAMES] = readingLines (LIST, KEYS)
+% CALL: [LINES, QUANTITIES, NUMBER, NAMES, AT] = readingLines (LIST, KEYS)
 %
 %   LIST        1 x n struct of readMeasured, all lines
 %   KEYS        1 x n cell, what names the quantity of each line
 %   LINES, QUANTITIES  see varianceComponents, those with a value
 %   NUMBER      1 x n, mean of each line (0: it has no value)
 %   NAMES       1 x S cell, names of the sessions
+%   AT          1 x n, element of LINES of each line (0: it has no value)
 %
 % A state is a condition. Where all of a quantity's lines stand alone in their
 % state and session, their sd tells the scatter of a trial: it is that of the mean
 % of its repeats, and that of the reference counts for lines without. Where it is that
 % of several trials it is known by these (freedom); those of a change that scatter alike
 % (25 %, as in varianceComponents) tell it, too. With repeats = Inf it holds all errors,
-% that of the session, too, and is known. Lines without a session,
-% beside others of the quantity with one, share one of their own. Lines of one block
-% (one filling, one packing) of a state and session count as one trial, their mean.
+% that of the session, too, and is known. Beside lines that scatter one that stands alone
+% is as good as the trials that its sd says, and tells their scatter, too, where it is of
+% several and alike. Lines without a session, beside others of the quantity with one,
+% or where sessionSd says what a session brings, share one of their own. Lines of one block
+% (one filling, one packing) of a state and session count as one trial, their mean, known
+% as well as the least of them.
 % Points of a curve are settings of one group; what drifts, drifts in all of them by
 % the same part of their value (withoutDrift).
 
-function [lines, quantities, number, names] = readingLines (list, keys)
-  number = zeros (1, numel (list));
+function [lines, quantities, number, names, at] = readingLines (list, keys)
+  [number, at] = deal (zeros (1, numel (list)));
   isThere = isfinite ([list.value]);
   [list, keys] = deal (list(isThere), keys(isThere));
   states = strcat (keys, {'|'}, ofConditions (list));
   [~, ~, state] = unique (states);
   number(isThere) = state;
-  [list, first] = ofBlocks (list, states);
+  [list, first, at(isThere)] = ofBlocks (list, states);
   [keys, state] = deal (keys(first), state(first));
   [~, ~, quantity] = unique (keys);
   conditions = ofConditions (list);
@@ -42,8 +46,8 @@ function [lines, quantities, number, names] = readingLines (list, keys)
                   cellfun (@(one) givenField (one, 'order', NaN), num2cell (list))(:));
   lines.variance(isStated) = sd(isStated).^2;
   quantities = repmat (struct ('unit', 1, 'isContrast', false, 'sessionSd', ...
-                               NaN, 'variance', NaN, 'freedom', Inf, 'share', ...
-                               1, 'group', 0, 'size', 1), ...
+                               NaN, 'variance', NaN, 'freedom', Inf, 'squares', ...
+                               zeros (1, 0), 'share', 1, 'group', 0, 'size', 1), ...
                        1, max ([quantity(:); 0]));
   series = arrayfun (@(one) sprintf ('%d|%s', one.model, one.series), list, ...
                      'UniformOutput', false);
@@ -56,10 +60,43 @@ function [lines, quantities, number, names] = readingLines (list, keys)
       quantities(q).group = find (strcmp (series, series{k(1)}), 1);
       quantities(q).size = mean ([list(k).value]);
     end
-    alone = rows (unique ([state(k)(:), session(k)], 'rows')) == numel (k);
-    told = k(sd(k) > 0 & ~isStated(k));
-    if alone && ~isempty (told)
+    [~, ~, cell_] = unique ([state(k)(:), session(k)], 'rows');
+    isAlone = accumarray (cell_, 1)(cell_) == 1;
+    told = k(sd(k) > 0 & ~isStated(k) & isAlone);
+    if all (isAlone) && ~isempty (told)
       [quantities(q), lines] = statedScatter (quantities(q), lines, told, sd);
+    elseif ~isempty (told)
+      scatter = scatterWithin (rowsOf (lines, k(~isAlone)), cell_(~isAlone));
+      [quantities(q), lines] = besideScatter (quantities(q), lines, told, sd, scatter);
+    end
+  end
+end
+
+function lines = rowsOf (lines, k)
+  lines = structfun (@(column) column(k), lines, 'UniformOutput', false);
+end
+
+% Variance of a trial about the means of the cells OF, and its freedom.
+function s = scatterWithin (lines, of)
+  [~, ~, of] = unique (of);
+  weight = accumarray (of, lines.repeats);
+  middle = accumarray (of, lines.repeats .* lines.value) ./ weight;
+  freedom = numel (of) - max (of);
+  s = struct ('variance', sum (lines.repeats .* (lines.value - middle(of)).^2) / freedom, ...
+              'freedom', freedom);
+end
+
+% Lines TOLD stand alone beside others that SCATTER.
+function [quantity, lines] = besideScatter (quantity, lines, told, sd, scatter)
+  for k = told(:)'
+    n = lines.repeats(k);
+    own = struct ('variance', sd(k)^2 * n, 'freedom', n - 1);
+    if ~(scatter.variance > 0)
+      lines.variance(k) = sd(k)^2;
+    elseif n > 1 && isAlike (own, scatter)
+      quantity.squares = [quantity.squares, repmat(own.variance, 1, round (n - 1))];
+    else
+      lines.repeats(k) = scatter.variance / sd(k)^2;
     end
   end
 end
@@ -70,11 +107,14 @@ function [quantity, lines] = statedScatter (quantity, lines, told, sd)
   freedom = lines.repeats(told) - 1;
   isOwn = ~lines.changed(told);
   isOwn(:) = isOwn | ~any (isOwn);
-  if all (freedom > 0)
+  isKnown = freedom > 0;                 % of several trials
+  if any (isKnown)
+    isOwn = isOwn & isKnown;
+    isOwn(:) = isOwn | (isKnown & ~any (isOwn));
     [reference, state] = deal (pooled (variance, freedom, isOwn), lines.mean(told));
-    for m = unique (state(~isOwn))'
-      now = pooled (variance, freedom, state == m);
-      isOwn = isOwn | (state == m & isAlike (now, reference));
+    for m = unique (state(~isOwn & isKnown))'
+      now = pooled (variance, freedom, state == m & isKnown);
+      isOwn = isOwn | (state == m & isKnown & isAlike (now, reference));
     end
     all_ = pooled (variance, freedom, isOwn);
     [quantity.variance, quantity.freedom] = deal (all_.variance, all_.freedom);
@@ -102,9 +142,9 @@ function conditions = ofConditions (list)
   conditions(strcmp (conditions, '')) = {'reference'};
 end
 
-% Lines of one block as one.
-function [list, first] = ofBlocks (list, states)
-  first = 1:numel (list);
+% Lines of one block as one, number OF.
+function [list, first, of] = ofBlocks (list, states)
+  [first, of] = deal (1:numel (list));
   if ~isfield (list, 'block') || all (cellfun (@isempty, {list.block}))
     return
   end
@@ -118,6 +158,9 @@ function [list, first] = ofBlocks (list, states)
   for name = intersect (fieldnames (list)', {'value', 'order'})
     means.(name{1}) = num2cell (accumarray (of(:), [list.(name{1})]', [], @mean));
   end
+  for name = {'sd', 'repeats'}
+    means.(name{1}) = num2cell (accumarray (of(:), [list.(name{1})]', [], @max));
+  end
   list = list(first);
   for name = fieldnames (means)'
     [list.(name{1})] = means.(name{1}){:};
@@ -129,7 +172,8 @@ function [session, names] = sessionsOf (list, quantity, conditions)
   for q = unique (quantity(:))'
     k = find (quantity(:)' == q);
     isEmpty = cellfun (@isempty, labels(k));
-    if any (isEmpty) && ~all (isEmpty)
+    isKnown = any (isfinite (arrayfun (@(one) givenField (one, 'sessionSd', NaN), list(k))));
+    if any (isEmpty) && (isKnown || ~all (isEmpty))
       % no name can hold a bar
       labels(k(isEmpty)) = strcat ('|', conditions(k(isEmpty)));
     end

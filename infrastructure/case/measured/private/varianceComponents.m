@@ -8,7 +8,8 @@
 %               value, with all that it holds), changed (logical)
 %   QUANTITIES  1 x Q struct: unit (of its scatter), isContrast, sessionSd (NaN: to
 %               be found), variance (of one trial, NaN: to be found) and the freedom
-%               (Inf) by which it is known, share (of a quantity in what is learned of
+%               (Inf) by which it is known, squares (1 x m, further contrasts of trials,
+%               told by an sd), share (of a quantity in what is learned of
 %               sessions)
 %   MEANS       1 x M struct: value, sd (0: nothing tells it), shared (part of sd
 %               that sessions make), days (1 x S, what each session brings to
@@ -104,6 +105,13 @@ end
 
 % Contrasts of one quantity, free of its means: their squares and lambda, sorted.
 function part = contrastsOf (lines, quantity)
+  part = contrastsOfLines (lines, quantity);
+  told = givenField (quantity, 'squares', []) / quantity.unit^2;
+  part.squares = [part.squares, told];
+  part.lambda = [part.lambda, 0 * told];
+end
+
+function part = contrastsOfLines (lines, quantity)
   part = struct ('squares', zeros (1, 0), 'lambda', zeros (1, 0));
   lines = rowsOf (lines, isnan (lines.variance));
   lines = withoutApart (lines);
@@ -284,7 +292,9 @@ function found = meanOf (lines, scatter, quantity, found)
   isStated = ~isnan (lines.variance);
   ofSession = lines.session > 0 & ~isStated;
   isKnown = ~isnan (quantity.sessionSd);
-  sigma2 = max (scatter.weight * scatter.scale', realmin);
+  % without any scatter all lines count alike, and far more than one that is stated
+  least = max ([1e-12 * lines.variance(isStated); realmin ^ 0.5]);
+  sigma2 = max (scatter.weight * scatter.scale', least);
   between = sigma2 * (scatter.weight * scatter.ratio'.^2);
   if isKnown
     between = quantity.sessionSd^2;
@@ -325,7 +335,7 @@ function [factor, found] = factorOfChange (lines, scatter, quantity, found)
   if isnan (found.scatterP)
     [found.scatterRatio, found.scatterP] = ...
       scatterOfChange (lines.value(trials), lines.session(trials), ...
-                       scatter.weight * scatter.scale', ...
+                       lines.repeats(trials), scatter.weight * scatter.scale', ...
                        1 / (1 / scatter.own + 1 / scatter.common));
   end
   if found.scatterRatio > 1 && found.scatterP < 0.01
