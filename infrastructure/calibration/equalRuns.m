@@ -12,9 +12,10 @@
 % Proof takes ten digits, of one pair or of several, of one result alone fifteen, where a
 % result of a run counts as five at most: rounded results, counts (also times the mass of a
 % grain), and results with few digits prove nothing. Compared are runs of the same effects:
-% those of another filling have other steps. Nor does a result that is saturated: at an end of what the runs gave (nothing
-% flows, and its ratios are 0). Sets that have half of their parameters in common may
-% differ in what a model does not have; one result may be of any parameter alone.
+% those of another filling have other steps. Nor does a result that is saturated: at an end
+% of what the runs gave (nothing flows, and its ratios are 0). Sets that have half of
+% their parameters in common may differ in what a model does not have; one result may be
+% of any parameter alone.
 
 function [pair, shared] = equalRuns (data, problem)
   range = diff (problem.limits(1:2, :), 1, 1);

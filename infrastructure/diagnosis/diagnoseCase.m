@@ -76,7 +76,7 @@ end
 
 % The first condition that has changed leads; where none has, the first one.
 function order = leadLast (isChanged)
-  lead = [find(isChanged, 1), 1](1);
+  [~, lead] = max (isChanged);           % the first one where none has
   order = [setdiff(numel (isChanged):-1:1, lead, 'stable'), lead];
 end
 

@@ -24,9 +24,10 @@
 %             the reference), ratio (standard deviation between sessions over that
 %             of a trial within one, of levels; 0 where none are given), df (how
 %             many contrasts between sessions told it; 0: it is what other rigs
-%             show), known (logical: measured.csv says what sessions bring), drifts (1 x D struct of what drifts within a session, []: session,
-%             name, slope (per order, in its unit, of a curve a share), p,
-%             oneWay: cell of conditions, see withoutDrift)
+%             show), known (logical: measured.csv says what sessions bring), drifts
+%             (1 x D struct of what drifts within a session, []: session, name,
+%             slope (per order, in its unit, of a curve a share), p, oneWay: cell of
+%             conditions, see withoutDrift)
 %
 % Lines with the same model, name, series and at are repeated trials. What they
 % say together, and how well, is that of varianceComponents; sd is the 68 %
@@ -69,7 +70,8 @@ function [list, means, sessions] = withMeans (list, isReference)
   before = lines.value;
   [lines, drifts] = withoutDrift (lines, quantities);
   drift = zeros (size (list));
-  drift(at > 0) = (before - lines.value)(at(at > 0));
+  taken = before - lines.value;
+  drift(at > 0) = taken(at(at > 0));
   drift = num2cell (drift);
   [list.drift] = drift{:};
   [means, ratio] = varianceComponents (lines, quantities);

@@ -136,7 +136,8 @@ end
 %!                      sprintf("a,1,%s\n", varargin{:})];
 %! reasonsOf = @(varargin) nthargout (2, @read, varargin{:});
 %! assert (isempty (reasonsOf (false, table ('reference', 'moist'))));
-%! assert (isempty (reasonsOf (false, table ('reference', 'Lot 2 (5 % naß)'))));
+%! name = ['Lot 2 (5 % na', char([195, 159]), ')'];
+%! assert (isempty (reasonsOf (false, table ('reference', name))));
 %! assert (reasonsOf (false, table ('reference', 'Reference', 'wet')), ...
 %!         {'measuredCondition'});
 %! for bad = {{'reference', 'next'}, {'reference', 'a/b'}}

@@ -293,7 +293,7 @@ function found = meanOf (lines, scatter, quantity, found)
   ofSession = lines.session > 0 & ~isStated;
   isKnown = ~isnan (quantity.sessionSd);
   % without any scatter all lines count alike, and far more than one that is stated
-  least = max ([1e-12 * lines.variance(isStated); realmin ^ 0.5]);
+  least = max ([1e-12 * lines.variance(isStated); sqrt(realmin)]);
   sigma2 = max (scatter.weight * scatter.scale', least);
   between = sigma2 * (scatter.weight * scatter.ratio'.^2);
   if isKnown
