@@ -306,6 +306,11 @@ end
 %! assert (g.changed.sd, 0.7, 1e-9);
 %! g = read ("reference,a,31,0.4,,,,2%\nreference,a,31,0.5,,,,\nnow,a,33,0.7,,,,\n");
 %! assert ([g.sd, g.changed.sd], [1 / sqrt(1 / 0.16 + 1 / 0.25), 0.7], 1e-9);
+%! % of a block the one line counts as well as it says, once
+%! file = tempname ();
+%! writeAtomic (file, ["name,value,sd,block,tol\n", "a,31,0.5,x,2%\na,32,,x,\n"]);
+%! g = groupMeasured (readMeasured (file, {'A'}), {'A'});
+%! assert ([g.value, g.sd], [31.5, 0.5], 1e-4);
 %!test
 %! % a line that does not say of how many trials it is takes nothing from the others
 %! g = read ("reference,a,31.2,0.5,3,,,2%\nnow,a,33.9,0.5,,,,\n");

@@ -135,9 +135,9 @@ function p = checkFiles (model)
   field = @(name) ['DEMmodels/', model.name, '/', name];
   p = checkPlainText (fullfile (model.folder, 'data.head'), ...
                       field ('data.head'));
-  inputs = dir (fullfile (model.folder, 'in.*'))';
-  for name = {inputs.name}
-    p = [p, checkPlainText(fullfile (model.folder, name{1}), field (name{1}))];
+  inputs = glob (fullfile (regexprep (model.folder, '([][*?\\])', '\\$1'), 'in.*'))';
+  for file = inputs
+    p = [p, checkPlainText(file{1}, field (regexprep (file{1}, '^.*/', '')))];
   end
   lines = 'lines such as: variable densityP equal 700';
   call = 'a function res = getResults (model, folderName)';

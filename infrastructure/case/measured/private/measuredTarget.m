@@ -128,14 +128,14 @@ function g = withCommon (g, trials)
     end
     g.commonFreedom = g.freedom;
     g.sd = hypot (g.sd, g.shared);
-  elseif g.sd > 0
+  elseif g.scatter
     common = mean (own.^2);
-    rest = max (g.sd^2 - g.shared^2, realmin);
+    rest = g.sd^2 - g.shared^2;
     % Welch and Satterthwaite: the common part is known
     g.freedom = g.freedom * (1 + common / g.sd^2)^2;
     g.commonFreedom = g.commonFreedom * (1 + common / rest)^2;
     g.sd = sqrt (g.sd^2 + common);
-  else                                   % alike to the last digit
+  elseif ~(g.sd > 0)                     % alike to the last digit
     g.sd = sqrt (mean (own.^2));
   end
 end
