@@ -157,6 +157,13 @@ function [groups, p] = withConditions (groups, keys, others, means)
                                  'nothing', ['Add its value before the change, or take ' ...
                                              'both lines out.']);
       end
+      given = setdiff ({trials{1}.role}, {''});
+      if ~all (strcmp (given, groups(same).role))
+        p(end + 1) = checkFault ('measuredCondition', ...
+                                 sprintf ('%s, line %d, role', first.file, first.line), ...
+                                 ['the role of the reference, ', groups(same).role], ...
+                                 given{1}, 'Give it once, or alike in every line.');
+      end
       for name = fieldnames (none)'
         groups(same).changed(c).(name{1}) = target.(name{1});
       end
@@ -338,6 +345,11 @@ end
 %! % a condition without its reference
 %! file = tempname ();
 %! writeAtomic (file, "condition,name,value\nreference,a,\nnow,a,3\n");
+%! [~, p] = groupMeasured (readMeasured (file, {'A'}), {'A'});
+%! assert (p.id, 'DEcalioc:checkCase:measuredCondition');
+%! % and one of another role
+%! writeAtomic (file, ["condition,name,value,role\nreference,a,2,holdout\n", ...
+%!                     "now,a,3,\nthen,a,4,calibrate\n"]);
 %! [~, p] = groupMeasured (readMeasured (file, {'A'}), {'A'});
 %! assert (p.id, 'DEcalioc:checkCase:measuredCondition');
 

@@ -20,8 +20,8 @@
 %               change scatterRatio and scatterP (see scatterOfChange; NaN), swept
 %               (false, see withoutDrift)
 %   RATIO       1 x 2 struct, of levels and of contrasts: value (standard
-%               deviation between sessions over that of a trial within one, root
-%               mean square), df (contrasts between sessions that told it)
+%               deviation between sessions over that of a trial within one,
+%               geometric mean), df (contrasts between sessions that told it)
 %
 % A line is y = mean (quantity, state) + session + trial, the standard deviations
 % of session and trial R s and s. Means are eliminated (restricted likelihood:
@@ -82,7 +82,7 @@ function [means, ratio] = estimated (lines, quantities, means, ratio)
   for kind = 1:2
     mine = find ([quantities.isContrast] == kind - 1);
     grid = posteriorOf (parts(mine), quantities(mine), ratio(kind).value);
-    ratio(kind).value = sqrt (grid.ofRatio * grid.ratio'.^2);
+    ratio(kind).value = exp (grid.ofRatio * log (grid.ratio'));
     for q = mine
       ratio(kind).df = ratio(kind).df + ...
                        quantities(q).share * sum (parts(q).lambda > 0);
