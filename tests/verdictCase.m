@@ -217,7 +217,7 @@ function c = held (c, inside)
   c.targets(3).met = [];
   value = 1 + 4 * ~inside;
   c.targets(3).target = value;
-  c.holdout = struct ('name', 'difference', 'target', value, 'result', 1, ...
+  c.holdout = struct ('name', 'difference', 'model', 'Second', 'target', value, 'result', 1, ...
                       'sd', 0.1, 'interval90', [0.8, 1.2], 'inside', inside);
 end
 
