@@ -109,14 +109,13 @@ function n = countOf (trials, weight)
   end
 end
 
-% What trials of a session have in common, such as the error of a balance; those of one
-% session whose sd differ have none, and each counts by its own. The sd of a line that
-% stands alone in its session is that of the mean already, see readingLines.
+% What trials have in common, such as the error of a balance; those of one session whose
+% sd differ have none, and each counts by its own. The sd of the only line of a state is
+% that of the mean already, see readingLines.
 function g = withCommon (g, trials)
-  [~, ~, of] = unique ({trials.session});
-  isShared = accumarray (of(:), 1)(of)' > 1 & ~isinf ([trials.repeats]);
+  isShared = ~isinf ([trials.repeats]);
   own = [trials(isShared).sd];
-  if ~any (own > 0)
+  if isscalar (trials) || ~any (own > 0)
     return
   elseif all (isShared) && all (own > 0) && any (own ~= own(1)) && ...
          isscalar (g.sessions) && countOf (trials, ones (size (trials))) == numel (trials)

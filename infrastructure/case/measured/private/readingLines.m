@@ -14,7 +14,7 @@
 % of its repeats, and that of the reference counts for lines without. Where it is that
 % of several trials it is known by these (freedom); those of a change that scatter alike
 % (25 %, as in varianceComponents) tell it, too. With repeats = Inf it holds all errors,
-% that of the session, too, and is known. Beside lines that scatter one that stands alone
+% that of the session, too, and is known. Beside states whose lines scatter the one line of another
 % is as good as the trials that its sd says, and tells their scatter, too, where it is of
 % several and alike. Lines without a session, beside others of the quantity with one,
 % or where sessionSd says what a session brings, share one of their own. Lines of one block
@@ -62,10 +62,13 @@ function [lines, quantities, number, names, at] = readingLines (list, keys)
     end
     [~, ~, cell_] = unique ([state(k)(:), session(k)], 'rows');
     isAlone = accumarray (cell_, 1)(cell_) == 1;
-    told = k(sd(k) > 0 & ~isStated(k) & isAlone);
+    [~, ~, own] = unique (state(k));
+    isSingle = accumarray (own(:), 1)(own(:)) == 1;     % in its state
+    told = k(sd(k) > 0 & ~isStated(k));
     if all (isAlone) && ~isempty (told)
       [quantities(q), lines] = statedScatter (quantities(q), lines, told, sd);
-    elseif ~isempty (told)
+    elseif any (isSingle & ismember (k, told))
+      told = k(isSingle & ismember (k, told));
       scatter = scatterWithin (rowsOf (lines, k(~isAlone)), cell_(~isAlone));
       [quantities(q), lines] = besideScatter (quantities(q), lines, told, sd, scatter);
     end
