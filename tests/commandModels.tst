@@ -21,7 +21,7 @@
 %! [status, out] = startCommand (base, 'check --try Pile');
 %! assert (status == 0, out);
 %! assert (says (out, 'trial     Pile: ok'));
-%! assert (says (out, ' runs, 4 new, 1 taken from the store'));
+%! assert (says (out, ' runs, 3 new, 1 taken from the store'));
 %! picture = fileread (fullfile (folder, 'optim', 'Pile', '0001', ...
 %!                               'measured.svg'));
 %! assert (says (picture, '<circle') && says (picture, '<polyline'));
