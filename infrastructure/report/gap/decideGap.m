@@ -454,8 +454,10 @@ end
 function todo = testOf (gap)
   todo = newAction ('otherSetting');
   open = jsonList (gap, {'reference', 'notMeasured'});
+  % the model is part of a name that several models have
+  named = @(T) [T.model, ' ', strrep(T.name, [T.model, '_'], '')];
   if ~isempty (open)
-    todo = newAction ('measureToo', eachOf (@(T) [T.model, ' ', T.name], open));
+    todo = newAction ('measureToo', eachOf (named, open));
   elseif any (jsonAt (gap, {'next', 1, 'gain'}) >= gap.thresholds.adviseAt)
     todo = newAction ('test', {jsonAt(gap, {'next', 1, 'test'})});
   elseif ~isempty (unsureTests (gap))
