@@ -61,22 +61,23 @@ function [lines, quantities, number, names, at] = readingLines (list, keys)
       quantities(q).size = mean ([list(k).value]);
     end
     [~, ~, cell_] = unique ([state(k)(:), session(k)], 'rows');
-    isAlone = accumarray (cell_, 1)(cell_) == 1;
-    [~, ~, own] = unique (state(k));
-    isSingle = accumarray (own(:), 1)(own(:)) == 1;     % in its state
-    told = k(sd(k) > 0 & ~isStated(k));
-    if all (isAlone) && ~isempty (told)
-      [quantities(q), lines] = statedScatter (quantities(q), lines, told, sd);
-    elseif any (isSingle & ismember (k, told))
-      told = k(isSingle & ismember (k, told));
+    isAlone = isOnce (cell_);
+    isTold = sd(k) > 0 & ~isStated(k);
+    isSingle = isTold & isOnce (state(k));
+    if all (isAlone) && any (isTold)
+      [quantities(q), lines] = statedScatter (quantities(q), lines, k(isTold), sd);
+    elseif any (isSingle)
       scatter = scatterWithin (rowsOf (lines, k(~isAlone)), cell_(~isAlone));
-      [quantities(q), lines] = besideScatter (quantities(q), lines, told, sd, scatter);
+      [quantities(q), lines] = besideScatter (quantities(q), lines, k(isSingle), sd, ...
+                                              scatter);
     end
   end
 end
 
-function lines = rowsOf (lines, k)
-  lines = structfun (@(column) column(k), lines, 'UniformOutput', false);
+% n x 1 logical: which numbers stand there once.
+function yes = isOnce (number)
+  count = accumarray (number(:), 1);
+  yes = count(number(:)) == 1;
 end
 
 % Variance of a trial about the means of the cells OF, and its freedom.

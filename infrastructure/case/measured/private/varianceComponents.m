@@ -99,10 +99,6 @@ function [means, ratio] = estimated (lines, quantities, means, ratio)
   end
 end
 
-function lines = rowsOf (lines, k)
-  lines = structfun (@(column) column(k), lines, 'UniformOutput', false);
-end
-
 % Contrasts of one quantity, free of its means: their squares and lambda, sorted.
 function part = contrastsOf (lines, quantity)
   part = contrastsOfLines (lines, quantity);
