@@ -404,7 +404,7 @@ end
 %! [~, none] = startCommand (raw.folder, 'check');
 %! has = @(text, line) assert (! isempty (strfind (text, line)), text);
 %! has (both, 'sessions  sessions differ by');
-%! has (one, 'taken to differ by 4.1 times');
+%! has (one, 'taken to differ by 2.5 times');
 %! has (none, 'repeat the reference on another day, and name the days');
 %! has (both, 'unlikely to have changed, 0.05 as likely as those above: rolling');
 %! has (both, 'Not said of: rolling, gain');
