@@ -313,6 +313,13 @@ end
 %! assert (g.changed.sd, 0.7, 1e-9);
 %! g = read ("reference,a,31,0.4,,,,2%\nreference,a,31,0.5,,,,\nnow,a,33,0.7,,,,\n");
 %! assert ([g.sd, g.changed.sd], [1 / sqrt(1 / 0.16 + 1 / 0.25), 0.7], 1e-9);
+%! % over several days lines weigh by their own sd, too
+%! file = tempname ();
+%! writeAtomic (file, ["name,value,sd,session,tol\n", "a,1.05,0.1,mon,2%\na,4,5,mon,\n", ...
+%!                     "a,0.95,0.1,tue,\na,-3.5,5,tue,\n"]);
+%! g = groupMeasured (readMeasured (file, {'A'}), {'A'});
+%! assert (g.value, 1, 0.01);
+%! assert (g.sd > 0.05 && g.sd < 0.3, num2str (g.sd));
 %! % of a block the one line counts as well as it says, once
 %! file = tempname ();
 %! writeAtomic (file, ["name,value,sd,block,tol\n", "a,31,0.5,x,2%\na,32,,x,\n"]);

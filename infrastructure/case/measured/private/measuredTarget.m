@@ -117,8 +117,9 @@ function g = withCommon (g, trials)
   own = [trials(isShared).sd];
   if isscalar (trials) || ~any (own > 0)
     return
-  elseif all (isShared) && all (own > 0) && any (own ~= own(1)) && ...
-         isscalar (g.sessions) && countOf (trials, ones (size (trials))) == numel (trials)
+  elseif weighsEach (trials) && ~isscalar (g.sessions)
+    return                               % readingLines has weighed them
+  elseif weighsEach (trials)
     [g.value, g.sd, between] = weightedMean (valuesOf (trials), own);
     g.scatter = between > 0;
     g.freedom = Inf;

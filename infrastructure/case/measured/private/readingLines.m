@@ -30,8 +30,9 @@ function [lines, quantities, number, names, at] = readingLines (list, keys)
   states = strcat (keys, {'|'}, ofConditions (list));
   [~, ~, state] = unique (states);
   number(isThere) = state;
+  weight = ownWeights (list, state);
   [list, first, at(isThere)] = ofBlocks (list, states);
-  [keys, state] = deal (keys(first), state(first));
+  [keys, state, weight] = deal (keys(first), state(first), weight(first));
   [~, ~, quantity] = unique (keys);
   conditions = ofConditions (list);
   [session, names] = sessionsOf (list, quantity, conditions);
@@ -39,6 +40,7 @@ function [lines, quantities, number, names, at] = readingLines (list, keys)
   sd = [list.sd]';
   isStated = isinf (repeats) & sd > 0;
   repeats(~isfinite (repeats)) = 1;
+  repeats(weight > 0) = weight(weight > 0);
   lines = struct ('value', [list.value]', 'mean', state(:), 'quantity', ...
                   quantity(:), 'session', session, 'repeats', repeats, ...
                   'variance', NaN (numel (list), 1), 'changed', ...
@@ -70,6 +72,19 @@ function [lines, quantities, number, names, at] = readingLines (list, keys)
       scatter = scatterWithin (rowsOf (lines, k(~isAlone)), cell_(~isAlone));
       [quantities(q), lines] = besideScatter (quantities(q), lines, k(isSingle), sd, ...
                                               scatter);
+    end
+  end
+end
+
+% n x 1, of how many trials a line is worth in its state, where each of a state in several
+% sessions has an sd of its own; 0 elsewhere. These weigh, their scatter says how well.
+function weight = ownWeights (list, state)
+  weight = zeros (numel (list), 1);
+  for m = unique (state(:))'
+    k = find (state(:)' == m);
+    if weighsEach (list(k)) && numel (unique ({list(k).session})) > 1
+      weight(k) = 1 ./ [list(k).sd].^2;
+      weight(k) = weight(k) / mean (weight(k));
     end
   end
 end
