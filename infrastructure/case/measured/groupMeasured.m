@@ -20,11 +20,10 @@
 %             measuredCondition
 %   CONDITIONS  1 x C cell, names of the conditions but for the reference, of
 %             which all the other fields are; none where LIST has no conditions
-%   SESSIONS  struct: given (logical: LIST has sessions), names (cell, those of
-%             the reference), ratio (standard deviation between sessions over that
-%             of a trial within one, of levels; 0 where none are given), df (how
-%             many contrasts between sessions told it; 0: it is what other rigs
-%             show), known (logical: measured.csv says what sessions bring), drifts
+%   SESSIONS  struct: given (logical: LIST has sessions), ratio (standard deviation
+%             between sessions over that of a trial within one, of levels; 0 where
+%             none are given), df (how many contrasts between sessions told it; 0:
+%             it is what other rigs show), known (logical: measured.csv says what sessions bring), drifts
 %             (1 x D struct of what drifts within a session, []: session, name,
 %             slope (per order, in its unit, of a curve a share), p, oneWay: cell of
 %             conditions, see withoutDrift)
@@ -44,7 +43,7 @@ function [groups, p, conditions, sessions] = groupMeasured (list, models, ...
   p = checkFault ();
   isOther = ~ismember ({list.condition}, {'', 'reference'});
   conditions = unique ({list(isOther).condition}, 'stable');
-  [list, means, sessions] = withMeans (list, ~isOther);
+  [list, means, sessions] = withMeans (list);
   others = cellfun (@(c) list(strcmp ({list.condition}, c)), conditions, ...
                     'UniformOutput', false);
   list = withPlaces (list(~isOther));
@@ -60,10 +59,10 @@ function [groups, p, conditions, sessions] = groupMeasured (list, models, ...
 end
 
 % Beside each line the number of its mean.
-function [list, means, sessions] = withMeans (list, isReference)
+function [list, means, sessions] = withMeans (list)
   if ~any (isfinite ([list.value]))      % nothing is measured yet
     means = [];
-    sessions = struct ('given', false, 'names', {{}}, 'ratio', 0, 'df', 0);
+    sessions = struct ('given', false, 'ratio', 0, 'df', 0);
     return
   end
   [lines, quantities, number, names, at] = readingLines (list, keysOf (list));
@@ -82,11 +81,9 @@ function [list, means, sessions] = withMeans (list, isReference)
                      'UniformOutput', false);
   isKnown = all (isfinite ([quantities.sessionSd])) || all (isfinite (lines.variance));
   sessions = struct ('given', ~isempty (names) && ~isKnown, 'known', isKnown, ...
-                     'names', {{}}, 'ratio', 0, 'df', 0, 'drifts', [drifts{:}]);
+                     'ratio', 0, 'df', 0, 'drifts', [drifts{:}]);
   if sessions.given
     [sessions.ratio, sessions.df] = deal (ratio(1).value, ratio(1).df);
-    isThere = isReference & isfinite ([list.value]);
-    sessions.names = unique ({list(isThere).session}, 'stable');
   end
 end
 
@@ -254,7 +251,6 @@ end
 %! values = num2cell ([1, 2, 5, 6, 3, 4, 7, 8, 1, 2, 1, 2]);
 %! [list.value] = values{:};
 %! [g, ~, ~, sessions] = groupMeasured (list, {'A'});
-%! assert (sessions.names, {'mon', 'tue'});
 %! % days that both share tell once
 %! assert (sessions.df, 1);
 %! assert ({g.value, g.sessions}, {3.5, {'mon', 'tue'}}, 1e-12);

@@ -127,7 +127,7 @@ end
 %!endfunction
 %!test
 %! Case = readyCase ();
-%! Case.sessions = struct ('df', 1, 'ratio', 2, 'given', false, 'names', {{'a', 'b'}});
+%! Case.sessions = struct ('df', 1, 'ratio', 2, 'given', false);
 %! notes = readingNotes (Case);
 %! assert ({notes.label}, {'sessions'});
 %! assert (strncmp (notes.text, 'sessions differ by 2.0 times', 28));
