@@ -13,9 +13,9 @@
 %             scatter (logical: sd holds the scatter of the trials), role, tol,
 %             isAbsolute, each (1 x n, the trials), shared (part of sd that the
 %             sessions make), days and the freedoms of varianceComponents,
-%             sessions (cell), changed (1 x C struct value, sd, trials, scatter,
-%             shared, days, freedoms, scatterRatio, scatterP, swept of each other
-%             condition; value NaN: not measured)
+%             sessions (1 x n cell, of the trials), changed (1 x C struct value, sd,
+%             trials, scatter, shared, days, freedoms, scatterRatio, scatterP, swept,
+%             each, sessions of each other condition; value NaN: not measured)
 %   FAULTS    1 x p faults, see checkFault; reasons: measuredRepeats
 %             measuredCondition
 %   CONDITIONS  1 x C cell, names of the conditions but for the reference, of
@@ -23,10 +23,10 @@
 %   SESSIONS  struct: given (logical: LIST has sessions), ratio (standard deviation
 %             between sessions over that of a trial within one, of levels; 0 where
 %             none are given), df (how many contrasts between sessions told it; 0:
-%             it is what other rigs show), known (logical: measured.csv says what sessions bring), drifts
-%             (1 x D struct of what drifts within a session, []: session, name,
-%             slope (per order, in its unit, of a curve a share), p, oneWay: cell of
-%             conditions, see withoutDrift)
+%             it is what other rigs show), known (logical: measured.csv says what
+%             sessions bring), drifts (1 x D struct of what drifts within a session,
+%             []: session, name, slope (per order, in its unit, of a curve a share),
+%             p, oneWay: cell of conditions, see withoutDrift)
 %
 % Lines with the same model, name, series and at are repeated trials. What they
 % say together, and how well, is that of varianceComponents; sd is the 68 %
@@ -131,7 +131,7 @@ function [groups, p] = withConditions (groups, keys, others, means)
   none = struct ('value', NaN, 'sd', 0, 'trials', 1, 'scatter', false, ...
                  'shared', 0, 'days', [], 'freedom', Inf, 'commonFreedom', Inf, ...
                  'sessionFreedom', Inf, 'scatterRatio', NaN, 'scatterP', NaN, ...
-                 'swept', false);
+                 'swept', false, 'each', zeros (1, 0), 'sessions', {{}});
   [groups.changed] = deal (repmat (none, 1, numel (others)));
   for c = 1:numel (others)
     for trials = byQuantity (others{c})
@@ -253,7 +253,7 @@ end
 %! [g, ~, ~, sessions] = groupMeasured (list, {'A'});
 %! % days that both share tell once
 %! assert (sessions.df, 1);
-%! assert ({g.value, g.sessions}, {3.5, {'mon', 'tue'}}, 1e-12);
+%! assert ({g.value, g.sessions}, {3.5, {'mon', 'mon', 'tue', 'tue'}}, 1e-12);
 %! assert (g.shared > 0.8 * g.sd && g.shared < g.sd);
 %! assert (isempty (sessions.drifts));
 %! % of the same days the difference is free

@@ -70,13 +70,21 @@ function verdict = judged (evidence, hypotheses)
                                'for a cause with p = %.2f'], evidence.gate.p);
   elseif verdict.unlisted >= hypotheses.options.misfitAt
     verdict.kind = 'none of the listed';
-    verdict.reason = sprintf (['there is a gap (p = %.3f) that no listed ' ...
-                               'effect explains'], evidence.gate.p);
+    verdict.reason = sprintf (['there is a gap (p %s) that no listed effect ' ...
+                               'explains'], saidP (evidence.gate.p));
   elseif isempty (hypotheses.names)
-    verdict.reason = sprintf (['there is a gap (p = %.3f), and no effect ' ...
-                               'that has runs could explain it'], evidence.gate.p);
+    verdict.reason = sprintf (['there is a gap (p %s), and no effect that has ' ...
+                               'runs could explain it'], saidP (evidence.gate.p));
   else
     verdict = nameCause (verdict, evidence, hypotheses);
+  end
+end
+
+% Nothing is sure: never 0.000.
+function text = saidP (p)
+  text = sprintf ('= %.3f', p);
+  if p < 0.001
+    text = '< 0.001';
   end
 end
 

@@ -18,8 +18,8 @@ function text = madeByText (gap, cause)
     return
   end
   list = jsonList (gap, {'which', 'cause'});
-  silent = {'oneNumber', 'fewNumbers', 'manyKinds', 'open', 'faint'};
-  if isempty (list) || any (strcmp (cause.code, silent))
+  speaks = {'named', 'alike', 'likely', 'several', 'sameKind', 'kind', 'atEnd'};
+  if isempty (list) || ~any (strcmp (cause.code, speaks))
     return
   end
   p = cellfun (@(c) c.probability, list);

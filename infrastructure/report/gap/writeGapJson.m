@@ -112,12 +112,13 @@ function [v, conditions] = writeGapJson (diagnosis, Case)
   % no result is lost to a sentence
   write (out);
   gap = jsondecode (jsonencode (out));
-  if isempty (gap.howFar.effect)         % none of an earlier diagnosis stays
+  [out, v, conditions] = withVerdict (withAmounts (out, diagnosis), diagnosis, Case);
+  if isempty (gap.howFar.effect) || isempty (v.cause.names)
+    % none of an earlier diagnosis stays
     [~, ~] = unlink (fullfile (folder, 'calibrated.head'));
   else
     writeHeadOf (gap, Case);
   end
-  [out, v, conditions] = withVerdict (withAmounts (out, diagnosis), diagnosis, Case);
   write (out);
 end
 
@@ -316,8 +317,11 @@ function out = withAmounts (out, diagnosis)
     s = out.which.strength.(name);
     e = diagnosis.problem.effects(strcmp ({diagnosis.problem.effects.name}, strength.name));
     if columns (strength.values) == 1
-      [s.text, s.amount] = effectText (s.label, s.unit, cell2mat (struct2cell (s.variables)));
-      if strcmp (strength.says, 'least')
+      isLeast = strcmp (strength.says, 'least');
+      isEnd = any (abs (strength.interval90 - farEnd (strength)) < 1e-6);
+      [s.text, s.amount] = effectText (s.label, s.unit, cell2mat (struct2cell (s.variables)), ...
+                                       isEnd && ~isLeast);
+      if isLeast
         s.text = sentence ('strength.least', struct ('amount', s.text));
         s.amount = sentence ('strength.least', struct ('amount', s.amount));
       end
@@ -335,7 +339,7 @@ end
 % reaches the end, and it is near it or its density rises towards it.
 function text = atEnd (e, s, strength)
   text = '';
-  far = strength.range(1 + (strength.value > 0));
+  far = farEnd (strength);
   share = strength.value / far;
   isPiled = share >= 0.75 && share >= mean (strength.interval90) / far;
   if isempty (e) || ~(share >= 0.9 || isPiled) || ...
@@ -343,6 +347,10 @@ function text = atEnd (e, s, strength)
     return
   end
   text = amountOf (e, s, far);
+end
+
+function far = farEnd (strength)
+  far = strength.range(1 + (strength.value > 0));
 end
 
 % The strength in its unit that would be seen in 8 of 10 cases (screenEffects).

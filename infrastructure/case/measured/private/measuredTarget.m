@@ -42,7 +42,7 @@ function [g, p] = measuredTarget (trials, means)
   g.each = [trials.value];
   g.mixed = any ([trials.sd] > 0) && ~all ([trials.sd] > 0);
   g.trials = countOf (trials, weight);
-  g.sessions = unique ({trials.session});
+  g.sessions = {trials.session};
   own = means(trials(1).mean);
   for name = {'value', 'sd', 'shared', 'days', 'freedom', 'commonFreedom', ...
               'sessionFreedom', 'scatterRatio', 'scatterP', 'swept'}
@@ -117,7 +117,7 @@ function g = withCommon (g, trials)
   own = [trials(isShared).sd];
   if isscalar (trials) || ~any (own > 0)
     return
-  elseif weighsEach (trials) && ~isscalar (g.sessions)
+  elseif weighsEach (trials) && ~isscalar (unique (g.sessions))
     return                               % readingLines has weighed them
   elseif weighsEach (trials)
     [g.value, g.sd, between] = weightedMean (valuesOf (trials), own);

@@ -65,7 +65,7 @@ function text = doubtOf (part, next)
   end
 end
 
-% Over 100 %: less is left than noise alone makes.
+% Over 100 %: less is left than noise and the error of the simulations make.
 function share = percentOf (part)
   share = min (round (100 * jsonAt (part, {'closure'})), 100);
 end

@@ -7,7 +7,7 @@
 %         for a gap, which is no change
 %
 % The three largest changes over their noise are said, the points of a curve as
-% one: in shares of the reference. What was measured as a logarithm is said as what it
+% one: in shares of the reference, angles in their unit. What was measured as a logarithm is said as what it
 % stands for: 83 % less, not 1.76 less. Noise: that of both measurements
 % (changeOfReadings), as in the table Before and after; an amount ends where it begins.
 
@@ -87,12 +87,16 @@ function text = pointText (T, times)
   % one digit more, or their difference would be another one
   values.from = digits ('plain', from, sd / 10);
   values.to = digits ('plain', to, sd / 10);
+  shown = str2double (values.to) - str2double (values.from);
   if isLog (T)
     [values.amount, values.way] = ratioText (exp (to - from), values.way);
     values.from = ['ln ', values.from];
   else
     unit = regexprep (char (jsonAt (T, {'shown', 'unit'})), '^-$', '');
-    values.amount = strtrim ([digits('change', abs (to - from), sd), ' ', unit]);
+    if ~(abs (shown - (to - from)) < 0.1 * sd)
+      shown = to - from;
+    end
+    values.amount = strtrim ([digits('change', abs (shown), sd), ' ', unit]);
   end
   text = sentence ('change.point', values);
 end
@@ -121,11 +125,27 @@ function share = relativeChange (T)
   end
 end
 
-% Where all points go one way, by what share; else how many go which way.
+% Of a curve whose points are measured under names of their own, these.
+function name = nameOf (name, changed)
+  names = cellfun (@(T) T.name, changed, 'UniformOutput', false);
+  if numel (names) > 1 && ~any (cellfun (@(text) any (text == '@'), names))
+    names = sort (names);
+    name = [names{1}, ' to ', names{end}];
+  end
+end
+
+% Where all points go one way, by what share, of an angle by what; else how many go
+% which way.
 function text = curveText (name, changed, many, times)
-  share = 100 * cellfun (@relativeChange, changed);
+  [share, unit] = deal (100 * cellfun (@relativeChange, changed), '%');
+  if strcmp (kindOf (changed{1}), 'angle') && ~isLog (changed{1})
+    unit = jsonAt (changed{1}, {'shown', 'unit'});
+    share = cellfun (@(T) T.measured - T.reference, changed) / ...
+            jsonNumber (changed{1}, {'shown', 'factor'}, 1);
+  end
   values = valuesOf (changed{1}, times, sum (share) > 0);
-  [values.name, values.n, values.of] = deal (name, numel (changed), many);
+  [values.name, values.n, values.of, values.unit] = deal (nameOf (name, changed), ...
+                                                          numel (changed), many, unit);
   code = 'curve';
   if all (share > 0) || all (share < 0)
     code = 'curveOneWay';
@@ -133,22 +153,27 @@ function text = curveText (name, changed, many, times)
       code = 'curveOnePlace';
     end
     share = sort (abs (share));
-    [values.least, values.share, values.most] = deal (round (share(1)), ...
-                                                      round (median (share)), ...
-                                                      round (share(end)));
+    said = @(x) merge (x >= 10, sprintf ('%.0f', x), sprintf ('%.2g', x));
+    [values.least, values.share, values.most] = deal (said (share(1)), ...
+                                                      said (median (share)), ...
+                                                      said (share(end)));
   end
   text = sentence (['change.', code], values);
 end
 
 % 'steeper' of an angle, 'less' of a mass: by the kind of the result.
 function values = valuesOf (T, times, isMore)
-  kind = regexprep (char (jsonAt (T, {'kind'})), '^(angle|coneAngle).*', 'angle');
+  kind = kindOf (T);
   if ~any (strcmp (kind, {'angle', 'mass', 'rate', 'time', 'height', 'density'}))
     kind = 'other';
   end
   way = ['way.', merge(isMore, 'more', 'less'), '.', kind];
   values = struct ('name', T.name, 'way', sentence (way), ...
                    'times', timesText (times));
+end
+
+function kind = kindOf (T)
+  kind = regexprep (char (jsonAt (T, {'kind'})), '^(angle|coneAngle).*', 'angle');
 end
 
 function text = timesText (x)
@@ -217,13 +242,13 @@ end
 %! gap = changed (4, names, 'discharge');
 %! [gap.reference.targets.kind] = deal ('logRatio');
 %! [gap.reference.targets.measured] = deal (30 + log (1.5));
-%! assert (! isempty (strfind (firstLine (gap), 'discharge 50 % more at 4 of 4 places')));
+%! assert (! isempty (strfind (firstLine (gap), 'a to d 50 % more at 4 of 4 places')));
 %!test
-%! % a curve is one thing, said in shares
+%! % a curve is one thing, said in shares; an angle in its unit
 %! gap = changed (4, names, 'discharge');
 %! [gap.reference.targets.measured] = deal (10, 12, 15, 15);
 %! text = firstLine (gap);
-%! assert (! isempty (strfind (text, 'discharge 55 % flatter at 4 of 4 places (50 to 67 %)')), ...
+%! assert (! isempty (strfind (text, 'a to d 16 deg flatter at 4 of 4 places (15 to 20 deg)')), ...
 %!         text);
 %! % no place alone, but all together
 %! together = gap;
@@ -234,6 +259,6 @@ end
 %! together.which.p = 0.3;
 %! assert (! isempty (strfind (firstLine (together), 'at 1 of 4 places, ')));
 %! gap.reference.targets(1).measured = 50;
-%! assert (! isempty (strfind (firstLine (gap), 'discharge at 4 of 4 places')));
+%! assert (! isempty (strfind (firstLine (gap), 'a to d at 4 of 4 places')));
 
 % SPDX-License-Identifier: GPL-3.0-only

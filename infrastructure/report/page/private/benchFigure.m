@@ -59,9 +59,14 @@ function r = oneRow (page, m)
   [unit, measured, simulated] = deal (m.allowed, m.measured, m.simulated);
   cure = jsonAt (page.sources.gap, {'howFar', 'targets'});
   cure = cure(targetAt (cure, m));
+  own = [];
+  if ~isempty (t)
+    own = Case.targets(t);
+  end
   if ~r.isAllowed && ~isempty (cure)
     measured = jsonAt (cure, {'measured'});
-    [unit, simulated] = deal (cure.sd, cure.before);
+    [unit, simulated] = deal (jsonNumber (cure, {'sdBefore'}, cure.sd), cure.before);
+    own = changedOf (page, own);
   end
   if isempty (measured) || ~(unit > 0)
     r = [];
@@ -80,9 +85,16 @@ function r = oneRow (page, m)
                                                givenField (cell_, 'factor', 1), shown)));
   if ~isempty (t)
     r.reach = (page.reach(t, :) - measured) / unit;
-    if isfield (Case.targets, 'each')
-      r.trials = (Case.targets(t).each - measured) / unit;
-    end
+    r.trials = (givenField (own, 'each', zeros (1, 0)) - measured) / unit;
+  end
+end
+
+% A target as it was measured in the new state of which is told.
+function own = changedOf (page, own)
+  now = char (jsonAt (page.sources.gap, {'reference', 'condition'}));
+  c = find (strcmp (givenField (page.Case, 'conditions', {}), now), 1);
+  if ~isempty (own) && ~isempty (c)
+    own = own.changed(c);
   end
 end
 

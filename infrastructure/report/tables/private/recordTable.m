@@ -9,7 +9,7 @@
 function T = recordTable (page)
   T = newTable (page, 'record', 'Record of this result', ...
                 {'matter', '', ''; 'what is known', '', 'words'}, ...
-                [digests(page), measured(page.Case), rivals(page.sources.gap), ...
+                [digests(page), measured(page.Case), rivals(page), ...
                  {{'what was not shown', notShown(page)}}]);
 end
 
@@ -39,26 +39,47 @@ function list = measured (Case)
   words = measuredRemarks (Case.folder);
   list = repmat ({{'measured', strjoin(words, '; ')}}, 1, ~isempty (words));
   for T = Case.targets
-    n = numel (givenField (T, 'each', []));
-    sessions = cellstr (givenField (T, 'sessions', {}))(:)';
-    sessions = sessions(~cellfun (@isempty, sessions));
-    counts = eachOf (@(s) sprintf ('%s %d', s, sum (strcmp (sessions, s))), ...
-                     unique (sessions));
-    text = [sprintf('%d trials', n), ...
-            repmat(['; by session: ', strjoin(counts, ', ')], 1, ~isempty (counts))];
-    list = [list, repmat({{['trials of ', T.name], text}}, 1, n > 0 || ~isempty (counts))];
+    list = [list, trialsOf(['trials of ', T.name], T)];
+    for c = 1:numel (givenField (T, 'changed', []))
+      list = [list, trialsOf(sprintf ('trials of %s, %s', T.name, Case.conditions{c}), ...
+                             T.changed(c))];
+    end
   end
 end
 
-function list = rivals (gap)
+function list = trialsOf (label, T)
   list = {};
+  n = numel (givenField (T, 'each', []));
+  if n == 0
+    return
+  end
+  text = countText (n, 'trial');
+  sessions = cellstr (givenField (T, 'sessions', {}))(:)';
+  sessions = sessions(~cellfun (@isempty, sessions));
+  if ~isempty (sessions)
+    counts = eachOf (@(s) sprintf ('%s %d', s, sum (strcmp (sessions, s))), ...
+                     unique (sessions));
+    text = [text, '; by session: ', strjoin(counts, ', ')];
+  end
+  list = {{label, text}};
+end
+
+% None where so few numbers were measured that no cause is weighed.
+function list = rivals (page)
+  list = {};
+  gap = page.sources.gap;
+  if any (strcmp (jsonAt (page.verdict, {'cause', 'code'}), {'oneNumber', 'fewNumbers'}))
+    return
+  end
   which = jsonAt (gap, {'which'});
   posterior = givenField (givenField (which, 'said', which), 'posterior', struct ());
-  listed = [namesIn(jsonAt (gap, {'which'}), 'effects'), {'null', 'unlisted'}];
+  listed = [namesIn(page.verdict.cause, 'names'), {'null', 'unlisted'}];
   tests = jsonList (gap, {'next'});
+  isEnough = cellfun (@(t) any (jsonAt (t, {'gain'}) >= gap.thresholds.adviseAt), tests);
+  tests = tests(isEnough);
   for name = setdiff (fieldnames (posterior)', listed, 'stable')
     p = posterior.(name{1});
-    parts = tests(cellfun (@(t) any (strcmp (name{1}, namesIn (t, 'between'))), tests));
+    parts = tests(cellfun (@(t) any (strcmp (name{1}, partsOf (t))), tests));
     text = 'no measurement that was considered decides between them';
     if ~isempty (parts)
       text = ['told apart by: ', parts{1}.test];
@@ -68,11 +89,17 @@ function list = rivals (gap)
   end
 end
 
+% Of what a test decides between, each cause alone.
+function names = partsOf (test)
+  names = strsplit (strjoin (namesIn (test, 'between'), ' + '), ' + ');
+end
+
 function text = notShown (page)
   c = page.sources.calibration;
   gap = page.sources.gap;
   misses = page.verdict.misses;
   cause = jsonAt (gap, {'howFar', 'effect'});
+  isTried = ~isempty (cause) && ~isempty (jsonAt (page.verdict, {'cause', 'closed'}));
   isProved = isequal (jsonAt (gap, {'howFar', 'verifiedByDEM'}), true);
   isOpen = isnan ([misses.met]) & [misses.runs] > 0;
   parts = [listSentences({'record.open', {misses(isOpen).name}; ...
@@ -81,14 +108,16 @@ function text = notShown (page)
                           'record.unseen', ...
                           plainName(namesIn (page.verdict.cause, 'cannotSee'))}), ...
            repmat({sentence('table.noRun')}, 1, isequal (jsonAt (c, {'runs'}), 0)), ...
-           listSentences({'record.surfaces', repmat({cause}, 1, ~isempty (cause) && ~isProved)})];
+           listSentences({'record.surfaces', repmat({cause}, 1, isTried && ~isProved)})];
   text = strjoin ([parts, repmat({'-'}, 1, isempty (parts))], ' ');
 end
 
 %!test
 %! page = situationPage ('missed, several');
 %! page.sources.gap.next.between = {'drag', 'cohesion'};
-%! page.sources.gap.which.effects = {'cohesion'};
+%! page.sources.gap.next.gain = 1;
+%! page.sources.gap.thresholds.adviseAt = 0.2;
+%! page.verdict.cause.names = {'cohesion'};
 %! page.runs = struct ('model', 'M', 'name', '1', 'seed', 7, 'status', 'ok', ...
 %!                     'params', [1, 2], 'results', 3);
 %! T = recordTable (page);
