@@ -79,7 +79,11 @@ function numbers = keyNumbers (v, c)
   list = valueTexts (v, c);
   if ~isempty (v.misses) && (isempty (v.change) || ~isempty (c))
     % of a change alone it is said first, see firstLine
-    list = [list; missTexts(v.misses(headline (v.misses, v.worst)))];
+    texts = missTexts (v.misses(headline (v.misses, v.worst)));
+    if ~isempty (v.change)
+      texts{1} = ['at the reference, ', texts{1}];
+    end
+    list = [list; texts];
   end
   if v.of > 0
     list = [list; metTargets(v, c)];

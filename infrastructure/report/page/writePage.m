@@ -152,10 +152,21 @@ function html = picture (page, width)
   html = '';
   [f, key] = benchFigure (page, page.verdict.worst);
   if ~isempty (f)
-    f.title = ['Most of the deviation: ', f.title];
+    lead = 'Most of the deviation: ';
+    if ~isempty (givenField (page.verdict, 'change', '')) && isOfReference (page)
+      lead = 'The reference, after the calibration: ';
+    end
+    f.title = [lead, f.title];
     f.size(1) = width;
     html = [htmlFigures(f, {}, 'one'), htmlKey(key)];
   end
+end
+
+% In tolerances stands what was calibrated, in its noise what has changed (benchFigure).
+function yes = isOfReference (page)
+  misses = page.verdict.misses;
+  misses = misses(strcmp ({misses.model}, page.verdict.worst));
+  yes = any ([misses.allowed] > 0);
 end
 
 function html = measuredBy (folder)

@@ -19,7 +19,9 @@ function list = digests (page)
     result = page.sources.gap;
   end
   parts = givenField (jsonAt (result, {'input'}), 'digest', struct ());
-  texts = eachOf (@(n) [n, ' ', char(parts.(n))], fieldnames (parts));
+  % models that run the same program have its digest once each
+  once = @(text) strjoin (unique (strsplit (char (text), ' ')), ' ');
+  texts = eachOf (@(n) [n, ' ', once(parts.(n))], fieldnames (parts));
   texts = texts(~cellfun (@isempty, struct2cell (parts)'));
   list = repmat ({{'digest of the input', strjoin(texts, ', ')}}, 1, ~isempty (texts));
   for one = jsonList (result, {'input', 'models'})
