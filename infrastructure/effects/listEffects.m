@@ -52,6 +52,13 @@ function list = ofTable (file)
             'infrastructure/effects/effects.csv of the toolbox as a pattern.'], ...
            file, strjoin (needed, ', '), strjoin (fieldnames (rows)', ', '));
   end
+  [~, first] = unique ({rows.name}, 'first');
+  twice = setdiff (1:numel (rows), first);
+  if ~isempty (twice)
+    error ('DEcalioc:listEffects:badTable', ...
+           'listEffects: %s must name each effect once, got %s twice. Take one out.', ...
+           file, rows(twice(1)).name);
+  end
   for k = 1:numel (rows)
     list(k) = struct ('name', rows(k).name, 'file', file, 'row', rows(k));
   end
@@ -75,6 +82,9 @@ end
 %! assert ({from('cohesion'), from('bounce'), from('tilt')}, {file, table, table});
 %! writeAtomic (table, "name,limits\nx,1\n");
 %! fail ('listEffects (folder)', 'must have the columns name, variables');
+%! writeAtomic (table, ["name,variables,neutral,weakest,strongest\n", ...
+%!                      "x,e,1,0.5,2\nx,t,0,0,9\n"]);
+%! fail ('listEffects (folder)', 'got x twice');
 %! delete (file);
 %! delete (table);
 %! rmdir (folder);

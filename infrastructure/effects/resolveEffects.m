@@ -95,13 +95,19 @@ function [p, entry] = checkEntry (entry, field, names)
     entry = [];
     return
   end
-  known = {'name', 'variables', 'neutral', 'limits', 'label', 'unit', ...
-           'saysName', 'group', 'laboratory', 'question', 'priorScale', 'benches', ...
-           'confusedWith', 'kinds', 'transform', 'source'};
+  known = {'name', 'variables', 'neutral', 'limits', 'saysName', 'laboratory', 'transform'};
   change = {'canChange', 'effectCanChange', '''yes'', ''unlikely'' or ''no''', ...
             @(v) any (strcmp (v, {'yes', 'unlikely', 'no'})), 'other', ...
             false, 'Say whether it can differ from the reference.'};
-  p = [checkFields(entry, field, known, change), ...
+  isText = @(v) ischar (v) && rows (v) <= 1;
+  texts = {'label', 'unit', 'group', 'question', 'source'}';
+  rule = @(names, expected, isGood) [names, repmat({'badEffects', expected, isGood, ...
+                                                    'other', false, ''}, numel (names), 1)];
+  rules = [change; rule(texts, 'a text', isText); ...
+           rule({'benches'; 'confusedWith'; 'kinds'}, 'a cell of texts', @iscellstr); ...
+           rule({'priorScale'}, 'positive numbers, one a variable', ...
+                @(v) isnumeric (v) && isreal (v) && all (v > 0))];
+  p = [checkFields(entry, field, known, rules), ...
        checkEffectName(entry.name, [field, '.name'], names)];
   if ~isKind ('name', entry.name)
     entry = [];
@@ -218,6 +224,9 @@ end
 %!assert (idsOf ('tlt'), {'unknownEffect'})
 %!assert (idsOf (setfield (e, 'canChange', 'maybe')), {'effectCanChange'})
 %!assert (idsOf (setfield (e, 'name', 'unlisted')), {'reservedName'})
+%!assert (idsOf (setfield (e, 'unit', 5)), {'badEffects'})
+%!assert (idsOf (setfield (e, 'priorScale', -3)), {'badEffects'})
+%!assert (idsOf (setfield (e, 'kinds', 'mass')), {'badEffects'})
 %!assert (idsOf (e, {}, struct (), {'k'}), {'overwrittenVariable'})
 %!assert (idsOf (e, {}, struct ('k', 3), {}), {'overwrittenVariable'})
 %!assert (idsOf ([e, e]), {'duplicateEffect', 'duplicateEffectVariable'})

@@ -33,6 +33,7 @@ function Case = withEffects (Case, list)
     Case.effectVars = [Case.effectVars, effect.variables(:)'];
   end
   stopAt (checkModelsHave (Case));
+  stopAt (checkTransforms (Case));
   [Case, Case.origin] = withOrigin (Case);
 end
 
@@ -74,7 +75,39 @@ function p = checkModelsHave (Case)
     if ~isempty (found) && any (strcmp (effect.name, library))
       found = found(~strcmp ({found.id}, 'DEcalioc:checkCase:unknownVariable'));
     end
-    p = [p, found];
+    p = [p, found, checkNeutral(effect, models, Case.modelVars)];
+  end
+end
+
+% Calibrated is with what data.head says, compared with what is neutral.
+function p = checkNeutral (effect, models, modelVars)
+  p = checkFault ();
+  for k = 1:numel (models)
+    for j = 1:numel (effect.variables)
+      name = effect.variables{j};
+      own = str2double ({models(k).head(strcmp ({models(k).head.name}, name)).value});
+      if isempty (own) || isfield (modelVars, name) || isnan (own(end)) || ...
+         abs (own(end) - effect.neutral(j)) <= 1e-9 * abs (own(end))
+        continue
+      end
+      p = checkFault ('overwrittenVariable', ['effects, ', effect.name, ', neutral'], ...
+                      sprintf ('%s as data.head of %s has it: %.15g', name, ...
+                               models(k).name, own(end)), ...
+                      sprintf ('%.15g', effect.neutral(j)), ...
+                      ['At neutral the model is the one that is calibrated: make both ' ...
+                       'alike.']);
+    end
+  end
+end
+
+function p = checkTransforms (Case)
+  p = checkFault ();
+  if isempty (Case.effects) || isempty (givenField (Case, 'targets', []))
+    return
+  end
+  info = targetInfo (Case);
+  for effect = Case.effects([Case.effects.laboratory])
+    p = [p, transformFaults(effect, info)];
   end
 end
 
@@ -100,6 +133,12 @@ end
 %! Case.conditions = {'moist'};
 %! Case = withEffects (Case, list);
 %! assert ({Case.effects.name, Case.unchanged{:}}, {'gain', 'tilt'});
+%!error <expected e as data.head of Second has it: 0, got 0.5>
+%! withOwn (["struct('name', 'own', 'variables', {{'e'}}, 'neutral', 0.5, ", ...
+%!           "'limits', [0.6; 1])"]);
+%!error id=DEcalioc:checkCase:effectTransform
+%! withOwn (["struct('name', 'own', 'laboratory', true, 'neutral', 0, 'limits', ", ...
+%!           "[0; 1], 'kinds', {{'mass'}}, 'transform', @(Z, s) Z)"]);
 %!error id=DEcalioc:withEffects:brokenEffects withOwn ('nope')
 %!error id=DEcalioc:withEffects:brokenEffects withOwn ("{'gain', ")
 %!error id=DEcalioc:checkCase:unknownVariable

@@ -145,7 +145,8 @@ function text = otherVariables (job, folder, Case, model)
   end
   then = headDefaults (fullfile (folder, 'data.head'));
   now = runVariables (job, Case);
-  text = 'it was made with another LIGGGHTS than the one that is found now';
+  text = ['it was made with another LIGGGHTS than the one that is found now, or ' ...
+          'with a file that its scripts name and that is gone'];
   outside = namedFiles (model.folder, folder);
   if ~isempty (outside)
     text = sprintf (['it was made with another form of what the scripts ' ...

@@ -39,6 +39,13 @@ function [list, p] = readConditions (raw, models, which)
                              'Take one of the two out.');
     return
   end
+  folder = canonicalize_file_name (tilde_expand (reference));
+  if isequal (folder, canonicalize_file_name (raw.folder))
+    p(end + 1) = checkFault ('measuredCondition', 'Input.reference', ...
+                             'the folder of another case', describeValue (reference), ...
+                             'A case is no reference of its own.');
+    return
+  end
   [before, q] = readChecked (tilde_expand (reference), models, own, ...
                              fullfile (reference, 'measured.csv'));
   p = [p, q];
@@ -166,6 +173,8 @@ end
 %! writeAtomic (test, "name,value\na,1\n");
 %! before = emptyFolder ();
 %! writeAtomic (fullfile (before, 'measured.csv'), "name,value\na,1x\n");
+%! raw.Input.reference = folder;
+%! assert (starts (raw, 'Input.reference in loadInput.m: expected the folder of another'), first (raw));
 %! raw.Input.reference = before;
 %! assert (starts (raw, fullfile (before, 'measured.csv, line 2, value: ')));
 

@@ -216,8 +216,8 @@ function [tol, isAbsolute, p] = toleranceOf (row, where)
     return
   end
   plain = regexprep (text, ['^(\+/?-|', char([194, 177]), ')\s*'], '');
-  words = regexp (plain, '^([-+.,\deE]+?)\s*(%|abs|[^\s\d%.,][^\s%]*|)$', ...
-                  'tokens', 'once');
+  words = regexp (plain, ['^([-+.,\d]+(?:[eE][-+]?\d+)?)\s*' ...
+                          '(%|abs|[^\s\d%.,][^\s%]*|)$'], 'tokens', 'once');
   if ~isempty (words)
     [factor, hasUnit] = factorOf (words{2}, row.unit);
     tol = factor * str2double (strrep (words{1}, ',', '.'));

@@ -41,6 +41,12 @@ function p = checkEffectNumbers (effect, field)
                              'and strongest plausible values'], v), ...
                     isLimits, 'other', true, ...
                     'Set the two rows, one column a variable.'});
+  if isempty (p) && isReversed (effect)
+    p = checkFault ('effectLimits', [field, '.limits'], ...
+                    'a strongest value (row 2) further from neutral than the weakest', ...
+                    describeValue (effect.limits(:)), ...
+                    'Exchange the rows, or set neutral to what switches the effect off.');
+  end
   if isfield (effect, 'limits') && isLimits (effect.limits) && ...
       all (effect.limits(1, :) == effect.limits(2, :))
     p(end + 1) = checkFault ('effectLimits', [field, '.limits'], ...
@@ -48,6 +54,14 @@ function p = checkEffectNumbers (effect, field)
                              describeValue (effect.limits(:)), ...
                              'Set the strongest plausible value in row 2.');
   end
+end
+
+% Where neutral lies between them, either way is strong.
+function yes = isReversed (effect)
+  far = abs (effect.limits - effect.neutral);
+  isBetween = min (effect.limits, [], 1) < effect.neutral & ...
+              effect.neutral < max (effect.limits, [], 1);
+  yes = any (far(1, :) > far(2, :) & ~isBetween);
 end
 
 function p = checkReserved (names, field)
@@ -88,6 +102,7 @@ end
 %!assert (isempty (checkEffectNumbers (e, 'effects(1)')))
 %!assert (idOf (setfield (e, 'neutral', 0)), 'neutralShape')
 %!assert (idOf (setfield (e, 'limits', [1, 2; 1, 2])), 'effectLimits')
+%!assert (idOf (setfield (e, 'limits', [5, 0.5; 0, 1])), 'effectLimits')
 %!assert (idOf (setfield (e, 'variables', {'a', 'value'})), 'reservedName')
 %!assert (idOf (struct ('variables', 'a')), 'effectVariables')
 %!test

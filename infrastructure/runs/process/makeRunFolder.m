@@ -13,6 +13,12 @@ function done = makeRunFolder (folder)
   [made, why] = mkdir (folder);
   done = made && isempty (why);
   if ~made && ~isfolder (folder)
+    inTheWay = fileAbove (folder);
+    if ~isempty (inTheWay)
+      error ('DEcalioc:makeRunFolder:cannotWrite', ...
+             ['makeRunFolder: %s must be a folder, got a file. Move it away and start ' ...
+              'again.'], inTheWay);
+    end
     error ('DEcalioc:makeRunFolder:cannotWrite', ...
            ['makeRunFolder: %s must be writable, got: %s. Free some space ' ...
             'or correct the permissions and start again; finished runs are ' ...
@@ -20,10 +26,26 @@ function done = makeRunFolder (folder)
   end
 end
 
+% '' where no file stands in the place of a folder.
+function file = fileAbove (folder)
+  file = folder;
+  while ~isempty (file) && ~isfile (file) && ~strcmp (file, fileparts (file))
+    file = fileparts (file);
+  end
+  if ~isfile (file)
+    file = '';
+  end
+end
+
 %!test
 %! folder = fullfile (tempname (), 'optim', 'M', '0001');
 %! assert (makeRunFolder (folder));
 %! assert (! makeRunFolder (folder));
+%!test
+%! base = emptyFolder ();
+%! writeAtomic (fullfile (base, 'optim'), "x\n");
+%! fail ('makeRunFolder (fullfile (base, ''optim'', ''M'', ''0001''))', ...
+%!       'optim must be a folder, got a file');
 %!error id=DEcalioc:makeRunFolder:cannotWrite
 %! makeRunFolder ('/proc/nowhere/optim/M/0001');
 

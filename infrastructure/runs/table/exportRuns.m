@@ -2,7 +2,8 @@
 %
 % CALL: N = exportRuns (FILE, CASE, DATA)
 %
-%   FILE   path of the table; replaced at once when it is complete
+%   FILE   path of the table; replaced at once when it is complete, and left as it is
+%          where there is nothing to write: it may be all that is left of the runs
 %   CASE   struct with names, effectVars, targets, models, options.seed
 %   DATA   struct X (n x d), E (n x v), Z (n x T), replicate (n x 1); optional
 %          ended (n x M logical, the simulation of that model ran to its end)
@@ -29,7 +30,9 @@ function n = exportRuns (file, Case, data)
     end
   end
   n = numel (lines) - 1;
-  writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
+  if n > 0 || ~isfile (file)
+    writeAtomic (file, [strjoin(lines, "\n"), "\n"]);
+  end
 end
 
 function data = completed (data, Case)
@@ -84,6 +87,14 @@ end
 %! [~, cells] = readCsvTable (file);
 %! assert (cells(4, :), {'Drum', '10037', '3', '4', '5', '', '', ''});
 %! assert (cells{5, 2}, '10039');
+%!test
+%! % a table that is there may be all that is left
+%! none = struct ('X', zeros (0, 2), 'E', zeros (0, 1), 'Z', zeros (0, 3), ...
+%!                'replicate', zeros (0, 1));
+%! file = tempname ();
+%! writeAtomic (file, "kept\n");
+%! assert (exportRuns (file, small (), none), 0);
+%! assert (fileread (file), "kept\n");
 %!error id=DEcalioc:writeAtomic:cannotWrite
 %! data = struct ('X', zeros (0, 2), 'E', zeros (0, 1), 'Z', zeros (0, 3));
 %! data.replicate = zeros (0, 1);

@@ -8,8 +8,8 @@
 % Names are taken in small letters, and mean, quantity, units, tolerance, n for
 % value, name, unit, tol, repeats. "value [deg]" is the unit of all lines, that
 % behind sd, sessionSd or tol goes to their fields. Trials in columns (value 1, trial 2)
-% become lines, as do columns that are named by results and hold numbers alone,
-% and a table on its side is turned. Columns for people (remark ...) are left
+% become lines, each with the unit of its column, as do columns that are named by
+% results and hold numbers alone, and a table on its side is turned. Columns for people (remark ...) are left
 % out. - and n/a are empty.
 
 function [header, cells, lines] = measuredColumns (header, cells, lines, known)
@@ -39,9 +39,21 @@ function [header, cells, lines] = measuredColumns (header, cells, lines, known)
   parts = struct2cell (trialsAsLines (table, known));
   [header, cells, lines, units] = parts{:};
   k = find (strcmp (header, 'value') & ~cellfun (@isempty, units), 1);
-  if ~isempty (k) && ~any (strcmp (header, 'unit'))
+  if ~isempty (k)
+    [header, cells] = withUnit (header, cells, units(k));
+  end
+end
+
+% UNIT, of all lines or of each, where a line has none of its own.
+function [header, cells] = withUnit (header, cells, unit)
+  unit = repmat (unit(:), rows (cells) / numel (unit), 1);
+  k = find (strcmp (header, 'unit'), 1);
+  if isempty (k)
     header{end + 1} = 'unit';
-    cells(:, end + 1) = units(k);
+    cells(:, end + 1) = unit;
+  else
+    isEmpty = cellfun (@isempty, cells(:, k));
+    cells(isEmpty, k) = unit(isEmpty);
   end
 end
 
@@ -86,28 +98,33 @@ function table = trialsAsLines (table, known)
     return
   end
   stay = setdiff (1:numel (header), move);
-  n = rows (cells);
+  isThere = ~cellfun (@isempty, cells(:, move));
+  % a quantity without any value is one that is not measured yet
+  if isempty (names)
+    isThere(:, 1) = isThere(:, 1) | ~any (isThere, 2);
+  else
+    isThere(1, :) = isThere(1, :) | ~any (isThere, 1);
+  end
   parts = cell (numel (move), 1);
   for j = 1:numel (move)
-    added = cell (n, 0);
+    part = [cells(:, stay), cells(:, move(j))];
+    header_ = [header(stay), {'value'}];
     if ~isempty (names)
-      added = repmat ([names(j), units(move(j))], n, 1);
+      part(:, end + 1) = names(j);
+      header_{end + 1} = 'name';
     end
-    keep = ~cellfun (@isempty, cells(:, move(j)));
-    % a quantity without any value is one that is not measured yet
-    keep(end) = keep(end) || (j == 1 && isempty (names));
-    part = [cells(:, stay), cells(:, move(j)), added];
-    parts{j} = part(keep, :);
-    from{j, 1} = table.lines(keep);
+    if ~isempty (names) || ~all (cellfun (@isempty, units(move)))
+      [header_, part] = withUnit (header_, part, units(move(j)));
+    end
+    parts{j} = part(isThere(:, j), :);
+    from{j, 1} = table.lines(isThere(:, j));
   end
   table.cells = vertcat (parts{:});
   table.lines = vertcat (from{:});
-  table.header = [header(stay), {'value'}];
-  table.units = [units(stay), units(move(1))];
-  if ~isempty (names)
-    table.header = [table.header, {'name', 'unit'}];
-    table.units = [table.units, {'', ''}];
-  end
+  table.header = header_;
+  table.units = repmat ({''}, size (header_));
+  [~, at] = ismember (header(stay), header_);
+  table.units(at) = units(stay);
 end
 
 %!function [header, cells, lines] = made (header, varargin)
@@ -127,6 +144,13 @@ end
 %! assert (h, {'name', 'value', 'unit'});
 %! assert (c, {'a', '31', 'deg'; 'b', '5', 'deg'; 'a', '32', 'deg'});
 %! assert (l, [2; 3; 2]);
+%! % each column has its unit; a line may have its own; what is not measured stays
+%! [h, c] = made ({'name', 'value 1 [mm]', 'value 2 [m]'}, {'a', '20', '0.021'}, ...
+%!                {'b', '', ''}, {'c', '1', ''});
+%! assert ({h, c}, {{'name', 'value', 'unit'}, {'a', '20', 'mm'; 'b', '', 'mm'; ...
+%!                                              'c', '1', 'mm'; 'a', '0.021', 'm'}});
+%! [h, c] = made ({'name', 'value [mm]', 'unit'}, {'a', '3', 'kg'}, {'b', '20', ''});
+%! assert ({h, c}, {{'name', 'value', 'unit'}, {'a', '3', 'kg'; 'b', '20', 'mm'}});
 %!test
 %! [h, c] = made ({'model', 'slope [deg]', 'mass'}, {'P', '31', '5'}, ...
 %!                {'P', '32', ''});

@@ -33,7 +33,7 @@ function [names, kinds] = importHeader (header, Case, file)
     if ~isempty (name)
       names{k} = name;
       checkUnit (name, unit, targets, units, file);
-      checkParameter (name, unit, Case.names, file);
+      checkParameter (name, unit, [Case.names, Case.effectVars], file);
     end
   end
   [~, at] = ismember (names, known);
@@ -70,7 +70,8 @@ end
 % '' where TEXT is none of the known names; the unit behind it.
 function [name, unit] = knownName (text, known)
   [name, unit] = deal ('');
-  forms = {'^(.*?)()$', '^(.*?)\s*[[(]([^])]*)[])]$', ...
+  % a unit in brackets first: without its signs "a [%]" would be a
+  forms = {'^(.*?)\s*[[(]([^])]*)[])]$', '^(.*?)()$', ...
            '^(.*?)\s*[/,;]\s*(\S+)$', '^(.*?)\s+in\s+(\S+)$'};
   for form = forms
     parts = regexp (regexprep (text, '\s+', ' '), form{1}, 'tokens', 'once');
@@ -182,11 +183,14 @@ end
 % Limits are in SI; a unit that nobody knows is the user's own.
 function checkParameter (name, given, parameters, file)
   factor = unitFactor (given, 'SI');
+  if strcmp (given, '%')
+    factor = 0.01;
+  end
   if any (strcmp (name, parameters)) && ~isempty (given) && ...
      ~isnan (factor) && abs (factor - 1) > 1e-9
     error ('DEcalioc:importRuns:badValue', ...
-           ['importRuns: parameter %s of %s must be in SI units, as paramLims is, got ' ...
-            '%s. Convert the column; where paramLims is in %s, too, take the unit out ' ...
+           ['importRuns: %s of %s must be in SI units, as its limits are, got %s. ' ...
+            'Convert the column; where its limits are in %s, too, take the unit out ' ...
             'of its name.'], name, file, given, given);
   end
 end
@@ -199,8 +203,10 @@ end
 %!                                 'seed'}, Case, 'f');
 %! assert (names, {'a', 'x', 'm [kg]', 'w', 'note', 'seed'});
 %! assert (kinds, {'parameter', 'result', 'result', 'effect', 'ignored', 'seed'});
-%!error <parameter a of f must be in SI units, as paramLims is, got rpm> ...
+%!error <a of f must be in SI units, as its limits are, got rpm> ...
 %! importHeader ({'a [rpm]', 'x'}, Case, 'f');
+%!error <w of f must be in SI units> importHeader ({'w [mm]', 'x'}, Case, 'f');
+%!error <a of f must be in SI units> importHeader ({'a [%]', 'x'}, Case, 'f');
 %!assert (importHeader ({'a [rad/s]', 'x'}, Case, 'f'), {'a', 'x'})
 %!test
 %! for text = {'X', 'x / mm', 'x/mm', 'x in mm', "x\n[mm]"}

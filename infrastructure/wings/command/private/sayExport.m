@@ -46,6 +46,9 @@ function sayRuns (Case, file)
   end
   n = exportRuns (file, Case, gatherRuns (Case, true));
   printf ('%s  %s\n', countText (n, 'run'), file);
+  if n == 0
+    printf ('        the case has no finished run; a table that is there stays as it is\n');
+  end
 end
 
 function sayMaterial (Case, program, words, others)
@@ -56,8 +59,8 @@ function sayMaterial (Case, program, words, others)
   end
   if isempty (calibration)
     error ('DEcalioc:sayExport:missingFile', ...
-           ['there are no values yet: %s is missing. Calibrate first: decalioc ' ...
-            'run %s'], fullfile (Case.folder, 'results', 'calibration.json'), ...
+           ['there are no values yet: %s is missing, or damaged. Calibrate first: ' ...
+            'decalioc run %s'], fullfile (Case.folder, 'results', 'calibration.json'), ...
            Case.folder);
   end
   isCard = strcmp (program, 'card');

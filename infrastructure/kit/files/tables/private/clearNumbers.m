@@ -37,7 +37,7 @@ function fields = clearNumbers (fields, where, byComma)
 end
 
 function fields = withPoints (fields, where, byComma)
-  tail = '([eE][-+]?\d+)?( ?(%|abs))?';
+  tail = '([eE][-+]?\d+)?( ?(%|abs|[^\s\d.,;:+-][^\s.,;]*))?';    % a unit
   isDecimal = isLike (fields, ['[-+]?\d*(\.\d{3})*,\d*', tail]) & ...
               ~strcmp (fields, ',');
   isThousand = isLike (fields, ['[-+]?[1-9]\d{0,2}(,\d{3})+\.\d*', tail]);
@@ -77,6 +77,8 @@ end
 %!endfunction
 %!assert (clear1 ('0,5', '-1,5e-3', '1.234,5', '1,234', 'a, b', '2,5 %'), ...
 %!        {'0.5', '-1.5e-3', '1234.5', '1.234', 'a, b', '2.5 %'})
+%!assert (clear1 ('12,5 deg', '3,1mm', '0,5 kg/m3', '1,5 a b'), ...
+%!        {'12.5 deg', '3.1mm', '0.5 kg/m3', '1,5 a b'})
 %!assert (clear1 ('1,234.5', '1,234', '12.5'), {'1234.5', '1234', '12.5'})
 %!assert (clear1 ('1 234,5', '12''345.5', '''0.5''', '1.5D-3', 'a''b 1'), ...
 %!        {'1234.5', '12345.5', '0.5', '1.5e-3', 'a''b 1'})

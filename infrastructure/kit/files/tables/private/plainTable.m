@@ -104,8 +104,9 @@ function fields = fieldsOf (line)
 end
 
 function yes = hasNumber (line)
-  yes = ~isempty (regexp (line, ['(^|[\s,;|"])[-+]?(\d+\.?\d*|\.\d+)', ...
-                                 '([eE][-+]?\d+)?($|[\s,;|"])'], 'once'));
+  fields = strtrim (strrep (fieldsOf (line), '"', ''));
+  number = '^[-+]?(\d+[.,]?\d*|[.,]\d+)([eE][-+]?\d+)?$';
+  yes = ~all (cellfun ('isempty', regexp (fields, number, 'once')));
 end
 
 %!assert (plainTable ("# of: sand\n# by: me\na,b\n1,2\n"), "\n\na,b\n1,2\n")
