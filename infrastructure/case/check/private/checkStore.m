@@ -25,6 +25,8 @@ function p = checkStore (store, folder, models, nRuns)
                    all (isOpen(2:end)), 'Input.store', 'storeNotWritable', ...
                    ['Correct its permissions (of a group: ' ...
                     'docs/next-material.md), or set another Input.store.'])];
+  own = [{fullfile(store, 'optim')}, fullfile(folder, {'KrigingFuns', 'results', 'gap'})];
+  own = own(cellfun (@isfile, own));
   if any (folder == pathsep ())
     p = checkFault ('badFolder', ['The case folder ', folder], ...
                     ['a path without a colon, which parts the folders of ' ...
@@ -32,6 +34,9 @@ function p = checkStore (store, folder, models, nRuns)
                     'Rename the folder.');
   elseif ~isempty (p)
     p = p(1);
+  elseif ~isempty (own)
+    p = checkFault ('badStore', own{1}, 'a folder, which DEcalioc makes', 'a file', ...
+                    'Move it away.');
   elseif isKept
     p = checkFault ('storeUmask', 'Input.store', ...
                     'new folders in which its group may write, too', ...
@@ -102,6 +107,10 @@ end
 %!shared none
 %! none = struct ('name', cell (1, 0), 'folder', '');
 %!assert (isempty (checkStore (tempname (), tempdir (), none, 1)))
+%!test
+%! folder = emptyFolder ();
+%! writeAtomic (fullfile (folder, 'KrigingFuns'), "x\n");
+%! assert (checkStore (folder, folder, none, 1).id, 'DEcalioc:checkCase:badStore');
 %!assert (checkStore (tempname (), '/tmp/a:b', none, 1).id, ...
 %!        'DEcalioc:checkCase:badFolder')
 %!test
