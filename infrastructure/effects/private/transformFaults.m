@@ -22,7 +22,9 @@ function p = transformFaults (effect, info)
   end
   isNumbers = @(x) isnumeric (x) && isreal (x) && all (isfinite (x(:)));
   isNear = @(a, b) all (abs (a(:) - b(:)) <= 1e-6 * max (abs ([made(:); Z(:)])));
-  if ~isNumbers ([made, same, bent]) || ~isequal (size (made), size (same), size (Z))
+  if isequal (size (made), size (same), size (Z)) && ~isNumbers ([made, same, bent])
+    p = faultOf (effect, 'what is no finite number');
+  elseif ~isequal (size (made), size (same), size (Z))
     p = faultOf (effect, sprintf ('%s for results of 2 x %d', describeValue (made), ...
                                   columns (Z)));
   elseif ~isNear (same, Z)
