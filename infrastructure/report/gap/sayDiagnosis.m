@@ -69,7 +69,11 @@ function sayPlain (v, found, madeBy, say)
   end
   say (cause.word, cause.class);
   unseen = listSentences ({'cause.unseen', plainName(cause.cannotSee)});
-  lines = {'MISSES  ', cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...
+  where = 'MISSES  ';
+  if ~isempty (cause.change)
+    where = 'WHERE   ';
+  end
+  lines = {where, cause.where; 'CAUSE   ', cause.sentence; '        ', madeBy; ...
            'CLOSED  ', cause.closed; 'NEXT    ', v.action};
   lines = lines(~cellfun (@isempty, lines(:, 2)), :);
   cellfun (say, [strcat({'FOUND   '}, found), strcat(lines(:, 1), lines(:, 2))', ...
