@@ -86,6 +86,7 @@ function [data, rest] = ofTable (Case, problem, say)
   found = keepRows (found, isPlain);
   refuseOutside (found.X, Case, say);
   sayRepeated (found, say);
+  sayLacking (found, problem, say);
   [use, text] = thinRuns (found, problem, 1000);
   found.E = found.E(:, 1:v);
   data = keepRows (found, use);
@@ -96,6 +97,21 @@ function [data, rest] = ofTable (Case, problem, say)
   if ~isempty (ignored)
     say (sprintf ('  WARNING: columns that the case does not know: %s', ...
                   strjoin (ignored(:)', ', ')));
+  end
+end
+
+% Nobody knows why a cell is empty: what is judged by the others alone is said.
+function sayLacking (found, problem, say)
+  isThere = isfinite (found.Z);
+  for t = 1:columns (isThere)
+    isOf = any (isThere(:, problem.bench == problem.bench(t)), 2);
+    lacks = sum (isOf & ~isThere(:, t));
+    if lacks > 0 && any (isThere(:, t))
+      say (sprintf (['  WARNING: %d of %d rows of runs.csv have other results of their ' ...
+                     'model and no %s, which is judged by the other rows alone. Where ' ...
+                     'nothing flowed or moved, write 0'], lacks, sum (isOf), ...
+                    problem.targetNames{t}));
+    end
   end
 end
 
@@ -137,6 +153,13 @@ end
 %! assert (data.X, [1, 2; 3, 4; 7, 2]);
 %! assert (data.stage, {'library'; 'library'; 'import'});
 %! assert (tally.used, 4);
+%!test
+%! % rows that lack one result of their model and have another one
+%! Case = readyCase ();
+%! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
+%!   ["model,a,b,First_1,First_2\nFirst,1,2,3,2\nFirst,2,2,4,\nFirst,3,2,5,\n"]);
+%! text = evalc ('importExisting (Case, newProblem (Case), @disp);');
+%! assert (~isempty (strfind (text, '2 of 3 rows of runs.csv have other results')), text);
 %!test
 %! % more rows than a surrogate holds: a part is taken, and that is said
 %! Case = readyCase ();

@@ -28,7 +28,7 @@ function Case = withoutUnvaried (Case)
   keep = zeros (1, 0);
   found = Case.fixed;
   for j = 1:d
-    [of, c] = followsFrom (X, j, keep);
+    [of, c] = followsFrom (X, j, keep, diff (Case.limits(1:2, j)));
     if isempty (c)
       keep(end + 1) = j;
     else
@@ -47,12 +47,12 @@ end
 
 % Numbers of the parameters (zeros (1, 0): none) and C, the constant and the factors, that
 % give column J in all rows; C is [] where it varies by itself. Those that are next to
-% nothing are of no account.
-function [of, c] = followsFrom (X, j, keep)
+% nothing are of no account. Over half a percent of the WIDTH of its limits it was not varied.
+function [of, c] = followsFrom (X, j, keep, width)
   x = X(:, j);
   [of, c] = deal (zeros (1, 0), []);
   range = max (x) - min (x);
-  if range <= 1e-4 * max (abs (x))
+  if range <= max (1e-4 * max (abs (x)), 5e-3 * width)
     c = median (x);
   elseif ~isempty (keep) && rows (X) > numel (keep) + 2
     K = X(:, keep);

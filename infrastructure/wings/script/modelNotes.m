@@ -85,8 +85,8 @@ function [script, start] = scriptOf (run, folder)
   start = fullfile (folder, regexprep ([place(:)', {''}]{1}, ...
                                        '^["'']|["'']$', ''));
   lines = strsplit (regexprep (run, '\\\n', ' '), "\n");
-  isStart = ~cellfun (@isempty, regexp (lines, 'liggghts|lmp|lammps|launch', ...
-                                        'once'));
+  isStart = ~cellfun (@isempty, regexpi (lines, ['liggghts|lmp|lammps|launch|', ...
+                                                 '\$\{?\w*lig\w*\}?[ \t]'], 'once'));
   names = regexp (lines(isStart), ['(?:\s-in?[ \t]+|<[ \t]*)', word], 'tokens');
   names = [cell(1, 0), names{:}];
   for name = regexprep ([cell(1, 0), names{:}], '^["'']|["'']$', '')

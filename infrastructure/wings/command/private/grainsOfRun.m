@@ -12,10 +12,12 @@
 %           that are looked for too late, each once); overlap, moving (lastGrains)
 
 function g = grainsOfRun (folder)
+  % a script may send its log elsewhere: the one that tells of a run to its end
   text = '';
   for name = {'log.liggghts', 'stdout.txt'}
     file = fullfile (folder, name{1});
-    if isempty (text) && isfile (file)
+    isWhole = ~isempty (regexp (text, '^Loop time of ', 'once', 'lineanchors'));
+    if ~isWhole && isfile (file) && ~isempty (checkReadText (file))
       text = checkReadText (file);
     end
   end
@@ -26,6 +28,9 @@ function g = grainsOfRun (folder)
   if ~isempty (ends)
     [g.made, g.left] = deal (max (ends), ends(end));
   end
+  if g.made == 0                         % in one command run all came and went
+    g.made = insertedIn (text);
+  end
   g = withoutGlued (g, folder, text);
   lines = regexp (text, '^WARNING: ([^\n]*?)\s*(?:\([\w./]+:\d+\))?$', 'tokens', ...
                   'lineanchors', 'dotexceptnewline');
@@ -33,6 +38,17 @@ function g = grainsOfRun (folder)
   isOurs = ~cellfun (@isempty, regexpi (lines, 'insert|lost|dangerous|overlap', 'once'));
   g.warnings = lines(isOurs)(:)';
   [g.overlap, g.moving] = lastGrains (folder, text);
+end
+
+% What its insertions say at last.
+function n = insertedIn (text)
+  said = regexp (text, ['Particle insertion (\S+):[^\n]*\n[^\n]*a total of (\d+) ' ...
+                        'particle'], 'tokens');
+  totals = struct ();
+  for one = said
+    totals.(['x', regexprep(one{1}{1}, '\W', '_')]) = str2double (one{1}{2});
+  end
+  n = sum ([struct2cell(totals){:}, 0]);
 end
 
 % A rig says in output_checks.csv how many grains were filled in; others that its log
@@ -156,6 +172,15 @@ end
 %! before = "Created 185 atoms\n185 atoms in group glued\n  15 atoms\n";
 %! assert (of ([before, pack]).asked, 1100);
 %! assert (isnan (of ([pack, "fix c all insert/pack particles_in_region 5\n"]).asked));
+%!test
+%! % a log that the script sends elsewhere; all lost in one command run
+%! [folder, put] = emptyFolder ();
+%! put ('log.liggghts', "fix a all insert/pack insert_every once particles_in_region 9\nlog b\n");
+%! put ('stdout.txt', ["INFO: Particle insertion a: inserted 7 particle templates (mass 1) ", ...
+%!                     "at step 1\n - a total of 7 particle templates (mass 1) inserted so ", ...
+%!                     "far.\nLoop time of 2 on 1 procs for 9 steps with 0 atoms, f\n"]);
+%! g = grainsOfRun (folder);
+%! assert ([g.made, g.left], [7, 0]);
 %!test
 %! % 69 glued to the plate, 151 of 298 fell off it; a lid that is made later
 %! log = @(more) ["fix a all insert/pack insert_every once particles_in_region 298\n", ...

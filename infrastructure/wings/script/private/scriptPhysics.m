@@ -53,6 +53,7 @@ end
 function commands = withTexts (commands)
   isText = @(w) numel (w) > 3 && strcmp (w{1}, 'variable') && ...
                 any (strcmp (w{3}, {'string', 'index'})) && isnan (str2double (w{4}));
+  commands = withTypes (commands);
   texts = commands(cellfun (isText, commands));
   names = cellfun (@(w) ['${', w{2}, '}'], texts, 'UniformOutput', false);
   for t = texts
@@ -66,6 +67,21 @@ function commands = withTexts (commands)
       parts = num2cell (commands{k});
       parts(strcmp (commands{k}, name)) = {value};
       commands{k} = [parts{:}];
+    end
+  end
+end
+
+% Types and their number, where a variable holds them: no case varies these.
+function commands = withTypes (commands)
+  isNumber = @(w) numel (w) == 4 && strcmp (w{1}, 'variable') && ...
+                  any (strcmp (w{3}, {'equal', 'index'})) && ~isnan (str2double (w{4}));
+  for words = commands(cellfun (isNumber, commands))
+    [~, name, ~, value] = words{1}{:};
+    for k = 1:numel (commands)
+      w = commands{k};
+      isAfter = [false, ismember(w(1:end - 1), {'type', 'atom_type', 'peratomtypepair', ...
+                                                'peratomtype', 'create_atoms'})];
+      commands{k}(isAfter & strcmp (w, ['${', name, '}'])) = {value};
     end
   end
 end
@@ -215,6 +231,10 @@ end
 %! assert (! isempty (strfind (notes{1}, 'fix floor without rolling_friction')), notes{1});
 %! both = strrep (wall, 'history', 'history rolling_friction epsd2');
 %! assert (isempty (scriptPhysics ([base, both, "\n"])));
+%! % a type that a variable holds
+%! held = ["variable wt equal 2\n", base, strrep(wall, 'type 2', 'type ${wt}'), "\n"];
+%! assert (numel (scriptPhysics (held)), 1);
+%! assert (numel (scriptPhysics (strrep (held, 'equal', 'index'))), 1);
 %! % another wall of that type reads it; a rolling friction of 0 is not missed
 %! assert (isempty (scriptPhysics ([base, wall, "\n", strrep(both, 'floor', 'side'), "\n"])));
 %! assert (isempty (scriptPhysics ([strrep(base, '${w}', '0.0'), wall, "\n"])));
