@@ -174,7 +174,8 @@ end
 %! before = emptyFolder ();
 %! writeAtomic (fullfile (before, 'measured.csv'), "name,value\na,1x\n");
 %! raw.Input.reference = folder;
-%! assert (starts (raw, 'Input.reference in loadInput.m: expected the folder of another'), first (raw));
+%! assert (starts (raw, 'Input.reference in loadInput.m: expected the folder of another'), ...
+%!         first (raw));
 %! raw.Input.reference = before;
 %! assert (starts (raw, fullfile (before, 'measured.csv, line 2, value: ')));
 

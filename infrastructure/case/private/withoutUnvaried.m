@@ -180,6 +180,7 @@ end
 %! assert (Case.names, {'a', 'c'});
 %! assert (Case.fixed.at, [0.3, 0, 0]);
 %! assert (Case.modelVars.b, 0.3);
+%! assert (of (cases, [a, 0.3 + 0.003 * a, b]).names, {'a', 'c'});   % 0.2 % of its limits
 %! assert (size (Case.limits), [2, 2]);
 %! assert (! isempty (regexp (Case.notes{end}, 'b was never varied: it is 0.3 .*runs$')));
 %! assert (! isempty (strfind (of (cases, [a, 12 + 0 * a, b]).notes{end}, ...

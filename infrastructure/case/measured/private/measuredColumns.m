@@ -9,8 +9,8 @@
 % value, name, unit, tol, repeats. "value [deg]" is the unit of all lines, that
 % behind sd, sessionSd or tol goes to their fields. Trials in columns (value 1, trial 2)
 % become lines, each with the unit of its column, as do columns that are named by
-% results and hold numbers alone, and a table on its side is turned. Columns for people (remark ...) are left
-% out. - and n/a are empty.
+% results and hold numbers alone, and a table on its side is turned. Columns for
+% people (remark ...) are left out. - and n/a are empty.
 
 function [header, cells, lines] = measuredColumns (header, cells, lines, known)
   cells(isNoResult (cells)) = {''};

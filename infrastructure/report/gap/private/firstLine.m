@@ -7,9 +7,10 @@
 %         for a gap, which is no change
 %
 % The three largest changes over their noise are said, the points of a curve as
-% one: in shares of the reference, angles in their unit. What was measured as a logarithm is said as what it
-% stands for: 83 % less, not 1.76 less. Noise: that of both measurements
-% (changeOfReadings), as in the table Before and after; an amount ends where it begins.
+% one: in shares of the reference, angles in their unit. What was measured as a
+% logarithm is said as what it stands for: 83 % less, not 1.76 less. Noise: that of both
+% measurements (changeOfReadings), as in the table Before and after; an amount ends where
+% it begins.
 
 function text = firstLine (gap)
   targets = jsonList (gap, {'reference', 'targets'});
