@@ -79,11 +79,7 @@ function numbers = keyNumbers (v, c)
   list = valueTexts (v, c);
   if ~isempty (v.misses) && (isempty (v.change) || ~isempty (c))
     % of a change alone it is said first, see firstLine
-    texts = missTexts (v.misses(headline (v.misses, v.worst)));
-    if ~isempty (v.change)
-      texts{1} = ['at the reference, ', texts{1}];
-    end
-    list = [list; texts];
+    list = [list; largestMiss(v)];
   end
   if v.of > 0
     list = [list; metTargets(v, c)];
@@ -110,6 +106,13 @@ function numbers = keyNumbers (v, c)
     list = [list; {sentence(['chance.', chanceCode(v.misses)]), text}];
   end
   numbers = struct ('label', list(:, 1)', 'text', list(:, 2)');
+end
+
+function texts = largestMiss (v)
+  texts = missTexts (v.misses(headline (v.misses, v.worst)));
+  if ~isempty (v.change)
+    texts{1} = ['at the reference, ', texts{1}];
+  end
 end
 
 % What was looked for, where it was found and nothing else is said first.
