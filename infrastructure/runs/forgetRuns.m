@@ -12,9 +12,10 @@
 % A run that is forgotten has the status 'forgotten' in its record, and that
 % alone has changed: it counts in no case, and its folder stays. Where a case
 % needs it, a run with another seed takes its place (runJobs). Runs that started
-% from its last state (stagesOf) go with it, and come back with it.
+% from its last state (stagesOf) go with it, and come back with it, not without it.
 %
-% Errors: DEcalioc:forgetRuns:badValue (several cases were at that folder)
+% Errors: DEcalioc:forgetRuns:badValue (several cases were at that folder; one that is to
+% come back started from a run that stays out of use)
 
 function [changed, later] = forgetRuns (store, model, which, isBack)
   if iscell (which)
@@ -24,10 +25,31 @@ function [changed, later] = forgetRuns (store, model, which, isBack)
     chosen = chosen(any (chosen >= which(:, 1)' & chosen <= which(:, 2)', 2));
   end
   name = @(number) fullfile (model, sprintf ('%04d', number));
-  changed = markedRuns (store, arrayfun (name, unique (chosen)', 'UniformOutput', ...
-                                         false), isBack);
+  runs = arrayfun (name, unique (chosen)', 'UniformOutput', false);
+  if isBack
+    refuseLater (store, runs);
+  end
+  changed = markedRuns (store, runs, isBack);
   later = setdiff (startedFrom (store, changed), changed);
   later = markedRuns (store, later, isBack);
+end
+
+function refuseLater (store, runs)
+  folder = fullfile (store, 'optim');
+  for run = runs
+    place = regexprep (fullfile (folder, run{1}), '([][*?\\])', '\\$1');
+    to = cellfun (@readlink, glob (fullfile (place, '*'))', 'UniformOutput', false);
+    starts = regexprep (to(strncmp (to, '../../', 6)), '^\.\./\.\./', '');
+    for start = setdiff (starts, runs)
+      r = readSane (fullfile (folder, start{1}, 'record.json'));
+      if isfield (r, 'status') && strcmp (r.status, 'forgotten')
+        error ('DEcalioc:forgetRuns:badValue', ...
+               ['decalioc forget: the run that %s started from must be in use, got %s ' ...
+                'out of use. Take that in again, its own come back with it.'], run{1}, ...
+               start{1});
+      end
+    end
+  end
 end
 
 % Those of RUNS (1 x n cell of MODEL/NUMBER) of which the mark was changed.
@@ -111,6 +133,12 @@ end
 %! assert (isempty (later));
 %! assert (status (), {'ok', 'forgotten', 'forgotten'});
 %! assert (isempty (forgetRuns (Case.store, 'First', [2, 9], false)));
+%! % one that started from a run that stays out of use does not come back
+%! symlink ('../../First/0002', fullfile (Case.store, 'optim', 'Second', '0001', 'First'));
+%! [~, ~] = forgetRuns (Case.store, 'First', [2, 2], true);
+%! [~, later] = forgetRuns (Case.store, 'First', [2, 2], false);
+%! assert (later, {'Second/0001'});
+%! fail ('forgetRuns (Case.store, ''Second'', [1, 1], true)', 'got First/0002 out of use');
 %! forgetRuns (Case.store, 'First', {'x', Case.folder}, true);
 %! assert (status (), {'ok', 'ok', 'ok'});
 
