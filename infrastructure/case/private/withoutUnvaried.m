@@ -17,7 +17,7 @@
 
 function Case = withoutUnvaried (Case)
   Case.fixed = struct ('name', {}, 'at', {}, 'text', {});
-  X = setsOfTable (Case);
+  [X, notes] = setsOfTable (Case);
   if rows (X) == 1
     Case.notes{end + 1} = 'no parameter was varied: all rows of runs.csv are of one set';
   end
@@ -38,7 +38,7 @@ function Case = withoutUnvaried (Case)
   if isempty (keep)
     return
   end
-  notes = togetherNotes (X(:, keep), Case.names(keep));
+  notes = [notes, togetherNotes(X(:, keep), Case.names(keep))];
   if ~isempty (found)
     Case = reduced (Case, keep, found);
   end
@@ -82,9 +82,10 @@ function notes = togetherNotes (X, names)
   end
 end
 
-% What the table of a case holds that can make no run; 0 x d else.
-function X = setsOfTable (Case)
+% What the table of a case holds that can make no run, and notes on it; 0 x d else.
+function [X, notes] = setsOfTable (Case)
   X = zeros (0, numel (Case.names));
+  notes = cell (1, 0);
   file = fullfile (Case.folder, 'runs.csv');
   isAlone = Case.options.maxNewRuns == 0 && ...
             ~any (isfolder (fullfile (Case.store, 'optim', {Case.models.name})));
@@ -95,8 +96,25 @@ function X = setsOfTable (Case)
   try
     table = importRuns (file, Case);
     X = unique (table.X(any (isfinite (table.Z), 2), :), 'rows');
+    notes = heldInModel (table, Case);
   catch
     return                                     % who takes the runs in says why
+  end
+end
+
+% Of several models one may not have a parameter, or was run at one value of it.
+function notes = heldInModel (table, Case)
+  notes = cell (1, 0);
+  width = diff (Case.limits(1:2, :));
+  isVaried = @(X) max (X, [], 1) - min (X, [], 1) > 5e-3 * width;
+  for k = 1:numel (Case.models)
+    X = table.X(any (isfinite (table.Z(:, [Case.targets.model] == k)), 2), :);
+    for j = find (rows (X) > 2 & isVaried (table.X) & ~isVaried (X))
+      notes{end + 1} = sprintf (['%s is %.4g in all rows of %s: what it does there is not ' ...
+                                 'known. If %s does not have it, leave these cells empty'], ...
+                                Case.names{j}, X(1, j), Case.models(k).name, ...
+                                Case.models(k).name);
+    end
   end
 end
 
@@ -185,6 +203,14 @@ end
 %! assert (! isempty (regexp (Case.notes{end}, 'b was never varied: it is 0.3 .*runs$')));
 %! assert (! isempty (strfind (of (cases, [a, 12 + 0 * a, b]).notes{end}, ...
 %!                             '12 in all runs, outside its limits (0 to 10)')));
+%!test
+%! % a parameter that one of two models was never run with
+%! Case = cases{2};
+%! writeAtomic (fullfile (Case.folder, 'runs.csv'), ...
+%!              ["model,a,b,First_1,First_2,Second_1\n", ...
+%!               sprintf("First,%g,%g,1,2,\nSecond,%g,7,,,3\n", [a, b, a]')]);
+%! said = withoutUnvaried (Case).notes{end};
+%! assert (strncmp (said, 'b is 7 in all rows of Second', 28), said);
 %!test
 %! % a fixed ratio; with a constant beside; rounded
 %! Case = of (cases, [a, b, 0.3 * a]);
