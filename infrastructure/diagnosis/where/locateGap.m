@@ -48,8 +48,8 @@ function where = locateGap (study)
                     problem.bench(used), hypotheses.options);
   if isfield (hypotheses, 'alone')
     isOpen = ~hypotheses.alone.decides;
-    where.p = max ([where.p * isOpen, hypotheses.alone.p, eps]);
-    where.pTarget = max (max (where.pTarget * isOpen, hypotheses.alone.each), eps);
+    where.p = max ([where.p * isOpen, hypotheses.alone.p, eps(1)]);
+    where.pTarget = max (max (where.pTarget * isOpen, hypotheses.alone.each), eps (1));
   end
   where.conflict = benchConflicts (study);
   where.side = sideSignals (problem, emulator, where.theta, hypotheses.options);
