@@ -39,7 +39,7 @@ function gate = gapTest (hypotheses, logE)
   if isfield (hypotheses, 'alone')
     gate.p = max (gate.p * ~hypotheses.alone.decides, hypotheses.alone.p);
   end
-  gate.p = max (gate.p, eps (1));            % nothing is sure
+  gate.p = max (gate.p, eps (1));        % nothing is sure
 end
 
 function p = tailOf (reference, x)

@@ -48,7 +48,7 @@ function where = locateGap (study)
                     problem.bench(used), hypotheses.options);
   if isfield (hypotheses, 'alone')
     isOpen = ~hypotheses.alone.decides;
-    where.p = max ([where.p * isOpen, hypotheses.alone.p, eps(1)]);
+    where.p = max (max (where.p * isOpen, hypotheses.alone.p), eps (1));
     where.pTarget = max (max (where.pTarget * isOpen, hypotheses.alone.each), eps (1));
   end
   where.conflict = benchConflicts (study);
