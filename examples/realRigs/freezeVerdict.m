@@ -67,8 +67,11 @@ isOf = @(name, text) strcmp (cells(:, strcmp (head, name)), text);
 words = cells(:, strcmp (head, 'engineer'));
 said = @(name, series) [words{isOf(part.kind, name) & ...
                               isOf('series', sprintf ('%d', series))}];
-files = [{fullfile(part.name, 'gap', 'gap.json')}, ...
-         glob(fullfile (part.name, 'gap', '*', 'gap.json'))'];
+% of several conditions each has a folder, and one of them stands above, too
+files = glob (fullfile (part.name, 'gap', '*', 'gap.json'))';
+if isempty (files)
+  files = {fullfile(part.name, 'gap', 'gap.json')};
+end
 list = {};
 if isfile ('verdict.json')
   old = jsondecode (fileread ('verdict.json'), 'makeValidName', false);

@@ -110,7 +110,7 @@ end
 
 function texts = largestMiss (v)
   texts = missTexts (v.misses(headline (v.misses, v.worst)));
-  if ~isempty (v.change)
+  if ~isempty (jsonAt (v, {'cause', 'change'}))
     texts{1} = ['at the reference, ', texts{1}];
   end
 end

@@ -153,7 +153,7 @@ function html = picture (page, width)
   [f, key] = benchFigure (page, page.verdict.worst);
   if ~isempty (f)
     lead = 'Most of the deviation: ';
-    if ~isempty (givenField (page.verdict, 'change', '')) && isOfReference (page)
+    if ~isempty (jsonAt (page.verdict, {'cause', 'change'})) && isOfReference (page)
       lead = 'The reference, after the calibration: ';
     end
     f.title = [lead, f.title];

@@ -25,6 +25,7 @@ function [f, key] = benchFigure (page, model)
     return
   end
   key = keyOf (page, list(1).isAllowed, any (isfinite (vertcat (list.reach)(:))));
+  key = key(~strcmp (key(:, 1), 'dots') | ~isempty ([list.trials]), :);
   n = numel (list);
   of = merge (list(1).isAllowed, 'its tolerance', 'the noise');
   values = [[list.now], [list.with], [list.trials], -1, 1];
