@@ -1,4 +1,4 @@
-% FREEZEVERDICT  Writes verdict.json and causes.csv from gap/.
+% FREEZEVERDICT  Writes verdict.json and sealedCauses.csv from gap/.
 %
 % CALL: octave-cli freezeVerdict.m
 %
@@ -9,7 +9,7 @@
 % cause of each is one of the K candidates, with its probabilities p; were they
 % the same in half of all cases, the odds are K sum (p of one x p of the other).
 %
-% causes.csv, what runPredictions.m is to run: the reference; of each changed
+% sealedCauses.csv, what runPredictions.m is to run: the reference; of each changed
 % series the effects of the verdict, and its two placebos. Columns: series,
 % name, role, probability, strength (median, 5 %, 95 %; shares of the range).
 %
@@ -104,6 +104,6 @@ for i = 1:numel (changed)
   end
 end
 writeAtomic (fullfile (here, 'verdict.json'), [jsonencode(out), "\n"]);
-writeAtomic (fullfile (here, 'causes.csv'), sprintf ("%s\n", lines{:}));
+writeAtomic (fullfile (here, 'sealedCauses.csv'), sprintf ("%s\n", lines{:}));
 
 % SPDX-License-Identifier: GPL-3.0-only

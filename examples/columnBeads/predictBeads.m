@@ -2,10 +2,10 @@
 %
 % CALL: octave-cli predictBeads.m
 %
-% From causes.csv and the stored runs (runPredictions.m), without further ones.
+% From sealedCauses.csv and the stored runs (runPredictions.m), without further ones.
 % Writes prediction.csv, of each series rows of
 %   reference   the model without an effect, mean over the sets that fit
-%   NAME        the same sets with the cause NAME of causes.csv
+%   NAME        the same sets with the cause NAME of sealedCauses.csv
 %   best        the causes together, weighted by their probability (reference,
 %               where nothing changed), and what the series' own measurements at
 %               4 and 8 mm miss, carried to the other size
@@ -16,7 +16,7 @@
 % trials. That of reference and NAME is about their own value and so wide that
 % it holds what best says.
 %
-% Prints how far each line of causes.csv closes the measured change at 4 and 8
+% Prints how far each line of sealedCauses.csv closes the measured change at 4 and 8
 % mm (targets taken singly): 1 less the squares that remain over those that
 % were, each less what the scatter of the trials makes.
 %
@@ -150,7 +150,7 @@ function result = predictCase (root, folder)
   part = Case;
   part.models = Case.models(1);
   part.targets = Case.targets([Case.targets.model] == 1);
-  [~, run.causes] = readCsvTable (fullfile (folder, 'causes.csv'));
+  [~, run.causes] = readCsvTable (fullfile (folder, 'sealedCauses.csv'));
   [~, cells] = readCsvTable (fullfile (folder, 'predictionSets.csv'));
   sets = str2double (cells);
   run.line = sets(:, 1);

@@ -3,11 +3,11 @@
 % CALL: octave-cli runPredictions.m [NEW [SETS]]
 %
 % NEW   DEM runs that may be made of each table (0: only those of the store)
-% SETS  of each line of causes.csv (5)
+% SETS  of each line of sealedCauses.csv (5)
 %
-% Each line of causes.csv gets the same SETS sets of parameters that fit series
+% Each line of sealedCauses.csv gets the same SETS sets of parameters that fit series
 % 1 (results/posterior.csv), with the cause at strengths over its interval.
-% Writes predictionSets.csv (line of causes.csv, parameters, variables of the
+% Writes predictionSets.csv (line of sealedCauses.csv, parameters, variables of the
 % effects), predictionRuns.csv (4 and 8 mm), predictionRuns6.csv and
 % predictionRuns10.csv.
 %
@@ -20,7 +20,7 @@ function [line, P, E] = plannedSets (Case, folder, n)
   theta = str2double (cells);
   at = round (linspace (1, rows (theta), n + 2));
   theta = theta(at(2:end - 1), :);
-  [~, causes] = readCsvTable (fullfile (folder, 'causes.csv'));
+  [~, causes] = readCsvTable (fullfile (folder, 'sealedCauses.csv'));
   effects = [];
   for e = Case.effects(~[Case.effects.laboratory])
     given = struct ('name', e.name, 'variables', {e.variables}, ...
