@@ -316,6 +316,11 @@ end
 %! g = groupMeasured (readMeasured (file, {'A'}), {'A'});
 %! assert (g.value, 1, 0.01);
 %! assert (g.sd > 0.05 && g.sd < 0.3, num2str (g.sd));
+%! % one line a day: their sd are what is known of a trial, by its repeats
+%! writeAtomic (file, ["name,value,sd,repeats,session,tol\n", "a,1,0.1,3,mon,2%\n", ...
+%!                     "a,1.1,0.1,3,tue,\na,1.4,0.5,3,wed,\n"]);
+%! g = groupMeasured (readMeasured (file, {'A'}), {'A'});
+%! assert (g.freedom, 6, 0.5);
 %! % of a block the one line counts as well as it says, once
 %! file = tempname ();
 %! writeAtomic (file, ["name,value,sd,block,tol\n", "a,31,0.5,x,2%\na,32,,x,\n"]);

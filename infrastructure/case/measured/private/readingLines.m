@@ -77,12 +77,14 @@ function [lines, quantities, number, names, at] = readingLines (list, keys)
 end
 
 % n x 1, of how many trials a line is worth in its state, where each of a state in several
-% sessions has an sd of its own; 0 elsewhere. These weigh, their scatter says how well.
+% sessions, one of them with several lines, has an sd of its own; 0 elsewhere. These weigh,
+% their scatter says how well.
 function weight = ownWeights (list, state)
   weight = zeros (numel (list), 1);
   for m = unique (state(:))'
     k = find (state(:)' == m);
-    if weighsEach (list(k)) && numel (unique ({list(k).session})) > 1
+    days = numel (unique ({list(k).session}));
+    if weighsEach (list(k)) && days > 1 && days < numel (k)
       weight(k) = 1 ./ [list(k).sd].^2;
       weight(k) = weight(k) / mean (weight(k));
     end
