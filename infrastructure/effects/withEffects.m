@@ -100,13 +100,15 @@ function p = checkNeutral (effect, models, modelVars)
   end
 end
 
+% Those of the library have tests of their own.
 function p = checkTransforms (Case)
   p = checkFault ();
   if isempty (Case.effects) || isempty (givenField (Case, 'targets', []))
     return
   end
   info = targetInfo (Case);
-  for effect = Case.effects([Case.effects.laboratory])
+  isOwn = ~ismember ({Case.effects.name}, listEffects ()) & [Case.effects.laboratory];
+  for effect = Case.effects(isOwn & ~isempty (info))
     p = [p, transformFaults(effect, info)];
   end
 end
