@@ -17,9 +17,14 @@ function text = residualText (residual, names, tol)
   known = find (isfinite (residual(:)'));
   [~, order] = sort (-abs (residual(known)));
   shown = known(order(1:min (4, end)));
-  forms = {'%s %.3g tolerances', '%s %.3g'};
-  said = @(t) sprintf (forms{1 + isShare(t)}, names{t}, 100^isShare(t) * residual(t));
-  parts = arrayfun (said, shown, 'UniformOutput', false);
+  parts = cell (1, 0);
+  for t = shown
+    if isShare(t)
+      parts{end + 1} = sprintf ('%s %.3g', names{t}, 100 * residual(t));
+    else
+      parts{end + 1} = sprintf ('%s %.3g tolerances', names{t}, residual(t));
+    end
+  end
   text = [' ', strjoin(parts, ', ')];
   if numel (known) > numel (shown)
     text = sprintf ('%s and %d smaller ones', text, numel (known) - numel (shown));
