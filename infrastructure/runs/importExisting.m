@@ -100,17 +100,18 @@ function [data, rest] = ofTable (Case, problem, say)
   end
 end
 
-% Nobody knows why a cell is empty: what is judged by the others alone is said.
+% Nobody knows why a cell is empty. A run that says that it failed to give a result is an
+% outcome (lackingAt).
 function sayLacking (found, problem, say)
   isThere = isfinite (found.Z);
   for t = 1:columns (isThere)
     isOf = any (isThere(:, problem.bench == problem.bench(t)), 2);
-    lacks = sum (isOf & ~isThere(:, t));
+    lacks = sum (isOf & isna (found.Z(:, t)));
     if lacks > 0 && any (isThere(:, t))
       say (sprintf (['  WARNING: %d of %d rows of runs.csv have other results of their ' ...
-                     'model and no %s, which is judged by the other rows alone. Where ' ...
-                     'nothing flowed or moved, write 0'], lacks, sum (isOf), ...
-                    problem.targetNames{t}));
+                     'model and no %s, which is judged by the other rows alone. Write ' ...
+                     'failed where a run gave none, 0 where nothing flowed or moved'], ...
+                    lacks, sum (isOf), problem.targetNames{t}));
     end
   end
 end

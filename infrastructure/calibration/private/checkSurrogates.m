@@ -37,7 +37,7 @@ function [lines, touched] = checkSurrogates (state, problem, interval)
     of = ['of ', countText(sum (isOurs), 'run'), ' failed and '];
     lines{end + 1} = countText (failed, [of, 'is left out'], [of, 'are left out']);
   end
-  lines = [lines, lackingOne(state.data.Z(isOurs, :), problem)];
+  lines = [lines, lackingOne(state.data.Z, problem)];
   [~, isRepeat] = countEqualOnce (state.data, problem.bench);
   if any (isRepeat)
     lines{end + 1} = [countText(sum (isRepeat), 'run repeats', 'runs repeat'), ...
