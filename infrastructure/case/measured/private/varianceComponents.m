@@ -88,11 +88,12 @@ function [means, ratio] = estimated (lines, quantities, means, ratio)
                        quantities(q).share * sum (parts(q).lambda > 0);
       scatter = scatterOf (grid, parts(q), quantities(q));
       own = rowsOf (lines, of{q});
+      scatter.usual = usualVariance (own, scatter);
       for m = unique (own.mean)'
         means(m) = meanOf (rowsOf (own, own.mean == m), scatter, ...
                            quantities(q), means(m));
         means(m).hasScatter = isnan (quantities(q).variance) && ...
-                              means(m).sd > 0 && ...
+                              any (scatter.scale > 0) && ...
                               ~all (isfinite (own.variance(own.mean == m)));
       end
     end
@@ -321,6 +322,17 @@ function w = bestWeights (C)
   w = w / sum (w);
 end
 
+% Of a trial of the reference: without the farthest one, where this alone makes it large.
+function variance = usualVariance (lines, scatter)
+  variance = scatter.weight * scatter.scale';
+  at = ~lines.changed & isnan (lines.variance);
+  [ratio, p] = scatterOfChange (lines.value(at), lines.session(at), lines.repeats(at), ...
+                                variance, Inf);
+  if ratio < 1 && p < 0.01
+    variance = variance * ratio^2;
+  end
+end
+
 % By what the variance of a trial is larger in a change, as far as that is sure.
 function [factor, found] = factorOfChange (lines, scatter, quantity, found)
   factor = 1;
@@ -331,7 +343,7 @@ function [factor, found] = factorOfChange (lines, scatter, quantity, found)
   if isnan (found.scatterP)
     [found.scatterRatio, found.scatterP] = ...
       scatterOfChange (lines.value(trials), lines.session(trials), ...
-                       lines.repeats(trials), scatter.weight * scatter.scale', ...
+                       lines.repeats(trials), scatter.usual, ...
                        1 / (1 / scatter.own + 1 / scatter.common));
   end
   if found.scatterRatio > 1 && found.scatterP < 0.01
@@ -457,5 +469,17 @@ end
 %! m = varianceComponents (lines, quantity);
 %! assert (m(1).sd, sqrt (8 / 7 / 8), 0.1);
 %! assert (m(2).scatterP < 0.05);
+%!test
+%! % one odd trial, before or after, is no other scatter
+%! calm = 31 + 0.1 * [1, -1, 2, 0, -2];
+%! odd = [calm(1:4), 45];
+%! for pair = {calm, odd; odd, calm}
+%!   lines = of ([pair{:}], zeros (1, 10), kron ([1, 2], ones (1, 5)));
+%!   assert (varianceComponents (lines, quantity)(2).scatterP > 0.05);
+%! end
+%!test
+%! % what a session brings is known, the scatter of a trial is not
+%! m = varianceComponents (of ([31, 33], [1, 2], [1, 2]), setfield (quantity, 'sessionSd', 1));
+%! assert ({[m.sd], [m.hasScatter]}, {[1, 1], [false, false]}, 1e-12);
 
 % SPDX-License-Identifier: GPL-3.0-only

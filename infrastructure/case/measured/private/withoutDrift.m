@@ -59,7 +59,8 @@ function [slope, sd, p] = slopeOf (lines, quantities, at)
   slope = sum (weight .* x .* y) / spread;
   variance = sum (weight .* (y - slope * x).^2) / df / spread;
   p = betainc (variance * df / (variance * df + slope^2 + realmin), df / 2, 0.5);
-  sd = -studentQuantile (0.1587, df) * sqrt (variance);
+  % what rounding leaves of a straight line is no scatter
+  sd = -studentQuantile (0.1587, df) * sqrt (variance) * (variance > 1e-18 * slope^2);
 end
 
 function v = aboutMeans (v, weight, of)
@@ -107,6 +108,9 @@ end
 %! [~, drift] = withoutDrift (of ([1, 2, 2, 1, 9, 8, 8, 9], 1:8, ...
 %!                                [1, 1, 1, 1, 2, 2, 2, 2]), one);
 %! assert (isempty (drift));
+%! % of readings that lie on a line no scatter is known
+%! [lines, drift] = withoutDrift (of (31 + 0.1 * (1:6), 1:6, [1, 2, 1, 2, 1, 2]), one);
+%! assert ({drift.slope, drift.sd, lines.value}, {0.1, 0, 31.35 * ones(6, 1)}, 1e-12);
 %!test
 %! % points of a curve drift by the same share, also one that was read once
 %! lines = of ([10, 20, 30, 10.1, 20.2, 10.2, 20.4], [0, 0, 2, 1, 1, 2, 2], ...
