@@ -80,6 +80,9 @@ function text = driftNote (sessions)
       said{end} = sprintf (['%s: no cause is named from it, for %s was read only ' ...
                             'before or only after the reference. Read both in turn'], ...
                            said{end}, strjoin (drift.oneWay, ' and '));
+    elseif drift.isAgain
+      said{end} = [said{end}, '. Both states have the same numbers there, as if read at ' ...
+                   'one time: count the trials of a session on from one state to the next'];
     end
   end
   text = strjoin (said, '. ');
@@ -155,7 +158,8 @@ end
 %!test
 %! % what drifts comes first
 %! Case.sessions.drifts = struct ('session', {'mon', ''}, 'name', {'a', 'w'}, 'slope', ...
-%!                                {0.3, -0.02}, 'p', {2e-4, 0.003}, 'oneWay', {{}, {'moist'}});
+%!                                {0.3, -0.02}, 'p', {2e-4, 0.003}, 'oneWay', ...
+%!                                {{}, {'moist'}}, 'isAgain', false);
 %! Case.targets.trials = 1;
 %! drift = ['a drifts with the order of trials in mon (+0.3 each, p = 0.0002). ' ...
 %!          'w drifts with the order of trials (-0.02 each, p = 0.003): no ' ...
@@ -164,6 +168,8 @@ end
 %! assert (noteOf ('sessions', Case), drift);
 %! Case.targets.trials = 3;
 %! assert (strncmp (noteOf ('sessions', Case), [drift, '. If you'], numel (drift) + 8));
+%! Case.sessions.drifts(1).isAgain = true;
+%! assert (! isempty (strfind (noteOf ('sessions', Case), 'count the trials of a session')));
 %!test
 %! changed = @(p) struct ('scatterRatio', 9, 'scatterP', p);
 %! Case.targets = struct ('name', {'a', 'b', 'c'}, 'trials', 1, 'tol', 1, 'value', 0, ...
