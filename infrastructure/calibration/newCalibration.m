@@ -165,11 +165,11 @@ function hold = predictHoldout (state, problem, known)
   for t = find (isHeld)
     s = state.surrogates(t);
     value = problem.value(t);
-    sd = sqrt (v(:, t) + s.noiseVar / problem.trials(t) + problem.statedSd(t)^2);
-    alone = m(1, t) + studentQuantile (0.95, s.df) * sd(1) * [-1; 1];
+    [sd, df] = missOf (v(:, t), s, problem, t);
+    score = @(u) studentQuantile (u, df) / studentFactor (df);
+    alone = m(1, t) + score (0.95) * sd(1) * [-1; 1];
     % of each set of the sample 40 measurements that are as likely
-    scores = arrayfun (@(u) studentQuantile (u, s.df), ((1:40) - 0.5) / 40);
-    each = m(2:end, t) + sd(2:end, 1) .* scores;
+    each = m(2:end, t) + sd(2:end, 1) .* arrayfun (score, ((1:40) - 0.5) / 40);
     ends = [alone, quantile([each(:); alone], [0.05; 0.95], 1, 7)];
     ends = [min(ends(1, :)); max(ends(2, :))];
     isIn = @(ends) value >= ends(1) && value <= ends(2);
@@ -187,6 +187,19 @@ function hold = predictHoldout (state, problem, known)
     end
     hold = [hold, entry];
   end
+end
+
+% What a measurement of target T may be off by (68 %, n x 1), and the usual freedom of it
+% (Welch and Satterthwaite): runs tell a scale, and few trials less than many.
+function [sd, df] = missOf (v, s, problem, t)
+  total = errorVariance (s.noiseVar, problem, t);
+  measured = problem.statedSd(t)^2 * (total > s.noiseVar / problem.trials(t));
+  shared = min (problem.shared(t)^2, measured);
+  doubt = measured^2 / problem.freedom(t) + shared^2 / problem.sessionFreedom(t) + ...
+          (measured - shared)^2 / problem.commonFreedom(t);
+  runs = (v + total - measured) * studentFactor (s.df)^2;
+  sd = sqrt (runs + measured);
+  df = median (max (sd.^4, realmin) ./ max (runs.^2 / s.df + doubt, realmin));
 end
 
 % What each level has told and cost, at the found set, 1 x L struct: value (1 x
@@ -241,6 +254,19 @@ end
 %! problem.value(2) = NaN;
 %! assert (isnan (sumOf (state, problem).holdout.inside));
 %! assert (isempty (c.levels));
+%! % read twice: Student's t of one freedom; its scatter holds the packings of the trials
+%! problem.scatter(2) = true;
+%! problem.statedSd(2) = 30 * sqrt (state.surrogates(2).noiseVar);
+%! width = @(problem) diff (sumOf (state, problem).holdout.interval90);
+%! known = width (problem);
+%! assert (known, 2 * 1.645 * problem.statedSd(2), 0.05 * known);
+%! problem.freedom(2) = 1;
+%! assert (width (problem) / known, 6.31 / 1.84 / 1.645, 0.1);
+%! problem.statedSd(2) = sqrt (state.surrogates(2).noiseVar);
+%! [problem.freedom(2), problem.trials(2)] = deal (Inf, 1);
+%! once = width (problem);
+%! problem.statedSd(2) = 0;
+%! assert (width (problem), once, 0.02 * once);
 %!test
 %! % the one target fixes a + b; a - b, held out, may be anything, and that is said
 %! % rather than that the model is wrong

@@ -26,7 +26,8 @@
 %             it is what other rigs show), known (logical: measured.csv says what
 %             sessions bring), drifts (1 x D struct of what drifts within a session,
 %             []: session, name, slope (per order, in its unit, of a curve a share),
-%             p, oneWay: cell of conditions, see withoutDrift)
+%             p, oneWay: cell of conditions, see withoutDrift, isAgain: logical, a
+%             change has no order that the reference has not)
 %
 % Lines with the same model, name, series and at are repeated trials. What they
 % say together, and how well, is that of varianceComponents; sd is the 68 %
@@ -96,9 +97,13 @@ function said = saidDrift (drift, list, names)
   conditions = {list(ismember ([list.mean], drift.oneWay)).condition};
   % no name of a user holds a bar
   session = regexprep (names{1 + drift.session}, '^\|', '');
+  own = list(ismember ([list.mean], drift.means) & strcmp ({list.session}, session));
+  isBefore = ismember ({own.condition}, {'', 'reference'});
+  isAgain = ~isempty (session) && ~all (isBefore) && ...
+            all (ismember ([own(~isBefore).order], [own(isBefore).order]));
   said = struct ('session', session, 'name', name, 'slope', ...
                  drift.slope, 'p', drift.p, 'oneWay', ...
-                 {unique(conditions, 'stable')});
+                 {unique(conditions, 'stable')}, 'isAgain', isAgain);
 end
 
 function keys = keysOf (list)
@@ -280,10 +285,15 @@ end
 %!   sd(k) = sdOfChange (g(k), g(k).changed);
 %!   assert (g(k).changed.value - g(k).value, 0.5, 0.2);
 %! end
-%! assert (drift.oneWay, {'moist'});
+%! assert ({drift.oneWay, drift.isAgain}, {{'moist'}, false});
 %! assert ({g(1).changed.swept, g(2).changed.swept}, {false, true});
 %! assert (sd(1), 0.06, 0.03);
 %! assert (sd(2), 0.3 * 8, 0.1);
+%! % each state numbered from 1
+%! order = num2cell ([1:8, 1:8]);
+%! [list.order] = order{:};
+%! [~, ~, ~, sessions] = groupMeasured (list, {'A'});
+%! assert (sessions.drifts.isAgain);
 %!test
 %! % names that no two models share
 %! list = repmat (line, 1, 3);

@@ -13,7 +13,7 @@
 %
 % With a reference the lines of that case (of its own reference, where it has
 % conditions) come first, as the condition reference; the others are the
-% condition now.
+% condition now. A monday of that case is another one than that of this.
 
 function [list, p] = readConditions (raw, models, which)
   [further, p] = furtherLines (raw, models);
@@ -52,6 +52,9 @@ function [list, p] = readConditions (raw, models, which)
   if ~isempty (before)
     before = before(ismember ({before.condition}, {'', 'reference'}));
     [before.condition] = deal ('reference');
+    for k = find (~cellfun (@isempty, {before.session}))
+      before(k).session = [before(k).session, ' (reference)'];
+    end
     [list.condition] = deal ('now');
     list = [before, list];
   end
@@ -138,6 +141,8 @@ end
 %! [list, reasons] = read (true, tables{:});
 %! assert (isempty (reasons));
 %! assert ({list.condition, list.value}, {'reference', 'now', 1, 2});
+%! tables = {"name,value,session\na,1,mon\na,2,\n", "name,value,session\na,2,mon\n"};
+%! assert ({read(true, tables{:}).session}, {'mon (reference)', '', 'mon'});
 %!test
 %! table = @(varargin) ["name,value,condition\n", ...
 %!                      sprintf("a,1,%s\n", varargin{:})];

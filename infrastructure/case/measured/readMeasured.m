@@ -120,6 +120,7 @@ function [row, p] = readRow (row, models, alone)
   places = checkPlace (row, where);
   row.role = lower (row.role);
   row = withUnits (row);
+  row.order = hoursOf (row.order);
   for rule = rules'
     [row.(rule{1}), q] = numberOf (row.(rule{1}), rule, where);
     p = [p, q];
@@ -176,6 +177,15 @@ function row = withUnits (row)
   end
 end
 
+% Of a time of the day, 9.5 of '09:30'; others stay.
+function text = hoursOf (text)
+  parts = str2double (strsplit (text, ':'));
+  n = numel (parts);
+  if n > 1 && n < 4 && all (parts >= 0 & parts < 60)
+    text = exactNumber (sum (parts .* 60.^(0:-1:1 - n)));
+  end
+end
+
 function [value, p] = numberOf (text, rule, where)
   [name, value, isGood, expected] = rule{:};
   p = checkFault ();
@@ -202,6 +212,8 @@ function cure = cureOf (text, name)
   elseif any (strcmp (name, {'value', 'sd'})) && ...
       ~isempty (regexp (text, '^[-+.\d]+\s*[A-Za-z%]', 'once'))
     cure = 'Write its unit into the column unit.';
+  elseif strcmp (name, 'order')
+    cure = 'Count the trials of a session, or write a time of the day such as 09:30.';
   elseif strcmp (name, 'value') && ~isempty (regexp (text, '^[<A-Za-z]', 'once'))
     cure = 'If nothing flowed or moved, write 0, and a tol like 0.1 abs; else leave it empty.';
   end
@@ -310,6 +322,14 @@ end
 %! assert (unique ({r.unit}), {'deg'});
 %! [~, p] = table ("name,value,unit,tol\na,3,kg,1 deg\n", {'Drum'});
 %! assert (p.id, 'DEcalioc:checkCase:measuredTol');
+%!test
+%! % the order may be a time of the day
+%! [r, p] = table ("name,value,order\na,3,09:30\na,3,10:00:36\na,3,4\na,3,\n", {'Drum'});
+%! assert (isempty (p));
+%! assert ([r.order], [9.5, 10.01, 4, NaN], 1e-12);
+%! [~, p] = table ("name,value,order\na,3,09:xx\n", {'Drum'});
+%! assert (p.id, 'DEcalioc:checkCase:measuredNumber');
+%! assert (! isempty (strfind (p.message, 'such as 09:30')));
 %!test
 %! bad = {'Drum,a,1.2.3,,,,,,', 'Number'; 'Drum,a,1,-1,,,,,', 'Number'; ...
 %!        'Drum,a,1,,0,,,,', 'Number'; 'Dram,a,1,,,,,,', 'Model'; ...

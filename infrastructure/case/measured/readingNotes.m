@@ -18,6 +18,12 @@ end
 function text = sessionNote (Case)
   text = '';
   sessions = Case.sessions;
+  isChange = ~isempty (givenField (Case, 'conditions', {}));
+  trials = [Case.targets.trials];
+  if isChange
+    now = [Case.targets.changed];
+    trials = [trials, now.trials];
+  end
   advice = ['the trials do not tell how much days differ: repeat the reference on ' ...
             'another day'];
   if givenField (sessions, 'known', false)
@@ -29,9 +35,9 @@ function text = sessionNote (Case)
     text = sprintf (['%s. Until then sessions are taken to differ by %.1f ' ...
                      'times the scatter of a trial, as on other rigs'], ...
                     advice, sessions.ratio);
-  elseif any ([Case.targets.trials] > 1) && ~isempty (givenField (Case, 'conditions', {}))
+  elseif any (trials > 1) && isChange
     text = [advice, ', and name the days in a column session of measured.csv'];
-  elseif any ([Case.targets.trials] > 1)
+  elseif any (trials > 1)
     text = ['if you measured on several days, write the day of each line into a column ' ...
             'session of measured.csv; else you have nothing to do'];
   end
@@ -80,6 +86,9 @@ function text = driftNote (sessions)
       said{end} = sprintf (['%s: no cause is named from it, for %s was read only ' ...
                             'before or only after the reference. Read both in turn'], ...
                            said{end}, strjoin (drift.oneWay, ' and '));
+    elseif drift.isAgain
+      said{end} = [said{end}, '. Both states have the same numbers there, as if read at ' ...
+                   'one time: count the trials of a session on from one state to the next'];
     end
   end
   text = strjoin (said, '. ');
@@ -135,8 +144,9 @@ end
 %!assert (of (false, 0, 3), ['if you measured on several days, write the day of each ' ...
 %!        'line into a column session of measured.csv; else you have nothing to do'])
 %!test
-%! Case = struct ('targets', struct ('trials', 3, 'changed', struct ('sd', 0), 'tol', 1, ...
-%!                                   'isAbsolute', true, 'sd', 0, 'value', 1), ...
+%! % a reading of either state that was repeated tells no days
+%! Case = struct ('targets', struct ('trials', 1, 'changed', struct ('sd', 0, 'trials', 3), ...
+%!                                   'tol', 1, 'isAbsolute', true, 'sd', 0, 'value', 1), ...
 %!                'conditions', {{'moist'}});
 %! assert (noteOf ('sessions', Case), ['the trials do not tell how much days differ: ' ...
 %!         'repeat the reference on another day, and name the days in a column session ' ...
@@ -145,7 +155,7 @@ end
 %!assert (! isempty (strfind (of (true, 3, 1), 'sessions differ by 2.5 times')))
 %!test
 %! % what can be seen of a change
-%! one = struct ('sd', 1, 'shared', 0, 'days', [], 'freedom', Inf, ...
+%! one = struct ('sd', 1, 'shared', 0, 'days', [], 'freedom', Inf, 'trials', 1, ...
 %!               'commonFreedom', Inf, 'sessionFreedom', Inf);
 %! Case.sessions = struct ('given', true, 'ratio', 2.5);
 %! Case.targets = mergeFields (one, struct ('trials', 3, 'changed', one, 'tol', ...
@@ -155,7 +165,8 @@ end
 %!test
 %! % what drifts comes first
 %! Case.sessions.drifts = struct ('session', {'mon', ''}, 'name', {'a', 'w'}, 'slope', ...
-%!                                {0.3, -0.02}, 'p', {2e-4, 0.003}, 'oneWay', {{}, {'moist'}});
+%!                                {0.3, -0.02}, 'p', {2e-4, 0.003}, 'oneWay', ...
+%!                                {{}, {'moist'}}, 'isAgain', false);
 %! Case.targets.trials = 1;
 %! drift = ['a drifts with the order of trials in mon (+0.3 each, p = 0.0002). ' ...
 %!          'w drifts with the order of trials (-0.02 each, p = 0.003): no ' ...
@@ -164,8 +175,10 @@ end
 %! assert (noteOf ('sessions', Case), drift);
 %! Case.targets.trials = 3;
 %! assert (strncmp (noteOf ('sessions', Case), [drift, '. If you'], numel (drift) + 8));
+%! Case.sessions.drifts(1).isAgain = true;
+%! assert (! isempty (strfind (noteOf ('sessions', Case), 'count the trials of a session')));
 %!test
-%! changed = @(p) struct ('scatterRatio', 9, 'scatterP', p);
+%! changed = @(p) struct ('scatterRatio', 9, 'scatterP', p, 'trials', 1);
 %! Case.targets = struct ('name', {'a', 'b', 'c'}, 'trials', 1, 'tol', 1, 'value', 0, ...
 %!                        'sd', 0, 'isAbsolute', false, 'changed', ...
 %!                        {changed(1e-5), changed(0.2), changed(0.004)});

@@ -37,7 +37,7 @@ function text = trialsOf (targets)
   for n = unique (trials(trials ~= 1))
     count = sprintf ('%g', n);
     if isinf (n)
-      count = 'scatter of the trials is in targetStd';
+      count = 'scatter of the trials is in their sd';
     end
     words{end + 1} = sprintf ('%s (%s)', count, ...
                               strjoin ({targets(trials == n).name}, ', '));
@@ -76,7 +76,7 @@ end
 %! [Case.paramMean(2), Case.paramSd(2)] = deal (650, 5);
 %! text = evalc ('sayGapCase (Case, data, count, {"so"}, @disp)');
 %! for line = {['trials behind a value: 5 (x); scatter of the trials is ', ...
-%!              'in targetStd (z)'], ...
+%!              'in their sd (z)'], ...
 %!             ['errors alike along a series: A (length 2.5), B (length ', ...
 %!              'to be estimated)'], 'measured parameters: rho 650 +- 5'}
 %!   assert (! isempty (strfind (text, line{1})), line{1});

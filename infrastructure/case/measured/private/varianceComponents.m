@@ -28,8 +28,9 @@
 % Patterson and Thompson 1971): contrasts u with the variances s^2 (1 + R^2
 % lambda). s^2 of a quantity is scaled inverse chi-square about a variance that
 % quantities have in common in their units, with freedoms that the quantities tell
-% (Smyth 2004); R is one of all levels, and one of all contrasts within a session
-% (a ratio of two settings). Their posterior is summed over a grid.
+% (Smyth 2004), or, 1 in 20 beforehand, like no other (a fine balance beside coarse
+% readings), anywhere in eight decades; R is one of all levels, and one of all contrasts
+% within a session (a ratio of two settings). Their posterior is summed over a grid.
 %
 % Prior of R: log-normal, deviation 0.7, about 2.5 for a level: four measured
 % rigs on which nothing was changed show 2 to 3; about 0.7 for a contrast, in
@@ -88,11 +89,12 @@ function [means, ratio] = estimated (lines, quantities, means, ratio)
                        quantities(q).share * sum (parts(q).lambda > 0);
       scatter = scatterOf (grid, parts(q), quantities(q));
       own = rowsOf (lines, of{q});
+      scatter.usual = usualVariance (own, scatter);
       for m = unique (own.mean)'
         means(m) = meanOf (rowsOf (own, own.mean == m), scatter, ...
                            quantities(q), means(m));
         means(m).hasScatter = isnan (quantities(q).variance) && ...
-                              means(m).sd > 0 && ...
+                              any (scatter.scale > 0) && ...
                               ~all (isfinite (own.variance(own.mean == m)));
       end
     end
@@ -185,15 +187,11 @@ function grid = weighed (grid, parts, quantities)
   logP = grid.logPrior + zeros (1, numel (grid.freedom), numel (grid.common));
   for q = 1:numel (parts)
     known = quantities(q).variance / quantities(q).unit^2;
-    df = numel (parts(q).lambda);
     [rest, logDet] = restOf (grid, parts(q));
     if ~isnan (known)
       logL = -logDet - rest / known / 2;
     else
-      [d, common] = priorOf (grid);
-      logL = d / 2 .* log (d .* common) - ...
-             (d + df) / 2 .* log (d .* common + rest) - logDet + ...
-             gammaln ((d + df) / 2) - gammaln (d / 2);
+      logL = openLikelihood (grid, parts(q)) - logDet;
     end
     % of a curve what sessions do is seen at every point
     share = quantities(q).share;
@@ -201,6 +199,22 @@ function grid = weighed (grid, parts, quantities)
   end
   grid.weight = exp (logP - max (logP(:)));
   grid.weight = grid.weight / sum (grid.weight(:));
+end
+
+% Of a scatter to be found, and the share of it by which it is like no other: what
+% fewer than three contrasts leave next to nothing may do so by chance, or by rounding.
+function [logL, apart] = openLikelihood (grid, part)
+  [d, common] = priorOf (grid);
+  df = numel (part.lambda);
+  rest = restOf (grid, part);
+  logL = d / 2 .* log (d .* common) - (d + df) / 2 .* log (d .* common + rest) + ...
+         gammaln ((d + df) / 2) - gammaln (d / 2);
+  apart = 0;
+  if df > 2
+    own = log (0.05 / 18) + gammaln (df / 2) - df / 2 * log (rest);
+    apart = 1 ./ (1 + exp (logL - own));
+    logL = max (logL, own) + log1p (exp (-abs (logL - own)));
+  end
 end
 
 function [d, common] = priorOf (grid)
@@ -238,6 +252,7 @@ function scatter = scatterOf (grid, part, quantity)
     each = log ((d .* s + restOf (grid, part)) / 2) - psi (nu / 2) + ...
            zeros (R, 1);
     spread = psi (1, nu / 2) + 0 * each;
+    [each, spread] = withApart (each, spread, grid, part);
     [first, second] = momentsOver (grid.weight, each, spread, [2, 3]);
     [scale, freedom] = studentOf (first, second);
     scatter.scale = scale' * quantity.unit^2;
@@ -249,6 +264,17 @@ function scatter = scatterOf (grid, part, quantity)
     scatter.common = freedomFrom (common, middle);
   end
   scatter.session = freedomFrom (common, middle + 2 * log (grid.ratio'));
+end
+
+% The logarithm of the variance, mean and variance, also where it is like no other.
+function [each, spread] = withApart (each, spread, grid, part)
+  [~, apart] = openLikelihood (grid, part);
+  if any (apart(:))
+    df = numel (part.lambda);
+    off = log (restOf (grid, part) / 2) - psi (df / 2) - each;
+    spread = spread + apart .* (psi (1, df / 2) - spread) + apart .* (1 - apart) .* off.^2;
+    each = each + apart .* off;
+  end
 end
 
 % Mean and variance of a mixture over some dimensions of the grid.
@@ -321,6 +347,17 @@ function w = bestWeights (C)
   w = w / sum (w);
 end
 
+% Of a trial of the reference: without the farthest one, where this alone makes it large.
+function variance = usualVariance (lines, scatter)
+  variance = scatter.weight * scatter.scale';
+  at = ~lines.changed & isnan (lines.variance);
+  [ratio, p] = scatterOfChange (lines.value(at), lines.session(at), lines.repeats(at), ...
+                                variance, Inf);
+  if ratio < 1 && p < 0.01
+    variance = variance * ratio^2;
+  end
+end
+
 % By what the variance of a trial is larger in a change, as far as that is sure.
 function [factor, found] = factorOfChange (lines, scatter, quantity, found)
   factor = 1;
@@ -331,7 +368,7 @@ function [factor, found] = factorOfChange (lines, scatter, quantity, found)
   if isnan (found.scatterP)
     [found.scatterRatio, found.scatterP] = ...
       scatterOfChange (lines.value(trials), lines.session(trials), ...
-                       lines.repeats(trials), scatter.weight * scatter.scale', ...
+                       lines.repeats(trials), scatter.usual, ...
                        1 / (1 / scatter.own + 1 / scatter.common));
   end
   if found.scatterRatio > 1 && found.scatterP < 0.01
@@ -426,6 +463,14 @@ end
 %! m = varianceComponents (lines, repmat (quantity, 1, 12));
 %! assert (m(12).sd > 0.1 && m(12).sd < 1);
 %! assert (m(12).commonFreedom > 5);
+%! % with three before and after one that scatters by a hundredth of the five others is (seeded)
+%! randn ('twister', 3);
+%! values = kron ([1e-2, 1, 1, 1, 1, 1], [1, 1]) .* randn (3, 12);
+%! lines = of (values, zeros (1, 36), kron (1:12, ones (1, 3)));
+%! lines.quantity = ceil (lines.mean / 2);
+%! lines.changed = mod (lines.mean, 2) == 0;
+%! m = varianceComponents (lines, repmat (quantity, 1, 6));
+%! assert (sdOfChange (m(1), m(2)) < 0.03);
 %!test
 %! % what is stated with all its errors stays as it is, of a session or not
 %! lines = of ([1, 3], [1, 2], [1, 2]);
@@ -457,5 +502,17 @@ end
 %! m = varianceComponents (lines, quantity);
 %! assert (m(1).sd, sqrt (8 / 7 / 8), 0.1);
 %! assert (m(2).scatterP < 0.05);
+%!test
+%! % one odd trial, before or after, is no other scatter
+%! calm = 31 + 0.1 * [1, -1, 2, 0, -2];
+%! odd = [calm(1:4), 45];
+%! for pair = {calm, odd; odd, calm}
+%!   lines = of ([pair{:}], zeros (1, 10), kron ([1, 2], ones (1, 5)));
+%!   assert (varianceComponents (lines, quantity)(2).scatterP > 0.05);
+%! end
+%!test
+%! % what a session brings is known, the scatter of a trial is not
+%! m = varianceComponents (of ([31, 33], [1, 2], [1, 2]), setfield (quantity, 'sessionSd', 1));
+%! assert ({[m.sd], [m.hasScatter]}, {[1, 1], [false, false]}, 1e-12);
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -13,8 +13,8 @@
 %
 % A drift (a rig that warms, grains that wear) is one of all states and settings of
 % a session. A straight line about the mean of each state and quantity tells it;
-% below p = 0.01, shared among all that could drift (Bonferroni), it is taken
-% out.
+% below p = 0.01, shared among all that could drift (Holm 1979: what drifts passes its
+% share on), it is taken out.
 %
 % See also: withDrifts
 
@@ -34,7 +34,9 @@ function [lines, drifts] = withoutDrift (lines, quantities)
                               unique (lines.mean(at))', 'oneWay', ...
                               oneWay (lines, at));
   end
-  drifts = drifts([drifts.p] < 0.01 / max (sum (isfinite ([drifts.p])), 1));
+  p = sort ([drifts.p]);
+  level = 0.01 ./ max (sum (isfinite (p)) - (0:numel (p) - 1), 1);
+  drifts = drifts([drifts.p] <= max ([p(cumprod (p < level) > 0), -1]));
   for drift = drifts
     at = find (isOrdered & lines.session == drift.session & group == drift.group);
     size = reshape ([quantities.size], [], 1)(lines.quantity(at));
@@ -59,7 +61,8 @@ function [slope, sd, p] = slopeOf (lines, quantities, at)
   slope = sum (weight .* x .* y) / spread;
   variance = sum (weight .* (y - slope * x).^2) / df / spread;
   p = betainc (variance * df / (variance * df + slope^2 + realmin), df / 2, 0.5);
-  sd = -studentQuantile (0.1587, df) * sqrt (variance);
+  % what rounding leaves of a straight line is no scatter
+  sd = -studentQuantile (0.1587, df) * sqrt (variance) * (variance > 1e-18 * slope^2);
 end
 
 function v = aboutMeans (v, weight, of)
@@ -107,6 +110,16 @@ end
 %! [~, drift] = withoutDrift (of ([1, 2, 2, 1, 9, 8, 8, 9], 1:8, ...
 %!                                [1, 1, 1, 1, 2, 2, 2, 2]), one);
 %! assert (isempty (drift));
+%! % three surely drift, the fourth (p = 0.0046) by the share that they pass on
+%! last = [10, 11, 10, 11, 11, 12, 12, 12];
+%! four = of ([values, values, values, last], repmat (1:8, 1, 4), kron (1:4, ones (1, 8)));
+%! four.quantity = four.mean;
+%! four.changed(:) = false;
+%! [~, drift] = withoutDrift (four, struct ('group', {1, 2, 3, 4}, 'size', 1));
+%! assert ([drift.group], 1:4);
+%! % of readings that lie on a line no scatter is known
+%! [lines, drift] = withoutDrift (of (31 + 0.1 * (1:6), 1:6, [1, 2, 1, 2, 1, 2]), one);
+%! assert ({drift.slope, drift.sd, lines.value}, {0.1, 0, 31.35 * ones(6, 1)}, 1e-12);
 %!test
 %! % points of a curve drift by the same share, also one that was read once
 %! lines = of ([10, 20, 30, 10.1, 20.2, 10.2, 20.4], [0, 0, 2, 1, 1, 2, 2], ...
