@@ -26,6 +26,11 @@ function post = scriptPost (file, found)
   text = readText (file);
   post.file = plainPath (make_absolute_filename (file));
   post.program = programOf (post.file, text);
+  if strcmp (post.program, 'bash') && any (fileread (file) == "\r")
+    error ('DEcalioc:scriptPost:badValue', ...
+           ['--post: %s must have the line ends of Linux, got those of Windows, which ' ...
+            'bash takes for letters of names. sed -i ''s/\r$//'' FILE changes them.'], file);
+  end
   post.files = unique ([{post.file}, besideIt(fileparts (post.file), text, found)]);
 end
 
@@ -81,6 +86,9 @@ end
 %! assert (scriptPost (fullfile (folder, 'post'), found).program, '/usr/bin/env perl');
 %! assert (scriptPost ('', found).files, cell (1, 0));
 %!error id=DEcalioc:scriptPost:missingFile scriptPost ('/nowhere/post.py', found)
+%!test
+%! put ('post.sh', "echo angle 24 > result.txt\r\n");
+%! fail ('scriptPost (fullfile (folder, ''post.sh''), found)', 'line ends of Linux');
 %!error id=DEcalioc:scriptPost:badValue scriptPost (fullfile (folder, 'cal.csv'), found)
 
 % SPDX-License-Identifier: GPL-3.0-only
