@@ -6,7 +6,7 @@
 %   RUNS  see runsOfCase
 %   F     scalar struct:
 %     plan      n x d, parameter sets of the plan
-%     imported  sets of runs.csv;  library  see TOLD of libraryRuns
+%     imported  n x T, results of runs.csv;  library  see TOLD of libraryRuns
 %     jobs      1 x n M struct array, runs of the plan
 %     isDone    1 x n M logical: finished in the store, or ended there
 %     seconds   1 x M, median of the model's finished runs (s); NaN: none
@@ -21,7 +21,7 @@
 function f = foresee (Case, runs)
   f.problem = newProblem (Case);
   [data, ~, f.library] = importExisting (Case, f.problem, @(text) [], true);
-  f.imported = sum (strcmp (data.stage, 'import'));
+  f.imported = data.Z(strcmp (data.stage, 'import'), :);
   here = Case;
   here.folder = '';                     % so that no plan is written
   [f.plan, E] = newPlan (data, here);

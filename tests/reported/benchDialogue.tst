@@ -12,6 +12,16 @@
 %!  [status, out] = system (command);
 %!  assert (status == 0, out);
 %!endfunction
+%!test
+%! % Ctrl-D
+%! said = '';
+%! try
+%!   talk ('Heap', {'4 mm'});
+%! catch err
+%!   said = err.message;
+%! end
+%! assert (! isempty (strfind (said, 'got the end of the input. Nothing was made')), said);
+%! assert (isempty (strfind (said, 'called from')), said);
 %!function v = sizesIn (folder)
 %!  found = regexp (fileread (fullfile (folder, 'loadInput.m')), ...
 %!                  'modelVars\.(\w+) = ([^;]*);', 'tokens');

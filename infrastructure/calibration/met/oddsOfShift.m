@@ -5,7 +5,8 @@
 %   DATA    see newData
 %   OTHER   struct source (a stage of DATA), surrogates (of its runs alone)
 %   ODDS    of a shift of the source, normal with a standard deviation of one
-%           tolerance, against none; of the result that shows it most, its number T
+%           tolerance, or of the response itself (a table in another unit), against
+%           none; of the result that shows it most, its number T
 %   VALUES  struct of that result: name, runs (that were compared), predicted and got
 %           (means over them)
 %
@@ -29,9 +30,11 @@ function [odds, t, values] = oddsOfShift (data, other, problem)
     if n(k) > 0
       off = withoutFarthest ((own.Z(isLike, k) - m(isLike, k)) / half(k));
       known = mean (v(isLike, k)) + s.noiseVar / numel (off);
-      logOdds(k) = logOddsOf (mean (off), max (sqrt (known) / half(k), 0.2), s.df);
       predicted(k) = mean (m(isLike, k));
       got(k) = mean (own.Z(isLike, k));
+      shifts = [1, abs(predicted(k)) / half(k)];
+      logOdds(k) = max (logOddsOf (mean (off), max (sqrt (known) / half(k), 0.2), ...
+                                   shifts, s.df));
     end
   end
   [groups, ~, isJoint] = requirementsOf (problem, 1:T);
@@ -51,10 +54,11 @@ function off = withoutFarthest (off)
   end
 end
 
-% Student's densities of a mean that is off by X tolerances.
-function l = logOddsOf (x, sd, df)
-  wide = hypot (sd, 1);
-  l = log (sd / wide) + (df + 1) / 2 * (log1p ((x / sd)^2 / df) - log1p ((x / wide)^2 / df));
+% Student's densities of a mean that is off by X tolerances, where shifts of such size are.
+function l = logOddsOf (x, sd, shifts, df)
+  wide = hypot (sd, shifts);
+  l = log (sd ./ wide) + ...
+      (df + 1) / 2 * (log1p ((x / sd)^2 / df) - log1p ((x ./ wide).^2 / df));
 end
 
 %!test
@@ -70,6 +74,10 @@ end
 %! d = @(x, s) exp (-(x / s)^2 / 2) / s;
 %! assert (odds, d (1.5, hypot (1, 0.2)) / d (1.5, 0.2), -1e-3);
 %! assert ({t, values.runs, values.got}, {1, 1, 1.15});
+%! % in another unit, the noise of the source, too, is many tolerances
+%! other.surrogates = setfield (fitSurrogate (x, 1e3 * ones (size (x)) + 20 * sin (40 * x), ...
+%!                                            [0; 1]), 'df', 9);
+%! assert (oddsOfShift (data, other, problem) > 1e3);
 %! % nothing to compare: neither
 %! assert (oddsOfShift (keepRows (data, 1:12), other, problem), 0);
 

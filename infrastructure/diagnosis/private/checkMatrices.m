@@ -49,14 +49,18 @@ function refuseLimits (given)
     error ('DEcalioc:checkMatrices:badValue', ...
            ['diagnoseMatrices: GIVEN.limits must have the lower limits in its first row, the ' ...
             'upper ones in its second, a column a parameter, got %s.'], describeValue (limits));
-  elseif ~isnumeric (given.bench)
+  elseif ~isnumeric (given.bench) || ~all (ismember (given.bench(:), 1:numel (given.bench)))
     error ('DEcalioc:checkMatrices:badValue', ...
-           'diagnoseMatrices: GIVEN.bench must number the bench of each value, got %s.', ...
-           describeValue (given.bench));
+           ['diagnoseMatrices: GIVEN.bench must number the bench of each value, from 1 on, ' ...
+            'got %s.'], describeValue (given.bench));
   end
 end
 
 function refuseUnknown (what, value, known, shown)
+  if ~isstruct (value)
+    error ('DEcalioc:checkMatrices:badValue', 'diagnoseMatrices: %s must be a struct, got %s.', ...
+           what, describeValue (value));
+  end
   unknown = setdiff (fieldnames (value)', known);
   if ~isempty (unknown)
     error ('DEcalioc:checkMatrices:unknownField', ...
@@ -153,7 +157,7 @@ end
 function checkStrengths (given, E)
   for k = 1:numel (givenField (given, 'effects', []))
     effect = given.effects(k);
-    v = numel (givenField (effect, 'neutral', 0));
+    v = numel (givenField (effect, 'neutral', []));
     isRun = ~isequal (givenField (effect, 'laboratory', false), true);
     own = E(:, 1:min (v * isRun, end));
     E(:, 1:columns (own)) = [];
@@ -181,6 +185,8 @@ end
 %! data = struct ('X', [0.2; 0.6; 1.4], 'Z', ones (3, 2));
 %!test
 %! d = checkMatrices (given, data, []);
+%! % an effect without neutral is said by newEffect
+%! checkMatrices (setfield (given, 'effects', rmfield (given.effects(1), 'neutral')), d, []);
 %! assert ({d.E, d.replicate}, {[3; 3; 3], [1; 1; 1]});
 %! % what a problem and the runs of a case have is known
 %! checkMatrices (newProblem (rmfield (given, 'effects')), setfield (d, 'stage', {}), []);
@@ -195,6 +201,9 @@ end
 %! checkMatrices (given, setfield (data, 'X', 100 * data.X), [])
 %!error <limits must have the lower limits in its first row>
 %! checkMatrices (setfield (given, 'limits', [1; 0]), data, [])
+%!error <bench must number the bench of each value, from 1 on>
+%! checkMatrices (setfield (given, 'bench', [0, 1]), data, [])
+%!error <GIVEN must be a struct> checkMatrices ({given}, data, [])
 %!error <bench must number the bench>
 %! checkMatrices (setfield (given, 'bench', {'a', 'b'}), data, [])
 %!test

@@ -58,8 +58,8 @@ function checkRuns (problem, data)
     end
     if ~isreal (value)
       error ('DEcalioc:enterRuns:badValue', ...
-             'enterRuns: DATA.%s must hold real numbers, got complex ones.', ...
-             sizes{i, 1});
+             'enterRuns: DATA.%s must hold real numbers, got %s.', ...
+             sizes{i, 1}, describeValue (value));
     end
   end
   bad = find (~all (isfinite ([data.X, data.E]), 2), 1);

@@ -65,7 +65,7 @@ function [words, notes] = newScriptModel (root, target, given)
   words = caseWords (words, all(1:numel (names)), limits, results, measured);
   words.ROWS = measuredRows (given.model, results, measured, units, curves);
   trial = fullfile (fileparts (found.scripts{1}), output);
-  notes = strcat ([edits, modelNotes(target), ...
+  notes = strcat ([edits, modelNotes(target), setdiff({curves.note}, {''}), ...
                    trialNote(trial, results, share)], '.');
 end
 

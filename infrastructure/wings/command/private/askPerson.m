@@ -7,10 +7,12 @@
 %   RULE  handle (TEXT) -> [TEXT, FAULT, ECHO], see amountIn; a fault is said, and the
 %         question asked again; the echo of what was typed is said
 %   READ  handle (PROMPT) -> text (default: input)
+%
+% Errors: DEcalioc:askPerson:missingField (Ctrl-D)
 
 function text = askPerson (question, default, rule, read)
   if nargin < 4
-    read = @(prompt) input (prompt, 's');
+    read = @typed;
   end
   prompt = [question, repmat([' [', default, ']'], 1, ~isempty (default)), ': '];
   while true
@@ -27,6 +29,15 @@ function text = askPerson (question, default, rule, read)
   end
   if isTyped && ~isempty (echo)
     printf ('  taken as %s\n', echo);
+  end
+end
+
+function text = typed (prompt)
+  try
+    text = input (prompt, 's');
+  catch
+    error ('DEcalioc:askPerson:missingField', ...
+           '\nan answer is needed, got the end of the input. Nothing was made.');
   end
 end
 

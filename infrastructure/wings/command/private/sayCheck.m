@@ -323,8 +323,9 @@ end
 function sayCosts (Case, isRun, f)
   n = numel (f.isDone);
   o = Case.options;
-  if f.imported > 0
-    printf ('runs.csv  %s taken in\n', countText (f.imported, 'set'));
+  if ~isempty (f.imported)
+    printf ('runs.csv  %s taken in\n', countText (rows (f.imported), 'set'));
+    sayUnits (Case.targets, f.imported, 'in the middle of runs.csv');
   end
   if ~isRun
     return

@@ -37,11 +37,7 @@ function status = sayImport (root, folder, args)
   printf ('%s\n', repmat (sprintf (', %d with an effect', sum (~isPlain)), 1, ...
                           any (~isPlain)));
   sayResults (data.Z, Case.targets);
-  middle = NaN (1, columns (data.Z));
-  for t = find (any (isfinite (data.Z), 1))
-    middle(t) = median (data.Z(isfinite (data.Z(:, t)), t));
-  end
-  sayUnits (Case.targets, middle, 'in the middle of these runs');
+  sayUnits (Case.targets, data.Z, 'in the middle of these runs');
   target = fullfile (folder, 'runs.csv');
   if given.take
     take (spread, target);

@@ -26,6 +26,11 @@ function post = scriptPost (file, found)
   text = readText (file);
   post.file = plainPath (make_absolute_filename (file));
   post.program = programOf (post.file, text);
+  if strcmp (post.program, 'bash') && any (fileread (file) == "\r")
+    error ('DEcalioc:scriptPost:badValue', ...
+           ['--post: %s must have the line ends of Linux, got those of Windows, which ' ...
+            'bash takes for letters of names. sed -i ''s/\r$//'' FILE changes them.'], file);
+  end
   post.files = unique ([{post.file}, besideIt(fileparts (post.file), text, found)]);
 end
 
@@ -49,11 +54,11 @@ end
 % Modules of Python, and names in quotes; not what a trial by hand has left, which
 % the script writes, or the program itself (open ('x', 'w')).
 function paths = besideIt (folder, text, found)
-  modules = regexp (text, '^[ \t]*(?:import|from)[ \t]+([\w, ]+?)(?:[ \t]+(?:import|as)\>|$)', ...
+  modules = regexp (text, '^[ \t]*(?:import|from)[ \t]+([\w., ]+?)(?:[ \t]+(?:import|as)\>|$)', ...
                     'tokens', 'lineanchors');
   modules = strsplit (strjoin ([cell(1, 0), modules{:}], ','), ',');
   names = regexp (text, '["'']([^"''\n*]{1,200})["''](?!\s*,\s*["'']w)', 'tokens');
-  names = [strcat(strtrim (modules), '.py'), names{:}];
+  names = [strcat(strrep (strtrim (modules), '.', '/'), '.py'), names{:}];
   paths = cellfun (@(name) plainPath ([folder, '/', name]), names, ...
                    'UniformOutput', false);
   paths = paths(isfile (paths));
@@ -72,15 +77,20 @@ end
 %! cellfun (@(name) put (name, 'x'), {'own.py', 'cal.csv', 'plot.png', 'out/flow.txt', ...
 %!                                    'out/d.1'});
 %!test
-%! put ('post.py', ["import math, own\nfrom sys import argv\nopen('cal.csv')\n", ...
-%!                  "open(\"out/flow.txt\"); open('out/d.1')\nopen('plot.png', 'w')\n"]);
+%! mkdir (fullfile (folder, 'lib'));
+%! put ('lib/tools.py', 'x');
+%! put ('post.py', ["import math, own\nfrom lib.tools import x\nfrom sys import argv\n", ...
+%!                  "open('cal.csv')\nopen(\"out/flow.txt\"); open('out/d.1')\nopen('plot.png', 'w')\n"]);
 %! post = scriptPost (fullfile (folder, 'post.py'), found);
 %! assert (post.program, 'python3');
-%! assert (post.files, fullfile (folder, {'cal.csv', 'own.py', 'post.py'}));
+%! assert (post.files, fullfile (folder, {'cal.csv', 'lib/tools.py', 'own.py', 'post.py'}));
 %! put ('post', "#!/usr/bin/env perl\n");
 %! assert (scriptPost (fullfile (folder, 'post'), found).program, '/usr/bin/env perl');
 %! assert (scriptPost ('', found).files, cell (1, 0));
 %!error id=DEcalioc:scriptPost:missingFile scriptPost ('/nowhere/post.py', found)
+%!test
+%! put ('post.sh', "echo angle 24 > result.txt\r\n");
+%! fail ('scriptPost (fullfile (folder, ''post.sh''), found)', 'line ends of Linux');
 %!error id=DEcalioc:scriptPost:badValue scriptPost (fullfile (folder, 'cal.csv'), found)
 
 % SPDX-License-Identifier: GPL-3.0-only
