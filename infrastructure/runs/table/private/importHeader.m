@@ -62,7 +62,7 @@ end
 function refuseSecond (header, k, names, known, file)
   name = knownName (header{k}, known);
   first = find (strcmp (names, name), 1);
-  if ~isempty (first)
+  if ~isempty (name) && ~isempty (first)
     error ('DEcalioc:importRuns:badValue', ...
            ['importRuns: one column of %s must be %s, got two: %s and %s. Take one out, ' ...
             'or give it another name.'], file, name, header{first}, header{k});
@@ -230,6 +230,7 @@ end
 %!                                Case, 'f');
 %! assert (names([1, 2, 4, 5]), {'x', 'x', 'x', 'm [kg]'});
 %! assert (kinds, {'trial', 'trial', 'runs', 'scatter', 'scatter'});
+%!assert (importHeader ({'', 'x', '', 'note'}, Case, 'f'), {'', 'x', '', 'note'})
 %!error <one column of f must be x, got two: x and X \[mm\]> ...
 %! importHeader ({'a', 'x', 'X [mm]'}, Case, 'f');
 %!test
