@@ -141,7 +141,7 @@ function ignored = checkColumns (header, Case, model, file)
   missing = needed(~ismember (needed, header));
   if ~isempty (missing)
     cure = sprintf ('One of another name: decalioc import --column THEIRS=%s.', missing{1});
-    if numel (missing) == numel (needed)
+    if numel (missing) == numel (needed) && any (isfinite (str2double (header)))
       cure = 'The first line must name the columns.';
     end
     error ('DEcalioc:importRuns:missingField', ...
@@ -280,6 +280,8 @@ end
 %!   end
 %!   assert (id, ['DEcalioc:importRuns:', bad{2}]);
 %! end
+%!error <One of another name: .* --column THEIRS=model> imported ("x,y,z\n1,2,3\n");
+%!error <The first line must name the columns> imported ("0.1,2,3\n1,2,3\n");
 %!error <line 3 .* got none for b. Fill it in>
 %! imported ([head, "First;1;2;3;4;\nFirst;1;;2;3;\n"]);
 %!error <line 2 .* got none for b. No row of First has one, nor of another>

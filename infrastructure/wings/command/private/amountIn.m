@@ -19,13 +19,13 @@ function [value, fault, echo] = amountIn (text, unit)
     return
   end
   parts = regexp (text, ['^([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)', ...
-                         '(\s*[^\d\s,.].*)?$'], 'tokens', 'once');
+                         '(\s*[^\d\s,.].*|\s+1/\D.*)?$'], 'tokens', 'once');
   factor = 0;
   if numel (parts) == 1
     factor = 1;
     [fault, echo] = ofBare (text, unit);
   elseif numel (parts) == 2
-    factor = unitFactor (parts{2}, unit);
+    factor = unitFactor (strrep (parts{2}, 'turns per minute', 'rpm'), unit);
     value = sprintf ('%.15g', factor * str2double (parts{1}));
   end
   if ~(abs (factor) > 0 && isfinite (str2double (value)))
@@ -65,6 +65,7 @@ end
 %!            '12 g', 'kg', '0.012'; '-3 deg', 'deg', '-3'; ...
 %!            '2e-3 m', 'm', '0.002'; ...
 %!            '36.7 %', '1', '0.367'; '5 %', '-', '0.05'; '1.3', '-', '1.3'; ...
+%!            '12 1/min', 'rpm', '12'; '5 1/m', '1/m', '5'; '12 turns per minute', 'rpm', '12'; ...
 %!            '0.8 m', 'm', '0.8'}'
 %!   [value, fault] = amountIn (row{1:2});
 %!   assert ({value, fault}, {row{3}, ''});

@@ -80,7 +80,8 @@ end
 %! mkdir (fullfile (folder, 'lib'));
 %! put ('lib/tools.py', 'x');
 %! put ('post.py', ["import math, own\nfrom lib.tools import x\nfrom sys import argv\n", ...
-%!                  "open('cal.csv')\nopen(\"out/flow.txt\"); open('out/d.1')\nopen('plot.png', 'w')\n"]);
+%!                  "open('cal.csv')\nopen(\"out/flow.txt\"); open('out/d.1')\n", ...
+%!                  "open('plot.png', 'w')\n"]);
 %! post = scriptPost (fullfile (folder, 'post.py'), found);
 %! assert (post.program, 'python3');
 %! assert (post.files, fullfile (folder, {'cal.csv', 'lib/tools.py', 'own.py', 'post.py'}));
