@@ -166,7 +166,7 @@ function hold = predictHoldout (state, problem, known)
     s = state.surrogates(t);
     value = problem.value(t);
     [sd, df] = missOf (v(:, t), s, problem, t);
-    score = @(u) studentQuantile (u, df) / studentFactor (df);
+    score = @(u) studentQuantile (u, df) / studentQuantile (0.8413, df);
     alone = m(1, t) + score (0.95) * sd(1) * [-1; 1];
     % of each set of the sample 40 measurements that are as likely
     each = m(2:end, t) + sd(2:end, 1) .* arrayfun (score, ((1:40) - 0.5) / 40);
@@ -197,7 +197,7 @@ function [sd, df] = missOf (v, s, problem, t)
   shared = min (problem.shared(t)^2, measured);
   doubt = measured^2 / problem.freedom(t) + shared^2 / problem.sessionFreedom(t) + ...
           (measured - shared)^2 / problem.commonFreedom(t);
-  runs = (v + total - measured) * studentFactor (s.df)^2;
+  runs = (v + total - measured) * studentQuantile (0.8413, s.df)^2;
   sd = sqrt (runs + measured);
   df = median (max (sd.^4, realmin) ./ max (runs.^2 / s.df + doubt, realmin));
 end
