@@ -16,7 +16,7 @@
 %!endfunction
 %!function says (out, parts)
 %!  for part = parts
-%!    assert (! isempty (regexp (out, ['WARNING   Heap: ', part{1}], 'once')), out);
+%!    assert (! isempty (regexp (out, ['WARNING   Heap: [\d ]*', part{1}], 'once')), out);
 %!  end
 %!endfunction
 %!test
@@ -24,11 +24,12 @@
 %! out = tried ('1200', '0.002');
 %! assert (isempty (strfind (out, 'WARNING')), out);
 %!test
-%! % as reported: radius for diameter, bulk for grain density
+%! % as reported: radius for diameter, bulk for grain density. How so few grains lie, and
+%! % whether as a heap of 82 deg, hangs on the machine
 %! out = tried ('690', '0.004');
-%! says (out, {'slope: 8\d.* is the radius of a grain its diameter', ...
+%! says (out, {'the plate is less than 8 grains wide: is radiusP the diameter', ...
 %!             'massOnPlate: measured 0.0141 kg, more than .* that of the bulk', ...
-%!             'the heap is higher than a cone'});
+%!             'grains are few for an angle or a density: is the radius of a grain its diam'});
 %!test
 %! % the bulk density alone
 %! says (tried ('690', '0.002'), {'massOnPlate: .* that of the bulk'});
