@@ -1,12 +1,13 @@
 % FORESEE  The runs of the plan of a case, and what they will cost.
 %
-% CALL: F = foresee (CASE, RUNS)
+% CALL: F = foresee (CASE, RUNS [, SAY])
 %
 %   CASE  see newCase
 %   RUNS  see runsOfCase
+%   SAY   handle that takes a line on the runs of runs.csv (none is said)
 %   F     scalar struct:
 %     plan      n x d, parameter sets of the plan
-%     imported  n x T, results of runs.csv;  library  see TOLD of libraryRuns
+%     imported  runs of runs.csv, see newData;  library  see TOLD of libraryRuns
 %     jobs      1 x n M struct array, runs of the plan
 %     isDone    1 x n M logical: finished in the store, or ended there
 %     seconds   1 x M, median of the model's finished runs (s); NaN: none
@@ -18,10 +19,13 @@
 % Nothing is run or written. What fails is run again, so failed runs count as
 % missing.
 
-function f = foresee (Case, runs)
+function f = foresee (Case, runs, say)
+  if nargin < 3
+    say = @(text) [];
+  end
   f.problem = newProblem (Case);
-  [data, ~, f.library] = importExisting (Case, f.problem, @(text) [], true);
-  f.imported = data.Z(strcmp (data.stage, 'import'), :);
+  [data, ~, f.library] = importExisting (Case, f.problem, say, true);
+  f.imported = keepRows (data, strcmp (data.stage, 'import'));
   here = Case;
   here.folder = '';                     % so that no plan is written
   [f.plan, E] = newPlan (data, here);

@@ -49,7 +49,7 @@ function status = sayCheck (root, folder, args)
     lock = lockCase (folder);
     status = 2 * ~sayTrial (tryModels (Case), Case);
   end
-  f = foresee (Case, runsOfCase (Case));
+  f = foresee (Case, runsOfCase (Case), @sayWarning);
   sayCosts (Case, isRun, f);
   lines = diagnosisCost (Case, f);
   names = {'diagnosis ', repmat(' ', 1, 10)};
@@ -58,6 +58,24 @@ function status = sayCheck (root, folder, args)
   end
   if options.dry_run
     sayDryRun (Case, f);
+  end
+end
+
+function sayImported (Case, data)
+  if ~isempty (data.X)
+    [~, isIn] = insideLimits (data.X, Case.limits);
+    within = sprintf (', %d of them between the limits', sum (isIn));
+    printf ('runs.csv  %s taken in%s\n', countText (rows (data.X), 'set'), ...
+            within(1:end * ~all (isIn)));
+    sayUnits (Case.targets, data.Z, 'in the middle of runs.csv');
+  end
+end
+
+% Of what a calibration says of runs.csv.
+function sayWarning (text)
+  text = strtrim (text);
+  if strncmp (text, 'WARNING', 7)
+    printf ('WARNING   %s\n', text(10:end));
   end
 end
 
@@ -323,10 +341,7 @@ end
 function sayCosts (Case, isRun, f)
   n = numel (f.isDone);
   o = Case.options;
-  if ~isempty (f.imported)
-    printf ('runs.csv  %s taken in\n', countText (rows (f.imported), 'set'));
-    sayUnits (Case.targets, f.imported, 'in the middle of runs.csv');
-  end
+  sayImported (Case, f.imported);
   if ~isRun
     return
   end
