@@ -42,12 +42,13 @@ function [table, spread] = readRunsTable (file, Case)
   end
 end
 
-% A pair of types that stands in both orders is no mistake, unless its values differ.
+% A pair of types that stands in both orders is no mistake, unless its values differ; nor
+% are x and x [mm].
 function refuseTwice (header, names, kinds, cells, Case, file)
   later = find (strcmp (kinds, 'ignored'));
   [again, kind] = importHeader (header(later), Case, file);
-  for k = find (strcmp (kind, 'parameter'))
-    at = find (strcmp (names, again{k}) & strcmp (kinds, 'parameter'), 1);
+  for k = find (ismember (kind, {'parameter', 'effect', 'result'}))
+    at = find (strcmp (names, again{k}) & strcmp (kinds, kind{k}), 1);
     if ~isempty (at) && ~isequal (cells(:, at), cells(:, later(k)))
       error ('DEcalioc:importRuns:badValue', ...
              ['importRuns: two columns of %s are %s, and differ: %s and %s. Rename the one ' ...
@@ -105,6 +106,9 @@ end
 %! t = read ("a,1,2\nb,3,4\nangle,30,31\nmass,5,\n");
 %! assert (t.cells, {'1', '3', '30', '5'; '2', '4', '31', ''});
 %! assert (t.kinds, {'parameter', 'parameter', 'result', 'result'});
+%!assert (read ("a,b,angle,Angle [deg],mass\n1,2,30,30,4\n").cells(1:3), {'1', '2', '30'})
+%!error <two columns of .* are angle, and differ: angle and Angle \[deg\]> ...
+%! read ("a,b,angle,Angle [deg],mass\n1,2,30,31,4\n")
 %!error <must be in deg> read ("a,b,angle,mass\n,,rad,\n1,2,0.5,4\n")
 
 % SPDX-License-Identifier: GPL-3.0-only

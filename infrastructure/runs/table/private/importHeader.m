@@ -16,8 +16,7 @@
 %           spreadRuns; ignored
 %
 % Errors: DEcalioc:importRuns:badValue (another unit than that of the target, or than SI
-% of a parameter, which would be another number; sd of several results; two columns of
-% one name)
+% of a parameter, which would be another number; sd of several results)
 
 function [names, kinds] = importHeader (header, Case, file)
   targets = {Case.targets.name};
@@ -35,8 +34,6 @@ function [names, kinds] = importHeader (header, Case, file)
       names{k} = name;
       checkUnit (name, unit, targets, units, file);
       checkParameter (name, unit, [Case.names, Case.effectVars], file);
-    else
-      refuseSecond (header, k, names, known(3:end), file);
     end
   end
   [~, at] = ismember (names, known);
@@ -55,17 +52,6 @@ function [names, kinds] = importHeader (header, Case, file)
   % the number of runs without their scatter, or this alone, says nothing
   if ~any (strcmp (kinds, 'runs'))
     kinds(strcmp (kinds, 'scatter')) = {'ignored'};
-  end
-end
-
-% Of x and x [mm] nobody knows which one is meant.
-function refuseSecond (header, k, names, known, file)
-  name = knownName (header{k}, known);
-  first = find (strcmp (names, name), 1);
-  if ~isempty (name) && ~isempty (first)
-    error ('DEcalioc:importRuns:badValue', ...
-           ['importRuns: one column of %s must be %s, got two: %s and %s. Take one out, ' ...
-            'or give it another name.'], file, name, header{first}, header{k});
   end
 end
 
@@ -230,10 +216,6 @@ end
 %!                                Case, 'f');
 %! assert (names([1, 2, 4, 5]), {'x', 'x', 'x', 'm [kg]'});
 %! assert (kinds, {'trial', 'trial', 'runs', 'scatter', 'scatter'});
-%!assert (importHeader ({'', 'x', '', 'note'}, Case, 'f'), {'', 'x', '', 'note'})
-%!error <one column of f must be x, got two: x and X \[mm\]> ...
-%! importHeader ({'a', 'x', 'X [mm]'}, Case, 'f');
-%!test
 %! % a single one is a name; a point of a curve is no trial
 %! [~, kinds] = importHeader ({'x 1', 'x@0.25'}, Case, 'f');
 %! assert (kinds, {'ignored', 'ignored'});
