@@ -43,6 +43,9 @@
 %!                           '^version: 99\.0\.1$', 'lineanchors', 'once')));
 %! assert (~isempty (regexp (fileread (fullfile (copy, 'CHANGELOG.md')), ...
 %!                           '^## 99\.0\.1 \(\d{4}-\d\d-\d\d\)$', 'lineanchors', 'once')));
+%! named = regexp (fileread (fullfile (copy, 'docs', 'install.md')), ...
+%!                 'decalioc-([\d.]+)\.tar', 'tokens');
+%! assert (unique ([named{:}]), {'99.0.1'});
 %! assert (~isempty (strfind (out, 'git tag --annotate v99.0.1')), out);
 
 %!test

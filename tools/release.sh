@@ -1,9 +1,9 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-only
-# Makes a release: version in VERSION and CITATION.cff, heading of CHANGELOG.md, the
-# package (dist.sh) and the manual (site/build.sh). Refuses a tree with changes that
-# are not committed, and a version that is not above the last. What it has changed is
-# for you to look at and to commit: it says how.
+# Makes a release: version in VERSION, CITATION.cff and docs/install.md, heading of
+# CHANGELOG.md, the package (dist.sh) and the manual (site/build.sh). Refuses a tree
+# with changes that are not committed, and a version that is not above the last. What
+# it has changed is for you to look at and to commit: it says how.
 # CALL: tools/release.sh VERSION [without-site]      (or: make release NUMBER=VERSION)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -25,6 +25,7 @@ day=$(date +%F)
 echo "$new" > VERSION
 sed -i "s/^## After ${old//./\\.}$/## $new ($day)/" CHANGELOG.md
 sed -i -e "s/^version: .*/version: $new/" -e "s/^date-released: .*/date-released: $day/" CITATION.cff
+sed -i "s/decalioc-${old//./\\.}\.tar/decalioc-$new.tar/" docs/install.md
 tools/dist.sh
 [ "${2:-}" = without-site ] || tools/site/build.sh
 cat << END
