@@ -12,7 +12,8 @@
 %     stage    'plan', 'calibration', 'gap', or '' where there is no run
 %     models   1 x M struct array: name, done, failed, running, waiting, lost
 %              (broken off, see runsOfCase), old (runs that no longer count),
-%              unread (done, but to be read anew at the next start), seconds
+%              unread (done, but to be read anew at the next start), longest
+%              (seconds since the first of those that run was started), seconds
 %              (median, NaN: not known)
 %     plan     1 x 2, runs of the plan that are done, and all of them
 %     sets     1 x 2, sets run after the plan, and optim.maxFunEvals (which
@@ -119,15 +120,27 @@ function models = countsOf (Case, runs, seconds)
   models = struct ('name', {Case.models.name}, 'seconds', num2cell (seconds));
   for k = 1:numel (models)
     ofModel = runs([runs.model] == k);
-    states = {ofModel([ofModel.isCurrent]).state};
+    current = ofModel([ofModel.isCurrent]);
+    states = {current.state};
     count = @(varargin) sum (ismember (states, varargin));
     models(k).done = count ('ok', 'ended');
     models(k).unread = count ('ended');
     models(k).failed = count ('failed', 'timeout', 'invalid');
     models(k).lost = count ('lost');
     models(k).running = count ('running');
+    models(k).longest = longestOf (current(strcmp (states, 'running')));
     models(k).waiting = count ('waiting');
     models(k).old = sum (~[ofModel.isCurrent]);
+  end
+end
+
+% Seconds since the first of these was started: here, or by a task of a queue.
+function seconds = longestOf (runs)
+  seconds = NaN;
+  for run = runs(:)'
+    marks = fullfile (run.folder, {'pid', 'batch.claim', 'job.json'});
+    begun = stat (marks{find(cellfun (@(m) ~isempty (stat (m)), marks), 1)});
+    seconds = max (seconds, time () - begun.mtime);
   end
 end
 
@@ -176,6 +189,7 @@ end
 %! assert (s.plan, [6, 16]);
 %! assert ([s.models.done], [3, 3]);
 %! assert ([s.models.failed], [1, 0]);
+%! assert ([s.models.longest], [NaN, NaN]);
 %! assert (numel (s.failures), 1);
 %! assert (~isempty (strfind (s.failures{1}, 'too slow')));
 %! seconds = [s.models.seconds];
@@ -192,6 +206,21 @@ end
 %! assert (s.plan, [16, 16]);
 %! assert (s.sets, [1, 40]);
 %! assert (s.later, 2);
+%!test
+%! % how long the longest run has been going
+%! Case = readyCase ();
+%! jobs = foresee (Case, runsOfCase (Case)).jobs;
+%! lock = lockCase (Case.folder);
+%! folder = prepareRun (jobs(1), Case);
+%! writeAtomic (fullfile (folder, 'pid'), ...
+%!              sprintf ("%d 1 %s\n", getpid (), nthargout (2, @processStart, getpid ())));
+%! system (['touch -d "-5 min" ', shellQuote(fullfile (folder, 'pid'))]);
+%! s = caseStatus (Case, []);
+%! k = strcmp ({Case.models.name}, jobs(1).model);
+%! assert ([s.models.running], double (k));
+%! assert (s.models(k).longest, 300, 60);
+%! assert (isnan (s.models(~k).longest));
+%! clear lock
 %!test
 %! % a plan of which one run failed and another seed took its place is done
 %! raw = standInCase (tempname ());

@@ -8,7 +8,8 @@
 %   SIZES    BENCH.sizes with the values (texts) that were said
 %
 % A radius is asked for as a diameter, a speed in rad/s in turns per minute, solid
-% volume as mass, height or share of the filling, of which grains fill 0.6.
+% volume as mass (in a tube also as height), height or share of the filling, of which
+% grains fill 0.6.
 
 function sizes = askSizes (bench, density, ask)
   sizes = bench.sizes;
@@ -17,6 +18,7 @@ function sizes = askSizes (bench, density, ask)
     if isempty (how)
       continue
     end
+    how.perHeight = massPerHeight (sizes, density);
     usual = sprintf ('%.4g', str2double (sizes(k).value) / how.factor);
     said = ask (sprintf ('%s: %s%s', bench.name, how.label, ...
                          regexprep (how.unit, {'^(?=.)', 'rpm', ', 1$'}, ...
@@ -28,9 +30,25 @@ function sizes = askSizes (bench, density, ask)
   end
 end
 
+% Of what fills the tube, kg/m.
+function mass = massPerHeight (sizes, density)
+  mass = [];
+  isTube = strcmp ({sizes.name}, 'tubeRadius');
+  if any (isTube)
+    mass = 0.6 * density * pi * str2double (sizes(isTube).value)^2;
+  end
+end
+
 % A share of the volume is said in both terms: a slip between them passes any band.
 function [text, fault, echo] = sizeAs (text, how)
-  [text, fault, echo] = sizeIn (text, how.unit);
+  said = text;
+  [text, fault, echo] = sizeIn (said, how.unit);
+  [height, noHeight] = sizeIn (said, 'm');
+  if strcmp (how.unit, 'kg') && ~isempty (fault) && isempty (noHeight)
+    text = sprintf ('%.6g', how.perHeight * str2double (height));
+    [fault, echo] = deal ('', sprintf ('%.4g g in a tube of that diameter', ...
+                                       1000 * str2double (text)));
+  end
   if strcmp (how.unit, '1') && isempty (fault)
     share = 100 * str2double (text);
     echo = sprintf ('%.3g %% for the bed with its voids, %.3g %% solid', share, ...
@@ -49,9 +67,11 @@ function how = howAsked (one, sizes, density)
   words = lower (regexprep (one.name, {'([A-Z])', '(\d+)$'}, {' $1', ' $1'}));
   stem = regexprep (words, ' (radius|solid)$', '');
   % name, remark, label, unit, factor
-  rules = {'Radius$', '^m\>', [stem, ' diameter'], 'm', 0.5; ...
+  rules = {'^plateRadius$', '^m\>', ['plate diameter (the heap ends at its edge; what ' ...
+                                     'falls off is not weighed)'], 'm', 0.5; ...
+           'Radius$', '^m\>', [stem, ' diameter'], 'm', 0.5; ...
            '^speed\d', '^rad/s', words, 'rpm', pi / 30; ...
-           'Solid$', '^m3', 'mass filled in', 'kg', 1 / density; ...
+           'Solid$', '^m3', 'mass filled into the tube, or height in it', 'kg', 1 / density; ...
            'Solid$', '^m\>', 'height of the filling', 'm', 0.6; ...
            'Solid$', 'volume', ['share of the volume that the bed fills, voids ' ...
                                 'included (22 % solid: 0.37)'], '1', 0.6; ...
@@ -102,6 +122,12 @@ end
 %!    assert (echo, '22 % for the bed with its voids, 13.2 % solid');
 %!  end
 %!endfunction
+%!test
+%! % the height in a tube of 30 mm, grains of 1200 kg/m3 in 0.6 of it
+%! ask = @(question, usual, rule) answer (question, usual, rule, {'height in it', '60 mm'});
+%! sizes = askSizes (listBenches (root, {'Heap'}), 1200, ask);
+%! value = str2double (sizes(strcmp ({sizes.name}, 'heapSolid')).value);
+%! assert (value, 0.6 * pi * 0.015^2 * 0.06, 1e-4 * value);
 %!test
 %! % 22 % solid typed as the share of the bed: the echo shows it
 %! sizes = askSizes (listBenches (root, {'Drum'}), 1200, @typed);

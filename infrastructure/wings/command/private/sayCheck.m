@@ -255,6 +255,9 @@ function records = tryModels (Case)
     f.plan = toAllowed (boxCentre (Case.limits), Case);
   end
   jobs = newJobs (Case, f.plan(1, :), [], 1, 'plan');
+  printf (['trial     one run of %s begins; decalioc status says in another terminal ' ...
+           'how long it has run\n'], strjoin ({Case.models.name}, ', of '));
+  fflush (stdout);
   records = runJobs (jobs, Case, newProgress ('trial', ...
                                               @(text) printf ('%s\n', text)));
 end
