@@ -12,9 +12,9 @@
 %     stage    'plan', 'calibration', 'gap', or '' where there is no run
 %     models   1 x M struct array: name, done, failed, running, waiting, lost
 %              (broken off, see runsOfCase), old (runs that no longer count),
-%              unread (done, but to be read anew at the next start), longest
-%              (seconds since the first of those that run was started), seconds
-%              (median, NaN: not known)
+%              unread (done, but to be read anew at the next start), elapsed
+%              (1 x running, seconds since each was started), seconds (median,
+%              NaN: not known)
 %     plan     1 x 2, runs of the plan that are done, and all of them
 %     sets     1 x 2, sets run after the plan, and optim.maxFunEvals (which
 %              counts a set once more for each repeat);  later  their runs
@@ -128,19 +128,19 @@ function models = countsOf (Case, runs, seconds)
     models(k).failed = count ('failed', 'timeout', 'invalid');
     models(k).lost = count ('lost');
     models(k).running = count ('running');
-    models(k).longest = longestOf (current(strcmp (states, 'running')));
+    models(k).elapsed = sinceStart (current(strcmp (states, 'running')));
     models(k).waiting = count ('waiting');
     models(k).old = sum (~[ofModel.isCurrent]);
   end
 end
 
-% Seconds since the first of these was started: here, or by a task of a queue.
-function seconds = longestOf (runs)
-  seconds = NaN;
+% Seconds since each of these was started: here, or by a task of a queue.
+function seconds = sinceStart (runs)
+  seconds = zeros (1, 0);
   for run = runs(:)'
     marks = fullfile (run.folder, {'pid', 'batch.claim', 'job.json'});
     begun = stat (marks{find(cellfun (@(m) ~isempty (stat (m)), marks), 1)});
-    seconds = max (seconds, time () - begun.mtime);
+    seconds(end + 1) = time () - begun.mtime;
   end
 end
 
@@ -166,6 +166,11 @@ function seconds = secondsLeft (s, f, Case)
     left = max (0, s.sets(2) - s.sets(1));
     hours = sum (f.seconds .* [Case.models.cpu]) / 3600 * left;
   end
+  for k = 1:numel (s.models)              % of those under way a part is done
+    hours = hours - Case.models(k).cpu / 3600 * ...
+            sum (min (s.models(k).elapsed, f.seconds(k)));
+  end
+  hours(hours < 0) = 0;
   atATime = Case.options.maxCPU;
   if ~strcmp (Case.options.executor, 'local')
     atATime = max (1, sum ([s.models.running] .* [Case.models.cpu]));
@@ -189,7 +194,7 @@ end
 %! assert (s.plan, [6, 16]);
 %! assert ([s.models.done], [3, 3]);
 %! assert ([s.models.failed], [1, 0]);
-%! assert ([s.models.longest], [NaN, NaN]);
+%! assert ([s.models.elapsed], zeros (1, 0));
 %! assert (numel (s.failures), 1);
 %! assert (~isempty (strfind (s.failures{1}, 'too slow')));
 %! seconds = [s.models.seconds];
@@ -218,8 +223,8 @@ end
 %! s = caseStatus (Case, []);
 %! k = strcmp ({Case.models.name}, jobs(1).model);
 %! assert ([s.models.running], double (k));
-%! assert (s.models(k).longest, 300, 60);
-%! assert (isnan (s.models(~k).longest));
+%! assert (s.models(k).elapsed, 300, 60);
+%! assert (isempty (s.models(~k).elapsed));
 %! clear lock
 %!test
 %! % a plan of which one run failed and another seed took its place is done

@@ -103,8 +103,8 @@ function sayRuns (s)
     if ~isnan (m.seconds)
       printf ('; %s a run', inWords (m.seconds));
     end
-    if m.running > 0 && ~isnan (m.longest)
-      printf ('; the longest has run for %s', inWords (m.longest));
+    if m.running > 0
+      printf ('; the longest has run for %s', inWords (max (m.elapsed)));
     end
     if m.lost > 0
       printf ('; %d broken off, to be made again', m.lost);
