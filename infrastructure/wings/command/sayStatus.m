@@ -150,7 +150,8 @@ function sayBest (best, Case)
   words = {'not all targets met', 'all targets met'};
   printf ('best    %s; mean of %s\n', words{1 + best.isMet}, countText (best.runs, 'run'));
   for j = 1:numel (Case.names)
-    printf ('        %-24s %.5g\n', Case.names{j}, best.params(j));
+    printf ('        %-24s %.5g%s\n', Case.names{j}, best.params(j), ...
+            atLimit (best.params(j), Case.limits(1:2, j)));
   end
   curves = curveSummary (Case, best.residual);
   for k = 1:numel (curves)
@@ -169,6 +170,11 @@ function sayBest (best, Case)
     printf (['        %-24s %.5g, measured %s: ', values{1}, '%s\n'], T.name, ...
             best.results(t) / T.shown.factor, measured, values{2}, held);
   end
+end
+
+function text = atLimit (value, limits)
+  words = {'  at its lower limit', '  at its upper limit'};
+  text = [words{abs(value - limits) < 0.01 * diff (limits)}, ''];
 end
 
 %!test

@@ -95,7 +95,7 @@ function sayModels (Case, isTried)
             countText (m.cpu, 'CPU'), place);
     sayStages (m);
     cellfun (@(text) printf ('WARNING   %s: %s\n', m.name, text), ...
-             notesOfInput (m.folder, Case));
+             notesOfInput (m.folder, Case, mine));
     sayNamed (m, Case.hashes(k).named);
     isMine = [Case.targets.model] == k;
     sayMeasured (Case.targets(isMine));
@@ -280,17 +280,21 @@ function isGood = sayTrial (records, Case)
     g = sayGrains (r);
     sayResults (r, mine);
     notes = trialGates (r, mine, Case.models(k).folder, g);
-    notes = notes(~ismember (notes, notesOfInput (Case.models(k).folder, Case)));
+    notes = notes(~ismember (notes, notesOfInput (Case.models(k).folder, Case, mine)));
     cellfun (@(text) printf ('WARNING   %s: %s\n', r.model, text), notes);
   end
 end
 
-% What needs no run to be seen.
-function notes = notesOfInput (folder, Case)
+% What needs no run to be seen: of the variables, and of what was measured.
+function notes = notesOfInput (folder, Case, targets)
   notes = cell (1, 0);
   head = fullfile (folder, 'data.head');
   if isfile (head)
-    notes = inputGates (folder, mergeFields (headDefaults (head), Case.modelVars));
+    values = mergeFields (headDefaults (head), Case.modelVars);
+    for T = targets(isfinite ([targets.value]))
+      values.(T.name) = T.value;
+    end
+    notes = inputGates (folder, values);
   end
 end
 
