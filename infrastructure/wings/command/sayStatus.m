@@ -173,8 +173,9 @@ function sayBest (best, Case)
 end
 
 function text = atLimit (value, limits)
-  words = {'  at its lower limit', '  at its upper limit'};
-  text = [words{abs(value - limits) < 0.01 * diff (limits)}, ''];
+  words = {'', '  at its lower limit', '  at its upper limit'};
+  [gap, k] = min (abs (value - limits) / diff (limits));
+  text = words{1 + k * (gap < 0.01)};
 end
 
 %!test

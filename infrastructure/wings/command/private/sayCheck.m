@@ -165,7 +165,27 @@ function sayMeasured (targets)
            {targets(isMixed).name});
   sayList ('not measured yet, predicted only', ...
            {targets(isnan ([targets.value])).name});
+  sayOdd (targets);
   sayTight (targets);
+end
+
+% One reading that is no trial of the same: 15 times the scatter of the others away from
+% their mean (of five, one in 200 quantities by chance), and of what they have 15 % at least.
+function sayOdd (targets)
+  for t = targets(arrayfun (@(t) numel (givenField (t, 'each', [])) > 4, targets))
+    n = numel (t.each);
+    others = arrayfun (@(i) t.each([1:i - 1, i + 1:n]), 1:n, 'UniformOutput', false);
+    middle = cellfun (@mean, others);
+    [times, k] = max (abs (t.each - middle) ./ max (cellfun (@std, others), ...
+                                                    0.01 * abs (middle)));
+    if times > 15
+      printf (['WARNING   %s: one reading, %.5g, is %.0f times the scatter of the other ' ...
+               '%d away from their mean, %.5g%s: is it in another unit, or its point ' ...
+               'misplaced?\n'], ...
+              t.name, t.each(k) / t.shown.factor, times, n - 1, middle(k) / t.shown.factor, ...
+              regexprep (regexprep (t.shown.unit, '^-$', ''), '^.', ' $0'));
+    end
+  end
 end
 
 % Tighter than anybody can measure it: a share of a value that is next to 0, or a slip.
@@ -438,6 +458,24 @@ end
 %! has (none, 'repeat the reference on another day, and name the days');
 %! has (both, 'unlikely to have changed, 0.05 as likely as those above: rolling');
 %! has (both, 'Not said of: rolling, gain');
+
+%!test
+%! % five readings, of which one is no trial of the same; alike ones are not odd
+%! raw = standInCase (tempname ());
+%! writeLoadInput (raw.folder, 'optim = struct (''maxIter'', 3, ''tolRes'', 0.02);');
+%! rows_ = cellfun (@(z) sprintf ("First,sum,%g\nFirst,product,%g\n", z), ...
+%!                  {[7, 12], [7.1, 12], [690, 12], [6.9, 12], [7, 12.1]}, ...
+%!                  'UniformOutput', false);
+%! writeAtomic (fullfile (raw.folder, 'measured.csv'), ["model,name,value\n", rows_{:}, ...
+%!              "Second,less,1\n"]);
+%! writeAtomic (fullfile (raw.folder, 'DEMmodels', 'First', 'results.csv'), ...
+%!              ["name,kind,unit,series,at,text\n", ...
+%!               "sum,mass,kg,,,x\nproduct,mass,kg,,,x\n"]);
+%! writeAtomic (fullfile (raw.folder, 'DEMmodels', 'Second', 'results.csv'), ...
+%!              "name,kind,unit,series,at,text\nless,mass,kg,,,x\n");
+%! [~, text] = startCommand (raw.folder, 'check');
+%! assert (numel (strfind (text, 'is it in another unit, or its point')), 1, text);
+%! assert (! isempty (strfind (text, 'sum: one reading, 690, is')), text);
 
 %!test
 %! % what a queue would get, on a machine that has none
