@@ -12,7 +12,7 @@ function tables = calibrationTables ()
                    @importedTable, 'preferenceCost', @preferenceCost, 'demStage', ...
                    @demStage, 'evidenceLab', @evidenceLab, 'readingsLab', ...
                    @readingsLab, ...
-                   'krigingTime', @krigingTime, 'krigingCalls', @krigingCalls, ...
+                   'krigingTime', @krigingTime, ...
                    'benchCases', @benchCases, 'visibleChange', @visibleChange);
 end
 
@@ -200,17 +200,6 @@ function text = krigingTime (read)
                          'a fit: stk_param_relik, quickCost, stk''s tolerance', ...
                          'one set: toolbox, stk_predict', ...
                          '1000 sets: toolbox, stk_predict'}, rows_);
-end
-
-function text = krigingCalls (read)
-  list = read ('krigingCalls');
-  names = {'stk_param_estim', 'stk_param_relik', 'quickCost', 'stk_predict', 'fitSurrogates'};
-  rows_ = cell (0, 3 + numel (names));
-  for row = list
-    rows_(end + 1, :) = [{row.standin, row.seed, row.runs}, ...
-                         cellfun(@(n) row.(n), names, 'UniformOutput', false)];
-  end
-  text = markdownTable ([{'stand-in', 'seed', 'runs'}, names], rows_);
 end
 
 %!test

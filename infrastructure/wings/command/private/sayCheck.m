@@ -474,7 +474,7 @@ end
 %! writeAtomic (fullfile (raw.folder, 'DEMmodels', 'Second', 'results.csv'), ...
 %!              "name,kind,unit,series,at,text\nless,mass,kg,,,x\n");
 %! [~, text] = startCommand (raw.folder, 'check');
-%! assert (numel (strfind (text, 'is it in another unit, or its point')), 1, text);
+%! assert (numel (strfind (text, 'is it in another unit, or its point')) == 1, text);
 %! assert (! isempty (strfind (text, 'sum: one reading, 690, is')), text);
 
 %!test
