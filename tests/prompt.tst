@@ -64,6 +64,7 @@
 %!   [status, out, err] = atPrompt (base, ['help ', name{1}]);
 %!   assert (status == 0, err);
 %!   head = fileread (fullfile (root, [name{1}, '.m']));
+%!   head = regexp (head, '^(?:%[^\n]*\n)+', 'match', 'once');
 %!   head = regexp (head, '^% +(.*)$', 'tokens', 'lineanchors', ...
 %!                  'dotexceptnewline');
 %!   assert (numel (head) > 8);
