@@ -13,7 +13,7 @@
 %     models   1 x M struct array: name, done, failed, running, waiting, lost
 %              (broken off, see runsOfCase), old (runs that no longer count),
 %              unread (done, but to be read anew at the next start), elapsed
-%              (1 x running, seconds since each was started), seconds (median,
+%              (1 x n, seconds since each of these was started), seconds (median,
 %              NaN: not known)
 %     plan     1 x 2, runs of the plan that are done, and all of them
 %     sets     1 x 2, sets run after the plan, and optim.maxFunEvals (which
@@ -138,9 +138,12 @@ end
 function seconds = sinceStart (runs)
   seconds = zeros (1, 0);
   for run = runs(:)'
-    marks = fullfile (run.folder, {'pid', 'batch.claim', 'job.json'});
-    begun = stat (marks{find(cellfun (@(m) ~isempty (stat (m)), marks), 1)});
-    seconds(end + 1) = time () - begun.mtime;
+    marks = cellfun (@stat, fullfile (run.folder, {'pid', 'batch.claim', 'job.json'}), ...
+                     'UniformOutput', false);
+    begun = [marks{:}];                   % none: the folder has gone meanwhile
+    if ~isempty (begun)
+      seconds(end + 1) = time () - begun(1).mtime;
+    end
   end
 end
 

@@ -103,7 +103,7 @@ function sayRuns (s)
     if ~isnan (m.seconds)
       printf ('; %s a run', inWords (m.seconds));
     end
-    if m.running > 0
+    if ~isempty (m.elapsed)
       printf ('; the longest has run for %s', inWords (max (m.elapsed)));
     end
     if m.lost > 0
@@ -172,10 +172,11 @@ function sayBest (best, Case)
   end
 end
 
+% As near as a result is said to be at a limit, see newProblem (options.atLimit).
 function text = atLimit (value, limits)
   words = {'', '  at its lower limit', '  at its upper limit'};
   [gap, k] = min (abs (value - limits) / diff (limits));
-  text = words{1 + k * (gap < 0.01)};
+  text = words{1 + k * (gap < 0.005)};
 end
 
 %!test

@@ -44,7 +44,8 @@ function [text, fault, echo] = sizeAs (text, how)
   said = text;
   [text, fault, echo] = sizeIn (said, how.unit);
   [height, noHeight] = sizeIn (said, 'm');
-  if strcmp (how.unit, 'kg') && ~isempty (fault) && isempty (noHeight)
+  isTube = strcmp (how.unit, 'kg') && ~isempty (how.perHeight);
+  if isTube && ~isempty (fault) && isempty (noHeight)
     text = sprintf ('%.6g', how.perHeight * str2double (height));
     [fault, echo] = deal ('', sprintf ('%.4g g in a tube of that diameter', ...
                                        1000 * str2double (text)));

@@ -183,7 +183,7 @@ function sayOdd (targets)
                '%d away from their mean, %.5g%s: is it in another unit, or its point ' ...
                'misplaced?\n'], ...
               t.name, t.each(k) / t.shown.factor, times, n - 1, middle(k) / t.shown.factor, ...
-              regexprep (regexprep (t.shown.unit, '^-$', ''), '^.', ' $0'));
+              unitBehind (t));
     end
   end
 end
@@ -193,7 +193,7 @@ function sayTight (targets)
   isFit = strcmp ({targets.role}, 'calibrate') & isfinite ([targets.value]);
   for t = targets(isFit)
     if t.sd > 3 * halfWidth (t)
-      unit = regexprep (regexprep (t.shown.unit, '^-$', ''), '^.', ' $0');
+      unit = unitBehind (t);
       printf (['WARNING   %s: its uncertainty (%.3g%s) is %.2g times its tolerance ' ...
                '(+- %.3g%s): no run can show that it is met. Write a tolerance in its ' ...
                'unit (column tol: 0.1 abs), or measure it more often\n'], t.name, ...
@@ -201,6 +201,10 @@ function sayTight (targets)
               halfWidth (t) / t.shown.factor, unit);
     end
   end
+end
+
+function text = unitBehind (target)
+  text = regexprep (regexprep (target.shown.unit, '^-$', ''), '^.', ' $0');
 end
 
 function sayList (what, names)
