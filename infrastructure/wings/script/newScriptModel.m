@@ -6,8 +6,8 @@
 %   TARGET  model folder to be made (text)
 %   GIVEN   scalar struct: model (name), script (path), output (file with the
 %           results, '': output_results), seed ('': runSeed), mean (share of its
-%           rows, see readResults; '': 0), post (path of a program that makes
-%           the output, '': none), and cells of texts vary
+%           rows, see readResults; '': 0), post (path of a program that writes
+%           or prints the output, '': none), and cells of texts vary
 %           (NAME=LOW:HIGH), set and target (NAME=NUMBER, target with :UNIT),
 %           curve (PLACE:NAME=FILE, see scriptCurves)
 %   WORDS   scalar struct of texts for templates/scriptCase, with a curve for
@@ -53,7 +53,7 @@ function [words, notes] = newScriptModel (root, target, given)
   words = struct ('CURVES', curveWords (curves), 'MODEL', given.model, 'SCRIPT', ...
                   [base, ending], 'SEED', seed, ...
                   'OUTPUT', output, 'PLACE', placeText (found, tree), ...
-                  'POST', postText (post, tree), ...
+                  'POST', postText (post, tree, output), ...
                   'RESULTS', [tree.place, repmat('/', 1, ~isempty (tree.place)), ...
                               output], 'SHARE', sprintf ('%.10g', share));
   tree.texts = cell (size (tree.from));
@@ -123,8 +123,9 @@ function text = placeText (found, tree)
   end
 end
 
-% The call of a program that makes the results, from where LIGGGHTS was started.
-function text = postText (post, tree)
+% The call of a program that makes the results, from where LIGGGHTS was started; what
+% it prints is the output, where it writes no such file.
+function text = postText (post, tree, output)
   text = '';
   if ~isempty (post.file)
     isIt = strcmp (tree.from, post.file);
@@ -135,7 +136,9 @@ function text = postText (post, tree)
     elseif ~isempty (tree.place)
       up = repmat ('../', 1, 1 + sum (tree.place == '/'));
     end
-    text = sprintf (' || exit\n%s %s', post.program, shellQuote ([up, place]));
+    text = sprintf ([' || exit\nset -o pipefail\n%s %s | tee printed.txt || exit\n', ...
+                     '[ -e ''%s'' ] || cp printed.txt ''%s'''], post.program, ...
+                    shellQuote ([up, place]), output, output);
   end
 end
 

@@ -5,7 +5,7 @@
 %
 %   QUESTION, DEFAULT  texts; an empty answer takes the default
 %   RULE  handle (TEXT) -> [TEXT, FAULT, ECHO], see amountIn; a fault is said, and the
-%         question asked again; the echo of what was typed is said
+%         question asked again; the echo of what was typed is said. ? says how to answer
 %   READ  handle (PROMPT) -> text (default: input)
 %
 % Errors: DEcalioc:askPerson:missingField (Ctrl-D)
@@ -17,6 +17,11 @@ function text = askPerson (question, default, rule, read)
   prompt = [question, repmat([' [', default, ']'], 1, ~isempty (default)), ': '];
   while true
     text = strtrim (read (prompt));
+    if strcmp (text, '?')
+      printf (['  A number may have its unit behind it. Enter takes what stands in brackets, ', ...
+               'back returns to the question before, Ctrl-C ends and makes nothing.\n']);
+      continue
+    end
     isTyped = ~isempty (text);
     if ~isTyped
       text = default;
@@ -48,7 +53,8 @@ end
 %!test
 %! rule = @(text) amountIn (text, 'm');
 %! for row = {{'heavy', '4 mm'}, '0.004', '''heavy'''; {''}, '2e-3', ''; ...
-%!             {'4', '0.004'}, '0.004', "such as 4 mm.\n  taken as 0.004 m\n"}'
+%!             {'4', '0.004'}, '0.004', "such as 4 mm.\n  taken as 0.004 m\n"; ...
+%!             {'?', '4 mm'}, '0.004', 'Enter takes what stands in brackets'}'
 %!   count = containers.Map ({'k'}, {0});
 %!   answers = row{1};
 %!   read = @(prompt) nextOf (answers, count);

@@ -105,8 +105,12 @@ function [text, tols] = rowsOf (bench, ask, bulk)
       tols{end + 1} = sprintf ('%s %s %s', bench.name, one.name, ...
                                regexprep (tol, {'%', 'abs'}, {' %', said.unit}));
     end
-    for value = [said.values, repmat({''}, 1, isempty (said.values))]
-      text = [text, sprintf('%s,%s,%s,,%s,,,%s\n', bench.name, one.name, value{1}, ...
+    readings = [said.values; said.sd];
+    if isempty (readings)
+      readings = {''; ''};
+    end
+    for reading = readings
+      text = [text, sprintf('%s,%s,%s,%s,%s,,,%s\n', bench.name, one.name, reading{:}, ...
                             said.unit, tol)];
       tol = '';
     end

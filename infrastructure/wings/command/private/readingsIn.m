@@ -2,12 +2,13 @@
 %
 % CALL: [READINGS, FAULT, ECHO] = readingsIn (TEXT, UNIT)
 %
-%   TEXT      what was typed: '31.4, 32.0, 30.6', '14,1; 13,9 g', '' (not measured)
+%   TEXT      what was typed: '31.4, 32.0, 30.6', '14,1; 13,9 g', '38.2 +- 0.5',
+%             '' (not measured)
 %   UNIT      that of the result, see unitFactor (text)
-%   READINGS  scalar struct: values (1 x n cell of texts, in unit), unit (the first
-%             that was typed, else UNIT); [] with a FAULT
+%   READINGS  scalar struct: values, sd (1 x n cells of texts, in unit; sd '' where none
+%             was typed), unit (the first that was typed, else UNIT); [] with a FAULT
 %   FAULT     '' or what is needed, a sentence (text)
-%   ECHO      as what readings without a unit are taken, else '' (text)
+%   ECHO      as what readings without a unit, or with an sd, are taken, else '' (text)
 %
 % One unit counts for all readings, or each has its own.
 %
@@ -18,30 +19,58 @@
 
 function [readings, fault, echo] = readingsIn (text, unit)
   [fault, echo] = deal ('');
-  [words, units] = partsOf (strtrim (text));
+  [plain, sd] = withoutSd (strtrim (text));
+  [words, units] = partsOf (plain);
   isTyped = ~isempty (units);
   if numel (units) < 2
     units = repmat ([units, repmat({unit}, 1, ~isTyped)], 1, numel (words));
   end
-  readings = struct ('values', {words}, 'unit', [units, {unit}]{1});
+  isGiven = ~isempty (sd);
+  if ~isGiven
+    sd = repmat ({''}, size (words));
+  end
+  readings = struct ('values', {words}, 'sd', {sd}, 'unit', [units, {unit}]{1});
   if numel (units) ~= numel (words)
     fault = sprintf ('one unit for all readings or one for each is needed, got ''%s''.', text);
+  elseif numel (sd) ~= numel (words)
+    fault = sprintf ('an uncertainty behind each reading or none is needed, got ''%s''.', text);
   end
   for k = 1:numel (words) * isempty (fault)
     behind = repmat ([' ', units{k}], 1, isTyped && ~isnan (str2double (words{k})));
-    [value, fault] = amountIn ([words{k}, behind], unit);
+    [~, fault] = amountIn ([words{k}, behind], unit);
     if ~isempty (fault)
       break
-    elseif ~strcmp (units{k}, readings.unit)
-      readings.values{k} = sprintf ('%.12g', str2double (value) / ...
-                                    unitFactor (readings.unit, unit));
+    end
+    times = unitFactor (units{k}, unit) / unitFactor (readings.unit, unit);
+    if times ~= 1
+      [readings.values{k}, readings.sd{k}] = deal (timesText (words{k}, times), ...
+                                                   timesText (sd{k}, times));
     end
   end
   if ~isempty (fault)
     readings = [];
+  elseif isGiven
+    echo = [strjoin(strcat (readings.values, {' +- '}, readings.sd), ', '), ' ', ...
+            readings.unit, ' (standard uncertainty)'];
   elseif ~isempty (words) && ~isTyped
     [~, ~, echo] = amountIn (words{end}, unit);
     echo = strjoin ([words(1:end - 1), {echo}], ', ');
+  end
+end
+
+function text = timesText (text, factor)
+  if ~isempty (text)
+    text = sprintf ('%.12g', factor * str2double (text));
+  end
+end
+
+% What stands behind +- is the uncertainty of the reading before it.
+function [text, sd] = withoutSd (text)
+  mark = ['\s*(?:\+/?-|', "\302\261", ')\s*(\d*[.,]?\d+)'];
+  sd = regexp (text, mark, 'tokens');
+  if ~isempty (sd)
+    sd = strrep ([sd{:}], ',', '.');
+    text = regexprep (text, {mark, '[()]'}, '');
   end
 end
 
@@ -100,6 +129,22 @@ end
 %!             '31 deg, 32 kg', '31 deg; 32; 0.5 rad'}
 %!   [r, fault] = readingsIn (text{1}, 'deg');
 %!   assert (isempty (r) && ! isempty (fault), text{1});
+%! end
+%!test
+%! % a mean and its uncertainty, in the unit behind both
+%! for row = {'38.2 +- 0.5', 'deg', '38.2|0.5|deg|', '38.2 +- 0.5 deg (standard uncertainty)'; ...
+%!            ["38.2 \302\261 0.5 deg"], 'deg', '38.2|0.5|deg|', ...
+%!            '38.2 +- 0.5 deg (standard uncertainty)'; ...
+%!            '(13.7 +/- 0.2) g', 'kg', '13.7|0.2|g|', '13.7 +- 0.2 g (standard uncertainty)'; ...
+%!            '13.7 +- 0.2 g; 0.0135 +- 0.0003 kg', 'kg', '13.7 13.5|0.2 0.3|g|', ...
+%!            '13.7 +- 0.2, 13.5 +- 0.3 g (standard uncertainty)'}'
+%!   [r, fault, echo] = readingsIn (row{1:2});
+%!   assert ([strjoin(r.values, ' '), '|', strjoin(r.sd, ' '), '|', r.unit, '|', fault], row{3});
+%!   assert (echo, row{4});
+%! end
+%! assert (readingsIn ('31', 'deg').sd, {''});
+%! for text = {'38.2 +- 0.5, 38.4', '38.2 +- x', '38,2 +- 0,5'}
+%!   assert (isempty (readingsIn (text{1}, 'deg')), text{1});
 %! end
 %!test
 %! % what is taken is said; what a balance cannot mean is asked for again
