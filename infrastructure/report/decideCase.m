@@ -229,7 +229,8 @@ function todo = wayOn (c, used)
     todo = newAction ('moreTime', {sprintf('%g', c.ending.seconds)});
   elseif strcmp (code, 'jump')
     todo = newAction ('jump', cellstr (c.ending.names)(:)', widen);
-  elseif any (strcmp (code, {'conflict', 'beyondScatter'})) || strcmp (limit, 'maxIter')
+  elseif any (strcmp (code, {'conflict', 'beyondScatter'})) || ...
+         (strcmp (limit, 'maxIter') && any ([used.met] == 0))   % all met: more runs make sure
     todo = newAction ('diagnose', {}, widen);
   elseif isImported (c)
     todo = newAction ('runOutside');
@@ -375,6 +376,20 @@ end
 %! v = decideCase (coded (s.c), []);
 %! assert ({v.numbers(1).label, v.numbers(1).text}, ...
 %!         {'friction (mu)', '0.308 (0.226 to 0.578)'});
+%!test
+%! % all met, and not sure: more runs, no cause
+%! list = verdictCase ();
+%! s = list(strcmp ({list.name}, 'met'));
+%! s.c.converged = false;
+%! s.c.limit = 'maxIter';
+%! coded = @(x) jsondecode (jsonencode (x));
+%! for row = {'unsure', 0, 'raise'; 'twoOutcomes', 0, 'raise'; 'twoOutcomes', 1, 'lookOutcomes'; ...
+%!            'conflict', 0, 'diagnose'}'
+%!   [s.c.ending.code, s.c.ending.other] = deal (row{1:2});
+%!   v = decideCase (coded (s.c), []);
+%!   assert (v.todo.code, row{3});
+%!   assert (! strcmp (row{3}, 'raise') || strcmp (v.todo.field, 'optim.maxFunEvals'));
+%! end
 %!test
 %! % one result in another unit, by all runs: no cause before that; half of what was measured
 %! list = verdictCase ();
