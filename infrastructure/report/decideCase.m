@@ -229,8 +229,7 @@ function todo = wayOn (c, used)
     todo = newAction ('moreTime', {sprintf('%g', c.ending.seconds)});
   elseif strcmp (code, 'jump')
     todo = newAction ('jump', cellstr (c.ending.names)(:)', widen);
-  elseif any (strcmp (code, {'conflict', 'beyondScatter'})) || ...
-         (strcmp (limit, 'maxIter') && any ([used.met] == 0))   % all met: more runs make sure
+  elseif isMissedForGood (code, limit, used)
     todo = newAction ('diagnose', {}, widen);
   elseif isImported (c)
     todo = newAction ('runOutside');
@@ -241,6 +240,12 @@ function todo = wayOn (c, used)
   if isempty (units)
     todo.parts = [todo.parts, sayFirst(halfOrTwice (used([used.met] == 0)), [])];
   end
+end
+
+% Where all targets are met and it is not sure, more runs make it so.
+function yes = isMissedForGood (code, limit, used)
+  yes = any (strcmp (code, {'conflict', 'beyondScatter'})) || ...
+        (strcmp (limit, 'maxIter') && any ([used.met] == 0));
 end
 
 % 'mass differ by a factor of about 1000, as between g and kg ...': from the expectation, or

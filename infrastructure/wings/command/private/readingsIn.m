@@ -30,10 +30,11 @@ function [readings, fault, echo] = readingsIn (text, unit)
     sd = repmat ({''}, size (words));
   end
   readings = struct ('values', {words}, 'sd', {sd}, 'unit', [units, {unit}]{1});
-  if numel (units) ~= numel (words)
-    fault = sprintf ('one unit for all readings or one for each is needed, got ''%s''.', text);
-  elseif numel (sd) ~= numel (words)
-    fault = sprintf ('an uncertainty behind each reading or none is needed, got ''%s''.', text);
+  needed = {'one unit for all readings or one for each', ...
+            'an uncertainty behind each reading or none'};
+  needed = needed([numel(units), numel(sd)] ~= numel (words));
+  if ~isempty (needed)
+    fault = sprintf ('%s is needed, got ''%s''.', needed{1}, text);
   end
   for k = 1:numel (words) * isempty (fault)
     behind = repmat ([' ', units{k}], 1, isTyped && ~isnan (str2double (words{k})));
