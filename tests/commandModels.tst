@@ -88,6 +88,22 @@
 %! assert (status == 0, out);
 %! assert (says (out, 'trial run  ok'));
 
+%!testif ; ! isempty (file_in_path (getenv ('PATH'), 'liggghts'))
+%! % a heap of a filling 0.1 m high in a tube of 36 mm
+%! [text, fault] = benchTrial ('Heap', struct ('radiusP', 3.5e-3, 'heapSolid', 6e-5, ...
+%!                                             'tubeRadius', 0.018, 'plateRadius', 0.036, ...
+%!                                             'restTime', 0.06, 'liftHeight', 0.006));
+%! assert (fault, '');
+%! count = @(name) str2double (regexp (text, ['(?<=', name, ',)\d+'], 'match', 'once'));
+%! assert (count ('spheresStart') > 250 && count ('spheresSettled') == count ('spheresStart'));
+
+%!test
+%! % the same LIGGGHTS in a window of any width
+%! words = 'cd "%s"; COLUMNS=%d bash -c ". tools/liggghts/settings.sh; buildFolder sources"';
+%! [~, narrow] = system (sprintf (words, root, 60));
+%! [~, wide] = system (sprintf (words, root, 150));
+%! assert (! isempty (narrow) && strcmp (narrow, wide), wide);
+
 %!test
 %! confirm_recursive_rmdir (false, 'local');
 %! rmdir (fileparts (base), 's');

@@ -16,7 +16,7 @@
 % models, at the end of Input.model; raw.further has their names. Each has the
 % CPUs of the model whose name its own begins with, or 1.
 %
-% Errors: DEcalioc:readInput:missingFile, :brokenInput
+% Errors: DEcalioc:readInput:missingFile, :brokenInput, :decimalComma
 
 function raw = readInput (root, folder)
   if nargin < 2
@@ -31,6 +31,7 @@ function raw = readInput (root, folder)
            ['readInput: a file loadInput.m is expected in %s or %s. Copy ' ...
             'the one of the toolbox and edit it.'], folder, root);
   end
+  checkDecimals (file);
   % Octave keeps that of another case after a change of folder
   clear ('-functions', 'loadInput');
   try
@@ -48,6 +49,17 @@ function raw = readInput (root, folder)
     raw.Input.store = place;
   end
   raw = withFurther (raw);
+end
+
+% x = 0,03; is x = 0, and then 3.
+function checkDecimals (file)
+  line = regexp (readText (file), '^[^%#\n''"=([{]*=[ \t]*[-+]?\d+,\d+[ \t]*;', 'match', ...
+                 'once', 'lineanchors');
+  if ~isempty (line)
+    error ('DEcalioc:readInput:decimalComma', ...
+           ['readInput: decimals must stand behind a point, got ''%s'' in %s, which ' ...
+            'Octave takes for two commands.'], strtrim (line), file);
+  end
 end
 
 function raw = withFurther (raw)
@@ -79,7 +91,9 @@ end
 
 %!test
 %! % it fails, or does not even parse
-%! for bad = {'a = nope;', 'nope'; 'a = [1, ;', 'parse error near line 1'}'
+%! for bad = {'a = nope;', 'nope', 'brokenInput'; ...
+%!            'a = [1, ;', 'parse error near line 1', 'brokenInput'; ...
+%!            sprintf("\n  m.r = 0,03;   %% m\n"), 'm.r = 0,03', 'decimalComma'}'
 %!   folder = emptyFolder ();
 %!   file = fullfile (folder, 'loadInput.m');
 %!   writeAtomic (file, ['function [a, b, c, d, e] = loadInput (), ', ...
@@ -90,7 +104,7 @@ end
 %!       loadCase (folder, folder);
 %!     catch err
 %!     end
-%!     assert (err.identifier, 'DEcalioc:readInput:brokenInput');
+%!     assert (err.identifier, ['DEcalioc:readInput:', bad{3}]);
 %!     assert (! isempty (strfind (err.message, bad{2})));
 %!     assert (! isempty (strfind (err.message, file)));
 %!   unwind_protect_cleanup

@@ -9,7 +9,7 @@
 function say = newSay (logFile)
   screen = struct ('width', Inf, 'colour', false);
   if system ('test -t 1') == 0
-    [~, size_] = system ('stty size < /dev/tty 2> /dev/null');
+    [~, size_] = system ('stty size 2> /dev/null < /dev/tty');
     screen.width = str2double (regexp (size_, '\d+\s*$', 'match', 'once'));
     if ~(screen.width >= 20)
       screen.width = 80;

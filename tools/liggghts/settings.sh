@@ -36,7 +36,8 @@ formerSources () {
 buildFolder () {
   local target key
   # shellcheck disable=SC2086  # the flags are several words
-  target=$(g++ $flags -Q --help=target 2>/dev/null) || return 1
+  # as wide as without a terminal: the lines wrap at its width
+  target=$(COLUMNS=80 g++ $flags -Q --help=target 2>/dev/null) || return 1
   key=$( { echo "$tarballSha $flags $target"
            g++ -dumpfullversion
            "$1"

@@ -66,12 +66,13 @@ function s = stateOf (c, names, j)
   partner = partnerOf (c, names, j);
   range = [jsonAt(c, {'interval90', name})(:)', -Inf, Inf];
   class = 'unsure';
-  if any (strcmp (name, namesIn (c, 'atLimit')))
+  isAtLimit = any (strcmp (name, namesIn (c, 'atLimit')));
+  if (isLoose || isAtLimit) && any (max (share) < 0.05)
+    code = 'dead';
+  elseif isAtLimit
     [class, code] = deal ('off', 'atLimit');
   elseif strcmp (jsonAt (c, {'intervalCode'}), 'no fit')
     code = 'notKnown';
-  elseif isLoose && any (max (share) < 0.05)
-    code = 'dead';
   elseif isLoose
     codes = {'flat', 'tradeOff'};
     code = codes{2 - isempty(partner)};

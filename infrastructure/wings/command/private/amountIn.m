@@ -13,7 +13,8 @@
 
 function [value, fault, echo] = amountIn (text, unit)
   [fault, echo] = deal ('');
-  text = strtrim (text);
+  % 4,5 is 4.5; 4,000 may be either
+  text = regexprep (strtrim (text), '^([-+]?\d+),(\d{1,2}|\d{4,})(?![\d.,])', '$1.$2');
   value = text;
   if isempty (text)
     return
@@ -70,12 +71,14 @@ end
 %!   [value, fault] = amountIn (row{1:2});
 %!   assert ({value, fault}, {row{3}, ''});
 %! end
-%! for text = {'4 furlongs', '4 kg', 'four', '4,5', '4 5', '1e999', ...
+%! for text = {'4 furlongs', '4 kg', 'four', '4,500', '4 5', '1e999', ...
 %!              '4i', '-', 'NaN', '1e', '4,000 mm'}
 %!   [value, fault] = amountIn (text{1}, 'mm');
 %!   assert (isempty (value) && ~isempty (strfind (fault, ['''', text{1}])));
 %! end
-%! assert (~isempty (strfind (nthargout (2, @amountIn, '4,5', 'm'), 'point')));
+%! assert (~isempty (strfind (nthargout (2, @amountIn, '4,500', 'm'), 'point')));
+%! assert (amountIn ('4,5 mm', 'm'), '0.0045');
+%! assert (nthargout (3, @amountIn, '0,25', 'm'), '0.25 m');
 %!test
 %! % without a unit, what no table holds is asked for again, the rest is said
 %! for row = {'4', 'm', '4 m? Give a unit, such as 4 mm.', ''; ...

@@ -100,9 +100,11 @@ function words = numbersOf (text)
   end
   words = regexp (text, mark, 'split');
   words = [cell(1, 0), words(~cellfun (@isempty, words))];
-  if numel (words) > 1
-    words = regexprep (words, '^([-+]?\d*),(\d+)$', '$1.$2');
+  decimals = '(\d+)';
+  if isscalar (words)            % 4,000 alone may be either
+    decimals = '(\d{1,2}|\d{4,})';
   end
+  words = regexprep (words, ['^([-+]?\d*),', decimals, '$'], '$1.$2');
 end
 
 %!test
@@ -126,7 +128,8 @@ end
 %!   assert ({strjoin(r.values, ' '), r.unit, fault}, [row(3:4)', {''}]);
 %! end
 %! assert (readingsIn ('', 'm').values, cell (1, 0));
-%! for text = {'31,4', 'about 30', '31 kg', '31; x', '31 deg, 32, 0.5 rad', ...
+%! assert (readingsIn ('31,4 deg', 'deg').values, {'31.4'});
+%! for text = {'31,400', 'about 30', '31 kg', '31; x', '31 deg, 32, 0.5 rad', ...
 %!             '31 deg, 32 kg', '31 deg; 32; 0.5 rad'}
 %!   [r, fault] = readingsIn (text{1}, 'deg');
 %!   assert (isempty (r) && ! isempty (fault), text{1});
@@ -144,7 +147,8 @@ end
 %!   assert (echo, row{4});
 %! end
 %! assert (readingsIn ('31', 'deg').sd, {''});
-%! for text = {'38.2 +- 0.5, 38.4', '38.2 +- x', '38,2 +- 0,5'}
+%! assert (readingsIn ('38,2 +- 0,5', 'deg').sd, {'0.5'});
+%! for text = {'38.2 +- 0.5, 38.4', '38.2 +- x'}
 %!   assert (isempty (readingsIn (text{1}, 'deg')), text{1});
 %! end
 %!test

@@ -212,6 +212,7 @@ function words = wordsOfBench (root, bench, asks)
     printf ("Enter takes what stands in brackets, back returns to the question before.\n");
     words = askInTurn (@(ask) newBenchCase (root, bench, ask), @askPerson);
   else
+    printf ("Nothing is asked, as this is no terminal: sizes and grains as they come.\n");
     words = newBenchCase (root, bench);
   end
 end
