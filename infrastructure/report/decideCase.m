@@ -218,7 +218,7 @@ function todo = wayOn (c, used)
   if strcmp (code, 'twoOutcomes') && c.ending.other == 0
     plain = rmfield (plain, code);       % earlier runs did, own ones not yet
   end
-  widen = worded (c, namesIn (c, 'atLimit'));
+  widen = worded (c, drivingOf (c, namesIn (c, 'atLimit')));
   if ~isempty (units)
     todo = newAction ('units', units);
   elseif strcmp (code, 'unjudged')
@@ -233,6 +233,8 @@ function todo = wayOn (c, used)
     todo = newAction ('diagnose', {}, widen);
   elseif isImported (c)
     todo = newAction ('runOutside');
+  elseif ~isempty (widen) && any (arrayfun (@isBeyond, used([used.met] == 0)))
+    todo = newAction ('widenLimits', widen);
   else
     field = merge (strcmp (limit, 'maxNewRuns'), 'Input.maxNewRuns', 'optim.maxFunEvals');
     todo = newAction ('raise', {field}, widen);
@@ -240,6 +242,15 @@ function todo = wayOn (c, used)
   if isempty (units)
     todo.parts = [todo.parts, sayFirst(halfOrTwice (used([used.met] == 0)), [])];
   end
+end
+
+% Without those that drive less than 5 % of the variance of each calibrated target.
+function names = drivingOf (c, names)
+  share = @(t, name) jsonNumber (c, {'targets', t, 'sensitivity', name}, 1);
+  isFit = @(t) strcmp (jsonAt (c, {'targets', t, 'role'}), 'calibrate');
+  fit = find (arrayfun (isFit, 1:numel (jsonList (c, {'targets'}))));
+  drives = @(name) any (arrayfun (@(t) share (t, name), fit) >= 0.05);
+  names = names(cellfun (drives, names));
 end
 
 % Where all targets are met and it is not sure, more runs make it so.
@@ -395,6 +406,19 @@ end
 %!   assert (v.todo.code, row{3});
 %!   assert (! strcmp (row{3}, 'raise') || strcmp (v.todo.field, 'optim.maxFunEvals'));
 %! end
+%! % beyond what all runs gave, and a parameter that drives it at its limit
+%! [s.c.ending.code, s.c.limit, s.c.atLimit] = deal ('outside', 'maxFunEvals', {'mu'});
+%! s.c.targets(1).role = 'calibrate';
+%! [s.c.targets(1).met, s.c.targets(1).target] = deal (false, 14);
+%! s.c.targets(1).range = [15, 30];
+%! assert (decideCase (coded (s.c), []).todo.code, 'widenLimits');
+%! s.c.targets(1).range = [13, 30];
+%! assert (decideCase (coded (s.c), []).todo.code, 'raise');
+%! for t = 1:numel (s.c.targets)
+%!   s.c.targets(t).sensitivity = struct ('mu', 0.02);
+%! end
+%! s.c.targets(1).range = [15, 30];
+%! assert (decideCase (coded (s.c), []).todo.widen, {});
 %!test
 %! % one result in another unit, by all runs: no cause before that; half of what was measured
 %! list = verdictCase ();

@@ -9,7 +9,7 @@
 %                 plan
 %     posterior   n x d, sample of the values that fit;  plan  n x d, parameter
 %                 values of the plan;  found  1 x d, the best so far; 0 x d: none
-%                 yet
+%                 yet;  foundWord  what they are called (text)
 %     runs        1 x n struct array, all that the store knows in the order of
 %                 their starts: model, name (of the folder), stage, params (1 x
 %                 d), effects, replicate, seed, status ('ok': ended well,
@@ -51,6 +51,7 @@ function page = pageData (Case)
   end
   [page.plan, page.runs] = deal (plan, runs);
   page.found = foundSet (s, Case.names);
+  page.foundWord = merge (page.verdict.usable, 'the calibrated values', 'the best values so far');
   page.reach = reachOf (page.surrogates, Case);
   page.tables = withConditions (statementTables (page), page);
 end

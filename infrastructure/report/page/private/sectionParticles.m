@@ -90,7 +90,7 @@ end
 function sets = setsToShow (page)
   sets = struct ('params', {}, 'what', {}, 'title', {});
   if ~isempty (page.found)
-    sets(1) = struct ('params', page.found, 'what', 'the calibrated values', 'title', '');
+    sets(1) = struct ('params', page.found, 'what', page.foundWord, 'title', '');
   end
   names = page.Case.names;
   fitted = jsonAt (page.sources.gap, {'howFar', 'params'});
@@ -204,7 +204,7 @@ end
 %! page.Case = Case;
 %! page.runs = struct ('model', 'Heap', 'status', 'ok', 'params', 0.5, ...
 %!                     'name', '0001', 'stage', 'plan', 'effects', []);
-%! page.found = 0.5;
+%! [page.found, page.foundWord] = deal (0.5, 'the best values so far');
 %! page.sources.gap = [];
 %! particles = sectionParticles (){3};
 %! html = particles (page);

@@ -28,7 +28,7 @@ function html = plan (page)
           'ring', X, 'grey', ['plan (', countText(rows (X), 'run'), ')']; ...
           'triangle', later, 'amber', ...
           ['run later or imported (', countText(rows (later), 'run'), ')']; ...
-          'diamond', page.found, 'red', 'the calibrated values'};
+          'diamond', page.found, 'red', page.foundWord};
   isSeen = ~cellfun (@isempty, sets(:, 2));
   figures = [];
   for i = 1:numel (page.Case.names)
@@ -100,7 +100,7 @@ end
 function html = slices (page)
   html = '';
   centre = page.found;
-  what = 'the calibrated values';
+  what = page.foundWord;
   if isempty (centre)
     centre = boxCentre (page.Case.limits);
     what = 'the centre of the limits (nothing has been found yet)';
@@ -225,7 +225,7 @@ end
 %!                             'curve', 0));
 %! page.surrogates = s;
 %! page.targets = struct ('label', {'', ''}, 'unit', {'mm', ''});
-%! page.found = [0.5, 1];
+%! [page.found, page.foundWord] = deal ([0.5, 1], 'the best values so far');
 %! page.sources.calibration = [];
 %! parts = sectionSurrogates ()(:, 3);
 %! html = parts{3} (page);
