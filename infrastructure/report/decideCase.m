@@ -233,14 +233,21 @@ function todo = wayOn (c, used)
     todo = newAction ('diagnose', {}, widen);
   elseif isImported (c)
     todo = newAction ('runOutside');
-  elseif ~isempty (widen) && any (arrayfun (@isBeyond, used([used.met] == 0)))
+  else
+    todo = goFurther (limit, used, widen);
+  end
+  if isempty (units)
+    todo.parts = [todo.parts, sayFirst(halfOrTwice (used([used.met] == 0)), [])];
+  end
+end
+
+% Beyond the limits where no run came to what was measured, else more runs within.
+function todo = goFurther (limit, used, widen)
+  if ~isempty (widen) && any (arrayfun (@isBeyond, used([used.met] == 0)))
     todo = newAction ('widenLimits', widen);
   else
     field = merge (strcmp (limit, 'maxNewRuns'), 'Input.maxNewRuns', 'optim.maxFunEvals');
     todo = newAction ('raise', {field}, widen);
-  end
-  if isempty (units)
-    todo.parts = [todo.parts, sayFirst(halfOrTwice (used([used.met] == 0)), [])];
   end
 end
 
