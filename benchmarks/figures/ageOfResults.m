@@ -8,7 +8,8 @@
 %
 % figures.csv names the rooms of each table of results, folders of infrastructure/;
 % the commit is the oldest one of its first lines (originLines). A commit that changes
-% remarks and tests alone changes no room.
+% remarks and tests alone changes no room, nor does one whose message has a line
+% 'Results stay: ' and how that was seen.
 %
 % Errors: DEcalioc:ageOfResults:missingRoom (a room without its folder)
 %
@@ -79,7 +80,7 @@ end
 
 % Commits with a changed line that is no remark.
 function words = codeOnly ()
-  words = '-G"^[[:space:]]*[^#%[:space:]]"';
+  words = '-G"^[[:space:]]*[^#%[:space:]]" --invert-grep --grep="^Results stay: "';
 end
 
 function text = gitLine (root, words)

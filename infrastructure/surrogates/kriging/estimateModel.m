@@ -22,8 +22,9 @@ function theta = estimateModel (model, U, y, start)
   options = stk_options_get ();
   restore = onCleanup (@() restoreAll (heard, options));
   warning ('off', 'all');
+  tuned = struct ('maxiter', 100, 'tol', 1e-2);
   if isfield (model, 'prior')
-    search = stk_optim_octavesqp (struct ('maxiter', 100, 'tol', 1e-2));
+    search = stk_optim_octavesqp (tuned);
     stk_options_set ('stk_param_estim', 'minimize_box', search);
     stk_options_set ('stk_param_estim', 'minimize_unc', search);
   end
@@ -32,17 +33,34 @@ function theta = estimateModel (model, U, y, start)
     [param, noise] = stk_param_init (model, U, y);
     start = [param(:); noise];
   end
-  [param, noise] = deal (start(1:n), start(n + 1:end));
+  theta = start(:);
   try
-    [param, noise] = stk_param_estim (model, U, y, param, noise, model.criterion);
+    if hasBounds (model, U, y)
+      [param, noise] = stk_param_estim (model, U, y, start(1:n), start(n + 1:end), ...
+                                        model.criterion);
+      theta = [param(:); noise(:)](1:numel (start));
+    else
+      theta = leastCost (model, U, y, start(:), tuned);
+    end
   catch
     % without a prior its line search may leave what a covariance can hold; the
     % start is taken if it has a cost
     fitCost (model, U, y, start(:));
   end
-  theta = param(:);
-  if numel (start) > n
-    theta(end + 1) = noise;
+end
+
+function yes = hasBounds (model, U, y)
+  yes = ~isempty (stk_param_getdefaultbounds (model.covariance_type, model.param, U, y));
+end
+
+% As stk_param_estim does it where a covariance has no bounds, which stk 2.8 compares
+% with bounds nevertheless, and finds nothing.
+function theta = leastCost (model, U, y, start, tuned)
+  cost = @(theta) fitCost (model, U, y, theta);
+  slope = @(theta) nthargout (2, @fitCost, model, U, y, theta);
+  [theta, least] = sqp (start, {cost, slope}, [], [], [], [], tuned.maxiter, tuned.tol);
+  if ~(least < cost (start))
+    theta = start;
   end
 end
 
@@ -67,6 +85,11 @@ end
 %! assert (norm (g) < 0.1);
 %! again = estimateModel (model, U, y, theta);
 %! assert (again, theta, 0.05);
+%! % nor where the noise is one of the covariance
+%! of.extra = U(:, 1);
+%! model = krigingModel ('affine', 'matern52', 2, of);
+%! [C, g] = fitCost (model, U, y, estimateModel (model, U, y));
+%! assert (norm (g) < 0.1);
 %!function varargout = atStartAlone (start, model, varargin)
 %!  assert (model.param(:), start(1:numel (model.param)));
 %!  [varargout{1:nargout}] = stk_param_relik (model, varargin{:});
