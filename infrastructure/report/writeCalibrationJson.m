@@ -127,6 +127,10 @@ function v = writeCalibrationJson (c, Case)
   out.warnings = c.warnings;
   out.history = eachOf (@(step) stepOf (step, Case.targets, named), c.history);
   out.input = resultInput (Case);
+  changed = repmat ({'model'}, 1, givenField (c, 'isMixed', false));
+  if ~isempty (changed)                 % while it ran, see reportCalibration
+    out.input.digest.model = '';
+  end
   out.version = toolboxVersion (Case.root);
   out.date = strftime ('%Y-%m-%d %H:%M', localtime (time ()));
   folder = fullfile (Case.folder, 'results');
@@ -134,7 +138,7 @@ function v = writeCalibrationJson (c, Case)
   writeTables (c, Case, folder);
   stored = storedResult (Case);
   stored.calibration = jsondecode (jsonencode (out));
-  stored.changed = {};
+  stored.changed = changed;
   v = decideStored (stored);
   out.action = v.todo;
   out.verdict = rmfield (v, {'cause', 'todo', 'actionParts'});
