@@ -13,7 +13,10 @@
 function c = reportCalibration (c, Case, say)
   Case.hashes = hashModels (Case);      % asked for several times
   c.isMixed = isMixed (c.data, Case);
-  c.exitStatus = max (c.exitStatus, 2 * c.isMixed);
+  if c.isMixed
+    c.exitStatus = 2;
+    c.reason = ['The model was edited while it ran: runs of both are in this. ', c.reason];
+  end
   c.verdict = writeCalibrationJson (c, Case);
   sayCalibration (Case, say);
   reportPage (Case, say);
@@ -25,13 +28,13 @@ function yes = isMixed (data, Case)
   yes = false;
   runs = runsOfCase (Case);
   good = runs([runs.isCurrent] & strcmp ({runs.state}, 'ok'));
-  isOwn = ~ismember (data.stage, {'import', 'library'}) & ~sharesStore (Case);
+  isOwn = ~ismember (data.stage, {'import', 'library'}) & strcmp (Case.store, Case.folder);
   for k = 1:numel (Case.models)
-    Z = data.Z(isOwn, [Case.targets.model] == k);
-    isRun = any (isfinite (Z), 2);
+    Z = data.Z(:, [Case.targets.model] == k);
+    isRun = isOwn(:) & any (isfinite (Z), 2);
     Z(~isfinite (Z)) = 0;
-    made = unique ([data.X(isOwn, :), data.E(isOwn, :), Z](isRun, :), 'rows');
-    yes = yes || sum ([good.model] == k) < rows (made);
+    made = [data.X, data.E, Z];
+    yes = yes || sum ([good.model] == k) < rows (unique (made(isRun, :), 'rows'));
   end
 end
 
@@ -54,6 +57,7 @@ end
 %!   evalc ('r = reportCalibration (c, Case, @(line, varargin) disp (line));');
 %!   assert ({r.isMixed, r.exitStatus}, {true, 2});
 %!   assert (r.verdict.word, 'Result of an earlier input (model changed)');
+%!   assert (strncmp (r.reason, 'The model was edited', 20));
 %!   assert (storedResult (Case).changed, {'model'});
 %! end
 

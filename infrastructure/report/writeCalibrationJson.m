@@ -107,11 +107,7 @@ function v = writeCalibrationJson (c, Case)
   out = mergeFields (out, c, {'runs', 'probability', 'demRuns', ...
                               'coreSeconds', 'atLimit', 'notIdentified'});
   out.unfixed = c.identifiability.text;
-  out.neverVaried = {};
-  if isfield (Case, 'fixed')
-    out.neverVaried = {Case.fixed.text};
-  end
-  out.neverVaried = [out.neverVaried, sameInAll(c.data, Case)];
+  out.neverVaried = neverVaried (c.data, Case);
   out.next = num2cell (c.identifiability.next);
   out.sensitivity = named (num2cell (num2cell (c.sensitivity), 2));
   out.correlation = c.correlation;
@@ -126,11 +122,7 @@ function v = writeCalibrationJson (c, Case)
   out.levels = eachOf (@(L) levelOf (L, Case.targets), c.levels);
   out.warnings = c.warnings;
   out.history = eachOf (@(step) stepOf (step, Case.targets, named), c.history);
-  out.input = resultInput (Case);
-  changed = repmat ({'model'}, 1, givenField (c, 'isMixed', false));
-  if ~isempty (changed)                 % while it ran, see reportCalibration
-    out.input.digest.model = '';
-  end
+  [out.input, changed] = inputOf (c, Case);
   out.version = toolboxVersion (Case.root);
   out.date = strftime ('%Y-%m-%d %H:%M', localtime (time ()));
   folder = fullfile (Case.folder, 'results');
@@ -149,19 +141,31 @@ end
 
 % Where the store is the case folder, runs of an earlier input are of this case, too.
 function s = ownSources (s, Case)
-  if ~sharesStore (Case)
+  if strcmp (Case.store, Case.folder)
     [s.own, s.otherCases] = deal (s.own + s.otherCases, 0);
   end
 end
 
+% CHANGED  words of changedInput: the model, where it did while it ran.
+function [input, changed] = inputOf (c, Case)
+  input = resultInput (Case);
+  changed = repmat ({'model'}, 1, givenField (c, 'isMixed', false));
+  if ~isempty (changed)
+    input.digest.model = '';
+  end
+end
+
 % A parameter that came to the case later is the same in all runs made before it.
-function texts = sameInAll (data, Case)
+function texts = neverVaried (data, Case)
   X = data.X;
   width = diff (Case.limits(1:2, :));
   isSame = rows (X) > 1 & max (X, [], 1) - min (X, [], 1) <= 5e-3 * width;
   texts = cellfun (@(name, x) sprintf ('%s was never varied: it is %.6g in all runs', name, x), ...
                    Case.names(isSame), num2cell (X(1:min (end, 1), isSame)), ...
                    'UniformOutput', false);
+  if isfield (Case, 'fixed')
+    texts = [{Case.fixed.text}, texts];
+  end
 end
 
 % What stands in lists in the order of targets and parameters, by name.

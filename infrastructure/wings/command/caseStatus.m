@@ -11,8 +11,7 @@
 %              at most has been run, by check --try), 'new'
 %     stage    'plan', 'calibration', 'gap', or '' where there is no run
 %     models   1 x M struct array: name, done, failed, running, waiting, lost
-%              (broken off, see runsOfCase), old (runs that no longer count, nor are
-%              samples, see readTaken),
+%              (broken off, see runsOfCase), old (runs that no longer count),
 %              unread (done, but to be read anew at the next start), elapsed
 %              (1 x n, seconds since each of these was started), seconds (median,
 %              NaN: not known)
@@ -119,9 +118,6 @@ end
 
 function models = countsOf (Case, runs, seconds)
   models = struct ('name', {Case.models.name}, 'seconds', num2cell (seconds));
-  taken = readTaken (Case.folder);
-  [~, names] = cellfun (@fileparts, {runs.folder}, 'UniformOutput', false);
-  isTaken = ismember ([[runs.model]', str2double(names(:))], taken, 'rows')';
   for k = 1:numel (models)
     ofModel = runs([runs.model] == k);
     current = ofModel([ofModel.isCurrent]);
@@ -134,7 +130,7 @@ function models = countsOf (Case, runs, seconds)
     models(k).running = count ('running');
     models(k).elapsed = sinceStart (current(strcmp (states, 'running')));
     models(k).waiting = count ('waiting');
-    models(k).old = sum ([runs.model] == k & ~[runs.isCurrent] & ~isTaken);
+    models(k).old = sum (~[ofModel.isCurrent]);
   end
 end
 
@@ -218,13 +214,6 @@ end
 %! assert (s.plan, [16, 16]);
 %! assert (s.sets, [1, 40]);
 %! assert (s.later, 2);
-%! % runs of another input, one of which is a sample of this one
-%! Case.modelVars.e = 1;
-%! old = [caseStatus(Case, []).models.old];
-%! assert (old(2), 9);
-%! writeAtomic (fullfile (Case.folder, 'results', 'library.csv'), ...
-%!              "# x\nnumber,run,model,case\n2,3,Second,\n");
-%! assert ([caseStatus(Case, []).models.old], old - [0, 1]);
 %!test
 %! % how long the longest run has been going
 %! Case = readyCase ();
